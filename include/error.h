@@ -1,0 +1,24 @@
+/*
+ * error - a failure as a value.
+ *
+ * A function that can fail returns 0 when all is well and -1 when not, and then fills the
+ * struct error that the caller handed in with one line: `place: what was found, what was
+ * expected`.  Only the tools turn it into a message and an exit status (cli.h: die_error).
+ */
+#ifndef CLOUDMILL_ERROR_H
+#define CLOUDMILL_ERROR_H
+
+#include <stddef.h>
+
+struct error {
+    char text[400]; /* one line without its newline */
+};
+
+/* Fills *error as printf would and returns -1, so that a caller can `return error_set(...)`. */
+int error_set(struct error *error, const char *format, ...) __attribute__((format(printf, 2, 3)));
+
+/* The same with the place `name:line: ` (line 0: `name: `) in front. */
+int error_at(struct error *error, const char *name, size_t line, const char *format, ...)
+    __attribute__((format(printf, 4, 5)));
+
+#endif

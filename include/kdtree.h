@@ -1,0 +1,28 @@
+/*
+ * kdtree - nearest neighbours and neighbourhoods among points in space.
+ *
+ * The tree holds its own copy of the points, in an order of its own; what it returns are indices
+ * into the array it was made from.  Ties are broken by the smaller index, so that the answer does
+ * not depend on the shape of the tree.
+ */
+#ifndef CLOUDMILL_KDTREE_H
+#define CLOUDMILL_KDTREE_H
+
+#include "array.h"
+#include "vec.h"
+
+struct kdtree;
+
+struct kdtree *kdtree_new(const struct vec3 *point, size_t n);
+void kdtree_free(struct kdtree *tree);
+
+/* The k nearest points to q, nearest first (fewer when there are fewer): index[], and their
+ * squared distances when `distance2` is not NULL.  Returns how many. */
+size_t kdtree_nearest(const struct kdtree *tree, struct vec3 q, size_t k, size_t *index,
+                      double *distance2);
+
+/* Appends the indices of all points within `radius` of q (<=), in no particular but repeatable
+ * order.  The caller empties `found` (found->n = 0). */
+void kdtree_within(const struct kdtree *tree, struct vec3 q, double radius, struct sizes *found);
+
+#endif

@@ -1,0 +1,67 @@
+/*
+ * mesh - a triangulated surface with normals and, when it came from a triangular grid, its rows.
+ *
+ * Lengths in mm.  Normals are unit vectors out of the material.
+ */
+#ifndef CLOUDMILL_MESH_H
+#define CLOUDMILL_MESH_H
+
+#include <stdbool.h>
+
+#include "array.h"
+#include "error.h"
+#include "vec.h"
+
+struct face {
+    int v[3]; /* vertices, counter-clockwise seen from outside */
+};
+
+struct faces {
+    size_t n, cap;
+    struct face *item;
+};
+
+/* What the mesh stream says of itself in its comments; zero or NAN where it says nothing. */
+struct mesh_origin {
+    char *source;       /* the files it was made from */
+    double spacing;     /* t of the triangular grid, mm */
+    double direction;   /* of the rows, degrees about z from x */
+    double ledger;      /* tolerance spent by the maker, mm; NAN: not said */
+    char *maker;        /* the tool that spent it, NULL: not said */
+    bool placed;        /* `place` is more than the identity */
+    double place[4][4]; /* from the scan's own numbers (its units) to this mesh's mm */
+};
+
+struct mesh {
+    struct vec3s vertex;
+    struct vec3s normal;     /* as many as vertices, or none */
+    struct ints row, col;    /* of the triangular grid, from 0: as many as vertices, or none */
+    struct doubles kmax;     /* largest concave curvature, 1/mm: as many as vertices, or none */
+    struct faces face;       /* row by row, in each row the triangles that point up first */
+    struct mesh_origin origin;
+};
+
+void mesh_free(struct mesh *mesh);
+
+/* Normal of a face by the right-hand rule, its length twice the face's area. */
+struct vec3 mesh_face_cross(const struct mesh *mesh, size_t face);
+
+/*
+ * Paper 1, eq 8: at each vertex the mean of the unit normals of its facets, made a unit vector;
+ * facets without area are passed over, a vertex without a facet gets (0, 0, 1).  Fills
+ * mesh->normal.
+ */
+void mesh_normals_facet(struct mesh *mesh);
+
+/* Paper 1, eq 7 (Gouraud): the mean of the neighbouring vertices' normals, made a unit vector.
+ * Takes the normals that stand in the mesh and replaces them. */
+void mesh_normals_gouraud(struct mesh *mesh);
+
+/*
+ * Central differences along the row and the column of a mesh with rows: the cross product of the
+ * differences between the two neighbours in each direction, one-sided at a border.  -1 when the
+ * mesh has no rows or a vertex has no neighbour in one of the directions.
+ */
+int mesh_normals_central(struct mesh *mesh, struct error *error);
+
+#endif

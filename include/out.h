@@ -1,0 +1,33 @@
+/*
+ * out - checked output to standard output or, complete or not at all, to a file.
+ *
+ * A file is written beside its place and renamed when out_close finds everything written; a
+ * process that ends before (die, a signal) leaves an older file as it was and nothing beside it.
+ * What is no regular file (a FIFO, /dev/null) is written directly.  Any failure to write ends
+ * the process with exit status 1.  One output at a time.
+ */
+#ifndef CLOUDMILL_OUT_H
+#define CLOUDMILL_OUT_H
+
+#include <stddef.h>
+
+struct out;
+
+/* NULL or "-": standard output. */
+struct out *out_open(const char *file);
+
+void out_text(struct out *o, const char *s);
+void out_bytes(struct out *o, const void *p, size_t n);
+void out_printf(struct out *o, const char *format, ...) __attribute__((format(printf, 2, 3)));
+
+/* x with `digits` decimals as num_write writes it. */
+void out_num(struct out *o, double x, int digits);
+void out_int(struct out *o, long long i);
+
+/* Writes what is left, checks it and gives the file its name. */
+void out_close(struct out *o);
+
+/* Takes away an unfinished file; for die and the signal handler. */
+void out_abandon(void);
+
+#endif
