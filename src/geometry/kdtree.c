@@ -1,0 +1,269 @@
+/*
+ * kdtree - a balanced tree that lies in the order of its points.
+ *
+ * The node of the range [from, to) is the point in its middle: what stands before it is not above
+ * it along the node's axis, what stands behind is not below.  So the tree needs no pointers: only
+ * the points in that order, where each came from, and the axis of each node.  Ranges of up to LEAF
+ * points are searched one by one.  The distance to a node's box is carried down and changed in one
+ * coordinate at a time (Arya and Mount 1993).
+ */
+#include "kdtree.h"
+
+#include <stdbool.h>
+#include <stdlib.h>
+
+enum { LEAF = 12, ON_STACK = 128 };
+
+struct kd_point {
+    double c[3];
+    size_t index;
+};
+
+struct kdtree {
+    size_t n;
+    struct kd_point *point;
+    unsigned char *axis; /* of the node whose point stands here */
+};
+
+static void swap(struct kd_point *a, struct kd_point *b)
+{
+    struct kd_point t = *a;
+    *a = *b;
+    *b = t;
+}
+
+/* Brings the point that belongs at `middle` along the axis there, smaller ones before it. */
+static void select_middle(struct kd_point *p, size_t from, size_t to, size_t middle, int axis)
+{
+    while (to - from > 1) {
+        double a = p[from].c[axis], b = p[from + (to - from) / 2].c[axis], c = p[to - 1].c[axis];
+        double pivot = a < b ? (b < c ? b : fmax(a, c)) : (a < c ? a : fmax(b, c));
+        size_t i = from, j = to - 1;
+
+        for (;;) {
+            while (p[i].c[axis] < pivot)
+                i++;
+            while (p[j].c[axis] > pivot)
+                j--;
+            if (i >= j)
+                break;
+            swap(&p[i++], &p[j--]);
+        }
+        if (middle < i) {
+            to = i;
+        } else if (i > j) {
+            from = i;
+        } else { /* both stopped at a point equal to the pivot: it is where it belongs */
+            if (middle == i)
+                return;
+            from = i + 1;
+        }
+    }
+}
+
+static int widest_axis(const struct kd_point *p, size_t from, size_t to)
+{
+    double low[3], high[3];
+    int widest = 0;
+
+    for (int d = 0; d < 3; d++)
+        low[d] = high[d] = p[from].c[d];
+    for (size_t i = from + 1; i < to; i++) {
+        for (int d = 0; d < 3; d++) {
+            low[d] = p[i].c[d] < low[d] ? p[i].c[d] : low[d];
+            high[d] = p[i].c[d] > high[d] ? p[i].c[d] : high[d];
+        }
+    }
+    for (int d = 1; d < 3; d++) {
+        if (high[d] - low[d] > high[widest] - low[widest])
+            widest = d;
+    }
+    return widest;
+}
+
+static void build(struct kdtree *tree, size_t from, size_t to)
+{
+    while (to - from > LEAF) {
+        size_t middle = from + (to - from) / 2;
+        int axis = widest_axis(tree->point, from, to);
+
+        select_middle(tree->point, from, to, middle, axis);
+        tree->axis[middle] = (unsigned char)axis;
+        build(tree, from, middle);
+        from = middle + 1;
+    }
+}
+
+struct kdtree *kdtree_new(const struct vec3 *point, size_t n)
+{
+    struct kdtree *tree = mem_alloc(1, sizeof *tree);
+
+    tree->n = n;
+    tree->point = mem_alloc(n, sizeof *tree->point);
+    tree->axis = mem_alloc(n, 1);
+    for (size_t i = 0; i < n; i++)
+        tree->point[i] = (struct kd_point){{point[i].x, point[i].y, point[i].z}, i};
+    build(tree, 0, n);
+    return tree;
+}
+
+void kdtree_free(struct kdtree *tree)
+{
+    if (!tree)
+        return;
+    free(tree->point);
+    free(tree->axis);
+    free(tree);
+}
+
+static double square(double x)
+{
+    return x * x;
+}
+
+static double distance2_to(const struct kd_point *p, const double q[3])
+{
+    return square(p->c[0] - q[0]) + square(p->c[1] - q[1]) + square(p->c[2] - q[2]);
+}
+
+/* The nearest points so far: a heap with the farthest of them on top. */
+struct nearest {
+    const struct kdtree *tree;
+    double q[3];
+    double off[3]; /* from q to the box of the node in hand, in each coordinate */
+    size_t k, n;
+    size_t *index;
+    double *distance2;
+};
+
+/* a stands farther than b; among equals the larger index does. */
+static bool farther(const struct nearest *s, size_t a, size_t b)
+{
+    if (s->distance2[a] != s->distance2[b])
+        return s->distance2[a] > s->distance2[b];
+    return s->index[a] > s->index[b];
+}
+
+static void exchange(struct nearest *s, size_t a, size_t b)
+{
+    size_t index = s->index[a];
+    double distance2 = s->distance2[a];
+
+    s->index[a] = s->index[b];
+    s->distance2[a] = s->distance2[b];
+    s->index[b] = index;
+    s->distance2[b] = distance2;
+}
+
+static void sift_down(struct nearest *s, size_t at, size_t n)
+{
+    for (size_t child; (child = 2 * at + 1) < n; at = child) {
+        if (child + 1 < n && farther(s, child + 1, child))
+            child++;
+        if (!farther(s, child, at))
+            return;
+        exchange(s, at, child);
+    }
+}
+
+static void offer(struct nearest *s, const struct kd_point *p)
+{
+    double d2 = distance2_to(p, s->q);
+
+    if (s->n < s->k) {
+        size_t at = s->n++;
+        s->index[at] = p->index;
+        s->distance2[at] = d2;
+        for (; at > 0 && farther(s, at, (at - 1) / 2); at = (at - 1) / 2)
+            exchange(s, at, (at - 1) / 2);
+        return;
+    }
+    if (d2 > s->distance2[0] || (d2 == s->distance2[0] && p->index > s->index[0]))
+        return;
+    s->index[0] = p->index;
+    s->distance2[0] = d2;
+    sift_down(s, 0, s->n);
+}
+
+/* `box2` is the squared distance from q to the box of [from, to). */
+static void search_nearest(struct nearest *s, size_t from, size_t to, double box2)
+{
+    if (to - from <= LEAF) {
+        for (size_t i = from; i < to; i++)
+            offer(s, &s->tree->point[i]);
+        return;
+    }
+    size_t middle = from + (to - from) / 2;
+    int axis = s->tree->axis[middle];
+    double beyond = s->tree->point[middle].c[axis] - s->q[axis], before = s->off[axis];
+    bool left = beyond >= 0;
+
+    if (left)
+        search_nearest(s, from, middle, box2);
+    else
+        search_nearest(s, middle + 1, to, box2);
+    offer(s, &s->tree->point[middle]);
+    double far2 = box2 - square(before) + square(beyond);
+    if (s->n < s->k || far2 * (1 - 1e-12) <= s->distance2[0]) {
+        s->off[axis] = beyond;
+        if (left)
+            search_nearest(s, middle + 1, to, far2);
+        else
+            search_nearest(s, from, middle, far2);
+        s->off[axis] = before;
+    }
+}
+
+size_t kdtree_nearest(const struct kdtree *tree, struct vec3 q, size_t k, size_t *index,
+                      double *distance2)
+{
+    double stack[ON_STACK], *own = NULL;
+
+    if (k > tree->n)
+        k = tree->n;
+    if (k == 0)
+        return 0;
+    if (!distance2)
+        distance2 = k <= ON_STACK ? stack : (own = mem_alloc(k, sizeof *own));
+    struct nearest s = {tree, {q.x, q.y, q.z}, {0, 0, 0}, k, 0, index, distance2};
+    search_nearest(&s, 0, tree->n, 0);
+    for (size_t last = k - 1; last > 0; last--) { /* heap sort: nearest first */
+        exchange(&s, 0, last);
+        sift_down(&s, 0, last);
+    }
+    free(own);
+    return k;
+}
+
+static void search_within(const struct kdtree *tree, const double q[3], double radius, size_t from,
+                          size_t to, struct sizes *found)
+{
+    double radius2 = square(radius);
+
+    while (to - from > LEAF) {
+        size_t middle = from + (to - from) / 2;
+        int axis = tree->axis[middle];
+        double beyond = tree->point[middle].c[axis] - q[axis];
+
+        if (distance2_to(&tree->point[middle], q) <= radius2)
+            *array_push(found) = tree->point[middle].index;
+        if (square(beyond) <= radius2)
+            search_within(tree, q, radius, middle + 1, to, found);
+        if (beyond >= 0 || square(beyond) <= radius2)
+            to = middle;
+        else
+            from = middle + 1;
+    }
+    for (size_t i = from; i < to; i++) {
+        if (distance2_to(&tree->point[i], q) <= radius2)
+            *array_push(found) = tree->point[i].index;
+    }
+}
+
+void kdtree_within(const struct kdtree *tree, struct vec3 q, double radius, struct sizes *found)
+{
+    double c[3] = {q.x, q.y, q.z};
+
+    if (tree->n > 0 && radius >= 0)
+        search_within(tree, c, radius, 0, tree->n, found);
+}

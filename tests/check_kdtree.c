@@ -1,0 +1,160 @@
+/* kdtree against a search one by one, on random points, lattices (many ties) and duplicates. */
+#include <check.h>
+#include <stdint.h>
+#include <stdlib.h>
+
+#include "kdtree.h"
+
+static uint64_t state = 1;
+
+static double uniform(void)
+{
+    state = state * 6364136223846793005u + 1442695040888963407u;
+    return (double)(state >> 11) / 9007199254740992.0;
+}
+
+/* kind 0: in a box; 1: a thin sheet; 2: on a lattice; 3: all in one place; 4: on a line */
+static struct vec3 make_point(int kind)
+{
+    switch (kind) {
+    case 0:
+        return vec(uniform(), 3 * uniform(), 10 * uniform());
+    case 1:
+        return vec(100 * uniform(), 70 * uniform(), 0.01 * uniform());
+    case 2:
+        return vec(floor(8 * uniform()), floor(8 * uniform()), floor(2 * uniform()));
+    case 3:
+        return vec(5, 6, 7);
+    default:
+        return vec(1, 1000 * uniform(), 2);
+    }
+}
+
+struct hit {
+    double d2;
+    size_t index;
+};
+
+static int by_distance(const void *pa, const void *pb)
+{
+    const struct hit *a = pa, *b = pb;
+
+    if (a->d2 != b->d2)
+        return a->d2 < b->d2 ? -1 : 1;
+    return a->index < b->index ? -1 : a->index > b->index;
+}
+
+static int by_index(const void *pa, const void *pb)
+{
+    const size_t *a = pa, *b = pb;
+
+    return *a < *b ? -1 : *a > *b;
+}
+
+enum { MOST = 700, KINDS = 5 };
+
+static void compare(int kind, size_t n, size_t k)
+{
+    struct vec3 point[MOST];
+    struct hit all[MOST];
+    size_t index[MOST];
+    double distance2[MOST];
+    struct sizes found = {0};
+
+    for (size_t i = 0; i < n; i++)
+        point[i] = make_point(kind);
+    array_reserve(&found, n);
+    struct kdtree *tree = kdtree_new(point, n);
+    for (int query = 0; query < 20; query++) {
+        struct vec3 q = query % 2 ? make_point(kind) : make_point(0);
+        for (size_t i = 0; i < n; i++) {
+            struct vec3 d = vec_sub(point[i], q);
+            all[i] = (struct hit){vec_dot(d, d), i};
+        }
+        qsort(all, n, sizeof *all, by_distance);
+        size_t got = kdtree_nearest(tree, q, k, index, distance2);
+        ck_assert_uint_eq(got, k < n ? k : n);
+        for (size_t i = 0; i < got; i++) {
+            ck_assert_uint_eq(index[i], all[i].index);
+            ck_assert(distance2[i] == all[i].d2);
+        }
+        ck_assert_uint_eq(kdtree_nearest(tree, q, k, index, NULL), got);
+        for (size_t i = 0; i < got; i++)
+            ck_assert_uint_eq(index[i], all[i].index);
+
+        double radius = kind == 2 ? 2 : sqrt(all[(n - 1) / 3].d2);
+        size_t want = 0;
+        while (want < n && all[want].d2 <= radius * radius)
+            want++;
+        found.n = 0;
+        kdtree_within(tree, q, radius, &found);
+        ck_assert_uint_eq(found.n, want);
+        qsort(found.item, found.n, sizeof *found.item, by_index);
+        for (size_t i = 0; i < want; i++)
+            ck_assert_ptr_nonnull(
+                bsearch(&all[i].index, found.item, found.n, sizeof *found.item, by_index));
+    }
+    array_free(&found);
+    kdtree_free(tree);
+}
+
+START_TEST(same_as_one_by_one)
+{
+    static const size_t sizes[] = {1, 2, 3, 12, 13, 25, 26, 100, 333, MOST};
+
+    for (int kind = 0; kind < KINDS; kind++) {
+        for (size_t i = 0; i < sizeof sizes / sizeof *sizes; i++) {
+            compare(kind, sizes[i], 1);
+            compare(kind, sizes[i], 40);
+            compare(kind, sizes[i], 300);
+        }
+    }
+}
+END_TEST
+
+START_TEST(sorted_input)
+{
+    enum { N = 500 };
+    struct vec3 point[N];
+    size_t index;
+
+    for (int i = 0; i < N; i++)
+        point[i] = vec(i, 0, 0);
+    struct kdtree *tree = kdtree_new(point, N);
+    for (int i = 0; i < N; i++) {
+        ck_assert_uint_eq(kdtree_nearest(tree, vec(i + 0.5, 1, 1), 1, &index, NULL), 1);
+        ck_assert_uint_eq(index, (size_t)i); /* i and i + 1 are as near: the smaller index */
+    }
+    kdtree_free(tree);
+}
+END_TEST
+
+START_TEST(nothing_to_find)
+{
+    struct sizes found = {0};
+    size_t index;
+    struct kdtree *tree = kdtree_new(NULL, 0);
+
+    ck_assert_uint_eq(kdtree_nearest(tree, vec(0, 0, 0), 3, &index, NULL), 0);
+    kdtree_within(tree, vec(0, 0, 0), 5, &found);
+    ck_assert_uint_eq(found.n, 0);
+    kdtree_free(tree);
+    kdtree_free(NULL);
+}
+END_TEST
+
+int main(void)
+{
+    Suite *suite = suite_create("kdtree");
+    TCase *tests = tcase_create("kdtree");
+    SRunner *runner = srunner_create(suite);
+
+    tcase_add_test(tests, same_as_one_by_one);
+    tcase_add_test(tests, sorted_input);
+    tcase_add_test(tests, nothing_to_find);
+    suite_add_tcase(suite, tests);
+    srunner_run_all(runner, CK_ENV);
+    int failed = srunner_ntests_failed(runner);
+    srunner_free(runner);
+    return failed > 0;
+}
