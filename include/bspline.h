@@ -49,7 +49,8 @@ void bspline_derivatives(const struct bspline *b, const struct vec3 *pole, doubl
 /* A knot more at u, strictly inside; the curve stays as it is. */
 void bspline_insert(struct bspline *b, double u);
 
-/* True when the inner knots are simple and equally spaced within 1e-9 of the whole range. */
+/* True when the inner knots are simple and equally spaced, within 1e-9 of the whole range or 1e-6,
+ * the last digit of a printed knot. */
 bool bspline_uniform(const struct bspline *b);
 
 #endif
