@@ -18,6 +18,8 @@ struct reader {
     size_t line;      /* number of the line last read, from 1 */
     char *buf;        /* from here on for reader.c alone */
     size_t cap, from, to;
+    size_t last, last_end;
+    char last_char;
     bool end, begun;
 };
 
@@ -31,8 +33,8 @@ int reader_open(struct reader *r, const char *file, struct error *error);
  */
 int reader_line(struct reader *r, char **line, size_t *n, struct error *error);
 
-/* Gives the line last read back: the next reader_line returns it again.  Once, unchanged. */
-void reader_unread(struct reader *r, const char *line);
+/* Puts the line last read back: the next reader_line returns it again.  Once, and unchanged. */
+void reader_unread(struct reader *r);
 
 /* Up to n bytes to p; returns how many there were (fewer only at the end), -1 on failure. */
 long reader_bytes(struct reader *r, void *p, size_t n, struct error *error);

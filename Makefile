@@ -1,0 +1,122 @@
+# cloudmill: see README.md for what it is, HACKING.md for the map of the house.
+#
+# make              the tools, in build/bin             make demo     the main job on a real scan
+# make check        all tests                            make deps     what the tests need (Debian)
+# make install      PREFIX=/usr/local DESTDIR=           make bench    speed, beside bare C floors
+# make lint sanitize fuzz dist distcheck clean uninstall
+
+PREFIX  = /usr/local
+DESTDIR =
+CC      = cc
+CFLAGS  = -O2 -g
+BUILD   = build
+VERSION = 0.1.0
+
+WARN  = -Wall -Wextra -Wshadow -Wconversion
+FLAGS = -std=c11 -D_XOPEN_SOURCE=700 -iquote include -ffp-contract=off -pthread $(WARN)
+DEFS  = -DCLOUDMILL_DATADIR='"$(PREFIX)/share/cloudmill"'
+LIBS  = -lm -pthread
+
+tool_src := $(wildcard src/*.c)
+lib_src  := $(wildcard src/base/*.c src/geometry/*.c src/formats/*.c)
+back_src := $(wildcard tests/readback/*.c)
+unit_src := $(wildcard tests/check_*.c)
+help_src := $(filter-out $(unit_src),$(wildcard tests/*.c))
+bench_src := $(wildcard tests/bench/*.c)
+manuals  := $(wildcard man/*.[157])
+machines := $(wildcard machines/*.txt)
+
+tools    := $(tool_src:src/%.c=$(BUILD)/bin/%)
+lib      := $(BUILD)/libcloudmill.a
+lib_obj  := $(lib_src:%.c=$(BUILD)/%.o)
+back_obj := $(back_src:%.c=$(BUILD)/%.o)
+help_obj := $(help_src:%.c=$(BUILD)/%.o)
+units    := $(unit_src:tests/%.c=$(BUILD)/tests/%)
+benches  := $(bench_src:tests/bench/%.c=$(BUILD)/bench/%)
+readback := $(if $(back_src),$(BUILD)/tests/readback)
+
+# What `make deps` installs: for the tests, and for lint and fuzz.
+packages = check pkg-config mandoc clang clang-tidy cppcheck shellcheck gcovr parallel python3
+
+all: $(tools)
+
+$(BUILD)/%.o: %.c
+	@mkdir -p $(@D)
+	$(CC) $(FLAGS) $(DEFS) $(CFLAGS) $(CPPFLAGS) -MMD -MP -c -o $@ $<
+
+$(lib): $(lib_obj)
+	@rm -f $@
+	$(AR) rcs $@ $(lib_obj)
+
+$(BUILD)/bin/%: $(BUILD)/src/%.o $(lib)
+	@mkdir -p $(@D)
+	$(CC) $(CFLAGS) $(LDFLAGS) -o $@ $< $(lib) $(LIBS)
+
+$(BUILD)/tests/readback: $(back_obj) $(help_obj) $(lib)
+	@mkdir -p $(@D)
+	$(CC) $(CFLAGS) $(LDFLAGS) -iquote tests -o $@ $(back_obj) $(help_obj) $(lib) $(LIBS)
+
+$(BUILD)/tests/readback/%.o: FLAGS += -iquote tests
+$(BUILD)/tests/check_%.o: FLAGS += -iquote tests
+$(BUILD)/tests/check_%: $(BUILD)/tests/check_%.o $(help_obj) $(lib)
+	$(CC) $(CFLAGS) $(LDFLAGS) -o $@ $< $(help_obj) $(lib) $$(pkg-config --libs check) $(LIBS)
+
+$(BUILD)/bench/%: $(BUILD)/tests/bench/%.o
+	@mkdir -p $(@D)
+	$(CC) $(CFLAGS) $(LDFLAGS) -o $@ $< $(LIBS)
+
+check: all $(units) $(readback)
+	@CC="$(CC)" BIN="$(abspath $(BUILD))/bin" READBACK="$(abspath $(BUILD))/tests/readback" \
+	  UNITS="$(abspath $(units))" MAKE="$(MAKE)" sh tests/run.sh
+
+demo: all $(readback)
+	@BIN="$(abspath $(BUILD))/bin" READBACK="$(abspath $(BUILD))/tests/readback" \
+	  sh samples/demo.sh demo
+
+bench: all $(benches)
+	@BIN="$(abspath $(BUILD))/bin" FLOOR="$(abspath $(BUILD))/bench" sh tests/bench/bench.sh
+
+deps:
+	apt-get update
+	DEBIAN_FRONTEND=noninteractive apt-get install -y --no-install-recommends $(packages)
+
+lint:
+	cppcheck --quiet --std=c11 --enable=warning,performance,portability --inline-suppr \
+	  --suppress=missingIncludeSystem --error-exitcode=1 -I include -I tests src tests
+	clang-tidy --quiet --warnings-as-errors='*' $(tool_src) $(lib_src) -- $(FLAGS) $(DEFS)
+	shellcheck tests/*.sh tests/*.t samples/*.sh .ci/run
+
+sanitize:
+	$(MAKE) BUILD=$(BUILD)/sanitize CC=clang \
+	  CFLAGS='-O1 -g -fsanitize=address,undefined -fno-sanitize-recover=all' check
+
+install: all
+	mkdir -p $(DESTDIR)$(PREFIX)/bin $(DESTDIR)$(PREFIX)/share/cloudmill/machines
+	install -m 755 $(tools) $(DESTDIR)$(PREFIX)/bin
+	if [ -n "$(machines)" ]; then \
+	  install -m 644 $(machines) $(DESTDIR)$(PREFIX)/share/cloudmill/machines; fi
+	for page in $(manuals); do \
+	  dir=$(DESTDIR)$(PREFIX)/share/man/man$${page##*.}; \
+	  mkdir -p $$dir && install -m 644 $$page $$dir || exit 1; done
+
+uninstall:
+	rm -f $(tools:$(BUILD)/bin/%=$(DESTDIR)$(PREFIX)/bin/%)
+	for page in $(notdir $(manuals)); do \
+	  rm -f $(DESTDIR)$(PREFIX)/share/man/man$${page##*.}/$$page; done
+	rm -rf $(DESTDIR)$(PREFIX)/share/cloudmill
+
+dist:
+	git archive --prefix=cloudmill-$(VERSION)/ -o cloudmill-$(VERSION).tar.gz HEAD
+
+distcheck: dist
+	rm -rf $(BUILD)/distcheck && mkdir -p $(BUILD)/distcheck
+	tar -xzf cloudmill-$(VERSION).tar.gz -C $(BUILD)/distcheck
+	$(MAKE) -C $(BUILD)/distcheck/cloudmill-$(VERSION) check
+
+clean:
+	rm -rf $(BUILD) demo cloudmill-$(VERSION).tar.gz
+
+.PHONY: all check demo bench deps lint sanitize install uninstall dist distcheck clean
+.SECONDARY:
+
+-include $(shell find $(BUILD) -name '*.d' 2>/dev/null)

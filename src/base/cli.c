@@ -1,0 +1,261 @@
+/* cli - options by table and the help made from it; see cli.h. */
+#include "cli.h"
+
+#include <fcntl.h>
+#include <getopt.h>
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+#include "array.h"
+#include "message.h"
+#include "num.h"
+
+static bool help, version, quiet, verbose;
+
+enum { COMMON_HELP = 256 }; /* getopt's value for option i of the merged table: this + i */
+
+/* The tool's options and, behind them, those that every tool has. */
+struct table {
+    size_t n, cap;
+    struct cli_option *item;
+};
+
+static struct table merge(struct cli *cli)
+{
+    const struct cli_option common[] = {
+        {'o', "output", "FILE", "write to FILE, whole or not at all, instead of standard output",
+         CLI_TEXT, &cli->output, 0, 0, 0, NULL},
+        {'j', "threads", "N", "use N threads (default: one a processor); the result is the same",
+         CLI_COUNT, &cli->threads, 1, 1024, 0, NULL},
+        {'q', "quiet", NULL, "say nothing but errors", CLI_FLAG, &quiet, 0, 0, 0, NULL},
+        {'v', "verbose", NULL, "sum up what went in, what came out, what tolerance was kept",
+         CLI_FLAG, &verbose, 0, 0, 0, NULL},
+        {'h', "help", NULL, "print this and exit", CLI_FLAG, &help, 0, 0, 0, NULL},
+        {'V', "version", NULL, "print the version and exit", CLI_FLAG, &version, 0, 0, 0, NULL},
+    };
+    struct table t = {0};
+    for (const struct cli_option *o = cli->option; o && o->name; o++)
+        *array_push(&t) = *o;
+    for (size_t i = 0; i < sizeof common / sizeof *common; i++)
+        *array_push(&t) = common[i];
+    return t;
+}
+
+/* `text` up to a newline, then its further lines under the same column. */
+static void print_help_text(const char *text, int column)
+{
+    for (;;) {
+        const char *end = strchr(text, '\n');
+        if (!end) {
+            printf("%s\n", text);
+            return;
+        }
+        printf("%.*s\n%*s", (int)(end - text), text, column, "");
+        text = end + 1;
+    }
+}
+
+static void print_help(const struct cli *cli, const struct table *t)
+{
+    enum { COLUMN = 30 };
+    printf("usage: %s %s\n%s\n\n", cli->tool, cli->usage, cli->about);
+    for (size_t i = 0; i < t->n; i++) {
+        const struct cli_option *o = &t->item[i];
+        int n = o->letter ? printf("  -%c, --%s", o->letter, o->name) : printf("      --%s", o->name);
+        if (o->arg)
+            n += printf(" %s", o->arg);
+        if (n >= COLUMN - 1)
+            n = printf("\n") - 1;
+        printf("%*s", COLUMN - n, "");
+        print_help_text(o->help, COLUMN);
+    }
+    printf("\nNo FILE, or -: standard input.  Lengths in mm, angles in degrees.\n"
+           "Exit status: 0 done, 1 input or output failed, 2 wrong usage, 3 done but a stated\n"
+           "requirement is not met.  Manual: man %s\n", cli->tool);
+}
+
+/* How the option was meant: `-r` or `--radius`. */
+static const char *shown(const struct cli_option *o, char buf[64])
+{
+    if (o->letter)
+        snprintf(buf, 64, "-%c/--%s", o->letter, o->name);
+    else
+        snprintf(buf, 64, "--%s", o->name);
+    return buf;
+}
+
+static _Noreturn void refuse(const struct cli_option *o, const char *text, const char *expected)
+{
+    char name[64];
+    die_usage("option %s: found `%.60s`, expected %s", shown(o, name), text, expected);
+}
+
+static void expect_range(const struct cli_option *o, double value, const char *text)
+{
+    if (o->min == 0 && o->max == 0)
+        return;
+    if (value >= o->min && (o->max == 0 || value <= o->max))
+        return;
+    char expected[100], low[NUM_MAX], high[NUM_MAX];
+    num_write_short(low, o->min, 6, false);
+    num_write_short(high, o->max, 6, false);
+    if (o->max != 0)
+        snprintf(expected, sizeof expected, "%.40s to %.40s", low, high);
+    else
+        snprintf(expected, sizeof expected, o->min == CLI_POSITIVE ? "a number above 0"
+                                                                   : "%.40s or more", low);
+    refuse(o, text, expected);
+}
+
+static int read_choice(const struct cli_option *o, const char *text)
+{
+    const char *word = o->arg;
+    for (int i = 0;; i++) {
+        size_t n = strcspn(word, "|");
+        if (strlen(text) == n && strncmp(word, text, n) == 0)
+            return i;
+        if (!word[n]) {
+            char expected[200];
+            snprintf(expected, sizeof expected, "one of %s", o->arg);
+            refuse(o, text, expected);
+        }
+        word += n + 1;
+    }
+}
+
+static void read_numbers(const struct cli_option *o, const char *text)
+{
+    const char *p = text;
+    double *value = o->value;
+    int n = 0;
+    while (n < o->count && num_read(&p, &value[n]) && isfinite(value[n])) {
+        n++;
+        if (*p != ',')
+            break;
+        p++;
+    }
+    if (n != o->count || *p || p[-1] == ',') {
+        char expected[64];
+        snprintf(expected, sizeof expected, "%d numbers with commas between", o->count);
+        refuse(o, text, expected);
+    }
+}
+
+static void set(const struct cli_option *o, const char *text)
+{
+    double number = 0;
+    switch (o->kind) {
+    case CLI_FLAG:
+        *(bool *)o->value = true;
+        break;
+    case CLI_NUMBER:
+        if (!num_whole(text, &number))
+            refuse(o, text, "a number");
+        expect_range(o, number, text);
+        *(double *)o->value = number;
+        break;
+    case CLI_COUNT:
+        if (!num_whole(text, &number) || number != floor(number) || fabs(number) > 1e9)
+            refuse(o, text, "a whole number");
+        expect_range(o, number, text);
+        *(int *)o->value = (int)number;
+        break;
+    case CLI_TEXT:
+        if (!*text)
+            refuse(o, text, o->arg);
+        *(const char **)o->value = text;
+        break;
+    case CLI_CHOICE:
+        *(int *)o->value = read_choice(o, text);
+        break;
+    case CLI_NUMBERS:
+        read_numbers(o, text);
+        break;
+    case CLI_LIST:
+        *array_push((struct cli_list *)o->value) = text;
+        break;
+    }
+    if (o->given)
+        *o->given = true;
+}
+
+/*
+ * A standard file that was closed is opened the wrong way round: no file opened later takes its
+ * place, and whoever reads or writes it finds the failure.
+ */
+static void hold_standard_files(void)
+{
+    static const int mode[] = {O_WRONLY, O_RDONLY, O_WRONLY};
+    for (int fd = 0; fd <= 2; fd++)
+        if (fcntl(fd, F_GETFD) < 0 && open("/dev/null", mode[fd]) != fd)
+            exit(EXIT_FAILED);
+}
+
+static void run_getopt(const struct table *t, int argc, char **argv)
+{
+    struct option *longs = mem_alloc(t->n + 1, sizeof *longs);
+    char *shorts = mem_alloc(2 * t->n + 2, 1), *p = shorts;
+    *p++ = ':';
+    for (size_t i = 0; i < t->n; i++) {
+        const struct cli_option *o = &t->item[i];
+        longs[i] = (struct option){o->name, o->arg ? required_argument : no_argument, NULL,
+                                   COMMON_HELP + (int)i};
+        if (o->letter) {
+            *p++ = (char)o->letter;
+            if (o->arg)
+                *p++ = ':';
+        }
+    }
+    opterr = 0;
+    for (int c; (c = getopt_long(argc, argv, shorts, longs, NULL)) != -1;) {
+        if (c == '?' || c == ':') {
+            const char *what = c == ':' ? "has no value" : "is unknown or ambiguous";
+            if (optopt > 0 && optopt < COMMON_HELP)
+                die_usage("option -%c %s", optopt, what);
+            die_usage("option %.60s %s", argv[optind - 1], what);
+        }
+        for (size_t i = 0; i < t->n; i++)
+            if (c == COMMON_HELP + (int)i || c == t->item[i].letter)
+                set(&t->item[i], optarg);
+    }
+    free(longs);
+    free(shorts);
+}
+
+/* Help and version go to standard output, and a full disk is an error there too. */
+static _Noreturn void finish_stdout(void)
+{
+    if (fflush(stdout) != 0 || fclose(stdout) != 0)
+        die("standard output: cannot write");
+    exit(EXIT_DONE);
+}
+
+void cli_parse(struct cli *cli, int argc, char **argv)
+{
+    static char standard_input[] = "-";
+    static char *only_standard_input[] = {standard_input, NULL};
+
+    hold_standard_files();
+    message_begin(cli->tool);
+    struct table t = merge(cli);
+    run_getopt(&t, argc, argv);
+    message_level(quiet, verbose);
+    if (help) {
+        print_help(cli, &t);
+        finish_stdout();
+    }
+    if (version) {
+        printf("%s (cloudmill) %s\n", cli->tool, CLOUDMILL_VERSION);
+        finish_stdout();
+    }
+    array_free(&t);
+    cli->files = argc - optind;
+    cli->file = argv + optind;
+    if (cli->files == 0) {
+        cli->files = 1;
+        cli->file = only_standard_input;
+    }
+}

@@ -1,0 +1,169 @@
+/*
+ * num - see num.h.
+ *
+ * Reading: up to 19 digits are gathered in an integer.  When it is below 2^53 and the power of
+ * ten within 10^22, both are exact doubles and one multiplication or division rounds once, which
+ * is the nearest double (Clinger 1990).  All else goes to strtod, which the C locale makes exact.
+ *
+ * Writing: x * 10^digits is rounded to an integer, half away from zero, and its digits are set
+ * down; beyond 2^53, where a double has no decimals to round, printf writes it.
+ */
+#include "num.h"
+
+#include <math.h>
+#include <stdint.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+static const double power_of_ten[] = {1e0,  1e1,  1e2,  1e3,  1e4,  1e5,  1e6,  1e7,
+                                      1e8,  1e9,  1e10, 1e11, 1e12, 1e13, 1e14, 1e15,
+                                      1e16, 1e17, 1e18, 1e19, 1e20, 1e21, 1e22};
+
+static bool is_digit(char c)
+{
+    return c >= '0' && c <= '9';
+}
+
+/* The number in [from, to) by strtod, its exponent letter made an `e`. */
+static double read_exactly(const char *from, const char *to)
+{
+    size_t n = (size_t)(to - from);
+    char small[64], *copy = n < sizeof small ? small : malloc(n + 1);
+    if (!copy)
+        return NAN;
+    for (size_t i = 0; i < n; i++)
+        copy[i] = from[i] == 'd' || from[i] == 'D' ? 'e' : from[i];
+    copy[n] = '\0';
+    double value = strtod(copy, NULL);
+    if (copy != small)
+        free(copy);
+    return value;
+}
+
+/* An exponent at p (`e-3`, `D+05`): its value, *end behind it; 0 and p when there is none. */
+static int read_exponent(const char *p, const char **end)
+{
+    *end = p;
+    if (*p != 'e' && *p != 'E' && *p != 'd' && *p != 'D')
+        return 0;
+    p++;
+    bool negative = *p == '-';
+    if (*p == '-' || *p == '+')
+        p++;
+    if (!is_digit(*p))
+        return 0;
+    int value = 0;
+    for (; is_digit(*p); p++)
+        if (value < 100000)
+            value = value * 10 + (*p - '0');
+    *end = p;
+    return negative ? -value : value;
+}
+
+bool num_read(const char **s, double *value)
+{
+    const char *p = *s;
+    bool negative = *p == '-';
+    if (*p == '-' || *p == '+')
+        p++;
+
+    uint64_t mantissa = 0;
+    int digits = 0, decimals = 0;
+    const char *first = p;
+    for (; is_digit(*p); p++, digits++)
+        mantissa = mantissa * 10 + (uint64_t)(*p - '0');
+    if (*p == '.') {
+        const char *point = ++p;
+        for (; is_digit(*p); p++)
+            mantissa = mantissa * 10 + (uint64_t)(*p - '0');
+        decimals = p - point < 400 ? (int)(p - point) : 400;
+        digits = p - first > 400 ? 400 : digits + decimals;
+    }
+    if (digits == 0)
+        return false;
+
+    const char *end = p;
+    int exponent = read_exponent(p, &end) - decimals;
+    if (digits <= 19 && mantissa <= (UINT64_C(1) << 53) && exponent >= -22 && exponent <= 22) {
+        double m = (double)mantissa;
+        m = exponent < 0 ? m / power_of_ten[-exponent] : m * power_of_ten[exponent];
+        *value = negative ? -m : m;
+    } else {
+        *value = read_exactly(*s, end);
+    }
+    *s = end;
+    return true;
+}
+
+bool num_whole(const char *text, double *value)
+{
+    while (*text == ' ' || *text == '\t')
+        text++;
+    if (!num_read(&text, value) || !isfinite(*value))
+        return false;
+    while (*text == ' ' || *text == '\t')
+        text++;
+    return *text == '\0';
+}
+
+/* |x| * 10^digits rounded half away from zero, where that is below 2^53. */
+static bool scaled(double x, int digits, uint64_t *integer)
+{
+    double s = fabs(x) * power_of_ten[digits];
+    if (!(s < 9007199254740992.0))
+        return false;
+    *integer = (uint64_t)(s + 0.5);
+    if ((double)*integer - s > 0.5) /* the sum itself was rounded up */
+        --*integer;
+    return true;
+}
+
+size_t num_write(char *buf, double x, int digits)
+{
+    uint64_t integer;
+    if (!scaled(x, digits, &integer))
+        return (size_t)snprintf(buf, NUM_MAX, "%.*f", digits, x);
+
+    char reversed[32];
+    size_t n = 0;
+    bool negative = x < 0 && integer != 0;
+    for (int i = 0; integer || i <= digits; i++) {
+        if (i == digits && digits)
+            reversed[n++] = '.';
+        reversed[n++] = (char)('0' + integer % 10);
+        integer /= 10;
+    }
+    char *p = buf;
+    if (negative)
+        *p++ = '-';
+    while (n)
+        *p++ = reversed[--n];
+    *p = '\0';
+    return (size_t)(p - buf);
+}
+
+size_t num_write_short(char *buf, double x, int digits, bool point)
+{
+    size_t n = num_write(buf, x, digits);
+    if (!digits) {
+        if (point)
+            buf[n++] = '.';
+    } else {
+        while (buf[n - 1] == '0')
+            n--;
+        if (buf[n - 1] == '.' && !point)
+            n--;
+    }
+    buf[n] = '\0';
+    return n;
+}
+
+double num_round(double x, int digits)
+{
+    uint64_t integer;
+    if (!scaled(x, digits, &integer))
+        return x;
+    double r = (double)integer / power_of_ten[digits];
+    return x < 0 && integer ? -r : r;
+}

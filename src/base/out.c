@@ -1,0 +1,191 @@
+/* out - see out.h. */
+#include "out.h"
+
+#include <errno.h>
+#include <fcntl.h>
+#include <signal.h>
+#include <stdarg.h>
+#include <stdbool.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include "array.h"
+#include "cli.h"
+#include "num.h"
+
+enum { BUFFER = 1 << 16 };
+
+struct out {
+    int fd;
+    const char *name; /* for messages */
+    char *target;     /* the name it gets when complete; NULL: written directly */
+    size_t n;
+    char buf[BUFFER];
+};
+
+/* The unfinished file's name while there is one: read by the signal handler, hence global. */
+static char *volatile unfinished;
+
+void out_abandon(void)
+{
+    if (unfinished)
+        unlink(unfinished);
+    unfinished = NULL;
+}
+
+static void on_signal(int signal_number)
+{
+    out_abandon();
+    signal(signal_number, SIG_DFL);
+    raise(signal_number);
+}
+
+static void watch_signals(void)
+{
+    static const int ending[] = {SIGINT, SIGTERM, SIGHUP, SIGPIPE};
+    struct sigaction action = {.sa_handler = on_signal}, was;
+    for (size_t i = 0; i < sizeof ending / sizeof *ending; i++)
+        if (sigaction(ending[i], NULL, &was) == 0 && was.sa_handler == SIG_DFL)
+            sigaction(ending[i], &action, NULL);
+}
+
+/* The file that `file` leads to through symbolic links, so that a rename keeps the link. */
+static char *resolve(const char *file)
+{
+    char *real = realpath(file, NULL);
+    return real ? real : mem_string(file, strlen(file));
+}
+
+/* A new file beside the target, with the permissions that the target has or the umask gives. */
+static int create_beside(struct out *o, const struct stat *older)
+{
+    static const char suffix[] = ".XXXXXX";
+    size_t n = strlen(o->target);
+    char *name = mem_alloc(n + sizeof suffix, 1);
+    memcpy(name, o->target, n);
+    memcpy(name + n, suffix, sizeof suffix);
+    int fd = mkstemp(name);
+    if (fd < 0)
+        die("%s: cannot write: %s", o->name, strerror(errno));
+    mode_t mask = umask(0);
+    umask(mask);
+    if (fchmod(fd, older ? older->st_mode & 07777 : 0666 & ~mask) < 0)
+        die("%s: cannot set permissions: %s", o->name, strerror(errno));
+    unfinished = name;
+    watch_signals();
+    return fd;
+}
+
+struct out *out_open(const char *file)
+{
+    struct out *o = mem_alloc(1, sizeof *o);
+    if (!file || strcmp(file, "-") == 0) {
+        o->fd = 1;
+        o->name = "standard output";
+        return o;
+    }
+    o->name = file;
+    struct stat st;
+    bool there = stat(file, &st) == 0;
+    if (there && S_ISDIR(st.st_mode))
+        die("%s: is a directory, expected a file to write", file);
+    if (there && !S_ISREG(st.st_mode)) {
+        o->fd = open(file, O_WRONLY | O_CLOEXEC);
+        if (o->fd < 0)
+            die("%s: cannot write: %s", file, strerror(errno));
+        return o;
+    }
+    if (there && access(file, W_OK) < 0)
+        die("%s: cannot write: %s", file, strerror(errno));
+    o->target = resolve(file);
+    o->fd = create_beside(o, there ? &st : NULL);
+    return o;
+}
+
+static void put(struct out *o, const char *p, size_t n)
+{
+    while (n) {
+        ssize_t done = write(o->fd, p, n);
+        if (done < 0 && errno == EINTR)
+            continue;
+        if (done < 0)
+            die("%s: cannot write: %s", o->name, strerror(errno));
+        p += done;
+        n -= (size_t)done;
+    }
+}
+
+static void flush(struct out *o)
+{
+    put(o, o->buf, o->n);
+    o->n = 0;
+}
+
+void out_bytes(struct out *o, const void *p, size_t n)
+{
+    if (n > BUFFER - o->n)
+        flush(o);
+    if (n > BUFFER) {
+        put(o, p, n);
+        return;
+    }
+    memcpy(o->buf + o->n, p, n);
+    o->n += n;
+}
+
+void out_text(struct out *o, const char *s)
+{
+    out_bytes(o, s, strlen(s));
+}
+
+void out_printf(struct out *o, const char *format, ...)
+{
+    va_list args, again;
+    va_start(args, format);
+    va_copy(again, args);
+    char small[512];
+    int n = vsnprintf(small, sizeof small, format, args);
+    if (n < (int)sizeof small) {
+        out_bytes(o, small, (size_t)n);
+    } else {
+        char *large = mem_alloc((size_t)n + 1, 1);
+        vsnprintf(large, (size_t)n + 1, format, again);
+        out_bytes(o, large, (size_t)n);
+        free(large);
+    }
+    va_end(again);
+    va_end(args);
+}
+
+void out_num(struct out *o, double x, int digits)
+{
+    if (BUFFER - o->n < NUM_MAX)
+        flush(o);
+    o->n += num_write(o->buf + o->n, x, digits);
+}
+
+void out_int(struct out *o, long long i)
+{
+    out_printf(o, "%lld", i);
+}
+
+void out_close(struct out *o)
+{
+    flush(o);
+    if (o->target && fsync(o->fd) < 0)
+        die("%s: cannot write: %s", o->name, strerror(errno));
+    if (close(o->fd) < 0)
+        die("%s: cannot write: %s", o->name, strerror(errno));
+    if (o->target) {
+        char *done = unfinished;
+        if (rename(done, o->target) < 0)
+            die("%s: cannot rename: %s", o->name, strerror(errno));
+        unfinished = NULL;
+        free(done);
+        free(o->target);
+    }
+    free(o);
+}

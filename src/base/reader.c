@@ -1,0 +1,152 @@
+/*
+ * reader - see reader.h.
+ *
+ * One buffer, refilled at its end and moved to its front when a line does not fit behind; a line
+ * is ended in place with '\0' and handed out without a copy.
+ */
+#include "reader.h"
+
+#include <errno.h>
+#include <fcntl.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include "array.h"
+
+enum { CHUNK = 1 << 16 };
+
+int reader_open(struct reader *r, const char *file, struct error *error)
+{
+    memset(r, 0, sizeof *r);
+    bool standard = !file || strcmp(file, "-") == 0;
+    r->name = standard ? "-" : file;
+    r->fd = standard ? 0 : open(file, O_RDONLY | O_CLOEXEC);
+    if (r->fd < 0)
+        return error_set(error, "%s: cannot open: %s", r->name, strerror(errno));
+    struct stat st;
+    if (fstat(r->fd, &st) == 0 && S_ISDIR(st.st_mode)) {
+        reader_close(r);
+        return error_set(error, "%s: is a directory, expected a file", r->name);
+    }
+    return 0;
+}
+
+void reader_close(struct reader *r)
+{
+    if (r->fd > 0)
+        close(r->fd);
+    r->fd = -1;
+    free(r->buf);
+    r->buf = NULL;
+}
+
+/* One read behind what is there; a byte beyond `to` always stays free for a '\0'. */
+static int fill_once(struct reader *r, struct error *error)
+{
+    r->buf = mem_grow(r->buf, &r->cap, r->to + CHUNK + 1, 1);
+    ssize_t n;
+    do
+        n = read(r->fd, r->buf + r->to, r->cap - r->to - 1);
+    while (n < 0 && errno == EINTR);
+    if (n < 0)
+        return error_at(error, r->name, r->line, "cannot read: %s", strerror(errno));
+    r->end = n == 0;
+    r->to += (size_t)n;
+    return 0;
+}
+
+/* Reads more; the first time until a byte order mark would be seen, which is passed over. */
+static int fill(struct reader *r, struct error *error)
+{
+    if (r->from > 0) {
+        memmove(r->buf, r->buf + r->from, r->to - r->from);
+        r->to -= r->from;
+        r->from = 0;
+    }
+    if (fill_once(r, error) < 0)
+        return -1;
+    if (!r->begun) {
+        while (r->to < 3 && !r->end)
+            if (fill_once(r, error) < 0)
+                return -1;
+        r->begun = true;
+        if (r->to >= 3 && memcmp(r->buf, "\xEF\xBB\xBF", 3) == 0)
+            r->from = 3;
+    }
+    return 0;
+}
+
+int reader_line(struct reader *r, char **line, size_t *n, struct error *error)
+{
+    size_t seen = 0;
+    for (;;) {
+        char *from = r->buf ? r->buf + r->from : NULL;
+        size_t have = r->to - r->from;
+        char *lf = have > seen ? memchr(from + seen, '\n', have - seen) : NULL;
+        size_t until = lf ? (size_t)(lf - from) : have;
+        char *cr = until > seen ? memchr(from + seen, '\r', until - seen) : NULL;
+        if (cr && (cr + 1 < from + have || r->end)) { /* what follows it is known */
+            *n = (size_t)(cr - from);
+            r->from += *n + (cr + 1 == lf ? 2 : 1);
+        } else if (lf && !cr) {
+            *n = until;
+            r->from += until + 1;
+        } else if (r->end) {
+            if (have == 0)
+                return 0;
+            *n = have;
+            r->from = r->to;
+        } else {
+            seen = cr ? (size_t)(cr - from) : have;
+            if (fill(r, error) < 0)
+                return -1;
+            continue;
+        }
+        r->last = (size_t)(from - r->buf);
+        r->last_end = r->last + *n;
+        r->last_char = from[*n];
+        from[*n] = '\0';
+        *line = from;
+        r->line++;
+        return 1;
+    }
+}
+
+void reader_unread(struct reader *r)
+{
+    r->buf[r->last_end] = r->last_char;
+    r->from = r->last;
+    r->line--;
+}
+
+long reader_bytes(struct reader *r, void *p, size_t n, struct error *error)
+{
+    size_t got = 0;
+    while (got < n) {
+        size_t have = r->to - r->from;
+        if (have == 0) {
+            if (r->end)
+                break;
+            if (fill(r, error) < 0)
+                return -1;
+            continue;
+        }
+        size_t take = have < n - got ? have : n - got;
+        memcpy((char *)p + got, r->buf + r->from, take);
+        r->from += take;
+        got += take;
+    }
+    return (long)got;
+}
+
+long reader_peek(struct reader *r, const char **p, size_t want, struct error *error)
+{
+    while (r->to - r->from < want && !r->end)
+        if (fill(r, error) < 0)
+            return -1;
+    size_t have = r->to - r->from;
+    *p = r->buf + r->from;
+    return (long)(have < want ? have : want);
+}

@@ -1,0 +1,67 @@
+#!/bin/sh
+# layers.t - the arrows go one way: tools -> formats -> geometry -> base; the mathematics is pure.
+. "${SRC:-$(dirname "$0")/..}/tests/lib.sh"
+
+# The layer that owns a header is the one with the source file of the same name.
+owner() {
+	for layer in base geometry formats; do
+		[ -e "$SRC/src/$layer/$1.c" ] && echo $layer && return
+	done
+	case $1 in
+	cli) echo base ;; # cli.h declares what cli.c and message.c define
+	*) echo unknown ;;
+	esac
+}
+
+rank() {
+	case $1 in base) echo 0 ;; geometry) echo 1 ;; formats) echo 2 ;; *) echo 9 ;; esac
+}
+
+# wrong LAYER FILE...: the includes that point the wrong way
+wrong() {
+	own=$(rank "$1")
+	shift
+	for file; do
+		sed -n 's/^#include "\([a-z0-9_]*\)\.h"/\1/p' "$file" | while read -r header; do
+			[ "$(rank "$(owner "$header")")" -le "$own" ] || echo "$file includes $header.h"
+		done
+	done
+}
+
+for layer in base geometry formats; do
+	wrong $layer "$SRC/src/$layer"/*.c >"$TMP/found"
+	empty "src/$layer includes nothing from above"
+	# a header is no way around: it belongs to the layer of its module
+	for file in "$SRC/src/$layer"/*.c; do
+		header=$SRC/include/$(basename "$file" .c).h
+		[ -e "$header" ] && wrong $layer "$header"
+	done >"$TMP/found"
+	empty "the headers of $layer include nothing from above" "$TMP/found"
+done
+
+for file in "$SRC"/include/*.h; do
+	[ "$(owner "$(basename "$file" .h)")" = unknown ] && echo "$file"
+done >"$TMP/found"
+empty "every header belongs to a module" "$TMP/found"
+
+grep -nE '#include <(stdio|unistd|fcntl|signal|time|pthread|getopt)\.h>' "$SRC"/src/geometry/*.c >"$TMP/found"
+empty "geometry does no input or output" "$TMP/found"
+grep -nE '\b(exit|abort|printf|fprintf|puts|die|die_error|die_usage|say|note|rand|time|clock)\(' \
+	"$SRC"/src/geometry/*.c >"$TMP/found"
+empty "geometry ends nothing and prints nothing" "$TMP/found"
+grep -nE '\b(exit|abort|die|die_error|die_usage)\(' "$SRC"/src/formats/*.c >"$TMP/found"
+empty "formats end nothing" "$TMP/found"
+nm -A "$BIN"/../src/geometry/*.o 2>/dev/null | grep -E ' [BbDdC] ' | grep -vE '\.part|\.cold' >"$TMP/found"
+empty "geometry has no variables that outlive a call" "$TMP/found"
+grep -rn 'setlocale' "$SRC"/src >"$TMP/found"
+empty "nobody calls setlocale" "$TMP/found"
+
+# run time: libc and libm alone
+for tool in "$BIN"/*; do
+	ldd "$tool" 2>/dev/null | awk '{ print $1 }' |
+		grep -vE '^(linux-vdso|linux-gate|libc|libm|libpthread|libasan|libubsan|/.*ld-|/lib.*/ld-|statically)' |
+		sed "s|^|$tool: |"
+done >"$TMP/found"
+empty "the tools need libc and libm alone" "$TMP/found"
+
+done_testing
