@@ -48,19 +48,21 @@ struct vec3 mesh_face_cross(const struct mesh *mesh, size_t face);
 
 /*
  * Paper 1, eq 8: at each vertex the mean of the unit normals of its facets, made a unit vector;
- * facets without area are passed over, a vertex without a facet gets (0, 0, 1).  Fills
- * mesh->normal.
+ * facets without area are passed over, a vertex without a facet, or whose normals cancel, gets
+ * (0, 0, 1).  Fills mesh->normal.
  */
 void mesh_normals_facet(struct mesh *mesh);
 
-/* Paper 1, eq 7 (Gouraud): the mean of the neighbouring vertices' normals, made a unit vector.
- * Takes the normals that stand in the mesh and replaces them. */
+/* Paper 1, eq 7 (Gouraud): the mean of the normals of the vertices that share an edge with it,
+ * made a unit vector.  Takes the normals that stand in the mesh and replaces them; a vertex without
+ * neighbours, or where they cancel, keeps its own. */
 void mesh_normals_gouraud(struct mesh *mesh);
 
 /*
  * Central differences along the row and the column of a mesh with rows: the cross product of the
- * differences between the two neighbours in each direction, one-sided at a border.  -1 when the
- * mesh has no rows or a vertex has no neighbour in one of the directions.
+ * differences between the two neighbours in each direction, one-sided at a border; where a vertex
+ * has none in its column, those in the other oblique direction (row + 1, column - 1) stand in.  -1
+ * when the mesh has no rows or a vertex has no neighbour in one of the directions.
  */
 int mesh_normals_central(struct mesh *mesh, struct error *error);
 
