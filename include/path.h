@@ -12,18 +12,9 @@
 #include "array.h"
 #include "bspline.h"
 #include "error.h"
+#include "motion.h"
 #include "out.h"
 #include "vec.h"
-
-/* Where the tool is: the tracked point and the unit axis from the tip to the spindle. */
-struct pose {
-    struct vec3 p, a;
-};
-
-struct poses {
-    size_t n, cap;
-    struct pose *item;
-};
 
 /* Where the ball touches the surface, and the surface's unit normal there. */
 struct contact {

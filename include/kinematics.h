@@ -1,0 +1,72 @@
+/*
+ * kinematics - a machine's rotary axes as one chain from the work to the tool, forward and inverse.
+ *
+ * The chain holds up to two rotary axes, the one nearest the work first: two in the table, two in
+ * the head, one in each, nutating or not.  An axis of the table is in ISO sense, that is, its word
+ * says how the *tool* turns against the work; so head and table are one formula.  With R0, R1 the
+ * rotations about the axes' directions at zero and t the tool axis at zero, the tool axis against
+ * the work is
+ *
+ *     a = R0(q0) R1(q1) t          for A/C:  a = (sin C sin A, -cos C sin A, cos A)
+ *
+ * Angles in radians, lengths in mm.
+ */
+#ifndef CLOUDMILL_KINEMATICS_H
+#define CLOUDMILL_KINEMATICS_H
+
+#include <stdbool.h>
+
+#include "vec.h"
+
+enum { ROTARY_MAX = 2 };
+
+struct rotary {
+    struct vec3 axis;   /* unit direction at zero; turned round, the axis turns the other way */
+    struct vec3 centre; /* a point on it; of a head's axis, from the tool tip at zero */
+    bool table;         /* in the table; else in the head */
+    double min, max;    /* travel */
+};
+
+struct chain {
+    int n;                           /* rotary axes, 0 to ROTARY_MAX */
+    struct rotary rotary[ROTARY_MAX]; /* from the work to the tool: tables before heads */
+    int master;                      /* the one that is to move least */
+    struct vec3 tool;                /* unit axis from tip to spindle when all stand at zero */
+};
+
+/* The tool axis in the frame of the work. */
+struct vec3 chain_axis(const struct chain *chain, const double q[]);
+
+/* The tip in the frame of the work, when the linear axes stand at `linear` and tool-centre-point
+ * control is off; at zero angles it is `linear` itself. */
+struct vec3 chain_tip(const struct chain *chain, struct vec3 linear, const double q[]);
+
+/* Where the linear axes must stand for the tip to be at `tip`: the inverse of chain_tip. */
+struct vec3 chain_linear(const struct chain *chain, struct vec3 tip, const double q[]);
+
+/* What chain_angles found. */
+struct chain_solutions {
+    int n;                   /* 0: out of the chain's reach, else 1 or 2 */
+    double q[2][ROTARY_MAX]; /* each within -pi..pi */
+    bool free;               /* singular: the axis nearest the work may have any angle */
+
+};
+
+/*
+ * The angles that bring the tool axis to the unit vector `axis`, both solutions.  Two axes: the
+ * angle between their directions and the tool's are sides of a spherical triangle; its half-angle
+ * formula keeps its precision near the singular direction, where acos loses half its digits.
+ */
+struct chain_solutions chain_angles(const struct chain *chain, struct vec3 axis);
+
+/*
+ * Of the solutions turned by whole turns into the travel, the one to go to from the angles `from`:
+ * the smallest move of the master axis, then of the other, then nearest to zero.  With `smooth`,
+ * as is right with the tool in the cut, the smallest sum of the moves instead.  `only` 0 or 1
+ * allows that solution alone, -1 both.  A free axis stays as it is.  -1 when none is within the
+ * travel; *over is then the axis that is over (-1: the chain cannot reach the direction).
+ */
+int chain_choose(const struct chain *chain, struct vec3 axis, const double from[], bool smooth,
+                 int only, double q[], int *over);
+
+#endif

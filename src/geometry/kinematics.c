@@ -1,0 +1,171 @@
+/* kinematics - see kinematics.h. */
+#include "kinematics.h"
+
+static const double reach = 1e-6;    /* radians beyond the chain's reach that count as rounding */
+static const double singular = 1e-9; /* radians from the singular direction that count as on it */
+
+struct vec3 chain_axis(const struct chain *chain, const double q[])
+{
+    struct vec3 a = chain->tool;
+    for (int i = chain->n - 1; i >= 0; i--)
+        a = vec_turn(a, chain->rotary[i].axis, q[i]);
+    return a;
+}
+
+static struct vec3 turn_about(const struct rotary *rotary, struct vec3 p, double angle)
+{
+    return vec_add(rotary->centre, vec_turn(vec_sub(p, rotary->centre), rotary->axis, angle));
+}
+
+/* How far the head's axes carry the tip from where it is at zero. */
+static struct vec3 head_offset(const struct chain *chain, const double q[])
+{
+    struct vec3 tip = vec(0, 0, 0);
+    for (int i = chain->n - 1; i >= 0 && !chain->rotary[i].table; i--)
+        tip = turn_about(&chain->rotary[i], tip, q[i]);
+    return tip;
+}
+
+struct vec3 chain_tip(const struct chain *chain, struct vec3 linear, const double q[])
+{
+    struct vec3 tip = vec_add(linear, head_offset(chain, q));
+    for (int i = chain->n - 1; i >= 0; i--)
+        if (chain->rotary[i].table)
+            tip = turn_about(&chain->rotary[i], tip, q[i]);
+    return tip;
+}
+
+struct vec3 chain_linear(const struct chain *chain, struct vec3 tip, const double q[])
+{
+    for (int i = 0; i < chain->n; i++)
+        if (chain->rotary[i].table)
+            tip = turn_about(&chain->rotary[i], tip, -q[i]);
+    return vec_sub(tip, head_offset(chain, q));
+}
+
+/* The angle about the unit vector `axis` that turns `from` to `to`. */
+static double turn_between(struct vec3 axis, struct vec3 from, struct vec3 to)
+{
+    from = vec_reject(from, axis);
+    to = vec_reject(to, axis);
+    return atan2(vec_dot(axis, vec_cross(from, to)), vec_dot(from, to));
+}
+
+static double clamp_sine(double angle)
+{
+    double s = sin(angle);
+    return s > 0 ? s : 0;
+}
+
+static struct chain_solutions angles_of_two(const struct chain *chain, struct vec3 axis)
+{
+    struct vec3 u0 = chain->rotary[0].axis, u1 = chain->rotary[1].axis;
+    double between = vec_angle(u0, u1), tool = vec_angle(u1, chain->tool);
+    double wanted = vec_angle(u0, axis);
+    double least = fabs(between - tool), most = fmin(between + tool, 2 * PI - between - tool);
+    struct chain_solutions s = {0};
+    if (wanted < least - reach || wanted > most + reach)
+        return s;
+
+    /* the triangle u0, u1, a: half the angle at u1 between u0 and a, opposite to `wanted` */
+    double low = clamp_sine((wanted + between - tool) / 2) * clamp_sine((wanted - between + tool) / 2);
+    double high = clamp_sine((between + tool + wanted) / 2) * clamp_sine((between + tool - wanted) / 2);
+    double half = 2 * atan2(sqrt(low), sqrt(high));
+    double zero = turn_between(u1, chain->tool, u0); /* the angle that brings t nearest to u0 */
+    s.free = wanted < singular || PI - wanted < singular;
+    s.n = 2;
+    for (int i = 0; i < 2; i++) {
+        double q1 = remainder(zero + (i ? -half : half), 2 * PI);
+        s.q[i][1] = q1;
+        s.q[i][0] = s.free ? 0 : turn_between(u0, vec_turn(chain->tool, u1, q1), axis);
+    }
+    return s;
+}
+
+static struct chain_solutions angle_of_one(const struct chain *chain, struct vec3 axis)
+{
+    struct chain_solutions s = {0};
+    struct vec3 u = chain->rotary[0].axis;
+    s.q[0][0] = turn_between(u, chain->tool, axis);
+    s.n = vec_angle(vec_turn(chain->tool, u, s.q[0][0]), axis) <= reach;
+    return s;
+}
+
+struct chain_solutions chain_angles(const struct chain *chain, struct vec3 axis)
+{
+    if (chain->n == 2)
+        return angles_of_two(chain, axis);
+    if (chain->n == 1)
+        return angle_of_one(chain, axis);
+    return (struct chain_solutions){.n = vec_angle(chain->tool, axis) <= reach};
+}
+
+/* q turned by whole turns to be nearest to `from` within the travel; false: there is none. */
+static bool within_travel(const struct rotary *rotary, double from, double *q)
+{
+    const double slack = 1e-9;
+    double turned = *q + 2 * PI * round((from - *q) / (2 * PI));
+    if (turned > rotary->max + slack)
+        turned -= 2 * PI * ceil((turned - rotary->max - slack) / (2 * PI));
+    if (turned < rotary->min - slack)
+        turned += 2 * PI * ceil((rotary->min - slack - turned) / (2 * PI));
+    if (turned > rotary->max + slack)
+        return false;
+    *q = turned;
+    return true;
+}
+
+/* a and b in order of merit, the first that differs: true when a is the better. */
+static bool better(const double a[3], const double b[3])
+{
+    for (int i = 0; i < 3; i++)
+        if (fabs(a[i] - b[i]) > 1e-9)
+            return a[i] < b[i];
+    return false;
+}
+
+static void merit(const struct chain *chain, const double from[], const double q[], bool smooth,
+                  double m[3])
+{
+    double sum = 0, away = 0, master = 0;
+    for (int i = 0; i < chain->n; i++) {
+        sum += fabs(q[i] - from[i]);
+        away += fabs(q[i]);
+        if (i == chain->master)
+            master = fabs(q[i] - from[i]);
+    }
+    m[0] = smooth ? sum : master;
+    m[1] = smooth ? master : sum - master;
+    m[2] = away;
+}
+
+int chain_choose(const struct chain *chain, struct vec3 axis, const double from[], bool smooth,
+                 int only, double q[], int *over)
+{
+    struct chain_solutions s = chain_angles(chain, axis);
+    double best[3];
+    int found = -1;
+    *over = -1;
+    for (int k = 0; k < s.n; k++) {
+        double m[3];
+        bool inside = true;
+        if (only >= 0 && k != only && s.n == 2)
+            continue;
+        if (s.free)
+            s.q[k][0] = from[0];
+        for (int i = 0; i < chain->n; i++)
+            if (!within_travel(&chain->rotary[i], from[i], &s.q[k][i])) {
+                inside = false;
+                *over = i;
+            }
+        merit(chain, from, s.q[k], smooth, m);
+        if (!inside || (found >= 0 && !better(m, best)))
+            continue;
+        found = k;
+        for (int i = 0; i < 3; i++)
+            best[i] = m[i];
+    }
+    for (int i = 0; found >= 0 && i < chain->n; i++)
+        q[i] = s.q[found][i];
+    return found >= 0 ? 0 : -1;
+}

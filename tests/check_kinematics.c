@@ -1,0 +1,244 @@
+/*
+ * kinematics: the published A/C and B/C formulas, inverse against forward on random poses of every
+ * kind of machine, precision near the singular direction, travel and the choice of a solution.
+ */
+#include <check.h>
+#include <stdint.h>
+#include <stdlib.h>
+
+#include "kinematics.h"
+
+static uint64_t seed;
+
+/* 0 <= x < 1 */
+static double chance(void)
+{
+    seed = seed * 6364136223846793005u + 1442695040888963407u;
+    return (double)(seed >> 11) / 9007199254740992.0;
+}
+
+static struct vec3 random_unit(void)
+{
+    double z = 2 * chance() - 1, turn = 2 * PI * chance(), r = sqrt(1 - z * z);
+    return vec(r * cos(turn), r * sin(turn), z);
+}
+
+static struct rotary rotary_of(struct vec3 axis, struct vec3 centre, bool table)
+{
+    return (struct rotary){vec_unit(axis), centre, table, -1e9, 1e9};
+}
+
+/* Work to tool, as a machine's maker would name them. */
+enum { TABLE_AC, TABLE_BC, HEAD_TABLE, HEAD_HEAD, NUTATING_HEAD, NUTATING_TABLE, KINDS };
+
+static struct chain chain_of(int kind)
+{
+    struct vec3 x = vec(1, 0, 0), y = vec(0, 1, 0), z = vec(0, 0, 1), yz = vec(0, 1, 1);
+    struct vec3 c = vec(3, -7, 20), d = vec(-1, 5, 130);
+    struct chain chain = {.n = 2, .master = 1, .tool = z};
+    const struct rotary pair[KINDS][2] = {
+        [TABLE_AC] = {rotary_of(z, c, true), rotary_of(x, d, true)},
+        [TABLE_BC] = {rotary_of(z, c, true), rotary_of(y, d, true)},
+        [HEAD_TABLE] = {rotary_of(z, c, true), rotary_of(y, d, false)},
+        [HEAD_HEAD] = {rotary_of(z, c, false), rotary_of(x, d, false)},
+        [NUTATING_HEAD] = {rotary_of(z, c, true), rotary_of(yz, d, false)},
+        [NUTATING_TABLE] = {rotary_of(vec(0, 0, -1), c, true), rotary_of(yz, d, true)},
+    };
+    chain.rotary[0] = pair[kind][0];
+    chain.rotary[1] = pair[kind][1];
+    return chain;
+}
+
+/* design/5-controls.md: a = (sin C sin A, -cos C sin A, cos A) and (sin B cos C, sin B sin C,
+ * cos B), written out. */
+START_TEST(published_axis)
+{
+    struct chain ac = chain_of(TABLE_AC), bc = chain_of(TABLE_BC);
+    seed = 1;
+    for (int i = 0; i < 1000; i++) {
+        double c = 6 * chance() - 3, t = 6 * chance() - 3;
+        const double q[2] = {c, t};
+        struct vec3 a = vec(sin(c) * sin(t), -cos(c) * sin(t), cos(t));
+        struct vec3 b = vec(sin(t) * cos(c), sin(t) * sin(c), cos(t));
+        ck_assert_double_lt(vec_distance(chain_axis(&ac, q), a), 1e-14);
+        ck_assert_double_lt(vec_distance(chain_axis(&bc, q), b), 1e-14);
+    }
+}
+END_TEST
+
+START_TEST(inverse_is_inverse)
+{
+    struct chain chain = chain_of(_i);
+    double worst_axis = 0, worst_tip = 0;
+    int reached = 0;
+    seed = 2;
+    for (int i = 0; i < 100000; i++) {
+        struct vec3 axis = random_unit();
+        struct vec3 tip = vec_scale(400 * chance(), random_unit());
+        struct chain_solutions s = chain_angles(&chain, axis);
+        reached += s.n > 0;
+        for (int k = 0; k < s.n; k++) {
+            struct vec3 linear = chain_linear(&chain, tip, s.q[k]);
+            worst_axis = fmax(worst_axis, vec_distance(chain_axis(&chain, s.q[k]), axis));
+            worst_tip = fmax(worst_tip, vec_distance(chain_tip(&chain, linear, s.q[k]), tip));
+        }
+    }
+    ck_assert_double_le(worst_axis, 1e-9);
+    ck_assert_double_le(worst_tip, 1e-9);
+    /* two axes at right angles reach every direction, nutating by 45 degrees the upper half */
+    if (_i < NUTATING_HEAD)
+        ck_assert_int_eq(reached, 100000);
+    else
+        ck_assert_int_le(abs(reached - 50000), 1000);
+}
+END_TEST
+
+/* The angles that went in come out again, as one of the two. */
+START_TEST(angles_come_back)
+{
+    struct chain chain = chain_of(_i);
+    seed = 3;
+    for (int i = 0; i < 20000; i++) {
+        const double q[2] = {6 * chance() - 3, 6 * chance() - 3};
+        struct chain_solutions s = chain_angles(&chain, chain_axis(&chain, q));
+        double best = 9;
+        for (int k = 0; k < s.n; k++)
+            best = fmin(best, fmax(fabs(remainder(s.q[k][0] - q[0], 2 * PI)),
+                                   fabs(remainder(s.q[k][1] - q[1], 2 * PI))));
+        ck_assert_double_lt(best, 1e-9);
+    }
+}
+END_TEST
+
+/* At a tilt of 1e-7 the angle itself is still right to 1e-13; acos would give it to 1e-9. */
+START_TEST(near_the_pole)
+{
+    struct chain chain = chain_of(TABLE_AC);
+    const double q[2] = {0.7, 1e-7};
+    struct chain_solutions s = chain_angles(&chain, chain_axis(&chain, q));
+    double best = fmin(fabs(s.q[0][1] - 1e-7), fabs(s.q[1][1] - 1e-7));
+    ck_assert(!s.free);
+    ck_assert_double_lt(best, 1e-13);
+    s = chain_angles(&chain, vec(0, 0, 1));
+    ck_assert(s.free && s.n == 2);
+}
+END_TEST
+
+/* A table turns the work: what the linear axes must do is what the turned work does. */
+START_TEST(table_carries_the_work)
+{
+    struct chain chain = chain_of(TABLE_AC);
+    chain.rotary[0].centre = chain.rotary[1].centre = vec(0, 0, 0);
+    const double q[2] = {PI / 2, 0}; /* the tool by +90 about z: the table by -90 */
+    struct vec3 linear = chain_linear(&chain, vec(10, 0, 5), q);
+    ck_assert_double_lt(vec_distance(linear, vec(0, -10, 5)), 1e-12);
+    const double a[2] = {0, PI / 2}; /* the tool points along -y of the work */
+    ck_assert_double_lt(vec_distance(chain_axis(&chain, a), vec(0, -1, 0)), 1e-12);
+    linear = chain_linear(&chain, vec(0, -10, 0), a);
+    ck_assert_double_lt(vec_distance(linear, vec(0, 0, 10)), 1e-12);
+}
+END_TEST
+
+/* A head with its pivot 100 above the tip leans to 90 degrees: the tip lies 100 aside. */
+START_TEST(head_carries_the_tip)
+{
+    struct chain chain = chain_of(HEAD_HEAD);
+    chain.rotary[0].centre = chain.rotary[1].centre = vec(0, 0, 100);
+    const double q[2] = {0, PI / 2};
+    struct vec3 tip = chain_tip(&chain, vec(1, 2, 3), q);
+    ck_assert_double_lt(vec_distance(tip, vec(1, 102, 103)), 1e-12);
+}
+END_TEST
+
+START_TEST(travel_and_choice)
+{
+    struct chain chain = chain_of(TABLE_AC);
+    const double from[2] = {0, 0};
+    double q[2];
+    int over;
+    struct vec3 axis = vec(sin(0.6), 0, cos(0.6)); /* A 0.6 C 90 or A -0.6 C -90 */
+    ck_assert_int_eq(chain_choose(&chain, axis, from, false, -1, q, &over), 0);
+    chain.rotary[1].min = -1.9;
+    chain.rotary[1].max = 0.5;
+    ck_assert_int_eq(chain_choose(&chain, axis, from, false, -1, q, &over), 0);
+    ck_assert_double_eq_tol(q[1], -0.6, 1e-12);
+    ck_assert_double_eq_tol(q[0], -PI / 2, 1e-12);
+
+    /* nearest to where it stands, by whole turns */
+    const double wound[2] = {-20 * PI, -0.5};
+    ck_assert_int_eq(chain_choose(&chain, axis, wound, false, -1, q, &over), 0);
+    ck_assert_double_eq_tol(q[0], -20 * PI - PI / 2, 1e-9);
+    chain.rotary[0].min = -4 * PI;
+    chain.rotary[0].max = 4 * PI;
+    ck_assert_int_eq(chain_choose(&chain, axis, wound, false, -1, q, &over), 0);
+    ck_assert_double_eq_tol(q[0], -2.5 * PI, 1e-9);
+
+    /* free at the singular direction: it stays */
+    const double turned[2] = {1.25, 0.1};
+    ck_assert_int_eq(chain_choose(&chain, vec(0, 0, 1), turned, true, -1, q, &over), 0);
+    ck_assert_double_eq(q[0], 1.25);
+    ck_assert_double_eq_tol(q[1], 0, 1e-12);
+
+    /* none */
+    chain.rotary[1].min = -0.5;
+    ck_assert_int_eq(chain_choose(&chain, axis, from, false, -1, q, &over), -1);
+    ck_assert_int_eq(over, 1);
+}
+END_TEST
+
+/* Over the singular direction: with the tool in the cut the tilt goes through zero, the smallest
+ * move of the master alone would spin the other axis by half a turn. */
+START_TEST(over_the_pole)
+{
+    struct chain chain = chain_of(TABLE_AC);
+    const double from[2] = {0, -0.02};
+    const double beyond[2] = {0, 0.02};
+    struct vec3 axis = chain_axis(&chain, beyond);
+    double q[2];
+    int over;
+    ck_assert_int_eq(chain_choose(&chain, axis, from, true, -1, q, &over), 0);
+    ck_assert_double_eq_tol(q[0], 0, 1e-9);
+    ck_assert_double_eq_tol(q[1], 0.02, 1e-9);
+    ck_assert_int_eq(chain_choose(&chain, axis, from, false, -1, q, &over), 0);
+    ck_assert_double_eq_tol(q[1], -0.02, 1e-9);
+}
+END_TEST
+
+START_TEST(fewer_axes)
+{
+    struct chain chain = chain_of(TABLE_AC);
+    chain.n = 1;
+    chain.rotary[0] = rotary_of(vec(1, 0, 0), vec(0, 0, 0), true);
+    struct chain_solutions s = chain_angles(&chain, vec(0, -sin(0.3), cos(0.3)));
+    ck_assert_int_eq(s.n, 1);
+    ck_assert_double_eq_tol(s.q[0][0], 0.3, 1e-12);
+    ck_assert_int_eq(chain_angles(&chain, vec(sin(0.3), 0, cos(0.3))).n, 0);
+    chain.n = 0;
+    ck_assert_int_eq(chain_angles(&chain, vec(0, 0, 1)).n, 1);
+    ck_assert_int_eq(chain_angles(&chain, vec(0, sin(0.3), cos(0.3))).n, 0);
+}
+END_TEST
+
+int main(void)
+{
+    Suite *suite = suite_create("kinematics");
+    TCase *tests = tcase_create("chains");
+
+    tcase_set_timeout(tests, 30);
+    tcase_add_test(tests, published_axis);
+    tcase_add_loop_test(tests, inverse_is_inverse, 0, KINDS);
+    tcase_add_loop_test(tests, angles_come_back, 0, KINDS);
+    tcase_add_test(tests, near_the_pole);
+    tcase_add_test(tests, table_carries_the_work);
+    tcase_add_test(tests, head_carries_the_tip);
+    tcase_add_test(tests, travel_and_choice);
+    tcase_add_test(tests, over_the_pole);
+    tcase_add_test(tests, fewer_axes);
+    suite_add_tcase(suite, tests);
+
+    SRunner *runner = srunner_create(suite);
+    srunner_run_all(runner, CK_NORMAL);
+    int failed = srunner_ntests_failed(runner);
+    srunner_free(runner);
+    return failed == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
+}
