@@ -16,6 +16,13 @@
  */
 bool num_read(const char **s, double *value);
 
+/*
+ * Passes over a word that programs print for what is no finite number: nan, inf and infinity in any
+ * case, with a sign and with brackets behind (`-nan(ind)`), 1.#IND, 1.#QNAN, -1.#INF.  False leaves
+ * *s.
+ */
+bool num_not_finite(const char **s);
+
 /* The whole of text is one finite number (blanks around it allowed). */
 bool num_whole(const char *text, double *value);
 

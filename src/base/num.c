@@ -15,6 +15,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <strings.h>
 
 static const double power_of_ten[] = {1e0,  1e1,  1e2,  1e3,  1e4,  1e5,  1e6,  1e7,
                                       1e8,  1e9,  1e10, 1e11, 1e12, 1e13, 1e14, 1e15,
@@ -94,6 +95,28 @@ bool num_read(const char **s, double *value)
     }
     *s = end;
     return true;
+}
+
+bool num_not_finite(const char **s)
+{
+    static const char *const word[] = {"nan",     "infinity", "inf",     "1.#qnan",
+                                       "1.#snan", "1.#ind",   "1.#inf"};
+    const char *p = *s;
+    if (*p == '-' || *p == '+')
+        p++;
+    for (size_t i = 0; i < sizeof word / sizeof *word; i++) {
+        size_t n = strlen(word[i]);
+        if (strncasecmp(p, word[i], n) != 0)
+            continue;
+        p += n;
+        if (*p == '(' && p[strcspn(p, ") \t,;")] == ')')
+            p += strcspn(p, ")") + 1;
+        while (is_digit(*p)) /* 1.#INF00 */
+            p++;
+        *s = p;
+        return true;
+    }
+    return false;
 }
 
 bool num_whole(const char *text, double *value)

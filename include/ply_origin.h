@@ -1,0 +1,29 @@
+/*
+ * ply_origin - what a mesh says of itself, as comments in the head of a PLY file:
+ *
+ *     comment cloudmill mesh 1
+ *     comment spacing 4
+ *     comment direction 12.5
+ *     comment source scan.xyz
+ *     comment place 1 0 0 -5 ...       16 numbers, row by row
+ *     comment ledger cloud2mesh 0.0120
+ */
+#ifndef CLOUDMILL_PLY_ORIGIN_H
+#define CLOUDMILL_PLY_ORIGIN_H
+
+#include "error.h"
+#include "mesh.h"
+#include "out.h"
+
+/* Says nothing: zeros, and NAN for the ledger. */
+struct mesh_origin ply_origin_none(void);
+
+/* Takes over what one comment says (its text behind `comment `); a comment of another program is
+ * passed over.  A number that is none is an error without a place. */
+int ply_origin_read(struct mesh_origin *origin, const char *comment, struct error *error);
+
+/* Writes the comments, those that say something.  The ledger has four decimals, rounded up; the
+ * other numbers read back as they were. */
+void ply_origin_write(struct out *out, const struct mesh_origin *origin);
+
+#endif

@@ -1,0 +1,127 @@
+/* ply_origin - see ply_origin.h. */
+#include "ply_origin.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "num.h"
+
+struct mesh_origin ply_origin_none(void)
+{
+    return (struct mesh_origin){.ledger = NAN};
+}
+
+/* The text behind `key` and a blank, or NULL when the comment does not begin so. */
+static const char *behind(const char *comment, const char *key)
+{
+    size_t n = strlen(key);
+    return strncmp(comment, key, n) == 0 && comment[n] == ' ' ? comment + n + 1 : NULL;
+}
+
+static int read_number(const char *key, const char *text, double *value, struct error *error)
+{
+    if (num_whole(text, value))
+        return 0;
+    return error_set(error, "comment %s with '%.40s', expected one number", key, text);
+}
+
+static int read_place(const char *text, struct mesh_origin *origin, struct error *error)
+{
+    for (int i = 0; i < 16; i++) {
+        double *to = &origin->place[i / 4][i % 4];
+        text += strspn(text, " \t");
+        if (!num_read(&text, to) || !isfinite(*to) || !strchr(" \t", *text))
+            return error_set(error, "comment place with %d numbers, expected 16", i);
+    }
+    if (text[strspn(text, " \t")])
+        return error_set(error, "comment place with '%.40s' behind, expected 16 numbers", text);
+    origin->placed = true;
+    return 0;
+}
+
+static int read_ledger(const char *text, struct mesh_origin *origin, struct error *error)
+{
+    size_t n = strcspn(text, " \t");
+    if (read_number("ledger", text + n, &origin->ledger, error) < 0)
+        return -1;
+    free(origin->maker);
+    origin->maker = mem_string(text, n);
+    return 0;
+}
+
+int ply_origin_read(struct mesh_origin *origin, const char *comment, struct error *error)
+{
+    const char *text;
+    if ((text = behind(comment, "cloudmill mesh"))) {
+        if (strcmp(text, "1") != 0)
+            return error_set(error, "mesh stream of version '%.40s', expected 1", text);
+    } else if ((text = behind(comment, "spacing"))) {
+        return read_number("spacing", text, &origin->spacing, error);
+    } else if ((text = behind(comment, "direction"))) {
+        return read_number("direction", text, &origin->direction, error);
+    } else if ((text = behind(comment, "place"))) {
+        return read_place(text, origin, error);
+    } else if ((text = behind(comment, "ledger"))) {
+        return read_ledger(text, origin, error);
+    } else if ((text = behind(comment, "source"))) {
+        free(origin->source);
+        origin->source = mem_string(text, strlen(text));
+    }
+    return 0;
+}
+
+/* The fewest digits that read back as x. */
+static void write_number(struct out *out, double x)
+{
+    char text[40];
+    double back;
+    for (int digits = 15; digits <= 17; digits++) {
+        snprintf(text, sizeof text, "%.*g", digits, x == 0 ? 0 : x);
+        if (num_whole(text, &back) && !(back < x) && !(back > x))
+            break;
+    }
+    out_text(out, text);
+}
+
+static void write_said(struct out *out, const char *key, double x)
+{
+    out_printf(out, "comment %s ", key);
+    write_number(out, x);
+    out_text(out, "\n");
+}
+
+/* A file may be called anything; a line of the head may not hold a line end. */
+static void write_source(struct out *out, const char *source)
+{
+    out_text(out, "comment source ");
+    for (const char *p = source; *p; p++)
+        out_bytes(out, (unsigned char)*p < ' ' ? "?" : p, 1);
+    out_text(out, "\n");
+}
+
+void ply_origin_write(struct out *out, const struct mesh_origin *origin)
+{
+    out_text(out, "comment cloudmill mesh 1\n");
+    if (origin->spacing > 0) {
+        write_said(out, "spacing", origin->spacing);
+        if (isfinite(origin->direction))
+            write_said(out, "direction", origin->direction);
+    }
+    if (origin->source)
+        write_source(out, origin->source);
+    if (origin->placed) {
+        out_text(out, "comment place");
+        for (int i = 0; i < 16; i++) {
+            out_text(out, " ");
+            write_number(out, origin->place[i / 4][i % 4]);
+        }
+        out_text(out, "\n");
+    }
+    if (origin->maker && isfinite(origin->ledger)) {
+        out_printf(out, "comment ledger %s ", origin->maker);
+        out_num(out, ceil(origin->ledger * 1e4 - 1e-6) / 1e4, 4);
+        out_text(out, "\n");
+    }
+}

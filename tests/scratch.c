@@ -1,0 +1,63 @@
+/* scratch - see scratch.h. */
+#include "scratch.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+static char name[64];
+static pid_t owner;
+
+/* Check forks a process for each test: only the one that made the file takes it away. */
+static void take_away(void)
+{
+    if (getpid() == owner)
+        unlink(name);
+}
+
+static void fail(const char *what)
+{
+    perror(what);
+    exit(1);
+}
+
+const char *scratch_name(void)
+{
+    if (name[0] && owner == getpid())
+        return name;
+    strcpy(name, "/tmp/cloudmill.XXXXXX");
+    int fd = mkstemp(name);
+    if (fd < 0)
+        fail(name);
+    close(fd);
+    owner = getpid();
+    atexit(take_away);
+    return name;
+}
+
+const char *scratch_bytes(const void *bytes, size_t n)
+{
+    FILE *f = fopen(scratch_name(), "wb");
+    if (!f || fwrite(bytes, 1, n, f) != n || fclose(f) != 0)
+        fail(name);
+    return name;
+}
+
+const char *scratch_text(const char *text)
+{
+    return scratch_bytes(text, strlen(text));
+}
+
+char *scratch_read(size_t *n)
+{
+    FILE *f = fopen(scratch_name(), "rb");
+    size_t cap = 1 << 20;
+    char *text = malloc(cap);
+    if (!f || !text)
+        fail(name);
+    *n = fread(text, 1, cap - 1, f);
+    text[*n] = '\0';
+    fclose(f);
+    return text;
+}
