@@ -1,0 +1,47 @@
+/* parallel - threads that take piece after piece from one counter; see parallel.h. */
+#include "parallel.h"
+
+#include <pthread.h>
+#include <unistd.h>
+
+enum { MOST_THREADS = 64, PIECE = 64 };
+
+struct share {
+    void (*work)(void *context, size_t from, size_t to);
+    void *context;
+    size_t n, next;
+    pthread_mutex_t lock; /* on next */
+};
+
+static void *run(void *argument)
+{
+    struct share *s = argument;
+    for (;;) {
+        pthread_mutex_lock(&s->lock);
+        size_t from = s->next;
+        size_t to = s->n - from > PIECE ? from + PIECE : s->n;
+        s->next = to;
+        pthread_mutex_unlock(&s->lock);
+        if (from == to)
+            return NULL;
+        s->work(s->context, from, to);
+    }
+}
+
+void parallel_for(int threads, size_t n, void (*work)(void *context, size_t from, size_t to),
+                  void *context)
+{
+    struct share share = {work, context, n, 0, PTHREAD_MUTEX_INITIALIZER};
+    pthread_t thread[MOST_THREADS];
+    long wanted = threads > 0 ? threads : sysconf(_SC_NPROCESSORS_ONLN);
+    int started = 0;
+    /* this thread works too; where no other can be had it does all of it */
+    while (started < MOST_THREADS && started + 1 < wanted &&
+           (size_t)(started + 1) * PIECE < n &&
+           pthread_create(&thread[started], NULL, run, &share) == 0)
+        started++;
+    run(&share);
+    for (int i = 0; i < started; i++)
+        pthread_join(thread[i], NULL);
+    pthread_mutex_destroy(&share.lock);
+}
