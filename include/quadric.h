@@ -1,0 +1,38 @@
+/*
+ * quadric - a surface of the second degree through a neighbourhood of points.
+ *
+ * In a frame u, v, w at an origin, w along a first guess of the normal:
+ *   w = c0 + c1 u + c2 v + c3 u^2 + c4 uv + c5 v^2
+ * by least squares.  Lengths in mm.
+ */
+#ifndef CLOUDMILL_QUADRIC_H
+#define CLOUDMILL_QUADRIC_H
+
+#include <stddef.h>
+
+#include "vec.h"
+
+struct quadric {
+    struct vec3 origin, u, v, w; /* w near the normal; unit vectors */
+    double c[6];
+};
+
+/*
+ * The quadric nearest to n points, its w axis along `guess` (unit).  -1 when the points do not
+ * carry one: fewer than 6, or spread so (on one or two lines) that a term is the sum of the others
+ * up to a fiftieth.
+ */
+int quadric_fit(const struct vec3 *point, size_t n, struct vec3 origin, struct vec3 guess,
+                struct quadric *quadric);
+
+/* At the origin's foot on the quadric (u = v = 0): unit normal, on the side of w ... */
+struct vec3 quadric_normal(const struct quadric *quadric);
+
+/* ... distance of the origin from the surface, to first order ... */
+double quadric_distance(const struct quadric *quadric);
+
+/* ... and the larger principal curvature, 1/mm, positive where the surface is hollow seen from the
+ * side of the normal. */
+double quadric_curvature(const struct quadric *quadric);
+
+#endif

@@ -1,0 +1,29 @@
+/*
+ * scannormals - normals and curvatures of a mesh's vertices from the whole scan that it was chosen
+ * from.
+ */
+#ifndef CLOUDMILL_SCANNORMALS_H
+#define CLOUDMILL_SCANNORMALS_H
+
+#include "mesh.h"
+
+/* How far the vertices stand off their quadrics. */
+struct scannormals {
+    size_t fitted, thin; /* vertices with a quadric; without one, they keep the facets' normal */
+    size_t at;           /* the vertex with the largest distance */
+    double worst, rms;   /* of the distances, mm */
+};
+
+/*
+ * A quadric through the `neighbours` points of the scan nearest to each vertex; where they do not
+ * carry one (points on one or two laser lines), through twice, four times ... thirty-two times as
+ * many.  Its normal at the vertex, on the side of the facets' normals, goes to mesh->normal and
+ * its larger principal curvature (hollow: positive) to mesh->kmax.  A vertex without a quadric
+ * keeps the normal of its facets (eq 8), and 0.
+ *
+ * The result depends neither on the number of threads nor on the order of the points.
+ */
+struct scannormals scannormals_quadric(struct mesh *mesh, const struct vec3 *point, size_t n,
+                                       int neighbours, int threads);
+
+#endif

@@ -1,0 +1,136 @@
+/*
+ * quadric - normal equations about the middle of the neighbourhood, in units of its size, solved
+ * by Cholesky's method; see quadric.h.
+ */
+#include "quadric.h"
+
+enum { TERMS = 6 };
+
+/* Part of a term that the terms before it must leave over. */
+static const double INDEPENDENT = 0.02;
+
+/* What the fit works in: (u - u0) / size, (v - v0) / size. */
+struct span {
+    double u0, v0, size;
+};
+
+static void local(const struct quadric *q, struct vec3 p, double *u, double *v, double *w)
+{
+    struct vec3 d = vec_sub(p, q->origin);
+    *u = vec_dot(d, q->u);
+    *v = vec_dot(d, q->v);
+    *w = vec_dot(d, q->w);
+}
+
+static struct span span_of(const struct quadric *q, const struct vec3 *point, size_t n)
+{
+    struct span s = {0, 0, 0};
+    double u, v, w, sum2 = 0, count = (double)n;
+    for (size_t i = 0; i < n; i++) {
+        local(q, point[i], &u, &v, &w);
+        s.u0 += u / count;
+        s.v0 += v / count;
+    }
+    for (size_t i = 0; i < n; i++) {
+        local(q, point[i], &u, &v, &w);
+        sum2 += (u - s.u0) * (u - s.u0) + (v - s.v0) * (v - s.v0);
+    }
+    s.size = sqrt(sum2 / count);
+    return s;
+}
+
+/* Sums of the products of all terms with each other and, in the last column, with w. */
+static void add_up(const struct quadric *q, struct span s, const struct vec3 *point, size_t n,
+                   double sum[TERMS][TERMS + 1])
+{
+    for (int i = 0; i < TERMS; i++)
+        for (int j = 0; j <= TERMS; j++)
+            sum[i][j] = 0;
+    for (size_t k = 0; k < n; k++) {
+        double u, v, w;
+        local(q, point[k], &u, &v, &w);
+        u = (u - s.u0) / s.size;
+        v = (v - s.v0) / s.size;
+        double term[TERMS + 1] = {1, u, v, u * u, u * v, v * v, w};
+        for (int i = 0; i < TERMS; i++)
+            for (int j = i; j <= TERMS; j++)
+                sum[i][j] += term[i] * term[j];
+    }
+}
+
+/* Solves the symmetric system whose upper half and right side stand in `a`; -1 when a term depends
+ * on the others. */
+static int solve(double a[TERMS][TERMS + 1], double x[TERMS])
+{
+    for (int i = 0; i < TERMS; i++) {
+        double whole = a[i][i];
+        for (int k = 0; k < i; k++)
+            a[i][i] -= a[k][i] * a[k][i];
+        if (!(a[i][i] > INDEPENDENT * whole))
+            return -1;
+        double root = sqrt(a[i][i]);
+        for (int j = i; j <= TERMS; j++) {
+            if (j > i)
+                for (int k = 0; k < i; k++)
+                    a[i][j] -= a[k][i] * a[k][j];
+            a[i][j] = j > i ? a[i][j] / root : root;
+        }
+    }
+    for (int i = TERMS - 1; i >= 0; i--) {
+        x[i] = a[i][TERMS];
+        for (int j = i + 1; j < TERMS; j++)
+            x[i] -= a[i][j] * x[j];
+        x[i] /= a[i][i];
+    }
+    return 0;
+}
+
+int quadric_fit(const struct vec3 *point, size_t n, struct vec3 origin, struct vec3 guess,
+                struct quadric *quadric)
+{
+    double sum[TERMS][TERMS + 1], x[TERMS];
+    quadric->origin = origin;
+    quadric->w = guess;
+    quadric->u = vec_perpendicular(guess);
+    quadric->v = vec_cross(guess, quadric->u);
+    if (n < TERMS)
+        return -1;
+    struct span s = span_of(quadric, point, n);
+    if (!(s.size > 0))
+        return -1;
+    add_up(quadric, s, point, n, sum);
+    if (solve(sum, x) < 0)
+        return -1;
+    /* back to u and v: w = x0 + x1 (u - u0) / size + ... */
+    double a = x[1] / s.size, b = x[2] / s.size, size2 = s.size * s.size;
+    double *c = quadric->c;
+    c[3] = x[3] / size2;
+    c[4] = x[4] / size2;
+    c[5] = x[5] / size2;
+    c[1] = a - 2 * c[3] * s.u0 - c[4] * s.v0;
+    c[2] = b - 2 * c[5] * s.v0 - c[4] * s.u0;
+    c[0] = x[0] - a * s.u0 - b * s.v0 + c[3] * s.u0 * s.u0 + c[4] * s.u0 * s.v0 +
+           c[5] * s.v0 * s.v0;
+    return 0;
+}
+
+struct vec3 quadric_normal(const struct quadric *q)
+{
+    return vec_unit(vec_along(vec_along(q->w, -q->c[1], q->u), -q->c[2], q->v));
+}
+
+double quadric_distance(const struct quadric *q)
+{
+    return fabs(q->c[0]) / sqrt(1 + q->c[1] * q->c[1] + q->c[2] * q->c[2]);
+}
+
+/* The eigenvalues k of the second fundamental form with respect to the first:
+ * (EG - F^2) k^2 - (EN - 2FM + GL) k + (LN - M^2) = 0. */
+double quadric_curvature(const struct quadric *q)
+{
+    double wu = q->c[1], wv = q->c[2], slope = sqrt(1 + wu * wu + wv * wv);
+    double E = 1 + wu * wu, F = wu * wv, G = 1 + wv * wv;
+    double L = 2 * q->c[3] / slope, M = q->c[4] / slope, N = 2 * q->c[5] / slope;
+    double a = E * G - F * F, b = E * N - 2 * F * M + G * L, c = L * N - M * M;
+    return (b + sqrt(fmax(b * b - 4 * a * c, 0))) / (2 * a);
+}
