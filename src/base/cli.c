@@ -64,7 +64,8 @@ static void print_help(const struct cli *cli, const struct table *t)
     printf("usage: %s %s\n%s\n\n", cli->tool, cli->usage, cli->about);
     for (size_t i = 0; i < t->n; i++) {
         const struct cli_option *o = &t->item[i];
-        int n = o->letter ? printf("  -%c, --%s", o->letter, o->name) : printf("      --%s", o->name);
+        int n =
+            o->letter ? printf("  -%c, --%s", o->letter, o->name) : printf("      --%s", o->name);
         if (o->arg)
             n += printf(" %s", o->arg);
         if (n >= COLUMN - 1)
@@ -74,7 +75,8 @@ static void print_help(const struct cli *cli, const struct table *t)
     }
     printf("\nNo FILE, or -: standard input.  Lengths in mm, angles in degrees.\n"
            "Exit status: 0 done, 1 input or output failed, 2 wrong usage, 3 done but a stated\n"
-           "requirement is not met.  Manual: man %s\n", cli->tool);
+           "requirement is not met.  Manual: man %s\n",
+           cli->tool);
 }
 
 /* How the option was meant: `-r` or `--radius`. */
@@ -105,8 +107,8 @@ static void expect_range(const struct cli_option *o, double value, const char *t
     if (o->max != 0)
         snprintf(expected, sizeof expected, "%.40s to %.40s", low, high);
     else
-        snprintf(expected, sizeof expected, o->min == CLI_POSITIVE ? "a number above 0"
-                                                                   : "%.40s or more", low);
+        snprintf(expected, sizeof expected,
+                 o->min == CLI_POSITIVE ? "a number above 0" : "%.40s or more", low);
     refuse(o, text, expected);
 }
 

@@ -99,7 +99,7 @@ bool num_read(const char **s, double *value)
 
 bool num_not_finite(const char **s)
 {
-    static const char *const word[] = {"nan",     "infinity", "inf",     "1.#qnan",
+    static const char *const word[] = {"nan",     "infinity", "inf",   "1.#qnan",
                                        "1.#snan", "1.#ind",   "1.#inf"};
     const char *p = *s;
     if (*p == '-' || *p == '+')

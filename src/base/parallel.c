@@ -36,8 +36,7 @@ void parallel_for(int threads, size_t n, void (*work)(void *context, size_t from
     long wanted = threads > 0 ? threads : sysconf(_SC_NPROCESSORS_ONLN);
     int started = 0;
     /* this thread works too; where no other can be had it does all of it */
-    while (started < MOST_THREADS && started + 1 < wanted &&
-           (size_t)(started + 1) * PIECE < n &&
+    while (started < MOST_THREADS && started + 1 < wanted && (size_t)(started + 1) * PIECE < n &&
            pthread_create(&thread[started], NULL, run, &share) == 0)
         started++;
     run(&share);
