@@ -1,0 +1,271 @@
+/* trace - see trace.h. */
+#include "trace.h"
+
+#include <stdlib.h>
+
+enum { FINE_MAX = 64 };
+
+struct trace trace_of(const struct run *run, size_t from, size_t n, bool centre)
+{
+    struct trace t = {
+        .n = n,
+        .p = mem_alloc(n, sizeof *t.p),
+        .other = mem_alloc(n, sizeof *t.other),
+        .axis = mem_alloc(n, sizeof *t.axis),
+        .tangent = mem_alloc(n, sizeof *t.tangent),
+        .length = mem_alloc(n, sizeof *t.length),
+        .lever = centre ? -run->radius : run->radius,
+    };
+    struct run alone = {.radius = run->radius};
+    for (size_t i = 0; i < n; i++) {
+        const struct run_point *r = &run->item[from + i];
+        t.p[i] = centre ? r->ball : r->tip;
+        t.axis[i] = r->axis;
+        t.other[i] = vec_along(t.p[i], t.lever, r->axis);
+        t.length[i] = i ? t.length[i - 1] + vec_distance(t.p[i - 1], t.p[i]) : 0;
+        *array_push(&alone) = (struct run_point){.ball = t.p[i]};
+    }
+    run_tangents(&alone, false, t.tangent);
+    array_free(&alone);
+    return t;
+}
+
+void trace_free(struct trace *trace)
+{
+    free(trace->p);
+    free(trace->other);
+    free(trace->axis);
+    free(trace->tangent);
+    free(trace->length);
+    *trace = (struct trace){0};
+}
+
+/* The interval that holds the place, and how far into it. */
+static size_t interval_of(const struct trace *t, double place, double *part)
+{
+    double last = (double)(t->n - 1);
+    place = fmin(last, fmax(0, place));
+    size_t i = (size_t)place;
+    if (i + 1 >= t->n)
+        i = t->n > 1 ? t->n - 2 : 0;
+    *part = place - (double)i;
+    return i;
+}
+
+struct vec3 trace_point(const struct trace *t, double place)
+{
+    double part;
+    size_t i = interval_of(t, place, &part);
+    return part > 0 ? vec_mix(t->p[i], t->p[i + 1], part) : t->p[i];
+}
+
+struct vec3 trace_axis(const struct trace *t, double place)
+{
+    double part;
+    size_t i = interval_of(t, place, &part);
+    return part <= 0   ? t->axis[i]
+           : part >= 1 ? t->axis[i + 1]
+                       : vec_slerp(t->axis[i], t->axis[i + 1], part);
+}
+
+static double segment_foot(struct vec3 q, struct vec3 a, struct vec3 b)
+{
+    struct vec3 d = vec_sub(b, a);
+    double l2 = vec_dot(d, d);
+    return l2 > 0 ? fmin(1, fmax(0, vec_dot(vec_sub(q, a), d) / l2)) : 0;
+}
+
+static double segment_distance2(struct vec3 q, struct vec3 a, struct vec3 b)
+{
+    struct vec3 d = vec_sub(q, vec_mix(a, b, segment_foot(q, a, b)));
+    return vec_dot(d, d);
+}
+
+/* Goes from segment *k of a line of n points to its neighbours while they are nearer to q; returns
+ * the distance. */
+static double line_distance(const struct vec3 *line, size_t n, struct vec3 q, size_t *k)
+{
+    double here = segment_distance2(q, line[*k], line[*k + 1]);
+    size_t best = *k;
+    for (size_t i = *k + 1; i + 1 < n; i++) {
+        double d = segment_distance2(q, line[i], line[i + 1]);
+        if (d > here)
+            break;
+        best = d < here ? i : best;
+        here = d;
+    }
+    for (size_t i = *k; i-- > 0;) {
+        double d = segment_distance2(q, line[i], line[i + 1]);
+        if (d > here)
+            break;
+        best = d < here ? i : best;
+        here = d;
+    }
+    *k = best;
+    return sqrt(here);
+}
+
+double trace_place(const struct trace *t, struct vec3 q, double place)
+{
+    if (t->n < 2)
+        return 0;
+    double part;
+    size_t k = interval_of(t, place, &part);
+    line_distance(t->p, t->n, q, &k);
+    return (double)k + segment_foot(q, t->p[k], t->p[k + 1]);
+}
+
+struct motion trace_motion(const struct trace *trace, struct arc arc, double from, double to)
+{
+    return (struct motion){.arc = arc,
+                           .from = from,
+                           .to = to,
+                           .axis = trace_axis(trace, from),
+                           .axis_to = trace_axis(trace, to)};
+}
+
+bool stray_within(const struct stray *stray, const struct stray *within)
+{
+    return stray->tracked <= within->tracked && stray->other <= within->other &&
+           stray->axis <= within->axis;
+}
+
+struct stray stray_worst(struct stray a, struct stray b)
+{
+    return (struct stray){fmax(a.tracked, b.tracked), fmax(a.other, b.other),
+                          fmax(a.axis, b.axis)};
+}
+
+/* A motion made ready to be asked for many places. */
+struct follower {
+    const struct trace *trace;
+    const struct arc *arc;
+    struct vec3 axis, aside; /* the axis at an angle u: axis cos u + aside sin u */
+    double swing;            /* in all, radians */
+    bool lone;               /* nobody at the other end: no lever, or the axis is still */
+    struct stray stray;
+    size_t tracked, other; /* segments of the trace last met */
+};
+
+static struct vec3 axis_at(const struct follower *f, double s)
+{
+    double u = s * f->swing;
+    return vec_along(vec_scale(cos(u), f->axis), sin(u), f->aside);
+}
+
+static struct vec3 other_at(const struct follower *f, double s)
+{
+    return vec_along(arc_at(f->arc, s), f->trace->lever, axis_at(f, s));
+}
+
+static struct vec3 other_speed(const struct follower *f, double s)
+{
+    double u = s * f->swing;
+    struct vec3 turn = vec_along(vec_scale(-sin(u), f->axis), cos(u), f->aside);
+    struct vec3 ahead = vec_scale(arc_length(f->arc), arc_tangent(f->arc, s));
+    return vec_along(ahead, f->trace->lever * f->swing, turn);
+}
+
+/* From the motion at s to the trace. */
+static void meet_trace(struct follower *f, double s)
+{
+    const struct trace *t = f->trace;
+    double d = line_distance(t->p, t->n, arc_at(f->arc, s), &f->tracked);
+    f->stray.tracked = fmax(f->stray.tracked, d);
+    if (f->lone)
+        return;
+    d = line_distance(t->other, t->n, other_at(f, s), &f->other);
+    f->stray.other = fmax(f->stray.other, d);
+}
+
+/* From point k of the trace, whose foot is s, to the motion. */
+static void meet_point(struct follower *f, size_t k, double s)
+{
+    const struct trace *t = f->trace;
+    f->stray.tracked = fmax(f->stray.tracked, vec_distance(t->p[k], arc_at(f->arc, s)));
+    if (f->lone)
+        return;
+    f->stray.axis = fmax(f->stray.axis, vec_angle(t->axis[k], axis_at(f, s)));
+    double d = vec_distance(t->other[k], other_at(f, s));
+    for (int i = 0; i < 2 && d > f->stray.other; i++) { /* towards the foot of the other point */
+        struct vec3 v = other_speed(f, s);
+        double v2 = vec_dot(v, v);
+        if (v2 <= 0)
+            break;
+        s += vec_dot(vec_sub(t->other[k], other_at(f, s)), v) / v2;
+        s = fmin(1, fmax(0, s));
+        d = fmin(d, vec_distance(t->other[k], other_at(f, s)));
+    }
+    f->stray.other = fmax(f->stray.other, d);
+}
+
+/* Places between two feet that have to be looked at, by the sagitta between them. */
+static int places_between(const struct arc *arc, double s0, double s1, int fine, double limit)
+{
+    double turn = (s1 - s0) * arc->angle, sagitta = arc->radius * turn * turn / 8;
+    double need = ceil(sqrt(sagitta / (limit / 20)));
+    return need > fine ? need < FINE_MAX ? (int)need : FINE_MAX : fine;
+}
+
+static struct follower follow(const struct trace *trace, const struct motion *m)
+{
+    struct follower f = {.trace = trace, .arc = &m->arc, .axis = m->axis};
+    f.swing = vec_angle(m->axis, m->axis_to);
+    if (f.swing > 0) {
+        f.aside = vec_unit(vec_reject(m->axis_to, m->axis));
+        if (vec_dot(f.aside, f.aside) < 0.5)
+            f.swing = 0;
+    }
+    double part;
+    f.tracked = f.other = interval_of(trace, m->from, &part);
+    return f;
+}
+
+/* The axis stands still in the motion and in its part of the trace: both points stray alike. */
+static bool axis_still(const struct trace *t, const struct follower *f, size_t from, size_t to)
+{
+    if (f->swing > 0)
+        return false;
+    for (size_t k = from; k < to; k++)
+        if (vec_distance(t->axis[k], f->axis) > 0)
+            return false;
+    return true;
+}
+
+struct stray trace_stray(const struct trace *trace, const struct motion *motion, int fine,
+                         const struct stray *within)
+{
+    struct follower f = follow(trace, motion);
+    size_t first = (size_t)motion->from + 1, end = (size_t)ceil(motion->to);
+    f.lone = trace->lever == 0 || axis_still(trace, &f, first, end);
+    if (trace->n < 2)
+        return f.stray;
+    double limit = within ? within->tracked : 1e-3;
+    struct stray any = {HUGE_VAL, HUGE_VAL, HUGE_VAL};
+    within = within ? within : &any;
+
+    size_t stride = (end - first) / 8; /* a look at a few: most motions that won't do end here */
+    for (size_t k = first + stride / 2; stride > 1 && k < end; k += stride) {
+        meet_point(&f, k, arc_foot(&motion->arc, trace->p[k]));
+        if (!stray_within(&f.stray, within))
+            return f.stray;
+    }
+    meet_trace(&f, 0);
+    double before = 0;
+    for (size_t k = first; k <= end; k++) {
+        double foot = k < end ? arc_foot(&motion->arc, trace->p[k]) : 1;
+        foot = fmax(foot, before);
+        if (k < end)
+            meet_point(&f, k, foot);
+        int parts = foot > before ? places_between(&motion->arc, before, foot, fine, limit) : 0;
+        for (int i = 1; i <= parts; i++)
+            meet_trace(&f, before + (foot - before) * i / (parts + 1));
+        before = foot;
+        if (!stray_within(&f.stray, within))
+            return f.stray;
+    }
+    meet_trace(&f, 1);
+    if (f.lone && trace->lever != 0)
+        f.stray.other = f.stray.tracked;
+    return f.stray;
+}
