@@ -17,10 +17,10 @@
 #include "arcfit.h"
 
 /*
- * Appends a chain of motions as arcfit_biarcs does, joints rounded to `digits` decimals.  Never more
+ * Appends a chain of pieces as arcfit_biarcs does, joints rounded to `digits` decimals.  Never more
  * of them than arcfit_biarcs makes.
  */
 void arcbeam_fit(const struct trace *trace, const struct stray *within, int digits,
-                 struct motions *motions);
+                 struct pieces *pieces);
 
 #endif

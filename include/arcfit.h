@@ -1,7 +1,7 @@
 /*
  * arcfit - the fewest arcs and lines that follow a trace within a tolerance.
  *
- * What comes out is a chain of motions from the first point of the trace to the last, each starting
+ * What comes out is a chain of pieces from the first point of the trace to the last, each starting
  * where the one before ended, in its direction (G1: to within ARCFIT_KINK where a line is next to
  * an arc).  Only where nothing else stays within the tolerance it goes straight from point to
  * point, with a kink.
@@ -13,9 +13,9 @@
 
 #define ARCFIT_KINK RADIANS(0.01)
 
-struct motions {
+struct pieces {
     size_t n, cap;
-    struct motion *item;
+    struct piece *item;
 };
 
 /*
@@ -24,13 +24,20 @@ struct motions {
  * its tangents.  A single arc or a line where that reaches as far.  The length is found by doubling
  * and bisection, each try checked in full.
  */
-void arcfit_biarcs(const struct trace *trace, const struct stray *within, struct motions *motions);
+void arcfit_biarcs(const struct trace *trace, const struct stray *within, struct pieces *pieces);
 
 /*
  * One step of the above from anywhere near point `at` of the trace, in any direction: appends one or
- * two motions and returns the point of the trace at which they end.
+ * two pieces and returns the point of the trace at which they end.
  */
 size_t arcfit_step(const struct trace *trace, const struct stray *within, size_t at,
-                   struct vec3 from, struct vec3 tangent, struct motions *motions);
+                   struct vec3 from, struct vec3 tangent, struct pieces *pieces);
+
+/*
+ * Paper 1: a biarc for each interval of the trace, the one with the least a + b, whatever its
+ * deviation.  Returns in how many intervals that is none, for one of its legs is negative and its
+ * arc a loop: those get equal legs (or a line where the points coincide).
+ */
+size_t arcfit_each(const struct trace *trace, struct pieces *pieces);
 
 #endif

@@ -20,13 +20,16 @@ struct trace {
     struct vec3 *p;      /* the tracked point */
     struct vec3 *other;  /* p + lever * axis */
     struct vec3 *axis;
-    struct vec3 *tangent; /* of p: run_tangents' three-point tangents of these points alone */
+    struct vec3 *tangent; /* of p (run_tangents; a tip is not bound to the surface) */
     double *length;      /* of p's path from the start, mm */
     double lever;        /* mm: the radius when the tip is tracked, minus it for the centre */
 };
 
-/* Of the n points of a run from `from` on; `centre`: the ball's centre is tracked, not the tip. */
-struct trace trace_of(const struct run *run, size_t from, size_t n, bool centre);
+/*
+ * Of the n points of a run from `from` on; `centre`: the ball's centre is tracked, not the tip.
+ * `forward`: the tangents are those of paper 1 (run_tangents).
+ */
+struct trace trace_of(const struct run *run, size_t from, size_t n, bool centre, bool forward);
 void trace_free(struct trace *trace);
 
 struct vec3 trace_point(const struct trace *trace, double place);
@@ -35,14 +38,15 @@ struct vec3 trace_axis(const struct trace *trace, double place);
 /* Place nearest to q: the next minimum of the distance, downhill from `place`. */
 double trace_place(const struct trace *trace, struct vec3 q, double place);
 
-/* A motion on an arc from one place of a trace to another; the axis turns on the great circle. */
-struct motion {
+/* A piece of the fitted motion: an arc or a line from one place of a trace to another; the axis turns on the great circle. */
+struct piece {
     struct arc arc;
     double from, to;           /* places */
     struct vec3 axis, axis_to; /* at its ends, unit */
+    bool biarc;                /* it and the next one are a biarc */
 };
 
-struct motion trace_motion(const struct trace *trace, struct arc arc, double from, double to);
+struct piece trace_piece(const struct trace *trace, struct arc arc, double from, double to);
 
 struct stray {
     double tracked, other; /* two-sided distances of the two points' paths, mm */
@@ -50,12 +54,12 @@ struct stray {
 };
 
 /*
- * How far the motion strays from its part of the trace: at the feet of the trace's points, at the
+ * How far the piece strays from its part of the trace: at the feet of the trace's points, at the
  * ends and at `fine` places between (more on long intervals); from the arc to the trace and from
  * the trace's points to the arc.  With `within` not NULL it stops as soon as one of its figures is
  * exceeded, and returns what it found up to there.
  */
-struct stray trace_stray(const struct trace *trace, const struct motion *motion, int fine,
+struct stray trace_stray(const struct trace *trace, const struct piece *piece, int fine,
                          const struct stray *within);
 
 /* No figure of `stray` is above that of `within`. */

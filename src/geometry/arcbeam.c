@@ -16,9 +16,9 @@ enum {
 static const double SIDEWAYS = 0.85; /* of the tolerance: how far a joint may be off the trace */
 static const double TURN_MAX = 2.6;  /* of one arc, radians */
 
-/* A chain of motions, by its last one. */
+/* A chain of pieces, by its last one. */
 struct link {
-    struct motion motion; /* none in the links that start a chain */
+    struct piece piece; /* none in the links that start a chain */
     size_t before;        /* link */
     size_t at;            /* point of the trace reached, */
     struct vec3 p, t;     /* beside which, in which direction */
@@ -164,7 +164,7 @@ static void propose(struct beam *b, size_t before, size_t j, struct vec3 to)
     if (arc.angle / 2 < ARCFIT_KINK)
         arc = arc_line(l->p, to);
     struct link next = {.before = before, .at = j, .p = to, .t = arc_tangent(&arc, 1)};
-    next.motion = trace_motion(b->trace, arc, (double)l->at, (double)j);
+    next.piece = trace_piece(b->trace, arc, (double)l->at, (double)j);
     next.reach = reach_of(b, &next);
     *array_push(&b->next) = next;
 }
@@ -232,7 +232,7 @@ static int by_reach(const void *a, const void *b)
 
 static bool proven(const struct beam *b, const struct link *l)
 {
-    struct stray stray = trace_stray(b->trace, &l->motion, 1, b->within);
+    struct stray stray = trace_stray(b->trace, &l->piece, 1, b->within);
     return stray_within(&stray, b->within);
 }
 
@@ -256,12 +256,12 @@ static size_t keep_best(struct beam *b)
 /* The chain goes on by greedy biarcs for one step, where no single arc will do. */
 static void step_by_biarc(struct beam *b, size_t from)
 {
-    struct motions m = {0};
+    struct pieces m = {0};
     struct link l = b->done.item[from];
     arcfit_step(b->trace, b->within, l.at, l.p, l.t, &m);
     for (size_t i = 0; i < m.n; i++) {
         const struct arc *arc = &m.item[i].arc;
-        struct link next = {.motion = m.item[i], .before = i ? b->done.n - 1 : from};
+        struct link next = {.piece = m.item[i], .before = i ? b->done.n - 1 : from};
         next.at = (size_t)ceil(m.item[i].to);
         next.p = arc->to;
         next.t = arc_tangent(arc, 1);
@@ -291,20 +291,20 @@ static void start(struct beam *b)
 }
 
 /* Motions of the chain that ends in `link`, in order. */
-static void chain_of(const struct beam *b, size_t link, size_t starts, struct motions *motions)
+static void chain_of(const struct beam *b, size_t link, size_t starts, struct pieces *pieces)
 {
     struct sizes back = {0};
     for (; link >= starts; link = b->done.item[link].before)
         *array_push(&back) = link;
     while (back.n > 0)
-        *array_push(motions) = b->done.item[back.item[--back.n]].motion;
+        *array_push(pieces) = b->done.item[back.item[--back.n]].piece;
     array_free(&back);
 }
 
 void arcbeam_fit(const struct trace *trace, const struct stray *within, int digits,
-                 struct motions *motions)
+                 struct pieces *pieces)
 {
-    struct motions biarcs = {0}, arcs = {0};
+    struct pieces biarcs = {0}, arcs = {0};
     arcfit_biarcs(trace, within, &biarcs);
     struct beam b = {.trace = trace, .within = within, .digits = digits};
     struct outlook *outlook = mem_alloc(1, sizeof *outlook);
@@ -324,9 +324,9 @@ void arcbeam_fit(const struct trace *trace, const struct stray *within, int digi
     }
     if (b.done.n > 0)
         chain_of(&b, b.done.n - 1, starts, &arcs);
-    const struct motions *best = arcs.n > 0 && arcs.n <= biarcs.n ? &arcs : &biarcs;
+    const struct pieces *best = arcs.n > 0 && arcs.n <= biarcs.n ? &arcs : &biarcs;
     for (size_t i = 0; i < best->n; i++)
-        *array_push(motions) = best->item[i];
+        *array_push(pieces) = best->item[i];
     free(outlook);
     array_free(&b.done);
     array_free(&b.next);

@@ -10,8 +10,8 @@ static const double TURN_MAX = 2.6; /* of one arc, radians */
 /* What reaches from one point of the trace to another. */
 struct reach {
     size_t to; /* point reached */
-    int n;     /* motions: 1 or 2 */
-    struct motion motion[2];
+    int n;     /* pieces: 1 or 2 */
+    struct piece piece[2];
 };
 
 struct greedy {
@@ -22,7 +22,7 @@ struct greedy {
     int favourite;            /* ratio that held last */
 };
 
-static bool holds(const struct greedy *g, const struct motion *m)
+static bool holds(const struct greedy *g, const struct piece *m)
 {
     if (m->arc.angle > TURN_MAX)
         return false;
@@ -36,10 +36,10 @@ static bool try_line(struct greedy *g, size_t to, struct reach *reach)
     struct arc line = arc_line(g->from, t->p[to]);
     if (vec_angle(line.tangent, g->tangent) > ARCFIT_KINK)
         return false;
-    struct motion m = trace_motion(t, line, (double)g->at, (double)to);
+    struct piece m = trace_piece(t, line, (double)g->at, (double)to);
     if (!holds(g, &m))
         return false;
-    *reach = (struct reach){.to = to, .n = 1, .motion = {m}};
+    *reach = (struct reach){.to = to, .n = 1, .piece = {m}};
     return true;
 }
 
@@ -50,10 +50,10 @@ static bool try_arc(struct greedy *g, size_t to, struct reach *reach)
     struct arc arc = arc_to(g->from, g->tangent, t->p[to]);
     if (vec_angle(arc_tangent(&arc, 1), t->tangent[to]) > ARCFIT_KINK)
         return false;
-    struct motion m = trace_motion(t, arc, (double)g->at, (double)to);
+    struct piece m = trace_piece(t, arc, (double)g->at, (double)to);
     if (!holds(g, &m))
         return false;
-    *reach = (struct reach){.to = to, .n = 1, .motion = {m}};
+    *reach = (struct reach){.to = to, .n = 1, .piece = {m}};
     return true;
 }
 
@@ -69,9 +69,10 @@ static bool try_ratio(struct greedy *g, size_t to, double ratio, struct reach *r
         return false;
     struct reach r = {.to = to,
                       .n = 2,
-                      .motion = {trace_motion(t, b.first, from, joint),
-                                 trace_motion(t, b.second, joint, end)}};
-    if (!holds(g, &r.motion[0]) || !holds(g, &r.motion[1]))
+                      .piece = {trace_piece(t, b.first, from, joint),
+                                trace_piece(t, b.second, joint, end)}};
+    r.piece[0].biarc = true;
+    if (!holds(g, &r.piece[0]) || !holds(g, &r.piece[1]))
         return false;
     *reach = r;
     return true;
@@ -125,7 +126,7 @@ static struct reach straight_on(struct greedy *g)
     const struct trace *t = g->trace;
     struct arc line = arc_line(g->from, t->p[g->at + 1]);
     struct reach r = {.to = g->at + 1, .n = 1};
-    r.motion[0] = trace_motion(t, line, (double)g->at, (double)r.to);
+    r.piece[0] = trace_piece(t, line, (double)g->at, (double)r.to);
     return r;
 }
 
@@ -142,22 +143,22 @@ static struct reach best_reach(struct greedy *g)
 
 static struct vec3 end_direction(const struct trace *t, const struct reach *r)
 {
-    struct vec3 ahead = arc_tangent(&r->motion[r->n - 1].arc, 1);
+    struct vec3 ahead = arc_tangent(&r->piece[r->n - 1].arc, 1);
     return vec_dot(ahead, t->tangent[r->to]) > 0.8 ? ahead : t->tangent[r->to];
 }
 
 size_t arcfit_step(const struct trace *trace, const struct stray *within, size_t at,
-                   struct vec3 from, struct vec3 tangent, struct motions *motions)
+                   struct vec3 from, struct vec3 tangent, struct pieces *pieces)
 {
     struct greedy g = {
         .trace = trace, .within = within, .at = at, .from = from, .tangent = tangent};
     struct reach r = best_reach(&g);
     for (int i = 0; i < r.n; i++)
-        *array_push(motions) = r.motion[i];
+        *array_push(pieces) = r.piece[i];
     return r.to;
 }
 
-void arcfit_biarcs(const struct trace *trace, const struct stray *within, struct motions *motions)
+void arcfit_biarcs(const struct trace *trace, const struct stray *within, struct pieces *pieces)
 {
     if (trace->n < 2)
         return;
@@ -166,9 +167,33 @@ void arcfit_biarcs(const struct trace *trace, const struct stray *within, struct
     while (g.at + 1 < trace->n) {
         struct reach r = best_reach(&g);
         for (int i = 0; i < r.n; i++)
-            *array_push(motions) = r.motion[i];
+            *array_push(pieces) = r.piece[i];
         g.at = r.to;
         g.from = trace->p[r.to];
         g.tangent = end_direction(trace, &r);
     }
+}
+
+size_t arcfit_each(const struct trace *t, struct pieces *pieces)
+{
+    size_t loops = 0;
+    for (size_t i = 0; i + 1 < t->n; i++) {
+        struct biarc b;
+        double from = (double)i, to = (double)(i + 1);
+        bool shortest = biarc_shortest(t->p[i], t->tangent[i], t->p[i + 1], t->tangent[i + 1], &b);
+        if (!shortest) {
+            loops++;
+            if (!biarc_of_ratio(t->p[i], t->tangent[i], t->p[i + 1], t->tangent[i + 1], 1, &b)) {
+                struct arc line = arc_line(t->p[i], t->p[i + 1]);
+                *array_push(pieces) = trace_piece(t, line, from, to);
+                continue;
+            }
+        }
+        double joint = from + b.a / (b.a + b.b);
+        struct piece *first = array_push(pieces);
+        *first = trace_piece(t, b.first, from, joint);
+        first->biarc = true;
+        *array_push(pieces) = trace_piece(t, b.second, joint, to);
+    }
+    return loops;
 }

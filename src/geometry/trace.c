@@ -5,7 +5,7 @@
 
 enum { FINE_MAX = 64 };
 
-struct trace trace_of(const struct run *run, size_t from, size_t n, bool centre)
+struct trace trace_of(const struct run *run, size_t from, size_t n, bool centre, bool forward)
 {
     struct trace t = {
         .n = n,
@@ -23,9 +23,11 @@ struct trace trace_of(const struct run *run, size_t from, size_t n, bool centre)
         t.axis[i] = r->axis;
         t.other[i] = vec_along(t.p[i], t.lever, r->axis);
         t.length[i] = i ? t.length[i - 1] + vec_distance(t.p[i - 1], t.p[i]) : 0;
-        *array_push(&alone) = (struct run_point){.ball = t.p[i]};
+        struct run_point *at = array_push(&alone);
+        *at = centre || forward ? *r : (struct run_point){.ball = t.p[i]};
+        at->ball = t.p[i];
     }
-    run_tangents(&alone, false, t.tangent);
+    run_tangents(&alone, forward, t.tangent);
     array_free(&alone);
     return t;
 }
@@ -115,9 +117,9 @@ double trace_place(const struct trace *t, struct vec3 q, double place)
     return (double)k + segment_foot(q, t->p[k], t->p[k + 1]);
 }
 
-struct motion trace_motion(const struct trace *trace, struct arc arc, double from, double to)
+struct piece trace_piece(const struct trace *trace, struct arc arc, double from, double to)
 {
-    return (struct motion){.arc = arc,
+    return (struct piece){.arc = arc,
                            .from = from,
                            .to = to,
                            .axis = trace_axis(trace, from),
@@ -136,7 +138,7 @@ struct stray stray_worst(struct stray a, struct stray b)
                           fmax(a.axis, b.axis)};
 }
 
-/* A motion made ready to be asked for many places. */
+/* A piece made ready to be asked for many places. */
 struct follower {
     const struct trace *trace;
     const struct arc *arc;
@@ -166,7 +168,7 @@ static struct vec3 other_speed(const struct follower *f, double s)
     return vec_along(ahead, f->trace->lever * f->swing, turn);
 }
 
-/* From the motion at s to the trace. */
+/* From the piece at s to the trace. */
 static void meet_trace(struct follower *f, double s)
 {
     const struct trace *t = f->trace;
@@ -178,7 +180,7 @@ static void meet_trace(struct follower *f, double s)
     f->stray.other = fmax(f->stray.other, d);
 }
 
-/* From point k of the trace, whose foot is s, to the motion. */
+/* From point k of the trace, whose foot is s, to the piece. */
 static void meet_point(struct follower *f, size_t k, double s)
 {
     const struct trace *t = f->trace;
@@ -207,7 +209,7 @@ static int places_between(const struct arc *arc, double s0, double s1, int fine,
     return need > fine ? need < FINE_MAX ? (int)need : FINE_MAX : fine;
 }
 
-static struct follower follow(const struct trace *trace, const struct motion *m)
+static struct follower follow(const struct trace *trace, const struct piece *m)
 {
     struct follower f = {.trace = trace, .arc = &m->arc, .axis = m->axis};
     f.swing = vec_angle(m->axis, m->axis_to);
@@ -221,7 +223,7 @@ static struct follower follow(const struct trace *trace, const struct motion *m)
     return f;
 }
 
-/* The axis stands still in the motion and in its part of the trace: both points stray alike. */
+/* The axis stands still in the piece and in its part of the trace: both points stray alike. */
 static bool axis_still(const struct trace *t, const struct follower *f, size_t from, size_t to)
 {
     if (f->swing > 0)
@@ -232,11 +234,11 @@ static bool axis_still(const struct trace *t, const struct follower *f, size_t f
     return true;
 }
 
-struct stray trace_stray(const struct trace *trace, const struct motion *motion, int fine,
+struct stray trace_stray(const struct trace *trace, const struct piece *piece, int fine,
                          const struct stray *within)
 {
-    struct follower f = follow(trace, motion);
-    size_t first = (size_t)motion->from + 1, end = (size_t)ceil(motion->to);
+    struct follower f = follow(trace, piece);
+    size_t first = (size_t)piece->from + 1, end = (size_t)ceil(piece->to);
     f.lone = trace->lever == 0 || axis_still(trace, &f, first, end);
     if (trace->n < 2)
         return f.stray;
@@ -244,20 +246,20 @@ struct stray trace_stray(const struct trace *trace, const struct motion *motion,
     struct stray any = {HUGE_VAL, HUGE_VAL, HUGE_VAL};
     within = within ? within : &any;
 
-    size_t stride = (end - first) / 8; /* a look at a few: most motions that won't do end here */
+    size_t stride = (end - first) / 8; /* a look at a few: most pieces that won't do end here */
     for (size_t k = first + stride / 2; stride > 1 && k < end; k += stride) {
-        meet_point(&f, k, arc_foot(&motion->arc, trace->p[k]));
+        meet_point(&f, k, arc_foot(&piece->arc, trace->p[k]));
         if (!stray_within(&f.stray, within))
             return f.stray;
     }
     meet_trace(&f, 0);
     double before = 0;
     for (size_t k = first; k <= end; k++) {
-        double foot = k < end ? arc_foot(&motion->arc, trace->p[k]) : 1;
+        double foot = k < end ? arc_foot(&piece->arc, trace->p[k]) : 1;
         foot = fmax(foot, before);
         if (k < end)
             meet_point(&f, k, foot);
-        int parts = foot > before ? places_between(&motion->arc, before, foot, fine, limit) : 0;
+        int parts = foot > before ? places_between(&piece->arc, before, foot, fine, limit) : 0;
         for (int i = 1; i <= parts; i++)
             meet_trace(&f, before + (foot - before) * i / (parts + 1));
         before = foot;

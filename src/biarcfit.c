@@ -1,0 +1,129 @@
+/* biarcfit - the points of a path's cutting runs as arcs and lines within a tolerance. */
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+
+#include "arcrun.h"
+#include "cli.h"
+#include "out.h"
+#include "path.h"
+
+struct settings {
+    double tolerance, axis, tilt;
+    bool tolerance_given, tilted, paper, chords, report;
+};
+
+/* Fits all runs of `in` into `out`; all else goes over as it is. */
+static struct arcrun_report fit_path(const struct path *in, const struct settings *s,
+                                     struct path *out)
+{
+    struct arcrun_options options = {.tolerance = s->tolerance,
+                                     .axis = RADIANS(s->axis),
+                                     .centre = in->head.track == TRACK_CENTRE,
+                                     .paper = s->paper,
+                                     .chords = s->chords};
+    struct arcrun_report sum = {0};
+    size_t done = 0, runs = 0;
+    if (s->report)
+        fprintf(stderr, "%6s %7s %6s %6s %6s %6s %10s %10s %10s\n", "run", "points", "arcs",
+                "lines", "C", "S", "length", "off, mm", "axis, deg");
+    for (size_t from = 0, to; path_next_run(in, &from, &to); from = to) {
+        path_add_items(out, in, done, from + 1);
+        struct run run = arcrun_read(in, from, to);
+        struct arcrun_report report = {0};
+        arcrun_fit(&run, &options, out, &report);
+        array_free(&run);
+        runs++;
+        if (s->report)
+            fprintf(stderr, "%6zu %7zu %6zu %6zu %6zu %6zu %10.3f %10.6f %10.6f\n", runs,
+                    report.points, report.arcs, report.lines, report.c, report.s, report.length,
+                    report.spent, DEGREES(report.worst.axis));
+        arcrun_add(&sum, &report);
+        done = to;
+        progress("fitting", to, in->item.n);
+    }
+    path_add_items(out, in, done, in->item.n);
+    progress("fitting", 1, 1);
+    return sum;
+}
+
+/* What came of it; with a biarc an interval nobody has promised a tolerance, so it is told. */
+static void tell(const struct arcrun_report *r, const struct path *in, const struct settings *s)
+{
+    void (*message)(const char *format, ...) = s->paper ? say : note;
+    if (r->points == 0)
+        say("no cutting run found: nothing fitted");
+    message("%zu points in; %zu arcs and %zu lines out, %.1f mm; %zu biarcs of C type, %zu of S "
+            "type; %zu corners kept, %zu other kinks",
+            r->points, r->arcs, r->lines, r->length, r->c, r->s, r->corners, r->kinks);
+    if (r->loops > 0)
+        say("in %zu intervals the paper's biarc is a loop: equal legs taken", r->loops);
+    bool centre = in->head.track == TRACK_CENTRE;
+    double tip = centre ? r->worst.other : r->worst.tracked;
+    double ball = centre ? r->worst.tracked : r->worst.other;
+    message("off by at most %.6f mm at the tip and %.6f mm at the centre, axis %.4f degrees", tip,
+            ball, DEGREES(r->worst.axis));
+}
+
+static struct settings read_settings(struct cli *cli, int argc, char **argv)
+{
+    static struct settings s = {.tolerance = 0.01, .axis = 1};
+    static const struct cli_option options[] = {
+        {'e', "tolerance", "MM", "how far tip and ball centre may be off the path (0.01)",
+         CLI_NUMBER, &s.tolerance, 1e-4, 100, 0, &s.tolerance_given},
+        {0, "axis-tolerance", "DEG", "how far the tool axis may be off (1)", CLI_NUMBER, &s.axis,
+         CLI_POSITIVE, 90, 0, NULL},
+        {0, "paper", NULL, "a biarc for each interval between points, as paper 1 has it", CLI_FLAG,
+         &s.paper, 0, 0, 0, NULL},
+        {0, "linear-arcs", NULL,
+         "straight chords within the tolerance, the arcs as comments,\n"
+         "for readers that know no CIRCLE",
+         CLI_FLAG, &s.chords, 0, 0, 0, NULL},
+        {0, "report", NULL, "a table of the runs on standard error", CLI_FLAG, &s.report, 0, 0, 0,
+         NULL},
+        {0},
+    };
+    cli->option = options;
+    cli_parse(cli, argc, argv);
+    if (cli->files > 1)
+        die_usage("found %d files, expected one path", cli->files);
+    if (!s.tolerance_given && !s.paper)
+        say("tolerance %g mm (-e)", s.tolerance);
+    return s;
+}
+
+static void check(const struct path *in)
+{
+    if (in->head.track == TRACK_CONTACT)
+        die("%s: found a path of contact points, expected one of the tip or the centre", in->name);
+    if (path_ball(in) < 0)
+        say("no ball cutter in the head: the tolerance is kept at the tip alone");
+}
+
+int main(int argc, char **argv)
+{
+    struct cli cli = {.tool = "biarcfit",
+                      .usage = "[options] [FILE]",
+                      .about = "fits arcs and lines to the points of a path"};
+    struct settings s = read_settings(&cli, argc, argv);
+    struct path in = {0}, out = {0};
+    struct error error;
+    if (path_read(cli.file[0], &in, &error) < 0)
+        die_error(&error);
+    check(&in);
+
+    out.name = in.name;
+    path_head_copy(&out.head, &in.head);
+    out.head.chord = NAN;
+    struct arcrun_report report = fit_path(&in, &s, &out);
+    if (report.points > 0)
+        path_spend(&out, "biarcfit", report.spent);
+    tell(&report, &in, &s);
+
+    struct out *o = out_open(cli.output);
+    path_write(o, &out);
+    out_close(o);
+    path_free(&in);
+    path_free(&out);
+    return !s.paper && report.spent > s.tolerance ? EXIT_UNMET : EXIT_DONE;
+}

@@ -1,0 +1,310 @@
+/* arcrun - see arcrun.h. */
+#include "arcrun.h"
+
+#include <stdlib.h>
+
+#include "arcbeam.h"
+#include "num.h"
+
+enum { COORDINATE = 6, VECTOR = 9 }; /* decimals of the path stream */
+
+static const double REFERENCE = 0.02; /* part of the tolerance that the dense reference may take */
+static const double DENSE = 0.25; /* of it: straight lines this near to the smooth path are it */
+static const double SHORT = 1e-3; /* mm: nothing below this is an arc */
+
+struct run arcrun_read(const struct path *path, size_t from, size_t to)
+{
+    struct run run = {.radius = fmax(0, path_ball(path))};
+    for (size_t i = from; i < to; i++) {
+        const struct path_item *item = &path->item.item[i];
+        struct run_point p = {.tip = item->to.p, .ball = item->to.p, .axis = item->to.a};
+        p.given = true;
+        if (path->head.track == TRACK_CENTRE)
+            p.tip = vec_along(p.ball, -run.radius, p.axis);
+        else
+            p.ball = vec_along(p.tip, run.radius, p.axis);
+        if (item->touches) {
+            p.contact = item->contact.p;
+            p.normal = item->contact.n;
+        }
+        *array_push(&run) = p;
+    }
+    return run;
+}
+
+static struct vec3 vec_round(struct vec3 a, int digits)
+{
+    return vec(num_round(a.x, digits), num_round(a.y, digits), num_round(a.z, digits));
+}
+
+/* One piece as it is printed, and as it is read back. */
+struct printed {
+    struct piece piece;
+    struct path_arc arc; /* radius 0: a straight line */
+};
+
+struct printeds {
+    size_t n, cap;
+    struct printed *item;
+};
+
+/* The work on one smooth part of a run. */
+struct fit {
+    const struct arcrun_options *options;
+    const struct run *dense;
+    size_t first; /* point of the dense run at which the trace begins */
+    struct trace trace;
+    struct pieces pieces;
+    struct printeds printed;
+    struct stray worst;
+};
+
+static struct printed print_line(const struct piece *piece, struct vec3 from, struct vec3 to)
+{
+    struct printed p = {.piece = *piece};
+    p.piece.arc = arc_line(from, to);
+    return p;
+}
+
+/* The arc through its rounded ends; a line when rounding leaves nothing of its turn. */
+static struct printed print_piece(const struct piece *piece, struct vec3 from)
+{
+    struct vec3 to = vec_round(piece->arc.to, COORDINATE);
+    struct arc exact = arc_to(from, piece->arc.tangent, to);
+    if (arc_straight(&piece->arc) || arc_straight(&exact) || vec_distance(from, to) < SHORT)
+        return print_line(piece, from, to);
+    struct printed p = {.piece = *piece};
+    p.arc.centre = vec_round(arc_centre(&exact), COORDINATE);
+    p.arc.axis = vec_round(arc_axis(&exact), VECTOR);
+    double r0 = vec_distance(from, p.arc.centre), r1 = vec_distance(to, p.arc.centre);
+    p.arc.radius = num_round((r0 + r1) / 2, COORDINATE);
+    p.piece.arc = arc_about(from, to, p.arc.centre, vec_unit(p.arc.axis));
+    if (fabs(p.piece.arc.angle - exact.angle) > 0.01 * exact.angle)
+        return print_line(piece, from, to);
+    return p;
+}
+
+/* Prints all pieces in memory and measures what a reader of the digits will find. */
+static void print_pieces(struct fit *f)
+{
+    f->printed.n = 0;
+    f->worst = (struct stray){0};
+    struct vec3 at = vec_round(f->trace.p[0], COORDINATE);
+    for (size_t i = 0; i < f->pieces.n; i++) {
+        struct printed p = print_piece(&f->pieces.item[i], at);
+        at = p.piece.arc.to;
+        f->worst = stray_worst(f->worst, trace_stray(&f->trace, &p.piece, 4, NULL));
+        *array_push(&f->printed) = p;
+    }
+}
+
+/* Straight from point to point: the trace itself. */
+static void fit_points(struct fit *f)
+{
+    f->pieces.n = 0;
+    for (size_t i = 0; i + 1 < f->trace.n; i++)
+        *array_push(&f->pieces) = trace_piece(
+            &f->trace, arc_line(f->trace.p[i], f->trace.p[i + 1]), (double)i, (double)(i + 1));
+}
+
+/* Fits within less and less of the tolerance until the printed digits keep all of it. */
+static void fit_within(struct fit *f, double tolerance)
+{
+    struct stray within = {tolerance, tolerance, f->options->axis};
+    double part = 1 - 1e-6 / tolerance;
+    for (int i = 0; i < 6; i++, part *= 0.995) {
+        struct stray less = {part * tolerance, part * tolerance, part * f->options->axis};
+        f->pieces.n = 0;
+        arcbeam_fit(&f->trace, &less, COORDINATE, &f->pieces);
+        print_pieces(f);
+        if (stray_within(&f->worst, &within))
+            return;
+    }
+    fit_points(f);
+    print_pieces(f);
+}
+
+/* Contact at a place of the trace. */
+static bool contact_at(const struct fit *f, double place, struct contact *contact)
+{
+    size_t i = f->first + (size_t)place;
+    double part = place - floor(place);
+    const struct run_point *a = &f->dense->item[i], *b = part > 0 ? a + 1 : a;
+    if (vec_length(a->normal) < 0.5 || vec_length(b->normal) < 0.5)
+        return false;
+    contact->p = vec_mix(a->contact, b->contact, part);
+    contact->n = part > 0 ? vec_slerp(a->normal, b->normal, part) : a->normal;
+    return true;
+}
+
+static void touch(struct path_item *item, const struct fit *f, double place)
+{
+    item->touches = contact_at(f, place, &item->contact);
+}
+
+/* How many chords keep a piece of the motion within `sagitta` at both points. */
+static int chords_of(const struct piece *piece, double lever, double sagitta)
+{
+    for (int n = 1; n < 4096; n *= 2) {
+        double worst = 0;
+        for (int i = 0; i < n; i++) {
+            struct vec3 p[3], q[3];
+            for (int k = 0; k < 3; k++) {
+                double s = (i + k * 0.5) / n;
+                p[k] = arc_at(&piece->arc, s);
+                q[k] = vec_along(p[k], lever, vec_slerp(piece->axis, piece->axis_to, s));
+            }
+            worst = fmax(worst, vec_distance(p[1], vec_mix(p[0], p[2], 0.5)));
+            worst = fmax(worst, vec_distance(q[1], vec_mix(q[0], q[2], 0.5)));
+        }
+        if (worst <= sagitta)
+            return n;
+    }
+    return 4096;
+}
+
+static void put_chords(const struct fit *f, const struct printed *p, struct path *out)
+{
+    char text[16 * NUM_MAX], *at = text;
+    double v[] = {p->arc.centre.x, p->arc.centre.y, p->arc.centre.z, p->arc.axis.x,
+                  p->arc.axis.y,   p->arc.axis.z,   p->arc.radius};
+    for (const char *s = "$$ CIRCLE/"; *s; s++)
+        *at++ = *s;
+    for (int i = 0; i < 7; i++) {
+        if (i > 0)
+            *at++ = ',';
+        at += num_write(at, v[i], i >= 3 && i < 6 ? VECTOR : COORDINATE);
+    }
+    path_add_text(out, text);
+    const struct piece *piece = &p->piece;
+    int n = chords_of(piece, f->trace.lever, DENSE * f->options->tolerance);
+    for (int i = 1; i <= n; i++) {
+        double s = (double)i / n, place = piece->from + s * (piece->to - piece->from);
+        struct pose to = {arc_at(&piece->arc, s), vec_slerp(piece->axis, piece->axis_to, s)};
+        touch(path_add_point(out, to, false), f, i < n ? place : piece->to);
+    }
+}
+
+static void put_pieces(const struct fit *f, struct path *out, struct arcrun_report *report)
+{
+    const struct printed *before = NULL;
+    for (size_t i = 0; i < f->printed.n; i++) {
+        const struct printed *p = &f->printed.item[i];
+        struct pose to = {p->piece.arc.to, p->piece.axis_to};
+        if (p->arc.radius <= 0)
+            touch(path_add_point(out, to, false), f, p->piece.to);
+        else if (f->options->chords)
+            put_chords(f, p, out);
+        else
+            touch(path_add_arc(out, to, p->arc), f, p->piece.to);
+        report->arcs += p->arc.radius > 0;
+        report->lines += p->arc.radius <= 0;
+        report->length += arc_length(&p->piece.arc);
+        if (before) {
+            double kink = vec_angle(arc_tangent(&before->piece.arc, 1), p->piece.arc.tangent);
+            bool smooth = kink <= 2 * ARCFIT_KINK, arcs = before->arc.radius > 0 && p->arc.radius > 0;
+            struct vec3 centre = vec_sub(before->arc.centre, p->piece.arc.from);
+            bool same = vec_dot(centre, p->piece.arc.inward) > 0;
+            bool counts = smooth && arcs && (before->piece.biarc || !f->options->paper);
+            report->kinks += !smooth;
+            report->c += counts && same;
+            report->s += counts && !same;
+        }
+        before = p;
+    }
+}
+
+/* Points [first, last] of the dense run, without corners between. */
+static void fit_part(const struct run *dense, size_t first, size_t last, double tolerance,
+                     const struct arcrun_options *options, struct path *out,
+                     struct arcrun_report *report)
+{
+    struct fit f = {.options = options, .dense = dense, .first = first};
+    f.trace = trace_of(dense, first, last - first + 1, options->centre, options->paper);
+    if (options->paper) {
+        report->loops += arcfit_each(&f.trace, &f.pieces);
+        print_pieces(&f);
+    } else {
+        fit_within(&f, tolerance);
+    }
+    put_pieces(&f, out, report);
+    report->worst = stray_worst(report->worst, f.worst);
+    trace_free(&f.trace);
+    array_free(&f.pieces);
+    array_free(&f.printed);
+}
+
+/* The dense reference as its digits will say it; returns what it takes of the tolerance. */
+static double reference_of(const struct run *run, const struct arcrun_options *options,
+                           struct run *dense)
+{
+    double taken = REFERENCE * options->tolerance;
+    double off = options->paper ? 0 : run_densify(run, taken, dense);
+    if (off <= DENSE * options->tolerance) {
+        dense->n = 0;
+        for (size_t i = 0; i < run->n; i++)
+            *array_push(dense) = run->item[i];
+        return 0;
+    }
+    for (size_t i = 0; i < dense->n; i++) {
+        struct run_point *p = &dense->item[i];
+        p->axis = vec_unit(vec_round(p->axis, VECTOR));
+        if (options->centre)
+            p->ball = vec_round(p->ball, COORDINATE);
+        else
+            p->tip = vec_round(p->tip, COORDINATE);
+    }
+    return taken;
+}
+
+/* Corners of what is programmed, and the end of the run. */
+static struct sizes parts_of(const struct run *dense, bool centre)
+{
+    struct run track = {.radius = dense->radius};
+    for (size_t i = 0; i < dense->n; i++) {
+        struct run_point *p = array_push(&track);
+        *p = dense->item[i];
+        p->ball = centre ? p->ball : p->tip;
+    }
+    struct sizes end = {0};
+    run_corners(&track, &end);
+    *array_push(&end) = dense->n - 1;
+    array_free(&track);
+    return end;
+}
+
+void arcrun_fit(const struct run *run, const struct arcrun_options *options, struct path *out,
+                struct arcrun_report *report)
+{
+    struct run dense = {.radius = run->radius};
+    double taken = reference_of(run, options, &dense);
+    double tolerance = options->tolerance - taken;
+    if (options->chords)
+        tolerance -= DENSE * options->tolerance;
+    struct sizes end = parts_of(&dense, options->centre);
+    size_t from = 0;
+    for (size_t i = 0; i < end.n; i++) {
+        fit_part(&dense, from, end.item[i], tolerance, options, out, report);
+        from = end.item[i];
+    }
+    report->points += run->n;
+    report->corners += end.n - 1;
+    report->spent = fmax(report->worst.tracked, report->worst.other) + options->tolerance - tolerance;
+    array_free(&end);
+    array_free(&dense);
+}
+
+void arcrun_add(struct arcrun_report *sum, const struct arcrun_report *report)
+{
+    sum->points += report->points;
+    sum->arcs += report->arcs;
+    sum->lines += report->lines;
+    sum->c += report->c;
+    sum->s += report->s;
+    sum->loops += report->loops;
+    sum->corners += report->corners;
+    sum->kinks += report->kinks;
+    sum->length += report->length;
+    sum->spent = fmax(sum->spent, report->spent);
+    sum->worst = stray_worst(sum->worst, report->worst);
+}
