@@ -4,11 +4,10 @@
 
 passes=$SRC/tests/data/panel_passes.cl
 
-# arcs FILE: CIRCLEs and the lines that stand for arcs, the motions of all runs
 arcs() { grep -c '^CIRCLE/' "$1"; }
 spent() { sed -n 's/^.*LEDGER\/biarcfit,//p' "$1"; }
 
-# head ITEMS...: a small path with these statements
+# path ITEMS: a small path with these statements
 path() {
 	printf 'PARTNO/T\nUNITS/MM\nMULTAX/ON\nCUTTER/8.0,4.0,0.0,4.0,0.0,0.0,60.0\n%s\nFINI\n' "$1"
 }

@@ -103,8 +103,8 @@ static void fit_points(struct fit *f)
 {
     f->pieces.n = 0;
     for (size_t i = 0; i + 1 < f->trace.n; i++)
-        *array_push(&f->pieces) = trace_piece(
-            &f->trace, arc_line(f->trace.p[i], f->trace.p[i + 1]), (double)i, (double)(i + 1));
+        *array_push(&f->pieces) = trace_piece(&f->trace, arc_line(f->trace.p[i], f->trace.p[i + 1]),
+                                              (double)i, (double)(i + 1));
 }
 
 /* Fits within less and less of the tolerance until the printed digits keep all of it. */
@@ -202,7 +202,8 @@ static void put_pieces(const struct fit *f, struct path *out, struct arcrun_repo
         report->length += arc_length(&p->piece.arc);
         if (before) {
             double kink = vec_angle(arc_tangent(&before->piece.arc, 1), p->piece.arc.tangent);
-            bool smooth = kink <= 2 * ARCFIT_KINK, arcs = before->arc.radius > 0 && p->arc.radius > 0;
+            bool smooth = kink <= 2 * ARCFIT_KINK,
+                 arcs = before->arc.radius > 0 && p->arc.radius > 0;
             struct vec3 centre = vec_sub(before->arc.centre, p->piece.arc.from);
             bool same = vec_dot(centre, p->piece.arc.inward) > 0;
             bool counts = smooth && arcs && (before->piece.biarc || !f->options->paper);
@@ -289,7 +290,8 @@ void arcrun_fit(const struct run *run, const struct arcrun_options *options, str
     }
     report->points += run->n;
     report->corners += end.n - 1;
-    report->spent = fmax(report->worst.tracked, report->worst.other) + options->tolerance - tolerance;
+    report->spent =
+        fmax(report->worst.tracked, report->worst.other) + options->tolerance - tolerance;
     array_free(&end);
     array_free(&dense);
 }

@@ -19,10 +19,10 @@ static const double TURN_MAX = 2.6;  /* of one arc, radians */
 /* A chain of pieces, by its last one. */
 struct link {
     struct piece piece; /* none in the links that start a chain */
-    size_t before;        /* link */
-    size_t at;            /* point of the trace reached, */
-    struct vec3 p, t;     /* beside which, in which direction */
-    double reach;         /* length of the trace that the next arc may reach, mm */
+    size_t before;      /* link */
+    size_t at;          /* point of the trace reached, */
+    struct vec3 p, t;   /* beside which, in which direction */
+    double reach;       /* length of the trace that the next arc may reach, mm */
 };
 
 struct links {
@@ -40,8 +40,8 @@ struct beam {
 
 /* The curvatures, across the direction of a link, that an arc to a point may have. */
 struct window {
-    struct vec3 u, v;         /* unit, across: in the plane of the bend and out of it */
-    double lo[4], hi[4];      /* along u, v, u + v, u - v */
+    struct vec3 u, v;    /* unit, across: in the plane of the bend and out of it */
+    double lo[4], hi[4]; /* along u, v, u + v, u - v */
 };
 
 static void window_open(struct window *w, struct vec3 u, struct vec3 t)
@@ -230,24 +230,46 @@ static int by_reach(const void *a, const void *b)
     return l->before < m->before ? -1 : l->before > m->before;
 }
 
-static bool proven(const struct beam *b, const struct link *l)
+static bool finished(const struct beam *b)
 {
-    struct stray stray = trace_stray(b->trace, &l->piece, 1, b->within);
-    return stray_within(&stray, b->within);
+    return b->done.item[b->done.n - 1].at + 1 == b->trace->n;
+}
+
+/* The best of the proposals that are through: a line, else what strays least; false when none is.
+ */
+static bool keep_finished(struct beam *b)
+{
+    const struct link *best = NULL;
+    struct stray least = *b->within;
+    for (size_t i = 0; i < b->next.n; i++) {
+        const struct link *l = &b->next.item[i];
+        if (l->at + 1 < b->trace->n)
+            continue;
+        struct stray stray = trace_stray(b->trace, &l->piece, 1, b->within);
+        if (!stray_within(&stray, b->within))
+            continue;
+        bool line = arc_straight(&l->piece.arc), had = best && arc_straight(&best->piece.arc);
+        if (!best || line > had || (line == had && stray.tracked < least.tracked)) {
+            best = l;
+            least = stray;
+        }
+    }
+    if (best)
+        *array_push(&b->done) = *best;
+    return best != NULL;
 }
 
 /* Moves the best of the proposals that hold into the chains; returns how many. */
 static size_t keep_best(struct beam *b)
 {
-    size_t kept = 0, end = b->trace->n - 1;
+    size_t kept = keep_finished(b);
     qsort(b->next.item, b->next.n, sizeof *b->next.item, by_reach);
-    for (size_t i = 0; i < b->next.n && kept < BEAM; i++) {
-        if (!proven(b, &b->next.item[i]))
+    for (size_t i = 0; i < b->next.n && kept < BEAM && !finished(b); i++) {
+        struct stray stray = trace_stray(b->trace, &b->next.item[i].piece, 1, b->within);
+        if (!stray_within(&stray, b->within))
             continue;
         *array_push(&b->done) = b->next.item[i];
         kept++;
-        if (b->next.item[i].at == end)
-            break;
     }
     b->next.n = 0;
     return kept;
@@ -311,7 +333,7 @@ void arcbeam_fit(const struct trace *trace, const struct stray *within, int digi
     if (trace->n > 1)
         start(&b);
     size_t starts = b.done.n, from = 0;
-    while (b.done.n > 0 && b.done.item[b.done.n - 1].at + 1 < trace->n) {
+    while (b.done.n > 0 && !finished(&b)) {
         size_t to = b.done.n;
         for (size_t i = from; i < to; i++)
             expand(&b, i, outlook);

@@ -17,9 +17,9 @@ struct reach {
 struct greedy {
     const struct trace *trace;
     const struct stray *within;
-    size_t at;                /* point of the trace reached so far, */
+    size_t at;                 /* point of the trace reached so far, */
     struct vec3 from, tangent; /* where and in which direction */
-    int favourite;            /* ratio that held last */
+    int favourite;             /* ratio that held last */
 };
 
 static bool holds(const struct greedy *g, const struct piece *m)
@@ -67,10 +67,10 @@ static bool try_ratio(struct greedy *g, size_t to, double ratio, struct reach *r
     double joint = trace_place(t, b.joint, from + (end - from) * ratio / (1 + ratio));
     if (!(joint > from && joint < end))
         return false;
-    struct reach r = {.to = to,
-                      .n = 2,
-                      .piece = {trace_piece(t, b.first, from, joint),
-                                trace_piece(t, b.second, joint, end)}};
+    struct reach r = {
+        .to = to,
+        .n = 2,
+        .piece = {trace_piece(t, b.first, from, joint), trace_piece(t, b.second, joint, end)}};
     r.piece[0].biarc = true;
     if (!holds(g, &r.piece[0]) || !holds(g, &r.piece[1]))
         return false;

@@ -120,10 +120,10 @@ double trace_place(const struct trace *t, struct vec3 q, double place)
 struct piece trace_piece(const struct trace *trace, struct arc arc, double from, double to)
 {
     return (struct piece){.arc = arc,
-                           .from = from,
-                           .to = to,
-                           .axis = trace_axis(trace, from),
-                           .axis_to = trace_axis(trace, to)};
+                          .from = from,
+                          .to = to,
+                          .axis = trace_axis(trace, from),
+                          .axis_to = trace_axis(trace, to)};
 }
 
 bool stray_within(const struct stray *stray, const struct stray *within)
@@ -134,8 +134,7 @@ bool stray_within(const struct stray *stray, const struct stray *within)
 
 struct stray stray_worst(struct stray a, struct stray b)
 {
-    return (struct stray){fmax(a.tracked, b.tracked), fmax(a.other, b.other),
-                          fmax(a.axis, b.axis)};
+    return (struct stray){fmax(a.tracked, b.tracked), fmax(a.other, b.other), fmax(a.axis, b.axis)};
 }
 
 /* A piece made ready to be asked for many places. */
