@@ -4,12 +4,12 @@
 #include <pthread.h>
 #include <unistd.h>
 
-enum { MOST_THREADS = 64, PIECE = 64 };
+enum { MOST_THREADS = 64, MOST_PIECE = 64, PIECES_EACH = 8 };
 
 struct share {
     void (*work)(void *context, size_t from, size_t to);
     void *context;
-    size_t n, next;
+    size_t n, next, piece;
     pthread_mutex_t lock; /* on next */
 };
 
@@ -19,7 +19,7 @@ static void *run(void *argument)
     for (;;) {
         pthread_mutex_lock(&s->lock);
         size_t from = s->next;
-        size_t to = s->n - from > PIECE ? from + PIECE : s->n;
+        size_t to = s->n - from > s->piece ? from + s->piece : s->n;
         s->next = to;
         pthread_mutex_unlock(&s->lock);
         if (from == to)
@@ -31,12 +31,14 @@ static void *run(void *argument)
 void parallel_for(int threads, size_t n, void (*work)(void *context, size_t from, size_t to),
                   void *context)
 {
-    struct share share = {work, context, n, 0, PTHREAD_MUTEX_INITIALIZER};
+    struct share share = {work, context, n, 0, 1, PTHREAD_MUTEX_INITIALIZER};
     pthread_t thread[MOST_THREADS];
     long wanted = threads > 0 ? threads : sysconf(_SC_NPROCESSORS_ONLN);
+    size_t piece = wanted > 0 ? n / (size_t)wanted / PIECES_EACH : MOST_PIECE;
+    share.piece = piece < 1 ? 1 : piece > MOST_PIECE ? MOST_PIECE : piece;
     int started = 0;
     /* this thread works too; where no other can be had it does all of it */
-    while (started < MOST_THREADS && started + 1 < wanted && (size_t)(started + 1) * PIECE < n &&
+    while (started < MOST_THREADS && started + 1 < wanted && (size_t)(started + 1) * share.piece < n &&
            pthread_create(&thread[started], NULL, run, &share) == 0)
         started++;
     run(&share);

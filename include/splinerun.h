@@ -1,0 +1,39 @@
+/*
+ * splinerun - a cutting run as B-splines: parted at its corners, made dense, fitted.
+ */
+#ifndef CLOUDMILL_SPLINERUN_H
+#define CLOUDMILL_SPLINERUN_H
+
+#include "motion.h"
+#include "run.h"
+#include "splinefit.h"
+
+struct splinerun_piece {
+    size_t from, to;       /* its first and last point in the run */
+    bool still;            /* all its points are in one place: there is no curve */
+    struct splinefit fit;
+    double smooth;         /* part of the tolerance that went into making the data dense, mm */
+    struct poses fallback; /* straight pieces within the tolerance of the curve, without its start */
+};
+
+struct splinerun {
+    size_t n, cap;
+    struct splinerun_piece *item;
+};
+
+/*
+ * Appends the pieces of a run of at least 2 points.  The ball's centre is tracked with `centre`,
+ * else the tip.
+ *
+ * With `paper` the run is one piece, fitted as it is by splinefit_paper.  By default it is parted
+ * where the path turns by more than 60 degrees, in one point and over 10 times the tolerance (so
+ * that noise makes no corners); where straight lines between the points would leave the smooth
+ * path (run_densify) by more than a quarter of the tolerance, the curve follows the smooth path,
+ * sampled to a tenth of the tolerance, and keeps the rest; splinefit_search fits.
+ */
+void splinerun_fit(const struct run *run, bool centre, bool paper,
+                   const struct splinefit_options *options, struct splinerun *pieces);
+
+void splinerun_free(struct splinerun *pieces);
+
+#endif

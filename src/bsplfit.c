@@ -1,0 +1,228 @@
+/*
+ * bsplfit - replaces the points of a path's cutting runs by B-splines.
+ *
+ * Reads a path stream, writes a path stream.  The fit is splinefit's (paper 2); everything that is
+ * no cutting run is carried through.
+ */
+#include <stdio.h>
+#include <stdlib.h>
+
+#include "array.h"
+#include "cli.h"
+#include "out.h"
+#include "parallel.h"
+#include "path.h"
+#include "path_run.h"
+#include "splinereport.h"
+#include "splinerun.h"
+
+static const double TOLERANCE = 0.01; /* mm, when -e is not given */
+
+struct settings {
+    struct splinefit_options fit;
+    bool paper, report, centre;
+};
+
+/* One cutting run: the items [from, to) of the path. */
+struct job {
+    size_t from, to, pass;
+    struct splinerun pieces;
+};
+
+struct jobs {
+    size_t n, cap;
+    struct job *item;
+};
+
+/* What the workers share. */
+struct bench {
+    const struct path *path;
+    const struct settings *settings;
+    struct jobs *jobs;
+};
+
+static void read_options(int argc, char **argv, struct cli *cli, struct settings *s)
+{
+    int params = 0, knots = 0;
+    double angle = 1;
+    bool tolerance_given = false;
+    const struct cli_option option[] = {
+        {'e', "tolerance", "MM", "largest distance of tip and ball centre from the path (0.01)",
+         CLI_NUMBER, &s->fit.tolerance, 1e-5, 10, 0, &tolerance_given},
+        {0, "axis-tolerance", "DEG", "largest error of the tool axis, degrees (1)", CLI_NUMBER,
+         &angle, 0.001, 45, 0, NULL},
+        {0, "degree", "P", "degree of the curves (3)", CLI_COUNT, &s->fit.degree, 1,
+         BSPLINE_DEGREE_MAX, 0, NULL},
+        {0, "params", "all|uniform|centripetal|chord", "parameters of the points (all)", CLI_CHOICE,
+         &params, 0, 0, 0, NULL},
+        {0, "knots", "all|uniform|average", "knots of the curves (all)", CLI_CHOICE, &knots, 0, 0,
+         0, NULL},
+        {0, "paper", NULL,
+         "as published: the points as they are, 5 control points and 5 more\n"
+         "each time, judged at the points alone",
+         CLI_FLAG, &s->paper, 0, 0, 0, NULL},
+        {0, "report", NULL, "a table of all curves on standard error", CLI_FLAG, &s->report, 0, 0,
+         0, NULL},
+        {0}};
+
+    cli->option = option;
+    cli_parse(cli, argc, argv);
+    if (cli->files > 1)
+        die_usage("%d files, expected one path", cli->files);
+    s->fit.params = params - 1;
+    s->fit.knots = knots - 1;
+    s->fit.angle = RADIANS(angle);
+    if (!tolerance_given)
+        say("tolerance %g mm (-e)", s->fit.tolerance);
+}
+
+static void find_runs(const struct path *path, struct jobs *jobs)
+{
+    size_t from = 0, to, at = 0, pass = 0;
+
+    for (; path_next_run(path, &from, &to); from = to) {
+        for (; at < from; at++)
+            if (path->item.item[at].kind == PATH_PASS)
+                pass = path->item.item[at].index;
+        *array_push(jobs) = (struct job){.from = from, .to = to, .pass = pass};
+    }
+}
+
+static void fit_jobs(void *context, size_t from, size_t to)
+{
+    const struct bench *bench = context;
+    const struct settings *s = bench->settings;
+
+    for (size_t i = from; i < to; i++) {
+        struct job *job = &bench->jobs->item[i];
+        struct run run = {0};
+
+        path_run_take(bench->path, job->from, job->to, &run);
+        splinerun_fit(&run, s->centre, s->paper, &s->fit, &job->pieces);
+        array_free(&run);
+    }
+}
+
+/* The splines of a run, in the place of its points; the pieces give away what they hold. */
+static void write_job(const struct path *in, struct job *job, struct path *out)
+{
+    for (size_t k = 0; k < job->pieces.n; k++) {
+        struct splinerun_piece *piece = &job->pieces.item[k];
+        const struct path_item *last = &in->item.item[job->from + piece->to];
+
+        if (piece->still) {
+            path_add_items(out, in, job->from + piece->from + 1, job->from + piece->to + 1);
+            continue;
+        }
+        struct path_spline spline = {piece->fit.curve, piece->fallback};
+        struct path_item *item = path_add_spline(out, last->to, spline);
+        item->touches = last->touches;
+        item->contact = last->contact;
+        piece->fit.curve = (struct bspline){0};
+        piece->fallback = (struct poses){0};
+    }
+}
+
+static void assemble(const struct path *in, struct jobs *jobs, double spent, struct path *out)
+{
+    size_t at = 0;
+
+    path_head_copy(&out->head, &in->head);
+    out->head.chord = NAN;
+    path_spend(out, "bsplfit", spent);
+    for (size_t i = 0; i < jobs->n; i++) {
+        path_add_items(out, in, at, jobs->item[i].from + 1);
+        write_job(in, &jobs->item[i], out);
+        at = jobs->item[i].to;
+    }
+    path_add_items(out, in, at, in->item.n);
+}
+
+static void free_jobs(struct jobs *jobs)
+{
+    for (size_t i = 0; i < jobs->n; i++)
+        splinerun_free(&jobs->item[i].pieces);
+    array_free(jobs);
+}
+
+/* The totals over all runs, and the table when it is asked for. */
+static struct splinereport report(const struct jobs *jobs, bool table)
+{
+    struct splinereport r = {0};
+
+    if (table)
+        splinereport_head(stderr);
+    for (size_t i = 0; i < jobs->n; i++) {
+        const struct job *job = &jobs->item[i];
+        for (size_t k = 0; k < job->pieces.n; k++)
+            if (!job->pieces.item[k].still)
+                splinereport_add(&r, job->pass, &job->pieces.item[k], table ? stderr : NULL);
+    }
+    if (table)
+        splinereport_totals(&r, stderr);
+    return r;
+}
+
+/* Exit status, after telling the first place where the promise is not kept. */
+static int verdict(const struct jobs *jobs, const struct path *path)
+{
+    for (size_t i = 0; i < jobs->n; i++) {
+        const struct job *job = &jobs->item[i];
+        for (size_t k = 0; k < job->pieces.n; k++) {
+            const struct splinerun_piece *piece = &job->pieces.item[k];
+            if (piece->still || piece->fit.within)
+                continue;
+            say("%s:%u: pass %zu: %.6f mm at the tip, %.6f mm at the ball, %.4f degrees: "
+                "the tolerance is not kept",
+                path->name, path->item.item[job->from].line, job->pass, piece->fit.proof.point,
+                piece->fit.proof.other, DEGREES(piece->fit.proof.axis));
+            return EXIT_UNMET;
+        }
+    }
+    return EXIT_DONE;
+}
+
+static void read_path(const char *file, struct path *path, struct settings *s)
+{
+    struct error error;
+
+    if (path_read(file, path, &error) != 0)
+        die_error(&error);
+    for (size_t i = 0; i < path->unknown.n; i++)
+        say("%s:%u: %s is no word known here, carried along", path->name,
+            path->unknown.item[i].line, path->unknown.item[i].word);
+    s->centre = path->head.track == TRACK_CENTRE;
+    if (path->head.track != TRACK_CONTACT && !(path_ball(path) > 0))
+        say("%s: no ball nose CUTTER: the tolerance is kept at the tracked point alone",
+            path->name);
+}
+
+int main(int argc, char **argv)
+{
+    struct cli cli = {.tool = "bsplfit",
+                      .usage = "[options] [FILE]",
+                      .about = "Replaces the points of a path by B-splines within a tolerance."};
+    struct settings settings = {.fit = {.degree = 3, .tolerance = TOLERANCE}};
+    struct path in = {0}, out = {0};
+    struct jobs jobs = {0};
+
+    read_options(argc, argv, &cli, &settings);
+    read_path(cli.file[0], &in, &settings);
+    find_runs(&in, &jobs);
+    struct bench bench = {&in, &settings, &jobs};
+    parallel_for(cli.threads, jobs.n, fit_jobs, &bench);
+    struct splinereport r = report(&jobs, settings.report);
+    int status = verdict(&jobs, &in);
+    assemble(&in, &jobs, r.spent, &out);
+    struct out *o = out_open(cli.output);
+    path_write(o, &out);
+    out_close(o);
+    note("%zu points in %zu runs: %zu splines, %zu control points, %.2f %% fewer; worst tip %.6f, "
+         "ball %.6f mm, axis %.4f degrees",
+         r.points, jobs.n, r.splines, r.poles, splinereport_fewer(r.points, r.poles), r.worst.point,
+         r.worst.other, DEGREES(r.worst.axis));
+    free_jobs(&jobs);
+    path_free(&out);
+    path_free(&in);
+    return status;
+}

@@ -1,0 +1,114 @@
+/*
+ * splinerun - corners, dense data, fallback points.
+ */
+#include "splinerun.h"
+
+#include <stdlib.h>
+
+#include "flatten.h"
+
+static const double CORNER = PI / 3;   /* a turn above this is a corner ... */
+static const double CORNER_REACH = 10; /* ... if it is one over so many tolerances too */
+static const double SPARSE = 0.25;     /* parts of the tolerance: straight lines further off */
+static const double DENSE = 0.1;       /* parts of the tolerance: chord error when made dense */
+static const double FALLBACK = 0.99;   /* parts of the tolerance: chord error of the fallback */
+
+void splinerun_free(struct splinerun *pieces)
+{
+    for (size_t i = 0; i < pieces->n; i++) {
+        splinefit_free(&pieces->item[i].fit);
+        array_free(&pieces->item[i].fallback);
+    }
+    array_free(pieces);
+}
+
+/* From the corner to the first point before (step -1) or behind it that is `reach` mm away. */
+static struct vec3 away(const struct run *run, size_t corner, int step, double reach)
+{
+    struct vec3 at = run->item[corner].ball, d = {0, 0, 0};
+
+    for (size_t i = corner; step < 0 ? i > 0 : i + 1 < run->n;) {
+        i = step < 0 ? i - 1 : i + 1;
+        d = vec_sub(run->item[i].ball, at);
+        if (vec_length(d) >= reach)
+            break;
+    }
+    return d;
+}
+
+/* Indices where pieces end, the last point among them. */
+static struct sizes piece_ends(const struct run *run, double tolerance)
+{
+    struct sizes corner = {0}, end = {0};
+
+    run_corners(run, &corner);
+    for (size_t k = 0; k < corner.n; k++) {
+        struct vec3 in = away(run, corner.item[k], -1, CORNER_REACH * tolerance);
+        struct vec3 out = away(run, corner.item[k], 1, CORNER_REACH * tolerance);
+        if (PI - vec_angle(in, out) > CORNER)
+            *array_push(&end) = corner.item[k];
+    }
+    *array_push(&end) = run->n - 1;
+    array_free(&corner);
+    return end;
+}
+
+static void fill_fallback(struct splinerun_piece *piece, const struct run *run, bool centre,
+                          double offset, double tolerance)
+{
+    const struct run_point *last = &run->item[piece->to];
+    struct flat flat = {0};
+
+    flatten(&piece->fit.curve, offset, last->axis, FALLBACK * tolerance, &flat);
+    for (size_t i = 1; i + 1 < flat.u.n; i++)
+        *array_push(&piece->fallback) = (struct pose){flat.point.item[i], flat.axis.item[i]};
+    *array_push(&piece->fallback) = (struct pose){centre ? last->ball : last->tip, last->axis};
+    flat_free(&flat);
+}
+
+/* Fits one piece; `options` with the whole tolerance. */
+static void fit_piece(const struct run *run, bool centre, bool paper,
+                      const struct splinefit_options *options, struct splinerun_piece *piece)
+{
+    struct run part = {
+        .n = piece->to - piece->from + 1, .item = run->item + piece->from, .radius = run->radius};
+    struct splinefit_options o = *options;
+    struct run dense = {.radius = run->radius};
+    const struct run *data = &part;
+
+    if (!paper && run_densify(&part, DENSE * o.tolerance, &dense) > SPARSE * o.tolerance) {
+        data = &dense;
+        piece->smooth = DENSE * o.tolerance;
+        o.tolerance -= piece->smooth;
+    }
+    struct track track = track_new(data, centre);
+    piece->still = track.n < 2;
+    if (!piece->still) {
+        if (paper)
+            splinefit_paper(&track, &o, &piece->fit);
+        else
+            splinefit_search(&track, &o, &piece->fit);
+        fill_fallback(piece, run, centre, track.offset, options->tolerance);
+    }
+    track_free(&track);
+    array_free(&dense);
+}
+
+void splinerun_fit(const struct run *run, bool centre, bool paper,
+                   const struct splinefit_options *options, struct splinerun *pieces)
+{
+    struct sizes end = {0};
+
+    if (paper)
+        *array_push(&end) = run->n - 1;
+    else
+        end = piece_ends(run, options->tolerance);
+    size_t from = 0;
+    for (size_t k = 0; k < end.n; k++) {
+        struct splinerun_piece *piece = array_push(pieces);
+        *piece = (struct splinerun_piece){.from = from, .to = end.item[k]};
+        fit_piece(run, centre, paper, options, piece);
+        from = end.item[k];
+    }
+    array_free(&end);
+}
