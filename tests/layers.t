@@ -30,7 +30,7 @@ wrong() {
 
 for layer in base geometry formats; do
 	wrong $layer "$SRC/src/$layer"/*.c >"$TMP/found"
-	empty "src/$layer includes nothing from above"
+	empty "src/$layer includes nothing from above" "$TMP/found"
 	# a header is no way around: it belongs to the layer of its module
 	for file in "$SRC/src/$layer"/*.c; do
 		header=$SRC/include/$(basename "$file" .c).h
