@@ -16,8 +16,10 @@ struct reader {
     int fd;
     const char *name; /* for messages: the file's name, or "-" for standard input */
     size_t line;      /* number of the line last read, from 1 */
+    bool ended;       /* it had a line end: false only for what the file ends with */
     char *buf;        /* from here on for reader.c alone */
     size_t cap, from, to;
+    size_t whole; /* behind the last LF of the buffer */
     size_t last, last_end;
     char last_char;
     bool end, begun;
@@ -35,6 +37,14 @@ int reader_line(struct reader *r, char **line, size_t *n, struct error *error);
 
 /* Puts the line last read back: the next reader_line returns it again.  Once, and unchanged. */
 void reader_unread(struct reader *r);
+
+/*
+ * For a parser that walks over the text itself: the whole lines, each with its LF, that wait in the
+ * buffer, and how many bytes they are; 0 says nothing of the end of the input.  reader_take then
+ * takes the first n bytes of them, which are so many lines.
+ */
+size_t reader_ahead(const struct reader *r, const char **text);
+void reader_take(struct reader *r, size_t n, size_t lines);
 
 /* Up to n bytes to p; returns how many there were (fewer only at the end), -1 on failure. */
 long reader_bytes(struct reader *r, void *p, size_t n, struct error *error);

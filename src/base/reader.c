@@ -54,6 +54,11 @@ static int fill_once(struct reader *r, struct error *error)
         return error_at(error, r->name, r->line, "cannot read: %s", strerror(errno));
     r->end = n == 0;
     r->to += (size_t)n;
+    for (size_t at = r->to; at > r->to - (size_t)n; at--)
+        if (r->buf[at - 1] == '\n') {
+            r->whole = at;
+            break;
+        }
     return 0;
 }
 
@@ -63,6 +68,7 @@ static int fill(struct reader *r, struct error *error)
     if (r->from > 0) {
         memmove(r->buf, r->buf + r->from, r->to - r->from);
         r->to -= r->from;
+        r->whole = r->whole > r->from ? r->whole - r->from : 0;
         r->from = 0;
     }
     if (fill_once(r, error) < 0)
@@ -84,7 +90,7 @@ int reader_line(struct reader *r, char **line, size_t *n, struct error *error)
     for (;;) {
         char *from = r->buf ? r->buf + r->from : NULL;
         size_t have = r->to - r->from;
-        char *lf = have > seen ? memchr(from + seen, '\n', have - seen) : NULL;
+        char *lf = r->whole > r->from + seen ? memchr(from + seen, '\n', have - seen) : NULL;
         size_t until = lf ? (size_t)(lf - from) : have;
         char *cr = until > seen ? memchr(from + seen, '\r', until - seen) : NULL;
         if (cr && (cr + 1 < from + have || r->end)) { /* what follows it is known */
@@ -104,6 +110,7 @@ int reader_line(struct reader *r, char **line, size_t *n, struct error *error)
                 return -1;
             continue;
         }
+        r->ended = cr || lf;
         r->last = (size_t)(from - r->buf);
         r->last_end = r->last + *n;
         r->last_char = from[*n];
@@ -119,6 +126,18 @@ void reader_unread(struct reader *r)
     r->buf[r->last_end] = r->last_char;
     r->from = r->last;
     r->line--;
+}
+
+size_t reader_ahead(const struct reader *r, const char **text)
+{
+    *text = r->buf + r->from;
+    return r->whole > r->from ? r->whole - r->from : 0;
+}
+
+void reader_take(struct reader *r, size_t n, size_t lines)
+{
+    r->from += n;
+    r->line += lines;
 }
 
 long reader_bytes(struct reader *r, void *p, size_t n, struct error *error)
