@@ -184,36 +184,58 @@ bool cloud_row_sniff(const char *heading, char *line, size_t n, struct cloud_sty
     return false;
 }
 
-/* One plain coordinate at *s: read here when it is short, by num_read when it is not. */
-static inline bool run_number(const char **s, double *value)
+/* A number of at most 15 digits and no exponent at p; returns what stands behind it, or NULL. */
+static inline const char *short_number(const char *p, double *value)
 {
-    static const double ten[] = {1e0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9};
-    const char *p = *s, *first;
+    static const double ten[] = {1e0, 1e1, 1e2,  1e3,  1e4,  1e5,  1e6,  1e7,
+                                 1e8, 1e9, 1e10, 1e11, 1e12, 1e13, 1e14, 1e15};
     bool negative = *p == '-';
     p += negative;
-    uint64_t mantissa = 0;
-    long decimals = 0;
-    unsigned digit;
-    for (first = p; (digit = (unsigned)(*p - '0')) <= 9; p++)
-        mantissa = mantissa * 10 + digit;
-    long digits = p - first;
+    int64_t mantissa = 0;
+    size_t digits, decimals = 0;
+    const char *first = p;
+    for (; *p >= '0' && *p <= '9'; p++)
+        mantissa = (int64_t)((uint64_t)mantissa * 10 + (uint64_t)(*p - '0'));
+    digits = (size_t)(p - first);
     if (*p == '.') {
-        for (first = ++p; (digit = (unsigned)(*p - '0')) <= 9; p++)
-            mantissa = mantissa * 10 + digit;
-        decimals = p - first;
+        for (first = ++p; *p >= '0' && *p <= '9'; p++)
+            mantissa = (int64_t)((uint64_t)mantissa * 10 + (uint64_t)(*p - '0'));
+        decimals = (size_t)(p - first);
+        digits += decimals;
     }
-    digits += decimals;
-    if (digits < 1 || digits > 15 || decimals > 9 || (*p | 0x20) == 'e' || (*p | 0x20) == 'd')
-        return num_read(s, value) && fabs(*value) <= TOO_LARGE;
+    if (digits - 1 >= 15 || *p >= 'A') /* none or too many; an exponent */
+        return NULL;
     /* both are exact, so that one division rounds once: the nearest double */
-    double magnitude = (double)mantissa / ten[decimals];
-    *value = negative ? -magnitude : magnitude;
-    *s = p;
-    return true;
+    *value = (double)(negative ? -mantissa : mantissa) / ten[decimals];
+    return p;
+}
+
+static inline const char *run_number(const char *p, double *value)
+{
+    const char *behind = short_number(p, value);
+    if (behind)
+        return behind;
+    return num_read(&p, value) && fabs(*value) <= TOO_LARGE ? p : NULL;
+}
+
+/* From the blanks and, where that is none, the parting between two columns; NULL: there is none. */
+static inline const char *run_parting(const char *p, char parting)
+{
+    if (parting == ' ' && !is_blank(*p))
+        return NULL;
+    while (is_blank(*p))
+        p++;
+    if (parting == ' ')
+        return p;
+    if (*p != parting)
+        return NULL;
+    for (p++; is_blank(*p); p++)
+        ;
+    return p;
 }
 
 /* From behind a row's third number to behind its line end; NULL when something else is there. */
-static const char *run_rest(const char *p, char parting)
+static inline const char *run_rest(const char *p, char parting)
 {
     if (*p == '\n')
         return p + 1;
@@ -228,44 +250,46 @@ static const char *run_rest(const char *p, char parting)
 }
 
 /* One row at p: what stands behind it, or NULL when it is not plain. */
-static inline const char *run_row(const char *p, char parting, struct vec3 *point)
+static inline const char *run_row(const char *p, char parting, struct vec3 *row)
 {
-    double value[3];
-    for (int i = 0; i < 3; i++) {
-        const char *before = p;
-        while (is_blank(*p))
-            p++;
-        if (i > 0 && parting != ' ') {
-            if (*p != parting)
-                return NULL;
-            for (p++; is_blank(*p); p++)
-                ;
-        } else if (i > 0 && p == before) {
-            return NULL;
-        }
-        if (!run_number(&p, &value[i]))
-            return NULL;
-    }
-    *point = vec(value[0], value[1], value[2]);
+    while (is_blank(*p))
+        p++;
+    if (!(p = run_number(p, &row->x)) || !(p = run_parting(p, parting)) ||
+        !(p = run_number(p, &row->y)) || !(p = run_parting(p, parting)) ||
+        !(p = run_number(p, &row->z)))
+        return NULL;
     return run_rest(p, parting);
+}
+
+/* Written out for one parting each, so that the compiler knows it. */
+static inline const char *run(const char *p, const char *end, char parting, struct vec3 *point,
+                              size_t most, size_t *rows)
+{
+    for (*rows = 0; p != end && *rows < most; ++*rows) {
+        const char *next = run_row(p, parting, &point[*rows]);
+        if (!next)
+            break;
+        p = next;
+    }
+    return p;
 }
 
 size_t cloud_row_run(const struct cloud_style *style, const char *text, const char *end,
                      size_t most, struct vec3s *points, size_t *rows)
 {
-    const char *p = text;
+    enum { SHORTEST_ROW = 6 }; /* `0 0 0` and its line end */
+    const size_t *column = style->column;
     *rows = 0;
-    if (style->point == ',' || style->column[0] != 0 || style->column[1] != 1 ||
-        style->column[2] != 2)
+    if (style->point == ',' || column[0] != 0 || column[1] != 1 || column[2] != 2)
         return 0;
-    while (p != end && *rows < most) {
-        struct vec3 point;
-        const char *next = run_row(p, style->parting, &point);
-        if (!next)
-            break;
-        *array_push(points) = point;
-        ++*rows;
-        p = next;
-    }
-    return (size_t)(p - text);
+    size_t fit = (size_t)(end - text) / SHORTEST_ROW;
+    if (most > fit)
+        most = fit;
+    array_reserve(points, points->n + most);
+    struct vec3 *point = points->item + points->n;
+    const char *behind = style->parting == ','   ? run(text, end, ',', point, most, rows)
+                         : style->parting == ';' ? run(text, end, ';', point, most, rows)
+                                                 : run(text, end, ' ', point, most, rows);
+    points->n += *rows;
+    return (size_t)(behind - text);
 }
