@@ -49,7 +49,6 @@ struct chain_solutions {
     int n;                   /* 0: out of the chain's reach, else 1 or 2 */
     double q[2][ROTARY_MAX]; /* each within -pi..pi */
     bool free;               /* singular: the axis nearest the work may have any angle */
-
 };
 
 /*

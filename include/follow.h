@@ -1,0 +1,66 @@
+/*
+ * follow - what the control makes of one block, measured against the motion that was meant.
+ *
+ * Between two blocks a control moves the tracked point straight and the tool axis in one of three
+ * ways: on the great circle between two programmed vectors; by rotary axes that turn in
+ * proportion, under tool-centre-point control; or it moves all five axes in proportion and knows
+ * nothing of the tool's point.  Only the first is the motion of a path.
+ */
+#ifndef CLOUDMILL_FOLLOW_H
+#define CLOUDMILL_FOLLOW_H
+
+#include <stdbool.h>
+
+#include "kinematics.h"
+#include "motion.h"
+
+enum follow_mode { FOLLOW_VECTOR, FOLLOW_ROTARY, FOLLOW_JOINT };
+
+struct follow {
+    enum follow_mode mode;
+    const struct chain *chain;
+    double ball; /* from the tracked point along the tool axis to the other point whose place
+                    matters: the ball's centre (or, where that is tracked, the tip); 0: none */
+};
+
+/* What a block says: the numbers as printed. */
+struct station {
+    struct vec3 p;          /* X Y Z: the tracked point; in FOLLOW_JOINT the linear axes */
+    struct vec3 a;          /* the tool axis as a vector */
+    double q[ROTARY_MAX];   /* the rotary axes, radians */
+};
+
+/* How far off: at the tracked point or the ball, mm, and at the tool axis, radians. */
+struct deviation {
+    double point, axis;
+};
+
+bool deviation_within(struct deviation d, struct deviation allowed);
+struct deviation deviation_worst(struct deviation a, struct deviation b);
+
+/* Between two poses. */
+struct deviation follow_difference(const struct follow *f, struct pose a, struct pose b);
+
+/* The pose when a straight block from one station to the next is done to s, 0 to 1. */
+struct pose follow_pose(const struct follow *f, const struct station *from,
+                        const struct station *to, double s);
+
+/*
+ * The largest deviation of the straight block between two stations from the motion between s0 and
+ * s1, measured at both ends and between.  The time along the block is free: each place of the
+ * motion is compared with the place of the block that is beside it.  Where a bound shows it to be
+ * within `allowed`, the bound is returned.
+ */
+struct deviation follow_block(const struct follow *f, const struct station *from,
+                              const struct station *to, const struct motion *motion, double s0,
+                              double s1, struct deviation allowed);
+
+/*
+ * The same for a block on a curve: `printed` is the curve as printed, its place in proportion to
+ * the motion's; the tool axis as in a straight block.  *point is the tracked point's own part.
+ */
+struct deviation follow_curve(const struct follow *f, const struct station *from,
+                              const struct station *to, const struct motion *printed,
+                              const struct motion *motion, double s0, double s1, double *point);
+
+#endif

@@ -1,0 +1,283 @@
+/* machine - see machine.h. */
+#include "machine.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+#include "array.h"
+#include "keys.h"
+#include "reader.h"
+
+#ifndef CLOUDMILL_DATADIR
+#define CLOUDMILL_DATADIR "/usr/local/share/cloudmill"
+#endif
+
+enum { INCLUDES_MAX = 8, FILE_MAX = 1024 };
+
+static const char letters[] = "XYZABC";
+
+char machine_letter(int axis)
+{
+    return letters[axis];
+}
+
+struct machine machine_default(void)
+{
+    struct machine m = {
+        .name = "Table-table A/C",
+        .type = TABLE_TABLE,
+        .axes = "A C",
+        .axis = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}},
+        .tcp = true,
+        .arcs = true,
+        .splines = true,
+        .min = {-1000, -1000, -1000, -120, -120, -99999},
+        .max = {1000, 1000, 1000, 120, 120, 99999},
+        .rapid = {30000, 30000, 30000, 7200, 7200, 7200},
+        .retract = 50,
+        .offset = "G54",
+        .number_step = 10,
+        .digits = {-1, -1, -1, -1, -1},
+    };
+    return m;
+}
+
+static void add_bounded(struct keys *keys, const char *name, enum key_kind kind, void *value,
+                        double min, double max)
+{
+    struct key *key = keys_add(keys, name, kind, value);
+    key->min = min;
+    key->max = max;
+}
+
+static void add_text(struct keys *keys, const char *name, char *value, size_t size)
+{
+    keys_add(keys, name, KEY_TEXT, value)->size = size;
+}
+
+/* The keys of one axis: x.min x.max, a.rapid axis.A centre.A */
+static void add_axis(struct keys *keys, struct machine *m, int axis)
+{
+    char name[20], large = letters[axis], small = (char)(large - 'A' + 'a');
+    snprintf(name, sizeof name, "%c.min", small);
+    add_bounded(keys, name, KEY_NUMBER, &m->min[axis], 0, 0);
+    snprintf(name, sizeof name, "%c.max", small);
+    add_bounded(keys, name, KEY_NUMBER, &m->max[axis], 0, 0);
+    if (axis < MACHINE_A)
+        return;
+    snprintf(name, sizeof name, "%c.rapid", small);
+    add_bounded(keys, name, KEY_NUMBER, &m->rapid[axis], 1, 1e7);
+    snprintf(name, sizeof name, "axis.%c", large);
+    keys_add(keys, name, KEY_VECTOR, &m->axis[axis - MACHINE_A]);
+    snprintf(name, sizeof name, "centre.%c", large);
+    keys_add(keys, name, KEY_VECTOR, &m->centre[axis - MACHINE_A]);
+}
+
+static struct keys machine_keys(struct machine *m)
+{
+    struct keys keys = {0};
+    add_text(&keys, "name", m->name, sizeof m->name);
+    add_text(&keys, "control", m->control, sizeof m->control);
+    keys_add(&keys, "type", KEY_CHOICE, &m->type)->words =
+        "table-table|head-table|head-head|table|head|none";
+    add_text(&keys, "axes", m->axes, sizeof m->axes);
+    for (int axis = 0; axis < MACHINE_AXES; axis++)
+        add_axis(&keys, m, axis);
+    keys_add(&keys, "tcp", KEY_YES, &m->tcp);
+    keys_add(&keys, "arcs", KEY_YES, &m->arcs);
+    keys_add(&keys, "splines", KEY_YES, &m->splines);
+    add_bounded(&keys, "rapid", KEY_NUMBER, &m->rapid[MACHINE_X], 1, 1e7);
+    add_bounded(&keys, "retract", KEY_NUMBER, &m->retract, 0.1, 1e5);
+    add_text(&keys, "offset", m->offset, sizeof m->offset);
+    add_text(&keys, "home", m->home, sizeof m->home);
+    add_bounded(&keys, "number.step", KEY_COUNT, &m->number_step, 0, 1000);
+    add_bounded(&keys, "digits.linear", KEY_COUNT, &m->digits.linear, 1, 9);
+    add_bounded(&keys, "digits.angle", KEY_COUNT, &m->digits.angle, 1, 9);
+    add_bounded(&keys, "digits.vector", KEY_COUNT, &m->digits.vector, 3, 9);
+    add_bounded(&keys, "digits.knot", KEY_COUNT, &m->digits.knot, 0, 9);
+    add_bounded(&keys, "digits.feed", KEY_COUNT, &m->digits.feed, 0, 9);
+    return keys;
+}
+
+/* The travel of each axis that the keys of this file set; line: of whichever came last. */
+static int check_travel(const struct machine *m, const struct keys *keys, const char *name,
+                        struct error *error)
+{
+    for (int axis = 0; axis < MACHINE_AXES; axis++) {
+        char min[20], max[20];
+        if (m->min[axis] <= m->max[axis])
+            continue;
+        char small = (char)(letters[axis] - 'A' + 'a');
+        snprintf(min, sizeof min, "%c.min", small);
+        snprintf(max, sizeof max, "%c.max", small);
+        size_t a = keys_find(keys, min)->line, b = keys_find(keys, max)->line;
+        return error_at(error, name, a > b ? a : b, "found %s %g above %s %g, expected min <= max",
+                        min, m->min[axis], max, m->max[axis]);
+    }
+    return 0;
+}
+
+static bool is_file(const char *name)
+{
+    return name[strcspn(name, "/.")] != '\0';
+}
+
+/* Where the machine called `name` is; `beside` is the file that includes it, or NULL. */
+static int find_file(const char *name, const char *beside, char file[FILE_MAX], struct error *error)
+{
+    const char *slash = beside ? strrchr(beside, '/') : NULL;
+    int folder = slash && *name != '/' ? (int)(slash - beside + 1) : 0;
+    const char *own = getenv("CLOUDMILL_MACHINES");
+    if (is_file(name)) {
+        int n = snprintf(file, FILE_MAX, "%.*s%s", folder, folder ? beside : "", name);
+        if (n >= FILE_MAX)
+            return error_set(error, "%.40s...: file name too long", name);
+        return 0;
+    }
+    const char *const places[] = {"./", own && *own ? own : ".", CLOUDMILL_DATADIR "/machines"};
+    int n = snprintf(file, FILE_MAX, "%.*s%s.txt", folder, folder ? beside : "", name);
+    for (size_t i = 0; i < sizeof places / sizeof *places; i++) {
+        if (n < FILE_MAX && access(file, R_OK) == 0)
+            return 0;
+        n = snprintf(file, FILE_MAX, "%s/%s.txt", places[i], name);
+    }
+    if (n < FILE_MAX && access(file, R_OK) == 0)
+        return 0;
+    return error_set(error,
+                     "machine %.100s: not found in this folder, in $CLOUDMILL_MACHINES or in %s",
+                     name, CLOUDMILL_DATADIR "/machines");
+}
+
+static int read_file(struct machine *m, const char *file, int depth, struct error *error);
+
+/* `include = NAME` in the line: 1 and it was read, 0: another line, -1: error. */
+static int read_include(struct machine *m, char *line, const struct reader *r, int depth,
+                        struct error *error)
+{
+    char file[FILE_MAX];
+    size_t n = strcspn(line, " \t=");
+    if (n != 7 || strncmp(line, "include", n) != 0)
+        return 0;
+    char *name = keys_trim(line + n);
+    if (*name != '=')
+        return 0;
+    name = keys_trim(name + 1);
+    if (!*name)
+        return error_at(error, r->name, r->line, "found no name, expected include = NAME");
+    if (depth + 1 >= INCLUDES_MAX)
+        return error_at(error, r->name, r->line,
+                        "found include within include %d deep, expected no file to include itself",
+                        INCLUDES_MAX);
+    if (find_file(name, r->name, file, error) != 0)
+        return -1;
+    struct error inner;
+    if (access(file, R_OK) != 0)
+        return error_at(error, r->name, r->line, "include: cannot open %.200s", name);
+    if (read_file(m, file, depth + 1, &inner) != 0)
+        return *error = inner, -1;
+    return 1;
+}
+
+static int read_line(struct machine *m, struct keys *keys, char *line, size_t n,
+                     const struct reader *r, int depth, struct error *error)
+{
+    for (size_t i = 0; i < n; i++)
+        if (((unsigned char)line[i] < ' ' && !strchr("\t\r\f", line[i])) || !line[i])
+            return error_at(error, r->name, r->line,
+                            "found a binary character (code %d), expected key = value",
+                            (unsigned char)line[i]);
+    char *text = keys_trim(line);
+    if (!*text)
+        return 0;
+    int included = read_include(m, text, r, depth, error);
+    if (included)
+        return included < 0 ? -1 : 0;
+    return keys_set(keys, text, r->name, r->line, error);
+}
+
+static int read_file(struct machine *m, const char *file, int depth, struct error *error)
+{
+    struct reader r;
+    if (reader_open(&r, file, error) != 0)
+        return -1;
+    struct keys keys = machine_keys(m);
+    char *line;
+    size_t n;
+    int got, result = 0;
+    while (result == 0 && (got = reader_line(&r, &line, &n, error)) != 0)
+        result = got < 0 ? -1 : read_line(m, &keys, line, n, &r, depth, error);
+    if (result == 0)
+        result = check_travel(m, &keys, r.name, error);
+    array_free(&keys);
+    reader_close(&r);
+    return result;
+}
+
+int machine_read(struct machine *machine, const char *name, struct error *error)
+{
+    char file[FILE_MAX];
+    if (find_file(name, NULL, file, error) != 0)
+        return -1;
+    return read_file(machine, file, 0, error);
+}
+
+int machine_set(struct machine *machine, const char *setting, struct error *error)
+{
+    struct keys keys = machine_keys(machine);
+    char *text = mem_string(setting, strlen(setting));
+    int result = keys_set(&keys, text, "--set", 0, error);
+    free(text);
+    array_free(&keys);
+    return result;
+}
+
+/* Letters of the rotary axes as machine_finish wants them: their number, -1 when they are wrong. */
+static int read_letters(const char *axes, int letter[ROTARY_MAX])
+{
+    int n = 0;
+    for (; *axes; axes++) {
+        if (*axes == ' ' || *axes == '\t')
+            continue;
+        const char *found = strchr("ABC", *axes);
+        if (!found || n == ROTARY_MAX)
+            return -1;
+        letter[n++] = MACHINE_A + (int)(found - "ABC");
+    }
+    return n == 2 && letter[0] == letter[1] ? -1 : n;
+}
+
+int machine_finish(struct machine *m, struct error *error)
+{
+    static const int axes_of_type[] = {2, 2, 2, 1, 1, 0};
+    int letter[ROTARY_MAX] = {0, 0}, n = axes_of_type[m->type];
+    if (n && read_letters(m->axes, letter) != n)
+        return error_set(error, "machine %s: axes: found `%s`, expected %s of A B C", m->name,
+                         m->axes, n == 2 ? "two" : "one");
+    for (int axis = 0; axis < MACHINE_AXES; axis++)
+        if (m->min[axis] > m->max[axis])
+            return error_set(error, "machine %s: axis %c: found travel %g to %g, expected min <= max",
+                             m->name, letters[axis], m->min[axis], m->max[axis]);
+    m->rapid[MACHINE_Y] = m->rapid[MACHINE_Z] = m->rapid[MACHINE_X];
+
+    /* work to tool: a table's outer axis and a head's inner one are nearest the tool */
+    bool turned = m->type == TABLE_TABLE || m->type == HEAD_TABLE;
+    m->chain = (struct chain){.n = n, .master = turned && n == 2 ? 1 : 0, .tool = {0, 0, 1}};
+    for (int i = 0; i < n; i++) {
+        int k = letter[turned ? n - 1 - i : i], of = k - MACHINE_A;
+        bool table = m->type == TABLE_TABLE || m->type == ONE_TABLE || (m->type == HEAD_TABLE && i == 0);
+        m->letter[i] = k;
+        m->chain.rotary[i] = (struct rotary){.axis = vec_unit(m->axis[of]),
+                                             .centre = m->centre[of],
+                                             .table = table,
+                                             .min = RADIANS(m->min[k]),
+                                             .max = RADIANS(m->max[k])};
+        if (vec_length(m->axis[of]) < 1e-9)
+            return error_set(error, "machine %s: axis.%c: found a direction of no length", m->name,
+                             letters[k]);
+    }
+    if (n == 2 && vec_length(vec_cross(m->chain.rotary[0].axis, m->chain.rotary[1].axis)) < 1e-6)
+        return error_set(error, "machine %s: axes: found two parallel rotary axes", m->name);
+    return 0;
+}

@@ -1,0 +1,113 @@
+/* follow - see follow.h. */
+#include "follow.h"
+
+enum { SAMPLES = 8 }; /* pieces that a block is looked at in */
+
+bool deviation_within(struct deviation d, struct deviation allowed)
+{
+    return d.point <= allowed.point && d.axis <= allowed.axis;
+}
+
+struct deviation deviation_worst(struct deviation a, struct deviation b)
+{
+    return (struct deviation){fmax(a.point, b.point), fmax(a.axis, b.axis)};
+}
+
+static struct vec3 ball_of(const struct follow *f, struct pose at)
+{
+    return vec_along(at.p, f->ball, at.a);
+}
+
+struct deviation follow_difference(const struct follow *f, struct pose a, struct pose b)
+{
+    double point = vec_distance(a.p, b.p);
+    if (f->ball != 0)
+        point = fmax(point, vec_distance(ball_of(f, a), ball_of(f, b)));
+    return (struct deviation){point, vec_angle(a.a, b.a)};
+}
+
+struct pose follow_pose(const struct follow *f, const struct station *from,
+                        const struct station *to, double s)
+{
+    struct pose at = {.p = vec_mix(from->p, to->p, s)};
+    double q[ROTARY_MAX] = {0};
+    if (f->mode == FOLLOW_VECTOR) {
+        at.a = vec_slerp(vec_unit(from->a), vec_unit(to->a), s);
+        return at;
+    }
+    for (int i = 0; i < f->chain->n; i++)
+        q[i] = from->q[i] + s * (to->q[i] - from->q[i]);
+    at.a = chain_axis(f->chain, q);
+    if (f->mode == FOLLOW_JOINT)
+        at.p = chain_tip(f->chain, at.p, q);
+    return at;
+}
+
+/* The pose of the block beside `wanted`, first looked for at s. */
+static struct pose beside(const struct follow *f, const struct station *from,
+                          const struct station *to, struct pose wanted, double s)
+{
+    struct pose start = follow_pose(f, from, to, 0), end = follow_pose(f, from, to, 1);
+    struct pose at = follow_pose(f, from, to, s);
+    struct vec3 way = vec_sub(end.p, start.p);
+    struct vec3 ball_way = vec_sub(ball_of(f, end), ball_of(f, start));
+    double length2 = vec_dot(way, way) + vec_dot(ball_way, ball_way);
+    if (!(length2 > 0))
+        return at;
+    double ahead = vec_dot(vec_sub(wanted.p, at.p), way) +
+                   vec_dot(vec_sub(ball_of(f, wanted), ball_of(f, at)), ball_way);
+    s += ahead / length2;
+    return follow_pose(f, from, to, s < 0 ? 0 : s > 1 ? 1 : s);
+}
+
+/*
+ * A straight motion, its axis turned by rotary axes through dq0, dq1: the axis moves at no more
+ * than |dq0| + |dq1|, so both it and the great circle stay within that squared over 8 of the
+ * straight line between the two end axes.
+ */
+static double turn_bound(const struct follow *f, const struct station *from,
+                         const struct station *to)
+{
+    double sum = 0;
+    for (int i = 0; i < f->chain->n; i++)
+        sum += fabs(to->q[i] - from->q[i]);
+    return sum * sum / 4;
+}
+
+struct deviation follow_block(const struct follow *f, const struct station *from,
+                              const struct station *to, const struct motion *motion, double s0,
+                              double s1, struct deviation allowed)
+{
+    struct deviation worst = follow_difference(f, follow_pose(f, from, to, 0), motion_at(motion, s0));
+    worst = deviation_worst(
+        worst, follow_difference(f, follow_pose(f, from, to, 1), motion_at(motion, s1)));
+    if (motion->kind == MOTION_LINE && f->mode != FOLLOW_JOINT) {
+        double bound = f->mode == FOLLOW_VECTOR ? 0 : turn_bound(f, from, to);
+        struct deviation d = {worst.point + fabs(f->ball) * bound, worst.axis + bound};
+        if (deviation_within(d, allowed))
+            return d;
+    }
+    for (int i = 1; i < SAMPLES; i++) {
+        double s = (double)i / SAMPLES;
+        struct pose wanted = motion_at(motion, s0 + s * (s1 - s0));
+        worst = deviation_worst(worst,
+                                follow_difference(f, beside(f, from, to, wanted, s), wanted));
+    }
+    return worst;
+}
+
+struct deviation follow_curve(const struct follow *f, const struct station *from,
+                              const struct station *to, const struct motion *printed,
+                              const struct motion *motion, double s0, double s1, double *point)
+{
+    struct deviation worst = {0, 0};
+    *point = 0;
+    for (int i = 0; i <= SAMPLES; i++) {
+        double s = (double)i / SAMPLES;
+        struct pose at = follow_pose(f, from, to, s), wanted = motion_at(motion, s0 + s * (s1 - s0));
+        at.p = motion_at(printed, s).p;
+        *point = fmax(*point, vec_distance(at.p, wanted.p));
+        worst = deviation_worst(worst, follow_difference(f, at, wanted));
+    }
+    return worst;
+}
