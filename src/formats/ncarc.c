@@ -77,8 +77,7 @@ static bool circle_of(struct vec3 a, struct vec3 b, struct vec3 c, int digits, s
         return false;
     struct vec3 across = vec_sub(vec_scale(vec_dot(v, v), vec_cross(n, u)),
                                  vec_scale(vec_dot(u, u), vec_cross(n, v)));
-    *centre = vec_scale(-1 / (2 * n2), across);
-    *centre = vec_scale(-1, *centre);
+    *centre = vec_scale(1 / (2 * n2), across);
     *axis = vec_scale(1 / sqrt(n2), n);
     return true;
 }

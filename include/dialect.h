@@ -1,0 +1,53 @@
+/*
+ * dialect - the controls as tables of functions.  A new control is one new file and one row in
+ * dialect.c.
+ */
+#ifndef CLOUDMILL_DIALECT_H
+#define CLOUDMILL_DIALECT_H
+
+#include "ncplan.h"
+#include "ncwrite.h"
+
+/* A program while it is written. */
+struct nc_program {
+    const struct path *path;
+    const struct machine *machine;
+    const struct nc_plan *plan;
+    const char *name; /* number or name asked for, NULL: by the dialect */
+    struct nc_writer w;
+};
+
+/* How the tool axis is to be programmed: as usual for the control, or as asked. */
+enum nc_axis_words { NC_AXIS_USUAL, NC_AXIS_VECTORS, NC_AXIS_ROTARY };
+
+struct dialect {
+    const char *name;
+    struct nc_style style;
+    struct machine_digits digits; /* usual numbers of decimals */
+    bool vectors;                 /* the usual axis words under tool-centre-point control */
+    bool vectors_doubtful;        /* see struct nc_ability */
+    enum nc_arcs arcs, arcs_vectors;
+    enum nc_splines splines, splines_vectors;
+
+    /* -1: a name or number that the control does not take */
+    int (*check_name)(const char *name, struct error *error);
+    void (*start)(struct nc_program *p); /* up to the first motion */
+    void (*line)(struct nc_program *p, const struct nc_move *move); /* rapids too */
+    void (*arc)(struct nc_program *p, const struct nc_move *move);
+    void (*spline)(struct nc_program *p, const struct nc_move *move);
+    void (*dwell)(struct nc_program *p, double seconds);
+    void (*finish)(struct nc_program *p); /* retract to the end of the program */
+};
+
+/* By its name; NULL: none.  dialect_names: "fanuc|siemens". */
+const struct dialect *dialect_find(const char *name);
+const char *dialect_names(void);
+
+/* What a program for this control and machine may hold. */
+struct nc_ability dialect_ability(const struct dialect *dialect, const struct machine *machine,
+                                  enum nc_axis_words axis);
+
+/* Writes the whole program. */
+void dialect_write(const struct dialect *dialect, struct nc_program *program);
+
+#endif

@@ -1,0 +1,68 @@
+/*
+ * ncplan - a path turned into the blocks that a control and a machine can be given: what each
+ * block says, as numbers already rounded, and how far it is off the path.
+ *
+ * Whatever a control cannot do exactly goes down the ladder: B-spline, arc, straight blocks within
+ * the tolerance.  All of it is done and checked before the first byte of a program is written.
+ */
+#ifndef CLOUDMILL_NCPLAN_H
+#define CLOUDMILL_NCPLAN_H
+
+#include "machine.h"
+#include "ncarc.h"
+#include "ncspline.h"
+#include "path.h"
+
+/* What the program may hold, from the control, the machine and the options. */
+struct nc_ability {
+    enum follow_mode mode;
+    bool doubtful; /* vectors, but the control may turn its rotary axes evenly: keep to both */
+    enum nc_arcs arcs;
+    enum nc_splines splines;
+    struct machine_digits digits; /* all given */
+    double radius_error;          /* of an arc's two ends, mm */
+};
+
+/* What the user asks for. */
+struct nc_wish {
+    double chord;          /* ncpost's own share of the tolerance, mm */
+    double axis_tolerance; /* of the tool axis, radians */
+    double feed;           /* mm/min where the path gives none */
+};
+
+enum nc_kind { NC_RAPID, NC_LINE, NC_ARC, NC_SPLINE, NC_PASS, NC_TEXT };
+
+struct nc_move {
+    enum nc_kind kind;
+    unsigned line;     /* of the path, 0: made here */
+    struct station to; /* RAPID, LINE, ARC, SPLINE */
+    double feed;       /* mm/min; without tool-centre-point control 1/min */
+    size_t index;      /* ARC, SPLINE: element of the plan; TEXT: of the path; PASS: its number */
+};
+
+struct nc_total {
+    size_t rapids, lines, arcs, splines, passes;
+    size_t chorded;          /* arcs and B-splines of the path that became straight blocks */
+    size_t turns;            /* retract - turn - return */
+    double cut, rapid;       /* length, mm */
+    double minutes;
+    struct deviation spent;  /* the worst of all blocks at feed */
+    bool feed_assumed, approach_made, retract_made;
+};
+
+struct nc_plan {
+    struct nc_ability ability;
+    struct { size_t n, cap; struct nc_move *item; } move;
+    struct { size_t n, cap; struct nc_arc *item; } arc;
+    struct { size_t n, cap; struct nc_spline *item; } spline;
+    struct nc_total total;
+    bool unmet; /* nc_plan_make failed because the machine cannot get there: exit status 3 */
+};
+
+/* Fills the plan, which keeps nothing of the path; -1: the error says pass, line and axis. */
+int nc_plan_make(struct nc_plan *plan, const struct path *path, const struct machine *machine,
+                 struct nc_ability ability, struct nc_wish wish, struct error *error);
+
+void nc_plan_free(struct nc_plan *plan);
+
+#endif

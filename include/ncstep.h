@@ -1,0 +1,45 @@
+/*
+ * ncstep - one motion of a path into blocks, from where the last one ended.
+ */
+#ifndef CLOUDMILL_NCSTEP_H
+#define CLOUDMILL_NCSTEP_H
+
+#include "ncplan.h"
+
+/* Where the program is. */
+struct nc_state {
+    bool begun;        /* pose and at are known */
+    struct pose pose;  /* as the path means it */
+    struct station at; /* as the last block says it */
+    double feed;       /* mm/min, 0: not given yet */
+    size_t pass;
+    unsigned line;
+};
+
+/* Which of the two solutions of the rotary axes to take. */
+struct nc_branch {
+    int first; /* for the first motion of a group: 0, 1, -1: the better one */
+    int then;  /* for the others */
+};
+
+struct nc_step {
+    const struct path *path;
+    const struct machine *machine;
+    struct nc_plan *plan;
+    struct follow follow;
+    struct nc_wish wish;
+    struct deviation allowed; /* of a block, with rounding */
+    struct nc_state state;
+    struct nc_branch branch;
+    bool first;        /* the next motion is the first of a group: the tool is off the part */
+    bool may_turn;     /* retract - turn - return is allowed */
+    struct error *error;
+};
+
+/* At the machine's rapid, straight to a pose. */
+int nc_step_rapid(struct nc_step *step, struct pose to);
+
+/* At feed, along a motion that starts where the program is. */
+int nc_step_motion(struct nc_step *step, const struct motion *motion);
+
+#endif

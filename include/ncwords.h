@@ -1,0 +1,28 @@
+/*
+ * ncwords - the words of a block that every control has: place, tool axis, feed.
+ */
+#ifndef CLOUDMILL_NCWORDS_H
+#define CLOUDMILL_NCWORDS_H
+
+#include "dialect.h"
+
+/* Where the first motion goes. */
+const struct station *nc_first_station(const struct nc_program *p);
+
+/* X Y Z, those that change. */
+void nc_place(struct nc_program *p, struct vec3 to);
+
+/* The rotary words at q (radians), those that change; the address is the axis's letter. */
+void nc_rotary(struct nc_program *p, const double q[]);
+
+/* The tool axis as the program has it: rotary words, or a vector with these three addresses, all
+ * of it or nothing. */
+void nc_axis(struct nc_program *p, const struct station *to, const char *const address[3]);
+
+/* F, when it changes; inverse-time feeds always. */
+void nc_feed(struct nc_program *p, const struct nc_move *move);
+
+/* A whole straight block, G0 or G1 (in inverse time where the machine has no TCP). */
+void nc_straight(struct nc_program *p, const struct nc_move *move, const char *const address[3]);
+
+#endif

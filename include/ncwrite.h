@@ -1,0 +1,67 @@
+/*
+ * ncwrite - blocks of an NC program: words, modal values, block numbers, comments.
+ *
+ * A word whose value is modal is left out when it is what the last one said.  Numbers are rounded
+ * half away from zero, without an exponent, without -0.
+ */
+#ifndef CLOUDMILL_NCWRITE_H
+#define CLOUDMILL_NCWRITE_H
+
+#include <stdbool.h>
+
+#include "out.h"
+
+/* How a control wants its text. */
+struct nc_style {
+    const char *open, *close; /* around a comment */
+    bool capitals;            /* in comments, and no brackets in them */
+    bool point;               /* a whole number has its decimal point: X12. */
+    long last_number;         /* block numbers start again behind it */
+};
+
+/* Modal values. */
+enum nc_slot { NC_X, NC_Y, NC_Z, NC_Q0, NC_Q1, NC_I, NC_J, NC_K, NC_F, NC_SLOTS };
+
+enum { NC_BLOCK_MAX = 1000, NC_COMMENT_MAX = 80 };
+
+struct nc_writer {
+    struct out *out;
+    struct nc_style style;
+    int step;    /* of block numbers, 0: none */
+    long number; /* of the last block */
+    char line[NC_BLOCK_MAX];
+    size_t n;
+    double value[NC_SLOTS];
+    bool known[NC_SLOTS];
+    const char *motion; /* modal G code of motion, NULL: not said */
+    int plane;          /* 17 18 19, 0: not said */
+    bool inverse;       /* feeds are inverse time: G93 */
+};
+
+struct nc_writer nc_writer_new(struct out *out, struct nc_style style, int step);
+
+/* Adds a word to the block: as it stands; an address with a number; with a whole number. */
+void nc_code(struct nc_writer *w, const char *word);
+void nc_number(struct nc_writer *w, const char *address, double value, int digits);
+void nc_count(struct nc_writer *w, const char *address, double whole); /* never with a point */
+
+/* The same where it is not what the last one said; true when it was added. */
+bool nc_motion(struct nc_writer *w, const char *code);
+bool nc_modal(struct nc_writer *w, enum nc_slot slot, const char *address, double value,
+              int digits);
+
+/* Makes the next word of the slots from..to be written whatever its value. */
+void nc_forget(struct nc_writer *w, enum nc_slot from, enum nc_slot to);
+
+/* Remembers a value that the control has without a word of ours. */
+void nc_remember(struct nc_writer *w, enum nc_slot slot, double value);
+
+/* Ends the block and writes it, with its number; a block without words is none. */
+void nc_end(struct nc_writer *w);
+
+/* A whole block of one word; a line without a number; a comment on its own line. */
+void nc_block(struct nc_writer *w, const char *word);
+void nc_line(struct nc_writer *w, const char *text);
+void nc_comment(struct nc_writer *w, const char *format, ...) __attribute__((format(printf, 2, 3)));
+
+#endif

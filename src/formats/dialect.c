@@ -1,0 +1,84 @@
+/* dialect - see dialect.h. */
+#include "dialect.h"
+
+#include <string.h>
+
+#include "nchead.h"
+
+extern const struct dialect dialect_fanuc, dialect_siemens;
+
+static const struct dialect *const table[] = {&dialect_fanuc, &dialect_siemens};
+
+const struct dialect *dialect_find(const char *name)
+{
+    for (size_t i = 0; i < sizeof table / sizeof *table; i++)
+        if (strcmp(table[i]->name, name) == 0)
+            return table[i];
+    return NULL;
+}
+
+const char *dialect_names(void)
+{
+    return "fanuc|siemens";
+}
+
+static int given(int digits, int usual)
+{
+    return digits < 0 ? usual : digits;
+}
+
+struct nc_ability dialect_ability(const struct dialect *dialect, const struct machine *machine,
+                                  enum nc_axis_words axis)
+{
+    bool vectors = axis == NC_AXIS_USUAL ? dialect->vectors : axis == NC_AXIS_VECTORS;
+    const struct machine_digits *own = &machine->digits, *usual = &dialect->digits;
+    struct nc_ability ability = {
+        .mode = FOLLOW_JOINT,
+        .digits = {given(own->linear, usual->linear), given(own->angle, usual->angle),
+                   given(own->vector, usual->vector), given(own->knot, usual->knot),
+                   given(own->feed, usual->feed)},
+        .radius_error = 0.005,
+    };
+    if (machine->tcp) {
+        ability.mode = vectors ? FOLLOW_VECTOR : FOLLOW_ROTARY;
+        ability.doubtful = vectors && dialect->vectors_doubtful;
+        if (machine->arcs)
+            ability.arcs = vectors ? dialect->arcs_vectors : dialect->arcs;
+        if (machine->splines)
+            ability.splines = vectors ? dialect->splines_vectors : dialect->splines;
+    } else {
+        ability.digits.feed = given(own->feed, 3); /* 1/min: small numbers count */
+    }
+    return ability;
+}
+
+static void write_move(const struct dialect *dialect, struct nc_program *p,
+                       const struct nc_move *move)
+{
+    switch (move->kind) {
+    case NC_RAPID:
+    case NC_LINE:
+        dialect->line(p, move);
+        break;
+    case NC_ARC:
+        dialect->arc(p, move);
+        break;
+    case NC_SPLINE:
+        dialect->spline(p, move);
+        break;
+    case NC_PASS:
+        nc_comment(&p->w, "Pass %zu", move->index);
+        break;
+    case NC_TEXT:
+        nc_statement(p, dialect, p->path->text.item[move->index]);
+        break;
+    }
+}
+
+void dialect_write(const struct dialect *dialect, struct nc_program *p)
+{
+    dialect->start(p);
+    for (size_t i = 0; i < p->plan->move.n; i++)
+        write_move(dialect, p, &p->plan->move.item[i]);
+    dialect->finish(p);
+}

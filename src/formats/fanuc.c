@@ -1,0 +1,192 @@
+/*
+ * fanuc - the dialect of the Fanuc 30i family (design/5-controls.md; B-64484EN, Fanuc's manual of
+ * the 30i, for G43.4, G43.5 and G06.2).
+ */
+#include <string.h>
+
+#include "dialect.h"
+#include "nchead.h"
+#include "ncwords.h"
+#include "num.h"
+
+static const char *const vector_address[] = {"I", "J", "K"};
+
+static int check_name(const char *name, struct error *error)
+{
+    size_t n = strlen(name);
+    if (n && n <= 8 && strspn(name, "0123456789") == n && strspn(name, "0") < n)
+        return 0;
+    return error_set(error, "option --program: found `%.40s`, expected a number of 1 to 8 digits",
+                     name);
+}
+
+/* O0001(TITLE) */
+static void program_number(struct nc_program *p)
+{
+    const char *name = p->name ? p->name : "1";
+    char line[16] = "O";
+    size_t n = strlen(name), zeros = n < 4 ? 4 - n : 0;
+    memset(line + 1, '0', zeros);
+    memcpy(line + 1 + zeros, name, n + 1);
+    nc_line(&p->w, line);
+}
+
+static void retract_home(struct nc_program *p)
+{
+    nc_block(&p->w, *p->machine->home ? p->machine->home : "G91 G28 Z0.");
+    nc_block(&p->w, "G90");
+    nc_forget(&p->w, NC_X, NC_Z);
+    p->w.motion = NULL;
+}
+
+/* Tool length compensation, of the kind that the program needs; the rotary axes stand already. */
+static void compensate(struct nc_program *p, const struct station *first)
+{
+    struct nc_writer *w = &p->w;
+    int tool = p->path->head.tool ? p->path->head.tool : 1;
+    if (p->plan->ability.mode == FOLLOW_JOINT) {
+        int digits = p->plan->ability.digits.linear;
+        nc_modal(w, NC_X, "X", first->p.x, digits);
+        nc_modal(w, NC_Y, "Y", first->p.y, digits);
+        nc_end(w);
+        nc_code(w, "G43");
+        nc_count(w, "H", tool);
+        nc_modal(w, NC_Z, "Z", first->p.z, digits);
+    } else {
+        nc_code(w, p->plan->ability.mode == FOLLOW_VECTOR ? "G43.5" : "G43.4");
+        nc_count(w, "H", tool);
+    }
+    nc_end(w);
+}
+
+static void start(struct nc_program *p)
+{
+    struct nc_writer *w = &p->w;
+    const struct station *first = nc_first_station(p);
+    nc_line(w, "%");
+    program_number(p);
+    nc_head(p, "Fanuc");
+    nc_code(w, "G90 G17 G21 G40 G49 G80 G94");
+    nc_code(w, p->machine->offset);
+    nc_end(w);
+    w->plane = 17;
+    retract_home(p);
+    if (p->path->head.tool) {
+        nc_count(w, "T", p->path->head.tool);
+        nc_code(w, "M6");
+        nc_end(w);
+    }
+    nc_spindle(p);
+    nc_motion(w, "G0");
+    nc_rotary(p, first->q);
+    nc_end(w);
+    compensate(p, first);
+    nc_coolant(p);
+}
+
+static void line(struct nc_program *p, const struct nc_move *move)
+{
+    nc_straight(p, move, vector_address);
+}
+
+static void plane(struct nc_writer *w, int number)
+{
+    if (w->plane != number)
+        nc_code(w, number == 17 ? "G17" : number == 18 ? "G18" : "G19");
+    w->plane = number;
+}
+
+static void arc(struct nc_program *p, const struct nc_move *move)
+{
+    const struct nc_arc *a = &p->plan->arc.item[move->index];
+    int digits = p->plan->ability.digits.linear;
+    struct nc_writer *w = &p->w;
+    plane(w, a->plane);
+    nc_motion(w, a->ccw ? "G3" : "G2");
+    nc_place(p, move->to.p);
+    nc_axis(p, &move->to, vector_address);
+    if (a->radius != 0) {
+        nc_number(w, "R", a->radius, digits);
+    } else {
+        if (a->plane != 19)
+            nc_number(w, "I", a->centre.x, digits);
+        if (a->plane != 18)
+            nc_number(w, "J", a->centre.y, digits);
+        if (a->plane != 17)
+            nc_number(w, "K", a->centre.z, digits);
+    }
+    nc_feed(p, move);
+    nc_end(w);
+}
+
+/* G06.2: a knot and a pole in each block, all axes in each; the last knots in blocks of their
+ * own.  The first pole is where the tool stands. */
+static void spline(struct nc_program *p, const struct nc_move *move)
+{
+    const struct nc_spline *s = &p->plan->spline.item[move->index];
+    const struct machine_digits *digits = &p->plan->ability.digits;
+    struct nc_writer *w = &p->w;
+    const struct bspline *b = &s->curve;
+    size_t order = (size_t)b->degree + 1;
+    nc_motion(w, "G06.2");
+    nc_count(w, "P", (double)order);
+    for (size_t i = 0; i < b->poles + order; i++) {
+        nc_number(w, "K", b->knot[i], digits->knot);
+        if (i < b->poles) {
+            const double q[] = {RADIANS(s->angle[0][i]), RADIANS(s->angle[1][i])};
+            nc_forget(w, NC_X, NC_Q1);
+            nc_place(p, b->pole[i]);
+            nc_rotary(p, q);
+        }
+        if (i == 0)
+            nc_feed(p, move);
+        nc_end(w);
+    }
+}
+
+static void dwell(struct nc_program *p, double seconds)
+{
+    nc_code(&p->w, "G4");
+    nc_number(&p->w, "X", seconds, 3);
+    nc_end(&p->w);
+}
+
+static void finish(struct nc_program *p)
+{
+    struct nc_writer *w = &p->w;
+    if (w->inverse)
+        nc_block(w, "G94");
+    nc_block(w, "G49");
+    retract_home(p);
+    if (p->machine->chain.n) {
+        const double zero[ROTARY_MAX] = {0};
+        nc_forget(w, NC_Q0, NC_Q1);
+        nc_motion(w, "G0");
+        nc_rotary(p, zero);
+        nc_end(w);
+    }
+    if (w->plane != 17)
+        nc_block(w, "G17");
+    nc_block(w, "M9");
+    nc_block(w, "M5");
+    nc_block(w, "M30");
+    nc_line(w, "%");
+}
+
+const struct dialect dialect_fanuc = {
+    .name = "fanuc",
+    .style = {.open = "(", .close = ")", .capitals = true, .point = true, .last_number = 99999},
+    .digits = {.linear = 3, .angle = 3, .vector = 6, .knot = 3, .feed = 1},
+    .vectors_doubtful = true,
+    .arcs = NC_ARCS_CENTRE,
+    .arcs_vectors = NC_ARCS_RADIUS,
+    .splines = NC_SPLINES_ROTARY,
+    .splines_vectors = NC_SPLINES_NONE,
+    .check_name = check_name,
+    .start = start,
+    .line = line,
+    .arc = arc,
+    .spline = spline,
+    .dwell = dwell,
+    .finish = finish,
+};

@@ -1,0 +1,155 @@
+/* nchead - see nchead.h. */
+#include "nchead.h"
+
+#include <ctype.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "num.h"
+
+double nc_ledger_sum(const struct path *path, const struct nc_plan *plan)
+{
+    double sum = path_spent(path) + plan->total.spent.point;
+    return isnan(path->head.chord) ? sum : sum + path->head.chord;
+}
+
+static void head_tool(struct nc_program *p)
+{
+    const struct path_head *head = &p->path->head;
+    char d[NUM_MAX], r[NUM_MAX];
+    if (head->cutter_n) {
+        num_write_short(d, head->cutter[0], 3, false);
+        num_write_short(r, head->cutter_n > 1 ? head->cutter[1] : 0, 3, false);
+        nc_comment(&p->w, "Tool %d: %s D %.20s R %.20s", head->tool,
+                   path_ball(p->path) > 0 ? "ball nose" : "cutter", d, r);
+    }
+    if (head->track == TRACK_CENTRE) {
+        nc_comment(&p->w, "*** ATTENTION: X Y Z ARE THE CENTRE OF THE BALL, NOT THE TIP ***");
+        nc_comment(&p->w, "*** the tool's length must be measured to the ball's centre ***");
+    } else {
+        nc_comment(&p->w, "X Y Z are the tool tip");
+    }
+}
+
+static void head_ledger(struct nc_program *p)
+{
+    const struct path_head *head = &p->path->head;
+    const struct nc_total *total = &p->plan->total;
+    for (size_t i = 0; i < head->ledger.n; i++)
+        nc_comment(&p->w, "Tolerance %-12s %.4f", head->ledger.item[i].stage,
+                   head->ledger.item[i].spent);
+    if (!isnan(head->chord))
+        nc_comment(&p->w, "Tolerance %-12s %.4f", "chord", head->chord);
+    nc_comment(&p->w, "Tolerance %-12s %.4f", "ncpost", total->spent.point);
+    nc_comment(&p->w, "Tolerance %-12s %.4f mm, axis %.4f deg", "sum",
+               nc_ledger_sum(p->path, p->plan), DEGREES(total->spent.axis));
+}
+
+void nc_head(struct nc_program *p, const char *control)
+{
+    const struct nc_total *total = &p->plan->total;
+    const char *partno = p->path->head.partno;
+    if (partno && *partno)
+        nc_comment(&p->w, "%.70s", partno);
+    nc_comment(&p->w, "cloudmill ncpost for %s, %.50s", control, p->machine->name);
+    head_tool(p);
+    head_ledger(p);
+    nc_comment(&p->w, "Cut %.1f mm, rapid %.1f mm, %.1f min", total->cut, total->rapid,
+               total->minutes);
+    nc_comment(&p->w, "%zu passes: %zu lines, %zu arcs, %zu splines, %zu rapids", total->passes,
+               total->lines, total->arcs, total->splines, total->rapids);
+}
+
+static void spindle(struct nc_program *p, double rpm, bool ccw)
+{
+    nc_count(&p->w, "S", rpm);
+    nc_code(&p->w, ccw ? "M4" : "M3");
+    nc_end(&p->w);
+}
+
+void nc_spindle(struct nc_program *p)
+{
+    const struct path_head *head = &p->path->head;
+    if (head->spindle > 0)
+        spindle(p, head->spindle, head->spindle_ccw);
+}
+
+void nc_coolant(struct nc_program *p)
+{
+    static const char *const code[] = {NULL, NULL, "M8", "M7"};
+    if (code[p->path->head.coolant])
+        nc_block(&p->w, code[p->path->head.coolant]);
+}
+
+/* The statement starts with this word; *rest stands behind it and a slash. */
+static bool is_word(const char *text, const char *word, const char **rest)
+{
+    size_t n = strlen(word);
+    for (size_t i = 0; i < n; i++)
+        if (toupper((unsigned char)text[i]) != word[i])
+            return false;
+    if (isalnum((unsigned char)text[n]))
+        return false;
+    *rest = text + n + strspn(text + n, " \t/");
+    return true;
+}
+
+static bool holds(const char *text, const char *word)
+{
+    for (; *text; text++) {
+        const char *rest;
+        if (is_word(text, word, &rest))
+            return true;
+    }
+    return false;
+}
+
+static void say_spindle(struct nc_program *p, const char *rest)
+{
+    double rpm;
+    if (holds(rest, "OFF")) {
+        nc_block(&p->w, "M5");
+        return;
+    }
+    for (; *rest; rest++)
+        if (isdigit((unsigned char)*rest) && num_read(&rest, &rpm)) {
+            spindle(p, rpm, holds(rest, "CCLW"));
+            return;
+        }
+}
+
+void nc_statement(struct nc_program *p, const struct dialect *dialect, const char *text)
+{
+    const char *rest;
+    double seconds;
+    if (is_word(text, "COOLNT", &rest))
+        nc_block(&p->w, holds(rest, "OFF") ? "M9" : holds(rest, "MIST") ? "M7" : "M8");
+    else if (is_word(text, "SPINDL", &rest))
+        say_spindle(p, rest);
+    else if (is_word(text, "STOP", &rest))
+        nc_block(&p->w, "M0");
+    else if (is_word(text, "OPSTOP", &rest))
+        nc_block(&p->w, "M1");
+    else if (is_word(text, "DELAY", &rest) && num_read(&rest, &seconds) && seconds > 0)
+        dialect->dwell(p, seconds);
+    else if (is_word(text, "PPRINT", &rest) || is_word(text, "REMARK", &rest))
+        nc_comment(&p->w, "%.150s", rest);
+}
+
+int nc_check_statements(const struct path *path, struct error *error)
+{
+    for (size_t i = 0; i < path->item.n; i++) {
+        const struct path_item *item = &path->item.item[i];
+        const char *rest;
+        double tool;
+        if (item->kind != PATH_TEXT)
+            continue;
+        const char *text = path->text.item[item->index];
+        if ((is_word(text, "LOADTL", &rest) || is_word(text, "TLCHG", &rest)) &&
+            num_read(&rest, &tool) && tool != path->head.tool)
+            return error_at(error, path->name, item->line,
+                            "found a second tool, %g after %d: expected one tool in a path", tool,
+                            path->head.tool);
+    }
+    return 0;
+}

@@ -1,0 +1,214 @@
+/*
+ * ncplan - see ncplan.h.
+ *
+ * A path is planned in groups: from a rapid, where the tool is off the part and the rotary axes
+ * may go to either solution, up to the next rapid.  A group that runs out of a rotary axis's
+ * travel with one solution is planned again with the other; when neither serves, the tool
+ * retracts, turns and returns in the middle of it.
+ */
+#include "ncplan.h"
+
+#include <stdlib.h>
+
+#include "ncstep.h"
+
+/* What a group that is planned again has to take back. */
+struct mark {
+    struct nc_state state;
+    struct nc_total total;
+    size_t moves, arcs, splines;
+};
+
+static struct mark mark_of(const struct nc_step *step)
+{
+    const struct nc_plan *plan = step->plan;
+    return (struct mark){step->state, plan->total, plan->move.n, plan->arc.n, plan->spline.n};
+}
+
+static void back_to(struct nc_step *step, const struct mark *mark)
+{
+    struct nc_plan *plan = step->plan;
+    for (size_t i = mark->splines; i < plan->spline.n; i++)
+        nc_spline_free(&plan->spline.item[i]);
+    step->state = mark->state;
+    plan->total = mark->total;
+    plan->unmet = false;
+    plan->move.n = mark->moves;
+    plan->arc.n = mark->arcs;
+    plan->spline.n = mark->splines;
+}
+
+void nc_plan_free(struct nc_plan *plan)
+{
+    for (size_t i = 0; i < plan->spline.n; i++)
+        nc_spline_free(&plan->spline.item[i]);
+    array_free(&plan->move);
+    array_free(&plan->arc);
+    array_free(&plan->spline);
+}
+
+static bool is_motion(const struct path_item *item)
+{
+    return item->kind == PATH_POINT || item->kind == PATH_ARC || item->kind == PATH_SPLINE;
+}
+
+/* A note among the blocks: a pass, or a statement that the dialect may know. */
+static void add_note(struct nc_step *step, enum nc_kind kind, const struct path_item *item)
+{
+    struct nc_move *move = array_push(&step->plan->move);
+    *move = (struct nc_move){.kind = kind, .line = item->line, .to = step->state.at,
+                             .index = item->index};
+}
+
+/* A path that starts with a cut: above its first point first, along the tool axis. */
+static int approach(struct nc_step *step, struct pose first)
+{
+    struct pose above = first;
+    above.p = vec_along(first.p, step->machine->retract, first.a);
+    step->plan->total.approach_made = true;
+    return nc_step_rapid(step, above);
+}
+
+static int cut(struct nc_step *step, const struct path_item *item)
+{
+    const struct path *path = step->path;
+    if (!step->state.begun) {
+        if (item->kind != PATH_POINT)
+            return error_at(step->error, path->name, item->line,
+                            "found a curve before any point, expected a GOTO first");
+        if (approach(step, item->to) != 0)
+            return -1;
+    }
+    if (step->state.feed <= 0) {
+        step->state.feed = step->wish.feed;
+        step->plan->total.feed_assumed = true;
+    }
+    struct pose from = step->state.pose;
+    struct motion motion = motion_line(from, item->to);
+    if (item->kind == PATH_ARC) {
+        const struct path_arc *arc = &path->arc.item[item->index];
+        motion = motion_arc(from, item->to, arc->centre, arc->axis);
+    } else if (item->kind == PATH_SPLINE) {
+        motion = motion_spline(from, item->to, &path->spline.item[item->index].curve);
+    }
+    return nc_step_motion(step, &motion);
+}
+
+static int plan_item(struct nc_step *step, const struct path_item *item)
+{
+    if (item->line)
+        step->state.line = item->line;
+    switch (item->kind) {
+    case PATH_PASS:
+        step->state.pass = item->index;
+        step->plan->total.passes++;
+        add_note(step, NC_PASS, item);
+        return 0;
+    case PATH_TEXT:
+        add_note(step, NC_TEXT, item);
+        return 0;
+    case PATH_FEED:
+        step->state.feed = item->feed;
+        return 0;
+    case PATH_POINT:
+        return item->rapid ? nc_step_rapid(step, item->to) : cut(step, item);
+    case PATH_ARC:
+    case PATH_SPLINE:
+        break;
+    }
+    return cut(step, item);
+}
+
+/* Behind the group that starts at `from`: the next rapid that comes after a cut. */
+static size_t group_end(const struct path *path, size_t from)
+{
+    bool cutting = false;
+    for (size_t i = from; i < path->item.n; i++) {
+        const struct path_item *item = &path->item.item[i];
+        bool rapid = item->kind == PATH_POINT && item->rapid;
+        if (rapid && cutting)
+            return i;
+        cutting = cutting || (is_motion(item) && !rapid);
+    }
+    return path->item.n;
+}
+
+static int plan_items(struct nc_step *step, size_t from, size_t to)
+{
+    step->first = true;
+    for (size_t i = from; i < to; i++)
+        if (plan_item(step, &step->path->item.item[i]) != 0)
+            return -1;
+    return 0;
+}
+
+static int plan_group(struct nc_step *step, size_t from, size_t to)
+{
+    static const struct nc_branch attempt[] = {{-1, -1}, {0, -1}, {1, -1}, {0, 0}, {1, 1}};
+    struct mark mark = mark_of(step);
+    step->may_turn = false;
+    for (size_t i = 0; i < sizeof attempt / sizeof *attempt; i++) {
+        step->branch = attempt[i];
+        if (plan_items(step, from, to) == 0)
+            return 0;
+        if (!step->plan->unmet)
+            return -1;
+        back_to(step, &mark);
+    }
+    step->may_turn = true;
+    step->branch = attempt[0];
+    return plan_items(step, from, to);
+}
+
+/* A path that ends in the cut: off the part along the tool axis. */
+static int depart(struct nc_step *step)
+{
+    struct pose up = step->state.pose;
+    size_t last = step->plan->move.n;
+    while (last && step->plan->move.item[last - 1].kind > NC_SPLINE)
+        last--;
+    if (!last || step->plan->move.item[last - 1].kind == NC_RAPID)
+        return 0;
+    up.p = vec_along(up.p, step->machine->retract, up.a);
+    step->plan->total.retract_made = true;
+    return nc_step_rapid(step, up);
+}
+
+/* Half of the last digit of each word, at the tracked point and at the ball. */
+static struct deviation rounding(const struct nc_step *step)
+{
+    const struct nc_ability *ability = &step->plan->ability;
+    double linear = sqrt(3) * 0.5 * pow(10, -ability->digits.linear);
+    double axis = ability->mode == FOLLOW_VECTOR
+                      ? sqrt(3) * 0.5 * pow(10, -ability->digits.vector)
+                      : RADIANS(sqrt(2) * 0.5 * pow(10, -ability->digits.angle));
+    return (struct deviation){linear + fabs(step->follow.ball) * axis, axis};
+}
+
+int nc_plan_make(struct nc_plan *plan, const struct path *path, const struct machine *machine,
+                 struct nc_ability ability, struct nc_wish wish, struct error *error)
+{
+    double ball = path_ball(path);
+    *plan = (struct nc_plan){.ability = ability};
+    struct nc_step step = {.path = path, .machine = machine, .plan = plan, .wish = wish,
+                           .error = error, .branch = {-1, -1}};
+    if (path->head.track == TRACK_CONTACT)
+        return error_set(error,
+                         "%s: found a path of contact points (TRACK/CONTACT), expected one of tool "
+                         "tips or ball centres",
+                         path->name);
+    step.follow = (struct follow){.mode = ability.mode, .chain = &machine->chain};
+    if (ball > 0)
+        step.follow.ball = path->head.track == TRACK_CENTRE ? -ball : ball;
+    struct deviation last = rounding(&step);
+    step.allowed = (struct deviation){wish.chord + last.point, wish.axis_tolerance + last.axis};
+    for (size_t from = 0; from < path->item.n;) {
+        size_t to = group_end(path, from);
+        if (plan_group(&step, from, to) != 0)
+            return -1;
+        from = to;
+    }
+    if (!step.state.begun)
+        return error_set(error, "%s: found no motion, expected at least one GOTO", path->name);
+    return depart(&step);
+}

@@ -1,0 +1,289 @@
+/*
+ * ncspline - see ncspline.h.
+ *
+ * POLY: each knot span is its Taylor polynomial at the span's start, so any cubic goes over exactly,
+ * whatever its knots.  NURBS: the poles and knots themselves; the rotary angles are fitted on the
+ * same knots, and where the axis they give is too far off, the span gets a knot more (which leaves
+ * the tip's curve as it is) and all is fitted anew.
+ */
+#include "ncspline.h"
+
+#include <stdlib.h>
+
+#include "array.h"
+#include "num.h"
+#include "turnfit.h"
+
+enum { SAMPLES = 8, ROUNDS_MAX = 6 };
+static const double span_most = 20; /* PL above this would cost digits of the factors */
+
+static struct vec3 round_point(struct vec3 p, int digits)
+{
+    return vec(num_round(p.x, digits), num_round(p.y, digits), num_round(p.z, digits));
+}
+
+void nc_spline_free(struct nc_spline *spline)
+{
+    bspline_free(&spline->curve);
+    for (int i = 0; i < ROTARY_MAX; i++)
+        free(spline->angle[i]);
+    array_free(&spline->span);
+    *spline = (struct nc_spline){0};
+}
+
+/* ---- polynomials ---- */
+
+/* The polynomial's value at p, its factor of p taken from both ends. */
+static struct vec3 span_at(struct vec3 start, struct vec3 end, struct vec3 square, struct vec3 cube,
+                           double h, double p)
+{
+    struct vec3 bent = vec_add(vec_scale(h * h, square), vec_scale(h * h * h, cube));
+    struct vec3 slope = vec_scale(1 / h, vec_sub(vec_sub(end, start), bent));
+    return vec_add(vec_along(start, p, slope),
+                   vec_add(vec_scale(p * p, square), vec_scale(p * p * p, cube)));
+}
+
+static void factors(const struct bspline *b, const struct vec3 *pole, double u, double scale,
+                    int digits, struct vec3 *square, struct vec3 *cube)
+{
+    struct vec3 d[4];
+    bspline_derivatives(b, pole, u, 3, d);
+    *square = round_point(vec_scale(scale * scale / 2, d[2]), digits);
+    *cube = round_point(vec_scale(scale * scale * scale / 6, d[3]), digits);
+}
+
+static struct nc_span span_words(const struct bspline *b, size_t i, int digits)
+{
+    double u = b->knot[i], end = b->knot[i + 1];
+    struct nc_span s = {.h = num_round(fmin(end - u, span_most), 6)};
+    s.digits = s.h > 10 ? 9 : s.h > 1 ? 8 : 6;
+    if (s.h <= 0)
+        return s;
+    factors(b, b->pole, u, (end - u) / s.h, s.digits, &s.square, &s.cube);
+    s.end = round_point(bspline_at(b, b->pole, end), digits);
+    if (b->head) {
+        factors(b, b->head, u, (end - u) / s.h, s.digits, &s.head_square, &s.head_cube);
+        s.head_end = round_point(bspline_at(b, b->head, end), digits);
+    }
+    return s;
+}
+
+/* The printed polynomials against the motion, sample by sample. */
+static struct deviation poly_deviation(const struct nc_spline *spline, const struct follow *f,
+                                       struct vec3 start, const struct motion *motion)
+{
+    struct deviation worst = {0, 0};
+    struct vec3 head = spline->head_start;
+    double s = 0;
+    for (size_t i = 0; i < spline->span.n; i++) {
+        const struct nc_span *n = &spline->span.item[i];
+        double next = motion_next_knot(motion, s);
+        for (int k = 0; k <= SAMPLES; k++) {
+            double p = n->h * k / SAMPLES;
+            struct pose wanted = motion_at(motion, s + (next - s) * k / SAMPLES);
+            struct pose at = {span_at(start, n->end, n->square, n->cube, n->h, p), wanted.a};
+            if (spline->turns)
+                at.a = vec_unit(vec_sub(
+                    span_at(head, n->head_end, n->head_square, n->head_cube, n->h, p), at.p));
+            worst = deviation_worst(worst, follow_difference(f, at, wanted));
+        }
+        start = n->end;
+        head = n->head_end;
+        s = next;
+    }
+    return worst;
+}
+
+static struct deviation poly_words(struct nc_spline *spline, int digits, const struct follow *f,
+                                   const struct station *from, const struct motion *motion)
+{
+    const struct bspline *b = motion->curve;
+    spline->form = NC_POLY;
+    for (size_t i = (size_t)b->degree; i < b->poles; i++)
+        if (b->knot[i + 1] > b->knot[i]) {
+            struct nc_span s = span_words(b, i, digits);
+            if (s.h <= 0) /* shorter than any control can be told */
+                return (struct deviation){HUGE_VAL, HUGE_VAL};
+            *array_push(&spline->span) = s;
+        }
+    return poly_deviation(spline, f, from->p, motion);
+}
+
+/* ---- poles ---- */
+
+static void round_poles(struct bspline *b, int digits)
+{
+    for (size_t i = 0; i < b->poles; i++) {
+        b->pole[i] = round_point(b->pole[i], digits);
+        if (b->head)
+            b->head[i] = round_point(b->head[i], digits);
+    }
+}
+
+/* A uniform clamped cubic by its poles alone: the control takes spans of length 1. */
+static struct deviation bspline_words(struct nc_spline *spline, int digits, const struct follow *f,
+                                      const struct motion *motion)
+{
+    struct deviation worst = {0, 0};
+    spline->form = NC_BSPLINE;
+    spline->curve = bspline_copy(motion->curve);
+    struct bspline *b = &spline->curve;
+    size_t p = (size_t)b->degree;
+    round_poles(b, digits);
+    for (size_t i = 0; i < b->poles + p + 1; i++)
+        b->knot[i] = i < p ? 0 : i > b->poles ? (double)(b->poles - p) : (double)(i - p);
+    struct motion printed = motion_spline(motion->from, motion->to, b);
+    for (size_t i = 0; i <= b->poles * SAMPLES; i++) {
+        double s = (double)i / (double)(b->poles * SAMPLES);
+        worst = deviation_worst(
+            worst, follow_difference(f, motion_at(&printed, s), motion_at(motion, s)));
+    }
+    return worst;
+}
+
+/* ---- NURBS with rotary words ---- */
+
+/* Knots so that the shortest span is 1 or more, rounded. */
+static void scale_knots(struct bspline *b, int digits)
+{
+    double from = b->knot[0], least = b->knot[b->poles] - from;
+    size_t knots = b->poles + (size_t)b->degree + 1;
+    for (size_t i = (size_t)b->degree; i < b->poles; i++)
+        if (b->knot[i + 1] > b->knot[i])
+            least = fmin(least, b->knot[i + 1] - b->knot[i]);
+    double scale = fmax(1, 1 / least);
+    for (size_t i = 0; i < knots; i++)
+        b->knot[i] = num_round(scale * (b->knot[i] - from), digits);
+}
+
+static struct vec3 angles_at(const struct bspline *b, double *const angle[], size_t span,
+                             const double *basis)
+{
+    double q[3] = {0, 0, 0};
+    for (int k = 0; k < ROTARY_MAX; k++)
+        for (int i = 0; i <= b->degree; i++)
+            q[k] += basis[i] * RADIANS(angle[k][span - (size_t)b->degree + (size_t)i]);
+    return vec(q[0], q[1], q[2]);
+}
+
+/*
+ * The printed NURBS against the motion; `exact` has the knots not yet scaled and rounded.  Each
+ * span that is beyond `allowed` adds its middle to `more`.
+ */
+static struct deviation nurbs_deviation(const struct nc_spline *spline, const struct follow *f,
+                                        const struct bspline *exact, const struct motion *motion,
+                                        struct deviation allowed, struct doubles *more)
+{
+    const struct bspline *b = &spline->curve;
+    struct deviation worst = {0, 0};
+    double start = exact->knot[0], range = exact->knot[exact->poles] - start;
+    for (size_t span = (size_t)b->degree; span < b->poles; span++) {
+        struct deviation here = {0, 0};
+        double u = exact->knot[span], h = exact->knot[span + 1] - u;
+        double v = b->knot[span], g = b->knot[span + 1] - v;
+        for (int k = 0; h > 0 && k <= SAMPLES; k++) {
+            double basis[BSPLINE_DEGREE_MAX + 1];
+            bspline_basis(b->degree, b->knot, span, v + g * k / SAMPLES, basis);
+            struct pose wanted = motion_at(motion, (u + h * k / SAMPLES - start) / range), at = wanted;
+            at.p = vec(0, 0, 0);
+            for (int i = 0; i <= b->degree; i++)
+                at.p = vec_along(at.p, basis[i], b->pole[span - (size_t)b->degree + (size_t)i]);
+            struct vec3 q = angles_at(b, spline->angle, span, basis);
+            at.a = chain_axis(f->chain, (const double[]){q.x, q.y});
+            here = deviation_worst(here, follow_difference(f, at, wanted));
+        }
+        if (!deviation_within(here, allowed))
+            *array_push(more) = u + h / 2;
+        worst = deviation_worst(worst, here);
+    }
+    return worst;
+}
+
+/* One round: angles fitted on the knots of `exact`, everything rounded as printed. */
+static int nurbs_round(struct nc_spline *spline, struct nc_spline_digits digits,
+                       const struct follow *f, const struct station *from,
+                       const struct bspline *exact, const struct motion *motion)
+{
+    struct motion same = motion_spline(motion->from, motion->to, exact);
+    int over;
+    nc_spline_free(spline);
+    spline->form = NC_NURBS;
+    spline->turns = f->chain->n > 0;
+    spline->curve = bspline_copy(exact);
+    for (int k = 0; k < ROTARY_MAX; k++)
+        spline->angle[k] = mem_alloc(exact->poles, sizeof(double));
+    if (turnfit(f->chain, &same, from->q, spline->angle, &over) != 0)
+        return -1;
+    for (int k = 0; k < ROTARY_MAX; k++)
+        for (size_t i = 0; i < exact->poles; i++)
+            spline->angle[k][i] = num_round(DEGREES(spline->angle[k][i]), digits.angle);
+    round_poles(&spline->curve, digits.linear);
+    scale_knots(&spline->curve, digits.knot);
+    return 0;
+}
+
+static struct deviation nurbs_words(struct nc_spline *spline, struct nc_spline_digits digits,
+                                    const struct follow *f, const struct station *from,
+                                    const struct motion *motion, struct deviation allowed)
+{
+    struct bspline exact = bspline_copy(motion->curve);
+    struct deviation d = {HUGE_VAL, HUGE_VAL};
+    for (int round = 0; round < ROUNDS_MAX; round++) {
+        struct doubles more = {0};
+        if (nurbs_round(spline, digits, f, from, &exact, motion) != 0) {
+            d = (struct deviation){HUGE_VAL, HUGE_VAL};
+            break;
+        }
+        d = nurbs_deviation(spline, f, &exact, motion, allowed, &more);
+        for (size_t i = 0; i < more.n; i++)
+            bspline_insert(&exact, more.item[i]);
+        bool enough = more.n == 0 || exact.poles > 4 * motion->curve->poles + 20;
+        array_free(&more);
+        if (enough)
+            break;
+    }
+    bspline_free(&exact);
+    return d;
+}
+
+static struct station end_station(const struct nc_spline *spline, const struct motion *motion)
+{
+    struct station to = {.p = spline->form == NC_POLY ? spline->span.item[spline->span.n - 1].end
+                                                      : spline->curve.pole[spline->curve.poles - 1],
+                         .a = motion_at(motion, 1).a};
+    for (int k = 0; spline->form == NC_NURBS && k < ROTARY_MAX; k++)
+        to.q[k] = RADIANS(spline->angle[k][spline->curve.poles - 1]);
+    return to;
+}
+
+bool nc_spline_words(struct nc_spline *spline, enum nc_splines kind, struct nc_spline_digits digits,
+                     const struct follow *f, const struct station *from, const struct motion *motion,
+                     struct deviation allowed, struct station *to, struct deviation *d)
+{
+    const struct bspline *b = motion->curve;
+    *spline = (struct nc_spline){0};
+    if (kind == NC_SPLINES_NONE || b->degree > 3 || b->degree < 2)
+        return false;
+    if (!b->head && vec_angle(motion->from.a, motion->to.a) > 1e-8)
+        return false;
+    *d = (struct deviation){HUGE_VAL, HUGE_VAL};
+    if (kind == NC_SPLINES_ROTARY) {
+        *d = nurbs_words(spline, digits, f, from, motion, allowed);
+    } else {
+        spline->turns = b->head != NULL;
+        if (b->head)
+            spline->head_start = round_point(b->head[0], digits.linear);
+        if (b->degree == 3 && bspline_uniform(b))
+            *d = bspline_words(spline, digits.linear, f, motion);
+        if (!deviation_within(*d, allowed)) {
+            bspline_free(&spline->curve);
+            *d = poly_words(spline, digits.linear, f, from, motion);
+        }
+    }
+    if (!deviation_within(*d, allowed)) {
+        nc_spline_free(spline);
+        return false;
+    }
+    *to = end_station(spline, motion);
+    return true;
+}

@@ -1,0 +1,304 @@
+/* ncstep - see ncstep.h. */
+#include "ncstep.h"
+
+#include "num.h"
+
+enum { DEPTH_MAX = 14, ARC_DEPTH_MAX = 5, TURN_STEP = 2 /* degrees */ };
+static const double rapid_chord = 1; /* mm, where a rapid has to be split at all */
+
+static struct vec3 round_point(struct vec3 p, int digits)
+{
+    return vec(num_round(p.x, digits), num_round(p.y, digits), num_round(p.z, digits));
+}
+
+static int over_travel(struct nc_step *step, int axis, const char *what, double value)
+{
+    const struct machine *m = step->machine;
+    step->plan->unmet = true;
+    return error_at(step->error, step->path->name, step->state.line,
+                    "pass %zu: axis %c of %s: found %s %.3f, expected its travel %g to %g",
+                    step->state.pass, machine_letter(axis), m->name, what, value, m->min[axis],
+                    m->max[axis]);
+}
+
+/* The linear axes as they stand when the tip is there, seen from the work offset. */
+static int check_linear(struct nc_step *step, const struct station *to)
+{
+    const struct machine *m = step->machine;
+    struct vec3 p = to->p;
+    if (step->follow.mode != FOLLOW_JOINT)
+        p = chain_linear(&m->chain, p, to->q);
+    const double at[3] = {p.x, p.y, p.z};
+    for (int axis = 0; axis < 3; axis++)
+        if (!(at[axis] >= m->min[axis] && at[axis] <= m->max[axis]))
+            return over_travel(step, axis, "a position of", at[axis]);
+    return 0;
+}
+
+/* The words that say `q` and the pose. */
+static struct station station_of(const struct nc_step *step, struct pose to, const double q[])
+{
+    const struct machine_digits *digits = &step->plan->ability.digits;
+    const struct chain *chain = &step->machine->chain;
+    struct station s = {.a = round_point(to.a, digits->vector)};
+    for (int i = 0; i < chain->n; i++)
+        s.q[i] = RADIANS(num_round(DEGREES(q[i]), digits->angle));
+    struct vec3 p = step->follow.mode == FOLLOW_JOINT ? chain_linear(chain, to.p, s.q) : to.p;
+    s.p = round_point(p, digits->linear);
+    return s;
+}
+
+/* The station that reaches a pose from where the program is; -1: none within the travel. */
+static int reach(struct nc_step *step, struct pose to, struct station *s)
+{
+    const struct chain *chain = &step->machine->chain;
+    double q[ROTARY_MAX] = {0};
+    int over, only = step->first ? step->branch.first : step->branch.then;
+    if (chain_choose(chain, to.a, step->state.at.q, !step->first, only, q, &over) != 0) {
+        if (over < 0) {
+            step->plan->unmet = true;
+            return error_at(step->error, step->path->name, step->state.line,
+                            "pass %zu: found tool axis %.6f %.6f %.6f, which no angles of %s reach",
+                            step->state.pass, to.a.x, to.a.y, to.a.z, step->machine->name);
+        }
+        struct chain_solutions angles = chain_angles(chain, to.a);
+        return over_travel(step, step->machine->letter[over], "angle",
+                           DEGREES(angles.q[only == 1 && angles.n == 2][over]));
+    }
+    *s = station_of(step, to, q);
+    return check_linear(step, s);
+}
+
+/* The longest that an axis of the machine needs between two stations, minutes. */
+static double axes_minutes(const struct nc_step *step, const struct station *a,
+                           const struct station *b)
+{
+    const struct machine *m = step->machine;
+    double minutes = 0;
+    for (int i = 0; i < m->chain.n; i++)
+        minutes = fmax(minutes, DEGREES(fabs(b->q[i] - a->q[i])) / m->rapid[m->letter[i]]);
+    if (step->follow.mode == FOLLOW_JOINT)
+        minutes = fmax(minutes, vec_distance(a->p, b->p) / m->rapid[MACHINE_X]);
+    return minutes;
+}
+
+/* F: mm/min, or without tool-centre-point control the inverse of the block's minutes, never 0. */
+static double feed_word(const struct nc_step *step, double minutes)
+{
+    int digits = step->plan->ability.digits.feed;
+    double least = pow(10, -digits);
+    double feed = step->follow.mode == FOLLOW_JOINT ? 1 / fmax(minutes, 1e-6) : step->state.feed;
+    return fmax(num_round(feed, digits), least);
+}
+
+static void add_move(struct nc_step *step, enum nc_kind kind, const struct station *to,
+                     double length, size_t index)
+{
+    struct nc_total *total = &step->plan->total;
+    double minutes = axes_minutes(step, &step->state.at, to);
+    struct nc_move *move = array_push(&step->plan->move);
+    *move = (struct nc_move){.kind = kind, .line = step->state.line, .to = *to, .index = index};
+    if (kind == NC_RAPID) {
+        minutes = fmax(minutes, length / step->machine->rapid[MACHINE_X]);
+        total->rapid += length;
+        total->rapids++;
+    } else {
+        minutes = fmax(minutes, length / step->state.feed);
+        move->feed = feed_word(step, minutes);
+        total->cut += length;
+        total->lines += kind == NC_LINE;
+        total->arcs += kind == NC_ARC;
+        total->splines += kind == NC_SPLINE;
+    }
+    total->minutes += minutes;
+    step->state.at = *to;
+    step->first = false;
+}
+
+static bool same_station(const struct station *a, const struct station *b, bool vectors)
+{
+    bool same = vec_distance(a->p, b->p) == 0;
+    if (vectors)
+        return same && vec_distance(a->a, b->a) == 0;
+    return same && a->q[0] == b->q[0] && a->q[1] == b->q[1];
+}
+
+/* Angles for the pose where the program is, in the middle of the travel as far as can be, from
+ * which the goal is in reach too. */
+static bool turned(const struct nc_step *step, struct pose goal, double q[])
+{
+    const struct chain *chain = &step->machine->chain;
+    double middle[ROTARY_MAX] = {0}, next[ROTARY_MAX];
+    int over;
+    for (int i = 0; i < chain->n; i++) {
+        double span = chain->rotary[i].max - chain->rotary[i].min;
+        if (span < 8 * PI)
+            middle[i] = chain->rotary[i].min + span / 2;
+    }
+    for (int only = 0; only < 2; only++)
+        if (chain_choose(chain, step->state.pose.a, middle, false, only, q, &over) == 0 &&
+            chain_choose(chain, goal.a, q, true, -1, next, &over) == 0)
+            return true;
+    return false;
+}
+
+/* The rotary axes to q while the tip stays where it is. */
+static void turn_to(struct nc_step *step, const double q[])
+{
+    double from[ROTARY_MAX] = {step->state.at.q[0], step->state.at.q[1]}, far = 0;
+    for (int i = 0; i < step->machine->chain.n; i++)
+        far = fmax(far, DEGREES(fabs(q[i] - from[i])));
+    int n = step->follow.mode == FOLLOW_JOINT ? (int)ceil(far / TURN_STEP) : 1;
+    for (int k = 1; k <= n; k++) {
+        double part[ROTARY_MAX];
+        for (int i = 0; i < ROTARY_MAX; i++)
+            part[i] = from[i] + (q[i] - from[i]) * k / n;
+        struct station to = station_of(step, step->state.pose, part);
+        add_move(step, NC_RAPID, &to, 0, 0);
+    }
+}
+
+/* Retract along the tool axis, turn to where the goal is in reach, return. */
+static bool retract_turn_return(struct nc_step *step, struct pose goal)
+{
+    struct pose here = step->state.pose, up = here, near = here;
+    double q[ROTARY_MAX] = {0}, far = step->machine->retract, clear = step->path->head.clearance;
+    if (!step->may_turn || step->follow.mode == FOLLOW_VECTOR || !turned(step, goal, q))
+        return false;
+    if (here.a.z > 0.2 && clear > here.p.z)
+        far = fmax(far, (clear - here.p.z) / here.a.z);
+    up.p = vec_along(here.p, far, here.a);
+    near.p = vec_along(here.p, fmin(2, far), here.a);
+    if (nc_step_rapid(step, up) != 0)
+        return false;
+    turn_to(step, q);
+    struct motion back = motion_line(near, here);
+    step->plan->total.turns++;
+    return nc_step_rapid(step, near) == 0 && nc_step_motion(step, &back) == 0;
+}
+
+/* Straight blocks along the motion from s0, where the program is, to s1. */
+static int straight(struct nc_step *step, const struct motion *motion, double s0, double s1,
+                    enum nc_kind kind, struct deviation allowed, int depth)
+{
+    struct nc_total *total = &step->plan->total;
+    struct pose goal = motion_at(motion, s1);
+    struct station to;
+    if (reach(step, goal, &to) != 0 &&
+        (kind != NC_LINE || !retract_turn_return(step, goal) || reach(step, goal, &to) != 0))
+        return -1;
+    const struct station *at = &step->state.at;
+    struct deviation d = follow_block(&step->follow, at, &to, motion, s0, s1, allowed);
+    if (step->plan->ability.doubtful && deviation_within(d, allowed)) {
+        struct follow other = step->follow;
+        other.mode = FOLLOW_ROTARY;
+        d = deviation_worst(d, follow_block(&other, at, &to, motion, s0, s1, allowed));
+    }
+    if (!deviation_within(d, allowed) && depth < DEPTH_MAX) {
+        double mid = (s0 + s1) / 2;
+        if (straight(step, motion, s0, mid, kind, allowed, depth + 1) != 0)
+            return -1;
+        return straight(step, motion, mid, s1, kind, allowed, depth + 1);
+    }
+    if (!same_station(at, &to, step->follow.mode == FOLLOW_VECTOR))
+        add_move(step, kind, &to, vec_distance(step->state.pose.p, goal.p), 0);
+    step->state.pose = goal;
+    if (kind == NC_LINE)
+        total->spent = deviation_worst(total->spent, d);
+    return 0;
+}
+
+int nc_step_rapid(struct nc_step *step, struct pose to)
+{
+    struct deviation any = {step->follow.mode == FOLLOW_JOINT ? rapid_chord : HUGE_VAL, HUGE_VAL};
+    struct station station;
+    if (step->state.begun) {
+        struct motion motion = motion_line(step->state.pose, to);
+        return straight(step, &motion, 0, 1, NC_RAPID, any, 0);
+    }
+    if (reach(step, to, &station) != 0)
+        return -1;
+    add_move(step, NC_RAPID, &station, 0, 0);
+    step->state.pose = to;
+    step->state.begun = true;
+    return 0;
+}
+
+static int arc(struct nc_step *step, const struct motion *motion, double s0, double s1, int depth)
+{
+    const struct nc_ability *ability = &step->plan->ability;
+    struct station to;
+    struct nc_arc words;
+    struct deviation d;
+    double point = 0, most = nc_arc_most(ability->arcs), sweep = (s1 - s0) * motion->sweep;
+    if (sweep > most) {
+        int n = (int)ceil(sweep / most - 1e-9);
+        for (int i = 0; i < n; i++)
+            if (arc(step, motion, s0 + (s1 - s0) * i / n, s0 + (s1 - s0) * (i + 1) / n, depth) != 0)
+                return -1;
+        return 0;
+    }
+    struct pose goal = motion_at(motion, s1);
+    bool fits = reach(step, goal, &to) == 0;
+    fits = fits && nc_arc_words(&words, ability->arcs, ability->digits.linear, ability->radius_error,
+                             &step->follow, &step->state.at, &to, motion, s0, s1, &d, &point);
+    if (fits && !deviation_within(d, step->allowed) && point <= step->allowed.point &&
+        depth < ARC_DEPTH_MAX) { /* it is the tool axis: it may be right in halves */
+        double mid = (s0 + s1) / 2;
+        return arc(step, motion, s0, mid, depth + 1) || arc(step, motion, mid, s1, depth + 1) ? -1
+                                                                                              : 0;
+    }
+    if (!fits || !deviation_within(d, step->allowed)) {
+        step->plan->total.chorded++;
+        return straight(step, motion, s0, s1, NC_LINE, step->allowed, 0);
+    }
+    *array_push(&step->plan->arc) = words;
+    add_move(step, NC_ARC, &to, (s1 - s0) * motion_length(motion), step->plan->arc.n - 1);
+    step->plan->total.spent = deviation_worst(step->plan->total.spent, d);
+    step->state.pose = goal;
+    return 0;
+}
+
+static int spline(struct nc_step *step, const struct motion *motion)
+{
+    const struct nc_ability *ability = &step->plan->ability;
+    struct nc_spline_digits digits = {ability->digits.linear, ability->digits.angle,
+                                      ability->digits.knot};
+    struct nc_spline words;
+    struct station to, checked;
+    struct deviation d;
+    if (nc_spline_words(&words, ability->splines, digits, &step->follow, &step->state.at, motion,
+                        step->allowed, &to, &d)) {
+        *array_push(&step->plan->spline) = words;
+        if (step->follow.mode == FOLLOW_VECTOR && reach(step, motion->to, &checked) == 0)
+            to.q[0] = checked.q[0], to.q[1] = checked.q[1];
+        if (check_linear(step, &to) != 0)
+            return -1;
+        add_move(step, NC_SPLINE, &to, motion_length(motion), step->plan->spline.n - 1);
+        step->plan->total.spent = deviation_worst(step->plan->total.spent, d);
+        step->state.pose = motion_at(motion, 1);
+        return 0;
+    }
+    step->plan->total.chorded += motion->curve->degree > 1;
+    for (double s = 0; s < 1;) {
+        double next = motion_next_knot(motion, s);
+        if (straight(step, motion, s, next, NC_LINE, step->allowed, 0) != 0)
+            return -1;
+        s = next;
+    }
+    return 0;
+}
+
+int nc_step_motion(struct nc_step *step, const struct motion *motion)
+{
+    if (motion->kind == MOTION_SPLINE) {
+        struct motion lead = motion_line(step->state.pose, motion_at(motion, 0));
+        if (straight(step, &lead, 0, 1, NC_LINE, step->allowed, 0) != 0)
+            return -1;
+        return spline(step, motion);
+    }
+    if (motion->kind == MOTION_ARC && step->plan->ability.arcs != NC_ARCS_NONE)
+        return arc(step, motion, 0, 1, 0);
+    step->plan->total.chorded += motion->kind == MOTION_ARC;
+    return straight(step, motion, 0, 1, NC_LINE, step->allowed, 0);
+}

@@ -1,0 +1,70 @@
+/* ncwords - see ncwords.h. */
+#include "ncwords.h"
+
+const struct station *nc_first_station(const struct nc_program *p)
+{
+    const struct nc_move *move = p->plan->move.item;
+    while (move->kind == NC_PASS || move->kind == NC_TEXT)
+        move++;
+    return &move->to;
+}
+
+void nc_place(struct nc_program *p, struct vec3 to)
+{
+    int digits = p->plan->ability.digits.linear;
+    nc_modal(&p->w, NC_X, "X", to.x, digits);
+    nc_modal(&p->w, NC_Y, "Y", to.y, digits);
+    nc_modal(&p->w, NC_Z, "Z", to.z, digits);
+}
+
+static void vector_words(struct nc_program *p, const char *const address[3], struct vec3 a)
+{
+    struct nc_writer *w = &p->w;
+    if (w->known[NC_I] && w->value[NC_I] == a.x && w->value[NC_J] == a.y && w->value[NC_K] == a.z)
+        return;
+    nc_forget(w, NC_I, NC_K);
+    nc_modal(w, NC_I, address[0], a.x, p->plan->ability.digits.vector);
+    nc_modal(w, NC_J, address[1], a.y, p->plan->ability.digits.vector);
+    nc_modal(w, NC_K, address[2], a.z, p->plan->ability.digits.vector);
+}
+
+void nc_rotary(struct nc_program *p, const double q[])
+{
+    const struct machine *m = p->machine;
+    for (int i = m->chain.n - 1; i >= 0; i--) { /* the tilting axis first, as people write it */
+        const char address[2] = {machine_letter(m->letter[i]), '\0'};
+        nc_modal(&p->w, i ? NC_Q1 : NC_Q0, address, DEGREES(q[i]), p->plan->ability.digits.angle);
+    }
+}
+
+void nc_axis(struct nc_program *p, const struct station *to, const char *const address[3])
+{
+    if (p->plan->ability.mode == FOLLOW_VECTOR)
+        vector_words(p, address, to->a);
+    else
+        nc_rotary(p, to->q);
+}
+
+void nc_feed(struct nc_program *p, const struct nc_move *move)
+{
+    if (move->kind == NC_RAPID)
+        return;
+    if (p->w.inverse)
+        nc_forget(&p->w, NC_F, NC_F);
+    nc_modal(&p->w, NC_F, "F", move->feed, p->plan->ability.digits.feed);
+}
+
+void nc_straight(struct nc_program *p, const struct nc_move *move, const char *const address[3])
+{
+    bool inverse = p->plan->ability.mode == FOLLOW_JOINT && move->kind == NC_LINE;
+    struct nc_writer *w = &p->w;
+    if (inverse && !w->inverse) {
+        nc_code(w, "G93");
+        w->inverse = true;
+    }
+    nc_motion(w, move->kind == NC_RAPID ? "G0" : "G1");
+    nc_place(p, move->to.p);
+    nc_axis(p, &move->to, address);
+    nc_feed(p, move);
+    nc_end(w);
+}

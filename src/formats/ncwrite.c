@@ -1,0 +1,139 @@
+/* ncwrite - see ncwrite.h. */
+#include "ncwrite.h"
+
+#include <ctype.h>
+#include <stdarg.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "num.h"
+
+struct nc_writer nc_writer_new(struct out *out, struct nc_style style, int step)
+{
+    return (struct nc_writer){.out = out, .style = style, .step = step};
+}
+
+static void append(struct nc_writer *w, const char *s, size_t n)
+{
+    if (w->n + n > sizeof w->line)
+        return;
+    memcpy(w->line + w->n, s, n);
+    w->n += n;
+}
+
+/* The room before the next word, and before the first its block's number. */
+static void begin_word(struct nc_writer *w)
+{
+    char number[NUM_MAX];
+    if (w->n) {
+        append(w, " ", 1);
+        return;
+    }
+    if (!w->step)
+        return;
+    w->number += w->step;
+    if (w->number > w->style.last_number)
+        w->number = w->step;
+    append(w, "N", 1);
+    append(w, number, num_write(number, (double)w->number, 0));
+    append(w, " ", 1);
+}
+
+void nc_code(struct nc_writer *w, const char *word)
+{
+    begin_word(w);
+    append(w, word, strlen(word));
+}
+
+void nc_number(struct nc_writer *w, const char *address, double value, int digits)
+{
+    char number[NUM_MAX];
+    begin_word(w);
+    append(w, address, strlen(address));
+    append(w, number, num_write_short(number, value, digits, w->style.point));
+}
+
+void nc_count(struct nc_writer *w, const char *address, double whole)
+{
+    char number[NUM_MAX];
+    begin_word(w);
+    append(w, address, strlen(address));
+    append(w, number, num_write(number, whole, 0));
+}
+
+bool nc_motion(struct nc_writer *w, const char *code)
+{
+    if (w->motion && strcmp(w->motion, code) == 0)
+        return false;
+    w->motion = code;
+    nc_code(w, code);
+    return true;
+}
+
+bool nc_modal(struct nc_writer *w, enum nc_slot slot, const char *address, double value, int digits)
+{
+    double said = num_round(value, digits);
+    if (w->known[slot] && w->value[slot] == said)
+        return false;
+    nc_remember(w, slot, said);
+    nc_number(w, address, value, digits);
+    return true;
+}
+
+void nc_forget(struct nc_writer *w, enum nc_slot from, enum nc_slot to)
+{
+    for (int i = from; i <= (int)to; i++)
+        w->known[i] = false;
+}
+
+void nc_remember(struct nc_writer *w, enum nc_slot slot, double value)
+{
+    w->value[slot] = value;
+    w->known[slot] = true;
+}
+
+void nc_end(struct nc_writer *w)
+{
+    if (!w->n)
+        return;
+    append(w, "\n", 1);
+    out_bytes(w->out, w->line, w->n);
+    w->n = 0;
+}
+
+void nc_block(struct nc_writer *w, const char *word)
+{
+    nc_code(w, word);
+    nc_end(w);
+}
+
+void nc_line(struct nc_writer *w, const char *text)
+{
+    out_text(w->out, text);
+    out_text(w->out, "\n");
+}
+
+void nc_comment(struct nc_writer *w, const char *format, ...)
+{
+    char text[200];
+    size_t room = NC_COMMENT_MAX - strlen(w->style.open) - strlen(w->style.close);
+    va_list args;
+    va_start(args, format);
+    vsnprintf(text, sizeof text, format, args);
+    va_end(args);
+    for (size_t i = 0; text[i]; i++) {
+        unsigned char c = (unsigned char)text[i];
+        if (c < ' ' || c > '~')
+            text[i] = ' ';
+        else if (w->style.capitals)
+            text[i] = (char)(strchr("()%", c) ? '-' : toupper(c));
+        if (i == room) {
+            text[i] = '\0';
+            break;
+        }
+    }
+    out_text(w->out, w->style.open);
+    out_text(w->out, text);
+    out_text(w->out, w->style.close);
+    out_text(w->out, "\n");
+}

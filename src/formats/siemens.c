@@ -1,0 +1,252 @@
+/*
+ * siemens - the dialect of the Sinumerik 840D sl and ONE (design/5-controls.md; Siemens,
+ * Programming Manual Job Planning, for TRAORI, ORIVECT, ORICURVE, CIP, POLY and BSPLINE).
+ */
+#include <ctype.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "dialect.h"
+#include "nchead.h"
+#include "ncwords.h"
+#include "num.h"
+
+enum { NAME_MAX_LENGTH = 24 };
+
+static const char *const vector_address[] = {"A3=", "B3=", "C3="};
+
+static int check_name(const char *name, struct error *error)
+{
+    size_t n = strlen(name);
+    bool good = n >= 2 && n <= NAME_MAX_LENGTH;
+    for (size_t i = 0; i < n; i++) {
+        unsigned char c = (unsigned char)name[i];
+        good = good && c < 128 && (isalnum(c) || c == '_') && (i > 1 || !isdigit(c));
+    }
+    if (good)
+        return 0;
+    return error_set(error,
+                     "option --program: found `%.40s`, expected 2 to %d letters, digits and _, the "
+                     "first two no digits",
+                     name, NAME_MAX_LENGTH);
+}
+
+/* %_N_NAME_MPF: the name asked for, else what of PARTNO is allowed. */
+static void program_name(struct nc_program *p)
+{
+    char name[NAME_MAX_LENGTH + 1] = "", line[NAME_MAX_LENGTH + 12];
+    const char *from = p->name ? p->name : p->path->head.partno;
+    size_t n = 0;
+    for (; from && *from && n < NAME_MAX_LENGTH; from++) {
+        unsigned char c = (unsigned char)*from;
+        bool good = c < 128 && isalnum(c) && (n > 1 || !isdigit(c));
+        if (good || (n && name[n - 1] != '_'))
+            name[n++] = good ? (char)toupper(c) : '_';
+    }
+    name[n] = '\0';
+    snprintf(line, sizeof line, "%%_N_%s_MPF", n >= 2 ? name : "PART");
+    nc_line(&p->w, line);
+}
+
+static void retract_home(struct nc_program *p)
+{
+    nc_block(&p->w, *p->machine->home ? p->machine->home : "SUPA G0 Z0 D0");
+    nc_forget(&p->w, NC_X, NC_Z);
+    p->w.motion = NULL;
+}
+
+static void transform(struct nc_program *p, const struct station *first)
+{
+    struct nc_writer *w = &p->w;
+    if (p->plan->ability.mode == FOLLOW_JOINT) {
+        int digits = p->plan->ability.digits.linear;
+        nc_modal(w, NC_X, "X", first->p.x, digits);
+        nc_modal(w, NC_Y, "Y", first->p.y, digits);
+        nc_end(w);
+        return;
+    }
+    nc_block(w, "TRAORI");
+    nc_block(w, p->machine->offset);
+    nc_block(w, p->plan->ability.mode == FOLLOW_VECTOR ? "ORIWKS ORIVECT" : "ORIWKS ORIAXES");
+}
+
+static void start(struct nc_program *p)
+{
+    struct nc_writer *w = &p->w;
+    const struct station *first = nc_first_station(p);
+    program_name(p);
+    nc_head(p, "Siemens");
+    nc_code(w, "G90 G17 G71 G40 G94");
+    nc_code(w, p->machine->offset);
+    nc_end(w);
+    retract_home(p);
+    if (p->path->head.tool) {
+        nc_count(w, "T", p->path->head.tool);
+        nc_code(w, "D1 M6");
+        nc_end(w);
+    } else {
+        nc_block(w, "D1");
+    }
+    nc_spindle(p);
+    nc_motion(w, "G0");
+    nc_rotary(p, first->q);
+    nc_end(w);
+    transform(p, first);
+    nc_coolant(p);
+}
+
+static void line(struct nc_program *p, const struct nc_move *move)
+{
+    nc_straight(p, move, vector_address);
+}
+
+/* CIP with the point on the way: I1 J1 K1, absolute. */
+static void arc(struct nc_program *p, const struct nc_move *move)
+{
+    static const char *const address[] = {"I1=AC(", "J1=AC(", "K1=AC("};
+    const struct nc_arc *a = &p->plan->arc.item[move->index];
+    const double middle[] = {a->middle.x, a->middle.y, a->middle.z};
+    struct nc_writer *w = &p->w;
+    nc_motion(w, "CIP");
+    nc_place(p, move->to.p);
+    for (int i = 0; i < 3; i++) {
+        char word[NUM_MAX + 16];
+        size_t n = strlen(address[i]);
+        memcpy(word, address[i], n);
+        n += num_write_short(word + n, middle[i], p->plan->ability.digits.linear, false);
+        memcpy(word + n, ")", 2);
+        nc_code(w, word);
+    }
+    nc_axis(p, &move->to, vector_address);
+    nc_feed(p, move);
+    nc_end(w);
+}
+
+/* PO[X]=(end,square,cube) */
+static void polynomial(struct nc_program *p, const char *axis, double end, double square,
+                       double cube, int digits)
+{
+    char word[4 * NUM_MAX];
+    size_t n = strlen(axis);
+    memcpy(word, "PO[", 3);
+    memcpy(word + 3, axis, n);
+    memcpy(word + 3 + n, "]=(", 3);
+    n += 6;
+    n += num_write_short(word + n, end, p->plan->ability.digits.linear, false);
+    word[n++] = ',';
+    n += num_write_short(word + n, square, digits, false);
+    word[n++] = ',';
+    n += num_write_short(word + n, cube, digits, false);
+    memcpy(word + n, ")", 2);
+    nc_code(&p->w, word);
+}
+
+static void polynomials(struct nc_program *p, const struct nc_spline *s, const struct nc_span *n)
+{
+    polynomial(p, "X", n->end.x, n->square.x, n->cube.x, n->digits);
+    polynomial(p, "Y", n->end.y, n->square.y, n->cube.y, n->digits);
+    polynomial(p, "Z", n->end.z, n->square.z, n->cube.z, n->digits);
+    if (s->turns) {
+        polynomial(p, "XH", n->head_end.x, n->head_square.x, n->head_cube.x, n->digits);
+        polynomial(p, "YH", n->head_end.y, n->head_square.y, n->head_cube.y, n->digits);
+        polynomial(p, "ZH", n->head_end.z, n->head_square.z, n->head_cube.z, n->digits);
+    }
+    nc_number(&p->w, "PL=", n->h, 6);
+}
+
+static void head_words(struct nc_program *p, struct vec3 head)
+{
+    int digits = p->plan->ability.digits.linear;
+    nc_number(&p->w, "XH=", head.x, digits);
+    nc_number(&p->w, "YH=", head.y, digits);
+    nc_number(&p->w, "ZH=", head.z, digits);
+}
+
+/* Where the tool stands already, with the head point as the second curve's start. */
+static void begin_curve(struct nc_program *p, const struct nc_spline *s, const struct nc_move *move)
+{
+    p->w.motion = NULL;
+    nc_motion(&p->w, "G1");
+    if (s->turns) {
+        nc_code(&p->w, "ORICURVE");
+        head_words(p, s->head_start);
+    }
+    nc_feed(p, move);
+    nc_end(&p->w);
+}
+
+static void spline(struct nc_program *p, const struct nc_move *move)
+{
+    const struct nc_spline *s = &p->plan->spline.item[move->index];
+    struct nc_writer *w = &p->w;
+    begin_curve(p, s, move);
+    for (size_t i = 0; i < s->span.n; i++) {
+        nc_motion(w, "POLY");
+        polynomials(p, s, &s->span.item[i]);
+        nc_end(w);
+    }
+    for (size_t i = 1; s->form == NC_BSPLINE && i < s->curve.poles; i++) {
+        if (nc_motion(w, "BSPLINE"))
+            nc_code(w, "SD=3");
+        nc_forget(w, NC_X, NC_Z);
+        nc_place(p, s->curve.pole[i]);
+        if (s->turns)
+            head_words(p, s->curve.head[i]);
+        nc_end(w);
+    }
+    nc_remember(w, NC_X, move->to.p.x);
+    nc_remember(w, NC_Y, move->to.p.y);
+    nc_remember(w, NC_Z, move->to.p.z);
+    if (s->turns) {
+        nc_forget(w, NC_I, NC_K);
+        nc_motion(w, "G1");
+        nc_code(w, "ORIVECT");
+        nc_axis(p, &move->to, vector_address);
+        nc_end(w);
+    }
+}
+
+static void dwell(struct nc_program *p, double seconds)
+{
+    nc_code(&p->w, "G4");
+    nc_number(&p->w, "F", seconds, 3);
+    nc_end(&p->w);
+}
+
+static void finish(struct nc_program *p)
+{
+    struct nc_writer *w = &p->w;
+    if (w->inverse)
+        nc_block(w, "G94");
+    if (p->plan->ability.mode != FOLLOW_JOINT)
+        nc_block(w, "TRAFOOF");
+    retract_home(p);
+    if (p->machine->chain.n) {
+        const double zero[ROTARY_MAX] = {0};
+        nc_forget(w, NC_Q0, NC_Q1);
+        nc_motion(w, "G0");
+        nc_rotary(p, zero);
+        nc_end(w);
+    }
+    nc_block(w, "M9");
+    nc_block(w, "M5");
+    nc_block(w, "M30");
+}
+
+const struct dialect dialect_siemens = {
+    .name = "siemens",
+    .style = {.open = "; ", .close = "", .last_number = 999990},
+    .digits = {.linear = 5, .angle = 5, .vector = 8, .knot = 5, .feed = 2},
+    .vectors = true,
+    .arcs = NC_ARCS_SPACE,
+    .arcs_vectors = NC_ARCS_SPACE,
+    .splines = NC_SPLINES_NONE,
+    .splines_vectors = NC_SPLINES_HEAD,
+    .check_name = check_name,
+    .start = start,
+    .line = line,
+    .arc = arc,
+    .spline = spline,
+    .dwell = dwell,
+    .finish = finish,
+};
