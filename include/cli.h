@@ -65,10 +65,11 @@ void cli_parse(struct cli *cli, int argc, char **argv);
 void say(const char *format, ...) __attribute__((format(printf, 1, 2)));
 void note(const char *format, ...) __attribute__((format(printf, 1, 2)));
 
-/* Ends the process with the message: exit 1, exit 1 with error's text, exit 2. */
+/* Ends the process with the message: exit 1, exit 1 with error's text, exit 2, exit 3. */
 _Noreturn void die(const char *format, ...) __attribute__((format(printf, 1, 2)));
 _Noreturn void die_error(const struct error *error);
 _Noreturn void die_usage(const char *format, ...) __attribute__((format(printf, 1, 2)));
+_Noreturn void die_unmet(const char *format, ...) __attribute__((format(printf, 1, 2)));
 
 /* Percent on standard error when that is a terminal and -q was not given; done == of clears it. */
 void progress(const char *what, size_t done, size_t of);

@@ -49,7 +49,7 @@ struct pose follow_pose(const struct follow *f, const struct station *from,
  * The largest deviation of the straight block between two stations from the motion between s0 and
  * s1, measured at both ends and between.  The time along the block is free: each place of the
  * motion is compared with the place of the block that is beside it.  Where a bound shows it to be
- * within `allowed`, the bound is returned.
+ * far within `allowed`, the bound is returned.
  */
 struct deviation follow_block(const struct follow *f, const struct station *from,
                               const struct station *to, const struct motion *motion, double s0,

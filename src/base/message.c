@@ -90,6 +90,16 @@ void die_usage(const char *format, ...)
     exit(EXIT_USAGE);
 }
 
+void die_unmet(const char *format, ...)
+{
+    va_list args;
+    va_start(args, format);
+    out_abandon();
+    print(format, args);
+    va_end(args);
+    exit(EXIT_UNMET);
+}
+
 void progress(const char *what, size_t done, size_t of)
 {
     static time_t last;

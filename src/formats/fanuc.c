@@ -55,6 +55,7 @@ static void compensate(struct nc_program *p, const struct station *first)
     } else {
         nc_code(w, p->plan->ability.mode == FOLLOW_VECTOR ? "G43.5" : "G43.4");
         nc_count(w, "H", tool);
+        w->motion = NULL;
     }
     nc_end(w);
 }

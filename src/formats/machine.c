@@ -33,8 +33,8 @@ struct machine machine_default(void)
         .tcp = true,
         .arcs = true,
         .splines = true,
-        .min = {-1000, -1000, -1000, -120, -120, -99999},
-        .max = {1000, 1000, 1000, 120, 120, 99999},
+        .min = {-2000, -2000, -2000, -120, -120, -99999},
+        .max = {2000, 2000, 2000, 120, 120, 99999},
         .rapid = {30000, 30000, 30000, 7200, 7200, 7200},
         .retract = 50,
         .offset = "G54",
@@ -136,7 +136,7 @@ static int find_file(const char *name, const char *beside, char file[FILE_MAX], 
             return error_set(error, "%.40s...: file name too long", name);
         return 0;
     }
-    const char *const places[] = {"./", own && *own ? own : ".", CLOUDMILL_DATADIR "/machines"};
+    const char *const places[] = {".", own && *own ? own : ".", CLOUDMILL_DATADIR "/machines"};
     int n = snprintf(file, FILE_MAX, "%.*s%s.txt", folder, folder ? beside : "", name);
     for (size_t i = 0; i < sizeof places / sizeof *places; i++) {
         if (n < FILE_MAX && access(file, R_OK) == 0)

@@ -31,18 +31,24 @@ static void head_tool(struct nc_program *p)
     }
 }
 
+/* To four decimals, never too small. */
+static double shown(double mm)
+{
+    return ceil(mm * 1e4 - 1e-6) / 1e4;
+}
+
 static void head_ledger(struct nc_program *p)
 {
     const struct path_head *head = &p->path->head;
     const struct nc_total *total = &p->plan->total;
     for (size_t i = 0; i < head->ledger.n; i++)
         nc_comment(&p->w, "Tolerance %-12s %.4f", head->ledger.item[i].stage,
-                   head->ledger.item[i].spent);
+                   shown(head->ledger.item[i].spent));
     if (!isnan(head->chord))
-        nc_comment(&p->w, "Tolerance %-12s %.4f", "chord", head->chord);
-    nc_comment(&p->w, "Tolerance %-12s %.4f", "ncpost", total->spent.point);
+        nc_comment(&p->w, "Tolerance %-12s %.4f", "chord", shown(head->chord));
+    nc_comment(&p->w, "Tolerance %-12s %.4f", "ncpost", shown(total->spent.point));
     nc_comment(&p->w, "Tolerance %-12s %.4f mm, axis %.4f deg", "sum",
-               nc_ledger_sum(p->path, p->plan), DEGREES(total->spent.axis));
+               shown(nc_ledger_sum(p->path, p->plan)), shown(DEGREES(total->spent.axis)));
 }
 
 void nc_head(struct nc_program *p, const char *control)
@@ -56,7 +62,7 @@ void nc_head(struct nc_program *p, const char *control)
     head_ledger(p);
     nc_comment(&p->w, "Cut %.1f mm, rapid %.1f mm, %.1f min", total->cut, total->rapid,
                total->minutes);
-    nc_comment(&p->w, "%zu passes: %zu lines, %zu arcs, %zu splines, %zu rapids", total->passes,
+    nc_comment(&p->w, "Passes %zu, lines %zu, arcs %zu, splines %zu, rapids %zu", total->passes,
                total->lines, total->arcs, total->splines, total->rapids);
 }
 

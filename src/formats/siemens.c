@@ -68,6 +68,7 @@ static void transform(struct nc_program *p, const struct station *first)
     nc_block(w, "TRAORI");
     nc_block(w, p->machine->offset);
     nc_block(w, p->plan->ability.mode == FOLLOW_VECTOR ? "ORIWKS ORIVECT" : "ORIWKS ORIAXES");
+    w->motion = NULL;
 }
 
 static void start(struct nc_program *p)

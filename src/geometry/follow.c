@@ -2,6 +2,7 @@
 #include "follow.h"
 
 enum { SAMPLES = 8 }; /* pieces that a block is looked at in */
+static const double little_of = 0.05; /* of what is allowed: a bound of it needs no closer look */
 
 bool deviation_within(struct deviation d, struct deviation allowed)
 {
@@ -83,9 +84,10 @@ struct deviation follow_block(const struct follow *f, const struct station *from
         worst, follow_difference(f, follow_pose(f, from, to, 1), motion_at(motion, s1)));
     if (motion->kind == MOTION_LINE && f->mode != FOLLOW_JOINT) {
         double bound = f->mode == FOLLOW_VECTOR ? 0 : turn_bound(f, from, to);
-        struct deviation d = {worst.point + fabs(f->ball) * bound, worst.axis + bound};
-        if (deviation_within(d, allowed))
-            return d;
+        struct deviation d = {fabs(f->ball) * bound, bound};
+        struct deviation little = {little_of * allowed.point, little_of * allowed.axis};
+        if (deviation_within(d, little))
+            return (struct deviation){worst.point + d.point, worst.axis + d.axis};
     }
     for (int i = 1; i < SAMPLES; i++) {
         double s = (double)i / SAMPLES;

@@ -1,0 +1,184 @@
+/*
+ * ncpost - a path into an NC program for a control and a machine.
+ *
+ * Everything is planned and checked before the first byte is written (ncplan.h); the dialect then
+ * only sets it down.
+ */
+#include <math.h>
+#include <stdlib.h>
+
+#include "cli.h"
+#include "dialect.h"
+#include "machine.h"
+#include "nchead.h"
+#include "out.h"
+#include "path.h"
+
+struct settings {
+    int control;
+    bool control_given;
+    const char *machine;
+    struct cli_list set;
+    double tolerance; /* of the whole ledger, 0: none */
+    double chord, axis_tolerance;
+    double feed;
+    bool vectors, rotary, strict;
+    const char *program;
+};
+
+static struct settings settings_default(void)
+{
+    return (struct settings){.chord = 0.005, .axis_tolerance = 0.05, .feed = 500};
+}
+
+static void read_options(struct settings *s, struct cli *cli, int argc, char **argv)
+{
+    const struct cli_option option[] = {
+        {'c', "control", "fanuc|siemens", "control to write for (default: the machine's own)",
+         CLI_CHOICE, &s->control, 0, 0, 0, &s->control_given},
+        {'m', "machine", "NAME",
+         "machine: NAME.txt in this folder, in $CLOUDMILL_MACHINES or among\n"
+         "the installed ones, or a file (default: table-ac)",
+         CLI_TEXT, &s->machine, 0, 0, 0, NULL},
+        {0, "set", "KEY=VALUE", "set one key of the machine; may be given again", CLI_LIST, &s->set,
+         0, 0, 0, NULL},
+        {'e', "tolerance", "MM",
+         "most that all stages together may spend; beyond it the exit\nstatus is 3", CLI_NUMBER,
+         &s->tolerance, CLI_POSITIVE, 0, 0, NULL},
+        {0, "chord", "MM",
+         "most that blocks may be off the path, before rounding\n(default 0.005)", CLI_NUMBER,
+         &s->chord, 1e-6, 10, 0, NULL},
+        {0, "axis-tolerance", "DEG", "most that the tool axis may be off (default 0.05)",
+         CLI_NUMBER, &s->axis_tolerance, 1e-5, 10, 0, NULL},
+        {0, "feed", "MM/MIN", "feed where the path gives none (default 500)", CLI_NUMBER, &s->feed,
+         0.1, 1e6, 0, NULL},
+        {0, "vectors", NULL, "tool axis as vectors (Fanuc G43.5; usual for Siemens)", CLI_FLAG,
+         &s->vectors, 0, 0, 0, NULL},
+        {0, "rotary", NULL, "tool axis as rotary words (Siemens ORIAXES; usual for Fanuc)",
+         CLI_FLAG, &s->rotary, 0, 0, 0, NULL},
+        {0, "program", "NAME", "number (Fanuc) or name (Siemens) of the program", CLI_TEXT,
+         &s->program, 0, 0, 0, NULL},
+        {0, "strict", NULL, "refuse post-processor words that nobody here knows", CLI_FLAG,
+         &s->strict, 0, 0, 0, NULL},
+        {0, NULL, NULL, NULL, CLI_FLAG, NULL, 0, 0, 0, NULL},
+    };
+    cli->option = option;
+    cli_parse(cli, argc, argv);
+    if (cli->files > 1)
+        die_usage("found %d files, expected one path", cli->files);
+    if (s->vectors && s->rotary)
+        die_usage("found --vectors and --rotary, expected one of them");
+}
+
+static struct machine read_machine(const struct settings *s)
+{
+    struct machine machine = machine_default();
+    struct error error;
+    if (s->machine && machine_read(&machine, s->machine, &error) != 0)
+        die_error(&error);
+    for (size_t i = 0; i < s->set.n; i++)
+        if (machine_set(&machine, s->set.item[i], &error) != 0)
+            die_usage("%s", error.text);
+    if (machine_finish(&machine, &error) != 0)
+        die_error(&error);
+    return machine;
+}
+
+static const struct dialect *choose_dialect(const struct settings *s, const struct machine *machine)
+{
+    static const char *const names[] = {"fanuc", "siemens"};
+    const char *name = s->control_given ? names[s->control] : machine->control;
+    if (!*name)
+        die_usage("found no control, expected -c %s (machine %s names none)", dialect_names(),
+                  machine->name);
+    const struct dialect *dialect = dialect_find(name);
+    struct error error;
+    if (!dialect)
+        die("machine %s: control: found `%s`, expected %s", machine->name, name, dialect_names());
+    if (s->program && dialect->check_name(s->program, &error) != 0)
+        die_usage("%s", error.text);
+    return dialect;
+}
+
+static void read_path(const struct settings *s, const char *file, struct path *path)
+{
+    struct error error;
+    if (path_read(file, path, &error) != 0 || nc_check_statements(path, &error) != 0)
+        die_error(&error);
+    for (size_t i = 0; i < path->unknown.n; i++) {
+        const struct path_unknown *u = &path->unknown.item[i];
+        if (s->strict)
+            die("%s:%u: found the word %.40s, which nobody here knows (--strict)", path->name,
+                u->line, u->word);
+        say("%s:%u: passed over %.40s, which nobody here knows (%zu times)", path->name, u->line,
+            u->word, u->times);
+    }
+}
+
+/* What was assumed or added. */
+static void tell(const struct path *path, const struct nc_plan *plan, const struct settings *s)
+{
+    const struct nc_total *total = &plan->total;
+    if (path->head.track == TRACK_CENTRE)
+        say("X Y Z of the program are the ball's centre: measure the tool to it");
+    if (total->feed_assumed)
+        say("the path cuts before it gives a feed: took %g mm/min (--feed)", s->feed);
+    if (total->approach_made)
+        say("the path starts with a cut: came from above along the tool axis");
+    if (total->retract_made)
+        say("the path ends in a cut: retracted along the tool axis");
+    if (total->turns)
+        say("the travel of a rotary axis ran out: retracted, turned and returned %zu times",
+            total->turns);
+    note("passes %zu, lines %zu, arcs %zu, splines %zu, rapids %zu; curves chorded %zu",
+         total->passes, total->lines, total->arcs, total->splines, total->rapids, total->chorded);
+    note("cut %.1f mm, rapid %.1f mm, about %.1f min", total->cut, total->rapid, total->minutes);
+    note("kept %.4f mm and %.4f deg; with the stages before %.4f mm", total->spent.point,
+         total->spent.axis * 180 / PI, nc_ledger_sum(path, plan));
+}
+
+static void make_plan(struct nc_plan *plan, const struct path *path, const struct machine *machine,
+                      struct nc_ability ability, const struct settings *s)
+{
+    struct nc_wish wish = {s->chord, RADIANS(s->axis_tolerance), s->feed};
+    struct error error;
+    if (nc_plan_make(plan, path, machine, ability, wish, &error) == 0)
+        return;
+    if (plan->unmet)
+        die_unmet("%s", error.text);
+    die_error(&error);
+}
+
+int main(int argc, char **argv)
+{
+    struct settings s = settings_default();
+    struct cli cli = {.tool = "ncpost",
+                      .usage = "-c fanuc|siemens [-m MACHINE] [options] [FILE]",
+                      .about = "Write the NC program of a path for a control and a machine."};
+    read_options(&s, &cli, argc, argv);
+    struct machine machine = read_machine(&s);
+    const struct dialect *dialect = choose_dialect(&s, &machine);
+    struct path path = {0};
+    read_path(&s, cli.file[0], &path);
+
+    enum nc_axis_words axis = s.vectors  ? NC_AXIS_VECTORS
+                              : s.rotary ? NC_AXIS_ROTARY
+                                         : NC_AXIS_USUAL;
+    struct nc_plan plan;
+    make_plan(&plan, &path, &machine, dialect_ability(dialect, &machine, axis), &s);
+
+    struct out *out = out_open(cli.output);
+    struct nc_program program = {
+        .path = &path, .machine = &machine, .plan = &plan, .name = s.program};
+    program.w = nc_writer_new(out, dialect->style, machine.number_step);
+    dialect_write(dialect, &program);
+    out_close(out);
+
+    tell(&path, &plan, &s);
+    double sum = nc_ledger_sum(&path, &plan);
+    nc_plan_free(&plan);
+    path_free(&path);
+    if (s.tolerance > 0 && sum > s.tolerance)
+        die_unmet("all stages together spent %.4f mm, expected at most %.4f", sum, s.tolerance);
+    return EXIT_DONE;
+}
