@@ -19,8 +19,8 @@ struct quadric {
 
 /*
  * The quadric nearest to n points, its w axis along `guess` (unit).  -1 when the points do not
- * carry one: fewer than 6, or spread so (on one or two lines) that a term is the sum of the others
- * up to a fiftieth.
+ * carry one: fewer than 6, spread over a strip ten times as long as wide, or so (on two lines) that
+ * a term is the sum of the others up to a fiftieth.
  */
 int quadric_fit(const struct vec3 *point, size_t n, struct vec3 origin, struct vec3 guess,
                 struct quadric *quadric);

@@ -9,9 +9,13 @@ enum { TERMS = 6 };
 /* Part of a term that the terms before it must leave over. */
 static const double INDEPENDENT = 0.02;
 
+/* Width of a neighbourhood by its length, up to which it is a strip. */
+static const double NARROW = 0.1;
+
 /* What the fit works in: (u - u0) / size, (v - v0) / size. */
 struct span {
     double u0, v0, size;
+    double width; /* of the neighbourhood as part of its length */
 };
 
 static void local(const struct quadric *q, struct vec3 p, double *u, double *v, double *w)
@@ -24,8 +28,8 @@ static void local(const struct quadric *q, struct vec3 p, double *u, double *v, 
 
 static struct span span_of(const struct quadric *q, const struct vec3 *point, size_t n)
 {
-    struct span s = {0, 0, 0};
-    double u, v, w, sum2 = 0, count = (double)n;
+    struct span s = {0, 0, 0, 0};
+    double u, v, w, uu = 0, uv = 0, vv = 0, count = (double)n;
     for (size_t i = 0; i < n; i++) {
         local(q, point[i], &u, &v, &w);
         s.u0 += u / count;
@@ -33,9 +37,14 @@ static struct span span_of(const struct quadric *q, const struct vec3 *point, si
     }
     for (size_t i = 0; i < n; i++) {
         local(q, point[i], &u, &v, &w);
-        sum2 += (u - s.u0) * (u - s.u0) + (v - s.v0) * (v - s.v0);
+        uu += (u - s.u0) * (u - s.u0);
+        uv += (u - s.u0) * (v - s.v0);
+        vv += (v - s.v0) * (v - s.v0);
     }
-    s.size = sqrt(sum2 / count);
+    /* the eigenvalues of the sums are the squares of length and width */
+    double mean = (uu + vv) / 2, half = hypot((uu - vv) / 2, uv);
+    s.size = sqrt((uu + vv) / count);
+    s.width = mean + half > 0 ? sqrt(fmax(mean - half, 0) / (mean + half)) : 0;
     return s;
 }
 
@@ -96,7 +105,7 @@ int quadric_fit(const struct vec3 *point, size_t n, struct vec3 origin, struct v
     if (n < TERMS)
         return -1;
     struct span s = span_of(quadric, point, n);
-    if (!(s.size > 0))
+    if (!(s.width > NARROW))
         return -1;
     add_up(quadric, s, point, n, sum);
     if (solve(sum, x) < 0)
