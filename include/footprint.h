@@ -13,7 +13,7 @@
 #include "vec.h"
 
 struct footprint {
-    double cosine, sine;         /* of the direction of the rows, from the scan's x axis */
+    double cosine, sine;           /* of the direction of the rows, from the scan's x axis */
     double xmin, xmax, ymin, ymax; /* box of the points along the grid's axes, mm */
 };
 

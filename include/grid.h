@@ -19,8 +19,8 @@
 
 struct grid {
     struct footprint footprint;
-    double t;         /* side of the triangles, mm */
-    double x, y;      /* lower left corner, node (0, 0), in the grid's axes (eq 2) */
+    double t;          /* side of the triangles, mm */
+    double x, y;       /* lower left corner, node (0, 0), in the grid's axes (eq 2) */
     int columns, rows; /* of nodes: one more than of triangles */
 };
 

@@ -54,7 +54,8 @@ int matrix_read(const char *file, struct transform *matrix, struct error *error)
             break;
         }
     if (got == 0 && n < 16)
-        got = error_set(error, "%s: found %d numbers, expected the 16 of a 4 x 4 matrix", r.name, n);
+        got =
+            error_set(error, "%s: found %d numbers, expected the 16 of a 4 x 4 matrix", r.name, n);
     if (got == 0) {
         memcpy(matrix->m, value, sizeof matrix->m);
         got = check(r.name, matrix, error);

@@ -91,7 +91,8 @@ static void add_cell(struct cells *c, uint32_t i, uint32_t j)
 static double occupied(const struct footprint *f, const struct vec3 *point, size_t n, double width)
 {
     double w = f->xmax - f->xmin, h = f->ymax - f->ymin;
-    double columns = fmin(fmax(round(w / width), 1), 2e9), rows = fmin(fmax(round(h / width), 1), 2e9);
+    double columns = fmin(fmax(round(w / width), 1), 2e9),
+           rows = fmin(fmax(round(h / width), 1), 2e9);
     size_t size = 64;
     while (size < 2 * n)
         size *= 2;

@@ -16,8 +16,8 @@ int grid_make(const struct footprint *footprint, size_t n, double t, struct grid
                          "the points reach over %g x %g mm: a grid of spacing %g mm has %.3g nodes "
                          "for %zu points, expected a larger spacing or no points far outside",
                          width, height, t, columns * rows, n);
-    *grid = (struct grid){
-        *footprint, t, footprint->xmin - lean, footprint->ymin, (int)columns, (int)rows};
+    *grid = (struct grid){*footprint,   t,        footprint->xmin - lean, footprint->ymin,
+                          (int)columns, (int)rows};
     return 0;
 }
 

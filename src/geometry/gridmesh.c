@@ -45,9 +45,8 @@ static void add_row(const struct grid *grid, const size_t *chosen, const struct 
 }
 
 /* The vertices, and their numbers in place of the nodes' in the facets. */
-static void number_vertices(const struct grid *grid, const size_t *chosen,
-                            const struct vec3 *point, bool alone_too, struct mesh *mesh,
-                            struct gridmesh_count *count)
+static void number_vertices(const struct grid *grid, const size_t *chosen, const struct vec3 *point,
+                            bool alone_too, struct mesh *mesh, struct gridmesh_count *count)
 {
     size_t nodes = grid_nodes(grid);
     unsigned char *used = mem_alloc(nodes, 1);

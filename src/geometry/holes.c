@@ -26,8 +26,9 @@ static int lay_out(const struct footprint *f, double gap, struct holes *h, struc
                          "%g x %g mm, expected more than %.2g mm",
                          gap, f->xmax - f->xmin, f->ymax - f->ymin,
                          gap * sqrt(columns * rows / MOST_CELLS));
-    *h = (struct holes){gap, cell, f->xmin - REACH * cell, f->ymin - REACH * cell,
-                        (size_t)columns, (size_t)rows, NULL};
+    *h = (struct holes){
+        gap,          cell, f->xmin - REACH * cell, f->ymin - REACH * cell, (size_t)columns,
+        (size_t)rows, NULL};
     h->near = mem_alloc(h->columns * h->rows, 1);
     return 0;
 }
@@ -81,7 +82,8 @@ static double distance2(struct vec3 a, struct vec3 b)
 bool holes_bridged(const struct holes *holes, struct vec3 a, struct vec3 b, struct vec3 c)
 {
     double longest2 = fmax(distance2(a, b), fmax(distance2(b, c), distance2(c, a)));
-    if (longest2 * 4 <= holes->gap * holes->gap * 3) /* no place in it is half a gap from a corner */
+    if (longest2 * 4 <=
+        holes->gap * holes->gap * 3) /* no place in it is half a gap from a corner */
         return false;
     int steps = (int)ceil(sqrt(longest2) / holes->cell);
     for (int i = 0; i <= steps; i++)

@@ -118,8 +118,8 @@ int quadric_fit(const struct vec3 *point, size_t n, struct vec3 origin, struct v
     c[5] = x[5] / size2;
     c[1] = a - 2 * c[3] * s.u0 - c[4] * s.v0;
     c[2] = b - 2 * c[5] * s.v0 - c[4] * s.u0;
-    c[0] = x[0] - a * s.u0 - b * s.v0 + c[3] * s.u0 * s.u0 + c[4] * s.u0 * s.v0 +
-           c[5] * s.v0 * s.v0;
+    c[0] =
+        x[0] - a * s.u0 - b * s.v0 + c[3] * s.u0 * s.u0 + c[4] * s.u0 * s.v0 + c[5] * s.v0 * s.v0;
     return 0;
 }
 
