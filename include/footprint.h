@@ -26,8 +26,8 @@ static inline struct vec3 footprint_turn(const struct footprint *f, struct vec3 
     return vec(f->cosine * p.x + f->sine * p.y, f->cosine * p.y - f->sine * p.x, p.z);
 }
 
-/* Points that carry no surface: fewer than 3, all in one place, all on one line seen from above:
- * -1 and why (without the name of a file). */
+/* Points that carry no surface: fewer than 3, all in one place, all on one line or in two clumps
+ * far apart seen from above: -1 and why (without the name of a file). */
 int footprint_check(const struct vec3 *point, size_t n, struct error *error);
 
 /*

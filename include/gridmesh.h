@@ -11,6 +11,7 @@
 /* What stayed out of the mesh. */
 struct gridmesh_count {
     size_t bridges; /* facets over a hole */
+    size_t folded;  /* facets that would lie face down */
     size_t no_area; /* facets with the same point twice, or all corners on a line */
     size_t alone;   /* nodes that no facet reaches */
 };
@@ -18,8 +19,9 @@ struct gridmesh_count {
 /*
  * Vertices with their row and column, row by row; facets row by row of triangles, in each row
  * first those that point up, then those that point down, counter-clockwise in the grid.  A
- * triangle with a node that has no point is no facet.  With `holes` (else NULL) a facet over a
- * hole is left out, and so are vertices without a facet.
+ * triangle with a node that has no point is no facet.  With `holes` (else NULL) facets over a
+ * hole are left out, those that lie face down seen from above (where the grid is too fine for the
+ * points; the others around cover the place), and vertices without a facet.
  */
 struct gridmesh_count gridmesh_make(const struct grid *grid, const size_t *chosen,
                                     const struct vec3 *point, const struct holes *holes,

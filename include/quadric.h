@@ -35,4 +35,7 @@ double quadric_distance(const struct quadric *quadric);
  * side of the normal. */
 double quadric_curvature(const struct quadric *quadric);
 
+/* Root mean square of the distances of n points from the surface, to first order. */
+double quadric_rms(const struct quadric *quadric, const struct vec3 *point, size_t n);
+
 #endif

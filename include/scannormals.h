@@ -17,7 +17,8 @@ struct scannormals {
 /*
  * A quadric through the `neighbours` points of the scan nearest to each vertex; where they do not
  * carry one (points on one or two laser lines), through twice, four times ... thirty-two times as
- * many.  Its normal at the vertex, on the side of the facets' normals, goes to mesh->normal and
+ * many.  Its normal at the vertex, on the side of the facets' normals or, where these are steep and
+ * that fits better, on the upper side, goes to mesh->normal and
  * its larger principal curvature (hollow: positive) to mesh->kmax.  A vertex without a quadric
  * keeps the normal of its facets (eq 8), and 0.
  *

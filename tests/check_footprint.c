@@ -58,7 +58,18 @@ START_TEST(no_surface)
     for (int i = 0; i < 50; i++)
         add(1 + 0.1 * i, 2 + 0.3 * i, uniform());
     expect_refused("on one line");
+    array_free(&cloud);
+    for (int i = 0; i < 50; i++)
+        add(uniform(), uniform(), uniform());
+    ck_assert_int_eq(footprint_check(cloud.item, cloud.n, &error), 0);
+    add(-1e6, 1e6, 0);
+    expect_refused("an outlier far off");
+    array_free(&cloud);
+    for (int i = 0; i < 50; i++)
+        add(10 * i, 20 * i, 0);
     add(1, 2.001, 0);
+    expect_refused("on one line");
+    add(1, 2.1, 0);
     ck_assert_int_eq(footprint_check(cloud.item, cloud.n, &error), 0);
 }
 END_TEST

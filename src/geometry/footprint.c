@@ -43,6 +43,17 @@ static struct vec3 farthest(const struct vec3 *point, size_t n, struct vec3 p)
     return far;
 }
 
+/* Are all points so near to a or to b that there is nothing else between these two? */
+static bool two_clumps(const struct vec3 *point, size_t n, struct vec3 a, struct vec3 b)
+{
+    const double near = 1e-3 * hypot(b.x - a.x, b.y - a.y);
+    for (size_t i = 0; i < n; i++)
+        if (hypot(point[i].x - a.x, point[i].y - a.y) > near &&
+            hypot(point[i].x - b.x, point[i].y - b.y) > near)
+            return false;
+    return true;
+}
+
 int footprint_check(const struct vec3 *point, size_t n, struct error *error)
 {
     enum { NARROWEST = 1000000 }; /* times as long as wide */
@@ -58,6 +69,11 @@ int footprint_check(const struct vec3 *point, size_t n, struct error *error)
                          "all %zu points are in one place seen from above (%g, %g), expected "
                          "points over an area",
                          n, a.x, a.y);
+    if (two_clumps(point, n, a, b))
+        return error_set(error,
+                         "found points %g mm apart and nothing between, at (%g, %g) and (%g, %g): "
+                         "an outlier far off?, expected one cloud",
+                         length, a.x, a.y, b.x, b.y);
     for (size_t i = 0; i < n; i++) {
         double across = (b.x - a.x) * (point[i].y - a.y) - (b.y - a.y) * (point[i].x - a.x);
         width = fmax(width, fabs(across) / length);

@@ -17,8 +17,14 @@ static void add_facet(const size_t *chosen, const struct vec3 *point, const stru
         p[i] = point[chosen[node[i]]];
     }
     struct vec3 a = vec_sub(p[1], p[0]), b = vec_sub(p[2], p[0]);
-    if (vec_length(vec_cross(a, b)) <= nothing * (vec_dot(a, a) + vec_dot(b, b))) {
+    struct vec3 cross = vec_cross(a, b);
+    double edges2 = vec_dot(a, a) + vec_dot(b, b);
+    if (vec_length(cross) <= nothing * edges2) {
         count->no_area++;
+        return;
+    }
+    if (holes && cross.z < -nothing * edges2) {
+        count->folded++;
         return;
     }
     if (holes && holes_bridged(holes, p[0], p[1], p[2])) {
@@ -76,7 +82,7 @@ struct gridmesh_count gridmesh_make(const struct grid *grid, const size_t *chose
                                     const struct vec3 *point, const struct holes *holes,
                                     struct mesh *mesh)
 {
-    struct gridmesh_count count = {0, 0, 0};
+    struct gridmesh_count count = {0, 0, 0, 0};
     for (size_t row = 0; row + 1 < (size_t)grid->rows; row++)
         add_row(grid, chosen, point, holes, row, mesh, &count);
     number_vertices(grid, chosen, point, holes == NULL, mesh, &count);

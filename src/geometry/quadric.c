@@ -143,3 +143,17 @@ double quadric_curvature(const struct quadric *q)
     double a = E * G - F * F, b = E * N - 2 * F * M + G * L, c = L * N - M * M;
     return (b + sqrt(fmax(b * b - 4 * a * c, 0))) / (2 * a);
 }
+
+double quadric_rms(const struct quadric *q, const struct vec3 *point, size_t n)
+{
+    const double *c = q->c;
+    double sum2 = 0;
+    for (size_t i = 0; i < n; i++) {
+        double u, v, w;
+        local(q, point[i], &u, &v, &w);
+        double off = w - (c[0] + u * (c[1] + c[3] * u + c[4] * v) + v * (c[2] + c[5] * v));
+        double wu = c[1] + 2 * c[3] * u + c[4] * v, wv = c[2] + 2 * c[5] * v + c[4] * u;
+        sum2 += off * off / (1 + wu * wu + wv * wv);
+    }
+    return sqrt(sum2 / (double)n);
+}

@@ -35,6 +35,21 @@ static int fit_turned(const struct vec3 *near, size_t n, struct vec3 origin, str
     return 0;
 }
 
+/* From the facets' normal and, where that is steep, from straight up too: slivers between scan
+ * lines and facets across a step have normals that mean nothing.  The better fit counts. */
+static int fit_best(const struct vec3 *near, size_t n, struct vec3 origin, struct vec3 guess,
+                    struct quadric *q)
+{
+    const double steep = cos(PI / 4);
+    struct quadric other;
+    int fitted = fit_turned(near, n, origin, guess, q);
+    if (guess.z >= steep || fit_turned(near, n, origin, vec(0, 0, 1), &other) < 0)
+        return fitted;
+    if (fitted < 0 || quadric_rms(&other, near, n) < quadric_rms(q, near, n))
+        *q = other;
+    return 0;
+}
+
 static int fit_at(const struct job *job, struct vec3 vertex, struct vec3 guess, struct sizes *index,
                   struct vec3s *near, struct quadric *q)
 {
@@ -44,7 +59,7 @@ static int fit_at(const struct job *job, struct vec3 vertex, struct vec3 guess, 
         size_t n = kdtree_nearest(job->tree, vertex, k, index->item, NULL);
         for (size_t i = 0; i < n; i++)
             near->item[i] = job->point[index->item[i]];
-        if (fit_turned(near->item, n, vertex, guess, q) == 0)
+        if (fit_best(near->item, n, vertex, guess, q) == 0)
             return 0;
         if (n < k)
             break;

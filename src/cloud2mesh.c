@@ -1,0 +1,239 @@
+/*
+ * cloud2mesh - scanned points to a triangulated mesh: an oblique grid of equilateral triangles
+ * over the cloud, each node moved to the point nearest to it (Chui, Chiu, Yu 2007).
+ */
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "cli.h"
+#include "cloud.h"
+#include "footprint.h"
+#include "grid.h"
+#include "gridmesh.h"
+#include "matrix.h"
+#include "num.h"
+#include "ply.h"
+#include "reposition.h"
+#include "scannormals.h"
+
+enum normals { NORMALS_QUADRIC, NORMALS_FACET };
+
+struct settings {
+    double spacing; /* 0: from the cloud */
+    double max_gap; /* 0: from the cloud */
+    double direction;
+    int unit, normals, neighbours;
+    bool paper, origin;
+    const char *matrix; /* file, NULL: none */
+};
+
+static const char *const unit_name[] = {"mm", "cm", "m", "um", "inch", "in"};
+
+static struct settings read_options(struct cli *cli, int argc, char **argv)
+{
+    struct settings s = {.neighbours = 40};
+    bool normals_given = false;
+    const struct cli_option option[] = {
+        {'t', "spacing", "MM",
+         "spacing of the triangular grid (default: three times the mean\nspacing of the points)",
+         CLI_NUMBER, &s.spacing, CLI_POSITIVE, 0, 0, NULL},
+        {'u', "units", "mm|cm|m|um|inch|in", "units of the points (default: mm)", CLI_CHOICE,
+         &s.unit, 0, 0, 0, NULL},
+        {'a', "direction", "DEG", "direction of the rows, from x towards y (default: 0)",
+         CLI_NUMBER, &s.direction, 0, 0, 0, NULL},
+        {0, "matrix", "FILE", "place the points by the 4 x 4 matrix in FILE (in mm) first",
+         CLI_TEXT, &s.matrix, 0, 0, 0, NULL},
+        {0, "origin", NULL, "make the lowest leftmost point the origin of x and y", CLI_FLAG,
+         &s.origin, 0, 0, 0, NULL},
+        {0, "max-gap", "MM",
+         "no facet over an empty disc wider than this (default: six times the\n"
+         "mean spacing of the points; with --paper: no limit)",
+         CLI_NUMBER, &s.max_gap, CLI_POSITIVE, 0, 0, NULL},
+        {0, "normals", "quadric|facet",
+         "normals from a quadric through the nearest points of the cloud, or\n"
+         "the mean of the facets' (default: quadric; with --paper: facet)",
+         CLI_CHOICE, &s.normals, 0, 0, 0, &normals_given},
+        {0, "neighbours", "N", "points that a quadric is fitted to (default: 40)", CLI_COUNT,
+         &s.neighbours, 6, 1000, 0, NULL},
+        {0, "paper", NULL,
+         "as published: a node takes any point nearer than the spacing, holes are\n"
+         "bridged, normals are the mean of the facets'",
+         CLI_FLAG, &s.paper, 0, 0, 0, NULL},
+        {0}};
+    cli->option = option;
+    cli_parse(cli, argc, argv);
+    if (s.paper && !normals_given)
+        s.normals = NORMALS_FACET;
+    return s;
+}
+
+/* What the messages call the cloud: its file, or the first of several. */
+static const char *name_of(const struct cli *cli)
+{
+    static char name[300];
+    if (cli->files == 1)
+        return cli->file[0];
+    snprintf(name, sizeof name, "%.250s and %d more", cli->file[0], cli->files - 1);
+    return name;
+}
+
+static void say_skipped(const char *file, const struct cloud_count *c)
+{
+    if (c->heads > 0)
+        say("%s: passed over %zu line%s of heading", file, c->heads, c->heads == 1 ? "" : "s");
+    if (c->comments > 0)
+        say("%s: passed over %zu comment%s", file, c->comments, c->comments == 1 ? "" : "s");
+    if (c->columns > 3)
+        say("%s: passed over the columns behind the third (up to %zu)", file, c->columns);
+    if (c->not_finite > 0)
+        say("%s:%zu: left out %zu row%s with nan, inf or a number out of range, this is the first",
+            file, c->first_not_finite, c->not_finite, c->not_finite == 1 ? "" : "s");
+    if (c->not_measured > 0)
+        say("%s: left out %zu cell%s without a measurement", file, c->not_measured,
+            c->not_measured == 1 ? "" : "s");
+}
+
+/* All files as one cloud, in their own units; returns how many rows were left out. */
+static size_t read_clouds(const struct cli *cli, struct vec3s *points)
+{
+    size_t left_out = 0;
+    for (int i = 0; i < cli->files; i++) {
+        struct cloud_count count = {0};
+        struct error error;
+        if (cloud_read(cli->file[i], points, &count, &error) < 0)
+            die_error(&error);
+        say_skipped(cli->file[i], &count);
+        left_out += count.not_finite + count.not_measured;
+    }
+    return left_out;
+}
+
+/* Units, matrix, origin (paper 3.1), in this order; into the points and the mesh's record. */
+static void place(const struct settings *s, struct vec3s *points, struct mesh_origin *origin)
+{
+    struct transform total = transform_scale(cloud_unit(unit_name[s->unit])), matrix;
+    struct error error;
+    if (s->matrix) {
+        if (matrix_read(s->matrix, &matrix, &error) < 0)
+            die_error(&error);
+        if (transform_determinant(&matrix) < 0)
+            say("%s: the matrix makes a mirror image of the part", s->matrix);
+        total = transform_product(matrix, total);
+    }
+    if (!transform_is_identity(&total))
+        transform_points(&total, points->item, points->n);
+    if (s->origin && points->n > 0) {
+        struct footprint f = footprint_of(points->item, points->n, 0);
+        struct transform shift = transform_shift(vec(-f.xmin, -f.ymin, 0));
+        transform_points(&shift, points->item, points->n);
+        total = transform_product(shift, total);
+    }
+    origin->placed = !transform_is_identity(&total);
+    memcpy(origin->place, total.m, sizeof total.m);
+}
+
+/* Three times the mean spacing, to three digits: so that -t can say the same. */
+static double spacing_of_cloud(double mean)
+{
+    double step = pow(10, floor(log10(3 * mean)) - 2);
+    double digits = step >= 1 ? 0 : fmin(-floor(log10(step)), 9);
+    double spacing = num_round(round(3 * mean / step) * step, (int)digits);
+    say("spacing %g mm, three times the mean spacing of the points", spacing);
+    return spacing;
+}
+
+/* The mesh of the points, without normals. */
+static struct gridmesh_count make_mesh(const char *name, const struct settings *s,
+                                       const struct vec3s *points, struct mesh *mesh,
+                                       struct grid *grid)
+{
+    const struct vec3 *point = points->item;
+    struct holes holes = {0};
+    struct error error;
+    if (footprint_check(point, points->n, &error) < 0)
+        die("%s: %s", name, error.text);
+    struct footprint f = footprint_of(point, points->n, s->direction);
+    bool whole = s->paper && s->max_gap == 0;
+    double mean =
+        s->spacing > 0 && (whole || s->max_gap > 0) ? 0 : footprint_spacing(&f, point, points->n);
+    double t = s->spacing > 0 ? s->spacing : spacing_of_cloud(mean);
+    double gap = s->max_gap > 0 ? s->max_gap : 6 * mean;
+    if (grid_make(&f, points->n, t, grid, &error) < 0 ||
+        (!whole && holes_find(point, points->n, gap, &holes, &error) < 0))
+        die("%s: %s", name, error.text);
+    size_t *chosen = reposition(grid, point, points->n, s->paper ? REACH_CIRCLE : REACH_NEAREST);
+    struct gridmesh_count count = gridmesh_make(grid, chosen, point, whole ? NULL : &holes, mesh);
+    free(chosen);
+    holes_free(&holes);
+    if (mesh->face.n == 0)
+        die("%s: no three neighbouring nodes of a grid of spacing %g mm have points on an area of "
+            "%g x %g mm, expected another spacing (-t) or a wider area",
+            name, t, f.xmax - f.xmin, f.ymax - f.ymin);
+    mesh->origin.spacing = t;
+    mesh->origin.direction = s->direction;
+    return count;
+}
+
+static void say_left_out(const struct settings *settings, const struct gridmesh_count *count)
+{
+    if (count->bridges > 0)
+        note("left out %zu facet%s over a hole", count->bridges, count->bridges == 1 ? "" : "s");
+    if (count->no_area > 0)
+        note("left out %zu facet%s without area", count->no_area, count->no_area == 1 ? "" : "s");
+    if (count->folded > 0)
+        say("left out %zu facet%s that would lie face down: the spacing is too fine for the points",
+            count->folded, count->folded == 1 ? "" : "s");
+    if (count->alone > 0 && !settings->paper)
+        say("left out %zu point%s that no facet reaches", count->alone,
+            count->alone == 1 ? "" : "s");
+}
+
+static void make_normals(const struct settings *s, const struct vec3s *points, int threads,
+                         struct mesh *mesh)
+{
+    if (s->normals == NORMALS_FACET) {
+        mesh_normals_facet(mesh);
+        return;
+    }
+    struct scannormals r =
+        scannormals_quadric(mesh, points->item, points->n, s->neighbours, threads);
+    if (r.thin > 0)
+        say("%zu of %zu vertices have too few points about them for a quadric: their normals are "
+            "the facets'",
+            r.thin, mesh->vertex.n);
+    struct vec3 at = mesh->vertex.item[r.at];
+    note("vertices are off their quadrics by %.4f mm at worst (at %.3f %.3f %.3f), %.4f mm rms",
+         r.worst, at.x, at.y, at.z, r.rms);
+    mesh->origin.ledger = r.worst;
+    mesh->origin.maker = mem_string("cloud2mesh", strlen("cloud2mesh"));
+}
+
+int main(int argc, char **argv)
+{
+    struct cli cli = {.tool = "cloud2mesh",
+                      .usage = "[options] [FILE...]",
+                      .about = "Make a mesh of scanned points (several files are one cloud)."};
+    struct settings settings = read_options(&cli, argc, argv);
+    struct vec3s points = {0};
+    struct mesh mesh = {.origin.ledger = NAN};
+    struct grid grid;
+
+    const char *name = name_of(&cli);
+    size_t left_out = read_clouds(&cli, &points);
+    place(&settings, &points, &mesh.origin);
+    struct gridmesh_count count = make_mesh(name, &settings, &points, &mesh, &grid);
+    make_normals(&settings, &points, cli.threads, &mesh);
+    say_left_out(&settings, &count);
+    note("%zu points in, %zu left out; spacing %g mm, %d rows x %d columns; %zu vertices, "
+         "%zu facets",
+         points.n, left_out, grid.t, grid.rows, grid.columns, mesh.vertex.n, mesh.face.n);
+    mesh.origin.source = mem_string(name, strlen(name));
+
+    struct out *out = out_open(cli.output);
+    ply_write(out, &mesh);
+    out_close(out);
+    mesh_free(&mesh);
+    array_free(&points);
+    return EXIT_DONE;
+}
