@@ -17,7 +17,7 @@
 struct holes {
     double gap;  /* diameter of the widest disc that is no hole, mm */
     double cell; /* width of the raster, mm */
-    double x, y; /* its corner */
+    double x, y; /* the lowest leftmost place of the points; around it is a border */
     size_t columns, rows;
     unsigned char *near; /* by row: is a point within half the gap of the cell's middle? */
 };

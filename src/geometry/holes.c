@@ -26,16 +26,18 @@ static int lay_out(const struct footprint *f, double gap, struct holes *h, struc
                          "%g x %g mm, expected more than %.2g mm",
                          gap, f->xmax - f->xmin, f->ymax - f->ymin,
                          gap * sqrt(columns * rows / MOST_CELLS));
-    *h = (struct holes){
-        gap,          cell, f->xmin - REACH * cell, f->ymin - REACH * cell, (size_t)columns,
-        (size_t)rows, NULL};
+    *h = (struct holes){gap, cell, f->xmin, f->ymin, (size_t)columns, (size_t)rows, NULL};
     h->near = mem_alloc(h->columns * h->rows, 1);
     return 0;
 }
 
+/* Counted from the lowest leftmost point, so that rounding puts no point of the cloud into the
+ * border; a place on a facet may lie before it by rounding. */
 static size_t cell_of(const struct holes *h, double x, double y)
 {
-    return (size_t)((y - h->y) / h->cell) * h->columns + (size_t)((x - h->x) / h->cell);
+    size_t column = REACH + (size_t)fmax((x - h->x) / h->cell, 0);
+    size_t row = REACH + (size_t)fmax((y - h->y) / h->cell, 0);
+    return row * h->columns + column;
 }
 
 /* Half the width in cells of a disc of radius REACH, `away` rows from its middle. */
