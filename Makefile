@@ -33,7 +33,7 @@ back_obj := $(back_src:%.c=$(BUILD)/%.o)
 help_obj := $(help_src:%.c=$(BUILD)/%.o)
 units    := $(unit_src:tests/%.c=$(BUILD)/tests/%)
 benches  := $(bench_src:tests/bench/%.c=$(BUILD)/bench/%)
-readback := $(if $(back_src),$(BUILD)/tests/readback)
+readback := $(if $(back_src),$(BUILD)/tests/readback/readback)
 
 # What `make deps` installs: for the tests, and for lint and fuzz.
 packages = check pkg-config mandoc clang clang-tidy cppcheck shellcheck gcovr parallel python3
@@ -52,7 +52,7 @@ $(BUILD)/bin/%: $(BUILD)/src/%.o $(lib)
 	@mkdir -p $(@D)
 	$(CC) $(CFLAGS) $(LDFLAGS) -o $@ $< $(lib) $(LIBS)
 
-$(BUILD)/tests/readback: $(back_obj) $(help_obj) $(lib)
+$(BUILD)/tests/readback/readback: $(back_obj) $(help_obj) $(lib)
 	@mkdir -p $(@D)
 	$(CC) $(CFLAGS) $(LDFLAGS) -iquote tests -o $@ $(back_obj) $(help_obj) $(lib) $(LIBS)
 
@@ -66,11 +66,11 @@ $(BUILD)/bench/%: $(BUILD)/tests/bench/%.o
 	$(CC) $(CFLAGS) $(LDFLAGS) -o $@ $< $(LIBS)
 
 check: all $(units) $(readback)
-	@CC="$(CC)" BIN="$(abspath $(BUILD))/bin" READBACK="$(abspath $(BUILD))/tests/readback" \
+	@CC="$(CC)" BIN="$(abspath $(BUILD))/bin" READBACK="$(abspath $(BUILD))/tests/readback/readback" \
 	  UNITS="$(abspath $(units))" MAKE="$(MAKE)" sh tests/run.sh
 
 demo: all $(readback)
-	@BIN="$(abspath $(BUILD))/bin" READBACK="$(abspath $(BUILD))/tests/readback" \
+	@BIN="$(abspath $(BUILD))/bin" READBACK="$(abspath $(BUILD))/tests/readback/readback" \
 	  sh samples/demo.sh demo
 
 bench: all $(benches)

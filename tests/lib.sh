@@ -19,7 +19,7 @@
 
 SRC=$(cd "${SRC:-$(dirname "$0")/..}" && pwd)
 BIN=$(cd "${BIN:-$SRC/build/bin}" && pwd) || exit 1
-READBACK=${READBACK:-$SRC/build/tests/readback}
+READBACK=${READBACK:-$SRC/build/tests/readback/readback}
 TMP=$(mktemp -d "${TMPDIR:-/tmp}/cloudmill.XXXXXX") || exit 1
 trap 'rm -rf "$TMP"' EXIT
 trap 'exit 130' INT TERM

@@ -1,0 +1,13 @@
+/*
+ * cl - the motion of a path stream.
+ */
+#ifndef READBACK_CL_H
+#define READBACK_CL_H
+
+#include "course.h"
+
+/* Reads a path and makes its motion: straight moves and arcs with the axis on the great circle in
+ * proportion, splines by their poles (not their fallback points). */
+int cl_read(const char *file, struct path *path, struct course *course, struct error *error);
+
+#endif

@@ -1,0 +1,123 @@
+/* fanuc_words - see fanuc.h. */
+#include "fanuc.h"
+
+#include <string.h>
+
+static int g_tool(struct control *c, const struct word *w, struct fanuc_block *b, struct error *error)
+{
+    if (!c->setup->tcp)
+        return control_error(c, error, "tool centre point control on a machine without it");
+    if (!word_find(&c->words, "H"))
+        return control_error(c, error, "tool centre point control without H");
+    c->tcp = b->tool = true;
+    c->vectors = w->value[0] > 43.45;
+    memset(b->to.known, 0, sizeof b->to.known);
+    c->here = b->to;
+    return 0;
+}
+
+/* Tenths of the G words that do not change where the tool goes: smoothing, cutter compensation
+ * off, tool length, work frames, cutting mode, rotation off, cycles off. */
+static const int no_effect[] = {51, 400, 430, 540, 550, 560, 570, 580, 590, 640, 690, 800};
+
+/* Modal and other G words, before the addresses are looked at. */
+static int g_word(struct control *c, const struct word *w, struct fanuc_block *b, struct error *error)
+{
+    int code = (int)lround(w->value[0] * 10);
+    switch (code) {
+    case 0:
+    case 10:
+    case 20:
+    case 30:
+        c->move = code / 10;
+        return 0;
+    case 62:
+        c->move = MOVE_SPLINE;
+        b->spline_begins = true;
+        return 0;
+    case 170:
+    case 180:
+    case 190:
+        c->plane = code / 10;
+        return 0;
+    case 210:
+        c->metric = true;
+        return 0;
+    case 280:
+        b->home = true;
+        return 0;
+    case 530:
+        b->machine = true;
+        return 0;
+    case 434:
+    case 435:
+        return g_tool(c, w, b, error);
+    case 490:
+        c->tcp = c->vectors = false;
+        return 0;
+    case 900:
+    case 910:
+        c->absolute = code == 900;
+        return 0;
+    case 930:
+    case 940:
+        c->inverse_time = code == 930;
+        return 0;
+    default:
+        for (size_t i = 0; i < sizeof no_effect / sizeof *no_effect; i++)
+            if (code == no_effect[i])
+                return 0;
+        return control_unknown(c, w, error);
+    }
+}
+
+/* All other words. */
+static int address(struct control *c, const struct word *w, struct fanuc_block *b, struct error *error)
+{
+    char letter = w->name[0];
+    if (strchr("XYZABCIJKRF", letter) && !w->pointed)
+        return control_error(c, error, "a length, angle or feed without a decimal point");
+    if (control_axis(c, w->name, w->value[0], &b->to)) {
+        b->named = true;
+    } else if (letter >= 'I' && letter <= 'K') {
+        b->centre[letter - 'I'] = w->value[0];
+        b->centre_named[letter - 'I'] = true;
+    } else if (letter == 'R') {
+        b->radius = w->value[0];
+        b->radius_named = true;
+    } else if (letter == 'F') {
+        c->feed = w->value[0];
+        c->feed_here = true;
+    } else if (letter == 'P' && c->move == MOVE_SPLINE) {
+        c->order = (int)w->value[0];
+        if (c->order < 2 || c->order > 4)
+            return control_error(c, error, "a spline whose order is not 2 to 4");
+    } else if (!strchr("STHDPQ", letter)) {
+        return control_unknown(c, w, error);
+    }
+    return 0;
+}
+
+int fanuc_words(struct control *c, struct fanuc_block *b, struct error *error)
+{
+    unsigned seen = 0;
+    for (size_t i = 0; i < c->words.n; i++) {
+        const struct word *w = &c->words.item[i];
+        unsigned bit = 1u << (w->name[0] - 'A');
+        if (w->name[0] == 'N' && i > 0)
+            return control_error(c, error, "N behind other words");
+        if (w->name[0] == 'G' ? g_word(c, w, b, error) < 0
+            : w->name[0] == 'M' ? control_m(c, w, error) < 0 : false)
+            return -1;
+        if (strchr("GM", w->name[0]))
+            continue;
+        if (seen & bit)
+            return control_error(c, error, "a word twice in one block");
+        seen |= bit;
+    }
+    for (size_t i = 0; i < c->words.n; i++)
+        if (!strchr("GMN", c->words.item[i].name[0]) &&
+            address(c, &c->words.item[i], b, error) < 0)
+            return -1;
+    return 0;
+}

@@ -1,0 +1,178 @@
+#include "sweep.h"
+
+#include <stdlib.h>
+
+#define STEP_TIP 0.25          /* longest piece of a chain, mm ... */
+#define STEP_AXIS RADIANS(0.5) /* ... and its turn */
+#define FLAT_TIP 1e-5          /* how straight it is, mm */
+#define FLAT_AXIS RADIANS(0.001)
+#define AXIS_WEIGHT 1.0        /* mm a radian */
+
+static double apart(struct pose a, struct pose b)
+{
+    return vec_distance(a.p, b.p) + AXIS_WEIGHT * vec_angle(a.a, b.a);
+}
+
+static void add(struct chain *chain, struct pose pose, bool joined, size_t piece)
+{
+    double length = chain->n ? chain->item[chain->n - 1].length : 0;
+    if (joined)
+        length += apart(chain->item[chain->n - 1].pose, pose);
+    *array_push(chain) =
+        (struct sample){.pose = pose, .joined = joined, .length = length, .piece = piece};
+}
+
+/* Halves the piece from s0 to s1 until it is straight; adds its end. */
+static void flatten(const struct course *course, size_t index, double s0, struct pose a, double s1,
+                    struct pose b, int depth, struct chain *chain)
+{
+    const struct piece *piece = &course->piece.item[index];
+    double s = (s0 + s1) / 2;
+    struct pose m = course_at(course, piece, s);
+    struct vec3 turn = vec_unit(vec_add(a.a, b.a));
+    bool straight = vec_distance(m.p, vec_mix(a.p, b.p, 0.5)) <= FLAT_TIP &&
+                    vec_angle(m.a, turn) <= FLAT_AXIS && vec_distance(a.p, b.p) <= STEP_TIP &&
+                    vec_angle(a.a, b.a) <= STEP_AXIS;
+    /* two halvings at least: a full turn ends where it begins */
+    if ((straight && depth >= 2) || depth > 20) {
+        add(chain, b, true, index);
+        return;
+    }
+    flatten(course, index, s0, a, s, m, depth + 1, chain);
+    flatten(course, index, s, m, s1, b, depth + 1, chain);
+}
+
+void sweep_chain(const struct course *course, struct chain *chain)
+{
+    bool apart_before = true;
+    for (size_t i = 0; i < course->piece.n; i++) {
+        const struct piece *piece = &course->piece.item[i];
+        if (piece->rapid) {
+            apart_before = true;
+            continue;
+        }
+        struct pose a = course_at(course, piece, 0), b = course_at(course, piece, 1);
+        if (apart_before)
+            add(chain, a, false, i);
+        apart_before = false;
+        flatten(course, i, 0, a, 1, b, 0, chain);
+    }
+}
+
+double sweep_length(const struct chain *chain)
+{
+    double length = 0;
+    for (size_t i = 1; i < chain->n; i++)
+        if (chain->item[i].joined)
+            length += vec_distance(chain->item[i - 1].pose.p, chain->item[i].pose.p);
+    return length;
+}
+
+/* The place of segment i (from sample i - 1 to i, or sample i alone) that is nearest to a pose. */
+static double nearest_on(const struct chain *chain, size_t i, struct pose pose, double *length,
+                         struct pose *found)
+{
+    const struct sample *b = &chain->item[i], *a = b->joined ? b - 1 : b;
+    struct vec3 dp = vec_sub(b->pose.p, a->pose.p);
+    struct vec3 da = vec_scale(AXIS_WEIGHT, vec_sub(b->pose.a, a->pose.a));
+    struct vec3 ep = vec_sub(pose.p, a->pose.p);
+    struct vec3 ea = vec_scale(AXIS_WEIGHT, vec_sub(pose.a, a->pose.a));
+    double d2 = vec_dot(dp, dp) + vec_dot(da, da);
+    double s = d2 > 0 ? (vec_dot(dp, ep) + vec_dot(da, ea)) / d2 : 0;
+    s = fmin(fmax(s, 0), 1);
+    *found = (struct pose){vec_mix(a->pose.p, b->pose.p, s),
+                           vec_unit(vec_mix(a->pose.a, b->pose.a, s))};
+    *length = a->length + s * (b->length - a->length);
+    return apart(pose, *found);
+}
+
+struct sweep sweep_walk(const struct chain *from, const struct chain *to, double tip_limit,
+                        double axis_limit)
+{
+    struct sweep sweep = {0};
+    size_t begin = 0;
+    double here = 0;
+    for (size_t i = 0; i < from->n; i++) {
+        const struct sample *sample = &from->item[i];
+        double step = i > 0 ? sample->length - sample[-1].length : 0;
+        double slack = 0.05 + 2 * tip_limit, best = HUGE_VAL, found_at = here;
+        struct pose best_pose = sample->pose;
+        /* what lies behind the window will not be wanted any more */
+        while (begin + 1 < to->n && to->item[begin + 1].length < here - slack)
+            begin++;
+        for (size_t k = begin; k < to->n; k++) {
+            const struct sample *end = &to->item[k];
+            double start = end->joined ? end[-1].length : end->length, length;
+            struct pose found;
+            if (start > here + step + slack)
+                break;
+            double d = nearest_on(to, k, sample->pose, &length, &found);
+            if (d < best) {
+                best = d;
+                best_pose = found;
+                found_at = length;
+            }
+        }
+        here = found_at;
+        double tip = vec_distance(sample->pose.p, best_pose.p);
+        double axis = DEGREES(vec_angle(sample->pose.a, best_pose.a));
+        if (to->n == 0)
+            tip = HUGE_VAL;
+        if (!sweep.beyond && (tip > tip_limit || axis > axis_limit)) {
+            sweep.beyond = true;
+            sweep.first = i;
+        }
+        if (tip > sweep.tip) {
+            sweep.tip = tip;
+            sweep.tip_at = i;
+        }
+        if (axis > sweep.axis) {
+            sweep.axis = axis;
+            sweep.axis_at = i;
+        }
+    }
+    return sweep;
+}
+
+static bool meets(struct pose a, struct pose b, double tip_limit, double axis_limit)
+{
+    return vec_distance(a.p, b.p) <= tip_limit && DEGREES(vec_angle(a.a, b.a)) <= axis_limit;
+}
+
+int sweep_rapids(const struct course *program, const struct course *path, double tip_limit,
+                 double axis_limit, struct error *error)
+{
+    double height = -HUGE_VAL;
+    for (size_t i = 0; i < path->piece.n; i++)
+        if (path->piece.item[i].rapid)
+            height = fmax(height, path->piece.item[i].p[1].z);
+    size_t k = 0; /* the program's pieces up to here are done */
+    struct pose last = {{0, 0, 0}, {0, 0, 0}};
+    for (size_t i = 0; i <= path->piece.n; i++) {
+        bool end = i == path->piece.n;
+        const struct piece *want = end ? NULL : &path->piece.item[i];
+        struct pose place = end ? last : course_at(path, want, 1);
+        if (!end && !want->rapid)
+            continue;
+        if (!end && meets(place, last, tip_limit, axis_limit))
+            continue; /* it is there already */
+        bool met = false;
+        for (; k < program->piece.n && !met; k++) {
+            const struct piece *piece = &program->piece.item[k];
+            struct pose there = course_at(program, piece, 1);
+            met = piece->rapid && !end && meets(there, place, tip_limit, axis_limit);
+            if (piece->rapid && !met && there.p.z < height - tip_limit &&
+                !meets(there, last, tip_limit, axis_limit)) {
+                char text[60];
+                course_place(piece, text, sizeof text);
+                return error_set(error, "%s: %s: a rapid move to %.3f %.3f %.3f that is not in "
+                                 "the path", program->name, text, there.p.x, there.p.y, there.p.z);
+            }
+        }
+        if (!met && !end)
+            return error_at(error, path->name, want->line, "the program makes no rapid move to "
+                            "%.3f %.3f %.3f", place.p.x, place.p.y, place.p.z);
+        last = place;
+    }
+    return 0;
+}

@@ -1,0 +1,50 @@
+/*
+ * sweep - two courses walked side by side: how far is one from the other, in order?
+ *
+ * Both are made into dense chains of poses.  Each pose of the one is looked for on the other, near
+ * the place where the pose before it was found: so a block or a pass left out, taken twice,
+ * swapped or cut off is a distance, not something that a nearer place elsewhere hides.
+ */
+#ifndef READBACK_SWEEP_H
+#define READBACK_SWEEP_H
+
+#include "course.h"
+
+struct sample {
+    struct pose pose;
+    bool joined;   /* the tool cuts on its way from the sample before to this one */
+    double length; /* of the cut up to here, mm; a turn of the axis counts 1 mm a radian */
+    size_t piece;
+};
+
+struct chain {
+    size_t n, cap;
+    struct sample *item;
+};
+
+/* The cutting pieces of a course, straight between samples to 1e-5 mm and 0.001 degrees. */
+void sweep_chain(const struct course *course, struct chain *chain);
+
+/* Length of the tip's way, mm. */
+double sweep_length(const struct chain *chain);
+
+struct sweep {
+    double tip, axis;         /* worst, mm and degrees */
+    size_t tip_at, axis_at;   /* samples of `from` there */
+    bool beyond;              /* some sample is beyond the limits ... */
+    size_t first;             /* ... and this is the first */
+};
+
+/* Walks all of `from` along `to`. */
+struct sweep sweep_walk(const struct chain *from, const struct chain *to, double tip_limit,
+                        double axis_limit);
+
+/*
+ * The rapid moves: each place that a rapid move of the path ends at must be met by the program's
+ * rapid moves in order, and further places of the program must lie at the path's greatest height.
+ * -1 with the place that is missing or too many.
+ */
+int sweep_rapids(const struct course *program, const struct course *path, double tip_limit,
+                 double axis_limit, struct error *error);
+
+#endif
