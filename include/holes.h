@@ -10,16 +10,17 @@
 
 #include <stdbool.h>
 #include <stddef.h>
+#include <stdint.h>
 
 #include "error.h"
 #include "vec.h"
 
 struct holes {
-    double gap;  /* diameter of the widest disc that is no hole, mm */
-    double cell; /* width of the raster, mm */
-    double x, y; /* the lowest leftmost place of the points; around it is a border */
-    size_t columns, rows;
-    unsigned char *near; /* by row: is a point within half the gap of the cell's middle? */
+    double gap;         /* diameter of the widest disc that is no hole, mm */
+    double cell;        /* width of the raster, mm */
+    double x, y;        /* the lowest leftmost place of the points; around it is a border */
+    size_t rows, words; /* a row of cells is so many words of 64 bits */
+    uint64_t *near;     /* by row: is a point within half the gap of the cell's middle? */
 };
 
 /* -1 when the gap is so small that the raster would be absurd. */

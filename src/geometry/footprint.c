@@ -28,15 +28,20 @@ struct footprint footprint_of(const struct vec3 *point, size_t n, double directi
     return f;
 }
 
+static double distance2(struct vec3 a, struct vec3 b)
+{
+    return (a.x - b.x) * (a.x - b.x) + (a.y - b.y) * (a.y - b.y);
+}
+
 /* The point farthest from p, seen from above. */
 static struct vec3 farthest(const struct vec3 *point, size_t n, struct vec3 p)
 {
     struct vec3 far = p;
     double most = -1;
     for (size_t i = 0; i < n; i++) {
-        double d = hypot(point[i].x - p.x, point[i].y - p.y);
-        if (d > most) {
-            most = d;
+        double d2 = distance2(point[i], p);
+        if (d2 > most) {
+            most = d2;
             far = point[i];
         }
     }
@@ -46,25 +51,34 @@ static struct vec3 farthest(const struct vec3 *point, size_t n, struct vec3 p)
 /* Are all points so near to a or to b that there is nothing else between these two? */
 static bool two_clumps(const struct vec3 *point, size_t n, struct vec3 a, struct vec3 b)
 {
-    const double near = 1e-3 * hypot(b.x - a.x, b.y - a.y);
+    const double near2 = 1e-6 * distance2(a, b);
     for (size_t i = 0; i < n; i++)
-        if (hypot(point[i].x - a.x, point[i].y - a.y) > near &&
-            hypot(point[i].x - b.x, point[i].y - b.y) > near)
+        if (distance2(point[i], a) > near2 && distance2(point[i], b) > near2)
             return false;
     return true;
 }
 
+/* Does one point stand off the line from a to b by a part of its length that matters? */
+static bool is_wide(const struct vec3 *point, size_t n, struct vec3 a, struct vec3 b)
+{
+    const double narrow = 1e-6;
+    double least = narrow * distance2(a, b);
+    for (size_t i = 0; i < n; i++) {
+        double across = (b.x - a.x) * (point[i].y - a.y) - (b.y - a.y) * (point[i].x - a.x);
+        if (fabs(across) > least)
+            return true;
+    }
+    return false;
+}
+
 int footprint_check(const struct vec3 *point, size_t n, struct error *error)
 {
-    enum { NARROWEST = 1000000 }; /* times as long as wide */
     if (n == 0)
         return error_set(error, "no points");
     if (n < 3)
         return error_set(error, "found %zu point%s, expected at least 3", n, n == 1 ? "" : "s");
-    struct vec3 a = farthest(point, n, point[0]);
-    struct vec3 b = farthest(point, n, a);
-    double length = hypot(b.x - a.x, b.y - a.y), width = 0;
-    if (length == 0)
+    struct vec3 a = point[0], b = farthest(point, n, a);
+    if (distance2(a, b) == 0)
         return error_set(error,
                          "all %zu points are in one place seen from above (%g, %g), expected "
                          "points over an area",
@@ -73,17 +87,14 @@ int footprint_check(const struct vec3 *point, size_t n, struct error *error)
         return error_set(error,
                          "found points %g mm apart and nothing between, at (%g, %g) and (%g, %g): "
                          "an outlier far off?, expected one cloud",
-                         length, a.x, a.y, b.x, b.y);
-    for (size_t i = 0; i < n; i++) {
-        double across = (b.x - a.x) * (point[i].y - a.y) - (b.y - a.y) * (point[i].x - a.x);
-        width = fmax(width, fabs(across) / length);
-    }
-    if (width * NARROWEST <= length)
-        return error_set(error,
-                         "all %zu points are on one line seen from above, from (%g, %g) to "
-                         "(%g, %g), expected points over an area",
-                         n, a.x, a.y, b.x, b.y);
-    return 0;
+                         sqrt(distance2(a, b)), a.x, a.y, b.x, b.y);
+    if (is_wide(point, n, a, b))
+        return 0;
+    a = farthest(point, n, b); /* b is one end, this the other */
+    return error_set(error,
+                     "all %zu points are on one line seen from above, from (%g, %g) to (%g, %g), "
+                     "expected points over an area",
+                     n, a.x, a.y, b.x, b.y);
 }
 
 /* A set of cells: open addressing, empty where zero. */
@@ -92,34 +103,45 @@ struct cells {
     uint64_t *key;
 };
 
-static void add_cell(struct cells *c, uint32_t i, uint32_t j)
+static void add_cell(struct cells *c, uint64_t key)
 {
-    uint64_t key = ((uint64_t)i << 32 | j) + 1;
-    uint64_t mixed = key * 0x9E3779B97F4A7C15u;
-    size_t at = (size_t)(mixed >> 20) & c->mask;
+    size_t at = (size_t)(key * 0x9E3779B97F4A7C15u >> 20) & c->mask;
     while (c->key[at] != 0 && c->key[at] != key)
         at = (at + 1) & c->mask;
     c->n += c->key[at] == 0;
     c->key[at] = key;
 }
 
+/* How many cells of its width a length has: a whole number from 1 to 2e9. */
+static double parts(double length, double width)
+{
+    return fmin(fmax(round(length / width), 1), 2e9);
+}
+
 /* Area of the cells with points in them, the box parted evenly into cells near `width`. */
 static double occupied(const struct footprint *f, const struct vec3 *point, size_t n, double width)
 {
     double w = f->xmax - f->xmin, h = f->ymax - f->ymin;
-    double columns = fmin(fmax(round(w / width), 1), 2e9),
-           rows = fmin(fmax(round(h / width), 1), 2e9);
+    double columns = parts(w, width), rows = parts(h, width);
+    double right = columns / w, up = rows / h;
+    double most = fmin((double)n, columns * rows);
     size_t size = 64;
-    while (size < 2 * n)
+    while ((double)size < 2 * most)
         size *= 2;
     struct cells cells = {0, size - 1, mem_alloc(size, sizeof *cells.key)};
+    uint64_t last = 0;
     for (size_t i = 0; i < n; i++) {
         struct vec3 p = footprint_turn(f, point[i]);
-        double column = (p.x - f->xmin) / w * columns, row = (p.y - f->ymin) / h * rows;
-        add_cell(&cells, (uint32_t)fmin(column, columns - 1), (uint32_t)fmin(row, rows - 1));
+        double column = (p.x - f->xmin) * right, row = (p.y - f->ymin) * up;
+        column = column < columns ? column : columns - 1;
+        row = row < rows ? row : rows - 1;
+        uint64_t key = ((uint64_t)column << 32 | (uint64_t)row) + 1;
+        if (key != last) /* scanned in order, most points fall into the cell of the one before */
+            add_cell(&cells, key);
+        last = key;
     }
     free(cells.key);
-    return (double)cells.n * (w / columns) * (h / rows);
+    return (double)cells.n / (right * up);
 }
 
 double footprint_spacing(const struct footprint *f, const struct vec3 *point, size_t n)

@@ -1,49 +1,65 @@
 /*
  * holes - every point marks the cells within half the gap of it; a facet bridges a hole when it
- * has an unmarked cell; see holes.h.
+ * has an unmarked cell; see holes.h.  A cell is a bit, so that a whole cloud's marks grow into
+ * discs 64 cells at a time.
  */
 #include "holes.h"
 
 #include <stdlib.h>
-#include <string.h>
 
 #include "array.h"
 #include "footprint.h"
 
-enum { CELLS_A_GAP = 6, REACH = CELLS_A_GAP / 2 };
+enum { CELLS_A_GAP = 6, REACH = CELLS_A_GAP / 2, WORD = 64 };
 
-static const double MOST_CELLS = 2e8;
+static const double MOST_CELLS = 2e9;
 
-/* The raster with a border of REACH cells around the points, so that no mark falls outside. */
+/* The raster with a border of REACH cells around the points, so that no disc falls outside. */
 static int lay_out(const struct footprint *f, double gap, struct holes *h, struct error *error)
 {
     double cell = gap / CELLS_A_GAP;
-    double columns = floor((f->xmax - f->xmin) / cell) + 1 + 2 * REACH;
-    double rows = floor((f->ymax - f->ymin) / cell) + 1 + 2 * REACH;
+    double columns = floor((f->xmax - f->xmin) / cell) + 2 + 2 * REACH;
+    double rows = floor((f->ymax - f->ymin) / cell) + 2 + 2 * REACH;
     if (!(columns * rows <= MOST_CELLS))
         return error_set(error,
                          "a largest gap of %g mm is too small for points that reach over "
                          "%g x %g mm, expected more than %.2g mm",
                          gap, f->xmax - f->xmin, f->ymax - f->ymin,
                          gap * sqrt(columns * rows / MOST_CELLS));
-    *h = (struct holes){gap, cell, f->xmin, f->ymin, (size_t)columns, (size_t)rows, NULL};
-    h->near = mem_alloc(h->columns * h->rows, 1);
+    size_t words = (size_t)columns / WORD + 1;
+    *h = (struct holes){gap, cell, f->xmin, f->ymin, (size_t)rows, words, NULL};
+    h->near = mem_alloc(h->rows * h->words, sizeof *h->near);
     return 0;
 }
 
-/* Counted from the lowest leftmost point, so that rounding puts no point of the cloud into the
- * border; a place on a facet may lie before it by rounding. */
-static size_t cell_of(const struct holes *h, double x, double y)
+/* Cells from the lowest leftmost point, so that rounding puts no point into the border; a place on
+ * a facet may lie before it by rounding. */
+static size_t cells_from(double from, double x, double a_cell)
 {
-    size_t column = REACH + (size_t)fmax((x - h->x) / h->cell, 0);
-    size_t row = REACH + (size_t)fmax((y - h->y) / h->cell, 0);
-    return row * h->columns + column;
+    double cells = (x - from) * a_cell;
+    return REACH + (cells > 0 ? (size_t)cells : 0);
 }
 
-/* Half the width in cells of a disc of radius REACH, `away` rows from its middle. */
-static size_t half_width(int away)
+static void mark(const struct holes *h, const struct vec3 *point, size_t n, uint64_t *taken)
 {
-    return (size_t)sqrt((double)(REACH * REACH - away * away));
+    double a_cell = 1 / h->cell;
+    for (size_t i = 0; i < n; i++) {
+        size_t column = cells_from(h->x, point[i].x, a_cell);
+        size_t row = cells_from(h->y, point[i].y, a_cell);
+        taken[row * h->words + column / WORD] |= (uint64_t)1 << column % WORD;
+    }
+}
+
+/* Adds a row to another, each mark grown by `width` cells to both sides. */
+static void add_grown(uint64_t *to, const uint64_t *from, size_t words, int width)
+{
+    for (size_t i = 0; i < words; i++) {
+        uint64_t before = i > 0 ? from[i - 1] : 0, behind = i + 1 < words ? from[i + 1] : 0;
+        uint64_t grown = from[i];
+        for (int k = 1; k <= width; k++)
+            grown |= from[i] << k | from[i] >> k | before >> (WORD - k) | behind << (WORD - k);
+        to[i] |= grown;
+    }
 }
 
 int holes_find(const struct vec3 *point, size_t n, double gap, struct holes *holes,
@@ -52,20 +68,15 @@ int holes_find(const struct vec3 *point, size_t n, double gap, struct holes *hol
     struct footprint f = footprint_of(point, n, 0);
     if (lay_out(&f, gap, holes, error) < 0)
         return -1;
-    size_t cells = holes->columns * holes->rows;
-    unsigned char *taken = mem_alloc(cells, 1);
-    for (size_t i = 0; i < n; i++)
-        taken[cell_of(holes, point[i].x, point[i].y)] = 1;
-    size_t width[2 * REACH + 1];
-    for (int away = -REACH; away <= REACH; away++)
-        width[away + REACH] = half_width(away);
-    for (size_t i = 0; i < cells; i++) {
-        if (!taken[i])
-            continue;
-        unsigned char *row = holes->near + i - REACH * holes->columns;
-        for (int k = 0; k <= 2 * REACH; k++, row += holes->columns)
-            memset(row - width[k], 1, 2 * width[k] + 1);
-    }
+    size_t words = holes->words;
+    uint64_t *taken = mem_alloc(holes->rows * words, sizeof *taken);
+    mark(holes, point, n, taken);
+    for (size_t row = REACH; row < holes->rows - REACH; row++)
+        for (int k = 0; k <= 2 * REACH; k++) {
+            int away = k - REACH, width = (int)sqrt(REACH * REACH - away * away);
+            add_grown(holes->near + (row - REACH + (size_t)k) * words, taken + row * words, words,
+                      width);
+        }
     free(taken);
     return 0;
 }
@@ -87,13 +98,15 @@ bool holes_bridged(const struct holes *holes, struct vec3 a, struct vec3 b, stru
     if (longest2 * 4 <=
         holes->gap * holes->gap * 3) /* no place in it is half a gap from a corner */
         return false;
-    int steps = (int)ceil(sqrt(longest2) / holes->cell);
+    double a_cell = 1 / holes->cell;
+    int steps = (int)ceil(sqrt(longest2) * a_cell);
     for (int i = 0; i <= steps; i++)
         for (int j = 0; i + j <= steps; j++) {
             double s = (double)i / steps, t = (double)j / steps;
             double x = a.x + s * (b.x - a.x) + t * (c.x - a.x);
             double y = a.y + s * (b.y - a.y) + t * (c.y - a.y);
-            if (!holes->near[cell_of(holes, x, y)])
+            size_t column = cells_from(holes->x, x, a_cell), row = cells_from(holes->y, y, a_cell);
+            if (!(holes->near[row * holes->words + column / WORD] >> column % WORD & 1))
                 return true;
         }
     return false;

@@ -73,8 +73,8 @@ static int whole(double x, int most)
 static struct place place_of(const struct grid *g, struct vec3 point)
 {
     struct vec3 p = footprint_turn(&g->footprint, point);
-    double v = (p.y - g->y) / (g->t * GRID_SLANT);
-    double u = fmax((p.x - g->x) / g->t - 0.5 * v, 0);
+    double v = (p.y - g->y) / (g->t * GRID_SLANT), u = (p.x - g->x) / g->t - 0.5 * v;
+    u = u > 0 ? u : 0;
     int column = whole(u, g->columns - 2), row = whole(v, g->rows - 2);
     return (struct place){column, row, u - column, v - row};
 }
