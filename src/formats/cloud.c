@@ -125,11 +125,12 @@ static bool is_obj(const char *head, const char *end)
 {
     const char *line;
     size_t n;
-    bool vertex = false;
+    bool vertex = false, continued = false;
     while (next_line(&head, end, &line, &n) && (head < end || !vertex)) {
-        if (!cloud_obj_statement(line, n))
+        if (!continued && !cloud_obj_statement(line, n))
             return false;
         vertex = vertex || begins(line, n, "v");
+        continued = line[n - 1] == '\\';
     }
     return vertex;
 }

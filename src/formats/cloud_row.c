@@ -191,22 +191,23 @@ static inline const char *short_number(const char *p, double *value)
                                  1e8, 1e9, 1e10, 1e11, 1e12, 1e13, 1e14, 1e15};
     bool negative = *p == '-';
     p += negative;
-    int64_t mantissa = 0;
+    uint64_t mantissa = 0;
     size_t digits, decimals = 0;
     const char *first = p;
     for (; *p >= '0' && *p <= '9'; p++)
-        mantissa = (int64_t)((uint64_t)mantissa * 10 + (uint64_t)(*p - '0'));
+        mantissa = mantissa * 10 + (uint64_t)(*p - '0');
     digits = (size_t)(p - first);
     if (*p == '.') {
         for (first = ++p; *p >= '0' && *p <= '9'; p++)
-            mantissa = (int64_t)((uint64_t)mantissa * 10 + (uint64_t)(*p - '0'));
+            mantissa = mantissa * 10 + (uint64_t)(*p - '0');
         decimals = (size_t)(p - first);
         digits += decimals;
     }
     if (digits - 1 >= 15 || *p >= 'A') /* none or too many; an exponent */
         return NULL;
     /* both are exact, so that one division rounds once: the nearest double */
-    *value = (double)(negative ? -mantissa : mantissa) / ten[decimals];
+    double magnitude = (double)(int64_t)mantissa / ten[decimals];
+    *value = negative ? -magnitude : magnitude;
     return p;
 }
 
@@ -285,6 +286,8 @@ size_t cloud_row_run(const struct cloud_style *style, const char *text, const ch
     size_t fit = (size_t)(end - text) / SHORTEST_ROW;
     if (most > fit)
         most = fit;
+    if (most == 0)
+        return 0;
     array_reserve(points, points->n + most);
     struct vec3 *point = points->item + points->n;
     const char *behind = style->parting == ','   ? run(text, end, ',', point, most, rows)

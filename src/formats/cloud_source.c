@@ -31,8 +31,8 @@ int cloud_take(struct cloud_source *s, const struct cloud_row *row, struct error
         return cloud_error(s, error, "'%.*s' is no number, expected a row of x y z", row->word_n,
                            row->word);
     if (row->kind != CLOUD_POINT && row->kind != CLOUD_NOT_FINITE)
-        return cloud_error(s, error, "%zu number%s in the row, expected the three of x y z",
-                           row->numbers, row->numbers == 1 ? "" : "s");
+        return cloud_error(s, error, "%zu column%s in the row, expected the three of x y z",
+                           row->columns, row->columns == 1 ? "" : "s");
     if (row->columns > s->count->columns)
         s->count->columns = row->columns;
     if (row->kind == CLOUD_POINT) {
