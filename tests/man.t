@@ -195,6 +195,19 @@ for page in "$pages"/*.[157]; do
 	ok "$file has examples" test $n -gt 1
 done
 
+# A line that a terminal would break, or cut, cannot be taken over as it stands.
+for page in "$pages"/*.[157]; do
+	awk -v page="$(basename "$page")" '
+	/^\.Sh / { on = $2 == "EXAMPLES" }
+	/^\.Bd -literal/ { inside = 1; next }
+	/^\.Ed/ { inside = 0 }
+	on && (inside || /^\.Dl /) {
+		line = $0; sub(/^\.Dl /, "", line); gsub(/\\e/, "\\", line)
+		if (length(line) > 67) print page ": " line
+	}' "$page"
+done >"$TMP/found"
+empty "examples fit on a line of 78" "$TMP/found"
+
 # The sample at the top of cloudmill-path.5 is a path.
 awk '/^\.Bd -literal/ { on = 1; next } /^\.Ed/ { exit } on' "$pages/cloudmill-path.5" >"$TMP/sample.cl"
 ok "cloudmill-path.5: the sample is read" biarcfit -q "$TMP/sample.cl"
