@@ -6,6 +6,7 @@
 #include "arcrun.h"
 #include "cli.h"
 #include "out.h"
+#include "parallel.h"
 #include "path.h"
 
 struct settings {
@@ -13,8 +14,47 @@ struct settings {
     bool tolerance_given, tilted, paper, chords, report;
 };
 
+/* One cutting run: items [from, to) of the input, and what became of them. */
+struct job {
+    size_t from, to;
+    struct path fitted;
+    struct arcrun_report report;
+};
+
+struct jobs {
+    size_t n, cap;
+    struct job *item;
+};
+
+struct work {
+    const struct path *in;
+    const struct arcrun_options *options;
+    struct jobs jobs;
+};
+
+static void fit_jobs(void *context, size_t from, size_t to)
+{
+    struct work *work = context;
+    for (size_t i = from; i < to; i++) {
+        struct job *job = &work->jobs.item[i];
+        struct run run = arcrun_read(work->in, job->from, job->to);
+        arcrun_fit(&run, work->options, &job->fitted, &job->report);
+        array_free(&run);
+    }
+}
+
+static void report_job(const struct job *job, size_t number)
+{
+    const struct arcrun_report *r = &job->report;
+    if (number == 1)
+        fprintf(stderr, "%6s %7s %6s %6s %6s %6s %10s %10s %10s\n", "run", "points", "arcs",
+                "lines", "C", "S", "length", "off, mm", "axis, deg");
+    fprintf(stderr, "%6zu %7zu %6zu %6zu %6zu %6zu %10.3f %10.6f %10.6f\n", number, r->points,
+            r->arcs, r->lines, r->c, r->s, r->length, r->spent, DEGREES(r->worst.axis));
+}
+
 /* Fits all runs of `in` into `out`; all else goes over as it is. */
-static struct arcrun_report fit_path(const struct path *in, const struct settings *s,
+static struct arcrun_report fit_path(const struct path *in, const struct settings *s, int threads,
                                      struct path *out)
 {
     struct arcrun_options options = {.tolerance = s->tolerance,
@@ -22,28 +62,25 @@ static struct arcrun_report fit_path(const struct path *in, const struct setting
                                      .centre = in->head.track == TRACK_CENTRE,
                                      .paper = s->paper,
                                      .chords = s->chords};
+    struct work work = {.in = in, .options = &options};
+    for (size_t from = 0, to; path_next_run(in, &from, &to); from = to)
+        *array_push(&work.jobs) = (struct job){.from = from, .to = to};
+    parallel_for(threads, work.jobs.n, fit_jobs, &work);
+
     struct arcrun_report sum = {0};
-    size_t done = 0, runs = 0;
-    if (s->report)
-        fprintf(stderr, "%6s %7s %6s %6s %6s %6s %10s %10s %10s\n", "run", "points", "arcs",
-                "lines", "C", "S", "length", "off, mm", "axis, deg");
-    for (size_t from = 0, to; path_next_run(in, &from, &to); from = to) {
-        path_add_items(out, in, done, from + 1);
-        struct run run = arcrun_read(in, from, to);
-        struct arcrun_report report = {0};
-        arcrun_fit(&run, &options, out, &report);
-        array_free(&run);
-        runs++;
+    size_t done = 0;
+    for (size_t i = 0; i < work.jobs.n; i++) {
+        struct job *job = &work.jobs.item[i];
+        path_add_items(out, in, done, job->from + 1);
+        path_add_items(out, &job->fitted, 0, job->fitted.item.n);
+        done = job->to;
+        arcrun_add(&sum, &job->report);
         if (s->report)
-            fprintf(stderr, "%6zu %7zu %6zu %6zu %6zu %6zu %10.3f %10.6f %10.6f\n", runs,
-                    report.points, report.arcs, report.lines, report.c, report.s, report.length,
-                    report.spent, DEGREES(report.worst.axis));
-        arcrun_add(&sum, &report);
-        done = to;
-        progress("fitting", to, in->item.n);
+            report_job(job, i + 1);
+        path_free(&job->fitted);
     }
     path_add_items(out, in, done, in->item.n);
-    progress("fitting", 1, 1);
+    array_free(&work.jobs);
     return sum;
 }
 
@@ -115,7 +152,7 @@ int main(int argc, char **argv)
     out.name = in.name;
     path_head_copy(&out.head, &in.head);
     out.head.chord = NAN;
-    struct arcrun_report report = fit_path(&in, &s, &out);
+    struct arcrun_report report = fit_path(&in, &s, cli.threads, &out);
     if (report.points > 0)
         path_spend(&out, "biarcfit", report.spent);
     tell(&report, &in, &s);

@@ -1,8 +1,8 @@
 /*
  * arc - see arc.h.
  *
- * Points are reckoned from the start and not from the centre, as from + R sin(u) t + 2 R sin^2(u/2)
- * inward, so that an arc of a very large radius is as exact as a small one.
+ * Points are reckoned from the start and not from the centre, as from + chord (cos(u/2) t + sin(u/2)
+ * inward) with the chord 2 R sin(u/2), so that an arc of a very large radius is as exact as a small one.
  */
 #include "arc.h"
 
@@ -15,6 +15,7 @@ struct arc arc_line(struct vec3 from, struct vec3 to)
 
 struct arc arc_to(struct vec3 from, struct vec3 tangent, struct vec3 to)
 {
+    tangent = vec_unit(tangent);
     struct vec3 e = vec_sub(to, from), p = vec_reject(e, tangent);
     double ahead = vec_dot(e, tangent), aside = vec_length(p), e2 = vec_dot(e, e);
     double angle = 2 * atan2(aside, ahead);
@@ -24,7 +25,7 @@ struct arc arc_to(struct vec3 from, struct vec3 tangent, struct vec3 to)
     return (struct arc){.from = from,
                         .to = to,
                         .tangent = tangent,
-                        .inward = vec_scale(1 / aside, p),
+                        .inward = vec_unit(vec_reject(vec_scale(1 / aside, p), tangent)),
                         .radius = e2 / (2 * aside),
                         .angle = angle};
 }
@@ -74,16 +75,16 @@ struct vec3 arc_at(const struct arc *arc, double s)
 {
     if (arc_straight(arc))
         return vec_mix(arc->from, arc->to, s);
-    double u = s * arc->angle, half = sin(u / 2);
-    struct vec3 p = vec_along(arc->from, arc->radius * sin(u), arc->tangent);
-    p = vec_along(p, 2 * arc->radius * half * half, arc->inward);
+    double half = s * arc->angle / 2, chord = 2 * arc->radius * sin(half);
+    struct vec3 p = vec_along(arc->from, chord * cos(half), arc->tangent);
+    p = vec_along(p, chord * sin(half), arc->inward);
     return vec_along(p, s, arc->drift);
 }
 
 struct vec3 arc_tangent(const struct arc *arc, double s)
 {
     double u = s * arc->angle;
-    return vec_along(vec_scale(cos(u), arc->tangent), sin(u), arc->inward);
+    return vec_unit(vec_along(vec_scale(cos(u), arc->tangent), sin(u), arc->inward));
 }
 
 double arc_foot(const struct arc *arc, struct vec3 p)

@@ -60,8 +60,9 @@ static bool window_narrow(struct window *w, struct vec3 k, double radius)
     double u = vec_dot(k, w->u), v = vec_dot(k, w->v), half = sqrt(0.5);
     double along[4] = {u, v, half * (u + v), half * (u - v)};
     for (int i = 0; i < 4; i++) {
-        w->lo[i] = fmax(w->lo[i], along[i] - radius);
-        w->hi[i] = fmin(w->hi[i], along[i] + radius);
+        double lo = along[i] - radius, hi = along[i] + radius;
+        w->lo[i] = lo > w->lo[i] ? lo : w->lo[i];
+        w->hi[i] = hi < w->hi[i] ? hi : w->hi[i];
         if (w->lo[i] > w->hi[i])
             return false;
     }

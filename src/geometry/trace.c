@@ -143,39 +143,58 @@ struct follower {
     const struct arc *arc;
     struct vec3 axis, aside; /* the axis at an angle u: axis cos u + aside sin u */
     double swing;            /* in all, radians */
+    double length;           /* of the arc */
     bool lone;               /* nobody at the other end: no lever, or the axis is still */
-    struct stray stray;
-    size_t tracked, other; /* segments of the trace last met */
+    struct stray stray;      /* its axis: the square of the chord between the unit vectors */
+    size_t tracked, other;   /* segments of the trace last met */
 };
 
-static struct vec3 axis_at(const struct follower *f, double s)
-{
-    double u = s * f->swing;
-    return vec_along(vec_scale(cos(u), f->axis), sin(u), f->aside);
-}
+/* Where the piece is at one place. */
+struct spot {
+    struct vec3 p, axis, turn, other;
+};
 
-static struct vec3 other_at(const struct follower *f, double s)
+static struct spot spot_at(const struct follower *f, double s)
 {
-    return vec_along(arc_at(f->arc, s), f->trace->lever, axis_at(f, s));
-}
-
-static struct vec3 other_speed(const struct follower *f, double s)
-{
-    double u = s * f->swing;
-    struct vec3 turn = vec_along(vec_scale(-sin(u), f->axis), cos(u), f->aside);
-    struct vec3 ahead = vec_scale(arc_length(f->arc), arc_tangent(f->arc, s));
-    return vec_along(ahead, f->trace->lever * f->swing, turn);
+    struct spot spot = {.p = arc_at(f->arc, s)};
+    if (f->lone)
+        return spot;
+    double u = s * f->swing, c = cos(u), d = sin(u);
+    spot.axis = vec_along(vec_scale(c, f->axis), d, f->aside);
+    spot.turn = vec_along(vec_scale(-d, f->axis), c, f->aside);
+    spot.other = vec_along(spot.p, f->trace->lever, spot.axis);
+    return spot;
 }
 
 /* From the piece at s to the trace. */
 static void meet_trace(struct follower *f, double s)
 {
     const struct trace *t = f->trace;
-    double d = line_distance(t->p, t->n, arc_at(f->arc, s), &f->tracked);
+    struct spot spot = spot_at(f, s);
+    double d = line_distance(t->p, t->n, spot.p, &f->tracked);
     f->stray.tracked = fmax(f->stray.tracked, d);
     if (f->lone)
         return;
-    d = line_distance(t->other, t->n, other_at(f, s), &f->other);
+    d = line_distance(t->other, t->n, spot.other, &f->other);
+    f->stray.other = fmax(f->stray.other, d);
+}
+
+/* From the other point k of the trace to the piece: near s, by Newton steps towards its foot. */
+static void meet_other(struct follower *f, size_t k, double s, struct spot spot)
+{
+    struct vec3 off = vec_sub(f->trace->other[k], spot.other);
+    double d = vec_length(off);
+    for (int i = 0; i < 2 && d > f->stray.other; i++) {
+        struct vec3 v = vec_scale(f->length, arc_tangent(f->arc, s));
+        v = vec_along(v, f->trace->lever * f->swing, spot.turn);
+        double v2 = vec_dot(v, v);
+        if (v2 <= 0)
+            break;
+        s = fmin(1, fmax(0, s + vec_dot(off, v) / v2));
+        spot = spot_at(f, s);
+        off = vec_sub(f->trace->other[k], spot.other);
+        d = fmin(d, vec_length(off));
+    }
     f->stray.other = fmax(f->stray.other, d);
 }
 
@@ -183,21 +202,13 @@ static void meet_trace(struct follower *f, double s)
 static void meet_point(struct follower *f, size_t k, double s)
 {
     const struct trace *t = f->trace;
-    f->stray.tracked = fmax(f->stray.tracked, vec_distance(t->p[k], arc_at(f->arc, s)));
+    struct spot spot = spot_at(f, s);
+    f->stray.tracked = fmax(f->stray.tracked, vec_distance(t->p[k], spot.p));
     if (f->lone)
         return;
-    f->stray.axis = fmax(f->stray.axis, vec_angle(t->axis[k], axis_at(f, s)));
-    double d = vec_distance(t->other[k], other_at(f, s));
-    for (int i = 0; i < 2 && d > f->stray.other; i++) { /* towards the foot of the other point */
-        struct vec3 v = other_speed(f, s);
-        double v2 = vec_dot(v, v);
-        if (v2 <= 0)
-            break;
-        s += vec_dot(vec_sub(t->other[k], other_at(f, s)), v) / v2;
-        s = fmin(1, fmax(0, s));
-        d = fmin(d, vec_distance(t->other[k], other_at(f, s)));
-    }
-    f->stray.other = fmax(f->stray.other, d);
+    struct vec3 swung = vec_sub(t->axis[k], spot.axis);
+    f->stray.axis = fmax(f->stray.axis, vec_dot(swung, swung));
+    meet_other(f, k, s, spot);
 }
 
 /* Places between two feet that have to be looked at, by the sagitta between them. */
@@ -211,6 +222,7 @@ static int places_between(const struct arc *arc, double s0, double s1, int fine,
 static struct follower follow(const struct trace *trace, const struct piece *m)
 {
     struct follower f = {.trace = trace, .arc = &m->arc, .axis = m->axis};
+    f.length = arc_length(&m->arc);
     f.swing = vec_angle(m->axis, m->axis_to);
     if (f.swing > 0) {
         f.aside = vec_unit(vec_reject(m->axis_to, m->axis));
@@ -233,6 +245,35 @@ static bool axis_still(const struct trace *t, const struct follower *f, size_t f
     return true;
 }
 
+/* A look at a few points first: most pieces that won't do end here. */
+static bool glance(struct follower *f, size_t first, size_t end, const struct stray *within)
+{
+    size_t stride = (end - first) / 8;
+    for (size_t k = first + stride / 2; stride > 1 && k < end; k += stride) {
+        meet_point(f, k, arc_foot(f->arc, f->trace->p[k]));
+        if (!stray_within(&f->stray, within))
+            return false;
+    }
+    return true;
+}
+
+/* All points from `first` to `end`, and places between their feet. */
+static void walk(struct follower *f, size_t first, size_t end, int fine, const struct stray *within)
+{
+    double limit = fmin(within->tracked, 0.1), before = 0;
+    meet_trace(f, 0);
+    for (size_t k = first; k <= end && stray_within(&f->stray, within); k++) {
+        double foot = k < end ? fmax(before, arc_foot(f->arc, f->trace->p[k])) : 1;
+        if (k < end)
+            meet_point(f, k, foot);
+        int parts = foot > before ? places_between(f->arc, before, foot, fine, limit) : 0;
+        for (int i = 1; i <= parts; i++)
+            meet_trace(f, before + (foot - before) * i / (parts + 1));
+        before = foot;
+    }
+    meet_trace(f, 1);
+}
+
 struct stray trace_stray(const struct trace *trace, const struct piece *piece, int fine,
                          const struct stray *within)
 {
@@ -241,32 +282,16 @@ struct stray trace_stray(const struct trace *trace, const struct piece *piece, i
     f.lone = trace->lever == 0 || axis_still(trace, &f, first, end);
     if (trace->n < 2)
         return f.stray;
-    double limit = within ? within->tracked : 1e-3;
-    struct stray any = {HUGE_VAL, HUGE_VAL, HUGE_VAL};
-    within = within ? within : &any;
-
-    size_t stride = (end - first) / 8; /* a look at a few: most pieces that won't do end here */
-    for (size_t k = first + stride / 2; stride > 1 && k < end; k += stride) {
-        meet_point(&f, k, arc_foot(&piece->arc, trace->p[k]));
-        if (!stray_within(&f.stray, within))
-            return f.stray;
+    struct stray limit = {HUGE_VAL, HUGE_VAL, HUGE_VAL};
+    if (within) {
+        double chord = 2 * sin(fmin(within->axis, PI) / 2);
+        limit = *within;
+        limit.axis = chord * chord;
     }
-    meet_trace(&f, 0);
-    double before = 0;
-    for (size_t k = first; k <= end; k++) {
-        double foot = k < end ? arc_foot(&piece->arc, trace->p[k]) : 1;
-        foot = fmax(foot, before);
-        if (k < end)
-            meet_point(&f, k, foot);
-        int parts = foot > before ? places_between(&piece->arc, before, foot, fine, limit) : 0;
-        for (int i = 1; i <= parts; i++)
-            meet_trace(&f, before + (foot - before) * i / (parts + 1));
-        before = foot;
-        if (!stray_within(&f.stray, within))
-            return f.stray;
-    }
-    meet_trace(&f, 1);
+    if (glance(&f, first, end, &limit))
+        walk(&f, first, end, fine, &limit);
     if (f.lone && trace->lever != 0)
         f.stray.other = f.stray.tracked;
+    f.stray.axis = 2 * asin(fmin(1, sqrt(f.stray.axis) / 2));
     return f.stray;
 }
