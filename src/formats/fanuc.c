@@ -129,6 +129,7 @@ static void spline(struct nc_program *p, const struct nc_move *move)
     struct nc_writer *w = &p->w;
     const struct bspline *b = &s->curve;
     size_t order = (size_t)b->degree + 1;
+    w->motion = NULL; /* G06.2 again where one spline follows another: it begins the next */
     nc_motion(w, "G06.2");
     nc_count(w, "P", (double)order);
     for (size_t i = 0; i < b->poles + order; i++) {
