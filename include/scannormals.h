@@ -15,7 +15,8 @@ struct scannormals {
 };
 
 /*
- * A quadric through the `neighbours` points of the scan nearest to each vertex; where they do not
+ * A quadric through the `neighbours` points of the scan nearest to each vertex, or the nearer half
+ * of them where these lie at least twice as close to theirs (a tight bend); where they do not
  * carry one (points on one or two laser lines), through twice, four times ... thirty-two times as
  * many.  Its normal at the vertex, on the side of the facets' normals or, where these are steep and
  * that fits better, on the upper side, goes to mesh->normal and

@@ -50,6 +50,24 @@ static int fit_best(const struct vec3 *near, size_t n, struct vec3 origin, struc
     return 0;
 }
 
+/* What the points leave of their freedom: rms of their distances, for 6 of n fixed by the fit. */
+static double spread(const struct quadric *q, const struct vec3 *near, size_t n)
+{
+    return quadric_rms(q, near, n) * sqrt((double)n / fmax((double)n - 6, 1));
+}
+
+/* Noise spreads the nearer half about its quadric as much as the whole; where it is spread much
+ * less, the surface bends too much for one quadric over the whole, and the half counts. */
+static void fit_half(const struct vec3 *near, size_t n, struct vec3 origin, struct quadric *q)
+{
+    const double much = 0.5;
+    const size_t fewest = 12;
+    struct quadric half;
+    if (n / 2 >= fewest && fit_turned(near, n / 2, origin, quadric_normal(q), &half) == 0 &&
+        spread(&half, near, n / 2) < much * spread(q, near, n))
+        *q = half;
+}
+
 static int fit_at(const struct job *job, struct vec3 vertex, struct vec3 guess, struct sizes *index,
                   struct vec3s *near, struct quadric *q)
 {
@@ -59,8 +77,11 @@ static int fit_at(const struct job *job, struct vec3 vertex, struct vec3 guess, 
         size_t n = kdtree_nearest(job->tree, vertex, k, index->item, NULL);
         for (size_t i = 0; i < n; i++)
             near->item[i] = job->point[index->item[i]];
-        if (fit_best(near->item, n, vertex, guess, q) == 0)
+        if (fit_best(near->item, n, vertex, guess, q) == 0) {
+            if (k == job->neighbours)
+                fit_half(near->item, n, vertex, q);
             return 0;
+        }
         if (n < k)
             break;
     }
