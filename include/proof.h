@@ -24,7 +24,7 @@ struct proof {
 bool proof_print(struct bspline *curve);
 
 /*
- * Fills *proof.  The bounds exceed the truth by at most 1.2 times `resolution` mm; when the distance
+ * Fills *proof.  The bounds exceed the truth by at most 2.2 times `resolution` mm; when the distance
  * of a point is found to be above `limit` (INFINITY: never), the search stops there: that distance
  * is then only known to be above the limit, and what comes later is INFINITY.
  */

@@ -13,7 +13,8 @@
 struct walk {
     struct polyline b;
     double limit, slack;
-    double worst; /* so far */
+    double reached; /* largest distance of a point so far: below the truth */
+    double bound;   /* above the truth, of what has been looked at so far */
 };
 
 static double segment_length(struct polyline b, size_t j)
@@ -60,22 +61,28 @@ struct foot polyline_foot(struct polyline b, struct foot from, double step, stru
     return best;
 }
 
+static void reach(struct walk *w, double distance)
+{
+    w->reached = fmax(w->reached, distance);
+    w->bound = fmax(w->bound, distance);
+}
+
 /* Takes into account the piece from p to q, whose ends have been. */
 static void between(struct walk *w, struct vec3 p, struct foot fp, struct vec3 q, struct foot fq)
 {
-    if (fp.segment == fq.segment || w->worst > w->limit)
+    if (fp.segment == fq.segment || w->reached > w->limit)
         return;
     double length = vec_distance(p, q);
     double bound = (fp.distance + fq.distance + length) / 2;
     bound = fmin(bound, fmax(fp.distance, on_segment(w->b, fp.segment, q).distance));
     bound = fmin(bound, fmax(fq.distance, on_segment(w->b, fq.segment, p).distance));
-    if (bound <= w->worst + w->slack || length < w->slack) {
-        w->worst = fmax(w->worst, bound);
+    if (bound <= w->reached + w->slack || length < w->slack) {
+        w->bound = fmax(w->bound, bound);
         return;
     }
     struct vec3 middle = vec_mix(p, q, 0.5);
     struct foot fm = polyline_foot(w->b, fp, length / 2, middle);
-    w->worst = fmax(w->worst, fm.distance);
+    reach(w, fm.distance);
     between(w, p, fp, middle, fm);
     between(w, middle, fm, q, fq);
 }
@@ -83,21 +90,21 @@ static void between(struct walk *w, struct vec3 p, struct foot fp, struct vec3 q
 double polyline_distance(struct polyline a, struct polyline b, double limit, double slack,
                          struct foot *foot)
 {
-    struct walk w = {b, limit, slack, 0};
+    struct walk w = {b, limit, slack, 0, 0};
     struct foot before = {0, 0, vec_distance(a.point[0], b.point[0])};
 
     before = polyline_foot(b, before, 0, a.point[0]);
-    w.worst = before.distance;
+    reach(&w, before.distance);
     if (foot != NULL)
         foot[0] = before;
-    for (size_t i = 1; i < a.n && w.worst <= limit; i++) {
+    for (size_t i = 1; i < a.n && w.reached <= limit; i++) {
         double step = vec_distance(a.point[i - 1], a.point[i]);
         struct foot here = polyline_foot(b, before, step, a.point[i]);
-        w.worst = fmax(w.worst, here.distance);
+        reach(&w, here.distance);
         between(&w, a.point[i - 1], before, a.point[i], here);
         before = here;
         if (foot != NULL)
             foot[i] = here;
     }
-    return w.worst;
+    return w.bound;
 }

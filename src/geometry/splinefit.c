@@ -10,7 +10,7 @@
 #include "lsq.h"
 
 enum { PARAMS = 3, KNOTS = 2, START = 5, STEP = 5, WIDER = 40 };
-static const double RESOLUTION = 0.01; /* of a proof, in parts of the tolerance */
+static const double RESOLUTION = 0.005; /* of a proof, in parts of the tolerance */
 
 struct search {
     const struct track *track;
