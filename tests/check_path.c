@@ -94,6 +94,22 @@ START_TEST(units_labels_and_continuations)
 }
 END_TEST
 
+START_TEST(from_is_carried_in_millimetres)
+{
+    struct path path;
+    struct error error = {""};
+    const char *text =
+        "UNITS/INCHES\nFROM/1,2,-3,0,0.6,0.8\nCIRCLE/1,3,-3,0,0,1\nGOTO/2,3,-3\nFINI\n";
+    ck_assert_msg(read_text(text, &path, &error) == 0, "%s", error.text);
+    const char *again = written(&path);
+    ck_assert_ptr_nonnull(strstr(
+        again, "\nFROM/25.400000,50.800000,-76.200000,0.000000000,0.600000000,0.800000000\n"));
+    path_free(&path);
+    ck_assert_msg(read_text(again, &path, &error) == 0, "%s", error.text);
+    path_free(&path);
+}
+END_TEST
+
 static const struct {
     const char *text, *message;
 } refused[] = {
@@ -183,6 +199,7 @@ int main(void)
     TCase *tests = tcase_create("path");
     tcase_add_test(tests, what_is_read_is_written_back);
     tcase_add_test(tests, units_labels_and_continuations);
+    tcase_add_test(tests, from_is_carried_in_millimetres);
     tcase_add_loop_test(tests, what_is_refused, 0, (int)(sizeof refused / sizeof *refused));
     tcase_add_test(tests, unknown_words_are_counted_and_carried);
     tcase_add_test(tests, runs_are_rows_of_contact_points);

@@ -8,6 +8,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "num.h"
 #include "path_parse.h"
 
 #define AT(p) (p)->error, (p)->path->name, (p)->apt.line
@@ -96,7 +97,7 @@ static int read_godlta(struct path_parse *p)
     return move_to(p, (struct pose){vec_add(p->at.p, path_length_of(p, v)), p->at.a});
 }
 
-/* FROM says where the tool is, without a motion. */
+/* FROM says where the tool is, without a motion.  It is carried along, in millimetres. */
 static int read_from(struct path_parse *p)
 {
     double v[6];
@@ -105,8 +106,17 @@ static int read_from(struct path_parse *p)
         return -1;
     p->at.p = path_length_of(p, v);
     p->moved = true;
-    path_add_text(p->path, p->apt.raw);
-    return n == 6 ? path_direction(p, v + 3, "a tool axis", &p->at.a) : 0;
+    if (n == 6 && path_direction(p, v + 3, "a tool axis", &p->at.a) < 0)
+        return -1;
+    const double at[] = {p->at.p.x, p->at.p.y, p->at.p.z, p->at.a.x, p->at.a.y, p->at.a.z};
+    char text[6 * NUM_MAX] = "FROM";
+    char *end = text + strlen(text);
+    for (size_t i = 0; i < n; i++) {
+        *end++ = i ? ',' : '/';
+        end += num_write(end, at[i], i < 3 ? 6 : 9);
+    }
+    path_add_text(p->path, text);
+    return 0;
 }
 
 /* CIRCLE/centre, axis[, radius]: without its radius the position now says it. */
