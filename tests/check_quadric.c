@@ -56,8 +56,8 @@ START_TEST(sphere)
         struct vec3 up = vec_unit(vec(uniform() - 0.5, uniform() - 0.5, 0.2 + uniform()));
         struct vec3 u = vec_perpendicular(up), v = vec_cross(up, u), p[N];
         for (int i = 0; i < N; i++) {
-            struct vec3 to = vec_along(vec_along(up, 0.1 * (uniform() - 0.5), u),
-                                       0.1 * (uniform() - 0.5), v);
+            struct vec3 to =
+                vec_along(vec_along(up, 0.1 * (uniform() - 0.5), u), 0.1 * (uniform() - 0.5), v);
             p[i] = vec_scale(-R, vec_unit(to));
         }
         struct quadric q;

@@ -12,8 +12,7 @@ static void expect(struct vec3 got, double x, double y, double z)
 }
 
 /* A quarter turn about z. */
-static const struct transform quarter = {
-    {{0, -1, 0, 0}, {1, 0, 0, 0}, {0, 0, 1, 0}, {0, 0, 0, 1}}};
+static const struct transform quarter = {{{0, -1, 0, 0}, {1, 0, 0, 0}, {0, 0, 1, 0}, {0, 0, 0, 1}}};
 
 START_TEST(points)
 {
