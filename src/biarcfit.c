@@ -8,6 +8,7 @@
 #include "out.h"
 #include "parallel.h"
 #include "path.h"
+#include "retilt.h"
 
 struct settings {
     double tolerance, axis, tilt;
@@ -110,6 +111,10 @@ static struct settings read_settings(struct cli *cli, int argc, char **argv)
          CLI_NUMBER, &s.tolerance, 1e-4, 100, 0, &s.tolerance_given},
         {0, "axis-tolerance", "DEG", "how far the tool axis may be off (1)", CLI_NUMBER, &s.axis,
          CLI_POSITIVE, 90, 0, NULL},
+        {0, "tilt", "DEG",
+         "set the tool axis anew: this far from the normal, to the side of the\n"
+         "path (with --paper by the Frenet frame of the centres' biarcs)",
+         CLI_NUMBER, &s.tilt, -89, 89, 0, &s.tilted},
         {0, "paper", NULL, "a biarc for each interval between points, as paper 1 has it", CLI_FLAG,
          &s.paper, 0, 0, 0, NULL},
         {0, "linear-arcs", NULL,
@@ -148,6 +153,8 @@ int main(int argc, char **argv)
     if (path_read(cli.file[0], &in, &error) < 0)
         die_error(&error);
     check(&in);
+    if (s.tilted && retilt_path(&in, RADIANS(s.tilt), s.paper, &error) < 0)
+        die_error(&error);
 
     out.name = in.name;
     path_head_copy(&out.head, &in.head);

@@ -215,24 +215,27 @@ static void put_pieces(const struct fit *f, struct path *out, struct arcrun_repo
     }
 }
 
-/* Points [first, last] of the dense run, without corners between. */
-static void fit_part(const struct run *dense, size_t first, size_t last, double tolerance,
-                     const struct arcrun_options *options, struct path *out,
-                     struct arcrun_report *report)
+/* A biarc for each interval between given points, its places those of the dense trace. */
+static void fit_each(struct fit *f, const struct run *run, struct arcrun_report *report)
 {
-    struct fit f = {.options = options, .dense = dense, .first = first};
-    f.trace = trace_of(dense, first, last - first + 1, options->centre, options->paper);
-    if (options->paper) {
-        report->loops += arcfit_each(&f.trace, &f.pieces);
-        print_pieces(&f);
-    } else {
-        fit_within(&f, tolerance);
+    struct trace given = trace_of(run, 0, run->n, f->options->centre, true);
+    report->loops += arcfit_each(&given, &f->pieces);
+    size_t *at = mem_alloc(f->trace.n, sizeof *at), n = 0;
+    for (size_t i = 0; i < f->trace.n; i++)
+        if (f->dense->item[f->first + i].given)
+            at[n++] = i;
+    for (size_t i = 0; i < f->pieces.n; i++) {
+        struct piece *p = &f->pieces.item[i];
+        double from = i > 0 ? f->pieces.item[i - 1].to : 0;
+        double to = (double)at[(size_t)ceil(p->to)];
+        if (p->biarc)
+            to = fmin(to, fmax(from, trace_place(&f->trace, p->arc.to, (from + to) / 2)));
+        bool biarc = p->biarc;
+        *p = trace_piece(&f->trace, p->arc, from, to);
+        p->biarc = biarc;
     }
-    put_pieces(&f, out, report);
-    report->worst = stray_worst(report->worst, f.worst);
-    trace_free(&f.trace);
-    array_free(&f.pieces);
-    array_free(&f.printed);
+    free(at);
+    trace_free(&given);
 }
 
 /* The dense reference as its digits will say it; returns what it takes of the tolerance. */
@@ -240,7 +243,7 @@ static double reference_of(const struct run *run, const struct arcrun_options *o
                            struct run *dense)
 {
     double taken = REFERENCE * options->tolerance;
-    double off = options->paper ? 0 : run_densify(run, taken, dense);
+    double off = run_densify(run, taken, dense);
     if (off <= DENSE * options->tolerance) {
         dense->n = 0;
         for (size_t i = 0; i < run->n; i++)
@@ -258,17 +261,18 @@ static double reference_of(const struct run *run, const struct arcrun_options *o
     return taken;
 }
 
-/* Corners of what is programmed, and the end of the run. */
-static struct sizes parts_of(const struct run *dense, bool centre)
+/* Where the smooth parts of what is programmed end: at its corners, and at the end of the run. */
+static struct sizes parts_of(const struct run *dense, const struct arcrun_options *options)
 {
     struct run track = {.radius = dense->radius};
     for (size_t i = 0; i < dense->n; i++) {
         struct run_point *p = array_push(&track);
         *p = dense->item[i];
-        p->ball = centre ? p->ball : p->tip;
+        p->ball = options->centre ? p->ball : p->tip;
     }
     struct sizes end = {0};
-    run_corners(&track, &end);
+    if (!options->paper)
+        run_corners(&track, &end);
     *array_push(&end) = dense->n - 1;
     array_free(&track);
     return end;
@@ -279,19 +283,28 @@ void arcrun_fit(const struct run *run, const struct arcrun_options *options, str
 {
     struct run dense = {.radius = run->radius};
     double taken = reference_of(run, options, &dense);
-    double tolerance = options->tolerance - taken;
     if (options->chords)
-        tolerance -= DENSE * options->tolerance;
-    struct sizes end = parts_of(&dense, options->centre);
-    size_t from = 0;
+        taken += DENSE * options->tolerance;
+    struct sizes end = parts_of(&dense, options);
+    struct fit f = {.options = options, .dense = &dense};
     for (size_t i = 0; i < end.n; i++) {
-        fit_part(&dense, from, end.item[i], tolerance, options, out, report);
-        from = end.item[i];
+        f.trace = trace_of(&dense, f.first, end.item[i] - f.first + 1, options->centre, false);
+        if (options->paper) {
+            fit_each(&f, run, report);
+            print_pieces(&f);
+        } else {
+            fit_within(&f, options->tolerance - taken);
+        }
+        put_pieces(&f, out, report);
+        report->worst = stray_worst(report->worst, f.worst);
+        f.first = end.item[i];
+        trace_free(&f.trace);
     }
     report->points += run->n;
     report->corners += end.n - 1;
-    report->spent =
-        fmax(report->worst.tracked, report->worst.other) + options->tolerance - tolerance;
+    report->spent = fmax(report->worst.tracked, report->worst.other) + taken;
+    array_free(&f.pieces);
+    array_free(&f.printed);
     array_free(&end);
     array_free(&dense);
 }
