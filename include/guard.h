@@ -5,9 +5,14 @@
  * The part is a set of guard points, dense against the ball's radius.  A ball with its centre at c
  * is clear when no guard point is nearer to c than the radius; the depth of a gouge is the radius
  * less the distance of the nearest guard point.
+ *
+ * Between guard points that are a gap g apart the ball sinks by up to g^2 / (6 R) (a triangle of
+ * points; g^2 / (8 R) between two) into what they stand for, less what a hollow curves away.
  */
 #ifndef CLOUDMILL_GUARD_H
 #define CLOUDMILL_GUARD_H
+
+#include <stdbool.h>
 
 #include "mesh.h"
 #include "vec.h"
@@ -19,22 +24,46 @@ struct guard *guard_from_points(const struct vec3 *point, size_t n);
 
 /*
  * From a mesh with vertex normals: each facet as the curved triangle that its vertices and normals
- * span (PN triangle, Vlachos et al. 2001), sampled no coarser than `spacing` mm.  The flat facet
- * would not do: in a hollow it stands above the surface by its sagitta.
+ * span (PN triangle, Vlachos et al. 2001, but with handles that make edges of a sphere circular
+ * to the sixth order), sampled no coarser than `spacing` mm.  The flat facet would not do: in a
+ * hollow it stands above the surface by its sagitta.  Only a facet that stands more than 30
+ * degrees off one of its vertices' normals, as at a step or an edge, is sampled flat.
  */
 struct guard *guard_from_mesh(const struct mesh *mesh, double spacing);
 
 void guard_free(struct guard *guard);
 
-/* How deep a ball of this radius, its centre at c, is in the part, mm; negative: clear by so much
- * (not searched for beyond one radius). */
+/* The highest z among the guard points, mm. */
+double guard_top(const struct guard *guard);
+
+/* Distance from p to the nearest guard point, mm; HUGE_VAL when there is none. */
+double guard_distance(const struct guard *guard, struct vec3 p);
+
+/* How deep a ball of this radius, its centre at c, is in the part, mm; negative: clear by so
+ * much. */
 double guard_depth(const struct guard *guard, struct vec3 c, double radius);
 
+/* The same for a ball whose centre moves straight from a to b: the deepest on the way.  Where the
+ * whole way is clear the result is negative and no less than -radius. */
+double guard_depth_along(const struct guard *guard, struct vec3 a, struct vec3 b, double radius);
+
 /*
- * The smallest lift h in [0, limit] that brings the ball with its centre at c + h * up clear of the
- * part (up to 1e-6 mm), or -1 when no lift within the limit does.
+ * The smallest lift h in [0, limit] that brings the ball with its centre at c + h * up (a unit
+ * vector) clear of the part (up to 1e-6 mm), or -1 when no lift within the limit does.
  */
 double guard_lift(const struct guard *guard, struct vec3 c, struct vec3 up, double radius,
                   double limit);
+
+/*
+ * The smallest lift h >= 0 from which on the ball stays clear all the way along `up`, out of reach
+ * of every guard point: where a tool that comes from there ends.  A scan is a shell, and guard_lift
+ * may find room behind it; this does not.
+ */
+double guard_rise(const struct guard *guard, struct vec3 c, struct vec3 up, double radius);
+
+/* True when the ball can come to c from outside, against `up`, and goes no deeper than `depth` into
+ * the part on the way. */
+bool guard_open(const struct guard *guard, struct vec3 c, struct vec3 up, double radius,
+                double depth);
 
 #endif

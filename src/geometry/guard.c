@@ -1,0 +1,278 @@
+#include "guard.h"
+
+#include <stdlib.h>
+
+#include "kdtree.h"
+
+/* What may stay of a gouge: far below any tolerance, far above rounding. */
+static const double SLACK = 1e-6;
+
+/* A facet further than this off a vertex's normal spans a step, not a smooth surface. */
+static const double SMOOTH = 0.8660254037844386; /* cos 30 degrees */
+
+struct guard {
+    struct vec3s point;
+    struct kdtree *tree;
+    struct vec3 low, high; /* corners of the box around the points */
+};
+
+static struct guard *guard_of(struct vec3s point)
+{
+    struct guard *guard = mem_alloc(1, sizeof *guard);
+
+    guard->point = point;
+    guard->tree = kdtree_new(point.item, point.n);
+    guard->low = vec(HUGE_VAL, HUGE_VAL, HUGE_VAL);
+    guard->high = vec(-HUGE_VAL, -HUGE_VAL, -HUGE_VAL);
+    for (size_t i = 0; i < point.n; i++) {
+        struct vec3 p = point.item[i];
+        guard->low = vec(fmin(guard->low.x, p.x), fmin(guard->low.y, p.y), fmin(guard->low.z, p.z));
+        guard->high =
+            vec(fmax(guard->high.x, p.x), fmax(guard->high.y, p.y), fmax(guard->high.z, p.z));
+    }
+    return guard;
+}
+
+struct guard *guard_from_points(const struct vec3 *point, size_t n)
+{
+    struct vec3s copy = {0};
+
+    for (size_t i = 0; i < n; i++)
+        *array_push(&copy) = point[i];
+    return guard_of(copy);
+}
+
+/* A curved triangle: control points of a cubic Bezier triangle, named after their corners. */
+struct patch {
+    struct vec3 corner[3];
+    struct vec3 edge[3][2]; /* edge[i]: from corner i to the next, nearer to i first */
+    struct vec3 middle;
+};
+
+/*
+ * The control point next to p on the edge to q, in the tangent plane of p.  With alpha between
+ * chord c and tangent the handle is 2 c / (3 (1 + cos alpha)), which is (4/3) tan(alpha/2) of the
+ * radius: the best cubic for a circle (PN triangles have c cos alpha / 3, which is too flat).
+ */
+static struct vec3 handle(struct vec3 p, struct vec3 normal, struct vec3 q)
+{
+    struct vec3 chord = vec_sub(q, p);
+    double length = vec_length(chord);
+    struct vec3 tangent = vec_reject(chord, normal);
+    double cosine = length > 0 ? vec_length(tangent) / length : 1;
+
+    return vec_along(p, 2 * length / (3 * (1 + cosine)), vec_unit(tangent));
+}
+
+static struct patch patch_of(const struct vec3 *p, const struct vec3 *normal, bool flat)
+{
+    struct patch patch;
+    struct vec3 corners = vec(0, 0, 0), edges = vec(0, 0, 0);
+
+    for (int i = 0; i < 3; i++) {
+        int j = (i + 1) % 3;
+        patch.corner[i] = p[i];
+        patch.edge[i][0] = flat ? vec_mix(p[i], p[j], 1 / 3.0) : handle(p[i], normal[i], p[j]);
+        patch.edge[i][1] = flat ? vec_mix(p[j], p[i], 1 / 3.0) : handle(p[j], normal[j], p[i]);
+        corners = vec_add(corners, p[i]);
+        edges = vec_add(edges, vec_add(patch.edge[i][0], patch.edge[i][1]));
+    }
+    /* E + (E - V) / 2: the patch holds a quadratic surface exactly. */
+    patch.middle = vec_along(vec_scale(0.25, edges), -1 / 6.0, corners);
+    return patch;
+}
+
+/* The point with barycentric coordinates b[0..2]. */
+static struct vec3 patch_at(const struct patch *patch, const double b[3])
+{
+    struct vec3 sum = vec_scale(6 * b[0] * b[1] * b[2], patch->middle);
+
+    for (int i = 0; i < 3; i++) {
+        int j = (i + 1) % 3;
+        sum = vec_along(sum, b[i] * b[i] * b[i], patch->corner[i]);
+        sum = vec_along(sum, 3 * b[i] * b[i] * b[j], patch->edge[i][0]);
+        sum = vec_along(sum, 3 * b[i] * b[j] * b[j], patch->edge[i][1]);
+    }
+    return sum;
+}
+
+/* All points of the patch but its corners, on a triangular raster no coarser than `spacing`. */
+static void patch_sample(const struct patch *patch, double spacing, struct vec3s *points)
+{
+    double longest = 0;
+
+    for (int i = 0; i < 3; i++)
+        longest = fmax(longest, vec_distance(patch->corner[i], patch->corner[(i + 1) % 3]));
+    int cells = (int)fmin(ceil(longest / spacing), 1000);
+    for (int i = 0; i <= cells; i++) {
+        for (int j = 0; j <= cells - i; j++) {
+            int k = cells - i - j;
+            if (i == cells || j == cells || k == cells)
+                continue;
+            double b[3] = {(double)i / cells, (double)j / cells, (double)k / cells};
+            *array_push(points) = patch_at(patch, b);
+        }
+    }
+}
+
+struct guard *guard_from_mesh(const struct mesh *mesh, double spacing)
+{
+    struct vec3s points = {0};
+    bool *used = mem_alloc(mesh->vertex.n, sizeof *used);
+
+    for (size_t f = 0; f < mesh->face.n; f++) {
+        struct vec3 across = vec_unit(mesh_face_cross(mesh, f));
+        struct vec3 p[3], normal[3];
+        bool flat = false;
+        for (int i = 0; i < 3; i++) {
+            int v = mesh->face.item[f].v[i];
+            used[v] = true;
+            p[i] = mesh->vertex.item[v];
+            normal[i] = mesh->normal.item[v];
+            flat = flat || vec_dot(normal[i], across) < SMOOTH;
+        }
+        struct patch patch = patch_of(p, normal, flat);
+        patch_sample(&patch, spacing, &points);
+    }
+    for (size_t v = 0; v < mesh->vertex.n; v++) {
+        if (used[v])
+            *array_push(&points) = mesh->vertex.item[v];
+    }
+    free(used);
+    return guard_of(points);
+}
+
+void guard_free(struct guard *guard)
+{
+    if (!guard)
+        return;
+    kdtree_free(guard->tree);
+    array_free(&guard->point);
+    free(guard);
+}
+
+double guard_top(const struct guard *guard)
+{
+    return guard->high.z;
+}
+
+double guard_distance(const struct guard *guard, struct vec3 p)
+{
+    size_t nearest;
+    double distance2;
+
+    if (kdtree_nearest(guard->tree, p, 1, &nearest, &distance2) == 0)
+        return HUGE_VAL;
+    return sqrt(distance2);
+}
+
+double guard_depth(const struct guard *guard, struct vec3 c, double radius)
+{
+    return radius - guard_distance(guard, c);
+}
+
+/* Distance from p to the straight line between a and b. */
+static double distance_to_segment(struct vec3 p, struct vec3 a, struct vec3 b)
+{
+    struct vec3 along = vec_sub(b, a);
+    double length2 = vec_dot(along, along);
+    double s = length2 > 0 ? vec_dot(vec_sub(p, a), along) / length2 : 0;
+
+    return vec_distance(p, vec_along(a, fmin(fmax(s, 0), 1), along));
+}
+
+double guard_depth_along(const struct guard *guard, struct vec3 a, struct vec3 b, double radius)
+{
+    /* In pieces, so that the neighbourhoods stay small. */
+    double pieces = fmax(1, ceil(vec_distance(a, b) / radius));
+    double deepest = -radius;
+    struct sizes found = {0};
+
+    for (double i = 0; i < pieces; i++) {
+        struct vec3 from = vec_mix(a, b, i / pieces);
+        struct vec3 to = vec_mix(a, b, (i + 1) / pieces);
+        struct vec3 middle = vec_mix(from, to, 0.5);
+        double half = vec_distance(from, to) / 2;
+        found.n = 0;
+        kdtree_within(guard->tree, middle, radius + half, &found);
+        for (size_t k = 0; k < found.n; k++) {
+            struct vec3 p = guard->point.item[found.item[k]];
+            deepest = fmax(deepest, radius - distance_to_segment(p, from, to));
+        }
+    }
+    array_free(&found);
+    return deepest;
+}
+
+/*
+ * A guard point p keeps the centre c + h * up out of an interval of h: those with
+ * |c + h up - p| < R.  Its upper end, a root of a quadratic.
+ */
+static double leaves(struct vec3 p, struct vec3 c, struct vec3 up, double radius)
+{
+    struct vec3 d = vec_sub(p, c);
+    double along = vec_dot(d, up);
+    double across2 = vec_dot(d, d) - along * along;
+
+    return along + sqrt(fmax(radius * radius - across2, 0));
+}
+
+double guard_lift(const struct guard *guard, struct vec3 c, struct vec3 up, double radius,
+                  double limit)
+{
+    double lift = 0;
+    struct sizes found = {0};
+
+    /* All intervals that hold the lift so far must be left at their upper ends, the highest of
+     * which may lie in others again; every round starts deeper than SLACK in one, so it rises. */
+    while (lift <= limit && guard_depth(guard, vec_along(c, lift, up), radius) > SLACK) {
+        found.n = 0;
+        kdtree_within(guard->tree, vec_along(c, lift, up), radius, &found);
+        for (size_t k = 0; k < found.n; k++)
+            lift = fmax(lift, leaves(guard->point.item[found.item[k]], c, up, radius));
+    }
+    array_free(&found);
+    return lift <= limit ? lift : -1;
+}
+
+/* How far the box around the points reaches from c along `up`. */
+static double box_along(const struct guard *guard, struct vec3 c, struct vec3 up)
+{
+    struct vec3 corner = vec(up.x > 0 ? guard->high.x : guard->low.x,
+                             up.y > 0 ? guard->high.y : guard->low.y,
+                             up.z > 0 ? guard->high.z : guard->low.z);
+
+    return vec_dot(vec_sub(corner, c), up);
+}
+
+double guard_rise(const struct guard *guard, struct vec3 c, struct vec3 up, double radius)
+{
+    double rise = 0;
+    struct sizes found = {0};
+
+    if (guard->point.n == 0)
+        return 0;
+    /* From the far end back, in pieces of one radius; below the rise none can raise it. */
+    double pieces = fmax(0, ceil(box_along(guard, c, up) / radius)) + 1;
+    for (double i = pieces - 1; i >= 0 && (i + 1) * radius > rise; i--) {
+        struct vec3 middle = vec_along(c, (i + 0.5) * radius, up);
+        found.n = 0;
+        kdtree_within(guard->tree, middle, 1.5 * radius, &found);
+        for (size_t k = 0; k < found.n; k++) {
+            struct vec3 p = guard->point.item[found.item[k]];
+            struct vec3 d = vec_sub(p, c);
+            if (vec_length(vec_reject(d, up)) < radius - SLACK)
+                rise = fmax(rise, leaves(p, c, up, radius));
+        }
+    }
+    array_free(&found);
+    return rise;
+}
+
+bool guard_open(const struct guard *guard, struct vec3 c, struct vec3 up, double radius,
+                double depth)
+{
+    double end = fmax(box_along(guard, c, up) + radius, 0);
+
+    return guard_depth_along(guard, c, vec_along(c, end, up), radius) <= depth;
+}
