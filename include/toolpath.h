@@ -1,0 +1,61 @@
+/*
+ * toolpath - strips of contact points put together to a path: tool centres lifted clear of the
+ * part, tips and axes, passes, links, approach and retract.
+ *
+ * From strip to strip the tool stays down where the way is short and the ball touches nothing on
+ * it; else it goes up along its axis to the clearance plane, over with the new axis and down along
+ * that.  What the ball does along its own axis the shank behind it has done before, so that this
+ * way is free wherever the tool fits at all; where it is not, straight up in z is tried.
+ */
+#ifndef CLOUDMILL_TOOLPATH_H
+#define CLOUDMILL_TOOLPATH_H
+
+#include "lift.h"
+#include "path.h"
+
+struct toolpath_rule {
+    double radius;       /* of the ball, mm */
+    double feed, plunge; /* mm/min: cutting, and going down the last bit */
+    double clearance;    /* z of the tip on the clearance plane, mm */
+    double approach;     /* the last bit, mm */
+    double longest;      /* a link longer than this is not made with the tool down, mm */
+    bool reach;          /* every point must be reached within the limit of the lift */
+};
+
+struct toolpath {
+    struct path *path;
+    struct toolpath_rule rule;
+    struct lift_rule lift; /* of the strips, and what links must be clear of */
+
+    /* What came of it, over all strips. */
+    struct lift_report report;
+    size_t missed_pass;  /* the first pass with a point that the ball can't reach, 0: none */
+    double chord;        /* between the smooth curve and the straight lines, mm */
+    size_t low, high;    /* links with the tool down, links over the clearance plane */
+    size_t shank;        /* points where the tool touches with more than its ball */
+    size_t blocked;      /* ways up or down on which the ball touches: made at feed, not rapid */
+    size_t blocked_pass; /* the first of them */
+    struct vec3 blocked_at;
+
+    /* Where it stands: for toolpath.c alone. */
+    struct run_point at;
+    size_t pass;
+    bool down;
+    double feed_now;
+};
+
+/*
+ * One strip: n contact points in the order they are cut, in a pass of this number (rising from 1),
+ * `along` the horizontal direction of the feed.
+ */
+void toolpath_strip(struct toolpath *t, size_t pass, const struct contact *contact, size_t n,
+                    struct vec3 along);
+
+/* Up from the last strip. */
+void toolpath_end(struct toolpath *t);
+
+/* The summary with note(), and with say() what does not hold; the tool's exit status, EXIT_DONE or
+ * EXIT_UNMET. */
+int toolpath_conclude(const struct toolpath *t);
+
+#endif

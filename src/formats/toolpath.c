@@ -1,0 +1,227 @@
+#include "toolpath.h"
+
+#include <stdlib.h>
+
+#include "cli.h"
+#include "way.h"
+
+/* An axis flatter than this does not lead to the clearance plane: sin 10 degrees. */
+static const double FLAT = 0.17364817766693033;
+
+/* A way between a point of a strip and the clearance plane, for the ball's centre. */
+struct way {
+    struct vec3 near; /* the approach distance off the point */
+    struct vec3 far;  /* with the tip on the clearance plane */
+    bool clear;
+};
+
+static void move(struct toolpath *t, struct vec3 ball, struct vec3 axis, bool rapid)
+{
+    path_add_point(t->path, (struct pose){vec_along(ball, -t->rule.radius, axis), axis}, rapid);
+}
+
+static void set_feed(struct toolpath *t, double feed)
+{
+    if (feed != t->feed_now)
+        path_add_feed(t->path, feed);
+    t->feed_now = feed;
+}
+
+/* The way off the point p that begins in this direction. */
+static struct way way_off(const struct toolpath *t, const struct run_point *p,
+                          struct vec3 direction)
+{
+    struct way way = {.near = vec_along(p->ball, t->rule.approach, direction), .clear = true};
+    double rise = t->rule.clearance + t->rule.radius * p->axis.z - way.near.z;
+
+    way.far = way.near;
+    if (rise > 0 && direction.z > FLAT)
+        way.far = vec_along(way.near, rise / direction.z, direction);
+    else if (rise > 0)
+        way.far.z += rise;
+    if (t->lift.guard) {
+        const struct guard *guard = t->lift.guard;
+        double offset = t->lift.offset, before = guard_depth(guard, p->ball, offset);
+        double depth = fmax(guard_depth_along(guard, p->ball, way.near, offset),
+                            guard_depth_along(guard, way.near, way.far, offset));
+        way.clear = depth <= fmax(before, 0) + t->lift.tolerance;
+    }
+    return way;
+}
+
+static struct way find_way(struct toolpath *t, const struct run_point *p)
+{
+    struct way along_axis = way_off(t, p, p->axis);
+    if (along_axis.clear)
+        return along_axis;
+    struct way straight_up = way_off(t, p, vec(0, 0, 1));
+    if (straight_up.clear)
+        return straight_up;
+    if (t->blocked++ == 0) {
+        t->blocked_pass = t->pass;
+        t->blocked_at = p->contact;
+    }
+    return along_axis;
+}
+
+static void retract(struct toolpath *t)
+{
+    struct way way = find_way(t, &t->at);
+
+    move(t, way.near, t->at.axis, false);
+    move(t, way.far, t->at.axis, way.clear);
+    t->down = false;
+}
+
+static void approach(struct toolpath *t, const struct run_point *p)
+{
+    struct way way = find_way(t, p);
+
+    move(t, way.far, p->axis, true);
+    if (!way.clear)
+        set_feed(t, t->rule.plunge);
+    move(t, way.near, p->axis, way.clear);
+    set_feed(t, t->rule.plunge);
+    move(t, p->ball, p->axis, false);
+    set_feed(t, t->rule.feed);
+}
+
+/* From where the tool is to the first point of a strip, and the word that begins a pass. */
+static void link_to(struct toolpath *t, size_t pass, const struct run_point *p)
+{
+    struct run way = {.radius = t->rule.radius};
+    bool low = t->down && vec_distance(t->at.ball, p->ball) <= t->rule.longest &&
+               way_low(&t->at, p, &t->lift, t->rule.radius, &way);
+
+    if (t->down && !low)
+        retract(t);
+    if (pass != t->pass)
+        path_add_pass(t->path, pass);
+    t->pass = pass;
+    if (low) {
+        for (size_t i = 0; i < way.n; i++)
+            move(t, way.item[i].ball, way.item[i].axis, false);
+        move(t, p->ball, p->axis, false);
+        t->low++;
+    } else {
+        approach(t, p);
+        t->high++;
+    }
+    array_free(&way);
+}
+
+static void cut(struct toolpath *t, const struct run_point *point, size_t n)
+{
+    for (size_t i = 0; i < n; i++) {
+        const struct run_point *p = &point[i];
+        struct path_item *item = path_add_point(t->path, (struct pose){p->tip, p->axis}, false);
+        item->touches = vec_length(p->normal) > 0;
+        item->contact = (struct contact){p->contact, p->normal};
+        if (vec_dot(p->axis, p->normal) < 0)
+            t->shank++;
+    }
+    t->at = point[n - 1];
+    t->down = true;
+}
+
+static void report(struct toolpath *t, size_t pass, const struct lift_report *r)
+{
+    struct lift_report *all = &t->report;
+
+    all->points += r->points;
+    all->lifted += r->lifted;
+    all->missed += r->missed;
+    if (r->highest > all->highest) {
+        all->highest = r->highest;
+        all->highest_at = r->highest_at;
+    }
+    if (r->miss > all->miss) {
+        all->miss = r->miss;
+        all->miss_at = r->miss_at;
+        t->missed_pass = pass;
+    }
+}
+
+/* The largest distance between straight lines and the smooth curve, over the parts of [from, to)
+ * that touch: what a fitter would take out. */
+static double chord_of(const struct run *run, size_t from, size_t to)
+{
+    double chord = 0;
+
+    for (size_t i = from; i < to; i++) {
+        size_t begin = i;
+        while (i < to && vec_length(run->item[i].normal) > 0)
+            i++;
+        struct run part = {.n = i - begin, .item = run->item + begin, .radius = run->radius};
+        struct run smooth = {.radius = run->radius};
+        chord = fmax(chord, run_densify(&part, run->radius, &smooth));
+        array_free(&smooth);
+    }
+    return chord;
+}
+
+void toolpath_strip(struct toolpath *t, size_t pass, const struct contact *contact, size_t n,
+                    struct vec3 along)
+{
+    struct run nodes = {.radius = t->rule.radius};
+    struct lifted_run lifted = {.run = nodes};
+    size_t from = 0;
+
+    t->lift.feed.along = along;
+    for (size_t i = 0; i < n; i++)
+        lift_add(&nodes, &t->lift, contact[i].p, contact[i].n);
+    lift_run(&nodes, &t->lift, &lifted);
+    report(t, pass, &lifted.report);
+    for (size_t i = 0; i < lifted.end.n; i++) {
+        size_t end = lifted.end.item[i];
+        if (end > from) {
+            link_to(t, pass, &lifted.run.item[from]);
+            cut(t, &lifted.run.item[from], end - from);
+            t->chord = fmax(t->chord, chord_of(&lifted.run, from, end));
+        }
+        from = end;
+    }
+    array_free(&nodes);
+    lifted_run_free(&lifted);
+}
+
+void toolpath_end(struct toolpath *t)
+{
+    if (t->down)
+        retract(t);
+}
+
+/* What does not hold, and where. */
+static void complain(const struct toolpath *t)
+{
+    const struct lift_report *r = &t->report;
+    struct vec3 at = r->miss_at;
+
+    if (r->missed > 0)
+        say("the ball can't reach %zu points with a lift of at most %g mm and passes over them, in "
+            "pass %zu by %.3f mm at %.3f %.3f %.3f",
+            r->missed, t->lift.limit, t->missed_pass, r->miss, at.x, at.y, at.z);
+    at = t->blocked_at;
+    if (t->blocked > 0)
+        say("pass %zu: the ball touches the part on %zu ways to or from the clearance plane, the "
+            "first at %.3f %.3f %.3f",
+            t->blocked_pass, t->blocked, at.x, at.y, at.z);
+    if (t->shank > 0)
+        say("at %zu points the normal is more than 90 degrees off the axis: not the ball touches "
+            "there, but the shank",
+            t->shank);
+}
+
+int toolpath_conclude(const struct toolpath *t)
+{
+    const struct lift_report *r = &t->report;
+
+    note("%zu points in %zu passes, %zu links with the tool down, %zu over the clearance plane",
+         r->points, t->pass, t->low, t->high);
+    note("%zu points lifted, by %.4f mm at %.3f %.3f %.3f; straight lines up to %.4f mm off the "
+         "smooth path",
+         r->lifted, r->highest, r->highest_at.x, r->highest_at.y, r->highest_at.z, t->chord);
+    complain(t);
+    bool missed = r->missed > 0 && t->rule.reach;
+    return missed || t->blocked > 0 || t->shank > 0 ? EXIT_UNMET : EXIT_DONE;
+}
