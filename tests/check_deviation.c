@@ -16,9 +16,9 @@ START_TEST(by_hand)
     b.pole[1] = vec(3, 0, 0);
     struct deviation d = deviation_of(&b, b.pole, point, u, 4);
     ck_assert_double_eq_tol(d.c1, 4, 1e-15);
-    ck_assert_double_eq_tol(d.c2, 5 / 4.0, 1e-15);      /* eq 8: sqrt(9 + 16) / 4 */
+    ck_assert_double_eq_tol(d.c2, 5 / 4.0, 1e-15); /* eq 8: sqrt(9 + 16) / 4 */
     ck_assert_double_eq_tol(d.rms, sqrt(25 / 4.0), 1e-15);
-    ck_assert_double_eq_tol(d.middle, 2.5, 1e-15);      /* (1.5, 1.5, 2) from (1.5, 0, 0) */
+    ck_assert_double_eq_tol(d.middle, 2.5, 1e-15); /* (1.5, 1.5, 2) from (1.5, 0, 0) */
     bspline_free(&b);
 }
 END_TEST

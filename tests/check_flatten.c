@@ -1,6 +1,6 @@
 /*
- * flatten, against the curve itself at many places between the vertices: the chord error that was asked
- * for is kept, at the tracked point and at the other one.
+ * flatten, against the curve itself at many places between the vertices: the chord error that was
+ * asked for is kept, at the tracked point and at the other one.
  */
 #include <check.h>
 #include <stdint.h>

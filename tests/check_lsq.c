@@ -1,6 +1,7 @@
 /*
- * lsq, against what is known: data from a B-spline gives its poles back, data from a cubic polynomial
- * is met by any knots, and elsewhere the sum of squares is least (no change of a pole makes it less).
+ * lsq, against what is known: data from a B-spline gives its poles back, data from a cubic
+ * polynomial is met by any knots, and elsewhere the sum of squares is least (no change of a pole
+ * makes it less).
  */
 #include <check.h>
 #include <stdint.h>

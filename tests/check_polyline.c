@@ -1,6 +1,7 @@
 /*
- * polyline, against the nearest distance by brute force over dense samples, on chains near to each other
- * where both must agree; and on chains that come back to themselves, where only the branch counts.
+ * polyline, against the nearest distance by brute force over dense samples, on chains near to each
+ * other where both must agree; and on chains that come back to themselves, where only the branch
+ * counts.
  */
 #include <check.h>
 #include <stdint.h>
@@ -37,8 +38,8 @@ static double brute_force(struct polyline a, struct polyline b)
 
     for (size_t i = 0; i + 1 < a.n; i++)
         for (int k = 0; k <= SAMPLES; k++)
-            worst = fmax(worst, nearest(b, vec_mix(a.point[i], a.point[i + 1],
-                                                   (double)k / SAMPLES)));
+            worst =
+                fmax(worst, nearest(b, vec_mix(a.point[i], a.point[i + 1], (double)k / SAMPLES)));
     return worst;
 }
 
@@ -85,7 +86,8 @@ START_TEST(stops_at_the_limit)
 {
     const struct vec3 p[] = {{0, 0, 0}, {1, 1, 0}, {2, 50, 0}, {3, 0, 0}};
     const struct vec3 q[] = {{0, 0, 0}, {3, 0, 0}};
-    double got = polyline_distance((struct polyline){4, p}, (struct polyline){2, q}, 0.5, 1e-6, NULL);
+    double got =
+        polyline_distance((struct polyline){4, p}, (struct polyline){2, q}, 0.5, 1e-6, NULL);
 
     ck_assert_double_gt(got, 0.5);
     ck_assert_double_le(got, 1);
@@ -133,10 +135,14 @@ START_TEST(repeated_and_single_points)
     const struct vec3 p[] = {{0, 0, 0}, {0, 0, 0}, {1, 0, 0}, {1, 0, 0}, {1, 0, 0}, {2, 0, 0}};
     const struct vec3 q[] = {{0, 0, 0}, {2, 0, 0}};
 
-    ck_assert(polyline_distance((struct polyline){6, p}, (struct polyline){2, q}, 1, 1e-6, NULL) == 0);
-    ck_assert(polyline_distance((struct polyline){2, q}, (struct polyline){6, p}, 1, 1e-6, NULL) == 0);
-    ck_assert(polyline_distance((struct polyline){2, q}, (struct polyline){1, q}, 9, 1e-6, NULL) == 2);
-    ck_assert(polyline_distance((struct polyline){1, q}, (struct polyline){2, q}, 9, 1e-6, NULL) == 0);
+    ck_assert(polyline_distance((struct polyline){6, p}, (struct polyline){2, q}, 1, 1e-6, NULL) ==
+              0);
+    ck_assert(polyline_distance((struct polyline){2, q}, (struct polyline){6, p}, 1, 1e-6, NULL) ==
+              0);
+    ck_assert(polyline_distance((struct polyline){2, q}, (struct polyline){1, q}, 9, 1e-6, NULL) ==
+              2);
+    ck_assert(polyline_distance((struct polyline){1, q}, (struct polyline){2, q}, 9, 1e-6, NULL) ==
+              0);
 }
 END_TEST
 

@@ -1,6 +1,6 @@
 /*
- * splinefit: what is promised is measured again by brute force; what is the least is tried one lower;
- * what is straight, short or rough gets what is said.
+ * splinefit: what is promised is measured again by brute force; what is the least is tried one
+ * lower; what is straight, short or rough gets what is said.
  */
 #include <check.h>
 #include <stdlib.h>
@@ -57,8 +57,8 @@ static double brute_force(const struct bspline *b, const struct track *t, bool o
     }
     for (size_t k = 0; k + 1 < t->n; k++)
         for (int i = 0; i < PARTS; i++)
-            worst = fmax(worst, off_chain(vec_mix(data[k], data[k + 1], (double)i / PARTS), way,
-                                          N + 1));
+            worst = fmax(worst,
+                         off_chain(vec_mix(data[k], data[k + 1], (double)i / PARTS), way, N + 1));
     return worst;
 }
 
@@ -106,9 +106,9 @@ START_TEST(as_published)
     double *u = malloc(t.n * sizeof *u), worst = 0;
     params_fill(fit.params, t.chord, t.n, u);
     for (size_t k = 0; k < t.n; k++)
-        worst = fmax(worst, vec_distance(t.point[k],
-                                         bspline_at(&fit.curve, fit.curve.pole,
-                                                    u[k] * fit.curve.knot[fit.curve.poles])));
+        worst = fmax(worst,
+                     vec_distance(t.point[k], bspline_at(&fit.curve, fit.curve.pole,
+                                                         u[k] * fit.curve.knot[fit.curve.poles])));
     ck_assert_double_eq_tol(fit.deviation.c1, worst, 1e-12);
     free(u);
     splinefit_free(&default_fit);

@@ -39,8 +39,8 @@ START_TEST(a_corner_parts)
         ck_assert_uint_eq(p->fallback.n, 1);
         ck_assert(vec_distance(p->fallback.item[0].p, run.item[p->to].tip) == 0);
     }
-    ck_assert(vec_distance(pieces.item[0].fit.curve.pole[1],
-                           pieces.item[1].fit.curve.pole[0]) == 0);
+    ck_assert(vec_distance(pieces.item[0].fit.curve.pole[1], pieces.item[1].fit.curve.pole[0]) ==
+              0);
     splinerun_free(&pieces);
     splinerun_fit(&run, false, true, &ALL, &pieces); /* the paper knows no corners */
     ck_assert_uint_eq(pieces.n, 1);

@@ -39,7 +39,7 @@ END_TEST
 
 START_TEST(repeats_go_and_the_last_point_stays)
 {
-    struct run_point item[] = {pose(0, 0), pose(0, 0),     pose(1, 0), pose(1, 0),
+    struct run_point item[] = {pose(0, 0), pose(0, 0),    pose(1, 0),   pose(1, 0),
                                pose(2, 0), pose(2, 5e-9), pose(2, 1e-8)};
     struct run run = {.n = 7, .item = item, .radius = 8};
     struct track t = track_new(&run, false);
