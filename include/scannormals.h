@@ -12,6 +12,9 @@ struct scannormals {
     size_t fitted, thin; /* vertices with a quadric; without one, they keep the facets' normal */
     size_t at;           /* the vertex with the largest distance */
     double worst, rms;   /* of the distances, mm */
+    double noise;        /* three standard deviations of the scan's noise, mm: from the median of
+                            the distances, so that a sharp edge, where a quadric is of no use, does
+                            not count as noise */
 };
 
 /*

@@ -203,9 +203,10 @@ static void make_normals(const struct settings *s, const struct vec3s *points, i
             "the facets'",
             r.thin, mesh->vertex.n);
     struct vec3 at = mesh->vertex.item[r.at];
-    note("vertices are off their quadrics by %.4f mm at worst (at %.3f %.3f %.3f), %.4f mm rms",
-         r.worst, at.x, at.y, at.z, r.rms);
-    mesh->origin.ledger = r.worst;
+    note("vertices are off their quadrics by %.4f mm at worst (at %.3f %.3f %.3f), %.4f mm rms; "
+         "three sigma of the noise %.4f mm",
+         r.worst, at.x, at.y, at.z, r.rms, r.noise);
+    mesh->origin.ledger = r.noise;
     mesh->origin.maker = mem_string("cloud2mesh", strlen("cloud2mesh"));
 }
 

@@ -74,6 +74,7 @@ START_TEST(random_points)
     ck_assert_double_lt(worst_angle(), 0.01);
     ck_assert_double_lt(r.worst, 0.004);
     ck_assert_double_le(r.rms, r.worst);
+    ck_assert(r.noise > 0 && r.noise < 0.004);
     ck_assert_uint_eq(mesh.kmax.n, mesh.vertex.n);
 }
 END_TEST

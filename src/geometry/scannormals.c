@@ -109,23 +109,41 @@ static void fit_vertices(void *context, size_t from, size_t to)
     array_free(&near);
 }
 
-static struct scannormals sum_up(const double *distance, size_t n)
+static int by_size(const void *a, const void *b)
 {
-    struct scannormals s = {0, 0, 0, 0, 0};
+    double x = *(const double *)a, y = *(const double *)b;
+    return (x > y) - (x < y);
+}
+
+/* Three standard deviations of what is normally distributed, from the median of its size. */
+static double three_sigma(double *distance, size_t n)
+{
+    static const double sigma_of_median = 1.4826;
+    if (n == 0)
+        return 0;
+    qsort(distance, n, sizeof *distance, by_size);
+    return 3 * sigma_of_median * distance[n / 2];
+}
+
+/* Gathers the distances that are there (not below 0) to the front of the array. */
+static struct scannormals sum_up(double *distance, size_t n)
+{
+    struct scannormals s = {0};
     double sum2 = 0;
     for (size_t i = 0; i < n; i++) {
         if (distance[i] < 0) {
             s.thin++;
             continue;
         }
-        s.fitted++;
         sum2 += distance[i] * distance[i];
         if (distance[i] > s.worst) {
             s.worst = distance[i];
             s.at = i;
         }
+        distance[s.fitted++] = distance[i];
     }
     s.rms = s.fitted > 0 ? sqrt(sum2 / (double)s.fitted) : 0;
+    s.noise = three_sigma(distance, s.fitted);
     return s;
 }
 
