@@ -18,7 +18,7 @@ struct cloud_style {
 
 enum cloud_row_kind {
     CLOUD_POINT,
-    CLOUD_NOT_FINITE, /* a coordinate is nan, inf or beyond 1e30 */
+    CLOUD_NOT_FINITE, /* a coordinate is nan, inf or beyond CLOUD_TOO_LARGE */
     CLOUD_EMPTY,
     CLOUD_COMMENT, /* begins with # // or, where semicolons part no columns, ; */
     CLOUD_SHORT,   /* numbers, but no column for z (or x or y) */
@@ -35,6 +35,10 @@ struct cloud_row {
     int word_n;       /* ... and as much of it as a message shows */
 };
 
+/* Beyond this a coordinate counts as not finite: its fourth power, in the sums of a quadric through
+ * many points, still is. */
+#define CLOUD_TOO_LARGE 1e30
+
 /* Reads the n bytes at line (with a '\0' behind) as a row.  May change the line meanwhile. */
 struct cloud_row cloud_row_read(const struct cloud_style *style, char *line, size_t n);
 
@@ -46,14 +50,5 @@ struct cloud_row cloud_row_read(const struct cloud_style *style, char *line, siz
  */
 bool cloud_row_sniff(const char *heading, char *line, size_t n, struct cloud_style *style,
                      struct cloud_row *row);
-
-/*
- * The common rows, fast: reads whole lines from [text, end), where the last byte is a line end, as
- * long as they are three numbers of this style in the first three columns, and whatever columns
- * behind them.  Appends up to `most` points; *rows says how many.  Returns how many bytes they
- * took; the line behind them is for cloud_row_read.
- */
-size_t cloud_row_run(const struct cloud_style *style, const char *text, const char *end,
-                     size_t most, struct vec3s *points, size_t *rows);
 
 #endif

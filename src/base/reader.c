@@ -26,10 +26,14 @@ int reader_open(struct reader *r, const char *file, struct error *error)
     if (r->fd < 0)
         return error_set(error, "%s: cannot open: %s", r->name, strerror(errno));
     struct stat st;
-    if (fstat(r->fd, &st) == 0 && S_ISDIR(st.st_mode)) {
+    if (fstat(r->fd, &st) != 0)
+        return 0;
+    if (S_ISDIR(st.st_mode)) {
         reader_close(r);
         return error_set(error, "%s: is a directory, expected a file", r->name);
     }
+    if (S_ISREG(st.st_mode))
+        r->size = (size_t)st.st_size;
     return 0;
 }
 

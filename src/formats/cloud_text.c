@@ -10,12 +10,14 @@
 #include <string.h>
 
 #include "array.h"
+#include "cloud_run.h"
 
 struct text {
     struct cloud_source *source;
     struct cloud_style style;
     bool begun;         /* the first row was there */
     bool doubtful;      /* it had words behind its numbers: a heading, unless the next has too */
+    bool reserved;      /* room was made for all points of the file */
     char *heading;      /* the heading line last seen, or NULL */
     size_t rows;        /* of this block */
     size_t promised;    /* how many its count says, 0: there was no count */
@@ -142,16 +144,29 @@ static int next_line(struct text *t, char *line, size_t n, struct error *error)
     return take_row(t, &row, error);
 }
 
+/* Room for the rest of the file, if it goes on as it began: so many rows in so many bytes. */
+static void reserve(struct text *t, size_t rows, size_t bytes)
+{
+    enum { SURE = 256, MOST = 1 << 25 };
+    if (t->reserved || rows < SURE)
+        return;
+    t->reserved = true;
+    double expected = 1.02 * (double)t->source->reader->size * (double)rows / (double)bytes;
+    array_reserve(t->source->points,
+                  t->source->points->n + (expected < MOST ? (size_t)expected : MOST));
+}
+
 /* Rows straight from the reader's buffer, as many as there are whole and plain. */
 static void run(struct text *t)
 {
     const char *ahead;
     size_t rows, n = reader_ahead(t->source->reader, &ahead);
     size_t most = t->promised ? t->promised - t->rows : n;
-    size_t taken = cloud_row_run(&t->style, ahead, ahead + n, most, t->source->points, &rows);
+    size_t taken = cloud_run(&t->style, ahead, ahead + n, most, t->source->points, &rows);
     if (!t->style.point && memchr(ahead, '.', taken))
         t->style.point = '.';
     reader_take(t->source->reader, taken, rows);
+    reserve(t, rows, taken);
     t->rows += rows;
     t->source->count->points += rows;
 }
