@@ -134,8 +134,9 @@ void reader_unread(struct reader *r)
 
 size_t reader_ahead(const struct reader *r, const char **text)
 {
-    *text = r->buf + r->from;
-    return r->whole > r->from ? r->whole - r->from : 0;
+    bool any = r->whole > r->from;
+    *text = any ? r->buf + r->from : "";
+    return any ? r->whole - r->from : 0;
 }
 
 void reader_take(struct reader *r, size_t n, size_t lines)
