@@ -82,7 +82,7 @@ bool nc_modal(struct nc_writer *w, enum nc_slot slot, const char *address, doubl
 
 void nc_forget(struct nc_writer *w, enum nc_slot from, enum nc_slot to)
 {
-    for (int i = from; i <= (int)to; i++)
+    for (enum nc_slot i = from; i <= to; i++)
         w->known[i] = false;
 }
 
