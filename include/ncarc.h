@@ -17,6 +17,7 @@ enum nc_arcs {
 struct nc_arc {
     int plane;          /* 17 XY, 18 ZX, 19 YZ; 0: in space */
     bool ccw;           /* seen from the plane's positive side: G3 */
+    bool full;          /* a whole turn */
     struct vec3 centre; /* from the start, rounded */
     double radius;      /* rounded; negative: more than half a turn */
     struct vec3 middle; /* SPACE: the point on the way, rounded */

@@ -31,6 +31,7 @@ struct nc_step {
     struct deviation allowed; /* of a block, with rounding */
     struct nc_state state;
     struct nc_branch branch;
+    const struct vec3 *ahead; /* the next tool axis of the path that is not singular, NULL: none */
     bool first;        /* the next motion is the first of a group: the tool is off the part */
     bool may_turn;     /* retract - turn - return is allowed */
     struct error *error;

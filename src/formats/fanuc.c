@@ -104,6 +104,8 @@ static void arc(struct nc_program *p, const struct nc_move *move)
     struct nc_writer *w = &p->w;
     plane(w, a->plane);
     nc_motion(w, a->ccw ? "G3" : "G2");
+    if (a->full) /* the end is named though it is where the tool stands */
+        nc_forget(w, a->plane == 19 ? NC_Y : NC_X, a->plane == 17 ? NC_Y : NC_Z);
     nc_place(p, move->to.p);
     nc_axis(p, &move->to, vector_address);
     if (a->radius != 0) {
@@ -136,9 +138,10 @@ static void spline(struct nc_program *p, const struct nc_move *move)
         nc_number(w, "K", b->knot[i], digits->knot);
         if (i < b->poles) {
             const double q[] = {RADIANS(s->angle[0][i]), RADIANS(s->angle[1][i])};
-            nc_forget(w, NC_X, NC_Q1);
+            nc_forget(w, NC_X, s->turns ? NC_Q1 : NC_Z);
             nc_place(p, b->pole[i]);
-            nc_rotary(p, q);
+            if (s->turns)
+                nc_rotary(p, q);
         }
         if (i == 0)
             nc_feed(p, move);

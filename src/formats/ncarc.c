@@ -90,7 +90,7 @@ bool nc_arc_words(struct nc_arc *arc, enum nc_arcs kind, int digits, double radi
     double sweep = (s1 - s0) * motion->sweep;
     struct vec3 axis;
     *arc = (struct nc_arc){0};
-    if (sweep > nc_arc_most(kind) + 1e-9)
+    if (sweep > nc_arc_most(kind) + 1e-6)
         return false;
     if (kind == NC_ARCS_SPACE) {
         arc->middle = round_point(motion_at(motion, (s0 + s1) / 2).p, digits);
@@ -98,6 +98,7 @@ bool nc_arc_words(struct nc_arc *arc, enum nc_arcs kind, int digits, double radi
             return false;
     } else {
         axis = principal(motion->axis, arc);
+        arc->full = vec_distance(from->p, to->p) == 0;
         double radius = vec_length(vec_reject(vec_sub(motion->from.p, motion->centre), axis));
         if (kind == NC_ARCS_CENTRE &&
             !centre_words(arc, digits, radius_error, motion->centre, axis, from->p, to->p))

@@ -12,6 +12,9 @@
 
 #include "ncstep.h"
 
+/* Of a tolerance: the worst place of a block may lie between those that are looked at. */
+static const double sampled = 0.95;
+
 /* What a group that is planned again has to take back. */
 struct mark {
     struct nc_state state;
@@ -133,12 +136,27 @@ static size_t group_end(const struct path *path, size_t from)
     return path->item.n;
 }
 
+/* The first motion from item i on whose tool axis is not singular, else the path's end. */
+static size_t next_tilted(const struct nc_step *step, size_t i)
+{
+    const struct path *path = step->path;
+    while (i < path->item.n && (!is_motion(&path->item.item[i]) ||
+                                chain_angles(&step->machine->chain, path->item.item[i].to.a).free))
+        i++;
+    return i;
+}
+
 static int plan_items(struct nc_step *step, size_t from, size_t to)
 {
+    size_t tilted = from;
     step->first = true;
-    for (size_t i = from; i < to; i++)
+    for (size_t i = from; i < to; i++) {
+        if (tilted <= i)
+            tilted = next_tilted(step, i + 1);
+        step->ahead = tilted < step->path->item.n ? &step->path->item.item[tilted].to.a : NULL;
         if (plan_item(step, &step->path->item.item[i]) != 0)
             return -1;
+    }
     return 0;
 }
 
@@ -201,7 +219,8 @@ int nc_plan_make(struct nc_plan *plan, const struct path *path, const struct mac
     if (ball > 0)
         step.follow.ball = path->head.track == TRACK_CENTRE ? -ball : ball;
     struct deviation last = rounding(&step);
-    step.allowed = (struct deviation){wish.chord + last.point, wish.axis_tolerance + last.axis};
+    step.allowed = (struct deviation){sampled * wish.chord + last.point,
+                                      sampled * wish.axis_tolerance + last.axis};
     for (size_t from = 0; from < path->item.n;) {
         size_t to = group_end(path, from);
         if (plan_group(&step, from, to) != 0)

@@ -208,7 +208,7 @@ static int nurbs_round(struct nc_spline *spline, struct nc_spline_digits digits,
     int over;
     nc_spline_free(spline);
     spline->form = NC_NURBS;
-    spline->turns = f->chain->n > 0;
+    spline->turns = exact->head != NULL;
     spline->curve = bspline_copy(exact);
     for (int k = 0; k < ROTARY_MAX; k++)
         spline->angle[k] = mem_alloc(exact->poles, sizeof(double));

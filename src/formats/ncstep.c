@@ -48,6 +48,24 @@ static struct station station_of(const struct nc_step *step, struct pose to, con
     return s;
 }
 
+/*
+ * In the singular direction the axis nearest the work is free.  From one such pose to the next it
+ * turns to where the path will need it, so that it has the way between them for its turn instead
+ * of none when the tool tilts.
+ */
+static void turn_ahead(const struct nc_step *step, struct pose to, double q[])
+{
+    const struct chain *chain = &step->machine->chain;
+    double then[ROTARY_MAX];
+    int over, only = step->first ? step->branch.first : step->branch.then;
+    if (!step->ahead || chain->n < 2 || !chain_angles(chain, to.a).free)
+        return;
+    if (step->state.begun && !step->first && !chain_angles(chain, step->state.pose.a).free)
+        return;
+    if (chain_choose(chain, *step->ahead, q, true, only, then, &over) == 0)
+        q[0] = then[0];
+}
+
 /* The station that reaches a pose from where the program is; -1: none within the travel. */
 static int reach(struct nc_step *step, struct pose to, struct station *s)
 {
@@ -65,6 +83,7 @@ static int reach(struct nc_step *step, struct pose to, struct station *s)
         return over_travel(step, step->machine->letter[over], "angle",
                            DEGREES(angles.q[only == 1 && angles.n == 2][over]));
     }
+    turn_ahead(step, to, q);
     *s = station_of(step, to, q);
     return check_linear(step, s);
 }
@@ -123,6 +142,14 @@ static bool same_station(const struct station *a, const struct station *b, bool 
     return same && a->q[0] == b->q[0] && a->q[1] == b->q[1];
 }
 
+static double most_turn(const struct chain *chain, const double a[], const double b[])
+{
+    double most = 0;
+    for (int i = 0; i < chain->n; i++)
+        most = fmax(most, fabs(a[i] - b[i]));
+    return most;
+}
+
 /* Angles for the pose where the program is, in the middle of the travel as far as can be, from
  * which the goal is in reach too. */
 static bool turned(const struct nc_step *step, struct pose goal, double q[])
@@ -137,7 +164,9 @@ static bool turned(const struct nc_step *step, struct pose goal, double q[])
     }
     for (int only = 0; only < 2; only++)
         if (chain_choose(chain, step->state.pose.a, middle, false, only, q, &over) == 0 &&
-            chain_choose(chain, goal.a, q, true, -1, next, &over) == 0)
+            chain_choose(chain, goal.a, q, true, -1, next, &over) == 0 &&
+            most_turn(chain, q, step->state.at.q) > RADIANS(1) &&
+            most_turn(chain, q, next) < RADIANS(90))
             return true;
     return false;
 }
@@ -145,9 +174,8 @@ static bool turned(const struct nc_step *step, struct pose goal, double q[])
 /* The rotary axes to q while the tip stays where it is. */
 static void turn_to(struct nc_step *step, const double q[])
 {
-    double from[ROTARY_MAX] = {step->state.at.q[0], step->state.at.q[1]}, far = 0;
-    for (int i = 0; i < step->machine->chain.n; i++)
-        far = fmax(far, DEGREES(fabs(q[i] - from[i])));
+    double from[ROTARY_MAX] = {step->state.at.q[0], step->state.at.q[1]};
+    double far = DEGREES(most_turn(&step->machine->chain, q, from));
     int n = step->follow.mode == FOLLOW_JOINT ? (int)ceil(far / TURN_STEP) : 1;
     for (int k = 1; k <= n; k++) {
         double part[ROTARY_MAX];
@@ -177,34 +205,82 @@ static bool retract_turn_return(struct nc_step *step, struct pose goal)
     return nc_step_rapid(step, near) == 0 && nc_step_motion(step, &back) == 0;
 }
 
+/* How far the block to a station is off the motion. */
+static struct deviation block_deviation(const struct nc_step *step, const struct station *to,
+                                        const struct motion *motion, double s0, double s1,
+                                        struct deviation allowed)
+{
+    const struct station *at = &step->state.at;
+    struct deviation d = follow_block(&step->follow, at, to, motion, s0, s1, allowed);
+    if (step->plan->ability.doubtful && deviation_within(d, allowed)) {
+        struct follow other = step->follow;
+        other.mode = FOLLOW_ROTARY;
+        d = deviation_worst(d, follow_block(&other, at, to, motion, s0, s1, allowed));
+    }
+    return d;
+}
+
+/*
+ * The rotary axes cannot go on as they stand: the next pose is out of their travel, or it takes a
+ * turn that no block in the cut can make.  Off the part they turn where they are.
+ */
+static int go_on_turned(struct nc_step *step, const struct motion *motion, double s0, double s1,
+                        enum nc_kind kind, struct station *to)
+{
+    struct pose goal = motion_at(motion, s1);
+    if (kind == NC_RAPID) {
+        if (reach(step, goal, to) != 0)
+            return -1;
+        turn_to(step, to->q);
+        return 0;
+    }
+    if (retract_turn_return(step, goal) && reach(step, goal, to) == 0 &&
+        deviation_within(block_deviation(step, to, motion, s0, s1, step->allowed), step->allowed))
+        return 0;
+    if (step->plan->unmet)
+        return -1;
+    step->plan->unmet = true;
+    return error_at(step->error, step->path->name, step->state.line,
+                    "pass %zu: the rotary axes of %s have no way on within their travel and the "
+                    "tolerance",
+                    step->state.pass, step->machine->name);
+}
+
+static void take(struct nc_step *step, const struct station *to, struct pose goal,
+                 enum nc_kind kind, struct deviation d)
+{
+    struct nc_total *total = &step->plan->total;
+    if (!same_station(&step->state.at, to, step->follow.mode == FOLLOW_VECTOR))
+        add_move(step, kind, to, vec_distance(step->state.pose.p, goal.p), 0);
+    step->state.pose = goal;
+    if (kind == NC_LINE)
+        total->spent = deviation_worst(total->spent, d);
+}
+
 /* Straight blocks along the motion from s0, where the program is, to s1. */
 static int straight(struct nc_step *step, const struct motion *motion, double s0, double s1,
                     enum nc_kind kind, struct deviation allowed, int depth)
 {
-    struct nc_total *total = &step->plan->total;
     struct pose goal = motion_at(motion, s1);
     struct station to;
-    if (reach(step, goal, &to) != 0 &&
-        (kind != NC_LINE || !retract_turn_return(step, goal) || reach(step, goal, &to) != 0))
-        return -1;
-    const struct station *at = &step->state.at;
-    struct deviation d = follow_block(&step->follow, at, &to, motion, s0, s1, allowed);
-    if (step->plan->ability.doubtful && deviation_within(d, allowed)) {
-        struct follow other = step->follow;
-        other.mode = FOLLOW_ROTARY;
-        d = deviation_worst(d, follow_block(&other, at, &to, motion, s0, s1, allowed));
-    }
+    struct deviation d = {HUGE_VAL, HUGE_VAL};
+    bool reached = reach(step, goal, &to) == 0;
+    if (!reached && !step->may_turn)
+        return -1; /* with it: as far as it goes, then turn */
+    if (reached)
+        d = block_deviation(step, &to, motion, s0, s1, allowed);
     if (!deviation_within(d, allowed) && depth < DEPTH_MAX) {
         double mid = (s0 + s1) / 2;
         if (straight(step, motion, s0, mid, kind, allowed, depth + 1) != 0)
             return -1;
         return straight(step, motion, mid, s1, kind, allowed, depth + 1);
     }
-    if (!same_station(at, &to, step->follow.mode == FOLLOW_VECTOR))
-        add_move(step, kind, &to, vec_distance(step->state.pose.p, goal.p), 0);
-    step->state.pose = goal;
-    if (kind == NC_LINE)
-        total->spent = deviation_worst(total->spent, d);
+    if (!deviation_within(d, allowed)) {
+        if (go_on_turned(step, motion, s0, s1, kind, &to) != 0)
+            return -1;
+        d = kind == NC_LINE ? block_deviation(step, &to, motion, s0, s1, allowed) : d;
+    }
+    take(step, &to, goal, kind, d);
     return 0;
 }
 
@@ -230,14 +306,7 @@ static int arc(struct nc_step *step, const struct motion *motion, double s0, dou
     struct station to;
     struct nc_arc words;
     struct deviation d;
-    double point = 0, most = nc_arc_most(ability->arcs), sweep = (s1 - s0) * motion->sweep;
-    if (sweep > most) {
-        int n = (int)ceil(sweep / most - 1e-9);
-        for (int i = 0; i < n; i++)
-            if (arc(step, motion, s0 + (s1 - s0) * i / n, s0 + (s1 - s0) * (i + 1) / n, depth) != 0)
-                return -1;
-        return 0;
-    }
+    double point = 0;
     struct pose goal = motion_at(motion, s1);
     bool fits = reach(step, goal, &to) == 0;
     fits = fits && nc_arc_words(&words, ability->arcs, ability->digits.linear, ability->radius_error,
@@ -245,8 +314,9 @@ static int arc(struct nc_step *step, const struct motion *motion, double s0, dou
     if (fits && !deviation_within(d, step->allowed) && point <= step->allowed.point &&
         depth < ARC_DEPTH_MAX) { /* it is the tool axis: it may be right in halves */
         double mid = (s0 + s1) / 2;
-        return arc(step, motion, s0, mid, depth + 1) || arc(step, motion, mid, s1, depth + 1) ? -1
-                                                                                              : 0;
+        if (arc(step, motion, s0, mid, depth + 1) != 0)
+            return -1;
+        return arc(step, motion, mid, s1, depth + 1);
     }
     if (!fits || !deviation_within(d, step->allowed)) {
         step->plan->total.chorded++;
@@ -256,6 +326,17 @@ static int arc(struct nc_step *step, const struct motion *motion, double s0, dou
     add_move(step, NC_ARC, &to, (s1 - s0) * motion_length(motion), step->plan->arc.n - 1);
     step->plan->total.spent = deviation_worst(step->plan->total.spent, d);
     step->state.pose = goal;
+    return 0;
+}
+
+/* A whole arc, in as many pieces as the control wants. */
+static int arcs(struct nc_step *step, const struct motion *motion)
+{
+    double most = nc_arc_most(step->plan->ability.arcs);
+    int n = (int)ceil(motion->sweep / most - 1e-9);
+    for (int i = 0; i < n; i++)
+        if (arc(step, motion, (double)i / n, (double)(i + 1) / n, 0) != 0)
+            return -1;
     return 0;
 }
 
@@ -298,7 +379,7 @@ int nc_step_motion(struct nc_step *step, const struct motion *motion)
         return spline(step, motion);
     }
     if (motion->kind == MOTION_ARC && step->plan->ability.arcs != NC_ARCS_NONE)
-        return arc(step, motion, 0, 1, 0);
+        return arcs(step, motion);
     step->plan->total.chorded += motion->kind == MOTION_ARC;
     return straight(step, motion, 0, 1, NC_LINE, step->allowed, 0);
 }

@@ -43,6 +43,8 @@ static void program_name(struct nc_program *p)
         if (good || (n && name[n - 1] != '_'))
             name[n++] = good ? (char)toupper(c) : '_';
     }
+    while (n && name[n - 1] == '_')
+        n--;
     name[n] = '\0';
     snprintf(line, sizeof line, "%%_N_%s_MPF", n >= 2 ? name : "PART");
     nc_line(&p->w, line);
@@ -163,16 +165,18 @@ static void head_words(struct nc_program *p, struct vec3 head)
     nc_number(&p->w, "ZH=", head.z, digits);
 }
 
-/* Where the tool stands already, with the head point as the second curve's start. */
-static void begin_curve(struct nc_program *p, const struct nc_spline *s, const struct nc_move *move)
+/* Where the tool stands already, with the head point as the second curve's start; it also keeps
+ * two B-splines apart. */
+static void begin_curve(struct nc_program *p, const struct nc_spline *s)
 {
+    if (!s->turns && strcmp(p->w.motion, "BSPLINE") != 0)
+        return;
     p->w.motion = NULL;
     nc_motion(&p->w, "G1");
     if (s->turns) {
         nc_code(&p->w, "ORICURVE");
         head_words(p, s->head_start);
     }
-    nc_feed(p, move);
     nc_end(&p->w);
 }
 
@@ -180,10 +184,11 @@ static void spline(struct nc_program *p, const struct nc_move *move)
 {
     const struct nc_spline *s = &p->plan->spline.item[move->index];
     struct nc_writer *w = &p->w;
-    begin_curve(p, s, move);
+    begin_curve(p, s);
     for (size_t i = 0; i < s->span.n; i++) {
         nc_motion(w, "POLY");
         polynomials(p, s, &s->span.item[i]);
+        nc_feed(p, move);
         nc_end(w);
     }
     for (size_t i = 1; s->form == NC_BSPLINE && i < s->curve.poles; i++) {
@@ -193,6 +198,7 @@ static void spline(struct nc_program *p, const struct nc_move *move)
         nc_place(p, s->curve.pole[i]);
         if (s->turns)
             head_words(p, s->curve.head[i]);
+        nc_feed(p, move);
         nc_end(w);
     }
     nc_remember(w, NC_X, move->to.p.x);

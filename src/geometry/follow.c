@@ -3,6 +3,7 @@
 
 enum { SAMPLES = 8 }; /* pieces that a block is looked at in */
 static const double little_of = 0.05; /* of what is allowed: a bound of it needs no closer look */
+static const double most_ahead = 0.25; /* of a block, that its time may run ahead or behind */
 
 bool deviation_within(struct deviation d, struct deviation allowed)
 {
@@ -44,7 +45,11 @@ struct pose follow_pose(const struct follow *f, const struct station *from,
     return at;
 }
 
-/* The pose of the block beside `wanted`, first looked for at s. */
+/*
+ * The pose of the block beside `wanted`, first looked for at s: where the tracked point is beside
+ * it; where that hardly moves, the ball counts too.  Never far from s: a block that hardly moves
+ * but turns would else be taken for its ends alone.
+ */
 static struct pose beside(const struct follow *f, const struct station *from,
                           const struct station *to, struct pose wanted, double s)
 {
@@ -52,12 +57,15 @@ static struct pose beside(const struct follow *f, const struct station *from,
     struct pose at = follow_pose(f, from, to, s);
     struct vec3 way = vec_sub(end.p, start.p);
     struct vec3 ball_way = vec_sub(ball_of(f, end), ball_of(f, start));
-    double length2 = vec_dot(way, way) + vec_dot(ball_way, ball_way);
+    double length2 = vec_dot(way, way), ball2 = vec_dot(ball_way, ball_way);
+    double ahead = vec_dot(vec_sub(wanted.p, at.p), way);
+    if (length2 < 0.01 * ball2) {
+        length2 += ball2;
+        ahead += vec_dot(vec_sub(ball_of(f, wanted), ball_of(f, at)), ball_way);
+    }
     if (!(length2 > 0))
         return at;
-    double ahead = vec_dot(vec_sub(wanted.p, at.p), way) +
-                   vec_dot(vec_sub(ball_of(f, wanted), ball_of(f, at)), ball_way);
-    s += ahead / length2;
+    s += fmax(-most_ahead, fmin(most_ahead, ahead / length2));
     return follow_pose(f, from, to, s < 0 ? 0 : s > 1 ? 1 : s);
 }
 

@@ -1,0 +1,220 @@
+#!/bin/sh
+# ncpost.t - golden programs, programs read back against their paths, travel, refusals, manners.
+. "${SRC:-$(dirname "$0")/..}/tests/lib.sh"
+golden=$SRC/tests/golden
+cd "$TMP" || exit 1
+
+# ---- golden programs: every shape, small enough to read
+post() { # NAME OPTIONS...: the golden program NAME of shapes.cl
+	name=$1
+	shift
+	ncpost -q "$@" "$golden/shapes.cl" >"$TMP/$name" 2>"$TMP/err"
+	same "golden $name" "$golden/$name" "$TMP/$name"
+}
+post shapes.fanuc.nc -c fanuc
+post shapes.vectors.nc -c fanuc --vectors
+post shapes.notcp.nc -c fanuc -m table-ac-notcp --chord 0.1 --axis-tolerance 1
+post shapes.siemens.mpf -c siemens
+post shapes.rotary.mpf -c siemens --rotary --chord 0.05 --axis-tolerance 0.5
+
+# ---- read back by the tests' own reader: options of ncpost, then options of the reader
+back() { # PATH NCPOST-OPTIONS READBACK-OPTIONS
+	# shellcheck disable=SC2086
+	ncpost -q $2 "$1" >"$TMP/back.nc" 2>"$TMP/err" &&
+		ok "$(basename "$1"): ncpost $2, read back" \
+			"$READBACK" $3 --path "$1" -e 0.0062 --axis 0.052 "$TMP/back.nc" && return
+	result 1 "$(basename "$1"): ncpost $2"
+}
+
+# A wave with four passes, the tool leaning by 15 degrees: height of the wave, path file
+wave() {
+	awk -v high="$1" '
+	function unit(v,  l) { l = sqrt(v[1]^2 + v[2]^2 + v[3]^2); for (k = 1; k <= 3; k++) v[k] /= l }
+	function pose(word, x, y, up,  k, z, s, c) {
+		z = high * sin(x / 10) * cos(y / 12)
+		n[1] = -high / 10 * cos(x / 10) * cos(y / 12); n[2] = high / 12 * sin(x / 10) * sin(y / 12)
+		n[3] = 1; t[1] = 1; t[2] = 0; t[3] = -n[1]; unit(n); unit(t)
+		b[1] = n[2]*t[3] - n[3]*t[2]; b[2] = n[3]*t[1] - n[1]*t[3]; b[3] = n[1]*t[2] - n[2]*t[1]
+		s = sin(atan2(1, 1) / 3); c = cos(atan2(1, 1) / 3)
+		for (k = 1; k <= 3; k++) a[k] = c * n[k] + s * b[k]
+		unit(a)
+		if (!up)
+			printf "$$-> CONTCT/%.6f,%.6f,%.6f,%.9f,%.9f,%.9f\n", x, y, z, n[1], n[2], n[3]
+		printf "%s/%.6f,%.6f,%.6f,%.9f,%.9f,%.9f\n", word, x + 8 * (n[1] - a[1]), y + 8 * (n[2] - a[2]),
+			up ? up : z + 8 * (n[3] - a[3]), a[1], a[2], a[3]
+	}
+	BEGIN {
+		print "PARTNO/WAVE\nUNITS/MM\nMULTAX/ON\nCUTTER/16,8,0,8,0,0,60\nLOADTL/1"
+		print "SPINDL/RPM,8000,CLW\n$$-> CLOUDMILL/1"
+		for (j = 0; j < 4; j++) {
+			s = j % 2 ? -1 : 1
+			print "$$-> PASS/" j + 1 "\nRAPID"
+			pose("GOTO", -30 * s, 8 * j - 12, 60)
+			print "FEDRAT/MMPM,800"
+			for (i = -30; i <= 30; i++) pose("GOTO", s * i, 8 * j - 12, 0)
+			print "RAPID"
+			pose("GOTO", 30 * s, 8 * j - 12, 60)
+		}
+		print "FINI"
+	}' >"$2"
+}
+wave 3 wave.cl
+wave 25 steep.cl
+for path in wave steep; do
+	biarcfit -q -e 0.01 $path.cl >$path-arcs.cl && bsplfit -q -e 0.01 $path.cl >$path-splines.cl
+	for kind in "" -arcs -splines; do
+		file=$TMP/$path$kind.cl
+		back "$file" "-c fanuc" "-c fanuc"
+		back "$file" "-c fanuc --vectors" "-c fanuc"
+		back "$file" "-c fanuc -m table-bc" "-c fanuc --axes bc"
+		back "$file" "-c fanuc -m table-ac-notcp" "-c fanuc --no-tcp"
+		back "$file" "-c siemens" "-c siemens"
+		back "$file" "-c siemens --rotary" "-c siemens"
+		back "$file" "-c siemens -m table-ac-notcp" "-c siemens --no-tcp"
+	done
+done
+back "$golden/shapes.cl" "-c fanuc" "-c fanuc"
+back "$golden/shapes.cl" "-c siemens" "-c siemens"
+
+# ---- shapes go over as what they are
+ncpost -q -c fanuc "$TMP/wave-splines.cl" >f.nc
+ncpost -q -c siemens "$TMP/wave-splines.cl" >s.mpf
+has "Fanuc: G06.2 with rotary poles" '^N[0-9]+ G06\.2 P4 K0\. X.* Y.* Z.* A.* C' f.nc
+has "Siemens: polynomials with a head curve" 'POLY PO\[X\]=.* PO\[ZH\]=.* PL=' s.mpf
+ncpost -q -c siemens "$TMP/wave-arcs.cl" >a.mpf
+has "Siemens: arcs in space" 'CIP X.*I1=AC\(.*A3=' a.mpf
+ncpost -q -c fanuc "$TMP/wave-arcs.cl" >a.nc
+has "Fanuc: arcs in a plane" 'G18 G[23] X.* Z.* A.* C.* I.* K' a.nc
+ncpost -q -c siemens --set splines=no --set arcs=no "$golden/shapes.cl" >none.mpf
+hasnt "a machine without arcs and splines gets none" 'CIP|POLY|BSPLINE' none.mpf
+
+# ---- what every program keeps
+ncpost -q -c fanuc -m table-ac-notcp "$TMP/steep.cl" >n.nc
+for file in f.nc s.mpf a.mpf a.nc none.mpf n.nc; do
+	hasnt "$file: no -0, no exponent" '[A-Z=,(]-0*\.?0*( |,|\)|$)|[0-9][eE][-+0-9]' $file
+	awk '{ if (length($0) > most) most = length($0) } END { print most }' $file >most
+	below "$file: short blocks" "$(cat most)" 512
+done
+awk '/^\(/ && (length($0) > 80 || /\(.*\(/ || /[a-z]/) { print }' f.nc >bad
+empty "Fanuc comments: capitals, 80 columns, no brackets inside" bad
+awk '/G93/ { on = 1 } /G94$/ { on = 0 } on && / G[01]( |$)/ { feed = / G1( |$)/ }
+	on && feed && !/^\(/ { blocks++; with += / F/ } END { print blocks - with, blocks > 100 }' n.nc >found
+has "inverse time: F in each block at feed" '^0 1$' found
+hasnt "inverse time: never F0" ' F0?\.?0*$' n.nc
+hasnt "inverse time: no arcs" ' G[23] ' n.nc
+awk '/G43\.4/ { on = 1 } /G49$/ { on = 0 } on && /G28|G53/ { print }' f.nc >bad
+empty "no retract by G28 under G43.4" bad
+has "M30 comes before the last line" '^N[0-9]+ M30$' f.nc
+has "the ledger stands in the head" '^\(TOLERANCE SUM +0\.0[0-9]+ MM' f.nc
+
+# ---- the ledger
+status 3 "-e that is not kept: exit 3" ncpost -c fanuc -e 0.001 "$golden/shapes.cl"
+has "and it names the sum" 'spent 0\.00[0-9]+ mm, expected at most 0\.001' err
+status 0 "-e that is kept" ncpost -c fanuc -e 0.02 "$golden/shapes.cl"
+
+# ---- travel: a pass along y over a ridge; the axis leans from -60 to 60 degrees
+head='UNITS/MM\nMULTAX/ON\nCUTTER/8,4,0,4,0,0,60\nSPINDL/RPM,8000,CLW\nFEDRAT/MMPM,500\n'
+awk -v head="$head" 'BEGIN {
+	print head "$$-> PASS/7\nRAPID"
+	print "GOTO/0,-30,60,0,-0.866025404,0.5"
+	for (i = -60; i <= 60; i += 3) {
+		w = i * atan2(1, 1) / 45
+		printf "GOTO/0,%.6f,%.6f,0,%.9f,%.9f\n", 20 * sin(w), 20 * cos(w), sin(w), cos(w)
+	}
+	print "RAPID\nGOTO/0,30,60,0,0.866025404,0.5\nFINI"
+}' >ridge.cl
+# and three times round a dome, so that C winds up
+awk -v head="$head" 'BEGIN {
+	print head "$$-> PASS/8\nRAPID"
+	print "GOTO/40,0,60,0.5,0,0.866025404"
+	for (i = 0; i <= 1080; i += 5) {
+		w = i * atan2(1, 1) / 45
+		printf "GOTO/%.6f,%.6f,10,%.9f,%.9f,0.866025404\n", 20 * cos(w), 20 * sin(w),
+			cos(w) / 2, sin(w) / 2
+	}
+	print "RAPID\nGOTO/40,0,60,0.5,0,0.866025404\nFINI"
+}' >dome.cl
+status 0 "over the pole without a turn" ncpost -c fanuc ridge.cl
+hasnt "C stays" ' C[1-9]' out
+status 0 "a shorter travel: the other solution over the pole" ncpost -c fanuc --set a.max=40 ridge.cl
+cp out turn.nc
+awk '/ A/ { sub(/.* A/, ""); if ($1 + 0 > 40) print }' turn.nc >bad
+empty "no A beyond its travel" bad
+ok "and the cut is still the path" \
+	"$READBACK" -c fanuc --path ridge.cl -e 0.0062 --axis 0.052 turn.nc
+for options in "-c fanuc" "-c fanuc -m table-ac-notcp" "-c siemens --rotary"; do
+	# shellcheck disable=SC2086
+	status 0 "$options: C winds up: retract, turn, return" \
+		ncpost $options --set c.min=-360 --set c.max=360 dome.cl
+	has "and it is said" 'retracted, turned and returned 3 times' err
+	cp out turn.nc
+	awk '/ C/ { sub(/.* C/, ""); if ($1 + 0 > 360 || $1 + 0 < -360) print }' turn.nc >bad
+	empty "no C beyond its travel" bad
+	[ "$options" = "-c fanuc" ] && cp turn.nc dome.nc
+done
+# each point of the path is reached in the program, tip and axis, and in the path's order
+awk -F'[/,]' 'function value(letter) {
+		if (match(line, " " letter "-?[0-9.]+")) at[letter] = substr(line, RSTART + 2, RLENGTH - 2)
+		return at[letter]
+	}
+	NR == FNR { if (/^GOTO/) { n++; for (k = 2; k <= 7; k++) want[n, k] = $k } next }
+	/^N/ { line = $0; w = atan2(1, 1) / 45; x = value("X"); y = value("Y"); z = value("Z")
+		a = value("A") * w; c = value("C") * w
+		d = (x - want[i + 1, 2])^2 + (y - want[i + 1, 3])^2 + (z - want[i + 1, 4])^2
+		d += (sin(c) * sin(a) - want[i + 1, 5])^2 + (-cos(c) * sin(a) - want[i + 1, 6])^2
+		if (i < n && d < 1e-6) i++ }
+	END { print i, "of", n }' dome.cl dome.nc >found
+has "the whole path is there, turned or not" '^219 of 219$' found
+status 0 "the other solution where it serves" ncpost -c fanuc --set a.min=-10 --set a.max=61 \
+	--set c.min=-200 --set c.max=200 "$TMP/wave.cl"
+status 3 "no solution: exit 3" ncpost -c fanuc --set a.min=-30 --set a.max=30 ridge.cl
+has "with pass, line and axis" 'ridge\.cl:[0-9]+: pass 7: axis A' err
+empty "and no program" out
+status 3 "a place beyond a linear axis" ncpost -c fanuc --set z.max=30 ridge.cl
+has "names it" 'axis Z' err
+
+# ---- refusals: nothing that looks like a program
+printf 'UNITS/MM\n$$-> TRACK/CONTACT\nGOTO/0,0,1\nGOTO/0,1,1\nFINI\n' >contact.cl
+status 1 "contact points are refused" ncpost -c fanuc contact.cl
+has "clearly" 'TRACK/CONTACT' err
+printf 'UNITS/MM\n$$-> TRACK/CENTER\nRAPID\nGOTO/0,0,9\nFEDRAT/MMPM,100\nGOTO/0,1,1\nFINI\n' >centre.cl
+status 0 "a path of ball centres" ncpost -c fanuc centre.cl
+has "is told in the head" '^\(.*X Y Z ARE THE CENTRE OF THE BALL' out
+printf 'UNITS/MM\nLOADTL/1\nRAPID\nGOTO/0,0,9\nLOADTL/2\nRAPID\nGOTO/0,1,9\nFINI\n' >tools.cl
+status 1 "a second tool is refused" ncpost -c fanuc tools.cl
+printf 'UNITS/MM\nFROBNI/1\nRAPID\nGOTO/0,0,9\nFINI\n' >frob.cl
+status 0 "an unknown word: passed over" ncpost -c fanuc frob.cl
+has "with a warning" 'FROBNI' err
+status 1 "an error with --strict" ncpost -c fanuc --strict frob.cl
+status 2 "no control" ncpost "$golden/shapes.cl"
+status 2 "an unknown control" ncpost -c nosuch "$golden/shapes.cl"
+status 2 "vectors and rotary words" ncpost -c fanuc --vectors --rotary "$golden/shapes.cl"
+status 2 "a Fanuc program has a number" ncpost -c fanuc --program NAME "$golden/shapes.cl"
+status 2 "a wrong key" ncpost -c fanuc --set frob=1 "$golden/shapes.cl"
+status 1 "no such machine" ncpost -c fanuc -m nowhere "$golden/shapes.cl"
+head -n 30 "$golden/shapes.cl" >half.cl
+status 1 "half a path" ncpost -c fanuc half.cl
+hasnt "has no end" 'M30' out
+status 1 "and no file" ncpost -c fanuc -o half.nc half.cl
+ok "not even part of one" test ! -e half.nc
+
+# ---- manners
+printf 'UNITS/MM\nGOTO/0,0,9\nGOTO/5,0,9\nFINI\n' >bare.cl
+status 0 "a path without feed, rapid or tool" ncpost -c siemens bare.cl
+has "says the feed it took" 'took 500 mm/min' err
+has "comes from above" 'G0 X0 Y0 Z59' out
+ncpost -q -c fanuc "$golden/shapes.cl" >a.nc
+ncpost -q -c fanuc -m table-ac -j 3 "$golden/shapes.cl" >b.nc
+same "table-ac is the default machine" a.nc b.nc
+LC_ALL=de_DE.UTF-8 ncpost -q -c fanuc -o c.nc "$golden/shapes.cl"
+same "the same bytes in another locale, in a file" a.nc c.nc
+if [ -w /dev/full ]; then
+	status 1 "a full disk" sh -c "ncpost -q -c fanuc '$golden/shapes.cl' >/dev/full"
+fi
+ncpost -q -c siemens --program AB_1 "$golden/shapes.cl" >name.mpf
+has "a name of its own" '^%_N_AB_1_MPF$' name.mpf
+ncpost -q -c fanuc --program 4711 --set number.step=0 "$golden/shapes.cl" >name.nc
+has "a number of its own" '^O4711$' name.nc
+hasnt "no block numbers" '^N' name.nc
+
+done_testing
