@@ -98,7 +98,7 @@ done
 awk '/^\(/ && (length($0) > 80 || /\(.*\(/ || /[a-z]/) { print }' f.nc >bad
 empty "Fanuc comments: capitals, 80 columns, no brackets inside" bad
 awk '/G93/ { on = 1 } /G94$/ { on = 0 } on && / G[01]( |$)/ { feed = / G1( |$)/ }
-	on && feed && !/^\(/ { blocks++; with += / F/ } END { print blocks - with, blocks > 100 }' n.nc >found
+	on && feed && !/^\(/ { blocks++; with += / F/ } END { print blocks - with, (blocks > 100) }' n.nc >found
 has "inverse time: F in each block at feed" '^0 1$' found
 hasnt "inverse time: never F0" ' F0?\.?0*$' n.nc
 hasnt "inverse time: no arcs" ' G[23] ' n.nc
