@@ -152,8 +152,8 @@ START_TEST(a_cubic_is_reproduced)
         struct vec3 d[5];
 
         for (size_t i = 0; i < b.poles; i++) {
-            const double *t = &b.knot[i + 1];
-            b.pole[i] = vec(t[0] * t[1] * t[2], (t[0] + t[1] + t[2]) / 3, 7);
+            double t0 = b.knot[i + 1], t1 = b.knot[i + 2], t2 = b.knot[i + 3];
+            b.pole[i] = vec(t0 * t1 * t2, (t0 + t1 + t2) / 3, 7);
         }
         double u = random_place(&b);
         bspline_derivatives(&b, b.pole, u, 4, d);
