@@ -113,8 +113,9 @@ bool flatten(const struct bspline *curve, double offset, struct vec3 axis, doubl
         double pieces = pieces_in_span(curve, offset, chord, span);
         if (!(pieces <= PIECES_MAX))
             return false;
-        for (double k = 1; k <= pieces; k++) {
-            double u = k < pieces ? from + (to - from) * k / pieces : to;
+        int last = (int)pieces;
+        for (int k = 1; k <= last; k++) {
+            double u = k < last ? from + (to - from) * k / pieces : to;
             if (!add(curve, offset, axis, u, flat))
                 return false;
         }
