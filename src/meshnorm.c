@@ -6,12 +6,10 @@
 #include <string.h>
 
 #include "cli.h"
-#include "ply.h"
+#include "part.h"
 #include "rows.h"
 #include "scan.h"
 #include "toolpath.h"
-
-enum { NORMALS_MESH, NORMALS_FACET, NORMALS_GOURAUD, NORMALS_CENTRAL };
 
 static double radius, tilt = 15, lead, feed = 800, plunge, spindle = 8000, clearance = NAN;
 static double approach = 5, depth = 0.3, tolerance, limit;
@@ -21,62 +19,56 @@ static bool one_way, paper, fixed_given, to_given, from_given, circle_given, lea
 static const char *partno;
 static struct cli_list guards;
 
+/* clang-format off */
 static const struct cli_option options[] = {
-    {'r', "radius", "R", "radius of the ball (needed)", CLI_NUMBER, &radius, CLI_POSITIVE, 0, 0,
-     NULL},
-    {'g', "guard", "FILE",
-     "keep the ball clear of all points of this scan, not only of the mesh\n"
-     "(may be given several times)",
-     CLI_LIST, &guards, 0, 0, 0, NULL},
-    {'e', "tolerance", "E",
-     "put points between the nodes, so that straight lines stay within E of the\n"
-     "smooth curve and go no deeper into the part (default: 0.01 with -g, else\n"
-     "nodes only)",
+    {'r', "radius", "R", "radius of the ball (needed)",
+     CLI_NUMBER, &radius, CLI_POSITIVE, 0, 0, NULL},
+    {'g', "guard", "FILE", "keep the ball clear of all points of this scan, not only of the mesh\n"
+     "(may be given several times)", CLI_LIST, &guards, 0, 0, 0, NULL},
+    {'e', "tolerance", "E", "put points between the nodes: straight lines stay within E of the\n"
+     "smooth curve and no deeper in the part (0.01 with -g, else nodes only)",
      CLI_NUMBER, &tolerance, 0.0001, 10, 0, NULL},
     {0, "paper", NULL, "as published: nodes only, nothing is lifted, links are not checked",
      CLI_FLAG, &paper, 0, 0, 0, NULL},
-    {0, "normals", "mesh|facet|gouraud|central",
-     "the mesh's own normals (default), the mean of the facets' (eq 8), of the\n"
-     "neighbours' (eq 7), or central differences on a regular grid",
+    {0, "normals", "mesh|facet|gouraud|central", "the mesh's own (default), the mean of the "
+     "facets' (eq 8) or of the\nneighbours' (eq 7), central differences on a regular grid",
      CLI_CHOICE, &normals, 0, 0, 0, NULL},
-    {0, "limit", "H", "lift no centre by more than H, and fail (exit 3) where it takes more\n(default: the radius; what can't be reached is passed over and told)", CLI_NUMBER, &limit,
-     CLI_POSITIVE, 0, 0, NULL},
-    {0, "tilt", "DEG",
-     "lean the tool axis off the normal, sideways, positive to the next row (15)", CLI_NUMBER,
-     &tilt, -80, 80, 0, &lean_given},
-    {0, "lead", "DEG", "lean it in the direction of the feed (0)", CLI_NUMBER, &lead, -80, 80, 0,
-     &lean_given},
-    {0, "fixed", "I,J,K", "the same axis everywhere, from the tip to the spindle", CLI_NUMBERS,
-     fixed_axis, 0, 0, 3, &fixed_given},
-    {0, "to-point", "X,Y,Z", "the spindle points to a point above the part", CLI_NUMBERS, to_point,
-     0, 0, 3, &to_given},
+    {0, "limit", "H", "lift no centre by more than H, and exit 3 where it takes more (default:\n"
+     "the radius; what can't be reached is passed over and told)",
+     CLI_NUMBER, &limit, CLI_POSITIVE, 0, 0, NULL},
+    {0, "tilt", "DEG", "lean the axis off the normal, sideways, positive to the next row (15)",
+     CLI_NUMBER, &tilt, -80, 80, 0, &lean_given},
+    {0, "lead", "DEG", "lean it in the direction of the feed (0)",
+     CLI_NUMBER, &lead, -80, 80, 0, &lean_given},
+    {0, "fixed", "I,J,K", "the same axis everywhere, from the tip to the spindle",
+     CLI_NUMBERS, fixed_axis, 0, 0, 3, &fixed_given},
+    {0, "to-point", "X,Y,Z", "the spindle points to a point above the part",
+     CLI_NUMBERS, to_point, 0, 0, 3, &to_given},
     {0, "from-point", "X,Y,Z", "the spindle points away from a point below the surface",
      CLI_NUMBERS, from_point, 0, 0, 3, &from_given},
-    {0, "circle", "X,Y,Z,I,J,K,R",
-     "the axis goes through the nearest point of a circle: centre, axis, radius", CLI_NUMBERS,
-     circle, 0, 0, 7, &circle_given},
-    {0, "one-way", NULL, "cut all rows in one direction (default: zig-zag)", CLI_FLAG, &one_way, 0,
-     0, 0, NULL},
-    {0, "layers", "N", "cut in N layers, the outermost first (1)", CLI_COUNT, &layers, 1, 1000, 0,
-     NULL},
-    {0, "depth", "MM", "what a layer takes off, along the normal (0.3)", CLI_NUMBER, &depth,
-     CLI_POSITIVE, 0, 0, NULL},
-    {0, "clearance", "Z",
-     "height of the tip on the clearance plane (default: top of the part and of\n"
-     "the layers + radius + 10)",
-     CLI_NUMBER, &clearance, 0, 0, 0, NULL},
-    {0, "approach", "MM", "last bit of the way down, at the plunge feed (5)", CLI_NUMBER, &approach,
-     CLI_POSITIVE, 0, 0, NULL},
+    {0, "circle", "X,Y,Z,I,J,K,R", "the axis goes through the nearest point of a circle: centre, "
+     "axis, radius", CLI_NUMBERS, circle, 0, 0, 7, &circle_given},
+    {0, "one-way", NULL, "cut all rows in one direction (default: zig-zag)",
+     CLI_FLAG, &one_way, 0, 0, 0, NULL},
+    {0, "layers", "N", "cut in N layers, the outermost first (1)",
+     CLI_COUNT, &layers, 1, 1000, 0, NULL},
+    {0, "depth", "MM", "what a layer takes off, along the normal (0.3)",
+     CLI_NUMBER, &depth, CLI_POSITIVE, 0, 0, NULL},
+    {0, "clearance", "Z", "height of the tip on the clearance plane (default: top of the part and\n"
+     "its layers + radius + 10)", CLI_NUMBER, &clearance, 0, 0, 0, NULL},
+    {0, "approach", "MM", "last bit of the way down, at the plunge feed (5)",
+     CLI_NUMBER, &approach, CLI_POSITIVE, 0, 0, NULL},
     {0, "feed", "F", "cutting feed, mm/min (800)", CLI_NUMBER, &feed, CLI_POSITIVE, 0, 0, NULL},
-    {0, "plunge", "F", "feed of the last bit down (default: half the cutting feed)", CLI_NUMBER,
-     &plunge, CLI_POSITIVE, 0, 0, NULL},
-    {0, "spindle", "RPM", "speed of the spindle (8000)", CLI_NUMBER, &spindle, CLI_POSITIVE, 0, 0,
-     NULL},
+    {0, "plunge", "F", "feed of the last bit down (default: half the cutting feed)",
+     CLI_NUMBER, &plunge, CLI_POSITIVE, 0, 0, NULL},
+    {0, "spindle", "RPM", "speed of the spindle (8000)",
+     CLI_NUMBER, &spindle, CLI_POSITIVE, 0, 0, NULL},
     {0, "tool", "N", "number of the tool (1)", CLI_COUNT, &tool, 1, 99999999, 0, NULL},
     {0, "coolant", "off|on|mist", "coolant (on)", CLI_CHOICE, &coolant, 0, 0, 0, NULL},
-    {0, "partno", "TEXT", "name of the part (default: after the mesh's source)", CLI_TEXT, &partno,
-     0, 0, 0, NULL},
+    {0, "partno", "TEXT", "name of the part (default: after the mesh's source)",
+     CLI_TEXT, &partno, 0, 0, 0, NULL},
     {0}};
+/* clang-format on */
 
 static struct vec3 vec_of(const double v[3])
 {
@@ -133,60 +125,34 @@ static void read_mesh(const char *file, struct mesh *mesh, struct rows *rows)
 {
     struct error error;
 
-    if (ply_read(file, mesh, &error) != 0)
+    if (part_read(file, (enum part_normals)normals, mesh, &error) != 0)
         die_error(&error);
-    if (mesh->row.n == 0)
-        die("%s: found a mesh without rows, expected row and col of each vertex: use planecut",
-            file);
     if (rows_find(mesh, rows, &error) != 0)
         die("%s: %s", file, error.text);
     if (rows->loose > 0)
         say("%zu nodes belong to no facet and are left out", rows->loose);
 }
 
-static void set_normals(const char *file, struct mesh *mesh)
-{
-    struct error error;
-
-    if (normals == NORMALS_FACET || (mesh->normal.n == 0 && normals != NORMALS_CENTRAL)) {
-        if (normals == NORMALS_MESH)
-            say("the mesh has no normals: taking the mean of the facets'");
-        mesh_normals_facet(mesh);
-    }
-    if (normals == NORMALS_GOURAUD)
-        mesh_normals_gouraud(mesh);
-    if (normals == NORMALS_CENTRAL && mesh_normals_central(mesh, &error) != 0)
-        die("%s: %s", file, error.text);
-    for (size_t v = 0; v < mesh->vertex.n; v++) {
-        if (vec_length(mesh->normal.item[v]) < 0.5)
-            die("%s: vertex %zu: found a normal of no length", file, v);
-    }
-}
-
 /* The whole scan, or the mesh so finely that the ball sinks in by less than 0.002 mm. */
 static struct guard *make_guard(const struct mesh *mesh, const struct rows *rows)
 {
-    struct vec3s points = {0};
     struct error error;
 
     if (paper)
         return NULL;
     if (guards.n == 0)
         return guard_from_mesh(mesh, sqrt(6 * 0.002 * radius));
-    if (scan_read(&guards, mesh, rows->distance, &points, &error) != 0)
+    struct guard *guard = scan_guard(&guards, mesh, rows->distance, &error);
+    if (!guard)
         die_error(&error);
-    struct guard *guard = guard_from_points(points.item, points.n);
-    array_free(&points);
     return guard;
 }
 
 /* The clearance plane: what was asked for, if it is above everything, or a safe one. */
 static double clearance_plane(const struct mesh *mesh, const struct guard *guard)
 {
-    double top = guard ? guard_top(guard) : -HUGE_VAL;
+    double top = fmax(part_top(mesh), guard ? guard_top(guard) : -HUGE_VAL);
 
-    for (size_t v = 0; v < mesh->vertex.n; v++)
-        top = fmax(top, mesh->vertex.item[v].z);
     top += (layers - 1) * depth;
     if (clearance < top)
         die_usage("option --clearance: found %g, expected more than the top of the part, %g",
@@ -212,21 +178,10 @@ static void set_rules(const struct mesh *mesh, const struct rows *rows, const st
     t->lift.feed.side = rows->side;
 }
 
-/* The name that was asked for, or that of the mesh's source without its folder. */
-static const char *part_name(const struct mesh_origin *origin)
-{
-    if (partno)
-        return partno;
-    if (!origin->source)
-        return "PART";
-    const char *slash = strrchr(origin->source, '/');
-    return slash ? slash + 1 : origin->source;
-}
-
 static void make_head(const struct mesh *mesh, const struct toolpath *t)
 {
     const struct mesh_origin *origin = &mesh->origin;
-    const char *name = part_name(origin);
+    const char *name = partno ? partno : part_name(mesh);
     const double cutter[7] = {2 * radius, radius, 0, radius, 0, 0, fmax(60, 4 * radius)};
     struct path_head *head = &t->path->head;
 
@@ -237,10 +192,14 @@ static void make_head(const struct mesh *mesh, const struct toolpath *t)
     head->tool = tool;
     head->spindle = spindle;
     head->coolant = coolant + 1;
-    head->chord = t->chord;
     head->clearance = t->rule.clearance;
     if (origin->maker && isfinite(origin->ledger))
         path_spend(t->path, origin->maker, origin->ledger);
+    /* Between nodes the straight lines are what was checked; without points between, it is the
+     * smooth curve, and who goes straight leaves it. */
+    if (tolerance > 0)
+        path_spend(t->path, "meshnorm", tolerance);
+    head->chord = tolerance > 0 ? NAN : t->chord;
 }
 
 /* All strips of the row that begins with strip s, in one pass; returns the first of the next. */
@@ -297,7 +256,6 @@ int main(int argc, char **argv)
         die_usage("found %d files, expected one mesh", cli.files);
     struct toolpath t = {.path = &path, .lift = {.axis = axis_rule()}};
     read_mesh(cli.file[0], &mesh, &rows);
-    set_normals(cli.file[0], &mesh);
     struct guard *guard = make_guard(&mesh, &rows);
     set_rules(&mesh, &rows, guard, &t);
 

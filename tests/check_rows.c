@@ -125,11 +125,11 @@ START_TEST(a_mesh_without_rows_is_refused)
     size_t n = mesh.row.n, faces = mesh.face.n;
     mesh.row.n = 0;
     ck_assert_int_eq(rows_find(&mesh, &rows, &error), -1);
-    ck_assert_ptr_nonnull(strstr(error.text, "no rows"));
+    ck_assert_ptr_nonnull(strstr(error.text, "without rows"));
     mesh.row.n = n;
     mesh.face.n = 0;
     ck_assert_int_eq(rows_find(&mesh, &rows, &error), -1);
-    ck_assert_ptr_nonnull(strstr(error.text, "no facets"));
+    ck_assert_ptr_nonnull(strstr(error.text, "without facets"));
     mesh.face.n = faces;
     mesh_free(&mesh);
 }

@@ -3,7 +3,6 @@
 #include <stdlib.h>
 
 #include "cloud.h"
-#include "kdtree.h"
 
 static struct vec3 place(const double m[4][4], struct vec3 p)
 {
@@ -12,35 +11,16 @@ static struct vec3 place(const double m[4][4], struct vec3 p)
                m[2][0] * p.x + m[2][1] * p.y + m[2][2] * p.z + m[2][3]);
 }
 
-/* How many vertices have no point of the scan within `near`. */
-static size_t far_vertices(const struct mesh *mesh, const struct vec3s *points, double near)
+static int read_points(const struct cli_list *files, const struct mesh *mesh, struct vec3s *points,
+                       struct error *error)
 {
-    struct kdtree *tree = kdtree_new(points->item, points->n);
-    size_t far = 0;
-
-    for (size_t v = 0; v < mesh->vertex.n; v++) {
-        size_t nearest;
-        double distance2;
-        if (kdtree_nearest(tree, mesh->vertex.item[v], 1, &nearest, &distance2) == 0 ||
-            distance2 > near * near)
-            far++;
-    }
-    kdtree_free(tree);
-    return far;
-}
-
-int scan_read(const struct cli_list *files, const struct mesh *mesh, double near,
-              struct vec3s *points, struct error *error)
-{
-    size_t before = points->n;
-
     for (size_t f = 0; f < files->n; f++) {
         struct cloud_count count = {0};
         size_t from = points->n;
         if (cloud_read(files->item[f], points, &count, error) != 0)
             return -1;
         if (points->n == from)
-            return error_set(error, "%s: found no points", files->item[f]);
+            return error_at(error, files->item[f], 0, "found no points");
         if (count.not_finite > 0)
             say("%s: %zu rows without finite numbers left out, the first in line %zu",
                 files->item[f], count.not_finite, count.first_not_finite);
@@ -49,13 +29,36 @@ int scan_read(const struct cli_list *files, const struct mesh *mesh, double near
     }
     if (mesh->origin.placed)
         say("the scan to guard is placed as the mesh was");
-    note("guarded by %zu points of the scan", points->n - before);
-
-    size_t far = far_vertices(mesh, points, near);
-    if (2 * far > mesh->vertex.n)
-        return error_set(error,
-                         "%s: found %zu of %zu mesh vertices further than %.3g mm from the scan, "
-                         "expected the scan that the mesh was made from",
-                         files->item[0], far, mesh->vertex.n, near);
+    note("guarded by %zu points of the scan", points->n);
     return 0;
+}
+
+/* How many vertices have no guard point within `near`. */
+static size_t far_vertices(const struct mesh *mesh, const struct guard *guard, double near)
+{
+    size_t far = 0;
+
+    for (size_t v = 0; v < mesh->vertex.n; v++)
+        far += guard_distance(guard, mesh->vertex.item[v]) > near;
+    return far;
+}
+
+struct guard *scan_guard(const struct cli_list *files, const struct mesh *mesh, double near,
+                         struct error *error)
+{
+    struct vec3s points = {0};
+    struct guard *guard = NULL;
+
+    if (read_points(files, mesh, &points, error) == 0)
+        guard = guard_from_points(points.item, points.n);
+    array_free(&points);
+    size_t far = guard ? far_vertices(mesh, guard, near) : 0;
+    if (2 * far <= mesh->vertex.n)
+        return guard;
+    guard_free(guard);
+    error_at(error, files->item[0], 0,
+             "found %zu of %zu mesh vertices further than %.3g mm from the scan, expected the scan "
+             "that the mesh was made from",
+             far, mesh->vertex.n, near);
+    return NULL;
 }

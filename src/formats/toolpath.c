@@ -218,9 +218,12 @@ int toolpath_conclude(const struct toolpath *t)
 
     note("%zu points in %zu passes, %zu links with the tool down, %zu over the clearance plane",
          r->points, t->pass, t->low, t->high);
-    note("%zu points lifted, by %.4f mm at %.3f %.3f %.3f; straight lines up to %.4f mm off the "
-         "smooth path",
-         r->lifted, r->highest, r->highest_at.x, r->highest_at.y, r->highest_at.z, t->chord);
+    note("%zu points lifted, at most by %.4f mm at %.3f %.3f %.3f", r->lifted, r->highest,
+         r->highest_at.x, r->highest_at.y, r->highest_at.z);
+    if (t->lift.between)
+        note("straight lines within %g mm of the lifted path", t->lift.tolerance);
+    else
+        note("straight lines up to %.4f mm off the smooth path", t->chord);
     complain(t);
     bool missed = r->missed > 0 && t->rule.reach;
     return missed || t->blocked > 0 || t->shank > 0 ? EXIT_UNMET : EXIT_DONE;

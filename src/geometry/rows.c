@@ -151,9 +151,11 @@ static double step_to_left(const struct mesh *mesh, const struct rows *rows)
 int rows_find(const struct mesh *mesh, struct rows *rows, struct error *error)
 {
     if (mesh->row.n != mesh->vertex.n || mesh->col.n != mesh->vertex.n)
-        return error_set(error, "the mesh has no rows (row and col of each vertex)");
+        return error_set(error,
+                         "found a mesh without rows, expected row and col of each vertex: use "
+                         "planecut");
     if (mesh->face.n == 0)
-        return error_set(error, "the mesh has no facets");
+        return error_set(error, "found a mesh without facets, expected some");
 
     *rows = (struct rows){0};
     struct places places = find_places(mesh);
