@@ -35,7 +35,7 @@ struct machine {
     double min[MACHINE_AXES]; /* travel, mm and degrees */
     double max[MACHINE_AXES];
     double rapid[MACHINE_AXES]; /* mm/min and degrees/min; X Y Z have one */
-    double retract;           /* mm along the tool axis, where the path has no approach of its own */
+    double retract;           /* mm along the tool axis, where the path has no approach */
     char offset[20];          /* work offset, G54 */
     char home[60];            /* the block that retracts Z to a safe height; "": the control's */
     int number_step;          /* of block numbers, 0: none */

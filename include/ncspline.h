@@ -40,8 +40,9 @@ struct nc_spline_digits {
  * False where the control cannot be given it within `allowed` (its degree, its axis, its digits);
  * nothing then needs freeing.  *d: the deviation of what is printed from the motion.
  */
-bool nc_spline_words(struct nc_spline *spline, enum nc_splines kind, struct nc_spline_digits digits,
-                     const struct follow *f, const struct station *from, const struct motion *motion,
+bool nc_spline_words(struct nc_spline *spline, enum nc_splines kind,
+                     struct nc_spline_digits digits, const struct follow *f,
+                     const struct station *from, const struct motion *motion,
                      struct deviation allowed, struct station *to, struct deviation *d);
 
 void nc_spline_free(struct nc_spline *spline);

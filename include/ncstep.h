@@ -20,6 +20,7 @@ struct nc_state {
 struct nc_branch {
     int first; /* for the first motion of a group: 0, 1, -1: the better one */
     int then;  /* for the others */
+    int wind;  /* whole turns more of the axis nearest the work, for the first */
 };
 
 struct nc_step {

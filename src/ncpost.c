@@ -7,6 +7,7 @@
 #include <math.h>
 #include <stdlib.h>
 
+#include "array.h"
 #include "cli.h"
 #include "dialect.h"
 #include "machine.h"
@@ -45,9 +46,8 @@ static void read_options(struct settings *s, struct cli *cli, int argc, char **a
         {'e', "tolerance", "MM",
          "most that all stages together may spend; beyond it the exit\nstatus is 3", CLI_NUMBER,
          &s->tolerance, CLI_POSITIVE, 0, 0, NULL},
-        {0, "chord", "MM",
-         "most that blocks may be off the path, before rounding\n(default 0.005)", CLI_NUMBER,
-         &s->chord, 1e-6, 10, 0, NULL},
+        {0, "chord", "MM", "most that blocks may be off the path, before rounding\n(default 0.005)",
+         CLI_NUMBER, &s->chord, 1e-6, 10, 0, NULL},
         {0, "axis-tolerance", "DEG", "most that the tool axis may be off (default 0.05)",
          CLI_NUMBER, &s->axis_tolerance, 1e-5, 10, 0, NULL},
         {0, "feed", "MM/MIN", "feed where the path gives none (default 500)", CLI_NUMBER, &s->feed,
@@ -176,6 +176,7 @@ int main(int argc, char **argv)
 
     tell(&path, &plan, &s);
     double sum = nc_ledger_sum(&path, &plan);
+    array_free(&s.set);
     nc_plan_free(&plan);
     path_free(&path);
     if (s.tolerance > 0 && sum > s.tolerance)

@@ -166,7 +166,8 @@ awk -F'[/,]' 'function value(letter) {
 	END { print i, "of", n }' dome.cl dome.nc >found
 has "the whole path is there, turned or not" '^219 of 219$' found
 status 0 "the other solution where it serves" ncpost -c fanuc --set a.min=-10 --set a.max=61 \
-	--set c.min=-200 --set c.max=200 "$TMP/wave.cl"
+	--set c.min=-280 --set c.max=280 "$TMP/wave.cl"
+hasnt "and no turns" 'retracted' err
 status 3 "no solution: exit 3" ncpost -c fanuc --set a.min=-30 --set a.max=30 ridge.cl
 has "with pass, line and axis" 'ridge\.cl:[0-9]+: pass 7: axis A' err
 empty "and no program" out

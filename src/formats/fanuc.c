@@ -180,7 +180,7 @@ static void finish(struct nc_program *p)
 
 const struct dialect dialect_fanuc = {
     .name = "fanuc",
-    .style = {.open = "(", .close = ")", .capitals = true, .point = true, .last_number = 99999},
+    .style = {.open = "(", .close = ")", .capitals = true, .point = true, .last_number = 99999999},
     .digits = {.linear = 3, .angle = 3, .vector = 6, .knot = 3, .feed = 1},
     .vectors_doubtful = true,
     .arcs = NC_ARCS_CENTRE,

@@ -257,7 +257,8 @@ int machine_finish(struct machine *m, struct error *error)
                          m->axes, n == 2 ? "two" : "one");
     for (int axis = 0; axis < MACHINE_AXES; axis++)
         if (m->min[axis] > m->max[axis])
-            return error_set(error, "machine %s: axis %c: found travel %g to %g, expected min <= max",
+            return error_set(error,
+                             "machine %s: axis %c: found travel %g to %g, expected min <= max",
                              m->name, letters[axis], m->min[axis], m->max[axis]);
     m->rapid[MACHINE_Y] = m->rapid[MACHINE_Z] = m->rapid[MACHINE_X];
 
@@ -266,7 +267,8 @@ int machine_finish(struct machine *m, struct error *error)
     m->chain = (struct chain){.n = n, .master = turned && n == 2 ? 1 : 0, .tool = {0, 0, 1}};
     for (int i = 0; i < n; i++) {
         int k = letter[turned ? n - 1 - i : i], of = k - MACHINE_A;
-        bool table = m->type == TABLE_TABLE || m->type == ONE_TABLE || (m->type == HEAD_TABLE && i == 0);
+        bool table =
+            m->type == TABLE_TABLE || m->type == ONE_TABLE || (m->type == HEAD_TABLE && i == 0);
         m->letter[i] = k;
         m->chain.rotary[i] = (struct rotary){.axis = vec_unit(m->axis[of]),
                                              .centre = m->centre[of],

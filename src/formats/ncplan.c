@@ -13,7 +13,7 @@
 #include "ncstep.h"
 
 /* Of a tolerance: the worst place of a block may lie between those that are looked at. */
-static const double sampled = 0.95;
+static const double sampled = 0.9;
 
 /* What a group that is planned again has to take back. */
 struct mark {
@@ -59,8 +59,8 @@ static bool is_motion(const struct path_item *item)
 static void add_note(struct nc_step *step, enum nc_kind kind, const struct path_item *item)
 {
     struct nc_move *move = array_push(&step->plan->move);
-    *move = (struct nc_move){.kind = kind, .line = item->line, .to = step->state.at,
-                             .index = item->index};
+    *move = (struct nc_move){
+        .kind = kind, .line = item->line, .to = step->state.at, .index = item->index};
 }
 
 /* A path that starts with a cut: above its first point first, along the tool axis. */
@@ -162,7 +162,8 @@ static int plan_items(struct nc_step *step, size_t from, size_t to)
 
 static int plan_group(struct nc_step *step, size_t from, size_t to)
 {
-    static const struct nc_branch attempt[] = {{-1, -1}, {0, -1}, {1, -1}, {0, 0}, {1, 1}};
+    static const struct nc_branch attempt[] = {{-1, -1, 0},  {0, -1, 0}, {1, -1, 0}, {-1, -1, 1},
+                                               {-1, -1, -1}, {0, 0, 0},  {1, 1, 0}};
     struct mark mark = mark_of(step);
     step->may_turn = false;
     for (size_t i = 0; i < sizeof attempt / sizeof *attempt; i++) {
@@ -208,8 +209,12 @@ int nc_plan_make(struct nc_plan *plan, const struct path *path, const struct mac
 {
     double ball = path_ball(path);
     *plan = (struct nc_plan){.ability = ability};
-    struct nc_step step = {.path = path, .machine = machine, .plan = plan, .wish = wish,
-                           .error = error, .branch = {-1, -1}};
+    struct nc_step step = {.path = path,
+                           .machine = machine,
+                           .plan = plan,
+                           .wish = wish,
+                           .error = error,
+                           .branch = {-1, -1, 0}};
     if (path->head.track == TRACK_CONTACT)
         return error_set(error,
                          "%s: found a path of contact points (TRACK/CONTACT), expected one of tool "

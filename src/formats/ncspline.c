@@ -1,10 +1,10 @@
 /*
  * ncspline - see ncspline.h.
  *
- * POLY: each knot span is its Taylor polynomial at the span's start, so any cubic goes over exactly,
- * whatever its knots.  NURBS: the poles and knots themselves; the rotary angles are fitted on the
- * same knots, and where the axis they give is too far off, the span gets a knot more (which leaves
- * the tip's curve as it is) and all is fitted anew.
+ * POLY: each knot span is its Taylor polynomial at the span's start, so any cubic goes over
+ * exactly, whatever its knots.  NURBS: the poles and knots themselves; the rotary angles are fitted
+ * on the same knots, and where the axis they give is too far off, the span gets a knot more (which
+ * leaves the tip's curve as it is) and all is fitted anew.
  */
 #include "ncspline.h"
 
@@ -135,8 +135,8 @@ static struct deviation bspline_words(struct nc_spline *spline, int digits, cons
     struct motion printed = motion_spline(motion->from, motion->to, b);
     for (size_t i = 0; i <= b->poles * SAMPLES; i++) {
         double s = (double)i / (double)(b->poles * SAMPLES);
-        worst = deviation_worst(
-            worst, follow_difference(f, motion_at(&printed, s), motion_at(motion, s)));
+        worst = deviation_worst(worst,
+                                follow_difference(f, motion_at(&printed, s), motion_at(motion, s)));
     }
     return worst;
 }
@@ -184,7 +184,8 @@ static struct deviation nurbs_deviation(const struct nc_spline *spline, const st
         for (int k = 0; h > 0 && k <= SAMPLES; k++) {
             double basis[BSPLINE_DEGREE_MAX + 1];
             bspline_basis(b->degree, b->knot, span, v + g * k / SAMPLES, basis);
-            struct pose wanted = motion_at(motion, (u + h * k / SAMPLES - start) / range), at = wanted;
+            struct pose wanted = motion_at(motion, (u + h * k / SAMPLES - start) / range),
+                        at = wanted;
             at.p = vec(0, 0, 0);
             for (int i = 0; i <= b->degree; i++)
                 at.p = vec_along(at.p, basis[i], b->pole[span - (size_t)b->degree + (size_t)i]);
@@ -257,8 +258,9 @@ static struct station end_station(const struct nc_spline *spline, const struct m
 }
 
 bool nc_spline_words(struct nc_spline *spline, enum nc_splines kind, struct nc_spline_digits digits,
-                     const struct follow *f, const struct station *from, const struct motion *motion,
-                     struct deviation allowed, struct station *to, struct deviation *d)
+                     const struct follow *f, const struct station *from,
+                     const struct motion *motion, struct deviation allowed, struct station *to,
+                     struct deviation *d)
 {
     const struct bspline *b = motion->curve;
     *spline = (struct nc_spline){0};

@@ -1,92 +1,11 @@
 /* ncstep - see ncstep.h. */
 #include "ncstep.h"
 
+#include "ncreach.h"
 #include "num.h"
 
 enum { DEPTH_MAX = 14, ARC_DEPTH_MAX = 5, TURN_STEP = 2 /* degrees */ };
 static const double rapid_chord = 1; /* mm, where a rapid has to be split at all */
-
-static struct vec3 round_point(struct vec3 p, int digits)
-{
-    return vec(num_round(p.x, digits), num_round(p.y, digits), num_round(p.z, digits));
-}
-
-static int over_travel(struct nc_step *step, int axis, const char *what, double value)
-{
-    const struct machine *m = step->machine;
-    step->plan->unmet = true;
-    return error_at(step->error, step->path->name, step->state.line,
-                    "pass %zu: axis %c of %s: found %s %.3f, expected its travel %g to %g",
-                    step->state.pass, machine_letter(axis), m->name, what, value, m->min[axis],
-                    m->max[axis]);
-}
-
-/* The linear axes as they stand when the tip is there, seen from the work offset. */
-static int check_linear(struct nc_step *step, const struct station *to)
-{
-    const struct machine *m = step->machine;
-    struct vec3 p = to->p;
-    if (step->follow.mode != FOLLOW_JOINT)
-        p = chain_linear(&m->chain, p, to->q);
-    const double at[3] = {p.x, p.y, p.z};
-    for (int axis = 0; axis < 3; axis++)
-        if (!(at[axis] >= m->min[axis] && at[axis] <= m->max[axis]))
-            return over_travel(step, axis, "a position of", at[axis]);
-    return 0;
-}
-
-/* The words that say `q` and the pose. */
-static struct station station_of(const struct nc_step *step, struct pose to, const double q[])
-{
-    const struct machine_digits *digits = &step->plan->ability.digits;
-    const struct chain *chain = &step->machine->chain;
-    struct station s = {.a = round_point(to.a, digits->vector)};
-    for (int i = 0; i < chain->n; i++)
-        s.q[i] = RADIANS(num_round(DEGREES(q[i]), digits->angle));
-    struct vec3 p = step->follow.mode == FOLLOW_JOINT ? chain_linear(chain, to.p, s.q) : to.p;
-    s.p = round_point(p, digits->linear);
-    return s;
-}
-
-/*
- * In the singular direction the axis nearest the work is free.  From one such pose to the next it
- * turns to where the path will need it, so that it has the way between them for its turn instead
- * of none when the tool tilts.
- */
-static void turn_ahead(const struct nc_step *step, struct pose to, double q[])
-{
-    const struct chain *chain = &step->machine->chain;
-    double then[ROTARY_MAX];
-    int over, only = step->first ? step->branch.first : step->branch.then;
-    if (!step->ahead || chain->n < 2 || !chain_angles(chain, to.a).free)
-        return;
-    if (step->state.begun && !step->first && !chain_angles(chain, step->state.pose.a).free)
-        return;
-    if (chain_choose(chain, *step->ahead, q, true, only, then, &over) == 0)
-        q[0] = then[0];
-}
-
-/* The station that reaches a pose from where the program is; -1: none within the travel. */
-static int reach(struct nc_step *step, struct pose to, struct station *s)
-{
-    const struct chain *chain = &step->machine->chain;
-    double q[ROTARY_MAX] = {0};
-    int over, only = step->first ? step->branch.first : step->branch.then;
-    if (chain_choose(chain, to.a, step->state.at.q, !step->first, only, q, &over) != 0) {
-        if (over < 0) {
-            step->plan->unmet = true;
-            return error_at(step->error, step->path->name, step->state.line,
-                            "pass %zu: found tool axis %.6f %.6f %.6f, which no angles of %s reach",
-                            step->state.pass, to.a.x, to.a.y, to.a.z, step->machine->name);
-        }
-        struct chain_solutions angles = chain_angles(chain, to.a);
-        return over_travel(step, step->machine->letter[over], "angle",
-                           DEGREES(angles.q[only == 1 && angles.n == 2][over]));
-    }
-    turn_ahead(step, to, q);
-    *s = station_of(step, to, q);
-    return check_linear(step, s);
-}
 
 /* The longest that an axis of the machine needs between two stations, minutes. */
 static double axes_minutes(const struct nc_step *step, const struct station *a,
@@ -181,7 +100,7 @@ static void turn_to(struct nc_step *step, const double q[])
         double part[ROTARY_MAX];
         for (int i = 0; i < ROTARY_MAX; i++)
             part[i] = from[i] + (q[i] - from[i]) * k / n;
-        struct station to = station_of(step, step->state.pose, part);
+        struct station to = nc_station(step, step->state.pose, part);
         add_move(step, NC_RAPID, &to, 0, 0);
     }
 }
@@ -229,12 +148,12 @@ static int go_on_turned(struct nc_step *step, const struct motion *motion, doubl
 {
     struct pose goal = motion_at(motion, s1);
     if (kind == NC_RAPID) {
-        if (reach(step, goal, to) != 0)
+        if (nc_reach(step, goal, to) != 0)
             return -1;
         turn_to(step, to->q);
         return 0;
     }
-    if (retract_turn_return(step, goal) && reach(step, goal, to) == 0 &&
+    if (retract_turn_return(step, goal) && nc_reach(step, goal, to) == 0 &&
         deviation_within(block_deviation(step, to, motion, s0, s1, step->allowed), step->allowed))
         return 0;
     if (step->plan->unmet)
@@ -264,7 +183,7 @@ static int straight(struct nc_step *step, const struct motion *motion, double s0
     struct pose goal = motion_at(motion, s1);
     struct station to;
     struct deviation d = {HUGE_VAL, HUGE_VAL};
-    bool reached = reach(step, goal, &to) == 0;
+    bool reached = nc_reach(step, goal, &to) == 0;
     if (!reached && !step->may_turn)
         return -1; /* with it: as far as it goes, then turn */
     if (reached)
@@ -292,7 +211,7 @@ int nc_step_rapid(struct nc_step *step, struct pose to)
         struct motion motion = motion_line(step->state.pose, to);
         return straight(step, &motion, 0, 1, NC_RAPID, any, 0);
     }
-    if (reach(step, to, &station) != 0)
+    if (nc_reach(step, to, &station) != 0)
         return -1;
     add_move(step, NC_RAPID, &station, 0, 0);
     step->state.pose = to;
@@ -308,8 +227,9 @@ static int arc(struct nc_step *step, const struct motion *motion, double s0, dou
     struct deviation d;
     double point = 0;
     struct pose goal = motion_at(motion, s1);
-    bool fits = reach(step, goal, &to) == 0;
-    fits = fits && nc_arc_words(&words, ability->arcs, ability->digits.linear, ability->radius_error,
+    bool fits = nc_reach(step, goal, &to) == 0;
+    fits =
+        fits && nc_arc_words(&words, ability->arcs, ability->digits.linear, ability->radius_error,
                              &step->follow, &step->state.at, &to, motion, s0, s1, &d, &point);
     if (fits && !deviation_within(d, step->allowed) && point <= step->allowed.point &&
         depth < ARC_DEPTH_MAX) { /* it is the tool axis: it may be right in halves */
@@ -351,9 +271,9 @@ static int spline(struct nc_step *step, const struct motion *motion)
     if (nc_spline_words(&words, ability->splines, digits, &step->follow, &step->state.at, motion,
                         step->allowed, &to, &d)) {
         *array_push(&step->plan->spline) = words;
-        if (step->follow.mode == FOLLOW_VECTOR && reach(step, motion->to, &checked) == 0)
+        if (step->follow.mode == FOLLOW_VECTOR && nc_reach(step, motion->to, &checked) == 0)
             to.q[0] = checked.q[0], to.q[1] = checked.q[1];
-        if (check_linear(step, &to) != 0)
+        if (nc_check_linear(step, &to) != 0)
             return -1;
         add_move(step, NC_SPLINE, &to, motion_length(motion), step->plan->spline.n - 1);
         step->plan->total.spent = deviation_worst(step->plan->total.spent, d);

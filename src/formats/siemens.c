@@ -242,7 +242,7 @@ static void finish(struct nc_program *p)
 
 const struct dialect dialect_siemens = {
     .name = "siemens",
-    .style = {.open = "; ", .close = "", .last_number = 999990},
+    .style = {.open = "; ", .close = "", .last_number = 99999999},
     .digits = {.linear = 5, .angle = 5, .vector = 8, .knot = 5, .feed = 2},
     .vectors = true,
     .arcs = NC_ARCS_SPACE,

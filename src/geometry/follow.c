@@ -1,8 +1,8 @@
 /* follow - see follow.h. */
 #include "follow.h"
 
-enum { SAMPLES = 8 }; /* pieces that a block is looked at in */
-static const double little_of = 0.05; /* of what is allowed: a bound of it needs no closer look */
+enum { SAMPLES = 8, SAMPLES_SPLINE = 24 }; /* pieces that a block is looked at in */
+static const double little_of = 0.05;  /* of what is allowed: a bound of it needs no closer look */
 static const double most_ahead = 0.25; /* of a block, that its time may run ahead or behind */
 
 bool deviation_within(struct deviation d, struct deviation allowed)
@@ -87,7 +87,8 @@ struct deviation follow_block(const struct follow *f, const struct station *from
                               const struct station *to, const struct motion *motion, double s0,
                               double s1, struct deviation allowed)
 {
-    struct deviation worst = follow_difference(f, follow_pose(f, from, to, 0), motion_at(motion, s0));
+    struct deviation worst =
+        follow_difference(f, follow_pose(f, from, to, 0), motion_at(motion, s0));
     worst = deviation_worst(
         worst, follow_difference(f, follow_pose(f, from, to, 1), motion_at(motion, s1)));
     if (motion->kind == MOTION_LINE && f->mode != FOLLOW_JOINT) {
@@ -97,11 +98,12 @@ struct deviation follow_block(const struct follow *f, const struct station *from
         if (deviation_within(d, little))
             return (struct deviation){worst.point + d.point, worst.axis + d.axis};
     }
-    for (int i = 1; i < SAMPLES; i++) {
-        double s = (double)i / SAMPLES;
+    int samples = motion->kind == MOTION_SPLINE ? SAMPLES_SPLINE : SAMPLES;
+    for (int i = 1; i < samples; i++) {
+        double s = (double)i / samples;
         struct pose wanted = motion_at(motion, s0 + s * (s1 - s0));
-        worst = deviation_worst(worst,
-                                follow_difference(f, beside(f, from, to, wanted, s), wanted));
+        worst =
+            deviation_worst(worst, follow_difference(f, beside(f, from, to, wanted, s), wanted));
     }
     return worst;
 }
@@ -114,7 +116,8 @@ struct deviation follow_curve(const struct follow *f, const struct station *from
     *point = 0;
     for (int i = 0; i <= SAMPLES; i++) {
         double s = (double)i / SAMPLES;
-        struct pose at = follow_pose(f, from, to, s), wanted = motion_at(motion, s0 + s * (s1 - s0));
+        struct pose at = follow_pose(f, from, to, s),
+                    wanted = motion_at(motion, s0 + s * (s1 - s0));
         at.p = motion_at(printed, s).p;
         *point = fmax(*point, vec_distance(at.p, wanted.p));
         worst = deviation_worst(worst, follow_difference(f, at, wanted));

@@ -68,8 +68,10 @@ static struct chain_solutions angles_of_two(const struct chain *chain, struct ve
         return s;
 
     /* the triangle u0, u1, a: half the angle at u1 between u0 and a, opposite to `wanted` */
-    double low = clamp_sine((wanted + between - tool) / 2) * clamp_sine((wanted - between + tool) / 2);
-    double high = clamp_sine((between + tool + wanted) / 2) * clamp_sine((between + tool - wanted) / 2);
+    double low =
+        clamp_sine((wanted + between - tool) / 2) * clamp_sine((wanted - between + tool) / 2);
+    double high =
+        clamp_sine((between + tool + wanted) / 2) * clamp_sine((between + tool - wanted) / 2);
     double half = 2 * atan2(sqrt(low), sqrt(high));
     double zero = turn_between(u1, chain->tool, u0); /* the angle that brings t nearest to u0 */
     s.free = wanted < singular || PI - wanted < singular;

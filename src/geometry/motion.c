@@ -64,7 +64,8 @@ struct pose motion_at(const struct motion *motion, double s)
     if (s >= 1)
         return motion->to;
     struct pose at = {.a = vec_slerp(motion->from.a, motion->to.a, s)};
-    at.p = motion->kind == MOTION_ARC ? arc_at(motion, s) : vec_mix(motion->from.p, motion->to.p, s);
+    at.p =
+        motion->kind == MOTION_ARC ? arc_at(motion, s) : vec_mix(motion->from.p, motion->to.p, s);
     return at;
 }
 

@@ -1,0 +1,22 @@
+/*
+ * ncreach - from a pose of the path to the words that bring the machine there.
+ */
+#ifndef CLOUDMILL_NCREACH_H
+#define CLOUDMILL_NCREACH_H
+
+#include "ncstep.h"
+
+/* The words that say the pose with the rotary axes at q. */
+struct station nc_station(const struct nc_step *step, struct pose to, const double q[]);
+
+/*
+ * The station that reaches a pose from where the program is, as the step's branch says; -1 with
+ * the error filled and the plan unmet: the rotary or the linear axes would leave their travel.
+ */
+int nc_reach(struct nc_step *step, struct pose to, struct station *s);
+
+/* -1: the linear axes, as they stand when the tip is there (seen from the work offset), would
+ * leave their travel. */
+int nc_check_linear(struct nc_step *step, const struct station *to);
+
+#endif

@@ -1,0 +1,94 @@
+/* ncreach - see ncreach.h. */
+#include "ncreach.h"
+
+#include "num.h"
+
+static struct vec3 round_point(struct vec3 p, int digits)
+{
+    return vec(num_round(p.x, digits), num_round(p.y, digits), num_round(p.z, digits));
+}
+
+static int over_travel(struct nc_step *step, int axis, const char *what, double value)
+{
+    const struct machine *m = step->machine;
+    step->plan->unmet = true;
+    return error_at(step->error, step->path->name, step->state.line,
+                    "pass %zu: axis %c of %s: found %s %.3f, expected its travel %g to %g",
+                    step->state.pass, machine_letter(axis), m->name, what, value, m->min[axis],
+                    m->max[axis]);
+}
+
+int nc_check_linear(struct nc_step *step, const struct station *to)
+{
+    const struct machine *m = step->machine;
+    struct vec3 p = to->p;
+    if (step->follow.mode != FOLLOW_JOINT)
+        p = chain_linear(&m->chain, p, to->q);
+    const double at[3] = {p.x, p.y, p.z};
+    for (int axis = 0; axis < 3; axis++)
+        if (!(at[axis] >= m->min[axis] && at[axis] <= m->max[axis]))
+            return over_travel(step, axis, "a position of", at[axis]);
+    return 0;
+}
+
+struct station nc_station(const struct nc_step *step, struct pose to, const double q[])
+{
+    const struct machine_digits *digits = &step->plan->ability.digits;
+    const struct chain *chain = &step->machine->chain;
+    struct station s = {.a = round_point(to.a, digits->vector)};
+    for (int i = 0; i < chain->n; i++)
+        s.q[i] = RADIANS(num_round(DEGREES(q[i]), digits->angle));
+    struct vec3 p = step->follow.mode == FOLLOW_JOINT ? chain_linear(chain, to.p, s.q) : to.p;
+    s.p = round_point(p, digits->linear);
+    return s;
+}
+
+/*
+ * In the singular direction the axis nearest the work is free.  From one such pose to the next it
+ * turns to where the path will need it, so that it has the way between them for its turn instead
+ * of none when the tool tilts.
+ */
+static void turn_ahead(const struct nc_step *step, struct pose to, double q[])
+{
+    const struct chain *chain = &step->machine->chain;
+    double then[ROTARY_MAX];
+    int over, only = step->first ? step->branch.first : step->branch.then;
+    if (!step->ahead || chain->n < 2 || !chain_angles(chain, to.a).free)
+        return;
+    if (step->state.begun && !step->first && !chain_angles(chain, step->state.pose.a).free)
+        return;
+    if (chain_choose(chain, *step->ahead, q, true, only, then, &over) == 0)
+        q[0] = then[0];
+}
+
+/* The axis nearest the work a whole turn on, as the branch says, where its travel allows it. */
+static void wind(const struct nc_step *step, double q[])
+{
+    const struct rotary *rotary = &step->machine->chain.rotary[0];
+    double turned = q[0] + 2 * PI * step->branch.wind;
+    if (step->machine->chain.n && turned >= rotary->min && turned <= rotary->max)
+        q[0] = turned;
+}
+
+int nc_reach(struct nc_step *step, struct pose to, struct station *s)
+{
+    const struct chain *chain = &step->machine->chain;
+    double q[ROTARY_MAX] = {0};
+    int over, only = step->first ? step->branch.first : step->branch.then;
+    if (chain_choose(chain, to.a, step->state.at.q, !step->first, only, q, &over) != 0) {
+        if (over < 0) {
+            step->plan->unmet = true;
+            return error_at(step->error, step->path->name, step->state.line,
+                            "pass %zu: found tool axis %.6f %.6f %.6f, which no angles of %s reach",
+                            step->state.pass, to.a.x, to.a.y, to.a.z, step->machine->name);
+        }
+        struct chain_solutions angles = chain_angles(chain, to.a);
+        return over_travel(step, step->machine->letter[over], "angle",
+                           DEGREES(angles.q[only == 1 && angles.n == 2][over]));
+    }
+    if (step->first)
+        wind(step, q);
+    turn_ahead(step, to, q);
+    *s = nc_station(step, to, q);
+    return nc_check_linear(step, s);
+}
