@@ -57,8 +57,8 @@ static struct settings read_options(struct cli *cli, int argc, char **argv)
         {0, "neighbours", "N", "points that a quadric is fitted to (default: 40)", CLI_COUNT,
          &s.neighbours, 6, 1000, 0, NULL},
         {0, "paper", NULL,
-         "as published: a node takes any point nearer than the spacing, holes are\n"
-         "bridged, normals are the mean of the facets'",
+         "as published: a node takes any point nearer than the spacing, holes\n"
+         "are bridged, normals are the mean of the facets'",
          CLI_FLAG, &s.paper, 0, 0, 0, NULL},
         {0}};
     cli->option = option;
