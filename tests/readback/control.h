@@ -77,7 +77,7 @@ int control_unknown(const struct control *c, const struct word *w, struct error 
 /* An M word: the spindle, the end, and those that move nothing. */
 int control_m(struct control *c, const struct word *w, struct error *error);
 
-/* The N number of a block must rise. */
+/* The N number of a block must rise; behind the last of five digits it begins anew. */
 int control_block(struct control *c, double number, struct error *error);
 
 /* X Y Z, the rotary words of this machine: true when `name` is one and `to` took the value. */

@@ -7,6 +7,7 @@
 #define FLAT_TIP 1e-5          /* how straight it is, mm */
 #define FLAT_AXIS RADIANS(0.001)
 #define AXIS_WEIGHT 1.0        /* mm a radian */
+#define DETOUR 2.0             /* longest way that one may make and the other not, mm */
 
 static double apart(struct pose a, struct pose b)
 {
@@ -86,36 +87,52 @@ static double nearest_on(const struct chain *chain, size_t i, struct pose pose, 
     return apart(pose, *found);
 }
 
+/* A place on a chain: how far along, and the pose there. */
+struct match {
+    double length;
+    struct pose pose;
+    double apart;
+};
+
+/* The nearest place of a chain between two lengths; *begin: the first sample worth looking at. */
+static struct match nearest_between(const struct chain *to, double from_length, double to_length,
+                                    struct pose pose, size_t *begin)
+{
+    struct match best = {from_length, pose, HUGE_VAL};
+    while (*begin + 1 < to->n && to->item[*begin + 1].length < from_length)
+        ++*begin;
+    for (size_t k = *begin; k < to->n; k++) {
+        const struct sample *end = &to->item[k];
+        struct match found;
+        if ((end->joined ? end[-1].length : end->length) > to_length)
+            break;
+        found.apart = nearest_on(to, k, pose, &found.length, &found.pose);
+        if (found.apart < best.apart)
+            best = found;
+    }
+    return best;
+}
+
 struct sweep sweep_walk(const struct chain *from, const struct chain *to, double tip_limit,
                         double axis_limit)
 {
     struct sweep sweep = {0};
     size_t begin = 0;
-    double here = 0;
+    double here = 0, slack = 0.05 + 2 * tip_limit;
     for (size_t i = 0; i < from->n; i++) {
         const struct sample *sample = &from->item[i];
         double step = i > 0 ? sample->length - sample[-1].length : 0;
-        double slack = 0.05 + 2 * tip_limit, best = HUGE_VAL, found_at = here;
-        struct pose best_pose = sample->pose;
-        /* what lies behind the window will not be wanted any more */
-        while (begin + 1 < to->n && to->item[begin + 1].length < here - slack)
-            begin++;
-        for (size_t k = begin; k < to->n; k++) {
-            const struct sample *end = &to->item[k];
-            double start = end->joined ? end[-1].length : end->length, length;
-            struct pose found;
-            if (start > here + step + slack)
-                break;
-            double d = nearest_on(to, k, sample->pose, &length, &found);
-            if (d < best) {
-                best = d;
-                best_pose = found;
-                found_at = length;
-            }
+        struct match match =
+            nearest_between(to, here - slack, here + step + slack, sample->pose, &begin);
+        double tip = vec_distance(sample->pose.p, match.pose.p);
+        double axis = DEGREES(vec_angle(sample->pose.a, match.pose.a));
+        if (to->n && (tip > tip_limit || axis > axis_limit)) {
+            /* the other may have made a detour that the way back will judge */
+            match = nearest_between(to, here - slack, here + step + DETOUR, sample->pose, &begin);
+            tip = vec_distance(sample->pose.p, match.pose.p);
+            axis = DEGREES(vec_angle(sample->pose.a, match.pose.a));
         }
-        here = found_at;
-        double tip = vec_distance(sample->pose.p, best_pose.p);
-        double axis = DEGREES(vec_angle(sample->pose.a, best_pose.a));
+        here = match.length;
         if (to->n == 0)
             tip = HUGE_VAL;
         if (!sweep.beyond && (tip > tip_limit || axis > axis_limit)) {
