@@ -33,8 +33,8 @@ static const struct cli_option options[] = {
     {0, "normals", "mesh|facet|gouraud|central", "the mesh's own (default), the mean of the "
      "facets' (eq 8) or of the\nneighbours' (eq 7), central differences on a regular grid",
      CLI_CHOICE, &normals, 0, 0, 0, NULL},
-    {0, "limit", "H", "lift no centre by more than H, and exit 3 where it takes more (default:\n"
-     "the radius; what can't be reached is passed over and told)",
+    {0, "limit", "H", "lift no centre by more than H, and exit 3 where it takes more\n"
+     "(default: the radius; what can't be reached is passed over and told)",
      CLI_NUMBER, &limit, CLI_POSITIVE, 0, 0, NULL},
     {0, "tilt", "DEG", "lean the axis off the normal, sideways, positive to the next row (15)",
      CLI_NUMBER, &tilt, -80, 80, 0, &lean_given},
@@ -46,7 +46,7 @@ static const struct cli_option options[] = {
      CLI_NUMBERS, to_point, 0, 0, 3, &to_given},
     {0, "from-point", "X,Y,Z", "the spindle points away from a point below the surface",
      CLI_NUMBERS, from_point, 0, 0, 3, &from_given},
-    {0, "circle", "X,Y,Z,I,J,K,R", "the axis goes through the nearest point of a circle: centre, "
+    {0, "circle", "X,Y,Z,I,J,K,R", "the axis goes through the nearest point of a circle: centre,\n"
      "axis, radius", CLI_NUMBERS, circle, 0, 0, 7, &circle_given},
     {0, "one-way", NULL, "cut all rows in one direction (default: zig-zag)",
      CLI_FLAG, &one_way, 0, 0, 0, NULL},
