@@ -105,7 +105,7 @@ struct cells {
 
 static void add_cell(struct cells *c, uint64_t key)
 {
-    size_t at = (size_t)(key * 0x9E3779B97F4A7C15u >> 20) & c->mask;
+    size_t at = (size_t)(key * 0x9E3779B97F4A7C15u >> 32) & c->mask;
     while (c->key[at] != 0 && c->key[at] != key)
         at = (at + 1) & c->mask;
     c->n += c->key[at] == 0;
