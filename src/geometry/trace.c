@@ -257,20 +257,27 @@ static bool glance(struct follower *f, size_t first, size_t end, const struct st
     return true;
 }
 
-/* All points from `first` to `end`, and places between their feet. */
+/* From one foot to the next, at `fine` places between, or more. */
+static double step_on(struct follower *f, double from, double to, int fine, double limit)
+{
+    int parts = to > from ? places_between(f->arc, from, to, fine, limit) : 0;
+    for (int i = 1; i <= parts; i++)
+        meet_trace(f, from + (to - from) * i / (parts + 1));
+    return to;
+}
+
+/* All points from `first` to before `end`, and places between their feet. */
 static void walk(struct follower *f, size_t first, size_t end, int fine, const struct stray *within)
 {
-    double limit = fmin(within->tracked, 0.1), before = 0;
+    double limit = fmin(within->tracked, 0.1), at = 0;
     meet_trace(f, 0);
-    for (size_t k = first; k <= end && stray_within(&f->stray, within); k++) {
-        double foot = k < end ? fmax(before, arc_foot(f->arc, f->trace->p[k])) : 1;
-        if (k < end)
-            meet_point(f, k, foot);
-        int parts = foot > before ? places_between(f->arc, before, foot, fine, limit) : 0;
-        for (int i = 1; i <= parts; i++)
-            meet_trace(f, before + (foot - before) * i / (parts + 1));
-        before = foot;
+    for (size_t k = first; k < end && stray_within(&f->stray, within); k++) {
+        double foot = fmax(at, arc_foot(f->arc, f->trace->p[k]));
+        meet_point(f, k, foot);
+        at = step_on(f, at, foot, fine, limit);
     }
+    if (stray_within(&f->stray, within))
+        step_on(f, at, 1, fine, limit);
     meet_trace(f, 1);
 }
 
@@ -278,7 +285,7 @@ struct stray trace_stray(const struct trace *trace, const struct piece *piece, i
                          const struct stray *within)
 {
     struct follower f = follow(trace, piece);
-    size_t first = (size_t)piece->from + 1, end = (size_t)ceil(piece->to);
+    size_t first = (size_t)piece->from + 1, end = (size_t)piece->to + 1;
     f.lone = trace->lever == 0 || axis_still(trace, &f, first, end);
     if (trace->n < 2)
         return f.stray;
