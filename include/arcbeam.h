@@ -12,8 +12,8 @@
 #include "arcfit.h"
 
 /*
- * Appends a chain of pieces as arcfit_biarcs does, each proven by trace_stray, the joints rounded
- * to `digits` decimals.  Never more of them than arcfit_biarcs makes.
+ * Appends a chain of pieces as arcfit_biarcs does, each proven by trace_stray, the joints of
+ * single arcs rounded to `digits` decimals.  Never more of them than arcfit_biarcs makes.
  */
 void arcbeam_fit(const struct trace *trace, const struct stray *within, int digits,
                  struct pieces *pieces);

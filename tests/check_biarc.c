@@ -1,4 +1,5 @@
-/* Tests of biarc.h: against the equations of paper 1's appendix A, which each biarc has to solve. */
+/* Tests of biarc.h: against the equations of paper 1's appendix A, which each biarc has to solve.
+ */
 #include "biarc.h"
 
 #include <check.h>
