@@ -36,6 +36,9 @@ void guard_free(struct guard *guard);
 /* The highest z among the guard points, mm. */
 double guard_top(const struct guard *guard);
 
+/* How far from c the box around the guard points reaches in a direction (a unit vector), mm. */
+double guard_extent(const struct guard *guard, struct vec3 c, struct vec3 direction);
+
 /* Distance from p to the nearest guard point, mm; HUGE_VAL when there is none. */
 double guard_distance(const struct guard *guard, struct vec3 p);
 

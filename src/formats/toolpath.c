@@ -5,13 +5,14 @@
 #include "cli.h"
 #include "way.h"
 
-/* An axis flatter than this does not lead to the clearance plane: sin 10 degrees. */
+/* A direction flatter than this does not lead to the clearance plane: sin 10 degrees. */
 static const double FLAT = 0.17364817766693033;
 
-/* A way between a point of a strip and the clearance plane, for the ball's centre. */
+/* A way from a point of a strip to the clearance plane, for the ball's centre. */
 struct way {
     struct vec3 near; /* the approach distance off the point */
-    struct vec3 far;  /* with the tip on the clearance plane */
+    struct vec3 out;  /* straight on, on the clearance plane or beside the part */
+    struct vec3 top;  /* with the tip on the clearance plane */
     bool clear;
 };
 
@@ -27,24 +28,36 @@ static void set_feed(struct toolpath *t, double feed)
     t->feed_now = feed;
 }
 
+/* How far to go in a direction: to the clearance plane, which is `rise` above, or to where the part
+ * ends, whichever is nearer. */
+static double way_out(const struct toolpath *t, struct vec3 from, struct vec3 direction,
+                      double rise)
+{
+    double to_plane = direction.z > FLAT ? rise / direction.z : HUGE_VAL;
+
+    if (!t->lift.guard)
+        return isfinite(to_plane) ? to_plane : 0;
+    double to_end = guard_extent(t->lift.guard, from, direction) + t->lift.offset;
+    return fmax(0, fmin(to_plane, to_end));
+}
+
 /* The way off the point p that begins in this direction. */
 static struct way way_off(const struct toolpath *t, const struct run_point *p,
                           struct vec3 direction)
 {
+    const struct guard *guard = t->lift.guard;
+    double offset = t->lift.offset, plane = t->rule.clearance + t->rule.radius * p->axis.z;
     struct way way = {.near = vec_along(p->ball, t->rule.approach, direction), .clear = true};
-    double rise = t->rule.clearance + t->rule.radius * p->axis.z - way.near.z;
+    double out = way_out(t, way.near, direction, fmax(0, plane - way.near.z));
 
-    way.far = way.near;
-    if (rise > 0 && direction.z > FLAT)
-        way.far = vec_along(way.near, rise / direction.z, direction);
-    else if (rise > 0)
-        way.far.z += rise;
-    if (t->lift.guard) {
-        const struct guard *guard = t->lift.guard;
-        double offset = t->lift.offset, before = guard_depth(guard, p->ball, offset);
-        double depth = fmax(guard_depth_along(guard, p->ball, way.near, offset),
-                            guard_depth_along(guard, way.near, way.far, offset));
-        way.clear = depth <= fmax(before, 0) + t->lift.tolerance;
+    way.out = vec_along(way.near, out, direction);
+    way.top = way.out;
+    if (plane > way.out.z + 1e-6)
+        way.top.z = plane;
+    if (guard) {
+        double depth = fmax(guard_depth_along(guard, p->ball, way.out, offset),
+                            guard_depth_along(guard, way.out, way.top, offset));
+        way.clear = depth <= fmax(guard_depth(guard, p->ball, offset), 0) + t->lift.tolerance;
     }
     return way;
 }
@@ -69,7 +82,9 @@ static void retract(struct toolpath *t)
     struct way way = find_way(t, &t->at);
 
     move(t, way.near, t->at.axis, false);
-    move(t, way.far, t->at.axis, way.clear);
+    if (way.top.z > way.out.z)
+        move(t, way.out, t->at.axis, way.clear);
+    move(t, way.top, t->at.axis, way.clear);
     t->down = false;
 }
 
@@ -77,9 +92,11 @@ static void approach(struct toolpath *t, const struct run_point *p)
 {
     struct way way = find_way(t, p);
 
-    move(t, way.far, p->axis, true);
+    move(t, way.top, p->axis, true);
     if (!way.clear)
         set_feed(t, t->rule.plunge);
+    if (way.top.z > way.out.z)
+        move(t, way.out, p->axis, way.clear);
     move(t, way.near, p->axis, way.clear);
     set_feed(t, t->rule.plunge);
     move(t, p->ball, p->axis, false);

@@ -156,6 +156,15 @@ double guard_top(const struct guard *guard)
     return guard->high.z;
 }
 
+double guard_extent(const struct guard *guard, struct vec3 c, struct vec3 up)
+{
+    struct vec3 corner = vec(up.x > 0 ? guard->high.x : guard->low.x,
+                             up.y > 0 ? guard->high.y : guard->low.y,
+                             up.z > 0 ? guard->high.z : guard->low.z);
+
+    return vec_dot(vec_sub(corner, c), up);
+}
+
 double guard_distance(const struct guard *guard, struct vec3 p)
 {
     size_t nearest;
@@ -235,16 +244,6 @@ double guard_lift(const struct guard *guard, struct vec3 c, struct vec3 up, doub
     return lift <= limit ? lift : -1;
 }
 
-/* How far the box around the points reaches from c along `up`. */
-static double box_along(const struct guard *guard, struct vec3 c, struct vec3 up)
-{
-    struct vec3 corner = vec(up.x > 0 ? guard->high.x : guard->low.x,
-                             up.y > 0 ? guard->high.y : guard->low.y,
-                             up.z > 0 ? guard->high.z : guard->low.z);
-
-    return vec_dot(vec_sub(corner, c), up);
-}
-
 double guard_rise(const struct guard *guard, struct vec3 c, struct vec3 up, double radius)
 {
     double rise = 0;
@@ -253,7 +252,7 @@ double guard_rise(const struct guard *guard, struct vec3 c, struct vec3 up, doub
     if (guard->point.n == 0)
         return 0;
     /* From the far end back, in pieces of one radius; below the rise none can raise it. */
-    double pieces = fmax(0, ceil(box_along(guard, c, up) / radius)) + 1;
+    double pieces = fmax(0, ceil(guard_extent(guard, c, up) / radius)) + 1;
     for (double i = pieces - 1; i >= 0 && (i + 1) * radius > rise; i--) {
         struct vec3 middle = vec_along(c, (i + 0.5) * radius, up);
         found.n = 0;
@@ -272,7 +271,7 @@ double guard_rise(const struct guard *guard, struct vec3 c, struct vec3 up, doub
 bool guard_open(const struct guard *guard, struct vec3 c, struct vec3 up, double radius,
                 double depth)
 {
-    double end = fmax(box_along(guard, c, up) + radius, 0);
+    double end = fmax(guard_extent(guard, c, up) + radius, 0);
 
     return guard_depth_along(guard, c, vec_along(c, end, up), radius) <= depth;
 }

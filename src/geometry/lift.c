@@ -35,10 +35,11 @@ void lift_add(struct run *run, const struct lift_rule *rule, struct vec3 contact
     *array_push(run) = p;
 }
 
-/* The tool can come here, along its axis or straight down. */
+/* The tool can come here from above, along its axis or straight down. */
 static bool open_above(const struct run_point *p, const struct lift_rule *rule)
 {
-    return guard_open(rule->guard, p->ball, p->axis, rule->offset, rule->tolerance) ||
+    return (p->axis.z >= 0 &&
+            guard_open(rule->guard, p->ball, p->axis, rule->offset, rule->tolerance)) ||
            guard_open(rule->guard, p->ball, UP, rule->offset, rule->tolerance);
 }
 
