@@ -1,8 +1,9 @@
 /*
  * arc - see arc.h.
  *
- * Points are reckoned from the start and not from the centre, as from + chord (cos(u/2) t + sin(u/2)
- * inward) with the chord 2 R sin(u/2), so that an arc of a very large radius is as exact as a small one.
+ * Points are reckoned from the start and not from the centre, as from + chord (cos(u/2) t +
+ * sin(u/2) inward) with the chord 2 R sin(u/2), so that an arc of a very large radius is as exact
+ * as a small one.
  */
 #include "arc.h"
 
