@@ -3,9 +3,10 @@
  * part, tips and axes, passes, links, approach and retract.
  *
  * From strip to strip the tool stays down where the way is short and the ball touches nothing on
- * it; else it goes up along its axis to the clearance plane, over with the new axis and down along
- * that.  What the ball does along its own axis the shank behind it has done before, so that this
- * way is free wherever the tool fits at all; where it is not, straight up in z is tried.
+ * it; else it goes up along its axis to the clearance plane (a flat axis: out beside the part, then
+ * up), over with the new axis and down along that.  What the ball does along its own axis the shank
+ * behind it has done before, so that this way is free wherever the tool fits at all; where it is
+ * not, straight up in z is tried.
  */
 #ifndef CLOUDMILL_TOOLPATH_H
 #define CLOUDMILL_TOOLPATH_H

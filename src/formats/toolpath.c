@@ -28,17 +28,16 @@ static void set_feed(struct toolpath *t, double feed)
     t->feed_now = feed;
 }
 
-/* How far to go in a direction: to the clearance plane, which is `rise` above, or to where the part
- * ends, whichever is nearer. */
+/* How far to go in a direction: to the clearance plane, which is `rise` above, or where that is
+ * too flat to where the part ends. */
 static double way_out(const struct toolpath *t, struct vec3 from, struct vec3 direction,
                       double rise)
 {
-    double to_plane = direction.z > FLAT ? rise / direction.z : HUGE_VAL;
-
+    if (direction.z > FLAT)
+        return rise / direction.z;
     if (!t->lift.guard)
-        return isfinite(to_plane) ? to_plane : 0;
-    double to_end = guard_extent(t->lift.guard, from, direction) + t->lift.offset;
-    return fmax(0, fmin(to_plane, to_end));
+        return 0;
+    return fmax(0, guard_extent(t->lift.guard, from, direction) + t->lift.offset);
 }
 
 /* The way off the point p that begins in this direction. */
