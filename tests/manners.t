@@ -30,6 +30,7 @@ shell() { # STATUS DESC COMMAND-LINE
 	status "$1" "$2" sh -c "$3"
 }
 
+# shellcheck disable=SC2086,SC2046,SC2012 # words of options and file names of our own
 for tool in cloud2mesh meshnorm biarcfit bsplfit ncpost; do
 	in=$(input $tool)
 	set -- $(arguments $tool)

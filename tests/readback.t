@@ -290,7 +290,9 @@ broken 3 "a retract left out" "no rapid move" fanuc.nc '/^N290 /d'
 broken 3 "a feed move made a rapid one" "beyond" fanuc.nc 's/^N260 X30/N260 G0 X30/; s/^N270 X/N270 G1 X/'
 
 # what the control refuses, or what leaves it open where the tool goes
+# shellcheck disable=SC2016 # $d is sed's
 broken 1 "a program cut off" "without M30" fanuc.nc '/^N270 /,$d'
+# shellcheck disable=SC2016
 broken 1 "a program without its last %" "without %" fanuc.nc '$d'
 broken 1 "no M30" "without M30|behind M30|N330|%" fanuc.nc '/M30/d'
 broken 1 "no M30 (Siemens)" "without M30" siemens.mpf '/M30/d'
