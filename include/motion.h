@@ -20,6 +20,16 @@ struct poses {
     struct pose *item;
 };
 
+/* Where the ball touches the surface, and the surface's unit normal there. */
+struct contact {
+    struct vec3 p, n;
+};
+
+struct contacts {
+    size_t n, cap;
+    struct contact *item;
+};
+
 enum motion_kind { MOTION_LINE, MOTION_ARC, MOTION_SPLINE };
 
 struct motion {

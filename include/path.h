@@ -16,11 +16,6 @@
 #include "out.h"
 #include "vec.h"
 
-/* Where the ball touches the surface, and the surface's unit normal there. */
-struct contact {
-    struct vec3 p, n;
-};
-
 enum path_kind {
     PATH_POINT,  /* straight to a pose (GOTO) */
     PATH_ARC,    /* on an arc to a pose (CIRCLE, GOTO) */

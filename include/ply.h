@@ -18,6 +18,9 @@
  */
 int ply_read(const char *file, struct mesh *mesh, struct error *error);
 
+/* The same from a reader that stands at the start of the file. */
+int ply_read_mesh(struct reader *r, struct mesh *mesh, struct error *error);
+
 /* The vertices alone, appended to `points`, those too that are not finite; the reader stands at
  * the start of the file. */
 int ply_read_points(struct reader *r, struct vec3s *points, struct error *error);

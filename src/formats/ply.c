@@ -44,19 +44,25 @@ static int read_all(struct reader *r, enum ply_purpose purpose, struct mesh *mes
     return status;
 }
 
+int ply_read_mesh(struct reader *r, struct mesh *mesh, struct error *error)
+{
+    *mesh = (struct mesh){.origin = ply_origin_none()};
+    int status = read_all(r, PLY_MESH, mesh, error);
+    if (status == 0 && (mesh->vertex.n == 0 || mesh->face.n == 0))
+        status = error_at(error, r->name, 0, "no %s, expected a mesh of triangles",
+                          mesh->vertex.n ? "faces" : "vertices");
+    if (status < 0)
+        mesh_free(mesh);
+    return status;
+}
+
 int ply_read(const char *file, struct mesh *mesh, struct error *error)
 {
     struct reader r;
-    *mesh = (struct mesh){.origin = ply_origin_none()};
     if (reader_open(&r, file, error) < 0)
         return -1;
-    int status = read_all(&r, PLY_MESH, mesh, error);
-    if (status == 0 && (mesh->vertex.n == 0 || mesh->face.n == 0))
-        status = error_at(error, r.name, 0, "no %s, expected a mesh of triangles",
-                          mesh->vertex.n ? "faces" : "vertices");
+    int status = ply_read_mesh(&r, mesh, error);
     reader_close(&r);
-    if (status < 0)
-        mesh_free(mesh);
     return status;
 }
 

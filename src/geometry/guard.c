@@ -2,6 +2,7 @@
 
 #include <stdlib.h>
 
+#include "edgecurve.h"
 #include "kdtree.h"
 
 /* What may stay of a gouge: far below any tolerance, far above rounding. */
@@ -49,21 +50,6 @@ struct patch {
     struct vec3 middle;
 };
 
-/*
- * The control point next to p on the edge to q, in the tangent plane of p.  With alpha between
- * chord c and tangent the handle is 2 c / (3 (1 + cos alpha)), which is (4/3) tan(alpha/2) of the
- * radius: the best cubic for a circle (PN triangles have c cos alpha / 3, which is too flat).
- */
-static struct vec3 handle(struct vec3 p, struct vec3 normal, struct vec3 q)
-{
-    struct vec3 chord = vec_sub(q, p);
-    double length = vec_length(chord);
-    struct vec3 tangent = vec_reject(chord, normal);
-    double cosine = length > 0 ? vec_length(tangent) / length : 1;
-
-    return vec_along(p, 2 * length / (3 * (1 + cosine)), vec_unit(tangent));
-}
-
 static struct patch patch_of(const struct vec3 *p, const struct vec3 *normal, bool flat)
 {
     struct patch patch;
@@ -72,8 +58,8 @@ static struct patch patch_of(const struct vec3 *p, const struct vec3 *normal, bo
     for (int i = 0; i < 3; i++) {
         int j = (i + 1) % 3;
         patch.corner[i] = p[i];
-        patch.edge[i][0] = flat ? vec_mix(p[i], p[j], 1 / 3.0) : handle(p[i], normal[i], p[j]);
-        patch.edge[i][1] = flat ? vec_mix(p[j], p[i], 1 / 3.0) : handle(p[j], normal[j], p[i]);
+        patch.edge[i][0] = flat ? vec_mix(p[i], p[j], 1 / 3.0) : edge_handle(p[i], normal[i], p[j]);
+        patch.edge[i][1] = flat ? vec_mix(p[j], p[i], 1 / 3.0) : edge_handle(p[j], normal[j], p[i]);
         corners = vec_add(corners, p[i]);
         edges = vec_add(edges, vec_add(patch.edge[i][0], patch.edge[i][1]));
     }
