@@ -52,6 +52,7 @@ struct cli {
     const char *usage;              /* "[options] [FILE...]" */
     const char *about;              /* one line: what the tool does */
     const struct cli_option *option; /* ends with a name of NULL */
+    const struct cli_option *more;  /* a second such table, of options that tools share; or NULL */
     const char *output;             /* -o, NULL: standard output */
     int threads;                    /* -j, 0: as many as there are processors */
     int files;                      /* how many operands there were ... */

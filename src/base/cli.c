@@ -39,6 +39,8 @@ static struct table merge(struct cli *cli)
     struct table t = {0};
     for (const struct cli_option *o = cli->option; o && o->name; o++)
         *array_push(&t) = *o;
+    for (const struct cli_option *o = cli->more; o && o->name; o++)
+        *array_push(&t) = *o;
     for (size_t i = 0; i < sizeof common / sizeof *common; i++)
         *array_push(&t) = common[i];
     return t;
