@@ -13,6 +13,7 @@ struct nc_program {
     const struct path *path;
     const struct machine *machine;
     const struct nc_plan *plan;
+    struct nc_wish wish;
     const char *name; /* number or name asked for, NULL: by the dialect */
     struct nc_writer w;
 };
@@ -25,7 +26,11 @@ struct dialect {
     struct nc_style style;
     struct machine_digits digits; /* usual numbers of decimals */
     bool vectors;                 /* the usual axis words under tool-centre-point control */
+    bool vectors_never;           /* it knows no vectors */
     bool vectors_doubtful;        /* see struct nc_ability */
+    bool inverse_never;           /* it knows no inverse-time feed */
+    bool tcp_of_machine;          /* it has tool-centre-point control only where the machine file
+                                     names this control and says so */
     enum nc_arcs arcs, arcs_vectors;
     enum nc_splines splines, splines_vectors;
 
@@ -39,9 +44,11 @@ struct dialect {
     void (*finish)(struct nc_program *p); /* retract to the end of the program */
 };
 
-/* By its name; NULL: none.  dialect_names: "fanuc|siemens". */
+/* By its name; NULL: none. */
 const struct dialect *dialect_find(const char *name);
-const char *dialect_names(void);
+
+/* All of them, as a choice of cli.h. */
+#define DIALECT_NAMES "fanuc|siemens|heidenhain|linuxcnc"
 
 /* What a program for this control and machine may hold. */
 struct nc_ability dialect_ability(const struct dialect *dialect, const struct machine *machine,

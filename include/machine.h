@@ -15,6 +15,10 @@
 
 enum { MACHINE_X, MACHINE_Y, MACHINE_Z, MACHINE_A, MACHINE_B, MACHINE_C, MACHINE_AXES };
 
+/* Feeds without tool-centre-point control: in inverse time, or in mm and degrees a minute along
+ * all axes together, the square root of the sum of the squares of their ways. */
+enum machine_feeds { FEEDS_INVERSE, FEEDS_COMBINED };
+
 enum machine_type { TABLE_TABLE, HEAD_TABLE, HEAD_HEAD, ONE_TABLE, ONE_HEAD, NO_ROTARY };
 
 /* How many decimals the control is given; -1: the control's usual number. */
@@ -36,9 +40,20 @@ struct machine {
     double max[MACHINE_AXES];
     double rapid[MACHINE_AXES]; /* mm/min and degrees/min; X Y Z have one */
     double retract;           /* mm along the tool axis, where the path has no approach */
-    char offset[20];          /* work offset, G54 */
-    char home[60];            /* the block that retracts Z to a safe height; "": the control's */
+    char offset[60];          /* work offset; "": the control's own, G54 */
+    int feeds;                /* enum machine_feeds */
+    double feed_max;          /* largest F that the control takes */
+    bool smooth;              /* the control is to smooth the path within ncpost's tolerance */
+    struct machine_templates { /* blocks, "": the control's own (nctemplate.h) */
+        char home[120];       /* retracts Z to a safe height */
+        char start[120];      /* behind the modal words at the start */
+        char tool_change[120];
+        char tcp_on[120], tcp_off[120];
+        char smooth_on[120], smooth_off[120];
+        char end[120];        /* before M30 */
+    } blocks;
     int number_step;          /* of block numbers, 0: none */
+    int number_max;           /* behind it they begin again */
     struct machine_digits digits;
 
     struct chain chain;       /* made of the above; travel in radians */

@@ -13,9 +13,19 @@
 #include "ncspline.h"
 #include "path.h"
 
+/* What F means. */
+enum nc_feeds {
+    NC_FEEDS_TIP,     /* mm/min of the tracked point: G94 */
+    NC_FEEDS_INVERSE, /* 1/min, in each block: G93 */
+    NC_FEEDS_COMBINED /* along all axes together, in mm and degrees, a minute */
+};
+
 /* What the program may hold, from the control, the machine and the options. */
 struct nc_ability {
     enum follow_mode mode;
+    bool tcp;      /* the program switches tool-centre-point control on */
+    enum nc_feeds feeds;
+    double feed_max;
     bool doubtful; /* vectors, but the control may turn its rotary axes evenly: keep to both */
     enum nc_arcs arcs;
     enum nc_splines splines;
@@ -36,7 +46,7 @@ struct nc_move {
     enum nc_kind kind;
     unsigned line;     /* of the path, 0: made here */
     struct station to; /* RAPID, LINE, ARC, SPLINE */
-    double feed;       /* mm/min; without tool-centre-point control 1/min */
+    double feed;       /* as printed, see enum nc_feeds */
     size_t index;      /* ARC, SPLINE: element of the plan; TEXT: of the path; PASS: its number */
 };
 

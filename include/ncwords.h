@@ -22,6 +22,13 @@ void nc_axis(struct nc_program *p, const struct station *to, const char *const a
 /* F, when it changes; inverse-time feeds always. */
 void nc_feed(struct nc_program *p, const struct nc_move *move);
 
+/* G17 G18 G19 where it changes, G2 or G3, place, tool axis and centre (I J K from the start) or R
+ * of an arc; the block is not ended. */
+void nc_plane_arc(struct nc_program *p, const struct nc_move *move, const char *const address[3]);
+
+/* The work offset: the machine's or, where it says none, this one. */
+void nc_offset(struct nc_program *p, const char *usual);
+
 /* A whole straight block, G0 or G1 (in inverse time where the machine has no TCP). */
 void nc_straight(struct nc_program *p, const struct nc_move *move, const char *const address[3]);
 

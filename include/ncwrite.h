@@ -16,7 +16,8 @@ struct nc_style {
     const char *open, *close; /* around a comment */
     bool capitals;            /* in comments, and no brackets in them */
     bool point;               /* a whole number has its decimal point: X12. */
-    long last_number;         /* block numbers start again behind it */
+    bool sign;                /* a + before numbers that are not negative: X+12 */
+    bool count_all;           /* numbers of blocks 0, 1, 2 ... without N, comments too */
 };
 
 /* Modal values. */
@@ -28,6 +29,7 @@ struct nc_writer {
     struct out *out;
     struct nc_style style;
     int step;    /* of block numbers, 0: none */
+    long most;   /* the numbers begin again behind it */
     long number; /* of the last block */
     char line[NC_BLOCK_MAX];
     size_t n;
@@ -38,12 +40,12 @@ struct nc_writer {
     bool inverse;       /* feeds are inverse time: G93 */
 };
 
-struct nc_writer nc_writer_new(struct out *out, struct nc_style style, int step);
+struct nc_writer nc_writer_new(struct out *out, struct nc_style style, int step, long most);
 
 /* Adds a word to the block: as it stands; an address with a number; with a whole number. */
 void nc_code(struct nc_writer *w, const char *word);
 void nc_number(struct nc_writer *w, const char *address, double value, int digits);
-void nc_count(struct nc_writer *w, const char *address, double whole); /* never with a point */
+void nc_count(struct nc_writer *w, const char *address, double whole); /* no point, no sign */
 
 /* The same where it is not what the last one said; true when it was added. */
 bool nc_motion(struct nc_writer *w, const char *code);
@@ -58,6 +60,9 @@ void nc_remember(struct nc_writer *w, enum nc_slot slot, double value);
 
 /* Ends the block and writes it, with its number; a block without words is none. */
 void nc_end(struct nc_writer *w);
+
+/* Takes the block back as if it had not begun. */
+void nc_drop(struct nc_writer *w);
 
 /* A whole block of one word; a line without a number; a comment on its own line. */
 void nc_block(struct nc_writer *w, const char *word);

@@ -35,7 +35,7 @@ static struct settings settings_default(void)
 static void read_options(struct settings *s, struct cli *cli, int argc, char **argv)
 {
     const struct cli_option option[] = {
-        {'c', "control", "fanuc|siemens", "control to write for (default: the machine's own)",
+        {'c', "control", DIALECT_NAMES, "control to write for (default: the machine's own)",
          CLI_CHOICE, &s->control, 0, 0, 0, &s->control_given},
         {'m', "machine", "NAME",
          "machine: NAME.txt in this folder, in $CLOUDMILL_MACHINES or among\n"
@@ -56,7 +56,7 @@ static void read_options(struct settings *s, struct cli *cli, int argc, char **a
          &s->vectors, 0, 0, 0, NULL},
         {0, "rotary", NULL, "tool axis as rotary words (Siemens ORIAXES; usual for Fanuc)",
          CLI_FLAG, &s->rotary, 0, 0, 0, NULL},
-        {0, "program", "NAME", "number (Fanuc) or name (Siemens) of the program", CLI_TEXT,
+        {0, "program", "NAME", "number (Fanuc) or name of the program", CLI_TEXT,
          &s->program, 0, 0, 0, NULL},
         {0, "strict", NULL, "refuse post-processor words that nobody here knows", CLI_FLAG,
          &s->strict, 0, 0, 0, NULL},
@@ -86,17 +86,19 @@ static struct machine read_machine(const struct settings *s)
 
 static const struct dialect *choose_dialect(const struct settings *s, const struct machine *machine)
 {
-    static const char *const names[] = {"fanuc", "siemens"};
+    static const char *const names[] = {"fanuc", "siemens", "heidenhain", "linuxcnc"};
     const char *name = s->control_given ? names[s->control] : machine->control;
     if (!*name)
-        die_usage("found no control, expected -c %s (machine %s names none)", dialect_names(),
+        die_usage("found no control, expected -c %s (machine %s names none)", DIALECT_NAMES,
                   machine->name);
     const struct dialect *dialect = dialect_find(name);
     struct error error;
     if (!dialect)
-        die("machine %s: control: found `%s`, expected %s", machine->name, name, dialect_names());
+        die("machine %s: control: found `%s`, expected %s", machine->name, name, DIALECT_NAMES);
     if (s->program && dialect->check_name(s->program, &error) != 0)
         die_usage("%s", error.text);
+    if (s->vectors && dialect->vectors_never)
+        die_usage("found --vectors, which %s does not know", name);
     return dialect;
 }
 
@@ -138,9 +140,8 @@ static void tell(const struct path *path, const struct nc_plan *plan, const stru
 }
 
 static void make_plan(struct nc_plan *plan, const struct path *path, const struct machine *machine,
-                      struct nc_ability ability, const struct settings *s)
+                      struct nc_ability ability, struct nc_wish wish)
 {
-    struct nc_wish wish = {s->chord, RADIANS(s->axis_tolerance), s->feed};
     struct error error;
     if (nc_plan_make(plan, path, machine, ability, wish, &error) == 0)
         return;
@@ -153,7 +154,7 @@ int main(int argc, char **argv)
 {
     struct settings s = settings_default();
     struct cli cli = {.tool = "ncpost",
-                      .usage = "-c fanuc|siemens [-m MACHINE] [options] [FILE]",
+                      .usage = "-c " DIALECT_NAMES " [-m MACHINE] [options] [FILE]",
                       .about = "Write the NC program of a path for a control and a machine."};
     read_options(&s, &cli, argc, argv);
     struct machine machine = read_machine(&s);
@@ -164,13 +165,15 @@ int main(int argc, char **argv)
     enum nc_axis_words axis = s.vectors  ? NC_AXIS_VECTORS
                               : s.rotary ? NC_AXIS_ROTARY
                                          : NC_AXIS_USUAL;
+    struct nc_wish wish = {s.chord, RADIANS(s.axis_tolerance), s.feed};
     struct nc_plan plan;
-    make_plan(&plan, &path, &machine, dialect_ability(dialect, &machine, axis), &s);
+    make_plan(&plan, &path, &machine, dialect_ability(dialect, &machine, axis), wish);
 
     struct out *out = out_open(cli.output);
     struct nc_program program = {
-        .path = &path, .machine = &machine, .plan = &plan, .name = s.program};
-    program.w = nc_writer_new(out, dialect->style, machine.number_step);
+        .path = &path, .machine = &machine, .plan = &plan, .wish = wish, .name = s.program};
+    program.w = nc_writer_new(out, dialect->style, machine.number_step,
+                              machine.number_max);
     dialect_write(dialect, &program);
     out_close(out);
 

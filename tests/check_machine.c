@@ -1,5 +1,6 @@
 /* machine: keys, defaults, includes, the chain that comes of them, and what is refused. */
 #include <check.h>
+#include <dirent.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -7,6 +8,7 @@
 
 #include "machine.h"
 
+static char shipped[1000];
 static char folder[] = "/tmp/check_machine.XXXXXX";
 
 static void write_file(const char *name, const char *text)
@@ -155,6 +157,84 @@ START_TEST(not_found)
 }
 END_TEST
 
+/* The folder of the shipped machines: from the root of the project, or where run.sh says it is. */
+static const char *machines(void)
+{
+    const char *root = getenv("SRC");
+    snprintf(shipped, sizeof shipped, "%s/machines", root ? root : ".");
+    return shipped;
+}
+
+static double chance(void) /* -1..1, a plain generator of Lehmer's */
+{
+    static unsigned long long state = 1;
+    state = state * 48271 % 2147483647;
+    return (double)state / 1073741823.5 - 1;
+}
+
+/* One random pose: angles within the travel to an axis, back to angles, and to an axis again; the
+ * tip to the linear axes and back. */
+static void there_and_back(const struct machine *m, double *axis, double *point)
+{
+    const struct chain *chain = &m->chain;
+    double q[ROTARY_MAX] = {0};
+    for (int i = 0; i < chain->n; i++) {
+        const struct rotary *r = &chain->rotary[i];
+        double span = fmin(r->max - r->min, 4 * PI), middle = (r->max + r->min) / 2;
+        q[i] = middle + span / 2 * chance();
+    }
+    struct vec3 a = chain_axis(chain, q), tip = vec(500 * chance(), 500 * chance(), 500 * chance());
+    struct chain_solutions s = chain_angles(chain, a);
+    if (s.n == 0)
+        *axis = 360;
+    for (int k = 0; k < s.n; k++) {
+        *axis = fmax(*axis, DEGREES(vec_angle(chain_axis(chain, s.q[k]), a)));
+        struct vec3 back = chain_tip(chain, chain_linear(chain, tip, s.q[k]), s.q[k]);
+        *point = fmax(*point, vec_distance(back, tip));
+    }
+}
+
+START_TEST(shipped_machines_there_and_back)
+{
+    DIR *folder_of = opendir(machines());
+    const char *poses = getenv("POSES"); /* 1000000 for the figure in the note */
+    long n = poses ? atol(poses) : 30000;
+    int found = 0;
+    ck_assert_ptr_nonnull(folder_of);
+    for (struct dirent *entry; (entry = readdir(folder_of));) {
+        char file[2000];
+        struct machine m = machine_default();
+        struct error e = {""};
+        double axis = 0, point = 0;
+        if (!strstr(entry->d_name, ".txt"))
+            continue;
+        snprintf(file, sizeof file, "%s/%s", shipped, entry->d_name);
+        int read = machine_read(&m, file, &e) == 0 ? machine_finish(&m, &e) : -1;
+        ck_assert_msg(read == 0, "%s", e.text);
+        for (long i = 0; i < n; i++)
+            there_and_back(&m, &axis, &point);
+        ck_assert_msg(axis <= 1e-9 && point <= 1e-9, "%s: %g degrees, %g mm", m.name, axis, point);
+        if (poses)
+            printf("%-24s %.2g degrees %.2g mm\n", entry->d_name, axis, point);
+        found++;
+    }
+    closedir(folder_of);
+    ck_assert_int_ge(found, 10);
+}
+END_TEST
+
+START_TEST(templates_know_their_words)
+{
+    struct machine m = machine_default();
+    struct error e;
+    ck_assert_int_eq(machine_set(&m, "tool.change = T{tool} M6|G43 H{tool}", &e), 0);
+    ck_assert_int_eq(machine_finish(&m, &e), 0);
+    ck_assert_int_eq(machine_set(&m, "home = G53 Z{height}", &e), 0);
+    ck_assert_int_eq(machine_finish(&m, &e), -1);
+    ck_assert_ptr_nonnull(strstr(e.text, "{height}"));
+}
+END_TEST
+
 int main(void)
 {
     Suite *suite = suite_create("machine");
@@ -168,6 +248,11 @@ int main(void)
     tcase_add_loop_test(tests, refused_together, 0, (int)(sizeof impossible / sizeof *impossible));
     tcase_add_test(tests, not_found);
     suite_add_tcase(suite, tests);
+    TCase *all = tcase_create("shipped");
+    tcase_set_timeout(all, 300);
+    tcase_add_test(all, templates_know_their_words);
+    tcase_add_test(all, shipped_machines_there_and_back);
+    suite_add_tcase(suite, all);
 
     SRunner *runner = srunner_create(suite);
     srunner_run_all(runner, CK_NORMAL);

@@ -15,6 +15,10 @@ post shapes.fanuc.nc -c fanuc
 post shapes.vectors.nc -c fanuc --vectors
 post shapes.notcp.nc -c fanuc -m table-ac-notcp --chord 0.1 --axis-tolerance 1
 post shapes.siemens.mpf -c siemens
+post shapes.heidenhain.h -c heidenhain --chord 0.05 --axis-tolerance 0.5
+post shapes.vectors.h -c heidenhain --vectors --chord 0.05 --axis-tolerance 0.5
+post shapes.linuxcnc.ngc -c linuxcnc -m linuxcnc-xyzac --chord 0.05 --axis-tolerance 0.5
+post shapes.notcp.ngc -c linuxcnc --chord 0.1 --axis-tolerance 1
 post shapes.rotary.mpf -c siemens --rotary --chord 0.05 --axis-tolerance 0.5
 
 # ---- read back by the tests' own reader: options of ncpost, then options of the reader
@@ -24,6 +28,30 @@ back() { # PATH NCPOST-OPTIONS READBACK-OPTIONS
 		ok "$(basename "$1"): ncpost $2, read back" \
 			"$READBACK" $3 --path "$1" -e 0.0062 --axis 0.052 "$TMP/back.nc" && return
 	result 1 "$(basename "$1"): ncpost $2"
+}
+
+# What LinuxCNC's own interpreter makes of a program: its canonical calls, on standard output
+canon() { # PROGRAM
+	[ -e sim.ini ] || {
+		printf '[EMC]\nMACHINE = test\n[RS274NGC]\nPARAMETER_FILE = sim.var\n' >sim.ini
+		printf '[TRAJ]\nCOORDINATES = X Y Z A B C\nLINEAR_UNITS = mm\n' >>sim.ini
+		printf 'T1 P1 Z100 D8\nT3 P3 Z100 D8\n' >sim.tbl
+		: >sim.var
+	}
+	rs274 -g -i sim.ini -t sim.tbl -v sim.var "$1" 2>canon.err </dev/null
+}
+
+linuxcnc() { # PATH NCPOST-OPTIONS READBACK-OPTIONS
+	desc="$(basename "$1"): ncpost -c linuxcnc $2, run by rs274, read back"
+	# shellcheck disable=SC2086
+	ncpost -q -c linuxcnc $2 "$1" >"$TMP/back.ngc" 2>"$TMP/err" || { result 1 "$desc"; return; }
+	if ! command -v rs274 >/dev/null; then
+		result 0 "$desc # skipped: no rs274"
+		return
+	fi
+	canon back.ngc >back.canon || { cat canon.err >"$TMP/err"; result 1 "$desc"; return; }
+	# shellcheck disable=SC2086
+	ok "$desc" "$READBACK" -c canon $3 --path "$1" -e 0.0062 --axis 0.052 back.canon
 }
 
 # A wave with four passes, the tool leaning by 15 degrees: height of the wave, path file
@@ -71,10 +99,19 @@ for path in wave steep; do
 		back "$file" "-c siemens" "-c siemens"
 		back "$file" "-c siemens --rotary" "-c siemens"
 		back "$file" "-c siemens -m table-ac-notcp" "-c siemens --no-tcp"
+		back "$file" "-c heidenhain" "-c heidenhain"
+		back "$file" "-c heidenhain --vectors" "-c heidenhain"
+		linuxcnc "$file" "" "--no-tcp"
+		linuxcnc "$file" "-m table-bc" "--no-tcp --axes bc"
+		linuxcnc "$file" "-m linuxcnc-xyzac" "--reversed"
+		linuxcnc "$file" "-m linuxcnc-xyzbc" "--reversed --axes bc"
 	done
 done
 back "$golden/shapes.cl" "-c fanuc" "-c fanuc"
 back "$golden/shapes.cl" "-c siemens" "-c siemens"
+back "$golden/shapes.cl" "-c heidenhain" "-c heidenhain"
+linuxcnc "$golden/shapes.cl" "" "--no-tcp"
+linuxcnc "$golden/shapes.cl" "-m linuxcnc-xyzac" "--reversed"
 
 # ---- shapes go over as what they are
 ncpost -q -c fanuc "$TMP/wave-splines.cl" >f.nc
@@ -85,21 +122,35 @@ ncpost -q -c siemens "$TMP/wave-arcs.cl" >a.mpf
 has "Siemens: arcs in space" 'CIP X.*I1=AC\(.*A3=' a.mpf
 ncpost -q -c fanuc "$TMP/wave-arcs.cl" >a.nc
 has "Fanuc: arcs in a plane" 'G18 G[23] X.* Z.* A.* C.* I.* K' a.nc
+ncpost -q -m linuxcnc-xyzac "$TMP/wave-arcs.cl" >l.ngc
+has "LinuxCNC: arcs in a plane, A and C riding" 'G18 G[23] X.* Z.* A.* C.* I.* K' l.ngc
+ncpost -q -c linuxcnc "$TMP/steep.cl" >n.ngc
+ncpost -q -c heidenhain "$golden/shapes.cl" >h.h
+has "Heidenhain: an arc in the working plane" '^[0-9]+ C X\+0 Y\+40 DR-' h.h
+ncpost -q -c heidenhain --vectors "$TMP/wave.cl" >v.h
+has "Heidenhain: LN with the tool axis" '^[0-9]+ LN X[+-].* Y[+-].* Z[+-].* TX[+-].* TY[+-].* TZ[+-]' v.h
+hasnt "Heidenhain: places, angles and vectors have signs, feeds none" \
+	' ([XYZABC]|T[XYZ])[0-9.]| F[+-]' v.h
 ncpost -q -c siemens --set splines=no --set arcs=no "$golden/shapes.cl" >none.mpf
 hasnt "a machine without arcs and splines gets none" 'CIP|POLY|BSPLINE' none.mpf
 
 # ---- what every program keeps
 ncpost -q -c fanuc -m table-ac-notcp "$TMP/steep.cl" >n.nc
-for file in f.nc s.mpf a.mpf a.nc none.mpf n.nc; do
-	hasnt "$file: no -0, no exponent" '[A-Z=,(]-0*\.?0*( |,|\)|$)|[0-9][eE][-+0-9]' $file
+for file in f.nc s.mpf a.mpf a.nc none.mpf n.nc l.ngc n.ngc h.h v.h; do
+	hasnt "$file: no -0, no exponent" '[A-Z=,(]-(0+\.?|0*\.0+)( |,|\)|$)|[0-9][eE][-+0-9]' $file
 	awk '{ if (length($0) > most) most = length($0) } END { print most }' $file >most
-	below "$file: short blocks" "$(cat most)" 512
+	case $file in *.ngc) limit=255 ;; *) limit=512 ;; esac
+	below "$file: short blocks" "$(cat most)" $limit
 done
+hasnt "LinuxCNC: no G5.2" 'G5(\.| |$)' l.ngc
 awk '/^\(/ && (length($0) > 80 || /\(.*\(/ || /[a-z]/) { print }' f.nc >bad
 empty "Fanuc comments: capitals, 80 columns, no brackets inside" bad
-awk '/G93/ { on = 1 } /G94$/ { on = 0 } on && / G[01]( |$)/ { feed = / G1( |$)/ }
-	on && feed && !/^\(/ { blocks++; with += / F/ } END { print blocks - with, (blocks > 100) }' n.nc >found
-has "inverse time: F in each block at feed" '^0 1$' found
+for file in n.nc n.ngc; do
+	awk '/G93/ { on = 1 } /G94$/ { on = 0 } on && / G[01]( |$)/ { feed = / G1( |$)/ }
+		on && feed && !/^\(/ { blocks++; with += / F/ }
+		END { print blocks - with, (blocks > 100) }' $file >found
+	has "$file: inverse time: F in each block at feed" '^0 1$' found
+done
 hasnt "inverse time: never F0" ' F0?\.?0*$' n.nc
 hasnt "inverse time: no arcs" ' G[23] ' n.nc
 awk '/G43\.4/ { on = 1 } /G49$/ { on = 0 } on && /G28|G53/ { print }' f.nc >bad
@@ -217,5 +268,28 @@ has "a name of its own" '^%_N_AB_1_MPF$' name.mpf
 ncpost -q -c fanuc --program 4711 --set number.step=0 "$golden/shapes.cl" >name.nc
 has "a number of its own" '^O4711$' name.nc
 hasnt "no block numbers" '^N' name.nc
+
+# ---- block numbers, templates
+ncpost -q -c fanuc --set number.step=1000 "$TMP/wave.cl" >many.nc
+has "block numbers of six digits" '^N100000 ' many.nc
+ncpost -q -c fanuc --set number.step=100 --set number.max=9999 "$TMP/wave.cl" >few.nc
+hasnt "number.max: none beyond it" '^N[0-9]{5}' few.nc
+ncpost -q -c fanuc --set 'home=G53 Z0.|G90' --set 'tool.change=T{tool}|M6 (S{rpm})' \
+	--set 'tcp.on=G43.4 H{tool}' --set start=G187 --set end=M99 "$golden/shapes.cl" >own.nc
+for line in 'G53 Z0\.' 'T3' 'M6 \(S12000\)' 'G187' 'M99' 'G43\.4 H3'; do
+	has "templates: a block $line" "^N[0-9]+ $line\$" own.nc
+done
+status 1 "a template with a word that nobody knows" \
+	ncpost -c fanuc --set 'home=G53 Z{height}' "$golden/shapes.cl"
+has "names it" '\{height\}' err
+for control in fanuc siemens heidenhain linuxcnc; do
+	ncpost -q -c $control --set smooth=yes --chord 0.008 --axis-tolerance 0.2 \
+		"$golden/shapes.cl" >$control.smooth
+done
+has "smoothing: Fanuc" ' G05\.1 Q1 R6$' fanuc.smooth
+has "and off again" ' G05\.1 Q0$' fanuc.smooth
+has "smoothing: Siemens, with the axis" 'CYCLE832\(0\.008,11,0\.2\)' siemens.smooth
+has "smoothing: Heidenhain" 'CYCL DEF 32\.1 T0\.008$' heidenhain.smooth
+has "smoothing: LinuxCNC" 'G64 P0\.008 Q0\.008$' linuxcnc.smooth
 
 done_testing

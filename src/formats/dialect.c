@@ -5,9 +5,10 @@
 
 #include "nchead.h"
 
-extern const struct dialect dialect_fanuc, dialect_siemens;
+extern const struct dialect dialect_fanuc, dialect_siemens, dialect_heidenhain, dialect_linuxcnc;
 
-static const struct dialect *const table[] = {&dialect_fanuc, &dialect_siemens};
+static const struct dialect *const table[] = {&dialect_fanuc, &dialect_siemens, &dialect_heidenhain,
+                                              &dialect_linuxcnc};
 
 const struct dialect *dialect_find(const char *name)
 {
@@ -15,11 +16,6 @@ const struct dialect *dialect_find(const char *name)
         if (strcmp(table[i]->name, name) == 0)
             return table[i];
     return NULL;
-}
-
-const char *dialect_names(void)
-{
-    return "fanuc|siemens";
 }
 
 static int given(int digits, int usual)
@@ -38,15 +34,24 @@ struct nc_ability dialect_ability(const struct dialect *dialect, const struct ma
                    given(own->vector, usual->vector), given(own->knot, usual->knot),
                    given(own->feed, usual->feed)},
         .radius_error = 0.005,
+        .feed_max = machine->feed_max,
     };
-    if (machine->tcp) {
+    bool tcp = machine->tcp;
+    if (dialect->tcp_of_machine && strcmp(machine->control, dialect->name) != 0)
+        tcp = false;
+    ability.tcp = tcp && machine->chain.n > 0;
+    if (tcp || machine->chain.n == 0) {
+        vectors = vectors && ability.tcp;
         ability.mode = vectors ? FOLLOW_VECTOR : FOLLOW_ROTARY;
         ability.doubtful = vectors && dialect->vectors_doubtful;
         if (machine->arcs)
             ability.arcs = vectors ? dialect->arcs_vectors : dialect->arcs;
         if (machine->splines)
             ability.splines = vectors ? dialect->splines_vectors : dialect->splines;
+    } else if (machine->feeds == FEEDS_COMBINED || dialect->inverse_never) {
+        ability.feeds = NC_FEEDS_COMBINED;
     } else {
+        ability.feeds = NC_FEEDS_INVERSE;
         ability.digits.feed = given(own->feed, 3); /* 1/min: small numbers count */
     }
     return ability;

@@ -6,8 +6,8 @@
 
 #include "dialect.h"
 #include "nchead.h"
+#include "nctemplate.h"
 #include "ncwords.h"
-#include "num.h"
 
 static const char *const vector_address[] = {"I", "J", "K"};
 
@@ -33,8 +33,7 @@ static void program_number(struct nc_program *p)
 
 static void retract_home(struct nc_program *p)
 {
-    nc_block(&p->w, *p->machine->home ? p->machine->home : "G91 G28 Z0.");
-    nc_block(&p->w, "G90");
+    nc_template(p, p->machine->blocks.home, "G91 G28 Z0.|G90");
     nc_forget(&p->w, NC_X, NC_Z);
     p->w.motion = NULL;
 }
@@ -44,7 +43,7 @@ static void compensate(struct nc_program *p, const struct station *first)
 {
     struct nc_writer *w = &p->w;
     int tool = p->path->head.tool ? p->path->head.tool : 1;
-    if (p->plan->ability.mode == FOLLOW_JOINT) {
+    if (!p->plan->ability.tcp) {
         int digits = p->plan->ability.digits.linear;
         nc_modal(w, NC_X, "X", first->p.x, digits);
         nc_modal(w, NC_Y, "Y", first->p.y, digits);
@@ -52,12 +51,12 @@ static void compensate(struct nc_program *p, const struct station *first)
         nc_code(w, "G43");
         nc_count(w, "H", tool);
         nc_modal(w, NC_Z, "Z", first->p.z, digits);
+        nc_end(w);
     } else {
-        nc_code(w, p->plan->ability.mode == FOLLOW_VECTOR ? "G43.5" : "G43.4");
-        nc_count(w, "H", tool);
+        nc_template(p, p->machine->blocks.tcp_on,
+                    p->plan->ability.mode == FOLLOW_VECTOR ? "G43.5 H{tool}" : "G43.4 H{tool}");
         w->motion = NULL;
     }
-    nc_end(w);
 }
 
 static void start(struct nc_program *p)
@@ -68,21 +67,21 @@ static void start(struct nc_program *p)
     program_number(p);
     nc_head(p, "Fanuc");
     nc_code(w, "G90 G17 G21 G40 G49 G80 G94");
-    nc_code(w, p->machine->offset);
+    nc_offset(p, "G54");
     nc_end(w);
     w->plane = 17;
+    nc_template(p, p->machine->blocks.start, "");
     retract_home(p);
-    if (p->path->head.tool) {
-        nc_count(w, "T", p->path->head.tool);
-        nc_code(w, "M6");
-        nc_end(w);
-    }
+    if (p->path->head.tool)
+        nc_template(p, p->machine->blocks.tool_change, "T{tool} M6");
     nc_spindle(p);
     nc_motion(w, "G0");
     nc_rotary(p, first->q);
     nc_end(w);
     compensate(p, first);
     nc_coolant(p);
+    if (p->machine->smooth)
+        nc_template(p, p->machine->blocks.smooth_on, "G05.1 Q1 R{level}");
 }
 
 static void line(struct nc_program *p, const struct nc_move *move)
@@ -90,36 +89,11 @@ static void line(struct nc_program *p, const struct nc_move *move)
     nc_straight(p, move, vector_address);
 }
 
-static void plane(struct nc_writer *w, int number)
-{
-    if (w->plane != number)
-        nc_code(w, number == 17 ? "G17" : number == 18 ? "G18" : "G19");
-    w->plane = number;
-}
-
 static void arc(struct nc_program *p, const struct nc_move *move)
 {
-    const struct nc_arc *a = &p->plan->arc.item[move->index];
-    int digits = p->plan->ability.digits.linear;
-    struct nc_writer *w = &p->w;
-    plane(w, a->plane);
-    nc_motion(w, a->ccw ? "G3" : "G2");
-    if (a->full) /* the end is named though it is where the tool stands */
-        nc_forget(w, a->plane == 19 ? NC_Y : NC_X, a->plane == 17 ? NC_Y : NC_Z);
-    nc_place(p, move->to.p);
-    nc_axis(p, &move->to, vector_address);
-    if (a->radius != 0) {
-        nc_number(w, "R", a->radius, digits);
-    } else {
-        if (a->plane != 19)
-            nc_number(w, "I", a->centre.x, digits);
-        if (a->plane != 18)
-            nc_number(w, "J", a->centre.y, digits);
-        if (a->plane != 17)
-            nc_number(w, "K", a->centre.z, digits);
-    }
+    nc_plane_arc(p, move, vector_address);
     nc_feed(p, move);
-    nc_end(w);
+    nc_end(&p->w);
 }
 
 /* G06.2: a knot and a pole in each block, all axes in each; the last knots in blocks of their
@@ -161,7 +135,9 @@ static void finish(struct nc_program *p)
     struct nc_writer *w = &p->w;
     if (w->inverse)
         nc_block(w, "G94");
-    nc_block(w, "G49");
+    if (p->machine->smooth)
+        nc_template(p, p->machine->blocks.smooth_off, "G05.1 Q0");
+    nc_template(p, p->plan->ability.tcp ? p->machine->blocks.tcp_off : "", "G49");
     retract_home(p);
     if (p->machine->chain.n) {
         const double zero[ROTARY_MAX] = {0};
@@ -174,13 +150,14 @@ static void finish(struct nc_program *p)
         nc_block(w, "G17");
     nc_block(w, "M9");
     nc_block(w, "M5");
+    nc_template(p, p->machine->blocks.end, "");
     nc_block(w, "M30");
     nc_line(w, "%");
 }
 
 const struct dialect dialect_fanuc = {
     .name = "fanuc",
-    .style = {.open = "(", .close = ")", .capitals = true, .point = true, .last_number = 99999999},
+    .style = {.open = "(", .close = ")", .capitals = true, .point = true},
     .digits = {.linear = 3, .angle = 3, .vector = 6, .knot = 3, .feed = 1},
     .vectors_doubtful = true,
     .arcs = NC_ARCS_CENTRE,

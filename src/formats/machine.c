@@ -8,6 +8,7 @@
 
 #include "array.h"
 #include "keys.h"
+#include "nctemplate.h"
 #include "reader.h"
 
 #ifndef CLOUDMILL_DATADIR
@@ -37,8 +38,9 @@ struct machine machine_default(void)
         .max = {2000, 2000, 2000, 120, 120, 99999},
         .rapid = {30000, 30000, 30000, 7200, 7200, 7200},
         .retract = 50,
-        .offset = "G54",
+        .feed_max = 99999,
         .number_step = 10,
+        .number_max = 99999999,
         .digits = {-1, -1, -1, -1, -1},
     };
     return m;
@@ -91,8 +93,19 @@ static struct keys machine_keys(struct machine *m)
     add_bounded(&keys, "rapid", KEY_NUMBER, &m->rapid[MACHINE_X], 1, 1e7);
     add_bounded(&keys, "retract", KEY_NUMBER, &m->retract, 0.1, 1e5);
     add_text(&keys, "offset", m->offset, sizeof m->offset);
-    add_text(&keys, "home", m->home, sizeof m->home);
+    add_text(&keys, "home", m->blocks.home, sizeof m->blocks.home);
+    add_text(&keys, "start", m->blocks.start, sizeof m->blocks.start);
+    add_text(&keys, "end", m->blocks.end, sizeof m->blocks.end);
+    add_text(&keys, "tool.change", m->blocks.tool_change, sizeof m->blocks.tool_change);
+    add_text(&keys, "tcp.on", m->blocks.tcp_on, sizeof m->blocks.tcp_on);
+    add_text(&keys, "tcp.off", m->blocks.tcp_off, sizeof m->blocks.tcp_off);
+    keys_add(&keys, "smooth", KEY_YES, &m->smooth);
+    add_text(&keys, "smooth.on", m->blocks.smooth_on, sizeof m->blocks.smooth_on);
+    add_text(&keys, "smooth.off", m->blocks.smooth_off, sizeof m->blocks.smooth_off);
+    keys_add(&keys, "feeds", KEY_CHOICE, &m->feeds)->words = "inverse|combined";
+    add_bounded(&keys, "feed.max", KEY_NUMBER, &m->feed_max, 1, 1e8);
     add_bounded(&keys, "number.step", KEY_COUNT, &m->number_step, 0, 1000);
+    add_bounded(&keys, "number.max", KEY_COUNT, &m->number_max, 999, 999999999);
     add_bounded(&keys, "digits.linear", KEY_COUNT, &m->digits.linear, 1, 9);
     add_bounded(&keys, "digits.angle", KEY_COUNT, &m->digits.angle, 1, 9);
     add_bounded(&keys, "digits.vector", KEY_COUNT, &m->digits.vector, 3, 9);
@@ -248,10 +261,23 @@ static int read_letters(const char *axes, int letter[ROTARY_MAX])
     return n == 2 && letter[0] == letter[1] ? -1 : n;
 }
 
+static int check_templates(const struct machine *m, struct error *error)
+{
+    const struct machine_templates *b = &m->blocks;
+    const char *const text[] = {b->home,   b->start,   b->end,       b->tool_change,
+                                b->tcp_on, b->tcp_off, b->smooth_on, b->smooth_off};
+    for (size_t i = 0; i < sizeof text / sizeof *text; i++)
+        if (nc_template_check(text[i], error) != 0)
+            return -1;
+    return 0;
+}
+
 int machine_finish(struct machine *m, struct error *error)
 {
     static const int axes_of_type[] = {2, 2, 2, 1, 1, 0};
     int letter[ROTARY_MAX] = {0, 0}, n = axes_of_type[m->type];
+    if (check_templates(m, error) != 0)
+        return -1;
     if (n && read_letters(m->axes, letter) != n)
         return error_set(error, "machine %s: axes: found `%s`, expected %s of A B C", m->name,
                          m->axes, n == 2 ? "two" : "one");

@@ -10,7 +10,7 @@ static struct vec3 round_point(struct vec3 p, int digits)
 
 double nc_arc_most(enum nc_arcs kind)
 {
-    if (kind == NC_ARCS_CENTRE)
+    if (kind == NC_ARCS_CENTRE || kind == NC_ARCS_FLAT)
         return 2 * PI;
     return RADIANS(kind == NC_ARCS_RADIUS ? 120 : 170);
 }
@@ -100,7 +100,10 @@ bool nc_arc_words(struct nc_arc *arc, enum nc_arcs kind, int digits, double radi
         axis = principal(motion->axis, arc);
         arc->full = vec_distance(from->p, to->p) == 0;
         double radius = vec_length(vec_reject(vec_sub(motion->from.p, motion->centre), axis));
-        if (kind == NC_ARCS_CENTRE &&
+        if (kind == NC_ARCS_FLAT &&
+            (arc->plane != 17 || from->p.z != to->p.z || vec_distance(from->a, to->a) > 0))
+            return false;
+        if (kind != NC_ARCS_RADIUS &&
             !centre_words(arc, digits, radius_error, motion->centre, axis, from->p, to->p))
             return false;
         if (kind == NC_ARCS_RADIUS &&

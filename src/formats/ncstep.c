@@ -20,13 +20,29 @@ static double axes_minutes(const struct nc_step *step, const struct station *a,
     return minutes;
 }
 
-/* F: mm/min, or without tool-centre-point control the inverse of the block's minutes, never 0. */
-static double feed_word(const struct nc_step *step, double minutes)
+/* The way of all axes together, mm and degrees. */
+static double joint_way(const struct nc_step *step, const struct station *a,
+                        const struct station *b)
 {
-    int digits = step->plan->ability.digits.feed;
-    double least = pow(10, -digits);
-    double feed = step->follow.mode == FOLLOW_JOINT ? 1 / fmax(minutes, 1e-6) : step->state.feed;
-    return fmax(num_round(feed, digits), least);
+    double way = vec_distance(a->p, b->p);
+    for (int i = 0; i < step->machine->chain.n; i++)
+        way = hypot(way, DEGREES(b->q[i] - a->q[i]));
+    return way;
+}
+
+/* F for a block of that length that is to take so long: never 0, never beyond the control's. */
+static double feed_word(const struct nc_step *step, const struct station *to, double length,
+                        double minutes)
+{
+    const struct nc_ability *ability = &step->plan->ability;
+    double least = pow(10, -ability->digits.feed), feed = step->state.feed;
+    if (ability->feeds == NC_FEEDS_INVERSE)
+        feed = 1 / fmax(minutes, 1e-9);
+    else if (ability->feeds == NC_FEEDS_COMBINED)
+        feed = joint_way(step, &step->state.at, to) / fmax(minutes, 1e-9);
+    else if (length > 0 && minutes > length / feed)
+        feed = length / minutes;
+    return fmax(num_round(fmin(feed, ability->feed_max), ability->digits.feed), least);
 }
 
 static void add_move(struct nc_step *step, enum nc_kind kind, const struct station *to,
@@ -42,7 +58,7 @@ static void add_move(struct nc_step *step, enum nc_kind kind, const struct stati
         total->rapids++;
     } else {
         minutes = fmax(minutes, length / step->state.feed);
-        move->feed = feed_word(step, minutes);
+        move->feed = feed_word(step, to, length, minutes);
         total->cut += length;
         total->lines += kind == NC_LINE;
         total->arcs += kind == NC_ARC;

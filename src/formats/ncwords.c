@@ -54,9 +54,45 @@ void nc_feed(struct nc_program *p, const struct nc_move *move)
     nc_modal(&p->w, NC_F, "F", move->feed, p->plan->ability.digits.feed);
 }
 
+void nc_offset(struct nc_program *p, const char *usual)
+{
+    if (*p->machine->offset || *usual)
+        nc_code(&p->w, *p->machine->offset ? p->machine->offset : usual);
+}
+
+static void plane(struct nc_writer *w, int number)
+{
+    if (w->plane != number)
+        nc_code(w, number == 17 ? "G17" : number == 18 ? "G18" : "G19");
+    w->plane = number;
+}
+
+void nc_plane_arc(struct nc_program *p, const struct nc_move *move, const char *const address[3])
+{
+    const struct nc_arc *a = &p->plan->arc.item[move->index];
+    int digits = p->plan->ability.digits.linear;
+    struct nc_writer *w = &p->w;
+    plane(w, a->plane);
+    nc_motion(w, a->ccw ? "G3" : "G2");
+    if (a->full) /* the end is named though it is where the tool stands */
+        nc_forget(w, a->plane == 19 ? NC_Y : NC_X, a->plane == 17 ? NC_Y : NC_Z);
+    nc_place(p, move->to.p);
+    nc_axis(p, &move->to, address);
+    if (a->radius != 0) {
+        nc_number(w, "R", a->radius, digits);
+        return;
+    }
+    if (a->plane != 19)
+        nc_number(w, "I", a->centre.x, digits);
+    if (a->plane != 18)
+        nc_number(w, "J", a->centre.y, digits);
+    if (a->plane != 17)
+        nc_number(w, "K", a->centre.z, digits);
+}
+
 void nc_straight(struct nc_program *p, const struct nc_move *move, const char *const address[3])
 {
-    bool inverse = p->plan->ability.mode == FOLLOW_JOINT && move->kind == NC_LINE;
+    bool inverse = p->plan->ability.feeds == NC_FEEDS_INVERSE && move->kind != NC_RAPID;
     struct nc_writer *w = &p->w;
     if (inverse && !w->inverse) {
         nc_code(w, "G93");

@@ -8,9 +8,12 @@
 
 #include "num.h"
 
-struct nc_writer nc_writer_new(struct out *out, struct nc_style style, int step)
+struct nc_writer nc_writer_new(struct out *out, struct nc_style style, int step, long most)
 {
-    return (struct nc_writer){.out = out, .style = style, .step = step};
+    if (style.count_all && step)
+        step = 1;
+    return (struct nc_writer){
+        .out = out, .style = style, .step = step, .most = most, .number = style.count_all ? -1 : 0};
 }
 
 static void append(struct nc_writer *w, const char *s, size_t n)
@@ -32,9 +35,10 @@ static void begin_word(struct nc_writer *w)
     if (!w->step)
         return;
     w->number += w->step;
-    if (w->number > w->style.last_number)
+    if (w->number > w->most)
         w->number = w->step;
-    append(w, "N", 1);
+    if (!w->style.count_all)
+        append(w, "N", 1);
     append(w, number, num_write(number, (double)w->number, 0));
     append(w, " ", 1);
 }
@@ -50,7 +54,11 @@ void nc_number(struct nc_writer *w, const char *address, double value, int digit
     char number[NUM_MAX];
     begin_word(w);
     append(w, address, strlen(address));
-    append(w, number, num_write_short(number, value, digits, w->style.point));
+    size_t n = num_write_short(number, value, digits, w->style.point);
+    bool place = *address && *address != 'F'; /* feeds and the like never have one */
+    if (w->style.sign && place && *number != '-')
+        append(w, "+", 1);
+    append(w, number, n);
 }
 
 void nc_count(struct nc_writer *w, const char *address, double whole)
@@ -101,6 +109,13 @@ void nc_end(struct nc_writer *w)
     w->n = 0;
 }
 
+void nc_drop(struct nc_writer *w)
+{
+    if (w->n && w->step)
+        w->number -= w->step;
+    w->n = 0;
+}
+
 void nc_block(struct nc_writer *w, const char *word)
 {
     nc_code(w, word);
@@ -132,8 +147,10 @@ void nc_comment(struct nc_writer *w, const char *format, ...)
             break;
         }
     }
-    out_text(w->out, w->style.open);
-    out_text(w->out, text);
-    out_text(w->out, w->style.close);
-    out_text(w->out, "\n");
+    if (w->style.count_all)
+        begin_word(w);
+    append(w, w->style.open, strlen(w->style.open));
+    append(w, text, strlen(text));
+    append(w, w->style.close, strlen(w->style.close));
+    nc_end(w);
 }

@@ -8,6 +8,7 @@
 
 #include "dialect.h"
 #include "nchead.h"
+#include "nctemplate.h"
 #include "ncwords.h"
 #include "num.h"
 
@@ -52,7 +53,7 @@ static void program_name(struct nc_program *p)
 
 static void retract_home(struct nc_program *p)
 {
-    nc_block(&p->w, *p->machine->home ? p->machine->home : "SUPA G0 Z0 D0");
+    nc_template(p, p->machine->blocks.home, "SUPA G0 Z0 D0");
     nc_forget(&p->w, NC_X, NC_Z);
     p->w.motion = NULL;
 }
@@ -60,15 +61,16 @@ static void retract_home(struct nc_program *p)
 static void transform(struct nc_program *p, const struct station *first)
 {
     struct nc_writer *w = &p->w;
-    if (p->plan->ability.mode == FOLLOW_JOINT) {
+    if (!p->plan->ability.tcp) {
         int digits = p->plan->ability.digits.linear;
         nc_modal(w, NC_X, "X", first->p.x, digits);
         nc_modal(w, NC_Y, "Y", first->p.y, digits);
         nc_end(w);
         return;
     }
-    nc_block(w, "TRAORI");
-    nc_block(w, p->machine->offset);
+    nc_template(p, p->machine->blocks.tcp_on, "TRAORI");
+    nc_offset(p, "G54");
+    nc_end(w);
     nc_block(w, p->plan->ability.mode == FOLLOW_VECTOR ? "ORIWKS ORIVECT" : "ORIWKS ORIAXES");
     w->motion = NULL;
 }
@@ -80,22 +82,22 @@ static void start(struct nc_program *p)
     program_name(p);
     nc_head(p, "Siemens");
     nc_code(w, "G90 G17 G71 G40 G94");
-    nc_code(w, p->machine->offset);
+    nc_offset(p, "G54");
     nc_end(w);
+    nc_template(p, p->machine->blocks.start, "");
     retract_home(p);
-    if (p->path->head.tool) {
-        nc_count(w, "T", p->path->head.tool);
-        nc_code(w, "D1 M6");
-        nc_end(w);
-    } else {
+    if (p->path->head.tool)
+        nc_template(p, p->machine->blocks.tool_change, "T{tool} D1 M6");
+    else
         nc_block(w, "D1");
-    }
     nc_spindle(p);
     nc_motion(w, "G0");
     nc_rotary(p, first->q);
     nc_end(w);
     transform(p, first);
     nc_coolant(p);
+    if (p->machine->smooth)
+        nc_template(p, p->machine->blocks.smooth_on, "CYCLE832({tolerance},11,{orientation})");
 }
 
 static void line(struct nc_program *p, const struct nc_move *move)
@@ -225,8 +227,10 @@ static void finish(struct nc_program *p)
     struct nc_writer *w = &p->w;
     if (w->inverse)
         nc_block(w, "G94");
-    if (p->plan->ability.mode != FOLLOW_JOINT)
-        nc_block(w, "TRAFOOF");
+    if (p->machine->smooth)
+        nc_template(p, p->machine->blocks.smooth_off, "CYCLE832(0,0,1)");
+    if (p->plan->ability.tcp)
+        nc_template(p, p->machine->blocks.tcp_off, "TRAFOOF");
     retract_home(p);
     if (p->machine->chain.n) {
         const double zero[ROTARY_MAX] = {0};
@@ -237,12 +241,13 @@ static void finish(struct nc_program *p)
     }
     nc_block(w, "M9");
     nc_block(w, "M5");
+    nc_template(p, p->machine->blocks.end, "");
     nc_block(w, "M30");
 }
 
 const struct dialect dialect_siemens = {
     .name = "siemens",
-    .style = {.open = "; ", .close = "", .last_number = 99999999},
+    .style = {.open = "; ", .close = ""},
     .digits = {.linear = 5, .angle = 5, .vector = 8, .knot = 5, .feed = 2},
     .vectors = true,
     .arcs = NC_ARCS_SPACE,

@@ -42,7 +42,7 @@ int control_m(struct control *c, const struct word *w, struct error *error)
 int control_block(struct control *c, double number, struct error *error)
 {
     c->block = (long)number;
-    bool anew = c->last_block >= 99000 && c->block <= 100; /* five digits are all there are */
+    bool anew = c->last_block >= 9900 && c->block <= 100; /* the digits are used up */
     if (c->block <= c->last_block && !anew)
         return control_error(c, error, "its number does not rise");
     c->last_block = c->block;
@@ -61,7 +61,7 @@ bool control_axis(const struct control *c, const char *name, double value, struc
     char master = c->setup->rotary == ROTARY_AC ? 'A' : 'B';
     if (*name != master && *name != 'C')
         return false;
-    to->turn[*name == 'C'] = value;
+    to->turn[*name == 'C'] = c->setup->reversed ? -value : value;
     to->turned[*name == 'C'] = true;
     return true;
 }
@@ -259,6 +259,16 @@ int control_spline(struct control *c, struct error *error)
     return 0;
 }
 
+static const struct {
+    int (*block)(struct control *c, const char *line, struct error *error);
+    int (*end)(struct control *c, struct error *error);
+} reader[] = {
+    [READ_FANUC] = {control_fanuc, control_fanuc_end},
+    [READ_SIEMENS] = {control_siemens, control_siemens_end},
+    [READ_HEIDENHAIN] = {control_heidenhain, control_heidenhain_end},
+    [READ_CANON] = {control_canon, control_canon_end},
+};
+
 static int read_lines(struct control *c, struct reader *r, struct error *error)
 {
     char *line;
@@ -270,7 +280,7 @@ static int read_lines(struct control *c, struct reader *r, struct error *error)
         c->feed_here = false;
         if (strlen(line) != n)
             return control_error(c, error, "a byte that no program holds");
-        if ((c->setup->siemens ? control_siemens : control_fanuc)(c, line, error) < 0)
+        if (reader[c->setup->dialect].block(c, line, error) < 0)
             return -1;
     }
     return more;
@@ -288,7 +298,7 @@ int control_read(const char *file, const struct setup *setup, struct course *cou
     int result = read_lines(&c, &r, error);
     c.block = -1;
     if (result == 0)
-        result = setup->siemens ? control_siemens_end(&c, error) : control_fanuc_end(&c, error);
+        result = reader[setup->dialect].end(&c, error);
     reader_close(&r);
     array_free(&c.words);
     array_free(&c.knot);

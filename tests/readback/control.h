@@ -11,9 +11,12 @@
 #include "course.h"
 #include "word.h"
 
+enum dialect_read { READ_FANUC, READ_SIEMENS, READ_HEIDENHAIN, READ_CANON };
+
 struct setup {
-    bool siemens; /* else Fanuc */
-    bool tcp;     /* the machine has tool centre point control */
+    enum dialect_read dialect;
+    bool tcp;      /* the machine has tool centre point control */
+    bool reversed; /* its rotary axes turn against the ISO sense */
     enum rotary rotary;
 };
 
@@ -49,6 +52,8 @@ struct control {
     bool feed_here; /* F stands in this block */
     bool ended;     /* M30 was read */
     bool closed;    /* and the mark behind it */
+    struct vec3 centre; /* CC of Klartext */
+    bool has_centre;
     /* a B-spline being read */
     int order;
     struct doubles knot, weight;
@@ -65,6 +70,10 @@ int control_fanuc(struct control *c, const char *line, struct error *error);
 int control_fanuc_end(struct control *c, struct error *error);
 int control_siemens(struct control *c, const char *line, struct error *error);
 int control_siemens_end(struct control *c, struct error *error);
+int control_heidenhain(struct control *c, const char *line, struct error *error);
+int control_heidenhain_end(struct control *c, struct error *error);
+int control_canon(struct control *c, const char *line, struct error *error);
+int control_canon_end(struct control *c, struct error *error);
 
 /* --- what both dialects share ---------------------------------------------------------- */
 
@@ -77,7 +86,7 @@ int control_unknown(const struct control *c, const struct word *w, struct error 
 /* An M word: the spindle, the end, and those that move nothing. */
 int control_m(struct control *c, const struct word *w, struct error *error);
 
-/* The N number of a block must rise; behind the last of five digits it begins anew. */
+/* The N number of a block must rise; behind the last of four digits or more it may begin anew. */
 int control_block(struct control *c, double number, struct error *error);
 
 /* X Y Z, the rotary words of this machine: true when `name` is one and `to` took the value. */

@@ -16,11 +16,11 @@
 #include "panel.h"
 #include "sweep.h"
 
-enum { CONTROL_FANUC, CONTROL_SIEMENS, CONTROL_NONE };
+enum { CONTROL_NONE = READ_CANON + 1 };
 
 struct options {
     int control, axes;
-    bool no_tcp, panel;
+    bool no_tcp, reversed, panel;
     const char *path, *scan;
     double tolerance, axis, radius, deeper, nodes;
 };
@@ -137,7 +137,7 @@ static void read_operand(const char *file, const struct options *o, struct cours
 {
     struct error error;
     struct path path = {0};
-    struct setup setup = {o->control == CONTROL_SIEMENS, !o->no_tcp,
+    struct setup setup = {(enum dialect_read)o->control, !o->no_tcp, o->reversed,
                           o->axes ? ROTARY_BC : ROTARY_AC};
     if (o->control != CONTROL_NONE) {
         if (control_read(file, &setup, course, &error) < 0)
@@ -180,10 +180,13 @@ int main(int argc, char **argv)
     struct options o = {.control = CONTROL_NONE, .tolerance = 0.001, .axis = 0.01,
                         .deeper = HUGE_VAL, .nodes = HUGE_VAL};
     const struct cli_option option[] = {
-        {'c', "control", "fanuc|siemens|none", "the operand is a program for this control;\n"
-         "none (default): it is a path", CLI_CHOICE, &o.control, 0, 0, 0, NULL},
+        {'c', "control", "fanuc|siemens|heidenhain|canon|none",
+         "the operand is a program for this control; canon: what LinuxCNC's\n"
+         "interpreter makes of it (rs274); none (default): it is a path", CLI_CHOICE, &o.control, 0, 0, 0, NULL},
         {0, "axes", "ac|bc", "rotary axes of the machine (ac)", CLI_CHOICE, &o.axes, 0, 0, 0, NULL},
         {0, "no-tcp", NULL, "the machine has no tool centre point control", CLI_FLAG, &o.no_tcp,
+         0, 0, 0, NULL},
+        {0, "reversed", NULL, "its rotary axes turn against the ISO sense", CLI_FLAG, &o.reversed,
          0, 0, 0, NULL},
         {0, "path", "FILE", "the path that the program was made from", CLI_TEXT, &o.path, 0, 0, 0,
          NULL},
