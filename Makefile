@@ -84,7 +84,7 @@ lint:
 	cppcheck --quiet --std=c11 --enable=warning,performance,portability --inline-suppr \
 	  --suppress=missingIncludeSystem --error-exitcode=1 -I include -I tests src tests
 	clang-tidy --quiet --warnings-as-errors='*' $(tool_src) $(lib_src) -- $(FLAGS) $(DEFS)
-	shellcheck tests/*.sh tests/*.t samples/*.sh .ci/run
+	shellcheck -S warning -x -P tests tests/*.sh tests/*.t samples/*.sh .ci/run
 
 sanitize:
 	$(MAKE) BUILD=$(BUILD)/sanitize CC=clang \

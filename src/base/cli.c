@@ -223,7 +223,7 @@ static void run_getopt(const struct table *t, int argc, char **argv)
         }
         for (size_t i = 0; i < t->n; i++)
             if (c == COMMON_HELP + (int)i || c == t->item[i].letter)
-                set(&t->item[i], optarg);
+                set(&t->item[i], optarg ? optarg : "");
     }
     free(longs);
     free(shorts);

@@ -4,7 +4,6 @@
 #include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
-#include <string.h>
 #include <time.h>
 #include <unistd.h>
 
@@ -36,11 +35,10 @@ static void print(const char *format, va_list args)
     for (char *p = line; *p; p++)
         if ((unsigned char)*p < ' ' || *p == 127)
             *p = '?';
-    strcat(line, "\n");
     if (state.progress_shown)
         fputs("\r\033[K", stderr);
     state.progress_shown = false;
-    fputs(line, stderr);
+    fprintf(stderr, "%s\n", line);
 }
 
 void say(const char *format, ...)

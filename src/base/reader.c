@@ -91,8 +91,10 @@ static int fill(struct reader *r, struct error *error)
 int reader_line(struct reader *r, char **line, size_t *n, struct error *error)
 {
     size_t seen = 0;
+    if (!r->begun && fill(r, error) < 0)
+        return -1;
     for (;;) {
-        char *from = r->buf ? r->buf + r->from : NULL;
+        char *from = r->buf + r->from;
         size_t have = r->to - r->from;
         char *lf = r->whole > r->from + seen ? memchr(from + seen, '\n', have - seen) : NULL;
         size_t until = lf ? (size_t)(lf - from) : have;
