@@ -33,7 +33,10 @@ struct axis_rule {
 /* What stays the same along one strip, in the direction it is cut. */
 struct axis_feed {
     struct vec3 along; /* horizontal unit vector, the way the tool feeds */
-    struct vec3 side;  /* horizontal unit vector, towards the next row; not turned on the way back */
+    struct vec3 side;  /* unit vector, towards the next row; not turned on the way back; horizontal
+                          but for planes that are not upright */
+    struct vec3 plane; /* zero, or for a run in a plane: its unit normal, with n on the left of T;
+                          T is then in the plane, plane x n */
 };
 
 /*

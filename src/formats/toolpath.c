@@ -133,7 +133,7 @@ static void cut(struct toolpath *t, const struct run_point *point, size_t n)
         struct path_item *item = path_add_point(t->path, (struct pose){p->tip, p->axis}, false);
         item->touches = vec_length(p->normal) > 0;
         item->contact = (struct contact){p->contact, p->normal};
-        if (vec_dot(p->axis, p->normal) < 0)
+        if (vec_dot(p->axis, p->normal) < -1e-6)
             t->shank++;
     }
     t->at = point[n - 1];

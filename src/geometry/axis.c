@@ -1,22 +1,32 @@
 #include "axis.h"
 
 /* Feed direction perpendicular to the normal; where the surface faces the feed, straight up it. */
-static struct vec3 tangent(struct vec3 along, struct vec3 normal)
+static struct vec3 tangent(const struct axis_feed *feed, struct vec3 normal)
 {
-    struct vec3 t = vec_reject(along, normal);
+    struct vec3 t = vec_cross(feed->plane, normal);
 
+    if (vec_length(t) < 1e-9)
+        t = vec_reject(feed->along, normal);
     if (vec_length(t) < 1e-9)
         t = vec_reject(vec(0, 0, 1), normal);
     return vec_unit(t);
 }
 
+/* The direction that has the next row on its side whatever the surface does there. */
+static double side_of(const struct axis_feed *feed)
+{
+    struct vec3 left = vec_cross(vec(0, 0, 1), feed->along);
+
+    if (vec_length(feed->plane) > 0)
+        left = feed->plane;
+    return vec_dot(left, feed->side) < 0 ? -1 : 1;
+}
+
 static struct vec3 lean(const struct axis_rule *rule, const struct axis_feed *feed,
                         struct vec3 normal)
 {
-    struct vec3 left = vec_cross(vec(0, 0, 1), feed->along);
-    double sign = vec_dot(left, feed->side) < 0 ? -1 : 1;
-    struct vec3 t = tangent(feed->along, normal);
-    struct vec3 b = vec_scale(sign, vec_cross(normal, t));
+    struct vec3 t = tangent(feed, normal);
+    struct vec3 b = vec_scale(side_of(feed), vec_cross(normal, t));
 
     return vec_along(vec_along(normal, tan(rule->lead), t), tan(rule->tilt), b);
 }

@@ -1,0 +1,276 @@
+/*
+ * planecut - parallel planes through a mesh to a path: contact points, normals, tool centres, tool
+ * axes, tips (paper 2, 2.1 and 2.2).
+ */
+#include <stdlib.h>
+
+#include "cutting.h"
+#include "meshfile.h"
+#include "meshmend.h"
+#include "part.h"
+#include "passes.h"
+#include "scallop.h"
+
+static const double MOST_PLANES = 100000;
+
+static double step, scallop, angle, plane[3], gap = 0.1;
+static bool step_given, scallop_given, angle_given, plane_given, avoid;
+
+/* clang-format off */
+static const struct cli_option options[] = {
+    {'r', "radius", "R", "radius of the ball (needed)",
+     CLI_NUMBER, &cutting.radius, CLI_POSITIVE, 0, 0, NULL},
+    {'s', "step", "MM", "distance of the planes; made a little smaller, so that all are equal",
+     CLI_NUMBER, &step, CLI_POSITIVE, 0, 0, &step_given},
+    {0, "scallop", "H", "planes as far apart as leaves no cusp higher than H between two passes\n"
+     "(0.01 without -s)", CLI_NUMBER, &scallop, CLI_POSITIVE, 0, 0, &scallop_given},
+    {'a', "angle", "DEG", "direction of upright planes, about z from x towards y (0)",
+     CLI_NUMBER, &angle, 0, 0, 0, &angle_given},
+    {0, "plane", "I,J,K", "the planes' normal, instead of -a: 0,0,1 cuts at constant height",
+     CLI_NUMBERS, plane, 0, 0, 3, &plane_given},
+    {0, "gap", "MM", "go on with the tool down over gaps of at most this in the surface (0.1)",
+     CLI_NUMBER, &gap, 0, 1000, 0, NULL},
+    {0, "avoid", NULL, "lift the ball where the part is tighter than it is, instead of refusing",
+     CLI_FLAG, &avoid, 0, 0, 0, NULL},
+    {0, "oneway", NULL, "the same as --one-way", CLI_FLAG, &cutting.one_way, 0, 0, 0, NULL},
+    {0}};
+/* clang-format on */
+
+/* The planes, and how their passes run. */
+struct planes {
+    struct pass_rule rule;
+    struct meshcut *cut;
+    struct doubles height;
+    double widest;    /* distance of two planes, mm */
+    bool steep;       /* the scallop that was asked for can't be kept */
+    size_t left_out;  /* points that face away */
+};
+
+static void check_options(struct axis_rule *axis)
+{
+    struct error error;
+
+    if (cutting_check(axis, &error) != 0)
+        die_usage("%s", error.text);
+    if (step_given && scallop_given)
+        die_usage("found -s and --scallop, expected one of them");
+    if (angle_given && plane_given)
+        die_usage("found -a and --plane, expected one of them");
+    if (plane_given && vec_length(vec(plane[0], plane[1], plane[2])) == 0)
+        die_usage("option --plane: found a direction of no length");
+    if (scallop >= cutting.radius)
+        die_usage("option --scallop: found %g, expected less than the radius", scallop);
+    if (!step_given && !scallop_given)
+        scallop = fmin(0.01, cutting.radius / 2);
+}
+
+static void tell_mending(const char *file, const struct mend_report *r)
+{
+    if (r->welded > 0)
+        note("%s: %zu vertices at the places of others made one with them", file, r->welded);
+    if (r->no_area > 0)
+        say("%s: %zu facets without area left out", file, r->no_area);
+    if (r->doubled > 0)
+        say("%s: %zu facets were there twice, one of each left out", file, r->doubled);
+    if (r->many > 0)
+        say("%s: %zu edges have more than two facets: passes end there", file, r->many);
+    if (r->flipped > 0)
+        say("%s: %zu facets were the other way round than their neighbours or normals: turned",
+            file, r->flipped);
+    if (r->turned > 0)
+        say("%s: normals pointed down, or into a closed part: %zu of %zu sheets turned", file,
+            r->turned, r->sheets);
+    if (r->normals > 0)
+        say("%s: %zu normals pointed away from their facets: turned", file, r->normals);
+    if (r->normals_made)
+        say("%s: the mesh has no normals: taking the mean of the facets', sharp edges kept", file);
+}
+
+/* Reads and mends; returns whether all sheets are closed. */
+static bool read_mesh(const char *file, struct vec3 up, struct mesh *mesh)
+{
+    struct error error;
+
+    if (mesh_read(file, mesh, &error) != 0)
+        die_error(&error);
+    struct mend_report report = mesh_mend(mesh, up);
+    if (mesh->face.n == 0)
+        die("%s: found no facet that has an area", file);
+    for (size_t i = 0; i < 3 * mesh->face.n; i++) {
+        int v = mesh->face.item[i / 3].v[i % 3];
+        if (vec_length(mesh->normal.item[v]) < 0.5)
+            die("%s: vertex %d: found a normal of no length, expected a unit vector", file, v);
+    }
+    tell_mending(file, &report);
+    return report.closed == report.sheets;
+}
+
+/* The ball must not be larger than the smallest hollow (paper 2, 2.1), unless it is lifted there. */
+static void check_radius(const char *file, const struct mesh *mesh)
+{
+    size_t tightest = 0;
+
+    if (mesh->kmax.n == 0) {
+        if (!cutting.paper)
+            say("%s: the mesh has no curvatures (kmax), so that it can't be told whether the ball "
+                "fits everywhere: it is lifted where it does not",
+                file);
+        return;
+    }
+    for (size_t v = 1; v < mesh->kmax.n; v++) {
+        if (mesh->kmax.item[v] > mesh->kmax.item[tightest])
+            tightest = v;
+    }
+    double kmax = mesh->kmax.item[tightest];
+    struct vec3 p = mesh->vertex.item[tightest];
+    if (avoid || cutting.guards.n > 0 || kmax * cutting.radius <= 1 + 1e-6)
+        return;
+    die_unmet("%s: found a hollow of radius %.3f at %.3f %.3f %.3f, expected none below the "
+              "ball's, %g: take a smaller ball, or --avoid",
+              file, 1 / kmax, p.x, p.y, p.z, cutting.radius);
+}
+
+/* A border that is straight along the planes has the first of them on it, another one just inside. */
+static double first_height(struct meshcut *cut, double inside)
+{
+    double low = meshcut_low(cut), length[2];
+
+    for (int i = 0; i < 2; i++) {
+        struct chains chains = {0};
+        meshcut_at(cut, low + i * inside, &chains);
+        length[i] = chains_length(&chains);
+        chains_free(&chains);
+    }
+    return length[0] > 0.9 * length[1] ? low : low + inside;
+}
+
+static void find_planes(const struct mesh *mesh, struct planes *p)
+{
+    p->cut = meshcut_new(mesh, p->rule.normal, !cutting.paper);
+    double low = meshcut_low(p->cut), high = meshcut_high(p->cut);
+    double least = step_given ? step : scallop_step(scallop, cutting.radius, 0) / 10;
+
+    if ((high - low) / least > MOST_PLANES)
+        die_usage("found a distance of planes for more than %g of them", MOST_PLANES);
+    if (step_given) {
+        scallop_equal(low, high, step, &p->height);
+        p->widest = step;
+    } else {
+        struct scallop_report report = scallop_heights(mesh, p->rule.normal, low, high, scallop,
+                                                       cutting.radius, &p->height);
+        p->widest = report.widest;
+        p->steep = report.steep > 0;
+        note("planes %.4f to %.4f mm apart", report.narrowest, report.widest);
+        if (p->steep)
+            say("%zu facets stand within 6 degrees of the planes, the first at %.3f %.3f %.3f: "
+                "there the cusps are higher than %g",
+                report.steep, report.steep_at.x, report.steep_at.y, report.steep_at.z, scallop);
+    }
+    double distance = p->height.n > 1 ? p->height.item[1] - p->height.item[0] : high - low;
+    p->height.item[0] = first_height(p->cut, 0.01 * distance);
+}
+
+static void set_rule(const struct axis_rule *axis, bool closed, struct planes *p)
+{
+    struct pass_rule *rule = &p->rule;
+    double a = RADIANS(angle);
+
+    *rule = (struct pass_rule){.along = vec(cos(a), sin(a), 0),
+                               .normal = vec(-sin(a), cos(a), 0),
+                               .gap = gap,
+                               .facing = vec(0, 0, 1),
+                               .faced = closed || axis->kind == AXIS_FIXED,
+                               .radius = cutting.radius,
+                               .tolerance = 0.002};
+    /* From the lower left to the upper right, whatever the angle. */
+    if (rule->normal.x + rule->normal.y < 0)
+        rule->normal = vec_scale(-1, rule->normal);
+    if (plane_given) {
+        rule->normal = vec_unit(vec(plane[0], plane[1], plane[2]));
+        rule->along = passes_along(rule->normal);
+    }
+    if (axis->kind == AXIS_FIXED)
+        rule->facing = axis->direction;
+}
+
+static void make_pass(struct planes *p, size_t plane_number, size_t pass, struct toolpath *t)
+{
+    struct chains chains = {0}, strips = {0};
+    bool back = !cutting.one_way && pass % 2 == 0;
+
+    meshcut_at(p->cut, p->height.item[plane_number], &chains);
+    p->left_out += passes_make(&chains, &p->rule, &strips);
+    if (back)
+        passes_reverse(&strips);
+    for (size_t k = 0; k < strips.chain.n; k++) {
+        const struct chain *chain = &strips.chain.item[k];
+        t->lift.feed.side = p->rule.normal;
+        t->lift.feed.plane = passes_forward(&strips, k, p->rule.normal);
+        toolpath_strip(t, pass, &strips.point.item[chain->from], chain->to - chain->from,
+                       vec_scale(back ? -1 : 1, p->rule.along));
+    }
+    chains_free(&chains);
+    chains_free(&strips);
+}
+
+static void make_path(struct planes *p, struct toolpath *t)
+{
+    size_t pass = 1;
+
+    for (int layer = cutting.layers - 1; layer >= 0; layer--) {
+        t->lift.offset = cutting.radius + layer * cutting.depth;
+        for (size_t i = 0; i < p->height.n; i++) {
+            make_pass(p, i, pass++, t);
+            progress("planes", i + 1, p->height.n);
+        }
+    }
+    toolpath_end(t);
+    if (t->pass == 0)
+        die("found nothing that the planes cross and that faces the tool");
+    if (p->left_out > 0)
+        say("%zu points face away from the tool and are left out", p->left_out);
+}
+
+int main(int argc, char **argv)
+{
+    struct cli cli = {.tool = "planecut",
+                      .usage = "-r R [-s MM | --scallop H] [-a DEG] [options] [FILE]",
+                      .about = "Makes a tool path from parallel planes through a mesh: mesh (PLY, "
+                               "STL, OFF) in, path\nstream out.",
+                      .option = options,
+                      .more = cutting_options};
+    struct mesh mesh = {0};
+    struct path path = {0};
+    struct planes planes = {0};
+    struct toolpath t = {.path = &path};
+    struct guard *guard;
+    struct error error;
+
+    cli_parse(&cli, argc, argv);
+    check_options(&t.lift.axis);
+    if (cli.files > 1)
+        die_usage("found %d files, expected one mesh", cli.files);
+    bool closed = read_mesh(cli.file[0], vec(0, 0, 1), &mesh);
+    check_radius(cli.file[0], &mesh);
+    set_rule(&t.lift.axis, closed, &planes);
+    find_planes(&mesh, &planes);
+    if (cutting_guard(&mesh, fmax(planes.widest, cutting.radius), &guard, &error) != 0)
+        die_error(&error);
+    if (cutting_rules(&mesh, guard, planes.widest, &t, &error) != 0)
+        die_usage("%s", error.text);
+
+    make_path(&planes, &t);
+    cutting_head(&mesh, "planecut", &t);
+    struct out *out = out_open(cli.output);
+    path_write(out, &path);
+    out_close(out);
+    note("%zu planes", planes.height.n);
+    int status = toolpath_conclude(&t);
+
+    meshcut_free(planes.cut);
+    array_free(&planes.height);
+    path_free(&path);
+    guard_free(guard);
+    mesh_free(&mesh);
+    return planes.steep && scallop_given ? EXIT_UNMET : status;
+}
