@@ -2,7 +2,8 @@
  * meshcut - where planes cross a mesh: chains of contact points (paper 2, 2.2).
  *
  * Every point lies on an edge of a facet, and two that follow each other on edges of one facet.
- * A vertex on the plane counts as below it, so that each crossing is found once.
+ * A vertex on the plane, or within 2e-6 mm of it, counts as below it: each crossing is found once,
+ * and a border along the plane as a whole.
  */
 #ifndef CLOUDMILL_MESHCUT_H
 #define CLOUDMILL_MESHCUT_H

@@ -8,6 +8,9 @@
 /* Points nearer than this say more of rounding than of a direction, mm. */
 static const double CROWDED = 1e-3;
 
+/* A vertex within this of a plane is on it, mm: coordinates of a mesh stream have 6 decimals. */
+static const double ON_PLANE = 2e-6;
+
 enum { NONE = -1 };
 
 struct meshcut {
@@ -108,11 +111,16 @@ double meshcut_high(const struct meshcut *cut)
     return high;
 }
 
+static bool is_below(const struct meshcut *cut, int vertex, double height)
+{
+    return cut->height[vertex] <= height + ON_PLANE;
+}
+
 static bool crosses(const struct meshcut *cut, int edge, double height)
 {
     const int *v = cut->edges.edge[edge].v;
 
-    return (cut->height[v[0]] <= height) != (cut->height[v[1]] <= height);
+    return is_below(cut, v[0], height) != is_below(cut, v[1], height);
 }
 
 /* Where the curve from below (s = 0) to above crosses the plane: bisection, for it need not rise
@@ -134,11 +142,12 @@ static double crossing(const struct edge_curve *curve, struct vec3 normal, doubl
 static struct contact contact_on(const struct meshcut *cut, int edge, double height)
 {
     const int *v = cut->edges.edge[edge].v;
-    bool rises = cut->height[v[0]] <= height;
+    bool rises = is_below(cut, v[0], height);
     int low = rises ? v[0] : v[1], high = rises ? v[1] : v[0];
     struct vec3 p = cut->mesh->vertex.item[low], q = cut->mesh->vertex.item[high];
     struct vec3 pn = cut->mesh->normal.item[low], qn = cut->mesh->normal.item[high];
-    double s = (height - cut->height[low]) / (cut->height[high] - cut->height[low]);
+    double rise = cut->height[high] - cut->height[low];
+    double s = fmax((height - cut->height[low]) / rise, 0);
     struct contact c = {vec_mix(p, q, s), vec_unit(vec_mix(pn, qn, s))};
 
     if (cut->smooth) {
@@ -225,13 +234,13 @@ static void candidates(const struct meshcut *cut, double height, size_t *from, s
 
     while (low < high) {
         size_t middle = low + (high - low) / 2;
-        if (cut->lowest[middle] <= height)
+        if (cut->lowest[middle] <= height + ON_PLANE)
             low = middle + 1;
         else
             high = middle;
     }
     *from = *to = low;
-    while (*from > 0 && cut->lowest[*from - 1] >= height - cut->tallest)
+    while (*from > 0 && cut->lowest[*from - 1] >= height - ON_PLANE - cut->tallest)
         --*from;
 }
 
