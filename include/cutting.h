@@ -1,5 +1,6 @@
 /*
- * cutting - what all makers of tool paths are told alike: ball, guard, tool axis, feeds, links, tool.
+ * cutting - what all makers of tool paths are told alike: ball, guard, tool axis, feeds, links,
+ * tool.
  */
 #ifndef CLOUDMILL_CUTTING_H
 #define CLOUDMILL_CUTTING_H
@@ -31,8 +32,8 @@ int cutting_check(struct axis_rule *axis, struct error *error);
 
 /*
  * What the ball is kept clear of: the scans of -g, which are told from the wrong ones by vertices
- * further than `near` from them, or the mesh so finely that the ball sinks in by less than 0.002 mm.
- * *guard is NULL with --paper.
+ * further than `near` from them, or the mesh so finely that the ball sinks in by less than 0.002
+ * mm. *guard is NULL with --paper.
  */
 int cutting_guard(const struct mesh *mesh, double near, struct guard **guard, struct error *error);
 

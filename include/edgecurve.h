@@ -1,5 +1,6 @@
 /*
- * edgecurve - the edge of a facet as the surface runs there: a cubic that has the vertices' normals.
+ * edgecurve - the edge of a facet as the surface runs there: a cubic that has the vertices'
+ * normals.
  *
  * The straight edge of a facet is a chord of the surface, off by up to its sagitta (k c^2 / 8 for a
  * curvature k and a chord c); the cubic is off by what is of the fourth order in c.  The edge

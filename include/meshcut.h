@@ -48,9 +48,9 @@ double meshcut_high(const struct meshcut *cut);
 /*
  * Appends the chains of the plane with x . normal = height.  A chain runs as the cross product of
  * the plane's and the surface's normals; it ends at a border of the mesh, and at an edge that has
- * more than two facets.  Points nearer than 0.001 mm to the last one are left out, and chains of one
- * point.  Points lie on the plane within rounding; their normals are those of the vertices, mixed,
- * and perpendicular to the edge as it runs.
+ * more than two facets.  Points nearer than 0.001 mm to the last one are left out, and chains of
+ * one point.  Points lie on the plane within rounding; their normals are those of the vertices,
+ * mixed, and perpendicular to the edge as it runs.
  */
 void meshcut_at(struct meshcut *cut, double height, struct chains *chains);
 

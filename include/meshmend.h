@@ -11,16 +11,16 @@
 
 /* What was found and done. */
 struct mend_report {
-    size_t welded;       /* vertices at the same place as another one, made one with it */
-    size_t no_area;      /* facets without area, left out */
-    size_t doubled;      /* facets that were there before, left out */
-    size_t many;         /* edges with more than two facets */
-    size_t flipped;      /* facets turned to agree with their neighbours */
-    size_t sheets;       /* connected pieces */
-    size_t closed;       /* of them without a border */
-    size_t turned;       /* pieces that faced away and were turned as a whole */
-    size_t normals;      /* vertex normals that were turned to their facets' side */
-    bool normals_made;   /* the mesh had none */
+    size_t welded;     /* vertices at the same place as another one, made one with it */
+    size_t no_area;    /* facets without area, left out */
+    size_t doubled;    /* facets that were there before, left out */
+    size_t many;       /* edges with more than two facets */
+    size_t flipped;    /* facets turned to agree with their neighbours */
+    size_t sheets;     /* connected pieces */
+    size_t closed;     /* of them without a border */
+    size_t turned;     /* pieces that faced away and were turned as a whole */
+    size_t normals;    /* vertex normals that were turned to their facets' side */
+    bool normals_made; /* the mesh had none */
 };
 
 /*

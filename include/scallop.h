@@ -9,9 +9,9 @@
 
 /*
  * Distance between two contact points of a ball of radius `radius` that leave a cusp of height h
- * between them, mm, for the surface's curvature across the passes (1/mm, convex positive).  Exact on
- * a circle; sqrt(8 h R / (1 + R k)) to the first order in h, and never more than that.  Where the
- * ball does not fit (1 + R k near 0 or below) it is that of 1 + R k = 0.05.
+ * between them, mm, for the surface's curvature across the passes (1/mm, convex positive).  Exact
+ * on a circle; sqrt(8 h R / (1 + R k)) to the first order in h, and never more than that.  Where
+ * the ball does not fit (1 + R k near 0 or below) it is that of 1 + R k = 0.05.
  */
 double scallop_step(double h, double radius, double curvature);
 
@@ -36,7 +36,6 @@ struct scallop_report {
  * within 6 degrees of the planes would need planes without end: they count as 6 degrees.
  */
 struct scallop_report scallop_heights(const struct mesh *mesh, struct vec3 normal, double low,
-                                      double high, double h, double radius,
-                                      struct doubles *height);
+                                      double high, double h, double radius, struct doubles *height);
 
 #endif

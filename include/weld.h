@@ -7,9 +7,9 @@
 #include "mesh.h"
 
 /*
- * Vertices with the same coordinates, to the last bit, become one, in the order in which facets name
- * them first; those that no facet names go.  Returns how many were made one with another.  Normals,
- * rows, columns and kmax, which may differ between such vertices, are dropped.
+ * Vertices with the same coordinates, to the last bit, become one, in the order in which facets
+ * name them first; those that no facet names go.  Returns how many were made one with another.
+ * Normals, rows, columns and kmax, which may differ between such vertices, are dropped.
  */
 size_t mesh_weld(struct mesh *mesh);
 

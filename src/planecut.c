@@ -22,15 +22,15 @@ static const struct cli_option options[] = {
      CLI_NUMBER, &cutting.radius, CLI_POSITIVE, 0, 0, NULL},
     {'s', "step", "MM", "distance of the planes; made a little smaller, so that all are equal",
      CLI_NUMBER, &step, CLI_POSITIVE, 0, 0, &step_given},
-    {0, "scallop", "H", "planes as far apart as leaves no cusp higher than H between two passes\n"
+    {0, "scallop", "H", "planes as far apart as leaves no cusp higher than H between passes\n"
      "(0.01 without -s)", CLI_NUMBER, &scallop, CLI_POSITIVE, 0, 0, &scallop_given},
     {'a', "angle", "DEG", "direction of upright planes, about z from x towards y (0)",
      CLI_NUMBER, &angle, 0, 0, 0, &angle_given},
     {0, "plane", "I,J,K", "the planes' normal, instead of -a: 0,0,1 cuts at constant height",
      CLI_NUMBERS, plane, 0, 0, 3, &plane_given},
-    {0, "gap", "MM", "go on with the tool down over gaps of at most this in the surface (0.1)",
+    {0, "gap", "MM", "go on with the tool down over gaps of at most this in the part (0.1)",
      CLI_NUMBER, &gap, 0, 1000, 0, NULL},
-    {0, "avoid", NULL, "lift the ball where the part is tighter than it is, instead of refusing",
+    {0, "avoid", NULL, "lift the ball where it does not fit, instead of refusing the part",
      CLI_FLAG, &avoid, 0, 0, 0, NULL},
     {0, "oneway", NULL, "the same as --one-way", CLI_FLAG, &cutting.one_way, 0, 0, 0, NULL},
     {0}};
@@ -41,9 +41,9 @@ struct planes {
     struct pass_rule rule;
     struct meshcut *cut;
     struct doubles height;
-    double widest;    /* distance of two planes, mm */
-    bool steep;       /* the scallop that was asked for can't be kept */
-    size_t left_out;  /* points that face away */
+    double widest;   /* distance of two planes, mm */
+    bool steep;      /* the scallop that was asked for can't be kept */
+    size_t left_out; /* points that face away */
 };
 
 static void check_options(struct axis_rule *axis)
@@ -105,7 +105,8 @@ static bool read_mesh(const char *file, struct vec3 up, struct mesh *mesh)
     return report.closed == report.sheets;
 }
 
-/* The ball must not be larger than the smallest hollow (paper 2, 2.1), unless it is lifted there. */
+/* The ball must not be larger than the smallest hollow (paper 2, 2.1), unless it is lifted there.
+ */
 static void check_radius(const char *file, const struct mesh *mesh)
 {
     size_t tightest = 0;
@@ -130,7 +131,8 @@ static void check_radius(const char *file, const struct mesh *mesh)
               file, 1 / kmax, p.x, p.y, p.z, cutting.radius);
 }
 
-/* A border that is straight along the planes has the first of them on it, another one just inside. */
+/* A border that is straight along the planes has the first of them on it, another one just inside.
+ */
 static double first_height(struct meshcut *cut, double inside)
 {
     double low = meshcut_low(cut), length[2];
@@ -156,8 +158,8 @@ static void find_planes(const struct mesh *mesh, struct planes *p)
         scallop_equal(low, high, step, &p->height);
         p->widest = step;
     } else {
-        struct scallop_report report = scallop_heights(mesh, p->rule.normal, low, high, scallop,
-                                                       cutting.radius, &p->height);
+        struct scallop_report report =
+            scallop_heights(mesh, p->rule.normal, low, high, scallop, cutting.radius, &p->height);
         p->widest = report.widest;
         p->steep = report.steep > 0;
         note("planes %.4f to %.4f mm apart", report.narrowest, report.widest);

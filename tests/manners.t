@@ -9,14 +9,14 @@ awk 'BEGIN { for (i = 0; i <= 40; i++) for (k = 0; k <= 30; k++) {
 arguments() { # TOOL: what it needs besides its input
 	case $1 in
 	cloud2mesh) echo -t 4 ;;
-	meshnorm) echo -r 4 ;;
+	meshnorm | planecut) echo -r 4 ;;
 	ncpost) echo -c siemens ;;
 	esac
 }
 input() { # TOOL
 	case $1 in
 	cloud2mesh) echo cloud.xyz ;;
-	meshnorm) echo mesh.ply ;;
+	meshnorm | planecut) echo mesh.ply ;;
 	biarcfit | bsplfit) echo path.cl ;;
 	ncpost) echo arcs.cl ;;
 	esac
@@ -31,7 +31,7 @@ shell() { # STATUS DESC COMMAND-LINE
 }
 
 # shellcheck disable=SC2086,SC2046,SC2012 # words of options and file names of our own
-for tool in cloud2mesh meshnorm biarcfit bsplfit ncpost; do
+for tool in cloud2mesh meshnorm planecut biarcfit bsplfit ncpost; do
 	in=$(input $tool)
 	set -- $(arguments $tool)
 	args=$*
@@ -54,7 +54,7 @@ for tool in cloud2mesh meshnorm biarcfit bsplfit ncpost; do
 	for bad in nan inf 8x '' 1e999 -1 0x10; do
 		case $tool in
 		cloud2mesh) status 2 "$tool -t '$bad'" $tool -t "$bad" $in ;;
-		meshnorm) status 2 "$tool -r '$bad'" $tool -r "$bad" $in ;;
+		meshnorm | planecut) status 2 "$tool -r '$bad'" $tool -r "$bad" $in ;;
 		*) status 2 "$tool -e '$bad'" $tool "$@" -e "$bad" $in ;;
 		esac
 		status 2 "$tool -j '$bad'" $tool "$@" -j "$bad" $in

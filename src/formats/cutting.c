@@ -23,13 +23,12 @@ const struct cli_option cutting_options[] = {
     {'e', "tolerance", "E", "put points between those of the mesh: straight lines stay within E of\n"
      "the smooth curve and no deeper in the part (0.01 with -g, else none)",
      CLI_NUMBER, &cutting.tolerance, 0.0001, 10, 0, NULL},
-    {0, "paper", NULL, "as published: points of the mesh alone, nothing is lifted, links are not\n"
-     "checked",
+    {0, "paper", NULL, "as published: mesh points alone, nothing lifted, links not checked",
      CLI_FLAG, &cutting.paper, 0, 0, 0, NULL},
     {0, "limit", "H", "lift no centre by more than H, and exit 3 where it takes more\n"
      "(default: the radius; what can't be reached is passed over and told)",
      CLI_NUMBER, &cutting.limit, CLI_POSITIVE, 0, 0, NULL},
-    {0, "tilt", "DEG", "lean the axis off the normal, sideways, positive to the next pass (15)",
+    {0, "tilt", "DEG", "lean the axis off the normal, sideways, positive to next pass (15)",
      CLI_NUMBER, &cutting.tilt, -80, 80, 0, &cutting.lean_given},
     {0, "lead", "DEG", "lean it in the direction of the feed (0)",
      CLI_NUMBER, &cutting.lead, -80, 80, 0, &cutting.lean_given},
@@ -47,8 +46,8 @@ const struct cli_option cutting_options[] = {
      CLI_COUNT, &cutting.layers, 1, 1000, 0, NULL},
     {0, "depth", "MM", "what a layer takes off, along the normal (0.3)",
      CLI_NUMBER, &cutting.depth, CLI_POSITIVE, 0, 0, NULL},
-    {0, "clearance", "Z", "height of the tip on the clearance plane (default: top of the part and\n"
-     "its layers + radius + 10)", CLI_NUMBER, &cutting.clearance, 0, 0, 0, NULL},
+    {0, "clearance", "Z", "height of the tip on the clearance plane (default: top of the part\n"
+     "and its layers + radius + 10)", CLI_NUMBER, &cutting.clearance, 0, 0, 0, NULL},
     {0, "approach", "MM", "last bit of the way down, at the plunge feed (5)",
      CLI_NUMBER, &cutting.approach, CLI_POSITIVE, 0, 0, NULL},
     {0, "feed", "F", "cutting feed, mm/min (800)", CLI_NUMBER, &cutting.feed, CLI_POSITIVE, 0, 0, NULL},
@@ -72,8 +71,8 @@ static int axis_rule(struct axis_rule *rule, struct error *error)
 {
     const struct cutting *c = &cutting;
 
-    *rule = (struct axis_rule){
-        .kind = AXIS_LEAN, .tilt = RADIANS(c->tilt), .lead = RADIANS(c->lead)};
+    *rule =
+        (struct axis_rule){.kind = AXIS_LEAN, .tilt = RADIANS(c->tilt), .lead = RADIANS(c->lead)};
     if (c->fixed_given + c->to_given + c->from_given + c->circle_given + c->lean_given > 1)
         return error_set(error, "found two rules for the axis, expected one of --tilt/--lead, "
                                 "--fixed, --to-point, --from-point, --circle");

@@ -61,8 +61,8 @@ static struct vec3 weighted_normal(const struct mesh *mesh, size_t facet, int co
     const int *v = mesh->face.item[facet].v;
     const struct vec3 *p = mesh->vertex.item;
     struct vec3 here = p[v[corner]];
-    double angle = vec_angle(vec_sub(p[v[(corner + 1) % 3]], here),
-                             vec_sub(p[v[(corner + 2) % 3]], here));
+    double angle =
+        vec_angle(vec_sub(p[v[(corner + 1) % 3]], here), vec_sub(p[v[(corner + 2) % 3]], here));
 
     return vec_scale(angle, vec_unit(mesh_face_cross(mesh, facet)));
 }

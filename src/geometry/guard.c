@@ -144,9 +144,9 @@ double guard_top(const struct guard *guard)
 
 double guard_extent(const struct guard *guard, struct vec3 c, struct vec3 up)
 {
-    struct vec3 corner = vec(up.x > 0 ? guard->high.x : guard->low.x,
-                             up.y > 0 ? guard->high.y : guard->low.y,
-                             up.z > 0 ? guard->high.z : guard->low.z);
+    struct vec3 corner =
+        vec(up.x > 0 ? guard->high.x : guard->low.x, up.y > 0 ? guard->high.y : guard->low.y,
+            up.z > 0 ? guard->high.z : guard->low.z);
 
     return vec_dot(vec_sub(corner, c), up);
 }

@@ -25,7 +25,8 @@ static size_t *count_sides(const struct mesh *mesh)
     return start;
 }
 
-/* Puts a side where it belongs among those of its vertex, by the other vertex, then as they come. */
+/* Puts a side where it belongs among those of its vertex, by the other vertex, then as they come.
+ */
 static void insert(struct side *side, size_t n, struct side new)
 {
     for (; n > 0 && side[n - 1].other > new.other; n--)

@@ -9,7 +9,8 @@
 /* Below this part of its longest edge's square, twice a facet's area is rounding. */
 static const double AREA_OF_NOTHING = 1e-12;
 
-/* Of the area, what must be left when the facets' normals are added up to say where a piece faces. */
+/* Of the area, what must be left when the facets' normals are added up to say where a piece faces.
+ */
 static const double LEANING = 0.1;
 
 static bool has_area(const struct mesh *mesh, size_t facet)
@@ -195,8 +196,7 @@ static struct facing facing_of(const struct mesh *mesh, const struct mesh_edges 
         struct vec3 cross = mesh_face_cross(mesh, (size_t)f);
         sum.area += vec_length(cross);
         sum.up += vec_dot(cross, up);
-        sum.volume +=
-            vec_dot(cross, vec_sub(mesh->vertex.item[mesh->face.item[f].v[0]], origin));
+        sum.volume += vec_dot(cross, vec_sub(mesh->vertex.item[mesh->face.item[f].v[0]], origin));
         for (int k = 0; k < 3; k++)
             sum.closed = sum.closed && mesh_edge_beyond(edges, edges->of[f][k], f) >= 0;
     }

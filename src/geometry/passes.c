@@ -78,7 +78,8 @@ static void open_loop(struct contact *c, size_t n, const struct pass_rule *rule)
     for (size_t i = 0; i < n; i++)
         c[i] = turned[i];
     free(turned);
-    /* Chains run as normal x n: on the upper side along, unless the normal has along on its left. */
+    /* Chains run as normal x n: on the upper side along, unless the normal has along on its left.
+     */
     if (vec_dot(vec_cross(rule->normal, vec(0, 0, 1)), rule->along) < 0)
         reverse_points(c, n);
 }
@@ -169,8 +170,7 @@ static void go_on(struct chains *to, size_t from, const struct contact *c, size_
     }
 }
 
-size_t passes_make(const struct chains *chains, const struct pass_rule *rule,
-                   struct chains *strips)
+size_t passes_make(const struct chains *chains, const struct pass_rule *rule, struct chains *strips)
 {
     struct chains kept = {0};
     size_t left_out = 0;

@@ -2,10 +2,10 @@
 
 #include <stdlib.h>
 
-static const double INSIDE = 0.01;             /* of the step: the last plane from the border */
+static const double INSIDE = 0.01;               /* of the step: the last plane from the border */
 static const double SMOOTH = 0.8660254037844386; /* cos 30 degrees: normal against facet */
 static const double STEEP = 0.10452846326765347; /* sin 6 degrees */
-static const double LEAST = 0.05;              /* of 1 + R k */
+static const double LEAST = 0.05;                /* of 1 + R k */
 
 double scallop_step(double h, double radius, double curvature)
 {
@@ -122,9 +122,9 @@ static struct slab slab_of(const struct mesh *mesh, size_t facet, struct vec3 no
     double level = sqrt(fmax(1 - facing * facing, 0));
 
     if (level < STEEP && report->steep++ == 0)
-        report->steep_at = vec_scale(1 / 3.0, vec_add(mesh->vertex.item[corner[0]],
-                                                      vec_add(mesh->vertex.item[corner[1]],
-                                                              mesh->vertex.item[corner[2]])));
+        report->steep_at = vec_scale(
+            1 / 3.0, vec_add(mesh->vertex.item[corner[0]],
+                             vec_add(mesh->vertex.item[corner[1]], mesh->vertex.item[corner[2]])));
     for (int i = 0; i < 3; i++) {
         double at = vec_dot(mesh->vertex.item[corner[i]], normal);
         double step = scallop_step(h, radius, curvature[corner[i]]) * fmax(level, STEEP);
@@ -157,8 +157,7 @@ static double next_step(const struct slab *slab, size_t n, double widest, double
 }
 
 struct scallop_report scallop_heights(const struct mesh *mesh, struct vec3 normal, double low,
-                                      double high, double h, double radius,
-                                      struct doubles *height)
+                                      double high, double h, double radius, struct doubles *height)
 {
     struct scallop_report report = {.narrowest = HUGE_VAL};
     double *curvature = curvatures(mesh, normal), widest = 0;
