@@ -7,7 +7,7 @@
 #include <strings.h>
 
 #include "num.h"
-#include "weld.h"
+#include "meshweld.h"
 
 enum { HEAD = 84, FACET = 50 }; /* bytes of a binary file: head with the count, each facet */
 

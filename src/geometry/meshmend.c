@@ -4,7 +4,7 @@
 
 #include "creases.h"
 #include "meshedges.h"
-#include "weld.h"
+#include "meshweld.h"
 
 /* Below this part of its longest edge's square, twice a facet's area is rounding. */
 static const double AREA_OF_NOTHING = 1e-12;

@@ -1,8 +1,8 @@
 /*
- * weld - vertices at one place made one vertex.
+ * meshweld - vertices at one place made one vertex.
  */
-#ifndef CLOUDMILL_WELD_H
-#define CLOUDMILL_WELD_H
+#ifndef CLOUDMILL_MESHWELD_H
+#define CLOUDMILL_MESHWELD_H
 
 #include "mesh.h"
 

@@ -1,4 +1,4 @@
-#include "weld.h"
+#include "meshweld.h"
 
 #include <stdlib.h>
 
