@@ -83,36 +83,58 @@ static double turn_bound(const struct follow *f, const struct station *from,
     return sum * sum / 4;
 }
 
+/* The top of the parabola through three samples in a row, where the middle one is the highest: the
+ * deviation between samples, which the samples themselves understate by some percent. */
+static double top(double before, double here, double after)
+{
+    double bend = 2 * here - before - after;
+    if (here < before || here < after || !(bend > 0))
+        return here;
+    return here + (after - before) * (after - before) / (8 * bend);
+}
+
+/* The largest of n deviations taken one behind the other at equal steps, and between them. */
+static struct deviation peak(const struct deviation *d, int n)
+{
+    struct deviation worst = deviation_worst(d[0], d[n - 1]);
+    for (int i = 1; i + 1 < n; i++) {
+        struct deviation between = {top(d[i - 1].point, d[i].point, d[i + 1].point),
+                                    top(d[i - 1].axis, d[i].axis, d[i + 1].axis)};
+        worst = deviation_worst(worst, between);
+    }
+    return worst;
+}
+
 struct deviation follow_block(const struct follow *f, const struct station *from,
                               const struct station *to, const struct motion *motion, double s0,
                               double s1, struct deviation allowed)
 {
-    struct deviation worst =
-        follow_difference(f, follow_pose(f, from, to, 0), motion_at(motion, s0));
-    worst = deviation_worst(
-        worst, follow_difference(f, follow_pose(f, from, to, 1), motion_at(motion, s1)));
+    int samples = motion->kind == MOTION_SPLINE ? SAMPLES_SPLINE : SAMPLES;
+    struct deviation d[SAMPLES_SPLINE + 1];
+    d[0] = follow_difference(f, follow_pose(f, from, to, 0), motion_at(motion, s0));
+    d[samples] = follow_difference(f, follow_pose(f, from, to, 1), motion_at(motion, s1));
     if (motion->kind == MOTION_LINE && f->mode != FOLLOW_JOINT) {
         double bound = f->mode == FOLLOW_VECTOR ? 0 : turn_bound(f, from, to);
-        struct deviation d = {fabs(f->ball) * bound, bound};
+        struct deviation most = {fabs(f->ball) * bound, bound};
         struct deviation little = {little_of * allowed.point, little_of * allowed.axis};
-        if (deviation_within(d, little))
-            return (struct deviation){worst.point + d.point, worst.axis + d.axis};
+        if (deviation_within(most, little)) {
+            struct deviation ends = deviation_worst(d[0], d[samples]);
+            return (struct deviation){ends.point + most.point, ends.axis + most.axis};
+        }
     }
-    int samples = motion->kind == MOTION_SPLINE ? SAMPLES_SPLINE : SAMPLES;
     for (int i = 1; i < samples; i++) {
         double s = (double)i / samples;
         struct pose wanted = motion_at(motion, s0 + s * (s1 - s0));
-        worst =
-            deviation_worst(worst, follow_difference(f, beside(f, from, to, wanted, s), wanted));
+        d[i] = follow_difference(f, beside(f, from, to, wanted, s), wanted);
     }
-    return worst;
+    return peak(d, samples + 1);
 }
 
 struct deviation follow_curve(const struct follow *f, const struct station *from,
                               const struct station *to, const struct motion *printed,
                               const struct motion *motion, double s0, double s1, double *point)
 {
-    struct deviation worst = {0, 0};
+    struct deviation d[SAMPLES + 1];
     *point = 0;
     for (int i = 0; i <= SAMPLES; i++) {
         double s = (double)i / SAMPLES;
@@ -120,7 +142,7 @@ struct deviation follow_curve(const struct follow *f, const struct station *from
                     wanted = motion_at(motion, s0 + s * (s1 - s0));
         at.p = motion_at(printed, s).p;
         *point = fmax(*point, vec_distance(at.p, wanted.p));
-        worst = deviation_worst(worst, follow_difference(f, at, wanted));
+        d[i] = follow_difference(f, at, wanted);
     }
-    return worst;
+    return peak(d, SAMPLES + 1);
 }

@@ -5,7 +5,7 @@
 4 ; X Y Z are the tool tip
 5 ; Tolerance meshnorm     0.0030
 6 ; Tolerance ncpost       0.0432
-7 ; Tolerance sum          0.0462 mm, axis 0.0649 deg
+7 ; Tolerance sum          0.0462 mm, axis 0.0650 deg
 8 ; Cut 191.0 mm, rapid 195.9 mm, 0.3 min
 9 ; Passes 3, lines 61, arcs 1, splines 0, rapids 5
 10 L Z+0 R0 FMAX M91
