@@ -65,7 +65,7 @@ struct machine machine_default(void);
 
 /*
  * Reads NAME: with a slash or an ending that file; else NAME.txt in the current folder, in
- * $CLOUDMILL_MACHINES, then among the installed machines.
+ * $CLOUDMILL_MACHINES, then among the machines installed, or built, with the running program.
  */
 int machine_read(struct machine *machine, const char *name, struct error *error);
 

@@ -10,6 +10,7 @@
 #include "keys.h"
 #include "nctemplate.h"
 #include "reader.h"
+#include "self.h"
 
 #ifndef CLOUDMILL_DATADIR
 #define CLOUDMILL_DATADIR "/usr/local/share/cloudmill"
@@ -149,7 +150,12 @@ static int find_file(const char *name, const char *beside, char file[FILE_MAX], 
             return error_set(error, "%.40s...: file name too long", name);
         return 0;
     }
-    const char *const places[] = {".", own && *own ? own : ".", CLOUDMILL_DATADIR "/machines"};
+    char self[FILE_MAX], beside_installed[FILE_MAX + 32], beside_built[FILE_MAX + 32];
+    self_folder(self, sizeof self);
+    snprintf(beside_installed, sizeof beside_installed, "%s/../share/cloudmill/machines", self);
+    snprintf(beside_built, sizeof beside_built, "%s/../../machines", self);
+    const char *const places[] = {".", own && *own ? own : ".", beside_installed, beside_built,
+                                  CLOUDMILL_DATADIR "/machines"};
     int n = snprintf(file, FILE_MAX, "%.*s%s.txt", folder, folder ? beside : "", name);
     for (size_t i = 0; i < sizeof places / sizeof *places; i++) {
         if (n < FILE_MAX && access(file, R_OK) == 0)
