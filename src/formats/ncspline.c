@@ -111,25 +111,28 @@ static struct deviation poly_words(struct nc_spline *spline, int digits, const s
 
 /* ---- poles ---- */
 
-static void round_poles(struct bspline *b, int digits)
+/* Poles as printed; the first one is where the tool is, in the very digits that brought it there.
+ */
+static void round_poles(struct bspline *b, int digits, const struct station *from)
 {
     for (size_t i = 0; i < b->poles; i++) {
         b->pole[i] = round_point(b->pole[i], digits);
         if (b->head)
             b->head[i] = round_point(b->head[i], digits);
     }
+    b->pole[0] = from->p;
 }
 
 /* A uniform clamped cubic by its poles alone: the control takes spans of length 1. */
 static struct deviation bspline_words(struct nc_spline *spline, int digits, const struct follow *f,
-                                      const struct motion *motion)
+                                      const struct station *from, const struct motion *motion)
 {
     struct deviation worst = {0, 0};
     spline->form = NC_BSPLINE;
     spline->curve = bspline_copy(motion->curve);
     struct bspline *b = &spline->curve;
     size_t p = (size_t)b->degree;
-    round_poles(b, digits);
+    round_poles(b, digits, from);
     for (size_t i = 0; i < b->poles + p + 1; i++)
         b->knot[i] = i < p ? 0 : i > b->poles ? (double)(b->poles - p) : (double)(i - p);
     struct motion printed = motion_spline(motion->from, motion->to, b);
@@ -218,7 +221,7 @@ static int nurbs_round(struct nc_spline *spline, struct nc_spline_digits digits,
     for (int k = 0; k < ROTARY_MAX; k++)
         for (size_t i = 0; i < exact->poles; i++)
             spline->angle[k][i] = num_round(DEGREES(spline->angle[k][i]), digits.angle);
-    round_poles(&spline->curve, digits.linear);
+    round_poles(&spline->curve, digits.linear, from);
     scale_knots(&spline->curve, digits.knot);
     return 0;
 }
@@ -276,7 +279,7 @@ bool nc_spline_words(struct nc_spline *spline, enum nc_splines kind, struct nc_s
         if (b->head)
             spline->head_start = round_point(b->head[0], digits.linear);
         if (b->degree == 3 && bspline_uniform(b))
-            *d = bspline_words(spline, digits.linear, f, motion);
+            *d = bspline_words(spline, digits.linear, f, from, motion);
         if (!deviation_within(*d, allowed)) {
             bspline_free(&spline->curve);
             *d = poly_words(spline, digits.linear, f, from, motion);
