@@ -14,8 +14,8 @@ struct search {
 
 static struct vec3 ball_at(const struct search *search, const struct piece *piece, double s)
 {
-    struct pose pose = course_at(search->course, piece, s);
-    double up = search->course->track == TRACK_TIP ? search->radius : 0;
+    struct course_pose pose = course_at(search->course, piece, s);
+    double up = search->course->track == COURSE_TIP ? search->radius : 0;
     return vec_along(pose.p, up, pose.a);
 }
 

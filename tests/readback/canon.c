@@ -9,7 +9,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "control.h"
+#include "ncread.h"
 #include "num.h"
 
 enum { NUMBERS = 9 };
@@ -26,32 +26,32 @@ static int numbers(const char *s, double value[NUMBERS])
     return n;
 }
 
-static int set(struct control *c, const double v[3], const double turn[3], struct place *to)
+static int set(struct ncread *c, const double v[3], const double turn[3], struct ncread_place *to)
 {
     static const char *const name[] = {"X", "Y", "Z", "A", "B", "C"};
     for (int i = 0; i < 6; i++)
-        control_axis(c, name[i], i < 3 ? v[i] : turn[i - 3], to);
-    control_turned(c, to);
+        ncread_axis(c, name[i], i < 3 ? v[i] : turn[i - 3], to);
+    ncread_turned(c, to);
     return 0;
 }
 
-static int go(struct control *c, const struct place *to, struct piece piece, bool rapid,
+static int go(struct ncread *c, const struct ncread_place *to, struct piece piece, bool rapid,
               struct error *error)
 {
     if (c->order) /* the length is on */
-        return control_go(c, to, piece, rapid, error);
+        return ncread_go(c, to, piece, rapid, error);
     c->here = *to;
     memset(c->here.known, 0, sizeof c->here.known);
-    return rapid ? 0 : control_error(c, error, "cuts without the tool's length");
+    return rapid ? 0 : ncread_error(c, error, "cuts without the tool's length");
 }
 
-static int arc(struct control *c, const double v[NUMBERS], struct error *error)
+static int arc(struct ncread *c, const double v[NUMBERS], struct error *error)
 {
     /* first and second axis of the plane, and the one across */
     int first = c->plane == 17 ? 0 : c->plane == 18 ? 2 : 1, second = (first + 1) % 3;
     int across = (first + 2) % 3;
     double end[3], centre[3];
-    struct place to = c->here;
+    struct ncread_place to = c->here;
     end[first] = v[0];
     end[second] = v[1];
     end[across] = v[5];
@@ -59,10 +59,10 @@ static int arc(struct control *c, const double v[NUMBERS], struct error *error)
     centre[second] = v[3];
     centre[across] = c->here.at[across];
     if (fabs(v[4]) != 1)
-        return control_error(c, error, "an arc of more than one turn");
+        return ncread_error(c, error, "an arc of more than one turn");
     set(c, end, v + 6, &to);
-    struct piece piece = control_piece(c, &to);
-    if (control_arc(c, &piece, vec(centre[0], centre[1], centre[2]), v[4] > 0, error) < 0)
+    struct piece piece = ncread_piece(c, &to);
+    if (ncread_arc(c, &piece, vec(centre[0], centre[1], centre[2]), v[4] > 0, error) < 0)
         return -1;
     return go(c, &to, piece, false, error);
 }
@@ -72,19 +72,19 @@ static bool is(const char *s, const char *word)
     return strncmp(s, word, strlen(word)) == 0;
 }
 
-static int call(struct control *c, const char *s, struct error *error)
+static int call(struct ncread *c, const char *s, struct error *error)
 {
     double v[NUMBERS] = {0};
     int n = is(s, "COMMENT") || is(s, "MESSAGE") ? 0 : numbers(s, v);
-    struct place to = c->here;
+    struct ncread_place to = c->here;
     if (is(s, "STRAIGHT_")) {
         if (n != 6)
-            return control_error(c, error, "a straight move without six numbers");
+            return ncread_error(c, error, "a straight move without six numbers");
         set(c, v, v + 3, &to);
-        return go(c, &to, control_piece(c, &to), is(s, "STRAIGHT_TRAVERSE"), error);
+        return go(c, &to, ncread_piece(c, &to), is(s, "STRAIGHT_TRAVERSE"), error);
     }
     if (is(s, "ARC_FEED"))
-        return n == 9 ? arc(c, v, error) : control_error(c, error, "an arc without nine numbers");
+        return n == 9 ? arc(c, v, error) : ncread_error(c, error, "an arc without nine numbers");
     if (is(s, "SELECT_PLANE"))
         c->plane = strstr(s, "XY") ? 17 : strstr(s, "XZ") ? 18 : 19;
     else if (is(s, "USE_LENGTH_UNITS"))
@@ -101,11 +101,11 @@ static int call(struct control *c, const char *s, struct error *error)
     } else if (is(s, "PROGRAM_END"))
         c->ended = true;
     else if (is(s, "NURBS"))
-        return control_error(c, error, "a curve that knows X and Y alone");
+        return ncread_error(c, error, "a curve that knows X and Y alone");
     return 0;
 }
 
-int control_canon(struct control *c, const char *line, struct error *error)
+static int read_block(struct ncread *c, const char *line, struct error *error)
 {
     const char *s = line + strspn(line, " ");
     s += strspn(s, "0123456789");
@@ -123,10 +123,12 @@ int control_canon(struct control *c, const char *line, struct error *error)
     return call(c, s + strspn(s, " "), error);
 }
 
-int control_canon_end(struct control *c, struct error *error)
+static int read_end(struct ncread *c, struct error *error)
 {
     if (!c->ended || c->spindle || c->order)
-        return control_error(c, error, "ends without PROGRAM_END, with the spindle turning or with "
+        return ncread_error(c, error, "ends without PROGRAM_END, with the spindle turning or with "
                                        "the tool's length on");
     return 0;
 }
+
+const struct ncread_dialect canon = {"canon", read_block, read_end};

@@ -25,7 +25,7 @@ static void *copied(const void *from, size_t n, size_t size)
 static void add_spline(struct course *course, const struct bspline *curve, struct piece *piece)
 {
     size_t order = (size_t)curve->degree + 1;
-    struct nurbs b = {.order = curve->degree + 1, .n = curve->poles};
+    struct course_spline b = {.order = curve->degree + 1, .n = curve->poles};
     b.knot = copied(curve->knot, curve->poles + order, sizeof *b.knot);
     b.p = copied(curve->pole, curve->poles, sizeof *b.p);
     if (curve->head) {
@@ -52,9 +52,9 @@ static void add_item(struct course *course, const struct path *path, const struc
     if (item->kind == PATH_ARC) {
         const struct path_arc *arc = &path->arc.item[item->index];
         piece.shape = SHAPE_ARC;
-        piece.centre = arc->centre;
-        piece.normal = vec_unit(arc->axis);
-        piece.angle = arc_angle(arc, from.p, item->to.p);
+        piece.index = course->arc.n;
+        *array_push(&course->arc) = (struct course_arc){arc->centre, vec_unit(arc->axis),
+                                                        arc_angle(arc, from.p, item->to.p)};
         course->arcs++;
     } else if (!piece.rapid) {
         course->lines++;
@@ -62,12 +62,17 @@ static void add_item(struct course *course, const struct path *path, const struc
     *array_push(&course->piece) = piece;
 }
 
+static enum course_track track_of(enum path_track track)
+{
+    return track == TRACK_TIP ? COURSE_TIP : track == TRACK_CENTRE ? COURSE_CENTRE : COURSE_CONTACT;
+}
+
 int cl_read(const char *file, struct path *path, struct course *course, struct error *error)
 {
     if (path_read(file, path, error) < 0)
         return -1;
     course->name = file;
-    course->track = path->head.track;
+    course->track = track_of(path->head.track);
     const struct pose *from = NULL;
     for (size_t i = 0; i < path->item.n; i++) {
         const struct path_item *item = &path->item.item[i];

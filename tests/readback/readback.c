@@ -8,15 +8,18 @@
 #include <stdlib.h>
 
 #include "ball.h"
+#include "canon.h"
 #include "cl.h"
 #include "cli.h"
 #include "cloud.h"
-#include "control.h"
+#include "ncread.h"
 #include "kdtree.h"
 #include "panel.h"
 #include "sweep.h"
 
-enum { CONTROL_NONE = READ_CANON + 1 };
+static const struct ncread_dialect *const dialects[] = {&ncread_fanuc, &ncread_siemens,
+                                                        &ncread_heidenhain, &canon};
+enum { CONTROL_NONE = sizeof dialects / sizeof *dialects };
 
 struct options {
     int control, axes;
@@ -47,14 +50,14 @@ static bool walk(const char *what, const struct course *course, const struct cha
     if (from->n == 0)
         return true;
     char place[60];
-    course_place(&course->piece.item[from->item[sweep.tip_at].piece], place, sizeof place);
+    ncread_place(&course->piece.item[from->item[sweep.tip_at].piece], place, sizeof place);
     printf("%s: tip %.6f mm at %s", what, sweep.tip, place);
-    course_place(&course->piece.item[from->item[sweep.axis_at].piece], place, sizeof place);
+    ncread_place(&course->piece.item[from->item[sweep.axis_at].piece], place, sizeof place);
     printf(", axis %.5f degrees at %s\n", sweep.axis, place);
     if (!sweep.beyond)
         return true;
     struct vec3 p = from->item[sweep.first].pose.p;
-    course_place(&course->piece.item[from->item[sweep.first].piece], place, sizeof place);
+    ncread_place(&course->piece.item[from->item[sweep.first].piece], place, sizeof place);
     say("%s: %s: beyond the tolerance first at %.3f %.3f %.3f", course->name, place, p.x, p.y, p.z);
     return false;
 }
@@ -97,11 +100,11 @@ static bool roll(const struct course *course, const struct surface *surface, dou
     struct depth depth = ball_depth(course, radius, surface);
     struct depth nodes = ball_nodes(course, radius, surface);
     char place[60];
-    if (course->track == TRACK_CONTACT || !(radius > 0))
+    if (course->track == COURSE_CONTACT || !(radius > 0))
         die("%s: no ball: it tracks contact points, or -r is missing", course->name);
     if (isfinite(nodes.worst))
         printf("ball at the contact points: deepest %.6f mm\n", nodes.worst);
-    course_place(&course->piece.item[depth.piece], place, sizeof place);
+    ncread_place(&course->piece.item[depth.piece], place, sizeof place);
     printf("ball: deepest %.6f mm at %s, centre %.3f %.3f %.3f\n", depth.worst, place,
            depth.ball.x, depth.ball.y, depth.ball.z);
     if (nodes.worst > o->nodes)
@@ -137,10 +140,11 @@ static void read_operand(const char *file, const struct options *o, struct cours
 {
     struct error error;
     struct path path = {0};
-    struct setup setup = {(enum dialect_read)o->control, !o->no_tcp, o->reversed,
-                          o->axes ? ROTARY_BC : ROTARY_AC};
+    struct ncread_setup setup = {.tcp = !o->no_tcp,
+                                 .rig = rig_trunnion(o->axes ? 'B' : 'A', o->reversed ? -1 : 1)};
     if (o->control != CONTROL_NONE) {
-        if (control_read(file, &setup, course, &error) < 0)
+        setup.dialect = dialects[o->control];
+        if (ncread_read(file, &setup, course, &error) < 0)
             die_error(&error);
         return;
     }

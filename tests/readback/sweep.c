@@ -1,5 +1,8 @@
 #include "sweep.h"
 
+#include "array.h"
+#include "ncread.h"
+
 #include <stdlib.h>
 
 #define STEP_TIP 0.25          /* longest piece of a chain, mm ... */
@@ -9,12 +12,12 @@
 #define AXIS_WEIGHT 1.0        /* mm a radian */
 #define DETOUR 2.0             /* longest way that one may make and the other not, mm */
 
-static double apart(struct pose a, struct pose b)
+static double apart(struct course_pose a, struct course_pose b)
 {
     return vec_distance(a.p, b.p) + AXIS_WEIGHT * vec_angle(a.a, b.a);
 }
 
-static void add(struct chain *chain, struct pose pose, bool joined, size_t piece)
+static void add(struct chain *chain, struct course_pose pose, bool joined, size_t piece)
 {
     double length = chain->n ? chain->item[chain->n - 1].length : 0;
     if (joined)
@@ -24,12 +27,12 @@ static void add(struct chain *chain, struct pose pose, bool joined, size_t piece
 }
 
 /* Halves the piece from s0 to s1 until it is straight; adds its end. */
-static void flatten(const struct course *course, size_t index, double s0, struct pose a, double s1,
-                    struct pose b, int depth, struct chain *chain)
+static void flatten(const struct course *course, size_t index, double s0, struct course_pose a, double s1,
+                    struct course_pose b, int depth, struct chain *chain)
 {
     const struct piece *piece = &course->piece.item[index];
     double s = (s0 + s1) / 2;
-    struct pose m = course_at(course, piece, s);
+    struct course_pose m = course_at(course, piece, s);
     struct vec3 turn = vec_unit(vec_add(a.a, b.a));
     bool straight = vec_distance(m.p, vec_mix(a.p, b.p, 0.5)) <= FLAT_TIP &&
                     vec_angle(m.a, turn) <= FLAT_AXIS && vec_distance(a.p, b.p) <= STEP_TIP &&
@@ -52,7 +55,7 @@ void sweep_chain(const struct course *course, struct chain *chain)
             apart_before = true;
             continue;
         }
-        struct pose a = course_at(course, piece, 0), b = course_at(course, piece, 1);
+        struct course_pose a = course_at(course, piece, 0), b = course_at(course, piece, 1);
         if (apart_before)
             add(chain, a, false, i);
         apart_before = false;
@@ -70,8 +73,8 @@ double sweep_length(const struct chain *chain)
 }
 
 /* The place of segment i (from sample i - 1 to i, or sample i alone) that is nearest to a pose. */
-static double nearest_on(const struct chain *chain, size_t i, struct pose pose, double *length,
-                         struct pose *found)
+static double nearest_on(const struct chain *chain, size_t i, struct course_pose pose, double *length,
+                         struct course_pose *found)
 {
     const struct sample *b = &chain->item[i], *a = b->joined ? b - 1 : b;
     struct vec3 dp = vec_sub(b->pose.p, a->pose.p);
@@ -81,7 +84,7 @@ static double nearest_on(const struct chain *chain, size_t i, struct pose pose, 
     double d2 = vec_dot(dp, dp) + vec_dot(da, da);
     double s = d2 > 0 ? (vec_dot(dp, ep) + vec_dot(da, ea)) / d2 : 0;
     s = fmin(fmax(s, 0), 1);
-    *found = (struct pose){vec_mix(a->pose.p, b->pose.p, s),
+    *found = (struct course_pose){vec_mix(a->pose.p, b->pose.p, s),
                            vec_unit(vec_mix(a->pose.a, b->pose.a, s))};
     *length = a->length + s * (b->length - a->length);
     return apart(pose, *found);
@@ -90,13 +93,13 @@ static double nearest_on(const struct chain *chain, size_t i, struct pose pose, 
 /* A place on a chain: how far along, and the pose there. */
 struct match {
     double length;
-    struct pose pose;
+    struct course_pose pose;
     double apart;
 };
 
 /* The nearest place of a chain between two lengths; *begin: the first sample worth looking at. */
 static struct match nearest_between(const struct chain *to, double from_length, double to_length,
-                                    struct pose pose, size_t *begin)
+                                    struct course_pose pose, size_t *begin)
 {
     struct match best = {from_length, pose, HUGE_VAL};
     while (*begin + 1 < to->n && to->item[*begin + 1].length < from_length)
@@ -151,7 +154,7 @@ struct sweep sweep_walk(const struct chain *from, const struct chain *to, double
     return sweep;
 }
 
-static bool meets(struct pose a, struct pose b, double tip_limit, double axis_limit)
+static bool meets(struct course_pose a, struct course_pose b, double tip_limit, double axis_limit)
 {
     return vec_distance(a.p, b.p) <= tip_limit && DEGREES(vec_angle(a.a, b.a)) <= axis_limit;
 }
@@ -164,11 +167,11 @@ int sweep_rapids(const struct course *program, const struct course *path, double
         if (path->piece.item[i].rapid)
             height = fmax(height, path->piece.item[i].p[1].z);
     size_t k = 0; /* the program's pieces up to here are done */
-    struct pose last = {{0, 0, 0}, {0, 0, 0}};
+    struct course_pose last = {{0, 0, 0}, {0, 0, 0}};
     for (size_t i = 0; i <= path->piece.n; i++) {
         bool end = i == path->piece.n;
         const struct piece *want = end ? NULL : &path->piece.item[i];
-        struct pose place = end ? last : course_at(path, want, 1);
+        struct course_pose place = end ? last : course_at(path, want, 1);
         if (!end && !want->rapid)
             continue;
         if (!end && meets(place, last, tip_limit, axis_limit))
@@ -176,12 +179,12 @@ int sweep_rapids(const struct course *program, const struct course *path, double
         bool met = false;
         for (; k < program->piece.n && !met; k++) {
             const struct piece *piece = &program->piece.item[k];
-            struct pose there = course_at(program, piece, 1);
+            struct course_pose there = course_at(program, piece, 1);
             met = piece->rapid && !end && meets(there, place, tip_limit, axis_limit);
             if (piece->rapid && !met && there.p.z < height - tip_limit &&
                 !meets(there, last, tip_limit, axis_limit)) {
                 char text[60];
-                course_place(piece, text, sizeof text);
+                ncread_place(piece, text, sizeof text);
                 return error_set(error, "%s: %s: a rapid move to %.3f %.3f %.3f that is not in "
                                  "the path", program->name, text, there.p.x, there.p.y, there.p.z);
             }

@@ -9,9 +9,10 @@
 #define READBACK_SWEEP_H
 
 #include "course.h"
+#include "error.h"
 
 struct sample {
-    struct pose pose;
+    struct course_pose pose;
     bool joined;   /* the tool cuts on its way from the sample before to this one */
     double length; /* of the cut up to here, mm; a turn of the axis counts 1 mm a radian */
     size_t piece;

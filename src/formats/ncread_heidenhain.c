@@ -1,5 +1,5 @@
 /*
- * heidenhain - blocks of Klartext, TNC 640 (user's manual for conversational programming).
+ * ncread_heidenhain - blocks of Klartext, TNC 640 (user's manual for conversational programming).
  *
  * L goes straight with rotary words in proportion, LN with the tool axis TX TY TZ on the great
  * circle; CC and C are an arc in X Y.  X Y Z are the tip while FUNCTION TCPM or M128 is on.
@@ -7,7 +7,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "control.h"
+#include "ncread.h"
 
 enum { TOKENS = 16, TOKEN = 40 };
 
@@ -15,18 +15,18 @@ enum { TOKENS = 16, TOKEN = 40 };
 struct klartext {
     int n;
     char word[TOKENS][TOKEN];
-    struct place to;
+    struct ncread_place to;
     bool named, fast, machine;
     int vector_n;
     double vector[3];
 };
 
-static int split(struct control *c, const char *line, struct klartext *k, struct error *error)
+static int split(struct ncread *c, const char *line, struct klartext *k, struct error *error)
 {
     for (const char *s = line + strspn(line, " "); *s && *s != ';'; s += strspn(s, " ")) {
         size_t n = strcspn(s, " ;");
         if (k->n == TOKENS || n >= TOKEN)
-            return control_error(c, error, "a word or block that is too long");
+            return ncread_error(c, error, "a word or block that is too long");
         memcpy(k->word[k->n], s, n);
         k->word[k->n++][n] = '\0';
         s += n;
@@ -35,21 +35,20 @@ static int split(struct control *c, const char *line, struct klartext *k, struct
 }
 
 /* A number behind the letters of a word; with its sign where it is a place. */
-static int number(struct control *c, const char *text, bool sign, double *value,
-                  struct error *error)
+static int number(struct ncread *c, const char *text, bool sign, double *value, struct error *error)
 {
     bool pointed;
     struct error found;
     if (sign && *text != '+' && *text != '-')
-        return control_error(c, error, "a place or angle without its sign");
-    if (word_number(&text, value, &pointed, &found) < 0)
-        return control_error(c, error, found.text);
-    return *text ? control_error(c, error, "found letters behind a number") : 0;
+        return ncread_error(c, error, "a place or angle without its sign");
+    if (ncread_word_number(&text, value, &pointed, &found) < 0)
+        return ncread_error(c, error, found.text);
+    return *text ? ncread_error(c, error, "found letters behind a number") : 0;
 }
 
-static int m_word(struct control *c, const char *text, struct klartext *k, struct error *error)
+static int m_word(struct ncread *c, const char *text, struct klartext *k, struct error *error)
 {
-    struct word w = {.kind = WORD_ADDRESS, .name = "M", .values = 1};
+    struct ncread_word w = {.kind = WORD_ADDRESS, .name = "M", .values = 1};
     if (number(c, text, false, &w.value[0], error) < 0)
         return -1;
     if (w.value[0] == 128)
@@ -57,11 +56,11 @@ static int m_word(struct control *c, const char *text, struct klartext *k, struc
     else if (w.value[0] == 91)
         k->machine = true;
     else
-        return control_m(c, &w, error);
+        return ncread_m(c, &w, error);
     return 0;
 }
 
-static int word(struct control *c, const char *w, struct klartext *k, struct error *error)
+static int word(struct ncread *c, const char *w, struct klartext *k, struct error *error)
 {
     double value;
     char letter[2] = {*w, '\0'};
@@ -77,7 +76,7 @@ static int word(struct control *c, const char *w, struct klartext *k, struct err
         if (number(c, w + 1, false, &c->feed, error) < 0)
             return -1;
         if (!(c->feed > 0) || w[1] == '+')
-            return control_error(c, error, "a feed of nothing or with a sign");
+            return ncread_error(c, error, "a feed of nothing or with a sign");
         return 0;
     }
     if (*w == 'T' && w[1] >= 'X' && w[1] <= 'Z') {
@@ -86,13 +85,13 @@ static int word(struct control *c, const char *w, struct klartext *k, struct err
     }
     if (number(c, w + 1, true, &value, error) < 0)
         return -1;
-    if (!control_axis(c, letter, value, &k->to))
-        return control_error(c, error, "a word that this reader does not know");
+    if (!ncread_axis(c, letter, value, &k->to))
+        return ncread_error(c, error, "a word that this reader does not know");
     k->named = true;
     return 0;
 }
 
-static void machine_move(struct control *c, struct klartext *k)
+static void machine_move(struct ncread *c, struct klartext *k)
 {
     for (int i = 1; i < k->n; i++)
         if (k->word[i][0] >= 'X' && k->word[i][0] <= 'Z')
@@ -100,38 +99,38 @@ static void machine_move(struct control *c, struct klartext *k)
 }
 
 /* L and LN. */
-static int straight(struct control *c, struct klartext *k, bool vectors, struct error *error)
+static int straight(struct ncread *c, struct klartext *k, bool vectors, struct error *error)
 {
     for (int i = 1; i < k->n; i++)
         if (word(c, k->word[i], k, error) < 0)
             return -1;
     if (k->machine && c->tcp)
-        return control_error(c, error, "M91 under tool centre point control");
+        return ncread_error(c, error, "M91 under tool centre point control");
     if (k->machine) {
         machine_move(c, k);
         return 0;
     }
     c->vectors = vectors;
     if (!vectors) {
-        control_turned(c, &k->to);
+        ncread_turned(c, &k->to);
     } else if (k->vector_n == 3) {
         struct vec3 axis = vec(k->vector[0], k->vector[1], k->vector[2]);
         if (fabs(vec_length(axis) - 1) > 1e-5 || !c->tcp)
-            return control_error(c, error, "LN wants a vector of length 1 and TCPM");
+            return ncread_error(c, error, "LN wants a vector of length 1 and TCPM");
         if (!c->here.has_axis)
-            control_pointed(&c->here, axis);
-        control_pointed(&k->to, axis);
+            ncread_pointed(&c->here, axis);
+        ncread_pointed(&k->to, axis);
         k->named = true;
     }
     if (k->vector_n != (vectors ? 3 : 0))
-        return control_error(c, error, "LN wants TX TY TZ, L none of them");
+        return ncread_error(c, error, "LN wants TX TY TZ, L none of them");
     if (!k->named)
         return 0;
-    return control_go(c, &k->to, control_piece(c, &k->to), k->fast, error);
+    return ncread_go(c, &k->to, ncread_piece(c, &k->to), k->fast, error);
 }
 
 /* C X Y DR+ */
-static int circle(struct control *c, struct klartext *k, struct error *error)
+static int circle(struct ncread *c, struct klartext *k, struct error *error)
 {
     int sense = 0;
     c->plane = 17;
@@ -139,21 +138,21 @@ static int circle(struct control *c, struct klartext *k, struct error *error)
         if (strcmp(k->word[i], "DR+") == 0 || strcmp(k->word[i], "DR-") == 0)
             sense = k->word[i][2] == '+' ? 1 : -1;
         else if (strchr("XYF", k->word[i][0]) == NULL || word(c, k->word[i], k, error) < 0)
-            return control_error(c, error, "C wants X, Y, DR and F alone");
+            return ncread_error(c, error, "C wants X, Y, DR and F alone");
     }
     if (!sense || !c->has_centre || k->fast)
-        return control_error(c, error, "C wants DR+ or DR- and CC before it");
-    struct piece piece = control_piece(c, &k->to);
+        return ncread_error(c, error, "C wants DR+ or DR- and CC before it");
+    struct piece piece = ncread_piece(c, &k->to);
     struct vec3 centre = vec(c->centre.x, c->centre.y, piece.p[0].z);
-    if (control_arc(c, &piece, centre, sense > 0, error) < 0)
+    if (ncread_arc(c, &piece, centre, sense > 0, error) < 0)
         return -1;
-    return control_go(c, &k->to, piece, false, error);
+    return ncread_go(c, &k->to, piece, false, error);
 }
 
-static int set_centre(struct control *c, struct klartext *k, struct error *error)
+static int set_centre(struct ncread *c, struct klartext *k, struct error *error)
 {
     if (k->n != 3 || k->word[1][0] != 'X' || k->word[2][0] != 'Y')
-        return control_error(c, error, "CC wants X and Y");
+        return ncread_error(c, error, "CC wants X and Y");
     c->has_centre = true;
     return number(c, k->word[1] + 1, true, &c->centre.x, error) < 0 ||
                    number(c, k->word[2] + 1, true, &c->centre.y, error) < 0
@@ -161,26 +160,26 @@ static int set_centre(struct control *c, struct klartext *k, struct error *error
                : 0;
 }
 
-static int function(struct control *c, const struct klartext *k, struct error *error)
+static int function(struct ncread *c, const struct klartext *k, struct error *error)
 {
     if (k->n == 3 && strcmp(k->word[1], "RESET") == 0 && strcmp(k->word[2], "TCPM") == 0) {
         c->tcp = false;
         return 0;
     }
     if (k->n != 8 || strcmp(k->word[1], "TCPM") != 0 || strcmp(k->word[5], "POS") != 0)
-        return control_error(c, error, "a FUNCTION that this reader does not know");
+        return ncread_error(c, error, "a FUNCTION that this reader does not know");
     c->tcp = true;
     return 0;
 }
 
-static int run(struct control *c, struct klartext *k, struct error *error)
+static int run(struct ncread *c, struct klartext *k, struct error *error)
 {
     const char *first = k->n ? k->word[0] : "";
     if (!*first || strcmp(first, "CYCL") == 0)
         return 0;
     if (strcmp(first, "TOOL") == 0) {
         bool spindle = k->n > 3 && k->word[k->n - 1][0] == 'S';
-        return spindle ? 0 : control_error(c, error, "TOOL CALL without a speed");
+        return spindle ? 0 : ncread_error(c, error, "TOOL CALL without a speed");
     }
     if (strcmp(first, "L") == 0 || strcmp(first, "LN") == 0)
         return straight(c, k, first[1] == 'N', error);
@@ -192,19 +191,19 @@ static int run(struct control *c, struct klartext *k, struct error *error)
         return function(c, k, error);
     if (*first == 'M' && k->n == 1)
         return m_word(c, first + 1, k, error);
-    return control_error(c, error, "a block that this reader does not know");
+    return ncread_error(c, error, "a block that this reader does not know");
 }
 
-int control_heidenhain(struct control *c, const char *line, struct error *error)
+static int read_block(struct ncread *c, const char *line, struct error *error)
 {
     char *end;
     struct klartext k = {.to = c->here};
     c->course->blocks++;
     c->block = strtol(line, &end, 10);
     if (end == line || *end != ' ' || c->block != (long)c->line - 1)
-        return control_error(c, error, "block numbers that do not count from 0");
+        return ncread_error(c, error, "block numbers that do not count from 0");
     if (c->closed)
-        return control_error(c, error, "a block behind END PGM");
+        return ncread_error(c, error, "a block behind END PGM");
     if (split(c, end, &k, error) < 0)
         return -1;
     bool outer = k.n == 4 && strcmp(k.word[1], "PGM") == 0 && strcmp(k.word[3], "MM") == 0;
@@ -212,19 +211,22 @@ int control_heidenhain(struct control *c, const char *line, struct error *error)
         c->metric = c->absolute = true;
         return outer && strcmp(k.word[0], "BEGIN") == 0
                    ? 0
-                   : control_error(c, error, "expected BEGIN PGM NAME MM");
+                   : ncread_error(c, error, "expected BEGIN PGM NAME MM");
     }
     if (c->ended) {
         c->closed = outer && strcmp(k.word[0], "END") == 0;
-        return c->closed ? 0 : control_error(c, error, "expected END PGM behind M30");
+        return c->closed ? 0 : ncread_error(c, error, "expected END PGM behind M30");
     }
     return run(c, &k, error);
 }
 
-int control_heidenhain_end(struct control *c, struct error *error)
+static int read_end(struct ncread *c, struct error *error)
 {
     if (!c->closed || c->tcp || c->spindle)
-        return control_error(c, error, "ends without END PGM, with the spindle turning or with "
-                                       "tool centre point control on");
+        return ncread_error(c, error,
+                            "ends without END PGM, with the spindle turning or with "
+                            "tool centre point control on");
     return 0;
 }
+
+const struct ncread_dialect ncread_heidenhain = {"heidenhain", read_block, read_end};

@@ -1,8 +1,8 @@
 /*
- * word - the words of one block of a program, as strictly as the controls read them.
+ * ncread_word - the words of one block of a program, as strictly as the controls read them.
  */
-#ifndef READBACK_WORD_H
-#define READBACK_WORD_H
+#ifndef CLOUDMILL_NCREAD_WORD_H
+#define CLOUDMILL_NCREAD_WORD_H
 
 #include <stdbool.h>
 #include <stddef.h>
@@ -18,7 +18,7 @@ enum word_kind {
     WORD_CALL     /* CYCLE832(0.01,11,0.1) */
 };
 
-struct word {
+struct ncread_word {
     enum word_kind kind;
     char name[WORD_TEXT];   /* X  A3  PO[X]  TRAORI */
     bool absolute;          /* AC() */
@@ -27,24 +27,24 @@ struct word {
     double value[WORD_VALUES];
 };
 
-struct words {
+struct ncread_words {
     size_t n, cap;
-    struct word *item;
+    struct ncread_word *item;
 };
 
 /*
  * Reads one number as a control takes it: an optional sign, digits, an optional point; no exponent,
  * no -0, no more than 9 digits before and 9 behind the point.  -1 with the text otherwise.
  */
-int word_number(const char **s, double *value, bool *pointed, struct error *error);
+int ncread_word_number(const char **s, double *value, bool *pointed, struct error *error);
 
 /* The words of a Fanuc block: capital letters with a number each, comments in ( ). */
-int word_fanuc(const char *line, struct words *words, struct error *error);
+int ncread_word_fanuc(const char *line, struct ncread_words *words, struct error *error);
 
 /* The words of a Siemens block, up to a comment behind `;`. */
-int word_siemens(const char *line, struct words *words, struct error *error);
+int ncread_word_siemens(const char *line, struct ncread_words *words, struct error *error);
 
 /* The word of this name, NULL: not in the block. */
-const struct word *word_find(const struct words *words, const char *name);
+const struct ncread_word *ncread_word_find(const struct ncread_words *words, const char *name);
 
 #endif

@@ -1,4 +1,5 @@
-#include "word.h"
+/* ncread_word - see ncread_word.h. */
+#include "ncread_word.h"
 
 #include <ctype.h>
 #include <stdlib.h>
@@ -17,7 +18,7 @@ static bool capital(char c)
     return c >= 'A' && c <= 'Z';
 }
 
-int word_number(const char **s, double *value, bool *pointed, struct error *error)
+int ncread_word_number(const char **s, double *value, bool *pointed, struct error *error)
 {
     const char *p = *s;
     int before = 0, behind = 0;
@@ -51,15 +52,16 @@ int word_number(const char **s, double *value, bool *pointed, struct error *erro
     return 0;
 }
 
-static struct word *new_word(struct words *words, enum word_kind kind, const char *name, size_t n)
+static struct ncread_word *new_word(struct ncread_words *words, enum word_kind kind,
+                                    const char *name, size_t n)
 {
-    struct word *w = array_push(words);
-    *w = (struct word){.kind = kind};
+    struct ncread_word *w = array_push(words);
+    *w = (struct ncread_word){.kind = kind};
     memcpy(w->name, name, n < WORD_TEXT ? n : WORD_TEXT - 1);
     return w;
 }
 
-int word_fanuc(const char *line, struct words *words, struct error *error)
+int ncread_word_fanuc(const char *line, struct ncread_words *words, struct error *error)
 {
     words->n = 0;
     for (const char *s = line; *s;) {
@@ -76,9 +78,9 @@ int word_fanuc(const char *line, struct words *words, struct error *error)
                     return error_set(error, "found `%c` in a comment, expected capital ASCII", *c);
             s += n + 2;
         } else if (capital(*s)) {
-            struct word *w = new_word(words, WORD_ADDRESS, s++, 1);
+            struct ncread_word *w = new_word(words, WORD_ADDRESS, s++, 1);
             w->values = 1;
-            if (word_number(&s, &w->value[0], &w->pointed, error) < 0)
+            if (ncread_word_number(&s, &w->value[0], &w->pointed, error) < 0)
                 return -1;
         } else {
             return error_set(error, "found `%.10s`, expected a word", s);
@@ -88,7 +90,7 @@ int word_fanuc(const char *line, struct words *words, struct error *error)
 }
 
 /* A value behind `=`: a number, AC(number), a list in brackets or a text. */
-static int siemens_value(const char **s, struct word *w, struct error *error)
+static int siemens_value(const char **s, struct ncread_word *w, struct error *error)
 {
     bool pointed;
     if (**s == '"') {
@@ -104,13 +106,13 @@ static int siemens_value(const char **s, struct word *w, struct error *error)
     }
     if (**s != '(') {
         w->values = 1;
-        return word_number(s, &w->value[0], &w->pointed, error);
+        return ncread_word_number(s, &w->value[0], &w->pointed, error);
     }
     do {
         ++*s;
         if (w->values == WORD_VALUES)
             return error_set(error, "more than %d numbers in a bracket", WORD_VALUES);
-        if (word_number(s, &w->value[w->values++], &pointed, error) < 0)
+        if (ncread_word_number(s, &w->value[w->values++], &pointed, error) < 0)
             return -1;
     } while (**s == ',');
     if (**s != ')')
@@ -129,13 +131,13 @@ static int siemens_call(const char **s, struct error *error)
     return 0;
 }
 
-static int siemens_word(const char **at, struct words *words, struct error *error)
+static int siemens_word(const char **at, struct ncread_words *words, struct error *error)
 {
     const char *s = *at;
     size_t n = strspn(s, "ABCDEFGHIJKLMNOPQRSTUVWXYZ_0123456789");
     size_t letters = strspn(s, "ABCDEFGHIJKLMNOPQRSTUVWXYZ_");
     size_t index = s[n] == '[' ? strcspn(s + n, "]") + 1 : 0;
-    struct word *w;
+    struct ncread_word *w;
     if (s[n + index] == '=') {
         w = new_word(words, WORD_SET, s, n + index);
         *at = s + n + index + 1;
@@ -145,14 +147,14 @@ static int siemens_word(const char **at, struct words *words, struct error *erro
         w = new_word(words, WORD_ADDRESS, s, 1);
         w->values = 1;
         *at = s + 1;
-        return word_number(at, &w->value[0], &w->pointed, error);
+        return ncread_word_number(at, &w->value[0], &w->pointed, error);
     }
     w = new_word(words, s[n] == '(' ? WORD_CALL : WORD_NAME, s, n);
     *at = s + n;
     return w->kind == WORD_CALL ? siemens_call(at, error) : 0;
 }
 
-int word_siemens(const char *line, struct words *words, struct error *error)
+int ncread_word_siemens(const char *line, struct ncread_words *words, struct error *error)
 {
     words->n = 0;
     for (const char *s = line; *s && *s != ';';) {
@@ -168,7 +170,7 @@ int word_siemens(const char *line, struct words *words, struct error *error)
     return 0;
 }
 
-const struct word *word_find(const struct words *words, const char *name)
+const struct ncread_word *ncread_word_find(const struct ncread_words *words, const char *name)
 {
     for (size_t i = 0; i < words->n; i++)
         if (strcmp(words->item[i].name, name) == 0)

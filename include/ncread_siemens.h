@@ -1,13 +1,13 @@
 /*
- * siemens - blocks of the Sinumerik 840D sl and ONE (NC programming manual and the design notes).
+ * ncread_siemens - blocks of the Sinumerik 840D sl and ONE (NC programming manual and the design notes).
  *
  * Under TRAORI X Y Z are the tip in the frame of the work; the axis by A3= B3= C3= on the great
  * circle (ORIVECT), by rotary words in proportion (ORIAXES) or by a second point (ORICURVE).
  */
-#ifndef READBACK_SIEMENS_H
-#define READBACK_SIEMENS_H
+#ifndef CLOUDMILL_NCREAD_SIEMENS_H
+#define CLOUDMILL_NCREAD_SIEMENS_H
 
-#include "control.h"
+#include "ncread.h"
 
 enum siemens_move { MOVE_NONE, MOVE_RAPID, MOVE_LINE, MOVE_CW, MOVE_CCW, MOVE_CIP, MOVE_POLY, MOVE_BSPLINE };
 
@@ -18,8 +18,8 @@ struct polynomial {
 };
 
 /* What one block says besides its modal words. */
-struct siemens_block {
-    struct place to;
+struct ncread_siemens_block {
+    struct ncread_place to;
     bool named;          /* a word that moves something */
     bool machine;        /* SUPA */
     bool turns;          /* rotary words */
@@ -33,6 +33,6 @@ struct siemens_block {
 };
 
 /* The words of a block into the control's modal state and *b. */
-int siemens_words(struct control *c, struct siemens_block *b, struct error *error);
+int ncread_siemens_words(struct ncread *c, struct ncread_siemens_block *b, struct error *error);
 
 #endif

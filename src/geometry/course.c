@@ -1,39 +1,9 @@
+/* course - see course.h. */
 #include "course.h"
 
-#include <stdio.h>
 #include <stdlib.h>
 
-static struct vec3 turn_x(struct vec3 v, double degrees)
-{
-    double c = cos(RADIANS(degrees)), s = sin(RADIANS(degrees));
-    return vec(v.x, c * v.y - s * v.z, s * v.y + c * v.z);
-}
-
-static struct vec3 turn_y(struct vec3 v, double degrees)
-{
-    double c = cos(RADIANS(degrees)), s = sin(RADIANS(degrees));
-    return vec(c * v.x + s * v.z, v.y, c * v.z - s * v.x);
-}
-
-static struct vec3 turn_z(struct vec3 v, double degrees)
-{
-    double c = cos(RADIANS(degrees)), s = sin(RADIANS(degrees));
-    return vec(c * v.x - s * v.y, s * v.x + c * v.y, v.z);
-}
-
-struct vec3 rotary_axis(enum rotary rotary, double master, double slave)
-{
-    double m = RADIANS(master), c = RADIANS(slave);
-    if (rotary == ROTARY_AC)
-        return vec(sin(c) * sin(m), -cos(c) * sin(m), cos(m));
-    return vec(sin(m) * cos(c), sin(m) * sin(c), cos(m));
-}
-
-struct vec3 rotary_work(enum rotary rotary, double master, double slave, struct vec3 machine)
-{
-    struct vec3 v = rotary == ROTARY_AC ? turn_x(machine, master) : turn_y(machine, master);
-    return turn_z(v, slave);
-}
+#include "array.h"
 
 void course_free(struct course *m)
 {
@@ -44,11 +14,13 @@ void course_free(struct course *m)
         free(m->spline.item[i].weight);
     }
     array_free(&m->spline);
+    array_free(&m->arc);
+    array_free(&m->cubic);
     array_free(&m->piece);
 }
 
 /* Last knot index whose span holds u. */
-static size_t span_of(const struct nurbs *b, double u)
+static size_t span_of(const struct course_spline *b, double u)
 {
     size_t i = b->n - 1;
     while (i > (size_t)b->order - 1 && b->knot[i] > u)
@@ -59,7 +31,8 @@ static size_t span_of(const struct nurbs *b, double u)
 }
 
 /* Both channels at u of the span that begins at knot `span`: de Boor's scheme on weighted poles. */
-static void spline_at(const struct nurbs *b, size_t span, double u, struct vec3 *p, struct vec3 *q)
+static void spline_at(const struct course_spline *b, size_t span, double u, struct vec3 *p,
+                      struct vec3 *q)
 {
     struct vec3 dp[16], dq[16];
     double w[16];
@@ -82,16 +55,16 @@ static void spline_at(const struct nurbs *b, size_t span, double u, struct vec3 
         *q = vec_scale(1 / w[k - 1], dq[k - 1]);
 }
 
-static struct vec3 arc_at(const struct piece *piece, double s)
+static struct vec3 arc_at(const struct course_arc *arc, const struct piece *piece, double s)
 {
-    struct vec3 from = vec_sub(piece->p[0], piece->centre), to = vec_sub(piece->p[1], piece->centre);
-    double rise0 = vec_dot(from, piece->normal), rise1 = vec_dot(to, piece->normal);
-    struct vec3 r0 = vec_reject(from, piece->normal);
-    double l0 = vec_length(r0), l1 = vec_length(vec_reject(to, piece->normal));
-    double c = cos(s * piece->angle), w = sin(s * piece->angle);
-    struct vec3 r = vec_add(vec_scale(c, r0), vec_scale(w, vec_cross(piece->normal, r0)));
+    struct vec3 from = vec_sub(piece->p[0], arc->centre), to = vec_sub(piece->p[1], arc->centre);
+    double rise0 = vec_dot(from, arc->normal), rise1 = vec_dot(to, arc->normal);
+    struct vec3 r0 = vec_reject(from, arc->normal);
+    double l0 = vec_length(r0), l1 = vec_length(vec_reject(to, arc->normal));
+    double c = cos(s * arc->angle), w = sin(s * arc->angle);
+    struct vec3 r = vec_add(vec_scale(c, r0), vec_scale(w, vec_cross(arc->normal, r0)));
     r = vec_scale((l0 + s * (l1 - l0)) / l0, r);
-    return vec_along(vec_add(piece->centre, r), rise0 + s * (rise1 - rise0), piece->normal);
+    return vec_along(vec_add(arc->centre, r), rise0 + s * (rise1 - rise0), arc->normal);
 }
 
 static struct vec3 cubic_at(struct vec3 from, const struct vec3 c[3], double s)
@@ -107,33 +80,35 @@ static struct vec3 great_circle(struct vec3 a, struct vec3 b, double s)
     return vec_add(vec_scale(cos(s * angle), a), vec_scale(sin(s * angle), side));
 }
 
-struct pose course_at(const struct course *m, const struct piece *piece, double s)
+struct course_pose course_at(const struct course *m, const struct piece *piece, double s)
 {
     struct vec3 p = vec_mix(piece->p[0], piece->p[1], s);
     struct vec3 q = vec_mix(piece->q[0], piece->q[1], s);
     if (piece->swing == SWING_GREAT)
         q = great_circle(piece->q[0], piece->q[1], s);
     if (piece->shape == SHAPE_ARC) {
-        p = arc_at(piece, s);
+        p = arc_at(&m->arc.item[piece->index], piece, s);
     } else if (piece->shape == SHAPE_CUBIC) {
-        p = cubic_at(piece->p[0], piece->pc, s);
-        if (piece->q_cubic)
-            q = cubic_at(piece->q[0], piece->qc, s);
+        const struct course_cubic *cubic = &m->cubic.item[piece->index];
+        p = cubic_at(piece->p[0], cubic->p, s);
+        if (cubic->swings)
+            q = cubic_at(piece->q[0], cubic->q, s);
     } else if (piece->shape == SHAPE_SPLINE) {
-        const struct nurbs *b = &m->spline.item[piece->spline];
+        const struct course_spline *b = &m->spline.item[piece->index];
         double middle = (piece->u[0] + piece->u[1]) / 2;
         spline_at(b, span_of(b, middle), piece->u[0] + s * (piece->u[1] - piece->u[0]), &p, &q);
     }
     if (piece->swing == SWING_GREAT)
-        return (struct pose){p, q};
+        return (struct course_pose){p, q};
     if (piece->swing == SWING_HEAD)
-        return (struct pose){p, vec_unit(vec_sub(q, p))};
+        return (struct course_pose){p, vec_unit(vec_sub(q, p))};
+    const double turn[RIG_AXES] = {q.x, q.y};
     if (piece->table)
-        p = rotary_work(m->rotary, q.x, q.y, p);
-    return (struct pose){p, rotary_axis(m->rotary, q.x, q.y)};
+        p = rig_tip(&m->rig, p, turn);
+    return (struct course_pose){p, rig_axis_at(&m->rig, turn)};
 }
 
-void course_add_spline(struct course *m, struct nurbs spline, const struct piece *as)
+void course_add_spline(struct course *m, struct course_spline spline, const struct piece *as)
 {
     *array_push(&m->spline) = spline;
     m->curves++;
@@ -144,17 +119,9 @@ void course_add_spline(struct course *m, struct nurbs spline, const struct piece
         struct piece *piece = array_push(&m->piece);
         *piece = *as;
         piece->shape = SHAPE_SPLINE;
-        piece->spline = m->spline.n - 1;
+        piece->index = m->spline.n - 1;
         piece->u[0] = spline.knot[i];
         piece->u[1] = spline.knot[i + 1];
         piece->touches = as->touches && i + 1 == spline.n;
     }
-}
-
-void course_place(const struct piece *piece, char *text, size_t size)
-{
-    if (piece->block >= 0)
-        snprintf(text, size, "N%ld (line %zu)", piece->block, piece->line);
-    else
-        snprintf(text, size, "line %zu", piece->line);
 }

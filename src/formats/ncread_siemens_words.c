@@ -1,21 +1,20 @@
-/* siemens_words - see siemens.h. */
-#include "siemens.h"
+/* ncread_siemens_words - see siemens.h. */
+#include "ncread_siemens.h"
 
 #include <string.h>
 
 /* Names that do not change where the tool goes. */
-static const char *const known_names[] = {"ORIWKS", "ORIMKS", "SOFT",   "BRISK",  "FFWON",
-                                          "FFWOF",  "COMPOF", "UPATH",  "SPATH",  "STOPRE",
-                                          "BNAT",   "ENAT",   "BTAN",   "ETAN",   "G642",
-                                          "CFC",    "CFTCP",  "CFIN"};
+static const char *const known_names[] = {"ORIWKS", "ORIMKS", "SOFT",  "BRISK",  "FFWON", "FFWOF",
+                                          "COMPOF", "UPATH",  "SPATH", "STOPRE", "BNAT",  "ENAT",
+                                          "BTAN",   "ETAN",   "G642",  "CFC",    "CFTCP", "CFIN"};
 
 /* G words that do not change where the tool goes: compensation off, frames, path control. */
 static const int no_effect[] = {40, 54, 55, 56, 57, 60, 64, 641, 642, 645};
 
-static int g_word(struct control *c, const struct word *w, struct error *error)
+static int g_word(struct ncread *c, const struct ncread_word *w, struct error *error)
 {
     if (w->value[0] != floor(w->value[0]))
-        return control_unknown(c, w, error);
+        return ncread_unknown(c, w, error);
     int code = (int)w->value[0];
     switch (code) {
     case 0:
@@ -45,11 +44,12 @@ static int g_word(struct control *c, const struct word *w, struct error *error)
         for (size_t i = 0; i < sizeof no_effect / sizeof *no_effect; i++)
             if (code == no_effect[i])
                 return 0;
-        return control_unknown(c, w, error);
+        return ncread_unknown(c, w, error);
     }
 }
 
-static int name_word(struct control *c, const struct word *w, struct siemens_block *b, struct error *error)
+static int name_word(struct ncread *c, const struct ncread_word *w, struct ncread_siemens_block *b,
+                     struct error *error)
 {
     if (strcmp(w->name, "CIP") == 0) {
         c->move = MOVE_CIP;
@@ -59,7 +59,7 @@ static int name_word(struct control *c, const struct word *w, struct siemens_blo
         c->move = MOVE_BSPLINE;
     } else if (strcmp(w->name, "TRAORI") == 0) {
         if (!c->setup->tcp)
-            return control_error(c, error, "TRAORI on a machine without it");
+            return ncread_error(c, error, "TRAORI on a machine without it");
         c->tcp = true;
         memset(b->to.known, 0, sizeof b->to.known);
         c->here = b->to;
@@ -81,18 +81,18 @@ static int name_word(struct control *c, const struct word *w, struct siemens_blo
         for (size_t i = 0; i < sizeof known_names / sizeof *known_names; i++)
             if (strcmp(w->name, known_names[i]) == 0)
                 return 0;
-        return control_unknown(c, w, error);
+        return ncread_unknown(c, w, error);
     }
     return 0;
 }
 
-static int polynomial(const struct control *c, const struct word *w, struct siemens_block *b,
-                      struct error *error)
+static int polynomial(const struct ncread *c, const struct ncread_word *w,
+                      struct ncread_siemens_block *b, struct error *error)
 {
     char axis = w->name[3];
     bool head = w->name[4] == 'H';
     if (axis < 'X' || axis > 'Z' || strcmp(w->name + 4 + head, "]") != 0 || w->values > 3)
-        return control_unknown(c, w, error);
+        return ncread_unknown(c, w, error);
     struct polynomial *p = head ? &b->second[axis - 'X'] : &b->tip[axis - 'X'];
     p->named = true;
     for (int i = 0; i < w->values; i++)
@@ -109,16 +109,17 @@ static int polynomial(const struct control *c, const struct word *w, struct siem
 }
 
 /* NAME=value */
-static int set_word(struct control *c, const struct word *w, struct siemens_block *b, struct error *error)
+static int set_word(struct ncread *c, const struct ncread_word *w, struct ncread_siemens_block *b,
+                    struct error *error)
 {
     const char *name = w->name;
     double value = w->value[0];
     if (w->values == 0) /* T="BALL" */
-        return strcmp(name, "T") == 0 ? 0 : control_unknown(c, w, error);
+        return strcmp(name, "T") == 0 ? 0 : ncread_unknown(c, w, error);
     if (strncmp(name, "PO[", 3) == 0)
         return polynomial(c, w, b, error);
     if (w->values > 1)
-        return control_unknown(c, w, error);
+        return ncread_unknown(c, w, error);
     if (strlen(name) == 2 && name[0] >= 'A' && name[0] <= 'C' && name[1] == '3') {
         b->vector[name[0] - 'A'] = value;
         b->vector_n++;
@@ -129,7 +130,7 @@ static int set_word(struct control *c, const struct word *w, struct siemens_bloc
         b->named = true;
     } else if (strlen(name) == 2 && name[0] >= 'I' && name[0] <= 'K' && name[1] == '1') {
         if (!w->absolute)
-            return control_error(c, error, "an intermediate point without AC()");
+            return ncread_error(c, error, "an intermediate point without AC()");
         b->middle[name[0] - 'I'] = value;
         b->middle_n++;
     } else if (strcmp(name, "PL") == 0) {
@@ -139,19 +140,20 @@ static int set_word(struct control *c, const struct word *w, struct siemens_bloc
     } else if (strcmp(name, "CR") == 0) {
         b->radius = value;
         b->radius_named = true;
-    } else if (control_axis(c, name, value, &b->to)) {
+    } else if (ncread_axis(c, name, value, &b->to)) {
         b->named = true;
         b->turns = b->turns || *name < 'X';
     } else if (strcmp(name, "S") != 0 && strcmp(name, "D") != 0) {
-        return control_unknown(c, w, error);
+        return ncread_unknown(c, w, error);
     }
     return 0;
 }
 
-static int address(struct control *c, const struct word *w, struct siemens_block *b, struct error *error)
+static int address(struct ncread *c, const struct ncread_word *w, struct ncread_siemens_block *b,
+                   struct error *error)
 {
     double value = w->value[0], *centre;
-    if (control_axis(c, w->name, value, &b->to)) {
+    if (ncread_axis(c, w->name, value, &b->to)) {
         b->named = true;
         b->turns = b->turns || *w->name < 'X';
         return 0;
@@ -160,7 +162,7 @@ static int address(struct control *c, const struct word *w, struct siemens_block
     case 'G':
         return g_word(c, w, error);
     case 'M':
-        return control_m(c, w, error);
+        return ncread_m(c, w, error);
     case 'F':
         c->feed = value;
         c->feed_here = true;
@@ -178,17 +180,17 @@ static int address(struct control *c, const struct word *w, struct siemens_block
     case 'D':
         return 0;
     default:
-        return control_unknown(c, w, error);
+        return ncread_unknown(c, w, error);
     }
 }
 
-int siemens_words(struct control *c, struct siemens_block *b, struct error *error)
+int ncread_siemens_words(struct ncread *c, struct ncread_siemens_block *b, struct error *error)
 {
     for (size_t i = 0; i < c->words.n; i++) {
-        const struct word *w = &c->words.item[i];
+        const struct ncread_word *w = &c->words.item[i];
         for (size_t k = 0; k < i; k++)
             if (strcmp(w->name, c->words.item[k].name) == 0 && !strchr("GM", w->name[0]))
-                return control_error(c, error, "a word twice in one block");
+                return ncread_error(c, error, "a word twice in one block");
         int result = 0;
         if (w->kind == WORD_NAME)
             result = name_word(c, w, b, error);
@@ -198,7 +200,7 @@ int siemens_words(struct control *c, struct siemens_block *b, struct error *erro
             result = address(c, w, b, error);
         else if (strcmp(w->name, "CYCLE832") && strcmp(w->name, "FGROUP") &&
                  strcmp(w->name, "MSG") && strcmp(w->name, "TRAORI"))
-            result = control_unknown(c, w, error);
+            result = ncread_unknown(c, w, error);
         if (result < 0)
             return -1;
     }

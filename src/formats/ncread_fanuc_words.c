@@ -1,14 +1,15 @@
-/* fanuc_words - see fanuc.h. */
-#include "fanuc.h"
+/* ncread_fanuc_words - see fanuc.h. */
+#include "ncread_fanuc.h"
 
 #include <string.h>
 
-static int g_tool(struct control *c, const struct word *w, struct fanuc_block *b, struct error *error)
+static int g_tool(struct ncread *c, const struct ncread_word *w, struct ncread_fanuc_block *b,
+                  struct error *error)
 {
     if (!c->setup->tcp)
-        return control_error(c, error, "tool centre point control on a machine without it");
-    if (!word_find(&c->words, "H"))
-        return control_error(c, error, "tool centre point control without H");
+        return ncread_error(c, error, "tool centre point control on a machine without it");
+    if (!ncread_word_find(&c->words, "H"))
+        return ncread_error(c, error, "tool centre point control without H");
     c->tcp = b->tool = true;
     c->vectors = w->value[0] > 43.45;
     memset(b->to.known, 0, sizeof b->to.known);
@@ -21,7 +22,8 @@ static int g_tool(struct control *c, const struct word *w, struct fanuc_block *b
 static const int no_effect[] = {51, 400, 430, 540, 550, 560, 570, 580, 590, 640, 690, 800};
 
 /* Modal and other G words, before the addresses are looked at. */
-static int g_word(struct control *c, const struct word *w, struct fanuc_block *b, struct error *error)
+static int g_word(struct ncread *c, const struct ncread_word *w, struct ncread_fanuc_block *b,
+                  struct error *error)
 {
     int code = (int)lround(w->value[0] * 10);
     switch (code) {
@@ -67,17 +69,18 @@ static int g_word(struct control *c, const struct word *w, struct fanuc_block *b
         for (size_t i = 0; i < sizeof no_effect / sizeof *no_effect; i++)
             if (code == no_effect[i])
                 return 0;
-        return control_unknown(c, w, error);
+        return ncread_unknown(c, w, error);
     }
 }
 
 /* All other words. */
-static int address(struct control *c, const struct word *w, struct fanuc_block *b, struct error *error)
+static int address(struct ncread *c, const struct ncread_word *w, struct ncread_fanuc_block *b,
+                   struct error *error)
 {
     char letter = w->name[0];
     if (strchr("XYZABCIJKRF", letter) && !w->pointed)
-        return control_error(c, error, "a length, angle or feed without a decimal point");
-    if (control_axis(c, w->name, w->value[0], &b->to)) {
+        return ncread_error(c, error, "a length, angle or feed without a decimal point");
+    if (ncread_axis(c, w->name, w->value[0], &b->to)) {
         b->named = true;
     } else if (letter >= 'I' && letter <= 'K') {
         b->centre[letter - 'I'] = w->value[0];
@@ -91,33 +94,33 @@ static int address(struct control *c, const struct word *w, struct fanuc_block *
     } else if (letter == 'P' && c->move == MOVE_SPLINE) {
         c->order = (int)w->value[0];
         if (c->order < 2 || c->order > 4)
-            return control_error(c, error, "a spline whose order is not 2 to 4");
+            return ncread_error(c, error, "a spline whose order is not 2 to 4");
     } else if (!strchr("STHDPQ", letter)) {
-        return control_unknown(c, w, error);
+        return ncread_unknown(c, w, error);
     }
     return 0;
 }
 
-int fanuc_words(struct control *c, struct fanuc_block *b, struct error *error)
+int ncread_fanuc_words(struct ncread *c, struct ncread_fanuc_block *b, struct error *error)
 {
     unsigned seen = 0;
     for (size_t i = 0; i < c->words.n; i++) {
-        const struct word *w = &c->words.item[i];
+        const struct ncread_word *w = &c->words.item[i];
         unsigned bit = 1u << (w->name[0] - 'A');
         if (w->name[0] == 'N' && i > 0)
-            return control_error(c, error, "N behind other words");
-        if (w->name[0] == 'G' ? g_word(c, w, b, error) < 0
-            : w->name[0] == 'M' ? control_m(c, w, error) < 0 : false)
+            return ncread_error(c, error, "N behind other words");
+        if (w->name[0] == 'G'   ? g_word(c, w, b, error) < 0
+            : w->name[0] == 'M' ? ncread_m(c, w, error) < 0
+                                : false)
             return -1;
         if (strchr("GM", w->name[0]))
             continue;
         if (seen & bit)
-            return control_error(c, error, "a word twice in one block");
+            return ncread_error(c, error, "a word twice in one block");
         seen |= bit;
     }
     for (size_t i = 0; i < c->words.n; i++)
-        if (!strchr("GMN", c->words.item[i].name[0]) &&
-            address(c, &c->words.item[i], b, error) < 0)
+        if (!strchr("GMN", c->words.item[i].name[0]) && address(c, &c->words.item[i], b, error) < 0)
             return -1;
     return 0;
 }
