@@ -5,7 +5,8 @@
  * comment).  It is a major word and, behind a slash, words and numbers with commas between.  $$
  * starts a comment; a line that starts with $$ is a statement of its own, for some systems (this
  * one too) carry data in it: `$$-> PASS/3`.  The text behind PARTNO, PPRINT, INSERT, TPRINT and
- * REMARK is raw.  Upper and lower case are the same.
+ * REMARK is raw.  Upper and lower case are the same.  A label in front (`N30 ,GOTO/...`) is passed
+ * over; numbers alone are a statement without a word.
  */
 #ifndef CLOUDMILL_APT_H
 #define CLOUDMILL_APT_H

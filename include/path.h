@@ -20,6 +20,8 @@ enum path_kind {
     PATH_POINT,  /* straight to a pose (GOTO) */
     PATH_ARC,    /* on an arc to a pose (CIRCLE, GOTO) */
     PATH_SPLINE, /* on a B-spline to a pose (MOVNRB/ON ... MOVNRB/OFF) */
+    PATH_HOLE,   /* a hole of a drilling cycle at a pose (GOTO behind CYCLE) */
+    PATH_TOOL,   /* another tool than before (LOADTL) */
     PATH_PASS,   /* a pass begins ($$-> PASS/number) */
     PATH_FEED,   /* from here on this feed (FEDRAT) */
     PATH_TEXT    /* a statement that is carried along as it is */
@@ -30,14 +32,16 @@ struct path_item {
     bool rapid;             /* POINT: at the machine's rapid */
     bool touches;           /* POINT, ARC, SPLINE: `contact` was given for where it ends */
     unsigned line;          /* of the input, 0: made here */
-    size_t index;           /* ARC, SPLINE, TEXT: element of path.arc, .spline, .text; PASS: number */
+    size_t index;           /* ARC, SPLINE, HOLE, TOOL, TEXT: element of path.arc, .spline, .cycle,
+                               .tool, .text; PASS: number */
     double feed;            /* FEED: mm/min */
-    struct pose to;         /* POINT, ARC, SPLINE */
+    struct pose to;         /* POINT, ARC, SPLINE; HOLE: its mouth and the axis out of it */
     struct contact contact; /* at `to` */
 };
 
 /* An arc about `axis` by the right-hand rule, from the pose before; start = end: a full circle.
- * The tool axis turns on the great circle, in proportion to the angle. */
+ * An end at another height along `axis` makes it a helix of less than a turn.  The tool axis turns
+ * on the great circle, in proportion to the angle. */
 struct path_arc {
     struct vec3 centre, axis;
     double radius;
@@ -46,6 +50,31 @@ struct path_arc {
 struct path_spline {
     struct bspline curve;
     struct poses fallback; /* the same motion in straight pieces, without its start */
+};
+
+enum path_cycle_kind {
+    CYCLE_DRILL, /* down at feed, out at rapid */
+    CYCLE_DEEP,  /* in steps, out of the hole behind each */
+    CYCLE_BREAK, /* in steps, a little back behind each, to break the chip */
+    CYCLE_TAP,   /* down at feed, the spindle turns back, out at feed */
+    CYCLE_BORE   /* down and out at feed: boring, reaming */
+};
+
+/* A drilling cycle.  Heights are against the mouth of the hole, along the tool axis, mm. */
+struct path_cycle {
+    enum path_cycle_kind kind;
+    double depth;      /* of the bottom below the mouth, above 0 */
+    double clear;      /* the feed begins so far above it */
+    double retract;    /* and the tool leaves it so far above, no less than clear */
+    double step, next; /* DEEP, BREAK: the first step and each that follows; 0: all at once */
+    double dwell;      /* at the bottom, seconds */
+    double feed;       /* mm/min, 0: the one in force */
+};
+
+struct path_tool {
+    int number;       /* 0: none was given */
+    double cutter[7]; /* as in path_head */
+    int cutter_n;
 };
 
 /* What a stage spent of the tolerance, mm ($$-> LEDGER/stage,spent). */
@@ -73,20 +102,24 @@ struct path_head {
 };
 
 struct path {
-    const char *name; /* of the file, for messages */
-    struct path_head head;
+    const char *name;   /* of the file, for messages */
+    const char *system; /* that wrote it, "NX", as its words show; NULL: this suite or not known */
+    struct path_head head; /* with its first tool */
     struct { size_t n, cap; struct path_item *item; } item;
     struct { size_t n, cap; struct path_arc *item; } arc;
     struct { size_t n, cap; struct path_spline *item; } spline;
+    struct { size_t n, cap; struct path_cycle *item; } cycle;
+    struct { size_t n, cap; struct path_tool *item; } tool;
+    size_t tools_numbered; /* tools without a number that were given one here, in their order */
     struct { size_t n, cap; char **item; } text;
     struct { size_t n, cap; struct path_unknown { char *word; size_t times; unsigned line; } *item; }
         unknown; /* post-processor words that nobody here knows, for one warning each */
 };
 
 /*
- * Reads a whole path (NULL or "-": standard input) up to FINI.  Without FINI, with an unknown
- * geometry word, a number that is not finite, an axis of no length, an arc whose ends are off its
- * circle by more than 0.01 mm: -1.
+ * Reads a whole path (NULL or "-": standard input) up to FINI, from this suite or from a CAM system
+ * (cl_dialect.h).  Without its end, with an unknown geometry word, a number that is not finite, an
+ * axis of no length, an arc whose ends are off its circle by more than 0.01 mm: -1.
  */
 int path_read(const char *file, struct path *path, struct error *error);
 
@@ -111,12 +144,20 @@ double path_ball(const struct path *path);
 struct path_item *path_add_point(struct path *path, struct pose to, bool rapid);
 struct path_item *path_add_arc(struct path *path, struct pose to, struct path_arc arc);
 struct path_item *path_add_spline(struct path *path, struct pose to, struct path_spline spline);
+void path_add_hole(struct path *path, struct pose mouth, size_t cycle);
+void path_add_tool(struct path *path, struct path_tool tool);
 void path_add_pass(struct path *path, size_t number);
 void path_add_feed(struct path *path, double feed);
 void path_add_text(struct path *path, const char *text);
 
 /* Appends items [from, to) of another path, unchanged (deep copies of what they point at). */
 void path_add_items(struct path *path, const struct path *other, size_t from, size_t to);
+
+/*
+ * Holes of drilling cycles become the straight motions that they stand for: at rapid above the
+ * mouth, down to `clear`, at feed to the bottom (in steps), out to `retract`.
+ */
+void path_drill(struct path *path);
 
 /*
  * The cutting runs of a path, for fitters: the first run at or after item *from as [*from, *to).

@@ -107,6 +107,7 @@ static void read_path(const struct settings *s, const char *file, struct path *p
     struct error error;
     if (path_read(file, path, &error) != 0 || nc_check_statements(path, &error) != 0)
         die_error(&error);
+    path_drill(path);
     for (size_t i = 0; i < path->unknown.n; i++) {
         const struct path_unknown *u = &path->unknown.item[i];
         if (s->strict)

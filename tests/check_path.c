@@ -125,7 +125,7 @@ static const struct {
     {"GOTO/1,0,0\nCIRCLE/0,0,0,0,0,1,-1\nGOTO/0,1,0\nFINI\n", "radius -1"},
     {"GOTO/1,0,0\nCIRCLE/0,0,0,0,0,0,1\nGOTO/0,1,0\nFINI\n", "length zero"},
     {"GOTO/1,0,0\nCIRCLE/0,0,0,0,0,1,1\nGOTO/0,1.1,0\nFINI\n", "end of a CIRCLE 1.1000 mm"},
-    {"GOTO/1,0,0\nCIRCLE/0,0,0,0,0,1,1\nGOTO/0,1,0.1\nFINI\n", "off its plane"},
+    {"GOTO/1,0,0\nCIRCLE/0,0,0.1,0,0,1,1\nGOTO/0,1,0\nFINI\n", "0.1000 mm off its plane"},
     {"GOTO/1,0,0\nSPLINE/1,2,3\nFINI\n", "geometry word SPLINE"},
     {"L1 = LINE/1,2,3\nFINI\n", "geometry word"},
     {"FEDRAT/MMPM,0\nFINI\n", "feed of 0"},

@@ -39,6 +39,32 @@ static bool is_raw(const char *s)
     return false;
 }
 
+/* Behind a label: `N30 ,GOTO/...` of NCL, `100) GOTO/...` of APT. */
+static char *behind_label(char *s)
+{
+    char *p = s + (toupper((unsigned char)*s) == 'N');
+    size_t digits = strspn(p, "0123456789");
+    p += digits;
+    if (digits && p == s + digits && *p == ')')
+        return p + 1 + strspn(p + 1, " \t");
+    p += strspn(p, " \t");
+    if (!digits || s == p || toupper((unsigned char)*s) != 'N' || *p != ',')
+        return s;
+    return p + 1 + strspn(p + 1, " \t");
+}
+
+/* Numbers alone, without a word. */
+static bool is_bare(const char *s)
+{
+    bool digit = false;
+    for (; *s; s++) {
+        digit = digit || isdigit((unsigned char)*s);
+        if (!strchr("0123456789+-.,EDed \t", *s))
+            return false;
+    }
+    return digit;
+}
+
 static int expect_text(const struct reader *r, const char *line, size_t n, struct error *error)
 {
     for (size_t i = 0; i < n; i++) {
@@ -99,6 +125,7 @@ static int join(struct reader *r, struct apt *apt, struct error *error)
             s++;
         if (first) {
             apt->line = (unsigned)r->line;
+            s = behind_label(s);
             apt->comment = s[0] == '$' && s[1] == '$';
             first = false;
         }
@@ -119,13 +146,14 @@ static int join(struct reader *r, struct apt *apt, struct error *error)
 static void split(struct apt *apt, char *s)
 {
     char *slash = strchr(s, '/');
+    bool bare = !slash && is_bare(s);
     apt->slash = slash != NULL;
     if (slash)
         *slash = '\0';
-    apt->word = trim(s);
-    if (!slash)
+    apt->word = bare ? "" : trim(s);
+    if (!slash && !bare)
         return;
-    char *p = trim(slash + 1);
+    char *p = trim(bare ? s : slash + 1);
     while (*p) {
         char *comma = strchr(p, ',');
         if (comma)

@@ -146,16 +146,10 @@ int nc_check_statements(const struct path *path, struct error *error)
 {
     for (size_t i = 0; i < path->item.n; i++) {
         const struct path_item *item = &path->item.item[i];
-        const char *rest;
-        double tool;
-        if (item->kind != PATH_TEXT)
-            continue;
-        const char *text = path->text.item[item->index];
-        if ((is_word(text, "LOADTL", &rest) || is_word(text, "TLCHG", &rest)) &&
-            num_read(&rest, &tool) && tool != path->head.tool)
+        if (item->kind == PATH_TOOL)
             return error_at(error, path->name, item->line,
-                            "found a second tool, %g after %d: expected one tool in a path", tool,
-                            path->head.tool);
+                            "found a second tool, %d after %d: expected one tool in a path",
+                            path->tool.item[item->index].number, path->head.tool);
     }
     return 0;
 }

@@ -117,6 +117,8 @@ static int plan_item(struct nc_step *step, const struct path_item *item)
         return item->rapid ? nc_step_rapid(step, item->to) : cut(step, item);
     case PATH_ARC:
     case PATH_SPLINE:
+    case PATH_HOLE: /* path_drill has made motions of them */
+    case PATH_TOOL: /* and nc_check_statements refused them */
         break;
     }
     return cut(step, item);

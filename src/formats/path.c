@@ -27,6 +27,8 @@ void path_free(struct path *path)
     array_free(&path->item);
     array_free(&path->arc);
     array_free(&path->spline);
+    array_free(&path->cycle);
+    array_free(&path->tool);
     array_free(&path->text);
     array_free(&path->unknown);
     memset(path, 0, sizeof *path);
@@ -95,6 +97,19 @@ struct path_item *path_add_spline(struct path *path, struct pose to, struct path
     return item;
 }
 
+void path_add_hole(struct path *path, struct pose mouth, size_t cycle)
+{
+    struct path_item *item = add(path, PATH_HOLE);
+    item->to = mouth;
+    item->index = cycle;
+}
+
+void path_add_tool(struct path *path, struct path_tool tool)
+{
+    add(path, PATH_TOOL)->index = path->tool.n;
+    *array_push(&path->tool) = tool;
+}
+
 void path_add_pass(struct path *path, size_t number)
 {
     add(path, PATH_PASS)->index = number;
@@ -133,6 +148,14 @@ void path_add_items(struct path *path, const struct path *other, size_t from, si
         } else if (was->kind == PATH_SPLINE) {
             item->index = path->spline.n;
             *array_push(&path->spline) = copy_spline(&other->spline.item[was->index]);
+        } else if (was->kind == PATH_HOLE) {
+            bool same = i > from && was[-1].kind == PATH_HOLE && was[-1].index == was->index;
+            if (!same)
+                *array_push(&path->cycle) = other->cycle.item[was->index];
+            item->index = path->cycle.n - 1;
+        } else if (was->kind == PATH_TOOL) {
+            item->index = path->tool.n;
+            *array_push(&path->tool) = other->tool.item[was->index];
         } else if (was->kind == PATH_TEXT) {
             item->index = path->text.n;
             *array_push(&path->text) = copy_text(other->text.item[was->index]);

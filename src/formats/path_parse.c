@@ -5,6 +5,10 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "cl_dialect.h"
+#include "path_feed.h"
+#include "path_tool.h"
+
 #define AT(p) (p)->error, (p)->path->name, (p)->apt.line
 
 int path_numbers(struct path_parse *p, size_t from, size_t n, double *value, const char *what)
@@ -12,9 +16,31 @@ int path_numbers(struct path_parse *p, size_t from, size_t n, double *value, con
     return apt_numbers(&p->apt, p->path->name, from, n, value, what, p->error);
 }
 
-struct vec3 path_length_of(const struct path_parse *p, const double *v)
+/* A vector in the frame of the statements, told in the first one. */
+static struct vec3 turned(const struct path_parse *p, struct vec3 v)
 {
-    return vec_scale(p->unit, vec(v[0], v[1], v[2]));
+    const struct frame *f = &p->frame, *g = &p->first;
+    struct vec3 z = vec_cross(f->x, f->y);
+    struct vec3 w = vec_along(vec_along(vec_scale(v.x, f->x), v.y, f->y), v.z, z);
+    return vec(vec_dot(w, g->x), vec_dot(w, g->y), vec_dot(w, vec_cross(g->x, g->y)));
+}
+
+struct vec3 path_way_of(const struct path_parse *p, const double *v)
+{
+    struct vec3 way = vec_scale(p->unit, vec(v[0], v[1], v[2]));
+    return p->framed ? turned(p, way) : way;
+}
+
+struct vec3 path_point_of(const struct path_parse *p, const double *v)
+{
+    struct vec3 at = path_way_of(p, v);
+    if (p->framed) {
+        struct vec3 d = vec_sub(p->frame.origin, p->first.origin);
+        const struct frame *g = &p->first;
+        at =
+            vec_add(at, vec(vec_dot(d, g->x), vec_dot(d, g->y), vec_dot(d, vec_cross(g->x, g->y))));
+    }
+    return vec_add(at, p->shift);
 }
 
 /* A direction: unit length when it is that but for its printed digits, made so when it is not. */
@@ -25,6 +51,8 @@ int path_direction(struct path_parse *p, const double *v, const char *what, stru
     if (!(l > 1e-9) || !isfinite(l))
         return error_at(AT(p), "found %s of length zero, expected a unit vector", what);
     *unit = fabs(l - 1) <= 2e-9 ? a : vec_unit(a);
+    if (p->framed)
+        *unit = turned(p, *unit);
     return 0;
 }
 
@@ -55,58 +83,10 @@ static int read_units(struct path_parse *p)
 
 static int read_multax(struct path_parse *p)
 {
-    p->path->head.multax = !apt_is(&p->apt, 0, "OFF");
-    return 0;
-}
-
-/* CUTTER/d, r, e, f, alpha, beta, h: as many as are there; the angles have no unit of length. */
-static int read_cutter(struct path_parse *p)
-{
-    struct path_head *head = &p->path->head;
-    size_t n = p->apt.argument.n < 7 ? p->apt.argument.n : 7;
-    if (head->cutter_n || p->apt.comment) {
-        path_add_text(p->path, p->apt.raw);
-        return 0;
-    }
-    double v[7];
-    if (path_numbers(p, 0, n, v, "diameter, corner radius, e, f, alpha, beta, height") < 0)
-        return -1;
-    for (size_t i = 0; i < n; i++)
-        head->cutter[i] = i == 4 || i == 5 ? v[i] : p->unit * v[i];
-    head->cutter_n = (int)n;
-    return 0;
-}
-
-static int read_tool(struct path_parse *p)
-{
-    double n;
-    if (p->path->head.tool || !p->apt.argument.n || !p->apt.argument.item[0].is_number) {
-        path_add_text(p->path, p->apt.raw);
-        return 0;
-    }
-    if (path_numbers(p, 0, 1, &n, "tool number") < 0)
-        return -1;
-    if (n < 0 || n > 99999999 || n != floor(n))
-        return error_at(AT(p), "found tool number %g, expected a whole number", n);
-    p->path->head.tool = (int)n;
-    return 0;
-}
-
-/* SPINDL/RPM,8000,CLW or SPINDL/8000,RPM,CLW in the head; later ones are carried along. */
-static int read_spindle(struct path_parse *p)
-{
-    struct path_head *head = &p->path->head;
-    double rpm = 0;
-    for (size_t i = 0; i < p->apt.argument.n; i++)
-        if (p->apt.argument.item[i].is_number)
-            rpm = p->apt.argument.item[i].number;
-    if (head->spindle > 0 || rpm <= 0) {
-        path_add_text(p->path, p->apt.raw);
-        return 0;
-    }
-    head->spindle = rpm;
-    for (size_t i = 0; i < p->apt.argument.n; i++)
-        head->spindle_ccw = head->spindle_ccw || apt_is(&p->apt, i, "CCLW");
+    if (!apt_is(&p->apt, 0, "OFF"))
+        p->path->head.multax = true;
+    else
+        p->axis = vec(0, 0, 1);
     return 0;
 }
 
@@ -117,36 +97,6 @@ static int read_coolant(struct path_parse *p)
         path_add_text(p->path, p->apt.raw);
     else
         p->path->head.coolant = said;
-    return 0;
-}
-
-/* FEDRAT/MMPM,800 or /800,MMPM; IPM likewise.  Feeds by the turn become feeds by the minute. */
-static int read_feed(struct path_parse *p)
-{
-    double value = NAN, unit = p->unit;
-    for (size_t i = 0; i < p->apt.argument.n; i++) {
-        const struct apt_argument *a = &p->apt.argument.item[i];
-        if (a->is_number && isnan(value))
-            value = a->number;
-        else if (strcmp(a->text, "MMPM") == 0)
-            unit = 1;
-        else if (strcmp(a->text, "IPM") == 0)
-            unit = 25.4;
-        else if (strcmp(a->text, "MMPR") == 0)
-            unit = p->path->head.spindle;
-        else if (strcmp(a->text, "IPR") == 0)
-            unit = 25.4 * p->path->head.spindle;
-        else if (!a->is_number)
-            return error_at(AT(p),
-                            "found `%.40s` in FEDRAT, expected a number and MMPM, IPM, MMPR "
-                            "or IPR",
-                            a->text);
-    }
-    if (isnan(value))
-        return error_at(AT(p), "found no number in FEDRAT, expected a feed");
-    if (!(value * unit > 0))
-        return error_at(AT(p), "found a feed of %g in FEDRAT, expected one above 0", value * unit);
-    path_add_feed(p->path, value * unit);
     return 0;
 }
 
@@ -166,7 +116,7 @@ static int read_contact(struct path_parse *p)
     double v[6];
     if (path_numbers(p, 0, 6, v, "x, y, z and the surface normal") < 0)
         return -1;
-    p->contact.p = path_length_of(p, v);
+    p->contact.p = path_point_of(p, v);
     p->touches = true;
     return path_direction(p, v + 3, "a surface normal", &p->contact.n);
 }
@@ -210,10 +160,51 @@ static int read_clear(struct path_parse *p)
     return path_numbers(p, 0, 1, &p->path->head.clearance, "z of the clearance plane");
 }
 
-static int read_nothing(struct path_parse *p)
+int path_drop(struct path_parse *p)
 {
     (void)p;
     return 0;
+}
+
+/* This suite's own stream: no other system's words. */
+static int read_own(struct path_parse *p)
+{
+    p->sniffed = true;
+    return 0;
+}
+
+/* ORIGIN: the machine's zero in the coordinates of the stream; TRANS: what is added to them. */
+static int read_shift(struct path_parse *p, struct vec3 *shift)
+{
+    double v[3];
+    if (p->apt.argument.n != 3)
+        return error_at(AT(p), "found %zu arguments in %s, expected x, y, z", p->apt.argument.n,
+                        p->apt.word);
+    if (path_numbers(p, 0, 3, v, "x, y, z") < 0)
+        return -1;
+    *shift = vec_scale(p->unit, vec(v[0], v[1], v[2]));
+    p->shift = vec_sub(p->trans, p->origin);
+    return 0;
+}
+
+static int read_origin(struct path_parse *p)
+{
+    return read_shift(p, &p->origin);
+}
+
+static int read_trans(struct path_parse *p)
+{
+    return read_shift(p, &p->trans);
+}
+
+/* MODE/INCR, SET/MODE,INCR: coordinates that are ways. */
+static int read_mode(struct path_parse *p)
+{
+    for (size_t i = 0; i < p->apt.argument.n; i++)
+        if (strncmp(p->apt.argument.item[i].text, "INCR", 4) == 0)
+            return error_at(AT(p), "found %s with incremental coordinates, expected absolute ones",
+                            p->apt.word);
+    return path_keep_text(p);
 }
 
 int path_keep_text(struct path_parse *p)
@@ -223,16 +214,29 @@ int path_keep_text(struct path_parse *p)
 }
 
 static const struct path_row head_words[] = {
-    {"PARTNO", read_partno}, {"UNITS", read_units},    {"UNIT", read_units},
-    {"MULTAX", read_multax}, {"CUTTER", read_cutter},  {"LOADTL", read_tool},
-    {"TOOLNO", read_tool},   {"SPINDL", read_spindle}, {"COOLNT", read_coolant},
-    {"FEDRAT", read_feed},
+    {"FEDRAT", path_read_feed},
+    {"PARTNO", read_partno},
+    {"UNITS", read_units},
+    {"UNIT", read_units},
+    {"MULTAX", read_multax},
+    {"CUTTER", path_read_cutter},
+    {"LOADTL", path_read_tool},
+    {"TOOLNO", path_read_tool},
+    {"TLCHG", path_read_tool},
+    {"LOAD", path_read_load},
+    {"SPINDL", path_read_spindle},
+    {"COOLNT", read_coolant},
+    {"DELAY", path_read_delay},
+    {"ORIGIN", read_origin},
+    {"TRANS", read_trans},
+    {"MODE", read_mode},
+    {"SET", read_mode},
 };
 
 static const struct path_row comments[] = {
-    {"PASS", read_pass},         {"CONTCT", read_contact}, {"TRACK", read_track},
-    {"LEDGER", read_ledger},     {"CHORD", read_chord},    {"CLEAR", read_clear},
-    {"CLOUDMILL", read_nothing},
+    {"CONTCT", read_contact}, {"PASS", read_pass},          {"TRACK", read_track},
+    {"LEDGER", read_ledger},  {"CHORD", read_chord},        {"CLEAR", read_clear},
+    {"CLOUDMILL", read_own},  {"CUTTER", path_read_cutter},
 };
 
 const struct path_row *path_find_row(const struct path_row *rows, size_t n, const char *word)

@@ -4,6 +4,7 @@
 
 #include "num.h"
 #include "path.h"
+#include "path_cycle.h"
 
 enum { COORDINATE = 6, VECTOR = 9, LINE_MAX = 72 };
 
@@ -25,6 +26,15 @@ static void put_goto(struct out *out, struct pose pose)
     out_text(out, "\n");
 }
 
+static void put_cutter(struct out *out, const double *cutter, int n)
+{
+    for (int i = 0; i < n; i++) {
+        out_text(out, i ? "," : "CUTTER/");
+        out_num(out, cutter[i], COORDINATE);
+    }
+    out_text(out, n ? "\n" : "");
+}
+
 static void put_head(struct out *out, const struct path_head *head)
 {
     static const char *const coolant[] = {NULL, "OFF", "ON", "MIST"};
@@ -34,11 +44,7 @@ static void put_head(struct out *out, const struct path_head *head)
     out_text(out, "UNITS/MM\n");
     if (head->multax)
         out_text(out, "MULTAX/ON\n");
-    for (int i = 0; i < head->cutter_n; i++) {
-        out_text(out, i ? "," : "CUTTER/");
-        out_num(out, head->cutter[i], COORDINATE);
-    }
-    out_text(out, head->cutter_n ? "\n" : "");
+    put_cutter(out, head->cutter, head->cutter_n);
     if (head->tool)
         out_printf(out, "LOADTL/%d\n", head->tool);
     if (head->spindle > 0) {
@@ -145,6 +151,32 @@ static void put_contact(struct out *out, struct contact contact)
     out_text(out, "\n");
 }
 
+static void put_tool(struct out *out, const struct path_tool *tool)
+{
+    put_cutter(out, tool->cutter, tool->cutter_n);
+    out_printf(out, "LOADTL/%d\n", tool->number);
+}
+
+static bool is_motion(const struct path_item *item)
+{
+    return item->kind == PATH_POINT || item->kind == PATH_ARC || item->kind == PATH_SPLINE;
+}
+
+/* CYCLE before the first hole of each, CYCLE/OFF behind the last: *on is the one in force. */
+static void put_cycle(struct out *out, const struct path *path, const struct path_item *item,
+                      const struct path_cycle **on)
+{
+    const struct path_cycle *cycle =
+        item->kind == PATH_HOLE ? &path->cycle.item[item->index] : NULL;
+    if (cycle == *on || (!cycle && !is_motion(item)))
+        return;
+    char text[CYCLE_TEXT];
+    if (cycle)
+        path_cycle_text(cycle, text);
+    out_printf(out, "%s\n", cycle ? text : "CYCLE/OFF");
+    *on = cycle;
+}
+
 static void put_item(struct out *out, const struct path *path, const struct path_item *item)
 {
     if (item->touches)
@@ -161,6 +193,12 @@ static void put_item(struct out *out, const struct path *path, const struct path
         break;
     case PATH_SPLINE:
         put_spline(out, &path->spline.item[item->index]);
+        break;
+    case PATH_HOLE:
+        put_goto(out, item->to);
+        break;
+    case PATH_TOOL:
+        put_tool(out, &path->tool.item[item->index]);
         break;
     case PATH_PASS:
         out_printf(out, "$$-> PASS/%zu\n", item->index);
@@ -180,7 +218,12 @@ static void put_item(struct out *out, const struct path *path, const struct path
 void path_write(struct out *out, const struct path *path)
 {
     put_head(out, &path->head);
-    for (size_t i = 0; i < path->item.n; i++)
+    const struct path_cycle *on = NULL;
+    for (size_t i = 0; i < path->item.n; i++) {
+        put_cycle(out, path, &path->item.item[i], &on);
         put_item(out, path, &path->item.item[i]);
+    }
+    if (on)
+        out_text(out, "CYCLE/OFF\n");
     out_text(out, "FINI\n");
 }

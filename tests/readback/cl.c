@@ -71,6 +71,7 @@ int cl_read(const char *file, struct path *path, struct course *course, struct e
 {
     if (path_read(file, path, error) < 0)
         return -1;
+    path_drill(path);
     course->name = file;
     course->track = track_of(path->head.track);
     const struct pose *from = NULL;

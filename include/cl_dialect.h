@@ -1,0 +1,27 @@
+/*
+ * cl_dialect - CL files of CAM systems, known by their words (design/2-streams.md).
+ *
+ * A system is one row of the table in cl_dialect.c: how it shows, and its own words.  What they all
+ * share (GOTO, CIRCLE, CYCLE, FEDRAT...) is read the same way whatever system it is.
+ */
+#ifndef CLOUDMILL_CL_DIALECT_H
+#define CLOUDMILL_CL_DIALECT_H
+
+#include "path_parse.h"
+
+struct cl_dialect {
+    const char *name;
+    bool (*shows)(const struct apt *apt); /* the statement is this system's and no other's */
+    const struct path_row *rows;          /* its own words */
+    size_t n;
+};
+
+/* Before the first motion: finds out from this statement whose stream it is, if it shows. */
+void cl_sniff(struct path_parse *p);
+
+/* Ends a NURBS of NX when the statement is none of its parts: 0, or -1. */
+int cl_nurbs_end(struct path_parse *p);
+
+extern const struct cl_dialect cl_creo, cl_nx, cl_catia, cl_solidworks, cl_makino;
+
+#endif

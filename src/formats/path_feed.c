@@ -1,0 +1,139 @@
+/* path_feed - see path_feed.h. */
+#include "path_feed.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "num.h"
+
+#define AT(p) (p)->error, (p)->path->name, (p)->apt.line
+
+/* The first number among the arguments; NAN: there is none. */
+static double first_number(const struct apt *apt)
+{
+    for (size_t i = 0; i < apt->argument.n; i++)
+        if (apt->argument.item[i].is_number)
+            return apt->argument.item[i].number;
+    return NAN;
+}
+
+static bool holds(const struct apt *apt, const char *word)
+{
+    for (size_t i = 0; i < apt->argument.n; i++)
+        if (apt_is(apt, i, word))
+            return true;
+    return false;
+}
+
+/* Turns a minute of a speed that was given at the cutting edge: mm or feet a minute. */
+static double surface_speed(const struct path_parse *p, double speed)
+{
+    double d = p->tool.cutter_n ? p->tool.cutter[0] : 0;
+    return d > 0 ? speed * (holds(&p->apt, "SFM") ? 304.8 : 1000) / (PI * d) : 0;
+}
+
+/* SPINDL/RPM,8000,CLW or SPINDL/8000,RPM,CLW: the first is the head's, later ones are carried. */
+int path_read_spindle(struct path_parse *p)
+{
+    struct path_head *head = &p->path->head;
+    double rpm = first_number(&p->apt);
+    bool surface = holds(&p->apt, "SFM") || holds(&p->apt, "SMM"), ccw = holds(&p->apt, "CCLW");
+    if (!(rpm > 0))
+        return path_keep_text(p);
+    if (surface)
+        rpm = surface_speed(p, rpm);
+    if (!(rpm > 0))
+        return error_at(AT(p),
+                        "found a SPINDL speed at the cutting edge, expected a CUTTER before it");
+    p->spindle = rpm;
+    if (head->spindle > 0) {
+        char text[NUM_MAX + 16] = "SPINDL/RPM,";
+        if (!surface)
+            return path_keep_text(p);
+        char *end = text + strlen(text);
+        end += num_write(end, rpm, 6);
+        memcpy(end, ccw ? ",CCLW" : ",CLW", ccw ? 6 : 5);
+        path_add_text(p->path, text);
+        return 0;
+    }
+    head->spindle = rpm;
+    head->spindle_ccw = ccw;
+    return 0;
+}
+
+double path_feed_unit(const struct path_parse *p, const char *word)
+{
+    static const struct {
+        const char *word;
+        double mm;   /* 0: the unit of the stream */
+        bool a_turn; /* not a minute */
+    } units[] = {{"MMPM", 1, false},  {"IPM", 25.4, false}, {"PERMIN", 0, false}, {"MMPR", 1, true},
+                 {"IPR", 25.4, true}, {"PERREV", 0, true},  {"FPM", 304.8, false}};
+    for (size_t i = 0; i < sizeof units / sizeof *units; i++)
+        if (strcmp(word, units[i].word) == 0) {
+            double mm = units[i].mm > 0 ? units[i].mm : p->unit;
+            return !units[i].a_turn ? mm : p->spindle > 0 ? mm * p->spindle : (double)NAN;
+        }
+    return 0;
+}
+
+static int expect_feed(struct path_parse *p, double feed)
+{
+    if (isnan(feed))
+        return error_at(AT(p), "found a feed by the turn, expected SPINDL with a speed before it");
+    if (!(feed > 0) || !isfinite(feed))
+        return error_at(AT(p), "found a feed of %g in %s, expected one above 0", feed, p->apt.word);
+    return 0;
+}
+
+/* FEDRAT/MMPM,800 or /800,MMPM; IPM likewise.  Feeds by the turn become feeds by the minute. */
+int path_read_feed(struct path_parse *p)
+{
+    double value = first_number(&p->apt), unit = p->unit;
+    bool inverse = false;
+    for (size_t i = 0; i < p->apt.argument.n; i++) {
+        const struct apt_argument *a = &p->apt.argument.item[i];
+        double of_word = a->is_number ? 0 : path_feed_unit(p, a->text);
+        if (strncmp(a->text, "INVERS", 6) == 0)
+            inverse = true;
+        else if (of_word != 0)
+            unit = of_word;
+        else if (!a->is_number && *a->text)
+            return error_at(AT(p),
+                            "found `%.40s` in FEDRAT, expected a number and MMPM, IPM, MMPR, IPR, "
+                            "PERMIN, PERREV or INVERS",
+                            a->text);
+    }
+    if (isnan(value))
+        return error_at(AT(p), "found no number in FEDRAT, expected a feed");
+    if (expect_feed(p, inverse ? value : value * unit) < 0)
+        return -1;
+    p->inverse = inverse ? value : 0;
+    if (inverse)
+        return 0;
+    p->feed = value * unit;
+    path_add_feed(p->path, p->feed);
+    return 0;
+}
+
+void path_feed_inverse(struct path_parse *p, double length)
+{
+    if (p->inverse > 0 && length > 0 && p->feed != p->inverse * length) {
+        p->feed = p->inverse * length;
+        path_add_feed(p->path, p->feed);
+    }
+}
+
+/* DELAY/seconds or DELAY/REV,turns, which becomes seconds. */
+int path_read_delay(struct path_parse *p)
+{
+    double n = first_number(&p->apt);
+    if (!holds(&p->apt, "REV") || !(n > 0))
+        return path_keep_text(p);
+    if (!(p->spindle > 0))
+        return error_at(AT(p), "found DELAY by turns, expected SPINDL with a speed before it");
+    char text[NUM_MAX + 8] = "DELAY/";
+    num_write(text + strlen(text), 60 * n / p->spindle, 6);
+    path_add_text(p->path, text);
+    return 0;
+}
