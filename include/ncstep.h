@@ -30,9 +30,11 @@ struct nc_step {
     struct follow follow;
     struct nc_wish wish;
     struct deviation allowed; /* of a block, with rounding */
+    double clear;             /* z above which the path goes at rapid, NAN: not known */
     struct nc_state state;
     struct nc_branch branch;
     const struct vec3 *ahead; /* the next tool axis of the path that is not singular, NULL: none */
+    const double *aim; /* angles near which the next ones are to be, NULL: near the last ones */
     bool first;        /* the next motion is the first of a group: the tool is off the part */
     bool may_turn;     /* retract - turn - return is allowed */
     struct error *error;
@@ -40,6 +42,10 @@ struct nc_step {
 
 /* At the machine's rapid, straight to a pose. */
 int nc_step_rapid(struct nc_step *step, struct pose to);
+
+/* Retracts along the tool axis, turns to the angles nearest to q that have the pose where the
+ * program is, and returns. */
+int nc_step_turn(struct nc_step *step, const double q[]);
 
 /* At feed, along a motion that starts where the program is. */
 int nc_step_motion(struct nc_step *step, const struct motion *motion);

@@ -3,14 +3,14 @@
  *
  * A path is planned in groups: from a rapid, where the tool is off the part and the rotary axes
  * may go to either solution, up to the next rapid.  A group that runs out of a rotary axis's
- * travel with one solution is planned again with the other; when neither serves, the tool
- * retracts, turns and returns in the middle of it.
+ * travel with one solution is planned again with the other; when neither serves, a look ahead over
+ * the whole group finds with which to start and where the tool retracts, turns and returns.
  */
 #include "ncplan.h"
 
 #include <stdlib.h>
 
-#include "ncstep.h"
+#include "ncahead.h"
 
 /* Of a tolerance: the worst place of a block may lie between those that are looked at. */
 static const double sampled = 0.9;
@@ -86,14 +86,7 @@ static int cut(struct nc_step *step, const struct path_item *item)
         step->state.feed = step->wish.feed;
         step->plan->total.feed_assumed = true;
     }
-    struct pose from = step->state.pose;
-    struct motion motion = motion_line(from, item->to);
-    if (item->kind == PATH_ARC) {
-        const struct path_arc *arc = &path->arc.item[item->index];
-        motion = motion_arc(from, item->to, arc->centre, arc->axis);
-    } else if (item->kind == PATH_SPLINE) {
-        motion = motion_spline(from, item->to, &path->spline.item[item->index].curve);
-    }
+    struct motion motion = nc_item_motion(path, item, step->state.pose);
     return nc_step_motion(step, &motion);
 }
 
@@ -148,7 +141,8 @@ static size_t next_tilted(const struct nc_step *step, size_t i)
     return i;
 }
 
-static int plan_items(struct nc_step *step, size_t from, size_t to)
+/* ahead: what was found by looking ahead over the group, NULL: nothing. */
+static int plan_items(struct nc_step *step, const struct nc_ahead *ahead, size_t from, size_t to)
 {
     size_t tilted = from;
     step->first = true;
@@ -156,6 +150,12 @@ static int plan_items(struct nc_step *step, size_t from, size_t to)
         if (tilted <= i)
             tilted = next_tilted(step, i + 1);
         step->ahead = tilted < step->path->item.n ? &step->path->item.item[tilted].to.a : NULL;
+        size_t place = ahead ? ahead->start.item[i - from] : 0;
+        bool moves = is_motion(&step->path->item.item[i]);
+        step->aim = ahead && place == 0 ? ahead->item[0].q : NULL;
+        if (ahead && moves && place + 1 < ahead->n && ahead->item[place].turn &&
+            nc_step_turn(step, ahead->item[place + 1].q) != 0)
+            return -1;
         if (plan_item(step, &step->path->item.item[i]) != 0)
             return -1;
     }
@@ -170,15 +170,23 @@ static int plan_group(struct nc_step *step, size_t from, size_t to)
     step->may_turn = false;
     for (size_t i = 0; i < sizeof attempt / sizeof *attempt; i++) {
         step->branch = attempt[i];
-        if (plan_items(step, from, to) == 0)
+        if (plan_items(step, NULL, from, to) == 0)
             return 0;
         if (!step->plan->unmet)
             return -1;
         back_to(step, &mark);
     }
-    step->may_turn = true;
     step->branch = attempt[0];
-    return plan_items(step, from, to);
+    step->may_turn = true;
+    struct nc_ahead ahead;
+    bool found = nc_ahead_make(&ahead, step, from, to);
+    int result = found ? plan_items(step, &ahead, from, to) : -1;
+    nc_ahead_free(&ahead);
+    step->aim = NULL;
+    if (found && (result == 0 || !step->plan->unmet))
+        return result;
+    back_to(step, &mark);
+    return plan_items(step, NULL, from, to);
 }
 
 /* A path that ends in the cut: off the part along the tool axis. */
@@ -206,6 +214,16 @@ static struct deviation rounding(const struct nc_step *step)
     return (struct deviation){linear + fabs(step->follow.ball) * axis, axis};
 }
 
+/* The clearance plane or, where the path names none, its highest rapid. */
+static double clear_height(const struct path *path)
+{
+    double z = path->head.clearance;
+    for (size_t i = 0; i < path->item.n && isnan(path->head.clearance); i++)
+        if (path->item.item[i].kind == PATH_POINT && path->item.item[i].rapid)
+            z = fmax(z, path->item.item[i].to.p.z);
+    return z;
+}
+
 int nc_plan_make(struct nc_plan *plan, const struct path *path, const struct machine *machine,
                  struct nc_ability ability, struct nc_wish wish, struct error *error)
 {
@@ -225,6 +243,7 @@ int nc_plan_make(struct nc_plan *plan, const struct path *path, const struct mac
     step.follow = (struct follow){.mode = ability.mode, .chain = &machine->chain};
     if (ball > 0)
         step.follow.ball = path->head.track == TRACK_CENTRE ? -ball : ball;
+    step.clear = clear_height(path);
     struct deviation last = rounding(&step);
     step.allowed = (struct deviation){sampled * wish.chord + last.point,
                                       sampled * wish.axis_tolerance + last.axis};

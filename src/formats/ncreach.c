@@ -75,7 +75,8 @@ int nc_reach(struct nc_step *step, struct pose to, struct station *s)
     const struct chain *chain = &step->machine->chain;
     double q[ROTARY_MAX] = {0};
     int over, only = step->first ? step->branch.first : step->branch.then;
-    if (chain_choose(chain, to.a, step->state.at.q, !step->first, only, q, &over) != 0) {
+    const double *near = step->aim ? step->aim : step->state.at.q;
+    if (chain_choose(chain, to.a, near, step->aim || !step->first, only, q, &over) != 0) {
         if (over < 0) {
             step->plan->unmet = true;
             return error_at(step->error, step->path->name, step->state.line,
@@ -86,7 +87,7 @@ int nc_reach(struct nc_step *step, struct pose to, struct station *s)
         return over_travel(step, step->machine->letter[over], "angle",
                            DEGREES(angles.q[only == 1 && angles.n == 2][over]));
     }
-    if (step->first)
+    if (step->first && !step->aim)
         wind(step, q);
     turn_ahead(step, to, q);
     *s = nc_station(step, to, q);

@@ -121,23 +121,30 @@ static void turn_to(struct nc_step *step, const double q[])
     }
 }
 
-/* Retract along the tool axis, turn to where the goal is in reach, return. */
-static bool retract_turn_return(struct nc_step *step, struct pose goal)
+/* Retract along the tool axis, above all rapids of the path where it leads up; turn; return. */
+static int retract_turn_return(struct nc_step *step, const double q[])
 {
     struct pose here = step->state.pose, up = here, near = here;
-    double q[ROTARY_MAX] = {0}, far = step->machine->retract, clear = step->path->head.clearance;
-    if (!step->may_turn || step->follow.mode == FOLLOW_VECTOR || !turned(step, goal, q))
-        return false;
+    double far = step->machine->retract, clear = step->clear;
     if (here.a.z > 0.2 && clear > here.p.z)
         far = fmax(far, (clear - here.p.z) / here.a.z);
     up.p = vec_along(here.p, far, here.a);
     near.p = vec_along(here.p, fmin(2, far), here.a);
     if (nc_step_rapid(step, up) != 0)
-        return false;
+        return -1;
     turn_to(step, q);
     struct motion back = motion_line(near, here);
     step->plan->total.turns++;
-    return nc_step_rapid(step, near) == 0 && nc_step_motion(step, &back) == 0;
+    return nc_step_rapid(step, near) == 0 ? nc_step_motion(step, &back) : -1;
+}
+
+int nc_step_turn(struct nc_step *step, const double q[])
+{
+    double at[ROTARY_MAX] = {0};
+    int over;
+    if (chain_choose(&step->machine->chain, step->state.pose.a, q, true, -1, at, &over) != 0)
+        return 0;
+    return retract_turn_return(step, at);
 }
 
 /* How far the block to a station is off the motion. */
@@ -169,7 +176,9 @@ static int go_on_turned(struct nc_step *step, const struct motion *motion, doubl
         turn_to(step, to->q);
         return 0;
     }
-    if (retract_turn_return(step, goal) && nc_reach(step, goal, to) == 0 &&
+    double q[ROTARY_MAX] = {0};
+    bool may = step->may_turn && step->follow.mode != FOLLOW_VECTOR && turned(step, goal, q);
+    if (may && retract_turn_return(step, q) == 0 && nc_reach(step, goal, to) == 0 &&
         deviation_within(block_deviation(step, to, motion, s0, s1, step->allowed), step->allowed))
         return 0;
     if (step->plan->unmet)

@@ -1,0 +1,28 @@
+/*
+ * ncahead - the look ahead over a group of motions for its rotary axes (turnplan.h).
+ */
+#ifndef CLOUDMILL_NCAHEAD_H
+#define CLOUDMILL_NCAHEAD_H
+
+#include "ncstep.h"
+#include "turnplan.h"
+
+struct nc_ahead {
+    size_t n, cap;
+    struct turnplan_place *item; /* along the group, from where its rapids have led to */
+    struct sizes start;          /* of each item of the group: the place where it starts */
+};
+
+/*
+ * Looks ahead over the items [from, to) of the path, which start with rapids or where the program
+ * is.  False where there is nothing to gain: no way, or too long a group to be looked at.
+ */
+bool nc_ahead_make(struct nc_ahead *ahead, const struct nc_step *step, size_t from, size_t to);
+
+void nc_ahead_free(struct nc_ahead *ahead);
+
+/* The motion that an item of the path is, from the pose before it. */
+struct motion nc_item_motion(const struct path *path, const struct path_item *item,
+                             struct pose from);
+
+#endif

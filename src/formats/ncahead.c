@@ -1,0 +1,96 @@
+/* ncahead - see ncahead.h. */
+#include "ncahead.h"
+
+#include <stdlib.h>
+
+enum { DEPTH = 12, SPAN_PIECES = 8, PLACES_MAX = 200000 };
+
+struct motion nc_item_motion(const struct path *path, const struct path_item *item,
+                             struct pose from)
+{
+    if (item->kind == PATH_ARC) {
+        const struct path_arc *arc = &path->arc.item[item->index];
+        return motion_arc(from, item->to, arc->centre, arc->axis);
+    }
+    if (item->kind == PATH_SPLINE)
+        return motion_spline(from, item->to, &path->spline.item[item->index].curve);
+    return motion_line(from, item->to);
+}
+
+static void add(struct nc_ahead *ahead, struct vec3 axis, bool may_turn)
+{
+    *array_push(ahead) = (struct turnplan_place){.axis = axis, .may_turn = may_turn};
+}
+
+/* Places of a motion behind s0, where the direction is a0, up to s1. */
+static void sample(struct nc_ahead *ahead, const struct chain *chain, const struct motion *motion,
+                   double s0, struct vec3 a0, double s1, int depth)
+{
+    struct vec3 a1 = motion_at(motion, s1).a;
+    double step = fmin(turnplan_step(chain, a0), turnplan_step(chain, a1));
+    if (vec_angle(a0, a1) <= step || depth == DEPTH || ahead->n > PLACES_MAX) {
+        add(ahead, a1, false);
+        return;
+    }
+    double mid = (s0 + s1) / 2;
+    sample(ahead, chain, motion, s0, a0, mid, depth + 1);
+    sample(ahead, chain, motion, mid, motion_at(motion, mid).a, s1, depth + 1);
+}
+
+static void sample_motion(struct nc_ahead *ahead, const struct chain *chain,
+                          const struct motion *motion)
+{
+    double s = 0;
+    struct vec3 a = motion_at(motion, 0).a;
+    while (s < 1) {
+        double from = s, next = motion_next_knot(motion, s);
+        int pieces = motion->kind == MOTION_SPLINE ? SPAN_PIECES : 1;
+        for (int i = 1; i <= pieces; i++) {
+            double to = from + (next - from) * i / pieces;
+            sample(ahead, chain, motion, s, a, to, 0);
+            a = ahead->item[ahead->n - 1].axis;
+            s = to;
+        }
+        s = next;
+    }
+    ahead->item[ahead->n - 1].may_turn = true;
+}
+
+bool nc_ahead_make(struct nc_ahead *ahead, const struct nc_step *step, size_t from, size_t to)
+{
+    const struct path *path = step->path;
+    const struct chain *chain = &step->machine->chain;
+    bool cutting = false, begun = step->state.begun;
+    struct pose pose = step->state.pose;
+    *ahead = (struct nc_ahead){0};
+    if (step->follow.mode == FOLLOW_VECTOR || chain->n == 0)
+        return false;
+    if (begun)
+        add(ahead, pose.a, true);
+    for (size_t i = from; i < to && ahead->n < PLACES_MAX; i++) {
+        const struct path_item *item = &path->item.item[i];
+        bool moves =
+            item->kind == PATH_POINT || item->kind == PATH_ARC || item->kind == PATH_SPLINE;
+        *array_push(&ahead->start) = ahead->n ? ahead->n - 1 : 0;
+        if (!moves)
+            continue;
+        cutting = cutting || !item->rapid || item->kind != PATH_POINT;
+        if (!cutting || !begun) { /* in the clear: only where it leads to matters */
+            ahead->n = 0;
+            add(ahead, item->to.a, true);
+        } else {
+            struct motion motion = nc_item_motion(path, item, pose);
+            sample_motion(ahead, chain, &motion);
+        }
+        pose = item->to;
+        begun = true;
+    }
+    return ahead->n > 1 && ahead->n < PLACES_MAX &&
+           turnplan_make(chain, ahead->item, ahead->n, step->state.at.q) >= 0;
+}
+
+void nc_ahead_free(struct nc_ahead *ahead)
+{
+    array_free(&ahead->start);
+    array_free(ahead);
+}
