@@ -14,6 +14,10 @@ struct nc_program {
     const struct machine *machine;
     const struct nc_plan *plan;
     struct nc_wish wish;
+    bool plane;             /* the path is in a tilted plane, which the control turns to */
+    struct vec3 plane_axis; /* its Z in the frame of the work */
+    size_t part, parts;     /* 1 of 3; 0: the whole */
+    size_t met;             /* the move whose block is w.wanted */
     const char *name; /* number or name asked for, NULL: by the dialect */
     struct nc_writer w;
 };
@@ -29,6 +33,7 @@ struct dialect {
     bool vectors_never;           /* it knows no vectors */
     bool vectors_doubtful;        /* see struct nc_ability */
     bool inverse_never;           /* it knows no inverse-time feed */
+    bool plane;                   /* it can turn to a tilted plane */
     bool tcp_of_machine;          /* it has tool-centre-point control only where the machine file
                                      names this control and says so */
     enum nc_arcs arcs, arcs_vectors;
@@ -52,7 +57,10 @@ const struct dialect *dialect_find(const char *name);
 
 /* What a program for this control and machine may hold. */
 struct nc_ability dialect_ability(const struct dialect *dialect, const struct machine *machine,
-                                  enum nc_axis_words axis);
+                                  enum nc_axis_words axis, double unit);
+
+/* One move of the program. */
+void dialect_move(const struct dialect *dialect, struct nc_program *p, const struct nc_move *move);
 
 /* Writes the whole program. */
 void dialect_write(const struct dialect *dialect, struct nc_program *program);

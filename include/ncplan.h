@@ -26,6 +26,7 @@ struct nc_ability {
     bool tcp;      /* the program switches tool-centre-point control on */
     enum nc_feeds feeds;
     double feed_max;
+    double unit;   /* mm, see struct nc_wish */
     bool doubtful; /* vectors, but the control may turn its rotary axes evenly: keep to both */
     enum nc_arcs arcs;
     enum nc_splines splines;
@@ -38,12 +39,26 @@ struct nc_wish {
     double chord;          /* ncpost's own share of the tolerance, mm */
     double axis_tolerance; /* of the tool axis, radians */
     double feed;           /* mm/min where the path gives none */
+    bool contact_feed;     /* the path's feeds are those of the contact point */
+    double unit;           /* mm of one unit of all lengths: 1, or 25.4 when they are inches */
+};
+
+/* What made a block. */
+enum nc_why {
+    NC_WHY_PATH,     /* the path */
+    NC_WHY_DIVIDED,  /* a motion in several blocks, for the tolerance */
+    NC_WHY_CHORD,    /* a curve in straight pieces */
+    NC_WHY_TURN,     /* retract - turn - return */
+    NC_WHY_APPROACH, /* the path has no way down or up */
+    NC_WHY_RETRACT,
+    NC_WHY_PART      /* a program that is only a part has its own way down and up */
 };
 
 enum nc_kind { NC_RAPID, NC_LINE, NC_ARC, NC_SPLINE, NC_PASS, NC_TEXT };
 
 struct nc_move {
     enum nc_kind kind;
+    enum nc_why why;
     unsigned line;     /* of the path, 0: made here */
     struct station to; /* RAPID, LINE, ARC, SPLINE */
     double feed;       /* as printed, see enum nc_feeds */

@@ -12,6 +12,10 @@ struct nc_state {
     struct pose pose;  /* as the path means it */
     struct station at; /* as the last block says it */
     double feed;       /* mm/min, 0: not given yet */
+    double faster;     /* the tracked point goes faster than that by this factor */
+    bool touches;      /* the contact at `pose` is known */
+    struct contact contact;
+    enum nc_why why;   /* of the blocks that are made now */
     size_t pass;
     unsigned line;
 };

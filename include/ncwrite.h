@@ -26,7 +26,7 @@ enum nc_slot { NC_X, NC_Y, NC_Z, NC_Q0, NC_Q1, NC_I, NC_J, NC_K, NC_F, NC_SLOTS 
 enum { NC_BLOCK_MAX = 1000, NC_COMMENT_MAX = 80 };
 
 struct nc_writer {
-    struct out *out;
+    struct out *out; /* NULL: to nowhere */
     struct nc_style style;
     int step;    /* of block numbers, 0: none */
     long most;   /* the numbers begin again behind it */
@@ -38,6 +38,9 @@ struct nc_writer {
     const char *motion; /* modal G code of motion, NULL: not said */
     int plane;          /* 17 18 19, 0: not said */
     bool inverse;       /* feeds are inverse time: G93 */
+    size_t blocks, bytes; /* written */
+    long wanted;        /* number of a block to be kept in `met`, -1: none */
+    char met[NC_BLOCK_MAX + 1];
 };
 
 struct nc_writer nc_writer_new(struct out *out, struct nc_style style, int step, long most);

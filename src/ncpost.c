@@ -6,14 +6,19 @@
  */
 #include <math.h>
 #include <stdlib.h>
+#include <string.h>
 
 #include "array.h"
 #include "cli.h"
 #include "dialect.h"
 #include "machine.h"
+#include "ncframe.h"
 #include "nchead.h"
+#include "ncoutput.h"
+#include "num.h"
 #include "out.h"
 #include "path.h"
+#include "selftest.h"
 
 struct settings {
     int control;
@@ -24,12 +29,32 @@ struct settings {
     double chord, axis_tolerance;
     double feed;
     bool vectors, rotary, strict;
+    bool inch, plane, contact_feed, self_test;
+    const char *split;
+    struct nc_extract extract;
     const char *program;
 };
 
 static struct settings settings_default(void)
 {
-    return (struct settings){.chord = 0.005, .axis_tolerance = 0.05, .feed = 500};
+    return (struct settings){.chord = 0.005, .axis_tolerance = 0.05, .feed = 500, .extract = {.from = -1, .explain = -1}};
+}
+
+/* 20000, 500k, 2M */
+static void read_limit(struct settings *s, const struct cli *cli)
+{
+    const char *rest = s->split;
+    double n;
+    bool good = num_read(&rest, &n) && n >= 1 && n < 1e12;
+    double scale = strcmp(rest, "M") == 0 ? 1e6 : strcmp(rest, "k") == 0 ? 1e3 : 0;
+    if (!good || (scale == 0 && *rest))
+        die_usage("option --split: found `%.40s`, expected blocks, or bytes as 500k or 2M",
+                  s->split);
+    *(scale > 0 ? &s->extract.limit.bytes : &s->extract.limit.blocks) = (size_t)(n * fmax(scale, 1));
+    if (!cli->output || strcmp(cli->output, "-") == 0)
+        die_usage("option --split: found no -o FILE, expected one to name the parts after");
+    if (s->extract.explain >= 0)
+        die_usage("found --split and --explain, expected one of them");
 }
 
 static void read_options(struct settings *s, struct cli *cli, int argc, char **argv)
@@ -56,6 +81,24 @@ static void read_options(struct settings *s, struct cli *cli, int argc, char **a
          &s->vectors, 0, 0, 0, NULL},
         {0, "rotary", NULL, "tool axis as rotary words (Siemens ORIAXES; usual for Fanuc)",
          CLI_FLAG, &s->rotary, 0, 0, 0, NULL},
+        {0, "plane", NULL,
+         "a tool axis that stays as it is: turn the control's plane to it\n"
+         "(G68.2, CYCLE800, PLANE SPATIAL) instead of tool-centre-point\ncontrol",
+         CLI_FLAG, &s->plane, 0, 0, 0, NULL},
+        {0, "contact-feed", NULL, "feeds of the path are those of the contact point", CLI_FLAG,
+         &s->contact_feed, 0, 0, 0, NULL},
+        {0, "inch", NULL, "write inches", CLI_FLAG, &s->inch, 0, 0, 0, NULL},
+        {0, "from", "PASS", "begin with this pass", CLI_COUNT, &s->extract.from, 0, 2e9, 0, NULL},
+        {0, "split", "N",
+         "divide into programs of at most N blocks, or bytes: 500k, 2M;\n"
+         "their files are -o's with -1, -2 ... in the name",
+         CLI_TEXT, &s->split, 0, 0, 0, NULL},
+        {0, "explain", "N", "say where block number N comes from, and write no program", CLI_COUNT,
+         &s->extract.explain, 0, 2e9, 0, NULL},
+        {0, "self-test", NULL,
+         "instead of a path: a program that shows on the machine whether\n"
+         "signs and centres of its rotary axes are right",
+         CLI_FLAG, &s->self_test, 0, 0, 0, NULL},
         {0, "program", "NAME", "number (Fanuc) or name of the program", CLI_TEXT,
          &s->program, 0, 0, 0, NULL},
         {0, "strict", NULL, "refuse post-processor words that nobody here knows", CLI_FLAG,
@@ -68,6 +111,8 @@ static void read_options(struct settings *s, struct cli *cli, int argc, char **a
         die_usage("found %d files, expected one path", cli->files);
     if (s->vectors && s->rotary)
         die_usage("found --vectors and --rotary, expected one of them");
+    if (s->split)
+        read_limit(s, cli);
 }
 
 static struct machine read_machine(const struct settings *s)
@@ -135,8 +180,10 @@ static void tell(const struct path *path, const struct nc_plan *plan, const stru
             total->turns);
     note("passes %zu, lines %zu, arcs %zu, splines %zu, rapids %zu; curves chorded %zu",
          total->passes, total->lines, total->arcs, total->splines, total->rapids, total->chorded);
-    note("cut %.1f mm, rapid %.1f mm, about %.1f min", total->cut, total->rapid, total->minutes);
-    note("kept %.4f mm and %.4f deg; with the stages before %.4f mm", total->spent.point,
+    double unit = plan->ability.unit;
+    note("cut %.1f mm, rapid %.1f mm, about %.1f min", total->cut * unit, total->rapid * unit,
+         total->minutes);
+    note("kept %.4f mm and %.4f deg; with the stages before %.4f mm", total->spent.point * unit,
          total->spent.axis * 180 / PI, nc_ledger_sum(path, plan));
 }
 
@@ -151,6 +198,25 @@ static void make_plan(struct nc_plan *plan, const struct path *path, const struc
     die_error(&error);
 }
 
+/* Brings all into the program's frame: a tilted plane, inches. */
+static void set_frame(struct nc_program *p, struct path *path, struct machine *machine,
+                      const struct dialect *dialect, const struct settings *s)
+{
+    struct error error;
+    struct vec3 axis = {0, 0, 1};
+    bool fixed = nc_frame_fixed(path, &axis), upright = vec_angle(axis, vec(0, 0, 1)) < 1e-7;
+    if (s->plane && !dialect->plane)
+        die_usage("found --plane, which %s does not know", dialect->name);
+    if (s->plane && !fixed)
+        die("%s: found tool axes that differ, expected one alone (--plane)", path->name);
+    p->plane = s->plane || (machine->plane && dialect->plane && fixed && !upright);
+    p->plane_axis = axis;
+    if (p->plane && nc_frame_plane(path, machine, axis, &error) != 0)
+        die_unmet("%s", error.text);
+    if (s->inch)
+        nc_frame_inch(path, machine, &p->wish);
+}
+
 int main(int argc, char **argv)
 {
     struct settings s = settings_default();
@@ -161,22 +227,27 @@ int main(int argc, char **argv)
     struct machine machine = read_machine(&s);
     const struct dialect *dialect = choose_dialect(&s, &machine);
     struct path path = {0};
-    read_path(&s, cli.file[0], &path);
+    if (s.self_test)
+        selftest_path(&path, &machine);
+    else
+        read_path(&s, cli.file[0], &path);
 
+    struct nc_plan plan;
+    struct nc_program program = {.path = &path, .machine = &machine, .plan = &plan,
+                                 .name = s.program};
+    program.wish = (struct nc_wish){s.chord, RADIANS(s.axis_tolerance), s.feed, s.contact_feed, 1};
+    set_frame(&program, &path, &machine, dialect, &s);
     enum nc_axis_words axis = s.vectors  ? NC_AXIS_VECTORS
                               : s.rotary ? NC_AXIS_ROTARY
                                          : NC_AXIS_USUAL;
-    struct nc_wish wish = {s.chord, RADIANS(s.axis_tolerance), s.feed};
-    struct nc_plan plan;
-    make_plan(&plan, &path, &machine, dialect_ability(dialect, &machine, axis), wish);
-
-    struct out *out = out_open(cli.output);
-    struct nc_program program = {
-        .path = &path, .machine = &machine, .plan = &plan, .wish = wish, .name = s.program};
-    program.w = nc_writer_new(out, dialect->style, machine.number_step,
-                              machine.number_max);
-    dialect_write(dialect, &program);
-    out_close(out);
+    make_plan(&plan, &path, &machine, dialect_ability(dialect, &machine, axis, program.wish.unit),
+              program.wish);
+    size_t files;
+    struct error error;
+    if (nc_output(dialect, &program, s.extract, cli.output, &files, &error) != 0)
+        die_error(&error);
+    if (files > 1)
+        say("%zu programs", files);
 
     tell(&path, &plan, &s);
     double sum = nc_ledger_sum(&path, &plan);

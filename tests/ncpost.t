@@ -341,4 +341,174 @@ has "smoothing: Siemens, with the axis" 'CYCLE832\(0\.008,11,0\.2\)' siemens.smo
 has "smoothing: Heidenhain" 'CYCL DEF 32\.1 T0\.008$' heidenhain.smooth
 has "smoothing: LinuxCNC" 'G64 P0\.008 Q0\.008$' linuxcnc.smooth
 
+# ---- 3+2: the points of a tilted plane, brought back by the angles that the program names
+plane_path='
+	function world(word, u, v, w,  r, x, y, z) {
+		r = atan2(1, 1) / 45; ca = cos(20 * r); sa = sin(20 * r); cb = cos(30 * r); sb = sin(30 * r)
+		x = cb * u + sb * w; z = -sb * u + cb * w; y = ca * v - sa * z; z = sa * v + ca * z
+		printf "%s%.6f,%.6f,%.6f%s", word, x, y, z, word == "GOTO/" ? a : ""
+	}
+	BEGIN {
+		r = atan2(1, 1) / 45
+		a = sprintf(",%.9f,%.9f,%.9f\n", sin(30 * r), -sin(20 * r) * cos(30 * r), cos(20 * r) * cos(30 * r))
+		printf head "$$-> PASS/1\nRAPID\n"; world("GOTO/", 10, 5, 60); world("GOTO/", 10, 5, 3)
+		world("GOTO/", 30, 5, 3)
+		world("CIRCLE/", 30, 15, 3); sub("\n", "", a); printf "%s,10\n", a; a = a "\n"
+		world("GOTO/", 30, 25, 3); print "RAPID"; world("GOTO/", 30, 25, 60); print "FINI"
+	}'
+awk -v head="$head" "$plane_path" >plane.cl
+# Angles of the frame: Euler about Z X Z, or about X and the turned Y; then each place again
+plane_back() { # PROGRAM
+	awk -F'[/,]' '
+	function turn(v, i, j, by,  c, s, t) {
+		c = cos(by / 57.29577951308232); s = sin(by / 57.29577951308232)
+		t = c * v[i] - s * v[j]; v[j] = s * v[i] + c * v[j]; v[i] = t
+	}
+	function value(word,  at) {
+		at = match(line, "[ (,]" word "[-+]?[0-9.]+")
+		return at ? substr(line, RSTART + 1 + length(word), RLENGTH - 1 - length(word)) + 0 : old[word]
+	}
+	NR == FNR { if (/^GOTO/) { n++; for (k = 2; k <= 4; k++) want[n, k - 1] = $k } next }
+	{ line = $0 }
+	/G68\.2/ { e1 = value("I"); e2 = value("J"); e3 = value("K"); euler = 1; on = 1; next }
+	/CYCLE800\(0/ { split(line, p, ","); a = p[8]; b = p[9]; on = 1; next }
+	/PLANE SPATIAL/ { a = value("SPA"); b = value("SPB"); on = 1; next }
+	on && / [XYZ][-+]?[0-9]/ && !/M91|SUPA|G28/ {
+		old["X"] = value("X"); old["Y"] = value("Y"); old["Z"] = value("Z")
+		v[1] = old["X"]; v[2] = old["Y"]; v[3] = old["Z"]
+		if (euler) { turn(v, 1, 2, e3); turn(v, 2, 3, e2); turn(v, 1, 2, e1) }
+		else { turn(v, 3, 1, b); turn(v, 2, 3, a) }
+		d = (v[1] - want[i + 1, 1])^2 + (v[2] - want[i + 1, 2])^2 + (v[3] - want[i + 1, 3])^2
+		if (i < n && d < 4e-6) i++
+	}
+	END { print i, "of", n }' plane.cl "$1" >found
+}
+for control in fanuc siemens heidenhain; do
+	status 0 "$control: 3+2" ncpost -c $control --plane plane.cl
+	plane_back out
+	has "the places in the plane are those of the path" '^5 of 5$' found
+	hasnt "no words of tool-centre-point control" 'G43\.[45]|TRAORI|TCPM' out
+done
+has "an arc in the plane is an arc" ' C X.* DR\+' out
+status 0 "by a key of the machine" ncpost -c fanuc --set plane=yes plane.cl
+has "where the axis stays" 'G68\.2 X0\. Y0\. Z0\. I' out
+has "and is cancelled" ' G69$' out
+status 0 "but not where it turns" ncpost -c fanuc --set plane=yes "$golden/shapes.cl"
+hasnt "there it is tool-centre-point control" 'G68' out
+status 1 "--plane with an axis that turns" ncpost -c fanuc --plane "$golden/shapes.cl"
+status 2 "LinuxCNC knows no plane" ncpost -c linuxcnc --plane plane.cl
+status 3 "a plane out of reach" ncpost -c fanuc --plane --set a.min=-5 --set a.max=5 plane.cl
+
+# ---- inches
+ncpost -q -c fanuc --inch "$TMP/wave.cl" >inch.nc
+has "G20" ' G20 ' inch.nc
+has "feeds in inches" ' F31\.496$' inch.nc
+awk -F'[/,]' 'function value(letter) {
+		if (match(line, " " letter "-?[0-9.]+")) at[letter] = substr(line, RSTART + 2, RLENGTH - 2)
+		return at[letter] * 25.4
+	}
+	NR == FNR { if (/^GOTO/) { n++; for (k = 2; k <= 4; k++) want[n, k] = $k } next }
+	/^N/ { line = $0; x = value("X"); y = value("Y"); z = value("Z")
+		d = (x - want[i + 1, 2])^2 + (y - want[i + 1, 3])^2 + (z - want[i + 1, 4])^2
+		if (i < n && d < 1.5e-5) i++ }
+	END { print n - i }' "$TMP/wave.cl" inch.nc >found
+has "each point of the path is there" '^0$' found
+ncpost -q -c linuxcnc --inch "$golden/shapes.cl" >inch.ngc
+if command -v rs274 >/dev/null; then ok "rs274 takes it" canon inch.ngc; fi
+
+# ---- feed of the contact point: on the inside of a hollow of radius 50 a ball's tip of radius 10
+# goes at 4/5 of it
+awk -v head="$head" 'BEGIN {
+	print "UNITS/MM\nMULTAX/ON\nCUTTER/20,10,0,10,0,0,60\nFEDRAT/MMPM,500\n$$-> PASS/1\nRAPID"
+	print "GOTO/0,0,90,0,0,1"
+	for (i = 0; i <= 10; i++) {
+		w = i / 50; x = -sin(w); z = cos(w)
+		printf "$$-> CONTCT/%.6f,0,%.6f,%.9f,0,%.9f\n", -50 * x, 50 - 50 * z, x, z
+		printf "GOTO/%.6f,0,%.6f,0,0,1\n", -40 * x, 40 - 40 * z
+	}
+	print "RAPID\nGOTO/0,0,90,0,0,1\nFINI"
+}' >hollow.cl
+ncpost -q -c fanuc --contact-feed hollow.cl >contact.nc
+has "contact feed: the tip goes slower in a hollow" ' F400\.?[01]?$' contact.nc
+ncpost -q -c fanuc hollow.cl >tip.nc
+hasnt "and not without it" ' F400' tip.nc
+
+# ---- a slow rotary axis is not asked for more than it can
+ncpost -q -c fanuc --set a.rapid=60 ridge.cl >slow.nc
+awk '/ F/ { sub(/.* F/, ""); if ($1 > most) most = $1 } END { print most }' slow.nc >most
+below "feed by the slowest axis: 20 mm a radian at 60 degrees/min" "$(cat most)" 21.1
+ncpost -q -c fanuc --set feed.max=300 "$TMP/wave.cl" >capped.nc
+hasnt "feed.max" ' F[3-9][0-9][0-9][^.]|F800' capped.nc
+
+# ---- feeds along all axes together
+ncpost -q -c fanuc -m table-ac-notcp --set feeds=combined "$TMP/wave.cl" >combined.nc
+hasnt "no inverse time" 'G93' combined.nc
+awk 'function value(letter) {
+		if (match($0, " " letter "-?[0-9.]+")) return substr($0, RSTART + 2, RLENGTH - 2); return at[letter] }
+	/^N/ { way = 0; for (k = 1; k <= 5; k++) { l = substr("XYZAC", k, 1); v = value(l)
+			way += (v - at[l])^2; at[l] = v }
+		f = value("F"); at["F"] = f
+		if (/ G1 /) on = 1; if (/ G0 /) on = 0
+		if (on && way > 0) minutes += sqrt(way) / f }
+	END { print minutes }' combined.nc >minutes
+sed -n 's/^(CUT.* \([0-9.]*\) MIN)$/\1/p' combined.nc >said
+awk -v a="$(cat minutes)" -v b="$(cat said)" 'BEGIN { print (a > b - 0.3 && a < b + 0.06) }' >found
+has "and the blocks take the time that the head says" '^1$' found
+
+# ---- parts
+for options in "-c fanuc" "-c siemens" "-c heidenhain" "-c fanuc -m table-ac-notcp"; do
+	rm -f part*
+	notcp=
+	case $options in *notcp) notcp=--no-tcp ;; esac
+	# shellcheck disable=SC2086
+	status 0 "$options: in parts of 70 blocks" \
+		ncpost $options --split 110 -o part.nc --chord 0.05 --axis-tolerance 0.5 "$TMP/wave.cl"
+	find . -name 'part-*.nc' | wc -l >found
+	has "more than one" '^ *([2-9]|[1-9][0-9])$' found
+	wc -l part-*.nc | awk '$2 != "total" && $1 > 110 { print }' >bad
+	empty "none is longer" bad
+	for part in part-*.nc; do
+		# shellcheck disable=SC2086
+		"$READBACK" -c "$(echo "$options" | cut -d' ' -f2)" $notcp $part >part.out 2>&1 ||
+			cat part.out
+	done >bad
+	empty "each is a program, begun and ended as a whole one" bad
+done
+status 0 "parts by bytes" ncpost -c linuxcnc --split 4k -o byte.ngc "$golden/shapes.cl"
+find . -name 'byte-*.ngc' -size +8 >bad
+empty "none of more than 4000 bytes" bad
+status 2 "parts need a name" ncpost -c fanuc --split 100 "$golden/shapes.cl"
+status 2 "and a number" ncpost -c fanuc --split many -o part.nc "$golden/shapes.cl"
+status 1 "of blocks that a program can have" ncpost -c fanuc --split 5 -o part.nc "$golden/shapes.cl"
+ncpost -q -c fanuc --from 3 "$golden/shapes.cl" >three.nc
+hasnt "--from: no pass before it" 'PASS [12]\)' three.nc
+has "but that one" '^\(PASS 3\)' three.nc
+has "with tool, tool-centre-point control" 'G43\.4 H3' three.nc
+has "and the coolant as it was" ' M9$' three.nc
+ok "a whole program" "$READBACK" -c fanuc three.nc
+status 1 "--from a pass that is not there" ncpost -c fanuc --from 9 "$golden/shapes.cl"
+
+# ---- where a block comes from
+status 0 "--explain" ncpost -c fanuc --explain 140 "$golden/shapes.cl"
+has "the block" '^N140 G3 X20\.98 ' out
+has "its line of the path, pass and rule" 'shapes\.cl:21: pass 2, arc: as the path says it' out
+status 0 "--explain with a contact point" ncpost -c fanuc --explain 120 hollow.cl
+has "names it" '^contact [0-9.]+ 0\.000000 [0-9.]+, normal' out
+status 1 "--explain a block that is not there" ncpost -c fanuc --explain 5000 "$golden/shapes.cl"
+has "names the last" 'the last one is 940' err
+
+# ---- the self-test of every machine: the tip stays where it is
+for machine in "$SRC"/machines/*.txt; do
+	control=fanuc
+	grep -q 'linuxcnc$' "$machine" && control=linuxcnc
+	ncpost -q -c $control -m "$machine" --self-test >self.nc 2>err || cat err
+	grep -q 'THE TOOL LEANS TO' self.nc || [ "$(basename "$machine")" = three-axis.txt ] ||
+		echo "$machine: no lean"
+done >bad
+empty "--self-test: a program for every shipped machine" bad
+ncpost -q -c fanuc --self-test >self.nc
+hasnt "the tip stays" 'G1 [XY]|Z(9|10[1-9])' self.nc
+awk '/LEANS TO Y-/ { getline; print }' self.nc >found
+has "A 15 leans the tool to Y-" ' A15\.' found
+
 done_testing

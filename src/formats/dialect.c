@@ -24,16 +24,18 @@ static int given(int digits, int usual)
 }
 
 struct nc_ability dialect_ability(const struct dialect *dialect, const struct machine *machine,
-                                  enum nc_axis_words axis)
+                                  enum nc_axis_words axis, double unit)
 {
+    int finer = unit > 1; /* an inch is 25.4 mm: a digit more */
     bool vectors = axis == NC_AXIS_USUAL ? dialect->vectors : axis == NC_AXIS_VECTORS;
     const struct machine_digits *own = &machine->digits, *usual = &dialect->digits;
     struct nc_ability ability = {
         .mode = FOLLOW_JOINT,
-        .digits = {given(own->linear, usual->linear), given(own->angle, usual->angle),
+        .digits = {given(own->linear, usual->linear + finer), given(own->angle, usual->angle),
                    given(own->vector, usual->vector), given(own->knot, usual->knot),
-                   given(own->feed, usual->feed)},
-        .radius_error = 0.005,
+                   given(own->feed, usual->feed + 2 * finer)},
+        .radius_error = 0.005 / unit,
+        .unit = unit,
         .feed_max = machine->feed_max,
     };
     bool tcp = machine->tcp;
@@ -57,8 +59,7 @@ struct nc_ability dialect_ability(const struct dialect *dialect, const struct ma
     return ability;
 }
 
-static void write_move(const struct dialect *dialect, struct nc_program *p,
-                       const struct nc_move *move)
+void dialect_move(const struct dialect *dialect, struct nc_program *p, const struct nc_move *move)
 {
     switch (move->kind) {
     case NC_RAPID:
@@ -83,7 +84,11 @@ static void write_move(const struct dialect *dialect, struct nc_program *p,
 void dialect_write(const struct dialect *dialect, struct nc_program *p)
 {
     dialect->start(p);
-    for (size_t i = 0; i < p->plan->move.n; i++)
-        write_move(dialect, p, &p->plan->move.item[i]);
+    for (size_t i = 0; i < p->plan->move.n; i++) {
+        bool before = *p->w.met != '\0';
+        dialect_move(dialect, p, &p->plan->move.item[i]);
+        if (!before && *p->w.met)
+            p->met = i;
+    }
     dialect->finish(p);
 }

@@ -2,6 +2,8 @@
  * fanuc - the dialect of the Fanuc 30i family (design/5-controls.md; B-64484EN, Fanuc's manual of
  * the 30i, for G43.4, G43.5 and G06.2).
  */
+#include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
 #include "dialect.h"
@@ -23,8 +25,8 @@ static int check_name(const char *name, struct error *error)
 /* O0001(TITLE) */
 static void program_number(struct nc_program *p)
 {
-    const char *name = p->name ? p->name : "1";
-    char line[16] = "O";
+    char name[16], line[32] = "O";
+    snprintf(name, sizeof name, "%ld", (p->name ? atol(p->name) : 1) + (p->parts ? (long)p->part - 1 : 0));
     size_t n = strlen(name), zeros = n < 4 ? 4 - n : 0;
     memset(line + 1, '0', zeros);
     memcpy(line + 1 + zeros, name, n + 1);
@@ -66,7 +68,8 @@ static void start(struct nc_program *p)
     nc_line(w, "%");
     program_number(p);
     nc_head(p, "Fanuc");
-    nc_code(w, "G90 G17 G21 G40 G49 G80 G94");
+    nc_code(w, p->plan->ability.unit > 1 ? "G90 G17 G20 G40 G49 G80 G94"
+                                         : "G90 G17 G21 G40 G49 G80 G94");
     nc_offset(p, "G54");
     nc_end(w);
     w->plane = 17;
@@ -75,9 +78,12 @@ static void start(struct nc_program *p)
     if (p->path->head.tool)
         nc_template(p, p->machine->blocks.tool_change, "T{tool} M6");
     nc_spindle(p);
+    if (p->plane)
+        nc_template(p, p->machine->blocks.plane_on, "G68.2 X0. Y0. Z0. I{i} J{j} K{k}|G53.1");
     nc_motion(w, "G0");
     nc_rotary(p, first->q);
-    nc_end(w);
+    if (p->machine->chain.n)
+        nc_end(w);
     compensate(p, first);
     nc_coolant(p);
     if (p->machine->smooth)
@@ -138,6 +144,8 @@ static void finish(struct nc_program *p)
     if (p->machine->smooth)
         nc_template(p, p->machine->blocks.smooth_off, "G05.1 Q0");
     nc_template(p, p->plan->ability.tcp ? p->machine->blocks.tcp_off : "", "G49");
+    if (p->plane)
+        nc_template(p, p->machine->blocks.plane_off, "G69");
     retract_home(p);
     if (p->machine->chain.n) {
         const double zero[ROTARY_MAX] = {0};
@@ -160,6 +168,7 @@ const struct dialect dialect_fanuc = {
     .style = {.open = "(", .close = ")", .capitals = true, .point = true},
     .digits = {.linear = 3, .angle = 3, .vector = 6, .knot = 3, .feed = 1},
     .vectors_doubtful = true,
+    .plane = true,
     .arcs = NC_ARCS_CENTRE,
     .arcs_vectors = NC_ARCS_RADIUS,
     .splines = NC_SPLINES_ROTARY,

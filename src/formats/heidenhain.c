@@ -40,7 +40,7 @@ static int check_name(const char *name, struct error *error)
 /* BEGIN PGM NAME MM: the name asked for, else what of PARTNO is allowed. */
 static void program_line(struct nc_program *p, const char *word)
 {
-    char name[NAME_MAX_LENGTH + 1] = "", line[NAME_MAX_LENGTH + 20];
+    char name[NAME_MAX_LENGTH + 1] = "", line[NAME_MAX_LENGTH + 60];
     const char *from = p->name ? p->name : p->path->head.partno;
     size_t n = 0;
     for (; from && *from && n < NAME_MAX_LENGTH; from++) {
@@ -51,7 +51,11 @@ static void program_line(struct nc_program *p, const char *word)
     while (n && name[n - 1] == '_')
         n--;
     name[n] = '\0';
-    snprintf(line, sizeof line, "%s PGM %s MM", word, n ? name : "PART");
+    char part[24] = "";
+    if (p->parts)
+        snprintf(part, sizeof part, "_%zu", p->part);
+    snprintf(line, sizeof line, "%s PGM %s%s %s", word, n ? name : "PART", part,
+             p->plan->ability.unit > 1 ? "INCH" : "MM");
     nc_block(&p->w, line);
 }
 
@@ -106,6 +110,9 @@ static void start(struct nc_program *p)
     if (head->spindle > 0)
         nc_block(w, head->spindle_ccw ? "M4" : "M3");
     turn(p, first->q);
+    if (p->plane)
+        nc_template(p, p->machine->blocks.plane_on,
+                    "PLANE SPATIAL SPA{a} SPB{b} SPC+0 TURN FMAX");
     if (p->plan->ability.tcp)
         nc_template(p, p->machine->blocks.tcp_on,
                     p->plan->ability.mode == FOLLOW_VECTOR
@@ -177,6 +184,8 @@ static void finish(struct nc_program *p)
         nc_template(p, p->machine->blocks.smooth_off, "CYCL DEF 32.0 TOLERANCE|CYCL DEF 32.1");
     if (p->plan->ability.tcp)
         nc_template(p, p->machine->blocks.tcp_off, "FUNCTION RESET TCPM");
+    if (p->plane)
+        nc_template(p, p->machine->blocks.plane_off, "PLANE RESET TURN FMAX");
     retract_home(p);
     turn(p, zero);
     nc_block(&p->w, "M9");
@@ -192,6 +201,7 @@ const struct dialect dialect_heidenhain = {
     .digits = {.linear = 4, .angle = 4, .vector = 7, .knot = 3, .feed = 1},
     .vectors_doubtful = true,
     .inverse_never = true,
+    .plane = true,
     .arcs = NC_ARCS_FLAT,
     .arcs_vectors = NC_ARCS_FLAT,
     .splines = NC_SPLINES_NONE,

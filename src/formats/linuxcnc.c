@@ -64,7 +64,8 @@ static void start(struct nc_program *p)
     if (p->name)
         nc_comment(w, "%s", p->name);
     nc_head(p, "LinuxCNC");
-    nc_code(w, "G90 G91.1 G17 G21 G40 G49 G80 G94");
+    nc_code(w, p->plan->ability.unit > 1 ? "G90 G91.1 G17 G20 G40 G49 G80 G94"
+                                         : "G90 G91.1 G17 G21 G40 G49 G80 G94");
     nc_offset(p, "G54");
     nc_end(w);
     w->plane = 17;

@@ -103,6 +103,9 @@ static struct keys machine_keys(struct machine *m)
     keys_add(&keys, "smooth", KEY_YES, &m->smooth);
     add_text(&keys, "smooth.on", m->blocks.smooth_on, sizeof m->blocks.smooth_on);
     add_text(&keys, "smooth.off", m->blocks.smooth_off, sizeof m->blocks.smooth_off);
+    keys_add(&keys, "plane", KEY_YES, &m->plane);
+    add_text(&keys, "plane.on", m->blocks.plane_on, sizeof m->blocks.plane_on);
+    add_text(&keys, "plane.off", m->blocks.plane_off, sizeof m->blocks.plane_off);
     keys_add(&keys, "feeds", KEY_CHOICE, &m->feeds)->words = "inverse|combined";
     add_bounded(&keys, "feed.max", KEY_NUMBER, &m->feed_max, 1, 1e8);
     add_bounded(&keys, "number.step", KEY_COUNT, &m->number_step, 0, 1000);
@@ -271,7 +274,8 @@ static int check_templates(const struct machine *m, struct error *error)
 {
     const struct machine_templates *b = &m->blocks;
     const char *const text[] = {b->home,   b->start,   b->end,       b->tool_change,
-                                b->tcp_on, b->tcp_off, b->smooth_on, b->smooth_off};
+                                b->tcp_on, b->tcp_off, b->smooth_on, b->smooth_off,
+                                b->plane_on, b->plane_off};
     for (size_t i = 0; i < sizeof text / sizeof *text; i++)
         if (nc_template_check(text[i], error) != 0)
             return -1;

@@ -9,7 +9,7 @@
 
 double nc_ledger_sum(const struct path *path, const struct nc_plan *plan)
 {
-    double sum = path_spent(path) + plan->total.spent.point;
+    double sum = path_spent(path) + plan->total.spent.point * plan->ability.unit;
     return isnan(path->head.chord) ? sum : sum + path->head.chord;
 }
 
@@ -18,8 +18,9 @@ static void head_tool(struct nc_program *p)
     const struct path_head *head = &p->path->head;
     char d[NUM_MAX], r[NUM_MAX];
     if (head->cutter_n) {
-        num_write_short(d, head->cutter[0], 3, false);
-        num_write_short(r, head->cutter_n > 1 ? head->cutter[1] : 0, 3, false);
+        double unit = p->plan->ability.unit;
+        num_write_short(d, unit * head->cutter[0], 3, false);
+        num_write_short(r, head->cutter_n > 1 ? unit * head->cutter[1] : 0, 3, false);
         nc_comment(&p->w, "Tool %d: %s D %.20s R %.20s", head->tool,
                    path_ball(p->path) > 0 ? "ball nose" : "cutter", d, r);
     }
@@ -34,7 +35,7 @@ static void head_tool(struct nc_program *p)
 /* To four decimals, never too small. */
 static double shown(double mm)
 {
-    return ceil(mm * 1e4 - 1e-6) / 1e4;
+    return fmax(0, ceil(mm * 1e4 - 1e-6)) / 1e4 + 0.0;
 }
 
 static void head_ledger(struct nc_program *p)
@@ -46,7 +47,7 @@ static void head_ledger(struct nc_program *p)
                    shown(head->ledger.item[i].spent));
     if (!isnan(head->chord))
         nc_comment(&p->w, "Tolerance %-12s %.4f", "chord", shown(head->chord));
-    nc_comment(&p->w, "Tolerance %-12s %.4f", "ncpost", shown(total->spent.point));
+    nc_comment(&p->w, "Tolerance %-12s %.4f", "ncpost", shown(total->spent.point * p->plan->ability.unit));
     nc_comment(&p->w, "Tolerance %-12s %.4f mm, axis %.4f deg", "sum",
                shown(nc_ledger_sum(p->path, p->plan)), shown(DEGREES(total->spent.axis)));
 }
@@ -58,10 +59,19 @@ void nc_head(struct nc_program *p, const char *control)
     if (partno && *partno)
         nc_comment(&p->w, "%.70s", partno);
     nc_comment(&p->w, "cloudmill ncpost for %s, %.50s", control, p->machine->name);
+    if (p->parts)
+        nc_comment(&p->w, "Part %zu of %zu; figures below are those of the whole", p->part,
+                   p->parts);
+    if (p->plan->ability.unit > 1)
+        nc_comment(&p->w, "Inches; all figures in these lines are mm");
+    if (p->plane)
+        nc_comment(&p->w, "X Y Z in the tilted plane, Z along %.6f %.6f %.6f", p->plane_axis.x,
+                   p->plane_axis.y, p->plane_axis.z);
     head_tool(p);
     head_ledger(p);
-    nc_comment(&p->w, "Cut %.1f mm, rapid %.1f mm, %.1f min", total->cut, total->rapid,
-               total->minutes);
+    double unit = p->plan->ability.unit;
+    nc_comment(&p->w, "Cut %.1f mm, rapid %.1f mm, %.1f min", total->cut * unit,
+               total->rapid * unit, total->minutes);
     nc_comment(&p->w, "Passes %zu, lines %zu, arcs %zu, splines %zu, rapids %zu", total->passes,
                total->lines, total->arcs, total->splines, total->rapids);
 }

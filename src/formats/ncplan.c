@@ -69,7 +69,21 @@ static int approach(struct nc_step *step, struct pose first)
     struct pose above = first;
     above.p = vec_along(first.p, step->machine->retract, first.a);
     step->plan->total.approach_made = true;
+    step->state.why = NC_WHY_APPROACH;
     return nc_step_rapid(step, above);
+}
+
+/*
+ * How much faster than its feed the tracked point must go for the contact point to keep it: the
+ * ratio of their ways, from a tenth to ten.
+ */
+static double contact_factor(const struct nc_step *step, const struct path_item *item)
+{
+    if (!step->wish.contact_feed || !item->touches || !step->state.touches)
+        return 1;
+    double tip = vec_distance(step->state.pose.p, item->to.p);
+    double contact = vec_distance(step->state.contact.p, item->contact.p);
+    return tip > 0 && contact > 0 ? fmin(10, fmax(0.1, tip / contact)) : 1;
 }
 
 static int cut(struct nc_step *step, const struct path_item *item)
@@ -87,13 +101,20 @@ static int cut(struct nc_step *step, const struct path_item *item)
         step->plan->total.feed_assumed = true;
     }
     struct motion motion = nc_item_motion(path, item, step->state.pose);
-    return nc_step_motion(step, &motion);
+    step->state.faster = contact_factor(step, item);
+    step->state.why = NC_WHY_PATH;
+    int result = nc_step_motion(step, &motion);
+    step->state.faster = 1;
+    step->state.touches = item->touches;
+    step->state.contact = item->contact;
+    return result;
 }
 
 static int plan_item(struct nc_step *step, const struct path_item *item)
 {
     if (item->line)
         step->state.line = item->line;
+    step->state.why = NC_WHY_PATH;
     switch (item->kind) {
     case PATH_PASS:
         step->state.pass = item->index;
@@ -107,7 +128,10 @@ static int plan_item(struct nc_step *step, const struct path_item *item)
         step->state.feed = item->feed;
         return 0;
     case PATH_POINT:
-        return item->rapid ? nc_step_rapid(step, item->to) : cut(step, item);
+        if (!item->rapid)
+            return cut(step, item);
+        step->state.touches = false;
+        return nc_step_rapid(step, item->to);
     case PATH_ARC:
     case PATH_SPLINE:
     case PATH_HOLE: /* path_drill has made motions of them */
@@ -200,6 +224,7 @@ static int depart(struct nc_step *step)
         return 0;
     up.p = vec_along(up.p, step->machine->retract, up.a);
     step->plan->total.retract_made = true;
+    step->state.why = NC_WHY_RETRACT;
     return nc_step_rapid(step, up);
 }
 
@@ -244,6 +269,7 @@ int nc_plan_make(struct nc_plan *plan, const struct path *path, const struct mac
     if (ball > 0)
         step.follow.ball = path->head.track == TRACK_CENTRE ? -ball : ball;
     step.clear = clear_height(path);
+    step.state.faster = 1;
     struct deviation last = rounding(&step);
     step.allowed = (struct deviation){sampled * wish.chord + last.point,
                                       sampled * wish.axis_tolerance + last.axis};

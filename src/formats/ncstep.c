@@ -6,6 +6,7 @@
 
 enum { DEPTH_MAX = 14, ARC_DEPTH_MAX = 5, TURN_STEP = 2 /* degrees */ };
 static const double rapid_chord = 1; /* mm, where a rapid has to be split at all */
+static const double return_height = 2; /* mm above the part, down to which the return is a rapid */
 
 /* The longest that an axis of the machine needs between two stations, minutes. */
 static double axes_minutes(const struct nc_step *step, const struct station *a,
@@ -35,7 +36,7 @@ static double feed_word(const struct nc_step *step, const struct station *to, do
                         double minutes)
 {
     const struct nc_ability *ability = &step->plan->ability;
-    double least = pow(10, -ability->digits.feed), feed = step->state.feed;
+    double least = pow(10, -ability->digits.feed), feed = step->state.feed * step->state.faster;
     if (ability->feeds == NC_FEEDS_INVERSE)
         feed = 1 / fmax(minutes, 1e-9);
     else if (ability->feeds == NC_FEEDS_COMBINED)
@@ -51,13 +52,17 @@ static void add_move(struct nc_step *step, enum nc_kind kind, const struct stati
     struct nc_total *total = &step->plan->total;
     double minutes = axes_minutes(step, &step->state.at, to);
     struct nc_move *move = array_push(&step->plan->move);
-    *move = (struct nc_move){.kind = kind, .line = step->state.line, .to = *to, .index = index};
+    *move = (struct nc_move){.kind = kind,
+                             .why = step->state.why,
+                             .line = step->state.line,
+                             .to = *to,
+                             .index = index};
     if (kind == NC_RAPID) {
         minutes = fmax(minutes, length / step->machine->rapid[MACHINE_X]);
         total->rapid += length;
         total->rapids++;
     } else {
-        minutes = fmax(minutes, length / step->state.feed);
+        minutes = fmax(minutes, length / (step->state.feed * step->state.faster));
         move->feed = feed_word(step, to, length, minutes);
         total->cut += length;
         total->lines += kind == NC_LINE;
@@ -129,13 +134,20 @@ static int retract_turn_return(struct nc_step *step, const double q[])
     if (here.a.z > 0.2 && clear > here.p.z)
         far = fmax(far, (clear - here.p.z) / here.a.z);
     up.p = vec_along(here.p, far, here.a);
-    near.p = vec_along(here.p, fmin(2, far), here.a);
+    near.p = vec_along(here.p, fmin(return_height / step->wish.unit, far), here.a);
+    enum nc_why why = step->state.why;
+    double faster = step->state.faster;
+    step->state.why = NC_WHY_TURN;
+    step->state.faster = 1;
     if (nc_step_rapid(step, up) != 0)
         return -1;
     turn_to(step, q);
     struct motion back = motion_line(near, here);
     step->plan->total.turns++;
-    return nc_step_rapid(step, near) == 0 ? nc_step_motion(step, &back) : -1;
+    int result = nc_step_rapid(step, near) == 0 ? nc_step_motion(step, &back) : -1;
+    step->state.why = why;
+    step->state.faster = faster;
+    return result;
 }
 
 int nc_step_turn(struct nc_step *step, const double q[])
@@ -215,6 +227,8 @@ static int straight(struct nc_step *step, const struct motion *motion, double s0
         d = block_deviation(step, &to, motion, s0, s1, allowed);
     if (!deviation_within(d, allowed) && depth < DEPTH_MAX) {
         double mid = (s0 + s1) / 2;
+        if (step->state.why == NC_WHY_PATH)
+            step->state.why = NC_WHY_DIVIDED;
         if (straight(step, motion, s0, mid, kind, allowed, depth + 1) != 0)
             return -1;
         return straight(step, motion, mid, s1, kind, allowed, depth + 1);
@@ -230,7 +244,8 @@ static int straight(struct nc_step *step, const struct motion *motion, double s0
 
 int nc_step_rapid(struct nc_step *step, struct pose to)
 {
-    struct deviation any = {step->follow.mode == FOLLOW_JOINT ? rapid_chord : HUGE_VAL, HUGE_VAL};
+    double chord = step->follow.mode == FOLLOW_JOINT ? rapid_chord / step->wish.unit : HUGE_VAL;
+    struct deviation any = {chord, HUGE_VAL};
     struct station station;
     if (step->state.begun) {
         struct motion motion = motion_line(step->state.pose, to);
@@ -265,6 +280,7 @@ static int arc(struct nc_step *step, const struct motion *motion, double s0, dou
     }
     if (!fits || !deviation_within(d, step->allowed)) {
         step->plan->total.chorded++;
+        step->state.why = NC_WHY_CHORD;
         return straight(step, motion, s0, s1, NC_LINE, step->allowed, 0);
     }
     *array_push(&step->plan->arc) = words;
@@ -306,6 +322,7 @@ static int spline(struct nc_step *step, const struct motion *motion)
         return 0;
     }
     step->plan->total.chorded += motion->curve->degree > 1;
+    step->state.why = NC_WHY_CHORD;
     for (double s = 0; s < 1;) {
         double next = motion_next_knot(motion, s);
         if (straight(step, motion, s, next, NC_LINE, step->allowed, 0) != 0)
@@ -326,5 +343,7 @@ int nc_step_motion(struct nc_step *step, const struct motion *motion)
     if (motion->kind == MOTION_ARC && step->plan->ability.arcs != NC_ARCS_NONE)
         return arcs(step, motion);
     step->plan->total.chorded += motion->kind == MOTION_ARC;
+    if (motion->kind == MOTION_ARC)
+        step->state.why = NC_WHY_CHORD;
     return straight(step, motion, 0, 1, NC_LINE, step->allowed, 0);
 }

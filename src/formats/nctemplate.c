@@ -3,11 +3,13 @@
 
 #include <string.h>
 
+#include "ncframe.h"
 #include "num.h"
 
-enum { WORDS = 5, ROOM = 200 };
+enum { WORDS = 10, PLANE = 5, ROOM = 200 };
 
-static const char *const word[WORDS] = {"tool}", "rpm}", "tolerance}", "orientation}", "level}"};
+static const char *const word[WORDS] = {"tool}", "rpm}", "tolerance}", "orientation}", "level}",
+                                          "a}",    "b}",   "i}",         "j}",           "k}"};
 
 /* The word that starts here, behind its brace; -1: none. */
 static int find(const char *text)
@@ -24,7 +26,7 @@ int nc_template_check(const char *text, struct error *error)
         if (find(s + 1) < 0)
             return error_set(error,
                              "found `%.20s` in the template `%.40s`, expected {tool}, {rpm}, "
-                             "{tolerance}, {orientation} or {level}",
+                             "{tolerance}, {orientation}, {level}, {a}, {b}, {i}, {j} or {k}",
                              s, text);
     return 0;
 }
@@ -35,10 +37,32 @@ static double level(double tolerance)
     return fmin(10, fmax(1, round(1 + 4.5 * log10(0.1 / tolerance))));
 }
 
+/* a, b: about X and the turned Y; i, j, k: Euler's, about Z, the turned X and the turned Z. */
+static void plane_angles(struct vec3 axis, double angle[])
+{
+    double a, b;
+    nc_frame_angles(axis, &a, &b);
+    struct vec3 x = vec_turn(vec_turn(vec(1, 0, 0), vec(0, 1, 0), b), vec(1, 0, 0), a);
+    struct vec3 y = vec_turn(vec(0, 1, 0), vec(1, 0, 0), a);
+    bool upright = hypot(axis.x, axis.y) < 1e-9;
+    angle[0] = DEGREES(a);
+    angle[1] = DEGREES(b);
+    angle[2] = upright ? 0 : DEGREES(atan2(axis.x, -axis.y));
+    angle[3] = DEGREES(atan2(hypot(axis.x, axis.y), axis.z));
+    angle[4] = DEGREES(upright ? atan2(x.y, x.x) : atan2(x.z, y.z));
+}
+
 static size_t value(const struct nc_program *p, int i, char *text)
 {
     const struct path_head *head = &p->path->head;
-    const double values[WORDS] = {head->tool ? head->tool : 1, head->spindle, p->wish.chord,
+    double plane[WORDS - PLANE];
+    if (i >= PLANE) {
+        plane_angles(p->plane_axis, plane);
+        bool sign = p->w.style.sign && num_round(plane[i - PLANE], 4) >= 0;
+        *text = '+';
+        return sign + num_write_short(text + sign, plane[i - PLANE], 4, p->w.style.point);
+    }
+    const double values[PLANE] = {head->tool ? head->tool : 1, head->spindle, p->wish.chord,
                                   DEGREES(p->wish.axis_tolerance), level(p->wish.chord)};
     return num_write_short(text, values[i], i == 2 || i == 3 ? 4 : 0, false);
 }

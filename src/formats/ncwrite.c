@@ -13,7 +13,8 @@ struct nc_writer nc_writer_new(struct out *out, struct nc_style style, int step,
     if (style.count_all && step)
         step = 1;
     return (struct nc_writer){
-        .out = out, .style = style, .step = step, .most = most, .number = style.count_all ? -1 : 0};
+        .out = out, .style = style, .step = step, .most = most, .number = style.count_all ? -1 : 0,
+        .wanted = -1};
 }
 
 static void append(struct nc_writer *w, const char *s, size_t n)
@@ -105,7 +106,12 @@ void nc_end(struct nc_writer *w)
     if (!w->n)
         return;
     append(w, "\n", 1);
-    out_bytes(w->out, w->line, w->n);
+    w->blocks++;
+    w->bytes += w->n;
+    if (w->number == w->wanted && !*w->met)
+        memcpy(w->met, w->line, w->n);
+    if (w->out)
+        out_bytes(w->out, w->line, w->n);
     w->n = 0;
 }
 
@@ -124,8 +130,8 @@ void nc_block(struct nc_writer *w, const char *word)
 
 void nc_line(struct nc_writer *w, const char *text)
 {
-    out_text(w->out, text);
-    out_text(w->out, "\n");
+    append(w, text, strlen(text));
+    nc_end(w);
 }
 
 void nc_comment(struct nc_writer *w, const char *format, ...)

@@ -35,7 +35,7 @@ static int check_name(const char *name, struct error *error)
 /* %_N_NAME_MPF: the name asked for, else what of PARTNO is allowed. */
 static void program_name(struct nc_program *p)
 {
-    char name[NAME_MAX_LENGTH + 1] = "", line[NAME_MAX_LENGTH + 12];
+    char name[NAME_MAX_LENGTH + 1] = "", line[NAME_MAX_LENGTH + 40];
     const char *from = p->name ? p->name : p->path->head.partno;
     size_t n = 0;
     for (; from && *from && n < NAME_MAX_LENGTH; from++) {
@@ -47,7 +47,10 @@ static void program_name(struct nc_program *p)
     while (n && name[n - 1] == '_')
         n--;
     name[n] = '\0';
-    snprintf(line, sizeof line, "%%_N_%s_MPF", n >= 2 ? name : "PART");
+    char part[24] = "";
+    if (p->parts)
+        snprintf(part, sizeof part, "_%zu", p->part);
+    snprintf(line, sizeof line, "%%_N_%s%s_MPF", n >= 2 ? name : "PART", part);
     nc_line(&p->w, line);
 }
 
@@ -81,7 +84,7 @@ static void start(struct nc_program *p)
     const struct station *first = nc_first_station(p);
     program_name(p);
     nc_head(p, "Siemens");
-    nc_code(w, "G90 G17 G71 G40 G94");
+    nc_code(w, p->plan->ability.unit > 1 ? "G90 G17 G700 G40 G94" : "G90 G17 G71 G40 G94");
     nc_offset(p, "G54");
     nc_end(w);
     nc_template(p, p->machine->blocks.start, "");
@@ -91,9 +94,13 @@ static void start(struct nc_program *p)
     else
         nc_block(w, "D1");
     nc_spindle(p);
+    if (p->plane)
+        nc_template(p, p->machine->blocks.plane_on,
+                    "CYCLE800(0,\"\",100000,57,0,0,0,{a},{b},0,0,0,0,1,0,1)");
     nc_motion(w, "G0");
     nc_rotary(p, first->q);
-    nc_end(w);
+    if (p->machine->chain.n)
+        nc_end(w);
     transform(p, first);
     nc_coolant(p);
     if (p->machine->smooth)
@@ -231,6 +238,8 @@ static void finish(struct nc_program *p)
         nc_template(p, p->machine->blocks.smooth_off, "CYCLE832(0,0,1)");
     if (p->plan->ability.tcp)
         nc_template(p, p->machine->blocks.tcp_off, "TRAFOOF");
+    if (p->plane)
+        nc_template(p, p->machine->blocks.plane_off, "CYCLE800()");
     retract_home(p);
     if (p->machine->chain.n) {
         const double zero[ROTARY_MAX] = {0};
@@ -250,6 +259,7 @@ const struct dialect dialect_siemens = {
     .style = {.open = "; ", .close = ""},
     .digits = {.linear = 5, .angle = 5, .vector = 8, .knot = 5, .feed = 2},
     .vectors = true,
+    .plane = true,
     .arcs = NC_ARCS_SPACE,
     .arcs_vectors = NC_ARCS_SPACE,
     .splines = NC_SPLINES_NONE,

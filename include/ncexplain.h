@@ -1,0 +1,17 @@
+/*
+ * ncexplain - where a block of a program comes from.
+ */
+#ifndef CLOUDMILL_NCEXPLAIN_H
+#define CLOUDMILL_NCEXPLAIN_H
+
+#include "dialect.h"
+
+/*
+ * The block of that number: its line of the program, line and pass of the path, its contact point
+ * and the rule that made it, as text at `out`.  The program is written to nowhere for it.  -1: it
+ * has no such block.
+ */
+int nc_explain(struct out *out, const struct dialect *dialect, struct nc_program *program,
+               long number, struct error *error);
+
+#endif

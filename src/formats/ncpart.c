@@ -1,0 +1,172 @@
+/* ncpart - see ncpart.h. */
+#include "ncpart.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+#include "nchead.h"
+#include "ncreach.h"
+
+enum { MADE = 6 }; /* moves that may be added to a part: two statements, down, and up */
+
+static bool moves(const struct nc_move *move)
+{
+    return move->kind <= NC_SPLINE;
+}
+
+/* Off the part along the tool axis from where a move ends. */
+static int above(struct nc_move *up, const struct nc_program *whole, const struct nc_move *from,
+                 struct error *error)
+{
+    struct nc_plan plan = *whole->plan;
+    struct nc_step step = {.path = whole->path, .machine = whole->machine, .plan = &plan,
+                           .error = error};
+    const struct chain *chain = &whole->machine->chain;
+    step.follow = (struct follow){.mode = plan.ability.mode, .chain = chain};
+    step.state.line = from->line;
+    struct pose pose = {from->to.p, vec_unit(from->to.a)};
+    if (plan.ability.mode == FOLLOW_JOINT)
+        pose.p = chain_tip(chain, from->to.p, from->to.q);
+    pose.p = vec_along(pose.p, whole->machine->retract, pose.a);
+    *up = (struct nc_move){.kind = NC_RAPID, .line = from->line, .why = NC_WHY_PART};
+    up->to = nc_station(&step, pose, from->to.q);
+    return nc_check_linear(&step, &up->to);
+}
+
+/* The feed with which the tool comes down again to where `to` starts. */
+static double feed_down(const struct nc_program *whole, const struct nc_move *to)
+{
+    const struct nc_ability *ability = &whole->plan->ability;
+    if (ability->feeds == NC_FEEDS_INVERSE)
+        return fmin(ability->feed_max, whole->wish.feed / whole->machine->retract);
+    return ability->feeds == NC_FEEDS_TIP ? to->feed : whole->wish.feed;
+}
+
+static const struct nc_move *last_motion(const struct nc_plan *plan, size_t before)
+{
+    while (before && !moves(&plan->move.item[before - 1]))
+        before--;
+    return before ? &plan->move.item[before - 1] : NULL;
+}
+
+/* Statements before the part that last: the last of each kind. */
+static void add_lasting(struct nc_plan *part, const struct nc_program *whole, size_t from)
+{
+    static const char *const word[] = {"SPINDL", "COOLNT"};
+    for (size_t k = 0; k < sizeof word / sizeof *word; k++)
+        for (size_t i = from; i-- > 0;) {
+            const struct nc_move *move = &whole->plan->move.item[i];
+            if (move->kind != NC_TEXT ||
+                strncmp(whole->path->text.item[move->index], word[k], strlen(word[k])) != 0)
+                continue;
+            *array_push(&part->move) = *move;
+            break;
+        }
+}
+
+int nc_part_make(struct nc_plan *part, const struct nc_program *whole, size_t from, size_t to,
+                 struct error *error)
+{
+    const struct nc_plan *plan = whole->plan;
+    size_t first = from;
+    *part = *plan;
+    part->move.item = NULL;
+    part->move.n = part->move.cap = 0;
+    array_reserve(&part->move, to - from + MADE);
+    while (first < to && !moves(&plan->move.item[first]))
+        first++;
+    const struct nc_move *before = last_motion(plan, from);
+    add_lasting(part, whole, from);
+    if (before && first < to && plan->move.item[first].kind != NC_RAPID) {
+        struct nc_move down = *before;
+        if (before->kind != NC_RAPID && above(array_push(&part->move), whole, before, error) != 0)
+            return -1;
+        down.why = NC_WHY_PART;
+        if (before->kind != NC_RAPID) {
+            down.kind = NC_LINE;
+            down.feed = feed_down(whole, &plan->move.item[first]);
+        }
+        *array_push(&part->move) = down;
+    }
+    for (size_t i = from; i < to; i++)
+        *array_push(&part->move) = plan->move.item[i];
+    const struct nc_move *last = last_motion(plan, to);
+    if (last && last->kind != NC_RAPID)
+        return above(array_push(&part->move), whole, last, error);
+    return 0;
+}
+
+void nc_part_free(struct nc_plan *part)
+{
+    array_free(&part->move);
+}
+
+size_t nc_part_pass(const struct nc_plan *plan, size_t pass)
+{
+    size_t i = 0;
+    while (i < plan->move.n &&
+           !(plan->move.item[i].kind == NC_PASS && plan->move.item[i].index == pass))
+        i++;
+    return i;
+}
+
+/* The program written to nowhere: blocks and bytes up to each move, [0] the start's. */
+static struct nc_limit *measure(const struct dialect *dialect, const struct nc_program *whole,
+                                struct nc_limit *ends)
+{
+    struct nc_limit *at = mem_alloc(whole->plan->move.n + 1, sizeof *at);
+    struct nc_program p = *whole;
+    dialect->start(&p);
+    for (size_t i = 0; i <= whole->plan->move.n; i++) {
+        at[i] = (struct nc_limit){p.w.blocks, p.w.bytes};
+        if (i < whole->plan->move.n)
+            dialect_move(dialect, &p, &whole->plan->move.item[i]);
+    }
+    dialect->finish(&p);
+    *ends = (struct nc_limit){at[0].blocks + p.w.blocks - at[whole->plan->move.n].blocks + MADE,
+                              at[0].bytes + p.w.bytes - at[whole->plan->move.n].bytes + MADE * 100};
+    return at;
+}
+
+/* A part may end here: the tool is off the work, between two rapids. */
+static bool clear_of_work(const struct nc_plan *plan, size_t i)
+{
+    const struct nc_move *before = last_motion(plan, i);
+    if (!before || before->kind != NC_RAPID || !moves(&plan->move.item[i - 1]))
+        return false;
+    while (i < plan->move.n && !moves(&plan->move.item[i]))
+        i++;
+    return i == plan->move.n || plan->move.item[i].kind == NC_RAPID;
+}
+
+int nc_part_ends(struct sizes *ends, const struct dialect *dialect,
+                 const struct nc_program *whole, struct nc_limit limit, struct error *error)
+{
+    const struct nc_plan *plan = whole->plan;
+    struct nc_limit more, *at = measure(dialect, whole, &more);
+    int result = 0;
+    for (size_t from = 0; from < plan->move.n && result == 0;) {
+        size_t to = from, clear = from;
+        while (to < plan->move.n) {
+            size_t blocks = at[to + 1].blocks - at[from].blocks + more.blocks;
+            size_t bytes = at[to + 1].bytes - at[from].bytes + more.bytes;
+            if ((limit.blocks && blocks > limit.blocks) || (limit.bytes && bytes > limit.bytes))
+                break;
+            to++;
+            if (to == plan->move.n || clear_of_work(plan, to))
+                clear = to;
+        }
+        if (clear > from)
+            to = clear;
+        if (to == from)
+            result = error_set(error,
+                               "option --split: found too little room, expected at least %zu "
+                               "blocks and %zu bytes",
+                               more.blocks + at[from + 1].blocks - at[from].blocks,
+                               more.bytes + at[from + 1].bytes - at[from].bytes);
+        *array_push(ends) = to;
+        from = to;
+    }
+    free(at);
+    return result;
+}
