@@ -1,0 +1,26 @@
+/*
+ * layer - a stream of any kind as a layer of a scene, with the figures that its title tells.
+ */
+#ifndef CLOUDMILL_LAYER_H
+#define CLOUDMILL_LAYER_H
+
+#include "error.h"
+#include "path.h"
+#include "scene.h"
+
+struct layer_options {
+    double unit;  /* mm in a unit of a cloud */
+    bool poles;   /* of B-splines */
+    bool normals; /* of a mesh, of contact points */
+    bool axes;    /* of the tool */
+};
+
+/* Reads the file (NULL or "-": standard input), whatever it holds. */
+int layer_read(const char *file, const struct layer_options *options, struct layer *layer,
+               struct error *error);
+
+/* A path: arcs and B-splines in pieces that stray from them by 1/5000 of its extent at most. */
+int layer_path(const struct path *path, const struct layer_options *options, struct layer *layer,
+               struct error *error);
+
+#endif

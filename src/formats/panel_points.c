@@ -1,0 +1,124 @@
+/* panel_points - clouds, joints, normals and axes; see panel.h. */
+#include <stdio.h>
+#include <stdlib.h>
+
+#include "palette.h"
+#include "panel.h"
+
+/* The points that are not hidden, one in each cell: the nearest to the eye. */
+static struct raster occupied(const struct panel *panel, const struct vec3s *point, double cell,
+                              size_t *marks)
+{
+    const struct box *b = &panel->box;
+    struct raster r = raster_new(b->low.x, b->low.y, b->high.x, b->high.y, cell);
+    *marks = 0;
+    for (size_t i = 0; i < point->n; i++) {
+        struct vec3 p = view_point(&panel->view, point->item[i]);
+        if (raster_visible(&panel->near, p, panel->slack))
+            *marks += raster_point(&r, p, i);
+    }
+    return r;
+}
+
+static size_t level_of(const struct panel_style *style, struct vec3 p)
+{
+    double range = style->high.z - style->low.z;
+    double s = range > 0 ? (p.z - style->low.z) / range : 0;
+    return (size_t)fmin(floor(s * PALETTE_HEIGHTS), PALETTE_HEIGHTS - 1);
+}
+
+static void draw_points(const struct panel *panel, const struct layer *layer, size_t number,
+                        double least, struct svg *svg)
+{
+    const struct panel_style *style = panel->style;
+    size_t marks, limit = style->marks;
+    double cell = least;
+    struct raster r = occupied(panel, &layer->point, cell, &marks);
+    while (marks > limit) {
+        raster_free(&r);
+        cell *= fmax(1.05, 0.95 * sqrt((double)marks / (double)limit));
+        r = occupied(panel, &layer->point, cell, &marks);
+    }
+    double area = (panel->box.high.x - panel->box.low.x) * (panel->box.high.y - panel->box.low.y);
+    double apart = sqrt(area / (double)(marks ? marks : 1)) * panel->scale;
+    double width = fmin(fmax(0.75 * apart, 0.9), number ? 1.8 : 2.4);
+    for (size_t level = 0; level < (style->by_layer ? 1 : PALETTE_HEIGHTS); level++) {
+        char ink[80];
+        snprintf(ink, sizeof ink, "stroke=\"%s\" stroke-width=\"%.0f\"",
+                 style->by_layer ? palette_cycle(number) : palette_height(level), 10 * width);
+        svg_path(svg, ink);
+        for (size_t i = 0; i < r.rows * r.columns; i++) {
+            struct vec3 p = layer->point.item[r.owner[i]];
+            if (isinf(r.depth[i]) || (!style->by_layer && level_of(style, p) != level))
+                continue;
+            struct vec3 at = panel_place(panel, view_point(&panel->view, p));
+            svg_dot(svg, at.x, at.y);
+        }
+        svg_path_end(svg);
+    }
+    raster_free(&r);
+}
+
+void panel_points(struct panel *panel, const struct scene *scene, struct svg *svg)
+{
+    for (size_t i = 0; i < scene->n; i++) {
+        const struct layer *layer = &scene->item[i];
+        if (layer->point.n == 0)
+            continue;
+        svg_group(svg, "fill=\"none\" stroke-linecap=\"round\"");
+        draw_points(panel, layer, i, 0.8 / panel->scale, svg);
+        svg_group_end(svg);
+    }
+}
+
+/* As many as can be told apart, this far from one another, px. */
+static void draw_ticks(const struct panel *panel, const struct ticks *ticks, double apart,
+                       const char *ink, struct svg *svg)
+{
+    const struct box *b = &panel->box;
+    struct raster r = raster_new(b->low.x, b->low.y, b->high.x, b->high.y, apart / panel->scale);
+    svg_path(svg, ink);
+    for (size_t i = 0; i < ticks->n; i++) {
+        const struct tick *t = &ticks->item[i];
+        struct vec3 p = view_point(&panel->view, t->from);
+        struct vec3 q =
+            view_point(&panel->view, vec_along(t->from, panel->style->tick, t->direction));
+        if (!raster_visible(&panel->near, p, panel->slack) || !raster_point(&r, p, i))
+            continue;
+        struct vec3 from = panel_place(panel, p), to = panel_place(panel, q);
+        svg_dot(svg, from.x, from.y);
+        svg_line(svg, to.x, to.y);
+    }
+    svg_path_end(svg);
+    raster_free(&r);
+}
+
+static void draw_joints(const struct panel *panel, const struct vec3s *joint, struct svg *svg)
+{
+    size_t marks;
+    struct raster r = occupied(panel, joint, 1.2 / panel->scale, &marks);
+    svg_path(svg, "stroke=\"#222\" stroke-width=\"18\"");
+    for (size_t i = 0; i < r.rows * r.columns; i++) {
+        if (isinf(r.depth[i]))
+            continue;
+        struct vec3 at = panel_place(panel, view_point(&panel->view, joint->item[r.owner[i]]));
+        svg_dot(svg, at.x, at.y);
+    }
+    svg_path_end(svg);
+    raster_free(&r);
+}
+
+void panel_ticks(struct panel *panel, const struct scene *scene, struct svg *svg)
+{
+    svg_group(svg, "fill=\"none\" stroke-linecap=\"round\"");
+    for (size_t i = 0; i < scene->n; i++) {
+        const struct layer *layer = &scene->item[i];
+        if (panel->style->joints && layer->joint.n)
+            draw_joints(panel, &layer->joint, svg);
+        if (layer->normal.n)
+            draw_ticks(panel, &layer->normal, 8, "stroke=\"#009E73\" stroke-width=\"9\"", svg);
+        if (layer->axis.n)
+            draw_ticks(panel, &layer->axis, 8, "stroke=\"#A3620A\" stroke-width=\"8\"", svg);
+    }
+    svg_group_end(svg);
+}

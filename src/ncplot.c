@@ -1,0 +1,125 @@
+/* ncplot - a picture of any stream of the suite, or of several together. */
+#include <stdlib.h>
+#include <string.h>
+
+#include "cli.h"
+#include "cloud.h"
+#include "layer.h"
+#include "out.h"
+#include "sheet.h"
+#include "sheet_legend.h"
+
+static const char *const units[] = {"mm", "cm", "m", "um", "inch", "in"};
+
+enum colour { COLOUR_AUTO, COLOUR_PASS, COLOUR_KIND };
+
+struct settings {
+    int view, colour, unit, width;
+    bool compare, poles, points, normals, axes;
+    const char *title;
+};
+
+static struct settings read_settings(struct cli *cli, int argc, char **argv)
+{
+    static struct settings s = {.width = 1000};
+    static const struct cli_option options[] = {
+        {0, "view", "both|plan|iso|front|side|all",
+         "the views: plan and isometric (default), one, or all four", CLI_CHOICE, &s.view, 0, 0, 0,
+         NULL},
+        {0, "colour", "auto|pass|kind",
+         "the colours of a path say its passes, or what is a line, an arc, a\n"
+         "B-spline (default: passes where all is lines)",
+         CLI_CHOICE, &s.colour, 0, 0, 0, NULL},
+        {0, "compare", NULL, "a colour for each stream; how far the first two are apart", CLI_FLAG,
+         &s.compare, 0, 0, 0, NULL},
+        {0, "points", NULL, "mark where the motions of a path end", CLI_FLAG, &s.points, 0, 0, 0,
+         NULL},
+        {0, "poles", NULL, "show the control points of B-splines", CLI_FLAG, &s.poles, 0, 0, 0,
+         NULL},
+        {0, "normals", NULL, "show the normals of a mesh or of contact points", CLI_FLAG,
+         &s.normals, 0, 0, 0, NULL},
+        {0, "axes", NULL, "show the tool axis", CLI_FLAG, &s.axes, 0, 0, 0, NULL},
+        {0, "title", "TEXT", "what stands above (default: the names of the files)", CLI_TEXT,
+         &s.title, 0, 0, 0, NULL},
+        {0, "width", "PX", "width of the picture, at most (1000)", CLI_COUNT, &s.width, 300, 10000,
+         0, NULL},
+        {'u', "units", "mm|cm|m|um|inch|in", "units of clouds (default: mm)", CLI_CHOICE, &s.unit,
+         0, 0, 0, NULL},
+        {0},
+    };
+    cli->option = options;
+    cli_parse(cli, argc, argv);
+    if (s.compare && cli->files < 2)
+        die_usage("option --compare: found one file, expected two or more");
+    return s;
+}
+
+static struct scene read_scene(const struct cli *cli, const struct settings *s)
+{
+    struct layer_options options = {.unit = cloud_unit(units[s->unit]),
+                                    .poles = s->poles,
+                                    .normals = s->normals,
+                                    .axes = s->axes};
+    struct scene scene = {0};
+    struct error error;
+    for (int i = 0; i < cli->files; i++) {
+        struct layer layer;
+        if (layer_read(cli->file[i], &options, &layer, &error) < 0)
+            die_error(&error);
+        if (layer.point.n + layer.mesh.vertex.n + layer.node.n == 0)
+            die("%s: nothing to draw, expected points, facets or motions", layer.name);
+        note("%s: %s", layer.name, layer.figures);
+        *array_push(&scene) = layer;
+    }
+    return scene;
+}
+
+/* Passes tell most where all is lines; arcs and B-splines are told apart first. */
+static bool by_pass(const struct scene *scene, int colour)
+{
+    for (size_t i = 0; colour == COLOUR_AUTO && i < scene->n; i++)
+        if (scene->item[i].motions[STROKE_ARC] + scene->item[i].motions[STROKE_SPLINE] > 0)
+            return false;
+    return colour != COLOUR_KIND;
+}
+
+/* The names of the files, parted by commas. */
+static char *title_of(const struct scene *scene)
+{
+    struct {
+        size_t n, cap;
+        char *item;
+    } text = {0};
+    for (size_t i = 0; i < scene->n; i++) {
+        const char *name = sheet_name(scene->item[i].name);
+        for (const char *p = i ? ", " : ""; *p; p++)
+            *array_push(&text) = *p;
+        for (const char *p = name; *p; p++)
+            *array_push(&text) = *p;
+    }
+    *array_push(&text) = '\0';
+    return text.item;
+}
+
+int main(int argc, char **argv)
+{
+    struct cli cli = {.tool = "ncplot",
+                      .usage = "[options] [STREAM...]",
+                      .about = "draws a cloud, a mesh, a path or a program as SVG"};
+    struct settings s = read_settings(&cli, argc, argv);
+    struct scene scene = read_scene(&cli, &s);
+    char *names = title_of(&scene);
+    struct sheet_options options = {.title = s.title ? s.title : names,
+                                    .views = (enum sheet_views)s.view,
+                                    .width = s.width,
+                                    .by_pass = by_pass(&scene, s.colour),
+                                    .by_layer = s.compare,
+                                    .joints = s.points};
+
+    struct out *out = out_open(cli.output);
+    sheet_write(out, &scene, &options);
+    out_close(out);
+    free(names);
+    scene_free(&scene);
+    return EXIT_DONE;
+}
