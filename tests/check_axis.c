@@ -76,6 +76,26 @@ START_TEST(tool_leans_to_the_same_side_on_the_way_back)
 }
 END_TEST
 
+/* In a plane of any slope the feed is that of the curve itself: in the plane and on the surface. */
+START_TEST(lead_and_tilt_of_a_run_in_a_plane)
+{
+    for (int i = 0; i < 100; i++) {
+        double lead = uniform(0.1, 0.6), tilt = uniform(0.1, 0.6);
+        struct axis_rule rule = {.kind = AXIS_LEAN, .lead = lead, .tilt = tilt};
+        struct vec3 side = vec_unit(vec(uniform(-1, 1), uniform(-1, 1), uniform(-1, 1)));
+        struct vec3 n = normal(), o = vec(0, 0, 0);
+        double sign = i % 2 ? 1 : -1;
+        struct axis_feed feed = {.along = vec(1, 0, 0), .side = side};
+        feed.plane = vec_scale(sign, side);
+        struct vec3 t = vec_unit(vec_cross(feed.plane, n)), a = axis_at(&rule, &feed, o, n);
+        ck_assert_double_eq_tol(vec_dot(t, side), 0, 1e-12);
+        ck_assert_double_eq_tol(vec_dot(a, t) / vec_dot(a, n), tan(lead), 1e-12);
+        struct vec3 across = vec_unit(vec_reject(side, n));
+        ck_assert_double_eq_tol(vec_dot(a, across) / vec_dot(a, n), tan(tilt), 1e-12);
+    }
+}
+END_TEST
+
 START_TEST(axis_goes_through_points_and_circles)
 {
     struct axis_feed feed = feed_at(0, 1);
@@ -128,6 +148,7 @@ int main(void)
     tcase_add_test(tests, tilt_is_the_angle_off_the_normal_across_the_feed);
     tcase_add_test(tests, lean_is_the_formula_of_the_design);
     tcase_add_test(tests, tool_leans_to_the_same_side_on_the_way_back);
+    tcase_add_test(tests, lead_and_tilt_of_a_run_in_a_plane);
     tcase_add_test(tests, axis_goes_through_points_and_circles);
     tcase_add_test(tests, axis_has_length_one_where_nothing_tells_it);
     suite_add_tcase(suite, tests);
