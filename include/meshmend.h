@@ -19,7 +19,7 @@ struct mend_report {
     size_t sheets;     /* connected pieces */
     size_t closed;     /* of them without a border */
     size_t turned;     /* pieces that faced away and were turned as a whole */
-    size_t normals;    /* vertex normals that were turned to their facets' side */
+    size_t normals;    /* vertex normals away from their facets: turned, or the facets' mean */
     bool normals_made; /* the mesh had none */
 };
 

@@ -81,7 +81,8 @@ static void tell_mending(const char *file, const struct mend_report *r)
         say("%s: normals pointed down, or into a closed part: %zu of %zu sheets turned", file,
             r->turned, r->sheets);
     if (r->normals > 0)
-        say("%s: %zu normals pointed away from their facets: turned", file, r->normals);
+        say("%s: %zu normals pointed away from their facets: turned to their side", file,
+            r->normals);
     if (r->normals_made)
         say("%s: the mesh has no normals: taking the mean of the facets', sharp edges kept", file);
 }

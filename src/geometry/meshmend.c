@@ -236,7 +236,8 @@ static void face_with_normals(struct mesh *mesh, struct vec3 up, struct mend_rep
     }
 }
 
-/* Vertex normals on the other side of their facets are turned. */
+/* Vertex normals on the other side of their facets are turned, or, where they are no more than
+ * crosswise, give way to the facets'. */
 static size_t turn_normals(struct mesh *mesh)
 {
     struct vec3 *sum = mem_alloc(mesh->vertex.n, sizeof *sum);
@@ -250,10 +251,11 @@ static size_t turn_normals(struct mesh *mesh)
         }
     }
     for (size_t v = 0; v < mesh->vertex.n; v++) {
-        if (vec_dot(sum[v], mesh->normal.item[v]) < 0) {
-            mesh->normal.item[v] = vec_scale(-1, mesh->normal.item[v]);
-            turned++;
-        }
+        struct vec3 mean = vec_unit(sum[v]), *normal = &mesh->normal.item[v];
+        double agree = vec_dot(mean, *normal);
+        turned += agree < 0;
+        if (agree < 0)
+            *normal = agree < -0.5 ? vec_scale(-1, *normal) : mean;
     }
     free(sum);
     return turned;
