@@ -1,0 +1,23 @@
+/*
+ * hollow - where a NURBS patch is most tightly hollow, and so the largest ball that fits it.
+ */
+#ifndef CLOUDMILL_HOLLOW_H
+#define CLOUDMILL_HOLLOW_H
+
+#include "patch.h"
+#include "trimcut.h"
+
+struct hollow {
+    double curvature; /* the largest principal curvature, hollow positive, 1/mm */
+    struct uv at;
+    struct vec3 point;
+};
+
+/*
+ * The largest principal curvature inside the loops, seen from the side dS/du x dS/dv or, where
+ * `flipped`, from the other: the best of samples in every span of the knots, each then followed
+ * uphill within its span to 1e-12 of it.  A curvature of 0 or less says that no place is hollow.
+ */
+struct hollow hollow_find(const struct patch *patch, const struct uvloops *loops, bool flipped);
+
+#endif

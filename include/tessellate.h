@@ -1,0 +1,41 @@
+/*
+ * tessellate - one NURBS patch as triangles: vertices with exact points, normals and curvatures.
+ */
+#ifndef CLOUDMILL_TESSELLATE_H
+#define CLOUDMILL_TESSELLATE_H
+
+#include "mesh.h"
+#include "patch.h"
+#include "trimcut.h"
+
+/* The triangles of one patch.  Where the surface may have a kink (nurbs_axis_breaks) each side has
+ * vertices of its own: a vertex belongs to one piece. */
+struct sheet {
+    struct uvs at;
+    struct vec3s point, normal; /* normals along dS/du x dS/dv */
+    struct doubles k1, k2;      /* as nurbs_place */
+    struct ints piece;          /* of each vertex; nurbs of a piece: sheet_piece */
+    struct faces face;          /* counter-clockwise seen from where the normals point */
+    double error;               /* the farthest that the middle of a triangle or edge is off, mm */
+    struct vec3 error_at;       /* where */
+    size_t unclear;             /* cells in which the trimming crosses itself */
+    size_t lines_u, lines_v;    /* of the grid */
+};
+
+struct tessellation {
+    int n;            /* triangles in each direction, or 0: as many as the tolerance needs */
+    double tolerance; /* mm: of the surface where n is 0, of the trimming always */
+};
+
+/* The loops of a patch as polygons whose sides, on the surface, stay within `tolerance` mm of the
+ * curve; curves that run backwards are turned round. */
+void tessellate_loops(const struct patch *patch, double tolerance, struct uvloops *loops);
+
+void tessellate(const struct patch *patch, struct tessellation how, struct sheet *sheet);
+
+/* The surface with its range narrowed to one piece (it shares the memory of the surface). */
+struct nurbs tessellate_piece(const struct nurbs *surface, int piece);
+
+void sheet_free(struct sheet *sheet);
+
+#endif

@@ -1,0 +1,104 @@
+/* nurbs_report - see nurbs_report.h. */
+#include "nurbs_report.h"
+
+#include <stdlib.h>
+
+#include "array.h"
+#include "hollow.h"
+#include "out.h"
+#include "parallel.h"
+#include "tessellate.h"
+
+/* 15 digits, never -0. */
+static void write_number(struct out *out, double x)
+{
+    out_printf(out, ",%.15g", x + 0.0);
+}
+
+static void write_vec(struct out *out, struct vec3 p)
+{
+    write_number(out, p.x);
+    write_number(out, p.y);
+    write_number(out, p.z);
+}
+
+static double part_of(const struct nurbs_axis *a, int i, int n)
+{
+    return i == n - 1 ? a->to : a->from + (a->to - a->from) * i / (n - 1);
+}
+
+void nurbs_report_grid(const char *file, const struct patches *patches, int n)
+{
+    struct out *out = out_open(file);
+    out_text(out, "entity,u,v,x,y,z,nx,ny,nz\n");
+    for (size_t k = 0; k < patches->n; k++) {
+        const struct nurbs *s = &patches->item[k].surface;
+        for (int i = 0; i < n; i++)
+            for (int j = 0; j < n; j++) {
+                struct uv at = {part_of(&s->u, i, n), part_of(&s->v, j, n)};
+                struct nurbs_place p = nurbs_place(s, at);
+                out_printf(out, "%d", patches->item[k].entity);
+                write_number(out, at.u);
+                write_number(out, at.v);
+                write_vec(out, p.point);
+                write_vec(out, p.normal);
+                out_text(out, "\n");
+            }
+    }
+    out_close(out);
+}
+
+struct job {
+    const struct patches *patches;
+    const bool *flipped;
+    struct hollow *hollow;
+};
+
+static void find_some(void *context, size_t from, size_t to)
+{
+    struct job *job = context;
+    for (size_t i = from; i < to; i++) {
+        const struct patch *patch = &job->patches->item[i];
+        const struct nurbs *s = &patch->surface;
+        struct uvloops loops;
+        double size = vec_distance(nurbs_point(s, (struct uv){s->u.from, s->v.from}),
+                                   nurbs_point(s, (struct uv){s->u.to, s->v.to}));
+        tessellate_loops(patch, fmax(1e-6 * size, 1e-6), &loops);
+        job->hollow[i] = hollow_find(patch, &loops, job->flipped[i]);
+        uvloops_free(&loops);
+    }
+}
+
+void nurbs_report_radii(const char *file, const struct patches *patches, const bool *flipped,
+                        int threads)
+{
+    struct hollow *hollow = mem_alloc(patches->n, sizeof *hollow);
+    struct job job = {patches, flipped, hollow};
+    const struct patch *tightest = NULL;
+    double most = 0;
+    parallel_for(threads, patches->n, find_some, &job);
+    struct out *out = out_open(file);
+    out_text(out, "surface,radius,u,v,x,y,z\n");
+    for (size_t i = 0; i < patches->n; i++) {
+        const struct patch *p = &patches->item[i];
+        out_printf(out, "%s:%d", p->file, p->entity);
+        if (hollow[i].curvature > 1e-9) {
+            out_printf(out, ",%.6f,%.9g,%.9g,%.6f,%.6f,%.6f\n", 1 / hollow[i].curvature,
+                       hollow[i].at.u + 0.0, hollow[i].at.v + 0.0, hollow[i].point.x + 0.0,
+                       hollow[i].point.y + 0.0, hollow[i].point.z + 0.0);
+        } else {
+            out_text(out, ",none,,,,,\n");
+        }
+        if (hollow[i].curvature > most) {
+            most = hollow[i].curvature;
+            tightest = p;
+        }
+    }
+    if (most > 1e-9)
+        out_printf(out, "# largest ball: radius %.6f (%s:%d)\n", 1 / most, tightest->file,
+                   tightest->entity);
+    else
+        out_text(out, "# largest ball: any, nothing is hollow\n");
+    out_close(out);
+    free(hollow);
+}

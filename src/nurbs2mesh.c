@@ -1,0 +1,232 @@
+/*
+ * nurbs2mesh - NURBS surfaces to a triangulated mesh with exact normals and curvatures, trimmed,
+ * joined along common edges and turned to the tool (Bey, Boudjouad, Tafat-Bouzid 2007, 2.1).
+ */
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "cli.h"
+#include "cloud.h"
+#include "nurbs_report.h"
+#include "outward.h"
+#include "parallel.h"
+#include "ply.h"
+#include "surfaces.h"
+#include "weld.h"
+
+enum { MOST = 5000 };
+
+struct settings {
+    int n;
+    double tolerance; /* 0: by n */
+    double gap;       /* 0: from the size */
+    double up[3];
+    int unit, grid; /* grid 0: none */
+    bool report, count_given, unit_given;
+};
+
+static const char *const unit_name[] = {"mm", "cm", "m", "um", "inch", "in"};
+
+static struct settings read_options(struct cli *cli, int argc, char **argv)
+{
+    static struct settings s = {.n = 200, .up = {0, 0, 1}};
+    const struct cli_option option[] = {
+        {'n', "count", "N", "triangles in each direction of a surface (default: 200)", CLI_COUNT,
+         &s.n, 1, MOST, 0, &s.count_given},
+        {'e', "tolerance", "MM",
+         "instead: as many as keep each triangle and each trimmed edge so near\nto the surface",
+         CLI_NUMBER, &s.tolerance, CLI_POSITIVE, 0, 0, NULL},
+        {'u', "units", "mm|cm|m|um|inch|in", "units of the files, whatever they say themselves",
+         CLI_CHOICE, &s.unit, 0, 0, 0, &s.unit_given},
+        {'k', "curvature", NULL,
+         "print the smallest hollow radius of each surface and where it is,\ninstead of the mesh",
+         CLI_FLAG, &s.report, 0, 0, 0, NULL},
+        {0, "up", "I,J,K", "where the tool comes from, for which side is outside (default: 0,0,1)",
+         CLI_NUMBERS, s.up, 0, 0, 3, NULL},
+        {0, "gap", "MM",
+         "edges of neighbours so near are one (default: 0.00001 of the size of\nthe part)",
+         CLI_NUMBER, &s.gap, CLI_POSITIVE, 0, 0, NULL},
+        {0, "grid", "N",
+         "print points and normals of an N x N grid of the parameters of each\n"
+         "surface, untrimmed, instead of the mesh",
+         CLI_COUNT, &s.grid, 2, MOST, 0, NULL},
+        {0}};
+    cli->option = option;
+    cli_parse(cli, argc, argv);
+    if (s.count_given && s.tolerance > 0)
+        die_usage("-n and -e together, expected one of them");
+    if (!(s.up[0] * s.up[0] + s.up[1] * s.up[1] + s.up[2] * s.up[2] > 0))
+        die_usage("--up 0,0,0, expected a direction");
+    return s;
+}
+
+static void say_unit(const char *file, const struct settings *s, const struct surfaces_unit *unit)
+{
+    if (unit->flag[0] && !s->unit_given)
+        note("%s: unit %s", file, unit->flag);
+    if (unit->other[0])
+        say("%s: the unit flag says %s, the name beside it %s: took %s", file, unit->flag,
+            unit->other, s->unit_given ? unit_name[s->unit] : unit->flag);
+    if ((unit->scale < 1 || unit->scale > 1) && !s->unit_given)
+        say("%s: model scale %g worked in", file, unit->scale);
+}
+
+static void say_ignored(const struct patches *patches)
+{
+    for (size_t i = 0; i < patches->n; i++) {
+        const struct patch *p = &patches->item[i];
+        if (p->ignored > 0)
+            say("%s: surface %d: %d trimming curve%s ignored, the first at directory entry %d "
+                "(entity type %d is not understood there)",
+                p->file, p->entity, p->ignored, p->ignored == 1 ? "" : "s", p->ignored_entity,
+                p->ignored_type);
+    }
+    if (patches->others > 0)
+        say("%zu surface%s of other types left out, the first at directory entry %d (type %d); only "
+            "type 128 is read",
+            patches->others, patches->others == 1 ? "" : "s", patches->other_entity,
+            patches->other_type);
+}
+
+static void read_files(const struct cli *cli, const struct settings *s, struct patches *patches)
+{
+    struct surfaces_unit unit;
+    struct error error;
+    double mm = s->unit_given ? cloud_unit(unit_name[s->unit]) : 0;
+    for (int i = 0; i < cli->files; i++) {
+        if (surfaces_read(cli->file[i], mm, patches, &unit, &error) < 0)
+            die_error(&error);
+        say_unit(cli->file[i], s, &unit);
+    }
+    say_ignored(patches);
+}
+
+/* What the threads share: a surface is a unit of work. */
+struct job {
+    const struct patches *patches;
+    struct tessellation how;
+    struct sheet *sheet;
+};
+
+static void tessellate_some(void *context, size_t from, size_t to)
+{
+    struct job *job = context;
+    for (size_t i = from; i < to; i++)
+        tessellate(&job->patches->item[i], job->how, &job->sheet[i]);
+}
+
+/* The diagonal of the box of all poles: what "small" is measured by. */
+static double size_of(const struct patches *patches)
+{
+    struct vec3 low = {HUGE_VAL, HUGE_VAL, HUGE_VAL}, high = {-HUGE_VAL, -HUGE_VAL, -HUGE_VAL};
+    for (size_t i = 0; i < patches->n; i++) {
+        const struct nurbs *s = &patches->item[i].surface;
+        for (size_t k = 0; k < s->u.poles * s->v.poles; k++) {
+            struct nurbs_pole p = s->pole[k];
+            low = vec(fmin(low.x, p.wx / p.w), fmin(low.y, p.wy / p.w), fmin(low.z, p.wz / p.w));
+            high = vec(fmax(high.x, p.wx / p.w), fmax(high.y, p.wy / p.w), fmax(high.z, p.wz / p.w));
+        }
+    }
+    return vec_distance(low, high);
+}
+
+static void make_quilt(const struct cli *cli, const struct settings *s,
+                       const struct patches *patches, struct sheet *sheet, struct quilt *quilt)
+{
+    double size = size_of(patches), gap = s->gap > 0 ? s->gap : 1e-5 * size;
+    double fine = s->tolerance > 0 ? s->tolerance : fmax(1e-5 * size, 1e-3);
+    struct job job = {patches, {s->tolerance > 0 ? 0 : s->n, fine}, sheet};
+    parallel_for(cli->threads, patches->n, tessellate_some, &job);
+    quilt_make(sheet, patches->n, quilt);
+    struct weld_count welded = weld(quilt, patches, gap, fine);
+    struct outward_count out = outward(quilt, vec(s->up[0], s->up[1], s->up[2]));
+    note("%zu border vertices joined and %zu inserted within %g mm; %zu %s; %zu open edges",
+         welded.joined, welded.inserted, gap, out.bodies, out.bodies == 1 ? "body" : "bodies",
+         out.open);
+    if (out.unclear > 0)
+        say("%zu of %zu bodies stand upright: --up does not say which side is outside", out.unclear,
+            out.bodies);
+    if (out.conflicts > 0)
+        say("%zu neighbours cannot be turned to the same side", out.conflicts);
+}
+
+/* The farthest any triangle is off its surface, and what else there is to say of the sheets. */
+static double judge(const struct settings *s, const struct patches *patches,
+                    const struct sheet *sheet)
+{
+    size_t worst = 0;
+    for (size_t i = 0; i < patches->n; i++) {
+        const struct patch *p = &patches->item[i];
+        if (sheet[i].unclear > 0)
+            say("%s: surface %d: its trimming crosses itself in %zu cells, kept or cut away whole",
+                p->file, p->entity, sheet[i].unclear);
+        if (sheet[i].face.n == 0)
+            say("%s: surface %d: nothing is left of it by its trimming", p->file, p->entity);
+        if (sheet[i].error > sheet[worst].error)
+            worst = i;
+    }
+    struct vec3 at = sheet[worst].error_at;
+    note("triangles are off the surfaces by %.6f mm at worst (surface %d, at %.3f %.3f %.3f)",
+         sheet[worst].error, patches->item[worst].entity, at.x, at.y, at.z);
+    if (s->tolerance > 0 && sheet[worst].error > s->tolerance)
+        die_unmet("%s: surface %d: %g mm off at %.3f %.3f %.3f, expected %g mm (-e): more triangles "
+                  "than %d a side would be needed",
+                  patches->item[worst].file, patches->item[worst].entity, sheet[worst].error, at.x,
+                  at.y, at.z, s->tolerance, MOST);
+    return sheet[worst].error;
+}
+
+static char *source_of(const struct cli *cli)
+{
+    char name[300];
+    int n = cli->files == 1 ? snprintf(name, sizeof name, "%.290s", cli->file[0])
+                            : snprintf(name, sizeof name, "%.250s and %d more", cli->file[0],
+                                       cli->files - 1);
+    return mem_string(name, (size_t)n);
+}
+
+static void write_mesh(const struct cli *cli, const struct quilt *quilt, double error)
+{
+    struct mesh mesh = {.origin = {.ledger = error}};
+    mesh.origin.source = source_of(cli);
+    mesh.origin.maker = mem_string("nurbs2mesh", strlen("nurbs2mesh"));
+    quilt_mesh(quilt, &mesh);
+    if (mesh.face.n == 0)
+        die("%s: surfaces without area, expected some", mesh.origin.source);
+    note("%zu surfaces in; %zu vertices, %zu facets", quilt->sheets, mesh.vertex.n, mesh.face.n);
+    struct out *out = out_open(cli->output);
+    ply_write(out, &mesh);
+    out_close(out);
+    mesh_free(&mesh);
+}
+
+int main(int argc, char **argv)
+{
+    struct cli cli = {.tool = "nurbs2mesh",
+                      .usage = "[options] [FILE...]",
+                      .about = "Make a mesh of NURBS surfaces (IGES, or NURBS text)."};
+    struct settings settings = read_options(&cli, argc, argv);
+    struct patches patches = {0};
+    struct quilt quilt = {0};
+
+    read_files(&cli, &settings, &patches);
+    struct sheet *sheet = mem_alloc(patches.n, sizeof *sheet);
+    if (settings.grid > 0) {
+        nurbs_report_grid(cli.output, &patches, settings.grid);
+    } else {
+        make_quilt(&cli, &settings, &patches, sheet, &quilt);
+        double error = judge(&settings, &patches, sheet);
+        if (settings.report)
+            nurbs_report_radii(cli.output, &patches, quilt.flipped, cli.threads);
+        else
+            write_mesh(&cli, &quilt, error);
+    }
+    for (size_t i = 0; i < patches.n; i++)
+        sheet_free(&sheet[i]);
+    free(sheet);
+    quilt_free(&quilt);
+    patches_free(&patches);
+    return EXIT_DONE;
+}
