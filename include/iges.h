@@ -24,11 +24,11 @@ struct iges_records {
 
 struct iges_entity {
     int type, form;
-    int number;        /* sequence number of its first directory line, odd */
-    size_t first;      /* its first parameter line, from 1 ... */
-    size_t lines;      /* ... and how many */
-    int matrix;        /* of its transformation (type 124), 0: none */
-    size_t at;         /* line of the file */
+    int number;   /* sequence number of its first directory line, odd */
+    size_t first; /* its first parameter line, from 1 ... */
+    size_t lines; /* ... and how many */
+    int matrix;   /* of its transformation (type 124), 0: none */
+    size_t at;    /* line of the file */
 };
 
 struct iges_entities {
@@ -37,12 +37,12 @@ struct iges_entities {
 };
 
 struct iges {
-    char *name;             /* of the file */
-    char comma, semicolon;  /* the file's own delimiters of parameters and of records */
-    double unit;            /* mm in one of the file's units, its model scale worked in */
-    double scale;           /* model space scale as the file has it */
-    char unit_name[16];     /* of the unit flag */
-    char unit_text[16];     /* what the file calls it beside the flag */
+    char *name;            /* of the file */
+    char comma, semicolon; /* the file's own delimiters of parameters and of records */
+    double unit;           /* mm in one of the file's units, its model scale worked in */
+    double scale;          /* model space scale as the file has it */
+    char unit_name[16];    /* of the unit flag */
+    char unit_text[16];    /* what the file calls it beside the flag */
     struct iges_records global, parameter;
     struct iges_entities entity;
 };

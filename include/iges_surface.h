@@ -9,11 +9,10 @@
 #include "patch.h"
 
 /*
- * Appends all surfaces, in the order of their directory entries (128), in mm: each 128 once for each
- * entity that trims it, or once as it is.  `mm` > 0 takes the place of the file's own unit.  A file
- * without a surface is an error.
+ * Appends all surfaces, in the order of their directory entries (128), in mm: each 128 once for
+ * each entity that trims it, or once as it is.  `mm` > 0 takes the place of the file's own unit.  A
+ * file without a surface is an error.
  */
-int iges_surfaces(const struct iges *iges, double mm, struct patches *patches,
-                  struct error *error);
+int iges_surfaces(const struct iges *iges, double mm, struct patches *patches, struct error *error);
 
 #endif

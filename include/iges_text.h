@@ -24,8 +24,8 @@ char iges_peek(struct iges_cursor *c);
 char iges_take(struct iges_cursor *c);
 
 /*
- * The next parameter: 1, or 2 when it is the last one before the record delimiter, or -1.  A text is
- * copied to `text`, cut to its size.  Numbers may have exponents by E or D.
+ * The next parameter: 1, or 2 when it is the last one before the record delimiter, or -1.  A text
+ * is copied to `text`, cut to its size.  Numbers may have exponents by E or D.
  */
 int iges_next(struct iges_cursor *c, struct iges_value *value, char *text, size_t size,
               struct error *error);

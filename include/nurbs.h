@@ -2,8 +2,8 @@
  * nurbs - rational B-spline curves and surfaces of any degree: points, normals, curvatures.
  *
  * The formulas are those of Piegl and Tiller, The NURBS Book: basis functions eq 2.5, their
- * derivatives eq 2.7, rational derivatives eq 4.20, and of do Carmo, Differential Geometry of Curves
- * and Surfaces, 3-3, for the curvatures.  Knots need not be clamped; weights are positive.
+ * derivatives eq 2.7, rational derivatives eq 4.20, and of do Carmo, Differential Geometry of
+ * Curves and Surfaces, 3-3, for the curvatures.  Knots need not be clamped; weights are positive.
  */
 #ifndef CLOUDMILL_NURBS_H
 #define CLOUDMILL_NURBS_H

@@ -10,8 +10,8 @@
  * and untrimmed; normals along dS/du x dS/dv.  15 digits. */
 void nurbs_report_grid(const char *file, const struct patches *patches, int n);
 
-/* A table `surface,radius,u,v,x,y,z`: where each surface, inside its trimming and seen from outside,
- * is most tightly hollow, and last the largest ball that fits all of them. */
+/* A table `surface,radius,u,v,x,y,z`: where each surface, inside its trimming and seen from
+ * outside, is most tightly hollow, and last the largest ball that fits all of them. */
 void nurbs_report_radii(const char *file, const struct patches *patches, const bool *flipped,
                         int threads);
 

@@ -18,6 +18,7 @@ struct sheet {
     struct faces face;          /* counter-clockwise seen from where the normals point */
     double error;               /* the farthest that the middle of a triangle or edge is off, mm */
     struct vec3 error_at;       /* where */
+    bool too_fine;              /* the tolerance would need more than 4 million cells: not made */
     size_t unclear;             /* cells in which the trimming crosses itself */
     size_t lines_u, lines_v;    /* of the grid */
 };

@@ -23,9 +23,9 @@ struct uvmesh {
 };
 
 /*
- * u and v are the lines, rising; the first and the last bound the grid.  Inside is what an odd number
- * of loops go round, or an even number where `open`.  A loop that crosses no line gets one: `u` grows.
- * Points of the loops outside the grid may be a little off: they are moved to its edge.
+ * u and v are the lines, rising; the first and the last bound the grid.  Inside is what an odd
+ * number of loops go round, or an even number where `open`.  A loop that crosses no line gets one:
+ * `u` grows. Points of the loops outside the grid may be a little off: they are moved to its edge.
  */
 void trimcut(struct doubles *u, const struct doubles *v, const struct uvloops *loops, bool open,
              struct uvmesh *mesh);

@@ -15,8 +15,8 @@ struct weld_count {
 /*
  * Gives border vertices that lie within `gap` mm of each other one place, never two of the same
  * piece that are apart; and where a vertex of one patch lies on the border of another, between two
- * vertices of that, gives it one there too, put on the surface with a normal of its own.  `slack` mm
- * is how far the border edges of trimmed patches may stray from the true border.
+ * vertices of that, gives it one there too, put on the surface with a normal of its own.  `slack`
+ * mm is how far the border edges of trimmed patches may stray from the true border.
  */
 struct weld_count weld(struct quilt *quilt, const struct patches *patches, double gap,
                        double slack);

@@ -54,11 +54,10 @@ static int take_record(struct scan *s, const char *text, size_t line, struct err
                         *letter, section_letter[s->section]);
     s->section = section;
     s->count[section]++;
-    if (field(record.text, LETTER + 1, COLUMNS, &number) < 0 ||
-        (size_t)number != s->count[section])
+    if (field(record.text, LETTER + 1, COLUMNS, &number) < 0 || (size_t)number != s->count[section])
         return error_at(error, s->iges->name, line,
-                        "sequence number '%.7s' in section %c, expected %zu", record.text + LETTER + 1,
-                        *letter, s->count[section]);
+                        "sequence number '%.7s' in section %c, expected %zu",
+                        record.text + LETTER + 1, *letter, s->count[section]);
     if (*letter == 'G')
         *array_push(&s->iges->global) = record;
     else if (*letter == 'D')
@@ -136,13 +135,18 @@ static int take_entity(struct iges *iges, const struct iges_record *a, const str
         v[3] = 1;
     size_t lines = iges->parameter.n;
     if (v[1] < 1 || (size_t)v[1] > lines || v[3] < 0 || (size_t)v[3] > lines - (size_t)v[1] + 1)
-        return error_at(error, iges->name, a->line,
-                        "a pointer to %ld parameter lines from P %ld on, expected lines within the %zu "
-                        "that there are",
-                        v[3], v[1], lines);
-    struct iges_entity e = {.type = (int)v[0], .form = (int)v[4], .number = number,
-                            .first = (size_t)v[1], .lines = (size_t)v[3],
-                            .matrix = (int)v[2], .at = a->line};
+        return error_at(
+            error, iges->name, a->line,
+            "a pointer to %ld parameter lines from P %ld on, expected lines within the %zu "
+            "that there are",
+            v[3], v[1], lines);
+    struct iges_entity e = {.type = (int)v[0],
+                            .form = (int)v[4],
+                            .number = number,
+                            .first = (size_t)v[1],
+                            .lines = (size_t)v[3],
+                            .matrix = (int)v[2],
+                            .at = a->line};
     *array_push(&iges->entity) = e;
     return 0;
 }
@@ -186,9 +190,13 @@ const struct iges_entity *iges_entity(const struct iges *iges, int number)
 int iges_values(const struct iges *iges, const struct iges_entity *entity,
                 struct iges_values *values, struct error *error)
 {
-    struct iges_cursor c = {.name = iges->name, .record = iges->parameter.item + entity->first - 1,
-                            .records = entity->lines, .width = POINTER, .entity = entity->number,
-                            .comma = iges->comma, .semicolon = iges->semicolon};
+    struct iges_cursor c = {.name = iges->name,
+                            .record = iges->parameter.item + entity->first - 1,
+                            .records = entity->lines,
+                            .width = POINTER,
+                            .entity = entity->number,
+                            .comma = iges->comma,
+                            .semicolon = iges->semicolon};
     char text[2];
     *values = (struct iges_values){.line = c.record->line};
     for (size_t i = 0; i < entity->lines; i++) {
@@ -215,8 +223,8 @@ int iges_whole(const struct iges *iges, const struct iges_values *values, size_t
     double x = index < values->n ? values->item[index].number : 0;
     size_t line = index < values->n ? values->item[index].line : values->line;
     if (!(x >= (double)min && x <= (double)max) || x > floor(x))
-        return error_at(error, iges->name, line, "%.12g as %s, expected a whole number from %ld to %ld",
-                        x, what, min, max);
+        return error_at(error, iges->name, line,
+                        "%.12g as %s, expected a whole number from %ld to %ld", x, what, min, max);
     *number = (long)x;
     return 0;
 }

@@ -36,7 +36,8 @@ static struct nurbs_pole pole_at(const struct source *s, struct vec3 p, double w
 static int few(const struct source *s, size_t need, struct error *error)
 {
     return error_at(error, s->iges->name, s->values->line,
-                    "entity %d with %zu numbers, expected %zu", s->entity->type, s->values->n, need);
+                    "entity %d with %zu numbers, expected %zu", s->entity->type, s->values->n,
+                    need);
 }
 
 int iges_matrix(const struct iges *iges, int number, struct transform *matrix, struct error *error)
@@ -46,9 +47,11 @@ int iges_matrix(const struct iges *iges, int number, struct transform *matrix, s
         const struct iges_entity *e = iges_entity(iges, number);
         struct iges_values v;
         if (!e || e->type != 124 || depth == DEPTH_MAX)
-            return error_at(error, iges->name, 0,
-                            "a pointer to directory entry %d as a transformation, expected an entity "
-                            "124", number);
+            return error_at(
+                error, iges->name, 0,
+                "a pointer to directory entry %d as a transformation, expected an entity "
+                "124",
+                number);
         if (iges_values(iges, e, &v, error) < 0)
             return -1;
         struct transform t = transform_identity();
@@ -71,8 +74,8 @@ static int line_110(const struct source *s, struct patch_loop *loop, struct erro
         return few(s, 7, error);
     struct nurbs_curve c = patch_curve(1, 2);
     for (size_t i = 0; i < 2; i++)
-        c.pole[i] = pole_at(s, vec(value_at(s, 1 + 3 * i), value_at(s, 2 + 3 * i),
-                                   value_at(s, 3 + 3 * i)), 1);
+        c.pole[i] = pole_at(
+            s, vec(value_at(s, 1 + 3 * i), value_at(s, 2 + 3 * i), value_at(s, 3 + 3 * i)), 1);
     *array_push(loop) = c;
     return 0;
 }
@@ -114,7 +117,8 @@ static int polyline_106(const struct source *s, struct patch_loop *loop, struct 
     struct nurbs_curve c = patch_curve(1, n);
     for (size_t i = 0; i < n; i++) {
         double z = kind == 1 ? value_at(s, 3) : value_at(s, first + step * i + 2);
-        c.pole[i] = pole_at(s, vec(value_at(s, first + step * i), value_at(s, first + step * i + 1), z), 1);
+        c.pole[i] =
+            pole_at(s, vec(value_at(s, first + step * i), value_at(s, first + step * i + 1), z), 1);
         c.t.knot[1 + i] = (double)i / (double)(n - 1);
     }
     c.t.knot[n + 1] = 1;

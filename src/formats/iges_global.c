@@ -17,9 +17,9 @@ struct unit {
 };
 
 static const struct unit unit_table[] = {
-    {1, "INCH", "IN", 25.4},   {2, "MM", "MILLIMETER", 1}, {4, "FT", "FOOT", 304.8},
-    {5, "MI", "MILE", 1609344}, {6, "M", "METER", 1000},    {7, "KM", "KILOMETER", 1e6},
-    {8, "MIL", "MIL", 0.0254}, {9, "UM", "MICRON", 0.001}, {10, "CM", "CENTIMETER", 10},
+    {1, "INCH", "IN", 25.4},           {2, "MM", "MILLIMETER", 1}, {4, "FT", "FOOT", 304.8},
+    {5, "MI", "MILE", 1609344},        {6, "M", "METER", 1000},    {7, "KM", "KILOMETER", 1e6},
+    {8, "MIL", "MIL", 0.0254},         {9, "UM", "MICRON", 0.001}, {10, "CM", "CENTIMETER", 10},
     {11, "UIN", "MICROINCH", 2.54e-5},
 };
 
@@ -84,9 +84,12 @@ int iges_global(struct iges *iges, struct error *error)
 {
     if (iges->global.n == 0)
         return error_at(error, iges->name, 0, "no G section, expected one as in IGES");
-    struct iges_cursor c = {.name = iges->name, .record = iges->global.item,
-                            .records = iges->global.n, .width = WIDTH,
-                            .comma = ',', .semicolon = ';'};
+    struct iges_cursor c = {.name = iges->name,
+                            .record = iges->global.item,
+                            .records = iges->global.n,
+                            .width = WIDTH,
+                            .comma = ',',
+                            .semicolon = ';'};
     struct iges_value value;
     double flag = 1;
     char text[32], unit[32] = "";

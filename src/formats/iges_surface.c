@@ -34,7 +34,8 @@ static int read_layout(const struct iges *iges, const struct iges_values *v, str
     if (!(need <= (double)v->n))
         return error_at(error, iges->name, v->line,
                         "entity 128 with %ld x %ld poles of degree %ld x %ld but %zu numbers, "
-                        "expected %.0f", l->k1 + 1, l->k2 + 1, l->m1, l->m2, v->n, need);
+                        "expected %.0f",
+                        l->k1 + 1, l->k2 + 1, l->m1, l->m2, v->n, need);
     l->knots_v = HEAD + (size_t)(l->k1 + l->m1 + 2);
     l->weights = l->knots_v + (size_t)(l->k2 + l->m2 + 2);
     l->poles = l->weights + (size_t)poles;
@@ -193,8 +194,7 @@ static int add_loops(const struct source *s, const struct iges_values *v, size_t
     struct patch *patch = &s->patches->item[s->patches->n - 1];
     for (size_t i = 0; i < n; i++) {
         const struct iges_entity *e;
-        if (iges_pointer(s->iges, v, at + i, &e, error) < 0 ||
-            add_loop(s, patch, e, error) < 0)
+        if (iges_pointer(s->iges, v, at + i, &e, error) < 0 || add_loop(s, patch, e, error) < 0)
             return -1;
     }
     return 0;

@@ -205,9 +205,10 @@ static int finish(struct source *s, struct draft *d)
 {
     struct error why;
     if (!d->s.u.knot || !d->s.v.knot || !d->s.pole)
-        return error_at(s->error, s->reader->name, d->line,
-                        "a surface without %s, expected it",
-                        !d->s.pole ? "points" : !d->s.u.knot ? "knots_u" : "knots_v");
+        return error_at(s->error, s->reader->name, d->line, "a surface without %s, expected it",
+                        !d->s.pole     ? "points"
+                        : !d->s.u.knot ? "knots_u"
+                                       : "knots_v");
     if (!d->range) {
         d->s.u.from = d->s.v.from = -HUGE_VAL;
         d->s.u.to = d->s.v.to = HUGE_VAL;
@@ -253,8 +254,12 @@ static int read_unit(struct source *s)
 
 int nurbs_text_read(struct reader *r, double mm, struct patches *patches, struct error *error)
 {
-    struct source s = {.reader = r, .mm = mm > 0 ? mm : 1, .unit_given = mm > 0,
-                       .patches = patches, .error = error};
+    struct source s = {.reader = r,
+                       .mm = mm > 0 ? mm : 1,
+                       .unit_given = mm > 0,
+                       .patches = patches,
+                       .error = error};
+    size_t before = patches->n;
     if (next_word(&s) < 0)
         return -1;
     if (!is_word(&s, "nurbs"))
@@ -272,7 +277,7 @@ int nurbs_text_read(struct reader *r, double mm, struct patches *patches, struct
         patch->entity = number;
         patch->file = mem_string(r->name, strlen(r->name));
     }
-    if (!is_word(&s, "end"))
-        return complain(&s, "surface or end");
+    if (!is_word(&s, "end") || patches->n == before)
+        return complain(&s, patches->n == before ? "surface" : "surface or end");
     return 0;
 }

@@ -47,9 +47,10 @@ static int read_any(struct reader *r, double mm, struct patches *patches,
         return read_iges(r, mm, patches, unit, error);
     if (text)
         return nurbs_text_read(r, mm, patches, error);
-    return error_at(error, r->name, r->line + 1,
-                    "neither IGES (a section letter in column 73) nor NURBS text (nurbs 1), expected "
-                    "one of them");
+    return error_at(
+        error, r->name, r->line + 1,
+        "neither IGES (a section letter in column 73) nor NURBS text (nurbs 1), expected "
+        "one of them");
 }
 
 int surfaces_read(const char *file, double mm, struct patches *patches, struct surfaces_unit *unit,

@@ -4,7 +4,7 @@
 #include <stdlib.h>
 
 /* Samples in one direction, and the most cells that a tolerance may ask for. */
-enum { ACROSS = 24, ALONG = 96, CELLS_MAX = 4000 };
+enum { ACROSS = 24, ALONG = 96, CELLS_MAX = 1000000 };
 
 /* The range parted at the breaks: those with both ends. */
 static void break_lines(const struct nurbs_axis *a, struct doubles *at)

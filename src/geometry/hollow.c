@@ -67,7 +67,8 @@ static void sample_span(struct search *s, const struct nurbs *part, int nu, int 
 /* Steps in eight directions, halved when none goes up. */
 static struct hollow climb(const struct search *s, const struct nurbs *part, struct hollow h)
 {
-    static const int way[8][2] = {{1, 0}, {-1, 0}, {0, 1}, {0, -1}, {1, 1}, {-1, -1}, {1, -1}, {-1, 1}};
+    static const int way[8][2] = {{1, 0}, {-1, 0},  {0, 1},  {0, -1},
+                                  {1, 1}, {-1, -1}, {1, -1}, {-1, 1}};
     double u = part->u.to - part->u.from, v = part->v.to - part->v.from, step = 1.0 / LEAST;
     for (int turn = 0; turn < STEPS_MAX && step > 1e-12; turn++) {
         struct hollow next = h;

@@ -37,7 +37,8 @@ int nurbs_axis_check(struct nurbs_axis *a, const char *name, struct error *error
     a->from = fmax(a->from, low);
     a->to = fmin(a->to, high);
     if (!(a->from < a->to))
-        return error_set(error, "a range in %s from %g to %g, expected one inside the knots %g to %g",
+        return error_set(error,
+                         "a range in %s from %g to %g, expected one inside the knots %g to %g",
                          name, a->from, a->to, low, high);
     return 0;
 }
@@ -171,8 +172,8 @@ struct vec3 nurbs_point(const struct nurbs *s, struct uv at)
     return d[0][0];
 }
 
-/* The second fundamental form in an orthonormal frame e1 along dS/du, e2 = n x e1: its mean and half
- * the difference of its eigenvalues without cancellation. */
+/* The second fundamental form in an orthonormal frame e1 along dS/du, e2 = n x e1: its mean and
+ * half the difference of its eigenvalues without cancellation. */
 static void principal_curvatures(struct vec3 d[3][3], struct nurbs_place *p)
 {
     struct vec3 n = p->normal, e1 = vec_unit(d[1][0]);
@@ -214,8 +215,8 @@ static bool edge_normal(const struct nurbs *s, struct vec3 d[3][3], struct uv at
 {
     struct uv middle = middle_of(s);
     struct vec3 twist = d[1][1];
-    bool along_u = vec_length(d[1][0]) * (s->u.to - s->u.from) <
-                   vec_length(d[0][1]) * (s->v.to - s->v.from);
+    bool along_u =
+        vec_length(d[1][0]) * (s->u.to - s->u.from) < vec_length(d[0][1]) * (s->v.to - s->v.from);
     struct vec3 cross = along_u ? vec_cross(twist, d[0][1]) : vec_cross(d[1][0], twist);
     struct vec3 other = along_u ? d[0][1] : d[1][0];
     bool inwards = along_u ? at.v < middle.v : at.u < middle.u;
@@ -241,8 +242,8 @@ static struct vec3 limit_normal(const struct nurbs *s, struct uv at)
     return vec_unit(vec_along(near, 1, vec_sub(near, far)));
 }
 
-/* Below these the normal is taken as the limit, and the curvatures, which lose twice as many digits,
- * from a little way inside. */
+/* Below these the normal is taken as the limit, and the curvatures, which lose twice as many
+ * digits, from a little way inside. */
 static const double NORMAL_LEAST = 1e-10, CURVATURE_LEAST = 1e-5;
 
 struct nurbs_place nurbs_place(const struct nurbs *s, struct uv at)

@@ -20,7 +20,8 @@ static void find_borders(const struct sheet *s, size_t first_vertex, size_t firs
                          struct quilt_edges *edge)
 {
     size_t n = s->at.n;
-    size_t *from = mem_alloc(n + 2, sizeof *from), *list = mem_alloc(3 * s->face.n + 1, sizeof *list);
+    size_t *from = mem_alloc(n + 2, sizeof *from),
+           *list = mem_alloc(3 * s->face.n + 1, sizeof *list);
     for (size_t i = 0; i < 3 * s->face.n; i++)
         from[low_end(&s->face.item[i / 3], (int)(i % 3)) + 2]++;
     for (size_t i = 0; i + 2 < n + 2; i++)
@@ -34,9 +35,9 @@ static void find_borders(const struct sheet *s, size_t first_vertex, size_t firs
             for (size_t k = from[v]; k < from[v + 1]; k++)
                 same += high_end(&s->face.item[list[k] / 3], (int)(list[k] % 3)) == high;
             if (same == 1)
-                *array_push(edge) = (struct quilt_edge){
-                    first_vertex + (size_t)f->v[side], first_vertex + (size_t)f->v[(side + 1) % 3],
-                    first_face + list[i] / 3};
+                *array_push(edge) = (struct quilt_edge){first_vertex + (size_t)f->v[side],
+                                                        first_vertex + (size_t)f->v[(side + 1) % 3],
+                                                        first_face + list[i] / 3};
         }
     free(from);
     free(list);
@@ -52,8 +53,8 @@ void quilt_make(const struct sheet *sheet, size_t n, struct quilt *q)
         find_borders(s, first, q->face.n, &q->edge);
         for (size_t k = 0; k < s->at.n; k++)
             *array_push(&q->vertex) = (struct quilt_vertex){
-                s->point.item[k], s->normal.item[k], s->k1.item[k], s->k2.item[k],
-                s->at.item[k],    (int)i,            s->piece.item[k], first + k};
+                s->point.item[k], s->normal.item[k], s->k1.item[k], s->k2.item[k], s->at.item[k],
+                (int)i,           s->piece.item[k],  first + k};
         for (size_t k = 0; k < s->face.n; k++) {
             struct face f = s->face.item[k];
             for (int c = 0; c < 3; c++)

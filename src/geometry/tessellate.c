@@ -5,7 +5,7 @@
 
 #include "gridlines.h"
 
-enum { DEPTH_MAX = 14, ROUNDS = 8 };
+enum { DEPTH_MAX = 14, ROUNDS = 8, CELLS_MAX = 4000000 };
 
 /* A curve in the parameters, followed on the surface. */
 struct follower {
@@ -309,6 +309,9 @@ void tessellate(const struct patch *patch, struct tessellation how, struct sheet
     }
     for (int round = 0; how.n == 0 && round < ROUNDS; round++) {
         gridlines_bent(&patch->surface, how.tolerance, finer, &u, &v);
+        sheet->too_fine = u.n * v.n > CELLS_MAX;
+        if (sheet->too_fine)
+            break;
         make(patch, &loops, &u, &v, sheet);
         if (sheet->error <= how.tolerance)
             break;

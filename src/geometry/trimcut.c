@@ -1,8 +1,8 @@
 /*
  * trimcut - the polygons are followed from cell to cell on a lattice of whole numbers, where the
  * lines are even and the polygons' corners odd: no corner ever lies on a line, and what lies where
- * is decided without rounding.  Inside a cell the pieces of the polygons and of the cell's own border
- * are joined to closed polygons (Weiler and Atherton 1977).
+ * is decided without rounding.  Inside a cell the pieces of the polygons and of the cell's own
+ * border are joined to closed polygons (Weiler and Atherton 1977).
  */
 #include "trimcut.h"
 
@@ -44,8 +44,8 @@ struct cut {
     struct uvmesh *mesh;
     struct ints id; /* vertices of all chains */
     struct chains chain;
-    int *turn;      /* [line of v][column + 1]: loops crossing it upwards less those downwards */
-    bool *crossed;  /* [cell] */
+    int *turn;     /* [line of v][column + 1]: loops crossing it upwards less those downwards */
+    bool *crossed; /* [cell] */
     bool open;
 };
 
@@ -72,8 +72,8 @@ static size_t lines_below(const struct axis *a, int64_t x)
     return low;
 }
 
-/* A corner's place on the lattice, odd.  On the border of the grid it goes outside, on a line within
- * to the side `inwards` of the polygon, so that it leaves no sliver. */
+/* A corner's place on the lattice, odd.  On the border of the grid it goes outside, on a line
+ * within to the side `inwards` of the polygon, so that it leaves no sliver. */
 static int64_t place_on(const struct axis *a, double x, double inwards)
 {
     double part = fmin(fmax((x - a->from) / a->width, -0.01), 1.01);
@@ -220,14 +220,14 @@ static void cross(struct cut *c, struct walk *w, int side, int vertex, double al
     *array_push(&c->id) = vertex;
 }
 
-/* The vertex where the way goes over a line: a corner that was moved off that line by one step stands
- * for it itself. */
+/* The vertex where the way goes over a line: a corner that was moved off that line by one step
+ * stands for it itself. */
 static int crossing(struct cut *c, int64_t done, int64_t whole, struct uv at, const int id[2])
 {
     return done == 1 ? id[0] : done == whole - 1 ? id[1] : add_vertex(c, at);
 }
 
-/* From a to b, line after line; the places on the lattice, as they are, and their vertices.  Returns
+/* From a to b, line after line; the places on the lattice, as they are, and their vertices. Returns
  * how many. */
 static size_t follow(struct cut *c, struct walk *w, const struct lattice_point p[2],
                      const struct uv at[2], const int id[2])
@@ -259,9 +259,11 @@ static size_t follow(struct cut *c, struct walk *w, const struct lattice_point p
     }
 }
 
-static void trace_loop(struct cut *c, const struct lattice_point *point, const struct uv *at, size_t n)
+static void trace_loop(struct cut *c, const struct lattice_point *point, const struct uv *at,
+                       size_t n)
 {
-    struct walk w = {.column = lines_below(&c->u, point[0].u), .row = lines_below(&c->v, point[0].v)};
+    struct walk w = {.column = lines_below(&c->u, point[0].u),
+                     .row = lines_below(&c->v, point[0].v)};
     size_t first_chain = c->chain.n, begin = c->id.n;
     struct chain opening = {0};
     bool begun = false;
@@ -517,8 +519,12 @@ void trimcut(struct doubles *u, const struct doubles *v, const struct uvloops *l
 {
     *mesh = (struct uvmesh){0};
     part_lone_loops(u, v, loops);
-    struct cut c = {.u = axis_of(u), .v = axis_of(v), .u_line = u->item, .v_line = v->item,
-                    .mesh = mesh, .open = open};
+    struct cut c = {.u = axis_of(u),
+                    .v = axis_of(v),
+                    .u_line = u->item,
+                    .v_line = v->item,
+                    .mesh = mesh,
+                    .open = open};
     c.turn = mem_alloc(v->n * (u->n + 1), sizeof *c.turn);
     c.crossed = mem_alloc((u->n - 1) * (v->n - 1), sizeof *c.crossed);
     for (size_t row = 0; row < v->n; row++)

@@ -12,9 +12,9 @@ static const double SAME = 1e-9;
 struct work {
     struct quilt *q;
     double gap, slack, same;
-    struct sizes border;  /* vertices on borders */
-    struct kdtree *tree;  /* of these */
-    size_t *next;         /* ring of the vertices of a place */
+    struct sizes border; /* vertices on borders */
+    struct kdtree *tree; /* of these */
+    size_t *next;        /* ring of the vertices of a place */
 };
 
 struct pair {
@@ -223,8 +223,8 @@ static size_t add_guest(struct work *w, const struct nurbs *part, const struct q
 {
     const struct quilt_vertex *a = vertex(w, e->from);
     struct nurbs_place on = nurbs_place(part, g->at);
-    struct quilt_vertex v = {on.point, on.normal, on.k1, on.k2, g->at, a->sheet, a->piece,
-                             vertex(w, g->vertex)->place};
+    struct quilt_vertex v = {on.point, on.normal, on.k1,    on.k2,
+                             g->at,    a->sheet,  a->piece, vertex(w, g->vertex)->place};
     *array_push(&w->q->vertex) = v;
     return w->q->vertex.n - 1;
 }
@@ -256,7 +256,8 @@ static void insert_guests(struct work *w, const struct patches *patches, struct 
         find_guests(w, &part, &e, &found, &guests);
         if (guests.n == 0)
             continue;
-        struct insertion in = {e.face, q->vertex.n, guests.n, side_of(&q->face.item[e.face], e.from)};
+        struct insertion in = {e.face, q->vertex.n, guests.n,
+                               side_of(&q->face.item[e.face], e.from)};
         *array_push(to) = in;
         size_t last = e.from;
         for (size_t k = 0; k < guests.n; k++) {
@@ -312,8 +313,7 @@ static void split_face(struct quilt *q, const struct insertion *in, size_t n, co
     array_free(&cut);
 }
 
-struct weld_count weld(struct quilt *q, const struct patches *patches, double gap,
-                       double slack)
+struct weld_count weld(struct quilt *q, const struct patches *patches, double gap, double slack)
 {
     struct work w = {.q = q, .gap = gap, .slack = slack};
     struct insertions in = {0};
