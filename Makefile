@@ -84,11 +84,16 @@ lint:
 	cppcheck --quiet --std=c11 --enable=warning,performance,portability --inline-suppr \
 	  --suppress=missingIncludeSystem --error-exitcode=1 -I include -I tests src tests
 	clang-tidy --quiet --warnings-as-errors='*' $(tool_src) $(lib_src) -- $(FLAGS) $(DEFS)
-	shellcheck -S warning -x -P tests tests/*.sh tests/*.t samples/*.sh .ci/run
+	shellcheck -S warning -x -P tests tests/*.sh tests/*/*.sh tests/*.t samples/*.sh .ci/run
 
 sanitize:
 	$(MAKE) BUILD=$(BUILD)/sanitize CC=clang \
 	  CFLAGS='-O1 -g -fsanitize=address,undefined -fno-sanitize-recover=all' check
+
+# Needs afl++, which `make deps` leaves to those who fuzz.
+fuzz:
+	AFL_USE_ASAN=1 $(MAKE) BUILD=$(BUILD)/fuzz CC=afl-clang-fast CFLAGS='-O1 -g' all
+	BIN="$(abspath $(BUILD))/fuzz/bin" OUT="$(abspath $(BUILD))/fuzz/out" sh tests/fuzz/fuzz.sh
 
 install: all
 	mkdir -p $(DESTDIR)$(PREFIX)/bin $(DESTDIR)$(PREFIX)/share/cloudmill/machines
@@ -116,7 +121,7 @@ distcheck: dist
 clean:
 	rm -rf $(BUILD) demo cloudmill-$(VERSION).tar.gz
 
-.PHONY: all check demo bench deps lint sanitize install uninstall dist distcheck clean
+.PHONY: all check demo bench deps lint sanitize fuzz install uninstall dist distcheck clean
 .SECONDARY:
 
 -include $(shell find $(BUILD) -name '*.d' 2>/dev/null)
