@@ -13,7 +13,7 @@ static int over_travel(struct nc_step *step, int axis, const char *what, double 
     const struct machine *m = step->machine;
     step->plan->unmet = true;
     return error_at(step->error, step->path->name, step->state.line,
-                    "pass %zu: axis %c of %s: found %s %.3f, expected its travel %g to %g",
+                    "pass %zu: axis %c of %s: found %s %.5f, expected its travel %g to %g",
                     step->state.pass, machine_letter(axis), m->name, what, value, m->min[axis],
                     m->max[axis]);
 }
