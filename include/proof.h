@@ -38,6 +38,13 @@ bool proof_keeps(const struct proof *proof, double tolerance, double angle);
 void proof_polyline(const struct bspline *curve, const struct track *track, struct proof *proof);
 
 /*
+ * Fills u[track->n], rising, with the parameters of the places of the curve that are nearest to the
+ * track's points.  False when the curve can not be made straight pieces of (see flatten).
+ */
+bool proof_feet(const struct bspline *curve, const struct track *track, double resolution,
+                double *u);
+
+/*
  * A quick look first: true when the curve at the parameters u of some of the data is further than
  * `tolerance` from the data's polyline, so that it can not keep it.
  */

@@ -25,7 +25,8 @@ struct splinefit_options {
 enum splinefit_kind {
     SPLINEFIT_FITTED,   /* by least squares, with `params` and `knots` */
     SPLINEFIT_STRAIGHT, /* degree 1 with two poles */
-    SPLINEFIT_POLYLINE  /* degree 1 with a pole at each point: nothing else served */
+    SPLINEFIT_POLYLINE, /* degree 1 with a pole at each point: nothing else served */
+    SPLINEFIT_FREE      /* with free knots (freeknots_search) */
 };
 
 struct splinefit {
@@ -48,7 +49,8 @@ void splinefit_paper(const struct track *track, const struct splinefit_options *
                      struct splinefit *fit);
 
 /*
- * The default: a straight line; else 5, 10, 15 ... poles (from 40 on a quarter more each time)
+ * The default: a straight line; else what freeknots_search finds.  Where that finds nothing, and
+ * when `params` or `knots` are given: 5, 10, 15 ... poles (from 40 on a quarter more each time)
  * until proof_within holds for a combination; then the least count above the last that failed, by
  * bisection; degree 1 with a pole at each point when nothing else serves.
  */

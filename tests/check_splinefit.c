@@ -76,14 +76,14 @@ START_TEST(within_by_brute_force)
         o.tolerance = turn < 2 ? 0.01 : 0.05;
         o.degree = 3 + turn % 3;
         splinefit_search(&t, &o, &fit);
-        ck_assert(fit.within && fit.kind == SPLINEFIT_FITTED && fit.curve.degree == o.degree);
+        ck_assert(fit.within && fit.kind == SPLINEFIT_FREE && fit.curve.degree == o.degree);
         ck_assert_double_le(brute_force(&fit.curve, &t, false), o.tolerance);
         ck_assert_double_le(brute_force(&fit.curve, &t, true), o.tolerance);
         ck_assert_double_le(fit.proof.point, o.tolerance);
         ck_assert_double_le(fit.proof.other, o.tolerance);
         ck_assert(vec_distance(fit.curve.pole[0], t.point[0]) < 1e-6);
         ck_assert(vec_distance(fit.curve.pole[fit.curve.poles - 1], t.point[t.n - 1]) < 1e-6);
-        ck_assert_uint_lt(fit.curve.poles, 20);
+        ck_assert_uint_lt(fit.curve.poles, 14);
         splinefit_free(&fit);
         track_free(&t);
         array_free(&run);
@@ -156,7 +156,6 @@ START_TEST(a_cubic_needs_four_poles)
     struct splinefit fit;
     splinefit_search(&t, &ALL, &fit);
     ck_assert_uint_eq(fit.curve.poles, 4);
-    ck_assert(fit.params == PARAMS_UNIFORM);
     ck_assert_double_lt(fit.proof.point, 1e-3);
     ck_assert(fit.curve.head == NULL);
     splinefit_free(&fit);

@@ -16,6 +16,8 @@ static const char *combination(const struct splinefit *fit)
 
     if (fit->kind == SPLINEFIT_FITTED)
         return names[fit->params][fit->knots];
+    if (fit->kind == SPLINEFIT_FREE)
+        return "free";
     return fit->kind == SPLINEFIT_STRAIGHT ? "straight" : "polyline";
 }
 

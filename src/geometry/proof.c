@@ -5,6 +5,7 @@
 
 #include <stdlib.h>
 
+#include "array.h"
 #include "flatten.h"
 #include "num.h"
 #include "polyline.h"
@@ -147,6 +148,26 @@ void proof_measure(const struct bspline *curve, const struct track *track, doubl
     if (flatten(curve, track->offset, track->axis[0], resolution, &flat))
         measure_flat(&flat, track, resolution, limit, proof);
     flat_free(&flat);
+}
+
+bool proof_feet(const struct bspline *curve, const struct track *track, double resolution,
+                double *u)
+{
+    struct flat flat = {0};
+    bool done = flatten(curve, track->offset, track->axis[0], resolution, &flat);
+
+    if (done) {
+        struct foot *foot = mem_alloc(track->n, sizeof *foot);
+        struct polyline data = {track->n, track->point}, mine = {flat.point.n, flat.point.item};
+        polyline_distance(data, mine, INFINITY, resolution, foot);
+        for (size_t k = 0; k < track->n; k++) {
+            const double *at = &flat.u.item[foot[k].segment];
+            u[k] = foot[k].segment + 1 < flat.u.n ? at[0] + foot[k].t * (at[1] - at[0]) : at[0];
+        }
+        free(foot);
+    }
+    flat_free(&flat);
+    return done;
 }
 
 /* Point k + s of the way to the next one, of the curve against the track. */

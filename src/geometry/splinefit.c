@@ -7,6 +7,7 @@
 #include <string.h>
 
 #include "array.h"
+#include "freeknots.h"
 #include "lsq.h"
 
 enum { PARAMS = 3, KNOTS = 2, START = 5, STEP = 5, WIDER = 40 };
@@ -192,6 +193,18 @@ static void polyline(const struct search *s, struct splinefit *fit)
     fit->within = proof_keeps(&fit->proof, o->tolerance, o->angle);
 }
 
+/* With all combinations open, the knots may as well be free. */
+static bool free_knots(const struct search *s, struct splinefit *fit)
+{
+    const struct splinefit_options *o = s->options;
+    struct freeknots_options options = {o->degree, o->tolerance, o->angle};
+
+    if (o->params >= 0 || o->knots >= 0)
+        return false;
+    *fit = (struct splinefit){.kind = SPLINEFIT_FREE, .within = true};
+    return freeknots_search(s->track, &options, &fit->curve, &fit->proof);
+}
+
 /* The paper's measures of the curve that was chosen. */
 static void measure(struct search *s, struct splinefit *fit)
 {
@@ -199,6 +212,8 @@ static void measure(struct search *s, struct splinefit *fit)
 
     if (fit->kind == SPLINEFIT_POLYLINE)
         memcpy(s->scaled, fit->curve.knot + 1, t->n * sizeof *s->scaled);
+    else if (fit->kind == SPLINEFIT_FREE)
+        proof_feet(&fit->curve, t, s->options->tolerance * RESOLUTION, s->scaled);
     else if (fit->kind == SPLINEFIT_STRAIGHT)
         scale_params(s, s->u[PARAMS_CHORD], &fit->curve);
     else
@@ -226,7 +241,7 @@ void splinefit_search(const struct track *track, const struct splinefit_options 
     struct search s = search_new(track, options, false);
 
     *fit = (struct splinefit){0};
-    if (!straight_line(&s, fit)) {
+    if (!straight_line(&s, fit) && !free_knots(&s, fit)) {
         size_t failed, served = search_upwards(&s, &failed, fit);
         if (served > 0)
             bisect(&s, failed, served, fit);

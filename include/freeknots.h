@@ -1,0 +1,28 @@
+/*
+ * freeknots - the search for the B-spline with the fewest poles that keeps a tolerance, its knots
+ * free to move.
+ */
+#ifndef CLOUDMILL_FREEKNOTS_H
+#define CLOUDMILL_FREEKNOTS_H
+
+#include "proof.h"
+#include "track.h"
+
+struct freeknots_options {
+    int degree;
+    double tolerance; /* mm */
+    double angle;     /* of the axis, radians */
+};
+
+/*
+ * Counts of poles are tried upwards from the least there is, each from several starts: a knot more
+ * where the last curve was worst, knots equally spaced, spread by the fourth root of the fourth
+ * derivative, their mean; from 12 poles on a quarter more each time, and then by bisection.  From
+ * the curve found, each knot in turn is tried to be left out.
+ * A curve serves when proof_within holds on its printed digits; true then, with *curve and its
+ * *proof.  False when none with less than a pole for every second point does.
+ */
+bool freeknots_search(const struct track *track, const struct freeknots_options *options,
+                      struct bspline *curve, struct proof *proof);
+
+#endif
