@@ -20,6 +20,7 @@ struct rig_axis {
     bool table;         /* in the table; else in the head */
     struct vec3 axis;   /* unit direction at zero; the other way round it turns the other way */
     struct vec3 centre; /* a point on it; of a head's, seen from the tip at zero */
+    double min, max;    /* travel */
 };
 
 struct rig {
@@ -39,7 +40,8 @@ struct vec3 rig_linear(const struct rig *rig, struct vec3 tip, const double q[])
 
 /*
  * The angles for a tool axis, of the two solutions in whole turns the one nearest to `near` (the
- * sum of both moves); an axis that may have any angle stays.  Returns false when it is out of
+ * sum of both moves) that is within the travel, if there is one; an axis that may have any angle
+ * stays.  Returns false when it is out of
  * reach by more than `slack` degrees; q is then the nearest.  Two axes by the second subproblem of
  * Paden and Kahan (Murray, Li, Sastry, A Mathematical Introduction to Robotic Manipulation, 3.2).
  */

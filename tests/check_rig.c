@@ -60,6 +60,10 @@ START_TEST(angles_are_found_again)
     unsigned state = 11;
     struct machine m = machine_of(machines[_i]);
     struct rig rig = ncread_rig(&m);
+    for (int i = 0; i < rig.n; i++) {
+        rig.axis[i].min = -500;
+        rig.axis[i].max = 500;
+    }
     for (int trial = 0; trial < 200; trial++) {
         double q[2] = {random_in(&state, -400, 400), random_in(&state, 5, 80)}, found[2] = {0};
         if (rig.n < 2)

@@ -7,7 +7,9 @@ static void add(struct rig *rig, const struct machine *machine, char letter, boo
     rig->axis[rig->n++] = (struct rig_axis){.letter = letter,
                                             .table = table,
                                             .axis = vec_unit(machine->axis[k]),
-                                            .centre = machine->centre[k]};
+                                            .centre = machine->centre[k],
+                                            .min = machine->min[MACHINE_A + k],
+                                            .max = machine->max[MACHINE_A + k]};
 }
 
 struct rig ncread_rig(const struct machine *machine)

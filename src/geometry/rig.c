@@ -75,9 +75,18 @@ static double angle_about(struct vec3 u, struct vec3 p, struct vec3 r, double ot
     return DEGREES(atan2(vec_dot(u, vec_cross(a, b)), vec_dot(a, b)));
 }
 
-static double near_to(double angle, double near)
+/* The whole turns nearest to `near` that are within the travel; *over: none is. */
+static double near_to(const struct rig_axis *axis, double angle, double near, bool *over)
 {
-    return angle + 360 * round((near - angle) / 360);
+    const double slack = 1e-6;
+    angle += 360 * round((near - angle) / 360);
+    double within = angle;
+    if (angle > axis->max + slack)
+        within -= 360 * ceil((angle - axis->max - slack) / 360);
+    else if (angle < axis->min - slack)
+        within += 360 * ceil((axis->min - slack - angle) / 360);
+    *over = within > axis->max + slack || within < axis->min - slack;
+    return *over ? angle : within;
 }
 
 /* Both vectors that lie on the cones of the tool about axis 1 and of the target about axis 0. */
@@ -98,17 +107,20 @@ bool rig_angles(const struct rig *rig, struct vec3 axis, const double near[], do
                 double q[])
 {
     double best = HUGE_VAL;
+    bool over[RIG_AXES];
     if (rig->n == 1)
-        q[0] = near_to(angle_about(rig->axis[0].axis, rig->tool, axis, near[0]), near[0]);
+        q[0] = near_to(&rig->axis[0], angle_about(rig->axis[0].axis, rig->tool, axis, near[0]),
+                       near[0], over);
     if (rig->n == 2) {
         struct vec3 between[2];
         cones(rig, axis, between);
         for (int i = 0; i < 2; i++) {
             double one = angle_about(rig->axis[1].axis, rig->tool, between[i], near[1]);
             double nought = angle_about(rig->axis[0].axis, between[i], axis, near[0]);
-            one = near_to(one, near[1]);
-            nought = near_to(nought, near[0]);
+            one = near_to(&rig->axis[1], one, near[1], &over[1]);
+            nought = near_to(&rig->axis[0], nought, near[0], &over[0]);
             double move = fabs(one - near[1]) + fabs(nought - near[0]);
+            move += over[0] || over[1] ? 1e6 : 0;
             if (move < best) {
                 best = move;
                 q[0] = nought;
@@ -122,8 +134,8 @@ bool rig_angles(const struct rig *rig, struct vec3 axis, const double near[], do
 struct rig rig_trunnion(char master, int sense)
 {
     struct vec3 tilt = master == 'A' ? vec(sense, 0, 0) : vec(0, sense, 0);
-    return (struct rig){
-        .n = 2,
-        .axis = {{'C', true, vec(0, 0, sense), vec(0, 0, 0)}, {master, true, tilt, vec(0, 0, 0)}},
-        .tool = vec(0, 0, 1)};
+    return (struct rig){.n = 2,
+                        .axis = {{'C', true, vec(0, 0, sense), vec(0, 0, 0), -HUGE_VAL, HUGE_VAL},
+                                 {master, true, tilt, vec(0, 0, 0), -HUGE_VAL, HUGE_VAL}},
+                        .tool = vec(0, 0, 1)};
 }

@@ -14,7 +14,7 @@
 #include "cloud.h"
 #include "ncread.h"
 #include "kdtree.h"
-#include "panel.h"
+#include "../panel.h"
 #include "sweep.h"
 
 static const struct ncread_dialect *const dialects[] = {&ncread_fanuc, &ncread_siemens,

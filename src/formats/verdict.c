@@ -1,0 +1,133 @@
+/* verdict - see verdict.h. */
+#include "verdict.h"
+
+#include <limits.h>
+#include <stdarg.h>
+#include <stdio.h>
+#include <stdlib.h>
+
+static void find(struct verdict *v, bool fault, size_t piece, const char *format, ...)
+    __attribute__((format(printf, 4, 5)));
+
+static void find(struct verdict *v, bool fault, size_t piece, const char *format, ...)
+{
+    struct finding *finding = array_push(&v->finding);
+    char place[60], what[FINDING_TEXT - 64];
+    va_list arguments;
+    ncread_place(&v->course->piece.item[piece], place, sizeof place);
+    va_start(arguments, format);
+    vsnprintf(what, sizeof what, format, arguments);
+    va_end(arguments);
+    finding->fault = fault;
+    snprintf(finding->text, sizeof finding->text, "%s: %s", place, what);
+}
+
+static void sum_pieces(struct verdict *v)
+{
+    const struct course *course = v->course;
+    bool cut = false;
+    v->piece = mem_alloc(course->piece.n, sizeof *v->piece);
+    for (size_t i = 0; i < course->piece.n; i++) {
+        if (!course->piece.item[i].rapid && !cut)
+            v->passes++;
+        cut = !course->piece.item[i].rapid;
+        v->piece[i].pass = v->passes;
+    }
+    for (size_t i = 0; i < v->roll.points; i++) {
+        if (!v->roll.region[i])
+            continue;
+        struct verdict_piece *piece = &v->piece[v->cut->item[v->roll.segment[i]].piece];
+        float deviation = (float)v->roll.deviation[i];
+        if (-deviation > piece->gouge)
+            piece->gouge = -deviation;
+        if (deviation > piece->over)
+            piece->over = deviation;
+    }
+}
+
+static size_t piece_at(const struct verdict *v, size_t point)
+{
+    return v->cut->item[v->roll.segment[point]].piece;
+}
+
+static void judge_surface(struct verdict *v)
+{
+    const struct ballroll *r = &v->roll;
+    struct vec3 p = v->point->item[r->gouge_at];
+    if (r->gouge > v->tolerance)
+        find(v, true, piece_at(v, r->gouge_at),
+             "the ball is %.4f mm deep in the part at %.3f %.3f %.3f, tolerance %g", r->gouge, p.x,
+             p.y, p.z, v->tolerance);
+    p = v->point->item[r->over_at];
+    if (r->over > v->left)
+        find(v, true, piece_at(v, r->over_at),
+             "%.4f mm of material is left at %.3f %.3f %.3f, at most %g", r->over, p.x, p.y, p.z,
+             v->left);
+    p = v->point->item[v->rapid_at];
+    if (v->rapid > 0)
+        find(v, true, v->rapid_piece,
+             "a rapid move goes %.3f mm deep through the part at %.3f %.3f %.3f", v->rapid, p.x,
+             p.y, p.z);
+}
+
+static void judge_axes(struct verdict *v)
+{
+    static const char letter[] = "XYZABC";
+    const struct axisload *load = &v->load;
+    if (load->beyond)
+        find(v, true, load->travel.piece, "axis %c at %.3f is beyond its travel (blocks: %zu)",
+             letter[load->travel.axis], load->travel.value, load->beyond);
+    if (load->unreachable)
+        find(v, true, load->unreachable_at, "a tool axis that the machine's axes cannot reach");
+    if (load->fast)
+        find(v, load->speed.value > 0 && v->course->piece.item[load->speed.piece].inverse,
+             load->speed.piece,
+             "axis %c would have to move at %.2f of its largest speed "
+             "(blocks: %zu)",
+             letter[load->speed.axis], load->speed.value, load->fast);
+}
+
+void verdict_judge(struct verdict *v)
+{
+    sum_pieces(v);
+    if (v->roll.points > 0)
+        judge_surface(v);
+    judge_axes(v);
+    if (v->roll.cut == 0 && v->course->piece.n > 0)
+        find(v, true, 0, "the ball comes near no point of the part");
+}
+
+static double depth(const struct verdict *v, bool gouge, size_t piece)
+{
+    return gouge ? v->piece[piece].gouge : v->piece[piece].over;
+}
+
+size_t verdict_worst(const struct verdict *v, bool gouge, size_t most, size_t *piece)
+{
+    size_t n = 0;
+    for (size_t i = 0; i < v->course->piece.n; i++) {
+        double value = depth(v, gouge, i);
+        if (value <= 0 || (n == most && value <= depth(v, gouge, piece[n - 1])))
+            continue;
+        size_t k = n < most ? n++ : n - 1;
+        for (; k > 0 && depth(v, gouge, piece[k - 1]) < value; k--)
+            piece[k] = piece[k - 1];
+        piece[k] = i;
+    }
+    return n;
+}
+
+bool verdict_refused(const struct verdict *v)
+{
+    for (size_t i = 0; i < v->finding.n; i++)
+        if (v->finding.item[i].fault)
+            return true;
+    return false;
+}
+
+void verdict_free(struct verdict *v)
+{
+    ballroll_free(&v->roll);
+    free(v->piece);
+    array_free(&v->finding);
+}

@@ -1,0 +1,81 @@
+/* verifypart - see verifypart.h. */
+#include "verifypart.h"
+
+#include <stdlib.h>
+#include <string.h>
+#include <strings.h>
+
+#include "array.h"
+#include "cloud.h"
+#include "meshfile.h"
+
+#define SINK 0.0005 /* mm */
+#define MOST 4e6    /* points on the faces of a mesh */
+
+static bool ends(const char *file, const char *ending)
+{
+    size_t n = file ? strlen(file) : 0, k = strlen(ending);
+    return n > k && strcasecmp(file + n - k, ending) == 0;
+}
+
+static double area(const struct mesh *mesh)
+{
+    double sum = 0;
+    for (size_t i = 0; i < mesh->face.n; i++)
+        sum += vec_length(mesh_face_cross(mesh, i)) / 2;
+    return sum;
+}
+
+/* Points between the vertices of a face, its edges with them. */
+static void fill(const struct vec3 v[3], double spacing, struct vec3s *points)
+{
+    double longest =
+        fmax(vec_distance(v[0], v[1]), fmax(vec_distance(v[1], v[2]), vec_distance(v[2], v[0])));
+    int n = (int)fmin(ceil(longest / spacing), 10000);
+    for (int i = 0; i <= n; i++)
+        for (int k = 0; k <= n - i; k++) {
+            bool corner = (i == 0 || i == n) && (k == 0 || k == n - i);
+            struct vec3 p = vec_along(v[0], (double)i / n, vec_sub(v[1], v[0]));
+            if (!corner)
+                *array_push(points) = vec_along(p, (double)k / n, vec_sub(v[2], v[0]));
+        }
+}
+
+static void densify(const struct mesh *mesh, double unit, double radius, struct vec3s *points,
+                    double *spacing)
+{
+    *spacing = fmax(sqrt(8 * radius * SINK), sqrt(2 * unit * unit * area(mesh) / MOST));
+    for (size_t i = 0; i < mesh->vertex.n; i++)
+        *array_push(points) = vec_scale(unit, mesh->vertex.item[i]);
+    for (size_t i = 0; i < mesh->face.n; i++) {
+        struct vec3 v[3];
+        for (int k = 0; k < 3; k++)
+            v[k] = vec_scale(unit, mesh->vertex.item[mesh->face.item[i].v[k]]);
+        fill(v, *spacing, points);
+    }
+}
+
+int verifypart_read(const char *file, double unit, double radius, struct vec3s *points,
+                    double *spacing, struct error *error)
+{
+    struct mesh mesh = {0};
+    struct cloud_count count = {0};
+    bool solid = ends(file, ".stl") || ends(file, ".off");
+    *spacing = 0;
+    if (solid || ends(file, ".ply")) {
+        if (mesh_read(file, &mesh, error) == 0 && mesh.face.n > 0) {
+            densify(&mesh, unit, radius, points, spacing);
+            mesh_free(&mesh);
+            return 0;
+        }
+        mesh_free(&mesh);
+        if (solid)
+            return -1;
+    }
+    size_t from = points->n;
+    if (cloud_read(file, points, &count, error) < 0)
+        return -1;
+    for (size_t i = from; i < points->n; i++)
+        points->item[i] = vec_scale(unit, points->item[i]);
+    return 0;
+}

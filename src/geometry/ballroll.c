@@ -1,0 +1,125 @@
+/* ballroll - see ballroll.h. */
+#include "ballroll.h"
+
+#include <limits.h>
+#include <stdint.h>
+#include <stdlib.h>
+
+#include "balltree.h"
+#include "kdtree.h"
+#include "parallel.h"
+
+#define HUG 4 /* tolerances that the ball may be off the part and still be on it */
+
+struct job {
+    struct ball_path *path;
+    const struct balltree *tree;
+    const struct kdtree *part;
+    const struct vec3 *point;
+    const struct ballroll_setup *setup;
+    struct ballroll *result;
+};
+
+/* Which segments are on the part?  Ways down to it and up from it are not. */
+static void touch(void *context, size_t from, size_t to)
+{
+    const struct job *job = context;
+    double near = job->setup->radius + fmin(job->setup->band, HUG * job->setup->tolerance);
+    for (size_t i = from; i < to; i++) {
+        struct ball_segment *segment = &job->path->item[i];
+        size_t index;
+        double distance2;
+        kdtree_nearest(job->part, vec_mix(segment->a, segment->b, 0.5), 1, &index, &distance2);
+        segment->on = distance2 <= near * near;
+    }
+}
+
+static void roll_points(void *context, size_t from, size_t to)
+{
+    const struct job *job = context;
+    const struct ballroll_setup *setup = job->setup;
+    size_t nearest = SIZE_MAX;
+    for (size_t i = from; i < to; i++) {
+        struct vec3 p = job->point[i];
+        double within = setup->radius + setup->band;
+        double distance = balltree_nearest(job->tree, p, within, &nearest);
+        bool reached = distance < within;
+        double deviation = distance - setup->radius;
+        job->result->deviation[i] = deviation;
+        job->result->segment[i] = reached ? (unsigned)nearest : UINT_MAX;
+        if (reached && deviation > setup->tolerance) {
+            struct vec3 centre = ball_segment_nearest(&job->path->item[nearest], p);
+            struct vec3 n = vec_unit(vec_sub(centre, p));
+            reached = balltree_surrounds(job->tree, p, n, within);
+        }
+        job->result->region[i] = reached;
+    }
+}
+
+static int compare(const void *a, const void *b)
+{
+    double x = *(const double *)a, y = *(const double *)b;
+    return (x > y) - (x < y);
+}
+
+static void percentiles(const double *sorted, size_t n, struct ballroll *r)
+{
+    static const double share[BALLROLL_PERCENTILES] = {0.50, 0.95, 0.99};
+    for (int i = 0; n > 0 && i < BALLROLL_PERCENTILES; i++) {
+        size_t rank = (size_t)(share[i] * (double)(n - 1) + 0.5);
+        r->over_part[i] = fmax(0, sorted[rank]);
+        r->gouge_part[i] = fmax(0, -sorted[n - 1 - rank]);
+    }
+}
+
+static void sum_up(const struct ballroll_setup *setup, struct ballroll *r)
+{
+    double *sorted = mem_alloc(r->points, sizeof *sorted);
+    for (size_t i = 0; i < r->points; i++) {
+        double deviation = r->deviation[i];
+        if (!r->region[i])
+            continue;
+        sorted[r->cut++] = deviation;
+        r->gouged += deviation < -setup->tolerance;
+        r->left += deviation > setup->tolerance;
+        if (-deviation > r->gouge) {
+            r->gouge = -deviation;
+            r->gouge_at = i;
+        }
+        if (deviation > r->over) {
+            r->over = deviation;
+            r->over_at = i;
+        }
+    }
+    qsort(sorted, r->cut, sizeof *sorted, compare);
+    percentiles(sorted, r->cut, r);
+    free(sorted);
+}
+
+void ballroll_run(struct ball_path *path, const struct vec3 *point, size_t n,
+                  const struct ballroll_setup *setup, struct ballroll *result)
+{
+    struct balltree *tree = balltree_new(path);
+    *result = (struct ballroll){.points = n};
+    result->deviation = mem_alloc(n, sizeof *result->deviation);
+    result->segment = mem_alloc(n, sizeof *result->segment);
+    result->region = mem_alloc(n, sizeof *result->region);
+    struct job job = {path, tree, NULL, point, setup, result};
+    if (setup->band > setup->tolerance && n > 0) {
+        struct kdtree *part = kdtree_new(point, n);
+        job.part = part;
+        parallel_for(setup->threads, path->n, touch, &job);
+        kdtree_free(part);
+    }
+    parallel_for(setup->threads, n, roll_points, &job);
+    balltree_free(tree);
+    sum_up(setup, result);
+}
+
+void ballroll_free(struct ballroll *result)
+{
+    free(result->deviation);
+    free(result->segment);
+    free(result->region);
+    *result = (struct ballroll){0};
+}

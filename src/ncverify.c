@@ -1,0 +1,203 @@
+/*
+ * ncverify - an NC program, read as its control reads it, judged against the scan or the mesh that
+ * it was made for.
+ *
+ * The reading shares nothing with the writing (ncread.h): what is judged is what the control gets.
+ */
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "array.h"
+#include "cli.h"
+#include "cloud.h"
+#include "machine.h"
+#include "ncread_machine.h"
+#include "verdict.h"
+#include "verifypart.h"
+
+#define FLAT 0.0002 /* how straight the ball's way is between two places, mm */
+
+static const char *const unit_name[] = {"mm", "cm", "m", "um", "inch", "in"};
+
+struct settings {
+    int control, unit;
+    bool control_given, radius_given, shank_given, band_given, left_given, centre;
+    const char *machine, *map;
+    struct cli_list part, set;
+    double radius, tolerance, left, band, shank;
+};
+
+static void read_options(struct settings *s, struct cli *cli, int argc, char **argv)
+{
+    const struct cli_option option[] = {
+        {'g', "guard", "FILE",
+         "what the program is judged against: points, or a mesh by its name\n"
+         "(.ply, .stl, .off); may be given again",
+         CLI_LIST, &s->part, 0, 0, 0, NULL},
+        {'r', "radius", "MM", "radius of the ball", CLI_NUMBER, &s->radius, CLI_POSITIVE, 1e4, 0,
+         &s->radius_given},
+        {'c', "control", "fanuc|siemens|heidenhain|linuxcnc",
+         "control of the program (default: told from its first lines)", CLI_CHOICE, &s->control, 0,
+         0, 0, &s->control_given},
+        {'m', "machine", "NAME",
+         "machine: NAME.txt in this folder, in $CLOUDMILL_MACHINES or among\n"
+         "the installed ones, or a file (default: table-ac)",
+         CLI_TEXT, &s->machine, 0, 0, 0, NULL},
+        {0, "set", "KEY=VALUE", "set one key of the machine; may be given again", CLI_LIST, &s->set,
+         0, 0, 0, NULL},
+        {'e', "tolerance", "MM", "deepest gouge; beyond it the exit status is 3 (default 0.05)",
+         CLI_NUMBER, &s->tolerance, CLI_POSITIVE, 100, 0, NULL},
+        {0, "left", "MM",
+         "most material left on the region cut; beyond it the exit\n"
+         "status is 3 (default: told, not judged)",
+         CLI_NUMBER, &s->left, 0, 1e4, 0, &s->left_given},
+        {0, "band", "MM",
+         "what lies more than this under the ball is not of the region cut\n"
+         "(default: a quarter of the radius)",
+         CLI_NUMBER, &s->band, CLI_POSITIVE, 1e4, 0, &s->band_given},
+        {0, "shank", "MM",
+         "length of the shaft above the ball's centre, as thick as the ball,\n"
+         "that rapid moves keep clear too (default: four radii)",
+         CLI_NUMBER, &s->shank, 0, 1e4, 0, &s->shank_given},
+        {0, "centre", NULL, "the program moves the centre of the ball, not its tip", CLI_FLAG,
+         &s->centre, 0, 0, 0, NULL},
+        {'u', "units", "mm|cm|m|um|inch|in", "units of what -g names (default: mm)", CLI_CHOICE,
+         &s->unit, 0, 0, 0, NULL},
+        {0, "map", "FILE", "write the points with their deviations as a PLY", CLI_TEXT, &s->map, 0,
+         0, 0, NULL},
+        {0},
+    };
+    *cli = (struct cli){.tool = "ncverify",
+                        .usage = "-g FILE -r MM [options] [PROGRAM]",
+                        .about = "judge an NC program by the scan or mesh that it was made for",
+                        .option = option};
+    cli_parse(cli, argc, argv);
+    if (!s->radius_given || s->part.n == 0)
+        die_usage("expected -r, the radius of the ball, and -g, the scan or mesh");
+    if (cli->files != 1)
+        die_usage("found %d programs, expected one", cli->files);
+    s->band = s->band_given ? s->band : s->radius / 4;
+    s->shank = s->shank_given ? s->shank : 4 * s->radius;
+    s->left = s->left_given ? s->left : HUGE_VAL;
+    if (s->band < s->tolerance)
+        die_usage("option --band: found %g, expected more than the tolerance %g", s->band,
+                  s->tolerance);
+}
+
+static struct machine read_machine(const struct settings *s)
+{
+    struct machine machine = machine_default();
+    struct error error;
+    if (s->machine && machine_read(&machine, s->machine, &error) != 0)
+        die_error(&error);
+    for (size_t i = 0; i < s->set.n; i++)
+        if (machine_set(&machine, s->set.item[i], &error) != 0)
+            die_error(&error);
+    if (machine_finish(&machine, &error) != 0)
+        die_error(&error);
+    return machine;
+}
+
+static void read_program(const struct settings *s, const struct machine *machine, const char *file,
+                         struct verdict *v, struct course *course)
+{
+    static const char *const names[] = {"fanuc", "siemens", "heidenhain", "linuxcnc"};
+    struct ncread_setup setup = {.tcp = machine->tcp, .rig = ncread_rig(machine)};
+    struct error error;
+    if (!s->control_given && (!file || strcmp(file, "-") == 0))
+        die_usage("the program is read from standard input: say its control by -c");
+    setup.dialect = s->control_given ? ncread_named(names[s->control]) : ncread_tell(file, &error);
+    if (!setup.dialect)
+        die_error(&error);
+    /* LinuxCNC has no word for it: its kinematics does it or does not */
+    if (setup.dialect == &ncread_linuxcnc)
+        setup.tcp = setup.tcp && strcmp(machine->control, "linuxcnc") == 0;
+    if (ncread_read(file, &setup, course, &error) < 0)
+        die_error(&error);
+    course->track = s->centre ? COURSE_CENTRE : COURSE_TIP;
+    v->file = course->name;
+    v->control = setup.dialect->name;
+    v->machine = machine->name;
+    v->course = course;
+}
+
+static void read_part(const struct settings *s, struct vec3s *points)
+{
+    struct error error;
+    double spacing;
+    for (size_t i = 0; i < s->part.n; i++) {
+        if (verifypart_read(s->part.item[i], cloud_unit(unit_name[s->unit]), s->radius, points,
+                            &spacing, &error) < 0)
+            die_error(&error);
+        if (spacing > 0)
+            note("%s: points %.3f mm apart on its faces", s->part.item[i], spacing);
+    }
+    if (points->n == 0)
+        die("%s: no points to judge by", s->part.item[0]);
+}
+
+/* The deepest that a rapid move goes in. */
+static void roll_rapids(const struct settings *s, int threads, struct verdict *v)
+{
+    struct ball_path rapid = {0};
+    struct ballroll roll;
+    ballpath_rapid(v->course, s->radius, s->shank, FLAT, &rapid);
+    struct ballroll_setup setup = {s->radius, s->tolerance, -s->tolerance, threads};
+    ballroll_run(&rapid, v->point->item, v->point->n, &setup, &roll);
+    if (roll.gouged > 0) {
+        v->rapid = roll.gouge;
+        v->rapid_points = roll.gouged;
+        v->rapid_at = roll.gouge_at;
+        v->rapid_piece = rapid.item[roll.segment[roll.gouge_at]].piece;
+    }
+    ballroll_free(&roll);
+    array_free(&rapid);
+}
+
+static struct axisload_limits limits_of(const struct machine *machine)
+{
+    struct axisload_limits limits = {.combined = !machine->tcp && machine->feeds == FEEDS_COMBINED};
+    for (int k = 0; k < LOAD_AXES; k++) {
+        limits.min[k] = machine->min[k];
+        limits.max[k] = machine->max[k];
+        limits.rapid[k] = machine->rapid[k];
+    }
+    return limits;
+}
+
+int main(int argc, char **argv)
+{
+    struct settings s = {.tolerance = 0.05};
+    struct cli cli;
+    struct course course = {0};
+    struct vec3s points = {0};
+    struct ball_path cut = {0};
+    read_options(&s, &cli, argc, argv);
+    struct machine machine = read_machine(&s);
+    struct axisload_limits limits = limits_of(&machine);
+    struct verdict v = {.radius = s.radius, .tolerance = s.tolerance, .left = s.left};
+    read_program(&s, &machine, cli.file[0], &v, &course);
+    read_part(&s, &points);
+    ballpath_cut(&course, s.radius, FLAT, &cut);
+    v.cut = &cut;
+    v.point = &points;
+    struct ballroll_setup setup = {s.radius, s.tolerance, s.band, cli.threads};
+    ballroll_run(&cut, points.item, points.n, &setup, &v.roll);
+    roll_rapids(&s, cli.threads, &v);
+    v.load = axisload_run(&course, &limits);
+    verdict_judge(&v);
+    if (s.map)
+        verdict_map(&v, s.map);
+    verdict_text(&v, cli.output);
+    bool refused = verdict_refused(&v);
+    for (size_t i = 0; i < v.finding.n; i++)
+        say("%s: %s", v.file, v.finding.item[i].text);
+    verdict_free(&v);
+    array_free(&cut);
+    array_free(&points);
+    array_free(&s.part);
+    array_free(&s.set);
+    course_free(&course);
+    return refused ? EXIT_UNMET : EXIT_DONE;
+}

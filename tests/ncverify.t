@@ -1,0 +1,146 @@
+#!/bin/sh
+# ncverify.t - good programs are accepted, each kind of fault is found in its block; the figures are
+# those of surfaces known exactly; map and page hold what they say.
+. "${SRC:-$(dirname "$0")/..}/tests/lib.sh"
+cd "$TMP" || exit 1
+
+# ---- a dome: z = 20 - (x^2 + y^2) / 80 by its points, and a path over it written here
+# The ball of R 6 in passes 1 mm apart along x touches the dome in each point; the axis leans by 10
+# degrees from the normal in the plane of the pass.  gouge: the ball that much too deep everywhere.
+awk 'BEGIN { for (y = -12; y <= 12.001; y += 0.2) for (x = -18; x <= 18.001; x += 0.2)
+	printf "%.5f %.5f %.5f\n", x, y, 20 - (x * x + y * y) / 80 }' >dome.xyz
+
+# dome CONTROL [GOUGE]: the program, point by point, A and C as ISO has them
+dome() {
+	awk -v control="$1" -v gouge="${2:-0}" '
+	function sign(v, d,   s) { s = sprintf("%." d "f", v); if (s + 0 == 0) s = sprintf("%." d "f", 0)
+		return control == "heidenhain" && s !~ /^-/ ? "+" s : s }
+	function block(text) {
+		if (control == "heidenhain") printf "%d %s\n", ++n, text
+		else { n += 10; printf "N%d %s\n", n, text } }
+	function go(word, x, y, z, a, c, rest) {
+		block(word " X" sign(x, 4) " Y" sign(y, 4) " Z" sign(z, 4) " A" sign(a, 4) " C" sign(c, 4) rest) }
+	function head() {
+		if (control == "fanuc") { print "%"; print "O0001(DOME)"
+			block("G90 G17 G21 G40 G49 G80 G94 G54"); block("G53 G0 Z0."); block("T1 M6"); block("S8000 M3")
+			block("G0 A10. C-90."); block("G43.4 H1"); block("G0 X-15. Y-10. Z60.") }
+		if (control == "siemens") { print "%_N_DOME_MPF"
+			block("G90 G17 G71 G40 G94 G54"); block("SUPA G0 Z0 D0"); block("T=\"BALL\" D1 M6"); block("S8000 M3")
+			block("TRAORI"); block("ORIWKS ORIAXES"); block("G0 A10 C-90"); block("G0 X-15 Y-10 Z60") }
+		if (control == "heidenhain") { print "0 BEGIN PGM DOME MM"
+			block("L Z+0 R0 FMAX M91"); block("TOOL CALL 1 Z S8000"); block("M3"); block("L A+10 C-90 R0 FMAX")
+			block("FUNCTION TCPM F TCP AXIS POS PATHCTRL AXIS"); block("L X-15 Y-10 Z+60 FMAX") }
+		if (control == "linuxcnc") { print "%"
+			block("G90 G91.1 G17 G21 G40 G49 G80 G94 G54"); block("G61"); block("G53 G0 Z0."); block("T1 M6")
+			block("S8000 M3"); block("G0 A10. C-90."); block("G0 X-15. Y-10."); block("G43 H1 Z60.") } }
+	function foot() {
+		if (control == "fanuc") { block("G49"); block("G53 G0 Z0."); block("M5"); block("M30"); print "%" }
+		if (control == "siemens") { block("TRAFOOF"); block("SUPA G0 Z0 D0"); block("M5"); block("M30") }
+		if (control == "heidenhain") { block("FUNCTION RESET TCPM"); block("L Z+0 R0 FMAX M91"); block("M5")
+			block("M30"); block("END PGM DOME MM") }
+		if (control == "linuxcnc") { block("G49"); block("G53 G0 Z0."); block("M5"); block("M2"); print "%" } }
+	# the tip, and A C: the axis (sin a, 0, cos a) in the plane of the pass is A a, C 90
+	function place(word, x, y, up, rest,   nx, ny, l, a, z) {
+		nx = x / 40; ny = y / 40; l = sqrt(nx * nx + ny * ny + 1)
+		z = 20 - (x * x + y * y) / 80
+		a = atan2(nx, 1) + 0.2
+		go(word, x + (6 - gouge) * nx / l - 6 * sin(a), y + (6 - gouge) * ny / l,
+			z + (6 - gouge) / l - 6 * cos(a) + up, a * 57.29577951308232, 90, rest) }
+	BEGIN {
+		rapid = control == "heidenhain" ? "L" : "G0"
+		line = control == "heidenhain" ? "L" : "G1"
+		fast = control == "heidenhain" ? " FMAX" : ""
+		feed = " F800" (control == "fanuc" ? "." : "")
+		head()
+		for (y = -10; y <= 10; y++) {
+			place(rapid, (y % 2 ? 15 : -15), y, 10, fast)
+			for (i = -60; i <= 60; i++)
+				place(line, (y % 2 ? -1 : 1) * i / 4, y, 0, feed)
+			place(line, (y % 2 ? -15 : 15), y, 10, feed)
+			place(rapid, (y % 2 ? -15 : 15), y, 30, fast)
+		}
+		foot()
+	}'
+}
+
+for control in fanuc siemens heidenhain linuxcnc; do
+	machine=table-ac
+	[ $control = linuxcnc ] && machine=linuxcnc-iso
+	dome $control >dome.$control
+	printf 'include = table-ac\ncontrol = linuxcnc\n' >linuxcnc-iso.txt
+	status 0 "$control: a good program is accepted" \
+		ncverify -q -g dome.xyz -r 6 -e 0.005 --left 0.03 -m $machine dome.$control
+	has "$control: and told so" '^verdict +accepted' out
+done
+# ---- faults, each put into one block of the good program; the block named is the one
+
+# fault DESC "SED" PATTERN: refused with 3, and a finding matches
+fault() {
+	sed "$2" dome.fanuc >bad.nc
+	if cmp -s bad.nc dome.fanuc; then result 1 "$1 (the fault is not in)"; return; fi
+	status 3 "$1: refused" ncverify -g dome.xyz -r 6 -e 0.005 --left 0.03 bad.nc
+	has "$1: named" "^ncverify: bad.nc: $3" err
+}
+
+# broken DESC "SED" PATTERN: it cannot be run
+broken() {
+	sed "$2" dome.fanuc >bad.nc
+	if cmp -s bad.nc dome.fanuc; then result 1 "$1 (the fault is not in)"; return; fi
+	status 1 "$1: cannot be run" ncverify -g dome.xyz -r 6 bad.nc
+	has "$1: named" "^ncverify: bad.nc:[0-9]+: $3" err
+}
+
+# N12030 stands in pass 10 (y -1), where the ball cuts near the crown.
+block=$(grep -n '^N12030 ' dome.fanuc)
+z=$(echo "$block" | sed 's/.* Z\([-0-9.]*\).*/\1/')
+deeper=$(awk -v z="$z" 'BEGIN { printf "%.4f", z - 0.05 }')
+near='N120[2-4]0 .*'
+fault "a gouge of 0.05 mm" "/^N12030 /s/Z[-0-9.]*/Z$deeper/" "${near}the ball is 0.0[45].* deep"
+fault "material left" '/^N11980 /,/^N12080 /s/Z19/Z20/' 'N.*of material is left'
+fault "a wrong sign of A" '/^N11400 /s/A/A-/' 'N11(39|40|41)0 .* deep'
+fault "a wrong sign of X" '/^N12030 /s/X-/X/' 'N120[2-4]0 .* deep'
+fault "a wrong A" '/^N12030 /s/A[-0-9.]*/A40./' "${near} deep"
+fault "a wrong C" '/^N11400 /s/C90/C70/' 'N11[34][019]0 .* deep'
+fault "digits swapped in Z" '/^N12030 /s/Z19\.7/Z17.9/' 'N120[2-4]0 .* deep'
+fault "blocks missing in a pass" '/^N1\(19[6-9]\|20[0-9]\)0 /d' 'N12100 .* deep'
+fault "a block missing before a retract" '/^N12400 /,/^N12440 /d' 'N12450 .* deep'
+fault "a rapid through the part" '/^N12390 /s/X.*/X-17. Z8./;/^N12390/s/G1/G0/;/^N12400 /s/G1/G1/' \
+	'N12(39|40)0 .*'
+fault "a line as a rapid, deep" '/^N12030 /s/G1.*/G0 X0. Z15./' 'N12030 .*rapid move goes'
+fault "a rapid back across the part" '/^N12420 /s/G.*/G0 X15. Y0. Z16./' 'N12420 .*rapid move goes'
+fault "a pass too low" '/^N11180 /,/^N12390 /s/Z1/Z0/' 'N1[12][0-9]*0 .* deep'
+fault "a pass left out" '/^N11170 /,/^N12400 /d' 'N.*of material is left'
+fault "passes 2 mm apart" '/^N11170 /,/^N12400 /d;/^N13650 /,/^N14880 /d' 'N.*of material is left'
+fault "a limit of an axis passed" '/^N12400 /s/Y[-0-9.]*/Y2500./' 'N12400 .*axis . at .* beyond its travel'
+fault "a limit of A passed" '/^N12420 /s/A[-0-9.]*/A130./' 'N124[0-9]0 .*axis A at 130.000 is beyond'
+fault "an arc that is none" '/^N12030 /s/G1\(.*\)A.*/G2\1R3. F800./' 'N12030 .*'
+broken "an arc of wrong radius" '/^N12030 /s/G1\(.*\)A.*/G2\1I1. J1. F800./' 'N12030: an arc whose ends'
+broken "a cut-off file" '2000,$d' 'the program ends without M30'
+broken "cut off in a word" '/^N12030 /s/Y.*/Y/;/^N12030 /q' 'N12030: found'
+broken "no % at the end" '$d' 'the program ends without %'
+broken "no spindle" '/M3$/d' 'N[0-9]*: cuts while the spindle stands'
+broken "no tool centre point control" '/G43/d' 'N[0-9]*: cuts without tool centre point'
+broken "no feed" 's/ F800\.//' 'N[0-9]*: cuts without a feed'
+broken "an unknown word" '/^N12030 /s/$/ Q1. U5./' 'N12030: found U5'
+broken "a word twice" '/^N12030 /s/$/ X0./' 'N12030: a word twice'
+broken "no decimal point" '/^N12030 /s/X[-0-9.]*/X1/' 'N12030: a length, angle or feed without'
+broken "blocks that changed places" '/^N12030 /{h;d;};/^N12040 /{G;}' 'N12030: its number does not rise'
+broken "inches" 's/G21/G20/' 'N20: found G20|N10: found G20'
+broken "incremental words" 's/G90/G91/' 'N[0-9]*: '
+broken "a retract home under tool centre point control" '/^N26[0-9]* G49/d' 'N[0-9]*: G28 or G53'
+broken "letters for digits" '/^N12030 /s/X/XO/' 'N12030: found'
+
+# The same in the other controls.
+for control in siemens heidenhain linuxcnc; do
+	machine=table-ac number='^N12030 '
+	[ $control = linuxcnc ] && machine=linuxcnc-iso
+	[ $control = heidenhain ] && number='^1203 '
+	sed "/$number/s/Z+*1/Z+0/;/^N12030/s/Z+/Z/" dome.$control >bad.$control
+	status 3 "$control: a gouge is refused" \
+		ncverify -g dome.xyz -r 6 -e 0.005 --left 0.03 -m $machine bad.$control
+	has "$control: and named" '^ncverify: .*N(120[2-4]0|120[2-4]) .* deep' err
+	sed '2000,$d' dome.$control >bad.$control
+	status 1 "$control: a cut-off file cannot be run" ncverify -q -g dome.xyz -r 6 -m $machine bad.$control
+done
+
+done_testing
