@@ -63,6 +63,17 @@ same "standard input" "$TMP/stdin.ply" "$TMP/file.ply"
 mesh inch -u inch -n 7 "$s1"
 near "-u takes the place of the file's unit" "$area" "$(nurbs2mesh -n 7 "$s1" >"$TMP/mm.ply" && measure "$TMP/mm.ply" | awk '{ print $3 * 25.4 * 25.4 }')" 5
 
+# ---- points and normals of an evaluator of its own (tests/data, 6 decimals)
+
+for name in paper2_s1_a paper2_s2_a; do
+	nurbs2mesh --grid 20 "$SRC/samples/$name.igs" | tail -n +2 | tr , ' ' >"$TMP/ours"
+	tail -n +2 "$SRC/tests/data/$name.csv" | tr , ' ' | paste -d ' ' - "$TMP/ours" | awk '
+		function far(a, b) { d = a - b; if (d < 0) d = -d; if (d > most) most = d }
+		{ for (i = 1; i <= 9; i++) far($i, $(i + 9)); n++ }
+		END { print n == 400 ? most : 9 }' >"$TMP/figures"
+	below "$name: 400 places as the reference has them" "$(cat "$TMP/figures")" 0.00000051
+done
+
 # ---- the smallest hollow radius, the figures that the surfaces were made for
 
 nurbs2mesh -k "$s1" "$s2" >"$TMP/k" 2>"$TMP/err"

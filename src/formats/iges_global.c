@@ -50,33 +50,56 @@ static int take_unit(struct iges *iges, double flag, const char *name, struct er
     return 0;
 }
 
-/* A delimiter as the global section declares it: 1Hx, or nothing, which means the default. */
-static int take_delimiter(struct iges_cursor *c, char *delimiter, struct error *error)
+static char peek_text(struct iges_cursor *c)
 {
     while (iges_peek(c) == ' ')
         iges_take(c);
-    if (iges_peek(c) == *delimiter || iges_peek(c) == c->comma) {
-        iges_take(c);
+    return iges_peek(c);
+}
+
+/* One of the two delimiters, as 1Hx or as nothing, which means the default; then the one of
+ * parameters, or, where the section ends there, the one of records, which is left standing. */
+static int take_delimiter(struct iges_cursor *c, char *delimiter, struct error *error)
+{
+    char next = peek_text(c);
+    if (next == ';' || next == c->comma) {
+        if (next == c->comma)
+            iges_take(c);
         return 0;
     }
     char one = iges_take(c), h = iges_take(c), ch = iges_take(c);
-    bool sound = one == '1' && h == 'H' && ch > ' ' && !strchr("+-.0123456789DEH", ch);
-    if (!sound)
+    if (one != '1' || h != 'H' || ch <= ' ' || strchr("+-.0123456789DEH", ch))
         return error_at(error, c->name, iges_line(c),
                         "a global section that begins '%c%c', expected 1H and a delimiter",
                         one > ' ' ? one : '?', h > ' ' ? h : '?');
     *delimiter = ch;
+    next = peek_text(c);
+    if (next == c->comma)
+        iges_take(c);
+    else if (next != c->semicolon)
+        return error_at(error, c->name, iges_line(c),
+                        "'%c' behind a delimiter in the global section, expected '%c'",
+                        next > ' ' ? next : '?', c->comma);
     return 0;
 }
 
-/* Behind a declared delimiter stands the one of parameters, or the one of records. */
-static int pass_comma(struct iges_cursor *c, bool declared, struct error *error)
+/* The parameters behind the delimiters. */
+static int read_rest(struct iges *iges, struct iges_cursor *c, double *flag, char *unit,
+                     size_t size, struct error *error)
 {
-    while (declared && iges_peek(c) == ' ')
-        iges_take(c);
-    if (declared && iges_take(c) != c->comma)
-        return error_at(error, c->name, iges_line(c),
-                        "no '%c' behind a delimiter in the global section, expected it", c->comma);
+    struct iges_value value;
+    char text[32];
+    for (int number = 3, got = 1; got == 1; number++) {
+        got = iges_next(c, &value, text, sizeof text, error);
+        if (got < 0)
+            return -1;
+        if (number == SCALE && value.kind == IGES_NUMBER)
+            iges->scale = value.number;
+        if (number == UNIT_FLAG && value.kind == IGES_NUMBER)
+            *flag = value.number;
+        if (number == UNIT_NAME)
+            snprintf(unit, size, "%s", text);
+    }
     return 0;
 }
 
@@ -90,28 +113,14 @@ int iges_global(struct iges *iges, struct error *error)
                             .width = WIDTH,
                             .comma = ',',
                             .semicolon = ';'};
-    struct iges_value value;
     double flag = 1;
-    char text[32], unit[32] = "";
-    bool declared = iges_peek(&c) != ',';
-    if (take_delimiter(&c, &c.comma, error) < 0 || pass_comma(&c, declared, error) < 0)
-        return -1;
-    declared = iges_peek(&c) != c.comma;
-    if (take_delimiter(&c, &c.semicolon, error) < 0 || pass_comma(&c, declared, error) < 0)
+    char unit[32] = "";
+    if (take_delimiter(&c, &c.comma, error) < 0 || take_delimiter(&c, &c.semicolon, error) < 0)
         return -1;
     iges->comma = c.comma;
     iges->semicolon = c.semicolon;
     iges->scale = 1;
-    for (int number = 3, got = 1; got == 1; number++) {
-        got = iges_next(&c, &value, text, sizeof text, error);
-        if (got < 0)
-            return -1;
-        if (number == SCALE && value.kind == IGES_NUMBER)
-            iges->scale = value.number;
-        if (number == UNIT_FLAG && value.kind == IGES_NUMBER)
-            flag = value.number;
-        if (number == UNIT_NAME)
-            snprintf(unit, sizeof unit, "%s", text);
-    }
+    if (read_rest(iges, &c, &flag, unit, sizeof unit, error) < 0)
+        return -1;
     return take_unit(iges, flag, unit, error);
 }

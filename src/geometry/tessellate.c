@@ -5,7 +5,7 @@
 
 #include "gridlines.h"
 
-enum { DEPTH_MAX = 14, ROUNDS = 8, CELLS_MAX = 4000000 };
+enum { DEPTH_MAX = 10, ROUNDS = 8, CELLS_MAX = 4000000 };
 
 /* A curve in the parameters, followed on the surface. */
 struct follower {
