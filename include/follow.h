@@ -26,7 +26,8 @@ struct follow {
 /* What a block says: the numbers as printed. */
 struct station {
     struct vec3 p;          /* X Y Z: the tracked point; in FOLLOW_JOINT the linear axes */
-    struct vec3 a;          /* the tool axis as a vector */
+    struct vec3 a;          /* the tool axis: as the vector says it or, where there is none, as the
+                               rotary axes do */
     double q[ROTARY_MAX];   /* the rotary axes, radians */
 };
 

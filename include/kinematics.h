@@ -44,6 +44,9 @@ struct vec3 chain_tip(const struct chain *chain, struct vec3 linear, const doubl
 /* Where the linear axes must stand for the tip to be at `tip`: the inverse of chain_tip. */
 struct vec3 chain_linear(const struct chain *chain, struct vec3 tip, const double q[]);
 
+/* The direction is singular: the axis nearest the work may have any angle. */
+bool chain_free(const struct chain *chain, struct vec3 axis);
+
 /* What chain_angles found. */
 struct chain_solutions {
     int n;                   /* 0: out of the chain's reach, else 1 or 2 */

@@ -148,22 +148,21 @@ size_t num_write(char *buf, double x, int digits)
     if (!scaled(x, digits, &integer))
         return (size_t)snprintf(buf, NUM_MAX, "%.*f", digits, x);
 
-    char reversed[32];
-    size_t n = 0;
+    char reversed[32], *p = reversed + sizeof reversed;
     bool negative = x < 0 && integer != 0;
-    for (int i = 0; integer || i <= digits; i++) {
-        if (i == digits && digits)
-            reversed[n++] = '.';
-        reversed[n++] = (char)('0' + integer % 10);
-        integer /= 10;
-    }
-    char *p = buf;
+    for (int i = 0; i < digits; i++, integer /= 10)
+        *--p = (char)('0' + integer % 10);
+    if (digits)
+        *--p = '.';
+    do
+        *--p = (char)('0' + integer % 10);
+    while ((integer /= 10) != 0);
     if (negative)
-        *p++ = '-';
-    while (n)
-        *p++ = reversed[--n];
-    *p = '\0';
-    return (size_t)(p - buf);
+        *--p = '-';
+    size_t n = (size_t)(reversed + sizeof reversed - p);
+    memcpy(buf, p, n);
+    buf[n] = '\0';
+    return n;
 }
 
 size_t num_write_short(char *buf, double x, int digits, bool point)

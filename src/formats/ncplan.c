@@ -160,7 +160,7 @@ static size_t next_tilted(const struct nc_step *step, size_t i)
 {
     const struct path *path = step->path;
     while (i < path->item.n && (!is_motion(&path->item.item[i]) ||
-                                chain_angles(&step->machine->chain, path->item.item[i].to.a).free))
+                                chain_free(&step->machine->chain, path->item.item[i].to.a)))
         i++;
     return i;
 }

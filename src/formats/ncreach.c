@@ -18,10 +18,24 @@ static int over_travel(struct nc_step *step, int axis, const char *what, double 
                     m->max[axis]);
 }
 
+/* However the rotary axes stand: a turn about c takes p no further from 0 than |p| + 2 |c|. */
+static bool surely_within(const struct machine *m, struct vec3 p)
+{
+    double far = vec_length(p);
+    for (int i = 0; i < m->chain.n; i++)
+        far += 2 * vec_length(m->chain.rotary[i].centre);
+    for (int axis = 0; axis < 3; axis++)
+        if (far > m->max[axis] || far > -m->min[axis])
+            return false;
+    return true;
+}
+
 int nc_check_linear(struct nc_step *step, const struct station *to)
 {
     const struct machine *m = step->machine;
     struct vec3 p = to->p;
+    if (step->follow.mode != FOLLOW_JOINT && surely_within(m, p))
+        return 0;
     if (step->follow.mode != FOLLOW_JOINT)
         p = chain_linear(&m->chain, p, to->q);
     const double at[3] = {p.x, p.y, p.z};
@@ -35,9 +49,13 @@ struct station nc_station(const struct nc_step *step, struct pose to, const doub
 {
     const struct machine_digits *digits = &step->plan->ability.digits;
     const struct chain *chain = &step->machine->chain;
-    struct station s = {.a = round_point(to.a, digits->vector)};
+    struct station s = {.a = to.a};
     for (int i = 0; i < chain->n; i++)
         s.q[i] = RADIANS(num_round(DEGREES(q[i]), digits->angle));
+    if (step->follow.mode == FOLLOW_VECTOR)
+        s.a = round_point(to.a, digits->vector);
+    else if (chain->n)
+        s.a = chain_axis(chain, s.q);
     struct vec3 p = step->follow.mode == FOLLOW_JOINT ? chain_linear(chain, to.p, s.q) : to.p;
     s.p = round_point(p, digits->linear);
     return s;
@@ -53,9 +71,9 @@ static void turn_ahead(const struct nc_step *step, struct pose to, double q[])
     const struct chain *chain = &step->machine->chain;
     double then[ROTARY_MAX];
     int over, only = step->first ? step->branch.first : step->branch.then;
-    if (!step->ahead || chain->n < 2 || !chain_angles(chain, to.a).free)
+    if (!step->ahead || !chain_free(chain, to.a))
         return;
-    if (step->state.begun && !step->first && !chain_angles(chain, step->state.pose.a).free)
+    if (step->state.begun && !step->first && !chain_free(chain, step->state.pose.a))
         return;
     if (chain_choose(chain, *step->ahead, q, true, only, then, &over) == 0)
         q[0] = then[0];

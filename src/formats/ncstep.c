@@ -36,7 +36,9 @@ static double feed_word(const struct nc_step *step, const struct station *to, do
                         double minutes)
 {
     const struct nc_ability *ability = &step->plan->ability;
-    double least = pow(10, -ability->digits.feed), feed = step->state.feed * step->state.faster;
+    static const double last_digit[] = {1,    0.1,  0.01, 1e-3, 1e-4,  1e-5,
+                                        1e-6, 1e-7, 1e-8, 1e-9, 1e-10, 1e-11};
+    double least = last_digit[ability->digits.feed], feed = step->state.feed * step->state.faster;
     if (ability->feeds == NC_FEEDS_INVERSE)
         feed = 1 / fmax(minutes, 1e-9);
     else if (ability->feeds == NC_FEEDS_COMBINED)

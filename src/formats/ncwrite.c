@@ -81,6 +81,8 @@ bool nc_motion(struct nc_writer *w, const char *code)
 
 bool nc_modal(struct nc_writer *w, enum nc_slot slot, const char *address, double value, int digits)
 {
+    if (w->known[slot] && w->value[slot] == value) /* most are rounded already */
+        return false;
     double said = num_round(value, digits);
     if (w->known[slot] && w->value[slot] == said)
         return false;

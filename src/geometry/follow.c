@@ -20,12 +20,22 @@ static struct vec3 ball_of(const struct follow *f, struct pose at)
     return vec_along(at.p, f->ball, at.a);
 }
 
+/* vec_angle, quick for the small ones: the sine's series ends behind its second term. */
+static double angle(struct vec3 a, struct vec3 b)
+{
+    struct vec3 cross = vec_cross(a, b);
+    double sine2 = vec_dot(cross, cross), cosine = vec_dot(a, b);
+    if (cosine > 0 && sine2 < 1e-6)
+        return sqrt(sine2) * (1 + sine2 / 6);
+    return atan2(sqrt(sine2), cosine);
+}
+
 struct deviation follow_difference(const struct follow *f, struct pose a, struct pose b)
 {
     double point = vec_distance(a.p, b.p);
     if (f->ball != 0)
         point = fmax(point, vec_distance(ball_of(f, a), ball_of(f, b)));
-    return (struct deviation){point, vec_angle(a.a, b.a)};
+    return (struct deviation){point, angle(a.a, b.a)};
 }
 
 struct pose follow_pose(const struct follow *f, const struct station *from,
@@ -43,6 +53,14 @@ struct pose follow_pose(const struct follow *f, const struct station *from,
     if (f->mode == FOLLOW_JOINT)
         at.p = chain_tip(f->chain, at.p, q);
     return at;
+}
+
+/* The pose at a station itself. */
+static struct pose station_pose(const struct follow *f, const struct station *at)
+{
+    if (f->mode == FOLLOW_ROTARY)
+        return (struct pose){at->p, at->a};
+    return follow_pose(f, at, at, 0);
 }
 
 /*
@@ -111,8 +129,8 @@ struct deviation follow_block(const struct follow *f, const struct station *from
 {
     int samples = motion->kind == MOTION_SPLINE ? SAMPLES_SPLINE : SAMPLES;
     struct deviation d[SAMPLES_SPLINE + 1];
-    d[0] = follow_difference(f, follow_pose(f, from, to, 0), motion_at(motion, s0));
-    d[samples] = follow_difference(f, follow_pose(f, from, to, 1), motion_at(motion, s1));
+    d[0] = follow_difference(f, station_pose(f, from), motion_at(motion, s0));
+    d[samples] = follow_difference(f, station_pose(f, to), motion_at(motion, s1));
     if (motion->kind == MOTION_LINE && f->mode != FOLLOW_JOINT) {
         double bound = f->mode == FOLLOW_VECTOR ? 0 : turn_bound(f, from, to);
         struct deviation most = {fabs(f->ball) * bound, bound};

@@ -93,6 +93,11 @@ static struct chain_solutions angle_of_one(const struct chain *chain, struct vec
     return s;
 }
 
+bool chain_free(const struct chain *chain, struct vec3 axis)
+{
+    return chain->n == 2 && vec_length(vec_cross(chain->rotary[0].axis, axis)) < singular;
+}
+
 struct chain_solutions chain_angles(const struct chain *chain, struct vec3 axis)
 {
     if (chain->n == 2)
@@ -141,9 +146,43 @@ static void merit(const struct chain *chain, const double from[], const double q
     m[2] = away;
 }
 
+/*
+ * The usual case of chain_choose, in a third of the time: two axes, away from the singular
+ * direction, and the solution on the side where `from` is moves less than the other one can.  The
+ * component of a along u0 is k0 + b cos q1 + c sin q1, so with root^2 = b^2 + c^2 - k^2 the cosine
+ * and sine of both q1 are known without an angle.  False: look closer.
+ */
+static bool choose_beside(const struct chain *chain, struct vec3 axis, const double from[],
+                          double q[])
+{
+    const double steep = 1e-4; /* of h^2: half a degree from the singular direction */
+    const struct rotary *r0 = &chain->rotary[0], *r1 = &chain->rotary[1];
+    struct vec3 across = vec_cross(r1->axis, chain->tool);
+    double along = vec_dot(r1->axis, chain->tool), k0 = vec_dot(r0->axis, r1->axis) * along;
+    double b = vec_dot(r0->axis, chain->tool) - k0, c = vec_dot(r0->axis, across);
+    double h2 = b * b + c * c, k = vec_dot(r0->axis, axis) / vec_length(axis) - k0;
+    double root2 = h2 - k * k;
+    if (!(root2 > steep * h2))
+        return false;
+    double side = c * cos(from[1]) - b * sin(from[1]) > 0 ? -sqrt(root2) : sqrt(root2);
+    double cosine = (b * k - c * side) / h2, sine = (c * k + b * side) / h2;
+    struct vec3 turned = vec_along(vec_scale(cosine, chain->tool), sine, across);
+    turned = vec_along(turned, (1 - cosine) * along, r1->axis);
+    q[1] = atan2(sine, cosine);
+    q[0] = turn_between(r0->axis, turned, axis);
+    q[1] += 2 * PI * round((from[1] - q[1]) / (2 * PI));
+    q[0] += 2 * PI * round((from[0] - q[0]) / (2 * PI));
+    if (q[0] > r0->max || q[0] < r0->min || q[1] > r1->max || q[1] < r1->min)
+        return false;
+    double move0 = fabs(q[0] - from[0]), move1 = fabs(q[1] - from[1]);
+    return 2 * sqrt(root2 / h2) - move1 > move0 + move1 + 1e-6; /* twice the sine: the other's way */
+}
+
 int chain_choose(const struct chain *chain, struct vec3 axis, const double from[], bool smooth,
                  int only, double q[], int *over)
 {
+    if (chain->n == 2 && smooth && only < 0 && choose_beside(chain, axis, from, q))
+        return 0;
     struct chain_solutions s = chain_angles(chain, axis);
     double best[3];
     int found = -1;
