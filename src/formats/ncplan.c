@@ -269,6 +269,7 @@ int nc_plan_make(struct nc_plan *plan, const struct path *path, const struct mac
     if (ball > 0)
         step.follow.ball = path->head.track == TRACK_CENTRE ? -ball : ball;
     step.clear = clear_height(path);
+    array_reserve(&plan->move, path->item.n + path->item.n / 16); /* most are blocks as they are */
     step.state.faster = 1;
     struct deviation last = rounding(&step);
     step.allowed = (struct deviation){sampled * wish.chord + last.point,
