@@ -9,10 +9,11 @@
 #include "scene.h"
 
 struct layer_options {
-    double unit;  /* mm in a unit of a cloud */
-    bool poles;   /* of B-splines */
-    bool normals; /* of a mesh, of contact points */
-    bool axes;    /* of the tool */
+    double unit;         /* mm in a unit of a cloud */
+    bool poles;          /* of B-splines */
+    bool normals;        /* of a mesh, of contact points */
+    bool axes;           /* of the tool */
+    const char *machine; /* that a program is for (machine.h), NULL: the default one */
 };
 
 /* Reads the file (NULL or "-": standard input), whatever it holds. */
@@ -22,5 +23,10 @@ int layer_read(const char *file, const struct layer_options *options, struct lay
 /* A path: arcs and B-splines in pieces that stray from them by 1/5000 of its extent at most. */
 int layer_path(const struct path *path, const struct layer_options *options, struct layer *layer,
                struct error *error);
+
+/* An NC program, as its control and the machine run it (ncread.h): what it cuts between two rapid
+ * moves is a pass. */
+int layer_program(const char *file, const struct layer_options *options, struct layer *layer,
+                  struct error *error);
 
 #endif

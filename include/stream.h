@@ -21,4 +21,7 @@ enum stream_kind stream_tell(const char *head, size_t n);
  */
 int stream_find(const char *file, enum stream_kind *kind, const char **name, struct error *error);
 
+/* Standard input from its start once more, when it was stream_find that named it. */
+int stream_again(const char *name, struct error *error);
+
 #endif

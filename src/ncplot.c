@@ -16,7 +16,7 @@ enum colour { COLOUR_AUTO, COLOUR_PASS, COLOUR_KIND };
 struct settings {
     int view, colour, unit, width;
     bool compare, poles, points, normals, axes;
-    const char *title;
+    const char *title, *machine;
 };
 
 static struct settings read_settings(struct cli *cli, int argc, char **argv)
@@ -30,7 +30,7 @@ static struct settings read_settings(struct cli *cli, int argc, char **argv)
          "the colours of a path say its passes, or what is a line, an arc, a\n"
          "B-spline (default: passes where all is lines)",
          CLI_CHOICE, &s.colour, 0, 0, 0, NULL},
-        {0, "compare", NULL, "a colour for each stream; how far the first two are apart", CLI_FLAG,
+        {0, "compare", NULL, "a colour for each stream, one over the other", CLI_FLAG,
          &s.compare, 0, 0, 0, NULL},
         {0, "points", NULL, "mark where the motions of a path end", CLI_FLAG, &s.points, 0, 0, 0,
          NULL},
@@ -43,6 +43,8 @@ static struct settings read_settings(struct cli *cli, int argc, char **argv)
          &s.title, 0, 0, 0, NULL},
         {0, "width", "PX", "width of the picture, at most (1000)", CLI_COUNT, &s.width, 300, 10000,
          0, NULL},
+        {'m', "machine", "MACHINE", "machine that a program is for (default: table-ac)", CLI_TEXT,
+         &s.machine, 0, 0, 0, NULL},
         {'u', "units", "mm|cm|m|um|inch|in", "units of clouds (default: mm)", CLI_CHOICE, &s.unit,
          0, 0, 0, NULL},
         {0},
@@ -59,7 +61,8 @@ static struct scene read_scene(const struct cli *cli, const struct settings *s)
     struct layer_options options = {.unit = cloud_unit(units[s->unit]),
                                     .poles = s->poles,
                                     .normals = s->normals,
-                                    .axes = s->axes};
+                                    .axes = s->axes,
+                                    .machine = s->machine};
     struct scene scene = {0};
     struct error error;
     for (int i = 0; i < cli->files; i++) {

@@ -102,7 +102,9 @@ static void tell_path(struct layer *layer)
         size_t at = strlen(layer->figures);
         char text[SVG_COUNT];
         svg_count(text, layer->motions[STROKE_POLES]);
-        snprintf(layer->figures + at, sizeof layer->figures - at, " of %s control points", text);
+        if (layer->motions[STROKE_POLES])
+            snprintf(layer->figures + at, sizeof layer->figures - at, " of %s control points",
+                     text);
     }
     tell_length(layer, layer->cut, "of cut");
 }
@@ -115,6 +117,14 @@ static int read_path(const char *file, const struct layer_options *options, stru
         return -1;
     int status = layer_path(&path, options, layer, error);
     path_free(&path);
+    tell_path(layer);
+    return status;
+}
+
+static int read_program(const char *file, const struct layer_options *options, struct layer *layer,
+                        struct error *error)
+{
+    int status = layer_program(file, options, layer, error);
     tell_path(layer);
     return status;
 }
@@ -134,7 +144,7 @@ int layer_read(const char *file, const struct layer_options *options, struct lay
     case STREAM_PATH:
         return read_path(name, options, layer, error);
     case STREAM_PROGRAM:
-        return error_at(error, name, 0, "an NC program, expected a cloud, a mesh or a path");
+        return read_program(name, options, layer, error);
     default:
         return read_cloud(name, options, layer, error);
     }

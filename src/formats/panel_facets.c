@@ -29,7 +29,7 @@ static size_t shade_of(const struct vec3 p[3])
     if (n.z < 0)
         n = vec_scale(-1, n);
     struct vec3 light = vec_unit(vec(-1, 1.2, 1.6));
-    double bright = fmax(0, vec_dot(n, light));
+    double bright = fmax(0, (vec_dot(n, light) + 0.35) / 1.35); /* some light from all sides */
     return (size_t)floor(fmin(bright, 0.999) * PALETTE_SHADES);
 }
 
@@ -130,12 +130,14 @@ static void draw_shade(const struct panel *panel, const struct facets *facets, s
 }
 
 static void draw_facets(const struct panel *panel, struct facets *facets, size_t layers,
-                        struct svg *svg)
+                        bool under, struct svg *svg)
 {
     double area = (panel->box.high.x - panel->box.low.x) * (panel->box.high.y - panel->box.low.y);
     double size = panel->scale * sqrt(area / (double)facets->n); /* of two facets, px */
-    svg_group(svg, size > 5 ? "stroke=\"#4A5866\" stroke-width=\"4\" stroke-linejoin=\"round\""
-                            : "stroke=\"#4A5866\" stroke-width=\"1.5\" stroke-linejoin=\"round\"");
+    char ink[100];
+    snprintf(ink, sizeof ink, "stroke=\"%s\" stroke-width=\"%s\" stroke-linejoin=\"round\"",
+             under ? "#9BA8B5" : "#4A5866", size > 5 ? "4" : "1.5");
+    svg_group(svg, ink);
     for (size_t i = 0; i < facets->n; i++) {
         struct facet *f = &facets->item[i];
         f->hidden = raster_hides(&panel->near, f->p[0], f->p[1], f->p[2], panel->near.cell);
@@ -215,14 +217,17 @@ static void draw_cells(const struct panel *panel, const struct facets *facets, s
 void panel_facets(struct panel *panel, const struct scene *scene, struct svg *svg)
 {
     size_t faces = 0;
-    for (size_t i = 0; i < scene->n; i++)
+    bool under = false; /* a path: its strokes are to stand out */
+    for (size_t i = 0; i < scene->n; i++) {
         faces += scene->item[i].mesh.face.n;
+        under |= scene->item[i].stroke.n > 0;
+    }
     if (faces == 0)
         return;
     bool *seen = seen_facets(panel, faces);
     struct facets facets = collect(panel, scene, seen);
     if (facets.n <= panel->style->marks)
-        draw_facets(panel, &facets, scene->n, svg);
+        draw_facets(panel, &facets, scene->n, under, svg);
     else
         draw_cells(panel, &facets, faces, scene->n, svg);
     array_free(&facets);

@@ -93,11 +93,13 @@ static void draw_ticks(const struct panel *panel, const struct ticks *ticks, dou
     raster_free(&r);
 }
 
-static void draw_joints(const struct panel *panel, const struct vec3s *joint, struct svg *svg)
+/* Dots at points that stand on strokes, as many as can be told apart. */
+static void draw_dots(const struct panel *panel, const struct vec3s *joint, const char *ink,
+                      struct svg *svg)
 {
     size_t marks;
     struct raster r = occupied(panel, joint, 1.2 / panel->scale, &marks);
-    svg_path(svg, "stroke=\"#222\" stroke-width=\"18\"");
+    svg_path(svg, ink);
     for (size_t i = 0; i < r.rows * r.columns; i++) {
         if (isinf(r.depth[i]))
             continue;
@@ -108,17 +110,31 @@ static void draw_joints(const struct panel *panel, const struct vec3s *joint, st
     raster_free(&r);
 }
 
+static void draw_poles(const struct panel *panel, const struct layer *layer, struct svg *svg)
+{
+    struct vec3s pole = {0};
+    for (size_t i = 0; i < layer->stroke.n; i++) {
+        const struct stroke *s = &layer->stroke.item[i];
+        for (size_t k = s->from; s->kind == STROKE_POLES && k < s->to; k++)
+            *array_push(&pole) = layer->node.item[k];
+    }
+    if (pole.n)
+        draw_dots(panel, &pole, "stroke=\"#CC79A7\" stroke-width=\"30\"", svg);
+    array_free(&pole);
+}
+
 void panel_ticks(struct panel *panel, const struct scene *scene, struct svg *svg)
 {
     svg_group(svg, "fill=\"none\" stroke-linecap=\"round\"");
     for (size_t i = 0; i < scene->n; i++) {
         const struct layer *layer = &scene->item[i];
         if (panel->style->joints && layer->joint.n)
-            draw_joints(panel, &layer->joint, svg);
+            draw_dots(panel, &layer->joint, "stroke=\"#222\" stroke-width=\"20\"", svg);
+        draw_poles(panel, layer, svg);
         if (layer->normal.n)
             draw_ticks(panel, &layer->normal, 8, "stroke=\"#009E73\" stroke-width=\"9\"", svg);
         if (layer->axis.n)
-            draw_ticks(panel, &layer->axis, 8, "stroke=\"#A3620A\" stroke-width=\"8\"", svg);
+            draw_ticks(panel, &layer->axis, 8, "stroke=\"#444444\" stroke-width=\"8\"", svg);
     }
     svg_group_end(svg);
 }

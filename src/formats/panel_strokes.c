@@ -23,10 +23,10 @@ void panel_ink(const struct panel_style *style, size_t layer, const struct strok
     static const int width[STROKES] = {12, 15, 15, 9, 7};
     const char *by_kind = colour[stroke->kind][stroke->number % 2];
     bool moves = stroke->kind != STROKE_RAPID && stroke->kind != STROKE_POLES;
-    const char *used = style->by_layer           ? palette_cycle(layer)
+    const char *used = style->by_layer           ? (layer == 0 ? "#8FC9EE" : palette_cycle(layer))
                        : style->by_pass && moves ? palette_cycle(stroke->pass)
                                                  : by_kind;
-    int w = style->by_layer && moves ? (layer == 0 ? 32 : 11) : width[stroke->kind];
+    int w = style->by_layer && moves ? (layer == 0 ? 44 : 11) : width[stroke->kind];
     snprintf(ink, PANEL_INK, "stroke=\"%s\" stroke-width=\"%d\"%s", used, w,
              stroke->kind == STROKE_RAPID ? " stroke-dasharray=\"50 35\"" : "");
 }
@@ -142,7 +142,7 @@ void panel_strokes(struct panel *panel, const struct scene *scene, struct svg *s
     panel->every = 1;
     if (strokes == 0)
         return;
-    while (draw(panel, scene, &grain, NULL) > panel->style->marks && grain.tolerance < 2) {
+    while (draw(panel, scene, &grain, NULL) > 2 * panel->style->marks && grain.tolerance < 2) {
         if (grain.tolerance < 0.4 || passes / grain.every < 40)
             grain.tolerance *= 2;
         else

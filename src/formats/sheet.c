@@ -6,7 +6,7 @@
 
 #include "sheet_legend.h"
 
-enum { MARKS = 16000 }; /* in a picture, about */
+enum { MARKS = 16000 }; /* in one view, about; half of it where there are more */
 
 static const double MARGIN = 24, GAP = 36, CAPTION = 26, TITLE = 18, SMALL = 12.5, HEIGHT = 680;
 
@@ -206,7 +206,7 @@ void sheet_write(struct out *out, const struct scene *scene, const struct sheet_
 {
     struct panel_style style = style_of(scene, options);
     struct layout l = lay_out(scene, options, &style);
-    style.marks = MARKS / l.n;
+    style.marks = l.n > 1 ? MARKS / 2 : MARKS;
     l.head = put_head(NULL, scene, options, l.width);
     put_panels(&l);
     struct legend legend = legend_of(scene, &style, l.scale, l.width - 2 * MARGIN);

@@ -34,6 +34,13 @@ static struct legend_item *add(struct legend *legend, const char *text)
     return item;
 }
 
+static void add_dot(struct legend *legend, const char *text, const char *colour)
+{
+    struct legend_item *item = add(legend, text);
+    item->dot = true;
+    snprintf(item->ink, PANEL_INK, "stroke=\"%s\" stroke-width=\"50\"", colour);
+}
+
 static void add_kind(struct legend *legend, const struct panel_style *style, enum stroke_kind kind,
                      const char *text)
 {
@@ -95,17 +102,14 @@ static void add_rest(struct legend *legend, const struct scene *scene,
     if (count(scene, STROKE_RAPID))
         add_kind(legend, style, STROKE_RAPID, "rapid");
     if (poles)
-        add_kind(legend, style, STROKE_POLES, "control points");
-    if (joints) {
-        struct legend_item *item = add(legend, "ends of motions");
-        item->dot = true;
-        snprintf(item->ink, PANEL_INK, "stroke=\"#222\" stroke-width=\"30\"");
-    }
+        add_dot(legend, "control points", "#CC79A7");
+    if (joints)
+        add_dot(legend, "ends of motions", "#222");
     if (normals)
         snprintf(add(legend, "normals")->ink, PANEL_INK, "stroke=\"#009E73\" stroke-width=\"12\"");
     if (axes)
         snprintf(add(legend, "tool axes")->ink, PANEL_INK,
-                 "stroke=\"#A3620A\" stroke-width=\"12\"");
+                 "stroke=\"#444444\" stroke-width=\"12\"");
 }
 
 static void add_layers(struct legend *legend, const struct scene *scene,

@@ -129,3 +129,10 @@ int stream_find(const char *file, enum stream_kind *kind, const char **name, str
     reader_close(&r);
     return status;
 }
+
+int stream_again(const char *name, struct error *error)
+{
+    if (strcmp(name, "-") == 0 && lseek(0, 0, SEEK_SET) != 0)
+        return error_at(error, name, 0, "cannot go back to its start: %s", strerror(errno));
+    return 0;
+}
