@@ -1,6 +1,7 @@
 # cloudmill: see README.md for what it is, HACKING.md for the map of the house.
 #
 # make              the tools, in build/bin             make demo     the main job on a real scan
+# make figures      pictures like the papers'
 # make check        all tests                            make deps     what the tests need (Debian)
 # make install      PREFIX=/usr/local DESTDIR=           make bench    speed, beside bare C floors
 # make lint sanitize fuzz dist distcheck clean uninstall
@@ -73,6 +74,9 @@ demo: all $(readback)
 	@BIN="$(abspath $(BUILD))/bin" READBACK="$(abspath $(BUILD))/tests/readback/readback" \
 	  sh samples/demo.sh demo
 
+figures: all
+	@BIN="$(abspath $(BUILD))/bin" sh samples/figures.sh figures
+
 bench: all $(benches)
 	@BIN="$(abspath $(BUILD))/bin" FLOOR="$(abspath $(BUILD))/bench" sh tests/bench/bench.sh
 
@@ -119,9 +123,9 @@ distcheck: dist
 	$(MAKE) -C $(BUILD)/distcheck/cloudmill-$(VERSION) check
 
 clean:
-	rm -rf $(BUILD) demo cloudmill-$(VERSION).tar.gz
+	rm -rf $(BUILD) demo figures cloudmill-$(VERSION).tar.gz
 
-.PHONY: all check demo bench deps lint sanitize fuzz install uninstall dist distcheck clean
+.PHONY: all check demo figures bench deps lint sanitize fuzz install uninstall dist distcheck clean
 .SECONDARY:
 
 -include $(shell find $(BUILD) -name '*.d' 2>/dev/null)

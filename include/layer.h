@@ -13,6 +13,7 @@ struct layer_options {
     bool poles;          /* of B-splines */
     bool normals;        /* of a mesh, of contact points */
     bool axes;           /* of the tool */
+    bool cut;            /* no rapid moves */
     const char *machine; /* that a program is for (machine.h), NULL: the default one */
 };
 

@@ -15,7 +15,7 @@ enum colour { COLOUR_AUTO, COLOUR_PASS, COLOUR_KIND };
 
 struct settings {
     int view, colour, unit, width;
-    bool compare, poles, points, normals, axes;
+    bool compare, poles, points, normals, axes, cut;
     const char *title, *machine;
 };
 
@@ -30,8 +30,8 @@ static struct settings read_settings(struct cli *cli, int argc, char **argv)
          "the colours of a path say its passes, or what is a line, an arc, a\n"
          "B-spline (default: passes where all is lines)",
          CLI_CHOICE, &s.colour, 0, 0, 0, NULL},
-        {0, "compare", NULL, "a colour for each stream, one over the other", CLI_FLAG,
-         &s.compare, 0, 0, 0, NULL},
+        {0, "compare", NULL, "a colour for each stream, one over the other", CLI_FLAG, &s.compare,
+         0, 0, 0, NULL},
         {0, "points", NULL, "mark where the motions of a path end", CLI_FLAG, &s.points, 0, 0, 0,
          NULL},
         {0, "poles", NULL, "show the control points of B-splines", CLI_FLAG, &s.poles, 0, 0, 0,
@@ -39,6 +39,7 @@ static struct settings read_settings(struct cli *cli, int argc, char **argv)
         {0, "normals", NULL, "show the normals of a mesh or of contact points", CLI_FLAG,
          &s.normals, 0, 0, 0, NULL},
         {0, "axes", NULL, "show the tool axis", CLI_FLAG, &s.axes, 0, 0, 0, NULL},
+        {0, "cut", NULL, "leave rapid moves out", CLI_FLAG, &s.cut, 0, 0, 0, NULL},
         {0, "title", "TEXT", "what stands above (default: the names of the files)", CLI_TEXT,
          &s.title, 0, 0, 0, NULL},
         {0, "width", "PX", "width of the picture, at most (1000)", CLI_COUNT, &s.width, 300, 10000,
@@ -62,6 +63,7 @@ static struct scene read_scene(const struct cli *cli, const struct settings *s)
                                     .poles = s->poles,
                                     .normals = s->normals,
                                     .axes = s->axes,
+                                    .cut = s->cut,
                                     .machine = s->machine};
     struct scene scene = {0};
     struct error error;

@@ -46,6 +46,8 @@ whole mesh.svg
 status 0 "straight lines" ncplot -o "$TMP/lines.svg" "$TMP/lines.cl"
 has "passes by colour" 'passes, in six colours' "$TMP/lines.svg"
 has "rapid moves are dashed" 'stroke-dasharray' "$TMP/lines.svg"
+status 0 "without rapid moves" ncplot --cut "$TMP/lines.cl"
+hasnt "there are none" 'stroke-dasharray|>rapid<' "$TMP/out"
 whole lines.svg
 for kind in arcs splines; do
 	status 0 "$kind" ncplot -o "$TMP/$kind.svg" "$TMP/$kind.cl"
@@ -76,6 +78,33 @@ has "its length" '1 arc, 31\.4 mm of cut' "$TMP/err"
 has "ends of motions are named" '>ends of motions<' "$TMP/half.svg"
 has "axes too" '>tool axes<' "$TMP/half.svg"
 whole half.svg
+
+# ---- programs, as the controls run them
+
+length() { sed -n 's/.*, \([0-9.]*\) m of cut.*/\1/p' "$TMP/err"; }
+ncplot -v "$TMP/arcs.cl" >"$TMP/out" 2>"$TMP/err"
+cut=$(length)
+for control in fanuc siemens heidenhain linuxcnc; do
+	ncpost -q -c $control -o "$TMP/arcs.$control" "$TMP/arcs.cl"
+	status 0 "a program for $control" ncplot -v -o "$TMP/$control.svg" "$TMP/arcs.$control"
+	below "as long as its path" "$(length)" "$(echo "$cut" | awk '{ print $1 + 0.015 }')"
+	below "and no shorter" "$(echo "$cut" | awk '{ print $1 - 0.015 }')" "$(length)"
+	whole $control.svg
+done
+ncpost -q -c siemens -o "$TMP/splines.mpf" "$TMP/splines.cl"
+status 0 "a program of polynomials" ncplot --axes --poles "$TMP/splines.mpf"
+# shellcheck disable=SC2016 # expanded by the inner shell
+status 0 "a program from a pipe" sh -c 'cat "$1" | ncplot' - "$TMP/splines.mpf"
+has "is read from its start" '>standard input<' "$TMP/out"
+ncpost -q -c fanuc -o "$TMP/splines.nc" "$TMP/splines.cl"
+status 0 "a program of B-splines" ncplot --axes --poles "$TMP/splines.nc"
+has "with their control points" '>control points<' "$TMP/out"
+ncpost -q -c fanuc -m table-bc -o "$TMP/bc.nc" "$TMP/arcs.cl"
+status 0 "a program for another machine" ncplot -m table-bc "$TMP/bc.nc"
+status 1 "read for the wrong one" ncplot "$TMP/bc.nc"
+status 1 "a machine that is not there" ncplot -m nowhere "$TMP/bc.nc"
+head -n 40 "$TMP/bc.nc" >"$TMP/short.nc"
+status 1 "a program cut off" ncplot -m table-bc "$TMP/short.nc"
 
 # ---- from a pipe, several, views
 

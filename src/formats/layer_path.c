@@ -32,7 +32,7 @@ static struct stroke *begin(struct walk *w, enum stroke_kind kind)
     struct stroke *last = layer->stroke.n ? &layer->stroke.item[layer->stroke.n - 1] : NULL;
     bool straight = kind == STROKE_LINE || kind == STROKE_RAPID;
     if (last && straight && last->kind == kind && last->pass == w->pass &&
-        last->to == layer->node.n)
+        last->to == layer->node.n && !(vec_distance(layer->node.item[last->to - 1], w->at.p) > 0))
         return last;
     struct stroke *stroke = array_push(&layer->stroke);
     *stroke = (struct stroke){kind, layer->node.n, layer->node.n, w->pass, w->drawn[kind]++};
@@ -49,6 +49,8 @@ static void end(struct walk *w, struct stroke *stroke)
 static void add_line(struct walk *w, const struct path_item *item)
 {
     enum stroke_kind kind = item->rapid ? STROKE_RAPID : STROKE_LINE;
+    if (item->rapid && w->options->cut)
+        return;
     double length = vec_distance(w->at.p, item->to.p);
     struct stroke *stroke = begin(w, kind);
     *array_push(&w->layer->node) = item->to.p;

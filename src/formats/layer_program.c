@@ -1,6 +1,8 @@
 /* layer_program - an NC program as strokes, as the control runs it; see layer.h. */
 #include <stdlib.h>
+#include <string.h>
 
+#include "dialect.h"
 #include "layer.h"
 #include "ncread.h"
 #include "ncread_machine.h"
@@ -69,6 +71,8 @@ static void add_piece(struct walk *w, const struct piece *was, const struct piec
     enum stroke_kind kind = kind_of(piece);
     if (!piece->rapid && (!was || was->rapid))
         w->run++;
+    if (piece->rapid && w->options->cut)
+        return;
     if (!goes_on(was, piece)) {
         *array_push(&layer->stroke) =
             (struct stroke){kind, layer->node.n, layer->node.n, w->run, w->drawn[kind]++};
@@ -129,6 +133,14 @@ static void add_course(const struct course *course, const struct layer_options *
         add_poles(layer, course);
 }
 
+/* Some controls have tool centre point control only on machines that are theirs. */
+static bool has_tcp(const char *control, const struct machine *machine)
+{
+    const struct dialect *dialect = dialect_find(control);
+    bool theirs = strcmp(machine->control, control) == 0;
+    return machine->tcp && (theirs || !dialect || !dialect->tcp_of_machine);
+}
+
 int layer_program(const char *file, const struct layer_options *options, struct layer *layer,
                   struct error *error)
 {
@@ -137,9 +149,10 @@ int layer_program(const char *file, const struct layer_options *options, struct 
         return -1;
     if (machine_finish(&machine, error) != 0)
         return -1;
-    struct ncread_setup setup = {
-        .dialect = ncread_tell(file, error), .tcp = machine.tcp, .rig = ncread_rig(&machine)};
+    struct ncread_setup setup = {.dialect = ncread_tell(file, error), .rig = ncread_rig(&machine)};
     struct course course = {0};
+    if (setup.dialect)
+        setup.tcp = has_tcp(setup.dialect->name, &machine);
     if (!setup.dialect || stream_again(file, error) < 0 ||
         ncread_read(file, &setup, &course, error) < 0) {
         course_free(&course);

@@ -129,8 +129,8 @@ static void draw_shade(const struct panel *panel, const struct facets *facets, s
         svg_path_end(svg);
 }
 
-static void draw_facets(const struct panel *panel, struct facets *facets, size_t layers,
-                        bool under, struct svg *svg)
+static void draw_facets(const struct panel *panel, struct facets *facets, size_t layers, bool under,
+                        struct svg *svg)
 {
     double area = (panel->box.high.x - panel->box.low.x) * (panel->box.high.y - panel->box.low.y);
     double size = panel->scale * sqrt(area / (double)facets->n); /* of two facets, px */

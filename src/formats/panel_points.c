@@ -41,7 +41,7 @@ static void draw_points(const struct panel *panel, const struct layer *layer, si
     }
     double area = (panel->box.high.x - panel->box.low.x) * (panel->box.high.y - panel->box.low.y);
     double apart = sqrt(area / (double)(marks ? marks : 1)) * panel->scale;
-    double width = fmin(fmax(0.75 * apart, 0.9), number ? 1.8 : 2.4);
+    double width = fmin(fmax(0.75 * apart, 0.9), fmin(2 + 0.08 * apart, 5));
     for (size_t level = 0; level < (style->by_layer ? 1 : PALETTE_HEIGHTS); level++) {
         char ink[80];
         snprintf(ink, sizeof ink, "stroke=\"%s\" stroke-width=\"%.0f\"",
@@ -119,7 +119,7 @@ static void draw_poles(const struct panel *panel, const struct layer *layer, str
             *array_push(&pole) = layer->node.item[k];
     }
     if (pole.n)
-        draw_dots(panel, &pole, "stroke=\"#CC79A7\" stroke-width=\"30\"", svg);
+        draw_dots(panel, &pole, "stroke=\"#CC79A7\" stroke-width=\"45\"", svg);
     array_free(&pole);
 }
 

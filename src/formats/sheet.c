@@ -148,8 +148,12 @@ static double put_head(struct svg *svg, const struct scene *scene,
                        const struct sheet_options *options, double width)
 {
     double y = MARGIN + TITLE - 4;
+    double room = width - 2 * MARGIN;
+    double full = svg_text_width(TITLE, true, options->title);
+    double size =
+        full > room ? fmax(TITLE * room / full, SMALL) : TITLE; /* a long one is smaller */
     if (svg)
-        svg_text(svg, MARGIN, y, "start", TITLE, true, options->title);
+        svg_text(svg, MARGIN, y, "start", size, true, options->title);
     y += 20;
     for (size_t i = 0; i < scene->n; i++) {
         char text[400];
