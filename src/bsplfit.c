@@ -13,6 +13,7 @@
 #include "parallel.h"
 #include "path.h"
 #include "path_run.h"
+#include "retrack.h"
 #include "splinereport.h"
 #include "splinerun.h"
 
@@ -20,6 +21,7 @@ static const double TOLERANCE = 0.01; /* mm, when -e is not given */
 
 struct settings {
     struct splinefit_options fit;
+    int points; /* 0: as the path is; else one more than its enum path_track */
     bool paper, report, centre;
 };
 
@@ -53,6 +55,10 @@ static void read_options(int argc, char **argv, struct cli *cli, struct settings
          &angle, 0.001, 45, 0, NULL},
         {0, "degree", "P", "degree of the curves (3)", CLI_COUNT, &s->fit.degree, 1,
          BSPLINE_DEGREE_MAX, 0, NULL},
+        {0, "points", "same|tip|centre|contact",
+         "what the control points stand for: the tip, the ball's centre, or\n"
+         "the contact points, to study (the same as in the path)",
+         CLI_CHOICE, &s->points, 0, 0, 0, NULL},
         {0, "params", "all|uniform|centripetal|chord", "parameters of the points (all)", CLI_CHOICE,
          &params, 0, 0, 0, NULL},
         {0, "knots", "all|uniform|average", "knots of the curves (all)", CLI_CHOICE, &knots, 0, 0,
@@ -191,6 +197,8 @@ static void read_path(const char *file, struct path *path, struct settings *s)
     for (size_t i = 0; i < path->unknown.n; i++)
         say("%s:%u: %s is no word known here, carried along", path->name,
             path->unknown.item[i].line, path->unknown.item[i].word);
+    if (s->points > 0 && retrack_path(path, (enum path_track)(s->points - 1), &error) != 0)
+        die_error(&error);
     s->centre = path->head.track == TRACK_CENTRE;
     if (path->head.track != TRACK_CONTACT && !(path_ball(path) > 0))
         say("%s: no ball nose CUTTER: the tolerance is kept at the tracked point alone",

@@ -24,7 +24,7 @@ spent() { sed -n 's/^.*LEDGER\/bsplfit,//p' "$1"; }
 # Dense passes
 status 0 "dense passes" bsplfit -e 0.01 -o "$TMP/p.cl" "$passes"
 ok "a curve each" test "$(curves "$TMP/p.cl")" -eq 8
-below "control points of 2,888 points" "$(poles "$TMP/p.cl")" 145
+below "control points of 2,888 points" "$(poles "$TMP/p.cl")" 90
 found=$(off "$passes" "$TMP/p.cl")
 below "what was spent" "$(spent "$TMP/p.cl")" 0.01
 below "it is not less than what another reader finds" "$found" "$(spent "$TMP/p.cl")"
@@ -35,7 +35,7 @@ awk "$inside" "$TMP/p.cl" >"$TMP/rest.out"
 same "all but the points is carried through" "$TMP/rest.in" "$TMP/rest.out"
 
 status 0 "a tenth of the tolerance" bsplfit -q -e 0.001 -o "$TMP/fine.cl" "$passes"
-below "control points" "$(poles "$TMP/fine.cl")" 270
+below "control points" "$(poles "$TMP/fine.cl")" 125
 empty "quiet" "$TMP/err"
 for threads in 1 2 7; do
 	status 0 "$threads threads" bsplfit -q -e 0.001 -j $threads -o "$TMP/j.cl" "$passes"
@@ -61,6 +61,21 @@ ok "it is that one" test "$(grep -c 'chord/average$' "$TMP/err")" -eq 8
 status 0 "degree 5" bsplfit --degree 5 -o "$TMP/five.cl" "$passes"
 ok "has order 6" test "$(grep -c '^MOVNRB/ON,6,' "$TMP/five.cl")" -eq 8
 below "what was spent" "$(spent "$TMP/five.cl")" 0.01
+
+# What the control points stand for
+for p in tip centre contact; do
+	status 0 "--points $p" bsplfit -q --points $p -e 0.01 -o "$TMP/$p.cl" "$passes"
+	head -20 "$TMP/$p.cl" | grep TRACK >"$TMP/track"
+	case $p in
+	tip) empty "the head says nothing" "$TMP/track" ;;
+	centre) has "the head says so" '^..-> TRACK/CENTER$' "$TMP/track" ;;
+	contact) has "the head says so" '^..-> TRACK/CONTACT$' "$TMP/track" ;;
+	esac
+done
+ok "centres and tips alike with a fixed axis" test "$(poles "$TMP/tip.cl")" -eq "$(poles "$TMP/centre.cl")"
+status 1 "a program of contact points" ncpost -c fanuc "$TMP/contact.cl"
+has "is refused" 'a path of contact points' "$TMP/err"
+status 1 "tips from contact points" bsplfit --points tip "$TMP/contact.cl"
 
 # Five axes: head and tip on shared knots
 path "$TMP/swing.cl" 'for (s = 0; s <= 1; s += 1 / 256) {
