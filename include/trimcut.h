@@ -9,12 +9,7 @@
 #define CLOUDMILL_TRIMCUT_H
 
 #include "mesh.h"
-#include "nurbs.h"
-
-struct uvloops {
-    size_t n, cap;
-    struct uvs *item; /* closed polygons: the last point joins the first, which is not repeated */
-};
+#include "uvloops.h"
 
 struct uvmesh {
     struct uvs at;
@@ -30,10 +25,6 @@ struct uvmesh {
 void trimcut(struct doubles *u, const struct doubles *v, const struct uvloops *loops, bool open,
              struct uvmesh *mesh);
 
-/* True when the place lies inside, by the same rule. */
-bool trimcut_inside(const struct uvloops *loops, bool open, struct uv at);
-
-void uvloops_free(struct uvloops *loops);
 void uvmesh_free(struct uvmesh *mesh);
 
 #endif

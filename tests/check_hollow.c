@@ -56,7 +56,7 @@ START_TEST(no_place_is_more_hollow)
         for (int i = 0; i <= 200; i++)
             for (int k = 0; k <= 200; k++) {
                 struct uv at = {4 * i / 200.0, 4 * k / 200.0};
-                if (trimmed && !trimcut_inside(&loops, false, at))
+                if (trimmed && !uvloops_inside(&loops, false, at))
                     continue;
                 struct nurbs_place q = nurbs_place(&p.surface, at);
                 ck_assert_double_ge(h.curvature + 1e-9, flipped ? -q.k2 : q.k1);
@@ -64,7 +64,7 @@ START_TEST(no_place_is_more_hollow)
         struct nurbs_place q = nurbs_place(&p.surface, h.at);
         ck_assert_double_lt(fabs(h.curvature - (flipped ? -q.k2 : q.k1)), 1e-9);
         ck_assert_double_lt(vec_distance(q.point, h.point), 1e-9);
-        ck_assert(!trimmed || trimcut_inside(&loops, false, h.at));
+        ck_assert(!trimmed || uvloops_inside(&loops, false, h.at));
         uvloops_free(&loops);
         patch_free(&p);
     }

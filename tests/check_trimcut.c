@@ -170,10 +170,10 @@ START_TEST(inside)
     struct uvloops loops = {0};
     add_box(&loops, 0.2, 0.2, 0.8, 0.8);
     add_box(&loops, 0.4, 0.4, 0.6, 0.6);
-    ck_assert(trimcut_inside(&loops, false, (struct uv){0.3, 0.5}));
-    ck_assert(!trimcut_inside(&loops, false, (struct uv){0.5, 0.5}));
-    ck_assert(!trimcut_inside(&loops, false, (struct uv){0.1, 0.5}));
-    ck_assert(trimcut_inside(&loops, true, (struct uv){0.1, 0.5}));
+    ck_assert(uvloops_inside(&loops, false, (struct uv){0.3, 0.5}));
+    ck_assert(!uvloops_inside(&loops, false, (struct uv){0.5, 0.5}));
+    ck_assert(!uvloops_inside(&loops, false, (struct uv){0.1, 0.5}));
+    ck_assert(uvloops_inside(&loops, true, (struct uv){0.1, 0.5}));
     uvloops_free(&loops);
 }
 END_TEST

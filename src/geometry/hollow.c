@@ -19,7 +19,7 @@ static double curvature_at(const struct search *s, const struct nurbs *part, str
                            struct vec3 *point)
 {
     bool open = s->patch->open || s->loops->n == 0;
-    if (s->loops->n > 0 && !trimcut_inside(s->loops, open, at))
+    if (s->loops->n > 0 && !uvloops_inside(s->loops, open, at))
         return -HUGE_VAL;
     struct nurbs_place p = nurbs_place(part, at);
     *point = p.point;

@@ -1,45 +1,23 @@
 /*
  * trimcut - the polygons are followed from cell to cell on a lattice of whole numbers, where the
  * lines are even and the polygons' corners odd: no corner ever lies on a line, and what lies where
- * is decided without rounding.  Inside a cell the pieces of the polygons and of the cell's own
- * border are joined to closed polygons (Weiler and Atherton 1977).
+ * is decided without rounding.  What is left of each cell then is cellcut's to say.
  */
 #include "trimcut.h"
 
 #include <stdint.h>
 #include <stdlib.h>
 
+#include "cellcut.h"
 #include "earclip.h"
-
-/* Steps of the lattice over the whole grid (even), and how near to a line a corner is taken to lie
- * on it. */
-enum { STEPS = 1 << 28, NEAR = 32 };
+#include "lattice.h"
 
 struct lattice_point {
     int64_t u, v;
 };
 
-struct axis {
-    double from, width;
-    size_t n;      /* lines */
-    int64_t *line; /* on the lattice, even */
-};
-
-/* A piece of a polygon inside one cell: vertices first..first + n - 1 of the list of ids. */
-struct chain {
-    size_t cell, first, n;
-    int side_in, side_out; /* bottom, right, top, left: 0 to 3 */
-    double in, out;        /* how far along the side, counter-clockwise */
-    bool used;
-};
-
-struct chains {
-    size_t n, cap;
-    struct chain *item;
-};
-
 struct cut {
-    struct axis u, v;
+    struct lattice u, v;
     const double *u_line, *v_line;
     struct uvmesh *mesh;
     struct ints id; /* vertices of all chains */
@@ -48,91 +26,6 @@ struct cut {
     bool *crossed; /* [cell] */
     bool open;
 };
-
-static struct axis axis_of(const struct doubles *x)
-{
-    struct axis a = {.from = x->item[0], .width = x->item[x->n - 1] - x->item[0], .n = x->n};
-    a.line = mem_alloc(a.n, sizeof *a.line);
-    for (size_t i = 0; i < a.n; i++)
-        a.line[i] = 2 * (int64_t)floor((x->item[i] - a.from) / a.width * STEPS + 0.5);
-    return a;
-}
-
-/* How many lines lie below x: the column of x is one less. */
-static size_t lines_below(const struct axis *a, int64_t x)
-{
-    size_t low = 0, high = a->n;
-    while (low < high) {
-        size_t mid = low + (high - low) / 2;
-        if (a->line[mid] < x)
-            low = mid + 1;
-        else
-            high = mid;
-    }
-    return low;
-}
-
-/* A corner's place on the lattice, odd.  On the border of the grid it goes outside, on a line
- * within to the side `inwards` of the polygon, so that it leaves no sliver. */
-static int64_t place_on(const struct axis *a, double x, double inwards)
-{
-    double part = fmin(fmax((x - a->from) / a->width, -0.01), 1.01);
-    int64_t at = 2 * (int64_t)floor(part * STEPS) + 1;
-    size_t above = lines_below(a, at);
-    for (size_t i = above > 0 ? above - 1 : 0; i < a->n && i <= above; i++) {
-        if (llabs(a->line[i] - at) > NEAR)
-            continue;
-        if (i == 0)
-            return a->line[i] - 1;
-        if (i + 1 == a->n)
-            return a->line[i] + 1;
-        return a->line[i] + (inwards > 0 ? 1 : -1);
-    }
-    return at;
-}
-
-static double loop_area(const struct uvs *loop)
-{
-    double area = 0;
-    struct uv o = loop->item[0];
-    for (size_t i = 0, k = loop->n - 1; i < loop->n; k = i++) {
-        struct uv a = loop->item[k], b = loop->item[i];
-        area += (a.u - o.u) * (b.v - o.v) - (b.u - o.u) * (a.v - o.v);
-    }
-    return area / 2;
-}
-
-/* Does the loop go round the place?  Crossings of the ray to the right. */
-static bool goes_round(const struct uvs *loop, struct uv p)
-{
-    bool inside = false;
-    for (size_t i = 0, k = loop->n - 1; i < loop->n; k = i++) {
-        struct uv a = loop->item[k], b = loop->item[i];
-        if ((a.v > p.v) != (b.v > p.v) && p.u < a.u + (p.v - a.v) / (b.v - a.v) * (b.u - a.u))
-            inside = !inside;
-    }
-    return inside;
-}
-
-bool trimcut_inside(const struct uvloops *loops, bool open, struct uv at)
-{
-    bool inside = open;
-    for (size_t i = 0; i < loops->n; i++)
-        if (goes_round(&loops->item[i], at))
-            inside = !inside;
-    return inside;
-}
-
-/* The inside shall lie to the left of each loop: one that runs the other way is taken backwards. */
-static bool is_backwards(const struct uvloops *loops, size_t index, bool open)
-{
-    const struct uvs *loop = &loops->item[index];
-    bool hole = open;
-    for (size_t i = 0; i < loops->n; i++)
-        if (i != index && goes_round(&loops->item[i], loop->item[0]))
-            hole = !hole;
-    return (loop_area(loop) > 0) == hole;
-}
 
 /* The loop's corners in order, on the lattice, without repetitions; `at` gets them as they are. */
 static size_t loop_on_lattice(const struct cut *c, const struct uvs *loop, bool backwards,
@@ -143,8 +36,8 @@ static size_t loop_on_lattice(const struct cut *c, const struct uvs *loop, bool 
         struct uv before = loop->item[backwards ? (n - i) % n : (i + n - 1) % n];
         struct uv here = loop->item[backwards ? n - 1 - i : i];
         struct uv behind = loop->item[backwards ? (2 * n - 2 - i) % n : (i + 1) % n];
-        struct lattice_point p = {place_on(&c->u, here.u, before.v - behind.v),
-                                  place_on(&c->v, here.v, behind.u - before.u)};
+        struct lattice_point p = {lattice_place(&c->u, here.u, before.v - behind.v),
+                                  lattice_place(&c->v, here.v, behind.u - before.u)};
         if (count > 0 && point[count - 1].u == p.u && point[count - 1].v == p.v)
             continue;
         point[count] = p;
@@ -176,8 +69,8 @@ static bool in_grid(const struct cut *c, size_t column, size_t row)
 }
 
 /* The next line that the way from a to b crosses in one direction: how far along, as a fraction. */
-static bool next_line(const struct axis *x, size_t below, int64_t a, int64_t b, int64_t *numerator,
-                      size_t *line)
+static bool next_line(const struct lattice *x, size_t below, int64_t a, int64_t b,
+                      int64_t *numerator, size_t *line)
 {
     if (b > a && below < x->n && x->line[below] < b) {
         *line = below;
@@ -262,8 +155,8 @@ static size_t follow(struct cut *c, struct walk *w, const struct lattice_point p
 static void trace_loop(struct cut *c, const struct lattice_point *point, const struct uv *at,
                        size_t n)
 {
-    struct walk w = {.column = lines_below(&c->u, point[0].u),
-                     .row = lines_below(&c->v, point[0].v)};
+    struct walk w = {.column = lattice_below(&c->u, point[0].u),
+                     .row = lattice_below(&c->v, point[0].v)};
     size_t first_chain = c->chain.n, begin = c->id.n;
     struct chain opening = {0};
     bool begun = false;
@@ -309,30 +202,12 @@ static void trace_loops(struct cut *c, const struct uvloops *loops)
         const struct uvs *loop = &loops->item[i];
         struct lattice_point *point = mem_alloc(loop->n, sizeof *point);
         struct uv *at = mem_alloc(loop->n, sizeof *at);
-        size_t n = loop_on_lattice(c, loop, is_backwards(loops, i, c->open), point, at);
+        size_t n = loop_on_lattice(c, loop, uvloops_backwards(loops, i, c->open), point, at);
         if (n >= 3)
             trace_loop(c, point, at, n);
         free(point);
         free(at);
     }
-}
-
-/* An end of a chain on the border of its cell. */
-struct end {
-    int side;
-    double along;
-    bool enters;
-    size_t chain;
-};
-
-static int compare_ends(const void *p, const void *q)
-{
-    const struct end *a = p, *b = q;
-    if (a->side != b->side)
-        return a->side < b->side ? -1 : 1;
-    if (a->along < b->along || a->along > b->along)
-        return a->along < b->along ? -1 : 1;
-    return a->chain < b->chain ? -1 : a->chain > b->chain;
 }
 
 static int compare_chains(const void *p, const void *q)
@@ -343,60 +218,12 @@ static int compare_chains(const void *p, const void *q)
     return a->first < b->first ? -1 : a->first > b->first;
 }
 
-struct polygon {
-    struct ints id;
-    struct uvs at;
-};
-
 /* The vertex at a corner of a cell, 0 to 3 from the lower left, counter-clockwise. */
 static int corner_of(const struct cut *c, size_t cell, int corner)
 {
     size_t column = cell % (c->u.n - 1) + (corner == 1 || corner == 2 ? 1 : 0);
     size_t row = cell / (c->u.n - 1) + (corner >= 2 ? 1 : 0);
     return (int)(row * c->u.n + column);
-}
-
-/* Its corners are scaled to the cell, so that the shape of an ear means something. */
-static void add_corner(const struct cut *c, size_t cell, struct polygon *p, int id)
-{
-    size_t column = cell % (c->u.n - 1), row = cell / (c->u.n - 1);
-    struct uv at = c->mesh->at.item[id];
-    double u = c->u_line[column], v = c->v_line[row];
-    if (p->id.n > 0 && p->id.item[p->id.n - 1] == id)
-        return;
-    *array_push(&p->id) = id;
-    *array_push(&p->at) = (struct uv){(at.u - u) / (c->u_line[column + 1] - u),
-                                      (at.v - v) / (c->v_line[row + 1] - v)};
-}
-
-/* Round one polygon from a chain on: along it, along the border to the next that enters, and so on.
- * False when the ends do not go in and out by turns. */
-static bool round_polygon(struct cut *c, struct chain *chain, const struct end *end, size_t ends,
-                          size_t start, struct polygon *p)
-{
-    size_t cell = chain[0].cell, now = start;
-    p->id.n = p->at.n = 0;
-    do {
-        struct chain *k = &chain[now];
-        k->used = true;
-        for (size_t i = 0; i < k->n; i++)
-            add_corner(c, cell, p, c->id.item[k->first + i]);
-        size_t e = 0;
-        while (end[e].chain != now || end[e].enters)
-            e++;
-        size_t next = (e + 1) % ends;
-        if (!end[next].enters)
-            return false;
-        int side = end[e].side;
-        bool wraps = next <= e;
-        while (wraps || side != end[next].side) {
-            side = (side + 1) % 4;
-            add_corner(c, cell, p, corner_of(c, cell, side));
-            wraps = wraps && side != 0;
-        }
-        now = end[next].chain;
-    } while (!chain[now].used);
-    return now == start;
 }
 
 static bool corner_inside(const struct cut *c, const int *inside, size_t column, size_t row)
@@ -412,33 +239,34 @@ static void add_cell(struct cut *c, size_t cell)
     *array_push(&c->mesh->face) = (struct face){{a, d, e}};
 }
 
+/* One polygon of a cell as triangles; its corners are scaled to the cell, so that the shape of an
+ * ear means something. */
+static void add_polygon(struct cut *c, size_t cell, const int *id, size_t n, struct uvs *at)
+{
+    size_t column = cell % (c->u.n - 1), row = cell / (c->u.n - 1);
+    double u = c->u_line[column], v = c->v_line[row];
+    at->n = 0;
+    for (size_t i = 0; i < n; i++) {
+        struct uv p = c->mesh->at.item[id[i]];
+        *array_push(at) = (struct uv){(p.u - u) / (c->u_line[column + 1] - u),
+                                      (p.v - v) / (c->v_line[row + 1] - v)};
+    }
+    earclip(at->item, id, n, &c->mesh->face);
+}
+
 /* The chains of one cell. */
 static void cut_cell(struct cut *c, struct chain *chain, size_t n, const int *inside,
-                     struct polygon *p)
+                     struct polygons *p, struct uvs *at)
 {
-    struct end *end = mem_alloc(2 * n, sizeof *end);
-    size_t cell = chain[0].cell, before = c->mesh->face.n;
-    bool sound = true;
-    for (size_t i = 0; i < n; i++) {
-        end[2 * i] = (struct end){chain[i].side_in, chain[i].in, true, i};
-        end[2 * i + 1] = (struct end){chain[i].side_out, chain[i].out, false, i};
-    }
-    qsort(end, 2 * n, sizeof *end, compare_ends);
-    for (size_t i = 0; i < n && sound; i++) {
-        if (chain[i].used)
-            continue;
-        sound = round_polygon(c, chain, end, 2 * n, i, p);
-        if (sound && p->id.n > 1 && p->id.item[0] == p->id.item[p->id.n - 1])
-            p->id.n--;
-        if (sound)
-            earclip(p->at.item, p->id.item, p->id.n, &c->mesh->face);
-    }
-    free(end);
-    if (sound)
+    size_t cell = chain[0].cell, column = cell % (c->u.n - 1), row = cell / (c->u.n - 1);
+    const int corner[4] = {corner_of(c, cell, 0), corner_of(c, cell, 1), corner_of(c, cell, 2),
+                           corner_of(c, cell, 3)};
+    if (cellcut(chain, n, c->id.item, corner, p)) {
+        for (size_t i = 0, from = 0; i < p->end.n; from = p->end.item[i++])
+            add_polygon(c, cell, p->id.item + from, p->end.item[i] - from, at);
         return;
-    c->mesh->face.n = before;
+    }
     c->mesh->unclear++;
-    size_t column = cell % (c->u.n - 1), row = cell / (c->u.n - 1);
     if (corner_inside(c, inside, column, row) && corner_inside(c, inside, column + 1, row) &&
         corner_inside(c, inside, column, row + 1) && corner_inside(c, inside, column + 1, row + 1))
         add_cell(c, cell);
@@ -460,7 +288,8 @@ static int *count_inside(const struct cut *c)
 
 static void cut_cells(struct cut *c)
 {
-    struct polygon polygon = {0};
+    struct polygons polygons = {0};
+    struct uvs at_cell = {0};
     int *inside = count_inside(c);
     size_t columns = c->u.n - 1, at = 0;
     if (c->chain.n > 0)
@@ -474,11 +303,11 @@ static void cut_cells(struct cut *c)
         size_t n = 0;
         while (at + n < c->chain.n && c->chain.item[at + n].cell == cell)
             n++;
-        cut_cell(c, &c->chain.item[at], n, inside, &polygon);
+        cut_cell(c, &c->chain.item[at], n, inside, &polygons, &at_cell);
         at += n;
     }
-    array_free(&polygon.id);
-    array_free(&polygon.at);
+    polygons_free(&polygons);
+    array_free(&at_cell);
     free(inside);
 }
 
@@ -519,8 +348,8 @@ void trimcut(struct doubles *u, const struct doubles *v, const struct uvloops *l
 {
     *mesh = (struct uvmesh){0};
     part_lone_loops(u, v, loops);
-    struct cut c = {.u = axis_of(u),
-                    .v = axis_of(v),
+    struct cut c = {.u = lattice_new(u),
+                    .v = lattice_new(v),
                     .u_line = u->item,
                     .v_line = v->item,
                     .mesh = mesh,
@@ -532,19 +361,12 @@ void trimcut(struct doubles *u, const struct doubles *v, const struct uvloops *l
             *array_push(&mesh->at) = (struct uv){u->item[column], v->item[row]};
     trace_loops(&c, loops);
     cut_cells(&c);
-    free(c.u.line);
-    free(c.v.line);
+    lattice_free(&c.u);
+    lattice_free(&c.v);
     free(c.turn);
     free(c.crossed);
     array_free(&c.id);
     array_free(&c.chain);
-}
-
-void uvloops_free(struct uvloops *loops)
-{
-    for (size_t i = 0; i < loops->n; i++)
-        array_free(&loops->item[i]);
-    array_free(loops);
 }
 
 void uvmesh_free(struct uvmesh *mesh)

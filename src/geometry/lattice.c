@@ -1,0 +1,53 @@
+/* lattice - see lattice.h. */
+#include "lattice.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+/* Steps over the whole grid, and how near to a line a place is taken to lie on it. */
+enum { STEPS = 1 << 28, NEAR = 32 };
+
+struct lattice lattice_new(const struct doubles *x)
+{
+    struct lattice a = {.from = x->item[0], .width = x->item[x->n - 1] - x->item[0], .n = x->n};
+    a.line = mem_alloc(a.n, sizeof *a.line);
+    for (size_t i = 0; i < a.n; i++)
+        a.line[i] = 2 * (int64_t)floor((x->item[i] - a.from) / a.width * STEPS + 0.5);
+    return a;
+}
+
+size_t lattice_below(const struct lattice *a, int64_t x)
+{
+    size_t low = 0, high = a->n;
+    while (low < high) {
+        size_t mid = low + (high - low) / 2;
+        if (a->line[mid] < x)
+            low = mid + 1;
+        else
+            high = mid;
+    }
+    return low;
+}
+
+int64_t lattice_place(const struct lattice *a, double x, double inwards)
+{
+    double part = fmin(fmax((x - a->from) / a->width, -0.01), 1.01);
+    int64_t at = 2 * (int64_t)floor(part * STEPS) + 1;
+    size_t above = lattice_below(a, at);
+    for (size_t i = above > 0 ? above - 1 : 0; i < a->n && i <= above; i++) {
+        if (llabs(a->line[i] - at) > NEAR)
+            continue;
+        if (i == 0)
+            return a->line[i] - 1;
+        if (i + 1 == a->n)
+            return a->line[i] + 1;
+        return a->line[i] + (inwards > 0 ? 1 : -1);
+    }
+    return at;
+}
+
+void lattice_free(struct lattice *a)
+{
+    free(a->line);
+    *a = (struct lattice){0};
+}
