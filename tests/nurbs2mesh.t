@@ -29,12 +29,12 @@ measure() { # FILE
 		printf "%d %d %.4f %.4f %d %.9f %.4f\n", nv, nf, area, volume, open, off, worst }' "$1"
 }
 
-mesh() { # NAME ARGS...: the mesh in $TMP/NAME.ply and the figures in $1...
+mesh() { # NAME ARGS...: the mesh in $TMP/NAME.ply and its figures
 	name=$1
 	shift
 	nurbs2mesh "$@" >"$TMP/$name.ply" 2>"$TMP/$name.err"
-	set -- $(measure "$TMP/$name.ply")
-	vertices=$1 faces=$2 area=$3 volume=$4 open=$5 off=$6 worst=$7
+	measure "$TMP/$name.ply" >"$TMP/measure"
+	read -r vertices faces area volume open off worst <"$TMP/measure"
 }
 
 near() { # DESC VALUE WANT WITHIN

@@ -249,7 +249,7 @@ static const double NORMAL_LEAST = 1e-10, CURVATURE_LEAST = 1e-5;
 struct nurbs_place nurbs_place(const struct nurbs *s, struct uv at)
 {
     struct vec3 d[3][3];
-    struct nurbs_place p = {0}, inner;
+    struct nurbs_place p = {0}, inner = {0};
     nurbs_derivatives(s, at, 2, d);
     p.point = d[0][0];
     double sound = plain_normal(s, d, &p.normal);
