@@ -57,6 +57,9 @@ void verdict_text(const struct verdict *verdict, const char *file);
 /* A PLY of all points: x y z, colour, deviation (mm), block. */
 void verdict_map(const struct verdict *verdict, const char *file);
 
+/* A page for a browser that needs nothing else. */
+void verdict_page(const struct verdict *verdict, const char *file);
+
 /* Colour of a deviation: red gouges, green is cut, blue is left; beyond the region grey. */
 struct colour {
     int red, green, blue;

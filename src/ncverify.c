@@ -23,7 +23,7 @@ static const char *const unit_name[] = {"mm", "cm", "m", "um", "inch", "in"};
 struct settings {
     int control, unit;
     bool control_given, radius_given, shank_given, band_given, left_given, centre;
-    const char *machine, *map;
+    const char *machine, *map, *page;
     struct cli_list part, set;
     double radius, tolerance, left, band, shank;
 };
@@ -66,6 +66,10 @@ static void read_options(struct settings *s, struct cli *cli, int argc, char **a
          &s->unit, 0, 0, 0, NULL},
         {0, "map", "FILE", "write the points with their deviations as a PLY", CLI_TEXT, &s->map, 0,
          0, 0, NULL},
+        {0, "report", "FILE",
+         "write a page for a browser: the part in three dimensions, passes,\n"
+         "blocks, a histogram, the figures",
+         CLI_TEXT, &s->page, 0, 0, 0, NULL},
         {0},
     };
     *cli = (struct cli){.tool = "ncverify",
@@ -189,6 +193,8 @@ int main(int argc, char **argv)
     verdict_judge(&v);
     if (s.map)
         verdict_map(&v, s.map);
+    if (s.page)
+        verdict_page(&v, s.page);
     verdict_text(&v, cli.output);
     bool refused = verdict_refused(&v);
     for (size_t i = 0; i < v.finding.n; i++)
