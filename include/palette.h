@@ -12,7 +12,7 @@
 enum {
     PALETTE_CYCLE = 6,   /* colours for passes and streams before they begin anew */
     PALETTE_HEIGHTS = 11,
-    PALETTE_SHADES = 16,
+    PALETTE_SHADES = 32,
     PALETTE_COLOUR = 8   /* room for #rrggbb */
 };
 

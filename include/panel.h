@@ -9,21 +9,22 @@
 #include "svg.h"
 
 struct panel_style {
-    bool by_pass;     /* strokes by their pass; else by their kind */
-    bool by_layer;    /* all by its stream, to compare */
-    bool joints;      /* where motions end */
-    double tick;      /* length of normals and axes, mm */
-    size_t marks;     /* at most about as many points, facets or ends of lines in a panel */
+    bool by_pass;          /* strokes by their pass; else by their kind */
+    bool by_layer;         /* all by its stream, to compare */
+    bool joints;           /* where motions end */
+    double tick;           /* length of normals and axes, mm */
+    size_t marks;          /* at most about as many points, facets or ends of lines in a panel */
     struct vec3 low, high; /* of all clouds: heights by colour */
 };
 
 struct panel {
     struct view view;
-    struct box box;    /* of the scene in the view, mm */
-    double x, y;       /* left upper corner, px */
-    double scale;      /* px in a mm */
+    struct box box; /* of the scene in the view, mm */
+    double x, y;    /* left upper corner, px */
+    double scale;   /* px in a mm */
     const struct panel_style *style;
     struct raster near; /* what is nearest to the eye: hides what is behind */
+    bool hides;         /* there is something in it */
     double slack;       /* what is less behind is not hidden, mm */
     size_t every;       /* of the passes each so many-th is drawn */
 };

@@ -42,6 +42,7 @@ void panel_draw(struct panel *panel, const struct scene *scene, struct svg *svg)
         const struct layer *layer = &scene->item[i];
         hide_by_mesh(panel, &layer->mesh, first);
         first += layer->mesh.face.n;
+        panel->hides |= layer->mesh.face.n > 0 || layer->point.n > 0;
         if (layer->point.n && !panel->style->by_layer)
             hide_by_cloud(panel, &layer->point);
     }

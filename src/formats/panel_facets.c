@@ -204,9 +204,12 @@ static void draw_cells(const struct panel *panel, const struct facets *facets, s
             facets->item[i].layer * PALETTE_SHADES + facets->item[i].shade;
     double cell = 1.5 / panel->scale; /* px */
     for (size_t want = 0; want < layers * PALETTE_SHADES; want++) {
-        char fill[PALETTE_COLOUR], ink[80];
+        char fill[PALETTE_COLOUR], ink[120];
         colour(panel, want / PALETTE_SHADES, want % PALETTE_SHADES, fill);
-        snprintf(ink, sizeof ink, "fill=\"none\" stroke=\"%s\" stroke-width=\"17\"", fill);
+        snprintf(ink, sizeof ink,
+                 "fill=\"none\" stroke=\"%s\" stroke-width=\"17\" "
+                 "shape-rendering=\"crispEdges\"",
+                 fill);
         svg_path(svg, ink);
         draw_runs(panel, look_of, want, cell, svg);
         svg_path_end(svg);

@@ -5,7 +5,14 @@
 #include "palette.h"
 #include "panel.h"
 
-/* The points that are not hidden, one in each cell: the nearest to the eye. */
+static double off_middle(const struct raster *r, struct vec3 p)
+{
+    double x = (p.x - r->left) / r->cell, y = (p.y - r->bottom) / r->cell;
+    return hypot(x - floor(x) - 0.5, y - floor(y) - 0.5);
+}
+
+/* The points that are not hidden, one in each cell: the nearest to its middle, so that they stand
+ * evenly. */
 static struct raster occupied(const struct panel *panel, const struct vec3s *point, double cell,
                               size_t *marks)
 {
@@ -15,7 +22,7 @@ static struct raster occupied(const struct panel *panel, const struct vec3s *poi
     for (size_t i = 0; i < point->n; i++) {
         struct vec3 p = view_point(&panel->view, point->item[i]);
         if (raster_visible(&panel->near, p, panel->slack))
-            *marks += raster_point(&r, p, i);
+            *marks += raster_point(&r, vec(p.x, p.y, -off_middle(&r, p)), i);
     }
     return r;
 }

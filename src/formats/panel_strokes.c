@@ -6,6 +6,8 @@
 #include "panel.h"
 #include "thin.h"
 
+enum { PASSES = 160 }; /* more in a view would run together */
+
 /* How finely they are drawn. */
 struct grain {
     double tolerance; /* px */
@@ -23,7 +25,7 @@ void panel_ink(const struct panel_style *style, size_t layer, const struct strok
     static const int width[STROKES] = {12, 15, 15, 9, 7};
     const char *by_kind = colour[stroke->kind][stroke->number % 2];
     bool moves = stroke->kind != STROKE_RAPID && stroke->kind != STROKE_POLES;
-    const char *used = style->by_layer           ? (layer == 0 ? "#8FC9EE" : palette_cycle(layer))
+    const char *used = style->by_layer && moves  ? (layer == 0 ? "#8FC9EE" : palette_cycle(layer))
                        : style->by_pass && moves ? palette_cycle(stroke->pass)
                                                  : by_kind;
     int w = style->by_layer && moves ? (layer == 0 ? 44 : 11) : width[stroke->kind];
@@ -71,7 +73,8 @@ static size_t draw_stroke(const struct panel *panel, const struct layer *layer,
     for (size_t i = stroke->from; i < stroke->to; i++) {
         struct vec3 p = view_point(&panel->view, layer->node.item[i]);
         double apart = i > stroke->from ? hypot(p.x - last.x, p.y - last.y) * panel->scale : 0;
-        double steps = fmin(fmax(1, ceil(apart / 2)), 2000);
+        double steps =
+            panel->hides || stroke->kind == STROKE_RAPID ? fmin(fmax(1, ceil(apart / 2)), 2000) : 1;
         for (double k = i > stroke->from ? 1 : steps; k <= steps; k++) {
             struct vec3 q = i > stroke->from ? vec_mix(last, p, k / steps) : p;
             if (inside(&panel->box, q) && raster_visible(&panel->near, q, panel->slack))
@@ -142,6 +145,8 @@ void panel_strokes(struct panel *panel, const struct scene *scene, struct svg *s
     panel->every = 1;
     if (strokes == 0)
         return;
+    while (passes / grain.every > PASSES)
+        grain.every *= 2;
     while (draw(panel, scene, &grain, NULL) > 2 * panel->style->marks && grain.tolerance < 2) {
         if (grain.tolerance < 0.4 || passes / grain.every < 40)
             grain.tolerance *= 2;
