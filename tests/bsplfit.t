@@ -123,12 +123,15 @@ status 0 "an axis that turns in place" bsplfit -o "$TMP/out.cl" "$TMP/turn.cl"
 has "arrives" '^GOTO/0.000000,0.000000,0.000000,0.717356' "$TMP/out.cl"
 path "$TMP/tiny.cl" 'for (k = 0; k <= 40; k++) go(k / 1e6, (k % 2) / 1e6, 0, 0, 0, 1)'
 status 0 "hardly any way at all" bsplfit -o "$TMP/out.cl" "$TMP/tiny.cl"
-path "$TMP/noise.cl" 'r = 1; for (k = 0; k <= 2000; k++) {
+path "$TMP/noise.cl" 'r = 1; for (k = 0; k <= 500; k++) {
 	r = (r * 16807) % 2147483647; go(k / 10, r / 21474836470, 0, 0, 0, 1) }'
 status 0 "noise of ten tolerances" bsplfit -o "$TMP/out.cl" "$TMP/noise.cl"
 path "$TMP/spiral.cl" 'for (k = 0; k < 6000; k++) { a = k / 32; go((5 + a / 6) * cos(a), (5 + a / 6) * sin(a), 0, 0, 0, 1) }'
 status 0 "a spiral of 6,000 points" bsplfit -o "$TMP/out.cl" "$TMP/spiral.cl"
-below "control points" "$(poles "$TMP/out.cl")" 500
+below "control points" "$(poles "$TMP/out.cl")" 300
+path "$TMP/waves.cl" 'for (k = 0; k <= 4000; k++) go(k / 20, 3 * sin(k / 10), 0, 0, 0, 1)'
+status 0 "sixty-three waves" bsplfit -o "$TMP/out.cl" "$TMP/waves.cl"
+below "control points" "$(poles "$TMP/out.cl")" 250
 for f in line two corner ring turn tiny noise spiral; do
 	bsplfit -q "$TMP/$f.cl" >"$TMP/nan.cl"
 	hasnt "$f: only finite numbers" '(nan|inf)' "$TMP/nan.cl"

@@ -309,7 +309,7 @@ bool freeknots_search(const struct track *track, const struct freeknots_options 
             bspline_free(&s.curve);
         }
         search_free(&s);
-        if (!s.coarse || parts > track->n)
+        if (!s.coarse || curve->poles > 0 || parts > track->n)
             break;
     }
     return curve->poles > 0;
