@@ -29,3 +29,17 @@ best 'floor: read and a hand-made parser' "$FLOOR/floor_read" "$tmp/cloud.xyz"
 best 'floor: fgets and strtod' "$FLOOR/floor_strtod" "$tmp/cloud.xyz"
 best 'cloud2mesh -t 1 --normals facet' "$BIN/cloud2mesh" -t 1 --normals facet "$tmp/cloud.xyz"
 best 'cloud2mesh -t 1' "$BIN/cloud2mesh" -t 1 "$tmp/cloud.xyz"
+
+# a million places with a tool axis that turns all the time, as CL text
+awk 'BEGIN {
+	print "UNITS/MM\nMULTAX/ON\nCUTTER/8,4,0,4,0,0,60\nRAPID\nGOTO/0,0,60,0,0,1\nFEDRAT/MMPM,500"
+	for (i = 0; i < 1000000; i++) {
+		t = i / 5000; a = 0.3 * sin(t); b = 0.25 * cos(t * 1.3) + 0.05; x = i % 2000 / 10
+		printf "GOTO/%.6f,%.6f,%.6f,%.9f,%.9f,%.9f\n", x, int(i / 2000) * 0.3, 5 * sin(x / 20), a, b,
+			sqrt(1 - a * a - b * b)
+	}
+	print "FINI"
+}' >"$tmp/path.cl"
+printf '%d lines of CL\n' "$(wc -l <"$tmp/path.cl")"
+best 'floor: fgets, strtod, two angles, printf' "$FLOOR/floor_post" "$tmp/path.cl"
+best 'ncpost -c fanuc' "$BIN/ncpost" -q -c fanuc "$tmp/path.cl"
