@@ -40,7 +40,8 @@ static void begin_word(struct nc_writer *w)
         w->number = w->step;
     if (!w->style.count_all)
         append(w, "N", 1);
-    append(w, number, num_write(number, (double)w->number, 0));
+    size_t n = num_write(number, (double)w->number, 0);
+    append(w, number, n);
     append(w, " ", 1);
 }
 
@@ -67,7 +68,8 @@ void nc_count(struct nc_writer *w, const char *address, double whole)
     char number[NUM_MAX];
     begin_word(w);
     append(w, address, strlen(address));
-    append(w, number, num_write(number, whole, 0));
+    size_t n = num_write(number, whole, 0);
+    append(w, number, n);
 }
 
 bool nc_motion(struct nc_writer *w, const char *code)

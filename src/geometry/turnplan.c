@@ -67,7 +67,7 @@ static int state_of(const struct plan *plan, int k, const double q[], const doub
 static double way(const struct chain *chain, const double a[], const double b[])
 {
     double sum = 0;
-    for (int i = 0; i < chain->n; i++)
+    for (int i = 0; i < chain->n && i < ROTARY_MAX; i++)
         sum += fabs(a[i] - b[i]);
     return sum;
 }
