@@ -7,7 +7,7 @@
 #include "patch.h"
 
 /* A table `entity,u,v,x,y,z,nx,ny,nz` with n x n places of each surface, v fastest, over its range
- * and untrimmed; normals along dS/du x dS/dv.  15 digits. */
+ * and untrimmed; normals along dS/du x dS/dv, at a knot those of the span behind it.  15 digits. */
 void nurbs_report_grid(const char *file, const struct patches *patches, int n);
 
 /* A table `surface,radius,u,v,x,y,z`: where each surface, inside its trimming and seen from

@@ -33,10 +33,13 @@ void nurbs_report_grid(const char *file, const struct patches *patches, int n)
     out_text(out, "entity,u,v,x,y,z,nx,ny,nz\n");
     for (size_t k = 0; k < patches->n; k++) {
         const struct nurbs *s = &patches->item[k].surface;
+        struct nurbs whole = *s; /* a range that ends on a knot: the span behind that counts */
+        whole.u.to = s->u.knot[s->u.poles];
+        whole.v.to = s->v.knot[s->v.poles];
         for (int i = 0; i < n; i++)
             for (int j = 0; j < n; j++) {
                 struct uv at = {part_of(&s->u, i, n), part_of(&s->v, j, n)};
-                struct nurbs_place p = nurbs_place(s, at);
+                struct nurbs_place p = nurbs_place(&whole, at);
                 out_printf(out, "%d", patches->item[k].entity);
                 write_number(out, at.u);
                 write_number(out, at.v);
