@@ -57,11 +57,16 @@ static void take_contact(struct path_parse *p, struct path_item *item)
     p->touches = false;
 }
 
+/* An arc from where the tool is; its centre goes to the height of the start. */
 static void add_arc(struct path_parse *p, struct pose to)
 {
-    struct motion motion = motion_arc(p->at, to, p->circle.arc.centre, p->circle.arc.axis);
+    struct path_arc arc = p->circle.arc;
+    double height = vec_dot(vec_sub(p->at.p, arc.centre), arc.axis);
+    if (fabs(height) > near)
+        arc.centre = vec_along(arc.centre, height, arc.axis);
+    struct motion motion = motion_arc(p->at, to, arc.centre, arc.axis);
     path_feed_inverse(p, motion_length(&motion));
-    take_contact(p, path_add_arc(p->path, to, p->circle.arc));
+    take_contact(p, path_add_arc(p->path, to, arc));
     p->at = to;
 }
 
@@ -297,8 +302,8 @@ static const struct path_row motions[] = {
 
 /* Post-processor words that a later stage may use. */
 static const char *const carried[] = {
-    "PPRINT", "INSERT", "TPRINT", "REMARK", "STOP", "OPSTOP", "CUTCOM", "INTOL",
-    "OUTTOL", "TOLER",  "MACHIN", "END",    "CSYS", "SELECT", "SEQNO",  "DISPLY",
+    "PPRINT", "INSERT", "TPRINT", "REMARK", "STOP",   "OPSTOP", "CUTCOM", "INTOL",  "OUTTOL",
+    "TOLER",  "MACHIN", "END",    "CSYS",   "SELECT", "SEQNO",  "DISPLY", "REWIND", "SELCTL",
 };
 
 static const char *const geometry[] = {
