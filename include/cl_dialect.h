@@ -16,7 +16,7 @@ struct cl_dialect {
     size_t n;
 };
 
-/* Before the first motion: finds out from this statement whose stream it is, if it shows. */
+/* Finds out from this statement whose stream it is, if it shows. */
 void cl_sniff(struct path_parse *p);
 
 /* Ends a NURBS of NX when the statement is none of its parts: 0, or -1. */

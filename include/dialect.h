@@ -8,6 +8,16 @@
 #include "ncplan.h"
 #include "ncwrite.h"
 
+/* What is in the spindle and how it turns, as the program goes on. */
+struct nc_tooling {
+    size_t taken;    /* how many of the path's further tools came before it */
+    int number;      /* 0: none was given */
+    double spindle;  /* rev/min, 0: it stands */
+    bool ccw;
+    int coolant;     /* as in path_head */
+    size_t next;     /* where the program's first motion with it is looked for */
+};
+
 /* A program while it is written. */
 struct nc_program {
     const struct path *path;
@@ -18,6 +28,7 @@ struct nc_program {
     struct vec3 plane_axis; /* its Z in the frame of the work */
     size_t part, parts;     /* 1 of 3; 0: the whole */
     size_t met;             /* the move whose block is w.wanted */
+    struct nc_tooling tooling;
     const char *name; /* number or name asked for, NULL: by the dialect */
     struct nc_writer w;
 };
@@ -41,12 +52,14 @@ struct dialect {
 
     /* -1: a name or number that the control does not take */
     int (*check_name)(const char *name, struct error *error);
-    void (*start)(struct nc_program *p); /* up to the first motion */
+    void (*start)(struct nc_program *p); /* the head of the program */
+    void (*take)(struct nc_program *p);  /* the tool, up to the first motion with it */
     void (*line)(struct nc_program *p, const struct nc_move *move); /* rapids too */
     void (*arc)(struct nc_program *p, const struct nc_move *move);
     void (*spline)(struct nc_program *p, const struct nc_move *move);
     void (*dwell)(struct nc_program *p, double seconds);
-    void (*finish)(struct nc_program *p); /* retract to the end of the program */
+    void (*leave)(struct nc_program *p);  /* from the last motion of a tool home */
+    void (*finish)(struct nc_program *p); /* the end of the program */
 };
 
 /* By its name; NULL: none. */
@@ -58,6 +71,10 @@ const struct dialect *dialect_find(const char *name);
 /* What a program for this control and machine may hold. */
 struct nc_ability dialect_ability(const struct dialect *dialect, const struct machine *machine,
                                   enum nc_axis_words axis, double unit);
+
+/* The start of the program, up to its first motion; what comes behind its last one. */
+void dialect_start(const struct dialect *dialect, struct nc_program *p);
+void dialect_finish(const struct dialect *dialect, struct nc_program *p);
 
 /* One move of the program. */
 void dialect_move(const struct dialect *dialect, struct nc_program *p, const struct nc_move *move);

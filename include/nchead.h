@@ -20,7 +20,4 @@ void nc_coolant(struct nc_program *p);
 /* A statement of the path in the middle of the program: coolant, spindle, stops, comments. */
 void nc_statement(struct nc_program *p, const struct dialect *dialect, const char *text);
 
-/* -1: the path wants what one program cannot do (a second tool). */
-int nc_check_statements(const struct path *path, struct error *error);
-
 #endif

@@ -54,7 +54,7 @@ enum nc_why {
     NC_WHY_PART      /* a program that is only a part has its own way down and up */
 };
 
-enum nc_kind { NC_RAPID, NC_LINE, NC_ARC, NC_SPLINE, NC_PASS, NC_TEXT };
+enum nc_kind { NC_RAPID, NC_LINE, NC_ARC, NC_SPLINE, NC_PASS, NC_TEXT, NC_TOOL };
 
 struct nc_move {
     enum nc_kind kind;
@@ -62,7 +62,7 @@ struct nc_move {
     unsigned line;     /* of the path, 0: made here */
     struct station to; /* RAPID, LINE, ARC, SPLINE */
     double feed;       /* as printed, see enum nc_feeds */
-    size_t index;      /* ARC, SPLINE: element of the plan; TEXT: of the path; PASS: its number */
+    size_t index;      /* ARC, SPLINE: element of the plan; TEXT, TOOL: of the path; PASS: its number */
 };
 
 struct nc_total {

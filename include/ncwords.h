@@ -6,7 +6,7 @@
 
 #include "dialect.h"
 
-/* Where the first motion goes. */
+/* Where the first motion with the tool in the spindle goes. */
 const struct station *nc_first_station(const struct nc_program *p);
 
 /* X Y Z, those that change. */

@@ -139,6 +139,7 @@ double path_spent(const struct path *path);
 
 /* Radius of the ball, mm: CUTTER's d/2 when its corner radius says ball nose; else -1. */
 double path_ball(const struct path *path);
+double path_tool_ball(const struct path_tool *tool);
 
 /* Each appends one item. */
 struct path_item *path_add_point(struct path *path, struct pose to, bool rapid);

@@ -150,7 +150,7 @@ static const struct dialect *choose_dialect(const struct settings *s, const stru
 static void read_path(const struct settings *s, const char *file, struct path *path)
 {
     struct error error;
-    if (path_read(file, path, &error) != 0 || nc_check_statements(path, &error) != 0)
+    if (path_read(file, path, &error) != 0)
         die_error(&error);
     path_drill(path);
     for (size_t i = 0; i < path->unknown.n; i++) {
@@ -161,6 +161,9 @@ static void read_path(const struct settings *s, const char *file, struct path *p
         say("%s:%u: passed over %.40s, which nobody here knows (%zu times)", path->name, u->line,
             u->word, u->times);
     }
+    if (path->tools_numbered)
+        say("%s: gave numbers to the %zu tools that have none, in the order of the path",
+            path->name, path->tools_numbered);
 }
 
 /* What was assumed or added. */

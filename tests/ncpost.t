@@ -282,7 +282,8 @@ printf 'UNITS/MM\n$$-> TRACK/CENTER\nRAPID\nGOTO/0,0,9\nFEDRAT/MMPM,100\nGOTO/0,
 status 0 "a path of ball centres" ncpost -c fanuc centre.cl
 has "is told in the head" '^\(.*X Y Z ARE THE CENTRE OF THE BALL' out
 printf 'UNITS/MM\nLOADTL/1\nRAPID\nGOTO/0,0,9\nLOADTL/2\nRAPID\nGOTO/0,1,9\nFINI\n' >tools.cl
-status 1 "a second tool is refused" ncpost -c fanuc tools.cl
+status 0 "a second tool is changed to" ncpost -c fanuc tools.cl
+has "with its number" '^N[0-9]+ T2 M6$' out
 printf 'UNITS/MM\nFROBNI/1\nRAPID\nGOTO/0,0,9\nFINI\n' >frob.cl
 status 0 "an unknown word: passed over" ncpost -c fanuc frob.cl
 has "with a warning" 'FROBNI' err

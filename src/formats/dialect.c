@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "nchead.h"
+#include "nctool.h"
 
 extern const struct dialect dialect_fanuc, dialect_siemens, dialect_heidenhain, dialect_linuxcnc;
 
@@ -59,6 +60,33 @@ struct nc_ability dialect_ability(const struct dialect *dialect, const struct ma
     return ability;
 }
 
+void dialect_start(const struct dialect *dialect, struct nc_program *p)
+{
+    nc_tool_first(p);
+    dialect->start(p);
+    dialect->take(p);
+}
+
+void dialect_finish(const struct dialect *dialect, struct nc_program *p)
+{
+    dialect->leave(p);
+    dialect->finish(p);
+}
+
+/* Home, the other tool, and back to work; a tool that the program started with is there. */
+static void change_tool(const struct dialect *dialect, struct nc_program *p,
+                        const struct nc_move *move)
+{
+    if (move->index < p->tooling.taken)
+        return;
+    dialect->leave(p);
+    nc_block(&p->w, "M9");
+    nc_block(&p->w, "M5");
+    nc_tool_change(p, move);
+    nc_forget(&p->w, NC_X, NC_F);
+    dialect->take(p);
+}
+
 void dialect_move(const struct dialect *dialect, struct nc_program *p, const struct nc_move *move)
 {
     switch (move->kind) {
@@ -78,17 +106,20 @@ void dialect_move(const struct dialect *dialect, struct nc_program *p, const str
     case NC_TEXT:
         nc_statement(p, dialect, p->path->text.item[move->index]);
         break;
+    case NC_TOOL:
+        change_tool(dialect, p, move);
+        break;
     }
 }
 
 void dialect_write(const struct dialect *dialect, struct nc_program *p)
 {
-    dialect->start(p);
+    dialect_start(dialect, p);
     for (size_t i = 0; i < p->plan->move.n; i++) {
         bool before = *p->w.met != '\0';
         dialect_move(dialect, p, &p->plan->move.item[i]);
         if (!before && *p->w.met)
             p->met = i;
     }
-    dialect->finish(p);
+    dialect_finish(dialect, p);
 }

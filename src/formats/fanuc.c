@@ -26,7 +26,8 @@ static int check_name(const char *name, struct error *error)
 static void program_number(struct nc_program *p)
 {
     char name[16], line[32] = "O";
-    snprintf(name, sizeof name, "%ld", (p->name ? atol(p->name) : 1) + (p->parts ? (long)p->part - 1 : 0));
+    snprintf(name, sizeof name, "%ld",
+             (p->name ? atol(p->name) : 1) + (p->parts ? (long)p->part - 1 : 0));
     size_t n = strlen(name), zeros = n < 4 ? 4 - n : 0;
     memset(line + 1, '0', zeros);
     memcpy(line + 1 + zeros, name, n + 1);
@@ -44,7 +45,7 @@ static void retract_home(struct nc_program *p)
 static void compensate(struct nc_program *p, const struct station *first)
 {
     struct nc_writer *w = &p->w;
-    int tool = p->path->head.tool ? p->path->head.tool : 1;
+    int tool = p->tooling.number ? p->tooling.number : 1;
     if (!p->plan->ability.tcp) {
         int digits = p->plan->ability.digits.linear;
         nc_modal(w, NC_X, "X", first->p.x, digits);
@@ -64,7 +65,6 @@ static void compensate(struct nc_program *p, const struct station *first)
 static void start(struct nc_program *p)
 {
     struct nc_writer *w = &p->w;
-    const struct station *first = nc_first_station(p);
     nc_line(w, "%");
     program_number(p);
     nc_head(p, "Fanuc");
@@ -75,7 +75,14 @@ static void start(struct nc_program *p)
     w->plane = 17;
     nc_template(p, p->machine->blocks.start, "");
     retract_home(p);
-    if (p->path->head.tool)
+}
+
+/* The tool into the spindle, the rotary axes to its first place. */
+static void take(struct nc_program *p)
+{
+    struct nc_writer *w = &p->w;
+    const struct station *first = nc_first_station(p);
+    if (p->tooling.number)
         nc_template(p, p->machine->blocks.tool_change, "T{tool} M6");
     nc_spindle(p);
     if (p->plane)
@@ -136,17 +143,23 @@ static void dwell(struct nc_program *p, double seconds)
     nc_end(&p->w);
 }
 
-static void finish(struct nc_program *p)
+/* Home, without what was switched on for the tool. */
+static void leave(struct nc_program *p)
 {
     struct nc_writer *w = &p->w;
     if (w->inverse)
-        nc_block(w, "G94");
+        nc_block(w, "G94"), w->inverse = false;
     if (p->machine->smooth)
         nc_template(p, p->machine->blocks.smooth_off, "G05.1 Q0");
     nc_template(p, p->plan->ability.tcp ? p->machine->blocks.tcp_off : "", "G49");
     if (p->plane)
         nc_template(p, p->machine->blocks.plane_off, "G69");
     retract_home(p);
+}
+
+static void finish(struct nc_program *p)
+{
+    struct nc_writer *w = &p->w;
     if (p->machine->chain.n) {
         const double zero[ROTARY_MAX] = {0};
         nc_forget(w, NC_Q0, NC_Q1);
@@ -175,9 +188,11 @@ const struct dialect dialect_fanuc = {
     .splines_vectors = NC_SPLINES_NONE,
     .check_name = check_name,
     .start = start,
+    .take = take,
     .line = line,
     .arc = arc,
     .spline = spline,
     .dwell = dwell,
+    .leave = leave,
     .finish = finish,
 };

@@ -79,40 +79,43 @@ static void turn(struct nc_program *p, const double q[])
 
 static void tool(struct nc_program *p)
 {
-    const struct path_head *head = &p->path->head;
     if (*p->machine->blocks.tool_change) {
         nc_template(p, p->machine->blocks.tool_change, "");
         return;
     }
     nc_code(&p->w, "TOOL CALL");
-    if (head->tool)
-        nc_count(&p->w, "", head->tool);
+    if (p->tooling.number)
+        nc_count(&p->w, "", p->tooling.number);
     nc_code(&p->w, "Z");
-    if (head->spindle > 0)
-        nc_count(&p->w, "S", head->spindle);
+    if (p->tooling.spindle > 0)
+        nc_count(&p->w, "S", p->tooling.spindle);
     nc_end(&p->w);
 }
 
 static void start(struct nc_program *p)
 {
-    const char *smooth = "CYCL DEF 32.0 TOLERANCE|CYCL DEF 32.1 T{tolerance}|"
-                         "CYCL DEF 32.2 HSC-MODE:0 TA{orientation}";
     struct nc_writer *w = &p->w;
-    const struct path_head *head = &p->path->head;
-    const struct station *first = nc_first_station(p);
     program_line(p, "BEGIN");
     nc_head(p, "Heidenhain");
     nc_offset(p, "");
     nc_end(w);
     nc_template(p, p->machine->blocks.start, "");
     retract_home(p);
+}
+
+/* The tool into the spindle, the rotary axes to its first place. */
+static void take(struct nc_program *p)
+{
+    const char *smooth = "CYCL DEF 32.0 TOLERANCE|CYCL DEF 32.1 T{tolerance}|"
+                         "CYCL DEF 32.2 HSC-MODE:0 TA{orientation}";
+    struct nc_writer *w = &p->w;
+    const struct station *first = nc_first_station(p);
     tool(p);
-    if (head->spindle > 0)
-        nc_block(w, head->spindle_ccw ? "M4" : "M3");
+    if (p->tooling.spindle > 0)
+        nc_block(w, p->tooling.ccw ? "M4" : "M3");
     turn(p, first->q);
     if (p->plane)
-        nc_template(p, p->machine->blocks.plane_on,
-                    "PLANE SPATIAL SPA{a} SPB{b} SPC+0 TURN FMAX");
+        nc_template(p, p->machine->blocks.plane_on, "PLANE SPATIAL SPA{a} SPB{b} SPC+0 TURN FMAX");
     if (p->plan->ability.tcp)
         nc_template(p, p->machine->blocks.tcp_on,
                     p->plan->ability.mode == FOLLOW_VECTOR
@@ -177,9 +180,9 @@ static void dwell(struct nc_program *p, double seconds)
     nc_end(&p->w);
 }
 
-static void finish(struct nc_program *p)
+/* Home, without what was switched on for the tool. */
+static void leave(struct nc_program *p)
 {
-    const double zero[ROTARY_MAX] = {0};
     if (p->machine->smooth)
         nc_template(p, p->machine->blocks.smooth_off, "CYCL DEF 32.0 TOLERANCE|CYCL DEF 32.1");
     if (p->plan->ability.tcp)
@@ -187,6 +190,11 @@ static void finish(struct nc_program *p)
     if (p->plane)
         nc_template(p, p->machine->blocks.plane_off, "PLANE RESET TURN FMAX");
     retract_home(p);
+}
+
+static void finish(struct nc_program *p)
+{
+    const double zero[ROTARY_MAX] = {0};
     turn(p, zero);
     nc_block(&p->w, "M9");
     nc_block(&p->w, "M5");
@@ -208,8 +216,10 @@ const struct dialect dialect_heidenhain = {
     .splines_vectors = NC_SPLINES_NONE,
     .check_name = check_name,
     .start = start,
+    .take = take,
     .line = line,
     .arc = arc,
     .dwell = dwell,
+    .leave = leave,
     .finish = finish,
 };

@@ -50,8 +50,8 @@ static void compensate(struct nc_program *p, const struct station *first)
     nc_modal(w, NC_Y, "Y", first->p.y, digits);
     nc_end(w);
     nc_code(w, "G43");
-    if (p->path->head.tool)
-        nc_count(w, "H", p->path->head.tool);
+    if (p->tooling.number)
+        nc_count(w, "H", p->tooling.number);
     nc_modal(w, NC_Z, "Z", first->p.z, digits);
     nc_end(w);
 }
@@ -59,7 +59,6 @@ static void compensate(struct nc_program *p, const struct station *first)
 static void start(struct nc_program *p)
 {
     struct nc_writer *w = &p->w;
-    const struct station *first = nc_first_station(p);
     nc_line(w, "%");
     if (p->name)
         nc_comment(w, "%s", p->name);
@@ -72,7 +71,14 @@ static void start(struct nc_program *p)
     smoothing(p);
     nc_template(p, p->machine->blocks.start, "");
     retract_home(p);
-    if (p->path->head.tool)
+}
+
+/* The tool into the spindle, the rotary axes to its first place. */
+static void take(struct nc_program *p)
+{
+    struct nc_writer *w = &p->w;
+    const struct station *first = nc_first_station(p);
+    if (p->tooling.number)
         nc_template(p, p->machine->blocks.tool_change, "T{tool} M6");
     nc_spindle(p);
     if (p->machine->chain.n) {
@@ -103,15 +109,21 @@ static void dwell(struct nc_program *p, double seconds)
     nc_end(&p->w);
 }
 
-static void finish(struct nc_program *p)
+/* Home, without what was switched on for the tool. */
+static void leave(struct nc_program *p)
 {
     struct nc_writer *w = &p->w;
     if (w->inverse)
-        nc_block(w, "G94");
+        nc_block(w, "G94"), w->inverse = false;
     if (p->plan->ability.tcp)
         nc_template(p, p->machine->blocks.tcp_off, "");
     nc_block(w, "G49");
     retract_home(p);
+}
+
+static void finish(struct nc_program *p)
+{
+    struct nc_writer *w = &p->w;
     if (p->machine->chain.n) {
         const double zero[ROTARY_MAX] = {0};
         nc_forget(w, NC_Q0, NC_Q1);
@@ -138,8 +150,10 @@ const struct dialect dialect_linuxcnc = {
     .splines = NC_SPLINES_NONE,
     .check_name = check_name,
     .start = start,
+    .take = take,
     .line = line,
     .arc = arc,
     .dwell = dwell,
+    .leave = leave,
     .finish = finish,
 };

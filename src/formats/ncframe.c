@@ -59,13 +59,21 @@ static void path_to(const struct frame *f, struct path *path)
         spline_to(f, &path->spline.item[i]);
 }
 
+/* d, r, e, f and the height; the others are angles */
+static void cutter_to_inch(double cutter[7])
+{
+    for (int i = 0; i < 4; i++)
+        cutter[i] /= inch;
+    cutter[6] /= inch;
+}
+
 void nc_frame_inch(struct path *path, struct machine *machine, struct nc_wish *wish)
 {
     const struct frame frame = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}, inch};
     path_to(&frame, path);
-    for (int i = 0; i < 4 && i < path->head.cutter_n; i++) /* d, r, e, f */
-        path->head.cutter[i] /= inch;
-    path->head.cutter[6] /= inch;
+    cutter_to_inch(path->head.cutter);
+    for (size_t i = 0; i < path->tool.n; i++)
+        cutter_to_inch(path->tool.item[i].cutter);
     path->head.clearance /= inch;
     for (int i = MACHINE_X; i <= MACHINE_Z; i++) {
         machine->min[i] /= inch;

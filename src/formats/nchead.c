@@ -5,6 +5,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "nctool.h"
 #include "num.h"
 
 double nc_ledger_sum(const struct path *path, const struct nc_plan *plan)
@@ -13,18 +14,27 @@ double nc_ledger_sum(const struct path *path, const struct nc_plan *plan)
     return isnan(path->head.chord) ? sum : sum + path->head.chord;
 }
 
+static void tool_line(struct nc_program *p, int number, const double *cutter, int n, double ball)
+{
+    double unit = p->plan->ability.unit;
+    char d[NUM_MAX], r[NUM_MAX];
+    if (n == 0)
+        return;
+    num_write_short(d, unit * cutter[0], 3, false);
+    num_write_short(r, n > 1 ? unit * cutter[1] : 0, 3, false);
+    nc_comment(&p->w, "Tool %d: %s D %.20s R %.20s", number, ball > 0 ? "ball nose" : "cutter", d,
+               r);
+}
+
 static void head_tool(struct nc_program *p)
 {
-    const struct path_head *head = &p->path->head;
-    char d[NUM_MAX], r[NUM_MAX];
-    if (head->cutter_n) {
-        double unit = p->plan->ability.unit;
-        num_write_short(d, unit * head->cutter[0], 3, false);
-        num_write_short(r, head->cutter_n > 1 ? unit * head->cutter[1] : 0, 3, false);
-        nc_comment(&p->w, "Tool %d: %s D %.20s R %.20s", head->tool,
-                   path_ball(p->path) > 0 ? "ball nose" : "cutter", d, r);
+    const struct path *path = p->path;
+    tool_line(p, path->head.tool, path->head.cutter, path->head.cutter_n, path_ball(path));
+    for (size_t i = 0; i < path->tool.n; i++) {
+        const struct path_tool *tool = &path->tool.item[i];
+        tool_line(p, tool->number, tool->cutter, tool->cutter_n, path_tool_ball(tool));
     }
-    if (head->track == TRACK_CENTRE) {
+    if (path->head.track == TRACK_CENTRE) {
         nc_comment(&p->w, "*** ATTENTION: X Y Z ARE THE CENTRE OF THE BALL, NOT THE TIP ***");
         nc_comment(&p->w, "*** the tool's length must be measured to the ball's centre ***");
     } else {
@@ -47,7 +57,8 @@ static void head_ledger(struct nc_program *p)
                    shown(head->ledger.item[i].spent));
     if (!isnan(head->chord))
         nc_comment(&p->w, "Tolerance %-12s %.4f", "chord", shown(head->chord));
-    nc_comment(&p->w, "Tolerance %-12s %.4f", "ncpost", shown(total->spent.point * p->plan->ability.unit));
+    nc_comment(&p->w, "Tolerance %-12s %.4f", "ncpost",
+               shown(total->spent.point * p->plan->ability.unit));
     nc_comment(&p->w, "Tolerance %-12s %.4f mm, axis %.4f deg", "sum",
                shown(nc_ledger_sum(p->path, p->plan)), shown(DEGREES(total->spent.axis)));
 }
@@ -85,16 +96,15 @@ static void spindle(struct nc_program *p, double rpm, bool ccw)
 
 void nc_spindle(struct nc_program *p)
 {
-    const struct path_head *head = &p->path->head;
-    if (head->spindle > 0)
-        spindle(p, head->spindle, head->spindle_ccw);
+    if (p->tooling.spindle > 0)
+        spindle(p, p->tooling.spindle, p->tooling.ccw);
 }
 
 void nc_coolant(struct nc_program *p)
 {
     static const char *const code[] = {NULL, NULL, "M8", "M7"};
-    if (code[p->path->head.coolant])
-        nc_block(&p->w, code[p->path->head.coolant]);
+    if (code[p->tooling.coolant])
+        nc_block(&p->w, code[p->tooling.coolant]);
 }
 
 /* The statement starts with this word; *rest stands behind it and a slash. */
@@ -110,38 +120,27 @@ static bool is_word(const char *text, const char *word, const char **rest)
     return true;
 }
 
-static bool holds(const char *text, const char *word)
+/* What a statement changes of the spindle and the coolant. */
+static void turn(struct nc_program *p, const struct nc_tooling *said)
 {
-    for (; *text; text++) {
-        const char *rest;
-        if (is_word(text, word, &rest))
-            return true;
-    }
-    return false;
-}
-
-static void say_spindle(struct nc_program *p, const char *rest)
-{
-    double rpm;
-    if (holds(rest, "OFF")) {
+    static const char *const coolant[] = {NULL, "M9", "M8", "M7"};
+    struct nc_tooling was = p->tooling;
+    p->tooling = *said;
+    if (said->coolant != was.coolant)
+        nc_block(&p->w, coolant[said->coolant]);
+    if (said->spindle > 0 && (said->spindle != was.spindle || said->ccw != was.ccw))
+        spindle(p, said->spindle, said->ccw);
+    else if (said->spindle <= 0 && was.spindle > 0)
         nc_block(&p->w, "M5");
-        return;
-    }
-    for (; *rest; rest++)
-        if (isdigit((unsigned char)*rest) && num_read(&rest, &rpm)) {
-            spindle(p, rpm, holds(rest, "CCLW"));
-            return;
-        }
 }
 
 void nc_statement(struct nc_program *p, const struct dialect *dialect, const char *text)
 {
+    struct nc_tooling said = p->tooling;
     const char *rest;
     double seconds;
-    if (is_word(text, "COOLNT", &rest))
-        nc_block(&p->w, holds(rest, "OFF") ? "M9" : holds(rest, "MIST") ? "M7" : "M8");
-    else if (is_word(text, "SPINDL", &rest))
-        say_spindle(p, rest);
+    if (nc_tool_says(text, &said))
+        turn(p, &said);
     else if (is_word(text, "STOP", &rest))
         nc_block(&p->w, "M0");
     else if (is_word(text, "OPSTOP", &rest))
@@ -150,16 +149,4 @@ void nc_statement(struct nc_program *p, const struct dialect *dialect, const cha
         dialect->dwell(p, seconds);
     else if (is_word(text, "PPRINT", &rest) || is_word(text, "REMARK", &rest))
         nc_comment(&p->w, "%.150s", rest);
-}
-
-int nc_check_statements(const struct path *path, struct error *error)
-{
-    for (size_t i = 0; i < path->item.n; i++) {
-        const struct path_item *item = &path->item.item[i];
-        if (item->kind == PATH_TOOL)
-            return error_at(error, path->name, item->line,
-                            "found a second tool, %d after %d: expected one tool in a path",
-                            path->tool.item[item->index].number, path->head.tool);
-    }
-    return 0;
 }

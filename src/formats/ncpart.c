@@ -7,7 +7,7 @@
 #include "nchead.h"
 #include "ncreach.h"
 
-enum { MADE = 6 }; /* moves that may be added to a part: two statements, down, and up */
+enum { MADE = 7 }; /* moves that may be added to a part: tool, two statements, down, and up */
 
 static bool moves(const struct nc_move *move)
 {
@@ -19,8 +19,8 @@ static int above(struct nc_move *up, const struct nc_program *whole, const struc
                  struct error *error)
 {
     struct nc_plan plan = *whole->plan;
-    struct nc_step step = {.path = whole->path, .machine = whole->machine, .plan = &plan,
-                           .error = error};
+    struct nc_step step = {
+        .path = whole->path, .machine = whole->machine, .plan = &plan, .error = error};
     const struct chain *chain = &whole->machine->chain;
     step.follow = (struct follow){.mode = plan.ability.mode, .chain = chain};
     step.state.line = from->line;
@@ -49,10 +49,15 @@ static const struct nc_move *last_motion(const struct nc_plan *plan, size_t befo
     return before ? &plan->move.item[before - 1] : NULL;
 }
 
-/* Statements before the part that last: the last of each kind. */
+/* Tool and statements before the part that last: the last of each kind. */
 static void add_lasting(struct nc_plan *part, const struct nc_program *whole, size_t from)
 {
     static const char *const word[] = {"SPINDL", "COOLNT"};
+    for (size_t i = from; i-- > 0;)
+        if (whole->plan->move.item[i].kind == NC_TOOL) {
+            *array_push(&part->move) = whole->plan->move.item[i];
+            break;
+        }
     for (size_t k = 0; k < sizeof word / sizeof *word; k++)
         for (size_t i = from; i-- > 0;) {
             const struct nc_move *move = &whole->plan->move.item[i];
@@ -116,13 +121,13 @@ static struct nc_limit *measure(const struct dialect *dialect, const struct nc_p
 {
     struct nc_limit *at = mem_alloc(whole->plan->move.n + 1, sizeof *at);
     struct nc_program p = *whole;
-    dialect->start(&p);
+    dialect_start(dialect, &p);
     for (size_t i = 0; i <= whole->plan->move.n; i++) {
         at[i] = (struct nc_limit){p.w.blocks, p.w.bytes};
         if (i < whole->plan->move.n)
             dialect_move(dialect, &p, &whole->plan->move.item[i]);
     }
-    dialect->finish(&p);
+    dialect_finish(dialect, &p);
     *ends = (struct nc_limit){at[0].blocks + p.w.blocks - at[whole->plan->move.n].blocks + MADE,
                               at[0].bytes + p.w.bytes - at[whole->plan->move.n].bytes + MADE * 100};
     return at;
@@ -139,8 +144,8 @@ static bool clear_of_work(const struct nc_plan *plan, size_t i)
     return i == plan->move.n || plan->move.item[i].kind == NC_RAPID;
 }
 
-int nc_part_ends(struct sizes *ends, const struct dialect *dialect,
-                 const struct nc_program *whole, struct nc_limit limit, struct error *error)
+int nc_part_ends(struct sizes *ends, const struct dialect *dialect, const struct nc_program *whole,
+                 struct nc_limit limit, struct error *error)
 {
     const struct nc_plan *plan = whole->plan;
     struct nc_limit more, *at = measure(dialect, whole, &more);

@@ -110,6 +110,63 @@ static int cut(struct nc_step *step, const struct path_item *item)
     return result;
 }
 
+/* Where the path, or a tool's part of it, ends in the cut: off the part along the tool axis. */
+static int depart(struct nc_step *step)
+{
+    struct pose up = step->state.pose;
+    size_t last = step->plan->move.n;
+    while (last && step->plan->move.item[last - 1].kind > NC_SPLINE)
+        last--;
+    if (!last || step->plan->move.item[last - 1].kind == NC_RAPID)
+        return 0;
+    double far = step->machine->retract;
+    if (up.a.z > 0.2 && step->clear > up.p.z)
+        far = fmax(far, (step->clear - up.p.z) / up.a.z);
+    up.p = vec_along(up.p, far, up.a);
+    step->plan->total.retract_made = true;
+    step->state.why = NC_WHY_RETRACT;
+    return nc_step_rapid(step, up);
+}
+
+/* Half of the last digit of each word, at the tracked point and at the ball. */
+static struct deviation rounding(const struct nc_step *step)
+{
+    const struct nc_ability *ability = &step->plan->ability;
+    double linear = sqrt(3) * 0.5 * pow(10, -ability->digits.linear);
+    double axis = ability->mode == FOLLOW_VECTOR
+                      ? sqrt(3) * 0.5 * pow(10, -ability->digits.vector)
+                      : RADIANS(sqrt(2) * 0.5 * pow(10, -ability->digits.angle));
+    return (struct deviation){linear + fabs(step->follow.ball) * axis, axis};
+}
+
+/* The ball of the tool in the spindle, and what rounding leaves of the tolerance with it. */
+static void measure_tool(struct nc_step *step, double ball)
+{
+    bool centre = step->path->head.track == TRACK_CENTRE;
+    step->follow.ball = ball > 0 ? centre ? -ball : ball : 0;
+    struct deviation last = rounding(step);
+    step->allowed = (struct deviation){sampled * step->wish.chord + last.point,
+                                       sampled * step->wish.axis_tolerance + last.axis};
+}
+
+/* Another tool: home from here, and from home to the motion that follows, if there is one. */
+static int change_tool(struct nc_step *step, const struct path_item *item)
+{
+    const struct path *path = step->path;
+    const struct path_item *end = path->item.item + path->item.n, *next = item;
+    while (next < end && !is_motion(next))
+        next++;
+    if (next == end)
+        return 0;
+    if (step->state.begun && depart(step) != 0)
+        return -1;
+    step->state.begun = false;
+    step->state.touches = false;
+    measure_tool(step, path_tool_ball(&path->tool.item[item->index]));
+    add_note(step, NC_TOOL, item);
+    return 0;
+}
+
 static int plan_item(struct nc_step *step, const struct path_item *item)
 {
     if (item->line)
@@ -135,20 +192,21 @@ static int plan_item(struct nc_step *step, const struct path_item *item)
     case PATH_ARC:
     case PATH_SPLINE:
     case PATH_HOLE: /* path_drill has made motions of them */
-    case PATH_TOOL: /* and nc_check_statements refused them */
         break;
+    case PATH_TOOL:
+        return change_tool(step, item);
     }
     return cut(step, item);
 }
 
-/* Behind the group that starts at `from`: the next rapid that comes after a cut. */
+/* Behind the group that starts at `from`: the next rapid that comes after a cut, or tool. */
 static size_t group_end(const struct path *path, size_t from)
 {
     bool cutting = false;
     for (size_t i = from; i < path->item.n; i++) {
         const struct path_item *item = &path->item.item[i];
         bool rapid = item->kind == PATH_POINT && item->rapid;
-        if (rapid && cutting)
+        if ((rapid && cutting) || (item->kind == PATH_TOOL && i > from))
             return i;
         cutting = cutting || (is_motion(item) && !rapid);
     }
@@ -213,32 +271,6 @@ static int plan_group(struct nc_step *step, size_t from, size_t to)
     return plan_items(step, NULL, from, to);
 }
 
-/* A path that ends in the cut: off the part along the tool axis. */
-static int depart(struct nc_step *step)
-{
-    struct pose up = step->state.pose;
-    size_t last = step->plan->move.n;
-    while (last && step->plan->move.item[last - 1].kind > NC_SPLINE)
-        last--;
-    if (!last || step->plan->move.item[last - 1].kind == NC_RAPID)
-        return 0;
-    up.p = vec_along(up.p, step->machine->retract, up.a);
-    step->plan->total.retract_made = true;
-    step->state.why = NC_WHY_RETRACT;
-    return nc_step_rapid(step, up);
-}
-
-/* Half of the last digit of each word, at the tracked point and at the ball. */
-static struct deviation rounding(const struct nc_step *step)
-{
-    const struct nc_ability *ability = &step->plan->ability;
-    double linear = sqrt(3) * 0.5 * pow(10, -ability->digits.linear);
-    double axis = ability->mode == FOLLOW_VECTOR
-                      ? sqrt(3) * 0.5 * pow(10, -ability->digits.vector)
-                      : RADIANS(sqrt(2) * 0.5 * pow(10, -ability->digits.angle));
-    return (struct deviation){linear + fabs(step->follow.ball) * axis, axis};
-}
-
 /* The clearance plane or, where the path names none, its highest rapid. */
 static double clear_height(const struct path *path)
 {
@@ -252,7 +284,6 @@ static double clear_height(const struct path *path)
 int nc_plan_make(struct nc_plan *plan, const struct path *path, const struct machine *machine,
                  struct nc_ability ability, struct nc_wish wish, struct error *error)
 {
-    double ball = path_ball(path);
     *plan = (struct nc_plan){.ability = ability};
     struct nc_step step = {.path = path,
                            .machine = machine,
@@ -266,14 +297,10 @@ int nc_plan_make(struct nc_plan *plan, const struct path *path, const struct mac
                          "tips or ball centres",
                          path->name);
     step.follow = (struct follow){.mode = ability.mode, .chain = &machine->chain};
-    if (ball > 0)
-        step.follow.ball = path->head.track == TRACK_CENTRE ? -ball : ball;
     step.clear = clear_height(path);
     array_reserve(&plan->move, path->item.n + path->item.n / 16); /* most are blocks as they are */
     step.state.faster = 1;
-    struct deviation last = rounding(&step);
-    step.allowed = (struct deviation){sampled * wish.chord + last.point,
-                                      sampled * wish.axis_tolerance + last.axis};
+    measure_tool(&step, path_ball(path));
     for (size_t from = 0; from < path->item.n;) {
         size_t to = group_end(path, from);
         if (plan_group(&step, from, to) != 0)

@@ -54,7 +54,7 @@ static void plane_angles(struct vec3 axis, double angle[])
 
 static size_t value(const struct nc_program *p, int i, char *text)
 {
-    const struct path_head *head = &p->path->head;
+    const struct nc_tooling *t = &p->tooling;
     double plane[WORDS - PLANE];
     if (i >= PLANE) {
         plane_angles(p->plane_axis, plane);
@@ -62,7 +62,7 @@ static size_t value(const struct nc_program *p, int i, char *text)
         *text = '+';
         return sign + num_write_short(text + sign, plane[i - PLANE], 4, p->w.style.point);
     }
-    const double values[PLANE] = {head->tool ? head->tool : 1, head->spindle, p->wish.chord,
+    const double values[PLANE] = {t->number ? t->number : 1, t->spindle, p->wish.chord,
                                   DEGREES(p->wish.axis_tolerance), level(p->wish.chord)};
     return num_write_short(text, values[i], i == 2 || i == 3 ? 4 : 0, false);
 }

@@ -3,8 +3,8 @@
 
 const struct station *nc_first_station(const struct nc_program *p)
 {
-    const struct nc_move *move = p->plan->move.item;
-    while (move->kind == NC_PASS || move->kind == NC_TEXT)
+    const struct nc_move *move = p->plan->move.item + p->tooling.next;
+    while (move->kind > NC_SPLINE)
         move++;
     return &move->to;
 }

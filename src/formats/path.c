@@ -57,11 +57,20 @@ double path_spent(const struct path *path)
     return sum;
 }
 
+static double ball_of(const double *cutter, int n)
+{
+    double d = cutter[0], corner = cutter[1];
+    return n >= 2 && d > 0 && fabs(corner - d / 2) <= 1e-6 * d ? d / 2 : -1;
+}
+
 double path_ball(const struct path *path)
 {
-    double d = path->head.cutter[0], corner = path->head.cutter[1];
-    bool ball = path->head.cutter_n >= 2 && d > 0 && fabs(corner - d / 2) <= 1e-6 * d;
-    return ball ? d / 2 : -1;
+    return ball_of(path->head.cutter, path->head.cutter_n);
+}
+
+double path_tool_ball(const struct path_tool *tool)
+{
+    return ball_of(tool->cutter, tool->cutter_n);
 }
 
 static struct path_item *add(struct path *path, enum path_kind kind)

@@ -128,7 +128,6 @@ int path_move_to(struct path_parse *p, struct pose to)
     }
     p->rapid = false;
     p->moved = true;
-    p->sniffed = true;
     return 0;
 }
 
@@ -325,8 +324,12 @@ static bool is_among(const char *word, const char *const *words, size_t n)
 
 static bool is_geometry(const char *word)
 {
+    char first[8] = "";
+    size_t n = strcspn(word, ",");
+    if (n < sizeof first)
+        memcpy(first, word, n);
     return strchr(word, '=') || /* a definition: L1 = LINE/... */
-           is_among(word, geometry, sizeof geometry / sizeof *geometry);
+           is_among(first, geometry, sizeof geometry / sizeof *geometry);
 }
 
 void path_count_unknown(struct path_parse *p, const char *word)
@@ -386,7 +389,7 @@ static int read_statement(struct path_parse *p)
     bool listing = p->listing;
     if (!p->apt.comment)
         p->listing = false;
-    if (!p->sniffed)
+    if (!p->sniffed && strcmp(word, "GOTO") != 0)
         cl_sniff(p);
     if (p->apt.comment && strncmp(p->apt.raw, "$$*CATIA0", 9) == 0)
         p->matrix = 3;

@@ -81,7 +81,6 @@ static void transform(struct nc_program *p, const struct station *first)
 static void start(struct nc_program *p)
 {
     struct nc_writer *w = &p->w;
-    const struct station *first = nc_first_station(p);
     program_name(p);
     nc_head(p, "Siemens");
     nc_code(w, p->plan->ability.unit > 1 ? "G90 G17 G700 G40 G94" : "G90 G17 G71 G40 G94");
@@ -89,7 +88,14 @@ static void start(struct nc_program *p)
     nc_end(w);
     nc_template(p, p->machine->blocks.start, "");
     retract_home(p);
-    if (p->path->head.tool)
+}
+
+/* The tool into the spindle, the rotary axes to its first place. */
+static void take(struct nc_program *p)
+{
+    struct nc_writer *w = &p->w;
+    const struct station *first = nc_first_station(p);
+    if (p->tooling.number)
         nc_template(p, p->machine->blocks.tool_change, "T{tool} D1 M6");
     else
         nc_block(w, "D1");
@@ -229,11 +235,12 @@ static void dwell(struct nc_program *p, double seconds)
     nc_end(&p->w);
 }
 
-static void finish(struct nc_program *p)
+/* Home, without what was switched on for the tool. */
+static void leave(struct nc_program *p)
 {
     struct nc_writer *w = &p->w;
     if (w->inverse)
-        nc_block(w, "G94");
+        nc_block(w, "G94"), w->inverse = false;
     if (p->machine->smooth)
         nc_template(p, p->machine->blocks.smooth_off, "CYCLE832(0,0,1)");
     if (p->plan->ability.tcp)
@@ -241,6 +248,11 @@ static void finish(struct nc_program *p)
     if (p->plane)
         nc_template(p, p->machine->blocks.plane_off, "CYCLE800()");
     retract_home(p);
+}
+
+static void finish(struct nc_program *p)
+{
+    struct nc_writer *w = &p->w;
     if (p->machine->chain.n) {
         const double zero[ROTARY_MAX] = {0};
         nc_forget(w, NC_Q0, NC_Q1);
@@ -266,9 +278,11 @@ const struct dialect dialect_siemens = {
     .splines_vectors = NC_SPLINES_HEAD,
     .check_name = check_name,
     .start = start,
+    .take = take,
     .line = line,
     .arc = arc,
     .spline = spline,
     .dwell = dwell,
+    .leave = leave,
     .finish = finish,
 };

@@ -1,0 +1,120 @@
+#!/bin/sh
+# cl.t - CL files of CAM systems: every one is posted for every control and read back equal, what is
+# cut off is refused, and each trap of their dialects has its say.
+. "${SRC:-$(dirname "$0")/..}/tests/lib.sh"
+data=$SRC/tests/data/cl
+cd "$TMP" || exit 1
+
+# ---- whole files, real and by hand
+for file in "$data"/*.ncl "$data"/*.cls "$data"/*.cldata "$data"/*.apt; do
+	name=$(basename "$file")
+	for control in fanuc siemens heidenhain; do
+		status 0 "$name for $control" ncpost -q -c $control -o "back.$control" "$file"
+		ok "$name for $control, read back" "$READBACK" -c $control --path "$file" \
+			-e 0.0062 --axis 0.052 "back.$control"
+	done
+	ok "$name without a word that nobody knows" ncpost --strict -c linuxcnc "$file"
+done
+
+# ---- cut off anywhere: refused, and nothing written
+for file in "$data"/*.ncl "$data"/*.cls "$data"/*.cldata "$data"/*.apt; do
+	size=$(wc -c <"$file")
+	k=1
+	while [ $k -lt 50 ]; do
+		head -c $((size * k / 50)) "$file" >cut.cl
+		ncpost -q -c fanuc cut.cl >cut.out 2>cut.err
+		got=$?
+		# two tool paths of NX may stand alone
+		[ $got -eq 0 ] && [ "$(tail -n 1 cut.cl)" = END-OF-PATH ] && got=1 && : >cut.out
+		{ [ $got -eq 1 ] && [ ! -s cut.out ]; } || echo "$k of 50: exit $got"
+		k=$((k + 1))
+	done >cuts
+	empty "$(basename "$file"), cut off at 49 places" cuts
+done
+
+# ---- traps: the program that comes of a few lines
+posts() { # DESC REGEX LINES...: a Fanuc program of these lines has such a block
+	desc=$1
+	regex=$2
+	shift 2
+	printf '%s\n' "$@" >trap.cl
+	ncpost -q -c fanuc trap.cl >trap.nc 2>"$TMP/err" || { result 1 "$desc (refused)"; return; }
+	has "$desc" "$regex" trap.nc
+}
+
+refuses() { # DESC REGEX LINES...: they are refused with such a message
+	desc=$1
+	regex=$2
+	shift 2
+	printf '%s\n' "$@" >trap.cl
+	status 1 "$desc" ncpost -q -c fanuc trap.cl
+	has "$desc: told" "$regex" err
+}
+
+posts "a continuation with a comment behind it" 'X12\. Y34\.' \
+	'GOTO/0,0,9' "GOTO/12, \$ \$\$ half" '34,0' FINI
+posts "a Creo comment that goes on" 'X1\.' "\$\$* Pro/CLfile 8.0" \
+	"\$\$-> CSYS / 1, 0, 0, 0, \$" ' 0, 1, 0, 0' 'GOTO / 0, 0, 9' 'GOTO / 1, 0, 0' FINI
+posts "RAPID/ with a slash" 'G0 X5\.' 'GOTO/0,0,9' 'RAPID/' 'GOTO/5,0,9' FINI
+posts "COOLNT/ without a word" 'M8' 'COOLNT/' 'GOTO/0,0,9' 'GOTO/5,0,9' FINI
+posts "raw text with a dollar" 'X5\.' "PPRINT costs 5 \$" 'GOTO/0,0,9' 'GOTO/5,0,9' FINI
+posts "tabs" 'X5\.' 'GOTO/0,0,9' "$(printf '\tGOTO\t/\t5,\t0,\t9')" FINI
+posts "CRLF" 'X5\.' "$(printf 'GOTO/0,0,9\r\nGOTO/5,0,9\r')" FINI
+posts "start = end of an arc is a full circle" 'G3 .*I-5\.' \
+	'GOTO/5,0,0' 'CIRCLE/0,0,0,0,0,1,5' 'GOTO/5,0,0' FINI
+posts "one GOTO ends an arc, the next is straight" 'G1 X-9\.' \
+	'GOTO/5,0,0' 'CIRCLE/0,0,0,0,0,1,5' 'GOTO/0,5,0' 'GOTO/-9,9,0' FINI
+posts "an arc of seven numbers turns right-handed" 'G3 ' \
+	'GOTO/5,0,0' 'CIRCLE/0,0,0,0,0,1,5' 'GOTO/0,5,0' FINI
+posts "one of eleven clockwise" 'G2 ' 'GOTO/5,0,0' \
+	'CIRCLE/0,0,0,0,0,1,5,.06,.5,10,0' 'GOTO/0,-5,0' FINI
+posts "an arc without a radius" 'G2 X0\. Y-5\.' \
+	'GOTO/5,0,0' 'CIRCLE/0,0,0,0,0,-1' 'GOTO/0,-5,0' FINI
+posts "an arc that ends higher is a helix" 'G3 X0\. Y5\. Z2\.' \
+	'GOTO/5,0,0' 'CIRCLE/0,0,0,0,0,1,5' 'GOTO/0,5,2' FINI
+posts "start above end: a whole turn of it" 'G3 X-5\. .*Z1\.' \
+	'GOTO/5,0,0' 'CIRCLE/0,0,0,0,0,1,5' 'GOTO/5,0,2' FINI
+posts "IPM" 'F254\.' 'FEDRAT/10,IPM' 'GOTO/0,0,9' 'GOTO/5,0,9' FINI
+posts "IPR" 'F5080\.' 'SPINDL/2000,RPM' 'FEDRAT/.1,IPR' 'GOTO/0,0,9' 'GOTO/5,0,9' FINI
+posts "MMPR" 'F200\.' 'SPINDL/2000,RPM' 'FEDRAT/MMPR,.1' 'GOTO/0,0,9' 'GOTO/5,0,9' FINI
+posts "PERMIN" 'F141\.' 'FEDRAT/PERMIN,141' 'GOTO/0,0,9' 'GOTO/5,0,9' FINI
+posts "INVERS: 4 a minute over 5 mm" 'F20\.' 'GOTO/0,0,9' 'FEDRAT/INVERS,4' 'GOTO/5,0,9' FINI
+posts "FROM and GODLTA" 'X7\. Y2\. Z58\.' 'FROM/5,2,9' 'GODLTA/2,0,-1' 'GOTO/9,9,9' FINI
+posts "ORIGIN is taken away" 'X4\. Y3\.' 'ORIGIN/1,2,3' 'GOTO/0,0,9' 'GOTO/5,5,9' FINI
+posts "TRANS is added" 'X6\. Y7\.' 'TRANS/1,2,3' 'GOTO/0,0,9' 'GOTO/5,5,9' FINI
+posts "DELAY" 'G4 X1\.5' 'GOTO/0,0,9' 'DELAY/1.5' 'GOTO/5,5,9' FINI
+posts "DELAY by turns" 'G4 X0\.3' 'SPINDL/RPM,2000' 'GOTO/0,0,9' 'DELAY/REV,10' 'GOTO/5,5,9' FINI
+posts "STOP" 'M0$' 'GOTO/0,0,9' 'STOP' 'GOTO/5,5,9' FINI
+posts "OPSTOP" 'M1$' 'GOTO/0,0,9' 'OPSTOP' 'GOTO/5,5,9' FINI
+posts "another speed" 'S900 M4' 'SPINDL/RPM,2000,CLW' 'GOTO/0,0,9' 'SPINDL/900,RPM,CCLW' \
+	'GOTO/5,5,9' FINI
+posts "MULTAX without /ON, a label, numbers alone" 'X5\. Y6\.' \
+	'MULTAX' 'N30 ,GOTO/0,0,9,0,0,1' '5,6,9,0,0,1' FINI
+posts "GOTO with three numbers keeps the axis" 'N[0-9]+ Y5\.' \
+	'GOTO/0,0,9,0,0.6,0.8' 'GOTO/0,5,9' FINI
+posts "MULTAX/OFF: upright again" 'Y5\. A0\.' 'GOTO/0,0,9,0,0.6,0.8' MULTAX/OFF 'GOTO/0,5,9' FINI
+posts "TOOLNO, LOADTL: another tool" 'T7 M6' 'TOOLNO/2' 'LOADTL/2' 'GOTO/0,0,9' 'GOTO/0,0,0' \
+	'TOOLNO/7' 'LOADTL/7' 'GOTO/0,5,0' FINI
+result "$([ "$(grep -c ' M6$' trap.nc)" -eq 2 ]; echo $?)" "each of them once"
+
+refuses "an arc among holes" 'CYCLE/OFF' 'GOTO/1,0,0' 'CYCLE/DRILL,DEPTH,2' 'CIRCLE/0,0,0,0,0,1,1' \
+	'GOTO/0,1,0' FINI
+refuses "a cycle nobody knows" 'CYCLE/FROB' 'GOTO/0,0,9' 'CYCLE/FROB,1' 'GOTO/0,0,0' FINI
+refuses "a cycle without its depth" 'depth' 'GOTO/0,0,9' 'CYCLE/DRILL,CLEAR,1' 'GOTO/0,0,0' FINI
+refuses "a feed by the turn of a spindle that stands" 'SPINDL' 'FEDRAT/MMPR,.1' 'GOTO/0,0,9' FINI
+refuses "coordinates that are ways" 'incremental' 'MODE/INCR' 'GOTO/0,0,9' FINI
+refuses "numbers without a GOTO" 'without a word' 'RAPID' '1,2,3' FINI
+refuses "a table that turns by itself" 'ROTABL' 'ROTABL/30' 'GOTO/0,0,9' FINI
+refuses "a helix that may be one turn or two" 'TIMES' 'GOTO/5,0,4' \
+	'CIRCLE/0,0,0,0,0,1,5,.06,.5,10,0,TIMES,2' 'GOTO/0,5,0' FINI
+refuses "a NURBS of NX with too few knots" 'knots' 'TOOL PATH/A,TOOL,B' 'GOTO/0,0,0' 'NURBS/' \
+	'KNOT/1' 'CNTRL/1,0,0' 'CNTRL/2,0,0' 'CNTRL/3,0,0' 'CNTRL/4,0,0' 'END-OF-PATH'
+refuses "a B-spline of CATIA" 'NURBS_SIEMENS' 'GOTO/0,0,0' 'BEGIN NURBS_SIEMENS(D=3,LENGTH=9)' FINI
+refuses "TRNTYP/LOCAL" 'WORLD' 'TRNTYP/LOCAL,0,0,0' 'GOTO/0,0,9' FINI
+refuses "an arc of CATIA without its direction" 'INDIRV' 'GOTO/5,0,0' \
+	'TLON,GOFWD/(CIRCLE/0,0,0,5),ON,(LINE/0,0,0,0,5,0)' FINI
+refuses "a motion of APT along a curve" 'geometry word TLLFT' 'GOTO/5,0,0' 'TLLFT,GOLFT/L1' FINI
+refuses "a MAKINO-FF file that ends early" 'FINI' 'PPRINT/APTCL-SPEC,MAKINO-FF,1' \
+	'PPRINT/BEGIN-SECTION,PATH' 'GOTO/0,0,9' 'PPRINT/END-SECTION,PATH'
+
+done_testing
