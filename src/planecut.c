@@ -7,13 +7,16 @@
 #include "cutting.h"
 #include "meshfile.h"
 #include "meshmend.h"
+#include "onsurface.h"
 #include "part.h"
 #include "passes.h"
 #include "scallop.h"
+#include "surfaces.h"
 
 static const double MOST_PLANES = 100000;
 
 static double step, scallop, angle, plane[3], gap = 0.1;
+static struct cli_list surfaces;
 static bool step_given, scallop_given, angle_given, plane_given, avoid;
 
 /* clang-format off */
@@ -32,6 +35,8 @@ static const struct cli_option options[] = {
      CLI_NUMBER, &gap, 0, 1000, 0, NULL},
     {0, "avoid", NULL, "lift the ball where it does not fit, instead of refusing the part",
      CLI_FLAG, &avoid, 0, 0, 0, NULL},
+    {0, "surface", "FILE", "put each point on the surfaces of this file, IGES or NURBS text, which\n"
+     "the mesh was made from (may be given several times)", CLI_LIST, &surfaces, 0, 0, 0, NULL},
     {0, "oneway", NULL, "the same as --one-way", CLI_FLAG, &cutting.one_way, 0, 0, 0, NULL},
     {0}};
 /* clang-format on */
@@ -44,6 +49,10 @@ struct planes {
     double widest;   /* distance of two planes, mm */
     bool steep;      /* the scallop that was asked for can't be kept */
     size_t left_out; /* points that face away */
+    struct patches patches;
+    struct onsurface *on; /* NULL: points stay on the mesh */
+    double reach;         /* of a point to its surface, mm */
+    size_t beside;        /* points without a surface */
 };
 
 static void check_options(struct axis_rule *axis)
@@ -196,12 +205,40 @@ static void set_rule(const struct axis_rule *axis, bool closed, struct planes *p
         rule->facing = axis->direction;
 }
 
+static void read_surfaces(struct mesh *mesh, struct planes *p)
+{
+    struct surfaces_unit unit;
+    struct error error;
+    double longest = 0;
+
+    for (size_t i = 0; i < surfaces.n; i++) {
+        if (surfaces_read(surfaces.item[i], 0, &p->patches, &unit, &error) < 0)
+            die_error(&error);
+    }
+    if (surfaces.n == 0)
+        return;
+    for (size_t f = 0; f < mesh->face.n; f++) {
+        const int *v = mesh->face.item[f].v;
+        longest = fmax(longest, vec_distance(mesh->vertex.item[v[0]], mesh->vertex.item[v[1]]));
+    }
+    p->on = onsurface_new(&p->patches);
+    p->reach = longest / 2;
+    mesh->origin.ledger = NAN; /* points leave the mesh: what it was off is not spent */
+}
+
+static void put_on_surfaces(struct planes *p, struct contacts *points)
+{
+    for (size_t i = 0; p->on && i < points->n; i++)
+        p->beside += onsurface_put(p->on, p->rule.normal, p->reach, &points->item[i]) < 0;
+}
+
 static void make_pass(struct planes *p, size_t plane_number, size_t pass, struct toolpath *t)
 {
     struct chains chains = {0}, strips = {0};
     bool back = !cutting.one_way && pass % 2 == 0;
 
     meshcut_at(p->cut, p->height.item[plane_number], &chains);
+    put_on_surfaces(p, &chains.point);
     p->left_out += passes_make(&chains, &p->rule, &strips);
     if (back)
         passes_reverse(&strips);
@@ -230,6 +267,8 @@ static void make_path(struct planes *p, struct toolpath *t)
     toolpath_end(t);
     if (t->pass == 0)
         die("found nothing that the planes cross and that faces the tool");
+    if (p->beside > 0)
+        say("%zu points have no surface near them and stay on the mesh", p->beside);
     if (p->left_out > 0)
         say("%zu points face away from the tool and are left out", p->left_out);
 }
@@ -257,6 +296,7 @@ int main(int argc, char **argv)
     check_radius(cli.file[0], &mesh);
     set_rule(&t.lift.axis, closed, &planes);
     find_planes(&mesh, &planes);
+    read_surfaces(&mesh, &planes);
     if (cutting_guard(&mesh, fmax(planes.widest, cutting.radius), &guard, &error) != 0)
         die_error(&error);
     if (cutting_rules(&mesh, guard, planes.widest, &t, &error) != 0)
@@ -272,6 +312,8 @@ int main(int argc, char **argv)
 
     meshcut_free(planes.cut);
     array_free(&planes.height);
+    onsurface_free(planes.on);
+    patches_free(&planes.patches);
     path_free(&path);
     guard_free(guard);
     mesh_free(&mesh);

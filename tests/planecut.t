@@ -251,6 +251,23 @@ same "threads change nothing" one.cl four.cl
 planecut -q -r 8 -s 2 <panel.ply >stdin.cl
 same "nor does standard input" one.cl stdin.cl
 
+# ---- put on the surfaces that a coarse mesh was made from
+
+surface=$SRC/tests/awkward/surface.igs
+nurbs2mesh -q -n 12 -o coarse.ply "$surface"
+planecut -q -r 1 -s 3.1 -a 20 --fixed 0,0,1 coarse.ply -o off.cl
+status 0 "on the surface itself" planecut -q -r 1 -s 3.1 -a 20 --fixed 0,0,1 --surface "$surface" \
+	-o on.cl coarse.ply
+empty "all points have one" err
+has "what the mesh was off counts without it" 'LEDGER/nurbs2mesh' off.cl
+hasnt "and no more with it" 'LEDGER/nurbs2mesh' on.cl
+cuts off.cl >off
+cuts on.cl | paste -d' ' - off | awk '{ d = sqrt(($8 - $21) ^ 2 + ($9 - $22) ^ 2 + ($10 - $23) ^ 2)
+	if (d > w) w = d; n++ } END { printf "%.6f %.6f\n", w, n ? w : 0 }' >figures
+read -r most least <figures
+below "points move by less than the mesh is off" "$most" 0.2
+below "but move" 0.000001 "$least"
+
 # ---- refusals
 
 status 2 "no radius" planecut -s 2 dome.ply
