@@ -13,9 +13,9 @@
 enum {
     ONE_BY_ONE = 12,
     PROOFS = 6,
-    LEFT_OUT = 4,
-    EXCHANGES = 4,
-    FEW = 18,
+    LEFT_OUT = 12,
+    EXCHANGES = 8,
+    FEW = 16,
     MANY = 40,
     PARTS = 96,
     PARTS_FINEST = 6000,
@@ -24,7 +24,7 @@ enum {
 static const double RESOLUTION = 0.001; /* of a proof, in parts of the tolerance */
 static const double MARGIN = 0.001;     /* parts of the tolerance that are kept for it */
 static const double SLOWEST = 0.02;     /* of the mean speed */
-static const double WORTH_IT = 3;       /* tolerances off: nearer is worth to be moved about */
+static const double WORTH_IT = 5;       /* tolerances off: nearer is worth to be moved about */
 static const double COARSE = 1.05;      /* parts of the tolerance */
 
 struct search {
@@ -218,7 +218,7 @@ static bool serves_by_exchange(struct search *s)
         attempt_free(&more);
         if (done)
             return true;
-        if (!(s->failed.feet.worst < 0.99 * before))
+        if (!(s->failed.feet.worst < 0.998 * before))
             break;
     }
     return false;

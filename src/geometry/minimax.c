@@ -10,8 +10,8 @@
 #include "knotstep.h"
 #include "lsq.h"
 
-enum { POWER_MAX = 64, TRIES = 6, AHEAD = 20 };
-static const double SETTLED = 0.003; /* a step that gains less than this is the last of its power */
+enum { POWER_MAX = 64, TRIES = 6, AHEAD = 40 };
+static const double SETTLED = 0.002; /* a step that gains less than this is the last of its power */
 static const double NEAREST = 1e-4;  /* knots, in parts of the mean span */
 
 struct work {
