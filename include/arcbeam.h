@@ -13,7 +13,8 @@
 
 /*
  * Appends a chain of pieces as arcfit_biarcs does, each proven by trace_stray, the joints of
- * single arcs rounded to `digits` decimals.  Never more of them than arcfit_biarcs makes.
+ * single arcs rounded to `digits` decimals.  Where single arcs don't do everywhere, it is never more
+ * of them than arcfit_biarcs makes.  The axis at a joint may be off the trace's too (swing.h).
  */
 void arcbeam_fit(const struct trace *trace, const struct stray *within, int digits,
                  struct pieces *pieces);

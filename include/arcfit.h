@@ -26,12 +26,18 @@ struct pieces {
  */
 void arcfit_biarcs(const struct trace *trace, const struct stray *within, struct pieces *pieces);
 
+/* Where a chain has come to: near which point of the trace, in what direction, with what axis. */
+struct reached {
+    size_t at;
+    struct vec3 p, tangent, axis;
+};
+
 /*
- * One step of the above from anywhere near point `at` of the trace, in any direction: appends one or
+ * One step of the above from anywhere near a point of the trace, in any direction: appends one or
  * two pieces and returns the point of the trace at which they end.
  */
-size_t arcfit_step(const struct trace *trace, const struct stray *within, size_t at,
-                   struct vec3 from, struct vec3 tangent, struct pieces *pieces);
+size_t arcfit_step(const struct trace *trace, const struct stray *within,
+                   const struct reached *from, struct pieces *pieces);
 
 /*
  * Paper 1: a biarc for each interval of the trace, the one with the least a + b, whatever its

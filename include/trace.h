@@ -57,7 +57,8 @@ struct stray {
  * How far the piece strays from its part of the trace: at the feet of the trace's points, at the
  * ends and at `fine` places between (more on long intervals); from the arc to the trace and from
  * the trace's points to the arc.  With `within` not NULL it stops as soon as one of its figures is
- * exceeded, and returns what it found up to there.
+ * exceeded, and returns what it found up to there; and looks between points only where what it
+ * found at them does not yet say that all in between is within.
  */
 struct stray trace_stray(const struct trace *trace, const struct piece *piece, int fine,
                          const struct stray *within);

@@ -5,13 +5,16 @@
 
 #include "num.h"
 #include "outlook.h"
+#include "swing.h"
 
 enum {
-    BEAM = 24,   /* chains kept */
+    BEAM = 24,   /* chains kept where the axis stands still, */
+    SWUNG = 8,   /* and where it turns: there each proof takes longer */
     SHORTER = 6, /* ends tried, each a sixteenth of the reach shorter than the one before */
     ACROSS = 5,  /* curvatures tried in the plane of the bend, */
     ASIDE = 3,   /* and out of it */
-    TURNED = 3   /* directions tried at the start, to each side */
+    TURNED = 3,  /* directions tried at the start, to each side */
+    AXIS_DIGITS = 9
 };
 
 static const double SIDEWAYS = 0.85; /* of the tolerance: how far a joint may be off the trace */
@@ -22,10 +25,7 @@ static const double STRAIGHT = 1e-9; /* mm: an end this near to the line ahead i
 struct link {
     struct piece piece; /* none in the links that start a chain */
     size_t before;      /* link */
-    size_t at;          /* point of the trace reached, */
-    struct vec3 p, t;   /* beside which, in which direction */
-    size_t reach;       /* point that the next arc may reach */
-    size_t order;       /* of the proposals, so that sorting has no ties */
+    struct reached end;
 };
 
 struct links {
@@ -33,50 +33,67 @@ struct links {
     struct link *item;
 };
 
+/* A piece to come, not proven yet. */
+struct proposal {
+    size_t before;    /* link */
+    size_t at;        /* point of the trace reached, */
+    struct vec3 p, t; /* beside which, in which direction */
+    bool straight;
+    size_t reach; /* point that the next piece may reach */
+    size_t order; /* of the proposals, so that sorting has no ties */
+};
+
+struct proposals {
+    size_t n, cap;
+    struct proposal *item;
+};
+
 struct beam {
     const struct trace *trace;
     const struct stray *within;
     int digits;
-    struct links done;      /* all that are part of chains */
-    struct links next;      /* proposed, not proven yet */
+    size_t width;      /* chains kept */
+    struct links done; /* all that are part of chains */
+    struct proposals next;
     struct windows windows; /* for use within expand */
+    bool stepped;           /* single arcs did not do everywhere */
 };
 
-static size_t reach_of(const struct beam *b, const struct link *l)
+static size_t reach_of(const struct beam *b, size_t at, struct vec3 p, struct vec3 t)
 {
-    return outlook(b->trace, l->at, l->p, l->t, b->within->tracked, NULL);
+    return outlook(b->trace, at, p, t, b->within->tracked, NULL);
 }
 
 /* An arc from link `before` to `to` beside point j. */
 static void propose(struct beam *b, size_t before, size_t j, struct vec3 to)
 {
-    const struct link *l = &b->done.item[before];
-    struct arc arc = arc_to(l->p, l->t, to);
-    if (arc.angle > TURN_MAX || vec_distance(l->p, to) <= 0)
+    const struct reached *from = &b->done.item[before].end;
+    struct vec3 e = vec_sub(to, from->p);
+    double chord = vec_length(e), ahead = vec_dot(e, from->tangent);
+    if (chord <= 0 || ahead < cos(TURN_MAX / 2) * chord)
         return;
-    if (arc.angle / 2 < ARCFIT_KINK)
-        arc = arc_line(l->p, to);
-    struct link next = {.before = before, .at = j, .p = to, .t = arc_tangent(&arc, 1)};
-    next.piece = trace_piece(b->trace, arc, (double)l->at, (double)j);
-    next.reach = reach_of(b, &next);
-    next.order = b->next.n;
+    e = vec_scale(1 / chord, e);
+    struct proposal next = {.before = before, .at = j, .p = to, .order = b->next.n};
+    /* half its turn is between the tangent and the chord */
+    next.straight = ahead > 0 && vec_length(vec_reject(e, from->tangent)) < sin(ARCFIT_KINK);
+    next.t = next.straight ? e : vec_along(vec_scale(-1, from->tangent), 2 * ahead / chord, e);
+    next.reach = reach_of(b, j, to, next.t);
     *array_push(&b->next) = next;
 }
 
 /* The arc of curvature k up to where it is nearest to point j. */
 static void propose_curvature(struct beam *b, size_t before, size_t j, struct vec3 k)
 {
-    const struct link *l = &b->done.item[before];
-    struct vec3 aim = b->trace->p[j];
-    double bent = vec_length(k), ahead = vec_dot(vec_sub(aim, l->p), l->t);
-    struct vec3 to = vec_along(l->p, ahead, l->t);
-    if (bent * ahead * ahead > STRAIGHT) {
-        struct arc half = {.from = l->p,
-                           .tangent = l->t,
-                           .inward = vec_scale(1 / bent, k),
-                           .radius = 1 / bent,
-                           .angle = PI};
-        to = arc_at(&half, arc_foot(&half, aim));
+    const struct reached *from = &b->done.item[before].end;
+    struct vec3 aim = b->trace->p[j], e = vec_sub(aim, from->p);
+    double bent = vec_length(k), x = vec_dot(e, from->tangent);
+    struct vec3 to = vec_along(from->p, x, from->tangent);
+    if (bent * x * x > STRAIGHT) { /* from the centre in the direction of the aim */
+        struct vec3 inward = vec_scale(1 / bent, k);
+        double y = 1 / bent - vec_dot(e, inward), l = hypot(x, y);
+        double sine = x / l, height = sine * x / (l + y);
+        to = vec_along(from->p, sine / bent, from->tangent);
+        to = vec_along(to, height / bent, inward);
     }
     if (vec_distance(to, aim) > SIDEWAYS * b->within->tracked)
         return;
@@ -100,9 +117,9 @@ static void propose_window(struct beam *b, size_t before, const struct window *w
 static void expand(struct beam *b, size_t before)
 {
     const struct trace *t = b->trace;
-    struct link l = b->done.item[before];
+    struct reached l = b->done.item[before].end;
     b->windows.n = 0;
-    size_t reach = outlook(t, l.at, l.p, l.t, b->within->tracked, &b->windows);
+    size_t reach = outlook(t, l.at, l.p, l.tangent, b->within->tracked, &b->windows);
     if (reach + 1 == t->n)
         propose(b, before, reach, t->p[reach]);
     double whole = t->length[reach] - t->length[l.at];
@@ -120,7 +137,7 @@ static void expand(struct beam *b, size_t before)
 
 static int by_reach(const void *a, const void *b)
 {
-    const struct link *l = a, *m = b;
+    const struct proposal *l = a, *m = b;
     if (l->reach != m->reach)
         return l->reach > m->reach ? -1 : 1;
     if (l->at != m->at)
@@ -130,31 +147,52 @@ static int by_reach(const void *a, const void *b)
 
 static bool finished(const struct beam *b)
 {
-    return b->done.item[b->done.n - 1].at + 1 == b->trace->n;
+    return b->done.item[b->done.n - 1].end.at + 1 == b->trace->n;
+}
+
+/* The link that a proposal comes to; false when its piece strays too far. */
+static bool prove(const struct beam *b, const struct proposal *n, struct link *link,
+                  struct stray *stray)
+{
+    const struct trace *t = b->trace;
+    const struct reached *from = &b->done.item[n->before].end;
+    struct arc arc = n->straight ? arc_line(from->p, n->p) : arc_to(from->p, from->tangent, n->p);
+    struct piece piece = trace_piece(t, arc, (double)from->at, (double)n->at);
+    piece.axis = from->axis;
+    *stray = trace_stray(t, &piece, 4, b->within);
+    if (stray->tracked <= b->within->tracked && stray->other > b->within->other &&
+        n->at + 1 < t->n) {
+        piece.axis_to = swing_end(t, &piece, b->within, SIDEWAYS, AXIS_DIGITS);
+        *stray = trace_stray(t, &piece, 4, b->within);
+    }
+    *link = (struct link){.piece = piece,
+                          .before = n->before,
+                          .end = {n->at, n->p, arc_tangent(&arc, 1), piece.axis_to}};
+    return stray_within(stray, b->within);
 }
 
 /* The best of the proposals that are through: a line, else what strays least; false when none is.
  */
 static bool keep_finished(struct beam *b)
 {
-    const struct link *best = NULL;
+    struct link best = {0};
     struct stray least = *b->within;
+    bool any = false;
     for (size_t i = 0; i < b->next.n; i++) {
-        const struct link *l = &b->next.item[i];
-        if (l->at + 1 < b->trace->n)
+        struct link l;
+        struct stray stray;
+        if (b->next.item[i].at + 1 < b->trace->n || !prove(b, &b->next.item[i], &l, &stray))
             continue;
-        struct stray stray = trace_stray(b->trace, &l->piece, 1, b->within);
-        if (!stray_within(&stray, b->within))
-            continue;
-        bool line = arc_straight(&l->piece.arc), had = best && arc_straight(&best->piece.arc);
-        if (!best || line > had || (line == had && stray.tracked < least.tracked)) {
+        bool line = arc_straight(&l.piece.arc), had = any && arc_straight(&best.piece.arc);
+        if (!any || line > had || (line == had && stray.tracked < least.tracked)) {
             best = l;
             least = stray;
+            any = true;
         }
     }
-    if (best)
-        *array_push(&b->done) = *best;
-    return best != NULL;
+    if (any)
+        *array_push(&b->done) = best;
+    return any;
 }
 
 /* Moves the best of the proposals that hold into the chains; returns how many. */
@@ -163,11 +201,12 @@ static size_t keep_best(struct beam *b)
     size_t kept = keep_finished(b);
     if (b->next.n > 1)
         qsort(b->next.item, b->next.n, sizeof *b->next.item, by_reach);
-    for (size_t i = 0; i < b->next.n && kept < BEAM && !finished(b); i++) {
-        struct stray stray = trace_stray(b->trace, &b->next.item[i].piece, 1, b->within);
-        if (!stray_within(&stray, b->within))
+    for (size_t i = 0; i < b->next.n && kept < b->width && !finished(b); i++) {
+        struct link l;
+        struct stray stray;
+        if (!prove(b, &b->next.item[i], &l, &stray))
             continue;
-        *array_push(&b->done) = b->next.item[i];
+        *array_push(&b->done) = l;
         kept++;
     }
     b->next.n = 0;
@@ -178,19 +217,19 @@ static size_t keep_best(struct beam *b)
 static void step_by_biarc(struct beam *b, size_t from)
 {
     struct pieces m = {0};
-    struct link l = b->done.item[from];
-    arcfit_step(b->trace, b->within, l.at, l.p, l.t, &m);
+    struct reached start = b->done.item[from].end;
+    arcfit_step(b->trace, b->within, &start, &m);
     for (size_t i = 0; i < m.n; i++) {
         const struct arc *arc = &m.item[i].arc;
         struct link next = {.piece = m.item[i], .before = i ? b->done.n - 1 : from};
-        next.at = (size_t)ceil(m.item[i].to);
-        next.p = arc->to;
-        next.t = arc_tangent(arc, 1);
+        next.end = (struct reached){(size_t)ceil(m.item[i].to), arc->to, arc_tangent(arc, 1),
+                                    m.item[i].axis_to};
         *array_push(&b->done) = next;
     }
-    struct link *last = &b->done.item[b->done.n - 1];
-    if (vec_dot(last->t, b->trace->tangent[last->at]) < 0.8)
-        last->t = b->trace->tangent[last->at];
+    struct reached *last = &b->done.item[b->done.n - 1].end;
+    if (vec_dot(last->tangent, b->trace->tangent[last->at]) < 0.8)
+        last->tangent = b->trace->tangent[last->at];
+    b->stepped = true;
     array_free(&m);
 }
 
@@ -198,15 +237,14 @@ static void step_by_biarc(struct beam *b, size_t from)
 static void start(struct beam *b)
 {
     const struct trace *t = b->trace;
-    struct link l = {.p = t->p[0], .t = t->tangent[0]};
-    double far = fmax(t->length[reach_of(b, &l)], b->within->tracked);
+    struct vec3 ahead = t->tangent[0];
+    double far = fmax(t->length[reach_of(b, 0, t->p[0], ahead)], b->within->tracked);
     double turn = b->within->tracked / far;
-    struct vec3 u = vec_perpendicular(l.t), v = vec_cross(l.t, u);
+    struct vec3 u = vec_perpendicular(ahead), v = vec_cross(ahead, u);
     for (int x = -TURNED; x <= TURNED; x++) {
         for (int y = -TURNED; y <= TURNED; y++) {
-            struct link turned = l;
-            turned.t = vec_unit(vec_along(vec_along(l.t, x * turn, u), y * turn, v));
-            *array_push(&b->done) = turned;
+            struct vec3 turned = vec_unit(vec_along(vec_along(ahead, x * turn, u), y * turn, v));
+            *array_push(&b->done) = (struct link){.end = {0, t->p[0], turned, t->axis[0]}};
         }
     }
 }
@@ -239,6 +277,14 @@ static void search(struct beam *b)
     }
 }
 
+static bool axis_still(const struct trace *t)
+{
+    for (size_t i = 1; i < t->n; i++)
+        if (vec_distance(t->axis[i], t->axis[0]) > 0)
+            return false;
+    return true;
+}
+
 void arcbeam_fit(const struct trace *trace, const struct stray *within, int digits,
                  struct pieces *pieces)
 {
@@ -246,12 +292,14 @@ void arcbeam_fit(const struct trace *trace, const struct stray *within, int digi
         return;
     struct beam b = {.trace = trace, .within = within, .digits = digits};
     struct pieces biarcs = {0}, arcs = {0};
-    arcfit_biarcs(trace, within, &biarcs);
+    b.width = axis_still(trace) ? BEAM : SWUNG;
     start(&b);
     size_t starts = b.done.n;
     search(&b);
     chain_of(&b, b.done.n - 1, starts, &arcs);
-    const struct pieces *best = arcs.n <= biarcs.n ? &arcs : &biarcs;
+    if (b.stepped)
+        arcfit_biarcs(trace, within, &biarcs);
+    const struct pieces *best = biarcs.n == 0 || arcs.n <= biarcs.n ? &arcs : &biarcs;
     for (size_t i = 0; i < best->n; i++)
         *array_push(pieces) = best->item[i];
     array_free(&b.done);

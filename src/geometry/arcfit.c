@@ -17,16 +17,24 @@ struct reach {
 struct greedy {
     const struct trace *trace;
     const struct stray *within;
-    size_t at;                 /* point of the trace reached so far, */
-    struct vec3 from, tangent; /* where and in which direction */
-    int favourite;             /* ratio that held last */
+    size_t at;                       /* point of the trace reached so far, */
+    struct vec3 from, tangent, axis; /* where and in which direction */
+    int favourite;                   /* ratio that held last */
 };
+
+/* A piece that starts where the chain has come to. */
+static struct piece start_piece(const struct greedy *g, struct arc arc, double to)
+{
+    struct piece piece = trace_piece(g->trace, arc, (double)g->at, to);
+    piece.axis = g->axis;
+    return piece;
+}
 
 static bool holds(const struct greedy *g, const struct piece *m)
 {
     if (m->arc.angle > TURN_MAX)
         return false;
-    struct stray stray = trace_stray(g->trace, m, 1, g->within);
+    struct stray stray = trace_stray(g->trace, m, 4, g->within);
     return stray_within(&stray, g->within);
 }
 
@@ -36,7 +44,7 @@ static bool try_line(struct greedy *g, size_t to, struct reach *reach)
     struct arc line = arc_line(g->from, t->p[to]);
     if (vec_angle(line.tangent, g->tangent) > ARCFIT_KINK)
         return false;
-    struct piece m = trace_piece(t, line, (double)g->at, (double)to);
+    struct piece m = start_piece(g, line, (double)to);
     if (!holds(g, &m))
         return false;
     *reach = (struct reach){.to = to, .n = 1, .piece = {m}};
@@ -50,7 +58,7 @@ static bool try_arc(struct greedy *g, size_t to, struct reach *reach)
     struct arc arc = arc_to(g->from, g->tangent, t->p[to]);
     if (vec_angle(arc_tangent(&arc, 1), t->tangent[to]) > ARCFIT_KINK)
         return false;
-    struct piece m = trace_piece(t, arc, (double)g->at, (double)to);
+    struct piece m = start_piece(g, arc, (double)to);
     if (!holds(g, &m))
         return false;
     *reach = (struct reach){.to = to, .n = 1, .piece = {m}};
@@ -70,7 +78,7 @@ static bool try_ratio(struct greedy *g, size_t to, double ratio, struct reach *r
     struct reach r = {
         .to = to,
         .n = 2,
-        .piece = {trace_piece(t, b.first, from, joint), trace_piece(t, b.second, joint, end)}};
+        .piece = {start_piece(g, b.first, joint), trace_piece(t, b.second, joint, end)}};
     r.piece[0].biarc = true;
     if (!holds(g, &r.piece[0]) || !holds(g, &r.piece[1]))
         return false;
@@ -126,7 +134,7 @@ static struct reach straight_on(struct greedy *g)
     const struct trace *t = g->trace;
     struct arc line = arc_line(g->from, t->p[g->at + 1]);
     struct reach r = {.to = g->at + 1, .n = 1};
-    r.piece[0] = trace_piece(t, line, (double)g->at, (double)r.to);
+    r.piece[0] = start_piece(g, line, (double)r.to);
     return r;
 }
 
@@ -147,11 +155,15 @@ static struct vec3 end_direction(const struct trace *t, const struct reach *r)
     return vec_dot(ahead, t->tangent[r->to]) > 0.8 ? ahead : t->tangent[r->to];
 }
 
-size_t arcfit_step(const struct trace *trace, const struct stray *within, size_t at,
-                   struct vec3 from, struct vec3 tangent, struct pieces *pieces)
+size_t arcfit_step(const struct trace *trace, const struct stray *within,
+                   const struct reached *from, struct pieces *pieces)
 {
-    struct greedy g = {
-        .trace = trace, .within = within, .at = at, .from = from, .tangent = tangent};
+    struct greedy g = {.trace = trace,
+                       .within = within,
+                       .at = from->at,
+                       .from = from->p,
+                       .tangent = from->tangent,
+                       .axis = from->axis};
     struct reach r = best_reach(&g);
     for (int i = 0; i < r.n; i++)
         *array_push(pieces) = r.piece[i];
@@ -162,8 +174,11 @@ void arcfit_biarcs(const struct trace *trace, const struct stray *within, struct
 {
     if (trace->n < 2)
         return;
-    struct greedy g = {
-        .trace = trace, .within = within, .from = trace->p[0], .tangent = trace->tangent[0]};
+    struct greedy g = {.trace = trace,
+                       .within = within,
+                       .from = trace->p[0],
+                       .tangent = trace->tangent[0],
+                       .axis = trace->axis[0]};
     while (g.at + 1 < trace->n) {
         struct reach r = best_reach(&g);
         for (int i = 0; i < r.n; i++)
@@ -171,6 +186,7 @@ void arcfit_biarcs(const struct trace *trace, const struct stray *within, struct
         g.at = r.to;
         g.from = trace->p[r.to];
         g.tangent = end_direction(trace, &r);
+        g.axis = trace->axis[r.to];
     }
 }
 

@@ -137,6 +137,11 @@ struct stray stray_worst(struct stray a, struct stray b)
     return (struct stray){fmax(a.tracked, b.tracked), fmax(a.other, b.other), fmax(a.axis, b.axis)};
 }
 
+/* Distances between matching places, mm. */
+struct apart {
+    double tracked, other;
+};
+
 /* A piece made ready to be asked for many places. */
 struct follower {
     const struct trace *trace;
@@ -147,6 +152,7 @@ struct follower {
     bool lone;               /* nobody at the other end: no lever, or the axis is still */
     struct stray stray;      /* its axis: the square of the chord between the unit vectors */
     size_t tracked, other;   /* segments of the trace last met */
+    struct apart here;       /* at the foot of the point last met */
 };
 
 /* Where the piece is at one place. */
@@ -203,9 +209,11 @@ static void meet_point(struct follower *f, size_t k, double s)
 {
     const struct trace *t = f->trace;
     struct spot spot = spot_at(f, s);
-    f->stray.tracked = fmax(f->stray.tracked, vec_distance(t->p[k], spot.p));
+    f->here.tracked = vec_distance(t->p[k], spot.p);
+    f->stray.tracked = fmax(f->stray.tracked, f->here.tracked);
     if (f->lone)
         return;
+    f->here.other = vec_distance(t->other[k], spot.other);
     struct vec3 swung = vec_sub(t->axis[k], spot.axis);
     f->stray.axis = fmax(f->stray.axis, vec_dot(swung, swung));
     meet_other(f, k, s, spot);
@@ -257,24 +265,61 @@ static bool glance(struct follower *f, size_t first, size_t end, const struct st
     return true;
 }
 
+/*
+ * Nothing between two feet can be off by more than `within`: between the chords of the piece and
+ * the straight line of the trace it is no more than at their ends, and a sagitta on top.
+ */
+static bool surely_near(const struct follower *f, struct apart before, double part,
+                        const struct stray *within)
+{
+    double turn = part * f->arc->angle, swing = part * f->swing;
+    double sagitta = f->arc->radius * turn * turn / 8;
+    double most = fmax(before.tracked, f->here.tracked) + sagitta;
+    if (most > within->tracked)
+        return false;
+    double swung = fabs(f->trace->lever) * swing * swing / 8;
+    return f->lone || fmax(before.other, f->here.other) + sagitta + swung <= within->other;
+}
+
 /* From one foot to the next, at `fine` places between, or more. */
-static double step_on(struct follower *f, double from, double to, int fine, double limit)
+static void step_on(struct follower *f, double from, double to, int fine, double limit)
 {
     int parts = to > from ? places_between(f->arc, from, to, fine, limit) : 0;
     for (int i = 1; i <= parts; i++)
         meet_trace(f, from + (to - from) * i / (parts + 1));
-    return to;
 }
 
-/* All points from `first` to before `end`, and places between their feet. */
-static void walk(struct follower *f, size_t first, size_t end, int fine, const struct stray *within)
+/* How far the start of the piece is from where it should be; unknown between two points. */
+static struct apart apart_at_start(const struct follower *f, const struct piece *piece)
+{
+    size_t k = (size_t)piece->from;
+    if ((double)k < piece->from)
+        return (struct apart){HUGE_VAL, HUGE_VAL};
+    struct spot spot = spot_at(f, 0);
+    return (struct apart){vec_distance(f->trace->p[k], spot.p),
+                          f->lone ? 0 : vec_distance(f->trace->other[k], spot.other)};
+}
+
+/*
+ * All points of the piece's part of the trace, and places between their feet: all of them when
+ * nothing bounds the stray, else those where it could be out of bounds.
+ */
+static void walk(struct follower *f, const struct piece *piece, int fine,
+                 const struct stray *within)
 {
     double limit = fmin(within->tracked, 0.1), at = 0;
+    size_t end = (size_t)piece->to + 1;
+    bool bounded = within->tracked < HUGE_VAL;
     meet_trace(f, 0);
-    for (size_t k = first; k < end && stray_within(&f->stray, within); k++) {
+    f->here = apart_at_start(f, piece);
+    for (size_t k = (size_t)piece->from + 1; k < end && stray_within(&f->stray, within); k++) {
         double foot = fmax(at, arc_foot(f->arc, f->trace->p[k]));
+        struct apart before = f->here;
         meet_point(f, k, foot);
-        at = step_on(f, at, foot, fine, limit);
+        f->tracked = f->other = k - 1;
+        if (!bounded || !surely_near(f, before, foot - at, within))
+            step_on(f, at, foot, fine, limit);
+        at = foot;
     }
     if (stray_within(&f->stray, within))
         step_on(f, at, 1, fine, limit);
@@ -296,7 +341,7 @@ struct stray trace_stray(const struct trace *trace, const struct piece *piece, i
         limit.axis = chord * chord;
     }
     if (glance(&f, first, end, &limit))
-        walk(&f, first, end, fine, &limit);
+        walk(&f, piece, fine, &limit);
     if (f.lone && trace->lever != 0)
         f.stray.other = f.stray.tracked;
     f.stray.axis = 2 * asin(fmin(1, sqrt(f.stray.axis) / 2));
