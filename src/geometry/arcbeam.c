@@ -18,7 +18,8 @@ enum {
 };
 
 static const double SIDEWAYS = 0.85; /* of the tolerance: how far a joint may be off the trace */
-static const double TURN_MAX = 2.6;  /* of one arc, radians */
+static const double SWING = 0.6;    /* of the tolerances: how far an axis may be set off for them */
+static const double TURN_MAX = 2.6; /* of one arc, radians */
 static const double STRAIGHT = 1e-9; /* mm: an end this near to the line ahead is on it */
 
 /* A chain of pieces, by its last one. */
@@ -162,7 +163,7 @@ static bool prove(const struct beam *b, const struct proposal *n, struct link *l
     *stray = trace_stray(t, &piece, 4, b->within);
     if (stray->tracked <= b->within->tracked && stray->other > b->within->other &&
         n->at + 1 < t->n) {
-        piece.axis_to = swing_end(t, &piece, b->within, SIDEWAYS, AXIS_DIGITS);
+        piece.axis_to = swing_end(t, &piece, b->within, SWING, AXIS_DIGITS);
         *stray = trace_stray(t, &piece, 4, b->within);
     }
     *link = (struct link){.piece = piece,
