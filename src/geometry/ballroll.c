@@ -9,7 +9,10 @@
 #include "kdtree.h"
 #include "parallel.h"
 
-#define HUG 4 /* tolerances that the ball may be off the part and still be on it */
+enum { GROUP = 32 };
+
+#define CLOSE 0.04 /* of the radius */
+#define HUG 4      /* tolerances that the ball may be off the part and still be on it */
 
 struct job {
     struct ball_path *path;
@@ -20,17 +23,30 @@ struct job {
     struct ballroll *result;
 };
 
-/* Which segments are on the part?  Ways down to it and up from it are not. */
+static bool touches(const struct job *job, struct vec3 ball)
+{
+    double near = job->setup->radius + fmin(job->setup->band, HUG * job->setup->tolerance);
+    size_t index;
+    double distance2;
+    kdtree_nearest(job->part, ball, 1, &index, &distance2);
+    return distance2 <= near * near;
+}
+
+/*
+ * Which segments are on the part?  Ways down to it and up from it are not.  In groups that are the
+ * same however many threads there are, in which those close behind one that was looked at follow
+ * it.
+ */
 static void touch(void *context, size_t from, size_t to)
 {
     const struct job *job = context;
-    double near = job->setup->radius + fmin(job->setup->band, HUG * job->setup->tolerance);
-    for (size_t i = from; i < to; i++) {
+    struct vec3 looked = {0, 0, 0};
+    for (size_t i = from * GROUP; i < to * GROUP && i < job->path->n; i++) {
         struct ball_segment *segment = &job->path->item[i];
-        size_t index;
-        double distance2;
-        kdtree_nearest(job->part, vec_mix(segment->a, segment->b, 0.5), 1, &index, &distance2);
-        segment->on = distance2 <= near * near;
+        struct vec3 middle = vec_mix(segment->a, segment->b, 0.5);
+        bool close = i % GROUP > 0 && vec_distance(middle, looked) < CLOSE * job->setup->radius;
+        segment->on = close ? segment[-1].on : touches(job, middle);
+        looked = close ? looked : middle;
     }
 }
 
@@ -108,7 +124,7 @@ void ballroll_run(struct ball_path *path, const struct vec3 *point, size_t n,
     if (setup->band > setup->tolerance && n > 0) {
         struct kdtree *part = kdtree_new(point, n);
         job.part = part;
-        parallel_for(setup->threads, path->n, touch, &job);
+        parallel_for(setup->threads, (path->n + GROUP - 1) / GROUP, touch, &job);
         kdtree_free(part);
     }
     parallel_for(setup->threads, n, roll_points, &job);

@@ -59,12 +59,17 @@ void balltree_free(struct balltree *tree)
     free(tree);
 }
 
+static double outside(double low, double x, double high)
+{
+    return x < low ? low - x : x > high ? x - high : 0;
+}
+
 /* Squared distance of p to a box; an empty one is infinitely far. */
 static double box_distance2(const struct box *box, struct vec3 p)
 {
-    double x = fmax(fmax(box->low.x - p.x, p.x - box->high.x), 0);
-    double y = fmax(fmax(box->low.y - p.y, p.y - box->high.y), 0);
-    double z = fmax(fmax(box->low.z - p.z, p.z - box->high.z), 0);
+    double x = outside(box->low.x, p.x, box->high.x);
+    double y = outside(box->low.y, p.y, box->high.y);
+    double z = outside(box->low.z, p.z, box->high.z);
     return x * x + y * y + z * z;
 }
 
@@ -72,8 +77,8 @@ struct vec3 ball_segment_nearest(const struct ball_segment *segment, struct vec3
 {
     struct vec3 d = vec_sub(segment->b, segment->a), e = vec_sub(p, segment->a);
     double d2 = vec_dot(d, d);
-    double s = d2 > 0 ? fmin(fmax(vec_dot(d, e) / d2, 0), 1) : 0;
-    return vec_along(segment->a, s, d);
+    double s = d2 > 0 ? vec_dot(d, e) / d2 : 0;
+    return vec_along(segment->a, s < 0 ? 0 : s > 1 ? 1 : s, d);
 }
 
 static double distance2(const struct ball_segment *segment, struct vec3 p)
