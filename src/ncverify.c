@@ -32,8 +32,8 @@ static void read_options(struct settings *s, struct cli *cli, int argc, char **a
 {
     const struct cli_option option[] = {
         {'g', "guard", "FILE",
-         "what the program is judged against: points, or a mesh by its name\n"
-         "(.ply, .stl, .off); may be given again",
+         "what the program is judged against, again and again: points, a mesh\n"
+         "(.ply, .stl, .off), or surfaces (.igs, .iges, .nurbs)",
          CLI_LIST, &s->part, 0, 0, 0, NULL},
         {'r', "radius", "MM", "radius of the ball", CLI_NUMBER, &s->radius, CLI_POSITIVE, 1e4, 0,
          &s->radius_given},

@@ -143,4 +143,34 @@ for control in siemens heidenhain linuxcnc; do
 	status 1 "$control: a cut-off file cannot be run" ncverify -q -g dome.xyz -r 6 -m $machine bad.$control
 done
 
+# ---- what it is judged by: a mesh, surfaces; the map and the page
+
+nurbs2mesh -q -n 60 -o s1.ply "$SRC/samples/paper2_s1_a.igs"
+planecut -q -r 4 -s 2 s1.ply | ncpost -q -c siemens -o s1.mpf
+status 0 "judged by the surfaces of an IGES file" \
+	ncverify -q -g "$SRC/samples/paper2_s1_a.igs" -r 4 -e 0.03 s1.mpf
+depth=$(sed -n 's/^gouge *worst \([0-9.]*\).*/\1/p' out)
+below "and the path of its mesh lies on them" "$depth" 0.03
+status 0 "judged by a mesh" ncverify -q -g s1.ply -r 4 -e 0.1 s1.mpf
+status 3 "a ball that is too large for the program" \
+	ncverify -q -g "$SRC/samples/paper2_s1_a.igs" -r 8 -e 0.03 s1.mpf
+
+sed "/^N12030 /s/Z[-0-9.]*/Z$deeper/" dome.fanuc >bad.nc
+ncverify -q -g dome.xyz -r 6 -e 0.005 --map map.ply --report page.html bad.nc >out 2>err
+has "the map holds every point" '^element vertex 21901$' map.ply
+worst=$(awk 'on && $7 < least { least = $7; block = $8 } /^end_header/ { on = 1 }
+	END { print block }' map.ply)
+ok "and the deepest names its block" test "$worst" -ge 12020 -a "$worst" -le 12040
+ok "the map is a PLY that is read" ncverify -q -g map.ply -r 6 -e 0.005 dome.fanuc
+has "the page names the block" '<button .*N120[2-4]0 \(line [0-9]*\), pass 10: gouge 0\.0' page.html
+hasnt "and loads nothing" '(src|href)=|https?:|import|fetch\(|url\(' page.html
+has "it is whole" '^</body></html>$' page.html
+ncverify -q -j1 -g dome.xyz -r 6 -e 0.005 --report one.html bad.nc >one 2>/dev/null
+ncverify -q -j4 -g dome.xyz -r 6 -e 0.005 --report four.html bad.nc >four 2>/dev/null
+same "threads change nothing" one four
+same "nor in the page" one.html four.html
+status 2 "no radius" ncverify -g dome.xyz dome.fanuc
+status 1 "no such scan" ncverify -g nothing.xyz -r 6 dome.fanuc
+status 1 "no program" ncverify -g dome.xyz -r 6 dome.xyz
+
 done_testing

@@ -8,6 +8,8 @@
 #include "array.h"
 #include "cloud.h"
 #include "meshfile.h"
+#include "surfaces.h"
+#include "tessellate.h"
 
 #define SINK 0.0005 /* mm */
 #define MOST 4e6    /* points on the faces of a mesh */
@@ -17,6 +19,8 @@ static bool ends(const char *file, const char *ending)
     size_t n = file ? strlen(file) : 0, k = strlen(ending);
     return n > k && strcasecmp(file + n - k, ending) == 0;
 }
+
+#define CHORD 0.001 /* that triangles may be off a surface, mm */
 
 static double area(const struct mesh *mesh)
 {
@@ -55,22 +59,53 @@ static void densify(const struct mesh *mesh, double unit, double radius, struct 
     }
 }
 
+/* The surfaces of a file, trimmed, as triangles; of their vertices and faces alone. */
+static int read_surfaces(const char *file, struct mesh *mesh, struct error *error)
+{
+    struct patches patches = {0};
+    struct surfaces_unit unit;
+    int result = surfaces_read(file, 0, &patches, &unit, error);
+    for (size_t i = 0; result == 0 && i < patches.n; i++) {
+        struct sheet sheet = {0};
+        size_t from = mesh->vertex.n;
+        tessellate(&patches.item[i], (struct tessellation){0, CHORD}, &sheet);
+        if (sheet.too_fine)
+            result = error_set(error, "%s: surface %d is too large for triangles within %g mm",
+                               file, patches.item[i].entity, CHORD);
+        for (size_t k = 0; k < sheet.point.n; k++)
+            *array_push(&mesh->vertex) = sheet.point.item[k];
+        for (size_t k = 0; k < sheet.face.n; k++) {
+            struct face face = sheet.face.item[k];
+            for (int j = 0; j < 3; j++)
+                face.v[j] += (int)from;
+            *array_push(&mesh->face) = face;
+        }
+        sheet_free(&sheet);
+    }
+    patches_free(&patches);
+    return result;
+}
+
 int verifypart_read(const char *file, double unit, double radius, struct vec3s *points,
                     double *spacing, struct error *error)
 {
     struct mesh mesh = {0};
     struct cloud_count count = {0};
     bool solid = ends(file, ".stl") || ends(file, ".off");
+    bool surfaces = ends(file, ".igs") || ends(file, ".iges") || ends(file, ".nurbs");
     *spacing = 0;
-    if (solid || ends(file, ".ply")) {
-        if (mesh_read(file, &mesh, error) == 0 && mesh.face.n > 0) {
+    if (solid || surfaces || ends(file, ".ply")) {
+        int result = surfaces ? read_surfaces(file, &mesh, error) : mesh_read(file, &mesh, error);
+        if (result == 0 && mesh.face.n > 0) {
             densify(&mesh, unit, radius, points, spacing);
             mesh_free(&mesh);
             return 0;
         }
         mesh_free(&mesh);
-        if (solid)
+        if (result < 0 && (solid || surfaces))
             return -1;
+        if (solid || surfaces)
+            return error_set(error, "%s: no faces in it", file);
     }
     size_t from = points->n;
     if (cloud_read(file, points, &count, error) < 0)
