@@ -34,8 +34,8 @@ static size_t span_of(const struct course_spline *b, double u)
 static void spline_at(const struct course_spline *b, size_t span, double u, struct vec3 *p,
                       struct vec3 *q)
 {
-    struct vec3 dp[16], dq[16];
-    double w[16];
+    struct vec3 dp[16] = {{0, 0, 0}}, dq[16] = {{0, 0, 0}};
+    double w[16] = {1};
     size_t k = (size_t)b->order, first = span + 1 - k;
     for (size_t i = 0; i < k; i++) {
         w[i] = b->weight ? b->weight[first + i] : 1;
