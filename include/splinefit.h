@@ -49,10 +49,11 @@ void splinefit_paper(const struct track *track, const struct splinefit_options *
                      struct splinefit *fit);
 
 /*
- * The default: a straight line; else what freeknots_search finds.  Where that finds nothing, and
- * when `params` or `knots` are given: 5, 10, 15 ... poles (from 40 on a quarter more each time)
- * until proof_within holds for a combination; then the least count above the last that failed, by
- * bisection; degree 1 with a pole at each point when nothing else serves.
+ * The default: a straight line; else 5, 10, 15 ... poles (from 40 on a quarter more each time) until
+ * proof_within holds for a combination.  Then what freeknots_search finds; where that finds nothing,
+ * where the data is so rough that a pole, of more than 40, serves fewer than eight points, and when `params` or
+ * `knots` are given: the least count above the last that failed, by bisection.  Degree 1 with a
+ * pole at each point when nothing else serves.
  */
 void splinefit_search(const struct track *track, const struct splinefit_options *options,
                       struct splinefit *fit);

@@ -10,7 +10,7 @@
 #include "freeknots.h"
 #include "lsq.h"
 
-enum { PARAMS = 3, KNOTS = 2, START = 5, STEP = 5, WIDER = 40 };
+enum { PARAMS = 3, KNOTS = 2, START = 5, STEP = 5, WIDER = 40, ROUGH_POINTS = 8 };
 static const double RESOLUTION = 0.005; /* of a proof, in parts of the tolerance */
 
 struct search {
@@ -193,16 +193,26 @@ static void polyline(const struct search *s, struct splinefit *fit)
     fit->within = proof_keeps(&fit->proof, o->tolerance, o->angle);
 }
 
-/* With all combinations open, the knots may as well be free. */
+/* A pole for every few points and still to do: the curve follows the noise of the data, and the
+ * long search for the best places of its knots would gain next to nothing. */
+static bool is_rough(const struct track *track, size_t poles)
+{
+    return poles > WIDER && poles * ROUGH_POINTS > track->n;
+}
+
+/* With all combinations open, the knots may as well be free.  False leaves *fit. */
 static bool free_knots(const struct search *s, struct splinefit *fit)
 {
     const struct splinefit_options *o = s->options;
     struct freeknots_options options = {o->degree, o->tolerance, o->angle};
+    struct splinefit free = {.kind = SPLINEFIT_FREE, .within = true};
 
-    if (o->params >= 0 || o->knots >= 0)
+    if (o->params >= 0 || o->knots >= 0 ||
+        !freeknots_search(s->track, &options, &free.curve, &free.proof))
         return false;
-    *fit = (struct splinefit){.kind = SPLINEFIT_FREE, .within = true};
-    return freeknots_search(s->track, &options, &fit->curve, &fit->proof);
+    bspline_free(&fit->curve);
+    *fit = free;
+    return true;
 }
 
 /* The paper's measures of the curve that was chosen. */
@@ -241,12 +251,12 @@ void splinefit_search(const struct track *track, const struct splinefit_options 
     struct search s = search_new(track, options, false);
 
     *fit = (struct splinefit){0};
-    if (!straight_line(&s, fit) && !free_knots(&s, fit)) {
+    if (!straight_line(&s, fit)) {
         size_t failed, served = search_upwards(&s, &failed, fit);
-        if (served > 0)
-            bisect(&s, failed, served, fit);
-        else
+        if (served == 0)
             polyline(&s, fit);
+        else if (is_rough(track, served) || !free_knots(&s, fit))
+            bisect(&s, failed, served, fit);
     }
     measure(&s, fit);
     search_free(&s);
