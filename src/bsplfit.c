@@ -61,8 +61,10 @@ static void read_options(int argc, char **argv, struct cli *cli, struct settings
          CLI_CHOICE, &s->points, 0, 0, 0, NULL},
         {0, "params", "all|uniform|centripetal|chord", "parameters of the points (all)", CLI_CHOICE,
          &params, 0, 0, 0, NULL},
-        {0, "knots", "all|uniform|average", "knots of the curves (all)", CLI_CHOICE, &knots, 0, 0,
-         0, NULL},
+        {0, "knots", "all|uniform|average|free",
+         "knots of the curves (all; and free where the axis is fixed and\n"
+         "the data smooth); free: everywhere, for the fewest control points",
+         CLI_CHOICE, &knots, 0, 0, 0, NULL},
         {0, "paper", NULL,
          "as published: the points as they are, 5 control points and 5 more\n"
          "each time, judged at the points alone",
@@ -76,7 +78,8 @@ static void read_options(int argc, char **argv, struct cli *cli, struct settings
     if (cli->files > 1)
         die_usage("%d files, expected one path", cli->files);
     s->fit.params = params - 1;
-    s->fit.knots = knots - 1;
+    s->fit.free = knots == 3;
+    s->fit.knots = s->fit.free ? -1 : knots - 1;
     s->fit.angle = RADIANS(angle);
     if (!tolerance_given)
         say("tolerance %g mm (-e)", s->fit.tolerance);

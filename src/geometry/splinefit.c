@@ -208,6 +208,7 @@ static bool free_knots(const struct search *s, struct splinefit *fit)
     struct splinefit free = {.kind = SPLINEFIT_FREE, .within = true};
 
     if (o->params >= 0 || o->knots >= 0 ||
+        (!o->free && (s->track->head || is_rough(s->track, fit->curve.poles))) ||
         !freeknots_search(s->track, &options, &free.curve, &free.proof))
         return false;
     bspline_free(&fit->curve);
@@ -255,7 +256,7 @@ void splinefit_search(const struct track *track, const struct splinefit_options 
         size_t failed, served = search_upwards(&s, &failed, fit);
         if (served == 0)
             polyline(&s, fit);
-        else if (is_rough(track, served) || !free_knots(&s, fit))
+        else if (!free_knots(&s, fit))
             bisect(&s, failed, served, fit);
     }
     measure(&s, fit);
