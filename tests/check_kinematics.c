@@ -204,6 +204,28 @@ START_TEST(over_the_pole)
 }
 END_TEST
 
+/* The angles may be chosen in the very place where those before stand: several turns from zero, on
+ * both sides of it.  What is chosen brings the tool there, by no more than half a turn. */
+START_TEST(chosen_in_place)
+{
+    struct chain chain = chain_of(_i);
+    seed = 5;
+    for (int i = 0; i < 20000; i++) {
+        struct vec3 axis = random_unit();
+        const double from[2] = {40 * chance() - 20, 40 * chance() - 20};
+        double beside[2], place[2] = {from[0], from[1]};
+        int over, over_in_place;
+        int result = chain_choose(&chain, axis, from, true, -1, beside, &over);
+        ck_assert_int_eq(chain_choose(&chain, axis, place, true, -1, place, &over_in_place), result);
+        if (result != 0)
+            continue;
+        ck_assert(place[0] == beside[0] && place[1] == beside[1]);
+        ck_assert_double_lt(vec_distance(chain_axis(&chain, place), axis), 1e-9);
+        ck_assert(fabs(place[0] - from[0]) < PI + 1e-9 && fabs(place[1] - from[1]) < PI + 1e-9);
+    }
+}
+END_TEST
+
 START_TEST(fewer_axes)
 {
     struct chain chain = chain_of(TABLE_AC);
@@ -233,6 +255,7 @@ int main(void)
     tcase_add_test(tests, head_carries_the_tip);
     tcase_add_test(tests, travel_and_choice);
     tcase_add_test(tests, over_the_pole);
+    tcase_add_loop_test(tests, chosen_in_place, 0, KINDS);
     tcase_add_test(tests, fewer_axes);
     suite_add_tcase(suite, tests);
 

@@ -168,14 +168,17 @@ static bool choose_beside(const struct chain *chain, struct vec3 axis, const dou
     double cosine = (b * k - c * side) / h2, sine = (c * k + b * side) / h2;
     struct vec3 turned = vec_along(vec_scale(cosine, chain->tool), sine, across);
     turned = vec_along(turned, (1 - cosine) * along, r1->axis);
-    q[1] = atan2(sine, cosine);
-    q[0] = turn_between(r0->axis, turned, axis);
-    q[1] += 2 * PI * round((from[1] - q[1]) / (2 * PI));
-    q[0] += 2 * PI * round((from[0] - q[0]) / (2 * PI));
-    if (q[0] > r0->max || q[0] < r0->min || q[1] > r1->max || q[1] < r1->min)
+    double q1 = atan2(sine, cosine), q0 = turn_between(r0->axis, turned, axis);
+    q1 += 2 * PI * round((from[1] - q1) / (2 * PI));
+    q0 += 2 * PI * round((from[0] - q0) / (2 * PI));
+    if (q0 > r0->max || q0 < r0->min || q1 > r1->max || q1 < r1->min)
         return false;
-    double move0 = fabs(q[0] - from[0]), move1 = fabs(q[1] - from[1]);
-    return 2 * sqrt(root2 / h2) - move1 > move0 + move1 + 1e-6; /* twice the sine: the other's way */
+    double move0 = fabs(q0 - from[0]), move1 = fabs(q1 - from[1]);
+    if (!(2 * sqrt(root2 / h2) - move1 > move0 + move1 + 1e-6)) /* twice the sine: the other's way */
+        return false;
+    q[0] = q0; /* last, for q may be where `from` stands */
+    q[1] = q1;
+    return true;
 }
 
 int chain_choose(const struct chain *chain, struct vec3 axis, const double from[], bool smooth,
