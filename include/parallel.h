@@ -15,4 +15,8 @@
 void parallel_for(int threads, size_t n, void (*work)(void *context, size_t from, size_t to),
                   void *context);
 
+/* The same for a tool's long work: `what` and the percentage done are shown on a terminal. */
+void parallel_shown(const char *what, int threads, size_t n,
+                    void (*work)(void *context, size_t from, size_t to), void *context);
+
 #endif

@@ -17,6 +17,7 @@ struct reader {
     const char *name; /* for messages: the file's name, or "-" for standard input */
     size_t line;      /* number of the line last read, from 1 */
     size_t size;      /* of a regular file, bytes; 0: not known */
+    size_t got;       /* bytes read so far */
     bool ended;       /* it had a line end: false only for what the file ends with */
     char *buf;        /* from here on for reader.c alone */
     size_t cap, from, to;

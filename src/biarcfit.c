@@ -66,7 +66,7 @@ static struct arcrun_report fit_path(const struct path *in, const struct setting
     struct work work = {.in = in, .options = &options};
     for (size_t from = 0, to; path_next_run(in, &from, &to); from = to)
         *array_push(&work.jobs) = (struct job){.from = from, .to = to};
-    parallel_for(threads, work.jobs.n, fit_jobs, &work);
+    parallel_shown("fitting", threads, work.jobs.n, fit_jobs, &work);
 
     struct arcrun_report sum = {0};
     size_t done = 0;

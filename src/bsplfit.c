@@ -221,7 +221,7 @@ int main(int argc, char **argv)
     read_path(cli.file[0], &in, &settings);
     find_runs(&in, &jobs);
     struct bench bench = {&in, &settings, &jobs};
-    parallel_for(cli.threads, jobs.n, fit_jobs, &bench);
+    parallel_shown("fitting", cli.threads, jobs.n, fit_jobs, &bench);
     struct splinereport r = report(&jobs, settings.report);
     int status = verdict(&jobs, &in);
     assemble(&in, &jobs, r.spent, &out);

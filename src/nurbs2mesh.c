@@ -171,7 +171,7 @@ static double make_quilt(const struct cli *cli, const struct settings *s,
     double size = size_of(patches), gap = s->gap > 0 ? s->gap : 1e-5 * size;
     double fine = s->tolerance > 0 ? s->tolerance : fmax(1e-5 * size, 1e-3);
     struct job job = {patches, {s->tolerance > 0 ? 0 : s->n, fine}, sheet};
-    parallel_for(cli->threads, patches->n, tessellate_some, &job);
+    parallel_shown("tessellating", cli->threads, patches->n, tessellate_some, &job);
     double error = judge(s, patches, sheet);
     quilt_make(sheet, patches->n, quilt);
     struct weld_count welded = weld(quilt, patches, gap, fine);

@@ -4,6 +4,8 @@
 #include <pthread.h>
 #include <unistd.h>
 
+#include "cli.h"
+
 enum { MOST_THREADS = 64, MOST_PIECE = 64, PIECES_EACH = 8 };
 
 struct share {
@@ -13,23 +15,37 @@ struct share {
     pthread_mutex_t lock; /* on next */
 };
 
-static void *run(void *argument)
+/* Piece after piece; the thread that was given `what` to show tells how far all of them are. */
+static void take_pieces(struct share *s, const char *what)
 {
-    struct share *s = argument;
     for (;;) {
         pthread_mutex_lock(&s->lock);
         size_t from = s->next;
         size_t to = s->n - from > s->piece ? from + s->piece : s->n;
         s->next = to;
         pthread_mutex_unlock(&s->lock);
+        if (what)
+            progress(what, from, s->n);
         if (from == to)
-            return NULL;
+            return;
         s->work(s->context, from, to);
     }
 }
 
+static void *run(void *argument)
+{
+    take_pieces(argument, NULL);
+    return NULL;
+}
+
 void parallel_for(int threads, size_t n, void (*work)(void *context, size_t from, size_t to),
                   void *context)
+{
+    parallel_shown(NULL, threads, n, work, context);
+}
+
+void parallel_shown(const char *what, int threads, size_t n,
+                    void (*work)(void *context, size_t from, size_t to), void *context)
 {
     struct share share = {work, context, n, 0, 1, PTHREAD_MUTEX_INITIALIZER};
     pthread_t thread[MOST_THREADS];
@@ -41,7 +57,7 @@ void parallel_for(int threads, size_t n, void (*work)(void *context, size_t from
     while (started < MOST_THREADS && started + 1 < wanted && (size_t)(started + 1) * share.piece < n &&
            pthread_create(&thread[started], NULL, run, &share) == 0)
         started++;
-    run(&share);
+    take_pieces(&share, what);
     for (int i = 0; i < started; i++)
         pthread_join(thread[i], NULL);
     pthread_mutex_destroy(&share.lock);

@@ -14,8 +14,9 @@
 #include <unistd.h>
 
 #include "array.h"
+#include "cli.h"
 
-enum { CHUNK = 1 << 16 };
+enum { CHUNK = 1 << 16, LARGE = 1 << 22 };
 
 int reader_open(struct reader *r, const char *file, struct error *error)
 {
@@ -58,6 +59,9 @@ static int fill_once(struct reader *r, struct error *error)
         return error_at(error, r->name, r->line, "cannot read: %s", strerror(errno));
     r->end = n == 0;
     r->to += (size_t)n;
+    r->got += (size_t)n;
+    if (r->size >= LARGE)
+        progress("reading", r->end || r->got > r->size ? r->size : r->got, r->size);
     for (size_t at = r->to; at > r->to - (size_t)n; at--)
         if (r->buf[at - 1] == '\n') {
             r->whole = at;
