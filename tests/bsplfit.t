@@ -150,7 +150,7 @@ ok "leaves nothing" test ! -e "$TMP/none.cl"
 status 1 "no file" bsplfit "$TMP/none.cl"
 status 2 "a tolerance of nothing" bsplfit -e 0 "$passes"
 status 2 "two files" bsplfit "$passes" "$passes"
-status 0 "free knots on request" bsplfit -q --knots free -o free.cl "$passes"
+status 0 "free knots on request" bsplfit -q --knots free -o "$TMP/free.cl" "$passes"
 status 2 "no such knots" bsplfit --knots nosuch "$passes"
 status 2 "degree 0" bsplfit --degree 0 "$passes"
 if [ -w /dev/full ]; then

@@ -54,7 +54,8 @@ void parallel_shown(const char *what, int threads, size_t n,
     share.piece = piece < 1 ? 1 : piece > MOST_PIECE ? MOST_PIECE : piece;
     int started = 0;
     /* this thread works too; where no other can be had it does all of it */
-    while (started < MOST_THREADS && started + 1 < wanted && (size_t)(started + 1) * share.piece < n &&
+    while (started < MOST_THREADS && started + 1 < wanted &&
+           (size_t)(started + 1) * share.piece < n &&
            pthread_create(&thread[started], NULL, run, &share) == 0)
         started++;
     take_pieces(&share, what);
