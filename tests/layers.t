@@ -51,8 +51,6 @@ grep -nE '\b(exit|abort|printf|fprintf|puts|die|die_error|die_usage|say|note|ran
 empty "geometry ends nothing and prints nothing" "$TMP/found"
 grep -nE '\b(exit|abort|die|die_error|die_usage)\(' "$SRC"/src/formats/*.c >"$TMP/found"
 empty "formats end nothing" "$TMP/found"
-nm -A "$BIN"/../src/geometry/*.o 2>/dev/null | grep -E ' [BbDdC] ' | grep -vE '\.part|\.cold' >"$TMP/found"
-empty "geometry has no variables that outlive a call" "$TMP/found"
 grep -rn 'setlocale' "$SRC"/src >"$TMP/found"
 empty "nobody calls setlocale" "$TMP/found"
 
@@ -66,12 +64,17 @@ for file in "$SRC"/src/formats/ncread*.c "$SRC"/include/ncread*.h "$SRC"/src/geo
 done >"$TMP/found"
 empty "the reader of programs shares nothing with the writers" "$TMP/found"
 
-# run time: libc and libm alone
-for tool in "$BIN"/*; do
-	ldd "$tool" 2>/dev/null | awk '{ print $1 }' |
-		grep -vE '^(linux-vdso|linux-gate|libc|libm|libpthread|libasan|libubsan|/.*ld-|/lib.*/ld-|statically)' |
-		sed "s|^|$tool: |"
-done >"$TMP/found"
-empty "the tools need libc and libm alone" "$TMP/found"
+# What a sanitizer puts into objects and tools is not ours.
+if ! nm "$BIN/cloud2mesh" | grep -q '__asan_init'; then
+	nm -A "$BIN"/../src/geometry/*.o 2>/dev/null | grep -E ' [BbDdC] ' | grep -vE '\.part|\.cold' >"$TMP/found"
+	empty "geometry has no variables that outlive a call" "$TMP/found"
+	# run time: libc and libm alone
+	for tool in "$BIN"/*; do
+		ldd "$tool" 2>/dev/null | awk '{ print $1 }' |
+			grep -vE '^(linux-vdso|linux-gate|libc|libm|libpthread|/.*ld-|/lib.*/ld-|statically)' |
+			sed "s|^|$tool: |"
+	done >"$TMP/found"
+	empty "the tools need libc and libm alone" "$TMP/found"
+fi
 
 done_testing
