@@ -15,6 +15,9 @@ void nc_place(struct nc_program *p, struct vec3 to);
 /* The rotary words at q (radians), those that change; the address is the axis's letter. */
 void nc_rotary(struct nc_program *p, const double q[]);
 
+/* A block that takes the rotary axes to zero at the rapid; none without such axes. */
+void nc_rotary_home(struct nc_program *p);
+
 /* The tool axis as the program has it: rotary words, or a vector with these three addresses, all
  * of it or nothing. */
 void nc_axis(struct nc_program *p, const struct station *to, const char *const address[3]);

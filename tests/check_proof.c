@@ -10,60 +10,7 @@
 #include "num.h"
 #include "params.h"
 #include "proof.h"
-
-/* A motion in 5 axes: the tip on a wave, the axis swinging. */
-static struct run_point place(double s, double radius)
-{
-    struct run_point p = {.tip = vec(60 * s, 8 * sin(5 * s), 4 * cos(4 * s))};
-
-    p.axis = vec_unit(vec(0.4 * sin(3 * s), 0.3 * cos(2 * s), 1));
-    p.ball = vec_along(p.tip, radius, p.axis);
-    return p;
-}
-
-static struct run motion(size_t n, double radius)
-{
-    struct run run = {.radius = radius};
-
-    for (size_t k = 0; k < n; k++)
-        *array_push(&run) = place((double)k / (double)(n - 1), radius);
-    return run;
-}
-
-static double off_chain(struct vec3 q, const struct vec3 *point, size_t n)
-{
-    double best = INFINITY;
-
-    for (size_t j = 0; j + 1 < n; j++) {
-        struct vec3 d = vec_sub(point[j + 1], point[j]);
-        double l2 = vec_dot(d, d), t = l2 > 0 ? vec_dot(vec_sub(q, point[j]), d) / l2 : 0;
-        best = fmin(best, vec_distance(q, vec_along(point[j], fmin(1, fmax(0, t)), d)));
-    }
-    return best;
-}
-
-/* Distance both ways by brute force: the curve at many places, against the track's polyline. */
-static double brute_force(const struct bspline *b, const struct track *t, bool other)
-{
-    enum { N = 1500, PARTS = 30 };
-    static struct vec3 way[N + 1];
-    const struct vec3 *data = other ? t->other : t->point;
-    double worst = 0;
-
-    for (int i = 0; i <= N; i++) {
-        double u = b->knot[b->poles] * i / N;
-        struct vec3 p = bspline_at(b, b->pole, u), a = t->axis[0];
-        if (b->head != NULL)
-            a = vec_unit(vec_sub(bspline_at(b, b->head, u), p));
-        way[i] = other ? vec_along(p, t->offset, a) : p;
-        worst = fmax(worst, off_chain(way[i], data, t->n));
-    }
-    for (size_t k = 0; k + 1 < t->n; k++)
-        for (int i = 0; i < PARTS; i++)
-            worst = fmax(worst,
-                         off_chain(vec_mix(data[k], data[k + 1], (double)i / PARTS), way, N + 1));
-    return worst;
-}
+#include "trial.h"
 
 static bool printed(double x)
 {
@@ -86,13 +33,13 @@ static struct bspline fitted(const struct track *t, size_t poles)
 START_TEST(never_below_the_truth)
 {
     for (int turn = 0; turn < 12; turn++) {
-        struct run run = motion(60 + 10 * (size_t)turn, 8);
+        struct run run = trial_motion(60 + 10 * (size_t)turn, 8);
         struct track t = track_new(&run, turn % 2 == 1);
         struct bspline b = fitted(&t, 5 + (size_t)turn);
         struct proof proof;
 
         proof_measure(&b, &t, 1e-4, INFINITY, &proof);
-        double point = brute_force(&b, &t, false), other = brute_force(&b, &t, true);
+        double point = trial_brute_force(&b, &t, false), other = trial_brute_force(&b, &t, true);
         ck_assert_double_ge(proof.point, point - 2e-5); /* the brute force has chords of its own */
         ck_assert_double_le(proof.point, point + 2.3e-4);
         ck_assert_double_ge(proof.other, other - 2e-5);
@@ -109,7 +56,7 @@ END_TEST
 
 START_TEST(the_axis_at_matching_places)
 {
-    struct run run = motion(200, 8);
+    struct run run = trial_motion(200, 8);
     struct track t = track_new(&run, false);
     struct bspline b = fitted(&t, 30);
     struct proof proof;
@@ -130,7 +77,7 @@ END_TEST
 
 START_TEST(printed_digits_and_length)
 {
-    struct run run = motion(100, 8);
+    struct run run = trial_motion(100, 8);
     struct track t = track_new(&run, false);
     struct bspline b = fitted(&t, 12);
     double length = 0;
@@ -169,7 +116,7 @@ END_TEST
 
 START_TEST(stops_at_the_limit)
 {
-    struct run run = motion(100, 8);
+    struct run run = trial_motion(100, 8);
     struct track t = track_new(&run, false);
     struct bspline b = fitted(&t, 5);
     struct proof proof;
@@ -186,7 +133,7 @@ END_TEST
 /* A quick look must not turn away what a proof would accept. */
 START_TEST(hopeless_is_hopeless)
 {
-    struct run run = motion(150, 8);
+    struct run run = trial_motion(150, 8);
     struct track t = track_new(&run, false);
     double u[150];
     int turned_away = 0, kept = 0;

@@ -7,60 +7,7 @@
 
 #include "array.h"
 #include "splinefit.h"
-
-/* A motion in 5 axes: the tip on a wave, the axis swinging. */
-static struct run_point place(double s, double radius)
-{
-    struct run_point p = {.tip = vec(60 * s, 8 * sin(5 * s), 4 * cos(4 * s))};
-
-    p.axis = vec_unit(vec(0.4 * sin(3 * s), 0.3 * cos(2 * s), 1));
-    p.ball = vec_along(p.tip, radius, p.axis);
-    return p;
-}
-
-static struct run motion(size_t n, double radius)
-{
-    struct run run = {.radius = radius};
-
-    for (size_t k = 0; k < n; k++)
-        *array_push(&run) = place((double)k / (double)(n - 1), radius);
-    return run;
-}
-
-static double off_chain(struct vec3 q, const struct vec3 *point, size_t n)
-{
-    double best = INFINITY;
-
-    for (size_t j = 0; j + 1 < n; j++) {
-        struct vec3 d = vec_sub(point[j + 1], point[j]);
-        double l2 = vec_dot(d, d), t = l2 > 0 ? vec_dot(vec_sub(q, point[j]), d) / l2 : 0;
-        best = fmin(best, vec_distance(q, vec_along(point[j], fmin(1, fmax(0, t)), d)));
-    }
-    return best;
-}
-
-/* Distance both ways by brute force: the curve at many places, against the track's polyline. */
-static double brute_force(const struct bspline *b, const struct track *t, bool other)
-{
-    enum { N = 1500, PARTS = 30 };
-    static struct vec3 way[N + 1];
-    const struct vec3 *data = other ? t->other : t->point;
-    double worst = 0;
-
-    for (int i = 0; i <= N; i++) {
-        double u = b->knot[b->poles] * i / N;
-        struct vec3 p = bspline_at(b, b->pole, u), a = t->axis[0];
-        if (b->head != NULL)
-            a = vec_unit(vec_sub(bspline_at(b, b->head, u), p));
-        way[i] = other ? vec_along(p, t->offset, a) : p;
-        worst = fmax(worst, off_chain(way[i], data, t->n));
-    }
-    for (size_t k = 0; k + 1 < t->n; k++)
-        for (int i = 0; i < PARTS; i++)
-            worst = fmax(worst,
-                         off_chain(vec_mix(data[k], data[k + 1], (double)i / PARTS), way, N + 1));
-    return worst;
-}
+#include "trial.h"
 
 static const struct splinefit_options ALL = {
     .degree = 3, .params = -1, .knots = -1, .tolerance = 0.01, .angle = 0.02};
@@ -68,7 +15,7 @@ static const struct splinefit_options ALL = {
 START_TEST(within_by_brute_force)
 {
     for (int turn = 0; turn < 4; turn++) {
-        struct run run = motion(150, 8);
+        struct run run = trial_motion(150, 8);
         struct track t = track_new(&run, turn % 2 == 1);
         struct splinefit_options o = ALL;
         struct splinefit fit;
@@ -78,8 +25,8 @@ START_TEST(within_by_brute_force)
         o.free = true;
         splinefit_search(&t, &o, &fit);
         ck_assert(fit.within && fit.kind == SPLINEFIT_FREE && fit.curve.degree == o.degree);
-        ck_assert_double_le(brute_force(&fit.curve, &t, false), o.tolerance);
-        ck_assert_double_le(brute_force(&fit.curve, &t, true), o.tolerance);
+        ck_assert_double_le(trial_brute_force(&fit.curve, &t, false), o.tolerance);
+        ck_assert_double_le(trial_brute_force(&fit.curve, &t, true), o.tolerance);
         ck_assert_double_le(fit.proof.point, o.tolerance);
         ck_assert_double_le(fit.proof.other, o.tolerance);
         ck_assert(vec_distance(fit.curve.pole[0], t.point[0]) < 1e-6);
@@ -95,7 +42,7 @@ END_TEST
 /* The published search stops at a multiple of 5; C1 is as eq 7 says, at the points alone. */
 START_TEST(as_published)
 {
-    struct run run = motion(150, 8);
+    struct run run = trial_motion(150, 8);
     struct track t = track_new(&run, false);
     struct splinefit fit, default_fit;
 
@@ -121,7 +68,7 @@ END_TEST
 
 START_TEST(one_combination_alone)
 {
-    struct run run = motion(150, 8);
+    struct run run = trial_motion(150, 8);
     struct track t = track_new(&run, false);
 
     for (int params = 0; params < 3; params++)

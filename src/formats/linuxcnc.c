@@ -124,13 +124,7 @@ static void leave(struct nc_program *p)
 static void finish(struct nc_program *p)
 {
     struct nc_writer *w = &p->w;
-    if (p->machine->chain.n) {
-        const double zero[ROTARY_MAX] = {0};
-        nc_forget(w, NC_Q0, NC_Q1);
-        nc_motion(w, "G0");
-        nc_rotary(p, zero);
-        nc_end(w);
-    }
+    nc_rotary_home(p);
     if (w->plane != 17)
         nc_block(w, "G17");
     nc_block(w, "M9");

@@ -37,6 +37,17 @@ void nc_rotary(struct nc_program *p, const double q[])
     }
 }
 
+void nc_rotary_home(struct nc_program *p)
+{
+    const double zero[ROTARY_MAX] = {0};
+    if (!p->machine->chain.n)
+        return;
+    nc_forget(&p->w, NC_Q0, NC_Q1);
+    nc_motion(&p->w, "G0");
+    nc_rotary(p, zero);
+    nc_end(&p->w);
+}
+
 void nc_axis(struct nc_program *p, const struct station *to, const char *const address[3])
 {
     if (p->plan->ability.mode == FOLLOW_VECTOR)

@@ -1,0 +1,58 @@
+/* trial - see trial.h. */
+#include "trial.h"
+
+#include <math.h>
+
+#include "array.h"
+
+static struct run_point place(double s, double radius)
+{
+    struct run_point p = {.tip = vec(60 * s, 8 * sin(5 * s), 4 * cos(4 * s))};
+
+    p.axis = vec_unit(vec(0.4 * sin(3 * s), 0.3 * cos(2 * s), 1));
+    p.ball = vec_along(p.tip, radius, p.axis);
+    return p;
+}
+
+struct run trial_motion(size_t n, double radius)
+{
+    struct run run = {.radius = radius};
+
+    for (size_t k = 0; k < n; k++)
+        *array_push(&run) = place((double)k / (double)(n - 1), radius);
+    return run;
+}
+
+static double off_chain(struct vec3 q, const struct vec3 *point, size_t n)
+{
+    double best = INFINITY;
+
+    for (size_t j = 0; j + 1 < n; j++) {
+        struct vec3 d = vec_sub(point[j + 1], point[j]);
+        double l2 = vec_dot(d, d), t = l2 > 0 ? vec_dot(vec_sub(q, point[j]), d) / l2 : 0;
+        best = fmin(best, vec_distance(q, vec_along(point[j], fmin(1, fmax(0, t)), d)));
+    }
+    return best;
+}
+
+double trial_brute_force(const struct bspline *b, const struct track *t, bool other)
+{
+    enum { N = 1500, PARTS = 30 };
+    static struct vec3 way[N + 1];
+    const struct vec3 *data = other ? t->other : t->point;
+    double worst = 0;
+
+    for (int i = 0; i <= N; i++) {
+        double u = b->knot[b->poles] * i / N;
+        struct vec3 p = bspline_at(b, b->pole, u), a = t->axis[0];
+        if (b->head != NULL)
+            a = vec_unit(vec_sub(bspline_at(b, b->head, u), p));
+        way[i] = other ? vec_along(p, t->offset, a) : p;
+        worst = fmax(worst, off_chain(way[i], data, t->n));
+    }
+    for (size_t k = 0; k + 1 < t->n; k++)
+        for (int i = 0; i < PARTS; i++)
+            worst = fmax(worst,
+                         off_chain(vec_mix(data[k], data[k + 1], (double)i / PARTS), way, N + 1));
+    return worst;
+}

@@ -1,0 +1,16 @@
+/* trial - a motion in 5 axes to try fits on, and its distance from a fit by brute force. */
+#ifndef CLOUDMILL_TRIAL_H
+#define CLOUDMILL_TRIAL_H
+
+#include "bspline.h"
+#include "run.h"
+#include "track.h"
+
+/* n points: the tip on a wave, the axis swinging; radius of the ball, mm. */
+struct run trial_motion(size_t n, double radius);
+
+/* Largest distance both ways between the curve, taken at 1,501 places, and the track's polyline, mm;
+ * of the tracked point or of the other one. */
+double trial_brute_force(const struct bspline *b, const struct track *t, bool other);
+
+#endif
