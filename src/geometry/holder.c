@@ -1,0 +1,61 @@
+/* holder - see holder.h. */
+#include "holder.h"
+
+#include <stdbool.h>
+
+double holder_length(const struct holder *holder)
+{
+    double length = 0;
+    for (int i = 0; i < holder->n; i++)
+        length += holder->part[i].length;
+    return length;
+}
+
+double holder_reach(const struct holder *holder)
+{
+    double reach = 0, height = 0;
+    for (int i = 0; i < holder->n; i++) {
+        const struct holder_part *part = &holder->part[i];
+        reach = fmax(reach, hypot(part->low, height));
+        height += part->length;
+        reach = fmax(reach, hypot(part->high, height));
+    }
+    return reach;
+}
+
+/* A place beside the axis: how far from it, and how high. */
+struct place {
+    double r, h;
+};
+
+static double to_segment(struct place a, struct place b, struct place p)
+{
+    double dr = b.r - a.r, dh = b.h - a.h, l2 = dr * dr + dh * dh;
+    double s = l2 > 0 ? (dr * (p.r - a.r) + dh * (p.h - a.h)) / l2 : 0;
+    s = fmin(fmax(s, 0), 1);
+    return hypot(p.r - a.r - s * dr, p.h - a.h - s * dh);
+}
+
+double holder_distance(const struct holder *holder, struct vec3 centre, struct vec3 axis,
+                       struct vec3 p)
+{
+    struct vec3 d = vec_sub(p, centre);
+    double h = vec_dot(d, axis);
+    const struct place at = {vec_length(vec_along(d, -h, axis)), h};
+    struct place last = {0, 0}; /* the outline from the axis outward and up, and back to it */
+    double least = HUGE_VAL;
+    bool inside = false;
+    if (holder->n == 0)
+        return HUGE_VAL;
+    for (int i = 0; i < holder->n; i++) {
+        const struct holder_part *part = &holder->part[i];
+        const struct place low = {part->low, last.h}, high = {part->high, last.h + part->length};
+        double share = (at.h - low.h) / part->length;
+        least = fmin(least, fmin(to_segment(last, low, at), to_segment(low, high, at)));
+        inside = inside ||
+                 (share >= 0 && share <= 1 && at.r < part->low + share * (part->high - part->low));
+        last = high;
+    }
+    least = fmin(least, to_segment(last, (struct place){0, last.h}, at));
+    return inside ? -least : least;
+}
