@@ -6,6 +6,7 @@
 
 #include <stdbool.h>
 #include <stddef.h>
+#include <stdint.h>
 
 /*
  * Reads one decimal number at *s: sign, digits with or without a point (`5`, `5.`, `.5`),
@@ -15,6 +16,37 @@
  * a number too large for a double gives +-HUGE_VAL: check with isfinite where it matters.
  */
 bool num_read(const char **s, double *value);
+
+/*
+ * num_read for the numbers that files are full of, at most 15 digits without an exponent, where it
+ * is called for each of millions: what stands behind the number, NULL when it is not as plain as
+ * that.
+ */
+static inline const char *num_plain(const char *p, double *value)
+{
+    static const double ten[] = {1e0, 1e1, 1e2,  1e3,  1e4,  1e5,  1e6,  1e7,
+                                 1e8, 1e9, 1e10, 1e11, 1e12, 1e13, 1e14, 1e15};
+    bool negative = *p == '-';
+    p += negative;
+    uint64_t mantissa = 0;
+    size_t digits, decimals = 0;
+    const char *first = p;
+    for (; *p >= '0' && *p <= '9'; p++)
+        mantissa = mantissa * 10 + (uint64_t)(*p - '0');
+    digits = (size_t)(p - first);
+    if (*p == '.') {
+        for (first = ++p; *p >= '0' && *p <= '9'; p++)
+            mantissa = mantissa * 10 + (uint64_t)(*p - '0');
+        decimals = (size_t)(p - first);
+        digits += decimals;
+    }
+    if (digits - 1 >= 15 || *p >= 'A') /* none or too many; an exponent */
+        return NULL;
+    /* both are exact, so that one division rounds once: the nearest double */
+    double magnitude = (double)(int64_t)mantissa / ten[decimals];
+    *value = negative ? -magnitude : magnitude;
+    return p;
+}
 
 /*
  * Passes over a word that programs print for what is no finite number: nan, inf and infinity in any

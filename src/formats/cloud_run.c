@@ -8,7 +8,6 @@
 
 #include <math.h>
 #include <stdbool.h>
-#include <stdint.h>
 
 #include "array.h"
 #include "num.h"
@@ -18,36 +17,9 @@ static inline bool is_blank(char c)
     return c == ' ' || c == '\t';
 }
 
-/* A number of at most 15 digits and no exponent at p; returns what stands behind it, or NULL. */
-static inline const char *plain_number(const char *p, double *value)
-{
-    static const double ten[] = {1e0, 1e1, 1e2,  1e3,  1e4,  1e5,  1e6,  1e7,
-                                 1e8, 1e9, 1e10, 1e11, 1e12, 1e13, 1e14, 1e15};
-    bool negative = *p == '-';
-    p += negative;
-    uint64_t mantissa = 0;
-    size_t digits, decimals = 0;
-    const char *first = p;
-    for (; *p >= '0' && *p <= '9'; p++)
-        mantissa = mantissa * 10 + (uint64_t)(*p - '0');
-    digits = (size_t)(p - first);
-    if (*p == '.') {
-        for (first = ++p; *p >= '0' && *p <= '9'; p++)
-            mantissa = mantissa * 10 + (uint64_t)(*p - '0');
-        decimals = (size_t)(p - first);
-        digits += decimals;
-    }
-    if (digits - 1 >= 15 || *p >= 'A') /* none or too many; an exponent */
-        return NULL;
-    /* both are exact, so that one division rounds once: the nearest double */
-    double magnitude = (double)(int64_t)mantissa / ten[decimals];
-    *value = negative ? -magnitude : magnitude;
-    return p;
-}
-
 static inline const char *any_number(const char *p, double *value)
 {
-    const char *behind = plain_number(p, value);
+    const char *behind = num_plain(p, value);
     if (behind)
         return behind;
     return num_read(&p, value) && fabs(*value) <= CLOUD_TOO_LARGE ? p : NULL;

@@ -7,6 +7,7 @@
 
 #include "cl_dialect.h"
 #include "path_feed.h"
+#include "path_goto.h"
 #include "path_tool.h"
 
 #define AT(p) (p)->error, (p)->path->name, (p)->apt.line
@@ -109,16 +110,6 @@ static int read_pass(struct path_parse *p)
         return error_at(AT(p), "found PASS/%g, expected a whole number", n);
     path_add_pass(p->path, (size_t)n);
     return 0;
-}
-
-static int read_contact(struct path_parse *p)
-{
-    double v[6];
-    if (path_numbers(p, 0, 6, v, "x, y, z and the surface normal") < 0)
-        return -1;
-    p->contact.p = path_point_of(p, v);
-    p->touches = true;
-    return path_direction(p, v + 3, "a surface normal", &p->contact.n);
 }
 
 static int read_track(struct path_parse *p)
@@ -234,7 +225,7 @@ static const struct path_row head_words[] = {
 };
 
 static const struct path_row comments[] = {
-    {"CONTCT", read_contact}, {"PASS", read_pass},          {"TRACK", read_track},
+    {"CONTCT", path_read_contact}, {"PASS", read_pass},          {"TRACK", read_track},
     {"LEDGER", read_ledger},  {"CHORD", read_chord},        {"CLEAR", read_clear},
     {"CLOUDMILL", read_own},  {"CUTTER", path_read_cutter},
 };
