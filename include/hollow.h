@@ -20,4 +20,8 @@ struct hollow {
  */
 struct hollow hollow_find(const struct patch *patch, const struct uvloops *loops, bool flipped);
 
+/* The same for all patches, [i] of patches->item[i] and flipped[i], each inside its own trimming.
+ * The caller frees the array. */
+struct hollow *hollow_find_all(const struct patches *patches, const bool *flipped, int threads);
+
 #endif

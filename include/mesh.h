@@ -21,15 +21,28 @@ struct faces {
     struct face *item;
 };
 
+/* One of the surfaces that a mesh was made from: where it is most tightly hollow. */
+struct mesh_surface {
+    char *name;     /* its file and its number there */
+    double radius;  /* mm, 0: nothing of it is hollow */
+    struct vec3 at; /* where */
+};
+
+struct mesh_surfaces {
+    size_t n, cap;
+    struct mesh_surface *item;
+};
+
 /* What the mesh stream says of itself in its comments; zero or NAN where it says nothing. */
 struct mesh_origin {
-    char *source;       /* the files it was made from */
-    double spacing;     /* t of the triangular grid, mm */
-    double direction;   /* of the rows, degrees about z from x */
-    double ledger;      /* tolerance spent by the maker, mm; NAN: not said */
-    char *maker;        /* the tool that spent it, NULL: not said */
-    bool placed;        /* `place` is more than the identity */
-    double place[4][4]; /* from the scan's own numbers (its units) to this mesh's mm */
+    char *source;                 /* the files it was made from */
+    double spacing;               /* t of the triangular grid, mm */
+    double direction;             /* of the rows, degrees about z from x */
+    double ledger;                /* tolerance spent by the maker, mm; NAN: not said */
+    char *maker;                  /* the tool that spent it, NULL: not said */
+    struct mesh_surfaces surface; /* that it was made from; none: not said */
+    bool placed;                  /* `place` is more than the identity */
+    double place[4][4];           /* from the scan's own numbers (its units) to this mesh's mm */
 };
 
 struct mesh {

@@ -7,6 +7,8 @@
  *     comment source scan.xyz
  *     comment place 1 0 0 -5 ...       16 numbers, row by row
  *     comment ledger cloud2mesh 0.0120
+ *     comment surface 4.634000 1.2 3.4 5.6 part.igs:7    smallest hollow radius, its place, name
+ *     comment surface none part.igs:9
  */
 #ifndef CLOUDMILL_PLY_ORIGIN_H
 #define CLOUDMILL_PLY_ORIGIN_H

@@ -196,9 +196,26 @@ static char *source_of(const struct cli *cli)
     return mem_string(name, (size_t)n);
 }
 
-static void write_mesh(const struct cli *cli, const struct quilt *quilt, double error)
+/* What the mesh says of each surface: its name and where it is most tightly hollow. */
+static void tell_surfaces(const struct patches *patches, const struct hollow *hollow,
+                          struct mesh_surfaces *told)
+{
+    for (size_t i = 0; i < patches->n; i++) {
+        char name[300];
+        int n = snprintf(name, sizeof name, "%.280s:%d", patches->item[i].file,
+                         patches->item[i].entity);
+        bool is_hollow = hollow[i].curvature > 1e-9;
+        *array_push(told) = (struct mesh_surface){mem_string(name, (size_t)n),
+                                                  is_hollow ? 1 / hollow[i].curvature : 0,
+                                                  hollow[i].point};
+    }
+}
+
+static void write_mesh(const struct cli *cli, const struct patches *patches,
+                       const struct hollow *hollow, const struct quilt *quilt, double error)
 {
     struct mesh mesh = {.origin = {.ledger = error}};
+    tell_surfaces(patches, hollow, &mesh.origin.surface);
     mesh.origin.source = source_of(cli);
     mesh.origin.maker = mem_string("nurbs2mesh", strlen("nurbs2mesh"));
     quilt_mesh(quilt, &mesh);
@@ -226,10 +243,12 @@ int main(int argc, char **argv)
         nurbs_report_grid(cli.output, &patches, settings.grid);
     } else {
         double error = make_quilt(&cli, &settings, &patches, sheet, &quilt);
+        struct hollow *hollow = hollow_find_all(&patches, quilt.flipped, cli.threads);
         if (settings.report)
-            nurbs_report_radii(cli.output, &patches, quilt.flipped, cli.threads);
+            nurbs_report_radii(cli.output, &patches, hollow);
         else
-            write_mesh(&cli, &quilt, error);
+            write_mesh(&cli, &patches, hollow, &quilt, error);
+        free(hollow);
     }
     for (size_t i = 0; i < patches.n; i++)
         sheet_free(&sheet[i]);

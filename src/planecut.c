@@ -4,11 +4,9 @@
  */
 #include <stdlib.h>
 
+#include "cutpart.h"
 #include "cutting.h"
-#include "meshfile.h"
-#include "meshmend.h"
 #include "onsurface.h"
-#include "part.h"
 #include "passes.h"
 #include "scallop.h"
 #include "surfaces.h"
@@ -73,72 +71,23 @@ static void check_options(struct axis_rule *axis)
         scallop = fmin(0.01, cutting.radius / 2);
 }
 
-static void tell_mending(const char *file, const struct mend_report *r)
-{
-    if (r->welded > 0)
-        note("%s: %zu vertices at the places of others made one with them", file, r->welded);
-    if (r->no_area > 0)
-        say("%s: %zu facets without area left out", file, r->no_area);
-    if (r->doubled > 0)
-        say("%s: %zu facets were there twice, one of each left out", file, r->doubled);
-    if (r->many > 0)
-        say("%s: %zu edges have more than two facets: passes end there", file, r->many);
-    if (r->flipped > 0)
-        say("%s: %zu facets were the other way round than their neighbours or normals: turned",
-            file, r->flipped);
-    if (r->turned > 0)
-        say("%s: normals pointed down, or into a closed part: %zu of %zu sheets turned", file,
-            r->turned, r->sheets);
-    if (r->normals > 0)
-        say("%s: %zu normals pointed away from their facets: turned to their side", file,
-            r->normals);
-    if (r->normals_made)
-        say("%s: the mesh has no normals: taking the mean of the facets', sharp edges kept", file);
-}
-
-/* Reads and mends; returns whether all sheets are closed. */
-static bool read_mesh(const char *file, struct vec3 up, struct mesh *mesh)
-{
-    struct error error;
-
-    if (mesh_read(file, mesh, &error) != 0)
-        die_error(&error);
-    struct mend_report report = mesh_mend(mesh, up);
-    if (mesh->face.n == 0)
-        die("%s: found no facet that has an area", file);
-    for (size_t i = 0; i < 3 * mesh->face.n; i++) {
-        int v = mesh->face.item[i / 3].v[i % 3];
-        if (vec_length(mesh->normal.item[v]) < 0.5)
-            die("%s: vertex %d: found a normal of no length, expected a unit vector", file, v);
-    }
-    tell_mending(file, &report);
-    return report.closed == report.sheets;
-}
-
 /* The ball must not be larger than the smallest hollow (paper 2, 2.1), unless it is lifted there.
  */
 static void check_radius(const char *file, const struct mesh *mesh)
 {
-    size_t tightest = 0;
+    struct cutpart_hollow h = cutpart_hollow(mesh, cutting.radius);
 
-    if (mesh->kmax.n == 0) {
-        if (!cutting.paper)
-            say("%s: the mesh has no curvatures (kmax), so that it can't be told whether the ball "
-                "fits everywhere: it is lifted where it does not",
-                file);
+    if (!h.known && !cutting.paper)
+        say("%s: the mesh has no curvatures (kmax), so that it can't be told whether the ball "
+            "fits everywhere: it is lifted where it does not",
+            file);
+    if (!h.known || h.tighter == 0 || avoid || cutting.guards.n > 0)
         return;
-    }
-    for (size_t v = 1; v < mesh->kmax.n; v++) {
-        if (mesh->kmax.item[v] > mesh->kmax.item[tightest])
-            tightest = v;
-    }
-    double kmax = mesh->kmax.item[tightest];
-    struct vec3 p = mesh->vertex.item[tightest];
-    if (avoid || cutting.guards.n > 0 || kmax * cutting.radius <= 1 + 1e-6)
-        return;
-    die_unmet("%s: found a hollow of radius %.3f at %.3f %.3f %.3f, expected none below the "
-              "ball's, %g: take a smaller ball, or --avoid",
-              file, 1 / kmax, p.x, p.y, p.z, cutting.radius);
+    die_unmet("%s: found a hollow of radius %.3f at %.3f %.3f %.3f%s%s, expected none "
+              "below the ball's, %g (%zu %s too tight for it): take a smaller ball, or --avoid",
+              file, h.radius, h.at.x, h.at.y, h.at.z, h.surface ? " in surface " : "",
+              h.surface ? h.surface : "", cutting.radius, h.tighter,
+              h.surface ? "surfaces" : "vertices");
 }
 
 /* A border that is straight along the planes has the first of them on it, another one just inside.
@@ -287,12 +236,14 @@ int main(int argc, char **argv)
     struct toolpath t = {.path = &path};
     struct guard *guard;
     struct error error;
+    bool closed;
 
     cli_parse(&cli, argc, argv);
     check_options(&t.lift.axis);
     if (cli.files > 1)
         die_usage("found %d files, expected one mesh", cli.files);
-    bool closed = read_mesh(cli.file[0], vec(0, 0, 1), &mesh);
+    if (cutpart_read(cli.file[0], vec(0, 0, 1), &mesh, &closed, &error) != 0)
+        die_error(&error);
     check_radius(cli.file[0], &mesh);
     set_rule(&t.lift.axis, closed, &planes);
     find_planes(&mesh, &planes);

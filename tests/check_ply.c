@@ -49,6 +49,9 @@ static struct mesh small_mesh(void)
         m.origin.place[i / 4][i % 4] = i == 5 ? 6.123233995736766e-17 : 1.0 / (i + 1) * 25.4;
     m.origin.source = mem_string("a b\n.xyz", 8);
     m.origin.maker = mem_string("cloud2mesh", 10);
+    *array_push(&m.origin.surface) =
+        (struct mesh_surface){mem_string("a part.igs:7", 12), 4.634, {1.5, -2, 1e-6}};
+    *array_push(&m.origin.surface) = (struct mesh_surface){.name = mem_string("none:9", 6)};
     return m;
 }
 
@@ -75,6 +78,12 @@ START_TEST(reads_back_what_it_wrote)
     ck_assert_uint_eq(mesh.col.n, 4);
     ck_assert_uint_eq(mesh.kmax.n, 4);
     ck_assert_uint_eq(mesh.face.n, 2);
+    ck_assert_uint_eq(mesh.origin.surface.n, 2);
+    ck_assert_str_eq(mesh.origin.surface.item[0].name, "a part.igs:7");
+    ck_assert_double_eq(mesh.origin.surface.item[0].radius, 4.634);
+    ck_assert_double_eq(mesh.origin.surface.item[0].at.y, -2);
+    ck_assert_str_eq(mesh.origin.surface.item[1].name, "none:9");
+    ck_assert_double_eq(mesh.origin.surface.item[1].radius, 0);
     for (size_t i = 0; i < 4; i++) {
         ck_assert_double_eq(mesh.vertex.item[i].x, num_round(m.vertex.item[i].x, 6));
         ck_assert_double_eq(mesh.vertex.item[i].y, num_round(m.vertex.item[i].y, 6));

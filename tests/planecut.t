@@ -150,6 +150,16 @@ below "clear of the corners of the bowl" "$(cat figures)" 0.001
 grid bowl -6 -6 6 6 30 30 >bare.ply
 status 0 "without kmax it is lifted by itself" planecut -r 13 -s 1 -o bare.cl bare.ply
 has "and that is said" 'no curvatures \(kmax\)' err
+# two surfaces in one mesh: the tighter one is named, with the radius that it was made for
+s1=$SRC/samples/paper2_s1_a.igs s2=$SRC/samples/paper2_s2_a.igs
+nurbs2mesh -q -n 9 -o both.ply "$s2" "$s1"
+status 3 "a ball of 4.6341 for a surface of 4.634" planecut -r 4.6341 -s 5 both.ply
+has "surface, place and radius, though no vertex is there" \
+	'radius 4\.634 at 4\.103 3\.987 4\.730 in surface [^ ]*paper2_s1_a.igs:1,.*\(1 surface' err
+empty "and nothing is written" out
+status 3 "a ball of 13" planecut -r 13 -s 5 both.ply
+has "is too large for both" 'paper2_s1_a.igs:1,.*\(2 surfaces too tight' err
+status 0 "4.634 itself fits" planecut -q -r 4.634 -s 5 -o both.cl both.ply
 status 3 "the face, with a ball of 10" sh -c "cloud2mesh -q -t 4 '$face' | planecut -r 10 -s 4"
 status 0 "guarded by its scan" sh -c \
 	"cloud2mesh -q -t 4 '$face' | planecut -q -r 10 -s 6 -a 30 -g '$face' -o face.cl"

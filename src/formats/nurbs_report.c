@@ -1,13 +1,7 @@
 /* nurbs_report - see nurbs_report.h. */
 #include "nurbs_report.h"
 
-#include <stdlib.h>
-
-#include "array.h"
-#include "hollow.h"
 #include "out.h"
-#include "parallel.h"
-#include "tessellate.h"
 
 /* 15 digits, never -0. */
 static void write_number(struct out *out, double x)
@@ -51,35 +45,11 @@ void nurbs_report_grid(const char *file, const struct patches *patches, int n)
     out_close(out);
 }
 
-struct job {
-    const struct patches *patches;
-    const bool *flipped;
-    struct hollow *hollow;
-};
-
-static void find_some(void *context, size_t from, size_t to)
+void nurbs_report_radii(const char *file, const struct patches *patches,
+                        const struct hollow *hollow)
 {
-    struct job *job = context;
-    for (size_t i = from; i < to; i++) {
-        const struct patch *patch = &job->patches->item[i];
-        const struct nurbs *s = &patch->surface;
-        struct uvloops loops;
-        double size = vec_distance(nurbs_point(s, (struct uv){s->u.from, s->v.from}),
-                                   nurbs_point(s, (struct uv){s->u.to, s->v.to}));
-        tessellate_loops(patch, fmax(1e-6 * size, 1e-6), &loops);
-        job->hollow[i] = hollow_find(patch, &loops, job->flipped[i]);
-        uvloops_free(&loops);
-    }
-}
-
-void nurbs_report_radii(const char *file, const struct patches *patches, const bool *flipped,
-                        int threads)
-{
-    struct hollow *hollow = mem_alloc(patches->n, sizeof *hollow);
-    struct job job = {patches, flipped, hollow};
     const struct patch *tightest = NULL;
     double most = 0;
-    parallel_for(threads, patches->n, find_some, &job);
     struct out *out = out_open(file);
     out_text(out, "surface,radius,u,v,x,y,z\n");
     for (size_t i = 0; i < patches->n; i++) {
@@ -103,5 +73,4 @@ void nurbs_report_radii(const char *file, const struct patches *patches, const b
     else
         out_text(out, "# largest ball: any, nothing is hollow\n");
     out_close(out);
-    free(hollow);
 }

@@ -51,6 +51,26 @@ static int read_ledger(const char *text, struct mesh_origin *origin, struct erro
     return 0;
 }
 
+/* The radius of the smallest hollow and its place, or `none`; then the surface's name. */
+static int read_surface(const char *text, struct mesh_origin *origin, struct error *error)
+{
+    struct mesh_surface s = {0};
+    double *to[] = {&s.radius, &s.at.x, &s.at.y, &s.at.z};
+    const char *rest = behind(text, "none");
+    for (int i = 0; i < 4 && !rest; i++) {
+        text += strspn(text, " ");
+        if (!num_read(&text, to[i]) || !isfinite(*to[i]) || *text != ' ')
+            return error_set(error, "comment surface with %d numbers, expected 4 or none", i);
+    }
+    rest = rest ? rest : text + 1;
+    if (s.radius < 0)
+        return error_set(error, "comment surface with radius %g, expected a positive one",
+                         s.radius);
+    s.name = mem_string(rest, strlen(rest));
+    *array_push(&origin->surface) = s;
+    return 0;
+}
+
 int ply_origin_read(struct mesh_origin *origin, const char *comment, struct error *error)
 {
     const char *text;
@@ -65,6 +85,8 @@ int ply_origin_read(struct mesh_origin *origin, const char *comment, struct erro
         return read_place(text, origin, error);
     } else if ((text = behind(comment, "ledger"))) {
         return read_ledger(text, origin, error);
+    } else if ((text = behind(comment, "surface"))) {
+        return read_surface(text, origin, error);
     } else if ((text = behind(comment, "source"))) {
         free(origin->source);
         origin->source = mem_string(text, strlen(text));
@@ -93,12 +115,24 @@ static void write_said(struct out *out, const char *key, double x)
 }
 
 /* A file may be called anything; a line of the head may not hold a line end. */
-static void write_source(struct out *out, const char *source)
+static void write_name(struct out *out, const char *name)
 {
-    out_text(out, "comment source ");
-    for (const char *p = source; *p; p++)
+    for (const char *p = name; *p; p++)
         out_bytes(out, (unsigned char)*p < ' ' ? "?" : p, 1);
     out_text(out, "\n");
+}
+
+static void write_surface(struct out *out, const struct mesh_surface *s)
+{
+    double number[] = {s->radius, s->at.x, s->at.y, s->at.z};
+    out_text(out, "comment surface ");
+    for (int i = 0; i < 4 && s->radius > 0; i++) {
+        out_num(out, number[i], 6);
+        out_text(out, " ");
+    }
+    if (!(s->radius > 0))
+        out_text(out, "none ");
+    write_name(out, s->name);
 }
 
 void ply_origin_write(struct out *out, const struct mesh_origin *origin)
@@ -109,8 +143,12 @@ void ply_origin_write(struct out *out, const struct mesh_origin *origin)
         if (isfinite(origin->direction))
             write_said(out, "direction", origin->direction);
     }
-    if (origin->source)
-        write_source(out, origin->source);
+    if (origin->source) {
+        out_text(out, "comment source ");
+        write_name(out, origin->source);
+    }
+    for (size_t i = 0; i < origin->surface.n; i++)
+        write_surface(out, &origin->surface.item[i]);
     if (origin->placed) {
         out_text(out, "comment place");
         for (int i = 0; i < 16; i++) {

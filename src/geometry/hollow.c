@@ -4,6 +4,8 @@
 #include <stdlib.h>
 
 #include "array.h"
+#include "parallel.h"
+#include "tessellate.h"
 
 enum { BEST = 12, LEAST = 6, ACROSS = 96, STEPS_MAX = 20000 };
 
@@ -114,4 +116,33 @@ struct hollow hollow_find(const struct patch *patch, const struct uvloops *loops
             best = h;
     }
     return best;
+}
+
+struct job {
+    const struct patches *patches;
+    const bool *flipped;
+    struct hollow *hollow;
+};
+
+static void find_some(void *context, size_t from, size_t to)
+{
+    struct job *job = context;
+    for (size_t i = from; i < to; i++) {
+        const struct patch *patch = &job->patches->item[i];
+        const struct nurbs *s = &patch->surface;
+        struct uvloops loops;
+        double size = vec_distance(nurbs_point(s, (struct uv){s->u.from, s->v.from}),
+                                   nurbs_point(s, (struct uv){s->u.to, s->v.to}));
+        tessellate_loops(patch, fmax(1e-6 * size, 1e-6), &loops);
+        job->hollow[i] = hollow_find(patch, &loops, job->flipped[i]);
+        uvloops_free(&loops);
+    }
+}
+
+struct hollow *hollow_find_all(const struct patches *patches, const bool *flipped, int threads)
+{
+    struct hollow *hollow = mem_alloc(patches->n + 1, sizeof *hollow);
+    struct job job = {patches, flipped, hollow};
+    parallel_for(threads, patches->n, find_some, &job);
+    return hollow;
 }

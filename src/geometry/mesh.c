@@ -17,6 +17,9 @@ void mesh_free(struct mesh *mesh)
     free(mesh->origin.source);
     free(mesh->origin.maker);
     mesh->origin.source = mesh->origin.maker = NULL;
+    for (size_t i = 0; i < mesh->origin.surface.n; i++)
+        free(mesh->origin.surface.item[i].name);
+    array_free(&mesh->origin.surface);
 }
 
 struct vec3 mesh_face_cross(const struct mesh *mesh, size_t face)
