@@ -29,6 +29,7 @@ struct nc_program {
     size_t part, parts;     /* 1 of 3; 0: the whole */
     size_t met;             /* the move whose block is w.wanted */
     struct nc_tooling tooling;
+    const struct nc_hole *hole; /* whose drilling cycle is on, NULL: none is */
     const char *name; /* number or name asked for, NULL: by the dialect */
     struct nc_writer w;
 };
@@ -44,6 +45,7 @@ struct dialect {
     bool vectors_never;           /* it knows no vectors */
     bool vectors_doubtful;        /* see struct nc_ability */
     bool inverse_never;           /* it knows no inverse-time feed */
+    bool steps_alike;             /* its drilling cycles know one step, and no dwell with it */
     bool plane;                   /* it can turn to a tilted plane */
     bool tcp_of_machine;          /* it has tool-centre-point control only where the machine file
                                      names this control and says so */
@@ -57,6 +59,10 @@ struct dialect {
     void (*line)(struct nc_program *p, const struct nc_move *move); /* rapids too */
     void (*arc)(struct nc_program *p, const struct nc_move *move);
     void (*spline)(struct nc_program *p, const struct nc_move *move);
+    void (*hole)(struct nc_program *p, const struct nc_move *move); /* nchole.h */
+    void (*hole_end)(struct nc_program *p);
+    /* another speed than that of the tool's start; NULL: S with M3 or M4 */
+    void (*speed)(struct nc_program *p, double rpm, bool ccw);
     void (*dwell)(struct nc_program *p, double seconds);
     void (*leave)(struct nc_program *p);  /* from the last motion of a tool home */
     void (*finish)(struct nc_program *p); /* the end of the program */
@@ -68,9 +74,10 @@ const struct dialect *dialect_find(const char *name);
 /* All of them, as a choice of cli.h. */
 #define DIALECT_NAMES "fanuc|siemens|heidenhain|linuxcnc"
 
-/* What a program for this control and machine may hold. */
+/* What a program for this control and machine may hold.  `still`: the rotary axes stay at zero, and
+ * nothing needs to be said of them. */
 struct nc_ability dialect_ability(const struct dialect *dialect, const struct machine *machine,
-                                  enum nc_axis_words axis, double unit);
+                                  enum nc_axis_words axis, bool still, double unit);
 
 /* The start of the program, up to its first motion; what comes behind its last one. */
 void dialect_start(const struct dialect *dialect, struct nc_program *p);

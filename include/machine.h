@@ -43,6 +43,7 @@ struct machine {
     char offset[60];          /* work offset; "": the control's own, G54 */
     int feeds;                /* enum machine_feeds */
     double feed_max;          /* largest F that the control takes */
+    bool cycles;              /* the control has drilling cycles */
     bool plane;               /* the control turns to a tilted plane where the tool axis is fixed */
     bool smooth;              /* the control is to smooth the path within ncpost's tolerance */
     struct machine_templates { /* blocks, "": the control's own (nctemplate.h) */
@@ -52,6 +53,7 @@ struct machine {
         char tcp_on[120], tcp_off[120];
         char smooth_on[120], smooth_off[120];
         char plane_on[120], plane_off[120];
+        char tap[120];        /* before a tapping cycle: M29 S{rpm} */
         char end[120];        /* before M30 */
     } blocks;
     int number_step;          /* of block numbers, 0: none */

@@ -12,6 +12,10 @@
 /* All lengths in inches. */
 void nc_frame_inch(struct path *path, struct machine *machine, struct nc_wish *wish);
 
+/* There are holes of drilling cycles in it, and each has what a control must be told: of a tap its
+ * pitch, or the speed of the spindle. */
+bool nc_frame_holes(const struct path *path);
+
 /* The tool axis where it is the same all over the path; false: it is not. */
 bool nc_frame_fixed(const struct path *path, struct vec3 *axis);
 

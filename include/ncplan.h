@@ -54,7 +54,23 @@ enum nc_why {
     NC_WHY_PART      /* a program that is only a part has its own way down and up */
 };
 
-enum nc_kind { NC_RAPID, NC_LINE, NC_ARC, NC_SPLINE, NC_PASS, NC_TEXT, NC_TOOL };
+enum nc_kind {
+    NC_RAPID,
+    NC_LINE,
+    NC_ARC,
+    NC_SPLINE,
+    NC_HOLE, /* a hole of a canned cycle, to where the tool leaves it */
+    NC_PASS,
+    NC_TEXT,
+    NC_TOOL
+};
+
+/* Along the program's Z. */
+struct nc_hole {
+    struct vec3 mouth;
+    const struct path_cycle *cycle; /* the path's */
+    double feed;                    /* mm/min, or inches */
+};
 
 struct nc_move {
     enum nc_kind kind;
@@ -62,11 +78,11 @@ struct nc_move {
     unsigned line;     /* of the path, 0: made here */
     struct station to; /* RAPID, LINE, ARC, SPLINE */
     double feed;       /* as printed, see enum nc_feeds */
-    size_t index;      /* ARC, SPLINE: element of the plan; TEXT, TOOL: of the path; PASS: its number */
+    size_t index;      /* ARC, SPLINE, HOLE: element of the plan; TEXT, TOOL: of the path; PASS: its number */
 };
 
 struct nc_total {
-    size_t rapids, lines, arcs, splines, passes;
+    size_t rapids, lines, arcs, splines, holes, passes;
     size_t chorded;          /* arcs and B-splines of the path that became straight blocks */
     size_t turns;            /* retract - turn - return */
     double cut, rapid;       /* length, mm */
@@ -80,6 +96,7 @@ struct nc_plan {
     struct { size_t n, cap; struct nc_move *item; } move;
     struct { size_t n, cap; struct nc_arc *item; } arc;
     struct { size_t n, cap; struct nc_spline *item; } spline;
+    struct { size_t n, cap; struct nc_hole *item; } hole;
     struct nc_total total;
     bool unmet; /* nc_plan_make failed because the machine cannot get there: exit status 3 */
 };
@@ -89,5 +106,11 @@ int nc_plan_make(struct nc_plan *plan, const struct path *path, const struct mac
                  struct nc_ability ability, struct nc_wish wish, struct error *error);
 
 void nc_plan_free(struct nc_plan *plan);
+
+/* The move takes the tool elsewhere. */
+static inline bool nc_moves(const struct nc_move *move)
+{
+    return move->kind <= NC_HOLE;
+}
 
 #endif

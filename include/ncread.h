@@ -11,6 +11,7 @@
 #include "array.h"
 #include "course.h"
 #include "error.h"
+#include "ncread_hole.h"
 #include "ncread_word.h"
 
 struct ncread;
@@ -46,6 +47,7 @@ struct ncread {
     const char *name; /* of the file */
     struct ncread_words words;
     size_t line;
+    const char *text; /* of this line */
     long block; /* N number of this block, -1: none */
     long last_block;
     struct ncread_place here;
@@ -63,6 +65,7 @@ struct ncread {
     bool closed;    /* and the mark behind it */
     struct vec3 centre; /* CC of Klartext */
     bool has_centre;
+    struct ncread_hole hole; /* the drilling cycle that is on */
     /* a B-spline being read */
     int order;
     struct doubles knot, weight;
@@ -110,6 +113,9 @@ void ncread_pointed(struct ncread_place *to, struct vec3 axis);
 
 /* A piece from here to there with its swing; its shape is the caller's. */
 struct piece ncread_piece(const struct ncread *c, const struct ncread_place *to);
+
+/* The rotary axes stand at zero: the linear axes go where the tip goes. */
+bool ncread_upright(const struct ncread *c);
 
 /* What the control, or good practice, wants to be said before the tool cuts. */
 int ncread_ready(const struct ncread *c, struct error *error);

@@ -67,6 +67,9 @@ void nc_end(struct nc_writer *w);
 /* Takes the block back as if it had not begun. */
 void nc_drop(struct nc_writer *w);
 
+/* Goes on with the block in a line of its own. */
+void nc_continue(struct nc_writer *w, const char *text);
+
 /* A whole block of one word; a line without a number; a comment on its own line. */
 void nc_block(struct nc_writer *w, const char *word);
 void nc_line(struct nc_writer *w, const char *text);

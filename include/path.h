@@ -57,7 +57,8 @@ enum path_cycle_kind {
     CYCLE_DEEP,  /* in steps, out of the hole behind each */
     CYCLE_BREAK, /* in steps, a little back behind each, to break the chip */
     CYCLE_TAP,   /* down at feed, the spindle turns back, out at feed */
-    CYCLE_BORE   /* down and out at feed: boring, reaming */
+    CYCLE_BORE,  /* down and out at feed: boring, reaming */
+    CYCLE_DRAG   /* down at feed, the spindle stops, out at rapid: boring */
 };
 
 /* A drilling cycle.  Heights are against the mouth of the hole, along the tool axis, mm. */
@@ -69,6 +70,7 @@ struct path_cycle {
     double step, next; /* DEEP, BREAK: the first step and each that follows; 0: all at once */
     double dwell;      /* at the bottom, seconds */
     double feed;       /* mm/min, 0: the one in force */
+    double pitch;      /* TAP: mm a turn, 0: not said */
 };
 
 struct path_tool {
@@ -156,9 +158,12 @@ void path_add_items(struct path *path, const struct path *other, size_t from, si
 
 /*
  * Holes of drilling cycles become the straight motions that they stand for: at rapid above the
- * mouth, down to `clear`, at feed to the bottom (in steps), out to `retract`.
+ * mouth, down to `clear`, at feed to the bottom (in steps), out to `retract`.  A step begins at
+ * rapid PATH_PECK_GAP above the bottom of the one before, or half of it.
  */
 void path_drill(struct path *path);
+
+#define PATH_PECK_GAP 0.254 /* mm, LinuxCNC's */
 
 /*
  * The cutting runs of a path, for fitters: the first run at or after item *from as [*from, *to).

@@ -17,7 +17,7 @@ int path_read_cycle(struct path_parse *p);
 int path_hole(struct path_parse *p, struct pose mouth);
 
 /* The statement of a cycle, in `text` of CYCLE_TEXT bytes. */
-enum { CYCLE_TEXT = 7 * 360 + 80 };
+enum { CYCLE_TEXT = 8 * 360 + 80 };
 void path_cycle_text(const struct path_cycle *cycle, char *text);
 
 #endif

@@ -152,7 +152,6 @@ static void read_path(const struct settings *s, const char *file, struct path *p
     struct error error;
     if (path_read(file, path, &error) != 0)
         die_error(&error);
-    path_drill(path);
     for (size_t i = 0; i < path->unknown.n; i++) {
         const struct path_unknown *u = &path->unknown.item[i];
         if (s->strict)
@@ -166,8 +165,19 @@ static void read_path(const struct settings *s, const char *file, struct path *p
             path->name, path->tools_numbered);
 }
 
+static bool steps_differ(const struct path *path)
+{
+    for (size_t i = 0; i < path->cycle.n; i++) {
+        const struct path_cycle *c = &path->cycle.item[i];
+        if (c->step > 0 && (c->next != c->step || c->dwell > 0))
+            return true;
+    }
+    return false;
+}
+
 /* What was assumed or added. */
-static void tell(const struct path *path, const struct nc_plan *plan, const struct settings *s)
+static void tell(const struct path *path, const struct nc_plan *plan,
+                 const struct dialect *dialect, const struct settings *s)
 {
     const struct nc_total *total = &plan->total;
     if (path->head.track == TRACK_CENTRE)
@@ -178,6 +188,9 @@ static void tell(const struct path *path, const struct nc_plan *plan, const stru
         say("the path starts with a cut: came from above along the tool axis");
     if (total->retract_made)
         say("the path ends in a cut: retracted along the tool axis");
+    if (total->holes && dialect->steps_alike && steps_differ(path))
+        say("a drilling cycle of this control has steps that are alike, and no dwell with them: took "
+            "the smaller step and no dwell");
     if (total->turns)
         say("the travel of a rotary axis ran out: retracted, turned and returned %zu times",
             total->turns);
@@ -201,23 +214,28 @@ static void make_plan(struct nc_plan *plan, const struct path *path, const struc
     die_error(&error);
 }
 
-/* Brings all into the program's frame: a tilted plane, inches. */
-static void set_frame(struct nc_program *p, struct path *path, struct machine *machine,
+/* Brings all into the program's frame: a tilted plane, inches.  Holes stay the control's cycles
+ * where the tool stands upright in that frame all the time.  True: the rotary axes stay at zero. */
+static bool set_frame(struct nc_program *p, struct path *path, struct machine *machine,
                       const struct dialect *dialect, const struct settings *s)
 {
     struct error error;
     struct vec3 axis = {0, 0, 1};
     bool fixed = nc_frame_fixed(path, &axis), upright = vec_angle(axis, vec(0, 0, 1)) < 1e-7;
+    bool cycles = fixed && machine->cycles && nc_frame_holes(path);
     if (s->plane && !dialect->plane)
         die_usage("found --plane, which %s does not know", dialect->name);
     if (s->plane && !fixed)
         die("%s: found tool axes that differ, expected one alone (--plane)", path->name);
-    p->plane = s->plane || (machine->plane && dialect->plane && fixed && !upright);
+    p->plane = s->plane || ((machine->plane || cycles) && dialect->plane && fixed && !upright);
     p->plane_axis = axis;
     if (p->plane && nc_frame_plane(path, machine, axis, &error) != 0)
         die_unmet("%s", error.text);
+    if (!cycles || !(upright || p->plane))
+        path_drill(path);
     if (s->inch)
         nc_frame_inch(path, machine, &p->wish);
+    return fixed && upright && (cycles || !machine->tcp);
 }
 
 int main(int argc, char **argv)
@@ -239,11 +257,11 @@ int main(int argc, char **argv)
     struct nc_program program = {.path = &path, .machine = &machine, .plan = &plan,
                                  .name = s.program};
     program.wish = (struct nc_wish){s.chord, RADIANS(s.axis_tolerance), s.feed, s.contact_feed, 1};
-    set_frame(&program, &path, &machine, dialect, &s);
+    bool still = set_frame(&program, &path, &machine, dialect, &s);
     enum nc_axis_words axis = s.vectors  ? NC_AXIS_VECTORS
                               : s.rotary ? NC_AXIS_ROTARY
                                          : NC_AXIS_USUAL;
-    make_plan(&plan, &path, &machine, dialect_ability(dialect, &machine, axis, program.wish.unit),
+    make_plan(&plan, &path, &machine, dialect_ability(dialect, &machine, axis, still, program.wish.unit),
               program.wish);
     size_t files;
     struct error error;
@@ -252,7 +270,7 @@ int main(int argc, char **argv)
     if (files > 1)
         say("%zu programs", files);
 
-    tell(&path, &plan, &s);
+    tell(&path, &plan, dialect, &s);
     double sum = nc_ledger_sum(&path, &plan);
     array_free(&s.set);
     nc_plan_free(&plan);

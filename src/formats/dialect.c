@@ -25,7 +25,7 @@ static int given(int digits, int usual)
 }
 
 struct nc_ability dialect_ability(const struct dialect *dialect, const struct machine *machine,
-                                  enum nc_axis_words axis, double unit)
+                                  enum nc_axis_words axis, bool still, double unit)
 {
     int finer = unit > 1; /* an inch is 25.4 mm: a digit more */
     bool vectors = axis == NC_AXIS_USUAL ? dialect->vectors : axis == NC_AXIS_VECTORS;
@@ -42,8 +42,9 @@ struct nc_ability dialect_ability(const struct dialect *dialect, const struct ma
     bool tcp = machine->tcp;
     if (dialect->tcp_of_machine && strcmp(machine->control, dialect->name) != 0)
         tcp = false;
-    ability.tcp = tcp && machine->chain.n > 0;
-    if (tcp || machine->chain.n == 0) {
+    still = still || machine->chain.n == 0;
+    ability.tcp = tcp && !still;
+    if (tcp || still) {
         vectors = vectors && ability.tcp;
         ability.mode = vectors ? FOLLOW_VECTOR : FOLLOW_ROTARY;
         ability.doubtful = vectors && dialect->vectors_doubtful;
@@ -62,6 +63,7 @@ struct nc_ability dialect_ability(const struct dialect *dialect, const struct ma
 
 void dialect_start(const struct dialect *dialect, struct nc_program *p)
 {
+    p->hole = NULL;
     nc_tool_first(p);
     dialect->start(p);
     dialect->take(p);
@@ -69,6 +71,8 @@ void dialect_start(const struct dialect *dialect, struct nc_program *p)
 
 void dialect_finish(const struct dialect *dialect, struct nc_program *p)
 {
+    if (p->hole)
+        dialect->hole_end(p);
     dialect->leave(p);
     dialect->finish(p);
 }
@@ -89,6 +93,8 @@ static void change_tool(const struct dialect *dialect, struct nc_program *p,
 
 void dialect_move(const struct dialect *dialect, struct nc_program *p, const struct nc_move *move)
 {
+    if (p->hole && move->kind != NC_HOLE && move->kind != NC_PASS)
+        dialect->hole_end(p);
     switch (move->kind) {
     case NC_RAPID:
     case NC_LINE:
@@ -99,6 +105,9 @@ void dialect_move(const struct dialect *dialect, struct nc_program *p, const str
         break;
     case NC_SPLINE:
         dialect->spline(p, move);
+        break;
+    case NC_HOLE:
+        dialect->hole(p, move);
         break;
     case NC_PASS:
         nc_comment(&p->w, "Pass %zu", move->index);

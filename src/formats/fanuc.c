@@ -8,6 +8,7 @@
 
 #include "dialect.h"
 #include "nchead.h"
+#include "nchole.h"
 #include "nctemplate.h"
 #include "ncwords.h"
 
@@ -136,6 +137,11 @@ static void spline(struct nc_program *p, const struct nc_move *move)
     }
 }
 
+static void hole(struct nc_program *p, const struct nc_move *move)
+{
+    nc_hole_g(p, move, false);
+}
+
 static void dwell(struct nc_program *p, double seconds)
 {
     nc_code(&p->w, "G4");
@@ -180,12 +186,15 @@ const struct dialect dialect_fanuc = {
     .arcs_vectors = NC_ARCS_RADIUS,
     .splines = NC_SPLINES_ROTARY,
     .splines_vectors = NC_SPLINES_NONE,
+    .steps_alike = true,
     .check_name = check_name,
     .start = start,
     .take = take,
     .line = line,
     .arc = arc,
     .spline = spline,
+    .hole = hole,
+    .hole_end = nc_hole_g_end,
     .dwell = dwell,
     .leave = leave,
     .finish = finish,

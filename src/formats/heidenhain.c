@@ -12,6 +12,7 @@
 
 #include "dialect.h"
 #include "nchead.h"
+#include "nchole.h"
 #include "nctemplate.h"
 #include "ncwords.h"
 
@@ -172,6 +173,15 @@ static void arc(struct nc_program *p, const struct nc_move *move)
     nc_end(w);
 }
 
+/* A speed is the tool call's to say. */
+static void speed(struct nc_program *p, double rpm, bool ccw)
+{
+    nc_code(&p->w, "TOOL CALL");
+    nc_count(&p->w, "S", rpm);
+    nc_end(&p->w);
+    nc_block(&p->w, ccw ? "M4" : "M3");
+}
+
 static void dwell(struct nc_program *p, double seconds)
 {
     nc_block(&p->w, "CYCL DEF 9.0 DWELL TIME");
@@ -219,6 +229,9 @@ const struct dialect dialect_heidenhain = {
     .take = take,
     .line = line,
     .arc = arc,
+    .hole = nc_hole_heidenhain,
+    .hole_end = nc_hole_heidenhain_end,
+    .speed = speed,
     .dwell = dwell,
     .leave = leave,
     .finish = finish,

@@ -9,6 +9,7 @@
 
 #include "dialect.h"
 #include "nchead.h"
+#include "nchole.h"
 #include "nctemplate.h"
 #include "ncwords.h"
 
@@ -102,6 +103,11 @@ static void arc(struct nc_program *p, const struct nc_move *move)
     nc_end(&p->w);
 }
 
+static void hole(struct nc_program *p, const struct nc_move *move)
+{
+    nc_hole_g(p, move, true);
+}
+
 static void dwell(struct nc_program *p, double seconds)
 {
     nc_code(&p->w, "G4");
@@ -142,11 +148,14 @@ const struct dialect dialect_linuxcnc = {
     .tcp_of_machine = true,
     .arcs = NC_ARCS_CENTRE,
     .splines = NC_SPLINES_NONE,
+    .steps_alike = true,
     .check_name = check_name,
     .start = start,
     .take = take,
     .line = line,
     .arc = arc,
+    .hole = hole,
+    .hole_end = nc_hole_g_end,
     .dwell = dwell,
     .leave = leave,
     .finish = finish,

@@ -35,6 +35,7 @@ struct machine machine_default(void)
         .tcp = true,
         .arcs = true,
         .splines = true,
+        .cycles = true,
         .min = {-2000, -2000, -2000, -120, -120, -99999},
         .max = {2000, 2000, 2000, 120, 120, 99999},
         .rapid = {30000, 30000, 30000, 7200, 7200, 7200},
@@ -91,6 +92,7 @@ static struct keys machine_keys(struct machine *m)
     keys_add(&keys, "tcp", KEY_YES, &m->tcp);
     keys_add(&keys, "arcs", KEY_YES, &m->arcs);
     keys_add(&keys, "splines", KEY_YES, &m->splines);
+    keys_add(&keys, "cycles", KEY_YES, &m->cycles);
     add_bounded(&keys, "rapid", KEY_NUMBER, &m->rapid[MACHINE_X], 1, 1e7);
     add_bounded(&keys, "retract", KEY_NUMBER, &m->retract, 0.1, 1e5);
     add_text(&keys, "offset", m->offset, sizeof m->offset);
@@ -98,6 +100,7 @@ static struct keys machine_keys(struct machine *m)
     add_text(&keys, "start", m->blocks.start, sizeof m->blocks.start);
     add_text(&keys, "end", m->blocks.end, sizeof m->blocks.end);
     add_text(&keys, "tool.change", m->blocks.tool_change, sizeof m->blocks.tool_change);
+    add_text(&keys, "tap", m->blocks.tap, sizeof m->blocks.tap);
     add_text(&keys, "tcp.on", m->blocks.tcp_on, sizeof m->blocks.tcp_on);
     add_text(&keys, "tcp.off", m->blocks.tcp_off, sizeof m->blocks.tcp_off);
     keys_add(&keys, "smooth", KEY_YES, &m->smooth);
@@ -273,7 +276,7 @@ static int read_letters(const char *axes, int letter[ROTARY_MAX])
 static int check_templates(const struct machine *m, struct error *error)
 {
     const struct machine_templates *b = &m->blocks;
-    const char *const text[] = {b->home,   b->start,   b->end,       b->tool_change,
+    const char *const text[] = {b->home,   b->start,   b->end,       b->tool_change, b->tap,
                                 b->tcp_on, b->tcp_off, b->smooth_on, b->smooth_off,
                                 b->plane_on, b->plane_off};
     for (size_t i = 0; i < sizeof text / sizeof *text; i++)

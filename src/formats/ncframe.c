@@ -43,7 +43,7 @@ static void path_to(const struct frame *f, struct path *path)
     for (size_t i = 0; i < path->item.n; i++) {
         struct path_item *item = &path->item.item[i];
         item->feed /= f->unit;
-        if (item->kind > PATH_SPLINE)
+        if (item->kind > PATH_HOLE)
             continue;
         item->to = pose(f, item->to);
         item->contact.p = point(f, item->contact.p);
@@ -57,6 +57,13 @@ static void path_to(const struct frame *f, struct path *path)
     }
     for (size_t i = 0; i < path->spline.n; i++)
         spline_to(f, &path->spline.item[i]);
+    for (size_t i = 0; i < path->cycle.n; i++) {
+        struct path_cycle *c = &path->cycle.item[i];
+        double *const length[] = {&c->depth, &c->clear, &c->retract, &c->step,
+                                  &c->next,  &c->feed,  &c->pitch};
+        for (size_t k = 0; k < sizeof length / sizeof *length; k++)
+            *length[k] /= f->unit;
+    }
 }
 
 /* d, r, e, f and the height; the others are angles */
@@ -88,12 +95,27 @@ void nc_frame_inch(struct path *path, struct machine *machine, struct nc_wish *w
     wish->unit = inch;
 }
 
+bool nc_frame_holes(const struct path *path)
+{
+    bool any = false;
+    for (size_t i = 0; i < path->item.n; i++) {
+        const struct path_item *item = &path->item.item[i];
+        if (item->kind != PATH_HOLE)
+            continue;
+        any = true;
+        const struct path_cycle *c = &path->cycle.item[item->index];
+        if (c->kind == CYCLE_TAP && !(c->pitch > 0 || path->head.spindle > 0))
+            return false;
+    }
+    return any;
+}
+
 bool nc_frame_fixed(const struct path *path, struct vec3 *axis)
 {
     bool found = false;
     for (size_t i = 0; i < path->item.n; i++) {
         const struct path_item *item = &path->item.item[i];
-        if (item->kind > PATH_SPLINE)
+        if (item->kind > PATH_HOLE)
             continue;
         if (!found)
             *axis = item->to.a;

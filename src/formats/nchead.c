@@ -85,6 +85,8 @@ void nc_head(struct nc_program *p, const char *control)
                total->rapid * unit, total->minutes);
     nc_comment(&p->w, "Passes %zu, lines %zu, arcs %zu, splines %zu, rapids %zu", total->passes,
                total->lines, total->arcs, total->splines, total->rapids);
+    if (total->holes)
+        nc_comment(&p->w, "Holes in drilling cycles %zu", total->holes);
 }
 
 static void spindle(struct nc_program *p, double rpm, bool ccw)
@@ -121,7 +123,7 @@ static bool is_word(const char *text, const char *word, const char **rest)
 }
 
 /* What a statement changes of the spindle and the coolant. */
-static void turn(struct nc_program *p, const struct nc_tooling *said)
+static void turn(struct nc_program *p, const struct dialect *dialect, const struct nc_tooling *said)
 {
     static const char *const coolant[] = {NULL, "M9", "M8", "M7"};
     struct nc_tooling was = p->tooling;
@@ -129,7 +131,7 @@ static void turn(struct nc_program *p, const struct nc_tooling *said)
     if (said->coolant != was.coolant)
         nc_block(&p->w, coolant[said->coolant]);
     if (said->spindle > 0 && (said->spindle != was.spindle || said->ccw != was.ccw))
-        spindle(p, said->spindle, said->ccw);
+        (dialect->speed ? dialect->speed : spindle)(p, said->spindle, said->ccw);
     else if (said->spindle <= 0 && was.spindle > 0)
         nc_block(&p->w, "M5");
 }
@@ -140,7 +142,7 @@ void nc_statement(struct nc_program *p, const struct dialect *dialect, const cha
     const char *rest;
     double seconds;
     if (nc_tool_says(text, &said))
-        turn(p, &said);
+        turn(p, dialect, &said);
     else if (is_word(text, "STOP", &rest))
         nc_block(&p->w, "M0");
     else if (is_word(text, "OPSTOP", &rest))

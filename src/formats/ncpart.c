@@ -7,12 +7,10 @@
 #include "nchead.h"
 #include "ncreach.h"
 
-enum { MADE = 7 }; /* moves that may be added to a part: tool, two statements, down, and up */
-
-static bool moves(const struct nc_move *move)
-{
-    return move->kind <= NC_SPLINE;
-}
+enum {
+    MADE = 7,  /* moves that may be added to a part: tool, two statements, down, and up */
+    CYCLE = 18 /* blocks of a drilling cycle that is said anew in it */
+};
 
 /* Off the part along the tool axis from where a move ends. */
 static int above(struct nc_move *up, const struct nc_program *whole, const struct nc_move *from,
@@ -44,7 +42,7 @@ static double feed_down(const struct nc_program *whole, const struct nc_move *to
 
 static const struct nc_move *last_motion(const struct nc_plan *plan, size_t before)
 {
-    while (before && !moves(&plan->move.item[before - 1]))
+    while (before && !nc_moves(&plan->move.item[before - 1]))
         before--;
     return before ? &plan->move.item[before - 1] : NULL;
 }
@@ -78,11 +76,16 @@ int nc_part_make(struct nc_plan *part, const struct nc_program *whole, size_t fr
     part->move.item = NULL;
     part->move.n = part->move.cap = 0;
     array_reserve(&part->move, to - from + MADE);
-    while (first < to && !moves(&plan->move.item[first]))
+    while (first < to && !nc_moves(&plan->move.item[first]))
         first++;
     const struct nc_move *before = last_motion(plan, from);
     add_lasting(part, whole, from);
-    if (before && first < to && plan->move.item[first].kind != NC_RAPID) {
+    if (before && first < to && plan->move.item[first].kind == NC_HOLE) {
+        struct nc_move over = plan->move.item[first];
+        over.kind = NC_RAPID;
+        over.why = NC_WHY_PART;
+        *array_push(&part->move) = over;
+    } else if (before && first < to && plan->move.item[first].kind != NC_RAPID) {
         struct nc_move down = *before;
         if (before->kind != NC_RAPID && above(array_push(&part->move), whole, before, error) != 0)
             return -1;
@@ -96,7 +99,7 @@ int nc_part_make(struct nc_plan *part, const struct nc_program *whole, size_t fr
     for (size_t i = from; i < to; i++)
         *array_push(&part->move) = plan->move.item[i];
     const struct nc_move *last = last_motion(plan, to);
-    if (last && last->kind != NC_RAPID)
+    if (last && last->kind != NC_RAPID && last->kind != NC_HOLE)
         return above(array_push(&part->move), whole, last, error);
     return 0;
 }
@@ -128,8 +131,9 @@ static struct nc_limit *measure(const struct dialect *dialect, const struct nc_p
             dialect_move(dialect, &p, &whole->plan->move.item[i]);
     }
     dialect_finish(dialect, &p);
-    *ends = (struct nc_limit){at[0].blocks + p.w.blocks - at[whole->plan->move.n].blocks + MADE,
-                              at[0].bytes + p.w.bytes - at[whole->plan->move.n].bytes + MADE * 100};
+    size_t more = MADE + (whole->plan->hole.n ? CYCLE : 0), n = whole->plan->move.n;
+    *ends = (struct nc_limit){at[0].blocks + p.w.blocks - at[n].blocks + more,
+                              at[0].bytes + p.w.bytes - at[n].bytes + more * 100};
     return at;
 }
 
@@ -137,11 +141,12 @@ static struct nc_limit *measure(const struct dialect *dialect, const struct nc_p
 static bool clear_of_work(const struct nc_plan *plan, size_t i)
 {
     const struct nc_move *before = last_motion(plan, i);
-    if (!before || before->kind != NC_RAPID || !moves(&plan->move.item[i - 1]))
+    if (!before || (before->kind != NC_RAPID && before->kind != NC_HOLE) || !nc_moves(&plan->move.item[i - 1]))
         return false;
-    while (i < plan->move.n && !moves(&plan->move.item[i]))
+    while (i < plan->move.n && !nc_moves(&plan->move.item[i]))
         i++;
-    return i == plan->move.n || plan->move.item[i].kind == NC_RAPID;
+    return i == plan->move.n || plan->move.item[i].kind == NC_RAPID ||
+           plan->move.item[i].kind == NC_HOLE;
 }
 
 int nc_part_ends(struct sizes *ends, const struct dialect *dialect, const struct nc_program *whole,

@@ -11,6 +11,7 @@
 #include <stdlib.h>
 
 #include "ncahead.h"
+#include "nchole.h"
 
 /* Of a tolerance: the worst place of a block may lie between those that are looked at. */
 static const double sampled = 0.9;
@@ -19,13 +20,14 @@ static const double sampled = 0.9;
 struct mark {
     struct nc_state state;
     struct nc_total total;
-    size_t moves, arcs, splines;
+    size_t moves, arcs, splines, holes;
 };
 
 static struct mark mark_of(const struct nc_step *step)
 {
     const struct nc_plan *plan = step->plan;
-    return (struct mark){step->state, plan->total, plan->move.n, plan->arc.n, plan->spline.n};
+    return (struct mark){step->state,    plan->total,    plan->move.n,
+                         plan->arc.n, plan->spline.n, plan->hole.n};
 }
 
 static void back_to(struct nc_step *step, const struct mark *mark)
@@ -39,6 +41,7 @@ static void back_to(struct nc_step *step, const struct mark *mark)
     plan->move.n = mark->moves;
     plan->arc.n = mark->arcs;
     plan->spline.n = mark->splines;
+    plan->hole.n = mark->holes;
 }
 
 void nc_plan_free(struct nc_plan *plan)
@@ -48,11 +51,12 @@ void nc_plan_free(struct nc_plan *plan)
     array_free(&plan->move);
     array_free(&plan->arc);
     array_free(&plan->spline);
+    array_free(&plan->hole);
 }
 
 static bool is_motion(const struct path_item *item)
 {
-    return item->kind == PATH_POINT || item->kind == PATH_ARC || item->kind == PATH_SPLINE;
+    return item->kind <= PATH_HOLE;
 }
 
 /* A note among the blocks: a pass, or a statement that the dialect may know. */
@@ -115,9 +119,10 @@ static int depart(struct nc_step *step)
 {
     struct pose up = step->state.pose;
     size_t last = step->plan->move.n;
-    while (last && step->plan->move.item[last - 1].kind > NC_SPLINE)
+    while (last && !nc_moves(&step->plan->move.item[last - 1]))
         last--;
-    if (!last || step->plan->move.item[last - 1].kind == NC_RAPID)
+    if (!last || step->plan->move.item[last - 1].kind == NC_RAPID ||
+        step->plan->move.item[last - 1].kind == NC_HOLE)
         return 0;
     double far = step->machine->retract;
     if (up.a.z > 0.2 && step->clear > up.p.z)
@@ -191,8 +196,9 @@ static int plan_item(struct nc_step *step, const struct path_item *item)
         return nc_step_rapid(step, item->to);
     case PATH_ARC:
     case PATH_SPLINE:
-    case PATH_HOLE: /* path_drill has made motions of them */
         break;
+    case PATH_HOLE:
+        return nc_hole(step, item);
     case PATH_TOOL:
         return change_tool(step, item);
     }

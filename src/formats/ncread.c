@@ -122,13 +122,21 @@ struct piece ncread_piece(const struct ncread *c, const struct ncread_place *to)
     return piece;
 }
 
+bool ncread_upright(const struct ncread *c)
+{
+    for (int i = 0; i < c->setup->rig.n; i++)
+        if (!c->here.turned[i] || c->here.turn[i] != 0)
+            return false;
+    return true;
+}
+
 int ncread_ready(const struct ncread *c, struct error *error)
 {
     if (!c->metric || !c->absolute)
         return ncread_error(c, error, "cuts before millimetres and absolute words are set");
     if (!c->spindle)
         return ncread_error(c, error, "cuts while the spindle stands");
-    if (c->setup->tcp && !c->tcp)
+    if (c->setup->tcp && !c->tcp && !ncread_upright(c))
         return ncread_error(c, error, "cuts without tool centre point control");
     if (!(c->feed > 0))
         return ncread_error(c, error, "cuts without a feed");
@@ -145,7 +153,7 @@ int ncread_go(struct ncread *c, const struct ncread_place *to, struct piece piec
     if (!rapid && ncread_ready(c, error) < 0)
         return -1;
     piece.rapid = rapid;
-    bool tracked = c->tcp || !c->setup->tcp;
+    bool tracked = c->tcp || !c->setup->tcp || ncread_upright(c);
     if (piece.swing == SWING_ROTARY && !rapid && !(all_turned(c, &c->here) && all_turned(c, to)))
         return ncread_error(c, error, "cuts with rotary axes whose place is not known");
     if (tracked && all_known(to) && to->has_axis) {
@@ -219,6 +227,7 @@ static int read_lines(struct ncread *c, struct reader *r, struct error *error)
     int more;
     while ((more = reader_line(r, &line, &n, error)) > 0) {
         c->line = r->line;
+        c->text = line;
         c->block = -1;
         c->feed_here = false;
         if (strlen(line) != n)

@@ -26,7 +26,7 @@ static int machine_move(struct ncread *c, struct ncread_fanuc_block *b, struct e
 /* One block of G06.2. */
 static int spline_block(struct ncread *c, struct ncread_fanuc_block *b, struct error *error)
 {
-    if (!c->tcp || c->vectors)
+    if ((!c->tcp && !ncread_upright(c)) || c->vectors)
         return ncread_error(c, error, "G06.2 wants G43.4");
     if (!b->centre_named[2])
         return ncread_error(c, error, "a block of G06.2 without its knot K");
@@ -109,6 +109,8 @@ static int run_block(struct ncread *c, struct ncread_fanuc_block *b, struct erro
         return -1;
     if (!b->named)
         return 0;
+    if (c->hole.on)
+        return ncread_hole_block(c, &b->to, error);
     if (c->move == MOVE_NONE)
         return ncread_error(c, error, "a place before G0 or G1");
     if (!c->absolute)

@@ -26,6 +26,8 @@ static int g_word(struct ncread *c, const struct ncread_word *w, struct ncread_f
                   struct error *error)
 {
     int code = (int)lround(w->value[0] * 10);
+    if (ncread_hole_code(c, code))
+        return 0;
     switch (code) {
     case 0:
     case 10:
@@ -78,7 +80,7 @@ static int address(struct ncread *c, const struct ncread_word *w, struct ncread_
                    struct error *error)
 {
     char letter = w->name[0];
-    if (strchr("XYZABCIJKRF", letter) && !w->pointed)
+    if (strchr("XYZABCIJKRFQ", letter) && !w->pointed)
         return ncread_error(c, error, "a length, angle or feed without a decimal point");
     if (ncread_axis(c, w->name, w->value[0], &b->to)) {
         b->named = true;
@@ -104,6 +106,8 @@ static int address(struct ncread *c, const struct ncread_word *w, struct ncread_
 int ncread_fanuc_words(struct ncread *c, struct ncread_fanuc_block *b, struct error *error)
 {
     unsigned seen = 0;
+    if (ncread_hole_dwell(c))
+        return 0;
     for (size_t i = 0; i < c->words.n; i++) {
         const struct ncread_word *w = &c->words.item[i];
         unsigned bit = 1u << (w->name[0] - 'A');

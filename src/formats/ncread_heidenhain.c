@@ -16,7 +16,7 @@ struct klartext {
     int n;
     char word[TOKENS][TOKEN];
     struct ncread_place to;
-    bool named, fast, machine;
+    bool named, fast, machine, call;
     int vector_n;
     double vector[3];
 };
@@ -55,6 +55,8 @@ static int m_word(struct ncread *c, const char *text, struct klartext *k, struct
         c->tcp = true;
     else if (w.value[0] == 91)
         k->machine = true;
+    else if (w.value[0] == 99)
+        k->call = true;
     else
         return ncread_m(c, &w, error);
     return 0;
@@ -126,6 +128,8 @@ static int straight(struct ncread *c, struct klartext *k, bool vectors, struct e
         return ncread_error(c, error, "LN wants TX TY TZ, L none of them");
     if (!k->named)
         return 0;
+    if (k->call)
+        return ncread_hole_m99(c, &k->to, error);
     return ncread_go(c, &k->to, ncread_piece(c, &k->to), k->fast, error);
 }
 
@@ -175,10 +179,12 @@ static int function(struct ncread *c, const struct klartext *k, struct error *er
 static int run(struct ncread *c, struct klartext *k, struct error *error)
 {
     const char *first = k->n ? k->word[0] : "";
+    if (strcmp(first, "CYCL") == 0)
+        ncread_hole_define(c, k->n > 2 ? k->word[2] : "");
     if (!*first || strcmp(first, "CYCL") == 0)
         return 0;
     if (strcmp(first, "TOOL") == 0) {
-        bool spindle = k->n > 3 && k->word[k->n - 1][0] == 'S';
+        bool spindle = k->n > 2 && k->word[k->n - 1][0] == 'S';
         return spindle ? 0 : ncread_error(c, error, "TOOL CALL without a speed");
     }
     if (strcmp(first, "L") == 0 || strcmp(first, "LN") == 0)
@@ -199,8 +205,10 @@ static int read_block(struct ncread *c, const char *line, struct error *error)
     char *end;
     struct klartext k = {.to = c->here};
     c->course->blocks++;
+    if (*line == ' ')
+        return ncread_hole_parameter(c, line, error);
     c->block = strtol(line, &end, 10);
-    if (end == line || *end != ' ' || c->block != (long)c->line - 1)
+    if (end == line || *end != ' ' || c->block != (long)(c->line - 1 - c->hole.lines))
         return ncread_error(c, error, "block numbers that do not count from 0");
     if (c->closed)
         return ncread_error(c, error, "a block behind END PGM");

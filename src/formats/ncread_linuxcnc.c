@@ -25,6 +25,8 @@ static int g_word(struct ncread *c, const struct ncread_word *w, struct block *b
                   struct error *error)
 {
     int code = (int)lround(w->value[0] * 10);
+    if (ncread_hole_code(c, code))
+        return 0;
     switch (code) {
     case 0:
     case 10:
@@ -143,6 +145,8 @@ static int run_block(struct ncread *c, struct block *b, struct error *error)
     if (!b->named)
         return 0;
     ncread_turned(c, &b->to);
+    if (c->hole.on)
+        return ncread_hole_block(c, &b->to, error);
     if (c->move == MOVE_NONE)
         return ncread_error(c, error, "a place before G0 or G1");
     if (!c->absolute)

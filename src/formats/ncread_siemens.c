@@ -119,6 +119,8 @@ static int run_block(struct ncread *c, struct ncread_siemens_block *b, struct er
         return ncread_error(c, error, "a place before G0 or G1");
     if (!c->absolute)
         return ncread_error(c, error, "a move under G91");
+    if (c->hole.on)
+        return ncread_hole_down(c, &b->to, error);
     if (polynomials && c->move != MOVE_POLY)
         return ncread_error(c, error, "PO[] without POLY");
     if (b->middle_n != (c->move == MOVE_CIP ? 3 : 0))

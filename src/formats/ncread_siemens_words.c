@@ -77,6 +77,8 @@ static int name_word(struct ncread *c, const struct ncread_word *w, struct ncrea
         b->to.has_head = c->here.has_head = false;
     } else if (strcmp(w->name, "SUPA") == 0) {
         b->machine = true;
+    } else if (strcmp(w->name, "MCALL") == 0) {
+        c->hole.on = false;
     } else {
         for (size_t i = 0; i < sizeof known_names / sizeof *known_names; i++)
             if (strcmp(w->name, known_names[i]) == 0)
@@ -186,6 +188,8 @@ static int address(struct ncread *c, const struct ncread_word *w, struct ncread_
 
 int ncread_siemens_words(struct ncread *c, struct ncread_siemens_block *b, struct error *error)
 {
+    if (ncread_hole_dwell(c))
+        return 0;
     for (size_t i = 0; i < c->words.n; i++) {
         const struct ncread_word *w = &c->words.item[i];
         for (size_t k = 0; k < i; k++)
@@ -198,6 +202,8 @@ int ncread_siemens_words(struct ncread *c, struct ncread_siemens_block *b, struc
             result = set_word(c, w, b, error);
         else if (w->kind == WORD_ADDRESS)
             result = address(c, w, b, error);
+        else if (strncmp(w->name, "CYCLE8", 6) == 0 && strlen(w->name) == 7)
+            result = ncread_hole_call(c, w->name, error);
         else if (strcmp(w->name, "CYCLE832") && strcmp(w->name, "FGROUP") &&
                  strcmp(w->name, "MSG") && strcmp(w->name, "TRAORI"))
             result = ncread_unknown(c, w, error);

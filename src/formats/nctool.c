@@ -60,7 +60,7 @@ static void listen(struct nc_program *p, size_t i)
 {
     const struct nc_plan *plan = p->plan;
     p->tooling.next = i;
-    for (; i < plan->move.n && plan->move.item[i].kind > NC_SPLINE; i++) {
+    for (; i < plan->move.n && !nc_moves(&plan->move.item[i]); i++) {
         const struct nc_move *move = &plan->move.item[i];
         if (move->kind == NC_TOOL) {
             p->tooling.taken = move->index + 1;

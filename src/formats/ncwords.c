@@ -4,7 +4,7 @@
 const struct station *nc_first_station(const struct nc_program *p)
 {
     const struct nc_move *move = p->plan->move.item + p->tooling.next;
-    while (move->kind > NC_SPLINE)
+    while (!nc_moves(move))
         move++;
     return &move->to;
 }

@@ -119,6 +119,13 @@ void nc_end(struct nc_writer *w)
     w->n = 0;
 }
 
+void nc_continue(struct nc_writer *w, const char *text)
+{
+    append(w, "\n", 1);
+    append(w, text, strlen(text));
+    w->blocks++;
+}
+
 void nc_drop(struct nc_writer *w)
 {
     if (w->n && w->step)

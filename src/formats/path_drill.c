@@ -1,12 +1,10 @@
 /* path_drill - holes of drilling cycles as the motions that they stand for; see path.h. */
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "num.h"
 #include "path.h"
-
-/* How far a step begins above the bottom of the one before, at most, mm. */
-static const double gap_most = 1;
 
 struct drill {
     struct path *path;
@@ -19,10 +17,8 @@ struct drill {
     bool ccw;
 };
 
-/* To a height above the mouth. */
-static void go(struct drill *d, double height, bool rapid)
+static void go_to(struct drill *d, struct pose to, bool rapid)
 {
-    struct pose to = {vec_along(d->hole->to.p, height, d->hole->to.a), d->hole->to.a};
     if (d->known && vec_distance(to.p, d->at.p) == 0 && vec_distance(to.a, d->at.a) == 0)
         return;
     path_add_point(d->path, to, rapid)->line = d->hole->line;
@@ -30,12 +26,18 @@ static void go(struct drill *d, double height, bool rapid)
     d->known = true;
 }
 
+/* To a height above the mouth. */
+static void go(struct drill *d, double height, bool rapid)
+{
+    go_to(d, (struct pose){vec_along(d->hole->to.p, height, d->hole->to.a), d->hole->to.a}, rapid);
+}
+
 /* Down to the bottom in steps; the tool is at `clear`. */
 static void steps(struct drill *d, const struct path_cycle *c)
 {
     double step = c->kind == CYCLE_DEEP || c->kind == CYCLE_BREAK ? c->step : 0, deep = 0;
     while (step > 0 && deep + step < c->depth - 1e-6) {
-        double gap = step / 2 < gap_most ? step / 2 : gap_most;
+        double gap = fmin(step / 2, PATH_PECK_GAP);
         deep += step;
         go(d, -deep, false);
         if (c->kind == CYCLE_DEEP)
@@ -70,9 +72,14 @@ static void drill(struct drill *d, const struct path_cycle *c)
 {
     struct pose mouth = d->hole->to;
     double level = c->retract;
-    if (d->known && vec_distance(d->at.a, mouth.a) < 1e-9)
-        level = fmax(level, vec_dot(vec_sub(d->at.p, mouth.p), mouth.a));
+    if (d->known && vec_distance(d->at.a, mouth.a) < 1e-9) {
+        double height = vec_dot(vec_sub(d->at.p, mouth.p), mouth.a);
+        if (height < level) /* up before it goes over */
+            go_to(d, (struct pose){vec_along(d->at.p, level - height, mouth.a), mouth.a}, true);
+        level = fmax(level, height);
+    }
     go(d, level, true);
+    go(d, c->retract, true);
     go(d, c->clear, true);
     if (c->feed > 0) {
         path_add_feed(d->path, c->feed);
@@ -82,11 +89,15 @@ static void drill(struct drill *d, const struct path_cycle *c)
     stay(d, c->dwell);
     if (c->kind == CYCLE_TAP)
         turn_spindle(d, !d->ccw);
+    else if (c->kind == CYCLE_DRAG)
+        path_add_text(d->path, "SPINDL/OFF");
     if (c->kind == CYCLE_TAP || c->kind == CYCLE_BORE)
         go(d, c->clear, false);
     if (c->kind == CYCLE_TAP)
         turn_spindle(d, d->ccw);
     go(d, c->retract, true);
+    if (c->kind == CYCLE_DRAG)
+        turn_spindle(d, d->ccw);
 }
 
 /* The speed that a SPINDL among the texts says. */

@@ -8,6 +8,7 @@
 
 #include "dialect.h"
 #include "nchead.h"
+#include "nchole.h"
 #include "nctemplate.h"
 #include "ncwords.h"
 #include "num.h"
@@ -276,6 +277,8 @@ const struct dialect dialect_siemens = {
     .line = line,
     .arc = arc,
     .spline = spline,
+    .hole = nc_hole_siemens,
+    .hole_end = nc_hole_siemens_end,
     .dwell = dwell,
     .leave = leave,
     .finish = finish,
