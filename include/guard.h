@@ -46,8 +46,8 @@ double guard_distance(const struct guard *guard, struct vec3 p);
  * much. */
 double guard_depth(const struct guard *guard, struct vec3 c, double radius);
 
-/* The same for a ball whose centre moves straight from a to b: the deepest on the way.  Where the
- * whole way is clear the result is negative and no less than -radius. */
+/* The same for a ball whose centre moves straight from a to b: the deepest on the way, 0 where the
+ * whole way is clear. */
 double guard_depth_along(const struct guard *guard, struct vec3 a, struct vec3 b, double radius);
 
 /*

@@ -25,4 +25,12 @@ size_t kdtree_nearest(const struct kdtree *tree, struct vec3 q, size_t k, size_t
  * order.  The caller empties `found` (found->n = 0). */
 void kdtree_within(const struct kdtree *tree, struct vec3 q, double radius, struct sizes *found);
 
+/*
+ * The distance of the straight way from a to b (which may be one place) to the nearest point, and
+ * that point in *index; where none is as near as `within`, `within` itself, and *index stays as it
+ * was.
+ */
+double kdtree_nearest_segment(const struct kdtree *tree, struct vec3 a, struct vec3 b,
+                              double within, size_t *index);
+
 #endif

@@ -23,6 +23,15 @@ struct toolpath_rule {
     bool reach;          /* every point must be reached within the limit of the lift */
 };
 
+/* A strip from when it is given until it stands in the path. */
+struct toolpath_strip {
+    size_t pass;
+    struct lift_rule lift;
+    struct run nodes; /* not lifted */
+    struct lifted_run lifted;
+    double chord; /* between the smooth curve and the straight lines, mm */
+};
+
 struct toolpath {
     struct path *path;
     struct toolpath_rule rule;
@@ -38,7 +47,10 @@ struct toolpath {
     size_t blocked_pass; /* the first of them */
     struct vec3 blocked_at;
 
+    int threads; /* as of parallel_for */
+
     /* Where it stands: for toolpath.c alone. */
+    struct { size_t n, cap; struct toolpath_strip *item; } strip;
     struct run_point at;
     size_t pass;
     bool down;
@@ -47,12 +59,14 @@ struct toolpath {
 
 /*
  * One strip: n contact points in the order they are cut, in a pass of this number (rising from 1),
- * `along` the horizontal direction of the feed.
+ * `along` the horizontal direction of the feed.  It waits for toolpath_end, with t->lift as it is
+ * now.
  */
 void toolpath_strip(struct toolpath *t, size_t pass, const struct contact *contact, size_t n,
                     struct vec3 along);
 
-/* Up from the last strip. */
+/* Lifts all strips and puts them into the path, with what leads from one to the next and, at the
+ * end, up from the last. */
 void toolpath_end(struct toolpath *t);
 
 /* The summary with note(), and with say() what does not hold; the tool's exit status, EXIT_DONE or

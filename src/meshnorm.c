@@ -85,6 +85,7 @@ int main(int argc, char **argv)
     struct error error;
 
     cli_parse(&cli, argc, argv);
+    t.threads = cli.threads;
     if (cutting_check(&t.lift.axis, &error) != 0)
         die_usage("%s", error.text);
     if (cli.files > 1)

@@ -239,6 +239,7 @@ int main(int argc, char **argv)
     bool closed;
 
     cli_parse(&cli, argc, argv);
+    t.threads = cli.threads;
     check_options(&t.lift.axis);
     if (cli.files > 1)
         die_usage("found %d files, expected one mesh", cli.files);

@@ -112,6 +112,37 @@ START_TEST(same_as_one_by_one)
 }
 END_TEST
 
+/* To straight ways: the smallest of the distances to each point, found by fine steps along. */
+START_TEST(segments_as_one_by_one)
+{
+    enum { N = 700, STEPS = 400 };
+    struct vec3 point[N];
+
+    for (int kind = 0; kind < KINDS; kind++) {
+        for (int i = 0; i < N; i++)
+            point[i] = make_point(kind);
+        struct kdtree *tree = kdtree_new(point, N);
+        for (int query = 0; query < 60; query++) {
+            struct vec3 a = make_point(0), b = query % 3 ? make_point(0) : a;
+            double step = vec_distance(a, b) / STEPS, nearest = HUGE_VAL;
+            for (int i = 0; i < N; i++)
+                for (int k = 0; k <= STEPS; k++)
+                    nearest = fmin(nearest, vec_distance(point[i], vec_mix(a, b, k / 400.0)));
+            size_t at = N;
+            double found = kdtree_nearest_segment(tree, a, b, 1e9, &at);
+            ck_assert_uint_lt(at, N);
+            ck_assert_double_le(found, nearest + 1e-12);
+            ck_assert_double_ge(found, nearest - step);
+            size_t none = N;
+            ck_assert(kdtree_nearest_segment(tree, a, b, found / 2, &none) == found / 2);
+            ck_assert(none == N || found == 0);
+            ck_assert(kdtree_nearest_segment(tree, a, b, found * 1.01 + 1e-9, &none) == found);
+        }
+        kdtree_free(tree);
+    }
+}
+END_TEST
+
 START_TEST(sorted_input)
 {
     enum { N = 500 };
@@ -150,6 +181,7 @@ int main(void)
     SRunner *runner = srunner_create(suite);
 
     tcase_add_test(tests, same_as_one_by_one);
+    tcase_add_test(tests, segments_as_one_by_one);
     tcase_add_test(tests, sorted_input);
     tcase_add_test(tests, nothing_to_find);
     suite_add_tcase(suite, tests);

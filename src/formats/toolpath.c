@@ -3,6 +3,7 @@
 #include <stdlib.h>
 
 #include "cli.h"
+#include "parallel.h"
 #include "way.h"
 
 /* A direction flatter than this does not lead to the clearance plane: sin 10 degrees. */
@@ -179,30 +180,58 @@ static double chord_of(const struct run *run, size_t from, size_t to)
 void toolpath_strip(struct toolpath *t, size_t pass, const struct contact *contact, size_t n,
                     struct vec3 along)
 {
-    struct run nodes = {.radius = t->rule.radius};
-    struct lifted_run lifted = {.run = nodes};
+    struct toolpath_strip strip = {.pass = pass, .lift = t->lift};
+
+    strip.lift.feed.along = along;
+    strip.nodes.radius = strip.lifted.run.radius = t->rule.radius;
+    for (size_t i = 0; i < n; i++)
+        lift_add(&strip.nodes, &strip.lift, contact[i].p, contact[i].n);
+    *array_push(&t->strip) = strip;
+}
+
+static void lift_strips(void *context, size_t first, size_t last)
+{
+    struct toolpath *t = context;
+
+    for (size_t i = first; i < last; i++) {
+        struct toolpath_strip *strip = &t->strip.item[i];
+        struct lifted_run *lifted = &strip->lifted;
+        size_t from = 0;
+        lift_run(&strip->nodes, &strip->lift, lifted);
+        for (size_t k = 0; k < lifted->end.n; k++) {
+            strip->chord = fmax(strip->chord, chord_of(&lifted->run, from, lifted->end.item[k]));
+            from = lifted->end.item[k];
+        }
+    }
+}
+
+static void add_strip(struct toolpath *t, const struct toolpath_strip *strip)
+{
+    const struct lifted_run *lifted = &strip->lifted;
     size_t from = 0;
 
-    t->lift.feed.along = along;
-    for (size_t i = 0; i < n; i++)
-        lift_add(&nodes, &t->lift, contact[i].p, contact[i].n);
-    lift_run(&nodes, &t->lift, &lifted);
-    report(t, pass, &lifted.report);
-    for (size_t i = 0; i < lifted.end.n; i++) {
-        size_t end = lifted.end.item[i];
+    t->lift = strip->lift;
+    t->chord = fmax(t->chord, strip->chord);
+    report(t, strip->pass, &lifted->report);
+    for (size_t i = 0; i < lifted->end.n; i++) {
+        size_t end = lifted->end.item[i];
         if (end > from) {
-            link_to(t, pass, &lifted.run.item[from]);
-            cut(t, &lifted.run.item[from], end - from);
-            t->chord = fmax(t->chord, chord_of(&lifted.run, from, end));
+            link_to(t, strip->pass, &lifted->run.item[from]);
+            cut(t, &lifted->run.item[from], end - from);
         }
         from = end;
     }
-    array_free(&nodes);
-    lifted_run_free(&lifted);
 }
 
 void toolpath_end(struct toolpath *t)
 {
+    parallel_shown("lifting", t->threads, t->strip.n, lift_strips, t);
+    for (size_t i = 0; i < t->strip.n; i++) {
+        add_strip(t, &t->strip.item[i]);
+        array_free(&t->strip.item[i].nodes);
+        lifted_run_free(&t->strip.item[i].lifted);
+    }
+    array_free(&t->strip);
     if (t->down)
         retract(t);
 }

@@ -166,37 +166,16 @@ double guard_depth(const struct guard *guard, struct vec3 c, double radius)
     return radius - guard_distance(guard, c);
 }
 
-/* Distance from p to the straight line between a and b. */
-static double distance_to_segment(struct vec3 p, struct vec3 a, struct vec3 b)
-{
-    struct vec3 along = vec_sub(b, a);
-    double length2 = vec_dot(along, along);
-    double s = length2 > 0 ? vec_dot(vec_sub(p, a), along) / length2 : 0;
-
-    return vec_distance(p, vec_along(a, fmin(fmax(s, 0), 1), along));
-}
-
 double guard_depth_along(const struct guard *guard, struct vec3 a, struct vec3 b, double radius)
 {
-    /* In pieces, so that the neighbourhoods stay small. */
-    double pieces = fmax(1, ceil(vec_distance(a, b) / radius));
-    double deepest = -radius;
-    struct sizes found = {0};
+    /* In pieces, so that their boxes stay small; what is found bounds the search in the next. */
+    double pieces = fmax(1, ceil(vec_distance(a, b) / radius)), nearest = radius;
+    size_t index;
 
-    for (double i = 0; i < pieces; i++) {
-        struct vec3 from = vec_mix(a, b, i / pieces);
-        struct vec3 to = vec_mix(a, b, (i + 1) / pieces);
-        struct vec3 middle = vec_mix(from, to, 0.5);
-        double half = vec_distance(from, to) / 2;
-        found.n = 0;
-        kdtree_within(guard->tree, middle, radius + half, &found);
-        for (size_t k = 0; k < found.n; k++) {
-            struct vec3 p = guard->point.item[found.item[k]];
-            deepest = fmax(deepest, radius - distance_to_segment(p, from, to));
-        }
-    }
-    array_free(&found);
-    return deepest;
+    for (double i = 0; i < pieces; i++)
+        nearest = kdtree_nearest_segment(guard->tree, vec_mix(a, b, i / pieces),
+                                         vec_mix(a, b, (i + 1) / pieces), nearest, &index);
+    return radius - nearest;
 }
 
 /*
@@ -216,18 +195,17 @@ double guard_lift(const struct guard *guard, struct vec3 c, struct vec3 up, doub
                   double limit)
 {
     double lift = 0;
-    struct sizes found = {0};
+    size_t nearest;
 
-    /* All intervals that hold the lift so far must be left at their upper ends, the highest of
-     * which may lie in others again; every round starts deeper than SLACK in one, so it rises. */
-    while (lift <= limit && guard_depth(guard, vec_along(c, lift, up), radius) > SLACK) {
-        found.n = 0;
-        kdtree_within(guard->tree, vec_along(c, lift, up), radius, &found);
-        for (size_t k = 0; k < found.n; k++)
-            lift = fmax(lift, leaves(guard->point.item[found.item[k]], c, up, radius));
+    /* What holds the centre now must be left at its upper end, which may lie in another's interval
+     * again; every round starts deeper than SLACK in one, so it rises. */
+    while (lift <= limit) {
+        struct vec3 at = vec_along(c, lift, up);
+        if (kdtree_nearest_segment(guard->tree, at, at, radius - SLACK, &nearest) >= radius - SLACK)
+            return lift;
+        lift = fmax(lift, leaves(guard->point.item[nearest], c, up, radius));
     }
-    array_free(&found);
-    return lift <= limit ? lift : -1;
+    return -1;
 }
 
 double guard_rise(const struct guard *guard, struct vec3 c, struct vec3 up, double radius)
@@ -240,7 +218,11 @@ double guard_rise(const struct guard *guard, struct vec3 c, struct vec3 up, doub
     /* From the far end back, in pieces of one radius; below the rise none can raise it. */
     double pieces = fmax(0, ceil(guard_extent(guard, c, up) / radius)) + 1;
     for (double i = pieces - 1; i >= 0 && (i + 1) * radius > rise; i--) {
-        struct vec3 middle = vec_along(c, (i + 0.5) * radius, up);
+        struct vec3 from = vec_along(c, i * radius, up), to = vec_along(c, (i + 1) * radius, up);
+        struct vec3 middle = vec_mix(from, to, 0.5);
+        size_t any;
+        if (kdtree_nearest_segment(guard->tree, from, to, radius, &any) >= radius)
+            continue;
         found.n = 0;
         kdtree_within(guard->tree, middle, 1.5 * radius, &found);
         for (size_t k = 0; k < found.n; k++) {

@@ -4,12 +4,17 @@
  * The node of the range [from, to) is the point in its middle: what stands before it is not above
  * it along the node's axis, what stands behind is not below.  So the tree needs no pointers: only
  * the points in that order, where each came from, and the axis of each node.  Ranges of up to LEAF
- * points are searched one by one.  The distance to a node's box is carried down and changed in one
+ * points are searched one by one.  The distance to a node's cell is carried down and changed in one
  * coordinate at a time (Arya and Mount 1993).
+ *
+ * Points of a surface lie thin in their cells, and a ball that touches it reaches into all cells
+ * under it: what looks for the nearest point to a segment goes by the boxes around the points of
+ * the nodes instead.
  */
 #include "kdtree.h"
 
 #include <stdbool.h>
+#include <stdint.h>
 #include <stdlib.h>
 
 enum { LEAF = 12, ON_STACK = 128 };
@@ -19,10 +24,16 @@ struct kd_point {
     size_t index;
 };
 
+/* Around the points of a node. */
+struct kd_box {
+    double low[3], high[3];
+};
+
 struct kdtree {
     size_t n;
     struct kd_point *point;
     unsigned char *axis; /* of the node whose point stands here */
+    struct kd_box *box;  /* the root's is number 1, those under number i are 2 i and 2 i + 1 */
 };
 
 static void swap(struct kd_point *a, struct kd_point *b)
@@ -61,37 +72,59 @@ static void select_middle(struct kd_point *p, size_t from, size_t to, size_t mid
     }
 }
 
-static int widest_axis(const struct kd_point *p, size_t from, size_t to)
+static struct kd_box box_around(const struct kd_point *p, size_t from, size_t to)
 {
-    double low[3], high[3];
-    int widest = 0;
+    struct kd_box box;
 
     for (int d = 0; d < 3; d++)
-        low[d] = high[d] = p[from].c[d];
+        box.low[d] = box.high[d] = p[from].c[d];
     for (size_t i = from + 1; i < to; i++) {
         for (int d = 0; d < 3; d++) {
-            low[d] = p[i].c[d] < low[d] ? p[i].c[d] : low[d];
-            high[d] = p[i].c[d] > high[d] ? p[i].c[d] : high[d];
+            box.low[d] = p[i].c[d] < box.low[d] ? p[i].c[d] : box.low[d];
+            box.high[d] = p[i].c[d] > box.high[d] ? p[i].c[d] : box.high[d];
         }
     }
+    return box;
+}
+
+static int widest_axis(const struct kd_box *box)
+{
+    int widest = 0;
+
     for (int d = 1; d < 3; d++) {
-        if (high[d] - low[d] > high[widest] - low[widest])
+        if (box->high[d] - box->low[d] > box->high[widest] - box->low[widest])
             widest = d;
     }
     return widest;
 }
 
-static void build(struct kdtree *tree, size_t from, size_t to)
+/* Both halves of a node are as long as each other, or the first is by one point longer: so the
+ * numbers of all boxes stay below twice those of the deepest row that this goes down to. */
+static void build(struct kdtree *tree, size_t from, size_t to, size_t number)
 {
-    while (to - from > LEAF) {
+    while (from < to) {
+        tree->box[number] = box_around(tree->point, from, to);
+        if (to - from <= LEAF)
+            return;
         size_t middle = from + (to - from) / 2;
-        int axis = widest_axis(tree->point, from, to);
+        int axis = widest_axis(&tree->box[number]);
 
         select_middle(tree->point, from, to, middle, axis);
         tree->axis[middle] = (unsigned char)axis;
-        build(tree, from, middle);
+        build(tree, from, middle, 2 * number);
         from = middle + 1;
+        number = 2 * number + 1;
     }
+}
+
+/* One more than the largest number of a box. */
+static size_t boxes_for(size_t n)
+{
+    size_t boxes = 2;
+
+    for (; n > LEAF; n /= 2)
+        boxes *= 2;
+    return boxes;
 }
 
 struct kdtree *kdtree_new(const struct vec3 *point, size_t n)
@@ -101,9 +134,10 @@ struct kdtree *kdtree_new(const struct vec3 *point, size_t n)
     tree->n = n;
     tree->point = mem_alloc(n, sizeof *tree->point);
     tree->axis = mem_alloc(n, 1);
+    tree->box = mem_alloc(boxes_for(n), sizeof *tree->box);
     for (size_t i = 0; i < n; i++)
         tree->point[i] = (struct kd_point){{point[i].x, point[i].y, point[i].z}, i};
-    build(tree, 0, n);
+    build(tree, 0, n, 1);
     return tree;
 }
 
@@ -113,6 +147,7 @@ void kdtree_free(struct kdtree *tree)
         return;
     free(tree->point);
     free(tree->axis);
+    free(tree->box);
     free(tree);
 }
 
@@ -266,4 +301,99 @@ void kdtree_within(const struct kdtree *tree, struct vec3 q, double radius, stru
 
     if (tree->n > 0 && radius >= 0)
         search_within(tree, c, radius, 0, tree->n, found);
+}
+
+/* The nearest point to a segment so far. */
+struct beside {
+    const struct kdtree *tree;
+    struct vec3 a, along; /* from one end to the other */
+    double length2;
+    double low[3], high[3]; /* the segment's box */
+    double best, best2;
+    size_t index; /* as in the caller's array */
+};
+
+static double distance2_beside(const struct beside *s, struct vec3 p)
+{
+    struct vec3 d = vec_sub(p, s->a);
+    double at = s->length2 > 0 ? vec_dot(d, s->along) / s->length2 : 0;
+    struct vec3 off = vec_along(d, -(at < 0 ? 0 : at > 1 ? 1 : at), s->along);
+
+    return vec_dot(off, off);
+}
+
+static void offer_beside(struct beside *s, const struct kd_point *p)
+{
+    double d2 = distance2_beside(s, vec(p->c[0], p->c[1], p->c[2]));
+
+    if (d2 < s->best2 || (d2 == s->best2 && p->index < s->index)) {
+        s->best2 = d2;
+        s->best = sqrt(d2);
+        s->index = p->index;
+    }
+}
+
+/* No point in the box is nearer than this: the gap to the segment's own box, or to the ball around
+ * the box. */
+static double bound2(const struct beside *s, const struct kd_box *box)
+{
+    double gap2 = 0, half2 = 0;
+
+    for (int d = 0; d < 3; d++) {
+        double under = box->low[d] - s->high[d], over = s->low[d] - box->high[d];
+        double gap = under > over ? under : over;
+        gap2 += gap > 0 ? gap * gap : 0;
+        half2 += square(box->high[d] - box->low[d]) / 4;
+    }
+    if (s->length2 == 0 || gap2 > s->best2)
+        return gap2;
+    struct vec3 middle =
+        vec((box->low[0] + box->high[0]) / 2, (box->low[1] + box->high[1]) / 2,
+            (box->low[2] + box->high[2]) / 2);
+    double beyond = sqrt(distance2_beside(s, middle)) - sqrt(half2);
+    return beyond > 0 && beyond * beyond > gap2 ? beyond * beyond : gap2;
+}
+
+static void search_beside(struct beside *s, size_t from, size_t to, size_t number)
+{
+    if (to - from <= LEAF) {
+        for (size_t i = from; i < to; i++)
+            offer_beside(s, &s->tree->point[i]);
+        return;
+    }
+    size_t middle = from + (to - from) / 2;
+    double first = bound2(s, &s->tree->box[2 * number]);
+    double second = bound2(s, &s->tree->box[2 * number + 1]);
+    bool left = first <= second;
+
+    offer_beside(s, &s->tree->point[middle]);
+    for (int turn = 0; turn < 2; turn++, left = !left) {
+        if ((left ? first : second) * (1 - 1e-12) > s->best2)
+            continue;
+        if (left)
+            search_beside(s, from, middle, 2 * number);
+        else
+            search_beside(s, middle + 1, to, 2 * number + 1);
+    }
+}
+
+double kdtree_nearest_segment(const struct kdtree *tree, struct vec3 a, struct vec3 b,
+                              double within, size_t *index)
+{
+    struct beside s = {.tree = tree,
+                       .a = a,
+                       .along = vec_sub(b, a),
+                       .low = {fmin(a.x, b.x), fmin(a.y, b.y), fmin(a.z, b.z)},
+                       .high = {fmax(a.x, b.x), fmax(a.y, b.y), fmax(a.z, b.z)},
+                       .best = within,
+                       .best2 = square(within),
+                       .index = SIZE_MAX};
+
+    s.length2 = vec_dot(s.along, s.along);
+    if (tree->n > 0)
+        search_beside(&s, 0, tree->n, 1);
+    if (s.index == SIZE_MAX)
+        return within;
+    *index = s.index;
+    return s.best;
 }
