@@ -14,7 +14,7 @@
 struct cutting {
     double radius; /* of the ball; each tool has -r in a table of its own */
     double tilt, lead, fixed[3], to_point[3], from_point[3], circle[7];
-    double tolerance, limit, depth;
+    double tolerance, limit, depth, noise;
     double clearance, approach, feed, plunge, spindle; /* clearance NAN: by the part */
     int layers, tool, coolant;
     bool paper, one_way;
@@ -35,7 +35,8 @@ int cutting_check(struct axis_rule *axis, struct error *error);
  * further than `near` from them, or the mesh so finely that the ball sinks in by less than 0.002
  * mm. *guard is NULL with --paper.
  */
-int cutting_guard(const struct mesh *mesh, double near, struct guard **guard, struct error *error);
+int cutting_guard(const struct mesh *mesh, double near, int threads, struct guard **guard,
+                  struct error *error);
 
 /* Fills the rules of the toolpath but for the direction of the feed; `distance` is that of the
  * passes, mm.  -1: --clearance lies within the part. */

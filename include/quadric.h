@@ -25,6 +25,15 @@ struct quadric {
 int quadric_fit(const struct vec3 *point, size_t n, struct vec3 origin, struct vec3 guess,
                 struct quadric *quadric);
 
+/* The same with the w axis along the quadric's own normal at the origin, found in some turns from a
+ * guess: on a slope the frame of the guess would fit heights above a skew plane. */
+int quadric_settle(const struct vec3 *point, size_t n, struct vec3 origin, struct vec3 guess,
+                   struct quadric *quadric);
+
+/* A unit normal of the plane nearest to n points, on either side: along the axis that serves best
+ * to tell heights by (exact where they lie in a plane); (0, 0, 1) for points that span none. */
+struct vec3 plane_normal(const struct vec3 *point, size_t n);
+
 /* At the origin's foot on the quadric (u = v = 0): unit normal, on the side of w ... */
 struct vec3 quadric_normal(const struct quadric *quadric);
 

@@ -7,6 +7,14 @@
 #include "cli.h"
 #include "guard.h"
 
+/* What is made of the points: scansurface.h. */
+struct scan_rule {
+    double radius;    /* of the ball, mm */
+    double tolerance; /* of the path, mm: the ball sinks between points by a fifth of it at most */
+    double noise;     /* of the scan, mm; negative: as found where it is above half the tolerance */
+    int threads;
+};
+
 /*
  * A guard of the points of all files, in the mesh's mm: placed as the mesh was, when its stream
  * says that it was placed (turned, shifted, or from other units), else as they are.  NULL when a
@@ -14,6 +22,6 @@
  * vertices further than `near` mm from every point of the scan.
  */
 struct guard *scan_guard(const struct cli_list *files, const struct mesh *mesh, double near,
-                         struct error *error);
+                         const struct scan_rule *rule, struct error *error);
 
 #endif

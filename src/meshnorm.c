@@ -91,7 +91,7 @@ int main(int argc, char **argv)
     if (cli.files > 1)
         die_usage("found %d files, expected one mesh", cli.files);
     read_mesh(cli.file[0], &mesh, &rows);
-    if (cutting_guard(&mesh, rows.distance, &guard, &error) != 0)
+    if (cutting_guard(&mesh, rows.distance, cli.threads, &guard, &error) != 0)
         die_error(&error);
     if (cutting_rules(&mesh, guard, rows.distance, &t, &error) != 0)
         die_usage("%s", error.text);

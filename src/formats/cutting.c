@@ -8,6 +8,7 @@
 
 struct cutting cutting = {.tilt = 15,
                           .depth = 0.3,
+                          .noise = -1,
                           .clearance = NAN,
                           .approach = 5,
                           .feed = 800,
@@ -20,6 +21,8 @@ struct cutting cutting = {.tilt = 15,
 const struct cli_option cutting_options[] = {
     {'g', "guard", "FILE", "keep the ball clear of all points of this scan, not only of the mesh\n"
      "(may be given several times)", CLI_LIST, &cutting.guards, 0, 0, 0, NULL},
+    {0, "noise", "SIGMA", "standard deviation of the noise that is taken out of the scan of -g\n"
+     "(default: as found; 0: its points as they are)", CLI_NUMBER, &cutting.noise, 0, 10, 0, NULL},
     {'e', "tolerance", "E", "put points between those of the mesh: straight lines stay within E of\n"
      "the smooth curve and no deeper in the part (0.01 with -g, else none)",
      CLI_NUMBER, &cutting.tolerance, 0.0001, 10, 0, NULL},
@@ -112,13 +115,17 @@ int cutting_check(struct axis_rule *axis, struct error *error)
     return axis_rule(axis, error);
 }
 
-int cutting_guard(const struct mesh *mesh, double near, struct guard **guard, struct error *error)
+int cutting_guard(const struct mesh *mesh, double near, int threads, struct guard **guard,
+                  struct error *error)
 {
+    const struct cutting *c = &cutting;
+    struct scan_rule rule = {c->radius, c->tolerance, c->noise, threads};
+
     *guard = NULL;
-    if (cutting.paper)
+    if (c->paper)
         return 0;
-    *guard = cutting.guards.n > 0 ? scan_guard(&cutting.guards, mesh, near, error)
-                                  : guard_from_mesh(mesh, sqrt(6 * 0.002 * cutting.radius));
+    *guard = c->guards.n > 0 ? scan_guard(&c->guards, mesh, near, &rule, error)
+                             : guard_from_mesh(mesh, sqrt(6 * 0.002 * c->radius));
     return *guard ? 0 : -1;
 }
 

@@ -3,6 +3,7 @@
 #include <stdlib.h>
 
 #include "cloud.h"
+#include "scansurface.h"
 
 static struct vec3 place(const double m[4][4], struct vec3 p)
 {
@@ -29,7 +30,6 @@ static int read_points(const struct cli_list *files, const struct mesh *mesh, st
     }
     if (mesh->origin.placed)
         say("the scan to guard is placed as the mesh was");
-    note("guarded by %zu points of the scan", points->n);
     return 0;
 }
 
@@ -43,14 +43,33 @@ static size_t far_vertices(const struct mesh *mesh, const struct guard *guard, d
     return far;
 }
 
+static struct guard *guard_of(const struct vec3s *points, const struct scan_rule *rule)
+{
+    struct scansurface_rule how = {.radius = rule->radius,
+                                   .sink = rule->tolerance / 5,
+                                   .noise = rule->noise,
+                                   .least = rule->tolerance / 2,
+                                   .threads = rule->threads};
+    struct scansurface surface;
+
+    scansurface_make(points->item, points->n, &how, &surface);
+    if (surface.noise > 0)
+        say("noise of %.2g mm taken out of the scan that guards (%zu of %zu points moved)",
+            surface.noise, surface.moved, points->n);
+    note("guarded by %zu points of the scan and %zu put between", points->n, surface.added);
+    struct guard *guard = guard_from_points(surface.point.item, surface.point.n);
+    array_free(&surface.point);
+    return guard;
+}
+
 struct guard *scan_guard(const struct cli_list *files, const struct mesh *mesh, double near,
-                         struct error *error)
+                         const struct scan_rule *rule, struct error *error)
 {
     struct vec3s points = {0};
     struct guard *guard = NULL;
 
     if (read_points(files, mesh, &points, error) == 0)
-        guard = guard_from_points(points.item, points.n);
+        guard = guard_of(&points, rule);
     array_free(&points);
     size_t far = guard ? far_vertices(mesh, guard, near) : 0;
     if (2 * far <= mesh->vertex.n)

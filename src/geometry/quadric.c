@@ -123,6 +123,51 @@ int quadric_fit(const struct vec3 *point, size_t n, struct vec3 origin, struct v
     return 0;
 }
 
+int quadric_settle(const struct vec3 *point, size_t n, struct vec3 origin, struct vec3 guess,
+                   struct quadric *q)
+{
+    const double still = 1e-4; /* radians */
+
+    for (int turn = 0; turn < 4; turn++) {
+        if (quadric_fit(point, n, origin, guess, q) < 0)
+            return -1;
+        struct vec3 normal = quadric_normal(q);
+        if (vec_distance(normal, guess) < still)
+            return 0;
+        guess = normal;
+    }
+    return 0;
+}
+
+/* The plane z = a x + b y + c by least squares has the normal (-a, -b, 1) D, D the determinant of
+ * the sums in x and y; of the three ways to call the axes the one with the largest D counts. */
+struct vec3 plane_normal(const struct vec3 *point, size_t n)
+{
+    struct vec3 mean = vec(0, 0, 0);
+    double xx = 0, xy = 0, xz = 0, yy = 0, yz = 0, zz = 0;
+
+    for (size_t i = 0; i < n; i++)
+        mean = vec_along(mean, 1 / (double)n, point[i]);
+    for (size_t i = 0; i < n; i++) {
+        struct vec3 d = vec_sub(point[i], mean);
+        xx += d.x * d.x;
+        xy += d.x * d.y;
+        xz += d.x * d.z;
+        yy += d.y * d.y;
+        yz += d.y * d.z;
+        zz += d.z * d.z;
+    }
+    double x = yy * zz - yz * yz, y = xx * zz - xz * xz, z = xx * yy - xy * xy;
+    struct vec3 normal;
+    if (x > y && x > z)
+        normal = vec_unit(vec(x, xz * yz - xy * zz, xy * yz - xz * yy));
+    else if (y > z)
+        normal = vec_unit(vec(xz * yz - xy * zz, y, xy * xz - yz * xx));
+    else
+        normal = vec_unit(vec(xy * yz - xz * yy, xy * xz - yz * xx, z));
+    return vec_length(normal) > 0 ? normal : vec(0, 0, 1);
+}
+
 struct vec3 quadric_normal(const struct quadric *q)
 {
     return vec_unit(vec_along(vec_along(q->w, -q->c[1], q->u), -q->c[2], q->v));
