@@ -12,15 +12,15 @@ enum { FEWEST = 16, MOST = 96, SAMPLE = 1500, MANY = 400000, RINGS = 8 };
 
 static const double WHITE = 1.35; /* spread of twice the neighbours by that of once, at most */
 static const double EVEN = 3;     /* spread of the roughest tenth by that of the smoothest */
-static const double ALIKE = 1.15; /* spread of a neighbourhood by the noise */
-static const double FAR = 4;      /* noises that a point may be off its quadric */
+static const double ALIKE = 1.2;  /* spread of a neighbourhood by the noise */
+static const double MUCH = 1.5;   /* more than that is none */
+static const double FAR = 5;      /* noises that a point may be off its quadric */
 
 /* A quadric through the neighbours of a point. */
 struct patch {
     struct quadric q;
     size_t k;      /* neighbours, the point itself among them; 0: there is none */
     double spread; /* standard deviation about it, mm */
-    double reach;  /* of the farthest of them, mm */
 };
 
 /* What becomes of a point. */
@@ -65,7 +65,6 @@ static struct patch fit(const struct near *near, size_t k)
     double count = (double)k;
     patch.k = k;
     patch.spread = quadric_rms(&patch.q, near->point, k) * sqrt(count / (count - 6));
-    patch.reach = sqrt(near->distance2[k - 1]);
     return patch;
 }
 
@@ -122,17 +121,20 @@ static double noise_of(const struct look *look)
     return look->spread[n / 2];
 }
 
-/* As many neighbours as the noise spreads alike. */
+/* As many neighbours as the noise spreads alike, or else those that are spread least: an outlier
+ * counts less among more. */
 static struct patch fit_noise(const struct near *near, double noise)
 {
-    struct patch patch = {.k = 0};
+    struct patch best = {.k = 0};
 
     for (size_t k = MOST; k >= FEWEST; k -= k > 64 ? 32 : k > 32 ? 16 : 8) {
-        patch = fit(near, k);
-        if (patch.k > 0 && patch.spread <= ALIKE * noise)
+        struct patch patch = fit(near, k);
+        if (patch.k > 0 && (best.k == 0 || patch.spread < best.spread))
+            best = patch;
+        if (best.k > 0 && best.spread <= ALIKE * noise)
             break;
     }
-    return patch;
+    return best;
 }
 
 static struct vec3 on_patch(const struct quadric *q, double u, double v)
@@ -145,8 +147,9 @@ static struct vec3 on_patch(const struct quadric *q, double u, double v)
 
 /* p is nearer to the first of the points than to the others, and one of these lies beyond it,
  * within 60 degrees. */
-static bool between(const struct near *near, size_t k, struct vec3 p)
+static bool between(const struct near *near, struct vec3 p)
 {
+    size_t k = near->n < 2 * FEWEST ? near->n : 2 * FEWEST;
     struct vec3 off = vec_sub(p, near->point[0]);
     double off2 = vec_dot(off, off);
     bool beyond = false;
@@ -162,19 +165,19 @@ static bool between(const struct near *near, size_t k, struct vec3 p)
     return beyond;
 }
 
-static void fill(const struct job *job, const struct near *near, const struct patch *patch,
+static void fill(const struct job *job, const struct near *near, const struct quadric *q,
                  struct place *place)
 {
-    double pitch = 0.75 * job->gap;
-    int rings = (int)fmin(patch->reach / pitch, RINGS);
+    double pitch = 0.75 * job->gap, reach = sqrt(near->distance2[FEWEST - 1]);
+    int rings = (int)fmin(reach / pitch, RINGS);
 
     for (int j = -rings; j <= rings; j++) {
         for (int i = -rings; i <= rings; i++) {
             double u = pitch * (i + j / 2.0), v = pitch * j * 0.8660254037844386;
-            if ((i == 0 && j == 0) || hypot(u, v) > patch->reach)
+            if ((i == 0 && j == 0) || hypot(u, v) > reach)
                 continue;
-            struct vec3 p = on_patch(&patch->q, u, v);
-            if (between(near, patch->k, p))
+            struct vec3 p = on_patch(q, u, v);
+            if (between(near, p))
                 *array_push(&place->between) = p;
         }
     }
@@ -188,7 +191,7 @@ static bool worth_filling(const struct job *job, const struct near *near,
     double sink = near->distance2[sixth] / (6 * job->rule->radius);
 
     return patch->k > 0 && sink > job->rule->sink / 4 &&
-           patch->spread <= fmax(fmax(job->rule->sink, sink / 2), 1.5 * job->noise);
+           patch->spread <= fmax(fmax(job->rule->sink, sink / 2), MUCH * job->noise);
 }
 
 static void settle(void *context, size_t from, size_t to)
@@ -203,13 +206,13 @@ static void settle(void *context, size_t from, size_t to)
         find_near(job, job->point[i], job->noise > 0 ? MOST : 2 * FEWEST, &near);
         near.point[0] = job->point[i]; /* of several in one place, this one */
         patch = job->noise > 0 ? fit_noise(&near, job->noise) : fit_fewest(&near);
-        if (patch.k > 0 && job->noise > 0 && patch.spread <= 1.5 * job->noise &&
+        if (patch.k > 0 && job->noise > 0 && patch.spread <= MUCH * job->noise &&
             quadric_distance(&patch.q) <= FAR * job->noise) {
             place->point = on_patch(&patch.q, 0, 0);
             place->moved = true;
         }
         if (job->fill && worth_filling(job, &near, &patch))
-            fill(job, &near, &patch, place);
+            fill(job, &near, &patch.q, place);
     }
 }
 
