@@ -11,7 +11,8 @@ struct quilt_vertex {
     double k1, k2;             /* k1 >= k2, of that side */
     struct uv at;
     int sheet, piece;
-    size_t place; /* vertices of the same place have the same number: that of one of them */
+    size_t place; /* vertices of the same place have the same number: that of one of them ... */
+    size_t next;  /* ... and are a ring */
 };
 
 struct quilt_vertices {
@@ -36,11 +37,18 @@ struct quilt {
     struct ints sheet;       /* of each face */
     struct quilt_edges edge; /* the borders */
     size_t sheets;
+    size_t narrow; /* sheets left out */
     bool *flipped; /* [sheet] its normals were the wrong way round */
 };
 
-/* All sheets, each as it is. */
-void quilt_make(const struct sheet *sheet, size_t n, struct quilt *quilt);
+/* All sheets, each as it is.  One that is, on the mean, less than `least` mm wide is left out: its
+ * neighbours on both sides then adjoin. */
+void quilt_make(const struct sheet *sheet, size_t n, double least, struct quilt *quilt);
+
+bool quilt_same_piece(const struct quilt_vertex *a, const struct quilt_vertex *b);
+
+/* The places of two vertices made one. */
+void quilt_unite(struct quilt *quilt, size_t a, size_t b);
 
 /* Every sheet to the side that `flipped` says, vertices of one place and (within one degree) one
  * normal made one; the others of a place, along a sharp edge, keep their normals and get the same

@@ -18,6 +18,9 @@
 
 enum { MOST = 5000 };
 
+/* By the size of the part: edges so near are one, and a surface so narrow is none. */
+static const double WIDE = 2.5e-4, NARROW = 1e-5;
+
 struct settings {
     int n;
     double tolerance; /* 0: by n */
@@ -46,7 +49,7 @@ static struct settings read_options(struct cli *cli, int argc, char **argv)
         {0, "up", "I,J,K", "where the tool comes from, for which side is outside (default: 0,0,1)",
          CLI_NUMBERS, s.up, 0, 0, 3, NULL},
         {0, "gap", "MM",
-         "edges of neighbours so near are one (default: 0.00001 of the size of\nthe part)",
+         "edges of neighbours so near are one (default: 0.00025 of the size of\nthe part, at most -e)",
          CLI_NUMBER, &s.gap, CLI_POSITIVE, 0, 0, NULL},
         {0, "grid", "N",
          "print points and normals of an N x N grid of the parameters of each\n"
@@ -164,21 +167,49 @@ static double judge(const struct settings *s, const struct patches *patches,
     return sheet[worst].error;
 }
 
+/* Sheets to the tolerance, made one; returns how far triangles are off, with what their corners
+ * moved where surfaces do not quite meet. */
+static double make_sheets(const struct cli *cli, const struct settings *s,
+                          const struct patches *patches, double size, double fine,
+                          struct sheet *sheet, struct quilt *quilt, struct weld_count *welded)
+{
+    struct job job = {patches, {s->tolerance > 0 ? 0 : s->n, fine}, sheet};
+    double gap = s->gap > 0 ? s->gap : WIDE * size;
+    if (s->gap == 0 && s->tolerance > 0)
+        gap = fmin(gap, s->tolerance);
+    for (size_t i = 0; i < patches->n; i++)
+        sheet_free(&sheet[i]);
+    quilt_free(quilt);
+    parallel_shown("tessellating", cli->threads, patches->n, tessellate_some, &job);
+    double error = judge(s, patches, sheet);
+    quilt_make(sheet, patches->n, fmin(NARROW * size, gap), quilt);
+    *welded = weld(quilt, patches, gap, fine);
+    return error + welded->moved;
+}
+
 /* Everything between reading and writing; returns how far triangles are off. */
 static double make_quilt(const struct cli *cli, const struct settings *s,
                          const struct patches *patches, struct sheet *sheet, struct quilt *quilt)
 {
-    double size = size_of(patches), gap = s->gap > 0 ? s->gap : 1e-5 * size;
+    double size = size_of(patches);
     double fine = s->tolerance > 0 ? s->tolerance : fmax(1e-5 * size, 1e-3);
-    struct job job = {patches, {s->tolerance > 0 ? 0 : s->n, fine}, sheet};
-    parallel_shown("tessellating", cli->threads, patches->n, tessellate_some, &job);
-    double error = judge(s, patches, sheet);
-    quilt_make(sheet, patches->n, quilt);
-    struct weld_count welded = weld(quilt, patches, gap, fine);
+    struct weld_count welded;
+    double error = make_sheets(cli, s, patches, size, fine, sheet, quilt, &welded);
+    /* What joining edges takes of the tolerance, triangles must leave. */
+    for (int i = 0; i < 3 && s->tolerance > 0 && error > s->tolerance; i++) {
+        fine = fmax(s->tolerance - 1.1 * welded.moved, s->tolerance / 4);
+        error = make_sheets(cli, s, patches, size, fine, sheet, quilt, &welded);
+    }
+    if (s->tolerance > 0 && error > s->tolerance)
+        die_unmet("neighbours lie %g mm and more apart, expected %g mm (-e): take a smaller --gap",
+                  welded.moved, s->tolerance);
     struct outward_count out = outward(quilt, vec(s->up[0], s->up[1], s->up[2]));
-    note("%zu border vertices joined and %zu inserted within %g mm; %zu %s; %zu open edges",
-         welded.joined, welded.inserted, gap, out.bodies, out.bodies == 1 ? "body" : "bodies",
-         out.open);
+    note("%zu border vertices joined and %zu inserted, moved by at most %g mm; %zu %s; %zu open "
+         "edges",
+         welded.joined, welded.inserted, welded.moved, out.bodies,
+         out.bodies == 1 ? "body" : "bodies", out.open);
+    if (quilt->narrow > 0)
+        say("%zu surfaces narrower than %g mm left out", quilt->narrow, NARROW * size);
     if (out.unclear > 0)
         say("%zu of %zu bodies stand upright: --up does not say which side is outside", out.unclear,
             out.bodies);

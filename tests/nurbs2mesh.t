@@ -142,6 +142,37 @@ near "two halves" "$area" 200 0.0001
 ok "no crack between them" test "$open" -eq "$(awk 'BEGIN { print 2 * 3 + 2 * 3 + 3 + 5 }')"
 ok "all normals up" test "$(awk '/end_header/ { on = 1; next } on && NF > 4 && $6 != 1' "$TMP/two.ply" | wc -l)" -eq 0
 
+# Two that meet in a curve, with other knots and counts, and 0.02 mm apart in the middle of it: every
+# open edge of the mesh is on the outline, and no vertex is further off than half of that.
+inner_open() { # FILE: open edges off the outline, |x| = 50 and |y| = 50, and vertices off the curve
+	awk '!body { if ($1 " " $2 == "element vertex") nv = $3; if ($0 == "end_header") body = 1; next }
+		n < nv { x[n] = $1; y[n] = $2; key = $1 " " $2 " " $3; if (!(key in first)) first[key] = n
+			at[n] = first[key]; n++; next }
+		{ for (k = 2; k <= 4; k++) edge[at[$k] " " at[$(k == 4 ? 2 : k + 1)]]++ }
+		END { for (e in edge) { split(e, q, " "); if (edge[e] == edge[q[2] " " q[1]]) continue
+			a = x[q[1]]; b = x[q[2]]; c = y[q[1]]; d = y[q[2]]
+			if (a == b && a * a > 2499) continue
+			if (c == d && c * c > 2499) continue
+			open++ } print open + 0 }' "$1"
+}
+awk 'function hill(y) { return 12 * sin(y / 20) }
+	BEGIN { print "nurbs 1"
+	print "surface degree 1 3 poles 2 9 knots_u 0 0 1 1 knots_v 0 0 0 0 1 2 3 4 5 6 6 6 6 points"
+	for (j = 0; j < 9; j++) { y = -50 + 12.5 * j; print -50, y, 0, 0, y, hill(y) }
+	print "surface degree 1 3 poles 2 9 knots_u 0 0 1 1 knots_v 0 0 0 0 1 2 3 4 5 6 6 6 6 points"
+	for (j = 8; j >= 0; j--) { y = -50 + 12.5 * j; print 0, y, hill(y) + (j == 4 ? 0.02 : 0), 50, y, 30 * (j % 2) }
+	print "end" }' >"$TMP/meet.nurbs"
+for how in "-n 40" "-n 13" "-e 0.05" "-e 0.02"; do
+	# shellcheck disable=SC2086 # words
+	mesh meet -v $how "$TMP/meet.nurbs"
+	ok "surfaces 0.02 mm apart, $how: no edge is open but the outline" \
+		test "$(inner_open "$TMP/meet.ply")" -eq 0
+	below "$how: for that vertices move by half of it" \
+		"$(sed -n 's/.*moved by at most \([^ ]*\) mm.*/\1/p' "$TMP/meet.err")" 0.0101
+done
+mesh meet --gap 0.001 "$TMP/meet.nurbs"
+ok "with --gap 0.001 the middle is open" test "$(inner_open "$TMP/meet.ply")" -gt 0
+
 # A sphere of eight quarters: exact, with its poles.
 sphere=$TMP/sphere.nurbs
 awk 'BEGIN { r = sqrt(0.5); print "nurbs 1 surface degree 2 2 poles 9 5"

@@ -170,6 +170,8 @@ struct outward_count outward(struct quilt *q, struct vec3 up)
         struct sum sum = sum_body(q, body, (int)i);
         double along = vec_dot(sum.area, vec_unit(up));
         bool closed = vec_length(sum.area) <= 0.02 * sum.total;
+        if (!(sum.total > 0))
+            continue; /* trimmed away, or too narrow */
         count.bodies++;
         count.unclear += !closed && fabs(along) <= 0.02 * sum.total;
         bool turn = closed ? sum.volume < 0 : along < 0;

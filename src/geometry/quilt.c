@@ -43,18 +43,44 @@ static void find_borders(const struct sheet *s, size_t first_vertex, size_t firs
     free(list);
 }
 
-void quilt_make(const struct sheet *sheet, size_t n, struct quilt *q)
+/* The mean width of a strip: twice its area by its border, whose edges begin at `edge`. */
+static double width_of(const struct sheet *s, const struct quilt *q, size_t edge, size_t first)
+{
+    double area = 0, border = 0;
+    const struct vec3 *p = s->point.item;
+    for (size_t k = 0; k < s->face.n; k++) {
+        const int *v = s->face.item[k].v;
+        struct vec3 a = vec_sub(p[v[1]], p[v[0]]), b = vec_sub(p[v[2]], p[v[0]]);
+        area += vec_length(vec_cross(a, b)) / 2;
+    }
+    for (size_t k = edge; k < q->edge.n; k++)
+        border += vec_distance(p[q->edge.item[k].from - first], p[q->edge.item[k].to - first]);
+    return border > 0 ? 2 * area / border : HUGE_VAL;
+}
+
+void quilt_make(const struct sheet *sheet, size_t n, double least, struct quilt *q)
 {
     *q = (struct quilt){.sheets = n};
     q->flipped = mem_alloc(n + 1, sizeof *q->flipped);
     for (size_t i = 0; i < n; i++) {
         const struct sheet *s = &sheet[i];
-        size_t first = q->vertex.n;
+        size_t first = q->vertex.n, edge = q->edge.n;
         find_borders(s, first, q->face.n, &q->edge);
+        if (s->face.n > 0 && width_of(s, q, edge, first) < least) {
+            q->edge.n = edge;
+            q->narrow++;
+            continue;
+        }
         for (size_t k = 0; k < s->at.n; k++)
-            *array_push(&q->vertex) = (struct quilt_vertex){
-                s->point.item[k], s->normal.item[k], s->k1.item[k], s->k2.item[k], s->at.item[k],
-                (int)i,           s->piece.item[k],  first + k};
+            *array_push(&q->vertex) = (struct quilt_vertex){.point = s->point.item[k],
+                                                            .normal = s->normal.item[k],
+                                                            .k1 = s->k1.item[k],
+                                                            .k2 = s->k2.item[k],
+                                                            .at = s->at.item[k],
+                                                            .sheet = (int)i,
+                                                            .piece = s->piece.item[k],
+                                                            .place = first + k,
+                                                            .next = first + k};
         for (size_t k = 0; k < s->face.n; k++) {
             struct face f = s->face.item[k];
             for (int c = 0; c < 3; c++)
@@ -63,6 +89,27 @@ void quilt_make(const struct sheet *sheet, size_t n, struct quilt *q)
             *array_push(&q->sheet) = (int)i;
         }
     }
+}
+
+bool quilt_same_piece(const struct quilt_vertex *a, const struct quilt_vertex *b)
+{
+    return a->sheet == b->sheet && a->piece == b->piece;
+}
+
+void quilt_unite(struct quilt *q, size_t a, size_t b)
+{
+    struct quilt_vertex *v = q->vertex.item;
+    size_t pa = v[a].place, pb = v[b].place, keep = pa < pb ? pa : pb, swap;
+    size_t from = keep == pa ? b : a, i = from;
+    if (pa == pb)
+        return;
+    do {
+        v[i].place = keep;
+        i = v[i].next;
+    } while (i != from);
+    swap = v[a].next;
+    v[a].next = v[b].next;
+    v[b].next = swap;
 }
 
 /* Vertices of one place, one behind the other. */
