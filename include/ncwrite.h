@@ -9,6 +9,7 @@
 
 #include <stdbool.h>
 
+#include "num.h"
 #include "out.h"
 
 /* How a control wants its text. */
@@ -23,7 +24,11 @@ struct nc_style {
 /* Modal values. */
 enum nc_slot { NC_X, NC_Y, NC_Z, NC_Q0, NC_Q1, NC_I, NC_J, NC_K, NC_F, NC_SLOTS };
 
-enum { NC_BLOCK_MAX = 1000, NC_COMMENT_MAX = 80 };
+enum {
+    NC_BLOCK_MAX = 1000,
+    NC_LINE_MAX = NC_BLOCK_MAX + 2 * NUM_MAX, /* with the word that goes beyond it, and its number */
+    NC_COMMENT_MAX = 80
+};
 
 struct nc_writer {
     struct out *out; /* NULL: to nowhere */
@@ -31,7 +36,7 @@ struct nc_writer {
     int step;    /* of block numbers, 0: none */
     long most;   /* the numbers begin again behind it */
     long number; /* of the last block */
-    char line[NC_BLOCK_MAX];
+    char line[NC_LINE_MAX];
     size_t n;
     double value[NC_SLOTS];
     bool known[NC_SLOTS];
@@ -40,7 +45,7 @@ struct nc_writer {
     bool inverse;       /* feeds are inverse time: G93 */
     size_t blocks, bytes; /* written */
     long wanted;        /* number of a block to be kept in `met`, -1: none */
-    char met[NC_BLOCK_MAX + 1];
+    char met[NC_LINE_MAX + 1];
 };
 
 struct nc_writer nc_writer_new(struct out *out, struct nc_style style, int step, long most);

@@ -130,39 +130,59 @@ bool num_whole(const char *text, double *value)
     return *text == '\0';
 }
 
-/* |x| * 10^digits rounded half away from zero, where that is below 2^53. */
-static bool scaled(double x, int digits, uint64_t *integer)
+/* |x| * 10^digits rounded half away from zero, where that is below 2^53; signed, for that is what
+ * processors convert at once. */
+static inline bool scaled(double x, int digits, int64_t *integer)
 {
     double s = fabs(x) * power_of_ten[digits];
     if (!(s < 9007199254740992.0))
         return false;
-    *integer = (uint64_t)(s + 0.5);
+    *integer = (int64_t)(s + 0.5);
     if ((double)*integer - s > 0.5) /* the sum itself was rounded up */
         --*integer;
     return true;
 }
 
+enum { DIGITS_MAX = 16 }; /* of an integer below 2^53 */
+
+/* The digits of n up to `end`, no fewer than `least`; returns where they start. */
+static inline char *put_digits(char *end, uint64_t n, int least)
+{
+    static const char pair[] = "00010203040506070809101112131415161718192021222324"
+                               "25262728293031323334353637383940414243444546474849"
+                               "50515253545556575859606162636465666768697071727374"
+                               "75767778798081828384858687888990919293949596979899";
+    char *p = end;
+    for (; n >= 10; n /= 100)
+        memcpy(p -= 2, pair + 2 * (n % 100), 2);
+    if (n || p == end)
+        *--p = (char)('0' + n);
+    while (end - p < least)
+        *--p = '0';
+    return p;
+}
+
 size_t num_write(char *buf, double x, int digits)
 {
-    uint64_t integer;
+    int64_t integer;
     if (!scaled(x, digits, &integer))
         return (size_t)snprintf(buf, NUM_MAX, "%.*f", digits, x);
 
-    char reversed[32], *p = reversed + sizeof reversed;
-    bool negative = x < 0 && integer != 0;
-    for (int i = 0; i < digits; i++, integer /= 10)
-        *--p = (char)('0' + integer % 10);
-    if (digits)
-        *--p = '.';
-    do
-        *--p = (char)('0' + integer % 10);
-    while ((integer /= 10) != 0);
-    if (negative)
-        *--p = '-';
-    size_t n = (size_t)(reversed + sizeof reversed - p);
-    memcpy(buf, p, n);
-    buf[n] = '\0';
-    return n;
+    char text[2 * DIGITS_MAX], *end = text + DIGITS_MAX; /* behind: so that copies have one length */
+    const char *p = put_digits(end, (uint64_t)integer, digits + 1);
+    char *to = buf;
+    *to = '-';
+    to += x < 0 && integer != 0;
+    memcpy(to, p, DIGITS_MAX);
+    to += end - p;
+    if (digits) {
+        to -= digits;
+        memcpy(to + 1, end - digits, DIGITS_MAX);
+        *to = '.';
+        to += 1 + digits;
+    }
+    *to = '\0';
+    return (size_t)(to - buf);
 }
 
 size_t num_write_short(char *buf, double x, int digits, bool point)
@@ -183,7 +203,7 @@ size_t num_write_short(char *buf, double x, int digits, bool point)
 
 double num_round(double x, int digits)
 {
-    uint64_t integer;
+    int64_t integer;
     if (!scaled(x, digits, &integer))
         return x;
     double r = (double)integer / power_of_ten[digits];

@@ -2,6 +2,7 @@
 #include "ncwrite.h"
 
 #include <ctype.h>
+#include <math.h>
 #include <stdarg.h>
 #include <stdio.h>
 #include <string.h>
@@ -19,30 +20,30 @@ struct nc_writer nc_writer_new(struct out *out, struct nc_style style, int step,
 
 static void append(struct nc_writer *w, const char *s, size_t n)
 {
-    if (w->n + n > sizeof w->line)
+    if (w->n + n > NC_BLOCK_MAX)
         return;
     memcpy(w->line + w->n, s, n);
     w->n += n;
 }
 
-/* The room before the next word, and before the first its block's number. */
-static void begin_word(struct nc_writer *w)
+/* Where the address of the next word goes: behind the room before it, and before the first word
+ * its block's number.  There is room for an address and a number, however long the block is. */
+static char *begin_word(struct nc_writer *w)
 {
-    char number[NUM_MAX];
+    if (w->n > NC_BLOCK_MAX)
+        w->n = NC_BLOCK_MAX;
     if (w->n) {
-        append(w, " ", 1);
-        return;
+        w->line[w->n++] = ' ';
+    } else if (w->step) {
+        w->number += w->step;
+        if (w->number > w->most)
+            w->number = w->step;
+        if (!w->style.count_all)
+            w->line[w->n++] = 'N';
+        w->n += num_write(w->line + w->n, (double)w->number, 0);
+        w->line[w->n++] = ' ';
     }
-    if (!w->step)
-        return;
-    w->number += w->step;
-    if (w->number > w->most)
-        w->number = w->step;
-    if (!w->style.count_all)
-        append(w, "N", 1);
-    size_t n = num_write(number, (double)w->number, 0);
-    append(w, number, n);
-    append(w, " ", 1);
+    return w->line + w->n;
 }
 
 void nc_code(struct nc_writer *w, const char *word)
@@ -51,30 +52,33 @@ void nc_code(struct nc_writer *w, const char *word)
     append(w, word, strlen(word));
 }
 
+static char *put_address(char *to, const char *address)
+{
+    while (*address)
+        *to++ = *address++;
+    return to;
+}
+
 void nc_number(struct nc_writer *w, const char *address, double value, int digits)
 {
-    char number[NUM_MAX];
-    begin_word(w);
-    append(w, address, strlen(address));
-    size_t n = num_write_short(number, value, digits, w->style.point);
-    bool place = *address && *address != 'F'; /* feeds and the like never have one */
-    if (w->style.sign && place && *number != '-')
-        append(w, "+", 1);
-    append(w, number, n);
+    char *to = put_address(begin_word(w), address);
+    bool place = *address && *address != 'F'; /* feeds and the like never have a sign */
+    bool plus = w->style.sign && place && !signbit(num_round(value, digits));
+    if (plus)
+        *to++ = '+';
+    to += num_write_short(to, value, digits, w->style.point);
+    w->n = (size_t)(to - w->line);
 }
 
 void nc_count(struct nc_writer *w, const char *address, double whole)
 {
-    char number[NUM_MAX];
-    begin_word(w);
-    append(w, address, strlen(address));
-    size_t n = num_write(number, whole, 0);
-    append(w, number, n);
+    char *to = put_address(begin_word(w), address);
+    w->n = (size_t)(to + num_write(to, whole, 0) - w->line);
 }
 
 bool nc_motion(struct nc_writer *w, const char *code)
 {
-    if (w->motion && strcmp(w->motion, code) == 0)
+    if (w->motion && (w->motion == code || strcmp(w->motion, code) == 0))
         return false;
     w->motion = code;
     nc_code(w, code);
@@ -109,7 +113,7 @@ void nc_end(struct nc_writer *w)
 {
     if (!w->n)
         return;
-    append(w, "\n", 1);
+    w->line[w->n++] = '\n';
     w->blocks++;
     w->bytes += w->n;
     if (w->number == w->wanted && !*w->met)
