@@ -31,6 +31,12 @@ struct station {
     double q[ROTARY_MAX];   /* the rotary axes, radians */
 };
 
+/* A station, with its rotary axes' cosines and sines. */
+struct stance {
+    struct station at;
+    struct turned turned;
+};
+
 /* How far off: at the tracked point or the ball, mm, and at the tool axis, radians. */
 struct deviation {
     double point, axis;
@@ -47,14 +53,27 @@ struct pose follow_pose(const struct follow *f, const struct station *from,
                         const struct station *to, double s);
 
 /*
+ * A bound of the deviation of the straight block between two stances from the straight motion
+ * between two poses; infinite where the block turns too far to say.
+ *
+ * Both move at the same time s, and e(s) is the difference of their axes (or points).  The parabola
+ * through e(0), e(1/2), e(1) leaves the line through e(0) and e(1) by no more than |e(1/2) - (e(0) +
+ * e(1)) / 2|; and e leaves the parabola by no more than max |e'''| sqrt(3) / 216, the remainder of the
+ * interpolation.  Axes that turn through q0 and q1 have |a'''| <= (|q0| + |q1|)^3.
+ */
+struct deviation follow_line(const struct follow *f, const struct stance *from,
+                             const struct stance *to, struct pose start, struct pose goal,
+                             struct deviation allowed);
+
+/*
  * The largest deviation of the straight block between two stations from the motion between s0 and
- * s1, measured at both ends and between.  The time along the block is free: each place of the
- * motion is compared with the place of the block that is beside it.  Where a bound shows it to be
- * far within `allowed`, the bound is returned.
+ * s1, measured at both ends and between, closer the further the block turns, so that no peak is
+ * missed between.  The time along the block is free: each place of the motion is compared with the
+ * place of the block that is beside it.
  */
 struct deviation follow_block(const struct follow *f, const struct station *from,
                               const struct station *to, const struct motion *motion, double s0,
-                              double s1, struct deviation allowed);
+                              double s1);
 
 /*
  * The same for a block on a curve: `printed` is the curve as printed, its place in proportion to

@@ -34,15 +34,31 @@ struct chain {
     struct vec3 tool;                /* unit axis from tip to spindle when all stand at zero */
 };
 
+/* Angles as their cosines and sines, where the trigonometry would be most of the time. */
+struct turned {
+    double cosine[ROTARY_MAX], sine[ROTARY_MAX];
+};
+
+struct turned chain_turned(const struct chain *chain, const double q[]);
+
+/* Each angle by[i] further, no more than 0.01 radians: to 1e-15. */
+struct turned chain_turned_on(const struct chain *chain, struct turned from, const double by[]);
+
+/* Half-way between two, less than half a turn apart. */
+struct turned chain_turned_mid(const struct chain *chain, struct turned a, struct turned b);
+
 /* The tool axis in the frame of the work. */
 struct vec3 chain_axis(const struct chain *chain, const double q[]);
+struct vec3 chain_axis_of(const struct chain *chain, const struct turned *at);
 
 /* The tip in the frame of the work, when the linear axes stand at `linear` and tool-centre-point
  * control is off; at zero angles it is `linear` itself. */
 struct vec3 chain_tip(const struct chain *chain, struct vec3 linear, const double q[]);
+struct vec3 chain_tip_of(const struct chain *chain, struct vec3 linear, const struct turned *at);
 
 /* Where the linear axes must stand for the tip to be at `tip`: the inverse of chain_tip. */
 struct vec3 chain_linear(const struct chain *chain, struct vec3 tip, const double q[]);
+struct vec3 chain_linear_of(const struct chain *chain, struct vec3 tip, const struct turned *at);
 
 /* The direction is singular: the axis nearest the work may have any angle. */
 bool chain_free(const struct chain *chain, struct vec3 axis);
@@ -70,5 +86,13 @@ struct chain_solutions chain_angles(const struct chain *chain, struct vec3 axis)
  */
 int chain_choose(const struct chain *chain, struct vec3 axis, const double from[], bool smooth,
                  int only, double q[], int *over);
+
+/*
+ * chain_choose with `smooth` in the usual case, in a fraction of the time: two axes, a direction
+ * half a degree or more from the singular one, and the solution on the side where `from` is moves
+ * less than the other one can.  *turned: of `from` going in, of q coming out.  False: look closer.
+ */
+bool chain_beside(const struct chain *chain, struct vec3 axis, const double from[], double q[],
+                  struct turned *turned);
 
 #endif

@@ -7,16 +7,16 @@
 #include "ncstep.h"
 
 /* The words that say the pose with the rotary axes at q. */
-struct station nc_station(const struct nc_step *step, struct pose to, const double q[]);
+struct stance nc_station(const struct nc_step *step, struct pose to, const double q[]);
 
 /*
  * The station that reaches a pose from where the program is, as the step's branch says; -1 with
  * the error filled and the plan unmet: the rotary or the linear axes would leave their travel.
  */
-int nc_reach(struct nc_step *step, struct pose to, struct station *s);
+int nc_reach(struct nc_step *step, struct pose to, struct stance *s);
 
 /* -1: the linear axes, as they stand when the tip is there (seen from the work offset), would
  * leave their travel. */
-int nc_check_linear(struct nc_step *step, const struct station *to);
+int nc_check_linear(struct nc_step *step, const struct stance *to);
 
 #endif

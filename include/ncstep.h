@@ -11,6 +11,7 @@ struct nc_state {
     bool begun;        /* pose and at are known */
     struct pose pose;  /* as the path means it */
     struct station at; /* as the last block says it */
+    struct turned turned; /* of its rotary axes */
     double feed;       /* mm/min, 0: not given yet */
     double faster;     /* the tracked point goes faster than that by this factor */
     bool touches;      /* the contact at `pose` is known */
@@ -46,10 +47,6 @@ struct nc_step {
 
 /* At the machine's rapid, straight to a pose. */
 int nc_step_rapid(struct nc_step *step, struct pose to);
-
-/* Retracts along the tool axis, turns to the angles nearest to q that have the pose where the
- * program is, and returns. */
-int nc_step_turn(struct nc_step *step, const double q[]);
 
 /* At feed, along a motion that starts where the program is. */
 int nc_step_motion(struct nc_step *step, const struct motion *motion);

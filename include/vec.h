@@ -91,7 +91,15 @@ static inline double vec_angle(struct vec3 a, struct vec3 b)
     return atan2(vec_length(vec_cross(a, b)), vec_dot(a, b));
 }
 
-/* a turned about the unit vector `axis` through an angle in radians, right-handed (Rodrigues). */
+/* a turned about the unit vector `axis` through an angle, said by its cosine and sine, right-handed
+ * (Rodrigues). */
+static inline struct vec3 vec_turn_by(struct vec3 a, struct vec3 axis, double cosine, double sine)
+{
+    struct vec3 turned = vec_along(vec_scale(cosine, a), sine, vec_cross(axis, a));
+    return vec_along(turned, (1 - cosine) * vec_dot(axis, a), axis);
+}
+
+/* The same through an angle in radians. */
 struct vec3 vec_turn(struct vec3 a, struct vec3 axis, double angle);
 
 /* On the great circle from the unit vector a (s = 0) to b (s = 1), in proportion to the angle. */

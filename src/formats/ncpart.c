@@ -27,8 +27,9 @@ static int above(struct nc_move *up, const struct nc_program *whole, const struc
         pose.p = chain_tip(chain, from->to.p, from->to.q);
     pose.p = vec_along(pose.p, whole->machine->retract, pose.a);
     *up = (struct nc_move){.kind = NC_RAPID, .line = from->line, .why = NC_WHY_PART};
-    up->to = nc_station(&step, pose, from->to.q);
-    return nc_check_linear(&step, &up->to);
+    struct stance stance = nc_station(&step, pose, from->to.q);
+    up->to = stance.at;
+    return nc_check_linear(&step, &stance);
 }
 
 /* The feed with which the tool comes down again to where `to` starts. */

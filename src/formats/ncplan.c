@@ -12,6 +12,7 @@
 
 #include "ncahead.h"
 #include "nchole.h"
+#include "ncturn.h"
 
 /* Of a tolerance: the worst place of a block may lie between those that are looked at. */
 static const double sampled = 0.9;
@@ -306,6 +307,7 @@ int nc_plan_make(struct nc_plan *plan, const struct path *path, const struct mac
     step.clear = clear_height(path);
     array_reserve(&plan->move, path->item.n + path->item.n / 16); /* most are blocks as they are */
     step.state.faster = 1;
+    step.state.turned = chain_turned(&machine->chain, step.state.at.q);
     measure_tool(&step, path_ball(path));
     for (size_t from = 0; from < path->item.n;) {
         size_t to = group_end(path, from);

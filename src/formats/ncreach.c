@@ -21,23 +21,26 @@ static int over_travel(struct nc_step *step, int axis, const char *what, double 
 /* However the rotary axes stand: a turn about c takes p no further from 0 than |p| + 2 |c|. */
 static bool surely_within(const struct machine *m, struct vec3 p)
 {
-    double far = vec_length(p);
-    for (int i = 0; i < m->chain.n; i++)
-        far += 2 * vec_length(m->chain.rotary[i].centre);
+    double far = fmax(fabs(p.x), fmax(fabs(p.y), fabs(p.z)));
+    if (m->chain.n) {
+        far = vec_length(p);
+        for (int i = 0; i < m->chain.n; i++)
+            far += 2 * vec_length(m->chain.rotary[i].centre);
+    }
     for (int axis = 0; axis < 3; axis++)
         if (far > m->max[axis] || far > -m->min[axis])
             return false;
     return true;
 }
 
-int nc_check_linear(struct nc_step *step, const struct station *to)
+int nc_check_linear(struct nc_step *step, const struct stance *to)
 {
     const struct machine *m = step->machine;
-    struct vec3 p = to->p;
+    struct vec3 p = to->at.p;
     if (step->follow.mode != FOLLOW_JOINT && surely_within(m, p))
         return 0;
     if (step->follow.mode != FOLLOW_JOINT)
-        p = chain_linear(&m->chain, p, to->q);
+        p = chain_linear_of(&m->chain, p, &to->turned);
     const double at[3] = {p.x, p.y, p.z};
     for (int axis = 0; axis < 3; axis++)
         if (!(at[axis] >= m->min[axis] && at[axis] <= m->max[axis]))
@@ -45,20 +48,33 @@ int nc_check_linear(struct nc_step *step, const struct station *to)
     return 0;
 }
 
-struct station nc_station(const struct nc_step *step, struct pose to, const double q[])
+/* The same, where the cosines and sines of q are known. */
+static struct stance stance_of(const struct nc_step *step, struct pose to, const double q[],
+                               const struct turned *turned)
 {
     const struct machine_digits *digits = &step->plan->ability.digits;
     const struct chain *chain = &step->machine->chain;
-    struct station s = {.a = to.a};
-    for (int i = 0; i < chain->n; i++)
-        s.q[i] = RADIANS(num_round(DEGREES(q[i]), digits->angle));
+    struct stance s = {.at = {.a = to.a}};
+    double by[ROTARY_MAX] = {0};
+    for (int i = 0; i < chain->n; i++) {
+        s.at.q[i] = RADIANS(num_round(DEGREES(q[i]), digits->angle));
+        by[i] = s.at.q[i] - q[i];
+    }
+    s.turned = chain_turned_on(chain, *turned, by);
     if (step->follow.mode == FOLLOW_VECTOR)
-        s.a = round_point(to.a, digits->vector);
+        s.at.a = round_point(to.a, digits->vector);
     else if (chain->n)
-        s.a = chain_axis(chain, s.q);
-    struct vec3 p = step->follow.mode == FOLLOW_JOINT ? chain_linear(chain, to.p, s.q) : to.p;
-    s.p = round_point(p, digits->linear);
+        s.at.a = chain_axis_of(chain, &s.turned);
+    if (step->follow.mode == FOLLOW_JOINT)
+        to.p = chain_linear_of(chain, to.p, &s.turned);
+    s.at.p = round_point(to.p, digits->linear);
     return s;
+}
+
+struct stance nc_station(const struct nc_step *step, struct pose to, const double q[])
+{
+    struct turned turned = chain_turned(&step->machine->chain, q);
+    return stance_of(step, to, q, &turned);
 }
 
 /*
@@ -88,10 +104,16 @@ static void wind(const struct nc_step *step, double q[])
         q[0] = turned;
 }
 
-int nc_reach(struct nc_step *step, struct pose to, struct station *s)
+int nc_reach(struct nc_step *step, struct pose to, struct stance *s)
 {
     const struct chain *chain = &step->machine->chain;
     double q[ROTARY_MAX] = {0};
+    struct turned turned = step->state.turned;
+    if (!step->first && !step->aim && step->branch.then < 0 &&
+        chain_beside(chain, to.a, step->state.at.q, q, &turned)) {
+        *s = stance_of(step, to, q, &turned);
+        return nc_check_linear(step, s);
+    }
     int over, only = step->first ? step->branch.first : step->branch.then;
     const double *near = step->aim ? step->aim : step->state.at.q;
     if (chain_choose(chain, to.a, near, step->aim || !step->first, only, q, &over) != 0) {

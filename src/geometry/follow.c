@@ -1,8 +1,10 @@
 /* follow - see follow.h. */
 #include "follow.h"
 
-enum { SAMPLES = 8, SAMPLES_SPLINE = 24 }; /* pieces that a block is looked at in */
-static const double little_of = 0.05;  /* of what is allowed: a bound of it needs no closer look */
+/* Pieces that a block is looked at in; a piece turns through no more than `piece_turn`, radians. */
+enum { SAMPLES = 8, SAMPLES_SPLINE = 24, SAMPLES_MOST = 128 };
+static const double piece_turn = 0.05;
+static const double little_of = 0.05; /* of what is allowed: a bound of it needs no closer look */
 static const double most_ahead = 0.25; /* of a block, that its time may run ahead or behind */
 
 bool deviation_within(struct deviation d, struct deviation allowed)
@@ -87,18 +89,100 @@ static struct pose beside(const struct follow *f, const struct station *from,
     return follow_pose(f, from, to, s < 0 ? 0 : s > 1 ? 1 : s);
 }
 
-/*
- * A straight motion, its axis turned by rotary axes through dq0, dq1: the axis moves at no more
- * than |dq0| + |dq1|, so both it and the great circle stay within that squared over 8 of the
- * straight line between the two end axes.
- */
-static double turn_bound(const struct follow *f, const struct station *from,
-                         const struct station *to)
+/* How far the rotary axes turn in a block, all together. */
+static double turn_of(const struct follow *f, const double from[], const double to[])
 {
     double sum = 0;
     for (int i = 0; i < f->chain->n; i++)
-        sum += fabs(to->q[i] - from->q[i]);
-    return sum * sum / 4;
+        sum += fabs(to[i] - from[i]);
+    return sum;
+}
+
+/* Point, ball and axis at one place of a block, less those of the motion at the same time. */
+struct error3 {
+    struct vec3 point, ball, axis;
+};
+
+static struct error3 error_of(const struct follow *f, struct pose at, struct pose wanted)
+{
+    struct error3 e = {.point = vec_sub(at.p, wanted.p), .axis = vec_sub(at.a, wanted.a)};
+    e.ball = vec_along(e.point, f->ball, e.axis);
+    return e;
+}
+
+static double bend(struct vec3 start, struct vec3 middle, struct vec3 end)
+{
+    return vec_distance(middle, vec_mix(start, end, 0.5));
+}
+
+/* The pose at a stance. */
+static struct pose stance_pose(const struct follow *f, const struct stance *s)
+{
+    struct pose at = {s->at.p, s->at.a};
+    if (f->mode == FOLLOW_VECTOR)
+        at.a = vec_unit(at.a);
+    if (f->mode == FOLLOW_JOINT)
+        at.p = chain_tip_of(f->chain, at.p, &s->turned);
+    return at;
+}
+
+/* Half-way along the block. */
+static struct pose middle_pose(const struct follow *f, const struct stance *from,
+                               const struct stance *to)
+{
+    struct pose at = {.p = vec_mix(from->at.p, to->at.p, 0.5)};
+    if (f->mode == FOLLOW_VECTOR) {
+        at.a = vec_unit(vec_add(vec_unit(from->at.a), vec_unit(to->at.a)));
+        return at;
+    }
+    struct turned t = chain_turned_mid(f->chain, from->turned, to->turned);
+    at.a = chain_axis_of(f->chain, &t);
+    if (f->mode == FOLLOW_JOINT)
+        at.p = chain_tip_of(f->chain, at.p, &t);
+    return at;
+}
+
+/* The third derivative of the tip's place, where linear and rotary axes move at even speed: of its
+ * arm and of its way, each turned. */
+static double tip_jerk(const struct follow *f, const struct stance *from, const struct stance *to,
+                       double turn)
+{
+    double arm = fmax(vec_length(from->at.p), vec_length(to->at.p));
+    for (int i = 0; i < f->chain->n; i++)
+        arm += 2 * vec_length(f->chain->rotary[i].centre);
+    return turn * turn * (turn * arm + 3 * vec_distance(from->at.p, to->at.p));
+}
+
+struct deviation follow_line(const struct follow *f, const struct stance *from,
+                             const struct stance *to, struct pose start, struct pose goal,
+                             struct deviation allowed)
+{
+    static const double remainder = 0.00802; /* sqrt(3) / 216 */
+    double turn = turn_of(f, from->at.q, to->at.q), ball = fabs(f->ball);
+    struct pose first = stance_pose(f, from), last = stance_pose(f, to);
+    struct deviation ends = deviation_worst(follow_difference(f, first, start),
+                                            follow_difference(f, last, goal));
+    if (f->mode == FOLLOW_VECTOR)
+        return ends;
+    /* both axes stay within turn^2 / 8 of the straight line between their ends */
+    struct deviation most = {f->mode == FOLLOW_JOINT ? HUGE_VAL : ball * turn * turn / 4,
+                             turn * turn / 4};
+    struct deviation little = {little_of * allowed.point, little_of * allowed.axis};
+    if (!deviation_within(most, little)) {
+        double great = 1.05 * vec_distance(start.a, goal.a); /* no less than the angle, up to 1 */
+        double rest = remainder * (turn * turn * turn + great * great * great);
+        if (!(great <= 1 && rest <= little.axis))
+            return (struct deviation){HUGE_VAL, HUGE_VAL};
+        struct pose wanted = {vec_mix(start.p, goal.p, 0.5), vec_unit(vec_add(start.a, goal.a))};
+        struct error3 e0 = error_of(f, first, start), e1 = error_of(f, last, goal);
+        struct error3 e = error_of(f, middle_pose(f, from, to), wanted);
+        most.axis = 1.001 * (bend(e0.axis, e.axis, e1.axis) + rest);
+        most.point = fmax(bend(e0.point, e.point, e1.point),
+                          bend(e0.ball, e.ball, e1.ball) + ball * rest);
+        if (f->mode == FOLLOW_JOINT)
+            most.point += remainder * tip_jerk(f, from, to, turn);
+    }
+    return (struct deviation){ends.point + most.point, ends.axis + most.axis};
 }
 
 /* The top of the parabola through three samples in a row, where the middle one is the highest: the
@@ -125,21 +209,14 @@ static struct deviation peak(const struct deviation *d, int n)
 
 struct deviation follow_block(const struct follow *f, const struct station *from,
                               const struct station *to, const struct motion *motion, double s0,
-                              double s1, struct deviation allowed)
+                              double s1)
 {
+    double turn = f->mode == FOLLOW_VECTOR ? 0 : turn_of(f, from->q, to->q);
     int samples = motion->kind == MOTION_SPLINE ? SAMPLES_SPLINE : SAMPLES;
-    struct deviation d[SAMPLES_SPLINE + 1];
+    samples = (int)fmin(SAMPLES_MOST, fmax(samples, ceil(turn / piece_turn)));
+    struct deviation d[SAMPLES_MOST + 1];
     d[0] = follow_difference(f, station_pose(f, from), motion_at(motion, s0));
     d[samples] = follow_difference(f, station_pose(f, to), motion_at(motion, s1));
-    if (motion->kind == MOTION_LINE && f->mode != FOLLOW_JOINT) {
-        double bound = f->mode == FOLLOW_VECTOR ? 0 : turn_bound(f, from, to);
-        struct deviation most = {fabs(f->ball) * bound, bound};
-        struct deviation little = {little_of * allowed.point, little_of * allowed.axis};
-        if (deviation_within(most, little)) {
-            struct deviation ends = deviation_worst(d[0], d[samples]);
-            return (struct deviation){ends.point + most.point, ends.axis + most.axis};
-        }
-    }
     for (int i = 1; i < samples; i++) {
         double s = (double)i / samples;
         struct pose wanted = motion_at(motion, s0 + s * (s1 - s0));

@@ -4,43 +4,99 @@
 static const double reach = 1e-6;    /* radians beyond the chain's reach that count as rounding */
 static const double singular = 1e-9; /* radians from the singular direction that count as on it */
 
-struct vec3 chain_axis(const struct chain *chain, const double q[])
+struct turned chain_turned(const struct chain *chain, const double q[])
+{
+    struct turned t = {{1, 1}, {0, 0}};
+    for (int i = 0; i < chain->n; i++) {
+        t.cosine[i] = cos(q[i]);
+        t.sine[i] = sin(q[i]);
+    }
+    return t;
+}
+
+struct turned chain_turned_on(const struct chain *chain, struct turned from, const double by[])
+{
+    struct turned t = from;
+    for (int i = 0; i < chain->n; i++) {
+        double d = by[i], d2 = d * d;
+        double c = 1 - d2 / 2 * (1 - d2 / 12 * (1 - d2 / 30)), s = d * (1 - d2 / 6 * (1 - d2 / 20));
+        t.cosine[i] = from.cosine[i] * c - from.sine[i] * s;
+        t.sine[i] = from.sine[i] * c + from.cosine[i] * s;
+    }
+    return t;
+}
+
+struct turned chain_turned_mid(const struct chain *chain, struct turned a, struct turned b)
+{
+    struct turned t = a;
+    for (int i = 0; i < chain->n; i++) {
+        double c = a.cosine[i] + b.cosine[i], s = a.sine[i] + b.sine[i];
+        double scale = 1 / sqrt(c * c + s * s);
+        t.cosine[i] = scale * c;
+        t.sine[i] = scale * s;
+    }
+    return t;
+}
+
+struct vec3 chain_axis_of(const struct chain *chain, const struct turned *at)
 {
     struct vec3 a = chain->tool;
     for (int i = chain->n - 1; i >= 0; i--)
-        a = vec_turn(a, chain->rotary[i].axis, q[i]);
+        a = vec_turn_by(a, chain->rotary[i].axis, at->cosine[i], at->sine[i]);
     return a;
 }
 
-static struct vec3 turn_about(const struct rotary *rotary, struct vec3 p, double angle)
+struct vec3 chain_axis(const struct chain *chain, const double q[])
 {
-    return vec_add(rotary->centre, vec_turn(vec_sub(p, rotary->centre), rotary->axis, angle));
+    struct turned at = chain_turned(chain, q);
+    return chain_axis_of(chain, &at);
+}
+
+/* p turned about the i-th axis, sense 1, or back, -1. */
+static struct vec3 turn_about(const struct chain *chain, int i, struct vec3 p,
+                              const struct turned *at, int sense)
+{
+    const struct rotary *r = &chain->rotary[i];
+    struct vec3 arm = vec_sub(p, r->centre);
+    return vec_add(r->centre, vec_turn_by(arm, r->axis, at->cosine[i], sense * at->sine[i]));
 }
 
 /* How far the head's axes carry the tip from where it is at zero. */
-static struct vec3 head_offset(const struct chain *chain, const double q[])
+static struct vec3 head_offset(const struct chain *chain, const struct turned *at)
 {
     struct vec3 tip = vec(0, 0, 0);
     for (int i = chain->n - 1; i >= 0 && !chain->rotary[i].table; i--)
-        tip = turn_about(&chain->rotary[i], tip, q[i]);
+        tip = turn_about(chain, i, tip, at, 1);
+    return tip;
+}
+
+struct vec3 chain_tip_of(const struct chain *chain, struct vec3 linear, const struct turned *at)
+{
+    struct vec3 tip = vec_add(linear, head_offset(chain, at));
+    for (int i = chain->n - 1; i >= 0; i--)
+        if (chain->rotary[i].table)
+            tip = turn_about(chain, i, tip, at, 1);
     return tip;
 }
 
 struct vec3 chain_tip(const struct chain *chain, struct vec3 linear, const double q[])
 {
-    struct vec3 tip = vec_add(linear, head_offset(chain, q));
-    for (int i = chain->n - 1; i >= 0; i--)
+    struct turned at = chain_turned(chain, q);
+    return chain_tip_of(chain, linear, &at);
+}
+
+struct vec3 chain_linear_of(const struct chain *chain, struct vec3 tip, const struct turned *at)
+{
+    for (int i = 0; i < chain->n; i++)
         if (chain->rotary[i].table)
-            tip = turn_about(&chain->rotary[i], tip, q[i]);
-    return tip;
+            tip = turn_about(chain, i, tip, at, -1);
+    return vec_sub(tip, head_offset(chain, at));
 }
 
 struct vec3 chain_linear(const struct chain *chain, struct vec3 tip, const double q[])
 {
-    for (int i = 0; i < chain->n; i++)
-        if (chain->rotary[i].table)
-            tip = turn_about(&chain->rotary[i], tip, -q[i]);
-    return vec_sub(tip, head_offset(chain, q));
+    struct turned at = chain_turned(chain, q);
+    return chain_linear_of(chain, tip, &at);
 }
 
 /* The angle about the unit vector `axis` that turns `from` to `to`. */
@@ -146,17 +202,28 @@ static void merit(const struct chain *chain, const double from[], const double q
     m[2] = away;
 }
 
+/* The angle of that cosine and sine nearest to `from`, whose own are in `was`: by the sine's
+ * inverse series where it is near. */
+static double angle_near(double from, const struct turned *was, int i, double cosine, double sine)
+{
+    double s = sine * was->cosine[i] - cosine * was->sine[i], s2 = s * s;
+    if (s2 < 1e-4 && cosine * was->cosine[i] + sine * was->sine[i] > 0)
+        return from + s * (1 + s2 * (1.0 / 6 + s2 * (3.0 / 40)));
+    double q = atan2(sine, cosine);
+    return q + 2 * PI * round((from - q) / (2 * PI));
+}
+
 /*
- * The usual case of chain_choose, in a third of the time: two axes, away from the singular
- * direction, and the solution on the side where `from` is moves less than the other one can.  The
- * component of a along u0 is k0 + b cos q1 + c sin q1, so with root^2 = b^2 + c^2 - k^2 the cosine
- * and sine of both q1 are known without an angle.  False: look closer.
+ * The component of a along u0 is k0 + b cos q1 + c sin q1, so with root^2 = b^2 + c^2 - k^2 the
+ * cosine and sine of both q1 are known without an angle.
  */
-static bool choose_beside(const struct chain *chain, struct vec3 axis, const double from[],
-                          double q[])
+bool chain_beside(const struct chain *chain, struct vec3 axis, const double from[], double q[],
+                  struct turned *turned)
 {
     const double steep = 1e-4; /* of h^2: half a degree from the singular direction */
     const struct rotary *r0 = &chain->rotary[0], *r1 = &chain->rotary[1];
+    if (chain->n != 2)
+        return false;
     struct vec3 across = vec_cross(r1->axis, chain->tool);
     double along = vec_dot(r1->axis, chain->tool), k0 = vec_dot(r0->axis, r1->axis) * along;
     double b = vec_dot(r0->axis, chain->tool) - k0, c = vec_dot(r0->axis, across);
@@ -164,13 +231,18 @@ static bool choose_beside(const struct chain *chain, struct vec3 axis, const dou
     double root2 = h2 - k * k;
     if (!(root2 > steep * h2))
         return false;
-    double side = c * cos(from[1]) - b * sin(from[1]) > 0 ? -sqrt(root2) : sqrt(root2);
-    double cosine = (b * k - c * side) / h2, sine = (c * k + b * side) / h2;
-    struct vec3 turned = vec_along(vec_scale(cosine, chain->tool), sine, across);
-    turned = vec_along(turned, (1 - cosine) * along, r1->axis);
-    double q1 = atan2(sine, cosine), q0 = turn_between(r0->axis, turned, axis);
-    q1 += 2 * PI * round((from[1] - q1) / (2 * PI));
-    q0 += 2 * PI * round((from[0] - q0) / (2 * PI));
+    double side = c * turned->cosine[1] - b * turned->sine[1] > 0 ? -sqrt(root2) : sqrt(root2);
+    double c1 = (b * k - c * side) / h2, s1 = (c * k + b * side) / h2;
+    struct vec3 to = vec_reject(axis, r0->axis);
+    struct vec3 at = vec_along(vec_scale(c1, chain->tool), s1, across);
+    at = vec_reject(vec_along(at, (1 - c1) * along, r1->axis), r0->axis);
+    double c0 = vec_dot(at, to), s0 = vec_dot(r0->axis, vec_cross(at, to));
+    double far2 = c0 * c0 + s0 * s0, scale = 1 / sqrt(far2);
+    if (!(far2 > 0))
+        return false;
+    c0 *= scale;
+    s0 *= scale;
+    double q0 = angle_near(from[0], turned, 0, c0, s0), q1 = angle_near(from[1], turned, 1, c1, s1);
     if (q0 > r0->max || q0 < r0->min || q1 > r1->max || q1 < r1->min)
         return false;
     double move0 = fabs(q0 - from[0]), move1 = fabs(q1 - from[1]);
@@ -178,14 +250,18 @@ static bool choose_beside(const struct chain *chain, struct vec3 axis, const dou
         return false;
     q[0] = q0; /* last, for q may be where `from` stands */
     q[1] = q1;
+    *turned = (struct turned){{c0, c1}, {s0, s1}};
     return true;
 }
 
 int chain_choose(const struct chain *chain, struct vec3 axis, const double from[], bool smooth,
                  int only, double q[], int *over)
 {
-    if (chain->n == 2 && smooth && only < 0 && choose_beside(chain, axis, from, q))
-        return 0;
+    if (smooth && only < 0) {
+        struct turned turned = chain_turned(chain, from);
+        if (chain_beside(chain, axis, from, q, &turned))
+            return 0;
+    }
     struct chain_solutions s = chain_angles(chain, axis);
     double best[3];
     int found = -1;

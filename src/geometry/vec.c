@@ -3,10 +3,7 @@
 
 struct vec3 vec_turn(struct vec3 a, struct vec3 axis, double angle)
 {
-    double c = cos(angle), s = sin(angle);
-    struct vec3 across = vec_cross(axis, a);
-    struct vec3 turned = vec_along(vec_scale(c, a), s, across);
-    return vec_along(turned, (1 - c) * vec_dot(axis, a), axis);
+    return vec_turn_by(a, axis, cos(angle), sin(angle));
 }
 
 struct vec3 vec_slerp(struct vec3 a, struct vec3 b, double s)

@@ -1,0 +1,17 @@
+/*
+ * ncmove - one more block into the plan: its feed word and the time that it takes.
+ */
+#ifndef CLOUDMILL_NCMOVE_H
+#define CLOUDMILL_NCMOVE_H
+
+#include "ncstep.h"
+
+/*
+ * A block from where the program is to a stance, along which the tracked point goes `length` mm;
+ * index: of its arc or spline in the plan.  The program then stands there; the pose is the caller's
+ * to set.
+ */
+void nc_add_move(struct nc_step *step, enum nc_kind kind, const struct stance *stance,
+                 double length, size_t index);
+
+#endif

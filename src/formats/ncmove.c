@@ -1,0 +1,74 @@
+/* ncmove - see ncmove.h. */
+#include "ncmove.h"
+
+#include "num.h"
+
+/* The longest that an axis of the machine needs between two stations, minutes. */
+static double axes_minutes(const struct nc_step *step, const struct station *a,
+                           const struct station *b)
+{
+    const struct machine *m = step->machine;
+    double minutes = 0;
+    for (int i = 0; i < m->chain.n; i++)
+        minutes = fmax(minutes, DEGREES(fabs(b->q[i] - a->q[i])) / m->rapid[m->letter[i]]);
+    if (step->follow.mode == FOLLOW_JOINT)
+        minutes = fmax(minutes, vec_distance(a->p, b->p) / m->rapid[MACHINE_X]);
+    return minutes;
+}
+
+/* The way of all axes together, mm and degrees. */
+static double joint_way(const struct nc_step *step, const struct station *a,
+                        const struct station *b)
+{
+    double way = vec_distance(a->p, b->p);
+    for (int i = 0; i < step->machine->chain.n; i++)
+        way = hypot(way, DEGREES(b->q[i] - a->q[i]));
+    return way;
+}
+
+/* F for a block of that length that is to take so long: never 0, never beyond the control's. */
+static double feed_word(const struct nc_step *step, const struct station *to, double length,
+                        double minutes)
+{
+    const struct nc_ability *ability = &step->plan->ability;
+    static const double last_digit[] = {1,    0.1,  0.01, 1e-3, 1e-4,  1e-5,
+                                        1e-6, 1e-7, 1e-8, 1e-9, 1e-10, 1e-11};
+    double least = last_digit[ability->digits.feed], feed = step->state.feed * step->state.faster;
+    if (ability->feeds == NC_FEEDS_INVERSE)
+        feed = 1 / fmax(minutes, 1e-9);
+    else if (ability->feeds == NC_FEEDS_COMBINED)
+        feed = joint_way(step, &step->state.at, to) / fmax(minutes, 1e-9);
+    else if (length > 0 && minutes > length / feed)
+        feed = length / minutes;
+    return fmax(num_round(fmin(feed, ability->feed_max), ability->digits.feed), least);
+}
+
+void nc_add_move(struct nc_step *step, enum nc_kind kind, const struct stance *stance,
+                 double length, size_t index)
+{
+    const struct station *to = &stance->at;
+    struct nc_total *total = &step->plan->total;
+    double minutes = axes_minutes(step, &step->state.at, to);
+    struct nc_move *move = array_push(&step->plan->move);
+    *move = (struct nc_move){.kind = kind,
+                             .why = step->state.why,
+                             .line = step->state.line,
+                             .to = *to,
+                             .index = index};
+    if (kind == NC_RAPID) {
+        minutes = fmax(minutes, length / step->machine->rapid[MACHINE_X]);
+        total->rapid += length;
+        total->rapids++;
+    } else {
+        minutes = fmax(minutes, length / (step->state.feed * step->state.faster));
+        move->feed = feed_word(step, to, length, minutes);
+        total->cut += length;
+        total->lines += kind == NC_LINE;
+        total->arcs += kind == NC_ARC;
+        total->splines += kind == NC_SPLINE;
+    }
+    total->minutes += minutes;
+    step->state.at = *to;
+    step->state.turned = stance->turned;
+    step->first = false;
+}
