@@ -6,6 +6,9 @@
 
 #include "ncstep.h"
 
+/* Appends a move that ends at a stance, where the program then stands. */
+struct nc_move *nc_move_to(struct nc_step *step, enum nc_kind kind, const struct stance *stance);
+
 /*
  * A block from where the program is to a stance, along which the tracked point goes `length` mm;
  * index: of its arc or spline in the plan.  The program then stands there; the pose is the caller's

@@ -72,13 +72,17 @@ struct nc_hole {
     double feed;                    /* mm/min, or inches */
 };
 
+/* 64 bytes, for there may be millions. */
 struct nc_move {
-    enum nc_kind kind;
-    enum nc_why why;
-    unsigned line;     /* of the path, 0: made here */
-    struct station to; /* RAPID, LINE, ARC, SPLINE */
-    double feed;       /* as printed, see enum nc_feeds */
-    size_t index;      /* ARC, SPLINE, HOLE: element of the plan; TEXT, TOOL: of the path; PASS: its number */
+    enum nc_kind kind : 8;
+    enum nc_why why : 8;
+    unsigned line;        /* of the path, 0: made here */
+    unsigned index;       /* ARC, SPLINE, HOLE: element of the plan; TEXT, TOOL: of the path; PASS:
+                             its number */
+    unsigned vector;      /* element of the plan, in FOLLOW_VECTOR */
+    double feed;          /* as printed, see enum nc_feeds */
+    struct vec3 p;        /* RAPID, LINE, ARC, SPLINE, HOLE: where it ends, see struct station */
+    double q[ROTARY_MAX];
 };
 
 struct nc_total {
@@ -94,6 +98,7 @@ struct nc_total {
 struct nc_plan {
     struct nc_ability ability;
     struct { size_t n, cap; struct nc_move *item; } move;
+    struct vec3s vector; /* tool axes as printed */
     struct { size_t n, cap; struct nc_arc *item; } arc;
     struct { size_t n, cap; struct nc_spline *item; } spline;
     struct { size_t n, cap; struct nc_hole *item; } hole;
@@ -104,6 +109,10 @@ struct nc_plan {
 /* Fills the plan, which keeps nothing of the path; -1: the error says pass, line and axis. */
 int nc_plan_make(struct nc_plan *plan, const struct path *path, const struct machine *machine,
                  struct nc_ability ability, struct nc_wish wish, struct error *error);
+
+/* What a move says where it ends. */
+struct station nc_plan_station(const struct nc_plan *plan, const struct chain *chain,
+                               const struct nc_move *move);
 
 void nc_plan_free(struct nc_plan *plan);
 

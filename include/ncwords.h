@@ -6,8 +6,8 @@
 
 #include "dialect.h"
 
-/* Where the first motion with the tool in the spindle goes. */
-const struct station *nc_first_station(const struct nc_program *p);
+/* The first motion with the tool in the spindle. */
+const struct nc_move *nc_first_move(const struct nc_program *p);
 
 /* X Y Z, those that change. */
 void nc_place(struct nc_program *p, struct vec3 to);
@@ -20,7 +20,7 @@ void nc_rotary_home(struct nc_program *p);
 
 /* The tool axis as the program has it: rotary words, or a vector with these three addresses, all
  * of it or nothing. */
-void nc_axis(struct nc_program *p, const struct station *to, const char *const address[3]);
+void nc_axis(struct nc_program *p, const struct nc_move *move, const char *const address[3]);
 
 /* F, when it changes; inverse-time feeds always. */
 void nc_feed(struct nc_program *p, const struct nc_move *move);

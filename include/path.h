@@ -27,16 +27,19 @@ enum path_kind {
     PATH_TEXT    /* a statement that is carried along as it is */
 };
 
+/* 64 bytes, for there may be millions. */
 struct path_item {
-    enum path_kind kind;
-    bool rapid;             /* POINT: at the machine's rapid */
-    bool touches;           /* POINT, ARC, SPLINE: `contact` was given for where it ends */
-    unsigned line;          /* of the input, 0: made here */
-    size_t index;           /* ARC, SPLINE, HOLE, TOOL, TEXT: element of path.arc, .spline, .cycle,
-                               .tool, .text; PASS: number */
-    double feed;            /* FEED: mm/min */
-    struct pose to;         /* POINT, ARC, SPLINE; HOLE: its mouth and the axis out of it */
-    struct contact contact; /* at `to` */
+    enum path_kind kind : 8;
+    bool rapid : 1;   /* POINT: at the machine's rapid */
+    bool touches : 1; /* POINT, ARC, SPLINE: the contact where it ends is known */
+    unsigned line;    /* of the input, 0: made here */
+    unsigned index;   /* ARC, SPLINE, HOLE, TOOL, TEXT: element of path.arc, .spline, .cycle, .tool,
+                         .text; PASS: number */
+    unsigned contact; /* when it touches: element of path.contact */
+    union {
+        struct pose to; /* POINT, ARC, SPLINE; HOLE: its mouth and the axis out of it */
+        double feed;    /* FEED: mm/min */
+    };
 };
 
 /* An arc about `axis` by the right-hand rule, from the pose before; start = end: a full circle.
@@ -108,6 +111,7 @@ struct path {
     const char *system; /* that wrote it, "NX", as its words show; NULL: this suite or not known */
     struct path_head head; /* with its first tool */
     struct { size_t n, cap; struct path_item *item; } item;
+    struct contacts contact;
     struct { size_t n, cap; struct path_arc *item; } arc;
     struct { size_t n, cap; struct path_spline *item; } spline;
     struct { size_t n, cap; struct path_cycle *item; } cycle;
@@ -152,6 +156,9 @@ void path_add_tool(struct path *path, struct path_tool tool);
 void path_add_pass(struct path *path, size_t number);
 void path_add_feed(struct path *path, double feed);
 void path_add_text(struct path *path, const char *text);
+
+/* Says where the tool touches at the end of an item. */
+void path_touch(struct path *path, struct path_item *item, struct contact contact);
 
 /* Appends items [from, to) of another path, unchanged (deep copies of what they point at). */
 void path_add_items(struct path *path, const struct path *other, size_t from, size_t to);

@@ -125,8 +125,8 @@ static void write_job(const struct path *in, struct job *job, struct path *out)
         }
         struct path_spline spline = {piece->fit.curve, piece->fallback};
         struct path_item *item = path_add_spline(out, last->to, spline);
-        item->touches = last->touches;
-        item->contact = last->contact;
+        if (last->touches)
+            path_touch(out, item, in->contact.item[last->contact]);
         piece->fit.curve = (struct bspline){0};
         piece->fallback = (struct poses){0};
     }

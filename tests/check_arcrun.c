@@ -45,7 +45,8 @@ START_TEST(sparse_points_are_fitted_as_the_smooth_path_they_mean)
     for (size_t i = 0; i < out.item.n; i++) {
         const struct path_item *item = &out.item.item[i];
         ck_assert(item->touches);
-        ck_assert_double_lt(fabs(hypot(item->contact.p.x, item->contact.p.y) - 30), 0.01);
+        struct vec3 contact = out.contact.item[item->contact].p;
+        ck_assert_double_lt(fabs(hypot(contact.x, contact.y) - 30), 0.01);
         struct vec3 ball = vec_along(item->to.p, 5, item->to.a);
         ck_assert_double_lt(fabs(hypot(ball.x, ball.y) - 25), 0.012);
         if (item->kind == PATH_ARC) {

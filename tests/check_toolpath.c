@@ -69,8 +69,8 @@ START_TEST(passes_links_and_feeds_are_in_order)
         if (item->touches) {
             ck_assert(!item->rapid);
             ck_assert_double_eq(feed, 800);
-            ck_assert_double_lt(vec_distance(ball_of(item), vec_along(item->contact.p, R,
-                                                                      item->contact.n)), 1e-9);
+            struct contact at = path.contact.item[item->contact];
+            ck_assert_double_lt(vec_distance(ball_of(item), vec_along(at.p, R, at.n)), 1e-9);
         }
     }
     ck_assert_uint_eq(pass, 3);

@@ -24,8 +24,8 @@ struct run arcrun_read(const struct path *path, size_t from, size_t to)
         else
             p.ball = vec_along(p.tip, run.radius, p.axis);
         if (item->touches) {
-            p.contact = item->contact.p;
-            p.normal = item->contact.n;
+            p.contact = path->contact.item[item->contact].p;
+            p.normal = path->contact.item[item->contact].n;
         }
         *array_push(&run) = p;
     }
@@ -137,9 +137,11 @@ static bool contact_at(const struct fit *f, double place, struct contact *contac
     return true;
 }
 
-static void touch(struct path_item *item, const struct fit *f, double place)
+static void touch(struct path *out, struct path_item *item, const struct fit *f, double place)
 {
-    item->touches = contact_at(f, place, &item->contact);
+    struct contact contact;
+    if (contact_at(f, place, &contact))
+        path_touch(out, item, contact);
 }
 
 /* How many chords keep a piece of the motion within `sagitta` at both points. */
@@ -181,7 +183,7 @@ static void put_chords(const struct fit *f, const struct printed *p, struct path
     for (int i = 1; i <= n; i++) {
         double s = (double)i / n, place = piece->from + s * (piece->to - piece->from);
         struct pose to = {arc_at(&piece->arc, s), vec_slerp(piece->axis, piece->axis_to, s)};
-        touch(path_add_point(out, to, false), f, i < n ? place : piece->to);
+        touch(out, path_add_point(out, to, false), f, i < n ? place : piece->to);
     }
 }
 
@@ -192,11 +194,11 @@ static void put_pieces(const struct fit *f, struct path *out, struct arcrun_repo
         const struct printed *p = &f->printed.item[i];
         struct pose to = {p->piece.arc.to, p->piece.axis_to};
         if (p->arc.radius <= 0)
-            touch(path_add_point(out, to, false), f, p->piece.to);
+            touch(out, path_add_point(out, to, false), f, p->piece.to);
         else if (f->options->chords)
             put_chords(f, p, out);
         else
-            touch(path_add_arc(out, to, p->arc), f, p->piece.to);
+            touch(out, path_add_arc(out, to, p->arc), f, p->piece.to);
         report->arcs += p->arc.radius > 0;
         report->lines += p->arc.radius <= 0;
         report->length += arc_length(&p->piece.arc);

@@ -110,7 +110,7 @@ void dialect_move(const struct dialect *dialect, struct nc_program *p, const str
         dialect->hole(p, move);
         break;
     case NC_PASS:
-        nc_comment(&p->w, "Pass %zu", move->index);
+        nc_comment(&p->w, "Pass %u", move->index);
         break;
     case NC_TEXT:
         nc_statement(p, dialect, p->path->text.item[move->index]);

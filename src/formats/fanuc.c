@@ -43,7 +43,7 @@ static void retract_home(struct nc_program *p)
 }
 
 /* Tool length compensation, of the kind that the program needs; the rotary axes stand already. */
-static void compensate(struct nc_program *p, const struct station *first)
+static void compensate(struct nc_program *p, const struct nc_move *first)
 {
     struct nc_writer *w = &p->w;
     int tool = p->tooling.number ? p->tooling.number : 1;
@@ -82,7 +82,7 @@ static void start(struct nc_program *p)
 static void take(struct nc_program *p)
 {
     struct nc_writer *w = &p->w;
-    const struct station *first = nc_first_station(p);
+    const struct nc_move *first = nc_first_move(p);
     if (p->tooling.number)
         nc_template(p, p->machine->blocks.tool_change, "T{tool} M6");
     nc_spindle(p);

@@ -110,7 +110,7 @@ static void take(struct nc_program *p)
     const char *smooth = "CYCL DEF 32.0 TOLERANCE|CYCL DEF 32.1 T{tolerance}|"
                          "CYCL DEF 32.2 HSC-MODE:0 TA{orientation}";
     struct nc_writer *w = &p->w;
-    const struct station *first = nc_first_station(p);
+    const struct nc_move *first = nc_first_move(p);
     tool(p);
     if (p->tooling.spindle > 0)
         nc_block(w, p->tooling.ccw ? "M4" : "M3");
@@ -143,8 +143,8 @@ static void line(struct nc_program *p, const struct nc_move *move)
         nc_forget(w, NC_X, NC_K);
     nc_code(w, vectors ? "LN" : "L");
     size_t bare = w->n;
-    nc_place(p, move->to.p);
-    nc_axis(p, &move->to, vector_address);
+    nc_place(p, move->p);
+    nc_axis(p, move, vector_address);
     if (w->n == bare)
         nc_drop(w);
     else if (move->kind == NC_RAPID)
@@ -166,8 +166,8 @@ static void arc(struct nc_program *p, const struct nc_move *move)
     nc_end(w);
     nc_code(w, "C");
     nc_forget(w, NC_X, NC_Y);
-    nc_modal(w, NC_X, "X", move->to.p.x, digits);
-    nc_modal(w, NC_Y, "Y", move->to.p.y, digits);
+    nc_modal(w, NC_X, "X", move->p.x, digits);
+    nc_modal(w, NC_Y, "Y", move->p.y, digits);
     nc_code(w, a->ccw ? "DR+" : "DR-");
     nc_feed(p, move);
     nc_end(w);

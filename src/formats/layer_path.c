@@ -120,8 +120,10 @@ static int add_motion(struct walk *w, const struct path_item *item, struct error
         if (w->options->axes)
             *array_push(&w->layer->axis) = (struct tick){item->to.p, item->to.a};
     }
-    if (w->options->normals && item->touches)
-        *array_push(&w->layer->normal) = (struct tick){item->contact.p, item->contact.n};
+    if (w->options->normals && item->touches) {
+        struct contact at = w->path->contact.item[item->contact];
+        *array_push(&w->layer->normal) = (struct tick){at.p, at.n};
+    }
     w->at = item->to;
     w->moved = true;
     return status;

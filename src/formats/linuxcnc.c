@@ -41,7 +41,7 @@ static void smoothing(struct nc_program *p)
 }
 
 /* Tool length, and the first place: above it before down to it. */
-static void compensate(struct nc_program *p, const struct station *first)
+static void compensate(struct nc_program *p, const struct nc_move *first)
 {
     struct nc_writer *w = &p->w;
     int digits = p->plan->ability.digits.linear;
@@ -78,7 +78,7 @@ static void start(struct nc_program *p)
 static void take(struct nc_program *p)
 {
     struct nc_writer *w = &p->w;
-    const struct station *first = nc_first_station(p);
+    const struct nc_move *first = nc_first_move(p);
     if (p->tooling.number)
         nc_template(p, p->machine->blocks.tool_change, "T{tool} M6");
     nc_spindle(p);

@@ -35,9 +35,9 @@ static void say_origin(struct out *out, const struct path *path, const struct nc
         const struct path_item *item = &path->item.item[i];
         if (item->line != move->line || !item->touches)
             continue;
-        out_printf(out, "contact %.6f %.6f %.6f, normal %.6f %.6f %.6f\n", item->contact.p.x,
-                   item->contact.p.y, item->contact.p.z, item->contact.n.x, item->contact.n.y,
-                   item->contact.n.z);
+        struct contact at = path->contact.item[item->contact];
+        out_printf(out, "contact %.6f %.6f %.6f, normal %.6f %.6f %.6f\n", at.p.x, at.p.y, at.p.z,
+                   at.n.x, at.n.y, at.n.z);
         return;
     }
 }

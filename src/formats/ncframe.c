@@ -42,12 +42,14 @@ static void path_to(const struct frame *f, struct path *path)
 {
     for (size_t i = 0; i < path->item.n; i++) {
         struct path_item *item = &path->item.item[i];
-        item->feed /= f->unit;
-        if (item->kind > PATH_HOLE)
-            continue;
-        item->to = pose(f, item->to);
-        item->contact.p = point(f, item->contact.p);
-        item->contact.n = direction(f, item->contact.n);
+        if (item->kind == PATH_FEED)
+            item->feed /= f->unit;
+        if (item->kind <= PATH_HOLE)
+            item->to = pose(f, item->to);
+    }
+    for (size_t i = 0; i < path->contact.n; i++) {
+        struct contact *at = &path->contact.item[i];
+        *at = (struct contact){point(f, at->p), direction(f, at->n)};
     }
     for (size_t i = 0; i < path->arc.n; i++) {
         struct path_arc *arc = &path->arc.item[i];

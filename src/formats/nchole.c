@@ -1,6 +1,7 @@
 /* nchole - see nchole.h. */
 #include "nchole.h"
 
+#include "ncmove.h"
 #include "ncreach.h"
 #include "num.h"
 
@@ -72,22 +73,18 @@ int nc_hole(struct nc_step *step, const struct path_item *item)
         over = vec_distance(step->state.pose.p, above.p);
     else if (come(step, above) != 0)
         return -1;
-    struct station deep = nc_station(step, bottom, step->state.at.q);
-    struct station to = nc_station(step, above, step->state.at.q);
+    struct stance deep = nc_station(step, bottom, step->state.at.q);
+    struct stance to = nc_station(step, above, step->state.at.q);
     if (nc_check_linear(step, &deep) != 0 || nc_check_linear(step, &to) != 0)
         return -1;
-    *array_push(&step->plan->move) = (struct nc_move){.kind = NC_HOLE,
-                                                      .why = NC_WHY_PATH,
-                                                      .line = step->state.line,
-                                                      .to = to,
-                                                      .feed = hole.feed,
-                                                      .index = step->plan->hole.n};
+    struct nc_move *move = nc_move_to(step, NC_HOLE, &to);
+    move->why = NC_WHY_PATH;
+    move->feed = hole.feed;
+    move->index = (unsigned)step->plan->hole.n;
     *array_push(&step->plan->hole) = hole;
     count(step, &hole, over);
-    step->state.at = to;
     step->state.pose = above;
     step->state.touches = false;
-    step->first = false;
     return 0;
 }
 
@@ -135,7 +132,7 @@ void nc_hole_done(struct nc_program *p, const struct nc_move *move)
     p->hole = nc_hole_of(p, move);
     p->w.motion = NULL;
     int digits = p->plan->ability.digits.linear;
-    nc_remember(&p->w, NC_X, num_round(move->to.p.x, digits));
-    nc_remember(&p->w, NC_Y, num_round(move->to.p.y, digits));
-    nc_remember(&p->w, NC_Z, num_round(move->to.p.z, digits));
+    nc_remember(&p->w, NC_X, num_round(move->p.x, digits));
+    nc_remember(&p->w, NC_Y, num_round(move->p.y, digits));
+    nc_remember(&p->w, NC_Z, num_round(move->p.z, digits));
 }

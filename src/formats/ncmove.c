@@ -1,6 +1,7 @@
 /* ncmove - see ncmove.h. */
 #include "ncmove.h"
 
+#include "array.h"
 #include "num.h"
 
 /* The longest that an axis of the machine needs between two stations, minutes. */
@@ -43,32 +44,46 @@ static double feed_word(const struct nc_step *step, const struct station *to, do
     return fmax(num_round(fmin(feed, ability->feed_max), ability->digits.feed), least);
 }
 
-void nc_add_move(struct nc_step *step, enum nc_kind kind, const struct stance *stance,
-                 double length, size_t index)
+struct nc_move *nc_move_to(struct nc_step *step, enum nc_kind kind, const struct stance *stance)
 {
     const struct station *to = &stance->at;
-    struct nc_total *total = &step->plan->total;
-    double minutes = axes_minutes(step, &step->state.at, to);
-    struct nc_move *move = array_push(&step->plan->move);
+    struct nc_plan *plan = step->plan;
+    struct nc_move *move = array_push(&plan->move);
     *move = (struct nc_move){.kind = kind,
                              .why = step->state.why,
                              .line = step->state.line,
-                             .to = *to,
-                             .index = index};
+                             .p = to->p,
+                             .q = {to->q[0], to->q[1]}};
+    if (step->follow.mode == FOLLOW_VECTOR) {
+        move->vector = (unsigned)plan->vector.n;
+        *array_push(&plan->vector) = to->a;
+    }
+    step->state.at = *to;
+    step->state.turned = stance->turned;
+    step->first = false;
+    return move;
+}
+
+void nc_add_move(struct nc_step *step, enum nc_kind kind, const struct stance *stance,
+                 double length, size_t index)
+{
+    struct nc_total *total = &step->plan->total;
+    const struct station from = step->state.at, *to = &stance->at;
+    double minutes = axes_minutes(step, &from, to), feed = 0;
     if (kind == NC_RAPID) {
         minutes = fmax(minutes, length / step->machine->rapid[MACHINE_X]);
         total->rapid += length;
         total->rapids++;
     } else {
         minutes = fmax(minutes, length / (step->state.feed * step->state.faster));
-        move->feed = feed_word(step, to, length, minutes);
+        feed = feed_word(step, to, length, minutes);
         total->cut += length;
         total->lines += kind == NC_LINE;
         total->arcs += kind == NC_ARC;
         total->splines += kind == NC_SPLINE;
     }
     total->minutes += minutes;
-    step->state.at = *to;
-    step->state.turned = stance->turned;
-    step->first = false;
+    struct nc_move *move = nc_move_to(step, kind, stance);
+    move->feed = feed;
+    move->index = (unsigned)index;
 }

@@ -22,13 +22,17 @@ static int above(struct nc_move *up, const struct nc_program *whole, const struc
     const struct chain *chain = &whole->machine->chain;
     step.follow = (struct follow){.mode = plan.ability.mode, .chain = chain};
     step.state.line = from->line;
-    struct pose pose = {from->to.p, vec_unit(from->to.a)};
+    struct station at = nc_plan_station(&plan, chain, from);
+    struct pose pose = {at.p, vec_unit(at.a)};
     if (plan.ability.mode == FOLLOW_JOINT)
-        pose.p = chain_tip(chain, from->to.p, from->to.q);
+        pose.p = chain_tip(chain, at.p, at.q);
     pose.p = vec_along(pose.p, whole->machine->retract, pose.a);
-    *up = (struct nc_move){.kind = NC_RAPID, .line = from->line, .why = NC_WHY_PART};
-    struct stance stance = nc_station(&step, pose, from->to.q);
-    up->to = stance.at;
+    struct stance stance = nc_station(&step, pose, at.q);
+    *up = *from; /* the tool axis and the rotary axes as they are */
+    up->kind = NC_RAPID;
+    up->why = NC_WHY_PART;
+    up->p = stance.at.p;
+    up->feed = 0;
     return nc_check_linear(&step, &stance);
 }
 

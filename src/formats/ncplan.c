@@ -21,13 +21,13 @@ static const double sampled = 0.9;
 struct mark {
     struct nc_state state;
     struct nc_total total;
-    size_t moves, arcs, splines, holes;
+    size_t moves, vectors, arcs, splines, holes;
 };
 
 static struct mark mark_of(const struct nc_step *step)
 {
     const struct nc_plan *plan = step->plan;
-    return (struct mark){step->state,    plan->total,    plan->move.n,
+    return (struct mark){step->state, plan->total,    plan->move.n, plan->vector.n,
                          plan->arc.n, plan->spline.n, plan->hole.n};
 }
 
@@ -40,6 +40,7 @@ static void back_to(struct nc_step *step, const struct mark *mark)
     plan->total = mark->total;
     plan->unmet = false;
     plan->move.n = mark->moves;
+    plan->vector.n = mark->vectors;
     plan->arc.n = mark->arcs;
     plan->spline.n = mark->splines;
     plan->hole.n = mark->holes;
@@ -50,9 +51,19 @@ void nc_plan_free(struct nc_plan *plan)
     for (size_t i = 0; i < plan->spline.n; i++)
         nc_spline_free(&plan->spline.item[i]);
     array_free(&plan->move);
+    array_free(&plan->vector);
     array_free(&plan->arc);
     array_free(&plan->spline);
     array_free(&plan->hole);
+}
+
+struct station nc_plan_station(const struct nc_plan *plan, const struct chain *chain,
+                               const struct nc_move *move)
+{
+    struct station at = {.p = move->p, .q = {move->q[0], move->q[1]}};
+    at.a = plan->ability.mode == FOLLOW_VECTOR ? plan->vector.item[move->vector]
+                                               : chain_axis(chain, move->q);
+    return at;
 }
 
 static bool is_motion(const struct path_item *item)
@@ -65,7 +76,7 @@ static void add_note(struct nc_step *step, enum nc_kind kind, const struct path_
 {
     struct nc_move *move = array_push(&step->plan->move);
     *move = (struct nc_move){
-        .kind = kind, .line = item->line, .to = step->state.at, .index = item->index};
+        .kind = kind, .line = item->line, .index = item->index};
 }
 
 /* A path that starts with a cut: above its first point first, along the tool axis. */
@@ -87,7 +98,8 @@ static double contact_factor(const struct nc_step *step, const struct path_item 
     if (!step->wish.contact_feed || !item->touches || !step->state.touches)
         return 1;
     double tip = vec_distance(step->state.pose.p, item->to.p);
-    double contact = vec_distance(step->state.contact.p, item->contact.p);
+    struct contact at = step->path->contact.item[item->contact];
+    double contact = vec_distance(step->state.contact.p, at.p);
     return tip > 0 && contact > 0 ? fmin(10, fmax(0.1, tip / contact)) : 1;
 }
 
@@ -111,7 +123,8 @@ static int cut(struct nc_step *step, const struct path_item *item)
     int result = nc_step_motion(step, &motion);
     step->state.faster = 1;
     step->state.touches = item->touches;
-    step->state.contact = item->contact;
+    if (item->touches)
+        step->state.contact = path->contact.item[item->contact];
     return result;
 }
 

@@ -1,12 +1,12 @@
 /* ncwords - see ncwords.h. */
 #include "ncwords.h"
 
-const struct station *nc_first_station(const struct nc_program *p)
+const struct nc_move *nc_first_move(const struct nc_program *p)
 {
     const struct nc_move *move = p->plan->move.item + p->tooling.next;
     while (!nc_moves(move))
         move++;
-    return &move->to;
+    return move;
 }
 
 void nc_place(struct nc_program *p, struct vec3 to)
@@ -48,12 +48,12 @@ void nc_rotary_home(struct nc_program *p)
     nc_end(&p->w);
 }
 
-void nc_axis(struct nc_program *p, const struct station *to, const char *const address[3])
+void nc_axis(struct nc_program *p, const struct nc_move *move, const char *const address[3])
 {
     if (p->plan->ability.mode == FOLLOW_VECTOR)
-        vector_words(p, address, to->a);
+        vector_words(p, address, p->plan->vector.item[move->vector]);
     else
-        nc_rotary(p, to->q);
+        nc_rotary(p, move->q);
 }
 
 void nc_feed(struct nc_program *p, const struct nc_move *move)
@@ -87,8 +87,8 @@ void nc_plane_arc(struct nc_program *p, const struct nc_move *move, const char *
     nc_motion(w, a->ccw ? "G3" : "G2");
     if (a->full) /* the end is named though it is where the tool stands */
         nc_forget(w, a->plane == 19 ? NC_Y : NC_X, a->plane == 17 ? NC_Y : NC_Z);
-    nc_place(p, move->to.p);
-    nc_axis(p, &move->to, address);
+    nc_place(p, move->p);
+    nc_axis(p, move, address);
     if (a->radius != 0) {
         nc_number(w, "R", a->radius, digits);
         return;
@@ -110,8 +110,8 @@ void nc_straight(struct nc_program *p, const struct nc_move *move, const char *c
         w->inverse = true;
     }
     nc_motion(w, move->kind == NC_RAPID ? "G0" : "G1");
-    nc_place(p, move->to.p);
-    nc_axis(p, &move->to, address);
+    nc_place(p, move->p);
+    nc_axis(p, move, address);
     nc_feed(p, move);
     nc_end(w);
 }

@@ -25,6 +25,7 @@ void path_free(struct path *path)
         free(path->unknown.item[i].word);
     array_free(&path->head.ledger);
     array_free(&path->item);
+    array_free(&path->contact);
     array_free(&path->arc);
     array_free(&path->spline);
     array_free(&path->cycle);
@@ -92,7 +93,7 @@ struct path_item *path_add_arc(struct path *path, struct pose to, struct path_ar
 {
     struct path_item *item = add(path, PATH_ARC);
     item->to = to;
-    item->index = path->arc.n;
+    item->index = (unsigned)path->arc.n;
     *array_push(&path->arc) = arc;
     return item;
 }
@@ -101,7 +102,7 @@ struct path_item *path_add_spline(struct path *path, struct pose to, struct path
 {
     struct path_item *item = add(path, PATH_SPLINE);
     item->to = to;
-    item->index = path->spline.n;
+    item->index = (unsigned)path->spline.n;
     *array_push(&path->spline) = spline;
     return item;
 }
@@ -110,18 +111,18 @@ void path_add_hole(struct path *path, struct pose mouth, size_t cycle)
 {
     struct path_item *item = add(path, PATH_HOLE);
     item->to = mouth;
-    item->index = cycle;
+    item->index = (unsigned)cycle;
 }
 
 void path_add_tool(struct path *path, struct path_tool tool)
 {
-    add(path, PATH_TOOL)->index = path->tool.n;
+    add(path, PATH_TOOL)->index = (unsigned)path->tool.n;
     *array_push(&path->tool) = tool;
 }
 
 void path_add_pass(struct path *path, size_t number)
 {
-    add(path, PATH_PASS)->index = number;
+    add(path, PATH_PASS)->index = (unsigned)number;
 }
 
 void path_add_feed(struct path *path, double feed)
@@ -131,8 +132,15 @@ void path_add_feed(struct path *path, double feed)
 
 void path_add_text(struct path *path, const char *text)
 {
-    add(path, PATH_TEXT)->index = path->text.n;
+    add(path, PATH_TEXT)->index = (unsigned)path->text.n;
     *array_push(&path->text) = copy_text(text);
+}
+
+void path_touch(struct path *path, struct path_item *item, struct contact contact)
+{
+    item->touches = true;
+    item->contact = (unsigned)path->contact.n;
+    *array_push(&path->contact) = contact;
 }
 
 static struct path_spline copy_spline(const struct path_spline *s)
@@ -151,22 +159,24 @@ void path_add_items(struct path *path, const struct path *other, size_t from, si
         const struct path_item *was = &other->item.item[i];
         struct path_item *item = array_push(&path->item);
         *item = *was;
+        if (was->touches)
+            path_touch(path, item, other->contact.item[was->contact]);
         if (was->kind == PATH_ARC) {
-            item->index = path->arc.n;
+            item->index = (unsigned)path->arc.n;
             *array_push(&path->arc) = other->arc.item[was->index];
         } else if (was->kind == PATH_SPLINE) {
-            item->index = path->spline.n;
+            item->index = (unsigned)path->spline.n;
             *array_push(&path->spline) = copy_spline(&other->spline.item[was->index]);
         } else if (was->kind == PATH_HOLE) {
             bool same = i > from && was[-1].kind == PATH_HOLE && was[-1].index == was->index;
             if (!same)
                 *array_push(&path->cycle) = other->cycle.item[was->index];
-            item->index = path->cycle.n - 1;
+            item->index = (unsigned)path->cycle.n - 1;
         } else if (was->kind == PATH_TOOL) {
-            item->index = path->tool.n;
+            item->index = (unsigned)path->tool.n;
             *array_push(&path->tool) = other->tool.item[was->index];
         } else if (was->kind == PATH_TEXT) {
-            item->index = path->text.n;
+            item->index = (unsigned)path->text.n;
             *array_push(&path->text) = copy_text(other->text.item[was->index]);
         }
     }

@@ -23,8 +23,8 @@ int path_expect_reach(struct path_parse *p, struct vec3 v)
 void path_take_contact(struct path_parse *p, struct path_item *item)
 {
     item->line = p->apt.line;
-    item->touches = p->touches;
-    item->contact = p->contact;
+    if (p->touches)
+        path_touch(p->path, item, p->contact);
     p->touches = false;
 }
 

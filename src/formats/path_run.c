@@ -16,8 +16,8 @@ void path_run_take(const struct path *path, size_t from, size_t to, struct run *
         p.ball = vec_along(item->to.p, up * run->radius, item->to.a);
         p.tip = vec_along(item->to.p, (up - 1) * run->radius, item->to.a);
         if (item->touches) {
-            p.contact = item->contact.p;
-            p.normal = item->contact.n;
+            p.contact = path->contact.item[item->contact].p;
+            p.normal = path->contact.item[item->contact].n;
         }
         *array_push(run) = p;
     }

@@ -180,7 +180,7 @@ static void put_cycle(struct out *out, const struct path *path, const struct pat
 static void put_item(struct out *out, const struct path *path, const struct path_item *item)
 {
     if (item->touches)
-        put_contact(out, item->contact);
+        put_contact(out, path->contact.item[item->contact]);
     switch (item->kind) {
     case PATH_POINT:
         if (item->rapid)
@@ -201,7 +201,7 @@ static void put_item(struct out *out, const struct path *path, const struct path
         put_tool(out, &path->tool.item[item->index]);
         break;
     case PATH_PASS:
-        out_printf(out, "$$-> PASS/%zu\n", item->index);
+        out_printf(out, "$$-> PASS/%u\n", item->index);
         break;
     case PATH_FEED:
         out_text(out, "FEDRAT/MMPM,");

@@ -41,7 +41,7 @@ int retrack_path(struct path *path, enum path_track track, struct error *error)
             continue;
         item->to.p = vec_along(item->to.p, up - was, item->to.a);
         if (track == TRACK_CONTACT && item->touches)
-            item->to.p = item->contact.p;
+            item->to.p = path->contact.item[item->contact].p;
     }
     path->head.track = track;
     return 0;

@@ -62,7 +62,7 @@ static void retract_home(struct nc_program *p)
     p->w.motion = NULL;
 }
 
-static void transform(struct nc_program *p, const struct station *first)
+static void transform(struct nc_program *p, const struct nc_move *first)
 {
     struct nc_writer *w = &p->w;
     if (!p->plan->ability.tcp) {
@@ -95,7 +95,7 @@ static void start(struct nc_program *p)
 static void take(struct nc_program *p)
 {
     struct nc_writer *w = &p->w;
-    const struct station *first = nc_first_station(p);
+    const struct nc_move *first = nc_first_move(p);
     if (p->tooling.number)
         nc_template(p, p->machine->blocks.tool_change, "T{tool} D1 M6");
     else
@@ -127,7 +127,7 @@ static void arc(struct nc_program *p, const struct nc_move *move)
     const double middle[] = {a->middle.x, a->middle.y, a->middle.z};
     struct nc_writer *w = &p->w;
     nc_motion(w, "CIP");
-    nc_place(p, move->to.p);
+    nc_place(p, move->p);
     for (int i = 0; i < 3; i++) {
         char word[NUM_MAX + 16];
         size_t n = strlen(address[i]);
@@ -136,7 +136,7 @@ static void arc(struct nc_program *p, const struct nc_move *move)
         memcpy(word + n, ")", 2);
         nc_code(w, word);
     }
-    nc_axis(p, &move->to, vector_address);
+    nc_axis(p, move, vector_address);
     nc_feed(p, move);
     nc_end(w);
 }
@@ -217,14 +217,14 @@ static void spline(struct nc_program *p, const struct nc_move *move)
         nc_feed(p, move);
         nc_end(w);
     }
-    nc_remember(w, NC_X, move->to.p.x);
-    nc_remember(w, NC_Y, move->to.p.y);
-    nc_remember(w, NC_Z, move->to.p.z);
+    nc_remember(w, NC_X, move->p.x);
+    nc_remember(w, NC_Y, move->p.y);
+    nc_remember(w, NC_Z, move->p.z);
     if (s->turns) {
         nc_forget(w, NC_I, NC_K);
         nc_motion(w, "G1");
         nc_code(w, "ORIVECT");
-        nc_axis(p, &move->to, vector_address);
+        nc_axis(p, move, vector_address);
         nc_end(w);
     }
 }

@@ -132,8 +132,8 @@ static void cut(struct toolpath *t, const struct run_point *point, size_t n)
     for (size_t i = 0; i < n; i++) {
         const struct run_point *p = &point[i];
         struct path_item *item = path_add_point(t->path, (struct pose){p->tip, p->axis}, false);
-        item->touches = vec_length(p->normal) > 0;
-        item->contact = (struct contact){p->contact, p->normal};
+        if (vec_length(p->normal) > 0)
+            path_touch(t->path, item, (struct contact){p->contact, p->normal});
         if (vec_dot(p->axis, p->normal) < -1e-6)
             t->shank++;
     }

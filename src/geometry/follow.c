@@ -3,7 +3,7 @@
 
 /* Pieces that a block is looked at in; a piece turns through no more than `piece_turn`, radians. */
 enum { SAMPLES = 8, SAMPLES_SPLINE = 24, SAMPLES_MOST = 128 };
-static const double piece_turn = 0.05;
+static const double piece_turn = 0.15;
 static const double little_of = 0.05; /* of what is allowed: a bound of it needs no closer look */
 static const double most_ahead = 0.25; /* of a block, that its time may run ahead or behind */
 
@@ -110,9 +110,10 @@ static struct error3 error_of(const struct follow *f, struct pose at, struct pos
     return e;
 }
 
-static double bend(struct vec3 start, struct vec3 middle, struct vec3 end)
+/* How far a parabola through three errors leaves the straight line. */
+static struct vec3 bend(struct vec3 start, struct vec3 middle, struct vec3 end)
 {
-    return vec_distance(middle, vec_mix(start, end, 0.5));
+    return vec_sub(middle, vec_mix(start, end, 0.5));
 }
 
 /* The pose at a stance. */
@@ -176,11 +177,18 @@ struct deviation follow_line(const struct follow *f, const struct stance *from,
         struct pose wanted = {vec_mix(start.p, goal.p, 0.5), vec_unit(vec_add(start.a, goal.a))};
         struct error3 e0 = error_of(f, first, start), e1 = error_of(f, last, goal);
         struct error3 e = error_of(f, middle_pose(f, from, to), wanted);
-        most.axis = 1.001 * (bend(e0.axis, e.axis, e1.axis) + rest);
-        most.point = fmax(bend(e0.point, e.point, e1.point),
-                          bend(e0.ball, e.ball, e1.ball) + ball * rest);
-        if (f->mode == FOLLOW_JOINT)
-            most.point += remainder * tip_jerk(f, from, to, turn);
+        struct vec3 point = bend(e0.point, e.point, e1.point);
+        struct vec3 centre = bend(e0.ball, e.ball, e1.ball);
+        most.axis = 1.001 * (vec_length(bend(e0.axis, e.axis, e1.axis)) + rest);
+        most.point = fmax(vec_length(point), vec_length(centre) + ball * rest);
+        if (f->mode == FOLLOW_JOINT) {
+            double jerk = remainder * tip_jerk(f, from, to, turn);
+            struct vec3 way = vec_sub(goal.p, start.p);
+            double length = vec_length(way);
+            double ahead = (fabs(vec_dot(point, way)) / length + jerk + ends.point) / length;
+            most.point += jerk;
+            most.axis += fmin(1, ahead) * (great + 4 * most.axis); /* at one place, not one time */
+        }
     }
     return (struct deviation){ends.point + most.point, ends.axis + most.axis};
 }
