@@ -17,7 +17,7 @@ struct cutting {
     double tolerance, limit, depth, noise;
     double clearance, approach, feed, plunge, spindle; /* clearance NAN: by the part */
     int layers, tool, coolant;
-    bool paper, one_way;
+    bool paper, one_way, avoid;
     bool lean_given, fixed_given, to_given, from_given, circle_given;
     const char *partno;
     struct cli_list guards;

@@ -19,6 +19,7 @@ struct lift_rule {
     bool between;              /* put points between those that are given */
     double tolerance;          /* of straight lines against the curve and the part, mm */
     double step;               /* no points nearer than this are put between, mm */
+    double stands;             /* what may stand under a ball that was lifted, mm */
     struct axis_rule axis;
     struct axis_feed feed;
 };
@@ -34,12 +35,23 @@ struct lift_report {
     struct vec3 miss_at;    /* contact point there */
 };
 
+/*
+ * A place where a lifted ball may leave something standing, as far as can be told from there: so
+ * much farther down goes a ball of half the radius with the same lowest point.  Where the contact
+ * point alone was too low it is nothing.
+ */
+struct stand {
+    struct vec3 contact;
+    double height; /* mm */
+};
+
 /* Runs end to end, and where each of them ends: where there is no way but over the clearance
  * plane to the next. */
 struct lifted_run {
     struct run run;
     struct sizes end; /* of each piece, as index of run.item; the last one is run.n */
     struct lift_report report;
+    struct { size_t n, cap; struct stand *item; } stand; /* those above rule.stands */
 };
 
 void lifted_run_free(struct lifted_run *lifted);

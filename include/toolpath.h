@@ -20,7 +20,7 @@ struct toolpath_rule {
     double clearance;    /* z of the tip on the clearance plane, mm */
     double approach;     /* the last bit, mm */
     double longest;      /* a link longer than this is not made with the tool down, mm */
-    bool reach;          /* every point must be reached within the limit of the lift */
+    bool avoid;          /* what the ball can't reach may stay standing */
 };
 
 /* A strip from when it is given until it stands in the path. */
@@ -39,7 +39,12 @@ struct toolpath {
 
     /* What came of it, over all strips. */
     struct lift_report report;
-    size_t missed_pass;  /* the first pass with a point that the ball can't reach, 0: none */
+    size_t missed_pass;  /* of report.miss_at, 0: none */
+    size_t standing;     /* places where the ball does not fit and, on the whole path, does not come
+                            as near as it should */
+    double stands;       /* what stays there at most, mm */
+    struct vec3 stands_at;
+    size_t stands_pass;
     double chord;        /* between the smooth curve and the straight lines, mm */
     size_t low, high;    /* links with the tool down, links over the clearance plane */
     size_t shank;        /* points where the tool touches with more than its ball */

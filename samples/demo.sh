@@ -46,10 +46,11 @@ cloud2mesh -q -t $spacing -o "$out/face.ply" $scan
 echo "  $(wc -l <$scan | tr -d ' ') scan points," \
 	"$(sed -n 's/^element vertex //p' "$out/face.ply") nodes on a triangular grid of $spacing mm"
 
-echo "\$ meshnorm -r $radius -g $scan $out/face.ply > $out/face.cl"
-meshnorm -q -r $radius -g $scan -o "$out/face.cl" "$out/face.ply"
+echo "\$ meshnorm -r $radius --avoid -g $scan $out/face.ply > $out/face.cl"
+meshnorm -q -r $radius --avoid -g $scan -o "$out/face.cl" "$out/face.ply"
 echo "  $(grep -c CONTCT/ "$out/face.cl") points in $(grep -c PASS/ "$out/face.cl") passes;" \
-	"a ball of radius $radius, kept clear of all of the scan"
+	"a ball of radius $radius, kept clear of all of the scan" \
+	"(what it does not fit stays standing)"
 
 echo "\$ biarcfit -e $tolerance $out/face.cl | ncpost -c siemens > $out/face.mpf"
 echo "\$ bsplfit -e $tolerance $out/face.cl | ncpost -c fanuc > $out/face.nc"

@@ -15,7 +15,7 @@ static const double MOST_PLANES = 100000;
 
 static double step, scallop, angle, plane[3], gap = 0.1;
 static struct cli_list surfaces;
-static bool step_given, scallop_given, angle_given, plane_given, avoid;
+static bool step_given, scallop_given, angle_given, plane_given;
 
 /* clang-format off */
 static const struct cli_option options[] = {
@@ -31,8 +31,6 @@ static const struct cli_option options[] = {
      CLI_NUMBERS, plane, 0, 0, 3, &plane_given},
     {0, "gap", "MM", "go on with the tool down over gaps of at most this in the part (0.1)",
      CLI_NUMBER, &gap, 0, 1000, 0, NULL},
-    {0, "avoid", NULL, "lift the ball where it does not fit, instead of refusing the part",
-     CLI_FLAG, &avoid, 0, 0, 0, NULL},
     {0, "surface", "FILE", "put each point on the surfaces of this file, IGES or NURBS text, which\n"
      "the mesh was made from (may be given several times)", CLI_LIST, &surfaces, 0, 0, 0, NULL},
     {0, "oneway", NULL, "the same as --one-way", CLI_FLAG, &cutting.one_way, 0, 0, 0, NULL},
@@ -81,7 +79,7 @@ static void check_radius(const char *file, const struct mesh *mesh)
         say("%s: the mesh has no curvatures (kmax), so that it can't be told whether the ball "
             "fits everywhere: it is lifted where it does not",
             file);
-    if (!h.known || h.tighter == 0 || avoid || cutting.guards.n > 0)
+    if (!h.known || h.tighter == 0 || cutting.avoid || cutting.guards.n > 0)
         return;
     die_unmet("%s: found a hollow of radius %.3f at %.3f %.3f %.3f%s%s, expected none "
               "below the ball's, %g (%zu %s too tight for it): take a smaller ball, or --avoid",

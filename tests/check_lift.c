@@ -170,6 +170,12 @@ START_TEST(a_hollow_tighter_than_the_ball_is_spanned)
         ck_assert_double_le(c.z, fabs(c.x) + R * sqrt(2) + 1e-3);
         ck_assert_double_ge(c.z, fabs(c.x) + R * sqrt(2) - 0.003);
     }
+    /* From the lowest point of the ball to the bottom of the gutter. */
+    double bottom = -1;
+    for (size_t i = 0; i < lifted.stand.n; i++)
+        if (fabs(lifted.stand.item[i].contact.x) < 0.01)
+            bottom = lifted.stand.item[i].height;
+    ck_assert_double_eq_tol(bottom, (R - 4) * (sqrt(2) - 1), 0.01);
     lifted_run_free(&lifted);
     array_free(&run);
     guard_free(guard);

@@ -123,14 +123,52 @@ START_TEST(a_lid_above_the_strip_is_told)
     array_free(&points);
     struct path path = {0};
     struct toolpath t = make_toolpath(&path, guard);
-    t.rule.reach = true;
     t.rule.clearance = 30;
     make_path(&t);
     ck_assert_uint_eq(t.report.missed, 9);
     ck_assert_int_eq(toolpath_conclude(&t), 3);
+    t.rule.avoid = true;
+    ck_assert_int_eq(toolpath_conclude(&t), 0);
     for (size_t i = 0; i < path.item.n; i++)
         if (path.item.item[i].kind == PATH_POINT)
             ck_assert_double_ge(path.item.item[i].to.p.z, 12 - 1);
+    path_free(&path);
+    guard_free(guard);
+}
+END_TEST
+
+START_TEST(what_stands_in_a_gutter_is_measured)
+{
+    /* A gutter of radius 4 along y between planes of 45 degrees: at its bottom stays what a ball of
+     * 5 leaves that touches both planes, (5 - 4) (sqrt 2 - 1). */
+    struct vec3s points = {0};
+    struct contact contact[9];
+    double half = 4 * sin(PI / 4);
+    for (int i = -100; i <= 100; i++) {
+        double x = 0.1 * i;
+        double z = fabs(x) < half ? 4 * sqrt(2) - sqrt(16 - x * x) : fabs(x);
+        for (int k = -60; k <= 60; k++)
+            *array_push(&points) = vec(x, 0.1 * k, z);
+    }
+    for (int i = 0; i < 9; i++) {
+        double u = PI / 4 * (i - 4) / 4;
+        contact[i] = (struct contact){vec(4 * sin(u), 0, 4 * sqrt(2) - 4 * cos(u)),
+                                      vec(-sin(u), 0, cos(u))};
+    }
+    struct guard *guard = guard_from_points(points.item, points.n);
+    array_free(&points);
+    struct path path = {0};
+    struct toolpath t = make_toolpath(&path, guard);
+    t.lift.between = true;
+    t.lift.stands = 0.03;
+    toolpath_strip(&t, 1, contact, 9, vec(1, 0, 0));
+    toolpath_end(&t);
+    ck_assert_double_eq_tol(t.stands, sqrt(2) - 1, 0.01);
+    ck_assert_double_le(fabs(t.stands_at.x), 0.5);
+    ck_assert_uint_eq(t.stands_pass, 1);
+    ck_assert_int_eq(toolpath_conclude(&t), 3);
+    t.rule.avoid = true;
+    ck_assert_int_eq(toolpath_conclude(&t), 0);
     path_free(&path);
     guard_free(guard);
 }
@@ -154,6 +192,7 @@ int main(void)
     tcase_add_test(tests, passes_links_and_feeds_are_in_order);
     tcase_add_test(tests, the_ball_is_clear_on_every_rapid);
     tcase_add_test(tests, a_lid_above_the_strip_is_told);
+    tcase_add_test(tests, what_stands_in_a_gutter_is_measured);
     tcase_add_test(tests, without_a_guard_the_moves_are_the_same);
     suite_add_tcase(suite, tests);
     SRunner *runner = srunner_create(suite);

@@ -28,9 +28,10 @@ const struct cli_option cutting_options[] = {
      CLI_NUMBER, &cutting.tolerance, 0.0001, 10, 0, NULL},
     {0, "paper", NULL, "as published: mesh points alone, nothing lifted, links not checked",
      CLI_FLAG, &cutting.paper, 0, 0, 0, NULL},
-    {0, "limit", "H", "lift no centre by more than H, and exit 3 where it takes more\n"
-     "(default: the radius; what can't be reached is passed over and told)",
-     CLI_NUMBER, &cutting.limit, CLI_POSITIVE, 0, 0, NULL},
+    {0, "avoid", NULL, "what the ball can't reach may stay standing (else it is told, with exit\n"
+     "status 3)", CLI_FLAG, &cutting.avoid, 0, 0, 0, NULL},
+    {0, "limit", "H", "lift no centre by more than H: what takes more is passed over\n"
+     "(default: the radius)", CLI_NUMBER, &cutting.limit, CLI_POSITIVE, 0, 0, NULL},
     {0, "tilt", "DEG", "lean the axis off the normal, sideways, positive to next pass (15)",
      CLI_NUMBER, &cutting.tilt, -80, 80, 0, &cutting.lean_given},
     {0, "lead", "DEG", "lean it in the direction of the feed (0)",
@@ -126,6 +127,7 @@ int cutting_guard(const struct mesh *mesh, double near, int threads, struct guar
         return 0;
     *guard = c->guards.n > 0 ? scan_guard(&c->guards, mesh, near, &rule, error)
                              : guard_from_mesh(mesh, sqrt(6 * 0.002 * c->radius));
+    cutting.noise = rule.noise;
     return *guard ? 0 : -1;
 }
 
@@ -154,12 +156,13 @@ int cutting_rules(const struct mesh *mesh, const struct guard *guard, double dis
                                      .plunge = c->plunge,
                                      .approach = c->approach,
                                      .longest = 3 * distance,
-                                     .reach = c->limit > 0};
+                                     .avoid = c->avoid || c->guards.n == 0};
     t->lift.guard = guard;
     t->lift.limit = c->limit > 0 ? c->limit : c->radius;
     t->lift.tolerance = c->tolerance > 0 ? c->tolerance : 0.01;
     t->lift.between = c->tolerance > 0;
     t->lift.step = 0.05;
+    t->lift.stands = 3 * t->lift.tolerance + 2 * fmax(c->noise, 0);
     return clearance_plane(mesh, guard, &t->rule.clearance, error);
 }
 

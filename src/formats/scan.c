@@ -43,7 +43,7 @@ static size_t far_vertices(const struct mesh *mesh, const struct guard *guard, d
     return far;
 }
 
-static struct guard *guard_of(const struct vec3s *points, const struct scan_rule *rule)
+static struct guard *guard_of(const struct vec3s *points, struct scan_rule *rule)
 {
     struct scansurface_rule how = {.radius = rule->radius,
                                    .sink = rule->tolerance / 5,
@@ -53,6 +53,7 @@ static struct guard *guard_of(const struct vec3s *points, const struct scan_rule
     struct scansurface surface;
 
     scansurface_make(points->item, points->n, &how, &surface);
+    rule->noise = surface.noise;
     if (surface.noise > 0)
         say("noise of %.2g mm taken out of the scan that guards (%zu of %zu points moved)",
             surface.noise, surface.moved, points->n);
@@ -63,7 +64,7 @@ static struct guard *guard_of(const struct vec3s *points, const struct scan_rule
 }
 
 struct guard *scan_guard(const struct cli_list *files, const struct mesh *mesh, double near,
-                         const struct scan_rule *rule, struct error *error)
+                         struct scan_rule *rule, struct error *error)
 {
     struct vec3s points = {0};
     struct guard *guard = NULL;

@@ -2,7 +2,7 @@
 
 #include <stdlib.h>
 
-#include "cli.h"
+#include "kdtree.h"
 #include "parallel.h"
 #include "way.h"
 
@@ -205,6 +205,38 @@ static void lift_strips(void *context, size_t first, size_t last)
     }
 }
 
+/* Looks from the places where a lifted ball may leave something for the nearest that it comes on
+ * the whole path: from the side, it may reach them. */
+static void find_standing(struct toolpath *t)
+{
+    struct vec3s ball = {0};
+
+    for (size_t i = 0; i < t->strip.n; i++) {
+        const struct run *run = &t->strip.item[i].lifted.run;
+        for (size_t k = 0; k < run->n; k++)
+            *array_push(&ball) = run->item[k].ball;
+    }
+    struct kdtree *tree = kdtree_new(ball.item, ball.n);
+    for (size_t i = 0; i < t->strip.n; i++) {
+        const struct toolpath_strip *strip = &t->strip.item[i];
+        for (size_t k = 0; k < strip->lifted.stand.n; k++) {
+            const struct stand *stand = &strip->lifted.stand.item[k];
+            size_t nearest;
+            double distance2;
+            kdtree_nearest(tree, stand->contact, 1, &nearest, &distance2);
+            double height = fmin(stand->height, sqrt(distance2) - strip->lift.offset);
+            t->standing += height > strip->lift.stands;
+            if (height > fmax(strip->lift.stands, t->stands)) {
+                t->stands = height;
+                t->stands_at = stand->contact;
+                t->stands_pass = strip->pass;
+            }
+        }
+    }
+    kdtree_free(tree);
+    array_free(&ball);
+}
+
 static void add_strip(struct toolpath *t, const struct toolpath_strip *strip)
 {
     const struct lifted_run *lifted = &strip->lifted;
@@ -226,6 +258,7 @@ static void add_strip(struct toolpath *t, const struct toolpath_strip *strip)
 void toolpath_end(struct toolpath *t)
 {
     parallel_shown("lifting", t->threads, t->strip.n, lift_strips, t);
+    find_standing(t);
     for (size_t i = 0; i < t->strip.n; i++) {
         add_strip(t, &t->strip.item[i]);
         array_free(&t->strip.item[i].nodes);
@@ -234,42 +267,4 @@ void toolpath_end(struct toolpath *t)
     array_free(&t->strip);
     if (t->down)
         retract(t);
-}
-
-/* What does not hold, and where. */
-static void complain(const struct toolpath *t)
-{
-    const struct lift_report *r = &t->report;
-    struct vec3 at = r->miss_at;
-
-    if (r->missed > 0)
-        say("the ball can't reach %zu points with a lift of at most %g mm and passes over them, in "
-            "pass %zu by %.3f mm at %.3f %.3f %.3f",
-            r->missed, t->lift.limit, t->missed_pass, r->miss, at.x, at.y, at.z);
-    at = t->blocked_at;
-    if (t->blocked > 0)
-        say("pass %zu: the ball touches the part on %zu ways to or from the clearance plane, the "
-            "first at %.3f %.3f %.3f",
-            t->blocked_pass, t->blocked, at.x, at.y, at.z);
-    if (t->shank > 0)
-        say("at %zu points the normal is more than 90 degrees off the axis: not the ball touches "
-            "there, but the shank",
-            t->shank);
-}
-
-int toolpath_conclude(const struct toolpath *t)
-{
-    const struct lift_report *r = &t->report;
-
-    note("%zu points in %zu passes, %zu links with the tool down, %zu over the clearance plane",
-         r->points, t->pass, t->low, t->high);
-    note("%zu points lifted, at most by %.4f mm at %.3f %.3f %.3f", r->lifted, r->highest,
-         r->highest_at.x, r->highest_at.y, r->highest_at.z);
-    if (t->lift.between)
-        note("straight lines within %g mm of the lifted path", t->lift.tolerance);
-    else
-        note("straight lines up to %.4f mm off the smooth path", t->chord);
-    complain(t);
-    bool missed = r->missed > 0 && t->rule.reach;
-    return missed || t->blocked > 0 || t->shank > 0 ? EXIT_UNMET : EXIT_DONE;
 }

@@ -61,8 +61,19 @@ static struct lifted lift_point(const struct run_point *p, const struct lift_rul
     return l;
 }
 
+/* What stands under a ball that touches elsewhere. */
+static void look_under(const struct run_point *p, const struct lift_rule *rule,
+                       struct lifted_run *to)
+{
+    double half = rule->offset / 2;
+    double height = guard_distance(rule->guard, vec_along(p->ball, -half, p->normal)) - half;
+
+    if (height > rule->stands)
+        *array_push(&to->stand) = (struct stand){p->contact, height};
+}
+
 /* Appends a lifted point to the run, and to the report. */
-static void put(struct lifted_run *to, const struct lifted *l)
+static void put(struct lifted_run *to, const struct lifted *l, const struct lift_rule *rule)
 {
     struct lift_report *report = &to->report;
     struct run_point p = l->p;
@@ -82,6 +93,8 @@ static void put(struct lifted_run *to, const struct lifted *l)
             report->highest = lift;
             report->highest_at = p.contact;
         }
+        if (lift > rule->stands)
+            look_under(&p, rule, to);
     }
     *array_push(&to->run) = p;
 }
@@ -167,7 +180,7 @@ static void put_all(struct lifted_run *to, const struct lifteds *points,
         const struct lifted *l = &points->item[i];
         if (i > 0 && needs_bridge(l - 1, l, rule))
             bridge_or_end(l - 1, l, rule, to);
-        put(to, l);
+        put(to, l, rule);
     }
     *array_push(&to->end) = to->run.n;
 }
@@ -272,4 +285,5 @@ void lifted_run_free(struct lifted_run *lifted)
 {
     array_free(&lifted->run);
     array_free(&lifted->end);
+    array_free(&lifted->stand);
 }
