@@ -6,11 +6,12 @@
 
 #include "nurbs.h"
 
-/* A closed loop of curves in the plane of the parameters (x is u, y is v), each beginning where the
- * one before it ends; a curve may run backwards. */
+/* A closed loop of curves in the plane of the parameters (x is u, y is v) or in space (mm), each
+ * beginning where the one before it ends; a curve may run backwards. */
 struct patch_loop {
     size_t n, cap;
     struct nurbs_curve *item;
+    bool space;
 };
 
 struct patch_loops {

@@ -19,6 +19,8 @@ struct sheet {
     double error;               /* the farthest that the middle of a triangle or edge is off, mm */
     struct vec3 error_at;       /* where */
     bool too_fine;              /* the tolerance would need more than 4 million cells: not made */
+    double off;                 /* how far trimming curves in space lie off the surface, mm */
+    size_t lost;                /* of these, loops that do not close on it: left out */
     size_t unclear;             /* cells in which the trimming crosses itself */
     size_t lines_u, lines_v;    /* of the grid */
 };
@@ -27,10 +29,6 @@ struct tessellation {
     int n;            /* triangles in each direction, or 0: as many as the tolerance needs */
     double tolerance; /* mm: of the surface where n is 0, of the trimming always */
 };
-
-/* The loops of a patch as polygons whose sides, on the surface, stay within `tolerance` mm of the
- * curve; curves that run backwards are turned round. */
-void tessellate_loops(const struct patch *patch, double tolerance, struct uvloops *loops);
 
 void tessellate(const struct patch *patch, struct tessellation how, struct sheet *sheet);
 

@@ -9,6 +9,8 @@
 struct uvloops {
     size_t n, cap;
     struct uvs *item; /* closed polygons: the last point joins the first, which is not repeated */
+    double off;       /* of curves in space, the farthest that one lies off the surface, mm ... */
+    size_t lost;      /* ... and how many loops of them do not close there, and are left out */
 };
 
 /* True when an odd number of loops go round the place, or an even number where `open`. */

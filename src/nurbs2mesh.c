@@ -139,7 +139,7 @@ static double size_of(const struct patches *patches)
 
 /* The farthest any triangle is off its surface, and what else there is to say of the sheets. */
 static double judge(const struct settings *s, const struct patches *patches,
-                    const struct sheet *sheet)
+                    const struct sheet *sheet, double fine)
 {
     size_t worst = 0;
     for (size_t i = 0; i < patches->n; i++) {
@@ -152,6 +152,12 @@ static double judge(const struct settings *s, const struct patches *patches,
         if (sheet[i].unclear > 0)
             say("%s: surface %d: its trimming crosses itself in %zu cells, kept or cut away whole",
                 p->file, p->entity, sheet[i].unclear);
+        if (sheet[i].lost > 0)
+            say("%s: surface %d: %zu trimming loops that go round it more than once ignored", p->file,
+                p->entity, sheet[i].lost);
+        if (sheet[i].off > fine)
+            say("%s: surface %d: its trimming curves in space lie up to %g mm off it", p->file,
+                p->entity, sheet[i].off);
         if (sheet[i].face.n == 0)
             say("%s: surface %d: nothing is left of it by its trimming", p->file, p->entity);
         if (sheet[i].error > sheet[worst].error)
@@ -181,7 +187,7 @@ static double make_sheets(const struct cli *cli, const struct settings *s,
         sheet_free(&sheet[i]);
     quilt_free(quilt);
     parallel_shown("tessellating", cli->threads, patches->n, tessellate_some, &job);
-    double error = judge(s, patches, sheet);
+    double error = judge(s, patches, sheet, fine);
     quilt_make(sheet, patches->n, fmin(NARROW * size, gap), quilt);
     *welded = weld(quilt, patches, gap, fine);
     return error + welded->moved;

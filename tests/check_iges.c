@@ -203,13 +203,14 @@ START_TEST(transformations)
 }
 END_TEST
 
-/* A 144 with a loop of a line, an arc, a polyline and a spline; a hole in space alone is counted. */
+/* A 144 with a loop of a line, an arc, a polyline and a spline; a hole in space alone, placed as the
+ * 144 is; one of a curve that is not read is counted. */
 START_TEST(trimming)
 {
     struct file f = new_file(MM);
     struct patches patches;
     struct error error = {""};
-    add(&f, 144, 0, 0, 64, "144,3,1,1,5,17;");
+    add(&f, 144, 0, 25, 64, "144,3,1,3,5,17,19,23;");
     add(&f, 128, 0, 0, 64, PATCH);
     add(&f, 142, 0, 0, 64, "142,0,3,7,0,1;");
     add(&f, 102, 0, 0, 64, "102,4,9,11,13,15;");
@@ -218,14 +219,25 @@ START_TEST(trimming)
     add(&f, 106, 11, 0, 64, "106,1,3,0.,0.9,0.9,0.5,0.8,0.1,0.9;");
     add(&f, 126, 0, 0, 64, "126,1,1,1,0,1,0,0.,0.,1.,1.,1.,1.,0.1,0.9,0.,0.1,0.1,0.,0.,1.,0.,0.,1.;");
     add(&f, 142, 0, 0, 64, "142,0,3,0,9,2;");
+    add(&f, 142, 0, 0, 64, "142,0,3,21,0,1;");
+    add(&f, 130, 0, 0, 64, "130,9;");
+    add(&f, 142, 0, 0, 64, "142,0,3,7,9,2;");
+    add(&f, 124, 0, 0, 64, "124,1.,0.,0.,100.,0.,1.,0.,0.,0.,0.,1.,0.;");
     ck_assert_msg(read_file(&f, &patches, &error) == 0, "%s", error.text);
     ck_assert_uint_eq(patches.n, 1);
     const struct patch *p = &patches.item[0];
-    ck_assert_uint_eq(p->loop.n, 1);
+    ck_assert_uint_eq(p->loop.n, 3);
     ck_assert_int_eq(p->entity, 3);
     ck_assert_int_eq(p->ignored, 1);
-    ck_assert_int_eq(p->ignored_entity, 17);
-    ck_assert(!p->open);
+    ck_assert_int_eq(p->ignored_entity, 19);
+    for (int i = 1; i < 3; i++) { /* the second has both and prefers space */
+        const struct patch_loop *hole = &p->loop.item[i];
+        ck_assert(hole->space);
+        ck_assert_uint_eq(hole->n, 1);
+        struct vec3 at = nurbs_curve_point(&hole->item[0], 1);
+        ck_assert_double_lt(vec_distance(at, vec(100.9, 0.1, 0)), 1e-12);
+    }
+    ck_assert(!p->loop.item[0].space);
     const struct patch_loop *l = &p->loop.item[0];
     for (size_t i = 0; i < l->n; i++) {
         const struct nurbs_curve *a = &l->item[i], *b = &l->item[(i + 1) % l->n];

@@ -12,6 +12,7 @@ enum { DEPTH_MAX = 20, COUNT_MAX = 100000000 };
 struct walk {
     int depth;
     size_t left;
+    struct transform outer; /* of the curves that this one is part of */
 };
 
 /* What a reader of one kind of curve works on. */
@@ -172,17 +173,19 @@ static int composite_102(const struct source *s, struct walk *walk, struct patch
         return -1;
     if (s->values->n < 2 + (size_t)count)
         return few(s, 2 + (size_t)count, error);
-    for (size_t i = 0; i < (size_t)count; i++) {
+    struct transform outer = walk->outer;
+    int got = 0;
+    walk->outer = s->matrix;
+    walk->depth++;
+    for (size_t i = 0; i < (size_t)count && got == 0; i++) {
         const struct iges_entity *part;
-        if (iges_pointer(s->iges, s->values, 2 + i, &part, error) < 0)
-            return -1;
-        walk->depth++;
-        int got = read_curve(s->iges, part, walk, loop, unknown, error);
-        walk->depth--;
-        if (got != 0)
-            return got;
+        got = iges_pointer(s->iges, s->values, 2 + i, &part, error);
+        if (got == 0)
+            got = read_curve(s->iges, part, walk, loop, unknown, error);
     }
-    return 0;
+    walk->depth--;
+    walk->outer = outer;
+    return got;
 }
 
 static int read_known(const struct source *s, struct walk *walk, struct patch_loop *loop,
@@ -215,6 +218,7 @@ static int read_curve(const struct iges *iges, const struct iges_entity *entity,
     if (iges_matrix(iges, entity->matrix, &s.matrix, error) < 0 ||
         iges_values(iges, entity, &values, error) < 0)
         return -1;
+    s.matrix = transform_product(walk->outer, s.matrix);
     int got = read_known(&s, walk, loop, unknown, error);
     array_free(&values);
     return got;
@@ -223,6 +227,6 @@ static int read_curve(const struct iges *iges, const struct iges_entity *entity,
 int iges_curve(const struct iges *iges, const struct iges_entity *entity, struct patch_loop *loop,
                const struct iges_entity **unknown, struct error *error)
 {
-    struct walk walk = {.left = 2 * iges->entity.n};
+    struct walk walk = {.left = 2 * iges->entity.n, .outer = transform_identity()};
     return read_curve(iges, entity, &walk, loop, unknown, error);
 }

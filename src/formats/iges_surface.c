@@ -125,59 +125,88 @@ static void ignore(struct patch *patch, const struct iges_entity *loop,
     }
 }
 
-/* A 142: its curve in the parameters, the third number.  Returns 1 when it was taken. */
-static int curve_142(const struct source *s, const struct iges_values *v,
-                     const struct iges_entity *e, struct patch_loop *loop,
-                     const struct iges_entity **unknown, struct error *error)
+/* The curve that parameter `at` points to: 0 when it was taken, 1 when there is none, or none that
+ * is understood. */
+static int curve_at(const struct source *s, const struct iges_values *v, size_t at,
+                    struct patch_loop *loop, const struct iges_entity **unknown,
+                    struct error *error)
 {
     const struct iges_entity *curve;
-    *unknown = e;
-    if (v->n <= 3 || !(v->item[3].number > 0))
-        return 1; /* given in space alone */
-    if (iges_pointer(s->iges, v, 3, &curve, error) < 0)
+    if (at >= v->n || !(v->item[at].number > 0))
+        return 1;
+    if (iges_pointer(s->iges, v, at, &curve, error) < 0)
         return -1;
     return iges_curve(s->iges, curve, loop, unknown, error);
 }
 
-/* A 141: for each curve in space the ones in the parameters. */
-static int curves_141(const struct source *s, const struct iges_values *v,
-                      const struct iges_entity *e, struct patch_loop *loop,
+/* A 142: its curve in the parameters (the third number) or in space (the fourth), whichever the
+ * file prefers, else the other one. */
+static int curve_142(const struct source *s, const struct iges_values *v, struct patch_loop *loop,
+                     const struct iges_entity **unknown, struct error *error)
+{
+    bool prefers_space = v->n > 5 && v->item[5].number > 1.5 && v->item[5].number < 2.5;
+    int got = 1;
+    for (int i = 0; i < 2 && got == 1; i++) {
+        patch_loop_free(loop);
+        loop->space = prefers_space == (i == 0);
+        got = curve_at(s, v, loop->space ? 4 : 3, loop, unknown, error);
+    }
+    return got;
+}
+
+/* A 141: for each curve in space the ones in the parameters; all in space where one of them has
+ * none. */
+static int curves_141(const struct source *s, const struct iges_values *v, struct patch_loop *loop,
                       const struct iges_entity **unknown, struct error *error)
 {
     long count, parts;
-    size_t at = 5;
-    *unknown = e;
+    int got = 1;
     if (iges_whole(s->iges, v, 4, 1, COUNT_MAX, "count of curves", &count, error) < 0)
         return -1;
-    for (long i = 0; i < count; i++, at += 3 + (size_t)parts) {
-        if (iges_whole(s->iges, v, at + 2, 0, COUNT_MAX, "count of curves", &parts, error) < 0)
-            return -1;
-        if (parts == 0)
-            return 1;
-        for (size_t k = 0; k < (size_t)parts; k++) {
-            const struct iges_entity *curve;
-            if (iges_pointer(s->iges, v, at + 3 + k, &curve, error) < 0)
+    for (int space = 0; space < 2 && got == 1; space++) {
+        size_t at = 5;
+        patch_loop_free(loop);
+        loop->space = space == 1;
+        got = 0;
+        for (long i = 0; i < count && got == 0; i++, at += 3 + (size_t)parts) {
+            if (iges_whole(s->iges, v, at + 2, 0, COUNT_MAX, "count of curves", &parts, error) < 0)
                 return -1;
-            int got = iges_curve(s->iges, curve, loop, unknown, error);
-            if (got != 0)
-                return got;
+            if (space == 1 || parts == 0)
+                got = space == 1 ? curve_at(s, v, at, loop, unknown, error) : 1;
+            for (size_t k = 0; space == 0 && k < (size_t)parts && got == 0; k++)
+                got = curve_at(s, v, at + 3 + k, loop, unknown, error);
         }
     }
-    return 0;
+    return got;
+}
+
+/* Curves in space: to mm, and placed as what they trim. */
+static void place_loop(const struct source *s, const struct transform *outer,
+                       struct patch_loop *loop)
+{
+    for (size_t i = 0; i < loop->n; i++)
+        for (size_t k = 0; k < loop->item[i].t.poles; k++) {
+            struct nurbs_pole *p = &loop->item[i].pole[k];
+            struct vec3 at = vec_scale(1 / p->w, vec(p->wx, p->wy, p->wz));
+            at = vec_scale(s->mm * p->w, transform_point(outer, at));
+            *p = (struct nurbs_pole){at.x, at.y, at.z, p->w};
+        }
 }
 
 static int add_loop(const struct source *s, struct patch *patch, const struct iges_entity *e,
-                    struct error *error)
+                    const struct transform *outer, struct error *error)
 {
     struct patch_loop loop = {0};
     struct iges_values v;
     const struct iges_entity *unknown = e;
     if (iges_values(s->iges, e, &v, error) < 0)
         return -1;
-    int got = e->type == 142   ? curve_142(s, &v, e, &loop, &unknown, error)
-              : e->type == 141 ? curves_141(s, &v, e, &loop, &unknown, error)
+    int got = e->type == 142   ? curve_142(s, &v, &loop, &unknown, error)
+              : e->type == 141 ? curves_141(s, &v, &loop, &unknown, error)
                                : 1;
     array_free(&v);
+    if (got == 0 && loop.space)
+        place_loop(s, outer, &loop);
     if (got == 0)
         *array_push(&patch->loop) = loop;
     else
@@ -189,12 +218,12 @@ static int add_loop(const struct source *s, struct patch *patch, const struct ig
 
 /* The loops of a 144 (outer one, then the holes) or of a 143 from parameter `at` on. */
 static int add_loops(const struct source *s, const struct iges_values *v, size_t at, size_t n,
-                     struct error *error)
+                     const struct transform *outer, struct error *error)
 {
     struct patch *patch = &s->patches->item[s->patches->n - 1];
     for (size_t i = 0; i < n; i++) {
         const struct iges_entity *e;
-        if (iges_pointer(s->iges, v, at + i, &e, error) < 0 || add_loop(s, patch, e, error) < 0)
+        if (iges_pointer(s->iges, v, at + i, &e, error) < 0 || add_loop(s, patch, e, outer, error) < 0)
             return -1;
     }
     return 0;
@@ -218,7 +247,8 @@ static int add_trimmed(const struct source *s, const struct iges_entity *e,
 {
     long outer = 1, inner;
     bool is_144 = e->type == 144;
-    if (add_patch(s, surface, e, error) < 0)
+    struct transform at;
+    if (add_patch(s, surface, e, error) < 0 || iges_matrix(s->iges, e->matrix, &at, error) < 0)
         return -1;
     struct patch *patch = &s->patches->item[s->patches->n - 1];
     if (is_144 && iges_whole(s->iges, v, 2, 0, 1, "flag of the outer loop", &outer, error) < 0)
@@ -226,11 +256,11 @@ static int add_trimmed(const struct source *s, const struct iges_entity *e,
     if (iges_whole(s->iges, v, 3, 0, COUNT_MAX, "count of loops", &inner, error) < 0)
         return -1;
     patch->open = is_144 && outer == 0;
-    if (is_144 && outer == 1 && add_loops(s, v, 4, 1, error) < 0)
+    if (is_144 && outer == 1 && add_loops(s, v, 4, 1, &at, error) < 0)
         return -1;
     if (patch->ignored > 0)
         patch->open = true; /* without its outer loop the whole range counts */
-    return add_loops(s, v, is_144 ? 5 : 4, (size_t)inner, error);
+    return add_loops(s, v, is_144 ? 5 : 4, (size_t)inner, &at, error);
 }
 
 /* All that trim the surface, or all that trim anything but a 128 where it is NULL: how many. */

@@ -5,7 +5,7 @@
 
 #include "array.h"
 #include "parallel.h"
-#include "tessellate.h"
+#include "trimloops.h"
 
 enum { BEST = 12, LEAST = 6, ACROSS = 96, STEPS_MAX = 20000 };
 
@@ -133,7 +133,7 @@ static void find_some(void *context, size_t from, size_t to)
         struct uvloops loops;
         double size = vec_distance(nurbs_point(s, (struct uv){s->u.from, s->v.from}),
                                    nurbs_point(s, (struct uv){s->u.to, s->v.to}));
-        tessellate_loops(patch, fmax(1e-6 * size, 1e-6), &loops);
+        trimloops(patch, fmax(1e-6 * size, 1e-6), &loops);
         job->hollow[i] = hollow_find(patch, &loops, job->flipped[i]);
         uvloops_free(&loops);
     }

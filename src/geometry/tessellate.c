@@ -4,137 +4,9 @@
 #include <stdlib.h>
 
 #include "gridlines.h"
+#include "trimloops.h"
 
-enum { DEPTH_MAX = 10, ROUNDS = 8, CELLS_MAX = 4000000 };
-
-/* A curve in the parameters, followed on the surface. */
-struct follower {
-    const struct nurbs *surface;
-    const struct nurbs_curve *curve;
-    double tolerance;
-    struct uvs *to;
-};
-
-static struct uv uv_at(const struct follower *f, double t)
-{
-    struct vec3 p = nurbs_curve_point(f->curve, t);
-    return (struct uv){p.x, p.y};
-}
-
-static struct vec3 point_at(const struct follower *f, struct uv at)
-{
-    const struct nurbs *s = f->surface;
-    at.u = fmin(fmax(at.u, s->u.from), s->u.to);
-    at.v = fmin(fmax(at.v, s->v.from), s->v.to);
-    return nurbs_point(s, at);
-}
-
-static double distance_to_chord(struct vec3 p, struct vec3 a, struct vec3 b)
-{
-    struct vec3 d = vec_sub(b, a), r = vec_sub(p, a);
-    double l = vec_dot(d, d);
-    double t = l > 0 ? fmin(fmax(vec_dot(r, d) / l, 0), 1) : 0;
-    return vec_distance(p, vec_along(a, t, d));
-}
-
-/* Is the straight way in the parameters, and on the surface, near the curve at three places? */
-static bool is_near(const struct follower *f, double t0, double t1)
-{
-    struct uv a = uv_at(f, t0), b = uv_at(f, t1);
-    struct vec3 p = point_at(f, a), q = point_at(f, b);
-    for (int i = 1; i < 4; i++) {
-        struct uv m = {a.u + (b.u - a.u) * i / 4, a.v + (b.v - a.v) * i / 4};
-        struct vec3 on = point_at(f, uv_at(f, t0 + (t1 - t0) * i / 4));
-        if (distance_to_chord(on, p, q) > f->tolerance ||
-            distance_to_chord(point_at(f, m), p, q) > f->tolerance)
-            return false;
-    }
-    return true;
-}
-
-/* All points of the curve from t0 to t1 but the last. */
-static void follow(const struct follower *f, double t0, double t1, int depth)
-{
-    if (depth == DEPTH_MAX || is_near(f, t0, t1)) {
-        *array_push(f->to) = uv_at(f, t0);
-        return;
-    }
-    double middle = t0 + (t1 - t0) / 2;
-    follow(f, t0, middle, depth + 1);
-    follow(f, middle, t1, depth + 1);
-}
-
-/* One curve, span by span, with its last point; a span that bends is parted first. */
-static void follow_curve(const struct nurbs *surface, const struct nurbs_curve *curve,
-                         double tolerance, struct uvs *to)
-{
-    struct follower f = {surface, curve, tolerance, to};
-    const struct nurbs_axis *t = &curve->t;
-    for (size_t i = (size_t)t->degree; i < t->poles; i++) {
-        double from = fmax(t->knot[i], t->from), end = fmin(t->knot[i + 1], t->to);
-        int parts = t->degree > 1 ? 2 : 1;
-        for (int k = 0; k < parts && end > from; k++)
-            follow(&f, from + (end - from) * k / parts, from + (end - from) * (k + 1) / parts, 0);
-    }
-    *array_push(to) = uv_at(&f, t->to);
-}
-
-static double square(struct uv a, struct uv b, const struct nurbs *s)
-{
-    double u = (a.u - b.u) / (s->u.to - s->u.from), v = (a.v - b.v) / (s->v.to - s->v.from);
-    return u * u + v * v;
-}
-
-/* Joins a curve to the loop so far, turned round where that fits better. */
-static void join(const struct nurbs *s, struct uvs *loop, struct uvs *curve, const struct uv *goal)
-{
-    if (curve->n == 0)
-        return;
-    struct uv first = curve->item[0], last = curve->item[curve->n - 1];
-    bool turned = loop->n > 0 ? square(loop->item[loop->n - 1], last, s) <
-                                    square(loop->item[loop->n - 1], first, s)
-                              : goal && square(*goal, first, s) < square(*goal, last, s);
-    for (size_t i = 0; i < curve->n; i++) {
-        struct uv at = curve->item[turned ? curve->n - 1 - i : i];
-        if (loop->n == 0 || square(loop->item[loop->n - 1], at, s) > 1e-18)
-            *array_push(loop) = at;
-    }
-}
-
-/* The nearer end of the curve that follows the first one tells which way that goes. */
-static struct uv nearer_end(const struct nurbs *s, const struct uvs *first,
-                            const struct nurbs_curve *next)
-{
-    struct vec3 a = nurbs_curve_point(next, next->t.from), b = nurbs_curve_point(next, next->t.to);
-    struct uv p = {a.x, a.y}, q = {b.x, b.y}, x = first->item[0], y = first->item[first->n - 1];
-    double to_p = fmin(square(x, p, s), square(y, p, s));
-    return to_p <= fmin(square(x, q, s), square(y, q, s)) ? p : q;
-}
-
-void tessellate_loops(const struct patch *patch, double tolerance, struct uvloops *loops)
-{
-    const struct nurbs *s = &patch->surface;
-    *loops = (struct uvloops){0};
-    for (size_t i = 0; i < patch->loop.n; i++) {
-        const struct patch_loop *l = &patch->loop.item[i];
-        struct uvs loop = {0};
-        for (size_t k = 0; k < l->n; k++) {
-            struct uvs curve = {0};
-            struct uv goal;
-            follow_curve(s, &l->item[k], tolerance, &curve);
-            if (k == 0 && l->n > 1)
-                goal = nearer_end(s, &curve, &l->item[1]);
-            join(s, &loop, &curve, k == 0 && l->n > 1 ? &goal : NULL);
-            array_free(&curve);
-        }
-        while (loop.n > 1 && square(loop.item[0], loop.item[loop.n - 1], s) <= 1e-18)
-            loop.n--;
-        if (loop.n >= 3)
-            *array_push(loops) = loop;
-        else
-            array_free(&loop);
-    }
-}
+enum { ROUNDS = 8, CELLS_MAX = 4000000 };
 
 /* Pieces are numbered row by row: those of u first. */
 static size_t breaks_of(const struct nurbs_axis *axis, double **at)
@@ -289,6 +161,8 @@ static void make(const struct patch *patch, const struct uvloops *loops, struct 
     trimcut(u, v, loops, open, &mesh);
     sheet_free(sheet);
     sheet->unclear = mesh.unclear;
+    sheet->off = loops->off;
+    sheet->lost = loops->lost;
     sheet->lines_u = u->n;
     sheet->lines_v = v->n;
     lift(&patch->surface, &mesh, sheet);
@@ -301,7 +175,7 @@ void tessellate(const struct patch *patch, struct tessellation how, struct sheet
     struct doubles u = {0}, v = {0};
     double finer = 1;
     *sheet = (struct sheet){0};
-    tessellate_loops(patch, how.tolerance, &loops);
+    trimloops(patch, how.tolerance, &loops);
     if (how.n > 0) {
         gridlines_equal(&patch->surface.u, how.n, &u);
         gridlines_equal(&patch->surface.v, how.n, &v);

@@ -52,4 +52,6 @@ void uvloops_free(struct uvloops *loops)
     for (size_t i = 0; i < loops->n; i++)
         array_free(&loops->item[i]);
     array_free(loops);
+    loops->off = 0;
+    loops->lost = 0;
 }
