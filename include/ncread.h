@@ -12,6 +12,7 @@
 #include "course.h"
 #include "error.h"
 #include "ncread_hole.h"
+#include "ncread_plane.h"
 #include "ncread_word.h"
 
 struct ncread;
@@ -65,6 +66,7 @@ struct ncread {
     bool closed;    /* and the mark behind it */
     struct vec3 centre; /* CC of Klartext */
     bool has_centre;
+    struct ncread_plane tilted; /* the plane that X Y Z are in */
     struct ncread_hole hole; /* the drilling cycle that is on */
     /* a B-spline being read */
     int order;

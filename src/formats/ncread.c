@@ -105,7 +105,10 @@ struct piece ncread_piece(const struct ncread *c, const struct ncread_place *to)
     const struct ncread_place *from = &c->here;
     piece.p[0] = point_of(from);
     piece.p[1] = point_of(to);
-    if (c->curve && from->has_head && to->has_head) {
+    if (c->tilted.on) {
+        piece.swing = SWING_GREAT;
+        piece.q[0] = piece.q[1] = vec(0, 0, 1);
+    } else if (c->curve && from->has_head && to->has_head) {
         piece.swing = SWING_HEAD;
         piece.q[0] = from->head;
         piece.q[1] = to->head;
@@ -136,13 +139,13 @@ int ncread_ready(const struct ncread *c, struct error *error)
         return ncread_error(c, error, "cuts before millimetres and absolute words are set");
     if (!c->spindle)
         return ncread_error(c, error, "cuts while the spindle stands");
-    if (c->setup->tcp && !c->tcp && !ncread_upright(c))
+    if (c->setup->tcp && !c->tcp && !c->tilted.on && !ncread_upright(c))
         return ncread_error(c, error, "cuts without tool centre point control");
     if (!(c->feed > 0))
         return ncread_error(c, error, "cuts without a feed");
     if (c->inverse_time && !c->feed_here)
         return ncread_error(c, error, "no F in a block under inverse time feed");
-    if (!all_known(&c->here) || !c->here.has_axis)
+    if (!all_known(&c->here) || !(c->here.has_axis || c->tilted.on))
         return ncread_error(c, error, "cuts from a place or with an axis that is not known");
     return 0;
 }
@@ -153,14 +156,16 @@ int ncread_go(struct ncread *c, const struct ncread_place *to, struct piece piec
     if (!rapid && ncread_ready(c, error) < 0)
         return -1;
     piece.rapid = rapid;
-    bool tracked = c->tcp || !c->setup->tcp || ncread_upright(c);
+    bool tracked = c->tcp || !c->setup->tcp || c->tilted.on || ncread_upright(c);
     if (piece.swing == SWING_ROTARY && !rapid && !(all_turned(c, &c->here) && all_turned(c, to)))
         return ncread_error(c, error, "cuts with rotary axes whose place is not known");
-    if (tracked && all_known(to) && to->has_axis) {
-        if (!all_known(&c->here) || !c->here.has_axis) { /* from the dark: only its end is known */
+    if (tracked && all_known(to) && (to->has_axis || c->tilted.on)) {
+        bool axis = c->here.has_axis || c->tilted.on;
+        if (!all_known(&c->here) || !axis) { /* from the dark: only its end is known */
             piece.p[0] = piece.p[1];
             piece.q[0] = piece.q[1];
         }
+        ncread_plane_turn(c, &piece);
         *array_push(&c->course->piece) = piece;
         c->course->lines += piece.shape == SHAPE_LINE && !rapid;
         c->course->arcs += piece.shape == SHAPE_ARC;

@@ -108,6 +108,9 @@ int ncread_fanuc_words(struct ncread *c, struct ncread_fanuc_block *b, struct er
     unsigned seen = 0;
     if (ncread_hole_dwell(c))
         return 0;
+    int plane = ncread_plane_g(c, error);
+    if (plane != 0)
+        return plane < 0 ? -1 : 0;
     for (size_t i = 0; i < c->words.n; i++) {
         const struct ncread_word *w = &c->words.item[i];
         unsigned bit = 1u << (w->name[0] - 'A');

@@ -197,6 +197,9 @@ static int run(struct ncread *c, struct klartext *k, struct error *error)
         return function(c, k, error);
     if (*first == 'M' && k->n == 1)
         return m_word(c, first + 1, k, error);
+    int plane = ncread_plane_spatial(c, error);
+    if (plane != 0)
+        return plane < 0 ? -1 : 0;
     return ncread_error(c, error, "a block that this reader does not know");
 }
 

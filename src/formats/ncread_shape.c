@@ -99,6 +99,7 @@ int ncread_spline(struct ncread *c, struct error *error)
     for (size_t i = 0; i < c->weight.n; i++)
         if (!(c->weight.item[i] > 0))
             return ncread_error(c, error, "a spline with a weight that is not above zero");
+    ncread_plane_turn_poles(c);
     struct course_spline b = {.order = c->order, .n = n};
     b.knot = c->knot.item;
     b.p = c->pole_p.item;

@@ -204,6 +204,8 @@ int ncread_siemens_words(struct ncread *c, struct ncread_siemens_block *b, struc
             result = address(c, w, b, error);
         else if (strncmp(w->name, "CYCLE8", 6) == 0 && strlen(w->name) == 7)
             result = ncread_hole_call(c, w->name, error);
+        else if (strcmp(w->name, "CYCLE800") == 0)
+            result = ncread_plane_cycle800(c, error) < 0 ? -1 : 0;
         else if (strcmp(w->name, "CYCLE832") && strcmp(w->name, "FGROUP") &&
                  strcmp(w->name, "MSG") && strcmp(w->name, "TRAORI"))
             result = ncread_unknown(c, w, error);
