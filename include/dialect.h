@@ -5,6 +5,7 @@
 #ifndef CLOUDMILL_DIALECT_H
 #define CLOUDMILL_DIALECT_H
 
+#include "ncframe.h"
 #include "ncplan.h"
 #include "ncwrite.h"
 
@@ -24,8 +25,11 @@ struct nc_program {
     const struct machine *machine;
     const struct nc_plan *plan;
     struct nc_wish wish;
-    bool plane;             /* the path is in a tilted plane, which the control turns to */
-    struct vec3 plane_axis; /* its Z in the frame of the work */
+    bool plane;             /* the path is in tilted planes, which the control turns to */
+    struct nc_planes planes;
+    size_t at_plane;        /* where the program is among them */
+    bool same_tool;         /* it is taken up again behind another plane */
+    int turned;             /* rotary axes of the machine that the control turns for them */
     size_t part, parts;     /* 1 of 3; 0: the whole */
     size_t met;             /* the move whose block is w.wanted */
     struct nc_tooling tooling;
@@ -47,6 +51,7 @@ struct dialect {
     bool inverse_never;           /* it knows no inverse-time feed */
     bool steps_alike;             /* its drilling cycles know one step, and no dwell with it */
     bool plane;                   /* it can turn to a tilted plane */
+    bool plane_euler;             /* by Euler's angles */
     bool tcp_of_machine;          /* it has tool-centre-point control only where the machine file
                                      names this control and says so */
     enum nc_arcs arcs, arcs_vectors;
@@ -55,7 +60,8 @@ struct dialect {
     /* -1: a name or number that the control does not take */
     int (*check_name)(const char *name, struct error *error);
     void (*start)(struct nc_program *p); /* the head of the program */
-    void (*take)(struct nc_program *p);  /* the tool, up to the first motion with it */
+    void (*load)(struct nc_program *p);  /* the tool into the spindle, which turns */
+    void (*take)(struct nc_program *p);  /* from there up to the first motion with it */
     void (*line)(struct nc_program *p, const struct nc_move *move); /* rapids too */
     void (*arc)(struct nc_program *p, const struct nc_move *move);
     void (*spline)(struct nc_program *p, const struct nc_move *move);

@@ -62,7 +62,8 @@ enum nc_kind {
     NC_HOLE, /* a hole of a canned cycle, to where the tool leaves it */
     NC_PASS,
     NC_TEXT,
-    NC_TOOL
+    NC_TOOL,
+    NC_PLANE /* another tilted plane; index: of the path's planes (ncframe.h) */
 };
 
 /* Along the program's Z. */

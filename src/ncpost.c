@@ -214,28 +214,30 @@ static void make_plan(struct nc_plan *plan, const struct path *path, const struc
     die_error(&error);
 }
 
-/* Brings all into the program's frame: a tilted plane, inches.  Holes stay the control's cycles
- * where the tool stands upright in that frame all the time.  True: the rotary axes stay at zero. */
+/* Brings all into the program's frame: tilted planes, inches.  Holes stay the control's cycles
+ * where the tool stands upright in that frame.  True: the rotary axes stay at zero. */
 static bool set_frame(struct nc_program *p, struct path *path, struct machine *machine,
                       const struct dialect *dialect, const struct settings *s)
 {
     struct error error;
-    struct vec3 axis = {0, 0, 1};
-    bool fixed = nc_frame_fixed(path, &axis), upright = vec_angle(axis, vec(0, 0, 1)) < 1e-7;
-    bool cycles = fixed && machine->cycles && nc_frame_holes(path);
+    bool planes = nc_frame_planes(path, &p->planes), upright = nc_frame_upright(&p->planes);
+    bool cycles = planes && machine->cycles && nc_frame_holes(path);
+    int digits = machine->digits.angle < 0 ? dialect->digits.angle : machine->digits.angle;
     if (s->plane && !dialect->plane)
         die_usage("found --plane, which %s does not know", dialect->name);
-    if (s->plane && !fixed)
-        die("%s: found tool axes that differ, expected one alone (--plane)", path->name);
-    p->plane = s->plane || ((machine->plane || cycles) && dialect->plane && fixed && !upright);
-    p->plane_axis = axis;
-    if (p->plane && nc_frame_plane(path, machine, axis, &error) != 0)
+    if (s->plane && !planes)
+        die("%s: found a tool axis that turns in the cut, expected it to stay (--plane)",
+            path->name);
+    p->plane = s->plane || ((machine->plane || cycles) && dialect->plane && planes && !upright);
+    p->turned = machine->chain.n;
+    if (p->plane &&
+        nc_frame_tilt(path, machine, &p->planes, dialect->plane_euler, digits, &error) != 0)
         die_unmet("%s", error.text);
     if (!cycles || !(upright || p->plane))
         path_drill(path);
     if (s->inch)
         nc_frame_inch(path, machine, &p->wish);
-    return fixed && upright && (cycles || !machine->tcp);
+    return upright && (cycles || !machine->tcp);
 }
 
 int main(int argc, char **argv)
@@ -273,6 +275,7 @@ int main(int argc, char **argv)
     tell(&path, &plan, dialect, &s);
     double sum = nc_ledger_sum(&path, &plan);
     array_free(&s.set);
+    array_free(&program.planes);
     nc_plan_free(&plan);
     path_free(&path);
     if (s.tolerance > 0 && sum > s.tolerance)

@@ -32,12 +32,15 @@ tilted='function place(u, v, w,  r, x, y, z, ca, sa, cb, sb) {
 		x = cb * u + sb * w; z = -sb * u + cb * w; y = ca * v - sa * z; z = sa * v + ca * z
 		printf "GOTO/%.9f,%.9f,%.9f,%.9f,%.9f,%.9f\n", x, y, z, sb, -sa * cb, ca * cb
 	}'
-# the last hole leans
+# the last hole leans: another plane
 leaning='function place(x, y, z) {
 		printf "GOTO/%.6f,%.6f,%.6f,%s\n", x, y, z, x == 60 ? "0,0.6,0.8" : "0,0,1" }'
 holes "$upright" >holes.cl
 holes "$tilted" >tilted.cl
 holes "$leaning" >leaning.cl
+# and here the tool turns while it cuts
+awk '{ print } /^CYCLE.OFF/ && !done { print "FEDRAT/MMPM,300\nGOTO/20,3,30,0,0.2,0.979795897"; done = 1 }' \
+	leaning.cl >turning.cl
 
 for control in fanuc siemens heidenhain; do
 	for machine in table-ac head-ca table-bc-notcp; do
@@ -52,12 +55,18 @@ for control in fanuc siemens heidenhain; do
 	ncpost -q -c $control --set cycles=no holes.cl >written.nc
 	hasnt "$control: cycles = no" 'G8[1-9]|CYCLE8|CYCL DEF 20' written.nc
 	ok "written out, steps and all" "$READBACK" -c $control --path holes.cl -e 0.0062 written.nc
+	ncpost -q -c $control --set digits.angle=6 tilted.cl >turned.nc
+	ncpost -q -c $control turning.cl >turning.nc
+	hasnt "$control: where the tool turns they are written out" 'G8[1-9]|CYCLE8|CYCL DEF 20' turning.nc
+	ok "and are the path's" "$READBACK" -c $control --path turning.cl -e 0.0062 --axis 0.052 turning.nc
 	ncpost -q -c $control leaning.cl >leaning.nc
-	hasnt "$control: where the tool turns they are written out" 'G8[1-9]|CYCLE8|CYCL DEF 20' leaning.nc
-	ok "and are the path's" "$READBACK" -c $control --path leaning.cl -e 0.0062 --axis 0.052 leaning.nc
+	ok "$control: in two planes" "$READBACK" -c $control --no-steps --path leaning.cl -e 0.001 \
+		--axis 0.001 leaning.nc
+	has "the cycle goes on in the second" 'G86|CYCLE86|CYCL DEF 202' leaning.nc
+	ok "$control: in the tilted plane" "$READBACK" -c $control --no-steps --path tilted.cl -e 0.001 \
+		--axis 0.001 turned.nc
 	# 3+2: in the tilted plane the program is that of the upright path
 	ncpost -q -c $control -m three-axis holes.cl >flat.nc
-	ncpost -q -c $control tilted.cl >turned.nc
 	for file in flat turned; do
 		grep -E ' [XYZRQ][-+]?[0-9]|Q20|G8|CYCLE8|CYCL' $file.nc |
 			grep -Ev 'G28|G68|M91|SUPA|G90|CYCLE800|G53|L A' | sed 's/^N*[0-9]* //' >$file
@@ -65,6 +74,15 @@ for control in fanuc siemens heidenhain; do
 	same "$control: 3+2 is the same program in its plane" flat turned
 	has "turned there" 'G68\.2|CYCLE800\(0,|PLANE SPATIAL' turned.nc
 done
+ncpost -q -c fanuc leaning.cl >leaning.nc
+ends=$(grep -n 'A0\. C0\.' leaning.nc | tail -n 1 | cut -d: -f1)
+below "the rotary axes stand at zero at the end" "$(grep -n 'G69' leaning.nc | tail -n 1 | cut -d: -f1)" "$ends"
+rm -f lean-*
+status 0 "planes in parts" ncpost -q -c fanuc --split 75 -o lean.nc leaning.cl
+for part in lean-*.nc; do
+	"$READBACK" -c fanuc "$part" 2>&1 | grep '\.nc:'
+done >parts
+empty "each a program" parts
 has "Fanuc: G98 to the retract plane" ' G98 G81 X0\. Y1\. Z-10\. R2\. F150\.$' fanuc.nc
 has "Fanuc: the next hole is its place alone" '^N[0-9]+ X10\. Y2\.$' fanuc.nc
 has "Fanuc: dwell in milliseconds" ' G99 G82 .*P250 F90\.$' fanuc.nc

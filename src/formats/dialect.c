@@ -64,8 +64,10 @@ struct nc_ability dialect_ability(const struct dialect *dialect, const struct ma
 void dialect_start(const struct dialect *dialect, struct nc_program *p)
 {
     p->hole = NULL;
+    p->at_plane = 0;
     nc_tool_first(p);
     dialect->start(p);
+    dialect->load(p);
     dialect->take(p);
 }
 
@@ -88,7 +90,22 @@ static void change_tool(const struct dialect *dialect, struct nc_program *p,
     nc_block(&p->w, "M5");
     nc_tool_change(p, move);
     nc_forget(&p->w, NC_X, NC_F);
+    dialect->load(p);
     dialect->take(p);
+}
+
+/* Home and back to work in another plane; a change of tools there goes to it by itself. */
+static void change_plane(const struct dialect *dialect, struct nc_program *p,
+                         const struct nc_move *move)
+{
+    if (move->index <= p->at_plane || !nc_tool_stays(p, move))
+        return;
+    dialect->leave(p);
+    nc_tool_change(p, move);
+    nc_forget(&p->w, NC_X, NC_F);
+    p->same_tool = true;
+    dialect->take(p);
+    p->same_tool = false;
 }
 
 void dialect_move(const struct dialect *dialect, struct nc_program *p, const struct nc_move *move)
@@ -117,6 +134,9 @@ void dialect_move(const struct dialect *dialect, struct nc_program *p, const str
         break;
     case NC_TOOL:
         change_tool(dialect, p, move);
+        break;
+    case NC_PLANE:
+        change_plane(dialect, p, move);
         break;
     }
 }

@@ -78,14 +78,18 @@ static void start(struct nc_program *p)
     retract_home(p);
 }
 
-/* The tool into the spindle, the rotary axes to its first place. */
+static void load(struct nc_program *p)
+{
+    if (p->tooling.number)
+        nc_template(p, p->machine->blocks.tool_change, "T{tool} M6");
+    nc_spindle(p);
+}
+
+/* The rotary axes to the first place. */
 static void take(struct nc_program *p)
 {
     struct nc_writer *w = &p->w;
     const struct nc_move *first = nc_first_move(p);
-    if (p->tooling.number)
-        nc_template(p, p->machine->blocks.tool_change, "T{tool} M6");
-    nc_spindle(p);
     if (p->plane)
         nc_template(p, p->machine->blocks.plane_on, "G68.2 X0. Y0. Z0. I{i} J{j} K{k}|G53.1");
     nc_motion(w, "G0");
@@ -182,6 +186,7 @@ const struct dialect dialect_fanuc = {
     .digits = {.linear = 3, .angle = 3, .vector = 6, .knot = 3, .feed = 1},
     .vectors_doubtful = true,
     .plane = true,
+    .plane_euler = true,
     .arcs = NC_ARCS_CENTRE,
     .arcs_vectors = NC_ARCS_RADIUS,
     .splines = NC_SPLINES_ROTARY,
@@ -189,6 +194,7 @@ const struct dialect dialect_fanuc = {
     .steps_alike = true,
     .check_name = check_name,
     .start = start,
+    .load = load,
     .take = take,
     .line = line,
     .arc = arc,

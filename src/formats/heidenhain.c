@@ -78,7 +78,7 @@ static void turn(struct nc_program *p, const double q[])
     nc_end(&p->w);
 }
 
-static void tool(struct nc_program *p)
+static void call_tool(struct nc_program *p)
 {
     if (*p->machine->blocks.tool_change) {
         nc_template(p, p->machine->blocks.tool_change, "");
@@ -104,16 +104,20 @@ static void start(struct nc_program *p)
     retract_home(p);
 }
 
-/* The tool into the spindle, the rotary axes to its first place. */
+static void load(struct nc_program *p)
+{
+    call_tool(p);
+    if (p->tooling.spindle > 0)
+        nc_block(&p->w, p->tooling.ccw ? "M4" : "M3");
+}
+
+/* The rotary axes to the first place. */
 static void take(struct nc_program *p)
 {
     const char *smooth = "CYCL DEF 32.0 TOLERANCE|CYCL DEF 32.1 T{tolerance}|"
                          "CYCL DEF 32.2 HSC-MODE:0 TA{orientation}";
     struct nc_writer *w = &p->w;
     const struct nc_move *first = nc_first_move(p);
-    tool(p);
-    if (p->tooling.spindle > 0)
-        nc_block(w, p->tooling.ccw ? "M4" : "M3");
     turn(p, first->q);
     if (p->plane)
         nc_template(p, p->machine->blocks.plane_on, "PLANE SPATIAL SPA{a} SPB{b} SPC+0 TURN FMAX");
@@ -226,6 +230,7 @@ const struct dialect dialect_heidenhain = {
     .splines_vectors = NC_SPLINES_NONE,
     .check_name = check_name,
     .start = start,
+    .load = load,
     .take = take,
     .line = line,
     .arc = arc,

@@ -74,14 +74,18 @@ static void start(struct nc_program *p)
     retract_home(p);
 }
 
-/* The tool into the spindle, the rotary axes to its first place. */
+static void load(struct nc_program *p)
+{
+    if (p->tooling.number)
+        nc_template(p, p->machine->blocks.tool_change, "T{tool} M6");
+    nc_spindle(p);
+}
+
+/* The rotary axes to the first place. */
 static void take(struct nc_program *p)
 {
     struct nc_writer *w = &p->w;
     const struct nc_move *first = nc_first_move(p);
-    if (p->tooling.number)
-        nc_template(p, p->machine->blocks.tool_change, "T{tool} M6");
-    nc_spindle(p);
     if (p->machine->chain.n) {
         nc_motion(w, "G0");
         nc_rotary(p, first->q);
@@ -151,6 +155,7 @@ const struct dialect dialect_linuxcnc = {
     .steps_alike = true,
     .check_name = check_name,
     .start = start,
+    .load = load,
     .take = take,
     .line = line,
     .arc = arc,

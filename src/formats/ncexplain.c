@@ -22,8 +22,8 @@ static const char *rule(const struct nc_move *move)
 static void say_origin(struct out *out, const struct path *path, const struct nc_plan *plan,
                        size_t index)
 {
-    static const char *const kind[] = {"rapid", "straight", "arc",       "spline",
-                                       "hole",  "pass",     "statement", "tool"};
+    static const char *const kind[] = {"rapid", "straight",  "arc",  "spline", "hole",
+                                       "pass",  "statement", "tool", "plane"};
     const struct nc_move *move = &plan->move.item[index];
     size_t pass = 0;
     for (size_t i = 0; i <= index; i++)

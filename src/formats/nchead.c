@@ -8,6 +8,8 @@
 #include "nctool.h"
 #include "num.h"
 
+enum { PLANES_SHOWN = 12 };
+
 double nc_ledger_sum(const struct path *path, const struct nc_plan *plan)
 {
     double sum = path_spent(path) + plan->total.spent.point * plan->ability.unit;
@@ -76,8 +78,10 @@ void nc_head(struct nc_program *p, const char *control)
     if (p->plan->ability.unit > 1)
         nc_comment(&p->w, "Inches; all figures in these lines are mm");
     if (p->plane)
-        nc_comment(&p->w, "X Y Z in the tilted plane, Z along %.6f %.6f %.6f", p->plane_axis.x,
-                   p->plane_axis.y, p->plane_axis.z);
+        nc_comment(&p->w, "X Y Z in the tilted plane%s", p->planes.n > 1 ? "s" : "");
+    for (size_t i = 0; p->plane && i < p->planes.n && i < PLANES_SHOWN; i++)
+        nc_comment(&p->w, "Z along %.6f %.6f %.6f", p->planes.item[i].axis.x,
+                   p->planes.item[i].axis.y, p->planes.item[i].axis.z);
     head_tool(p);
     head_ledger(p);
     double unit = p->plan->ability.unit;

@@ -8,7 +8,7 @@
 #include "ncreach.h"
 
 enum {
-    MADE = 7,  /* moves that may be added to a part: tool, two statements, down, and up */
+    MADE = 8,  /* moves that may be added to a part: tool, plane, two statements, down, and up */
     CYCLE = 18 /* blocks of a drilling cycle that is said anew in it */
 };
 
@@ -52,15 +52,17 @@ static const struct nc_move *last_motion(const struct nc_plan *plan, size_t befo
     return before ? &plan->move.item[before - 1] : NULL;
 }
 
-/* Tool and statements before the part that last: the last of each kind. */
+/* Tool, plane and statements before the part that last: the last of each kind. */
 static void add_lasting(struct nc_plan *part, const struct nc_program *whole, size_t from)
 {
     static const char *const word[] = {"SPINDL", "COOLNT"};
-    for (size_t i = from; i-- > 0;)
-        if (whole->plan->move.item[i].kind == NC_TOOL) {
-            *array_push(&part->move) = whole->plan->move.item[i];
-            break;
-        }
+    static const enum nc_kind kind[] = {NC_TOOL, NC_PLANE};
+    for (size_t k = 0; k < sizeof kind / sizeof *kind; k++)
+        for (size_t i = from; i-- > 0;)
+            if (whole->plan->move.item[i].kind == kind[k]) {
+                *array_push(&part->move) = whole->plan->move.item[i];
+                break;
+            }
     for (size_t k = 0; k < sizeof word / sizeof *word; k++)
         for (size_t i = from; i-- > 0;) {
             const struct nc_move *move = &whole->plan->move.item[i];

@@ -168,8 +168,9 @@ static void measure_tool(struct nc_step *step, double ball)
                                        sampled * step->wish.axis_tolerance + last.axis};
 }
 
-/* Another tool: home from here, and from home to the motion that follows, if there is one. */
-static int change_tool(struct nc_step *step, const struct path_item *item)
+/* Another tool or plane: home from here, and from home to the motion that follows, if there is
+ * one. */
+static int begin_anew(struct nc_step *step, const struct path_item *item)
 {
     const struct path *path = step->path;
     const struct path_item *end = path->item.item + path->item.n, *next = item;
@@ -181,8 +182,9 @@ static int change_tool(struct nc_step *step, const struct path_item *item)
         return -1;
     step->state.begun = false;
     step->state.touches = false;
-    measure_tool(step, path_tool_ball(&path->tool.item[item->index]));
-    add_note(step, NC_TOOL, item);
+    if (item->kind == PATH_TOOL)
+        measure_tool(step, path_tool_ball(&path->tool.item[item->index]));
+    add_note(step, item->kind == PATH_TOOL ? NC_TOOL : NC_PLANE, item);
     return 0;
 }
 
@@ -214,9 +216,15 @@ static int plan_item(struct nc_step *step, const struct path_item *item)
     case PATH_HOLE:
         return nc_hole(step, item);
     case PATH_TOOL:
-        return change_tool(step, item);
+    case PATH_PLANE:
+        return begin_anew(step, item);
     }
     return cut(step, item);
+}
+
+static bool begins_anew(const struct path_item *item)
+{
+    return item->kind == PATH_TOOL || item->kind == PATH_PLANE;
 }
 
 /* Behind the group that starts at `from`: the next rapid that comes after a cut, or tool. */
@@ -226,7 +234,7 @@ static size_t group_end(const struct path *path, size_t from)
     for (size_t i = from; i < path->item.n; i++) {
         const struct path_item *item = &path->item.item[i];
         bool rapid = item->kind == PATH_POINT && item->rapid;
-        if ((rapid && cutting) || (item->kind == PATH_TOOL && i > from))
+        if ((rapid && cutting) || (begins_anew(item) && i > from))
             return i;
         cutting = cutting || (is_motion(item) && !rapid);
     }

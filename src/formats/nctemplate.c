@@ -9,7 +9,7 @@
 enum { WORDS = 10, PLANE = 5, ROOM = 200 };
 
 static const char *const word[WORDS] = {"tool}", "rpm}", "tolerance}", "orientation}", "level}",
-                                          "a}",    "b}",   "i}",         "j}",           "k}"};
+                                        "a}",    "b}",   "i}",         "j}",           "k}"};
 
 /* The word that starts here, behind its brace; -1: none. */
 static int find(const char *text)
@@ -37,30 +37,18 @@ static double level(double tolerance)
     return fmin(10, fmax(1, round(1 + 4.5 * log10(0.1 / tolerance))));
 }
 
-/* a, b: about X and the turned Y; i, j, k: Euler's, about Z, the turned X and the turned Z. */
-static void plane_angles(struct vec3 axis, double angle[])
-{
-    double a, b;
-    nc_frame_angles(axis, &a, &b);
-    struct vec3 x = vec_turn(vec_turn(vec(1, 0, 0), vec(0, 1, 0), b), vec(1, 0, 0), a);
-    struct vec3 y = vec_turn(vec(0, 1, 0), vec(1, 0, 0), a);
-    bool upright = hypot(axis.x, axis.y) < 1e-9;
-    angle[0] = DEGREES(a);
-    angle[1] = DEGREES(b);
-    angle[2] = upright ? 0 : DEGREES(atan2(axis.x, -axis.y));
-    angle[3] = DEGREES(atan2(hypot(axis.x, axis.y), axis.z));
-    angle[4] = DEGREES(upright ? atan2(x.y, x.x) : atan2(x.z, y.z));
-}
-
 static size_t value(const struct nc_program *p, int i, char *text)
 {
     const struct nc_tooling *t = &p->tooling;
-    double plane[WORDS - PLANE];
     if (i >= PLANE) {
-        plane_angles(p->plane_axis, plane);
-        bool sign = p->w.style.sign && num_round(plane[i - PLANE], 4) >= 0;
+        struct nc_plane plane = {0};
+        if (p->at_plane < p->planes.n)
+            plane = p->planes.item[p->at_plane];
+        const double angle[] = {plane.a, plane.b, plane.i, plane.j, plane.k};
+        bool sign = p->w.style.sign && angle[i - PLANE] >= 0;
         *text = '+';
-        return sign + num_write_short(text + sign, plane[i - PLANE], 4, p->w.style.point);
+        return sign + num_write_short(text + sign, angle[i - PLANE], p->plan->ability.digits.angle,
+                                      p->w.style.point);
     }
     const double values[PLANE] = {t->number ? t->number : 1, t->spindle, p->wish.chord,
                                   DEGREES(p->wish.axis_tolerance), level(p->wish.chord)};

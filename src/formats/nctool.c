@@ -65,6 +65,8 @@ static void listen(struct nc_program *p, size_t i)
         if (move->kind == NC_TOOL) {
             p->tooling.taken = move->index + 1;
             p->tooling.number = p->path->tool.item[move->index].number;
+        } else if (move->kind == NC_PLANE) {
+            p->at_plane = move->index;
         } else if (move->kind == NC_TEXT) {
             nc_tool_says(p->path->text.item[move->index], &p->tooling);
         }
@@ -84,4 +86,12 @@ void nc_tool_first(struct nc_program *p)
 void nc_tool_change(struct nc_program *p, const struct nc_move *change)
 {
     listen(p, (size_t)(change - p->plan->move.item));
+}
+
+bool nc_tool_stays(const struct nc_program *p, const struct nc_move *from)
+{
+    const struct nc_move *end = p->plan->move.item + p->plan->move.n;
+    while (from < end && !nc_moves(from) && from->kind != NC_TOOL)
+        from++;
+    return from == end || from->kind != NC_TOOL;
 }

@@ -28,23 +28,29 @@ static void vector_words(struct nc_program *p, const char *const address[3], str
     nc_modal(w, NC_K, address[2], a.z, p->plan->ability.digits.vector);
 }
 
-void nc_rotary(struct nc_program *p, const double q[])
+static void rotary(struct nc_program *p, int n, const double q[])
 {
     const struct machine *m = p->machine;
-    for (int i = m->chain.n - 1; i >= 0; i--) { /* the tilting axis first, as people write it */
+    for (int i = n - 1; i >= 0; i--) { /* the tilting axis first, as people write it */
         const char address[2] = {machine_letter(m->letter[i]), '\0'};
         nc_modal(&p->w, i ? NC_Q1 : NC_Q0, address, DEGREES(q[i]), p->plan->ability.digits.angle);
     }
 }
 
+void nc_rotary(struct nc_program *p, const double q[])
+{
+    rotary(p, p->machine->chain.n, q);
+}
+
 void nc_rotary_home(struct nc_program *p)
 {
     const double zero[ROTARY_MAX] = {0};
-    if (!p->machine->chain.n)
+    int n = p->plane ? p->turned : p->machine->chain.n;
+    if (!n)
         return;
     nc_forget(&p->w, NC_Q0, NC_Q1);
     nc_motion(&p->w, "G0");
-    nc_rotary(p, zero);
+    rotary(p, n, zero);
     nc_end(&p->w);
 }
 

@@ -194,6 +194,7 @@ static void put_item(struct out *out, const struct path *path, const struct path
     case PATH_SPLINE:
         put_spline(out, &path->spline.item[item->index]);
         break;
+    case PATH_PLANE:
     case PATH_HOLE:
         put_goto(out, item->to);
         break;

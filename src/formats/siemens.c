@@ -91,16 +91,20 @@ static void start(struct nc_program *p)
     retract_home(p);
 }
 
-/* The tool into the spindle, the rotary axes to its first place. */
+static void load(struct nc_program *p)
+{
+    if (p->tooling.number)
+        nc_template(p, p->machine->blocks.tool_change, "T{tool} D1 M6");
+    nc_spindle(p);
+}
+
+/* The tool's length, off on the way home; the rotary axes to the first place. */
 static void take(struct nc_program *p)
 {
     struct nc_writer *w = &p->w;
     const struct nc_move *first = nc_first_move(p);
-    if (p->tooling.number)
-        nc_template(p, p->machine->blocks.tool_change, "T{tool} D1 M6");
-    else
+    if (!p->tooling.number || p->same_tool)
         nc_block(w, "D1");
-    nc_spindle(p);
     if (p->plane)
         nc_template(p, p->machine->blocks.plane_on,
                     "CYCLE800(0,\"\",100000,57,0,0,0,{a},{b},0,0,0,0,1,0,1)");
@@ -273,6 +277,7 @@ const struct dialect dialect_siemens = {
     .splines_vectors = NC_SPLINES_HEAD,
     .check_name = check_name,
     .start = start,
+    .load = load,
     .take = take,
     .line = line,
     .arc = arc,
