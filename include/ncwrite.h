@@ -18,6 +18,7 @@ struct nc_style {
     bool capitals;            /* in comments, and no brackets in them */
     bool point;               /* a whole number has its decimal point: X12. */
     bool sign;                /* a + before numbers that are not negative: X+12 */
+    long most;                /* the largest block number that it knows, 0: any */
     bool count_all;           /* numbers of blocks 0, 1, 2 ... without N, comments too */
 };
 

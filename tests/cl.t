@@ -5,6 +5,18 @@
 data=$SRC/tests/data/cl
 cd "$TMP" || exit 1
 
+# What LinuxCNC's own interpreter makes of a program, each of its tools 100 mm long; tool 1 where it
+# names none
+canon() { # PROGRAM
+	printf '[EMC]\nMACHINE = test\n[RS274NGC]\nPARAMETER_FILE = sim.var\n' >sim.ini
+	printf '[TRAJ]\nCOORDINATES = X Y Z A B C\nLINEAR_UNITS = mm\n' >>sim.ini
+	sed -n 's/^.* T\([0-9]*\) M6$/\1/p' "$1" | sort -un >tools
+	[ -s tools ] || { echo 1 >tools; sed '2,/G53/s/.*G53.*/&\nT1 M6/' "$1" >one && mv one "$1"; }
+	awk '{ printf "T%d P%d Z100 D8\n", $1, $1 }' tools >sim.tbl
+	: >sim.var
+	rs274 -g -i sim.ini -t sim.tbl -v sim.var "$1" 2>canon.err </dev/null
+}
+
 # ---- whole files, real and by hand
 for file in "$data"/*.ncl "$data"/*.cls "$data"/*.cldata "$data"/*.apt; do
 	name=$(basename "$file")
@@ -16,6 +28,19 @@ for file in "$data"/*.ncl "$data"/*.cls "$data"/*.cldata "$data"/*.apt; do
 			-e 0.0062 --axis 0.052 "back.$control"
 	done
 	ok "$name without a word that nobody knows" ncpost --strict -c linuxcnc "$file"
+	for machine in table-ac linuxcnc-xyzac; do
+		ncpost -q -c linuxcnc -m $machine -o back.ngc "$file"
+		command -v rs274 >/dev/null || continue
+		axes=--no-tcp
+		[ $machine = linuxcnc-xyzac ] && axes=--reversed
+		# tilted axes that the program itself keeps at the tip make places on a rapid too
+		[ $machine = table-ac ] && grep -q G93 back.ngc && continue
+		grep -Eq ' G(73|83) ' back.ngc && axes="$axes --no-steps"
+		canon back.ngc >back.canon || cat canon.err
+		# shellcheck disable=SC2086
+		ok "$name for linuxcnc, $machine, run by rs274, read back" "$READBACK" -c canon $axes \
+			--path "$file" -e 0.0062 --axis 0.052 back.canon
+	done
 done
 
 # ---- cut off anywhere: refused, and nothing written

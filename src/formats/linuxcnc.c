@@ -146,7 +146,7 @@ static void finish(struct nc_program *p)
 
 const struct dialect dialect_linuxcnc = {
     .name = "linuxcnc",
-    .style = {.open = "(", .close = ")", .capitals = true, .point = true},
+    .style = {.open = "(", .close = ")", .capitals = true, .point = true, .most = 99999},
     .digits = {.linear = 4, .angle = 4, .vector = 6, .knot = 3, .feed = 2},
     .vectors_never = true,
     .tcp_of_machine = true,

@@ -13,6 +13,8 @@ struct nc_writer nc_writer_new(struct out *out, struct nc_style style, int step,
 {
     if (style.count_all && step)
         step = 1;
+    if (style.most && style.most < most)
+        most = style.most;
     return (struct nc_writer){
         .out = out, .style = style, .step = step, .most = most, .number = style.count_all ? -1 : 0,
         .wanted = -1};

@@ -67,12 +67,10 @@ static enum course_track track_of(enum path_track track)
     return track == TRACK_TIP ? COURSE_TIP : track == TRACK_CENTRE ? COURSE_CENTRE : COURSE_CONTACT;
 }
 
-int cl_read(const char *file, bool steps, struct path *path, struct course *course, struct error *error)
+int cl_read(const char *file, struct path *path, struct course *course, struct error *error)
 {
     if (path_read(file, path, error) < 0)
         return -1;
-    for (size_t i = 0; !steps && i < path->cycle.n; i++)
-        path->cycle.item[i].step = 0; /* steps stay on the same line */
     path_drill(path);
     course->name = file;
     course->track = track_of(path->head.track);

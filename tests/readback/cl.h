@@ -10,8 +10,7 @@
 
 /* Reads a path and makes its motion: straight moves and arcs with the axis on the great circle in
  * proportion, splines by their poles (not their fallback points), holes as the motions that they
- * stand for, with their steps or in one. */
-int cl_read(const char *file, bool steps, struct path *path, struct course *course,
-            struct error *error);
+ * stand for. */
+int cl_read(const char *file, struct path *path, struct course *course, struct error *error);
 
 #endif

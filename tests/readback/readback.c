@@ -148,7 +148,7 @@ static void read_operand(const char *file, const struct options *o, struct cours
             die_error(&error);
         return;
     }
-    if (cl_read(file, true, &path, course, &error) < 0)
+    if (cl_read(file, &path, course, &error) < 0)
         die_error(&error);
     *radius = path_ball(&path);
     path_free(&path);
@@ -164,11 +164,15 @@ static int run(const char *file, const struct options *o)
     read_operand(file, o, &course, &radius);
     count_line(o->control == CONTROL_NONE ? "path" : "program", &course);
     if (o->path) {
-        if (cl_read(o->path, !o->no_steps, &path, &wanted, &error) < 0)
+        if (cl_read(o->path, &path, &wanted, &error) < 0)
             die_error(&error);
         count_line("its path", &wanted);
         radius = path_ball(&path);
         course.track = wanted.track;
+        if (o->no_steps) {
+            sweep_join_steps(&course);
+            sweep_join_steps(&wanted);
+        }
         held = compare(&course, &wanted, o);
         path_free(&path);
     }
@@ -194,7 +198,7 @@ int main(int argc, char **argv)
          0, 0, 0, NULL},
         {0, "path", "FILE", "the path that the program was made from", CLI_TEXT, &o.path, 0, 0, 0,
          NULL},
-        {0, "no-steps", NULL, "holes of the path in one step, as drilling cycles are read",
+        {0, "no-steps", NULL, "drilling steps of program and path joined: a control has its own",
          CLI_FLAG, &o.no_steps, 0, 0, 0, NULL},
         {'e', "tolerance", "MM", "of the tip against the path (0.001)", CLI_NUMBER, &o.tolerance,
          0, 1e3, 0, NULL},

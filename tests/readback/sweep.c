@@ -63,6 +63,53 @@ void sweep_chain(const struct course *course, struct chain *chain)
     }
 }
 
+static bool is_line(const struct piece *piece)
+{
+    return piece->shape == SHAPE_LINE && !piece->rapid;
+}
+
+/* On the line through the cut, from its start on, no further than `beyond` behind its end. */
+static bool along(const struct piece *cut, struct vec3 p, double beyond)
+{
+    struct vec3 way = vec_sub(cut->p[1], cut->p[0]), to = vec_sub(p, cut->p[1]);
+    struct vec3 unit = vec_unit(way);
+    double length = vec_length(way), s = vec_dot(to, unit);
+    return vec_length(vec_reject(to, unit)) < 1e-6 && s >= -length - 1e-6 && s <= beyond;
+}
+
+/* The next step of the hole that this cut is part of, 0: there is none. */
+static size_t next_step(const struct course *course, size_t i)
+{
+    const struct piece *cut = &course->piece.item[i];
+    size_t k = i + 1;
+    while (k < course->piece.n && course->piece.item[k].rapid &&
+           along(cut, course->piece.item[k].p[1], 0))
+        k++;
+    if (k == i + 1 || k == course->piece.n || !is_line(&course->piece.item[k]))
+        return 0;
+    const struct piece *next = &course->piece.item[k];
+    bool deeper = along(cut, next->p[1], HUGE_VAL) && !along(cut, next->p[1], 0);
+    return deeper && along(cut, next->p[0], 0) ? k : 0;
+}
+
+void sweep_join_steps(struct course *course)
+{
+    size_t n = 0, next;
+    for (size_t i = 0; i < course->piece.n; i++) {
+        struct piece *cut = &course->piece.item[n++];
+        *cut = course->piece.item[i];
+        if (!is_line(cut) || vec_distance(cut->p[0], cut->p[1]) == 0)
+            continue;
+        course->piece.item[i] = *cut;
+        while ((next = next_step(course, i)) != 0) {
+            course->piece.item[next].p[0] = cut->p[0];
+            *cut = course->piece.item[next];
+            i = next;
+        }
+    }
+    course->piece.n = n;
+}
+
 double sweep_length(const struct chain *chain)
 {
     double length = 0;

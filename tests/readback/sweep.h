@@ -26,6 +26,10 @@ struct chain {
 /* The cutting pieces of a course, straight between samples to 1e-5 mm and 0.001 degrees. */
 void sweep_chain(const struct course *course, struct chain *chain);
 
+/* Straight cuts one behind the other on a line, with rapids along it between, become one cut: a hole
+ * drilled in steps. */
+void sweep_join_steps(struct course *course);
+
 /* Length of the tip's way, mm. */
 double sweep_length(const struct chain *chain);
 
