@@ -87,12 +87,22 @@ struct chain_solutions chain_angles(const struct chain *chain, struct vec3 axis)
 int chain_choose(const struct chain *chain, struct vec3 axis, const double from[], bool smooth,
                  int only, double q[], int *over);
 
+/* What does not change of a chain of two axes while chain_beside is asked again and again. */
+struct chain_ways {
+    const struct chain *chain;
+    struct vec3 across; /* u1 x t */
+    double along, k0;   /* u1 . t, (u0 . u1) (u1 . t) */
+    double b, c, h;     /* u0 . t - k0, u0 . across; their length */
+};
+
+struct chain_ways chain_ways(const struct chain *chain);
+
 /*
  * chain_choose with `smooth` in the usual case, in a fraction of the time: two axes, a direction
  * half a degree or more from the singular one, and the solution on the side where `from` is moves
  * less than the other one can.  *turned: of `from` going in, of q coming out.  False: look closer.
  */
-bool chain_beside(const struct chain *chain, struct vec3 axis, const double from[], double q[],
+bool chain_beside(const struct chain_ways *ways, struct vec3 axis, const double from[], double q[],
                   struct turned *turned);
 
 #endif

@@ -38,7 +38,9 @@ struct nc_step {
     double clear;             /* z above which the path goes at rapid, NAN: not known */
     struct nc_state state;
     struct nc_branch branch;
-    const struct vec3 *ahead; /* the next tool axis of the path that is not singular, NULL: none */
+    struct chain_ways ways;   /* of the machine */
+    size_t next;              /* the item of the path that comes next */
+    size_t tilted;            /* looked for from there: the next whose tool axis is not singular */
     const double *aim; /* angles near which the next ones are to be, NULL: near the last ones */
     bool first;        /* the next motion is the first of a group: the tool is off the part */
     bool may_turn;     /* retract - turn - return is allowed */
@@ -47,6 +49,9 @@ struct nc_step {
 
 /* At the machine's rapid, straight to a pose. */
 int nc_step_rapid(struct nc_step *step, struct pose to);
+
+/* At feed, straight to a pose. */
+int nc_step_line(struct nc_step *step, struct pose to);
 
 /* At feed, along a motion that starts where the program is. */
 int nc_step_motion(struct nc_step *step, const struct motion *motion);

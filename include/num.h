@@ -4,6 +4,7 @@
 #ifndef CLOUDMILL_NUM_H
 #define CLOUDMILL_NUM_H
 
+#include <math.h>
 #include <stdbool.h>
 #include <stddef.h>
 #include <stdint.h>
@@ -69,7 +70,32 @@ size_t num_write(char *buf, double x, int digits);
 /* The same without trailing zeros, but with its point where `point` is set: 12. 0.5 -3.25 */
 size_t num_write_short(char *buf, double x, int digits, bool point);
 
+/* 10^0 to 10^22, all exact. */
+extern const double num_ten[23];
+
+/*
+ * |x| * 10^digits rounded half away from zero, where that is below 2^53; else false.  Signed, for
+ * that is what processors convert at once.
+ */
+static inline bool num_scaled(double x, int digits, int64_t *integer)
+{
+    double s = fabs(x) * num_ten[digits];
+    if (!(s < 9007199254740992.0))
+        return false;
+    *integer = (int64_t)(s + 0.5);
+    if ((double)*integer - s > 0.5) /* the sum itself was rounded up */
+        --*integer;
+    return true;
+}
+
 /* The value that num_write(x, digits) reads back as. */
-double num_round(double x, int digits);
+static inline double num_round(double x, int digits)
+{
+    int64_t integer;
+    if (!num_scaled(x, digits, &integer))
+        return x;
+    double r = (double)integer / num_ten[digits];
+    return x < 0 && integer ? -r : r;
+}
 
 #endif

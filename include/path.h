@@ -135,6 +135,12 @@ void path_write(struct out *out, const struct path *path);
 
 void path_free(struct path *path);
 
+/* The item takes the tool elsewhere. */
+static inline bool path_moves(const struct path_item *item)
+{
+    return item->kind <= PATH_HOLE;
+}
+
 /* Takes over the head of another path (copies its strings), for a stage that writes a new one. */
 void path_head_copy(struct path_head *to, const struct path_head *from);
 

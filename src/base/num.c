@@ -10,16 +10,14 @@
  */
 #include "num.h"
 
-#include <math.h>
 #include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <strings.h>
 
-static const double power_of_ten[] = {1e0,  1e1,  1e2,  1e3,  1e4,  1e5,  1e6,  1e7,
-                                      1e8,  1e9,  1e10, 1e11, 1e12, 1e13, 1e14, 1e15,
-                                      1e16, 1e17, 1e18, 1e19, 1e20, 1e21, 1e22};
+const double num_ten[23] = {1e0,  1e1,  1e2,  1e3,  1e4,  1e5,  1e6,  1e7,  1e8,  1e9,  1e10, 1e11,
+                            1e12, 1e13, 1e14, 1e15, 1e16, 1e17, 1e18, 1e19, 1e20, 1e21, 1e22};
 
 static bool is_digit(char c)
 {
@@ -88,7 +86,7 @@ bool num_read(const char **s, double *value)
     int exponent = read_exponent(p, &end) - decimals;
     if (digits <= 19 && mantissa <= (UINT64_C(1) << 53) && exponent >= -22 && exponent <= 22) {
         double m = (double)mantissa;
-        m = exponent < 0 ? m / power_of_ten[-exponent] : m * power_of_ten[exponent];
+        m = exponent < 0 ? m / num_ten[-exponent] : m * num_ten[exponent];
         *value = negative ? -m : m;
     } else {
         *value = read_exactly(*s, end);
@@ -130,19 +128,6 @@ bool num_whole(const char *text, double *value)
     return *text == '\0';
 }
 
-/* |x| * 10^digits rounded half away from zero, where that is below 2^53; signed, for that is what
- * processors convert at once. */
-static inline bool scaled(double x, int digits, int64_t *integer)
-{
-    double s = fabs(x) * power_of_ten[digits];
-    if (!(s < 9007199254740992.0))
-        return false;
-    *integer = (int64_t)(s + 0.5);
-    if ((double)*integer - s > 0.5) /* the sum itself was rounded up */
-        --*integer;
-    return true;
-}
-
 enum { DIGITS_MAX = 16 }; /* of an integer below 2^53 */
 
 /* The digits of n up to `end`, no fewer than `least`; returns where they start. */
@@ -165,7 +150,7 @@ static inline char *put_digits(char *end, uint64_t n, int least)
 size_t num_write(char *buf, double x, int digits)
 {
     int64_t integer;
-    if (!scaled(x, digits, &integer))
+    if (!num_scaled(x, digits, &integer))
         return (size_t)snprintf(buf, NUM_MAX, "%.*f", digits, x);
 
     char text[2 * DIGITS_MAX], *end = text + DIGITS_MAX; /* behind: so that copies have one length */
@@ -199,13 +184,4 @@ size_t num_write_short(char *buf, double x, int digits, bool point)
     }
     buf[n] = '\0';
     return n;
-}
-
-double num_round(double x, int digits)
-{
-    int64_t integer;
-    if (!scaled(x, digits, &integer))
-        return x;
-    double r = (double)integer / power_of_ten[digits];
-    return x < 0 && integer ? -r : r;
 }

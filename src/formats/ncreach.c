@@ -77,21 +77,36 @@ struct stance nc_station(const struct nc_step *step, struct pose to, const doubl
     return stance_of(step, to, q, &turned);
 }
 
+/* The first tool axis behind the current item that is not singular, NULL: none. */
+static const struct vec3 *next_tilted(struct nc_step *step)
+{
+    const struct path *path = step->path;
+    if (step->tilted < step->next)
+        step->tilted = step->next;
+    for (; step->tilted < path->item.n; step->tilted++) {
+        const struct path_item *item = &path->item.item[step->tilted];
+        if (path_moves(item) && !chain_free(&step->machine->chain, item->to.a))
+            return &item->to.a;
+    }
+    return NULL;
+}
+
 /*
  * In the singular direction the axis nearest the work is free.  From one such pose to the next it
  * turns to where the path will need it, so that it has the way between them for its turn instead
  * of none when the tool tilts.
  */
-static void turn_ahead(const struct nc_step *step, struct pose to, double q[])
+static void turn_ahead(struct nc_step *step, struct pose to, double q[])
 {
     const struct chain *chain = &step->machine->chain;
     double then[ROTARY_MAX];
     int over, only = step->first ? step->branch.first : step->branch.then;
-    if (!step->ahead || !chain_free(chain, to.a))
+    if (!chain_free(chain, to.a))
         return;
     if (step->state.begun && !step->first && !chain_free(chain, step->state.pose.a))
         return;
-    if (chain_choose(chain, *step->ahead, q, true, only, then, &over) == 0)
+    const struct vec3 *ahead = next_tilted(step);
+    if (ahead && chain_choose(chain, *ahead, q, true, only, then, &over) == 0)
         q[0] = then[0];
 }
 
@@ -110,7 +125,7 @@ int nc_reach(struct nc_step *step, struct pose to, struct stance *s)
     double q[ROTARY_MAX] = {0};
     struct turned turned = step->state.turned;
     if (!step->first && !step->aim && step->branch.then < 0 &&
-        chain_beside(chain, to.a, step->state.at.q, q, &turned)) {
+        chain_beside(&step->ways, to.a, step->state.at.q, q, &turned)) {
         *s = stance_of(step, to, q, &turned);
         return nc_check_linear(step, s);
     }

@@ -205,6 +205,30 @@ static int spline(struct nc_step *step, const struct motion *motion)
     return 0;
 }
 
+/* The whole of a straight motion as one block, where a bound shows that it may; 1: it may not. */
+static int one_block(struct nc_step *step, struct pose to)
+{
+    const struct nc_state *state = &step->state;
+    struct stance from = {state->at, state->turned}, stance;
+    if (step->plan->ability.doubtful || nc_reach(step, to, &stance) != 0)
+        return 1;
+    struct deviation d =
+        follow_line(&step->follow, &from, &stance, state->pose, to, step->allowed);
+    if (!deviation_within(d, step->allowed))
+        return 1;
+    take(step, &stance, to, NC_LINE, d);
+    return 0;
+}
+
+int nc_step_line(struct nc_step *step, struct pose to)
+{
+    if (one_block(step, to) == 0)
+        return 0;
+    step->plan->unmet = false;
+    struct motion motion = motion_line(step->state.pose, to);
+    return straight(step, &motion, 0, 1, NC_LINE, step->allowed, 0);
+}
+
 int nc_step_motion(struct nc_step *step, const struct motion *motion)
 {
     if (motion->kind == MOTION_SPLINE) {

@@ -116,15 +116,26 @@ static struct vec3 bend(struct vec3 start, struct vec3 middle, struct vec3 end)
     return vec_sub(middle, vec_mix(start, end, 0.5));
 }
 
+/* The worse of two errors; of the axis the chord, made the angle. */
+static struct deviation worse(const struct follow *f, const struct error3 *a,
+                              const struct error3 *b)
+{
+    double point = fmax(vec_dot(a->point, a->point), vec_dot(b->point, b->point));
+    double axis = fmax(vec_dot(a->axis, a->axis), vec_dot(b->axis, b->axis));
+    if (f->ball != 0)
+        point = fmax(point, fmax(vec_dot(a->ball, a->ball), vec_dot(b->ball, b->ball)));
+    double angle = axis < 1e-4 ? sqrt(axis) * (1 + axis / 24) : 2 * asin(fmin(1, sqrt(axis) / 2));
+    return (struct deviation){sqrt(point), angle};
+}
+
 /* The pose at a stance. */
 static struct pose stance_pose(const struct follow *f, const struct stance *s)
 {
-    struct pose at = {s->at.p, s->at.a};
     if (f->mode == FOLLOW_VECTOR)
-        at.a = vec_unit(at.a);
+        return (struct pose){s->at.p, vec_unit(s->at.a)};
     if (f->mode == FOLLOW_JOINT)
-        at.p = chain_tip_of(f->chain, at.p, &s->turned);
-    return at;
+        return (struct pose){chain_tip_of(f->chain, s->at.p, &s->turned), s->at.a};
+    return (struct pose){s->at.p, s->at.a};
 }
 
 /* Half-way along the block. */
@@ -160,9 +171,9 @@ struct deviation follow_line(const struct follow *f, const struct stance *from,
 {
     static const double remainder = 0.00802; /* sqrt(3) / 216 */
     double turn = turn_of(f, from->at.q, to->at.q), ball = fabs(f->ball);
-    struct pose first = stance_pose(f, from), last = stance_pose(f, to);
-    struct deviation ends = deviation_worst(follow_difference(f, first, start),
-                                            follow_difference(f, last, goal));
+    struct error3 e0 = error_of(f, stance_pose(f, from), start);
+    struct error3 e1 = error_of(f, stance_pose(f, to), goal);
+    struct deviation ends = worse(f, &e0, &e1);
     if (f->mode == FOLLOW_VECTOR)
         return ends;
     /* both axes stay within turn^2 / 8 of the straight line between their ends */
@@ -175,7 +186,6 @@ struct deviation follow_line(const struct follow *f, const struct stance *from,
         if (!(great <= 1 && rest <= little.axis))
             return (struct deviation){HUGE_VAL, HUGE_VAL};
         struct pose wanted = {vec_mix(start.p, goal.p, 0.5), vec_unit(vec_add(start.a, goal.a))};
-        struct error3 e0 = error_of(f, first, start), e1 = error_of(f, last, goal);
         struct error3 e = error_of(f, middle_pose(f, from, to), wanted);
         struct vec3 point = bend(e0.point, e.point, e1.point);
         struct vec3 centre = bend(e0.ball, e.ball, e1.ball);

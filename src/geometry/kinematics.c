@@ -151,7 +151,8 @@ static struct chain_solutions angle_of_one(const struct chain *chain, struct vec
 
 bool chain_free(const struct chain *chain, struct vec3 axis)
 {
-    return chain->n == 2 && vec_length(vec_cross(chain->rotary[0].axis, axis)) < singular;
+    struct vec3 off = vec_cross(chain->rotary[0].axis, axis);
+    return chain->n == 2 && vec_dot(off, off) < singular * singular;
 }
 
 struct chain_solutions chain_angles(const struct chain *chain, struct vec3 axis)
@@ -213,40 +214,62 @@ static double angle_near(double from, const struct turned *was, int i, double co
     return q + 2 * PI * round((from - q) / (2 * PI));
 }
 
+struct chain_ways chain_ways(const struct chain *chain)
+{
+    struct chain_ways w = {.chain = chain};
+    if (chain->n != 2)
+        return w;
+    struct vec3 u0 = chain->rotary[0].axis, u1 = chain->rotary[1].axis;
+    w.across = vec_cross(u1, chain->tool);
+    w.along = vec_dot(u1, chain->tool);
+    w.k0 = vec_dot(u0, u1) * w.along;
+    w.b = vec_dot(u0, chain->tool) - w.k0;
+    w.c = vec_dot(u0, w.across);
+    w.h = hypot(w.b, w.c);
+    return w;
+}
+
+/* 1 / |a|, for unit vectors without a root. */
+static double inverse_length(struct vec3 a)
+{
+    double l2 = vec_dot(a, a);
+    return fabs(l2 - 1) < 1e-8 ? 1.5 - 0.5 * l2 : 1 / sqrt(l2);
+}
+
 /*
  * The component of a along u0 is k0 + b cos q1 + c sin q1, so with root^2 = b^2 + c^2 - k^2 the
- * cosine and sine of both q1 are known without an angle.
+ * cosine and sine of both q1 are known without an angle.  Turned by q1, t is as far from u0 as a
+ * is: the lengths of what is across u0 need no root either, but one step of Newton's.
  */
-bool chain_beside(const struct chain *chain, struct vec3 axis, const double from[], double q[],
+bool chain_beside(const struct chain_ways *w, struct vec3 axis, const double from[], double q[],
                   struct turned *turned)
 {
     const double steep = 1e-4; /* of h^2: half a degree from the singular direction */
+    const struct chain *chain = w->chain;
     const struct rotary *r0 = &chain->rotary[0], *r1 = &chain->rotary[1];
     if (chain->n != 2)
         return false;
-    struct vec3 across = vec_cross(r1->axis, chain->tool);
-    double along = vec_dot(r1->axis, chain->tool), k0 = vec_dot(r0->axis, r1->axis) * along;
-    double b = vec_dot(r0->axis, chain->tool) - k0, c = vec_dot(r0->axis, across);
-    double h2 = b * b + c * c, k = vec_dot(r0->axis, axis) / vec_length(axis) - k0;
-    double root2 = h2 - k * k;
-    if (!(root2 > steep * h2))
+    axis = vec_scale(inverse_length(axis), axis);
+    double up = vec_dot(r0->axis, axis), k = up - w->k0;
+    double h2 = w->h * w->h, root2 = h2 - k * k;
+    if (!(root2 > steep * h2 && up * up < 0.9999))
         return false;
-    double side = c * turned->cosine[1] - b * turned->sine[1] > 0 ? -sqrt(root2) : sqrt(root2);
-    double c1 = (b * k - c * side) / h2, s1 = (c * k + b * side) / h2;
+    double root = sqrt(root2), per = 1 / h2;
+    double side = w->c * turned->cosine[1] - w->b * turned->sine[1] > 0 ? -root : root;
+    double c1 = (w->b * k - w->c * side) * per, s1 = (w->c * k + w->b * side) * per;
     struct vec3 to = vec_reject(axis, r0->axis);
-    struct vec3 at = vec_along(vec_scale(c1, chain->tool), s1, across);
-    at = vec_reject(vec_along(at, (1 - c1) * along, r1->axis), r0->axis);
+    struct vec3 at = vec_along(vec_scale(c1, chain->tool), s1, w->across);
+    at = vec_reject(vec_along(at, (1 - c1) * w->along, r1->axis), r0->axis);
     double c0 = vec_dot(at, to), s0 = vec_dot(r0->axis, vec_cross(at, to));
-    double far2 = c0 * c0 + s0 * s0, scale = 1 / sqrt(far2);
-    if (!(far2 > 0))
-        return false;
+    double scale = 1 / (1 - up * up), far2 = (c0 * c0 + s0 * s0) * scale * scale;
+    scale *= 1.5 - 0.5 * far2;
     c0 *= scale;
     s0 *= scale;
     double q0 = angle_near(from[0], turned, 0, c0, s0), q1 = angle_near(from[1], turned, 1, c1, s1);
     if (q0 > r0->max || q0 < r0->min || q1 > r1->max || q1 < r1->min)
         return false;
     double move0 = fabs(q0 - from[0]), move1 = fabs(q1 - from[1]);
-    if (!(2 * sqrt(root2 / h2) - move1 > move0 + move1 + 1e-6)) /* twice the sine: the other's way */
+    if (!(2 * root > w->h * (2 * move1 + move0 + 1e-6))) /* twice the sine: the other's way */
         return false;
     q[0] = q0; /* last, for q may be where `from` stands */
     q[1] = q1;
@@ -259,7 +282,8 @@ int chain_choose(const struct chain *chain, struct vec3 axis, const double from[
 {
     if (smooth && only < 0) {
         struct turned turned = chain_turned(chain, from);
-        if (chain_beside(chain, axis, from, q, &turned))
+        struct chain_ways ways = chain_ways(chain);
+        if (chain_beside(&ways, axis, from, q, &turned))
             return 0;
     }
     struct chain_solutions s = chain_angles(chain, axis);
