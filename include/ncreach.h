@@ -15,6 +15,10 @@ struct stance nc_station(const struct nc_step *step, struct pose to, const doubl
  */
 int nc_reach(struct nc_step *step, struct pose to, struct stance *s);
 
+/* How far from 0 a tip may be for the linear axes to keep their travel however the rotary axes
+ * stand: a turn about c takes p no further from 0 than |p| + 2 |c|. */
+double nc_surely_within(const struct machine *m);
+
 /* -1: the linear axes, as they stand when the tip is there (seen from the work offset), would
  * leave their travel. */
 int nc_check_linear(struct nc_step *step, const struct stance *to);

@@ -39,6 +39,7 @@ struct nc_step {
     struct nc_state state;
     struct nc_branch branch;
     struct chain_ways ways;   /* of the machine */
+    double within;            /* nc_surely_within of the machine */
     size_t next;              /* the item of the path that comes next */
     size_t tilted;            /* looked for from there: the next whose tool axis is not singular */
     const double *aim; /* angles near which the next ones are to be, NULL: near the last ones */

@@ -9,6 +9,9 @@
 #include <stddef.h>
 #include <stdint.h>
 
+/* 10^0 to 10^22, all exact. */
+extern const double num_ten[23];
+
 /*
  * Reads one decimal number at *s: sign, digits with or without a point (`5`, `5.`, `.5`),
  * exponent by e, E, d or D.  The value is the nearest double, as strtod's would be.  True when a
@@ -18,33 +21,62 @@
  */
 bool num_read(const char **s, double *value);
 
+/* The first eight characters, the first one lowest, whatever the processor's order of bytes. */
+static inline uint64_t num_eight(const char *p)
+{
+    const unsigned char *u = (const unsigned char *)p;
+    return (uint64_t)u[0] | (uint64_t)u[1] << 8 | (uint64_t)u[2] << 16 | (uint64_t)u[3] << 24 |
+           (uint64_t)u[4] << 32 | (uint64_t)u[5] << 40 | (uint64_t)u[6] << 48 |
+           (uint64_t)u[7] << 56;
+}
+
+/* How many of them are digits before the first that is none; and the number that these are. */
+static inline int num_digits(uint64_t eight, uint64_t *value)
+{
+    static const uint64_t each = 0x0101010101010101;
+    uint64_t digit = eight ^ (0x30 * each);
+    uint64_t other = ((digit + 0x76 * each) | digit) & (0x80 * each);
+    int n = other ? __builtin_ctzll(other) / 8 : 8;
+    if (n == 0)
+        return 0;
+    digit <<= 8 * (8 - n); /* noughts in front */
+    digit = (digit * 10 + (digit >> 8)) & 0x00ff00ff00ff00ff;
+    digit = (digit * 100 + (digit >> 16)) & 0x0000ffff0000ffff;
+    *value = (digit * 10000 + (digit >> 32)) & 0xffffffff;
+    return n;
+}
+
 /*
  * num_read for the numbers that files are full of, at most 15 digits without an exponent, where it
  * is called for each of millions: what stands behind the number, NULL when it is not as plain as
- * that.
+ * that.  Decimals are taken eight at a time, so that so many characters behind the number are
+ * looked at too.
  */
 static inline const char *num_plain(const char *p, double *value)
 {
-    static const double ten[] = {1e0, 1e1, 1e2,  1e3,  1e4,  1e5,  1e6,  1e7,
-                                 1e8, 1e9, 1e10, 1e11, 1e12, 1e13, 1e14, 1e15};
     bool negative = *p == '-';
     p += negative;
-    uint64_t mantissa = 0;
+    uint64_t mantissa = 0, more = 0;
     size_t digits, decimals = 0;
     const char *first = p;
     for (; *p >= '0' && *p <= '9'; p++)
         mantissa = mantissa * 10 + (uint64_t)(*p - '0');
     digits = (size_t)(p - first);
     if (*p == '.') {
-        for (first = ++p; *p >= '0' && *p <= '9'; p++)
-            mantissa = mantissa * 10 + (uint64_t)(*p - '0');
+        static const uint64_t scale[] = {1,      10,      100,      1000,     10000,
+                                         100000, 1000000, 10000000, 100000000};
+        first = ++p;
+        for (int n = 8; n == 8 && p - first < 16; p += n) {
+            n = num_digits(num_eight(p), &more);
+            mantissa = n ? mantissa * scale[n] + more : mantissa;
+        }
         decimals = (size_t)(p - first);
         digits += decimals;
     }
     if (digits - 1 >= 15 || *p >= 'A') /* none or too many; an exponent */
         return NULL;
     /* both are exact, so that one division rounds once: the nearest double */
-    double magnitude = (double)(int64_t)mantissa / ten[decimals];
+    double magnitude = (double)(int64_t)mantissa / num_ten[decimals];
     *value = negative ? -magnitude : magnitude;
     return p;
 }
@@ -67,11 +99,14 @@ enum { NUM_MAX = 352 }; /* room for any number that num_write writes, and its '\
  */
 size_t num_write(char *buf, double x, int digits);
 
+/* num_write of a number that num_scaled has made whole. */
+size_t num_put(char *buf, int64_t integer, bool negative, int digits);
+
+/* Takes the trailing zeros from the n characters that num_write wrote; the length that is left. */
+size_t num_shorten(char *buf, size_t n, int digits, bool point);
+
 /* The same without trailing zeros, but with its point where `point` is set: 12. 0.5 -3.25 */
 size_t num_write_short(char *buf, double x, int digits, bool point);
-
-/* 10^0 to 10^22, all exact. */
-extern const double num_ten[23];
 
 /*
  * |x| * 10^digits rounded half away from zero, where that is below 2^53; else false.  Signed, for

@@ -42,7 +42,8 @@ void reader_unread(struct reader *r);
 
 /*
  * For a parser that walks over the text itself: the whole lines, each with its LF, that wait in the
- * buffer, and how many bytes they are; 0 says nothing of the end of the input.  reader_take then
+ * buffer, and how many bytes they are; 0 says nothing of the end of the input.  Eight bytes behind
+ * them may be looked at.  reader_take then
  * takes the first n bytes of them, which are so many lines.
  */
 size_t reader_ahead(const struct reader *r, const char **text);

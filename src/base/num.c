@@ -147,17 +147,13 @@ static inline char *put_digits(char *end, uint64_t n, int least)
     return p;
 }
 
-size_t num_write(char *buf, double x, int digits)
+size_t num_put(char *buf, int64_t integer, bool negative, int digits)
 {
-    int64_t integer;
-    if (!num_scaled(x, digits, &integer))
-        return (size_t)snprintf(buf, NUM_MAX, "%.*f", digits, x);
-
     char text[2 * DIGITS_MAX], *end = text + DIGITS_MAX; /* behind: so that copies have one length */
     const char *p = put_digits(end, (uint64_t)integer, digits + 1);
     char *to = buf;
     *to = '-';
-    to += x < 0 && integer != 0;
+    to += negative && integer != 0;
     memcpy(to, p, DIGITS_MAX);
     to += end - p;
     if (digits) {
@@ -170,9 +166,16 @@ size_t num_write(char *buf, double x, int digits)
     return (size_t)(to - buf);
 }
 
-size_t num_write_short(char *buf, double x, int digits, bool point)
+size_t num_write(char *buf, double x, int digits)
 {
-    size_t n = num_write(buf, x, digits);
+    int64_t integer;
+    if (!num_scaled(x, digits, &integer))
+        return (size_t)snprintf(buf, NUM_MAX, "%.*f", digits, x);
+    return num_put(buf, integer, x < 0, digits);
+}
+
+size_t num_shorten(char *buf, size_t n, int digits, bool point)
+{
     if (!digits) {
         if (point)
             buf[n++] = '.';
@@ -184,4 +187,9 @@ size_t num_write_short(char *buf, double x, int digits, bool point)
     }
     buf[n] = '\0';
     return n;
+}
+
+size_t num_write_short(char *buf, double x, int digits, bool point)
+{
+    return num_shorten(buf, num_write(buf, x, digits), digits, point);
 }

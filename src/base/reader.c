@@ -16,7 +16,7 @@
 #include "array.h"
 #include "cli.h"
 
-enum { CHUNK = 1 << 16, LARGE = 1 << 22 };
+enum { CHUNK = 1 << 16, LARGE = 1 << 22, BEHIND = 8 /* bytes that may be looked at */ };
 
 int reader_open(struct reader *r, const char *file, struct error *error)
 {
@@ -47,18 +47,19 @@ void reader_close(struct reader *r)
     r->buf = NULL;
 }
 
-/* One read behind what is there; a byte beyond `to` always stays free for a '\0'. */
+/* One read behind what is there; bytes beyond `to` always stay free for a '\0', and are all '\0'. */
 static int fill_once(struct reader *r, struct error *error)
 {
-    r->buf = mem_grow(r->buf, &r->cap, r->to + CHUNK + 1, 1);
+    r->buf = mem_grow(r->buf, &r->cap, r->to + CHUNK + BEHIND, 1);
     ssize_t n;
     do
-        n = read(r->fd, r->buf + r->to, r->cap - r->to - 1);
+        n = read(r->fd, r->buf + r->to, r->cap - r->to - BEHIND);
     while (n < 0 && errno == EINTR);
     if (n < 0)
         return error_at(error, r->name, r->line, "cannot read: %s", strerror(errno));
     r->end = n == 0;
     r->to += (size_t)n;
+    memset(r->buf + r->to, 0, BEHIND);
     r->got += (size_t)n;
     if (r->size >= LARGE)
         progress("reading", r->end || r->got > r->size ? r->size : r->got, r->size);

@@ -12,6 +12,7 @@
 
 #include "ncahead.h"
 #include "ncitem.h"
+#include "ncreach.h"
 #include "ncturn.h"
 
 /* What a group that is planned again has to take back. */
@@ -157,6 +158,7 @@ int nc_plan_make(struct nc_plan *plan, const struct path *path, const struct mac
     step.clear = clear_height(path);
     array_reserve(&plan->move, path->item.n + path->item.n / 16); /* most are blocks as they are */
     step.ways = chain_ways(&machine->chain);
+    step.within = nc_surely_within(machine);
     step.state.faster = 1;
     step.state.turned = chain_turned(&machine->chain, step.state.at.q);
     nc_item_tool(&step, path_ball(path));

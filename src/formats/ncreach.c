@@ -18,26 +18,21 @@ static int over_travel(struct nc_step *step, int axis, const char *what, double 
                     m->max[axis]);
 }
 
-/* However the rotary axes stand: a turn about c takes p no further from 0 than |p| + 2 |c|. */
-static bool surely_within(const struct machine *m, struct vec3 p)
+double nc_surely_within(const struct machine *m)
 {
-    double far = fmax(fabs(p.x), fmax(fabs(p.y), fabs(p.z)));
-    if (m->chain.n) {
-        far = vec_length(p);
-        for (int i = 0; i < m->chain.n; i++)
-            far += 2 * vec_length(m->chain.rotary[i].centre);
-    }
+    double far = HUGE_VAL;
     for (int axis = 0; axis < 3; axis++)
-        if (far > m->max[axis] || far > -m->min[axis])
-            return false;
-    return true;
+        far = fmin(far, fmin(m->max[axis], -m->min[axis]));
+    for (int i = 0; i < m->chain.n; i++)
+        far -= 2 * vec_length(m->chain.rotary[i].centre);
+    return fmax(far, 0);
 }
 
 int nc_check_linear(struct nc_step *step, const struct stance *to)
 {
     const struct machine *m = step->machine;
     struct vec3 p = to->at.p;
-    if (step->follow.mode != FOLLOW_JOINT && surely_within(m, p))
+    if (step->follow.mode != FOLLOW_JOINT && vec_dot(p, p) < step->within * step->within)
         return 0;
     if (step->follow.mode != FOLLOW_JOINT)
         p = chain_linear_of(&m->chain, p, &to->turned);

@@ -61,13 +61,26 @@ static char *put_address(char *to, const char *address)
     return to;
 }
 
-void nc_number(struct nc_writer *w, const char *address, double value, int digits)
+/* A word with a number that num_scaled has made whole. */
+static void put_number(struct nc_writer *w, const char *address, int64_t integer, bool negative,
+                       int digits)
 {
     char *to = put_address(begin_word(w), address);
     bool place = *address && *address != 'F'; /* feeds and the like never have a sign */
-    bool plus = w->style.sign && place && !signbit(num_round(value, digits));
-    if (plus)
+    if (w->style.sign && place && !(negative && integer))
         *to++ = '+';
+    to += num_shorten(to, num_put(to, integer, negative, digits), digits, w->style.point);
+    w->n = (size_t)(to - w->line);
+}
+
+void nc_number(struct nc_writer *w, const char *address, double value, int digits)
+{
+    int64_t integer;
+    if (num_scaled(value, digits, &integer)) {
+        put_number(w, address, integer, value < 0, digits);
+        return;
+    }
+    char *to = put_address(begin_word(w), address);
     to += num_write_short(to, value, digits, w->style.point);
     w->n = (size_t)(to - w->line);
 }
@@ -91,11 +104,19 @@ bool nc_modal(struct nc_writer *w, enum nc_slot slot, const char *address, doubl
 {
     if (w->known[slot] && w->value[slot] == value) /* most are rounded already */
         return false;
-    double said = num_round(value, digits);
+    int64_t integer;
+    if (!num_scaled(value, digits, &integer)) {
+        nc_remember(w, slot, value);
+        nc_number(w, address, value, digits);
+        return true;
+    }
+    double said = (double)integer / num_ten[digits];
+    said = value < 0 && integer ? -said : said;
     if (w->known[slot] && w->value[slot] == said)
         return false;
-    nc_remember(w, slot, said);
-    nc_number(w, address, value, digits);
+    w->value[slot] = said;
+    w->known[slot] = true;
+    put_number(w, address, integer, value < 0, digits);
     return true;
 }
 

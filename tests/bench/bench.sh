@@ -41,5 +41,5 @@ awk 'BEGIN {
 	print "FINI"
 }' >"$tmp/path.cl"
 printf '%d lines of CL\n' "$(wc -l <"$tmp/path.cl")"
-best 'floor: fgets, strtod, two angles, printf' "$FLOOR/floor_post" "$tmp/path.cl"
+best 'floor: read, parse by hand, two angles, write' "$FLOOR/floor_post" "$tmp/path.cl"
 best 'ncpost -c fanuc' "$BIN/ncpost" -q -c fanuc "$tmp/path.cl"
