@@ -18,7 +18,8 @@ struct hollow {
  * `flipped`, from the other: the best of samples in every span of the knots, each then followed
  * uphill within its span to 1e-12 of it.  A curvature of 0 or less says that no place is hollow.
  */
-struct hollow hollow_find(const struct patch *patch, const struct uvloops *loops, bool flipped);
+struct hollow hollow_find(const struct patch *patch, const struct uvloops *loops, bool flipped,
+                          int threads);
 
 /* The same for all patches, [i] of patches->item[i] and flipped[i], each inside its own trimming.
  * The caller frees the array. */

@@ -1,7 +1,7 @@
 /*
- * iges_curve - curves of an IGES file, in the plane of a surface's parameters or in space: entities 110 (line),
- * 100 (arc), 126 (rational B-spline), 106 (polyline, forms 11, 12, 63) and 102 (several in one),
- * with the transformations (124) that they point to.
+ * iges_curve - curves of an IGES file, in the plane of a surface's parameters or in space: entities
+ * 110 (line), 100 (arc), 126 (rational B-spline), 106 (polyline, forms 11, 12, 63) and 102 (several
+ * in one), with the transformations (124) that they point to.
  */
 #ifndef CLOUDMILL_IGES_CURVE_H
 #define CLOUDMILL_IGES_CURVE_H

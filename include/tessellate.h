@@ -16,7 +16,8 @@ struct sheet {
     struct doubles k1, k2;      /* as nurbs_place */
     struct ints piece;          /* of each vertex; nurbs of a piece: sheet_piece */
     struct faces face;          /* counter-clockwise seen from where the normals point */
-    double error;               /* the farthest that the middle of a triangle or edge is off, mm */
+    double error;               /* how far a triangle is off, mm: at its middle and those of its
+                                   sides; where n is 0 at nine places more */
     struct vec3 error_at;       /* where */
     bool too_fine;              /* the tolerance would need more than 4 million cells: not made */
     double off;                 /* how far trimming curves in space lie off the surface, mm */
@@ -28,6 +29,7 @@ struct sheet {
 struct tessellation {
     int n;            /* triangles in each direction, or 0: as many as the tolerance needs */
     double tolerance; /* mm: of the surface where n is 0, of the trimming always */
+    int threads;      /* for this patch; as in parallel.h */
 };
 
 void tessellate(const struct patch *patch, struct tessellation how, struct sheet *sheet);

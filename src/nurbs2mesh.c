@@ -179,14 +179,16 @@ static double make_sheets(const struct cli *cli, const struct settings *s,
                           const struct patches *patches, double size, double fine,
                           struct sheet *sheet, struct quilt *quilt, struct weld_count *welded)
 {
-    struct job job = {patches, {s->tolerance > 0 ? 0 : s->n, fine}, sheet};
+    /* Few surfaces: the threads share each of them, else each takes one. */
+    bool few = patches->n < 8;
+    struct job job = {patches, {s->tolerance > 0 ? 0 : s->n, fine, few ? cli->threads : 1}, sheet};
     double gap = s->gap > 0 ? s->gap : WIDE * size;
     if (s->gap == 0 && s->tolerance > 0)
         gap = fmin(gap, s->tolerance);
     for (size_t i = 0; i < patches->n; i++)
         sheet_free(&sheet[i]);
     quilt_free(quilt);
-    parallel_shown("tessellating", cli->threads, patches->n, tessellate_some, &job);
+    parallel_shown("tessellating", few ? 1 : cli->threads, patches->n, tessellate_some, &job);
     double error = judge(s, patches, sheet, fine);
     quilt_make(sheet, patches->n, fmin(NARROW * size, gap), quilt);
     *welded = weld(quilt, patches, gap, fine);

@@ -52,7 +52,7 @@ START_TEST(no_place_is_more_hollow)
                                              2 + 1.5 * sin(2 * PI * i / 100)};
         if (trimmed)
             *array_push(&loops) = disc;
-        struct hollow h = hollow_find(&p, &loops, flipped);
+        struct hollow h = hollow_find(&p, &loops, flipped, 1);
         for (int i = 0; i <= 200; i++)
             for (int k = 0; k <= 200; k++) {
                 struct uv at = {4 * i / 200.0, 4 * k / 200.0};

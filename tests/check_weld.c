@@ -39,7 +39,7 @@ static struct joined join(const struct patches *patches, const int *n, double ga
     struct quilt quilt;
     struct joined j = {0};
     for (size_t i = 0; i < patches->n; i++)
-        tessellate(&patches->item[i], (struct tessellation){n[i], 0.001}, &sheet[i]);
+        tessellate(&patches->item[i], (struct tessellation){n[i], 0.001, 1}, &sheet[i]);
     quilt_make(sheet, patches->n, 0, &quilt);
     j.weld = weld(&quilt, patches, gap, 0.001);
     j.out = outward(&quilt, vec(0, 0, 1));

@@ -7,7 +7,8 @@
 #include "parallel.h"
 #include "trimloops.h"
 
-enum { BEST = 12, LEAST = 6, ACROSS = 96, STEPS_MAX = 20000 };
+/* Samples over the whole range, least in a span, and least where there are many spans. */
+enum { BEST = 12, ACROSS = 96, LEAST = 6, FEW = 3, MANY = 64, STEPS_MAX = 20000 };
 
 struct search {
     const struct patch *patch;
@@ -52,18 +53,48 @@ static void keep(struct search *s, struct hollow found, const struct nurbs *part
     }
 }
 
-static void sample_span(struct search *s, const struct nurbs *part, int nu, int nv)
+/* The spans of the knots, and what samples of each found. */
+struct spans {
+    const struct search *search;
+    struct doubles u, v;
+    int nu, nv;
+    struct hollow *most;
+};
+
+static struct nurbs span_of(const struct spans *s, size_t index)
 {
-    struct hollow most = {.curvature = -HUGE_VAL};
-    for (int j = 0; j <= nv; j++)
-        for (int i = 0; i <= nu; i++) {
-            struct hollow h = {.at = {part->u.from + (part->u.to - part->u.from) * i / nu,
-                                      part->v.from + (part->v.to - part->v.from) * j / nv}};
-            h.curvature = curvature_at(s, part, h.at, &h.point);
-            if (h.curvature > most.curvature)
-                most = h;
-        }
-    keep(s, most, part);
+    struct nurbs part = s->search->patch->surface;
+    size_t i = index % (s->u.n - 1), j = index / (s->u.n - 1);
+    part.u.from = s->u.item[i];
+    part.u.to = s->u.item[i + 1];
+    part.v.from = s->v.item[j];
+    part.v.to = s->v.item[j + 1];
+    return part;
+}
+
+static void sample_spans(void *context, size_t from, size_t to)
+{
+    struct spans *s = context;
+    for (size_t k = from; k < to; k++) {
+        struct nurbs part = span_of(s, k);
+        struct hollow most = {.curvature = -HUGE_VAL};
+        for (int j = 0; j <= s->nv; j++)
+            for (int i = 0; i <= s->nu; i++) {
+                struct hollow h = {.at = {part.u.from + (part.u.to - part.u.from) * i / s->nu,
+                                          part.v.from + (part.v.to - part.v.from) * j / s->nv}};
+                h.curvature = curvature_at(s->search, &part, h.at, &h.point);
+                if (h.curvature > most.curvature)
+                    most = h;
+            }
+        s->most[k] = most;
+    }
+}
+
+/* How many samples in each of n spans. */
+static int samples(size_t n)
+{
+    int each = ACROSS / (int)n;
+    return each > LEAST ? each : n > MANY ? FEW : LEAST;
 }
 
 /* Steps in eight directions, halved when none goes up. */
@@ -88,27 +119,27 @@ static struct hollow climb(const struct search *s, const struct nurbs *part, str
     return h;
 }
 
-struct hollow hollow_find(const struct patch *patch, const struct uvloops *loops, bool flipped)
+struct hollow hollow_find(const struct patch *patch, const struct uvloops *loops, bool flipped,
+                          int threads)
 {
     struct search s = {.patch = patch, .loops = loops, .flipped = flipped};
-    struct doubles u = {0}, v = {0};
-    struct nurbs part = patch->surface;
+    struct spans spans = {.search = &s};
     for (size_t i = 0; i < BEST; i++)
         s.best[i].curvature = -HUGE_VAL;
-    span_ends(&part.u, &u);
-    span_ends(&part.v, &v);
-    int nu = ACROSS / (int)u.n > LEAST ? ACROSS / (int)u.n : LEAST;
-    int nv = ACROSS / (int)v.n > LEAST ? ACROSS / (int)v.n : LEAST;
-    for (size_t j = 0; j + 1 < v.n; j++)
-        for (size_t i = 0; i + 1 < u.n; i++) {
-            part.u.from = u.item[i];
-            part.u.to = u.item[i + 1];
-            part.v.from = v.item[j];
-            part.v.to = v.item[j + 1];
-            sample_span(&s, &part, nu, nv);
-        }
-    array_free(&u);
-    array_free(&v);
+    span_ends(&patch->surface.u, &spans.u);
+    span_ends(&patch->surface.v, &spans.v);
+    spans.nu = samples(spans.u.n);
+    spans.nv = samples(spans.v.n);
+    size_t n = (spans.u.n - 1) * (spans.v.n - 1);
+    spans.most = mem_alloc(n, sizeof *spans.most);
+    parallel_for(threads, n, sample_spans, &spans);
+    for (size_t k = 0; k < n; k++) {
+        struct nurbs part = span_of(&spans, k);
+        keep(&s, spans.most[k], &part);
+    }
+    array_free(&spans.u);
+    array_free(&spans.v);
+    free(spans.most);
     struct hollow best = s.best[0];
     for (size_t i = 0; i < BEST && s.best[i].curvature > -HUGE_VAL; i++) {
         struct hollow h = climb(&s, &s.span[i], s.best[i]);
@@ -121,6 +152,7 @@ struct hollow hollow_find(const struct patch *patch, const struct uvloops *loops
 struct job {
     const struct patches *patches;
     const bool *flipped;
+    int threads; /* for one patch */
     struct hollow *hollow;
 };
 
@@ -134,7 +166,7 @@ static void find_some(void *context, size_t from, size_t to)
         double size = vec_distance(nurbs_point(s, (struct uv){s->u.from, s->v.from}),
                                    nurbs_point(s, (struct uv){s->u.to, s->v.to}));
         trimloops(patch, fmax(1e-6 * size, 1e-6), &loops);
-        job->hollow[i] = hollow_find(patch, &loops, job->flipped[i]);
+        job->hollow[i] = hollow_find(patch, &loops, job->flipped[i], job->threads);
         uvloops_free(&loops);
     }
 }
@@ -142,7 +174,8 @@ static void find_some(void *context, size_t from, size_t to)
 struct hollow *hollow_find_all(const struct patches *patches, const bool *flipped, int threads)
 {
     struct hollow *hollow = mem_alloc(patches->n + 1, sizeof *hollow);
-    struct job job = {patches, flipped, hollow};
-    parallel_for(threads, patches->n, find_some, &job);
+    bool few = patches->n < 8; /* then the threads share each, else each takes one */
+    struct job job = {patches, flipped, few ? threads : 1, hollow};
+    parallel_for(few ? 1 : threads, patches->n, find_some, &job);
     return hollow;
 }

@@ -4,6 +4,7 @@
 #include <stdlib.h>
 
 #include "gridlines.h"
+#include "parallel.h"
 #include "trimloops.h"
 
 enum { ROUNDS = 8, CELLS_MAX = 4000000 };
@@ -60,49 +61,6 @@ static void pieces_of_faces(const struct nurbs *s, const struct uvmesh *mesh, in
     free(v);
 }
 
-static int add_vertex(const struct nurbs *part, int piece, struct uv at, struct sheet *sheet)
-{
-    struct nurbs_place p = nurbs_place(part, at);
-    *array_push(&sheet->at) = at;
-    *array_push(&sheet->point) = p.point;
-    *array_push(&sheet->normal) = p.normal;
-    *array_push(&sheet->k1) = p.k1;
-    *array_push(&sheet->k2) = p.k2;
-    *array_push(&sheet->piece) = piece;
-    return (int)sheet->at.n - 1;
-}
-
-/* How far a place of a triangle is from the surface, along the normal there. */
-static void measure(const struct nurbs *part, struct sheet *sheet, struct uv at, struct vec3 p)
-{
-    struct nurbs_place on = nurbs_place(part, at);
-    double off = fabs(vec_dot(vec_sub(on.point, p), on.normal));
-    if (off > sheet->error) {
-        sheet->error = off;
-        sheet->error_at = on.point;
-    }
-}
-
-static void measure_face(const struct nurbs *part, struct sheet *sheet, const int v[3])
-{
-    struct uv a[3];
-    struct vec3 p[3], sum = {0, 0, 0};
-    struct uv middle = {0, 0};
-    for (int k = 0; k < 3; k++) {
-        a[k] = sheet->at.item[v[k]];
-        p[k] = sheet->point.item[v[k]];
-        sum = vec_add(sum, p[k]);
-        middle.u += a[k].u / 3;
-        middle.v += a[k].v / 3;
-    }
-    measure(part, sheet, middle, vec_scale(1.0 / 3, sum));
-    for (int k = 0; k < 3; k++) {
-        struct uv b = a[(k + 1) % 3];
-        measure(part, sheet, (struct uv){(a[k].u + b.u) / 2, (a[k].v + b.v) / 2},
-                vec_mix(p[k], p[(k + 1) % 3], 0.5));
-    }
-}
-
 /* The numbers of the faces, those of the first piece first: a counting sort. */
 static size_t *faces_by_piece(const int *piece, size_t n)
 {
@@ -121,40 +79,150 @@ static size_t *faces_by_piece(const int *piece, size_t n)
     return order;
 }
 
-/* From the triangles in the parameters to those in space, piece by piece. */
-static void lift(const struct nurbs *s, const struct uvmesh *mesh, struct sheet *sheet)
+/* What the threads share: vertices, then faces. */
+struct lift {
+    struct sheet *sheet;
+    const struct nurbs *part; /* [piece] */
+    double *error;            /* [face] */
+    struct vec3 *error_at;
+    int places; /* of a triangle that are looked at */
+};
+
+static void place_vertices(void *context, size_t from, size_t to)
 {
-    int *piece = mem_alloc(mesh->face.n + 1, sizeof *piece), now = -1;
+    struct lift *l = context;
+    struct sheet *sheet = l->sheet;
+    for (size_t i = from; i < to; i++) {
+        struct nurbs_place p = nurbs_place(&l->part[sheet->piece.item[i]], sheet->at.item[i]);
+        sheet->point.item[i] = p.point;
+        sheet->normal.item[i] = p.normal;
+        sheet->k1.item[i] = p.k1;
+        sheet->k2.item[i] = p.k2;
+    }
+}
+
+/* Where triangles are looked at: the middles of it and of its sides, then quarters. */
+enum { FEW = 4, MANY = 13 };
+static const double looked_at[MANY][3] = {
+    {1 / 3.0, 1 / 3.0, 1 / 3.0}, {0.5, 0.5, 0},       {0, 0.5, 0.5},       {0.5, 0, 0.5},
+    {0.75, 0.25, 0},             {0.25, 0.75, 0},     {0, 0.75, 0.25},     {0, 0.25, 0.75},
+    {0.25, 0, 0.75},             {0.75, 0, 0.25},     {0.5, 0.25, 0.25},   {0.25, 0.5, 0.25},
+    {0.25, 0.25, 0.5}};
+
+/* How far the place of a triangle is from the surface, at most: what is across the surface there,
+ * and what the surface bends over what is along it. */
+static double off_at(const struct nurbs *part, struct uv at, struct vec3 p, double bend,
+                     struct vec3 *on)
+{
+    struct vec3 d[3][3];
+    nurbs_derivatives(part, at, 1, d);
+    struct vec3 off = vec_sub(d[0][0], p), normal = vec_unit(vec_cross(d[1][0], d[0][1]));
+    double across = vec_dot(off, normal), all = vec_dot(off, off);
+    *on = d[0][0];
+    return fmin(sqrt(all), fabs(across) + bend / 2 * (all - across * across));
+}
+
+static void measure_faces(void *context, size_t from, size_t to)
+{
+    struct lift *l = context;
+    const struct sheet *s = l->sheet;
+    for (size_t i = from; i < to; i++) {
+        const int *v = s->face.item[i].v;
+        const struct nurbs *part = &l->part[s->piece.item[v[0]]];
+        double bend = 0;
+        for (int k = 0; k < 3; k++)
+            bend = fmax(bend, fmax(fabs(s->k1.item[v[k]]), fabs(s->k2.item[v[k]])));
+        for (int m = 0; m < l->places; m++) {
+            struct uv at = {0, 0};
+            struct vec3 p = {0, 0, 0}, on;
+            for (int k = 0; k < 3; k++) {
+                at.u += looked_at[m][k] * s->at.item[v[k]].u;
+                at.v += looked_at[m][k] * s->at.item[v[k]].v;
+                p = vec_along(p, looked_at[m][k], s->point.item[v[k]]);
+            }
+            double off = off_at(part, at, p, bend, &on);
+            if (off > l->error[i]) {
+                l->error[i] = off;
+                l->error_at[i] = on;
+            }
+        }
+    }
+}
+
+static void measure(struct lift *l, int threads)
+{
+    struct sheet *s = l->sheet;
+    l->error = mem_alloc(s->face.n + 1, sizeof *l->error);
+    l->error_at = mem_alloc(s->face.n + 1, sizeof *l->error_at);
+    parallel_for(threads, s->face.n, measure_faces, l);
+    for (size_t i = 0; i < s->face.n; i++)
+        if (l->error[i] > s->error) {
+            s->error = l->error[i];
+            s->error_at = l->error_at[i];
+        }
+    free(l->error);
+    free(l->error_at);
+}
+
+/* The vertices of the triangles, a set for each piece. */
+static void number_vertices(const struct uvmesh *mesh, const int *piece, struct sheet *sheet)
+{
+    int now = -1;
     int *where = mem_alloc(mesh->at.n + 1, sizeof *where);
     int *stamp = mem_alloc(mesh->at.n + 1, sizeof *stamp);
-    struct nurbs part = *s;
-    pieces_of_faces(s, mesh, piece);
     size_t *order = faces_by_piece(piece, mesh->face.n);
     for (size_t i = 0; i < mesh->face.n; i++) {
         struct face face = mesh->face.item[order[i]];
-        if (piece[order[i]] != now) {
-            now = piece[order[i]];
-            part = tessellate_piece(s, now);
-        }
+        now = piece[order[i]];
         for (int k = 0; k < 3; k++) {
             int v = face.v[k];
             if (stamp[v] != now + 1) {
                 stamp[v] = now + 1;
-                where[v] = add_vertex(&part, now, mesh->at.item[v], sheet);
+                where[v] = (int)sheet->at.n;
+                *array_push(&sheet->at) = mesh->at.item[v];
+                *array_push(&sheet->piece) = now;
             }
             face.v[k] = where[v];
         }
         *array_push(&sheet->face) = face;
-        measure_face(&part, sheet, face.v);
     }
-    free(piece);
     free(where);
     free(stamp);
     free(order);
 }
 
-static void make(const struct patch *patch, const struct uvloops *loops, struct doubles *u,
-                 struct doubles *v, struct sheet *sheet)
+static struct nurbs *all_pieces(const struct nurbs *s)
+{
+    size_t n = (nurbs_axis_breaks(&s->u, NULL, 0) + 1) * (nurbs_axis_breaks(&s->v, NULL, 0) + 1);
+    struct nurbs *part = mem_alloc(n, sizeof *part);
+    for (size_t i = 0; i < n; i++)
+        part[i] = tessellate_piece(s, (int)i);
+    return part;
+}
+
+/* From the triangles in the parameters to those in space, piece by piece. */
+static void lift(const struct nurbs *s, const struct uvmesh *mesh, struct tessellation how,
+                 struct sheet *sheet)
+{
+    int *piece = mem_alloc(mesh->face.n + 1, sizeof *piece);
+    struct nurbs *part = all_pieces(s);
+    struct lift l = {.sheet = sheet, .part = part, .places = how.n > 0 ? FEW : MANY};
+    pieces_of_faces(s, mesh, piece);
+    number_vertices(mesh, piece, sheet);
+    size_t n = sheet->at.n;
+    array_reserve(&sheet->point, n);
+    array_reserve(&sheet->normal, n);
+    array_reserve(&sheet->k1, n);
+    array_reserve(&sheet->k2, n);
+    sheet->point.n = sheet->normal.n = sheet->k1.n = sheet->k2.n = n;
+    parallel_for(how.threads, n, place_vertices, &l);
+    measure(&l, how.threads);
+    free(piece);
+    free(part);
+}
+
+static void make(const struct patch *patch, const struct uvloops *loops, struct tessellation how,
+                 struct doubles *u, struct doubles *v, struct sheet *sheet)
 {
     struct uvmesh mesh;
     bool open = patch->open || loops->n == 0;
@@ -165,7 +233,7 @@ static void make(const struct patch *patch, const struct uvloops *loops, struct 
     sheet->lost = loops->lost;
     sheet->lines_u = u->n;
     sheet->lines_v = v->n;
-    lift(&patch->surface, &mesh, sheet);
+    lift(&patch->surface, &mesh, how, sheet);
     uvmesh_free(&mesh);
 }
 
@@ -179,14 +247,14 @@ void tessellate(const struct patch *patch, struct tessellation how, struct sheet
     if (how.n > 0) {
         gridlines_equal(&patch->surface.u, how.n, &u);
         gridlines_equal(&patch->surface.v, how.n, &v);
-        make(patch, &loops, &u, &v, sheet);
+        make(patch, &loops, how, &u, &v, sheet);
     }
     for (int round = 0; how.n == 0 && round < ROUNDS; round++) {
         gridlines_bent(&patch->surface, how.tolerance, finer, &u, &v);
         sheet->too_fine = u.n * v.n > CELLS_MAX;
         if (sheet->too_fine)
             break;
-        make(patch, &loops, &u, &v, sheet);
+        make(patch, &loops, how, &u, &v, sheet);
         if (sheet->error <= how.tolerance)
             break;
         finer *= fmin(fmax(sqrt(sheet->error / how.tolerance) * 1.02, 1.05), 4);
