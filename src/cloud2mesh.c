@@ -8,6 +8,7 @@
 
 #include "cli.h"
 #include "cloud.h"
+#include "featuremesh.h"
 #include "footprint.h"
 #include "grid.h"
 #include "gridmesh.h"
@@ -16,6 +17,7 @@
 #include "ply.h"
 #include "reposition.h"
 #include "scannormals.h"
+#include "wallpoints.h"
 
 enum normals { NORMALS_QUADRIC, NORMALS_FACET };
 
@@ -24,8 +26,14 @@ struct settings {
     double max_gap; /* 0: from the cloud */
     double direction;
     int unit, normals, neighbours;
-    bool paper, origin;
+    bool paper, origin, smooth;
     const char *matrix; /* file, NULL: none */
+};
+
+/* The cloud as wallpoints_part put it in order. */
+struct cloud_parts {
+    double mean; /* spacing of the points, mm */
+    size_t flat; /* so many of them lie on no wall */
 };
 
 static const char *const unit_name[] = {"mm", "cm", "m", "um", "inch", "in"};
@@ -56,6 +64,7 @@ static struct settings read_options(struct cli *cli, int argc, char **argv)
          CLI_CHOICE, &s.normals, 0, 0, 0, &normals_given},
         {0, "neighbours", "N", "points that a quadric is fitted to (default: 40)", CLI_COUNT,
          &s.neighbours, 6, 1000, 0, NULL},
+        {0, "smooth", NULL, "look for no creases and no walls", CLI_FLAG, &s.smooth, 0, 0, 0, NULL},
         {0, "paper", NULL,
          "as published: a node takes any point nearer than the spacing, holes\n"
          "are bridged, normals are the mean of the facets'",
@@ -65,6 +74,8 @@ static struct settings read_options(struct cli *cli, int argc, char **argv)
     cli_parse(cli, argc, argv);
     if (s.paper && !normals_given)
         s.normals = NORMALS_FACET;
+    if (s.paper || s.normals == NORMALS_FACET)
+        s.smooth = true;
     return s;
 }
 
@@ -143,26 +154,46 @@ static double spacing_of_cloud(double mean)
     return spacing;
 }
 
+/* A point for each node; one on a wall only where there is no other. */
+static size_t *choose(const struct settings *s, const struct cloud_parts *parts,
+                      const struct grid *grid, const struct vec3s *points)
+{
+    enum reach reach = s->paper ? REACH_CIRCLE : REACH_NEAREST;
+    size_t walls = points->n - parts->flat, nodes = grid_nodes(grid);
+    size_t *chosen = reposition(grid, points->item, parts->flat, reach);
+    if (walls == 0)
+        return chosen;
+    size_t *on_wall = reposition(grid, points->item + parts->flat, walls, reach);
+    for (size_t i = 0; i < nodes; i++)
+        if (chosen[i] == NO_POINT && on_wall[i] != NO_POINT)
+            chosen[i] = parts->flat + on_wall[i];
+    free(on_wall);
+    return chosen;
+}
+
 /* The mesh of the points, without normals. */
 static struct gridmesh_count make_mesh(const char *name, const struct settings *s,
-                                       const struct vec3s *points, struct mesh *mesh,
-                                       struct grid *grid)
+                                       struct vec3s *points, int threads, struct mesh *mesh,
+                                       struct grid *grid, struct cloud_parts *parts)
 {
-    const struct vec3 *point = points->item;
+    struct vec3 *point = points->item;
     struct holes holes = {0};
     struct error error;
     if (footprint_check(point, points->n, &error) < 0)
         die("%s: %s", name, error.text);
     struct footprint f = footprint_of(point, points->n, s->direction);
     bool whole = s->paper && s->max_gap == 0;
-    double mean =
-        s->spacing > 0 && (whole || s->max_gap > 0) ? 0 : footprint_spacing(&f, point, points->n);
+    double mean = s->smooth && s->spacing > 0 && (whole || s->max_gap > 0)
+                      ? 0
+                      : footprint_spacing(&f, point, points->n);
+    parts->mean = mean;
+    parts->flat = s->smooth ? points->n : wallpoints_part(point, points->n, mean, threads);
     double t = s->spacing > 0 ? s->spacing : spacing_of_cloud(mean);
     double gap = s->max_gap > 0 ? s->max_gap : 6 * mean;
     if (grid_make(&f, points->n, t, grid, &error) < 0 ||
         (!whole && holes_find(point, points->n, gap, &holes, &error) < 0))
         die("%s: %s", name, error.text);
-    size_t *chosen = reposition(grid, point, points->n, s->paper ? REACH_CIRCLE : REACH_NEAREST);
+    size_t *chosen = choose(s, parts, grid, points);
     struct gridmesh_count count = gridmesh_make(grid, chosen, point, whole ? NULL : &holes, mesh);
     free(chosen);
     holes_free(&holes);
@@ -189,15 +220,14 @@ static void say_left_out(const struct settings *settings, const struct gridmesh_
             count->alone == 1 ? "" : "s");
 }
 
-static void make_normals(const struct settings *s, const struct vec3s *points, int threads,
-                         struct mesh *mesh)
+static void make_normals(const struct settings *s, const struct vec3s *points, size_t n,
+                         int threads, struct mesh *mesh)
 {
     if (s->normals == NORMALS_FACET) {
         mesh_normals_facet(mesh);
         return;
     }
-    struct scannormals r =
-        scannormals_quadric(mesh, points->item, points->n, s->neighbours, threads);
+    struct scannormals r = scannormals_quadric(mesh, points->item, n, s->neighbours, threads);
     if (r.thin > 0)
         say("%zu of %zu vertices have too few points about them for a quadric: their normals are "
             "the facets'",
@@ -208,6 +238,16 @@ static void make_normals(const struct settings *s, const struct vec3s *points, i
          r.worst, at.x, at.y, at.z, r.rms, r.noise);
     mesh->origin.ledger = r.noise;
     mesh->origin.maker = mem_string("cloud2mesh", strlen("cloud2mesh"));
+}
+
+static void keep_features(const struct vec3s *points, const struct cloud_parts *parts, int threads,
+                          struct mesh *mesh)
+{
+    struct featuremesh found =
+        featuremesh_keep(mesh, points->item, points->n, parts->flat, parts->mean,
+                         mesh->origin.ledger / 3, threads);
+    note("%zu points on walls; creases cross %zu edges of the mesh, walls %zu",
+         points->n - parts->flat, found.creases, found.walls);
 }
 
 int main(int argc, char **argv)
@@ -223,8 +263,12 @@ int main(int argc, char **argv)
     const char *name = name_of(&cli);
     size_t left_out = read_clouds(&cli, &points);
     place(&settings, &points, &mesh.origin);
-    struct gridmesh_count count = make_mesh(name, &settings, &points, &mesh, &grid);
-    make_normals(&settings, &points, cli.threads, &mesh);
+    struct cloud_parts parts;
+    struct gridmesh_count count =
+        make_mesh(name, &settings, &points, cli.threads, &mesh, &grid, &parts);
+    make_normals(&settings, &points, parts.flat, cli.threads, &mesh);
+    if (!settings.smooth)
+        keep_features(&points, &parts, cli.threads, &mesh);
     say_left_out(&settings, &count);
     note("%zu points in, %zu left out; spacing %g mm, %d rows x %d columns; %zu vertices, "
          "%zu facets",

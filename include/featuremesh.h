@@ -1,0 +1,26 @@
+/*
+ * featuremesh - creases and walls of a cloud found and put into its mesh.
+ */
+#ifndef CLOUDMILL_FEATUREMESH_H
+#define CLOUDMILL_FEATUREMESH_H
+
+#include "mesh.h"
+
+struct featuremesh {
+    size_t creases, walls; /* edges of the mesh that cross one */
+};
+
+/*
+ * Looks at every edge of the mesh that is steep, or at whose ends the normals differ, for a wall or
+ * a crease between its ends (feature.h), and cuts the mesh open there (edgesplit.h).  The vertices
+ * beside it get the normal of their side, and those nearer to it than a quarter of the edge move
+ * away from it on their side, for the facets' sake.
+ *
+ * The n points as wallpoints_part put them, the first `flat` of them on no wall; `spacing` is their
+ * mean spacing, `noise` one standard deviation, mm.  The mesh must have normals.  The result does
+ * not depend on the number of threads.
+ */
+struct featuremesh featuremesh_keep(struct mesh *mesh, const struct vec3 *point, size_t n,
+                                    size_t flat, double spacing, double noise, int threads);
+
+#endif

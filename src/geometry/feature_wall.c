@@ -1,0 +1,182 @@
+/* The wall between two vertices; see feature.h. */
+#include <stdbool.h>
+#include <stdlib.h>
+
+#include "array.h"
+#include "feature.h"
+#include "planefit.h"
+#include "flank.h"
+
+enum { NEAR = 24, FEWEST = 6, TRIMS = 3 };
+
+static const double LEAN = 0.5;  /* z of a wall's normal, at most */
+static const double ROUGH = 0.1; /* rms of a sheet by the height of the step, at most */
+
+static const struct vec3 UP = {0, 0, 1};
+
+/* Points of one end, and the sheet through them. */
+struct level {
+    struct vec3s point;
+    struct flank sheet;
+};
+
+/* Leaves out what is more than two and a half times the rms off the sheet: the last points of a
+ * wall. */
+static bool fit_trimmed(struct level *l, struct vec3 origin)
+{
+    if (flank_plane(l->point.item, l->point.n, origin, UP, &l->sheet) < 0)
+        return false;
+    for (int i = 0; i < TRIMS; i++) {
+        double most = 2.5 * l->sheet.rms + 1e-6;
+        size_t kept = 0;
+        for (size_t k = 0; k < l->point.n; k++)
+            if (fabs(flank_above(&l->sheet, l->point.item[k])) <= most)
+                l->point.item[kept++] = l->point.item[k];
+        if (kept == l->point.n)
+            break;
+        l->point.n = kept;
+        if (flank_plane(l->point.item, kept, origin, UP, &l->sheet) < 0)
+            return false;
+    }
+    return true;
+}
+
+/* The points about an end that are nearer to its height than to the other's. */
+static bool find_level(const struct feature_cloud *cloud, struct vec3 end, struct vec3 other,
+                       double reach, struct level *l)
+{
+    struct sizes found = {0};
+
+    kdtree_within(cloud->tree, end, reach, &found);
+    for (size_t i = 0; i < found.n; i++) {
+        struct vec3 p = cloud->point[found.item[i]];
+        if (fabs(p.z - end.z) < fabs(p.z - other.z))
+            *array_push(&l->point) = p;
+    }
+    array_free(&found);
+    return fit_trimmed(l, vec_mix(end, other, 0.5));
+}
+
+/* The plane of the wall from the points on it that are nearest to `at`; false: there are too few
+ * of them, or it is no wall. */
+static bool plane_of_wall(const struct feature_cloud *cloud, const struct level level[2],
+                          struct vec3 at, struct planefit *plane)
+{
+    size_t index[NEAR], n = 0;
+    struct vec3 near[NEAR];
+
+    size_t found = cloud->walls ? kdtree_nearest(cloud->walls, at, NEAR, index, NULL) : 0;
+    double step = flank_height(&level[0].sheet, at) - flank_height(&level[1].sheet, at);
+    for (size_t i = 0; i < found; i++) {
+        struct vec3 p = cloud->wall[index[i]];
+        double part = -flank_above(&level[0].sheet, p) / step; /* of the way down from level 0 */
+        if (part > 0.02 && part < 0.98 &&
+            hypot(p.x - at.x, p.y - at.y) < 6 * cloud->spacing)
+            near[n++] = p;
+    }
+    return n >= FEWEST && planefit(near, n, plane) == 0 && fabs(plane->normal.z) < LEAN &&
+           plane->rms < plane->width / 2;
+}
+
+/* No point of the cloud is half way between the levels. */
+static bool nothing_between(const struct feature_cloud *cloud, struct vec3 a, struct vec3 b)
+{
+    size_t nearest;
+    double distance2, room = 0.35 * fabs(a.z - b.z);
+
+    return kdtree_nearest(cloud->tree, vec_mix(a, b, 0.5), 1, &nearest, &distance2) == 1 &&
+           distance2 > room * room;
+}
+
+/* Where no point lies on the wall: upright, half way between the last points of the two levels. */
+static bool plane_between(const struct feature_cloud *cloud, const struct level level[2],
+                          struct vec3 a, struct vec3 b, struct planefit *plane)
+{
+    struct vec3 way = vec_unit(vec(b.x - a.x, b.y - a.y, 0));
+    double last[2] = {-HUGE_VAL, HUGE_VAL};
+
+    for (int s = 0; s < 2; s++) {
+        for (size_t i = 0; i < level[s].point.n; i++) {
+            struct vec3 d = vec_sub(level[s].point.item[i], a);
+            double along = vec_dot(d, way), across = vec_dot(d, vec_cross(UP, way));
+            if (fabs(across) < 1.5 * cloud->spacing)
+                last[s] = s == 0 ? fmax(last[s], along) : fmin(last[s], along);
+        }
+    }
+    if (!(last[0] < last[1]) || !isfinite(last[0]) || !isfinite(last[1]))
+        return false;
+    plane->normal = way;
+    plane->centre = vec_along(a, (last[0] + last[1]) / 2, way);
+    return true;
+}
+
+/* The sheet of level s where the way from a to b comes to the wall, up to `over` beyond its ends. */
+static bool meet(const struct level *level, const struct planefit *plane, struct vec3 a,
+                 struct vec3 b, struct vec3 *at)
+{
+    const double over = 0.25;
+    struct vec3 p = flank_point(&level->sheet, a), q = flank_point(&level->sheet, b);
+    double from = vec_dot(vec_sub(p, plane->centre), plane->normal);
+    double to = vec_dot(vec_sub(q, plane->centre), plane->normal);
+
+    if (!(fabs(to - from) > 0))
+        return false;
+    double s = from / (from - to);
+    *at = flank_point(&level->sheet, vec_mix(a, b, s));
+    return s > -over && s < 1 + over;
+}
+
+static bool find_wall(const struct feature_cloud *cloud, const struct level level[2], struct vec3 a,
+                      struct vec3 b, struct feature *f)
+{
+    struct vec3 at = vec_mix(a, b, 0.5);
+    struct planefit plane;
+
+    for (int i = 0; i < 2; i++) {
+        if (!plane_of_wall(cloud, level, at, &plane) &&
+            (i > 0 || !nothing_between(cloud, a, b) ||
+             !plane_between(cloud, level, a, b, &plane)))
+            return i > 0;
+        if (!meet(&level[0], &plane, a, b, &f->place[0]) ||
+            !meet(&level[1], &plane, a, b, &f->place[1]))
+            return false;
+        f->wall = plane.normal;
+        at = vec_mix(f->place[0], f->place[1], 0.5);
+    }
+    return true;
+}
+
+/* The step is what it was taken for: much higher than the levels are rough, and no slope that goes
+ * on beyond it. */
+static bool holds(const struct feature *f, const struct level level[2], struct vec3 a, struct vec3 b,
+                  const struct feature_cloud *cloud)
+{
+    double step = fabs(f->place[0].z - f->place[1].z), rise = fabs(a.z - b.z);
+
+    return (f->place[0].z > f->place[1].z) == (a.z > b.z) && step > 0.5 * rise &&
+           step > fmax(6 * cloud->noise, cloud->spacing) && level[0].sheet.rms < ROUGH * step &&
+           level[1].sheet.rms < ROUGH * step;
+}
+
+struct feature feature_wall(const struct feature_cloud *cloud, struct vec3 a, struct vec3 b)
+{
+    struct feature f = {.kind = FEATURE_NONE};
+    struct level level[2] = {{.point = {0}}, {.point = {0}}};
+    double reach = 1.2 * hypot(b.x - a.x, b.y - a.y) + 2.5 * cloud->spacing;
+
+    if (find_level(cloud, a, b, reach, &level[0]) && find_level(cloud, b, a, reach, &level[1]) &&
+        find_wall(cloud, level, a, b, &f) && holds(&f, level, a, b, cloud)) {
+        struct vec3 down = a.z > b.z ? vec_sub(b, a) : vec_sub(a, b);
+        down.z = 0;
+        f.kind = FEATURE_WALL;
+        f.wall = vec_dot(f.wall, down) < 0 ? vec_scale(-1, f.wall) : f.wall;
+        f.along = vec_unit(vec_cross(UP, f.wall));
+        for (int s = 0; s < 2; s++) {
+            f.normal[s] = flank_normal(&level[s].sheet, f.place[s]);
+            f.end[s] = flank_normal(&level[s].sheet, s == 0 ? a : b);
+        }
+    }
+    array_free(&level[0].point);
+    array_free(&level[1].point);
+    return f;
+}

@@ -1,0 +1,262 @@
+/* featuremesh - see featuremesh.h. */
+#include "featuremesh.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+#include "edgesplit.h"
+#include "parallel.h"
+#include "quadric.h"
+
+enum { NEAR = 30, MOST = 200, LOOKS = 4 };
+
+/* Rise of an edge by its length that may be a wall's: where no point lies on one, and where some
+ * do. */
+static const double STEEP = 1.5, SLOPE = 0.5;
+
+static const double TURN = 0.99452189536827333; /* cos 6 degrees between normals */
+static const double OFF = 0.10452846326765347;  /* sin 6 degrees between an edge and the surface */
+static const double CLEAR = 0.25;               /* of the edge, between a vertex and the feature */
+
+struct search {
+    struct mesh *mesh;
+    const struct mesh_edges *edges;
+    struct feature_cloud cloud;
+    unsigned char *rough; /* vertices where one quadric does not fit */
+    unsigned char *active; /* look only at the edges of these vertices */
+    struct feature *feature;
+};
+
+/* A point of a wall lies under or over an edge. */
+static bool over_wall(const struct feature_cloud *cloud, struct vec3 a, struct vec3 b)
+{
+    size_t nearest;
+    double distance2;
+
+    return cloud->walls &&
+           kdtree_nearest(cloud->walls, vec_mix(a, b, 0.5), 1, &nearest, &distance2) == 1 &&
+           4 * distance2 < vec_dot(vec_sub(a, b), vec_sub(a, b));
+}
+
+static bool steep(const struct feature_cloud *cloud, struct vec3 a, struct vec3 b)
+{
+    double length = hypot(a.x - b.x, a.y - b.y), rise = fabs(a.z - b.z);
+
+    return rise > STEEP * length || (rise > SLOPE * length && over_wall(cloud, a, b));
+}
+
+/* The normals at the ends of an edge differ, or it leaves one of the surfaces that they are of. */
+static bool turns(const struct mesh *mesh, const struct mesh_edge *e)
+{
+    struct vec3 m = mesh->normal.item[e->v[0]], n = mesh->normal.item[e->v[1]];
+    struct vec3 way = vec_unit(vec_sub(mesh->vertex.item[e->v[1]], mesh->vertex.item[e->v[0]]));
+
+    return vec_dot(m, n) < TURN || fabs(vec_dot(way, m)) > OFF || fabs(vec_dot(way, n)) > OFF;
+}
+
+/* At a crease a quadric leaves much more than the noise. */
+static bool is_rough(const struct search *s, size_t vertex)
+{
+    size_t index[MOST], k = feature_reach(&s->cloud) / 2;
+    struct vec3 near[MOST], at = s->mesh->vertex.item[vertex];
+    struct quadric q;
+    size_t n = kdtree_nearest(s->cloud.tree, at, k < NEAR ? NEAR : k, index, NULL);
+
+    for (size_t i = 0; i < n; i++)
+        near[i] = s->cloud.point[index[i]];
+    if (quadric_fit(near, n, at, s->mesh->normal.item[vertex], &q) < 0)
+        return true;
+    return quadric_rms(&q, near, n) > 1.1 * s->cloud.noise + 0.004 * s->cloud.spacing;
+}
+
+static void look_at_vertices(void *context, size_t from, size_t to)
+{
+    const struct search *s = context;
+
+    for (size_t v = from; v < to; v++)
+        if (s->rough[v])
+            s->rough[v] = is_rough(s, v);
+}
+
+static void look_at_edges(void *context, size_t from, size_t to)
+{
+    const struct search *s = context;
+    const struct mesh *m = s->mesh;
+
+    for (size_t e = from; e < to; e++) {
+        const struct mesh_edge *edge = &s->edges->edge[e];
+        struct feature *f = &s->feature[e];
+        int v = edge->v[0], w = edge->v[1];
+        struct vec3 a = m->vertex.item[v], b = m->vertex.item[w];
+        if (edge->facet[0] < 0 || (!s->active[v] && !s->active[w]))
+            continue;
+        f->kind = FEATURE_NONE;
+        if (steep(&s->cloud, a, b))
+            *f = feature_wall(&s->cloud, a, b);
+        if (f->kind == FEATURE_NONE && turns(m, edge) && (s->rough[v] || s->rough[w]))
+            *f = feature_crease(&s->cloud, a, b, m->normal.item[v], m->normal.item[w]);
+    }
+}
+
+/* What the features do to a vertex. */
+struct beside {
+    bool near;
+    struct vec3 shift; /* away from the nearest one */
+};
+
+/* Across a feature, between the two sheets, from its end 1 to its end 0 (the edge's ends). */
+static struct vec3 across_of(const struct feature *f, const struct vec3 at[2])
+{
+    struct vec3 across = vec_unit(vec_cross(f->along, vec_add(f->end[0], f->end[1])));
+
+    return vec_dot(vec_sub(at[0], at[1]), across) < 0 ? vec_scale(-1, across) : across;
+}
+
+/* On which side of it a point near a feature is: at a wall by its height, for it may be on it. */
+static int side_of(const struct feature *f, const struct vec3 at[2], struct vec3 p)
+{
+    if (f->kind == FEATURE_WALL)
+        return fabs(p.z - f->place[0].z) <= fabs(p.z - f->place[1].z) ? 0 : 1;
+    return vec_dot(vec_sub(p, f->place[0]), across_of(f, at)) >= 0 ? 0 : 1;
+}
+
+/* Moves a vertex that is nearer to the feature than `clear`, along the sheet of its side; onto it
+ * when it is further off it than `aloof`, as one that is on the wall. */
+static void keep_away(struct beside *b, const struct feature *f, int i, const struct vec3 at[2],
+                      struct vec3 p, double clear, double aloof)
+{
+    struct vec3 across = vec_scale(i == 0 ? 1 : -1, across_of(f, at));
+    struct vec3 away = vec_unit(vec_reject(across, f->end[i])); /* on the sheet */
+    double off = vec_dot(vec_sub(p, f->place[i]), away);
+    double above = vec_dot(vec_sub(p, f->place[i]), f->end[i]);
+    bool wrong = fabs(above) > aloof && (f->kind == FEATURE_WALL || fabs(above) < clear / 2);
+    struct vec3 shift = vec_along(vec_scale(clear - off, away), wrong ? -above : 0, f->end[i]);
+
+    b->near = true;
+    if (off < clear && vec_length(shift) > vec_length(b->shift))
+        b->shift = shift;
+}
+
+/* The vertices of the two facets beside an edge keep away from its feature. */
+static void settle_about(const struct search *s, size_t e, struct beside *beside)
+{
+    const struct mesh_edge *edge = &s->edges->edge[e];
+    const struct feature *f = &s->feature[e];
+    const struct vec3 *p = s->mesh->vertex.item;
+    const struct vec3 at[2] = {p[edge->v[0]], p[edge->v[1]]};
+    double length = hypot(at[1].x - at[0].x, at[1].y - at[0].y);
+    double aloof = 3 * s->cloud.noise + 0.1 * s->cloud.spacing;
+
+    for (int i = 0; i < 2; i++)
+        keep_away(&beside[edge->v[i]], f, i, at, at[i], CLEAR * length, aloof);
+    for (int k = 0; k < 2 && edge->facet[k] >= 0; k++) {
+        const int *v = s->mesh->face.item[edge->facet[k]].v;
+        int third = v[0] + v[1] + v[2] - edge->v[0] - edge->v[1];
+        int i = side_of(f, at, p[third]);
+        if (fabs(vec_dot(vec_sub(p[third], f->place[i]), f->along)) < length)
+            keep_away(&beside[third], f, i, at, p[third], CLEAR * length, aloof);
+    }
+}
+
+/* Moves the vertices beside features; they are what is to be looked at again, as rough ones. */
+static void settle_places(struct search *s)
+{
+    struct mesh *m = s->mesh;
+    struct beside *beside = mem_alloc(m->vertex.n, sizeof *beside);
+
+    for (size_t e = 0; e < s->edges->n; e++)
+        if (s->feature[e].kind != FEATURE_NONE)
+            settle_about(s, e, beside);
+    for (size_t v = 0; v < m->vertex.n; v++) {
+        s->active[v] = beside[v].near;
+        s->rough[v] |= beside[v].near;
+        m->vertex.item[v] = vec_add(m->vertex.item[v], beside[v].shift);
+    }
+    free(beside);
+}
+
+/* Vertices with a feature on one of their edges take the normal of their side. */
+static void settle_normals(struct search *s)
+{
+    struct mesh *m = s->mesh;
+    struct vec3 *sum = mem_alloc(m->vertex.n, sizeof *sum);
+
+    for (size_t e = 0; e < s->edges->n; e++) {
+        for (int i = 0; i < 2 && s->feature[e].kind != FEATURE_NONE; i++) {
+            struct vec3 *n = &sum[s->edges->edge[e].v[i]];
+            *n = vec_add(*n, s->feature[e].end[i]);
+        }
+    }
+    for (size_t v = 0; v < m->vertex.n; v++)
+        if (vec_length(sum[v]) > 0)
+            m->normal.item[v] = vec_unit(sum[v]);
+    free(sum);
+}
+
+static struct featuremesh sum_up(const struct search *s)
+{
+    struct featuremesh found = {0};
+
+    for (size_t e = 0; e < s->edges->n; e++) {
+        found.creases += s->feature[e].kind == FEATURE_CREASE;
+        found.walls += s->feature[e].kind == FEATURE_WALL;
+    }
+    return found;
+}
+
+/* Looks at the edges, and again at those about what was found, for there normals are better known
+ * and vertices stand off by then. */
+static struct featuremesh look(struct search *s, int threads)
+{
+    struct featuremesh found = {0};
+
+    for (int i = 0; i < LOOKS; i++) {
+        parallel_for(threads, s->edges->n, look_at_edges, s);
+        found = sum_up(s);
+        if (found.creases + found.walls == 0)
+            break;
+        if (i + 1 < LOOKS)
+            settle_places(s);
+        settle_normals(s);
+    }
+    return found;
+}
+
+/* Only where normals turn can a crease be. */
+static void mark_turns(struct search *s)
+{
+    for (size_t e = 0; e < s->edges->n; e++) {
+        const struct mesh_edge *edge = &s->edges->edge[e];
+        if (turns(s->mesh, edge))
+            s->rough[edge->v[0]] = s->rough[edge->v[1]] = 1;
+    }
+}
+
+struct featuremesh featuremesh_keep(struct mesh *mesh, const struct vec3 *point, size_t n,
+                                    size_t flat, double spacing, double noise, int threads)
+{
+    struct mesh_edges edges = mesh_edges_find(mesh);
+    struct kdtree *tree = kdtree_new(point, flat);
+    struct kdtree *walls = n > flat ? kdtree_new(point + flat, n - flat) : NULL;
+    struct search s = {.mesh = mesh,
+                       .edges = &edges,
+                       .cloud = {tree, point, walls, point + flat, spacing, noise},
+                       .rough = mem_alloc(mesh->vertex.n, 1),
+                       .active = mem_alloc(mesh->vertex.n, 1),
+                       .feature = mem_alloc(edges.n, sizeof *s.feature)};
+
+    mark_turns(&s);
+    parallel_for(threads, mesh->vertex.n, look_at_vertices, &s);
+    memset(s.active, 1, mesh->vertex.n);
+    struct featuremesh found = look(&s, threads);
+    if (found.creases + found.walls > 0)
+        edgesplit(mesh, &edges, s.feature);
+    free(s.rough);
+    free(s.active);
+    free(s.feature);
+    kdtree_free(tree);
+    if (walls)
+        kdtree_free(walls);
+    mesh_edges_free(&edges);
+    return found;
+}
