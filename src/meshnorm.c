@@ -6,6 +6,7 @@
 
 #include "cutting.h"
 #include "part.h"
+#include "ridge.h"
 #include "rows.h"
 
 static int normals;
@@ -32,26 +33,41 @@ static void read_mesh(const char *file, struct mesh *mesh, struct rows *rows)
         say("%zu nodes belong to no facet and are left out", rows->loose);
 }
 
+/* The contacts of a strip in the order they are cut, the ball rolled over its sharp edges. */
+static void gather(const struct mesh *mesh, const struct rows *rows, struct strip strip, bool back,
+                   struct contacts *to)
+{
+    const double sink = 0.002; /* of the ball into an edge between two of the points, mm */
+    size_t n = strip.to - strip.from;
+
+    to->n = 0;
+    for (size_t k = 0; k < n; k++) {
+        size_t v = rows->node.item[back ? strip.to - 1 - k : strip.from + k];
+        struct contact next = {mesh->vertex.item[v], mesh->normal.item[v]};
+        if (to->n > 1 && vec_distance(next.p, to->item[to->n - 1].p) < 1e-9) {
+            struct contact last = to->item[to->n - 1];
+            struct vec3 forward = vec_sub(last.p, to->item[to->n - 2].p);
+            ridge_roll(to, forward, last, next, cutting.radius, sink);
+        }
+        *array_push(to) = next;
+    }
+}
+
 /* All strips of the row that begins with strip s, in one pass; returns the first of the next. */
 static size_t make_pass(const struct mesh *mesh, const struct rows *rows, size_t s, size_t pass,
                         struct toolpath *t)
 {
     bool back = !cutting.one_way && pass % 2 == 0;
     size_t end = s;
-    struct contact *contact = mem_alloc(rows->node.n, sizeof *contact);
+    struct contacts contact = {0};
 
     while (end < rows->strip.n && rows->strip.item[end].row == rows->strip.item[s].row)
         end++;
     for (size_t i = s; i < end; i++) {
-        struct strip strip = rows->strip.item[back ? end - 1 - (i - s) : i];
-        size_t n = strip.to - strip.from;
-        for (size_t k = 0; k < n; k++) {
-            size_t v = rows->node.item[back ? strip.to - 1 - k : strip.from + k];
-            contact[k] = (struct contact){mesh->vertex.item[v], mesh->normal.item[v]};
-        }
-        toolpath_strip(t, pass, contact, n, vec_scale(back ? -1 : 1, rows->along));
+        gather(mesh, rows, rows->strip.item[back ? end - 1 - (i - s) : i], back, &contact);
+        toolpath_strip(t, pass, contact.item, contact.n, vec_scale(back ? -1 : 1, rows->along));
     }
-    free(contact);
+    array_free(&contact);
     return end;
 }
 

@@ -78,14 +78,14 @@ static bool plane_of_wall(const struct feature_cloud *cloud, const struct level 
            plane->rms < plane->width / 2;
 }
 
-/* No point of the cloud is half way between the levels. */
+/* No point of the cloud is half way between the levels, in a room that would hold some. */
 static bool nothing_between(const struct feature_cloud *cloud, struct vec3 a, struct vec3 b)
 {
     size_t nearest;
     double distance2, room = 0.35 * fabs(a.z - b.z);
 
     return kdtree_nearest(cloud->tree, vec_mix(a, b, 0.5), 1, &nearest, &distance2) == 1 &&
-           distance2 > room * room;
+           distance2 > room * room && room > 1.5 * cloud->spacing;
 }
 
 /* Where no point lies on the wall: upright, half way between the last points of the two levels. */

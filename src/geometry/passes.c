@@ -2,6 +2,8 @@
 
 #include <stdlib.h>
 
+#include "ridge.h"
+
 /* Points nearer than this are one, mm (as in meshcut). */
 static const double CROWDED = 1e-3;
 
@@ -139,18 +141,11 @@ static size_t next_joined(const struct chains *chains, const bool *used, struct 
 static void roll(struct chains *to, size_t from, struct contact next, const struct pass_rule *rule)
 {
     struct contact last = to->point.item[to->point.n - 1];
-    double angle = vec_angle(last.n, next.n);
 
     if (to->point.n < from + 2)
         return;
     struct vec3 forward = vec_sub(last.p, to->point.item[to->point.n - 2].p);
-    if (vec_dot(next.n, forward) < vec_dot(last.n, forward))
-        return;
-    double step = 2 * acos(fmax(1 - rule->tolerance / rule->radius, 0));
-    double parts = ceil(angle / step);
-    for (double i = 1; i < parts; i++)
-        put(to, (struct contact){vec_mix(last.p, next.p, i / parts),
-                                 vec_slerp(last.n, next.n, i / parts)});
+    ridge_roll(&to->point, forward, last, next, rule->radius, rule->tolerance);
 }
 
 /* Appends a chain to the strip that begins at point `from`. */

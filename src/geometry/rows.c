@@ -1,5 +1,6 @@
 #include "rows.h"
 
+#include <stdbool.h>
 #include <stdlib.h>
 
 struct place {
@@ -64,7 +65,7 @@ static struct edges find_edges(const struct mesh *mesh)
     return edges;
 }
 
-/* The vertices that belong to facets, in the order of the rows. */
+/* The vertices of rows that belong to facets, in the order of the rows. */
 static struct places find_places(const struct mesh *mesh)
 {
     struct places places = {0};
@@ -73,7 +74,7 @@ static struct places find_places(const struct mesh *mesh)
     for (size_t f = 0; f < mesh->face.n; f++) {
         for (int i = 0; i < 3; i++) {
             int v = mesh->face.item[f].v[i];
-            if (!used[v])
+            if (!used[v] && mesh->row.item[v] >= 0)
                 *array_push(&places) = (struct place){mesh->row.item[v], mesh->col.item[v], v};
             used[v] = true;
         }
@@ -83,15 +84,24 @@ static struct places find_places(const struct mesh *mesh)
     return places;
 }
 
-static void find_strips(const struct places *places, const struct edges *edges, struct rows *rows)
+/* The place p goes on from the one before: along the edge of a facet, or it is the same one, with
+ * the normal of the other side of a crease. */
+static bool goes_on(const struct mesh *mesh, const struct place *p, const struct edges *edges)
+{
+    const struct vec3 *at = mesh->vertex.item;
+    struct edge back = edge_between(p[-1].vertex, p->vertex);
+
+    if (p[-1].row == p->row && vec_distance(at[p[-1].vertex], at[p->vertex]) < 1e-9)
+        return true;
+    return edges->n > 0 && bsearch(&back, edges->item, edges->n, sizeof back, compare_edges);
+}
+
+static void find_strips(const struct mesh *mesh, const struct places *places,
+                        const struct edges *edges, struct rows *rows)
 {
     for (size_t i = 0; i < places->n; i++) {
         const struct place *p = &places->item[i];
-        struct edge back = {0, 0};
-        if (i > 0)
-            back = edge_between(p[-1].vertex, p->vertex);
-        if (i == 0 || edges->n == 0 ||
-            !bsearch(&back, edges->item, edges->n, sizeof back, compare_edges))
+        if (i == 0 || !goes_on(mesh, p, edges))
             *array_push(&rows->strip) = (struct strip){p->row, i, i};
         *array_push(&rows->node) = (size_t)p->vertex;
         rows->strip.item[rows->strip.n - 1].to = i + 1;
@@ -148,6 +158,16 @@ static double step_to_left(const struct mesh *mesh, const struct rows *rows)
     return rr > 0 ? rs / rr : 0;
 }
 
+/* Vertices between the rows, of creases and walls. */
+static size_t count_between(const struct mesh *mesh)
+{
+    size_t n = 0;
+
+    for (size_t v = 0; v < mesh->row.n; v++)
+        n += mesh->row.item[v] < 0;
+    return n;
+}
+
 int rows_find(const struct mesh *mesh, struct rows *rows, struct error *error)
 {
     if (mesh->row.n != mesh->vertex.n || mesh->col.n != mesh->vertex.n)
@@ -160,11 +180,11 @@ int rows_find(const struct mesh *mesh, struct rows *rows, struct error *error)
     *rows = (struct rows){0};
     struct places places = find_places(mesh);
     struct edges edges = find_edges(mesh);
-    find_strips(&places, &edges, rows);
+    find_strips(mesh, &places, &edges, rows);
     array_free(&places);
     array_free(&edges);
 
-    rows->loose = mesh->vertex.n - rows->node.n;
+    rows->loose = mesh->vertex.n - rows->node.n - count_between(mesh);
     rows->along = direction(mesh, rows);
     double step = step_to_left(mesh, rows);
     rows->side = vec_scale(step < 0 ? -1 : 1, vec_cross(vec(0, 0, 1), rows->along));

@@ -1,0 +1,123 @@
+/* featuremesh: a mesh over a roof and one over a step become the roof and the step; a smooth one
+ * stays as it is. */
+#include <check.h>
+#include <stdlib.h>
+
+#include "featuremesh.h"
+#include "footprint.h"
+#include "gridmesh.h"
+#include "reposition.h"
+#include "rough.h"
+#include "scannormals.h"
+#include "wallpoints.h"
+
+static struct mesh mesh_of(struct vec3s *p, double t, size_t *flat)
+{
+    struct mesh m = {0};
+    struct grid grid;
+    struct error error;
+    struct footprint f = footprint_of(p->item, p->n, 20);
+    *flat = wallpoints_part(p->item, p->n, t / 3, 1);
+    ck_assert_int_eq(grid_make(&f, p->n, t, &grid, &error), 0);
+    size_t *chosen = reposition(&grid, p->item, *flat, REACH_NEAREST);
+    gridmesh_make(&grid, chosen, p->item, NULL, &m);
+    scannormals_quadric(&m, p->item, *flat, 40, 1);
+    free(chosen);
+    return m;
+}
+
+/* The largest distance from the middles of the facets to the surface. */
+static double worst(const struct mesh *m, double (*distance)(struct vec3))
+{
+    double most = 0;
+    for (size_t f = 0; f < m->face.n; f++) {
+        const int *v = m->face.item[f].v;
+        struct vec3 p = vec_add(m->vertex.item[v[0]], m->vertex.item[v[1]]);
+        p = vec_scale(1 / 3.0, vec_add(p, m->vertex.item[v[2]]));
+        most = fmax(most, fabs(distance(p)));
+    }
+    return most;
+}
+
+static double from_roof(struct vec3 p)
+{
+    return (p.z + 0.5 * fabs(p.x)) / hypot(1, 0.5);
+}
+
+/* Two levels, 6 mm apart, the upper one where x > 0. */
+static double from_step(struct vec3 p)
+{
+    double low = hypot(fmax(p.x, 0), p.z), high = hypot(fmin(p.x, 0), p.z - 6);
+    double wall = hypot(p.x, p.z - fmin(fmax(p.z, 0), 6));
+    return fmin(wall, fmin(low, high));
+}
+
+START_TEST(roof)
+{
+    struct vec3s p = {0};
+    size_t flat;
+    rectangle(&p, 3000, vec(0, 0, 0), vec(-20, 0, -10), vec(0, 25, 0), 0);
+    rectangle(&p, 3000, vec(0, 0, 0), vec(20, 0, -10), vec(0, 25, 0), 0);
+    struct mesh m = mesh_of(&p, 1.3, &flat);
+    ck_assert_double_gt(worst(&m, from_roof), 0.1);
+    struct featuremesh found = featuremesh_keep(&m, p.item, p.n, flat, 0.43, 0, 2);
+    ck_assert_uint_gt(found.creases, 20);
+    ck_assert_uint_eq(found.walls, 0);
+    ck_assert_double_le(worst(&m, from_roof), 1e-6);
+    for (size_t v = 0; v < m.vertex.n; v++)
+        ck_assert_double_ge(fabs(m.normal.item[v].x), 0.44);
+    mesh_free(&m);
+    array_free(&p);
+}
+END_TEST
+
+START_TEST(a_step)
+{
+    struct vec3s p = {0};
+    size_t flat;
+    rectangle(&p, 3000, vec(0, 0, 0), vec(-20, 0, 0), vec(0, 25, 0), 0);
+    rectangle(&p, 3000, vec(0, 0, 6), vec(20, 0, 0), vec(0, 25, 0), 0);
+    rectangle(&p, 900, vec(0, 0, 0), vec(0, 25, 0), vec(0, 0, 6), 0);
+    struct mesh m = mesh_of(&p, 1.3, &flat);
+    ck_assert_double_gt(worst(&m, from_step), 0.3);
+    struct featuremesh found = featuremesh_keep(&m, p.item, p.n, flat, 0.43, 0, 2);
+    ck_assert_uint_gt(found.walls, 20);
+    ck_assert_double_le(worst(&m, from_step), 0.1);
+    mesh_free(&m);
+    array_free(&p);
+}
+END_TEST
+
+/* Waves with a radius of 9 mm and noise. */
+START_TEST(waves_stay)
+{
+    struct vec3s p = {0};
+    size_t flat;
+    for (int i = 0; i < 6000; i++) {
+        double x = 40 * uniform(), y = 25 * uniform();
+        *array_push(&p) = vec(x, y, 3 * sin(x / 5) * cos(y / 7) + 0.02 * normal());
+    }
+    struct mesh m = mesh_of(&p, 1.3, &flat);
+    size_t vertices = m.vertex.n;
+    struct featuremesh found = featuremesh_keep(&m, p.item, p.n, flat, 0.43, 0.02, 2);
+    ck_assert_uint_eq(found.creases + found.walls, 0);
+    ck_assert_uint_eq(m.vertex.n, vertices);
+    mesh_free(&m);
+    array_free(&p);
+}
+END_TEST
+
+int main(void)
+{
+    Suite *suite = suite_create("featuremesh");
+    TCase *tests = tcase_create("featuremesh");
+    SRunner *runner = srunner_create(suite);
+    tcase_add_test(tests, roof);
+    tcase_add_test(tests, a_step);
+    tcase_add_test(tests, waves_stay);
+    suite_add_tcase(suite, tests);
+    srunner_run_all(runner, CK_ENV);
+    int failed = srunner_ntests_failed(runner);
+    srunner_free(runner);
+    return failed > 0;
+}
