@@ -33,7 +33,9 @@ struct feature {
     struct vec3 along;     /* direction of the edge or wall, unit */
 };
 
-/* How many points about a place it takes to see a crease in the noise, 72 to 400. */
+enum { FEATURE_MOST = 400 };
+
+/* How many points about a place it takes to see a crease in the noise, 72 to FEATURE_MOST. */
 size_t feature_reach(const struct feature_cloud *cloud);
 
 /* A crease: `na` and `nb` are unit normals at the vertices.  Sheets that turn by less than 8

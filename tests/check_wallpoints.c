@@ -29,8 +29,8 @@ START_TEST(a_step)
             else
                 missed += wall;
         }
-        ck_assert_uint_gt(p.n - flat, 650);
-        ck_assert_uint_le(missed, 40);
+        ck_assert_uint_gt(p.n - flat, 620);
+        ck_assert_uint_le(missed, 75);
         array_free(&p);
     }
 }

@@ -87,7 +87,7 @@ done
 for kind in roof wall; do
 	shape $kind 0 >"$TMP/$kind.xyz"
 	cloud2mesh -q "$TMP/$kind.xyz" -o "$TMP/$kind.ply"
-	ok "$kind: a path" meshnorm -q -r 3 -g "$TMP/$kind.xyz" "$TMP/$kind.ply" -o "$TMP/$kind.cl"
+	ok "$kind: a path" meshnorm -q -r 3 --avoid -g "$TMP/$kind.xyz" "$TMP/$kind.ply" -o "$TMP/$kind.cl"
 	ncpost -q -c siemens "$TMP/$kind.cl" -o "$TMP/$kind.mpf"
 	ok "$kind: no gouge" ncverify -r 3 -g "$TMP/$kind.xyz" "$TMP/$kind.mpf"
 done

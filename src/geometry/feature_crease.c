@@ -7,7 +7,7 @@
 #include "feature.h"
 #include "flank.h"
 
-enum { NEAR = 72, MOST = 400, TURNS = 20, ROUNDS = 4, FEWEST = 8, CLOSE = 24, HALVINGS = 40 };
+enum { MOST = FEATURE_MOST, TURNS = 20, ROUNDS = 4, FEWEST = 8, CLOSE = 24, HALVINGS = 40 };
 
 static const double FLAT = 0.99026806874157036; /* cos 8 degrees */
 
@@ -17,9 +17,6 @@ static const double ROUGH = 0.05;
 /* How far the points nearest to the crease may be off the sheets in the mean, in mean spacings:
  * further where an edge is rounded. */
 static const double ROUND = 0.05;
-
-/* How wide a neighbourhood is against the noise. */
-static const double WIDE = 40;
 
 /* Points about a place, taken apart into two sheets. */
 struct parted {
@@ -179,13 +176,6 @@ static size_t enough(const struct feature_cloud *cloud, struct vec3 a, struct ve
     double k = fmin(fmax(PI * reach * reach, (double)feature_reach(cloud)), MOST);
 
     return (size_t)k;
-}
-
-size_t feature_reach(const struct feature_cloud *cloud)
-{
-    double reach = WIDE * cloud->noise / cloud->spacing;
-
-    return (size_t)fmin(fmax(PI * reach * reach, NEAR), MOST);
 }
 
 static struct feature told(const struct parted *p, struct vec3 at, struct vec3 a, struct vec3 b)
