@@ -7,11 +7,15 @@
 #include "cutpart.h"
 #include "cutting.h"
 #include "onsurface.h"
+#include "parallel.h"
 #include "passes.h"
 #include "scallop.h"
 #include "surfaces.h"
 
 static const double MOST_PLANES = 100000;
+
+/* By the longest edge of the mesh: how far beyond its trimming a surface counts. */
+static const double BESIDE = 0.002;
 
 static double step, scallop, angle, plane[3], gap = 0.1;
 static struct cli_list surfaces;
@@ -49,6 +53,7 @@ struct planes {
     struct onsurface *on; /* NULL: points stay on the mesh */
     double reach;         /* of a point to its surface, mm */
     size_t beside;        /* points without a surface */
+    int threads;
 };
 
 static void check_options(struct axis_rule *axis)
@@ -156,7 +161,7 @@ static void read_surfaces(struct mesh *mesh, struct planes *p)
 {
     struct surfaces_unit unit;
     struct error error;
-    double longest = 0;
+    double longest = 0, slack = isfinite(mesh->origin.ledger) ? mesh->origin.ledger : 0;
 
     for (size_t i = 0; i < surfaces.n; i++) {
         if (surfaces_read(surfaces.item[i], 0, &p->patches, &unit, &error) < 0)
@@ -168,15 +173,36 @@ static void read_surfaces(struct mesh *mesh, struct planes *p)
         const int *v = mesh->face.item[f].v;
         longest = fmax(longest, vec_distance(mesh->vertex.item[v[0]], mesh->vertex.item[v[1]]));
     }
-    p->on = onsurface_new(&p->patches);
+    p->on = onsurface_new(&p->patches, fmax(slack, BESIDE * longest));
     p->reach = longest / 2;
     mesh->origin.ledger = NAN; /* points leave the mesh: what it was off is not spent */
 }
 
+/* What the threads share. */
+struct putting {
+    const struct planes *planes;
+    struct contact *point;
+    bool *beside;
+};
+
+static void put_some(void *context, size_t from, size_t to)
+{
+    struct putting *p = context;
+
+    for (size_t i = from; i < to; i++)
+        p->beside[i] = onsurface_put(p->planes->on, p->planes->rule.normal, p->planes->reach,
+                                     &p->point[i]) < 0;
+}
+
 static void put_on_surfaces(struct planes *p, struct contacts *points)
 {
-    for (size_t i = 0; p->on && i < points->n; i++)
-        p->beside += onsurface_put(p->on, p->rule.normal, p->reach, &points->item[i]) < 0;
+    struct putting put = {p, points->item, mem_alloc(points->n + 1, sizeof *put.beside)};
+
+    if (p->on)
+        parallel_for(p->threads, points->n, put_some, &put);
+    for (size_t i = 0; i < points->n; i++)
+        p->beside += put.beside[i];
+    free(put.beside);
 }
 
 static void make_pass(struct planes *p, size_t plane_number, size_t pass, struct toolpath *t)

@@ -27,7 +27,7 @@ START_TEST(points_go_to_the_surface_and_stay_in_their_plane)
 {
     struct patch patch = saddle();
     struct patches patches = {.n = 1, .item = &patch};
-    struct onsurface *on = onsurface_new(&patches);
+    struct onsurface *on = onsurface_new(&patches, 0.01);
 
     for (int i = 0; i < 300; i++) {
         double x = uniform(0.3, 9.7), y = uniform(0.3, 9.7), angle = uniform(0, 7);
@@ -51,7 +51,7 @@ START_TEST(what_is_elsewhere_stays)
 {
     struct patch patch = saddle();
     struct patches patches = {.n = 1, .item = &patch};
-    struct onsurface *on = onsurface_new(&patches);
+    struct onsurface *on = onsurface_new(&patches, 0.01);
     struct contact beside = {vec(11, 5, 2.2), vec(0, 0, 1)}, above = {vec(5, 5, 2), vec(0, 0, 1)};
     struct contact c = beside;
 
@@ -67,12 +67,44 @@ START_TEST(what_is_elsewhere_stays)
 }
 END_TEST
 
+/* A circle of radius 3 about (5, 5), in plan, is cut out: what lies in it has no surface. */
+START_TEST(what_is_trimmed_away_is_none)
+{
+    struct patch patch = saddle();
+    struct patches patches = {.n = 1, .item = &patch};
+    struct patch_loop loop = {.n = 1};
+    struct nurbs_curve curve = patch_curve(1, 361);
+    for (int i = 0; i <= 360; i++) {
+        double a = RADIANS(i);
+        curve.pole[i] = (struct nurbs_pole){0.5 + 0.3 * cos(a), 0.5 + 0.3 * sin(a), 0, 1};
+        curve.t.knot[1 + i] = i / 360.0;
+    }
+    curve.t.knot[362] = 1;
+    loop.item = &curve;
+    patch.loop.n = 1;
+    patch.loop.item = &loop;
+    patch.open = true;
+    struct onsurface *on = onsurface_new(&patches, 0.01);
+    for (int i = 0; i < 300; i++) {
+        double r = uniform(0.1, 4.5), a = uniform(0, 7);
+        double x = 5 + r * cos(a), y = 5 + r * sin(a);
+        struct contact c = {vec(x, y, x * y / 25 + 0.01), vec_unit(vec(-y / 25, -x / 25, 1))};
+        int got = onsurface_put(on, vec(0, 1, 0), 0.2, &c);
+        if (r < 2.98 || r > 3.005)
+            ck_assert_int_eq(got, r < 3 ? -1 : 0);
+    }
+    onsurface_free(on);
+    nurbs_curve_free(&curve);
+}
+END_TEST
+
 int main(void)
 {
     Suite *suite = suite_create("onsurface");
     TCase *tests = tcase_create("onsurface");
     tcase_add_test(tests, points_go_to_the_surface_and_stay_in_their_plane);
     tcase_add_test(tests, what_is_elsewhere_stays);
+    tcase_add_test(tests, what_is_trimmed_away_is_none);
     suite_add_tcase(suite, tests);
     SRunner *runner = srunner_create(suite);
     srunner_run_all(runner, CK_NORMAL);

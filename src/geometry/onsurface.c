@@ -4,6 +4,7 @@
 
 #include "array.h"
 #include "kdtree.h"
+#include "trimloops.h"
 
 enum { ACROSS = 64, NEAREST = 8, STEPS = 30 };
 
@@ -18,6 +19,8 @@ struct seed {
 
 struct onsurface {
     const struct patches *patches;
+    struct uvloops *loops; /* [patch] what trims it */
+    double slack;
     struct {
         size_t n, cap;
         struct seed *item;
@@ -25,12 +28,24 @@ struct onsurface {
     struct kdtree *tree;
 };
 
-struct onsurface *onsurface_new(const struct patches *patches)
+/* Loops are followed to a fifth of the slack. */
+static struct uvloops *loops_of(const struct patches *patches, double slack)
+{
+    struct uvloops *loops = mem_alloc(patches->n + 1, sizeof *loops);
+
+    for (size_t k = 0; k < patches->n; k++)
+        trimloops(&patches->item[k], slack / 5, &loops[k]);
+    return loops;
+}
+
+struct onsurface *onsurface_new(const struct patches *patches, double slack)
 {
     struct onsurface *on = mem_alloc(1, sizeof *on);
     struct vec3s points = {0};
 
     on->patches = patches;
+    on->slack = slack;
+    on->loops = loops_of(patches, slack);
     for (size_t k = 0; k < patches->n; k++) {
         const struct nurbs *s = &patches->item[k].surface;
         for (int i = 0; i <= ACROSS; i++) {
@@ -51,6 +66,9 @@ void onsurface_free(struct onsurface *on)
 {
     if (!on)
         return;
+    for (size_t k = 0; k < on->patches->n; k++)
+        uvloops_free(&on->loops[k]);
+    free(on->loops);
     kdtree_free(on->tree);
     array_free(&on->seed);
     free(on);
@@ -85,6 +103,29 @@ static double search(const struct nurbs *s, struct vec3 p, struct vec3 a, struct
     return left;
 }
 
+/* How far a place is outside what the loops leave of its surface, mm: 0 inside. */
+static double outside(const struct onsurface *on, int k, struct uv at)
+{
+    const struct uvloops *loops = &on->loops[k];
+    struct vec3 d[3][3];
+    double least = HUGE_VAL;
+
+    if (loops->n == 0 || uvloops_inside(loops, on->patches->item[k].open, at))
+        return 0;
+    nurbs_derivatives(&on->patches->item[k].surface, at, 1, d);
+    for (size_t i = 0; i < loops->n; i++) {
+        const struct uvs *loop = &loops->item[i];
+        for (size_t m = 0; m < loop->n; m++) {
+            struct uv a = loop->item[m], b = loop->item[(m + 1) % loop->n];
+            struct vec3 p = vec_along(vec_scale(a.u - at.u, d[1][0]), a.v - at.v, d[0][1]);
+            struct vec3 way = vec_along(vec_scale(b.u - a.u, d[1][0]), b.v - a.v, d[0][1]);
+            double l = vec_dot(way, way), t = l > 0 ? -vec_dot(p, way) / l : 0;
+            least = fmin(least, vec_length(vec_along(p, clamp(t, 0, 1), way)));
+        }
+    }
+    return least;
+}
+
 int onsurface_put(const struct onsurface *on, struct vec3 plane, double reach,
                   struct contact *contact)
 {
@@ -103,6 +144,10 @@ int onsurface_put(const struct onsurface *on, struct vec3 plane, double reach,
         double away = vec_distance(place.point, p), agree = vec_dot(place.normal, n);
         if (away > reach || fabs(agree) < 0.7)
             continue;
+        double beyond = outside(on, seed->surface, at);
+        if (beyond > on->slack || away + beyond > reach)
+            continue;
+        away += beyond; /* one that is all of it on its surface comes first */
         reach = away;
         best = seed->surface;
         /* On the plane to the last bit, whatever is left of the search. */
