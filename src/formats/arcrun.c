@@ -4,6 +4,7 @@
 #include <stdlib.h>
 
 #include "arcbeam.h"
+#include "arcrelax.h"
 #include "num.h"
 
 enum { COORDINATE = 6, VECTOR = 9 }; /* decimals of the path stream */
@@ -116,6 +117,7 @@ static void fit_within(struct fit *f, double tolerance)
         struct stray less = {part * tolerance, part * tolerance, part * f->options->axis};
         f->pieces.n = 0;
         arcbeam_fit(&f->trace, &less, COORDINATE, &f->pieces);
+        arcrelax(&f->trace, &less, COORDINATE, &f->pieces);
         print_pieces(f);
         if (stray_within(&f->worst, &within))
             return;

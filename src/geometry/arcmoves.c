@@ -1,0 +1,307 @@
+/* arcmoves - see arcmoves.h. */
+#include "arcmoves.h"
+
+#include <stdlib.h>
+
+#include "band.h"
+
+enum { STEPS = 8, TRIES = 7 };
+
+static const double MOVED = 1e-6;   /* mm or radians, for differences */
+static const double SETTLED = 1e-4; /* part of the cost: a step that gains less is the last */
+
+/* Norms one after the other. */
+static const struct stage {
+    int half;        /* of p */
+    double hopeless; /* part of a tolerance from which on it is */
+    double held;     /* radians: the end's tangent so far off counts as a tolerance */
+} STAGES[] = {{1, 6, 4e-3}, {2, 4, 1e-3}, {5, 2, 1.2e-4}, {12, 1.3, 1.2e-4}, {24, 1.2, 1.2e-4}};
+
+enum { N_STAGES = sizeof STAGES / sizeof *STAGES };
+
+/* Distances in pairs, in tolerances, and the columns of their slopes. */
+struct work {
+    struct arcmoves *m;
+    size_t unknowns, pairs;
+    double *off, *next, *weighed; /* 2 * pairs */
+    struct column {
+        size_t from, to; /* points that change */
+        double held[3];  /* how the tangent at the end does */
+        double *slope;   /* 2 * pairs */
+    } * column;
+    double *slopes;
+    double held[3]; /* the tangent at the end, in stage->held */
+    struct arcchain kept;
+    struct band normal, factor;
+    double *right, *step;
+};
+
+static struct work work_new(struct arcmoves *m)
+{
+    size_t inner = m->chain.n - 1, n = (m->start_held ? 0 : 2) + (m->lever != 0 ? 4 : 3) * inner;
+    struct work w = {.m = m, .unknowns = n};
+    w.pairs = m->passing.n * (m->lever != 0 ? 2 : 1);
+    w.off = mem_alloc(6 * w.pairs, sizeof *w.off);
+    w.next = w.off + 2 * w.pairs;
+    w.weighed = w.next + 2 * w.pairs;
+    w.slopes = mem_alloc(2 * w.pairs * n, sizeof *w.slopes);
+    w.column = mem_alloc(n, sizeof *w.column);
+    for (size_t k = 0; k < n; k++)
+        w.column[k].slope = w.slopes + 2 * w.pairs * k;
+    w.kept = arcchain_new(m->chain.n);
+    w.normal = band_new(n, n > 0 ? n - 1 : 0);
+    w.factor = band_new(n, w.normal.width);
+    w.right = mem_alloc(2 * n, sizeof *w.right);
+    w.step = w.right + n;
+    return w;
+}
+
+static void work_free(struct work *w)
+{
+    free(w->off);
+    free(w->slopes);
+    free(w->column);
+    free(w->right);
+    arcchain_free(&w->kept);
+    band_free(&w->normal);
+    band_free(&w->factor);
+}
+
+static void in_tolerances(const struct arcmoves *m, size_t from, size_t to, double *off)
+{
+    double *other = off + 2 * m->passing.n;
+    for (size_t i = 2 * from; i < 2 * to; i++) {
+        off[i] /= m->tolerance;
+        if (m->lever != 0)
+            other[i] /= m->other;
+    }
+}
+
+static void measure(struct arcmoves *m, double *off, double held[3])
+{
+    arcmiss(&m->chain, m->lever, &m->passing, off);
+    in_tolerances(m, 0, m->passing.n, off);
+    struct vec3 d = vec_sub(m->chain.joint[m->chain.n].tangent, m->end);
+    double part = m->end_held ? 1 / STAGES[m->stage].held : 0;
+    held[0] = part * d.x;
+    held[1] = part * d.y;
+    held[2] = part * d.z;
+}
+
+/* Moves unknown k; the arcs [from, to) change. */
+static void move(struct arcmoves *m, size_t k, double by, size_t *from, size_t *to)
+{
+    size_t inner = m->chain.n - 1;
+    *from = 0;
+    *to = m->chain.n;
+    if (!m->start_held) {
+        struct vec3 *t = &m->chain.joint[0].tangent, u = vec_perpendicular(*t);
+        if (k < 2) {
+            *t = vec_unit(vec_along(*t, by, k ? vec_cross(*t, u) : u));
+            return;
+        }
+        k -= 2;
+    }
+    struct joint *j = &m->chain.joint[1 + (k < 3 * inner ? k / 3 : k - 3 * inner)];
+    *from = (size_t)(j - m->chain.joint) - 1;
+    if (k >= 3 * inner) {
+        j->side += by;
+        *to = *from + 2;
+    } else {
+        *(k % 3 == 0 ? &j->p.x : k % 3 == 1 ? &j->p.y : &j->p.z) += by;
+    }
+    if (m->lever != 0)
+        arcchain_lean(&m->chain, m->trace, *from + 1);
+}
+
+/* The slopes of unknown k. */
+static void differ(struct work *w, size_t k)
+{
+    struct arcmoves *m = w->m;
+    struct column *c = &w->column[k];
+    size_t from, to;
+    move(m, k, MOVED, &from, &to);
+    arcchain_turn(&m->chain, from);
+    c->from = passing_first(&m->passing, from);
+    c->to = passing_first(&m->passing, to);
+    arcmiss_slope(&m->chain, m->lever, &m->passing, c->from, c->to, MOVED, c->slope);
+    in_tolerances(m, c->from, c->to, c->slope);
+    struct vec3 turned =
+        vec_sub(m->chain.joint[m->chain.n].tangent, w->kept.joint[m->chain.n].tangent);
+    double part = m->end_held ? 1 / (STAGES[m->stage].held * MOVED) : 0;
+    c->held[0] = part * turned.x;
+    c->held[1] = part * turned.y;
+    c->held[2] = part * turned.z;
+    arcchain_copy(&m->chain, &w->kept);
+}
+
+static double power(double x, int n)
+{
+    double y = 1;
+    for (; n > 0; n /= 2, x *= x)
+        y *= n % 2 ? x : 1;
+    return y;
+}
+
+/* The sum of (d / scale)^(2 half). */
+static double cost(const struct work *w, const double *off, const double held[3], int half,
+                   double scale)
+{
+    double sum = held[0] * held[0] + held[1] * held[1] + held[2] * held[2];
+    for (size_t i = 0; i < w->pairs; i++) {
+        double d2 = off[2 * i] * off[2 * i] + off[2 * i + 1] * off[2 * i + 1];
+        sum += power(d2 / (scale * scale), half);
+    }
+    return sum;
+}
+
+/* Pair i of the distances and their slopes become those of (d / scale)^half. */
+static void weigh(struct work *w, size_t i, int half, double scale)
+{
+    double x = w->off[2 * i], y = w->off[2 * i + 1], d = sqrt(x * x + y * y);
+    double f = power(d / scale, half - 1) / scale;
+    double ux = d > 0 ? x / d : 0, uy = d > 0 ? y / d : 0;
+    w->weighed[2 * i] = f * x;
+    w->weighed[2 * i + 1] = f * y;
+    size_t point = i < w->m->passing.n ? i : i - w->m->passing.n;
+    for (size_t k = 0; k < w->unknowns; k++) {
+        struct column *c = &w->column[k];
+        if (point < c->from || point >= c->to)
+            continue;
+        double *s = c->slope + 2 * i, along = (half - 1) * (ux * s[0] + uy * s[1]);
+        s[0] = f * (s[0] + along * ux);
+        s[1] = f * (s[1] + along * uy);
+    }
+}
+
+static double dot(const double *a, const double *b, size_t from, size_t to)
+{
+    double even = 0, odd = 0;
+    for (size_t i = 2 * from; i < 2 * to; i += 2) {
+        even += a[i] * b[i];
+        odd += a[i + 1] * b[i + 1];
+    }
+    return even + odd;
+}
+
+/* Sum over the points [from, to), both ends of the lever. */
+static double dots(const struct work *w, const double *a, const double *b, size_t from, size_t to)
+{
+    size_t n = w->m->passing.n;
+    double sum = dot(a, b, from, to);
+    return w->pairs > n ? sum + dot(a, b, n + from, n + to) : sum;
+}
+
+static void normal_equations(struct work *w)
+{
+    for (size_t k = 0; k < w->unknowns; k++) {
+        const struct column *c = &w->column[k];
+        const double *h = c->held, *g = w->held;
+        w->right[k] = -(h[0] * g[0] + h[1] * g[1] + h[2] * g[2]) -
+                      dots(w, c->slope, w->weighed, c->from, c->to);
+        for (size_t l = 0; l <= k; l++) {
+            const struct column *d = &w->column[l];
+            size_t from = c->from > d->from ? c->from : d->from;
+            size_t to = c->to < d->to ? c->to : d->to;
+            g = d->held;
+            *band_at(&w->normal, k, l) =
+                h[0] * g[0] + h[1] * g[1] + h[2] * g[2] + dots(w, c->slope, d->slope, from, to);
+        }
+    }
+}
+
+/* Goes by the step, or back; false when the cost has not become less. */
+static bool try_step(struct work *w, const struct stage *stage, double scale, double *now)
+{
+    struct arcmoves *m = w->m;
+    double held[3];
+    size_t from, to;
+    for (size_t k = 0; k < w->unknowns; k++)
+        move(m, k, w->step[k], &from, &to);
+    arcchain_turn(&m->chain, 0);
+    measure(m, w->next, held);
+    double then = cost(w, w->next, held, stage->half, scale);
+    if (!(then < *now)) {
+        arcchain_copy(&m->chain, &w->kept);
+        return false;
+    }
+    *now = then;
+    for (size_t i = 0; i < 2 * w->pairs; i++)
+        w->off[i] = w->next[i];
+    for (int i = 0; i < 3; i++)
+        w->held[i] = held[i];
+    arcchain_copy(&w->kept, &m->chain);
+    return true;
+}
+
+/* One step of Levenberg and Marquardt; false when none makes the cost less. */
+static bool step(struct work *w, const struct stage *stage, double scale, double *damping,
+                 double *now)
+{
+    measure(w->m, w->off, w->held);
+    for (size_t k = 0; k < w->unknowns; k++)
+        differ(w, k);
+    for (size_t i = 0; i < w->pairs; i++)
+        weigh(w, i, stage->half, scale);
+    normal_equations(w);
+    bool better = false;
+    for (int i = 0; i < TRIES && !better; i++) {
+        for (size_t k = 0; k < w->unknowns * w->unknowns; k++)
+            w->factor.item[k] = w->normal.item[k];
+        for (size_t k = 0; k < w->unknowns; k++) {
+            *band_at(&w->factor, k, k) += *damping * *band_at(&w->normal, k, k) + 1e-12;
+            w->step[k] = w->right[k];
+        }
+        if (band_factor(&w->factor)) {
+            band_solve(&w->factor, w->step, 1);
+            better = try_step(w, stage, scale, now);
+        }
+        *damping *= better ? 0.2 : 5;
+    }
+    return better;
+}
+
+static double largest(const struct work *w)
+{
+    double worst = 0;
+    for (size_t i = 0; i < w->pairs; i++) {
+        double x = w->off[2 * i], y = w->off[2 * i + 1];
+        worst = fmax(worst, x * x + y * y);
+    }
+    return sqrt(worst);
+}
+
+/* The end is reached in another direction than it should be. */
+static bool kinked(const struct arcmoves *m)
+{
+    return m->end_held &&
+           vec_distance(m->chain.joint[m->chain.n].tangent, m->end) > ARCFIT_KINK / 2;
+}
+
+double arcmoves_settle(struct arcmoves *m, double enough)
+{
+    if (m->chain.n == 0)
+        return HUGE_VAL;
+    struct work w = work_new(m);
+    double damping = 1e-3, worst = HUGE_VAL;
+    arcchain_turn(&m->chain, 0);
+    arcchain_copy(&w.kept, &m->chain);
+    for (;; m->stage++) {
+        const struct stage *stage = &STAGES[m->stage];
+        measure(m, w.off, w.held);
+        worst = largest(&w);
+        double scale = fmax(worst, 1e-3), now = cost(&w, w.off, w.held, stage->half, scale);
+        for (int k = 0; k < STEPS && w.unknowns > 0 && (worst > enough || kinked(m)); k++) {
+            double before = now;
+            if (!step(&w, stage, scale, &damping, &now) || before - now < SETTLED * before)
+                k = STEPS;
+            worst = largest(&w);
+        }
+        damping = fmin(damping, 1);
+        bool settled = worst <= enough && !kinked(m);
+        if (settled || worst > stage->hopeless || m->stage + 1 == N_STAGES)
+            break;
+    }
+    work_free(&w);
+    return kinked(m) ? HUGE_VAL : worst;
+}

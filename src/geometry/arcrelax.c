@@ -1,0 +1,274 @@
+/* arcrelax - see arcrelax.h. */
+#include "arcrelax.h"
+
+#include <stdlib.h>
+
+#include "arcmoves.h"
+#include "num.h"
+
+enum {
+    WHOLE = 20, /* arcs that are moved all together; of more a window at a time */
+    WINDOW = 6, /* of so many arcs, */
+    WIDE = 14,  /* or so many where the axis stands still */
+    EACH = 12,  /* points looked at for each arc */
+    EVENED = 5, /* times that joints are spaced anew by what the arcs are off */
+    AXIS_DIGITS = 9
+};
+
+static const double POWER = 0.5; /* of an arc's stray, when joints are spaced by it */
+
+/* Part of a chain to be done with one arc fewer. */
+struct part {
+    const struct trace *trace;
+    const struct stray *within;
+    int digits;
+    const struct piece *old;
+    size_t n; /* old pieces */
+    bool start_held, end_held;
+};
+
+static bool axis_still(const struct trace *t, size_t from, size_t to)
+{
+    for (size_t i = from + 1; i <= to; i++)
+        if (vec_distance(t->axis[i], t->axis[from]) > 0)
+            return false;
+    return true;
+}
+
+static double length_at(const struct trace *t, double place)
+{
+    size_t i = (size_t)place < t->n - 1 ? (size_t)place : t->n - 2;
+    return t->length[i] + (place - (double)i) * (t->length[i + 1] - t->length[i]);
+}
+
+/* The place on the trace at a length from its start, looked for from point `i` on. */
+static double place_at(const struct trace *t, double length, size_t i)
+{
+    while (i + 2 < t->n && t->length[i + 1] < length)
+        i++;
+    double step = t->length[i + 1] - t->length[i];
+    return (double)i + (step > 0 ? fmin(1, fmax(0, (length - t->length[i]) / step)) : 0);
+}
+
+/* Puts an inner joint onto the trace. */
+static void put_joint(const struct part *part, struct arcchain *chain, size_t i, double place)
+{
+    struct joint *j = &chain->joint[i];
+    *j = (struct joint){.p = trace_point(part->trace, place), .place = place};
+    arcchain_lean(chain, part->trace, i);
+}
+
+/* The ends of the chain: those of the old pieces. */
+static void put_ends(const struct part *part, struct arcchain *chain)
+{
+    const struct piece *first = &part->old[0], *last = &part->old[part->n - 1];
+    chain->joint[0] = (struct joint){.p = first->arc.from,
+                                     .tangent = first->arc.tangent,
+                                     .axis = first->axis,
+                                     .place = first->from};
+    chain->joint[chain->n] =
+        (struct joint){.p = last->arc.to, .axis = last->axis_to, .place = last->to};
+}
+
+/* To each arc falls the like share of the old ones. */
+static void space_evenly(const struct part *part, struct arcchain *chain)
+{
+    const struct trace *t = part->trace;
+    put_ends(part, chain);
+    for (size_t i = 1; i < chain->n; i++) {
+        double share = (double)(i * part->n) / (double)chain->n, rest = share - floor(share);
+        const struct piece *p = &part->old[(size_t)share];
+        double a = length_at(t, p->from), b = length_at(t, p->to);
+        put_joint(part, chain, i, place_at(t, a + rest * (b - a), (size_t)p->from));
+    }
+}
+
+/* The joints of the old pieces but for one of them. */
+static void leave_out(const struct part *part, size_t without, struct arcchain *chain)
+{
+    put_ends(part, chain);
+    for (size_t i = 1; i < chain->n; i++) {
+        const struct piece *p = &part->old[i < without ? i : i + 1];
+        put_joint(part, chain, i, p->from);
+        chain->joint[i].p = p->arc.from;
+    }
+}
+
+/* How far off the points are that each arc passes, as a part of the largest. */
+static void strays(struct arcmoves *m, double *stray)
+{
+    struct passing *passing = &m->passing;
+    double *off = mem_alloc(4 * passing->n + 1, sizeof *off), most = 0;
+    arcmiss(&m->chain, m->lever, passing, off);
+    for (size_t i = 0; i < passing->n; i++) {
+        const double *far = off + 2 * (passing->n + i);
+        double *s = &stray[passing->item[i].arc], here = hypot(off[2 * i], off[2 * i + 1]);
+        if (m->lever != 0)
+            here = fmax(here, hypot(far[0], far[1]));
+        *s = fmax(*s, here);
+        most = fmax(most, here);
+    }
+    for (size_t i = 0; i < m->chain.n; i++)
+        stray[i] = most > 0 ? stray[i] / most : 1;
+    free(off);
+}
+
+/* Gives arcs that are nearer to the trace than others more of it. */
+static void space_by_stray(const struct part *part, struct arcmoves *m)
+{
+    const struct trace *t = part->trace;
+    struct arcchain *chain = &m->chain;
+    double *share = mem_alloc(chain->n, sizeof *share), old = 0, sum = 0;
+    strays(m, share);
+    double start = length_at(t, chain->joint[0].place), at = start;
+    for (size_t i = 0; i < chain->n; i++) {
+        double length = length_at(t, chain->joint[i + 1].place) - at;
+        share[i] = length / pow(fmax(share[i], 0.2), POWER);
+        at += length;
+        old += length;
+        sum += share[i];
+    }
+    put_ends(part, chain);
+    chain->joint[0].tangent =
+        part->start_held ? part->old[0].arc.tangent : t->tangent[(size_t)part->old[0].from];
+    at = start;
+    for (size_t i = 1; i < chain->n; i++) {
+        at += share[i - 1] * old / sum;
+        put_joint(part, chain, i, place_at(t, at, (size_t)part->old[0].from));
+    }
+    free(share);
+}
+
+static struct vec3 rounded(struct vec3 a, int digits)
+{
+    return vec(num_round(a.x, digits), num_round(a.y, digits), num_round(a.z, digits));
+}
+
+/* The chain with rounded joints as pieces that hold; false when they don't. */
+static bool prove(const struct part *part, const struct arcmoves *m, struct pieces *out)
+{
+    struct arcchain chain = arcchain_new(m->chain.n);
+    arcchain_copy(&chain, &m->chain);
+    for (size_t i = 1; i < chain.n; i++) {
+        struct joint *j = &chain.joint[i];
+        j->p = rounded(j->p, part->digits);
+        if (m->lever != 0)
+            j->axis = vec_unit(rounded(j->axis, AXIS_DIGITS));
+    }
+    arcchain_turn(&chain, 0);
+    out->n = 0;
+    arcchain_pieces(&chain, part->trace, out);
+    struct vec3 end = chain.joint[chain.n].tangent;
+    bool good = !m->end_held || vec_angle(end, m->end) < ARCFIT_KINK;
+    for (size_t i = 0; i < out->n && good; i++) {
+        struct stray stray = trace_stray(part->trace, &out->item[i], 4, part->within);
+        good = stray_within(&stray, part->within);
+    }
+    arcchain_free(&chain);
+    return good;
+}
+
+/* From the joints as they are spaced now. */
+static bool settle(const struct part *part, struct arcmoves *m, struct pieces *out)
+{
+    m->stage = 0;
+    for (double enough = 0.99; enough > 0.9; enough -= 0.03) {
+        double worst = arcmoves_settle(m, enough);
+        if (worst > 1)
+            return false;
+        if (prove(part, m, out))
+            return true;
+    }
+    return false;
+}
+
+/* One arc fewer; where all arcs of a smooth part are moved together, from many spacings. */
+static bool fewer(const struct part *part, struct pieces *out)
+{
+    const struct piece *last = &part->old[part->n - 1];
+    size_t from = (size_t)part->old[0].from, to = (size_t)ceil(last->to);
+    if (part->n < 2 || to > part->trace->n - 1)
+        return false;
+    struct arcmoves m = {.trace = part->trace,
+                         .chain = arcchain_new(part->n - 1),
+                         .passing = passing_of(part->trace, from, to, EACH * part->n),
+                         .tolerance = part->within->tracked,
+                         .lever = axis_still(part->trace, from, to) ? 0 : part->trace->lever,
+                         .other = part->within->other,
+                         .start_held = part->start_held,
+                         .end_held = part->end_held,
+                         .end = arc_tangent(&last->arc, 1)};
+    bool many = !part->start_held && !part->end_held && m.lever == 0;
+    space_evenly(part, &m.chain);
+    bool good = settle(part, &m, out);
+    for (int i = 0; i < EVENED && many && !good; i++) {
+        space_by_stray(part, &m);
+        good = settle(part, &m, out);
+    }
+    for (size_t i = 1; i < part->n && many && !good; i++) {
+        leave_out(part, i, &m.chain);
+        good = settle(part, &m, out);
+    }
+    arcchain_free(&m.chain);
+    passing_free(&m.passing);
+    return good;
+}
+
+/* Puts `some` in the place of n pieces at `at`. */
+static void replace(struct pieces *pieces, size_t at, size_t n, const struct pieces *some)
+{
+    for (size_t i = 0; i < some->n; i++)
+        pieces->item[at + i] = some->item[i];
+    for (size_t i = at + n; i < pieces->n; i++)
+        pieces->item[i - n + some->n] = pieces->item[i];
+    pieces->n -= n - some->n;
+}
+
+/* End of the smooth part that starts with piece `from`: where the direction jumps. */
+static size_t smooth_end(const struct pieces *pieces, size_t from)
+{
+    size_t i = from + 1;
+    while (i < pieces->n && vec_angle(arc_tangent(&pieces->item[i - 1].arc, 1),
+                                      pieces->item[i].arc.tangent) <= 1.01 * ARCFIT_KINK)
+        i++;
+    return i;
+}
+
+/* The smooth part [from, end) with fewer pieces; returns its new end.  Windows that hold no arc too
+ * many come in rows (a scan's noise): the longer the row, the fewer of the next are tried. */
+static size_t relax(const struct trace *trace, const struct stray *within, int digits, size_t from,
+                    size_t end, struct pieces *pieces)
+{
+    struct pieces some = {0};
+    bool still =
+        axis_still(trace, (size_t)pieces->item[from].from, (size_t)pieces->item[end - 1].to);
+    size_t stride = 1, window = still ? WIDE : WINDOW;
+    for (size_t i = from; i < end;) {
+        bool whole = end - from <= WHOLE;
+        size_t n = whole ? end - from : end - i < window ? end - i : window;
+        struct part part = {.trace = trace,
+                            .within = within,
+                            .digits = digits,
+                            .old = &pieces->item[i],
+                            .n = n,
+                            .start_held = i > from,
+                            .end_held = i + n < end};
+        if (fewer(&part, &some)) {
+            replace(pieces, i, n, &some);
+            end--;
+            stride = 1;
+        } else {
+            i = i + n < end ? i + stride : end;
+            stride = stride < window ? stride + 1 : window;
+        }
+    }
+    array_free(&some);
+    return end;
+}
+
+void arcrelax(const struct trace *trace, const struct stray *within, int digits,
+              struct pieces *pieces)
+{
+    for (size_t from = 0; from < pieces->n;)
+        from = relax(trace, within, digits, from, smooth_end(pieces, from), pieces);
+}

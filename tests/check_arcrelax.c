@@ -1,0 +1,131 @@
+/* Tests of arcrelax.h: fewer arcs than the search from left to right, as near and as smooth. */
+#include "arcrelax.h"
+
+#include <check.h>
+#include <stdlib.h>
+
+#include "arcbeam.h"
+
+static const struct stray WITHIN = {0.01, 0.01, 0.02};
+
+/* A wave in space; with `lean` the axis swings along it, with `kink` it has a corner in the middle.
+ */
+static struct trace wave(size_t n, double lean, double kink)
+{
+    struct run run = {.radius = 6};
+    for (size_t i = 0; i < n; i++) {
+        double x = 0.25 * (double)i, past = x - 0.25 * (double)(n / 2);
+        struct vec3 axis = vec_unit(vec(0, lean * sin(x / 7), 1));
+        struct vec3 tip = vec(x, 3 * sin(x / 9) + kink * fmax(0, past), 2 * cos(x / 5));
+        *array_push(&run) = (struct run_point){
+            .tip = tip, .ball = vec_along(tip, run.radius, axis), .axis = axis, .given = true};
+    }
+    struct trace t = trace_of(&run, 0, run.n, false, false);
+    array_free(&run);
+    return t;
+}
+
+static void assert_chain(const struct trace *t, const struct pieces *p)
+{
+    ck_assert_double_lt(vec_distance(p->item[0].arc.from, t->p[0]), 1e-12);
+    ck_assert_double_lt(vec_distance(p->item[p->n - 1].arc.to, t->p[t->n - 1]), 1e-12);
+    for (size_t i = 0; i < p->n; i++) {
+        struct stray stray = trace_stray(t, &p->item[i], 8, NULL);
+        ck_assert_double_le(stray.tracked, 1.01 * WITHIN.tracked);
+        ck_assert_double_le(stray.other, 1.01 * WITHIN.other);
+        ck_assert_double_le(stray.axis, WITHIN.axis);
+        if (i == 0)
+            continue;
+        const struct piece *before = &p->item[i - 1], *here = &p->item[i];
+        ck_assert_double_lt(vec_distance(before->arc.to, here->arc.from), 1e-12);
+        ck_assert_double_lt(vec_distance(before->axis_to, here->axis), 1e-12);
+        ck_assert_double_le(before->to, here->from);
+        ck_assert_double_ge(before->to, here->from);
+        double kink = vec_angle(arc_tangent(&before->arc, 1), here->arc.tangent);
+        ck_assert_double_le(kink, 1.01 * ARCFIT_KINK);
+    }
+}
+
+static void assert_fewer(size_t n, double lean, size_t fewer)
+{
+    struct trace t = wave(n, lean, 0);
+    struct pieces p = {0};
+    arcbeam_fit(&t, &WITHIN, 6, &p);
+    size_t before = p.n;
+    arcrelax(&t, &WITHIN, 6, &p);
+    assert_chain(&t, &p);
+    ck_assert_uint_le(p.n + fewer, before);
+    array_free(&p);
+    trace_free(&t);
+}
+
+START_TEST(a_short_wave_saves_some)
+{
+    assert_fewer(301, 0, 1);
+}
+END_TEST
+
+START_TEST(a_long_one_window_by_window)
+{
+    assert_fewer(1201, 0, 2);
+}
+END_TEST
+
+START_TEST(with_the_axis_swinging)
+{
+    assert_fewer(601, 0.3, 5);
+}
+END_TEST
+
+START_TEST(a_kink_stays)
+{
+    struct trace t = wave(201, 0, 0.5);
+    struct pieces p = {0}, second = {0};
+    struct trace half = t;
+    half.n = 101;
+    arcbeam_fit(&half, &WITHIN, 6, &p);
+    half = (struct trace){.n = 101,
+                          .p = t.p + 100,
+                          .other = t.other + 100,
+                          .axis = t.axis + 100,
+                          .tangent = t.tangent + 100,
+                          .length = t.length + 100,
+                          .lever = t.lever};
+    arcbeam_fit(&half, &WITHIN, 6, &second);
+    for (size_t i = 0; i < second.n; i++) {
+        struct piece moved = second.item[i];
+        moved.from += 100;
+        moved.to += 100;
+        *array_push(&p) = moved;
+    }
+    size_t before = p.n, kinks = 0;
+    arcrelax(&t, &WITHIN, 6, &p);
+    ck_assert_uint_lt(p.n, before);
+    for (size_t i = 1; i < p.n; i++) {
+        double kink = vec_angle(arc_tangent(&p.item[i - 1].arc, 1), p.item[i].arc.tangent);
+        kinks += kink > 2 * ARCFIT_KINK;
+        if (kink > 2 * ARCFIT_KINK)
+            ck_assert_double_lt(vec_distance(p.item[i].arc.from, t.p[100]), 1e-12);
+    }
+    ck_assert_uint_eq(kinks, 1);
+    array_free(&p);
+    array_free(&second);
+    trace_free(&t);
+}
+END_TEST
+
+int main(void)
+{
+    TCase *t = tcase_create("arcrelax");
+    tcase_add_test(t, a_short_wave_saves_some);
+    tcase_add_test(t, a_long_one_window_by_window);
+    tcase_add_test(t, with_the_axis_swinging);
+    tcase_add_test(t, a_kink_stays);
+    Suite *s = suite_create("arcrelax");
+    suite_add_tcase(s, t);
+    SRunner *r = srunner_create(s);
+    srunner_run_all(r, CK_NORMAL);
+    int failed = srunner_ntests_failed(r);
+    srunner_free(r);
+    return failed > 0;
+}
