@@ -25,4 +25,8 @@ struct scan_rule {
 struct guard *scan_guard(const struct cli_list *files, const struct mesh *mesh, double near,
                          struct scan_rule *rule, struct error *error);
 
+/* The same with the places of a path for vertices, and the scan as it is. */
+struct guard *scan_guard_points(const struct cli_list *files, const struct vec3s *place,
+                                double near, struct scan_rule *rule, struct error *error);
+
 #endif

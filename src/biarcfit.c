@@ -8,11 +8,14 @@
 #include "out.h"
 #include "parallel.h"
 #include "path.h"
+#include "ncahead.h"
+#include "pathguard.h"
 #include "retilt.h"
 
 struct settings {
     double tolerance, axis, tilt;
     bool tolerance_given, tilted, paper, chords, report;
+    struct pathguard guard;
 };
 
 /* One cutting run: items [from, to) of the input, and what became of them. */
@@ -20,6 +23,7 @@ struct job {
     size_t from, to;
     struct path fitted;
     struct arcrun_report report;
+    struct recheck_result seen;
 };
 
 struct jobs {
@@ -30,8 +34,37 @@ struct jobs {
 struct work {
     const struct path *in;
     const struct arcrun_options *options;
+    const struct recheck_rule *guard;
     struct jobs jobs;
 };
+
+/* What a fit of one job needs. */
+struct attempt {
+    const struct work *work;
+    struct job *job;
+};
+
+static void fit_run(void *context, const struct run *run, struct deeps *deeps)
+{
+    const struct attempt *a = context;
+    const struct work *work = a->work;
+    struct path *fitted = &a->job->fitted;
+    struct vec3 start = work->options->centre ? run->item[0].ball : run->item[0].tip;
+    struct pose at = {start, run->item[0].axis};
+
+    path_free(fitted);
+    *fitted = (struct path){0};
+    a->job->report = (struct arcrun_report){0};
+    arcrun_fit(run, work->options, fitted, &a->job->report);
+    for (size_t i = 0; work->guard->guard && i < fitted->item.n; i++) {
+        const struct path_item *item = &fitted->item.item[i];
+        if (item->kind != PATH_POINT && item->kind != PATH_ARC)
+            continue;
+        struct motion motion = nc_item_motion(fitted, item, at);
+        recheck_motion(work->guard, &motion, deeps);
+        at = item->to;
+    }
+}
 
 static void fit_jobs(void *context, size_t from, size_t to)
 {
@@ -39,7 +72,8 @@ static void fit_jobs(void *context, size_t from, size_t to)
     for (size_t i = from; i < to; i++) {
         struct job *job = &work->jobs.item[i];
         struct run run = arcrun_read(work->in, job->from, job->to);
-        arcrun_fit(&run, work->options, &job->fitted, &job->report);
+        struct attempt attempt = {work, job};
+        job->seen = recheck_fit(work->guard, &run, fit_run, &attempt);
         array_free(&run);
     }
 }
@@ -55,7 +89,7 @@ static void report_job(const struct job *job, size_t number)
 }
 
 /* Fits all runs of `in` into `out`; all else goes over as it is. */
-static struct arcrun_report fit_path(const struct path *in, const struct settings *s, int threads,
+static struct arcrun_report fit_path(const struct path *in, struct settings *s, int threads,
                                      struct path *out)
 {
     struct arcrun_options options = {.tolerance = s->tolerance,
@@ -63,7 +97,7 @@ static struct arcrun_report fit_path(const struct path *in, const struct setting
                                      .centre = in->head.track == TRACK_CENTRE,
                                      .paper = s->paper,
                                      .chords = s->chords};
-    struct work work = {.in = in, .options = &options};
+    struct work work = {.in = in, .options = &options, .guard = &s->guard.rule};
     for (size_t from = 0, to; path_next_run(in, &from, &to); from = to)
         *array_push(&work.jobs) = (struct job){.from = from, .to = to};
     parallel_shown("fitting", threads, work.jobs.n, fit_jobs, &work);
@@ -76,6 +110,7 @@ static struct arcrun_report fit_path(const struct path *in, const struct setting
         path_add_items(out, &job->fitted, 0, job->fitted.item.n);
         done = job->to;
         arcrun_add(&sum, &job->report);
+        pathguard_add(&s->guard, in, job->from, &job->seen);
         if (s->report)
             report_job(job, i + 1);
         path_free(&job->fitted);
@@ -105,10 +140,16 @@ static void tell(const struct arcrun_report *r, const struct path *in, const str
 
 static struct settings read_settings(struct cli *cli, int argc, char **argv)
 {
-    static struct settings s = {.tolerance = 0.01, .axis = 1};
+    static struct settings s = {.tolerance = 0.01, .axis = 1, .guard.noise = -1};
     static const struct cli_option options[] = {
         {'e', "tolerance", "MM", "how far tip and ball centre may be off the path (0.01)",
          CLI_NUMBER, &s.tolerance, 1e-4, 100, 0, &s.tolerance_given},
+        {'g', "guard", "FILE",
+         "keep the ball within the tolerance clear of this scan along all that is\n"
+         "fitted, too (may be given several times)",
+         CLI_LIST, &s.guard.files, 0, 0, 0, NULL},
+        {0, "noise", "SIGMA", "standard deviation of the scan's noise (default: as found)",
+         CLI_NUMBER, &s.guard.noise, 0, 10, 0, NULL},
         {0, "axis-tolerance", "DEG", "how far the tool axis may be off (1)", CLI_NUMBER, &s.axis,
          CLI_POSITIVE, 90, 0, NULL},
         {0, "tilt", "DEG",
@@ -156,18 +197,23 @@ int main(int argc, char **argv)
     if (s.tilted && retilt_path(&in, RADIANS(s.tilt), s.paper, &error) < 0)
         die_error(&error);
 
+    if (pathguard_read(&s.guard, &in, s.tolerance, cli.threads, &error) < 0)
+        die_error(&error);
+
     out.name = in.name;
     path_head_copy(&out.head, &in.head);
     out.head.chord = NAN;
     struct arcrun_report report = fit_path(&in, &s, cli.threads, &out);
     if (report.points > 0)
-        path_spend(&out, "biarcfit", report.spent);
+        path_spend(&out, "biarcfit", report.spent + s.guard.lift);
     tell(&report, &in, &s);
 
     struct out *o = out_open(cli.output);
     path_write(o, &out);
     out_close(o);
+    int status = pathguard_conclude(&s.guard);
+    pathguard_free(&s.guard);
     path_free(&in);
     path_free(&out);
-    return !s.paper && report.spent > s.tolerance ? EXIT_UNMET : EXIT_DONE;
+    return !s.paper && report.spent > s.tolerance ? EXIT_UNMET : status;
 }

@@ -13,6 +13,7 @@
 #include "parallel.h"
 #include "path.h"
 #include "path_run.h"
+#include "pathguard.h"
 #include "retrack.h"
 #include "splinereport.h"
 #include "splinerun.h"
@@ -23,12 +24,14 @@ struct settings {
     struct splinefit_options fit;
     int points; /* 0: as the path is; else one more than its enum path_track */
     bool paper, report, centre;
+    struct pathguard guard;
 };
 
 /* One cutting run: the items [from, to) of the path. */
 struct job {
     size_t from, to, pass;
     struct splinerun pieces;
+    struct recheck_result seen;
 };
 
 struct jobs {
@@ -51,6 +54,12 @@ static void read_options(int argc, char **argv, struct cli *cli, struct settings
     const struct cli_option option[] = {
         {'e', "tolerance", "MM", "largest distance of tip and ball centre from the path (0.01)",
          CLI_NUMBER, &s->fit.tolerance, 1e-5, 10, 0, &tolerance_given},
+        {'g', "guard", "FILE",
+         "keep the ball within the tolerance clear of this scan along all curves,\n"
+         "too (may be given several times)",
+         CLI_LIST, &s->guard.files, 0, 0, 0, NULL},
+        {0, "noise", "SIGMA", "standard deviation of the scan's noise (default: as found)",
+         CLI_NUMBER, &s->guard.noise, 0, 10, 0, NULL},
         {0, "axis-tolerance", "DEG", "largest error of the tool axis, degrees (1)", CLI_NUMBER,
          &angle, 0.001, 45, 0, NULL},
         {0, "degree", "P", "degree of the curves (3)", CLI_COUNT, &s->fit.degree, 1,
@@ -97,6 +106,31 @@ static void find_runs(const struct path *path, struct jobs *jobs)
     }
 }
 
+/* What a fit of one job needs. */
+struct attempt {
+    const struct settings *settings;
+    struct job *job;
+};
+
+static void fit_run(void *context, const struct run *run, struct deeps *deeps)
+{
+    const struct attempt *a = context;
+    const struct settings *s = a->settings;
+    struct splinerun *pieces = &a->job->pieces;
+
+    splinerun_free(pieces);
+    *pieces = (struct splinerun){0};
+    splinerun_fit(run, s->centre, s->paper, &s->fit, pieces);
+    for (size_t k = 0; s->guard.rule.guard && k < pieces->n; k++) {
+        const struct splinerun_piece *piece = &pieces->item[k];
+        const struct run_point *from = &run->item[piece->from];
+        struct pose pose = {s->centre ? from->ball : from->tip, from->axis};
+        struct motion motion = motion_spline(pose, pose, &piece->fit.curve);
+        if (!piece->still)
+            recheck_motion(&s->guard.rule, &motion, deeps);
+    }
+}
+
 static void fit_jobs(void *context, size_t from, size_t to)
 {
     const struct bench *bench = context;
@@ -107,7 +141,8 @@ static void fit_jobs(void *context, size_t from, size_t to)
         struct run run = {0};
 
         path_run_take(bench->path, job->from, job->to, &run);
-        splinerun_fit(&run, s->centre, s->paper, &s->fit, &job->pieces);
+        struct attempt attempt = {s, job};
+        job->seen = recheck_fit(&s->guard.rule, &run, fit_run, &attempt);
         array_free(&run);
     }
 }
@@ -124,7 +159,9 @@ static void write_job(const struct path *in, struct job *job, struct path *out)
             continue;
         }
         struct path_spline spline = {piece->fit.curve, piece->fallback};
-        struct path_item *item = path_add_spline(out, last->to, spline);
+        struct motion motion = motion_spline(last->to, last->to, &piece->fit.curve);
+        struct pose to = job->seen.lift > 0 ? motion_at(&motion, 1) : last->to;
+        struct path_item *item = path_add_spline(out, to, spline);
         if (last->touches)
             path_touch(out, item, in->contact.item[last->contact]);
         piece->fit.curve = (struct bspline){0};
@@ -213,18 +250,24 @@ int main(int argc, char **argv)
     struct cli cli = {.tool = "bsplfit",
                       .usage = "[options] [FILE]",
                       .about = "Replaces the points of a path by B-splines within a tolerance."};
-    struct settings settings = {.fit = {.degree = 3, .tolerance = TOLERANCE}};
+    struct settings settings = {.fit = {.degree = 3, .tolerance = TOLERANCE},
+                                .guard.noise = -1};
     struct path in = {0}, out = {0};
     struct jobs jobs = {0};
+    struct error error;
 
     read_options(argc, argv, &cli, &settings);
     read_path(cli.file[0], &in, &settings);
+    if (pathguard_read(&settings.guard, &in, settings.fit.tolerance, cli.threads, &error) != 0)
+        die_error(&error);
     find_runs(&in, &jobs);
     struct bench bench = {&in, &settings, &jobs};
     parallel_shown("fitting", cli.threads, jobs.n, fit_jobs, &bench);
     struct splinereport r = report(&jobs, settings.report);
+    for (size_t i = 0; i < jobs.n; i++)
+        pathguard_add(&settings.guard, &in, jobs.item[i].from, &jobs.item[i].seen);
     int status = verdict(&jobs, &in);
-    assemble(&in, &jobs, r.spent, &out);
+    assemble(&in, &jobs, r.spent + settings.guard.lift, &out);
     struct out *o = out_open(cli.output);
     path_write(o, &out);
     out_close(o);
@@ -232,8 +275,10 @@ int main(int argc, char **argv)
          "ball %.6f mm, axis %.4f degrees",
          r.points, jobs.n, r.splines, r.poles, splinereport_fewer(r.points, r.poles), r.worst.point,
          r.worst.other, DEGREES(r.worst.axis));
+    int guarded = pathguard_conclude(&settings.guard);
+    pathguard_free(&settings.guard);
     free_jobs(&jobs);
     path_free(&out);
     path_free(&in);
-    return status;
+    return status == EXIT_DONE ? guarded : status;
 }

@@ -23,6 +23,37 @@ for fitter in biarcfit bsplfit; do
 	done
 done
 
+# Guarded by the scan, on the points and along all that is fitted, arcs and curves: no deeper in the
+# panel than the tolerance and what the scan's noise is good for.
+for noise in "" _noise; do
+	scan=panel$noise.xyz allowed=0.0105
+	case $noise in
+	_noise) allowed=0.04
+		awk 'BEGIN { srand(7) } { s = 0; for (i = 0; i < 12; i++) s += rand()
+			printf "%.4f %.4f %.4f\n", $1, $2, $3 + 0.02 * (s - 6) }' "$panel" >$scan ;;
+	*) cp "$panel" $scan ;;
+	esac
+	ok "$scan: a mesh" cloud2mesh -q -t 4 -o guarded.ply $scan
+	status 0 "a path clear of it" meshnorm -q -r 8 -g $scan -o guarded.cl guarded.ply
+	for fitter in biarcfit bsplfit; do
+		status 0 "$fitter: clear of it too" $fitter -v -e 0.01 -g $scan -o fitted.cl guarded.cl
+		has "looked at again" 'guarded by 17036 points' err
+		status 0 "$fitter: $allowed mm deep in the panel at most, anywhere" \
+			"$READBACK" --panel --deeper $allowed fitted.cl
+		grep ball out | sed 's/^/# /'
+	done
+done
+
+# A scan that a run can't be kept clear of: its end stays where it was.
+awk '{ print $1, $2, $3 + 0.1 }' "$panel" >higher.xyz
+for fitter in biarcfit bsplfit; do
+	status 3 "$fitter: ends in the scan are told" $fitter -e 0.01 -g higher.xyz -o fitted.cl guarded.cl
+	has "with pass, depth and place" 'goes deeper than 0.01 mm into the scan, in pass [0-9]+ 0\.[0-9]+ mm with' err
+	awk '{ print $1 + 300, $2, $3 }' "$panel" >elsewhere.xyz
+	status 1 "$fitter: a scan that lies elsewhere" $fitter -q -g elsewhere.xyz guarded.cl
+	has "is refused" 'points of the path further than' err
+done
+
 # The ball touches everywhere: nothing would be proven by a path that stays away.
 deepest=$("$READBACK" --panel path.cl | sed -n 's/^ball: deepest \([-0-9.]*\).*/\1/p')
 below "the path touches the panel" 0 "$deepest"

@@ -12,8 +12,9 @@ static struct vec3 place(const double m[4][4], struct vec3 p)
                m[2][0] * p.x + m[2][1] * p.y + m[2][2] * p.z + m[2][3]);
 }
 
-static int read_points(const struct cli_list *files, const struct mesh *mesh, struct vec3s *points,
-                       struct error *error)
+/* `placed`: how, NULL: as they are. */
+static int read_points(const struct cli_list *files, const double (*placed)[4],
+                       struct vec3s *points, struct error *error)
 {
     for (size_t f = 0; f < files->n; f++) {
         struct cloud_count count = {0};
@@ -25,21 +26,21 @@ static int read_points(const struct cli_list *files, const struct mesh *mesh, st
         if (count.not_finite > 0)
             say("%s: %zu rows without finite numbers left out, the first in line %zu",
                 files->item[f], count.not_finite, count.first_not_finite);
-        for (size_t i = from; mesh->origin.placed && i < points->n; i++)
-            points->item[i] = place(mesh->origin.place, points->item[i]);
+        for (size_t i = from; placed && i < points->n; i++)
+            points->item[i] = place(placed, points->item[i]);
     }
-    if (mesh->origin.placed)
+    if (placed)
         say("the scan to guard is placed as the mesh was");
     return 0;
 }
 
-/* How many vertices have no guard point within `near`. */
-static size_t far_vertices(const struct mesh *mesh, const struct guard *guard, double near)
+/* How many places have no guard point within `near`. */
+static size_t far_places(const struct vec3s *place, const struct guard *guard, double near)
 {
     size_t far = 0;
 
-    for (size_t v = 0; v < mesh->vertex.n; v++)
-        far += guard_distance(guard, mesh->vertex.item[v]) > near;
+    for (size_t i = 0; i < place->n; i++)
+        far += guard_distance(guard, place->item[i]) > near;
     return far;
 }
 
@@ -63,22 +64,36 @@ static struct guard *guard_of(const struct vec3s *points, struct scan_rule *rule
     return guard;
 }
 
-struct guard *scan_guard(const struct cli_list *files, const struct mesh *mesh, double near,
-                         struct scan_rule *rule, struct error *error)
+static struct guard *read_guard(const struct cli_list *files, const double (*placed)[4],
+                                const struct vec3s *place_of, const char *what, double near,
+                                struct scan_rule *rule, struct error *error)
 {
     struct vec3s points = {0};
     struct guard *guard = NULL;
 
-    if (read_points(files, mesh, &points, error) == 0)
+    if (read_points(files, placed, &points, error) == 0)
         guard = guard_of(&points, rule);
     array_free(&points);
-    size_t far = guard ? far_vertices(mesh, guard, near) : 0;
-    if (2 * far <= mesh->vertex.n)
+    size_t far = guard ? far_places(place_of, guard, near) : 0;
+    if (2 * far <= place_of->n)
         return guard;
     guard_free(guard);
     error_at(error, files->item[0], 0,
-             "found %zu of %zu mesh vertices further than %.3g mm from the scan, expected the scan "
-             "that the mesh was made from",
-             far, mesh->vertex.n, near);
+             "found %zu of %zu %s further than %.3g mm from the scan, expected the scan that the "
+             "mesh was made from",
+             far, place_of->n, what, near);
     return NULL;
+}
+
+struct guard *scan_guard(const struct cli_list *files, const struct mesh *mesh, double near,
+                         struct scan_rule *rule, struct error *error)
+{
+    return read_guard(files, mesh->origin.placed ? mesh->origin.place : NULL, &mesh->vertex,
+                      "mesh vertices", near, rule, error);
+}
+
+struct guard *scan_guard_points(const struct cli_list *files, const struct vec3s *place,
+                                double near, struct scan_rule *rule, struct error *error)
+{
+    return read_guard(files, NULL, place, "points of the path", near, rule, error);
 }
