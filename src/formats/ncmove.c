@@ -27,21 +27,28 @@ static double joint_way(const struct nc_step *step, const struct station *a,
     return way;
 }
 
-/* F for a block of that length that is to take so long: never 0, never beyond the control's. */
+/*
+ * F for a block of that length, *minutes what it takes at least: never 0, never beyond the
+ * control's, and rounded down where an axis would be too fast else.
+ */
 static double feed_word(const struct nc_step *step, const struct station *to, double length,
-                        double minutes)
+                        double *minutes)
 {
     const struct nc_ability *ability = &step->plan->ability;
-    static const double last_digit[] = {1,    0.1,  0.01, 1e-3, 1e-4,  1e-5,
-                                        1e-6, 1e-7, 1e-8, 1e-9, 1e-10, 1e-11};
-    double least = last_digit[ability->digits.feed], feed = step->state.feed * step->state.faster;
+    double least = 1 / num_ten[ability->digits.feed];
+    double feed = step->state.feed * step->state.faster, wished = length / feed;
+    bool slow = *minutes > wished;
+    *minutes = fmax(*minutes, wished);
     if (ability->feeds == NC_FEEDS_INVERSE)
-        feed = 1 / fmax(minutes, 1e-9);
+        feed = 1 / fmax(*minutes, 1e-9);
     else if (ability->feeds == NC_FEEDS_COMBINED)
-        feed = joint_way(step, &step->state.at, to) / fmax(minutes, 1e-9);
-    else if (length > 0 && minutes > length / feed)
-        feed = length / minutes;
-    return fmax(num_round(fmin(feed, ability->feed_max), ability->digits.feed), least);
+        feed = joint_way(step, &step->state.at, to) / fmax(*minutes, 1e-9);
+    else if (length > 0 && slow)
+        feed = length / *minutes;
+    double said = num_round(fmin(feed, ability->feed_max), ability->digits.feed);
+    if (slow && said > feed)
+        said = num_round(said - least, ability->digits.feed);
+    return fmax(said, least);
 }
 
 struct nc_move *nc_move_to(struct nc_step *step, enum nc_kind kind, const struct stance *stance)
@@ -75,8 +82,7 @@ void nc_add_move(struct nc_step *step, enum nc_kind kind, const struct stance *s
         total->rapid += length;
         total->rapids++;
     } else {
-        minutes = fmax(minutes, length / (step->state.feed * step->state.faster));
-        feed = feed_word(step, to, length, minutes);
+        feed = feed_word(step, to, length, &minutes);
         total->cut += length;
         total->lines += kind == NC_LINE;
         total->arcs += kind == NC_ARC;

@@ -7,30 +7,36 @@
 #include <stdio.h>
 #include <stdlib.h>
 
+#include "array.h"
+#include "axisload.h"
 #include "ball.h"
 #include "canon.h"
 #include "cl.h"
 #include "cli.h"
 #include "cloud.h"
-#include "ncread.h"
 #include "kdtree.h"
+#include "machine.h"
+#include "ncread.h"
+#include "ncread_machine.h"
 #include "../panel.h"
 #include "sweep.h"
 
 static const struct ncread_dialect *const dialects[] = {&ncread_fanuc, &ncread_siemens,
-                                                        &ncread_heidenhain, &canon};
+                                                        &ncread_heidenhain, &ncread_linuxcnc,
+                                                        &canon};
 enum { CONTROL_NONE = sizeof dialects / sizeof *dialects };
 
 struct options {
     int control, axes;
     bool no_tcp, reversed, panel, no_steps;
-    const char *path, *scan;
+    const char *path, *scan, *machine;
+    struct cli_list set;
     double tolerance, axis, radius, deeper, nodes;
 };
 
 static void count_line(const char *what, const struct course *course)
 {
-    struct chain chain = {0};
+    struct samples chain = {0};
     sweep_chain(course, &chain);
     printf("%s: ", what);
     if (course->passes)
@@ -43,17 +49,20 @@ static void count_line(const char *what, const struct course *course)
 }
 
 /* One direction of the comparison; false when it is beyond the limits. */
-static bool walk(const char *what, const struct course *course, const struct chain *from,
-                 const struct chain *to, const struct options *o)
+static bool walk(const char *what, const struct course *course, const struct samples *from,
+                 const struct samples *to, double radius, const struct options *o)
 {
-    struct sweep sweep = sweep_walk(from, to, o->tolerance, o->axis);
+    struct sweep sweep = sweep_walk(from, to, radius, o->tolerance, o->axis);
     if (from->n == 0)
         return true;
     char place[60];
     ncread_place(&course->piece.item[from->item[sweep.tip_at].piece], place, sizeof place);
     printf("%s: tip %.6f mm at %s", what, sweep.tip, place);
     ncread_place(&course->piece.item[from->item[sweep.axis_at].piece], place, sizeof place);
-    printf(", axis %.5f degrees at %s\n", sweep.axis, place);
+    printf(", axis %.5f degrees at %s", sweep.axis, place);
+    if (radius != 0)
+        printf(", ball %.6f mm", sweep.ball);
+    printf("\n");
     if (!sweep.beyond)
         return true;
     struct vec3 p = from->item[sweep.first].pose.p;
@@ -62,15 +71,16 @@ static bool walk(const char *what, const struct course *course, const struct cha
     return false;
 }
 
-static bool compare(const struct course *program, const struct course *path,
+static bool compare(const struct course *program, const struct course *path, double radius,
                     const struct options *o)
 {
-    struct chain from = {0}, to = {0};
+    double weight = fmin(100, o->tolerance / RADIANS(o->axis)); /* both limits count alike */
+    struct samples from = {.weight = weight}, to = {.weight = weight};
     struct error error;
     sweep_chain(program, &from);
     sweep_chain(path, &to);
-    bool held = walk("program on path", program, &from, &to, o);
-    held = walk("path on program", path, &to, &from, o) && held;
+    bool held = walk("program on path", program, &from, &to, radius, o);
+    held = walk("path on program", path, &to, &from, radius, o) && held;
     if (sweep_rapids(program, path, o->tolerance, o->axis, &error) < 0) {
         say("%s", error.text);
         held = false;
@@ -134,6 +144,66 @@ static bool gouges(const struct course *course, double radius, const struct opti
     return held;
 }
 
+static struct machine read_machine(const struct options *o)
+{
+    struct machine machine = machine_default();
+    struct error error;
+    if (machine_read(&machine, o->machine, &error) != 0)
+        die_error(&error);
+    for (size_t i = 0; i < o->set.n; i++)
+        if (machine_set(&machine, o->set.item[i], &error) != 0)
+            die_error(&error);
+    if (machine_finish(&machine, &error) != 0)
+        die_error(&error);
+    return machine;
+}
+
+/* How far the rotary axes turn in a rapid block in which the tip stays, degrees. */
+static double turn_on_the_spot(const struct course *course, size_t i)
+{
+    const struct piece *piece = &course->piece.item[i];
+    if (i == 0 || !piece->rapid || piece->swing != SWING_ROTARY)
+        return 0;
+    struct course_pose a = course_at(course, piece, 0), b = course_at(course, piece, 1);
+    struct vec3 turn = vec_sub(piece->q[1], piece->q[0]);
+    return vec_distance(a.p, b.p) < 0.01 ? vec_length(turn) : 0;
+}
+
+/*
+ * The axes: no place beyond the travel, and how often the program turns back, by 30 degrees or more
+ * in rapid blocks on the spot, off the part (the least way up or down beside it).
+ */
+static bool drive(const struct course *course, const struct options *o)
+{
+    struct machine machine = read_machine(o);
+    struct axisload_limits limits = {.combined = !machine.tcp && machine.feeds == FEEDS_COMBINED};
+    size_t turns = 0;
+    double turned = 0, least = HUGE_VAL;
+    for (int k = 0; k < LOAD_AXES; k++) {
+        limits.min[k] = machine.min[k];
+        limits.max[k] = machine.max[k];
+        limits.rapid[k] = machine.rapid[k];
+    }
+    struct axisload load = axisload_run(course, &limits);
+    for (size_t i = 1; i < course->piece.n; i++) {
+        double turn = turn_on_the_spot(course, i);
+        if (turned < 30 && turned + turn >= 30) {
+            struct course_pose from = course_at(course, &course->piece.item[i - 1], 0);
+            struct course_pose up = course_at(course, &course->piece.item[i - 1], 1);
+            least = fmin(least, vec_distance(from.p, up.p));
+            turns++;
+        }
+        turned = turn > 0 ? turned + turn : 0;
+    }
+    printf("axes: %zu turns back, %.3f mm off; beyond the travel %zu, too fast %zu, jump %.3f\n",
+           turns, turns ? least : 0, load.beyond, load.fast, load.jump.value);
+    if (load.beyond == 0)
+        return true;
+    say("%s: axis %c at %.5f, beyond its travel", course->name, "XYZABC"[load.travel.axis],
+        load.travel.value);
+    return false;
+}
+
 /* The operand: a program, or itself a path. */
 static void read_operand(const char *file, const struct options *o, struct course *course,
                          double *radius)
@@ -142,6 +212,11 @@ static void read_operand(const char *file, const struct options *o, struct cours
     struct path path = {0};
     struct ncread_setup setup = {.tcp = !o->no_tcp,
                                  .rig = rig_trunnion(o->axes ? 'B' : 'A', o->reversed ? -1 : 1)};
+    if (o->machine) {
+        struct machine machine = read_machine(o);
+        setup.rig = ncread_rig(&machine);
+        setup.tcp = machine.tcp && !o->no_tcp;
+    }
     if (o->control != CONTROL_NONE) {
         setup.dialect = dialects[o->control];
         if (ncread_read(file, &setup, course, &error) < 0)
@@ -173,9 +248,12 @@ static int run(const char *file, const struct options *o)
             sweep_join_steps(&course);
             sweep_join_steps(&wanted);
         }
-        held = compare(&course, &wanted, o);
+        double up = wanted.track == COURSE_CENTRE ? -radius : radius;
+        held = compare(&course, &wanted, radius > 0 ? up : 0, o);
         path_free(&path);
     }
+    if (o->machine && o->control != CONTROL_NONE)
+        held = drive(&course, o) && held;
     if (o->panel || o->scan)
         held = gouges(&course, o->radius > 0 ? o->radius : radius, o) && held;
     course_free(&course);
@@ -188,9 +266,13 @@ int main(int argc, char **argv)
     struct options o = {.control = CONTROL_NONE, .tolerance = 0.001, .axis = 0.01,
                         .deeper = HUGE_VAL, .nodes = HUGE_VAL};
     const struct cli_option option[] = {
-        {'c', "control", "fanuc|siemens|heidenhain|canon|none",
+        {'c', "control", "fanuc|siemens|heidenhain|linuxcnc|canon|none",
          "the operand is a program for this control; canon: what LinuxCNC's\n"
          "interpreter makes of it (rs274); none (default): it is a path", CLI_CHOICE, &o.control, 0, 0, 0, NULL},
+        {'m', "machine", "NAME", "the machine: its axes, TCP or not, travel", CLI_TEXT, &o.machine,
+         0, 0, 0, NULL},
+        {0, "set", "KEY=VALUE", "one key of it; may be given again", CLI_LIST, &o.set, 0, 0, 0,
+         NULL},
         {0, "axes", "ac|bc", "rotary axes of the machine (ac)", CLI_CHOICE, &o.axes, 0, 0, 0, NULL},
         {0, "no-tcp", NULL, "the machine has no tool centre point control", CLI_FLAG, &o.no_tcp,
          0, 0, 0, NULL},

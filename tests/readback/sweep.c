@@ -9,26 +9,25 @@
 #define STEP_AXIS RADIANS(0.5) /* ... and its turn */
 #define FLAT_TIP 1e-5          /* how straight it is, mm */
 #define FLAT_AXIS RADIANS(0.001)
-#define AXIS_WEIGHT 1.0        /* mm a radian */
 #define DETOUR 2.0             /* longest way that one may make and the other not, mm */
 
-static double apart(struct course_pose a, struct course_pose b)
+static double apart(struct course_pose a, struct course_pose b, double weight)
 {
-    return vec_distance(a.p, b.p) + AXIS_WEIGHT * vec_angle(a.a, b.a);
+    return vec_distance(a.p, b.p) + weight * vec_angle(a.a, b.a);
 }
 
-static void add(struct chain *chain, struct course_pose pose, bool joined, size_t piece)
+static void add(struct samples *chain, struct course_pose pose, bool joined, size_t piece)
 {
     double length = chain->n ? chain->item[chain->n - 1].length : 0;
     if (joined)
-        length += apart(chain->item[chain->n - 1].pose, pose);
+        length += apart(chain->item[chain->n - 1].pose, pose, chain->weight);
     *array_push(chain) =
         (struct sample){.pose = pose, .joined = joined, .length = length, .piece = piece};
 }
 
 /* Halves the piece from s0 to s1 until it is straight; adds its end. */
 static void flatten(const struct course *course, size_t index, double s0, struct course_pose a, double s1,
-                    struct course_pose b, int depth, struct chain *chain)
+                    struct course_pose b, int depth, struct samples *chain)
 {
     const struct piece *piece = &course->piece.item[index];
     double s = (s0 + s1) / 2;
@@ -46,7 +45,7 @@ static void flatten(const struct course *course, size_t index, double s0, struct
     flatten(course, index, s, m, s1, b, depth + 1, chain);
 }
 
-void sweep_chain(const struct course *course, struct chain *chain)
+void sweep_chain(const struct course *course, struct samples *chain)
 {
     bool apart_before = true;
     for (size_t i = 0; i < course->piece.n; i++) {
@@ -110,7 +109,7 @@ void sweep_join_steps(struct course *course)
     course->piece.n = n;
 }
 
-double sweep_length(const struct chain *chain)
+double sweep_length(const struct samples *chain)
 {
     double length = 0;
     for (size_t i = 1; i < chain->n; i++)
@@ -120,21 +119,21 @@ double sweep_length(const struct chain *chain)
 }
 
 /* The place of segment i (from sample i - 1 to i, or sample i alone) that is nearest to a pose. */
-static double nearest_on(const struct chain *chain, size_t i, struct course_pose pose, double *length,
+static double nearest_on(const struct samples *chain, size_t i, struct course_pose pose, double *length,
                          struct course_pose *found)
 {
     const struct sample *b = &chain->item[i], *a = b->joined ? b - 1 : b;
     struct vec3 dp = vec_sub(b->pose.p, a->pose.p);
-    struct vec3 da = vec_scale(AXIS_WEIGHT, vec_sub(b->pose.a, a->pose.a));
+    struct vec3 da = vec_scale(chain->weight, vec_sub(b->pose.a, a->pose.a));
     struct vec3 ep = vec_sub(pose.p, a->pose.p);
-    struct vec3 ea = vec_scale(AXIS_WEIGHT, vec_sub(pose.a, a->pose.a));
+    struct vec3 ea = vec_scale(chain->weight, vec_sub(pose.a, a->pose.a));
     double d2 = vec_dot(dp, dp) + vec_dot(da, da);
     double s = d2 > 0 ? (vec_dot(dp, ep) + vec_dot(da, ea)) / d2 : 0;
     s = fmin(fmax(s, 0), 1);
     *found = (struct course_pose){vec_mix(a->pose.p, b->pose.p, s),
                            vec_unit(vec_mix(a->pose.a, b->pose.a, s))};
     *length = a->length + s * (b->length - a->length);
-    return apart(pose, *found);
+    return apart(pose, *found, chain->weight);
 }
 
 /* A place on a chain: how far along, and the pose there. */
@@ -145,7 +144,7 @@ struct match {
 };
 
 /* The nearest place of a chain between two lengths; *begin: the first sample worth looking at. */
-static struct match nearest_between(const struct chain *to, double from_length, double to_length,
+static struct match nearest_between(const struct samples *to, double from_length, double to_length,
                                     struct course_pose pose, size_t *begin)
 {
     struct match best = {from_length, pose, HUGE_VAL};
@@ -163,8 +162,8 @@ static struct match nearest_between(const struct chain *to, double from_length, 
     return best;
 }
 
-struct sweep sweep_walk(const struct chain *from, const struct chain *to, double tip_limit,
-                        double axis_limit)
+struct sweep sweep_walk(const struct samples *from, const struct samples *to, double radius,
+                        double tip_limit, double axis_limit)
 {
     struct sweep sweep = {0};
     size_t begin = 0;
@@ -193,6 +192,9 @@ struct sweep sweep_walk(const struct chain *from, const struct chain *to, double
             sweep.tip = tip;
             sweep.tip_at = i;
         }
+        struct course_pose this = sample->pose, there = match.pose;
+        sweep.ball = fmax(sweep.ball, vec_distance(vec_along(this.p, radius, this.a),
+                                                   vec_along(there.p, radius, there.a)));
         if (axis > sweep.axis) {
             sweep.axis = axis;
             sweep.axis_at = i;

@@ -14,35 +14,36 @@
 struct sample {
     struct course_pose pose;
     bool joined;   /* the tool cuts on its way from the sample before to this one */
-    double length; /* of the cut up to here, mm; a turn of the axis counts 1 mm a radian */
+    double length; /* of the cut up to here, mm, with the turn of the axis by its weight */
     size_t piece;
 };
 
-struct chain {
+struct samples {
     size_t n, cap;
     struct sample *item;
+    double weight; /* of the axis, mm a radian: what is beside what where the tip hardly moves */
 };
 
 /* The cutting pieces of a course, straight between samples to 1e-5 mm and 0.001 degrees. */
-void sweep_chain(const struct course *course, struct chain *chain);
+void sweep_chain(const struct course *course, struct samples *chain);
 
 /* Straight cuts one behind the other on a line, with rapids along it between, become one cut: a hole
  * drilled in steps. */
 void sweep_join_steps(struct course *course);
 
 /* Length of the tip's way, mm. */
-double sweep_length(const struct chain *chain);
+double sweep_length(const struct samples *chain);
 
 struct sweep {
-    double tip, axis;         /* worst, mm and degrees */
+    double tip, axis, ball;   /* worst, mm and degrees; of the ball's centre */
     size_t tip_at, axis_at;   /* samples of `from` there */
     bool beyond;              /* some sample is beyond the limits ... */
     size_t first;             /* ... and this is the first */
 };
 
-/* Walks all of `from` along `to`. */
-struct sweep sweep_walk(const struct chain *from, const struct chain *to, double tip_limit,
-                        double axis_limit);
+/* Walks all of `from` along `to`.  The ball's centre is `radius` up the tool axis. */
+struct sweep sweep_walk(const struct samples *from, const struct samples *to, double radius,
+                        double tip_limit, double axis_limit);
 
 /*
  * The rapid moves: each place that a rapid move of the path ends at must be met by the program's
