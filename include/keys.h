@@ -18,8 +18,10 @@ enum key_kind {
     KEY_CHOICE  /* int: index of the word among `words`, "one|two|three" */
 };
 
+enum { KEY_NAME = 20 };
+
 struct key {
-    char name[20];
+    char name[KEY_NAME];
     enum key_kind kind;
     void *value;
     double min, max; /* NUMBER, COUNT: both 0: no bounds */

@@ -11,6 +11,7 @@
 #include <stdbool.h>
 
 #include "error.h"
+#include "keys.h"
 #include "kinematics.h"
 
 enum { MACHINE_X, MACHINE_Y, MACHINE_Z, MACHINE_A, MACHINE_B, MACHINE_C, MACHINE_AXES };
@@ -78,6 +79,12 @@ int machine_set(struct machine *machine, const char *setting, struct error *erro
 
 /* Checks what the keys say together and makes the chain; to be called last. */
 int machine_finish(struct machine *machine, struct error *error);
+
+/* The table of its keys, to be freed by array_free. */
+struct keys machine_keys(struct machine *machine);
+
+/* machine_finish for what reads files: the error names no machine, and `key` is the one to blame. */
+int machine_assemble(struct machine *machine, char key[KEY_NAME], struct error *error);
 
 /* The letter of an axis: 'X' ... 'C'. */
 char machine_letter(int axis);

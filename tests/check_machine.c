@@ -133,7 +133,7 @@ static const struct {
 } impossible[] = {
     {"axes=A", "two"},          {"axes=A A", "two"},        {"axes=A B C", "two"},
     {"axes=A X", "two"},        {"axis.A=0 0 0", "no length"}, {"axis.A=0 0 1", "parallel"},
-    {"a.min=200", "travel"},
+    {"a.min=200", "a.min 200 above"},
 };
 
 START_TEST(refused_together)

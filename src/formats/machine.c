@@ -1,22 +1,14 @@
-/* machine - see machine.h. */
+/* machine - see machine.h; machine_read.c has the files. */
 #include "machine.h"
 
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <unistd.h>
 
 #include "array.h"
+#include "dialect.h"
 #include "keys.h"
 #include "nctemplate.h"
-#include "reader.h"
-#include "self.h"
-
-#ifndef CLOUDMILL_DATADIR
-#define CLOUDMILL_DATADIR "/usr/local/share/cloudmill"
-#endif
-
-enum { INCLUDES_MAX = 8, FILE_MAX = 1024 };
 
 static const char letters[] = "XYZABC";
 
@@ -79,7 +71,7 @@ static void add_axis(struct keys *keys, struct machine *m, int axis)
     keys_add(keys, name, KEY_VECTOR, &m->centre[axis - MACHINE_A]);
 }
 
-static struct keys machine_keys(struct machine *m)
+struct keys machine_keys(struct machine *m)
 {
     struct keys keys = {0};
     add_text(&keys, "name", m->name, sizeof m->name);
@@ -121,133 +113,6 @@ static struct keys machine_keys(struct machine *m)
     return keys;
 }
 
-/* The travel of each axis that the keys of this file set; line: of whichever came last. */
-static int check_travel(const struct machine *m, const struct keys *keys, const char *name,
-                        struct error *error)
-{
-    for (int axis = 0; axis < MACHINE_AXES; axis++) {
-        char min[20], max[20];
-        if (m->min[axis] <= m->max[axis])
-            continue;
-        char small = (char)(letters[axis] - 'A' + 'a');
-        snprintf(min, sizeof min, "%c.min", small);
-        snprintf(max, sizeof max, "%c.max", small);
-        size_t a = keys_find(keys, min)->line, b = keys_find(keys, max)->line;
-        return error_at(error, name, a > b ? a : b, "found %s %g above %s %g, expected min <= max",
-                        min, m->min[axis], max, m->max[axis]);
-    }
-    return 0;
-}
-
-static bool is_file(const char *name)
-{
-    return name[strcspn(name, "/.")] != '\0';
-}
-
-/* Where the machine called `name` is; `beside` is the file that includes it, or NULL. */
-static int find_file(const char *name, const char *beside, char file[FILE_MAX], struct error *error)
-{
-    const char *slash = beside ? strrchr(beside, '/') : NULL;
-    int folder = slash && *name != '/' ? (int)(slash - beside + 1) : 0;
-    const char *own = getenv("CLOUDMILL_MACHINES");
-    if (is_file(name)) {
-        int n = snprintf(file, FILE_MAX, "%.*s%s", folder, folder ? beside : "", name);
-        if (n >= FILE_MAX)
-            return error_set(error, "%.40s...: file name too long", name);
-        return 0;
-    }
-    char self[FILE_MAX], beside_installed[FILE_MAX + 32], beside_built[FILE_MAX + 32];
-    self_folder(self, sizeof self);
-    snprintf(beside_installed, sizeof beside_installed, "%s/../share/cloudmill/machines", self);
-    snprintf(beside_built, sizeof beside_built, "%s/../../machines", self);
-    const char *const places[] = {".", own && *own ? own : ".", beside_installed, beside_built,
-                                  CLOUDMILL_DATADIR "/machines"};
-    int n = snprintf(file, FILE_MAX, "%.*s%s.txt", folder, folder ? beside : "", name);
-    for (size_t i = 0; i < sizeof places / sizeof *places; i++) {
-        if (n < FILE_MAX && access(file, R_OK) == 0)
-            return 0;
-        n = snprintf(file, FILE_MAX, "%s/%s.txt", places[i], name);
-    }
-    if (n < FILE_MAX && access(file, R_OK) == 0)
-        return 0;
-    return error_set(error,
-                     "machine %.100s: not found in this folder, in $CLOUDMILL_MACHINES or in %s",
-                     name, CLOUDMILL_DATADIR "/machines");
-}
-
-static int read_file(struct machine *m, const char *file, int depth, struct error *error);
-
-/* `include = NAME` in the line: 1 and it was read, 0: another line, -1: error. */
-static int read_include(struct machine *m, char *line, const struct reader *r, int depth,
-                        struct error *error)
-{
-    char file[FILE_MAX];
-    size_t n = strcspn(line, " \t=");
-    if (n != 7 || strncmp(line, "include", n) != 0)
-        return 0;
-    char *name = keys_trim(line + n);
-    if (*name != '=')
-        return 0;
-    name = keys_trim(name + 1);
-    if (!*name)
-        return error_at(error, r->name, r->line, "found no name, expected include = NAME");
-    if (depth + 1 >= INCLUDES_MAX)
-        return error_at(error, r->name, r->line,
-                        "found include within include %d deep, expected no file to include itself",
-                        INCLUDES_MAX);
-    if (find_file(name, r->name, file, error) != 0)
-        return -1;
-    struct error inner;
-    if (access(file, R_OK) != 0)
-        return error_at(error, r->name, r->line, "include: cannot open %.200s", name);
-    if (read_file(m, file, depth + 1, &inner) != 0)
-        return *error = inner, -1;
-    return 1;
-}
-
-static int read_line(struct machine *m, struct keys *keys, char *line, size_t n,
-                     const struct reader *r, int depth, struct error *error)
-{
-    for (size_t i = 0; i < n; i++)
-        if (((unsigned char)line[i] < ' ' && !strchr("\t\r\f", line[i])) || !line[i])
-            return error_at(error, r->name, r->line,
-                            "found a binary character (code %d), expected key = value",
-                            (unsigned char)line[i]);
-    char *text = keys_trim(line);
-    if (!*text)
-        return 0;
-    int included = read_include(m, text, r, depth, error);
-    if (included)
-        return included < 0 ? -1 : 0;
-    return keys_set(keys, text, r->name, r->line, error);
-}
-
-static int read_file(struct machine *m, const char *file, int depth, struct error *error)
-{
-    struct reader r;
-    if (reader_open(&r, file, error) != 0)
-        return -1;
-    struct keys keys = machine_keys(m);
-    char *line;
-    size_t n;
-    int got, result = 0;
-    while (result == 0 && (got = reader_line(&r, &line, &n, error)) != 0)
-        result = got < 0 ? -1 : read_line(m, &keys, line, n, &r, depth, error);
-    if (result == 0)
-        result = check_travel(m, &keys, r.name, error);
-    array_free(&keys);
-    reader_close(&r);
-    return result;
-}
-
-int machine_read(struct machine *machine, const char *name, struct error *error)
-{
-    char file[FILE_MAX];
-    if (find_file(name, NULL, file, error) != 0)
-        return -1;
-    return read_file(machine, file, 0, error);
-}
-
 int machine_set(struct machine *machine, const char *setting, struct error *error)
 {
     struct keys keys = machine_keys(machine);
@@ -258,7 +123,7 @@ int machine_set(struct machine *machine, const char *setting, struct error *erro
     return result;
 }
 
-/* Letters of the rotary axes as machine_finish wants them: their number, -1 when they are wrong. */
+/* The letters of the rotary axes, blanks between or not: their number, -1 when they are wrong. */
 static int read_letters(const char *axes, int letter[ROTARY_MAX])
 {
     int n = 0;
@@ -273,35 +138,46 @@ static int read_letters(const char *axes, int letter[ROTARY_MAX])
     return n == 2 && letter[0] == letter[1] ? -1 : n;
 }
 
-static int check_templates(const struct machine *m, struct error *error)
+static int check_templates(const struct machine *m, char key[KEY_NAME], struct error *error)
 {
     const struct machine_templates *b = &m->blocks;
-    const char *const text[] = {b->home,   b->start,   b->end,       b->tool_change, b->tap,
-                                b->tcp_on, b->tcp_off, b->smooth_on, b->smooth_off,
-                                b->plane_on, b->plane_off};
-    for (size_t i = 0; i < sizeof text / sizeof *text; i++)
-        if (nc_template_check(text[i], error) != 0)
+    const struct {
+        const char *key, *text;
+    } all[] = {{"home", b->home},
+               {"start", b->start},
+               {"end", b->end},
+               {"tool.change", b->tool_change},
+               {"tap", b->tap},
+               {"tcp.on", b->tcp_on},
+               {"tcp.off", b->tcp_off},
+               {"smooth.on", b->smooth_on},
+               {"smooth.off", b->smooth_off},
+               {"plane.on", b->plane_on},
+               {"plane.off", b->plane_off}};
+    for (size_t i = 0; i < sizeof all / sizeof *all; i++) {
+        snprintf(key, KEY_NAME, "%s", all[i].key);
+        if (nc_template_check(all[i].text, error) != 0)
             return -1;
+    }
     return 0;
 }
 
-int machine_finish(struct machine *m, struct error *error)
+static int check_travel(const struct machine *m, char key[KEY_NAME], struct error *error)
 {
-    static const int axes_of_type[] = {2, 2, 2, 1, 1, 0};
-    int letter[ROTARY_MAX] = {0, 0}, n = axes_of_type[m->type];
-    if (check_templates(m, error) != 0)
-        return -1;
-    if (n && read_letters(m->axes, letter) != n)
-        return error_set(error, "machine %s: axes: found `%s`, expected %s of A B C", m->name,
-                         m->axes, n == 2 ? "two" : "one");
-    for (int axis = 0; axis < MACHINE_AXES; axis++)
+    for (int axis = 0; axis < MACHINE_AXES; axis++) {
+        char small = (char)(letters[axis] - 'A' + 'a');
+        snprintf(key, KEY_NAME, "%c.max", small);
         if (m->min[axis] > m->max[axis])
-            return error_set(error,
-                             "machine %s: axis %c: found travel %g to %g, expected min <= max",
-                             m->name, letters[axis], m->min[axis], m->max[axis]);
-    m->rapid[MACHINE_Y] = m->rapid[MACHINE_Z] = m->rapid[MACHINE_X];
+            return error_set(error, "found %c.min %g above %c.max %g, expected min <= max", small,
+                             m->min[axis], small, m->max[axis]);
+    }
+    return 0;
+}
 
-    /* work to tool: a table's outer axis and a head's inner one are nearest the tool */
+/* The chain, work to tool: a table's outer axis and a head's inner one are nearest the tool. */
+static int make_chain(struct machine *m, const int letter[], int n, char key[KEY_NAME],
+                      struct error *error)
+{
     bool turned = m->type == TABLE_TABLE || m->type == HEAD_TABLE;
     m->chain = (struct chain){.n = n, .master = turned && n == 2 ? 1 : 0, .tool = {0, 0, 1}};
     for (int i = 0; i < n; i++) {
@@ -314,11 +190,37 @@ int machine_finish(struct machine *m, struct error *error)
                                              .table = table,
                                              .min = RADIANS(m->min[k]),
                                              .max = RADIANS(m->max[k])};
+        snprintf(key, KEY_NAME, "axis.%c", letters[k]);
         if (vec_length(m->axis[of]) < 1e-9)
-            return error_set(error, "machine %s: axis.%c: found a direction of no length", m->name,
-                             letters[k]);
+            return error_set(error, "%s: found a direction of no length, expected one", key);
     }
     if (n == 2 && vec_length(vec_cross(m->chain.rotary[0].axis, m->chain.rotary[1].axis)) < 1e-6)
-        return error_set(error, "machine %s: axes: found two parallel rotary axes", m->name);
+        return error_set(error, "axes: found two parallel rotary axes, expected two directions");
     return 0;
+}
+
+int machine_assemble(struct machine *m, char key[KEY_NAME], struct error *error)
+{
+    static const int axes_of_type[] = {2, 2, 2, 1, 1, 0};
+    int letter[ROTARY_MAX] = {0, 0}, n = axes_of_type[m->type];
+    snprintf(key, KEY_NAME, "control");
+    if (*m->control && !dialect_find(m->control))
+        return error_set(error, "control: found `%s`, expected %s", m->control, DIALECT_NAMES);
+    if (check_templates(m, key, error) != 0 || check_travel(m, key, error) != 0)
+        return -1;
+    snprintf(key, KEY_NAME, "axes");
+    if (n && read_letters(m->axes, letter) != n)
+        return error_set(error, "axes: found `%s`, expected %s of A B C", m->axes,
+                         n == 2 ? "two" : "one");
+    m->rapid[MACHINE_Y] = m->rapid[MACHINE_Z] = m->rapid[MACHINE_X];
+    return make_chain(m, letter, n, key, error);
+}
+
+int machine_finish(struct machine *m, struct error *error)
+{
+    char key[KEY_NAME];
+    struct error found;
+    if (machine_assemble(m, key, &found) == 0)
+        return 0;
+    return error_set(error, "machine %.100s: %s", m->name, found.text);
 }

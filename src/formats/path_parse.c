@@ -132,6 +132,8 @@ static int read_ledger(struct path_parse *p)
     double spent;
     if (path_numbers(p, 1, 1, &spent, "mm spent") < 0)
         return -1;
+    if (!(spent >= 0))
+        return error_at(AT(p), "found %g mm in LEDGER, expected 0 or more", spent);
     /* the stage's name as it was written, not in capitals */
     const char *name = strchr(p->apt.raw, '/') + 1;
     name += strspn(name, " \t");
