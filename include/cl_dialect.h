@@ -22,6 +22,15 @@ void cl_sniff(struct path_parse *p);
 /* Ends a NURBS of NX when the statement is none of its parts: 0, or -1. */
 int cl_nurbs_end(struct path_parse *p);
 
+/*
+ * Adds the motion on a B-spline, which it takes over, from where the tool is: its knots as long as
+ * it is, and the same in straight pieces.  -1: it cannot be cut.
+ */
+int cl_add_curve(struct path_parse *p, struct bspline curve);
+
+/* Statements from BEGIN NURBS_SIEMENS to END NURBS (CATIA): 1 it was one, 0 it was none, -1. */
+int cl_catia_nurbs(struct path_parse *p);
+
 extern const struct cl_dialect cl_creo, cl_nx, cl_catia, cl_solidworks, cl_makino;
 
 #endif

@@ -32,6 +32,15 @@ struct nurbs_parse {
     struct vec3s pole; /* without the first one, which is where the tool is */
 };
 
+/* NURBS_SIEMENS of CATIA: poles, and the knot interval that each of them brings. */
+struct catia_parse {
+    bool open, turns;
+    int degree;
+    double length; /* from the tip to the head */
+    struct doubles interval;
+    struct vec3s pole, head;
+};
+
 /* What the statements read so far leave behind for those that come. */
 struct path_parse {
     struct path *path;
@@ -60,6 +69,7 @@ struct path_parse {
     struct vec3 tangent; /* INDIRV, where the next arc starts; zero: not said */
     struct spline_parse spline;
     struct nurbs_parse nurbs;
+    struct catia_parse catia;
 
     double spindle; /* rev/min, 0: not said */
     double inverse; /* feed as 1/min, 0: none */

@@ -136,7 +136,71 @@ refuses "a helix that may be one turn or two" 'TIMES' 'GOTO/5,0,4' \
 	'CIRCLE/0,0,0,0,0,1,5,.06,.5,10,0,TIMES,2' 'GOTO/0,5,0' FINI
 refuses "a NURBS of NX with too few knots" 'knots' 'TOOL PATH/A,TOOL,B' 'GOTO/0,0,0' 'NURBS/' \
 	'KNOT/1' 'CNTRL/1,0,0' 'CNTRL/2,0,0' 'CNTRL/3,0,0' 'CNTRL/4,0,0' 'END-OF-PATH'
-refuses "a B-spline of CATIA" 'NURBS_SIEMENS' 'GOTO/0,0,0' 'BEGIN NURBS_SIEMENS(D=3,LENGTH=9)' FINI
+refuses "a B-spline of CATIA without poles" 'poles' 'GOTO/0,0,0' \
+	'BEGIN NURBS_SIEMENS(D=3,F=4000,AXIS=0,0,1);' 'END NURBS;' FINI
+refuses "one that starts elsewhere" 'first pole' 'GOTO/0,0,0' \
+	'BEGIN NURBS_SIEMENS(D=3,F=4000,AXIS=0,0,1);' 'N0,XT=5,YT=0,ZT=0,DK=0,W=1.0;' \
+	'N1,XT=6,YT=0,ZT=0,DK=0,W=1.0;' 'N2,XT=7,YT=0,ZT=0,DK=3,W=1.0;' 'N3,XT=8,YT=0,ZT=0,DK=0,W=1.0;' \
+	'END NURBS;' FINI
+refuses "a rational one" 'weight' 'GOTO/0,0,0' \
+	'BEGIN NURBS_SIEMENS(D=3,F=4000,AXIS=0,0,1);' 'N0,XT=0,YT=0,ZT=0,DK=0,W=1.0;' \
+	'N1,XT=6,YT=0,ZT=0,DK=0,W=1.5;' FINI
+refuses "one with another number of intervals" 'DK' 'GOTO/0,0,0' \
+	'BEGIN NURBS_SIEMENS(D=3,F=4000,AXIS=0,0,1);' 'N0,XT=0,YT=0,ZT=0,DK=0,W=1.0;' \
+	'N1,XT=6,YT=0,ZT=0,DK=2,W=1.0;' 'N2,XT=7,YT=0,ZT=0,DK=3,W=1.0;' 'N3,XT=8,YT=0,ZT=0,DK=0,W=1.0;' \
+	'END NURBS;' FINI
+refuses "a NURBS of NX in five axes" 'fixed axis' 'TOOL PATH/A,TOOL,B' 'GOTO/0,0,0' 'NURBS/' \
+	'KNOT/1' 'CNTRL/1,0,0,0,0,1' 'END-OF-PATH'
+# B-splines of CATIA, the tool upright and turning: a circle's quarter by one cubic, its middle where
+# the formula says it is
+cat >nurbs.cl <<'END'
+$$     CATIA APT VERSION 1.0
+UNITS/MM
+MULTAX/ON
+SPINDL/9000,RPM,CLW
+RAPID
+GOTO/0,0,50,0,0,1
+FEDRAT/500
+GOTO/20,0,0,0,0,1
+BEGIN NURBS_SIEMENS(D=3,F=4000,AXIS=0.00,0.00,1.00);
+N0,XT= 20.000,YT=0.000,ZT=0.000,DK= 0.00,W=1.0;
+N1,XT=20.000,YT=11.046,ZT=0.000,DK= 0.00,W=1.0;
+N2,XT=11.046,YT=20.000,ZT=0.000,DK=30.00,W=1.0;
+N3,XT=0.000,YT=20.000,ZT=0.000,DK= 0.00,W=1.0;
+END NURBS;
+RAPID
+GOTO/0,20,50,0,0,1
+RAPID
+GOTO/0,0,50,0,0,1
+GOTO/0,0,0,0,0,1
+BEGIN NURBS_SIEMENS(D=3,F=3000,AXIS=VAR,LENGTH=100.00);
+N0,XT= 0.000,YT=0.000,ZT=0.000,XH= 0.000, $
+YH=0.000,ZH=100.00,DK= 0.00,W=1.0;
+N1,XT=10.000,YT=0.000,ZT=0.000,XH=10.000, $
+YH=0.000,ZH=100.00,DK= 0.00,W=1.0;
+N2,XT=20.000,YT=5.000,ZT=0.000,XH=24.000, $
+YH=5.000,ZH=99.92,DK=12.00,W=1.0;
+N3,XT=30.000,YT=0.000,ZT=0.000,XH=40.000, $
+YH=0.000,ZH=99.499,DK= 14.00,W=1.0;
+N4,XT=40.000,YT=0.000,ZT=0.000,XH=60.000, $
+YH=0.000,ZH=97.980,DK= 0.00,W=1.0;
+END NURBS;
+RAPID
+GOTO/40,0,60,0.2,0,0.9798
+FINI
+END
+for control in fanuc siemens heidenhain; do
+	status 0 "NURBS_SIEMENS for $control" ncpost -q -c $control -o nurbs.$control nurbs.cl
+	ok "read back" "$READBACK" -c $control --path nurbs.cl -e 0.0062 --axis 0.052 nurbs.$control
+done
+has "as a B-spline" 'G06\.2 P4' nurbs.fanuc
+has "with its feed" 'F4000' nurbs.fanuc
+ncpost -q -c siemens --set splines=no --chord 0.001 -o quarter.mpf nurbs.cl
+awk '/ X/ { for (i = 1; i <= NF; i++) { if ($i ~ /^X/) x = substr($i, 2); if ($i ~ /^Y/) y = substr($i, 2) } }
+	/ Z50/ && y > 1 { exit }
+	x + y > 20.1 { r = sqrt(x * x + y * y); d = r - 20; if (d < 0) d = -d; if (d > 0.01) print }' \
+	quarter.mpf | head -n 3 >bad
+empty "the quarter is round" bad
 refuses "TRNTYP/LOCAL" 'WORLD' 'TRNTYP/LOCAL,0,0,0' 'GOTO/0,0,9' FINI
 refuses "an arc of CATIA without its direction" 'INDIRV' 'GOTO/5,0,0' \
 	'TLON,GOFWD/(CIRCLE/0,0,0,5),ON,(LINE/0,0,0,0,5,0)' FINI

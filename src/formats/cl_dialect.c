@@ -4,7 +4,14 @@
  */
 #include "cl_dialect.h"
 
+#include <stdlib.h>
 #include <string.h>
+
+#include "flatten.h"
+#include "path_feed.h"
+#include "path_tool.h"
+
+static const double fallback_chord = 0.005; /* mm */
 
 #define AT(p) (p)->error, (p)->path->name, (p)->apt.line
 
@@ -19,6 +26,38 @@ void cl_sniff(struct path_parse *p)
             p->sniffed = true;
             return;
         }
+}
+
+int cl_add_curve(struct path_parse *p, struct bspline c)
+{
+    size_t knots = c.poles + (size_t)c.degree + 1;
+    struct vec3 axis = p->axis;
+    if (c.head)
+        axis = vec_unit(vec_sub(c.head[c.poles - 1], c.pole[c.poles - 1]));
+    struct pose end = {c.pole[c.poles - 1], axis};
+    struct motion motion = motion_spline(p->at, end, &c);
+    double length = motion_length(&motion), whole = c.knot[knots - 1];
+    for (size_t i = 0; i < knots; i++)
+        c.knot[i] *= (length > 0 ? length : 1) / whole;
+    struct flat flat = {0};
+    bool fine = flatten(&c, 0, axis, fallback_chord, &flat);
+    struct path_spline spline = {.curve = c};
+    for (size_t i = 1; fine && i < flat.point.n; i++)
+        *array_push(&spline.fallback) =
+            (struct pose){flat.point.item[i], c.head ? flat.axis.item[i] : axis};
+    flat_free(&flat);
+    if (!fine) {
+        bspline_free(&c);
+        array_free(&spline.fallback);
+        return error_at(AT(p), "found a NURBS too long or too bent to be cut, expected a path");
+    }
+    path_tool_move(p);
+    path_feed_inverse(p, length);
+    path_add_spline(p->path, end, spline)->line = p->apt.line;
+    p->at = end;
+    p->said = end.p;
+    p->axis = axis;
+    return 0;
 }
 
 /* ---- Creo: $$* Pro/CLfile */

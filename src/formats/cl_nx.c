@@ -7,13 +7,9 @@
 #include <string.h>
 
 #include "cl_dialect.h"
-#include "flatten.h"
-#include "path_feed.h"
 #include "path_tool.h"
 
 #define AT(p) (p)->error, (p)->path->name, (p)->apt.line
-
-static const double fallback_chord = 0.005; /* mm */
 
 static bool shows(const struct apt *apt)
 {
@@ -125,17 +121,16 @@ static int read_cntrl(struct path_parse *p)
     double v[3];
     if (expect_open(p) < 0)
         return -1;
-    if (p->apt.argument.n == 0 || p->apt.argument.n % 3)
-        return error_at(AT(p), "found %zu numbers in CNTRL, expected x, y, z", p->apt.argument.n);
-    for (size_t i = 0; i < p->apt.argument.n; i += 3) {
-        if (path_numbers(p, i, 3, v, "x, y, z") < 0)
-            return -1;
-        struct vec3 pole = path_point_of(p, v);
-        if (!(vec_length(pole) < 1e8))
-            return error_at(AT(p), "found a pole too far for any machine, expected less than 1e8 "
-                                   "mm");
-        *array_push(&p->nurbs.pole) = pole;
-    }
+    if (p->apt.argument.n != 3)
+        return error_at(AT(p),
+                        "found %zu numbers in CNTRL, expected x, y, z (a NURBS with a fixed axis)",
+                        p->apt.argument.n);
+    if (path_numbers(p, 0, 3, v, "x, y, z") < 0)
+        return -1;
+    struct vec3 pole = path_point_of(p, v);
+    if (!(vec_length(pole) < 1e8))
+        return error_at(AT(p), "found a pole too far for any machine, expected less than 1e8 mm");
+    *array_push(&p->nurbs.pole) = pole;
     return 0;
 }
 
@@ -162,7 +157,6 @@ static int expect_knots(struct path_parse *p)
     return 0;
 }
 
-/* The curve with its knots as long as it is, and the same in straight pieces. */
 static int add_curve(struct path_parse *p)
 {
     size_t poles = p->nurbs.pole.n + 1;
@@ -171,27 +165,7 @@ static int add_curve(struct path_parse *p)
     memcpy(c.pole + 1, p->nurbs.pole.item, (poles - 1) * sizeof *c.pole);
     for (size_t i = 0; i < poles + 4; i++)
         c.knot[i] = i < 4 ? 0 : i < poles + 1 ? p->nurbs.knot.item[i - 4] : 1;
-    struct pose end = {c.pole[poles - 1], p->axis};
-    struct motion motion = motion_spline(p->at, end, &c);
-    double length = motion_length(&motion);
-    for (size_t i = 0; i < poles + 4; i++)
-        c.knot[i] *= length > 0 ? length : 1;
-    struct flat flat = {0};
-    bool fine = flatten(&c, 0, p->axis, fallback_chord, &flat);
-    struct path_spline spline = {.curve = c};
-    for (size_t i = 1; fine && i < flat.point.n; i++)
-        *array_push(&spline.fallback) = (struct pose){flat.point.item[i], p->axis};
-    flat_free(&flat);
-    if (!fine) {
-        bspline_free(&c);
-        return error_at(AT(p), "found a NURBS too long or too bent to be cut, expected a path");
-    }
-    path_tool_move(p);
-    path_feed_inverse(p, length);
-    path_add_spline(p->path, end, spline)->line = p->apt.line;
-    p->at = end;
-    p->said = end.p;
-    return 0;
+    return cl_add_curve(p, c);
 }
 
 int cl_nurbs_end(struct path_parse *p)

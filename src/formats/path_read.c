@@ -162,6 +162,11 @@ static int read_statement(struct path_parse *p)
         return -1;
     if (!p->apt.comment && !*word && p->apt.argument.n)
         return read_bare(p, listing);
+    if (p->catia.open || *word == 'B') {
+        int done = cl_catia_nurbs(p);
+        if (done != 0)
+            return done < 0 ? -1 : 0;
+    }
     const struct path_row *row = find_row(p);
     if (expect_place(p) < 0)
         return -1;
@@ -208,6 +213,9 @@ int path_read(const char *file, struct path *path, struct error *error)
     spline_parse_free(&p.spline);
     array_free(&p.nurbs.knot);
     array_free(&p.nurbs.pole);
+    array_free(&p.catia.interval);
+    array_free(&p.catia.pole);
+    array_free(&p.catia.head);
     apt_free(&p.apt);
     reader_close(&p.reader);
     if (result < 0)
