@@ -33,6 +33,8 @@ struct nc_program {
     size_t part, parts;     /* 1 of 3; 0: the whole */
     size_t met;             /* the move whose block is w.wanted */
     struct nc_tooling tooling;
+    struct { int asked, on; } cutcom; /* nccutcom.h */
+    bool cutcom_offset;         /* G41 wants D and a number */
     const struct nc_hole *hole; /* whose drilling cycle is on, NULL: none is */
     const char *name; /* number or name asked for, NULL: by the dialect */
     struct nc_writer w;

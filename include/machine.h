@@ -45,6 +45,7 @@ struct machine {
     int feeds;                /* enum machine_feeds */
     double feed_max;          /* largest F that the control takes */
     bool cycles;              /* the control has drilling cycles */
+    bool cutcom;              /* radius compensation where the path asks for it */
     bool plane;               /* the control turns to a tilted plane where the tool axis is fixed */
     bool smooth;              /* the control is to smooth the path within ncpost's tolerance */
     struct machine_templates { /* blocks, "": the control's own (nctemplate.h) */

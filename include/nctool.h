@@ -19,4 +19,8 @@ bool nc_tool_stays(const struct nc_program *p, const struct nc_move *from);
 /* What a SPINDL or COOLNT statement says; false: it is none, or says no speed. */
 bool nc_tool_says(const char *text, struct nc_tooling *said);
 
+/* The statement holds this word somewhere, or starts with it, in capitals or not. */
+bool nc_tool_holds(const char *text, const char *word);
+bool nc_tool_starts(const char *text, const char *word);
+
 #endif

@@ -32,6 +32,9 @@ void nc_plane_arc(struct nc_program *p, const struct nc_move *move, const char *
 /* The work offset: the machine's or, where it says none, this one. */
 void nc_offset(struct nc_program *p, const char *usual);
 
+/* G40, where the radius compensation is on. */
+void nc_cutcom_off(struct nc_program *p);
+
 /* A whole straight block, G0 or G1 (in inverse time where the machine has no TCP). */
 void nc_straight(struct nc_program *p, const struct nc_move *move, const char *const address[3]);
 

@@ -12,6 +12,7 @@
 #include "cli.h"
 #include "dialect.h"
 #include "machine.h"
+#include "nccutcom.h"
 #include "ncframe.h"
 #include "nchead.h"
 #include "ncoutput.h"
@@ -177,7 +178,8 @@ static bool steps_differ(const struct path *path)
 
 /* What was assumed or added. */
 static void tell(const struct path *path, const struct nc_plan *plan,
-                 const struct dialect *dialect, const struct settings *s)
+                 const struct dialect *dialect, const struct machine *machine,
+                 const struct settings *s)
 {
     const struct nc_total *total = &plan->total;
     if (path->head.track == TRACK_CENTRE)
@@ -191,6 +193,8 @@ static void tell(const struct path *path, const struct nc_plan *plan,
     if (total->holes && dialect->steps_alike && steps_differ(path))
         say("a drilling cycle of this control has steps that are alike, and no dwell with them: took "
             "the smaller step and no dwell");
+    if (nc_cutcom_left_out(path, machine, &plan->ability))
+        say("CUTCOM: X Y Z are the tool's centre, so the control's radius compensation stays off");
     if (total->turns)
         say("the travel of a rotary axis ran out: retracted, turned and returned %zu times",
             total->turns);
@@ -237,7 +241,7 @@ static bool set_frame(struct nc_program *p, struct path *path, struct machine *m
         path_drill(path);
     if (s->inch)
         nc_frame_inch(path, machine, &p->wish);
-    return upright && (cycles || !machine->tcp);
+    return upright && (cycles || !machine->tcp || (machine->cutcom && nc_cutcom_asked(path)));
 }
 
 int main(int argc, char **argv)
@@ -272,7 +276,7 @@ int main(int argc, char **argv)
     if (files > 1)
         say("%zu programs", files);
 
-    tell(&path, &plan, dialect, &s);
+    tell(&path, &plan, dialect, &machine, &s);
     double sum = nc_ledger_sum(&path, &plan);
     array_free(&s.set);
     array_free(&program.planes);

@@ -124,6 +124,42 @@ posts "TOOLNO, LOADTL: another tool" 'T7 M6' 'TOOLNO/2' 'LOADTL/2' 'GOTO/0,0,9' 
 	'TOOLNO/7' 'LOADTL/7' 'GOTO/0,5,0' FINI
 result "$([ "$(grep -c ' M6$' trap.nc)" -eq 2 ]; echo $?)" "each of them once"
 
+# ---- radius compensation: left out and said, or the control's by a key
+cat >cutcom.cl <<'END'
+UNITS/MM
+LOADTL/7
+SPINDL/9000,RPM,CLW
+RAPID
+GOTO/0,9,20
+FEDRAT/500
+GOTO/0,9,-1
+CUTCOM/LEFT
+GOTO/0,-1,-1
+GOTO/30,-1,-1
+CIRCLE/30,9,-1,0,0,1,10
+GOTO/40,9,-1
+CUTCOM/OFF
+GOTO/60,9,-1
+RAPID
+GOTO/60,9,20
+FINI
+END
+status 0 "CUTCOM" ncpost -c fanuc cutcom.cl
+hasnt "left out" 'G4[12]' out
+has "and said" 'CUTCOM: X Y Z are the tool' err
+for control in fanuc siemens heidenhain linuxcnc; do
+	ncpost -c $control --set cutcom=yes -o cutcom.$control cutcom.cl 2>cutcom.err
+	empty "cutcom = yes: nothing to say for $control" cutcom.err
+done
+has "Fanuc: on with D" ' G41 D7 Y-1\.' cutcom.fanuc
+has "off with the next straight move" ' G1 G40 X60\.' cutcom.fanuc
+has "Siemens" ' G41 Y-1' cutcom.siemens
+has "Heidenhain" ' L Y-1 RL$' cutcom.heidenhain
+has "and off" ' L X\+60 R0' cutcom.heidenhain
+if command -v rs274 >/dev/null; then
+	canon cutcom.linuxcnc >cutcom.canon
+	has "LinuxCNC offsets to the left by its tool's radius" 'STRAIGHT_FEED\(30\.0000, 3\.0000, -1' cutcom.canon
+fi
 refuses "an arc among holes" 'CYCLE/OFF' 'GOTO/1,0,0' 'CYCLE/DRILL,DEPTH,2' 'CIRCLE/0,0,0,0,0,1,1' \
 	'GOTO/0,1,0' FINI
 refuses "a cycle nobody knows" 'CYCLE/FROB' 'GOTO/0,0,9' 'CYCLE/FROB,1' 'GOTO/0,0,0' FINI

@@ -3,6 +3,7 @@
 
 #include <string.h>
 
+#include "nccutcom.h"
 #include "nchead.h"
 #include "nctool.h"
 
@@ -64,6 +65,7 @@ struct nc_ability dialect_ability(const struct dialect *dialect, const struct ma
 void dialect_start(const struct dialect *dialect, struct nc_program *p)
 {
     p->hole = NULL;
+    p->cutcom.asked = p->cutcom.on = CUTCOM_OFF;
     p->at_plane = 0;
     nc_tool_first(p);
     dialect->start(p);

@@ -66,6 +66,7 @@ static void compensate(struct nc_program *p, const struct nc_move *first)
 static void start(struct nc_program *p)
 {
     struct nc_writer *w = &p->w;
+    p->cutcom_offset = true;
     nc_line(w, "%");
     program_number(p);
     nc_head(p, "Fanuc");
@@ -157,6 +158,7 @@ static void dwell(struct nc_program *p, double seconds)
 static void leave(struct nc_program *p)
 {
     struct nc_writer *w = &p->w;
+    nc_cutcom_off(p);
     if (w->inverse)
         nc_block(w, "G94"), w->inverse = false;
     if (p->machine->smooth)

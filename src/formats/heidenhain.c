@@ -11,6 +11,7 @@
 #include <string.h>
 
 #include "dialect.h"
+#include "nccutcom.h"
 #include "nchead.h"
 #include "nchole.h"
 #include "nctemplate.h"
@@ -18,6 +19,7 @@
 
 enum { NAME_MAX_LENGTH = 24 };
 
+static const char *const cutcom_word[] = {"R0", "RL", "RR"};
 static const char *const vector_address[] = {"TX", "TY", "TZ"};
 
 static bool allowed(unsigned char c)
@@ -143,12 +145,15 @@ static void line(struct nc_program *p, const struct nc_move *move)
 {
     struct nc_writer *w = &p->w;
     bool vectors = p->plan->ability.mode == FOLLOW_VECTOR;
+    const char *cutcom = nc_cutcom_word(p, move, cutcom_word);
     if (vectors)
         nc_forget(w, NC_X, NC_K);
     nc_code(w, vectors ? "LN" : "L");
     size_t bare = w->n;
     nc_place(p, move->p);
     nc_axis(p, move, vector_address);
+    if (cutcom)
+        nc_code(w, cutcom);
     if (w->n == bare)
         nc_drop(w);
     else if (move->kind == NC_RAPID)
@@ -197,6 +202,7 @@ static void dwell(struct nc_program *p, double seconds)
 /* Home, without what was switched on for the tool. */
 static void leave(struct nc_program *p)
 {
+    nc_cutcom_end(p); /* by R0 of the way home */
     if (p->machine->smooth)
         nc_template(p, p->machine->blocks.smooth_off, "CYCL DEF 32.0 TOLERANCE|CYCL DEF 32.1");
     if (p->plan->ability.tcp)

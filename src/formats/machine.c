@@ -85,6 +85,7 @@ struct keys machine_keys(struct machine *m)
     keys_add(&keys, "arcs", KEY_YES, &m->arcs);
     keys_add(&keys, "splines", KEY_YES, &m->splines);
     keys_add(&keys, "cycles", KEY_YES, &m->cycles);
+    keys_add(&keys, "cutcom", KEY_YES, &m->cutcom);
     add_bounded(&keys, "rapid", KEY_NUMBER, &m->rapid[MACHINE_X], 1, 1e7);
     add_bounded(&keys, "retract", KEY_NUMBER, &m->retract, 0.1, 1e5);
     add_text(&keys, "offset", m->offset, sizeof m->offset);

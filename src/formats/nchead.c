@@ -5,6 +5,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "nccutcom.h"
 #include "nctool.h"
 #include "num.h"
 
@@ -145,6 +146,8 @@ void nc_statement(struct nc_program *p, const struct dialect *dialect, const cha
     struct nc_tooling said = p->tooling;
     const char *rest;
     double seconds;
+    if (nc_cutcom_says(p, text))
+        return;
     if (nc_tool_says(text, &said))
         turn(p, dialect, &said);
     else if (is_word(text, "STOP", &rest))

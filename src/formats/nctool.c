@@ -6,8 +6,7 @@
 
 #include "num.h"
 
-/* The statement holds this word, in capitals or not. */
-static bool holds(const char *text, const char *word)
+bool nc_tool_holds(const char *text, const char *word)
 {
     size_t n = strlen(word);
     for (; *text; text++) {
@@ -20,7 +19,7 @@ static bool holds(const char *text, const char *word)
     return false;
 }
 
-static bool starts(const char *text, const char *word)
+bool nc_tool_starts(const char *text, const char *word)
 {
     size_t n = strlen(word);
     for (size_t i = 0; i < n; i++)
@@ -32,14 +31,14 @@ static bool starts(const char *text, const char *word)
 static bool says_spindle(const char *text, struct nc_tooling *said)
 {
     double rpm;
-    if (holds(text, "OFF")) {
+    if (nc_tool_holds(text, "OFF")) {
         said->spindle = 0;
         return true;
     }
     for (const char *s = text; *s; s++)
         if (isdigit((unsigned char)*s) && num_read(&s, &rpm)) {
             said->spindle = rpm;
-            said->ccw = holds(text, "CCLW");
+            said->ccw = nc_tool_holds(text, "CCLW");
             return true;
         }
     return false;
@@ -47,11 +46,11 @@ static bool says_spindle(const char *text, struct nc_tooling *said)
 
 bool nc_tool_says(const char *text, struct nc_tooling *said)
 {
-    if (starts(text, "SPINDL"))
+    if (nc_tool_starts(text, "SPINDL"))
         return says_spindle(text, said);
-    if (!starts(text, "COOLNT"))
+    if (!nc_tool_starts(text, "COOLNT"))
         return false;
-    said->coolant = holds(text, "OFF") ? 1 : holds(text, "MIST") ? 3 : 2;
+    said->coolant = nc_tool_holds(text, "OFF") ? 1 : nc_tool_holds(text, "MIST") ? 3 : 2;
     return true;
 }
 

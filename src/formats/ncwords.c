@@ -1,6 +1,8 @@
 /* ncwords - see ncwords.h. */
 #include "ncwords.h"
 
+#include "nccutcom.h"
+
 const struct nc_move *nc_first_move(const struct nc_program *p)
 {
     const struct nc_move *move = p->plan->move.item + p->tooling.next;
@@ -107,6 +109,14 @@ void nc_plane_arc(struct nc_program *p, const struct nc_move *move, const char *
         nc_number(w, "K", a->centre.z, digits);
 }
 
+static const char *const g_cutcom[] = {"G40", "G41", "G42"};
+
+void nc_cutcom_off(struct nc_program *p)
+{
+    if (nc_cutcom_end(p))
+        nc_block(&p->w, g_cutcom[CUTCOM_OFF]);
+}
+
 void nc_straight(struct nc_program *p, const struct nc_move *move, const char *const address[3])
 {
     bool inverse = p->plan->ability.feeds == NC_FEEDS_INVERSE && move->kind != NC_RAPID;
@@ -116,6 +126,11 @@ void nc_straight(struct nc_program *p, const struct nc_move *move, const char *c
         w->inverse = true;
     }
     nc_motion(w, move->kind == NC_RAPID ? "G0" : "G1");
+    const char *cutcom = nc_cutcom_word(p, move, g_cutcom);
+    if (cutcom)
+        nc_code(w, cutcom);
+    if (cutcom && p->cutcom.on && p->cutcom_offset)
+        nc_count(w, "D", p->tooling.number ? p->tooling.number : 1);
     nc_place(p, move->p);
     nc_axis(p, move, address);
     nc_feed(p, move);

@@ -244,6 +244,7 @@ static void dwell(struct nc_program *p, double seconds)
 static void leave(struct nc_program *p)
 {
     struct nc_writer *w = &p->w;
+    nc_cutcom_off(p);
     if (w->inverse)
         nc_block(w, "G94"), w->inverse = false;
     if (p->machine->smooth)
