@@ -12,7 +12,7 @@ canon() { # PROGRAM
 	printf '[TRAJ]\nCOORDINATES = X Y Z A B C\nLINEAR_UNITS = mm\n' >>sim.ini
 	sed -n 's/^.* T\([0-9]*\) M6$/\1/p' "$1" | sort -un >tools
 	[ -s tools ] || { echo 1 >tools; sed '2,/G53/s/.*G53.*/&\nT1 M6/' "$1" >one && mv one "$1"; }
-	awk '{ printf "T%d P%d Z100 D8\n", $1, $1 }' tools >sim.tbl
+	awk -v d="${diameter:-8}" '{ printf "T%d P%d Z100 D%s\n", $1, $1, d }' tools >sim.tbl
 	: >sim.var
 	rs274 -g -i sim.ini -t sim.tbl -v sim.var "$1" 2>canon.err </dev/null
 }
@@ -157,6 +157,7 @@ has "Siemens" ' G41 Y-1' cutcom.siemens
 has "Heidenhain" ' L Y-1 RL$' cutcom.heidenhain
 has "and off" ' L X\+60 R0' cutcom.heidenhain
 if command -v rs274 >/dev/null; then
+	diameter=0.31496063 # inches, as that interpreter takes them: 8 mm
 	canon cutcom.linuxcnc >cutcom.canon
 	has "LinuxCNC offsets to the left by its tool's radius" 'STRAIGHT_FEED\(30\.0000, 3\.0000, -1' cutcom.canon
 fi
