@@ -35,6 +35,7 @@ struct axis_feed {
     struct vec3 along; /* horizontal unit vector, the way the tool feeds */
     struct vec3 side;  /* unit vector, towards the next row; not turned on the way back; horizontal
                           but for planes that are not upright */
+    struct vec3 up;    /* unit, out of the plane that rows lie in; zero: up in z */
     struct vec3 plane; /* zero, or for a run in a plane: its unit normal, with n on the left of T;
                           T is then in the plane, plane x n */
 };

@@ -33,6 +33,18 @@ struct mesh_surfaces {
     struct mesh_surface *item;
 };
 
+/* A part with a projection of its own: its rows, and those up to the next part. */
+struct mesh_part {
+    int row;          /* its first one */
+    struct vec3 along; /* unit, the way the columns rise */
+    struct vec3 up;    /* unit, perpendicular: out of the plane that its grid lies in */
+};
+
+struct mesh_parts {
+    size_t n, cap;
+    struct mesh_part *item;
+};
+
 /* What the mesh stream says of itself in its comments; zero or NAN where it says nothing. */
 struct mesh_origin {
     char *source;                 /* the files it was made from */
@@ -41,6 +53,7 @@ struct mesh_origin {
     double ledger;                /* tolerance spent by the maker, mm; NAN: not said */
     char *maker;                  /* the tool that spent it, NULL: not said */
     struct mesh_surfaces surface; /* that it was made from; none: not said */
+    struct mesh_parts part;       /* by rising row; none: it is one, seen from above */
     bool placed;                  /* `place` is more than the identity */
     double place[4][4];           /* from the scan's own numbers (its units) to this mesh's mm */
 };
@@ -58,6 +71,9 @@ void mesh_free(struct mesh *mesh);
 
 /* Normal of a face by the right-hand rule, its length twice the face's area. */
 struct vec3 mesh_face_cross(const struct mesh *mesh, size_t face);
+
+/* What part of the area of the facets is steeper than 70 degrees against `up` (unit), 0 to 1. */
+double mesh_steep_part(const struct mesh *mesh, struct vec3 up);
 
 /*
  * Paper 1, eq 8: at each vertex the mean of the unit normals of its facets, made a unit vector;

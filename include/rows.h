@@ -12,7 +12,10 @@
 /* Neighbours in a row that facet edges join, by rising column. */
 struct strip {
     int row;
-    size_t from, to; /* elements [from, to) of rows.node */
+    size_t from, to;   /* elements [from, to) of rows.node */
+    struct vec3 along; /* unit vectors: the way the columns rise, ... */
+    struct vec3 side;  /* ... perpendicular to it the way the rows rise ... */
+    struct vec3 up;    /* ... and out of the plane that the grid of its part lies in */
 };
 
 struct rows {
@@ -31,7 +34,8 @@ struct rows {
  * Takes a mesh apart.  A strip ends where the next node of the row is not joined to it by a facet
  * edge and is not at the same place: there is a hole, or a step too high.  Vertices of one row and
  * column follow each other as they stand in the mesh; those of a negative row are in no row.  The direction is the one that the mesh says
- * (mesh.origin.direction) where the rows bear it out within 5 degrees, else that of the rows.
+ * (mesh.origin.direction) where the rows bear it out within 5 degrees, else that of the rows; where
+ * the mesh has parts, what it says of these.
  * -1: the mesh has no rows, or no facet.
  */
 int rows_find(const struct mesh *mesh, struct rows *rows, struct error *error);

@@ -17,6 +17,8 @@
 #include "ply.h"
 #include "reposition.h"
 #include "scannormals.h"
+#include "subcloud.h"
+#include "submesh.h"
 #include "wallpoints.h"
 
 enum normals { NORMALS_QUADRIC, NORMALS_FACET };
@@ -26,7 +28,7 @@ struct settings {
     double max_gap; /* 0: from the cloud */
     double direction;
     int unit, normals, neighbours;
-    bool paper, origin, smooth;
+    bool paper, origin, smooth, subdivide;
     const char *matrix; /* file, NULL: none */
 };
 
@@ -65,6 +67,9 @@ static struct settings read_options(struct cli *cli, int argc, char **argv)
         {0, "neighbours", "N", "points that a quadric is fitted to (default: 40)", CLI_COUNT,
          &s.neighbours, 6, 1000, 0, NULL},
         {0, "smooth", NULL, "look for no creases and no walls", CLI_FLAG, &s.smooth, 0, 0, 0, NULL},
+        {0, "subdivide", NULL,
+         "divide the cloud by orientation, each part with a projection of its own", CLI_FLAG,
+         &s.subdivide, 0, 0, 0, NULL},
         {0, "paper", NULL,
          "as published: a node takes any point nearer than the spacing, holes\n"
          "are bridged, normals are the mean of the facets'",
@@ -197,7 +202,7 @@ static struct gridmesh_count make_mesh(const char *name, const struct settings *
     struct gridmesh_count count = gridmesh_make(grid, chosen, point, whole ? NULL : &holes, mesh);
     free(chosen);
     holes_free(&holes);
-    if (mesh->face.n == 0)
+    if (mesh->face.n == 0 && !s->subdivide)
         die("%s: no three neighbouring nodes of a grid of spacing %g mm have points on an area of "
             "%g x %g mm, expected another spacing (-t) or a wider area",
             name, t, f.xmax - f.xmin, f.ymax - f.ymin);
@@ -218,6 +223,17 @@ static void say_left_out(const struct settings *settings, const struct gridmesh_
     if (count->alone > 0 && !settings->paper)
         say("left out %zu point%s that no facet reaches", count->alone,
             count->alone == 1 ? "" : "s");
+}
+
+/* What one projection serves badly. */
+static void say_steep(const struct settings *settings, const struct mesh *mesh)
+{
+    const double little = 0.005;
+    double part = mesh_steep_part(mesh, vec(0, 0, 1));
+    if (part > little && !settings->subdivide && !settings->paper)
+        say("%.1f %% of the surface is steeper than 70 degrees, where points are far apart seen from "
+            "above: --subdivide gives it projections of its own",
+            100 * part);
 }
 
 static void make_normals(const struct settings *s, const struct vec3s *points, size_t n,
@@ -250,6 +266,61 @@ static void keep_features(const struct vec3s *points, const struct cloud_parts *
          points->n - parts->flat, found.creases, found.walls);
 }
 
+/* What became of the points, for the summary. */
+struct made {
+    struct gridmesh_count count;
+    struct grid grid;
+};
+
+static struct made mesh_of(const char *name, const struct settings *settings, struct vec3s *points,
+                           int threads, struct mesh *mesh)
+{
+    struct made made;
+    struct cloud_parts parts;
+    made.count = make_mesh(name, settings, points, threads, mesh, &made.grid, &parts);
+    if (mesh->face.n == 0)
+        return made;
+    make_normals(settings, points, parts.flat, threads, mesh);
+    if (!settings->smooth)
+        keep_features(points, &parts, threads, mesh);
+    return made;
+}
+
+/* The same for each part of a cloud that is divided by orientation, one after the other. */
+static struct made mesh_of_parts(const char *name, const struct settings *settings,
+                                 const struct vec3s *points, int threads, struct mesh *mesh)
+{
+    struct settings s = *settings;
+    struct made made = {0};
+    struct subclouds parts =
+        subclouds_find(points->item, points->n, 1.5 * s.spacing, s.direction, threads);
+    s.spacing = s.spacing > 0 ? s.spacing : spacing_of_cloud(parts.spacing);
+    s.direction = 0;
+    mesh->origin.spacing = s.spacing;
+    for (size_t i = 0; i < parts.n; i++) {
+        struct subcloud *part = &parts.item[i];
+        struct mesh own = {.origin.ledger = NAN};
+        for (size_t k = 0; k < part->point.n; k++)
+            part->point.item[k] = subcloud_in(part, part->point.item[k]);
+        note("part %zu of %zu: seen along %.3f %.3f %.3f, %zu points", i + 1, parts.n, part->up.x,
+             part->up.y, part->up.z, part->own);
+        made = mesh_of(name, &s, &part->point, threads, &own);
+        if (own.face.n > 0)
+            submesh_add(mesh, &own, part);
+        mesh_free(&own);
+    }
+    say("divided into %zu part%s, each with a projection of its own", parts.n,
+        parts.n == 1 ? "" : "s");
+    if (parts.left_out > 0)
+        say("%zu points belong to no part and are left out", parts.left_out);
+    subclouds_free(&parts);
+    if (mesh->face.n == 0)
+        die("%s: no part has points for three neighbouring nodes of a grid of spacing %g mm, "
+            "expected another spacing (-t)",
+            name, s.spacing);
+    return made;
+}
+
 int main(int argc, char **argv)
 {
     struct cli cli = {.tool = "cloud2mesh",
@@ -258,21 +329,19 @@ int main(int argc, char **argv)
     struct settings settings = read_options(&cli, argc, argv);
     struct vec3s points = {0};
     struct mesh mesh = {.origin.ledger = NAN};
-    struct grid grid;
 
     const char *name = name_of(&cli);
     size_t left_out = read_clouds(&cli, &points);
     place(&settings, &points, &mesh.origin);
-    struct cloud_parts parts;
-    struct gridmesh_count count =
-        make_mesh(name, &settings, &points, cli.threads, &mesh, &grid, &parts);
-    make_normals(&settings, &points, parts.flat, cli.threads, &mesh);
-    if (!settings.smooth)
-        keep_features(&points, &parts, cli.threads, &mesh);
-    say_left_out(&settings, &count);
+    struct made made = settings.subdivide
+                           ? mesh_of_parts(name, &settings, &points, cli.threads, &mesh)
+                           : mesh_of(name, &settings, &points, cli.threads, &mesh);
+    say_left_out(&settings, &made.count);
+    say_steep(&settings, &mesh);
     note("%zu points in, %zu left out; spacing %g mm, %d rows x %d columns; %zu vertices, "
          "%zu facets",
-         points.n, left_out, grid.t, grid.rows, grid.columns, mesh.vertex.n, mesh.face.n);
+         points.n, left_out, made.grid.t, made.grid.rows, made.grid.columns, mesh.vertex.n,
+         mesh.face.n);
     mesh.origin.source = mem_string(name, strlen(name));
 
     struct out *out = out_open(cli.output);

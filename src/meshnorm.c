@@ -64,8 +64,11 @@ static size_t make_pass(const struct mesh *mesh, const struct rows *rows, size_t
     while (end < rows->strip.n && rows->strip.item[end].row == rows->strip.item[s].row)
         end++;
     for (size_t i = s; i < end; i++) {
-        gather(mesh, rows, rows->strip.item[back ? end - 1 - (i - s) : i], back, &contact);
-        toolpath_strip(t, pass, contact.item, contact.n, vec_scale(back ? -1 : 1, rows->along));
+        struct strip strip = rows->strip.item[back ? end - 1 - (i - s) : i];
+        gather(mesh, rows, strip, back, &contact);
+        t->lift.feed.side = strip.side;
+        t->lift.feed.up = strip.up;
+        toolpath_strip(t, pass, contact.item, contact.n, vec_scale(back ? -1 : 1, strip.along));
     }
     array_free(&contact);
     return end;
@@ -111,7 +114,6 @@ int main(int argc, char **argv)
         die_error(&error);
     if (cutting_rules(&mesh, guard, rows.distance, &t, &error) != 0)
         die_usage("%s", error.text);
-    t.lift.feed.side = rows.side;
 
     make_path(&mesh, &rows, &t);
     cutting_head(&mesh, "meshnorm", &t);

@@ -104,8 +104,10 @@ START_TEST(a_hole_ends_a_strip)
     ck_assert_int_eq(rows_find(&mesh, &rows, &error), 0);
     ck_assert_uint_eq(rows.loose, 1); /* the vertex itself is in no facet any more */
     /* Its row is in two, and so is the border row below, where a facet's edge has gone with it. */
-    static const struct strip want[] = {{3, 0, 4}, {3, 4, 6},   {4, 6, 9},
-                                        {4, 9, 11}, {5, 11, 17}, {6, 17, 23}};
+    static const struct {
+        int row;
+        size_t from, to;
+    } want[] = {{3, 0, 4}, {3, 4, 6}, {4, 6, 9}, {4, 9, 11}, {5, 11, 17}, {6, 17, 23}};
     ck_assert_uint_eq(rows.strip.n, 6);
     for (size_t s = 0; s < 6; s++) {
         ck_assert_int_eq(rows.strip.item[s].row, want[s].row);

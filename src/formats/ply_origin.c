@@ -1,6 +1,7 @@
 /* ply_origin - see ply_origin.h. */
 #include "ply_origin.h"
 
+#include <limits.h>
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -71,6 +72,25 @@ static int read_surface(const char *text, struct mesh_origin *origin, struct err
     return 0;
 }
 
+/* The first row, along and up. */
+static int read_part(const char *text, struct mesh_origin *origin, struct error *error)
+{
+    double value[7];
+    for (int i = 0; i < 7; i++) {
+        text += strspn(text, " \t");
+        if (!num_read(&text, &value[i]) || !isfinite(value[i]))
+            return error_set(error, "comment part with %d numbers, expected 7", i);
+    }
+    struct mesh_part part = {(int)fmin(fmax(value[0], 0), INT_MAX),
+                             vec_unit(vec(value[1], value[2], value[3])),
+                             vec_unit(vec(value[4], value[5], value[6]))};
+    if (text[strspn(text, " \t")] || fabs(vec_dot(part.along, part.up)) > 1e-3 ||
+        !(vec_length(part.along) > 0) || !(vec_length(part.up) > 0))
+        return error_set(error, "comment part, expected a row and two perpendicular directions");
+    *array_push(&origin->part) = part;
+    return 0;
+}
+
 int ply_origin_read(struct mesh_origin *origin, const char *comment, struct error *error)
 {
     const char *text;
@@ -85,6 +105,8 @@ int ply_origin_read(struct mesh_origin *origin, const char *comment, struct erro
         return read_place(text, origin, error);
     } else if ((text = behind(comment, "ledger"))) {
         return read_ledger(text, origin, error);
+    } else if ((text = behind(comment, "part"))) {
+        return read_part(text, origin, error);
     } else if ((text = behind(comment, "surface"))) {
         return read_surface(text, origin, error);
     } else if ((text = behind(comment, "source"))) {
@@ -149,6 +171,16 @@ void ply_origin_write(struct out *out, const struct mesh_origin *origin)
     }
     for (size_t i = 0; i < origin->surface.n; i++)
         write_surface(out, &origin->surface.item[i]);
+    for (size_t i = 0; i < origin->part.n; i++) {
+        const struct mesh_part *p = &origin->part.item[i];
+        const double value[] = {p->along.x, p->along.y, p->along.z, p->up.x, p->up.y, p->up.z};
+        out_printf(out, "comment part %d", p->row);
+        for (int k = 0; k < 6; k++) {
+            out_text(out, " ");
+            out_num(out, value[k], 9);
+        }
+        out_text(out, "\n");
+    }
     if (origin->placed) {
         out_text(out, "comment place");
         for (int i = 0; i < 16; i++) {

@@ -15,7 +15,8 @@ static struct vec3 tangent(const struct axis_feed *feed, struct vec3 normal)
 /* The direction that has the next row on its side whatever the surface does there. */
 static double side_of(const struct axis_feed *feed)
 {
-    struct vec3 left = vec_cross(vec(0, 0, 1), feed->along);
+    struct vec3 up = vec_length(feed->up) > 0 ? feed->up : vec(0, 0, 1);
+    struct vec3 left = vec_cross(up, feed->along);
 
     if (vec_length(feed->plane) > 0)
         left = feed->plane;

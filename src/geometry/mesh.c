@@ -20,6 +20,7 @@ void mesh_free(struct mesh *mesh)
     for (size_t i = 0; i < mesh->origin.surface.n; i++)
         free(mesh->origin.surface.item[i].name);
     array_free(&mesh->origin.surface);
+    array_free(&mesh->origin.part);
 }
 
 struct vec3 mesh_face_cross(const struct mesh *mesh, size_t face)
@@ -61,6 +62,20 @@ static void normals_clear(struct mesh *mesh)
     mesh->normal.n = mesh->vertex.n;
     for (size_t i = 0; i < mesh->normal.n; i++)
         mesh->normal.item[i] = vec(0, 0, 0);
+}
+
+double mesh_steep_part(const struct mesh *mesh, struct vec3 up)
+{
+    const double cosine = 0.34202014332566873; /* 70 degrees */
+    double all = 0, steep = 0;
+
+    for (size_t f = 0; f < mesh->face.n; f++) {
+        struct vec3 cross = mesh_face_cross(mesh, f);
+        double area = vec_length(cross);
+        all += area;
+        steep += vec_dot(cross, up) < cosine * area ? area : 0;
+    }
+    return all > 0 ? steep / all : 0;
 }
 
 void mesh_normals_facet(struct mesh *mesh)

@@ -102,7 +102,7 @@ static void find_strips(const struct mesh *mesh, const struct places *places,
     for (size_t i = 0; i < places->n; i++) {
         const struct place *p = &places->item[i];
         if (i == 0 || !goes_on(mesh, p, edges))
-            *array_push(&rows->strip) = (struct strip){p->row, i, i};
+            *array_push(&rows->strip) = (struct strip){.row = p->row, .from = i, .to = i};
         *array_push(&rows->node) = (size_t)p->vertex;
         rows->strip.item[rows->strip.n - 1].to = i + 1;
     }
@@ -168,6 +168,36 @@ static size_t count_between(const struct mesh *mesh)
     return n;
 }
 
+/* The part that a row belongs to; NULL: the mesh has none. */
+static const struct mesh_part *part_of(const struct mesh *mesh, int row)
+{
+    const struct mesh_parts *part = &mesh->origin.part;
+    const struct mesh_part *found = NULL;
+
+    for (size_t i = 0; i < part->n && (i == 0 || part->item[i].row <= row); i++)
+        found = &part->item[i];
+    return found;
+}
+
+static void find_directions(const struct mesh *mesh, struct rows *rows)
+{
+    const double slant = 0.86602540378443865; /* of the grid: sin 60 */
+
+    rows->along = direction(mesh, rows);
+    double step = step_to_left(mesh, rows);
+    rows->side = vec_scale(step < 0 ? -1 : 1, vec_cross(vec(0, 0, 1), rows->along));
+    rows->distance = fabs(step) > 0 ? fabs(step) : mesh->origin.spacing;
+    if (mesh->origin.part.n > 0 && mesh->origin.spacing > 0)
+        rows->distance = slant * mesh->origin.spacing;
+    for (size_t i = 0; i < rows->strip.n; i++) {
+        struct strip *s = &rows->strip.item[i];
+        const struct mesh_part *part = part_of(mesh, s->row);
+        s->along = part ? part->along : rows->along;
+        s->up = part ? part->up : vec(0, 0, 1);
+        s->side = part ? vec_cross(part->up, part->along) : rows->side;
+    }
+}
+
 int rows_find(const struct mesh *mesh, struct rows *rows, struct error *error)
 {
     if (mesh->row.n != mesh->vertex.n || mesh->col.n != mesh->vertex.n)
@@ -185,10 +215,7 @@ int rows_find(const struct mesh *mesh, struct rows *rows, struct error *error)
     array_free(&edges);
 
     rows->loose = mesh->vertex.n - rows->node.n - count_between(mesh);
-    rows->along = direction(mesh, rows);
-    double step = step_to_left(mesh, rows);
-    rows->side = vec_scale(step < 0 ? -1 : 1, vec_cross(vec(0, 0, 1), rows->along));
-    rows->distance = fabs(step) > 0 ? fabs(step) : mesh->origin.spacing;
+    find_directions(mesh, rows);
     return 0;
 }
 

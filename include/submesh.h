@@ -1,0 +1,14 @@
+/*
+ * submesh - the meshes of the parts of a cloud as one mesh.
+ */
+#ifndef CLOUDMILL_SUBMESH_H
+#define CLOUDMILL_SUBMESH_H
+
+#include "mesh.h"
+#include "subcloud.h"
+
+/* Appends the mesh of a part, which is in the part's own axes: turned back, its rows behind those
+ * that are there, and its frame to to->origin.part. */
+void submesh_add(struct mesh *to, const struct mesh *mesh, const struct subcloud *part);
+
+#endif

@@ -1,0 +1,191 @@
+/* cloudnormals - see cloudnormals.h. */
+#include "cloudnormals.h"
+
+#include <stdbool.h>
+#include <stdlib.h>
+
+#include "array.h"
+#include "kdtree.h"
+#include "parallel.h"
+#include "planefit.h"
+
+struct job {
+    const struct vec3 *point;
+    const struct kdtree *tree;
+    size_t *neighbour;
+    struct vec3 *normal;
+};
+
+/* A way to a point that has no sign yet, from one that has. */
+struct step {
+    double turn; /* 1 - |cosine| */
+    size_t from, to;
+};
+
+struct steps {
+    size_t n, cap;
+    struct step *item;
+};
+
+static void find_near(void *context, size_t from, size_t to)
+{
+    const struct job *job = context;
+
+    for (size_t i = from; i < to; i++) {
+        size_t near[CLOUD_NEAR + 1], *out = job->neighbour + i * CLOUD_NEAR, found = 0;
+        kdtree_nearest(job->tree, job->point[i], CLOUD_NEAR + 1, near, NULL);
+        for (size_t k = 0; k <= CLOUD_NEAR && found < CLOUD_NEAR; k++)
+            if (near[k] != i)
+                out[found++] = near[k];
+    }
+}
+
+size_t *cloud_neighbours(const struct vec3 *point, size_t n, int threads)
+{
+    struct kdtree *tree = kdtree_new(point, n);
+    struct job job = {.point = point, .tree = tree};
+
+    job.neighbour = mem_alloc(n * CLOUD_NEAR, sizeof *job.neighbour);
+    parallel_for(threads, n, find_near, &job);
+    kdtree_free(tree);
+    return job.neighbour;
+}
+
+static int by_size(const void *a, const void *b)
+{
+    double x = *(const double *)a, y = *(const double *)b;
+    return (x > y) - (x < y);
+}
+
+double cloud_spacing(const struct vec3 *point, size_t n, const size_t *neighbour)
+{
+    double *reach = mem_alloc(n, sizeof *reach);
+
+    for (size_t i = 0; i < n; i++)
+        reach[i] = vec_distance(point[i], point[neighbour[i * CLOUD_NEAR + CLOUD_NEAR - 1]]);
+    qsort(reach, n, sizeof *reach, by_size);
+    double spacing = reach[n / 2] * sqrt(PI / CLOUD_NEAR);
+    free(reach);
+    return spacing;
+}
+
+static void fit_planes(void *context, size_t from, size_t to)
+{
+    const struct job *job = context;
+
+    for (size_t i = from; i < to; i++) {
+        struct vec3 near[CLOUD_NEAR + 1] = {job->point[i]};
+        struct planefit plane;
+        for (size_t k = 0; k < CLOUD_NEAR; k++)
+            near[k + 1] = job->point[job->neighbour[i * CLOUD_NEAR + k]];
+        job->normal[i] =
+            planefit(near, CLOUD_NEAR + 1, &plane) == 0 ? plane.normal : vec(0, 0, 1);
+    }
+}
+
+/* A total order, so that the tree does not depend on how the heap came about. */
+static bool before(const struct step *a, const struct step *b)
+{
+    if (a->turn < b->turn || a->turn > b->turn)
+        return a->turn < b->turn;
+    return a->to != b->to ? a->to < b->to : a->from < b->from;
+}
+
+static void swap(struct step *a, struct step *b)
+{
+    struct step c = *a;
+    *a = *b;
+    *b = c;
+}
+
+static void push(struct steps *heap, struct step step)
+{
+    *array_push(heap) = step;
+    for (size_t i = heap->n - 1; i > 0; i = (i - 1) / 2) {
+        if (!before(&heap->item[i], &heap->item[(i - 1) / 2]))
+            break;
+        swap(&heap->item[i], &heap->item[(i - 1) / 2]);
+    }
+}
+
+static struct step pop(struct steps *heap)
+{
+    struct step first = heap->item[0];
+    size_t i = 0, n = --heap->n;
+
+    heap->item[0] = heap->item[n];
+    for (size_t child; (child = 2 * i + 1) < n; i = child) {
+        if (child + 1 < n && before(&heap->item[child + 1], &heap->item[child]))
+            child++;
+        if (!before(&heap->item[child], &heap->item[i]))
+            break;
+        swap(&heap->item[child], &heap->item[i]);
+    }
+    return first;
+}
+
+static void push_neighbours(const struct job *job, size_t i, const bool *done, struct steps *heap)
+{
+    for (size_t k = 0; k < CLOUD_NEAR; k++) {
+        size_t j = job->neighbour[i * CLOUD_NEAR + k];
+        if (!done[j])
+            push(heap, (struct step){1 - fabs(vec_dot(job->normal[i], job->normal[j])), i, j});
+    }
+}
+
+/* Signs for all that can be reached from a point that has its own. */
+static void spread(const struct job *job, size_t start, bool *done, struct steps *heap)
+{
+    done[start] = true;
+    push_neighbours(job, start, done, heap);
+    while (heap->n > 0) {
+        struct step s = pop(heap);
+        struct vec3 *n = &job->normal[s.to];
+        if (done[s.to])
+            continue;
+        if (vec_dot(*n, job->normal[s.from]) < 0)
+            *n = vec_scale(-1, *n);
+        done[s.to] = true;
+        push_neighbours(job, s.to, done, heap);
+    }
+}
+
+struct height {
+    double z;
+    size_t point;
+};
+
+/* The highest first. */
+static int by_height(const void *a, const void *b)
+{
+    const struct height *h = a, *k = b;
+
+    if (h->z < k->z || h->z > k->z)
+        return h->z > k->z ? -1 : 1;
+    return (h->point > k->point) - (h->point < k->point);
+}
+
+void cloud_normals(const struct vec3 *point, size_t n, const size_t *neighbour, int threads,
+                   struct vec3 *normal)
+{
+    struct job job = {.point = point, .neighbour = (size_t *)neighbour, .normal = normal};
+    struct height *height = mem_alloc(n, sizeof *height);
+    bool *done = mem_alloc(n, sizeof *done);
+    struct steps heap = {0};
+
+    parallel_for(threads, n, fit_planes, &job);
+    for (size_t i = 0; i < n; i++)
+        height[i] = (struct height){point[i].z, i};
+    qsort(height, n, sizeof *height, by_height);
+    for (size_t i = 0; i < n; i++) {
+        size_t top = height[i].point;
+        if (done[top])
+            continue;
+        if (normal[top].z < 0)
+            normal[top] = vec_scale(-1, normal[top]);
+        spread(&job, top, done, &heap);
+    }
+    array_free(&heap);
+    free(height);
+    free(done);
+}

@@ -1,0 +1,63 @@
+#!/bin/sh
+# cloud2mesh --subdivide: the whole of a half-ball in 5 axes, judged by the program that comes of it.
+. "${SRC:-$(dirname "$0")/..}/tests/lib.sh"
+
+panel=$SRC/samples/panel_17036.xyz
+
+# A ball of radius R down to z = LOW, n points by the golden angle, their places shaken so that they
+# are no pattern; noise along the normal.
+ball() { # R LOW N NOISE
+	LC_ALL=C awk -v R="$1" -v low="$2" -v n="$3" -v noise="$4" 'BEGIN {
+		for (i = 0; i < n; i++) {
+			z = low + (R - low) * (i + i * 0.7548776662466927 % 1) / n
+			a = i * 2.399963 + i * 0.5698402909980532 % 1 * 0.05; r = sqrt(R * R - z * z)
+			k = 1 + noise * (i * 0.3247 % 1 + i * 0.7143 % 1 + i * 0.1379 % 1 - 1.5) * 2 / R
+			printf "%.4f %.4f %.4f\n", k * r * cos(a), k * r * sin(a), k * z
+		}
+	}'
+}
+
+# What the verdict says: worst gouge, worst left, points in the region.
+figures() {
+	awk '/^part/ { whole = $2 == $4 ? "whole" : "part" } /^gouge +worst/ { g = $3 }
+		/^left +worst/ { l = $3 } END { print g, l, whole }' "$1"
+}
+
+judge() { # DESC R GOUGE LEFT
+	ncpost -q -c siemens -m table-ac "$TMP/ball.cl" -o "$TMP/ball.mpf"
+	run ncverify -r "$2" -m table-ac -g "$TMP/ball.xyz" "$TMP/ball.mpf"
+	figures "$TMP/out" >"$TMP/figures"
+	has "$1: all of it is judged" 'whole$' "$TMP/figures"
+	below "$1: no gouge" "$(awk '{ print $1 }' "$TMP/figures")" "$3"
+	below "$1: nothing left standing" "$(awk '{ print $2 }' "$TMP/figures")" "$4"
+}
+
+ball 4 0 9000 0 >"$TMP/ball.xyz"
+ok "half-ball: a mesh" cloud2mesh --subdivide "$TMP/ball.xyz" -o "$TMP/ball.ply"
+has "it is divided" 'divided into [5-9] parts' "$TMP/err"
+has "its parts are in the head" '^comment part [1-9][0-9]* ' "$TMP/ball.ply"
+ok "half-ball: a path" meshnorm -r 3 -g "$TMP/ball.xyz" "$TMP/ball.ply" -o "$TMP/ball.cl"
+judge "half-ball" 3 0.015 0.03
+
+ball 5 -1 9000 0.005 >"$TMP/ball.xyz"
+cloud2mesh -q --subdivide "$TMP/ball.xyz" -o "$TMP/ball.ply"
+ok "beyond the equator, noise: a path" meshnorm -r 2 -g "$TMP/ball.xyz" "$TMP/ball.ply" -o "$TMP/ball.cl"
+judge "beyond the equator" 2 0.03 0.05
+
+cloud2mesh -q -j 1 --subdivide "$TMP/ball.xyz" -o "$TMP/one.ply"
+same "the same for any number of threads" "$TMP/one.ply" "$TMP/ball.ply"
+
+ok "without it" cloud2mesh "$TMP/ball.xyz" -o "$TMP/flat.ply"
+has "steep parts are said" '% of the surface is steeper than 70 degrees' "$TMP/err"
+cloud2mesh "$panel" -o "$TMP/flat.ply" 2>"$TMP/err"
+hasnt "but not on the panel" 'steeper' "$TMP/err"
+cloud2mesh -q --subdivide -t 4 "$panel" -o "$TMP/parts.ply"
+has "and one part serves it" '^comment part 0 1' "$TMP/parts.ply"
+hasnt "alone" '^comment part [1-9]' "$TMP/parts.ply"
+
+sed 's/^comment part .*/comment part 0 1 0 0 1 0/' "$TMP/parts.ply" >"$TMP/bad.ply"
+status 1 "a part with six numbers" meshnorm -r 3 "$TMP/bad.ply"
+sed 's/^comment part .*/comment part 0 1 0 0 1 0 0/' "$TMP/parts.ply" >"$TMP/bad.ply"
+status 1 "directions that are not perpendicular" meshnorm -r 3 "$TMP/bad.ply"
+
+done_testing
