@@ -8,6 +8,9 @@
 #include "ballroll.h"
 #include "error.h"
 #include "ncread.h"
+#include "stockrun.h"
+
+struct out;
 
 enum { FINDING_TEXT = 240 };
 
@@ -34,6 +37,10 @@ struct verdict {
     double rapid;          /* how deep a rapid move goes in, 0: none does */
     size_t rapid_points;   /* points that rapids pass through */
     size_t rapid_at, rapid_piece;
+    const struct holderway *holder; /* shank and holder against the part; NULL: not looked at */
+    const struct stockrun *stock;   /* what became of the stock; NULL: none was given */
+    const struct holderway *stock_holder;
+    double cell;           /* of the stock, mm */
     unsigned passes;
     struct verdict_piece *piece; /* as many as the course has */
     struct {
@@ -53,6 +60,9 @@ void verdict_free(struct verdict *verdict);
 
 /* A table of the figures. */
 void verdict_text(const struct verdict *verdict, const char *file);
+
+/* Of it what the stock was cut by, pass by pass, and what is left. */
+void verdict_stock(const struct verdict *verdict, struct out *o);
 
 /* A PLY of all points: x y z, colour, deviation (mm), block. */
 void verdict_map(const struct verdict *verdict, const char *file);

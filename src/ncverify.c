@@ -11,22 +11,35 @@
 #include "array.h"
 #include "cli.h"
 #include "cloud.h"
+#include "holder_spec.h"
 #include "machine.h"
 #include "ncread_machine.h"
+#include "stock_spec.h"
 #include "verdict.h"
 #include "verifypart.h"
-
-#define FLAT 0.0002 /* how straight the ball's way is between two places, mm */
+#include "verifyrun.h"
 
 static const char *const unit_name[] = {"mm", "cm", "m", "um", "inch", "in"};
 
 struct settings {
     int control, unit;
     bool control_given, radius_given, shank_given, band_given, left_given, centre;
-    const char *machine, *map, *page;
+    const char *machine, *map, *page, *holder, *stock;
     struct cli_list part, set;
-    double radius, tolerance, left, band, shank;
+    double radius, tolerance, left, band, shank, cell;
+    struct holder shape;
+    struct stock_spec block;
 };
+
+/* Shank, holder and stock. */
+static void read_shapes(struct settings *s)
+{
+    struct error error;
+    if (s->holder && holder_spec_read(s->holder, &s->shape, &error) < 0)
+        die_usage("option --holder: %s", error.text);
+    if (s->stock && stock_spec_read(s->stock, &s->block, &error) < 0)
+        die_usage("option --stock: %s", error.text);
+}
 
 static void read_options(struct settings *s, struct cli *cli, int argc, char **argv)
 {
@@ -60,6 +73,16 @@ static void read_options(struct settings *s, struct cli *cli, int argc, char **a
          "length of the shaft above the ball's centre, as thick as the ball,\n"
          "that rapid moves keep clear too (default: four radii)",
          CLI_NUMBER, &s->shank, 0, 1e4, 0, &s->shank_given},
+        {0, "holder", "SPEC",
+         "shank and holder from the ball's centre upward, as cylinders R:L and\n"
+         "cones R0:R1:L joined by +: they keep clear of the part in all moves",
+         CLI_TEXT, &s->holder, 0, 0, 0, NULL},
+        {0, "stock", "SPEC",
+         "what is cut: box (around the part), box,MM (so much larger),\n"
+         "box:X0,Y0,Z0,X1,Y1,Z1, or offset,MM (the surface and so much more)",
+         CLI_TEXT, &s->stock, 0, 0, 0, NULL},
+        {0, "cell", "MM", "how finely the stock is looked at (default: by its size)", CLI_NUMBER,
+         &s->cell, 1e-4, 1e3, 0, NULL},
         {0, "centre", NULL, "the program moves the centre of the ball, not its tip", CLI_FLAG,
          &s->centre, 0, 0, 0, NULL},
         {'u', "units", "mm|cm|m|um|inch|in", "units of what -g names (default: mm)", CLI_CHOICE,
@@ -83,6 +106,7 @@ static void read_options(struct settings *s, struct cli *cli, int argc, char **a
         die_usage("found %d programs, expected one", cli->files);
     s->band = s->band_given ? s->band : s->radius / 4;
     s->shank = s->shank_given ? s->shank : 4 * s->radius;
+    read_shapes(s);
     s->left = s->left_given ? s->left : HUGE_VAL;
     if (s->band < s->tolerance)
         die_usage("option --band: found %g, expected more than the tolerance %g", s->band,
@@ -141,24 +165,6 @@ static void read_part(const struct settings *s, struct vec3s *points)
         die("%s: no points to judge by", s->part.item[0]);
 }
 
-/* The deepest that a rapid move goes in. */
-static void roll_rapids(const struct settings *s, int threads, struct verdict *v)
-{
-    struct ball_path rapid = {0};
-    struct ballroll roll;
-    ballpath_rapid(v->course, s->radius, s->shank, FLAT, &rapid);
-    struct ballroll_setup setup = {s->radius, s->tolerance, -s->tolerance, threads};
-    ballroll_run(&rapid, v->point->item, v->point->n, &setup, &roll);
-    if (roll.gouged > 0) {
-        v->rapid = roll.gouge;
-        v->rapid_points = roll.gouged;
-        v->rapid_at = roll.gouge_at;
-        v->rapid_piece = rapid.item[roll.segment[roll.gouge_at]].piece;
-    }
-    ballroll_free(&roll);
-    array_free(&rapid);
-}
-
 static struct axisload_limits limits_of(const struct machine *machine)
 {
     struct axisload_limits limits = {.combined = !machine->tcp && machine->feeds == FEEDS_COMBINED};
@@ -176,19 +182,21 @@ int main(int argc, char **argv)
     struct cli cli;
     struct course course = {0};
     struct vec3s points = {0};
-    struct ball_path cut = {0};
+    struct verifyrun run;
     read_options(&s, &cli, argc, argv);
     struct machine machine = read_machine(&s);
     struct axisload_limits limits = limits_of(&machine);
     struct verdict v = {.radius = s.radius, .tolerance = s.tolerance, .left = s.left};
     read_program(&s, &machine, cli.file[0], &v, &course);
     read_part(&s, &points);
-    ballpath_cut(&course, s.radius, FLAT, &cut);
-    v.cut = &cut;
     v.point = &points;
-    struct ballroll_setup setup = {s.radius, s.tolerance, s.band, cli.threads};
-    ballroll_run(&cut, points.item, points.n, &setup, &v.roll);
-    roll_rapids(&s, cli.threads, &v);
+    const struct verifyrun_setup setup = {.band = s.band,
+                                          .shank = s.shank,
+                                          .holder = s.holder ? &s.shape : NULL,
+                                          .stock = s.stock ? &s.block : NULL,
+                                          .cell = s.cell,
+                                          .threads = cli.threads};
+    verifyrun_do(&setup, &run, &v);
     v.load = axisload_run(&course, &limits);
     verdict_judge(&v);
     if (s.map)
@@ -200,7 +208,7 @@ int main(int argc, char **argv)
     for (size_t i = 0; i < v.finding.n; i++)
         say("%s: %s", v.file, v.finding.item[i].text);
     verdict_free(&v);
-    array_free(&cut);
+    verifyrun_free(&run);
     array_free(&points);
     array_free(&s.part);
     array_free(&s.set);

@@ -143,6 +143,75 @@ for control in siemens heidenhain linuxcnc; do
 	status 1 "$control: a cut-off file cannot be run" ncverify -q -g dome.xyz -r 6 -m $machine bad.$control
 done
 
+# ---- shank and holder, on all controls: 6 mm over the ball's centre a collar of 30 that leans
+for control in fanuc siemens heidenhain linuxcnc; do
+	machine=table-ac
+	[ $control = linuxcnc ] && machine=linuxcnc-iso
+	status 0 "$control: a holder that is clear" ncverify -q -g dome.xyz -r 6 -e 0.005 -m $machine \
+		--holder 6:20+6:15:30+15:20 dome.$control
+	sed "/^N*12030* /s/A+*[0-9.]*/A+50.0/" dome.$control >lean.$control
+	[ $control = heidenhain ] || sed -i 's/A+50/A50/' lean.$control
+	status 3 "$control: a holder that leans into the part" \
+		ncverify -g dome.xyz -r 6 -e 0.005 -m $machine --holder 6:2+20:30 lean.$control
+	has "$control: is named with its depth" \
+		'^ncverify: .*N120[234]0? .*: shank or holder goes [0-9.]+ mm deep into the part at' err
+done
+sed '/^N12430 /s/Z.*/Z30. A85./' dome.fanuc >lean.nc
+status 3 "a holder in a rapid move" ncverify -g dome.xyz -r 6 -e 0.005 --holder 3:10+25:30 lean.nc
+has "is named" 'N124[34]0 .*shank or holder goes .*in a rapid move' err
+status 2 "a holder of nothing" ncverify -g dome.xyz -r 6 --holder 3:0 dome.fanuc
+
+# ---- the stock: passes, layers, bites, what is left, by the formulas of a sphere and of planes
+# Flat: z = 0 over 40 x 20; grooves by a ball of R 5, first 1 deep, then 2.5, in the same place.
+awk 'BEGIN { for (y = -10; y <= 10; y += 0.5) for (x = -20; x <= 20; x += 0.5) print x, y, -3 }' >flat.xyz
+groove() { # Y...: passes along x; depth 1 and then 2.5 at each
+	echo %; echo 'O0001'; echo 'N1 G90 G17 G21 G40 G49 G80 G94 G54'; echo 'N2 G53 G0 Z0.'
+	echo 'N3 T1 M6'; echo 'N4 S8000 M3'; echo 'N5 G0 A0. C0.'; echo 'N6 G43.4 H1'
+	n=7
+	for y; do
+		for z in -1. -2.5; do
+			echo "N$n G0 X-30. Y$y Z20."; echo "N$((n + 1)) G1 Z$z F500."; echo "N$((n + 2)) X30."
+			echo "N$((n + 3)) G0 Z20."; n=$((n + 4))
+		done
+	done
+	echo "N$n G49"; echo "N$((n + 1)) G53 G0 Z0."; echo "N$((n + 2)) M5"; echo "N$((n + 3)) M30"; echo %
+}
+groove 0. >groove.nc
+ncverify -q -g flat.xyz -r 5 --stock box:-20,-10,-8,20,10,0 --cell 0.1 groove.nc >out
+# 40 (R^2 acos((R - d) / R) - (R - d) sqrt(2 R d - d^2)): 163.50 and 614.18
+has "the first groove takes off what it must" 'pass 1, N8 .*: 163\.[45][0-9]* mm3 off, bite (0\.999|1\.000)' out
+has "the second the rest of it" 'pass 2, N12 .*: 450\.[67][0-9]* mm3 off, bite 1\.[45][0-9]* mm' out
+has "the way down is air" 'air in 1 of 2 blocks' out
+has "what is left beside them" '^stock        left 3\.0000 mm \(50% 3\.0000' out
+has "volumes add up" '^stock        6400\.0 mm3, 5785\.8 left' out
+sed '/^N14 /s/.*/N14 G0 X-30.\
+Y2.\
+X30./' groove.nc >rapid.nc
+status 3 "a rapid move through what is left" \
+	ncverify -g flat.xyz -r 5 --stock box:-20,-10,-8,20,10,0 rapid.nc
+has "is named, the one in the groove is not" \
+	'^ncverify: rapid.nc: line 18: a rapid move goes [0-9.]+ mm deep into the stock.*blocks: 1' err
+# The dome under 2 mm of stock: a layer 1 mm off it leaves 1 mm, the last one its scallops.
+for control in fanuc siemens heidenhain linuxcnc; do
+	machine=table-ac
+	[ $control = linuxcnc ] && machine=linuxcnc-iso
+	dome $control -1 >layer.$control
+	ncverify -q -g dome.xyz -r 6 --band 2 -m $machine --stock offset,2 layer.$control >out
+	left=$(sed -n 's/^stock *left.*(50% \([0-9.]*\).*/\1/p' out)
+	below "$control: a layer leaves what it is to leave" "$left" 1.02
+	below "$control: and no less" 1 "$left"
+done
+ncverify -q -g dome.xyz -r 6 --stock offset,0.5 dome.fanuc >out
+bite=$(sed -n 's/^stock *pass 1,.*bite \([0-9.]*\).*/\1/p' out)
+below "a pass takes the layer off" "$bite" 0.53
+below "all of it" 0.47 "$bite"
+status 3 "a rapid move through the stock" ncverify -g dome.xyz -r 6 --stock box,20 dome.fanuc
+has "is named" 'N[0-9]+ .*a rapid move goes [0-9.]+ mm deep into the stock at' err
+status 3 "a holder that runs into the stock" \
+	ncverify -g dome.xyz -r 6 --stock offset,8 --holder 6:2+12:20 dome.fanuc
+has "is named too" 'N[0-9]+ .*shank or holder goes [0-9.]+ mm deep into the stock at' err
+status 2 "a stock that is none" ncverify -g dome.xyz -r 6 --stock sphere dome.fanuc
+
 # ---- what it is judged by: a mesh, surfaces; the map and the page
 
 nurbs2mesh -q -n 60 -o s1.ply "$SRC/samples/paper2_s1_a.igs"

@@ -70,6 +70,27 @@ static void judge_surface(struct verdict *v)
              p.y, p.z);
 }
 
+/* Shank or holder in the part, or in the stock. */
+static void judge_holder(struct verdict *v, const struct holderway *way, const char *what)
+{
+    if (!way || !(way->depth > 0))
+        return;
+    bool fast = v->course->piece.item[way->piece].rapid;
+    find(v, true, way->piece,
+         "shank or holder goes %.3f mm deep into the %s at %.3f %.3f %.3f%s (blocks: %zu)",
+         way->depth, what, way->at.x, way->at.y, way->at.z, fast ? ", in a rapid move" : "",
+         way->pieces);
+}
+
+static void judge_stock(struct verdict *v)
+{
+    const struct stockrun *run = v->stock;
+    if (run && run->rapid > 0)
+        find(v, true, run->rapid_piece,
+             "a rapid move goes %.3f mm deep into the stock at %.3f %.3f %.3f (blocks: %zu)",
+             run->rapid, run->rapid_at.x, run->rapid_at.y, run->rapid_at.z, run->rapids);
+}
+
 static void judge_axes(struct verdict *v)
 {
     static const char letter[] = "XYZABC";
@@ -92,6 +113,9 @@ void verdict_judge(struct verdict *v)
     sum_pieces(v);
     if (v->roll.points > 0)
         judge_surface(v);
+    judge_holder(v, v->holder, "part");
+    judge_stock(v);
+    judge_holder(v, v->stock_holder, "stock");
     judge_axes(v);
     if (v->roll.cut == 0 && v->course->piece.n > 0)
         find(v, true, 0, "the ball comes near no point of the part");

@@ -72,6 +72,8 @@ void verdict_text(const struct verdict *v, const char *file)
         quantity(v, o, true);
         quantity(v, o, false);
     }
+    if (v->stock)
+        verdict_stock(v, o);
     for (size_t i = 0; i < v->finding.n; i++)
         out_printf(o, "%s       %s\n", v->finding.item[i].fault ? "fault " : "notice",
                    v->finding.item[i].text);

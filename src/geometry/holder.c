@@ -28,12 +28,20 @@ struct place {
     double r, h;
 };
 
-static double to_segment(struct place a, struct place b, struct place p)
+/* Squared distance of p from the segment. */
+static double to_segment2(struct place a, struct place b, struct place p)
 {
     double dr = b.r - a.r, dh = b.h - a.h, l2 = dr * dr + dh * dh;
-    double s = l2 > 0 ? (dr * (p.r - a.r) + dh * (p.h - a.h)) / l2 : 0;
-    s = fmin(fmax(s, 0), 1);
-    return hypot(p.r - a.r - s * dr, p.h - a.h - s * dh);
+    double r = p.r - a.r, h = p.h - a.h, along = dr * r + dh * h;
+    double s = along <= 0 ? 0 : along >= l2 ? 1 : along / l2;
+    r -= s * dr;
+    h -= s * dh;
+    return r * r + h * h;
+}
+
+static double smaller(double a, double b)
+{
+    return a < b ? a : b;
 }
 
 double holder_distance(const struct holder *holder, struct vec3 centre, struct vec3 axis,
@@ -51,11 +59,12 @@ double holder_distance(const struct holder *holder, struct vec3 centre, struct v
         const struct holder_part *part = &holder->part[i];
         const struct place low = {part->low, last.h}, high = {part->high, last.h + part->length};
         double share = (at.h - low.h) / part->length;
-        least = fmin(least, fmin(to_segment(last, low, at), to_segment(low, high, at)));
+        least = smaller(least, to_segment2(last, low, at));
+        least = smaller(least, to_segment2(low, high, at));
         inside = inside ||
                  (share >= 0 && share <= 1 && at.r < part->low + share * (part->high - part->low));
         last = high;
     }
-    least = fmin(least, to_segment(last, (struct place){0, last.h}, at));
+    least = sqrt(smaller(least, to_segment2(last, (struct place){0, last.h}, at)));
     return inside ? -least : least;
 }
