@@ -1,6 +1,7 @@
 #!/bin/sh
 # demo.sh OUTDIR - the main job on a real scan: a face, to a Siemens program of arcs and a Fanuc
-# program of B-splines, each read back as the control would run it and rolled over the whole scan.
+# program of B-splines, each read back as the control would run it, judged by ncverify against the
+# whole scan, and drawn.
 # `make demo` calls it with BIN (the tools) and READBACK (the tests' reader) set.
 set -eu
 src=$(cd "$(dirname "$0")/.." && pwd)
@@ -63,3 +64,24 @@ told face-arcs.cl face.mpf "Siemens: TRAORI, tool vectors" \
 	"$(value face.mpf program arcs) arcs in space (CIP)"
 told face-splines.cl face.nc "Fanuc: G43.4, A and C" \
 	"$(value face.nc program curves) B-splines (G06.2) of $(value face.nc program poles) control points"
+
+# verdict PROGRAM: what ncverify says, in short; the whole of it as a page for a browser
+verdict() {
+	page=${1%.*}-${1##*.}.html
+	printf '\n$ ncverify -g %s -r %s -e %s --report %s %s\n' $scan $radius $deepest "$out/$page" \
+		"$out/$1"
+	ncverify -q -g $scan -r $radius -e $deepest --report "$out/$page" "$out/$1" >"$out/$1.verdict" ||
+		code=$?
+	sed -n -e 's/^/  /' -e '/^  time/p' -e '/^  gouge *worst/p' -e '/^  gouge *50%/p' \
+		-e '/^  left *50%/p' -e '/^  verdict/p' "$out/$1.verdict"
+}
+
+code=0
+verdict face.nc
+verdict face.mpf
+
+printf '\n$ ncplot --cut %s %s > %s\n' "$out/face.ply" "$out/face.mpf" "$out/face.svg"
+ncplot -q --cut --title "A face, its mesh and its Siemens program" -o "$out/face.svg" \
+	"$out/face.ply" "$out/face.mpf"
+echo "  the picture: $out/face.svg; to turn and zoom it in a browser: $out/face-mpf.html"
+exit "$code"
