@@ -37,7 +37,7 @@ benches  := $(bench_src:tests/bench/%.c=$(BUILD)/bench/%)
 readback := $(if $(back_src),$(BUILD)/tests/readback/readback)
 
 # What `make deps` installs: for the tests, and for lint and fuzz.
-packages = check pkg-config mandoc clang clang-tidy cppcheck shellcheck gcovr parallel python3
+packages = check pkg-config mandoc clang clang-tidy cppcheck shellcheck gcovr parallel python3 chromium
 
 all: $(tools)
 

@@ -6,9 +6,10 @@
 #include "out.h"
 #include "verdict.h"
 #include "verdict_script.h"
+#include "verdict_side.h"
 
 /* What a browser turns without delay. */
-enum { POINTS = 60000, NODES = 60000, WORST = 12, BARS = 41 };
+enum { POINTS = 60000, NODES = 60000, WORST = 12 };
 
 static const char style[] =
     "body{font:15px/1.4 system-ui,sans-serif;margin:0;color:#1c1c1c;background:#fafafa}\n"
@@ -19,19 +20,9 @@ static const char style[] =
     "table{border-collapse:collapse}td,th{text-align:left;padding:.1rem .6rem .1rem 0}\n"
     "td.n{text-align:right;font-variant-numeric:tabular-nums}\n"
     "button{font:inherit;margin:.1rem .2rem .1rem 0;padding:.1rem .5rem;cursor:pointer}\n"
-    "button[aria-pressed=true]{background:#dce8ff}\n"
+    "button[aria-pressed=true]{background:#dce8ff}#passes{max-height:16rem;overflow:auto}\n"
     ".bad{color:#b00020;font-weight:600}.good{color:#1b7a34;font-weight:600}\n"
     "@media(max-width:60rem){main{grid-template-columns:1fr}}\n";
-
-static void text(struct out *o, const char *s)
-{
-    for (; *s; s++) {
-        if (*s == '<' || *s == '>' || *s == '&')
-            out_text(o, *s == '<' ? "&lt;" : *s == '>' ? "&gt;" : "&amp;");
-        else
-            out_bytes(o, s, 1);
-    }
-}
 
 static int thousandths(double mm)
 {
@@ -70,23 +61,9 @@ static double weight(const struct verdict *v, size_t i)
     return deviation < 0 ? 1000 - deviation : deviation;
 }
 
-/* Rows of the table of pieces that the page knows, each once. */
-struct rows {
-    long *of; /* each piece's row, -1: none */
-    struct sizes piece;
-};
-
-static long row_of(struct rows *rows, size_t piece)
-{
-    if (rows->of[piece] < 0) {
-        rows->of[piece] = (long)rows->piece.n;
-        *array_push(&rows->piece) = piece;
-    }
-    return rows->of[piece];
-}
-
 /* Of as many points in a row as there are too many, the one that is worst. */
-static void points(struct out *o, const struct verdict *v, struct vec3 centre, struct rows *rows)
+static void points(struct out *o, const struct verdict *v, struct vec3 centre,
+                   struct side_rows *rows)
 {
     size_t stride = v->roll.points / POINTS + 1;
     out_text(o, "points:[");
@@ -98,13 +75,14 @@ static void points(struct out *o, const struct verdict *v, struct vec3 centre, s
         unsigned segment = v->roll.segment[best];
         place(o, v->point->item[best], centre);
         out_printf(o, "%d,%d,%ld,\n", fine(v->roll.deviation[best]), v->roll.region[best],
-                   segment == UINT_MAX ? -1 : row_of(rows, v->cut->item[segment].piece));
+                   segment == UINT_MAX ? -1 : side_row(rows, v->cut->item[segment].piece));
     }
     out_text(o, "],\n");
 }
 
 /* The way of the tip; curves in eight steps. */
-static void nodes(struct out *o, const struct verdict *v, struct vec3 centre, struct rows *rows)
+static void nodes(struct out *o, const struct verdict *v, struct vec3 centre,
+                  struct side_rows *rows)
 {
     const struct course *course = v->course;
     size_t stride = course->piece.n / NODES + 1;
@@ -114,7 +92,7 @@ static void nodes(struct out *o, const struct verdict *v, struct vec3 centre, st
         bool turn = i == 0 || piece->rapid != course->piece.item[i - 1].rapid;
         if (i % stride != 0 && !turn)
             continue;
-        long row = row_of(rows, i);
+        long row = side_row(rows, i);
         int steps = piece->shape == SHAPE_LINE ? 1 : 8;
         if (turn) {
             place(o, course_at(course, piece, 0).p, centre);
@@ -128,8 +106,8 @@ static void nodes(struct out *o, const struct verdict *v, struct vec3 centre, st
     out_text(o, "],\n");
 }
 
-static void data(struct out *o, const struct verdict *v, struct rows *rows, const size_t *worst,
-                 size_t n)
+static void data(struct out *o, const struct verdict *v, struct side_rows *rows,
+                 const size_t *worst, size_t n)
 {
     struct vec3 centre = middle(v->point);
     double full = isfinite(v->left) ? v->left : 4 * v->tolerance;
@@ -139,7 +117,7 @@ static void data(struct out *o, const struct verdict *v, struct rows *rows, cons
     nodes(o, v, centre, rows);
     out_text(o, "worst:[");
     for (size_t i = 0; i < n; i++)
-        out_printf(o, "%ld,", row_of(rows, worst[i]));
+        out_printf(o, "%ld,", side_row(rows, worst[i]));
     out_text(o, "],\nrows:[");
     for (size_t i = 0; i < rows->piece.n; i++) {
         size_t at = rows->piece.item[i];
@@ -150,132 +128,43 @@ static void data(struct out *o, const struct verdict *v, struct rows *rows, cons
     out_text(o, "]};\n");
 }
 
-static void row(struct out *o, const char *what, double worst, const double *part, size_t beyond)
-{
-    out_printf(o, "<tr><th scope=\"row\">%s</th>", what);
-    out_printf(o, "<td class=\"n\">%.4f</td><td class=\"n\">%.4f</td>", worst, part[0]);
-    out_printf(o, "<td class=\"n\">%.4f</td><td class=\"n\">%.4f</td>", part[1], part[2]);
-    out_printf(o, "<td class=\"n\">%zu</td></tr>\n", beyond);
-}
-
-static void figures(struct out *o, const struct verdict *v)
-{
-    static const char letter[] = "XYZABC";
-    const struct ballroll *r = &v->roll;
-    out_text(o, "<h2>Figures, mm</h2>\n<table><tr><td></td><th>worst</th><th>50%</th><th>95%</th>"
-                "<th>99%</th><th>points beyond</th></tr>\n");
-    row(o, "gouge", r->gouge, r->gouge_part, r->gouged);
-    row(o, "left", r->over, r->over_part, r->left);
-    out_printf(o, "</table>\n<p>%zu points, %zu in the region cut. %.1f mm in %u passes, ",
-               r->points, r->cut, v->load.cut_length, v->passes);
-    out_printf(o, "%.2f min at feed; %.1f mm rapid, %.2f min.</p>\n<table>", v->load.cut_time,
-               v->load.rapid_length, v->load.rapid_time);
-    for (int k = 0; k < LOAD_AXES; k++)
-        if (v->load.low[k] < v->load.high[k])
-            out_printf(o, "<tr><th scope=\"row\">travel %c</th><td class=\"n\">%.3f</td>"
-                          "<td class=\"n\">%.3f</td></tr>\n",
-                       letter[k], v->load.low[k], v->load.high[k]);
-    out_text(o, "</table>\n");
-}
-
-static void findings(struct out *o, const struct verdict *v)
-{
-    out_printf(o, "<p class=\"%s\" role=\"status\">%s</p>\n",
-               verdict_refused(v) ? "bad" : "good", verdict_refused(v) ? "refused" : "accepted");
-    out_text(o, "<ul>\n");
-    for (size_t i = 0; i < v->finding.n; i++) {
-        out_printf(o, "<li%s>", v->finding.item[i].fault ? " class=\"bad\"" : "");
-        text(o, v->finding.item[i].text);
-        out_text(o, "</li>\n");
-    }
-    out_text(o, "</ul>\n");
-}
-
-/* Bars of how many points there are at each deviation, from the worst gouge to `most`. */
-static void histogram(struct out *o, const struct verdict *v)
-{
-    size_t count[BARS] = {0}, highest = 1;
-    double low = -fmax(v->roll.gouge, v->tolerance), high = fmax(v->roll.over_part[2] * 1.2, -low);
-    for (size_t i = 0; i < v->roll.points; i++) {
-        double share = (v->roll.deviation[i] - low) / (high - low);
-        if (v->roll.region[i])
-            count[(int)fmin(fmax(share * BARS, 0), BARS - 1)]++;
-    }
-    for (int i = 0; i < BARS; i++)
-        highest = count[i] > highest ? count[i] : highest;
-    out_text(o, "<h2>How many points at which deviation</h2>\n<svg viewBox=\"0 0 410 130\" "
-                "width=\"100%\" role=\"img\" aria-label=\"histogram of deviations\">\n");
-    for (int i = 0; i < BARS; i++) {
-        /* by the logarithm, so that a few gouged points are seen */
-        double tall = 100 * log1p((double)count[i]) / log1p((double)highest);
-        double at = low + (high - low) * (i + 0.5) / BARS;
-        out_printf(o, "<rect x=\"%d\" y=\"%.1f\" width=\"9\" height=\"%.1f\" fill=\"%s\">", 10 * i,
-                   105 - tall, tall,
-                   at < -v->tolerance ? "#dc1e1e" : at <= v->tolerance ? "#46aa5a" : "#285adc");
-        out_printf(o, "<title>%.4f mm: %zu points</title></rect>\n", at, count[i]);
-    }
-    out_printf(o, "<text x=\"0\" y=\"122\" font-size=\"12\">%.4f</text>", low);
-    out_printf(o, "<text x=\"410\" y=\"122\" font-size=\"12\" text-anchor=\"end\">%.4f mm</text>"
-                  "</svg>\n<p>Heights by the logarithm.</p>\n",
-               high);
-}
-
-static void blocks(struct out *o, const struct verdict *v, struct rows *rows, const size_t *worst,
-                   size_t n)
-{
-    out_text(o, "<h2>Worst blocks</h2>\n<div>\n");
-    for (size_t i = 0; i < n; i++) {
-        const struct verdict_piece *at = &v->piece[worst[i]];
-        bool gouge = (double)at->gouge > v->tolerance || at->over <= 0;
-        char where[60];
-        ncread_place(&v->course->piece.item[worst[i]], where, sizeof where);
-        out_printf(o, "<button type=\"button\" data-row=\"%ld\">%s, pass %u: %s %.4f</button>\n",
-                   row_of(rows, worst[i]), where, at->pass, gouge ? "gouge" : "left",
-                   (double)(gouge ? at->gouge : at->over));
-    }
-    out_text(o, "</div>\n");
-}
-
-static void body(struct out *o, const struct verdict *v, struct rows *rows, const size_t *worst,
-                 size_t n)
+static void body(struct out *o, const struct verdict *v, struct side_rows *rows,
+                 const size_t *worst, size_t n)
 {
     out_text(o, "<h1>");
-    text(o, v->file);
+    side_text(o, v->file);
     out_printf(o, ": %s, ball of radius %g, tolerance %g mm, machine ", v->control, v->radius,
                v->tolerance);
-    text(o, v->machine);
+    side_text(o, v->machine);
     out_text(o,
              "</h1>\n<main><section>\n<canvas id=\"view\" tabindex=\"0\" role=\"img\" "
              "aria-label=\"the part, coloured by deviation; keys are told below\"></canvas>\n"
              "<p id=\"info\" aria-live=\"polite\">Nothing is chosen.</p>\n<p>"
              "<button type=\"button\" id=\"points\" aria-pressed=\"true\">points</button>"
              "<button type=\"button\" id=\"path\" aria-pressed=\"true\">path</button>"
-             "<button type=\"button\" id=\"rapid\" aria-pressed=\"true\">rapids</button></p>\n"
+             "<button type=\"button\" id=\"rapid\" aria-pressed=\"true\">rapids</button> "
+             "<label>block <input id=\"find\" size=\"8\" inputmode=\"numeric\"></label></p>\n"
              "<p>Green is cut, red gouged, blue left, grey not of the region cut. Drag turns, with "
              "shift it moves, the wheel zooms, a click chooses. Keys: arrows turn, with shift "
              "move, + and - zoom, 0 begins anew, t from above, f from the front, n and p the next "
-             "and the last of the worst blocks, Esc nothing.</p>\n</section><section>\n");
-    findings(o, v);
-    figures(o, v);
-    histogram(o, v);
-    blocks(o, v, rows, worst, n);
+             "and the last of the worst blocks, ] and [ of the passes, Esc "
+             "nothing.</p>\n</section><section>\n");
+    side_write(o, v, rows, worst, n);
     out_text(o, "</section></main>\n");
 }
 
 void verdict_page(const struct verdict *v, const char *file)
 {
-    struct rows rows = {0};
+    struct side_rows rows = {0};
     struct out *o = out_open(file);
     size_t worst[2 * WORST], n = verdict_worst(v, true, WORST, worst);
     while (n > 0 && (double)v->piece[worst[n - 1]].gouge <= v->tolerance)
         n--; /* what is within the tolerance is no matter */
     n += verdict_worst(v, false, WORST, worst + n);
     rows.of = mem_alloc(v->course->piece.n, sizeof *rows.of);
-    for (size_t i = 0; i < v->course->piece.n; i++)
-        rows.of[i] = -1;
     out_text(o, "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\">\n"
                 "<meta name=\"viewport\" content=\"width=device-width\">\n<title>ncverify: ");
-    text(o, v->file);
+    side_text(o, v->file);
     out_text(o, "</title>\n<style>\n");
     out_text(o, style);
     out_text(o, "</style></head><body>\n");
