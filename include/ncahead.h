@@ -10,7 +10,9 @@
 struct nc_ahead {
     size_t n, cap;
     struct turnplan_place *item; /* along the group, from where its rapids have led to */
-    struct sizes start;          /* of each item of the group: the place where it starts */
+    struct doubles s;            /* of each place: how far along its motion, 0 to 1 */
+    struct sizes start;          /* of each item of the group: the place where it starts; then that
+                                    where the last one ends */
 };
 
 /*

@@ -28,6 +28,16 @@ struct nc_branch {
     int wind;  /* whole turns more of the axis nearest the work, for the first */
 };
 
+/* Where on a motion, 0 to 1, the tool retracts and turns: to these angles. */
+struct nc_stop {
+    double s, q[ROTARY_MAX];
+};
+
+struct nc_stops {
+    size_t n, cap;
+    struct nc_stop *item;
+};
+
 struct nc_step {
     const struct path *path;
     const struct machine *machine;
@@ -44,6 +54,7 @@ struct nc_step {
     size_t tilted;            /* looked for from there: the next whose tool axis is not singular */
     const double *aim; /* angles near which the next ones are to be, NULL: near the last ones */
     bool first;        /* the next motion is the first of a group: the tool is off the part */
+    struct nc_stops stops; /* inside of the next motion */
     bool may_turn;     /* retract - turn - return is allowed */
     struct error *error;
 };

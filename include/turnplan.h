@@ -16,6 +16,7 @@
 struct turnplan_place {
     struct vec3 axis;
     bool may_turn;        /* the tool may retract and turn here before it goes on */
+    double dear;          /* among ways with as many turns, what one here counts: radians of way */
     bool turn;            /* found: it does */
     double q[ROTARY_MAX]; /* found: the angles with which it comes here */
 };
@@ -26,6 +27,14 @@ struct turnplan_place {
  */
 int turnplan_make(const struct chain *chain, struct turnplan_place place[], size_t n,
                   const double from[]);
+
+/*
+ * True when the first axis, on its way from one direction to a near one, comes to an end of its
+ * travel or to an angle whole turns from it, by one of the solutions: where a turn back gains most.
+ * *share: how far on the way in its angle, 0 to 1.
+ */
+bool turnplan_end(const struct chain *chain, struct vec3 from, struct vec3 to, int solution,
+                  double *share);
 
 /* The most that the direction may change from one place to the next near this one, radians:
  * less near the direction in which the first axis is free. */

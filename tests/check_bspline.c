@@ -196,6 +196,37 @@ START_TEST(a_knot_more_changes_nothing)
 }
 END_TEST
 
+/* A part of a curve runs where the whole does, and ends where it is cut. */
+START_TEST(parts_are_the_curve)
+{
+    seed = 21;
+    for (int i = 0; i < 300; i++) {
+        int degree = 2 + i % 3;
+        struct bspline b = random_curve(degree, (size_t)degree + 1 + (size_t)(8 * chance()), true);
+        double from = b.knot[0], range = b.knot[b.poles] - from;
+        double a = i % 5 ? 0.6 * chance() : 0, c = i % 7 ? a + 0.05 + (0.95 - a) * chance() : 1;
+        if (i % 11 == 0) /* at a knot */
+            c = (b.knot[b.poles - 1] - from) / range;
+        if (c <= a)
+            c = 1;
+        struct bspline part = bspline_part(&b, from + a * range, from + c * range);
+        ck_assert_double_eq_tol(part.knot[degree], from + a * range, 1e-12 * range);
+        ck_assert_double_eq_tol(part.knot[part.poles], from + c * range, 1e-12 * range);
+        for (int k = 0; k <= 20; k++) {
+            double u = from + (a + (c - a) * k / 20) * range;
+            ck_assert_double_lt(
+                vec_distance(bspline_at(&b, b.pole, u), bspline_at(&part, part.pole, u)), 1e-11);
+            ck_assert_double_lt(
+                vec_distance(bspline_at(&b, b.head, u), bspline_at(&part, part.head, u)), 1e-11);
+        }
+        ck_assert_double_lt(vec_distance(part.pole[0], bspline_at(&b, b.pole, from + a * range)),
+                            1e-11);
+        bspline_free(&part);
+        bspline_free(&b);
+    }
+}
+END_TEST
+
 START_TEST(uniform_knots)
 {
     struct bspline b = bspline_new(3, 7, false);
@@ -226,6 +257,7 @@ int main(void)
     tcase_add_test(tests, derivatives_are_the_hodograph);
     tcase_add_test(tests, a_cubic_is_reproduced);
     tcase_add_test(tests, a_knot_more_changes_nothing);
+    tcase_add_test(tests, parts_are_the_curve);
     tcase_add_test(tests, uniform_knots);
     suite_add_tcase(suite, tests);
 

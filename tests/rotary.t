@@ -26,4 +26,111 @@ sed '2500s/,/,x/' "$TMP/plain.cl" >"$TMP/bad.cl"
 status 1 "a bad number among plain points" ncpost -q -c fanuc "$TMP/bad.cl"
 has "is named with its line" 'bad.cl:2500: found `X[0-9.-]*. in' "$TMP/err"
 
+# post PATH CONTROL MACHINE [OPTIONS]: the program is made and, as its control runs it on this
+# machine, keeps 0.01 mm at the tip and 0.1 degrees, no axis leaves its travel; then in $TMP/out
+post() {
+	path=$1 control=$2 machine=$3
+	shift 3
+	desc="$(basename "$path") for $control, $machine $*"
+	case $control in *-vectors | *-rotary) word=--${control#*-} ;; *) word= ;; esac
+	# shellcheck disable=SC2086
+	if ! ncpost -c "${control%-*}" $word -m "$machine" "$@" -o "$TMP/p.nc" "$path" 2>"$TMP/err"; then
+		result 1 "$desc: ncpost"
+		return
+	fi
+	tcp=
+	case $machine in linuxcnc*) ;; *) [ "$control" = linuxcnc ] && tcp=--no-tcp ;; esac
+	# shellcheck disable=SC2086
+	ok "$desc" "$READBACK" -c "${control%-*}" -m "$machine" $tcp "$@" --path "$path" -e 0.01 \
+		--axis 0.1 "$TMP/p.nc"
+	ball=$(sed -n 's/.* ball \([0-9.]*\) mm$/\1/p' "$TMP/out" | sort -n | tail -n 1)
+	[ "$(awk -v b="$ball" 'BEGIN { print b <= 0.01 }')" = 1 ] || result 1 "$desc: ball off by $ball"
+}
+turns() {
+	sed -n 's/^axes: \([0-9]*\) turns back.*/\1/p' "$TMP/out"
+}
+
+# A spiral on a cone: turns, tilt, points a turn, start, sense, POINTS or ARCS
+spiral() {
+	awk -v turns="$1" -v tilt="$2" -v each="$3" -v start="$4" -v sense="$5" -v kind="$6" '
+	function go(k, up,  w, s) {
+		w = rad * (start + sense * 360 * k / each); s = sin(rad * tilt)
+		printf "GOTO/%.6f,%.6f,%.6f,%.9f,%.9f,%.9f\n", 30 * cos(w) + up * s * cos(w),
+			30 * sin(w) + up * s * sin(w), -5 * k / each + up * cos(rad * tilt),
+			s * cos(w), s * sin(w), cos(rad * tilt)
+	}
+	BEGIN {
+		rad = atan2(0, -1) / 180; n = int(turns * each)
+		print "PARTNO/SPIRAL\nUNITS/MM\nMULTAX/ON\nCUTTER/8,4,0,4,0,0,60\nLOADTL/1"
+		print "SPINDL/RPM,8000,CLW\n$$-> CLOUDMILL/1\n$$-> PASS/1\nRAPID"
+		go(0, 60)
+		print "FEDRAT/MMPM,800"
+		for (k = 0; k <= n; k++) {
+			if (kind == "ARCS" && k)
+				printf "CIRCLE/0,0,%.6f,0,0,%d,30\n", -5 * (k - 1) / each, sense
+			go(k, 0)
+		}
+		print "RAPID"
+		go(n, 60)
+		print "FINI"
+	}'
+}
+
+# The fewest turns back along it, counted by hand: C from where it may start to the end of its
+# travel, then from as far back as that place is again, by 360 degrees, or by 180 where A may change
+# its sign: TURNS START SENSE C-MIN C-MAX TILT A-MIN A-MAX
+fewest() {
+	awk -v turns="$1" -v start="$2" -v sense="$3" -v min="$4" -v max="$5" -v t="$6" -v amin="$7" -v amax="$8" 'BEGIN {
+		plus = t <= amax; minus = -t >= amin; best = 99
+		step = plus && minus ? 180 : 360
+		back = step * int((max - min) / step + 1e-9)
+		for (k = -9; k <= 9; k++) {
+			c = start + 90 + (plus ? 0 : 180) + k * step
+			if (c < min - 1e-9 || c > max + 1e-9) continue
+			left = turns * 360 - (sense > 0 ? max - c : c - min)
+			n = left > 1e-9 ? int((left - 1e-9) / back) + 1 : 0
+			if (n < best) best = n
+		}
+		print best
+	}'
+}
+
+back() { # TURNS TILT EACH START SENSE KIND A-MIN A-MAX C-MIN C-MAX CONTROL MACHINE
+	spiral "$1" "$2" "$3" "$4" "$5" "$6" >"$TMP/spiral.cl"
+	post "$TMP/spiral.cl" "${11}" "${12}" --set a.min="$7" --set a.max="$8" --set c.min="$9" --set c.max="${10}"
+	want=$(fewest "$1" "$4" "$5" "$9" "${10}" "$2" "$7" "$8")
+	off=$(sed -n 's/.* turns back, \([0-9.]*\) mm off.*/\1/p' "$TMP/out")
+	ok "$1 turns at $2 from $4, $5: $want turns back" test "$(turns)" -eq "$want"
+	[ "$want" = 0 ] || below "each $off mm off the part, a full retract" 50 "$off"
+}
+
+for control in fanuc siemens-rotary heidenhain linuxcnc; do
+	back 5 50 72 0 1 POINTS -30 120 -360 360 $control table-ac
+done
+back 5 50 72 33 -1 POINTS -30 120 -360 360 fanuc table-ac
+back 5 50 8 100 1 POINTS -30 120 -360 360 fanuc head-ca
+back 5 20 36 77 -1 POINTS -30 120 -360 360 fanuc table-ac-notcp
+back 5 50 72 0 1 POINTS -30 120 -200 210 siemens-rotary table-ac
+back 3.5 20 72 200 1 POINTS -30 120 -200 290 fanuc table-ac
+back 4 70 24 10 1 POINTS -120 30 -720 0 fanuc table-ac
+back 2 20 24 -90 1 POINTS -30 120 0 720 fanuc table-ac
+back 5 50 3 20 1 ARCS -30 120 -360 360 fanuc table-ac
+back 5 50 3 20 -1 ARCS -30 120 -360 360 siemens-rotary table-ac
+back 5 50 8 20 -1 ARCS -30 120 -360 360 linuxcnc table-ac
+spiral 5 50 72 33 1 POINTS >"$TMP/points.cl"
+bsplfit -q -e 0.001 -o "$TMP/splines.cl" "$TMP/points.cl"
+post "$TMP/splines.cl" fanuc table-ac --set a.min=-30 --set c.min=-360 --set c.max=360
+ok "inside of a spline too: 2 turns back" test "$(turns)" -eq 2
+has "and its parts are splines" 'G06.2' "$TMP/p.nc"
+
+# What no turn helps: exit 3, the place named
+spiral 5 50 72 0 1 POINTS >"$TMP/spiral.cl"
+status 3 "a tilt beyond the travel" ncpost -c fanuc --set a.min=-30 --set a.max=45 "$TMP/spiral.cl"
+has "is told with pass, line and axis" 'spiral.cl:10: pass 1: axis A .* -30 to 45' "$TMP/err"
+status 3 "C may not turn far enough" ncpost -c fanuc --set a.min=0 --set c.min=-100 --set c.max=100 "$TMP/spiral.cl"
+has "is told with pass and line" 'spiral.cl:[0-9]+: pass 1: ' "$TMP/err"
+sed 's/^\(GOTO.*,\)\([0-9.]*\)$/\1-\2/' "$TMP/spiral.cl" >"$TMP/under.cl"
+status 3 "a nutating head does not reach below" ncpost -c fanuc -m nutating-head "$TMP/under.cl"
+has "is told with the direction" 'under.cl:10: pass 1: found tool axis .*, which no angles' "$TMP/err"
+
 done_testing

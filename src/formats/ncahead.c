@@ -3,7 +3,8 @@
 
 #include <stdlib.h>
 
-enum { DEPTH = 12, SPAN_PIECES = 8, PLACES_MAX = 200000 };
+enum { DEPTH = 12, SPAN_PIECES = 8, HALVINGS = 45, PLACES_MAX = 200000 };
+#define INSIDE 1e-3 /* radians of way that a turn inside of a motion counts */
 
 struct motion nc_item_motion(const struct path *path, const struct path_item *item,
                              struct pose from)
@@ -17,9 +18,42 @@ struct motion nc_item_motion(const struct path *path, const struct path_item *it
     return motion_line(from, item->to);
 }
 
-static void add(struct nc_ahead *ahead, struct vec3 axis, bool may_turn)
+static void add(struct nc_ahead *ahead, struct vec3 axis, double s, bool may_turn)
 {
     *array_push(ahead) = (struct turnplan_place){.axis = axis, .may_turn = may_turn};
+    *array_push(&ahead->s) = s;
+}
+
+/* Where between two places an axis comes to an end of its travel, a place of its own: the tool may
+ * turn there, though rather at the end of a motion. */
+static void add_ends(struct nc_ahead *ahead, const struct chain *chain,
+                     const struct motion *motion, double s0, double s1)
+{
+    struct vec3 a0 = motion_at(motion, s0).a, a1 = motion_at(motion, s1).a;
+    double end[2], share;
+    int n = 0;
+    for (int k = 0; k < 2; k++) {
+        double low = s0, high = s1;
+        if (!turnplan_end(chain, a0, a1, k, &share))
+            continue;
+        for (int i = 0; i < HALVINGS; i++) { /* before the end, by less than the last digit */
+            double mid = (low + high) / 2;
+            bool behind = turnplan_end(chain, a0, motion_at(motion, mid).a, k, &share);
+            *(behind ? &high : &low) = mid;
+        }
+        end[n++] = low;
+    }
+    if (n == 2 && end[0] > end[1]) {
+        double other = end[0];
+        end[0] = end[1];
+        end[1] = other;
+    }
+    for (int i = 0; i < n; i++) {
+        if (end[i] <= s0 || (i == 1 && end[1] == end[0]))
+            continue;
+        add(ahead, motion_at(motion, end[i]).a, end[i], true);
+        ahead->item[ahead->n - 1].dear = INSIDE;
+    }
 }
 
 /* Places of a motion behind s0, where the direction is a0, up to s1. */
@@ -29,7 +63,8 @@ static void sample(struct nc_ahead *ahead, const struct chain *chain, const stru
     struct vec3 a1 = motion_at(motion, s1).a;
     double step = fmin(turnplan_step(chain, a0), turnplan_step(chain, a1));
     if (vec_angle(a0, a1) <= step || depth == DEPTH || ahead->n > PLACES_MAX) {
-        add(ahead, a1, false);
+        add_ends(ahead, chain, motion, s0, s1);
+        add(ahead, a1, s1, false);
         return;
     }
     double mid = (s0 + s1) / 2;
@@ -66,7 +101,7 @@ bool nc_ahead_make(struct nc_ahead *ahead, const struct nc_step *step, size_t fr
     if (step->follow.mode == FOLLOW_VECTOR || chain->n == 0)
         return false;
     if (begun)
-        add(ahead, pose.a, true);
+        add(ahead, pose.a, 1, true);
     for (size_t i = from; i < to && ahead->n < PLACES_MAX; i++) {
         const struct path_item *item = &path->item.item[i];
         bool moves =
@@ -76,8 +111,8 @@ bool nc_ahead_make(struct nc_ahead *ahead, const struct nc_step *step, size_t fr
             continue;
         cutting = cutting || !item->rapid || item->kind != PATH_POINT;
         if (!cutting || !begun) { /* in the clear: only where it leads to matters */
-            ahead->n = 0;
-            add(ahead, item->to.a, true);
+            ahead->n = ahead->s.n = 0;
+            add(ahead, item->to.a, 1, true);
         } else {
             struct motion motion = nc_item_motion(path, item, pose);
             sample_motion(ahead, chain, &motion);
@@ -85,6 +120,7 @@ bool nc_ahead_make(struct nc_ahead *ahead, const struct nc_step *step, size_t fr
         pose = item->to;
         begun = true;
     }
+    *array_push(&ahead->start) = ahead->n ? ahead->n - 1 : 0;
     return ahead->n > 1 && ahead->n < PLACES_MAX &&
            turnplan_make(chain, ahead->item, ahead->n, step->state.at.q) >= 0;
 }
@@ -92,5 +128,6 @@ bool nc_ahead_make(struct nc_ahead *ahead, const struct nc_step *step, size_t fr
 void nc_ahead_free(struct nc_ahead *ahead)
 {
     array_free(&ahead->start);
+    array_free(&ahead->s);
     array_free(ahead);
 }

@@ -14,6 +14,7 @@
 #include "ncitem.h"
 #include "ncreach.h"
 #include "ncturn.h"
+#include "num.h"
 
 /* What a group that is planned again has to take back. */
 struct mark {
@@ -83,6 +84,17 @@ static size_t group_end(const struct path *path, size_t from)
     return path->item.n;
 }
 
+/* The turns strictly inside of the motion between two places. */
+static void add_stops(struct nc_step *step, const struct nc_ahead *ahead, size_t from, size_t to)
+{
+    step->stops.n = 0;
+    for (size_t i = from + 1; i < to; i++) {
+        const double *q = ahead->item[i + 1].q;
+        if (ahead->item[i].turn)
+            *array_push(&step->stops) = (struct nc_stop){ahead->s.item[i], {q[0], q[1]}};
+    }
+}
+
 /* ahead: what was found by looking ahead over the group, NULL: nothing. */
 static int plan_items(struct nc_step *step, const struct nc_ahead *ahead, size_t from, size_t to)
 {
@@ -96,6 +108,8 @@ static int plan_items(struct nc_step *step, const struct nc_ahead *ahead, size_t
         if (ahead && moves && place + 1 < ahead->n && ahead->item[place].turn &&
             nc_step_turn(step, ahead->item[place + 1].q) != 0)
             return -1;
+        if (ahead)
+            add_stops(step, ahead, place, ahead->start.item[i - from + 1]);
         if (nc_item(step, &step->path->item.item[i]) != 0)
             return -1;
     }
@@ -123,6 +137,7 @@ static int plan_group(struct nc_step *step, size_t from, size_t to)
     int result = found ? plan_items(step, &ahead, from, to) : -1;
     nc_ahead_free(&ahead);
     step->aim = NULL;
+    step->stops.n = 0;
     if (found && (result == 0 || !step->plan->unmet))
         return result;
     back_to(step, &mark);
@@ -137,6 +152,20 @@ static double clear_height(const struct path *path)
         if (path->item.item[i].kind == PATH_POINT && path->item.item[i].rapid)
             z = fmax(z, path->item.item[i].to.p.z);
     return z;
+}
+
+/* The travel to the last digit within it, so that no angle is beyond it once it is rounded. */
+static void trim_travel(struct chain *chain, int digits)
+{
+    const double slack = 1e-9;
+    for (int i = 0; i < chain->n; i++) {
+        struct rotary *r = &chain->rotary[i];
+        double min = DEGREES(r->min) * num_ten[digits], max = DEGREES(r->max) * num_ten[digits];
+        if (fabs(min) < 1e12 && fabs(max) < 1e12 && ceil(min - slack) <= floor(max + slack)) {
+            r->min = RADIANS(ceil(min - slack) / num_ten[digits]);
+            r->max = RADIANS(floor(max + slack) / num_ten[digits]);
+        }
+    }
 }
 
 int nc_plan_make(struct nc_plan *plan, const struct path *path, const struct machine *machine,
@@ -154,21 +183,25 @@ int nc_plan_make(struct nc_plan *plan, const struct path *path, const struct mac
                          "%s: found a path of contact points (TRACK/CONTACT), expected one of tool "
                          "tips or ball centres",
                          path->name);
-    step.follow = (struct follow){.mode = ability.mode, .chain = &machine->chain};
+    struct machine own = *machine;
+    trim_travel(&own.chain, ability.digits.angle);
+    step.machine = &own;
+    step.follow = (struct follow){.mode = ability.mode, .chain = &own.chain};
     step.clear = clear_height(path);
     array_reserve(&plan->move, path->item.n + path->item.n / 16); /* most are blocks as they are */
-    step.ways = chain_ways(&machine->chain);
+    step.ways = chain_ways(&own.chain);
     step.within = nc_surely_within(machine);
     step.state.faster = 1;
     step.state.turned = chain_turned(&machine->chain, step.state.at.q);
     nc_item_tool(&step, path_ball(path));
-    for (size_t from = 0; from < path->item.n;) {
+    int result = 0;
+    for (size_t from = 0; from < path->item.n && result == 0;) {
         size_t to = group_end(path, from);
-        if (plan_group(&step, from, to) != 0)
-            return -1;
+        result = plan_group(&step, from, to);
         from = to;
     }
-    if (!step.state.begun)
+    array_free(&step.stops);
+    if (result == 0 && !step.state.begun)
         return error_set(error, "%s: found no motion, expected at least one GOTO", path->name);
-    return nc_item_depart(&step);
+    return result == 0 ? nc_item_depart(&step) : -1;
 }

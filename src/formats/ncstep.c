@@ -162,13 +162,13 @@ static int arc(struct nc_step *step, const struct motion *motion, double s0, dou
     return 0;
 }
 
-/* A whole arc, in as many pieces as the control wants. */
-static int arcs(struct nc_step *step, const struct motion *motion)
+/* An arc from s0 to s1, in as many pieces as the control wants. */
+static int arcs(struct nc_step *step, const struct motion *motion, double s0, double s1)
 {
-    double most = nc_arc_most(step->plan->ability.arcs);
-    int n = (int)ceil(motion->sweep / most - 1e-9);
+    double most = nc_arc_most(step->plan->ability.arcs), share = s1 - s0;
+    int n = (int)fmax(1, ceil(share * motion->sweep / most - 1e-9));
     for (int i = 0; i < n; i++)
-        if (arc(step, motion, (double)i / n, (double)(i + 1) / n, 0) != 0)
+        if (arc(step, motion, s0 + share * i / n, s0 + share * (i + 1) / n, 0) != 0)
             return -1;
     return 0;
 }
@@ -222,25 +222,53 @@ static int one_block(struct nc_step *step, struct pose to)
 
 int nc_step_line(struct nc_step *step, struct pose to)
 {
-    if (one_block(step, to) == 0)
+    if (step->stops.n == 0 && one_block(step, to) == 0)
         return 0;
     step->plan->unmet = false;
     struct motion motion = motion_line(step->state.pose, to);
-    return straight(step, &motion, 0, 1, NC_LINE, step->allowed, 0);
+    return nc_step_motion(step, &motion);
+}
+
+/* A spline from s0 to s1, as a curve of its own where that is not all of it. */
+static int spline_part(struct nc_step *step, const struct motion *motion, double s0, double s1)
+{
+    struct motion lead = motion_line(step->state.pose, motion_at(motion, s0));
+    if (straight(step, &lead, 0, 1, NC_LINE, step->allowed, 0) != 0)
+        return -1;
+    if (s0 <= 0 && s1 >= 1)
+        return spline(step, motion);
+    const struct bspline *b = motion->curve;
+    double from = b->knot[b->degree], range = b->knot[b->poles] - from;
+    struct bspline part = bspline_part(b, from + s0 * range, from + s1 * range);
+    struct motion piece =
+        motion_spline(motion_at(motion, s0), motion_at(motion, s1), &part);
+    int result = spline(step, &piece);
+    bspline_free(&part);
+    return result;
+}
+
+static int motion_part(struct nc_step *step, const struct motion *motion, double s0, double s1)
+{
+    if (motion->kind == MOTION_SPLINE)
+        return spline_part(step, motion, s0, s1);
+    if (motion->kind == MOTION_ARC && step->plan->ability.arcs != NC_ARCS_NONE)
+        return arcs(step, motion, s0, s1);
+    step->plan->total.chorded += motion->kind == MOTION_ARC;
+    if (motion->kind == MOTION_ARC)
+        step->state.why = NC_WHY_CHORD;
+    return straight(step, motion, s0, s1, NC_LINE, step->allowed, 0);
 }
 
 int nc_step_motion(struct nc_step *step, const struct motion *motion)
 {
-    if (motion->kind == MOTION_SPLINE) {
-        struct motion lead = motion_line(step->state.pose, motion_at(motion, 0));
-        if (straight(step, &lead, 0, 1, NC_LINE, step->allowed, 0) != 0)
+    size_t stops = step->stops.n;
+    double s = 0;
+    step->stops.n = 0; /* a turn has motions of its own */
+    for (size_t i = 0; i < stops; i++) {
+        struct nc_stop stop = step->stops.item[i];
+        if (motion_part(step, motion, s, stop.s) != 0 || nc_step_turn(step, stop.q) != 0)
             return -1;
-        return spline(step, motion);
+        s = stop.s;
     }
-    if (motion->kind == MOTION_ARC && step->plan->ability.arcs != NC_ARCS_NONE)
-        return arcs(step, motion);
-    step->plan->total.chorded += motion->kind == MOTION_ARC;
-    if (motion->kind == MOTION_ARC)
-        step->state.why = NC_WHY_CHORD;
-    return straight(step, motion, 0, 1, NC_LINE, step->allowed, 0);
+    return motion_part(step, motion, s, 1);
 }

@@ -225,6 +225,43 @@ void bspline_insert(struct bspline *b, double u)
     b->poles++;
 }
 
+/* Knots at u until the curve passes through a pole there. */
+static void split_at(struct bspline *b, double u)
+{
+    size_t p = (size_t)b->degree, times = 0;
+    if (u <= b->knot[p] || u >= b->knot[b->poles])
+        return;
+    for (size_t i = p + 1; i < b->poles; i++)
+        times += b->knot[i] == u;
+    for (; times < p; times++)
+        bspline_insert(b, u);
+}
+
+struct bspline bspline_part(const struct bspline *b, double u0, double u1)
+{
+    struct bspline whole = bspline_copy(b);
+    split_at(&whole, u0);
+    split_at(&whole, u1);
+    size_t p = (size_t)b->degree, first = p, last = whole.poles;
+    while (first + 1 < last && whole.knot[first + 1] <= u0)
+        first++;
+    while (last - 1 > first && whole.knot[last - 1] >= u1)
+        last--;
+    struct bspline part = bspline_new(b->degree, last - first + p, b->head != NULL);
+    part.length = b->length;
+    for (size_t i = 0; i < part.poles; i++) {
+        part.pole[i] = whole.pole[first - p + i];
+        if (b->head)
+            part.head[i] = whole.head[first - p + i];
+    }
+    for (size_t i = 0; i < part.poles + p + 1; i++)
+        part.knot[i] = i <= p             ? whole.knot[first]
+                       : i >= part.poles ? whole.knot[last]
+                                         : whole.knot[first - p + i];
+    bspline_free(&whole);
+    return part;
+}
+
 bool bspline_uniform(const struct bspline *b)
 {
     size_t p = (size_t)b->degree, spans = b->poles - p;

@@ -6,8 +6,27 @@
 #include "array.h"
 
 enum { WINDINGS_MAX = 11, STATES_MAX = 2 * WINDINGS_MAX * WINDINGS_MAX };
-static const double jump = PI / 2;  /* radians between two places that no block makes */
+static const double jump = PI / 2;   /* radians between two places that no block makes */
 static const double turn_cost = 1e7; /* more than the way of any axis, radians */
+
+bool turnplan_end(const struct chain *chain, struct vec3 from, struct vec3 to, int solution,
+                  double *share)
+{
+    const struct rotary *r = &chain->rotary[0];
+    if (chain->n == 0 || r->max - r->min > (WINDINGS_MAX - 1) * 2 * PI)
+        return false;
+    struct chain_solutions a = chain_angles(chain, from), b = chain_angles(chain, to);
+    if (a.free || b.free || solution >= a.n || solution >= b.n)
+        return false;
+    double turn = remainder(b.q[solution][0] - a.q[solution][0], 2 * PI);
+    for (int i = 0; i < 2; i++) {
+        double end = i ? r->max : r->min, far = remainder(end - a.q[solution][0], 2 * PI);
+        *share = far / turn;
+        if (fabs(turn) < jump && *share > 0 && *share < 1)
+            return true;
+    }
+    return false;
+}
 
 /* The whole turns that an axis may have: `many` of them from `least`; one that has no end is
  * always turned the nearest way. */
@@ -160,8 +179,8 @@ static void advance(const struct plan *plan, const struct turnplan_place place[]
     if (!place[j - 1].may_turn || start < 0)
         return;
     clear(turned, plan->states);
-    offer_all(plan, place[j - 1].axis, from[start].q, from[start].cost + turn_cost, start, true,
-              turned);
+    offer_all(plan, place[j - 1].axis, from[start].q,
+              from[start].cost + turn_cost + place[j - 1].dear, start, true, turned);
     for (int s = 0; s < plan->states; s++)
         if (turned[s].cost < HUGE_VAL)
             go_on(plan, &found, stays, free && was, &turned[s], start, true, row);

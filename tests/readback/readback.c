@@ -176,8 +176,9 @@ static double turn_on_the_spot(const struct course *course, size_t i)
 static bool drive(const struct course *course, const struct options *o)
 {
     struct machine machine = read_machine(o);
-    struct axisload_limits limits = {.combined = !machine.tcp && machine.feeds == FEEDS_COMBINED};
-    size_t turns = 0;
+    bool combined = machine.feeds == FEEDS_COMBINED || dialects[o->control] == &ncread_heidenhain;
+    struct axisload_limits limits = {.combined = !machine.tcp && combined};
+    size_t turns = 0, before = 0; /* the piece before the first of a turn */
     double turned = 0, least = HUGE_VAL;
     for (int k = 0; k < LOAD_AXES; k++) {
         limits.min[k] = machine.min[k];
@@ -187,10 +188,11 @@ static bool drive(const struct course *course, const struct options *o)
     struct axisload load = axisload_run(course, &limits);
     for (size_t i = 1; i < course->piece.n; i++) {
         double turn = turn_on_the_spot(course, i);
+        if (turned == 0)
+            before = i - 1;
         if (turned < 30 && turned + turn >= 30) {
-            struct course_pose from = course_at(course, &course->piece.item[i - 1], 0);
-            struct course_pose up = course_at(course, &course->piece.item[i - 1], 1);
-            least = fmin(least, vec_distance(from.p, up.p));
+            const struct piece *up = &course->piece.item[before];
+            least = fmin(least, vec_distance(course_at(course, up, 0).p, course_at(course, up, 1).p));
             turns++;
         }
         turned = turn > 0 ? turned + turn : 0;

@@ -45,6 +45,14 @@ static void flatten(const struct course *course, size_t index, double s0, struct
     flatten(course, index, s, m, s1, b, depth + 1, chain);
 }
 
+/* The tool comes back to where it had left the cut, down its own axis from no more than 3 mm. */
+static bool comes_back(struct course_pose a, struct course_pose b, struct course_pose left)
+{
+    struct vec3 way = vec_sub(a.p, b.p);
+    return vec_distance(b.p, left.p) < 0.005 && vec_angle(b.a, left.a) < RADIANS(0.1) &&
+           vec_length(way) < 3 && vec_angle(way, b.a) < RADIANS(0.5);
+}
+
 void sweep_chain(const struct course *course, struct samples *chain)
 {
     bool apart_before = true;
@@ -55,6 +63,9 @@ void sweep_chain(const struct course *course, struct samples *chain)
             continue;
         }
         struct course_pose a = course_at(course, piece, 0), b = course_at(course, piece, 1);
+        if (apart_before && chain->n && piece->shape == SHAPE_LINE &&
+            comes_back(a, b, chain->item[chain->n - 1].pose))
+            continue;
         if (apart_before)
             add(chain, a, false, i);
         apart_before = false;
@@ -208,6 +219,19 @@ static bool meets(struct course_pose a, struct course_pose b, double tip_limit, 
     return vec_distance(a.p, b.p) <= tip_limit && DEGREES(vec_angle(a.a, b.a)) <= axis_limit;
 }
 
+/* The rapid piece k leads to the way back down to where the cut was left. */
+static bool leads_back(const struct course *course, size_t k)
+{
+    const struct piece *piece = course->piece.item;
+    size_t cut = k;
+    while (cut > 0 && piece[cut].rapid)
+        cut--;
+    if (k + 1 >= course->piece.n || piece[cut].rapid || piece[k + 1].rapid)
+        return false;
+    return comes_back(course_at(course, &piece[k + 1], 0), course_at(course, &piece[k + 1], 1),
+                      course_at(course, &piece[cut], 1));
+}
+
 int sweep_rapids(const struct course *program, const struct course *path, double tip_limit,
                  double axis_limit, struct error *error)
 {
@@ -231,7 +255,7 @@ int sweep_rapids(const struct course *program, const struct course *path, double
             struct course_pose there = course_at(program, piece, 1);
             met = piece->rapid && !end && meets(there, place, tip_limit, axis_limit);
             if (piece->rapid && !met && there.p.z < height - tip_limit &&
-                !meets(there, last, tip_limit, axis_limit)) {
+                !meets(there, last, tip_limit, axis_limit) && !leads_back(program, k)) {
                 char text[60];
                 ncread_place(piece, text, sizeof text);
                 return error_set(error, "%s: %s: a rapid move to %.3f %.3f %.3f that is not in "

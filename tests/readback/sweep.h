@@ -24,7 +24,8 @@ struct samples {
     double weight; /* of the axis, mm a radian: what is beside what where the tip hardly moves */
 };
 
-/* The cutting pieces of a course, straight between samples to 1e-5 mm and 0.001 degrees. */
+/* The cutting pieces of a course, straight between samples to 1e-5 mm and 0.001 degrees, without
+ * the ways back down from a turn off the part. */
 void sweep_chain(const struct course *course, struct samples *chain);
 
 /* Straight cuts one behind the other on a line, with rapids along it between, become one cut: a hole
