@@ -57,6 +57,7 @@ struct dialect {
     bool tcp_of_machine;          /* it has tool-centre-point control only where the machine file
                                      names this control and says so */
     enum nc_arcs arcs, arcs_vectors;
+    enum nc_arcs arcs_space;      /* those of a machine that has the key arcs.space */
     enum nc_splines splines, splines_vectors;
 
     /* -1: a name or number that the control does not take */

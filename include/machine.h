@@ -36,6 +36,7 @@ struct machine {
     struct vec3 centre[3];    /* a point on each: of a table's axis in the work frame, of a head's
                                  from the tool tip at zero (so the tool's length is in it), mm */
     bool tcp;                 /* tool-centre-point control: G43.4, TRAORI */
+    bool arcs_space;          /* Fanuc: G02.4 for arcs in no principal plane */
     bool arcs, splines;       /* the control has them: 3-D and planar arcs, NURBS or polynomials */
     double min[MACHINE_AXES]; /* travel, mm and degrees */
     double max[MACHINE_AXES];

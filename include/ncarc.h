@@ -12,7 +12,8 @@ enum nc_arcs {
     NC_ARCS_FLAT,   /* in G17, the tool axis still and no helix */
     NC_ARCS_CENTRE, /* in G17 G18 G19, centre by I J K from the start */
     NC_ARCS_RADIUS, /* in G17 G18 G19, radius by R: where I J K are taken for the tool vector */
-    NC_ARCS_SPACE   /* anywhere, by a point on the way: CIP */
+    NC_ARCS_SPACE,  /* anywhere, by a point on the way: CIP */
+    NC_ARCS_BOTH    /* by the centre where that is near enough, else by a point on the way */
 };
 
 struct nc_arc {

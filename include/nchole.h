@@ -21,6 +21,9 @@ const struct nc_hole *nc_hole_of(const struct nc_program *p, const struct nc_mov
  */
 bool nc_hole_goes_on(const struct nc_program *p, const struct nc_move *move);
 
+/* Some cycle has steps of two sizes, or steps and a dwell. */
+bool nc_hole_steps_differ(const struct path *path);
+
 /* Heights along Z: bottom, where the feed begins, where the tool leaves. */
 double nc_hole_bottom(const struct nc_hole *hole);
 double nc_hole_clear(const struct nc_hole *hole);

@@ -12,6 +12,9 @@ struct nc_limit {
     size_t blocks, bytes;
 };
 
+/* 20000 blocks, 500k or 2M bytes. */
+int nc_limit_read(const char *text, struct nc_limit *limit, struct error *error);
+
 /*
  * The moves [from, to) of a plan as a plan.  What is before them that lasts (coolant, spindle) is
  * said again.  Where the tool is in the cut at either end, it comes from above and goes up along its

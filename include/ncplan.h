@@ -32,6 +32,7 @@ struct nc_ability {
     enum nc_splines splines;
     struct machine_digits digits; /* all given */
     double radius_error;          /* of an arc's two ends, mm */
+    double smoothing;             /* mm that the control is told it may be off, 0: it smooths not */
 };
 
 /* What the user asks for. */

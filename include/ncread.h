@@ -64,6 +64,8 @@ struct ncread {
     bool feed_here; /* F stands in this block */
     bool ended;     /* M30 was read */
     bool closed;    /* and the mark behind it */
+    struct ncread_place middle; /* of G02.4 */
+    bool has_middle;
     struct vec3 centre; /* CC of Klartext */
     bool has_centre;
     struct ncread_plane tilted; /* the plane that X Y Z are in */

@@ -10,7 +10,15 @@
 
 #include "ncread.h"
 
-enum fanuc_move { MOVE_NONE = -1, MOVE_RAPID, MOVE_LINE, MOVE_CW, MOVE_CCW, MOVE_SPLINE = 6 };
+enum fanuc_move {
+    MOVE_NONE = -1,
+    MOVE_RAPID,
+    MOVE_LINE,
+    MOVE_CW,
+    MOVE_CCW,
+    MOVE_SPACE, /* G02.4, a point on the way and then the end */
+    MOVE_SPLINE = 6
+};
 
 /* What one block says besides its modal words. */
 struct ncread_fanuc_block {

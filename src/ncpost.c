@@ -13,9 +13,10 @@
 #include "dialect.h"
 #include "machine.h"
 #include "nccutcom.h"
-#include "ncframe.h"
 #include "nchead.h"
+#include "nchole.h"
 #include "ncoutput.h"
+#include "ncsettle.h"
 #include "num.h"
 #include "out.h"
 #include "path.h"
@@ -41,17 +42,11 @@ static struct settings settings_default(void)
     return (struct settings){.chord = 0.005, .axis_tolerance = 0.05, .feed = 500, .extract = {.from = -1, .explain = -1}};
 }
 
-/* 20000, 500k, 2M */
 static void read_limit(struct settings *s, const struct cli *cli)
 {
-    const char *rest = s->split;
-    double n;
-    bool good = num_read(&rest, &n) && n >= 1 && n < 1e12;
-    double scale = strcmp(rest, "M") == 0 ? 1e6 : strcmp(rest, "k") == 0 ? 1e3 : 0;
-    if (!good || (scale == 0 && *rest))
-        die_usage("option --split: found `%.40s`, expected blocks, or bytes as 500k or 2M",
-                  s->split);
-    *(scale > 0 ? &s->extract.limit.bytes : &s->extract.limit.blocks) = (size_t)(n * fmax(scale, 1));
+    struct error error;
+    if (nc_limit_read(s->split, &s->extract.limit, &error) != 0)
+        die_usage("%s", error.text);
     if (!cli->output || strcmp(cli->output, "-") == 0)
         die_usage("option --split: found no -o FILE, expected one to name the parts after");
     if (s->extract.explain >= 0)
@@ -166,16 +161,6 @@ static void read_path(const struct settings *s, const char *file, struct path *p
             path->name, path->tools_numbered);
 }
 
-static bool steps_differ(const struct path *path)
-{
-    for (size_t i = 0; i < path->cycle.n; i++) {
-        const struct path_cycle *c = &path->cycle.item[i];
-        if (c->step > 0 && (c->next != c->step || c->dwell > 0))
-            return true;
-    }
-    return false;
-}
-
 /* What was assumed or added. */
 static void tell(const struct path *path, const struct nc_plan *plan,
                  const struct dialect *dialect, const struct machine *machine,
@@ -190,7 +175,7 @@ static void tell(const struct path *path, const struct nc_plan *plan,
         say("the path starts with a cut: came from above along the tool axis");
     if (total->retract_made)
         say("the path ends in a cut: retracted along the tool axis");
-    if (total->holes && dialect->steps_alike && steps_differ(path))
+    if (total->holes && dialect->steps_alike && nc_hole_steps_differ(path))
         say("a drilling cycle of this control has steps that are alike, and no dwell with them: took "
             "the smaller step and no dwell");
     if (nc_cutcom_left_out(path, machine, &plan->ability))
@@ -207,41 +192,24 @@ static void tell(const struct path *path, const struct nc_plan *plan,
          total->spent.axis * 180 / PI, nc_ledger_sum(path, plan));
 }
 
-static void make_plan(struct nc_plan *plan, const struct path *path, const struct machine *machine,
-                      struct nc_ability ability, struct nc_wish wish)
+static void make_plan(struct nc_program *p, struct nc_plan *plan, struct path *path,
+                      struct machine *machine, const struct dialect *dialect,
+                      const struct settings *s)
 {
     struct error error;
-    if (nc_plan_make(plan, path, machine, ability, wish, &error) == 0)
-        return;
-    if (plan->unmet)
-        die_unmet("%s", error.text);
-    die_error(&error);
-}
-
-/* Brings all into the program's frame: tilted planes, inches.  Holes stay the control's cycles
- * where the tool stands upright in that frame.  True: the rotary axes stay at zero. */
-static bool set_frame(struct nc_program *p, struct path *path, struct machine *machine,
-                      const struct dialect *dialect, const struct settings *s)
-{
-    struct error error;
-    bool planes = nc_frame_planes(path, &p->planes), upright = nc_frame_upright(&p->planes);
-    bool cycles = planes && machine->cycles && nc_frame_holes(path);
-    int digits = machine->digits.angle < 0 ? dialect->digits.angle : machine->digits.angle;
+    bool unmet = false;
+    struct nc_choice choice = {.plane = s->plane, .inch = s->inch,
+                               .axis = s->vectors  ? NC_AXIS_VECTORS
+                                       : s->rotary ? NC_AXIS_ROTARY
+                                                   : NC_AXIS_USUAL};
     if (s->plane && !dialect->plane)
         die_usage("found --plane, which %s does not know", dialect->name);
-    if (s->plane && !planes)
-        die("%s: found a tool axis that turns in the cut, expected it to stay (--plane)",
-            path->name);
-    p->plane = s->plane || ((machine->plane || cycles) && dialect->plane && planes && !upright);
-    p->turned = machine->chain.n;
-    if (p->plane &&
-        nc_frame_tilt(path, machine, &p->planes, dialect->plane_euler, digits, &error) != 0)
+    p->wish = (struct nc_wish){s->chord, RADIANS(s->axis_tolerance), s->feed, s->contact_feed, 1};
+    if (nc_settle(p, plan, path, machine, dialect, choice, &unmet, &error) == 0)
+        return;
+    if (unmet)
         die_unmet("%s", error.text);
-    if (!cycles || !(upright || p->plane))
-        path_drill(path);
-    if (s->inch)
-        nc_frame_inch(path, machine, &p->wish);
-    return upright && (cycles || !machine->tcp || (machine->cutcom && nc_cutcom_asked(path)));
+    die_error(&error);
 }
 
 int main(int argc, char **argv)
@@ -262,13 +230,7 @@ int main(int argc, char **argv)
     struct nc_plan plan;
     struct nc_program program = {.path = &path, .machine = &machine, .plan = &plan,
                                  .name = s.program};
-    program.wish = (struct nc_wish){s.chord, RADIANS(s.axis_tolerance), s.feed, s.contact_feed, 1};
-    bool still = set_frame(&program, &path, &machine, dialect, &s);
-    enum nc_axis_words axis = s.vectors  ? NC_AXIS_VECTORS
-                              : s.rotary ? NC_AXIS_ROTARY
-                                         : NC_AXIS_USUAL;
-    make_plan(&plan, &path, &machine, dialect_ability(dialect, &machine, axis, still, program.wish.unit),
-              program.wish);
+    make_plan(&program, &plan, &path, &machine, dialect, &s);
     size_t files;
     struct error error;
     if (nc_output(dialect, &program, s.extract, cli.output, &files, &error) != 0)

@@ -107,6 +107,14 @@ for path in wave steep; do
 		linuxcnc "$file" "-m linuxcnc-xyzbc" "--reversed --axes bc"
 	done
 done
+for path in wave steep; do # arcs in space, of a Fanuc that has them
+	back "$TMP/$path-arcs.cl" "-c fanuc --set arcs.space=yes" "-c fanuc"
+	back "$TMP/$path-arcs.cl" "-c fanuc --set arcs.space=yes --vectors" "-c fanuc"
+done
+ncpost -q -c fanuc --set arcs.space=yes "$TMP/steep-arcs.cl" >space.nc
+has "G02.4 with a point on the way" '^N[0-9]+ G02\.4 X.* Y.* Z.* A' space.nc
+ncpost -q -c fanuc "$TMP/steep-arcs.cl" >flat.nc
+below "and shorter than without" "$(wc -l <space.nc)" "$(wc -l <flat.nc)"
 back "$golden/shapes.cl" "-c fanuc" "-c fanuc"
 back "$golden/shapes.cl" "-c siemens" "-c siemens"
 back "$golden/shapes.cl" "-c heidenhain" "-c heidenhain"
@@ -336,6 +344,9 @@ for control in fanuc siemens heidenhain linuxcnc; do
 	ncpost -q -c $control --set smooth=yes --chord 0.008 --axis-tolerance 0.2 \
 		"$golden/shapes.cl" >$control.smooth
 done
+has "its tolerance is in the ledger" '^\(TOLERANCE SMOOTHING +0\.0080\)$' fanuc.smooth
+status 3 "and counts" ncpost -q -c fanuc --set smooth=yes -e 0.0095 "$golden/shapes.cl"
+status 0 "as it does not without" ncpost -q -c fanuc -e 0.0095 "$golden/shapes.cl"
 has "smoothing: Fanuc" ' G05\.1 Q1 R6$' fanuc.smooth
 has "and off again" ' G05\.1 Q0$' fanuc.smooth
 has "smoothing: Siemens, with the axis" 'CYCLE832\(0\.008,11,0\.2\)' siemens.smooth

@@ -51,6 +51,8 @@ struct nc_ability dialect_ability(const struct dialect *dialect, const struct ma
         ability.doubtful = vectors && dialect->vectors_doubtful;
         if (machine->arcs)
             ability.arcs = vectors ? dialect->arcs_vectors : dialect->arcs;
+        if (machine->arcs && machine->arcs_space && dialect->arcs_space && !vectors)
+            ability.arcs = dialect->arcs_space;
         if (machine->splines)
             ability.splines = vectors ? dialect->splines_vectors : dialect->splines;
     } else if (machine->feeds == FEEDS_COMBINED || dialect->inverse_never) {

@@ -108,8 +108,33 @@ static void line(struct nc_program *p, const struct nc_move *move)
     nc_straight(p, move, vector_address);
 }
 
+/* G02.4: a block with a point on the way, the rotary axes half way, and one with the end. */
+static void arc_in_space(struct nc_program *p, const struct nc_move *move)
+{
+    const struct nc_arc *a = &p->plan->arc.item[move->index];
+    struct nc_writer *w = &p->w;
+    double half[ROTARY_MAX];
+    for (int i = 0; i < ROTARY_MAX; i++)
+        half[i] = (RADIANS(w->value[i ? NC_Q1 : NC_Q0]) + move->q[i]) / 2;
+    w->motion = NULL;
+    nc_motion(w, "G02.4");
+    nc_forget(w, NC_X, NC_Z);
+    nc_place(p, a->middle);
+    nc_rotary(p, half);
+    nc_feed(p, move);
+    nc_end(w);
+    nc_forget(w, NC_X, NC_Z);
+    nc_place(p, move->p);
+    nc_rotary(p, move->q);
+    nc_end(w);
+}
+
 static void arc(struct nc_program *p, const struct nc_move *move)
 {
+    if (!p->plan->arc.item[move->index].plane) {
+        arc_in_space(p, move);
+        return;
+    }
     nc_plane_arc(p, move, vector_address);
     nc_feed(p, move);
     nc_end(&p->w);
@@ -191,6 +216,7 @@ const struct dialect dialect_fanuc = {
     .plane_euler = true,
     .arcs = NC_ARCS_CENTRE,
     .arcs_vectors = NC_ARCS_RADIUS,
+    .arcs_space = NC_ARCS_BOTH,
     .splines = NC_SPLINES_ROTARY,
     .splines_vectors = NC_SPLINES_NONE,
     .steps_alike = true,

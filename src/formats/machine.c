@@ -83,6 +83,7 @@ struct keys machine_keys(struct machine *m)
         add_axis(&keys, m, axis);
     keys_add(&keys, "tcp", KEY_YES, &m->tcp);
     keys_add(&keys, "arcs", KEY_YES, &m->arcs);
+    keys_add(&keys, "arcs.space", KEY_YES, &m->arcs_space);
     keys_add(&keys, "splines", KEY_YES, &m->splines);
     keys_add(&keys, "cycles", KEY_YES, &m->cycles);
     keys_add(&keys, "cutcom", KEY_YES, &m->cutcom);

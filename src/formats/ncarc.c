@@ -82,10 +82,10 @@ static bool circle_of(struct vec3 a, struct vec3 b, struct vec3 c, int digits, s
     return true;
 }
 
-bool nc_arc_words(struct nc_arc *arc, enum nc_arcs kind, int digits, double radius_error,
-                  const struct follow *f, const struct station *from, const struct station *to,
-                  const struct motion *motion, double s0, double s1, struct deviation *d,
-                  double *point)
+static bool words_of(struct nc_arc *arc, enum nc_arcs kind, int digits, double radius_error,
+                     const struct follow *f, const struct station *from, const struct station *to,
+                     const struct motion *motion, double s0, double s1, struct deviation *d,
+                     double *point)
 {
     double sweep = (s1 - s0) * motion->sweep;
     struct vec3 axis;
@@ -112,5 +112,28 @@ bool nc_arc_words(struct nc_arc *arc, enum nc_arcs kind, int digits, double radi
     }
     struct motion printed = printed_arc(from, to, vec_add(from->p, arc->centre), axis);
     *d = follow_curve(f, from, to, &printed, motion, s0, s1, point);
+    return true;
+}
+
+bool nc_arc_words(struct nc_arc *arc, enum nc_arcs kind, int digits, double radius_error,
+                  const struct follow *f, const struct station *from, const struct station *to,
+                  const struct motion *motion, double s0, double s1, struct deviation *d,
+                  double *point)
+{
+    if (kind != NC_ARCS_BOTH)
+        return words_of(arc, kind, digits, radius_error, f, from, to, motion, s0, s1, d, point);
+    struct nc_arc space;
+    struct deviation of_space;
+    double point_of_space;
+    bool flat =
+        words_of(arc, NC_ARCS_CENTRE, digits, radius_error, f, from, to, motion, s0, s1, d, point);
+    if (flat && *point <= radius_error)
+        return true;
+    if (!words_of(&space, NC_ARCS_SPACE, digits, radius_error, f, from, to, motion, s0, s1,
+                  &of_space, &point_of_space))
+        return flat;
+    *arc = space;
+    *d = of_space;
+    *point = point_of_space;
     return true;
 }

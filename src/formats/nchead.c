@@ -14,6 +14,7 @@ enum { PLANES_SHOWN = 12 };
 double nc_ledger_sum(const struct path *path, const struct nc_plan *plan)
 {
     double sum = path_spent(path) + plan->total.spent.point * plan->ability.unit;
+    sum += plan->ability.smoothing;
     return isnan(path->head.chord) ? sum : sum + path->head.chord;
 }
 
@@ -62,6 +63,8 @@ static void head_ledger(struct nc_program *p)
         nc_comment(&p->w, "Tolerance %-12s %.4f", "chord", shown(head->chord));
     nc_comment(&p->w, "Tolerance %-12s %.4f", "ncpost",
                shown(total->spent.point * p->plan->ability.unit));
+    if (p->plan->ability.smoothing > 0)
+        nc_comment(&p->w, "Tolerance %-12s %.4f", "smoothing", shown(p->plan->ability.smoothing));
     nc_comment(&p->w, "Tolerance %-12s %.4f mm, axis %.4f deg", "sum",
                shown(nc_ledger_sum(p->path, p->plan)), shown(DEGREES(total->spent.axis)));
 }

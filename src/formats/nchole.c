@@ -99,6 +99,16 @@ bool nc_hole_goes_on(const struct nc_program *p, const struct nc_move *move)
     return p->hole && p->hole->cycle == hole->cycle && p->hole->mouth.z == hole->mouth.z;
 }
 
+bool nc_hole_steps_differ(const struct path *path)
+{
+    for (size_t i = 0; i < path->cycle.n; i++) {
+        const struct path_cycle *c = &path->cycle.item[i];
+        if (c->step > 0 && (c->next != c->step || c->dwell > 0))
+            return true;
+    }
+    return false;
+}
+
 double nc_hole_bottom(const struct nc_hole *hole)
 {
     return hole->mouth.z - hole->cycle->depth;

@@ -6,11 +6,26 @@
 
 #include "nchead.h"
 #include "ncreach.h"
+#include "num.h"
 
 enum {
     MADE = 8,  /* moves that may be added to a part: tool, plane, two statements, down, and up */
     CYCLE = 18 /* blocks of a drilling cycle that is said anew in it */
 };
+
+int nc_limit_read(const char *text, struct nc_limit *limit, struct error *error)
+{
+    const char *rest = text;
+    double n;
+    bool good = num_read(&rest, &n) && n >= 1 && n < 1e12;
+    double scale = strcmp(rest, "M") == 0 ? 1e6 : strcmp(rest, "k") == 0 ? 1e3 : 0;
+    if (!good || (scale == 0 && *rest))
+        return error_set(error,
+                         "option --split: found `%.40s`, expected blocks, or bytes as 500k or 2M",
+                         text);
+    *(scale > 0 ? &limit->bytes : &limit->blocks) = (size_t)(n * fmax(scale, 1));
+    return 0;
+}
 
 /* Off the part along the tool axis from where a move ends. */
 static int above(struct nc_move *up, const struct nc_program *whole, const struct nc_move *from,

@@ -115,7 +115,20 @@ static int run_block(struct ncread *c, struct ncread_fanuc_block *b, struct erro
         return ncread_error(c, error, "a place before G0 or G1");
     if (!c->absolute)
         return ncread_error(c, error, "a move under G91");
+    if (c->has_middle && c->move != MOVE_SPACE)
+        return ncread_error(c, error, "G02.4 without its end");
+    if (c->move == MOVE_SPACE && !c->has_middle) {
+        c->middle = b->to;
+        c->has_middle = true;
+        return 0;
+    }
     struct piece piece = ncread_piece(c, &b->to);
+    if (c->move == MOVE_SPACE) {
+        const double *at = c->middle.at;
+        c->has_middle = false;
+        if (ncread_arc_through(c, &piece, vec(at[0], at[1], at[2]), error) < 0)
+            return -1;
+    }
     if ((c->move == MOVE_CW || c->move == MOVE_CCW) && arc_block(c, b, &piece, error) < 0)
         return -1;
     return ncread_go(c, &b->to, piece, c->move == MOVE_RAPID, error);
@@ -146,7 +159,7 @@ static int read_block(struct ncread *c, const char *line, struct error *error)
         return -1;
     if (lexed < 0)
         return ncread_error(c, error, found.text);
-    struct ncread_fanuc_block b = {.to = c->here};
+    struct ncread_fanuc_block b = {.to = c->has_middle ? c->middle : c->here};
     if (ncread_fanuc_words(c, &b, error) < 0)
         return -1;
     return run_block(c, &b, error);

@@ -35,6 +35,12 @@ static int g_word(struct ncread *c, const struct ncread_word *w, struct ncread_f
     case 30:
         c->move = code / 10;
         return 0;
+    case 24:
+    case 34:
+        if (c->has_middle)
+            return ncread_error(c, error, "G02.4 within G02.4");
+        c->move = MOVE_SPACE;
+        return 0;
     case 62:
         c->move = MOVE_SPLINE;
         b->spline_begins = true;
