@@ -11,7 +11,7 @@
 
 struct nc_writer nc_writer_new(struct out *out, struct nc_style style, int step, long most)
 {
-    if (style.count_all && step)
+    if (style.count_all)
         step = 1;
     if (style.most && style.most < most)
         most = style.most;
