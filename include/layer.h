@@ -14,6 +14,7 @@ struct layer_options {
     bool normals;        /* of a mesh, of contact points */
     bool axes;           /* of the tool */
     bool cut;            /* no rapid moves */
+    double chord;        /* mm: curves in pieces no further off than this; 0: as can be seen */
     const char *machine; /* that a program is for (machine.h), NULL: the default one */
 };
 
@@ -21,7 +22,10 @@ struct layer_options {
 int layer_read(const char *file, const struct layer_options *options, struct layer *layer,
                struct error *error);
 
-/* A path: arcs and B-splines in pieces that stray from them by 1/5000 of its extent at most. */
+/* The chord error that can't be seen: 1/5000 of the extent, or what the options say if that is less. */
+double layer_chord(const struct layer_options *options, const struct box *box);
+
+/* A path: arcs and B-splines in pieces that stray from them by no more than that. */
 int layer_path(const struct path *path, const struct layer_options *options, struct layer *layer,
                struct error *error);
 

@@ -40,6 +40,7 @@ void panel_facets(struct panel *panel, const struct scene *scene, struct svg *sv
 void panel_points(struct panel *panel, const struct scene *scene, struct svg *svg);
 void panel_strokes(struct panel *panel, const struct scene *scene, struct svg *svg);
 void panel_ticks(struct panel *panel, const struct scene *scene, struct svg *svg);
+void panel_marks(struct panel *panel, const struct scene *scene, struct svg *svg);
 
 /* The attributes of strokes of this kind, as panel and legend have them. */
 enum { PANEL_INK = 160 };

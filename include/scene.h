@@ -46,6 +46,7 @@ struct layer {
 struct scene {
     size_t n, cap;
     struct layer *item;
+    struct vec3s mark; /* places to be ringed */
 };
 
 void layer_free(struct layer *layer);

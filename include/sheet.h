@@ -8,12 +8,21 @@
 
 enum sheet_views { SHEET_BOTH, SHEET_PLAN, SHEET_ISO, SHEET_FRONT, SHEET_SIDE, SHEET_ALL };
 
+enum { REMARK = 300 };
+
+struct remarks {
+    size_t n, cap;
+    struct remark {
+        char text[REMARK];
+    } *item;
+};
+
 struct sheet_options {
     const char *title;
     enum sheet_views views; /* BOTH: plan and isometric */
     double width;           /* px, at most */
     bool by_pass, by_layer, joints;
-    const char *remark;     /* a further line of figures, NULL: none */
+    const struct remarks *remarks; /* further lines of figures, NULL: none */
 };
 
 /* Writes the scene, which has something to draw, as SVG. */

@@ -1,9 +1,11 @@
 /* ncplot - a picture of any stream of the suite, or of several together. */
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "cli.h"
 #include "cloud.h"
+#include "difference.h"
 #include "layer.h"
 #include "out.h"
 #include "sheet.h"
@@ -30,8 +32,10 @@ static struct settings read_settings(struct cli *cli, int argc, char **argv)
          "the colours of a path say its passes, or what is a line, an arc, a\n"
          "B-spline (default: passes where all is lines)",
          CLI_CHOICE, &s.colour, 0, 0, 0, NULL},
-        {0, "compare", NULL, "a colour for each stream, one over the other", CLI_FLAG, &s.compare,
-         0, 0, 0, NULL},
+        {0, "compare", NULL,
+         "a colour for each stream, one over the other, and how far each\n"
+         "is from the first: said, in the title, and a ring where it is most",
+         CLI_FLAG, &s.compare, 0, 0, 0, NULL},
         {0, "points", NULL, "mark where the motions of a path end", CLI_FLAG, &s.points, 0, 0, 0,
          NULL},
         {0, "poles", NULL, "show the control points of B-splines", CLI_FLAG, &s.poles, 0, 0, 0,
@@ -64,6 +68,7 @@ static struct scene read_scene(const struct cli *cli, const struct settings *s)
                                     .normals = s->normals,
                                     .axes = s->axes,
                                     .cut = s->cut,
+                                    .chord = s->compare ? 5e-4 : 0,
                                     .machine = s->machine};
     struct scene scene = {0};
     struct error error;
@@ -106,6 +111,34 @@ static char *title_of(const struct scene *scene)
     return text.item;
 }
 
+/* How far `from` is from `to`, as text; the worst place is marked. */
+static void compare(const struct layer *from, const struct layer *to, int threads,
+                    struct scene *scene, char text[REMARK])
+{
+    struct difference d = difference_of(from, to, threads);
+    *text = '\0';
+    if (d.n == 0)
+        return;
+    snprintf(text, REMARK,
+             "%.60s from %.60s: worst %.4f mm at %.3f %.3f %.3f, 95%% %.4f, rms %.4f mm",
+             sheet_name(from->name), sheet_name(to->name), d.worst, d.at.x, d.at.y, d.at.z,
+             d.most95, d.rms);
+    say("%s", text);
+    *array_push(&scene->mark) = d.at;
+}
+
+/* All layers with the first, both ways; the lines of figures, for the title. */
+static struct remarks compare_all(struct scene *scene, int threads)
+{
+    struct remarks remarks = {0};
+    for (size_t i = 1; i < scene->n; i++) {
+        const struct layer *first = &scene->item[0], *other = &scene->item[i];
+        compare(other, first, threads, scene, array_push(&remarks)->text);
+        compare(first, other, threads, scene, array_push(&remarks)->text);
+    }
+    return remarks;
+}
+
 int main(int argc, char **argv)
 {
     struct cli cli = {.tool = "ncplot",
@@ -114,17 +147,22 @@ int main(int argc, char **argv)
     struct settings s = read_settings(&cli, argc, argv);
     struct scene scene = read_scene(&cli, &s);
     char *names = title_of(&scene);
+    struct remarks remarks = {0};
+    if (s.compare)
+        remarks = compare_all(&scene, cli.threads);
     struct sheet_options options = {.title = s.title ? s.title : names,
                                     .views = (enum sheet_views)s.view,
                                     .width = s.width,
                                     .by_pass = by_pass(&scene, s.colour),
                                     .by_layer = s.compare,
-                                    .joints = s.points};
+                                    .joints = s.points,
+                                    .remarks = &remarks};
 
     struct out *out = out_open(cli.output);
     sheet_write(out, &scene, &options);
     out_close(out);
     free(names);
+    array_free(&remarks);
     scene_free(&scene);
     return EXIT_DONE;
 }

@@ -130,6 +130,16 @@ status 0 "compared" ncplot --compare -o "$TMP/compare.svg" "$TMP/lines.cl" "$TMP
 has "a name for each" '>lines.cl<' "$TMP/compare.svg"
 has "and the other" '>arcs.cl<' "$TMP/compare.svg"
 whole compare.svg
+# the same cloud 0.25 mm higher is 0.25 mm away at most, and no less where it is level
+awk '{ print $1, $2, $3 + 0.25 }' "$scan" >"$TMP/higher.xyz"
+status 0 "a cloud and a higher one" \
+	ncplot --compare -o "$TMP/compare.svg" "$scan" "$TMP/higher.xyz"
+worst=$(sed -n 's/.*higher.xyz from .*worst \([0-9.]*\) mm at .*/\1/p' "$TMP/err")
+below "how far they are apart" "$worst" 0.25
+below "and no less" 0.2 "$worst"
+has "both ways" 'from higher.xyz: worst 0\.2[0-9]* mm at' "$TMP/err"
+has "in the title too" '>higher.xyz from .*: worst 0\.2[0-9]* mm' "$TMP/compare.svg"
+has "with rings" 'stroke="#d00000"' "$TMP/compare.svg"
 
 # ---- the same bytes; small
 

@@ -10,6 +10,12 @@
 #include "stream.h"
 #include "svg.h"
 
+double layer_chord(const struct layer_options *options, const struct box *box)
+{
+    double seen = box_diagonal(box) / 5000;
+    return fmax(options->chord > 0 ? fmin(options->chord, seen) : seen, 1e-6);
+}
+
 /* Adds ` NUMBER what` to the figures, behind a comma when something stands there. */
 static void tell(struct layer *layer, size_t number, const char *one, const char *more)
 {

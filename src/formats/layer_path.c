@@ -16,13 +16,13 @@ struct walk {
     size_t pass, drawn[STROKES];
 };
 
-static double chord_of(const struct path *path)
+static double chord_of(const struct layer_options *options, const struct path *path)
 {
     struct box box = box_empty();
     for (size_t i = 0; i < path->item.n; i++)
         if (path->item.item[i].kind <= PATH_SPLINE)
             box_add(&box, path->item.item[i].to.p);
-    return fmax(box_diagonal(&box) / 5000, 1e-6);
+    return layer_chord(options, &box);
 }
 
 /* A stroke from here on: it goes on with the one before where both are straight. */
@@ -132,7 +132,8 @@ static int add_motion(struct walk *w, const struct path_item *item, struct error
 int layer_path(const struct path *path, const struct layer_options *options, struct layer *layer,
                struct error *error)
 {
-    struct walk w = {.path = path, .options = options, .layer = layer, .chord = chord_of(path)};
+    struct walk w = {
+        .path = path, .options = options, .layer = layer, .chord = chord_of(options, path)};
     for (size_t i = 0; i < path->item.n; i++) {
         const struct path_item *item = &path->item.item[i];
         if (item->kind == PATH_PASS) {

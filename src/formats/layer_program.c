@@ -100,12 +100,12 @@ static void add_piece(struct walk *w, const struct piece *was, const struct piec
     }
 }
 
-static double chord_of(const struct course *course)
+static double chord_of(const struct layer_options *options, const struct course *course)
 {
     struct box box = box_empty();
     for (size_t i = 0; i < course->piece.n; i++)
         box_add(&box, course_at(course, &course->piece.item[i], 1).p);
-    return fmax(box_diagonal(&box) / 5000, 1e-6);
+    return layer_chord(options, &box);
 }
 
 static void add_poles(struct layer *layer, const struct course *course)
@@ -123,7 +123,7 @@ static void add_course(const struct course *course, const struct layer_options *
                        struct layer *layer)
 {
     struct walk w = {
-        .course = course, .options = options, .layer = layer, .chord = chord_of(course)};
+        .course = course, .options = options, .layer = layer, .chord = chord_of(options, course)};
     for (size_t i = 0; i < course->piece.n; i++)
         add_piece(&w, i ? &course->piece.item[i - 1] : NULL, &course->piece.item[i]);
     layer->passes = w.run > 1 ? w.run : 0;

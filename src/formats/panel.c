@@ -32,6 +32,28 @@ static void hide_by_cloud(struct panel *panel, const struct vec3s *point)
     panel->slack = fmax(panel->slack, 4 * radius);
 }
 
+/* Eight-sided rings, over all else. */
+void panel_marks(struct panel *panel, const struct scene *scene, struct svg *svg)
+{
+    enum { RADIUS = 8, SIDES = 8 };
+    if (scene->mark.n == 0)
+        return;
+    svg_path(svg, "fill=\"none\" stroke=\"#d00000\" stroke-width=\"20\"");
+    for (size_t i = 0; i < scene->mark.n; i++) {
+        struct vec3 p = panel_place(panel, view_point(&panel->view, scene->mark.item[i]));
+        for (int k = 0; k < SIDES; k++) {
+            double x = p.x + RADIUS * cos(2 * PI * k / SIDES);
+            double y = p.y + RADIUS * sin(2 * PI * k / SIDES);
+            if (k == 0)
+                svg_move(svg, x, y);
+            else
+                svg_line(svg, x, y);
+        }
+        svg_close(svg);
+    }
+    svg_path_end(svg);
+}
+
 void panel_draw(struct panel *panel, const struct scene *scene, struct svg *svg)
 {
     const struct box *b = &panel->box;
@@ -50,5 +72,6 @@ void panel_draw(struct panel *panel, const struct scene *scene, struct svg *svg)
     panel_points(panel, scene, svg);
     panel_strokes(panel, scene, svg);
     panel_ticks(panel, scene, svg);
+    panel_marks(panel, scene, svg);
     raster_free(&panel->near);
 }

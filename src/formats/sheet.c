@@ -162,8 +162,8 @@ static double put_head(struct svg *svg, const struct scene *scene,
                  layer->figures);
         y = put_text(svg, y, width - 2 * MARGIN, text);
     }
-    if (options->remark)
-        y = put_text(svg, y, width - 2 * MARGIN, options->remark);
+    for (size_t i = 0; options->remarks && i < options->remarks->n; i++)
+        y = put_text(svg, y, width - 2 * MARGIN, options->remarks->item[i].text);
     return y + 6;
 }
 

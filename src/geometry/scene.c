@@ -20,6 +20,7 @@ void scene_free(struct scene *scene)
 {
     for (size_t i = 0; i < scene->n; i++)
         layer_free(&scene->item[i]);
+    array_free(&scene->mark);
     array_free(scene);
 }
 
