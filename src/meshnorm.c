@@ -6,10 +6,13 @@
 
 #include "cutting.h"
 #include "part.h"
+#include "planepath.h"
 #include "ridge.h"
 #include "rows.h"
 
 static int normals;
+static double scallop;
+static const char *way;
 
 /* clang-format off */
 static const struct cli_option options[] = {
@@ -18,6 +21,11 @@ static const struct cli_option options[] = {
     {0, "normals", "mesh|facet|gouraud|central", "the mesh's own (default), the mean of the "
      "facets' (eq 8) or of the\nneighbours' (eq 7), central differences on a regular grid",
      CLI_CHOICE, &normals, 0, 0, 0, NULL},
+    {0, "scallop", "H", "rows as far apart as leaves no cusp higher than H between them, straight\n"
+     "over the surface of the mesh, instead of the mesh's own",
+     CLI_NUMBER, &scallop, CLI_POSITIVE, 0, 0, NULL},
+    {0, "direction", "auto|DEG", "of those rows: that with the fewest millimetres of cut, or about z\n"
+     "from x towards y (default: that of the mesh's rows)", CLI_TEXT, &way, 0, 0, 0, NULL},
     {0}};
 /* clang-format on */
 
@@ -88,6 +96,31 @@ static void make_path(const struct mesh *mesh, const struct rows *rows, struct t
     toolpath_end(t);
 }
 
+/* Planes along the rows, or as --direction says. */
+static void find_planes(const struct mesh *mesh, const struct rows *rows, struct planepath *p)
+{
+    double angle = atan2(rows->along.y, rows->along.x);
+
+    if (way && !planepath_direction(way, mesh, cutting.radius, scallop, &angle))
+        die_usage("option --direction: found '%s', expected auto or degrees", way);
+    p->rule = planepath_upright(angle, cutting.radius);
+    planepath_scallop(p, mesh, scallop);
+}
+
+static void check_options(struct axis_rule *axis)
+{
+    struct error error;
+
+    if (cutting_check(axis, &error) != 0)
+        die_usage("%s", error.text);
+    if (way && scallop == 0)
+        die_usage("found --direction without --scallop: the mesh's own rows have theirs");
+    if (scallop > 0 && cutting.paper)
+        die_usage("found --paper with --scallop: the paper's rows are those of the mesh");
+    if (scallop >= cutting.radius)
+        die_usage("option --scallop: found %g, expected less than the radius", scallop);
+}
+
 int main(int argc, char **argv)
 {
     struct cli cli = {.tool = "meshnorm",
@@ -99,23 +132,29 @@ int main(int argc, char **argv)
     struct mesh mesh = {0};
     struct rows rows = {0};
     struct path path = {0};
+    struct planepath planes = {0};
     struct toolpath t = {.path = &path};
     struct guard *guard;
     struct error error;
 
     cli_parse(&cli, argc, argv);
     t.threads = cli.threads;
-    if (cutting_check(&t.lift.axis, &error) != 0)
-        die_usage("%s", error.text);
+    check_options(&t.lift.axis);
     if (cli.files > 1)
         die_usage("found %d files, expected one mesh", cli.files);
     read_mesh(cli.file[0], &mesh, &rows);
+    if (scallop > 0)
+        find_planes(&mesh, &rows, &planes);
+    double distance = scallop > 0 ? planes.widest : rows.distance;
     if (cutting_guard(&mesh, rows.distance, cli.threads, &guard, &error) != 0)
         die_error(&error);
-    if (cutting_rules(&mesh, guard, rows.distance, &t, &error) != 0)
+    if (cutting_rules(&mesh, guard, distance, &t, &error) != 0)
         die_usage("%s", error.text);
 
-    make_path(&mesh, &rows, &t);
+    if (scallop == 0)
+        make_path(&mesh, &rows, &t);
+    else if (planepath_make(&planes, &t, &error) != 0)
+        die_error(&error);
     cutting_head(&mesh, "meshnorm", &t);
     struct out *out = out_open(cli.output);
     path_write(out, &path);
@@ -123,9 +162,10 @@ int main(int argc, char **argv)
     note("%zu nodes in %zu strips", rows.node.n, rows.strip.n);
     int status = toolpath_conclude(&t);
 
+    planepath_free(&planes);
     path_free(&path);
     guard_free(guard);
     rows_free(&rows);
     mesh_free(&mesh);
-    return status;
+    return planes.steep ? EXIT_UNMET : status;
 }

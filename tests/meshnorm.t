@@ -152,6 +152,61 @@ status 1 "a scan that lies elsewhere" meshnorm -r 8 -g "$TMP/inch.xyz" "$TMP/pan
 has "is refused" 'further than .* mm from the scan' "$TMP/err"
 empty "and nothing is written" "$TMP/out"
 
+# ---- rows by the scallop, and their direction
+
+status 0 "rows for cusps of 0.05 mm" meshnorm -v -r 5 --scallop 0.05 -o "$TMP/cusp.cl" "$TMP/dome.ply"
+cuts "$TMP/cusp.cl" >"$TMP/cuts"
+# on the dome all rows are circles in planes y = constant; the cusp between two of them on the dome
+# at a distance d of their contact points: 8 h R / (1 + R / 60) = d^2
+awk '{ x = $2 + 5 * $5; y = $3 + 5 * $6; z = $4 + 5 * $7
+	d = sqrt(x * x + y * y + z * z) - 65; if (d < 0) d = -d; if (d > w) w = d
+	if ($1 != last) { if (n++ && n > 4) { s = 60 * ($9 - at) / sqrt(3600 - $9 * $9)
+		if (s > widest) widest = s; if ($9 * $9 < 400 && (narrow == "" || s < narrow)) narrow = s }
+		at = $9; last = $1 } }
+	END { printf "%.6f %.4f %.4f\n", w, widest, narrow }' "$TMP/cuts" >"$TMP/figures"
+read -r off widest narrow <"$TMP/figures"
+below "the ball's centre is one radius off the dome" "$off" 0.002
+below "rows no further apart than 1.36 mm" "$widest" 1.37
+below "and not much nearer" 1.1 "$narrow"
+
+# tube BEND: a quarter of a cylinder about x, hollow (-1) or convex (1), radius 20
+tube() {
+	awk -v bend="$1" 'BEGIN {
+		print "ply\nformat ascii 1.0\ncomment cloudmill mesh 1\ncomment spacing 1"
+		print "element vertex 1271"
+		split("x y z nx ny nz", name, " ")
+		for (k = 1; k <= 6; k++) print "property double " name[k]
+		print "property int row\nproperty int col"
+		print "element face 2400\nproperty list uchar int vertex_indices\nend_header"
+		for (j = 0; j <= 30; j++) for (i = 0; i <= 40; i++) {
+			a = (j - 15) / 20
+			print i, 20 * sin(a), bend * 20 * cos(a), 0, bend * sin(a), cos(a), j, i
+		}
+		for (j = 0; j < 30; j++) for (i = 0; i < 40; i++) {
+			v = 41 * j + i
+			print 3, v, v + 1, v + 41
+			print 3, v + 1, v + 42, v + 41
+		}
+	}'
+}
+tube 1 >"$TMP/convex.ply"
+tube -1 >"$TMP/hollow.ply"
+status 0 "directions on a convex tube" meshnorm -r 5 --scallop 0.02 --direction auto -o "$TMP/o.cl" "$TMP/convex.ply"
+has "across it, or nearly, rows may be further apart" 'planes at (75|90|105) degrees' "$TMP/err"
+status 0 "on a hollow one" meshnorm -r 5 --scallop 0.02 --direction auto -o "$TMP/o.cl" "$TMP/hollow.ply"
+has "along it" 'planes at 0 degrees' "$TMP/err"
+status 0 "planecut finds the same" planecut -r 5 --scallop 0.02 --direction auto -o "$TMP/p.cl" "$TMP/hollow.ply"
+has "direction" 'planes at 0 degrees' "$TMP/err"
+meshnorm -q -r 5 --scallop 0.02 --direction 90 -o "$TMP/q.cl" "$TMP/hollow.ply"
+length() {
+	cuts "$1" | awk '{ if ($1 == last) s += sqrt(($2 - x) ^ 2 + ($3 - y) ^ 2 + ($4 - z) ^ 2)
+		last = $1; x = $2; y = $3; z = $4 } END { print s }'
+}
+below "which is shorter than across" "$(length "$TMP/o.cl")" "$(length "$TMP/q.cl")"
+status 2 "a direction that is none" meshnorm -r 5 --scallop 0.02 --direction up "$TMP/dome.ply"
+status 2 "a direction without a scallop" meshnorm -r 5 --direction auto "$TMP/dome.ply"
+status 2 "a scallop higher than the ball" meshnorm -r 5 --scallop 6 "$TMP/dome.ply"
+
 # ---- refusals
 
 status 2 "no radius" meshnorm "$TMP/dome.ply"
