@@ -4,7 +4,7 @@
 #ifndef CLOUDMILL_SHEET_H
 #define CLOUDMILL_SHEET_H
 
-#include "panel.h"
+#include "pane.h"
 
 enum sheet_views { SHEET_BOTH, SHEET_PLAN, SHEET_ISO, SHEET_FRONT, SHEET_SIDE, SHEET_ALL };
 

@@ -4,13 +4,13 @@
 #ifndef CLOUDMILL_SHEET_LEGEND_H
 #define CLOUDMILL_SHEET_LEGEND_H
 
-#include "panel.h"
+#include "pane.h"
 
 enum { LEGEND_ITEMS = 16 };
 
 struct legend_item {
     char text[120];
-    char ink[PANEL_INK]; /* of its sample; empty: heights by colour */
+    char ink[PANE_INK]; /* of its sample; empty: heights by colour */
     bool dot;            /* its sample is a dot, not a line */
     double x;            /* of the sample, from the left */
     size_t row;
@@ -23,7 +23,7 @@ struct legend {
 };
 
 /* What there is in the scene, in rows no wider than `width` px. */
-struct legend legend_of(const struct scene *scene, const struct panel_style *style, double scale,
+struct legend legend_of(const struct scene *scene, const struct pane_style *style, double scale,
                         double width);
 double legend_height(const struct legend *legend);
 void legend_draw(const struct legend *legend, struct svg *svg, double x, double y);

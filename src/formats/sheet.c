@@ -19,7 +19,7 @@ static const char *const caption[VIEW_NAMES] = {
 
 struct place {
     enum view_name name;
-    struct panel panel;
+    struct pane pane;
     size_t row;
     double wide, high; /* mm */
 };
@@ -41,15 +41,15 @@ static size_t choose(enum sheet_views views, enum view_name name[4])
 }
 
 /* Sum of the widths and greatest height of a row, mm. */
-static void row_size(const struct layout *l, size_t row, double *wide, double *high, size_t *panels)
+static void row_size(const struct layout *l, size_t row, double *wide, double *high, size_t *panes)
 {
     *wide = *high = 0;
-    *panels = 0;
+    *panes = 0;
     for (size_t i = 0; i < l->n; i++)
         if (l->place[i].row == row) {
             *wide += l->place[i].wide;
             *high = fmax(*high, l->place[i].high);
-            ++*panels;
+            ++*panes;
         }
 }
 
@@ -57,40 +57,40 @@ static void row_size(const struct layout *l, size_t row, double *wide, double *h
 static void find_scale(struct layout *l, double width)
 {
     double sum = 0, wide, high;
-    size_t panels;
+    size_t panes;
     l->scale = INFINITY;
     for (size_t row = 0; row < l->rows; row++) {
-        row_size(l, row, &wide, &high, &panels);
-        l->scale = fmin(l->scale, (width - 2 * MARGIN - GAP * (double)(panels - 1)) / wide);
+        row_size(l, row, &wide, &high, &panes);
+        l->scale = fmin(l->scale, (width - 2 * MARGIN - GAP * (double)(panes - 1)) / wide);
         sum += high;
     }
     l->scale = fmin(l->scale, (l->rows > 1 ? 1.5 : 1) * HEIGHT * (width / 1000) / sum);
     l->width = 0;
     for (size_t row = 0; row < l->rows; row++) {
-        row_size(l, row, &wide, &high, &panels);
-        l->width = fmax(l->width, wide * l->scale + GAP * (double)(panels - 1));
+        row_size(l, row, &wide, &high, &panes);
+        l->width = fmax(l->width, wide * l->scale + GAP * (double)(panes - 1));
     }
     l->width = fmax(l->width + 2 * MARGIN, fmin(width, 480));
 }
 
-static void put_panels(struct layout *l)
+static void put_panes(struct layout *l)
 {
     double top = l->head;
     for (size_t row = 0; row < l->rows; row++) {
         double wide, high, column = 0;
-        size_t panels;
-        row_size(l, row, &wide, &high, &panels);
+        size_t panes;
+        row_size(l, row, &wide, &high, &panes);
         double spare = l->width - 2 * MARGIN - wide * l->scale;
-        double gap = spare / (double)(panels + 1); /* the same beside and between */
-        double x = panels > 1 ? MARGIN : MARGIN + gap;
-        gap = panels > 1 ? spare / (double)(panels - 1) : gap;
+        double gap = spare / (double)(panes + 1); /* the same beside and between */
+        double x = panes > 1 ? MARGIN : MARGIN + gap;
+        gap = panes > 1 ? spare / (double)(panes - 1) : gap;
         for (size_t i = 0; i < l->n; i++) {
             struct place *p = &l->place[i];
             if (p->row != row)
                 continue;
-            p->panel.x = x + column;
-            p->panel.y = top + (high - p->high) * l->scale / 2;
-            p->panel.scale = l->scale;
+            p->pane.x = x + column;
+            p->pane.y = top + (high - p->high) * l->scale / 2;
+            p->pane.scale = l->scale;
             column += p->wide * l->scale + gap;
         }
         top += high * l->scale + CAPTION;
@@ -99,7 +99,7 @@ static void put_panels(struct layout *l)
 }
 
 static struct layout lay_out(const struct scene *scene, const struct sheet_options *options,
-                             const struct panel_style *style)
+                             const struct pane_style *style)
 {
     enum view_name name[4];
     struct layout l = {.n = choose(options->views, name)};
@@ -107,9 +107,9 @@ static struct layout lay_out(const struct scene *scene, const struct sheet_optio
         struct place *p = &l.place[i];
         p->name = name[i];
         p->row = i / 2;
-        p->panel = (struct panel){.view = view_from(name[i]), .style = style};
-        p->panel.box = scene_box(scene, &p->panel.view, style->tick);
-        struct vec3 size = vec_sub(p->panel.box.high, p->panel.box.low);
+        p->pane = (struct pane){.view = view_from(name[i]), .style = style};
+        p->pane.box = scene_box(scene, &p->pane.view, style->tick);
+        struct vec3 size = vec_sub(p->pane.box.high, p->pane.box.low);
         p->wide = fmax(size.x, 1e-6);
         p->high = fmax(size.y, 1e-6);
     }
@@ -170,28 +170,28 @@ static double put_head(struct svg *svg, const struct scene *scene,
 static void put_caption(struct svg *svg, const struct place *p, double bottom)
 {
     char text[120], times[24];
-    const size_t every = p->panel.every;
+    const size_t every = p->pane.every;
     snprintf(times, sizeof times, every == 2 ? "2nd" : "%zuth", every);
     snprintf(text, sizeof text, every > 1 ? "%s, every %s pass" : "%s", caption[p->name], times);
-    svg_text(svg, p->panel.x + p->wide * p->panel.scale / 2, bottom, "middle", 12, false, text);
+    svg_text(svg, p->pane.x + p->wide * p->pane.scale / 2, bottom, "middle", 12, false, text);
 }
 
-static void draw_panels(struct layout *l, const struct scene *scene, struct svg *svg)
+static void draw_panes(struct layout *l, const struct scene *scene, struct svg *svg)
 {
     for (size_t i = 0; i < l->n; i++) {
         struct place *p = &l->place[i];
         double bottom = 0;
         for (size_t k = 0; k < l->n; k++)
             if (l->place[k].row == p->row)
-                bottom = fmax(bottom, l->place[k].panel.y + l->place[k].high * l->scale);
-        panel_draw(&p->panel, scene, svg);
+                bottom = fmax(bottom, l->place[k].pane.y + l->place[k].high * l->scale);
+        pane_draw(&p->pane, scene, svg);
         put_caption(svg, p, bottom + 18);
     }
 }
 
-static struct panel_style style_of(const struct scene *scene, const struct sheet_options *options)
+static struct pane_style style_of(const struct scene *scene, const struct sheet_options *options)
 {
-    struct panel_style style = {
+    struct pane_style style = {
         .by_pass = options->by_pass, .by_layer = options->by_layer, .joints = options->joints};
     struct box all = box_empty(), clouds = box_empty();
     for (size_t i = 0; i < scene->n; i++) {
@@ -208,11 +208,11 @@ static struct panel_style style_of(const struct scene *scene, const struct sheet
 
 void sheet_write(struct out *out, const struct scene *scene, const struct sheet_options *options)
 {
-    struct panel_style style = style_of(scene, options);
+    struct pane_style style = style_of(scene, options);
     struct layout l = lay_out(scene, options, &style);
     style.marks = l.n > 1 ? MARKS / 2 : MARKS;
     l.head = put_head(NULL, scene, options, l.width);
-    put_panels(&l);
+    put_panes(&l);
     struct legend legend = legend_of(scene, &style, l.scale, l.width - 2 * MARGIN);
     double height = l.height + legend_height(&legend) + MARGIN / 2;
 
@@ -221,7 +221,7 @@ void sheet_write(struct out *out, const struct scene *scene, const struct sheet_
     snprintf(description, sizeof description, "%s", scene->item[0].figures);
     svg_begin(&svg, out, l.width, height, options->title, description);
     put_head(&svg, scene, options, l.width);
-    draw_panels(&l, scene, &svg);
+    draw_panes(&l, scene, &svg);
     legend_draw(&legend, &svg, MARGIN, l.height + 10);
     svg_end(&svg);
 }

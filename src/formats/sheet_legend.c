@@ -38,23 +38,23 @@ static void add_dot(struct legend *legend, const char *text, const char *colour)
 {
     struct legend_item *item = add(legend, text);
     item->dot = true;
-    snprintf(item->ink, PANEL_INK, "stroke=\"%s\" stroke-width=\"50\"", colour);
+    snprintf(item->ink, PANE_INK, "stroke=\"%s\" stroke-width=\"50\"", colour);
 }
 
-static void add_kind(struct legend *legend, const struct panel_style *style, enum stroke_kind kind,
+static void add_kind(struct legend *legend, const struct pane_style *style, enum stroke_kind kind,
                      const char *text)
 {
     struct stroke stroke = {.kind = kind, .number = 0};
-    panel_ink(style, 0, &stroke, add(legend, text)->ink);
+    pane_ink(style, 0, &stroke, add(legend, text)->ink);
 }
 
 /* Twice for what comes in two colours by turns. */
-static void add_turns(struct legend *legend, const struct panel_style *style, enum stroke_kind kind,
+static void add_turns(struct legend *legend, const struct pane_style *style, enum stroke_kind kind,
                       const char *text)
 {
     struct stroke stroke = {.kind = kind, .number = 1};
     add_kind(legend, style, kind, "");
-    panel_ink(style, 0, &stroke, add(legend, text)->ink);
+    pane_ink(style, 0, &stroke, add(legend, text)->ink);
 }
 
 static size_t count(const struct scene *scene, enum stroke_kind kind)
@@ -66,7 +66,7 @@ static size_t count(const struct scene *scene, enum stroke_kind kind)
 }
 
 static void add_motions(struct legend *legend, const struct scene *scene,
-                        const struct panel_style *style)
+                        const struct pane_style *style)
 {
     if (style->by_layer)
         return;
@@ -75,7 +75,7 @@ static void add_motions(struct legend *legend, const struct scene *scene,
     if (style->by_pass && cuts) {
         for (size_t i = 0; i < 3; i++) {
             struct stroke stroke = {.kind = STROKE_ARC, .pass = i + 1};
-            panel_ink(style, 0, &stroke,
+            pane_ink(style, 0, &stroke,
                       add(legend, i < 2 ? "" : "passes, in six colours by turns")->ink);
         }
     }
@@ -88,7 +88,7 @@ static void add_motions(struct legend *legend, const struct scene *scene,
 }
 
 static void add_rest(struct legend *legend, const struct scene *scene,
-                     const struct panel_style *style)
+                     const struct pane_style *style)
 {
     bool normals = false, axes = false, poles = false, joints = false;
     for (size_t i = 0; i < scene->n; i++) {
@@ -106,14 +106,14 @@ static void add_rest(struct legend *legend, const struct scene *scene,
     if (joints)
         add_dot(legend, "ends of motions", "#222");
     if (normals)
-        snprintf(add(legend, "normals")->ink, PANEL_INK, "stroke=\"#009E73\" stroke-width=\"12\"");
+        snprintf(add(legend, "normals")->ink, PANE_INK, "stroke=\"#009E73\" stroke-width=\"12\"");
     if (axes)
-        snprintf(add(legend, "tool axes")->ink, PANEL_INK,
+        snprintf(add(legend, "tool axes")->ink, PANE_INK,
                  "stroke=\"#444444\" stroke-width=\"12\"");
 }
 
 static void add_layers(struct legend *legend, const struct scene *scene,
-                       const struct panel_style *style)
+                       const struct pane_style *style)
 {
     char text[120];
     for (size_t i = 0; style->by_layer && i < scene->n; i++) {
@@ -121,9 +121,9 @@ static void add_layers(struct legend *legend, const struct scene *scene,
         struct legend_item *item = add(legend, sheet_name(layer->name));
         item->dot = layer->stroke.n == 0;
         if (item->dot)
-            snprintf(item->ink, PANEL_INK, "stroke=\"%s\" stroke-width=\"80\"", palette_cycle(i));
+            snprintf(item->ink, PANE_INK, "stroke=\"%s\" stroke-width=\"80\"", palette_cycle(i));
         else
-            panel_ink(style, i, &(struct stroke){.kind = STROKE_LINE}, item->ink);
+            pane_ink(style, i, &(struct stroke){.kind = STROKE_LINE}, item->ink);
     }
     if (style->by_layer || !(style->high.z >= style->low.z))
         return;
@@ -136,7 +136,7 @@ static double sample_width(const struct legend_item *item)
     return item->dot ? 8 : item->ink[0] ? SAMPLE : HEIGHTS;
 }
 
-struct legend legend_of(const struct scene *scene, const struct panel_style *style, double scale,
+struct legend legend_of(const struct scene *scene, const struct pane_style *style, double scale,
                         double width)
 {
     struct legend legend = {.bar = sheet_bar(fmin(180, width / 3) / scale), .scale = scale};

@@ -1,9 +1,9 @@
-/* panel_strokes - the motions of a path; see panel.h. */
+/* pane_strokes - the motions of a path; see pane.h. */
 #include <stdio.h>
 #include <stdlib.h>
 
 #include "palette.h"
-#include "panel.h"
+#include "pane.h"
 #include "thin.h"
 
 enum { PASSES = 160 }; /* more in a view would run together */
@@ -14,8 +14,8 @@ struct grain {
     size_t every;     /* of the passes */
 };
 
-void panel_ink(const struct panel_style *style, size_t layer, const struct stroke *stroke,
-               char ink[PANEL_INK])
+void pane_ink(const struct pane_style *style, size_t layer, const struct stroke *stroke,
+              char ink[PANE_INK])
 {
     static const char *const colour[STROKES][2] = {
         [STROKE_LINE] = {"#D55E00", "#D55E00"},   [STROKE_ARC] = {"#0072B2", "#56B4E9"},
@@ -29,7 +29,7 @@ void panel_ink(const struct panel_style *style, size_t layer, const struct strok
                        : style->by_pass && moves ? palette_cycle(stroke->pass)
                                                  : by_kind;
     int w = style->by_layer && moves ? (layer == 0 ? 44 : 11) : width[stroke->kind];
-    snprintf(ink, PANEL_INK, "stroke=\"%s\" stroke-width=\"%d\"%s", used, w,
+    snprintf(ink, PANE_INK, "stroke=\"%s\" stroke-width=\"%d\"%s", used, w,
              stroke->kind == STROKE_RAPID ? " stroke-dasharray=\"50 35\"" : "");
 }
 
@@ -64,21 +64,21 @@ static bool inside(const struct box *box, struct vec3 p)
 }
 
 /* One stroke: cut where something hides it, looked at every 2 px. */
-static size_t draw_stroke(const struct panel *panel, const struct layer *layer,
+static size_t draw_stroke(const struct pane *pane, const struct layer *layer,
                           const struct stroke *stroke, const struct grain *grain,
                           struct vec3s *chain, struct svg *svg)
 {
     size_t marks = 0;
     struct vec3 last = vec(0, 0, 0);
     for (size_t i = stroke->from; i < stroke->to; i++) {
-        struct vec3 p = view_point(&panel->view, layer->node.item[i]);
-        double apart = i > stroke->from ? hypot(p.x - last.x, p.y - last.y) * panel->scale : 0;
+        struct vec3 p = view_point(&pane->view, layer->node.item[i]);
+        double apart = i > stroke->from ? hypot(p.x - last.x, p.y - last.y) * pane->scale : 0;
         double steps =
-            panel->hides || stroke->kind == STROKE_RAPID ? fmin(fmax(1, ceil(apart / 2)), 2000) : 1;
+            pane->hides || stroke->kind == STROKE_RAPID ? fmin(fmax(1, ceil(apart / 2)), 2000) : 1;
         for (double k = i > stroke->from ? 1 : steps; k <= steps; k++) {
             struct vec3 q = i > stroke->from ? vec_mix(last, p, k / steps) : p;
-            if (inside(&panel->box, q) && raster_visible(&panel->near, q, panel->slack))
-                *array_push(chain) = panel_place(panel, q);
+            if (inside(&pane->box, q) && raster_visible(&pane->near, q, pane->slack))
+                *array_push(chain) = pane_place(pane, q);
             else if (chain->n)
                 marks += put(chain, grain, svg);
         }
@@ -88,13 +88,13 @@ static size_t draw_stroke(const struct panel *panel, const struct layer *layer,
 }
 
 /* A style: strokes of one look make one path. */
-static size_t style_of(const struct panel_style *style, const struct stroke *s)
+static size_t style_of(const struct pane_style *style, const struct stroke *s)
 {
     size_t variant = style->by_pass ? s->pass % PALETTE_CYCLE : s->number % 2;
     return (size_t)s->kind * PALETTE_CYCLE + variant;
 }
 
-static size_t draw_style(const struct panel *panel, const struct scene *scene, size_t number,
+static size_t draw_style(const struct pane *pane, const struct scene *scene, size_t number,
                          size_t want, const struct grain *grain, struct svg *svg)
 {
     const struct layer *layer = &scene->item[number];
@@ -103,15 +103,15 @@ static size_t draw_style(const struct panel *panel, const struct scene *scene, s
     bool open = false;
     for (size_t i = 0; i < layer->stroke.n; i++) {
         const struct stroke *stroke = &layer->stroke.item[i];
-        if (style_of(panel->style, stroke) != want || !drawn(stroke, grain))
+        if (style_of(pane->style, stroke) != want || !drawn(stroke, grain))
             continue;
         if (svg && !open) {
-            char ink[PANEL_INK];
-            panel_ink(panel->style, number, stroke, ink);
+            char ink[PANE_INK];
+            pane_ink(pane->style, number, stroke, ink);
             svg_path(svg, ink);
             open = true;
         }
-        marks += draw_stroke(panel, layer, stroke, grain, &chain, svg);
+        marks += draw_stroke(pane, layer, stroke, grain, &chain, svg);
     }
     if (open)
         svg_path_end(svg);
@@ -120,7 +120,7 @@ static size_t draw_style(const struct panel *panel, const struct scene *scene, s
 }
 
 /* All of them, the rapid moves first, for the others lie over them. */
-static size_t draw(const struct panel *panel, const struct scene *scene, const struct grain *grain,
+static size_t draw(const struct pane *pane, const struct scene *scene, const struct grain *grain,
                    struct svg *svg)
 {
     static const enum stroke_kind order[] = {STROKE_RAPID, STROKE_POLES, STROKE_LINE, STROKE_ARC,
@@ -129,12 +129,12 @@ static size_t draw(const struct panel *panel, const struct scene *scene, const s
     for (size_t layer = 0; layer < scene->n; layer++)
         for (size_t k = 0; k < sizeof order / sizeof *order; k++)
             for (size_t i = 0; i < PALETTE_CYCLE; i++)
-                marks += draw_style(panel, scene, layer, (size_t)order[k] * PALETTE_CYCLE + i,
-                                    grain, svg);
+                marks += draw_style(pane, scene, layer, (size_t)order[k] * PALETTE_CYCLE + i, grain,
+                                    svg);
     return marks;
 }
 
-void panel_strokes(struct panel *panel, const struct scene *scene, struct svg *svg)
+void pane_strokes(struct pane *pane, const struct scene *scene, struct svg *svg)
 {
     struct grain grain = {.tolerance = 0.1, .every = 1};
     size_t strokes = 0, passes = 0;
@@ -142,19 +142,19 @@ void panel_strokes(struct panel *panel, const struct scene *scene, struct svg *s
         strokes += scene->item[i].stroke.n;
         passes = scene->item[i].passes > passes ? scene->item[i].passes : passes;
     }
-    panel->every = 1;
+    pane->every = 1;
     if (strokes == 0)
         return;
     while (passes / grain.every > PASSES)
         grain.every *= 2;
-    while (draw(panel, scene, &grain, NULL) > 2 * panel->style->marks && grain.tolerance < 2) {
+    while (draw(pane, scene, &grain, NULL) > 2 * pane->style->marks && grain.tolerance < 2) {
         if (grain.tolerance < 0.4 || passes / grain.every < 40)
             grain.tolerance *= 2;
         else
             grain.every *= 2;
     }
-    panel->every = grain.every;
+    pane->every = grain.every;
     svg_group(svg, "fill=\"none\" stroke-linecap=\"round\" stroke-linejoin=\"round\"");
-    draw(panel, scene, &grain, svg);
+    draw(pane, scene, &grain, svg);
     svg_group_end(svg);
 }

@@ -1,5 +1,5 @@
 /*
- * panel_facets - facets with the light from the upper left; see panel.h.
+ * pane_facets - facets with the light from the upper left; see pane.h.
  *
  * What is partly hidden comes first, from the far to the near; what is not hidden anywhere lies
  * over it and not over its like, so that it is drawn shade by shade.  Facets that are more than can
@@ -9,7 +9,7 @@
 #include <stdlib.h>
 
 #include "palette.h"
-#include "panel.h"
+#include "pane.h"
 
 struct facet {
     struct vec3 p[3]; /* projected */
@@ -33,19 +33,19 @@ static size_t shade_of(const struct vec3 p[3])
     return (size_t)floor(fmin(bright, 0.999) * PALETTE_SHADES);
 }
 
-static struct facet facet_of(const struct panel *panel, const struct mesh *mesh, size_t i)
+static struct facet facet_of(const struct pane *pane, const struct mesh *mesh, size_t i)
 {
     struct facet f = {.number = i};
     for (int k = 0; k < 3; k++)
-        f.p[k] = view_point(&panel->view, mesh->vertex.item[mesh->face.item[i].v[k]]);
+        f.p[k] = view_point(&pane->view, mesh->vertex.item[mesh->face.item[i].v[k]]);
     f.depth = f.p[0].z + f.p[1].z + f.p[2].z;
     f.shade = shade_of(f.p);
     return f;
 }
 
-static void colour(const struct panel *panel, size_t layer, size_t shade, char ink[PALETTE_COLOUR])
+static void colour(const struct pane *pane, size_t layer, size_t shade, char ink[PALETTE_COLOUR])
 {
-    if (panel->style->by_layer)
+    if (pane->style->by_layer)
         palette_tint(ink, layer, shade);
     else
         palette_shade(ink, shade);
@@ -62,19 +62,19 @@ static int by_depth(const void *a, const void *b)
 }
 
 /* Which facets own a cell: they are seen. */
-static bool *seen_facets(const struct panel *panel, size_t n)
+static bool *seen_facets(const struct pane *pane, size_t n)
 {
     bool *seen = mem_alloc(n, sizeof *seen);
-    for (size_t i = 0; i < panel->near.columns * panel->near.rows; i++)
-        if (!isinf(panel->near.depth[i]) && panel->near.owner[i] < n)
-            seen[panel->near.owner[i]] = true;
+    for (size_t i = 0; i < pane->near.columns * pane->near.rows; i++)
+        if (!isinf(pane->near.depth[i]) && pane->near.owner[i] < n)
+            seen[pane->near.owner[i]] = true;
     return seen;
 }
 
-static void draw_facet(const struct panel *panel, const struct facet *f, struct svg *svg)
+static void draw_facet(const struct pane *pane, const struct facet *f, struct svg *svg)
 {
     for (int k = 0; k < 3; k++) {
-        struct vec3 at = panel_place(panel, f->p[k]);
+        struct vec3 at = pane_place(pane, f->p[k]);
         if (k == 0)
             svg_move(svg, at.x, at.y);
         else
@@ -83,16 +83,16 @@ static void draw_facet(const struct panel *panel, const struct facet *f, struct 
     svg_close(svg);
 }
 
-static void begin_shade(const struct panel *panel, size_t layer, size_t shade, struct svg *svg)
+static void begin_shade(const struct pane *pane, size_t layer, size_t shade, struct svg *svg)
 {
     char fill[PALETTE_COLOUR], ink[40];
-    colour(panel, layer, shade, fill);
+    colour(pane, layer, shade, fill);
     snprintf(ink, sizeof ink, "fill=\"%s\"", fill);
     svg_path(svg, ink);
 }
 
 /* One path for each row of facets of the same shade. */
-static void draw_in_order(const struct panel *panel, const struct facets *facets, struct svg *svg)
+static void draw_in_order(const struct pane *pane, const struct facets *facets, struct svg *svg)
 {
     bool open = false;
     for (size_t i = 0; i < facets->n; i++) {
@@ -103,16 +103,16 @@ static void draw_in_order(const struct panel *panel, const struct facets *facets
         if (!open || !same) {
             if (open)
                 svg_path_end(svg);
-            begin_shade(panel, f->layer, f->shade, svg);
+            begin_shade(pane, f->layer, f->shade, svg);
             open = true;
         }
-        draw_facet(panel, f, svg);
+        draw_facet(pane, f, svg);
     }
     if (open)
         svg_path_end(svg);
 }
 
-static void draw_shade(const struct panel *panel, const struct facets *facets, size_t layer,
+static void draw_shade(const struct pane *pane, const struct facets *facets, size_t layer,
                        size_t shade, struct svg *svg)
 {
     bool open = false;
@@ -121,37 +121,37 @@ static void draw_shade(const struct panel *panel, const struct facets *facets, s
         if (f->hidden || f->layer != layer || f->shade != shade)
             continue;
         if (!open)
-            begin_shade(panel, layer, shade, svg);
+            begin_shade(pane, layer, shade, svg);
         open = true;
-        draw_facet(panel, f, svg);
+        draw_facet(pane, f, svg);
     }
     if (open)
         svg_path_end(svg);
 }
 
-static void draw_facets(const struct panel *panel, struct facets *facets, size_t layers, bool under,
+static void draw_facets(const struct pane *pane, struct facets *facets, size_t layers, bool under,
                         struct svg *svg)
 {
-    double area = (panel->box.high.x - panel->box.low.x) * (panel->box.high.y - panel->box.low.y);
-    double size = panel->scale * sqrt(area / (double)facets->n); /* of two facets, px */
+    double area = (pane->box.high.x - pane->box.low.x) * (pane->box.high.y - pane->box.low.y);
+    double size = pane->scale * sqrt(area / (double)facets->n); /* of two facets, px */
     char ink[100];
     snprintf(ink, sizeof ink, "stroke=\"%s\" stroke-width=\"%s\" stroke-linejoin=\"round\"",
              under ? "#9BA8B5" : "#4A5866", size > 5 ? "4" : "1.5");
     svg_group(svg, ink);
     for (size_t i = 0; i < facets->n; i++) {
         struct facet *f = &facets->item[i];
-        f->hidden = raster_hides(&panel->near, f->p[0], f->p[1], f->p[2], panel->near.cell);
+        f->hidden = raster_hides(&pane->near, f->p[0], f->p[1], f->p[2], pane->near.cell);
     }
     qsort(facets->item, facets->n, sizeof *facets->item, by_depth);
-    draw_in_order(panel, facets, svg);
+    draw_in_order(pane, facets, svg);
     for (size_t layer = 0; layer < layers; layer++)
         for (size_t shade = 0; shade < PALETTE_SHADES; shade++)
-            draw_shade(panel, facets, layer, shade, svg);
+            draw_shade(pane, facets, layer, shade, svg);
     svg_group_end(svg);
 }
 
 /* All facets of the scene that are seen, and the shade and layer of each facet. */
-static struct facets collect(const struct panel *panel, const struct scene *scene, const bool *seen)
+static struct facets collect(const struct pane *pane, const struct scene *scene, const bool *seen)
 {
     struct facets facets = {0};
     size_t number = 0;
@@ -160,7 +160,7 @@ static struct facets collect(const struct panel *panel, const struct scene *scen
         for (size_t i = 0; i < mesh->face.n; i++, number++) {
             if (!seen[number])
                 continue;
-            struct facet f = facet_of(panel, mesh, i);
+            struct facet f = facet_of(pane, mesh, i);
             f.layer = layer;
             f.number = number;
             *array_push(&facets) = f;
@@ -170,54 +170,54 @@ static struct facets collect(const struct panel *panel, const struct scene *scen
 }
 
 /* The look of the middle of a cell: its shade and layer as one number, NONE where nothing is. */
-static size_t look(const struct panel *panel, const size_t *look_of, double x, double y)
+static size_t look(const struct pane *pane, const size_t *look_of, double x, double y)
 {
-    size_t cell = raster_cell(&panel->near, x, y);
-    return isinf(panel->near.depth[cell]) ? (size_t)-1 : look_of[panel->near.owner[cell]];
+    size_t cell = raster_cell(&pane->near, x, y);
+    return isinf(pane->near.depth[cell]) ? (size_t)-1 : look_of[pane->near.owner[cell]];
 }
 
 /* Runs of cells of one look, along the rows. */
-static void draw_runs(const struct panel *panel, const size_t *look_of, size_t want, double cell,
+static void draw_runs(const struct pane *pane, const size_t *look_of, size_t want, double cell,
                       struct svg *svg)
 {
-    const struct box *b = &panel->box;
+    const struct box *b = &pane->box;
     for (double y = b->high.y - cell / 2; y > b->low.y; y -= cell) {
         for (double x = b->low.x + cell / 2; x < b->high.x; x += cell) {
-            if (look(panel, look_of, x, y) != want)
+            if (look(pane, look_of, x, y) != want)
                 continue;
-            struct vec3 from = panel_place(panel, vec(x - cell / 2, y, 0));
-            while (x < b->high.x && look(panel, look_of, x, y) == want)
+            struct vec3 from = pane_place(pane, vec(x - cell / 2, y, 0));
+            while (x < b->high.x && look(pane, look_of, x, y) == want)
                 x += cell;
-            struct vec3 to = panel_place(panel, vec(fmin(x - cell / 2, b->high.x), y, 0));
+            struct vec3 to = pane_place(pane, vec(fmin(x - cell / 2, b->high.x), y, 0));
             svg_move(svg, from.x, from.y);
             svg_line(svg, to.x, to.y);
         }
     }
 }
 
-static void draw_cells(const struct panel *panel, const struct facets *facets, size_t faces,
+static void draw_cells(const struct pane *pane, const struct facets *facets, size_t faces,
                        size_t layers, struct svg *svg)
 {
     size_t *look_of = mem_alloc(faces, sizeof *look_of);
     for (size_t i = 0; i < facets->n; i++)
         look_of[facets->item[i].number] =
             facets->item[i].layer * PALETTE_SHADES + facets->item[i].shade;
-    double cell = 1.5 / panel->scale; /* px */
+    double cell = 1.5 / pane->scale; /* px */
     for (size_t want = 0; want < layers * PALETTE_SHADES; want++) {
         char fill[PALETTE_COLOUR], ink[120];
-        colour(panel, want / PALETTE_SHADES, want % PALETTE_SHADES, fill);
+        colour(pane, want / PALETTE_SHADES, want % PALETTE_SHADES, fill);
         snprintf(ink, sizeof ink,
                  "fill=\"none\" stroke=\"%s\" stroke-width=\"17\" "
                  "shape-rendering=\"crispEdges\"",
                  fill);
         svg_path(svg, ink);
-        draw_runs(panel, look_of, want, cell, svg);
+        draw_runs(pane, look_of, want, cell, svg);
         svg_path_end(svg);
     }
     free(look_of);
 }
 
-void panel_facets(struct panel *panel, const struct scene *scene, struct svg *svg)
+void pane_facets(struct pane *pane, const struct scene *scene, struct svg *svg)
 {
     size_t faces = 0;
     bool under = false; /* a path: its strokes are to stand out */
@@ -227,12 +227,12 @@ void panel_facets(struct panel *panel, const struct scene *scene, struct svg *sv
     }
     if (faces == 0)
         return;
-    bool *seen = seen_facets(panel, faces);
-    struct facets facets = collect(panel, scene, seen);
-    if (facets.n <= panel->style->marks)
-        draw_facets(panel, &facets, scene->n, under, svg);
+    bool *seen = seen_facets(pane, faces);
+    struct facets facets = collect(pane, scene, seen);
+    if (facets.n <= pane->style->marks)
+        draw_facets(pane, &facets, scene->n, under, svg);
     else
-        draw_cells(panel, &facets, faces, scene->n, svg);
+        draw_cells(pane, &facets, faces, scene->n, svg);
     array_free(&facets);
     free(seen);
 }

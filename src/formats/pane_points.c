@@ -1,9 +1,9 @@
-/* panel_points - clouds, joints, normals and axes; see panel.h. */
+/* pane_points - clouds, joints, normals and axes; see pane.h. */
 #include <stdio.h>
 #include <stdlib.h>
 
 #include "palette.h"
-#include "panel.h"
+#include "pane.h"
 
 static double off_middle(const struct raster *r, struct vec3 p)
 {
@@ -13,41 +13,41 @@ static double off_middle(const struct raster *r, struct vec3 p)
 
 /* The points that are not hidden, one in each cell: the nearest to its middle, so that they stand
  * evenly. */
-static struct raster occupied(const struct panel *panel, const struct vec3s *point, double cell,
+static struct raster occupied(const struct pane *pane, const struct vec3s *point, double cell,
                               size_t *marks)
 {
-    const struct box *b = &panel->box;
+    const struct box *b = &pane->box;
     struct raster r = raster_new(b->low.x, b->low.y, b->high.x, b->high.y, cell);
     *marks = 0;
     for (size_t i = 0; i < point->n; i++) {
-        struct vec3 p = view_point(&panel->view, point->item[i]);
-        if (raster_visible(&panel->near, p, panel->slack))
+        struct vec3 p = view_point(&pane->view, point->item[i]);
+        if (raster_visible(&pane->near, p, pane->slack))
             *marks += raster_point(&r, vec(p.x, p.y, -off_middle(&r, p)), i);
     }
     return r;
 }
 
-static size_t level_of(const struct panel_style *style, struct vec3 p)
+static size_t level_of(const struct pane_style *style, struct vec3 p)
 {
     double range = style->high.z - style->low.z;
     double s = range > 0 ? (p.z - style->low.z) / range : 0;
     return (size_t)fmin(floor(s * PALETTE_HEIGHTS), PALETTE_HEIGHTS - 1);
 }
 
-static void draw_points(const struct panel *panel, const struct layer *layer, size_t number,
+static void draw_points(const struct pane *pane, const struct layer *layer, size_t number,
                         double least, struct svg *svg)
 {
-    const struct panel_style *style = panel->style;
+    const struct pane_style *style = pane->style;
     size_t marks, limit = style->marks;
     double cell = least;
-    struct raster r = occupied(panel, &layer->point, cell, &marks);
+    struct raster r = occupied(pane, &layer->point, cell, &marks);
     while (marks > limit) {
         raster_free(&r);
         cell *= fmax(1.05, 0.95 * sqrt((double)marks / (double)limit));
-        r = occupied(panel, &layer->point, cell, &marks);
+        r = occupied(pane, &layer->point, cell, &marks);
     }
-    double area = (panel->box.high.x - panel->box.low.x) * (panel->box.high.y - panel->box.low.y);
-    double apart = sqrt(area / (double)(marks ? marks : 1)) * panel->scale;
+    double area = (pane->box.high.x - pane->box.low.x) * (pane->box.high.y - pane->box.low.y);
+    double apart = sqrt(area / (double)(marks ? marks : 1)) * pane->scale;
     double width = fmin(fmax(0.75 * apart, 0.9), fmin(2 + 0.08 * apart, 5));
     for (size_t level = 0; level < (style->by_layer ? 1 : PALETTE_HEIGHTS); level++) {
         char ink[80];
@@ -58,7 +58,7 @@ static void draw_points(const struct panel *panel, const struct layer *layer, si
             struct vec3 p = layer->point.item[r.owner[i]];
             if (isinf(r.depth[i]) || (!style->by_layer && level_of(style, p) != level))
                 continue;
-            struct vec3 at = panel_place(panel, view_point(&panel->view, p));
+            struct vec3 at = pane_place(pane, view_point(&pane->view, p));
             svg_dot(svg, at.x, at.y);
         }
         svg_path_end(svg);
@@ -66,33 +66,33 @@ static void draw_points(const struct panel *panel, const struct layer *layer, si
     raster_free(&r);
 }
 
-void panel_points(struct panel *panel, const struct scene *scene, struct svg *svg)
+void pane_points(struct pane *pane, const struct scene *scene, struct svg *svg)
 {
     for (size_t i = 0; i < scene->n; i++) {
         const struct layer *layer = &scene->item[i];
         if (layer->point.n == 0)
             continue;
         svg_group(svg, "fill=\"none\" stroke-linecap=\"round\"");
-        draw_points(panel, layer, i, 0.8 / panel->scale, svg);
+        draw_points(pane, layer, i, 0.8 / pane->scale, svg);
         svg_group_end(svg);
     }
 }
 
 /* As many as can be told apart, this far from one another, px. */
-static void draw_ticks(const struct panel *panel, const struct ticks *ticks, double apart,
+static void draw_ticks(const struct pane *pane, const struct ticks *ticks, double apart,
                        const char *ink, struct svg *svg)
 {
-    const struct box *b = &panel->box;
-    struct raster r = raster_new(b->low.x, b->low.y, b->high.x, b->high.y, apart / panel->scale);
+    const struct box *b = &pane->box;
+    struct raster r = raster_new(b->low.x, b->low.y, b->high.x, b->high.y, apart / pane->scale);
     svg_path(svg, ink);
     for (size_t i = 0; i < ticks->n; i++) {
         const struct tick *t = &ticks->item[i];
-        struct vec3 p = view_point(&panel->view, t->from);
+        struct vec3 p = view_point(&pane->view, t->from);
         struct vec3 q =
-            view_point(&panel->view, vec_along(t->from, panel->style->tick, t->direction));
-        if (!raster_visible(&panel->near, p, panel->slack) || !raster_point(&r, p, i))
+            view_point(&pane->view, vec_along(t->from, pane->style->tick, t->direction));
+        if (!raster_visible(&pane->near, p, pane->slack) || !raster_point(&r, p, i))
             continue;
-        struct vec3 from = panel_place(panel, p), to = panel_place(panel, q);
+        struct vec3 from = pane_place(pane, p), to = pane_place(pane, q);
         svg_dot(svg, from.x, from.y);
         svg_line(svg, to.x, to.y);
     }
@@ -101,23 +101,23 @@ static void draw_ticks(const struct panel *panel, const struct ticks *ticks, dou
 }
 
 /* Dots at points that stand on strokes, as many as can be told apart. */
-static void draw_dots(const struct panel *panel, const struct vec3s *joint, const char *ink,
+static void draw_dots(const struct pane *pane, const struct vec3s *joint, const char *ink,
                       struct svg *svg)
 {
     size_t marks;
-    struct raster r = occupied(panel, joint, 1.2 / panel->scale, &marks);
+    struct raster r = occupied(pane, joint, 1.2 / pane->scale, &marks);
     svg_path(svg, ink);
     for (size_t i = 0; i < r.rows * r.columns; i++) {
         if (isinf(r.depth[i]))
             continue;
-        struct vec3 at = panel_place(panel, view_point(&panel->view, joint->item[r.owner[i]]));
+        struct vec3 at = pane_place(pane, view_point(&pane->view, joint->item[r.owner[i]]));
         svg_dot(svg, at.x, at.y);
     }
     svg_path_end(svg);
     raster_free(&r);
 }
 
-static void draw_poles(const struct panel *panel, const struct layer *layer, struct svg *svg)
+static void draw_poles(const struct pane *pane, const struct layer *layer, struct svg *svg)
 {
     struct vec3s pole = {0};
     for (size_t i = 0; i < layer->stroke.n; i++) {
@@ -126,22 +126,22 @@ static void draw_poles(const struct panel *panel, const struct layer *layer, str
             *array_push(&pole) = layer->node.item[k];
     }
     if (pole.n)
-        draw_dots(panel, &pole, "stroke=\"#CC79A7\" stroke-width=\"45\"", svg);
+        draw_dots(pane, &pole, "stroke=\"#CC79A7\" stroke-width=\"45\"", svg);
     array_free(&pole);
 }
 
-void panel_ticks(struct panel *panel, const struct scene *scene, struct svg *svg)
+void pane_ticks(struct pane *pane, const struct scene *scene, struct svg *svg)
 {
     svg_group(svg, "fill=\"none\" stroke-linecap=\"round\"");
     for (size_t i = 0; i < scene->n; i++) {
         const struct layer *layer = &scene->item[i];
-        if (panel->style->joints && layer->joint.n)
-            draw_dots(panel, &layer->joint, "stroke=\"#222\" stroke-width=\"20\"", svg);
-        draw_poles(panel, layer, svg);
+        if (pane->style->joints && layer->joint.n)
+            draw_dots(pane, &layer->joint, "stroke=\"#222\" stroke-width=\"20\"", svg);
+        draw_poles(pane, layer, svg);
         if (layer->normal.n)
-            draw_ticks(panel, &layer->normal, 8, "stroke=\"#009E73\" stroke-width=\"9\"", svg);
+            draw_ticks(pane, &layer->normal, 8, "stroke=\"#009E73\" stroke-width=\"9\"", svg);
         if (layer->axis.n)
-            draw_ticks(panel, &layer->axis, 8, "stroke=\"#444444\" stroke-width=\"8\"", svg);
+            draw_ticks(pane, &layer->axis, 8, "stroke=\"#444444\" stroke-width=\"8\"", svg);
     }
     svg_group_end(svg);
 }
