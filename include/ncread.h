@@ -55,7 +55,8 @@ struct ncread {
     /* modal */
     int move;  /* the dialect's own */
     int plane; /* 17, 18, 19 */
-    bool metric, absolute, inverse_time, spindle;
+    double unit; /* of the program's lengths, mm; 0: not said */
+    bool absolute, inverse_time, spindle;
     bool tcp;     /* on */
     bool vectors; /* the tool axis is programmed as a vector */
     bool curve;   /* the tool axis follows a second point (ORICURVE) */

@@ -125,10 +125,25 @@ broken "an unknown word" '/^N12030 /s/$/ Q1. U5./' 'N12030: found U5'
 broken "a word twice" '/^N12030 /s/$/ X0./' 'N12030: a word twice'
 broken "no decimal point" '/^N12030 /s/X[-0-9.]*/X1/' 'N12030: a length, angle or feed without'
 broken "blocks that changed places" '/^N12030 /{h;d;};/^N12040 /{G;}' 'N12030: its number does not rise'
-broken "inches" 's/G21/G20/' 'N20: found G20|N10: found G20'
+fault "inches" 's/G21/G20/' 'N[0-9]+ .*(beyond its travel|near no point)'
+broken "two units" '/^N12030 /s/G1/G20 G1/' 'N12030: millimetres and inches'
 broken "incremental words" 's/G90/G91/' 'N[0-9]*: '
 broken "a retract home under tool centre point control" '/^N26[0-9]* G49/d' 'N[0-9]*: G28 or G53'
 broken "letters for digits" '/^N12030 /s/X/XO/' 'N12030: found'
+
+# Good programs in inches and in a tilted plane.
+cloud2mesh -q -t 2 dome.xyz -o dome.ply
+meshnorm -q -r 6 --fixed 0.3,0.2,0.9 dome.ply >tilt.cl
+bsplfit -q -e 0.01 tilt.cl >tilt-s.cl
+for control in fanuc siemens heidenhain; do
+	ncpost -q -c $control --plane tilt.cl >tilt.$control
+	status 0 "$control: a tilted plane" ncverify -q -g dome.xyz -r 6 -e 0.03 tilt.$control
+	ncpost -q -c $control --inch tilt-s.cl >inch.$control
+	status 0 "$control: inches" ncverify -q -g dome.xyz -r 6 -e 0.03 inch.$control
+done
+sed 's/G43 H1//' tilt.fanuc >bad.nc
+status 1 "no length of the tool" ncverify -g dome.xyz -r 6 bad.nc
+has "is named" "N[0-9]+: cuts without the tool's length" err
 
 # The same in the other controls.
 for control in siemens heidenhain linuxcnc; do

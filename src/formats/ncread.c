@@ -5,6 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "ncread_unit.h"
 #include "reader.h"
 
 int ncread_error(const struct ncread *c, struct error *error, const char *what)
@@ -135,8 +136,8 @@ bool ncread_upright(const struct ncread *c)
 
 int ncread_ready(const struct ncread *c, struct error *error)
 {
-    if (!c->metric || !c->absolute)
-        return ncread_error(c, error, "cuts before millimetres and absolute words are set");
+    if (!(c->unit > 0) || !c->absolute)
+        return ncread_error(c, error, "cuts before its unit and absolute words are set");
     if (!c->spindle)
         return ncread_error(c, error, "cuts while the spindle stands");
     if (c->setup->tcp && !c->tcp && !c->tilted.on && !ncread_upright(c))
@@ -166,6 +167,7 @@ int ncread_go(struct ncread *c, const struct ncread_place *to, struct piece piec
             piece.q[0] = piece.q[1];
         }
         ncread_plane_turn(c, &piece);
+        ncread_unit_piece(c, &piece);
         *array_push(&c->course->piece) = piece;
         c->course->lines += piece.shape == SHAPE_LINE && !rapid;
         c->course->arcs += piece.shape == SHAPE_ARC;

@@ -91,6 +91,18 @@ static int block_axis(struct ncread *c, struct ncread_fanuc_block *b, struct err
     return 0;
 }
 
+/* Makes the piece an arc when the block is one, in a plane or in space. */
+static int arc(struct ncread *c, struct ncread_fanuc_block *b, struct piece *piece,
+               struct error *error)
+{
+    if (c->move == MOVE_SPACE) {
+        const double *at = c->middle.at;
+        c->has_middle = false;
+        return ncread_arc_through(c, piece, vec(at[0], at[1], at[2]), error);
+    }
+    return c->move == MOVE_CW || c->move == MOVE_CCW ? arc_block(c, b, piece, error) : 0;
+}
+
 static int run_block(struct ncread *c, struct ncread_fanuc_block *b, struct error *error)
 {
     if (b->machine || b->home)
@@ -122,14 +134,10 @@ static int run_block(struct ncread *c, struct ncread_fanuc_block *b, struct erro
         c->has_middle = true;
         return 0;
     }
+    if (c->move != MOVE_RAPID && !c->length && (c->tilted.on || !c->setup->tcp))
+        return ncread_error(c, error, "cuts without the tool's length, G43");
     struct piece piece = ncread_piece(c, &b->to);
-    if (c->move == MOVE_SPACE) {
-        const double *at = c->middle.at;
-        c->has_middle = false;
-        if (ncread_arc_through(c, &piece, vec(at[0], at[1], at[2]), error) < 0)
-            return -1;
-    }
-    if ((c->move == MOVE_CW || c->move == MOVE_CCW) && arc_block(c, b, &piece, error) < 0)
+    if (arc(c, b, &piece, error) < 0)
         return -1;
     return ncread_go(c, &b->to, piece, c->move == MOVE_RAPID, error);
 }

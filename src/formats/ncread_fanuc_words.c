@@ -1,5 +1,6 @@
-/* ncread_fanuc_words - see fanuc.h. */
+/* ncread_fanuc_words - see ncread_fanuc.h. */
 #include "ncread_fanuc.h"
+#include "ncread_iso.h"
 
 #include <string.h>
 
@@ -17,23 +18,17 @@ static int g_tool(struct ncread *c, const struct ncread_word *w, struct ncread_f
     return 0;
 }
 
-/* Tenths of the G words that do not change where the tool goes: smoothing, cutter compensation
- * off, tool length, work frames, cutting mode, rotation off, cycles off. */
-static const int no_effect[] = {51, 400, 430, 540, 550, 560, 570, 580, 590, 640, 690, 800};
-
 /* Modal and other G words, before the addresses are looked at. */
 static int g_word(struct ncread *c, const struct ncread_word *w, struct ncread_fanuc_block *b,
                   struct error *error)
 {
     int code = (int)lround(w->value[0] * 10);
-    if (ncread_hole_code(c, code))
-        return 0;
+    int taken = ncread_hole_code(c, code) ? 1 : ncread_iso_g(c, code, error);
+    if (taken != 0)
+        return taken < 0 ? -1 : 0;
     switch (code) {
-    case 0:
-    case 10:
-    case 20:
-    case 30:
-        c->move = code / 10;
+    case 51:  /* smoothing */
+    case 690: /* no tilted plane: ncread_plane */
         return 0;
     case 24:
     case 34:
@@ -45,38 +40,23 @@ static int g_word(struct ncread *c, const struct ncread_word *w, struct ncread_f
         c->move = MOVE_SPLINE;
         b->spline_begins = true;
         return 0;
-    case 170:
-    case 180:
-    case 190:
-        c->plane = code / 10;
-        return 0;
-    case 210:
-        c->metric = true;
-        return 0;
     case 280:
         b->home = true;
+        return 0;
+    case 430:
+        c->length = true;
+        return 0;
+    case 434:
+    case 435:
+        c->length = true;
+        return g_tool(c, w, b, error);
+    case 490:
+        c->tcp = c->vectors = c->length = false;
         return 0;
     case 530:
         b->machine = true;
         return 0;
-    case 434:
-    case 435:
-        return g_tool(c, w, b, error);
-    case 490:
-        c->tcp = c->vectors = false;
-        return 0;
-    case 900:
-    case 910:
-        c->absolute = code == 900;
-        return 0;
-    case 930:
-    case 940:
-        c->inverse_time = code == 930;
-        return 0;
     default:
-        for (size_t i = 0; i < sizeof no_effect / sizeof *no_effect; i++)
-            if (code == no_effect[i])
-                return 0;
         return ncread_unknown(c, w, error);
     }
 }

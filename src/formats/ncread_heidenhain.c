@@ -8,6 +8,7 @@
 #include <string.h>
 
 #include "ncread.h"
+#include "ncread_unit.h"
 
 enum { TOKENS = 16, TOKEN = 40 };
 
@@ -217,12 +218,16 @@ static int read_block(struct ncread *c, const char *line, struct error *error)
         return ncread_error(c, error, "a block behind END PGM");
     if (split(c, end, &k, error) < 0)
         return -1;
-    bool outer = k.n == 4 && strcmp(k.word[1], "PGM") == 0 && strcmp(k.word[3], "MM") == 0;
+    bool inch = k.n == 4 && strcmp(k.word[3], "INCH") == 0;
+    bool outer =
+        k.n == 4 && strcmp(k.word[1], "PGM") == 0 && (inch || strcmp(k.word[3], "MM") == 0);
+    if (outer && ncread_unit(c, inch ? INCH : 1, error) < 0)
+        return -1;
     if (c->block == 0) {
-        c->metric = c->absolute = true;
+        c->absolute = true;
         return outer && strcmp(k.word[0], "BEGIN") == 0
                    ? 0
-                   : ncread_error(c, error, "expected BEGIN PGM NAME MM");
+                   : ncread_error(c, error, "expected BEGIN PGM NAME MM or INCH");
     }
     if (c->ended) {
         c->closed = outer && strcmp(k.word[0], "END") == 0;

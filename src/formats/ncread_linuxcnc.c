@@ -7,6 +7,7 @@
 #include <string.h>
 
 #include "ncread.h"
+#include "ncread_iso.h"
 
 enum { BLOCK_MAX = 255 };
 enum { MOVE_NONE = -1, MOVE_RAPID, MOVE_LINE, MOVE_CW, MOVE_CCW };
@@ -18,32 +19,18 @@ struct block {
     double centre[3], radius;
 };
 
-/* Tenths of the G words that do not change where the tool goes. */
-static const int no_effect[] = {400, 540, 550, 560, 570, 580, 590, 610, 611, 640, 800, 911, 970};
-
 static int g_word(struct ncread *c, const struct ncread_word *w, struct block *b,
                   struct error *error)
 {
     int code = (int)lround(w->value[0] * 10);
-    if (ncread_hole_code(c, code))
-        return 0;
+    int taken = ncread_hole_code(c, code) ? 1 : ncread_iso_g(c, code, error);
+    if (code == 930)
+        c->feed = 0;
+    if (taken != 0)
+        return taken < 0 ? -1 : 0;
     switch (code) {
-    case 0:
-    case 10:
-    case 20:
-    case 30:
-        c->move = code / 10;
-        return 0;
     case 40:
         b->dwell = true;
-        return 0;
-    case 170:
-    case 180:
-    case 190:
-        c->plane = code / 10;
-        return 0;
-    case 210:
-        c->metric = true;
         return 0;
     case 430:
         b->length = c->length = true;
@@ -55,20 +42,12 @@ static int g_word(struct ncread *c, const struct ncread_word *w, struct block *b
     case 530:
         b->machine = true;
         return 0;
-    case 900:
-    case 910:
-        c->absolute = code == 900;
-        return 0;
-    case 930:
-    case 940:
-        c->inverse_time = code == 930;
-        if (code == 930)
-            c->feed = 0;
+    case 610: /* exact path, exact stop, arcs by their centres, no more constant speed */
+    case 611:
+    case 911:
+    case 970:
         return 0;
     default:
-        for (size_t i = 0; i < sizeof no_effect / sizeof *no_effect; i++)
-            if (code == no_effect[i])
-                return 0;
         return ncread_unknown(c, w, error);
     }
 }

@@ -1,8 +1,12 @@
 /* ncread_shape - arcs and splines: see ncread.h. */
 #include "ncread.h"
+#include "ncread_unit.h"
 
-/* Largest difference of an arc's radius at its start and its end, mm. */
-#define RADIUS_DIFFERENCE 0.005
+/* Largest difference of an arc's radius at its start and its end, mm, in the program's unit. */
+static double slack(const struct ncread *c)
+{
+    return 0.005 / (c->unit > 0 ? c->unit : 1);
+}
 
 static void set_arc(struct ncread *c, struct piece *piece, struct course_arc arc)
 {
@@ -24,7 +28,7 @@ int ncread_arc(struct ncread *c, struct piece *piece, struct vec3 centre, bool c
     struct vec3 v = vec_reject(vec_sub(piece->p[1], centre), n);
     if (c->inverse_time)
         return ncread_error(c, error, "an arc under inverse time feed");
-    if (vec_length(u) < 1e-6 || fabs(vec_length(u) - vec_length(v)) > RADIUS_DIFFERENCE)
+    if (vec_length(u) < 1e-6 || fabs(vec_length(u) - vec_length(v)) > slack(c))
         return ncread_error(c, error, "an arc whose ends are not at one distance from its centre");
     double angle = atan2(vec_dot(vec_cross(u, v), n), vec_dot(u, v));
     bool full = vec_distance(u, v) < 1e-9;
@@ -44,7 +48,7 @@ int ncread_arc_radius(struct ncread *c, struct piece *piece, double radius, bool
     double length = vec_length(chord), r = fabs(radius);
     if (length < 1e-9)
         return ncread_error(c, error, "an arc by its radius with no way between its ends");
-    if (length / 2 > r + RADIUS_DIFFERENCE)
+    if (length / 2 > r + slack(c))
         return ncread_error(c, error, "an arc whose ends are further apart than its diameter");
     double high = sqrt(fmax(0, r * r - length * length / 4));
     /* the centre lies left of the chord for a short counter-clockwise arc */
@@ -100,6 +104,7 @@ int ncread_spline(struct ncread *c, struct error *error)
         if (!(c->weight.item[i] > 0))
             return ncread_error(c, error, "a spline with a weight that is not above zero");
     ncread_plane_turn_poles(c);
+    ncread_unit_poles(c);
     struct course_spline b = {.order = c->order, .n = n};
     b.knot = c->knot.item;
     b.p = c->pole_p.item;

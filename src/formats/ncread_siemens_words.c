@@ -1,5 +1,6 @@
 /* ncread_siemens_words - see siemens.h. */
 #include "ncread_siemens.h"
+#include "ncread_unit.h"
 
 #include <string.h>
 
@@ -28,10 +29,12 @@ static int g_word(struct ncread *c, const struct ncread_word *w, struct error *e
     case 19:
         c->plane = code;
         return 0;
+    case 70:
+    case 700:
+        return ncread_unit(c, INCH, error);
     case 71:
     case 710:
-        c->metric = true;
-        return 0;
+        return ncread_unit(c, 1, error);
     case 90:
     case 91:
         c->absolute = code == 90;
