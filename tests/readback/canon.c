@@ -10,6 +10,7 @@
 #include <string.h>
 
 #include "ncread.h"
+#include "ncread_unit.h"
 #include "num.h"
 
 enum { NUMBERS = 9 };
@@ -88,7 +89,7 @@ static int call(struct ncread *c, const char *s, struct error *error)
     if (is(s, "SELECT_PLANE"))
         c->plane = strstr(s, "XY") ? 17 : strstr(s, "XZ") ? 18 : 19;
     else if (is(s, "USE_LENGTH_UNITS"))
-        c->metric = strstr(s, "_MM)") != NULL;
+        c->unit = strstr(s, "_MM)") ? 1 : INCH;
     else if (is(s, "SET_FEED_RATE"))
         c->feed = v[0];
     else if (is(s, "START_SPINDLE"))
