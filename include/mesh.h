@@ -51,6 +51,7 @@ struct mesh_origin {
     double spacing;               /* t of the triangular grid, mm */
     double direction;             /* of the rows, degrees about z from x */
     double ledger;                /* tolerance spent by the maker, mm; NAN: not said */
+    double noise;       /* of the scan, one standard deviation, mm */
     char *maker;                  /* the tool that spent it, NULL: not said */
     struct mesh_surfaces surface; /* that it was made from; none: not said */
     struct mesh_parts part;       /* by rising row; none: it is one, seen from above */

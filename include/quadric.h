@@ -14,7 +14,8 @@
 
 struct quadric {
     struct vec3 origin, u, v, w; /* w near the normal; unit vectors */
-    double c[6];
+    double c[10]; /* from the sixth on of u^3, u^2 v, u v^2, v^3: cubic.h; of a quadric 0 */
+    double variance, tilt; /* of c0; of c1 and c2 together, 1/mm^2: where each point's w has 1 mm^2 */
 };
 
 /*
@@ -33,6 +34,27 @@ int quadric_settle(const struct vec3 *point, size_t n, struct vec3 origin, struc
 /* A unit normal of the plane nearest to n points, on either side: along the axis that serves best
  * to tell heights by (exact where they lie in a plane); (0, 0, 1) for points that span none. */
 struct vec3 plane_normal(const struct vec3 *point, size_t n);
+
+/* The same, each point with its weight (0: it does not count); the points that count must carry the
+ * quadric. */
+int quadric_fit_weighted(const struct vec3 *point, const double *weight, size_t n,
+                         struct vec3 origin, struct vec3 guess, struct quadric *quadric);
+
+/* The same where the guess is the normal of facets: where that is steep, from straight up too, for
+ * slivers between scan lines and facets across a step have normals that mean nothing.  The better
+ * fit counts. */
+int quadric_fit_steep(const struct vec3 *point, size_t n, struct vec3 origin, struct vec3 guess,
+                      struct quadric *quadric);
+
+/* The same where nothing is known of the normal: from that of the plane nearest to the points. */
+int quadric_fit_free(const struct vec3 *point, size_t n, struct vec3 origin,
+                     struct quadric *quadric);
+
+/* Distance of a point from the quadric, to first order: positive on the side of w. */
+double quadric_off(const struct quadric *quadric, struct vec3 point);
+
+/* The foot of the origin on the quadric, to first order. */
+struct vec3 quadric_foot(const struct quadric *quadric);
 
 /* At the origin's foot on the quadric (u = v = 0): unit normal, on the side of w ... */
 struct vec3 quadric_normal(const struct quadric *quadric);

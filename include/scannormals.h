@@ -5,6 +5,7 @@
 #ifndef CLOUDMILL_SCANNORMALS_H
 #define CLOUDMILL_SCANNORMALS_H
 
+#include "buckets.h"
 #include "mesh.h"
 
 /* How far the vertices stand off their quadrics. */
@@ -26,9 +27,9 @@ struct scannormals {
  * its larger principal curvature (hollow: positive) to mesh->kmax.  A vertex without a quadric
  * keeps the normal of its facets (eq 8), and 0.
  *
- * The result depends neither on the number of threads nor on the order of the points.
+ * The result does not depend on the number of threads.
  */
-struct scannormals scannormals_quadric(struct mesh *mesh, const struct vec3 *point, size_t n,
+struct scannormals scannormals_quadric(struct mesh *mesh, const struct buckets *buckets,
                                        int neighbours, int threads);
 
 #endif

@@ -7,28 +7,30 @@
 #include <string.h>
 
 #include "cli.h"
-#include "cloud.h"
 #include "featuremesh.h"
 #include "footprint.h"
 #include "grid.h"
 #include "gridmesh.h"
-#include "matrix.h"
+#include "intake.h"
 #include "num.h"
 #include "ply.h"
 #include "reposition.h"
 #include "scannormals.h"
+#include "scansmooth.h"
 #include "subcloud.h"
 #include "submesh.h"
 #include "wallpoints.h"
 
 enum normals { NORMALS_QUADRIC, NORMALS_FACET };
+enum outliers { OUTLIERS_DROP, OUTLIERS_KEEP };
 
 struct settings {
     double spacing; /* 0: from the cloud */
     double max_gap; /* 0: from the cloud */
     double direction;
-    int unit, normals, neighbours;
-    bool paper, origin, smooth, subdivide;
+    double noise; /* NAN: from the cloud */
+    int unit, normals, neighbours, outliers;
+    bool paper, origin, smooth, subdivide, clean;
     const char *matrix; /* file, NULL: none */
 };
 
@@ -42,7 +44,7 @@ static const char *const unit_name[] = {"mm", "cm", "m", "um", "inch", "in"};
 
 static struct settings read_options(struct cli *cli, int argc, char **argv)
 {
-    struct settings s = {.neighbours = 40};
+    struct settings s = {.noise = NAN};
     bool normals_given = false;
     const struct cli_option option[] = {
         {'t', "spacing", "MM",
@@ -64,8 +66,18 @@ static struct settings read_options(struct cli *cli, int argc, char **argv)
          "normals from a quadric through the nearest points of the cloud, or\n"
          "the mean of the facets' (default: quadric; with --paper: facet)",
          CLI_CHOICE, &s.normals, 0, 0, 0, &normals_given},
-        {0, "neighbours", "N", "points that a quadric is fitted to (default: 40)", CLI_COUNT,
-         &s.neighbours, 6, 1000, 0, NULL},
+        {0, "neighbours", "N",
+         "points that a quadric is fitted to (default: 40; where there is noise,\n"
+         "as many as it takes)",
+         CLI_COUNT, &s.neighbours, 6, 1000, 0, NULL},
+        {0, "outliers", "drop|keep",
+         "leave out outliers and what lies under other points, or only count\n"
+         "them (default: drop; with --paper or --normals facet: not looked for)",
+         CLI_CHOICE, &s.outliers, 0, 0, 0, &s.clean},
+        {0, "noise", "MM",
+         "standard deviation of the points (default: as measured; 0: vertices\n"
+         "stay points of the scan)",
+         CLI_NUMBER, &s.noise, 0, 1e6, 0, NULL},
         {0, "smooth", NULL, "look for no creases and no walls", CLI_FLAG, &s.smooth, 0, 0, 0, NULL},
         {0, "subdivide", NULL,
          "divide the cloud by orientation, each part with a projection of its own", CLI_FLAG,
@@ -81,6 +93,7 @@ static struct settings read_options(struct cli *cli, int argc, char **argv)
         s.normals = NORMALS_FACET;
     if (s.paper || s.normals == NORMALS_FACET)
         s.smooth = true;
+    s.clean = s.clean || s.normals == NORMALS_QUADRIC;
     return s;
 }
 
@@ -94,59 +107,11 @@ static const char *name_of(const struct cli *cli)
     return name;
 }
 
-static void say_skipped(const char *file, const struct cloud_count *c)
+/* Mean spacing of the points, mm. */
+static double spacing_of_points(const struct settings *s, const struct vec3 *point, size_t n)
 {
-    if (c->heads > 0)
-        say("%s: passed over %zu line%s of heading", file, c->heads, c->heads == 1 ? "" : "s");
-    if (c->comments > 0)
-        say("%s: passed over %zu comment%s", file, c->comments, c->comments == 1 ? "" : "s");
-    if (c->columns > 3)
-        say("%s: passed over the columns behind the third (up to %zu)", file, c->columns);
-    if (c->not_finite > 0)
-        say("%s:%zu: left out %zu row%s with nan, inf or a number out of range, this is the first",
-            file, c->first_not_finite, c->not_finite, c->not_finite == 1 ? "" : "s");
-    if (c->not_measured > 0)
-        say("%s: left out %zu cell%s without a measurement", file, c->not_measured,
-            c->not_measured == 1 ? "" : "s");
-}
-
-/* All files as one cloud, in their own units; returns how many rows were left out. */
-static size_t read_clouds(const struct cli *cli, struct vec3s *points)
-{
-    size_t left_out = 0;
-    for (int i = 0; i < cli->files; i++) {
-        struct cloud_count count = {0};
-        struct error error;
-        if (cloud_read(cli->file[i], points, &count, &error) < 0)
-            die_error(&error);
-        say_skipped(cli->file[i], &count);
-        left_out += count.not_finite + count.not_measured;
-    }
-    return left_out;
-}
-
-/* Units, matrix, origin (paper 3.1), in this order; into the points and the mesh's record. */
-static void place(const struct settings *s, struct vec3s *points, struct mesh_origin *origin)
-{
-    struct transform total = transform_scale(cloud_unit(unit_name[s->unit])), matrix;
-    struct error error;
-    if (s->matrix) {
-        if (matrix_read(s->matrix, &matrix, &error) < 0)
-            die_error(&error);
-        if (transform_determinant(&matrix) < 0)
-            say("%s: the matrix makes a mirror image of the part", s->matrix);
-        total = transform_product(matrix, total);
-    }
-    if (!transform_is_identity(&total))
-        transform_points(&total, points->item, points->n);
-    if (s->origin && points->n > 0) {
-        struct footprint f = footprint_of(points->item, points->n, 0);
-        struct transform shift = transform_shift(vec(-f.xmin, -f.ymin, 0));
-        transform_points(&shift, points->item, points->n);
-        total = transform_product(shift, total);
-    }
-    origin->placed = !transform_is_identity(&total);
-    memcpy(origin->place, total.m, sizeof total.m);
+    struct footprint f = footprint_of(point, n, s->direction);
+    return footprint_spacing(&f, point, n);
 }
 
 /* Three times the mean spacing, to three digits: so that -t can say the same. */
@@ -157,6 +122,26 @@ static double spacing_of_cloud(double mean)
     double spacing = num_round(round(3 * mean / step) * step, (int)digits);
     say("spacing %g mm, three times the mean spacing of the points", spacing);
     return spacing;
+}
+
+/* Takes out what is no part of the surface; returns the noise that vertices are to be rid of. */
+static double clean(const char *name, const struct settings *s, struct vec3s *points, int threads,
+                    struct mesh_origin *origin)
+{
+    const double least = 0.004; /* in spacings: less does not matter beside the facets */
+    struct intake intake;
+    struct error error;
+    double mean = points->n >= 3 ? spacing_of_points(s, points->item, points->n) : 0;
+    if (!s->clean || !(mean > 0)) /* no area: the mesh will say so */
+        return 0;
+    enum intake_drop drop = s->outliers == OUTLIERS_KEEP ? INTAKE_KEEP
+                            : s->subdivide               ? INTAKE_DROP_OUTLIERS
+                                                         : INTAKE_DROP;
+    if (intake_clean(points, mean, drop, threads, &intake, &error) < 0)
+        die("%s: %s", name, error.text);
+    origin->noise = isnan(s->noise) ? intake.noise : s->noise;
+    note("noise of the scan %.4f mm (one standard deviation)", intake.noise);
+    return isnan(s->noise) && intake.noise < least * mean ? 0 : origin->noise;
 }
 
 /* A point for each node; one on a wall only where there is no other. */
@@ -236,32 +221,67 @@ static void say_steep(const struct settings *settings, const struct mesh *mesh)
             100 * part);
 }
 
-static void make_normals(const struct settings *s, const struct vec3s *points, size_t n,
-                         int threads, struct mesh *mesh)
+static void say_thin(size_t thin, const struct mesh *mesh)
 {
-    if (s->normals == NORMALS_FACET) {
-        mesh_normals_facet(mesh);
-        return;
-    }
-    struct scannormals r = scannormals_quadric(mesh, points->item, n, s->neighbours, threads);
-    if (r.thin > 0)
+    if (thin > 0)
         say("%zu of %zu vertices have too few points about them for a quadric: their normals are "
             "the facets'",
-            r.thin, mesh->vertex.n);
+            thin, mesh->vertex.n);
+}
+
+/* Normals of the points as they are; returns the tolerance spent. */
+static double normals_of_points(const struct buckets *buckets, int neighbours, int threads,
+                                struct mesh *mesh)
+{
+    struct scannormals r = scannormals_quadric(mesh, buckets, neighbours ? neighbours : 40, threads);
+    say_thin(r.thin, mesh);
     struct vec3 at = mesh->vertex.item[r.at];
     note("vertices are off their quadrics by %.4f mm at worst (at %.3f %.3f %.3f), %.4f mm rms; "
          "three sigma of the noise %.4f mm",
          r.worst, at.x, at.y, at.z, r.rms, r.noise);
-    mesh->origin.ledger = r.noise;
-    mesh->origin.maker = mem_string("cloud2mesh", strlen("cloud2mesh"));
+    return r.noise;
 }
 
-static void keep_features(const struct vec3s *points, const struct cloud_parts *parts, int threads,
-                          struct mesh *mesh)
+/* Vertices moved onto the surface, and its normals; returns the tolerance spent. */
+static double move_vertices(const struct buckets *buckets, double noise, int neighbours,
+                            int threads, struct mesh *mesh)
+{
+    struct scansmooth r = scansmooth(mesh, buckets, noise, (size_t)neighbours, threads);
+    say_thin(r.thin, mesh);
+    say("noise %.4f mm (one standard deviation): %zu of %zu vertices moved onto surfaces through "
+        "about %zu points, to within %.4f mm (one standard deviation)",
+        noise, r.moved, mesh->vertex.n, r.typical, r.error);
+    if (r.kept > 0)
+        say("%zu vertices not moved: no surface explains the points about them", r.kept);
+    struct vec3 at = mesh->vertex.item[r.at];
+    note("moved by %.4f mm at most, to %.3f %.3f %.3f", r.farthest, at.x, at.y, at.z);
+    return 3 * r.error;
+}
+
+/* Sorts the points. */
+static void make_normals(const char *name, const struct settings *s, struct vec3 *point, size_t n,
+                         double noise, int threads, struct mesh *mesh)
+{
+    struct buckets buckets;
+    struct error error;
+    if (s->normals == NORMALS_FACET) {
+        mesh_normals_facet(mesh);
+        return;
+    }
+    if (buckets_make(point, n, spacing_of_points(s, point, n), threads, &buckets, &error) < 0)
+        die("%s: %s", name, error.text);
+    mesh->origin.ledger = noise > 0
+                              ? move_vertices(&buckets, noise, s->neighbours, threads, mesh)
+                              : normals_of_points(&buckets, s->neighbours, threads, mesh);
+    mesh->origin.maker = mem_string("cloud2mesh", strlen("cloud2mesh"));
+    buckets_free(&buckets);
+}
+
+static void keep_features(const struct vec3s *points, const struct cloud_parts *parts,
+                          double noise, int threads, struct mesh *mesh)
 {
     struct featuremesh found =
-        featuremesh_keep(mesh, points->item, points->n, parts->flat, parts->mean,
-                         mesh->origin.ledger / 3, threads);
+        featuremesh_keep(mesh, points->item, points->n, parts->flat, parts->mean, noise, threads);
     note("%zu points on walls; creases cross %zu edges of the mesh, walls %zu",
          points->n - parts->flat, found.creases, found.walls);
 }
@@ -273,22 +293,23 @@ struct made {
 };
 
 static struct made mesh_of(const char *name, const struct settings *settings, struct vec3s *points,
-                           int threads, struct mesh *mesh)
+                           double noise, int threads, struct mesh *mesh)
 {
     struct made made;
     struct cloud_parts parts;
     made.count = make_mesh(name, settings, points, threads, mesh, &made.grid, &parts);
     if (mesh->face.n == 0)
         return made;
-    make_normals(settings, points, parts.flat, threads, mesh);
+    make_normals(name, settings, points->item, parts.flat, noise, threads, mesh);
     if (!settings->smooth)
-        keep_features(points, &parts, threads, mesh);
+        keep_features(points, &parts, fmax(noise, mesh->origin.noise), threads, mesh);
     return made;
 }
 
 /* The same for each part of a cloud that is divided by orientation, one after the other. */
 static struct made mesh_of_parts(const char *name, const struct settings *settings,
-                                 const struct vec3s *points, int threads, struct mesh *mesh)
+                                 const struct vec3s *points, double noise, int threads,
+                                 struct mesh *mesh)
 {
     struct settings s = *settings;
     struct made made = {0};
@@ -304,7 +325,7 @@ static struct made mesh_of_parts(const char *name, const struct settings *settin
             part->point.item[k] = subcloud_in(part, part->point.item[k]);
         note("part %zu of %zu: seen along %.3f %.3f %.3f, %zu points", i + 1, parts.n, part->up.x,
              part->up.y, part->up.z, part->own);
-        made = mesh_of(name, &s, &part->point, threads, &own);
+        made = mesh_of(name, &s, &part->point, noise, threads, &own);
         if (own.face.n > 0)
             submesh_add(mesh, &own, part);
         mesh_free(&own);
@@ -330,17 +351,25 @@ int main(int argc, char **argv)
     struct vec3s points = {0};
     struct mesh mesh = {.origin.ledger = NAN};
 
+    struct error error;
+    size_t left_out;
+
     const char *name = name_of(&cli);
-    size_t left_out = read_clouds(&cli, &points);
-    place(&settings, &points, &mesh.origin);
+    if (intake_read(cli.file, cli.files, &points, &left_out, &error) < 0 ||
+        intake_place(&points, unit_name[settings.unit], settings.matrix, settings.origin,
+                     &mesh.origin, &error) < 0)
+        die_error(&error);
+    size_t read = points.n;
+    double noise = clean(name, &settings, &points, cli.threads, &mesh.origin);
+    left_out += read - points.n;
     struct made made = settings.subdivide
-                           ? mesh_of_parts(name, &settings, &points, cli.threads, &mesh)
-                           : mesh_of(name, &settings, &points, cli.threads, &mesh);
+                           ? mesh_of_parts(name, &settings, &points, noise, cli.threads, &mesh)
+                           : mesh_of(name, &settings, &points, noise, cli.threads, &mesh);
     say_left_out(&settings, &made.count);
     say_steep(&settings, &mesh);
     note("%zu points in, %zu left out; spacing %g mm, %d rows x %d columns; %zu vertices, "
          "%zu facets",
-         points.n, left_out, made.grid.t, made.grid.rows, made.grid.columns, mesh.vertex.n,
+         read, left_out, made.grid.t, made.grid.rows, made.grid.columns, mesh.vertex.n,
          mesh.face.n);
     mesh.origin.source = mem_string(name, strlen(name));
 

@@ -50,6 +50,17 @@ static void free_all(void)
     mesh_free(&mesh);
 }
 
+/* Sorts the scan. */
+static struct scannormals normals(int neighbours, int threads)
+{
+    struct buckets buckets;
+    struct error error;
+    ck_assert_int_eq(buckets_make(scan.item, scan.n, 0.5, threads, &buckets, &error), 0);
+    struct scannormals r = scannormals_quadric(&mesh, &buckets, neighbours, threads);
+    buckets_free(&buckets);
+    return r;
+}
+
 static double worst_angle(void)
 {
     double worst = 0;
@@ -68,7 +79,7 @@ START_TEST(random_points)
 {
     random_scan();
     make_mesh(on_wave);
-    struct scannormals r = scannormals_quadric(&mesh, scan.item, scan.n, 40, 1);
+    struct scannormals r = normals(40, 1);
     ck_assert_uint_eq(r.fitted, mesh.vertex.n);
     ck_assert_uint_eq(r.thin, 0);
     ck_assert_double_lt(worst_angle(), 0.01);
@@ -90,7 +101,7 @@ START_TEST(tight_bends)
     for (int i = 0; i < 30000; i++)
         *array_push(&scan) = on_tight_wave(40 * uniform(), 30 * uniform());
     make_mesh(on_tight_wave);
-    scannormals_quadric(&mesh, scan.item, scan.n, 40, 1);
+    normals(40, 1);
     double sum2 = 0;
     for (size_t i = 0; i < mesh.vertex.n; i++) {
         struct vec3 truth = vec_unit(vec(-0.6 * cos(mesh.vertex.item[i].x), 0, 1));
@@ -108,7 +119,7 @@ START_TEST(laser_lines)
         for (double x = 0; x <= 40; x += 0.05)
             *array_push(&scan) = on_wave(x, y + 1e-4 * uniform());
     make_mesh(on_wave);
-    struct scannormals r = scannormals_quadric(&mesh, scan.item, scan.n, 40, 1);
+    struct scannormals r = normals(40, 1);
     ck_assert_uint_eq(r.thin, 0);
     ck_assert_double_lt(worst_angle(), 0.02);
 }
@@ -122,7 +133,7 @@ START_TEST(nothing_but_a_line)
     for (int k = 0; k < 3; k++)
         *array_push(&mesh.vertex) = vec(10 * k, k == 1 ? 0.3 : 0, k == 1 ? 0.4 : 0);
     *array_push(&mesh.face) = (struct face){{0, 2, 1}};
-    struct scannormals r = scannormals_quadric(&mesh, scan.item, scan.n, 40, 1);
+    struct scannormals r = normals(40, 1);
     ck_assert_uint_eq(r.thin, 3);
     ck_assert_uint_eq(r.fitted, 0);
     ck_assert(r.worst == 0 && r.rms == 0);
@@ -142,7 +153,7 @@ START_TEST(side_of_the_facets)
     *array_push(&mesh.vertex) = vec(0, 12, 5);
     *array_push(&mesh.vertex) = vec(0, 8, 14);
     *array_push(&mesh.face) = (struct face){{0, 2, 1}};
-    scannormals_quadric(&mesh, scan.item, scan.n, 40, 1);
+    normals(40, 1);
     for (size_t i = 0; i < 3; i++)
         ck_assert_double_lt(mesh.normal.item[i].x, -0.99);
 }
@@ -159,7 +170,7 @@ START_TEST(hollow_is_positive)
     for (int i = 0; i < 4000; i++)
         *array_push(&scan) = on_trough(40 * uniform(), 30 * uniform());
     make_mesh(on_trough);
-    scannormals_quadric(&mesh, scan.item, scan.n, 40, 1);
+    normals(40, 1);
     for (size_t i = 0; i < mesh.kmax.n; i++)
         ck_assert_double_eq_tol(mesh.kmax.item[i], 0.01, 1e-5);
 }
@@ -221,7 +232,7 @@ START_TEST(panel)
     double facet = worst_gouge();
     ck_assert_double_gt(facet, 0.01);
     ck_assert_double_lt(facet, 0.06);
-    scannormals_quadric(&mesh, scan.item, scan.n, 40, 1);
+    normals(40, 1);
     ck_assert_double_lt(worst_gouge(), 0.001);
 }
 END_TEST
@@ -233,7 +244,7 @@ START_TEST(order_and_threads_do_not_matter)
         for (int j = 0; j < 50; j++)
             *array_push(&scan) = on_wave(0.5 * i, 0.5 * j);
     make_mesh(on_wave);
-    struct scannormals one = scannormals_quadric(&mesh, scan.item, scan.n, 40, 1);
+    struct scannormals one = normals(40, 1);
     struct vec3s normal = mesh.normal;
     struct doubles kmax = mesh.kmax;
     for (int threads = 2; threads < 6; threads++) {
@@ -245,7 +256,7 @@ START_TEST(order_and_threads_do_not_matter)
         }
         mesh.normal = (struct vec3s){0};
         mesh.kmax = (struct doubles){0};
-        struct scannormals r = scannormals_quadric(&mesh, scan.item, scan.n, 40, threads);
+        struct scannormals r = normals(40, threads);
         ck_assert(r.worst == one.worst && r.rms == one.rms && r.at == one.at);
         ck_assert_mem_eq(mesh.normal.item, normal.item, normal.n * sizeof *normal.item);
         ck_assert_mem_eq(mesh.kmax.item, kmax.item, kmax.n * sizeof *kmax.item);

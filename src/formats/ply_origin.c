@@ -101,6 +101,8 @@ int ply_origin_read(struct mesh_origin *origin, const char *comment, struct erro
         return read_number("spacing", text, &origin->spacing, error);
     } else if ((text = behind(comment, "direction"))) {
         return read_number("direction", text, &origin->direction, error);
+    } else if ((text = behind(comment, "noise"))) {
+        return read_number("noise", text, &origin->noise, error);
     } else if ((text = behind(comment, "place"))) {
         return read_place(text, origin, error);
     } else if ((text = behind(comment, "ledger"))) {
@@ -187,6 +189,11 @@ void ply_origin_write(struct out *out, const struct mesh_origin *origin)
             out_text(out, " ");
             write_number(out, origin->place[i / 4][i % 4]);
         }
+        out_text(out, "\n");
+    }
+    if (origin->noise > 0) {
+        out_text(out, "comment noise ");
+        out_num(out, origin->noise, 4);
         out_text(out, "\n");
     }
     if (origin->maker && isfinite(origin->ledger)) {

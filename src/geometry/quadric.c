@@ -26,20 +26,25 @@ static void local(const struct quadric *q, struct vec3 p, double *u, double *v, 
     *w = vec_dot(d, q->w);
 }
 
-static struct span span_of(const struct quadric *q, const struct vec3 *point, size_t n)
+static struct span span_of(const struct quadric *q, const struct vec3 *point,
+                           const double *weight, size_t n)
 {
     struct span s = {0, 0, 0, 0};
-    double u, v, w, uu = 0, uv = 0, vv = 0, count = (double)n;
+    double u, v, w, uu = 0, uv = 0, vv = 0, count = 0;
+    for (size_t i = 0; i < n; i++)
+        count += weight ? weight[i] : 1;
     for (size_t i = 0; i < n; i++) {
+        double part = weight ? weight[i] : 1;
         local(q, point[i], &u, &v, &w);
-        s.u0 += u / count;
-        s.v0 += v / count;
+        s.u0 += part * u / count;
+        s.v0 += part * v / count;
     }
     for (size_t i = 0; i < n; i++) {
+        double part = weight ? weight[i] : 1;
         local(q, point[i], &u, &v, &w);
-        uu += (u - s.u0) * (u - s.u0);
-        uv += (u - s.u0) * (v - s.v0);
-        vv += (v - s.v0) * (v - s.v0);
+        uu += part * (u - s.u0) * (u - s.u0);
+        uv += part * (u - s.u0) * (v - s.v0);
+        vv += part * (v - s.v0) * (v - s.v0);
     }
     /* the eigenvalues of the sums are the squares of length and width */
     double mean = (uu + vv) / 2, half = hypot((uu - vv) / 2, uv);
@@ -49,21 +54,23 @@ static struct span span_of(const struct quadric *q, const struct vec3 *point, si
 }
 
 /* Sums of the products of all terms with each other and, in the last column, with w. */
-static void add_up(const struct quadric *q, struct span s, const struct vec3 *point, size_t n,
-                   double sum[TERMS][TERMS + 1])
+static void add_up(const struct quadric *q, struct span s, const struct vec3 *point,
+                   const double *weight, size_t n, double sum[TERMS][TERMS + 1])
 {
     for (int i = 0; i < TERMS; i++)
         for (int j = 0; j <= TERMS; j++)
             sum[i][j] = 0;
     for (size_t k = 0; k < n; k++) {
-        double u, v, w;
+        double u, v, w, part = weight ? weight[k] : 1;
+        if (part == 0)
+            continue;
         local(q, point[k], &u, &v, &w);
         u = (u - s.u0) / s.size;
         v = (v - s.v0) / s.size;
         double term[TERMS + 1] = {1, u, v, u * u, u * v, v * v, w};
         for (int i = 0; i < TERMS; i++)
             for (int j = i; j <= TERMS; j++)
-                sum[i][j] += term[i] * term[j];
+                sum[i][j] += part * term[i] * term[j];
     }
 }
 
@@ -94,25 +101,57 @@ static int solve(double a[TERMS][TERMS + 1], double x[TERMS])
     return 0;
 }
 
+/* Variance of the sum of part[i] x[i]: |y|^2, U' y = part, where U' U are the sums of products; `a`
+ * holds U, as solve leaves it. */
+static double variance_of(double a[TERMS][TERMS + 1], const double part[TERMS])
+{
+    double y[TERMS], sum2 = 0;
+    for (int i = 0; i < TERMS; i++) {
+        y[i] = part[i];
+        for (int k = 0; k < i; k++)
+            y[i] -= a[k][i] * y[k];
+        y[i] /= a[i][i];
+        sum2 += y[i] * y[i];
+    }
+    return sum2;
+}
+
+/* Of the surface over the origin, which is at u, v in units of size, and of its slopes there. */
+static void find_variances(double a[TERMS][TERMS + 1], struct span s, struct quadric *q)
+{
+    double u = -s.u0 / s.size, v = -s.v0 / s.size;
+    const double value[TERMS] = {1, u, v, u * u, u * v, v * v};
+    const double by_u[TERMS] = {0, 1, 0, 2 * u, v, 0}, by_v[TERMS] = {0, 0, 1, 0, u, 2 * v};
+    q->variance = variance_of(a, value);
+    q->tilt = (variance_of(a, by_u) + variance_of(a, by_v)) / (s.size * s.size);
+}
+
 int quadric_fit(const struct vec3 *point, size_t n, struct vec3 origin, struct vec3 guess,
                 struct quadric *quadric)
 {
-    double sum[TERMS][TERMS + 1], x[TERMS];
+    return quadric_fit_weighted(point, NULL, n, origin, guess, quadric);
+}
+
+int quadric_fit_weighted(const struct vec3 *point, const double *weight, size_t n,
+                         struct vec3 origin, struct vec3 guess, struct quadric *quadric)
+{
+    double sum[TERMS][TERMS + 1], x[TERMS], *c = quadric->c;
     quadric->origin = origin;
     quadric->w = guess;
     quadric->u = vec_perpendicular(guess);
     quadric->v = vec_cross(guess, quadric->u);
+    c[6] = c[7] = c[8] = c[9] = 0;
     if (n < TERMS)
         return -1;
-    struct span s = span_of(quadric, point, n);
+    struct span s = span_of(quadric, point, weight, n);
     if (!(s.width > NARROW))
         return -1;
-    add_up(quadric, s, point, n, sum);
+    add_up(quadric, s, point, weight, n, sum);
     if (solve(sum, x) < 0)
         return -1;
+    find_variances(sum, s, quadric);
     /* back to u and v: w = x0 + x1 (u - u0) / size + ... */
     double a = x[1] / s.size, b = x[2] / s.size, size2 = s.size * s.size;
-    double *c = quadric->c;
     c[3] = x[3] / size2;
     c[4] = x[4] / size2;
     c[5] = x[5] / size2;
@@ -168,6 +207,26 @@ struct vec3 plane_normal(const struct vec3 *point, size_t n)
     return vec_length(normal) > 0 ? normal : vec(0, 0, 1);
 }
 
+int quadric_fit_steep(const struct vec3 *point, size_t n, struct vec3 origin, struct vec3 guess,
+                      struct quadric *quadric)
+{
+    const double steep = cos(PI / 4);
+    struct quadric other;
+    int fitted = quadric_settle(point, n, origin, guess, quadric);
+    if (guess.z >= steep ||
+        quadric_settle(point, n, origin, vec(0, 0, 1), &other) < 0)
+        return fitted;
+    if (fitted < 0 || quadric_rms(&other, point, n) < quadric_rms(quadric, point, n))
+        *quadric = other;
+    return 0;
+}
+
+int quadric_fit_free(const struct vec3 *point, size_t n, struct vec3 origin,
+                     struct quadric *quadric)
+{
+    return quadric_settle(point, n, origin, plane_normal(point, n), quadric);
+}
+
 struct vec3 quadric_normal(const struct quadric *q)
 {
     return vec_unit(vec_along(vec_along(q->w, -q->c[1], q->u), -q->c[2], q->v));
@@ -176,6 +235,13 @@ struct vec3 quadric_normal(const struct quadric *q)
 double quadric_distance(const struct quadric *q)
 {
     return fabs(q->c[0]) / sqrt(1 + q->c[1] * q->c[1] + q->c[2] * q->c[2]);
+}
+
+struct vec3 quadric_foot(const struct quadric *q)
+{
+    double slope2 = 1 + q->c[1] * q->c[1] + q->c[2] * q->c[2];
+    struct vec3 across = vec_along(vec_along(q->w, -q->c[1], q->u), -q->c[2], q->v);
+    return vec_along(q->origin, q->c[0] / slope2, across);
 }
 
 /* The eigenvalues k of the second fundamental form with respect to the first:
@@ -189,16 +255,25 @@ double quadric_curvature(const struct quadric *q)
     return (b + sqrt(fmax(b * b - 4 * a * c, 0))) / (2 * a);
 }
 
-double quadric_rms(const struct quadric *q, const struct vec3 *point, size_t n)
+double quadric_off(const struct quadric *q, struct vec3 point)
 {
     const double *c = q->c;
+    double u, v, w;
+    local(q, point, &u, &v, &w);
+    double off = w - (c[0] + u * (c[1] + c[3] * u + c[4] * v) + v * (c[2] + c[5] * v));
+    double wu = c[1] + 2 * c[3] * u + c[4] * v, wv = c[2] + 2 * c[5] * v + c[4] * u;
+    off -= u * u * (c[6] * u + c[7] * v) + v * v * (c[8] * u + c[9] * v);
+    wu += 3 * c[6] * u * u + 2 * c[7] * u * v + c[8] * v * v;
+    wv += c[7] * u * u + 2 * c[8] * u * v + 3 * c[9] * v * v;
+    return off / sqrt(1 + wu * wu + wv * wv);
+}
+
+double quadric_rms(const struct quadric *q, const struct vec3 *point, size_t n)
+{
     double sum2 = 0;
     for (size_t i = 0; i < n; i++) {
-        double u, v, w;
-        local(q, point[i], &u, &v, &w);
-        double off = w - (c[0] + u * (c[1] + c[3] * u + c[4] * v) + v * (c[2] + c[5] * v));
-        double wu = c[1] + 2 * c[3] * u + c[4] * v, wv = c[2] + 2 * c[5] * v + c[4] * u;
-        sum2 += off * off / (1 + wu * wu + wv * wv);
+        double off = quadric_off(q, point[i]);
+        sum2 += off * off;
     }
     return sqrt(sum2 / (double)n);
 }

@@ -2,53 +2,18 @@
 #include "scannormals.h"
 
 #include <stdlib.h>
-#include <string.h>
 
-#include "kdtree.h"
 #include "parallel.h"
 #include "quadric.h"
 
-enum { MOST_TIMES = 32, TURNS = 4 };
+enum { MOST_TIMES = 32 };
 
 struct job {
     struct mesh *mesh;
-    const struct kdtree *tree;
-    const struct vec3 *point;
+    const struct buckets *buckets;
     size_t neighbours;
     double *distance; /* of each vertex from its quadric; negative: it has none */
 };
-
-/* Refits in the frame of the normal just found, until that stands still: on a slope the frame of
- * the facets would fit heights above a skew plane. */
-static int fit_turned(const struct vec3 *near, size_t n, struct vec3 origin, struct vec3 guess,
-                      struct quadric *q)
-{
-    const double still = 1e-4; /* radians */
-    for (int i = 0; i < TURNS; i++) {
-        if (quadric_fit(near, n, origin, guess, q) < 0)
-            return -1;
-        struct vec3 normal = quadric_normal(q);
-        if (vec_distance(normal, guess) < still)
-            return 0;
-        guess = normal;
-    }
-    return 0;
-}
-
-/* From the facets' normal and, where that is steep, from straight up too: slivers between scan
- * lines and facets across a step have normals that mean nothing.  The better fit counts. */
-static int fit_best(const struct vec3 *near, size_t n, struct vec3 origin, struct vec3 guess,
-                    struct quadric *q)
-{
-    const double steep = cos(PI / 4);
-    struct quadric other;
-    int fitted = fit_turned(near, n, origin, guess, q);
-    if (guess.z >= steep || fit_turned(near, n, origin, vec(0, 0, 1), &other) < 0)
-        return fitted;
-    if (fitted < 0 || quadric_rms(&other, near, n) < quadric_rms(q, near, n))
-        *q = other;
-    return 0;
-}
 
 /* What the points leave of their freedom: rms of their distances, for 6 of n fixed by the fit. */
 static double spread(const struct quadric *q, const struct vec3 *near, size_t n)
@@ -63,23 +28,28 @@ static void fit_half(const struct vec3 *near, size_t n, struct vec3 origin, stru
     const double much = 0.5;
     const size_t fewest = 12;
     struct quadric half;
-    if (n / 2 >= fewest && fit_turned(near, n / 2, origin, quadric_normal(q), &half) == 0 &&
+    if (n / 2 >= fewest && quadric_settle(near, n / 2, origin, quadric_normal(q), &half) == 0 &&
         spread(&half, near, n / 2) < much * spread(q, near, n))
         *q = half;
 }
 
-static int fit_at(const struct job *job, struct vec3 vertex, struct vec3 guess, struct sizes *index,
-                  struct vec3s *near, struct quadric *q)
+/* The neighbourhood of the vertex in hand, nearest first. */
+struct hood {
+    uint32_t *index;
+    double *distance2;
+    struct vec3 *point;
+};
+
+static int fit_at(const struct job *job, struct vec3 vertex, struct vec3 guess,
+                  const struct hood *near, struct quadric *q)
 {
     for (size_t k = job->neighbours; k <= MOST_TIMES * job->neighbours; k *= 2) {
-        array_reserve(index, k);
-        array_reserve(near, k);
-        size_t n = kdtree_nearest(job->tree, vertex, k, index->item, NULL);
+        size_t n = buckets_nearest(job->buckets, vertex, k, near->index, near->distance2);
         for (size_t i = 0; i < n; i++)
-            near->item[i] = job->point[index->item[i]];
-        if (fit_best(near->item, n, vertex, guess, q) == 0) {
+            near->point[i] = job->buckets->point[near->index[i]];
+        if (quadric_fit_steep(near->point, n, vertex, guess, q) == 0) {
             if (k == job->neighbours)
-                fit_half(near->item, n, vertex, q);
+                fit_half(near->point, n, vertex, q);
             return 0;
         }
         if (n < k)
@@ -92,21 +62,23 @@ static void fit_vertices(void *context, size_t from, size_t to)
 {
     const struct job *job = context;
     struct mesh *mesh = job->mesh;
-    struct sizes index = {0};
-    struct vec3s near = {0};
+    size_t most = MOST_TIMES * job->neighbours;
+    struct hood near = {mem_alloc(most, sizeof *near.index), mem_alloc(most, sizeof *near.distance2),
+                        mem_alloc(most, sizeof *near.point)};
     for (size_t i = from; i < to; i++) {
         struct quadric q;
         struct vec3 up = mesh->normal.item[i];
         job->distance[i] = -1;
         mesh->kmax.item[i] = 0;
-        if (fit_at(job, mesh->vertex.item[i], up, &index, &near, &q) < 0)
+        if (fit_at(job, mesh->vertex.item[i], up, &near, &q) < 0)
             continue;
         mesh->normal.item[i] = quadric_normal(&q);
         mesh->kmax.item[i] = quadric_curvature(&q);
         job->distance[i] = quadric_distance(&q);
     }
-    array_free(&index);
-    array_free(&near);
+    free(near.index);
+    free(near.distance2);
+    free(near.point);
 }
 
 static int by_size(const void *a, const void *b)
@@ -147,27 +119,11 @@ static struct scannormals sum_up(double *distance, size_t n)
     return s;
 }
 
-static int by_value(const void *a, const void *b)
-{
-    const struct vec3 *p = a, *q = b;
-    if (p->x != q->x)
-        return p->x < q->x ? -1 : 1;
-    if (p->y != q->y)
-        return p->y < q->y ? -1 : 1;
-    return (p->z > q->z) - (p->z < q->z);
-}
-
-struct scannormals scannormals_quadric(struct mesh *mesh, const struct vec3 *point, size_t n,
+struct scannormals scannormals_quadric(struct mesh *mesh, const struct buckets *buckets,
                                        int neighbours, int threads)
 {
     size_t vertices = mesh->vertex.n;
-    /* of equally near points the tree gives the one with the smaller index: so let the index
-     * follow from the values */
-    struct vec3 *sorted = mem_alloc(n, sizeof *sorted);
-    memcpy(sorted, point, n * sizeof *sorted);
-    qsort(sorted, n, sizeof *sorted, by_value);
-    struct kdtree *tree = kdtree_new(sorted, n);
-    struct job job = {mesh, tree, sorted, (size_t)neighbours,
+    struct job job = {mesh, buckets, (size_t)neighbours,
                       mem_alloc(vertices, sizeof *job.distance)};
     mesh_normals_facet(mesh);
     array_reserve(&mesh->kmax, vertices);
@@ -175,7 +131,5 @@ struct scannormals scannormals_quadric(struct mesh *mesh, const struct vec3 *poi
     parallel_for(threads, vertices, fit_vertices, &job);
     struct scannormals result = sum_up(job.distance, vertices);
     free(job.distance);
-    kdtree_free(tree);
-    free(sorted);
     return result;
 }

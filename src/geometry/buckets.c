@@ -1,0 +1,291 @@
+/*
+ * buckets - a counting sort in place (McIlroy, Bostic, McIlroy 1993, "American flag sort"), then
+ * each cell by value; see buckets.h.
+ */
+#include "buckets.h"
+
+#include <stdlib.h>
+
+#include "array.h"
+#include "parallel.h"
+
+static const double CELLS_WIDE = 3; /* a cell, in spacings */
+
+static double along(struct vec3 p, int axis)
+{
+    return axis == 0 ? p.x : p.y;
+}
+
+static void range_of(const struct vec3 *point, size_t n, int axis, double *low, double *high)
+{
+    *low = *high = along(point[0], axis);
+    for (size_t i = 1; i < n; i++) {
+        double v = along(point[i], axis);
+        *low = v < *low ? v : *low;
+        *high = v > *high ? v : *high;
+    }
+}
+
+/* The range without the few points far out: a histogram of it, cut from both ends as long as that
+ * takes no more than a five hundredth of the points, and again while it gets much narrower. */
+static void core_of(const struct vec3 *point, size_t n, int axis, double *low, double *high)
+{
+    enum { BINS = 256, ROUNDS = 8, PART = 500 };
+    for (int round = 0; round < ROUNDS && *high > *low; round++) {
+        size_t bin[BINS] = {0}, cut[2] = {0, 0};
+        double width = (*high - *low) / BINS;
+        for (size_t i = 0; i < n; i++) {
+            double v = (along(point[i], axis) - *low) / width;
+            bin[v > 0 ? (v < BINS - 1 ? (size_t)v : BINS - 1) : 0]++;
+        }
+        size_t from = 0, to = BINS;
+        while (from < to && (cut[0] += bin[from]) <= n / PART)
+            from++;
+        while (to > from && (cut[1] += bin[to - 1]) <= n / PART)
+            to--;
+        *high = *low + width * (double)to;
+        *low += width * (double)from;
+        if (to - from > BINS / 2)
+            break;
+    }
+}
+
+/* Cells over the box of the points; over their core where the box is mostly empty. */
+static void lay_out(struct buckets *b, double spacing)
+{
+    double x1, y1, most = (double)b->n + 64;
+    range_of(b->point, b->n, 0, &b->x, &x1);
+    range_of(b->point, b->n, 1, &b->y, &y1);
+    b->cell = CELLS_WIDE * spacing;
+    if ((floor((x1 - b->x) / b->cell) + 1) * (floor((y1 - b->y) / b->cell) + 1) > most) {
+        core_of(b->point, b->n, 0, &b->x, &x1);
+        core_of(b->point, b->n, 1, &b->y, &y1);
+    }
+    double columns, rows;
+    while ((columns = floor((x1 - b->x) / b->cell) + 1) *
+               (rows = floor((y1 - b->y) / b->cell) + 1) >
+           most)
+        b->cell *= 2;
+    b->columns = (size_t)columns;
+    b->rows = (size_t)rows;
+}
+
+static size_t cell_from(double from, double cell, double v, size_t cells)
+{
+    double c = (v - from) / cell;
+    if (!(c > 0))
+        return 0;
+    return c < (double)(cells - 1) ? (size_t)c : cells - 1;
+}
+
+size_t buckets_column(const struct buckets *b, double x)
+{
+    return cell_from(b->x, b->cell, x, b->columns);
+}
+
+size_t buckets_row(const struct buckets *b, double y)
+{
+    return cell_from(b->y, b->cell, y, b->rows);
+}
+
+static size_t cell_of(const struct buckets *b, struct vec3 p)
+{
+    return buckets_row(b, p.y) * b->columns + buckets_column(b, p.x);
+}
+
+static void sort_into_cells(struct buckets *b)
+{
+    size_t cells = b->columns * b->rows;
+    uint32_t *next = mem_alloc(cells, sizeof *next);
+    b->first = mem_alloc(cells + 1, sizeof *b->first);
+    for (size_t i = 0; i < b->n; i++)
+        b->first[cell_of(b, b->point[i]) + 1]++;
+    for (size_t c = 0; c < cells; c++)
+        b->first[c + 1] += next[c] = b->first[c];
+    for (size_t c = 0; c < cells; c++)
+        while (next[c] < b->first[c + 1]) {
+            struct vec3 p = b->point[next[c]];
+            for (size_t to; (to = cell_of(b, p)) != c;) {
+                struct vec3 other = b->point[next[to]];
+                b->point[next[to]++] = p;
+                p = other;
+            }
+            b->point[next[c]++] = p;
+        }
+    free(next);
+}
+
+static int by_value(const void *a, const void *b)
+{
+    const struct vec3 *p = a, *q = b;
+    if (p->x != q->x)
+        return p->x < q->x ? -1 : 1;
+    if (p->y != q->y)
+        return p->y < q->y ? -1 : 1;
+    return (p->z > q->z) - (p->z < q->z);
+}
+
+static void sort_cells(void *context, size_t from, size_t to)
+{
+    enum { FEW = 24 };
+    const struct buckets *b = context;
+    for (size_t c = from; c < to; c++) {
+        struct vec3 *p = b->point + b->first[c];
+        size_t n = b->first[c + 1] - b->first[c];
+        if (n > FEW) {
+            qsort(p, n, sizeof *p, by_value);
+            continue;
+        }
+        for (size_t i = 1; i < n; i++) {
+            struct vec3 v = p[i];
+            size_t k = i;
+            for (; k > 0 && by_value(&v, &p[k - 1]) < 0; k--)
+                p[k] = p[k - 1];
+            p[k] = v;
+        }
+    }
+}
+
+int buckets_make(struct vec3 *point, size_t n, double spacing, int threads, struct buckets *buckets,
+                 struct error *error)
+{
+    if (n == 0 || n > UINT32_MAX)
+        return error_set(error, "found %zu points, expected 1 to %lu", n,
+                         (unsigned long)UINT32_MAX);
+    *buckets = (struct buckets){.point = point, .n = n};
+    lay_out(buckets, spacing);
+    sort_into_cells(buckets);
+    parallel_for(threads, buckets->columns * buckets->rows, sort_cells, buckets);
+    return 0;
+}
+
+void buckets_free(struct buckets *buckets)
+{
+    free(buckets->first);
+    buckets->first = NULL;
+}
+
+void buckets_remove(struct buckets *b, const unsigned char *out)
+{
+    size_t cells = b->columns * b->rows, kept = 0;
+    for (size_t c = 0; c < cells; c++) {
+        size_t from = b->first[c], to = b->first[c + 1];
+        b->first[c] = (uint32_t)kept;
+        for (size_t i = from; i < to; i++)
+            if (!out[i])
+                b->point[kept++] = b->point[i];
+    }
+    b->first[cells] = (uint32_t)kept;
+    b->n = kept;
+}
+
+/* The nearest points so far: a heap with the farthest of them on top. */
+struct heap {
+    size_t n, k;
+    uint32_t *index;
+    double *distance2;
+};
+
+/* Of two equally far points the one behind in the array is the farther. */
+static int farther(const struct heap *h, size_t a, size_t b)
+{
+    if (h->distance2[a] != h->distance2[b])
+        return h->distance2[a] > h->distance2[b];
+    return h->index[a] > h->index[b];
+}
+
+/* Puts a point where `at` is free, among the first n, its children nearer. */
+static void settle(struct heap *h, size_t at, size_t n, uint32_t index, double distance2)
+{
+    for (size_t child; (child = 2 * at + 1) < n; at = child) {
+        child += child + 1 < n && farther(h, child + 1, child);
+        if (h->distance2[child] < distance2 ||
+            (h->distance2[child] == distance2 && h->index[child] < index))
+            break;
+        h->index[at] = h->index[child];
+        h->distance2[at] = h->distance2[child];
+    }
+    h->index[at] = index;
+    h->distance2[at] = distance2;
+}
+
+static void offer_cells(const struct buckets *b, struct vec3 q, size_t row, size_t from, size_t to,
+                        struct heap *h)
+{
+    const uint32_t *first = b->first + row * b->columns;
+    for (uint32_t i = first[from]; i < first[to + 1]; i++) {
+        struct vec3 d = vec_sub(b->point[i], q);
+        double d2 = vec_dot(d, d);
+        if (h->n < h->k) {
+            h->index[h->n] = i;
+            h->distance2[h->n++] = d2;
+            if (h->n == h->k)
+                for (size_t at = h->k / 2; at-- > 0;)
+                    settle(h, at, h->k, h->index[at], h->distance2[at]);
+        } else if (d2 < h->distance2[0] || (d2 == h->distance2[0] && i < h->index[0])) {
+            settle(h, 0, h->k, i, d2);
+        }
+    }
+}
+
+/* Nearest first: the farthest to the end, again and again. */
+static void sort_heap(struct heap *h)
+{
+    if (h->n < h->k)
+        for (size_t at = h->n / 2; at-- > 0;)
+            settle(h, at, h->n, h->index[at], h->distance2[at]);
+    for (size_t last = h->n; last-- > 1;) {
+        uint32_t index = h->index[last];
+        double distance2 = h->distance2[last];
+        h->index[last] = h->index[0];
+        h->distance2[last] = h->distance2[0];
+        settle(h, 0, last, index, distance2);
+    }
+}
+
+/* Cells whose column or row is `ring` away, and how near a point beyond them can be: what lies
+ * beyond the border of all cells was sorted into those at the border. */
+static double offer_ring(const struct buckets *b, struct vec3 q, size_t ring, struct heap *h)
+{
+    size_t column = buckets_column(b, q.x), row = buckets_row(b, q.y);
+    size_t left = column > ring ? column - ring : 0, low = row > ring ? row - ring : 0;
+    size_t right = b->columns - 1 - column > ring ? column + ring : b->columns - 1;
+    size_t high = b->rows - 1 - row > ring ? row + ring : b->rows - 1;
+    for (size_t r = low; r <= high; r++) {
+        if (r + ring == row || r == row + ring) {
+            offer_cells(b, q, r, left, right, h);
+            continue;
+        }
+        if (column >= ring)
+            offer_cells(b, q, r, left, left, h);
+        if (column + ring < b->columns)
+            offer_cells(b, q, r, right, right, h);
+    }
+    double beyond = INFINITY;
+    if (left > 0)
+        beyond = fmin(beyond, q.x - (b->x + b->cell * (double)left));
+    if (right + 1 < b->columns)
+        beyond = fmin(beyond, b->x + b->cell * (double)(right + 1) - q.x);
+    if (low > 0)
+        beyond = fmin(beyond, q.y - (b->y + b->cell * (double)low));
+    if (high + 1 < b->rows)
+        beyond = fmin(beyond, b->y + b->cell * (double)(high + 1) - q.y);
+    return beyond;
+}
+
+size_t buckets_nearest(const struct buckets *buckets, struct vec3 q, size_t k, uint32_t *index,
+                       double *distance2)
+{
+    const double rounding = 1e-9;
+    struct heap h = {0, k < buckets->n ? k : buckets->n, index, distance2};
+    if (h.k == 0)
+        return 0;
+    for (size_t ring = 0;; ring++) {
+        double beyond = offer_ring(buckets, q, ring, &h) - rounding * buckets->cell;
+        if (beyond == INFINITY ||
+            (h.n == h.k && beyond > 0 && h.distance2[0] < beyond * beyond))
+            break;
+    }
+    sort_heap(&h);
+    return h.n;
+}
