@@ -15,7 +15,7 @@ size_t stray_twice(const struct buckets *buckets, unsigned char *out);
 
 /*
  * Outliers, `sigma` being the noise of the scan (mm, noise.h): points that
- *   - stand alone: the eighth nearest neighbour is more than four times as far as that of the points
+ *   - stand alone: the eighth nearest neighbour is more than three times as far as that of the points
  *     next to them (the local outlier factor's idea: Breunig, Kriegel, Ng, Sander 2000), or
  *     more than twelve mean spacings, where no facet would reach them, or
  *   - are off a quadric through their 24 nearest neighbours, fitted by Tukey's biweight, by more

@@ -159,6 +159,62 @@ for cloud in "$panel" "$face"; do
 done >"$TMP/found"
 empty "no facet of the samples is taken for one over a hole" "$TMP/found"
 
+# noise 0.02 mm on the panel: said, measured within 15 %, vertices moved onto the surface
+noisy=$TMP/noisy.xyz
+awk 'function noise() { # normal, sigma 0.02
+		return 0.02 * sqrt(-2 * log(1 - uniform())) * cos(6.283185307 * uniform()) }
+	function uniform() { seed = (seed * 16807) % 2147483647; return seed / 2147483647 }
+	BEGIN { seed = 77 }
+	{ printf "%.4f %.4f %.4f\n", $1, $2, $3 + noise() }' "$panel" >"$noisy"
+mesh noisy -v -t 4 "$noisy"
+has "noise is said" '^cloud2mesh: noise 0\.0[12][0-9]* mm .*vertices moved' "$TMP/noisy.err"
+result "$(sed -n 's/^comment noise //p' "$TMP/noisy.ply" | awk '{ print !($1 > 0.016 && $1 < 0.0225) }')" "the stream says the noise"
+# off_clean FILE: rms of its vertices' heights against the clean mesh of the same nodes
+off_clean() {
+	awk '/^element vertex/ { n = $3; k = 0 } /^end_header/ { body = 1; next } /^ply/ { body = 0; f++ }
+		body && k++ < n { key = $7 " " $8; if (f == 1) { x[key] = $1; y[key] = $2; z[key] = $3; a[key] = $4 / $6; b[key] = $5 / $6 }
+			else if (key in z) { d = ($3 - z[key] + a[key] * ($1 - x[key]) + b[key] * ($2 - y[key])); s += d * d; m++ } }
+		END { printf "%.5f\n", sqrt(s / m) }' "$TMP/plain.ply" "$1"
+}
+below "its vertices are off by less than half of it" "$(off_clean "$TMP/noisy.ply")" 0.008
+cloud2mesh -q -t 4 --noise 0 "$noisy" >"$TMP/raw.ply"
+result "$(off_clean "$TMP/raw.ply" | awk '{ print !($1 > 0.015) }')" "--noise 0: vertices stay points of the scan"
+cloud2mesh -q -t 4 --noise 0.03 "$noisy" | sed -n 's/^comment noise //p' >"$TMP/found"
+result "$(grep -qx 0.0300 "$TMP/found"; echo $?)" "--noise: is taken as given"
+cloud2mesh -q -t 4 -j 1 "$noisy" >"$TMP/other.ply"
+same "noise: the same mesh by one thread" "$TMP/noisy.ply" "$TMP/other.ply"
+sort -rn -k2 "$noisy" >"$TMP/turned.xyz"
+cloud2mesh -q -t 4 "$TMP/turned.xyz" | sed '/^comment source/d' >"$TMP/other.ply"
+sed '/^comment source/d' "$TMP/noisy.ply" >"$TMP/first.ply"
+same "noise: the same mesh whatever the order" "$TMP/first.ply" "$TMP/other.ply"
+
+# outliers and points twice
+awk '{ print } NR % 500 == 7 { print $1 + 0.01, $2, $3 + 3 + NR % 7 } NR % 3 == 0' "$panel" >"$TMP/dirty.xyz"
+mesh dirty -t 4 "$TMP/dirty.xyz"
+has "points twice are left out" '^cloud2mesh: left out 5678 points that were there already$' "$TMP/dirty.err"
+has "outliers are left out" '^cloud2mesh: left out 35 outliers$' "$TMP/dirty.err"
+body "$TMP/dirty.ply" >"$TMP/dirty.body"
+body "$TMP/stdin.ply" >"$TMP/clean.body"
+same "the mesh is that of the clean scan" "$TMP/clean.body" "$TMP/dirty.body"
+mesh kept -t 4 --outliers keep "$TMP/dirty.xyz"
+has "--outliers keep: they are counted" '^cloud2mesh: found, and kept, 35 outliers$' "$TMP/kept.err"
+(cat "$panel" && echo 9e8 -9e8 0) >"$TMP/far.xyz"
+mesh far -t 4 "$TMP/far.xyz"
+has "an outlier far off is one" '^cloud2mesh: left out 1 outlier$' "$TMP/far.err"
+body "$TMP/far.ply" >"$TMP/far.body"
+same "and changes nothing" "$TMP/clean.body" "$TMP/far.body"
+awk '{ print } NR % 4 == 0 && $1 * $1 + $2 * $2 < 100 { print $1 + 0.05, $2 + 0.1, 30 }
+	$1 * $1 + $2 * $2 < 100 { print $1 + 0.1, $2, 30 }' "$panel" >"$TMP/roof.xyz"
+mesh roof -t 2 "$TMP/roof.xyz"
+has "points under a roof are left out" '^cloud2mesh: left out [0-9]* points under others' "$TMP/roof.err"
+
+# a hole with an outlier in it stays one
+awk '{ print } END { print 20, 20, 1; print 19, 20.5, -4 }' "$TMP/hole.xyz" >"$TMP/spoilt.xyz"
+mesh spoilt -t 5 "$TMP/spoilt.xyz"
+body "$TMP/spoilt.ply" >"$TMP/spoilt.body"
+body "$TMP/hole.ply" >"$TMP/hole.body"
+same "outliers in a hole do not close it" "$TMP/hole.body" "$TMP/spoilt.body"
+
 # refusals: nothing on standard output, one line that names the file
 refused() { # DESC REGEX ARGUMENTS...
 	desc=$1 regex=$2

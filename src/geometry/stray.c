@@ -83,7 +83,7 @@ static double reach_of(const struct buckets *b, struct vec3 p)
  * 1.7 times as far as the eighth; from a place apart both are about equally far. */
 static bool stands_alone(const struct job *job, const uint32_t *near, const double *distance2)
 {
-    const double much = 4, apart = 1.5, far = 12;
+    const double much = 3, apart = 1.5, far = 12;
     const struct buckets *b = job->buckets;
     double other[CLUMP], reach = sqrt(distance2[CLUMP]);
     if (reach > far * job->spacing)
