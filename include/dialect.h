@@ -13,6 +13,7 @@
 struct nc_tooling {
     size_t taken;    /* how many of the path's further tools came before it */
     int number;      /* 0: none was given */
+    int offset;      /* of its length; the number where nothing else was said, 1 where none was */
     double spindle;  /* rev/min, 0: it stands */
     bool ccw;
     int coolant;     /* as in path_head */

@@ -79,6 +79,7 @@ struct path_cycle {
 
 struct path_tool {
     int number;       /* 0: none was given */
+    int offset;       /* number of its length's offset (OSETNO), 0: that of the tool */
     double cutter[7]; /* as in path_head */
     int cutter_n;
 };
@@ -97,6 +98,7 @@ struct path_head {
     double cutter[7];  /* CUTTER/ d, r, e, f, alpha, beta, h (mm, degrees) */
     int cutter_n;      /* how many of them were given, 0: no CUTTER */
     int tool;          /* LOADTL/, 0: none */
+    int offset;        /* as in path_tool */
     double spindle;    /* rev/min, 0: none */
     bool spindle_ccw;  /* CCLW */
     int coolant;       /* 0 not said, 1 off, 2 on (flood), 3 mist */

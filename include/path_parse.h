@@ -79,6 +79,7 @@ struct path_parse {
     struct path_tool tool, next_tool; /* the one in the spindle; what is known of the next */
     char tool_name[40];               /* of NX, "": none */
     bool tool_used;                   /* it has moved */
+    bool guessed;                     /* its number is not said yet */
 
     int depth;  /* MAKINO-FF: sections begun and not ended */
     bool whole; /* what was read so far is complete without FINI */

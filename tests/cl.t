@@ -5,18 +5,6 @@
 data=$SRC/tests/data/cl
 cd "$TMP" || exit 1
 
-# What LinuxCNC's own interpreter makes of a program, each of its tools 100 mm long; tool 1 where it
-# names none
-canon() { # PROGRAM
-	printf '[EMC]\nMACHINE = test\n[RS274NGC]\nPARAMETER_FILE = sim.var\n' >sim.ini
-	printf '[TRAJ]\nCOORDINATES = X Y Z A B C\nLINEAR_UNITS = mm\n' >>sim.ini
-	sed -n 's/^.* T\([0-9]*\) M6$/\1/p' "$1" | sort -un >tools
-	[ -s tools ] || { echo 1 >tools; sed '2,/G53/s/.*G53.*/&\nT1 M6/' "$1" >one && mv one "$1"; }
-	awk -v d="${diameter:-8}" '{ printf "T%d P%d Z100 D%s\n", $1, $1, d }' tools >sim.tbl
-	: >sim.var
-	rs274 -g -i sim.ini -t sim.tbl -v sim.var "$1" 2>canon.err </dev/null
-}
-
 # ---- whole files, real and by hand
 for file in "$data"/*.ncl "$data"/*.cls "$data"/*.cldata "$data"/*.apt; do
 	name=$(basename "$file")
@@ -161,6 +149,27 @@ if command -v rs274 >/dev/null; then
 	canon cutcom.linuxcnc >cutcom.canon
 	has "LinuxCNC offsets to the left by its tool's radius" 'STRAIGHT_FEED\(30\.0000, 3\.0000, -1' cutcom.canon
 fi
+# ---- drilling as the systems word it
+posts "NX: a tool by its name, then its number; RTRCTO,AUTO" 'G99 G81 X10\. Y5\. Z-20\.5 R3\. F220' \
+	'TOOL PATH/D,TOOL,DR_8' 'TLDATA/DRILL,8.5,118,80,45' 'LOAD/TOOL,7' 'SPINDL/RPM,1800,CLW' RAPID \
+	'GOTO/10,5,25,0,0,1' 'CYCLE/DRILL,RAPTO,3,FEDTO,-20.5,RTRCTO,AUTO,MMPM,220' 'GOTO/10,5,0' CYCLE/OFF \
+	END-OF-PATH
+posts "NX: DRILL,DEEP" 'G83 .*Q4\.' 'TOOL PATH/D,TOOL,DR_8' 'GOTO/10,5,25,0,0,1' \
+	'CYCLE/DRILL,DEEP,RAPTO,3,STEP,4,FEDTO,-20.5,MMPM,220' 'GOTO/10,5,0' CYCLE/OFF END-OF-PATH
+posts "NX: a tap by MMPR" 'G84 .*F450\.' 'TOOL PATH/D,TOOL,TAP' 'SPINDL/RPM,300,CLW' 'GOTO/10,5,25,0,0,1' \
+	'CYCLE/TAP,RAPTO,5,FEDTO,-15,MMPR,1.5' 'GOTO/10,5,0' CYCLE/OFF END-OF-PATH
+posts "Creo: RETURN, and a word with its number passed over" 'G98 G83 X1\. Y2\. Z-28\. R5\. Q5\. F90' \
+	"\$\$* Pro/CLfile 10.0" 'RAPID' 'GOTO / 1, 2, 50' \
+	'CYCLE / DEEP, STEP, 5.0, DEPTH, 28.0, MMPM, 90.0, CLEAR, 5.0, RETURN, 20.0, DIAMET, 12.0' \
+	'GOTO / 1, 2, 0' 'CYCLE / OFF' FINI
+posts "CATIA: depth, feed, unit, clearance" 'G99 G81 X25\. Y0\. Z-10\. R1\. F300' \
+	"\$\$ CATIA APT VERSION 1.0" RAPID 'GOTO  /   0.0, 0.0, 100.0' 'TOOLNO/1,   10.0' 'LOADTL/1' \
+	'CYCLE/DRILL, 10.000000, 300.000000,MMPM,  1.000000' 'GOTO/25,0,0' CYCLE/OFF FINI
+result "$([ "$(grep -c ' M6$' trap.nc)" -eq 1 ]; echo $?)" "a rapid before the first tool is made with it"
+posts "inches: IPM in a cycle" 'Z-19\.05 R2\.54 Q6\.35 F101\.6' UNITS/INCHES 'GOTO/1,1,1' \
+	'CYCLE/DEEP,FEDTO,.75,IPM,4,STEP,.25,RAPTO,.1' 'GOTO/1,3,0' FINI
+posts "OSETNO: the offset's number" ' G43\.4 H12$' 'LOADTL/3,OSETNO,12' 'GOTO/0,0,9' 'GOTO/5,0,9' FINI
+posts "AUXFUN: an M word" '^N[0-9]+ M88$' 'GOTO/0,0,9' 'AUXFUN/88' 'GOTO/5,0,9' FINI
 refuses "an arc among holes" 'CYCLE/OFF' 'GOTO/1,0,0' 'CYCLE/DRILL,DEPTH,2' 'CIRCLE/0,0,0,0,0,1,1' \
 	'GOTO/0,1,0' FINI
 refuses "a cycle nobody knows" 'CYCLE/FROB' 'GOTO/0,0,9' 'CYCLE/FROB,1' 'GOTO/0,0,0' FINI

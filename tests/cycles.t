@@ -99,15 +99,6 @@ has "Heidenhain: pitch" 'Q239=\+1\.25 ;' heidenhain.nc
 has "Heidenhain: called at each place" 'L X\+10 Y\+2 R0 FMAX M99$' heidenhain.nc
 
 # ---- LinuxCNC's own interpreter
-canon() { # PROGRAM
-	[ -e sim.ini ] || {
-		printf '[EMC]\nMACHINE = test\n[RS274NGC]\nPARAMETER_FILE = sim.var\n' >sim.ini
-		printf '[TRAJ]\nCOORDINATES = X Y Z A B C\nLINEAR_UNITS = mm\n' >>sim.ini
-		printf 'T5 P5 Z100 D8\n' >sim.tbl
-		: >sim.var
-	}
-	rs274 -g -i sim.ini -t sim.tbl -v sim.var "$1" 2>canon.err </dev/null
-}
 # each hole's place and depth, and where the tool leaves it
 bottoms() { # CANON
 	awk -F'[(,)]' '/STRAIGHT_FEED/ { low = ($4 < low || low == "") ? $4 : low; x = $2; y = $3 }

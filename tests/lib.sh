@@ -13,6 +13,8 @@
 #	hasnt DESC REGEX FILE     no line does
 #	empty DESC FILE           the file is empty; else its first lines are shown
 #	below DESC A B            number A <= number B
+#	canon PROGRAM             what LinuxCNC's own interpreter makes of it, its canonical calls; each
+#	                          of its tools is there, 100 long, $diameter wide (inches)
 #	done_testing              at the end: exit 1 when anything failed
 #
 # shellcheck shell=sh
@@ -92,6 +94,18 @@ below() {
 	else
 		result 1 "$1 ($2 > $3)"
 	fi
+}
+
+# Where a program names no tool it is given tool 1.  The interpreter keeps its tools in a file in
+# $HOME, which others must not use at the same time.
+canon() {
+	printf '[EMC]\nMACHINE = test\n[RS274NGC]\nPARAMETER_FILE = sim.var\n' >sim.ini
+	printf '[TRAJ]\nCOORDINATES = X Y Z A B C\nLINEAR_UNITS = mm\n' >>sim.ini
+	sed -n 's/^.* T\([0-9]*\) M6$/\1/p' "$1" | sort -un >tools
+	[ -s tools ] || { echo 1 >tools; sed '2,/G53/s/.*G53.*/&\nT1 M6/' "$1" >one && mv one "$1"; }
+	awk -v d="${diameter:-8}" '{ printf "T%d P%d Z100 D%s\n", $1, $1, d }' tools >sim.tbl
+	: >sim.var
+	HOME=$TMP rs274 -g -i sim.ini -t sim.tbl -v sim.var "$1" 2>canon.err </dev/null
 }
 
 done_testing() {

@@ -30,17 +30,6 @@ back() { # PATH NCPOST-OPTIONS READBACK-OPTIONS
 	result 1 "$(basename "$1"): ncpost $2"
 }
 
-# What LinuxCNC's own interpreter makes of a program: its canonical calls, on standard output
-canon() { # PROGRAM
-	[ -e sim.ini ] || {
-		printf '[EMC]\nMACHINE = test\n[RS274NGC]\nPARAMETER_FILE = sim.var\n' >sim.ini
-		printf '[TRAJ]\nCOORDINATES = X Y Z A B C\nLINEAR_UNITS = mm\n' >>sim.ini
-		printf 'T1 P1 Z100 D8\nT3 P3 Z100 D8\n' >sim.tbl
-		: >sim.var
-	}
-	rs274 -g -i sim.ini -t sim.tbl -v sim.var "$1" 2>canon.err </dev/null
-}
-
 linuxcnc() { # PATH NCPOST-OPTIONS READBACK-OPTIONS
 	desc="$(basename "$1"): ncpost -c linuxcnc $2, run by rs274, read back"
 	# shellcheck disable=SC2086

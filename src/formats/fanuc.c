@@ -46,19 +46,18 @@ static void retract_home(struct nc_program *p)
 static void compensate(struct nc_program *p, const struct nc_move *first)
 {
     struct nc_writer *w = &p->w;
-    int tool = p->tooling.number ? p->tooling.number : 1;
     if (!p->plan->ability.tcp) {
         int digits = p->plan->ability.digits.linear;
         nc_modal(w, NC_X, "X", first->p.x, digits);
         nc_modal(w, NC_Y, "Y", first->p.y, digits);
         nc_end(w);
         nc_code(w, "G43");
-        nc_count(w, "H", tool);
+        nc_count(w, "H", p->tooling.offset);
         nc_modal(w, NC_Z, "Z", first->p.z, digits);
         nc_end(w);
     } else {
         nc_template(p, p->machine->blocks.tcp_on,
-                    p->plan->ability.mode == FOLLOW_VECTOR ? "G43.5 H{tool}" : "G43.4 H{tool}");
+                    p->plan->ability.mode == FOLLOW_VECTOR ? "G43.5 H{offset}" : "G43.4 H{offset}");
         w->motion = NULL;
     }
 }

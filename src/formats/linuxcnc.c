@@ -52,7 +52,7 @@ static void compensate(struct nc_program *p, const struct nc_move *first)
     nc_end(w);
     nc_code(w, "G43");
     if (p->tooling.number)
-        nc_count(w, "H", p->tooling.number);
+        nc_count(w, "H", p->tooling.offset);
     nc_modal(w, NC_Z, "Z", first->p.z, digits);
     nc_end(w);
 }

@@ -2,6 +2,7 @@
 #include "nchead.h"
 
 #include <ctype.h>
+#include <math.h>
 #include <stdio.h>
 #include <string.h>
 
@@ -144,11 +145,18 @@ static void turn(struct nc_program *p, const struct dialect *dialect, const stru
         nc_block(&p->w, "M5");
 }
 
+/* AUXFUN/n: the M word as it is. */
+static void auxiliary(struct nc_program *p, double number)
+{
+    nc_count(&p->w, "M", number);
+    nc_end(&p->w);
+}
+
 void nc_statement(struct nc_program *p, const struct dialect *dialect, const char *text)
 {
     struct nc_tooling said = p->tooling;
     const char *rest;
-    double seconds;
+    double seconds, number;
     if (nc_cutcom_says(p, text))
         return;
     if (nc_tool_says(text, &said))
@@ -157,6 +165,9 @@ void nc_statement(struct nc_program *p, const struct dialect *dialect, const cha
         nc_block(&p->w, "M0");
     else if (is_word(text, "OPSTOP", &rest))
         nc_block(&p->w, "M1");
+    else if (is_word(text, "AUXFUN", &rest) && num_read(&rest, &number) && number >= 0 &&
+             number <= 9999 && number == floor(number))
+        auxiliary(p, number);
     else if (is_word(text, "DELAY", &rest) && num_read(&rest, &seconds) && seconds > 0)
         dialect->dwell(p, seconds);
     else if (is_word(text, "PPRINT", &rest) || is_word(text, "REMARK", &rest))

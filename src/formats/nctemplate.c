@@ -6,10 +6,11 @@
 #include "ncframe.h"
 #include "num.h"
 
-enum { WORDS = 10, PLANE = 5, ROOM = 200 };
+enum { WORDS = 11, PLANE = 6, ROOM = 200 };
 
-static const char *const word[WORDS] = {"tool}", "rpm}", "tolerance}", "orientation}", "level}",
-                                        "a}",    "b}",   "i}",         "j}",           "k}"};
+static const char *const word[WORDS] = {"tool}",        "offset}", "rpm}", "tolerance}",
+                                        "orientation}", "level}",  "a}",   "b}",
+                                        "i}",           "j}",      "k}"};
 
 /* The word that starts here, behind its brace; -1: none. */
 static int find(const char *text)
@@ -24,10 +25,11 @@ int nc_template_check(const char *text, struct error *error)
 {
     for (const char *s = strchr(text, '{'); s; s = strchr(s + 1, '{'))
         if (find(s + 1) < 0)
-            return error_set(error,
-                             "found `%.20s` in the template `%.40s`, expected {tool}, {rpm}, "
-                             "{tolerance}, {orientation}, {level}, {a}, {b}, {i}, {j} or {k}",
-                             s, text);
+            return error_set(
+                error,
+                "found `%.20s` in the template `%.40s`, expected {tool}, {offset}, {rpm}, "
+                "{tolerance}, {orientation}, {level}, {a}, {b}, {i}, {j} or {k}",
+                s, text);
     return 0;
 }
 
@@ -50,9 +52,10 @@ static size_t value(const struct nc_program *p, int i, char *text)
         return sign + num_write_short(text + sign, angle[i - PLANE], p->plan->ability.digits.angle,
                                       p->w.style.point);
     }
-    const double values[PLANE] = {t->number ? t->number : 1, t->spindle, p->wish.chord,
-                                  DEGREES(p->wish.axis_tolerance), level(p->wish.chord)};
-    return num_write_short(text, values[i], i == 2 || i == 3 ? 4 : 0, false);
+    const double values[PLANE] = {
+        t->number ? t->number : 1,       t->offset,           t->spindle, p->wish.chord,
+        DEGREES(p->wish.axis_tolerance), level(p->wish.chord)};
+    return num_write_short(text, values[i], i == 3 || i == 4 ? 4 : 0, false);
 }
 
 void nc_template(struct nc_program *p, const char *own, const char *usual)

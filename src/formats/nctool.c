@@ -54,6 +54,11 @@ bool nc_tool_says(const char *text, struct nc_tooling *said)
     return true;
 }
 
+static int offset_of(int number, int offset)
+{
+    return offset > 0 ? offset : number > 0 ? number : 1;
+}
+
 /* What is said from move i on, before the next motion or tool. */
 static void listen(struct nc_program *p, size_t i)
 {
@@ -63,7 +68,9 @@ static void listen(struct nc_program *p, size_t i)
         const struct nc_move *move = &plan->move.item[i];
         if (move->kind == NC_TOOL) {
             p->tooling.taken = move->index + 1;
-            p->tooling.number = p->path->tool.item[move->index].number;
+            const struct path_tool *tool = &p->path->tool.item[move->index];
+            p->tooling.number = tool->number;
+            p->tooling.offset = offset_of(tool->number, tool->offset);
         } else if (move->kind == NC_PLANE) {
             p->at_plane = move->index;
         } else if (move->kind == NC_TEXT) {
@@ -76,6 +83,7 @@ void nc_tool_first(struct nc_program *p)
 {
     const struct path_head *head = &p->path->head;
     p->tooling = (struct nc_tooling){.number = head->tool,
+                                     .offset = offset_of(head->tool, head->offset),
                                      .spindle = head->spindle,
                                      .ccw = head->spindle_ccw,
                                      .coolant = head->coolant};

@@ -35,7 +35,7 @@ static const struct {
     {"BRKCHP", CYCLE_BREAK}, {"TAP", CYCLE_TAP},      {"DEEPHL", CYCLE_DEEP},
     {"DEEPDR", CYCLE_DEEP},  {"CHIPBR", CYCLE_BREAK}, {"SPOT", CYCLE_DRILL},
     {"CDRILL", CYCLE_DRILL}, {"SPOTDR", CYCLE_DRILL}, {"DRAG", CYCLE_DRAG},
-    {"BORE", CYCLE_BORE},    {"REAM", CYCLE_BORE},
+    {"TAPPING", CYCLE_TAP},  {"BORE", CYCLE_BORE},    {"REAM", CYCLE_BORE},
 };
 
 static int kind_of(const char *word)
@@ -124,7 +124,9 @@ static int read_parts(struct path_parse *p, int *kind, double v[PARTS])
         } else if (kind_of(a->text) >= 0) {
             *kind = kind_of(a->text);
         } else if (!is_idle(a->text)) {
+            double passed_over;
             warn(p, a->text);
+            i += read_part(p, i, &passed_over) - 1;
         }
     }
     v[FEED] *= unit;

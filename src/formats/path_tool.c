@@ -25,6 +25,7 @@ static void store(struct path_parse *p)
         return;
     }
     path->head.tool = p->tool.number;
+    path->head.offset = p->tool.offset;
     path->head.cutter_n = p->tool.cutter_n;
     memcpy(path->head.cutter, p->tool.cutter, sizeof path->head.cutter);
 }
@@ -44,7 +45,7 @@ static void change(struct path_parse *p)
 {
     p->tool = p->next_tool;
     p->next_tool = (struct path_tool){0};
-    p->tool_used = false;
+    p->tool_used = p->guessed = false;
     path_add_tool(p->path, p->tool);
     p->path->item.item[p->path->item.n - 1].line = p->apt.line;
 }
@@ -68,18 +69,36 @@ static void change_without_number(struct path_parse *p)
     p->next_tool.number = free_number(path);
     path->tools_numbered++;
     change(p);
+    p->guessed = true;
+}
+
+/* The number behind OSETNO among the arguments, 0: there is none. */
+static int offset_number(const struct apt *apt)
+{
+    for (size_t i = 0; i + 1 < apt->argument.n; i++) {
+        double n = apt->argument.item[i + 1].number;
+        if (apt_is(apt, i, "OSETNO") && n >= 1 && n <= 99999999 && n == floor(n))
+            return (int)n;
+    }
+    return 0;
 }
 
 static int take_number(struct path_parse *p, double n)
 {
+    int offset = offset_number(&p->apt);
     if (n < 0 || n > 99999999 || n != floor(n))
         return error_at(AT(p), "found tool number %g, expected a whole number", n);
     int number = (int)n;
     if (!p->tool_used) {
+        if (p->guessed) /* the tool's name came before its number */
+            p->path->tools_numbered--;
+        p->guessed = false;
         p->tool.number = number;
+        p->tool.offset = offset > 0 ? offset : p->tool.offset;
         store(p);
     } else if (number != p->tool.number) {
         p->next_tool.number = number;
+        p->next_tool.offset = offset;
         change(p);
     } else {
         p->next_tool = (struct path_tool){0};
@@ -102,7 +121,10 @@ void path_tool_move(struct path_parse *p)
     if (p->tool_used && p->next_tool.cutter_n && !same_shape(&p->tool, &p->next_tool))
         change_without_number(p);
     p->next_tool = (struct path_tool){0};
+    if (p->rapid && !p->tool.number && !p->path->tool.n)
+        return; /* to where the first tool is taken */
     p->tool_used = true;
+    p->guessed = false;
 }
 
 /* CUTTER/d, r, e, f, alpha, beta, h: as many as are there; the angles have no unit of length. */

@@ -35,6 +35,14 @@ static void put_cutter(struct out *out, const double *cutter, int n)
     out_text(out, n ? "\n" : "");
 }
 
+static void put_load(struct out *out, int number, int offset)
+{
+    out_printf(out, "LOADTL/%d", number);
+    if (offset)
+        out_printf(out, ",OSETNO,%d", offset);
+    out_text(out, "\n");
+}
+
 static void put_head(struct out *out, const struct path_head *head)
 {
     static const char *const coolant[] = {NULL, "OFF", "ON", "MIST"};
@@ -46,7 +54,7 @@ static void put_head(struct out *out, const struct path_head *head)
         out_text(out, "MULTAX/ON\n");
     put_cutter(out, head->cutter, head->cutter_n);
     if (head->tool)
-        out_printf(out, "LOADTL/%d\n", head->tool);
+        put_load(out, head->tool, head->offset);
     if (head->spindle > 0) {
         out_text(out, "SPINDL/RPM,");
         out_num(out, head->spindle, COORDINATE);
@@ -154,7 +162,7 @@ static void put_contact(struct out *out, struct contact contact)
 static void put_tool(struct out *out, const struct path_tool *tool)
 {
     put_cutter(out, tool->cutter, tool->cutter_n);
-    out_printf(out, "LOADTL/%d\n", tool->number);
+    put_load(out, tool->number, tool->offset);
 }
 
 static bool is_motion(const struct path_item *item)
