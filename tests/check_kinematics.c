@@ -4,9 +4,12 @@
  */
 #include <check.h>
 #include <stdint.h>
+#include <stdio.h>
 #include <stdlib.h>
 
 #include "kinematics.h"
+#include "machine.h"
+#include "ncread_machine.h"
 
 static uint64_t seed;
 
@@ -29,7 +32,7 @@ static struct rotary rotary_of(struct vec3 axis, struct vec3 centre, bool table)
 }
 
 /* Work to tool, as a machine's maker would name them. */
-enum { TABLE_AC, TABLE_BC, HEAD_TABLE, HEAD_HEAD, NUTATING_HEAD, NUTATING_TABLE, KINDS };
+enum { KIND_TABLE_AC, KIND_TABLE_BC, KIND_HEAD_TABLE, KIND_HEAD_HEAD, KIND_NUTATING_HEAD, KIND_NUTATING_TABLE, KINDS };
 
 static struct chain chain_of(int kind)
 {
@@ -37,12 +40,12 @@ static struct chain chain_of(int kind)
     struct vec3 c = vec(3, -7, 20), d = vec(-1, 5, 130);
     struct chain chain = {.n = 2, .master = 1, .tool = z};
     const struct rotary pair[KINDS][2] = {
-        [TABLE_AC] = {rotary_of(z, c, true), rotary_of(x, d, true)},
-        [TABLE_BC] = {rotary_of(z, c, true), rotary_of(y, d, true)},
-        [HEAD_TABLE] = {rotary_of(z, c, true), rotary_of(y, d, false)},
-        [HEAD_HEAD] = {rotary_of(z, c, false), rotary_of(x, d, false)},
-        [NUTATING_HEAD] = {rotary_of(z, c, true), rotary_of(yz, d, false)},
-        [NUTATING_TABLE] = {rotary_of(vec(0, 0, -1), c, true), rotary_of(yz, d, true)},
+        [KIND_TABLE_AC] = {rotary_of(z, c, true), rotary_of(x, d, true)},
+        [KIND_TABLE_BC] = {rotary_of(z, c, true), rotary_of(y, d, true)},
+        [KIND_HEAD_TABLE] = {rotary_of(z, c, true), rotary_of(y, d, false)},
+        [KIND_HEAD_HEAD] = {rotary_of(z, c, false), rotary_of(x, d, false)},
+        [KIND_NUTATING_HEAD] = {rotary_of(z, c, true), rotary_of(yz, d, false)},
+        [KIND_NUTATING_TABLE] = {rotary_of(vec(0, 0, -1), c, true), rotary_of(yz, d, true)},
     };
     chain.rotary[0] = pair[kind][0];
     chain.rotary[1] = pair[kind][1];
@@ -53,7 +56,7 @@ static struct chain chain_of(int kind)
  * cos B), written out. */
 START_TEST(published_axis)
 {
-    struct chain ac = chain_of(TABLE_AC), bc = chain_of(TABLE_BC);
+    struct chain ac = chain_of(KIND_TABLE_AC), bc = chain_of(KIND_TABLE_BC);
     seed = 1;
     for (int i = 0; i < 1000; i++) {
         double c = 6 * chance() - 3, t = 6 * chance() - 3;
@@ -86,7 +89,7 @@ START_TEST(inverse_is_inverse)
     ck_assert_double_le(worst_axis, 1e-9);
     ck_assert_double_le(worst_tip, 1e-9);
     /* two axes at right angles reach every direction, nutating by 45 degrees the upper half */
-    if (_i < NUTATING_HEAD)
+    if (_i < KIND_NUTATING_HEAD)
         ck_assert_int_eq(reached, 100000);
     else
         ck_assert_int_le(abs(reached - 50000), 1000);
@@ -113,7 +116,7 @@ END_TEST
 /* At a tilt of 1e-7 the angle itself is still right to 1e-13; acos would give it to 1e-9. */
 START_TEST(near_the_pole)
 {
-    struct chain chain = chain_of(TABLE_AC);
+    struct chain chain = chain_of(KIND_TABLE_AC);
     const double q[2] = {0.7, 1e-7};
     struct chain_solutions s = chain_angles(&chain, chain_axis(&chain, q));
     double best = fmin(fabs(s.q[0][1] - 1e-7), fabs(s.q[1][1] - 1e-7));
@@ -127,7 +130,7 @@ END_TEST
 /* A table turns the work: what the linear axes must do is what the turned work does. */
 START_TEST(table_carries_the_work)
 {
-    struct chain chain = chain_of(TABLE_AC);
+    struct chain chain = chain_of(KIND_TABLE_AC);
     chain.rotary[0].centre = chain.rotary[1].centre = vec(0, 0, 0);
     const double q[2] = {PI / 2, 0}; /* the tool by +90 about z: the table by -90 */
     struct vec3 linear = chain_linear(&chain, vec(10, 0, 5), q);
@@ -142,7 +145,7 @@ END_TEST
 /* A head with its pivot 100 above the tip leans to 90 degrees: the tip lies 100 aside. */
 START_TEST(head_carries_the_tip)
 {
-    struct chain chain = chain_of(HEAD_HEAD);
+    struct chain chain = chain_of(KIND_HEAD_HEAD);
     chain.rotary[0].centre = chain.rotary[1].centre = vec(0, 0, 100);
     const double q[2] = {0, PI / 2};
     struct vec3 tip = chain_tip(&chain, vec(1, 2, 3), q);
@@ -152,7 +155,7 @@ END_TEST
 
 START_TEST(travel_and_choice)
 {
-    struct chain chain = chain_of(TABLE_AC);
+    struct chain chain = chain_of(KIND_TABLE_AC);
     const double from[2] = {0, 0};
     double q[2];
     int over;
@@ -190,7 +193,7 @@ END_TEST
  * move of the master alone would spin the other axis by half a turn. */
 START_TEST(over_the_pole)
 {
-    struct chain chain = chain_of(TABLE_AC);
+    struct chain chain = chain_of(KIND_TABLE_AC);
     const double from[2] = {0, -0.02};
     const double beyond[2] = {0, 0.02};
     struct vec3 axis = chain_axis(&chain, beyond);
@@ -228,7 +231,7 @@ END_TEST
 
 START_TEST(fewer_axes)
 {
-    struct chain chain = chain_of(TABLE_AC);
+    struct chain chain = chain_of(KIND_TABLE_AC);
     chain.n = 1;
     chain.rotary[0] = rotary_of(vec(1, 0, 0), vec(0, 0, 0), true);
     struct chain_solutions s = chain_angles(&chain, vec(0, -sin(0.3), cos(0.3)));
@@ -241,12 +244,140 @@ START_TEST(fewer_axes)
 }
 END_TEST
 
+static const char *const shipped[] = {
+    "table-ac", "table-bc", "head-ca", "head-cb", "head-table-bc", "nutating-head",
+    "nutating-head-table", "nutating-table", "linuxcnc-xyzac", "linuxcnc-xyzbc", "table-a",
+};
+enum { SHIPPED = sizeof shipped / sizeof *shipped };
+
+/* POSES poses of each, as many as the environment says. */
+static int poses(int usual)
+{
+    const char *many = getenv("POSES");
+    return many ? atoi(many) : usual;
+}
+
+/* The angle between two unit vectors that are close, degrees. */
+static double apart(struct vec3 a, struct vec3 b)
+{
+    return DEGREES(vec_distance(a, b));
+}
+
+static void check_pose(const struct chain *chain, const struct rig *rig, struct vec3 tip,
+                       struct vec3 axis)
+{
+    struct chain_solutions s = chain_angles(chain, axis);
+    ck_assert_int_gt(s.n, 0);
+    for (int k = 0; k < s.n; k++) {
+        const double degrees[] = {DEGREES(s.q[k][0]), DEGREES(s.q[k][1])};
+        struct vec3 linear = chain_linear(chain, tip, s.q[k]);
+        ck_assert_double_le(apart(rig_axis_at(rig, degrees), axis), 1e-9);
+        ck_assert_double_le(vec_distance(rig_tip(rig, linear, degrees), tip), 1e-9);
+    }
+}
+
+/* Inverse, then forward by the reader's matrices, which share no code with it. */
+START_TEST(every_machine)
+{
+    struct machine machine = machine_default();
+    struct error error;
+    char file[500];
+    const char *folder = getenv("SRC");
+    snprintf(file, sizeof file, "%s/machines/%s.txt", folder ? folder : ".", shipped[_i]);
+    ck_assert_msg(machine_read(&machine, file, &error) == 0, "%s", error.text);
+    ck_assert_int_eq(machine_finish(&machine, &error), 0);
+    struct rig rig = ncread_rig(&machine);
+    seed = 40 + (uint64_t)_i;
+    for (int i = 0; i < poses(30000); i++) {
+        const double q[2] = {360 * chance() - 180, 360 * chance() - 180};
+        check_pose(&machine.chain, &rig, vec_scale(500 * chance(), random_unit()),
+                   rig_axis_at(&rig, q));
+    }
+}
+END_TEST
+
+/* Two axes anywhere: what they reach, they reach to the last digits; what they do not reach, by the
+ * highest and lowest that the second one brings the tool against the first, is said to be so. */
+START_TEST(any_two_axes)
+{
+    int beyond = 0;
+    seed = 60;
+    for (int i = 0; i < 300; i++) {
+        struct chain chain = {.n = 2, .tool = random_unit()};
+        struct rig rig = {.n = 2, .tool = chain.tool};
+        int tables = (int)(3 * chance());
+        double low = 1, high = -1;
+        for (int k = 0; k < 2; k++) {
+            struct vec3 centre = vec_scale(300 * chance(), random_unit());
+            chain.rotary[k] = rotary_of(random_unit(), centre, k < tables);
+            rig.axis[k] = (struct rig_axis){.table = k < tables,
+                                            .axis = chain.rotary[k].axis,
+                                            .centre = centre};
+        }
+        for (int k = 0; k < 3600; k++) {
+            const double q[2] = {0, k / 10.0};
+            double up = vec_dot(chain.rotary[0].axis, rig_axis_at(&rig, q));
+            low = fmin(low, up);
+            high = fmax(high, up);
+        }
+        for (int k = 0; k < 200; k++) {
+            struct vec3 axis = random_unit(), tip = vec_scale(300 * chance(), random_unit());
+            double up = vec_dot(chain.rotary[0].axis, axis);
+            if (up > low + 1e-9 && up < high - 1e-9)
+                check_pose(&chain, &rig, tip, axis);
+            if (up < low - 1e-5 || up > high + 1e-5) {
+                ck_assert_int_eq(chain_angles(&chain, axis).n, 0);
+                beyond++;
+            }
+        }
+    }
+    ck_assert_int_gt(beyond, 1000);
+}
+END_TEST
+
+/* From one direction to the next, beside what the slow way chooses; cosines and sines with it. */
+START_TEST(beside_the_last)
+{
+    int found = 0;
+    seed = 70;
+    for (int i = 0; i < 300; i++) {
+        struct chain chain = chain_of(i % KINDS);
+        if (i % 4 == 3) /* three axes in no plane */
+            chain.rotary[1].axis = vec_unit(vec(0.1 * chance(), 1, chance() - 0.5));
+        if (i % 4 == 3)
+            chain.tool = vec_unit(vec(chance() - 0.5, 0.2, 1));
+        struct chain_ways ways = chain_ways(&chain);
+        double from[2] = {6 * chance() - 3, 6 * chance() - 3}, q[2], by[2] = {0};
+        struct turned turned = chain_turned(&chain, from);
+        for (int k = 0; k < 100; k++) {
+            const double next[2] = {from[0] + 0.1 * chance() * chance() - 0.03,
+                                    from[1] + 0.1 * chance() * chance() - 0.03};
+            struct vec3 axis = chain_axis(&chain, next);
+            if (!chain_beside(&ways, axis, from, q, &turned))
+                break;
+            found++;
+            for (int j = 0; j < 2; j++) {
+                ck_assert_double_lt(fabs(q[j] - next[j]), 1e-11);
+                ck_assert_double_lt(fabs(turned.cosine[j] - cos(q[j])), 1e-12);
+                ck_assert_double_lt(fabs(turned.sine[j] - sin(q[j])), 1e-12);
+                from[j] = RADIANS(round(1000 * DEGREES(q[j])) / 1000); /* as printed */
+                by[j] = from[j] - q[j];
+            }
+            turned = chain_turned_on(&chain, turned, by);
+            ck_assert_double_lt(vec_distance(chain_axis_of(&chain, &turned),
+                                             chain_axis(&chain, from)), 1e-12);
+        }
+    }
+    ck_assert_int_gt(found, 15000);
+}
+END_TEST
+
 int main(void)
 {
     Suite *suite = suite_create("kinematics");
     TCase *tests = tcase_create("chains");
 
-    tcase_set_timeout(tests, 30);
+    tcase_set_timeout(tests, 120);
     tcase_add_test(tests, published_axis);
     tcase_add_loop_test(tests, inverse_is_inverse, 0, KINDS);
     tcase_add_loop_test(tests, angles_come_back, 0, KINDS);
@@ -257,6 +388,9 @@ int main(void)
     tcase_add_test(tests, over_the_pole);
     tcase_add_loop_test(tests, chosen_in_place, 0, KINDS);
     tcase_add_test(tests, fewer_axes);
+    tcase_add_loop_test(tests, every_machine, 0, SHIPPED);
+    tcase_add_test(tests, any_two_axes);
+    tcase_add_test(tests, beside_the_last);
     suite_add_tcase(suite, tests);
 
     SRunner *runner = srunner_create(suite);

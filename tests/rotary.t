@@ -123,6 +123,66 @@ post "$TMP/splines.cl" fanuc table-ac --set a.min=-30 --set c.min=-360 --set c.m
 ok "inside of a spline too: 2 turns back" test "$(turns)" -eq 2
 has "and its parts are splines" 'G06.2' "$TMP/p.nc"
 
+# The tip all but stands while the tool axis turns: what is beside what is said by both alike
+awk 'BEGIN {
+	seed = 4; rad = atan2(0, -1) / 180; x = 20; th = 0.3
+	print "UNITS/MM\nMULTAX/ON\nCUTTER/8,4,0,4,0,0,60\nLOADTL/1\nSPINDL/RPM,8000,CLW\n$$-> CLOUDMILL/1"
+	print "RAPID\nGOTO/20,0,60,0,0.173648178,0.984807753\nFEDRAT/MMPM,500"
+	for (i = 0; i < 120; i++) {
+		for (k = 0; k < 5; k++) { seed = (seed * 16807) % 2147483647; r[k] = seed / 2147483647 }
+		d = r[0] < 0.4 ? (r[1] < 0.3 ? 0 : r[1] < 0.6 ? 0.0003 : 0.01) : 1
+		x += d * (r[2] * 1.3 - 0.3); y += d * (r[1] - 0.5)
+		th += 0.1 * r[3] - 0.05; ph += 0.8 * r[4] - 0.4
+		if (th < 0.02 || th > 0.8) th = 0.3
+		printf "GOTO/%.6f,%.6f,0,%.9f,%.9f,%.9f\n", x, y, sin(th) * cos(ph), sin(th) * sin(ph), cos(th)
+	}
+	printf "RAPID\nGOTO/%.6f,%.6f,60,%.9f,%.9f,%.9f\nFINI\n", x, y, sin(th) * cos(ph), sin(th) * sin(ph), cos(th)
+}' >"$TMP/standing.cl"
+for control in fanuc fanuc-vectors siemens siemens-rotary heidenhain linuxcnc; do
+	post "$TMP/standing.cl" $control table-ac
+done
+post "$TMP/standing.cl" fanuc table-ac-notcp
+post "$TMP/standing.cl" siemens head-table-bc-notcp
+
+# A dome over its top in a direction: how far beside the pole (mm), direction, step between points
+dome() {
+	awk -v off="$1" -v dir="$2" -v step="$3" 'BEGIN {
+		rad = atan2(0, -1) / 180; c = cos(rad * dir); s = sin(rad * dir)
+		print "PARTNO/DOME\nUNITS/MM\nMULTAX/ON\nCUTTER/40,20,0,20,0,0,60\nLOADTL/1"
+		print "SPINDL/RPM,8000,CLW\n$$-> CLOUDMILL/1\n$$-> PASS/1"
+		for (t = -40; t < 40 + step; t += step) {
+			x = t * c - off * s; y = t * s + off * c; z = sqrt(6400 - x * x - y * y)
+			if (t == -40)
+				printf "RAPID\nGOTO/%.6f,%.6f,%.6f,%.9f,%.9f,%.9f\nFEDRAT/MMPM,800\n", 1.75 * x, 1.75 * y,
+					1.75 * z, x / 80, y / 80, z / 80
+			printf "GOTO/%.6f,%.6f,%.6f,%.9f,%.9f,%.9f\n", x, y, z, x / 80, y / 80, z / 80
+		}
+		printf "RAPID\nGOTO/%.6f,%.6f,%.6f,%.9f,%.9f,%.9f\nFINI\n", 1.75 * x, 1.75 * y, 1.75 * z,
+			x / 80, y / 80, z / 80
+	}'
+}
+over() { # OFF DIRECTION STEP: on all machines, for all controls between them
+	dome "$@" >"$TMP/dome-$1-$2-$3.cl"
+	set -- "$TMP/dome-$1-$2-$3.cl"
+	post "$1" fanuc table-ac
+	post "$1" fanuc-vectors head-ca
+	post "$1" siemens table-bc
+	post "$1" siemens-rotary nutating-head
+	post "$1" heidenhain head-cb
+	post "$1" fanuc nutating-table
+	post "$1" linuxcnc nutating-head-table
+	post "$1" linuxcnc linuxcnc-xyzac
+	post "$1" fanuc table-ac-notcp
+	post "$1" siemens table-bc-notcp
+	post "$1" heidenhain head-table-bc-notcp
+	post "$1" fanuc head-table-bc --set b.min=-5
+}
+over 0 0 1         # a point at the pole
+over 0 201 7       # the pole between two points
+over 0.0000014 37 1 # 1e-6 degrees beside it
+over 0.05 300 1
+over 2 90 4
+
 # What no turn helps: exit 3, the place named
 spiral 5 50 72 0 1 POINTS >"$TMP/spiral.cl"
 status 3 "a tilt beyond the travel" ncpost -c fanuc --set a.min=-30 --set a.max=45 "$TMP/spiral.cl"

@@ -129,22 +129,38 @@ double sweep_length(const struct samples *chain)
     return length;
 }
 
-/* The place of segment i (from sample i - 1 to i, or sample i alone) that is nearest to a pose. */
-static double nearest_on(const struct samples *chain, size_t i, struct course_pose pose, double *length,
-                         struct course_pose *found)
+/* The worse of both: what of the limits a pairing uses, as mm. */
+static double misses(struct course_pose a, struct course_pose b, double weight)
+{
+    return fmax(vec_distance(a.p, b.p), weight * vec_angle(a.a, b.a));
+}
+
+/*
+ * The place of segment i (from sample i - 1 to i, or sample i alone) that is nearest to a pose: of
+ * those nearest by tip, by axis, and by both.
+ */
+static double nearest_on(const struct samples *chain, size_t i, struct course_pose pose,
+                         double *length, struct course_pose *found)
 {
     const struct sample *b = &chain->item[i], *a = b->joined ? b - 1 : b;
-    struct vec3 dp = vec_sub(b->pose.p, a->pose.p);
-    struct vec3 da = vec_scale(chain->weight, vec_sub(b->pose.a, a->pose.a));
-    struct vec3 ep = vec_sub(pose.p, a->pose.p);
-    struct vec3 ea = vec_scale(chain->weight, vec_sub(pose.a, a->pose.a));
-    double d2 = vec_dot(dp, dp) + vec_dot(da, da);
-    double s = d2 > 0 ? (vec_dot(dp, ep) + vec_dot(da, ea)) / d2 : 0;
-    s = fmin(fmax(s, 0), 1);
-    *found = (struct course_pose){vec_mix(a->pose.p, b->pose.p, s),
-                           vec_unit(vec_mix(a->pose.a, b->pose.a, s))};
-    *length = a->length + s * (b->length - a->length);
-    return apart(pose, *found, chain->weight);
+    struct vec3 dp = vec_sub(b->pose.p, a->pose.p), ep = vec_sub(pose.p, a->pose.p);
+    struct vec3 da = vec_sub(b->pose.a, a->pose.a), ea = vec_sub(pose.a, a->pose.a);
+    double w2 = chain->weight * chain->weight, best = HUGE_VAL;
+    const double tip2 = vec_dot(dp, dp), axis2 = w2 * vec_dot(da, da);
+    const double tip = vec_dot(dp, ep), axis = w2 * vec_dot(da, ea);
+    const double along[] = {tip, axis, tip + axis}, far[] = {tip2, axis2, tip2 + axis2};
+    for (int k = 0; k < 3; k++) {
+        double s = far[k] > 0 ? fmin(fmax(along[k] / far[k], 0), 1) : 0;
+        struct course_pose at = {vec_mix(a->pose.p, b->pose.p, s),
+                                 vec_unit(vec_mix(a->pose.a, b->pose.a, s))};
+        double miss = misses(pose, at, chain->weight);
+        if (miss >= best)
+            continue;
+        best = miss;
+        *found = at;
+        *length = a->length + s * (b->length - a->length);
+    }
+    return best;
 }
 
 /* A place on a chain: how far along, and the pose there. */
