@@ -45,6 +45,10 @@ struct deviation {
 bool deviation_within(struct deviation d, struct deviation allowed);
 struct deviation deviation_worst(struct deviation a, struct deviation b);
 
+/* The largest of n deviations taken one behind the other at equal steps, and between them: the top
+ * of the parabola through the three about a peak. */
+struct deviation follow_peak(const struct deviation *d, int n);
+
 /* Between two poses. */
 struct deviation follow_difference(const struct follow *f, struct pose a, struct pose b);
 

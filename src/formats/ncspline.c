@@ -78,6 +78,7 @@ static struct deviation poly_deviation(const struct nc_spline *spline, const str
     for (size_t i = 0; i < spline->span.n; i++) {
         const struct nc_span *n = &spline->span.item[i];
         double next = motion_next_knot(motion, s);
+        struct deviation d[SAMPLES + 1];
         for (int k = 0; k <= SAMPLES; k++) {
             double p = n->h * k / SAMPLES;
             struct pose wanted = motion_at(motion, s + (next - s) * k / SAMPLES);
@@ -85,8 +86,9 @@ static struct deviation poly_deviation(const struct nc_spline *spline, const str
             if (spline->turns)
                 at.a = vec_unit(vec_sub(
                     span_at(head, n->head_end, n->head_square, n->head_cube, n->h, p), at.p));
-            worst = deviation_worst(worst, follow_difference(f, at, wanted));
+            d[k] = follow_difference(f, at, wanted);
         }
+        worst = deviation_worst(worst, follow_peak(d, SAMPLES + 1));
         start = n->end;
         head = n->head_end;
         s = next;
@@ -136,10 +138,13 @@ static struct deviation bspline_words(struct nc_spline *spline, int digits, cons
     for (size_t i = 0; i < b->poles + p + 1; i++)
         b->knot[i] = i < p ? 0 : i > b->poles ? (double)(b->poles - p) : (double)(i - p);
     struct motion printed = motion_spline(motion->from, motion->to, b);
-    for (size_t i = 0; i <= b->poles * SAMPLES; i++) {
-        double s = (double)i / (double)(b->poles * SAMPLES);
-        worst = deviation_worst(worst,
-                                follow_difference(f, motion_at(&printed, s), motion_at(motion, s)));
+    for (size_t span = 0; span < b->poles - p; span++) {
+        struct deviation d[SAMPLES + 1];
+        for (int k = 0; k <= SAMPLES; k++) {
+            double s = (double)(span * SAMPLES + (size_t)k) / (double)((b->poles - p) * SAMPLES);
+            d[k] = follow_difference(f, motion_at(&printed, s), motion_at(motion, s));
+        }
+        worst = deviation_worst(worst, follow_peak(d, SAMPLES + 1));
     }
     return worst;
 }
@@ -181,7 +186,7 @@ static struct deviation nurbs_deviation(const struct nc_spline *spline, const st
     struct deviation worst = {0, 0};
     double start = exact->knot[0], range = exact->knot[exact->poles] - start;
     for (size_t span = (size_t)b->degree; span < b->poles; span++) {
-        struct deviation here = {0, 0};
+        struct deviation d[SAMPLES + 1] = {{0, 0}};
         double u = exact->knot[span], h = exact->knot[span + 1] - u;
         double v = b->knot[span], g = b->knot[span + 1] - v;
         for (int k = 0; h > 0 && k <= SAMPLES; k++) {
@@ -194,8 +199,9 @@ static struct deviation nurbs_deviation(const struct nc_spline *spline, const st
                 at.p = vec_along(at.p, basis[i], b->pole[span - (size_t)b->degree + (size_t)i]);
             struct vec3 q = angles_at(b, spline->angle, span, basis);
             at.a = chain_axis(f->chain, (const double[]){q.x, q.y});
-            here = deviation_worst(here, follow_difference(f, at, wanted));
+            d[k] = follow_difference(f, at, wanted);
         }
+        struct deviation here = follow_peak(d, SAMPLES + 1);
         if (!deviation_within(here, allowed))
             *array_push(more) = u + h / 2;
         worst = deviation_worst(worst, here);

@@ -213,8 +213,7 @@ static double top(double before, double here, double after)
     return here + (after - before) * (after - before) / (8 * bend);
 }
 
-/* The largest of n deviations taken one behind the other at equal steps, and between them. */
-static struct deviation peak(const struct deviation *d, int n)
+struct deviation follow_peak(const struct deviation *d, int n)
 {
     struct deviation worst = deviation_worst(d[0], d[n - 1]);
     for (int i = 1; i + 1 < n; i++) {
@@ -240,7 +239,7 @@ struct deviation follow_block(const struct follow *f, const struct station *from
         struct pose wanted = motion_at(motion, s0 + s * (s1 - s0));
         d[i] = follow_difference(f, beside(f, from, to, wanted, s), wanted);
     }
-    return peak(d, samples + 1);
+    return follow_peak(d, samples + 1);
 }
 
 struct deviation follow_curve(const struct follow *f, const struct station *from,
@@ -257,5 +256,5 @@ struct deviation follow_curve(const struct follow *f, const struct station *from
         *point = fmax(*point, vec_distance(at.p, wanted.p));
         d[i] = follow_difference(f, at, wanted);
     }
-    return peak(d, SAMPLES + 1);
+    return follow_peak(d, SAMPLES + 1);
 }
