@@ -138,8 +138,11 @@ static void differ(struct work *w, size_t k)
 static double power(double x, int n)
 {
     double y = 1;
-    for (; n > 0; n /= 2, x *= x)
+    while (n > 0) {
         y *= n % 2 ? x : 1;
+        x *= x;
+        n /= 2;
+    }
     return y;
 }
 

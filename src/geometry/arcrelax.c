@@ -172,9 +172,8 @@ static bool prove(const struct part *part, const struct arcmoves *m, struct piec
 static bool settle(const struct part *part, struct arcmoves *m, struct pieces *out)
 {
     m->stage = 0;
-    for (double enough = 0.99; enough > 0.9; enough -= 0.03) {
-        double worst = arcmoves_settle(m, enough);
-        if (worst > 1)
+    for (int i = 0; i < 3; i++) {
+        if (arcmoves_settle(m, 0.99 - 0.03 * i) > 1)
             return false;
         if (prove(part, m, out))
             return true;

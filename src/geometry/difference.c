@@ -50,8 +50,8 @@ static struct vec3s places_of(const struct layer *layer)
         for (size_t k = s->from; k < s->to && cuts(s); k++) {
             struct vec3 to = layer->node.item[k], from = k > s->from ? layer->node.item[k - 1] : to;
             double steps = fine > 0 ? ceil(vec_distance(from, to) / fine) : 1;
-            for (double step = 1; step < steps; step++)
-                *array_push(&places) = vec_mix(from, to, step / steps);
+            for (size_t step = 1; (double)step < steps; step++)
+                *array_push(&places) = vec_mix(from, to, (double)step / steps);
             *array_push(&places) = to;
         }
     }
