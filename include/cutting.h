@@ -14,12 +14,12 @@
 struct cutting {
     double radius; /* of the ball; each tool has -r in a table of its own */
     double tilt, lead, fixed[3], to_point[3], from_point[3], circle[7];
-    double tolerance, limit, depth, noise;
+    double tolerance, limit, depth, noise, play, rate, lean; /* degrees, degrees/mm */
     double clearance, approach, feed, plunge, spindle; /* clearance NAN: by the part */
     int layers, tool, coolant;
     bool paper, one_way, avoid;
     bool lean_given, fixed_given, to_given, from_given, circle_given;
-    const char *partno;
+    const char *partno, *holder;
     struct cli_list guards;
 };
 

@@ -14,6 +14,7 @@
 
 #include <stdbool.h>
 
+#include "holder.h"
 #include "mesh.h"
 #include "vec.h"
 
@@ -68,5 +69,10 @@ double guard_rise(const struct guard *guard, struct vec3 c, struct vec3 up, doub
  * the part on the way. */
 bool guard_open(const struct guard *guard, struct vec3 c, struct vec3 up, double radius,
                 double depth);
+
+/* How far shank and holder above a ball at c are from the nearest guard point, mm: negative by how
+ * deep it is in them; `below` where none is as near. */
+double guard_holder(const struct guard *guard, const struct holder *holder, struct vec3 c,
+                    struct vec3 axis, double below);
 
 #endif

@@ -33,4 +33,13 @@ void kdtree_within(const struct kdtree *tree, struct vec3 q, double radius, stru
 double kdtree_nearest_segment(const struct kdtree *tree, struct vec3 a, struct vec3 b,
                               double within, size_t *index);
 
+/*
+ * The point at which `value` is lowest, if that is below `below`: its value, and the point in
+ * *index; else `below`.  The value must change no faster than the distance between two places, as a
+ * signed distance does.
+ */
+double kdtree_lowest(const struct kdtree *tree,
+                     double (*value)(const void *context, struct vec3 p), const void *context,
+                     double below, size_t *index);
+
 #endif

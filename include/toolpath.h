@@ -20,7 +20,12 @@ struct toolpath_rule {
     double clearance;    /* z of the tip on the clearance plane, mm */
     double approach;     /* the last bit, mm */
     double longest;      /* a link longer than this is not made with the tool down, mm */
-    bool avoid;          /* what the ball can't reach may stay standing */
+    bool avoid;          /* what the ball can't reach may stay standing ... */
+    bool skip;           /* ... and what the holder keeps the tool from */
+    double play;         /* how far axes may be off their rule to turn less, radians */
+    double rate;         /* fastest turn of the axis along a strip, radians/mm; 0: any */
+    struct holder holder;
+    double lean;         /* how far axes may be leaned where the holder touches, radians */
 };
 
 /* A strip from when it is given until it stands in the path. */
@@ -30,6 +35,9 @@ struct toolpath_strip {
     struct run nodes; /* not lifted */
     struct lifted_run lifted;
     double chord; /* between the smooth curve and the straight lines, mm */
+    double leaned;       /* because of the holder, at most, radians */
+    size_t held;         /* points left out because the holder touches there */
+    struct vec3 held_at; /* the first of them */
 };
 
 struct toolpath {
@@ -46,6 +54,10 @@ struct toolpath {
     struct vec3 stands_at;
     size_t stands_pass;
     double chord;        /* between the smooth curve and the straight lines, mm */
+    double leaned;       /* because of the holder, at most, radians */
+    size_t held;         /* points left out because the holder touches there */
+    size_t held_pass;    /* of the first of them */
+    struct vec3 held_at;
     size_t low, high;    /* links with the tool down, links over the clearance plane */
     size_t shank;        /* points where the tool touches with more than its ball */
     size_t blocked;      /* ways up or down on which the ball touches: made at feed, not rapid */
@@ -77,5 +89,9 @@ void toolpath_end(struct toolpath *t);
 /* The summary with note(), and with say() what does not hold; the tool's exit status, EXIT_DONE or
  * EXIT_UNMET. */
 int toolpath_conclude(const struct toolpath *t);
+
+/* Lifts a strip and does with its axes what the rule says: play, lean and rate.  Where the holder
+ * still touches, points are left out and the strip is in more pieces.  For toolpath.c. */
+void toolpath_lift(const struct toolpath *t, struct toolpath_strip *strip);
 
 #endif

@@ -207,6 +207,65 @@ status 2 "a direction that is none" meshnorm -r 5 --scallop 0.02 --direction up 
 status 2 "a direction without a scallop" meshnorm -r 5 --direction auto "$TMP/dome.ply"
 status 2 "a scallop higher than the ball" meshnorm -r 5 --scallop 6 "$TMP/dome.ply"
 
+# ---- calm axes
+
+# fastest PATH: the fastest turn of the axis between points of a pass, degrees for a mm of the tip
+fastest() {
+	cuts "$1" | awk '{ c = $5 * a + $6 * b + $7 * e; if ($1 == last && n++) {
+			s = sqrt(($6 * e - $7 * b) ^ 2 + ($7 * a - $5 * e) ^ 2 + ($5 * b - $6 * a) ^ 2)
+			d = sqrt(($2 - x) ^ 2 + ($3 - y) ^ 2 + ($4 - z) ^ 2)
+			v = atan2(s, c) * 45 / atan2(1, 1); if (v / d > w) w = v / d; sum += v }
+		last = $1; x = $2; y = $3; z = $4; a = $5; b = $6; e = $7 }
+		END { printf "%.4f %.1f\n", w, sum }'
+}
+fastest "$TMP/panel.cl" >"$TMP/figures"
+read -r fast turned <"$TMP/figures"
+below "by the normals, axes turn faster than 1.5 degrees a mm" 1.5 "$fast"
+status 0 "no faster than 0.8" meshnorm -q -r 8 --axis-rate 0.8 -o "$TMP/rate.cl" "$TMP/panel.ply"
+below "and they don't, on the digits that are printed" "$(fastest "$TMP/rate.cl" | cut -d' ' -f1)" 0.8
+below "the ball is where it was" "$(deepest nodes "$TMP/rate.cl" --panel)" 0.005
+status 0 "with a play of 10 degrees" meshnorm -q -r 8 --axis-play 10 -o "$TMP/play.cl" "$TMP/panel.ply"
+below "axes turn less than half as much" "$(fastest "$TMP/play.cl" | cut -d' ' -f2)" \
+	"$(awk -v t="$turned" 'BEGIN { print t / 2 }')"
+cuts "$TMP/play.cl" | awk '{ c = $5 * $11 + $6 * $12 + $7 * $13; a = atan2(sqrt(1 - c * c), c) * 45 / atan2(1, 1)
+	if (a > w) w = a } END { print w }' >"$TMP/figures"
+below "and are no more than 25 degrees off the normals" "$(cat "$TMP/figures")" 25.0001
+
+# ---- shank and holder: a post beside a floor, and a holder wider than the ball
+
+awk 'BEGIN { for (i = 0; i <= 80; i++) for (j = 0; j <= 40; j++) print i / 2, j / 2, 0
+	for (k = 0; k <= 100; k++) for (a = 0; a < 12; a++) print 20 + cos(a * 0.5236), 25 + sin(a * 0.5236), k / 2 }' \
+	>"$TMP/post.xyz"
+head -n 3321 "$TMP/post.xyz" | cloud2mesh -q -t 2 -o "$TMP/floor.ply" -
+status 0 "a path beside the post" meshnorm -q -r 4 --tilt 0 -g "$TMP/post.xyz" -o "$TMP/none.cl" "$TMP/floor.ply"
+status 0 "its holder leans away" meshnorm -v -r 4 --tilt 0 --holder 4:25+15:30 --lean-limit 45 \
+	-g "$TMP/post.xyz" -o "$TMP/lean.cl" "$TMP/floor.ply"
+has "by so much" 'leaned by at most [1-9][0-9.]* degrees' "$TMP/err"
+# pierced PATH: how deep points of the post are in a cylinder of radius 15 from 25 to 55 mm above
+# the ball's centre
+pierced() {
+	cuts "$1" >"$TMP/cuts"
+	awk 'NR == FNR { if (FNR > 3321) { px[n] = $1; py[n] = $2; pz[n++] = $3 } next }
+		{ x = $2 + 4 * $5; y = $3 + 4 * $6; z = $4 + 4 * $7
+		for (k = 0; k < n; k += 3) { u = px[k] - x; v = py[k] - y; w = pz[k] - z
+			h = u * $5 + v * $6 + w * $7; if (h < 25 || h > 55) continue
+			d = 15 - sqrt(u * u + v * v + w * w - h * h); if (d > h - 25) d = h - 25
+			if (d > deep) deep = d } } END { printf "%.4f\n", deep }' "$TMP/post.xyz" "$TMP/cuts"
+}
+below "upright it would go through the post" 5 "$(pierced "$TMP/none.cl")"
+below "leaned it does not" "$(pierced "$TMP/lean.cl")" 0.0101
+status 3 "where it may not lean it is told" meshnorm -r 4 --tilt 0 --holder 4:25+15:30 --lean-limit 0 \
+	-g "$TMP/post.xyz" -o "$TMP/held.cl" "$TMP/floor.ply"
+has "with its pass and place" 'shank or holder touches at [0-9]+ points.*in pass [0-9]+ at' "$TMP/err"
+below "and these points are left out" "$(pierced "$TMP/held.cl")" 0.0101
+status 0 "or accepted" meshnorm -q -r 4 --tilt 0 --holder 4:25+15:30 --lean-limit 0 --avoid \
+	-g "$TMP/post.xyz" -o "$TMP/avoid.cl" "$TMP/floor.ply"
+status 0 "the same in planecut" planecut -q -r 4 --tilt 0 -s 2 --holder 4:25+15:30 --lean-limit 45 \
+	-g "$TMP/post.xyz" -o "$TMP/plane.cl" "$TMP/floor.ply"
+below "which leans too" "$(pierced "$TMP/plane.cl")" 0.0101
+status 2 "a holder that is none" meshnorm -r 4 --holder big "$TMP/floor.ply"
+has "is told" 'option --holder: found .big' "$TMP/err"
+
 # ---- refusals
 
 status 2 "no radius" meshnorm "$TMP/dome.ply"

@@ -3,12 +3,14 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "holder_spec.h"
 #include "part.h"
 #include "scan.h"
 
 struct cutting cutting = {.tilt = 15,
                           .depth = 0.3,
                           .noise = -1,
+                          .lean = 30,
                           .clearance = NAN,
                           .approach = 5,
                           .feed = 800,
@@ -24,7 +26,7 @@ const struct cli_option cutting_options[] = {
     {0, "noise", "SIGMA", "standard deviation of the noise that is taken out of the scan of -g\n"
      "(default: as found; 0: its points as they are)", CLI_NUMBER, &cutting.noise, 0, 10, 0, NULL},
     {'e', "tolerance", "E", "put points between those of the mesh: straight lines stay within E of\n"
-     "the smooth curve and no deeper in the part (0.01 with -g, else none)",
+     "the smooth curve and no deeper in the part (0.01 with -g or --holder, else none)",
      CLI_NUMBER, &cutting.tolerance, 0.0001, 10, 0, NULL},
     {0, "paper", NULL, "as published: mesh points alone, nothing lifted, links not checked",
      CLI_FLAG, &cutting.paper, 0, 0, 0, NULL},
@@ -44,6 +46,14 @@ const struct cli_option cutting_options[] = {
      CLI_NUMBERS, cutting.from_point, 0, 0, 3, &cutting.from_given},
     {0, "circle", "X,Y,Z,I,J,K,R", "the axis goes through the nearest point of a circle: centre,\n"
      "axis, radius", CLI_NUMBERS, cutting.circle, 0, 0, 7, &cutting.circle_given},
+    {0, "axis-play", "DEG", "axes may be this far off their rule, to turn as little as they can (0)",
+     CLI_NUMBER, &cutting.play, 0, 60, 0, NULL},
+    {0, "axis-rate", "DEG", "turn axes by no more than DEG in a millimetre along a pass",
+     CLI_NUMBER, &cutting.rate, CLI_POSITIVE, 0, 0, NULL},
+    {0, "holder", "SPEC", "keep shank and holder clear too: cones R0:R1:L or cylinders R:L from the\n"
+     "ball's centre upward, joined by +", CLI_TEXT, &cutting.holder, 0, 0, 0, NULL},
+    {0, "lean-limit", "DEG", "how far axes may be leaned away where the holder touches (30)",
+     CLI_NUMBER, &cutting.lean, 0, 85, 0, NULL},
     {0, "one-way", NULL, "cut all passes in one direction (default: zig-zag)",
      CLI_FLAG, &cutting.one_way, 0, 0, 0, NULL},
     {0, "layers", "N", "cut in N layers, the outermost first (1)",
@@ -109,9 +119,12 @@ int cutting_check(struct axis_rule *axis, struct error *error)
         return error_set(error, "found no radius of the ball, expected -r R");
     if (c->paper && (c->guards.n > 0 || c->tolerance > 0))
         return error_set(error, "found --paper with -g or -e: the papers have neither");
+    if (c->paper && (c->holder || c->play > 0 || c->rate > 0))
+        return error_set(error, "found --paper with --holder, --axis-play or --axis-rate: the papers "
+                                "have none of them");
     if (c->plunge == 0)
         c->plunge = c->feed / 2;
-    if (c->tolerance == 0 && c->guards.n > 0)
+    if (c->tolerance == 0 && (c->guards.n > 0 || c->holder))
         c->tolerance = 0.01;
     return axis_rule(axis, error);
 }
@@ -150,6 +163,7 @@ int cutting_rules(const struct mesh *mesh, const struct guard *guard, double dis
                   struct toolpath *t, struct error *error)
 {
     const struct cutting *c = &cutting;
+    struct error why;
 
     t->rule = (struct toolpath_rule){.radius = c->radius,
                                      .feed = c->feed,
@@ -157,6 +171,12 @@ int cutting_rules(const struct mesh *mesh, const struct guard *guard, double dis
                                      .approach = c->approach,
                                      .longest = 3 * distance,
                                      .avoid = c->avoid || c->guards.n == 0};
+    t->rule.skip = c->avoid;
+    t->rule.play = RADIANS(c->play);
+    t->rule.rate = RADIANS(c->rate);
+    t->rule.lean = RADIANS(c->lean);
+    if (c->holder && holder_spec_read(c->holder, &t->rule.holder, &why) != 0)
+        return error_set(error, "option --holder: %s", why.text);
     t->lift.guard = guard;
     t->lift.limit = c->limit > 0 ? c->limit : c->radius;
     t->lift.tolerance = c->tolerance > 0 ? c->tolerance : 0.01;

@@ -2,7 +2,9 @@
 
 #include <stdlib.h>
 
+#include "calm.h"
 #include "kdtree.h"
+#include "leanaway.h"
 #include "parallel.h"
 #include "way.h"
 
@@ -41,6 +43,16 @@ static double way_out(const struct toolpath *t, struct vec3 from, struct vec3 di
     return fmax(0, guard_extent(t->lift.guard, from, direction) + t->lift.offset);
 }
 
+/* Shank and holder go clear from one place to the other with the axis of p. */
+static bool holder_clear(const struct toolpath *t, const struct run_point *p, struct vec3 from,
+                         struct vec3 to)
+{
+    struct lean_rule rule = {t->lift.guard, &t->rule.holder, 0, 2 * t->lift.tolerance};
+    struct run_point a = {.ball = from, .axis = p->axis}, b = {.ball = to, .axis = p->axis};
+
+    return t->rule.holder.n == 0 || lean_clear(&rule, &a, &b);
+}
+
 /* The way off the point p that begins in this direction. */
 static struct way way_off(const struct toolpath *t, const struct run_point *p,
                           struct vec3 direction)
@@ -57,7 +69,8 @@ static struct way way_off(const struct toolpath *t, const struct run_point *p,
     if (guard) {
         double depth = fmax(guard_depth_along(guard, p->ball, way.out, offset),
                             guard_depth_along(guard, way.out, way.top, offset));
-        way.clear = depth <= fmax(guard_depth(guard, p->ball, offset), 0) + t->lift.tolerance;
+        way.clear = depth <= fmax(guard_depth(guard, p->ball, offset), 0) + t->lift.tolerance &&
+                    holder_clear(t, p, p->ball, way.out) && holder_clear(t, p, way.out, way.top);
     }
     return way;
 }
@@ -103,12 +116,29 @@ static void approach(struct toolpath *t, const struct run_point *p)
     set_feed(t, t->rule.feed);
 }
 
+/* Shank and holder go clear, and the axis turns no faster than it may, on the way to p. */
+static bool low_is_free(const struct toolpath *t, const struct run_point *p, const struct run *way)
+{
+    struct lean_rule rule = {t->lift.guard, &t->rule.holder, 0, 2 * t->lift.tolerance};
+    struct run_point before = t->at;
+
+    for (size_t i = 0; i <= way->n; i++) {
+        struct run_point ends[2] = {before, i < way->n ? way->item[i] : *p};
+        struct run both = {.n = 2, .item = ends, .radius = t->rule.radius};
+        if ((t->rule.rate > 0 && calm_fastest(&both) > t->rule.rate) ||
+            (t->rule.holder.n > 0 && t->lift.guard && !lean_clear(&rule, &ends[0], &ends[1])))
+            return false;
+        before = ends[1];
+    }
+    return true;
+}
+
 /* From where the tool is to the first point of a strip, and the word that begins a pass. */
 static void link_to(struct toolpath *t, size_t pass, const struct run_point *p)
 {
     struct run way = {.radius = t->rule.radius};
     bool low = t->down && vec_distance(t->at.ball, p->ball) <= t->rule.longest &&
-               way_low(&t->at, p, &t->lift, t->rule.radius, &way);
+               way_low(&t->at, p, &t->lift, t->rule.radius, &way) && low_is_free(t, p, &way);
 
     if (t->down && !low)
         retract(t);
@@ -159,24 +189,6 @@ static void report(struct toolpath *t, size_t pass, const struct lift_report *r)
     }
 }
 
-/* The largest distance between straight lines and the smooth curve, over the parts of [from, to)
- * that touch: what a fitter would take out. */
-static double chord_of(const struct run *run, size_t from, size_t to)
-{
-    double chord = 0;
-
-    for (size_t i = from; i < to; i++) {
-        size_t begin = i;
-        while (i < to && vec_length(run->item[i].normal) > 0)
-            i++;
-        struct run part = {.n = i - begin, .item = run->item + begin, .radius = run->radius};
-        struct run smooth = {.radius = run->radius};
-        chord = fmax(chord, run_densify(&part, run->radius, &smooth));
-        array_free(&smooth);
-    }
-    return chord;
-}
-
 void toolpath_strip(struct toolpath *t, size_t pass, const struct contact *contact, size_t n,
                     struct vec3 along)
 {
@@ -193,16 +205,8 @@ static void lift_strips(void *context, size_t first, size_t last)
 {
     struct toolpath *t = context;
 
-    for (size_t i = first; i < last; i++) {
-        struct toolpath_strip *strip = &t->strip.item[i];
-        struct lifted_run *lifted = &strip->lifted;
-        size_t from = 0;
-        lift_run(&strip->nodes, &strip->lift, lifted);
-        for (size_t k = 0; k < lifted->end.n; k++) {
-            strip->chord = fmax(strip->chord, chord_of(&lifted->run, from, lifted->end.item[k]));
-            from = lifted->end.item[k];
-        }
-    }
+    for (size_t i = first; i < last; i++)
+        toolpath_lift(t, &t->strip.item[i]);
 }
 
 /* Looks from the places where a lifted ball may leave something for the nearest that it comes on
@@ -245,6 +249,12 @@ static void add_strip(struct toolpath *t, const struct toolpath_strip *strip)
     t->lift = strip->lift;
     t->chord = fmax(t->chord, strip->chord);
     report(t, strip->pass, &lifted->report);
+    t->leaned = fmax(t->leaned, strip->leaned);
+    if (t->held == 0) {
+        t->held_pass = strip->pass;
+        t->held_at = strip->held_at;
+    }
+    t->held += strip->held;
     for (size_t i = 0; i < lifted->end.n; i++) {
         size_t end = lifted->end.item[i];
         if (end > from) {

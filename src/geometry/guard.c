@@ -243,3 +243,25 @@ bool guard_open(const struct guard *guard, struct vec3 c, struct vec3 up, double
 
     return guard_depth_along(guard, c, vec_along(c, end, up), radius) <= depth;
 }
+
+/* A holder where it is. */
+struct held {
+    const struct holder *holder;
+    struct vec3 centre, axis;
+};
+
+static double from_holder(const void *context, struct vec3 p)
+{
+    const struct held *held = context;
+
+    return holder_distance(held->holder, held->centre, held->axis, p);
+}
+
+double guard_holder(const struct guard *guard, const struct holder *holder, struct vec3 c,
+                    struct vec3 axis, double below)
+{
+    struct held held = {holder, c, axis};
+    size_t nearest;
+
+    return holder->n > 0 ? kdtree_lowest(guard->tree, from_holder, &held, below, &nearest) : below;
+}

@@ -397,3 +397,70 @@ double kdtree_nearest_segment(const struct kdtree *tree, struct vec3 a, struct v
     *index = s.index;
     return s.best;
 }
+
+/* The lowest value so far. */
+struct lowest {
+    const struct kdtree *tree;
+    double (*value)(const void *context, struct vec3 p);
+    const void *context;
+    double best;
+    size_t index; /* as in the caller's array */
+};
+
+static void offer_lowest(struct lowest *s, const struct kd_point *p)
+{
+    double value = s->value(s->context, vec(p->c[0], p->c[1], p->c[2]));
+
+    if (value < s->best || (value == s->best && p->index < s->index)) {
+        s->best = value;
+        s->index = p->index;
+    }
+}
+
+/* No point in the box has a lower value. */
+static double lower_bound(const struct lowest *s, const struct kd_box *box)
+{
+    double half2 = 0, middle[3];
+
+    for (int d = 0; d < 3; d++) {
+        middle[d] = (box->low[d] + box->high[d]) / 2;
+        half2 += square(box->high[d] - box->low[d]) / 4;
+    }
+    return s->value(s->context, vec(middle[0], middle[1], middle[2])) - sqrt(half2) * (1 + 1e-12);
+}
+
+static void search_lowest(struct lowest *s, size_t from, size_t to, size_t number)
+{
+    if (to - from <= LEAF) {
+        for (size_t i = from; i < to; i++)
+            offer_lowest(s, &s->tree->point[i]);
+        return;
+    }
+    size_t middle = from + (to - from) / 2;
+    double first = lower_bound(s, &s->tree->box[2 * number]);
+    double second = lower_bound(s, &s->tree->box[2 * number + 1]);
+    bool left = first <= second;
+
+    offer_lowest(s, &s->tree->point[middle]);
+    for (int turn = 0; turn < 2; turn++, left = !left) {
+        if ((left ? first : second) > s->best)
+            continue;
+        if (left)
+            search_lowest(s, from, middle, 2 * number);
+        else
+            search_lowest(s, middle + 1, to, 2 * number + 1);
+    }
+}
+
+double kdtree_lowest(const struct kdtree *tree,
+                     double (*value)(const void *context, struct vec3 p), const void *context,
+                     double below, size_t *index)
+{
+    struct lowest s = {tree, value, context, below, SIZE_MAX};
+
+    if (tree->n > 0)
+        search_lowest(&s, 0, tree->n, 1);
+    if (s.index != SIZE_MAX)
+        *index = s.index;
+    return s.best;
+}
