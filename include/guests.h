@@ -24,8 +24,9 @@ struct meeting {
     const struct quilt *quilt;
     const struct patches *patches;
     const struct borders *border;
-    double gap;   /* mm: what is nearer meets */
-    double slack; /* mm: how far the border edges of trimmed patches may stray from the true border */
+    double gap; /* mm: what is nearer meets */
+    double
+        slack; /* mm: how far the border edges of trimmed patches may stray from the true border */
 };
 
 /* True of two vertices of one piece that its border does not bring together again: those less than

@@ -41,8 +41,8 @@ struct quilt {
     bool *flipped; /* [sheet] its normals were the wrong way round */
 };
 
-/* All sheets, each as it is.  One that is, on the mean, less than `least` mm wide is left out: its
- * neighbours on both sides then adjoin. */
+/* All sheets, each as it is.  Of several one that is, on the mean, less than `least` mm wide is
+ * left out: its neighbours on both sides then adjoin. */
 void quilt_make(const struct sheet *sheet, size_t n, double least, struct quilt *quilt);
 
 bool quilt_same_piece(const struct quilt_vertex *a, const struct quilt_vertex *b);

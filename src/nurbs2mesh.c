@@ -49,7 +49,8 @@ static struct settings read_options(struct cli *cli, int argc, char **argv)
         {0, "up", "I,J,K", "where the tool comes from, for which side is outside (default: 0,0,1)",
          CLI_NUMBERS, s.up, 0, 0, 3, NULL},
         {0, "gap", "MM",
-         "edges of neighbours so near are one (default: 0.00025 of the size of\nthe part, at most -e)",
+         "edges of neighbours so near are one (default: 0.00025 of the size of\nthe part, at most "
+         "-e)",
          CLI_NUMBER, &s.gap, CLI_POSITIVE, 0, 0, NULL},
         {0, "grid", "N",
          "print points and normals of an N x N grid of the parameters of each\n"
@@ -153,8 +154,8 @@ static double judge(const struct settings *s, const struct patches *patches,
             say("%s: surface %d: its trimming crosses itself in %zu cells, kept or cut away whole",
                 p->file, p->entity, sheet[i].unclear);
         if (sheet[i].lost > 0)
-            say("%s: surface %d: %zu trimming loops that go round it more than once ignored", p->file,
-                p->entity, sheet[i].lost);
+            say("%s: surface %d: %zu trimming loops that go round it more than once ignored",
+                p->file, p->entity, sheet[i].lost);
         if (sheet[i].off > fine)
             say("%s: surface %d: its trimming curves in space lie up to %g mm off it", p->file,
                 p->entity, sheet[i].off);
@@ -244,9 +245,8 @@ static void tell_surfaces(const struct patches *patches, const struct hollow *ho
         int n = snprintf(name, sizeof name, "%.280s:%d", patches->item[i].file,
                          patches->item[i].entity);
         bool is_hollow = hollow[i].curvature > 1e-9;
-        *array_push(told) = (struct mesh_surface){mem_string(name, (size_t)n),
-                                                  is_hollow ? 1 / hollow[i].curvature : 0,
-                                                  hollow[i].point};
+        *array_push(told) = (struct mesh_surface){
+            mem_string(name, (size_t)n), is_hollow ? 1 / hollow[i].curvature : 0, hollow[i].point};
     }
 }
 

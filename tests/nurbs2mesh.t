@@ -145,7 +145,7 @@ ok "all normals up" test "$(awk '/end_header/ { on = 1; next } on && NF > 4 && $
 # Two that meet in a curve, with other knots and counts, and 0.02 mm apart in the middle of it: every
 # open edge of the mesh is on the outline, and no vertex is further off than half of that.
 inner_open() { # FILE: open edges off the outline, |x| = 50 and |y| = 50, and vertices off the curve
-	awk '!body { if ($1 " " $2 == "element vertex") nv = $3; if ($0 == "end_header") body = 1; next }
+	awk 'BEGIN { n = 0 } !body { if ($1 " " $2 == "element vertex") nv = $3; if ($0 == "end_header") body = 1; next }
 		n < nv { x[n] = $1; y[n] = $2; key = $1 " " $2 " " $3; if (!(key in first)) first[key] = n
 			at[n] = first[key]; n++; next }
 		{ for (k = 2; k <= 4; k++) edge[at[$k] " " at[$(k == 4 ? 2 : k + 1)]]++ }
@@ -195,6 +195,29 @@ has "nothing of it is hollow" ',none,' "$TMP/k"
 mesh bowl --up 0,0,1 -e 0.01 "$SRC/samples/saddle.nurbs"
 near "a saddle with an opening" "$area" 1220.9 0.2
 
+# The chord error of meshes with -e, at 78 places of each triangle: a torus has no flat place, and
+# its true distance is known.
+awk 'BEGIN { r = sqrt(0.5); print "nurbs 1 surface degree 2 2 poles 9 9"
+	print "knots_u 0 0 0 1 1 2 2 3 3 4 4 4 knots_v 0 0 0 1 1 2 2 3 3 4 4 4 points"
+	split("1 1 0 -1 -1 -1 0 1 1", x, " "); split("0 1 1 1 0 -1 -1 -1 0", y, " ")
+	for (j = 1; j <= 9; j++) for (i = 1; i <= 9; i++) { d = 20 + 5 * x[j]; print d * x[i], d * y[i], 5 * y[j] }
+	print "weights"; for (j = 1; j <= 9; j++) for (i = 1; i <= 9; i++) print (i % 2 ? 1 : r) * (j % 2 ? 1 : r)
+	print "end" }' >"$TMP/torus.nurbs"
+for e in 1 0.2 0.03; do
+	mesh torus -e $e "$TMP/torus.nurbs"
+	ok "-e $e: a torus is closed" test "$open" -eq 0
+	awk 'BEGIN { n = 0 } !body { if ($1 " " $2 == "element vertex") nv = $3; if ($0 == "end_header") body = 1; next }
+		n < nv { x[n] = $1; y[n] = $2; z[n] = $3; n++; next }
+		{ a = $2; b = $3; c = $4; for (i = 0; i <= 11; i++) for (k = 0; k <= 11 - i; k++) {
+			p = i / 11; q = k / 11; r = 1 - p - q
+			u = p * x[a] + q * x[b] + r * x[c]; v = p * y[a] + q * y[b] + r * y[c]
+			w = p * z[a] + q * z[b] + r * z[c]; d = sqrt(u * u + v * v) - 20
+			d = sqrt(d * d + w * w) - 5; if (d < 0) d = -d; if (d > most) most = d } }
+		END { printf "%.6f\n", most }' "$TMP/torus.ply" >"$TMP/figures"
+	below "-e $e: no place of a triangle is farther off" "$(cat "$TMP/figures")" $e
+	below "-e $e: nor are there many too many" "$(awk -v e=$e 'BEGIN { print e / 2 }')" "$(cat "$TMP/figures")"
+done
+
 # ---- refusals
 
 status 2 "-n and -e" nurbs2mesh -n 3 -e 1 "$s1"
@@ -214,6 +237,9 @@ refused "knots that fall" "knot" "nurbs 1 surface degree 1 1 poles 2 2 knots_u 0
 refused "a weight of nothing" "weight" "nurbs 1 $(flat 0 0 0 1 0 0 0 1 0 1 1 0) weights 1 1 0 1 end"
 refused "a word that is none" "frobnicate" "nurbs 1 $(flat 0 0 0 1 0 0 0 1 0 1 1 0) frobnicate end"
 refused "no surface" "surface" "nurbs 1 end"
+# Poles a million times as far away as the surface is wide, and one that stands out: no hang.
+echo "nurbs 1 $(flat 0 0 0 1 0 0 0 1 0 1 1 0) range 0 1e-7 0 1e-7 end" >"$TMP/tiny.nurbs"
+ok "a range so small that nothing is near anything" nurbs2mesh -n 3 "$TMP/tiny.nurbs"
 status 3 "a tolerance out of reach" nurbs2mesh -e 1e-9 "$s1"
 has "names the surface" 'surface 1: more than 4 million cells' "$TMP/err"
 

@@ -64,8 +64,7 @@ static void look_at(struct cutpart_hollow *h, double radius, struct vec3 at, con
 struct cutpart_hollow cutpart_hollow(const struct mesh *mesh, double ball)
 {
     const struct mesh_surfaces *s = &mesh->origin.surface;
-    struct cutpart_hollow h = {.known = s->n > 0 || mesh->kmax.n > 0,
-                               .radius = HUGE_VAL};
+    struct cutpart_hollow h = {.known = s->n > 0 || mesh->kmax.n > 0, .radius = HUGE_VAL};
 
     for (size_t i = 0; i < s->n; i++) {
         if (s->item[i].radius > 0)

@@ -223,7 +223,8 @@ static int add_loops(const struct source *s, const struct iges_values *v, size_t
     struct patch *patch = &s->patches->item[s->patches->n - 1];
     for (size_t i = 0; i < n; i++) {
         const struct iges_entity *e;
-        if (iges_pointer(s->iges, v, at + i, &e, error) < 0 || add_loop(s, patch, e, outer, error) < 0)
+        if (iges_pointer(s->iges, v, at + i, &e, error) < 0 ||
+            add_loop(s, patch, e, outer, error) < 0)
             return -1;
     }
     return 0;

@@ -19,8 +19,8 @@ static bool is_closed(const struct nurbs *s, bool u)
     for (int i = 0; i <= LOOKED_AT; i++) {
         double along_v = s->v.from + width(&s->v) * i / LOOKED_AT;
         double along_u = s->u.from + width(&s->u) * i / LOOKED_AT;
-        struct vec3 a = nurbs_point(s, u ? (struct uv){s->u.from, along_v}
-                                         : (struct uv){along_u, s->v.from});
+        struct vec3 a =
+            nurbs_point(s, u ? (struct uv){s->u.from, along_v} : (struct uv){along_u, s->v.from});
         struct vec3 b =
             nurbs_point(s, u ? (struct uv){s->u.to, along_v} : (struct uv){along_u, s->v.to});
         apart = fmax(apart, vec_distance(a, b));

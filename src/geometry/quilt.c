@@ -66,7 +66,7 @@ void quilt_make(const struct sheet *sheet, size_t n, double least, struct quilt 
         const struct sheet *s = &sheet[i];
         size_t first = q->vertex.n, edge = q->edge.n;
         find_borders(s, first, q->face.n, &q->edge);
-        if (s->face.n > 0 && width_of(s, q, edge, first) < least) {
+        if (n > 1 && s->face.n > 0 && width_of(s, q, edge, first) < least) {
             q->edge.n = edge;
             q->narrow++;
             continue;

@@ -59,8 +59,8 @@ static void part_edge(struct work *w, const struct nurbs *part, size_t edge,
     struct quilt *q = w->q;
     struct quilt_edge e = q->edge.item[edge];
     size_t last = e.from;
-    *array_push(to) = (struct insertion){e.face, q->vertex.n, guests->n,
-                                         side_of(&q->face.item[e.face], e.from)};
+    *array_push(to) =
+        (struct insertion){e.face, q->vertex.n, guests->n, side_of(&q->face.item[e.face], e.from)};
     for (size_t k = 0; k < guests->n; k++) {
         size_t v = add_guest(w, part, &e, &guests->item[k]);
         struct quilt_edge half = {last, v, e.face};

@@ -7,7 +7,9 @@
 #include "parallel.h"
 #include "trimloops.h"
 
-enum { ROUNDS = 8, CELLS_MAX = 4000000 };
+/* Grids that are tried, and of them those that hardly help before it is given up. */
+enum { ROUNDS = 8, IDLE = 2, CELLS_MAX = 4000000 };
+static const double LITTLE = 0.3; /* of what a finer grid should help */
 
 /* Pieces are numbered row by row: those of u first. */
 static size_t breaks_of(const struct nurbs_axis *axis, double **at)
@@ -103,11 +105,19 @@ static void place_vertices(void *context, size_t from, size_t to)
 
 /* Where triangles are looked at: the middles of it and of its sides, then quarters. */
 enum { FEW = 4, MANY = 13 };
-static const double looked_at[MANY][3] = {
-    {1 / 3.0, 1 / 3.0, 1 / 3.0}, {0.5, 0.5, 0},       {0, 0.5, 0.5},       {0.5, 0, 0.5},
-    {0.75, 0.25, 0},             {0.25, 0.75, 0},     {0, 0.75, 0.25},     {0, 0.25, 0.75},
-    {0.25, 0, 0.75},             {0.75, 0, 0.25},     {0.5, 0.25, 0.25},   {0.25, 0.5, 0.25},
-    {0.25, 0.25, 0.5}};
+static const double looked_at[MANY][3] = {{1 / 3.0, 1 / 3.0, 1 / 3.0},
+                                          {0.5, 0.5, 0},
+                                          {0, 0.5, 0.5},
+                                          {0.5, 0, 0.5},
+                                          {0.75, 0.25, 0},
+                                          {0.25, 0.75, 0},
+                                          {0, 0.75, 0.25},
+                                          {0, 0.25, 0.75},
+                                          {0.25, 0, 0.75},
+                                          {0.75, 0, 0.25},
+                                          {0.5, 0.25, 0.25},
+                                          {0.25, 0.5, 0.25},
+                                          {0.25, 0.25, 0.5}};
 
 /* How far the place of a triangle is from the surface, at most: what is across the surface there,
  * and what the surface bends over what is along it. */
@@ -249,7 +259,8 @@ void tessellate(const struct patch *patch, struct tessellation how, struct sheet
         gridlines_equal(&patch->surface.v, how.n, &v);
         make(patch, &loops, how, &u, &v, sheet);
     }
-    for (int round = 0; how.n == 0 && round < ROUNDS; round++) {
+    double last = HUGE_VAL, factor = 1;
+    for (int round = 0, idle = 0; how.n == 0 && round < ROUNDS && idle < IDLE; round++) {
         gridlines_bent(&patch->surface, how.tolerance, finer, &u, &v);
         sheet->too_fine = u.n * v.n > CELLS_MAX;
         if (sheet->too_fine)
@@ -257,7 +268,11 @@ void tessellate(const struct patch *patch, struct tessellation how, struct sheet
         make(patch, &loops, how, &u, &v, sheet);
         if (sheet->error <= how.tolerance)
             break;
-        finer *= fmin(fmax(sqrt(sheet->error / how.tolerance) * 1.02, 1.05), 4);
+        double hope = 1 - (1 - 1 / (factor * factor)) * LITTLE;
+        idle = sheet->error > hope * last ? idle + 1 : 0;
+        last = sheet->error;
+        factor = fmin(fmax(sqrt(last / how.tolerance) * 1.02, 1.05), 4);
+        finer *= factor;
     }
     array_free(&u);
     array_free(&v);

@@ -9,8 +9,9 @@
 /* Vertices so near are the same, even of one piece: at a pole, along a seam. */
 static const double SAME = 1e-9;
 
-/* The first gap by the size of the whole, and how much wider the next one is. */
-static const double FIRST = 1e-5, WIDER = 5;
+/* The first gap by the size of the whole, and at least by the last one; how much wider the next is.
+ */
+static const double FIRST = 1e-5, LEAST = 1e-3, WIDER = 5;
 
 struct work {
     struct quilt *q;
@@ -141,7 +142,8 @@ struct weld_count weld(struct quilt *q, const struct patches *patches, double ga
     for (size_t i = 0; i < q->vertex.n; i++)
         size = fmax(size, vec_distance(q->vertex.item[i].point, q->vertex.item[0].point));
     w.same = fmin(SAME * size, gap);
-    for (w.m.gap = fmin(FIRST * size, gap);; w.m.gap = fmin(WIDER * w.m.gap, gap)) {
+    for (w.m.gap = fmin(fmax(FIRST * size, LEAST * gap), gap);;
+         w.m.gap = fmin(WIDER * w.m.gap, gap)) {
         size_t before = q->vertex.n;
         borders_find(q, &border);
         company_find(&w.m, &w.company);
