@@ -32,6 +32,9 @@ double nc_hole_level(const struct nc_hole *hole);
 /* Of a tap, mm a turn (or inches). */
 double nc_hole_pitch(const struct nc_program *p, const struct nc_hole *hole);
 
+/* X Y of the mouth, both: a place makes a hole, the same as well. */
+void nc_hole_place(struct nc_program *p, const struct nc_hole *hole);
+
 /* Remembers that the cycle is on and that the tool is where it leaves this hole. */
 void nc_hole_done(struct nc_program *p, const struct nc_move *move);
 

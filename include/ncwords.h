@@ -15,6 +15,12 @@ void nc_place(struct nc_program *p, struct vec3 to);
 /* The rotary words at q (radians), those that change; the address is the axis's letter. */
 void nc_rotary(struct nc_program *p, const double q[]);
 
+/* The tool to a safe height, by the machine's template or the control's own. */
+void nc_home(struct nc_program *p, const char *usual);
+
+/* Feeds are again along the way: G94, where they were inverse time. */
+void nc_minutes(struct nc_program *p);
+
 /* A block that takes the rotary axes to zero at the rapid; none without such axes. */
 void nc_rotary_home(struct nc_program *p);
 

@@ -199,7 +199,7 @@ refuses "a NURBS of NX in five axes" 'fixed axis' 'TOOL PATH/A,TOOL,B' 'GOTO/0,0
 	'KNOT/1' 'CNTRL/1,0,0,0,0,1' 'END-OF-PATH'
 # B-splines of CATIA, the tool upright and turning: a circle's quarter by one cubic, its middle where
 # the formula says it is
-cat >nurbs.cl <<'END'
+cat >nurbs.cl <<'STREAM'
 $$     CATIA APT VERSION 1.0
 UNITS/MM
 MULTAX/ON
@@ -234,7 +234,7 @@ END NURBS;
 RAPID
 GOTO/40,0,60,0.2,0,0.9798
 FINI
-END
+STREAM
 for control in fanuc siemens heidenhain; do
 	status 0 "NURBS_SIEMENS for $control" ncpost -q -c $control -o nurbs.$control nurbs.cl
 	ok "read back" "$READBACK" -c $control --path nurbs.cl -e 0.0062 --axis 0.052 nurbs.$control

@@ -70,8 +70,7 @@ for control in fanuc siemens heidenhain linuxcnc; do
 			n=1
 			while [ -e part-$n.nc ]; do
 				awk "$places" part-$n.nc >>parts
-				"$READBACK" -c $control $([ $control = linuxcnc ] && echo --no-tcp) part-$n.nc >rb 2>&1 ||
-					[ $control = linuxcnc ] || head -n 1 rb
+				[ $control = linuxcnc ] || "$READBACK" -c $control part-$n.nc >rb 2>&1 || head -n 1 rb
 				n=$((n + 1))
 			done
 			[ $n -gt 3 ] || echo "$control $path $limit: $n parts"

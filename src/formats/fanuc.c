@@ -14,6 +14,8 @@
 
 static const char *const vector_address[] = {"I", "J", "K"};
 
+static const char home[] = "G91 G28 Z0.|G90";
+
 static int check_name(const char *name, struct error *error)
 {
     size_t n = strlen(name);
@@ -33,13 +35,6 @@ static void program_number(struct nc_program *p)
     memset(line + 1, '0', zeros);
     memcpy(line + 1 + zeros, name, n + 1);
     nc_line(&p->w, line);
-}
-
-static void retract_home(struct nc_program *p)
-{
-    nc_template(p, p->machine->blocks.home, "G91 G28 Z0.|G90");
-    nc_forget(&p->w, NC_X, NC_Z);
-    p->w.motion = NULL;
 }
 
 /* Tool length compensation, of the kind that the program needs; the rotary axes stand already. */
@@ -75,7 +70,7 @@ static void start(struct nc_program *p)
     nc_end(w);
     w->plane = 17;
     nc_template(p, p->machine->blocks.start, "");
-    retract_home(p);
+    nc_home(p, home);
 }
 
 static void load(struct nc_program *p)
@@ -181,16 +176,14 @@ static void dwell(struct nc_program *p, double seconds)
 /* Home, without what was switched on for the tool. */
 static void leave(struct nc_program *p)
 {
-    struct nc_writer *w = &p->w;
     nc_cutcom_off(p);
-    if (w->inverse)
-        nc_block(w, "G94"), w->inverse = false;
+    nc_minutes(p);
     if (p->machine->smooth)
         nc_template(p, p->machine->blocks.smooth_off, "G05.1 Q0");
     nc_template(p, p->plan->ability.tcp ? p->machine->blocks.tcp_off : "", "G49");
     if (p->plane)
         nc_template(p, p->machine->blocks.plane_off, "G69");
-    retract_home(p);
+    nc_home(p, home);
 }
 
 static void finish(struct nc_program *p)

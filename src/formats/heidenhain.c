@@ -22,6 +22,8 @@ enum { NAME_MAX_LENGTH = 24 };
 static const char *const cutcom_word[] = {"R0", "RL", "RR"};
 static const char *const vector_address[] = {"TX", "TY", "TZ"};
 
+static const char home[] = "L Z+0 R0 FMAX M91";
+
 static bool allowed(unsigned char c)
 {
     return c < 128 && (isalnum(c) || c == '_' || c == '-');
@@ -62,12 +64,6 @@ static void program_line(struct nc_program *p, const char *word)
     nc_block(&p->w, line);
 }
 
-static void retract_home(struct nc_program *p)
-{
-    nc_template(p, p->machine->blocks.home, "L Z+0 R0 FMAX M91");
-    nc_forget(&p->w, NC_X, NC_Z);
-}
-
 /* L A+0 C+0 R0 FMAX */
 static void turn(struct nc_program *p, const double q[])
 {
@@ -103,7 +99,7 @@ static void start(struct nc_program *p)
     nc_offset(p, "");
     nc_end(w);
     nc_template(p, p->machine->blocks.start, "");
-    retract_home(p);
+    nc_home(p, home);
 }
 
 static void load(struct nc_program *p)
@@ -209,7 +205,7 @@ static void leave(struct nc_program *p)
         nc_template(p, p->machine->blocks.tcp_off, "FUNCTION RESET TCPM");
     if (p->plane)
         nc_template(p, p->machine->blocks.plane_off, "PLANE RESET TURN FMAX");
-    retract_home(p);
+    nc_home(p, home);
 }
 
 static void finish(struct nc_program *p)

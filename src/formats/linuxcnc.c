@@ -15,6 +15,8 @@
 
 static const char *const no_address[] = {"I", "J", "K"};
 
+static const char home[] = "G53 G0 Z0.";
+
 static int check_name(const char *name, struct error *error)
 {
     if (*name && strlen(name) <= 60 && !strpbrk(name, "()"))
@@ -22,13 +24,6 @@ static int check_name(const char *name, struct error *error)
     return error_set(error,
                      "option --program: found `%.40s`, expected 1 to 60 characters and no brackets",
                      name);
-}
-
-static void retract_home(struct nc_program *p)
-{
-    nc_template(p, p->machine->blocks.home, "G53 G0 Z0.");
-    nc_forget(&p->w, NC_X, NC_Z);
-    p->w.motion = NULL;
 }
 
 /* Within the tolerance, or exactly: without a word the control rounds corners as it likes. */
@@ -72,7 +67,7 @@ static void start(struct nc_program *p)
     w->plane = 17;
     smoothing(p);
     nc_template(p, p->machine->blocks.start, "");
-    retract_home(p);
+    nc_home(p, home);
 }
 
 static void load(struct nc_program *p)
@@ -125,12 +120,11 @@ static void leave(struct nc_program *p)
 {
     struct nc_writer *w = &p->w;
     nc_cutcom_off(p);
-    if (w->inverse)
-        nc_block(w, "G94"), w->inverse = false;
+    nc_minutes(p);
     if (p->plan->ability.tcp)
         nc_template(p, p->machine->blocks.tcp_off, "");
     nc_block(w, "G49");
-    retract_home(p);
+    nc_home(p, home);
 }
 
 static void finish(struct nc_program *p)

@@ -137,6 +137,14 @@ bool nc_hole_steps(const struct nc_hole *hole)
     return (c->kind == CYCLE_DEEP || c->kind == CYCLE_BREAK) && c->step > 0;
 }
 
+void nc_hole_place(struct nc_program *p, const struct nc_hole *hole)
+{
+    int digits = p->plan->ability.digits.linear;
+    nc_forget(&p->w, NC_X, NC_Y);
+    nc_modal(&p->w, NC_X, "X", hole->mouth.x, digits);
+    nc_modal(&p->w, NC_Y, "Y", hole->mouth.y, digits);
+}
+
 void nc_hole_done(struct nc_program *p, const struct nc_move *move)
 {
     p->hole = nc_hole_of(p, move);

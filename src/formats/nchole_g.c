@@ -51,9 +51,7 @@ void nc_hole_g(struct nc_program *p, const struct nc_move *move, bool seconds)
         nc_code(w, c->retract > c->clear ? "G98" : "G99");
         nc_code(w, code(p, c));
     }
-    nc_forget(w, NC_X, NC_Y); /* a place makes a hole, the same as well */
-    nc_modal(w, NC_X, "X", hole->mouth.x, digits);
-    nc_modal(w, NC_Y, "Y", hole->mouth.y, digits);
+    nc_hole_place(p, hole);
     if (!goes_on) {
         nc_number(w, "Z", nc_hole_bottom(hole), digits);
         nc_number(w, "R", nc_hole_clear(hole), digits);

@@ -60,7 +60,6 @@ static void begin(struct nc_program *p, const struct nc_hole *hole)
 void nc_hole_siemens(struct nc_program *p, const struct nc_move *move)
 {
     const struct nc_hole *hole = nc_hole_of(p, move);
-    int digits = p->plan->ability.digits.linear;
     struct nc_writer *w = &p->w;
     if (!nc_hole_goes_on(p, move)) {
         if (p->hole)
@@ -70,9 +69,7 @@ void nc_hole_siemens(struct nc_program *p, const struct nc_move *move)
         begin(p, hole);
         nc_motion(w, "G0");
     }
-    nc_forget(w, NC_X, NC_Y); /* a place makes a hole, the same as well */
-    nc_modal(w, NC_X, "X", hole->mouth.x, digits);
-    nc_modal(w, NC_Y, "Y", hole->mouth.y, digits);
+    nc_hole_place(p, hole);
     nc_end(w);
     nc_hole_done(p, move);
 }

@@ -2,6 +2,7 @@
 #include "ncwords.h"
 
 #include "nccutcom.h"
+#include "nctemplate.h"
 
 const struct nc_move *nc_first_move(const struct nc_program *p)
 {
@@ -42,6 +43,20 @@ static void rotary(struct nc_program *p, int n, const double q[])
 void nc_rotary(struct nc_program *p, const double q[])
 {
     rotary(p, p->machine->chain.n, q);
+}
+
+void nc_home(struct nc_program *p, const char *usual)
+{
+    nc_template(p, p->machine->blocks.home, usual);
+    nc_forget(&p->w, NC_X, NC_Z);
+    p->w.motion = NULL;
+}
+
+void nc_minutes(struct nc_program *p)
+{
+    if (p->w.inverse)
+        nc_block(&p->w, "G94");
+    p->w.inverse = false;
 }
 
 void nc_rotary_home(struct nc_program *p)

@@ -17,6 +17,8 @@ enum { NAME_MAX_LENGTH = 24 };
 
 static const char *const vector_address[] = {"A3=", "B3=", "C3="};
 
+static const char home[] = "SUPA G0 Z0 D0";
+
 static int check_name(const char *name, struct error *error)
 {
     size_t n = strlen(name);
@@ -55,13 +57,6 @@ static void program_name(struct nc_program *p)
     nc_line(&p->w, line);
 }
 
-static void retract_home(struct nc_program *p)
-{
-    nc_template(p, p->machine->blocks.home, "SUPA G0 Z0 D0");
-    nc_forget(&p->w, NC_X, NC_Z);
-    p->w.motion = NULL;
-}
-
 static void transform(struct nc_program *p, const struct nc_move *first)
 {
     struct nc_writer *w = &p->w;
@@ -88,7 +83,7 @@ static void start(struct nc_program *p)
     nc_offset(p, "G54");
     nc_end(w);
     nc_template(p, p->machine->blocks.start, "");
-    retract_home(p);
+    nc_home(p, home);
 }
 
 static void load(struct nc_program *p)
@@ -243,17 +238,15 @@ static void dwell(struct nc_program *p, double seconds)
 /* Home, without what was switched on for the tool. */
 static void leave(struct nc_program *p)
 {
-    struct nc_writer *w = &p->w;
     nc_cutcom_off(p);
-    if (w->inverse)
-        nc_block(w, "G94"), w->inverse = false;
+    nc_minutes(p);
     if (p->machine->smooth)
         nc_template(p, p->machine->blocks.smooth_off, "CYCLE832(0,0,1)");
     if (p->plan->ability.tcp)
         nc_template(p, p->machine->blocks.tcp_off, "TRAFOOF");
     if (p->plane)
         nc_template(p, p->machine->blocks.plane_off, "CYCLE800()");
-    retract_home(p);
+    nc_home(p, home);
 }
 
 static void finish(struct nc_program *p)
