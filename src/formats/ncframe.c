@@ -132,7 +132,7 @@ bool nc_frame_holes(const struct path *path)
 
 static bool same(struct vec3 a, struct vec3 b)
 {
-    return vec_angle(a, b) < 1e-7;
+    return (a.x == b.x && a.y == b.y && a.z == b.z) || vec_angle(a, b) < 1e-7;
 }
 
 bool nc_frame_planes(const struct path *path, struct nc_planes *planes)
