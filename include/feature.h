@@ -43,7 +43,7 @@ size_t feature_reach(const struct feature_cloud *cloud);
 struct feature feature_crease(const struct feature_cloud *cloud, struct vec3 a, struct vec3 b,
                               struct vec3 na, struct vec3 nb);
 
-/* A wall, along z or no more than 30 degrees from it. */
+/* A wall, along z or no more than 15 degrees from it, on which there are points. */
 struct feature feature_wall(const struct feature_cloud *cloud, struct vec3 a, struct vec3 b);
 
 #endif

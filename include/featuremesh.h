@@ -12,7 +12,8 @@ struct featuremesh {
 
 /*
  * Looks at every edge of the mesh that is steep, or at whose ends the normals differ, for a wall or
- * a crease between its ends (feature.h), and cuts the mesh open there (edgesplit.h).  The vertices
+ * a crease between its ends (feature.h), and cuts the mesh open there (edgesplit.h), where that
+ * brings it closer to the points (featurejudge.h).  The vertices
  * beside it get the normal of their side, and those nearer to it than a quarter of the edge move
  * away from it on their side, for the facets' sake.
  *

@@ -12,6 +12,7 @@
 #include "grid.h"
 #include "gridmesh.h"
 #include "intake.h"
+#include "meshnear.h"
 #include "num.h"
 #include "ply.h"
 #include "reposition.h"
@@ -31,6 +32,7 @@ struct settings {
     double noise; /* NAN: from the cloud */
     int unit, normals, neighbours, outliers;
     bool paper, origin, smooth, subdivide, clean;
+    bool silent; /* of what became of the vertices: a trial */
     const char *matrix; /* file, NULL: none */
 };
 
@@ -163,23 +165,16 @@ static size_t *choose(const struct settings *s, const struct cloud_parts *parts,
 
 /* The mesh of the points, without normals. */
 static struct gridmesh_count make_mesh(const char *name, const struct settings *s,
-                                       struct vec3s *points, int threads, struct mesh *mesh,
-                                       struct grid *grid, struct cloud_parts *parts)
+                                       const struct vec3s *points, struct mesh *mesh,
+                                       struct grid *grid, const struct cloud_parts *parts)
 {
-    struct vec3 *point = points->item;
+    const struct vec3 *point = points->item;
     struct holes holes = {0};
     struct error error;
-    if (footprint_check(point, points->n, &error) < 0)
-        die("%s: %s", name, error.text);
     struct footprint f = footprint_of(point, points->n, s->direction);
     bool whole = s->paper && s->max_gap == 0;
-    double mean = s->smooth && s->spacing > 0 && (whole || s->max_gap > 0)
-                      ? 0
-                      : footprint_spacing(&f, point, points->n);
-    parts->mean = mean;
-    parts->flat = s->smooth ? points->n : wallpoints_part(point, points->n, mean, threads);
-    double t = s->spacing > 0 ? s->spacing : spacing_of_cloud(mean);
-    double gap = s->max_gap > 0 ? s->max_gap : 6 * mean;
+    double t = s->spacing;
+    double gap = s->max_gap > 0 ? s->max_gap : 6 * parts->mean;
     if (grid_make(&f, points->n, t, grid, &error) < 0 ||
         (!whole && holes_find(point, points->n, gap, &holes, &error) < 0))
         die("%s: %s", name, error.text);
@@ -230,10 +225,13 @@ static void say_thin(size_t thin, const struct mesh *mesh)
 }
 
 /* Normals of the points as they are; returns the tolerance spent. */
-static double normals_of_points(const struct buckets *buckets, int neighbours, int threads,
-                                struct mesh *mesh)
+static double normals_of_points(const struct settings *s, const struct buckets *buckets,
+                                int threads, struct mesh *mesh)
 {
-    struct scannormals r = scannormals_quadric(mesh, buckets, neighbours ? neighbours : 40, threads);
+    int neighbours = s->neighbours ? s->neighbours : 40;
+    struct scannormals r = scannormals_quadric(mesh, buckets, neighbours, threads);
+    if (s->silent)
+        return r.noise;
     say_thin(r.thin, mesh);
     struct vec3 at = mesh->vertex.item[r.at];
     note("vertices are off their quadrics by %.4f mm at worst (at %.3f %.3f %.3f), %.4f mm rms; "
@@ -243,10 +241,12 @@ static double normals_of_points(const struct buckets *buckets, int neighbours, i
 }
 
 /* Vertices moved onto the surface, and its normals; returns the tolerance spent. */
-static double move_vertices(const struct buckets *buckets, double noise, int neighbours,
+static double move_vertices(const struct settings *s, const struct buckets *buckets, double noise,
                             int threads, struct mesh *mesh)
 {
-    struct scansmooth r = scansmooth(mesh, buckets, noise, (size_t)neighbours, threads);
+    struct scansmooth r = scansmooth(mesh, buckets, noise, (size_t)s->neighbours, threads);
+    if (s->silent)
+        return 3 * r.error;
     say_thin(r.thin, mesh);
     say("noise %.4f mm (one standard deviation): %zu of %zu vertices moved onto surfaces through "
         "about %zu points, to within %.4f mm (one standard deviation)",
@@ -270,39 +270,104 @@ static void make_normals(const char *name, const struct settings *s, struct vec3
     }
     if (buckets_make(point, n, spacing_of_points(s, point, n), threads, &buckets, &error) < 0)
         die("%s: %s", name, error.text);
-    mesh->origin.ledger = noise > 0
-                              ? move_vertices(&buckets, noise, s->neighbours, threads, mesh)
-                              : normals_of_points(&buckets, s->neighbours, threads, mesh);
+    mesh->origin.ledger = noise > 0 ? move_vertices(s, &buckets, noise, threads, mesh)
+                                    : normals_of_points(s, &buckets, threads, mesh);
     mesh->origin.maker = mem_string("cloud2mesh", strlen("cloud2mesh"));
     buckets_free(&buckets);
 }
 
-static void keep_features(const struct vec3s *points, const struct cloud_parts *parts,
-                          double noise, int threads, struct mesh *mesh)
+static size_t keep_features(const struct vec3s *points, const struct cloud_parts *parts,
+                            double noise, int threads, struct mesh *mesh, size_t *creases)
 {
     struct featuremesh found =
         featuremesh_keep(mesh, points->item, points->n, parts->flat, parts->mean, noise, threads);
-    note("%zu points on walls; creases cross %zu edges of the mesh, walls %zu",
-         points->n - parts->flat, found.creases, found.walls);
+    *creases = found.creases;
+    return found.walls;
 }
 
 /* What became of the points, for the summary. */
 struct made {
     struct gridmesh_count count;
     struct grid grid;
+    size_t creases, walls; /* edges that cross one */
 };
 
-static struct made mesh_of(const char *name, const struct settings *settings, struct vec3s *points,
-                           double noise, int threads, struct mesh *mesh)
+/* The mean spacing, and the points of walls behind the others; the spacing of the grid. */
+static struct cloud_parts part_walls(const char *name, struct settings *s, struct vec3s *points,
+                                     int threads)
 {
-    struct made made;
-    struct cloud_parts parts;
-    made.count = make_mesh(name, settings, points, threads, mesh, &made.grid, &parts);
+    struct error error;
+    struct cloud_parts parts = {0, points->n};
+    if (footprint_check(points->item, points->n, &error) < 0)
+        die("%s: %s", name, error.text);
+    bool whole = s->paper && s->max_gap == 0;
+    if (!s->smooth || !(s->spacing > 0) || !(whole || s->max_gap > 0))
+        parts.mean = spacing_of_points(s, points->item, points->n);
+    if (!s->smooth)
+        parts.flat = wallpoints_part(points->item, points->n, parts.mean, threads);
+    if (!(s->spacing > 0))
+        s->spacing = spacing_of_cloud(parts.mean);
+    return parts;
+}
+
+static struct made mesh_of(const char *name, const struct settings *settings,
+                           const struct cloud_parts *parts, struct vec3s *points, double noise,
+                           int threads, struct mesh *mesh)
+{
+    struct made made = {.walls = 0};
+    made.count = make_mesh(name, settings, points, mesh, &made.grid, parts);
     if (mesh->face.n == 0)
         return made;
-    make_normals(name, settings, points->item, parts.flat, noise, threads, mesh);
+    make_normals(name, settings, points->item, parts->flat, noise, threads, mesh);
     if (!settings->smooth)
-        keep_features(points, &parts, fmax(noise, mesh->origin.noise), threads, mesh);
+        made.walls =
+            keep_features(points, parts, fmax(noise, mesh->origin.noise), threads, mesh, &made.creases);
+    return made;
+}
+
+/* The sum of the squared distances of the points from the mesh, of every so many of them. */
+static double off_points(const struct mesh *mesh, const struct vec3s *points, int threads)
+{
+    const size_t most = 100000;
+    struct vec3s some = {0};
+    double sum = 0;
+    for (size_t i = 0; i < points->n; i += points->n / most + 1)
+        *array_push(&some) = points->item[i];
+    double *distance = mem_alloc(some.n, sizeof *distance);
+    meshnear(mesh, some.item, some.n, threads, distance);
+    for (size_t i = 0; i < some.n; i++)
+        sum += distance[i] * distance[i];
+    free(distance);
+    array_free(&some);
+    return sum;
+}
+
+/* Vertices are chosen from the points of walls, unless the mesh is closer to all points without:
+ * steep flanks are no walls. */
+static struct made best_mesh(const char *name, const struct settings *settings,
+                             struct vec3s *points, double noise, int threads, struct mesh *mesh)
+{
+    struct settings s = *settings;
+    struct cloud_parts parts = part_walls(name, &s, points, threads);
+    struct mesh with_walls = {.origin = mesh->origin};
+    struct made walled = {.walls = 0};
+    s.silent = true;
+    if (parts.flat < points->n)
+        walled = mesh_of(name, &s, &parts, points, noise, threads, &with_walls);
+    parts.flat = points->n;
+    s.silent = false;
+    struct made made = mesh_of(name, &s, &parts, points, noise, threads, mesh);
+    if (walled.walls > 0 &&
+        off_points(&with_walls, points, threads) < off_points(mesh, points, threads)) {
+        struct mesh swap = *mesh;
+        *mesh = with_walls;
+        with_walls = swap;
+        made = walled;
+    }
+    if (!s.smooth)
+        note("creases cross %zu edges of the mesh, walls %zu", made.creases, made.walls);
+    with_walls.origin = (struct mesh_origin){.source = NULL};
+    mesh_free(&with_walls);
     return made;
 }
 
@@ -325,7 +390,7 @@ static struct made mesh_of_parts(const char *name, const struct settings *settin
             part->point.item[k] = subcloud_in(part, part->point.item[k]);
         note("part %zu of %zu: seen along %.3f %.3f %.3f, %zu points", i + 1, parts.n, part->up.x,
              part->up.y, part->up.z, part->own);
-        made = mesh_of(name, &s, &part->point, noise, threads, &own);
+        made = best_mesh(name, &s, &part->point, noise, threads, &own);
         if (own.face.n > 0)
             submesh_add(mesh, &own, part);
         mesh_free(&own);
@@ -364,7 +429,7 @@ int main(int argc, char **argv)
     left_out += read - points.n;
     struct made made = settings.subdivide
                            ? mesh_of_parts(name, &settings, &points, noise, cli.threads, &mesh)
-                           : mesh_of(name, &settings, &points, noise, cli.threads, &mesh);
+                           : best_mesh(name, &settings, &points, noise, cli.threads, &mesh);
     say_left_out(&settings, &made.count);
     say_steep(&settings, &mesh);
     note("%zu points in, %zu left out; spacing %g mm, %d rows x %d columns; %zu vertices, "

@@ -50,11 +50,11 @@ START_TEST(roofs_and_valleys)
 }
 END_TEST
 
-/* A wall 6 mm high, with points on it and without. */
+/* A wall 6 mm high; without points on it there is none. */
 START_TEST(walls)
 {
     for (int i = 0; i < 3; i++) {
-        double noise = i == 1 ? 0.02 : 0, close = i == 2 ? 0.3 : i == 1 ? 0.05 : 1e-6;
+        double noise = i == 1 ? 0.02 : 0, close = i == 1 ? 0.05 : 1e-6;
         struct vec3s p = {0};
         rectangle(&p, 700, vec(0, 0, 0), vec(-10, 0, 0), vec(0, 10, 0), noise);
         rectangle(&p, 700, vec(0, 0, 6), vec(10, 0, 0), vec(0, 10, 0), noise);
@@ -63,7 +63,9 @@ START_TEST(walls)
         struct feature_cloud c = cloud_of(&p, flat, noise);
         for (double x = 0.2; x < 1.2; x += 0.3) {
             struct feature f = feature_wall(&c, vec(1.2 - x, 5, 6), vec(-x, 5.4, 0));
-            ck_assert_int_eq(f.kind, FEATURE_WALL);
+            ck_assert_int_eq(f.kind, i == 2 ? FEATURE_NONE : FEATURE_WALL);
+            if (i == 2)
+                continue;
             ck_assert_double_le(hypot(f.place[0].x, f.place[0].z - 6), close);
             ck_assert_double_le(hypot(f.place[1].x, f.place[1].z), close);
             ck_assert_double_lt(f.wall.x, -0.9);

@@ -92,6 +92,21 @@ for kind in roof wall; do
 	ok "$kind: no gouge" ncverify -r 3 -g "$TMP/$kind.xyz" "$TMP/$kind.mpf"
 done
 
+# A face has steep flanks and jumps under the chin, and no wall: no normal more points down than
+# without the search, and the job comes to a program on both controls.
+face=$SRC/samples/face_nefertiti_26493.xyz
+down() {
+	awk '/^element vertex/ { n = $3 } /^end_header/ { from = NR }
+		from && NR > from && NR <= from + n && $6 < 0.1 { down++ } END { print down + 0 }' "$1"
+}
+cloud2mesh -q -t 2 "$face" -o "$TMP/face.ply"
+cloud2mesh -q -t 2 --smooth "$face" -o "$TMP/smooth.ply"
+below "face: normals that point aside or down" "$(down "$TMP/face.ply")" "$(down "$TMP/smooth.ply")"
+ok "face: a path" meshnorm -q -r 5 --avoid -g "$face" "$TMP/face.ply" -o "$TMP/face.cl"
+for control in fanuc siemens; do
+	ok "face: a program for $control" ncpost -q -c $control "$TMP/face.cl" -o "$TMP/face.nc"
+done
+
 # Nothing is found where there is nothing, and the same whatever the threads.
 cloud2mesh -v -t 4 "$panel" -o "$TMP/panel.ply" 2>"$TMP/err"
 has "panel: no creases" 'creases cross 0 edges of the mesh, walls 0' "$TMP/err"

@@ -9,8 +9,7 @@
 
 enum { NEAR = 24, FEWEST = 6, TRIMS = 3 };
 
-static const double LEAN = 0.5;  /* z of a wall's normal, at most */
-static const double ROUGH = 0.1; /* rms of a sheet by the height of the step, at most */
+static const double LEAN = 0.26; /* z of a wall's normal, at most: 75 degrees */
 
 static const struct vec3 UP = {0, 0, 1};
 
@@ -57,6 +56,12 @@ static bool find_level(const struct feature_cloud *cloud, struct vec3 end, struc
     return fit_trimmed(l, vec_mix(end, other, 0.5));
 }
 
+/* What a surface may leave of the points on it, to be one. */
+static double smooth(const struct feature_cloud *cloud)
+{
+    return 2.5 * cloud->noise + 0.15 * cloud->spacing;
+}
+
 /* The plane of the wall from the points on it that are nearest to `at`; false: there are too few
  * of them, or it is no wall. */
 static bool plane_of_wall(const struct feature_cloud *cloud, const struct level level[2],
@@ -75,39 +80,7 @@ static bool plane_of_wall(const struct feature_cloud *cloud, const struct level 
             near[n++] = p;
     }
     return n >= FEWEST && planefit(near, n, plane) == 0 && fabs(plane->normal.z) < LEAN &&
-           plane->rms < plane->width / 2;
-}
-
-/* No point of the cloud is half way between the levels, in a room that would hold some. */
-static bool nothing_between(const struct feature_cloud *cloud, struct vec3 a, struct vec3 b)
-{
-    size_t nearest;
-    double distance2, room = 0.35 * fabs(a.z - b.z);
-
-    return kdtree_nearest(cloud->tree, vec_mix(a, b, 0.5), 1, &nearest, &distance2) == 1 &&
-           distance2 > room * room && room > 1.5 * cloud->spacing;
-}
-
-/* Where no point lies on the wall: upright, half way between the last points of the two levels. */
-static bool plane_between(const struct feature_cloud *cloud, const struct level level[2],
-                          struct vec3 a, struct vec3 b, struct planefit *plane)
-{
-    struct vec3 way = vec_unit(vec(b.x - a.x, b.y - a.y, 0));
-    double last[2] = {-HUGE_VAL, HUGE_VAL};
-
-    for (int s = 0; s < 2; s++) {
-        for (size_t i = 0; i < level[s].point.n; i++) {
-            struct vec3 d = vec_sub(level[s].point.item[i], a);
-            double along = vec_dot(d, way), across = vec_dot(d, vec_cross(UP, way));
-            if (fabs(across) < 1.5 * cloud->spacing)
-                last[s] = s == 0 ? fmax(last[s], along) : fmin(last[s], along);
-        }
-    }
-    if (!(last[0] < last[1]) || !isfinite(last[0]) || !isfinite(last[1]))
-        return false;
-    plane->normal = way;
-    plane->centre = vec_along(a, (last[0] + last[1]) / 2, way);
-    return true;
+           plane->rms < smooth(cloud);
 }
 
 /* The sheet of level s where the way from a to b comes to the wall, up to `over` beyond its ends. */
@@ -133,9 +106,7 @@ static bool find_wall(const struct feature_cloud *cloud, const struct level leve
     struct planefit plane;
 
     for (int i = 0; i < 2; i++) {
-        if (!plane_of_wall(cloud, level, at, &plane) &&
-            (i > 0 || !nothing_between(cloud, a, b) ||
-             !plane_between(cloud, level, a, b, &plane)))
+        if (!plane_of_wall(cloud, level, at, &plane))
             return i > 0;
         if (!meet(&level[0], &plane, a, b, &f->place[0]) ||
             !meet(&level[1], &plane, a, b, &f->place[1]))
@@ -154,8 +125,8 @@ static bool holds(const struct feature *f, const struct level level[2], struct v
     double step = fabs(f->place[0].z - f->place[1].z), rise = fabs(a.z - b.z);
 
     return (f->place[0].z > f->place[1].z) == (a.z > b.z) && step > 0.5 * rise &&
-           step > fmax(6 * cloud->noise, cloud->spacing) && level[0].sheet.rms < ROUGH * step &&
-           level[1].sheet.rms < ROUGH * step;
+           step > fmax(6 * cloud->noise, cloud->spacing) && level[0].sheet.rms < smooth(cloud) &&
+           level[1].sheet.rms < smooth(cloud);
 }
 
 struct feature feature_wall(const struct feature_cloud *cloud, struct vec3 a, struct vec3 b)
@@ -170,6 +141,8 @@ struct feature feature_wall(const struct feature_cloud *cloud, struct vec3 a, st
         down.z = 0;
         f.kind = FEATURE_WALL;
         f.wall = vec_dot(f.wall, down) < 0 ? vec_scale(-1, f.wall) : f.wall;
+        f.wall.z = fmax(f.wall.z, 0); /* nothing is seen of an overhang from above */
+        f.wall = vec_unit(f.wall);
         f.along = vec_unit(vec_cross(UP, f.wall));
         for (int s = 0; s < 2; s++) {
             f.normal[s] = flank_normal(&level[s].sheet, f.place[s]);

@@ -5,17 +5,16 @@
 #include <string.h>
 
 #include "edgesplit.h"
+#include "featurejudge.h"
 #include "parallel.h"
 #include "quadric.h"
 
 enum { NEAR = 30, MOST = 200, LOOKS = 4 };
 
-/* Rise of an edge by its length that may be a wall's: where no point lies on one, and where some
- * do. */
-static const double STEEP = 1.5, SLOPE = 0.5;
-
+static const double SLOPE = 0.5;                /* rise of an edge by its length, of a wall */
 static const double TURN = 0.99452189536827333; /* cos 6 degrees between normals */
 static const double OFF = 0.10452846326765347;  /* sin 6 degrees between an edge and the surface */
+static const double FACING = 0.2;               /* z of a normal that is seen from above */
 static const double CLEAR = 0.25;               /* of the edge, between a vertex and the feature */
 
 struct search {
@@ -42,7 +41,7 @@ static bool steep(const struct feature_cloud *cloud, struct vec3 a, struct vec3 
 {
     double length = hypot(a.x - b.x, a.y - b.y), rise = fabs(a.z - b.z);
 
-    return rise > STEEP * length || (rise > SLOPE * length && over_wall(cloud, a, b));
+    return rise > SLOPE * length && over_wall(cloud, a, b);
 }
 
 /* The normals at the ends of an edge differ, or it leaves one of the surfaces that they are of. */
@@ -78,6 +77,16 @@ static void look_at_vertices(void *context, size_t from, size_t to)
             s->rough[v] = is_rough(s, v);
 }
 
+/* Both sides of it face up. */
+static bool seen(const struct feature *f)
+{
+    bool up = true;
+
+    for (int i = 0; i < 2; i++)
+        up = up && f->normal[i].z > FACING && f->end[i].z > FACING;
+    return up;
+}
+
 static void look_at_edges(void *context, size_t from, size_t to)
 {
     const struct search *s = context;
@@ -95,6 +104,8 @@ static void look_at_edges(void *context, size_t from, size_t to)
             *f = feature_wall(&s->cloud, a, b);
         if (f->kind == FEATURE_NONE && turns(m, edge) && (s->rough[v] || s->rough[w]))
             *f = feature_crease(&s->cloud, a, b, m->normal.item[v], m->normal.item[w]);
+        if (f->kind != FEATURE_NONE && !seen(f))
+            f->kind = FEATURE_NONE;
     }
 }
 
@@ -232,6 +243,57 @@ static void mark_turns(struct search *s)
     }
 }
 
+/* Vertices and normals. */
+static void copy_places(const struct mesh *from, struct mesh *to)
+{
+    size_t n = from->vertex.n;
+
+    array_reserve(&to->vertex, n);
+    array_reserve(&to->normal, n);
+    memcpy(to->vertex.item, from->vertex.item, n * sizeof *to->vertex.item);
+    memcpy(to->normal.item, from->normal.item, n * sizeof *to->normal.item);
+    to->vertex.n = to->normal.n = n;
+}
+
+/* Vertices that are beside no feature any more are as they were. */
+static void put_back(const struct search *s, const struct mesh *before)
+{
+    struct mesh *m = s->mesh;
+    struct beside *beside = mem_alloc(m->vertex.n, sizeof *beside);
+
+    for (size_t e = 0; e < s->edges->n; e++)
+        if (s->feature[e].kind != FEATURE_NONE)
+            settle_about(s, e, beside);
+    for (size_t v = 0; v < m->vertex.n; v++) {
+        if (beside[v].near)
+            continue;
+        m->vertex.item[v] = before->vertex.item[v];
+        m->normal.item[v] = before->normal.item[v];
+    }
+    free(beside);
+}
+
+/* Cuts the mesh open along those features that bring it closer to the points; `before` is where
+ * its vertices were. */
+static struct featuremesh keep_better(struct search *s, const struct mesh *before, size_t n,
+                                      int threads)
+{
+    struct mesh *m = s->mesh, trial = {0}, whole = *before;
+    double reach = 3 * s->cloud.spacing;
+
+    copy_places(m, &trial);
+    for (size_t f = 0; f < m->face.n; f++)
+        *array_push(&trial.face) = m->face.item[f];
+    whole.face = m->face;
+    edgesplit(&trial, s->edges, s->feature);
+    featurejudge(&whole, &trial, s->cloud.point, n, reach, s->cloud.noise, threads, s->feature,
+                 s->edges->n);
+    mesh_free(&trial);
+    put_back(s, before);
+    edgesplit(m, s->edges, s->feature);
+    return sum_up(s);
+}
+
 struct featuremesh featuremesh_keep(struct mesh *mesh, const struct vec3 *point, size_t n,
                                     size_t flat, double spacing, double noise, int threads)
 {
@@ -245,12 +307,16 @@ struct featuremesh featuremesh_keep(struct mesh *mesh, const struct vec3 *point,
                        .active = mem_alloc(mesh->vertex.n, 1),
                        .feature = mem_alloc(edges.n, sizeof *s.feature)};
 
+    struct mesh before = {0};
+    copy_places(mesh, &before);
     mark_turns(&s);
     parallel_for(threads, mesh->vertex.n, look_at_vertices, &s);
     memset(s.active, 1, mesh->vertex.n);
     struct featuremesh found = look(&s, threads);
     if (found.creases + found.walls > 0)
-        edgesplit(mesh, &edges, s.feature);
+        found = keep_better(&s, &before, n, threads);
+    array_free(&before.vertex);
+    array_free(&before.normal);
     free(s.rough);
     free(s.active);
     free(s.feature);
