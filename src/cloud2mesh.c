@@ -320,8 +320,8 @@ static struct made mesh_of(const char *name, const struct settings *settings,
         return made;
     make_normals(name, settings, points->item, parts->flat, noise, threads, mesh);
     if (!settings->smooth)
-        made.walls =
-            keep_features(points, parts, fmax(noise, mesh->origin.noise), threads, mesh, &made.creases);
+        made.walls = keep_features(points, parts, fmax(noise, mesh->origin.noise), threads, mesh,
+                                   &made.creases);
     return made;
 }
 
