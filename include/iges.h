@@ -75,9 +75,9 @@ int iges_values(const struct iges *iges, const struct iges_entity *entity,
 int iges_whole(const struct iges *iges, const struct iges_values *values, size_t index, long min,
                long max, const char *what, long *number, struct error *error);
 
-/* The same for a finite number; one that is missing or left out is 0. */
-int iges_number(const struct iges *iges, const struct iges_values *values, size_t index,
-                double *number, struct error *error);
+/* -1 when one of the parameters from..to - 1 that are there is a text, or a number above `most`. */
+int iges_numbers(const struct iges *iges, const struct iges_values *values, size_t from, size_t to,
+                 double most, struct error *error);
 
 /* The entity that parameter `index` points to; -1 when there is none of that number. */
 int iges_pointer(const struct iges *iges, const struct iges_values *values, size_t index,

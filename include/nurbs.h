@@ -16,6 +16,9 @@
 
 enum { NURBS_DEGREE_MAX = 25 };
 
+/* Knots, weights and coordinates beyond this are refused by readers: squares would overflow. */
+#define NURBS_LARGEST 1e100
+
 /* One parameter: poles + degree + 1 knots, and the range that counts, within
  * knot[degree]..knot[poles]. */
 struct nurbs_axis {

@@ -258,7 +258,10 @@ static void write_mesh(const struct cli *cli, const struct patches *patches,
     mesh.origin.source = source_of(cli);
     mesh.origin.maker = mem_string("nurbs2mesh", strlen("nurbs2mesh"));
     quilt_mesh(quilt, &mesh);
-    if (mesh.face.n == 0)
+    double area = 0;
+    for (size_t i = 0; i < mesh.face.n; i++)
+        area += vec_length(mesh_face_cross(&mesh, i));
+    if (!(area > 0))
         die("%s: surfaces without area, expected some", mesh.origin.source);
     note("%zu surfaces in; %zu vertices, %zu facets", quilt->sheets, mesh.vertex.n, mesh.face.n);
     struct out *out = out_open(cli->output);

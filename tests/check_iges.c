@@ -274,6 +274,16 @@ START_TEST(refusals)
     refused(128, "128,1,1,1,1,0,0,1,0,0,0.,0.,1.,1.", "cut short");
     refused(128, "128,1.5,1,1,1;", "whole number");
     refused(128, "128,99Habc;", "99 characters");
+#define SQUARE(knots, weights, last, range)                                                     \
+    "128,1,1,1,1,0,0,1,0,0," knots ",0.,0.,1.,1.," weights ",0.,0.,0.,40.,0.,0.,0.,30.,0.," last \
+    "," range ";"
+    refused(128, SQUARE("0.,0.,1.,1.", "1.,1.,1.,1.", "5Hhello,30.,8.", "0.,1.,0.,1."), "a text");
+    refused(128, SQUARE("0.,0.,1.,1.", "1.,1.,1.,1.", "1E13,30.,8.", "0.,1.,0.,1."), "1e+13");
+    refused(128, SQUARE("0.,0.,1E308,1E308", "1.,1.,1.,1.", "40.,30.,8.", "0.,1.,0.,1."), "1e+308");
+    refused(128, SQUARE("0.,0.,1.,1.", "1.,-1.,1.,1.", "40.,30.,8.", "0.,1.,0.,1."), "weight -1");
+    refused(128, SQUARE("0.,0.,1.,1.", "1.,1.,1.,1.", "40.,30.,8.", "1.,0.,0.,1."), "range in u");
+    refused(128, SQUARE("0.,2.,1.,1.", "1.,1.,1.,1.", "40.,30.,8.", "0.,1.,0.,1."), "below the one");
+    refused(128, SQUARE("0.,0.,1.,1.", "1.,1.,1.,1.", "40.,30.,1E999", "0.,1.,0.,1."), "finite");
     add(&f, 128, 0, 0, 64, PATCH);
     f.parameter[70] = '7'; /* the pointer back */
     ck_assert_int_eq(read_file(&f, &patches, &error), -1);

@@ -235,11 +235,15 @@ refused "a pole too few" "coordinate" "nurbs 1 $(flat 0 0 0 1 0 0 0 1 0 1 1) end
 refused "another version" "version" "nurbs 2 end"
 refused "knots that fall" "knot" "nurbs 1 surface degree 1 1 poles 2 2 knots_u 0 1 0 1 knots_v 0 0 1 1 points 0 0 0 1 0 0 0 1 0 1 1 0 end"
 refused "a weight of nothing" "weight" "nurbs 1 $(flat 0 0 0 1 0 0 0 1 0 1 1 0) weights 1 1 0 1 end"
+refused "knots beyond all bounds" "knot" "nurbs 1 surface degree 1 1 poles 2 2 knots_u 0 0 1e99 1e99 knots_v 0 0 1e308 1e308 points 0 0 0 1 0 0 0 1 0 1 1 0 end"
 refused "a word that is none" "frobnicate" "nurbs 1 $(flat 0 0 0 1 0 0 0 1 0 1 1 0) frobnicate end"
 refused "no surface" "surface" "nurbs 1 end"
 # Poles a million times as far away as the surface is wide, and one that stands out: no hang.
 echo "nurbs 1 $(flat 0 0 0 1 0 0 0 1 0 1 1 0) range 0 1e-7 0 1e-7 end" >"$TMP/tiny.nurbs"
 ok "a range so small that nothing is near anything" nurbs2mesh -n 3 "$TMP/tiny.nurbs"
+echo "nurbs 1 $(flat 3 3 3 3 3 3 3 3 3 3 3 3) end" >"$TMP/point.nurbs"
+status 1 "a surface that is one point" nurbs2mesh "$TMP/point.nurbs"
+empty "gives no mesh" "$TMP/out"
 status 3 "a tolerance out of reach" nurbs2mesh -e 1e-9 "$s1"
 has "names the surface" 'surface 1: more than 4 million cells' "$TMP/err"
 

@@ -229,13 +229,18 @@ int iges_whole(const struct iges *iges, const struct iges_values *values, size_t
     return 0;
 }
 
-int iges_number(const struct iges *iges, const struct iges_values *values, size_t index,
-                double *number, struct error *error)
+int iges_numbers(const struct iges *iges, const struct iges_values *values, size_t from, size_t to,
+                 double most, struct error *error)
 {
-    if (index < values->n && values->item[index].kind == IGES_TEXT)
-        return error_at(error, iges->name, values->item[index].line,
-                        "a text, expected a number (parameter %zu)", index);
-    *number = index < values->n ? values->item[index].number : 0;
+    for (size_t i = from; i < to && i < values->n; i++) {
+        const struct iges_value *v = &values->item[i];
+        if (v->kind == IGES_TEXT)
+            return error_at(error, iges->name, v->line, "a text, expected a number (parameter %zu)",
+                            i);
+        if (!(fabs(v->number) <= most))
+            return error_at(error, iges->name, v->line, "%g, expected a number within %g", v->number,
+                            most);
+    }
     return 0;
 }
 

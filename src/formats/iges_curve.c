@@ -218,6 +218,10 @@ static int read_curve(const struct iges *iges, const struct iges_entity *entity,
     if (iges_matrix(iges, entity->matrix, &s.matrix, error) < 0 ||
         iges_values(iges, entity, &values, error) < 0)
         return -1;
+    if (iges_numbers(iges, &values, 1, values.n, NURBS_LARGEST, error) < 0) {
+        array_free(&values);
+        return -1;
+    }
     s.matrix = transform_product(walk->outer, s.matrix);
     int got = read_known(&s, walk, loop, unknown, error);
     array_free(&values);

@@ -9,6 +9,9 @@
 
 enum { COUNT_MAX = 2147483647, HEAD = 10 }; /* HEAD: numbers of a 128 in front of its knots */
 
+/* mm: a million kilometres, of which a double still knows a thousandth of a millimetre. */
+static const double COORDINATE_MAX = 1e12;
+
 struct source {
     const struct iges *iges;
     double mm;
@@ -93,6 +96,8 @@ static int surface_of(const struct source *s, const struct iges_entity *e,
     struct layout l;
     if (iges_whole(s->iges, v, 0, 128, 128, "entity type", &l.k1, error) < 0 ||
         read_layout(s->iges, v, &l, error) < 0 ||
+        iges_numbers(s->iges, v, HEAD, l.range + 4, NURBS_LARGEST, error) < 0 ||
+        iges_numbers(s->iges, v, l.poles, l.range, COORDINATE_MAX / s->mm, error) < 0 ||
         read_axis(s->iges, v, l.k1, l.m1, HEAD, l.range, "u", &surface->u, error) < 0 ||
         read_axis(s->iges, v, l.k2, l.m2, l.knots_v, l.range + 2, "v", &surface->v, error) < 0)
         return -1;

@@ -142,7 +142,7 @@ static int read_loop(struct source *s, struct draft *d)
     struct patch_loop loop = {0};
     if (next_word(s) < 0)
         return -1;
-    while (s->word && num_whole(s->word, &x)) {
+    while (s->word && num_whole(s->word, &x) && fabs(x) <= NURBS_LARGEST) {
         *array_push(&v) = x;
         if (next_word(s) < 0) {
             array_free(&v);

@@ -30,6 +30,10 @@ int nurbs_axis_check(struct nurbs_axis *a, const char *name, struct error *error
         if (!(a->knot[i] <= a->knot[i + 1]))
             return error_set(error, "knot %zu in %s is %g, below the one before it (%g)", i + 2,
                              name, a->knot[i + 1], a->knot[i]);
+    for (size_t i = 0; i < a->poles + (size_t)a->degree + 1; i++)
+        if (!(fabs(a->knot[i]) <= NURBS_LARGEST))
+            return error_set(error, "knot %zu in %s is %g, expected one within %g", i + 1, name,
+                             a->knot[i], NURBS_LARGEST);
     double low = a->knot[a->degree], high = a->knot[a->poles];
     if (!(low < high))
         return error_set(error, "knots in %s that span nothing (%g to %g), expected rising ones",
