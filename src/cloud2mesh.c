@@ -7,6 +7,7 @@
 #include <string.h>
 
 #include "cli.h"
+#include "extend.h"
 #include "featuremesh.h"
 #include "footprint.h"
 #include "grid.h"
@@ -30,6 +31,7 @@ struct settings {
     double max_gap; /* 0: from the cloud */
     double direction;
     double noise; /* NAN: from the cloud */
+    double extend; /* beyond the border, mm */
     int unit, normals, neighbours, outliers;
     bool paper, origin, smooth, subdivide, clean;
     bool silent; /* of what became of the vertices: a trial */
@@ -81,6 +83,8 @@ static struct settings read_options(struct cli *cli, int argc, char **argv)
          "stay points of the scan)",
          CLI_NUMBER, &s.noise, 0, 1e6, 0, NULL},
         {0, "smooth", NULL, "look for no creases and no walls", CLI_FLAG, &s.smooth, 0, 0, 0, NULL},
+        {0, "extend", "MM", "continue the surface so far beyond the outer border", CLI_NUMBER,
+         &s.extend, CLI_POSITIVE, 0, 0, NULL},
         {0, "subdivide", NULL,
          "divide the cloud by orientation, each part with a projection of its own", CLI_FLAG,
          &s.subdivide, 0, 0, 0, NULL},
@@ -95,6 +99,9 @@ static struct settings read_options(struct cli *cli, int argc, char **argv)
         s.normals = NORMALS_FACET;
     if (s.paper || s.normals == NORMALS_FACET)
         s.smooth = true;
+    if (s.extend > 0 && (s.paper || s.subdivide))
+        die_usage("found --extend with %s, expected one of them",
+                  s.paper ? "--paper" : "--subdivide");
     s.clean = s.clean || s.normals == NORMALS_QUADRIC;
     return s;
 }
@@ -407,6 +414,20 @@ static struct made mesh_of_parts(const char *name, const struct settings *settin
     return made;
 }
 
+static void extend(const char *name, const struct settings *s, struct vec3s *points, double noise,
+                   int threads)
+{
+    struct error error;
+    size_t n = points->n;
+    if (footprint_check(points->item, n, &error) < 0)
+        die("%s: %s", name, error.text);
+    double mean = spacing_of_points(s, points->item, n);
+    double gap = s->max_gap > 0 ? s->max_gap : 6 * mean;
+    if (extend_cloud(points, mean, gap, s->extend, noise, threads, &error) < 0)
+        die("%s: %s", name, error.text);
+    say("continued by %g mm beyond the border, by %zu points", s->extend, points->n - n);
+}
+
 int main(int argc, char **argv)
 {
     struct cli cli = {.tool = "cloud2mesh",
@@ -427,6 +448,8 @@ int main(int argc, char **argv)
     size_t read = points.n;
     double noise = clean(name, &settings, &points, cli.threads, &mesh.origin);
     left_out += read - points.n;
+    if (settings.extend > 0)
+        extend(name, &settings, &points, noise, cli.threads);
     struct made made = settings.subdivide
                            ? mesh_of_parts(name, &settings, &points, noise, cli.threads, &mesh)
                            : best_mesh(name, &settings, &points, noise, cli.threads, &mesh);
