@@ -77,6 +77,24 @@ START_TEST(with_the_axis_swinging)
 }
 END_TEST
 
+/* As many pieces as are moved all together, some fewer and some more: none is lost. */
+START_TEST(from_few_to_many)
+{
+    int windows = 0;
+    for (size_t n = 121; n < 480; n += 30) {
+        struct trace t = wave(n, 0, 0);
+        struct pieces p = {0};
+        arcbeam_fit(&t, &WITHIN, 6, &p);
+        windows += p.n > 20 && p.n < 26;
+        arcrelax(&t, &WITHIN, 6, &p);
+        assert_chain(&t, &p);
+        array_free(&p);
+        trace_free(&t);
+    }
+    ck_assert_int_gt(windows, 0);
+}
+END_TEST
+
 START_TEST(a_kink_stays)
 {
     struct trace t = wave(201, 0, 0.5);
@@ -120,6 +138,7 @@ int main(void)
     tcase_add_test(t, a_short_wave_saves_some);
     tcase_add_test(t, a_long_one_window_by_window);
     tcase_add_test(t, with_the_axis_swinging);
+    tcase_add_test(t, from_few_to_many);
     tcase_add_test(t, a_kink_stays);
     Suite *s = suite_create("arcrelax");
     suite_add_tcase(s, t);

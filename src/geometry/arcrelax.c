@@ -243,7 +243,7 @@ static size_t relax(const struct trace *trace, const struct stray *within, int d
         axis_still(trace, (size_t)pieces->item[from].from, (size_t)pieces->item[end - 1].to);
     size_t stride = 1, window = still ? WIDE : WINDOW;
     for (size_t i = from; i < end;) {
-        bool whole = end - from <= WHOLE;
+        bool whole = i == from && end - from <= WHOLE;
         size_t n = whole ? end - from : end - i < window ? end - i : window;
         struct part part = {.trace = trace,
                             .within = within,
