@@ -19,4 +19,7 @@ struct surfaces_unit {
 int surfaces_read(const char *file, double mm, struct patches *patches, struct surfaces_unit *unit,
                   struct error *error);
 
+/* Says what the files have that is not read: kinds of trimming curves and of surfaces. */
+void surfaces_tell(const struct patches *patches);
+
 #endif

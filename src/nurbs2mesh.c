@@ -77,24 +77,6 @@ static void say_unit(const char *file, const struct settings *s, const struct su
         say("%s: model scale %g worked in", file, unit->scale);
 }
 
-static void say_ignored(const struct patches *patches)
-{
-    for (size_t i = 0; i < patches->n; i++) {
-        const struct patch *p = &patches->item[i];
-        if (p->ignored > 0)
-            say("%s: surface %d: %d trimming curve%s ignored, the first at directory entry %d "
-                "(entity type %d is not understood there)",
-                p->file, p->entity, p->ignored, p->ignored == 1 ? "" : "s", p->ignored_entity,
-                p->ignored_type);
-    }
-    if (patches->others > 0)
-        say("%zu surface%s of other types left out, the first at directory entry %d (type %d); "
-            "only "
-            "type 128 is read",
-            patches->others, patches->others == 1 ? "" : "s", patches->other_entity,
-            patches->other_type);
-}
-
 static void read_files(const struct cli *cli, const struct settings *s, struct patches *patches)
 {
     struct surfaces_unit unit;
@@ -105,7 +87,7 @@ static void read_files(const struct cli *cli, const struct settings *s, struct p
             die_error(&error);
         say_unit(cli->file[i], s, &unit);
     }
-    say_ignored(patches);
+    surfaces_tell(patches);
 }
 
 /* What the threads share: a surface is a unit of work. */

@@ -4,6 +4,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "cli.h"
 #include "iges.h"
 #include "iges_surface.h"
 #include "nurbs_text.h"
@@ -63,4 +64,22 @@ int surfaces_read(const char *file, double mm, struct patches *patches, struct s
     int status = read_any(&r, mm, patches, unit, error);
     reader_close(&r);
     return status;
+}
+
+void surfaces_tell(const struct patches *patches)
+{
+    for (size_t i = 0; i < patches->n; i++) {
+        const struct patch *p = &patches->item[i];
+        if (p->ignored > 0)
+            say("%s: surface %d: %d trimming curve%s ignored, the first at directory entry %d "
+                "(entity type %d is not understood there)",
+                p->file, p->entity, p->ignored, p->ignored == 1 ? "" : "s", p->ignored_entity,
+                p->ignored_type);
+    }
+    if (patches->others > 0)
+        say("%zu surface%s of other types left out, the first at directory entry %d (type %d); "
+            "only "
+            "type 128 is read",
+            patches->others, patches->others == 1 ? "" : "s", patches->other_entity,
+            patches->other_type);
 }
