@@ -22,9 +22,13 @@ follows() {
 	status 0 "$name: makes a program" ncpost -v $3 -o "$1-$2" "$2.cl"
 	tip=$(sed -n 's/.*kept \([0-9.]*\) mm and.*/\1/p' err)
 	axis=$(sed -n 's/.*kept .* mm and \([0-9.]*\) deg.*/\1/p' err)
+	below "$name: keeps what it was to" "$tip" 0.006
+	below "$name: in degrees too" "$axis" 0.0505
+	# what the reader takes to be beside what, where the tip all but stands, goes by both limits
 	# shellcheck disable=SC2086
 	status 0 "$name: read back, it follows the path" \
-		"$READBACK" $4 -e 0.006 --axis 0.0505 --path "$2.cl" "$1-$2"
+		"$READBACK" $4 -e "$(awk -v t="$tip" 'BEGIN { print 1.1 * t + 0.0001 }')" \
+		--axis "$(awk -v a="$axis" 'BEGIN { print 1.1 * a + 0.0002 }')" --path "$2.cl" "$1-$2"
 	found=$(sed -n 's/^program on path: tip \([0-9.]*\).*/\1/p' out)
 	below "$name: off by no more than it says" "$found" \
 		"$(awk -v t="$tip" 'BEGIN { print 1.1 * t + 0.0001 }')"
