@@ -108,6 +108,15 @@ static void fit_points(struct fit *f)
                                               (double)i, (double)(i + 1));
 }
 
+/* The printed pieces go on to the end of the trace: what is missing strays from nothing. */
+static bool arrives(const struct fit *f)
+{
+    if (f->printed.n == 0)
+        return false;
+    struct vec3 end = f->printed.item[f->printed.n - 1].piece.arc.to;
+    return vec_distance(end, f->trace.p[f->trace.n - 1]) < 1e-5;
+}
+
 /* Fits within less and less of the tolerance until the printed digits keep all of it. */
 static void fit_within(struct fit *f, double tolerance)
 {
@@ -119,7 +128,7 @@ static void fit_within(struct fit *f, double tolerance)
         arcbeam_fit(&f->trace, &less, COORDINATE, &f->pieces);
         arcrelax(&f->trace, &less, COORDINATE, &f->pieces);
         print_pieces(f);
-        if (stray_within(&f->worst, &within))
+        if (stray_within(&f->worst, &within) && arrives(f))
             return;
     }
     fit_points(f);
