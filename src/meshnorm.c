@@ -104,6 +104,9 @@ static void find_planes(const struct mesh *mesh, const struct rows *rows, struct
     if (way && !planepath_direction(way, mesh, cutting.radius, scallop, &angle))
         die_usage("option --direction: found '%s', expected auto or degrees", way);
     p->rule = planepath_upright(angle, cutting.radius);
+    /* A node that random points do not have makes no hole: where the scan guards, rows go on. */
+    if (cutting.guards.n > 0 && mesh->origin.spacing > 0)
+        p->rule.gap = 2 * mesh->origin.spacing;
     planepath_scallop(p, mesh, scallop);
 }
 
