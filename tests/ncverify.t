@@ -10,9 +10,10 @@ cd "$TMP" || exit 1
 awk 'BEGIN { for (y = -12; y <= 12.001; y += 0.2) for (x = -18; x <= 18.001; x += 0.2)
 	printf "%.5f %.5f %.5f\n", x, y, 20 - (x * x + y * y) / 80 }' >dome.xyz
 
-# dome CONTROL [GOUGE]: the program, point by point, A and C as ISO has them
+# dome CONTROL [GOUGE [HALF]]: the program, point by point, A and C as ISO has them; passes from
+# -15 to 15, or so many quarters of a millimetre to each side
 dome() {
-	awk -v control="$1" -v gouge="${2:-0}" '
+	awk -v control="$1" -v gouge="${2:-0}" -v half="${3:-60}" '
 	function sign(v, d,   s) { s = sprintf("%." d "f", v); if (s + 0 == 0) s = sprintf("%." d "f", 0)
 		return control == "heidenhain" && s !~ /^-/ ? "+" s : s }
 	function block(text) {
@@ -52,12 +53,13 @@ dome() {
 		fast = control == "heidenhain" ? " FMAX" : ""
 		feed = " F800" (control == "fanuc" ? "." : "")
 		head()
-		for (y = -10; y <= 10; y++) {
-			place(rapid, (y % 2 ? 15 : -15), y, 10, fast)
-			for (i = -60; i <= 60; i++)
+		side = half / 4
+		for (y = -int(side / 1.5); y <= side / 1.5; y++) {
+			place(rapid, (y % 2 ? side : -side), y, 10, fast)
+			for (i = -half; i <= half; i++)
 				place(line, (y % 2 ? -1 : 1) * i / 4, y, 0, feed)
-			place(line, (y % 2 ? -15 : 15), y, 10, feed)
-			place(rapid, (y % 2 ? -15 : 15), y, 30, fast)
+			place(line, (y % 2 ? -side : side), y, 10, feed)
+			place(rapid, (y % 2 ? -side : side), y, 30, fast)
 		}
 		foot()
 	}'
@@ -145,17 +147,98 @@ sed 's/G43 H1//' tilt.fanuc >bad.nc
 status 1 "no length of the tool" ncverify -g dome.xyz -r 6 bad.nc
 has "is named" "N[0-9]+: cuts without the tool's length" err
 
-# The same in the other controls.
-for control in siemens heidenhain linuxcnc; do
-	machine=table-ac number='^N12030 '
+# ---- each kind of fault on each control, on a smaller dome of 7 passes
+awk 'BEGIN { for (y = -6; y <= 6.001; y += 0.25) for (x = -9; x <= 9.001; x += 0.25)
+	printf "%.5f %.5f %.5f\n", x, y, 20 - (x * x + y * y) / 80 }' >little.xyz
+
+# edit K OP [WORD VALUE]: good.$control with one thing changed in the K-th block at feed, to
+# bad.$control; N is that block's name.  `to` adds to a word, `set` sets it.
+edit() {
+	awk -v k="$1" -v op="$2" -v word="$3" -v value="$4" -v control=$control '
+	function number(v,   s) { s = sprintf("%.4f", v); return control == "heidenhain" && v >= 0 ? "+" s : s }
+	{ feed = / G1 | L .*F800/ ? ++n : 0 }
+	feed != k || op == "" { print; next }
+	{ print $1 >"named" }
+	op == "del" { next }
+	op == "twice" { print }
+	op == "after" { held = $0; getline; print; print held; next }
+	op == "fast" { sub(/ G1 /, " G0 "); sub(/ F800\.?/, control == "heidenhain" ? " FMAX" : ""); op = "add" }
+	op == "say" { $0 = $0 " " word }
+	op == "cut" { sub(/ Y.*/, " Y"); print; exit }
+	{ for (i = 3; i <= NF; i++) if (substr($i, 1, 1) == word) {
+		if (op == "add") $i = word number(substr($i, 2) + value)
+		if (op == "set") $i = word number(value)
+		if (op == "is") $i = word value
+		if (op == "turn") $i = word number(-substr($i, 2)) } }
+	op == "swap" { x = y = 0; for (i in F) delete F[i]
+		for (i = 3; i <= NF; i++) { if ($i ~ /^X/) x = i; if ($i ~ /^Y/) y = i }
+		t = $x; $x = "X" substr($y, 2); $y = "Y" substr(t, 2) }
+	{ print }' good.$control >bad.$control
+	N=$(cat named)
+	[ $control != heidenhain ] || awk '{ $1 = NR - 1; print }' bad.$control >again && [ ! -s again ] || mv again bad.$control
+}
+
+# judge STATUS "KIND" PATTERN
+judge() {
+	if cmp -s bad.$control good.$control; then result 1 "$control: $2 (the fault is not in)"; return; fi
+	status "$1" "$control: $2: found" \
+		ncverify -g little.xyz -r 6 -e 0.005 --left 0.03 -m $machine bad.$control
+	has "$control: $2: named" "$3" err
+}
+
+whole() { # "KIND" "SED" STATUS PATTERN: something changed in all of the program
+	sed "$2" good.$control >bad.$control
+	[ $control != heidenhain ] || awk '{ $1 = NR - 1; print }' bad.$control >again && [ ! -s again ] || mv again bad.$control
+	judge "$3" "$1" "$4"
+}
+
+# Each control's words for the same.
+words() {
+	case $control in
+	fanuc) unit=s/G21/G20/ tcp='s/G43.4 H1//' off='/ G49$/d' end='/M30/d' one=M1 dec=' F800.' ;;
+	siemens) unit=s/G71/G70/ tcp=/TRAORI/d off=/TRAFOOF/d end=/M30/d one=M1 dec=' F800' ;;
+	heidenhain) unit='s/ MM$/ INCH/' tcp='/FUNCTION TCPM/d' off='/RESET TCPM/d' end=/M30/d dec=' F800' ;;
+	linuxcnc) unit=s/G21/G20/ tcp='s/G43 H1//' off='/ G49$/d' end=/M2/d dec=' F800' ;;
+	esac
+}
+
+for control in fanuc siemens heidenhain linuxcnc; do
+	machine=table-ac
 	[ $control = linuxcnc ] && machine=linuxcnc-iso
-	[ $control = heidenhain ] && number='^1203 '
-	sed "/$number/s/Z+*1/Z+0/;/^N12030/s/Z+/Z/" dome.$control >bad.$control
-	status 3 "$control: a gouge is refused" \
-		ncverify -g dome.xyz -r 6 -e 0.005 --left 0.03 -m $machine bad.$control
-	has "$control: and named" '^ncverify: .*N(120[2-4]0|120[2-4]) .* deep' err
-	sed '2000,$d' dome.$control >bad.$control
-	status 1 "$control: a cut-off file cannot be run" ncverify -q -g dome.xyz -r 6 -m $machine bad.$control
+	words
+	dome $control 0 30 >good.$control
+	status 0 "$control: the good one is accepted" \
+		ncverify -q -g little.xyz -r 6 -e 0.005 --left 0.03 -m $machine good.$control
+	edit 345 add Z -0.05; judge 3 "a gouge of 0.05 mm" "$N .*the ball is 0\.04[5-9].* deep"
+	edit 330 turn A; judge 3 "a wrong sign of A" "N[0-9]+ .*(deep|tool axis turns)"
+	edit 345 add A 25; judge 3 "a wrong A" "$N .*deep"
+	edit 365 add C 60; judge 3 "a wrong C" "N[0-9]+ .*(deep|tool axis turns)"
+	edit 330 turn X; judge 3 "a wrong sign of X" 'N[0-9]+ .*deep'
+	edit 335 swap; judge 3 "X and Y changed places" 'N[0-9]+ .*deep'
+	edit 345 add Z -1.8; judge 3 "digits of Z changed places" "$N .*deep"
+	edit 345 fast Z -5
+	judge 3 "a rapid move through the part" "$N .*a rapid move goes .* deep through the part"
+	edit 372 set Y 2500; judge 3 "a limit of Y passed" "$N .*axis . at .* is beyond its travel"
+	edit 372 set A 130; judge 3 "a limit of A passed" "$N .*axis A at 130.000 is beyond"
+	edit 345 set F 0; judge 1 "a feed of nothing" "$N: "
+	edit 345 is X 1O; judge 1 "a letter among digits" "$N: "
+	edit 345 is Y; judge 1 "a word without its number" "$N: "
+	edit 345 say U5; judge 1 "an unknown word" "$N: "
+	edit 345 say X+0.5; judge 1 "a word twice" "$N: .*twice"
+	edit 345 cut; judge 1 "cut off within a word" "$N: "
+	sed 400q good.$control >bad.$control; judge 1 "cut off" 'ends without'
+	whole "no feed at all" "s/$dec\$//" 1 'N[0-9]+: cuts without a feed'
+	whole "no spindle" '/ M3$/d' 1 'N[0-9]+: cuts while the spindle stands'
+	whole "another unit" "$unit" 3 'N[0-9]+ .*(beyond its travel|near no point)'
+	whole "no call of the tool's length or its point" "$tcp" 1 'N[0-9]+: cuts (without|from|with)'
+	whole "nor its end" "$off" 1 'bad'
+	whole "no end of the program" "$end" 1 'bad'
+	whole "a pass too low" '/ Y[-+]*2\.[0-9]*/s/Z\([+]*\)1/Z\10/' 3 'N[0-9]+ .*deep'
+	whole "a pass left out" '/ Y[+]*1\.1[0-9]*/d' 3 'N[0-9]+ .*of material is left'
+	[ $control = heidenhain ] && continue # its blocks are counted anew here
+	edit 345 twice; judge 1 "a block twice" "$N: its number does not rise"
+	edit 345 after; judge 1 "blocks that changed places" "its number does not rise"
+	whole "incremental words" s/G90/G91/ 1 'N[0-9]+: '
 done
 
 # ---- shank and holder, on all controls: 6 mm over the ball's centre a collar of 30 that leans

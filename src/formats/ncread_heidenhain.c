@@ -18,6 +18,7 @@ struct klartext {
     char word[TOKENS][TOKEN];
     struct ncread_place to;
     bool named, fast, machine, call;
+    unsigned seen; /* letters of words that stood in it */
     int vector_n;
     double vector[3];
 };
@@ -63,10 +64,25 @@ static int m_word(struct ncread *c, const char *text, struct klartext *k, struct
     return 0;
 }
 
+/* No word twice in a block: X to Z, A to C, F, T and their vectors; several M are well. */
+static int once(const struct ncread *c, const char *w, struct klartext *k, struct error *error)
+{
+    bool vector = *w == 'T' && w[1] >= 'X' && w[1] <= 'Z';
+    int place = vector ? 26 + w[1] - 'X' : *w - 'A';
+    if (place < 0 || *w > 'Z' || *w == 'M')
+        return 0;
+    if (k->seen & 1u << place)
+        return ncread_error(c, error, "a word twice in one block");
+    k->seen |= 1u << place;
+    return 0;
+}
+
 static int word(struct ncread *c, const char *w, struct klartext *k, struct error *error)
 {
     double value;
     char letter[2] = {*w, '\0'};
+    if (once(c, w, k, error) < 0)
+        return -1;
     if (strcmp(w, "FMAX") == 0) {
         k->fast = true;
         return 0;

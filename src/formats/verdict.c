@@ -3,8 +3,14 @@
 
 #include <limits.h>
 #include <stdarg.h>
+#include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
+
+enum { LEAN_STEPS = 4 };
+
+#define JUMP 5.0  /* degrees */
+#define ROLLS 3.0 /* times as fast as the ball rolls over an edge */
 
 static void find(struct verdict *v, bool fault, size_t piece, const char *format, ...)
     __attribute__((format(printf, 4, 5)));
@@ -91,6 +97,46 @@ static void judge_stock(struct verdict *v)
              run->rapid, run->rapid_at.x, run->rapid_at.y, run->rapid_at.z, run->rapids);
 }
 
+/* How far the tool axis is from where it was at the piece's start, at most, radians. */
+static double lean(const struct course *course, const struct piece *piece)
+{
+    struct vec3 from = course_at(course, piece, 0).a;
+    double most = 0;
+    for (int i = 1; i <= LEAN_STEPS; i++)
+        most = fmax(most, vec_angle(from, course_at(course, piece, (double)i / LEAN_STEPS).a));
+    return most;
+}
+
+/*
+ * Jumps of the tool axis with the ball on the part.  Where the ball rolls over an edge the axis
+ * turns by 1 / R for each mm of the tip; what turns three times as fast, and further than 5
+ * degrees, was not meant.
+ */
+static void judge_jumps(struct verdict *v)
+{
+    size_t last = SIZE_MAX, jumps = 0, worst = 0;
+    double most = 0;
+    for (size_t i = 0; i < v->cut->n; i++) {
+        size_t piece = v->cut->item[i].piece;
+        const struct piece *at = &v->course->piece.item[piece];
+        if (!v->cut->item[i].on || piece == last || at->shape == SHAPE_SPLINE)
+            continue;
+        last = piece;
+        double way = vec_distance(course_at(v->course, at, 0).p, course_at(v->course, at, 1).p);
+        double turn = lean(v->course, at);
+        if (turn < RADIANS(JUMP) || turn * v->radius < ROLLS * way)
+            continue;
+        jumps++;
+        if (turn > most) {
+            most = turn;
+            worst = piece;
+        }
+    }
+    if (jumps > 0)
+        find(v, true, worst, "the tool axis turns by %.3f degrees on the part (blocks: %zu)",
+             DEGREES(most), jumps);
+}
+
 static void judge_axes(struct verdict *v)
 {
     static const char letter[] = "XYZABC";
@@ -117,6 +163,7 @@ void verdict_judge(struct verdict *v)
     judge_stock(v);
     judge_holder(v, v->stock_holder, "stock");
     judge_axes(v);
+    judge_jumps(v);
     if (v->roll.cut == 0 && v->course->piece.n > 0)
         find(v, true, 0, "the ball comes near no point of the part");
 }
