@@ -210,9 +210,9 @@ for control in fanuc siemens heidenhain linuxcnc; do
 	status 0 "$control: the good one is accepted" \
 		ncverify -q -g little.xyz -r 6 -e 0.005 --left 0.03 -m $machine good.$control
 	edit 345 add Z -0.05; judge 3 "a gouge of 0.05 mm" "$N .*the ball is 0\.04[5-9].* deep"
-	edit 330 turn A; judge 3 "a wrong sign of A" "N[0-9]+ .*(deep|tool axis turns)"
+	edit 330 turn A; judge 3 "a wrong sign of A" "N[0-9]+ .*(deep|tool axis swings)"
 	edit 345 add A 25; judge 3 "a wrong A" "$N .*deep"
-	edit 365 add C 60; judge 3 "a wrong C" "N[0-9]+ .*(deep|tool axis turns)"
+	edit 365 add C 60; judge 3 "a wrong C" "N[0-9]+ .*(deep|tool axis swings)"
 	edit 330 turn X; judge 3 "a wrong sign of X" 'N[0-9]+ .*deep'
 	edit 335 swap; judge 3 "X and Y changed places" 'N[0-9]+ .*deep'
 	edit 345 add Z -1.8; judge 3 "digits of Z changed places" "$N .*deep"

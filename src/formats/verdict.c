@@ -10,7 +10,8 @@
 enum { LEAN_STEPS = 4 };
 
 #define JUMP 5.0  /* degrees */
-#define ROLLS 3.0 /* times as fast as the ball rolls over an edge */
+#define STILL 0.5 /* degrees of rotary axes, or mm of a second point, that need no look */
+#define ROLLS 1.5 /* times as fast as the ball rolls over an edge */
 
 static void find(struct verdict *v, bool fault, size_t piece, const char *format, ...)
     __attribute__((format(printf, 4, 5)));
@@ -97,43 +98,59 @@ static void judge_stock(struct verdict *v)
              run->rapid, run->rapid_at.x, run->rapid_at.y, run->rapid_at.z, run->rapids);
 }
 
-/* How far the tool axis is from where it was at the piece's start, at most, radians. */
-static double lean(const struct course *course, const struct piece *piece)
+/* How the tool axis turns over one piece, radians, and how far the tip goes. */
+struct lean {
+    struct vec3 from, to; /* the axis at its ends */
+    double most;          /* furthest from where it was */
+    double way;
+    bool on; /* the ball touches the part in it */
+};
+
+static struct lean lean(const struct course *course, const struct piece *piece)
 {
-    struct vec3 from = course_at(course, piece, 0).a;
-    double most = 0;
-    for (int i = 1; i <= LEAN_STEPS; i++)
-        most = fmax(most, vec_angle(from, course_at(course, piece, (double)i / LEAN_STEPS).a));
-    return most;
+    struct course_pose a = course_at(course, piece, 0), b = course_at(course, piece, 1);
+    struct lean lean = {a.a, b.a, vec_angle(a.a, b.a), vec_distance(a.p, b.p), false};
+    if (vec_distance(piece->q[0], piece->q[1]) < STILL && piece->shape == SHAPE_LINE)
+        return lean;
+    for (int i = 1; i < LEAN_STEPS; i++) {
+        struct vec3 axis = course_at(course, piece, (double)i / LEAN_STEPS).a;
+        lean.most = fmax(lean.most, vec_angle(a.a, axis));
+    }
+    return lean;
 }
 
 /*
- * Jumps of the tool axis with the ball on the part.  Where the ball rolls over an edge the axis
- * turns by 1 / R for each mm of the tip; what turns three times as fast, and further than 5
- * degrees, was not meant.
+ * Jumps of the tool axis with the ball on the part: it turns, in one block or two, and comes back
+ * by more than half, half as fast again as where the ball rolls over an edge, 1 / R for each mm of
+ * the tip.
  */
 static void judge_jumps(struct verdict *v)
 {
-    size_t last = SIZE_MAX, jumps = 0, worst = 0;
+    const struct ball_path *cut = v->cut;
+    size_t jumps = 0, worst = 0, last = SIZE_MAX - 1;
     double most = 0;
-    for (size_t i = 0; i < v->cut->n; i++) {
-        size_t piece = v->cut->item[i].piece;
-        const struct piece *at = &v->course->piece.item[piece];
-        if (!v->cut->item[i].on || piece == last || at->shape == SHAPE_SPLINE)
-            continue;
-        last = piece;
-        double way = vec_distance(course_at(v->course, at, 0).p, course_at(v->course, at, 1).p);
-        double turn = lean(v->course, at);
-        if (turn < RADIANS(JUMP) || turn * v->radius < ROLLS * way)
-            continue;
-        jumps++;
-        if (turn > most) {
-            most = turn;
-            worst = piece;
+    struct lean before = {0};
+    for (size_t i = 0; i < cut->n;) {
+        size_t piece = cut->item[i].piece;
+        struct lean at = lean(v->course, &v->course->piece.item[piece]);
+        for (; i < cut->n && cut->item[i].piece == piece; i++)
+            at.on = at.on || cut->item[i].on;
+        bool follows = piece == last + 1;
+        double turn = follows ? fmax(at.most, before.most) : at.most;
+        double back = vec_angle(follows ? before.from : at.from, at.to);
+        double way = at.way + (follows ? before.way : 0);
+        if ((at.on || (follows && before.on)) && turn > RADIANS(JUMP) && back < turn / 2 &&
+            turn * v->radius > ROLLS * way) {
+            jumps++;
+            worst = turn > most ? piece : worst;
+            most = fmax(most, turn);
         }
+        last = piece;
+        before = at;
     }
     if (jumps > 0)
-        find(v, true, worst, "the tool axis turns by %.3f degrees on the part (blocks: %zu)",
+        find(v, true, worst,
+             "the tool axis swings out by %.3f degrees and back on the part (blocks: %zu)",
              DEGREES(most), jumps);
 }
 
