@@ -8,50 +8,10 @@
 #include <stdlib.h>
 
 #include "array.h"
+#include "known.h"
 #include "trimloops.h"
 
 static const double TOLERANCE = 1e-4;
-
-static void set_axis(struct nurbs_axis *a, int degree, size_t poles, const double *knot)
-{
-    size_t n = poles + (size_t)degree + 1;
-    *a = (struct nurbs_axis){.degree = degree, .poles = poles, .from = knot[0], .to = knot[n - 1]};
-    a->knot = mem_alloc(n, sizeof *a->knot);
-    for (size_t i = 0; i < n; i++)
-        a->knot[i] = knot[i];
-}
-
-/* A surface of revolution about z: a profile of x and z, closed in u. */
-static struct patch turned(int degree, size_t n, const double *knot_v, const double (*profile)[3])
-{
-    static const double knot_u[] = {0, 0, 0, 1, 1, 2, 2, 3, 3, 4, 4, 4};
-    static const double x[] = {1, 1, 0, -1, -1, -1, 0, 1, 1}, y[] = {0, 1, 1, 1, 0, -1, -1, -1, 0};
-    struct patch p = {0};
-    set_axis(&p.surface.u, 2, 9, knot_u);
-    set_axis(&p.surface.v, degree, n, knot_v);
-    p.surface.pole = mem_alloc(9 * n, sizeof *p.surface.pole);
-    for (size_t j = 0; j < n; j++)
-        for (size_t i = 0; i < 9; i++) {
-            double w = profile[j][2] * (i % 2 ? sqrt(0.5) : 1), r = profile[j][0];
-            p.surface.pole[9 * j + i] =
-                (struct nurbs_pole){w * r * x[i], w * r * y[i], w * profile[j][1], w};
-        }
-    return p;
-}
-
-/* Radius 10, z from 0 to 20 for v from 0 to 1. */
-static struct patch cylinder(void)
-{
-    static const double knot[] = {0, 0, 1, 1}, profile[][3] = {{10, 0, 1}, {10, 20, 1}};
-    return turned(1, 2, knot, profile);
-}
-
-static struct patch sphere(void)
-{
-    static const double knot[] = {0, 0, 0, 1, 1, 2, 2, 2}, h = 0.70710678118654752;
-    const double profile[][3] = {{0, -10, 1}, {10, -10, h}, {10, 0, 1}, {10, 10, h}, {0, 10, 1}};
-    return turned(2, 5, knot, profile);
-}
 
 /* Part of a circle of radius r about `at`, by e1 and e2, in pieces of a quarter or less. */
 static void add_arc(struct patch_loop *loop, struct vec3 at, struct vec3 e1, struct vec3 e2,
@@ -126,13 +86,7 @@ static void expect(struct patch p, double area)
 
 START_TEST(on_a_plane)
 {
-    static const double knot[] = {0, 0, 5, 5};
-    struct patch p = {0};
-    set_axis(&p.surface.u, 1, 2, knot);
-    set_axis(&p.surface.v, 1, 2, knot);
-    p.surface.pole = mem_alloc(4, sizeof *p.surface.pole);
-    for (int i = 0; i < 4; i++)
-        p.surface.pole[i] = (struct nurbs_pole){i % 2 * 40.0, i / 2 * 30.0, i % 2 * 40.0, 1};
+    struct patch p = known_flat(vec(0, 0, 0), vec(40, 0, 40), vec(0, 30, 0), vec(40, 30, 40));
     struct patch_loop *loop = new_loop(&p);
     struct vec3 e1 = vec_unit(vec(1, 0, 1));
     add_arc(loop, vec(20, 15, 20), e1, Y, 12, 0, PI); /* its second half runs backwards */
@@ -163,11 +117,11 @@ END_TEST
 
 START_TEST(round_a_cylinder)
 {
-    struct patch p = cylinder();
+    struct patch p = known_cylinder(10, 20);
     add_arc(new_loop(&p), vec(0, 0, 4), X, Y, 10, 0.3, 0.3 + 2 * PI);
     add_arc(new_loop(&p), vec(0, 0, 9), X, Y, 10, 4, 4 - 2 * PI);
     expect(p, 2 * PI * 10 * 5);
-    p = cylinder(); /* the outer loop with the seam in it, both ways */
+    p = known_cylinder(10, 20); /* the outer loop with the seam in it, both ways */
     struct patch_loop *loop = new_loop(&p);
     add_arc(loop, vec(0, 0, 4), X, Y, 10, 0, 2 * PI);
     add_line(loop, vec(10, 0, 4), vec(10, 0, 9));
@@ -182,7 +136,7 @@ START_TEST(across_the_seam)
 {
     for (int hole = 0; hole < 2; hole++)
         for (int start = 0; start < 4; start += 3) {
-            struct patch p = cylinder();
+            struct patch p = known_cylinder(10, 20);
             struct patch_loop *loop = new_loop(&p);
             double a = 0.5;
             struct vec3 low[2] = {{10 * cos(-a), 10 * sin(-a), 5}, {10 * cos(a), 10 * sin(a), 5}};
@@ -208,13 +162,13 @@ END_TEST
 START_TEST(caps_of_a_sphere)
 {
     double z = 6, r = 8;
-    struct patch p = sphere();
+    struct patch p = known_sphere(10);
     add_arc(new_loop(&p), vec(0, 0, z), X, Y, r, 1, 1 + 2 * PI);
     expect(p, 2 * PI * 10 * (10 - z));
-    p = sphere();
+    p = known_sphere(10);
     add_arc(new_loop(&p), vec(0, 0, z), X, Y, r, 1, 1 - 2 * PI);
     expect(p, 2 * PI * 10 * (10 + z));
-    p = sphere(); /* one that has no pole inside, over the seam */
+    p = known_sphere(10); /* one that has no pole inside, over the seam */
     add_arc(new_loop(&p), vec(6, 0, 0), Y, Z, 8, 0, 2 * PI);
     expect(p, 2 * PI * 10 * (10 - 6));
 }
@@ -223,7 +177,7 @@ END_TEST
 /* A curve beside the surface is put onto it, and how far off it was is told. */
 START_TEST(beside_the_surface)
 {
-    struct patch p = cylinder();
+    struct patch p = known_cylinder(10, 20);
     add_arc(new_loop(&p), vec(0, 0, 4), X, Y, 10.01, 0, 2 * PI);
     add_arc(new_loop(&p), vec(0, 0, 9), X, Y, 9.98, 0, 2 * PI);
     struct uvloops loops;
