@@ -83,6 +83,10 @@ double mesh_steep_part(const struct mesh *mesh, struct vec3 up);
  */
 void mesh_normals_facet(struct mesh *mesh);
 
+/* On a mesh seen from above no normal points down: those that do are replaced by the mean of the
+ * facets' (eq 8), or (0, 0, 1) where that does too.  Returns how many. */
+size_t mesh_normals_seen(struct mesh *mesh);
+
 /* Paper 1, eq 7 (Gouraud): the mean of the normals of the vertices that share an edge with it,
  * made a unit vector.  Takes the normals that stand in the mesh and replaces them; a vertex without
  * neighbours, or where they cancel, keeps its own. */

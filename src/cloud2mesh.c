@@ -329,6 +329,8 @@ static struct made mesh_of(const char *name, const struct settings *settings,
     if (!settings->smooth)
         made.walls = keep_features(points, parts, fmax(noise, mesh->origin.noise), threads, mesh,
                                    &made.creases);
+    if (!settings->paper)
+        mesh_normals_seen(mesh);
     return made;
 }
 

@@ -215,6 +215,40 @@ START_TEST(central_needs_neighbours)
 }
 END_TEST
 
+/* Two facets of a slope: the one normal that points down becomes that of the facets. */
+START_TEST(no_normal_points_down)
+{
+    const struct vec3 p[] = {{0, 0, 0}, {1, 0, 1}, {0, 1, 0}, {1, 1, 1}};
+    struct mesh m = {0};
+    for (int i = 0; i < 4; i++) {
+        *array_push(&m.vertex) = p[i];
+        *array_push(&m.normal) = i == 2 ? vec(0.6, 0, -0.8) : vec(0, 0, 1);
+    }
+    *array_push(&m.face) = (struct face){{0, 1, 2}};
+    *array_push(&m.face) = (struct face){{1, 3, 2}};
+    ck_assert_uint_eq(mesh_normals_seen(&m), 1);
+    ck_assert_double_le(vec_distance(m.normal.item[2], vec_unit(vec(-1, 0, 1))), 1e-12);
+    ck_assert_double_eq(m.normal.item[0].z, 1);
+    ck_assert_uint_eq(mesh_normals_seen(&m), 0);
+    mesh_free(&m);
+}
+END_TEST
+
+/* A level facet and an upright one of the same area. */
+START_TEST(steep_part)
+{
+    const struct vec3 p[] = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+    struct mesh m = {0};
+    for (int i = 0; i < 4; i++)
+        *array_push(&m.vertex) = p[i];
+    *array_push(&m.face) = (struct face){{0, 1, 2}};
+    ck_assert_double_eq(mesh_steep_part(&m, vec(0, 0, 1)), 0);
+    *array_push(&m.face) = (struct face){{0, 1, 3}};
+    ck_assert_double_eq(mesh_steep_part(&m, vec(0, 0, 1)), 0.5);
+    mesh_free(&m);
+}
+END_TEST
+
 int main(void)
 {
     Suite *suite = suite_create("mesh");
@@ -231,6 +265,8 @@ int main(void)
     tcase_add_test(tests, gouraud_alone_keeps_its_own);
     tcase_add_test(tests, central_needs_rows);
     tcase_add_test(tests, central_needs_neighbours);
+    tcase_add_test(tests, no_normal_points_down);
+    tcase_add_test(tests, steep_part);
     suite_add_tcase(suite, tests);
     srunner_run_all(runner, CK_ENV);
     int failed = srunner_ntests_failed(runner);

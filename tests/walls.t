@@ -102,6 +102,8 @@ down() {
 cloud2mesh -q -t 2 "$face" -o "$TMP/face.ply"
 cloud2mesh -q -t 2 --smooth "$face" -o "$TMP/smooth.ply"
 below "face: normals that point aside or down" "$(down "$TMP/face.ply")" "$(down "$TMP/smooth.ply")"
+below "face: none points down" "$(awk '/^element vertex/ { n = $3 } /^end_header/ { from = NR }
+	from && NR > from && NR <= from + n && $6 < 0 { d++ } END { print d + 0 }' "$TMP/face.ply")" 0
 ok "face: a path" meshnorm -q -r 5 --avoid -g "$face" "$TMP/face.ply" -o "$TMP/face.cl"
 for control in fanuc siemens; do
 	ok "face: a program for $control" ncpost -q -c $control "$TMP/face.cl" -o "$TMP/face.nc"

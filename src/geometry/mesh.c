@@ -123,6 +123,28 @@ static int *edge_ends(const struct mesh *mesh, size_t *start)
     return end;
 }
 
+size_t mesh_normals_seen(struct mesh *mesh)
+{
+    size_t n = mesh->normal.n, down = 0;
+    struct vec3s own = {0};
+
+    for (size_t v = 0; v < n; v++) {
+        *array_push(&own) = mesh->normal.item[v];
+        down += own.item[v].z < 0;
+    }
+    if (down > 0)
+        mesh_normals_facet(mesh);
+    for (size_t v = 0; v < n && down > 0; v++) {
+        struct vec3 *normal = &mesh->normal.item[v];
+        if (own.item[v].z >= 0)
+            *normal = own.item[v];
+        else if (!(normal->z > 0))
+            *normal = vec(0, 0, 1);
+    }
+    array_free(&own);
+    return down;
+}
+
 void mesh_normals_gouraud(struct mesh *mesh)
 {
     size_t n = mesh->vertex.n;
