@@ -19,6 +19,7 @@ struct rowmesh {
     struct vec3 at;    /* the worst point */
     size_t beside;     /* points that no facet is above or below */
     size_t rows;
+    int columns;       /* places that a row can have a vertex at */
     size_t bridges;    /* facets over a hole, left out */
 };
 

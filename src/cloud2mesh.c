@@ -17,6 +17,7 @@
 #include "num.h"
 #include "ply.h"
 #include "reposition.h"
+#include "rowmesh.h"
 #include "scannormals.h"
 #include "scansmooth.h"
 #include "subcloud.h"
@@ -28,6 +29,7 @@ enum outliers { OUTLIERS_DROP, OUTLIERS_KEEP };
 
 struct settings {
     double spacing; /* 0: from the cloud */
+    double error;   /* 0: the spacing counts */
     double max_gap; /* 0: from the cloud */
     double direction;
     double noise; /* NAN: from the cloud */
@@ -54,6 +56,10 @@ static struct settings read_options(struct cli *cli, int argc, char **argv)
         {'t', "spacing", "MM",
          "spacing of the triangular grid (default: three times the mean\nspacing of the points)",
          CLI_NUMBER, &s.spacing, CLI_POSITIVE, 0, 0, NULL},
+        {'e', "tolerance", "MM",
+         "rows and points on them as far apart as every point of the cloud is\n"
+         "within this of the mesh (with -t: no farther than that)",
+         CLI_NUMBER, &s.error, CLI_POSITIVE, 0, 0, NULL},
         {'u', "units", "mm|cm|m|um|inch|in", "units of the points (default: mm)", CLI_CHOICE,
          &s.unit, 0, 0, 0, NULL},
         {'a', "direction", "DEG", "direction of the rows, from x towards y (default: 0)",
@@ -103,6 +109,8 @@ static struct settings read_options(struct cli *cli, int argc, char **argv)
         die_usage("found --extend with %s, expected one of them",
                   s.paper ? "--paper" : "--subdivide");
     s.clean = s.clean || s.normals == NORMALS_QUADRIC;
+    if (s.paper && s.error > 0)
+        die_usage("--paper has a grid of one spacing: expected -t or -e");
     return s;
 }
 
@@ -283,6 +291,55 @@ static void make_normals(const char *name, const struct settings *s, struct vec3
     buckets_free(&buckets);
 }
 
+/* The vertices of a fine mesh, on the surface that noisy points stand for, instead of these; returns
+ * the tolerance spent. */
+static double replace_by_surface(const char *name, const struct settings *s, struct vec3s *points,
+                                 double noise, int threads)
+{
+    struct settings fine = *s;
+    struct mesh mesh = {.origin.ledger = NAN};
+    struct cloud_parts parts = {spacing_of_points(s, points->item, points->n), points->n};
+    struct grid grid;
+    struct error error;
+    if (footprint_check(points->item, points->n, &error) < 0)
+        die("%s: %s", name, error.text);
+    fine.spacing = 2 * parts.mean;
+    make_mesh(name, &fine, points, &mesh, &grid, &parts);
+    make_normals(name, &fine, points->item, points->n, noise, threads, &mesh);
+    array_free(points);
+    *points = mesh.vertex;
+    mesh.vertex = (struct vec3s){0};
+    double spent = mesh.origin.ledger;
+    mesh_free(&mesh);
+    return spent;
+}
+
+/* The mesh that an error asks for, without normals. */
+static struct rowmesh make_row_mesh(const char *name, const struct settings *s,
+                                    const struct cloud_parts *parts, struct vec3s *points,
+                                    int threads, struct mesh *mesh, struct grid *grid)
+{
+    const double slant = 0.866, widest = 24, gaps = 6;
+    double gap = s->max_gap > 0 ? s->max_gap : gaps * parts->mean;
+    struct holes holes;
+    struct buckets buckets;
+    struct error error;
+    struct footprint f = footprint_of(points->item, points->n, s->direction);
+    if (holes_find(points->item, points->n, gap, &holes, &error) < 0 ||
+        buckets_make(points->item, parts->flat, parts->mean, threads, &buckets, &error) < 0)
+        die("%s: %s", name, error.text);
+    double apart = s->spacing > 0 ? slant * s->spacing : widest * parts->mean;
+    struct rowmesh made = rowmesh_make(&buckets, &f, &holes, s->error, parts->mean, apart, mesh);
+    buckets_free(&buckets);
+    holes_free(&holes);
+    if (mesh->face.n == 0 && !s->subdivide)
+        die("%s: no mesh within %g mm of the points: too few of them", name, s->error);
+    mesh->origin.spacing = (f.ymax - f.ymin) / (double)(made.rows - 1) / slant;
+    mesh->origin.direction = s->direction;
+    *grid = (struct grid){f, mesh->origin.spacing, f.xmin, f.ymin, made.columns, (int)made.rows};
+    return made;
+}
+
 static size_t keep_features(const struct vec3s *points, const struct cloud_parts *parts,
                             double noise, int threads, struct mesh *mesh, size_t *creases)
 {
@@ -296,6 +353,7 @@ static size_t keep_features(const struct vec3s *points, const struct cloud_parts
 struct made {
     struct gridmesh_count count;
     struct grid grid;
+    struct rowmesh rows;   /* with an error */
     size_t creases, walls; /* edges that cross one */
 };
 
@@ -308,11 +366,11 @@ static struct cloud_parts part_walls(const char *name, struct settings *s, struc
     if (footprint_check(points->item, points->n, &error) < 0)
         die("%s: %s", name, error.text);
     bool whole = s->paper && s->max_gap == 0;
-    if (!s->smooth || !(s->spacing > 0) || !(whole || s->max_gap > 0))
+    if (!s->smooth || s->error > 0 || !(s->spacing > 0) || !(whole || s->max_gap > 0))
         parts.mean = spacing_of_points(s, points->item, points->n);
     if (!s->smooth)
         parts.flat = wallpoints_part(points->item, points->n, parts.mean, threads);
-    if (!(s->spacing > 0))
+    if (!(s->spacing > 0) && !(s->error > 0))
         s->spacing = spacing_of_cloud(parts.mean);
     return parts;
 }
@@ -322,7 +380,10 @@ static struct made mesh_of(const char *name, const struct settings *settings,
                            int threads, struct mesh *mesh)
 {
     struct made made = {.walls = 0};
-    made.count = make_mesh(name, settings, points, mesh, &made.grid, parts);
+    if (settings->error > 0)
+        made.rows = make_row_mesh(name, settings, parts, points, threads, mesh, &made.grid);
+    else
+        made.count = make_mesh(name, settings, points, mesh, &made.grid, parts);
     if (mesh->face.n == 0)
         return made;
     make_normals(name, settings, points->item, parts->flat, noise, threads, mesh);
@@ -430,6 +491,19 @@ static void extend(const char *name, const struct settings *s, struct vec3s *poi
     say("continued by %g mm beyond the border, by %zu points", s->extend, points->n - n);
 }
 
+static void say_rows(const struct rowmesh *r, double error, bool of_surface)
+{
+    say("%s within %.4f mm of the mesh at worst (at %.3f %.3f %.3f), %.4f mm rms; %zu rows",
+        of_surface ? "the surface that the points stand for is" : "the points are", r->worst,
+        r->at.x, r->at.y, r->at.z, r->rms, r->rows);
+    if (r->beside > 0)
+        note("%zu points beside the mesh, at its borders", r->beside);
+    if (r->bridges > 0)
+        note("left out %zu facets over a hole", r->bridges);
+    if (r->worst > error)
+        note("%g mm would take points closer to each other", error);
+}
+
 int main(int argc, char **argv)
 {
     struct cli cli = {.tool = "cloud2mesh",
@@ -452,11 +526,20 @@ int main(int argc, char **argv)
     left_out += read - points.n;
     if (settings.extend > 0)
         extend(name, &settings, &points, noise, cli.threads);
+    bool of_surface = settings.error > 0 && noise > 0 && !settings.subdivide;
+    double spent = of_surface
+                       ? replace_by_surface(name, &settings, &points, noise, cli.threads)
+                       : NAN;
+    noise = of_surface ? 0 : noise;
     struct made made = settings.subdivide
                            ? mesh_of_parts(name, &settings, &points, noise, cli.threads, &mesh)
                            : best_mesh(name, &settings, &points, noise, cli.threads, &mesh);
+    if (of_surface)
+        mesh.origin.ledger = spent;
     say_left_out(&settings, &made.count);
     say_steep(&settings, &mesh);
+    if (settings.error > 0)
+        say_rows(&made.rows, settings.error, of_surface);
     note("%zu points in, %zu left out; spacing %g mm, %d rows x %d columns; %zu vertices, "
          "%zu facets",
          read, left_out, made.grid.t, made.grid.rows, made.grid.columns, mesh.vertex.n,
@@ -468,5 +551,10 @@ int main(int argc, char **argv)
     out_close(out);
     mesh_free(&mesh);
     array_free(&points);
+    if (settings.error > 0 && made.rows.worst > settings.error)
+        die_unmet("%s: the mesh is off by %.4f mm at %.3f %.3f %.3f, expected %g mm: the points are "
+                  "too far apart there, or it is steep",
+                  name, made.rows.worst, made.rows.at.x, made.rows.at.y, made.rows.at.z,
+                  settings.error);
     return EXIT_DONE;
 }

@@ -215,6 +215,26 @@ body "$TMP/spoilt.ply" >"$TMP/spoilt.body"
 body "$TMP/hole.ply" >"$TMP/hole.body"
 same "outliers in a hole do not close it" "$TMP/hole.body" "$TMP/spoilt.body"
 
+# a mesh from an error
+for e in 0.2 0.05; do
+	mesh "e$e" -e $e "$panel"
+	has "-e $e: it says how far the points are off, and where" \
+		'^cloud2mesh: the points are within 0\.[0-9]* mm of the mesh at worst \(at .*\), 0\.[0-9]* mm rms; [0-9]* rows$' "$TMP/e$e.err"
+	below "-e $e: no more than that" "$(sed -n 's/.*are within \([0-9.]*\) mm.*/\1/p' "$TMP/e$e.err")" "$e"
+done
+below "-e 0.05: with 1300 vertices" "$(number vertex "$TMP/e0.05.ply")" 1300
+result "$([ "$(number vertex "$TMP/e0.2.ply")" -lt "$(number vertex "$TMP/e0.05.ply")" ]; echo $?)" "-e 0.2: with fewer"
+status 0 "-e: meshnorm cuts along its rows" meshnorm -r 8 "$TMP/e0.05.ply"
+mesh "ecoarse" -e 5 -t 2 "$panel"
+has "-e and -t: no farther apart than -t" ' 3[2-9] rows$' "$TMP/ecoarse.err"
+status 0 "-e on a noisy scan" cloud2mesh -e 0.05 "$noisy"
+has "-e on a noisy scan: of the surface" '^cloud2mesh: the surface that the points stand for is within 0\.0[0-4][0-9]* mm of the mesh' "$TMP/err"
+awk 'BEGIN { for (y = 0; y <= 40; y += 0.5) for (x = 0; x <= 40; x += 0.5) print x, y, (x > 20) * 6 }' >"$TMP/step.xyz"
+status 3 "-e: a wall that no facet follows" cloud2mesh -e 0.05 --smooth "$TMP/step.xyz"
+has "-e: a wall that no facet follows: where" 'step\.xyz: the mesh is off by [0-9.]* mm at [12][09]' "$TMP/err"
+has "and the mesh is written" '^end_header' "$TMP/out"
+status 2 "--paper and -e" cloud2mesh --paper -e 0.1 "$panel"
+
 # refusals: nothing on standard output, one line that names the file
 refused() { # DESC REGEX ARGUMENTS...
 	desc=$1 regex=$2

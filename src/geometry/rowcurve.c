@@ -40,33 +40,36 @@ static bool drop_onto(const struct buckets *b, struct vec3 *at, double reach)
     return found;
 }
 
-/* The surface over (x, y) of the grid's axes, from a quadric through the nearest points; where it is
- * off them (an edge), the point nearest there.  False where there are none within `reach`. */
+/* The surface over (x, y) of the grid's axes, from a quadric through the nearest points, few of them
+ * where it bends; where that is off them (an edge), the point nearest there.  False where there are
+ * none within `reach`. */
 static bool surface_at(const struct buckets *b, const struct footprint *f, double x, double y,
                        double reach, double tolerance, struct vec3 *found)
 {
-    enum { FEWEST = 20, MOST = 80 };
-    const double good = 0.25, beside = 0.5;
+    static const size_t count[] = {20, 40, 80, 10};
+    enum { COUNTS = 4, MOST = 80 };
+    const double good = 0.25, fair = 0.5, beside = 0.8;
     uint32_t index[MOST];
     double distance2[MOST];
     struct vec3 near[MOST], at = turn_back(f, x, y);
     struct quadric q;
     if (!drop_onto(b, &at, reach))
         return false;
-    for (size_t k = FEWEST; k <= MOST; k *= 2) {
-        size_t n = buckets_nearest(b, at, k, index, distance2);
+    for (int c = 0; c < COUNTS; c++) {
+        size_t n = buckets_nearest(b, at, count[c], index, distance2);
         for (size_t i = 0; i < n; i++)
             near[i] = b->point[index[i]];
         if (quadric_fit(near, n, at, vec(0, 0, 1), &q) < 0)
             continue;
-        if (quadric_rms(&q, near, n) > good * tolerance)
-            break;
-        *found = vec(x, y, at.z + q.c[0]);
-        return true;
+        if (quadric_rms(&q, near, n) <= (c < COUNTS - 1 ? good : fair) * tolerance) {
+            *found = vec(x, y, at.z + q.c[0]);
+            return true;
+        }
+        if (c < COUNTS - 1)
+            c = COUNTS - 2; /* it bends: the fewest are the last to be tried */
     }
-    struct vec3 p = footprint_turn(f, b->point[index[0]]);
-    *found = p;
-    return fabs(p.x - x) <= beside * reach && fabs(p.y - y) <= beside * reach;
+    *found = footprint_turn(f, b->point[index[0]]);
+    return fabs(found->x - x) <= beside * reach && fabs(found->y - y) <= beside * reach;
 }
 
 static struct candidates find_candidates(const struct buckets *b, const struct footprint *f,

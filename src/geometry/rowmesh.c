@@ -56,6 +56,7 @@ static double cross_above(struct vec3 a, struct vec3 b, struct vec3 p)
 static void measure_face(struct work *w, struct strip *s, struct vec3 a, struct vec3 b,
                          struct vec3 c)
 {
+    const double edge = -1e-9 * w->spacing * w->spacing; /* points on a border belong to it */
     const struct buckets *k = w->buckets;
     struct vec3 normal = vec_unit(vec_cross(vec_sub(b, a), vec_sub(c, a)));
     size_t c0 = buckets_column(k, fmin(a.x, fmin(b.x, c.x)));
@@ -65,7 +66,8 @@ static void measure_face(struct work *w, struct strip *s, struct vec3 a, struct 
     for (size_t r = r0; r <= r1; r++)
         for (size_t i = k->first[r * k->columns + c0]; i < k->first[r * k->columns + c1 + 1]; i++) {
             struct vec3 p = k->point[i];
-            if (cross_above(a, b, p) < 0 || cross_above(b, c, p) < 0 || cross_above(c, a, p) < 0)
+            if (cross_above(a, b, p) < edge || cross_above(b, c, p) < edge ||
+                cross_above(c, a, p) < edge)
                 continue;
             double off = fabs(vec_dot(normal, vec_sub(p, a)));
             w->covered[i] = 1;
@@ -209,6 +211,8 @@ static struct rowmesh sum_up(const struct work *w, struct mesh *mesh)
             result.at = s->at;
         }
     }
+    for (size_t i = 0; i < mesh->col.n; i++)
+        result.columns = mesh->col.item[i] >= result.columns ? mesh->col.item[i] + 1 : result.columns;
     result.rms = points > 0 ? sqrt(sum2 / (double)points) : 0;
     for (size_t i = 0; i < w->buckets->n; i++)
         result.beside += !w->covered[i];
