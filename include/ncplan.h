@@ -105,6 +105,7 @@ struct nc_plan {
     struct { size_t n, cap; struct nc_spline *item; } spline;
     struct { size_t n, cap; struct nc_hole *item; } hole;
     struct nc_total total;
+    bool no_vectors; /* rotary words instead: with vectors the control would find no way */
     bool unmet; /* nc_plan_make failed because the machine cannot get there: exit status 3 */
 };
 

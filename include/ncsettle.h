@@ -15,7 +15,9 @@ struct nc_choice {
 
 /*
  * Brings path and machine into the program's frame and fills the plan.  Holes stay drilling cycles
- * where the tool stands upright in that frame; else they become motions.  -1, and *unmet where the
+ * where the tool stands upright in that frame; else they become motions.  Where vectors, which leave
+ * the rotary axes to the control, find no way within the travel, rotary words are taken, with which
+ * the tool may turn back off the part.  -1, and *unmet where the
  * machine cannot get there: the error says the place.
  */
 int nc_settle(struct nc_program *p, struct nc_plan *plan, struct path *path,

@@ -180,6 +180,8 @@ static void tell(const struct path *path, const struct nc_plan *plan,
             "the smaller step and no dwell");
     if (nc_cutcom_left_out(path, machine, &plan->ability))
         say("CUTCOM: X Y Z are the tool's centre, so the control's radius compensation stays off");
+    if (plan->no_vectors)
+        say("took rotary words: with vectors the control would run out of a rotary axis's travel");
     if (total->turns)
         say("the travel of a rotary axis ran out: retracted, turned and returned %zu times",
             total->turns);

@@ -123,6 +123,15 @@ post "$TMP/splines.cl" fanuc table-ac --set a.min=-30 --set c.min=-360 --set c.m
 ok "inside of a spline too: 2 turns back" test "$(turns)" -eq 2
 has "and its parts are splines" 'G06.2' "$TMP/p.nc"
 
+# Vectors leave the rotary axes to the control, which cannot turn back: rotary words then
+spiral 5 50 72 33 -1 POINTS >"$TMP/spiral.cl"
+for control in fanuc-vectors siemens heidenhain-vectors; do
+	post "$TMP/spiral.cl" $control table-ac --set a.min=-30 --set c.min=-360 --set c.max=360
+	ok "$control: 2 turns back" test "$(turns)" -eq 2
+done
+status 0 "without such an end vectors stay" ncpost -c siemens -o "$TMP/v.mpf" "$TMP/spiral.cl"
+has "and are vectors" ' A3=.* B3=.* C3=' "$TMP/v.mpf"
+
 # The tip all but stands while the tool axis turns: what is beside what is said by both alike
 awk 'BEGIN {
 	seed = 4; rad = atan2(0, -1) / 180; x = 20; th = 0.3

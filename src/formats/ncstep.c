@@ -33,12 +33,34 @@ static struct deviation block_deviation(const struct nc_step *step, const struct
     return follow_block(f, &state->at, &to->at, motion, s0, s1);
 }
 
+/*
+ * Vectors leave the rotary axes to the control, which goes on with them as they stand: where they
+ * could only follow by way of another solution or whole turns back, the block cannot be.  Beside
+ * the singular direction they may turn far while the tool hardly does.
+ */
+static bool turns_back(const struct nc_step *step, const struct stance *to,
+                       const struct motion *motion, double s0, double s1)
+{
+    const struct station *at = &step->state.at;
+    struct follow rotary = step->follow;
+    double most = 0;
+    for (int i = 0; i < rotary.chain->n; i++)
+        most = fmax(most, fabs(to->at.q[i] - at->q[i]));
+    if (step->follow.mode != FOLLOW_VECTOR || most < PI / 2)
+        return false;
+    rotary.mode = FOLLOW_ROTARY;
+    double great = vec_angle(motion_at(motion, s0).a, motion_at(motion, s1).a);
+    return follow_block(&rotary, at, &to->at, motion, s0, s1).axis > great + RADIANS(1);
+}
+
 /* The same for every way in which the control may turn the axis. */
 static struct deviation deviation_of(const struct nc_step *step, const struct stance *to,
                                      const struct motion *motion, double s0, double s1,
                                      struct deviation allowed)
 {
     struct follow other = step->follow;
+    if (allowed.axis < HUGE_VAL && turns_back(step, to, motion, s0, s1))
+        return (struct deviation){HUGE_VAL, HUGE_VAL};
     struct deviation d = block_deviation(step, &other, to, motion, s0, s1, allowed);
     if (step->plan->ability.doubtful && deviation_within(d, allowed)) {
         other.mode = FOLLOW_ROTARY;
@@ -205,12 +227,13 @@ static int spline(struct nc_step *step, const struct motion *motion)
     return 0;
 }
 
-/* The whole of a straight motion as one block, where a bound shows that it may; 1: it may not. */
+/* The whole of a straight motion as one block of rotary words, where a bound shows that it may; 1:
+ * it may not. */
 static int one_block(struct nc_step *step, struct pose to)
 {
     const struct nc_state *state = &step->state;
     struct stance from = {state->at, state->turned}, stance;
-    if (step->plan->ability.doubtful || nc_reach(step, to, &stance) != 0)
+    if (step->follow.mode == FOLLOW_VECTOR || nc_reach(step, to, &stance) != 0)
         return 1;
     struct deviation d =
         follow_line(&step->follow, &from, &stance, state->pose, to, step->allowed);
