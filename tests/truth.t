@@ -25,23 +25,56 @@ done
 
 # Guarded by the scan, on the points and along all that is fitted, arcs and curves: no deeper in the
 # panel than the tolerance and what the scan's noise is good for.
-for noise in "" _noise; do
-	scan=panel$noise.xyz allowed=0.0105
-	case $noise in
-	_noise) allowed=0.04
-		awk 'BEGIN { srand(7) } { s = 0; for (i = 0; i < 12; i++) s += rand()
-			printf "%.4f %.4f %.4f\n", $1, $2, $3 + 0.02 * (s - 6) }' "$panel" >$scan ;;
-	*) cp "$panel" $scan ;;
-	esac
-	ok "$scan: a mesh" cloud2mesh -q -t 4 -o guarded.ply $scan
-	status 0 "a path clear of it" meshnorm -q -r 8 -g $scan -o guarded.cl guarded.ply
+awk 'BEGIN { seed = 7 } { s = 0
+	for (i = 0; i < 12; i++) { seed = (seed * 16807) % 2147483647; s += seed / 2147483647 }
+	printf "%.4f %.4f %.4f\n", $1, $2, $3 + 0.02 * (s - 6) }' "$panel" >noise.xyz
+ok "a noisy scan: a mesh" cloud2mesh -q -t 4 -o guarded.ply noise.xyz
+status 0 "a path clear of it" meshnorm -q -r 8 -g noise.xyz -o guarded.cl guarded.ply
+for fitter in biarcfit bsplfit; do
+	status 0 "$fitter: clear of it too" $fitter -v -e 0.01 -g noise.xyz -o fitted.cl guarded.cl
+	has "looked at again" 'guarded by 17036 points' err
+	status 0 "$fitter: 0.04 mm deep in the panel at most, anywhere" \
+		"$READBACK" --panel --deeper 0.04 fitted.cl
+	grep ball out | sed 's/^/# /'
+done
+
+# Other shapes, whose points are worked out here: SHAPE SIGMA makes a scan, without sigma the truth
+# that it is judged by, finely.
+shape() {
+	awk -v shape="$1" -v sigma="${2:-0}" -v step="${3:-0.25}" -v edge="${4:-13}" 'BEGIN {
+		seed = 7
+		for (x = -edge; x <= edge + 1e-9; x += step) for (y = -edge; y <= edge + 1e-9; y += step) {
+			if (shape == "bowl") { z = (x * x + y * y) / 20; u = x / 10; v = y / 10 }
+			else { z = (x * x - y * y) / 40; u = x / 20; v = -y / 20 }
+			g = 0
+			for (k = 0; k < 12 && sigma > 0; k++) {
+				seed = (seed * 16807) % 2147483647
+				g += seed / 2147483647
+			}
+			g = sigma > 0 ? sigma * (g - 6) / sqrt(1 + u * u + v * v) : 0
+			printf "%.4f %.4f %.4f\n", x - g * u, y - g * v, z + g
+		}
+	}'
+}
+for what in saddle bowl; do
+	shape $what "" 0.1 11 >$what.true
+	shape $what 0.02 0.5 >$what.xyz
+done
+# ball, depth allowed: the tolerance and one and a half sigma; a ball of 12 does not fit the bowl
+for what in saddle:8:0 bowl:12:3; do
+	set -- $(echo $what | tr : ' ')
+	ok "$1: a mesh" cloud2mesh -q -t 1.5 -o shape.ply "$1.xyz"
+	status "$3" "$1, a ball of $2" meshnorm -q -r "$2" --scallop 0.02 -g "$1.xyz" -o shape.cl shape.ply
 	for fitter in biarcfit bsplfit; do
-		status 0 "$fitter: clear of it too" $fitter -v -e 0.01 -g $scan -o fitted.cl guarded.cl
-		has "looked at again" 'guarded by 17036 points' err
-		status 0 "$fitter: $allowed mm deep in the panel at most, anywhere" \
-			"$READBACK" --panel --deeper $allowed fitted.cl
-		grep ball out | sed 's/^/# /'
+		status 0 "$1, $fitter" $fitter -q -e 0.01 -g "$1.xyz" -o fitted.cl shape.cl
+		status 0 "$1, ball of $2, $fitter: no deeper than 0.04 mm in what is true" \
+			"$READBACK" --scan "$1.true" --deeper 0.04 fitted.cl
+		grep ^ball: out | sed 's/^/# /'
 	done
+	ok "$1: a program" ncpost -q -c siemens -o program.mpf fitted.cl
+	if [ "$3" = 0 ]; then
+		status 0 "$1: and leaves no more than 0.06 mm" ncverify -q -r "$2" -g "$1.true" -e 0.04 --left 0.06 program.mpf
+	fi
 done
 
 # A scan that a run can't be kept clear of: its end stays where it was.
