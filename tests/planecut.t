@@ -235,6 +235,48 @@ for mesh in one-flipped all-flipped doubled degenerate; do
 	has "which is said" 'turned|twice|without area' err
 done
 
+# ---- vertices on planes, facets in them, twice, three on an edge, none: a plane z = x / 2 of 10 x 10
+# cells, whose lines of vertices are the planes themselves: 21 points a pass, 11 on the border
+
+slope() { # FACETS-OUT (a condition on column i and row j) MORE-VERTEX MORE-FACETS...
+	awk -v out="$1" -v vertex="$2" -v more="$3" 'BEGIN {
+		for (j = 0; j < 10; j++) for (i = 0; i < 10; i++) {
+			if (out && i >= 3 && i <= 6 && j >= 3 && j <= 6) continue
+			a = 11 * j + i; face[f++] = a " " a + 1 " " a + 12; face[f++] = a " " a + 12 " " a + 11 }
+		if (more == "twice") { m = f; for (k = 0; k < 20; k++) face[m++] = face[k]; f = m }
+		if (more == "third") face[f++] = "60 61 121"
+		print "ply\nformat ascii 1.0\nelement vertex " 121 + (vertex != "")
+		print "property double x\nproperty double y\nproperty double z\nelement face " f
+		print "property list uchar int vertex_indices\nend_header"
+		for (j = 0; j <= 10; j++) for (i = 0; i <= 10; i++) print i, j, i / 2
+		if (vertex != "") print vertex
+		for (k = 0; k < f; k++) print 3, face[k] }'
+}
+slope_is() { # DESC POINTS: all on the slope, with its normal
+	cuts slope.cl | awk -v want="$2" '{ d = $10 - $8 / 2; e = $11 + 0.447213595; if (d * d > 1e-12 || e * e > 1e-16) bad++ }
+		END { print NR == want ? bad + 0 : "points " NR }' >figures
+	below "$1: $2 points, all on the slope" "$(cat figures)" 0
+}
+slope 0 "" "" >slope.ply
+for s in 1 0.5; do
+	status 0 "planes through vertices, step $s" planecut -q -r 1 -s $s --fixed 0,0,1 -o slope.cl slope.ply
+	slope_is "step $s" "$(awk -v s=$s 'BEGIN { print 11 + 21 * 10 / s }')"
+done
+slope 0 "" twice >slope.ply
+status 0 "facets twice" planecut -q -r 1 -s 1 --fixed 0,0,1 -o slope.cl slope.ply
+slope_is "facets twice" 221
+slope 1 "" "" >slope.ply
+status 0 "a hole" planecut -q -r 1 -s 1 --fixed 0,0,1 -o slope.cl slope.ply
+slope_is "a hole" 193
+slope 0 "5 5 9" third >slope.ply
+status 0 "an edge of three facets" planecut -r 1 -s 1 --paper --fixed 0,0,1 -o slope.cl slope.ply
+has "is told" 'more than two facets' err
+has "and the path is whole" '^FINI$' slope.cl
+slope 0 "" "" >slope.ply
+status 1 "planes along the facets" planecut -r 1 -s 1 --plane -1,0,2 slope.ply
+has "cross nothing" 'nothing that the planes cross' err
+empty "and nothing is written" out
+
 # ---- the panel, all the way: two fitters, two controls, three and five axes
 
 cloud2mesh -q -t 2 -o panel.ply "$panel"
