@@ -10,13 +10,14 @@
 
 enum { FEET_KINDS = 3 };
 
-/* The curve at a foot, as the two points and the axis, with derivatives of the two points. */
-struct stance {
+/* The curve at a foot. */
+struct foothold {
     size_t span;
-    struct vec3 point, speed, bend; /* of the tracked point, and its derivatives */
-    struct vec3 reach;              /* head - point */
-    struct vec3 other, other_speed;
-    struct vec3 axis;
+    double u;
+    struct vec3 off;   /* from the place to the curve, mm */
+    struct vec3 along; /* unit: its direction */
+    struct vec3 axis;  /* unit, with a turning axis only */
+    double reach;      /* and from the point to the head, mm */
 };
 
 struct feet {
@@ -24,8 +25,9 @@ struct feet {
     double *v;   /* of the other end of the radius; NULL with a fixed axis */
     double *off; /* for each place, FEET_KINDS (with a fixed axis 1) in turn: distance of the point,
                     distance of the other end, angle of the axis times tolerance / angle, mm */
-    double worst; /* the largest of these, mm */
-    size_t where; /* and its place */
+    struct foothold *point, *other; /* at u and v, as they were last followed to */
+    double worst;                   /* the largest of `off`, mm */
+    size_t where;                   /* and its place */
 };
 
 /* How many distances each place has. */
@@ -33,14 +35,13 @@ size_t feet_kinds(const struct target *target);
 
 struct feet feet_new(const struct target *target);
 void feet_free(struct feet *feet);
-void feet_copy(struct feet *to, const struct feet *from, const struct target *target);
 
-struct stance stance_at(const struct spanform *form, const struct target *target, size_t near,
-                        double u);
+/* Copies where the feet stand, u and v, and the largest distance; not what is to be found there. */
+void feet_copy(struct feet *to, const struct feet *from, const struct target *target);
 
 /*
  * Newton's steps from the feet as they are (at most half a span each, so that no foot jumps to
- * another branch), then the distances.
+ * another branch; until they are small against the distance), then the distances.
  */
 void feet_follow(const struct spanform *form, const struct target *target, struct feet *feet);
 

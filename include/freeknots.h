@@ -19,10 +19,12 @@ struct freeknots_options {
  * where the last curve was worst, knots equally spaced, spread by the fourth root of the fourth
  * derivative, their mean; from 12 poles on a quarter more each time, and then by bisection.  From
  * the curve found, each knot in turn is tried to be left out.
- * A curve serves when proof_within holds on its printed digits; true then, with *curve and its
- * *proof.  False when none with less than a pole for every second point does.
+ * A curve serves when proof_keeps holds on its printed digits; true then, with *curve and its
+ * *proof.  False when none with at most 16 poles, or a pole for every fourth point, does.
+ * The work is bounded, by the number of points; *cut tells that the bound was reached, so that
+ * fewer poles might do.
  */
 bool freeknots_search(const struct track *track, const struct freeknots_options *options,
-                      struct bspline *curve, struct proof *proof);
+                      struct bspline *curve, struct proof *proof, bool *cut);
 
 #endif

@@ -2,9 +2,7 @@
  * knotstep - Gauss-Newton steps of a B-spline's poles and inner knots together.
  *
  * What is to become small is the sum of off^power over all places of a target, off the distance at
- * the foot points.  Moving a foot along the curve changes nothing of the first order, so that only
- * what is perpendicular to the curve counts; the weights are off^(power - 2), and with d the
- * direction of the distance the Hessian is that of a norm, weight (J'J + (power - 2) (J'd)(J'd)').
+ * the foot points (pull.h).
  */
 #ifndef CLOUDMILL_KNOTSTEP_H
 #define CLOUDMILL_KNOTSTEP_H
@@ -20,13 +18,14 @@ struct knotstep {
     struct band factor;
     double *right, *step; /* their right-hand side, their solution */
     double *scale;        /* what the damping of each unknown is measured by */
+    double *moments;      /* of all spans (moments.h) */
 };
 
 /* For curves of this degree, number of poles, and with a head or without. */
 struct knotstep knotstep_new(const struct bspline *curve);
 void knotstep_free(struct knotstep *s);
 
-/* Sets up the equations.  `power` is even. */
+/* Sets up the equations, at feet that were followed on the curve of `form`.  `power` is even. */
 void knotstep_equations(struct knotstep *s, const struct spanform *form,
                         const struct target *target, const struct feet *feet, int power);
 

@@ -18,7 +18,6 @@ struct splinefit_options {
     int degree;       /* 1 to BSPLINE_DEGREE_MAX, as a rule 3 */
     int params;       /* one enum params_method, or -1: all */
     int knots;        /* one enum knots_method, or -1: all */
-    bool free;        /* free knots whatever the data and the cost */
     double tolerance; /* mm */
     double angle;     /* of the axis, radians */
 };
@@ -38,6 +37,7 @@ struct splinefit {
     struct deviation deviation; /* of the tracked point, by the paper's measures */
     struct proof proof;         /* distance both ways */
     bool within;                /* what the search promises holds */
+    bool cut;                   /* it took too long: fewer poles might do */
 };
 
 /*
@@ -50,12 +50,11 @@ void splinefit_paper(const struct track *track, const struct splinefit_options *
                      struct splinefit *fit);
 
 /*
- * The default: a straight line; else 5, 10, 15 ... poles (from 40 on a quarter more each time)
- * until proof_within holds for a combination.  Then what freeknots_search finds; where that finds
- * nothing, and when `params` or `knots` are given: the least count above the last that failed, by
- * bisection. Free knots cost a hundredfold: unless `free` asks for them they are searched for only
- * where the axis is fixed and the data not so rough that a pole, of more than 40, serves fewer than
- * eight points.  Degree 1 with a pole at each point when nothing else serves.
+ * The default: a straight line; else what freeknots_search finds.  Where that finds nothing, where
+ * it was cut short and this is better, and when `params` or `knots` are given: 5, 10, 15 ... poles
+ * (from 40 on a quarter more each time) until proof_keeps holds for a combination, then the least
+ * count above the last that failed, by bisection.  Degree 1 with a pole at each point when nothing
+ * else serves.
  */
 void splinefit_search(const struct track *track, const struct splinefit_options *options,
                       struct splinefit *fit);

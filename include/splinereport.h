@@ -12,6 +12,7 @@
 struct splinereport {
     size_t points, splines, poles;
     size_t polylines;           /* splines that fell back to degree 1 with a pole at each point */
+    size_t cut;                 /* curves whose search was cut short */
     struct deviation deviation; /* the largest of each */
     struct proof worst;         /* the largest of each */
     double spent;               /* of the tolerance, mm: the worst distance, and what the making

@@ -62,8 +62,8 @@ static void read_options(int argc, char **argv, struct cli *cli, struct settings
          CLI_NUMBER, &s->guard.noise, 0, 10, 0, NULL},
         {0, "axis-tolerance", "DEG", "largest error of the tool axis, degrees (1)", CLI_NUMBER,
          &angle, 0.001, 45, 0, NULL},
-        {0, "degree", "P", "degree of the curves (3)", CLI_COUNT, &s->fit.degree, 1,
-         BSPLINE_DEGREE_MAX, 0, NULL},
+        {0, "degree", "P", "degree of the curves, 2 to 5 (3); a straight line has 1", CLI_COUNT,
+         &s->fit.degree, 2, 5, 0, NULL},
         {0, "points", "same|tip|centre|contact",
          "what the control points stand for: the tip, the ball's centre, or\n"
          "the contact points, to study (the same as in the path)",
@@ -71,8 +71,7 @@ static void read_options(int argc, char **argv, struct cli *cli, struct settings
         {0, "params", "all|uniform|centripetal|chord", "parameters of the points (all)", CLI_CHOICE,
          &params, 0, 0, 0, NULL},
         {0, "knots", "all|uniform|average|free",
-         "knots of the curves (all; and free where the axis is fixed and\n"
-         "the data smooth); free: everywhere, for the fewest control points",
+         "knots of the curves (all: free, or what serves where they don't)",
          CLI_CHOICE, &knots, 0, 0, 0, NULL},
         {0, "paper", NULL,
          "as published: the points as they are, 5 control points and 5 more\n"
@@ -87,8 +86,7 @@ static void read_options(int argc, char **argv, struct cli *cli, struct settings
     if (cli->files > 1)
         die_usage("%d files, expected one path", cli->files);
     s->fit.params = params - 1;
-    s->fit.free = knots == 3;
-    s->fit.knots = s->fit.free ? -1 : knots - 1;
+    s->fit.knots = knots == 3 ? -1 : knots - 1;
     s->fit.angle = RADIANS(angle);
     if (!tolerance_given)
         say("tolerance %g mm (-e)", s->fit.tolerance);
@@ -275,6 +273,8 @@ int main(int argc, char **argv)
          "ball %.6f mm, axis %.4f degrees",
          r.points, jobs.n, r.splines, r.poles, splinereport_fewer(r.points, r.poles), r.worst.point,
          r.worst.other, DEGREES(r.worst.axis));
+    if (r.cut > 0)
+        note("%zu curves took too long: with more time fewer control points might do", r.cut);
     int guarded = pathguard_conclude(&settings.guard);
     pathguard_free(&settings.guard);
     free_jobs(&jobs);

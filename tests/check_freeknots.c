@@ -53,8 +53,9 @@ static size_t poles_of(struct run *run, const struct freeknots_options *options)
     struct bspline curve;
     struct proof proof;
     size_t poles = 0;
+    bool cut;
 
-    if (freeknots_search(&t, options, &curve, &proof)) {
+    if (freeknots_search(&t, options, &curve, &proof, &cut)) {
         poles = curve.poles;
         ck_assert_int_eq(curve.degree, options->degree);
         ck_assert_double_le(proof.point, options->tolerance);

@@ -167,6 +167,8 @@ int main(void)
     Suite *suite = suite_create("proof");
     TCase *tests = tcase_create("proof");
 
+    tcase_set_timeout(tests, 60);
+
     tcase_add_test(tests, never_below_the_truth);
     tcase_add_test(tests, the_axis_at_matching_places);
     tcase_add_test(tests, printed_digits_and_length);

@@ -22,7 +22,6 @@ START_TEST(within_by_brute_force)
 
         o.tolerance = turn < 2 ? 0.01 : 0.05;
         o.degree = 3 + turn % 3;
-        o.free = true;
         splinefit_search(&t, &o, &fit);
         ck_assert(fit.within && fit.kind == SPLINEFIT_FREE && fit.curve.degree == o.degree);
         ck_assert_double_le(trial_brute_force(&fit.curve, &t, false), o.tolerance);

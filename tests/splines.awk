@@ -2,7 +2,7 @@
 #
 #	awk -f splines.awk POINTS.cl SPLINES.cl
 #
-# A reader of its own: de Boor's algorithm on the printed numbers, 400 places on each curve, the
+# A reader of its own: de Boor's algorithm on the printed numbers, 1600 places on each curve, the
 # distance both ways to the polyline of the points.  Both files hold the same runs, parted by RAPID.
 # Prints the largest distance, mm.
 
@@ -25,10 +25,10 @@ line ~ /^GOTO/ && !inside {
 	}
 }
 
-# The curve at 400 places: way[k, c].
+# The curve at 1600 places: way[k, c].
 function curve(  k, u, i, c, r, j, a, span) {
-	for (k = 0; k <= 400; k++) {
-		u = knot[1] + (knot[knots] - knot[1]) * k / 400
+	for (k = 0; k <= 1600; k++) {
+		u = knot[1] + (knot[knots] - knot[1]) * k / 1600
 		for (span = order; span < poles && knot[span + 1] <= u; span++) ;
 		for (c = 1; c <= 3; c++) {
 			for (i = 0; i < order; i++) d[i] = pole[3 * (span - order + i) + c]
@@ -52,7 +52,7 @@ function from_piece(px, py, pz, ax, ay, az, bx, by, bz,  t, l) {
 }
 
 function compare(  k, i, best, off) {
-	for (k = 0; k <= 400; k += 8) {
+	for (k = 0; k <= 1600; k += 32) {
 		best = 1e30
 		for (i = 1; i < count[run]; i++) {
 			off = from_piece(way[k, 1], way[k, 2], way[k, 3], data[run, i, 1], data[run, i, 2],
@@ -63,7 +63,7 @@ function compare(  k, i, best, off) {
 	}
 	for (i = 1; i <= count[run]; i += 7) {
 		best = 1e30
-		for (k = 0; k < 400; k++) {
+		for (k = 0; k < 1600; k++) {
 			off = from_piece(data[run, i, 1], data[run, i, 2], data[run, i, 3], way[k, 1], way[k, 2],
 				way[k, 3], way[k + 1, 1], way[k + 1, 2], way[k + 1, 3])
 			if (off < best) best = off

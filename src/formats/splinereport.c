@@ -56,6 +56,7 @@ void splinereport_add(struct splinereport *report, size_t pass, const struct spl
     report->splines++;
     report->poles += poles;
     report->polylines += fit->kind == SPLINEFIT_POLYLINE;
+    report->cut += fit->cut;
     keep_largest(&report->deviation.c1, fit->deviation.c1);
     keep_largest(&report->deviation.c2, fit->deviation.c2);
     keep_largest(&report->deviation.rms, fit->deviation.rms);

@@ -1,9 +1,5 @@
 /*
- * knotstep - banded normal equations by the moments of each span.
- *
- * In a span everything that acts is a polynomial in s: the derivative of the curve by an unknown is
- * sum_k c_k s^k.  So the places of a span need not be taken one by one: with the moments
- * S_m = sum s^m W over them, element (i, j) is  sum_kl c_ik' S_(k+l) c_jl.
+ * knotstep - banded normal equations, summed up span by span.
  */
 #include "knotstep.h"
 
@@ -11,24 +7,11 @@
 #include <string.h>
 
 #include "array.h"
+#include "moments.h"
 
-enum {
-    ORDER = BSPLINE_DEGREE_MAX + 1,
-    WIDTH = 6,
-    COLUMNS = ORDER * WIDTH + 2 * BSPLINE_DEGREE_MAX
-};
+enum { ORDER = BSPLINE_DEGREE_MAX + 1, SLOPES = 2 * BSPLINE_DEGREE_MAX };
 
 static const double APPROACH = 0.4; /* of the way to its neighbour, at most, for a knot in a step */
-
-/* W and g of the quadratic form  x' W x / 2 + g' x  that one place adds, x a movement of point and
- * head there. */
-struct form {
-    double w[WIDTH][WIDTH], g[WIDTH];
-};
-
-struct moments {
-    double w[2 * ORDER][WIDTH][WIDTH], g[ORDER][WIDTH];
-};
 
 struct knotstep knotstep_new(const struct bspline *curve)
 {
@@ -52,6 +35,8 @@ struct knotstep knotstep_new(const struct bspline *curve)
     s.right = mem_alloc(at, sizeof *s.right);
     s.step = mem_alloc(at, sizeof *s.step);
     s.scale = mem_alloc(at, sizeof *s.scale);
+    s.moments = mem_alloc((curve->poles - p) * moments_size(curve->degree, (int)width),
+                          sizeof *s.moments);
     return s;
 }
 
@@ -64,205 +49,149 @@ void knotstep_free(struct knotstep *s)
     free(s->right);
     free(s->step);
     free(s->scale);
+    free(s->moments);
     *s = (struct knotstep){0};
 }
 
-/* r^(power / 2 - 1), the weight of a place whose square is r times the largest. */
-static double weight_of(double r, int power)
+/* All places' pulls, each into its span. */
+static void sum_moments(struct knotstep *s, const struct spanform *form,
+                        const struct target *target, const struct feet *feet, int power)
 {
-    double w = 1;
+    int degree = form->degree, width = form->width;
+    size_t size = moments_size(degree, width);
+    struct pull pull;
 
-    for (int k = power / 2 - 1; k > 0; k /= 2, r *= r)
-        if (k % 2 == 1)
-            w *= r;
-    return w;
-}
-
-/* weight (I - tt' + (power - 2) dd') for the distance `off`, perpendicular to the speed. */
-static void norm_form(struct vec3 off, struct vec3 speed, double weight, int power, double w[3][3],
-                      double g[3])
-{
-    struct vec3 t = vec_unit(speed), d;
-
-    off = vec_reject(off, t);
-    d = vec_unit(off);
-    double tv[3] = {t.x, t.y, t.z}, dv[3] = {d.x, d.y, d.z}, o[3] = {off.x, off.y, off.z};
-    for (int i = 0; i < 3; i++) {
-        g[i] = weight * o[i];
-        for (int j = 0; j < 3; j++)
-            w[i][j] = weight * ((i == j) - tv[i] * tv[j] + (power - 2) * dv[i] * dv[j]);
-    }
-}
-
-/* Adds the form of a movement A x_point + B x_head, B = part (I - aa'), A = whole I - B. */
-static void add_turned(struct form *f, double w[3][3], const double g[3], double whole, double part,
-                       struct vec3 axis)
-{
-    double a[3] = {axis.x, axis.y, axis.z}, m[3][WIDTH];
-
-    for (int i = 0; i < 3; i++)
-        for (int j = 0; j < 3; j++) {
-            double b = part * ((i == j) - a[i] * a[j]);
-            m[i][j] = whole * (i == j) - b;
-            m[i][j + 3] = b;
-        }
-    for (int i = 0; i < WIDTH; i++)
-        for (int k = 0; k < 3; k++) {
-            double mw = m[0][i] * w[0][k] + m[1][i] * w[1][k] + m[2][i] * w[2][k];
-            for (int j = 0; j < WIDTH; j++)
-                f->w[i][j] += mw * m[k][j];
-            f->g[i] += m[k][i] * g[k];
+    memset(s->moments, 0, form->spans * size * sizeof *s->moments);
+    for (size_t k = 1; k + 1 < target->n; k++)
+        for (int other = 0; other <= (target->axis != NULL); other++) {
+            const struct foothold *at = other ? &feet->other[k] : &feet->point[k];
+            pull_of(target, feet, k, other, power, &pull);
+            moments_add(&s->moments[at->span * size], degree, width,
+                        spanform_place(form, at->span, at->u), &pull);
         }
 }
 
-static double weight_at(const struct feet *feet, size_t i, int power)
-{
-    double r = feet->off[i] / feet->worst;
-    return weight_of(r * r, power);
-}
-
-/* Nothing else holds the head at its distance: a little. */
-static void add_length(struct form *f, const struct stance *s)
-{
-    static const double hold = 1e-6;
-    double a[3] = {s->axis.x, s->axis.y, s->axis.z};
-    double off = vec_length(s->reach) - TRACK_LENGTH;
-
-    for (int i = 0; i < 3; i++) {
-        f->g[i] -= hold * off * a[i];
-        f->g[i + 3] += hold * off * a[i];
-        for (int j = 0; j < 3; j++) {
-            double w = hold * a[i] * a[j];
-            f->w[i][j] += w;
-            f->w[i + 3][j + 3] += w;
-            f->w[i][j + 3] -= w;
-            f->w[i + 3][j] -= w;
-        }
-    }
-}
-
-static void point_form(const struct target *target, const struct feet *feet, size_t k,
-                       const struct stance *s, int power, struct form *f)
-{
-    double w[3][3], g[3];
-
-    norm_form(vec_sub(s->point, target->point[k]), s->speed,
-              weight_at(feet, k * feet_kinds(target), power), power, w, g);
-    for (int i = 0; i < 3; i++) {
-        f->g[i] += g[i];
-        for (int j = 0; j < 3; j++)
-            f->w[i][j] += w[i][j];
-    }
-}
-
-static void other_form(const struct target *target, const struct feet *feet, size_t k,
-                       const struct stance *s, int power, struct form *f)
-{
-    double w[3][3], g[3];
-
-    norm_form(vec_sub(s->other, target->other[k]), s->other_speed,
-              weight_at(feet, k * FEET_KINDS + 1, power), power, w, g);
-    add_turned(f, w, g, 1, target->offset / vec_length(s->reach), s->axis);
-}
-
-static void axis_form(const struct target *target, const struct feet *feet, size_t k,
-                      const struct stance *s, int power, struct form *f)
-{
-    double w[3][3], g[3], scale = target->tolerance / target->angle;
-    struct vec3 off = vec_scale(scale, vec_sub(s->axis, target->axis[k]));
-
-    norm_form(off, vec(0, 0, 0), weight_at(feet, k * FEET_KINDS + 2, power), power, w, g);
-    add_turned(f, w, g, 0, scale / vec_length(s->reach), s->axis);
-    add_length(f, s);
-}
-
-static void add_moments(struct moments *m, int degree, int width, double s, const struct form *f)
-{
-    double power = 1;
-
-    for (int k = 0; k <= 2 * degree; k++) {
-        for (int i = 0; i < width; i++)
-            for (int j = 0; j < width; j++)
-                m->w[k][i][j] += power * f->w[i][j];
-        for (int i = 0; k <= degree && i < width; i++)
-            m->g[k][i] += power * f->g[i];
-        power *= s;
-    }
-}
-
-/* The columns of a span: how point and head move with each unknown, by powers of s. */
-struct columns {
-    int n;
-    size_t unknown[COLUMNS];
-    double c[COLUMNS][ORDER][WIDTH];
+/* One span while its part of the equations is added. */
+struct part {
+    const struct spanform *form;
+    const double *moments;
+    size_t span, poles;
 };
 
-static void span_columns(const struct knotstep *s, const struct spanform *form, size_t poles,
-                         size_t span, struct columns *columns)
+static bool is_inner(const struct part *part, size_t i)
 {
-    size_t p = (size_t)form->degree, order = p + 1, width = (size_t)form->width;
-
-    columns->n = 0;
-    for (size_t i = span == 0 ? 1 : 0; i <= p && span + i + 1 < poles; i++)
-        for (size_t w = 0; w < width; w++) {
-            columns->unknown[columns->n] = s->pole[span + i] + w;
-            double(*c)[WIDTH] = columns->c[columns->n++];
-            for (size_t k = 0; k <= p; k++) {
-                memset(c[k], 0, sizeof c[k]);
-                c[k][w] = form->basis[(span * order + i) * order + k];
-            }
-        }
-    for (size_t i = 0; i < 2 * p; i++) {
-        size_t j = span + 1 + i;
-        if (j <= p || j >= poles)
-            continue;
-        columns->unknown[columns->n] = s->knot[j];
-        double(*c)[WIDTH] = columns->c[columns->n++];
-        for (size_t k = 0; k <= p; k++)
-            memcpy(c[k], &form->slope[((span * 2 * p + i) * order + k) * width],
-                   width * sizeof(double));
-    }
+    return part->span + i > 0 && part->span + i + 1 < part->poles;
 }
 
-/* y_k = sum_l S_(k+l) c_l */
-static void times_moments(const struct moments *m, int degree, int width, double c[ORDER][WIDTH],
-                          double y[ORDER][WIDTH])
-{
-    for (int k = 0; k <= degree; k++)
-        for (int i = 0; i < width; i++) {
-            double sum = 0;
-            for (int l = 0; l <= degree; l++)
-                for (int j = 0; j < width; j++)
-                    sum += m->w[k + l][i][j] * c[l][j];
-            y[k][i] = sum;
-        }
-}
-
-static double times(int degree, int width, double a[ORDER][WIDTH], double b[ORDER][WIDTH])
+static double product(int n, const double *a, const double *b)
 {
     double sum = 0;
 
-    for (int k = 0; k <= degree; k++)
-        for (int i = 0; i < width; i++)
-            sum += a[k][i] * b[k][i];
+    for (int i = 0; i < n; i++)
+        sum += a[i] * b[i];
     return sum;
 }
 
-static void add_span(struct knotstep *s, const struct spanform *form, struct moments *m,
-                     struct columns *columns)
+/* Elements of pole i of the span with the poles up to it; t: its moments (moments_of_basis). */
+static void add_poles(struct knotstep *s, const struct part *part, size_t i, const double *t)
 {
-    int degree = form->degree, width = form->width;
-    double y[ORDER][WIDTH];
+    size_t width = (size_t)part->form->width, order = (size_t)part->form->degree + 1;
+    const double *basis = &part->form->basis[part->span * order * order];
 
-    for (int i = 0; i < columns->n; i++) {
-        size_t row = columns->unknown[i];
-        times_moments(m, degree, width, columns->c[i], y);
-        s->right[row] -= times(degree, width, columns->c[i], m->g);
-        for (int j = 0; j < columns->n; j++)
-            if (columns->unknown[j] <= row)
-                *band_at(&s->normal, row, columns->unknown[j]) +=
-                    times(degree, width, columns->c[j], y);
+    for (size_t j = 0; j <= i; j++) {
+        double sum[PULL_WIDTH * PULL_WIDTH] = {0};
+        if (!is_inner(part, j))
+            continue;
+        for (size_t l = 0; l < order; l++)
+            for (size_t e = 0; e < width * width; e++)
+                sum[e] += basis[j * order + l] * t[l * width * width + e];
+        for (size_t v = 0; v < width; v++)
+            for (size_t w = 0; w < (i == j ? v + 1 : width); w++)
+                *band_at(&s->normal, s->pole[part->span + i] + v, s->pole[part->span + j] + w) +=
+                    sum[v * width + w];
     }
+}
+
+/* An element, wherever of the two is the later. */
+static void add_element(struct band *band, size_t i, size_t j, double value)
+{
+    *(i >= j ? band_at(band, i, j) : band_at(band, j, i)) += value;
+}
+
+/* The knots that act in a span and how the curve moves with each. */
+struct slopes {
+    int n;
+    size_t unknown[SLOPES];
+    const double *c[SLOPES];
+};
+
+static struct slopes span_slopes(const struct knotstep *s, const struct part *part)
+{
+    size_t p = (size_t)part->form->degree, room = (p + 1) * (size_t)part->form->width;
+    struct slopes slopes = {0};
+
+    for (size_t i = 0; i < 2 * p; i++) {
+        size_t j = part->span + 1 + i;
+        if (j <= p || j >= part->poles)
+            continue;
+        slopes.unknown[slopes.n] = s->knot[j];
+        slopes.c[slopes.n++] = &part->form->slope[(part->span * 2 * p + i) * room];
+    }
+    return slopes;
+}
+
+/* Elements of a pole with the knots. */
+static void add_pole_knots(struct knotstep *s, const struct part *part, size_t i, const double *t,
+                           const struct slopes *slopes)
+{
+    int width = part->form->width, order = part->form->degree + 1;
+    size_t first = s->pole[part->span + i];
+
+    for (int q = 0; q < slopes->n; q++) {
+        double sum[PULL_WIDTH] = {0};
+        for (int l = 0; l < order; l++)
+            for (int v = 0; v < width; v++)
+                sum[v] += product(width, &t[(l * width + v) * width], &slopes->c[q][l * width]);
+        for (int v = 0; v < width; v++)
+            add_element(&s->normal, first + (size_t)v, slopes->unknown[q], sum[v]);
+    }
+}
+
+static void add_knots(struct knotstep *s, const struct part *part, const struct slopes *slopes)
+{
+    int degree = part->form->degree, width = part->form->width, room = (degree + 1) * width;
+    double y[ORDER * PULL_WIDTH];
+
+    for (int q = 0; q < slopes->n; q++) {
+        moments_times(part->moments, degree, width, slopes->c[q], y);
+        for (int r = 0; r <= q; r++)
+            add_element(&s->normal, slopes->unknown[q], slopes->unknown[r],
+                        product(room, slopes->c[r], y));
+        s->right[slopes->unknown[q]] -=
+            product(room, slopes->c[q], moments_right(part->moments, degree, width));
+    }
+}
+
+static void add_span(struct knotstep *s, const struct part *part)
+{
+    int degree = part->form->degree, width = part->form->width;
+    size_t order = (size_t)degree + 1;
+    struct slopes slopes = span_slopes(s, part);
+    const double *right = moments_right(part->moments, degree, width);
+    double t[ORDER * PULL_WIDTH * PULL_WIDTH];
+
+    for (size_t i = 0; i < order; i++) {
+        const double *basis = &part->form->basis[(part->span * order + i) * order];
+        if (!is_inner(part, i))
+            continue;
+        moments_of_basis(part->moments, degree, width, basis, t);
+        add_poles(s, part, i, t);
+        add_pole_knots(s, part, i, t, &slopes);
+        for (size_t k = 0; k < order; k++)
+            for (size_t v = 0; v < (size_t)width; v++)
+                s->right[s->pole[part->span + i] + v] -= basis[k] * right[k * (size_t)width + v];
+    }
+    add_knots(s, part, &slopes);
 }
 
 /* A pole is damped by the mean of its diagonal elements: none of them may be near zero. */
@@ -289,37 +218,15 @@ void knotstep_equations(struct knotstep *s, const struct spanform *form,
                         const struct target *target, const struct feet *feet, int power)
 {
     size_t poles = form->spans + (size_t)form->degree;
-    struct moments *m = mem_alloc(form->spans, sizeof *m);
-    struct columns *columns = mem_alloc(1, sizeof *columns);
-    size_t near = 0;
+    size_t size = moments_size(form->degree, form->width);
 
     clear(s);
-    for (size_t k = 1; k + 1 < target->n; k++) {
-        struct stance at = stance_at(form, target, near, feet->u[k]);
-        near = at.span;
-        struct form f = {0};
-        point_form(target, feet, k, &at, power, &f);
-        if (target->axis != NULL && !target->other_leads)
-            axis_form(target, feet, k, &at, power, &f);
-        add_moments(&m[near], form->degree, form->width, spanform_place(form, near, feet->u[k]),
-                    &f);
-        if (target->axis == NULL)
-            continue;
-        at = stance_at(form, target, near, feet->v[k]);
-        f = (struct form){0};
-        other_form(target, feet, k, &at, power, &f);
-        if (target->other_leads)
-            axis_form(target, feet, k, &at, power, &f);
-        add_moments(&m[at.span], form->degree, form->width,
-                    spanform_place(form, at.span, feet->v[k]), &f);
-    }
+    sum_moments(s, form, target, feet, power);
     for (size_t span = 0; span < form->spans; span++) {
-        span_columns(s, form, poles, span, columns);
-        add_span(s, form, &m[span], columns);
+        struct part part = {form, &s->moments[span * size], span, poles};
+        add_span(s, &part);
     }
     fill_scale(s, form, poles);
-    free(columns);
-    free(m);
 }
 
 static bool solve(struct knotstep *s, double damping)

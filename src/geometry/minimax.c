@@ -10,7 +10,7 @@
 #include "knotstep.h"
 #include "lsq.h"
 
-enum { POWER_MAX = 64, TRIES = 6, AHEAD = 40 };
+enum { POWER_MAX = 64, TRIES = 6, AHEAD = 100 };
 static const double SETTLED = 0.002; /* a step that gains less than this is the last of its power */
 static const double NEAREST = 1e-4;  /* knots, in parts of the mean span */
 
@@ -21,7 +21,10 @@ struct work {
     struct spanform form;
     struct knotstep step;
     double nearest, damping;
+    int patience;
+    double *effort;
 };
+
 
 bool attempt_start(const struct target *target, const struct bspline *form, const double *knot,
                    const double *u, struct attempt *attempt)
@@ -83,6 +86,36 @@ struct attempt attempt_copy(const struct attempt *a, const struct target *target
     return copy;
 }
 
+/* v at the places `to` of values at the places `from`, straight between them. */
+static void spread(const struct target *from, const double *value, const struct target *to,
+                   double *v)
+{
+    size_t at = 0;
+
+    for (size_t k = 0; k < to->n; k++) {
+        while (at + 2 < from->n && from->at[at + 1] < to->at[k])
+            at++;
+        double part = (to->at[k] - from->at[at]) / (from->at[at + 1] - from->at[at]);
+        v[k] = value[at] + part * (value[at + 1] - value[at]);
+    }
+}
+
+struct attempt attempt_onto(const struct attempt *a, const struct target *from,
+                            const struct target *to)
+{
+    struct attempt moved = {bspline_copy(&a->curve), feet_new(to)};
+    double where = from->at[a->feet.where];
+
+    moved.feet.worst = a->feet.worst;
+    while (moved.feet.where + 1 < to->n && to->at[moved.feet.where] < where)
+        moved.feet.where++;
+
+    spread(from, a->feet.u, to, moved.feet.u);
+    if (to->axis != NULL)
+        spread(from, a->feet.v, to, moved.feet.v);
+    return moved;
+}
+
 /* One step that makes the mean smaller, with as much damping as it takes.  Returns what part of it
  * was gained, 0: none could be found. */
 static double improve(struct work *w, int power)
@@ -99,6 +132,7 @@ static double improve(struct work *w, int power)
         spanform_curve(&w->form, &w->trial.curve);
         feet_copy(&w->trial.feet, &w->best->feet, w->target);
         feet_follow(&w->form, w->target, &w->trial.feet);
+        *w->effort -= (double)w->target->n;
         double after = mean_of(w->target, &w->trial.feet, power, reference);
         if (!(after < before))
             continue;
@@ -113,9 +147,9 @@ static double improve(struct work *w, int power)
 
 /* True when the mean would stay above the goal even if the next steps gained as much as the last.
  */
-static bool hopeless(double mean, double gain, double goal)
+static bool hopeless(double mean, double gain, double goal, int patience)
 {
-    for (int i = 0; i < AHEAD && mean > goal; i++)
+    for (int i = 0; i < AHEAD * patience && mean > goal; i++)
         mean *= 1 - gain;
     return mean > goal;
 }
@@ -125,13 +159,14 @@ static bool climb(struct work *w, double goal)
     const struct feet *feet = &w->best->feet;
 
     for (int power = 2; power <= POWER_MAX; power *= 2) {
-        int most = power == 2 ? 40 : power == POWER_MAX ? 40 : 20;
+        int most = w->patience * (power == 2 || power == POWER_MAX ? 40 : 20);
+        double settled = (power == 2 ? SETTLED / 4 : SETTLED) / w->patience;
         double gain = 1;
-        for (int i = 0; i < most && gain > SETTLED; i++) {
+        for (int i = 0; i < most && gain > settled; i++) {
             if (feet->worst <= goal)
                 return true;
             gain = improve(w, power);
-            if (hopeless(mean_of(w->target, feet, power, 1), gain, goal))
+            if (*w->effort < 0 || hopeless(mean_of(w->target, feet, power, 1), gain, goal, w->patience))
                 return false;
         }
         if (!(feet->worst > goal))
@@ -140,9 +175,14 @@ static bool climb(struct work *w, double goal)
     return false;
 }
 
-bool minimax_fit(const struct target *target, double goal, struct attempt *attempt)
+bool minimax_fit(const struct target *target, double goal, int patience, struct attempt *attempt,
+                 double *effort)
 {
-    struct work w = {.target = target, .best = attempt, .damping = 1e-3};
+    struct work w = {.target = target,
+                     .best = attempt,
+                     .damping = 1e-3,
+                     .patience = patience,
+                     .effort = effort};
 
     w.form = spanform_new(&attempt->curve);
     spanform_curve(&w.form, &attempt->curve);

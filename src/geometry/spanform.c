@@ -30,18 +30,38 @@ void spanform_free(struct spanform *form)
     *form = (struct spanform){0};
 }
 
-/* The coefficients by power of the basis functions of a span: c[function * order + power]. */
+/* Adds  factor (sign s + shift) from[]  to the polynomial to[], from of `n` coefficients. */
+static void add_product(double *to, const double *from, int n, double factor, double sign,
+                        double shift)
+{
+    for (int k = 0; k < n; k++) {
+        to[k] += factor * shift * from[k];
+        to[k + 1] += factor * sign * from[k];
+    }
+}
+
+/*
+ * The coefficients by power of the basis functions of a span: c[function * order + power]; by the
+ * recurrence of Cox and de Boor (The NURBS Book, A2.2) on polynomials instead of values.
+ */
 static void basis_powers(int degree, const double *knot, size_t span, double *c)
 {
-    double value[ORDER_MAX * ORDER_MAX], factor = 1;
-    double half = (knot[span + 1] - knot[span]) / 2, middle = knot[span] + half;
     int order = degree + 1;
+    double half = (knot[span + 1] - knot[span]) / 2, middle = knot[span] + half;
+    double before[ORDER_MAX * ORDER_MAX], by = 1 / half;
 
-    bspline_basis_derivatives(degree, knot, span, middle, degree, value);
-    for (int k = 0; k < order; k++) {
-        factor *= k > 0 ? half / k : 1;
-        for (int i = 0; i < order; i++)
-            c[i * order + k] = value[k * order + i] * factor;
+    memset(c, 0, (size_t)(order * order) * sizeof *c);
+    c[0] = 1;
+    for (int q = 1; q <= degree; q++) {
+        memcpy(before, c, (size_t)(q * order) * sizeof *c);
+        memset(c, 0, (size_t)((q + 1) * order) * sizeof *c);
+        for (int r = 0; r < q; r++) {
+            double right = (knot[span + 1 + (size_t)r] - middle) * by;
+            double left = (knot[span + 1 + (size_t)r - (size_t)q] - middle) * by;
+            double factor = 1 / (right - left);
+            add_product(&c[r * order], &before[r * order], q, factor, -1, right);
+            add_product(&c[(r + 1) * order], &before[r * order], q, factor, 1, -left);
+        }
     }
 }
 
@@ -183,7 +203,9 @@ void spanform_at(const struct spanform *form, size_t span, double u, double *val
     double by = 2 / (from[1] - from[0]), s = (u - from[0]) * by - 1;
     const double *c = &form->curve[span * (size_t)((form->degree + 1) * form->width)];
 
-    if (form->width == 3)
+    if (form->width == 3 && form->degree == 3)
+        horner(c, 3, 3, s, value, first, second);
+    else if (form->width == 3)
         horner(c, form->degree, 3, s, value, first, second);
     else
         horner(c, form->degree, 6, s, value, first, second);

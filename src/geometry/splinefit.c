@@ -10,7 +10,7 @@
 #include "freeknots.h"
 #include "lsq.h"
 
-enum { PARAMS = 3, KNOTS = 2, START = 5, STEP = 5, WIDER = 40, ROUGH_POINTS = 8 };
+enum { PARAMS = 3, KNOTS = 2, START = 5, STEP = 5, WIDER = 40 };
 static const double RESOLUTION = 0.005; /* of a proof, in parts of the tolerance */
 
 struct search {
@@ -193,27 +193,37 @@ static void polyline(const struct search *s, struct splinefit *fit)
     fit->within = proof_keeps(&fit->proof, o->tolerance, o->angle);
 }
 
-/* A pole for every few points and still to do: the curve follows the noise of the data, and the
- * long search for the best places of its knots would gain next to nothing. */
-static bool is_rough(const struct track *track, size_t poles)
-{
-    return poles > WIDER && poles * ROUGH_POINTS > track->n;
-}
-
-/* With all combinations open, the knots may as well be free.  False leaves *fit. */
+/* With all combinations open, the knots may as well be free. */
 static bool free_knots(const struct search *s, struct splinefit *fit)
 {
     const struct splinefit_options *o = s->options;
     struct freeknots_options options = {o->degree, o->tolerance, o->angle};
-    struct splinefit free = {.kind = SPLINEFIT_FREE, .within = true};
 
-    if (o->params >= 0 || o->knots >= 0 ||
-        (!o->free && (s->track->head || is_rough(s->track, fit->curve.poles))) ||
-        !freeknots_search(s->track, &options, &free.curve, &free.proof))
+    *fit = (struct splinefit){.kind = SPLINEFIT_FREE, .within = true};
+    if (o->params >= 0 || o->knots >= 0)
         return false;
-    bspline_free(&fit->curve);
-    *fit = free;
-    return true;
+    return freeknots_search(s->track, &options, &fit->curve, &fit->proof, &fit->cut);
+}
+
+static void least_squares(const struct search *s, struct splinefit *fit)
+{
+    size_t failed, served = search_upwards(s, &failed, fit);
+
+    if (served == 0)
+        polyline(s, fit);
+    else
+        bisect(s, failed, served, fit);
+}
+
+/* The one with fewer poles into *fit. */
+static void keep_fewer(struct splinefit *fit, struct splinefit *other)
+{
+    if (other->curve.poles < fit->curve.poles) {
+        struct splinefit more = *fit;
+        *fit = *other;
+        *other = more;
+    }
+    splinefit_free(other);
 }
 
 /* The paper's measures of the curve that was chosen. */
@@ -253,11 +263,16 @@ void splinefit_search(const struct track *track, const struct splinefit_options 
 
     *fit = (struct splinefit){0};
     if (!straight_line(&s, fit)) {
-        size_t failed, served = search_upwards(&s, &failed, fit);
-        if (served == 0)
-            polyline(&s, fit);
-        else if (!free_knots(&s, fit))
-            bisect(&s, failed, served, fit);
+        bool found = free_knots(&s, fit), cut = fit->cut;
+        if (!found || cut) {
+            struct splinefit other = {0};
+            least_squares(&s, &other);
+            if (found)
+                keep_fewer(fit, &other);
+            else
+                *fit = other;
+            fit->cut = cut;
+        }
     }
     measure(&s, fit);
     search_free(&s);

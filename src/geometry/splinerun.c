@@ -9,7 +9,7 @@
 
 static const double CORNER = PI / 3;   /* a turn above this is a corner ... */
 static const double CORNER_REACH = 10; /* ... if it is one over so many tolerances too */
-static const double SPARSE = 0.25;     /* parts of the tolerance: straight lines further off */
+static const double SPARSE = 1;     /* parts of the tolerance: straight lines further off */
 static const double DENSE = 0.1;       /* parts of the tolerance: chord error when made dense */
 static const double FALLBACK = 0.99;   /* parts of the tolerance: chord error of the fallback */
 

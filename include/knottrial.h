@@ -1,0 +1,50 @@
+/*
+ * knottrial - curves with knots that move, tried one after the other: fitted, printed, proven.
+ */
+#ifndef CLOUDMILL_KNOTTRIAL_H
+#define CLOUDMILL_KNOTTRIAL_H
+
+#include "freeknots.h"
+#include "minimax.h"
+
+/* What the trials on one track share, and the best of what they came to. */
+struct knottrials {
+    const struct track *track;
+    const struct freeknots_options *options;
+    struct target rough;   /* few places: most trials fail on them already */
+    struct target fine;    /* and more, to be nearly sure before a proof */
+    struct attempt failed; /* of the last count that did not serve the nearest to it, on `rough` */
+    struct attempt served; /* the least count that did, as it was before printing, on `rough` */
+    struct bspline curve;  /* and as printed; no poles as long as none did */
+    struct proof proof;
+    double *knot;  /* room for those of a start */
+    size_t parts;  /* places of `rough`, about */
+    bool coarse;   /* a curve that kept the tolerance at the places did not keep it between */
+    int patience;  /* of minimax_fit */
+    double effort; /* places times steps that may still be spent */
+};
+
+/* With at least `parts` places and enough of them for so many poles; all found so far is kept, but
+ * `failed`. */
+void knottrials_aim(struct knottrials *t, size_t parts, size_t poles);
+
+/* Frees all but the curve. */
+void knottrials_free(struct knottrials *t);
+
+/*
+ * Fits the attempt, on `rough` and then on `fine`, and proves it on the printed digits; if need be
+ * it is moved on, to a smaller distance.  True when it serves; `served`, `curve` and `proof` are
+ * its then.  Takes the attempt, whatever comes of it.
+ */
+bool knottrial_serves(struct knottrials *t, struct attempt *attempt);
+
+/* The same from the knots t->knot, by least squares with the places of `rough` at u. */
+bool knottrial_from_knots(struct knottrials *t, size_t poles, const double *u);
+
+/* The same for the curve of `from` without its knot j. */
+bool knottrial_without(struct knottrials *t, const struct attempt *from, size_t j);
+
+/* A copy with a knot more where it is worst; the curve is the same. */
+struct attempt knottrial_one_more(const struct knottrials *t, const struct attempt *from);
+
+#endif
