@@ -11,7 +11,7 @@
 enum { PROOFS = 6, ROUGH_PER_POLE = 8, FINER = 4 };
 static const double RESOLUTION = 0.002; /* of a proof, in parts of the tolerance */
 static const double MARGIN = 0.001;     /* parts of the tolerance that are kept for it */
-static const double SLOWEST = 0.02;     /* of the mean speed */
+static const double SLOWEST = 0.1;     /* of the mean speed */
 static const double COARSE = 1.05;      /* parts of the tolerance */
 
 void knottrials_aim(struct knottrials *t, size_t parts, size_t poles)
@@ -48,25 +48,33 @@ static void keep(struct attempt *place, struct attempt *attempt)
     *attempt = (struct attempt){0};
 }
 
-/*
- * True when the curve nowhere comes near to a stop, which a control would have to brake for: its
- * speed by the printed parameter is never below a fiftieth of the mean, which is 1.  (Not asked of
- * a point that hardly moves while the axis turns.)
- */
-static bool runs_on(const struct bspline *curve, bool turns)
+/* Speed by the parameter of the point that moves more: the tracked one, or the other end of the
+ * radius, which is nearly in proportion between the point and the head. */
+static double speed_at(const struct bspline *curve, const struct target *target, double u)
+{
+    struct vec3 point[2], head[2];
+
+    bspline_derivatives(curve, curve->pole, u, 1, point);
+    if (!target->other_leads)
+        return vec_length(point[1]);
+    bspline_derivatives(curve, curve->head, u, 1, head);
+    return vec_length(vec_mix(point[1], head[1], target->offset / TRACK_LENGTH));
+}
+
+/* True when the curve nowhere comes near to a stop, which a control would have to brake for. */
+static bool runs_on(const struct bspline *curve, const struct target *target)
 {
     enum { PARTS_OF_SPAN = 8 };
+    double least = INFINITY, sum = 0, start = curve->knot[0];
 
-    for (size_t i = (size_t)curve->degree; i < curve->poles && !turns; i++)
+    for (size_t i = (size_t)curve->degree; i < curve->poles; i++)
         for (int k = 0; k <= PARTS_OF_SPAN; k++) {
-            struct vec3 d[2];
-            double part = (double)k / PARTS_OF_SPAN;
-            double u = curve->knot[i] + part * (curve->knot[i + 1] - curve->knot[i]);
-            bspline_derivatives(curve, curve->pole, u, 1, d);
-            if (!(vec_length(d[1]) > SLOWEST))
-                return false;
+            double width = curve->knot[i + 1] - curve->knot[i];
+            double speed = speed_at(curve, target, curve->knot[i] + width * k / PARTS_OF_SPAN);
+            least = fmin(least, speed);
+            sum += speed * width / (PARTS_OF_SPAN + 1);
         }
-    return true;
+    return least > SLOWEST * sum / (curve->knot[curve->poles] - start);
 }
 
 /* True when the attempt, which is on `fine`, keeps the tolerance on its printed digits. */
@@ -81,7 +89,7 @@ static bool prove(struct knottrials *t, struct attempt *attempt)
         t->effort -= (double)t->track->n;
         if (proof_print(&curve))
             proof_measure(&curve, t->track, RESOLUTION * o->tolerance, INFINITY, &proof);
-        if (proof_keeps(&proof, o->tolerance, o->angle) && runs_on(&curve, t->fine.other_leads)) {
+        if (proof_keeps(&proof, o->tolerance, o->angle) && runs_on(&curve, &t->fine)) {
             bspline_free(&t->curve);
             t->curve = curve;
             t->proof = proof;

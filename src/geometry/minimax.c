@@ -12,7 +12,7 @@
 
 enum { POWER_MAX = 64, TRIES = 6, AHEAD = 100 };
 static const double SETTLED = 0.002; /* a step that gains less than this is the last of its power */
-static const double NEAREST = 1e-4;  /* knots, in parts of the mean span */
+static const double NEAREST = 0.02;  /* knots, in parts of the mean span */
 
 struct work {
     const struct target *target;
