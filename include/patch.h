@@ -44,6 +44,9 @@ struct nurbs_curve patch_line(struct uv from, struct uv to);
  * but for the knots at both ends. */
 struct nurbs_curve patch_curve(int degree, size_t poles);
 
+/* The diagonal of the box of all poles, mm: what "small" is measured by. */
+double patches_size(const struct patches *patches);
+
 void patch_loop_free(struct patch_loop *loop);
 void patch_free(struct patch *patch);
 void patches_free(struct patches *patches);

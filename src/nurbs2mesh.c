@@ -104,22 +104,6 @@ static void tessellate_some(void *context, size_t from, size_t to)
         tessellate(&job->patches->item[i], job->how, &job->sheet[i]);
 }
 
-/* The diagonal of the box of all poles: what "small" is measured by. */
-static double size_of(const struct patches *patches)
-{
-    struct vec3 low = {HUGE_VAL, HUGE_VAL, HUGE_VAL}, high = {-HUGE_VAL, -HUGE_VAL, -HUGE_VAL};
-    for (size_t i = 0; i < patches->n; i++) {
-        const struct nurbs *s = &patches->item[i].surface;
-        for (size_t k = 0; k < s->u.poles * s->v.poles; k++) {
-            struct nurbs_pole p = s->pole[k];
-            low = vec(fmin(low.x, p.wx / p.w), fmin(low.y, p.wy / p.w), fmin(low.z, p.wz / p.w));
-            high =
-                vec(fmax(high.x, p.wx / p.w), fmax(high.y, p.wy / p.w), fmax(high.z, p.wz / p.w));
-        }
-    }
-    return vec_distance(low, high);
-}
-
 /* The farthest any triangle is off its surface, and what else there is to say of the sheets. */
 static double judge(const struct settings *s, const struct patches *patches,
                     const struct sheet *sheet, double fine)
@@ -182,7 +166,7 @@ static double make_sheets(const struct cli *cli, const struct settings *s,
 static double make_quilt(const struct cli *cli, const struct settings *s,
                          const struct patches *patches, struct sheet *sheet, struct quilt *quilt)
 {
-    double size = size_of(patches);
+    double size = patches_size(patches);
     double fine = s->tolerance > 0 ? s->tolerance : fmax(1e-5 * size, 1e-3);
     struct weld_count welded;
     double error = make_sheets(cli, s, patches, size, fine, sheet, quilt, &welded);

@@ -31,6 +31,18 @@ START_TEST(a_curve_is_a_bezier)
 }
 END_TEST
 
+START_TEST(size)
+{
+    struct patches all = {0};
+    ck_assert_double_eq(patches_size(&all), 0);
+    *array_push(&all) = known_sphere(5); /* its poles are a box of 10 */
+    ck_assert_double_lt(fabs(patches_size(&all) - 10 * sqrt(3)), 1e-12);
+    *array_push(&all) = known_cylinder(1, 25);
+    ck_assert_double_lt(fabs(patches_size(&all) - sqrt(100 + 100 + 900)), 1e-12);
+    patches_free(&all);
+}
+END_TEST
+
 START_TEST(freed_is_empty)
 {
     struct patches all = {0};
@@ -56,6 +68,7 @@ int main(void)
     tcase_set_timeout(tests, 60);
     tcase_add_test(tests, a_line_is_straight);
     tcase_add_test(tests, a_curve_is_a_bezier);
+    tcase_add_test(tests, size);
     tcase_add_test(tests, freed_is_empty);
     suite_add_tcase(suite, tests);
     srunner_run_all(runner, CK_ENV);

@@ -238,8 +238,8 @@ int iges_numbers(const struct iges *iges, const struct iges_values *values, size
             return error_at(error, iges->name, v->line, "a text, expected a number (parameter %zu)",
                             i);
         if (!(fabs(v->number) <= most))
-            return error_at(error, iges->name, v->line, "%g, expected a number within %g", v->number,
-                            most);
+            return error_at(error, iges->name, v->line, "%g, expected a number within %g",
+                            v->number, most);
     }
     return 0;
 }

@@ -46,3 +46,18 @@ void patches_free(struct patches *patches)
         patch_free(&patches->item[i]);
     array_free(patches);
 }
+
+double patches_size(const struct patches *patches)
+{
+    struct vec3 low = {HUGE_VAL, HUGE_VAL, HUGE_VAL}, high = {-HUGE_VAL, -HUGE_VAL, -HUGE_VAL};
+    for (size_t i = 0; i < patches->n; i++) {
+        const struct nurbs *s = &patches->item[i].surface;
+        for (size_t k = 0; k < s->u.poles * s->v.poles; k++) {
+            struct nurbs_pole p = s->pole[k];
+            struct vec3 at = vec_scale(1 / p.w, vec(p.wx, p.wy, p.wz));
+            low = vec(fmin(low.x, at.x), fmin(low.y, at.y), fmin(low.z, at.z));
+            high = vec(fmax(high.x, at.x), fmax(high.y, at.y), fmax(high.z, at.z));
+        }
+    }
+    return patches->n > 0 ? vec_distance(low, high) : 0;
+}

@@ -21,7 +21,7 @@ fuzz() {
 	# shellcheck disable=SC2086 # patterns
 	(cd "$SRC/tests/awkward" && ls -Sr $pattern) | head -n 12 | while read -r seed; do
 		[ -f "$SRC/tests/awkward/$seed" ] &&
-			head -c 4000 "$SRC/tests/awkward/$seed" >"$OUT/$name.seeds/$seed"
+			head -c 4000 "$SRC/tests/awkward/$seed" >"$OUT/$name.seeds/${seed##*/}"
 	done
 	tool=$1
 	shift
@@ -38,6 +38,7 @@ fuzz cloud-ply 'cloud*.ply' cloud2mesh -t 5 @@
 fuzz mesh 'mesh*.ply' meshnorm -r 8 @@
 fuzz mesh-planes 'mesh*.ply mesh*.stl mesh.off' planecut -r 4 -s 5 -a 90 @@
 fuzz iges '*.igs' nurbs2mesh -n 4 @@
+fuzz nurbs-text '../../samples/saddle.nurbs' nurbs2mesh -n 4 @@
 fuzz path 'path*.cl' ncpost -c fanuc @@
 fuzz path-arcs 'path*.cl' biarcfit -e 0.1 @@
 fuzz path-splines 'path*.cl' bsplfit -e 0.1 @@
