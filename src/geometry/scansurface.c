@@ -12,8 +12,8 @@ enum { FEWEST = 16, MOST = 96, SAMPLE = 1500, MANY = 400000, RINGS = 8 };
 
 static const double WHITE = 1.35; /* spread of twice the neighbours by that of once, at most */
 static const double EVEN = 3;     /* spread of the roughest tenth by that of the smoothest */
-static const double ALIKE = 1.2;  /* spread of a neighbourhood by the noise */
-static const double MUCH = 1.5;   /* more than that is none */
+static const double UNSURE = 0.5; /* of the noise: what may be left of it in the middle of a quadric */
+static const double MUCH = 1.5;   /* spread of a neighbourhood by the noise: more is none */
 static const double FAR = 5;      /* noises that a point may be off its quadric */
 
 /* A quadric through the neighbours of a point. */
@@ -121,18 +121,26 @@ static double noise_of(const struct look *look)
     return look->spread[n / 2];
 }
 
-/* As many neighbours as the noise spreads alike, or else those that are spread least: an outlier
- * counts less among more. */
+/* Spread that noise alone explains: its standard deviation, three of that of the estimate more. */
+static double explained(double noise, size_t k)
+{
+    return noise * (1 + 3 / sqrt(2 * ((double)k - 6)));
+}
+
+/* As many neighbours as the noise spreads alike, or else those that are spread least.  What is
+ * carried by a narrow strip of points says little of its middle. */
 static struct patch fit_noise(const struct near *near, double noise)
 {
     struct patch best = {.k = 0};
 
     for (size_t k = MOST; k >= FEWEST; k -= k > 64 ? 32 : k > 32 ? 16 : 8) {
         struct patch patch = fit(near, k);
-        if (patch.k > 0 && (best.k == 0 || patch.spread < best.spread))
+        if (patch.k == 0 || patch.q.variance > UNSURE * UNSURE)
+            continue;
+        if (best.k == 0 || patch.spread < best.spread)
             best = patch;
-        if (best.k > 0 && best.spread <= ALIKE * noise)
-            break;
+        if (patch.spread <= explained(noise, k))
+            return patch;
     }
     return best;
 }
