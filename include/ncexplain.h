@@ -8,10 +8,10 @@
 
 /*
  * The block of that number: its line of the program, line and pass of the path, its contact point
- * and the rule that made it, as text at `out`.  The program is written to nowhere for it.  -1: it
+ * and the rule that made it, as text into a file (NULL or "-": standard output).  -1: it
  * has no such block.
  */
-int nc_explain(struct out *out, const struct dialect *dialect, struct nc_program *program,
+int nc_explain(const char *file, const struct dialect *dialect, struct nc_program *program,
                long number, struct error *error);
 
 #endif

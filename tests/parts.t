@@ -92,4 +92,20 @@ for control in fanuc siemens heidenhain linuxcnc; do
 done >complaints
 empty "parts and restarts have the whole's tool, speed, coolant and plane at every place" complaints
 
+# statements alone make no part: many before the first motion, behind a tool and behind the last one
+awk 'BEGIN { print "UNITS/MM\nLOADTL/1"
+	for (i = 0; i < 100; i++) print "PPRINT BEFORE " i
+	print "RAPID\nGOTO/0,0,9\nFEDRAT/100"; for (i = 0; i < 60; i++) print "GOTO/" i ",0,0"
+	print "LOADTL/2"; for (i = 0; i < 40; i++) print "PPRINT BETWEEN " i
+	print "RAPID\nGOTO/0,0,9"; for (i = 0; i < 60; i++) print "GOTO/" i ",0,0"
+	for (i = 0; i < 60; i++) print "PPRINT BEHIND " i; print "FINI" }' >said.cl
+status 1 "no room for what is said before the first motion" \
+	ncpost -q -c fanuc --split 60 -o said.nc said.cl
+rm -f said*.nc
+status 0 "with room" ncpost -q -c fanuc --split 160 -o said.nc said.cl
+for part in said-*.nc; do
+	grep -Eq ' X[0-9]' "$part" || echo "$part goes nowhere"
+done >nowhere
+empty "each part goes somewhere" nowhere
+
 done_testing

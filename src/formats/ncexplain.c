@@ -42,7 +42,7 @@ static void say_origin(struct out *out, const struct path *path, const struct nc
     }
 }
 
-int nc_explain(struct out *out, const struct dialect *dialect, struct nc_program *program,
+int nc_explain(const char *file, const struct dialect *dialect, struct nc_program *program,
                long number, struct error *error)
 {
     program->w.wanted = number;
@@ -51,10 +51,12 @@ int nc_explain(struct out *out, const struct dialect *dialect, struct nc_program
     if (!*program->w.met)
         return error_set(error, "option --explain: found no block %ld, the last one is %ld", number,
                          program->w.number);
+    struct out *out = out_open(file);
     out_text(out, program->w.met);
     if (program->met < program->plan->move.n)
         say_origin(out, program->path, program->plan, program->met);
     else
         out_text(out, "at the start or the end of every program for this control and machine\n");
+    out_close(out);
     return 0;
 }

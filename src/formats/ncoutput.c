@@ -58,12 +58,8 @@ static int write_parts(const struct dialect *dialect, struct nc_program *whole,
 static int explain(const struct dialect *dialect, struct nc_program *p, long number,
                    const char *file, struct error *error)
 {
-    struct out *out = out_open(file);
     begin(dialect, p, NULL);
-    if (nc_explain(out, dialect, p, number, error) != 0)
-        return -1;
-    out_close(out);
-    return 0;
+    return nc_explain(file, dialect, p, number, error);
 }
 
 int nc_output(const struct dialect *dialect, struct nc_program *p, struct nc_extract extract,

@@ -176,7 +176,10 @@ int nc_part_ends(struct sizes *ends, const struct dialect *dialect, const struct
 {
     const struct nc_plan *plan = whole->plan;
     struct nc_limit more, *at = measure(dialect, whole, &more);
+    size_t last = plan->move.n; /* behind the last motion */
     int result = 0;
+    while (last && !nc_moves(&plan->move.item[last - 1]))
+        last--;
     for (size_t from = 0; from < plan->move.n && result == 0;) {
         size_t to = from, clear = from;
         while (to < plan->move.n) {
@@ -190,6 +193,10 @@ int nc_part_ends(struct sizes *ends, const struct dialect *dialect, const struct
         }
         if (clear > from)
             to = clear;
+        while (to > from && !nc_moves(&plan->move.item[to - 1]))
+            to--; /* what is said behind a motion is for the next one */
+        if (to >= last)
+            to = plan->move.n;
         if (to == from)
             result = error_set(error,
                                "option --split: found too little room, expected at least %zu "
