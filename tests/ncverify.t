@@ -195,8 +195,8 @@ whole() { # "KIND" "SED" STATUS PATTERN: something changed in all of the program
 # Each control's words for the same.
 words() {
 	case $control in
-	fanuc) unit=s/G21/G20/ tcp='s/G43.4 H1//' off='/ G49$/d' end='/M30/d' one=M1 dec=' F800.' ;;
-	siemens) unit=s/G71/G70/ tcp=/TRAORI/d off=/TRAFOOF/d end=/M30/d one=M1 dec=' F800' ;;
+	fanuc) unit=s/G21/G20/ tcp='s/G43.4 H1//' off='/ G49$/d' end='/M30/d' dec=' F800.' ;;
+	siemens) unit=s/G71/G70/ tcp=/TRAORI/d off=/TRAFOOF/d end=/M30/d dec=' F800' ;;
 	heidenhain) unit='s/ MM$/ INCH/' tcp='/FUNCTION TCPM/d' off='/RESET TCPM/d' end=/M30/d dec=' F800' ;;
 	linuxcnc) unit=s/G21/G20/ tcp='s/G43 H1//' off='/ G49$/d' end=/M2/d dec=' F800' ;;
 	esac
@@ -325,6 +325,10 @@ status 3 "a ball that is too large for the program" \
 sed "/^N12030 /s/Z[-0-9.]*/Z$deeper/" dome.fanuc >bad.nc
 ncverify -q -g dome.xyz -r 6 -e 0.005 --map map.ply --report page.html bad.nc >out 2>err
 has "the map holds every point" '^element vertex 21901$' map.ply
+has "MeshLab finds the deviation" '^property float quality$' map.ply
+has "and CloudCompare" '^property float scalar_deviation$' map.ply
+fails "which is the same three times" \
+	awk 'on && ($7 != $9 || $7 != $10) { bad = 1 } /^end_header/ { on = 1 } END { exit !bad }' map.ply
 worst=$(awk 'on && $7 < least { least = $7; block = $8 } /^end_header/ { on = 1 }
 	END { print block }' map.ply)
 ok "and the deepest names its block" test "$worst" -ge 12020 -a "$worst" -le 12040

@@ -3,6 +3,7 @@
 #include <math.h>
 #include <stdlib.h>
 
+#include "num.h"
 #include "out.h"
 #include "verdict.h"
 
@@ -35,9 +36,11 @@ static void row(struct out *o, const struct verdict *v, size_t i)
     out_text(o, " ");
     out_num(o, p.z, 6);
     out_printf(o, " %d %d %d ", c.red, c.green, c.blue);
-    out_num(o, v->roll.deviation[i], 6);
-    out_printf(o, " %d\n",
-               segment == UINT_MAX ? -1 : v->course->piece.item[v->cut->item[segment].piece].block);
+    char deviation[NUM_MAX];
+    num_write(deviation, v->roll.deviation[i], 6);
+    out_printf(o, "%s %d %s %s\n", deviation,
+               segment == UINT_MAX ? -1 : v->course->piece.item[v->cut->item[segment].piece].block,
+               deviation, deviation);
 }
 
 void verdict_map(const struct verdict *v, const char *file)
@@ -47,7 +50,9 @@ void verdict_map(const struct verdict *v, const char *file)
     out_printf(o, "element vertex %zu\n", v->roll.points);
     out_text(o, "property double x\nproperty double y\nproperty double z\n");
     out_text(o, "property uchar red\nproperty uchar green\nproperty uchar blue\n");
-    out_text(o, "property float deviation\nproperty int block\nend_header\n");
+    out_text(o, "property float deviation\nproperty int block\n");
+    /* the deviation once more, by the names that MeshLab and CloudCompare take for a scalar */
+    out_text(o, "property float quality\nproperty float scalar_deviation\nend_header\n");
     for (size_t i = 0; i < v->roll.points; i++)
         row(o, v, i);
     out_close(o);

@@ -43,3 +43,37 @@ awk 'BEGIN {
 printf '%d lines of CL\n' "$(wc -l <"$tmp/path.cl")"
 best 'floor: read, parse by hand, two angles, write' "$FLOOR/floor_post" "$tmp/path.cl"
 best 'ncpost -c fanuc' "$BIN/ncpost" -q -c fanuc "$tmp/path.cl"
+
+# a million blocks over the million points of a dome, the tool axis turning all the time; without
+# tool-centre-point control the machine's kinematics is run for each block
+awk 'BEGIN {
+	for (j = 0; j < 1000; j++)
+		for (i = 0; i < 1000; i++) {
+			x = -50 + i * 100 / 999; y = -50 + j * 100 / 999
+			printf "%.5f %.5f %.5f\n", x, y, -(x * x + y * y) / 400
+		}
+}' >"$tmp/dome.xyz"
+blocks() { # TCP: 1 with tool-centre-point control, 0 the places of the axes
+	awk -v tcp="$1" 'BEGIN {
+	printf "%%\nO0001\nN1 G90 G17 G21 G40 G49 G80 G94 G54\nN2 G53 G0 Z0.\nN3 T1 M6\nN4 S8000 M3\n"
+	printf "N5 G0 A10. C90.\nN6 %s H1\nN7 G0 X-50. Y-50. Z90.\n", tcp ? "G43.4" : "G43"
+	for (n = 0; n < 1000000; n++) {
+		i = n % 2500; j = (n - i) / 2500; side = j % 2 ? -1 : 1
+		u = side * (-50 + i * 100 / 2499); v = -50 + j * 100 / 399
+		l = sqrt(u * u + v * v + 40000); a = 0.25 + 0.2 * sin(u / 9)
+		x = u + 5 * u / l - 5 * sin(a); y = v + 5 * v / l; z = 1000 / l - (u * u + v * v) / 400 - 5 * cos(a)
+		if (!tcp) { t = x; x = y; y = z * sin(a) - t * cos(a); z = t * sin(a) + z * cos(a) }
+		printf "N%d G1 X%.4f Y%.4f Z%.4f A%.4f%s\n", n + 8, x, y, z, a * 57.29577951308232, n ? "" : " F2000."
+	}
+	printf "N%d G0 Z90.\nN%d G49\nN%d G53 G0 Z0.\nN%d M5\nN%d M30\n%%\n", n + 8, n + 9, n + 10, n + 11, n + 12
+	}' | sed 's/\([XYZA]\)-\(0\.0000\)/\1\2/g'
+}
+blocks 1 >"$tmp/dome.nc"
+blocks 0 >"$tmp/axes.nc"
+printf '%d blocks, %d points\n' "$(wc -l <"$tmp/dome.nc")" "$(wc -l <"$tmp/dome.xyz")"
+verify() { # exit 3 is a verdict too
+	"$BIN/ncverify" -q -g "$tmp/dome.xyz" -r 5 "$@" || [ $? -eq 3 ]
+}
+best 'ncverify' verify "$tmp/dome.nc"
+best 'ncverify, no tool centre point control' verify --set tcp=no "$tmp/axes.nc"
+best 'ncverify --stock box,1' verify --stock box,1 "$tmp/dome.nc"
