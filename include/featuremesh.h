@@ -10,6 +10,10 @@ struct featuremesh {
     size_t creases, walls; /* edges of the mesh that cross one */
 };
 
+/* How many edges of the mesh cross a wall; it needs no normals.  The points as below. */
+size_t featuremesh_walls(const struct mesh *mesh, const struct vec3 *point, size_t n, size_t flat,
+                         double spacing, double noise, int threads);
+
 /*
  * Looks at every edge of the mesh that is steep, or at whose ends the normals differ, for a wall or
  * a crease between its ends (feature.h), and cuts the mesh open there (edgesplit.h), where that

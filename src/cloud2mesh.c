@@ -412,6 +412,19 @@ static double off_points(const struct mesh *mesh, const struct vec3s *points, in
     return sum;
 }
 
+/* Is there a wall between two nodes? */
+static bool has_walls(const char *name, const struct settings *s, const struct cloud_parts *parts,
+                      const struct vec3s *points, double noise, int threads)
+{
+    struct mesh mesh = {.origin.ledger = NAN};
+    struct grid grid;
+    make_mesh(name, s, points, &mesh, &grid, parts);
+    size_t walls = featuremesh_walls(&mesh, points->item, points->n, parts->flat, parts->mean,
+                                     noise, threads);
+    mesh_free(&mesh);
+    return walls > 0;
+}
+
 /* Vertices are chosen from the points of walls, unless the mesh is closer to all points without:
  * steep flanks are no walls. */
 static struct made best_mesh(const char *name, const struct settings *settings,
@@ -422,7 +435,8 @@ static struct made best_mesh(const char *name, const struct settings *settings,
     struct mesh with_walls = {.origin = mesh->origin};
     struct made walled = {.walls = 0};
     s.silent = true;
-    if (parts.flat < points->n)
+    if (parts.flat < points->n &&
+        has_walls(name, &s, &parts, points, fmax(noise, mesh->origin.noise), threads))
         walled = mesh_of(name, &s, &parts, points, noise, threads, &with_walls);
     parts.flat = points->n;
     s.silent = false;

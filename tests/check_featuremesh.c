@@ -83,6 +83,8 @@ START_TEST(a_step)
     rectangle(&p, 900, vec(0, 0, 0), vec(0, 25, 0), vec(0, 0, 6), 0);
     struct mesh m = mesh_of(&p, 1.3, &flat);
     ck_assert_double_gt(worst(&m, from_step), 0.3);
+    ck_assert_uint_gt(featuremesh_walls(&m, p.item, p.n, flat, 0.43, 0, 2), 20);
+    ck_assert_uint_eq(featuremesh_walls(&m, p.item, p.n, p.n, 0.43, 0, 2), 0);
     struct featuremesh found = featuremesh_keep(&m, p.item, p.n, flat, 0.43, 0, 2);
     ck_assert_uint_gt(found.walls, 20);
     ck_assert_double_le(worst(&m, from_step), 0.1);

@@ -294,6 +294,39 @@ static struct featuremesh keep_better(struct search *s, const struct mesh *befor
     return sum_up(s);
 }
 
+static void look_for_walls(void *context, size_t from, size_t to)
+{
+    const struct search *s = context;
+    const struct vec3 *at = s->mesh->vertex.item;
+
+    for (size_t e = from; e < to; e++) {
+        const int *v = s->edges->edge[e].v;
+        if (s->edges->edge[e].facet[0] >= 0 && steep(&s->cloud, at[v[0]], at[v[1]]))
+            s->feature[e] = feature_wall(&s->cloud, at[v[0]], at[v[1]]);
+    }
+}
+
+size_t featuremesh_walls(const struct mesh *mesh, const struct vec3 *point, size_t n, size_t flat,
+                         double spacing, double noise, int threads)
+{
+    if (flat >= n || mesh->face.n == 0)
+        return 0;
+    struct mesh_edges edges = mesh_edges_find(mesh);
+    struct kdtree *tree = kdtree_new(point, flat), *walls = kdtree_new(point + flat, n - flat);
+    struct search s = {.mesh = (struct mesh *)mesh,
+                       .edges = &edges,
+                       .cloud = {tree, point, walls, point + flat, spacing, noise},
+                       .feature = mem_alloc(edges.n, sizeof *s.feature)};
+
+    parallel_for(threads, edges.n, look_for_walls, &s);
+    size_t found = sum_up(&s).walls;
+    free(s.feature);
+    kdtree_free(tree);
+    kdtree_free(walls);
+    mesh_edges_free(&edges);
+    return found;
+}
+
 struct featuremesh featuremesh_keep(struct mesh *mesh, const struct vec3 *point, size_t n,
                                     size_t flat, double spacing, double noise, int threads)
 {
