@@ -85,7 +85,8 @@ int machine_finish(struct machine *machine, struct error *error);
 /* The table of its keys, to be freed by array_free. */
 struct keys machine_keys(struct machine *machine);
 
-/* machine_finish for what reads files: the error names no machine, and `key` is the one to blame. */
+/* machine_finish for what reads files: the error names no machine, and `key` is the one to
+ * blame. */
 int machine_assemble(struct machine *machine, char key[KEY_NAME], struct error *error);
 
 /* The letter of an axis: 'X' ... 'C'. */

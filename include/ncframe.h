@@ -13,7 +13,7 @@
 struct nc_plane {
     size_t from;      /* its first motion among the path's items */
     struct vec3 axis; /* in the frame of the work */
-    double a, b;      /* degrees as printed: about X and the turned Y, which bring Z onto the axis */
+    double a, b;      /* degrees as printed, about X and the turned Y, that bring Z onto it */
     double i, j, k;   /* Euler's for the same: about Z, the turned X and the turned Z */
 };
 
@@ -27,8 +27,8 @@ struct nc_planes {
 bool nc_frame_holes(const struct path *path);
 
 /*
- * The planes of a path whose tool axis changes only where the tool is off the part: on a rapid, to a
- * hole, with another tool.  False, and no planes: it turns elsewhere too.
+ * The planes of a path whose tool axis changes only where the tool is off the part: on a rapid, to
+ * a hole, with another tool.  False, and no planes: it turns elsewhere too.
  */
 bool nc_frame_planes(const struct path *path, struct nc_planes *planes);
 

@@ -42,9 +42,10 @@ void nc_hole_done(struct nc_program *p, const struct nc_move *move);
 bool nc_hole_steps(const struct nc_hole *hole);
 
 /*
- * The cycle and its place, or its place alone where it goes on; and the end of the cycle.  Fanuc and
- * LinuxCNC: G81 and its like, G80; `seconds`: dwells are seconds, else milliseconds.  Siemens: MCALL
- * CYCLE81 and its like, MCALL.  Heidenhain: CYCL DEF 200 and its like, a call by M99 at each place.
+ * The cycle and its place, or its place alone where it goes on; and the end of the cycle.  Fanuc
+ * and LinuxCNC: G81 and its like, G80; `seconds`: dwells are seconds, else milliseconds.  Siemens:
+ * MCALL CYCLE81 and its like, MCALL.  Heidenhain: CYCL DEF 200 and its like, a call by M99 at each
+ * place.
  */
 void nc_hole_g(struct nc_program *p, const struct nc_move *move, bool seconds);
 void nc_hole_g_end(struct nc_program *p);

@@ -17,8 +17,8 @@ int nc_limit_read(const char *text, struct nc_limit *limit, struct error *error)
 
 /*
  * The moves [from, to) of a plan as a plan.  What is before them that lasts (coolant, spindle) is
- * said again.  Where the tool is in the cut at either end, it comes from above and goes up along its
- * axis.  The part shares the plan's arcs and splines; free it by nc_part_free.  -1: it would
+ * said again.  Where the tool is in the cut at either end, it comes from above and goes up along
+ * its axis.  The part shares the plan's arcs and splines; free it by nc_part_free.  -1: it would
  * leave the travel on that way.
  */
 int nc_part_make(struct nc_plan *part, const struct nc_program *whole, size_t from, size_t to,

@@ -3,8 +3,8 @@
  * makers' manuals: Fanuc B-64484EN, LinuxCNC G-Codes, Siemens Programming Guide Cycles, Heidenhain
  * TNC 640 Cycle Programming).
  *
- * Over the hole at rapid as high as the tool is, down to the clear height at rapid, to the bottom at
- * feed, out.  Steps are not told apart: they stay on that line.
+ * Over the hole at rapid as high as the tool is, down to the clear height at rapid, to the bottom
+ * at feed, out.  Steps are not told apart: they stay on that line.
  */
 #ifndef CLOUDMILL_NCREAD_HOLE_H
 #define CLOUDMILL_NCREAD_HOLE_H

@@ -1,5 +1,6 @@
 /*
- * ncread_plane - a tilted plane, 3+2: what the control is told in it, told in the frame of the work.
+ * ncread_plane - a tilted plane, 3+2: what the control is told in it, told in the frame of the
+ * work.
  *
  * Fanuc G68.2 X Y Z I J K: origin, and Euler's angles about Z, the turned X and the turned Z; G53.1
  * brings the tool there, G69 ends it.  Siemens CYCLE800 in mode 57 and Heidenhain PLANE SPATIAL:
@@ -25,8 +26,8 @@ int ncread_plane_g(struct ncread *c, struct error *error);
 int ncread_plane_cycle800(struct ncread *c, struct error *error);
 int ncread_plane_spatial(struct ncread *c, struct error *error);
 
-/* What was read in the plane, as it is in the work: a piece with its arc or polynomial; the poles of
- * the spline being read. */
+/* What was read in the plane, as it is in the work: a piece with its arc or polynomial; the poles
+ * of the spline being read. */
 void ncread_plane_turn(struct ncread *c, struct piece *piece);
 void ncread_plane_turn_poles(struct ncread *c);
 

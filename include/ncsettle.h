@@ -1,6 +1,6 @@
 /*
- * ncsettle - what a program will be like, before it is planned: in which frame, with drilling cycles
- * of the control or without, with tool-centre-point control or without; and the plan.
+ * ncsettle - what a program will be like, before it is planned: in which frame, with drilling
+ * cycles of the control or without, with tool-centre-point control or without; and the plan.
  */
 #ifndef CLOUDMILL_NCSETTLE_H
 #define CLOUDMILL_NCSETTLE_H
@@ -15,9 +15,9 @@ struct nc_choice {
 
 /*
  * Brings path and machine into the program's frame and fills the plan.  Holes stay drilling cycles
- * where the tool stands upright in that frame; else they become motions.  Where vectors, which leave
- * the rotary axes to the control, find no way within the travel, rotary words are taken, with which
- * the tool may turn back off the part.  -1, and *unmet where the
+ * where the tool stands upright in that frame; else they become motions.  Where vectors, which
+ * leave the rotary axes to the control, find no way within the travel, rotary words are taken, with
+ * which the tool may turn back off the part.  -1, and *unmet where the
  * machine cannot get there: the error says the place.
  */
 int nc_settle(struct nc_program *p, struct nc_plan *plan, struct path *path,

@@ -1,8 +1,8 @@
 /*
  * nctemplate - blocks that a machine file words itself, or a control's own.
  *
- * A template is one block or more with `|` between.  {tool} stands for the tool's number, {offset} for
- * that of its length, {rpm} for
+ * A template is one block or more with `|` between.  {tool} stands for the tool's number, {offset}
+ * for that of its length, {rpm} for
  * the spindle's speed, {tolerance} for ncpost's share of the tolerance in mm, {orientation} for
  * that of the tool axis in degrees, {level} for the tolerance as 1 (0.1 mm, for speed) to 10
  * (0.001 mm, for accuracy).  Of a tilted plane {a} {b} are the angles about X and the turned Y,

@@ -4,7 +4,6 @@
  * Everything is planned and checked before the first byte is written (ncplan.h); the dialect then
  * only sets it down.
  */
-#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -17,8 +16,6 @@
 #include "nchole.h"
 #include "ncoutput.h"
 #include "ncsettle.h"
-#include "num.h"
-#include "out.h"
 #include "path.h"
 #include "selftest.h"
 
@@ -39,7 +36,8 @@ struct settings {
 
 static struct settings settings_default(void)
 {
-    return (struct settings){.chord = 0.005, .axis_tolerance = 0.05, .feed = 500, .extract = {.from = -1, .explain = -1}};
+    return (struct settings){
+        .chord = 0.005, .axis_tolerance = 0.05, .feed = 500, .extract = {.from = -1, .explain = -1}};
 }
 
 static void read_limit(struct settings *s, const struct cli *cli)
@@ -176,8 +174,8 @@ static void tell(const struct path *path, const struct nc_plan *plan,
     if (total->retract_made)
         say("the path ends in a cut: retracted along the tool axis");
     if (total->holes && dialect->steps_alike && nc_hole_steps_differ(path))
-        say("a drilling cycle of this control has steps that are alike, and no dwell with them: took "
-            "the smaller step and no dwell");
+        say("a drilling cycle of this control has steps that are alike, and no dwell with them: "
+            "took the smaller step and no dwell");
     if (nc_cutcom_left_out(path, machine, &plan->ability))
         say("CUTCOM: X Y Z are the tool's centre, so the control's radius compensation stays off");
     if (plan->no_vectors)

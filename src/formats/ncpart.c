@@ -163,7 +163,8 @@ static struct nc_limit *measure(const struct dialect *dialect, const struct nc_p
 static bool clear_of_work(const struct nc_plan *plan, size_t i)
 {
     const struct nc_move *before = last_motion(plan, i);
-    if (!before || (before->kind != NC_RAPID && before->kind != NC_HOLE) || !nc_moves(&plan->move.item[i - 1]))
+    if (!before || (before->kind != NC_RAPID && before->kind != NC_HOLE) ||
+        !nc_moves(&plan->move.item[i - 1]))
         return false;
     while (i < plan->move.n && !nc_moves(&plan->move.item[i]))
         i++;

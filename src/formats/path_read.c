@@ -66,7 +66,8 @@ static const struct path_row motions[] = {
 
 /* Post-processor words that a later stage may use. */
 static const char *const carried[] = {
-    "PPRINT", "INSERT", "TPRINT", "REMARK", "STOP",   "OPSTOP", "AUXFUN", "CUTCOM", "INTOL",  "OUTTOL",
+    "PPRINT", "INSERT", "TPRINT", "REMARK", "STOP",   "OPSTOP", "AUXFUN", "CUTCOM", "INTOL",
+    "OUTTOL",
     "TOLER",  "MACHIN", "END",    "CSYS",   "SELECT", "SEQNO",  "DISPLY", "REWIND", "SELCTL",
 };
 
