@@ -75,6 +75,8 @@ struct ncread {
     int order;
     struct doubles knot, weight;
     struct vec3s pole_p, pole_q;
+    struct ints pole_block; /* where each pole stands: its N number ... */
+    struct sizes pole_line; /* ... and its line */
     struct piece spline;
 };
 

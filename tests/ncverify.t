@@ -241,6 +241,22 @@ for control in fanuc siemens heidenhain linuxcnc; do
 	whole "incremental words" s/G90/G91/ 1 'N[0-9]+: '
 done
 
+# ---- splines: a pole too deep is named by its block; knots that fall, a curve that is torn
+meshnorm -q -r 6 dome.ply | bsplfit -q -e 0.01 >spline.cl
+for control in fanuc siemens; do
+	ncpost -q -c $control spline.cl >spline.$control
+	status 0 "$control: a good spline" ncverify -q -g dome.xyz -r 6 -e 0.03 spline.$control
+	awk '/G0?6.2|BSPLINE/ { inside = 1 } / G1 | K[0-9.]+$/ { inside = 0 }
+		inside && ++n == 40 { for (i = 1; i <= NF; i++) if ($i ~ /^Z[0-9]/) $i = sprintf("Z%.3f", substr($i, 2) - 0.5)
+			print $1 >"named" } { print }' spline.$control >bad.nc
+	status 3 "$control: a pole too deep" ncverify -g dome.xyz -r 6 -e 0.03 -c $control bad.nc
+	N=$(sed 's/N//' named) # or the one beside it, whose span it shapes as much
+	has "$control: is named by its block" "^ncverify: bad.nc: N($N|$((N + 10))|$((N - 10))) .*deep" err
+done
+awk '/ K[0-9.]+ X/ && ++n == 40 { sub(/ K[0-9.]+/, " K999.") } { print }' spline.fanuc >bad.nc
+status 1 "a knot that is too large" ncverify -g dome.xyz -r 6 bad.nc
+has "is named" 'N[0-9]+: a spline whose knots fall' err
+
 # ---- shank and holder, on all controls: 6 mm over the ball's centre a collar of 30 that leans
 for control in fanuc siemens heidenhain linuxcnc; do
 	machine=table-ac

@@ -266,5 +266,7 @@ int ncread_read(const char *file, const struct ncread_setup *setup, struct cours
     array_free(&c.weight);
     array_free(&c.pole_p);
     array_free(&c.pole_q);
+    array_free(&c.pole_block);
+    array_free(&c.pole_line);
     return result;
 }

@@ -83,6 +83,23 @@ void ncread_pole(struct ncread *c, const struct piece *piece, struct vec3 p, str
         c->spline = *piece;
     *array_push(&c->pole_p) = p;
     *array_push(&c->pole_q) = q;
+    *array_push(&c->pole_block) = (int)c->block;
+    *array_push(&c->pole_line) = c->line;
+}
+
+/* Each span of the spline is named by the block of the pole in the middle of those it follows. */
+static void name_spans(struct ncread *c, const struct course_spline *b, size_t first)
+{
+    size_t span = (size_t)b->order - 1;
+    for (size_t i = first; i < c->course->piece.n; i++) {
+        struct piece *piece = &c->course->piece.item[i];
+        while (span + 1 < b->n && b->knot[span + 1] <= piece->u[0])
+            span++;
+        size_t pole = span + 1 - (size_t)b->order / 2;
+        piece->block = c->pole_block.item[pole];
+        piece->line = c->pole_line.item[pole];
+    }
+    c->pole_block.n = c->pole_line.n = 0;
 }
 
 int ncread_spline(struct ncread *c, struct error *error)
@@ -112,6 +129,8 @@ int ncread_spline(struct ncread *c, struct error *error)
     b.weight = c->weight.item;
     c->knot = c->weight = (struct doubles){0};
     c->pole_p = c->pole_q = (struct vec3s){0};
+    size_t first = c->course->piece.n;
     course_add_spline(c->course, b, &c->spline);
+    name_spans(c, &b, first);
     return 0;
 }
