@@ -61,6 +61,10 @@ static int mesh_of(const struct cloudmesh_wish *wish, const struct cloud_parts *
                              fmax(noise, mesh->origin.noise), threads);
         made->creases = found.creases;
         made->walls = found.walls;
+        if (found.too_many > 0 && !wish->silent)
+            say("%zu edges of the mesh lie where the scan is rough: too many to look for creases "
+                "and walls there (a wider spacing has fewer)",
+                found.too_many);
     }
     if (!wish->paper)
         mesh_normals_seen(mesh);

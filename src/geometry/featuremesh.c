@@ -9,7 +9,7 @@
 #include "parallel.h"
 #include "quadric.h"
 
-enum { NEAR = 30, MOST = 200, LOOKS = 4 };
+enum { NEAR = 30, MOST = 200, LOOKS = 4, MOST_DOUBTFUL = 12000, MANY = 200000, FEW = 1000 };
 
 static const double SLOPE = 0.5;                /* rise of an edge by its length, of a wall */
 static const double TURN = 0.99452189536827333; /* cos 6 degrees between normals */
@@ -107,6 +107,18 @@ static void look_at_edges(void *context, size_t from, size_t to)
         if (f->kind != FEATURE_NONE && !seen(f))
             f->kind = FEATURE_NONE;
     }
+}
+
+/* Edges that may cross a crease: on a rough scan of millions of points nearly all. */
+static size_t doubtful_edges(const struct search *s)
+{
+    size_t found = 0;
+    for (size_t e = 0; e < s->edges->n; e++) {
+        const struct mesh_edge *edge = &s->edges->edge[e];
+        found += edge->facet[0] >= 0 && (s->rough[edge->v[0]] || s->rough[edge->v[1]]) &&
+                 turns(s->mesh, edge);
+    }
+    return found;
 }
 
 /* What the features do to a vertex. */
@@ -320,6 +332,8 @@ size_t featuremesh_walls(const struct mesh *mesh, const struct vec3 *point, size
 
     parallel_for(threads, edges.n, look_for_walls, &s);
     size_t found = sum_up(&s).walls;
+    if (edges.n > MANY && found < edges.n / FEW)
+        found = 0;
     free(s.feature);
     kdtree_free(tree);
     kdtree_free(walls);
@@ -345,7 +359,10 @@ struct featuremesh featuremesh_keep(struct mesh *mesh, const struct vec3 *point,
     mark_turns(&s);
     parallel_for(threads, mesh->vertex.n, look_at_vertices, &s);
     memset(s.active, 1, mesh->vertex.n);
-    struct featuremesh found = look(&s, threads);
+    size_t doubtful = doubtful_edges(&s);
+    struct featuremesh found = {.too_many = doubtful > MOST_DOUBTFUL ? doubtful : 0};
+    if (!found.too_many)
+        found = look(&s, threads);
     if (found.creases + found.walls > 0)
         found = keep_better(&s, &before, n, threads);
     array_free(&before.vertex);

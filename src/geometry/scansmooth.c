@@ -9,7 +9,7 @@
 enum { LEAST = 32, MOST = 362, WIDEST = 1024, STEPS = 8, SAMPLE = 200, REFITS = 2 };
 
 /* Points to look at in all, and in any case for a vertex. */
-static const double WORK = 4e6, AFFORDED = 64;
+static const double WORK = 4e6, AFFORDED = 56;
 
 static const double TUKEY = 4.685; /* in standard deviations: 95 % efficient on normal noise */
 
@@ -224,7 +224,7 @@ static size_t typical_neighbourhood(struct job *job, int threads)
 static size_t begin_at(const struct job *job, struct vec3 vertex, struct vec3 guess,
                        struct hood *hood, struct fit *fit)
 {
-    const double part = 0.3, tilt = 0.03;
+    const double part = 0.35, tilt = 0.04;
     size_t began = 0;
     for (size_t k = job->neighbours; k <= WIDEST; k *= 2) {
         struct fit wide;
