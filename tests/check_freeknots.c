@@ -7,6 +7,7 @@
 
 #include "array.h"
 #include "freeknots.h"
+#include "trial.h"
 
 static void add(struct run *run, double x, double y, double z)
 {
@@ -14,18 +15,6 @@ static void add(struct run *run, double x, double y, double z)
 
     p.ball = vec_along(p.tip, run->radius, p.axis);
     *array_push(run) = p;
-}
-
-static double off_chain(struct vec3 q, const struct vec3 *point, size_t n)
-{
-    double best = INFINITY;
-
-    for (size_t j = 0; j + 1 < n; j++) {
-        struct vec3 d = vec_sub(point[j + 1], point[j]);
-        double l2 = vec_dot(d, d), t = l2 > 0 ? vec_dot(vec_sub(q, point[j]), d) / l2 : 0;
-        best = fmin(best, vec_distance(q, vec_along(point[j], fmin(1, fmax(0, t)), d)));
-    }
-    return best;
 }
 
 /* Distance both ways, from many places, by brute force. */
@@ -38,9 +27,9 @@ static double brute_force(const struct bspline *b, const struct track *t)
     for (int i = 0; i <= N; i++)
         way[i] = bspline_at(b, b->pole, b->knot[b->poles] * i / N);
     for (int i = 0; i <= N; i += 3)
-        worst = fmax(worst, off_chain(way[i], t->point, t->n));
+        worst = fmax(worst, trial_off_chain(way[i], t->point, t->n));
     for (size_t k = 0; k < t->n; k += 1 + t->n / 400)
-        worst = fmax(worst, off_chain(t->point[k], way, N + 1));
+        worst = fmax(worst, trial_off_chain(t->point[k], way, N + 1));
     return worst;
 }
 

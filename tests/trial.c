@@ -23,7 +23,7 @@ struct run trial_motion(size_t n, double radius)
     return run;
 }
 
-static double off_chain(struct vec3 q, const struct vec3 *point, size_t n)
+double trial_off_chain(struct vec3 q, const struct vec3 *point, size_t n)
 {
     double best = INFINITY;
 
@@ -48,11 +48,11 @@ double trial_brute_force(const struct bspline *b, const struct track *t, bool ot
         if (b->head != NULL)
             a = vec_unit(vec_sub(bspline_at(b, b->head, u), p));
         way[i] = other ? vec_along(p, t->offset, a) : p;
-        worst = fmax(worst, off_chain(way[i], data, t->n));
+        worst = fmax(worst, trial_off_chain(way[i], data, t->n));
     }
     for (size_t k = 0; k + 1 < t->n; k++)
         for (int i = 0; i < PARTS; i++)
             worst = fmax(worst,
-                         off_chain(vec_mix(data[k], data[k + 1], (double)i / PARTS), way, N + 1));
+                         trial_off_chain(vec_mix(data[k], data[k + 1], (double)i / PARTS), way, N + 1));
     return worst;
 }

@@ -9,6 +9,9 @@
 /* n points: the tip on a wave, the axis swinging; radius of the ball, mm. */
 struct run trial_motion(size_t n, double radius);
 
+/* Distance of q from the nearest of the straight pieces between n points, mm. */
+double trial_off_chain(struct vec3 q, const struct vec3 *point, size_t n);
+
 /* Largest distance both ways between the curve, taken at 1,501 places, and the track's polyline, mm;
  * of the tracked point or of the other one. */
 double trial_brute_force(const struct bspline *b, const struct track *t, bool other);

@@ -1,0 +1,139 @@
+/*
+ * minimax: the best cubic for a parabola's arc is known; what is out of reach is given up, and so
+ * is what takes too long.
+ */
+#include <check.h>
+#include <stdlib.h>
+
+#include "array.h"
+#include "minimax.h"
+
+/* y = x^4 / 512 from -4 to 4: its best parabola is off by 1/8 of the largest value of x^4 / 512 by
+ * Chebyshev, |T4| / 8 of 0.5, if its ends were free; with ends fixed and x in proportion to the
+ * parameter by more. */
+static struct track quartic(void)
+{
+    struct run run = {0};
+
+    for (int k = 0; k <= 400; k++) {
+        double x = k / 50.0 - 4;
+        struct run_point p = {.tip = vec(x, pow(x, 4) / 512, 0), .axis = vec(0, 0, 1)};
+        p.ball = p.tip;
+        *array_push(&run) = p;
+    }
+    struct track track = track_new(&run, false);
+    array_free(&run);
+    return track;
+}
+
+static struct attempt start(const struct target *t, int degree, size_t poles)
+{
+    struct bspline form = {.degree = degree, .poles = poles};
+    struct attempt a = {0};
+    double knot[32] = {0};
+
+    for (size_t j = (size_t)degree + 1; j <= poles + (size_t)degree; j++)
+        knot[j] = t->at[t->n - 1] *
+                  fmin(1, (double)(j - (size_t)degree) / (double)(poles - (size_t)degree));
+    ck_assert(attempt_start(t, &form, knot, t->at, &a));
+    return a;
+}
+
+/* Least squares leave the ends of the range worse than the largest distance has to be. */
+START_TEST(smaller_than_least_squares)
+{
+    struct track track = quartic();
+    struct target t = target_new(&track, 200, 0.001, 0.02);
+    struct attempt squares = start(&t, 3, 5), best = start(&t, 3, 5);
+    double effort = 1e9, first;
+
+    minimax_fit(&t, 1e9, 1, &squares, &effort); /* its feet, no step */
+    first = squares.feet.worst;
+    minimax_fit(&t, 0.6 * first, 1, &best, &effort);
+    ck_assert_double_le(best.feet.worst, 0.75 * first);
+    for (size_t k = 0; k < t.n; k++)
+        ck_assert_double_le(best.feet.off[k], best.feet.worst);
+    attempt_free(&squares);
+    attempt_free(&best);
+    target_free(&t);
+    track_free(&track);
+}
+END_TEST
+
+/* A degree that has the curve itself: all of it goes away. */
+START_TEST(what_can_be_exact_becomes_so)
+{
+    struct track track = quartic();
+    struct target t = target_new(&track, 200, 0.001, 0.02);
+    struct attempt a = start(&t, 4, 5);
+    double effort = 1e9;
+
+    ck_assert(minimax_fit(&t, 1e-4, 1, &a, &effort));
+    ck_assert_double_le(a.feet.worst, 1e-4);
+    attempt_free(&a);
+    target_free(&t);
+    track_free(&track);
+}
+END_TEST
+
+START_TEST(out_of_reach_and_out_of_time)
+{
+    struct track track = quartic();
+    struct target t = target_new(&track, 200, 0.001, 0.02);
+    struct attempt a = start(&t, 3, 4), b = start(&t, 4, 5);
+    double effort = 1e9, none = 0;
+
+    ck_assert(!minimax_fit(&t, 1e-7, 1, &a, &effort));
+    ck_assert_double_gt(effort, 1e9 - 200 * 200.0); /* and soon */
+    ck_assert(!minimax_fit(&t, 1e-4, 1, &b, &none));
+    ck_assert_double_gt(none, -1000.0);
+    attempt_free(&a);
+    attempt_free(&b);
+    target_free(&t);
+    track_free(&track);
+}
+END_TEST
+
+/* On other places of the same track the curve is the same, and the feet are near. */
+START_TEST(onto_other_places)
+{
+    struct track track = quartic();
+    struct target t = target_new(&track, 50, 0.001, 0.02);
+    struct target fine = target_new(&track, 300, 0.001, 0.02);
+    struct attempt a = start(&t, 3, 6);
+    double effort = 1e9;
+
+    minimax_fit(&t, 1e9, 1, &a, &effort);
+    struct attempt b = attempt_onto(&a, &t, &fine);
+    ck_assert_uint_eq(b.curve.poles, a.curve.poles);
+    ck_assert_double_eq_tol(fine.at[b.feet.where], t.at[a.feet.where], 0.1);
+    for (size_t k = 0; k < fine.n; k++)
+        ck_assert_double_lt(vec_distance(bspline_at(&b.curve, b.curve.pole, b.feet.u[k]),
+                                         fine.point[k]),
+                            a.feet.worst + 0.02);
+    attempt_free(&a);
+    attempt_free(&b);
+    target_free(&t);
+    target_free(&fine);
+    track_free(&track);
+}
+END_TEST
+
+int main(void)
+{
+    Suite *suite = suite_create("minimax");
+    TCase *tests = tcase_create("minimax");
+
+    tcase_set_timeout(tests, 60);
+    tcase_add_test(tests, smaller_than_least_squares);
+    tcase_add_test(tests, what_can_be_exact_becomes_so);
+    tcase_add_test(tests, out_of_reach_and_out_of_time);
+    tcase_add_test(tests, onto_other_places);
+    suite_add_tcase(suite, tests);
+
+    SRunner *runner = srunner_create(suite);
+    srunner_run_all(runner, CK_NORMAL);
+    int failed = srunner_ntests_failed(runner);
+    srunner_free(runner);
+    return failed == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
+}
