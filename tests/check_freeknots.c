@@ -65,7 +65,8 @@ static size_t poles_of(struct run *run, const struct freeknots_options *options)
 START_TEST(a_spline_is_found_again)
 {
     double knot[] = {0, 0, 0, 0, 0.15, 0.7, 1, 1, 1, 1};
-    struct vec3 pole[] = {{0, 0, 0}, {8, 12, 3}, {20, -9, 6}, {30, 15, 2}, {50, 10, -4}, {60, 0, 0}};
+    struct vec3 pole[] = {{0, 0, 0},   {8, 12, 3},   {20, -9, 6},
+                          {30, 15, 2}, {50, 10, -4}, {60, 0, 0}};
     struct bspline b = {.degree = 3, .poles = 6, .knot = knot, .pole = pole};
     struct run run = {.radius = 4};
     struct freeknots_options o = USUAL;

@@ -104,8 +104,8 @@ START_TEST(the_right_hand_side_is_the_slope)
                 ck_assert_double_eq_tol(found, slope_by(&s, &b->head[i].x, 1e-4), 2e-3 * largest);
             }
             for (size_t j = (size_t)degree + 1; j < b->poles; j++)
-                ck_assert_double_eq_tol(-step.right[step.knot[j]],
-                                        slope_by(&s, &b->knot[j], 1e-4), 2e-3 * largest);
+                ck_assert_double_eq_tol(-step.right[step.knot[j]], slope_by(&s, &b->knot[j], 1e-4),
+                                        2e-3 * largest);
             knotstep_free(&step);
             setting_free(&s);
         }

@@ -52,7 +52,7 @@ double trial_brute_force(const struct bspline *b, const struct track *t, bool ot
     }
     for (size_t k = 0; k + 1 < t->n; k++)
         for (int i = 0; i < PARTS; i++)
-            worst = fmax(worst,
-                         trial_off_chain(vec_mix(data[k], data[k + 1], (double)i / PARTS), way, N + 1));
+            worst = fmax(worst, trial_off_chain(vec_mix(data[k], data[k + 1], (double)i / PARTS),
+                                                way, N + 1));
     return worst;
 }

@@ -51,7 +51,8 @@ void feet_copy(struct feet *to, const struct feet *from, const struct target *ta
     to->where = from->where;
 }
 
-/* The curve at u, of the point that is followed: the tracked one, or the other end of the radius. */
+/* The curve at u, of the point that is followed: the tracked one, or the other end of the radius.
+ */
 struct place {
     struct vec3 off, speed, bend; /* bend: of the tracked point only */
     struct vec3 axis;

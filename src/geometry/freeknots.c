@@ -119,8 +119,8 @@ static size_t search_upwards(struct knottrials *t, size_t parts, size_t least)
 {
     size_t failed = least - 1;
 
-    for (size_t n = least; n < t->track->n && t->curve.poles == 0 && t->effort > 0 &&
-                           !is_rough(t, n);
+    for (size_t n = least;
+         n < t->track->n && t->curve.poles == 0 && t->effort > 0 && !is_rough(t, n);
          n = next_count(n)) {
         knottrials_aim(t, parts, n);
         if (!(t->failed.curve.poles + 1 == n && serves_with_one_more(t)) && !serves_anew(t, n))

@@ -35,8 +35,8 @@ struct knotstep knotstep_new(const struct bspline *curve)
     s.right = mem_alloc(at, sizeof *s.right);
     s.step = mem_alloc(at, sizeof *s.step);
     s.scale = mem_alloc(at, sizeof *s.scale);
-    s.moments = mem_alloc((curve->poles - p) * moments_size(curve->degree, (int)width),
-                          sizeof *s.moments);
+    s.moments =
+        mem_alloc((curve->poles - p) * moments_size(curve->degree, (int)width), sizeof *s.moments);
     return s;
 }
 

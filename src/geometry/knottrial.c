@@ -11,7 +11,7 @@
 enum { PROOFS = 6, ROUGH_PER_POLE = 8, FINER = 4 };
 static const double RESOLUTION = 0.002; /* of a proof, in parts of the tolerance */
 static const double MARGIN = 0.001;     /* parts of the tolerance that are kept for it */
-static const double SLOWEST = 0.1;     /* of the mean speed */
+static const double SLOWEST = 0.1;      /* of the mean speed */
 static const double COARSE = 1.05;      /* parts of the tolerance */
 
 void knottrials_aim(struct knottrials *t, size_t parts, size_t poles)
@@ -83,7 +83,8 @@ static bool prove(struct knottrials *t, struct attempt *attempt)
     const struct freeknots_options *o = t->options;
     double goal = (1 - MARGIN) * o->tolerance;
 
-    for (int i = 0; i < PROOFS && minimax_fit(&t->fine, goal, t->patience, attempt, &t->effort); i++) {
+    for (int i = 0; i < PROOFS && minimax_fit(&t->fine, goal, t->patience, attempt, &t->effort);
+         i++) {
         struct bspline curve = bspline_copy(&attempt->curve);
         struct proof proof = {INFINITY, INFINITY, INFINITY};
         t->effort -= (double)t->track->n;
@@ -122,8 +123,8 @@ static bool prove_fine(struct knottrials *t, struct attempt *attempt)
 bool knottrial_serves(struct knottrials *t, struct attempt *attempt)
 {
     double goal = (1 - MARGIN) * t->options->tolerance;
-    bool done = minimax_fit(&t->rough, goal, t->patience, attempt, &t->effort) &&
-                prove_fine(t, attempt);
+    bool done =
+        minimax_fit(&t->rough, goal, t->patience, attempt, &t->effort) && prove_fine(t, attempt);
 
     if (done)
         keep(&t->served, attempt);

@@ -25,7 +25,6 @@ struct work {
     double *effort;
 };
 
-
 bool attempt_start(const struct target *target, const struct bspline *form, const double *knot,
                    const double *u, struct attempt *attempt)
 {
@@ -166,7 +165,8 @@ static bool climb(struct work *w, double goal)
             if (feet->worst <= goal)
                 return true;
             gain = improve(w, power);
-            if (*w->effort < 0 || hopeless(mean_of(w->target, feet, power, 1), gain, goal, w->patience))
+            if (*w->effort < 0 ||
+                hopeless(mean_of(w->target, feet, power, 1), gain, goal, w->patience))
                 return false;
         }
         if (!(feet->worst > goal))
@@ -178,11 +178,8 @@ static bool climb(struct work *w, double goal)
 bool minimax_fit(const struct target *target, double goal, int patience, struct attempt *attempt,
                  double *effort)
 {
-    struct work w = {.target = target,
-                     .best = attempt,
-                     .damping = 1e-3,
-                     .patience = patience,
-                     .effort = effort};
+    struct work w = {
+        .target = target, .best = attempt, .damping = 1e-3, .patience = patience, .effort = effort};
 
     w.form = spanform_new(&attempt->curve);
     spanform_curve(&w.form, &attempt->curve);

@@ -7,11 +7,13 @@
 
 #include "flatten.h"
 
-static const double CORNER = PI / 3;   /* a turn above this is a corner ... */
-static const double CORNER_REACH = 10; /* ... if it is one over so many tolerances too */
-static const double SPARSE = 1;     /* parts of the tolerance: straight lines further off */
-static const double DENSE = 0.1;       /* parts of the tolerance: chord error when made dense */
-static const double FALLBACK = 0.99;   /* parts of the tolerance: chord error of the fallback */
+static const double CORNER = PI / 3;    /* a turn above this is a corner ... */
+static const double CORNER_REACH = 10;  /* ... if it is one over so many tolerances too */
+static const double ROUGH = PI / 6;     /* a turn above this, at ... */
+static const double ROUGH_POINTS = 0.1; /* ... this part of the points: no smooth path is meant */
+static const double SPARSE = 1;         /* parts of the tolerance: straight lines further off */
+static const double DENSE = 0.1;        /* parts of the tolerance: chord error when made dense */
+static const double FALLBACK = 0.99;    /* parts of the tolerance: chord error of the fallback */
 
 void splinerun_free(struct splinerun *pieces)
 {
@@ -66,6 +68,17 @@ static void fill_fallback(struct splinerun_piece *piece, const struct run *run, 
     flat_free(&flat);
 }
 
+/* True when the points turn so much that they are noise more than places of a smooth path. */
+static bool is_rough(const struct run *run)
+{
+    size_t turns = 0;
+
+    for (size_t i = 1; i + 1 < run->n; i++)
+        turns += vec_angle(vec_sub(run->item[i].ball, run->item[i - 1].ball),
+                           vec_sub(run->item[i + 1].ball, run->item[i].ball)) > ROUGH;
+    return (double)turns > ROUGH_POINTS * (double)run->n;
+}
+
 /* Fits one piece; `options` with the whole tolerance. */
 static void fit_piece(const struct run *run, bool centre, bool paper,
                       const struct splinefit_options *options, struct splinerun_piece *piece)
@@ -76,7 +89,8 @@ static void fit_piece(const struct run *run, bool centre, bool paper,
     struct run dense = {.radius = run->radius};
     const struct run *data = &part;
 
-    if (!paper && run_densify(&part, DENSE * o.tolerance, &dense) > SPARSE * o.tolerance) {
+    if (!paper && !is_rough(&part) &&
+        run_densify(&part, DENSE * o.tolerance, &dense) > SPARSE * o.tolerance) {
         data = &dense;
         piece->smooth = DENSE * o.tolerance;
         o.tolerance -= piece->smooth;
