@@ -144,14 +144,17 @@ static int next_line(struct text *t, char *line, size_t n, struct error *error)
     return take_row(t, &row, error);
 }
 
-/* Room for the rest of the file, if it goes on as it began: so many rows in so many bytes. */
+/* Room for the rest of the file, if it goes on as it began: so many rows in so many bytes, and some
+ * more, for scans begin in a corner, where coordinates have a sign more and a digit.  Room that is
+ * not used costs nothing. */
 static void reserve(struct text *t, size_t rows, size_t bytes)
 {
     enum { SURE = 256, MOST = 1 << 25 };
+    const double more = 1.15;
     if (t->reserved || rows < SURE)
         return;
     t->reserved = true;
-    double expected = 1.02 * (double)t->source->reader->size * (double)rows / (double)bytes;
+    double expected = more * (double)t->source->reader->size * (double)rows / (double)bytes;
     array_reserve(t->source->points,
                   t->source->points->n + (expected < MOST ? (size_t)expected : MOST));
 }
