@@ -48,8 +48,9 @@ double cloudmesh_spacing(const struct cloudmesh_wish *wish, const struct vec3 *p
 int cloudmesh_make(const struct cloudmesh_wish *wish, struct vec3s *points, double noise,
                    int threads, struct mesh *mesh, struct cloudmesh *made, struct error *error);
 
-/* The vertices of a fine mesh, on the surface that noisy points stand for, instead of these; *spent:
- * three standard deviations of what is left of the noise. */
+/* Noisy points moved onto the surface that they stand for, all or, of more than 200,000, those of a
+ * grid twice as wide as they are apart; *spent: three standard deviations of what is left of the
+ * noise. */
 int cloudmesh_smooth_points(const struct cloudmesh_wish *wish, struct vec3s *points, double noise,
                             int threads, double *spent, struct error *error);
 

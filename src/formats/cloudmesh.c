@@ -200,14 +200,20 @@ int cloudmesh_make(const struct cloudmesh_wish *wish, struct vec3s *points, doub
 int cloudmesh_smooth_points(const struct cloudmesh_wish *wish, struct vec3s *points, double noise,
                             int threads, double *spent, struct error *error)
 {
+    enum { ALL = 200000 };   /* so many points are all moved, of more some */
+    const double apart = 2; /* in spacings */
     struct cloudmesh_wish fine = *wish;
     struct mesh mesh = {.origin.ledger = NAN};
     struct cloudmesh made;
     if (footprint_check(points->item, points->n, error) < 0)
         return -1;
     struct cloud_parts parts = {cloudmesh_spacing(wish, points->item, points->n), points->n};
-    fine.spacing = 2 * parts.mean;
-    int status = cloudmesh_by_grid(&fine, &parts, points, &mesh, &made, error);
+    fine.spacing = apart * parts.mean;
+    int status = 0;
+    if (points->n > ALL)
+        status = cloudmesh_by_grid(&fine, &parts, points, &mesh, &made, error);
+    for (size_t i = 0; i < points->n && points->n <= ALL; i++)
+        *array_push(&mesh.vertex) = points->item[i];
     if (status == 0)
         status = cloudmesh_normals(&fine, points->item, points->n, noise, threads, &mesh, error);
     if (status == 0) {
