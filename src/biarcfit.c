@@ -145,8 +145,8 @@ static struct settings read_settings(struct cli *cli, int argc, char **argv)
         {'e', "tolerance", "MM", "how far tip and ball centre may be off the path (0.01)",
          CLI_NUMBER, &s.tolerance, 1e-4, 100, 0, &s.tolerance_given},
         {'g', "guard", "FILE",
-         "keep the ball within the tolerance clear of this scan along all that is\n"
-         "fitted, too (may be given several times)",
+         "keep the ball clear of this scan, within the tolerance, along all that\n"
+         "is fitted, too (may be given several times)",
          CLI_LIST, &s.guard.files, 0, 0, 0, NULL},
         {0, "noise", "SIGMA", "standard deviation of the scan's noise (default: as found)",
          CLI_NUMBER, &s.guard.noise, 0, 10, 0, NULL},

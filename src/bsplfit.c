@@ -55,8 +55,8 @@ static void read_options(int argc, char **argv, struct cli *cli, struct settings
         {'e', "tolerance", "MM", "largest distance of tip and ball centre from the path (0.01)",
          CLI_NUMBER, &s->fit.tolerance, 1e-5, 10, 0, &tolerance_given},
         {'g', "guard", "FILE",
-         "keep the ball within the tolerance clear of this scan along all curves,\n"
-         "too (may be given several times)",
+         "keep the ball clear of this scan, within the tolerance, along all\n"
+         "curves, too (may be given several times)",
          CLI_LIST, &s->guard.files, 0, 0, 0, NULL},
         {0, "noise", "SIGMA", "standard deviation of the scan's noise (default: as found)",
          CLI_NUMBER, &s->guard.noise, 0, 10, 0, NULL},

@@ -69,7 +69,7 @@ static struct settings read_options(struct cli *cli, int argc, char **argv)
         {0, "extend", "MM", "continue the surface so far beyond the outer border", CLI_NUMBER,
          &s.extend, CLI_POSITIVE, 0, 0, NULL},
         {0, "subdivide", NULL,
-         "divide the cloud by orientation, each part with a projection of its own", CLI_FLAG,
+         "divide the cloud by orientation, each part with its own projection", CLI_FLAG,
          &s.wish.subdivide, 0, 0, 0, NULL},
         {0, "paper", NULL,
          "as published: a node takes any point nearer than the spacing, holes\n"

@@ -21,8 +21,8 @@ static const struct cli_option options[] = {
     {0, "normals", "mesh|facet|gouraud|central", "the mesh's own (default), the mean of the "
      "facets' (eq 8) or of the\nneighbours' (eq 7), central differences on a regular grid",
      CLI_CHOICE, &normals, 0, 0, 0, NULL},
-    {0, "scallop", "H", "rows as far apart as leaves no cusp higher than H between them, straight\n"
-     "over the surface of the mesh, instead of the mesh's own",
+    {0, "scallop", "H", "rows as far apart as leaves no cusp higher than H between them,\n"
+     "straight over the surface of the mesh, instead of the mesh's own",
      CLI_NUMBER, &scallop, CLI_POSITIVE, 0, 0, NULL},
     {0, "direction", "auto|DEG", "of those rows: that with the fewest millimetres of cut, or about z\n"
      "from x towards y (default: that of the mesh's rows)", CLI_TEXT, &way, 0, 0, 0, NULL},

@@ -26,12 +26,12 @@ const struct cli_option cutting_options[] = {
     {0, "noise", "SIGMA", "standard deviation of the noise that is taken out of the scan of -g\n"
      "(default: as found; 0: its points as they are)", CLI_NUMBER, &cutting.noise, 0, 10, 0, NULL},
     {'e', "tolerance", "E", "put points between those of the mesh: straight lines stay within E of\n"
-     "the smooth curve and no deeper in the part (0.01 with -g or --holder, else none)",
+     "the smooth curve, no deeper in the part (0.01 with -g, --holder, else none)",
      CLI_NUMBER, &cutting.tolerance, 0.0001, 10, 0, NULL},
     {0, "paper", NULL, "as published: mesh points alone, nothing lifted, links not checked",
      CLI_FLAG, &cutting.paper, 0, 0, 0, NULL},
-    {0, "avoid", NULL, "what the ball can't reach may stay standing (else it is told, with exit\n"
-     "status 3)", CLI_FLAG, &cutting.avoid, 0, 0, 0, NULL},
+    {0, "avoid", NULL, "what the ball can't reach may stay standing (else it is told, with\n"
+     "exit status 3)", CLI_FLAG, &cutting.avoid, 0, 0, 0, NULL},
     {0, "limit", "H", "lift no centre by more than H: what takes more is passed over\n"
      "(default: the radius)", CLI_NUMBER, &cutting.limit, CLI_POSITIVE, 0, 0, NULL},
     {0, "tilt", "DEG", "lean the axis off the normal, sideways, positive to next pass (15)",
@@ -50,8 +50,8 @@ const struct cli_option cutting_options[] = {
      CLI_NUMBER, &cutting.play, 0, 60, 0, NULL},
     {0, "axis-rate", "DEG", "turn axes by no more than DEG in a millimetre along a pass",
      CLI_NUMBER, &cutting.rate, CLI_POSITIVE, 0, 0, NULL},
-    {0, "holder", "SPEC", "keep shank and holder clear too: cones R0:R1:L or cylinders R:L from the\n"
-     "ball's centre upward, joined by +", CLI_TEXT, &cutting.holder, 0, 0, 0, NULL},
+    {0, "holder", "SPEC", "keep shank and holder clear too: cones R0:R1:L or cylinders R:L from\n"
+     "the ball's centre upward, joined by +", CLI_TEXT, &cutting.holder, 0, 0, 0, NULL},
     {0, "lean-limit", "DEG", "how far axes may be leaned away where the holder touches (30)",
      CLI_NUMBER, &cutting.lean, 0, 85, 0, NULL},
     {0, "one-way", NULL, "cut all passes in one direction (default: zig-zag)",
