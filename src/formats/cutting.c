@@ -26,7 +26,7 @@ const struct cli_option cutting_options[] = {
     {0, "noise", "SIGMA", "standard deviation of the noise that is taken out of the scan of -g\n"
      "(default: as found; 0: its points as they are)", CLI_NUMBER, &cutting.noise, 0, 10, 0, NULL},
     {'e', "tolerance", "E", "put points between those of the mesh: straight lines stay within E of\n"
-     "the smooth curve, no deeper in the part (0.01 with -g, --holder, else none)",
+     "the smooth curve, no deeper in the part (0.01 with -g or --holder)",
      CLI_NUMBER, &cutting.tolerance, 0.0001, 10, 0, NULL},
     {0, "paper", NULL, "as published: mesh points alone, nothing lifted, links not checked",
      CLI_FLAG, &cutting.paper, 0, 0, 0, NULL},
