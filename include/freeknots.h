@@ -21,7 +21,8 @@ struct freeknots_options {
  * the curve found, each knot in turn is tried to be left out.
  * A curve serves when proof_keeps holds on its printed digits; true then, with *curve and its
  * *proof.  False when none with at most 16 poles, or a pole for every fourth point, does.
- * The work is bounded, by the number of points; *cut tells that the bound was reached, so that
+ * The work is bounded by the number of points, and sooner where 16 poles and more serve fewer than
+ * six points each; *cut tells that the bound was reached, so that
  * fewer poles might do.
  */
 bool freeknots_search(const struct track *track, const struct freeknots_options *options,

@@ -21,7 +21,7 @@ struct knottrials {
     size_t parts;  /* places of `rough`, about */
     bool coarse;   /* a curve that kept the tolerance at the places did not keep it between */
     int patience;  /* of minimax_fit */
-    double effort; /* places times steps that may still be spent */
+    double effort; /* distances times steps that may still be spent */
 };
 
 /* With at least `parts` places and enough of them for so many poles; all found so far is kept, but

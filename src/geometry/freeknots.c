@@ -16,13 +16,15 @@ enum {
     FEW = 16,
     MANY = 40,
     ROUGH_POINTS = 4,
+    UNEVEN_POINTS = 6,
     PATIENCE = 5,
     PARTS = 64,
     PARTS_FINEST = 6000
 };
 static const double WORTH_IT = 5; /* tolerances off: nearer is worth to be moved about */
 static const double NEARLY = 2;   /* nearer than this is worth more patience */
-static const double EFFORT = 3e4, EFFORT_PER_POINT = 2000; /* places times steps, at most */
+static const double EFFORT = 6e4, EFFORT_PER_POINT = 2500; /* distances times steps, at most */
+static const double EFFORT_UNEVEN = 500; /* the same per point, from where on the data is uneven */
 
 /* The starts that know nothing of other attempts. */
 static bool serves_anew(struct knottrials *t, size_t poles)
@@ -109,9 +111,9 @@ static bool serves_with_one_more(struct knottrials *t)
 }
 
 /* A pole for every few points and still to do: the curve would follow the noise of the data. */
-static bool is_rough(const struct knottrials *t, size_t poles)
+static bool is_rough(const struct knottrials *t, size_t poles, size_t points)
 {
-    return poles > FEW && poles * ROUGH_POINTS > t->track->n;
+    return poles > FEW && poles * points > t->track->n;
 }
 
 /* Upwards until a count serves.  Returns the last one that did not. */
@@ -120,8 +122,10 @@ static size_t search_upwards(struct knottrials *t, size_t parts, size_t least)
     size_t failed = least - 1;
 
     for (size_t n = least;
-         n < t->track->n && t->curve.poles == 0 && t->effort > 0 && !is_rough(t, n);
+         n < t->track->n && t->curve.poles == 0 && t->effort > 0 && !is_rough(t, n, ROUGH_POINTS);
          n = next_count(n)) {
+        if (is_rough(t, n, UNEVEN_POINTS))
+            t->effort = fmin(t->effort, EFFORT_UNEVEN * (double)t->track->n);
         knottrials_aim(t, parts, n);
         if (!(t->failed.curve.poles + 1 == n && serves_with_one_more(t)) && !serves_anew(t, n))
             failed = n;
@@ -161,7 +165,7 @@ static void search_counts(struct knottrials *t, size_t parts)
     size_t failed = search_upwards(t, parts, least);
     if (t->curve.poles > ONE_BY_ONE)
         bisect(t, failed);
-    while (t->curve.poles > least && t->effort > 0 &&
+    while (t->curve.poles > least && t->effort > 0 && !is_rough(t, t->curve.poles, UNEVEN_POINTS) &&
            (serves_with_one_less(t, &t->served, tries(t)) || serves_by_patience(t) ||
             serves_by_exchange(t)))
         ;

@@ -131,7 +131,7 @@ static double improve(struct work *w, int power)
         spanform_curve(&w->form, &w->trial.curve);
         feet_copy(&w->trial.feet, &w->best->feet, w->target);
         feet_follow(&w->form, w->target, &w->trial.feet);
-        *w->effort -= (double)w->target->n;
+        *w->effort -= (double)(w->target->n * feet_kinds(w->target));
         double after = mean_of(w->target, &w->trial.feet, power, reference);
         if (!(after < before))
             continue;

@@ -18,7 +18,8 @@ const double *moments_right(const double *moments, int degree, int width)
     return moments + (2 * degree + 1) * size_of(width);
 }
 
-static inline void add(double *moments, int degree, int width, double s, const struct pull *pull)
+static inline void add(double *restrict moments, int degree, int width, double s,
+                       const struct pull *restrict pull)
 {
     int size = size_of(width);
     double power = 1, *g = moments + (2 * degree + 1) * size;
@@ -40,7 +41,8 @@ void moments_add(double *moments, int degree, int width, double s, const struct 
         add(moments, degree, 6, s, pull);
 }
 
-static inline void times(const double *moments, int degree, int width, const double *c, double *y)
+static inline void times(const double *moments, int degree, int width, const double *c,
+                         double *restrict y)
 {
     int size = size_of(width);
 
