@@ -68,14 +68,18 @@ static void fill_fallback(struct splinerun_piece *piece, const struct run *run, 
     flat_free(&flat);
 }
 
-/* True when the points turn so much that they are noise more than places of a smooth path. */
+/* True when the points turn so much that they are noise more than places of a smooth path.  Not
+ * where the axis turns: straight between points, it takes the ball off the straight line. */
 static bool is_rough(const struct run *run)
 {
     size_t turns = 0;
 
-    for (size_t i = 1; i + 1 < run->n; i++)
+    for (size_t i = 1; i + 1 < run->n; i++) {
+        if (vec_distance(run->item[i].axis, run->item[0].axis) > 2e-9)
+            return false;
         turns += vec_angle(vec_sub(run->item[i].ball, run->item[i - 1].ball),
                            vec_sub(run->item[i + 1].ball, run->item[i].ball)) > ROUGH;
+    }
     return (double)turns > ROUGH_POINTS * (double)run->n;
 }
 
