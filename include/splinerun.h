@@ -27,10 +27,10 @@ struct splinerun {
  *
  * With `paper` the run is one piece, fitted as it is by splinefit_paper.  By default it is parted
  * where the path turns by more than 60 degrees, in one point and over 10 times the tolerance (so
- * that noise makes no corners); where straight lines between the points would leave the smooth
- * path (run_densify) by more than the tolerance (and the points are not rough with a fixed axis, turning by more than
- * 30 degrees in every tenth), the curve follows the smooth path,
- * sampled to a tenth of the tolerance, and keeps the rest; splinefit_search fits.
+ * that noise makes no corners).  Where straight lines between the points would leave the smooth
+ * path (run_densify) by more than the tolerance, the curve follows the smooth path, sampled to a
+ * tenth of the tolerance, and keeps the rest; but not where the axis is fixed and every tenth point
+ * turns by more than 30 degrees, which is noise.  splinefit_search fits.
  */
 void splinerun_fit(const struct run *run, bool centre, bool paper,
                    const struct splinefit_options *options, struct splinerun *pieces);
