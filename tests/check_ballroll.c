@@ -184,6 +184,128 @@ START_TEST(threads_change_nothing)
 }
 END_TEST
 
+static double wave_height(double x, double y)
+{
+    return 2 * sin(x / 5) * cos(y / 6);
+}
+
+static double saddle_height(double x, double y)
+{
+    return (x * x - y * y) / 60;
+}
+
+static double ridge_height(double x, double y)
+{
+    double s = (x * 0.8 + y * 0.6) / 2.6;
+    return 0.8 * exp(-s * s);
+}
+
+static double dome_height(double x, double y)
+{
+    return sqrt(3600 - x * x - y * y);
+}
+
+static double bowl_height(double x, double y)
+{
+    return -sqrt(900 - x * x - y * y);
+}
+
+static double (*const heights[])(double, double) = {wave_height, saddle_height, ridge_height,
+                                                    panel_height, bowl_height, dome_height};
+
+/* Where the ball's centre is meant to be over x in a pass: some passes too deep, some too high. */
+static struct vec3 centre_over(int kind, double radius, double x, int row)
+{
+    const double h = 1e-5, y = row * 0.6;
+    double (*z)(double, double) = heights[kind];
+    struct vec3 n = vec_unit(
+        vec((z(x - h, y) - z(x + h, y)) / (2 * h), (z(x, y - h) - z(x, y + h)) / (2 * h), 1));
+    double off = 0.03 * sin(1.7 * row) + 0.02 * sin(0.9 * x);
+    return vec_along(vec(x, y, z(x, y)), radius + off, n);
+}
+
+/* How far p is from the passes, by a search along each: no segments, no tree. */
+static double truth_of(int kind, double radius, struct vec3 p)
+{
+    double best = HUGE_VAL;
+    for (int row = -14; row <= 14; row++) {
+        if (fabs(row * 0.6 - p.y) > 3)
+            continue;
+        double at = 0, nearest = HUGE_VAL, step = 0.25;
+        for (double x = fmax(p.x - 4, -9); x <= fmin(p.x + 4, 9); x += step) {
+            double d = vec_distance(p, centre_over(kind, radius, x, row));
+            at = d < nearest ? x : at;
+            nearest = fmin(nearest, d);
+        }
+        for (; step > 1e-4; step /= 2) {
+            double low = vec_distance(p, centre_over(kind, radius, fmax(at - step, -9), row));
+            double high = vec_distance(p, centre_over(kind, radius, fmin(at + step, 9), row));
+            at = low < fmin(nearest, high) ? fmax(at - step, -9)
+                 : high < nearest          ? fmin(at + step, 9)
+                                           : at;
+            nearest = fmin(nearest, fmin(low, high));
+        }
+        best = fmin(best, nearest);
+    }
+    return best;
+}
+
+static int rising(const void *a, const void *b)
+{
+    double x = *(const double *)a, y = *(const double *)b;
+    return (x > y) - (x < y);
+}
+
+enum { SCATTERED = 400 };
+
+/* Six surfaces, two balls each, points at random: all figures within 0.002 mm of the truth. */
+START_TEST(figures_are_those_of_the_truth)
+{
+    static const double share[] = {0.50, 0.95, 0.99};
+    const int kind = _i / 2;
+    const double radius = _i % 2 ? 8 : 5;
+    struct ball_path path = {0};
+    struct vec3s points = {0};
+    double truth[SCATTERED];
+    unsigned seed = 77 + (unsigned)_i;
+    for (int row = -14; row <= 14; row++)
+        for (int k = -450; k < 450; k++)
+            *array_push(&path) =
+                (struct ball_segment){centre_over(kind, radius, k * 0.02, row),
+                                      centre_over(kind, radius, (k + 1) * 0.02, row),
+                                      {0, 1},
+                                      (unsigned)row + 14,
+                                      false};
+    for (int i = 0; i < SCATTERED; i++) {
+        double xy[2];
+        for (int k = 0; k < 2; k++) {
+            seed = seed * 1664525 + 1013904223;
+            xy[k] = 6.0 * (seed >> 8) / 8388608 - 6;
+        }
+        struct vec3 p = vec(xy[0], xy[1], heights[kind](xy[0], xy[1]));
+        *array_push(&points) = p;
+        truth[i] = truth_of(kind, radius, p) - radius;
+    }
+    struct ballroll_setup setup = {radius, 0.02, 1.2, 1};
+    struct ballroll r;
+    ballroll_run(&path, points.item, points.n, &setup, &r);
+    for (int i = 0; i < SCATTERED; i++)
+        ck_assert_double_eq_tol(r.deviation[i], truth[i], 0.0005);
+    qsort(truth, SCATTERED, sizeof *truth, rising);
+    ck_assert_uint_eq(r.cut, SCATTERED);
+    ck_assert_double_eq_tol(r.gouge, fmax(0, -truth[0]), 0.002);
+    ck_assert_double_eq_tol(r.over, fmax(0, truth[SCATTERED - 1]), 0.002);
+    for (int k = 0; k < BALLROLL_PERCENTILES; k++) {
+        size_t rank = (size_t)ceil(share[k] * SCATTERED) - 1;
+        ck_assert_double_eq_tol(r.over_part[k], fmax(0, truth[rank]), 0.002);
+        ck_assert_double_eq_tol(r.gouge_part[k], fmax(0, -truth[SCATTERED - 1 - rank]), 0.002);
+    }
+    ballroll_free(&r);
+    array_free(&path);
+    array_free(&points);
+}
+END_TEST
+
 int main(void)
 {
     Suite *suite = suite_create("ballroll");
@@ -194,6 +316,7 @@ int main(void)
     tcase_add_loop_test(tcase, beside_is_not_cut, 0, 3);
     tcase_add_loop_test(tcase, the_tree_finds_the_nearest, 0, 3);
     tcase_add_loop_test(tcase, threads_change_nothing, 0, 3);
+    tcase_add_loop_test(tcase, figures_are_those_of_the_truth, 0, 12);
     suite_add_tcase(suite, tcase);
     SRunner *runner = srunner_create(suite);
     srunner_run_all(runner, CK_ENV);

@@ -13,6 +13,9 @@ enum { GROUP = 32 };
 
 #define CLOSE 0.04 /* of the radius */
 #define HUG 4      /* tolerances that the ball may be off the part and still be on it */
+#define HOLE 1.5   /* spacings of the points that a hole between them is wide, seen from its middle */
+
+enum { SAMPLES = 200, BESIDE = 5 };
 
 struct job {
     struct ball_path *path;
@@ -20,16 +23,37 @@ struct job {
     const struct kdtree *part;
     const struct vec3 *point;
     const struct ballroll_setup *setup;
+    double near; /* the ball's centre to the nearest point when it is on the part */
     struct ballroll *result;
 };
 
+/* How far points are apart: a sample's mean distance to the fourth beside it. */
+static double spacing(const struct kdtree *part, const struct vec3 *point, size_t n)
+{
+    size_t index[BESIDE], step = n / SAMPLES + 1, samples = 0;
+    double distance2[BESIDE], sum = 0;
+    for (size_t i = 0; n >= BESIDE && i < n; i += step, samples++) {
+        kdtree_nearest(part, point[i], BESIDE, index, distance2);
+        sum += sqrt(distance2[BESIDE - 1]);
+    }
+    return samples > 0 ? sum / (double)samples : 0;
+}
+
+/* A ball on the surface hangs into the hole between points, so far from all of them. */
+static double near_part(const struct job *job, size_t n)
+{
+    const struct ballroll_setup *setup = job->setup;
+    double hole = HOLE * spacing(job->part, job->point, n);
+    double off = fmax(HUG * setup->tolerance, hole * hole / (2 * setup->radius));
+    return setup->radius + fmin(setup->band, off);
+}
+
 static bool touches(const struct job *job, struct vec3 ball)
 {
-    double near = job->setup->radius + fmin(job->setup->band, HUG * job->setup->tolerance);
     size_t index;
     double distance2;
     kdtree_nearest(job->part, ball, 1, &index, &distance2);
-    return distance2 <= near * near;
+    return distance2 <= job->near * job->near;
 }
 
 /*
@@ -120,10 +144,11 @@ void ballroll_run(struct ball_path *path, const struct vec3 *point, size_t n,
     result->deviation = mem_alloc(n, sizeof *result->deviation);
     result->segment = mem_alloc(n, sizeof *result->segment);
     result->region = mem_alloc(n, sizeof *result->region);
-    struct job job = {path, tree, NULL, point, setup, result};
+    struct job job = {path, tree, NULL, point, setup, 0, result};
     if (setup->band > setup->tolerance && n > 0) {
         struct kdtree *part = kdtree_new(point, n);
         job.part = part;
+        job.near = near_part(&job, n);
         parallel_for(setup->threads, (path->n + GROUP - 1) / GROUP, touch, &job);
         kdtree_free(part);
     }
