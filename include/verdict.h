@@ -29,6 +29,7 @@ struct verdict_piece {
 struct verdict {
     const char *file, *control, *machine; /* as said, or told from the text */
     double radius, tolerance, left;       /* left: most material, HUGE_VAL: not judged */
+    double band;                          /* as of ballroll */
     const struct course *course;
     const struct ball_path *cut;
     const struct vec3s *point;

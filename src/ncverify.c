@@ -186,7 +186,8 @@ int main(int argc, char **argv)
     read_options(&s, &cli, argc, argv);
     struct machine machine = read_machine(&s);
     struct axisload_limits limits = limits_of(&machine);
-    struct verdict v = {.radius = s.radius, .tolerance = s.tolerance, .left = s.left};
+    struct verdict v = {
+        .radius = s.radius, .tolerance = s.tolerance, .left = s.left, .band = s.band};
     read_program(&s, &machine, cli.file[0], &v, &course);
     read_part(&s, &points);
     v.point = &points;

@@ -252,6 +252,14 @@ for control in fanuc siemens; do
 	status 3 "$control: a pole too deep" ncverify -g dome.xyz -r 6 -e 0.03 -c $control bad.nc
 	N=$(sed 's/N//' named) # or the one beside it, whose span it shapes as much
 	has "$control: is named by its block" "^ncverify: bad.nc: N($N|$((N + 10))|$((N - 10))) .*deep" err
+	# 100 mm up: the passes beside leave little on its place, but the curve leaves the part
+	awk '/G0?6.2|BSPLINE/ { inside = 1 } / G1 | K[0-9.]+$/ { inside = 0 }
+		inside && ++n == 41 { for (i = 1; i <= NF; i++) if ($i ~ /^Z[0-9]/) $i = sprintf("Z%.3f", substr($i, 2) + 100)
+			print $1 >"named" } { print }' spline.$control >bad.nc
+	status 3 "$control: a pole far too high" ncverify -g dome.xyz -r 6 -e 0.03 -c $control bad.nc
+	N=$(sed 's/N//' named)
+	has "$control: is named too" \
+		"^ncverify: bad.nc: N($N|$((N + 10))|$((N - 10))) .*leaves the part amid a cut" err
 done
 awk '/ K[0-9.]+ X/ && ++n == 40 { sub(/ K[0-9.]+/, " K999.") } { print }' spline.fanuc >bad.nc
 status 1 "a knot that is too large" ncverify -g dome.xyz -r 6 bad.nc

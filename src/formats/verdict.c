@@ -7,6 +7,8 @@
 #include <stdio.h>
 #include <stdlib.h>
 
+#include "leap.h"
+
 enum { LEAN_STEPS = 4 };
 
 #define JUMP 5.0  /* degrees */
@@ -154,6 +156,17 @@ static void judge_jumps(struct verdict *v)
              DEGREES(most), jumps);
 }
 
+/* Curves that leave the part and come back. */
+static void judge_leaps(struct verdict *v)
+{
+    const struct leap_setup setup = {v->radius, v->band};
+    struct leap leap = leap_find(v->course, v->cut, v->point->item, v->point->n, &setup);
+    if (leap.leaps > 0)
+        find(v, true, leap.piece,
+             "the ball leaves the part amid a cut, %.3f mm off it at %.3f %.3f %.3f (times: %zu)",
+             leap.height, leap.at.x, leap.at.y, leap.at.z, leap.leaps);
+}
+
 static void judge_axes(struct verdict *v)
 {
     static const char letter[] = "XYZABC";
@@ -181,6 +194,7 @@ void verdict_judge(struct verdict *v)
     judge_holder(v, v->stock_holder, "stock");
     judge_axes(v);
     judge_jumps(v);
+    judge_leaps(v);
     if (v->roll.cut == 0 && v->course->piece.n > 0)
         find(v, true, 0, "the ball comes near no point of the part");
 }
