@@ -23,6 +23,10 @@ struct guard;
 /* From the points of a scan, as dense as they are. */
 struct guard *guard_from_points(const struct vec3 *point, size_t n);
 
+/* The same, made of the points themselves, which are the guard's from now on, by several threads (as
+ * in parallel.h). */
+struct guard *guard_take(struct vec3s points, int threads);
+
 /*
  * From a mesh with vertex normals: each facet as the curved triangle that its vertices and normals
  * span (PN triangle, Vlachos et al. 2001, but with handles that make edges of a sphere circular
@@ -50,6 +54,10 @@ double guard_depth(const struct guard *guard, struct vec3 c, double radius);
 /* The same for a ball whose centre moves straight from a to b: the deepest on the way, 0 where the
  * whole way is clear. */
 double guard_depth_along(const struct guard *guard, struct vec3 a, struct vec3 b, double radius);
+
+/* Does the ball go no deeper than `depth` on that way?  Quicker than to ask how deep. */
+bool guard_clear_along(const struct guard *guard, struct vec3 a, struct vec3 b, double radius,
+                       double depth);
 
 /*
  * The smallest lift h in [0, limit] that brings the ball with its centre at c + h * up (a unit

@@ -8,12 +8,18 @@
 #ifndef CLOUDMILL_KDTREE_H
 #define CLOUDMILL_KDTREE_H
 
+#include <stdbool.h>
+
 #include "array.h"
 #include "vec.h"
 
 struct kdtree;
 
 struct kdtree *kdtree_new(const struct vec3 *point, size_t n);
+
+/* The same, and the same tree, by several threads (as in parallel.h). */
+struct kdtree *kdtree_new_by(const struct vec3 *point, size_t n, int threads);
+
 void kdtree_free(struct kdtree *tree);
 
 /* The k nearest points to q, nearest first (fewer when there are fewer): index[], and their
@@ -32,6 +38,9 @@ void kdtree_within(const struct kdtree *tree, struct vec3 q, double radius, stru
  */
 double kdtree_nearest_segment(const struct kdtree *tree, struct vec3 a, struct vec3 b,
                               double within, size_t *index);
+
+/* Is there a point nearer than `within` to the straight way from a to b?  Ends at the first. */
+bool kdtree_any_beside(const struct kdtree *tree, struct vec3 a, struct vec3 b, double within);
 
 /*
  * The point at which `value` is lowest, if that is below `below`: its value, and the point in

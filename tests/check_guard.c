@@ -169,6 +169,24 @@ START_TEST(facet_over_a_step_is_flat)
 }
 END_TEST
 
+START_TEST(clear_along_is_what_the_depth_along_says)
+{
+    struct guard *guard = make_guard();
+    int clear = 0;
+    for (int i = 0; i < 400; i++) {
+        struct vec3 a = vec(uniform(-15, 15), uniform(-15, 15), uniform(-8, 12));
+        struct vec3 b = vec_along(a, uniform(0, 12), i % 3 ? direction() : vec(0, 0, 1));
+        double depth = uniform(0.01, 1);
+        bool said = guard_clear_along(guard, a, b, 3, depth);
+        ck_assert_int_eq(said, guard_depth_along(guard, a, b, 3) <= depth);
+        clear += said;
+    }
+    ck_assert_int_gt(clear, 50);
+    ck_assert_int_lt(clear, 350);
+    guard_free(guard);
+}
+END_TEST
+
 START_TEST(without_points_all_is_clear)
 {
     struct guard *guard = guard_from_points(NULL, 0);
@@ -189,6 +207,7 @@ int main(void)
     tcase_add_test(tests, rise_is_the_last_place_that_is_not_clear);
     tcase_add_test(tests, curved_facets_keep_to_a_sphere);
     tcase_add_test(tests, facet_over_a_step_is_flat);
+    tcase_add_test(tests, clear_along_is_what_the_depth_along_says);
     tcase_add_test(tests, without_points_all_is_clear);
     suite_add_tcase(suite, tests);
     SRunner *runner = srunner_create(suite);

@@ -160,6 +160,28 @@ START_TEST(sorted_input)
 }
 END_TEST
 
+START_TEST(threads_build_the_same_tree)
+{
+    enum { MANY = 130000 };
+    struct vec3 *point = malloc(MANY * sizeof *point);
+    struct sizes one = {0}, two = {0};
+    for (size_t i = 0; i < MANY; i++)
+        point[i] = make_point(1);
+    struct kdtree *alone = kdtree_new(point, MANY), *shared = kdtree_new_by(point, MANY, 3);
+    kdtree_within(alone, vec(50, 30, 0), 20, &one);
+    kdtree_within(shared, vec(50, 30, 0), 20, &two);
+    ck_assert_uint_gt(one.n, 10000);
+    ck_assert_uint_eq(one.n, two.n);
+    for (size_t i = 0; i < one.n; i++) /* in the same order */
+        ck_assert_uint_eq(one.item[i], two.item[i]);
+    array_free(&one);
+    array_free(&two);
+    kdtree_free(alone);
+    kdtree_free(shared);
+    free(point);
+}
+END_TEST
+
 START_TEST(nothing_to_find)
 {
     struct sizes found = {0};
@@ -183,6 +205,7 @@ int main(void)
     tcase_add_test(tests, same_as_one_by_one);
     tcase_add_test(tests, segments_as_one_by_one);
     tcase_add_test(tests, sorted_input);
+    tcase_add_test(tests, threads_build_the_same_tree);
     tcase_add_test(tests, nothing_to_find);
     suite_add_tcase(suite, tests);
     srunner_run_all(runner, CK_ENV);

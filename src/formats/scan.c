@@ -59,9 +59,7 @@ static struct guard *guard_of(const struct vec3s *points, struct scan_rule *rule
         say("noise of %.2g mm taken out of the scan that guards (%zu of %zu points moved)",
             surface.noise, surface.moved, points->n);
     note("guarded by %zu points of the scan and %zu put between", points->n, surface.added);
-    struct guard *guard = guard_from_points(surface.point.item, surface.point.n);
-    array_free(&surface.point);
-    return guard;
+    return guard_take(surface.point, rule->threads);
 }
 
 static struct guard *read_guard(const struct cli_list *files, const double (*placed)[4],

@@ -324,7 +324,8 @@ size_t featuremesh_walls(const struct mesh *mesh, const struct vec3 *point, size
     if (flat >= n || mesh->face.n == 0)
         return 0;
     struct mesh_edges edges = mesh_edges_find(mesh);
-    struct kdtree *tree = kdtree_new(point, flat), *walls = kdtree_new(point + flat, n - flat);
+    struct kdtree *tree = kdtree_new_by(point, flat, threads);
+    struct kdtree *walls = kdtree_new_by(point + flat, n - flat, threads);
     struct search s = {.mesh = (struct mesh *)mesh,
                        .edges = &edges,
                        .cloud = {tree, point, walls, point + flat, spacing, noise},
@@ -345,8 +346,8 @@ struct featuremesh featuremesh_keep(struct mesh *mesh, const struct vec3 *point,
                                     size_t flat, double spacing, double noise, int threads)
 {
     struct mesh_edges edges = mesh_edges_find(mesh);
-    struct kdtree *tree = kdtree_new(point, flat);
-    struct kdtree *walls = n > flat ? kdtree_new(point + flat, n - flat) : NULL;
+    struct kdtree *tree = kdtree_new_by(point, flat, threads);
+    struct kdtree *walls = n > flat ? kdtree_new_by(point + flat, n - flat, threads) : NULL;
     struct search s = {.mesh = mesh,
                        .edges = &edges,
                        .cloud = {tree, point, walls, point + flat, spacing, noise},

@@ -4,6 +4,7 @@
 
 #include "edgecurve.h"
 #include "kdtree.h"
+#include "roofs.h"
 
 /* What may stay of a gouge: far below any tolerance, far above rounding. */
 static const double SLACK = 1e-6;
@@ -14,15 +15,17 @@ static const double SMOOTH = 0.8660254037844386; /* cos 30 degrees */
 struct guard {
     struct vec3s point;
     struct kdtree *tree;
+    struct roofs roofs;
     struct vec3 low, high; /* corners of the box around the points */
 };
 
-static struct guard *guard_of(struct vec3s point)
+struct guard *guard_take(struct vec3s point, int threads)
 {
     struct guard *guard = mem_alloc(1, sizeof *guard);
 
     guard->point = point;
-    guard->tree = kdtree_new(point.item, point.n);
+    guard->tree = kdtree_new_by(point.item, point.n, threads);
+    guard->roofs = roofs_over(point.item, point.n);
     guard->low = vec(HUGE_VAL, HUGE_VAL, HUGE_VAL);
     guard->high = vec(-HUGE_VAL, -HUGE_VAL, -HUGE_VAL);
     for (size_t i = 0; i < point.n; i++) {
@@ -40,7 +43,7 @@ struct guard *guard_from_points(const struct vec3 *point, size_t n)
 
     for (size_t i = 0; i < n; i++)
         *array_push(&copy) = point[i];
-    return guard_of(copy);
+    return guard_take(copy, 1);
 }
 
 /* A curved triangle: control points of a cubic Bezier triangle, named after their corners. */
@@ -125,7 +128,7 @@ struct guard *guard_from_mesh(const struct mesh *mesh, double spacing)
             *array_push(&points) = mesh->vertex.item[v];
     }
     free(used);
-    return guard_of(points);
+    return guard_take(points, 1);
 }
 
 void guard_free(struct guard *guard)
@@ -133,6 +136,7 @@ void guard_free(struct guard *guard)
     if (!guard)
         return;
     kdtree_free(guard->tree);
+    roofs_free(&guard->roofs);
     array_free(&guard->point);
     free(guard);
 }
@@ -166,15 +170,23 @@ double guard_depth(const struct guard *guard, struct vec3 c, double radius)
     return radius - guard_distance(guard, c);
 }
 
+/* No guard point is nearer than `within` to a way, for all of them are lower. */
+static bool far_over(const struct guard *guard, struct vec3 a, struct vec3 b, double within)
+{
+    return roofs_top(&guard->roofs, a, b, within) <= fmin(a.z, b.z) - within;
+}
+
 double guard_depth_along(const struct guard *guard, struct vec3 a, struct vec3 b, double radius)
 {
     /* In pieces, so that their boxes stay small; what is found bounds the search in the next. */
     double pieces = fmax(1, ceil(vec_distance(a, b) / radius)), nearest = radius;
     size_t index;
 
-    for (double i = 0; i < pieces; i++)
-        nearest = kdtree_nearest_segment(guard->tree, vec_mix(a, b, i / pieces),
-                                         vec_mix(a, b, (i + 1) / pieces), nearest, &index);
+    for (double i = 0; i < pieces; i++) {
+        struct vec3 from = vec_mix(a, b, i / pieces), to = vec_mix(a, b, (i + 1) / pieces);
+        if (!far_over(guard, from, to, nearest))
+            nearest = kdtree_nearest_segment(guard->tree, from, to, nearest, &index);
+    }
     return radius - nearest;
 }
 
@@ -220,8 +232,8 @@ double guard_rise(const struct guard *guard, struct vec3 c, struct vec3 up, doub
     for (double i = pieces - 1; i >= 0 && (i + 1) * radius > rise; i--) {
         struct vec3 from = vec_along(c, i * radius, up), to = vec_along(c, (i + 1) * radius, up);
         struct vec3 middle = vec_mix(from, to, 0.5);
-        size_t any;
-        if (kdtree_nearest_segment(guard->tree, from, to, radius, &any) >= radius)
+        if (far_over(guard, from, to, radius) ||
+            !kdtree_any_beside(guard->tree, from, to, radius))
             continue;
         found.n = 0;
         kdtree_within(guard->tree, middle, 1.5 * radius, &found);
@@ -236,12 +248,32 @@ double guard_rise(const struct guard *guard, struct vec3 c, struct vec3 up, doub
     return rise;
 }
 
+bool guard_clear_along(const struct guard *guard, struct vec3 a, struct vec3 b, double radius,
+                       double depth)
+{
+    double within = radius - depth, top = roofs_top(&guard->roofs, a, b, within);
+
+    if (b.z > a.z && top + within < b.z) { /* up to where it is over all points */
+        if (top + within < a.z)
+            return true;
+        b = vec_mix(a, b, (top + within - a.z) / (b.z - a.z));
+    }
+    double pieces = fmax(1, ceil(vec_distance(a, b) / radius));
+    for (double i = 0; i < pieces; i++) {
+        struct vec3 from = vec_mix(a, b, i / pieces), to = vec_mix(a, b, (i + 1) / pieces);
+        if ((pieces == 1 || !far_over(guard, from, to, within)) &&
+            kdtree_any_beside(guard->tree, from, to, within))
+            return false;
+    }
+    return true;
+}
+
 bool guard_open(const struct guard *guard, struct vec3 c, struct vec3 up, double radius,
                 double depth)
 {
     double end = fmax(guard_extent(guard, c, up) + radius, 0);
 
-    return guard_depth_along(guard, c, vec_along(c, end, up), radius) <= depth;
+    return guard_clear_along(guard, c, vec_along(c, end, up), radius, depth);
 }
 
 /* A holder where it is. */

@@ -17,7 +17,12 @@
 #include <stdint.h>
 #include <stdlib.h>
 
+#include "parallel.h"
+
 enum { LEAF = 12, ON_STACK = 128 };
+
+/* Nodes with lower numbers hand their halves to two threads, where that many points are worth it. */
+enum { TOP = 8, WORTH = 50000 };
 
 struct kd_point {
     double c[3];
@@ -98,23 +103,46 @@ static int widest_axis(const struct kd_box *box)
     return widest;
 }
 
+/* A node and those under it, for a thread to build. */
+struct branch {
+    struct kdtree *tree;
+    size_t from, to, number;
+    int threads;
+};
+
+static void build_two(void *context, size_t from, size_t to);
+
 /* Both halves of a node are as long as each other, or the first is by one point longer: so the
  * numbers of all boxes stay below twice those of the deepest row that this goes down to. */
-static void build(struct kdtree *tree, size_t from, size_t to, size_t number)
+static void build(struct branch b)
 {
-    while (from < to) {
-        tree->box[number] = box_around(tree->point, from, to);
-        if (to - from <= LEAF)
+    while (b.from < b.to) {
+        struct kdtree *tree = b.tree;
+        tree->box[b.number] = box_around(tree->point, b.from, b.to);
+        if (b.to - b.from <= LEAF)
             return;
-        size_t middle = from + (to - from) / 2;
-        int axis = widest_axis(&tree->box[number]);
+        size_t middle = b.from + (b.to - b.from) / 2;
+        int axis = widest_axis(&tree->box[b.number]);
 
-        select_middle(tree->point, from, to, middle, axis);
+        select_middle(tree->point, b.from, b.to, middle, axis);
         tree->axis[middle] = (unsigned char)axis;
-        build(tree, from, middle, 2 * number);
-        from = middle + 1;
-        number = 2 * number + 1;
+        struct branch half[2] = {{tree, b.from, middle, 2 * b.number, b.threads},
+                                 {tree, middle + 1, b.to, 2 * b.number + 1, b.threads}};
+        if (b.threads != 1 && b.number < TOP && b.to - b.from > WORTH) {
+            parallel_for(b.threads, 2, build_two, half);
+            return;
+        }
+        build(half[0]);
+        b = half[1];
     }
+}
+
+static void build_two(void *context, size_t from, size_t to)
+{
+    const struct branch *half = context;
+
+    for (size_t i = from; i < to; i++)
+        build(half[i]);
 }
 
 /* One more than the largest number of a box. */
@@ -129,6 +157,11 @@ static size_t boxes_for(size_t n)
 
 struct kdtree *kdtree_new(const struct vec3 *point, size_t n)
 {
+    return kdtree_new_by(point, n, 1);
+}
+
+struct kdtree *kdtree_new_by(const struct vec3 *point, size_t n, int threads)
+{
     struct kdtree *tree = mem_alloc(1, sizeof *tree);
 
     tree->n = n;
@@ -137,7 +170,7 @@ struct kdtree *kdtree_new(const struct vec3 *point, size_t n)
     tree->box = mem_alloc(boxes_for(n), sizeof *tree->box);
     for (size_t i = 0; i < n; i++)
         tree->point[i] = (struct kd_point){{point[i].x, point[i].y, point[i].z}, i};
-    build(tree, 0, n, 1);
+    build((struct branch){tree, 0, n, 1, threads});
     return tree;
 }
 
@@ -377,8 +410,8 @@ static void search_beside(struct beside *s, size_t from, size_t to, size_t numbe
     }
 }
 
-double kdtree_nearest_segment(const struct kdtree *tree, struct vec3 a, struct vec3 b,
-                              double within, size_t *index)
+static struct beside beside_of(const struct kdtree *tree, struct vec3 a, struct vec3 b,
+                               double within)
 {
     struct beside s = {.tree = tree,
                        .a = a,
@@ -390,12 +423,56 @@ double kdtree_nearest_segment(const struct kdtree *tree, struct vec3 a, struct v
                        .index = SIZE_MAX};
 
     s.length2 = vec_dot(s.along, s.along);
+    return s;
+}
+
+double kdtree_nearest_segment(const struct kdtree *tree, struct vec3 a, struct vec3 b,
+                              double within, size_t *index)
+{
+    struct beside s = beside_of(tree, a, b, within);
+
     if (tree->n > 0)
         search_beside(&s, 0, tree->n, 1);
     if (s.index == SIZE_MAX)
         return within;
     *index = s.index;
     return s.best;
+}
+
+/* Is a point nearer than s->best? */
+static bool any_beside(const struct beside *s, size_t from, size_t to, size_t number)
+{
+    if (to - from <= LEAF) {
+        for (size_t i = from; i < to; i++) {
+            const double *c = s->tree->point[i].c;
+            if (distance2_beside(s, vec(c[0], c[1], c[2])) < s->best2)
+                return true;
+        }
+        return false;
+    }
+    size_t middle = from + (to - from) / 2;
+    const double *c = s->tree->point[middle].c;
+    double first = bound2(s, &s->tree->box[2 * number]) * (1 - 1e-12);
+    double second = bound2(s, &s->tree->box[2 * number + 1]) * (1 - 1e-12);
+    bool left = first <= second;
+
+    if (distance2_beside(s, vec(c[0], c[1], c[2])) < s->best2)
+        return true;
+    for (int turn = 0; turn < 2; turn++, left = !left) {
+        if ((left ? first : second) >= s->best2)
+            continue;
+        if (left ? any_beside(s, from, middle, 2 * number)
+                 : any_beside(s, middle + 1, to, 2 * number + 1))
+            return true;
+    }
+    return false;
+}
+
+bool kdtree_any_beside(const struct kdtree *tree, struct vec3 a, struct vec3 b, double within)
+{
+    struct beside s = beside_of(tree, a, b, within);
+
+    return within > 0 && tree->n > 0 && any_beside(&s, 0, tree->n, 1);
 }
 
 /* The lowest value so far. */

@@ -38,9 +38,9 @@ void lift_add(struct run *run, const struct lift_rule *rule, struct vec3 contact
 /* The tool can come here from above, along its axis or straight down. */
 static bool open_above(const struct run_point *p, const struct lift_rule *rule)
 {
-    return (p->axis.z >= 0 &&
-            guard_open(rule->guard, p->ball, p->axis, rule->offset, rule->tolerance)) ||
-           guard_open(rule->guard, p->ball, UP, rule->offset, rule->tolerance);
+    return guard_open(rule->guard, p->ball, UP, rule->offset, rule->tolerance) ||
+           (p->axis.z >= 0 &&
+            guard_open(rule->guard, p->ball, p->axis, rule->offset, rule->tolerance));
 }
 
 static struct lifted lift_point(const struct run_point *p, const struct lift_rule *rule,
@@ -114,11 +114,12 @@ static double off_line(struct vec3 p, struct vec3 a, struct vec3 b)
     return vec_length(vec_reject(vec_sub(p, a), vec_unit(vec_sub(b, a))));
 }
 
-/* How deep the ball goes between two points. */
-static double depth_between(const struct run_point *a, const struct run_point *b,
-                            const struct lift_rule *rule)
+/* The ball goes no deeper than the tolerance between two points. */
+static bool clear_between(const struct run_point *a, const struct run_point *b,
+                          const struct lift_rule *rule)
 {
-    return rule->guard ? guard_depth_along(rule->guard, a->ball, b->ball, rule->offset) : 0;
+    return !rule->guard ||
+           guard_clear_along(rule->guard, a->ball, b->ball, rule->offset, rule->tolerance);
 }
 
 /* A jump of the lift: the centres are that much further apart than the points they belong to. */
@@ -134,7 +135,7 @@ static bool jumps(const struct lifted *a, const struct lifted *b, const struct l
 static bool bridge(const struct run_point *a, const struct run_point *b, int halvings,
                    const struct lift_rule *rule, struct run *dense)
 {
-    if (halvings < HALVINGS && depth_between(a, b, rule) <= rule->tolerance)
+    if (halvings < HALVINGS && clear_between(a, b, rule))
         return true;
     if (halvings == 0)
         return false;
@@ -169,7 +170,7 @@ static bool needs_bridge(const struct lifted *a, const struct lifted *b,
     if (rule->between && jumps(a, b, rule))
         return true;
     return (rule->between || a->missed || b->missed) &&
-           depth_between(&a->p, &b->p, rule) > rule->tolerance;
+           !clear_between(&a->p, &b->p, rule);
 }
 
 /* Puts the points into the run, with what the tool needs to get over jumps between them. */
@@ -200,7 +201,7 @@ static void split(const struct lifted *a, const struct lifted *b, const struct l
     struct lifted l = halfway(a, b, rule, radius);
     if (off_line(l.p.ball, a->p.ball, b->p.ball) <= rule->tolerance &&
         off_line(l.p.tip, a->p.tip, b->p.tip) <= rule->tolerance &&
-        depth_between(&a->p, &b->p, rule) <= rule->tolerance)
+        clear_between(&a->p, &b->p, rule))
         return;
     split(a, &l, rule, radius, to);
     *array_push(to) = l;

@@ -244,10 +244,13 @@ static void plan(struct job *job)
 void scansurface_make(const struct vec3 *point, size_t n, const struct scansurface_rule *rule,
                       struct scansurface *surface)
 {
-    struct kdtree *tree = kdtree_new(point, n);
+    /* of very many points only a noise that was given is taken out */
+    bool needed = n > 0 && (n <= MANY || rule->noise > 0);
+    struct kdtree *tree = needed ? kdtree_new_by(point, n, rule->threads) : NULL;
     struct job job = {.rule = rule, .point = point, .n = n, .tree = tree};
 
     *surface = (struct scansurface){.noise = 0};
+    array_reserve(&surface->point, n);
     plan(&job);
     surface->noise = job.noise;
     if (job.noise > 0 || job.fill) {
