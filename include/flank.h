@@ -18,6 +18,18 @@ struct flank {
 int flank_plane(const struct vec3 *point, size_t n, struct vec3 origin, struct vec3 w,
                 struct flank *sheet);
 
+/* A frame: u and v across w, all coefficients 0. */
+struct quadric flank_frame(struct vec3 origin, struct vec3 w);
+
+/* The points in the frame of q: x along u, y along v, z along w. */
+void flank_local(const struct quadric *q, const struct vec3 *point, size_t n, struct vec3 *local);
+
+/* The plane of flank_plane through those of n points, as flank_local gives them, whose side is
+ * `which` (`side` NULL: all): the first three coefficients of sheet->q, nothing else; the others and
+ * the frame stand there already. */
+int flank_plane_of(const struct vec3 *local, const unsigned char *side, unsigned char which,
+                   size_t n, struct flank *sheet);
+
 /* The plane through a place with this unit normal, which is not across w. */
 struct flank flank_through(struct vec3 place, struct vec3 normal, struct vec3 origin,
                            struct vec3 w);

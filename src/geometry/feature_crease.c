@@ -21,7 +21,9 @@ static const double ROUND = 0.05;
 /* Points about a place, taken apart into two sheets. */
 struct parted {
     struct vec3 point[MOST];
-    struct vec3 of[2][MOST]; /* the same, by sheet */
+    struct vec3 local[MOST]; /* the same, in the frame of the sheets */
+    unsigned char side[MOST]; /* on which of the sheets each is */
+    struct vec3 of[2][MOST]; /* the points, by sheet */
     size_t n, count[2];
     struct vec3 origin, w;
     struct flank sheet[2];
@@ -32,36 +34,38 @@ static void take(struct parted *p, int side, struct vec3 point)
     p->of[side][p->count[side]++] = point;
 }
 
-/* Sheets through the points as they are parted; false when one has too few. */
-static bool fit_planes(struct parted *p)
-{
-    for (int s = 0; s < 2; s++)
-        if (p->count[s] < FEWEST ||
-            flank_plane(p->of[s], p->count[s], p->origin, p->w, &p->sheet[s]) < 0)
-            return false;
-    return true;
-}
-
 /* How far sheet 0 is above sheet 1. */
 static double step_at(const struct parted *p, struct vec3 at)
 {
     return flank_height(&p->sheet[0], at) - flank_height(&p->sheet[1], at);
 }
 
-/* Parts the points by the line where the two sheets meet; a's side of it is sheet 0.  True when
+/* Planes through the points as they are parted; false when one has too few. */
+static bool fit_planes(struct parted *p)
+{
+    for (unsigned char s = 0; s < 2; s++)
+        if (p->count[s] < FEWEST || flank_plane_of(p->local, p->side, s, p->n, &p->sheet[s]) < 0)
+            return false;
+    return true;
+}
+
+/* Parts the points by the line where the two planes meet; a's side of it is sheet 0.  True when
  * something changed. */
 static bool part_by_line(struct parted *p, struct vec3 a)
 {
-    bool a_above = step_at(p, a) > 0;
-    size_t before = p->count[0];
-    double moved = 0;
+    const double *c = p->sheet[0].q.c, *d = p->sheet[1].q.c;
+    double c0 = c[0] - d[0], c1 = c[1] - d[1], c2 = c[2] - d[2];
+    bool a_above = step_at(p, a) > 0, changed = false;
 
-    for (size_t i = 0; i < p->count[0]; i++)
-        moved += (step_at(p, p->of[0][i]) > 0) != a_above;
     p->count[0] = p->count[1] = 0;
-    for (size_t i = 0; i < p->n; i++)
-        take(p, (step_at(p, p->point[i]) > 0) == a_above ? 0 : 1, p->point[i]);
-    return moved > 0 || before != p->count[0];
+    for (size_t i = 0; i < p->n; i++) {
+        bool above = c0 + c1 * p->local[i].x + c2 * p->local[i].y > 0;
+        unsigned char side = above == a_above ? 0 : 1;
+        changed = changed || side != p->side[i];
+        p->side[i] = side;
+        p->count[side]++;
+    }
+    return changed;
 }
 
 /* Fits and parts until nothing changes, or often enough. */
@@ -69,12 +73,22 @@ static bool settle(struct parted *p, struct vec3 a)
 {
     bool moves = true;
 
+    for (int s = 0; s < 2; s++)
+        p->sheet[s].q = flank_frame(p->origin, p->w);
+    flank_local(&p->sheet[0].q, p->point, p->n, p->local);
     for (int i = 0; i < TURNS && moves; i++) {
         if (!fit_planes(p))
             return false;
         moves = part_by_line(p, a);
     }
-    return fit_planes(p);
+    p->count[0] = p->count[1] = 0;
+    for (size_t i = 0; i < p->n; i++)
+        take(p, p->side[i], p->point[i]);
+    for (int s = 0; s < 2; s++)
+        if (p->count[s] < FEWEST ||
+            flank_plane(p->of[s], p->count[s], p->origin, p->w, &p->sheet[s]) < 0)
+            return false;
+    return true;
 }
 
 /* Where on the way from a to b the sheets meet; false when they do not. */
@@ -164,7 +178,8 @@ static bool gather(const struct feature_cloud *cloud, struct vec3 at, size_t k, 
     for (size_t i = 0; i < p->n; i++) {
         struct vec3 q = p->point[i] = cloud->point[index[i]];
         bool first = parted ? (step_at(p, q) > 0) == a_above : vec_dot(vec_sub(q, at), way) <= 0;
-        take(p, first ? 0 : 1, q);
+        p->side[i] = first ? 0 : 1;
+        p->count[p->side[i]]++;
     }
     return true;
 }

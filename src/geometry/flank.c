@@ -1,7 +1,11 @@
 /* flank - see flank.h. */
 #include "flank.h"
 
-enum { PLANE = 3, QUADRIC = 6 };
+#include <stdlib.h>
+
+#include "array.h"
+
+enum { PLANE = 3, QUADRIC = 6, SOME = 400 };
 
 /* Spread across a neighbourhood by its length, below which its points are on a line. */
 static const double NARROW = 0.05;
@@ -24,46 +28,81 @@ static double left_over(const struct quadric *q, const struct vec3 *point, size_
     return n > fixed ? quadric_rms(q, point, n) * sqrt((double)n / (double)(n - fixed)) : 0;
 }
 
-int flank_plane(const struct vec3 *point, size_t n, struct vec3 origin, struct vec3 w,
-                struct flank *sheet)
+struct quadric flank_frame(struct vec3 origin, struct vec3 w)
 {
     struct quadric q = {.origin = origin, .w = w, .u = vec_perpendicular(w)};
-    double u, v, h, mu = 0, mv = 0, mh = 0, uu = 0, uv = 0, vv = 0, uh = 0, vh = 0;
 
     q.v = vec_cross(w, q.u);
-    if (n <= PLANE)
-        return -1;
+    return q;
+}
+
+void flank_local(const struct quadric *q, const struct vec3 *point, size_t n, struct vec3 *local)
+{
+    for (size_t i = 0; i < n; i++)
+        place(q, point[i], &local[i].x, &local[i].y, &local[i].z);
+}
+
+int flank_plane_of(const struct vec3 *local, const unsigned char *side, unsigned char which,
+                   size_t n, struct flank *sheet)
+{
+    double mu = 0, mv = 0, mh = 0, uu = 0, uv = 0, vv = 0, uh = 0, vh = 0, *c = sheet->q.c;
+    size_t count = 0;
+
     for (size_t i = 0; i < n; i++) {
-        place(&q, point[i], &u, &v, &h);
-        mu += u / (double)n;
-        mv += v / (double)n;
-        mh += h / (double)n;
+        if (side && side[i] != which)
+            continue;
+        mu += local[i].x;
+        mv += local[i].y;
+        mh += local[i].z;
+        count++;
     }
+    if (count <= PLANE)
+        return -1;
+    mu /= (double)count;
+    mv /= (double)count;
+    mh /= (double)count;
     for (size_t i = 0; i < n; i++) {
-        place(&q, point[i], &u, &v, &h);
-        uu += (u - mu) * (u - mu);
-        uv += (u - mu) * (v - mv);
-        vv += (v - mv) * (v - mv);
-        uh += (u - mu) * (h - mh);
-        vh += (v - mv) * (h - mh);
+        double u = local[i].x - mu, v = local[i].y - mv, h = local[i].z - mh;
+        if (side && side[i] != which)
+            continue;
+        uu += u * u;
+        uv += u * v;
+        vv += v * v;
+        uh += u * h;
+        vh += v * h;
     }
     /* the smaller eigenvalue by the larger one is the square of width by length */
     double mean = (uu + vv) / 2, half = hypot((uu - vv) / 2, uv), det = uu * vv - uv * uv;
     if (!(mean - half > NARROW * NARROW * (mean + half)) || !(det > 0))
         return -1;
-    q.c[1] = (uh * vv - vh * uv) / det;
-    q.c[2] = (vh * uu - uh * uv) / det;
-    q.c[0] = mh - q.c[1] * mu - q.c[2] * mv;
-    *sheet = (struct flank){q, left_over(&q, point, n, PLANE)};
+    c[1] = (uh * vv - vh * uv) / det;
+    c[2] = (vh * uu - uh * uv) / det;
+    c[0] = mh - c[1] * mu - c[2] * mv;
+    return 0;
+}
+
+int flank_plane(const struct vec3 *point, size_t n, struct vec3 origin, struct vec3 w,
+                struct flank *sheet)
+{
+    struct flank plane = {.q = flank_frame(origin, w)};
+    struct vec3 local[SOME], *all = n > SOME ? mem_alloc(n, sizeof *all) : local;
+
+    flank_local(&plane.q, point, n, all);
+    int status = flank_plane_of(all, NULL, 0, n, &plane);
+    if (n > SOME)
+        free(all);
+    if (status < 0)
+        return -1;
+    plane.rms = left_over(&plane.q, point, n, PLANE);
+    *sheet = plane;
     return 0;
 }
 
 struct flank flank_through(struct vec3 place, struct vec3 normal, struct vec3 origin, struct vec3 w)
 {
-    struct flank f = {.q = {.origin = origin, .w = w, .u = vec_perpendicular(w)}, .rms = 0};
+    struct flank f = {.q = flank_frame(origin, w)};
     double upright = vec_dot(normal, w);
 
-    f.q.v = vec_cross(w, f.q.u);
     f.q.c[1] = -vec_dot(normal, f.q.u) / upright;
     f.q.c[2] = -vec_dot(normal, f.q.v) / upright;
     f.q.c[0] = vec_dot(normal, vec_sub(place, origin)) / upright;
