@@ -26,51 +26,76 @@ static void local(const struct quadric *q, struct vec3 p, double *u, double *v, 
     *w = vec_dot(d, q->w);
 }
 
+/* The middle of the neighbourhood and its size. */
 static struct span span_of(const struct quadric *q, const struct vec3 *point,
                            const double *weight, size_t n)
 {
-    struct span s = {0, 0, 0, 0};
-    double u, v, w, uu = 0, uv = 0, vv = 0, count = 0;
-    for (size_t i = 0; i < n; i++)
-        count += weight ? weight[i] : 1;
+    double count = 0, uu = 0, uv = 0, vv = 0, su = 0, sv = 0, u, v, w, u1, v1;
+    if (n == 0)
+        return (struct span){0, 0, 0, 0};
+    local(q, point[0], &u1, &v1, &w); /* near the middle: no digits are lost */
     for (size_t i = 0; i < n; i++) {
         double part = weight ? weight[i] : 1;
         local(q, point[i], &u, &v, &w);
-        s.u0 += part * u / count;
-        s.v0 += part * v / count;
+        u -= u1;
+        v -= v1;
+        count += part;
+        su += part * u;
+        sv += part * v;
+        uu += part * u * u;
+        uv += part * u * v;
+        vv += part * v * v;
     }
-    for (size_t i = 0; i < n; i++) {
-        double part = weight ? weight[i] : 1;
-        local(q, point[i], &u, &v, &w);
-        uu += part * (u - s.u0) * (u - s.u0);
-        uv += part * (u - s.u0) * (v - s.v0);
-        vv += part * (v - s.v0) * (v - s.v0);
-    }
+    su /= count;
+    sv /= count;
+    uu -= count * su * su;
+    uv -= count * su * sv;
+    vv -= count * sv * sv;
     /* the eigenvalues of the sums are the squares of length and width */
     double mean = (uu + vv) / 2, half = hypot((uu - vv) / 2, uv);
-    s.size = sqrt((uu + vv) / count);
-    s.width = mean + half > 0 ? sqrt(fmax(mean - half, 0) / (mean + half)) : 0;
-    return s;
+    return (struct span){u1 + su, v1 + sv, sqrt((uu + vv) / count),
+                         mean + half > 0 ? sqrt(fmax(mean - half, 0) / (mean + half)) : 0};
 }
 
-/* Sums of the products of all terms with each other and, in the last column, with w. */
+/* Sums of the products of all terms with each other and, in the last column, with w: the products
+ * of two terms are powers u^i v^j of which many are the same. */
 static void add_up(const struct quadric *q, struct span s, const struct vec3 *point,
                    const double *weight, size_t n, double sum[TERMS][TERMS + 1])
 {
-    for (int i = 0; i < TERMS; i++)
-        for (int j = 0; j <= TERMS; j++)
-            sum[i][j] = 0;
+    double m[5][5] = {{0}}, mw[TERMS] = {0}, shrink = 1 / s.size;
     for (size_t k = 0; k < n; k++) {
         double u, v, w, part = weight ? weight[k] : 1;
-        if (part == 0)
-            continue;
         local(q, point[k], &u, &v, &w);
-        u = (u - s.u0) / s.size;
-        v = (v - s.v0) / s.size;
-        double term[TERMS + 1] = {1, u, v, u * u, u * v, v * v, w};
-        for (int i = 0; i < TERMS; i++)
-            for (int j = i; j <= TERMS; j++)
-                sum[i][j] += part * term[i] * term[j];
+        u = (u - s.u0) * shrink;
+        v = (v - s.v0) * shrink;
+        double uu = part * u * u, uv = part * u * v, vv = part * v * v, u2 = u * u, v2 = v * v;
+        m[0][0] += part;
+        m[1][0] += part * u;
+        m[0][1] += part * v;
+        m[2][0] += uu;
+        m[1][1] += uv;
+        m[0][2] += vv;
+        m[3][0] += uu * u;
+        m[2][1] += uu * v;
+        m[1][2] += vv * u;
+        m[0][3] += vv * v;
+        m[4][0] += uu * u2;
+        m[3][1] += uv * u2;
+        m[2][2] += uu * v2;
+        m[1][3] += uv * v2;
+        m[0][4] += vv * v2;
+        mw[0] += part * w;
+        mw[1] += part * u * w;
+        mw[2] += part * v * w;
+        mw[3] += uu * w;
+        mw[4] += uv * w;
+        mw[5] += vv * w;
+    }
+    static const int power[TERMS][2] = {{0, 0}, {1, 0}, {0, 1}, {2, 0}, {1, 1}, {0, 2}};
+    for (int i = 0; i < TERMS; i++) {
+        for (int j = 0; j < TERMS; j++)
+            sum[i][j] = m[power[i][0] + power[j][0]][power[i][1] + power[j][1]];
+        sum[i][TERMS] = mw[i];
     }
 }
 

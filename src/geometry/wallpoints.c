@@ -165,7 +165,7 @@ size_t wallpoints_part(struct vec3 *point, size_t n, double spacing, int threads
         for (size_t i = 0; i < n; i++)
             if (raster.near[cell_of(&raster, point[i])])
                 *array_push(&close) = point[i];
-        struct kdtree *tree = kdtree_new(close.item, close.n);
+        struct kdtree *tree = kdtree_new_by(close.item, close.n, threads);
         struct looked looked = {tree, close.item, spacing, mem_alloc(close.n, sizeof(bool)),
                                 mem_alloc(close.n, sizeof(bool))};
         parallel_for(threads, close.n, look, &looked);
