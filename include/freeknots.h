@@ -12,6 +12,7 @@ struct freeknots_options {
     int degree;
     double tolerance; /* mm */
     double angle;     /* of the axis, radians */
+    size_t known;     /* poles with which the tolerance is known to be kept; 0: none */
 };
 
 /*
@@ -21,6 +22,8 @@ struct freeknots_options {
  * the curve found, each knot in turn is tried to be left out.
  * A curve serves when proof_keeps holds on its printed digits; true then, with *curve and its
  * *proof.  False when none with at most 16 poles, or a pole for every fourth point, does.
+ * Where a known count has fewer than six points for each pole, so that the curve follows the noise
+ * of the data, the counts begin with three fifths of it.
  * The work is bounded by the number of points, and sooner where 16 poles and more serve fewer than
  * six points each; *cut tells that the bound was reached, so that
  * fewer poles might do.

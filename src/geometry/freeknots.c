@@ -121,8 +121,8 @@ static size_t search_upwards(struct knottrials *t, size_t parts, size_t least)
 {
     size_t failed = least - 1;
 
-    for (size_t n = least;
-         n < t->track->n && t->curve.poles == 0 && t->effort > 0 && !is_rough(t, n, ROUGH_POINTS);
+    for (size_t n = least; n < (t->options->known ? t->options->known : t->track->n) &&
+                           t->curve.poles == 0 && t->effort > 0 && !is_rough(t, n, ROUGH_POINTS);
          n = next_count(n)) {
         if (is_rough(t, n, UNEVEN_POINTS))
             t->effort = fmin(t->effort, EFFORT_UNEVEN * (double)t->track->n);
@@ -162,6 +162,8 @@ static void search_counts(struct knottrials *t, size_t parts)
     size_t least = (size_t)t->options->degree + 1;
 
     least = least < 3 ? 3 : least;
+    if (is_rough(t, t->options->known, UNEVEN_POINTS) && least < t->options->known * 3 / 5)
+        least = t->options->known * 3 / 5;
     size_t failed = search_upwards(t, parts, least);
     if (t->curve.poles > ONE_BY_ONE)
         bisect(t, failed);

@@ -194,10 +194,10 @@ static void polyline(const struct search *s, struct splinefit *fit)
 }
 
 /* With all combinations open, the knots may as well be free. */
-static bool free_knots(const struct search *s, struct splinefit *fit)
+static bool free_knots(const struct search *s, size_t known, struct splinefit *fit)
 {
     const struct splinefit_options *o = s->options;
-    struct freeknots_options options = {o->degree, o->tolerance, o->angle};
+    struct freeknots_options options = {o->degree, o->tolerance, o->angle, known};
 
     *fit = (struct splinefit){.kind = SPLINEFIT_FREE, .within = true};
     if (o->params >= 0 || o->knots >= 0)
@@ -263,16 +263,18 @@ void splinefit_search(const struct track *track, const struct splinefit_options 
 
     *fit = (struct splinefit){0};
     if (!straight_line(&s, fit)) {
-        bool found = free_knots(&s, fit), cut = fit->cut;
-        if (!found || cut) {
-            struct splinefit other = {0};
-            least_squares(&s, &other);
-            if (found)
-                keep_fewer(fit, &other);
-            else
-                *fit = other;
-            fit->cut = cut;
-        }
+        struct splinefit squares = {0};
+        bool turns = track->head != NULL; /* there the search is long: it is good to know before */
+        if (turns)
+            least_squares(&s, &squares);
+        bool found = free_knots(&s, squares.within ? squares.curve.poles : 0, fit), cut = fit->cut;
+        if (!turns && (!found || cut))
+            least_squares(&s, &squares);
+        if (!found)
+            *fit = squares;
+        else if (turns || cut)
+            keep_fewer(fit, &squares);
+        fit->cut = cut;
     }
     measure(&s, fit);
     search_free(&s);
