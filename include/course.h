@@ -78,6 +78,7 @@ struct course {
     struct { size_t n, cap; struct course_cubic *item; } cubic;
     struct { size_t n, cap; struct course_spline *item; } spline;
     size_t blocks;  /* lines with something in them */
+    double dwell;   /* minutes that the tool stands still */
     size_t passes;  /* the path stream's */
     size_t lines, arcs, curves, poles; /* as programmed: straight moves, and so on */
 };

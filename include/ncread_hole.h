@@ -29,8 +29,11 @@ struct ncread_hole {
     size_t lines;    /* of definitions that went on, so far */
 };
 
-/* The block is a dwell, G4: its other words say how long. */
-bool ncread_hole_dwell(const struct ncread *c);
+/*
+ * The block is a dwell, G4: X, F or P say how long, in seconds, P in `unit` of them; the course
+ * counts it.
+ */
+bool ncread_hole_dwell(struct ncread *c, double unit);
 
 /* G73 to G89, G98, G99: true when the code (in tenths) is one. */
 bool ncread_hole_code(struct ncread *c, int code);

@@ -29,6 +29,8 @@ struct ncread_siemens_block {
     struct vec3 centre;  /* absolute */
     double radius;
     double length;       /* PL */
+    double weight;       /* PW, of a pole; weighs: named */
+    bool weighs;
     struct polynomial tip[3], second[3];
 };
 

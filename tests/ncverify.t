@@ -265,6 +265,38 @@ awk '/ K[0-9.]+ X/ && ++n == 40 { sub(/ K[0-9.]+/, " K999.") } { print }' spline
 status 1 "a knot that is too large" ncverify -g dome.xyz -r 6 bad.nc
 has "is named" 'N[0-9]+: a spline whose knots fall' err
 
+# ---- the weight of a pole, times, programs in parts
+awk '/ ZH=/ && !/ G1 / && ++n == 5 { $0 = $0 " PW=5"; print $1 >"named" } { print }' spline.siemens >bad.nc
+status 3 "siemens: a wrong weight of a pole" ncverify -g dome.xyz -r 6 -e 0.03 bad.nc
+has "siemens: is named" "^ncverify: bad.nc: $(cat named) .*deep" err
+awk '/ ZH=/ && !/ G1 / { $0 = $0 " PW=1" } { print }' spline.siemens >bad.nc
+status 0 "siemens: weights of one change nothing" ncverify -q -g dome.xyz -r 6 -e 0.03 bad.nc
+for control in fanuc siemens heidenhain linuxcnc; do
+	machine=table-ac
+	[ $control = linuxcnc ] && machine=linuxcnc-iso
+	rm -f part-*
+	ncpost -q -c $control -m $machine --split 400 -o part.nc spline.cl
+	for part in part-*; do
+		status 0 "$control: $part" ncverify -q -c $control -m $machine -g dome.xyz -r 6 -e 0.03 "$part"
+	done
+	# the time at feed: all ways of the tip by 800 mm/min, and dwells as they are written
+	case $control in
+	fanuc) dwell='G4 X1.5' ;; siemens) dwell='G4 F1.5' ;; linuxcnc) dwell='G4 P1.5' ;;
+	heidenhain) dwell='CYCL DEF 9.1 DWELL 1.5' ;;
+	esac
+	awk -v dwell="$dwell" '{ print } / M3$/ { print (/^N/ ? "N" substr($1, 2) + 1 : 0), dwell }' \
+		dome.$control >dwell.$control
+	[ $control != heidenhain ] || {
+		awk '{ $1 = NR - 1; print }' dwell.$control >again
+		mv again dwell.$control
+	}
+	ncverify -q -g dome.xyz -r 6 -e 0.005 -m $machine dwell.$control >out 2>err
+	sum=$(awk '/ (G[01]|L) X/ { for (i = 3; i <= NF; i++) p[substr($i, 1, 1)] = substr($i, 2)
+		if (/F800/) s += sqrt((p["X"] - x) ^ 2 + (p["Y"] - y) ^ 2 + (p["Z"] - z) ^ 2)
+		x = p["X"]; y = p["Y"]; z = p["Z"] } END { printf "%.2f", s / 800 }' dome.$control)
+	has "$control: its time is the sum of all blocks" "^time +$sum min at feed, .*, 0.03 min dwell$" out
+done
+
 # ---- shank and holder, on all controls: 6 mm over the ball's centre a collar of 30 that leans
 for control in fanuc siemens heidenhain linuxcnc; do
 	machine=table-ac

@@ -92,7 +92,7 @@ static int address(struct ncread *c, const struct ncread_word *w, struct ncread_
 int ncread_fanuc_words(struct ncread *c, struct ncread_fanuc_block *b, struct error *error)
 {
     unsigned seen = 0;
-    if (ncread_hole_dwell(c))
+    if (ncread_hole_dwell(c, 0.001))
         return 0;
     int plane = ncread_plane_g(c, error);
     if (plane != 0)

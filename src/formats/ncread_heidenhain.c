@@ -9,6 +9,7 @@
 
 #include "ncread.h"
 #include "ncread_unit.h"
+#include "num.h"
 
 enum { TOKENS = 16, TOKEN = 40 };
 
@@ -193,11 +194,23 @@ static int function(struct ncread *c, const struct klartext *k, struct error *er
     return 0;
 }
 
+/* Seconds, behind letters or alone. */
+static void dwell(struct ncread *c, const char *word)
+{
+    double seconds;
+    word += strcspn(word, "0123456789");
+    if (num_read(&word, &seconds))
+        c->course->dwell += seconds / 60;
+}
+
 static int run(struct ncread *c, struct klartext *k, struct error *error)
 {
     const char *first = k->n ? k->word[0] : "";
-    if (strcmp(first, "CYCL") == 0)
+    if (strcmp(first, "CYCL") == 0) {
         ncread_hole_define(c, k->n > 2 ? k->word[2] : "");
+        if (k->n > 3 && strcmp(k->word[2], "9.1") == 0)
+            dwell(c, k->word[k->n - 1]);
+    }
     if (!*first || strcmp(first, "CYCL") == 0)
         return 0;
     if (strcmp(first, "TOOL") == 0) {

@@ -43,14 +43,21 @@ int ncread_hole_down(struct ncread *c, const struct ncread_place *at, struct err
     return go(c, x, y, h->level, true, error);
 }
 
-bool ncread_hole_dwell(const struct ncread *c)
+bool ncread_hole_dwell(struct ncread *c, double unit)
 {
+    bool dwell = false;
+    double seconds = 0;
     for (size_t i = 0; i < c->words.n; i++) {
         const struct ncread_word *w = &c->words.item[i];
-        if (w->kind == WORD_ADDRESS && w->name[0] == 'G' && w->value[0] == 4)
-            return true;
+        if (w->kind != WORD_ADDRESS)
+            continue;
+        dwell = dwell || (w->name[0] == 'G' && w->value[0] == 4);
+        if (strchr("XFP", w->name[0]))
+            seconds = w->value[0] * (w->name[0] == 'P' ? unit : 1);
     }
-    return false;
+    if (dwell)
+        c->course->dwell += seconds / 60;
+    return dwell;
 }
 
 /* ---- Fanuc and LinuxCNC */

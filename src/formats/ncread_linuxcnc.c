@@ -7,6 +7,7 @@
 #include <string.h>
 
 #include "ncread.h"
+#include "ncread_hole.h"
 #include "ncread_iso.h"
 
 enum { BLOCK_MAX = 255 };
@@ -15,7 +16,7 @@ enum { MOVE_NONE = -1, MOVE_RAPID, MOVE_LINE, MOVE_CW, MOVE_CCW };
 /* What one block says besides its modal words. */
 struct block {
     struct ncread_place to;
-    bool named, machine, length, centred, by_radius, dwell;
+    bool named, machine, length, centred, by_radius;
     double centre[3], radius;
 };
 
@@ -30,7 +31,6 @@ static int g_word(struct ncread *c, const struct ncread_word *w, struct block *b
         return taken < 0 ? -1 : 0;
     switch (code) {
     case 40:
-        b->dwell = true;
         return 0;
     case 430:
         b->length = c->length = true;
@@ -117,7 +117,7 @@ static int machine_move(struct ncread *c, const struct block *b, struct error *e
 
 static int run_block(struct ncread *c, struct block *b, struct error *error)
 {
-    if (b->dwell)
+    if (ncread_hole_dwell(c, 1))
         return b->named ? ncread_error(c, error, "G4 with a place") : 0;
     if (b->machine)
         return machine_move(c, b, error);

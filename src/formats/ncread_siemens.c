@@ -70,8 +70,10 @@ static int bspline_block(struct ncread *c, struct ncread_siemens_block *b, struc
         if (ncread_ready(c, error) < 0)
             return -1;
         ncread_pole(c, piece, piece->p[0], piece->q[0]);
+        *array_push(&c->weight) = 1;
     }
     ncread_pole(c, piece, piece->p[1], piece->q[1]);
+    *array_push(&c->weight) = b->weight;
     c->here = b->to;
     return 0;
 }
@@ -121,6 +123,8 @@ static int run_block(struct ncread *c, struct ncread_siemens_block *b, struct er
         return ncread_error(c, error, "a move under G91");
     if (c->hole.on)
         return ncread_hole_down(c, &b->to, error);
+    if (b->weighs && c->move != MOVE_BSPLINE)
+        return ncread_error(c, error, "PW without BSPLINE");
     if (polynomials && c->move != MOVE_POLY)
         return ncread_error(c, error, "PO[] without POLY");
     if (b->middle_n != (c->move == MOVE_CIP ? 3 : 0))
@@ -162,7 +166,7 @@ static int read_block(struct ncread *c, const char *line, struct error *error)
         return -1;
     if (lexed < 0)
         return ncread_error(c, error, found.text);
-    struct ncread_siemens_block b = {.to = c->here, .length = 1};
+    struct ncread_siemens_block b = {.to = c->here, .length = 1, .weight = 1};
     if (ncread_siemens_words(c, &b, error) < 0)
         return -1;
     return run_block(c, &b, error);

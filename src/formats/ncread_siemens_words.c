@@ -140,6 +140,9 @@ static int set_word(struct ncread *c, const struct ncread_word *w, struct ncread
         b->middle_n++;
     } else if (strcmp(name, "PL") == 0) {
         b->length = value;
+    } else if (strcmp(name, "PW") == 0) {
+        b->weight = value;
+        b->weighs = true;
     } else if (strcmp(name, "SD") == 0) {
         c->order = (int)value + 1;
     } else if (strcmp(name, "CR") == 0) {
@@ -191,7 +194,7 @@ static int address(struct ncread *c, const struct ncread_word *w, struct ncread_
 
 int ncread_siemens_words(struct ncread *c, struct ncread_siemens_block *b, struct error *error)
 {
-    if (ncread_hole_dwell(c))
+    if (ncread_hole_dwell(c, 0))
         return 0;
     for (size_t i = 0; i < c->words.n; i++) {
         const struct ncread_word *w = &c->words.item[i];

@@ -195,7 +195,9 @@ void verdict_judge(struct verdict *v)
     judge_axes(v);
     judge_jumps(v);
     judge_leaps(v);
-    if (v->roll.cut == 0 && v->course->piece.n > 0)
+    if (v->cut->n == 0 && v->course->piece.n > 0)
+        find(v, v->left < HUGE_VAL, 0, "nothing is cut, all moves are rapid"); /* a part of many */
+    else if (v->roll.cut == 0 && v->course->piece.n > 0)
         find(v, true, 0, "the ball comes near no point of the part");
 }
 

@@ -17,8 +17,11 @@ static void program(const struct verdict *v, struct out *o)
     out_printf(o, "machine      %s\n", v->machine);
     out_printf(o, "way          %.1f mm cut in %u passes, %.1f mm rapid\n", load->cut_length,
                v->passes, load->rapid_length);
-    out_printf(o, "time         %.2f min at feed, %.2f min rapid\n", load->cut_time,
+    out_printf(o, "time         %.2f min at feed, %.2f min rapid", load->cut_time,
                load->rapid_time);
+    if (c->dwell > 0)
+        out_printf(o, ", %.2f min dwell", c->dwell);
+    out_text(o, "\n");
 }
 
 static void axes(const struct verdict *v, struct out *o)
