@@ -1,13 +1,13 @@
-/*
- * buckets - a counting sort in place (McIlroy, Bostic, McIlroy 1993, "American flag sort"), then
- * each cell by value; see buckets.h.
- */
+/* buckets - a counting sort, then each cell by value; see buckets.h. */
 #include "buckets.h"
 
 #include <stdlib.h>
+#include <string.h>
 
 #include "array.h"
 #include "parallel.h"
+
+enum { PARTS = 4 }; /* of the cells, for threads to fill */
 
 static const double CELLS_WIDE = 3; /* a cell, in spacings */
 
@@ -93,26 +93,47 @@ static size_t cell_of(const struct buckets *b, struct vec3 p)
     return buckets_row(b, p.y) * b->columns + buckets_column(b, p.x);
 }
 
-static void sort_into_cells(struct buckets *b)
+/* What threads share to sort points into cells. */
+struct sorting {
+    const struct buckets *b;
+    uint32_t *cell, *next; /* of each point; where the next point of each cell goes */
+    struct vec3 *sorted;
+};
+
+static void find_cells(void *context, size_t from, size_t to)
+{
+    const struct sorting *s = context;
+    for (size_t i = from; i < to; i++)
+        s->cell[i] = (uint32_t)cell_of(s->b, s->b->point[i]);
+}
+
+/* A part of the cells takes its points, from all of them. */
+static void take_points(void *context, size_t from, size_t to)
+{
+    const struct sorting *s = context;
+    size_t cells = s->b->columns * s->b->rows;
+    size_t low = cells * from / PARTS, high = cells * to / PARTS;
+    for (size_t i = 0; i < s->b->n; i++)
+        if (s->cell[i] >= low && s->cell[i] < high)
+            s->sorted[s->next[s->cell[i]]++] = s->b->point[i];
+}
+
+static void sort_into_cells(struct buckets *b, int threads)
 {
     size_t cells = b->columns * b->rows;
-    uint32_t *next = mem_alloc(cells, sizeof *next);
+    struct sorting s = {b, mem_alloc(b->n, sizeof *s.cell), mem_alloc(cells, sizeof *s.next),
+                        mem_alloc(b->n, sizeof *s.sorted)};
     b->first = mem_alloc(cells + 1, sizeof *b->first);
+    parallel_for(threads, b->n, find_cells, &s);
     for (size_t i = 0; i < b->n; i++)
-        b->first[cell_of(b, b->point[i]) + 1]++;
+        b->first[s.cell[i] + 1]++;
     for (size_t c = 0; c < cells; c++)
-        b->first[c + 1] += next[c] = b->first[c];
-    for (size_t c = 0; c < cells; c++)
-        while (next[c] < b->first[c + 1]) {
-            struct vec3 p = b->point[next[c]];
-            for (size_t to; (to = cell_of(b, p)) != c;) {
-                struct vec3 other = b->point[next[to]];
-                b->point[next[to]++] = p;
-                p = other;
-            }
-            b->point[next[c]++] = p;
-        }
-    free(next);
+        b->first[c + 1] += s.next[c] = b->first[c];
+    parallel_for(threads, PARTS, take_points, &s);
+    memcpy(b->point, s.sorted, b->n * sizeof *b->point);
+    free(s.cell);
+    free(s.next);
+    free(s.sorted);
 }
 
 static int by_value(const void *a, const void *b)
@@ -154,7 +175,7 @@ int buckets_make(struct vec3 *point, size_t n, double spacing, int threads, stru
                          (unsigned long)UINT32_MAX);
     *buckets = (struct buckets){.point = point, .n = n};
     lay_out(buckets, spacing);
-    sort_into_cells(buckets);
+    sort_into_cells(buckets, threads);
     parallel_for(threads, buckets->columns * buckets->rows, sort_cells, buckets);
     return 0;
 }
