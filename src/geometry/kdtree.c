@@ -19,7 +19,7 @@
 
 #include "parallel.h"
 
-enum { LEAF = 12, ON_STACK = 128 };
+enum { LEAF = 12, ON_STACK = 128, SOME = 200 };
 
 /* Nodes with lower numbers hand their halves to two threads, where that many points are worth it. */
 enum { TOP = 8, WORTH = 50000 };
@@ -77,13 +77,14 @@ static void select_middle(struct kd_point *p, size_t from, size_t to, size_t mid
     }
 }
 
-static struct kd_box box_around(const struct kd_point *p, size_t from, size_t to)
+/* Around every so manyth of the points. */
+static struct kd_box box_around(const struct kd_point *p, size_t from, size_t to, size_t step)
 {
     struct kd_box box;
 
     for (int d = 0; d < 3; d++)
         box.low[d] = box.high[d] = p[from].c[d];
-    for (size_t i = from + 1; i < to; i++) {
+    for (size_t i = from + step; i < to; i += step) {
         for (int d = 0; d < 3; d++) {
             box.low[d] = p[i].c[d] < box.low[d] ? p[i].c[d] : box.low[d];
             box.high[d] = p[i].c[d] > box.high[d] ? p[i].c[d] : box.high[d];
@@ -112,29 +113,44 @@ struct branch {
 
 static void build_two(void *context, size_t from, size_t to);
 
+/* Around two boxes and the point between their points. */
+static struct kd_box box_of_halves(const struct kd_box half[2], const struct kd_point *between)
+{
+    struct kd_box box;
+
+    for (int d = 0; d < 3; d++) {
+        double low = half[0].low[d] < half[1].low[d] ? half[0].low[d] : half[1].low[d];
+        double high = half[0].high[d] > half[1].high[d] ? half[0].high[d] : half[1].high[d];
+        box.low[d] = between->c[d] < low ? between->c[d] : low;
+        box.high[d] = between->c[d] > high ? between->c[d] : high;
+    }
+    return box;
+}
+
 /* Both halves of a node are as long as each other, or the first is by one point longer: so the
- * numbers of all boxes stay below twice those of the deepest row that this goes down to. */
+ * numbers of all boxes stay below twice those of the deepest row that this goes down to.  Which way
+ * the points reach farthest some of them tell. */
 static void build(struct branch b)
 {
-    while (b.from < b.to) {
-        struct kdtree *tree = b.tree;
-        tree->box[b.number] = box_around(tree->point, b.from, b.to);
-        if (b.to - b.from <= LEAF)
-            return;
-        size_t middle = b.from + (b.to - b.from) / 2;
-        int axis = widest_axis(&tree->box[b.number]);
+    struct kdtree *tree = b.tree;
+    size_t n = b.to - b.from, middle = b.from + n / 2;
 
-        select_middle(tree->point, b.from, b.to, middle, axis);
-        tree->axis[middle] = (unsigned char)axis;
-        struct branch half[2] = {{tree, b.from, middle, 2 * b.number, b.threads},
-                                 {tree, middle + 1, b.to, 2 * b.number + 1, b.threads}};
-        if (b.threads != 1 && b.number < TOP && b.to - b.from > WORTH) {
-            parallel_for(b.threads, 2, build_two, half);
-            return;
-        }
-        build(half[0]);
-        b = half[1];
+    if (n <= LEAF) {
+        if (n > 0)
+            tree->box[b.number] = box_around(tree->point, b.from, b.to, 1);
+        return;
     }
+    struct kd_box some = box_around(tree->point, b.from, b.to, n / SOME + 1);
+    int axis = widest_axis(&some);
+    select_middle(tree->point, b.from, b.to, middle, axis);
+    tree->axis[middle] = (unsigned char)axis;
+    struct branch half[2] = {{tree, b.from, middle, 2 * b.number, b.threads},
+                             {tree, middle + 1, b.to, 2 * b.number + 1, b.threads}};
+    if (b.threads != 1 && b.number < TOP && n > WORTH)
+        parallel_for(b.threads, 2, build_two, half);
+    else
+        build_two(half, 0, 2);
+    tree->box[b.number] = box_of_halves(&tree->box[2 * b.number], &tree->point[middle]);
 }
 
 static void build_two(void *context, size_t from, size_t to)
