@@ -220,34 +220,24 @@ struct nearest {
     double *distance2;
 };
 
-/* a stands farther than b; among equals the larger index does. */
-static bool farther(const struct nearest *s, size_t a, size_t b)
+/* Puts a point where `at` is free, among the first n, those under it nearer; among equals the larger
+ * index is the farther. */
+static void settle(struct nearest *s, size_t at, size_t n, size_t index, double distance2)
 {
-    if (s->distance2[a] != s->distance2[b])
-        return s->distance2[a] > s->distance2[b];
-    return s->index[a] > s->index[b];
-}
+    size_t *all = s->index;
+    double *d2 = s->distance2;
 
-static void exchange(struct nearest *s, size_t a, size_t b)
-{
-    size_t index = s->index[a];
-    double distance2 = s->distance2[a];
-
-    s->index[a] = s->index[b];
-    s->distance2[a] = s->distance2[b];
-    s->index[b] = index;
-    s->distance2[b] = distance2;
-}
-
-static void sift_down(struct nearest *s, size_t at, size_t n)
-{
     for (size_t child; (child = 2 * at + 1) < n; at = child) {
-        if (child + 1 < n && farther(s, child + 1, child))
+        if (child + 1 < n && (d2[child + 1] > d2[child] ||
+                              (d2[child + 1] == d2[child] && all[child + 1] > all[child])))
             child++;
-        if (!farther(s, child, at))
-            return;
-        exchange(s, at, child);
+        if (d2[child] < distance2 || (d2[child] == distance2 && all[child] < index))
+            break;
+        all[at] = all[child];
+        d2[at] = d2[child];
     }
+    all[at] = index;
+    d2[at] = distance2;
 }
 
 static void offer(struct nearest *s, const struct kd_point *p)
@@ -255,18 +245,14 @@ static void offer(struct nearest *s, const struct kd_point *p)
     double d2 = distance2_to(p, s->q);
 
     if (s->n < s->k) {
-        size_t at = s->n++;
-        s->index[at] = p->index;
-        s->distance2[at] = d2;
-        for (; at > 0 && farther(s, at, (at - 1) / 2); at = (at - 1) / 2)
-            exchange(s, at, (at - 1) / 2);
+        s->index[s->n] = p->index;
+        s->distance2[s->n++] = d2;
+        for (size_t at = s->n == s->k ? s->k / 2 : 0; at-- > 0;)
+            settle(s, at, s->k, s->index[at], s->distance2[at]);
         return;
     }
-    if (d2 > s->distance2[0] || (d2 == s->distance2[0] && p->index > s->index[0]))
-        return;
-    s->index[0] = p->index;
-    s->distance2[0] = d2;
-    sift_down(s, 0, s->n);
+    if (d2 < s->distance2[0] || (d2 == s->distance2[0] && p->index < s->index[0]))
+        settle(s, 0, s->n, p->index, d2);
 }
 
 /* `box2` is the squared distance from q to the box of [from, to). */
@@ -312,8 +298,11 @@ size_t kdtree_nearest(const struct kdtree *tree, struct vec3 q, size_t k, size_t
     struct nearest s = {tree, {q.x, q.y, q.z}, {0, 0, 0}, k, 0, index, distance2};
     search_nearest(&s, 0, tree->n, 0);
     for (size_t last = k - 1; last > 0; last--) { /* heap sort: nearest first */
-        exchange(&s, 0, last);
-        sift_down(&s, 0, last);
+        size_t to_place = index[last];
+        double its = distance2[last];
+        index[last] = index[0];
+        distance2[last] = distance2[0];
+        settle(&s, 0, last, to_place, its);
     }
     free(own);
     return k;
