@@ -169,7 +169,15 @@ void out_num(struct out *o, double x, int digits)
 
 void out_int(struct out *o, long long i)
 {
-    out_printf(o, "%lld", i);
+    char digit[24], *first = digit + sizeof digit;
+    unsigned long long left = i < 0 ? 0 - (unsigned long long)i : (unsigned long long)i;
+
+    for (; left > 9; left /= 10)
+        *--first = (char)('0' + left % 10);
+    *--first = (char)('0' + left);
+    if (i < 0)
+        *--first = '-';
+    out_bytes(o, first, (size_t)(digit + sizeof digit - first));
 }
 
 void out_close(struct out *o)
