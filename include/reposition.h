@@ -17,7 +17,9 @@
 #include "grid.h"
 
 enum reach {
-    REACH_NEAREST, /* a point competes for its nearest node only: no two nodes share a point */
+    REACH_NEAREST, /* a point competes for its nearest node only: no two nodes share a point; a node
+                      inside the cloud (at least five full ones around it) that is left empty takes
+                      the nearest point that stands for no node and is nearer than 0.7 t */
     REACH_CIRCLE   /* for every node that it is nearer to than t: the paper's circle */
 };
 

@@ -144,12 +144,38 @@ START_TEST(same_as_node_by_node)
         for (int row = 0; row < g.rows; row++)
             for (int column = 0; column < g.columns; column++) {
                 int node = row * g.columns + column;
-                ck_assert_uint_eq(nearest[node],
-                                  best_for(&g, column, row, point, owner, N, INFINITY));
+                size_t own = best_for(&g, column, row, point, owner, N, INFINITY);
+                if (own != NO_POINT)
+                    ck_assert_uint_eq(nearest[node], own);
                 ck_assert_uint_eq(circle[node], best_for(&g, column, row, point, NULL, N, g.t));
             }
         free(nearest);
         free(circle);
+    }
+}
+END_TEST
+
+/* A node that no point is nearest to, in the middle of full ones, takes the nearest point that
+ * stands for none; with two of those around it empty it is on the border of a hole, and left. */
+START_TEST(empty_node_takes_a_spare_point)
+{
+    for (int emptied = 1; emptied <= 3; emptied++) {
+        struct grid g = grid_about_origin();
+        struct vec3 point[200];
+        size_t n = 0;
+        for (int row = 3; row <= 7; row++)
+            for (int column = 3; column <= 7; column++)
+                if (!(row == 5 && column >= 5 && column < 5 + emptied) &&
+                    !(emptied == 3 && row == 6 && column == 5))
+                    point[n++] = grid_node(&g, column, row);
+        size_t far = n, spare = n + 1;
+        point[n++] = vec(-2.6, 0, 0); /* nearest to the node on the left, which has its own */
+        point[n++] = vec(-2.5, 0, 0);
+        size_t *chosen = reposition(&g, point, n, REACH_NEAREST);
+        ck_assert_uint_eq(chosen[5 * 12 + 5], emptied < 3 ? spare : NO_POINT);
+        for (size_t i = 0; i < grid_nodes(&g); i++)
+            ck_assert_uint_ne(chosen[i], far);
+        free(chosen);
     }
 }
 END_TEST
@@ -197,6 +223,7 @@ int main(void)
     tcase_add_test(tests, then_larger_z);
     tcase_add_test(tests, equal_within_rounding);
     tcase_add_test(tests, same_as_node_by_node);
+    tcase_add_test(tests, empty_node_takes_a_spare_point);
     tcase_add_test(tests, order_does_not_matter);
     suite_add_tcase(suite, tests);
     srunner_run_all(runner, CK_ENV);

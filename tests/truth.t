@@ -60,6 +60,7 @@ for what in saddle bowl; do
 	shape $what "" 0.1 11 >$what.true
 	shape $what 0.02 0.5 >$what.xyz
 done
+shape saddle "" 0.1 10 >inner.true
 # ball, depth allowed: the tolerance and one and a half sigma; a ball of 12 does not fit the bowl
 for what in saddle:8:0 bowl:12:3; do
 	set -- $(echo $what | tr : ' ')
@@ -76,6 +77,15 @@ for what in saddle:8:0 bowl:12:3; do
 		status 0 "$1: and leaves no more than 0.06 mm" ncverify -q -r "$2" -g "$1.true" -e 0.04 --left 0.06 program.mpf
 	fi
 done
+
+# A point among noisy ones that is off by five sigma is noise still: no hill is left under it.
+{ cat saddle.xyz; echo "0.25 0.25 0.108"; } >off.xyz
+ok "a point off: a mesh" cloud2mesh -q -t 1.5 -o shape.ply off.xyz
+ok "a point off: a path" meshnorm -q -r 8 --scallop 0.02 -e 0.01 -g off.xyz --avoid -o shape.cl shape.ply
+ok "a point off: arcs" biarcfit -q -e 0.01 -o fitted.cl shape.cl
+ok "a point off: a program" ncpost -q -c siemens -o program.mpf fitted.cl
+status 0 "a point off: no more than 0.06 mm is left" \
+	ncverify -q -r 8 -g inner.true -e 0.04 --left 0.06 program.mpf
 
 # A scan that a run can't be kept clear of: its end stays where it was.
 awk '{ print $1, $2, $3 + 0.1 }' "$panel" >higher.xyz

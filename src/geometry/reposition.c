@@ -120,6 +120,79 @@ static void compete_circle(const struct grid *g, struct choice *choice, const st
         }
 }
 
+/* The six nodes around one, those within the grid; how many. */
+static int ring(const struct grid *g, int column, int row, size_t around[6])
+{
+    static const int RIGHT[6] = {1, 0, -1, -1, 0, 1}, UP[6] = {0, 1, 1, 0, -1, -1};
+    int n = 0;
+    for (int k = 0; k < 6; k++) {
+        int i = column + RIGHT[k], j = row + UP[k];
+        if (i >= 0 && i < g->columns && j >= 0 && j < g->rows)
+            around[n++] = (size_t)j * (size_t)g->columns + (size_t)i;
+    }
+    return n;
+}
+
+/* Marks the empty nodes inside the cloud: all but one of those around have a point; how many. */
+static size_t mark_empty(const struct grid *g, const struct choice *choice, bool *empty)
+{
+    size_t n = 0, around[6];
+    for (int row = 0; row < g->rows; row++)
+        for (int column = 0; column < g->columns; column++) {
+            size_t node = (size_t)row * (size_t)g->columns + (size_t)column;
+            int full = 0;
+            for (int k = ring(g, column, row, around); k-- > 0;)
+                full += choice[around[k]].point != NO_POINT;
+            empty[node] = choice[node].point == NO_POINT && full >= 5;
+            n += empty[node];
+        }
+    return n;
+}
+
+/* Lets a point that stands for no node compete for the empty ones nearer than 0.7 t: from further
+ * off facets might fold. */
+static void compete_empty(const struct grid *g, const bool *empty, struct choice *choice,
+                          const struct vec3 *point, size_t index)
+{
+    const double within = 0.49; /* t^2 */
+    struct place at = place_of(g, point[index]);
+    for (int up = -1; up <= 2; up++)
+        for (int right = -1; right <= 2; right++) {
+            int column = at.column + right, row = at.row + up;
+            if (column < 0 || column >= g->columns || row < 0 || row >= g->rows)
+                continue;
+            double d2 = oblique2(at.right - right, at.up - up);
+            if (d2 < within && empty[(size_t)row * (size_t)g->columns + (size_t)column])
+                compete(g, choice, point, index, column, row, d2);
+        }
+}
+
+/* A point that two empty nodes took is left to the first. */
+static void fill_empty(const struct grid *g, struct choice *choice, const struct vec3 *point,
+                       size_t n)
+{
+    size_t nodes = grid_nodes(g);
+    bool *empty = mem_alloc(nodes, sizeof *empty), *taken = mem_alloc(n, sizeof *taken);
+    if (mark_empty(g, choice, empty) > 0) {
+        for (size_t i = 0; i < nodes; i++)
+            if (choice[i].point != NO_POINT)
+                taken[choice[i].point] = true;
+        for (size_t i = 0; i < n; i++)
+            if (!taken[i])
+                compete_empty(g, empty, choice, point, i);
+        for (size_t i = 0; i < nodes; i++) {
+            if (!empty[i] || choice[i].point == NO_POINT)
+                continue;
+            if (taken[choice[i].point])
+                choice[i].point = NO_POINT;
+            else
+                taken[choice[i].point] = true;
+        }
+    }
+    free(taken);
+    free(empty);
+}
+
 size_t *reposition(const struct grid *grid, const struct vec3 *point, size_t n, enum reach reach)
 {
     size_t nodes = grid_nodes(grid);
@@ -132,6 +205,8 @@ size_t *reposition(const struct grid *grid, const struct vec3 *point, size_t n, 
         else
             compete_nearest(grid, choice, point, i);
     }
+    if (reach == REACH_NEAREST)
+        fill_empty(grid, choice, point, n);
     size_t *chosen = mem_alloc(nodes, sizeof *chosen);
     for (size_t i = 0; i < nodes; i++)
         chosen[i] = choice[i].point;

@@ -14,7 +14,9 @@ static const double WHITE = 1.35; /* spread of twice the neighbours by that of o
 static const double EVEN = 3;     /* spread of the roughest tenth by that of the smoothest */
 static const double UNSURE = 0.5; /* of the noise: what may be left of it in the middle of a quadric */
 static const double MUCH = 1.5;   /* spread of a neighbourhood by the noise: more is none */
-static const double FAR = 5;      /* noises that a point may be off its quadric */
+/* Noises that a point may be off its quadric: of ten thousand one is off five, and the noise itself
+ * is known within a tenth. */
+static const double FAR = 6;
 
 /* A quadric through the neighbours of a point. */
 struct patch {
