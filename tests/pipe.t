@@ -10,7 +10,6 @@ ok "cloud2mesh makes a mesh of the face" cloud2mesh -q -t 4 -o mesh.ply "$face"
 ok "meshnorm makes a path of it" meshnorm -q -r 8 -o none.cl mesh.ply
 ok "biarcfit fits arcs" biarcfit -q -o biarcfit.cl none.cl
 ok "bsplfit fits B-splines" bsplfit -q -o bsplfit.cl none.cl
-ok "with knots that do not move" bsplfit -q --knots average -o even.cl none.cl
 has "the path of arcs has arcs" '^CIRCLE/' biarcfit.cl
 has "the path of splines has splines" '^MOVNRB/ON' bsplfit.cl
 
@@ -45,10 +44,6 @@ for fitter in none biarcfit bsplfit; do
 	follows rotary $fitter "-c siemens --rotary" "-c siemens"
 	for control in fanuc siemens; do
 		follows $control-bc $fitter "-c $control -m table-bc" "-c $control --axes bc"
-	done
-done
-for fitter in none biarcfit even; do
-	for control in fanuc siemens; do
 		follows $control-notcp $fitter "-c $control -m table-ac-notcp" "-c $control --no-tcp"
 	done
 done
