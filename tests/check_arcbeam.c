@@ -4,23 +4,9 @@
 #include <check.h>
 #include <stdlib.h>
 
-static const struct stray WITHIN = {0.01, 0.01, 0.02};
+#include "trial.h"
 
-/* A wave in space; with `lean` the axis swings along it. */
-static struct trace wave(size_t n, double step, double lean)
-{
-    struct run run = {.radius = 6};
-    for (size_t i = 0; i < n; i++) {
-        double x = step * (double)i;
-        struct vec3 axis = vec_unit(vec(0, lean * sin(x / 7), 1));
-        struct vec3 tip = vec(x, 3 * sin(x / 9), 2 * cos(x / 5));
-        *array_push(&run) = (struct run_point){
-            .tip = tip, .ball = vec_along(tip, run.radius, axis), .axis = axis, .given = true};
-    }
-    struct trace t = trace_of(&run, 0, run.n, false, false);
-    array_free(&run);
-    return t;
-}
+static const struct stray WITHIN = {0.01, 0.01, 0.02};
 
 static void assert_chain(const struct trace *t, const struct pieces *p)
 {
@@ -41,7 +27,7 @@ static void assert_chain(const struct trace *t, const struct pieces *p)
 
 START_TEST(a_wave_takes_a_third_less_than_biarcs)
 {
-    struct trace t = wave(401, 0.25, 0);
+    struct trace t = trial_wave(401, 0.25, 0, 0);
     struct pieces arcs = {0}, biarcs = {0};
     arcbeam_fit(&t, &WITHIN, 6, &arcs);
     arcfit_biarcs(&t, &WITHIN, &biarcs);
@@ -55,7 +41,7 @@ END_TEST
 
 START_TEST(the_far_end_of_the_lever_is_kept_too)
 {
-    struct trace t = wave(401, 0.25, 0.3);
+    struct trace t = trial_wave(401, 0.25, 0.3, 0);
     struct pieces arcs = {0};
     arcbeam_fit(&t, &WITHIN, 6, &arcs);
     assert_chain(&t, &arcs);

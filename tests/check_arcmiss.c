@@ -4,21 +4,7 @@
 #include <check.h>
 #include <stdlib.h>
 
-/* A wave in space whose axis swings. */
-static struct trace wave(size_t n)
-{
-    struct run run = {.radius = 6};
-    for (size_t i = 0; i < n; i++) {
-        double x = 0.25 * (double)i;
-        struct vec3 axis = vec_unit(vec(0, 0.2 * sin(x / 7), 1));
-        struct vec3 tip = vec(x, 3 * sin(x / 9), 2 * cos(x / 5));
-        *array_push(&run) = (struct run_point){
-            .tip = tip, .ball = vec_along(tip, run.radius, axis), .axis = axis, .given = true};
-    }
-    struct trace t = trace_of(&run, 0, run.n, false, false);
-    array_free(&run);
-    return t;
-}
+#include "trial.h"
 
 /* n arcs near the trace. */
 static struct arcchain chain_on(const struct trace *t, size_t n)
@@ -74,7 +60,7 @@ END_TEST
 
 START_TEST(slopes_are_what_the_distances_do)
 {
-    struct trace t = wave(161);
+    struct trace t = trial_wave(161, 0.25, 0.2, 0);
     struct arcchain c = chain_on(&t, 9), moved = arcchain_new(9);
     struct passing passing = passing_of(&t, 0, t.n - 1, 100);
     size_t all = 4 * passing.n;

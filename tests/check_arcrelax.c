@@ -5,25 +5,9 @@
 #include <stdlib.h>
 
 #include "arcbeam.h"
+#include "trial.h"
 
 static const struct stray WITHIN = {0.01, 0.01, 0.02};
-
-/* A wave in space; with `lean` the axis swings along it, with `kink` it has a corner in the middle.
- */
-static struct trace wave(size_t n, double lean, double kink)
-{
-    struct run run = {.radius = 6};
-    for (size_t i = 0; i < n; i++) {
-        double x = 0.25 * (double)i, past = x - 0.25 * (double)(n / 2);
-        struct vec3 axis = vec_unit(vec(0, lean * sin(x / 7), 1));
-        struct vec3 tip = vec(x, 3 * sin(x / 9) + kink * fmax(0, past), 2 * cos(x / 5));
-        *array_push(&run) = (struct run_point){
-            .tip = tip, .ball = vec_along(tip, run.radius, axis), .axis = axis, .given = true};
-    }
-    struct trace t = trace_of(&run, 0, run.n, false, false);
-    array_free(&run);
-    return t;
-}
 
 static void assert_chain(const struct trace *t, const struct pieces *p)
 {
@@ -48,7 +32,7 @@ static void assert_chain(const struct trace *t, const struct pieces *p)
 
 static void assert_fewer(size_t n, double lean, size_t fewer)
 {
-    struct trace t = wave(n, lean, 0);
+    struct trace t = trial_wave(n, 0.25, lean, 0);
     struct pieces p = {0};
     arcbeam_fit(&t, &WITHIN, 6, &p);
     size_t before = p.n;
@@ -82,7 +66,7 @@ START_TEST(from_few_to_many)
 {
     int windows = 0;
     for (size_t n = 121; n < 480; n += 30) {
-        struct trace t = wave(n, 0, 0);
+        struct trace t = trial_wave(n, 0.25, 0, 0);
         struct pieces p = {0};
         arcbeam_fit(&t, &WITHIN, 6, &p);
         windows += p.n > 20 && p.n < 26;
@@ -97,7 +81,7 @@ END_TEST
 
 START_TEST(a_kink_stays)
 {
-    struct trace t = wave(201, 0, 0.5);
+    struct trace t = trial_wave(201, 0.25, 0, 0.5);
     struct pieces p = {0}, second = {0};
     struct trace half = t;
     half.n = 101;

@@ -2,6 +2,7 @@
 #include "trial.h"
 
 #include <math.h>
+#include <stdlib.h>
 
 #include "array.h"
 
@@ -55,4 +56,19 @@ double trial_brute_force(const struct bspline *b, const struct track *t, bool ot
             worst = fmax(worst, trial_off_chain(vec_mix(data[k], data[k + 1], (double)i / PARTS),
                                                 way, N + 1));
     return worst;
+}
+
+struct trace trial_wave(size_t n, double step, double lean, double kink)
+{
+    struct run run = {.radius = 6};
+    for (size_t i = 0; i < n; i++) {
+        double x = step * (double)i, past = x - step * (double)(n / 2);
+        struct vec3 axis = vec_unit(vec(0, lean * sin(x / 7), 1));
+        struct vec3 tip = vec(x, 3 * sin(x / 9) + kink * fmax(0, past), 2 * cos(x / 5));
+        *array_push(&run) = (struct run_point){
+            .tip = tip, .ball = vec_along(tip, run.radius, axis), .axis = axis, .given = true};
+    }
+    struct trace t = trace_of(&run, 0, run.n, false, false);
+    array_free(&run);
+    return t;
 }

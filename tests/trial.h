@@ -4,6 +4,7 @@
 
 #include "bspline.h"
 #include "run.h"
+#include "trace.h"
 #include "track.h"
 
 /* n points: the tip on a wave, the axis swinging; radius of the ball, mm. */
@@ -11,6 +12,10 @@ struct run trial_motion(size_t n, double radius);
 
 /* Distance of q from the nearest of the straight pieces between n points, mm. */
 double trial_off_chain(struct vec3 q, const struct vec3 *point, size_t n);
+
+/* n points `step` mm apart in x on a wave in space, radius 6; with `lean` the axis swings along it,
+ * with `kink` there is a corner in the middle. */
+struct trace trial_wave(size_t n, double step, double lean, double kink);
 
 /* Largest distance both ways between the curve, taken at 1,501 places, and the track's polyline, mm;
  * of the tracked point or of the other one. */
