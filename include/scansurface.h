@@ -31,7 +31,7 @@ struct scansurface {
  * Noise is what spreads 32 neighbours about their quadric by no more than 16 of them, and all over
  * the scan alike; the shape of a part, however rough, spreads the wider neighbourhood more, and in
  * one place more than in another.  It is taken out by quadrics through as many neighbours, up to
- * 96, as it spreads alike; no point moves by more than five standard deviations.
+ * 96, as it spreads alike; no point moves by more than six standard deviations.
  *
  * A point put between is nearest to the point whose quadric it is on, with a neighbour of that
  * beyond it: no hole is filled and no border moves.
