@@ -91,6 +91,14 @@ static inline double vec_angle(struct vec3 a, struct vec3 b)
     return atan2(vec_length(vec_cross(a, b)), vec_dot(a, b));
 }
 
+/* The point nearest to p on the straight way from a to b, which may be one place. */
+static inline struct vec3 vec_nearest(struct vec3 a, struct vec3 b, struct vec3 p)
+{
+    struct vec3 d = vec_sub(b, a);
+    double d2 = vec_dot(d, d), s = d2 > 0 ? vec_dot(d, vec_sub(p, a)) / d2 : 0;
+    return vec_along(a, s < 0 ? 0 : s > 1 ? 1 : s, d);
+}
+
 /* a turned about the unit vector `axis` through an angle, said by its cosine and sine, right-handed
  * (Rodrigues). */
 static inline struct vec3 vec_turn_by(struct vec3 a, struct vec3 axis, double cosine, double sine)

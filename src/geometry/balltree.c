@@ -75,10 +75,7 @@ static double box_distance2(const struct box *box, struct vec3 p)
 
 struct vec3 ball_segment_nearest(const struct ball_segment *segment, struct vec3 p)
 {
-    struct vec3 d = vec_sub(segment->b, segment->a), e = vec_sub(p, segment->a);
-    double d2 = vec_dot(d, d);
-    double s = d2 > 0 ? vec_dot(d, e) / d2 : 0;
-    return vec_along(segment->a, s < 0 ? 0 : s > 1 ? 1 : s, d);
+    return vec_nearest(segment->a, segment->b, p);
 }
 
 static double distance2(const struct ball_segment *segment, struct vec3 p)

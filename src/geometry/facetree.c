@@ -90,13 +90,6 @@ void facetree_free(struct facetree *tree)
     free(tree);
 }
 
-static struct vec3 on_side(struct vec3 a, struct vec3 b, struct vec3 p)
-{
-    struct vec3 d = vec_sub(b, a);
-    double d2 = vec_dot(d, d), s = d2 > 0 ? vec_dot(vec_sub(p, a), d) / d2 : 0;
-    return vec_along(a, s < 0 ? 0 : s > 1 ? 1 : s, d);
-}
-
 struct vec3 facet_nearest(const struct facet *facet, struct vec3 p)
 {
     const struct vec3 *c = facet->corner;
@@ -109,9 +102,9 @@ struct vec3 facet_nearest(const struct facet *facet, struct vec3 p)
         if (a >= 0 && b >= 0 && a + b <= 1)
             return vec_along(vec_along(c[0], a, u), b, v);
     }
-    struct vec3 best = on_side(c[0], c[1], p);
+    struct vec3 best = vec_nearest(c[0], c[1], p);
     for (int k = 1; k < 3; k++) {
-        struct vec3 q = on_side(c[k], c[(k + 1) % 3], p);
+        struct vec3 q = vec_nearest(c[k], c[(k + 1) % 3], p);
         if (vec_distance(q, p) < vec_distance(best, p))
             best = q;
     }
