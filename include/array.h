@@ -34,6 +34,9 @@ struct doubles {
     double *item;
 };
 
+/* The n values in rising order; no NAN among them. */
+void doubles_sort(double *value, size_t n);
+
 struct ints {
     size_t n, cap;
     int *item;

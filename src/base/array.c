@@ -60,3 +60,14 @@ void *mem_grow(void *item, size_t *cap, size_t n, size_t size)
     *cap = want;
     return p;
 }
+
+static int by_size(const void *a, const void *b)
+{
+    double x = *(const double *)a, y = *(const double *)b;
+    return (x > y) - (x < y);
+}
+
+void doubles_sort(double *value, size_t n)
+{
+    qsort(value, n, sizeof *value, by_size);
+}

@@ -96,12 +96,6 @@ static void roll_points(void *context, size_t from, size_t to)
     }
 }
 
-static int compare(const void *a, const void *b)
-{
-    double x = *(const double *)a, y = *(const double *)b;
-    return (x > y) - (x < y);
-}
-
 static void percentiles(const double *sorted, size_t n, struct ballroll *r)
 {
     static const double share[BALLROLL_PERCENTILES] = {0.50, 0.95, 0.99};
@@ -131,7 +125,7 @@ static void sum_up(const struct ballroll_setup *setup, struct ballroll *r)
             r->over_at = i;
         }
     }
-    qsort(sorted, r->cut, sizeof *sorted, compare);
+    doubles_sort(sorted, r->cut);
     percentiles(sorted, r->cut, r);
     free(sorted);
 }

@@ -51,19 +51,13 @@ size_t *cloud_neighbours(const struct vec3 *point, size_t n, int threads)
     return job.neighbour;
 }
 
-static int by_size(const void *a, const void *b)
-{
-    double x = *(const double *)a, y = *(const double *)b;
-    return (x > y) - (x < y);
-}
-
 double cloud_spacing(const struct vec3 *point, size_t n, const size_t *neighbour)
 {
     double *reach = mem_alloc(n, sizeof *reach);
 
     for (size_t i = 0; i < n; i++)
         reach[i] = vec_distance(point[i], point[neighbour[i * CLOUD_NEAR + CLOUD_NEAR - 1]]);
-    qsort(reach, n, sizeof *reach, by_size);
+    doubles_sort(reach, n);
     double spacing = reach[n / 2] * sqrt(PI / CLOUD_NEAR);
     free(reach);
     return spacing;

@@ -71,12 +71,6 @@ static void measure(void *context, size_t from, size_t to)
         s->distance[i] = facetree_distance(s->tree, s->places->item[i]);
 }
 
-static int by_size(const void *a, const void *b)
-{
-    double x = *(const double *)a, y = *(const double *)b;
-    return (x > y) - (x < y);
-}
-
 struct difference difference_of(const struct layer *from, const struct layer *to, int threads)
 {
     struct difference d = {0};
@@ -96,7 +90,7 @@ struct difference difference_of(const struct layer *from, const struct layer *to
         }
         d.n = places.n;
         d.rms = sqrt(sum / (double)d.n);
-        qsort(s.distance, d.n, sizeof *s.distance, by_size);
+        doubles_sort(s.distance, d.n);
         d.most95 = s.distance[(d.n - 1) * 95 / 100];
         free(s.distance);
         facetree_free(tree);

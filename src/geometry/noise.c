@@ -42,7 +42,8 @@ static size_t gather(const struct buckets *b, struct vec3 from, size_t k, struct
 }
 
 /* The fewest points about a place that carry a quadric, and twice as many.  They are gathered once
- * more about its foot: those nearest to a point that is off the surface are off to the same side. */
+ * more about its foot: those nearest to a point that is off the surface are off to the same side.
+ */
 static void measure_at(const struct buckets *b, struct vec3 place, struct near *near, double *fewer,
                        double *twice)
 {
@@ -75,12 +76,6 @@ static void measure(void *context, size_t from, size_t to)
     }
 }
 
-static int by_size(const void *a, const void *b)
-{
-    double x = *(const double *)a, y = *(const double *)b;
-    return (x > y) - (x < y);
-}
-
 /* Of those that are there; 0 when there is none. */
 static double median_of(double *value, size_t n)
 {
@@ -90,7 +85,7 @@ static double median_of(double *value, size_t n)
             value[kept++] = value[i];
     if (kept == 0)
         return 0;
-    qsort(value, kept, sizeof *value, by_size);
+    doubles_sort(value, kept);
     return value[kept / 2];
 }
 

@@ -81,19 +81,13 @@ static void fit_vertices(void *context, size_t from, size_t to)
     free(near.point);
 }
 
-static int by_size(const void *a, const void *b)
-{
-    double x = *(const double *)a, y = *(const double *)b;
-    return (x > y) - (x < y);
-}
-
 /* Three standard deviations of what is normally distributed, from the median of its size. */
 static double three_sigma(double *distance, size_t n)
 {
     static const double sigma_of_median = 1.4826;
     if (n == 0)
         return 0;
-    qsort(distance, n, sizeof *distance, by_size);
+    doubles_sort(distance, n);
     return 3 * sigma_of_median * distance[n / 2];
 }
 

@@ -80,12 +80,6 @@ static struct patch fit_fewest(const struct near *near)
     return patch;
 }
 
-static int by_size(const void *a, const void *b)
-{
-    double x = *(const double *)a, y = *(const double *)b;
-    return (x > y) - (x < y);
-}
-
 /* What a sample of the places shows. */
 struct look {
     size_t n;
@@ -107,9 +101,9 @@ static struct look look_at(const struct job *job)
         look.wider[look.n] = wider.spread / fmax(patch.spread, 1e-9);
         look.apart[look.n++] = sqrt(near.distance2[6]);
     }
-    qsort(look.spread, look.n, sizeof *look.spread, by_size);
-    qsort(look.wider, look.n, sizeof *look.wider, by_size);
-    qsort(look.apart, look.n, sizeof *look.apart, by_size);
+    doubles_sort(look.spread, look.n);
+    doubles_sort(look.wider, look.n);
+    doubles_sort(look.apart, look.n);
     return look;
 }
 

@@ -34,19 +34,13 @@ size_t stray_twice(const struct buckets *b, unsigned char *out)
     return found;
 }
 
-static int by_size(const void *a, const void *b)
-{
-    double x = *(const double *)a, y = *(const double *)b;
-    return (x > y) - (x < y);
-}
-
 /* Distances of n points from the quadric into off[]; returns their spread, from the median. */
 static double spread_about(const struct quadric *q, const struct vec3 *point, size_t n, double *off)
 {
     double sorted[MOST_BLOCK];
     for (size_t i = 0; i < n; i++)
         off[i] = sorted[i] = fabs(quadric_off(q, point[i]));
-    qsort(sorted, n, sizeof *sorted, by_size);
+    doubles_sort(sorted, n);
     return SIGMA_OF_MEDIAN * sorted[n / 2];
 }
 
@@ -62,7 +56,8 @@ static double refit(const struct vec3 *point, size_t n, double sigma, struct qua
             double r = off[k] / far;
             weight[k] = r < 1 ? (1 - r * r) * (1 - r * r) : 0;
         }
-        if (!(far > 0) || quadric_fit_weighted(point, weight, n, q->origin, quadric_normal(q), &next) < 0)
+        if (!(far > 0) ||
+            quadric_fit_weighted(point, weight, n, q->origin, quadric_normal(q), &next) < 0)
             break;
         *q = next;
         spread = spread_about(q, point, n, off);
@@ -92,7 +87,7 @@ static bool stands_alone(const struct job *job, const uint32_t *near, const doub
         return false;
     for (int i = 0; i < CLUMP; i++)
         other[i] = reach_of(b, b->point[near[CLUMP + i]]);
-    qsort(other, CLUMP, sizeof *other, by_size);
+    doubles_sort(other, CLUMP);
     return reach > much * other[CLUMP / 2];
 }
 
@@ -130,8 +125,8 @@ static size_t gather(const struct buckets *b, size_t row, size_t column, struct 
 {
     size_t n = 0;
     for (int k = 0; k < 9; k++) {
-        static const int side[9][2] = {{0, 0},  {-1, -1}, {0, -1}, {1, -1}, {-1, 0},
-                                       {1, 0},  {-1, 1},  {0, 1},  {1, 1}};
+        static const int side[9][2] = {{0, 0}, {-1, -1}, {0, -1}, {1, -1}, {-1, 0},
+                                       {1, 0}, {-1, 1},  {0, 1},  {1, 1}};
         size_t c = column + (size_t)side[k][0], r = row + (size_t)side[k][1];
         if (c >= b->columns || r >= b->rows)
             continue;
@@ -225,7 +220,8 @@ static void look_under(void *context, size_t from, size_t to)
         size_t r0 = row > 0 ? row - 1 : 0, r1 = row + 1 < b->rows ? row + 1 : row;
         size_t c0 = column > 0 ? column - 1 : 0, c1 = column + 1 < b->columns ? column + 1 : column;
         for (size_t r = r0; r <= r1; r++)
-            for (size_t i = b->first[r * b->columns + c0]; i < b->first[r * b->columns + c1 + 1]; i++)
+            for (size_t i = b->first[r * b->columns + c0]; i < b->first[r * b->columns + c1 + 1];
+                 i++)
                 top = fmax(top, b->point[i].z);
         for (size_t i = b->first[cell]; i < b->first[cell + 1]; i++) {
             unsigned above = 0;
