@@ -77,32 +77,4 @@ struct chain_solutions {
  */
 struct chain_solutions chain_angles(const struct chain *chain, struct vec3 axis);
 
-/*
- * Of the solutions turned by whole turns into the travel, the one to go to from the angles `from`:
- * the smallest move of the master axis, then of the other, then nearest to zero.  With `smooth`,
- * as is right with the tool in the cut, the smallest sum of the moves instead.  `only` 0 or 1
- * allows that solution alone, -1 both.  A free axis stays as it is.  -1 when none is within the
- * travel; *over is then the axis that is over (-1: the chain cannot reach the direction).
- */
-int chain_choose(const struct chain *chain, struct vec3 axis, const double from[], bool smooth,
-                 int only, double q[], int *over);
-
-/* What does not change of a chain of two axes while chain_beside is asked again and again. */
-struct chain_ways {
-    const struct chain *chain;
-    struct vec3 across; /* u1 x t */
-    double along, k0;   /* u1 . t, (u0 . u1) (u1 . t) */
-    double b, c, h;     /* u0 . t - k0, u0 . across; their length */
-};
-
-struct chain_ways chain_ways(const struct chain *chain);
-
-/*
- * chain_choose with `smooth` in the usual case, in a fraction of the time: two axes, a direction
- * half a degree or more from the singular one, and the solution on the side where `from` is moves
- * less than the other one can.  *turned: of `from` going in, of q coming out.  False: look closer.
- */
-bool chain_beside(const struct chain_ways *ways, struct vec3 axis, const double from[], double q[],
-                  struct turned *turned);
-
 #endif

@@ -5,6 +5,7 @@
 #define CLOUDMILL_NCSTEP_H
 
 #include "ncplan.h"
+#include "turnchoice.h"
 
 /* Where the program is. */
 struct nc_state {

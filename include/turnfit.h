@@ -8,8 +8,8 @@
 #ifndef CLOUDMILL_TURNFIT_H
 #define CLOUDMILL_TURNFIT_H
 
-#include "kinematics.h"
 #include "motion.h"
+#include "turnchoice.h"
 
 /*
  * Poles of the angles, radians: pole[i] has room for as many as the curve of the motion has;

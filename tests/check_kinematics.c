@@ -1,56 +1,14 @@
 /*
  * kinematics: the published A/C and B/C formulas, inverse against forward on random poses of every
- * kind of machine, precision near the singular direction, travel and the choice of a solution.
+ * kind of machine, precision near the singular direction.
  */
 #include <check.h>
-#include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
 
-#include "kinematics.h"
+#include "chains.h"
 #include "machine.h"
 #include "ncread_machine.h"
-
-static uint64_t seed;
-
-/* 0 <= x < 1 */
-static double chance(void)
-{
-    seed = seed * 6364136223846793005u + 1442695040888963407u;
-    return (double)(seed >> 11) / 9007199254740992.0;
-}
-
-static struct vec3 random_unit(void)
-{
-    double z = 2 * chance() - 1, turn = 2 * PI * chance(), r = sqrt(1 - z * z);
-    return vec(r * cos(turn), r * sin(turn), z);
-}
-
-static struct rotary rotary_of(struct vec3 axis, struct vec3 centre, bool table)
-{
-    return (struct rotary){vec_unit(axis), centre, table, -1e9, 1e9};
-}
-
-/* Work to tool, as a machine's maker would name them. */
-enum { KIND_TABLE_AC, KIND_TABLE_BC, KIND_HEAD_TABLE, KIND_HEAD_HEAD, KIND_NUTATING_HEAD, KIND_NUTATING_TABLE, KINDS };
-
-static struct chain chain_of(int kind)
-{
-    struct vec3 x = vec(1, 0, 0), y = vec(0, 1, 0), z = vec(0, 0, 1), yz = vec(0, 1, 1);
-    struct vec3 c = vec(3, -7, 20), d = vec(-1, 5, 130);
-    struct chain chain = {.n = 2, .master = 1, .tool = z};
-    const struct rotary pair[KINDS][2] = {
-        [KIND_TABLE_AC] = {rotary_of(z, c, true), rotary_of(x, d, true)},
-        [KIND_TABLE_BC] = {rotary_of(z, c, true), rotary_of(y, d, true)},
-        [KIND_HEAD_TABLE] = {rotary_of(z, c, true), rotary_of(y, d, false)},
-        [KIND_HEAD_HEAD] = {rotary_of(z, c, false), rotary_of(x, d, false)},
-        [KIND_NUTATING_HEAD] = {rotary_of(z, c, true), rotary_of(yz, d, false)},
-        [KIND_NUTATING_TABLE] = {rotary_of(vec(0, 0, -1), c, true), rotary_of(yz, d, true)},
-    };
-    chain.rotary[0] = pair[kind][0];
-    chain.rotary[1] = pair[kind][1];
-    return chain;
-}
 
 /* design/5-controls.md: a = (sin C sin A, -cos C sin A, cos A) and (sin B cos C, sin B sin C,
  * cos B), written out. */
@@ -150,82 +108,6 @@ START_TEST(head_carries_the_tip)
     const double q[2] = {0, PI / 2};
     struct vec3 tip = chain_tip(&chain, vec(1, 2, 3), q);
     ck_assert_double_lt(vec_distance(tip, vec(1, 102, 103)), 1e-12);
-}
-END_TEST
-
-START_TEST(travel_and_choice)
-{
-    struct chain chain = chain_of(KIND_TABLE_AC);
-    const double from[2] = {0, 0};
-    double q[2];
-    int over;
-    struct vec3 axis = vec(sin(0.6), 0, cos(0.6)); /* A 0.6 C 90 or A -0.6 C -90 */
-    ck_assert_int_eq(chain_choose(&chain, axis, from, false, -1, q, &over), 0);
-    chain.rotary[1].min = -1.9;
-    chain.rotary[1].max = 0.5;
-    ck_assert_int_eq(chain_choose(&chain, axis, from, false, -1, q, &over), 0);
-    ck_assert_double_eq_tol(q[1], -0.6, 1e-12);
-    ck_assert_double_eq_tol(q[0], -PI / 2, 1e-12);
-
-    /* nearest to where it stands, by whole turns */
-    const double wound[2] = {-20 * PI, -0.5};
-    ck_assert_int_eq(chain_choose(&chain, axis, wound, false, -1, q, &over), 0);
-    ck_assert_double_eq_tol(q[0], -20 * PI - PI / 2, 1e-9);
-    chain.rotary[0].min = -4 * PI;
-    chain.rotary[0].max = 4 * PI;
-    ck_assert_int_eq(chain_choose(&chain, axis, wound, false, -1, q, &over), 0);
-    ck_assert_double_eq_tol(q[0], -2.5 * PI, 1e-9);
-
-    /* free at the singular direction: it stays */
-    const double turned[2] = {1.25, 0.1};
-    ck_assert_int_eq(chain_choose(&chain, vec(0, 0, 1), turned, true, -1, q, &over), 0);
-    ck_assert_double_eq(q[0], 1.25);
-    ck_assert_double_eq_tol(q[1], 0, 1e-12);
-
-    /* none */
-    chain.rotary[1].min = -0.5;
-    ck_assert_int_eq(chain_choose(&chain, axis, from, false, -1, q, &over), -1);
-    ck_assert_int_eq(over, 1);
-}
-END_TEST
-
-/* Over the singular direction: with the tool in the cut the tilt goes through zero, the smallest
- * move of the master alone would spin the other axis by half a turn. */
-START_TEST(over_the_pole)
-{
-    struct chain chain = chain_of(KIND_TABLE_AC);
-    const double from[2] = {0, -0.02};
-    const double beyond[2] = {0, 0.02};
-    struct vec3 axis = chain_axis(&chain, beyond);
-    double q[2];
-    int over;
-    ck_assert_int_eq(chain_choose(&chain, axis, from, true, -1, q, &over), 0);
-    ck_assert_double_eq_tol(q[0], 0, 1e-9);
-    ck_assert_double_eq_tol(q[1], 0.02, 1e-9);
-    ck_assert_int_eq(chain_choose(&chain, axis, from, false, -1, q, &over), 0);
-    ck_assert_double_eq_tol(q[1], -0.02, 1e-9);
-}
-END_TEST
-
-/* The angles may be chosen in the very place where those before stand: several turns from zero, on
- * both sides of it.  What is chosen brings the tool there, by no more than half a turn. */
-START_TEST(chosen_in_place)
-{
-    struct chain chain = chain_of(_i);
-    seed = 5;
-    for (int i = 0; i < 20000; i++) {
-        struct vec3 axis = random_unit();
-        const double from[2] = {40 * chance() - 20, 40 * chance() - 20};
-        double beside[2], place[2] = {from[0], from[1]};
-        int over, over_in_place;
-        int result = chain_choose(&chain, axis, from, true, -1, beside, &over);
-        ck_assert_int_eq(chain_choose(&chain, axis, place, true, -1, place, &over_in_place), result);
-        if (result != 0)
-            continue;
-        ck_assert(place[0] == beside[0] && place[1] == beside[1]);
-        ck_assert_double_lt(vec_distance(chain_axis(&chain, place), axis), 1e-9);
-        ck_assert(fabs(place[0] - from[0]) < PI + 1e-9 && fabs(place[1] - from[1]) < PI + 1e-9);
-    }
 }
 END_TEST
 
@@ -335,43 +217,6 @@ START_TEST(any_two_axes)
 }
 END_TEST
 
-/* From one direction to the next, beside what the slow way chooses; cosines and sines with it. */
-START_TEST(beside_the_last)
-{
-    int found = 0;
-    seed = 70;
-    for (int i = 0; i < 300; i++) {
-        struct chain chain = chain_of(i % KINDS);
-        if (i % 4 == 3) /* three axes in no plane */
-            chain.rotary[1].axis = vec_unit(vec(0.1 * chance(), 1, chance() - 0.5));
-        if (i % 4 == 3)
-            chain.tool = vec_unit(vec(chance() - 0.5, 0.2, 1));
-        struct chain_ways ways = chain_ways(&chain);
-        double from[2] = {6 * chance() - 3, 6 * chance() - 3}, q[2], by[2] = {0};
-        struct turned turned = chain_turned(&chain, from);
-        for (int k = 0; k < 100; k++) {
-            const double next[2] = {from[0] + 0.1 * chance() * chance() - 0.03,
-                                    from[1] + 0.1 * chance() * chance() - 0.03};
-            struct vec3 axis = chain_axis(&chain, next);
-            if (!chain_beside(&ways, axis, from, q, &turned))
-                break;
-            found++;
-            for (int j = 0; j < 2; j++) {
-                ck_assert_double_lt(fabs(q[j] - next[j]), 1e-11);
-                ck_assert_double_lt(fabs(turned.cosine[j] - cos(q[j])), 1e-12);
-                ck_assert_double_lt(fabs(turned.sine[j] - sin(q[j])), 1e-12);
-                from[j] = RADIANS(round(1000 * DEGREES(q[j])) / 1000); /* as printed */
-                by[j] = from[j] - q[j];
-            }
-            turned = chain_turned_on(&chain, turned, by);
-            ck_assert_double_lt(vec_distance(chain_axis_of(&chain, &turned),
-                                             chain_axis(&chain, from)), 1e-12);
-        }
-    }
-    ck_assert_int_gt(found, 15000);
-}
-END_TEST
-
 int main(void)
 {
     Suite *suite = suite_create("kinematics");
@@ -384,13 +229,9 @@ int main(void)
     tcase_add_test(tests, near_the_pole);
     tcase_add_test(tests, table_carries_the_work);
     tcase_add_test(tests, head_carries_the_tip);
-    tcase_add_test(tests, travel_and_choice);
-    tcase_add_test(tests, over_the_pole);
-    tcase_add_loop_test(tests, chosen_in_place, 0, KINDS);
     tcase_add_test(tests, fewer_axes);
     tcase_add_loop_test(tests, every_machine, 0, SHIPPED);
     tcase_add_test(tests, any_two_axes);
-    tcase_add_test(tests, beside_the_last);
     suite_add_tcase(suite, tests);
 
     SRunner *runner = srunner_create(suite);

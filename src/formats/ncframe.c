@@ -4,6 +4,7 @@
 #include <stdlib.h>
 
 #include "num.h"
+#include "turnchoice.h"
 
 static const double inch = 25.4; /* mm */
 
