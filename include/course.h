@@ -21,7 +21,7 @@ struct course_pose {
 enum shape {
     SHAPE_LINE,
     SHAPE_ARC,  /* about `normal`, its radius and height changing evenly where they change */
-    SHAPE_CUBIC, /* polynomial of the third degree in s */
+    SHAPE_POLYNOMIAL, /* in s, of the fifth degree at most */
     SHAPE_SPLINE /* part of a rational B-spline */
 };
 
@@ -46,9 +46,11 @@ struct course_arc {
     double angle; /* radians */
 };
 
-/* A piece of shape CUBIC: the coefficients of s, s^2, s^3 of both channels. */
-struct course_cubic {
-    struct vec3 p[3], q[3];
+enum { COURSE_DEGREE = 5 }; /* of the polynomials that controls know */
+
+/* A piece of shape POLYNOMIAL: the coefficients of s, s^2 and so on of both channels. */
+struct course_polynomial {
+    struct vec3 p[COURSE_DEGREE], q[COURSE_DEGREE];
     bool swings; /* q holds; else the second channel is linear */
 };
 
@@ -75,7 +77,7 @@ struct course {
     enum course_track track;
     struct { size_t n, cap; struct piece *item; } piece;
     struct { size_t n, cap; struct course_arc *item; } arc;
-    struct { size_t n, cap; struct course_cubic *item; } cubic;
+    struct { size_t n, cap; struct course_polynomial *item; } polynomial;
     struct { size_t n, cap; struct course_spline *item; } spline;
     size_t blocks;  /* lines with something in them */
     double dwell;   /* minutes that the tool stands still */

@@ -11,10 +11,10 @@
 
 enum siemens_move { MOVE_NONE, MOVE_RAPID, MOVE_LINE, MOVE_CW, MOVE_CCW, MOVE_CIP, MOVE_POLY, MOVE_BSPLINE };
 
-/* A polynomial's end and coefficients, PO[X]=(end, a2, a3). */
+/* A polynomial's end and coefficients, PO[X]=(end, a2, a3, a4, a5). */
 struct polynomial {
     bool named;
-    double value[3];
+    double value[COURSE_DEGREE];
 };
 
 /* What one block says besides its modal words. */

@@ -4,7 +4,7 @@
 #ifndef CLOUDMILL_NCSPLINE_H
 #define CLOUDMILL_NCSPLINE_H
 
-#include "follow.h"
+#include "ncpoly.h"
 
 /* What splines a control can be given. */
 enum nc_splines {
@@ -13,22 +13,14 @@ enum nc_splines {
     NC_SPLINES_HEAD    /* polynomials, or uniform B-splines; a second curve for the head: POLY */
 };
 
-/* One knot span as a polynomial in p, 0 to h: its end, and the factors of p^2 and p^3 (that of p
- * follows from both ends). */
-struct nc_span {
-    double h;
-    int digits; /* of the factors */
-    struct vec3 end, square, cube;
-    struct vec3 head_end, head_square, head_cube;
-};
-
 struct nc_spline {
     enum { NC_NURBS, NC_POLY, NC_BSPLINE } form;
     bool turns;               /* rotary words (NURBS), a head curve (POLY, BSPLINE) */
     struct vec3 head_start;   /* POLY, BSPLINE: where the head curve begins */
     struct bspline curve;     /* NURBS, BSPLINE: knots and poles as printed, head likewise */
     double *angle[ROTARY_MAX]; /* NURBS: poles of the rotary words, degrees, as printed */
-    struct { size_t n, cap; struct nc_span *item; } span; /* POLY */
+    struct nc_spans span;      /* POLY */
+    int degree;                /* POLY: of its polynomials */
 };
 
 struct nc_spline_digits {
@@ -36,7 +28,8 @@ struct nc_spline_digits {
 };
 
 /*
- * Words for the whole spline motion from a station as printed; *to is where it ends, as printed.
+ * Words for the whole spline motion from a station as printed; *to is where it ends, as printed.  A
+ * curve of a higher degree than the control knows becomes a cubic beside it (cubicform.h).
  * False where the control cannot be given it within `allowed` (its degree, its axis, its digits);
  * nothing then needs freeing.  *d: the deviation of what is printed from the motion.
  */

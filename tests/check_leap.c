@@ -29,7 +29,7 @@ static struct leap over(const double high[PIECES + 1], const double side[PIECES 
     for (int i = 0; i < PIECES; i++) {
         struct vec3 from = vec(4 * i - 12, side[i], high[i]);
         struct vec3 to = vec(4 * i - 8, side[i + 1], high[i + 1]);
-        *array_push(&course.cubic) = (struct course_cubic){.p[0] = vec_sub(to, from)};
+        *array_push(&course.polynomial) = (struct course_polynomial){.p[0] = vec_sub(to, from)};
         *array_push(&course.piece) = (struct piece){
             .shape = shape, .swing = SWING_ROTARY, .index = (size_t)i, .p = {from, to}};
         for (int k = 0; k < 40; k++)
@@ -57,19 +57,19 @@ static const double level[PIECES + 1] = {0};
 START_TEST(a_curve_that_jumps)
 {
     const double high[PIECES + 1] = {0, 0, 3, 8, 2, 0, 0};
-    struct leap leap = over(high, level, SHAPE_CUBIC);
+    struct leap leap = over(high, level, SHAPE_POLYNOMIAL);
     ck_assert_uint_eq(leap.leaps, 1);
     ck_assert_double_eq_tol(leap.height, 8, 1e-6);
     ck_assert_double_eq_tol(leap.at.x, 0, 1e-6);
     ck_assert(leap.piece == 2 || leap.piece == 3);
-    ck_assert_uint_eq(over(level, level, SHAPE_CUBIC).leaps, 0);
+    ck_assert_uint_eq(over(level, level, SHAPE_POLYNOMIAL).leaps, 0);
 }
 END_TEST
 
 START_TEST(less_than_the_band_is_none)
 {
     const double high[PIECES + 1] = {0, 0, 0.5, 1.2, 0.5, 0, 0};
-    ck_assert_uint_eq(over(high, level, SHAPE_CUBIC).leaps, 0);
+    ck_assert_uint_eq(over(high, level, SHAPE_POLYNOMIAL).leaps, 0);
 }
 END_TEST
 
@@ -91,14 +91,14 @@ END_TEST
 START_TEST(beside_the_part_is_none)
 {
     const double side[PIECES + 1] = {0, 0, 10, 30, 10, 0, 0};
-    ck_assert_uint_eq(over(level, side, SHAPE_CUBIC).leaps, 0);
+    ck_assert_uint_eq(over(level, side, SHAPE_POLYNOMIAL).leaps, 0);
 }
 END_TEST
 
 START_TEST(a_layer_above_the_part_is_none)
 {
     const double high[PIECES + 1] = {3, 3, 6, 9, 6, 3, 3};
-    ck_assert_uint_eq(over(high, level, SHAPE_CUBIC).leaps, 0);
+    ck_assert_uint_eq(over(high, level, SHAPE_POLYNOMIAL).leaps, 0);
 }
 END_TEST
 

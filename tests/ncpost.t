@@ -115,6 +115,16 @@ ncpost -q -c fanuc "$TMP/wave-splines.cl" >f.nc
 ncpost -q -c siemens "$TMP/wave-splines.cl" >s.mpf
 has "Fanuc: G06.2 with rotary poles" '^N[0-9]+ G06\.2 P4 K0\. X.* Y.* Z.* A.* C' f.nc
 has "Siemens: polynomials with a head curve" 'POLY PO\[X\]=.* PO\[ZH\]=.* PL=' s.mpf
+for degree in 2 4 5; do
+	bsplfit -q --degree $degree -e 0.01 "$TMP/steep.cl" >"$TMP/steep-$degree.cl"
+	back "$TMP/steep-$degree.cl" "-c fanuc" "-c fanuc"
+	back "$TMP/steep-$degree.cl" "-c siemens" "-c siemens"
+done
+ncpost -q -c siemens "$TMP/steep-5.cl" >s.mpf
+has "Siemens: to the fifth degree" 'POLY PO\[X\]=\([-0-9.]+(,[-0-9.]+){4}\) .* PO\[ZH\]=\([-0-9.]+(,[-0-9.]+){4}\) PL=' s.mpf
+ok "as they are" "$READBACK" -c siemens --path "$TMP/steep-5.cl" -e 0.0001 --axis 0.001 s.mpf
+ncpost -q -c fanuc "$TMP/steep-5.cl" >f.nc
+has "Fanuc: a cubic beside it" 'G06\.2 P4 ' f.nc
 ncpost -q -c siemens "$TMP/wave-arcs.cl" >a.mpf
 has "Siemens: arcs in space" 'CIP X.*I1=AC\(.*A3=' a.mpf
 ncpost -q -c fanuc "$TMP/wave-arcs.cl" >a.nc

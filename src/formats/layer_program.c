@@ -27,7 +27,7 @@ static enum stroke_kind kind_of(const struct piece *piece)
     switch (piece->shape) {
     case SHAPE_ARC:
         return STROKE_ARC;
-    case SHAPE_CUBIC:
+    case SHAPE_POLYNOMIAL:
     case SHAPE_SPLINE:
         return STROKE_SPLINE;
     default:

@@ -171,7 +171,7 @@ int ncread_go(struct ncread *c, const struct ncread_place *to, struct piece piec
         *array_push(&c->course->piece) = piece;
         c->course->lines += piece.shape == SHAPE_LINE && !rapid;
         c->course->arcs += piece.shape == SHAPE_ARC;
-        c->course->curves += piece.shape == SHAPE_CUBIC;
+        c->course->curves += piece.shape == SHAPE_POLYNOMIAL;
     }
     c->here = *to;
     if (!tracked) /* words of another frame: nothing is known of the tip */

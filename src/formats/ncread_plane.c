@@ -147,10 +147,10 @@ void ncread_plane_turn(struct ncread *c, struct piece *piece)
         struct course_arc *arc = &c->course->arc.item[piece->index];
         arc->centre = point(p, arc->centre);
         arc->normal = way(p, arc->normal);
-    } else if (piece->shape == SHAPE_CUBIC) {
-        struct course_cubic *cubic = &c->course->cubic.item[piece->index];
-        for (int i = 0; i < 3; i++)
-            cubic->p[i] = way(p, cubic->p[i]);
+    } else if (piece->shape == SHAPE_POLYNOMIAL) {
+        struct course_polynomial *sum = &c->course->polynomial.item[piece->index];
+        for (int i = 0; i < COURSE_DEGREE; i++)
+            sum->p[i] = way(p, sum->p[i]);
     }
 }
 

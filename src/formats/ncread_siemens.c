@@ -34,11 +34,15 @@ static int block_axis(struct ncread *c, struct ncread_siemens_block *b, struct e
 
 /* Coefficients of s = p / PL from those of p; the first follows from the ends. */
 static void coefficients(const struct polynomial p[3], double length, struct vec3 from,
-                         struct vec3 to, struct vec3 c[3])
+                         struct vec3 to, struct vec3 c[COURSE_DEGREE])
 {
-    c[1] = vec_scale(length * length, vec(p[0].value[1], p[1].value[1], p[2].value[1]));
-    c[2] = vec_scale(length * length * length, vec(p[0].value[2], p[1].value[2], p[2].value[2]));
-    c[0] = vec_sub(vec_sub(to, from), vec_add(c[1], c[2]));
+    double power = length;
+    c[0] = vec_sub(to, from);
+    for (int i = 1; i < COURSE_DEGREE; i++) {
+        power *= length;
+        c[i] = vec_scale(power, vec(p[0].value[i], p[1].value[i], p[2].value[i]));
+        c[0] = vec_sub(c[0], c[i]);
+    }
 }
 
 static int poly_piece(struct ncread *c, struct ncread_siemens_block *b, struct piece *piece,
@@ -46,15 +50,15 @@ static int poly_piece(struct ncread *c, struct ncread_siemens_block *b, struct p
 {
     if (!(b->length > 0))
         return ncread_error(c, error, "POLY with a PL that is not above zero");
-    struct course_cubic cubic = {.swings = b->head_n == 3};
-    piece->shape = SHAPE_CUBIC;
-    piece->index = c->course->cubic.n;
-    coefficients(b->tip, b->length, piece->p[0], piece->p[1], cubic.p);
+    struct course_polynomial sum = {.swings = b->head_n == 3};
+    piece->shape = SHAPE_POLYNOMIAL;
+    piece->index = c->course->polynomial.n;
+    coefficients(b->tip, b->length, piece->p[0], piece->p[1], sum.p);
     if (b->head_n == 3 && piece->swing != SWING_HEAD)
         return ncread_error(c, error, "ORICURVE from a second point that is not known");
-    if (cubic.swings)
-        coefficients(b->second, b->length, piece->q[0], piece->q[1], cubic.q);
-    *array_push(&c->course->cubic) = cubic;
+    if (sum.swings)
+        coefficients(b->second, b->length, piece->q[0], piece->q[1], sum.q);
+    *array_push(&c->course->polynomial) = sum;
     return 0;
 }
 

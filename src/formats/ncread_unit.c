@@ -30,11 +30,11 @@ void ncread_unit_piece(struct ncread *c, struct piece *piece)
     if (piece->shape == SHAPE_ARC) {
         struct course_arc *arc = &c->course->arc.item[piece->index];
         arc->centre = vec_scale(c->unit, arc->centre);
-    } else if (piece->shape == SHAPE_CUBIC) {
-        struct course_cubic *cubic = &c->course->cubic.item[piece->index];
-        for (int i = 0; i < 3; i++) {
-            cubic->p[i] = vec_scale(c->unit, cubic->p[i]);
-            cubic->q[i] = vec_scale(c->unit, cubic->q[i]);
+    } else if (piece->shape == SHAPE_POLYNOMIAL) {
+        struct course_polynomial *sum = &c->course->polynomial.item[piece->index];
+        for (int i = 0; i < COURSE_DEGREE; i++) {
+            sum->p[i] = vec_scale(c->unit, sum->p[i]);
+            sum->q[i] = vec_scale(c->unit, sum->q[i]);
         }
     }
 }

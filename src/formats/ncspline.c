@@ -1,21 +1,20 @@
 /*
  * ncspline - see ncspline.h.
  *
- * POLY: each knot span is its Taylor polynomial at the span's start, so any cubic goes over
- * exactly, whatever its knots.  NURBS: the poles and knots themselves; the rotary angles are fitted
- * on the same knots, and where the axis they give is too far off, the span gets a knot more (which
- * leaves the tip's curve as it is) and all is fitted anew.
+ * NURBS: the poles and knots themselves; the rotary angles are fitted on the same knots, and where
+ * the axis they give is too far off, the span gets a knot more (which leaves the tip's curve as it
+ * is) and all is fitted anew.
  */
 #include "ncspline.h"
 
 #include <stdlib.h>
 
 #include "array.h"
+#include "cubicform.h"
 #include "num.h"
 #include "turnfit.h"
 
-enum { SAMPLES = 8, ROUNDS_MAX = 6 };
-static const double span_most = 20; /* PL above this would cost digits of the factors */
+enum { SAMPLES = 8, ROUNDS_MAX = 6, CUBIC = 3 };
 
 static struct vec3 round_point(struct vec3 p, int digits)
 {
@@ -31,84 +30,73 @@ void nc_spline_free(struct nc_spline *spline)
     *spline = (struct nc_spline){0};
 }
 
+/* ---- the curve as the control can be given it ---- */
+
+/* The knots of a cubic beside a curve of higher degree, half a span at a time. */
+struct beside {
+    struct bspline curve; /* the curve itself where its degree will do */
+    bool lowered;
+    struct doubles knots; /* more than its own */
+};
+
+static struct beside beside(const struct bspline *b, int degree)
+{
+    struct beside c = {.lowered = b->degree > degree};
+    c.curve = c.lowered ? cubicform(b, NULL, 0) : bspline_copy(b);
+    return c;
+}
+
+static void beside_free(struct beside *c)
+{
+    bspline_free(&c->curve);
+    array_free(&c->knots);
+}
+
+/* Knots more; the curve itself stays as it is. */
+static void beside_refine(struct beside *c, const struct bspline *b, const struct doubles *more)
+{
+    for (size_t i = 0; i < more->n; i++)
+        if (c->lowered)
+            *array_push(&c->knots) = more->item[i];
+        else
+            bspline_insert(&c->curve, more->item[i]);
+    if (!c->lowered)
+        return;
+    bspline_free(&c->curve);
+    c->curve = cubicform(b, c->knots.item, c->knots.n);
+}
+
 /* ---- polynomials ---- */
 
-/* The polynomial's value at p, its factor of p taken from both ends. */
-static struct vec3 span_at(struct vec3 start, struct vec3 end, struct vec3 square, struct vec3 cube,
-                           double h, double p)
-{
-    struct vec3 bent = vec_add(vec_scale(h * h, square), vec_scale(h * h * h, cube));
-    struct vec3 slope = vec_scale(1 / h, vec_sub(vec_sub(end, start), bent));
-    return vec_add(vec_along(start, p, slope),
-                   vec_add(vec_scale(p * p, square), vec_scale(p * p * p, cube)));
-}
-
-static void factors(const struct bspline *b, const struct vec3 *pole, double u, double scale,
-                    int digits, struct vec3 *square, struct vec3 *cube)
-{
-    struct vec3 d[4];
-    bspline_derivatives(b, pole, u, 3, d);
-    *square = round_point(vec_scale(scale * scale / 2, d[2]), digits);
-    *cube = round_point(vec_scale(scale * scale * scale / 6, d[3]), digits);
-}
-
-static struct nc_span span_words(const struct bspline *b, size_t i, int digits)
-{
-    double u = b->knot[i], end = b->knot[i + 1];
-    struct nc_span s = {.h = num_round(fmin(end - u, span_most), 6)};
-    s.digits = s.h > 10 ? 9 : s.h > 1 ? 8 : 6;
-    if (s.h <= 0)
-        return s;
-    factors(b, b->pole, u, (end - u) / s.h, s.digits, &s.square, &s.cube);
-    s.end = round_point(bspline_at(b, b->pole, end), digits);
-    if (b->head) {
-        factors(b, b->head, u, (end - u) / s.h, s.digits, &s.head_square, &s.head_cube);
-        s.head_end = round_point(bspline_at(b, b->head, end), digits);
-    }
-    return s;
-}
-
-/* The printed polynomials against the motion, sample by sample. */
-static struct deviation poly_deviation(const struct nc_spline *spline, const struct follow *f,
-                                       struct vec3 start, const struct motion *motion)
-{
-    struct deviation worst = {0, 0};
-    struct vec3 head = spline->head_start;
-    double s = 0;
-    for (size_t i = 0; i < spline->span.n; i++) {
-        const struct nc_span *n = &spline->span.item[i];
-        double next = motion_next_knot(motion, s);
-        struct deviation d[SAMPLES + 1];
-        for (int k = 0; k <= SAMPLES; k++) {
-            double p = n->h * k / SAMPLES;
-            struct pose wanted = motion_at(motion, s + (next - s) * k / SAMPLES);
-            struct pose at = {span_at(start, n->end, n->square, n->cube, n->h, p), wanted.a};
-            if (spline->turns)
-                at.a = vec_unit(vec_sub(
-                    span_at(head, n->head_end, n->head_square, n->head_cube, n->h, p), at.p));
-            d[k] = follow_difference(f, at, wanted);
-        }
-        worst = deviation_worst(worst, follow_peak(d, SAMPLES + 1));
-        start = n->end;
-        head = n->head_end;
-        s = next;
-    }
-    return worst;
-}
-
-static struct deviation poly_words(struct nc_spline *spline, int digits, const struct follow *f,
-                                   const struct station *from, const struct motion *motion)
+/* By polynomials of such a degree at most. */
+static struct deviation poly_words(struct nc_spline *spline, int degree, int digits,
+                                   const struct follow *f, const struct station *from,
+                                   const struct motion *motion, struct deviation allowed)
 {
     const struct bspline *b = motion->curve;
+    struct beside c = beside(b, degree);
+    struct deviation d = {HUGE_VAL, HUGE_VAL};
     spline->form = NC_POLY;
-    for (size_t i = (size_t)b->degree; i < b->poles; i++)
-        if (b->knot[i + 1] > b->knot[i]) {
-            struct nc_span s = span_words(b, i, digits);
-            if (s.h <= 0) /* shorter than any control can be told */
-                return (struct deviation){HUGE_VAL, HUGE_VAL};
-            *array_push(&spline->span) = s;
+    for (int round = 0; round < ROUNDS_MAX; round++) {
+        struct doubles more = {0};
+        spline->span.n = 0;
+        spline->degree = c.curve.degree;
+        if (!nc_poly_words(&spline->span, &c.curve, digits) ||
+            nc_poly_width(&spline->span, c.curve.degree, spline->turns, digits) > NC_POLY_WIDTH) {
+            d = (struct deviation){HUGE_VAL, HUGE_VAL};
+            break;
         }
-    return poly_deviation(spline, f, from->p, motion);
+        d = nc_poly_deviation(&spline->span, &c.curve, f, from->p, spline->head_start, motion,
+                              allowed, &more);
+        bool enough = more.n == 0 || !c.lowered;
+        if (!enough)
+            beside_refine(&c, b, &more);
+        array_free(&more);
+        if (enough)
+            break;
+    }
+    beside_free(&c);
+    return d;
 }
 
 /* ---- poles ---- */
@@ -236,23 +224,23 @@ static struct deviation nurbs_words(struct nc_spline *spline, struct nc_spline_d
                                     const struct follow *f, const struct station *from,
                                     const struct motion *motion, struct deviation allowed)
 {
-    struct bspline exact = bspline_copy(motion->curve);
+    struct beside c = beside(motion->curve, CUBIC);
     struct deviation d = {HUGE_VAL, HUGE_VAL};
     for (int round = 0; round < ROUNDS_MAX; round++) {
         struct doubles more = {0};
-        if (nurbs_round(spline, digits, f, from, &exact, motion) != 0) {
+        if (nurbs_round(spline, digits, f, from, &c.curve, motion) != 0) {
             d = (struct deviation){HUGE_VAL, HUGE_VAL};
             break;
         }
-        d = nurbs_deviation(spline, f, &exact, motion, allowed, &more);
-        for (size_t i = 0; i < more.n; i++)
-            bspline_insert(&exact, more.item[i]);
-        bool enough = more.n == 0 || exact.poles > 4 * motion->curve->poles + 20;
+        d = nurbs_deviation(spline, f, &c.curve, motion, allowed, &more);
+        bool enough = more.n == 0 || c.curve.poles > 4 * motion->curve->poles + 20;
+        if (!enough)
+            beside_refine(&c, motion->curve, &more);
         array_free(&more);
         if (enough)
             break;
     }
-    bspline_free(&exact);
+    beside_free(&c);
     return d;
 }
 
@@ -273,7 +261,7 @@ bool nc_spline_words(struct nc_spline *spline, enum nc_splines kind, struct nc_s
 {
     const struct bspline *b = motion->curve;
     *spline = (struct nc_spline){0};
-    if (kind == NC_SPLINES_NONE || b->degree > 3 || b->degree < 2)
+    if (kind == NC_SPLINES_NONE || b->degree < 2)
         return false;
     if (!b->head && vec_angle(motion->from.a, motion->to.a) > 1e-8)
         return false;
@@ -288,8 +276,10 @@ bool nc_spline_words(struct nc_spline *spline, enum nc_splines kind, struct nc_s
             *d = bspline_words(spline, digits.linear, f, from, motion);
         if (!deviation_within(*d, allowed)) {
             bspline_free(&spline->curve);
-            *d = poly_words(spline, digits.linear, f, from, motion);
+            *d = poly_words(spline, NC_POLY_DEGREE, digits.linear, f, from, motion, allowed);
         }
+        if (!deviation_within(*d, allowed) && b->degree > CUBIC)
+            *d = poly_words(spline, CUBIC, digits.linear, f, from, motion, allowed);
     }
     if (!deviation_within(*d, allowed)) {
         nc_spline_free(spline);

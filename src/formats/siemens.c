@@ -140,35 +140,47 @@ static void arc(struct nc_program *p, const struct nc_move *move)
     nc_end(w);
 }
 
-/* PO[X]=(end,square,cube) */
-static void polynomial(struct nc_program *p, const char *axis, double end, double square,
-                       double cube, int digits)
+/* PO[X]=(end,a2,a3), to the power that the curve has. */
+static void polynomial(struct nc_program *p, const char *axis, double end, const double factor[],
+                       int n_factors, int digits)
 {
-    char word[4 * NUM_MAX];
+    char word[(NC_POLY_DEGREE + 1) * NUM_MAX];
     size_t n = strlen(axis);
     memcpy(word, "PO[", 3);
     memcpy(word + 3, axis, n);
     memcpy(word + 3 + n, "]=(", 3);
     n += 6;
     n += num_write_short(word + n, end, p->plan->ability.digits.linear, false);
-    word[n++] = ',';
-    n += num_write_short(word + n, square, digits, false);
-    word[n++] = ',';
-    n += num_write_short(word + n, cube, digits, false);
+    for (int i = 0; i < n_factors; i++) {
+        word[n++] = ',';
+        n += num_write_short(word + n, factor[i], digits, false);
+    }
     memcpy(word + n, ")", 2);
     nc_code(&p->w, word);
 }
 
+/* Those of X Y Z, or of XH YH ZH. */
+static void three(struct nc_program *p, const char *const axis[3], struct vec3 end,
+                  const struct vec3 *factor, int n, int digits)
+{
+    const double to[] = {end.x, end.y, end.z};
+    double f[3][NC_POLY_DEGREE - 1];
+    for (int i = 0; i < n; i++) {
+        f[0][i] = factor[i].x;
+        f[1][i] = factor[i].y;
+        f[2][i] = factor[i].z;
+    }
+    for (int k = 0; k < 3; k++)
+        polynomial(p, axis[k], to[k], f[k], n, digits);
+}
+
 static void polynomials(struct nc_program *p, const struct nc_spline *s, const struct nc_span *n)
 {
-    polynomial(p, "X", n->end.x, n->square.x, n->cube.x, n->digits);
-    polynomial(p, "Y", n->end.y, n->square.y, n->cube.y, n->digits);
-    polynomial(p, "Z", n->end.z, n->square.z, n->cube.z, n->digits);
-    if (s->turns) {
-        polynomial(p, "XH", n->head_end.x, n->head_square.x, n->head_cube.x, n->digits);
-        polynomial(p, "YH", n->head_end.y, n->head_square.y, n->head_cube.y, n->digits);
-        polynomial(p, "ZH", n->head_end.z, n->head_square.z, n->head_cube.z, n->digits);
-    }
+    static const char *const tip[] = {"X", "Y", "Z"}, *const head[] = {"XH", "YH", "ZH"};
+    int factors = nc_poly_factors(s->degree);
+    three(p, tip, n->end, n->factor, factors, n->digits);
+    if (s->turns)
+        three(p, head, n->head_end, n->head_factor, factors, n->digits);
     nc_number(&p->w, "PL=", n->h, 6);
 }
 

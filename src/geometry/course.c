@@ -15,7 +15,7 @@ void course_free(struct course *m)
     }
     array_free(&m->spline);
     array_free(&m->arc);
-    array_free(&m->cubic);
+    array_free(&m->polynomial);
     array_free(&m->piece);
 }
 
@@ -67,9 +67,12 @@ static struct vec3 arc_at(const struct course_arc *arc, const struct piece *piec
     return vec_along(vec_add(arc->centre, r), rise0 + s * (rise1 - rise0), arc->normal);
 }
 
-static struct vec3 cubic_at(struct vec3 from, const struct vec3 c[3], double s)
+static struct vec3 polynomial_at(struct vec3 from, const struct vec3 c[COURSE_DEGREE], double s)
 {
-    return vec_along(from, s, vec_along(c[0], s, vec_along(c[1], s, c[2])));
+    struct vec3 sum = c[COURSE_DEGREE - 1];
+    for (int i = COURSE_DEGREE - 2; i >= 0; i--)
+        sum = vec_along(c[i], s, sum);
+    return vec_along(from, s, sum);
 }
 
 /* On the great circle, in proportion; opposite axes have none and stay at the start. */
@@ -88,11 +91,11 @@ struct course_pose course_at(const struct course *m, const struct piece *piece, 
         q = great_circle(piece->q[0], piece->q[1], s);
     if (piece->shape == SHAPE_ARC) {
         p = arc_at(&m->arc.item[piece->index], piece, s);
-    } else if (piece->shape == SHAPE_CUBIC) {
-        const struct course_cubic *cubic = &m->cubic.item[piece->index];
-        p = cubic_at(piece->p[0], cubic->p, s);
-        if (cubic->swings)
-            q = cubic_at(piece->q[0], cubic->q, s);
+    } else if (piece->shape == SHAPE_POLYNOMIAL) {
+        const struct course_polynomial *sum = &m->polynomial.item[piece->index];
+        p = polynomial_at(piece->p[0], sum->p, s);
+        if (sum->swings)
+            q = polynomial_at(piece->q[0], sum->q, s);
     } else if (piece->shape == SHAPE_SPLINE) {
         const struct course_spline *b = &m->spline.item[piece->index];
         double middle = (piece->u[0] + piece->u[1]) / 2;
