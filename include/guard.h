@@ -23,7 +23,7 @@ struct guard;
 /* From the points of a scan, as dense as they are. */
 struct guard *guard_from_points(const struct vec3 *point, size_t n);
 
-/* The same, made of the points themselves, which are the guard's from now on, by several threads (as
+/* The same, and the points are freed as soon as they are in it, by several threads (as
  * in parallel.h). */
 struct guard *guard_take(struct vec3s points, int threads);
 
@@ -72,6 +72,9 @@ double guard_lift(const struct guard *guard, struct vec3 c, struct vec3 up, doub
  * may find room behind it; this does not.
  */
 double guard_rise(const struct guard *guard, struct vec3 c, struct vec3 up, double radius);
+
+/* Does a ball that is clear at c stay so on its way straight up? */
+bool guard_free_above(const struct guard *guard, struct vec3 c, double radius);
 
 /* True when the ball can come to c from outside, against `up`, and goes no deeper than `depth` into
  * the part on the way. */

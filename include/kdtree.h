@@ -51,4 +51,17 @@ double kdtree_lowest(const struct kdtree *tree,
                      double (*value)(const void *context, struct vec3 p), const void *context,
                      double below, size_t *index);
 
+/*
+ * The smallest h >= 0 that brings a ball of this radius with its centre at c + h * up (a unit vector)
+ * clear of all points, up to 1e-6 mm; where that is above `limit`, something above it.
+ */
+double kdtree_leave(const struct kdtree *tree, struct vec3 c, struct vec3 up, double radius,
+                    double limit);
+
+/* The smallest h >= 0 from which on it is clear of all points, however far it goes. */
+double kdtree_rise(const struct kdtree *tree, struct vec3 c, struct vec3 up, double radius);
+
+/* Is there a point higher in z than c and nearer than `radius` to the upright line through it? */
+bool kdtree_any_above(const struct kdtree *tree, struct vec3 c, double radius);
+
 #endif

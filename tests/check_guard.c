@@ -108,6 +108,10 @@ START_TEST(rise_is_the_last_place_that_is_not_clear)
         ck_assert(guard_open(guard, vec_along(c, rise, up), up, 2.5, 1e-5));
         if (rise > 0.1)
             ck_assert(!guard_open(guard, vec_along(c, rise - 0.1, up), up, 2.5, 1e-5));
+        double lift = guard_lift(guard, c, up, 2.5, HUGE_VAL);
+        struct vec3 clear = vec_along(c, lift, up), z = vec(0, 0, 1);
+        ck_assert_int_eq(guard_free_above(guard, clear, 2.49),
+                         guard_open(guard, clear, z, 2.5, 0.01));
     }
     guard_free(guard);
 }

@@ -143,6 +143,61 @@ START_TEST(segments_as_one_by_one)
 }
 END_TEST
 
+/* The end of the stretch of a ball's way up that points keep it from, from its start on and in all:
+ * from the stretches of all points, sorted. */
+static void stretches(const struct vec3 *point, size_t n, struct vec3 c, struct vec3 up,
+                      double radius, double *first, double *last)
+{
+    bool more = true;
+
+    *first = *last = 0;
+    while (more) {
+        more = false;
+        for (size_t i = 0; i < n; i++) {
+            struct vec3 d = vec_sub(point[i], c);
+            double along = vec_dot(d, up), across = vec_length(vec_reject(d, up));
+            double half = across < radius ? sqrt(radius * radius - across * across) : 0;
+            if (along - half < *first - 1e-9 && along + half > *first + 1e-9) {
+                *first = along + half;
+                more = true;
+            }
+            *last = fmax(*last, half > 0 ? along + half : 0);
+        }
+    }
+}
+
+START_TEST(balls_leave_as_one_by_one)
+{
+    enum { N = 400 };
+    struct vec3 point[N];
+    int raised = 0;
+
+    for (int kind = 0; kind < KINDS; kind++) {
+        for (int i = 0; i < N; i++)
+            point[i] = make_point(kind);
+        struct kdtree *tree = kdtree_new(point, N);
+        for (int query = 0; query < 200; query++) {
+            struct vec3 c = make_point(query % 2 ? kind : 0), up = vec(0, 0, 1);
+            double radius = 0.05 + 2 * uniform(), first, last;
+            if (query % 3 == 0)
+                up = vec_unit(vec(uniform() - 0.5, uniform() - 0.5, uniform()));
+            stretches(point, N, c, up, radius, &first, &last);
+            ck_assert_double_eq_tol(kdtree_leave(tree, c, up, radius, 1e9), first, 1e-3);
+            ck_assert_double_eq_tol(kdtree_rise(tree, c, up, radius), last, 1e-2);
+            if (first > 1e-2)
+                ck_assert_double_gt(kdtree_leave(tree, c, up, radius, first / 2), first / 2);
+            bool any = false;
+            for (int i = 0; i < N; i++)
+                any = any || (point[i].z > c.z && hypot(point[i].x - c.x, point[i].y - c.y) < radius);
+            ck_assert_int_eq(kdtree_any_above(tree, c, radius), any);
+            raised += first > 0.01 && last > first + 0.01;
+        }
+        kdtree_free(tree);
+    }
+    ck_assert_int_gt(raised, 15);
+}
+END_TEST
+
 START_TEST(sorted_input)
 {
     enum { N = 500 };
@@ -204,6 +259,7 @@ int main(void)
 
     tcase_add_test(tests, same_as_one_by_one);
     tcase_add_test(tests, segments_as_one_by_one);
+    tcase_add_test(tests, balls_leave_as_one_by_one);
     tcase_add_test(tests, sorted_input);
     tcase_add_test(tests, threads_build_the_same_tree);
     tcase_add_test(tests, nothing_to_find);

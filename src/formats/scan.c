@@ -40,7 +40,7 @@ static size_t far_places(const struct vec3s *place, const struct guard *guard, d
     size_t far = 0;
 
     for (size_t i = 0; i < place->n; i++)
-        far += guard_distance(guard, place->item[i]) > near;
+        far += guard_clear_along(guard, place->item[i], place->item[i], near, 0);
     return far;
 }
 

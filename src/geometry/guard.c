@@ -6,14 +6,10 @@
 #include "kdtree.h"
 #include "roofs.h"
 
-/* What may stay of a gouge: far below any tolerance, far above rounding. */
-static const double SLACK = 1e-6;
-
 /* A facet further than this off a vertex's normal spans a step, not a smooth surface. */
 static const double SMOOTH = 0.8660254037844386; /* cos 30 degrees */
 
 struct guard {
-    struct vec3s point;
     struct kdtree *tree;
     struct roofs roofs;
     struct vec3 low, high; /* corners of the box around the points */
@@ -23,7 +19,6 @@ struct guard *guard_take(struct vec3s point, int threads)
 {
     struct guard *guard = mem_alloc(1, sizeof *guard);
 
-    guard->point = point;
     guard->tree = kdtree_new_by(point.item, point.n, threads);
     guard->roofs = roofs_over(point.item, point.n);
     guard->low = vec(HUGE_VAL, HUGE_VAL, HUGE_VAL);
@@ -34,6 +29,7 @@ struct guard *guard_take(struct vec3s point, int threads)
         guard->high =
             vec(fmax(guard->high.x, p.x), fmax(guard->high.y, p.y), fmax(guard->high.z, p.z));
     }
+    array_free(&point);
     return guard;
 }
 
@@ -137,7 +133,6 @@ void guard_free(struct guard *guard)
         return;
     kdtree_free(guard->tree);
     roofs_free(&guard->roofs);
-    array_free(&guard->point);
     free(guard);
 }
 
@@ -158,11 +153,8 @@ double guard_extent(const struct guard *guard, struct vec3 c, struct vec3 up)
 double guard_distance(const struct guard *guard, struct vec3 p)
 {
     size_t nearest;
-    double distance2;
 
-    if (kdtree_nearest(guard->tree, p, 1, &nearest, &distance2) == 0)
-        return HUGE_VAL;
-    return sqrt(distance2);
+    return kdtree_nearest_segment(guard->tree, p, p, HUGE_VAL, &nearest);
 }
 
 double guard_depth(const struct guard *guard, struct vec3 c, double radius)
@@ -190,62 +182,17 @@ double guard_depth_along(const struct guard *guard, struct vec3 a, struct vec3 b
     return radius - nearest;
 }
 
-/*
- * A guard point p keeps the centre c + h * up out of an interval of h: those with
- * |c + h up - p| < R.  Its upper end, a root of a quadratic.
- */
-static double leaves(struct vec3 p, struct vec3 c, struct vec3 up, double radius)
-{
-    struct vec3 d = vec_sub(p, c);
-    double along = vec_dot(d, up);
-    double across2 = vec_dot(d, d) - along * along;
-
-    return along + sqrt(fmax(radius * radius - across2, 0));
-}
-
 double guard_lift(const struct guard *guard, struct vec3 c, struct vec3 up, double radius,
                   double limit)
 {
-    double lift = 0;
-    size_t nearest;
+    double lift = kdtree_leave(guard->tree, c, up, radius, limit);
 
-    /* What holds the centre now must be left at its upper end, which may lie in another's interval
-     * again; every round starts deeper than SLACK in one, so it rises. */
-    while (lift <= limit) {
-        struct vec3 at = vec_along(c, lift, up);
-        if (kdtree_nearest_segment(guard->tree, at, at, radius - SLACK, &nearest) >= radius - SLACK)
-            return lift;
-        lift = fmax(lift, leaves(guard->point.item[nearest], c, up, radius));
-    }
-    return -1;
+    return lift <= limit ? lift : -1;
 }
 
 double guard_rise(const struct guard *guard, struct vec3 c, struct vec3 up, double radius)
 {
-    double rise = 0;
-    struct sizes found = {0};
-
-    if (guard->point.n == 0)
-        return 0;
-    /* From the far end back, in pieces of one radius; below the rise none can raise it. */
-    double pieces = fmax(0, ceil(guard_extent(guard, c, up) / radius)) + 1;
-    for (double i = pieces - 1; i >= 0 && (i + 1) * radius > rise; i--) {
-        struct vec3 from = vec_along(c, i * radius, up), to = vec_along(c, (i + 1) * radius, up);
-        struct vec3 middle = vec_mix(from, to, 0.5);
-        if (far_over(guard, from, to, radius) ||
-            !kdtree_any_beside(guard->tree, from, to, radius))
-            continue;
-        found.n = 0;
-        kdtree_within(guard->tree, middle, 1.5 * radius, &found);
-        for (size_t k = 0; k < found.n; k++) {
-            struct vec3 p = guard->point.item[found.item[k]];
-            struct vec3 d = vec_sub(p, c);
-            if (vec_length(vec_reject(d, up)) < radius - SLACK)
-                rise = fmax(rise, leaves(p, c, up, radius));
-        }
-    }
-    array_free(&found);
-    return rise;
+    return kdtree_rise(guard->tree, c, up, radius);
 }
 
 bool guard_clear_along(const struct guard *guard, struct vec3 a, struct vec3 b, double radius,
@@ -266,6 +213,12 @@ bool guard_clear_along(const struct guard *guard, struct vec3 a, struct vec3 b, 
             return false;
     }
     return true;
+}
+
+bool guard_free_above(const struct guard *guard, struct vec3 c, double radius)
+{
+    return roofs_top(&guard->roofs, c, c, radius) <= c.z ||
+           !kdtree_any_above(guard->tree, c, radius);
 }
 
 bool guard_open(const struct guard *guard, struct vec3 c, struct vec3 up, double radius,

@@ -1,213 +1,34 @@
 /*
- * kdtree - a balanced tree that lies in the order of its points.
- *
- * The node of the range [from, to) is the point in its middle: what stands before it is not above
- * it along the node's axis, what stands behind is not below.  So the tree needs no pointers: only
- * the points in that order, where each came from, and the axis of each node.  Ranges of up to LEAF
- * points are searched one by one.  The distance to a node's cell is carried down and changed in one
- * coordinate at a time (Arya and Mount 1993).
- *
- * Points of a surface lie thin in their cells, and a ball that touches it reaches into all cells
- * under it: what looks for the nearest point to a segment goes by the boxes around the points of
- * the nodes instead.
+ * kdtree - nearest points by the planes that part the tree: the distance to a node's cell is carried
+ * down and changed in one coordinate at a time (Arya and Mount 1993).  Ways through the tree are in
+ * kdtree_beside.c.
  */
 #include "kdtree.h"
 
-#include <stdbool.h>
-#include <stdint.h>
 #include <stdlib.h>
 
-#include "parallel.h"
+#include "kdnodes.h"
 
-enum { LEAF = 12, ON_STACK = 128, SOME = 200 };
-
-/* Nodes with lower numbers hand their halves to two threads, where that many points are worth it. */
-enum { TOP = 8, WORTH = 50000 };
-
-struct kd_point {
-    double c[3];
-    size_t index;
-};
-
-/* Around the points of a node. */
-struct kd_box {
-    double low[3], high[3];
-};
-
-struct kdtree {
-    size_t n;
-    struct kd_point *point;
-    unsigned char *axis; /* of the node whose point stands here */
-    struct kd_box *box;  /* the root's is number 1, those under number i are 2 i and 2 i + 1 */
-};
-
-static void swap(struct kd_point *a, struct kd_point *b)
-{
-    struct kd_point t = *a;
-    *a = *b;
-    *b = t;
-}
-
-/* Brings the point that belongs at `middle` along the axis there, smaller ones before it. */
-static void select_middle(struct kd_point *p, size_t from, size_t to, size_t middle, int axis)
-{
-    while (to - from > 1) {
-        double a = p[from].c[axis], b = p[from + (to - from) / 2].c[axis], c = p[to - 1].c[axis];
-        double pivot = a < b ? (b < c ? b : fmax(a, c)) : (a < c ? a : fmax(b, c));
-        size_t i = from, j = to - 1;
-
-        for (;;) {
-            while (p[i].c[axis] < pivot)
-                i++;
-            while (p[j].c[axis] > pivot)
-                j--;
-            if (i >= j)
-                break;
-            swap(&p[i++], &p[j--]);
-        }
-        if (middle < i) {
-            to = i;
-        } else if (i > j) {
-            from = i;
-        } else { /* both stopped at a point equal to the pivot: it is where it belongs */
-            if (middle == i)
-                return;
-            from = i + 1;
-        }
-    }
-}
-
-/* Around every so manyth of the points. */
-static struct kd_box box_around(const struct kd_point *p, size_t from, size_t to, size_t step)
-{
-    struct kd_box box;
-
-    for (int d = 0; d < 3; d++)
-        box.low[d] = box.high[d] = p[from].c[d];
-    for (size_t i = from + step; i < to; i += step) {
-        for (int d = 0; d < 3; d++) {
-            box.low[d] = p[i].c[d] < box.low[d] ? p[i].c[d] : box.low[d];
-            box.high[d] = p[i].c[d] > box.high[d] ? p[i].c[d] : box.high[d];
-        }
-    }
-    return box;
-}
-
-static int widest_axis(const struct kd_box *box)
-{
-    int widest = 0;
-
-    for (int d = 1; d < 3; d++) {
-        if (box->high[d] - box->low[d] > box->high[widest] - box->low[widest])
-            widest = d;
-    }
-    return widest;
-}
-
-/* A node and those under it, for a thread to build. */
-struct branch {
-    struct kdtree *tree;
-    size_t from, to, number;
-    int threads;
-};
-
-static void build_two(void *context, size_t from, size_t to);
-
-/* Around two boxes and the point between their points. */
-static struct kd_box box_of_halves(const struct kd_box half[2], const struct kd_point *between)
-{
-    struct kd_box box;
-
-    for (int d = 0; d < 3; d++) {
-        double low = half[0].low[d] < half[1].low[d] ? half[0].low[d] : half[1].low[d];
-        double high = half[0].high[d] > half[1].high[d] ? half[0].high[d] : half[1].high[d];
-        box.low[d] = between->c[d] < low ? between->c[d] : low;
-        box.high[d] = between->c[d] > high ? between->c[d] : high;
-    }
-    return box;
-}
-
-/* Both halves of a node are as long as each other, or the first is by one point longer: so the
- * numbers of all boxes stay below twice those of the deepest row that this goes down to.  Which way
- * the points reach farthest some of them tell. */
-static void build(struct branch b)
-{
-    struct kdtree *tree = b.tree;
-    size_t n = b.to - b.from, middle = b.from + n / 2;
-
-    if (n <= LEAF) {
-        if (n > 0)
-            tree->box[b.number] = box_around(tree->point, b.from, b.to, 1);
-        return;
-    }
-    struct kd_box some = box_around(tree->point, b.from, b.to, n / SOME + 1);
-    int axis = widest_axis(&some);
-    select_middle(tree->point, b.from, b.to, middle, axis);
-    tree->axis[middle] = (unsigned char)axis;
-    struct branch half[2] = {{tree, b.from, middle, 2 * b.number, b.threads},
-                             {tree, middle + 1, b.to, 2 * b.number + 1, b.threads}};
-    if (b.threads != 1 && b.number < TOP && n > WORTH)
-        parallel_for(b.threads, 2, build_two, half);
-    else
-        build_two(half, 0, 2);
-    tree->box[b.number] = box_of_halves(&tree->box[2 * b.number], &tree->point[middle]);
-}
-
-static void build_two(void *context, size_t from, size_t to)
-{
-    const struct branch *half = context;
-
-    for (size_t i = from; i < to; i++)
-        build(half[i]);
-}
-
-/* One more than the largest number of a box. */
-static size_t boxes_for(size_t n)
-{
-    size_t boxes = 2;
-
-    for (; n > LEAF; n /= 2)
-        boxes *= 2;
-    return boxes;
-}
+enum { ON_STACK = 128 };
 
 struct kdtree *kdtree_new(const struct vec3 *point, size_t n)
 {
-    return kdtree_new_by(point, n, 1);
+    return kdnodes_build(point, n, 1);
 }
 
 struct kdtree *kdtree_new_by(const struct vec3 *point, size_t n, int threads)
 {
-    struct kdtree *tree = mem_alloc(1, sizeof *tree);
-
-    tree->n = n;
-    tree->point = mem_alloc(n, sizeof *tree->point);
-    tree->axis = mem_alloc(n, 1);
-    tree->box = mem_alloc(boxes_for(n), sizeof *tree->box);
-    for (size_t i = 0; i < n; i++)
-        tree->point[i] = (struct kd_point){{point[i].x, point[i].y, point[i].z}, i};
-    build((struct branch){tree, 0, n, 1, threads});
-    return tree;
+    return kdnodes_build(point, n, threads);
 }
 
 void kdtree_free(struct kdtree *tree)
 {
-    if (!tree)
-        return;
-    free(tree->point);
-    free(tree->axis);
-    free(tree->box);
-    free(tree);
+    kdnodes_free(tree);
 }
 
 static double square(double x)
 {
     return x * x;
-}
-
-static double distance2_to(const struct kd_point *p, const double q[3])
-{
-    return square(p->c[0] - q[0]) + square(p->c[1] - q[1]) + square(p->c[2] - q[2]);
 }
 
 /* The nearest points so far: a heap with the farthest of them on top. */
@@ -242,7 +63,7 @@ static void settle(struct nearest *s, size_t at, size_t n, size_t index, double 
 
 static void offer(struct nearest *s, const struct kd_point *p)
 {
-    double d2 = distance2_to(p, s->q);
+    double d2 = kd_distance2(p->c, s->q);
 
     if (s->n < s->k) {
         s->index[s->n] = p->index;
@@ -258,7 +79,7 @@ static void offer(struct nearest *s, const struct kd_point *p)
 /* `box2` is the squared distance from q to the box of [from, to). */
 static void search_nearest(struct nearest *s, size_t from, size_t to, double box2)
 {
-    if (to - from <= LEAF) {
+    if (to - from <= KD_LEAF) {
         for (size_t i = from; i < to; i++)
             offer(s, &s->tree->point[i]);
         return;
@@ -313,12 +134,12 @@ static void search_within(const struct kdtree *tree, const double q[3], double r
 {
     double radius2 = square(radius);
 
-    while (to - from > LEAF) {
+    while (to - from > KD_LEAF) {
         size_t middle = from + (to - from) / 2;
         int axis = tree->axis[middle];
         double beyond = tree->point[middle].c[axis] - q[axis];
 
-        if (distance2_to(&tree->point[middle], q) <= radius2)
+        if (kd_distance2(tree->point[middle].c, q) <= radius2)
             *array_push(found) = tree->point[middle].index;
         if (square(beyond) <= radius2)
             search_within(tree, q, radius, middle + 1, to, found);
@@ -328,7 +149,7 @@ static void search_within(const struct kdtree *tree, const double q[3], double r
             from = middle + 1;
     }
     for (size_t i = from; i < to; i++) {
-        if (distance2_to(&tree->point[i], q) <= radius2)
+        if (kd_distance2(tree->point[i].c, q) <= radius2)
             *array_push(found) = tree->point[i].index;
     }
 }
@@ -339,210 +160,4 @@ void kdtree_within(const struct kdtree *tree, struct vec3 q, double radius, stru
 
     if (tree->n > 0 && radius >= 0)
         search_within(tree, c, radius, 0, tree->n, found);
-}
-
-/* The nearest point to a segment so far. */
-struct beside {
-    const struct kdtree *tree;
-    struct vec3 a, along; /* from one end to the other */
-    double length2;
-    double low[3], high[3]; /* the segment's box */
-    double best, best2;
-    size_t index; /* as in the caller's array */
-};
-
-static double distance2_beside(const struct beside *s, struct vec3 p)
-{
-    struct vec3 d = vec_sub(p, s->a);
-    double at = s->length2 > 0 ? vec_dot(d, s->along) / s->length2 : 0;
-    struct vec3 off = vec_along(d, -(at < 0 ? 0 : at > 1 ? 1 : at), s->along);
-
-    return vec_dot(off, off);
-}
-
-static void offer_beside(struct beside *s, const struct kd_point *p)
-{
-    double d2 = distance2_beside(s, vec(p->c[0], p->c[1], p->c[2]));
-
-    if (d2 < s->best2 || (d2 == s->best2 && p->index < s->index)) {
-        s->best2 = d2;
-        s->best = sqrt(d2);
-        s->index = p->index;
-    }
-}
-
-/* No point in the box is nearer than this: the gap to the segment's own box, or to the ball around
- * the box. */
-static double bound2(const struct beside *s, const struct kd_box *box)
-{
-    double gap2 = 0, half2 = 0;
-
-    for (int d = 0; d < 3; d++) {
-        double under = box->low[d] - s->high[d], over = s->low[d] - box->high[d];
-        double gap = under > over ? under : over;
-        gap2 += gap > 0 ? gap * gap : 0;
-        half2 += square(box->high[d] - box->low[d]) / 4;
-    }
-    if (s->length2 == 0 || gap2 > s->best2)
-        return gap2;
-    struct vec3 middle =
-        vec((box->low[0] + box->high[0]) / 2, (box->low[1] + box->high[1]) / 2,
-            (box->low[2] + box->high[2]) / 2);
-    double beyond = sqrt(distance2_beside(s, middle)) - sqrt(half2);
-    return beyond > 0 && beyond * beyond > gap2 ? beyond * beyond : gap2;
-}
-
-static void search_beside(struct beside *s, size_t from, size_t to, size_t number)
-{
-    if (to - from <= LEAF) {
-        for (size_t i = from; i < to; i++)
-            offer_beside(s, &s->tree->point[i]);
-        return;
-    }
-    size_t middle = from + (to - from) / 2;
-    double first = bound2(s, &s->tree->box[2 * number]);
-    double second = bound2(s, &s->tree->box[2 * number + 1]);
-    bool left = first <= second;
-
-    offer_beside(s, &s->tree->point[middle]);
-    for (int turn = 0; turn < 2; turn++, left = !left) {
-        if ((left ? first : second) * (1 - 1e-12) > s->best2)
-            continue;
-        if (left)
-            search_beside(s, from, middle, 2 * number);
-        else
-            search_beside(s, middle + 1, to, 2 * number + 1);
-    }
-}
-
-static struct beside beside_of(const struct kdtree *tree, struct vec3 a, struct vec3 b,
-                               double within)
-{
-    struct beside s = {.tree = tree,
-                       .a = a,
-                       .along = vec_sub(b, a),
-                       .low = {fmin(a.x, b.x), fmin(a.y, b.y), fmin(a.z, b.z)},
-                       .high = {fmax(a.x, b.x), fmax(a.y, b.y), fmax(a.z, b.z)},
-                       .best = within,
-                       .best2 = square(within),
-                       .index = SIZE_MAX};
-
-    s.length2 = vec_dot(s.along, s.along);
-    return s;
-}
-
-double kdtree_nearest_segment(const struct kdtree *tree, struct vec3 a, struct vec3 b,
-                              double within, size_t *index)
-{
-    struct beside s = beside_of(tree, a, b, within);
-
-    if (tree->n > 0)
-        search_beside(&s, 0, tree->n, 1);
-    if (s.index == SIZE_MAX)
-        return within;
-    *index = s.index;
-    return s.best;
-}
-
-/* Is a point nearer than s->best? */
-static bool any_beside(const struct beside *s, size_t from, size_t to, size_t number)
-{
-    if (to - from <= LEAF) {
-        for (size_t i = from; i < to; i++) {
-            const double *c = s->tree->point[i].c;
-            if (distance2_beside(s, vec(c[0], c[1], c[2])) < s->best2)
-                return true;
-        }
-        return false;
-    }
-    size_t middle = from + (to - from) / 2;
-    const double *c = s->tree->point[middle].c;
-    double first = bound2(s, &s->tree->box[2 * number]) * (1 - 1e-12);
-    double second = bound2(s, &s->tree->box[2 * number + 1]) * (1 - 1e-12);
-    bool left = first <= second;
-
-    if (distance2_beside(s, vec(c[0], c[1], c[2])) < s->best2)
-        return true;
-    for (int turn = 0; turn < 2; turn++, left = !left) {
-        if ((left ? first : second) >= s->best2)
-            continue;
-        if (left ? any_beside(s, from, middle, 2 * number)
-                 : any_beside(s, middle + 1, to, 2 * number + 1))
-            return true;
-    }
-    return false;
-}
-
-bool kdtree_any_beside(const struct kdtree *tree, struct vec3 a, struct vec3 b, double within)
-{
-    struct beside s = beside_of(tree, a, b, within);
-
-    return within > 0 && tree->n > 0 && any_beside(&s, 0, tree->n, 1);
-}
-
-/* The lowest value so far. */
-struct lowest {
-    const struct kdtree *tree;
-    double (*value)(const void *context, struct vec3 p);
-    const void *context;
-    double best;
-    size_t index; /* as in the caller's array */
-};
-
-static void offer_lowest(struct lowest *s, const struct kd_point *p)
-{
-    double value = s->value(s->context, vec(p->c[0], p->c[1], p->c[2]));
-
-    if (value < s->best || (value == s->best && p->index < s->index)) {
-        s->best = value;
-        s->index = p->index;
-    }
-}
-
-/* No point in the box has a lower value. */
-static double lower_bound(const struct lowest *s, const struct kd_box *box)
-{
-    double half2 = 0, middle[3];
-
-    for (int d = 0; d < 3; d++) {
-        middle[d] = (box->low[d] + box->high[d]) / 2;
-        half2 += square(box->high[d] - box->low[d]) / 4;
-    }
-    return s->value(s->context, vec(middle[0], middle[1], middle[2])) - sqrt(half2) * (1 + 1e-12);
-}
-
-static void search_lowest(struct lowest *s, size_t from, size_t to, size_t number)
-{
-    if (to - from <= LEAF) {
-        for (size_t i = from; i < to; i++)
-            offer_lowest(s, &s->tree->point[i]);
-        return;
-    }
-    size_t middle = from + (to - from) / 2;
-    double first = lower_bound(s, &s->tree->box[2 * number]);
-    double second = lower_bound(s, &s->tree->box[2 * number + 1]);
-    bool left = first <= second;
-
-    offer_lowest(s, &s->tree->point[middle]);
-    for (int turn = 0; turn < 2; turn++, left = !left) {
-        if ((left ? first : second) > s->best)
-            continue;
-        if (left)
-            search_lowest(s, from, middle, 2 * number);
-        else
-            search_lowest(s, middle + 1, to, 2 * number + 1);
-    }
-}
-
-double kdtree_lowest(const struct kdtree *tree,
-                     double (*value)(const void *context, struct vec3 p), const void *context,
-                     double below, size_t *index)
-{
-    struct lowest s = {tree, value, context, below, SIZE_MAX};
-
-    if (tree->n > 0)
-        search_lowest(&s, 0, tree->n, 1);
-    if (s.index != SIZE_MAX)
-        *index = s.index;
-    return s.best;
 }

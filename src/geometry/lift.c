@@ -35,11 +35,11 @@ void lift_add(struct run *run, const struct lift_rule *rule, struct vec3 contact
     *array_push(run) = p;
 }
 
-/* The tool can come here from above, along its axis or straight down. */
+/* The tool can come here, where it is clear, from above: straight down or along its axis. */
 static bool open_above(const struct run_point *p, const struct lift_rule *rule)
 {
-    return guard_open(rule->guard, p->ball, UP, rule->offset, rule->tolerance) ||
-           (p->axis.z >= 0 &&
+    return guard_free_above(rule->guard, p->ball, rule->offset - rule->tolerance) ||
+           (p->axis.z >= 0 && p->axis.z < 1 &&
             guard_open(rule->guard, p->ball, p->axis, rule->offset, rule->tolerance));
 }
 
@@ -47,13 +47,12 @@ static struct lifted lift_point(const struct run_point *p, const struct lift_rul
                                 double radius)
 {
     struct lifted l = {.p = *p, .touching = vec_along(p->contact, rule->offset, p->normal)};
+    double lift = 0;
 
-    set_centre(&l.p, l.touching, rule, radius);
-    if (!rule->guard)
-        return l;
-    double lift = guard_lift(rule->guard, l.touching, p->normal, rule->offset, rule->limit);
+    if (rule->guard)
+        lift = guard_lift(rule->guard, l.touching, p->normal, rule->offset, rule->limit);
     set_centre(&l.p, vec_along(l.touching, lift, p->normal), rule, radius);
-    l.missed = lift < 0 || !open_above(&l.p, rule);
+    l.missed = rule->guard && (lift < 0 || !open_above(&l.p, rule));
     if (l.missed) {
         double rise = guard_rise(rule->guard, l.touching, UP, rule->offset);
         set_centre(&l.p, vec_along(l.touching, rise, UP), rule, radius);
@@ -114,11 +113,16 @@ static double off_line(struct vec3 p, struct vec3 a, struct vec3 b)
     return vec_length(vec_reject(vec_sub(p, a), vec_unit(vec_sub(b, a))));
 }
 
-/* The ball goes no deeper than the tolerance between two points. */
+/* The ball goes no deeper than the tolerance between two points where it is clear. */
 static bool clear_between(const struct run_point *a, const struct run_point *b,
                           const struct lift_rule *rule)
 {
-    return !rule->guard ||
+    const double slack = 1e-5; /* what clear may mean, and rounding */
+    double within = rule->offset - rule->tolerance, clear = rule->offset - slack;
+    struct vec3 way = vec_sub(b->ball, a->ball);
+
+    /* What is in neither ball stands no deeper in one between than the sagitta of the way. */
+    return !rule->guard || vec_dot(way, way) / 4 <= clear * clear - within * within ||
            guard_clear_along(rule->guard, a->ball, b->ball, rule->offset, rule->tolerance);
 }
 

@@ -6,7 +6,7 @@
 
 #include "array.h"
 
-enum { TO_A_CELL = 16, MOST_LOOKED_AT = 400 };
+enum { TO_A_CELL = 16, MOST_ACROSS = 8 };
 
 static size_t cell_at(double from, double cell, double v, size_t cells)
 {
@@ -15,6 +15,40 @@ static size_t cell_at(double from, double cell, double v, size_t cells)
     if (!(c > 0))
         return 0;
     return c < (double)(cells - 1) ? (size_t)c : cells - 1;
+}
+
+/* Each level half as wide and deep as the one before, all in one array. */
+static void lay_levels(struct roofs *r)
+{
+    size_t columns = r->columns, rows = r->rows, cells = 0;
+
+    while (r->levels < ROOFS_LEVELS) {
+        r->level[r->levels++] = (struct roofs_level){columns, rows, NULL};
+        cells += columns * rows;
+        if (columns * rows == 1)
+            break;
+        columns = (columns + 1) / 2;
+        rows = (rows + 1) / 2;
+    }
+    r->top = mem_alloc(cells, sizeof *r->top);
+    for (size_t i = 0; i < cells; i++)
+        r->top[i] = -INFINITY;
+    cells = 0;
+    for (size_t k = 0; k < r->levels; k++) {
+        r->level[k].top = r->top + cells;
+        cells += r->level[k].columns * r->level[k].rows;
+    }
+}
+
+static void raise_level(const struct roofs_level *fine, struct roofs_level *coarse)
+{
+    for (size_t row = 0; row < fine->rows; row++) {
+        for (size_t c = 0; c < fine->columns; c++) {
+            double z = fine->top[row * fine->columns + c];
+            double *top = &coarse->top[row / 2 * coarse->columns + c / 2];
+            *top = z > *top ? z : *top;
+        }
+    }
 }
 
 struct roofs roofs_over(const struct vec3 *point, size_t n)
@@ -38,14 +72,14 @@ struct roofs roofs_over(const struct vec3 *point, size_t n)
         r.cell = 1;
     r.columns = (size_t)(wide / r.cell) + 1;
     r.rows = (size_t)(deep / r.cell) + 1;
-    r.top = mem_alloc(r.columns * r.rows, sizeof *r.top);
-    for (size_t i = 0; i < r.columns * r.rows; i++)
-        r.top[i] = -INFINITY;
+    lay_levels(&r);
     for (size_t i = 0; i < n; i++) {
-        double *top = &r.top[cell_at(r.y, r.cell, point[i].y, r.rows) * r.columns +
-                             cell_at(r.x, r.cell, point[i].x, r.columns)];
+        double *top = &r.level[0].top[cell_at(r.y, r.cell, point[i].y, r.rows) * r.columns +
+                                      cell_at(r.x, r.cell, point[i].x, r.columns)];
         *top = point[i].z > *top ? point[i].z : *top;
     }
+    for (size_t k = 1; k < r.levels; k++)
+        raise_level(&r.level[k - 1], &r.level[k]);
     return r;
 }
 
@@ -65,11 +99,14 @@ double roofs_top(const struct roofs *r, struct vec3 a, struct vec3 b, double rad
     size_t right = cell_at(r->x, r->cell, fmax(a.x, b.x) + radius, r->columns);
     size_t low = cell_at(r->y, r->cell, fmin(a.y, b.y) - radius, r->rows);
     size_t high = cell_at(r->y, r->cell, fmax(a.y, b.y) + radius, r->rows);
-    if ((right - left + 1) * (high - low + 1) > MOST_LOOKED_AT)
-        return INFINITY;
-    for (size_t row = low; row <= high; row++) {
-        for (size_t c = left; c <= right; c++) {
-            double z = r->top[row * r->columns + c];
+    size_t k = 0;
+    while (k + 1 < r->levels && ((right - left) >> k >= MOST_ACROSS ||
+                                 (high - low) >> k >= MOST_ACROSS))
+        k++;
+    const struct roofs_level *level = &r->level[k];
+    for (size_t row = low >> k; row <= high >> k; row++) {
+        for (size_t c = left >> k; c <= right >> k; c++) {
+            double z = level->top[row * level->columns + c];
             top = z > top ? z : top;
         }
     }
