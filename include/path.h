@@ -62,7 +62,8 @@ enum path_cycle_kind {
     CYCLE_BREAK, /* in steps, a little back behind each, to break the chip */
     CYCLE_TAP,   /* down at feed, the spindle turns back, out at feed */
     CYCLE_BORE,  /* down and out at feed: boring, reaming */
-    CYCLE_DRAG   /* down at feed, the spindle stops, out at rapid: boring */
+    CYCLE_DRAG,  /* down at feed, the spindle stops, out at rapid: boring */
+    CYCLE_MANUAL /* down at feed, spindle and program stop, out at rapid: boring; written out */
 };
 
 /* A drilling cycle.  Heights are against the mouth of the hole, along the tool axis, mm. */

@@ -22,7 +22,16 @@ struct arc_parse {
     bool open;
     struct path_arc arc;
     bool loose;   /* its numbers have few digits: an end so near the start is the start */
-    size_t turns; /* whole turns of a helix, 0: none said */
+    size_t turns; /* of a helix, the last one perhaps not whole; 0: none said */
+    bool lasting; /* behind its end: Creo's points without a word may lie on it still */
+};
+
+/* Where GOHOME and RETRCT lead. */
+struct home_parse {
+    bool known, cleared; /* FROM was said; the clearance plane was */
+    struct pose from;
+    struct vec3 normal; /* of that plane, its points p with normal * p = height, mm */
+    double height;
 };
 
 /* NURBS, KNOT and CNTRL of NX. */
@@ -66,15 +75,20 @@ struct path_parse {
     bool touches;     /* CONTCT was said for the next point */
     struct contact contact;
     struct arc_parse circle;
+    struct home_parse home;
     struct vec3 tangent; /* INDIRV, where the next arc starts; zero: not said */
     struct spline_parse spline;
     struct nurbs_parse nurbs;
     struct catia_parse catia;
 
     double spindle; /* rev/min, 0: not said */
+    bool ccw;       /* it turns so */
     double inverse; /* feed as 1/min, 0: none */
     double feed;    /* mm/min, the last one that was added; 0: none */
     bool cycling;   /* points are holes of the last cycle */
+    bool homeward;  /* the tool leaves them as high as it was at CYCLE, in `before` */
+    bool drilled;   /* the last cycle has a hole */
+    struct pose before;
 
     struct path_tool tool, next_tool; /* the one in the spindle; what is known of the next */
     char tool_name[40];               /* of NX, "": none */

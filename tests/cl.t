@@ -150,7 +150,7 @@ if command -v rs274 >/dev/null; then
 	has "LinuxCNC offsets to the left by its tool's radius" 'STRAIGHT_FEED\(30\.0000, 3\.0000, -1' cutcom.canon
 fi
 # ---- drilling as the systems word it
-posts "NX: a tool by its name, then its number; RTRCTO,AUTO" 'G99 G81 X10\. Y5\. Z-20\.5 R3\. F220' \
+posts "NX: a tool by its name, then its number; RTRCTO,AUTO" 'G98 G81 X10\. Y5\. Z-20\.5 R3\. F220' \
 	'TOOL PATH/D,TOOL,DR_8' 'TLDATA/DRILL,8.5,118,80,45' 'LOAD/TOOL,7' 'SPINDL/RPM,1800,CLW' RAPID \
 	'GOTO/10,5,25,0,0,1' 'CYCLE/DRILL,RAPTO,3,FEDTO,-20.5,RTRCTO,AUTO,MMPM,220' 'GOTO/10,5,0' CYCLE/OFF \
 	END-OF-PATH
@@ -168,6 +168,52 @@ posts "CATIA: depth, feed, unit, clearance" 'G99 G81 X25\. Y0\. Z-10\. R1\. F300
 result "$([ "$(grep -c ' M6$' trap.nc)" -eq 1 ]; echo $?)" "a rapid before the first tool is made with it"
 posts "inches: IPM in a cycle" 'Z-19\.05 R2\.54 Q6\.35 F101\.6' UNITS/INCHES 'GOTO/1,1,1' \
 	'CYCLE/DEEP,FEDTO,.75,IPM,4,STEP,.25,RAPTO,.1' 'GOTO/1,3,0' FINI
+posts "Creo, cycle_format fixed: depth, feed, unit, clearance, step" 'G83 X1\. Y2\. Z-20\. R2\. Q5\. F200' \
+	'GOTO/0,0,9' 'CYCLE/DEEP,20,200,MMPM,2,5' 'GOTO/1,2,0' CYCLE/OFF FINI
+posts "of a tap the turns an inch" 'G84 X1\. Y2\. Z-10\. R2\. F1270\.' \
+	'SPINDL/RPM,1000' 'GOTO/0,0,9' 'CYCLE/TAP,10,1,IPM,20,2' 'GOTO/1,2,0' CYCLE/OFF FINI
+posts "Creo: RAPTO goes on from CLEAR" 'G98 G81 X1\. Y2\. Z-10\. R2\. F90' \
+	"\$\$* Pro/CLfile 10.0" 'GOTO / 0, 0, 50' \
+	'CYCLE / DRILL, DEPTH, 10, MMPM, 90, CLEAR, 5, RAPTO, 3' 'GOTO / 1, 2, 0' 'CYCLE / OFF' FINI
+posts "Creo: RETURN, 0 is back to where the tool was" 'G0 X1\. Y2\.$' \
+	"\$\$* Pro/CLfile 10.0" 'GOTO / 0, 0, 50' \
+	'CYCLE / DRILL, DEPTH, 10, MMPM, 90, CLEAR, 5, RETURN, 0' 'GOTO / 1, 2, 0' 'GOTO / 3, 2, -4' \
+	'CYCLE / OFF' FINI
+has "from there" ' G98 G81 X1\. Y2\. Z-10\. R5\.' trap.nc
+has "the next hole too" ' G98 G81 X3\. Y2\. Z-14\. R1\.' trap.nc
+hasnt "with no way between" ' Z46\.| Z50\..*Y2' trap.nc
+posts "STEP with several: the smallest behind the first" 'CYCLE|Q2\.' 'GOTO/0,0,9' \
+	'CYCLE/DEEP,DEPTH,20,STEP,6,4,2,MMPM,90' 'GOTO/1,2,0' CYCLE/OFF FINI
+posts "a dwell by turns" 'G82 .*P300$' 'SPINDL/RPM,1000' 'GOTO/0,0,9' \
+	'CYCLE/DRILL,DEPTH,5,REV,5' 'GOTO/1,2,0' CYCLE/OFF FINI
+posts "a rapid into a hole that is there" 'G0 X1\. Y2\.|Z-3\.$' 'GOTO/0,0,9' \
+	'CYCLE/DRILL,RAPTO,-3,FEDTO,-10,MMPM,90' 'GOTO/1,2,0' CYCLE/OFF FINI
+has "then at feed" 'G1 Z-10\. F90' trap.nc
+hasnt "no cycle of the control" 'G81' trap.nc
+posts "BORE,MANUAL: the program stops at the bottom" '^N[0-9]+ M0$' 'SPINDL/RPM,1000,CLW' 'GOTO/0,0,9' \
+	'CYCLE/BORE,MANUAL,DEPTH,10,MMPM,90' 'GOTO/1,2,0' CYCLE/OFF FINI
+result "$([ "$(grep -c 'M[035]$\|M3$' trap.nc)" -ge 5 ]; echo $?)" "its spindle stopped, and turned again"
+refuses "BORE,BACK: not from above" 'from above' 'GOTO/0,0,9' 'CYCLE/BORE,BACK,DEPTH,3' 'GOTO/0,0,0' FINI
+posts "SPINDL: a limit is no speed" 'S900 M3' 'SPINDL/MAXRPM,5000,RPM,900,CLW' 'GOTO/0,0,9' 'GOTO/5,5,9' FINI
+posts "SPINDL/ON: as fast as before" 'S900 M4' 'SPINDL/900,RPM,CCLW' 'GOTO/0,0,9' SPINDL/OFF 'GOTO/5,5,9' \
+	SPINDL/ON 'GOTO/9,9,9' FINI
+result "$([ "$(grep -c 'S900 M4' trap.nc)" -eq 2 ]; echo $?)" "twice"
+posts "SPINDL/ORIENT: an angle is no speed" 'S900 M3' 'SPINDL/900,RPM' 'GOTO/0,0,9' SPINDL/ORIENT,30 \
+	'GOTO/5,5,9' FINI
+hasnt "no speed of it" 'S30' trap.nc
+posts "FEDRAT/INVERS,AUTO: the machine's business" 'X5\. F300' 'GOTO/0,0,9' 'FEDRAT/300,MMPM' \
+	'FEDRAT/INVERS,AUTO' 'GOTO/5,0,9' 'FEDRAT/INVERS,OFF' 'GOTO/9,0,9' FINI
+posts "GODLTA with the axis" 'G1 Y2\. Z8\. ' 'FROM/5,2,9' 'GODLTA/2,0,-1,0,-.6,.8' 'GOTO/9,9,9' FINI
+has "that axis" 'A-?36\.87' trap.nc
+posts "GOHOME: at rapid to FROM" 'G0 X1\. Y2\. Z90\.' 'FROM/1,2,90' 'GOTO/9,9,9' GOHOME 'GOTO/9,9,9' FINI
+posts "GOHOME with its place" 'G0 X3\. Y4\. Z80\.' 'GOTO/9,9,9' GOHOME/3,4,80 'GOTO/9,9,9' FINI
+posts "RETRCT: along the tool axis to the clearance plane" 'G0 Y1\.5 Z19\.' 'CLEARP/XYPLAN,19' \
+	'GOTO/9,9,9,0,-.6,.8' RETRCT 'GOTO/9,9,9' FINI
+posts "to a plane in space" 'G0 Y29\.' 'CLRSRF/0,1,0,29' 'GOTO/9,9,9,0,1,0' RETRCT 'GOTO/9,9,9' FINI
+printf '%s\n' 'GOTO/0,0,9' RETRCT 'GOTO/5,0,9' FINI >trap.cl
+status 0 "RETRCT without a plane" ncpost -c fanuc trap.cl
+has "is passed over and said" 'passed over RETRCT' err
+posts "ROTABL by nothing" 'X5\.' 'GOTO/0,0,9' ROTABL/ATANGL,0 'GOTO/5,0,9' FINI
 posts "OSETNO: the offset's number" ' G43\.4 H12$' 'LOADTL/3,OSETNO,12' 'GOTO/0,0,9' 'GOTO/5,0,9' FINI
 posts "AUXFUN: an M word" '^N[0-9]+ M88$' 'GOTO/0,0,9' 'AUXFUN/88' 'GOTO/5,0,9' FINI
 refuses "an arc among holes" 'CYCLE/OFF' 'GOTO/1,0,0' 'CYCLE/DRILL,DEPTH,2' 'CIRCLE/0,0,0,0,0,1,1' \
@@ -178,8 +224,17 @@ refuses "a feed by the turn of a spindle that stands" 'SPINDL' 'FEDRAT/MMPR,.1' 
 refuses "coordinates that are ways" 'incremental' 'MODE/INCR' 'GOTO/0,0,9' FINI
 refuses "numbers without a GOTO" 'without a word' 'RAPID' '1,2,3' FINI
 refuses "a table that turns by itself" 'ROTABL' 'ROTABL/30' 'GOTO/0,0,9' FINI
-refuses "a helix that may be one turn or two" 'TIMES' 'GOTO/5,0,4' \
-	'CIRCLE/0,0,0,0,0,1,5,.06,.5,10,0,TIMES,2' 'GOTO/0,5,0' FINI
+posts "NX: a helix that ends beside its start, in its second turn" 'G2 X-4\.619 Y-1\.913 Z3\. ' \
+	'GOTO/5,0,4' 'CIRCLE/0,0,0,0,0,1,5,.06,.5,10,0,TIMES,2' 'GOTO/0,5,0' FINI
+result "$([ "$(grep -c ' G2 \| I.* J' trap.nc)" -eq 4 ]; echo $?)" "630 degrees in four arcs"
+has "to its end" ' X0\. Y5\. Z0\. ' trap.nc
+posts "NX: in its first" 'G2 X0\. Y5\. Z0\. I-5\.' \
+	'GOTO/5,0,4' 'CIRCLE/0,0,0,0,0,1,5,.06,.5,10,0,TIMES,1' 'GOTO/0,5,0' FINI
+posts "Creo: points without a word that lie on the arc" ' X-5\. Y0\. I0\. J-5\.' "\$\$* Pro/CLfile 8.0" \
+	'GOTO / 5, 0, 0' 'CIRCLE / 0, 0, 0, 0, 0, 1, 5' 'GOTO / 3, 4, 0' '0, 5, 0' '-5, 0, 0' '-9, 9, 0' FINI
+has "and one that does not" 'G1 X-9\. Y9\.' trap.nc
+posts "others: straight" 'G1 X0\. Y5\.' \
+	'GOTO/5,0,0' 'CIRCLE/0,0,0,0,0,1,5' 'GOTO/3,4,0' '0,5,0' FINI
 refuses "a NURBS of NX with too few knots" 'knots' 'TOOL PATH/A,TOOL,B' 'GOTO/0,0,0' 'NURBS/' \
 	'KNOT/1' 'CNTRL/1,0,0' 'CNTRL/2,0,0' 'CNTRL/3,0,0' 'CNTRL/4,0,0' 'END-OF-PATH'
 refuses "a B-spline of CATIA without poles" 'poles' 'GOTO/0,0,0' \

@@ -167,7 +167,7 @@ bad() { # CYCLE REGEX
 }
 bad 'CYCLE/BORE,BACK,DEPTH,5,MMPM,50' 'from above'
 bad 'CYCLE/DRILL,CLEAR,2,7' 'found 7 in CYCLE without a word'
-bad 'CYCLE/DRILL,DEPTH,3,CLEAR,-2' 'below 0'
+bad 'CYCLE/DRILL,DEPTH,3,CLEAR,-3' 'more than -3'
 bad 'CYCLE/DRILL,DEPTH,3,DWELL,REV,5' 'below 0'
 printf 'UNITS/MM\nSPINDL/600,RPM\nGOTO/0,0,9\nCYCLE/DRILL,3,IPM,10,2\nGOTO/0,0,0\nFINI\n' >bare.cl
 ncpost -q -c fanuc bare.cl >bare.nc

@@ -127,6 +127,8 @@ bool nc_frame_holes(const struct path *path)
         const struct path_cycle *c = &path->cycle.item[item->index];
         if (c->kind == CYCLE_TAP && !(c->pitch > 0 || path->head.spindle > 0))
             return false;
+        if (c->kind == CYCLE_MANUAL || c->clear < 0)
+            return false;
     }
     return any;
 }

@@ -21,6 +21,7 @@ static const char *code(const struct nc_program *p, const struct path_cycle *c)
     case CYCLE_DRAG:
         return "G86";
     case CYCLE_DRILL:
+    case CYCLE_MANUAL: /* is written out */
         break;
     }
     return c->dwell > 0 ? "G82" : "G81";

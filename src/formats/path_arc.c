@@ -38,17 +38,29 @@ static void add_arc(struct path_parse *p, struct pose to)
     p->at = to;
 }
 
-/* A helix of whole turns, each in two halves, for an arc turns less than once. */
-static void add_turns(struct path_parse *p, struct pose to, size_t turns)
+/* The turn from the start to the end, 0 to 2 pi, by the right-hand rule. */
+static double turn_to(const struct path_parse *p, struct vec3 to)
+{
+    const struct path_arc *arc = &p->circle.arc;
+    struct vec3 u = vec_reject(vec_sub(p->at.p, arc->centre), arc->axis);
+    struct vec3 v = vec_reject(vec_sub(to, arc->centre), arc->axis);
+    double angle = atan2(vec_dot(vec_cross(u, v), arc->axis), vec_dot(u, v));
+    return angle > 0 ? angle : angle + 2 * PI;
+}
+
+/* A helix of such an angle in pieces of half a turn at most, for an arc turns less than once. */
+static void add_turns(struct path_parse *p, struct pose to, double angle)
 {
     struct pose from = p->at;
-    const struct path_arc *arc = &p->circle.arc;
-    struct vec3 spoke = vec_reject(vec_sub(from.p, arc->centre), arc->axis);
-    struct vec3 rise = vec_sub(to.p, from.p);
-    for (size_t i = 1; i < 2 * turns; i++) {
-        double s = (double)i / (double)(2 * turns);
-        struct vec3 base = i % 2 ? vec_along(from.p, -2, spoke) : from.p;
-        add_arc(p, (struct pose){vec_along(base, s, rise), vec_slerp(from.a, to.a, s)});
+    struct path_arc arc = p->circle.arc;
+    size_t pieces = (size_t)ceil(angle / PI - 1e-9);
+    struct vec3 spoke = vec_reject(vec_sub(from.p, arc.centre), arc.axis);
+    struct vec3 foot = vec_sub(from.p, spoke);
+    double rise = vec_dot(vec_sub(to.p, from.p), arc.axis);
+    for (size_t i = 1; i < pieces; i++) {
+        double s = (double)i / (double)pieces;
+        struct vec3 at = vec_add(foot, vec_turn(spoke, arc.axis, s * angle));
+        add_arc(p, (struct pose){vec_along(at, s * rise, arc.axis), vec_slerp(from.a, to.a, s)});
     }
     add_arc(p, to);
 }
@@ -63,17 +75,27 @@ int path_arc_to(struct path_parse *p, struct pose to)
         return -1;
     if (closed) /* start = end: a full turn, to where it began */
         to.p = fabs(rise) > near ? vec_along(p->at.p, rise, axis) : p->at.p;
-    if (p->circle.turns && !closed)
-        return error_at(AT(p),
-                        "found a helix of TIMES,%zu that ends beside its start, expected it to "
-                        "end above or below",
-                        p->circle.turns);
+    double whole = 2 * PI * (p->circle.turns ? (double)p->circle.turns : 1);
     if (closed && (p->circle.turns || fabs(rise) > near))
-        add_turns(p, to, p->circle.turns ? p->circle.turns : 1);
+        add_turns(p, to, whole);
+    else if (p->circle.turns > 1)
+        add_turns(p, to, whole - 2 * PI + turn_to(p, to.p));
     else
         add_arc(p, to);
     p->circle.open = false;
+    p->circle.lasting = true;
     return 0;
+}
+
+bool path_arc_goes_on(struct path_parse *p, struct vec3 point)
+{
+    const struct path_arc *arc = &p->circle.arc;
+    struct vec3 d = vec_sub(point, arc->centre);
+    if (!p->circle.lasting || fabs(vec_dot(d, arc->axis)) > near ||
+        fabs(vec_length(d) - arc->radius) > near || vec_distance(point, p->at.p) < near)
+        return false;
+    p->circle.open = turn_to(p, point) < PI;
+    return p->circle.open;
 }
 
 int path_begin_arc(struct path_parse *p, struct path_arc arc)

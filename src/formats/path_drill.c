@@ -89,14 +89,16 @@ static void drill(struct drill *d, const struct path_cycle *c)
     stay(d, c->dwell);
     if (c->kind == CYCLE_TAP)
         turn_spindle(d, !d->ccw);
-    else if (c->kind == CYCLE_DRAG)
+    else if (c->kind == CYCLE_DRAG || c->kind == CYCLE_MANUAL)
         path_add_text(d->path, "SPINDL/OFF");
+    if (c->kind == CYCLE_MANUAL)
+        path_add_text(d->path, "STOP");
     if (c->kind == CYCLE_TAP || c->kind == CYCLE_BORE)
         go(d, c->clear, false);
     if (c->kind == CYCLE_TAP)
         turn_spindle(d, d->ccw);
     go(d, c->retract, true);
-    if (c->kind == CYCLE_DRAG)
+    if (c->kind == CYCLE_DRAG || c->kind == CYCLE_MANUAL)
         turn_spindle(d, d->ccw);
 }
 

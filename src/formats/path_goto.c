@@ -41,6 +41,7 @@ int path_move_to(struct path_parse *p, struct pose to)
         if (path_hole(p, to) < 0)
             return -1;
     } else {
+        p->circle.lasting = false;
         if (!p->rapid && p->moved)
             path_feed_inverse(p, vec_distance(p->at.p, to.p));
         path_take_contact(p, path_add_point(p->path, to, p->rapid));
@@ -153,18 +154,20 @@ int path_goto_run(struct path_parse *p)
 
 int path_read_godlta(struct path_parse *p)
 {
-    double v[3];
+    double v[6];
+    size_t n = p->apt.argument.n;
     if (!p->moved)
         return error_at(AT(p), "found GODLTA before any position, expected FROM or GOTO first");
-    if (p->apt.argument.n != 3 && p->apt.argument.n != 1)
+    if (n != 1 && n != 3 && n != 6)
         return error_at(AT(p),
-                        "found %zu numbers in GODLTA, expected dx, dy, dz or a way along "
-                        "the tool axis",
-                        p->apt.argument.n);
-    if (path_numbers(p, 0, p->apt.argument.n, v, "dx, dy, dz") < 0)
+                        "found %zu numbers in GODLTA, expected dx, dy, dz, with the tool axis or "
+                        "without, or a way along it",
+                        n);
+    if (path_numbers(p, 0, n, v, "dx, dy, dz") < 0 ||
+        (n == 6 && path_direction(p, v + 3, "a tool axis", &p->axis) < 0))
         return -1;
     struct vec3 way =
-        p->apt.argument.n == 1 ? vec_scale(p->unit * v[0], p->axis) : path_way_of(p, v);
+        n == 1 ? vec_scale(p->unit * v[0], p->axis) : path_way_of(p, v);
     return path_move_to(p, (struct pose){vec_add(p->said, way), p->axis});
 }
 
@@ -189,7 +192,8 @@ int path_read_from(struct path_parse *p)
         return -1;
     p->at = (struct pose){path_point_of(p, v), p->axis};
     p->said = p->at.p;
-    p->moved = true;
+    p->moved = p->home.known = true;
+    p->home.from = p->at;
     if (path_expect_reach(p, p->at.p) < 0)
         return -1;
     const double at[] = {p->at.p.x, p->at.p.y, p->at.p.z, p->at.a.x, p->at.a.y, p->at.a.z};

@@ -13,6 +13,7 @@
 #include "path_arc.h"
 #include "path_cycle.h"
 #include "path_goto.h"
+#include "path_home.h"
 #include "path_parse.h"
 #include "path_tool.h"
 
@@ -62,6 +63,9 @@ static const struct path_row motions[] = {
     {"GOTO", path_read_goto},     {"CIRCLE", path_read_circle},    {"RAPID", read_rapid},
     {"MOVNRB", read_movnrb}, {"GODLTA", path_read_godlta},    {"FROM", path_read_from},
     {"TLAXIS", path_read_tlaxis}, {"CYCLE", path_read_cycle}, {"FINI", read_fini},
+    {"GOHOME", path_read_gohome}, {"RETRCT", path_read_retrct}, {"CLEARP", path_read_clearp},
+    {"CLRSRF", path_read_clearp}, {"ROTABL", path_read_rotabl}, {"ROTATE", path_read_rotabl},
+    {"ROTHED", path_read_rotabl},
 };
 
 /* Post-processor words that a later stage may use. */
@@ -140,7 +144,13 @@ static int expect_place(struct path_parse *p)
 /* Numbers without a word: more points of the GOTO before, or a matrix of CATIA. */
 static int read_bare(struct path_parse *p, bool listing)
 {
-    if (listing && !p->circle.open)
+    double v[3];
+    if (listing && p->dialect == &cl_creo && p->circle.lasting && p->apt.argument.n == 3) {
+        if (path_numbers(p, 0, 3, v, "x, y, z") < 0)
+            return -1;
+        path_arc_goes_on(p, path_point_of(p, v));
+    }
+    if (listing)
         return path_read_goto(p);
     if (p->matrix > 0) {
         p->matrix--;
