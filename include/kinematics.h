@@ -25,6 +25,7 @@ struct rotary {
     struct vec3 centre; /* a point on it; of a head's axis, from the tool tip at zero */
     bool table;         /* in the table; else in the head */
     double min, max;    /* travel */
+    double rapid;       /* a minute; 0: not known */
 };
 
 struct chain {

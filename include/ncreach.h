@@ -10,14 +10,18 @@
 struct stance nc_station(const struct nc_step *step, struct pose to, const double q[]);
 
 /*
- * The station that reaches a pose from where the program is, as the step's branch says; -1 with
- * the error filled and the plan unmet: the rotary or the linear axes would leave their travel.
+ * The station that reaches a pose from where the program is, s (0 to 1) along the step's motion: as
+ * its course says, else the nearest.  -1 with the error filled and the plan unmet: the rotary or
+ * the linear axes would leave their travel.
  */
-int nc_reach(struct nc_step *step, struct pose to, struct stance *s);
+int nc_reach(struct nc_step *step, struct pose to, double s, struct stance *stance);
 
 /* How far from 0 a tip may be for the linear axes to keep their travel however the rotary axes
  * stand: a turn about c takes p no further from 0 than |p| + 2 |c|. */
 double nc_surely_within(const struct machine *m);
+
+/* A linear axis that is out of its travel when the tip is there; -1: none. */
+int nc_linear_over(const struct nc_step *step, struct vec3 tip, const double q[]);
 
 /* -1: the linear axes, as they stand when the tip is there (seen from the work offset), would
  * leave their travel. */

@@ -5,7 +5,7 @@
 #define CLOUDMILL_NCSTEP_H
 
 #include "ncplan.h"
-#include "turnchoice.h"
+#include "turnplan.h"
 
 /* Where the program is. */
 struct nc_state {
@@ -22,11 +22,12 @@ struct nc_state {
     unsigned line;
 };
 
-/* Which of the two solutions of the rotary axes to take. */
-struct nc_branch {
-    int first; /* for the first motion of a group: 0, 1, -1: the better one */
-    int then;  /* for the others */
-    int wind;  /* whole turns more of the axis nearest the work, for the first */
+/* What a look ahead (ncahead.h) has found for a motion. */
+struct nc_course {
+    size_t n;                           /* of its places, the one where it starts with them; 0:
+                                           none, the rotary axes go the nearest way */
+    const struct turnplan_place *place;
+    const double *s;                    /* how far along the motion, but of the first, 0 to 1 */
 };
 
 /* Where on a motion, 0 to 1, the tool retracts and turns: to these angles. */
@@ -48,13 +49,13 @@ struct nc_step {
     struct deviation allowed; /* of a block, with rounding */
     double clear;             /* z above which the path goes at rapid, NAN: not known */
     struct nc_state state;
-    struct nc_branch branch;
+    struct nc_course course;  /* for the next motion */
     struct chain_ways ways;   /* of the machine */
     double within;            /* nc_surely_within of the machine */
     size_t next;              /* the item of the path that comes next */
     size_t tilted;            /* looked for from there: the next whose tool axis is not singular */
-    const double *aim; /* angles near which the next ones are to be, NULL: near the last ones */
-    bool first;        /* the next motion is the first of a group: the tool is off the part */
+    bool first;        /* the next motion may take either solution: the tool is off the part */
+    bool doubt;        /* the nearest way may not have been the shortest of all */
     struct nc_stops stops; /* inside of the next motion */
     bool may_turn;     /* retract - turn - return is allowed */
     struct error *error;

@@ -2,36 +2,54 @@
  * turnplan - the rotary axes looked at over a whole pass before any of it is programmed: which of
  * the two solutions and which whole turns to start with, and where to turn back.
  *
- * Dynamic programming over the directions along the way.  A state is a solution with the whole
- * turns of each axis; what it costs is first the number of turns back (retract - turn - return)
- * and then the way of both axes.  An axis whose travel is ten turns or more is taken to have no
- * end.
+ * The shortest way through a graph, by dynamic programming in time proportional to the number of
+ * places.  Its nodes are the places along the pass, each with either solution and the whole turns
+ * of each axis that its travel has room for.  What a way costs is first the number of turns back
+ * (retract - turn - return), and among as many of them how far the axes turn.  An axis whose
+ * travel is 64 turns or more is taken to have no end.
  */
 #ifndef CLOUDMILL_TURNPLAN_H
 #define CLOUDMILL_TURNPLAN_H
 
-#include "kinematics.h"
+#include "turnchoice.h"
 
 /* One direction along the way, close enough to the one before that no angle jumps. */
 struct turnplan_place {
     struct vec3 axis;
+    unsigned leap;        /* from so many places before one block may lead here, past all between;
+                             0: no such block */
     bool may_turn;        /* the tool may retract and turn here before it goes on */
-    double dear;          /* among ways with as many turns, what one here counts: radians of way */
-    bool turn;            /* found: it does */
-    double q[ROTARY_MAX]; /* found: the angles with which it comes here */
+    bool inside;          /* of a motion: it rather turns elsewhere */
+    bool shut[2];         /* not with this solution: the linear axes would leave their travel */
+    bool turn;            /* found: it turns here */
+    bool passed;          /* found: a block leads past it */
+    double q[ROTARY_MAX]; /* found, where not passed: the angles with which it comes here */
+};
+
+struct turnplan {
+    const struct chain *chain;
+    double cone; /* radians: so near the singular direction the first axis may turn at one place */
+    /* may one block lead from one place to another, with these angles?  NULL: leaps always may */
+    bool (*leaps)(const void *with, size_t from, size_t to, const double q0[], const double q1[]);
+    const void *with;
+};
+
+struct turnplan_cost {
+    unsigned turns; /* back */
+    double way;     /* as chain_way says it */
 };
 
 /*
- * Fills in the places' angles and turns: the number of turns back.  `from` is where the axes stand
- * before; they may go to any state from there.  -1: no way.
+ * Fills in what is found of the places.  `from` is where the axes stand before; they may go to any
+ * state from there, and the cost includes the way.  -1: no way.
  */
-int turnplan_make(const struct chain *chain, struct turnplan_place place[], size_t n,
-                  const double from[]);
+int turnplan_make(const struct turnplan *plan, struct turnplan_place place[], size_t n,
+                  const double from[], struct turnplan_cost *cost);
 
 /*
- * True when the first axis, on its way from one direction to a near one, comes to an end of its
- * travel or to an angle whole turns from it, by one of the solutions: where a turn back gains most.
- * *share: how far on the way in its angle, 0 to 1.
+ * True when an axis, on its way from one direction to a near one, comes to an end of its travel
+ * or to an angle whole turns from it, by one of the solutions: where a turn back gains most.
+ * *share: how far on the way in its angle, 0 to 1, the first of them.
  */
 bool turnplan_end(const struct chain *chain, struct vec3 from, struct vec3 to, int solution,
                   double *share);

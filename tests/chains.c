@@ -17,7 +17,7 @@ struct vec3 random_unit(void)
 
 struct rotary rotary_of(struct vec3 axis, struct vec3 centre, bool table)
 {
-    return (struct rotary){vec_unit(axis), centre, table, -1e9, 1e9};
+    return (struct rotary){vec_unit(axis), centre, table, -1e9, 1e9, 0};
 }
 
 struct chain chain_of(int kind)

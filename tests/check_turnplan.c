@@ -1,9 +1,13 @@
-/* turnplan: turns back along spirals are as few as arithmetic allows, angles stay in the travel
- * and have the directions, and what cannot be is refused. */
+/*
+ * turnplan: turns back along spirals are as few as arithmetic allows, turns back and way on random
+ * passes are those of an exhaustive search, angles stay in the travel and have the directions, and
+ * what cannot be is refused.
+ */
 #include <check.h>
 #include <stdlib.h>
 
 #include "array.h"
+#include "chains.h"
 #include "turnplan.h"
 
 enum { EACH = 72 }; /* places of one turn */
@@ -29,6 +33,14 @@ static struct turnplan_place *spiral(int turns, double tilt, size_t *n)
         place[i].may_turn = true;
     }
     return place;
+}
+
+static int plan_of(const struct chain *chain, struct turnplan_place *place, size_t n)
+{
+    const double from[ROTARY_MAX] = {0};
+    struct turnplan plan = {.chain = chain};
+    struct turnplan_cost cost;
+    return turnplan_make(&plan, place, n, from, &cost) == 0 ? (int)cost.turns : -1;
 }
 
 static void check_places(const struct chain *chain, const struct turnplan_place *place, size_t n,
@@ -69,10 +81,9 @@ START_TEST(fewest_turns)
 {
     struct chain chain = table_ac(wound[_i].a_min, wound[_i].a_max, wound[_i].c_min,
                                   wound[_i].c_max);
-    const double from[ROTARY_MAX] = {0};
     size_t n;
     struct turnplan_place *place = spiral(wound[_i].turns, wound[_i].tilt, &n);
-    int turns = turnplan_make(&chain, place, n, from);
+    int turns = plan_of(&chain, place, n);
     ck_assert_int_eq(turns, wound[_i].back);
     check_places(&chain, place, n, turns);
     free(place);
@@ -82,11 +93,10 @@ END_TEST
 START_TEST(no_way)
 {
     struct chain chain = table_ac(-30, 40, -360, 360), narrow = table_ac(-60, 60, -80, 80);
-    const double from[ROTARY_MAX] = {0};
     size_t n;
     struct turnplan_place *place = spiral(1, 50, &n);
-    ck_assert_int_eq(turnplan_make(&chain, place, n, from), -1);
-    ck_assert_int_eq(turnplan_make(&narrow, place, n, from), -1);
+    ck_assert_int_eq(plan_of(&chain, place, n), -1);
+    ck_assert_int_eq(plan_of(&narrow, place, n), -1);
     free(place);
 }
 END_TEST
@@ -94,19 +104,191 @@ END_TEST
 /* Straight over the pole: A goes on through zero where it may, else there is one turn back. */
 START_TEST(over_the_pole)
 {
-    const double from[ROTARY_MAX] = {0};
     struct turnplan_place place[61];
     for (int i = 0; i < 61; i++) {
         double w = RADIANS(i - 30);
         place[i] = (struct turnplan_place){.axis = {0, sin(w), cos(w)}, .may_turn = true};
     }
     struct chain both = table_ac(-120, 120, -360, 360), one = table_ac(-5, 120, -360, 360);
-    ck_assert_int_eq(turnplan_make(&both, place, 61, from), 0);
+    ck_assert_int_eq(plan_of(&both, place, 61), 0);
     check_places(&both, place, 61, 0);
     for (int i = 1; i < 61; i++)
         ck_assert_double_eq_tol(place[i].q[0], place[0].q[0], 1e-9);
-    ck_assert_int_eq(turnplan_make(&one, place, 61, from), 1);
+    ck_assert_int_eq(plan_of(&one, place, 61), 1);
     check_places(&one, place, 61, 1);
+}
+END_TEST
+
+/* ---- an exhaustive search: all angles of all places, by trying, and the cheapest way by trying all */
+
+enum { PLACES = 7, ANGLES = 40 };
+
+struct angles {
+    int n;
+    double q[ANGLES][2];
+};
+
+/* All angles within the travel that bring the tool to the direction, from the formula of each kind
+ * of machine where there is one at hand, else by Newton's method from many starts. */
+static struct angles all_angles(const struct chain *chain, struct vec3 axis)
+{
+    struct angles all = {0};
+    for (int start = 0; start < 144; start++) {
+        double q[2] = {2 * PI * (start % 12) / 12, 2 * PI * (double)(start / 12) / 12};
+        double miss = 9;
+        for (int i = 0; i < 30 && miss > 1e-13; i++) {
+            const double h = 1e-6;
+            const double q0[2] = {q[0] + h, q[1]}, q1[2] = {q[0], q[1] + h};
+            struct vec3 at = chain_axis(chain, q), off = vec_sub(axis, at);
+            struct vec3 d0 = vec_scale(1 / h, vec_sub(chain_axis(chain, q0), at));
+            struct vec3 d1 = vec_scale(1 / h, vec_sub(chain_axis(chain, q1), at));
+            double a = vec_dot(d0, d0), b = vec_dot(d0, d1), c = vec_dot(d1, d1);
+            double u = vec_dot(d0, off), v = vec_dot(d1, off), det = a * c - b * b;
+            miss = vec_length(off);
+            if (det < 1e-12)
+                break;
+            q[0] += (c * u - b * v) / det;
+            q[1] += (a * v - b * u) / det;
+        }
+        for (int k = 0; k < 25 && miss < 1e-9; k++) {
+            double r[2] = {remainder(q[0], 2 * PI) + 2 * PI * (k % 5 - 2),
+                           remainder(q[1], 2 * PI) + 2 * PI * (double)(k / 5 - 2)};
+            bool new = true;
+            for (int i = 0; i < 2; i++)
+                new = new && r[i] >= chain->rotary[i].min && r[i] <= chain->rotary[i].max;
+            for (int i = 0; i < all.n; i++)
+                new = new && fabs(all.q[i][0] - r[0]) + fabs(all.q[i][1] - r[1]) > 1e-6;
+            if (new) {
+                ck_assert_int_lt(all.n, ANGLES);
+                all.q[all.n][0] = r[0];
+                all.q[all.n++][1] = r[1];
+            }
+        }
+    }
+    return all;
+}
+
+static double turned(const struct chain *chain, const double a[], const double b[])
+{
+    double slow = fmin(chain->rotary[0].rapid, chain->rotary[1].rapid), sum = 0;
+    for (int i = 0; i < 2; i++)
+        sum += fabs(a[i] - b[i]) * (slow > 0 ? slow / chain->rotary[i].rapid : 1);
+    return sum;
+}
+
+/* All ways from the angles q at place j on; by block, or turned back at j and then by block. */
+static void try_all(const struct chain *chain, const struct angles all[], int j, const double q[],
+                    unsigned turns, double way, struct turnplan_cost *least)
+{
+    if (turns > least->turns || (turns == least->turns && way >= least->way))
+        return;
+    if (j + 1 == PLACES) {
+        *least = (struct turnplan_cost){turns, way};
+        return;
+    }
+    for (int t = -1; t < all[j].n; t++) {
+        const double *from = t < 0 ? q : all[j].q[t];
+        for (int k = 0; k < all[j + 1].n; k++) {
+            const double *to = all[j + 1].q[k];
+            if (fabs(to[0] - from[0]) < PI / 2 && fabs(to[1] - from[1]) < PI / 2)
+                try_all(chain, all, j + 1, to, turns + (t >= 0),
+                        way + turned(chain, q, from) + turned(chain, from, to), least);
+        }
+    }
+}
+
+/* A machine with narrow travel, and a pass of a few directions. */
+static struct chain narrow_chain(int i)
+{
+    struct chain chain = chain_of(i % KINDS);
+    for (int k = 0; k < 2; k++) {
+        chain.rotary[k].min = -(0.3 + 4 * chance());
+        chain.rotary[k].max = 0.3 + 4 * chance();
+        chain.rotary[k].rapid = i % 4 == 0 ? 0 : 50 + 200 * chance();
+    }
+    return chain;
+}
+
+static void random_pass(struct turnplan_place place[])
+{
+    double tilt = 0.15 + chance(), turn = 2 * PI * chance();
+    double step = 0.15 * chance() - 0.05, wind = 1.3 * (2 * chance() - 1);
+    for (int j = 0; j < PLACES; j++) {
+        double t = fmax(0.1, tilt + step * j), c = turn + wind * j;
+        place[j] = (struct turnplan_place){
+            .axis = {sin(t) * sin(c), -sin(t) * cos(c), cos(t)}, .may_turn = true};
+    }
+}
+
+START_TEST(as_by_trying)
+{
+    int found = 0, back = 0;
+    seed = 90;
+    for (int i = 0; i < 1500; i++) {
+        struct chain chain = narrow_chain(i);
+        struct turnplan plan = {.chain = &chain};
+        struct turnplan_place place[PLACES];
+        struct turnplan_cost cost, least = {99, HUGE_VAL};
+        struct angles all[PLACES];
+        const double from[2] = {4 * chance() - 2, 2 * chance() - 1};
+        random_pass(place);
+        for (int j = 0; j < PLACES; j++)
+            all[j] = all_angles(&chain, place[j].axis);
+        for (int k = 0; k < all[0].n; k++)
+            try_all(&chain, all, 0, all[0].q[k], 0, turned(&chain, from, all[0].q[k]), &least);
+        int result = turnplan_make(&plan, place, PLACES, from, &cost);
+        ck_assert_int_eq(result, least.turns < 99 ? 0 : -1);
+        if (result != 0)
+            continue;
+        ck_assert_uint_eq(cost.turns, least.turns);
+        ck_assert_double_eq_tol(cost.way, least.way, 1e-6);
+        check_places(&chain, place, PLACES, (int)cost.turns);
+        found++;
+        back += cost.turns > 0;
+    }
+    ck_assert_int_gt(found, 300);
+    ck_assert_int_gt(back, 100);
+}
+END_TEST
+
+/* Half-way along the block the axis is within 0.1 degrees of where it is meant to be. */
+static bool near_half_way(const void *with, size_t from, size_t to, const double q0[],
+                          const double q1[])
+{
+    const struct chain *chain = with;
+    const double half[] = {(q0[0] + q1[0]) / 2, (q0[1] + q1[1]) / 2};
+    struct vec3 meant = vec_unit(vec_add(chain_axis(chain, q0), chain_axis(chain, q1)));
+    ck_assert_uint_eq(to - from, 400);
+    return vec_angle(chain_axis(chain, half), meant) < RADIANS(0.1);
+}
+
+/* Beside the singular direction a block may lead past it, to the other solution: half a turn of the
+ * first axis is saved, and where the second one may not follow it is turned after all. */
+START_TEST(past_the_pole)
+{
+    struct chain both = table_ac(-120, 120, -99999, 99999), one = table_ac(-2, 120, -99999, 99999);
+    const double from[ROTARY_MAX] = {0, 0};
+    struct turnplan_cost cost;
+    struct turnplan_place place[401];
+    for (int i = 0; i <= 400; i++) {
+        struct vec3 at = vec(RADIANS(0.05 * (i - 200)), RADIANS(0.03), 1);
+        place[i] = (struct turnplan_place){.axis = vec_unit(at), .may_turn = i == 400};
+    }
+    place[400].leap = 400;
+    struct turnplan plan = {.chain = &both, .leaps = near_half_way, .with = &both};
+    ck_assert_int_eq(turnplan_make(&plan, place, 401, from, &cost), 0);
+    ck_assert_uint_eq(cost.turns, 0);
+    ck_assert_double_eq_tol(DEGREES(cost.way), 10 + 90 + 20, 1);
+    ck_assert(place[1].passed && place[399].passed && !place[400].passed && !place[0].passed);
+    ck_assert_double_eq_tol(fabs(DEGREES(place[400].q[1] - place[0].q[1])), 20, 0.3);
+    place[400].leap = 0;
+    ck_assert_int_eq(turnplan_make(&plan, place, 401, from, &cost), 0);
+    ck_assert_double_eq_tol(DEGREES(cost.way), 10 + 90 + 20 + 180, 1);
+    place[400].leap = 400;
+    plan.chain = &one;
+    ck_assert_int_eq(turnplan_make(&plan, place, 401, from, &cost), 0);
+    ck_assert_double_eq_tol(DEGREES(cost.way), 10 + 90 + 20 + 180, 1);
+    ck_assert(!place[1].passed);
 }
 END_TEST
 
@@ -118,6 +300,8 @@ int main(void)
     tcase_add_loop_test(tests, fewest_turns, 0, (int)(sizeof wound / sizeof *wound));
     tcase_add_test(tests, no_way);
     tcase_add_test(tests, over_the_pole);
+    tcase_add_test(tests, as_by_trying);
+    tcase_add_test(tests, past_the_pole);
     suite_add_tcase(suite, tests);
 
     SRunner *runner = srunner_create(suite);

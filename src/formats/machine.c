@@ -191,7 +191,8 @@ static int make_chain(struct machine *m, const int letter[], int n, char key[KEY
                                              .centre = m->centre[of],
                                              .table = table,
                                              .min = RADIANS(m->min[k]),
-                                             .max = RADIANS(m->max[k])};
+                                             .max = RADIANS(m->max[k]),
+                                             .rapid = RADIANS(m->rapid[k])};
         snprintf(key, KEY_NAME, "axis.%c", letters[k]);
         if (vec_length(m->axis[of]) < 1e-9)
             return error_set(error, "%s: found a direction of no length, expected one", key);

@@ -3,8 +3,9 @@
 
 #include <stdlib.h>
 
-enum { DEPTH = 12, SPAN_PIECES = 8, HALVINGS = 45, PLACES_MAX = 200000 };
-#define INSIDE 1e-3 /* radians of way that a turn inside of a motion counts */
+#include "ncreach.h"
+
+enum { DEPTH = 12, SPAN_PIECES = 8, HALVINGS = 45, PLACES_MAX = 10000000 };
 
 struct motion nc_item_motion(const struct path *path, const struct path_item *item,
                              struct pose from)
@@ -18,9 +19,16 @@ struct motion nc_item_motion(const struct path *path, const struct path_item *it
     return motion_line(from, item->to);
 }
 
-static void add(struct nc_ahead *ahead, struct vec3 axis, double s, bool may_turn)
+static void add(struct nc_ahead *ahead, struct pose at, double s, bool may_turn)
 {
-    *array_push(ahead) = (struct turnplan_place){.axis = axis, .may_turn = may_turn};
+    const struct nc_step *step = ahead->step;
+    struct turnplan_place place = {.axis = at.a, .may_turn = may_turn};
+    if (vec_dot(at.p, at.p) >= step->within * step->within) {
+        struct chain_solutions found = chain_angles(&step->machine->chain, at.a);
+        for (int k = 0; k < found.n && !found.free; k++)
+            place.shut[k] = nc_linear_over(step, at.p, found.q[k]) >= 0;
+    }
+    *array_push(ahead) = place;
     *array_push(&ahead->s) = s;
 }
 
@@ -51,8 +59,8 @@ static void add_ends(struct nc_ahead *ahead, const struct chain *chain,
     for (int i = 0; i < n; i++) {
         if (end[i] <= s0 || (i == 1 && end[1] == end[0]))
             continue;
-        add(ahead, motion_at(motion, end[i]).a, end[i], true);
-        ahead->item[ahead->n - 1].dear = INSIDE;
+        add(ahead, motion_at(motion, end[i]), end[i], true);
+        ahead->item[ahead->n - 1].inside = true;
     }
 }
 
@@ -60,11 +68,11 @@ static void add_ends(struct nc_ahead *ahead, const struct chain *chain,
 static void sample(struct nc_ahead *ahead, const struct chain *chain, const struct motion *motion,
                    double s0, struct vec3 a0, double s1, int depth)
 {
-    struct vec3 a1 = motion_at(motion, s1).a;
-    double step = fmin(turnplan_step(chain, a0), turnplan_step(chain, a1));
-    if (vec_angle(a0, a1) <= step || depth == DEPTH || ahead->n > PLACES_MAX) {
+    struct pose to = motion_at(motion, s1);
+    double step = fmin(turnplan_step(chain, a0), turnplan_step(chain, to.a));
+    if (vec_angle(a0, to.a) <= step || depth == DEPTH || ahead->n > PLACES_MAX) {
         add_ends(ahead, chain, motion, s0, s1);
-        add(ahead, a1, s1, false);
+        add(ahead, to, s1, false);
         return;
     }
     double mid = (s0 + s1) / 2;
@@ -72,11 +80,28 @@ static void sample(struct nc_ahead *ahead, const struct chain *chain, const stru
     sample(ahead, chain, motion, mid, motion_at(motion, mid).a, s1, depth + 1);
 }
 
+/* Within twice what the tool axis may be off, it may go past the singular direction in one block. */
+static void add_leap(struct nc_ahead *ahead, const struct motion *motion, size_t start)
+{
+    const struct rotary *first = &ahead->step->machine->chain.rotary[0];
+    double near = 2 * ahead->step->allowed.axis;
+    bool past = false;
+    for (size_t i = start + 1; i + 1 < ahead->n && !past; i++) {
+        struct vec3 off = vec_cross(first->axis, ahead->item[i].axis);
+        past = vec_dot(off, off) < near * near;
+    }
+    if (!past || motion->kind != MOTION_LINE || ahead->step->machine->chain.n != 2)
+        return;
+    ahead->item[ahead->n - 1].leap = (unsigned)(ahead->n - 1 - start);
+    *array_push(&ahead->leap) = (struct nc_leap){ahead->n - 1, motion_at(motion, 0), motion->to};
+}
+
 static void sample_motion(struct nc_ahead *ahead, const struct chain *chain,
                           const struct motion *motion)
 {
     double s = 0;
     struct vec3 a = motion_at(motion, 0).a;
+    size_t start = ahead->n - 1;
     while (s < 1) {
         double from = s, next = motion_next_knot(motion, s);
         int pieces = motion->kind == MOTION_SPLINE ? SPAN_PIECES : 1;
@@ -89,19 +114,39 @@ static void sample_motion(struct nc_ahead *ahead, const struct chain *chain,
         s = next;
     }
     ahead->item[ahead->n - 1].may_turn = true;
+    if (ahead->n > start + 2)
+        add_leap(ahead, motion, start);
 }
 
-bool nc_ahead_make(struct nc_ahead *ahead, const struct nc_step *step, size_t from, size_t to)
+/* May a block lead from one end of a leap to the other? */
+static bool leaps(const void *with, size_t from, size_t to, const double q0[], const double q1[])
 {
+    const struct nc_ahead *ahead = with;
+    const struct nc_step *step = ahead->step;
+    size_t low = 0, high = ahead->leap.n - 1;
+    (void)from; /* told by where it leads to */
+    while (low < high) {
+        size_t mid = (low + high) / 2;
+        if (ahead->leap.item[mid].end < to)
+            low = mid + 1;
+        else
+            high = mid;
+    }
+    const struct nc_leap *leap = &ahead->leap.item[low];
+    struct motion motion = motion_line(leap->from, leap->to);
+    struct stance a = nc_station(step, leap->from, q0), b = nc_station(step, leap->to, q1);
+    return deviation_within(follow_block(&step->follow, &a.at, &b.at, &motion, 0, 1),
+                            step->allowed);
+}
+
+static void sample_items(struct nc_ahead *ahead, size_t from, size_t to)
+{
+    const struct nc_step *step = ahead->step;
     const struct path *path = step->path;
-    const struct chain *chain = &step->machine->chain;
     bool cutting = false, begun = step->state.begun;
     struct pose pose = step->state.pose;
-    *ahead = (struct nc_ahead){0};
-    if (step->follow.mode == FOLLOW_VECTOR || chain->n == 0)
-        return false;
     if (begun)
-        add(ahead, pose.a, 1, true);
+        add(ahead, pose, 1, true);
     for (size_t i = from; i < to && ahead->n < PLACES_MAX; i++) {
         const struct path_item *item = &path->item.item[i];
         bool moves =
@@ -112,21 +157,34 @@ bool nc_ahead_make(struct nc_ahead *ahead, const struct nc_step *step, size_t fr
         cutting = cutting || !item->rapid || item->kind != PATH_POINT;
         if (!cutting || !begun) { /* in the clear: only where it leads to matters */
             ahead->n = ahead->s.n = 0;
-            add(ahead, item->to.a, 1, true);
+            add(ahead, item->to, 1, true);
         } else {
             struct motion motion = nc_item_motion(path, item, pose);
-            sample_motion(ahead, chain, &motion);
+            sample_motion(ahead, &step->machine->chain, &motion);
         }
         pose = item->to;
         begun = true;
     }
     *array_push(&ahead->start) = ahead->n ? ahead->n - 1 : 0;
+}
+
+bool nc_ahead_make(struct nc_ahead *ahead, const struct nc_step *step, size_t from, size_t to)
+{
+    *ahead = (struct nc_ahead){.step = step};
+    if (step->follow.mode == FOLLOW_VECTOR || step->machine->chain.n == 0)
+        return false;
+    sample_items(ahead, from, to);
+    struct turnplan plan = {.chain = &step->machine->chain,
+                            .cone = step->allowed.axis / 2,
+                            .leaps = leaps,
+                            .with = ahead};
     return ahead->n > 1 && ahead->n < PLACES_MAX &&
-           turnplan_make(chain, ahead->item, ahead->n, step->state.at.q) >= 0;
+           turnplan_make(&plan, ahead->item, ahead->n, step->state.at.q, &ahead->cost) == 0;
 }
 
 void nc_ahead_free(struct nc_ahead *ahead)
 {
+    array_free(&ahead->leap);
     array_free(&ahead->start);
     array_free(&ahead->s);
     array_free(ahead);

@@ -1,49 +1,12 @@
-/*
- * ncplan - see ncplan.h.
- *
- * A path is planned in groups: from a rapid, where the tool is off the part and the rotary axes
- * may go to either solution, up to the next rapid.  A group that runs out of a rotary axis's
- * travel with one solution is planned again with the other; when neither serves, a look ahead over
- * the whole group finds with which to start and where the tool retracts, turns and returns.
- */
+/* ncplan - see ncplan.h. */
 #include "ncplan.h"
 
 #include <stdlib.h>
 
-#include "ncahead.h"
+#include "ncgroup.h"
 #include "ncitem.h"
 #include "ncreach.h"
-#include "ncturn.h"
 #include "num.h"
-
-/* What a group that is planned again has to take back. */
-struct mark {
-    struct nc_state state;
-    struct nc_total total;
-    size_t moves, vectors, arcs, splines, holes;
-};
-
-static struct mark mark_of(const struct nc_step *step)
-{
-    const struct nc_plan *plan = step->plan;
-    return (struct mark){step->state, plan->total,    plan->move.n, plan->vector.n,
-                         plan->arc.n, plan->spline.n, plan->hole.n};
-}
-
-static void back_to(struct nc_step *step, const struct mark *mark)
-{
-    struct nc_plan *plan = step->plan;
-    for (size_t i = mark->splines; i < plan->spline.n; i++)
-        nc_spline_free(&plan->spline.item[i]);
-    step->state = mark->state;
-    plan->total = mark->total;
-    plan->unmet = false;
-    plan->move.n = mark->moves;
-    plan->vector.n = mark->vectors;
-    plan->arc.n = mark->arcs;
-    plan->spline.n = mark->splines;
-    plan->hole.n = mark->holes;
-}
 
 void nc_plan_free(struct nc_plan *plan)
 {
@@ -63,85 +26,6 @@ struct station nc_plan_station(const struct nc_plan *plan, const struct chain *c
     at.a = plan->ability.mode == FOLLOW_VECTOR ? plan->vector.item[move->vector]
                                                : chain_axis(chain, move->q);
     return at;
-}
-
-static bool begins_anew(const struct path_item *item)
-{
-    return item->kind == PATH_TOOL || item->kind == PATH_PLANE;
-}
-
-/* Behind the group that starts at `from`: the next rapid that comes after a cut, or tool. */
-static size_t group_end(const struct path *path, size_t from)
-{
-    bool cutting = false;
-    for (size_t i = from; i < path->item.n; i++) {
-        const struct path_item *item = &path->item.item[i];
-        bool rapid = item->kind == PATH_POINT && item->rapid;
-        if ((rapid && cutting) || (begins_anew(item) && i > from))
-            return i;
-        cutting = cutting || (path_moves(item) && !rapid);
-    }
-    return path->item.n;
-}
-
-/* The turns strictly inside of the motion between two places. */
-static void add_stops(struct nc_step *step, const struct nc_ahead *ahead, size_t from, size_t to)
-{
-    step->stops.n = 0;
-    for (size_t i = from + 1; i < to; i++) {
-        const double *q = ahead->item[i + 1].q;
-        if (ahead->item[i].turn)
-            *array_push(&step->stops) = (struct nc_stop){ahead->s.item[i], {q[0], q[1]}};
-    }
-}
-
-/* ahead: what was found by looking ahead over the group, NULL: nothing. */
-static int plan_items(struct nc_step *step, const struct nc_ahead *ahead, size_t from, size_t to)
-{
-    step->first = true;
-    step->tilted = from;
-    for (size_t i = from; i < to; i++) {
-        step->next = i + 1;
-        size_t place = ahead ? ahead->start.item[i - from] : 0;
-        bool moves = path_moves(&step->path->item.item[i]);
-        step->aim = ahead && place == 0 ? ahead->item[0].q : NULL;
-        if (ahead && moves && place + 1 < ahead->n && ahead->item[place].turn &&
-            nc_step_turn(step, ahead->item[place + 1].q) != 0)
-            return -1;
-        if (ahead)
-            add_stops(step, ahead, place, ahead->start.item[i - from + 1]);
-        if (nc_item(step, &step->path->item.item[i]) != 0)
-            return -1;
-    }
-    return 0;
-}
-
-static int plan_group(struct nc_step *step, size_t from, size_t to)
-{
-    static const struct nc_branch attempt[] = {{-1, -1, 0},  {0, -1, 0}, {1, -1, 0}, {-1, -1, 1},
-                                               {-1, -1, -1}, {0, 0, 0},  {1, 1, 0}};
-    struct mark mark = mark_of(step);
-    step->may_turn = false;
-    for (size_t i = 0; i < sizeof attempt / sizeof *attempt; i++) {
-        step->branch = attempt[i];
-        if (plan_items(step, NULL, from, to) == 0)
-            return 0;
-        if (!step->plan->unmet)
-            return -1;
-        back_to(step, &mark);
-    }
-    step->branch = attempt[0];
-    step->may_turn = true;
-    struct nc_ahead ahead;
-    bool found = nc_ahead_make(&ahead, step, from, to);
-    int result = found ? plan_items(step, &ahead, from, to) : -1;
-    nc_ahead_free(&ahead);
-    step->aim = NULL;
-    step->stops.n = 0;
-    if (found && (result == 0 || !step->plan->unmet))
-        return result;
-    back_to(step, &mark);
-    return plan_items(step, NULL, from, to);
 }
 
 /* The clearance plane or, where the path names none, its highest rapid. */
@@ -176,8 +60,7 @@ int nc_plan_make(struct nc_plan *plan, const struct path *path, const struct mac
                            .machine = machine,
                            .plan = plan,
                            .wish = wish,
-                           .error = error,
-                           .branch = {-1, -1, 0}};
+                           .error = error};
     if (path->head.track == TRACK_CONTACT)
         return error_set(error,
                          "%s: found a path of contact points (TRACK/CONTACT), expected one of tool "
@@ -196,8 +79,8 @@ int nc_plan_make(struct nc_plan *plan, const struct path *path, const struct mac
     nc_item_tool(&step, path_ball(path));
     int result = 0;
     for (size_t from = 0; from < path->item.n && result == 0;) {
-        size_t to = group_end(path, from);
-        result = plan_group(&step, from, to);
+        size_t to = nc_group_end(path, from);
+        result = nc_group_plan(&step, from, to);
         from = to;
     }
     array_free(&step.stops);

@@ -28,19 +28,32 @@ double nc_surely_within(const struct machine *m)
     return fmax(far, 0);
 }
 
+static int out_of_travel(const struct machine *m, const double at[3])
+{
+    for (int axis = 0; axis < 3; axis++)
+        if (!(at[axis] >= m->min[axis] && at[axis] <= m->max[axis]))
+            return axis;
+    return -1;
+}
+
+int nc_linear_over(const struct nc_step *step, struct vec3 tip, const double q[])
+{
+    if (vec_dot(tip, tip) < step->within * step->within)
+        return -1;
+    struct vec3 p = chain_linear(&step->machine->chain, tip, q);
+    return out_of_travel(step->machine, (const double[]){p.x, p.y, p.z});
+}
+
 int nc_check_linear(struct nc_step *step, const struct stance *to)
 {
-    const struct machine *m = step->machine;
     struct vec3 p = to->at.p;
     if (step->follow.mode != FOLLOW_JOINT && vec_dot(p, p) < step->within * step->within)
         return 0;
     if (step->follow.mode != FOLLOW_JOINT)
-        p = chain_linear_of(&m->chain, p, &to->turned);
+        p = chain_linear_of(&step->machine->chain, p, &to->turned);
     const double at[3] = {p.x, p.y, p.z};
-    for (int axis = 0; axis < 3; axis++)
-        if (!(at[axis] >= m->min[axis] && at[axis] <= m->max[axis]))
-            return over_travel(step, axis, "a position of", at[axis]);
-    return 0;
+    int axis = out_of_travel(step->machine, at);
+    return axis < 0 ? 0 : over_travel(step, axis, "a position of", at[axis]);
 }
 
 /* The same, where the cosines and sines of q are known. */
@@ -95,51 +108,62 @@ static void turn_ahead(struct nc_step *step, struct pose to, double q[])
 {
     const struct chain *chain = &step->machine->chain;
     double then[ROTARY_MAX];
-    int over, only = step->first ? step->branch.first : step->branch.then;
+    int over;
     if (!chain_free(chain, to.a))
         return;
     if (step->state.begun && !step->first && !chain_free(chain, step->state.pose.a))
         return;
     const struct vec3 *ahead = next_tilted(step);
-    if (ahead && chain_choose(chain, *ahead, q, true, only, then, &over) == 0)
+    if (ahead && chain_choose(chain, *ahead, q, true, -1, then, &over) == 0)
         q[0] = then[0];
 }
 
-/* The axis nearest the work a whole turn on, as the branch says, where its travel allows it. */
-static void wind(const struct nc_step *step, double q[])
+/* The angles that a course has at s, between two of its places. */
+static void aim_at(const struct nc_course *course, double s, double q[])
 {
-    const struct rotary *rotary = &step->machine->chain.rotary[0];
-    double turned = q[0] + 2 * PI * step->branch.wind;
-    if (step->machine->chain.n && turned >= rotary->min && turned <= rotary->max)
-        q[0] = turned;
+    size_t low = 0, high = course->n - 1;
+    bool leap = course->n > 2 && course->place[1].passed;
+    while (high > low + 1 && !leap) {
+        size_t mid = (low + high) / 2;
+        *(course->s[mid] < s ? &low : &high) = mid;
+    }
+    const struct turnplan_place *from = &course->place[low], *to = &course->place[high];
+    double s0 = low ? course->s[low] : 0, s1 = course->s[high];
+    double t = s1 > s0 && !from->turn ? (s - s0) / (s1 - s0) : 1;
+    for (int i = 0; i < ROTARY_MAX; i++)
+        q[i] = from->q[i] + t * (to->q[i] - from->q[i]);
 }
 
-int nc_reach(struct nc_step *step, struct pose to, struct stance *s)
+/* No angles of the machine, or none within its travel, have the direction. */
+static int not_reached(struct nc_step *step, struct vec3 axis, int over)
+{
+    const struct machine *m = step->machine;
+    if (over >= 0)
+        return over_travel(step, m->letter[over], "angle",
+                           DEGREES(chain_angles(&m->chain, axis).q[0][over]));
+    step->plan->unmet = true;
+    return error_at(step->error, step->path->name, step->state.line,
+                    "pass %zu: found tool axis %.6f %.6f %.6f, which no angles of %s reach",
+                    step->state.pass, axis.x, axis.y, axis.z, m->name);
+}
+
+int nc_reach(struct nc_step *step, struct pose to, double s, struct stance *stance)
 {
     const struct chain *chain = &step->machine->chain;
-    double q[ROTARY_MAX] = {0};
+    double q[ROTARY_MAX] = {step->state.at.q[0], step->state.at.q[1]};
     struct turned turned = step->state.turned;
-    if (!step->first && !step->aim && step->branch.then < 0 &&
-        chain_beside(&step->ways, to.a, step->state.at.q, q, &turned)) {
-        *s = stance_of(step, to, q, &turned);
-        return nc_check_linear(step, s);
+    int over;
+    if (!step->first && step->course.n == 0 && chain_beside(&step->ways, to.a, q, q, &turned)) {
+        *stance = stance_of(step, to, q, &turned);
+        return nc_check_linear(step, stance);
     }
-    int over, only = step->first ? step->branch.first : step->branch.then;
-    const double *near = step->aim ? step->aim : step->state.at.q;
-    if (chain_choose(chain, to.a, near, step->aim || !step->first, only, q, &over) != 0) {
-        if (over < 0) {
-            step->plan->unmet = true;
-            return error_at(step->error, step->path->name, step->state.line,
-                            "pass %zu: found tool axis %.6f %.6f %.6f, which no angles of %s reach",
-                            step->state.pass, to.a.x, to.a.y, to.a.z, step->machine->name);
-        }
-        struct chain_solutions angles = chain_angles(chain, to.a);
-        return over_travel(step, step->machine->letter[over], "angle",
-                           DEGREES(angles.q[only == 1 && angles.n == 2][over]));
-    }
-    if (step->first && !step->aim)
-        wind(step, q);
-    turn_ahead(step, to, q);
-    *s = nc_station(step, to, q);
-    return nc_check_linear(step, s);
+    step->doubt = step->doubt || (!step->first && chain->n == 2);
+    if (step->course.n)
+        aim_at(&step->course, s, q);
+    if (chain_choose(chain, to.a, q, true, -1, q, &over) != 0)
+        return not_reached(step, to.a, over);
+    if (step->course.n == 0)
+        turn_ahead(step, to, q);
+    *stance = nc_station(step, to, q);
+    return nc_check_linear(step, stance);
 }

@@ -78,13 +78,13 @@ static int go_on_turned(struct nc_step *step, const struct motion *motion, doubl
 {
     struct pose goal = motion_at(motion, s1);
     if (kind == NC_RAPID) {
-        if (nc_reach(step, goal, to) != 0)
+        if (nc_reach(step, goal, s1, to) != 0)
             return -1;
         nc_turn_to(step, to->at.q);
         return 0;
     }
     bool turned = step->may_turn && nc_turn_for(step, goal) == 0;
-    if (turned && nc_reach(step, goal, to) == 0 &&
+    if (turned && nc_reach(step, goal, s1, to) == 0 &&
         deviation_within(deviation_of(step, to, motion, s0, s1, step->allowed), step->allowed))
         return 0;
     if (step->plan->unmet)
@@ -114,7 +114,7 @@ static int straight(struct nc_step *step, const struct motion *motion, double s0
     struct pose goal = motion_at(motion, s1);
     struct stance to;
     struct deviation d = {HUGE_VAL, HUGE_VAL};
-    bool reached = nc_reach(step, goal, &to) == 0;
+    bool reached = nc_reach(step, goal, s1, &to) == 0;
     if (!reached && !step->may_turn)
         return -1; /* with it: as far as it goes, then turn */
     if (reached)
@@ -145,7 +145,7 @@ int nc_step_rapid(struct nc_step *step, struct pose to)
         struct motion motion = motion_line(step->state.pose, to);
         return straight(step, &motion, 0, 1, NC_RAPID, any, 0);
     }
-    if (nc_reach(step, to, &stance) != 0)
+    if (nc_reach(step, to, 1, &stance) != 0)
         return -1;
     nc_add_move(step, NC_RAPID, &stance, 0, 0);
     step->state.pose = to;
@@ -161,7 +161,7 @@ static int arc(struct nc_step *step, const struct motion *motion, double s0, dou
     struct deviation d;
     double point = 0;
     struct pose goal = motion_at(motion, s1);
-    bool fits = nc_reach(step, goal, &to) == 0;
+    bool fits = nc_reach(step, goal, s1, &to) == 0;
     fits =
         fits && nc_arc_words(&words, ability->arcs, ability->digits.linear, ability->radius_error,
                              &step->follow, &step->state.at, &to.at, motion, s0, s1, &d, &point);
@@ -206,7 +206,7 @@ static int spline(struct nc_step *step, const struct motion *motion)
     if (nc_spline_words(&words, ability->splines, digits, &step->follow, &step->state.at, motion,
                         step->allowed, &to.at, &d)) {
         *array_push(&step->plan->spline) = words;
-        if (step->follow.mode == FOLLOW_VECTOR && nc_reach(step, motion->to, &checked) == 0)
+        if (step->follow.mode == FOLLOW_VECTOR && nc_reach(step, motion->to, 1, &checked) == 0)
             to.at.q[0] = checked.at.q[0], to.at.q[1] = checked.at.q[1];
         to.turned = chain_turned(&step->machine->chain, to.at.q);
         if (nc_check_linear(step, &to) != 0)
@@ -233,7 +233,7 @@ static int one_block(struct nc_step *step, struct pose to)
 {
     const struct nc_state *state = &step->state;
     struct stance from = {state->at, state->turned}, stance;
-    if (step->follow.mode == FOLLOW_VECTOR || nc_reach(step, to, &stance) != 0)
+    if (step->follow.mode == FOLLOW_VECTOR || nc_reach(step, to, 1, &stance) != 0)
         return 1;
     struct deviation d =
         follow_line(&step->follow, &from, &stance, state->pose, to, step->allowed);
@@ -256,10 +256,14 @@ int nc_step_line(struct nc_step *step, struct pose to)
 static int spline_part(struct nc_step *step, const struct motion *motion, double s0, double s1)
 {
     struct motion lead = motion_line(step->state.pose, motion_at(motion, s0));
+    struct nc_course course = step->course;
+    step->course.n = 0;
     if (straight(step, &lead, 0, 1, NC_LINE, step->allowed, 0) != 0)
         return -1;
-    if (s0 <= 0 && s1 >= 1)
+    if (s0 <= 0 && s1 >= 1) {
+        step->course = course;
         return spline(step, motion);
+    }
     const struct bspline *b = motion->curve;
     double from = b->knot[b->degree], range = b->knot[b->poles] - from;
     struct bspline part = bspline_part(b, from + s0 * range, from + s1 * range);
@@ -267,6 +271,7 @@ static int spline_part(struct nc_step *step, const struct motion *motion, double
         motion_spline(motion_at(motion, s0), motion_at(motion, s1), &part);
     int result = spline(step, &piece);
     bspline_free(&part);
+    step->course = course;
     return result;
 }
 

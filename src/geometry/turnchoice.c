@@ -25,6 +25,22 @@ static bool better(const double a[3], const double b[3])
     return false;
 }
 
+double chain_weight(const struct chain *chain, int i)
+{
+    double slowest = HUGE_VAL;
+    for (int k = 0; k < chain->n; k++)
+        slowest = fmin(slowest, chain->rotary[k].rapid);
+    return i < chain->n && slowest > 0 ? slowest / chain->rotary[i].rapid : 1;
+}
+
+double chain_way(const struct chain *chain, const double a[], const double b[])
+{
+    double sum = 0;
+    for (int i = 0; i < chain->n; i++)
+        sum += chain_weight(chain, i) * fabs(a[i] - b[i]);
+    return sum;
+}
+
 static void merit(const struct chain *chain, const double from[], const double q[], bool smooth,
                   double m[3])
 {
@@ -35,7 +51,7 @@ static void merit(const struct chain *chain, const double from[], const double q
         if (i == chain->master)
             master = fabs(q[i] - from[i]);
     }
-    m[0] = smooth ? sum : master;
+    m[0] = smooth ? chain_way(chain, from, q) : master;
     m[1] = smooth ? master : sum - master;
     m[2] = away;
 }
@@ -117,7 +133,7 @@ bool chain_beside(const struct chain_ways *w, struct vec3 axis, const double fro
 int chain_choose(const struct chain *chain, struct vec3 axis, const double from[], bool smooth,
                  int only, double q[], int *over)
 {
-    if (smooth && only < 0) {
+    if (smooth && only < 0 && chain_weight(chain, 0) <= chain_weight(chain, 1)) {
         struct turned turned = chain_turned(chain, from);
         struct chain_ways ways = chain_ways(chain);
         if (chain_beside(&ways, axis, from, q, &turned))

@@ -1,31 +1,42 @@
 /* turnplan - see turnplan.h. */
 #include "turnplan.h"
 
+#include <stdint.h>
 #include <stdlib.h>
 
 #include "array.h"
 
-enum { WINDINGS_MAX = 11, STATES_MAX = 2 * WINDINGS_MAX * WINDINGS_MAX };
-static const double jump = PI / 2;   /* radians between two places that no block makes */
-static const double turn_cost = 1e7; /* more than the way of any axis, radians */
+enum { WINDINGS_MAX = 65 };
+static const double jump = PI / 2; /* radians between two places that no block makes */
+static const double inside = 1e-3; /* radians of way that a turn inside of a motion counts */
+static const double slack = 1e-9;  /* radians beyond the travel that are rounding */
+
+static bool has_ends(const struct rotary *r)
+{
+    return r->max - r->min < (WINDINGS_MAX - 1) * 2 * PI;
+}
 
 bool turnplan_end(const struct chain *chain, struct vec3 from, struct vec3 to, int solution,
                   double *share)
 {
-    const struct rotary *r = &chain->rotary[0];
-    if (chain->n == 0 || r->max - r->min > (WINDINGS_MAX - 1) * 2 * PI)
-        return false;
     struct chain_solutions a = chain_angles(chain, from), b = chain_angles(chain, to);
-    if (a.free || b.free || solution >= a.n || solution >= b.n)
+    *share = 1;
+    if (chain->n == 0 || a.free || b.free || solution >= a.n || solution >= b.n)
         return false;
-    double turn = remainder(b.q[solution][0] - a.q[solution][0], 2 * PI);
-    for (int i = 0; i < 2; i++) {
-        double end = i ? r->max : r->min, far = remainder(end - a.q[solution][0], 2 * PI);
-        *share = far / turn;
-        if (fabs(turn) < jump && *share > 0 && *share < 1)
-            return true;
+    for (int i = 0; i < 2 * chain->n; i++) {
+        const struct rotary *r = &chain->rotary[i / 2];
+        double turn = remainder(b.q[solution][i / 2] - a.q[solution][i / 2], 2 * PI);
+        double far = remainder((i % 2 ? r->max : r->min) - a.q[solution][i / 2], 2 * PI);
+        if (has_ends(r) && fabs(turn) < jump && far / turn > 0 && far / turn < *share)
+            *share = far / turn;
     }
-    return false;
+    return *share < 1;
+}
+
+double turnplan_step(const struct chain *chain, struct vec3 axis)
+{
+    double off = chain->n ? vec_angle(chain->rotary[0].axis, axis) : 1;
+    return fmax(5e-4, fmin(0.035, 0.3 * fmin(off, PI - off)));
 }
 
 /* The whole turns that an axis may have: `many` of them from `least`; one that has no end is
@@ -35,192 +46,339 @@ struct winding {
     bool endless;
 };
 
+/* A node at one place: what the way to it has cost, and the angles there. */
 struct state {
-    double cost; /* HUGE_VAL: not to be had */
+    unsigned turns;
+    double way; /* HUGE_VAL: not to be had */
     double q[ROTARY_MAX];
-    int before; /* state of the place before */
-    bool turn;  /* by turning there */
 };
 
-struct plan {
+/* How a state was come by: the state before, and one of these. */
+enum { BY_BLOCK, BY_TURN, BY_LEAP, BY_BITS = 2 };
+
+struct search {
+    const struct turnplan *plan;
     const struct chain *chain;
+    double weight[ROTARY_MAX];
     struct winding winding[ROTARY_MAX];
-    int states; /* of a place */
-    struct state *state;
+    int states;                              /* of a place */
+    struct state *row, *last, *turned, *far; /* of this place, the one before; where a leap starts */
+    int *parent;                             /* of each turned state, the one that it turned from */
+    uint16_t *by;                            /* of each state of each place */
 };
 
-double turnplan_step(const struct chain *chain, struct vec3 axis)
-{
-    double off = chain->n ? vec_angle(chain->rotary[0].axis, axis) : 1;
-    return fmax(5e-4, fmin(0.035, 0.3 * fmin(off, PI - off)));
-}
+/* One place as seen from the one before. */
+struct ground {
+    struct chain_solutions found;
+    bool stays; /* the first axis is free, and stays as it is */
+    bool loose; /* the first axis may turn as far as it likes */
+};
 
 static struct winding windings(const struct chain *chain, int i)
 {
-    if (i >= chain->n || chain->rotary[i].max - chain->rotary[i].min > (WINDINGS_MAX - 1) * 2 * PI)
+    const struct rotary *r = &chain->rotary[i];
+    if (i >= chain->n || !has_ends(r))
         return (struct winding){1, 0, true};
-    int least = (int)ceil((chain->rotary[i].min - PI) / (2 * PI) - 1e-9);
-    int most = (int)floor((chain->rotary[i].max + PI) / (2 * PI) + 1e-9);
+    int least = (int)ceil((r->min - PI) / (2 * PI) - slack);
+    int most = (int)floor((r->max + PI) / (2 * PI) + slack);
     return (struct winding){most - least + 1, least, false};
 }
 
 /* The state of these angles, whole turns away from the k-th solution `base`; -1: outside of the
  * travel. */
-static int state_of(const struct plan *plan, int k, const double q[], const double base[])
+static int state_of(const struct search *s, int k, const double q[], const double base[])
 {
     int at = k;
     for (int i = 0; i < ROTARY_MAX; i++) {
-        const struct rotary *r = &plan->chain->rotary[i];
+        const struct rotary *r = &s->chain->rotary[i];
         int turns = 0;
-        if (i < plan->chain->n && (q[i] < r->min - 1e-9 || q[i] > r->max + 1e-9))
+        if (i < s->chain->n && !(q[i] >= r->min - slack && q[i] <= r->max + slack))
             return -1;
-        if (!plan->winding[i].endless)
-            turns = (int)round((q[i] - base[i]) / (2 * PI)) - plan->winding[i].least;
-        if (turns < 0 || turns >= plan->winding[i].many)
+        if (!s->winding[i].endless)
+            turns = (int)round((q[i] - base[i]) / (2 * PI)) - s->winding[i].least;
+        if (turns < 0 || turns >= s->winding[i].many)
             return -1;
-        at = at * plan->winding[i].many + turns;
+        at = at * s->winding[i].many + turns;
     }
     return at;
 }
 
-static double way(const struct chain *chain, const double a[], const double b[])
+/* The angles of a state, when those before were `from`. */
+static void angles_of(const struct search *s, const struct ground *ground, int state,
+                      const double from[], double q[])
 {
-    double sum = 0;
-    for (int i = 0; i < chain->n && i < ROTARY_MAX; i++)
-        sum += fabs(a[i] - b[i]);
-    return sum;
+    int turns[ROTARY_MAX], k = state;
+    for (int i = ROTARY_MAX; i-- > 0; k /= s->winding[i].many)
+        turns[i] = k % s->winding[i].many;
+    for (int i = 0; i < ROTARY_MAX; i++) {
+        double base = ground->found.q[k][i];
+        if (i == 0 && ground->stays)
+            base = remainder(from[0], 2 * PI);
+        double whole = s->winding[i].endless ? round((from[i] - base) / (2 * PI))
+                                             : turns[i] + s->winding[i].least;
+        q[i] = i < s->chain->n ? base + 2 * PI * whole : 0;
+    }
 }
 
-static void offer(struct state *state, double cost, const double q[], int before, bool turn)
+static double way(const struct search *s, const double a[], const double b[])
 {
-    if (cost < state->cost)
-        *state = (struct state){cost, {q[0], q[1]}, before, turn};
+    return s->weight[0] * fabs(a[0] - b[0]) + s->weight[1] * fabs(a[1] - b[1]);
+}
+
+static bool offer(struct state *state, unsigned turns, double cost, const double q[])
+{
+    bool better = turns < state->turns || (turns == state->turns && cost < state->way);
+    if (state->way < HUGE_VAL && !better)
+        return false;
+    *state = (struct state){turns, cost, {q[0], q[1]}};
+    return true;
 }
 
 static void clear(struct state row[], int n)
 {
     for (int s = 0; s < n; s++)
-        row[s] = (struct state){.cost = HUGE_VAL, .before = -1};
-}
-
-/* Every state in which the tool can stand in this direction, at a cost from `from` on. */
-static void offer_all(const struct plan *plan, struct vec3 axis, const double from[], double cost,
-                      int before, bool turn, struct state row[])
-{
-    struct chain_solutions found = chain_angles(plan->chain, axis);
-    for (int k = 0; k < found.n; k++)
-        for (int a = 0; a < plan->winding[0].many; a++)
-            for (int b = 0; b < plan->winding[1].many; b++) {
-                double base[ROTARY_MAX] = {found.free ? remainder(from[0], 2 * PI) : found.q[k][0],
-                                           found.q[k][1]};
-                double q[ROTARY_MAX] = {base[0] + 2 * PI * (plan->winding[0].least + a),
-                                        base[1] + 2 * PI * (plan->winding[1].least + b)};
-                for (int i = 0; i < ROTARY_MAX; i++)
-                    if (plan->winding[i].endless)
-                        q[i] += 2 * PI * round((from[i] - q[i]) / (2 * PI));
-                int s = state_of(plan, k, q, base);
-                if (s >= 0)
-                    offer(&row[s], cost + way(plan->chain, from, q), q, before, turn);
-            }
-}
-
-/* From a state of one place on to the next one without a turn. */
-static void go_on(const struct plan *plan, const struct chain_solutions *found, bool stays,
-                  bool loose, const struct state *from, int before, bool turn, struct state row[])
-{
-    for (int k = 0; k < found->n; k++) {
-        double q[ROTARY_MAX] = {0}, base[ROTARY_MAX] = {found->q[k][0], found->q[k][1]}, most = 0;
-        for (int i = 0; i < plan->chain->n; i++) {
-            q[i] = found->q[k][i] + 2 * PI * round((from->q[i] - found->q[k][i]) / (2 * PI));
-            if (i == 0 && stays) {
-                q[i] = from->q[i];
-                base[i] = 0;
-            }
-            if (i > 0 || !loose)
-                most = fmax(most, fabs(q[i] - from->q[i]));
-        }
-        int s = state_of(plan, k, q, base);
-        if (s >= 0 && most < jump)
-            offer(&row[s], from->cost + way(plan->chain, from->q, q), q, before, turn);
-    }
+        row[s].way = HUGE_VAL;
 }
 
 static int best(const struct state row[], int n)
 {
     int found = -1;
     for (int s = 0; s < n; s++)
-        if (row[s].cost < HUGE_VAL && (found < 0 || row[s].cost < row[found].cost))
+        if (row[s].way < HUGE_VAL &&
+            (found < 0 || row[s].turns < row[found].turns ||
+             (row[s].turns == row[found].turns && row[s].way < row[found].way)))
             found = s;
     return found;
 }
 
-/*
- * The states of place j from those of the one before.  Where the first axis is free it stays as it
- * is, and along a way that stays so it turns to where it will be needed (`ahead`).
- */
-static void advance(const struct plan *plan, const struct turnplan_place place[], size_t j,
-                    const struct vec3 *ahead)
+/* Every state in which the tool can stand at a place, from one that cost so much. */
+static void offer_all(struct search *s, const struct turnplan_place *place,
+                      const struct state *from, int parent)
 {
-    struct state *from = plan->state + (j - 1) * (size_t)plan->states, *row = from + plan->states;
-    struct state turned[STATES_MAX];
-    struct chain_solutions found = chain_angles(plan->chain, place[j].axis);
-    bool free = found.free, was = chain_angles(plan->chain, place[j - 1].axis).free;
-    clear(row, plan->states);
-    if (free && was && ahead) {
-        struct chain_solutions then = chain_angles(plan->chain, *ahead);
-        for (int k = 0; k < then.n && k < found.n; k++)
-            found.q[k][0] = then.q[k][0];
+    struct ground ground = {.found = chain_angles(s->chain, place->axis)};
+    ground.stays = ground.found.free;
+    int each = s->states / 2;
+    for (int to = 0; to < ground.found.n * each; to++) {
+        double q[ROTARY_MAX];
+        if (place->shut[to / each])
+            continue;
+        angles_of(s, &ground, to, from->q, q);
+        bool inside_travel = true;
+        for (int i = 0; i < s->chain->n; i++)
+            inside_travel = inside_travel && q[i] >= s->chain->rotary[i].min - slack &&
+                            q[i] <= s->chain->rotary[i].max + slack;
+        if (inside_travel &&
+            offer(&s->turned[to], from->turns, from->way + way(s, from->q, q), q))
+            s->parent[to] = parent;
     }
-    bool stays = free && !(was && ahead);
-    for (int s = 0; s < plan->states; s++)
-        if (from[s].cost < HUGE_VAL)
-            go_on(plan, &found, stays, free && was, &from[s], s, false, row);
-    int start = best(from, plan->states);
-    if (!place[j - 1].may_turn || start < 0)
+}
+
+/* From a state of the place before on to this one in a block. */
+static void go_on(struct search *s, const struct turnplan_place *place,
+                  const struct ground *ground, const struct state *from, uint16_t by,
+                  uint16_t into[])
+{
+    for (int k = 0; k < ground->found.n; k++) {
+        double q[ROTARY_MAX] = {0}, base[ROTARY_MAX] = {0}, most = 0;
+        for (int i = 0; i < s->chain->n; i++) {
+            base[i] = ground->found.q[k][i];
+            q[i] = base[i] + 2 * PI * round((from->q[i] - base[i]) / (2 * PI));
+            if (i == 0 && ground->stays) {
+                q[i] = from->q[i];
+                base[i] = remainder(q[i], 2 * PI);
+            }
+            if (i > 0 || !ground->loose)
+                most = fmax(most, fabs(q[i] - from->q[i]));
+        }
+        int to = place->shut[k] || !(most < jump) ? -1 : state_of(s, k, q, base);
+        if (to >= 0 && offer(&s->row[to], from->turns, from->way + way(s, from->q, q), q))
+            into[to] = by;
+    }
+}
+
+static uint16_t come(int state, int how)
+{
+    return (uint16_t)((unsigned)state << BY_BITS | (unsigned)how);
+}
+
+/* The turns back at the place before: from the states with the fewest turns. */
+static void turn_back(struct search *s, const struct turnplan_place *last,
+                      const struct turnplan_place *place, const struct ground *ground,
+                      uint16_t into[])
+{
+    int start = best(s->last, s->states);
+    if (!last->may_turn || start < 0)
         return;
-    clear(turned, plan->states);
-    offer_all(plan, place[j - 1].axis, from[start].q,
-              from[start].cost + turn_cost + place[j - 1].dear, start, true, turned);
-    for (int s = 0; s < plan->states; s++)
-        if (turned[s].cost < HUGE_VAL)
-            go_on(plan, &found, stays, free && was, &turned[s], start, true, row);
-}
-
-/* Backwards from the best last state. */
-static int trace_back(const struct plan *plan, struct turnplan_place place[], size_t n)
-{
-    int s = best(plan->state + (n - 1) * (size_t)plan->states, plan->states), turns = 0;
-    if (s < 0)
-        return -1;
-    place[n - 1].turn = false;
-    for (size_t j = n; j-- > 0;) {
-        const struct state *state = &plan->state[j * (size_t)plan->states + (size_t)s];
-        for (int i = 0; i < ROTARY_MAX; i++)
-            place[j].q[i] = state->q[i];
-        if (j > 0)
-            place[j - 1].turn = state->turn;
-        turns += state->turn;
-        s = state->before;
+    clear(s->turned, s->states);
+    for (int k = 0; k < s->states; k++) {
+        struct state from = s->last[k];
+        if (!(from.way < HUGE_VAL) || from.turns > s->last[start].turns)
+            continue;
+        from.turns++;
+        from.way += last->inside ? inside : 0;
+        offer_all(s, last, &from, k);
     }
-    return turns;
+    for (int k = 0; k < s->states; k++)
+        if (s->turned[k].way < HUGE_VAL)
+            go_on(s, place, ground, &s->turned[k], come(s->parent[k], BY_TURN), into);
 }
 
-int turnplan_make(const struct chain *chain, struct turnplan_place place[], size_t n,
-                  const double from[])
+/* One block from where a motion starts to where it ends, whatever lies between. */
+static void leap(struct search *s, const struct turnplan_place place[], size_t j,
+                 const struct ground *ground, uint16_t into[])
 {
-    struct plan plan = {.chain = chain, .winding = {windings(chain, 0), windings(chain, 1)}};
-    plan.states = 2 * plan.winding[0].many * plan.winding[1].many;
-    plan.state = mem_alloc(n * (size_t)plan.states, sizeof *plan.state);
-    clear(plan.state, plan.states);
-    offer_all(&plan, place[0].axis, from, 0, -1, false, plan.state);
+    const struct turnplan *plan = s->plan;
+    int each = s->states / 2;
+    for (int k = 0; k < s->states; k++)
+        for (int to = 0; to < ground->found.n * each && s->far[k].way < HUGE_VAL; to++) {
+            const struct state *from = &s->far[k];
+            double q[ROTARY_MAX];
+            angles_of(s, ground, to, from->q, q);
+            if (place[j].shut[to / each] || fabs(q[0] - from->q[0]) > PI ||
+                fabs(q[1] - from->q[1]) > PI ||
+                state_of(s, to / each, q, ground->found.q[to / each]) != to)
+                continue;
+            if (plan->leaps && !plan->leaps(plan->with, j - place[j].leap, j, from->q, q))
+                continue;
+            if (offer(&s->row[to], from->turns, from->way + way(s, from->q, q), q))
+                into[to] = come(k, BY_LEAP);
+        }
+}
+
+/*
+ * What place j is from the one before.  Where the first axis is free it stays as it is, and along a
+ * way that stays so it turns to where it will be needed (`ahead`, NULL: nowhere).
+ */
+static struct ground ground_of(const struct search *s, const struct turnplan_place place[],
+                               size_t j, const struct vec3 *ahead)
+{
+    struct ground g = {.found = chain_angles(s->chain, place[j].axis)};
+    struct vec3 near = place[j - 1].axis;
+    bool free = g.found.free, was = s->chain->n == 2 && chain_free(s->chain, near);
+    if (free && was && ahead) {
+        struct chain_solutions then = chain_angles(s->chain, *ahead);
+        for (int k = 0; k < then.n && k < g.found.n; k++)
+            g.found.q[k][0] = then.q[k][0];
+    }
+    g.stays = free && !(was && ahead);
+    double cone = sin(fmin(s->plan->cone, PI / 2));
+    struct vec3 here = vec_cross(s->chain->rotary[0].axis, place[j].axis);
+    near = vec_cross(s->chain->rotary[0].axis, near);
+    g.loose = (free && was) || (s->chain->n == 2 && vec_dot(here, here) <= cone * cone &&
+                                vec_dot(near, near) <= cone * cone);
+    return g;
+}
+
+static const struct vec3 *next_tilted(const struct search *s, const struct turnplan_place place[],
+                                      size_t n, size_t j, size_t *tilted)
+{
+    if (*tilted <= j)
+        for (*tilted = j; *tilted < n && chain_angles(s->chain, place[*tilted].axis).free;)
+            ++*tilted;
+    return *tilted < n ? &place[*tilted].axis : NULL;
+}
+
+static void forward(struct search *s, const struct turnplan_place place[], size_t n)
+{
+    size_t tilted = 0, leads = 0; /* the next place that a leap leads to */
+    for (size_t j = 0; j < n; j++) {
+        uint16_t *into = s->by + j * (size_t)s->states;
+        if (j > 0) {
+            struct ground ground = ground_of(s, place, j, next_tilted(s, place, n, j, &tilted));
+            struct state *other = s->last;
+            s->last = s->row;
+            s->row = other;
+            clear(s->row, s->states);
+            for (int k = 0; k < s->states; k++)
+                if (s->last[k].way < HUGE_VAL)
+                    go_on(s, &place[j], &ground, &s->last[k], come(k, BY_BLOCK), into);
+            turn_back(s, &place[j - 1], &place[j], &ground, into);
+            if (place[j].leap && !ground.found.free)
+                leap(s, place, j, &ground, into);
+        }
+        while (leads < n && (leads <= j || place[leads].leap == 0))
+            leads++;
+        for (int k = 0; leads < n && leads - place[leads].leap == j && k < s->states; k++)
+            s->far[k] = s->row[k];
+    }
+}
+
+/* Backwards from the best last state: the state at each place that no leap passes. */
+static void trace_back(const struct search *s, struct turnplan_place place[], size_t n, int state,
+                       int at[])
+{
+    size_t j = n - 1;
+    place[j].turn = place[j].passed = false;
+    for (at[j] = state; j > 0; at[j] = state) {
+        unsigned by = s->by[j * (size_t)s->states + (size_t)state], how = by % (1 << BY_BITS);
+        size_t back = how == BY_LEAP ? place[j].leap : 1;
+        for (size_t i = 1; i <= back; i++) {
+            place[j - i].turn = how == BY_TURN;
+            place[j - i].passed = i < back;
+        }
+        state = (int)(by >> BY_BITS);
+        j -= back;
+    }
+}
+
+/* The angles along the way that was found. */
+static void follow(const struct search *s, struct turnplan_place place[], size_t n, const int at[],
+                   const double from[])
+{
+    double q[ROTARY_MAX] = {from[0], from[1]};
     size_t tilted = 0;
-    for (size_t j = 1; j < n; j++) {
-        if (tilted <= j)
-            for (tilted = j; tilted < n && chain_angles(chain, place[tilted].axis).free;)
-                tilted++;
-        advance(&plan, place, j, tilted < n ? &place[tilted].axis : NULL);
+    for (size_t j = 0; j < n; j++) {
+        const struct vec3 *ahead = next_tilted(s, place, n, j, &tilted);
+        struct ground ground = {.found = chain_angles(s->chain, place[j].axis)};
+        ground.stays = ground.found.free;
+        if (place[j].passed)
+            continue;
+        if (j > 0)
+            ground = ground_of(s, place, j, ahead);
+        angles_of(s, &ground, at[j], q, place[j].q);
+        for (int i = 0; i < ROTARY_MAX; i++)
+            q[i] = place[j].q[i];
     }
-    int turns = trace_back(&plan, place, n);
-    free(plan.state);
-    return turns;
+}
+
+static struct search search_of(const struct turnplan *plan, size_t n)
+{
+    const struct chain *chain = plan->chain;
+    struct search s = {.plan = plan,
+                       .chain = chain,
+                       .weight = {chain_weight(chain, 0), chain_weight(chain, 1)},
+                       .winding = {windings(chain, 0), windings(chain, 1)}};
+    s.states = 2 * s.winding[0].many * s.winding[1].many;
+    size_t states = (size_t)s.states;
+    s.row = mem_alloc(4 * states, sizeof *s.row);
+    s.last = s.row + states;
+    s.turned = s.last + states;
+    s.far = s.turned + states;
+    s.parent = mem_alloc(states, sizeof *s.parent);
+    s.by = mem_alloc(n * states, sizeof *s.by);
+    return s;
+}
+
+int turnplan_make(const struct turnplan *plan, struct turnplan_place place[], size_t n,
+                  const double from[], struct turnplan_cost *cost)
+{
+    struct search s = search_of(plan, n);
+    struct state *rows = s.row, start = {.q = {from[0], from[1]}};
+    clear(rows, 4 * s.states);
+    offer_all(&s, &place[0], &start, 0);
+    for (int k = 0; k < s.states; k++)
+        s.row[k] = s.turned[k];
+    forward(&s, place, n);
+    int last = best(s.row, s.states);
+    if (last >= 0) {
+        int *at = mem_alloc(n, sizeof *at);
+        *cost = (struct turnplan_cost){s.row[last].turns, s.row[last].way};
+        trace_back(&s, place, n, last, at);
+        follow(&s, place, n, at, from);
+        free(at);
+    }
+    free(rows);
+    free(s.parent);
+    free(s.by);
+    return last >= 0 ? 0 : -1;
 }
