@@ -3,15 +3,14 @@
  * the two solutions and which whole turns to start with, and where to turn back.
  *
  * The shortest way through a graph, by dynamic programming in time proportional to the number of
- * places.  Its nodes are the places along the pass, each with either solution and the whole turns
- * of each axis that its travel has room for.  What a way costs is first the number of turns back
- * (retract - turn - return), and among as many of them how far the axes turn.  An axis whose
- * travel is 64 turns or more is taken to have no end.
+ * places.  Its nodes are the places along the pass, each in every state of the rotary axes
+ * (turnstate.h).  What a way costs is first the number of turns back
+ * (retract - turn - return), and among as many of them how far the axes turn.
  */
 #ifndef CLOUDMILL_TURNPLAN_H
 #define CLOUDMILL_TURNPLAN_H
 
-#include "turnchoice.h"
+#include "turnstate.h"
 
 /* One direction along the way, close enough to the one before that no angle jumps. */
 struct turnplan_place {
@@ -45,17 +44,5 @@ struct turnplan_cost {
  */
 int turnplan_make(const struct turnplan *plan, struct turnplan_place place[], size_t n,
                   const double from[], struct turnplan_cost *cost);
-
-/*
- * True when an axis, on its way from one direction to a near one, comes to an end of its travel
- * or to an angle whole turns from it, by one of the solutions: where a turn back gains most.
- * *share: how far on the way in its angle, 0 to 1, the first of them.
- */
-bool turnplan_end(const struct chain *chain, struct vec3 from, struct vec3 to, int solution,
-                  double *share);
-
-/* The most that the direction may change from one place to the next near this one, radians:
- * less near the direction in which the first axis is free. */
-double turnplan_step(const struct chain *chain, struct vec3 axis);
 
 #endif

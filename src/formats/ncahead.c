@@ -32,36 +32,40 @@ static void add(struct nc_ahead *ahead, struct pose at, double s, bool may_turn)
     *array_push(&ahead->s) = s;
 }
 
-/* Where between two places an axis comes to an end of its travel, a place of its own: the tool may
- * turn there, though rather at the end of a motion. */
+/* Where between two places, by one of the solutions, an axis comes to an end of its travel; s0: it
+ * does not. */
+static double end_between(const struct chain *chain, const struct motion *motion, double s0,
+                          double s1, const struct chain_solutions *a,
+                          const struct chain_solutions *b, int solution)
+{
+    double low = s0, high = s1, share;
+    if (!turnstate_end(chain, a, b, solution, &share))
+        return s0;
+    for (int i = 0; i < HALVINGS; i++) { /* before the end, by less than the last digit */
+        double mid = (low + high) / 2;
+        struct chain_solutions at = chain_angles(chain, motion_at(motion, mid).a);
+        *(turnstate_end(chain, a, &at, solution, &share) ? &high : &low) = mid;
+    }
+    return low;
+}
+
+/* A place of its own there: the tool may turn, though rather at the end of a motion. */
 static void add_ends(struct nc_ahead *ahead, const struct chain *chain,
                      const struct motion *motion, double s0, double s1)
 {
-    struct vec3 a0 = motion_at(motion, s0).a, a1 = motion_at(motion, s1).a;
-    double end[2], share;
-    int n = 0;
-    for (int k = 0; k < 2; k++) {
-        double low = s0, high = s1;
-        if (!turnplan_end(chain, a0, a1, k, &share))
+    struct chain_solutions a = ahead->found, b = chain_angles(chain, motion_at(motion, s1).a);
+    double end[2];
+    for (int k = 0; k < 2; k++)
+        end[k] = end_between(chain, motion, s0, s1, &a, &b, k);
+    for (int i = 0; i < 2; i++) {
+        double s = i ? fmax(end[0], end[1]) : fmin(end[0], end[1]);
+        if (s <= s0)
             continue;
-        for (int i = 0; i < HALVINGS; i++) { /* before the end, by less than the last digit */
-            double mid = (low + high) / 2;
-            bool behind = turnplan_end(chain, a0, motion_at(motion, mid).a, k, &share);
-            *(behind ? &high : &low) = mid;
-        }
-        end[n++] = low;
-    }
-    if (n == 2 && end[0] > end[1]) {
-        double other = end[0];
-        end[0] = end[1];
-        end[1] = other;
-    }
-    for (int i = 0; i < n; i++) {
-        if (end[i] <= s0 || (i == 1 && end[1] == end[0]))
-            continue;
-        add(ahead, motion_at(motion, end[i]), end[i], true);
+        add(ahead, motion_at(motion, s), s, true);
         ahead->item[ahead->n - 1].inside = true;
+        s0 = s;
     }
+    ahead->found = b;
 }
 
 /* Places of a motion behind s0, where the direction is a0, up to s1. */
@@ -69,7 +73,7 @@ static void sample(struct nc_ahead *ahead, const struct chain *chain, const stru
                    double s0, struct vec3 a0, double s1, int depth)
 {
     struct pose to = motion_at(motion, s1);
-    double step = fmin(turnplan_step(chain, a0), turnplan_step(chain, to.a));
+    double step = fmin(turnstate_step(chain, a0), turnstate_step(chain, to.a));
     if (vec_angle(a0, to.a) <= step || depth == DEPTH || ahead->n > PLACES_MAX) {
         add_ends(ahead, chain, motion, s0, s1);
         add(ahead, to, s1, false);
@@ -102,6 +106,7 @@ static void sample_motion(struct nc_ahead *ahead, const struct chain *chain,
     double s = 0;
     struct vec3 a = motion_at(motion, 0).a;
     size_t start = ahead->n - 1;
+    ahead->found = chain_angles(chain, a);
     while (s < 1) {
         double from = s, next = motion_next_knot(motion, s);
         int pieces = motion->kind == MOTION_SPLINE ? SPAN_PIECES : 1;

@@ -179,12 +179,53 @@ static bool first_stays(const struct nc_step *step, const struct mark *mark)
     return true;
 }
 
-static bool surely_shortest(const struct nc_step *step, const struct mark *mark)
+/* How far the axes turn at least, from solution k at the start on, where no step leaves doubt; 0:
+ * one does. */
+static double way_of(const struct nc_step *step, const struct mark *mark, size_t from, size_t to,
+                     int k)
+{
+    const struct chain *chain = &step->machine->chain;
+    double q[ROTARY_MAX] = {mark->state.at.q[0], mark->state.at.q[1]}, next[ROTARY_MAX], way = 0;
+    bool cutting = false;
+    struct turned turned = {{1, 1}, {0, 0}};
+    const struct path_item *start = NULL;
+    int over;
+    for (size_t i = from; i < to; i++) {
+        const struct path_item *item = &step->path->item.item[i];
+        if (!path_moves(item))
+            continue;
+        if (!cutting && is_rapid(item)) {
+            start = item;
+            continue;
+        }
+        if (!cutting) {
+            if (chain_choose(chain, start ? start->to.a : item->to.a, q, true, k, next, &over) != 0)
+                return HUGE_VAL;
+            way = chain_way(chain, q, next);
+            q[0] = next[0], q[1] = next[1];
+            turned = chain_turned(chain, q);
+            cutting = true;
+        }
+        if (!chain_beside(&step->ways, item->to.a, q, next, &turned))
+            return 0;
+        way += chain_way(chain, q, next);
+        q[0] = next[0], q[1] = next[1];
+    }
+    return way;
+}
+
+static bool surely_shortest(const struct nc_step *step, const struct mark *mark, size_t from,
+                            size_t to)
 {
     const struct chain *chain = &step->machine->chain;
     if (step->follow.mode == FOLLOW_VECTOR || chain->n < 2)
         return true;
-    return turn_alike(chain) && (!step->doubt || first_stays(step, mark));
+    if (turn_alike(chain))
+        return !step->doubt || first_stays(step, mark);
+    if (step->doubt)
+        return false;
+    double least = fmin(way_of(step, mark, from, to, 0), way_of(step, mark, from, to, 1));
+    return way_since(step, mark) * (1 - worth) <= least;
 }
 
 /* Once more along the way that was found: 0 when it is planned and no worse. */
@@ -216,7 +257,7 @@ int nc_group_plan(struct nc_step *step, size_t from, size_t to)
     struct nc_ahead ahead;
     step->may_turn = false;
     int nearest = plan_items(step, NULL, from, to);
-    if (nearest == 0 ? surely_shortest(step, &mark) : !step->plan->unmet)
+    if (nearest == 0 ? surely_shortest(step, &mark, from, to) : !step->plan->unmet)
         return nearest;
     double way = nearest == 0 ? way_since(step, &mark) : HUGE_VAL;
     bool found = look_ahead(step, &ahead, &mark, from, to);

@@ -6,45 +6,8 @@
 
 #include "array.h"
 
-enum { WINDINGS_MAX = 65 };
 static const double jump = PI / 2; /* radians between two places that no block makes */
 static const double inside = 1e-3; /* radians of way that a turn inside of a motion counts */
-static const double slack = 1e-9;  /* radians beyond the travel that are rounding */
-
-static bool has_ends(const struct rotary *r)
-{
-    return r->max - r->min < (WINDINGS_MAX - 1) * 2 * PI;
-}
-
-bool turnplan_end(const struct chain *chain, struct vec3 from, struct vec3 to, int solution,
-                  double *share)
-{
-    struct chain_solutions a = chain_angles(chain, from), b = chain_angles(chain, to);
-    *share = 1;
-    if (chain->n == 0 || a.free || b.free || solution >= a.n || solution >= b.n)
-        return false;
-    for (int i = 0; i < 2 * chain->n; i++) {
-        const struct rotary *r = &chain->rotary[i / 2];
-        double turn = remainder(b.q[solution][i / 2] - a.q[solution][i / 2], 2 * PI);
-        double far = remainder((i % 2 ? r->max : r->min) - a.q[solution][i / 2], 2 * PI);
-        if (has_ends(r) && fabs(turn) < jump && far / turn > 0 && far / turn < *share)
-            *share = far / turn;
-    }
-    return *share < 1;
-}
-
-double turnplan_step(const struct chain *chain, struct vec3 axis)
-{
-    double off = chain->n ? vec_angle(chain->rotary[0].axis, axis) : 1;
-    return fmax(5e-4, fmin(0.035, 0.3 * fmin(off, PI - off)));
-}
-
-/* The whole turns that an axis may have: `many` of them from `least`; one that has no end is
- * always turned the nearest way. */
-struct winding {
-    int many, least;
-    bool endless;
-};
 
 /* A node at one place: what the way to it has cost, and the angles there. */
 struct state {
@@ -60,75 +23,33 @@ struct search {
     const struct turnplan *plan;
     const struct chain *chain;
     double weight[ROTARY_MAX];
-    struct winding winding[ROTARY_MAX];
-    int states;                              /* of a place */
+    struct turnstates states;                /* of each place */
     struct state *row, *last, *turned, *far; /* of this place, the one before; where a leap starts */
     int *parent;                             /* of each turned state, the one that it turned from */
+    bool turns;                              /* it may turn back */
     uint16_t *by;                            /* of each state of each place */
 };
 
 /* One place as seen from the one before. */
 struct ground {
-    struct chain_solutions found;
-    bool stays; /* the first axis is free, and stays as it is */
+    struct turnground at;
     bool loose; /* the first axis may turn as far as it likes */
 };
-
-static struct winding windings(const struct chain *chain, int i)
-{
-    const struct rotary *r = &chain->rotary[i];
-    if (i >= chain->n || !has_ends(r))
-        return (struct winding){1, 0, true};
-    int least = (int)ceil((r->min - PI) / (2 * PI) - slack);
-    int most = (int)floor((r->max + PI) / (2 * PI) + slack);
-    return (struct winding){most - least + 1, least, false};
-}
-
-/* The state of these angles, whole turns away from the k-th solution `base`; -1: outside of the
- * travel. */
-static int state_of(const struct search *s, int k, const double q[], const double base[])
-{
-    int at = k;
-    for (int i = 0; i < ROTARY_MAX; i++) {
-        const struct rotary *r = &s->chain->rotary[i];
-        int turns = 0;
-        if (i < s->chain->n && !(q[i] >= r->min - slack && q[i] <= r->max + slack))
-            return -1;
-        if (!s->winding[i].endless)
-            turns = (int)round((q[i] - base[i]) / (2 * PI)) - s->winding[i].least;
-        if (turns < 0 || turns >= s->winding[i].many)
-            return -1;
-        at = at * s->winding[i].many + turns;
-    }
-    return at;
-}
-
-/* The angles of a state, when those before were `from`. */
-static void angles_of(const struct search *s, const struct ground *ground, int state,
-                      const double from[], double q[])
-{
-    int turns[ROTARY_MAX], k = state;
-    for (int i = ROTARY_MAX; i-- > 0; k /= s->winding[i].many)
-        turns[i] = k % s->winding[i].many;
-    for (int i = 0; i < ROTARY_MAX; i++) {
-        double base = ground->found.q[k][i];
-        if (i == 0 && ground->stays)
-            base = remainder(from[0], 2 * PI);
-        double whole = s->winding[i].endless ? round((from[i] - base) / (2 * PI))
-                                             : turns[i] + s->winding[i].least;
-        q[i] = i < s->chain->n ? base + 2 * PI * whole : 0;
-    }
-}
 
 static double way(const struct search *s, const double a[], const double b[])
 {
     return s->weight[0] * fabs(a[0] - b[0]) + s->weight[1] * fabs(a[1] - b[1]);
 }
 
+static bool beats(unsigned turns, double cost, const struct state *than)
+{
+    return !(than->way < HUGE_VAL) || turns < than->turns ||
+           (turns == than->turns && cost < than->way);
+}
+
 static bool offer(struct state *state, unsigned turns, double cost, const double q[])
 {
-    bool better = turns < state->turns || (turns == state->turns && cost < state->way);
-    if (state->way < HUGE_VAL && !better)
+    if (!beats(turns, cost, state))
         return false;
     *state = (struct state){turns, cost, {q[0], q[1]}};
     return true;
@@ -144,9 +65,7 @@ static int best(const struct state row[], int n)
 {
     int found = -1;
     for (int s = 0; s < n; s++)
-        if (row[s].way < HUGE_VAL &&
-            (found < 0 || row[s].turns < row[found].turns ||
-             (row[s].turns == row[found].turns && row[s].way < row[found].way)))
+        if (row[s].way < HUGE_VAL && (found < 0 || beats(row[s].turns, row[s].way, &row[found])))
             found = s;
     return found;
 }
@@ -155,19 +74,15 @@ static int best(const struct state row[], int n)
 static void offer_all(struct search *s, const struct turnplan_place *place,
                       const struct state *from, int parent)
 {
-    struct ground ground = {.found = chain_angles(s->chain, place->axis)};
+    struct turnground ground = {.found = chain_angles(s->chain, place->axis)};
     ground.stays = ground.found.free;
-    int each = s->states / 2;
+    int each = s->states.n / 2;
     for (int to = 0; to < ground.found.n * each; to++) {
         double q[ROTARY_MAX];
         if (place->shut[to / each])
             continue;
-        angles_of(s, &ground, to, from->q, q);
-        bool inside_travel = true;
-        for (int i = 0; i < s->chain->n; i++)
-            inside_travel = inside_travel && q[i] >= s->chain->rotary[i].min - slack &&
-                            q[i] <= s->chain->rotary[i].max + slack;
-        if (inside_travel &&
+        turnstate_angles(&s->states, &ground, to, from->q, q);
+        if (turnstate_within(s->chain, q) &&
             offer(&s->turned[to], from->turns, from->way + way(s, from->q, q), q))
             s->parent[to] = parent;
     }
@@ -178,19 +93,19 @@ static void go_on(struct search *s, const struct turnplan_place *place,
                   const struct ground *ground, const struct state *from, uint16_t by,
                   uint16_t into[])
 {
-    for (int k = 0; k < ground->found.n; k++) {
+    for (int k = 0; k < ground->at.found.n; k++) {
         double q[ROTARY_MAX] = {0}, base[ROTARY_MAX] = {0}, most = 0;
         for (int i = 0; i < s->chain->n; i++) {
-            base[i] = ground->found.q[k][i];
+            base[i] = ground->at.found.q[k][i];
             q[i] = base[i] + 2 * PI * round((from->q[i] - base[i]) / (2 * PI));
-            if (i == 0 && ground->stays) {
+            if (i == 0 && ground->at.stays) {
                 q[i] = from->q[i];
                 base[i] = remainder(q[i], 2 * PI);
             }
             if (i > 0 || !ground->loose)
                 most = fmax(most, fabs(q[i] - from->q[i]));
         }
-        int to = place->shut[k] || !(most < jump) ? -1 : state_of(s, k, q, base);
+        int to = place->shut[k] || !(most < jump) ? -1 : turnstate_at(&s->states, k, q, base);
         if (to >= 0 && offer(&s->row[to], from->turns, from->way + way(s, from->q, q), q))
             into[to] = by;
     }
@@ -206,11 +121,11 @@ static void turn_back(struct search *s, const struct turnplan_place *last,
                       const struct turnplan_place *place, const struct ground *ground,
                       uint16_t into[])
 {
-    int start = best(s->last, s->states);
-    if (!last->may_turn || start < 0)
+    int start = best(s->last, s->states.n);
+    if (!s->turns || !last->may_turn || start < 0)
         return;
-    clear(s->turned, s->states);
-    for (int k = 0; k < s->states; k++) {
+    clear(s->turned, s->states.n);
+    for (int k = 0; k < s->states.n; k++) {
         struct state from = s->last[k];
         if (!(from.way < HUGE_VAL) || from.turns > s->last[start].turns)
             continue;
@@ -218,7 +133,7 @@ static void turn_back(struct search *s, const struct turnplan_place *last,
         from.way += last->inside ? inside : 0;
         offer_all(s, last, &from, k);
     }
-    for (int k = 0; k < s->states; k++)
+    for (int k = 0; k < s->states.n; k++)
         if (s->turned[k].way < HUGE_VAL)
             go_on(s, place, ground, &s->turned[k], come(s->parent[k], BY_TURN), into);
 }
@@ -228,15 +143,15 @@ static void leap(struct search *s, const struct turnplan_place place[], size_t j
                  const struct ground *ground, uint16_t into[])
 {
     const struct turnplan *plan = s->plan;
-    int each = s->states / 2;
-    for (int k = 0; k < s->states; k++)
-        for (int to = 0; to < ground->found.n * each && s->far[k].way < HUGE_VAL; to++) {
+    int each = s->states.n / 2;
+    for (int k = 0; k < s->states.n; k++)
+        for (int to = 0; to < ground->at.found.n * each && s->far[k].way < HUGE_VAL; to++) {
             const struct state *from = &s->far[k];
             double q[ROTARY_MAX];
-            angles_of(s, ground, to, from->q, q);
+            turnstate_angles(&s->states, &ground->at, to, from->q, q);
             if (place[j].shut[to / each] || fabs(q[0] - from->q[0]) > PI ||
                 fabs(q[1] - from->q[1]) > PI ||
-                state_of(s, to / each, q, ground->found.q[to / each]) != to)
+                turnstate_at(&s->states, to / each, q, ground->at.found.q[to / each]) != to)
                 continue;
             if (plan->leaps && !plan->leaps(plan->with, j - place[j].leap, j, from->q, q))
                 continue;
@@ -252,15 +167,15 @@ static void leap(struct search *s, const struct turnplan_place place[], size_t j
 static struct ground ground_of(const struct search *s, const struct turnplan_place place[],
                                size_t j, const struct vec3 *ahead)
 {
-    struct ground g = {.found = chain_angles(s->chain, place[j].axis)};
+    struct ground g = {.at.found = chain_angles(s->chain, place[j].axis)};
     struct vec3 near = place[j - 1].axis;
-    bool free = g.found.free, was = s->chain->n == 2 && chain_free(s->chain, near);
+    bool free = g.at.found.free, was = s->chain->n == 2 && chain_free(s->chain, near);
     if (free && was && ahead) {
         struct chain_solutions then = chain_angles(s->chain, *ahead);
-        for (int k = 0; k < then.n && k < g.found.n; k++)
-            g.found.q[k][0] = then.q[k][0];
+        for (int k = 0; k < then.n && k < g.at.found.n; k++)
+            g.at.found.q[k][0] = then.q[k][0];
     }
-    g.stays = free && !(was && ahead);
+    g.at.stays = free && !(was && ahead);
     double cone = sin(fmin(s->plan->cone, PI / 2));
     struct vec3 here = vec_cross(s->chain->rotary[0].axis, place[j].axis);
     near = vec_cross(s->chain->rotary[0].axis, near);
@@ -282,23 +197,23 @@ static void forward(struct search *s, const struct turnplan_place place[], size_
 {
     size_t tilted = 0, leads = 0; /* the next place that a leap leads to */
     for (size_t j = 0; j < n; j++) {
-        uint16_t *into = s->by + j * (size_t)s->states;
+        uint16_t *into = s->by + j * (size_t)s->states.n;
         if (j > 0) {
             struct ground ground = ground_of(s, place, j, next_tilted(s, place, n, j, &tilted));
             struct state *other = s->last;
             s->last = s->row;
             s->row = other;
-            clear(s->row, s->states);
-            for (int k = 0; k < s->states; k++)
+            clear(s->row, s->states.n);
+            for (int k = 0; k < s->states.n; k++)
                 if (s->last[k].way < HUGE_VAL)
                     go_on(s, &place[j], &ground, &s->last[k], come(k, BY_BLOCK), into);
             turn_back(s, &place[j - 1], &place[j], &ground, into);
-            if (place[j].leap && !ground.found.free)
+            if (place[j].leap && !ground.at.found.free)
                 leap(s, place, j, &ground, into);
         }
         while (leads < n && (leads <= j || place[leads].leap == 0))
             leads++;
-        for (int k = 0; leads < n && leads - place[leads].leap == j && k < s->states; k++)
+        for (int k = 0; leads < n && leads - place[leads].leap == j && k < s->states.n; k++)
             s->far[k] = s->row[k];
     }
 }
@@ -310,7 +225,7 @@ static void trace_back(const struct search *s, struct turnplan_place place[], si
     size_t j = n - 1;
     place[j].turn = place[j].passed = false;
     for (at[j] = state; j > 0; at[j] = state) {
-        unsigned by = s->by[j * (size_t)s->states + (size_t)state], how = by % (1 << BY_BITS);
+        unsigned by = s->by[j * (size_t)s->states.n + (size_t)state], how = by % (1 << BY_BITS);
         size_t back = how == BY_LEAP ? place[j].leap : 1;
         for (size_t i = 1; i <= back; i++) {
             place[j - i].turn = how == BY_TURN;
@@ -329,27 +244,25 @@ static void follow(const struct search *s, struct turnplan_place place[], size_t
     size_t tilted = 0;
     for (size_t j = 0; j < n; j++) {
         const struct vec3 *ahead = next_tilted(s, place, n, j, &tilted);
-        struct ground ground = {.found = chain_angles(s->chain, place[j].axis)};
+        struct turnground ground = {.found = chain_angles(s->chain, place[j].axis)};
         ground.stays = ground.found.free;
         if (place[j].passed)
             continue;
         if (j > 0)
-            ground = ground_of(s, place, j, ahead);
-        angles_of(s, &ground, at[j], q, place[j].q);
-        for (int i = 0; i < ROTARY_MAX; i++)
-            q[i] = place[j].q[i];
+            ground = ground_of(s, place, j, ahead).at;
+        turnstate_angles(&s->states, &ground, at[j], q, place[j].q);
+        q[0] = place[j].q[0];
+        q[1] = place[j].q[1];
     }
 }
 
 static struct search search_of(const struct turnplan *plan, size_t n)
 {
-    const struct chain *chain = plan->chain;
     struct search s = {.plan = plan,
-                       .chain = chain,
-                       .weight = {chain_weight(chain, 0), chain_weight(chain, 1)},
-                       .winding = {windings(chain, 0), windings(chain, 1)}};
-    s.states = 2 * s.winding[0].many * s.winding[1].many;
-    size_t states = (size_t)s.states;
+                       .chain = plan->chain,
+                       .weight = {chain_weight(plan->chain, 0), chain_weight(plan->chain, 1)},
+                       .states = turnstates(plan->chain)};
+    size_t states = (size_t)s.states.n;
     s.row = mem_alloc(4 * states, sizeof *s.row);
     s.last = s.row + states;
     s.turned = s.last + states;
@@ -359,17 +272,30 @@ static struct search search_of(const struct turnplan *plan, size_t n)
     return s;
 }
 
+/* The best of the last states, without turns back where that can be; -1: none. */
+static int search(struct search *s, const struct turnplan_place place[], size_t n,
+                  const double from[])
+{
+    struct state start = {.q = {from[0], from[1]}};
+    clear(s->turned, s->states.n);
+    clear(s->far, s->states.n);
+    offer_all(s, &place[0], &start, 0);
+    for (int k = 0; k < s->states.n; k++)
+        s->row[k] = s->turned[k];
+    forward(s, place, n);
+    int last = best(s->row, s->states.n);
+    if (last >= 0 || s->turns)
+        return last;
+    s->turns = true;
+    return search(s, place, n, from);
+}
+
 int turnplan_make(const struct turnplan *plan, struct turnplan_place place[], size_t n,
                   const double from[], struct turnplan_cost *cost)
 {
     struct search s = search_of(plan, n);
-    struct state *rows = s.row, start = {.q = {from[0], from[1]}};
-    clear(rows, 4 * s.states);
-    offer_all(&s, &place[0], &start, 0);
-    for (int k = 0; k < s.states; k++)
-        s.row[k] = s.turned[k];
-    forward(&s, place, n);
-    int last = best(s.row, s.states);
+    struct state *rows = s.row;
+    int last = search(&s, place, n, from);
     if (last >= 0) {
         int *at = mem_alloc(n, sizeof *at);
         *cost = (struct turnplan_cost){s.row[last].turns, s.row[last].way};
