@@ -80,15 +80,19 @@ static bool stands_alone(const struct job *job, const uint32_t *near, const doub
 {
     const double much = 3, apart = 1.5, far = 12;
     const struct buckets *b = job->buckets;
-    double other[CLUMP], reach = sqrt(distance2[CLUMP]);
+    double reach = sqrt(distance2[CLUMP]);
     if (reach > far * job->spacing)
         return true;
     if (distance2[NEAR] > apart * apart * distance2[CLUMP])
         return false;
-    for (int i = 0; i < CLUMP; i++)
-        other[i] = reach_of(b, b->point[near[CLUMP + i]]);
-    doubles_sort(other, CLUMP);
-    return reach > much * other[CLUMP / 2];
+    /* By the fifth of their reaches: four as far, or five nearer, decide. */
+    int wider = 0, closer = 0;
+    for (int i = 0; wider < CLUMP / 2 && closer <= CLUMP / 2; i++) {
+        bool far_less = reach > much * reach_of(b, b->point[near[CLUMP + i]]);
+        closer += far_less;
+        wider += !far_less;
+    }
+    return closer > CLUMP / 2;
 }
 
 static bool is_outlier(const struct job *job, size_t i)
@@ -108,11 +112,12 @@ static bool is_outlier(const struct job *job, size_t i)
         }
     if (stands_alone(job, near, distance2))
         return true;
-    if (quadric_fit_free(point, NEAR, b->point[i], &q) < 0)
-        return false;
     double spacing = sqrt(PI * distance2[NEAR] / NEAR);
     double least = fmax(sigmas * job->sigma, spacings * spacing);
-    if (quadric_distance(&q) < least)
+    struct vec3 across = plane_normal(point, NEAR);
+    if (quadric_fit(point, NEAR, b->point[i], across, &q) < 0 ||
+        quadric_distance(&q) < least / 3 || /* for most: far from being told apart by more turns */
+        quadric_settle(point, NEAR, b->point[i], across, &q) < 0 || quadric_distance(&q) < least)
         return false;
     double spread = refit(point, NEAR, job->sigma, &q, off);
     return quadric_distance(&q) > fmax(least, spreads * spread) * sqrt(1 + q.variance);
