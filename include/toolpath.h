@@ -32,12 +32,19 @@ struct toolpath_rule {
 struct toolpath_strip {
     size_t pass;
     struct lift_rule lift;
-    struct run nodes; /* not lifted */
+    struct contacts contact;
     struct lifted_run lifted;
-    double chord; /* between the smooth curve and the straight lines, mm */
+    double chord;        /* between the smooth curve and the straight lines, mm */
     double leaned;       /* because of the holder, at most, radians */
     size_t held;         /* points left out because the holder touches there */
     struct vec3 held_at; /* the first of them */
+};
+
+/* A place where material may be left, as its strip sees it. */
+struct toolpath_stand {
+    struct stand stand;
+    size_t pass;
+    double offset; /* of the centre from the part there, mm */
 };
 
 struct toolpath {
@@ -68,6 +75,7 @@ struct toolpath {
 
     /* Where it stands: for toolpath.c alone. */
     struct { size_t n, cap; struct toolpath_strip *item; } strip;
+    struct { size_t n, cap; struct toolpath_stand *item; } stand;
     struct run_point at;
     size_t pass;
     bool down;
@@ -89,6 +97,11 @@ void toolpath_end(struct toolpath *t);
 /* The summary with note(), and with say() what does not hold; the tool's exit status, EXIT_DONE or
  * EXIT_UNMET. */
 int toolpath_conclude(const struct toolpath *t);
+
+/* Looks from the places where a lifted ball may leave something for the nearest that it comes on the
+ * whole path, which may reach them from the side, and counts those where it does not.  For
+ * toolpath.c. */
+void toolpath_stand(struct toolpath *t);
 
 /* Lifts a strip and does with its axes what the rule says: play, lean and rate.  Where the holder
  * still touches, points are left out and the strip is in more pieces.  For toolpath.c. */

@@ -3,7 +3,7 @@
 #include <stdlib.h>
 
 #include "calm.h"
-#include "kdtree.h"
+#include "cli.h"
 #include "leanaway.h"
 #include "parallel.h"
 #include "way.h"
@@ -195,50 +195,10 @@ void toolpath_strip(struct toolpath *t, size_t pass, const struct contact *conta
     struct toolpath_strip strip = {.pass = pass, .lift = t->lift};
 
     strip.lift.feed.along = along;
-    strip.nodes.radius = strip.lifted.run.radius = t->rule.radius;
+    array_reserve(&strip.contact, n);
     for (size_t i = 0; i < n; i++)
-        lift_add(&strip.nodes, &strip.lift, contact[i].p, contact[i].n);
+        *array_push(&strip.contact) = contact[i];
     *array_push(&t->strip) = strip;
-}
-
-static void lift_strips(void *context, size_t first, size_t last)
-{
-    struct toolpath *t = context;
-
-    for (size_t i = first; i < last; i++)
-        toolpath_lift(t, &t->strip.item[i]);
-}
-
-/* Looks from the places where a lifted ball may leave something for the nearest that it comes on
- * the whole path: from the side, it may reach them. */
-static void find_standing(struct toolpath *t)
-{
-    struct vec3s ball = {0};
-
-    for (size_t i = 0; i < t->strip.n; i++) {
-        const struct run *run = &t->strip.item[i].lifted.run;
-        for (size_t k = 0; k < run->n; k++)
-            *array_push(&ball) = run->item[k].ball;
-    }
-    struct kdtree *tree = kdtree_new(ball.item, ball.n);
-    for (size_t i = 0; i < t->strip.n; i++) {
-        const struct toolpath_strip *strip = &t->strip.item[i];
-        for (size_t k = 0; k < strip->lifted.stand.n; k++) {
-            const struct stand *stand = &strip->lifted.stand.item[k];
-            size_t nearest;
-            double distance2;
-            kdtree_nearest(tree, stand->contact, 1, &nearest, &distance2);
-            double height = fmin(stand->height, sqrt(distance2) - strip->lift.offset);
-            t->standing += height > strip->lift.stands;
-            if (height > fmax(strip->lift.stands, t->stands)) {
-                t->stands = height;
-                t->stands_at = stand->contact;
-                t->stands_pass = strip->pass;
-            }
-        }
-    }
-    kdtree_free(tree);
-    array_free(&ball);
 }
 
 static void add_strip(struct toolpath *t, const struct toolpath_strip *strip)
@@ -263,18 +223,47 @@ static void add_strip(struct toolpath *t, const struct toolpath_strip *strip)
         }
         from = end;
     }
+    for (size_t i = 0; i < lifted->stand.n; i++)
+        *array_push(&t->stand) =
+            (struct toolpath_stand){lifted->stand.item[i], strip->pass, strip->lift.offset};
+}
+
+/* Strips to be lifted while those before them are put into the path. */
+struct batch {
+    struct toolpath *t;
+    size_t done, from; /* strips [done, from) are lifted, those behind are not */
+};
+
+static void work_on(void *context, size_t first, size_t last)
+{
+    const struct batch *b = context;
+
+    for (size_t i = first; i < last; i++) {
+        if (i > 0)
+            toolpath_lift(b->t, &b->t->strip.item[b->from + i - 1]);
+        for (size_t k = b->done; i == 0 && k < b->from; k++) {
+            struct toolpath_strip *strip = &b->t->strip.item[k];
+            add_strip(b->t, strip);
+            array_free(&strip->contact);
+            lifted_run_free(&strip->lifted);
+        }
+    }
 }
 
 void toolpath_end(struct toolpath *t)
 {
-    parallel_shown("lifting", t->threads, t->strip.n, lift_strips, t);
-    find_standing(t);
-    for (size_t i = 0; i < t->strip.n; i++) {
-        add_strip(t, &t->strip.item[i]);
-        array_free(&t->strip.item[i].nodes);
-        lifted_run_free(&t->strip.item[i].lifted);
+    enum { BATCH = 16 };
+    struct batch b = {t, 0, 0};
+
+    while (b.done < t->strip.n) {
+        size_t left = t->strip.n - b.from, more = left < BATCH ? left : BATCH;
+        parallel_for(t->threads, 1 + more, work_on, &b);
+        progress("lifting", b.from + more, t->strip.n);
+        b.done = b.from;
+        b.from += more;
     }
     array_free(&t->strip);
+    toolpath_stand(t);
     if (t->down)
         retract(t);
 }

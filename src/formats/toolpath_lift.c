@@ -126,11 +126,17 @@ static double chord_of(const struct run *run, size_t from, size_t to)
 void toolpath_lift(const struct toolpath *t, struct toolpath_strip *strip)
 {
     struct lifted_run *lifted = &strip->lifted;
+    struct run nodes = {.radius = t->rule.radius};
     size_t from = 0;
 
-    lift_run(&strip->nodes, &strip->lift, lifted);
+    for (size_t i = 0; i < strip->contact.n; i++)
+        lift_add(&nodes, &strip->lift, strip->contact.item[i].p, strip->contact.item[i].n);
+    lifted->run.radius = nodes.radius;
+    lift_run(&nodes, &strip->lift, lifted);
+    array_free(&nodes);
     shape_all(t, strip);
-    for (size_t k = 0; k < lifted->end.n; k++) {
+    /* Points put between them lie on the smooth path. */
+    for (size_t k = 0; !strip->lift.between && k < lifted->end.n; k++) {
         strip->chord = fmax(strip->chord, chord_of(&lifted->run, from, lifted->end.item[k]));
         from = lifted->end.item[k];
     }

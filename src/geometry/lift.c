@@ -102,8 +102,10 @@ static void put(struct lifted_run *to, const struct lifted *l, const struct lift
 static struct lifted halfway(const struct lifted *a, const struct lifted *b,
                              const struct lift_rule *rule, double radius)
 {
-    struct run_point p = {.normal = vec_slerp(a->p.normal, b->p.normal, 0.5)};
+    struct run_point p = {.normal = vec_unit(vec_add(a->p.normal, b->p.normal))};
 
+    if (vec_length(p.normal) == 0) /* there is no middle */
+        p.normal = a->p.normal;
     p.contact = vec_along(vec_mix(a->touching, b->touching, 0.5), -rule->offset, p.normal);
     return lift_point(&p, rule, radius);
 }
