@@ -33,8 +33,9 @@ struct cloudmesh_wish {
 struct cloudmesh {
     struct gridmesh_count count;
     struct grid grid;
-    struct rowmesh rows;   /* with an error: of the worst part */
+    struct rowmesh rows;   /* with an error: of the worst part; how far points are in space */
     size_t creases, walls; /* edges that cross one */
+    struct vec3s edge;     /* where: of no use to the caller of cloudmesh_make, and empty there */
 };
 
 /* Mean spacing of the points, mm; 0 where they cover no area. */
@@ -47,11 +48,5 @@ double cloudmesh_spacing(const struct cloudmesh_wish *wish, const struct vec3 *p
  */
 int cloudmesh_make(const struct cloudmesh_wish *wish, struct vec3s *points, double noise,
                    int threads, struct mesh *mesh, struct cloudmesh *made, struct error *error);
-
-/* Noisy points moved onto the surface that they stand for, all or, of more than 200,000, those of a
- * grid twice as wide as they are apart; *spent: three standard deviations of what is left of the
- * noise. */
-int cloudmesh_smooth_points(const struct cloudmesh_wish *wish, struct vec3s *points, double noise,
-                            int threads, double *spent, struct error *error);
 
 #endif

@@ -30,6 +30,8 @@ struct feature {
     struct vec3 normal[2]; /* of the sheets there, unit */
     struct vec3 wall;      /* the wall's unit normal out of the material; a crease: zero */
     struct vec3 end[2];    /* unit normals of the sheets at the vertices */
+    struct vec3 foot[2];   /* the vertices brought onto the sheets, as far as these are known ... */
+    double known;          /* ... as far from the places, mm */
     struct vec3 along;     /* direction of the edge or wall, unit */
 };
 

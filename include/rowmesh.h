@@ -10,6 +10,7 @@
 #define CLOUDMILL_ROWMESH_H
 
 #include "buckets.h"
+#include "edgezone.h"
 #include "footprint.h"
 #include "holes.h"
 #include "mesh.h"
@@ -23,14 +24,19 @@ struct rowmesh {
     size_t bridges;    /* facets over a hole, left out */
 };
 
+struct rowmesh_wish {
+    double error, spacing, widest; /* mean spacing of the points, largest distance of two rows, mm */
+    const struct edgezone *zone;   /* NULL: no creases and walls are known */
+};
+
 /*
- * `spacing` is the mean spacing of the points, `widest` the largest distance of two rows, mm.  Rows
- * are never nearer than the points.  The mesh gets vertices, which are points of the cloud, rows,
+ * Rows are never nearer than the points, but where there is a zone.  The mesh gets vertices, rows,
  * columns and facets; result.worst > error where the points are too far apart for it, or stand
- * upright.
+ * upright.  Points near to the creases and walls of the zone are not judged, for these are put into
+ * the mesh later: it has there edges no longer than the zone's, and no vertices too near to them.
  */
 struct rowmesh rowmesh_make(const struct buckets *buckets, const struct footprint *footprint,
-                            const struct holes *holes, double error, double spacing, double widest,
+                            const struct holes *holes, const struct rowmesh_wish *wish,
                             struct mesh *mesh);
 
 #endif

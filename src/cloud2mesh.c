@@ -195,16 +195,10 @@ int main(int argc, char **argv)
     left_out += read - points.n;
     if (settings.extend > 0)
         extend(name, &settings, &points, noise, cli.threads);
-    bool of_surface = settings.wish.error > 0 && noise > 0 && !settings.wish.subdivide;
-    double spent = NAN;
+    bool of_surface = settings.wish.error > 0 && noise > 0;
     struct cloudmesh made;
-    if ((of_surface && cloudmesh_smooth_points(&settings.wish, &points, noise, cli.threads,
-                                               &spent, &error) < 0) ||
-        cloudmesh_make(&settings.wish, &points, of_surface ? 0 : noise, cli.threads, &mesh, &made,
-                       &error) < 0)
+    if (cloudmesh_make(&settings.wish, &points, noise, cli.threads, &mesh, &made, &error) < 0)
         die("%s: %s", name, error.text);
-    if (of_surface)
-        mesh.origin.ledger = spent;
     say_left_out(&settings, &made.count);
     say_steep(&settings, &mesh);
     if (settings.wish.error > 0)

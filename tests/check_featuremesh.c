@@ -69,6 +69,7 @@ START_TEST(roof)
     ck_assert_double_le(worst(&m, from_roof), 1e-6);
     for (size_t v = 0; v < m.vertex.n; v++)
         ck_assert_double_ge(fabs(m.normal.item[v].x), 0.44);
+    array_free(&found.place);
     mesh_free(&m);
     array_free(&p);
 }
@@ -88,6 +89,7 @@ START_TEST(a_step)
     struct featuremesh found = featuremesh_keep(&m, p.item, p.n, flat, 0.43, 0, 2);
     ck_assert_uint_gt(found.walls, 20);
     ck_assert_double_le(worst(&m, from_step), 0.1);
+    array_free(&found.place);
     mesh_free(&m);
     array_free(&p);
 }
@@ -107,6 +109,7 @@ START_TEST(waves_stay)
     struct featuremesh found = featuremesh_keep(&m, p.item, p.n, flat, 0.43, 0.02, 2);
     ck_assert_uint_eq(found.creases + found.walls, 0);
     ck_assert_uint_eq(m.vertex.n, vertices);
+    array_free(&found.place);
     mesh_free(&m);
     array_free(&p);
 }

@@ -88,7 +88,8 @@ START_TEST(panel)
     size_t before = 0;
     make_scan(panel_height, 17000, (enum noisy_pattern)_i);
     for (int k = 0; k < 3; k++) {
-        struct rowmesh r = rowmesh_make(&buckets, &footprint, &holes, error[k], 0.48, 12, &mesh);
+        struct rowmesh r = rowmesh_make(&buckets, &footprint, &holes,
+                                    &(struct rowmesh_wish){error[k], 0.48, 12, NULL}, &mesh);
         ck_assert_double_le(r.worst, error[k]);
         ck_assert_double_lt(r.rms, error[k] / 2);
         ck_assert_double_lt(worst_off(panel_height), 1.25 * error[k]);
@@ -109,7 +110,8 @@ START_TEST(rows_are_rows)
     noisy_seed(31);
     noisy_scan(&scan, panel_height, 17000, NOISY_RANDOM, 0);
     sort(0.48, 30);
-    struct rowmesh r = rowmesh_make(&buckets, &footprint, &holes, 0.05, 0.48, 12, &mesh);
+    struct rowmesh r = rowmesh_make(&buckets, &footprint, &holes,
+                                    &(struct rowmesh_wish){0.05, 0.48, 12, NULL}, &mesh);
     ck_assert_double_le(r.worst, 0.05);
     ck_assert_uint_eq(mesh.row.n, mesh.vertex.n);
     for (size_t i = 1; i < mesh.vertex.n; i++) {
@@ -128,7 +130,8 @@ END_TEST
 START_TEST(plane_takes_few)
 {
     make_scan(tilted, 17000, NOISY_RANDOM);
-    struct rowmesh r = rowmesh_make(&buckets, &footprint, &holes, 0.01, 0.48, 12, &mesh);
+    struct rowmesh r = rowmesh_make(&buckets, &footprint, &holes,
+                                    &(struct rowmesh_wish){0.01, 0.48, 12, NULL}, &mesh);
     ck_assert_double_lt(r.worst, 1e-6);
     ck_assert_uint_le(mesh.vertex.n, 40);
     ck_assert_double_gt(area(), 0.98 * 74 * 54);
@@ -139,7 +142,8 @@ END_TEST
 START_TEST(rib)
 {
     make_scan(ridge, 100000, (enum noisy_pattern)_i);
-    rowmesh_make(&buckets, &footprint, &holes, 0.05, 0.2, 4.8, &mesh);
+    rowmesh_make(&buckets, &footprint, &holes,
+                                    &(struct rowmesh_wish){0.05, 0.2, 4.8, NULL}, &mesh);
     int rows = mesh.row.item[mesh.row.n - 1] + 1;
     double *kept = mem_alloc((size_t)rows, sizeof *kept);
     for (size_t i = 0; i < mesh.vertex.n; i++) {
@@ -181,7 +185,8 @@ START_TEST(hole)
             *array_push(&scan) = vec(x, y, tilted(x, y));
     }
     sort(0.48, 0);
-    struct rowmesh r = rowmesh_make(&buckets, &footprint, &holes, 0.05, 0.48, 12, &mesh);
+    struct rowmesh r = rowmesh_make(&buckets, &footprint, &holes,
+                                    &(struct rowmesh_wish){0.05, 0.48, 12, NULL}, &mesh);
     ck_assert_double_lt(r.worst, 1e-6);
     for (size_t f = 0; f < mesh.face.n; f++) {
         const int *v = mesh.face.item[f].v;
@@ -198,7 +203,8 @@ END_TEST
 START_TEST(out_of_reach)
 {
     make_scan(ridge, 4000, NOISY_RANDOM);
-    struct rowmesh r = rowmesh_make(&buckets, &footprint, &holes, 0.01, 1, 12, &mesh);
+    struct rowmesh r = rowmesh_make(&buckets, &footprint, &holes,
+                                    &(struct rowmesh_wish){0.01, 1, 12, NULL}, &mesh);
     ck_assert_double_gt(r.worst, 0.01);
     double s = r.at.x * cos(RADIANS(25)) + r.at.y * sin(RADIANS(25)) - 3;
     ck_assert_double_lt(fabs(s), 3);

@@ -5,10 +5,20 @@
 #include <string.h>
 
 #include "cli.h"
+#include "featuremesh.h"
 #include "holes.h"
+#include "meshnear.h"
+#include "num.h"
 #include "reposition.h"
 #include "scannormals.h"
 #include "scansmooth.h"
+
+double cloudmesh_three_spacings(double mean)
+{
+    double step = pow(10, floor(log10(3 * mean)) - 2);
+    double digits = step >= 1 ? 0 : fmin(-floor(log10(step)), 9);
+    return num_round(round(3 * mean / step) * step, (int)digits);
+}
 
 double cloudmesh_spacing(const struct cloudmesh_wish *wish, const struct vec3 *point, size_t n)
 {
@@ -57,34 +67,6 @@ int cloudmesh_by_grid(const struct cloudmesh_wish *wish, const struct cloud_part
                          t, f.xmax - f.xmin, f.ymax - f.ymin);
     mesh->origin.spacing = t;
     mesh->origin.direction = wish->direction;
-    return 0;
-}
-
-int cloudmesh_by_error(const struct cloudmesh_wish *wish, const struct cloud_parts *parts,
-                       struct vec3s *points, int threads, struct mesh *mesh,
-                       struct cloudmesh *made, struct error *error)
-{
-    const double slant = 0.866, widest = 24, gaps = 6;
-    double gap = wish->max_gap > 0 ? wish->max_gap : gaps * parts->mean;
-    struct holes holes;
-    struct buckets buckets;
-    struct footprint f = footprint_of(points->item, points->n, wish->direction);
-    if (holes_find(points->item, points->n, gap, &holes, error) < 0)
-        return -1;
-    if (buckets_make(points->item, parts->flat, parts->mean, threads, &buckets, error) < 0) {
-        holes_free(&holes);
-        return -1;
-    }
-    double apart = wish->spacing > 0 ? slant * wish->spacing : widest * parts->mean;
-    made->rows = rowmesh_make(&buckets, &f, &holes, wish->error, parts->mean, apart, mesh);
-    buckets_free(&buckets);
-    holes_free(&holes);
-    if (mesh->face.n == 0 && !wish->subdivide)
-        return error_set(error, "no mesh within %g mm of the points: too few of them", wish->error);
-    mesh->origin.spacing = (f.ymax - f.ymin) / (double)(made->rows.rows - 1) / slant;
-    mesh->origin.direction = wish->direction;
-    made->grid = (struct grid){f,      mesh->origin.spacing, f.xmin, f.ymin, made->rows.columns,
-                               (int)made->rows.rows};
     return 0;
 }
 
@@ -145,4 +127,78 @@ int cloudmesh_normals(const struct cloudmesh_wish *wish, struct vec3 *point, siz
     mesh->origin.maker = mem_string("cloud2mesh", strlen("cloud2mesh"));
     buckets_free(&buckets);
     return 0;
+}
+
+void cloudmesh_edges(const struct cloudmesh_wish *wish, const struct cloud_parts *parts,
+                     const struct vec3s *points, double noise, int threads, struct mesh *mesh,
+                     struct cloudmesh *made)
+{
+    if (!wish->smooth) {
+        struct featuremesh found =
+            featuremesh_keep(mesh, points->item, points->n, parts->flat, parts->mean,
+                             fmax(noise, mesh->origin.noise), threads);
+        made->creases = found.creases;
+        made->walls = found.walls;
+        array_free(&made->edge);
+        made->edge = found.place;
+        if (found.too_many > 0 && !wish->silent)
+            say("%zu edges of the mesh lie where the scan is rough: too many to look for creases "
+                "and walls there (a wider spacing has fewer)",
+                found.too_many);
+    }
+    if (!wish->paper)
+        mesh_normals_seen(mesh);
+}
+
+bool cloudmesh_has_walls(const struct cloudmesh_wish *wish, const struct cloud_parts *parts,
+                         const struct vec3s *points, double noise, int threads)
+{
+    struct cloudmesh_wish grid = *wish;
+    struct mesh mesh = {.origin.ledger = NAN};
+    struct cloudmesh made;
+    struct error error;
+    if (!(grid.spacing > 0))
+        grid.spacing = cloudmesh_three_spacings(parts->mean);
+    bool found = cloudmesh_by_grid(&grid, parts, points, &mesh, &made, &error) == 0 &&
+                 featuremesh_walls(&mesh, points->item, points->n, parts->flat, parts->mean,
+                                   noise, threads) > 0;
+    mesh_free(&mesh);
+    return found;
+}
+
+/* The sum of the squared distances of the points from the mesh, of every so many of them. */
+static double off_points(const struct mesh *mesh, const struct vec3s *points, int threads)
+{
+    const size_t most = 100000;
+    struct vec3s some = {0};
+    double sum = 0;
+    for (size_t i = 0; i < points->n; i += points->n / most + 1)
+        *array_push(&some) = points->item[i];
+    double *distance = mem_alloc(some.n, sizeof *distance);
+    meshnear(mesh, some.item, some.n, threads, distance);
+    for (size_t i = 0; i < some.n; i++)
+        sum += distance[i] * distance[i];
+    free(distance);
+    array_free(&some);
+    return sum;
+}
+
+void cloudmesh_closer(const struct vec3s *points, int threads, struct mesh *other,
+                      struct cloudmesh *other_made, struct mesh *mesh, struct cloudmesh *made)
+{
+    if (off_points(other, points, threads) >= off_points(mesh, points, threads))
+        return;
+    struct mesh swap = *mesh;
+    struct cloudmesh swap_made = *made;
+    *mesh = *other;
+    *made = *other_made;
+    *other = swap;
+    *other_made = swap_made;
+}
+
+void cloudmesh_drop(struct mesh *mesh, struct cloudmesh *made)
+{
+    mesh->origin = (struct mesh_origin){.source = NULL};
+    mesh_free(mesh);
+    array_free(&made->edge);
 }

@@ -200,7 +200,9 @@ static struct feature told(const struct parted *p, struct vec3 at, struct vec3 a
     for (int s = 0; s < 2; s++) {
         f.normal[s] = flank_normal(&p->sheet[s], at);
         f.end[s] = flank_normal(&p->sheet[s], s == 0 ? a : b);
+        f.foot[s] = flank_point(&p->sheet[s], s == 0 ? a : b);
     }
+    f.known = vec_distance(p->point[p->n - 1], at);
     f.along = vec_unit(vec_cross(f.normal[0], f.normal[1]));
     return f;
 }

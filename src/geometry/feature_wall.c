@@ -62,16 +62,14 @@ static double smooth(const struct feature_cloud *cloud)
     return 2.5 * cloud->noise + 0.15 * cloud->spacing;
 }
 
-/* The plane of the wall from the points on it that are nearest to `at`; false: there are too few
- * of them, or it is no wall. */
-static bool plane_of_wall(const struct feature_cloud *cloud, const struct level level[2],
-                          struct vec3 at, struct planefit *plane)
+/* Of the points on a wall that are nearest to `at`, those between its top and foot. */
+static size_t near_wall(const struct feature_cloud *cloud, const struct level level[2],
+                        struct vec3 at, size_t most, struct vec3 *near)
 {
-    size_t index[NEAR], n = 0;
-    struct vec3 near[NEAR];
-
-    size_t found = cloud->walls ? kdtree_nearest(cloud->walls, at, NEAR, index, NULL) : 0;
+    size_t index[FEATURE_MOST], n = 0;
+    size_t found = cloud->walls ? kdtree_nearest(cloud->walls, at, most, index, NULL) : 0;
     double step = flank_height(&level[0].sheet, at) - flank_height(&level[1].sheet, at);
+
     for (size_t i = 0; i < found; i++) {
         struct vec3 p = cloud->wall[index[i]];
         double part = -flank_above(&level[0].sheet, p) / step; /* of the way down from level 0 */
@@ -79,8 +77,24 @@ static bool plane_of_wall(const struct feature_cloud *cloud, const struct level 
             hypot(p.x - at.x, p.y - at.y) < 6 * cloud->spacing)
             near[n++] = p;
     }
-    return n >= FEWEST && planefit(near, n, plane) == 0 && fabs(plane->normal.z) < LEAN &&
-           plane->rms < smooth(cloud);
+    return n;
+}
+
+/* The plane of the wall at `at`; false: there are too few points of it, or it is no wall.  Where
+ * there is noise, as wide a neighbourhood as is a plane but for that. */
+static bool plane_of_wall(const struct feature_cloud *cloud, const struct level level[2],
+                          struct vec3 at, struct planefit *plane)
+{
+    struct vec3 near[FEATURE_MOST];
+    bool noisy = cloud->noise > 0.01 * cloud->spacing;
+
+    for (size_t most = noisy ? 8 * NEAR : NEAR; most >= NEAR; most /= 2) {
+        size_t n = near_wall(cloud, level, at, most, near);
+        if (n >= FEWEST && planefit(near, n, plane) == 0 && fabs(plane->normal.z) < LEAN &&
+            plane->rms < (most > NEAR ? 1.1 * cloud->noise : smooth(cloud)))
+            return true;
+    }
+    return false;
 }
 
 /* The sheet of level s where the way from a to b comes to the wall, up to `over` beyond its ends. */
@@ -143,10 +157,12 @@ struct feature feature_wall(const struct feature_cloud *cloud, struct vec3 a, st
         f.wall = vec_dot(f.wall, down) < 0 ? vec_scale(-1, f.wall) : f.wall;
         f.wall.z = fmax(f.wall.z, 0); /* nothing is seen of an overhang from above */
         f.wall = vec_unit(f.wall);
+        f.known = reach;
         f.along = vec_unit(vec_cross(UP, f.wall));
         for (int s = 0; s < 2; s++) {
             f.normal[s] = flank_normal(&level[s].sheet, f.place[s]);
             f.end[s] = flank_normal(&level[s].sheet, s == 0 ? a : b);
+            f.foot[s] = flank_point(&level[s].sheet, s == 0 ? a : b);
         }
     }
     array_free(&level[0].point);

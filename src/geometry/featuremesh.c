@@ -5,7 +5,9 @@
 #include <string.h>
 
 #include "edgesplit.h"
+#include "featuregap.h"
 #include "featurejudge.h"
+#include "featuresettle.h"
 #include "parallel.h"
 #include "quadric.h"
 
@@ -15,7 +17,7 @@ static const double SLOPE = 0.5;                /* rise of an edge by its length
 static const double TURN = 0.99452189536827333; /* cos 6 degrees between normals */
 static const double OFF = 0.10452846326765347;  /* sin 6 degrees between an edge and the surface */
 static const double FACING = 0.2;               /* z of a normal that is seen from above */
-static const double CLEAR = 0.25;               /* of the edge, between a vertex and the feature */
+static const double NOISY = 0.01;               /* spacings: less noise does not matter */
 
 struct search {
     struct mesh *mesh;
@@ -121,99 +123,9 @@ static size_t doubtful_edges(const struct search *s)
     return found;
 }
 
-/* What the features do to a vertex. */
-struct beside {
-    bool near;
-    struct vec3 shift; /* away from the nearest one */
-};
-
-/* Across a feature, between the two sheets, from its end 1 to its end 0 (the edge's ends). */
-static struct vec3 across_of(const struct feature *f, const struct vec3 at[2])
+static struct featuresettle settling(const struct search *s)
 {
-    struct vec3 across = vec_unit(vec_cross(f->along, vec_add(f->end[0], f->end[1])));
-
-    return vec_dot(vec_sub(at[0], at[1]), across) < 0 ? vec_scale(-1, across) : across;
-}
-
-/* On which side of it a point near a feature is: at a wall by its height, for it may be on it. */
-static int side_of(const struct feature *f, const struct vec3 at[2], struct vec3 p)
-{
-    if (f->kind == FEATURE_WALL)
-        return fabs(p.z - f->place[0].z) <= fabs(p.z - f->place[1].z) ? 0 : 1;
-    return vec_dot(vec_sub(p, f->place[0]), across_of(f, at)) >= 0 ? 0 : 1;
-}
-
-/* Moves a vertex that is nearer to the feature than `clear`, along the sheet of its side; onto it
- * when it is further off it than `aloof`, as one that is on the wall. */
-static void keep_away(struct beside *b, const struct feature *f, int i, const struct vec3 at[2],
-                      struct vec3 p, double clear, double aloof)
-{
-    struct vec3 across = vec_scale(i == 0 ? 1 : -1, across_of(f, at));
-    struct vec3 away = vec_unit(vec_reject(across, f->end[i])); /* on the sheet */
-    double off = vec_dot(vec_sub(p, f->place[i]), away);
-    double above = vec_dot(vec_sub(p, f->place[i]), f->end[i]);
-    bool wrong = fabs(above) > aloof && (f->kind == FEATURE_WALL || fabs(above) < clear / 2);
-    struct vec3 shift = vec_along(vec_scale(clear - off, away), wrong ? -above : 0, f->end[i]);
-
-    b->near = true;
-    if (off < clear && vec_length(shift) > vec_length(b->shift))
-        b->shift = shift;
-}
-
-/* The vertices of the two facets beside an edge keep away from its feature. */
-static void settle_about(const struct search *s, size_t e, struct beside *beside)
-{
-    const struct mesh_edge *edge = &s->edges->edge[e];
-    const struct feature *f = &s->feature[e];
-    const struct vec3 *p = s->mesh->vertex.item;
-    const struct vec3 at[2] = {p[edge->v[0]], p[edge->v[1]]};
-    double length = hypot(at[1].x - at[0].x, at[1].y - at[0].y);
-    double aloof = 3 * s->cloud.noise + 0.1 * s->cloud.spacing;
-
-    for (int i = 0; i < 2; i++)
-        keep_away(&beside[edge->v[i]], f, i, at, at[i], CLEAR * length, aloof);
-    for (int k = 0; k < 2 && edge->facet[k] >= 0; k++) {
-        const int *v = s->mesh->face.item[edge->facet[k]].v;
-        int third = v[0] + v[1] + v[2] - edge->v[0] - edge->v[1];
-        int i = side_of(f, at, p[third]);
-        if (fabs(vec_dot(vec_sub(p[third], f->place[i]), f->along)) < length)
-            keep_away(&beside[third], f, i, at, p[third], CLEAR * length, aloof);
-    }
-}
-
-/* Moves the vertices beside features; they are what is to be looked at again, as rough ones. */
-static void settle_places(struct search *s)
-{
-    struct mesh *m = s->mesh;
-    struct beside *beside = mem_alloc(m->vertex.n, sizeof *beside);
-
-    for (size_t e = 0; e < s->edges->n; e++)
-        if (s->feature[e].kind != FEATURE_NONE)
-            settle_about(s, e, beside);
-    for (size_t v = 0; v < m->vertex.n; v++) {
-        s->active[v] = beside[v].near;
-        s->rough[v] |= beside[v].near;
-        m->vertex.item[v] = vec_add(m->vertex.item[v], beside[v].shift);
-    }
-    free(beside);
-}
-
-/* Vertices with a feature on one of their edges take the normal of their side. */
-static void settle_normals(struct search *s)
-{
-    struct mesh *m = s->mesh;
-    struct vec3 *sum = mem_alloc(m->vertex.n, sizeof *sum);
-
-    for (size_t e = 0; e < s->edges->n; e++) {
-        for (int i = 0; i < 2 && s->feature[e].kind != FEATURE_NONE; i++) {
-            struct vec3 *n = &sum[s->edges->edge[e].v[i]];
-            *n = vec_add(*n, s->feature[e].end[i]);
-        }
-    }
-    for (size_t v = 0; v < m->vertex.n; v++)
-        if (vec_length(sum[v]) > 0)
-            m->normal.item[v] = vec_unit(sum[v]);
-    free(sum);
+    return (struct featuresettle){s->mesh, s->edges, s->feature, s->cloud.spacing, s->cloud.noise};
 }
 
 static struct featuremesh sum_up(const struct search *s)
@@ -235,12 +147,17 @@ static struct featuremesh look(struct search *s, int threads)
 
     for (int i = 0; i < LOOKS; i++) {
         parallel_for(threads, s->edges->n, look_at_edges, s);
+        featuregap_close(s->mesh, s->edges, s->feature);
         found = sum_up(s);
         if (found.creases + found.walls == 0)
             break;
-        if (i + 1 < LOOKS)
-            settle_places(s);
-        settle_normals(s);
+        struct featuresettle settle = settling(s);
+        if (i + 1 < LOOKS) {
+            featuresettle_places(&settle, s->active);
+            for (size_t v = 0; v < s->mesh->vertex.n; v++)
+                s->rough[v] |= s->active[v];
+        }
+        featuresettle_normals(&settle);
     }
     return found;
 }
@@ -267,24 +184,6 @@ static void copy_places(const struct mesh *from, struct mesh *to)
     to->vertex.n = to->normal.n = n;
 }
 
-/* Vertices that are beside no feature any more are as they were. */
-static void put_back(const struct search *s, const struct mesh *before)
-{
-    struct mesh *m = s->mesh;
-    struct beside *beside = mem_alloc(m->vertex.n, sizeof *beside);
-
-    for (size_t e = 0; e < s->edges->n; e++)
-        if (s->feature[e].kind != FEATURE_NONE)
-            settle_about(s, e, beside);
-    for (size_t v = 0; v < m->vertex.n; v++) {
-        if (beside[v].near)
-            continue;
-        m->vertex.item[v] = before->vertex.item[v];
-        m->normal.item[v] = before->normal.item[v];
-    }
-    free(beside);
-}
-
 /* Cuts the mesh open along those features that bring it closer to the points; `before` is where
  * its vertices were. */
 static struct featuremesh keep_better(struct search *s, const struct mesh *before, size_t n,
@@ -301,7 +200,8 @@ static struct featuremesh keep_better(struct search *s, const struct mesh *befor
     featurejudge(&whole, &trial, s->cloud.point, n, reach, s->cloud.noise, threads, s->feature,
                  s->edges->n);
     mesh_free(&trial);
-    put_back(s, before);
+    struct featuresettle settle = settling(s);
+    featuresettle_back(&settle, before);
     edgesplit(m, s->edges, s->feature);
     return sum_up(s);
 }
@@ -364,8 +264,14 @@ struct featuremesh featuremesh_keep(struct mesh *mesh, const struct vec3 *point,
     struct featuremesh found = {.too_many = doubtful > MOST_DOUBTFUL ? doubtful : 0};
     if (!found.too_many)
         found = look(&s, threads);
+    struct featuresettle settle = settling(&s);
+    if (found.creases + found.walls > 0 && noise > NOISY * spacing)
+        featuresettle_feet(&settle);
     if (found.creases + found.walls > 0)
         found = keep_better(&s, &before, n, threads);
+    for (size_t e = 0; e < edges.n; e++)
+        if (s.feature[e].kind != FEATURE_NONE)
+            *array_push(&found.place) = vec_mix(s.feature[e].place[0], s.feature[e].place[1], 0.5);
     array_free(&before.vertex);
     array_free(&before.normal);
     free(s.rough);

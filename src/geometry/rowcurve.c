@@ -1,6 +1,7 @@
 /* rowcurve - see rowcurve.h. */
 #include "rowcurve.h"
 
+#include <math.h>
 #include <stdlib.h>
 
 #include "quadric.h"
@@ -9,7 +10,7 @@
 struct candidates {
     struct vec3s point;
     struct ints col;
-    bool *taken;
+    bool *taken, *near; /* near: a crease or wall is */
 };
 
 /* From the grid's axes back to the scan's. */
@@ -72,20 +73,60 @@ static bool surface_at(const struct buckets *b, const struct footprint *f, doubl
     return fabs(found->x - x) <= beside * reach && fabs(found->y - y) <= beside * reach;
 }
 
+/* Leaves out the places on creases and walls between others, where these run across. */
+static void stay_clear(const struct footprint *f, const struct edgezone *zone,
+                       struct candidates *c)
+{
+    const double across = 2; /* so far at most, in lengths of the zone's edges */
+    size_t kept = 0;
+
+    for (size_t i = 0, to; i < c->point.n; i = to) {
+        struct vec3 at = turn_back(f, c->point.item[i].x, c->point.item[i].y);
+        bool clear = edgezone_clear(zone, at.x, at.y);
+        for (to = i + 1; clear && to < c->point.n; to++) {
+            at = turn_back(f, c->point.item[to].x, c->point.item[to].y);
+            if (!edgezone_clear(zone, at.x, at.y))
+                break;
+        }
+        double length = to < c->point.n ? c->point.item[to].x - c->point.item[i].x : HUGE_VAL;
+        if (clear && i > 0 && length < across * zone->fine)
+            continue;
+        for (size_t k = i; k < to; k++, kept++) {
+            c->point.item[kept] = c->point.item[k];
+            c->col.item[kept] = c->col.item[k];
+        }
+    }
+    c->point.n = c->col.n = kept;
+}
+
+static void mark_near(const struct footprint *f, const struct edgezone *zone,
+                      struct candidates *c)
+{
+    for (size_t i = 0; i < c->point.n; i++) {
+        struct vec3 at = turn_back(f, c->point.item[i].x, c->point.item[i].y);
+        c->near[i] = edgezone_near(zone, at.x, at.y);
+    }
+}
+
 static struct candidates find_candidates(const struct buckets *b, const struct footprint *f,
-                                         double v, double width, double reach, double tolerance)
+                                         double v, const struct rowcurve_rule *rule)
 {
     struct candidates c = {0};
-    int cells = (int)fmax(ceil((f->xmax - f->xmin) / width - 1e-9), 1);
+    int cells = (int)fmax(ceil((f->xmax - f->xmin) / rule->width - 1e-9), 1);
     for (int i = 0; i <= cells; i++) {
         struct vec3 p;
         double x = f->xmin + (f->xmax - f->xmin) * i / cells;
-        if (!surface_at(b, f, x, v, reach, tolerance, &p))
+        if (!surface_at(b, f, x, v, rule->reach, rule->tolerance, &p))
             continue;
         *array_push(&c.point) = p;
         *array_push(&c.col) = i;
     }
+    if (rule->zone)
+        stay_clear(f, rule->zone, &c);
     c.taken = mem_alloc(c.point.n + 1, sizeof *c.taken);
+    c.near = mem_alloc(c.point.n + 1, sizeof *c.near);
+    if (rule->zone)
+        mark_near(f, rule->zone, &c);
     return c;
 }
 
@@ -96,15 +137,25 @@ static double off_line(struct vec3 a, struct vec3 b, struct vec3 p)
     return vec_distance(p, vec_mix(a, b, fmin(fmax(s, 0), 1)));
 }
 
+/* How long a piece may be: no longer than the zone's edges where it is near them. */
+static double most_between(const struct candidates *c, const struct rowcurve_rule *rule,
+                           size_t from, size_t to, double longest)
+{
+    for (size_t i = from; rule->zone && i <= to; i++)
+        if (c->near[i])
+            return fmin(longest, rule->zone->fine);
+    return longest;
+}
+
 /* Takes what it needs between two that are taken; where they are farther apart than `longest`, the
  * one in the middle at least. */
-static void take_between(struct candidates *c, size_t from, size_t to, double tolerance,
-                         double longest)
+static void take_between(struct candidates *c, const struct rowcurve_rule *rule, size_t from,
+                         size_t to, double longest)
 {
     const struct vec3 *p = c->point.item;
-    double worst = tolerance;
+    double worst = rule->tolerance;
     size_t at = from;
-    if (to - from > 1 && p[to].x - p[from].x > longest)
+    if (to - from > 1 && p[to].x - p[from].x > most_between(c, rule, from, to, longest))
         at = from + (to - from) / 2;
     for (size_t i = from + 1; i < to; i++) {
         double off = off_line(p[from], p[to], p[i]);
@@ -116,22 +167,21 @@ static void take_between(struct candidates *c, size_t from, size_t to, double to
     if (at == from)
         return;
     c->taken[at] = true;
-    take_between(c, from, at, tolerance, longest);
-    take_between(c, at, to, tolerance, longest);
+    take_between(c, rule, from, at, longest);
+    take_between(c, rule, at, to, longest);
 }
 
 struct rowcurve rowcurve_make(const struct buckets *buckets, const struct footprint *footprint,
-                              double v, double width, double reach, double gap, double tolerance,
-                              double longest)
+                              double v, const struct rowcurve_rule *rule, double longest)
 {
     struct rowcurve row = {.v = v, .longest = longest};
-    struct candidates c = find_candidates(buckets, footprint, v, width, reach, tolerance);
+    struct candidates c = find_candidates(buckets, footprint, v, rule);
     for (size_t from = 0, to; from < c.point.n; from = to + 1) {
         to = from;
-        while (to + 1 < c.point.n && c.point.item[to + 1].x - c.point.item[to].x <= gap)
+        while (to + 1 < c.point.n && c.point.item[to + 1].x - c.point.item[to].x <= rule->gap)
             to++;
         c.taken[from] = c.taken[to] = true;
-        take_between(&c, from, to, tolerance, longest);
+        take_between(&c, rule, from, to, longest);
     }
     for (size_t i = 0; i < c.point.n; i++)
         if (c.taken[i]) {
@@ -141,6 +191,7 @@ struct rowcurve rowcurve_make(const struct buckets *buckets, const struct footpr
     array_free(&c.point);
     array_free(&c.col);
     free(c.taken);
+    free(c.near);
     return row;
 }
 

@@ -24,6 +24,7 @@ struct work {
     const struct footprint *footprint;
     const struct holes *holes;
     double error, spacing;
+    struct rowcurve_rule rule;
     struct {
         size_t n, cap;
         struct rowcurve *item;
@@ -42,9 +43,7 @@ static struct vec3 turn_back(const struct footprint *f, struct vec3 p)
 
 static struct rowcurve row_at(const struct work *w, double v, double longest)
 {
-    const double gaps = 6, reaches = 1.2;
-    return rowcurve_make(w->buckets, w->footprint, v, w->spacing, reaches * w->spacing,
-                         gaps * w->spacing, ALONG * w->error, longest);
+    return rowcurve_make(w->buckets, w->footprint, v, &w->rule, longest);
 }
 
 static double cross_above(struct vec3 a, struct vec3 b, struct vec3 p)
@@ -71,6 +70,8 @@ static void measure_face(struct work *w, struct strip *s, struct vec3 a, struct 
                 continue;
             double off = fabs(vec_dot(normal, vec_sub(p, a)));
             w->covered[i] = 1;
+            if (w->rule.zone && edgezone_near(w->rule.zone, p.x, p.y))
+                continue;
             s->points++;
             s->sum2 += off * off;
             if (off > s->worst) {
@@ -151,6 +152,20 @@ static void shorten(struct work *w, size_t index, double longest)
     }
 }
 
+/* Is the strip wider than edges across a crease or wall may be, and is one in it? */
+static bool is_too_wide(const struct work *w, size_t index)
+{
+    const struct edgezone *zone = w->rule.zone;
+    double low = w->row.item[index].v, high = w->row.item[index + 1].v;
+
+    for (size_t i = 0; zone && high - low > zone->fine && i < zone->place.n; i++) {
+        double v = footprint_turn(w->footprint, zone->place.item[i]).y;
+        if (v >= low && v <= high)
+            return true;
+    }
+    return false;
+}
+
 /* A strip that is off the cloud gets triangles no longer than it is wide, then it is halved.  Facets
  * over a hole hide how far the rest of a strip is off: there it is halved too, down to rows three
  * spacings apart. */
@@ -163,7 +178,9 @@ static void refine(struct work *w)
         if (!s->done)
             make_strip(w, i);
         bool bridged = s->bridges > 0 && pitch >= rim * w->spacing;
-        if (s->worst <= w->error && !bridged) {
+        if (is_too_wide(w, i)) {
+            halve(w, i);
+        } else if (s->worst <= w->error && !bridged) {
             i++;
         } else if (fmax(w->row.item[i].longest, w->row.item[i + 1].longest) > slender * pitch) {
             double longest = fmax(square * pitch, 2 * w->spacing);
@@ -220,12 +237,16 @@ static struct rowmesh sum_up(const struct work *w, struct mesh *mesh)
 }
 
 struct rowmesh rowmesh_make(const struct buckets *buckets, const struct footprint *footprint,
-                            const struct holes *holes, double error, double spacing, double widest,
+                            const struct holes *holes, const struct rowmesh_wish *wish,
                             struct mesh *mesh)
 {
+    const double gaps = 6, reaches = 1.2;
     struct work w = {.buckets = buckets, .footprint = footprint, .holes = holes,
-                     .error = error, .spacing = spacing, .covered = mem_alloc(buckets->n, 1)};
-    first_rows(&w, widest);
+                     .error = wish->error, .spacing = wish->spacing,
+                     .rule = {wish->spacing, reaches * wish->spacing, gaps * wish->spacing,
+                              ALONG * wish->error, wish->zone},
+                     .covered = mem_alloc(buckets->n, 1)};
+    first_rows(&w, wish->widest);
     refine(&w);
     struct rowmesh result = sum_up(&w, mesh);
     for (size_t i = 0; i < w.row.n; i++)

@@ -1,0 +1,23 @@
+/*
+ * featuregap - gaps in the lines that creases and walls make over a mesh.
+ */
+#ifndef CLOUDMILL_FEATUREGAP_H
+#define CLOUDMILL_FEATUREGAP_H
+
+#include "feature.h"
+#include "mesh.h"
+#include "meshedges.h"
+
+/*
+ * A crease or wall ends where it comes into a facet over one of its edges and crosses none of the
+ * other two.  From there it is followed, straight on over the sheets that it has, from facet to
+ * facet; where that leads within six of them to another crease or wall, or to the border of the
+ * mesh, the edges on the way get its continuation, in place of FEATURE_NONE.  Nothing else changes.
+ */
+void featuregap_close(const struct mesh *mesh, const struct mesh_edges *edges,
+                      struct feature *feature);
+
+/* Across a feature, between the two sheets, unit: from the side of its end 1 to that of its end 0. */
+struct vec3 featuregap_across(const struct feature *f);
+
+#endif

@@ -1,0 +1,144 @@
+/* featuresettle - see featuresettle.h. */
+#include "featuresettle.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+static const double CLEAR = 0.25; /* of the edge, between a vertex and the feature */
+
+/* What the features do to a vertex. */
+struct beside {
+    bool near;
+    struct vec3 shift; /* away from the nearest one */
+};
+
+/* Across a feature, between the two sheets, from its end 1 to its end 0 (the edge's ends). */
+static struct vec3 across_of(const struct feature *f, const struct vec3 at[2])
+{
+    struct vec3 across = vec_unit(vec_cross(f->along, vec_add(f->end[0], f->end[1])));
+
+    return vec_dot(vec_sub(at[0], at[1]), across) < 0 ? vec_scale(-1, across) : across;
+}
+
+/* On which side of it a point near a feature is: at a wall by its height, for it may be on it. */
+static int side_of(const struct feature *f, const struct vec3 at[2], struct vec3 p)
+{
+    if (f->kind == FEATURE_WALL)
+        return fabs(p.z - f->place[0].z) <= fabs(p.z - f->place[1].z) ? 0 : 1;
+    return vec_dot(vec_sub(p, f->place[0]), across_of(f, at)) >= 0 ? 0 : 1;
+}
+
+/* Moves a vertex that is nearer to the feature than `clear`, along the sheet of its side; onto it
+ * when it is further off it than `aloof`, as one that is on the wall. */
+static void keep_away(struct beside *b, const struct feature *f, int i, const struct vec3 at[2],
+                      struct vec3 p, double clear, double aloof)
+{
+    struct vec3 across = vec_scale(i == 0 ? 1 : -1, across_of(f, at));
+    struct vec3 away = vec_unit(vec_reject(across, f->end[i])); /* on the sheet */
+    double off = vec_dot(vec_sub(p, f->place[i]), away);
+    double above = vec_dot(vec_sub(p, f->place[i]), f->end[i]);
+    bool wrong = fabs(above) > aloof && (f->kind == FEATURE_WALL || fabs(above) < clear / 2);
+    struct vec3 shift = vec_along(vec_scale(clear - off, away), wrong ? -above : 0, f->end[i]);
+
+    b->near = true;
+    if (off < clear && vec_length(shift) > vec_length(b->shift))
+        b->shift = shift;
+}
+
+/* The vertices of the two facets beside an edge keep away from its feature. */
+static void settle_about(const struct featuresettle *s, size_t e, struct beside *beside)
+{
+    const struct mesh_edge *edge = &s->edges->edge[e];
+    const struct feature *f = &s->feature[e];
+    const struct vec3 *p = s->mesh->vertex.item;
+    const struct vec3 at[2] = {p[edge->v[0]], p[edge->v[1]]};
+    double length = hypot(at[1].x - at[0].x, at[1].y - at[0].y);
+    double aloof = 3 * s->noise + 0.1 * s->spacing;
+
+    for (int i = 0; i < 2; i++)
+        keep_away(&beside[edge->v[i]], f, i, at, at[i], CLEAR * length, aloof);
+    for (int k = 0; k < 2 && edge->facet[k] >= 0; k++) {
+        const int *v = s->mesh->face.item[edge->facet[k]].v;
+        int third = v[0] + v[1] + v[2] - edge->v[0] - edge->v[1];
+        int i = side_of(f, at, p[third]);
+        if (fabs(vec_dot(vec_sub(p[third], f->place[i]), f->along)) < length)
+            keep_away(&beside[third], f, i, at, p[third], CLEAR * length, aloof);
+    }
+}
+
+/* Which vertices are beside a feature, and where they are to go. */
+static struct beside *find_beside(const struct featuresettle *s)
+{
+    struct beside *beside = mem_alloc(s->mesh->vertex.n, sizeof *beside);
+
+    for (size_t e = 0; e < s->edges->n; e++)
+        if (s->feature[e].kind != FEATURE_NONE)
+            settle_about(s, e, beside);
+    return beside;
+}
+
+void featuresettle_places(const struct featuresettle *s, unsigned char *beside)
+{
+    struct mesh *m = s->mesh;
+    struct beside *found = find_beside(s);
+
+    for (size_t v = 0; v < m->vertex.n; v++) {
+        beside[v] = found[v].near;
+        m->vertex.item[v] = vec_add(m->vertex.item[v], found[v].shift);
+    }
+    free(found);
+}
+
+void featuresettle_normals(const struct featuresettle *s)
+{
+    struct mesh *m = s->mesh;
+    struct vec3 *sum = mem_alloc(m->vertex.n, sizeof *sum);
+
+    for (size_t e = 0; e < s->edges->n; e++) {
+        for (int i = 0; i < 2 && s->feature[e].kind != FEATURE_NONE; i++) {
+            struct vec3 *n = &sum[s->edges->edge[e].v[i]];
+            *n = vec_add(*n, s->feature[e].end[i]);
+        }
+    }
+    for (size_t v = 0; v < m->vertex.n; v++)
+        if (vec_length(sum[v]) > 0)
+            m->normal.item[v] = vec_unit(sum[v]);
+    free(sum);
+}
+
+void featuresettle_feet(const struct featuresettle *s)
+{
+    struct mesh *m = s->mesh;
+    struct vec3 *sum = mem_alloc(m->vertex.n, sizeof *sum);
+    double *count = mem_alloc(m->vertex.n, sizeof *count);
+
+    for (size_t e = 0; e < s->edges->n; e++) {
+        const struct feature *f = &s->feature[e];
+        for (int i = 0; i < 2 && f->kind != FEATURE_NONE; i++) {
+            int v = s->edges->edge[e].v[i];
+            if (vec_distance(f->place[i], m->vertex.item[v]) > f->known)
+                continue;
+            sum[v] = vec_add(sum[v], vec_sub(f->foot[i], m->vertex.item[v]));
+            count[v]++;
+        }
+    }
+    for (size_t v = 0; v < m->vertex.n; v++)
+        if (count[v] > 0)
+            m->vertex.item[v] = vec_along(m->vertex.item[v], 1 / count[v], sum[v]);
+    free(sum);
+    free(count);
+}
+
+void featuresettle_back(const struct featuresettle *s, const struct mesh *before)
+{
+    struct mesh *m = s->mesh;
+    struct beside *found = find_beside(s);
+
+    for (size_t v = 0; v < m->vertex.n; v++) {
+        if (found[v].near)
+            continue;
+        m->vertex.item[v] = before->vertex.item[v];
+        m->normal.item[v] = before->normal.item[v];
+    }
+    free(found);
+}
