@@ -102,8 +102,14 @@ size_t num_write(char *buf, double x, int digits);
 /* num_write of a number that num_scaled has made whole. */
 size_t num_put(char *buf, int64_t integer, bool negative, int digits);
 
-/* Takes the trailing zeros from the n characters that num_write wrote; the length that is left. */
+/* Takes the trailing zeros from the n characters that num_write wrote; the length that is left.
+ * A whole number then has its point where `point` is set: 12. */
 size_t num_shorten(char *buf, size_t n, int digits, bool point);
+
+/*
+ * Both at once, quicker, but without '\0'; up to NUM_MAX characters behind may be written to.
+ */
+size_t num_put_short(char *buf, int64_t integer, bool negative, int digits, bool point);
 
 /* The same without trailing zeros, but with its point where `point` is set: 12. 0.5 -3.25 */
 size_t num_write_short(char *buf, double x, int digits, bool point);

@@ -28,9 +28,8 @@ static void append(struct nc_writer *w, const char *s, size_t n)
     w->n += n;
 }
 
-/* Where the address of the next word goes: behind the room before it, and before the first word
- * its block's number.  There is room for an address and a number, however long the block is. */
-static char *begin_word(struct nc_writer *w)
+/* The first word of a block behind its number, or one without room. */
+static char *begin_block(struct nc_writer *w)
 {
     if (w->n > NC_BLOCK_MAX)
         w->n = NC_BLOCK_MAX;
@@ -42,9 +41,19 @@ static char *begin_word(struct nc_writer *w)
             w->number = w->step;
         if (!w->style.count_all)
             w->line[w->n++] = 'N';
-        w->n += num_write(w->line + w->n, (double)w->number, 0);
+        w->n += num_put_short(w->line + w->n, w->number, false, 0, false);
         w->line[w->n++] = ' ';
     }
+    return w->line + w->n;
+}
+
+/* Where the address of the next word goes: behind the room before it, and before the first word
+ * its block's number.  There is room for an address and a number, however long the block is. */
+static inline char *begin_word(struct nc_writer *w)
+{
+    if (w->n == 0 || w->n > NC_BLOCK_MAX)
+        return begin_block(w);
+    w->line[w->n++] = ' ';
     return w->line + w->n;
 }
 
@@ -69,7 +78,7 @@ static void put_number(struct nc_writer *w, const char *address, int64_t integer
     bool place = *address && *address != 'F'; /* feeds and the like never have a sign */
     if (w->style.sign && place && !(negative && integer))
         *to++ = '+';
-    to += num_shorten(to, num_put(to, integer, negative, digits), digits, w->style.point);
+    to += num_put_short(to, integer, negative, digits, w->style.point);
     w->n = (size_t)(to - w->line);
 }
 
