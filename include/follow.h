@@ -71,6 +71,15 @@ struct deviation follow_line(const struct follow *f, const struct stance *from,
                              struct deviation allowed);
 
 /*
+ * A bound, without a look between, of what the straight block adds to the errors of its ends, at
+ * the same time of block and motion (FOLLOW_ROTARY, FOLLOW_JOINT).  What moves with |e''| leaves
+ * the straight line between its ends by no more than |e''| / 8: the two tool axes by turn^2 / 8
+ * each; the tip that linear axes carry along a turning arm by (turn^2 arm + 2 turn way) / 8.
+ */
+struct deviation follow_bend(const struct follow *f, const struct station *from,
+                             const struct station *to);
+
+/*
  * The largest deviation of the straight block between two stations from the motion between s0 and
  * s1, measured at both ends and between, closer the further the block turns, so that no peak is
  * missed between.  The time along the block is free: each place of the motion is compared with the

@@ -17,4 +17,8 @@ struct nc_move *nc_move_to(struct nc_step *step, enum nc_kind kind, const struct
 void nc_add_move(struct nc_step *step, enum nc_kind kind, const struct stance *stance,
                  double length, size_t index);
 
+/* A straight block to a stance, which stands for the pose `goal`, unless it would say nothing. */
+void nc_add_straight(struct nc_step *step, enum nc_kind kind, const struct stance *to,
+                     const struct pose *goal);
+
 #endif

@@ -16,6 +16,14 @@ struct stance nc_station(const struct nc_step *step, struct pose to, const doubl
  */
 int nc_reach(struct nc_step *step, struct pose to, double s, struct stance *stance);
 
+/*
+ * Its usual case: the rotary axes go on beside where they stand (chain_beside).  The travel of the
+ * linear axes is the caller's to check.  *off: how far the printed digits are off the pose, at the
+ * tracked point and, as a chord, at the tool axis.  False: nothing is done.
+ */
+bool nc_reach_beside(const struct nc_step *step, const struct pose *to, struct stance *stance,
+                     struct deviation *off);
+
 /* How far from 0 a tip may be for the linear axes to keep their travel however the rotary axes
  * stand: a turn about c takes p no further from 0 than |p| + 2 |c|. */
 double nc_surely_within(const struct machine *m);

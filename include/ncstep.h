@@ -13,6 +13,8 @@ struct nc_state {
     struct pose pose;  /* as the path means it */
     struct station at; /* as the last block says it */
     struct turned turned; /* of its rotary axes */
+    struct deviation off; /* of `at` from `pose` by its rounding, see nc_reach_beside; NAN: not
+                             known */
     double feed;       /* mm/min, 0: not given yet */
     double faster;     /* the tracked point goes faster than that by this factor */
     bool touches;      /* the contact at `pose` is known */

@@ -218,6 +218,38 @@ START_TEST(bounds_hold)
 }
 END_TEST
 
+/* Between its ends a block never strays by more than the bend, at the same time of both; and where
+ * axes turn alone the bound is not far off. */
+START_TEST(bends_hold)
+{
+    double nearest = 0;
+    seed = 13;
+    for (int i = 0; i < 3000; i++) {
+        struct chain chain = random_chain();
+        struct follow f = {_i ? FOLLOW_JOINT : FOLLOW_ROTARY, &chain, 8 * chance()};
+        struct block b = random_block(&f, pow(10, -1.5 + 1.5 * chance()));
+        struct deviation bend = follow_bend(&f, &b.from.at, &b.to.at);
+        double slack = 1e-4 * bend.axis + 1e-9, ends[3] = {0}, most[3] = {0};
+        for (int k = 0; k <= 100; k++) {
+            struct pose at = follow_pose(&f, &b.from.at, &b.to.at, k / 100.0);
+            struct pose wanted = motion_at(&b.motion, k / 100.0);
+            struct vec3 tip = vec_sub(at.p, wanted.p), axis = vec_sub(at.a, wanted.a);
+            double off[3] = {vec_length(tip), vec_length(vec_along(tip, f.ball, axis)),
+                             vec_length(axis)};
+            for (int j = 0; j < 3; j++) {
+                most[j] = fmax(most[j], off[j]);
+                ends[j] = k % 100 ? ends[j] : fmax(ends[j], off[j]);
+            }
+        }
+        ck_assert_double_le(most[0], ends[0] + bend.point + slack);
+        ck_assert_double_le(most[1], ends[1] + bend.point + slack * fabs(f.ball));
+        ck_assert_double_le(most[2], ends[2] + bend.axis + slack);
+        nearest = fmax(nearest, (most[2] - ends[2]) / bend.axis);
+    }
+    ck_assert_double_gt(nearest, 0.25);
+}
+END_TEST
+
 /* The measure finds the peak of blocks that turn far: near the pole it is narrow.  The ball does
  * not count, nor, with it, the time: the tip goes straight. */
 START_TEST(peaks_are_found)
@@ -245,6 +277,7 @@ int main(void)
     tcase_add_test(tests, chord_of_an_arc);
     tcase_add_test(tests, a_turn_on_the_spot_is_seen);
     tcase_add_loop_test(tests, bounds_hold, 0, 2);
+    tcase_add_loop_test(tests, bends_hold, 0, 2);
     tcase_add_test(tests, peaks_are_found);
     suite_add_tcase(suite, tests);
 

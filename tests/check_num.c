@@ -120,6 +120,26 @@ START_TEST(what_is_written_reads_back_as_rounded)
 }
 END_TEST
 
+/* The quick way writes what the plain one does: all lengths, noughts at either end. */
+START_TEST(short_numbers_alike)
+{
+    for (int i = 0; i < 400000; i++) {
+        char text[NUM_MAX], brief[NUM_MAX];
+        int64_t integer = (int64_t)(next_random() >> (11 + next_random() % 53));
+        int digits = (int)(next_random() % 10);
+        for (uint64_t k = next_random() % 4; k > 0 && i % 3 == 0; k--)
+            integer = integer < INT64_C(100000000000) ? integer * 10 : integer;
+        bool negative = i & 1, point = i & 2;
+        size_t n = num_put(text, integer, negative, digits);
+        n = num_shorten(text, n, digits, point);
+        memset(brief, '#', sizeof brief);
+        ck_assert_msg(num_put_short(brief, integer, negative, digits, point) == n &&
+                          memcmp(text, brief, n) == 0,
+                      "%s", text);
+    }
+}
+END_TEST
+
 int main(void)
 {
     Suite *suite = suite_create("num");
@@ -129,6 +149,7 @@ int main(void)
                         (int)(sizeof spellings / sizeof *spellings));
     tcase_add_loop_test(tests, writings_of_a_number, 0, (int)(sizeof writings / sizeof *writings));
     tcase_add_test(tests, what_is_written_reads_back_as_rounded);
+    tcase_add_test(tests, short_numbers_alike);
     suite_add_tcase(suite, tests);
     SRunner *runner = srunner_create(suite);
     srunner_run_all(runner, CK_ENV);

@@ -112,6 +112,8 @@ START_TEST(beside_the_last)
             turned = chain_turned_on(&chain, turned, by);
             ck_assert_double_lt(vec_distance(chain_axis_of(&chain, &turned),
                                              chain_axis(&chain, from)), 1e-12);
+            ck_assert_double_lt(vec_distance(chain_ways_axis(&ways, &turned),
+                                             chain_axis(&chain, from)), 1e-12);
         }
     }
     ck_assert_int_gt(found, 15000);

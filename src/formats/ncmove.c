@@ -4,6 +4,12 @@
 #include "array.h"
 #include "num.h"
 
+/* fmax for what is a number, without a call. */
+static inline double larger(double a, double b)
+{
+    return a > b ? a : b;
+}
+
 /* The longest that an axis of the machine needs between two stations, minutes. */
 static double axes_minutes(const struct nc_step *step, const struct station *a,
                            const struct station *b)
@@ -11,9 +17,9 @@ static double axes_minutes(const struct nc_step *step, const struct station *a,
     const struct machine *m = step->machine;
     double minutes = 0;
     for (int i = 0; i < m->chain.n; i++)
-        minutes = fmax(minutes, DEGREES(fabs(b->q[i] - a->q[i])) / m->rapid[m->letter[i]]);
+        minutes = larger(minutes, DEGREES(fabs(b->q[i] - a->q[i])) / m->rapid[m->letter[i]]);
     if (step->follow.mode == FOLLOW_JOINT)
-        minutes = fmax(minutes, vec_distance(a->p, b->p) / m->rapid[MACHINE_X]);
+        minutes = larger(minutes, vec_distance(a->p, b->p) / m->rapid[MACHINE_X]);
     return minutes;
 }
 
@@ -35,38 +41,40 @@ static double feed_word(const struct nc_step *step, const struct station *to, do
                         double *minutes)
 {
     const struct nc_ability *ability = &step->plan->ability;
-    double least = 1 / num_ten[ability->digits.feed];
     double feed = step->state.feed * step->state.faster, wished = length / feed;
     bool slow = *minutes > wished;
-    *minutes = fmax(*minutes, wished);
+    *minutes = larger(*minutes, wished);
     if (ability->feeds == NC_FEEDS_INVERSE)
-        feed = 1 / fmax(*minutes, 1e-9);
+        feed = 1 / larger(*minutes, 1e-9);
     else if (ability->feeds == NC_FEEDS_COMBINED)
-        feed = joint_way(step, &step->state.at, to) / fmax(*minutes, 1e-9);
+        feed = joint_way(step, &step->state.at, to) / larger(*minutes, 1e-9);
     else if (length > 0 && slow)
         feed = length / *minutes;
-    double said = num_round(fmin(feed, ability->feed_max), ability->digits.feed);
-    if (slow && said > feed)
-        said = num_round(said - least, ability->digits.feed);
-    return fmax(said, least);
+    double may = feed < ability->feed_max ? feed : ability->feed_max;
+    double said = num_round(may, ability->digits.feed);
+    if (said > feed && slow)
+        said = num_round(said - 1 / num_ten[ability->digits.feed], ability->digits.feed);
+    return said > 0 ? said : 1 / num_ten[ability->digits.feed];
 }
 
 struct nc_move *nc_move_to(struct nc_step *step, enum nc_kind kind, const struct stance *stance)
 {
     const struct station *to = &stance->at;
     struct nc_plan *plan = step->plan;
+    struct nc_state *state = &step->state;
     struct nc_move *move = array_push(&plan->move);
     *move = (struct nc_move){.kind = kind,
-                             .why = step->state.why,
-                             .line = step->state.line,
+                             .why = state->why,
+                             .line = state->line,
                              .p = to->p,
                              .q = {to->q[0], to->q[1]}};
     if (step->follow.mode == FOLLOW_VECTOR) {
         move->vector = (unsigned)plan->vector.n;
         *array_push(&plan->vector) = to->a;
     }
-    step->state.at = *to;
-    step->state.turned = stance->turned;
+    state->at = *to;
+    state->turned = stance->turned;
+    state->off.point = state->off.axis = NAN;
     step->first = false;
     return move;
 }
@@ -75,14 +83,13 @@ void nc_add_move(struct nc_step *step, enum nc_kind kind, const struct stance *s
                  double length, size_t index)
 {
     struct nc_total *total = &step->plan->total;
-    const struct station from = step->state.at, *to = &stance->at;
-    double minutes = axes_minutes(step, &from, to), feed = 0;
+    double minutes = axes_minutes(step, &step->state.at, &stance->at), feed = 0;
     if (kind == NC_RAPID) {
-        minutes = fmax(minutes, length / step->machine->rapid[MACHINE_X]);
+        minutes = larger(minutes, length / step->machine->rapid[MACHINE_X]);
         total->rapid += length;
         total->rapids++;
     } else {
-        feed = feed_word(step, to, length, &minutes);
+        feed = feed_word(step, &stance->at, length, &minutes);
         total->cut += length;
         total->lines += kind == NC_LINE;
         total->arcs += kind == NC_ARC;
@@ -92,4 +99,23 @@ void nc_add_move(struct nc_step *step, enum nc_kind kind, const struct stance *s
     struct nc_move *move = nc_move_to(step, kind, stance);
     move->feed = feed;
     move->index = (unsigned)index;
+}
+
+/* Both say the same. */
+static bool same_station(const struct station *a, const struct station *b, bool vectors)
+{
+    bool same = a->p.x == b->p.x && a->p.y == b->p.y && a->p.z == b->p.z;
+    if (vectors)
+        return same && a->a.x == b->a.x && a->a.y == b->a.y && a->a.z == b->a.z;
+    return same && a->q[0] == b->q[0] && a->q[1] == b->q[1];
+}
+
+void nc_add_straight(struct nc_step *step, enum nc_kind kind, const struct stance *to,
+                     const struct pose *goal)
+{
+    struct nc_state *state = &step->state;
+    if (!same_station(&state->at, &to->at, step->follow.mode == FOLLOW_VECTOR))
+        nc_add_move(step, kind, to, vec_distance(state->pose.p, goal->p), 0);
+    state->off.point = state->off.axis = NAN;
+    state->pose = *goal;
 }

@@ -36,6 +36,7 @@ static int above(struct nc_move *up, const struct nc_program *whole, const struc
         .path = whole->path, .machine = whole->machine, .plan = &plan, .error = error};
     const struct chain *chain = &whole->machine->chain;
     step.follow = (struct follow){.mode = plan.ability.mode, .chain = chain};
+    step.ways = chain_ways(chain);
     step.state.line = from->line;
     struct station at = nc_plan_station(&plan, chain, from);
     struct pose pose = {at.p, vec_unit(at.a)};

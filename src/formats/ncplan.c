@@ -75,6 +75,7 @@ int nc_plan_make(struct nc_plan *plan, const struct path *path, const struct mac
     step.ways = chain_ways(&own.chain);
     step.within = nc_surely_within(machine);
     step.state.faster = 1;
+    step.state.off = (struct deviation){NAN, NAN};
     step.state.turned = chain_turned(&machine->chain, step.state.at.q);
     nc_item_tool(&step, path_ball(path));
     int result = 0;

@@ -56,33 +56,39 @@ int nc_check_linear(struct nc_step *step, const struct stance *to)
     return axis < 0 ? 0 : over_travel(step, axis, "a position of", at[axis]);
 }
 
-/* The same, where the cosines and sines of q are known. */
-static struct stance stance_of(const struct nc_step *step, struct pose to, const double q[],
-                               const struct turned *turned)
+/* The same, where the cosines and sines of q are known; *off: what its rounding does. */
+static void stance_of(const struct nc_step *step, const struct pose *to, const double q[],
+                      const struct turned *turned, struct stance *s, struct deviation *off)
 {
     const struct machine_digits *digits = &step->plan->ability.digits;
     const struct chain *chain = &step->machine->chain;
-    struct stance s = {.at = {.a = to.a}};
+    struct vec3 p = to->p;
     double by[ROTARY_MAX] = {0};
+    s->at.q[0] = s->at.q[1] = 0;
     for (int i = 0; i < chain->n; i++) {
-        s.at.q[i] = RADIANS(num_round(DEGREES(q[i]), digits->angle));
-        by[i] = s.at.q[i] - q[i];
+        s->at.q[i] = RADIANS(num_round(DEGREES(q[i]), digits->angle));
+        by[i] = s->at.q[i] - q[i];
     }
-    s.turned = chain_turned_on(chain, *turned, by);
+    s->turned = chain_turned_on(chain, *turned, by);
     if (step->follow.mode == FOLLOW_VECTOR)
-        s.at.a = round_point(to.a, digits->vector);
-    else if (chain->n)
-        s.at.a = chain_axis_of(chain, &s.turned);
+        s->at.a = round_point(to->a, digits->vector);
+    else
+        s->at.a = chain->n == 2  ? chain_ways_axis(&step->ways, &s->turned)
+                  : chain->n == 1 ? chain_axis_of(chain, &s->turned)
+                                  : to->a;
     if (step->follow.mode == FOLLOW_JOINT)
-        to.p = chain_linear_of(chain, to.p, &s.turned);
-    s.at.p = round_point(to.p, digits->linear);
-    return s;
+        p = chain_linear_of(chain, p, &s->turned);
+    s->at.p = round_point(p, digits->linear);
+    *off = (struct deviation){vec_distance(s->at.p, p), vec_distance(s->at.a, to->a)};
 }
 
 struct stance nc_station(const struct nc_step *step, struct pose to, const double q[])
 {
     struct turned turned = chain_turned(&step->machine->chain, q);
-    return stance_of(step, to, q, &turned);
+    struct stance s;
+    struct deviation off;
+    stance_of(step, &to, q, &turned, &s, &off);
+    return s;
 }
 
 /* The first tool axis behind the current item that is not singular, NULL: none. */
@@ -147,16 +153,26 @@ static int not_reached(struct nc_step *step, struct vec3 axis, int over)
                     step->state.pass, axis.x, axis.y, axis.z, m->name);
 }
 
+bool nc_reach_beside(const struct nc_step *step, const struct pose *to, struct stance *stance,
+                     struct deviation *off)
+{
+    double q[ROTARY_MAX] = {0};
+    struct turned turned = step->state.turned;
+    if (step->first || step->course.n > 0 ||
+        !chain_beside(&step->ways, to->a, step->state.at.q, q, &turned))
+        return false;
+    stance_of(step, to, q, &turned, stance, off);
+    return true;
+}
+
 int nc_reach(struct nc_step *step, struct pose to, double s, struct stance *stance)
 {
     const struct chain *chain = &step->machine->chain;
     double q[ROTARY_MAX] = {step->state.at.q[0], step->state.at.q[1]};
-    struct turned turned = step->state.turned;
+    struct deviation off;
     int over;
-    if (!step->first && step->course.n == 0 && chain_beside(&step->ways, to.a, q, q, &turned)) {
-        *stance = stance_of(step, to, q, &turned);
+    if (nc_reach_beside(step, &to, stance, &off))
         return nc_check_linear(step, stance);
-    }
     step->doubt = step->doubt || (!step->first && chain->n == 2);
     if (step->course.n)
         aim_at(&step->course, s, q);

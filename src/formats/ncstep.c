@@ -1,6 +1,7 @@
 /* ncstep - see ncstep.h. */
 #include "ncstep.h"
 
+#include "nconeblock.h"
 #include "ncmove.h"
 #include "ncreach.h"
 #include "ncturn.h"
@@ -8,14 +9,6 @@
 
 enum { DEPTH_MAX = 14, ARC_DEPTH_MAX = 5 };
 static const double rapid_chord = 1; /* mm, where a rapid has to be split at all */
-
-static bool same_station(const struct station *a, const struct station *b, bool vectors)
-{
-    bool same = vec_distance(a->p, b->p) == 0;
-    if (vectors)
-        return same && vec_distance(a->a, b->a) == 0;
-    return same && a->q[0] == b->q[0] && a->q[1] == b->q[1];
-}
 
 /* How far the block to a stance is off the motion. */
 static struct deviation block_deviation(const struct nc_step *step, const struct follow *f,
@@ -100,9 +93,7 @@ static void take(struct nc_step *step, const struct stance *to, struct pose goal
                  enum nc_kind kind, struct deviation d)
 {
     struct nc_total *total = &step->plan->total;
-    if (!same_station(&step->state.at, &to->at, step->follow.mode == FOLLOW_VECTOR))
-        nc_add_move(step, kind, to, vec_distance(step->state.pose.p, goal.p), 0);
-    step->state.pose = goal;
+    nc_add_straight(step, kind, to, &goal);
     if (kind == NC_LINE)
         total->spent = deviation_worst(total->spent, d);
 }
@@ -227,25 +218,9 @@ static int spline(struct nc_step *step, const struct motion *motion)
     return 0;
 }
 
-/* The whole of a straight motion as one block of rotary words, where a bound shows that it may; 1:
- * it may not. */
-static int one_block(struct nc_step *step, struct pose to)
-{
-    const struct nc_state *state = &step->state;
-    struct stance from = {state->at, state->turned}, stance;
-    if (step->follow.mode == FOLLOW_VECTOR || nc_reach(step, to, 1, &stance) != 0)
-        return 1;
-    struct deviation d =
-        follow_line(&step->follow, &from, &stance, state->pose, to, step->allowed);
-    if (!deviation_within(d, step->allowed))
-        return 1;
-    take(step, &stance, to, NC_LINE, d);
-    return 0;
-}
-
 int nc_step_line(struct nc_step *step, struct pose to)
 {
-    if (step->stops.n == 0 && one_block(step, to) == 0)
+    if (step->stops.n == 0 && nc_one_block(step, &to) == 0)
         return 0;
     step->plan->unmet = false;
     struct motion motion = motion_line(step->state.pose, to);

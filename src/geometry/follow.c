@@ -154,15 +154,35 @@ static struct pose middle_pose(const struct follow *f, const struct stance *from
     return at;
 }
 
+/* How far the tip may be from the axes that turn it. */
+static double arm_of(const struct follow *f, const struct station *from, const struct station *to)
+{
+    double from2 = vec_dot(from->p, from->p), to2 = vec_dot(to->p, to->p);
+    double arm = sqrt(from2 > to2 ? from2 : to2);
+    for (int i = 0; i < f->chain->n; i++)
+        arm += 2 * vec_length(f->chain->rotary[i].centre);
+    return arm;
+}
+
 /* The third derivative of the tip's place, where linear and rotary axes move at even speed: of its
  * arm and of its way, each turned. */
 static double tip_jerk(const struct follow *f, const struct stance *from, const struct stance *to,
                        double turn)
 {
-    double arm = fmax(vec_length(from->at.p), vec_length(to->at.p));
-    for (int i = 0; i < f->chain->n; i++)
-        arm += 2 * vec_length(f->chain->rotary[i].centre);
+    double arm = arm_of(f, &from->at, &to->at);
     return turn * turn * (turn * arm + 3 * vec_distance(from->at.p, to->at.p));
+}
+
+struct deviation follow_bend(const struct follow *f, const struct station *from,
+                             const struct station *to)
+{
+    double turn = turn_of(f, from->q, to->q), way = 0;
+    struct deviation most = {fabs(f->ball) * turn * turn / 4, turn * turn / 4};
+    if (f->mode == FOLLOW_JOINT) {
+        way = vec_distance(from->p, to->p);
+        most.point += turn * (turn * arm_of(f, from, to) + 2 * way) / 8;
+    }
+    return most;
 }
 
 struct deviation follow_line(const struct follow *f, const struct stance *from,

@@ -19,7 +19,8 @@ struct turned chain_turned_on(const struct chain *chain, struct turned from, con
     struct turned t = from;
     for (int i = 0; i < chain->n; i++) {
         double d = by[i], d2 = d * d;
-        double c = 1 - d2 / 2 * (1 - d2 / 12 * (1 - d2 / 30)), s = d * (1 - d2 / 6 * (1 - d2 / 20));
+        double c = 1 - d2 * (1.0 / 2 - d2 * (1.0 / 24 - d2 * (1.0 / 720)));
+        double s = d * (1 - d2 * (1.0 / 6 - d2 * (1.0 / 120)));
         t.cosine[i] = from.cosine[i] * c - from.sine[i] * s;
         t.sine[i] = from.sine[i] * c + from.cosine[i] * s;
     }

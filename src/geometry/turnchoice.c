@@ -58,7 +58,8 @@ static void merit(const struct chain *chain, const double from[], const double q
 
 /* The angle of that cosine and sine nearest to `from`, whose own are in `was`: by the sine's
  * inverse series where it is near. */
-static double angle_near(double from, const struct turned *was, int i, double cosine, double sine)
+static inline double angle_near(double from, const struct turned *was, int i, double cosine,
+                                double sine)
 {
     double s = sine * was->cosine[i] - cosine * was->sine[i], s2 = s * s;
     if (s2 < 1e-4 && cosine * was->cosine[i] + sine * was->sine[i] > 0)
@@ -72,18 +73,38 @@ struct chain_ways chain_ways(const struct chain *chain)
     struct chain_ways w = {.chain = chain};
     if (chain->n != 2)
         return w;
-    struct vec3 u0 = chain->rotary[0].axis, u1 = chain->rotary[1].axis;
-    w.across = vec_cross(u1, chain->tool);
-    w.along = vec_dot(u1, chain->tool);
-    w.k0 = vec_dot(u0, u1) * w.along;
-    w.b = vec_dot(u0, chain->tool) - w.k0;
-    w.c = vec_dot(u0, w.across);
-    w.h = hypot(w.b, w.c);
+    struct vec3 u1 = chain->rotary[1].axis, across = vec_cross(u1, chain->tool);
+    struct vec3 along = vec_scale(vec_dot(u1, chain->tool), u1);
+    w.up = chain->rotary[0].axis;
+    w.side = vec_perpendicular(w.up);
+    w.front = vec_cross(w.up, w.side);
+    const struct vec3 frame[] = {w.up, w.side, w.front};
+    for (int i = 0; i < 3; i++) {
+        w.still[i] = vec_dot(frame[i], along);
+        w.cosine[i] = vec_dot(frame[i], chain->tool) - w.still[i];
+        w.sine[i] = vec_dot(frame[i], across);
+    }
+    w.h = hypot(w.cosine[0], w.sine[0]);
     return w;
 }
 
+/* Component i of the tool in the frame of the ways, when the second axis is turned. */
+static inline double component(const struct chain_ways *w, int i, double c1, double s1)
+{
+    return w->still[i] + w->cosine[i] * c1 + w->sine[i] * s1;
+}
+
+struct vec3 chain_ways_axis(const struct chain_ways *w, const struct turned *at)
+{
+    double c0 = at->cosine[0], s0 = at->sine[0], c1 = at->cosine[1], s1 = at->sine[1];
+    double side = component(w, 1, c1, s1), front = component(w, 2, c1, s1);
+    struct vec3 a = vec_scale(component(w, 0, c1, s1), w->up);
+    return vec_along(vec_along(a, c0 * side - s0 * front, w->side), s0 * side + c0 * front,
+                     w->front);
+}
+
 /* 1 / |a|, for unit vectors without a root. */
-static double inverse_length(struct vec3 a)
+static inline double inverse_length(struct vec3 a)
 {
     double l2 = vec_dot(a, a);
     return fabs(l2 - 1) < 1e-8 ? 1.5 - 0.5 * l2 : 1 / sqrt(l2);
@@ -102,19 +123,18 @@ bool chain_beside(const struct chain_ways *w, struct vec3 axis, const double fro
     const struct rotary *r0 = &chain->rotary[0], *r1 = &chain->rotary[1];
     if (chain->n != 2)
         return false;
-    axis = vec_scale(inverse_length(axis), axis);
-    double up = vec_dot(r0->axis, axis), k = up - w->k0;
-    double h2 = w->h * w->h, root2 = h2 - k * k;
-    if (!(root2 > steep * h2 && up * up < 0.9999))
+    double unit = inverse_length(axis), up = unit * vec_dot(w->up, axis);
+    double b = w->cosine[0], c = w->sine[0], k = up - w->still[0];
+    double h2 = w->h * w->h, root2 = h2 - k * k, flat = 1 - up * up;
+    if (!(root2 > steep * h2 && flat > steep))
         return false;
     double root = sqrt(root2), per = 1 / h2;
-    double side = w->c * turned->cosine[1] - w->b * turned->sine[1] > 0 ? -root : root;
-    double c1 = (w->b * k - w->c * side) * per, s1 = (w->c * k + w->b * side) * per;
-    struct vec3 to = vec_reject(axis, r0->axis);
-    struct vec3 at = vec_along(vec_scale(c1, chain->tool), s1, w->across);
-    at = vec_reject(vec_along(at, (1 - c1) * w->along, r1->axis), r0->axis);
-    double c0 = vec_dot(at, to), s0 = vec_dot(r0->axis, vec_cross(at, to));
-    double scale = 1 / (1 - up * up), far2 = (c0 * c0 + s0 * s0) * scale * scale;
+    double sign = c * turned->cosine[1] - b * turned->sine[1] > 0 ? -root : root;
+    double c1 = (b * k - c * sign) * per, s1 = (c * k + b * sign) * per;
+    double x = unit * vec_dot(w->side, axis), y = unit * vec_dot(w->front, axis);
+    double side = component(w, 1, c1, s1), front = component(w, 2, c1, s1);
+    double c0 = side * x + front * y, s0 = side * y - front * x;
+    double scale = 1 / flat, far2 = (c0 * c0 + s0 * s0) * scale * scale;
     scale *= 1.5 - 0.5 * far2;
     c0 *= scale;
     s0 *= scale;
