@@ -153,6 +153,26 @@ static int not_reached(struct nc_step *step, struct vec3 axis, int over)
                     step->state.pass, axis.x, axis.y, axis.z, m->name);
 }
 
+/* q is the shortest way to the axis by either solution, were there no end of travel, and at neither
+ * end of it may an axis stand as it likes; but for where a rapid has led to, which is as good. */
+static bool nearest_of_both(const struct nc_step *step, struct vec3 axis, const double q[])
+{
+    const struct chain *chain = &step->machine->chain;
+    const double *from = step->state.at.q;
+    const size_t n = step->plan->move.n;
+    bool rapid = n > 0 && step->plan->move.item[n - 1].kind == NC_RAPID;
+    struct chain_solutions found = chain_angles(chain, axis);
+    if (found.free || (!rapid && chain_free(chain, step->state.pose.a)))
+        return false;
+    for (int k = 0; k < found.n; k++) {
+        for (int i = 0; i < chain->n; i++)
+            found.q[k][i] += 2 * PI * round((from[i] - found.q[k][i]) / (2 * PI));
+        if (chain_way(chain, from, found.q[k]) < chain_way(chain, from, q) - 1e-9)
+            return false;
+    }
+    return true;
+}
+
 bool nc_reach_beside(const struct nc_step *step, const struct pose *to, struct stance *stance,
                      struct deviation *off)
 {
@@ -173,11 +193,11 @@ int nc_reach(struct nc_step *step, struct pose to, double s, struct stance *stan
     int over;
     if (nc_reach_beside(step, &to, stance, &off))
         return nc_check_linear(step, stance);
-    step->doubt = step->doubt || (!step->first && chain->n == 2);
     if (step->course.n)
         aim_at(&step->course, s, q);
     if (chain_choose(chain, to.a, q, true, -1, q, &over) != 0)
         return not_reached(step, to.a, over);
+    step->doubt = step->doubt || (!step->first && !nearest_of_both(step, to.a, q));
     if (step->course.n == 0)
         turn_ahead(step, to, q);
     *stance = nc_station(step, to, q);
