@@ -6,6 +6,9 @@
 
 #include "ncstep.h"
 
+/* Off the part along the tool axis, above all rapids of the path where it leads up. */
+struct pose nc_pose_off(const struct nc_step *step);
+
 /* The rotary axes to q while the tip stays where it is. */
 void nc_turn_to(struct nc_step *step, const double q[]);
 

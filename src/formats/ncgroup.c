@@ -3,8 +3,10 @@
 
 #include "ncahead.h"
 #include "ncitem.h"
+#include "ncreach.h"
 #include "ncturn.h"
 
+static const double far_turn = PI / 6; /* radians: to another solution, or whole turns */
 static const double worth = 0.01; /* of the way of the rotary axes: what a second plan must save */
 
 /* What a group that is planned again has to take back. */
@@ -94,14 +96,44 @@ static int set_course(struct nc_step *step, const struct nc_ahead *ahead, size_t
     return 0;
 }
 
-/* The rapid that leads out of the part keeps the angles, or follows on from them. */
+/* The rapid that leads out of the part keeps the angles, or follows on from them; where it cannot,
+ * the tool goes off the part first. */
 static int leave(struct nc_step *step, const struct path_item *item)
 {
+    struct stance to;
+    int result = 0;
     step->first = false;
     step->course.n = 0;
-    int result = nc_item(step, item);
+    if (nc_reach(step, item->to, 1, &to) != 0)
+        return -1;
+    double turn = chain_way(&step->machine->chain, step->state.at.q, to.at.q);
+    if (turn > 2 * vec_angle(step->state.pose.a, item->to.a) + far_turn) {
+        step->state.why = NC_WHY_RETRACT;
+        result = nc_step_rapid(step, nc_pose_off(step));
+    }
+    result = result == 0 ? nc_item(step, item) : -1;
     step->first = true;
     return result;
+}
+
+/*
+ * Without tool-centre-point control a rapid is many blocks: where it leads to another solution, the
+ * axes turn before it, where the tool stands off the part.
+ */
+static void turn_before(struct nc_step *step, const struct path_item *item)
+{
+    const struct chain *chain = &step->machine->chain;
+    double q[ROTARY_MAX] = {step->state.at.q[0], step->state.at.q[1]};
+    struct stance to;
+    bool doubt = step->doubt;
+    int over;
+    if (step->follow.mode == FOLLOW_JOINT && step->first && step->state.begun &&
+        nc_reach(step, item->to, 1, &to) == 0 &&
+        chain_choose(chain, step->state.pose.a, to.at.q, true, -1, q, &over) == 0 &&
+        chain_way(chain, q, step->state.at.q) > far_turn)
+        nc_turn_to(step, q);
+    step->first = true;
+    step->doubt = doubt;
 }
 
 /* The rapids have led to the part: there the axes turn to where the way that was found begins. */
@@ -135,6 +167,8 @@ static int plan_items(struct nc_step *step, const struct nc_ahead *ahead, size_t
         if (ahead && set_course(step, ahead, from, i) != 0)
             return -1;
         bool leaves = leaving && is_rapid(item);
+        if (leading && is_rapid(item) && !leaves)
+            turn_before(step, item);
         if ((leaves ? leave(step, item) : nc_item(step, item)) != 0)
             return -1;
         leaving = leaving && !path_moves(item);

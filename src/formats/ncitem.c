@@ -4,6 +4,7 @@
 #include "array.h"
 #include "ncahead.h"
 #include "nchole.h"
+#include "ncturn.h"
 
 /* Of a tolerance: the worst place of a block may lie between those that are looked at. */
 static const double sampled = 0.9;
@@ -72,20 +73,15 @@ static int cut(struct nc_step *step, const struct path_item *item)
 
 int nc_item_depart(struct nc_step *step)
 {
-    struct pose up = step->state.pose;
     size_t last = step->plan->move.n;
     while (last && !nc_moves(&step->plan->move.item[last - 1]))
         last--;
     if (!last || step->plan->move.item[last - 1].kind == NC_RAPID ||
         step->plan->move.item[last - 1].kind == NC_HOLE)
         return 0;
-    double far = step->machine->retract;
-    if (up.a.z > 0.2 && step->clear > up.p.z)
-        far = fmax(far, (step->clear - up.p.z) / up.a.z);
-    up.p = vec_along(up.p, far, up.a);
     step->plan->total.retract_made = true;
     step->state.why = NC_WHY_RETRACT;
-    return nc_step_rapid(step, up);
+    return nc_step_rapid(step, nc_pose_off(step));
 }
 
 /* Half of the last digit of each word, at the tracked point and at the ball. */

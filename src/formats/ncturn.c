@@ -50,15 +50,22 @@ void nc_turn_to(struct nc_step *step, const double q[])
     }
 }
 
-/* Retract along the tool axis, above all rapids of the path where it leads up; turn; return. */
+struct pose nc_pose_off(const struct nc_step *step)
+{
+    struct pose off = step->state.pose;
+    double far = step->machine->retract;
+    if (off.a.z > 0.2 && step->clear > off.p.z)
+        far = fmax(far, (step->clear - off.p.z) / off.a.z);
+    off.p = vec_along(off.p, far, off.a);
+    return off;
+}
+
+/* Retract, turn, return. */
 static int retract_turn_return(struct nc_step *step, const double q[])
 {
-    struct pose here = step->state.pose, up = here, near = here;
-    double far = step->machine->retract, clear = step->clear;
-    if (here.a.z > 0.2 && clear > here.p.z)
-        far = fmax(far, (clear - here.p.z) / here.a.z);
-    up.p = vec_along(here.p, far, here.a);
-    near.p = vec_along(here.p, fmin(return_height / step->wish.unit, far), here.a);
+    struct pose here = step->state.pose, up = nc_pose_off(step), near = here;
+    double low = fmin(return_height / step->wish.unit, vec_distance(up.p, here.p));
+    near.p = vec_along(here.p, low, here.a);
     enum nc_why why = step->state.why;
     double faster = step->state.faster;
     struct nc_course course = step->course;

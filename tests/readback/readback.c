@@ -50,9 +50,9 @@ static void count_line(const char *what, const struct course *course)
 
 /* One direction of the comparison; false when it is beyond the limits. */
 static bool walk(const char *what, const struct course *course, const struct samples *from,
-                 const struct samples *to, double radius, const struct options *o)
+                 const struct samples *to, const struct options *o)
 {
-    struct sweep sweep = sweep_walk(from, to, radius, o->tolerance, o->axis);
+    struct sweep sweep = sweep_walk(from, to, o->tolerance, o->axis);
     if (from->n == 0)
         return true;
     char place[60];
@@ -60,7 +60,7 @@ static bool walk(const char *what, const struct course *course, const struct sam
     printf("%s: tip %.6f mm at %s", what, sweep.tip, place);
     ncread_place(&course->piece.item[from->item[sweep.axis_at].piece], place, sizeof place);
     printf(", axis %.5f degrees at %s", sweep.axis, place);
-    if (radius != 0)
+    if (from->radius != 0)
         printf(", ball %.6f mm", sweep.ball);
     printf("\n");
     if (!sweep.beyond)
@@ -75,12 +75,12 @@ static bool compare(const struct course *program, const struct course *path, dou
                     const struct options *o)
 {
     double weight = fmin(100, o->tolerance / RADIANS(o->axis)); /* both limits count alike */
-    struct samples from = {.weight = weight}, to = {.weight = weight};
+    struct samples from = {.weight = weight, .radius = radius}, to = from;
     struct error error;
     sweep_chain(program, &from);
     sweep_chain(path, &to);
-    bool held = walk("program on path", program, &from, &to, radius, o);
-    held = walk("path on program", path, &to, &from, radius, o) && held;
+    bool held = walk("program on path", program, &from, &to, o);
+    held = walk("path on program", path, &to, &from, o) && held;
     if (sweep_rapids(program, path, o->tolerance, o->axis, &error) < 0) {
         say("%s", error.text);
         held = false;
@@ -169,16 +169,28 @@ static double turn_on_the_spot(const struct course *course, size_t i)
     return vec_distance(a.p, b.p) < 0.01 ? vec_length(turn) : 0;
 }
 
+/* How far from the end of the last cut the piece starts, mm. */
+static double off_cut(const struct course *course, size_t i)
+{
+    size_t cut = i;
+    while (cut > 0 && course->piece.item[cut].rapid)
+        cut--;
+    if (course->piece.item[cut].rapid)
+        return HUGE_VAL;
+    return vec_distance(course_at(course, &course->piece.item[cut], 1).p,
+                        course_at(course, &course->piece.item[i], 0).p);
+}
+
 /*
  * The axes: no place beyond the travel, and how often the program turns back, by 30 degrees or more
- * in rapid blocks on the spot, off the part (the least way up or down beside it).
+ * in rapid blocks on the spot, off the part (the least distance from the end of the last cut).
  */
 static bool drive(const struct course *course, const struct options *o)
 {
     struct machine machine = read_machine(o);
     bool combined = machine.feeds == FEEDS_COMBINED || dialects[o->control] == &ncread_heidenhain;
     struct axisload_limits limits = {.combined = !machine.tcp && combined};
-    size_t turns = 0, before = 0; /* the piece before the first of a turn */
+    size_t turns = 0, first = 0; /* piece of a turn */
     double turned = 0, least = HUGE_VAL;
     for (int k = 0; k < LOAD_AXES; k++) {
         limits.min[k] = machine.min[k];
@@ -189,10 +201,9 @@ static bool drive(const struct course *course, const struct options *o)
     for (size_t i = 1; i < course->piece.n; i++) {
         double turn = turn_on_the_spot(course, i);
         if (turned == 0)
-            before = i - 1;
+            first = i;
         if (turned < 30 && turned + turn >= 30) {
-            const struct piece *up = &course->piece.item[before];
-            least = fmin(least, vec_distance(course_at(course, up, 0).p, course_at(course, up, 1).p));
+            least = fmin(least, off_cut(course, first));
             turns++;
         }
         turned = turn > 0 ? turned + turn : 0;

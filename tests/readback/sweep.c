@@ -9,6 +9,7 @@
 #define STEP_AXIS RADIANS(0.5) /* ... and its turn */
 #define FLAT_TIP 1e-5          /* how straight it is, mm */
 #define FLAT_AXIS RADIANS(0.001)
+#define RAPID_OFF 1.01         /* how far a rapid may be off its straight way, mm */
 #define DETOUR 2.0             /* longest way that one may make and the other not, mm */
 
 static double apart(struct course_pose a, struct course_pose b, double weight)
@@ -129,15 +130,21 @@ double sweep_length(const struct samples *chain)
     return length;
 }
 
-/* The worse of both: what of the limits a pairing uses, as mm. */
-static double misses(struct course_pose a, struct course_pose b, double weight)
+static double ball_miss(struct course_pose a, struct course_pose b, double radius)
 {
-    return fmax(vec_distance(a.p, b.p), weight * vec_angle(a.a, b.a));
+    return vec_distance(vec_along(a.p, radius, a.a), vec_along(b.p, radius, b.a));
+}
+
+/* The worst of tip, ball and axis: what of the limits a pairing uses, as mm. */
+static double misses(struct course_pose a, struct course_pose b, const struct samples *chain)
+{
+    double points = fmax(vec_distance(a.p, b.p), ball_miss(a, b, chain->radius));
+    return fmax(points, chain->weight * vec_angle(a.a, b.a));
 }
 
 /*
  * The place of segment i (from sample i - 1 to i, or sample i alone) that is nearest to a pose: of
- * those nearest by tip, by axis, and by both.
+ * those nearest by tip, by axis, by both, and by the ball.
  */
 static double nearest_on(const struct samples *chain, size_t i, struct course_pose pose,
                          double *length, struct course_pose *found)
@@ -148,12 +155,14 @@ static double nearest_on(const struct samples *chain, size_t i, struct course_po
     double w2 = chain->weight * chain->weight, best = HUGE_VAL;
     const double tip2 = vec_dot(dp, dp), axis2 = w2 * vec_dot(da, da);
     const double tip = vec_dot(dp, ep), axis = w2 * vec_dot(da, ea);
-    const double along[] = {tip, axis, tip + axis}, far[] = {tip2, axis2, tip2 + axis2};
-    for (int k = 0; k < 3; k++) {
+    const struct vec3 ball = vec_along(dp, chain->radius, da);
+    const double along[] = {tip, axis, tip + axis, vec_dot(ball, vec_along(ep, chain->radius, ea))};
+    const double far[] = {tip2, axis2, tip2 + axis2, vec_dot(ball, ball)};
+    for (int k = 0; k < 4; k++) {
         double s = far[k] > 0 ? fmin(fmax(along[k] / far[k], 0), 1) : 0;
         struct course_pose at = {vec_mix(a->pose.p, b->pose.p, s),
                                  vec_unit(vec_mix(a->pose.a, b->pose.a, s))};
-        double miss = misses(pose, at, chain->weight);
+        double miss = misses(pose, at, chain);
         if (miss >= best)
             continue;
         best = miss;
@@ -189,8 +198,8 @@ static struct match nearest_between(const struct samples *to, double from_length
     return best;
 }
 
-struct sweep sweep_walk(const struct samples *from, const struct samples *to, double radius,
-                        double tip_limit, double axis_limit)
+struct sweep sweep_walk(const struct samples *from, const struct samples *to, double tip_limit,
+                        double axis_limit)
 {
     struct sweep sweep = {0};
     size_t begin = 0;
@@ -219,9 +228,7 @@ struct sweep sweep_walk(const struct samples *from, const struct samples *to, do
             sweep.tip = tip;
             sweep.tip_at = i;
         }
-        struct course_pose this = sample->pose, there = match.pose;
-        sweep.ball = fmax(sweep.ball, vec_distance(vec_along(this.p, radius, this.a),
-                                                   vec_along(there.p, radius, there.a)));
+        sweep.ball = fmax(sweep.ball, ball_miss(sample->pose, match.pose, from->radius));
         if (axis > sweep.axis) {
             sweep.axis = axis;
             sweep.axis_at = i;
@@ -248,6 +255,26 @@ static bool leads_back(const struct course *course, size_t k)
                       course_at(course, &piece[cut], 1));
 }
 
+/* On the straight way from one place to another, as close as a rapid has to be. */
+static bool on_way(struct vec3 p, struct vec3 from, struct vec3 to)
+{
+    struct vec3 way = vec_sub(to, from);
+    double l2 = vec_dot(way, way), s = l2 > 0 ? vec_dot(vec_sub(p, from), way) / l2 : 0;
+    return vec_distance(p, vec_mix(from, to, fmin(1, fmax(0, s)))) < RAPID_OFF;
+}
+
+/* The rapid piece k goes up the tool axis from a cut, a full retract. */
+static bool leads_off(const struct course *course, size_t k)
+{
+    size_t cut = k;
+    while (cut > 0 && course->piece.item[cut].rapid)
+        cut--;
+    struct course_pose from = course_at(course, &course->piece.item[cut], 1);
+    struct course_pose to = course_at(course, &course->piece.item[k], 1);
+    struct vec3 off = vec_sub(to.p, from.p);
+    return vec_length(vec_reject(off, from.a)) < 0.02 && vec_dot(off, from.a) > 0;
+}
+
 int sweep_rapids(const struct course *program, const struct course *path, double tip_limit,
                  double axis_limit, struct error *error)
 {
@@ -271,7 +298,8 @@ int sweep_rapids(const struct course *program, const struct course *path, double
             struct course_pose there = course_at(program, piece, 1);
             met = piece->rapid && !end && meets(there, place, tip_limit, axis_limit);
             if (piece->rapid && !met && there.p.z < height - tip_limit &&
-                !meets(there, last, tip_limit, axis_limit) && !leads_back(program, k)) {
+                !meets(there, last, tip_limit, axis_limit) && !leads_back(program, k) &&
+                !leads_off(program, k) && !(i > 0 && !end && on_way(there.p, course_at(path, &want[-1], 1).p, place.p))) {
                 char text[60];
                 ncread_place(piece, text, sizeof text);
                 return error_set(error, "%s: %s: a rapid move to %.3f %.3f %.3f that is not in "

@@ -22,6 +22,7 @@ struct samples {
     size_t n, cap;
     struct sample *item;
     double weight; /* of the axis, mm a radian: what is beside what where the tip hardly moves */
+    double radius; /* of the ball, mm: its centre is so far up the tool axis */
 };
 
 /* The cutting pieces of a course, straight between samples to 1e-5 mm and 0.001 degrees, without
@@ -42,13 +43,14 @@ struct sweep {
     size_t first;             /* ... and this is the first */
 };
 
-/* Walks all of `from` along `to`.  The ball's centre is `radius` up the tool axis. */
-struct sweep sweep_walk(const struct samples *from, const struct samples *to, double radius,
-                        double tip_limit, double axis_limit);
+/* Walks all of `from` along `to`. */
+struct sweep sweep_walk(const struct samples *from, const struct samples *to, double tip_limit,
+                        double axis_limit);
 
 /*
  * The rapid moves: each place that a rapid move of the path ends at must be met by the program's
- * rapid moves in order, and further places of the program must lie at the path's greatest height.
+ * rapid moves in order; further places of the program must lie at the path's greatest height, on
+ * the straight way between two such places, or up the tool axis from a cut.
  * -1 with the place that is missing or too many.
  */
 int sweep_rapids(const struct course *program, const struct course *path, double tip_limit,
