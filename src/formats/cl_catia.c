@@ -13,6 +13,8 @@
 
 #define AT(p) (p)->error, (p)->path->name, (p)->apt.line
 
+static const double level = 0.005; /* mm, points as high as each other */
+
 static bool shows(const struct apt *apt)
 {
     if (apt->comment)
@@ -48,6 +50,16 @@ static int numbers_in(struct path_parse *p, const char *word, size_t n, double *
                     n);
 }
 
+/* The direction has few digits: an arc across the tool axis is square to it, when its points are. */
+static void square_to_tool(struct vec3 tool, struct vec3 spoke, struct vec3 chord,
+                           struct vec3 *axis)
+{
+    double along = vec_dot(*axis, tool);
+    if (fabs(along) > 0.999 && fabs(vec_dot(spoke, tool)) < level &&
+        fabs(vec_dot(chord, tool)) < level)
+        *axis = vec_scale(along > 0 ? 1 : -1, tool);
+}
+
 static int read_tlon(struct path_parse *p)
 {
     double c[4], l[6];
@@ -61,15 +73,13 @@ static int read_tlon(struct path_parse *p)
     if (vec_length(vec_cross(spoke, p->tangent)) < 0.5 * vec_length(spoke))
         return error_at(AT(p), "found an arc whose direction points to its centre, expected one "
                                "along the circle");
-    /* the direction has few digits: an arc across the tool axis is square to it */
-    double along = vec_dot(arc.axis, p->axis);
-    if (fabs(along) > 0.999)
-        arc.axis = vec_scale(along > 0 ? 1 : -1, p->axis);
+    struct vec3 end = path_point_of(p, l + 3);
+    square_to_tool(p->axis, spoke, vec_sub(end, p->at.p), &arc.axis);
     p->tangent = vec(0, 0, 0);
     if (path_begin_arc(p, arc) < 0)
         return -1;
     p->circle.loose = true;
-    return path_move_to(p, (struct pose){path_point_of(p, l + 3), p->axis});
+    return path_move_to(p, (struct pose){end, p->axis});
 }
 
 static const struct path_row rows[] = {

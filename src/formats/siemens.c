@@ -194,8 +194,9 @@ static void head_words(struct nc_program *p, struct vec3 head)
 
 /* Where the tool stands already, with the head point as the second curve's start; it also keeps
  * two B-splines apart. */
-static void begin_curve(struct nc_program *p, const struct nc_spline *s)
+static void begin_curve(struct nc_program *p, const struct nc_move *move)
 {
+    const struct nc_spline *s = &p->plan->spline.item[move->index];
     if (!s->turns && strcmp(p->w.motion, "BSPLINE") != 0)
         return;
     p->w.motion = NULL;
@@ -204,6 +205,7 @@ static void begin_curve(struct nc_program *p, const struct nc_spline *s)
         nc_code(&p->w, "ORICURVE");
         head_words(p, s->head_start);
     }
+    nc_feed(p, move);
     nc_end(&p->w);
 }
 
@@ -211,7 +213,7 @@ static void spline(struct nc_program *p, const struct nc_move *move)
 {
     const struct nc_spline *s = &p->plan->spline.item[move->index];
     struct nc_writer *w = &p->w;
-    begin_curve(p, s);
+    begin_curve(p, move);
     for (size_t i = 0; i < s->span.n; i++) {
         nc_motion(w, "POLY");
         polynomials(p, s, &s->span.item[i]);
