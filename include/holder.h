@@ -34,4 +34,12 @@ double holder_reach(const struct holder *holder);
 double holder_distance(const struct holder *holder, struct vec3 centre, struct vec3 axis,
                        struct vec3 p);
 
+/*
+ * No place in the box about `middle` that reaches `half` along X, Y and Z has a smaller distance:
+ * by that of its middle; and none is deeper than it is far from any part of the outline, which, a
+ * segment being convex, is furthest at a corner.
+ */
+double holder_bound(const struct holder *holder, struct vec3 centre, struct vec3 axis,
+                    struct vec3 middle, struct vec3 half);
+
 #endif

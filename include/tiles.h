@@ -28,6 +28,7 @@ struct tiles_search {
     const struct holder *holder;
     struct vec3 centre, axis; /* of the ball; up the tool */
     double distance;          /* to the nearest place, on entry: further ones are of no interest */
+    double enough;            /* a place nearer than this ends the search */
     struct vec3 at;           /* that place, when the distance got smaller */
 };
 

@@ -75,6 +75,32 @@ START_TEST(distance_is_the_largest_ball)
 }
 END_TEST
 
+/* A bound holds for all places of its box; a flat box across the axis in a wide part is met. */
+START_TEST(bound_of_a_box)
+{
+    unsigned state = 9;
+    struct vec3 c = vec(2, -3, 5);
+    for (int trial = 0; trial < 2000; trial++) {
+        struct vec3 axis = vec_unit(vec(random_in(&state, -1, 1), random_in(&state, -1, 1), 1));
+        struct vec3 middle = vec(random_in(&state, -30, 30), random_in(&state, -30, 30),
+                                 random_in(&state, -10, 130));
+        struct vec3 half = vec(random_in(&state, 0, 9), random_in(&state, 0, 9),
+                               random_in(&state, 0, trial % 2 ? 9 : 0.1));
+        double bound = holder_bound(&stack, c, axis, middle, half), least = HUGE_VAL;
+        for (int i = 0; i < 500; i++) {
+            struct vec3 p = vec_add(middle, vec(half.x * random_in(&state, -1, 1),
+                                                half.y * random_in(&state, -1, 1),
+                                                half.z * random_in(&state, -1, 1)));
+            least = fmin(least, holder_distance(&stack, c, axis, p));
+        }
+        ck_assert_msg(bound <= least, "%d: %.9f, found %.9f", trial, bound, least);
+        ck_assert_double_ge(bound, least - 2 * vec_length(half));
+    }
+    struct vec3 flat = vec(4, 4, 0), up = vec(0, 0, 1);
+    ck_assert_double_eq_tol(holder_bound(&stack, c, up, vec_along(c, 113, up), flat), -7, 1e-12);
+}
+END_TEST
+
 START_TEST(texts_are_read)
 {
     struct holder h;
@@ -123,6 +149,7 @@ int main(void)
     TCase *t = tcase_create("all");
     tcase_add_test(t, distances_known_by_hand);
     tcase_add_test(t, distance_is_the_largest_ball);
+    tcase_add_test(t, bound_of_a_box);
     tcase_add_test(t, texts_are_read);
     tcase_add_loop_test(t, other_texts_are_not, 0, (int)(sizeof wrong / sizeof *wrong));
     tcase_add_test(t, no_more_parts_than_there_is_room_for);

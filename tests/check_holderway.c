@@ -34,7 +34,7 @@ START_TEST(nearest_of_points)
     for (int trial = 0; trial < 300; trial++) {
         struct vec3 c =
             vec(random_in(&state, -50, 50), random_in(&state, -30, 30), random_in(&state, -30, 30));
-        struct tiles_search search = {&stack, c, direction(&state), 12, {0, 0, 0}};
+        struct tiles_search search = {&stack, c, direction(&state), 12, -HUGE_VAL, {0, 0, 0}};
         double want = 12;
         for (size_t i = 0; i < points.n; i++)
             want = fmin(want, holder_distance(&stack, c, search.axis, points.item[i]));
@@ -60,7 +60,8 @@ START_TEST(nearest_of_a_stock_that_is_cut)
         struct vec3 b = vec_add(a, vec(random_in(&state, -9, 9), random_in(&state, -9, 9), -2));
         stock_capsule(&s, a, b, 3, 1);
         struct vec3 axis = direction(&state);
-        struct tiles_search search = {&stack, vec_along(b, 6, axis), axis, 12, {0, 0, 0}};
+        struct tiles_search search = {&stack,   vec_along(b, 6, axis), axis, 12, -HUGE_VAL,
+                                      {0, 0, 0}};
         struct tiles_search again = search;
         obstacle_nearest(&block, &search);
         struct obstacle anew = obstacle_stock(&s);
@@ -133,6 +134,62 @@ START_TEST(depth_in_the_middle_of_a_long_piece)
 }
 END_TEST
 
+/* The least of the distances of all points along a piece, looked at closely. */
+static double least_along(const struct course *course, size_t piece, const struct vec3s *points)
+{
+    double least = HUGE_VAL;
+    for (int k = 0; k <= 300; k++) {
+        struct course_pose at = course_at(course, &course->piece.item[piece], k / 300.0);
+        for (size_t i = 0; i < points->n; i++)
+            least = fmin(least, holder_distance(&stack, at.p, at.a, points->item[i]));
+    }
+    return least;
+}
+
+/* Where most pieces hit, those that do are counted, and the deepest is told within a tenth. */
+START_TEST(most_pieces_hit)
+{
+    unsigned state = 31;
+    struct vec3s points = {0};
+    struct course course = {.track = COURSE_CENTRE};
+    struct vec3 from = vec(0, 0, -10), axis = vec(0, 0, 1);
+    size_t hit = 0, close = 0;
+    double depth = 0;
+    for (int i = 0; i < 120; i++) {
+        struct vec3 p = vec(random_in(&state, -30, 30), random_in(&state, -30, 30), 0);
+        p.z = 3 * sin(p.x / 5);
+        *array_push(&points) = p;
+    }
+    struct obstacle part = obstacle_points(points.item, points.n);
+    struct holderway way = {
+        .course = &course, .holder = &stack, .obstacle = &part, .radius = 3, .tolerance = 0.05};
+    for (size_t i = 0; i < 100; i++) {
+        struct vec3 to =
+            vec(random_in(&state, -40, 40), random_in(&state, -40, 40), random_in(&state, -25, -5));
+        struct vec3 turned = vec_unit(vec_along(axis, 0.1, direction(&state)));
+        go(&course, from, to, axis, turned);
+        holderway_piece(&way, i);
+        double least = least_along(&course, i, &points);
+        hit += least < -0.05;
+        close += fabs(least + 0.05) < 0.2; /* between two places looked at it may be as deep */
+        depth = fmax(depth, -least);
+        ck_assert_double_ge(way.depth, depth / 1.1 - 0.01);
+        ck_assert_double_le(way.depth, depth + 0.2);
+        from = to;
+        axis = turned;
+    }
+    ck_assert_uint_gt(hit, 50);
+    ck_assert_uint_lt(hit, 95);
+    ck_assert_uint_ge(way.pieces, hit);
+    ck_assert_uint_le(way.pieces, hit + close);
+    struct course_pose last = course_at(&course, &course.piece.item[way.piece], 0.5);
+    ck_assert(vec_distance(way.at, last.p) < 100 && way.at.z >= -3 && way.at.z <= 3);
+    obstacle_free(&part);
+    array_free(&points);
+    course_free(&course);
+}
+END_TEST
+
 /* The tool goes down beside a wall of stock that a pass has left: the holder's cone meets it. */
 START_TEST(holder_against_stock)
 {
@@ -166,6 +223,7 @@ int main(void)
     tcase_add_test(tcase, nearest_of_a_stock_that_is_cut);
     tcase_add_test(tcase, depth_in_a_turn);
     tcase_add_test(tcase, depth_in_the_middle_of_a_long_piece);
+    tcase_add_test(tcase, most_pieces_hit);
     tcase_add_test(tcase, holder_against_stock);
     suite_add_tcase(suite, tcase);
     SRunner *runner = srunner_create(suite);

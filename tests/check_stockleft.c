@@ -77,6 +77,33 @@ START_TEST(volume_of_an_offset)
 }
 END_TEST
 
+static double ridge(double x, double y)
+{
+    return -fabs(x) + 0 * y;
+}
+
+/* Over a ridge the balls of the allowance stand highest that stand on it: it becomes round. */
+START_TEST(a_ridge_is_rounded)
+{
+    const double allowance[] = {1, 6};
+    struct vec3s points = surface(ridge, 0.25);
+    struct stock_spec spec = {.kind = STOCK_OFFSET, .allowance = allowance[_i]};
+    struct stock s = stockpart_new(&spec, points.item, points.n, 0.1);
+    double side = sqrt(0.5) * allowance[_i]; /* from here on it is the side that is offset */
+    for (int j = 0; j < s.ny; j++)
+        for (int i = 0; i < s.nx; i++) {
+            double x = fabs(stock_x(&s, i)), y = stock_y(&s, j);
+            if (fmax(x, fabs(y)) > 5)
+                continue;
+            double r2 = allowance[_i] * allowance[_i];
+            double z = x < side ? sqrt(r2 - x * x) : sqrt(2 * r2) - x;
+            ck_assert_double_eq_tol(stock_at(&s, i, j)->high, z, 0.1);
+        }
+    stock_free(&s);
+    array_free(&points);
+}
+END_TEST
+
 START_TEST(boxes)
 {
     struct vec3s points = surface(plane, 1);
@@ -171,6 +198,7 @@ int main(void)
     Suite *suite = suite_create("stockleft");
     TCase *tcase = tcase_create("stockleft");
     tcase_add_loop_test(tcase, offset_is_thickness, 0, (int)(sizeof offsets / sizeof *offsets));
+    tcase_add_loop_test(tcase, a_ridge_is_rounded, 0, 2);
     tcase_add_test(tcase, volume_of_an_offset);
     tcase_add_test(tcase, boxes);
     tcase_add_test(tcase, update_follows_the_cut);

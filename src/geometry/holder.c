@@ -68,3 +68,40 @@ double holder_distance(const struct holder *holder, struct vec3 centre, struct v
     least = sqrt(smaller(least, to_segment2(last, (struct place){0, last.h}, at)));
     return inside ? -least : least;
 }
+
+/* Squared distance of the segment from the corner of the box that is furthest from it. */
+static double to_corners2(struct place a, struct place b, struct place middle, struct place half)
+{
+    double most = 0;
+    for (int k = 0; k < 4; k++) {
+        struct place corner = {middle.r + (k % 2 ? half.r : -half.r),
+                               middle.h + (k / 2 ? half.h : -half.h)};
+        corner.r = corner.r < 0 ? 0 : corner.r;
+        most = -smaller(-most, -to_segment2(a, b, corner));
+    }
+    return most;
+}
+
+double holder_bound(const struct holder *holder, struct vec3 centre, struct vec3 axis,
+                    struct vec3 middle, struct vec3 half)
+{
+    double spread = vec_length(half);
+    double bound = holder_distance(holder, centre, axis, middle) - spread;
+    if (bound >= 0)
+        return bound;
+    struct vec3 d = vec_sub(middle, centre);
+    double h = vec_dot(d, axis), depth2 = HUGE_VAL;
+    const struct place at = {vec_length(vec_along(d, -h, axis)), h};
+    const struct place reach = {spread, fabs(half.x * axis.x) + fabs(half.y * axis.y) +
+                                            fabs(half.z * axis.z)};
+    struct place last = {0, 0};
+    for (int i = 0; i < holder->n; i++) {
+        const struct holder_part *part = &holder->part[i];
+        const struct place low = {part->low, last.h}, high = {part->high, last.h + part->length};
+        depth2 = smaller(depth2, to_corners2(last, low, at, reach));
+        depth2 = smaller(depth2, to_corners2(low, high, at, reach));
+        last = high;
+    }
+    depth2 = smaller(depth2, to_corners2(last, (struct place){0, last.h}, at, reach));
+    return fmax(bound, -sqrt(depth2));
+}

@@ -3,11 +3,12 @@
 
 enum { CURVED = 8 };
 
-#define FINE 0.005 /* mm, or ... */
-#define ALIKE 1.1    /* depths are told within a tenth */
-#define SHARE 0.25 /* ... this of the tolerance */
-#define ENOUGH 10  /* mm: more clearance than that is not measured */
-#define BEND 1.3   /* how much longer than its ends are apart a part of a curved way may be */
+#define FINE 0.005  /* mm, or ... */
+#define ALIKE 1.1   /* depths are told within a tenth */
+#define SHARE 0.25  /* ... this of the tolerance */
+#define ENOUGH 10   /* mm: more clearance than that is not measured */
+#define GAIN 0.0005 /* mm: deeper by less than that is not deeper */
+#define BEND 1.3    /* how much longer than its ends are apart a part of a curved way may be */
 
 /* The ball's centre and the axis at s of a piece. */
 static struct course_pose pose_at(const struct holderway *w, size_t piece, double s)
@@ -31,21 +32,36 @@ struct stretch {
     double bend;
 };
 
-/* Looks at one place; returns how far the stack is off, at most ENOUGH. */
-static double look(struct holderway *w, size_t piece, struct course_pose pose)
+/* What is nearest where the stack stands, and nearer than `limit`; the first nearer than `enough`.
+ */
+static double nearest(struct holderway *w, size_t piece, struct course_pose pose, double limit,
+                      double enough)
 {
-    struct tiles_search search = {w->holder, pose.p, pose.a, ENOUGH, {0, 0, 0}};
+    struct tiles_search search = {w->holder, pose.p, pose.a, limit, enough, {0, 0, 0}};
     obstacle_nearest(w->obstacle, &search);
-    if (-search.distance > w->tolerance) {
-        w->pieces += !w->hit;
-        w->hit = true;
-    }
-    if (-search.distance > fmax(w->tolerance, w->depth)) {
+    if (search.distance < limit && -search.distance > fmax(w->tolerance, w->depth)) {
         w->depth = -search.distance;
         w->piece = piece;
         w->at = search.at;
     }
     return search.distance;
+}
+
+/*
+ * Looks at one place; returns how far the stack is off, at most ENOUGH.  Once the piece is known to
+ * hit, only what is deeper than anything before is of interest, or may become so within `half`.
+ */
+static double look(struct holderway *w, size_t piece, struct course_pose pose, double half)
+{
+    if (!w->hit) {
+        double clear = nearest(w, piece, pose, ENOUGH, -w->tolerance);
+        if (clear >= -w->tolerance)
+            return clear;
+        w->hit = true;
+        w->pieces++;
+    }
+    double limit = fmax(half - ALIKE * w->depth, -w->depth - GAIN);
+    return nearest(w, piece, pose, limit, -HUGE_VAL);
 }
 
 static void follow(struct holderway *w, struct stretch s)
@@ -57,8 +73,8 @@ static void follow(struct holderway *w, struct stretch s)
     }
     double middle = (s.from + s.to) / 2;
     struct course_pose m = pose_at(w, s.piece, middle);
-    double distance = look(w, s.piece, m);
     double half = s.bend * fmax(moves(w, s.a, m), moves(w, m, s.b));
+    double distance = look(w, s.piece, m, half);
     double deepest = half - distance; /* that it may be anywhere on the stretch */
     w->budget = fmax(0, w->tolerance - deepest);
     if (deepest <= w->tolerance || half < fmax(FINE, SHARE * w->tolerance) ||

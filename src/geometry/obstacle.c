@@ -195,7 +195,10 @@ void obstacle_nearest(struct obstacle *o, struct tiles_search *search)
         follow(o);
     if (o->hinted)
         begin(o, search);
-    tiles_nearest(&o->tiles, o->stock ? visit_stock : visit_points, o, search);
-    o->hinted = search->distance < before;
-    o->hint = search->at;
+    if (search->distance >= search->enough)
+        tiles_nearest(&o->tiles, o->stock ? visit_stock : visit_points, o, search);
+    if (search->distance < before) {
+        o->hinted = true;
+        o->hint = search->at;
+    }
 }

@@ -6,6 +6,7 @@
 
 #include "kdtree.h"
 #include "quadric.h"
+#include "tiles.h"
 
 enum { NEAR = 12, LONGEST = 500, RADIUS = 25, SPACINGS = 2 };
 
@@ -96,33 +97,76 @@ static void skyline(const struct stock *s, const struct vec3 *point, size_t n, s
     free(column);
 }
 
-/* Columns as high as balls of the allowance about the surface at one place reach. */
-static void raise(struct stock *s, struct vec3 p, double allowance)
+/* The ball over one column that reaches highest there: balls stand on all columns with a surface.
+ */
+struct balls {
+    struct tiles surface; /* its height over each column */
+    double radius;
+};
+
+struct highest {
+    double x, y; /* of the column */
+    double z;    /* that high so far */
+    int i, j;    /* by the ball on this column */
+};
+
+/* How far x is beyond the middles of the columns from `first` on, n of them. */
+static double beyond(double x, double corner, double step, int first, int n)
 {
-    int i0 = (int)fmax(0, ceil((p.x - allowance - s->x) / s->dx));
-    int j0 = (int)fmax(0, ceil((p.y - allowance - s->y) / s->dy));
-    for (int j = j0; j < s->ny && stock_y(s, j) <= p.y + allowance; j++)
-        for (int i = i0; i < s->nx && stock_x(s, i) <= p.x + allowance; i++) {
-            double x = stock_x(s, i) - p.x, y = stock_y(s, j) - p.y;
-            double w2 = allowance * allowance - x * x - y * y;
-            struct stock_column *c = stock_at(s, i, j);
-            if (w2 >= 0)
-                c->high = fmax(c->high, p.z + sqrt(w2));
+    double low = corner + (first + 0.5) * step;
+    return fmax(0, fmax(low - x, x - low - (n - 1) * step));
+}
+
+static void find_highest(const struct balls *b, int level, int i, int j, struct highest *top)
+{
+    const struct tiles *t = &b->surface;
+    if (i >= t->nx[level] || j >= t->ny[level])
+        return;
+    double z = t->level[level][(size_t)j * (size_t)t->nx[level] + (size_t)i].high;
+    double x = beyond(top->x, t->x, t->dx, i << level, 1 << level);
+    double y = beyond(top->y, t->y, t->dy, j << level, 1 << level);
+    double w2 = b->radius * b->radius - x * x - y * y;
+    if (w2 < 0 || (z < top->z && w2 <= (top->z - z) * (top->z - z)))
+        return;
+    if (level == 0 && z + sqrt(w2) > top->z)
+        *top = (struct highest){top->x, top->y, z + sqrt(w2), i, j};
+    for (int c = 0; c < 4 && level > 0; c++)
+        find_highest(b, level - 1, 2 * i + c % 2, 2 * j + c / 2, top);
+}
+
+/* Columns as high as balls of the allowance about the surface reach. */
+static void raise(struct stock *s, const struct balls *balls)
+{
+    int top = balls->surface.levels - 1;
+    for (int j = 0; j < s->ny; j++) {
+        int from = 0, to = j; /* the ball of the column before is near the highest here */
+        for (int i = 0; i < s->nx; i++) {
+            struct highest at = {stock_x(s, i), stock_y(s, j), s->bottom, from, to};
+            find_highest(balls, 0, from, to, &at);
+            find_highest(balls, top, 0, 0, &at);
+            stock_at(s, i, j)->high = at.z;
+            from = at.i;
+            to = at.j;
         }
+    }
 }
 
 /* The surface over each column, raised by balls; and pushed out along its normals. */
 static void offset(struct stock *s, const struct seen *part, double reach, double allowance,
                    struct vec3s *pushed)
 {
+    struct balls balls = {tiles_new(s->x - s->dx / 2, s->y - s->dy / 2, s->dx, s->dy, s->nx, s->ny),
+                          allowance};
     for (int j = 0; j < s->ny; j++)
         for (int i = 0; i < s->nx; i++) {
             struct vec3 p, normal;
             if (!surface_at(part, stock_x(s, i), stock_y(s, j), reach, &p, &normal))
                 continue;
-            raise(s, p, allowance);
+            tiles_set(&balls.surface, i, j, (struct tile){p.z, p.z});
             *array_push(pushed) = vec_along(p, allowance, normal);
         }
+    raise(s, &balls);
+    tiles_free(&balls.surface);
 }
 
 static void lay_over(struct stock *s, const struct seen *pushed)
@@ -147,8 +191,6 @@ struct stock stockpart_new(const struct stock_spec *spec, const struct vec3 *poi
         return s;
     double area = (box.high.x - box.low.x) * (box.high.y - box.low.y);
     double reach = fmax(SPACINGS * sqrt(area / (double)n), 2 * fmax(s.dx, s.dy));
-    for (int k = 0; k < s.nx * s.ny; k++)
-        s.column[k].high = s.bottom;
     skyline(&s, point, n, &part.point);
     look_from_above(&part);
     offset(&s, &part, reach, spec->allowance, &pushed.point);

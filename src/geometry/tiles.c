@@ -83,11 +83,11 @@ static double bound(const struct job *job, int level, int i, int j)
     if (tall < 0)
         return HUGE_VAL;
     double boxes = fmin(fmax(1, ceil(tall / (dx + dy))), MOST_BOXES), least = HUGE_VAL;
-    double half = vec_length(vec(dx / 2, dy / 2, tall / boxes / 2));
+    struct vec3 half = vec(dx / 2, dy / 2, tall / boxes / 2);
     for (int k = 0; k < (int)boxes; k++) {
         double z = tile->low + (k + 0.5) * tall / boxes;
         struct vec3 middle = vec(t->x + (i + 0.5) * dx, t->y + (j + 0.5) * dy, z);
-        least = fmin(least, holder_distance(s->holder, s->centre, s->axis, middle) - half);
+        least = fmin(least, holder_bound(s->holder, s->centre, s->axis, middle, half));
     }
     return least;
 }
@@ -113,7 +113,9 @@ static void descend(const struct job *job, int level, int i, int j)
             child[k] = child[k - 1];
         child[k] = next;
     }
-    for (int k = 0; k < n && child[k].bound < job->search->distance; k++)
+    const struct tiles_search *found = job->search;
+    for (int k = 0; k < n && child[k].bound < found->distance && found->distance >= found->enough;
+         k++)
         descend(job, level - 1, child[k].i, child[k].j);
 }
 
