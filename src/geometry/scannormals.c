@@ -3,10 +3,10 @@
 
 #include <stdlib.h>
 
+#include "cubic.h"
 #include "parallel.h"
-#include "quadric.h"
 
-enum { MOST_TIMES = 32 };
+enum { MOST_TIMES = 32, QUADRIC = 6, CUBIC = 10 /* terms */ };
 
 struct job {
     struct mesh *mesh;
@@ -15,10 +15,10 @@ struct job {
     double *distance; /* of each vertex from its quadric; negative: it has none */
 };
 
-/* What the points leave of their freedom: rms of their distances, for 6 of n fixed by the fit. */
-static double spread(const struct quadric *q, const struct vec3 *near, size_t n)
+/* What the points leave of their freedom: rms of their distances, for `terms` of n fixed by the fit. */
+static double spread(const struct quadric *q, const struct vec3 *near, size_t n, double terms)
 {
-    return quadric_rms(q, near, n) * sqrt((double)n / fmax((double)n - 6, 1));
+    return quadric_rms(q, near, n) * sqrt((double)n / fmax((double)n - terms, 1));
 }
 
 /* Noise spreads the nearer half about its quadric as much as the whole; where it is spread much
@@ -29,8 +29,19 @@ static void fit_half(const struct vec3 *near, size_t n, struct vec3 origin, stru
     const size_t fewest = 12;
     struct quadric half;
     if (n / 2 >= fewest && quadric_settle(near, n / 2, origin, quadric_normal(q), &half) == 0 &&
-        spread(&half, near, n / 2) < much * spread(q, near, n))
+        spread(&half, near, n / 2, QUADRIC) < much * spread(q, near, n, QUADRIC))
         *q = half;
+}
+
+/* Where the surface is smooth but no quadric, the third degree explains what noise would not let it
+ * explain. */
+static void fit_cubic(const struct vec3 *near, size_t n, struct vec3 origin, struct quadric *q)
+{
+    const double much = 0.5;
+    struct quadric cubic;
+    if (n >= 2 * CUBIC && cubic_fit(near, NULL, n, origin, quadric_normal(q), &cubic) == 0 &&
+        spread(&cubic, near, n, CUBIC) < much * spread(q, near, n / 2, QUADRIC))
+        *q = cubic;
 }
 
 /* The neighbourhood of the vertex in hand, nearest first. */
@@ -48,8 +59,10 @@ static int fit_at(const struct job *job, struct vec3 vertex, struct vec3 guess,
         for (size_t i = 0; i < n; i++)
             near->point[i] = job->buckets->point[near->index[i]];
         if (quadric_fit_steep(near->point, n, vertex, guess, q) == 0) {
-            if (k == job->neighbours)
+            if (k == job->neighbours) {
                 fit_half(near->point, n, vertex, q);
+                fit_cubic(near->point, n, vertex, q);
+            }
             return 0;
         }
         if (n < k)
