@@ -61,6 +61,7 @@ struct ncread {
     bool vectors; /* the tool axis is programmed as a vector */
     bool curve;   /* the tool axis follows a second point (ORICURVE) */
     bool length;  /* the tool's length is on (LinuxCNC) */
+    double speed; /* of the spindle, 1/min, where the dialect needs it; 0: not said */
     double feed;
     bool feed_here; /* F stands in this block */
     bool ended;     /* M30 was read */

@@ -297,6 +297,62 @@ for control in fanuc siemens heidenhain linuxcnc; do
 	has "$control: its time is the sum of all blocks" "^time +$sum min at feed, .*, 0.03 min dwell$" out
 done
 
+# ---- drilling cycles: down and out at their feeds, a tap at its pitch; what they wait
+# 2 * 12 / 8 at rest 2 * 24 s; 5 steps to 20, one to 7: 22 / 5 and 9 / 5; 3 threads in and out at
+# 1.25 * 40, 2 * 16 / 50 each; bored 2 * 17 / 6 and 60 s
+cat >holes.cl <<-'END'
+	PARTNO/HOLES
+	UNITS/MM
+	MULTAX/ON
+	CUTTER/8
+	LOADTL/5
+	SPINDL/RPM,40,CLW
+	RAPID
+	GOTO/-7,-3,60,0,0,1
+	CYCLE/FACE,FEDTO,10,RAPTO,2,MMPM,8,DWELL,24
+	GOTO/0,1,0,0,0,1
+	GOTO/10,2,0,0,0,1
+	CYCLE/DEEP,DEPTH,20,STEP,4,CLEAR,2,MMPM,5
+	GOTO/20,3,0,0,0,1
+	CYCLE/DEEP,DEPTH,7,STEP,9,CLEAR,2,MMPM,5
+	GOTO/-20,3,0,0,0,1
+	CYCLE/TAP,DEPTH,12,PITCH,1.25,CLEAR,4
+	GOTO/0,20,0,0,0,1
+	GOTO/7,20,0,0,0,1
+	GOTO/14,20,0,0,0,1
+	CYCLE/BORE,DEPTH,14,CLEAR,3,MMPM,6,DWELL,60
+	GOTO/9,30,0,0,0,1
+	CYCLE/OFF
+	RAPID
+	GOTO/9,30,60,0,0,1
+	FINI
+END
+for control in fanuc siemens heidenhain linuxcnc; do
+	machine=table-ac
+	[ $control = linuxcnc ] && machine=linuxcnc-iso
+	ncpost -q -c $control -m $machine holes.cl >holes.nc
+	ncverify -q -c $control -g dome.xyz -r 4 -m $machine holes.nc >out 2>err
+	has "$control: the time of drilling cycles, and their dwells" \
+		'^time +16\.79 min at feed, .*, 1\.80 min dwell$' out
+done
+# dwells at each step and above it: 4 steps to 20; 5, 4, 3, 3, 3 and 2 to 20, the last one waits
+# longer; 20, 15, 10, 10 and 5 to 60, chips broken once between two retractions
+wait_of() { # DESC MINUTES CONTROL FILE
+	ncverify -q -c "$3" -g dome.xyz -r 4 "$4" >out 2>err
+	has "$1" "^time .*, $2 min dwell\$" out
+}
+ncpost -q -c siemens holes.cl | sed 's/MCALL CYCLE83.*,-20,.*/MCALL CYCLE83(5,0,2,-20,,,5,0,12,6,1,1)/
+	s/MCALL CYCLE83.*,-7,.*/MCALL CYCLE83(5,0,2,-20,,-5,,1,6,0,1,0,,3,,30)/' >deep.mpf
+wait_of "Siemens: dwells of steps" 3.90 siemens deep.mpf # 66 s and 60 s more
+ncpost -q -c heidenhain holes.cl | sed 's/Q211=+0 /Q211=+3 /' >deep.h
+wait_of "Heidenhain: dwells at the bottom" 1.90 heidenhain deep.h
+awk '/ DEF 205/ { print $1, "CYCL DEF 203 UNIVERSAL DRILLING ~"
+	print "    Q200=+2 ~\n    Q201=-60 ~\n    Q206=+5 ~\n    Q202=+20 ~\n    Q210=+12 ~\n    Q203=+0 ~"
+	print "    Q204=+0 ~\n    Q212=+5 ~\n    Q213=+1 ~\n    Q205=+10 ~\n    Q211=+0 ~\n    Q208=+99999 ~"
+	print "    Q256=+1"; on = 1; next }
+	on && /^ / { next } { on = 0; print }' deep.h >breaks.h
+wait_of "Heidenhain: dwells above" 2.60 heidenhain breaks.h # 24 s more for either hole
+
 # ---- shank and holder, on all controls: 6 mm over the ball's centre a collar of 30 that leans
 for control in fanuc siemens heidenhain linuxcnc; do
 	machine=table-ac

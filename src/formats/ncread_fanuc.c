@@ -122,7 +122,7 @@ static int run_block(struct ncread *c, struct ncread_fanuc_block *b, struct erro
     if (!b->named)
         return 0;
     if (c->hole.on)
-        return ncread_hole_block(c, &b->to, error);
+        return ncread_hole_block(c, &b->to, 0.001, error);
     if (c->move == MOVE_NONE)
         return ncread_error(c, error, "a place before G0 or G1");
     if (!c->absolute)

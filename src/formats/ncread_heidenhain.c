@@ -214,8 +214,12 @@ static int run(struct ncread *c, struct klartext *k, struct error *error)
     if (!*first || strcmp(first, "CYCL") == 0)
         return 0;
     if (strcmp(first, "TOOL") == 0) {
-        bool spindle = k->n > 2 && k->word[k->n - 1][0] == 'S';
-        return spindle ? 0 : ncread_error(c, error, "TOOL CALL without a speed");
+        const char *speed = k->n > 2 ? k->word[k->n - 1] : "";
+        bool said = *speed == 'S';
+        speed += said;
+        return said && num_read(&speed, &c->speed)
+                   ? 0
+                   : ncread_error(c, error, "TOOL CALL without a speed");
     }
     if (strcmp(first, "L") == 0 || strcmp(first, "LN") == 0)
         return straight(c, k, first[1] == 'N', error);

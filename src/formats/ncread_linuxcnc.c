@@ -125,7 +125,7 @@ static int run_block(struct ncread *c, struct block *b, struct error *error)
         return 0;
     ncread_turned(c, &b->to);
     if (c->hole.on)
-        return ncread_hole_block(c, &b->to, error);
+        return ncread_hole_block(c, &b->to, 1, error);
     if (c->move == MOVE_NONE)
         return ncread_error(c, error, "a place before G0 or G1");
     if (!c->absolute)
