@@ -84,4 +84,77 @@ for control in fanuc siemens heidenhain linuxcnc; do
 	ncpost -q -c $control crawl.cl >crawl.nc
 	hasnt "$control: a crawl is no F0" ' F(0+\.?0*|\.0+)$' crawl.nc
 done
+
+# The tip stands or all but stands while the axes turn, then moves on: no axis is asked for more than
+# it can, nor for nothing; where the tip stays as printed F counts degrees, and the ball keeps the feed
+awk 'BEGIN {
+	seed = 9; x = 20; th = 0.3
+	print "UNITS/MM\nMULTAX/ON\nCUTTER/8,4,0,4\nSPINDL/9000,CLW\n$$-> CLOUDMILL/1"
+	print "RAPID\nGOTO/20,0,60,0,0.295520207,0.955336489\nFEDRAT/MMPM,800"
+	for (i = 0; i < 150; i++) {
+		for (k = 0; k < 5; k++) { seed = (seed * 16807) % 2147483647; r[k] = seed / 2147483647 }
+		d = r[0] < 0.5 ? (r[1] < 0.5 ? 0 : r[1] < 0.8 ? 0.0006 : 0.02) : 1
+		x += d * (r[2] * 1.3 - 0.3); y += d * (r[1] - 0.5)
+		th += 0.1 * r[3] - 0.05; ph += 0.8 * r[4] - 0.4
+		if (th < 0.1 || th > 0.8) th = 0.3
+		printf "GOTO/%.6f,%.6f,0,%.9f,%.9f,%.9f\n", x, y, sin(th) * cos(ph), sin(th) * sin(ph), cos(th)
+	}
+	printf "RAPID\nGOTO/%.6f,%.6f,60,%.9f,%.9f,%.9f\nFINI\n", x, y, sin(th) * cos(ph), sin(th) * sin(ph), cos(th)
+}' >standing.cl
+# and far from the rotary centres, where the slides go much further than the tip
+awk 'BEGIN { print "UNITS/MM\nMULTAX/ON\nCUTTER/8,4,0,4\nSPINDL/9000,CLW\n$$-> CLOUDMILL/1\nRAPID"
+	printf "GOTO/900,0,60,0,0.342897807,0.939372713\nFEDRAT/MMPM,2000\n"
+	for (i = 0; i < 100; i++) { th = 0.35 + 0.3 * sin(i / 9); ph = i / 20
+		printf "GOTO/%.6f,%.6f,0,%.9f,%.9f,%.9f\n", 900 + i, i / 3, sin(th) * sin(ph), sin(th) * cos(ph), cos(th) }
+	printf "RAPID\nGOTO/%.6f,%.6f,60,%.9f,%.9f,%.9f\nFINI\n", 999, 33, sin(th) * sin(ph), sin(th) * cos(ph), cos(th)
+}' >far.cl
+bsplfit -q -e 0.002 -o farspline.cl far.cl
+biarcfit -q -e 0.002 -o fararc.cl far.cl
+kept() { # PATH CONTROL MACHINE OPTIONS
+	path=$1 control=$2 machine=$3
+	shift 3
+	word=
+	[ $control = siemens ] && word=--rotary
+	# shellcheck disable=SC2086
+	ncpost -q -c "$control" $word -m "$machine" "$@" -o kept.nc "$path" 2>err || { cat err; return; }
+	"$READBACK" -c "$control" -m "$machine" "$@" kept.nc >rb 2>&1 || head -n 2 rb
+	grep -q 'too fast 0,' rb || echo "$control $machine $path $*: $(sed -n 's/^axes: //p' rb)"
+	grep -Eq ' F(0+\.?0*|\.0+)( |$)' kept.nc && echo "$control $machine $path: a feed of nothing"
+	return 0
+}
+for path in standing.cl far.cl farspline.cl fararc.cl; do
+	for machine in table-ac head-ca nutating-head table-ac-notcp head-table-bc-notcp; do
+		for control in fanuc siemens heidenhain; do
+			kept $path $control $machine
+			kept $path $control $machine --set rapid=3000 --set c.rapid=500
+		done
+	done
+	kept $path linuxcnc linuxcnc-xyzac --set a.rapid=300
+done >asked
+empty "tips that stand, and far from the centres: no axis too fast" asked
+# 0.1 mm/min would be too fast there
+grep -Eq ' F0\.0[0-9]*$' kept.nc || ncpost -q -c fanuc --set c.rapid=30 -o slow.nc standing.cl
+has "F has the digits that it takes" ' F0?\.0[0-9]+$' slow.nc
+
+# contact-point feed: the contact keeps the feed on a ball that rolls over an edge, the tip does not
+awk 'BEGIN { print "UNITS/MM\nMULTAX/ON\nCUTTER/20,10,0,10\nSPINDL/9000,CLW\n$$-> CLOUDMILL/1\nRAPID"
+	r = 10; R = 30
+	for (i = 0; i <= 90; i++) { w = i / 90; a = sin(w); c = cos(w)
+		if (i == 0) printf "GOTO/%.6f,0,%.6f,0,0,1\nFEDRAT/MMPM,600\n", 0, R + 50
+		printf "$$-> CONTCT/%.6f,0,%.6f,%.9f,0,%.9f\n", R * a, R * c, a, c
+		printf "GOTO/%.6f,0,%.6f,0,0,1\n", (R + r) * a, (R + r) * c - r }
+	printf "RAPID\nGOTO/%.6f,0,90,0,0,1\nFINI\n", (R + r) * a }' >roll.cl
+ncpost -q -c fanuc --contact-feed -o roll.nc roll.cl
+sed -n 's/.* F\([0-9.]*\)$/\1/p' roll.nc | tail -n 1 >roll
+below "the centre goes (R + r) / R as fast" "$(awk '{ print ($1 > 800 ? $1 - 800 : 800 - $1) }' roll)" 1
+
+# feeds in all units, in mm and inches: the same speed of the tip
+for said in MMPM,508 IPM,20 MMPR,0.0635 IPR,0.0025; do
+	printf 'UNITS/MM\nCUTTER/8,4,0,4\nSPINDL/RPM,8000,CLW\nRAPID\nGOTO/0,0,50\nFEDRAT/%s\nGOTO/0,0,0\nGOTO/100,0,0\nFINI\n' "$said" >unit.cl
+	ncpost -q -c fanuc unit.cl | grep -q 'F508\.$' || echo "$said"
+	ncpost -q -c fanuc --inch unit.cl | grep -q 'F20\.$' || echo "$said in inches"
+	ncpost -q -c fanuc -m table-ac-notcp unit.cl >unit.nc
+	grep -Eq 'F508\.$|F5\.08$' unit.nc || echo "$said inverse: $(grep F unit.nc | tail -n 1)"
+done >units
+empty "mm and inches, a minute and a turn" units
 done_testing

@@ -10,19 +10,6 @@ static inline double larger(double a, double b)
     return a > b ? a : b;
 }
 
-/* The longest that an axis of the machine needs between two stations, minutes. */
-static double axes_minutes(const struct nc_step *step, const struct station *a,
-                           const struct station *b)
-{
-    const struct machine *m = step->machine;
-    double minutes = 0;
-    for (int i = 0; i < m->chain.n; i++)
-        minutes = larger(minutes, DEGREES(fabs(b->q[i] - a->q[i])) / m->rapid[m->letter[i]]);
-    if (step->follow.mode == FOLLOW_JOINT)
-        minutes = larger(minutes, vec_distance(a->p, b->p) / m->rapid[MACHINE_X]);
-    return minutes;
-}
-
 /* The way of all axes together, mm and degrees. */
 static double joint_way(const struct nc_step *step, const struct station *a,
                         const struct station *b)
@@ -34,27 +21,38 @@ static double joint_way(const struct nc_step *step, const struct station *a,
 }
 
 /*
- * F for a block of that length, *minutes what it takes at least: never 0, never beyond the
- * control's, and rounded down where an axis would be too fast else.
+ * F for a block of that length, *minutes what it takes: never 0, never beyond the control's, and
+ * rounded down where an axis would be too fast else.  A block in which the tip stays, as printed,
+ * is measured in degrees, and it takes the time that the ball would.
  */
-static double feed_word(const struct nc_step *step, const struct station *to, double length,
-                        double *minutes)
+static double feed_word(const struct nc_step *step, const struct stance *stance, double length,
+                        const struct nc_along *along, double *minutes)
 {
     const struct nc_ability *ability = &step->plan->ability;
+    const struct station *from = &step->state.at, *to = &stance->at;
+    bool tip = ability->feeds == NC_FEEDS_TIP;
+    if (tip && !along)
+        length = vec_distance(from->p, to->p);
+    bool still = length < 1 / num_ten[ability->digits.linear], stays = tip && length == 0;
     double feed = step->state.feed * step->state.faster, wished = length / feed;
+    if (still) /* else the tip alone says how fast it goes */
+        wished = larger(wished, fabs(step->follow.ball) * vec_distance(from->a, to->a) / feed);
+    *minutes = nc_block_minutes(step, stance, length, along, wished);
     bool slow = *minutes > wished;
-    *minutes = larger(*minutes, wished);
     if (ability->feeds == NC_FEEDS_INVERSE)
         feed = 1 / larger(*minutes, 1e-9);
-    else if (ability->feeds == NC_FEEDS_COMBINED)
-        feed = joint_way(step, &step->state.at, to) / larger(*minutes, 1e-9);
-    else if (length > 0 && slow)
+    else if (!tip || stays)
+        feed = joint_way(step, from, to) / larger(*minutes, 1e-9);
+    else if (slow || still)
         feed = length / *minutes;
+    for (int i = 0; stays && step->follow.mode == FOLLOW_VECTOR && i < step->machine->chain.n; i++)
+        feed = fmin(feed, step->machine->rapid[step->machine->letter[i]]); /* now one, now both */
     double may = feed < ability->feed_max ? feed : ability->feed_max;
-    double said = num_round(may, ability->digits.feed);
+    int digits = nc_feed_digits(ability, may);
+    double said = num_round(may, digits), least = 1 / num_ten[digits];
     if (said > feed && slow)
-        said = num_round(said - 1 / num_ten[ability->digits.feed], ability->digits.feed);
-    return said > 0 ? said : 1 / num_ten[ability->digits.feed];
+        said = num_round(said - least, digits);
+    return said > 0 ? said : least;
 }
 
 struct nc_move *nc_move_to(struct nc_step *step, enum nc_kind kind, const struct stance *stance)
@@ -80,16 +78,17 @@ struct nc_move *nc_move_to(struct nc_step *step, enum nc_kind kind, const struct
 }
 
 void nc_add_move(struct nc_step *step, enum nc_kind kind, const struct stance *stance,
-                 double length, size_t index)
+                 double length, size_t index, const struct nc_along *along)
 {
     struct nc_total *total = &step->plan->total;
-    double minutes = axes_minutes(step, &step->state.at, &stance->at), feed = 0;
+    double minutes, feed = 0;
     if (kind == NC_RAPID) {
+        minutes = nc_axes_minutes(step, &step->state.at, &stance->at);
         minutes = larger(minutes, length / step->machine->rapid[MACHINE_X]);
         total->rapid += length;
         total->rapids++;
     } else {
-        feed = feed_word(step, &stance->at, length, &minutes);
+        feed = feed_word(step, stance, length, along, &minutes);
         total->cut += length;
         total->lines += kind == NC_LINE;
         total->arcs += kind == NC_ARC;
@@ -115,7 +114,7 @@ void nc_add_straight(struct nc_step *step, enum nc_kind kind, const struct stanc
 {
     struct nc_state *state = &step->state;
     if (!same_station(&state->at, &to->at, step->follow.mode == FOLLOW_VECTOR))
-        nc_add_move(step, kind, to, vec_distance(state->pose.p, goal->p), 0);
+        nc_add_move(step, kind, to, vec_distance(state->pose.p, goal->p), 0, NULL);
     state->off.point = state->off.axis = NAN;
     state->pose = *goal;
 }

@@ -198,8 +198,8 @@ int nc_reach(struct nc_step *step, struct pose to, double s, struct stance *stan
     if (chain_choose(chain, to.a, q, true, -1, q, &over) != 0)
         return not_reached(step, to.a, over);
     step->doubt = step->doubt || (!step->first && !nearest_of_both(step, to.a, q));
-    if (step->course.n == 0)
-        turn_ahead(step, to, q);
+    if (step->course.n == 0 && (step->follow.mode != FOLLOW_VECTOR || !step->state.begun))
+        turn_ahead(step, to, q); /* a vector says no angle: there the axis stays */
     *stance = nc_station(step, to, q);
     return nc_check_linear(step, stance);
 }

@@ -138,7 +138,7 @@ int nc_step_rapid(struct nc_step *step, struct pose to)
     }
     if (nc_reach(step, to, 1, &stance) != 0)
         return -1;
-    nc_add_move(step, NC_RAPID, &stance, 0, 0);
+    nc_add_move(step, NC_RAPID, &stance, 0, 0, NULL);
     step->state.pose = to;
     step->state.begun = true;
     return 0;
@@ -169,7 +169,9 @@ static int arc(struct nc_step *step, const struct motion *motion, double s0, dou
         return straight(step, motion, s0, s1, NC_LINE, step->allowed, 0);
     }
     *array_push(&step->plan->arc) = words;
-    nc_add_move(step, NC_ARC, &to, (s1 - s0) * motion_length(motion), step->plan->arc.n - 1);
+    const struct nc_along along = {motion, s0, s1, NULL};
+    nc_add_move(step, NC_ARC, &to, (s1 - s0) * motion_length(motion), step->plan->arc.n - 1,
+                &along);
     step->plan->total.spent = deviation_worst(step->plan->total.spent, d);
     step->state.pose = goal;
     return 0;
@@ -202,7 +204,8 @@ static int spline(struct nc_step *step, const struct motion *motion)
         to.turned = chain_turned(&step->machine->chain, to.at.q);
         if (nc_check_linear(step, &to) != 0)
             return -1;
-        nc_add_move(step, NC_SPLINE, &to, motion_length(motion), step->plan->spline.n - 1);
+        const struct nc_along along = {motion, 0, 1, &words};
+        nc_add_move(step, NC_SPLINE, &to, motion_length(motion), step->plan->spline.n - 1, &along);
         step->plan->total.spent = deviation_worst(step->plan->total.spent, d);
         step->state.pose = motion_at(motion, 1);
         return 0;

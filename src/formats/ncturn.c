@@ -46,7 +46,7 @@ void nc_turn_to(struct nc_step *step, const double q[])
         for (int i = 0; i < ROTARY_MAX; i++)
             part[i] = from[i] + (q[i] - from[i]) * k / n;
         struct stance to = nc_station(step, step->state.pose, part);
-        nc_add_move(step, NC_RAPID, &to, 0, 0);
+        nc_add_move(step, NC_RAPID, &to, 0, 0, NULL);
     }
 }
 

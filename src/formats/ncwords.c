@@ -2,6 +2,7 @@
 #include "ncwords.h"
 
 #include "nccutcom.h"
+#include "ncspeed.h"
 #include "nctemplate.h"
 
 const struct nc_move *nc_first_move(const struct nc_program *p)
@@ -85,7 +86,7 @@ void nc_feed(struct nc_program *p, const struct nc_move *move)
         return;
     if (p->w.inverse)
         nc_forget(&p->w, NC_F, NC_F);
-    nc_modal(&p->w, NC_F, "F", move->feed, p->plan->ability.digits.feed);
+    nc_modal(&p->w, NC_F, "F", move->feed, nc_feed_digits(&p->plan->ability, move->feed));
 }
 
 void nc_offset(struct nc_program *p, const char *usual)

@@ -75,9 +75,9 @@ static double programmed(const struct run *run, const struct piece *piece, const
         return 0;
     if (piece->inverse)
         return share / piece->feed;
-    if (!run->limits->combined)
+    if (!run->limits->combined && way > 0)
         return way / piece->feed;
-    for (int k = 0; k < LOAD_AXES; k++)
+    for (int k = run->limits->combined ? 0 : 3; k < LOAD_AXES; k++) /* the tip stays: degrees */
         sum += (b->axis[k] - a->axis[k]) * (b->axis[k] - a->axis[k]);
     return sqrt(sum) / piece->feed;
 }
