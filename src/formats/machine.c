@@ -194,8 +194,9 @@ static int make_chain(struct machine *m, const int letter[], int n, char key[KEY
                                              .max = RADIANS(m->max[k]),
                                              .rapid = RADIANS(m->rapid[k])};
         snprintf(key, KEY_NAME, "axis.%c", letters[k]);
-        if (vec_length(m->axis[of]) < 1e-9)
-            return error_set(error, "%s: found a direction of no length, expected one", key);
+        if (!(vec_length(m->axis[of]) >= 1e-9 && vec_length(m->axis[of]) < 1e9))
+            return error_set(error, "%s: found a direction %g long, expected 1e-9 to 1e9", key,
+                             vec_length(m->axis[of]));
     }
     if (n == 2 && vec_length(vec_cross(m->chain.rotary[0].axis, m->chain.rotary[1].axis)) < 1e-6)
         return error_set(error, "axes: found two parallel rotary axes, expected two directions");

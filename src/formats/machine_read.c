@@ -2,6 +2,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include "array.h"
@@ -19,6 +20,12 @@ enum { INCLUDES_MAX = 8, FILE_MAX = 1024 };
 static bool is_file(const char *name)
 {
     return name[strcspn(name, "/.")] != '\0';
+}
+
+static bool is_folder(const char *file)
+{
+    struct stat status;
+    return stat(file, &status) == 0 && S_ISDIR(status.st_mode);
 }
 
 /* Where the machine called `name` is; `beside` is the file that includes it, or NULL. */
@@ -72,11 +79,14 @@ static int read_include(struct machine *m, char *line, const struct reader *r, i
         return error_at(error, r->name, r->line,
                         "found include within include %d deep, expected no file to include itself",
                         INCLUDES_MAX);
-    if (find_file(name, r->name, file, error) != 0)
-        return -1;
     struct error inner;
+    if (find_file(name, r->name, file, &inner) != 0)
+        return error_at(error, r->name, r->line, "include: %.300s", inner.text);
     if (access(file, R_OK) != 0)
         return error_at(error, r->name, r->line, "include: cannot open %.200s", name);
+    if (is_folder(file))
+        return error_at(error, r->name, r->line, "include: found the folder %.200s, expected a file",
+                        name);
     if (read_file(m, file, depth + 1, &inner) != 0)
         return *error = inner, -1;
     return 1;

@@ -76,6 +76,8 @@ int nc_plan_make(struct nc_plan *plan, const struct path *path, const struct mac
     step.within = nc_surely_within(machine);
     step.state.faster = 1;
     step.state.off = (struct deviation){NAN, NAN};
+    for (int i = 0; i < own.chain.n; i++) /* at zero, or as near as the travel lets them be */
+        step.state.at.q[i] = fmin(fmax(0, own.chain.rotary[i].min), own.chain.rotary[i].max);
     step.state.turned = chain_turned(&machine->chain, step.state.at.q);
     nc_item_tool(&step, path_ball(path));
     int result = 0;
