@@ -86,7 +86,7 @@ for control in fanuc siemens heidenhain linuxcnc; do
 done
 
 # The tip stands or all but stands while the axes turn, then moves on: no axis is asked for more than
-# it can, nor for nothing; where the tip stays as printed F counts degrees, and the ball keeps the feed
+# it can, nor for nothing; where the tip stays as printed F counts degrees
 awk 'BEGIN {
 	seed = 9; x = 20; th = 0.3
 	print "UNITS/MM\nMULTAX/ON\nCUTTER/8,4,0,4\nSPINDL/9000,CLW\n$$-> CLOUDMILL/1"
@@ -135,6 +135,17 @@ empty "tips that stand, and far from the centres: no axis too fast" asked
 # 0.1 mm/min would be too fast there
 grep -Eq ' F0\.0[0-9]*$' kept.nc || ncpost -q -c fanuc --set c.rapid=30 -o slow.nc standing.cl
 has "F has the digits that it takes" ' F0?\.0[0-9]+$' slow.nc
+
+# a tip that stands: 800 mm a minute are as many degrees, in inches too; slower with a large ball
+printf 'UNITS/MM\nMULTAX/ON\nCUTTER/%s\nSPINDL/9000,CLW\nRAPID\nGOTO/0,0,0,0,0.5,0.866025404\nFEDRAT/MMPM,800\nGOTO/0,0,0,0,0.866025404,0.5\nFINI\n' 8,4,0,4 >turn.cl
+sed 's/8,4,0,4/240,120,0,120/' turn.cl >large.cl
+for options in "" --inch "-m table-bc --set b.rapid=5000"; do
+	# shellcheck disable=SC2086
+	ncpost -q -c fanuc $options turn.cl | sed -n 's/.* F\([0-9.]*\)$/\1/p' | tail -n 1
+	# shellcheck disable=SC2086
+	ncpost -q -c fanuc $options large.cl | sed -n 's/.* F\([0-9.]*\)$/\1/p' | tail -n 1
+done | tr '\n' ' ' >turned
+has "a turn about a tip that stands" '^800. 38[0-9.]* 800. 38[0-9.]* 800. 38[0-9.]* $' turned
 
 # contact-point feed: the contact keeps the feed on a ball that rolls over an edge, the tip does not
 awk 'BEGIN { print "UNITS/MM\nMULTAX/ON\nCUTTER/20,10,0,10\nSPINDL/9000,CLW\n$$-> CLOUDMILL/1\nRAPID"

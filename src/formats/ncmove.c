@@ -20,10 +20,21 @@ static double joint_way(const struct nc_step *step, const struct station *a,
     return way;
 }
 
+/* What a turn about a tip that stands counts, mm: as many as it has degrees, or as the ball goes. */
+static double turn_way(const struct nc_step *step, const struct station *a,
+                       const struct station *b)
+{
+    double way = 0;
+    for (int i = 0; i < step->machine->chain.n; i++)
+        way = hypot(way, DEGREES(b->q[i] - a->q[i]));
+    return larger(way / step->wish.unit,
+                  fabs(step->follow.ball) * vec_distance(a->a, b->a));
+}
+
 /*
  * F for a block of that length, *minutes what it takes: never 0, never beyond the control's, and
- * rounded down where an axis would be too fast else.  A block in which the tip stays, as printed,
- * is measured in degrees, and it takes the time that the ball would.
+ * rounded down where an axis would be too fast else.  Where the tip stays, as printed, F counts
+ * degrees.
  */
 static double feed_word(const struct nc_step *step, const struct stance *stance, double length,
                         const struct nc_along *along, double *minutes)
@@ -36,7 +47,7 @@ static double feed_word(const struct nc_step *step, const struct stance *stance,
     bool still = length < 1 / num_ten[ability->digits.linear], stays = tip && length == 0;
     double feed = step->state.feed * step->state.faster, wished = length / feed;
     if (still) /* else the tip alone says how fast it goes */
-        wished = larger(wished, fabs(step->follow.ball) * vec_distance(from->a, to->a) / feed);
+        wished = larger(length, turn_way(step, from, to)) / feed;
     *minutes = nc_block_minutes(step, stance, length, along, wished);
     bool slow = *minutes > wished;
     if (ability->feeds == NC_FEEDS_INVERSE)
