@@ -127,7 +127,8 @@ ncpost -q -c fanuc "$TMP/steep-5.cl" >f.nc
 has "Fanuc: a cubic beside it" 'G06\.2 P4 ' f.nc
 ncpost -q -c siemens "$TMP/wave-arcs.cl" >a.mpf
 has "Siemens: the head on the curve's parameter" 'ORIWKS ORIVECT UPATH$' s.mpf
-hasnt "not without curves" UPATH a.mpf
+has "the compressor off" '^N[0-9]+ COMPOF$' s.mpf
+hasnt "not without curves" 'UPATH|COMPOF' a.mpf
 has "Siemens: arcs in space" 'CIP X.*I1=AC\(.*A3=' a.mpf
 ncpost -q -c fanuc "$TMP/wave-arcs.cl" >a.nc
 has "Fanuc: arcs in a plane" 'G18 G[23] X.* Z.* A.* C.* I.* K' a.nc

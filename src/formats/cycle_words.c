@@ -83,6 +83,7 @@ static double seconds(const struct path_parse *p, double turns)
 static void take_named(struct path_parse *p, struct cycle_words *w, enum cycle_number number,
                        size_t *i)
 {
+    size_t at = *i;
     double value = next_number(p, i);
     if (number == CYCLE_DWELL && isnan(value) && apt_is(&p->apt, *i + 1, "REV")) {
         ++*i;
@@ -92,7 +93,7 @@ static void take_named(struct path_parse *p, struct cycle_words *w, enum cycle_n
         w->home = true;
     if (!isnan(value))
         w->value[number] = value;
-    if (number != CYCLE_STEP)
+    if (!apt_is(&p->apt, at, "STEP"))
         return;
     for (double next; !isnan(next = next_number(p, i));) /* STEP,5,4,3 of NX */
         w->value[CYCLE_NEXT] = fmin(next, w->value[CYCLE_NEXT]);
@@ -155,7 +156,7 @@ int cycle_words(struct path_parse *p, struct cycle_words *w)
         const struct apt_argument *a = &p->apt.argument.item[i];
         int number = number_of(a->text);
         if (a->is_number) {
-            if (named || bare == BARE)
+            if ((named && bare == 0) || bare == BARE)
                 return error_at(AT(p),
                                 "found %g in CYCLE without a word before it, expected one "
                                 "like DEPTH, CLEAR or MMPM",
@@ -163,7 +164,7 @@ int cycle_words(struct path_parse *p, struct cycle_words *w)
             w->value[order[bare++]] = a->number;
         } else if ((word_unit = path_feed_unit(p, a->text)) != 0) {
             unit = word_unit;
-            if (named || bare < 2)
+            if (bare < 2)
                 take_named(p, w, CYCLE_FEED, &i);
             if (bare == 1 && !isnan(w->value[CYCLE_FEED]))
                 bare = 2;

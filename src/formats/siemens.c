@@ -113,6 +113,8 @@ static void take(struct nc_program *p)
     nc_coolant(p);
     if (p->machine->smooth)
         nc_template(p, p->machine->blocks.smooth_on, "CYCLE832({tolerance},11,{orientation})");
+    if (p->plan->spline.n)
+        nc_block(&p->w, "COMPOF"); /* what CYCLE832 may have switched on is for straight blocks */
 }
 
 static void line(struct nc_program *p, const struct nc_move *move)
