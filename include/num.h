@@ -30,20 +30,19 @@ static inline uint64_t num_eight(const char *p)
            (uint64_t)u[7] << 56;
 }
 
-/* How many of them are digits before the first that is none; and the number that these are. */
+/* How many of them are digits before the first that is none; and the number that these are, 0
+ * where there are none. */
 static inline int num_digits(uint64_t eight, uint64_t *value)
 {
     static const uint64_t each = 0x0101010101010101;
     uint64_t digit = eight ^ (0x30 * each);
     uint64_t other = ((digit + 0x76 * each) | digit) & (0x80 * each);
-    int n = other ? __builtin_ctzll(other) / 8 : 8;
-    if (n == 0)
-        return 0;
-    digit <<= 8 * (8 - n); /* noughts in front */
+    int bits = other ? __builtin_ctzll(other) & 56 : 64;
+    digit = bits ? digit << (64 - bits) : 0; /* noughts in front */
     digit = (digit * 10 + (digit >> 8)) & 0x00ff00ff00ff00ff;
     digit = (digit * 100 + (digit >> 16)) & 0x0000ffff0000ffff;
     *value = (digit * 10000 + (digit >> 32)) & 0xffffffff;
-    return n;
+    return bits / 8;
 }
 
 /*
@@ -54,22 +53,23 @@ static inline int num_digits(uint64_t eight, uint64_t *value)
  */
 static inline const char *num_plain(const char *p, double *value)
 {
+    static const uint64_t scale[] = {1,      10,      100,      1000,     10000,
+                                     100000, 1000000, 10000000, 100000000};
     bool negative = *p == '-';
     p += negative;
-    uint64_t mantissa = 0, more = 0;
-    size_t digits, decimals = 0;
+    uint64_t mantissa = 0, more;
+    size_t decimals = 0;
     const char *first = p;
     for (; *p >= '0' && *p <= '9'; p++)
         mantissa = mantissa * 10 + (uint64_t)(*p - '0');
-    digits = (size_t)(p - first);
+    size_t digits = (size_t)(p - first);
     if (*p == '.') {
-        static const uint64_t scale[] = {1,      10,      100,      1000,     10000,
-                                         100000, 1000000, 10000000, 100000000};
         first = ++p;
-        for (int n = 8; n == 8 && p - first < 16; p += n) {
-            n = num_digits(num_eight(p), &more);
-            mantissa = n ? mantissa * scale[n] + more : mantissa;
-        }
+        int n = num_digits(num_eight(p), &more);
+        mantissa = mantissa * scale[n] + more;
+        p += n;
+        for (; n == 8 && *p >= '0' && *p <= '9' && p - first < 16; p++)
+            mantissa = mantissa * 10 + (uint64_t)(*p - '0');
         decimals = (size_t)(p - first);
         digits += decimals;
     }

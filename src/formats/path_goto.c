@@ -92,7 +92,7 @@ int path_read_contact(struct path_parse *p)
     return take_contact(p, v);
 }
 
-static const char *behind_blanks(const char *s)
+static inline const char *behind_blanks(const char *s)
 {
     while (*s == ' ')
         s++;
@@ -121,9 +121,39 @@ static void make_room(struct path_parse *p)
 {
     const struct reader *r = &p->reader;
     size_t n = p->path->item.n;
-    if (n == p->path->item.cap && n > 1000 && r->got < r->size)
+    if (n > 1000 && r->got < r->size)
         array_reserve(&p->path->item,
                       (size_t)(1.02 * (double)n * ((double)r->size / (double)r->got)) + 1000);
+    array_reserve(&p->path->item, n + 1);
+}
+
+/* A point at feed means no more than that, and so does the next one. */
+static bool goes_on(const struct path_parse *p)
+{
+    return !p->rapid && !p->circle.open && !p->cycling && !p->framed && p->inverse <= 0 &&
+           p->spline.stage != SPLINE_FALLBACK;
+}
+
+/* take_point for one more point at feed, with nothing said since the last one. */
+static int take_next(struct path_parse *p, const double *v, size_t n)
+{
+    struct vec3 a = vec(v[3], v[4], v[5]);
+    if (n == 6 && fabs(vec_dot(a, a) - 1) < 3e-9) /* as path_direction takes it */
+        p->axis = a;
+    else if (n == 6 && path_direction(p, v + 3, "a tool axis", &p->axis) < 0)
+        return -1;
+    struct pose to = {vec_add(vec_scale(p->unit, vec(v[0], v[1], v[2])), p->shift), p->axis};
+    if (path_expect_reach(p, to.p) < 0)
+        return -1;
+    if (p->path->item.n == p->path->item.cap)
+        make_room(p);
+    struct path_item *item = &p->path->item.item[p->path->item.n++];
+    *item = (struct path_item){.kind = PATH_POINT, .line = p->apt.line, .to = to};
+    if (p->touches)
+        path_take_contact(p, item);
+    p->said = to.p;
+    p->at = to;
+    return 0;
 }
 
 int path_goto_run(struct path_parse *p)
@@ -132,20 +162,27 @@ int path_goto_run(struct path_parse *p)
     size_t n = reader_ahead(&p->reader, &text), lines = 0;
     const char *end = (s = text) + n;
     size_t first = p->reader.line + 1;
+    bool on = false;
     int result = 0;
     while (s < end && result == 0) {
         bool contact = *s == '$' && p->sniffed && strncmp(s, "$$-> CONTCT", 11) == 0;
-        double v[6];
+        double v[6] = {0};
         const char *behind = NULL;
         if (contact)
             behind = plain_numbers(s + 11, 6, v, &n);
-        else if (strncmp(s, "GOTO", 4) == 0)
+        else if (memcmp(s, "GOTO", 4) == 0)
             behind = plain_numbers(s + 4, 6, v, &n);
         if (!behind || (n != 6 && (n != 3 || contact)))
             break;
         p->apt.line = (unsigned)(first + lines++);
-        make_room(p);
-        result = contact ? take_contact(p, v) : take_point(p, v, n);
+        if (contact) {
+            result = take_contact(p, v);
+        } else if (on) {
+            result = take_next(p, v, n);
+        } else {
+            on = goes_on(p);
+            result = take_point(p, v, n);
+        }
         s = behind;
     }
     reader_take(&p->reader, (size_t)(s - text), lines);
