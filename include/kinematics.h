@@ -42,9 +42,6 @@ struct turned {
 
 struct turned chain_turned(const struct chain *chain, const double q[]);
 
-/* Each angle by[i] further, no more than 0.01 radians: to 1e-15. */
-struct turned chain_turned_on(const struct chain *chain, struct turned from, const double by[]);
-
 /* Half-way between two, less than half a turn apart. */
 struct turned chain_turned_mid(const struct chain *chain, struct turned a, struct turned b);
 

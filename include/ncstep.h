@@ -5,6 +5,7 @@
 #define CLOUDMILL_NCSTEP_H
 
 #include "ncplan.h"
+#include "turnbeside.h"
 #include "turnplan.h"
 
 /* Where the program is. */

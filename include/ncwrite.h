@@ -37,7 +37,7 @@ struct nc_writer {
     int step;    /* of block numbers, 0: none */
     long most;   /* the numbers begin again behind it */
     long number; /* of the last block */
-    char line[NC_LINE_MAX];
+    char *line;  /* the block that is put together: in the output's own memory, or in `own` */
     size_t n;
     double value[NC_SLOTS];
     bool known[NC_SLOTS];
@@ -47,9 +47,12 @@ struct nc_writer {
     size_t blocks, bytes; /* written */
     long wanted;        /* number of a block to be kept in `met`, -1: none */
     char met[NC_LINE_MAX + 1];
+    char own[NC_LINE_MAX];
 };
 
-struct nc_writer nc_writer_new(struct out *out, struct nc_style style, int step, long most);
+/* Begins anew; nobody else writes to `out` as long as the writer does. */
+void nc_writer_begin(struct nc_writer *w, struct out *out, struct nc_style style, int step,
+                     long most);
 
 /* Adds a word to the block: as it stands; an address with a number; with a whole number. */
 void nc_code(struct nc_writer *w, const char *word);

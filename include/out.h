@@ -20,6 +20,11 @@ void out_text(struct out *o, const char *s);
 void out_bytes(struct out *o, const void *p, size_t n);
 void out_printf(struct out *o, const char *format, ...) __attribute__((format(printf, 2, 3)));
 
+/* Room for n bytes, at most 4096, to put them down without a copy; out_take then takes the first n
+ * of them.  Nothing else is written between. */
+char *out_room(struct out *o, size_t n);
+void out_take(struct out *o, size_t n);
+
 /* x with `digits` decimals as num_write writes it. */
 void out_num(struct out *o, double x, int digits);
 void out_int(struct out *o, long long i);

@@ -23,29 +23,4 @@ double chain_way(const struct chain *chain, const double a[], const double b[]);
 int chain_choose(const struct chain *chain, struct vec3 axis, const double from[], bool smooth,
                  int only, double q[], int *over);
 
-/*
- * What does not change of a chain of two axes while chain_beside is asked again and again.  In the
- * frame of the first axis and two directions across it, component i of the tool axis is
- * still[i] + cosine[i] cos q1 + sine[i] sin q1, before the first axis turns.
- */
-struct chain_ways {
-    const struct chain *chain;
-    struct vec3 up, side, front;
-    double still[3], cosine[3], sine[3];
-    double h; /* length of cosine[0], sine[0] */
-};
-
-struct chain_ways chain_ways(const struct chain *chain);
-
-/* chain_axis_of for a chain of two axes, in a fraction of the time. */
-struct vec3 chain_ways_axis(const struct chain_ways *ways, const struct turned *at);
-
-/*
- * chain_choose with `smooth` in the usual case, in a fraction of the time: two axes, a direction
- * half a degree or more from the singular one, and the solution on the side where `from` is moves
- * less than the other one can.  *turned: of `from` going in, of q coming out.  False: look closer.
- */
-bool chain_beside(const struct chain_ways *ways, struct vec3 axis, const double from[], double q[],
-                  struct turned *turned);
-
 #endif

@@ -1,4 +1,4 @@
-/* turnchoice: travel and the choice of a solution, and the quick way beside the slow one. */
+/* turnchoice: travel and the choice of a solution. */
 #include <check.h>
 #include <stdlib.h>
 
@@ -81,45 +81,6 @@ START_TEST(chosen_in_place)
 }
 END_TEST
 
-/* From one direction to the next, beside what the slow way chooses; cosines and sines with it. */
-START_TEST(beside_the_last)
-{
-    int found = 0;
-    seed = 70;
-    for (int i = 0; i < 300; i++) {
-        struct chain chain = chain_of(i % KINDS);
-        if (i % 4 == 3) /* three axes in no plane */
-            chain.rotary[1].axis = vec_unit(vec(0.1 * chance(), 1, chance() - 0.5));
-        if (i % 4 == 3)
-            chain.tool = vec_unit(vec(chance() - 0.5, 0.2, 1));
-        struct chain_ways ways = chain_ways(&chain);
-        double from[2] = {6 * chance() - 3, 6 * chance() - 3}, q[2], by[2] = {0};
-        struct turned turned = chain_turned(&chain, from);
-        for (int k = 0; k < 100; k++) {
-            const double next[2] = {from[0] + 0.1 * chance() * chance() - 0.03,
-                                    from[1] + 0.1 * chance() * chance() - 0.03};
-            struct vec3 axis = chain_axis(&chain, next);
-            if (!chain_beside(&ways, axis, from, q, &turned))
-                break;
-            found++;
-            for (int j = 0; j < 2; j++) {
-                ck_assert_double_lt(fabs(q[j] - next[j]), 1e-11);
-                ck_assert_double_lt(fabs(turned.cosine[j] - cos(q[j])), 1e-12);
-                ck_assert_double_lt(fabs(turned.sine[j] - sin(q[j])), 1e-12);
-                from[j] = RADIANS(round(1000 * DEGREES(q[j])) / 1000); /* as printed */
-                by[j] = from[j] - q[j];
-            }
-            turned = chain_turned_on(&chain, turned, by);
-            ck_assert_double_lt(vec_distance(chain_axis_of(&chain, &turned),
-                                             chain_axis(&chain, from)), 1e-12);
-            ck_assert_double_lt(vec_distance(chain_ways_axis(&ways, &turned),
-                                             chain_axis(&chain, from)), 1e-12);
-        }
-    }
-    ck_assert_int_gt(found, 15000);
-}
-END_TEST
-
 int main(void)
 {
     Suite *suite = suite_create("turnchoice");
@@ -128,7 +89,6 @@ int main(void)
     tcase_add_test(tests, travel_and_choice);
     tcase_add_test(tests, over_the_pole);
     tcase_add_loop_test(tests, chosen_in_place, 0, KINDS);
-    tcase_add_test(tests, beside_the_last);
     suite_add_tcase(suite, tests);
 
     SRunner *runner = srunner_create(suite);

@@ -166,52 +166,6 @@ size_t num_put(char *buf, int64_t integer, bool negative, int digits)
     return (size_t)(to - buf);
 }
 
-/*
- * The eight digits of n, below 10^8, a byte each, the first one lowest: fours of them, pairs and
- * single ones by multiplying with 1 / 100 and 1 / 10, so close that what is cut off is right.
- */
-static inline uint64_t eight_digits(uint32_t n)
-{
-    uint64_t fours = n / 10000 | (uint64_t)(n % 10000) << 32;
-    uint64_t hundreds = ((fours * 10486) >> 20) & 0x0000007f0000007f;
-    uint64_t pairs = hundreds | (fours - 100 * hundreds) << 16;
-    uint64_t tens = ((pairs * 103) >> 10) & 0x000f000f000f000f;
-    return tens | (pairs - 10 * tens) << 8;
-}
-
-/* The lowest byte first, whatever the processor's order of bytes. */
-static inline void put_eight(char *to, uint64_t bytes)
-{
-    const char text[] = {(char)bytes,         (char)(bytes >> 8),  (char)(bytes >> 16),
-                         (char)(bytes >> 24), (char)(bytes >> 32), (char)(bytes >> 40),
-                         (char)(bytes >> 48), (char)(bytes >> 56)};
-    memcpy(to, text, sizeof text);
-}
-
-size_t num_put_short(char *buf, int64_t integer, bool negative, int digits, bool point)
-{
-    static const uint64_t character = 0x3030303030303030;
-    if (integer >= 100000000 || digits > 7)
-        return num_shorten(buf, num_put(buf, integer, negative, digits), digits, point);
-    uint64_t digit = eight_digits((uint32_t)integer);
-    int ones = 7 - digits; /* the place of the last digit before the point */
-    int first = __builtin_ctzll(digit | UINT64_C(1) << 8 * ones) / 8;
-    int behind = digits - __builtin_clzll(digit | 1) / 8; /* without the noughts at the end */
-    char *to = buf;
-    *to = '-';
-    to += negative && integer != 0;
-    put_eight(to, (digit + character) >> 8 * first);
-    to += ones + 1 - first;
-    *to = '.';
-    if (behind > 0) {
-        put_eight(to + 1, (digit + character) >> 8 * (ones + 1));
-        to += 1 + behind;
-    } else {
-        to += point;
-    }
-    return (size_t)(to - buf);
-}
-
 size_t num_write(char *buf, double x, int digits)
 {
     int64_t integer;

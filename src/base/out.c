@@ -136,6 +136,18 @@ void out_bytes(struct out *o, const void *p, size_t n)
     o->n += n;
 }
 
+char *out_room(struct out *o, size_t n)
+{
+    if (n > BUFFER - o->n)
+        flush(o);
+    return o->buf + o->n;
+}
+
+void out_take(struct out *o, size_t n)
+{
+    o->n += n;
+}
+
 void out_text(struct out *o, const char *s)
 {
     out_bytes(o, s, strlen(s));

@@ -240,7 +240,7 @@ static double way_of(const struct nc_step *step, const struct mark *mark, size_t
             turned = chain_turned(chain, q);
             cutting = true;
         }
-        if (!chain_beside(&step->ways, item->to.a, q, next, &turned))
+        if (!chain_beside(&step->ways, item->to.a, q, &turned, next, &turned))
             return 0;
         way += chain_way(chain, q, next);
         q[0] = next[0], q[1] = next[1];

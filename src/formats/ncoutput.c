@@ -9,7 +9,7 @@
 
 static void begin(const struct dialect *dialect, struct nc_program *p, struct out *out)
 {
-    p->w = nc_writer_new(out, dialect->style, p->machine->number_step, p->machine->number_max);
+    nc_writer_begin(&p->w, out, dialect->style, p->machine->number_step, p->machine->number_max);
 }
 
 static void write_program(const struct dialect *dialect, struct nc_program *p, const char *file)

@@ -147,6 +147,7 @@ static struct nc_limit *measure(const struct dialect *dialect, const struct nc_p
 {
     struct nc_limit *at = mem_alloc(whole->plan->move.n + 1, sizeof *at);
     struct nc_program p = *whole;
+    p.w.line = p.w.own;
     dialect_start(dialect, &p);
     for (size_t i = 0; i <= whole->plan->move.n; i++) {
         at[i] = (struct nc_limit){p.w.blocks, p.w.bytes};

@@ -63,13 +63,12 @@ static void stance_of(const struct nc_step *step, const struct pose *to, const d
     const struct machine_digits *digits = &step->plan->ability.digits;
     const struct chain *chain = &step->machine->chain;
     struct vec3 p = to->p;
-    double by[ROTARY_MAX] = {0};
-    s->at.q[0] = s->at.q[1] = 0;
-    for (int i = 0; i < chain->n; i++) {
+    double by[ROTARY_MAX];
+    for (int i = 0; i < ROTARY_MAX; i++) { /* 0 where there is no axis */
         s->at.q[i] = RADIANS(num_round(DEGREES(q[i]), digits->angle));
         by[i] = s->at.q[i] - q[i];
     }
-    s->turned = chain_turned_on(chain, *turned, by);
+    s->turned = chain_turned_on(turned, by);
     if (step->follow.mode == FOLLOW_VECTOR)
         s->at.a = round_point(to->a, digits->vector);
     else
@@ -177,9 +176,9 @@ bool nc_reach_beside(const struct nc_step *step, const struct pose *to, struct s
                      struct deviation *off)
 {
     double q[ROTARY_MAX] = {0};
-    struct turned turned = step->state.turned;
+    struct turned turned;
     if (step->first || step->course.n > 0 ||
-        !chain_beside(&step->ways, to->a, step->state.at.q, q, &turned))
+        !chain_beside(&step->ways, to->a, step->state.at.q, &step->state.turned, q, &turned))
         return false;
     stance_of(step, to, q, &turned, stance, off);
     return true;

@@ -9,15 +9,17 @@
 
 #include "num.h"
 
-struct nc_writer nc_writer_new(struct out *out, struct nc_style style, int step, long most)
+void nc_writer_begin(struct nc_writer *w, struct out *out, struct nc_style style, int step,
+                     long most)
 {
     if (style.count_all)
         step = 1;
     if (style.most && style.most < most)
         most = style.most;
-    return (struct nc_writer){
+    *w = (struct nc_writer){
         .out = out, .style = style, .step = step, .most = most, .number = style.count_all ? -1 : 0,
         .wanted = -1};
+    w->line = out ? out_room(out, NC_LINE_MAX) : w->own;
 }
 
 static void append(struct nc_writer *w, const char *s, size_t n)
@@ -63,7 +65,7 @@ void nc_code(struct nc_writer *w, const char *word)
     append(w, word, strlen(word));
 }
 
-static char *put_address(char *to, const char *address)
+static inline char *put_address(char *to, const char *address)
 {
     while (*address)
         *to++ = *address++;
@@ -71,8 +73,8 @@ static char *put_address(char *to, const char *address)
 }
 
 /* A word with a number that num_scaled has made whole. */
-static void put_number(struct nc_writer *w, const char *address, int64_t integer, bool negative,
-                       int digits)
+static inline void put_number(struct nc_writer *w, const char *address, int64_t integer,
+                              bool negative, int digits)
 {
     char *to = put_address(begin_word(w), address);
     bool place = *address && *address != 'F'; /* feeds and the like never have a sign */
@@ -150,8 +152,10 @@ void nc_end(struct nc_writer *w)
     w->bytes += w->n;
     if (w->number == w->wanted && !*w->met)
         memcpy(w->met, w->line, w->n);
-    if (w->out)
-        out_bytes(w->out, w->line, w->n);
+    if (w->out) {
+        out_take(w->out, w->n);
+        w->line = out_room(w->out, NC_LINE_MAX);
+    }
     w->n = 0;
 }
 

@@ -14,19 +14,6 @@ struct turned chain_turned(const struct chain *chain, const double q[])
     return t;
 }
 
-struct turned chain_turned_on(const struct chain *chain, struct turned from, const double by[])
-{
-    struct turned t = from;
-    for (int i = 0; i < chain->n; i++) {
-        double d = by[i], d2 = d * d;
-        double c = 1 - d2 * (1.0 / 2 - d2 * (1.0 / 24 - d2 * (1.0 / 720)));
-        double s = d * (1 - d2 * (1.0 / 6 - d2 * (1.0 / 120)));
-        t.cosine[i] = from.cosine[i] * c - from.sine[i] * s;
-        t.sine[i] = from.sine[i] * c + from.cosine[i] * s;
-    }
-    return t;
-}
-
 struct turned chain_turned_mid(const struct chain *chain, struct turned a, struct turned b)
 {
     struct turned t = a;
