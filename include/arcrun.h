@@ -4,6 +4,7 @@
 #ifndef CLOUDMILL_ARCRUN_H
 #define CLOUDMILL_ARCRUN_H
 
+#include "arcmemory.h"
 #include "path.h"
 #include "run.h"
 #include "trace.h"
@@ -38,9 +39,14 @@ struct arcrun_report {
  * is kept, on the printed digits, by both the tip and the centre and on both sides, against the
  * smooth reference of the run (run_densify) where its points are sparse, against the straight lines
  * between them where they are dense; not with `paper`.  Contacts are carried to the new ends.
+ *
+ * With a memory (NULL: none) the parts between corners whose points are as they were in the last
+ * call become the pieces that they became then.
  */
-void arcrun_fit(const struct run *run, const struct arcrun_options *options, struct path *out,
-                struct arcrun_report *report);
+void arcrun_fit(const struct run *run, const struct arcrun_options *options,
+                struct arcmemory *memory, struct path *out, struct arcrun_report *report);
+
+void arcrun_forget(struct arcmemory *memory);
 
 /* Adds the second report to the first. */
 void arcrun_add(struct arcrun_report *sum, const struct arcrun_report *report);

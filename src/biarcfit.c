@@ -23,6 +23,7 @@ struct job {
     size_t from, to;
     struct path fitted;
     struct arcrun_report report;
+    struct arcmemory memory; /* while it is fitted again and again */
     struct recheck_result seen;
 };
 
@@ -55,7 +56,7 @@ static void fit_run(void *context, const struct run *run, struct deeps *deeps)
     path_free(fitted);
     *fitted = (struct path){0};
     a->job->report = (struct arcrun_report){0};
-    arcrun_fit(run, work->options, fitted, &a->job->report);
+    arcrun_fit(run, work->options, &a->job->memory, fitted, &a->job->report);
     for (size_t i = 0; work->guard->guard && i < fitted->item.n; i++) {
         const struct path_item *item = &fitted->item.item[i];
         if (item->kind != PATH_POINT && item->kind != PATH_ARC)
@@ -74,6 +75,7 @@ static void fit_jobs(void *context, size_t from, size_t to)
         struct run run = arcrun_read(work->in, job->from, job->to);
         struct attempt attempt = {work, job};
         job->seen = recheck_fit(work->guard, &run, fit_run, &attempt);
+        arcmemory_free(&job->memory);
         array_free(&run);
     }
 }

@@ -4,14 +4,11 @@
 #include <stdlib.h>
 
 #include "arcbeam.h"
+#include "arcprint.h"
 #include "arcrelax.h"
-#include "num.h"
-
-enum { COORDINATE = 6, VECTOR = 9 }; /* decimals of the path stream */
 
 static const double REFERENCE = 0.02; /* part of the tolerance that the dense reference may take */
 static const double DENSE = 0.25; /* of it: straight lines this near to the smooth path are it */
-static const double SHORT = 1e-3; /* mm: nothing below this is an arc */
 
 struct run arcrun_read(const struct path *path, size_t from, size_t to)
 {
@@ -33,22 +30,6 @@ struct run arcrun_read(const struct path *path, size_t from, size_t to)
     return run;
 }
 
-static struct vec3 vec_round(struct vec3 a, int digits)
-{
-    return vec(num_round(a.x, digits), num_round(a.y, digits), num_round(a.z, digits));
-}
-
-/* One piece as it is printed, and as it is read back. */
-struct printed {
-    struct piece piece;
-    struct path_arc arc; /* radius 0: a straight line */
-};
-
-struct printeds {
-    size_t n, cap;
-    struct printed *item;
-};
-
 /* The work on one smooth part of a run. */
 struct fit {
     const struct arcrun_options *options;
@@ -60,39 +41,14 @@ struct fit {
     struct stray worst;
 };
 
-static struct printed print_line(const struct piece *piece, struct vec3 from, struct vec3 to)
-{
-    struct printed p = {.piece = *piece};
-    p.piece.arc = arc_line(from, to);
-    return p;
-}
-
-/* The arc through its rounded ends; a line when rounding leaves nothing of its turn. */
-static struct printed print_piece(const struct piece *piece, struct vec3 from)
-{
-    struct vec3 to = vec_round(piece->arc.to, COORDINATE);
-    struct arc exact = arc_to(from, piece->arc.tangent, to);
-    if (arc_straight(&piece->arc) || arc_straight(&exact) || vec_distance(from, to) < SHORT)
-        return print_line(piece, from, to);
-    struct printed p = {.piece = *piece};
-    p.arc.centre = vec_round(arc_centre(&exact), COORDINATE);
-    p.arc.axis = vec_round(arc_axis(&exact), VECTOR);
-    double r0 = vec_distance(from, p.arc.centre), r1 = vec_distance(to, p.arc.centre);
-    p.arc.radius = num_round((r0 + r1) / 2, COORDINATE);
-    p.piece.arc = arc_about(from, to, p.arc.centre, vec_unit(p.arc.axis));
-    if (fabs(p.piece.arc.angle - exact.angle) > 0.01 * exact.angle)
-        return print_line(piece, from, to);
-    return p;
-}
-
 /* Prints all pieces in memory and measures what a reader of the digits will find. */
 static void print_pieces(struct fit *f)
 {
     f->printed.n = 0;
     f->worst = (struct stray){0};
-    struct vec3 at = vec_round(f->trace.p[0], COORDINATE);
+    struct vec3 at = arcprint_round(f->trace.p[0], PATH_COORDINATE);
     for (size_t i = 0; i < f->pieces.n; i++) {
-        struct printed p = print_piece(&f->pieces.item[i], at);
+        struct printed p = arcprint_piece(&f->pieces.item[i], at);
         at = p.piece.arc.to;
         f->worst = stray_worst(f->worst, trace_stray(&f->trace, &p.piece, 4, NULL));
         *array_push(&f->printed) = p;
@@ -125,8 +81,8 @@ static void fit_within(struct fit *f, double tolerance)
     for (int i = 0; i < 6; i++, part *= 0.995) {
         struct stray less = {part * tolerance, part * tolerance, part * f->options->axis};
         f->pieces.n = 0;
-        arcbeam_fit(&f->trace, &less, COORDINATE, &f->pieces);
-        arcrelax(&f->trace, &less, COORDINATE, &f->pieces);
+        arcbeam_fit(&f->trace, &less, PATH_COORDINATE, &f->pieces);
+        arcrelax(&f->trace, &less, PATH_COORDINATE, &f->pieces);
         print_pieces(f);
         if (stray_within(&f->worst, &within) && arrives(f))
             return;
@@ -155,42 +111,13 @@ static void touch(struct path *out, struct path_item *item, const struct fit *f,
         path_touch(out, item, contact);
 }
 
-/* How many chords keep a piece of the motion within `sagitta` at both points. */
-static int chords_of(const struct piece *piece, double lever, double sagitta)
-{
-    for (int n = 1; n < 4096; n *= 2) {
-        double worst = 0;
-        for (int i = 0; i < n; i++) {
-            struct vec3 p[3], q[3];
-            for (int k = 0; k < 3; k++) {
-                double s = (i + k * 0.5) / n;
-                p[k] = arc_at(&piece->arc, s);
-                q[k] = vec_along(p[k], lever, vec_slerp(piece->axis, piece->axis_to, s));
-            }
-            worst = fmax(worst, vec_distance(p[1], vec_mix(p[0], p[2], 0.5)));
-            worst = fmax(worst, vec_distance(q[1], vec_mix(q[0], q[2], 0.5)));
-        }
-        if (worst <= sagitta)
-            return n;
-    }
-    return 4096;
-}
-
 static void put_chords(const struct fit *f, const struct printed *p, struct path *out)
 {
-    char text[16 * NUM_MAX], *at = text;
-    double v[] = {p->arc.centre.x, p->arc.centre.y, p->arc.centre.z, p->arc.axis.x,
-                  p->arc.axis.y,   p->arc.axis.z,   p->arc.radius};
-    for (const char *s = "$$ CIRCLE/"; *s; s++)
-        *at++ = *s;
-    for (int i = 0; i < 7; i++) {
-        if (i > 0)
-            *at++ = ',';
-        at += num_write(at, v[i], i >= 3 && i < 6 ? VECTOR : COORDINATE);
-    }
+    char text[ARCPRINT_MAX];
+    arcprint_comment(&p->arc, text);
     path_add_text(out, text);
     const struct piece *piece = &p->piece;
-    int n = chords_of(piece, f->trace.lever, DENSE * f->options->tolerance);
+    int n = arcprint_chords(piece, f->trace.lever, DENSE * f->options->tolerance);
     for (int i = 1; i <= n; i++) {
         double s = (double)i / n, place = piece->from + s * (piece->to - piece->from);
         struct pose to = {arc_at(&piece->arc, s), vec_slerp(piece->axis, piece->axis_to, s)};
@@ -265,11 +192,11 @@ static double reference_of(const struct run *run, const struct arcrun_options *o
     }
     for (size_t i = 0; i < dense->n; i++) {
         struct run_point *p = &dense->item[i];
-        p->axis = vec_unit(vec_round(p->axis, VECTOR));
+        p->axis = vec_unit(arcprint_round(p->axis, PATH_VECTOR));
         if (options->centre)
-            p->ball = vec_round(p->ball, COORDINATE);
+            p->ball = arcprint_round(p->ball, PATH_COORDINATE);
         else
-            p->tip = vec_round(p->tip, COORDINATE);
+            p->tip = arcprint_round(p->tip, PATH_COORDINATE);
     }
     return taken;
 }
@@ -291,9 +218,21 @@ static struct sizes parts_of(const struct run *dense, const struct arcrun_option
     return end;
 }
 
-void arcrun_fit(const struct run *run, const struct arcrun_options *options, struct path *out,
-                struct arcrun_report *report)
+/* The part goes into the memory, or away. */
+static void keep(struct arcmemory *memory, struct fit *f)
 {
+    if (!memory) {
+        trace_free(&f->trace);
+        return;
+    }
+    *array_push(memory) = (struct arcmemory_part){f->trace, f->printed, f->worst};
+    f->printed = (struct printeds){0};
+}
+
+void arcrun_fit(const struct run *run, const struct arcrun_options *options,
+                struct arcmemory *memory, struct path *out, struct arcrun_report *report)
+{
+    struct arcmemory next = {0};
     struct run dense = {.radius = run->radius};
     double taken = reference_of(run, options, &dense);
     if (options->chords)
@@ -305,13 +244,17 @@ void arcrun_fit(const struct run *run, const struct arcrun_options *options, str
         if (options->paper) {
             fit_each(&f, run, report);
             print_pieces(&f);
-        } else {
+        } else if (!(memory && arcmemory_take(memory, &f.trace, &f.printed, &f.worst))) {
             fit_within(&f, options->tolerance - taken);
         }
         put_pieces(&f, out, report);
         report->worst = stray_worst(report->worst, f.worst);
         f.first = end.item[i];
-        trace_free(&f.trace);
+        keep(memory ? &next : NULL, &f);
+    }
+    if (memory) {
+        arcmemory_free(memory);
+        *memory = next;
     }
     report->points += run->n;
     report->corners += end.n - 1;

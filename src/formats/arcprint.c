@@ -1,0 +1,69 @@
+/* arcprint - see arcprint.h. */
+#include "arcprint.h"
+
+#include <math.h>
+
+static const double SHORT = 1e-3; /* mm: nothing below this is an arc */
+
+struct vec3 arcprint_round(struct vec3 a, int digits)
+{
+    return vec(num_round(a.x, digits), num_round(a.y, digits), num_round(a.z, digits));
+}
+
+static struct printed print_line(const struct piece *piece, struct vec3 from, struct vec3 to)
+{
+    struct printed p = {.piece = *piece};
+    p.piece.arc = arc_line(from, to);
+    return p;
+}
+
+struct printed arcprint_piece(const struct piece *piece, struct vec3 from)
+{
+    struct vec3 to = arcprint_round(piece->arc.to, PATH_COORDINATE);
+    struct arc exact = arc_to(from, piece->arc.tangent, to);
+    if (arc_straight(&piece->arc) || arc_straight(&exact) || vec_distance(from, to) < SHORT)
+        return print_line(piece, from, to);
+    struct printed p = {.piece = *piece};
+    p.arc.centre = arcprint_round(arc_centre(&exact), PATH_COORDINATE);
+    p.arc.axis = arcprint_round(arc_axis(&exact), PATH_VECTOR);
+    double r0 = vec_distance(from, p.arc.centre), r1 = vec_distance(to, p.arc.centre);
+    p.arc.radius = num_round((r0 + r1) / 2, PATH_COORDINATE);
+    p.piece.arc = arc_about(from, to, p.arc.centre, vec_unit(p.arc.axis));
+    if (fabs(p.piece.arc.angle - exact.angle) > 0.01 * exact.angle)
+        return print_line(piece, from, to);
+    return p;
+}
+
+int arcprint_chords(const struct piece *piece, double lever, double sagitta)
+{
+    for (int n = 1; n < 4096; n *= 2) {
+        double worst = 0;
+        for (int i = 0; i < n; i++) {
+            struct vec3 p[3], q[3];
+            for (int k = 0; k < 3; k++) {
+                double s = (i + k * 0.5) / n;
+                p[k] = arc_at(&piece->arc, s);
+                q[k] = vec_along(p[k], lever, vec_slerp(piece->axis, piece->axis_to, s));
+            }
+            worst = fmax(worst, vec_distance(p[1], vec_mix(p[0], p[2], 0.5)));
+            worst = fmax(worst, vec_distance(q[1], vec_mix(q[0], q[2], 0.5)));
+        }
+        if (worst <= sagitta)
+            return n;
+    }
+    return 4096;
+}
+
+void arcprint_comment(const struct path_arc *arc, char *text)
+{
+    const double v[] = {arc->centre.x, arc->centre.y, arc->centre.z, arc->axis.x,
+                        arc->axis.y,   arc->axis.z,   arc->radius};
+
+    for (const char *s = "$$ CIRCLE/"; *s; s++)
+        *text++ = *s;
+    for (int i = 0; i < 7; i++) {
+        if (i > 0)
+            *text++ = ',';
+        text += num_write(text, v[i], i >= 3 && i < 6 ? PATH_VECTOR : PATH_COORDINATE);
+    }
+}
