@@ -38,6 +38,9 @@ void nc_hole_place(struct nc_program *p, const struct nc_hole *hole);
 /* Remembers that the cycle is on and that the tool is where it leaves this hole. */
 void nc_hole_done(struct nc_program *p, const struct nc_move *move);
 
+/* The tool comes out at feed, to where it began. */
+bool nc_hole_slow(const struct nc_hole *hole);
+
 /* It has steps: the first and each that follows. */
 bool nc_hole_steps(const struct nc_hole *hole);
 

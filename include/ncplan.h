@@ -72,6 +72,7 @@ struct nc_hole {
     struct vec3 mouth;
     const struct path_cycle *cycle; /* the path's */
     double feed;                    /* mm/min, or inches */
+    double depth, clear, retract; /* of the cycle, as printed */
 };
 
 /* 64 bytes, for there may be millions. */

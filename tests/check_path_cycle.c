@@ -121,6 +121,16 @@ START_TEST(home_from_each)
         }
     ck_assert_uint_eq(path.cycle.n, 2);
     path_free(&path);
+    /* the second mouth is above where the tool came from: it is left as usual */
+    ck_assert_int_eq(path_read(scratch_text("GOTO/0,0,20\nCYCLE/DRILL,RAPTO,3,FEDTO,9,RTRCTO,AUTO\n"
+                                            "GOTO/9,0,0\nGOTO/9,9,30\nGOTO/9,5,0\nFINI\n"),
+                               &path, &error),
+                     0);
+    ck_assert_uint_eq(path.cycle.n, 3);
+    ck_assert_double_eq(path.cycle.item[0].retract, 20);
+    ck_assert_double_eq(path.cycle.item[1].retract, 3);
+    ck_assert_double_eq(path.cycle.item[2].retract, 20);
+    path_free(&path);
 }
 END_TEST
 

@@ -193,6 +193,11 @@ hasnt "no cycle of the control" 'G81' trap.nc
 posts "BORE,MANUAL: the program stops at the bottom" '^N[0-9]+ M0$' 'SPINDL/RPM,1000,CLW' 'GOTO/0,0,9' \
 	'CYCLE/BORE,MANUAL,DEPTH,10,MMPM,90' 'GOTO/1,2,0' CYCLE/OFF FINI
 result "$([ "$(grep -c 'M[035]$\|M3$' trap.nc)" -ge 5 ]; echo $?)" "its spindle stopped, and turned again"
+printf '%s\n' 'SPINDL/RPM,1000,CLW' 'GOTO/0,0,30' 'CYCLE/TAP,DEPTH,10,PITCH,1,CLEAR,2,RTRCTO,9' 'GOTO/1,2,0' \
+	'GOTO/3,4,0' CYCLE/OFF FINI >trap.cl
+ok "a tap is left high" ncpost -q -c linuxcnc -m linuxcnc-xyzac -o trap.ngc trap.cl
+has "LinuxCNC: at feed to R alone" ' G99 G84 X3\. Y4\. Z-10\. R2\.' trap.ngc
+result "$([ "$(grep -A2 ' G84 ' trap.ngc | grep -c ' G0 Z9\.$')" -eq 2 ]; echo $?)" "then at rapid"
 refuses "BORE,BACK: not from above" 'from above' 'GOTO/0,0,9' 'CYCLE/BORE,BACK,DEPTH,3' 'GOTO/0,0,0' FINI
 posts "SPINDL: a limit is no speed" 'S900 M3' 'SPINDL/MAXRPM,5000,RPM,900,CLW' 'GOTO/0,0,9' 'GOTO/5,5,9' FINI
 posts "SPINDL/ON: as fast as before" 'S900 M4' 'SPINDL/900,RPM,CCLW' 'GOTO/0,0,9' SPINDL/OFF 'GOTO/5,5,9' \

@@ -40,9 +40,9 @@ static void count(struct nc_step *step, const struct nc_hole *hole, double over)
 {
     const struct path_cycle *c = hole->cycle;
     struct nc_total *total = &step->plan->total;
-    bool slow = c->kind == CYCLE_TAP || c->kind == CYCLE_BORE;
-    double down = c->depth + c->clear, out = c->depth + c->retract;
-    double rapid = over + c->retract - c->clear + (slow ? c->retract - c->clear : out);
+    bool slow = nc_hole_slow(hole);
+    double down = hole->depth + hole->clear, out = hole->depth + hole->retract;
+    double lift = hole->retract - hole->clear, rapid = over + lift + (slow ? lift : out);
     total->holes++;
     total->cut += slow ? 2 * down : down;
     total->rapid += rapid;
@@ -59,7 +59,12 @@ static struct vec3 printed(const struct nc_step *step, struct vec3 p)
 int nc_hole(struct nc_step *step, const struct path_item *item)
 {
     const struct path_cycle *c = &step->path->cycle.item[item->index];
-    struct nc_hole hole = {.mouth = printed(step, item->to.p), .cycle = c};
+    int digits = step->plan->ability.digits.linear;
+    struct nc_hole hole = {.mouth = printed(step, item->to.p),
+                           .cycle = c,
+                           .depth = num_round(c->depth, digits),
+                           .clear = num_round(c->clear, digits),
+                           .retract = num_round(c->retract, digits)};
     struct pose above = {hole.mouth, item->to.a}, bottom = above;
     above.p.z = nc_hole_level(&hole);
     bottom.p.z = nc_hole_bottom(&hole);
@@ -111,17 +116,17 @@ bool nc_hole_steps_differ(const struct path *path)
 
 double nc_hole_bottom(const struct nc_hole *hole)
 {
-    return hole->mouth.z - hole->cycle->depth;
+    return hole->mouth.z - hole->depth;
 }
 
 double nc_hole_clear(const struct nc_hole *hole)
 {
-    return hole->mouth.z + hole->cycle->clear;
+    return hole->mouth.z + hole->clear;
 }
 
 double nc_hole_level(const struct nc_hole *hole)
 {
-    return hole->mouth.z + hole->cycle->retract;
+    return hole->mouth.z + hole->retract;
 }
 
 double nc_hole_pitch(const struct nc_program *p, const struct nc_hole *hole)
@@ -129,6 +134,11 @@ double nc_hole_pitch(const struct nc_program *p, const struct nc_hole *hole)
     if (hole->cycle->pitch > 0)
         return hole->cycle->pitch;
     return p->tooling.spindle > 0 ? hole->feed / p->tooling.spindle : 0;
+}
+
+bool nc_hole_slow(const struct nc_hole *hole)
+{
+    return hole->cycle->kind == CYCLE_TAP || hole->cycle->kind == CYCLE_BORE;
 }
 
 bool nc_hole_steps(const struct nc_hole *hole)

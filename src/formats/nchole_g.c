@@ -33,6 +33,21 @@ static bool dwells(const struct nc_hole *hole)
     return hole->cycle->kind == CYCLE_DRAG || (hole->cycle->dwell > 0 && !nc_hole_steps(hole));
 }
 
+/* LinuxCNC goes at feed as far as G98 says where the tool comes out at feed. */
+static bool lifts(const struct nc_hole *hole, bool linuxcnc)
+{
+    return linuxcnc && nc_hole_slow(hole) && hole->retract > hole->clear;
+}
+
+/* Up at rapid by a block of its own. */
+static void lift(struct nc_program *p, const struct nc_hole *hole)
+{
+    nc_hole_g_end(p);
+    nc_motion(&p->w, "G0");
+    nc_number(&p->w, "Z", nc_hole_level(hole), p->plan->ability.digits.linear);
+    nc_end(&p->w);
+}
+
 void nc_hole_g(struct nc_program *p, const struct nc_move *move, bool seconds)
 {
     const struct nc_hole *hole = nc_hole_of(p, move);
@@ -49,7 +64,7 @@ void nc_hole_g(struct nc_program *p, const struct nc_move *move, bool seconds)
     if (!goes_on) {
         if (c->kind == CYCLE_TAP)
             nc_template(p, p->machine->blocks.tap, "");
-        nc_code(w, c->retract > c->clear ? "G98" : "G99");
+        nc_code(w, hole->retract > hole->clear && !lifts(hole, seconds) ? "G98" : "G99");
         nc_code(w, code(p, c));
     }
     nc_hole_place(p, hole);
@@ -66,6 +81,8 @@ void nc_hole_g(struct nc_program *p, const struct nc_move *move, bool seconds)
     }
     nc_end(w);
     nc_hole_done(p, move);
+    if (lifts(hole, seconds))
+        lift(p, hole);
 }
 
 void nc_hole_g_end(struct nc_program *p)

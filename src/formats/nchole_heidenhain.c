@@ -44,12 +44,12 @@ static void begin(struct nc_program *p, const struct nc_hole *hole)
     const struct path_cycle *c = hole->cycle;
     bool down = c->next > 0 && c->next < c->step;
     double next = down ? c->next : c->step, less = down ? c->step - c->next : 0;
-    double above = c->retract > c->clear ? c->retract : 0,
+    double above = hole->retract > hole->clear ? hole->retract : 0,
            gap = PATH_PECK_GAP / p->plan->ability.unit;
-    const struct part clear = {200, c->clear, "SET-UP CLEARANCE"},
-                      depth = {201, -c->depth, "DEPTH"},
+    const struct part clear = {200, hole->clear, "SET-UP CLEARANCE"},
+                      depth = {201, -hole->depth, "DEPTH"},
                       feed = {206, hole->feed, "FEED RATE FOR PLNGNG"},
-                      step = {202, nc_hole_steps(hole) ? c->step : c->depth, "PLUNGING DEPTH"},
+                      step = {202, nc_hole_steps(hole) ? c->step : hole->depth, "PLUNGING DEPTH"},
                       mouth = {203, hole->mouth.z, "SURFACE COORDINATE"},
                       second = {204, above, "2ND SET-UP CLEARANCE"},
                       dwell = {211, c->dwell, "DWELL TIME AT DEPTH"},

@@ -35,7 +35,7 @@ static void begin(struct nc_program *p, const struct nc_hole *hole)
     double dwell = c->dwell > 0 ? c->dwell : (double)NAN, feed = hole->feed;
     double rpm = p->tooling.spindle, turns = p->tooling.ccw ? 4 : 3, none = NAN;
     double pitch = nc_hole_pitch(p, hole) * (p->tooling.ccw ? -1 : 1);
-    double argument[ARGUMENTS] = {top, hole->mouth.z, c->clear, bottom, none, dwell};
+    double argument[ARGUMENTS] = {top, hole->mouth.z, hole->clear, bottom, none, dwell};
     if (c->kind == CYCLE_TAP) {
         memcpy(argument + 6, (double[]){turns, none, pitch, 0, rpm, rpm}, 6 * sizeof rpm);
         call(p, "MCALL CYCLE84", 12, argument);

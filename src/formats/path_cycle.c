@@ -90,6 +90,7 @@ static int begin(struct path_parse *p)
     p->drilled = false;
     p->homeward = p->moved && (w.home || (p->dialect == &cl_creo && w.value[CYCLE_RETRACT] == 0));
     p->before = p->at;
+    p->leave = c.retract;
     return 0;
 }
 
@@ -112,13 +113,15 @@ int path_read_cycle(struct path_parse *p)
                     word);
 }
 
-/* The tool leaves as high above this mouth as it came to CYCLE: another cycle where that differs
- * from the hole before. */
+/* The tool leaves as high above this mouth as it came to CYCLE, else as usual: another cycle where
+ * that differs from the hole before. */
 static void leave_homeward(struct path_parse *p, struct pose mouth)
 {
     struct path_cycle *c = &p->path->cycle.item[p->path->cycle.n - 1];
     double height = vec_dot(vec_sub(p->before.p, mouth.p), mouth.a);
-    if (height <= c->clear || height <= 0 || fabs(height - c->retract) < 1e-6)
+    if (height <= c->clear || height <= 0)
+        height = p->leave;
+    if (fabs(height - c->retract) < 1e-6)
         return;
     struct path_cycle other = *c;
     other.retract = height;
