@@ -1,4 +1,4 @@
-/* meshnear: distances from triangles by a dense search, and from a mesh by its known plane. */
+/* meshnear: distances from facets by a dense search, and from a mesh by its known plane. */
 #include <check.h>
 #include <stdlib.h>
 
@@ -10,23 +10,32 @@ static struct vec3 anywhere(double size)
     return vec(size * uniform(), size * uniform(), size * uniform());
 }
 
-START_TEST(triangle_by_brute_force)
+/* Facets of any shape and size anywhere, slender ones among them. */
+START_TEST(by_brute_force)
 {
-    for (int round = 0; round < 100; round++) {
-        struct vec3 a = anywhere(1), b = anywhere(1), c = anywhere(1), p = anywhere(2);
-        double least = HUGE_VAL;
-        for (int i = 0; i <= 100; i++)
-            for (int j = 0; j <= 100 - i; j++) {
-                struct vec3 q = vec_along(vec_along(a, i / 100.0, vec_sub(b, a)), j / 100.0,
-                                          vec_sub(c, a));
-                least = fmin(least, vec_distance(p, q));
-            }
-        double distance = meshnear_triangle(p, a, b, c);
+    for (int round = 0; round < 20; round++) {
+        struct mesh m = {0};
+        struct vec3 p = anywhere(2);
+        double least = HUGE_VAL, distance;
+        for (int f = 0; f < 12; f++) {
+            struct vec3 a = anywhere(1), b = anywhere(1), c = f % 3 ? anywhere(1) : vec_mix(a, b, 1.01);
+            for (int i = 0; i <= 100; i++)
+                for (int j = 0; j <= 100 - i; j++) {
+                    struct vec3 q = vec_along(vec_along(a, i / 100.0, vec_sub(b, a)), j / 100.0,
+                                              vec_sub(c, a));
+                    least = fmin(least, vec_distance(p, q));
+                }
+            int v = (int)m.vertex.n;
+            *array_push(&m.vertex) = a;
+            *array_push(&m.vertex) = b;
+            *array_push(&m.vertex) = c;
+            *array_push(&m.face) = (struct face){{v, v + 1, v + 2}};
+        }
+        meshnear(&m, &p, 1, 1, &distance);
         ck_assert_double_le(distance, least + 1e-12);
         ck_assert_double_ge(distance, least - 0.02);
+        mesh_free(&m);
     }
-    struct vec3 line = vec(1, 0, 0);
-    ck_assert_double_eq_tol(meshnear_triangle(vec(0.5, 2, 0), vec(0, 0, 0), line, line), 2, 1e-12);
 }
 END_TEST
 
@@ -57,7 +66,7 @@ int main(void)
     Suite *suite = suite_create("meshnear");
     TCase *tests = tcase_create("meshnear");
     SRunner *runner = srunner_create(suite);
-    tcase_add_test(tests, triangle_by_brute_force);
+    tcase_add_test(tests, by_brute_force);
     tcase_add_test(tests, flat_mesh);
     suite_add_tcase(suite, tests);
     srunner_run_all(runner, CK_ENV);

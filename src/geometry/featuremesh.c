@@ -269,6 +269,8 @@ struct featuremesh featuremesh_keep(struct mesh *mesh, const struct vec3 *point,
         featuresettle_feet(&settle);
     if (found.creases + found.walls > 0)
         found = keep_better(&s, &before, n, threads);
+    else
+        featuresettle_back(&settle, &before);
     for (size_t e = 0; e < edges.n; e++)
         if (s.feature[e].kind != FEATURE_NONE)
             *array_push(&found.place) = vec_mix(s.feature[e].place[0], s.feature[e].place[1], 0.5);
