@@ -11,7 +11,7 @@
 #include "parallel.h"
 #include "quadric.h"
 
-enum { NEAR = 30, MOST = 200, LOOKS = 4, MOST_DOUBTFUL = 12000, MANY = 200000, FEW = 1000 };
+enum { NEAR = 30, MOST = 200, LOOKS = 4, MOST_DOUBTFUL = 12000, MANY = 200000, CHAIN = 6 };
 
 static const double SLOPE = 0.5;                /* rise of an edge by its length, of a wall */
 static const double TURN = 0.99452189536827333; /* cos 6 degrees between normals */
@@ -218,6 +218,37 @@ static void look_for_walls(void *context, size_t from, size_t to)
     }
 }
 
+/* The most edges in one chain: from facet to facet, over edges that something crosses. */
+static size_t longest_chain(const struct search *s)
+{
+    const struct mesh_edges *edges = s->edges;
+    unsigned char *seen = mem_alloc(edges->n, 1);
+    struct ints open = {0};
+    size_t longest = 0;
+
+    for (size_t e = 0; e < edges->n; e++) {
+        size_t length = 0;
+        if (s->feature[e].kind != FEATURE_NONE && !seen[e])
+            *array_push(&open) = (int)e;
+        seen[e] = 1;
+        while (open.n > 0) {
+            const struct mesh_edge *edge = &edges->edge[open.item[--open.n]];
+            length++;
+            for (int i = 0; i < 6; i++) {
+                int facet = edge->facet[i / 3], next = facet < 0 ? -1 : edges->of[facet][i % 3];
+                if (next < 0 || seen[next] || s->feature[next].kind == FEATURE_NONE)
+                    continue;
+                seen[next] = 1;
+                *array_push(&open) = next;
+            }
+        }
+        longest = length > longest ? length : longest;
+    }
+    free(seen);
+    array_free(&open);
+    return longest;
+}
+
 size_t featuremesh_walls(const struct mesh *mesh, const struct vec3 *point, size_t n, size_t flat,
                          double spacing, double noise, int threads)
 {
@@ -232,9 +263,7 @@ size_t featuremesh_walls(const struct mesh *mesh, const struct vec3 *point, size
                        .feature = mem_alloc(edges.n, sizeof *s.feature)};
 
     parallel_for(threads, edges.n, look_for_walls, &s);
-    size_t found = sum_up(&s).walls;
-    if (edges.n > MANY && found < edges.n / FEW)
-        found = 0;
+    size_t found = longest_chain(&s) >= (edges.n > MANY ? 4 * CHAIN : CHAIN) ? sum_up(&s).walls : 0;
     free(s.feature);
     kdtree_free(tree);
     kdtree_free(walls);
