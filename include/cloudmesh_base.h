@@ -34,12 +34,16 @@ void cloudmesh_edges(const struct cloudmesh_wish *wish, const struct cloud_parts
 bool cloudmesh_has_walls(const struct cloudmesh_wish *wish, const struct cloud_parts *parts,
                          const struct vec3s *points, double noise, int threads);
 
+/* Two meshes, and what came of them, change places. */
+void cloudmesh_swap(struct mesh *other, struct cloudmesh *other_made, struct mesh *mesh,
+                    struct cloudmesh *made);
+
 /* Puts `other` in the place of `mesh` where that is closer to the points (squares, every so many of
  * them). */
 void cloudmesh_closer(const struct vec3s *points, int threads, struct mesh *other,
                       struct cloudmesh *other_made, struct mesh *mesh, struct cloudmesh *made);
 
-/* A mesh that was only tried: its origin is that of the other one. */
+/* Of a mesh that was only tried. */
 void cloudmesh_drop(struct mesh *mesh, struct cloudmesh *made);
 
 /* The mesh by a grid: vertices are chosen from the points of walls, unless it is closer to all

@@ -8,7 +8,7 @@
 
 struct featuremesh {
     size_t creases, walls; /* edges of the mesh that cross one */
-    struct vec3s place;    /* of each such edge, in the middle of it; for the caller to free */
+    struct vec3s place;    /* along them; for the caller to free */
     size_t too_many;       /* edges that might, more than are looked at: then none is */
 };
 

@@ -7,7 +7,9 @@
  * about 2 sigma / sqrt(k) within the cloud and by more at its border, but the wider the
  * neighbourhood, the more of the surface is no quadric.  So the widest neighbourhood is taken whose
  * foot agrees with those of its nearer halves within what noise explains (O. Lepski's rule, Theory
- * of Probability and its Applications 35, 1991).
+ * of Probability and its Applications 35, 1991).  Where even few points are bent too much, as on a rib
+ * or in a groove, they are taken from a neighbourhood that is six times as long the way it runs; that
+ * way is the one in which such a neighbourhood is fitted best.
  */
 #ifndef CLOUDMILL_SCANSMOOTH_H
 #define CLOUDMILL_SCANSMOOTH_H

@@ -113,7 +113,12 @@ START_TEST(gaps)
             set_up(kind);
             struct feature *was = mem_alloc(edges.n, sizeof *was);
             memcpy(was, feature, edges.n * sizeof *was);
-            ck_assert_uint_gt(forget(3, 4), 1);
+            size_t all = featuregap_longest(&edges, feature), gone = forget(3, 4);
+            ck_assert_uint_ge(all, 2 * ROWS - 2);
+            ck_assert_uint_gt(gone, 1);
+            size_t longest = featuregap_longest(&edges, feature);
+            ck_assert_uint_lt(longest, all - gone);
+            ck_assert_uint_ge(2 * longest, all - gone);
             featuregap_close(&m, &edges, feature);
             compare(was);
             ck_assert_uint_gt(forget(8.3, 99), 1); /* to the border */

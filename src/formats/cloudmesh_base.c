@@ -183,11 +183,9 @@ static double off_points(const struct mesh *mesh, const struct vec3s *points, in
     return sum;
 }
 
-void cloudmesh_closer(const struct vec3s *points, int threads, struct mesh *other,
-                      struct cloudmesh *other_made, struct mesh *mesh, struct cloudmesh *made)
+void cloudmesh_swap(struct mesh *other, struct cloudmesh *other_made, struct mesh *mesh,
+                    struct cloudmesh *made)
 {
-    if (off_points(other, points, threads) >= off_points(mesh, points, threads))
-        return;
     struct mesh swap = *mesh;
     struct cloudmesh swap_made = *made;
     *mesh = *other;
@@ -196,9 +194,15 @@ void cloudmesh_closer(const struct vec3s *points, int threads, struct mesh *othe
     *other_made = swap_made;
 }
 
+void cloudmesh_closer(const struct vec3s *points, int threads, struct mesh *other,
+                      struct cloudmesh *other_made, struct mesh *mesh, struct cloudmesh *made)
+{
+    if (off_points(other, points, threads) < off_points(mesh, points, threads))
+        cloudmesh_swap(other, other_made, mesh, made);
+}
+
 void cloudmesh_drop(struct mesh *mesh, struct cloudmesh *made)
 {
-    mesh->origin = (struct mesh_origin){.source = NULL};
     mesh_free(mesh);
     array_free(&made->edge);
 }

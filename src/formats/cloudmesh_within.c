@@ -14,7 +14,9 @@ struct source {
     struct vec3s *surface, *scan;
     struct cloud_parts surface_parts, scan_parts;
     double noise;
+    struct mesh_origin origin;   /* as it is before a mesh is made */
     const struct edgezone *zone; /* NULL: not known yet */
+    struct vec3s judged;         /* what the last mesh was judged by */
 };
 
 /* Noisy points moved onto the surface that they stand for, all or, of very many, those of a grid
@@ -76,12 +78,13 @@ static int make_rows(const struct cloudmesh_wish *wish, const struct source *s, 
     return 0;
 }
 
-/* How far the points over and under the mesh are from it as it is in the end, in space.  What is
- * near a crease or wall still has its noise: that is allowed for. */
-static void measure(const struct mesh *mesh, const struct source *s, const struct vec3s *points,
-                    int threads, struct rowmesh *rows)
+/* How far the points over and under the mesh are from it as it is in the end, in space.  Those near
+ * a crease or wall have their noise: that is allowed for. */
+static void measure(const struct mesh *mesh, const struct source *s, int threads,
+                    struct rowmesh *rows)
 {
     const double sigmas = 3.5;
+    const struct vec3s *points = &s->judged;
     double *distance = mem_alloc(points->n, sizeof *distance), sum2 = 0;
 
     meshnear(mesh, points->item, points->n, threads, distance);
@@ -101,59 +104,140 @@ static void measure(const struct mesh *mesh, const struct source *s, const struc
     free(distance);
 }
 
-static int mesh_of(const struct cloudmesh_wish *wish, const struct source *s, int threads,
+/* The surface that the points stand for, and near creases and walls, which that is too smooth for,
+ * the points themselves. */
+static struct vec3s mixed_surface(const struct source *s)
+{
+    struct vec3s mixed = {0};
+
+    for (size_t i = 0; i < s->surface->n; i++) {
+        struct vec3 p = s->surface->item[i];
+        if (!edgezone_near(s->zone, p.x, p.y))
+            *array_push(&mixed) = p;
+    }
+    for (size_t i = 0; i < s->scan->n; i++) {
+        struct vec3 p = s->scan->item[i];
+        if (edgezone_near(s->zone, p.x, p.y))
+            *array_push(&mixed) = p;
+    }
+    return mixed;
+}
+
+/* Normals: with a zone, vertices near to it are moved onto surfaces yet. */
+static int make_normals(const struct cloudmesh_wish *wish, const struct source *s, int threads,
+                        struct mesh *mesh, struct error *error)
+{
+    bool raw = s->zone && s->noise > 0;
+    struct vec3s *points = raw ? s->scan : s->surface;
+    size_t flat = raw ? s->scan_parts.flat : s->surface_parts.flat;
+
+    return cloudmesh_normals(wish, points->item, flat, raw ? s->noise : 0, threads, mesh, error);
+}
+
+static int mesh_of(const struct cloudmesh_wish *wish, struct source *s, int threads,
                    struct mesh *mesh, struct cloudmesh *made, struct error *error)
 {
-    const struct cloud_parts *parts = &s->surface_parts;
-    struct vec3s judged = {0};
+    const struct vec3s *points = s->surface;
+    size_t flat = s->surface_parts.flat, walls = points->n - flat;
+    double mean = s->surface_parts.mean;
     int status = make_rows(wish, s, threads, mesh, made, error);
+    s->judged.n = 0;
+    /* the points of walls before these are there: then nothing is under them */
     if (status == 0 && mesh->face.n > 0)
-        status = meshcover(mesh, s->surface->item, s->surface->n, parts->mean, &judged, error);
+        status = meshcover(mesh, points->item + flat, walls, mean, &s->judged, error);
     if (status == 0 && mesh->face.n > 0)
-        status =
-            cloudmesh_normals(wish, s->surface->item, parts->flat, 0, threads, mesh, error);
+        status = make_normals(wish, s, threads, mesh, error);
     if (status == 0 && mesh->face.n > 0) {
         cloudmesh_edges(wish, &s->scan_parts, s->scan, s->noise, threads, mesh, made);
-        measure(mesh, s, &judged, threads, &made->rows);
-        made->rows.beside = s->surface->n - judged.n;
+        status = meshcover(mesh, points->item, flat, mean, &s->judged, error);
+        measure(mesh, s, threads, &made->rows);
+        made->rows.beside = points->n - s->judged.n;
     }
-    array_free(&judged);
     return status;
 }
 
-/* Creases and walls are found best by a grid: where it has some, rows that leave room for them. */
+/* Rows that leave room for the edges that a grid has found: that mesh is the one where it is within
+ * the error, or closer than the other.  Both are judged alike. */
+static int mesh_in_zone(const struct cloudmesh_wish *asked, const struct source *known,
+                        bool walls, int threads, struct mesh *mesh, struct cloudmesh *made,
+                        struct error *error)
+{
+    struct cloudmesh_wish wish = *asked;
+    struct source s = *known;
+    struct vec3s mixed = mixed_surface(known);
+    struct mesh other = {.origin = s.origin};
+    struct cloudmesh other_made = {.walls = 0};
+
+    wish.silent = true;
+    s.surface = &mixed;
+    s.judged = (struct vec3s){0};
+    s.scan_parts.flat = s.scan->n;
+    s.surface_parts.flat = mixed.n;
+    if (walls) {
+        s.scan_parts.flat = wallpoints_part(s.scan->item, s.scan->n, s.scan_parts.mean, threads);
+        s.surface_parts.flat =
+            wallpoints_part(mixed.item, mixed.n, s.surface_parts.mean, threads);
+    }
+    int status = mesh_of(&wish, &s, threads, &other, &other_made, error);
+    if (status == 0) {
+        measure(mesh, &s, threads, &made->rows);
+        if (other_made.rows.worst <= fmax(asked->error, made->rows.worst))
+            cloudmesh_swap(&other, &other_made, mesh, made);
+    }
+    cloudmesh_drop(&other, &other_made);
+    array_free(&s.judged);
+    array_free(&mixed);
+    return status;
+}
+
+/* Creases and walls are found best by a grid. */
 static int mesh_by_zone(const struct cloudmesh_wish *asked, struct source *s, int threads,
                         struct mesh *mesh, struct cloudmesh *made, struct error *error)
 {
     double fine = cloudmesh_three_spacings(s->scan_parts.mean);
     struct cloudmesh_wish wish = *asked;
-    struct mesh grid = {.origin = mesh->origin}, other = {.origin = mesh->origin};
-    struct cloudmesh grid_made, other_made = {.walls = 0};
+    struct mesh grid = {.origin = s->origin};
+    struct cloudmesh grid_made;
+
     wish.error = 0;
     wish.silent = true;
     wish.spacing = asked->spacing > 0 ? fmin(asked->spacing, fine) : fine;
     int status = cloudmesh_on_grid(&wish, s->scan, s->noise, threads, &grid, &grid_made, error);
     if (status == 0 && grid_made.edge.n > 0) {
-        struct edgezone zone =
-            edgezone_make(grid_made.edge.item, grid_made.edge.n, wish.spacing);
+        struct edgezone zone = edgezone_make(grid_made.edge.item, grid_made.edge.n, wish.spacing);
         s->zone = &zone;
-        if (grid_made.walls > 0) {
-            s->scan_parts.flat =
-                wallpoints_part(s->scan->item, s->scan->n, s->scan_parts.mean, threads);
-            s->surface_parts.flat =
-                wallpoints_part(s->surface->item, s->surface->n, s->surface_parts.mean, threads);
-        }
-        wish = *asked;
-        wish.silent = true;
-        status = mesh_of(&wish, s, threads, &other, &other_made, error);
+        status = mesh_in_zone(asked, s, grid_made.walls > 0, threads, mesh, made, error);
         edgezone_free(&zone);
         s->zone = NULL;
-        if (status == 0)
-            cloudmesh_closer(s->scan, threads, &other, &other_made, mesh, made);
     }
     cloudmesh_drop(&grid, &grid_made);
+    return status;
+}
+
+/* What is taken for an edge and is none may bring the mesh out of the error: it stays within it. */
+static int mesh_without_edges(const struct cloudmesh_wish *asked, struct source *s, int threads,
+                              struct mesh *mesh, struct cloudmesh *made, struct error *error)
+{
+    struct cloudmesh_wish wish = *asked;
+    struct mesh other = {.origin = s->origin};
+    struct cloudmesh other_made = {.walls = 0};
+
+    wish.smooth = wish.silent = true;
+    int status = mesh_of(&wish, s, threads, &other, &other_made, error);
+    if (status == 0 && other_made.rows.worst <= wish.error)
+        cloudmesh_closer(s->scan, threads, &other, &other_made, mesh, made);
     cloudmesh_drop(&other, &other_made);
     return status;
+}
+
+/* Are there points on walls, and walls under edges of a mesh? */
+static bool has_walls(const struct cloudmesh_wish *wish, struct source *s, int threads)
+{
+    struct cloud_parts walled = s->scan_parts;
+
+    walled.flat = wallpoints_part(s->scan->item, s->scan->n, walled.mean, threads);
+    return walled.flat < s->scan->n && cloudmesh_has_walls(wish, &walled, s->scan,
+                                                           fmax(s->noise, s->origin.noise), threads);
 }
 
 int cloudmesh_within(const struct cloudmesh_wish *wish, struct vec3s *points, double noise,
@@ -171,20 +255,20 @@ int cloudmesh_within(const struct cloudmesh_wish *wish, struct vec3s *points, do
         array_free(&surface);
         return -1;
     }
-    struct source s = {&surface, points, .noise = noise};
-    s.surface_parts = (struct cloud_parts){cloudmesh_spacing(wish, surface.item, surface.n), surface.n};
-    s.scan_parts = (struct cloud_parts){cloudmesh_spacing(wish, points->item, points->n), points->n};
+    struct source s = {&surface, points, .noise = noise, .origin = mesh->origin};
+    s.surface_parts =
+        (struct cloud_parts){cloudmesh_spacing(wish, surface.item, surface.n), surface.n};
+    s.scan_parts =
+        (struct cloud_parts){cloudmesh_spacing(wish, points->item, points->n), points->n};
     int status = mesh_of(wish, &s, threads, mesh, made, error);
-    struct cloud_parts walled = s.scan_parts;
-    if (status == 0 && !wish->smooth)
-        walled.flat = wallpoints_part(points->item, points->n, walled.mean, threads);
-    if (status == 0 && mesh->face.n > 0 && !wish->smooth &&
-        (made->creases > 0 ||
-         (walled.flat < points->n &&
-          cloudmesh_has_walls(wish, &walled, points, fmax(noise, mesh->origin.noise), threads))))
+    bool edges = status == 0 && mesh->face.n > 0 && !wish->smooth;
+    if (edges && (made->creases > 0 || has_walls(wish, &s, threads)))
         status = mesh_by_zone(wish, &s, threads, mesh, made, error);
+    if (edges && status == 0 && made->creases + made->walls > 0 && made->rows.worst > wish->error)
+        status = mesh_without_edges(wish, &s, threads, mesh, made, error);
     if (noise > 0)
         mesh->origin.ledger = spent;
     array_free(&surface);
+    array_free(&s.judged);
     return status;
 }

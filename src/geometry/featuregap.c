@@ -2,6 +2,9 @@
 #include "featuregap.h"
 
 #include <stdbool.h>
+#include <stdlib.h>
+
+#include "array.h"
 
 enum { FARTHEST = 6 };
 
@@ -110,4 +113,33 @@ void featuregap_close(const struct mesh *mesh, const struct mesh_edges *edges,
         for (int i = 0; i < way.n; i++)
             feature[way.edge[i]] = way.found[i];
     }
+}
+
+size_t featuregap_longest(const struct mesh_edges *edges, const struct feature *feature)
+{
+    unsigned char *seen = mem_alloc(edges->n, 1);
+    struct ints open = {0};
+    size_t longest = 0;
+
+    for (size_t e = 0; e < edges->n; e++) {
+        size_t length = 0;
+        if (feature[e].kind != FEATURE_NONE && !seen[e])
+            *array_push(&open) = (int)e;
+        seen[e] = 1;
+        while (open.n > 0) {
+            const struct mesh_edge *edge = &edges->edge[open.item[--open.n]];
+            length++;
+            for (int i = 0; i < 6; i++) {
+                int facet = edge->facet[i / 3], next = facet < 0 ? -1 : edges->of[facet][i % 3];
+                if (next < 0 || seen[next] || feature[next].kind == FEATURE_NONE)
+                    continue;
+                seen[next] = 1;
+                *array_push(&open) = next;
+            }
+        }
+        longest = length > longest ? length : longest;
+    }
+    free(seen);
+    array_free(&open);
+    return longest;
 }

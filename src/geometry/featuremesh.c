@@ -218,35 +218,18 @@ static void look_for_walls(void *context, size_t from, size_t to)
     }
 }
 
-/* The most edges in one chain: from facet to facet, over edges that something crosses. */
-static size_t longest_chain(const struct search *s)
+/* In the middle of each feature, and a third of its edge along it to either side. */
+static void add_places(const struct search *s, struct vec3s *place)
 {
-    const struct mesh_edges *edges = s->edges;
-    unsigned char *seen = mem_alloc(edges->n, 1);
-    struct ints open = {0};
-    size_t longest = 0;
-
-    for (size_t e = 0; e < edges->n; e++) {
-        size_t length = 0;
-        if (s->feature[e].kind != FEATURE_NONE && !seen[e])
-            *array_push(&open) = (int)e;
-        seen[e] = 1;
-        while (open.n > 0) {
-            const struct mesh_edge *edge = &edges->edge[open.item[--open.n]];
-            length++;
-            for (int i = 0; i < 6; i++) {
-                int facet = edge->facet[i / 3], next = facet < 0 ? -1 : edges->of[facet][i % 3];
-                if (next < 0 || seen[next] || s->feature[next].kind == FEATURE_NONE)
-                    continue;
-                seen[next] = 1;
-                *array_push(&open) = next;
-            }
-        }
-        longest = length > longest ? length : longest;
+    for (size_t e = 0; e < s->edges->n; e++) {
+        const struct feature *f = &s->feature[e];
+        const int *v = s->edges->edge[e].v;
+        const struct vec3 *at = s->mesh->vertex.item;
+        double length = vec_distance(at[v[0]], at[v[1]]);
+        for (int i = -1; i <= 1 && f->kind != FEATURE_NONE; i++)
+            *array_push(place) = vec_along(vec_mix(f->place[0], f->place[1], 0.5),
+                                           i * length / 3, f->along);
     }
-    free(seen);
-    array_free(&open);
-    return longest;
 }
 
 size_t featuremesh_walls(const struct mesh *mesh, const struct vec3 *point, size_t n, size_t flat,
@@ -263,7 +246,7 @@ size_t featuremesh_walls(const struct mesh *mesh, const struct vec3 *point, size
                        .feature = mem_alloc(edges.n, sizeof *s.feature)};
 
     parallel_for(threads, edges.n, look_for_walls, &s);
-    size_t found = longest_chain(&s) >= (edges.n > MANY ? 4 * CHAIN : CHAIN) ? sum_up(&s).walls : 0;
+    size_t found = featuregap_longest(&edges, s.feature) >= (edges.n > MANY ? 4 * CHAIN : CHAIN) ? sum_up(&s).walls : 0;
     free(s.feature);
     kdtree_free(tree);
     kdtree_free(walls);
@@ -300,9 +283,7 @@ struct featuremesh featuremesh_keep(struct mesh *mesh, const struct vec3 *point,
         found = keep_better(&s, &before, n, threads);
     else
         featuresettle_back(&settle, &before);
-    for (size_t e = 0; e < edges.n; e++)
-        if (s.feature[e].kind != FEATURE_NONE)
-            *array_push(&found.place) = vec_mix(s.feature[e].place[0], s.feature[e].place[1], 0.5);
+    add_places(&s, &found.place);
     array_free(&before.vertex);
     array_free(&before.normal);
     free(s.rough);

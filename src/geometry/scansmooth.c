@@ -4,9 +4,10 @@
 #include <stdlib.h>
 
 #include "cubic.h"
+#include "longhood.h"
 #include "parallel.h"
 
-enum { LEAST = 32, MOST = 362, WIDEST = 1024, STEPS = 8, SAMPLE = 200, REFITS = 2 };
+enum { FEW = 64, LEAST = 32, MOST = 362, WIDEST = 1024, STEPS = 8, SAMPLE = 200, REFITS = 2 };
 
 /* Points to look at in all, and in any case for a vertex. */
 static const double WORK = 4e6, AFFORDED = 56;
@@ -29,6 +30,14 @@ struct hood {
     uint32_t index[WIDEST];
     double distance2[WIDEST], weight[WIDEST];
     struct vec3 point[WIDEST];
+};
+
+/* Neighbourhoods longer one way: how much, of how many points, which ways are tried about one. */
+struct longer {
+    double aspect;
+    size_t points;
+    int tries;   /* to either side ... */
+    double step; /* ... by so much, radians */
 };
 
 /* One quadric and what is judged of it. */
@@ -279,9 +288,60 @@ static void try_other_frames(const struct job *job, struct vec3 vertex, struct v
             *fit = other;
 }
 
+/* The surface through a neighbourhood that is longer along one of the directions half a turn has,
+ * `step` apart about a middle one: the one it fits best.  False: none fits better than *fit. */
+static bool best_along(const struct job *job, const struct hood *wide, struct vec3 vertex,
+                       struct vec3 guess, const struct longer *longer, double *angle,
+                       struct fit *fit)
+{
+    struct hood *hood = mem_alloc(1, sizeof *hood);
+    struct vec3 normal = quadric_normal(&fit->q), u = vec_perpendicular(normal);
+    struct vec3 v = vec_cross(normal, u);
+    double middle = *angle;
+    bool better = false;
+
+    for (int i = -longer->tries; i <= longer->tries; i++) {
+        double a = middle + i * longer->step;
+        struct vec3 way = vec_along(vec_scale(cos(a), u), sin(a), v);
+        struct fit along;
+        hood->n = longhood_take(wide->point, wide->n, vertex, way, longer->aspect, longer->points,
+                                hood->point);
+        if (fit_in(hood, hood->n, vertex, normal, guess, job->sigma, &along) < 0 ||
+            along.spread >= fit->spread || is_useless(&along.q, job->sigma))
+            continue;
+        *fit = along;
+        *angle = a;
+        better = true;
+    }
+    free(hood);
+    return better;
+}
+
+/* On a rib or a groove narrower than the neighbourhood: one that is long the way it runs.  Its
+ * direction is the one in which such neighbourhoods are fitted best. */
+static void try_along(const struct job *job, struct vec3 vertex, struct vec3 guess,
+                      struct hood *hood, struct fit *fit)
+{
+    static const struct longer rough = {3, 36, 4, PI / 9}, fine = {6, 72, 2, PI / 30};
+    const double better = 0.85, sharp = 1.6;
+    struct fit along = *fit, best;
+    double angle = 0;
+
+    gather(job->buckets, vertex, (size_t)(fine.aspect * (double)fine.points), hood);
+    if (!best_along(job, hood, vertex, guess, &rough, &angle, &along) ||
+        along.spread > better * fit->spread)
+        return;
+    best = along;
+    best.spread *= 1.1; /* of fewer points and more of them */
+    if (best_along(job, hood, vertex, guess, &fine, &angle, &best))
+        along = best;
+    if (along.spread < sharp * job->sigma) /* else it is a crease */
+        *fit = along;
+}
+
 static void smooth_vertices(void *context, size_t from, size_t to)
 {
-    const double bent = 2, far = 8; /* in sigma */
+    const double bent = 2, rough = 1.2, far = 8; /* in sigma */
     const double down = -0.1; /* a scan seen from above: slivers may say otherwise */
     const struct job *job = context;
     struct mesh *mesh = job->mesh;
@@ -295,6 +355,8 @@ static void smooth_vertices(void *context, size_t from, size_t to)
             continue;
         if (fit.spread > bent * job->sigma)
             try_other_frames(job, *vertex, guess, hood, &fit);
+        if (fit.spread > rough * job->sigma && fit.spread < far * job->sigma && fit.n <= FEW)
+            try_along(job, *vertex, guess, hood, &fit);
         struct vec3 normal = quadric_normal(&fit.q);
         mesh->normal.item[i] = normal.z < down ? vec_scale(-1, normal) : normal;
         mesh->kmax.item[i] = quadric_curvature(&fit.q);
