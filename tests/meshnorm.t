@@ -231,6 +231,22 @@ cuts "$TMP/play.cl" | awk '{ c = $5 * $11 + $6 * $12 + $7 * $13; a = atan2(sqrt(
 	if (a > w) w = a } END { print w }' >"$TMP/figures"
 below "and are no more than 25 degrees off the normals" "$(cat "$TMP/figures")" 25.0001
 
+# ---- lead and tilt chosen: a machine with A and C, its angles from the axes alone
+
+rotary() {
+	awk -F '[/,]' '/^GOTO/ { r = sqrt($5 * $5 + $6 * $6); a = atan2(r, $7); c = r > 1e-6 ? atan2($6, $5) : last
+		if (n++) { d = c - last; while (d > 3.14159265) d -= 6.2831853; while (d < -3.14159265) d += 6.2831853
+			if (d < 0) d = -d; e = a > lean ? a - lean : lean - a; f = a + lean + 3.14159265 - d
+			sum += d + e < f ? d + e : f }
+		last = c; lean = a } END { printf "%.1f\n", sum * 180 / 3.14159265 }' "$1"
+}
+status 0 "lead and tilt that turn least" meshnorm -r 8 --least-turn 25 -o "$TMP/turn.cl" "$TMP/panel.ply"
+has "are told" 'lead .* tilt .*rotary axes turn' "$TMP/err"
+below "rotary axes turn a quarter less" "$(rotary "$TMP/turn.cl")" \
+	"$(rotary "$TMP/panel.cl" | awk '{ print 0.75 * $1 }')"
+below "the ball is where it was, whatever the lean" "$(deepest nodes "$TMP/turn.cl" --panel)" 0.005
+status 2 "with an axis that is given" meshnorm -r 8 --least-turn 25 --fixed 0,0,1 "$TMP/panel.ply"
+
 # ---- shank and holder: a post beside a floor, and a holder wider than the ball
 
 awk 'BEGIN { for (i = 0; i <= 80; i++) for (j = 0; j <= 40; j++) print i / 2, j / 2, 0

@@ -46,6 +46,8 @@ const struct cli_option cutting_options[] = {
      CLI_NUMBERS, cutting.from_point, 0, 0, 3, &cutting.from_given},
     {0, "circle", "X,Y,Z,I,J,K,R", "the axis goes through the nearest point of a circle: centre,\n"
      "axis, radius", CLI_NUMBERS, cutting.circle, 0, 0, 7, &cutting.circle_given},
+    {0, "least-turn", "DEG", "lean the axis as far as --tilt and --lead say, or up to DEG, to whatever\n"
+     "side rotary axes turn least", CLI_NUMBER, &cutting.turn, 0, 80, 0, NULL},
     {0, "axis-play", "DEG", "axes may be this far off their rule, to turn as little as they can (0)",
      CLI_NUMBER, &cutting.play, 0, 60, 0, NULL},
     {0, "axis-rate", "DEG", "turn axes by no more than DEG in a millimetre along a pass",
@@ -122,6 +124,10 @@ int cutting_check(struct axis_rule *axis, struct error *error)
     if (c->paper && (c->holder || c->play > 0 || c->rate > 0))
         return error_set(error, "found --paper with --holder, --axis-play or --axis-rate: the papers "
                                 "have none of them");
+    if (c->turn > 0 &&
+        (c->paper || c->fixed_given || c->to_given || c->from_given || c->circle_given))
+        return error_set(error, "found --least-turn with %s, expected it with --tilt and --lead",
+                         c->paper ? "--paper" : "another rule for the axis");
     if (c->plunge == 0)
         c->plunge = c->feed / 2;
     if (c->tolerance == 0 && (c->guards.n > 0 || c->holder))
@@ -175,6 +181,7 @@ int cutting_rules(const struct mesh *mesh, const struct guard *guard, double dis
     t->rule.play = RADIANS(c->play);
     t->rule.rate = RADIANS(c->rate);
     t->rule.lean = RADIANS(c->lean);
+    t->rule.turn = RADIANS(c->turn);
     if (c->holder && holder_spec_read(c->holder, &t->rule.holder, &why) != 0)
         return error_set(error, "option --holder: %s", why.text);
     t->lift.guard = guard;

@@ -255,6 +255,8 @@ void toolpath_end(struct toolpath *t)
     enum { BATCH = 16 };
     struct batch b = {t, 0, 0};
 
+    if (t->rule.turn > 0)
+        toolpath_turn(t);
     while (b.done < t->strip.n) {
         size_t left = t->strip.n - b.from, more = left < BATCH ? left : BATCH;
         parallel_for(t->threads, 1 + more, work_on, &b);
