@@ -21,7 +21,6 @@ struct frame {
 struct arc_parse {
     bool open;
     struct path_arc arc;
-    bool loose;   /* its numbers have few digits: an end so near the start is the start */
     size_t turns; /* of a helix, the last one perhaps not whole; 0: none said */
     bool lasting; /* behind its end: Creo's points without a word may lie on it still */
 };

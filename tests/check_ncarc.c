@@ -83,6 +83,33 @@ START_TEST(centre_words)
 }
 END_TEST
 
+/* Of a few last digits, the centre would be anywhere: no words, whichever way it is told. */
+START_TEST(too_short)
+{
+    struct follow f = {.mode = FOLLOW_VECTOR};
+    double digit = pow(10, -written[_i].digits);
+    seed = 6;
+    for (int i = 0; i < 1000; i++) {
+        struct vec3 axis = vec(0, 0, i % 2 ? 1 : -1);
+        struct trial t = random_arc(axis, 1, written[_i].unit, written[_i].digits);
+        double sweep = 9 * chance() * digit / t.radius;
+        struct vec3 arm = vec_sub(t.motion.from.p, t.motion.centre);
+        t.motion.to.p = vec_add(t.motion.centre, vec_turn(arm, axis, sweep));
+        t.motion = motion_arc(t.motion.from, t.motion.to, t.motion.centre, axis);
+        t.to.p = printed(t.motion.to.p, written[_i].digits);
+        struct nc_arc arc;
+        struct deviation d = {0, 0};
+        double point = 0;
+        for (int kind = NC_ARCS_FLAT; kind <= NC_ARCS_BOTH; kind++) {
+            bool words = nc_arc_words(&arc, (enum nc_arcs)kind, written[_i].digits,
+                                      0.005 / written[_i].unit, &f, &t.from, &t.to, &t.motion, 0, 1,
+                                      &d, &point);
+            ck_assert(!words || vec_distance(t.from.p, t.to.p) > 9.5 * digit);
+        }
+    }
+}
+END_TEST
+
 /* R: the centre that the control finds lies on the bisector of the chord, on the side of the sign. */
 START_TEST(radius_words)
 {
@@ -164,6 +191,7 @@ int main(void)
     enum { WRITTEN = sizeof written / sizeof *written };
 
     tcase_add_loop_test(tests, centre_words, 0, WRITTEN);
+    tcase_add_loop_test(tests, too_short, 0, WRITTEN);
     tcase_add_loop_test(tests, radius_words, 0, WRITTEN);
     tcase_add_loop_test(tests, space_words, 0, WRITTEN);
     suite_add_tcase(suite, tests);

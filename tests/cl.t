@@ -77,6 +77,15 @@ posts "tabs" 'X5\.' 'GOTO/0,0,9' "$(printf '\tGOTO\t/\t5,\t0,\t9')" FINI
 posts "CRLF" 'X5\.' "$(printf 'GOTO/0,0,9\r\nGOTO/5,0,9\r')" FINI
 posts "start = end of an arc is a full circle" 'G3 .*I-5\.' \
 	'GOTO/5,0,0' 'CIRCLE/0,0,0,0,0,1,5' 'GOTO/5,0,0' FINI
+for control in fanuc siemens heidenhain linuxcnc; do # as NX leaves them: no circle, 68.9 mm wide
+	printf '%s\n' 'GOTO/247.6881,58.9352,50' \
+		'CIRCLE/191.1806,98.3949,50,0,0,1,68.9214,.06,.5,30,0' 'GOTO/213.0421,33.0325,50' \
+		'CIRCLE/191.1806,98.3949,50,0,0,1,68.9214,.06,.5,30,0' 'GOTO/213.0420,33.0325,50' \
+		'GOTO/213.0129,33.0228,50' FINI >trap.cl
+	ncpost -q -c $control -m linuxcnc-xyzac trap.cl >trap.nc
+	result "$([ "$(grep -Ec ' (G2|CIP|C X.*DR-)( |$)' trap.nc)" -eq 1 ]; echo $?)" \
+		"$control: an arc of its last digit is no circle"
+done
 posts "one GOTO ends an arc, the next is straight" 'G1 X-9\.' \
 	'GOTO/5,0,0' 'CIRCLE/0,0,0,0,0,1,5' 'GOTO/0,5,0' 'GOTO/-9,9,0' FINI
 posts "an arc of seven numbers turns right-handed" 'G3 ' \

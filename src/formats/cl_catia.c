@@ -78,7 +78,6 @@ static int read_tlon(struct path_parse *p)
     p->tangent = vec(0, 0, 0);
     if (path_begin_arc(p, arc) < 0)
         return -1;
-    p->circle.loose = true;
     return path_move_to(p, (struct pose){end, p->axis});
 }
 

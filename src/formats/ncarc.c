@@ -3,6 +3,8 @@
 
 #include "num.h"
 
+static const double short_arc = 10; /* last digits: its centre would be anywhere */
+
 static struct vec3 round_point(struct vec3 p, int digits)
 {
     return vec(num_round(p.x, digits), num_round(p.y, digits), num_round(p.z, digits));
@@ -98,6 +100,8 @@ static bool words_of(struct nc_arc *arc, enum nc_arcs kind, int digits, double r
             return false;
     } else {
         axis = principal(motion->axis, arc);
+        if (sweep < 1 && vec_distance(from->p, to->p) < short_arc * pow(10, -digits))
+            return false;
         arc->full = vec_distance(from->p, to->p) == 0;
         double radius = vec_length(vec_reject(vec_sub(motion->from.p, motion->centre), axis));
         if (kind == NC_ARCS_FLAT &&

@@ -11,6 +11,10 @@
 /* The ends of an arc may be off its circle, its start off its plane, by so much, mm. */
 static const double near = 0.01;
 
+/* Start = end is a full circle, mm: the same digits.  NX leaves arcs of their last digit behind others,
+ * which are no circles. */
+static const double same = 2e-6;
+
 /* Both ends of the arc must lie on its circle, the start in its plane. */
 static int expect_on_circle(struct path_parse *p, struct vec3 point, const char *which)
 {
@@ -70,7 +74,7 @@ int path_arc_to(struct path_parse *p, struct pose to)
 {
     struct vec3 axis = p->circle.arc.axis, way = vec_sub(to.p, p->at.p);
     double rise = vec_dot(way, axis), off = vec_length(vec_reject(way, axis));
-    bool closed = off < (p->circle.loose ? 2e-4 : 2e-6);
+    bool closed = off < same;
     if (expect_on_circle(p, p->at.p, "start") < 0 || expect_on_circle(p, to.p, "end") < 0)
         return -1;
     if (closed) /* start = end: a full turn, to where it began */
@@ -149,7 +153,6 @@ int path_read_circle(struct path_parse *p)
         n == 6 ? vec_length(vec_reject(vec_sub(p->at.p, arc.centre), arc.axis)) : p->unit * v[6];
     if (path_begin_arc(p, arc) < 0)
         return -1;
-    p->circle.loose = clockwise;
     p->circle.turns = (size_t)times;
     return 0;
 }
