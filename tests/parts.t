@@ -108,4 +108,49 @@ for part in said-*.nc; do
 done >nowhere
 empty "each part goes somewhere" nowhere
 
+# every part cuts, starts with a retract and ends with one: over tools, planes, turns back inside of
+# cuts, and many rapids in a row
+awk 'BEGIN { r = atan2(0, -1) / 180; t = 50 * r
+	print "UNITS/MM\nMULTAX/ON\nCUTTER/8,4,0,4,0,0,60\nLOADTL/1\nSPINDL/RPM,8000,CLW\n$$-> CLOUDMILL/1"
+	for (pass = 1; pass <= 3; pass++) {
+		print "$$-> PASS/" pass
+		for (i = 0; i < 25; i++) printf "RAPID\nGOTO/%d,%d,90,0,0,1\n", i, pass
+		print "RAPID"
+		for (k = 0; k <= 100; k++) { w = k * 10 * r; s = sin(t)
+			if (k == 1) print "FEDRAT/MMPM,700"
+			printf "GOTO/%.6f,%.6f,%.6f,%.9f,%.9f,%.9f\n", 30 * cos(w), 30 * sin(w), (k ? 0 : 60) - k / 9,
+				s * cos(w), s * sin(w), cos(t) }
+		printf "RAPID\nGOTO/%.6f,%.6f,70,%.9f,%.9f,%.9f\n", 40 * cos(w), 40 * sin(w), s * cos(w), s * sin(w), cos(t)
+	}
+	for (i = 0; i < 20; i++) printf "RAPID\nGOTO/%d,3,90,0,0,1\n", i
+	print "FINI" }' >wound.cl
+for control in fanuc siemens heidenhain linuxcnc; do
+	for path in flat planes wound; do
+		options="--set a.min=-30 --set c.min=-360 --set c.max=360"
+		[ $path$control = planeslinuxcnc ] && continue
+		[ $path = planes ] && options=--plane
+		for limit in 70 131 3k; do
+			rm -f part-*
+			# shellcheck disable=SC2086
+			ncpost -q -c $control $options --split $limit -o part.nc $path.cl 2>err || { cat err; continue; }
+			n=1
+			while [ -e part-$n.nc ]; do
+				# without tool-centre-point control a rapid alone may be more blocks than a part has
+				[ $control = linuxcnc ] || grep -Eq '(^| )G0?1( |$)|^[0-9]+ L .*F[0-9]' part-$n.nc || echo "$control $path $limit: part $n cuts nothing"
+				[ "$(grep -Ec 'G28 *Z|G53.*Z0|SUPA.* Z|Z\+0 .*M91' part-$n.nc)" -ge 2 ] ||
+					echo "$control $path $limit: part $n has no retract at one end"
+				tcp=
+				[ $control = linuxcnc ] && tcp=--no-tcp
+				set -- --set a.min=-30 --set c.min=-360 --set c.max=360
+				[ $path = planes ] && set -- --set a.min=-120
+				"$READBACK" -c $control -m table-ac $tcp "$@" part-$n.nc >rb 2>&1 || head -n 1 rb
+				[ $path = planes ] || grep -q 'beyond the travel 0' rb || echo "$control $path $limit $n: $(grep axes: rb)"
+				n=$((n + 1))
+			done
+			[ $n -gt 2 ] || echo "$control $path $limit: $n parts"
+		done
+	done
+done >complaints
+empty "every part cuts, and starts and ends in the clear" complaints
+
 done_testing

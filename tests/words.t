@@ -131,7 +131,6 @@ for control in fanuc siemens heidenhain linuxcnc; do
 	for path in named.cl mixed.cl tilted.cl turns.cl; do
 		for options in "" "--inch" "-m head-cb" "-m table-ac-notcp" "--set smooth=yes" \
 			"--set number.step=0" "--set cycles=no" "-m nutating-table"; do
-			[ "$control $options" = "linuxcnc -m nutating-table" ] && options=-q
 			check $control $path "$options"
 			checked=$((checked + 1))
 		done

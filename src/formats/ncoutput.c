@@ -31,6 +31,25 @@ static char *part_name(const char *file, size_t part)
     return name;
 }
 
+/* Makes the i-th part and, with a file, writes it. */
+static int one_part(const struct dialect *dialect, const struct nc_program *whole,
+                    const struct sizes *ends, size_t i, const char *file, struct error *error)
+{
+    struct nc_plan part;
+    struct nc_program p = *whole;
+    int result = nc_part_make(&part, whole, i ? ends->item[i - 1] : 0, ends->item[i], error);
+    p.plan = &part;
+    p.part = i + 1;
+    p.parts = ends->n;
+    if (result == 0 && file) {
+        char *name = part_name(file, i + 1);
+        write_program(dialect, &p, name);
+        free(name);
+    }
+    nc_part_free(&part);
+    return result;
+}
+
 static int write_parts(const struct dialect *dialect, struct nc_program *whole,
                        struct nc_limit limit, const char *file, size_t *files, struct error *error)
 {
@@ -38,19 +57,10 @@ static int write_parts(const struct dialect *dialect, struct nc_program *whole,
     begin(dialect, whole, NULL);
     int result = nc_part_ends(&ends, dialect, whole, limit, error);
     *files = ends.n;
-    for (size_t i = 0; i < ends.n && result == 0; i++) {
-        struct nc_plan part;
-        struct nc_program p = *whole;
-        result = nc_part_make(&part, whole, i ? ends.item[i - 1] : 0, ends.item[i], error);
-        p.plan = &part;
-        p.part = i + 1;
-        p.parts = ends.n;
-        char *name = part_name(file, i + 1);
-        if (result == 0)
-            write_program(dialect, &p, name);
-        free(name);
-        nc_part_free(&part);
-    }
+    for (size_t i = 0; i < ends.n && result == 0; i++) /* all before the first is written */
+        result = one_part(dialect, whole, &ends, i, NULL, error);
+    for (size_t i = 0; i < ends.n && result == 0; i++)
+        result = one_part(dialect, whole, &ends, i, file, error);
     array_free(&ends);
     return result;
 }

@@ -174,32 +174,39 @@ static bool clear_of_work(const struct nc_plan *plan, size_t i)
            plan->move.item[i].kind == NC_HOLE;
 }
 
+static bool cuts(const struct nc_move *move)
+{
+    return nc_moves(move) && move->kind != NC_RAPID;
+}
+
 int nc_part_ends(struct sizes *ends, const struct dialect *dialect, const struct nc_program *whole,
                  struct nc_limit limit, struct error *error)
 {
     const struct nc_plan *plan = whole->plan;
     struct nc_limit more, *at = measure(dialect, whole, &more);
-    size_t last = plan->move.n; /* behind the last motion */
+    size_t last = plan->move.n; /* behind the last cut: a part without one would be none */
     int result = 0;
-    while (last && !nc_moves(&plan->move.item[last - 1]))
+    while (last && !cuts(&plan->move.item[last - 1]))
         last--;
     for (size_t from = 0; from < plan->move.n && result == 0;) {
         size_t to = from, clear = from;
+        bool cut = false;
         while (to < plan->move.n) {
             size_t blocks = at[to + 1].blocks - at[from].blocks + more.blocks;
             size_t bytes = at[to + 1].bytes - at[from].bytes + more.bytes;
             if ((limit.blocks && blocks > limit.blocks) || (limit.bytes && bytes > limit.bytes))
                 break;
+            cut = cuts(&plan->move.item[to]) || cut;
             to++;
-            if (to == plan->move.n || clear_of_work(plan, to))
+            if (to == plan->move.n || (cut && to < last && clear_of_work(plan, to)))
                 clear = to;
         }
         if (clear > from)
             to = clear;
-        while (to > from && !nc_moves(&plan->move.item[to - 1]))
+        else if (to >= last && last > from + 1)
+            to = last - 1; /* the last cut is for the next one */
+        while (to > from && to < plan->move.n && !nc_moves(&plan->move.item[to - 1]))
             to--; /* what is said behind a motion is for the next one */
-        if (to >= last)
-            to = plan->move.n;
         if (to == from)
             result = error_set(error,
                                "option --split: found too little room, expected at least %zu "
