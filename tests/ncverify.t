@@ -260,6 +260,15 @@ for control in fanuc siemens; do
 	N=$(sed 's/N//' named)
 	has "$control: is named too" \
 		"^ncverify: bad.nc: N($N|$((N + 10))|$((N - 10))) .*leaves the part amid a cut" err
+	# the last pole of a pass 100 mm up: the next block comes down again
+	awk '/G0?6.2|BSPLINE/ { inside = 1 } / G1 | K[0-9.]+$/ { inside = 0 }
+		{ line[NR] = $0; if (inside) last = NR; else if (last && !end) end = last }
+		END { for (i = 1; i <= NR; i++) { $0 = line[i]
+			if (i == end) { print $1 >"named"
+				for (k = 1; k <= NF; k++) if ($k ~ /^Z[0-9]/) $k = sprintf("Z%.3f", substr($k, 2) + 100) }
+			print } }' spline.$control >bad.nc
+	status 3 "$control: a last pole far too high" ncverify -g dome.xyz -r 6 -e 0.03 -c $control bad.nc
+	has "$control: is named too" "^ncverify: bad.nc: $(cat named) .*leaves the part amid a cut" err
 done
 awk '/ K[0-9.]+ X/ && ++n == 40 { sub(/ K[0-9.]+/, " K999.") } { print }' spline.fanuc >bad.nc
 status 1 "a knot that is too large" ncverify -g dome.xyz -r 6 bad.nc

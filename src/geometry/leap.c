@@ -4,6 +4,7 @@
 #include "kdtree.h"
 
 #define RISES 0.5 /* cosine between the tool axis and the way up, at least */
+#define OVER 0.9  /* the same between up and what the end of a curve stands over */
 
 struct search {
     const struct course *course;
@@ -40,14 +41,60 @@ static bool spike(const struct search *s, size_t from, size_t to)
     return vec_dot(vec_sub(a->a, corner), vec_sub(b->b, corner)) > 0;
 }
 
-static double clearance(struct search *s, struct vec3 centre)
+/* From the nearest point of the part to the ball's centre. */
+static struct vec3 from_part(struct search *s, struct vec3 centre)
 {
     size_t index;
     double distance2;
     if (!s->part)
         s->part = kdtree_new(s->point, s->n);
     kdtree_nearest(s->part, centre, 1, &index, &distance2);
-    return sqrt(distance2) - s->setup->radius;
+    return vec_sub(centre, s->point[index]);
+}
+
+static double clearance(struct search *s, struct vec3 centre)
+{
+    return vec_length(from_part(s, centre)) - s->setup->radius;
+}
+
+/* Where the ball's centre is at the end of a piece, and the axis. */
+static struct course_pose end_of(const struct search *s, size_t piece)
+{
+    struct course_pose pose = course_at(s->course, &s->course->piece.item[piece], 1);
+    if (s->course->track == COURSE_TIP)
+        pose.p = vec_along(pose.p, s->setup->radius, pose.a);
+    return pose;
+}
+
+static void found(struct search *s, size_t segment, double height)
+{
+    s->leap.leaps++;
+    if (height <= s->leap.height)
+        return;
+    s->leap.height = height;
+    s->leap.piece = s->path->item[segment].piece;
+    s->leap.at = s->path->item[segment].b;
+}
+
+/* A curve that ends off the part: does it end over the part, and a straight block come down again?
+ */
+static void look_at_end(struct search *s, size_t to)
+{
+    size_t piece = s->path->item[to].piece, next = piece + 1;
+    const struct piece *all = s->course->piece.item;
+    if (all[piece].shape == SHAPE_LINE || all[piece].shape == SHAPE_ARC)
+        return;
+    while (next < s->course->piece.n && all[next].shape == SHAPE_LINE &&
+           vec_distance(all[next].p[0], all[next].p[1]) == 0)
+        next++; /* the tool turns where it is */
+    if (next == s->course->piece.n || all[next].shape != SHAPE_LINE)
+        return;
+    struct course_pose end = end_of(s, piece);
+    struct vec3 up = from_part(s, end.p);
+    double height = vec_length(up) - s->setup->radius;
+    if (fmax(vec_dot(up, end.a), up.z) >= OVER * vec_length(up) &&
+        clearance(s, end_of(s, next).p) < height - s->setup->band)
+        found(s, to, height);
 }
 
 /* From the straight line between two places to a third, at right angles. */
@@ -65,7 +112,7 @@ static void look(struct search *s, size_t from, size_t to)
     const struct ball_segment *segment = s->path->item;
     struct vec3 a = segment[from].a, b = segment[to].b;
     size_t top = from;
-    double most = 0;
+    double most = 0, band = s->setup->band;
     if (s->course->piece.item[segment[from].piece].shape == SHAPE_LINE && !spike(s, from, to))
         return;
     for (size_t i = from; i < to; i++) {
@@ -73,20 +120,17 @@ static void look(struct search *s, size_t from, size_t to)
         top = high > most ? i : top;
         most = fmax(most, high);
     }
-    if (most <= s->setup->band)
+    if (fmax(most, vec_distance(a, b)) <= band || clearance(s, a) > band)
         return;
+    if (clearance(s, b) > band) {
+        look_at_end(s, to);
+        return;
+    }
     const struct piece *piece = &s->course->piece.item[segment[top].piece];
     struct vec3 axis = course_at(s->course, piece, (double)segment[top].s[1]).a;
     double height = clearance(s, segment[top].b);
-    if (vec_dot(axis, rise(a, b, segment[top].b)) < RISES * most || height <= s->setup->band ||
-        clearance(s, a) > s->setup->band || clearance(s, b) > s->setup->band)
-        return;
-    s->leap.leaps++;
-    if (height > s->leap.height) {
-        s->leap.height = height;
-        s->leap.piece = segment[top].piece;
-        s->leap.at = segment[top].b;
-    }
+    if (most > band && height > band && vec_dot(axis, rise(a, b, segment[top].b)) >= RISES * most)
+        found(s, top, height);
 }
 
 struct leap leap_find(const struct course *course, const struct ball_path *path,
