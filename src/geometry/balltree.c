@@ -134,6 +134,17 @@ double balltree_nearest(const struct balltree *tree, struct vec3 p, double withi
     return found < tree->path->n ? sqrt(best) : within;
 }
 
+/* Which sixteenth of a turn, from 0, the direction (x, y) lies in. */
+static int sector(double x, double y)
+{
+    const double eighth = 0.41421356237309503; /* tangent of 22.5 degrees */
+    double across = fabs(x), up = fabs(y);
+    int k = (up >= eighth * across) + (up >= across) + (eighth * up >= across);
+    if (x < 0)
+        k = SECTORS / 2 - 1 - k;
+    return y < 0 ? SECTORS - 1 - k : k;
+}
+
 /* Marks the sectors around p that a segment passes through within reach. */
 static unsigned sectors(const struct ball_segment *segment, struct vec3 p, struct vec3 n,
                         struct vec3 u, double reach)
@@ -151,10 +162,8 @@ static unsigned sectors(const struct ball_segment *segment, struct vec3 p, struc
     for (int i = 0; i < 3; i++) {
         struct vec3 d = vec_sub(place[i], p);
         double x = vec_dot(d, u), y = vec_dot(d, v);
-        if (x * x + y * y < 1e-12)
-            continue;
-        int k = (int)floor((atan2(y, x) / (2 * PI) + 1) * SECTORS) % SECTORS;
-        marks |= 1u << k;
+        if (x * x + y * y >= 1e-12)
+            marks |= 1u << sector(x, y);
     }
     return marks;
 }
