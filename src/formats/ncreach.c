@@ -8,14 +8,16 @@ static struct vec3 round_point(struct vec3 p, int digits)
     return vec(num_round(p.x, digits), num_round(p.y, digits), num_round(p.z, digits));
 }
 
-static int over_travel(struct nc_step *step, int axis, const char *what, double value)
+static int over_travel(struct nc_step *step, struct vec3 tip, int axis, const char *what,
+                       double value)
 {
     const struct machine *m = step->machine;
     step->plan->unmet = true;
     return error_at(step->error, step->path->name, step->state.line,
-                    "pass %zu: axis %c of %s: found %s %.5f, expected its travel %g to %g",
-                    step->state.pass, machine_letter(axis), m->name, what, value, m->min[axis],
-                    m->max[axis]);
+                    "pass %zu: axis %c of %s: found %s %.5f at the point %.3f %.3f %.3f, expected "
+                    "its travel %g to %g",
+                    step->state.pass, machine_letter(axis), m->name, what, value, tip.x, tip.y,
+                    tip.z, m->min[axis], m->max[axis]);
 }
 
 double nc_surely_within(const struct machine *m)
@@ -53,7 +55,10 @@ int nc_check_linear(struct nc_step *step, const struct stance *to)
         p = chain_linear_of(&step->machine->chain, p, &to->turned);
     const double at[3] = {p.x, p.y, p.z};
     int axis = out_of_travel(step->machine, at);
-    return axis < 0 ? 0 : over_travel(step, axis, "a position of", at[axis]);
+    if (axis < 0)
+        return 0;
+    struct vec3 tip = chain_tip_of(&step->machine->chain, p, &to->turned);
+    return over_travel(step, tip, axis, "a position of", at[axis]);
 }
 
 /* The same, where the cosines and sines of q are known; *off: what its rounding does. */
@@ -139,17 +144,29 @@ static void aim_at(const struct nc_course *course, double s, double q[])
         q[i] = from->q[i] + t * (to->q[i] - from->q[i]);
 }
 
-/* No angles of the machine, or none within its travel, have the direction. */
-static int not_reached(struct nc_step *step, struct vec3 axis, int over)
+/* No whole turns bring the angle into the travel. */
+static bool angle_over(const struct rotary *r, double q)
+{
+    return q + 2 * PI * ceil((r->min - q) / (2 * PI) - 1e-9) > r->max + 1e-9;
+}
+
+/* No angles of the machine, or none within its travel, have the direction: of the solution with
+ * fewer axes out of it, one of them is told. */
+static int not_reached(struct nc_step *step, struct pose to, int over)
 {
     const struct machine *m = step->machine;
-    if (over >= 0)
-        return over_travel(step, m->letter[over], "angle",
-                           DEGREES(chain_angles(&m->chain, axis).q[0][over]));
+    const struct rotary *r = m->chain.rotary;
+    struct chain_solutions found = chain_angles(&m->chain, to.a);
+    int k = found.n == 2 && angle_over(&r[0], found.q[0][0]) + angle_over(&r[1], found.q[0][1]) >
+                                angle_over(&r[0], found.q[1][0]) + angle_over(&r[1], found.q[1][1]);
+    for (int i = 0; i < m->chain.n && over >= 0; i++)
+        if (angle_over(&r[i], found.q[k][i]))
+            return over_travel(step, to.p, m->letter[i], "angle", DEGREES(found.q[k][i]));
     step->plan->unmet = true;
     return error_at(step->error, step->path->name, step->state.line,
-                    "pass %zu: found tool axis %.6f %.6f %.6f, which no angles of %s reach",
-                    step->state.pass, axis.x, axis.y, axis.z, m->name);
+                    "pass %zu: found tool axis %.6f %.6f %.6f at the point %.3f %.3f %.3f, which no "
+                    "angles of %s reach",
+                    step->state.pass, to.a.x, to.a.y, to.a.z, to.p.x, to.p.y, to.p.z, m->name);
 }
 
 /* q is the shortest way to the axis by either solution, were there no end of travel, and at neither
@@ -195,7 +212,7 @@ int nc_reach(struct nc_step *step, struct pose to, double s, struct stance *stan
     if (step->course.n)
         aim_at(&step->course, s, q);
     if (chain_choose(chain, to.a, q, true, -1, q, &over) != 0)
-        return not_reached(step, to.a, over);
+        return not_reached(step, to, over);
     step->doubt = step->doubt || (!step->first && !nearest_of_both(step, to.a, q));
     if (step->course.n == 0 && (step->follow.mode != FOLLOW_VECTOR || !step->state.begun))
         turn_ahead(step, to, q); /* a vector says no angle: there the axis stays */

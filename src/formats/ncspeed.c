@@ -100,6 +100,15 @@ static bool slides_keep_up(const struct nc_step *step, const struct station *to,
     return length + turn * arm <= minutes * step->machine->rapid[MACHINE_X];
 }
 
+/* Each rotary axis at one speed all along: as rotary words say, or little and not near the direction
+ * in which the first one is free. */
+static bool turns_evenly(const struct nc_step *step, const struct station *to, double turn)
+{
+    const struct chain *chain = &step->machine->chain;
+    double up = vec_dot(chain->rotary[0].axis, to->a);
+    return step->follow.mode == FOLLOW_ROTARY || (turn < even && (chain->n < 2 || up * up < 0.98));
+}
+
 double nc_block_minutes(const struct nc_step *step, const struct stance *to, double length,
                         const struct nc_along *along, double least)
 {
@@ -111,7 +120,7 @@ double nc_block_minutes(const struct nc_step *step, const struct stance *to, dou
     if (step->follow.mode == FOLLOW_JOINT || m->chain.n == 0)
         return minutes;
     bool curve = along && along->motion->curve;
-    if (!curve && (step->follow.mode == FOLLOW_ROTARY || turn < even) &&
+    if (!curve && turns_evenly(step, &to->at, turn) &&
         slides_keep_up(step, &to->at, length, turn, minutes))
         return minutes;
     size_t poles = !curve ? 0 : along->spline ? along->spline->curve.poles : 0;

@@ -62,6 +62,21 @@ static struct deviation deviation_of(const struct nc_step *step, const struct st
     return d;
 }
 
+/* The axis that would have to turn furthest is to blame. */
+static int no_way_on(struct nc_step *step, struct pose goal, const struct stance *to)
+{
+    const struct machine *m = step->machine;
+    const double *from = step->state.at.q;
+    int i = m->chain.n > 1 && fabs(to->at.q[1] - from[1]) > fabs(to->at.q[0] - from[0]);
+    int axis = m->letter[i];
+    step->plan->unmet = true;
+    return error_at(step->error, step->path->name, step->state.line,
+                    "pass %zu: axis %c of %s: found no way on from %.3f at the point %.3f %.3f "
+                    "%.3f, expected one within its travel %g to %g and the tolerance",
+                    step->state.pass, machine_letter(axis), m->name, DEGREES(from[i]), goal.p.x,
+                    goal.p.y, goal.p.z, m->min[axis], m->max[axis]);
+}
+
 /*
  * The rotary axes cannot go on as they stand: the next pose is out of their travel, or it takes a
  * turn that no block in the cut can make.  Off the part they turn where they are.
@@ -82,11 +97,7 @@ static int go_on_turned(struct nc_step *step, const struct motion *motion, doubl
         return 0;
     if (step->plan->unmet)
         return -1;
-    step->plan->unmet = true;
-    return error_at(step->error, step->path->name, step->state.line,
-                    "pass %zu: the rotary axes of %s have no way on within their travel and the "
-                    "tolerance",
-                    step->state.pass, step->machine->name);
+    return no_way_on(step, goal, to);
 }
 
 static void take(struct nc_step *step, const struct stance *to, struct pose goal,
