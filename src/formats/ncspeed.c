@@ -2,7 +2,6 @@
 #include "ncspeed.h"
 
 enum { PIECES = 12, SPAN_PIECES = 8, MORE_DIGITS = 3, DIGITS_MAX = 9 };
-static const double even = RADIANS(2); /* turns below it are as good as even */
 
 static inline double larger(double a, double b)
 {
@@ -100,13 +99,19 @@ static bool slides_keep_up(const struct nc_step *step, const struct station *to,
     return length + turn * arm <= minutes * step->machine->rapid[MACHINE_X];
 }
 
-/* Each rotary axis at one speed all along: as rotary words say, or little and not near the direction
- * in which the first one is free. */
-static bool turns_evenly(const struct nc_step *step, const struct station *to, double turn)
+/*
+ * The rotary axes surely need no longer: rotary words turn each at one speed; a vector no axis by
+ * more than about the turn of the tool axis over the sine of its angle to the first one.
+ */
+static bool axes_keep_up(const struct nc_step *step, const struct station *to, double minutes)
 {
-    const struct chain *chain = &step->machine->chain;
-    double up = vec_dot(chain->rotary[0].axis, to->a);
-    return step->follow.mode == FOLLOW_ROTARY || (turn < even && (chain->n < 2 || up * up < 0.98));
+    const struct machine *m = step->machine;
+    double up = vec_dot(m->chain.rotary[0].axis, to->a), slowest = HUGE_VAL;
+    for (int i = 0; i < m->chain.n; i++)
+        slowest = fmin(slowest, m->rapid[m->letter[i]]);
+    double great = DEGREES(vec_distance(step->state.at.a, to->a)), sine2 = 1 - up * up;
+    return step->follow.mode == FOLLOW_ROTARY || m->chain.n < 2 ||
+           4 * great * great <= sine2 * minutes * minutes * slowest * slowest;
 }
 
 double nc_block_minutes(const struct nc_step *step, const struct stance *to, double length,
@@ -120,7 +125,7 @@ double nc_block_minutes(const struct nc_step *step, const struct stance *to, dou
     if (step->follow.mode == FOLLOW_JOINT || m->chain.n == 0)
         return minutes;
     bool curve = along && along->motion->curve;
-    if (!curve && turns_evenly(step, &to->at, turn) &&
+    if (!curve && axes_keep_up(step, &to->at, minutes) &&
         slides_keep_up(step, &to->at, length, turn, minutes))
         return minutes;
     size_t poles = !curve ? 0 : along->spline ? along->spline->curve.poles : 0;
