@@ -327,10 +327,11 @@ static void try_along(const struct job *job, struct vec3 vertex, struct vec3 gue
     struct fit along = *fit, best;
     double angle = 0;
 
-    gather(job->buckets, vertex, (size_t)(fine.aspect * (double)fine.points), hood);
+    gather(job->buckets, vertex, (size_t)(rough.aspect * (double)rough.points), hood);
     if (!best_along(job, hood, vertex, guess, &rough, &angle, &along) ||
-        along.spread > better * fit->spread)
+        along.spread > better * fit->spread || along.spread > sharp * job->sigma)
         return;
+    gather(job->buckets, vertex, (size_t)(fine.aspect * (double)fine.points), hood);
     best = along;
     best.spread *= 1.1; /* of fewer points and more of them */
     if (best_along(job, hood, vertex, guess, &fine, &angle, &best))
