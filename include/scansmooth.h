@@ -9,7 +9,8 @@
  * foot agrees with those of its nearer halves within what noise explains (O. Lepski's rule, Theory
  * of Probability and its Applications 35, 1991).  Where even few points are bent too much, as on a rib
  * or in a groove, they are taken from a neighbourhood that is six times as long the way it runs; that
- * way is the one in which such a neighbourhood is fitted best.
+ * way is the one in which such a neighbourhood is fitted best (not on meshes of more than about
+ * 70,000 vertices, for its time).
  */
 #ifndef CLOUDMILL_SCANSMOOTH_H
 #define CLOUDMILL_SCANSMOOTH_H

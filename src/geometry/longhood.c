@@ -1,6 +1,7 @@
 /* longhood - see longhood.h. */
 #include "longhood.h"
 
+#include <stdbool.h>
 #include <stdlib.h>
 
 #include "array.h"
@@ -10,13 +11,34 @@ struct ranked {
     size_t index;
 };
 
-static int by_distance(const void *a, const void *b)
+static bool before(struct ranked p, struct ranked q)
 {
-    const struct ranked *p = a, *q = b;
+    return p.distance2 < q.distance2 || (p.distance2 == q.distance2 && p.index < q.index);
+}
 
-    if (p->distance2 != q->distance2)
-        return p->distance2 < q->distance2 ? -1 : 1;
-    return p->index < q->index ? -1 : p->index > q->index;
+/* Puts the k first ones of n in front, in no particular but repeatable order (Hoare's selection). */
+static void select_first(struct ranked *r, size_t n, size_t k)
+{
+    for (size_t from = 0, to = n; to - from > 1 && k > from;) {
+        struct ranked pivot = r[from + (to - from) / 2], swap;
+        size_t i = from, j = to - 1;
+        for (;; i++, j--) {
+            while (before(r[i], pivot))
+                i++;
+            while (before(pivot, r[j]))
+                j--;
+            if (i >= j)
+                break;
+            swap = r[i];
+            r[i] = r[j];
+            r[j] = swap;
+        }
+        size_t cut = i > from ? i : from + 1;
+        if (k < cut)
+            to = cut;
+        else
+            from = cut;
+    }
 }
 
 size_t longhood_take(const struct vec3 *point, size_t n, struct vec3 at, struct vec3 way,
@@ -31,7 +53,8 @@ size_t longhood_take(const struct vec3 *point, size_t n, struct vec3 at, struct 
         double along = vec_dot(off, way), all2 = vec_dot(off, off);
         ranked[i] = (struct ranked){all2 - along * along * (1 - 1 / (aspect * aspect)), i};
     }
-    qsort(ranked, n, sizeof *ranked, by_distance);
+    if (k < n)
+        select_first(ranked, n, k);
     for (size_t i = 0; i < k; i++) {
         found[i] = point[ranked[i].index];
         if (vec_distance(found[i], at) >= vec_distance(found[farthest], at))

@@ -19,6 +19,7 @@ struct job {
     const struct buckets *buckets;
     double sigma;
     size_t neighbours, most; /* to begin with, at a border */
+    bool along;              /* are there few enough vertices to look along ribs? */
     double *variance;        /* of each vertex, in sigma^2; negative: not moved */
     double *distance;        /* that it was moved; negative: there was no quadric at all */
     size_t *chosen;          /* by a sample: the widest neighbourhood that agrees */
@@ -356,7 +357,7 @@ static void smooth_vertices(void *context, size_t from, size_t to)
             continue;
         if (fit.spread > bent * job->sigma)
             try_other_frames(job, *vertex, guess, hood, &fit);
-        if (fit.spread > rough * job->sigma && fit.spread < far * job->sigma && fit.n <= FEW)
+        if (job->along && fit.spread > rough * job->sigma && fit.spread < far * job->sigma && fit.n <= FEW)
             try_along(job, *vertex, guess, hood, &fit);
         struct vec3 normal = quadric_normal(&fit.q);
         mesh->normal.item[i] = normal.z < down ? vec_scale(-1, normal) : normal;
@@ -403,6 +404,7 @@ struct scansmooth scansmooth(struct mesh *mesh, const struct buckets *buckets, d
     if (neighbours == 0)
         job.neighbours = typical_neighbourhood(&job, threads);
     job.most = 4 * job.neighbours < WIDEST ? 4 * job.neighbours : WIDEST;
+    job.along = (double)n * AFFORDED < WORK;
     job.variance = mem_alloc(n, sizeof *job.variance);
     job.distance = mem_alloc(n, sizeof *job.distance);
     parallel_for(threads, n, smooth_vertices, &job);
