@@ -229,6 +229,12 @@ status 0 "RETRCT without a plane" ncpost -c fanuc trap.cl
 has "is passed over and said" 'passed over RETRCT' err
 posts "ROTABL by nothing" 'X5\.' 'GOTO/0,0,9' ROTABL/ATANGL,0 'GOTO/5,0,9' FINI
 posts "OSETNO: the offset's number" ' G43\.4 H12$' 'LOADTL/3,OSETNO,12' 'GOTO/0,0,9' 'GOTO/5,0,9' FINI
+posts "NX: ADJUST" ' G43\.4 H12$' 'TOOL PATH/A,TOOL,B' 'LOAD/TOOL,3,ADJUST,12' 'GOTO/0,0,9' 'GOTO/5,0,9' \
+	END-OF-PATH
+posts "the machine's words between CIRCLE and its end" 'G3 X0\. Y5\. .*F90' 'GOTO/5,0,0' 'CIRCLE/0,0,0,0,0,1,5' \
+	COOLNT/ON FEDRAT/90 'GOTO/0,5,0' FINI
+posts "CATIA: PSIS in front of an arc" 'G3 X0\. Y5\.' 'GOTO/5,0,0' 'INDIRV/0,1,0' 'PSIS/(PLANE/0,0,1,0)' \
+	'TLON,GOFWD/(CIRCLE/0,0,0,5),ON,(LINE/0,0,0,0,5,0)' FINI
 posts "AUXFUN: an M word" '^N[0-9]+ M88$' 'GOTO/0,0,9' 'AUXFUN/88' 'GOTO/5,0,9' FINI
 refuses "an arc among holes" 'CYCLE/OFF' 'GOTO/1,0,0' 'CYCLE/DRILL,DEPTH,2' 'CIRCLE/0,0,0,0,0,1,1' \
 	'GOTO/0,1,0' FINI

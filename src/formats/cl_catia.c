@@ -84,7 +84,8 @@ static int read_tlon(struct path_parse *p)
 static const struct path_row rows[] = {
     {"INDIRV", read_indirv},
     {"TLON,GOFWD", read_tlon},
-    {"AUTOPS", path_drop},
+    {"AUTOPS", path_drop}, /* the plane of an arc, which INDIRV says too */
+    {"PSIS", path_drop},
 };
 
 const struct cl_dialect cl_catia = {"CATIA", shows, rows, sizeof rows / sizeof *rows};

@@ -128,7 +128,8 @@ static const struct path_row *find_row(const struct path_parse *p)
 /* What a statement may not stand within. */
 static int expect_place(struct path_parse *p)
 {
-    static const char *const on_arc[] = {"GOTO", "PAINT", "FEDRAT", "PPRINT"};
+    static const char *const on_arc[] = {"GOTO",   "PAINT",  "FEDRAT", "PPRINT",
+                                         "INSERT", "COOLNT", "SPINDL", "CUTCOM"};
     const char *word = p->apt.word;
     if (p->apt.comment)
         return 0;

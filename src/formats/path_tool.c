@@ -72,12 +72,13 @@ static void change_without_number(struct path_parse *p)
     p->guessed = true;
 }
 
-/* The number behind OSETNO among the arguments, 0: there is none. */
+/* The number behind OSETNO (or ADJUST, of NX) among the arguments, 0: there is none. */
 static int offset_number(const struct apt *apt)
 {
     for (size_t i = 0; i + 1 < apt->argument.n; i++) {
         double n = apt->argument.item[i + 1].number;
-        if (apt_is(apt, i, "OSETNO") && n >= 1 && n <= 99999999 && n == floor(n))
+        bool named = apt_is(apt, i, "OSETNO") || apt_is(apt, i, "ADJUST");
+        if (named && n >= 1 && n <= 99999999 && n == floor(n))
             return (int)n;
     }
     return 0;
