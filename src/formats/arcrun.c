@@ -3,6 +3,7 @@
 
 #include <stdlib.h>
 
+#include "arcback.h"
 #include "arcbeam.h"
 #include "arcprint.h"
 #include "arcrelax.h"
@@ -73,20 +74,61 @@ static bool arrives(const struct fit *f)
     return vec_distance(end, f->trace.p[f->trace.n - 1]) < 1e-5;
 }
 
+/* The pieces found from the other end, where they are fewer.  Only of smooth data: where few points
+ * fall to an arc they are as many, and take as long. */
+static bool fit_back(const struct fit *f, const struct stray *less, struct pieces *back)
+{
+    const size_t smooth = 10; /* points to a piece */
+
+    if (f->trace.n < smooth * f->pieces.n)
+        return false;
+    struct trace trace = arcback_trace(&f->trace);
+    arcbeam_fit(&trace, less, PATH_COORDINATE, back);
+    arcrelax(&trace, less, PATH_COORDINATE, back);
+    arcback_pieces(back, trace.n);
+    arcrelax(&f->trace, less, PATH_COORDINATE, back);
+    trace_free(&trace);
+    return back->n < f->pieces.n;
+}
+
+static void swap(struct pieces *a, struct pieces *b)
+{
+    struct pieces c = *a;
+    *a = *b;
+    *b = c;
+}
+
+/* The printed pieces keep the tolerance. */
+static bool proven(struct fit *f, const struct stray *within)
+{
+    print_pieces(f);
+    return stray_within(&f->worst, within) && arrives(f);
+}
+
 /* Fits within less and less of the tolerance until the printed digits keep all of it. */
 static void fit_within(struct fit *f, double tolerance)
 {
     struct stray within = {tolerance, tolerance, f->options->axis};
     double part = 1 - 1e-6 / tolerance;
-    for (int i = 0; i < 6; i++, part *= 0.995) {
+    bool good = false;
+
+    for (int i = 0; i < 6 && !good; i++, part *= 0.995) {
         struct stray less = {part * tolerance, part * tolerance, part * f->options->axis};
+        struct pieces back = {0};
         f->pieces.n = 0;
         arcbeam_fit(&f->trace, &less, PATH_COORDINATE, &f->pieces);
         arcrelax(&f->trace, &less, PATH_COORDINATE, &f->pieces);
-        print_pieces(f);
-        if (stray_within(&f->worst, &within) && arrives(f))
-            return;
+        if (fit_back(f, &less, &back)) {
+            swap(&f->pieces, &back);
+            good = proven(f, &within);
+            if (!good)
+                swap(&f->pieces, &back);
+        }
+        good = good || proven(f, &within);
+        array_free(&back);
     }
+    if (good)
+        return;
     fit_points(f);
     print_pieces(f);
 }
