@@ -11,26 +11,6 @@
 static const double REFERENCE = 0.02; /* part of the tolerance that the dense reference may take */
 static const double DENSE = 0.25; /* of it: straight lines this near to the smooth path are it */
 
-struct run arcrun_read(const struct path *path, size_t from, size_t to)
-{
-    struct run run = {.radius = fmax(0, path_ball(path))};
-    for (size_t i = from; i < to; i++) {
-        const struct path_item *item = &path->item.item[i];
-        struct run_point p = {.tip = item->to.p, .ball = item->to.p, .axis = item->to.a};
-        p.given = true;
-        if (path->head.track == TRACK_CENTRE)
-            p.tip = vec_along(p.ball, -run.radius, p.axis);
-        else
-            p.ball = vec_along(p.tip, run.radius, p.axis);
-        if (item->touches) {
-            p.contact = path->contact.item[item->contact].p;
-            p.normal = path->contact.item[item->contact].n;
-        }
-        *array_push(&run) = p;
-    }
-    return run;
-}
-
 /* The work on one smooth part of a run. */
 struct fit {
     const struct arcrun_options *options;
@@ -305,19 +285,4 @@ void arcrun_fit(const struct run *run, const struct arcrun_options *options,
     array_free(&f.printed);
     array_free(&end);
     array_free(&dense);
-}
-
-void arcrun_add(struct arcrun_report *sum, const struct arcrun_report *report)
-{
-    sum->points += report->points;
-    sum->arcs += report->arcs;
-    sum->lines += report->lines;
-    sum->c += report->c;
-    sum->s += report->s;
-    sum->loops += report->loops;
-    sum->corners += report->corners;
-    sum->kinks += report->kinks;
-    sum->length += report->length;
-    sum->spent = fmax(sum->spent, report->spent);
-    sum->worst = stray_worst(sum->worst, report->worst);
 }
