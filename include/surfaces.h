@@ -22,4 +22,7 @@ int surfaces_read(const char *file, double mm, struct patches *patches, struct s
 /* Says what the files have that is not read: kinds of trimming curves and of surfaces. */
 void surfaces_tell(const struct patches *patches);
 
+/* Says what a file tells of its unit; `taken`: the name of the unit asked for instead, or NULL. */
+void surfaces_tell_unit(const char *file, const struct surfaces_unit *unit, const char *taken);
+
 #endif

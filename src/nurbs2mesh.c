@@ -66,17 +66,6 @@ static struct settings read_options(struct cli *cli, int argc, char **argv)
     return s;
 }
 
-static void say_unit(const char *file, const struct settings *s, const struct surfaces_unit *unit)
-{
-    if (unit->flag[0] && !s->unit_given)
-        note("%s: unit %s", file, unit->flag);
-    if (unit->other[0])
-        say("%s: the unit flag says %s, the name beside it %s: took %s", file, unit->flag,
-            unit->other, s->unit_given ? unit_name[s->unit] : unit->flag);
-    if ((unit->scale < 1 || unit->scale > 1) && !s->unit_given)
-        say("%s: model scale %g worked in", file, unit->scale);
-}
-
 static void read_files(const struct cli *cli, const struct settings *s, struct patches *patches)
 {
     struct surfaces_unit unit;
@@ -85,7 +74,7 @@ static void read_files(const struct cli *cli, const struct settings *s, struct p
     for (int i = 0; i < cli->files; i++) {
         if (surfaces_read(cli->file[i], mm, patches, &unit, &error) < 0)
             die_error(&error);
-        say_unit(cli->file[i], s, &unit);
+        surfaces_tell_unit(cli->file[i], &unit, s->unit_given ? unit_name[s->unit] : NULL);
     }
     surfaces_tell(patches);
 }
@@ -104,9 +93,9 @@ static void tessellate_some(void *context, size_t from, size_t to)
         tessellate(&job->patches->item[i], job->how, &job->sheet[i]);
 }
 
-/* The farthest any triangle is off its surface, and what else there is to say of the sheets. */
+/* The farthest any triangle is off its surface. */
 static double judge(const struct settings *s, const struct patches *patches,
-                    const struct sheet *sheet, double fine)
+                    const struct sheet *sheet)
 {
     size_t worst = 0;
     for (size_t i = 0; i < patches->n; i++) {
@@ -116,17 +105,6 @@ static double judge(const struct settings *s, const struct patches *patches,
                 "%s: surface %d: more than 4 million cells for %g mm (-e), expected a tolerance "
                 "that fewer keep",
                 p->file, p->entity, s->tolerance);
-        if (sheet[i].unclear > 0)
-            say("%s: surface %d: its trimming crosses itself in %zu cells, kept or cut away whole",
-                p->file, p->entity, sheet[i].unclear);
-        if (sheet[i].lost > 0)
-            say("%s: surface %d: %zu trimming loops that go round it more than once ignored",
-                p->file, p->entity, sheet[i].lost);
-        if (sheet[i].off > fine)
-            say("%s: surface %d: its trimming curves in space lie up to %g mm off it", p->file,
-                p->entity, sheet[i].off);
-        if (sheet[i].face.n == 0)
-            say("%s: surface %d: nothing is left of it by its trimming", p->file, p->entity);
         if (sheet[i].error > sheet[worst].error)
             worst = i;
     }
@@ -156,7 +134,8 @@ static double make_sheets(const struct cli *cli, const struct settings *s,
         sheet_free(&sheet[i]);
     quilt_free(quilt);
     parallel_shown("tessellating", few ? 1 : cli->threads, patches->n, tessellate_some, &job);
-    double error = judge(s, patches, sheet, fine);
+    nurbs_report_trimming(patches, sheet, fine);
+    double error = judge(s, patches, sheet);
     quilt_make(sheet, patches->n, fmin(NARROW * size, gap), quilt);
     *welded = weld(quilt, patches, gap, fine);
     return error + welded->moved;

@@ -1,6 +1,7 @@
 /* nurbs_report - see nurbs_report.h. */
 #include "nurbs_report.h"
 
+#include "cli.h"
 #include "out.h"
 
 /* 15 digits, never -0. */
@@ -73,4 +74,22 @@ void nurbs_report_radii(const char *file, const struct patches *patches,
     else
         out_text(out, "# largest ball: any, nothing is hollow\n");
     out_close(out);
+}
+
+void nurbs_report_trimming(const struct patches *patches, const struct sheet *sheet, double fine)
+{
+    for (size_t i = 0; i < patches->n; i++) {
+        const struct patch *p = &patches->item[i];
+        if (sheet[i].unclear > 0)
+            say("%s: surface %d: its trimming crosses itself in %zu cells, kept or cut away whole",
+                p->file, p->entity, sheet[i].unclear);
+        if (sheet[i].lost > 0)
+            say("%s: surface %d: %zu trimming loops that go round it more than once ignored",
+                p->file, p->entity, sheet[i].lost);
+        if (sheet[i].off > fine)
+            say("%s: surface %d: its trimming curves in space lie up to %g mm off it", p->file,
+                p->entity, sheet[i].off);
+        if (sheet[i].face.n == 0)
+            say("%s: surface %d: nothing is left of it by its trimming", p->file, p->entity);
+    }
 }
