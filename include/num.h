@@ -170,7 +170,7 @@ static inline bool num_scaled(double x, int digits, int64_t *integer)
     if (!(s < 9007199254740992.0))
         return false;
     *integer = (int64_t)(s + 0.5);
-    if ((double)*integer - s > 0.5) /* the sum itself was rounded up */
+    if (__builtin_expect((double)*integer - s > 0.5, 0)) /* the sum itself was rounded up */
         --*integer;
     return true;
 }

@@ -32,9 +32,11 @@ static inline struct turned chain_turned_on(const struct turned *from, const dou
 {
     struct turned t;
     for (int i = 0; i < ROTARY_MAX; i++) {
-        double d = by[i], d2 = d * d;
-        double c = 1 - d2 * (1.0 / 2 - d2 * (1.0 / 24 - d2 * (1.0 / 720)));
-        double s = d * (1 - d2 * (1.0 / 6 - d2 * (1.0 / 120)));
+        double d = by[i], d2 = d * d, c = 1 - d2 * (1.0 / 2), s = d - d * d2 * (1.0 / 6);
+        if (d2 > 1e-8) {
+            c = 1 - d2 * (1.0 / 2 - d2 * (1.0 / 24 - d2 * (1.0 / 720)));
+            s = d * (1 - d2 * (1.0 / 6 - d2 * (1.0 / 120)));
+        }
         t.cosine[i] = from->cosine[i] * c - from->sine[i] * s;
         t.sine[i] = from->sine[i] * c + from->cosine[i] * s;
     }
@@ -100,7 +102,6 @@ static inline bool chain_beside(const struct chain_ways *w, struct vec3 axis, co
     double side = chain_component(w, 1, c1, s1), front = chain_component(w, 2, c1, s1);
     double c0 = side * x + front * y, s0 = side * y - front * x;
     double scale = 1 / flat, far2 = (c0 * c0 + s0 * s0) * scale * scale;
-    scale *= 1.5 - 0.5 * far2;
     c0 *= scale;
     s0 *= scale;
     double q0 = chain_angle_near(from[0], was, 0, c0, s0);
@@ -112,7 +113,8 @@ static inline bool chain_beside(const struct chain_ways *w, struct vec3 axis, co
         return false;
     q[0] = q0; /* last, for q may be where `from` stands */
     q[1] = q1;
-    *now = (struct turned){{c0, c1}, {s0, s1}};
+    far2 = 1.5 - 0.5 * far2;
+    *now = (struct turned){{far2 * c0, c1}, {far2 * s0, s1}};
     return true;
 }
 

@@ -61,6 +61,16 @@ int nc_check_linear(struct nc_step *step, const struct stance *to)
     return over_travel(step, tip, axis, "a position of", at[axis]);
 }
 
+/* How far a tool axis as it is said is off, in each way in which the control may take it. */
+static inline double axis_off(const struct nc_step *step, struct vec3 said, struct vec3 axis)
+{
+    double off = vec_distance(said, axis);
+    if (step->follow.mode != FOLLOW_VECTOR)
+        return off;
+    double unit = vec_distance(vec_unit(said), axis);
+    return step->plan->ability.doubtful && off > unit ? off : unit;
+}
+
 /* The same, where the cosines and sines of q are known; *off: what its rounding does. */
 static void stance_of(const struct nc_step *step, const struct pose *to, const double q[],
                       const struct turned *turned, struct stance *s, struct deviation *off)
@@ -83,7 +93,7 @@ static void stance_of(const struct nc_step *step, const struct pose *to, const d
     if (step->follow.mode == FOLLOW_JOINT)
         p = chain_linear_of(chain, p, &s->turned);
     s->at.p = round_point(p, digits->linear);
-    *off = (struct deviation){vec_distance(s->at.p, p), vec_distance(s->at.a, to->a)};
+    *off = (struct deviation){vec_distance(s->at.p, p), axis_off(step, s->at.a, to->a)};
 }
 
 struct stance nc_station(const struct nc_step *step, struct pose to, const double q[])
