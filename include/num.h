@@ -132,30 +132,31 @@ static inline void num_put_eight(char *to, uint64_t bytes)
     memcpy(to, text, sizeof text);
 }
 
-/*
- * num_put and num_shorten at once, without '\0', where it is called for each of millions; up to
- * NUM_MAX characters may be written to.
- */
+/* num_put and num_shorten at once, without '\0'. */
+size_t num_put_long(char *buf, int64_t integer, bool negative, int digits, bool point);
+
+/* The same where it is called for each of millions; up to NUM_MAX characters may be written to. */
 static inline size_t num_put_short(char *buf, int64_t integer, bool negative, int digits,
                                    bool point)
 {
     static const uint64_t character = 0x3030303030303030;
     if (integer >= 100000000 || digits > 7)
-        return num_shorten(buf, num_put(buf, integer, negative, digits), digits, point);
+        return num_put_long(buf, integer, negative, digits, point);
     uint64_t digit = num_eight_digits((uint32_t)integer);
-    int ones = 8 * (7 - digits); /* bits before the last digit before the point */
-    int first = __builtin_ctzll(digit | UINT64_C(1) << ones) & 56;
-    int behind = digits - __builtin_clzll(digit | 1) / 8; /* without the noughts at the end */
+    unsigned ones = 8 * (7 - (unsigned)digits); /* bits before the last digit before the point */
+    unsigned first = (unsigned)__builtin_ctzll(digit | UINT64_C(1) << ones) & 56;
+    unsigned noughts = (unsigned)__builtin_clzll(digit | 1) / 8; /* at the end */
     char *to = buf;
     *to = '-';
     to += negative && integer != 0;
     num_put_eight(to, (digit + character) >> first);
     to += (ones - first) / 8 + 1;
     *to = '.';
-    to += behind <= 0 && point;
-    if (behind > 0) {
+    if (noughts < (unsigned)digits) {
         num_put_eight(to + 1, (digit + character) >> (ones + 8));
-        to += 1 + behind;
+        to += 1 + (unsigned)digits - noughts;
+    } else {
+        to += point;
     }
     return (size_t)(to - buf);
 }

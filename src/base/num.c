@@ -193,3 +193,8 @@ size_t num_write_short(char *buf, double x, int digits, bool point)
 {
     return num_shorten(buf, num_write(buf, x, digits), digits, point);
 }
+
+size_t num_put_long(char *buf, int64_t integer, bool negative, int digits, bool point)
+{
+    return num_shorten(buf, num_put(buf, integer, negative, digits), digits, point);
+}

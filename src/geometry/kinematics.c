@@ -41,7 +41,7 @@ struct vec3 chain_axis(const struct chain *chain, const double q[])
 }
 
 /* p turned about the i-th axis, sense 1, or back, -1. */
-static struct vec3 turn_about(const struct chain *chain, int i, struct vec3 p,
+static inline struct vec3 turn_about(const struct chain *chain, int i, struct vec3 p,
                               const struct turned *at, int sense)
 {
     const struct rotary *r = &chain->rotary[i];
@@ -78,7 +78,8 @@ struct vec3 chain_linear_of(const struct chain *chain, struct vec3 tip, const st
     for (int i = 0; i < chain->n; i++)
         if (chain->rotary[i].table)
             tip = turn_about(chain, i, tip, at, -1);
-    return vec_sub(tip, head_offset(chain, at));
+    bool head = chain->n > 0 && !chain->rotary[chain->n - 1].table;
+    return head ? vec_sub(tip, head_offset(chain, at)) : tip;
 }
 
 struct vec3 chain_linear(const struct chain *chain, struct vec3 tip, const double q[])
