@@ -1,6 +1,6 @@
 #!/bin/sh
-# bench.sh - how long the tools take, beside bare C loops that only read the same file.  BIN: the
-# tools, FLOOR: the loops.  Every figure is the best of five.
+# bench.sh - how long the tools take, beside bare C loops that do the least that must be done.  BIN:
+# the tools, FLOOR: the loops.  Every figure is the best of five.
 tmp=$(mktemp -d "${TMPDIR:-/tmp}/cloudmill.XXXXXX") || exit 1
 trap 'rm -rf "$tmp"' EXIT
 trap 'exit 130' INT TERM
@@ -15,7 +15,14 @@ best() {
 		"$@" >"$tmp/out" 2>"$tmp/err" || exit 1
 		to=$(date +%s%N)
 		echo $(((to - from) / 1000))
-	done | sort -n | head -n 1 | awk -v name="$name" '{ printf "%-44s %8.3f s\n", name, $1 / 1e6 }'
+	done | sort -n | head -n 1 >"$tmp/best"
+	awk -v name="$name" '{ printf "%-44s %8.3f s\n", name, $1 / 1e6 }' "$tmp/best"
+}
+# lines a second of the last one, and how many times the floor's time
+rate() { # LINES FLOOR, microseconds
+	awk -v lines="$1" -v floor="$2" '{
+		printf "%-44s %8.2f million lines a second, %.2f times the floor\n", "", lines / $1, $1 / floor
+	}' "$tmp/best"
 }
 
 # a million points on laser stripes four steps apart, over 74 x 54 mm
@@ -40,9 +47,19 @@ awk 'BEGIN {
 	}
 	print "FINI"
 }' >"$tmp/path.cl"
-printf '%d lines of CL\n' "$(wc -l <"$tmp/path.cl")"
-best 'floor: read, parse by hand, two angles, write' "$FLOOR/floor_post" "$tmp/path.cl"
-best 'ncpost -c fanuc' "$BIN/ncpost" -q -c fanuc "$tmp/path.cl"
+lines=$(wc -l <"$tmp/path.cl")
+printf '%d lines of CL\n' "$lines"
+post() { # WAY NAME OPTIONS...: one way of writing, and its floor
+	way=$1 what=$2
+	shift 2
+	best "floor: read, parse by hand, write ($way)" "$FLOOR/floor_post" "$way" "$tmp/path.cl"
+	least=$(cat "$tmp/best")
+	best "ncpost $what" "$BIN/ncpost" -q "$@" "$tmp/path.cl"
+	rate "$lines" "$least"
+}
+post tcp '-c fanuc' -c fanuc
+post axes '-c fanuc, no tool centre point control' -c fanuc --set tcp=no
+post vectors '-c siemens, vectors' -c siemens
 
 # a million blocks over the million points of a dome, the tool axis turning all the time; without
 # tool-centre-point control the machine's kinematics is run for each block
