@@ -26,11 +26,11 @@ struct turnground {
     bool stays; /* the first axis is free, and stays as it is */
 };
 
-/* An axis whose travel is 64 turns or more is taken to have no end. */
+/* An axis whose travel is 256 turns or more, the second one 8, is taken to have no end. */
 struct turnstates turnstates(const struct chain *chain);
 
-/* The axis has an end. */
-bool turnstate_ends(const struct rotary *r);
+/* The i-th axis has an end. */
+bool turnstate_ends(const struct chain *chain, int i);
 
 /* The angles are within the travel, but for rounding. */
 bool turnstate_within(const struct chain *chain, const double q[]);

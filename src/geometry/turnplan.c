@@ -79,8 +79,9 @@ static void offer_all(struct search *s, const struct turnplan_place *place,
     int each = s->states.n / 2;
     for (int to = 0; to < ground.found.n * each; to++) {
         double q[ROTARY_MAX];
-        if (place->shut[to / each])
-            continue;
+        if (place->shut[to / each] ||
+            (s->last[to].way < HUGE_VAL && s->last[to].turns < from->turns))
+            continue; /* it is there with fewer turns back */
         turnstate_angles(&s->states, &ground, to, from->q, q);
         if (turnstate_within(s->chain, q) &&
             offer(&s->turned[to], from->turns, from->way + way(s, from->q, q), q))

@@ -1,19 +1,20 @@
 /* turnstate - see turnstate.h. */
 #include "turnstate.h"
 
-enum { WINDINGS_MAX = 65 };
+/* Of the first axis, which is the one that is turned round and round, and of the second. */
+static const int windings_max[ROTARY_MAX] = {257, 9};
 static const double slack = 1e-9; /* radians beyond the travel that are rounding */
 static const double jump = PI / 2;  /* radians between two near directions that are none */
 
-bool turnstate_ends(const struct rotary *r)
+bool turnstate_ends(const struct chain *chain, int i)
 {
-    return r->max - r->min < (WINDINGS_MAX - 1) * 2 * PI;
+    return chain->rotary[i].max - chain->rotary[i].min < (windings_max[i] - 1) * 2 * PI;
 }
 
 static struct winding winding_of(const struct chain *chain, int i)
 {
     const struct rotary *r = &chain->rotary[i];
-    if (i >= chain->n || !turnstate_ends(r))
+    if (i >= chain->n || !turnstate_ends(chain, i))
         return (struct winding){1, 0, true};
     int least = (int)ceil((r->min - PI) / (2 * PI) - slack);
     int most = (int)floor((r->max + PI) / (2 * PI) + slack);
@@ -77,7 +78,7 @@ bool turnstate_end(const struct chain *chain, const struct chain_solutions *from
         double here = from->q[solution][i / 2];
         double turn = remainder(to->q[solution][i / 2] - here, 2 * PI);
         double far = remainder((i % 2 ? r->max : r->min) - here, 2 * PI);
-        if (turnstate_ends(r) && fabs(turn) < jump && far / turn > 0 && far / turn < *share)
+        if (turnstate_ends(chain, i / 2) && fabs(turn) < jump && far / turn > 0 && far / turn < *share)
             *share = far / turn;
     }
     return *share < 1;
