@@ -131,7 +131,7 @@ double nc_block_minutes(const struct nc_step *step, const struct stance *to, dou
     size_t poles = !curve ? 0 : along->spline ? along->spline->curve.poles : 0;
     if (curve && along->motion->curve->poles > poles)
         poles = along->motion->curve->poles;
-    int n = curve ? (int)poles * SPAN_PIECES : PIECES;
+    int n = curve ? (int)poles * SPAN_PIECES : PIECES * (1 + (int)(3 * turn));
     struct sample a = sample_at(step, &to->at, along, 0, from->q);
     for (int i = 1; i <= n; i++) {
         struct sample b = sample_at(step, &to->at, along, (double)i / n, a.q);
