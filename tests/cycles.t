@@ -52,6 +52,8 @@ for control in fanuc siemens heidenhain; do
 		ok "its holes are those of the path" "$READBACK" -c $control --no-steps --path holes.cl \
 			$axes -e 0.0005 $control.nc
 	done
+	ncpost -q -c $control --inch holes.cl >inch.nc
+	ok "$control: in inches" "$READBACK" -c $control --no-steps --path holes.cl -e 0.003 inch.nc
 	ncpost -q -c $control --set cycles=no holes.cl >written.nc
 	hasnt "$control: cycles = no" 'G8[1-9]|CYCLE8|CYCL DEF 20' written.nc
 	ok "written out, steps and all" "$READBACK" -c $control --path holes.cl -e 0.0062 written.nc

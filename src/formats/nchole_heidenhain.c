@@ -22,6 +22,7 @@ struct part {
 static void define(struct nc_program *p, const char *name, int n, const struct part *part)
 {
     char line[LINE];
+    int digits = p->plan->ability.digits.linear;
     nc_code(&p->w, name);
     for (int i = 0; i < n; i++) {
         nc_code(&p->w, "~");
@@ -29,9 +30,9 @@ static void define(struct nc_program *p, const char *name, int n, const struct p
         memcpy(line, "    Q", 5);
         at += 1 + num_write(line + 5, part[i].q, 0);
         line[at++] = '=';
-        if (num_round(part[i].value, 4) >= 0)
+        if (num_round(part[i].value, digits) >= 0)
             line[at++] = '+';
-        at += num_write_short(line + at, part[i].value, 4, false);
+        at += num_write_short(line + at, part[i].value, digits, false);
         memcpy(line + at, " ;", 2);
         memcpy(line + at + 2, part[i].says, strlen(part[i].says) + 1);
         nc_continue(&p->w, line);
