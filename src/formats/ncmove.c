@@ -61,7 +61,7 @@ static double feed_word(const struct nc_step *step, const struct stance *stance,
     double may = feed < ability->feed_max ? feed : ability->feed_max;
     int digits = nc_feed_digits(ability, may);
     double said = num_round(may, digits), least = 1 / num_ten[digits];
-    if (said > feed && slow)
+    if (said > feed * (1 + 1e-9) && slow)
         said = num_round(said - least, digits);
     return said > 0 ? said : least;
 }
