@@ -9,7 +9,7 @@
 struct featuremesh {
     size_t creases, walls; /* edges of the mesh that cross one */
     struct vec3s place;    /* along them; for the caller to free */
-    size_t too_many;       /* edges that might, more than are looked at: then none is */
+    size_t too_many;       /* edges that might be on a crease, more than are looked at: none is */
 };
 
 /* How many edges of the mesh cross a wall; it needs no normals.  The points as below.  0 where there

@@ -143,7 +143,7 @@ void cloudmesh_edges(const struct cloudmesh_wish *wish, const struct cloud_parts
         made->edge = found.place;
         if (found.too_many > 0 && !wish->silent)
             say("%zu edges of the mesh lie where the scan is rough: too many to look for creases "
-                "and walls there (a wider spacing has fewer)",
+                "there (a wider spacing has fewer)",
                 found.too_many);
     }
     if (!wish->paper)

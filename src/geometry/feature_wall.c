@@ -7,7 +7,7 @@
 #include "planefit.h"
 #include "flank.h"
 
-enum { NEAR = 24, FEWEST = 6, TRIMS = 3 };
+enum { NEAR = 24, FEWEST = 6, TRIMS = 10 };
 
 static const double LEAN = 0.26; /* z of a wall's normal, at most: 75 degrees */
 

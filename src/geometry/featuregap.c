@@ -70,6 +70,17 @@ static bool go_on(const struct mesh *mesh, const struct mesh_edge *edge, const s
     return true;
 }
 
+/* Has the facet an edge on the border, or one next to it: then it has a corner there? */
+static bool at_border(const struct mesh_edges *edges, int facet, bool look_beyond)
+{
+    for (int i = 0; i < 3; i++) {
+        int beyond = mesh_edge_beyond(edges, edges->of[facet][i], facet);
+        if (beyond < 0 || (look_beyond && at_border(edges, beyond, false)))
+            return true;
+    }
+    return false;
+}
+
 /* Follows a feature from the facet that it ends in. */
 static bool follow(const struct mesh *mesh, const struct mesh_edges *edges,
                    const struct feature *feature, int facet, int edge, struct way *way)
@@ -85,7 +96,9 @@ static bool follow(const struct mesh *mesh, const struct mesh_edges *edges,
                 go_on(mesh, &edges->edge[e], &at, &way->found[way->n]))
                 next = e;
         }
-        if (next < 0 || edges->edge[next].facet[0] < 0)
+        if (next < 0) /* through a corner: there it may end */
+            return way->n > 0 && at_border(edges, facet, true);
+        if (edges->edge[next].facet[0] < 0)
             return false;
         at = way->found[way->n];
         way->edge[way->n++] = edge = next;

@@ -1,6 +1,7 @@
 /* featuremesh - see featuremesh.h. */
 #include "featuremesh.h"
 
+#include <stdbool.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -25,6 +26,7 @@ struct search {
     struct feature_cloud cloud;
     unsigned char *rough; /* vertices where one quadric does not fit */
     unsigned char *active; /* look only at the edges of these vertices */
+    bool walls_only;
     struct feature *feature;
 };
 
@@ -104,7 +106,7 @@ static void look_at_edges(void *context, size_t from, size_t to)
         f->kind = FEATURE_NONE;
         if (steep(&s->cloud, a, b))
             *f = feature_wall(&s->cloud, a, b);
-        if (f->kind == FEATURE_NONE && turns(m, edge) && (s->rough[v] || s->rough[w]))
+        if (f->kind == FEATURE_NONE && !s->walls_only && turns(m, edge) && (s->rough[v] || s->rough[w]))
             *f = feature_crease(&s->cloud, a, b, m->normal.item[v], m->normal.item[w]);
         if (f->kind != FEATURE_NONE && !seen(f))
             f->kind = FEATURE_NONE;
@@ -273,8 +275,9 @@ struct featuremesh featuremesh_keep(struct mesh *mesh, const struct vec3 *point,
     parallel_for(threads, mesh->vertex.n, look_at_vertices, &s);
     memset(s.active, 1, mesh->vertex.n);
     size_t doubtful = doubtful_edges(&s);
-    struct featuremesh found = {.too_many = doubtful > MOST_DOUBTFUL ? doubtful : 0};
-    if (!found.too_many)
+    struct featuremesh found = {0};
+    s.walls_only = doubtful > MOST_DOUBTFUL;
+    if (!s.walls_only || walls)
         found = look(&s, threads);
     struct featuresettle settle = settling(&s);
     if (found.creases + found.walls > 0 && noise > NOISY * spacing)
@@ -284,6 +287,7 @@ struct featuremesh featuremesh_keep(struct mesh *mesh, const struct vec3 *point,
     else
         featuresettle_back(&settle, &before);
     add_places(&s, &found.place);
+    found.too_many = s.walls_only ? doubtful : 0;
     array_free(&before.vertex);
     array_free(&before.normal);
     free(s.rough);
