@@ -12,7 +12,8 @@
  * A crease or wall ends where it comes into a facet over one of its edges and crosses none of the
  * other two.  From there it is followed, straight on over the sheets that it has, from facet to
  * facet; where that leads within six of them to another crease or wall, or to the border of the
- * mesh (or through a corner beside that), the edges on the way get its continuation, in place of FEATURE_NONE.  Nothing else changes.
+ * mesh (or through a corner beside that), the edges on the way get its continuation, in place of
+ * FEATURE_NONE.  Nothing else changes.
  */
 void featuregap_close(const struct mesh *mesh, const struct mesh_edges *edges,
                       struct feature *feature);
