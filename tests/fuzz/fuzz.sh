@@ -42,4 +42,10 @@ fuzz nurbs-text '../../samples/saddle.nurbs' nurbs2mesh -n 4 @@
 fuzz path 'path*.cl' ncpost -c fanuc @@
 fuzz path-arcs 'path*.cl' biarcfit -e 0.1 @@
 fuzz path-splines 'path*.cl' bsplfit -e 0.1 @@
+cloud=$SRC/tests/awkward/hex-grid.xyz
+fuzz program-fanuc '../golden/*.nc' ncverify -c fanuc -g "$cloud" -r 4 @@
+fuzz program-siemens '../golden/*.mpf' ncverify -c siemens -g "$cloud" -r 4 @@
+fuzz program-heidenhain '../golden/*.h' ncverify -c heidenhain -g "$cloud" -r 4 @@
+fuzz program-linuxcnc '../golden/*.ngc' ncverify -c linuxcnc -g "$cloud" -r 4 @@
+fuzz machine 'machine*.txt' ncpost -m @@ "$SRC/tests/awkward/path.cl"
 exit $bad
