@@ -4,6 +4,7 @@
 #ifndef CLOUDMILL_LAYER_H
 #define CLOUDMILL_LAYER_H
 
+#include "box.h"
 #include "error.h"
 #include "path.h"
 #include "scene.h"

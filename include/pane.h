@@ -4,6 +4,7 @@
 #ifndef CLOUDMILL_PANE_H
 #define CLOUDMILL_PANE_H
 
+#include "box.h"
 #include "raster.h"
 #include "scene.h"
 #include "svg.h"

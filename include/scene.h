@@ -6,6 +6,7 @@
 #ifndef CLOUDMILL_SCENE_H
 #define CLOUDMILL_SCENE_H
 
+#include "box.h"
 #include "mesh.h"
 #include "vec.h"
 #include "view.h"

@@ -25,16 +25,4 @@ struct view view_from(enum view_name name);
 
 struct vec3 view_point(const struct view *view, struct vec3 p);
 
-/* A box of points; empty (low above high) before the first. */
-struct box {
-    struct vec3 low, high;
-};
-
-struct box box_empty(void);
-void box_add(struct box *box, struct vec3 p);
-void box_join(struct box *box, const struct box *other);
-
-/* From corner to corner, mm; 0 when it is empty. */
-double box_diagonal(const struct box *box);
-
 #endif

@@ -1,14 +1,12 @@
 /*
- * check_ballroll - the ball rolled over a dome, a bowl and the panel, all known exactly: a path that
- * goes so deep, or stays so far off, is measured as it is; and the tree against all segments.
+ * check_ballroll - the ball rolled over a dome, a bowl and the panel, all known exactly: a path
+ * that goes so deep, or stays so far off, is measured as it is.
  */
 #include <check.h>
-#include <stdint.h>
 #include <stdlib.h>
 
 #include "panel.h"
 #include "ballroll.h"
-#include "balltree.h"
 
 #define RADIUS 6.0
 
@@ -135,7 +133,7 @@ START_TEST(beside_is_not_cut)
     struct ballroll r = roll(&path, &points, 1);
     for (size_t i = 0; i < points.n; i++) {
         struct vec3 p = points.item[i];
-        bool in = fabs(p.x) < 8.5 && fabs(p.y) < 7.5, out = fabs(p.x) > 9.6 || fabs(p.y) > 8.6;
+        bool in = fabs(p.x) < 8.5 && fabs(p.y)<7.5, out = fabs(p.x)> 9.6 || fabs(p.y) > 8.6;
         if (in)
             ck_assert(r.region[i]);
         if (out)
@@ -143,26 +141,6 @@ START_TEST(beside_is_not_cut)
     }
     ck_assert_double_lt(r.over, 0.012);
     ballroll_free(&r);
-    array_free(&path);
-    array_free(&points);
-}
-END_TEST
-
-START_TEST(the_tree_finds_the_nearest)
-{
-    struct ball_path path = path_over(surfaces[_i], 0);
-    struct vec3s points = points_on(surfaces[_i], 12);
-    struct balltree *tree = balltree_new(&path);
-    for (size_t i = 0; i < points.n; i += 7) {
-        size_t nearest = SIZE_MAX;
-        double best = 8, found = balltree_nearest(tree, points.item[i], 8, &nearest);
-        for (size_t k = 0; k < path.n; k++) {
-            struct vec3 q = ball_segment_nearest(&path.item[k], points.item[i]);
-            best = fmin(best, vec_distance(q, points.item[i]));
-        }
-        ck_assert_double_eq_tol(found, best, 1e-12);
-    }
-    balltree_free(tree);
     array_free(&path);
     array_free(&points);
 }
@@ -210,8 +188,8 @@ static double bowl_height(double x, double y)
     return -sqrt(900 - x * x - y * y);
 }
 
-static double (*const heights[])(double, double) = {wave_height, saddle_height, ridge_height,
-                                                    panel_height, bowl_height, dome_height};
+static double (*const heights[])(double, double) = {wave_height,  saddle_height, ridge_height,
+                                                    panel_height, bowl_height,   dome_height};
 
 /* Where the ball's centre is meant to be over x in a pass: some passes too deep, some too high. */
 static struct vec3 centre_over(int kind, double radius, double x, int row)
@@ -314,7 +292,6 @@ int main(void)
     tcase_add_loop_test(tcase, what_is_left_is_what_it_is, 0, 3);
     tcase_add_test(tcase, scallop_of_the_dome);
     tcase_add_loop_test(tcase, beside_is_not_cut, 0, 3);
-    tcase_add_loop_test(tcase, the_tree_finds_the_nearest, 0, 3);
     tcase_add_loop_test(tcase, threads_change_nothing, 0, 3);
     tcase_add_loop_test(tcase, figures_are_those_of_the_truth, 0, 12);
     suite_add_tcase(suite, tcase);

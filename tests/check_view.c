@@ -1,4 +1,4 @@
-/* view - projections are turns: lengths along, right-handed; boxes. */
+/* view - projections are turns: lengths along, right-handed. */
 #include <check.h>
 #include <stdlib.h>
 
@@ -40,19 +40,6 @@ START_TEST(named_views_show_what_they_say)
 }
 END_TEST
 
-START_TEST(boxes)
-{
-    struct box a = box_empty(), b = box_empty();
-    ck_assert_double_eq(box_diagonal(&a), 0);
-    box_join(&a, &b);
-    ck_assert_double_eq(box_diagonal(&a), 0);
-    box_add(&b, vec(1, 1, 1));
-    box_add(&b, vec(4, 5, 1));
-    box_join(&a, &b);
-    ck_assert_double_eq_tol(box_diagonal(&a), 5, 1e-15);
-}
-END_TEST
-
 int main(void)
 {
     Suite *suite = suite_create("view");
@@ -60,7 +47,6 @@ int main(void)
     tcase_add_test(tests, frames_are_right_handed);
     tcase_add_test(tests, isometric_shortens_all_axes_alike);
     tcase_add_test(tests, named_views_show_what_they_say);
-    tcase_add_test(tests, boxes);
     suite_add_tcase(suite, tests);
     SRunner *runner = srunner_create(suite);
     srunner_run_all(runner, CK_NORMAL);

@@ -54,15 +54,15 @@ empty "formats end nothing" "$TMP/found"
 grep -rn 'setlocale' "$SRC"/src >"$TMP/found"
 empty "nobody calls setlocale" "$TMP/found"
 
-# What reads programs shares nothing with what writes them but files, numbers and vectors, so that
-# no mistake is made twice.
+# What reads programs shares nothing with what writes them but files, numbers, vectors and boxes, so
+# that no mistake is made twice.
 for file in "$SRC"/src/formats/ncread*.c "$SRC"/include/ncread*.h "$SRC"/src/geometry/rig.c \
 	"$SRC"/src/geometry/course.c "$SRC"/src/geometry/ball*.c "$SRC"/include/rig.h \
 	"$SRC"/include/course.h "$SRC"/include/ball*.h "$SRC"/src/geometry/stock*.c \
 	"$SRC"/src/geometry/holder*.c "$SRC"/src/geometry/obstacle.c "$SRC"/src/geometry/tiles.c \
 	"$SRC"/src/geometry/axisload.c "$SRC"/include/axisload.h; do
 	[ -e "$file" ] || continue
-	grep -Hn '^#include "' "$file" | grep -vE '"(ncread[a-z_]*|rig|course|ball[a-z]*|axisload|stock[a-z]*|holder[a-z]*|obstacle|tiles|quadric|array|error|num|reader|vec|kdtree|parallel|machine)\.h"'
+	grep -Hn '^#include "' "$file" | grep -vE '"(ncread[a-z_]*|rig|course|ball[a-z]*|axisload|stock[a-z]*|holder[a-z]*|obstacle|tiles|quadric|array|box|error|num|reader|vec|kdtree|parallel|machine)\.h"'
 done >"$TMP/found"
 empty "the reader of programs shares nothing with the writers" "$TMP/found"
 

@@ -4,30 +4,15 @@
 #include <stdlib.h>
 
 #include "array.h"
+#include "box.h"
 
 enum { LEAF = 8, DEPTH = 64, SECTORS = 16, GAP = 6 };
-
-struct box {
-    struct vec3 low, high;
-};
 
 struct balltree {
     const struct ball_path *path;
     size_t leaves; /* a power of two; the boxes of the leaves stand behind those above them */
     struct box *box;
 };
-
-static struct box empty_box(void)
-{
-    return (struct box){{HUGE_VAL, HUGE_VAL, HUGE_VAL}, {-HUGE_VAL, -HUGE_VAL, -HUGE_VAL}};
-}
-
-static void widen(struct box *box, struct vec3 low, struct vec3 high)
-{
-    box->low = vec(fmin(box->low.x, low.x), fmin(box->low.y, low.y), fmin(box->low.z, low.z));
-    box->high =
-        vec(fmax(box->high.x, high.x), fmax(box->high.y, high.y), fmax(box->high.z, high.z));
-}
 
 struct balltree *balltree_new(const struct ball_path *path)
 {
@@ -38,15 +23,15 @@ struct balltree *balltree_new(const struct ball_path *path)
         tree->leaves *= 2;
     tree->box = mem_alloc(2 * tree->leaves, sizeof *tree->box);
     for (size_t i = 0; i < 2 * tree->leaves; i++)
-        tree->box[i] = empty_box();
+        tree->box[i] = box_empty();
     for (size_t i = 0; i < path->n; i++) {
         struct box *box = &tree->box[tree->leaves + i / LEAF];
-        widen(box, path->item[i].a, path->item[i].a);
-        widen(box, path->item[i].b, path->item[i].b);
+        box_add(box, path->item[i].a);
+        box_add(box, path->item[i].b);
     }
     for (size_t i = tree->leaves - 1; i > 0; i--) {
-        widen(&tree->box[i], tree->box[2 * i].low, tree->box[2 * i].high);
-        widen(&tree->box[i], tree->box[2 * i + 1].low, tree->box[2 * i + 1].high);
+        box_join(&tree->box[i], &tree->box[2 * i]);
+        box_join(&tree->box[i], &tree->box[2 * i + 1]);
     }
     return tree;
 }
@@ -57,20 +42,6 @@ void balltree_free(struct balltree *tree)
         return;
     free(tree->box);
     free(tree);
-}
-
-static double outside(double low, double x, double high)
-{
-    return x < low ? low - x : x > high ? x - high : 0;
-}
-
-/* Squared distance of p to a box; an empty one is infinitely far. */
-static double box_distance2(const struct box *box, struct vec3 p)
-{
-    double x = outside(box->low.x, p.x, box->high.x);
-    double y = outside(box->low.y, p.y, box->high.y);
-    double z = outside(box->low.z, p.z, box->high.z);
-    return x * x + y * y + z * z;
 }
 
 struct vec3 ball_segment_nearest(const struct ball_segment *segment, struct vec3 p)

@@ -5,7 +5,7 @@
 #include <stdlib.h>
 
 #include "array.h"
-#include "view.h"
+#include "box.h"
 
 enum { LEAF = 6, DEPTH = 64 };
 
@@ -111,18 +111,6 @@ struct vec3 facet_nearest(const struct facet *facet, struct vec3 p)
     return best;
 }
 
-static double outside(double low, double x, double high)
-{
-    return x < low ? low - x : x > high ? x - high : 0;
-}
-
-static double box_distance(const struct box *box, struct vec3 p)
-{
-    return vec_length(vec(outside(box->low.x, p.x, box->high.x),
-                          outside(box->low.y, p.y, box->high.y),
-                          outside(box->low.z, p.z, box->high.z)));
-}
-
 /* Facets [from, to) that lie in a node. */
 struct span {
     size_t node, from, to;
@@ -142,12 +130,12 @@ double facetree_distance(const struct facetree *tree, struct vec3 p)
     double best = HUGE_VAL;
     for (size_t n = 1; n > 0;) {
         struct span s = stack[--n];
-        if (s.to == s.from || box_distance(&tree->box[s.node], p) >= best)
+        if (s.to == s.from || box_distance2(&tree->box[s.node], p) >= best * best)
             continue;
         if (s.to - s.from > LEAF) {
             struct span first = half_of(s, false), second = half_of(s, true);
-            bool swap =
-                box_distance(&tree->box[first.node], p) < box_distance(&tree->box[second.node], p);
+            bool swap = box_distance2(&tree->box[first.node], p) <
+                        box_distance2(&tree->box[second.node], p);
             stack[n++] = swap ? second : first; /* the nearer one is looked at first */
             stack[n++] = swap ? first : second;
             continue;

@@ -20,27 +20,3 @@ struct vec3 view_point(const struct view *view, struct vec3 p)
 {
     return vec(vec_dot(view->right, p), vec_dot(view->up, p), vec_dot(view->toward, p));
 }
-
-struct box box_empty(void)
-{
-    return (struct box){vec(INFINITY, INFINITY, INFINITY), vec(-INFINITY, -INFINITY, -INFINITY)};
-}
-
-void box_add(struct box *box, struct vec3 p)
-{
-    box->low = vec(fmin(box->low.x, p.x), fmin(box->low.y, p.y), fmin(box->low.z, p.z));
-    box->high = vec(fmax(box->high.x, p.x), fmax(box->high.y, p.y), fmax(box->high.z, p.z));
-}
-
-void box_join(struct box *box, const struct box *other)
-{
-    if (other->low.x <= other->high.x) {
-        box_add(box, other->low);
-        box_add(box, other->high);
-    }
-}
-
-double box_diagonal(const struct box *box)
-{
-    return box->low.x <= box->high.x ? vec_distance(box->low, box->high) : 0;
-}
