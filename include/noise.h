@@ -10,10 +10,21 @@
 #ifndef CLOUDMILL_NOISE_H
 #define CLOUDMILL_NOISE_H
 
+#include <stdbool.h>
+
 #include "buckets.h"
 
-/* Standard deviation of the points from the surface, along its normal, mm; 0 where the surface
- * explains all. */
+struct noise {
+    double sigma; /* standard deviation of the points from the surface, along its normal, mm; 0 where
+                     the surface explains all */
+    bool alike;   /* the points are spread about the surface alike everywhere and however wide one
+                     looks, and less than they are apart: by the scanner, not by the shape of a
+                     rough part */
+};
+
+struct noise noise_look(const struct buckets *buckets, int threads);
+
+/* The standard deviation alone. */
 double noise_of(const struct buckets *buckets, int threads);
 
 #endif

@@ -66,6 +66,12 @@ double quadric_distance(const struct quadric *quadric);
  * side of the normal. */
 double quadric_curvature(const struct quadric *quadric);
 
+/* The point over u, v. */
+struct vec3 quadric_at(const struct quadric *quadric, double u, double v);
+
+/* The point of the surface nearest to a point that is near to it. */
+struct vec3 quadric_nearest(const struct quadric *quadric, struct vec3 point);
+
 /* Root mean square of the distances of n points from the surface, to first order. */
 double quadric_rms(const struct quadric *quadric, const struct vec3 *point, size_t n);
 

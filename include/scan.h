@@ -11,7 +11,7 @@
 struct scan_rule {
     double radius;    /* of the ball, mm */
     double tolerance; /* of the path, mm: the ball sinks between points by a fifth of it at most */
-    double noise;     /* of the scan, mm; negative: as found where it is above half the tolerance */
+    double noise;     /* of the scan, mm; negative: as found where it is above a tenth of the tolerance */
     int threads;
 };
 

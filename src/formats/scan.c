@@ -1,9 +1,13 @@
 #include "scan.h"
 
 #include <stdlib.h>
+#include <string.h>
 
 #include "cloud.h"
+#include "footprint.h"
+#include "noise.h"
 #include "scansurface.h"
+#include "stray.h"
 
 static struct vec3 place(const double m[4][4], struct vec3 p)
 {
@@ -44,21 +48,59 @@ static size_t far_places(const struct vec3s *place, const struct guard *guard, d
     return far;
 }
 
-static struct guard *guard_of(const struct vec3s *points, struct scan_rule *rule)
+/* Points that are not on the surface: taken out where it is certain that noise does not put them
+ * there, for the noise is known or there is none; told in any case. */
+static void drop_outliers(struct buckets *buckets, struct noise noise, double spacing, int threads)
 {
+    const double none = 0.002; /* in spacings */
+    unsigned char *out = mem_alloc(buckets->n, 1);
+
+    memset(out, 0, buckets->n);
+    size_t outliers = stray_outliers(buckets, noise.sigma, threads, out);
+    bool certain = noise.alike || noise.sigma < none * spacing;
+    if (outliers > 0 && certain)
+        say("left out %zu outlier%s of the scan that guards", outliers, outliers == 1 ? "" : "s");
+    else if (outliers > 0)
+        note("%zu point%s of the scan that guards may be outliers, and count", outliers,
+             outliers == 1 ? "" : "s");
+    if (certain)
+        buckets_remove(buckets, out);
+    free(out);
+}
+
+static double spacing_of(const struct vec3s *points)
+{
+    struct footprint f = footprint_of(points->item, points->n, 0);
+    double spacing = footprint_spacing(&f, points->item, points->n);
+
+    return spacing > 0 ? spacing : 1; /* upright or a single point: any cell will do */
+}
+
+/* NULL: more points than can be sorted. */
+static struct guard *guard_of(struct vec3s *points, struct scan_rule *rule, struct error *error)
+{
+    const double little = 0.1;  /* of the tolerance */
+    const size_t many = 400000; /* points: noise is taken out of more only when it is said */
+    double spacing = spacing_of(points);
+    struct buckets buckets;
+
+    if (buckets_make(points->item, points->n, spacing, rule->threads, &buckets, error) < 0)
+        return NULL;
+    struct noise found = noise_look(&buckets, rule->threads);
+    drop_outliers(&buckets, found, spacing, rule->threads);
+    bool takes = found.alike && found.sigma > little * rule->tolerance && points->n <= many;
+    if (rule->noise < 0)
+        rule->noise = takes ? found.sigma : 0;
     struct scansurface_rule how = {.radius = rule->radius,
                                    .sink = rule->tolerance / 5,
                                    .noise = rule->noise,
-                                   .least = rule->tolerance / 2,
                                    .threads = rule->threads};
-    struct scansurface surface;
-
-    scansurface_make(points->item, points->n, &how, &surface);
-    rule->noise = surface.noise;
-    if (surface.noise > 0)
+    struct scansurface surface = scansurface_make(&buckets, &how);
+    if (rule->noise > 0)
         say("noise of %.2g mm taken out of the scan that guards (%zu of %zu points moved)",
-            surface.noise, surface.moved, points->n);
-    note("guarded by %zu points of the scan and %zu put between", points->n, surface.added);
+            rule->noise, surface.moved, buckets.n);
+    note("guarded by %zu points of the scan and %zu put between", buckets.n, surface.added);
+    buckets_free(&buckets);
     return guard_take(surface.point, rule->threads);
 }
 
@@ -70,10 +112,10 @@ static struct guard *read_guard(const struct cli_list *files, const double (*pla
     struct guard *guard = NULL;
 
     if (read_points(files, placed, &points, error) == 0)
-        guard = guard_of(&points, rule);
+        guard = guard_of(&points, rule, error);
     array_free(&points);
     size_t far = guard ? far_places(place_of, guard, near) : 0;
-    if (2 * far <= place_of->n)
+    if (!guard || 2 * far <= place_of->n)
         return guard;
     guard_free(guard);
     error_at(error, files->item[0], 0,

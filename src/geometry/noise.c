@@ -12,6 +12,10 @@ enum { PLACES = 2000, FEWEST = 16, MOST = 512, TERMS = 6 };
 /* Variance of the bend over twice the points. */
 static const double GROWTH = 8;
 
+static const double WHITE = 1.35; /* spread of twice the points by that of once, at most */
+static const double EVEN = 3;     /* spread of the roughest tenth by that of the smoothest */
+static const double CELL = 3;     /* width of a cell in mean spacings of the points */
+
 struct job {
     const struct buckets *buckets;
     size_t places;
@@ -76,27 +80,37 @@ static void measure(void *context, size_t from, size_t to)
     }
 }
 
-/* Of those that are there; 0 when there is none. */
-static double median_of(double *value, size_t n)
+/* Brings those that are there to the front, in order; returns how many. */
+static size_t sort_found(double *value, size_t n)
 {
-    size_t kept = 0;
+    size_t found = 0;
     for (size_t i = 0; i < n; i++)
         if (value[i] >= 0)
-            value[kept++] = value[i];
-    if (kept == 0)
-        return 0;
-    doubles_sort(value, kept);
-    return value[kept / 2];
+            value[found++] = value[i];
+    doubles_sort(value, found);
+    return found;
 }
 
-double noise_of(const struct buckets *buckets, int threads)
+struct noise noise_look(const struct buckets *buckets, int threads)
 {
     size_t places = buckets->n < PLACES ? buckets->n : PLACES;
     struct job job = {buckets, places, mem_alloc(places, sizeof(double)),
                       mem_alloc(places, sizeof(double))};
+    struct noise noise = {.sigma = 0};
     parallel_for(threads, places, measure, &job);
-    double fewer = median_of(job.fewer, places), twice = median_of(job.twice, places);
+    size_t fewer = sort_found(job.fewer, places), twice = sort_found(job.twice, places);
+    if (fewer > 0 && twice > 0) {
+        double narrow = job.fewer[fewer / 2], wide = job.twice[twice / 2];
+        noise.sigma = sqrt(fmax((GROWTH * narrow - wide) / (GROWTH - 1), 0));
+        noise.alike = noise.sigma < buckets->cell / CELL && wide <= WHITE * WHITE * narrow &&
+                      job.fewer[9 * fewer / 10] <= EVEN * EVEN * job.fewer[fewer / 10];
+    }
     free(job.fewer);
     free(job.twice);
-    return sqrt(fmax((GROWTH * fewer - twice) / (GROWTH - 1), 0));
+    return noise;
+}
+
+double noise_of(const struct buckets *buckets, int threads)
+{
+    return noise_look(buckets, threads).sigma;
 }

@@ -15,7 +15,8 @@ struct job {
     double *distance; /* of each vertex from its quadric; negative: it has none */
 };
 
-/* What the points leave of their freedom: rms of their distances, for `terms` of n fixed by the fit. */
+/* What the points leave of their freedom: rms of their distances, for `terms` of n fixed by the
+ * fit. */
 static double spread(const struct quadric *q, const struct vec3 *near, size_t n, double terms)
 {
     return quadric_rms(q, near, n) * sqrt((double)n / fmax((double)n - terms, 1));
@@ -39,8 +40,9 @@ static void fit_cubic(const struct vec3 *near, size_t n, struct vec3 origin, str
 {
     const double much = 0.5;
     struct quadric cubic;
-    if (n >= 2 * CUBIC && cubic_fit(near, NULL, n, origin, quadric_normal(q), &cubic) == 0 &&
-        spread(&cubic, near, n, CUBIC) < much * spread(q, near, n / 2, QUADRIC))
+    size_t some = 3 * n / 5;
+    if (some >= 2 * CUBIC && cubic_fit(near, NULL, some, origin, quadric_normal(q), &cubic) == 0 &&
+        spread(&cubic, near, some, CUBIC) < much * spread(q, near, n / 2, QUADRIC))
         *q = cubic;
 }
 
@@ -76,7 +78,8 @@ static void fit_vertices(void *context, size_t from, size_t to)
     const struct job *job = context;
     struct mesh *mesh = job->mesh;
     size_t most = MOST_TIMES * job->neighbours;
-    struct hood near = {mem_alloc(most, sizeof *near.index), mem_alloc(most, sizeof *near.distance2),
+    struct hood near = {mem_alloc(most, sizeof *near.index),
+                        mem_alloc(most, sizeof *near.distance2),
                         mem_alloc(most, sizeof *near.point)};
     for (size_t i = from; i < to; i++) {
         struct quadric q;
@@ -130,8 +133,7 @@ struct scannormals scannormals_quadric(struct mesh *mesh, const struct buckets *
                                        int neighbours, int threads)
 {
     size_t vertices = mesh->vertex.n;
-    struct job job = {mesh, buckets, (size_t)neighbours,
-                      mem_alloc(vertices, sizeof *job.distance)};
+    struct job job = {mesh, buckets, (size_t)neighbours, mem_alloc(vertices, sizeof *job.distance)};
     mesh_normals_facet(mesh);
     array_reserve(&mesh->kmax, vertices);
     mesh->kmax.n = vertices;
