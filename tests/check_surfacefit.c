@@ -52,7 +52,7 @@ static bool is_inside(struct vec3 p)
  * spreads the points. */
 static void look_all_over(double (*height)(double, double), size_t neighbours)
 {
-    struct surfacefit_rule rule = {&buckets, SIGMA, neighbours};
+    struct surfacefit_rule rule = {&buckets, SIGMA, neighbours, false};
     double sum2 = 0, n = 0;
     for (size_t i = 0; i < scan.n; i += 17) {
         struct surfacefit fit;
@@ -85,7 +85,7 @@ START_TEST(as_many_points_as_agree)
     size_t typical[2];
     for (int k = 0; k < 2; k++) {
         make_scan(k ? wave : saddle, NOISY_RANDOM);
-        struct surfacefit_rule rule = {&buckets, SIGMA, 0};
+        struct surfacefit_rule rule = {&buckets, SIGMA, 0, false};
         struct vec3s up = {0};
         for (size_t i = 0; i < scan.n; i++)
             *array_push(&up) = vec(0, 0, 1);
@@ -104,7 +104,7 @@ END_TEST
 START_TEST(not_across_an_edge)
 {
     make_scan(fold, NOISY_RANDOM);
-    struct surfacefit_rule rule = {&buckets, SIGMA, 200};
+    struct surfacefit_rule rule = {&buckets, SIGMA, 200, false};
     size_t seen = 0;
     for (size_t i = 0; i < scan.n; i++) {
         struct surfacefit fit;
