@@ -8,30 +8,13 @@
 
 static const struct stray WITHIN = {0.01, 0.01, 0.02};
 
-static void assert_chain(const struct trace *t, const struct pieces *p)
-{
-    ck_assert_double_lt(vec_distance(p->item[0].arc.from, t->p[0]), 1e-12);
-    ck_assert_double_lt(vec_distance(p->item[p->n - 1].arc.to, t->p[t->n - 1]), 1e-12);
-    for (size_t i = 0; i < p->n; i++) {
-        struct stray stray = trace_stray(t, &p->item[i], 8, NULL);
-        ck_assert_double_le(stray.tracked, 1.01 * WITHIN.tracked);
-        ck_assert_double_le(stray.other, 1.01 * WITHIN.other);
-        ck_assert_double_le(stray.axis, WITHIN.axis);
-        if (i == 0)
-            continue;
-        const struct arc *before = &p->item[i - 1].arc, *here = &p->item[i].arc;
-        ck_assert_double_lt(vec_distance(before->to, here->from), 1e-12);
-        ck_assert_double_le(vec_angle(arc_tangent(before, 1), here->tangent), 1.01 * ARCFIT_KINK);
-    }
-}
-
 START_TEST(a_wave_takes_a_third_less_than_biarcs)
 {
     struct trace t = trial_wave(401, 0.25, 0, 0);
     struct pieces arcs = {0}, biarcs = {0};
     arcbeam_fit(&t, &WITHIN, 6, &arcs);
     arcfit_biarcs(&t, &WITHIN, &biarcs);
-    assert_chain(&t, &arcs);
+    trial_assert_chain(&t, &WITHIN, &arcs);
     ck_assert_uint_lt(4 * arcs.n, 3 * biarcs.n);
     array_free(&arcs);
     array_free(&biarcs);
@@ -44,7 +27,7 @@ START_TEST(the_far_end_of_the_lever_is_kept_too)
     struct trace t = trial_wave(401, 0.25, 0.3, 0);
     struct pieces arcs = {0};
     arcbeam_fit(&t, &WITHIN, 6, &arcs);
-    assert_chain(&t, &arcs);
+    trial_assert_chain(&t, &WITHIN, &arcs);
     array_free(&arcs);
     trace_free(&t);
 }

@@ -9,27 +9,6 @@
 
 static const struct stray WITHIN = {0.01, 0.01, 0.02};
 
-static void assert_chain(const struct trace *t, const struct pieces *p)
-{
-    ck_assert_double_lt(vec_distance(p->item[0].arc.from, t->p[0]), 1e-12);
-    ck_assert_double_lt(vec_distance(p->item[p->n - 1].arc.to, t->p[t->n - 1]), 1e-12);
-    for (size_t i = 0; i < p->n; i++) {
-        struct stray stray = trace_stray(t, &p->item[i], 8, NULL);
-        ck_assert_double_le(stray.tracked, 1.01 * WITHIN.tracked);
-        ck_assert_double_le(stray.other, 1.01 * WITHIN.other);
-        ck_assert_double_le(stray.axis, WITHIN.axis);
-        if (i == 0)
-            continue;
-        const struct piece *before = &p->item[i - 1], *here = &p->item[i];
-        ck_assert_double_lt(vec_distance(before->arc.to, here->arc.from), 1e-12);
-        ck_assert_double_lt(vec_distance(before->axis_to, here->axis), 1e-12);
-        ck_assert_double_le(before->to, here->from);
-        ck_assert_double_ge(before->to, here->from);
-        double kink = vec_angle(arc_tangent(&before->arc, 1), here->arc.tangent);
-        ck_assert_double_le(kink, 1.01 * ARCFIT_KINK);
-    }
-}
-
 static void assert_fewer(size_t n, double lean, size_t fewer)
 {
     struct trace t = trial_wave(n, 0.25, lean, 0);
@@ -37,7 +16,7 @@ static void assert_fewer(size_t n, double lean, size_t fewer)
     arcbeam_fit(&t, &WITHIN, 6, &p);
     size_t before = p.n;
     arcrelax(&t, &WITHIN, 6, &p);
-    assert_chain(&t, &p);
+    trial_assert_chain(&t, &WITHIN, &p);
     ck_assert_uint_le(p.n + fewer, before);
     array_free(&p);
     trace_free(&t);
@@ -71,7 +50,7 @@ START_TEST(from_few_to_many)
         arcbeam_fit(&t, &WITHIN, 6, &p);
         windows += p.n > 20 && p.n < 26;
         arcrelax(&t, &WITHIN, 6, &p);
-        assert_chain(&t, &p);
+        trial_assert_chain(&t, &WITHIN, &p);
         array_free(&p);
         trace_free(&t);
     }

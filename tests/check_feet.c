@@ -12,14 +12,7 @@
 /* A curve through the motion by least squares, its feet followed. */
 static struct attempt fitted(const struct target *target, int degree, size_t poles)
 {
-    struct bspline form = {.degree = degree, .poles = poles};
-    struct attempt a = {0};
-    double knot[64] = {0};
-
-    for (size_t j = (size_t)degree + 1; j <= poles + (size_t)degree; j++)
-        knot[j] = target->at[target->n - 1] *
-                  fmin(1, (double)(j - (size_t)degree) / (double)(poles - (size_t)degree));
-    ck_assert(attempt_start(target, &form, knot, target->at, &a));
+    struct attempt a = trial_attempt(target, degree, poles, 1);
     struct spanform s = spanform_new(&a.curve);
     spanform_curve(&s, &a.curve);
     for (int i = 0; i < 4; i++)

@@ -24,17 +24,12 @@ struct setting {
 static struct setting setting_new(int degree, bool fixed, double radius)
 {
     struct setting s = {.run = trial_motion(120, radius)};
-    double knot[POLES + 12] = {0};
 
     for (size_t i = 0; fixed && i < s.run.n; i++)
         s.run.item[i].axis = vec(0, 0, 1);
     s.track = track_new(&s.run, false);
     s.target = target_new(&s.track, 60, 0.01, 0.02);
-    struct bspline form = {.degree = degree, .poles = POLES};
-    for (int j = degree + 1; j <= POLES + degree; j++)
-        knot[j] = s.target.at[s.target.n - 1] *
-                  fmin(1, pow((double)(j - degree) / (POLES - degree), 1.1));
-    ck_assert(attempt_start(&s.target, &form, knot, s.target.at, &s.attempt));
+    s.attempt = trial_attempt(&s.target, degree, POLES, 1.1);
     s.form = spanform_new(&s.attempt.curve);
     spanform_curve(&s.form, &s.attempt.curve);
     for (int i = 0; i < 6; i++)

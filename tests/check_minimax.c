@@ -7,6 +7,7 @@
 
 #include "array.h"
 #include "minimax.h"
+#include "trial.h"
 
 /* y = x^4 / 512 from -4 to 4: no cubic, but a curve of degree 4. */
 static struct track quartic(void)
@@ -24,26 +25,13 @@ static struct track quartic(void)
     return track;
 }
 
-static struct attempt start(const struct target *t, int degree, size_t poles)
-{
-    struct bspline form = {.degree = degree, .poles = poles};
-    struct attempt a = {0};
-    double knot[32] = {0};
-
-    for (size_t j = (size_t)degree + 1; j <= poles + (size_t)degree; j++)
-        knot[j] = t->at[t->n - 1] *
-                  fmin(1, (double)(j - (size_t)degree) / (double)(poles - (size_t)degree));
-    ck_assert(attempt_start(t, &form, knot, t->at, &a));
-    return a;
-}
-
 /* The least distance that a fit reaches, by trying smaller and smaller ones. */
 static double reached(const struct target *t, int degree, size_t poles)
 {
     double effort = 1e9, goal = 1;
 
     for (bool done = true; done; goal *= 0.97) {
-        struct attempt a = start(t, degree, poles);
+        struct attempt a = trial_attempt(t, degree, poles, 1);
         done = minimax_fit(t, goal, 1, &a, &effort);
         ck_assert(!done || a.feet.worst <= goal);
         attempt_free(&a);
@@ -57,7 +45,7 @@ START_TEST(the_largest_distances_are_alike)
 {
     struct track track = quartic();
     struct target t = target_new(&track, 200, 0.001, 0.02);
-    struct attempt a = start(&t, 3, 4);
+    struct attempt a = trial_attempt(&t, 3, 4, 1);
     double effort = 1e9, goal = reached(&t, 3, 4);
     size_t tops = 0;
 
@@ -77,7 +65,7 @@ START_TEST(what_can_be_exact_becomes_so)
 {
     struct track track = quartic();
     struct target t = target_new(&track, 200, 0.001, 0.02);
-    struct attempt a = start(&t, 4, 5);
+    struct attempt a = trial_attempt(&t, 4, 5, 1);
     double effort = 1e9;
 
     ck_assert(minimax_fit(&t, 1e-4, 1, &a, &effort));
@@ -92,7 +80,7 @@ START_TEST(out_of_reach_and_out_of_time)
 {
     struct track track = quartic();
     struct target t = target_new(&track, 200, 0.001, 0.02);
-    struct attempt a = start(&t, 3, 4), b = start(&t, 4, 5);
+    struct attempt a = trial_attempt(&t, 3, 4, 1), b = trial_attempt(&t, 4, 5, 1);
     double effort = 1e9, none = 0;
 
     ck_assert(!minimax_fit(&t, 1e-7, 1, &a, &effort));
@@ -112,7 +100,7 @@ START_TEST(onto_other_places)
     struct track track = quartic();
     struct target t = target_new(&track, 50, 0.001, 0.02);
     struct target fine = target_new(&track, 300, 0.001, 0.02);
-    struct attempt a = start(&t, 3, 6);
+    struct attempt a = trial_attempt(&t, 3, 6, 1);
     double effort = 1e9;
 
     minimax_fit(&t, 1e9, 1, &a, &effort);

@@ -1,10 +1,13 @@
 /* trial - see trial.h. */
 #include "trial.h"
 
+#include <check.h>
 #include <math.h>
 #include <stdlib.h>
 
 #include "array.h"
+
+enum { TRIAL_KNOTS = 64 };
 
 static struct run_point place(double s, double radius)
 {
@@ -71,4 +74,40 @@ struct trace trial_wave(size_t n, double step, double lean, double kink)
     struct trace t = trace_of(&run, 0, run.n, false, false);
     array_free(&run);
     return t;
+}
+
+void trial_assert_chain(const struct trace *t, const struct stray *within, const struct pieces *p)
+{
+    ck_assert_double_lt(vec_distance(p->item[0].arc.from, t->p[0]), 1e-12);
+    ck_assert_double_lt(vec_distance(p->item[p->n - 1].arc.to, t->p[t->n - 1]), 1e-12);
+    for (size_t i = 0; i < p->n; i++) {
+        struct stray stray = trace_stray(t, &p->item[i], 8, NULL);
+        ck_assert_double_le(stray.tracked, 1.01 * within->tracked);
+        ck_assert_double_le(stray.other, 1.01 * within->other);
+        ck_assert_double_le(stray.axis, within->axis);
+        if (i == 0)
+            continue;
+        const struct piece *before = &p->item[i - 1], *here = &p->item[i];
+        ck_assert_double_lt(vec_distance(before->arc.to, here->arc.from), 1e-12);
+        ck_assert_double_lt(vec_distance(before->axis_to, here->axis), 1e-12);
+        ck_assert_double_le(before->to, here->from);
+        ck_assert_double_ge(before->to, here->from);
+        double kink = vec_angle(arc_tangent(&before->arc, 1), here->arc.tangent);
+        ck_assert_double_le(kink, 1.01 * ARCFIT_KINK);
+    }
+}
+
+struct attempt trial_attempt(const struct target *t, int degree, size_t poles, double power)
+{
+    struct bspline form = {.degree = degree, .poles = poles};
+    struct attempt a = {0};
+    double knot[TRIAL_KNOTS] = {0};
+
+    ck_assert(poles + (size_t)degree < TRIAL_KNOTS);
+    for (size_t j = (size_t)degree + 1; j <= poles + (size_t)degree; j++) {
+        double share = (double)(j - (size_t)degree) / (double)(poles - (size_t)degree);
+        knot[j] = t->at[t->n - 1] * fmin(1, pow(share, power));
+    }
+    ck_assert(attempt_start(t, &form, knot, t->at, &a));
+    return a;
 }

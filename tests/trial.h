@@ -2,7 +2,9 @@
 #ifndef CLOUDMILL_TRIAL_H
 #define CLOUDMILL_TRIAL_H
 
+#include "arcfit.h"
 #include "bspline.h"
+#include "minimax.h"
 #include "run.h"
 #include "trace.h"
 #include "track.h"
@@ -17,8 +19,15 @@ double trial_off_chain(struct vec3 q, const struct vec3 *point, size_t n);
  * with `kink` there is a corner in the middle. */
 struct trace trial_wave(size_t n, double step, double lean, double kink);
 
-/* Largest distance both ways between the curve, taken at 1,501 places, and the track's polyline, mm;
- * of the tracked point or of the other one. */
+/* Largest distance both ways between the curve, taken at 1,501 places, and the track's polyline,
+ * mm; of the tracked point or of the other one. */
 double trial_brute_force(const struct bspline *b, const struct track *t, bool other);
+
+/* The pieces lead from the trace's first point to its last, all of them joined, with no kink and
+ * within the tolerances. */
+void trial_assert_chain(const struct trace *t, const struct stray *within, const struct pieces *p);
+
+/* A curve through the target by least squares, its knots spread by that power. */
+struct attempt trial_attempt(const struct target *t, int degree, size_t poles, double power);
 
 #endif
