@@ -1,5 +1,6 @@
 /*
- * turnchoice - of the angles that have a direction, those to go to from where the rotary axes stand.
+ * turnchoice - of the angles that have a direction, those to go to from where the rotary axes
+ * stand.
  */
 #ifndef CLOUDMILL_TURNCHOICE_H
 #define CLOUDMILL_TURNCHOICE_H

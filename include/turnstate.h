@@ -49,7 +49,7 @@ void turnstate_angles(const struct turnstates *s, const struct turnground *groun
  * back gains most.  *share: how far on the way in its angle, 0 to 1, the first of them.
  */
 bool turnstate_end(const struct chain *chain, const struct chain_solutions *from,
-                  const struct chain_solutions *to, int solution, double *share);
+                   const struct chain_solutions *to, int solution, double *share);
 
 /* The most that the direction may change from one place to the next near this one, radians:
  * less near the direction in which the first axis is free. */

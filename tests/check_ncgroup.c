@@ -13,8 +13,8 @@
 
 enum { POINTS = 60 };
 
-static const char *const kinds[] = {"table-ac", "head-table-bc", "head-ca", "nutating-head",
-                                    "nutating-table", "head-cb"};
+static const char *const kinds[] = {"table-ac",      "head-table-bc",  "head-ca",
+                                    "nutating-head", "nutating-table", "head-cb"};
 enum { KINDS_SHIPPED = sizeof kinds / sizeof *kinds };
 
 static struct machine narrow_machine(int kind, bool tcp)
@@ -76,8 +76,8 @@ static double way_of_plan(const struct chain *chain, const struct nc_plan *plan)
 START_TEST(as_by_trying)
 {
     const double from[2] = {0};
-    const struct nc_wish wish = {.chord = 0.01, .axis_tolerance = RADIANS(0.1), .feed = 1000,
-                                 .unit = 1};
+    const struct nc_wish wish = {
+        .chord = 0.01, .axis_tolerance = RADIANS(0.1), .feed = 1000, .unit = 1};
     int found = 0, back = 0;
     seed = 200 + (uint64_t)_i;
     for (int i = 0; i < 16; i++) {
@@ -96,7 +96,8 @@ START_TEST(as_by_trying)
         if (result == 0) {
             double got = way_of_plan(&m.chain, &plan);
             ck_assert_uint_eq(plan.total.turns, (size_t)turns);
-            ck_assert_msg(got < 1.011 * way + RADIANS(1), "way %g of %g", DEGREES(got), DEGREES(way));
+            ck_assert_msg(got < 1.011 * way + RADIANS(1), "way %g of %g", DEGREES(got),
+                          DEGREES(way));
             /* a turn at the very end of the travel, between two points, may save a step */
             ck_assert_double_gt(got, way - RADIANS(1 + 60 * turns));
             found++;

@@ -58,16 +58,15 @@ START_TEST(as_by_small_steps)
     seed = 300 + (uint64_t)_i;
     for (int i = 0; i < 300; i++) {
         struct machine m = any_machine(_i);
-        struct nc_step step = {.machine = &m,
-                               .follow = {.mode = FOLLOW_ROTARY, .chain = &m.chain}};
+        struct nc_step step = {.machine = &m, .follow = {.mode = FOLLOW_ROTARY, .chain = &m.chain}};
         step.state.at = any_station(&m.chain, 900);
         struct stance to = {.at = any_station(&m.chain, 900)};
         if (i % 3 == 0) /* close by, or where it is */
             to.at.p = vec_along(step.state.at.p, i % 2 ? 1 : 0, random_unit());
         to.turned = chain_turned(&m.chain, to.at.q);
         double length = vec_distance(step.state.at.p, to.at.p), least = 0.1 * chance();
-        double want = by_steps(&m, &step.state.at, &to.at), rotary =
-            nc_axes_minutes(&step, &step.state.at, &to.at);
+        double want = by_steps(&m, &step.state.at, &to.at),
+               rotary = nc_axes_minutes(&step, &step.state.at, &to.at);
         double got = nc_block_minutes(&step, &to, length, NULL, least);
         ck_assert_double_ge(got, 0.97 * fmax(want, least));
         ck_assert_double_le(got, 1.001 * fmax(want, least));

@@ -3,7 +3,6 @@
 
 #include <stdbool.h>
 
-
 struct angles angles_all(const struct chain *chain, struct vec3 axis)
 {
     struct angles all = {0};
@@ -29,11 +28,11 @@ struct angles angles_all(const struct chain *chain, struct vec3 axis)
                            remainder(q[1], 2 * PI) + 2 * PI * (double)(k / 5 - 2)};
             bool new = true;
             for (int i = 0; i < 2; i++)
-                new = new && r[i] >= chain->rotary[i].min && r[i] <= chain->rotary[i].max;
+                new = new &&r[i] >= chain->rotary[i].min &&r[i] <= chain->rotary[i].max;
             for (int i = 0; i < all.n; i++)
-                new = new && fabs(all.q[i][0] - r[0]) + fabs(all.q[i][1] - r[1]) > 1e-6;
-            if (new && all.n < ANGLES) {
-                                all.q[all.n][0] = r[0];
+                new = new &&fabs(all.q[i][0] - r[0]) + fabs(all.q[i][1] - r[1]) > 1e-6;
+            if (new &&all.n < ANGLES) {
+                all.q[all.n][0] = r[0];
                 all.q[all.n++][1] = r[1];
             }
         }
@@ -92,8 +91,8 @@ int angles_least(const struct chain *chain, const struct vec3 axis[], int n, con
         }
     }
     for (int k = 0; k < at.n; k++)
-        if (turns[k] >= 0 && (least < 0 || turns[k] < least ||
-                              (turns[k] == least && ways[k] < *way))) {
+        if (turns[k] >= 0 &&
+            (least < 0 || turns[k] < least || (turns[k] == least && ways[k] < *way))) {
             least = turns[k];
             *way = ways[k];
         }

@@ -1,4 +1,5 @@
-/* turnsearch - the shortest way of rotary axes through given directions, by trying, for unit tests. */
+/* turnsearch - the shortest way of rotary axes through given directions, by trying, for unit tests.
+ */
 #ifndef CLOUDMILL_TEST_TURNSEARCH_H
 #define CLOUDMILL_TEST_TURNSEARCH_H
 

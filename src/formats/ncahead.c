@@ -50,8 +50,8 @@ static double end_between(const struct chain *chain, const struct motion *motion
 }
 
 /* A place of its own there: the tool may turn, though rather at the end of a motion. */
-static void add_ends(struct nc_ahead *ahead, const struct chain *chain,
-                     const struct motion *motion, double s0, double s1)
+static void add_ends(struct nc_ahead *ahead, const struct chain *chain, const struct motion *motion,
+                     double s0, double s1)
 {
     struct chain_solutions a = ahead->found, b = chain_angles(chain, motion_at(motion, s1).a);
     double end[2];
@@ -84,7 +84,8 @@ static void sample(struct nc_ahead *ahead, const struct chain *chain, const stru
     sample(ahead, chain, motion, mid, motion_at(motion, mid).a, s1, depth + 1);
 }
 
-/* Within twice what the tool axis may be off, it may go past the singular direction in one block. */
+/* Within twice what the tool axis may be off, it may go past the singular direction in one block.
+ */
 static void add_leap(struct nc_ahead *ahead, const struct motion *motion, size_t start)
 {
     const struct rotary *first = &ahead->step->machine->chain.rotary[0];

@@ -88,8 +88,7 @@ static int set_course(struct nc_step *step, const struct nc_ahead *ahead, size_t
     step->course.n = 0;
     if (!path_moves(&step->path->item.item[i]))
         return 0;
-    if (end > place && ahead->item[place].turn &&
-        nc_step_turn(step, ahead->item[place + 1].q) != 0)
+    if (end > place && ahead->item[place].turn && nc_step_turn(step, ahead->item[place + 1].q) != 0)
         return -1;
     step->course = (struct nc_course){end - place + 1, ahead->item + place, ahead->s.item + place};
     add_stops(step, ahead, place, end);
@@ -295,8 +294,8 @@ int nc_group_plan(struct nc_step *step, size_t from, size_t to)
         return nearest;
     double way = nearest == 0 ? way_since(step, &mark) : HUGE_VAL;
     bool found = look_ahead(step, &ahead, &mark, from, to);
-    bool better = found && (nearest != 0 || (ahead.cost.turns == 0 &&
-                                             ahead.cost.way < way * (1 - worth)));
+    bool better =
+        found && (nearest != 0 || (ahead.cost.turns == 0 && ahead.cost.way < way * (1 - worth)));
     int result = better ? plan_along(step, &ahead, from, to, &mark, way) : -1;
     nc_ahead_free(&ahead);
     step->course.n = step->stops.n = 0;

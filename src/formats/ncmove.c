@@ -20,7 +20,7 @@ static double joint_way(const struct nc_step *step, const struct station *a,
     return way;
 }
 
-/* What a turn about a tip that stands counts, mm: as many as it has degrees, or as the ball goes. */
+/* What a turn about a tip that stands counts, mm: as it has degrees, or as the ball goes. */
 static double turn_way(const struct nc_step *step, const struct station *a,
                        const struct station *b)
 {

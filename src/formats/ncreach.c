@@ -87,7 +87,7 @@ static void stance_of(const struct nc_step *step, const struct pose *to, const d
     if (step->follow.mode == FOLLOW_VECTOR)
         s->at.a = round_point(to->a, digits->vector);
     else
-        s->at.a = chain->n == 2  ? chain_ways_axis(&step->ways, &s->turned)
+        s->at.a = chain->n == 2   ? chain_ways_axis(&step->ways, &s->turned)
                   : chain->n == 1 ? chain_axis_of(chain, &s->turned)
                                   : to->a;
     if (step->follow.mode == FOLLOW_JOINT)
@@ -173,10 +173,11 @@ static int not_reached(struct nc_step *step, struct pose to, int over)
         if (angle_over(&r[i], found.q[k][i]))
             return over_travel(step, to.p, m->letter[i], "angle", DEGREES(found.q[k][i]));
     step->plan->unmet = true;
-    return error_at(step->error, step->path->name, step->state.line,
-                    "pass %zu: found tool axis %.6f %.6f %.6f at the point %.3f %.3f %.3f, which no "
-                    "angles of %s reach",
-                    step->state.pass, to.a.x, to.a.y, to.a.z, to.p.x, to.p.y, to.p.z, m->name);
+    return error_at(
+        step->error, step->path->name, step->state.line,
+        "pass %zu: found tool axis %.6f %.6f %.6f at the point %.3f %.3f %.3f, which no "
+        "angles of %s reach",
+        step->state.pass, to.a.x, to.a.y, to.a.z, to.p.x, to.p.y, to.p.z, m->name);
 }
 
 /* q is the shortest way to the axis by either solution, were there no end of travel, and at neither

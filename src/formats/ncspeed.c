@@ -16,8 +16,7 @@ static double rotary_minutes(const struct machine *m, const double a[], const do
     return minutes;
 }
 
-double nc_axes_minutes(const struct nc_step *step, const struct station *a,
-                       const struct station *b)
+double nc_axes_minutes(const struct nc_step *step, const struct station *a, const struct station *b)
 {
     const struct machine *m = step->machine;
     double minutes = rotary_minutes(m, a->q, b->q);
@@ -49,7 +48,8 @@ static struct sample sample_of_spline(const struct chain *chain, const struct nc
     bspline_basis(b->degree, b->knot, span, u, basis);
     for (int k = 0; k < chain->n; k++)
         for (int i = 0; i <= b->degree; i++)
-            sample.q[k] += basis[i] * RADIANS(spline->angle[k][span - (size_t)b->degree + (size_t)i]);
+            sample.q[k] +=
+                basis[i] * RADIANS(spline->angle[k][span - (size_t)b->degree + (size_t)i]);
     sample.linear = chain_linear(chain, sample.tip, sample.q);
     return sample;
 }
@@ -75,13 +75,12 @@ static struct sample sample_at(const struct nc_step *step, const struct station 
     return sample;
 }
 
-static double piece_minutes(const struct machine *m, const struct sample *a,
-                            const struct sample *b)
+static double piece_minutes(const struct machine *m, const struct sample *a, const struct sample *b)
 {
     struct vec3 way = vec_sub(b->linear, a->linear);
-    double slides = larger(fabs(way.x) / m->rapid[MACHINE_X],
-                           larger(fabs(way.y) / m->rapid[MACHINE_Y],
-                                  fabs(way.z) / m->rapid[MACHINE_Z]));
+    double slides =
+        larger(fabs(way.x) / m->rapid[MACHINE_X],
+               larger(fabs(way.y) / m->rapid[MACHINE_Y], fabs(way.z) / m->rapid[MACHINE_Z]));
     return larger(slides, rotary_minutes(m, a->q, b->q));
 }
 

@@ -23,11 +23,12 @@ struct search {
     const struct turnplan *plan;
     const struct chain *chain;
     double weight[ROTARY_MAX];
-    struct turnstates states;                /* of each place */
-    struct state *row, *last, *turned, *far; /* of this place, the one before; where a leap starts */
-    int *parent;                             /* of each turned state, the one that it turned from */
-    bool turns;                              /* it may turn back */
-    uint16_t *by;                            /* of each state of each place */
+    struct turnstates states; /* of each place */
+    struct state *row, *last, *turned,
+        *far;     /* of this place, the one before; where a leap starts */
+    int *parent;  /* of each turned state, the one that it turned from */
+    bool turns;   /* it may turn back */
+    uint16_t *by; /* of each state of each place */
 };
 
 /* One place as seen from the one before. */
@@ -90,9 +91,8 @@ static void offer_all(struct search *s, const struct turnplan_place *place,
 }
 
 /* From a state of the place before on to this one in a block. */
-static void go_on(struct search *s, const struct turnplan_place *place,
-                  const struct ground *ground, const struct state *from, uint16_t by,
-                  uint16_t into[])
+static void go_on(struct search *s, const struct turnplan_place *place, const struct ground *ground,
+                  const struct state *from, uint16_t by, uint16_t into[])
 {
     for (int k = 0; k < ground->at.found.n; k++) {
         double q[ROTARY_MAX] = {0}, base[ROTARY_MAX] = {0}, most = 0;

@@ -3,8 +3,8 @@
 
 /* Of the first axis, which is the one that is turned round and round, and of the second. */
 static const int windings_max[ROTARY_MAX] = {257, 9};
-static const double slack = 1e-9; /* radians beyond the travel that are rounding */
-static const double jump = PI / 2;  /* radians between two near directions that are none */
+static const double slack = 1e-9;  /* radians beyond the travel that are rounding */
+static const double jump = PI / 2; /* radians between two near directions that are none */
 
 bool turnstate_ends(const struct chain *chain, int i)
 {
@@ -68,7 +68,7 @@ void turnstate_angles(const struct turnstates *s, const struct turnground *groun
 }
 
 bool turnstate_end(const struct chain *chain, const struct chain_solutions *from,
-                  const struct chain_solutions *to, int solution, double *share)
+                   const struct chain_solutions *to, int solution, double *share)
 {
     *share = 1;
     if (from->free || to->free || solution >= from->n || solution >= to->n)
@@ -78,7 +78,8 @@ bool turnstate_end(const struct chain *chain, const struct chain_solutions *from
         double here = from->q[solution][i / 2];
         double turn = remainder(to->q[solution][i / 2] - here, 2 * PI);
         double far = remainder((i % 2 ? r->max : r->min) - here, 2 * PI);
-        if (turnstate_ends(chain, i / 2) && fabs(turn) < jump && far / turn > 0 && far / turn < *share)
+        if (turnstate_ends(chain, i / 2) && fabs(turn) < jump && far / turn > 0 &&
+            far / turn < *share)
             *share = far / turn;
     }
     return *share < 1;
