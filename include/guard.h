@@ -86,4 +86,8 @@ bool guard_open(const struct guard *guard, struct vec3 c, struct vec3 up, double
 double guard_holder(const struct guard *guard, const struct holder *holder, struct vec3 c,
                     struct vec3 axis, double below);
 
+/* Are they no nearer than `least`?  Quicker than to ask how near. */
+bool guard_holder_clear(const struct guard *guard, const struct holder *holder, struct vec3 c,
+                        struct vec3 axis, double least);
+
 #endif

@@ -51,6 +51,11 @@ double kdtree_lowest(const struct kdtree *tree,
                      double (*value)(const void *context, struct vec3 p), const void *context,
                      double below, size_t *index);
 
+/* Is it lower than `below` at any point?  Ends at the first. */
+bool kdtree_any_lower(const struct kdtree *tree,
+                      double (*value)(const void *context, struct vec3 p), const void *context,
+                      double below);
+
 /*
  * The smallest h >= 0 that brings a ball of this radius with its centre at c + h * up (a unit vector)
  * clear of all points, up to 1e-6 mm; where that is above `limit`, something above it.

@@ -117,6 +117,26 @@ START_TEST(rise_is_the_last_place_that_is_not_clear)
 }
 END_TEST
 
+START_TEST(holders_are_clear_where_no_point_is_nearer)
+{
+    struct guard *guard = make_guard();
+    struct holder holder = {.n = 1, .part = {{2, 4, 6}}};
+    int clear = 0;
+    for (int i = 0; i < 400; i++) {
+        struct vec3 c = vec(uniform(-10, 10), uniform(-10, 10), uniform(-4, 14));
+        struct vec3 axis = direction();
+        double least = uniform(-1, 1), nearest = HUGE_VAL;
+        for (int k = 0; k < POINTS; k++)
+            nearest = fmin(nearest, holder_distance(&holder, c, axis, cloud[k]));
+        ck_assert_double_eq(guard_holder(guard, &holder, c, axis, 99), fmin(nearest, 99));
+        ck_assert_int_eq(guard_holder_clear(guard, &holder, c, axis, least), nearest >= least);
+        clear += nearest >= least;
+    }
+    ck_assert(clear > 50 && clear < 350);
+    guard_free(guard);
+}
+END_TEST
+
 /* One facet of a sphere around the origin seen from above: its top, or hollow its bottom. */
 static struct guard *facet_on_sphere(double radius, double side, double sign, double spacing)
 {
@@ -209,6 +229,7 @@ int main(void)
     tcase_add_test(tests, depth_along_is_the_deepest_of_the_way);
     tcase_add_test(tests, lift_is_the_smallest_that_is_clear);
     tcase_add_test(tests, rise_is_the_last_place_that_is_not_clear);
+    tcase_add_test(tests, holders_are_clear_where_no_point_is_nearer);
     tcase_add_test(tests, curved_facets_keep_to_a_sphere);
     tcase_add_test(tests, facet_over_a_step_is_flat);
     tcase_add_test(tests, clear_along_is_what_the_depth_along_says);

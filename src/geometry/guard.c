@@ -250,3 +250,11 @@ double guard_holder(const struct guard *guard, const struct holder *holder, stru
 
     return holder->n > 0 ? kdtree_lowest(guard->tree, from_holder, &held, below, &nearest) : below;
 }
+
+bool guard_holder_clear(const struct guard *guard, const struct holder *holder, struct vec3 c,
+                        struct vec3 axis, double least)
+{
+    struct held held = {holder, c, axis};
+
+    return holder->n == 0 || !kdtree_any_lower(guard->tree, from_holder, &held, least);
+}

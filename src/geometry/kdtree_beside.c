@@ -221,3 +221,40 @@ double kdtree_lowest(const struct kdtree *tree,
         *index = s.index;
     return s.best;
 }
+
+static bool any_lower(const struct lowest *s, size_t from, size_t to, size_t number)
+{
+    if (to - from <= KD_LEAF) {
+        for (size_t i = from; i < to; i++) {
+            const double *c = s->tree->point[i].c;
+            if (s->value(s->context, vec(c[0], c[1], c[2])) < s->best)
+                return true;
+        }
+        return false;
+    }
+    size_t middle = from + (to - from) / 2;
+    const double *c = s->tree->point[middle].c;
+    double first = lower_bound(s, &s->tree->box[2 * number]);
+    double second = lower_bound(s, &s->tree->box[2 * number + 1]);
+    bool left = first <= second;
+
+    if (s->value(s->context, vec(c[0], c[1], c[2])) < s->best)
+        return true;
+    for (int turn = 0; turn < 2; turn++, left = !left) {
+        if ((left ? first : second) >= s->best)
+            continue;
+        if (left ? any_lower(s, from, middle, 2 * number)
+                 : any_lower(s, middle + 1, to, 2 * number + 1))
+            return true;
+    }
+    return false;
+}
+
+bool kdtree_any_lower(const struct kdtree *tree,
+                      double (*value)(const void *context, struct vec3 p), const void *context,
+                      double below)
+{
+    struct lowest s = {tree, value, context, below, SIZE_MAX};
+
+    return tree->n > 0 && any_lower(&s, 0, tree->n, 1);
+}

@@ -17,6 +17,11 @@ static double clearance(const struct lean_rule *rule, const struct run_point *p,
     return guard_holder(rule->guard, rule->holder, p->ball, p->axis, below);
 }
 
+static bool is_clear(const struct lean_rule *rule, const struct run_point *p, double least)
+{
+    return guard_holder_clear(rule->guard, rule->holder, p->ball, p->axis, least);
+}
+
 /* Between two poses no point of the holder moves farther than the centre does and its reach
  * turns: so both clearances together, if above that way, leave some of it everywhere. */
 static bool clear_between(const struct lean_rule *rule, struct run_point a, double clear_a,
@@ -62,7 +67,7 @@ static bool find_lean(const struct lean_rule *rule, const struct run_point *p,
             struct run_point q = *p;
             q.axis = vec_turn(rule_axis, about, lean);
             if ((vec_length(p->normal) > 0 && vec_dot(q.axis, p->normal) < OUTSIDE) ||
-                clearance(rule, &q, margin) < margin)
+                !is_clear(rule, &q, margin))
                 continue;
             if (!any || vec_dot(q.axis, before) > vec_dot(*found, before))
                 *found = q.axis;
@@ -112,7 +117,7 @@ static bool lean_more(const struct lean_rule *rule, const struct run *run, const
     for (size_t i = 0; i < run->n; i++) {
         const struct run_point *p = &run->item[i];
         struct vec3 axis;
-        if (clearance(rule, p, margin[i]) >= 0.9 * margin[i])
+        if (is_clear(rule, p, 0.9 * margin[i]))
             continue;
         double least = STEP + 2 * asin(fmin(vec_length(own[i]) / 2, 1));
         if (!find_lean(rule, p, margin[i], rule_axis[i], least, i > 0 ? p[-1].axis : p->axis, &axis))
@@ -137,7 +142,7 @@ static void smooth(const struct lean_rule *rule, struct run *run, const double *
                 continue;
             p.axis = mean;
             p.tip = vec_along(p.ball, -run->radius, mean);
-            if (clearance(rule, &p, margin[i]) >= 0.9 * margin[i])
+            if (is_clear(rule, &p, 0.9 * margin[i]))
                 run->item[i] = p;
         }
     }
@@ -152,7 +157,7 @@ static bool judge(const struct lean_rule *rule, const struct run *run, double *m
 
     for (size_t i = 0; i < run->n; i++) {
         const struct run_point *p = &run->item[i];
-        touches[i] = clearance(rule, p, MARGIN) < -rule->slack;
+        touches[i] = !is_clear(rule, p, -rule->slack);
         if (touches[i] || i == 0 || touches[i - 1] || lean_clear(rule, p - 1, p))
             continue;
         touches[i] = between = true;
