@@ -57,7 +57,8 @@ $(BUILD)/bin/%: $(BUILD)/src/%.o $(lib)
 
 $(BUILD)/tests/readback/readback: $(back_obj) $(help_obj) $(lib)
 	@mkdir -p $(@D)
-	$(CC) $(CFLAGS) $(LDFLAGS) -iquote tests -o $@ $(back_obj) $(help_obj) $(lib) $$(pkg-config --libs check) $(LIBS)
+	$(CC) $(CFLAGS) $(LDFLAGS) -iquote tests -o $@ $(back_obj) $(help_obj) $(lib) \
+	  $$(pkg-config --libs check) $(LIBS)
 
 $(BUILD)/tests/readback/%.o: FLAGS += -iquote tests
 $(BUILD)/tests/check_%.o: FLAGS += -iquote tests
