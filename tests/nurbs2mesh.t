@@ -203,19 +203,34 @@ awk 'BEGIN { r = sqrt(0.5); print "nurbs 1 surface degree 2 2 poles 9 9"
 	for (j = 1; j <= 9; j++) for (i = 1; i <= 9; i++) { d = 20 + 5 * x[j]; print d * x[i], d * y[i], 5 * y[j] }
 	print "weights"; for (j = 1; j <= 9; j++) for (i = 1; i <= 9; i++) print (i % 2 ? 1 : r) * (j % 2 ? 1 : r)
 	print "end" }' >"$TMP/torus.nurbs"
-for e in 1 0.2 0.03; do
-	mesh torus -e $e "$TMP/torus.nurbs"
-	ok "-e $e: a torus is closed" test "$open" -eq 0
-	awk 'BEGIN { n = 0 } !body { if ($1 " " $2 == "element vertex") nv = $3; if ($0 == "end_header") body = 1; next }
+chord() { # FILE AWK-FUNCTION: off(u, v, w), how far a place is from the surface; prints the most
+	awk "$2"' BEGIN { n = 0 }
+		!body { if ($1 " " $2 == "element vertex") nv = $3; if ($0 == "end_header") body = 1; next }
 		n < nv { x[n] = $1; y[n] = $2; z[n] = $3; n++; next }
 		{ a = $2; b = $3; c = $4; for (i = 0; i <= 11; i++) for (k = 0; k <= 11 - i; k++) {
 			p = i / 11; q = k / 11; r = 1 - p - q
-			u = p * x[a] + q * x[b] + r * x[c]; v = p * y[a] + q * y[b] + r * y[c]
-			w = p * z[a] + q * z[b] + r * z[c]; d = sqrt(u * u + v * v) - 20
-			d = sqrt(d * d + w * w) - 5; if (d < 0) d = -d; if (d > most) most = d } }
-		END { printf "%.6f\n", most }' "$TMP/torus.ply" >"$TMP/figures"
-	below "-e $e: no place of a triangle is farther off" "$(cat "$TMP/figures")" $e
-	below "-e $e: nor are there many too many" "$(awk -v e=$e 'BEGIN { print e / 2 }')" "$(cat "$TMP/figures")"
+			d = off(p * x[a] + q * x[b] + r * x[c], p * y[a] + q * y[b] + r * y[c],
+				p * z[a] + q * z[b] + r * z[c])
+			if (d < 0) d = -d; if (d > most) most = d } }
+		END { printf "%.6f\n", most }' "$1"
+}
+off_torus='function off(u, v, w,   d) { d = sqrt(u * u + v * v) - 20; return sqrt(d * d + w * w) - 5 }'
+# the sample: z = 4 + 16 s (1 - s) - 8 t (1 - t) with x = 40 s, y = 30 t, trimmed and with an opening
+off_saddle='function off(u, v, w,   s, t, a, b) { s = u / 40; t = v / 30
+	a = 16 * (1 - 2 * s) / 40; b = -8 * (1 - 2 * t) / 30
+	return (4 + 16 * s * (1 - s) - 8 * t * (1 - t) - w) / sqrt(1 + a * a + b * b) }'
+for e in 1 0.2 0.03; do
+	mesh torus -e $e "$TMP/torus.nurbs"
+	ok "-e $e: a torus is closed" test "$open" -eq 0
+	most=$(chord "$TMP/torus.ply" "$off_torus")
+	below "-e $e: no place of a triangle is farther off" "$most" $e
+	below "-e $e: nor are there many too many" "$(awk -v e=$e 'BEGIN { print e / 2 }')" "$most"
+done
+for e in 0.3 0.05 0.004; do
+	mesh opened -e $e "$SRC/samples/saddle.nurbs"
+	most=$(chord "$TMP/opened.ply" "$off_saddle")
+	below "-e $e: none of a trimmed saddle either" "$most" $e
+	below "-e $e: nor many too many" "$(awk -v e=$e 'BEGIN { print e / 4 }')" "$most"
 done
 
 # ---- refusals
