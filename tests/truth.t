@@ -87,6 +87,61 @@ ok "a point off: a program" ncpost -q -c siemens -o program.mpf fitted.cl
 status 0 "a point off: no more than 0.06 mm is left" \
 	ncverify -q -r 8 -g inner.true -e 0.04 --left 0.06 program.mpf
 
+# A tight wave (hollow radius 2.5, the ball 2), its points anywhere: as it is, and with noise.  WAVE SIGMA
+# SEED makes a scan, without them the truth inside its border.
+wave() {
+	awk -v sigma="$1" -v seed="$2" 'function uniform() {
+			seed = (seed * 16807) % 2147483647
+			return seed / 2147483647
+		}
+		function put(x, y, g, a, b, u, v, s) {
+			a = 8 * atan2(1, 1) * x / 20
+			b = 8 * atan2(1, 1) * y / 30
+			u = -4 * 8 * atan2(1, 1) / 20 * cos(a) * cos(b)
+			v = 4 * 8 * atan2(1, 1) / 30 * sin(a) * sin(b)
+			s = g / sqrt(1 + u * u + v * v)
+			printf "%.4f %.4f %.4f\n", x + s * u, y + s * v, 4 * sin(a) * cos(b) + s
+		}
+		BEGIN {
+			for (x = -8; sigma == "" && x <= 8; x += 0.05) for (y = -8; y <= 8; y += 0.05) put(x, y, 0)
+			for (i = 0; sigma != "" && i < 2200; i++) {
+				x = 20 * uniform() - 10
+				y = 20 * uniform() - 10
+				g = -6
+				for (k = 0; k < 12; k++)
+					g += uniform()
+				put(x, y, sigma * g)
+			}
+		}'
+}
+wave >wave.true
+for sigma in 0 0.02; do
+	wave $sigma 4711 >wave.xyz
+	deep=$(echo $sigma | awk '{ print 0.01 + 1.5 * $1 }')
+	ok "a wave, noise $sigma: a mesh" cloud2mesh -q -t 2 -o shape.ply wave.xyz
+	ok "a path" meshnorm -q -r 2 --scallop 0.02 -e 0.01 -g wave.xyz --avoid -o shape.cl shape.ply
+	ok "B-splines" bsplfit -q -e 0.01 -g wave.xyz -o fitted.cl shape.cl
+	for cl in shape fitted; do
+		status 0 "$cl: no deeper than $deep mm in what is true" \
+			"$READBACK" --scan wave.true --deeper "$deep" $cl.cl
+		grep ^ball: out | sed 's/^/# /'
+	done
+	ok "a program" ncpost -q -c siemens -o program.mpf fitted.cl
+	left=$(echo $sigma | awk '{ print 0.03 + 1.5 * $1 }')
+	status 0 "and leaves no more than $left mm" \
+		ncverify -q -r 2 -g wave.true -e 0.04 --left "$left" program.mpf
+done
+
+# Points that float over the scan lift no path, whatever they are over.
+for where in "0.3 0.4 1.5" "-6.2 3.1 3" "5.1 5.2 1.2"; do echo "$where"; done >strays
+cat saddle.xyz strays >strayed.xyz
+ok "strays: a mesh" cloud2mesh -q -t 1.5 -o shape.ply strayed.xyz
+ok "strays: a path" meshnorm -v -r 8 --scallop 0.02 -e 0.01 -g strayed.xyz --avoid -o shape.cl shape.ply
+has "they are counted" 'left out 3 outliers of the scan that guards' err
+ok "strays: a program" ncpost -q -c siemens -o program.mpf shape.cl
+status 0 "strays: no more than 0.06 mm is left" \
+	ncverify -q -r 8 -g inner.true -e 0.04 --left 0.06 program.mpf
+
 # A scan that a run can't be kept clear of: its end stays where it was.
 awk '{ print $1, $2, $3 + 0.1 }' "$panel" >higher.xyz
 for fitter in biarcfit bsplfit; do
