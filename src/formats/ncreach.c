@@ -180,20 +180,20 @@ static int not_reached(struct nc_step *step, struct pose to, int over)
         step->state.pass, to.a.x, to.a.y, to.a.z, to.p.x, to.p.y, to.p.z, m->name);
 }
 
-/* q is the shortest way to the axis by either solution, were there no end of travel, and at neither
- * end of it may an axis stand as it likes; but for where a rapid has led to, which is as good. */
+/*
+ * q is the shortest way to the axis by either solution, were there no end of travel.  Where the axis
+ * nearest the work is free, it makes no odds when it turns to where it will be needed.
+ */
 static bool nearest_of_both(const struct nc_step *step, struct vec3 axis, const double q[])
 {
     const struct chain *chain = &step->machine->chain;
     const double *from = step->state.at.q;
-    const size_t n = step->plan->move.n;
-    bool rapid = n > 0 && step->plan->move.item[n - 1].kind == NC_RAPID;
     struct chain_solutions found = chain_angles(chain, axis);
-    if (found.free || (!rapid && chain_free(chain, step->state.pose.a)))
-        return false;
     for (int k = 0; k < found.n; k++) {
         for (int i = 0; i < chain->n; i++)
             found.q[k][i] += 2 * PI * round((from[i] - found.q[k][i]) / (2 * PI));
+        if (found.free)
+            found.q[k][0] = from[0];
         if (chain_way(chain, from, found.q[k]) < chain_way(chain, from, q) - 1e-9)
             return false;
     }

@@ -154,33 +154,33 @@ static struct pose middle_pose(const struct follow *f, const struct stance *from
     return at;
 }
 
-/* How far the tip may be from the axes that turn it. */
-static double arm_of(const struct follow *f, const struct station *from, const struct station *to)
-{
-    double from2 = vec_dot(from->p, from->p), to2 = vec_dot(to->p, to->p);
-    double arm = sqrt(from2 > to2 ? from2 : to2);
-    for (int i = 0; i < f->chain->n; i++)
-        arm += 2 * vec_length(f->chain->rotary[i].centre);
-    return arm;
-}
-
 /* The third derivative of the tip's place, where linear and rotary axes move at even speed: of its
  * arm and of its way, each turned. */
 static double tip_jerk(const struct follow *f, const struct stance *from, const struct stance *to,
                        double turn)
 {
-    double arm = arm_of(f, &from->at, &to->at);
+    double arm = fmax(vec_length(from->at.p), vec_length(to->at.p));
+    for (int i = 0; i < f->chain->n; i++)
+        arm += 2 * vec_length(f->chain->rotary[i].centre);
     return turn * turn * (turn * arm + 3 * vec_distance(from->at.p, to->at.p));
+}
+
+/* No shorter than the vector, without a root. */
+static inline double at_most(struct vec3 a)
+{
+    return fabs(a.x) + fabs(a.y) + fabs(a.z);
 }
 
 struct deviation follow_bend(const struct follow *f, const struct station *from,
                              const struct station *to)
 {
-    double turn = turn_of(f, from->q, to->q), way = 0;
+    double turn = turn_of(f, from->q, to->q);
     struct deviation most = {fabs(f->ball) * turn * turn / 4, turn * turn / 4};
     if (f->mode == FOLLOW_JOINT) {
-        way = vec_distance(from->p, to->p);
-        most.point += turn * (turn * arm_of(f, from, to) + 2 * way) / 8;
+        double way = at_most(vec_sub(to->p, from->p)), arm = at_most(to->p) + way;
+        for (int i = 0; i < f->chain->n; i++)
+            arm += 2 * at_most(f->chain->rotary[i].centre);
+        most.point += turn * (turn * arm + 2 * way) / 8;
     }
     return most;
 }
