@@ -219,6 +219,7 @@ int main(void)
 {
     Suite *suite = suite_create("holderway");
     TCase *tcase = tcase_create("holderway");
+    tcase_set_timeout(tcase, 60);
     tcase_add_test(tcase, nearest_of_points);
     tcase_add_test(tcase, nearest_of_a_stock_that_is_cut);
     tcase_add_test(tcase, depth_in_a_turn);
