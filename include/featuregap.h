@@ -21,7 +21,4 @@ void featuregap_close(const struct mesh *mesh, const struct mesh_edges *edges,
 /* The most edges in one chain: from facet to facet, over edges that something crosses. */
 size_t featuregap_longest(const struct mesh_edges *edges, const struct feature *feature);
 
-/* Across a feature, between the two sheets, unit: from the side of its end 1 to that of its end 0. */
-struct vec3 featuregap_across(const struct feature *f);
-
 #endif

@@ -19,7 +19,8 @@ static double side(const struct feature *f, struct vec3 across, struct vec3 p)
     return vec_dot(vec_sub(p, f->place[0]), across);
 }
 
-struct vec3 featuregap_across(const struct feature *f)
+/* Across a feature, between the two sheets, unit: from the side of its end 1 to that of its end 0. */
+static struct vec3 across_of(const struct feature *f)
 {
     struct vec3 up = f->kind == FEATURE_WALL ? vec(0, 0, 1) : vec_add(f->normal[0], f->normal[1]);
     struct vec3 across = vec_unit(vec_cross(f->along, up));
@@ -47,7 +48,7 @@ static bool go_on(const struct mesh *mesh, const struct mesh_edge *edge, const s
                   struct feature *next)
 {
     const double rim = 0.001; /* not over a vertex */
-    struct vec3 across = featuregap_across(f);
+    struct vec3 across = across_of(f);
     struct vec3 a = mesh->vertex.item[edge->v[0]], b = mesh->vertex.item[edge->v[1]];
     double from = side(f, across, a), to = side(f, across, b), s = from / (from - to);
 
