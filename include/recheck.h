@@ -28,7 +28,8 @@ struct deeps {
 };
 
 /* Appends the deepest place of each millimetre or so of the motion where the ball goes too deep,
- * found on straight pieces within a twentieth of the tolerance of its centre's way. */
+ * found on straight pieces within a twentieth of the tolerance of its centre's way, or closer
+ * where that decides, down to a thousandth. */
 void recheck_motion(const struct recheck_rule *rule, const struct motion *motion,
                     struct deeps *deeps);
 

@@ -54,13 +54,21 @@ static bool arrives(const struct fit *f)
     return vec_distance(end, f->trace.p[f->trace.n - 1]) < 1e-5;
 }
 
+static size_t given_points(const struct fit *f)
+{
+    size_t n = 0;
+    for (size_t i = 0; i < f->trace.n; i++)
+        n += f->dense->item[f->first + i].given;
+    return n;
+}
+
 /* The pieces found from the other end, where they are fewer.  Only of smooth data: where few points
- * fall to an arc they are as many, and take as long. */
+ * that were given fall to an arc, as on a scan, they are hardly fewer and take twice as long. */
 static bool fit_back(const struct fit *f, const struct stray *less, struct pieces *back)
 {
-    const size_t smooth = 10; /* points to a piece */
+    const size_t smooth = 6; /* points to a piece */
 
-    if (f->trace.n < smooth * f->pieces.n)
+    if (given_points(f) < smooth * f->pieces.n)
         return false;
     struct trace trace = arcback_trace(&f->trace);
     arcbeam_fit(&trace, less, PATH_COORDINATE, back);

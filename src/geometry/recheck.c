@@ -28,13 +28,26 @@ static double off_chord(struct vec3 a, struct vec3 b, struct vec3 q)
     return vec_length(vec_reject(vec_sub(q, a), vec_unit(vec_sub(b, a))));
 }
 
-static void look(const struct walk *w, struct vec3 a, struct vec3 b)
+static void halve(const struct walk *w, double s0, struct vec3 a, double s1, struct vec3 b,
+                  int halvings);
+
+/* A piece of the way, straight within w->flat.  Where that much decides, it is looked at closer. */
+static void look(const struct walk *w, double s0, struct vec3 a, double s1, struct vec3 b,
+                 int halvings)
 {
-    double may = w->rule->tolerance - w->flat;
+    const double finest = 1e-3, finer = 1.0 / 8; /* of the tolerance; of the last */
+    double tolerance = w->rule->tolerance, may = tolerance - w->flat;
     double deeper = guard_depth_along(w->rule->guard, a, b, w->rule->radius - may);
 
-    if (deeper > 0)
+    if (deeper <= 0)
+        return;
+    if (deeper > 2 * w->flat || w->flat < finest * tolerance || halvings == 0) {
         *array_push(w->deeps) = (struct deep){vec_mix(a, b, 0.5), deeper + may};
+        return;
+    }
+    struct walk closer = *w;
+    closer.flat *= finer;
+    halve(&closer, s0, a, s1, b, halvings);
 }
 
 static void halve(const struct walk *w, double s0, struct vec3 a, double s1, struct vec3 b,
@@ -47,7 +60,7 @@ static void halve(const struct walk *w, double s0, struct vec3 a, double s1, str
                     off_chord(a, b, ball_at(w, (s + s1) / 2)) <= w->flat;
 
     if (straight || halvings == 0) {
-        look(w, a, b);
+        look(w, s0, a, s1, b, halvings);
         return;
     }
     halve(w, s0, a, s, m, halvings - 1);
