@@ -46,8 +46,8 @@ const struct cli_option cutting_options[] = {
      CLI_NUMBERS, cutting.from_point, 0, 0, 3, &cutting.from_given},
     {0, "circle", "X,Y,Z,I,J,K,R", "the axis goes through the nearest point of a circle: centre,\n"
      "axis, radius", CLI_NUMBERS, cutting.circle, 0, 0, 7, &cutting.circle_given},
-    {0, "least-turn", "DEG", "lean the axis as far as --tilt and --lead say, or up to DEG, to whatever\n"
-     "side rotary axes turn least", CLI_NUMBER, &cutting.turn, 0, 80, 0, NULL},
+    {0, "least-turn", "DEG", "lean the axis as far as --tilt and --lead say, or up to DEG, to\n"
+     "whatever side rotary axes turn least", CLI_NUMBER, &cutting.turn, 0, 80, 0, NULL},
     {0, "axis-play", "DEG", "axes may be this far off their rule, to turn as little as they can (0)",
      CLI_NUMBER, &cutting.play, 0, 60, 0, NULL},
     {0, "axis-rate", "DEG", "turn axes by no more than DEG in a millimetre along a pass",
