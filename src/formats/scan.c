@@ -48,23 +48,20 @@ static size_t far_places(const struct vec3s *place, const struct guard *guard, d
     return far;
 }
 
-/* Points that are not on the surface: taken out where it is certain that noise does not put them
- * there, for the noise is known or there is none; told in any case. */
+/* Takes out points that are not on the surface, where it is certain that noise does not put them
+ * there: it is known, or there is none. */
 static void drop_outliers(struct buckets *buckets, struct noise noise, double spacing, int threads)
 {
     const double none = 0.002; /* in spacings */
-    unsigned char *out = mem_alloc(buckets->n, 1);
 
+    if (!noise.alike && noise.sigma >= none * spacing)
+        return;
+    unsigned char *out = mem_alloc(buckets->n, 1);
     memset(out, 0, buckets->n);
     size_t outliers = stray_outliers(buckets, noise.sigma, threads, out);
-    bool certain = noise.alike || noise.sigma < none * spacing;
-    if (outliers > 0 && certain)
+    if (outliers > 0)
         say("left out %zu outlier%s of the scan that guards", outliers, outliers == 1 ? "" : "s");
-    else if (outliers > 0)
-        note("%zu point%s of the scan that guards may be outliers, and count", outliers,
-             outliers == 1 ? "" : "s");
-    if (certain)
-        buckets_remove(buckets, out);
+    buckets_remove(buckets, out);
     free(out);
 }
 
