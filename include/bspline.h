@@ -49,7 +49,8 @@ void bspline_derivatives(const struct bspline *b, const struct vec3 *pole, doubl
 /* A knot more at u, strictly inside; the curve stays as it is. */
 void bspline_insert(struct bspline *b, double u);
 
-/* The part of the curve from u0 to u1 as a curve of its own, on the same parameters. */
+/* The part of the curve from u0 to u1 as a curve of its own, on the same parameters.  Within 1e-12
+ * of the range a knot is meant. */
 struct bspline bspline_part(const struct bspline *b, double u0, double u1);
 
 /* True when the inner knots are simple and equally spaced, within 1e-9 of the whole range or 1e-6,

@@ -30,6 +30,13 @@ double nc_axes_minutes(const struct nc_step *step, const struct station *a,
 double nc_block_minutes(const struct nc_step *step, const struct stance *to, double length,
                         const struct nc_along *along, double least);
 
+/*
+ * Where to part a B-spline, from where the program is, into blocks with an F of their own, so that
+ * what is slow in it does not slow the rest of it: at s in (0, 1), a knot; 1: nowhere, for it
+ * would save less than a tenth of the time or a fifth of a second.
+ */
+double nc_curve_part(const struct nc_step *step, const struct motion *motion);
+
 /* Decimals of F: three more below 1, where the tip hardly moves; not of inverse time. */
 int nc_feed_digits(const struct nc_ability *ability, double feed);
 

@@ -76,6 +76,53 @@ START_TEST(as_by_small_steps)
 }
 END_TEST
 
+/* A straight cubic of 10 mm a span whose tool leans by `lean` degrees more from its middle on. */
+static struct bspline leaning(double lean)
+{
+    struct bspline b = bspline_new(3, 15, true);
+    b.length = 100;
+    for (size_t i = 0; i < b.poles + 4; i++)
+        b.knot[i] = fmin(fmax((double)i - 3, 0), 12);
+    for (size_t i = 0; i < b.poles; i++) {
+        double angle = RADIANS(i < 8 ? 30 : 30 + lean);
+        b.pole[i] = vec(10 * (b.knot[i + 1] + b.knot[i + 2] + b.knot[i + 3]) / 3, 0, 0);
+        b.head[i] = vec_add(b.pole[i], vec(100 * sin(angle), 0, 100 * cos(angle)));
+    }
+    return b;
+}
+
+/* Parted at a knot beside what is slow, and there alone. */
+START_TEST(slow_part_of_a_curve)
+{
+    struct machine m = machine_default();
+    struct error error;
+    ck_assert_int_eq(machine_finish(&m, &error), 0);
+    m.rapid[MACHINE_A] = m.rapid[MACHINE_C] = 1000;
+    struct nc_step step = {.machine = &m, .follow = {.mode = FOLLOW_ROTARY, .chain = &m.chain}};
+    step.state.feed = 1000;
+    step.state.faster = 1;
+    struct bspline slow = leaning(60), even = leaning(0), tame = leaning(1);
+    const struct bspline *curve[] = {&slow, &even, &tame};
+    for (int i = 0; i < 3; i++) {
+        struct pose from = {curve[i]->pole[0], vec_unit(vec_sub(curve[i]->head[0],
+                                                                curve[i]->pole[0]))};
+        struct motion motion = motion_spline(from, from, curve[i]);
+        int over;
+        ck_assert_int_eq(chain_choose(&m.chain, from.a, (double[]){0, 0}, false, -1,
+                                      step.state.at.q, &over), 0);
+        double s = nc_curve_part(&step, &motion);
+        ck_assert_double_eq_tol(12 * s, round(12 * s), 1e-9);
+        if (i > 0)
+            ck_assert_double_eq(s, 1);
+        else
+            ck_assert(12 * s > 4.5 && 12 * s < 8.5);
+    }
+    bspline_free(&slow);
+    bspline_free(&even);
+    bspline_free(&tame);
+}
+END_TEST
+
 /* Below 1 there are more digits, but not of inverse time. */
 START_TEST(digits_of_feeds)
 {
@@ -116,6 +163,7 @@ int main(void)
     TCase *tests = tcase_create("blocks");
 
     tcase_add_loop_test(tests, as_by_small_steps, 0, KINDS);
+    tcase_add_test(tests, slow_part_of_a_curve);
     tcase_add_test(tests, digits_of_feeds);
     tcase_add_loop_test(tests, slides_within, 0, KINDS);
     suite_add_tcase(suite, tests);

@@ -1,6 +1,10 @@
 /* ncspeed - see ncspeed.h. */
 #include "ncspeed.h"
 
+#include <stdlib.h>
+
+#include "array.h"
+
 enum { PIECES = 12, SPAN_PIECES = 8, MORE_DIGITS = 3, DIGITS_MAX = 9 };
 
 static inline double larger(double a, double b)
@@ -141,6 +145,82 @@ double nc_block_minutes(const struct nc_step *step, const struct stance *to, dou
         a = b;
     }
     return minutes;
+}
+
+/* One span of a curve: where it ends, how long it is, what a mm of it takes at least, minutes. */
+struct span_speed {
+    double s, length, rate;
+};
+
+struct span_speeds {
+    size_t n, cap;
+    struct span_speed *item;
+};
+
+static struct span_speeds span_speeds(const struct nc_step *step, const struct motion *motion)
+{
+    const struct station *at = &step->state.at;
+    const struct nc_along along = {motion, 0, 1, NULL};
+    struct span_speeds spans = {0};
+    struct sample a = sample_at(step, at, &along, 0, at->q);
+    for (double s = 0; s < 1;) {
+        double from = s, to = motion_next_knot(motion, s);
+        struct span_speed span = {.rate = 1 / (step->state.feed * step->state.faster)};
+        for (int i = 1; i <= SPAN_PIECES; i++) {
+            s = from + (to - from) * i / SPAN_PIECES;
+            struct sample b = sample_at(step, at, &along, s, a.q);
+            double length = vec_distance(a.tip, b.tip);
+            span.length += length;
+            if (length > 0)
+                span.rate = larger(span.rate, piece_minutes(step->machine, &a, &b) / length);
+            a = b;
+        }
+        span.s = s = to;
+        *array_push(&spans) = span;
+    }
+    return spans;
+}
+
+/* Where one F before and another behind take the least time, *minutes. */
+static double best_part(const struct span_speeds *spans, double *minutes)
+{
+    size_t n = spans->n;
+    double *behind = mem_alloc(n + 1, sizeof *behind), length = 0, rate = 0, best = 1;
+    double rest = 0, slowest = 0;
+    behind[n] = 0;
+    for (size_t i = n; i-- > 0;) {
+        rest += spans->item[i].length;
+        slowest = larger(slowest, spans->item[i].rate);
+        behind[i] = rest * slowest;
+    }
+    *minutes = behind[0];
+    for (size_t i = 0; i + 1 < n; i++) {
+        length += spans->item[i].length;
+        rate = larger(rate, spans->item[i].rate);
+        if (length * rate + behind[i + 1] < *minutes) {
+            *minutes = length * rate + behind[i + 1];
+            best = spans->item[i].s;
+        }
+    }
+    free(behind);
+    return best;
+}
+
+double nc_curve_part(const struct nc_step *step, const struct motion *motion)
+{
+    const double share = 0.1, least = 0.2 / 60; /* of the time; minutes */
+    if (step->follow.mode == FOLLOW_JOINT || step->machine->chain.n == 0)
+        return 1;
+    struct span_speeds spans = span_speeds(step, motion);
+    double length = 0, rate = 0, minutes;
+    for (size_t i = 0; i < spans.n; i++) {
+        length += spans.item[i].length;
+        rate = larger(rate, spans.item[i].rate);
+    }
+    double saved = length * rate, s = best_part(&spans, &minutes);
+    saved -= minutes;
+    array_free(&spans);
+    return saved > larger(share * (saved + minutes), least) ? s : 1;
 }
 
 int nc_feed_digits(const struct nc_ability *ability, double feed)

@@ -241,7 +241,32 @@ int nc_step_line(struct nc_step *step, struct pose to)
     return nc_step_motion(step, &motion);
 }
 
-/* A spline from s0 to s1, as a curve of its own where that is not all of it. */
+static int spline_between(struct nc_step *step, const struct motion *motion, double s0, double s1);
+
+/* A spline in as many curves as keep its slow places from slowing all of it. */
+static int splines(struct nc_step *step, const struct motion *motion)
+{
+    double s = step->plan->ability.splines == NC_SPLINES_NONE ? 1 : nc_curve_part(step, motion);
+    if (s >= 1)
+        return spline(step, motion);
+    return spline_between(step, motion, 0, s) != 0 ? -1 : spline_between(step, motion, s, 1);
+}
+
+/* A spline from s0 to s1 as a curve of its own, to which the course of the whole says nothing. */
+static int spline_between(struct nc_step *step, const struct motion *motion, double s0, double s1)
+{
+    const struct bspline *b = motion->curve;
+    struct nc_course course = step->course;
+    double from = b->knot[b->degree], range = b->knot[b->poles] - from;
+    struct bspline part = bspline_part(b, from + s0 * range, from + s1 * range);
+    struct motion piece = motion_spline(motion_at(motion, s0), motion_at(motion, s1), &part);
+    step->course.n = 0;
+    int result = splines(step, &piece);
+    step->course = course;
+    bspline_free(&part);
+    return result;
+}
+
 static int spline_part(struct nc_step *step, const struct motion *motion, double s0, double s1)
 {
     struct motion lead = motion_line(step->state.pose, motion_at(motion, s0));
@@ -249,19 +274,8 @@ static int spline_part(struct nc_step *step, const struct motion *motion, double
     step->course.n = 0;
     if (straight(step, &lead, 0, 1, NC_LINE, step->allowed, 0) != 0)
         return -1;
-    if (s0 <= 0 && s1 >= 1) {
-        step->course = course;
-        return spline(step, motion);
-    }
-    const struct bspline *b = motion->curve;
-    double from = b->knot[b->degree], range = b->knot[b->poles] - from;
-    struct bspline part = bspline_part(b, from + s0 * range, from + s1 * range);
-    struct motion piece =
-        motion_spline(motion_at(motion, s0), motion_at(motion, s1), &part);
-    int result = spline(step, &piece);
-    bspline_free(&part);
     step->course = course;
-    return result;
+    return s0 <= 0 && s1 >= 1 ? splines(step, motion) : spline_between(step, motion, s0, s1);
 }
 
 static int motion_part(struct nc_step *step, const struct motion *motion, double s0, double s1)

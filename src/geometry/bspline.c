@@ -237,9 +237,21 @@ static void split_at(struct bspline *b, double u)
         bspline_insert(b, u);
 }
 
+/* The knot that u is but for rounding, or u. */
+static double knot_or(const struct bspline *b, double u)
+{
+    double close = 1e-12 * (b->knot[b->poles] - b->knot[b->degree]);
+    for (size_t i = (size_t)b->degree; i <= b->poles; i++)
+        if (fabs(b->knot[i] - u) <= close)
+            return b->knot[i];
+    return u;
+}
+
 struct bspline bspline_part(const struct bspline *b, double u0, double u1)
 {
     struct bspline whole = bspline_copy(b);
+    u0 = knot_or(b, u0);
+    u1 = knot_or(b, u1);
     split_at(&whole, u0);
     split_at(&whole, u1);
     size_t p = (size_t)b->degree, first = p, last = whole.poles;
