@@ -27,9 +27,12 @@ struct deeps {
     struct deep *item;
 };
 
-/* Appends the deepest place of each millimetre or so of the motion where the ball goes too deep,
- * found on straight pieces within a twentieth of the tolerance of its centre's way, or closer
- * where that decides, down to a thousandth. */
+/*
+ * Appends the deepest place of each millimetre or so of the motion where the ball goes deeper than
+ * 0.95 of the tolerance (the points of a scan are not quite the part), found on straight pieces
+ * within a twentieth of the tolerance of its centre's way, or closer where that decides, down to a
+ * thousandth.
+ */
 void recheck_motion(const struct recheck_rule *rule, const struct motion *motion,
                     struct deeps *deeps);
 
@@ -45,7 +48,7 @@ double recheck_lift(const struct recheck_rule *rule, const struct deeps *deeps, 
 struct deep recheck_deepest(const struct deeps *deeps);
 
 struct recheck_result {
-    struct deep deepest; /* that is left; depth 0: none goes too deep */
+    struct deep deepest; /* that is left beyond the tolerance; depth 0: none */
     double lift;         /* of the points, all rounds together at most, mm */
 };
 

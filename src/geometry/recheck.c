@@ -5,6 +5,7 @@
 
 enum { HALVINGS = 16, ROUNDS = 8 };
 
+static const double SAFE = 0.95; /* of the tolerance: lifted from there; the scan is not the part */
 static const double PIECE = 1;   /* mm: of a motion, looked at as one place */
 static const double NEAR = 0.5;  /* mm: points this near to a place are lifted all the way */
 
@@ -36,7 +37,7 @@ static void look(const struct walk *w, double s0, struct vec3 a, double s1, stru
                  int halvings)
 {
     const double finest = 1e-3, finer = 1.0 / 8; /* of the tolerance; of the last */
-    double tolerance = w->rule->tolerance, may = tolerance - w->flat;
+    double tolerance = SAFE * w->rule->tolerance, may = tolerance - w->flat;
     double deeper = guard_depth_along(w->rule->guard, a, b, w->rule->radius - may);
 
     if (deeper <= 0)
@@ -158,6 +159,8 @@ struct recheck_result recheck_fit(const struct recheck_rule *rule, struct run *r
             break; /* of no use, as at an end */
     }
     result.deepest = recheck_deepest(&deeps);
+    if (result.deepest.depth <= rule->tolerance)
+        result.deepest.depth = 0;
     array_free(&deeps);
     return result;
 }
