@@ -128,8 +128,9 @@ for sigma in 0 0.02; do
 	done
 	ok "a program" ncpost -q -c siemens -o program.mpf fitted.cl
 	left=$(echo $sigma | awk '{ print 0.03 + 1.5 * $1 }')
+	# The scan is larger than what is judged: passes beside that come and go up to 0.9 mm over it.
 	status 0 "and leaves no more than $left mm" \
-		ncverify -q -r 2 -g wave.true -e 0.04 --left "$left" program.mpf
+		ncverify -q -r 2 -g wave.true -e 0.04 --band 1 --left "$left" program.mpf
 done
 
 # Points that float over the scan lift no path, whatever they are over.
