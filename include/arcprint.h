@@ -24,9 +24,6 @@ struct printeds {
     struct printed *item;
 };
 
-/* Each coordinate to so many decimals. */
-struct vec3 arcprint_round(struct vec3 a, int digits);
-
 /* The piece through its rounded ends, beginning at `from` (as printed); a line where it is shorter
  * than a thousandth of a millimetre, or rounding leaves nothing of its turn. */
 struct printed arcprint_piece(const struct piece *piece, struct vec3 from);

@@ -7,6 +7,8 @@
 #include <math.h>
 #include <stddef.h>
 
+#include "num.h"
+
 #define PI 3.14159265358979323846
 #define DEGREES(radians) ((radians) * (180.0 / PI))
 #define RADIANS(degrees) ((degrees) * (PI / 180.0))
@@ -23,6 +25,12 @@ struct vec3s {
 static inline struct vec3 vec(double x, double y, double z)
 {
     return (struct vec3){x, y, z};
+}
+
+/* Each coordinate rounded to so many decimals, as it is printed. */
+static inline struct vec3 vec_round(struct vec3 a, int digits)
+{
+    return vec(num_round(a.x, digits), num_round(a.y, digits), num_round(a.z, digits));
 }
 
 static inline struct vec3 vec_add(struct vec3 a, struct vec3 b)

@@ -17,12 +17,12 @@ static struct piece arc_piece(void)
 START_TEST(an_arc_goes_through_its_rounded_ends)
 {
     struct piece piece = arc_piece();
-    struct vec3 from = arcprint_round(piece.arc.from, PATH_COORDINATE);
+    struct vec3 from = vec_round(piece.arc.from, PATH_COORDINATE);
     struct printed p = arcprint_piece(&piece, from);
     ck_assert_double_eq_tol(p.arc.radius, 7, 1e-5);
     ck_assert_double_lt(vec_distance(p.arc.centre, vec(10.123457, -4.765432, 3.333333)), 1e-5);
     ck_assert(vec_distance(p.piece.arc.from, from) == 0);
-    ck_assert(vec_distance(p.piece.arc.to, arcprint_round(piece.arc.to, 6)) == 0);
+    ck_assert(vec_distance(p.piece.arc.to, vec_round(piece.arc.to, 6)) == 0);
     for (int i = 0; i <= 10; i++)
         ck_assert_double_lt(vec_distance(arc_at(&p.piece.arc, i / 10.0), arc_at(&piece.arc, i / 10.0)),
                             1e-5);

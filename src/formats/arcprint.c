@@ -5,11 +5,6 @@
 
 static const double SHORT = 1e-3; /* mm: nothing below this is an arc */
 
-struct vec3 arcprint_round(struct vec3 a, int digits)
-{
-    return vec(num_round(a.x, digits), num_round(a.y, digits), num_round(a.z, digits));
-}
-
 static struct printed print_line(const struct piece *piece, struct vec3 from, struct vec3 to)
 {
     struct printed p = {.piece = *piece};
@@ -19,13 +14,13 @@ static struct printed print_line(const struct piece *piece, struct vec3 from, st
 
 struct printed arcprint_piece(const struct piece *piece, struct vec3 from)
 {
-    struct vec3 to = arcprint_round(piece->arc.to, PATH_COORDINATE);
+    struct vec3 to = vec_round(piece->arc.to, PATH_COORDINATE);
     struct arc exact = arc_to(from, piece->arc.tangent, to);
     if (arc_straight(&piece->arc) || arc_straight(&exact) || vec_distance(from, to) < SHORT)
         return print_line(piece, from, to);
     struct printed p = {.piece = *piece};
-    p.arc.centre = arcprint_round(arc_centre(&exact), PATH_COORDINATE);
-    p.arc.axis = arcprint_round(arc_axis(&exact), PATH_VECTOR);
+    p.arc.centre = vec_round(arc_centre(&exact), PATH_COORDINATE);
+    p.arc.axis = vec_round(arc_axis(&exact), PATH_VECTOR);
     double r0 = vec_distance(from, p.arc.centre), r1 = vec_distance(to, p.arc.centre);
     p.arc.radius = num_round((r0 + r1) / 2, PATH_COORDINATE);
     p.piece.arc = arc_about(from, to, p.arc.centre, vec_unit(p.arc.axis));

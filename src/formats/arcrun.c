@@ -27,7 +27,7 @@ static void print_pieces(struct fit *f)
 {
     f->printed.n = 0;
     f->worst = (struct stray){0};
-    struct vec3 at = arcprint_round(f->trace.p[0], PATH_COORDINATE);
+    struct vec3 at = vec_round(f->trace.p[0], PATH_COORDINATE);
     for (size_t i = 0; i < f->pieces.n; i++) {
         struct printed p = arcprint_piece(&f->pieces.item[i], at);
         at = p.piece.arc.to;
@@ -222,11 +222,11 @@ static double reference_of(const struct run *run, const struct arcrun_options *o
     }
     for (size_t i = 0; i < dense->n; i++) {
         struct run_point *p = &dense->item[i];
-        p->axis = vec_unit(arcprint_round(p->axis, PATH_VECTOR));
+        p->axis = vec_unit(vec_round(p->axis, PATH_VECTOR));
         if (options->centre)
-            p->ball = arcprint_round(p->ball, PATH_COORDINATE);
+            p->ball = vec_round(p->ball, PATH_COORDINATE);
         else
-            p->tip = arcprint_round(p->tip, PATH_COORDINATE);
+            p->tip = vec_round(p->tip, PATH_COORDINATE);
     }
     return taken;
 }

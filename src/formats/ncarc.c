@@ -5,11 +5,6 @@
 
 static const double short_arc = 10; /* last digits: its centre would be anywhere */
 
-static struct vec3 round_point(struct vec3 p, int digits)
-{
-    return vec(num_round(p.x, digits), num_round(p.y, digits), num_round(p.z, digits));
-}
-
 double nc_arc_most(enum nc_arcs kind)
 {
     if (kind == NC_ARCS_CENTRE || kind == NC_ARCS_FLAT)
@@ -47,7 +42,7 @@ static bool centre_words(struct nc_arc *arc, int digits, double radius_error, st
     double length2 = vec_dot(chord, chord);
     if (length2 > 0)
         c = vec_along(c, 0.5 - vec_dot(c, chord) / length2, chord);
-    arc->centre = round_point(c, digits);
+    arc->centre = vec_round(c, digits);
     double r0 = vec_length(arc->centre), r1 = vec_distance(arc->centre, chord);
     return r0 > 0 && fabs(r0 - r1) < radius_error;
 }
@@ -95,7 +90,7 @@ static bool words_of(struct nc_arc *arc, enum nc_arcs kind, int digits, double r
     if (sweep > nc_arc_most(kind) + 1e-6)
         return false;
     if (kind == NC_ARCS_SPACE) {
-        arc->middle = round_point(motion_at(motion, (s0 + s1) / 2).p, digits);
+        arc->middle = vec_round(motion_at(motion, (s0 + s1) / 2).p, digits);
         if (!circle_of(from->p, arc->middle, to->p, digits, &arc->centre, &axis))
             return false;
     } else {

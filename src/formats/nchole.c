@@ -52,8 +52,7 @@ static void count(struct nc_step *step, const struct nc_hole *hole, double over)
 
 static struct vec3 printed(const struct nc_step *step, struct vec3 p)
 {
-    int digits = step->plan->ability.digits.linear;
-    return vec(num_round(p.x, digits), num_round(p.y, digits), num_round(p.z, digits));
+    return vec_round(p, step->plan->ability.digits.linear);
 }
 
 int nc_hole(struct nc_step *step, const struct path_item *item)

@@ -10,11 +10,6 @@ enum { SAMPLES = 8, FACTORS = NC_POLY_DEGREE - 1 };
 static const double cubic_most = 20; /* PL above this would cost digits of the factors */
 static const double other_most = 1;  /* with powers up to the fifth this would */
 
-static struct vec3 round_point(struct vec3 p, int digits)
-{
-    return vec(num_round(p.x, digits), num_round(p.y, digits), num_round(p.z, digits));
-}
-
 /* The polynomial's value at p, its factor of p taken from both ends. */
 static struct vec3 span_at(struct vec3 start, struct vec3 end, const struct vec3 factor[FACTORS],
                            double h, double p)
@@ -38,7 +33,7 @@ static void take_factors(const struct bspline *b, const struct vec3 *pole, doubl
     bspline_derivatives(b, pole, u, NC_POLY_DEGREE, d);
     for (int i = 0; i < FACTORS; i++) {
         share *= scale / (i + 2);
-        factor[i] = round_point(vec_scale(share, d[i + 2]), digits);
+        factor[i] = vec_round(vec_scale(share, d[i + 2]), digits);
     }
 }
 
@@ -51,10 +46,10 @@ static struct nc_span span_words(const struct bspline *b, size_t i, int digits)
     if (s.h <= 0)
         return s;
     take_factors(b, b->pole, u, (end - u) / s.h, s.digits, s.factor);
-    s.end = round_point(bspline_at(b, b->pole, end), digits);
+    s.end = vec_round(bspline_at(b, b->pole, end), digits);
     if (b->head) {
         take_factors(b, b->head, u, (end - u) / s.h, s.digits, s.head_factor);
-        s.head_end = round_point(bspline_at(b, b->head, end), digits);
+        s.head_end = vec_round(bspline_at(b, b->head, end), digits);
     }
     return s;
 }

@@ -3,11 +3,6 @@
 
 #include "num.h"
 
-static struct vec3 round_point(struct vec3 p, int digits)
-{
-    return vec(num_round(p.x, digits), num_round(p.y, digits), num_round(p.z, digits));
-}
-
 static int over_travel(struct nc_step *step, struct vec3 tip, int axis, const char *what,
                        double value)
 {
@@ -85,14 +80,14 @@ static void stance_of(const struct nc_step *step, const struct pose *to, const d
     }
     s->turned = chain_turned_on(turned, by);
     if (step->follow.mode == FOLLOW_VECTOR)
-        s->at.a = round_point(to->a, digits->vector);
+        s->at.a = vec_round(to->a, digits->vector);
     else
         s->at.a = chain->n == 2   ? chain_ways_axis(&step->ways, &s->turned)
                   : chain->n == 1 ? chain_axis_of(chain, &s->turned)
                                   : to->a;
     if (step->follow.mode == FOLLOW_JOINT)
         p = chain_linear_of(chain, p, &s->turned);
-    s->at.p = round_point(p, digits->linear);
+    s->at.p = vec_round(p, digits->linear);
     *off = (struct deviation){vec_distance(s->at.p, p), axis_off(step, s->at.a, to->a)};
 }
 

@@ -181,9 +181,10 @@ static struct span_speeds span_speeds(const struct nc_step *step, const struct m
     return spans;
 }
 
-/* Where one F before and another behind take the least time, *minutes. */
-static double best_part(const struct span_speeds *spans, double *minutes)
+/* Where one F before and another behind take the least time; 1 where that saves too little. */
+static double best_part(const struct span_speeds *spans)
 {
+    const double share = 0.1, least = 0.2 / 60; /* of the time; minutes */
     size_t n = spans->n;
     double *behind = mem_alloc(n + 1, sizeof *behind), length = 0, rate = 0, best = 1;
     double rest = 0, slowest = 0;
@@ -193,34 +194,27 @@ static double best_part(const struct span_speeds *spans, double *minutes)
         slowest = larger(slowest, spans->item[i].rate);
         behind[i] = rest * slowest;
     }
-    *minutes = behind[0];
+    double whole = behind[0], minutes = whole;
     for (size_t i = 0; i + 1 < n; i++) {
         length += spans->item[i].length;
         rate = larger(rate, spans->item[i].rate);
-        if (length * rate + behind[i + 1] < *minutes) {
-            *minutes = length * rate + behind[i + 1];
+        if (length * rate + behind[i + 1] < minutes) {
+            minutes = length * rate + behind[i + 1];
             best = spans->item[i].s;
         }
     }
     free(behind);
-    return best;
+    return whole - minutes > larger(share * whole, least) ? best : 1;
 }
 
 double nc_curve_part(const struct nc_step *step, const struct motion *motion)
 {
-    const double share = 0.1, least = 0.2 / 60; /* of the time; minutes */
     if (step->follow.mode == FOLLOW_JOINT || step->machine->chain.n == 0)
         return 1;
     struct span_speeds spans = span_speeds(step, motion);
-    double length = 0, rate = 0, minutes;
-    for (size_t i = 0; i < spans.n; i++) {
-        length += spans.item[i].length;
-        rate = larger(rate, spans.item[i].rate);
-    }
-    double saved = length * rate, s = best_part(&spans, &minutes);
-    saved -= minutes;
+    double s = best_part(&spans);
     array_free(&spans);
-    return saved > larger(share * (saved + minutes), least) ? s : 1;
+    return s;
 }
 
 int nc_feed_digits(const struct nc_ability *ability, double feed)

@@ -16,11 +16,6 @@
 
 enum { SAMPLES = 8, ROUNDS_MAX = 6, CUBIC = 3 };
 
-static struct vec3 round_point(struct vec3 p, int digits)
-{
-    return vec(num_round(p.x, digits), num_round(p.y, digits), num_round(p.z, digits));
-}
-
 void nc_spline_free(struct nc_spline *spline)
 {
     bspline_free(&spline->curve);
@@ -106,9 +101,9 @@ static struct deviation poly_words(struct nc_spline *spline, int degree, int dig
 static void round_poles(struct bspline *b, int digits, const struct station *from)
 {
     for (size_t i = 0; i < b->poles; i++) {
-        b->pole[i] = round_point(b->pole[i], digits);
+        b->pole[i] = vec_round(b->pole[i], digits);
         if (b->head)
-            b->head[i] = round_point(b->head[i], digits);
+            b->head[i] = vec_round(b->head[i], digits);
     }
     b->pole[0] = from->p;
 }
@@ -271,7 +266,7 @@ bool nc_spline_words(struct nc_spline *spline, enum nc_splines kind, struct nc_s
     } else {
         spline->turns = b->head != NULL;
         if (b->head)
-            spline->head_start = round_point(b->head[0], digits.linear);
+            spline->head_start = vec_round(b->head[0], digits.linear);
         if (b->degree == 3 && bspline_uniform(b))
             *d = bspline_words(spline, digits.linear, f, from, motion);
         if (!deviation_within(*d, allowed)) {

@@ -3,7 +3,6 @@
 
 #include <stdlib.h>
 
-#include "num.h"
 #include "outlook.h"
 #include "swing.h"
 
@@ -98,9 +97,7 @@ static void propose_curvature(struct beam *b, size_t before, size_t j, struct ve
     }
     if (vec_distance(to, aim) > SIDEWAYS * b->within->tracked)
         return;
-    propose(
-        b, before, j,
-        vec(num_round(to.x, b->digits), num_round(to.y, b->digits), num_round(to.z, b->digits)));
+    propose(b, before, j, vec_round(to, b->digits));
 }
 
 static void propose_window(struct beam *b, size_t before, const struct window *w)

@@ -4,7 +4,6 @@
 #include <stdlib.h>
 
 #include "arcmoves.h"
-#include "num.h"
 
 enum {
     WHOLE = 20, /* arcs that are moved all together; of more a window at a time */
@@ -139,11 +138,6 @@ static void space_by_stray(const struct part *part, struct arcmoves *m)
     free(share);
 }
 
-static struct vec3 rounded(struct vec3 a, int digits)
-{
-    return vec(num_round(a.x, digits), num_round(a.y, digits), num_round(a.z, digits));
-}
-
 /* The chain with rounded joints as pieces that hold; false when they don't. */
 static bool prove(const struct part *part, const struct arcmoves *m, struct pieces *out)
 {
@@ -151,9 +145,9 @@ static bool prove(const struct part *part, const struct arcmoves *m, struct piec
     arcchain_copy(&chain, &m->chain);
     for (size_t i = 1; i < chain.n; i++) {
         struct joint *j = &chain.joint[i];
-        j->p = rounded(j->p, part->digits);
+        j->p = vec_round(j->p, part->digits);
         if (m->lever != 0)
-            j->axis = vec_unit(rounded(j->axis, AXIS_DIGITS));
+            j->axis = vec_unit(vec_round(j->axis, AXIS_DIGITS));
     }
     arcchain_turn(&chain, 0);
     out->n = 0;

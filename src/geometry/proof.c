@@ -30,8 +30,7 @@ static double length_of(const struct bspline *curve)
 
 static struct vec3 printed(struct vec3 p)
 {
-    return vec(num_round(p.x, PROOF_DIGITS), num_round(p.y, PROOF_DIGITS),
-               num_round(p.z, PROOF_DIGITS));
+    return vec_round(p, PROOF_DIGITS);
 }
 
 /* A motion that only turns the axis has no length of its own: 1 mm then. */

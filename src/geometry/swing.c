@@ -1,7 +1,6 @@
 /* swing - see swing.h. */
 #include "swing.h"
 
-#include "num.h"
 
 enum { LOOKS = 8 }; /* points looked at on a piece, at most; more on very short ones */
 
@@ -47,6 +46,5 @@ struct vec3 swing_end(const struct trace *trace, const struct piece *piece,
     double shift = clamp(pull / weight, end - room, end + room) / lever;
     shift = clamp(shift, -part * within->axis, part * within->axis);
     struct vec3 axis = vec_unit(vec_along(piece->axis_to, shift, side));
-    return vec_unit(
-        vec(num_round(axis.x, digits), num_round(axis.y, digits), num_round(axis.z, digits)));
+    return vec_unit(vec_round(axis, digits));
 }
