@@ -73,6 +73,35 @@ START_TEST(two_pieces_and_their_spacing)
 }
 END_TEST
 
+/* The roof of a box and its walls, random points: all normals point out, and beside its edges hardly
+ * one is between those of two sides. */
+START_TEST(sharp_edges)
+{
+    for (int noisy = 0; noisy < 2; noisy++) {
+        const double noise = 0.02 * noisy;
+        struct vec3s p = {0};
+        rectangle(&p, 6000, vec(0, 0, 10), vec(30, 0, 0), vec(0, 20, 0), noise);
+        rectangle(&p, 3000, vec(0, 0, 0), vec(30, 0, 0), vec(0, 0, 10), noise);
+        rectangle(&p, 3000, vec(0, 20, 0), vec(30, 0, 0), vec(0, 0, 10), noise);
+        rectangle(&p, 2000, vec(0, 0, 0), vec(0, 20, 0), vec(0, 0, 10), noise);
+        rectangle(&p, 2000, vec(30, 0, 0), vec(0, 20, 0), vec(0, 0, 10), noise);
+        size_t *near = cloud_neighbours(p.item, p.n, 2), between = 0;
+        struct vec3 *normal = mem_alloc(p.n, sizeof *normal);
+        cloud_normals(p.item, p.n, near, 2, normal);
+        for (size_t i = 0; i < p.n; i++) {
+            struct vec3 n = vec(fabs(normal[i].x), fabs(normal[i].y), normal[i].z);
+            bool out = vec_dot(normal[i], vec_sub(p.item[i], vec(15, 10, 0))) > 0;
+            ck_assert(out || n.z < 0.2);
+            between += fmax(fmax(n.x, n.y), n.z) < cos(RADIANS(15));
+        }
+        ck_assert_uint_le(between, 5); /* of 16000; 959 without a choice of planes */
+        free(normal);
+        free(near);
+        array_free(&p);
+    }
+}
+END_TEST
+
 int main(void)
 {
     Suite *suite = suite_create("cloudnormals");
@@ -81,6 +110,7 @@ int main(void)
     tcase_add_test(tests, half_ball);
     tcase_add_test(tests, torus);
     tcase_add_test(tests, two_pieces_and_their_spacing);
+    tcase_add_test(tests, sharp_edges);
     suite_add_tcase(suite, tests);
     srunner_run_all(runner, CK_ENV);
     int failed = srunner_ntests_failed(runner);

@@ -183,6 +183,39 @@ START_TEST(a_hollow_tighter_than_the_ball_is_spanned)
 }
 END_TEST
 
+/* Under the equator of a ball: the axis comes no lower than level, and the point is touched. */
+START_TEST(what_looks_down_is_touched_from_the_side)
+{
+    struct vec3s ball = {0};
+    for (int i = 0; i < 60000; i++) {
+        double z = 1 - 1.6 * (i + 0.5) / 60000, r = sqrt(1 - z * z), a = i * 2.399963229728653;
+        *array_push(&ball) = vec(20 * r * cos(a), 20 * r * sin(a), 20 * z);
+    }
+    struct guard *guard = guard_from_points(ball.item, ball.n);
+    struct lift_rule rule = make_rule(guard, false);
+    for (int down = -10; down <= 28; down += 2) {
+        struct run run = {.radius = R};
+        struct lifted_run lifted = {.run = {.radius = R}};
+        struct vec3 n = vec(cos(RADIANS(down)), 0, -sin(RADIANS(down)));
+        rule.feed.along = vec(0, 1, 0);
+        rule.feed.side = vec(0, 0, 1);
+        rule.feed.up = vec(1, 0, 0);
+        lift_add(&run, &rule, vec_scale(20, n), n);
+        lift_run(&run, &rule, &lifted);
+        const struct run_point *p = &lifted.run.item[0];
+        ck_assert_uint_eq(lifted.report.missed, 0);
+        ck_assert_double_ge(p->axis.z, 0);
+        ck_assert_double_ge(vec_dot(p->axis, n), cos(RADIANS(fmax(down, 12))) - 1e-9);
+        ck_assert_double_le(vec_distance(p->ball, vec_scale(20 + R, n)), 0.01);
+        ck_assert_double_le(vec_distance(p->tip, vec_along(p->ball, -R, p->axis)), 1e-12);
+        lifted_run_free(&lifted);
+        array_free(&run);
+    }
+    guard_free(guard);
+    array_free(&ball);
+}
+END_TEST
+
 int main(void)
 {
     Suite *suite = suite_create("lift");
@@ -193,6 +226,7 @@ int main(void)
     tcase_add_test(tests, only_nodes_without_between);
     tcase_add_test(tests, a_tower_is_passed_over_without_a_touch);
     tcase_add_test(tests, a_hollow_tighter_than_the_ball_is_spanned);
+    tcase_add_test(tests, what_looks_down_is_touched_from_the_side);
     suite_add_tcase(suite, tests);
     SRunner *runner = srunner_create(suite);
     srunner_run_all(runner, CK_NORMAL);

@@ -44,6 +44,17 @@ cloud2mesh -q --subdivide "$TMP/ball.xyz" -o "$TMP/ball.ply"
 ok "beyond the equator, noise: a path" meshnorm -r 2 -g "$TMP/ball.xyz" "$TMP/ball.ply" -o "$TMP/ball.cl"
 judge "beyond the equator" 2 0.03 0.05
 
+ball 5 -2.5 12000 0 >"$TMP/deep.xyz"
+cloud2mesh -q --subdivide "$TMP/deep.xyz" -o "$TMP/deep.ply"
+ok "30 degrees under the equator: a path" meshnorm -r 2 -g "$TMP/deep.xyz" "$TMP/deep.ply" -o "$TMP/deep.cl"
+hasnt "nothing out of reach" "can't reach" "$TMP/err"
+ncpost -q -c siemens -m table-ac "$TMP/deep.cl" -o "$TMP/ball.mpf"
+run ncverify -r 2 -m table-ac -g "$TMP/deep.xyz" "$TMP/ball.mpf"
+figures "$TMP/out" >"$TMP/figures"
+has "under the equator: all of it is judged" 'whole$' "$TMP/figures"
+below "under the equator: no gouge" "$(awk '{ print $1 }' "$TMP/figures")" 0.015
+below "under the equator: nothing left standing" "$(awk '{ print $2 }' "$TMP/figures")" 0.06
+
 cloud2mesh -q -j 1 --subdivide "$TMP/ball.xyz" -o "$TMP/one.ply"
 same "the same for any number of threads" "$TMP/one.ply" "$TMP/ball.ply"
 

@@ -13,7 +13,9 @@ struct job {
     const struct vec3 *point;
     const struct kdtree *tree;
     size_t *neighbour;
-    struct vec3 *normal;
+    struct vec3 *normal;    /* of the planes below */
+    struct planefit *plane; /* through each point and its neighbours */
+    size_t *best, *better;  /* whose plane each point takes, and takes next */
 };
 
 /* A way to a point that has no sign yet, from one that has. */
@@ -69,12 +71,60 @@ static void fit_planes(void *context, size_t from, size_t to)
 
     for (size_t i = from; i < to; i++) {
         struct vec3 near[CLOUD_NEAR + 1] = {job->point[i]};
-        struct planefit plane;
+        struct planefit *plane = &job->plane[i];
         for (size_t k = 0; k < CLOUD_NEAR; k++)
             near[k + 1] = job->point[job->neighbour[i * CLOUD_NEAR + k]];
-        job->normal[i] =
-            planefit(near, CLOUD_NEAR + 1, &plane) == 0 ? plane.normal : vec(0, 0, 1);
+        if (planefit(near, CLOUD_NEAR + 1, plane) != 0)
+            *plane = (struct planefit){near[0], vec(0, 0, 1), HUGE_VAL, 0, 0};
+        job->normal[i] = plane->normal;
     }
+}
+
+/* How badly the plane of point j serves point i. */
+static double badness(const struct job *job, size_t i, size_t j)
+{
+    const struct planefit *plane = &job->plane[j];
+
+    return hypot(plane->rms, vec_dot(plane->normal, vec_sub(job->point[i], plane->centre)));
+}
+
+/* Of the plane that a point has and those that its neighbours have the one that serves it best:
+ * beside a sharp edge one whose points are all on its side. */
+static void choose_planes(void *context, size_t from, size_t to)
+{
+    const double clearly = 0.5, bent = 0.07; /* of the length of its own plane */
+    const struct job *job = context;
+
+    for (size_t i = from; i < to; i++) {
+        size_t best = job->best[i];
+        double least = clearly * badness(job, i, best);
+        bool sharp = least > clearly * bent * job->plane[i].length;
+        for (size_t k = 0; sharp && k < CLOUD_NEAR; k++) {
+            size_t j = job->best[job->neighbour[i * CLOUD_NEAR + k]];
+            double now = badness(job, i, j);
+            if (now < least) {
+                least = now;
+                best = j;
+            }
+        }
+        job->better[i] = best;
+    }
+}
+
+/* Three times, so that it comes from three times as far. */
+static void sharpen(struct job *job, size_t n, int threads)
+{
+    job->best = mem_alloc(n, sizeof *job->best);
+    job->better = mem_alloc(n, sizeof *job->better);
+    for (size_t i = 0; i < n; i++)
+        job->best[i] = i;
+    for (int turn = 0; turn < 3; turn++) {
+        parallel_for(threads, n, choose_planes, job);
+        size_t *swap = job->best;
+        job->best = job->better;
+        job->better = swap;
+    }
+    free(job->better);
 }
 
 /* A total order, so that the tree does not depend on how the heap came about. */
@@ -162,12 +212,15 @@ static int by_height(const void *a, const void *b)
 void cloud_normals(const struct vec3 *point, size_t n, const size_t *neighbour, int threads,
                    struct vec3 *normal)
 {
-    struct job job = {.point = point, .neighbour = (size_t *)neighbour, .normal = normal};
+    struct job job = {.point = point, .neighbour = (size_t *)neighbour};
     struct height *height = mem_alloc(n, sizeof *height);
     bool *done = mem_alloc(n, sizeof *done);
     struct steps heap = {0};
 
+    job.normal = mem_alloc(n, sizeof *job.normal);
+    job.plane = mem_alloc(n, sizeof *job.plane);
     parallel_for(threads, n, fit_planes, &job);
+    sharpen(&job, n, threads);
     for (size_t i = 0; i < n; i++)
         height[i] = (struct height){point[i].z, i};
     qsort(height, n, sizeof *height, by_height);
@@ -175,10 +228,15 @@ void cloud_normals(const struct vec3 *point, size_t n, const size_t *neighbour, 
         size_t top = height[i].point;
         if (done[top])
             continue;
-        if (normal[top].z < 0)
-            normal[top] = vec_scale(-1, normal[top]);
+        if (job.normal[top].z < 0)
+            job.normal[top] = vec_scale(-1, job.normal[top]);
         spread(&job, top, done, &heap);
     }
+    for (size_t i = 0; i < n; i++)
+        normal[i] = job.normal[job.best[i]];
+    free(job.best);
+    free(job.plane);
+    free(job.normal);
     array_free(&heap);
     free(height);
     free(done);

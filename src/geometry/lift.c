@@ -35,6 +35,19 @@ void lift_add(struct run *run, const struct lift_rule *rule, struct vec3 contact
     *array_push(run) = p;
 }
 
+/* Where the surface looks down, an axis that would come from below is level instead: the ball
+ * touches the same, and what is behind it is beside the part. */
+static void come_level(struct run_point *p, const struct lift_rule *rule, double radius)
+{
+    const double flattest = 0.17364817766693033; /* cos 80 degrees: the ball alone touches yet */
+    struct vec3 level = vec_unit(vec(p->axis.x, p->axis.y, 0));
+
+    if (rule->axis.kind != AXIS_LEAN || p->axis.z >= 0 || vec_dot(level, p->normal) < flattest)
+        return;
+    p->axis = level;
+    p->tip = vec_along(p->ball, -radius, level);
+}
+
 /* The tool can come here, where it is clear, from above: straight down or along its axis. */
 static bool open_above(const struct run_point *p, const struct lift_rule *rule)
 {
@@ -52,6 +65,8 @@ static struct lifted lift_point(const struct run_point *p, const struct lift_rul
     if (rule->guard)
         lift = guard_lift(rule->guard, l.touching, p->normal, rule->offset, rule->limit);
     set_centre(&l.p, vec_along(l.touching, lift, p->normal), rule, radius);
+    if (rule->guard)
+        come_level(&l.p, rule, radius);
     l.missed = rule->guard && (lift < 0 || !open_above(&l.p, rule));
     if (l.missed) {
         double rise = guard_rise(rule->guard, l.touching, UP, rule->offset);

@@ -82,7 +82,13 @@ static void label_points(struct division *d)
     }
 }
 
-/* The label that most neighbours have, of those other than NONE; its own where it is among these. */
+static bool faces(const struct division *d, size_t i, int direction)
+{
+    return vec_dot(d->normal[i], d->direction[direction]) > FACING;
+}
+
+/* The label that most neighbours have, of those other than NONE; its own where it is among these.
+ * Across a sharp edge it gets none from those that have another point's side. */
 static int vote(const struct division *d, const int *label, size_t i, bool own)
 {
     int best = own ? label[i] : NONE, most = 0;
@@ -91,6 +97,8 @@ static int vote(const struct division *d, const int *label, size_t i, bool own)
         int candidate = label[d->neighbour[i * CLOUD_NEAR + k]], count = 0;
         for (size_t m = 0; m < CLOUD_NEAR && candidate != NONE; m++)
             count += label[d->neighbour[i * CLOUD_NEAR + m]] == candidate;
+        if (own && candidate != NONE && !faces(d, i, candidate))
+            continue;
         if (count > most || (count == most && candidate == best)) {
             most = count;
             best = candidate;
