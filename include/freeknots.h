@@ -22,13 +22,21 @@ struct freeknots_options {
  * the curve found, each knot in turn is tried to be left out.
  * A curve serves when proof_keeps holds on its printed digits; true then, with *curve and its
  * *proof.  False when none with at most 16 poles, or a pole for every fourth point, does.
- * Where a known count has fewer than six points for each pole, so that the curve follows the noise
- * of the data, the counts begin with three fifths of it.
- * The work is bounded by the number of points, and sooner where 16 poles and more serve fewer than
- * six points each; *cut tells that the bound was reached, so that
- * fewer poles might do.
+ * Where a known count above 16 has fewer than twelve points for each pole, so that the curve follows
+ * the noise of the data, the counts go down from there, to three fifths each time, and then by
+ * bisection, from knots spread by the data alone.
+ * The work is bounded by the number of points, and sooner in such a case; *cut tells that the bound
+ * was reached, so that fewer poles might do.
  */
 bool freeknots_search(const struct track *track, const struct freeknots_options *options,
                       struct bspline *curve, struct proof *proof, bool *cut);
+
+/*
+ * From a curve of the same degree, with a head or without, that was found for nearly the same data:
+ * it is moved to where the data is now, if need be with a few knots more where it is worst.  False
+ * when that does not serve; the search is what is left then.
+ */
+bool freeknots_again(const struct track *track, const struct freeknots_options *options,
+                     const struct bspline *before, struct bspline *curve, struct proof *proof);
 
 #endif

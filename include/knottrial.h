@@ -28,6 +28,9 @@ struct knottrials {
  * `failed`. */
 void knottrials_aim(struct knottrials *t, size_t parts, size_t poles);
 
+/* Before any trial: as few places as tell for curves of at most so many poles. */
+void knottrials_aim_few(struct knottrials *t, size_t poles);
+
 /* Frees all but the curve. */
 void knottrials_free(struct knottrials *t);
 
@@ -40,6 +43,9 @@ bool knottrial_serves(struct knottrials *t, struct attempt *attempt);
 
 /* The same from the knots t->knot, by least squares with the places of `rough` at u. */
 bool knottrial_from_knots(struct knottrials *t, size_t poles, const double *u);
+
+/* The same from a curve that was fitted to nearly the same data. */
+bool knottrial_from_curve(struct knottrials *t, const struct bspline *before);
 
 /* The same for the curve of `from` without its knot j. */
 bool knottrial_without(struct knottrials *t, const struct attempt *from, size_t j);

@@ -59,6 +59,13 @@ void splinefit_paper(const struct track *track, const struct splinefit_options *
 void splinefit_search(const struct track *track, const struct splinefit_options *options,
                       struct splinefit *fit);
 
+/*
+ * The default for data that lies only a little beside that of `before`: the same curve, moved
+ * (freeknots_again); where that does not serve, as splinefit_search.
+ */
+void splinefit_again(const struct track *track, const struct splinefit_options *options,
+                     const struct splinefit *before, struct splinefit *fit);
+
 void splinefit_free(struct splinefit *fit);
 
 #endif

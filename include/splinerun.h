@@ -19,10 +19,11 @@ struct splinerun_piece {
 struct splinerun {
     size_t n, cap;
     struct splinerun_piece *item;
+    struct run fitted; /* the points that they were fitted to; owned */
 };
 
 /*
- * Appends the pieces of a run of at least 2 points.  The ball's centre is tracked with `centre`,
+ * Fills *pieces with those of a run of at least 2 points.  The ball's centre is tracked with `centre`,
  * else the tip.
  *
  * With `paper` the run is one piece, fitted as it is by splinefit_paper.  By default it is parted
@@ -34,6 +35,13 @@ struct splinerun {
  */
 void splinerun_fit(const struct run *run, bool centre, bool paper,
                    const struct splinefit_options *options, struct splinerun *pieces);
+
+/*
+ * The same after some of the run's points were moved a little: pieces end where they did; one whose
+ * points all stay is kept as it is, and the curves of the others are moved (splinefit_again).
+ */
+void splinerun_refit(const struct run *run, bool centre, bool paper,
+                     const struct splinefit_options *options, struct splinerun *pieces);
 
 void splinerun_free(struct splinerun *pieces);
 

@@ -116,9 +116,10 @@ static void fit_run(void *context, const struct run *run, struct deeps *deeps)
     const struct settings *s = a->settings;
     struct splinerun *pieces = &a->job->pieces;
 
-    splinerun_free(pieces);
-    *pieces = (struct splinerun){0};
-    splinerun_fit(run, s->centre, s->paper, &s->fit, pieces);
+    if (pieces->n == 0)
+        splinerun_fit(run, s->centre, s->paper, &s->fit, pieces);
+    else
+        splinerun_refit(run, s->centre, s->paper, &s->fit, pieces);
     for (size_t k = 0; s->guard.rule.guard && k < pieces->n; k++) {
         const struct splinerun_piece *piece = &pieces->item[k];
         const struct run_point *from = &run->item[piece->from];

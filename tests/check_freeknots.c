@@ -160,6 +160,76 @@ START_TEST(hardly_any_points)
 }
 END_TEST
 
+/* A wave with a noise of up to half of `noise` mm, a hump of `hump` mm in its middle, and `lean` to
+ * turn the axis by. */
+static struct run noisy_wave(double noise, double hump, double lean)
+{
+    struct run run = {.radius = 4};
+    unsigned long seed = 11;
+
+    for (int k = 0; k <= 300; k++) {
+        double x = 0.2 * k, a = lean * sin(x / 12), up = exp(-(x - 30) * (x - 30) / 25);
+        seed = (seed * 1103515245 + 12345) % 2147483648UL;
+        struct run_point p = {.axis = vec(sin(a), 0, cos(a))};
+        p.ball = vec(x, 2 * sin(x / 5), noise * ((double)seed / 2147483648.0 - 0.5) + hump * up);
+        p.tip = vec_along(p.ball, -run.radius, p.axis);
+        *array_push(&run) = p;
+    }
+    return run;
+}
+
+/* Data that moves by three tolerances in one place: so does the curve, with hardly more poles. */
+START_TEST(a_curve_moves_with_its_data)
+{
+    for (int turns = 0; turns < 2; turns++) {
+        struct run run = noisy_wave(0, 0, 0.2 * turns), moved = noisy_wave(0, 0.03, 0.2 * turns);
+        struct track t = track_new(&run, true), u = track_new(&moved, true);
+        struct bspline before, curve;
+        struct proof proof;
+        bool cut;
+
+        ck_assert(freeknots_search(&t, &USUAL, &before, &proof, &cut));
+        ck_assert_double_gt(trial_brute_force(&before, &u, false), 0.02);
+        ck_assert(freeknots_again(&u, &USUAL, &before, &curve, &proof));
+        ck_assert_double_le(trial_brute_force(&curve, &u, false), 0.01);
+        ck_assert_double_le(trial_brute_force(&curve, &u, true), 0.01);
+        ck_assert_uint_ge(curve.poles, before.poles);
+        ck_assert_uint_le(curve.poles, before.poles + before.poles / 16 + 2);
+        bspline_free(&curve);
+        struct bspline line = track_straight(&t); /* too far off, and not of this degree */
+        ck_assert(!freeknots_again(&u, &USUAL, &line, &curve, &proof));
+        bspline_free(&line);
+        bspline_free(&before);
+        track_free(&t);
+        track_free(&u);
+        array_free(&run);
+        array_free(&moved);
+    }
+}
+END_TEST
+
+/* A pole for every few points of uneven data: from the count that is known to serve on down. */
+START_TEST(uneven_data_takes_fewer_than_is_known)
+{
+    struct run run = noisy_wave(0.024, 0, 0.2);
+    struct track t = track_new(&run, true);
+    struct freeknots_options o = USUAL;
+    struct bspline curve;
+    struct proof proof;
+    bool cut;
+
+    o.known = 200;
+    ck_assert(freeknots_search(&t, &o, &curve, &proof, &cut));
+    ck_assert_uint_lt(curve.poles, 190);
+    ck_assert_uint_gt(curve.poles, 20);
+    ck_assert_double_le(trial_brute_force(&curve, &t, false), 0.01);
+    ck_assert_double_le(trial_brute_force(&curve, &t, true), 0.01);
+    bspline_free(&curve);
+    track_free(&t);
+    array_free(&run);
+}
+END_TEST
+
 int main(void)
 {
     Suite *suite = suite_create("freeknots");
@@ -173,6 +243,8 @@ int main(void)
     tcase_add_test(tests, a_kink);
     tcase_add_test(tests, noise_above_the_tolerance);
     tcase_add_test(tests, hardly_any_points);
+    tcase_add_test(tests, a_curve_moves_with_its_data);
+    tcase_add_test(tests, uneven_data_takes_fewer_than_is_known);
     suite_add_tcase(suite, tests);
 
     SRunner *runner = srunner_create(suite);

@@ -143,6 +143,30 @@ START_TEST(straight_and_two_points)
 }
 END_TEST
 
+/* What was a straight line is one no more: it is searched for anew. */
+START_TEST(another_kind_of_curve_is_found_again)
+{
+    struct run run = trial_motion(150, 8);
+    struct track t = track_new(&run, false);
+    struct splinefit before = {.curve = track_straight(&t), .kind = SPLINEFIT_STRAIGHT};
+    struct splinefit fit, anew;
+
+    splinefit_again(&t, &ALL, &before, &fit);
+    splinefit_search(&t, &ALL, &anew);
+    ck_assert(fit.within && fit.kind == anew.kind);
+    ck_assert_uint_eq(fit.curve.poles, anew.curve.poles);
+    splinefit_free(&fit);
+    splinefit_again(&t, &ALL, &anew, &fit); /* and the same data needs no more */
+    ck_assert(fit.within);
+    ck_assert_uint_eq(fit.curve.poles, anew.curve.poles);
+    splinefit_free(&fit);
+    splinefit_free(&before);
+    splinefit_free(&anew);
+    track_free(&t);
+    array_free(&run);
+}
+END_TEST
+
 /* Corners at every point, by far above the tolerance: only the polyline itself serves. */
 START_TEST(what_is_rough_stays_a_polyline)
 {
@@ -184,6 +208,7 @@ int main(void)
     tcase_add_test(tests, one_combination_alone);
     tcase_add_test(tests, a_cubic_needs_four_poles);
     tcase_add_test(tests, straight_and_two_points);
+    tcase_add_test(tests, another_kind_of_curve_is_found_again);
     tcase_add_test(tests, what_is_rough_stays_a_polyline);
     suite_add_tcase(suite, tests);
 

@@ -140,6 +140,43 @@ START_TEST(one_place_has_no_curve)
 }
 END_TEST
 
+/* A straight line, a corner, a wave: when a point of the wave is lifted, the line stays as it was
+ * and the wave's curve goes where the point is now. */
+START_TEST(what_has_not_moved_stays)
+{
+    struct run run = {.radius = 8};
+    struct splinerun pieces = {0};
+
+    for (int k = 0; k <= 20; k++)
+        add(&run, 0, k - 20, 0);
+    for (int k = 1; k <= 200; k++)
+        add(&run, 0.2 * k, 0, 3 * sin(0.04 * k));
+    splinerun_fit(&run, true, false, &ALL, &pieces);
+    ck_assert_uint_eq(pieces.n, 2);
+    const struct vec3 *line = pieces.item[0].fit.curve.pole, *wave = pieces.item[1].fit.curve.pole;
+    splinerun_refit(&run, true, false, &ALL, &pieces);
+    ck_assert(pieces.item[0].fit.curve.pole == line && pieces.item[1].fit.curve.pole == wave);
+
+    for (size_t k = 118; k <= 122; k++)
+        run.item[k].ball.y += 0.03;
+    splinerun_refit(&run, true, false, &ALL, &pieces);
+    ck_assert_uint_eq(pieces.n, 2);
+    ck_assert(pieces.item[0].fit.curve.pole == line);
+    const struct splinerun_piece *p = &pieces.item[1];
+    ck_assert(p->from == 20 && p->to == 220 && p->fit.within);
+    ck_assert(vec_distance(p->fit.curve.pole[0], run.item[20].ball) < 1e-6);
+    double nearest = INFINITY;
+    for (int i = 0; i <= 5000; i++) {
+        double u = p->fit.curve.knot[p->fit.curve.poles] * i / 5000;
+        struct vec3 at = bspline_at(&p->fit.curve, p->fit.curve.pole, u);
+        nearest = fmin(nearest, vec_distance(at, run.item[120].ball));
+    }
+    ck_assert_double_le(nearest, 0.0101);
+    splinerun_free(&pieces);
+    array_free(&run);
+}
+END_TEST
+
 int main(void)
 {
     Suite *suite = suite_create("splinerun");
@@ -150,6 +187,7 @@ int main(void)
     tcase_add_test(tests, sparse_points_make_a_smooth_curve);
     tcase_add_test(tests, fallback_keeps_the_tolerance);
     tcase_add_test(tests, one_place_has_no_curve);
+    tcase_add_test(tests, what_has_not_moved_stays);
     suite_add_tcase(suite, tests);
 
     SRunner *runner = srunner_create(suite);

@@ -17,7 +17,12 @@ enum {
     MANY = 40,
     ROUGH_POINTS = 4,
     UNEVEN_POINTS = 6,
+    UNEVEN_KNOWN = 12,
     PATIENCE = 5,
+    TRIALS = 3,      /* of uneven data that may fail */
+    PLACES = 4,      /* points that a pole known to be needed counts for */
+    FINEST = 50,     /* part of a count that is worth no more trials */
+    MORE_AGAIN = 16, /* part of a curve's poles that it may get more */
     PARTS = 64,
     PARTS_FINEST = 6000
 };
@@ -25,6 +30,13 @@ static const double WORTH_IT = 5; /* tolerances off: nearer is worth to be moved
 static const double NEARLY = 2;   /* nearer than this is worth more patience */
 static const double EFFORT = 6e4, EFFORT_PER_POINT = 2500; /* distances times steps, at most */
 static const double EFFORT_UNEVEN = 500; /* the same per point, from where on the data is uneven */
+
+/* Knots spread by what the data asks for. */
+static bool serves_spread(struct knottrials *t, size_t poles)
+{
+    return knotstart_spread(&t->rough, t->options->degree, poles, t->knot) &&
+           knottrial_from_knots(t, poles, t->rough.at);
+}
 
 /* The starts that know nothing of other attempts. */
 static bool serves_anew(struct knottrials *t, size_t poles)
@@ -157,16 +169,43 @@ static bool serves_by_patience(struct knottrials *t)
     return done;
 }
 
+/*
+ * Of uneven data, where a curve that serves is found soon, but one that does not is long in
+ * failing: down from the count that is known, and none gets much of the effort.  Only knots spread
+ * by the data are a start that comes near.
+ */
+static void search_uneven(struct knottrials *t, size_t least)
+{
+    size_t serves = t->options->known, failed = least - 1;
+    double most = EFFORT_UNEVEN * fmax((double)t->track->n, PLACES * (double)serves);
+    double left = fmin(t->effort, most), each = left / TRIALS;
+
+    knottrials_aim_few(t, serves);
+    while (serves - failed > 1 + serves / FINEST && left > 0) {
+        size_t n = failed < least ? serves * 3 / 5 : failed + (serves - failed) / 2;
+        n = n < least ? least : n;
+        t->effort = each;
+        if (serves_spread(t, n))
+            serves = n;
+        else
+            failed = n;
+        left -= each - t->effort;
+    }
+    t->effort = left;
+}
+
 static void search_counts(struct knottrials *t, size_t parts)
 {
     size_t least = (size_t)t->options->degree + 1;
 
     least = least < 3 ? 3 : least;
-    if (is_rough(t, t->options->known, UNEVEN_POINTS) && least < t->options->known * 3 / 5)
-        least = t->options->known * 3 / 5;
-    size_t failed = search_upwards(t, parts, least);
-    if (t->curve.poles > ONE_BY_ONE)
-        bisect(t, failed);
+    if (is_rough(t, t->options->known, UNEVEN_KNOWN)) {
+        search_uneven(t, least);
+    } else {
+        size_t failed = search_upwards(t, parts, least);
+        if (t->curve.poles > ONE_BY_ONE)
+            bisect(t, failed);
+    }
     while (t->curve.poles > least && t->effort > 0 && !is_rough(t, t->curve.poles, UNEVEN_POINTS) &&
            (serves_with_one_less(t, &t->served, tries(t)) || serves_by_patience(t) ||
             serves_by_exchange(t)))
@@ -197,4 +236,26 @@ bool freeknots_search(const struct track *track, const struct freeknots_options 
     }
     *cut = effort <= 0;
     return curve->poles > 0;
+}
+
+bool freeknots_again(const struct track *track, const struct freeknots_options *options,
+                     const struct bspline *before, struct bspline *curve, struct proof *proof)
+{
+    struct knottrials t = {.track = track, .options = options, .patience = 1};
+    size_t most = before->poles + before->poles / MORE_AGAIN + 2;
+
+    *curve = (struct bspline){0};
+    if ((track->head != NULL) != (before->head != NULL))
+        return false;
+    t.effort = EFFORT_UNEVEN * (double)track->n;
+    knottrials_aim_few(&t, most);
+    bool done = knottrial_from_curve(&t, before);
+    while (!done && t.failed.curve.poles > 0 && t.failed.curve.poles < most && t.effort > 0)
+        done = serves_with_one_more(&t);
+    if (done) {
+        *curve = t.curve;
+        *proof = t.proof;
+    }
+    knottrials_free(&t);
+    return done;
 }

@@ -8,28 +8,42 @@
 
 #include "array.h"
 
-enum { PROOFS = 6, ROUGH_PER_POLE = 8, FINER = 4 };
+enum { PROOFS = 6, ROUGH_PER_POLE = 8, FINER = 4, FEW_PER_POLE = 5, FEW_FINER = 2, FEW_LEAST = 64 };
 static const double RESOLUTION = 0.002; /* of a proof, in parts of the tolerance */
 static const double MARGIN = 0.001;     /* parts of the tolerance that are kept for it */
 static const double SLOWEST = 0.1;      /* of the mean speed */
+static const double NEAR = 0.1;         /* parts of the tolerance: feet to begin with */
 static const double COARSE = 1.05;      /* parts of the tolerance */
 
-void knottrials_aim(struct knottrials *t, size_t parts, size_t poles)
+static void aim(struct knottrials *t, size_t parts, size_t finer)
 {
     const struct freeknots_options *o = t->options;
 
-    if (t->rough.n > 0 && poles * ROUGH_PER_POLE <= t->parts)
-        return;
-    t->parts = t->parts > parts ? t->parts : parts;
-    while (poles * ROUGH_PER_POLE > t->parts)
-        t->parts *= 2;
     target_free(&t->rough);
     target_free(&t->fine);
     attempt_free(&t->failed);
-    t->rough = target_new(t->track, t->parts, o->tolerance, o->angle);
-    t->fine = target_new(t->track, FINER * t->parts, o->tolerance, o->angle);
+    t->parts = parts;
+    t->rough = target_new(t->track, parts, o->tolerance, o->angle);
+    t->fine = target_new(t->track, finer * parts, o->tolerance, o->angle);
     free(t->knot);
     t->knot = mem_alloc(2 * t->rough.n + 32, sizeof *t->knot);
+}
+
+void knottrials_aim(struct knottrials *t, size_t parts, size_t poles)
+{
+    if (t->rough.n > 0 && poles * ROUGH_PER_POLE <= t->parts)
+        return;
+    parts = t->parts > parts ? t->parts : parts;
+    while (poles * ROUGH_PER_POLE > parts)
+        parts *= 2;
+    aim(t, parts, FINER);
+}
+
+void knottrials_aim_few(struct knottrials *t, size_t poles)
+{
+    size_t parts = FEW_PER_POLE * poles;
+
+    aim(t, parts > FEW_LEAST ? parts : FEW_LEAST, FEW_FINER);
 }
 
 void knottrials_free(struct knottrials *t)
@@ -141,6 +155,30 @@ bool knottrial_from_knots(struct knottrials *t, size_t poles, const double *u)
     struct bspline form = {.degree = t->options->degree, .poles = poles};
 
     if (t->effort > 0 && attempt_start(&t->rough, &form, t->knot, u, &attempt))
+        return knottrial_serves(t, &attempt);
+    attempt_free(&attempt);
+    return false;
+}
+
+bool knottrial_from_curve(struct knottrials *t, const struct bspline *before)
+{
+    const struct target *target = &t->rough;
+    struct attempt attempt = {bspline_copy(before), feet_new(target)};
+    struct track places = *t->track;
+    size_t last = before->poles - 1, end = places.n - 1;
+
+    attempt.curve.pole[0] = places.point[0];
+    attempt.curve.pole[last] = places.point[end];
+    if (before->head != NULL) {
+        attempt.curve.head[0] = places.head[0];
+        attempt.curve.head[last] = places.head[end];
+    }
+    places.n = target->n;
+    places.point = target->point;
+    bool done = proof_feet(&attempt.curve, &places, NEAR * target->tolerance, attempt.feet.u);
+    if (done && before->head != NULL)
+        memcpy(attempt.feet.v, attempt.feet.u, target->n * sizeof *attempt.feet.u);
+    if (done)
         return knottrial_serves(t, &attempt);
     attempt_free(&attempt);
     return false;

@@ -193,8 +193,10 @@ static void polyline(const struct search *s, struct splinefit *fit)
     fit->within = proof_keeps(&fit->proof, o->tolerance, o->angle);
 }
 
-/* With all combinations open, the knots may as well be free. */
-static bool free_knots(const struct search *s, size_t known, struct splinefit *fit)
+/* With all combinations open, the knots may as well be free.  `before`: a curve for nearly the same
+ * data, or NULL. */
+static bool free_knots(const struct search *s, size_t known, const struct bspline *before,
+                       struct splinefit *fit)
 {
     const struct splinefit_options *o = s->options;
     struct freeknots_options options = {o->degree, o->tolerance, o->angle, known};
@@ -202,6 +204,9 @@ static bool free_knots(const struct search *s, size_t known, struct splinefit *f
     *fit = (struct splinefit){.kind = SPLINEFIT_FREE, .within = true};
     if (o->params >= 0 || o->knots >= 0)
         return false;
+    if (before)
+        return before->degree == o->degree &&
+               freeknots_again(s->track, &options, before, &fit->curve, &fit->proof);
     return freeknots_search(s->track, &options, &fit->curve, &fit->proof, &fit->cut);
 }
 
@@ -267,7 +272,8 @@ void splinefit_search(const struct track *track, const struct splinefit_options 
         bool turns = track->head != NULL; /* there the search is long: it is good to know before */
         if (turns)
             least_squares(&s, &squares);
-        bool found = free_knots(&s, squares.within ? squares.curve.poles : 0, fit), cut = fit->cut;
+        bool found = free_knots(&s, squares.within ? squares.curve.poles : 0, NULL, fit),
+             cut = fit->cut;
         if (!turns && (!found || cut))
             least_squares(&s, &squares);
         if (!found)
@@ -277,5 +283,17 @@ void splinefit_search(const struct track *track, const struct splinefit_options 
         fit->cut = cut;
     }
     measure(&s, fit);
+    search_free(&s);
+}
+
+void splinefit_again(const struct track *track, const struct splinefit_options *options,
+                     const struct splinefit *before, struct splinefit *fit)
+{
+    struct search s = search_new(track, options, false);
+
+    if (free_knots(&s, 0, &before->curve, fit))
+        measure(&s, fit);
+    else
+        splinefit_search(track, options, fit);
     search_free(&s);
 }

@@ -15,12 +15,17 @@ static const double SPARSE = 1;         /* parts of the tolerance: straight line
 static const double DENSE = 0.1;        /* parts of the tolerance: chord error when made dense */
 static const double FALLBACK = 0.99;    /* parts of the tolerance: chord error of the fallback */
 
+static void piece_free(struct splinerun_piece *piece)
+{
+    splinefit_free(&piece->fit);
+    array_free(&piece->fallback);
+}
+
 void splinerun_free(struct splinerun *pieces)
 {
-    for (size_t i = 0; i < pieces->n; i++) {
-        splinefit_free(&pieces->item[i].fit);
-        array_free(&pieces->item[i].fallback);
-    }
+    for (size_t i = 0; i < pieces->n; i++)
+        piece_free(&pieces->item[i]);
+    array_free(&pieces->fitted);
     array_free(pieces);
 }
 
@@ -83,9 +88,11 @@ static bool is_rough(const struct run *run)
     return (double)turns > ROUGH_POINTS * (double)run->n;
 }
 
-/* Fits one piece; `options` with the whole tolerance. */
+/* Fits one piece; `options` with the whole tolerance; `before`: as it was for nearly the same
+ * points, or NULL. */
 static void fit_piece(const struct run *run, bool centre, bool paper,
-                      const struct splinefit_options *options, struct splinerun_piece *piece)
+                      const struct splinefit_options *options, const struct splinefit *before,
+                      struct splinerun_piece *piece)
 {
     struct run part = {
         .n = piece->to - piece->from + 1, .item = run->item + piece->from, .radius = run->radius};
@@ -104,12 +111,21 @@ static void fit_piece(const struct run *run, bool centre, bool paper,
     if (!piece->still) {
         if (paper)
             splinefit_paper(&track, &o, &piece->fit);
+        else if (before)
+            splinefit_again(&track, &o, before, &piece->fit);
         else
             splinefit_search(&track, &o, &piece->fit);
         fill_fallback(piece, run, centre, track.offset, options->tolerance);
     }
     track_free(&track);
     array_free(&dense);
+}
+
+static void remember(const struct run *run, struct splinerun *pieces)
+{
+    pieces->fitted.n = 0;
+    for (size_t i = 0; i < run->n; i++)
+        *array_push(&pieces->fitted) = run->item[i];
 }
 
 void splinerun_fit(const struct run *run, bool centre, bool paper,
@@ -125,8 +141,37 @@ void splinerun_fit(const struct run *run, bool centre, bool paper,
     for (size_t k = 0; k < end.n; k++) {
         struct splinerun_piece *piece = array_push(pieces);
         *piece = (struct splinerun_piece){.from = from, .to = end.item[k]};
-        fit_piece(run, centre, paper, options, piece);
+        fit_piece(run, centre, paper, options, NULL, piece);
         from = end.item[k];
     }
     array_free(&end);
+    remember(run, pieces);
+}
+
+static bool same(const struct run_point *a, const struct run_point *b)
+{
+    return vec_distance(a->ball, b->ball) == 0 && vec_distance(a->axis, b->axis) == 0;
+}
+
+static bool moved(const struct run *run, const struct splinerun *pieces,
+                  const struct splinerun_piece *piece)
+{
+    for (size_t i = piece->from; i <= piece->to; i++)
+        if (!same(&run->item[i], &pieces->fitted.item[i]))
+            return true;
+    return false;
+}
+
+void splinerun_refit(const struct run *run, bool centre, bool paper,
+                     const struct splinefit_options *options, struct splinerun *pieces)
+{
+    for (size_t k = 0; k < pieces->n; k++) {
+        struct splinerun_piece *piece = &pieces->item[k], before = *piece;
+        if (!moved(run, pieces, piece))
+            continue;
+        *piece = (struct splinerun_piece){.from = before.from, .to = before.to};
+        fit_piece(run, centre, paper, options, before.still ? NULL : &before.fit, piece);
+        piece_free(&before);
+    }
+    remember(run, pieces);
 }
