@@ -35,6 +35,7 @@ struct cloudmesh {
     struct grid grid;
     struct rowmesh rows;   /* with an error: of the worst part; how far points are in space */
     size_t creases, walls; /* edges that cross one */
+    size_t crests;         /* edges that got points on a rib or in a groove */
     struct vec3s edge;     /* where: of no use to the caller of cloudmesh_make, and empty there */
 };
 

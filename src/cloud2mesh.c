@@ -65,7 +65,7 @@ static struct settings read_options(struct cli *cli, int argc, char **argv)
          "standard deviation of the points (default: as measured; 0: vertices\n"
          "stay points of the scan)",
          CLI_NUMBER, &s.noise, 0, 1e6, 0, NULL},
-        {0, "smooth", NULL, "look for no creases and no walls", CLI_FLAG, &s.wish.smooth, 0, 0, 0, NULL},
+        {0, "smooth", NULL, "look for no creases, no walls, no ribs", CLI_FLAG, &s.wish.smooth, 0, 0, 0, NULL},
         {0, "extend", "MM", "continue the surface so far beyond the outer border", CLI_NUMBER,
          &s.extend, CLI_POSITIVE, 0, 0, NULL},
         {0, "subdivide", NULL,

@@ -142,6 +142,8 @@ for noise in 0 0.02; do
 	rib $noise >"$TMP/rib.xyz"
 	ok "rib, noise $noise: within 0.05 mm" cloud2mesh -v -e 0.05 "$TMP/rib.xyz" -o "$TMP/rib.ply"
 	below "rib, noise $noise: all of it is kept" 0.74 "$(kept "$TMP/rib.ply")"
+	cloud2mesh -q "$TMP/rib.xyz" -o "$TMP/rib.ply"
+	below "rib, noise $noise: by a grid too" 0.74 "$(kept "$TMP/rib.ply")"
 done
 
 # A face has steep flanks and jumps under the chin, and no wall: no normal more points down than

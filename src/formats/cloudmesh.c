@@ -80,7 +80,8 @@ static int one_mesh(const struct cloudmesh_wish *wish, struct vec3s *points, dou
                      ? cloudmesh_within(wish, points, noise, threads, mesh, made, error)
                      : cloudmesh_on_grid(wish, points, noise, threads, mesh, made, error);
     if (status == 0 && !wish->smooth)
-        note("creases cross %zu edges of the mesh, walls %zu", made->creases, made->walls);
+        note("creases cross %zu edges of the mesh, walls %zu, ribs and grooves %zu", made->creases,
+             made->walls, made->crests);
     array_free(&made->edge);
     return status;
 }

@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "cli.h"
+#include "crestmesh.h"
 #include "featuremesh.h"
 #include "holes.h"
 #include "meshnear.h"
@@ -134,6 +135,7 @@ void cloudmesh_edges(const struct cloudmesh_wish *wish, const struct cloud_parts
                      struct cloudmesh *made)
 {
     if (!wish->smooth) {
+        size_t first = mesh->vertex.n;
         struct featuremesh found =
             featuremesh_keep(mesh, points->item, points->n, parts->flat, parts->mean,
                              fmax(noise, mesh->origin.noise), threads);
@@ -141,6 +143,8 @@ void cloudmesh_edges(const struct cloudmesh_wish *wish, const struct cloud_parts
         made->walls = found.walls;
         array_free(&made->edge);
         made->edge = found.place;
+        made->crests = crestmesh_keep(mesh, first, points->item, parts->flat, parts->mean,
+                                      fmax(noise, mesh->origin.noise), threads);
         if (found.too_many > 0 && !wish->silent)
             say("%zu edges of the mesh lie where the scan is rough: too many to look for creases "
                 "there (a wider spacing has fewer)",

@@ -1,0 +1,25 @@
+/*
+ * crestmesh - ribs and grooves that a mesh cuts off, put into it.
+ */
+#ifndef CLOUDMILL_CRESTMESH_H
+#define CLOUDMILL_CRESTMESH_H
+
+#include "mesh.h"
+
+/*
+ * Looks at every edge whose ends have normals that turn, or that is long, for a crest (crest.h),
+ * and puts the points of that into it: the facets beside are cut up between them, from crest to
+ * crest.  Edges with a vertex numbered `first` or up, which are those of creases and walls
+ * (edgesplit.h), stay as they are.  New vertices come in the order from an edge's first vertex to
+ * its second; those of an edge along a row get its row and the column of its first vertex, the
+ * others row and column -1.
+ *
+ * The n points of the cloud, none of them on a wall; `spacing` is their mean spacing, `noise` one
+ * standard deviation, mm.  The mesh must have normals.  Returns how many edges got points; 0, and
+ * nothing changes, where too many edges might.  The result does not depend on the number of
+ * threads.
+ */
+size_t crestmesh_keep(struct mesh *mesh, size_t first, const struct vec3 *point, size_t n,
+                      double spacing, double noise, int threads);
+
+#endif
