@@ -144,6 +144,11 @@ static inline bool path_moves(const struct path_item *item)
     return item->kind <= PATH_HOLE;
 }
 
+static inline bool path_is_rapid(const struct path_item *item)
+{
+    return item->kind == PATH_POINT && item->rapid;
+}
+
 /* Takes over the head of another path (copies its strings), for a stage that writes a new one. */
 void path_head_copy(struct path_head *to, const struct path_head *from);
 

@@ -24,6 +24,7 @@ struct turnstates {
 struct turnground {
     struct chain_solutions found;
     bool stays; /* the first axis is free, and stays as it is */
+    bool loose; /* it may turn as far as it likes from the direction before */
 };
 
 /* An axis whose travel is 256 turns or more, the second one 8, is taken to have no end. */
@@ -54,5 +55,13 @@ bool turnstate_end(const struct chain *chain, const struct chain_solutions *from
 /* The most that the direction may change from one place to the next near this one, radians:
  * less near the direction in which the first axis is free. */
 double turnstate_step(const struct chain *chain, struct vec3 axis);
+
+/*
+ * What a direction is from the one before, `near`.  Where the first axis is free it stays as it is,
+ * and along a way that stays so it turns to where it will be needed (`ahead`, NULL: nowhere); where
+ * both are within `cone` radians of such a direction it is loose.
+ */
+struct turnground turnstate_ground(const struct chain *chain, double cone, struct vec3 near,
+                                   struct vec3 axis, const struct vec3 *ahead);
 
 #endif

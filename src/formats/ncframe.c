@@ -144,7 +144,7 @@ bool nc_frame_planes(const struct path *path, struct nc_planes *planes)
     planes->n = 0;
     for (size_t i = 0; i < path->item.n; i++) {
         const struct path_item *item = &path->item.item[i];
-        bool rapid = item->kind == PATH_HOLE || (item->kind == PATH_POINT && item->rapid);
+        bool rapid = item->kind == PATH_HOLE || path_is_rapid(item);
         home = home || item->kind == PATH_TOOL;
         if (item->kind > PATH_HOLE)
             continue;

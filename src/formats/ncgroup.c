@@ -5,22 +5,25 @@
 #include "ncitem.h"
 #include "ncreach.h"
 #include "ncturn.h"
+#include "ncway.h"
 
 static const double far_turn = PI / 6; /* radians: to another solution, or whole turns */
-static const double worth = 0.01; /* of the way of the rotary axes: what a second plan must save */
 
 /* What a group that is planned again has to take back. */
 struct mark {
     struct nc_state state;
     struct nc_total total;
-    size_t moves, vectors, arcs, splines, holes;
+    struct nc_since since;
+    size_t vectors, arcs, splines, holes;
 };
 
 static struct mark mark_of(const struct nc_step *step)
 {
     const struct nc_plan *plan = step->plan;
-    return (struct mark){step->state, plan->total,    plan->move.n, plan->vector.n,
-                         plan->arc.n, plan->spline.n, plan->hole.n};
+    const double *q = step->state.at.q;
+    return (struct mark){step->state,    plan->total, {plan->move.n, {q[0], q[1]}},
+                         plan->vector.n, plan->arc.n, plan->spline.n,
+                         plan->hole.n};
 }
 
 static void back_to(struct nc_step *step, const struct mark *mark)
@@ -31,7 +34,7 @@ static void back_to(struct nc_step *step, const struct mark *mark)
     step->state = mark->state;
     plan->total = mark->total;
     plan->unmet = false;
-    plan->move.n = mark->moves;
+    plan->move.n = mark->since.moves;
     plan->vector.n = mark->vectors;
     plan->arc.n = mark->arcs;
     plan->spline.n = mark->splines;
@@ -43,19 +46,14 @@ static bool begins_anew(const struct path_item *item)
     return item->kind == PATH_TOOL || item->kind == PATH_PLANE;
 }
 
-static bool is_rapid(const struct path_item *item)
-{
-    return item->kind == PATH_POINT && item->rapid;
-}
-
 size_t nc_group_end(const struct path *path, size_t from)
 {
     bool cutting = false;
     for (size_t i = from; i < path->item.n; i++) {
         const struct path_item *item = &path->item.item[i];
-        if ((is_rapid(item) && cutting) || (begins_anew(item) && i > from))
+        if ((path_is_rapid(item) && cutting) || (begins_anew(item) && i > from))
             return i;
-        cutting = cutting || (path_moves(item) && !is_rapid(item));
+        cutting = cutting || (path_moves(item) && !path_is_rapid(item));
     }
     return path->item.n;
 }
@@ -159,106 +157,20 @@ static int plan_items(struct nc_step *step, const struct nc_ahead *ahead, size_t
     for (size_t i = from; i < to; i++) {
         const struct path_item *item = &step->path->item.item[i];
         step->next = i + 1;
-        if (leading && path_moves(item) && !is_rapid(item)) {
+        if (leading && path_moves(item) && !path_is_rapid(item)) {
             arrive(step, ahead);
             leading = false;
         }
         if (ahead && set_course(step, ahead, from, i) != 0)
             return -1;
-        bool leaves = leaving && is_rapid(item);
-        if (leading && is_rapid(item) && !leaves)
+        bool leaves = leaving && path_is_rapid(item);
+        if (leading && path_is_rapid(item) && !leaves)
             turn_before(step, item);
         if ((leaves ? leave(step, item) : nc_item(step, item)) != 0)
             return -1;
         leaving = leaving && !path_moves(item);
     }
     return 0;
-}
-
-/* How far the rotary axes turn in all that was planned since. */
-static double way_since(const struct nc_step *step, const struct mark *mark)
-{
-    const double *q = mark->state.at.q;
-    double way = 0;
-    for (size_t i = mark->moves; i < step->plan->move.n; i++) {
-        const struct nc_move *move = &step->plan->move.item[i];
-        if (!nc_moves(move))
-            continue;
-        way += chain_way(&step->machine->chain, q, move->q);
-        q = move->q;
-    }
-    return way;
-}
-
-/* Both solutions turn alike, whatever the way: two axes at right angles, and the tool across. */
-static bool turn_alike(const struct chain *chain)
-{
-    const struct rotary *r = chain->rotary;
-    return fabs(vec_dot(r[0].axis, r[1].axis)) < 1e-9 &&
-           fabs(vec_dot(r[1].axis, chain->tool)) < 1e-9;
-}
-
-/* From where the rapids have led to the axis nearest the work stays as it is: then the other one
- * turns by what the tool axis does, and no way is shorter. */
-static bool first_stays(const struct nc_step *step, const struct mark *mark)
-{
-    const struct nc_move *last = NULL;
-    for (size_t i = mark->moves; i < step->plan->move.n; i++) {
-        const struct nc_move *move = &step->plan->move.item[i];
-        if (nc_moves(move) && move->kind != NC_RAPID && last && move->q[0] != last->q[0])
-            return false;
-        last = nc_moves(move) ? move : last;
-    }
-    return true;
-}
-
-/* How far the axes turn at least, from solution k at the start on, where no step leaves doubt; 0:
- * one does. */
-static double way_of(const struct nc_step *step, const struct mark *mark, size_t from, size_t to,
-                     int k)
-{
-    const struct chain *chain = &step->machine->chain;
-    double q[ROTARY_MAX] = {mark->state.at.q[0], mark->state.at.q[1]}, next[ROTARY_MAX], way = 0;
-    bool cutting = false;
-    struct turned turned = {{1, 1}, {0, 0}};
-    const struct path_item *start = NULL;
-    int over;
-    for (size_t i = from; i < to; i++) {
-        const struct path_item *item = &step->path->item.item[i];
-        if (!path_moves(item))
-            continue;
-        if (!cutting && is_rapid(item)) {
-            start = item;
-            continue;
-        }
-        if (!cutting) {
-            if (chain_choose(chain, start ? start->to.a : item->to.a, q, true, k, next, &over) != 0)
-                return HUGE_VAL;
-            way = chain_way(chain, q, next);
-            q[0] = next[0], q[1] = next[1];
-            turned = chain_turned(chain, q);
-            cutting = true;
-        }
-        if (!chain_beside(&step->ways, item->to.a, q, &turned, next, &turned))
-            return 0;
-        way += chain_way(chain, q, next);
-        q[0] = next[0], q[1] = next[1];
-    }
-    return way;
-}
-
-static bool surely_shortest(const struct nc_step *step, const struct mark *mark, size_t from,
-                            size_t to)
-{
-    const struct chain *chain = &step->machine->chain;
-    if (step->follow.mode == FOLLOW_VECTOR || chain->n < 2)
-        return true;
-    if (turn_alike(chain))
-        return !step->doubt || first_stays(step, mark);
-    if (step->doubt)
-        return false;
-    double least = fmin(way_of(step, mark, from, to, 0), way_of(step, mark, from, to, 1));
-    return way_since(step, mark) * (1 - worth) <= least;
 }
 
 /* Once more along the way that was found: 0 when it is planned and no worse. */
@@ -270,7 +182,7 @@ static int plan_along(struct nc_step *step, const struct nc_ahead *ahead, size_t
     if (plan_items(step, ahead, from, to) != 0)
         return -1;
     bool more = step->plan->total.turns > mark->total.turns && way < HUGE_VAL;
-    return more || way_since(step, mark) > way ? -1 : 0;
+    return more || nc_way_since(step, &mark->since) > way ? -1 : 0;
 }
 
 /* Where the group starts, whatever of it is planned by now. */
@@ -290,12 +202,12 @@ int nc_group_plan(struct nc_step *step, size_t from, size_t to)
     struct nc_ahead ahead;
     step->may_turn = false;
     int nearest = plan_items(step, NULL, from, to);
-    if (nearest == 0 ? surely_shortest(step, &mark, from, to) : !step->plan->unmet)
+    if (nearest == 0 ? nc_way_surely_shortest(step, &mark.since, from, to) : !step->plan->unmet)
         return nearest;
-    double way = nearest == 0 ? way_since(step, &mark) : HUGE_VAL;
+    double way = nearest == 0 ? nc_way_since(step, &mark.since) : HUGE_VAL;
     bool found = look_ahead(step, &ahead, &mark, from, to);
     bool better =
-        found && (nearest != 0 || (ahead.cost.turns == 0 && ahead.cost.way < way * (1 - worth)));
+        found && (nearest != 0 || (ahead.cost.turns == 0 && nc_way_saves(ahead.cost.way, way)));
     int result = better ? plan_along(step, &ahead, from, to, &mark, way) : -1;
     nc_ahead_free(&ahead);
     step->course.n = step->stops.n = 0;

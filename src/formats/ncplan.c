@@ -33,7 +33,7 @@ static double clear_height(const struct path *path)
 {
     double z = path->head.clearance;
     for (size_t i = 0; i < path->item.n && isnan(path->head.clearance); i++)
-        if (path->item.item[i].kind == PATH_POINT && path->item.item[i].rapid)
+        if (path_is_rapid(&path->item.item[i]))
             z = fmax(z, path->item.item[i].to.p.z);
     return z;
 }

@@ -31,12 +31,6 @@ struct search {
     uint16_t *by; /* of each state of each place */
 };
 
-/* One place as seen from the one before. */
-struct ground {
-    struct turnground at;
-    bool loose; /* the first axis may turn as far as it likes */
-};
-
 static double way(const struct search *s, const double a[], const double b[])
 {
     return s->weight[0] * fabs(a[0] - b[0]) + s->weight[1] * fabs(a[1] - b[1]);
@@ -91,15 +85,15 @@ static void offer_all(struct search *s, const struct turnplan_place *place,
 }
 
 /* From a state of the place before on to this one in a block. */
-static void go_on(struct search *s, const struct turnplan_place *place, const struct ground *ground,
+static void go_on(struct search *s, const struct turnplan_place *place, const struct turnground *ground,
                   const struct state *from, uint16_t by, uint16_t into[])
 {
-    for (int k = 0; k < ground->at.found.n; k++) {
+    for (int k = 0; k < ground->found.n; k++) {
         double q[ROTARY_MAX] = {0}, base[ROTARY_MAX] = {0}, most = 0;
         for (int i = 0; i < s->chain->n; i++) {
-            base[i] = ground->at.found.q[k][i];
+            base[i] = ground->found.q[k][i];
             q[i] = base[i] + 2 * PI * round((from->q[i] - base[i]) / (2 * PI));
-            if (i == 0 && ground->at.stays) {
+            if (i == 0 && ground->stays) {
                 q[i] = from->q[i];
                 base[i] = remainder(q[i], 2 * PI);
             }
@@ -119,7 +113,7 @@ static uint16_t come(int state, int how)
 
 /* The turns back at the place before: from the states with the fewest turns. */
 static void turn_back(struct search *s, const struct turnplan_place *last,
-                      const struct turnplan_place *place, const struct ground *ground,
+                      const struct turnplan_place *place, const struct turnground *ground,
                       uint16_t into[])
 {
     int start = best(s->last, s->states.n);
@@ -141,48 +135,24 @@ static void turn_back(struct search *s, const struct turnplan_place *last,
 
 /* One block from where a motion starts to where it ends, whatever lies between. */
 static void leap(struct search *s, const struct turnplan_place place[], size_t j,
-                 const struct ground *ground, uint16_t into[])
+                 const struct turnground *ground, uint16_t into[])
 {
     const struct turnplan *plan = s->plan;
     int each = s->states.n / 2;
     for (int k = 0; k < s->states.n; k++)
-        for (int to = 0; to < ground->at.found.n * each && s->far[k].way < HUGE_VAL; to++) {
+        for (int to = 0; to < ground->found.n * each && s->far[k].way < HUGE_VAL; to++) {
             const struct state *from = &s->far[k];
             double q[ROTARY_MAX];
-            turnstate_angles(&s->states, &ground->at, to, from->q, q);
+            turnstate_angles(&s->states, ground, to, from->q, q);
             if (place[j].shut[to / each] || fabs(q[0] - from->q[0]) > PI ||
                 fabs(q[1] - from->q[1]) > PI ||
-                turnstate_at(&s->states, to / each, q, ground->at.found.q[to / each]) != to)
+                turnstate_at(&s->states, to / each, q, ground->found.q[to / each]) != to)
                 continue;
             if (plan->leaps && !plan->leaps(plan->with, j - place[j].leap, j, from->q, q))
                 continue;
             if (offer(&s->row[to], from->turns, from->way + way(s, from->q, q), q))
                 into[to] = come(k, BY_LEAP);
         }
-}
-
-/*
- * What place j is from the one before.  Where the first axis is free it stays as it is, and along a
- * way that stays so it turns to where it will be needed (`ahead`, NULL: nowhere).
- */
-static struct ground ground_of(const struct search *s, const struct turnplan_place place[],
-                               size_t j, const struct vec3 *ahead)
-{
-    struct ground g = {.at.found = chain_angles(s->chain, place[j].axis)};
-    struct vec3 near = place[j - 1].axis;
-    bool free = g.at.found.free, was = s->chain->n == 2 && chain_free(s->chain, near);
-    if (free && was && ahead) {
-        struct chain_solutions then = chain_angles(s->chain, *ahead);
-        for (int k = 0; k < then.n && k < g.at.found.n; k++)
-            g.at.found.q[k][0] = then.q[k][0];
-    }
-    g.at.stays = free && !(was && ahead);
-    double cone = sin(fmin(s->plan->cone, PI / 2));
-    struct vec3 here = vec_cross(s->chain->rotary[0].axis, place[j].axis);
-    near = vec_cross(s->chain->rotary[0].axis, near);
-    g.loose = (free && was) || (s->chain->n == 2 && vec_dot(here, here) <= cone * cone &&
-                                vec_dot(near, near) <= cone * cone);
-    return g;
 }
 
 static const struct vec3 *next_tilted(const struct search *s, const struct turnplan_place place[],
@@ -200,7 +170,9 @@ static void forward(struct search *s, const struct turnplan_place place[], size_
     for (size_t j = 0; j < n; j++) {
         uint16_t *into = s->by + j * (size_t)s->states.n;
         if (j > 0) {
-            struct ground ground = ground_of(s, place, j, next_tilted(s, place, n, j, &tilted));
+            const struct vec3 *ahead = next_tilted(s, place, n, j, &tilted);
+            struct turnground ground = turnstate_ground(s->chain, s->plan->cone, place[j - 1].axis,
+                                                        place[j].axis, ahead);
             struct state *other = s->last;
             s->last = s->row;
             s->row = other;
@@ -209,7 +181,7 @@ static void forward(struct search *s, const struct turnplan_place place[], size_
                 if (s->last[k].way < HUGE_VAL)
                     go_on(s, &place[j], &ground, &s->last[k], come(k, BY_BLOCK), into);
             turn_back(s, &place[j - 1], &place[j], &ground, into);
-            if (place[j].leap && !ground.at.found.free)
+            if (place[j].leap && !ground.found.free)
                 leap(s, place, j, &ground, into);
         }
         while (leads < n && (leads <= j || place[leads].leap == 0))
@@ -250,7 +222,8 @@ static void follow(const struct search *s, struct turnplan_place place[], size_t
         if (place[j].passed)
             continue;
         if (j > 0)
-            ground = ground_of(s, place, j, ahead).at;
+            ground = turnstate_ground(s->chain, s->plan->cone, place[j - 1].axis, place[j].axis,
+                                      ahead);
         turnstate_angles(&s->states, &ground, at[j], q, place[j].q);
         q[0] = place[j].q[0];
         q[1] = place[j].q[1];

@@ -90,3 +90,22 @@ double turnstate_step(const struct chain *chain, struct vec3 axis)
     double off = chain->n ? vec_angle(chain->rotary[0].axis, axis) : 1;
     return fmax(5e-4, fmin(0.035, 0.3 * fmin(off, PI - off)));
 }
+
+struct turnground turnstate_ground(const struct chain *chain, double cone, struct vec3 near,
+                                   struct vec3 axis, const struct vec3 *ahead)
+{
+    struct turnground g = {.found = chain_angles(chain, axis)};
+    bool free = g.found.free, was = chain->n == 2 && chain_free(chain, near);
+    if (free && was && ahead) {
+        struct chain_solutions then = chain_angles(chain, *ahead);
+        for (int k = 0; k < then.n && k < g.found.n; k++)
+            g.found.q[k][0] = then.q[k][0];
+    }
+    g.stays = free && !(was && ahead);
+    double most = sin(fmin(cone, PI / 2));
+    struct vec3 here = vec_cross(chain->rotary[0].axis, axis);
+    struct vec3 before = vec_cross(chain->rotary[0].axis, near);
+    g.loose = (free && was) || (chain->n == 2 && vec_dot(here, here) <= most * most &&
+                                vec_dot(before, before) <= most * most);
+    return g;
+}
