@@ -3,6 +3,7 @@
 # make              the tools, in build/bin             make demo     the main job on a real scan
 # make figures      pictures like the papers'
 # make check        all tests                            make deps     what the tests need (Debian)
+# make accuracy     gouges and material left, on surfaces known exactly
 # make install      PREFIX=/usr/local DESTDIR=           make bench    speed, beside bare C floors
 # make lint sanitize fuzz dist distcheck clean uninstall
 
@@ -24,6 +25,7 @@ back_src := $(wildcard tests/readback/*.c)
 unit_src := $(wildcard tests/check_*.c)
 help_src := $(filter-out $(unit_src),$(wildcard tests/*.c))
 bench_src := $(wildcard tests/bench/*.c)
+cloud    := $(BUILD)/tests/accuracy/cloud
 manuals  := $(wildcard man/*.[157])
 machines := $(wildcard machines/*.txt)
 
@@ -65,13 +67,17 @@ $(BUILD)/tests/check_%.o: FLAGS += -iquote tests
 $(BUILD)/tests/check_%: $(BUILD)/tests/check_%.o $(help_obj) $(lib)
 	$(CC) $(CFLAGS) $(LDFLAGS) -o $@ $< $(help_obj) $(lib) $$(pkg-config --libs check) $(LIBS)
 
+$(BUILD)/tests/accuracy/%.o: FLAGS += -iquote tests
+$(cloud): $(BUILD)/tests/accuracy/cloud.o $(BUILD)/tests/panel.o
+	$(CC) $(CFLAGS) $(LDFLAGS) -o $@ $^ $(LIBS)
+
 $(BUILD)/bench/%: $(BUILD)/tests/bench/%.o
 	@mkdir -p $(@D)
 	$(CC) $(CFLAGS) $(LDFLAGS) -o $@ $< $(LIBS)
 
-check: all $(units) $(readback)
+check: all $(units) $(readback) $(cloud)
 	@CC="$(CC)" BIN="$(abspath $(BUILD))/bin" READBACK="$(abspath $(BUILD))/tests/readback/readback" \
-	  UNITS="$(abspath $(units))" MAKE="$(MAKE)" sh tests/run.sh
+	  CLOUD="$(abspath $(cloud))" UNITS="$(abspath $(units))" MAKE="$(MAKE)" sh tests/run.sh
 
 demo: all $(readback)
 	@BIN="$(abspath $(BUILD))/bin" READBACK="$(abspath $(BUILD))/tests/readback/readback" \
@@ -82,6 +88,10 @@ figures: all
 
 bench: all $(benches)
 	@BIN="$(abspath $(BUILD))/bin" FLOOR="$(abspath $(BUILD))/bench" sh tests/bench/bench.sh
+
+accuracy: all $(readback) $(cloud)
+	@BIN="$(abspath $(BUILD))/bin" READBACK="$(abspath $(BUILD))/tests/readback/readback" \
+	  CLOUD="$(abspath $(cloud))" sh tests/accuracy/accuracy.sh
 
 deps:
 	apt-get update
@@ -129,7 +139,7 @@ distcheck: dist
 clean:
 	rm -rf $(BUILD) demo figures cloudmill-$(VERSION).tar.gz
 
-.PHONY: all check demo figures bench deps lint sanitize fuzz install uninstall dist distcheck clean
+.PHONY: all check demo figures bench accuracy deps lint sanitize fuzz install uninstall dist distcheck clean
 .SECONDARY:
 
 -include $(shell find $(BUILD) -name '*.d' 2>/dev/null)
