@@ -11,7 +11,8 @@
 struct subcloud {
     struct vec3 across, up; /* unit, perpendicular: from row to row, and of the projection ... */
     struct vec3 along;      /* ... and along the rows: along x across = up */
-    struct vec3s point;     /* its own, and of its neighbours those within the overlap */
+    struct vec3s point;     /* its own, those of its neighbours within the overlap, and beyond its
+                               sharp edges points that its surface is continued to */
     size_t own;             /* how many are its own: the first ones */
 };
 
@@ -25,11 +26,12 @@ struct subclouds {
 /*
  * Each point goes to the direction that is nearest to its normal, of as few as serve it within 50
  * degrees: straight up first, then those of 32 directions around and 45 degrees up and down that
- * serve most of what is left.  What hangs together (through neighbours, cloudnormals.h) is one
- * part; pieces of less than a hundredth of the cloud, or less than 30 points, go to the part about
- * them.  Points nearer than `overlap` mm (0: four and a half mean spacings) to those of a part belong to it too, if they face it within
- * 70 degrees.  The rows of the part that is seen from above run `direction` degrees from x; those of
- * others are horizontal.  Parts come from the top down and round.
+ * serve most of what is left.  The pieces of these (cloudpieces.h) are the parts.  Points nearer than
+ * `overlap` mm (0: four and a half mean spacings) to those of a part belong to it too, if they face
+ * it within 70 degrees and no sharp edge is between; beyond sharp edges its surface is continued
+ * instead, by two thirds of the overlap (overedge.h).  The rows of the part that is seen from above
+ * run `direction` degrees from x; those of others are horizontal.  Parts come from the top down and
+ * round.
  */
 struct subclouds subclouds_find(const struct vec3 *point, size_t n, double overlap,
                                 double direction, int threads);

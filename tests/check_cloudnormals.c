@@ -102,6 +102,26 @@ START_TEST(sharp_edges)
 }
 END_TEST
 
+/* A pocket whose upright walls are its highest points: its floor tells which side is up. */
+START_TEST(pocket)
+{
+    struct vec3s p = {0};
+    rectangle(&p, 4000, vec(-10, -10, 0), vec(20, 0, 0), vec(0, 20, 0), 0);
+    rectangle(&p, 2000, vec(-10, -10, 0), vec(20, 0, 0), vec(0, 0, 10), 0);
+    rectangle(&p, 2000, vec(-10, 10, 0), vec(20, 0, 0), vec(0, 0, 10), 0);
+    rectangle(&p, 2000, vec(-10, -10, 0), vec(0, 20, 0), vec(0, 0, 10), 0);
+    rectangle(&p, 2000, vec(10, -10, 0), vec(0, 20, 0), vec(0, 0, 10), 0);
+    size_t *near = cloud_neighbours(p.item, p.n, 1);
+    struct vec3 *normal = mem_alloc(p.n, sizeof *normal);
+    cloud_normals(p.item, p.n, near, 1, normal);
+    for (size_t i = 0; i < p.n; i++)
+        ck_assert_double_gt(vec_dot(normal[i], vec_sub(vec(0, 0, 12), p.item[i])), 0);
+    free(normal);
+    free(near);
+    array_free(&p);
+}
+END_TEST
+
 int main(void)
 {
     Suite *suite = suite_create("cloudnormals");
@@ -111,6 +131,7 @@ int main(void)
     tcase_add_test(tests, torus);
     tcase_add_test(tests, two_pieces_and_their_spacing);
     tcase_add_test(tests, sharp_edges);
+    tcase_add_test(tests, pocket);
     suite_add_tcase(suite, tests);
     srunner_run_all(runner, CK_ENV);
     int failed = srunner_ntests_failed(runner);

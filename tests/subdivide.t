@@ -55,6 +55,41 @@ has "under the equator: all of it is judged" 'whole$' "$TMP/figures"
 below "under the equator: no gouge" "$(awk '{ print $1 }' "$TMP/figures")" 0.015
 below "under the equator: nothing left standing" "$(awk '{ print $2 }' "$TMP/figures")" 0.06
 
+# A box of 20 x 16 x 10 mm, its walls 5 degrees off upright; random points (a linear congruence).
+LC_ALL=C awk 'function u() { s = (s * 16807) % 2147483647; return s / 2147483647 }
+	BEGIN {
+		s = 4711; k = 0.0874887
+		for (i = 0; i < 9000; i++) {
+			a = u() * 2 - 1; b = u() * 2 - 1; z = 10 * u(); f = u() * 1040
+			x = 10 + (10 - z) * k; y = 8 + (10 - z) * k
+			if (f < 320) print a * 10, b * 8, 10
+			else if (f < 520) print a * x, y, z
+			else if (f < 720) print a * x, -y, z
+			else if (f < 880) print x, b * y, z
+			else print -x, b * y, z
+		}
+	}' >"$TMP/box.xyz"
+ok "a box: a mesh" cloud2mesh --subdivide -t 1 "$TMP/box.xyz" -o "$TMP/box.ply"
+has "a part for each of its sides" 'divided into 5 parts' "$TMP/err"
+ok "the box: a path" meshnorm -r 3 -g "$TMP/box.xyz" "$TMP/box.ply" -o "$TMP/ball.cl" --avoid
+ncpost -q -c siemens -m table-ac "$TMP/ball.cl" -o "$TMP/box.mpf"
+# judged by points on its edges too, which the scan has none of
+LC_ALL=C awk 'BEGIN {
+	k = 0.0874887
+	for (i = -40; i <= 40; i++) { print i / 4, 8, 10; print i / 4, -8, 10
+		print 10, i / 5, 10; print -10, i / 5, 10 }
+	for (z = 1; z < 10; z += 0.25) for (a = -1; a < 2; a += 2) for (b = -1; b < 2; b += 2)
+		print a * (10 + (10 - z) * k), b * (8 + (10 - z) * k), z
+	}' >"$TMP/edges.xyz"
+run ncverify -r 3 -m table-ac -g "$TMP/box.xyz" "$TMP/box.mpf"
+figures "$TMP/out" >"$TMP/figures"
+has "the box: all of it is judged" 'whole$' "$TMP/figures"
+below "the box: no gouge" "$(awk '{ print $1 }' "$TMP/figures")" 0.012
+run ncverify -r 3 -m table-ac -g "$TMP/edges.xyz" "$TMP/box.mpf"
+figures "$TMP/out" >"$TMP/figures"
+below "the edges of the box: no gouge" "$(awk '{ print $1 }' "$TMP/figures")" 0.04
+below "the edges of the box: nothing left standing" "$(awk '{ print $2 }' "$TMP/figures")" 0.1
+
 cloud2mesh -q -j 1 --subdivide "$TMP/ball.xyz" -o "$TMP/one.ply"
 same "the same for any number of threads" "$TMP/one.ply" "$TMP/ball.ply"
 

@@ -140,6 +140,5 @@ int cloudmesh_make(const struct cloudmesh_wish *wish, struct vec3s *points, doub
 {
     *made = (struct cloudmesh){.walls = 0};
     return wish->subdivide ? mesh_of_parts(wish, points, noise, threads, mesh, made, error)
-                           
                            : one_mesh(wish, points, noise, threads, mesh, made, error);
 }

@@ -9,6 +9,9 @@
 #include "parallel.h"
 #include "planefit.h"
 
+/* Off a plane, by its length, at a sharp edge. */
+static const double BENT = 0.07;
+
 struct job {
     const struct vec3 *point;
     const struct kdtree *tree;
@@ -92,13 +95,13 @@ static double badness(const struct job *job, size_t i, size_t j)
  * beside a sharp edge one whose points are all on its side. */
 static void choose_planes(void *context, size_t from, size_t to)
 {
-    const double clearly = 0.5, bent = 0.07; /* of the length of its own plane */
+    const double clearly = 0.5;
     const struct job *job = context;
 
     for (size_t i = from; i < to; i++) {
         size_t best = job->best[i];
         double least = clearly * badness(job, i, best);
-        bool sharp = least > clearly * bent * job->plane[i].length;
+        bool sharp = least > clearly * BENT * job->plane[i].length;
         for (size_t k = 0; sharp && k < CLOUD_NEAR; k++) {
             size_t j = job->best[job->neighbour[i * CLOUD_NEAR + k]];
             double now = badness(job, i, j);
@@ -197,16 +200,25 @@ static void spread(const struct job *job, size_t start, bool *done, struct steps
 struct height {
     double z;
     size_t point;
+    bool vague; /* its normal does not tell which side is up */
 };
 
-/* The highest first. */
+/* Those that are not vague, and of these the highest first. */
 static int by_height(const void *a, const void *b)
 {
     const struct height *h = a, *k = b;
 
+    if (h->vague != k->vague)
+        return h->vague ? 1 : -1;
     if (h->z < k->z || h->z > k->z)
         return h->z > k->z ? -1 : 1;
     return (h->point > k->point) - (h->point < k->point);
+}
+
+/* Steep, or no plane. */
+static bool is_vague(const struct planefit *plane)
+{
+    return fabs(plane->normal.z) < 0.5 || plane->rms > BENT * plane->length;
 }
 
 void cloud_normals(const struct vec3 *point, size_t n, const size_t *neighbour, int threads,
@@ -222,7 +234,7 @@ void cloud_normals(const struct vec3 *point, size_t n, const size_t *neighbour, 
     parallel_for(threads, n, fit_planes, &job);
     sharpen(&job, n, threads);
     for (size_t i = 0; i < n; i++)
-        height[i] = (struct height){point[i].z, i};
+        height[i] = (struct height){point[i].z, i, is_vague(&job.plane[i])};
     qsort(height, n, sizeof *height, by_height);
     for (size_t i = 0; i < n; i++) {
         size_t top = height[i].point;
