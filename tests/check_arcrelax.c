@@ -15,7 +15,7 @@ static void assert_fewer(size_t n, double lean, size_t fewer)
     struct pieces p = {0};
     arcbeam_fit(&t, &WITHIN, 6, &p);
     size_t before = p.n;
-    arcrelax(&t, &WITHIN, 6, &p);
+    arcrelax(&t, &WITHIN, 6, true, &p);
     trial_assert_chain(&t, &WITHIN, &p);
     ck_assert_uint_le(p.n + fewer, before);
     array_free(&p);
@@ -49,7 +49,7 @@ START_TEST(from_few_to_many)
         struct pieces p = {0};
         arcbeam_fit(&t, &WITHIN, 6, &p);
         windows += p.n > 20 && p.n < 26;
-        arcrelax(&t, &WITHIN, 6, &p);
+        arcrelax(&t, &WITHIN, 6, true, &p);
         trial_assert_chain(&t, &WITHIN, &p);
         array_free(&p);
         trace_free(&t);
@@ -80,7 +80,7 @@ START_TEST(a_kink_stays)
         *array_push(&p) = moved;
     }
     size_t before = p.n, kinks = 0;
-    arcrelax(&t, &WITHIN, 6, &p);
+    arcrelax(&t, &WITHIN, 6, true, &p);
     ck_assert_uint_lt(p.n, before);
     for (size_t i = 1; i < p.n; i++) {
         double kink = vec_angle(arc_tangent(&p.item[i - 1].arc, 1), p.item[i].arc.tangent);

@@ -62,19 +62,21 @@ static size_t given_points(const struct fit *f)
     return n;
 }
 
-/* The pieces found from the other end, where they are fewer.  Only of smooth data: where few points
- * that were given fall to an arc, as on a scan, they are hardly fewer and take twice as long. */
+/* Many points that were given fall to a piece.  Where they are few, as on a scan, a longer search
+ * finds hardly fewer pieces. */
+static bool smooth(const struct fit *f)
+{
+    return given_points(f) >= 6 * f->pieces.n;
+}
+
+/* The pieces found from the other end, where they are fewer. */
 static bool fit_back(const struct fit *f, const struct stray *less, struct pieces *back)
 {
-    const size_t smooth = 6; /* points to a piece */
-
-    if (given_points(f) < smooth * f->pieces.n)
-        return false;
     struct trace trace = arcback_trace(&f->trace);
     arcbeam_fit(&trace, less, PATH_COORDINATE, back);
-    arcrelax(&trace, less, PATH_COORDINATE, back);
+    arcrelax(&trace, less, PATH_COORDINATE, true, back);
     arcback_pieces(back, trace.n);
-    arcrelax(&f->trace, less, PATH_COORDINATE, back);
+    arcrelax(&f->trace, less, PATH_COORDINATE, true, back);
     trace_free(&trace);
     return back->n < f->pieces.n;
 }
@@ -105,8 +107,9 @@ static void fit_within(struct fit *f, double tolerance)
         struct pieces back = {0};
         f->pieces.n = 0;
         arcbeam_fit(&f->trace, &less, PATH_COORDINATE, &f->pieces);
-        arcrelax(&f->trace, &less, PATH_COORDINATE, &f->pieces);
-        if (fit_back(f, &less, &back)) {
+        bool thorough = smooth(f);
+        arcrelax(&f->trace, &less, PATH_COORDINATE, thorough, &f->pieces);
+        if (thorough && fit_back(f, &less, &back)) {
             swap(&f->pieces, &back);
             good = proven(f, &within);
             if (!good)

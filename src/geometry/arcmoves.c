@@ -5,17 +5,23 @@
 
 #include "band.h"
 
-enum { STEPS = 8, TRIES = 7 };
+enum { TRIES = 7 };
 
 static const double MOVED = 1e-6;   /* mm or radians, for differences */
 static const double SETTLED = 1e-4; /* part of the cost: a step that gains less is the last */
 
-/* Norms one after the other. */
+/*
+ * Norms one after the other.  From low norms a few steps do, for what is best there is not so in
+ * high ones; but a chain held at its ends comes from farther off.  A chain above `hopeless` has not
+ * come within the tolerance in one of some hundred tries.
+ */
 static const struct stage {
     int half;        /* of p */
-    double hopeless; /* part of a tolerance from which on it is */
-    double held;     /* radians: the end's tangent so far off counts as a tolerance */
-} STAGES[] = {{1, 6, 4e-3}, {2, 4, 1e-3}, {5, 2, 1.2e-4}, {12, 1.3, 1.2e-4}, {24, 1.2, 1.2e-4}};
+    int free, held;  /* steps at most */
+    double hopeless; /* part of a tolerance */
+    double turned;   /* radians: the end's tangent so far off counts as a tolerance */
+} STAGES[] = {{1, 3, 8, 4.5, 4e-3},      {2, 3, 8, 2.2, 1e-3},       {5, 6, 8, 1.4, 1.2e-4},
+              {12, 6, 8, 1.1, 1.2e-4}, {24, 6, 8, 1.04, 1.2e-4}, {60, 6, 8, 1, 1.2e-4}};
 
 enum { N_STAGES = sizeof STAGES / sizeof *STAGES };
 
@@ -82,7 +88,7 @@ static void measure(struct arcmoves *m, double *off, double held[3])
     arcmiss(&m->chain, m->lever, &m->passing, off);
     in_tolerances(m, 0, m->passing.n, off);
     struct vec3 d = vec_sub(m->chain.joint[m->chain.n].tangent, m->end);
-    double part = m->end_held ? 1 / STAGES[m->stage].held : 0;
+    double part = m->end_held ? 1 / STAGES[m->stage].turned : 0;
     held[0] = part * d.x;
     held[1] = part * d.y;
     held[2] = part * d.z;
@@ -128,7 +134,7 @@ static void differ(struct work *w, size_t k)
     in_tolerances(m, c->from, c->to, c->slope);
     struct vec3 turned =
         vec_sub(m->chain.joint[m->chain.n].tangent, w->kept.joint[m->chain.n].tangent);
-    double part = m->end_held ? 1 / (STAGES[m->stage].held * MOVED) : 0;
+    double part = m->end_held ? 1 / (STAGES[m->stage].turned * MOVED) : 0;
     c->held[0] = part * turned.x;
     c->held[1] = part * turned.y;
     c->held[2] = part * turned.z;
@@ -291,13 +297,14 @@ double arcmoves_settle(struct arcmoves *m, double enough)
     arcchain_copy(&w.kept, &m->chain);
     for (;; m->stage++) {
         const struct stage *stage = &STAGES[m->stage];
+        int steps = m->start_held || m->end_held ? stage->held : stage->free;
         measure(m, w.off, w.held);
         worst = largest(&w);
         double scale = fmax(worst, 1e-3), now = cost(&w, w.off, w.held, stage->half, scale);
-        for (int k = 0; k < STEPS && w.unknowns > 0 && (worst > enough || kinked(m)); k++) {
+        for (int k = 0; k < steps && w.unknowns > 0 && (worst > enough || kinked(m)); k++) {
             double before = now;
             if (!step(&w, stage, scale, &damping, &now) || before - now < SETTLED * before)
-                k = STEPS;
+                k = steps;
             worst = largest(&w);
         }
         damping = fmin(damping, 1);

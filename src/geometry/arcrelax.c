@@ -6,10 +6,12 @@
 #include "arcmoves.h"
 
 enum {
-    WHOLE = 20, /* arcs that are moved all together; of more a window at a time */
+    WHOLE = 32, /* arcs that are moved all together; of more a window at a time */
     WINDOW = 6, /* of so many arcs, */
     WIDE = 14,  /* or so many where the axis stands still */
-    EACH = 12,  /* points looked at for each arc */
+    EACH = 12,  /* points looked at for each arc, */
+    EACH_MOST = 80, /* and where these hold */
+    CLOSER = 3, /* stage (arcmoves.h) at which that begins */
     EVENED = 5, /* times that joints are spaced anew by what the arcs are off */
     AXIS_DIGITS = 9
 };
@@ -23,7 +25,7 @@ struct part {
     int digits;
     const struct piece *old;
     size_t n; /* old pieces */
-    bool start_held, end_held;
+    bool start_held, end_held, thorough;
 };
 
 static bool axis_still(const struct trace *t, size_t from, size_t to)
@@ -162,15 +164,26 @@ static bool prove(const struct part *part, const struct arcmoves *m, struct piec
     return good;
 }
 
+/* Looks at all points now, where those looked at so far hold and others don't. */
+static void look_closer(const struct part *part, struct arcmoves *m)
+{
+    size_t from = (size_t)part->old[0].from, to = (size_t)ceil(part->old[part->n - 1].to);
+    passing_free(&m->passing);
+    m->passing = passing_of(part->trace, from, to, EACH_MOST * part->n);
+}
+
 /* From the joints as they are spaced now. */
 static bool settle(const struct part *part, struct arcmoves *m, struct pieces *out)
 {
     m->stage = 0;
-    for (int i = 0; i < 3; i++) {
-        if (arcmoves_settle(m, 0.99 - 0.03 * i) > 1)
+    for (int i = 0; i < 4; i++) {
+        if (arcmoves_settle(m, 0.995 - 0.005 * i) > 1)
             return false;
         if (prove(part, m, out))
             return true;
+        if (i == 0)
+            look_closer(part, m);
+        m->stage = CLOSER;
     }
     return false;
 }
@@ -191,7 +204,7 @@ static bool fewer(const struct part *part, struct pieces *out)
                          .start_held = part->start_held,
                          .end_held = part->end_held,
                          .end = arc_tangent(&last->arc, 1)};
-    bool many = !part->start_held && !part->end_held && m.lever == 0;
+    bool many = !part->start_held && !part->end_held && (m.lever == 0 || part->thorough);
     space_evenly(part, &m.chain);
     bool good = settle(part, &m, out);
     for (int i = 0; i < EVENED && many && !good; i++) {
@@ -227,27 +240,35 @@ static size_t smooth_end(const struct pieces *pieces, size_t from)
     return i;
 }
 
+/* n pieces from `at` on, of the smooth part [from, end), with one fewer; false when that can't be. */
+static bool relax_some(const struct part *like, size_t from, size_t end, size_t at, size_t n,
+                       struct pieces *pieces)
+{
+    struct part part = *like;
+    struct pieces some = {0};
+    part.old = &pieces->item[at];
+    part.n = n;
+    part.start_held = at > from;
+    part.end_held = at + n < end;
+    bool good = fewer(&part, &some);
+
+    if (good)
+        replace(pieces, at, n, &some);
+    array_free(&some);
+    return good;
+}
+
 /* The smooth part [from, end) with fewer pieces; returns its new end.  Windows that hold no arc too
  * many come in rows (a scan's noise): the longer the row, the fewer of the next are tried. */
-static size_t relax(const struct trace *trace, const struct stray *within, int digits, size_t from,
-                    size_t end, struct pieces *pieces)
+static size_t relax(const struct part *like, size_t from, size_t end, struct pieces *pieces)
 {
-    struct pieces some = {0};
     bool still =
-        axis_still(trace, (size_t)pieces->item[from].from, (size_t)pieces->item[end - 1].to);
+        axis_still(like->trace, (size_t)pieces->item[from].from, (size_t)pieces->item[end - 1].to);
     size_t stride = 1, window = still ? WIDE : WINDOW;
-    for (size_t i = from; i < end;) {
-        bool whole = i == from && end - from <= WHOLE;
-        size_t n = whole ? end - from : end - i < window ? end - i : window;
-        struct part part = {.trace = trace,
-                            .within = within,
-                            .digits = digits,
-                            .old = &pieces->item[i],
-                            .n = n,
-                            .start_held = i > from,
-                            .end_held = i + n < end};
-        if (fewer(&part, &some)) {
-            replace(pieces, i, n, &some);
+
+    for (size_t i = from; end - from > window && i < end;) {
+        size_t n = end - i < window ? end - i : window;
+        if (relax_some(like, from, end, i, n, pieces)) {
             end--;
             stride = 1;
         } else {
@@ -255,13 +276,17 @@ static size_t relax(const struct trace *trace, const struct stray *within, int d
             stride = stride < window ? stride + 1 : window;
         }
     }
-    array_free(&some);
+    while (end - from <= WHOLE && relax_some(like, from, end, from, end - from, pieces))
+        end--;
     return end;
 }
 
-void arcrelax(const struct trace *trace, const struct stray *within, int digits,
+void arcrelax(const struct trace *trace, const struct stray *within, int digits, bool thorough,
               struct pieces *pieces)
 {
+    struct part like = {
+        .trace = trace, .within = within, .digits = digits, .thorough = thorough};
+
     for (size_t from = 0; from < pieces->n;)
-        from = relax(trace, within, digits, from, smooth_end(pieces, from), pieces);
+        from = relax(&like, from, smooth_end(pieces, from), pieces);
 }
