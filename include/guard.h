@@ -15,6 +15,7 @@
 #include <stdbool.h>
 
 #include "holder.h"
+#include "kdtree.h"
 #include "mesh.h"
 #include "vec.h"
 
@@ -44,8 +45,8 @@ double guard_top(const struct guard *guard);
 /* How far from c the box around the guard points reaches in a direction (a unit vector), mm. */
 double guard_extent(const struct guard *guard, struct vec3 c, struct vec3 direction);
 
-/* Distance from p to the nearest guard point, mm; HUGE_VAL when there is none. */
-double guard_distance(const struct guard *guard, struct vec3 p);
+/* Distance from p to the nearest guard point, mm; `within` when none is nearer than that. */
+double guard_distance(const struct guard *guard, struct vec3 p, double within);
 
 /* How deep a ball of this radius, its centre at c, is in the part, mm; negative: clear by so
  * much. */
@@ -61,10 +62,11 @@ bool guard_clear_along(const struct guard *guard, struct vec3 a, struct vec3 b, 
 
 /*
  * The smallest lift h in [0, limit] that brings the ball with its centre at c + h * up (a unit
- * vector) clear of the part (up to 1e-6 mm), or -1 when no lift within the limit does.
+ * vector) clear of the part (up to 1e-6 mm), or -1 when no lift within the limit does.  `touch` as
+ * of kdtree_leave.
  */
 double guard_lift(const struct guard *guard, struct vec3 c, struct vec3 up, double radius,
-                  double limit);
+                  double limit, struct kdtree_touch *touch);
 
 /*
  * The smallest lift h >= 0 from which on the ball stays clear all the way along `up`, out of reach

@@ -9,6 +9,7 @@
 #ifndef CLOUDMILL_KDNODES_H
 #define CLOUDMILL_KDNODES_H
 
+#include <math.h>
 #include <stddef.h>
 
 #include "vec.h"
@@ -36,17 +37,22 @@ struct kdtree {
 struct kdtree *kdnodes_build(const struct vec3 *point, size_t n, int threads);
 void kdnodes_free(struct kdtree *tree);
 
+/* How far the range from `first` to `last` is from a box along one axis, mm; 0 where they meet. */
+static inline double kd_gap(const struct kd_box *box, int axis, double first, double last)
+{
+    double under = box->low[axis] - last, over = first - box->high[axis];
+    double gap = under > over ? under : over;
+
+    return 0.5 * (gap + fabs(gap)); /* without a jump that no one foretells */
+}
+
 /* How far a place is from a box, squared, mm^2; 0 inside. */
 static inline double kd_gap2(const struct kd_box *box, const double at[3])
 {
-    double gap2 = 0;
+    double x = kd_gap(box, 0, at[0], at[0]), y = kd_gap(box, 1, at[1], at[1]);
+    double z = kd_gap(box, 2, at[2], at[2]);
 
-    for (int d = 0; d < 3; d++) {
-        double under = box->low[d] - at[d], over = at[d] - box->high[d];
-        double gap = under > over ? under : over;
-        gap2 += gap > 0 ? gap * gap : 0;
-    }
-    return gap2;
+    return x * x + y * y + z * z;
 }
 
 static inline double kd_distance2(const double a[3], const double b[3])

@@ -56,12 +56,24 @@ bool kdtree_any_lower(const struct kdtree *tree,
                       double (*value)(const void *context, struct vec3 p), const void *context,
                       double below);
 
+/* Points of a tree that a ball touched. */
+struct kdtree_touch {
+    size_t n;
+    struct vec3 p[2];
+};
+
 /*
- * The smallest h >= 0 that brings a ball of this radius with its centre at c + h * up (a unit vector)
- * clear of all points, up to 1e-6 mm; where that is above `limit`, something above it.
+ * The smallest h >= 0 that brings a ball of this radius with its centre at c + h * up (a unit
+ * vector) clear of all points, up to 1e-6 mm; where that is above `limit`, something above it.
+ * `touch`: points of the tree that are likely in its way, to be tried first (NULL: none); then the
+ * one that it left last, if it left any.
  */
 double kdtree_leave(const struct kdtree *tree, struct vec3 c, struct vec3 up, double radius,
-                    double limit);
+                    double limit, struct kdtree_touch *touch);
+
+/* The same of these points alone. */
+double kdtree_leave_these(const struct kdtree_touch *these, struct vec3 c, struct vec3 up,
+                          double radius);
 
 /* The smallest h >= 0 from which on it is clear of all points, however far it goes. */
 double kdtree_rise(const struct kdtree *tree, struct vec3 c, struct vec3 up, double radius);

@@ -8,21 +8,7 @@
 #ifndef CLOUDMILL_LIFT_H
 #define CLOUDMILL_LIFT_H
 
-#include "axis.h"
-#include "guard.h"
-#include "run.h"
-
-struct lift_rule {
-    const struct guard *guard; /* NULL: nothing is lifted */
-    double offset;             /* of the centre from the part, mm */
-    double limit;              /* highest lift, mm */
-    bool between;              /* put points between those that are given */
-    double tolerance;          /* of straight lines against the curve and the part, mm */
-    double step;               /* no points nearer than this are put between, mm */
-    double stands;             /* what may stand under a ball that was lifted, mm */
-    struct axis_rule axis;
-    struct axis_feed feed;
-};
+#include "lifted.h"
 
 /* What became of the points.  Starts as all zero. */
 struct lift_report {
@@ -69,8 +55,8 @@ void lift_add(struct run *run, const struct lift_rule *rule, struct vec3 contact
  *
  * With rule.between there are points between, on the smooth curve of run_densify, lifted too: so
  * many that straight lines and a smooth curve through them stay within the tolerance of the lifted
- * curve, centre and tip, and the ball on the lines goes no deeper than the tolerance into the
- * guard.  They are no nearer than `step`, but where the lift jumps.
+ * curve, centre and tip, or under it where they may, for the ball on the lines goes no deeper than
+ * the tolerance into the guard.  They are no nearer than `step`, but where the lift jumps.
  */
 void lift_run(const struct run *run, const struct lift_rule *rule, struct lifted_run *to);
 

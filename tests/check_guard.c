@@ -77,13 +77,13 @@ START_TEST(lift_is_the_smallest_that_is_clear)
     for (int i = 0; i < 200; i++) {
         struct vec3 c = vec(uniform(-10, 10), uniform(-10, 10), uniform(-4, 4));
         struct vec3 up = direction();
-        double lift = guard_lift(guard, c, up, 2.5, 50);
+        double lift = guard_lift(guard, c, up, 2.5, 50, NULL);
         ck_assert_double_ge(lift, 0);
         ck_assert_double_le(depth(vec_along(c, lift, up), 2.5), 1.1e-6);
         for (int k = 0; lift > 0 && k < 500; k++)
             ck_assert_double_gt(depth(vec_along(c, lift * k / 500, up), 2.5), -1e-9);
         if (lift > 0.1)
-            ck_assert_double_eq(guard_lift(guard, c, up, 2.5, 0.99 * lift), -1);
+            ck_assert_double_eq(guard_lift(guard, c, up, 2.5, 0.99 * lift, NULL), -1);
     }
     guard_free(guard);
 }
@@ -104,11 +104,11 @@ START_TEST(rise_is_the_last_place_that_is_not_clear)
         }
         double rise = guard_rise(guard, c, up, 2.5);
         ck_assert_double_eq_tol(rise, highest, 1e-2);
-        ck_assert_double_ge(rise, guard_lift(guard, c, up, 2.5, HUGE_VAL) - 1e-9);
+        ck_assert_double_ge(rise, guard_lift(guard, c, up, 2.5, HUGE_VAL, NULL) - 1e-9);
         ck_assert(guard_open(guard, vec_along(c, rise, up), up, 2.5, 1e-5));
         if (rise > 0.1)
             ck_assert(!guard_open(guard, vec_along(c, rise - 0.1, up), up, 2.5, 1e-5));
-        double lift = guard_lift(guard, c, up, 2.5, HUGE_VAL);
+        double lift = guard_lift(guard, c, up, 2.5, HUGE_VAL, NULL);
         struct vec3 clear = vec_along(c, lift, up), z = vec(0, 0, 1);
         ck_assert_int_eq(guard_free_above(guard, clear, 2.49),
                          guard_open(guard, clear, z, 2.5, 0.01));
@@ -164,8 +164,8 @@ START_TEST(curved_facets_keep_to_a_sphere)
         for (int i = 0; i < 50; i++) {
             double s = uniform(0, 0.9), angle = uniform(0, 2 * PI);
             struct vec3 p = vec(s * cos(angle), s * sin(angle), sign * sqrt(256 - s * s));
-            ck_assert_double_lt(guard_distance(guard, p), 0.05);
-            double off = guard_distance(guard, vec_along(p, 2, vec_scale(sign / 16, p)));
+            ck_assert_double_lt(guard_distance(guard, p, HUGE_VAL), 0.05);
+            double off = guard_distance(guard, vec_along(p, 2, vec_scale(sign / 16, p)), HUGE_VAL);
             ck_assert_double_eq_tol(off, 2, 0.002);
         }
         guard_free(guard);
@@ -185,8 +185,11 @@ START_TEST(facet_over_a_step_is_flat)
     struct guard *guard = guard_from_mesh(&mesh, 0.1);
     struct vec3 normal = vec_unit(mesh_face_cross(&mesh, 0));
     struct vec3 inner = vec(1, 1, 2);
-    for (double h = 1; h < 4; h++)
-        ck_assert_double_eq_tol(guard_distance(guard, vec_along(inner, h, normal)), h, 0.01);
+    for (double h = 1; h < 4; h++) {
+        struct vec3 p = vec_along(inner, h, normal);
+        ck_assert_double_eq_tol(guard_distance(guard, p, HUGE_VAL), h, 0.01);
+        ck_assert_double_eq(guard_distance(guard, p, h / 2), h / 2);
+    }
     ck_assert_double_eq(guard_top(guard), 8);
     guard_free(guard);
     mesh_free(&mesh);
@@ -214,7 +217,7 @@ END_TEST
 START_TEST(without_points_all_is_clear)
 {
     struct guard *guard = guard_from_points(NULL, 0);
-    ck_assert_double_eq(guard_lift(guard, vec(0, 0, 0), vec(0, 0, 1), 5, 10), 0);
+    ck_assert_double_eq(guard_lift(guard, vec(0, 0, 0), vec(0, 0, 1), 5, 10, NULL), 0);
     ck_assert_double_eq(guard_rise(guard, vec(0, 0, 0), vec(0, 0, 1), 5), 0);
     ck_assert_double_lt(guard_depth(guard, vec(0, 0, 0), 5), 0);
     guard_free(guard);

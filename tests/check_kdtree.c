@@ -182,10 +182,20 @@ START_TEST(balls_leave_as_one_by_one)
             if (query % 3 == 0)
                 up = vec_unit(vec(uniform() - 0.5, uniform() - 0.5, uniform()));
             stretches(point, N, c, up, radius, &first, &last);
-            ck_assert_double_eq_tol(kdtree_leave(tree, c, up, radius, 1e9), first, 1e-3);
+            ck_assert_double_eq_tol(kdtree_leave(tree, c, up, radius, 1e9, NULL), first, 1e-3);
             ck_assert_double_eq_tol(kdtree_rise(tree, c, up, radius), last, 1e-2);
-            if (first > 1e-2)
-                ck_assert_double_gt(kdtree_leave(tree, c, up, radius, first / 2), first / 2);
+            if (first > 1e-2) {
+                double half = kdtree_leave(tree, c, up, radius, first / 2, NULL);
+                ck_assert_double_gt(half, first / 2);
+            }
+            /* The same whatever is tried first, and the ball touches what it left last. */
+            struct kdtree_touch touch = {2, {point[query], point[2 * query]}};
+            ck_assert_double_le(kdtree_leave_these(&touch, c, up, radius), first + 1e-3);
+            double h = kdtree_leave(tree, c, up, radius, 1e9, &touch);
+            ck_assert_double_eq_tol(h, first, 1e-3);
+            ck_assert_uint_eq(touch.n, h > 0);
+            if (touch.n > 0)
+                ck_assert_double_eq_tol(vec_distance(touch.p[0], vec_along(c, h, up)), radius, 1e-9);
             bool any = false;
             for (int i = 0; i < N; i++)
                 any = any || (point[i].z > c.z && hypot(point[i].x - c.x, point[i].y - c.y) < radius);

@@ -63,7 +63,7 @@ static double deepest_sink(const struct vec3 *point, size_t n)
     double deepest = 0;
     for (int i = 0; i < 2000; i++) {
         struct vec3 c = vec_unit(vec(uniform(-12, 12), uniform(-12, 12), SPHERE));
-        double distance = guard_distance(guard, vec_scale(SPHERE + BALL, c));
+        double distance = guard_distance(guard, vec_scale(SPHERE + BALL, c), HUGE_VAL);
         deepest = fmax(deepest, distance - BALL);
     }
     guard_free(guard);

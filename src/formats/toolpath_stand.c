@@ -9,7 +9,7 @@
 struct job {
     const struct toolpath *t;
     struct kdtree *ball;
-    double *height; /* of what is left at each place, mm */
+    bool *stays; /* at each place: more than may */
 };
 
 static struct vec3s balls_of(const struct toolpath *t)
@@ -24,16 +24,37 @@ static struct vec3s balls_of(const struct toolpath *t)
     return ball;
 }
 
-static void measure(void *context, size_t from, size_t to)
+/* No ball comes nearer to the place than this above it. */
+static bool stays(const struct job *job, const struct toolpath_stand *s, double height)
+{
+    struct vec3 at = s->stand.contact;
+
+    return s->stand.height > height &&
+           !kdtree_any_beside(job->ball, at, at, s->offset + height);
+}
+
+static void look(void *context, size_t from, size_t to)
 {
     struct job *job = context;
 
-    for (size_t i = from; i < to; i++) {
-        const struct toolpath_stand *s = &job->t->stand.item[i];
+    for (size_t i = from; i < to; i++)
+        job->stays[i] = stays(job, &job->t->stand.item[i], job->t->lift.stands);
+}
+
+/* The highest of what stays. */
+static void find_highest(struct toolpath *t, const struct job *job)
+{
+    for (size_t i = 0; i < t->stand.n; i++) {
+        const struct toolpath_stand *s = &t->stand.item[i];
         struct vec3 at = s->stand.contact;
         size_t nearest;
+        t->standing += job->stays[i];
+        if (!job->stays[i] || !stays(job, s, t->stands))
+            continue;
         double far = s->offset + s->stand.height;
-        job->height[i] = kdtree_nearest_segment(job->ball, at, at, far, &nearest) - s->offset;
+        t->stands = kdtree_nearest_segment(job->ball, at, at, far, &nearest) - s->offset;
+        t->stands_at = at;
+        t->stands_pass = s->pass;
     }
 }
 
@@ -46,17 +67,10 @@ void toolpath_stand(struct toolpath *t)
     struct vec3s ball = balls_of(t);
     job.ball = kdtree_new_by(ball.item, ball.n, t->threads);
     array_free(&ball);
-    job.height = mem_alloc(t->stand.n, sizeof *job.height);
-    parallel_for(t->threads, t->stand.n, measure, &job);
-    for (size_t i = 0; i < t->stand.n; i++) {
-        t->standing += job.height[i] > t->lift.stands;
-        if (job.height[i] > fmax(t->lift.stands, t->stands)) {
-            t->stands = job.height[i];
-            t->stands_at = t->stand.item[i].stand.contact;
-            t->stands_pass = t->stand.item[i].pass;
-        }
-    }
-    free(job.height);
+    job.stays = mem_alloc(t->stand.n, sizeof *job.stays);
+    parallel_for(t->threads, t->stand.n, look, &job);
+    find_highest(t, &job);
+    free(job.stays);
     kdtree_free(job.ball);
     array_free(&t->stand);
 }

@@ -3,7 +3,6 @@
 #include <stdlib.h>
 
 #include "edgecurve.h"
-#include "kdtree.h"
 #include "roofs.h"
 
 /* A facet further than this off a vertex's normal spans a step, not a smooth surface. */
@@ -150,16 +149,16 @@ double guard_extent(const struct guard *guard, struct vec3 c, struct vec3 up)
     return vec_dot(vec_sub(corner, c), up);
 }
 
-double guard_distance(const struct guard *guard, struct vec3 p)
+double guard_distance(const struct guard *guard, struct vec3 p, double within)
 {
     size_t nearest;
 
-    return kdtree_nearest_segment(guard->tree, p, p, HUGE_VAL, &nearest);
+    return kdtree_nearest_segment(guard->tree, p, p, within, &nearest);
 }
 
 double guard_depth(const struct guard *guard, struct vec3 c, double radius)
 {
-    return radius - guard_distance(guard, c);
+    return radius - guard_distance(guard, c, HUGE_VAL);
 }
 
 /* No guard point is nearer than `within` to a way, for all of them are lower. */
@@ -183,9 +182,9 @@ double guard_depth_along(const struct guard *guard, struct vec3 a, struct vec3 b
 }
 
 double guard_lift(const struct guard *guard, struct vec3 c, struct vec3 up, double radius,
-                  double limit)
+                  double limit, struct kdtree_touch *touch)
 {
-    double lift = kdtree_leave(guard->tree, c, up, radius, limit);
+    double lift = kdtree_leave(guard->tree, c, up, radius, limit, touch);
 
     return lift <= limit ? lift : -1;
 }

@@ -14,6 +14,7 @@ struct leaving {
     double radius, inside2; /* of its centre: what is nearer has to be left */
     double h, limit;
     double at[3]; /* its centre */
+    struct kdtree_touch last; /* the point left last */
 };
 
 /*
@@ -41,15 +42,18 @@ static void rise_to(struct leaving *l, double h)
 
 static void meet(struct leaving *l, const struct kd_point *p)
 {
-    if (kd_distance2(p->c, l->at) < l->inside2)
+    if (kd_distance2(p->c, l->at) < l->inside2) {
         rise_to(l, fmax(l->h, leaves(p->c, l->c, l->up, l->radius)));
+        l->last = (struct kdtree_touch){1, {{p->c[0], p->c[1], p->c[2]}}};
+    }
 }
 
 static void leave(struct leaving *l, size_t from, size_t to, size_t number)
 {
     if (to - from <= KD_LEAF) {
         for (size_t i = from; i < to; i++)
-            meet(l, &l->tree->point[i]);
+            if (kd_distance2(l->tree->point[i].c, l->at) < l->inside2)
+                meet(l, &l->tree->point[i]);
         return;
     }
     size_t middle = from + (to - from) / 2;
@@ -73,19 +77,50 @@ static void leave(struct leaving *l, size_t from, size_t to, size_t number)
         leave(l, from, middle, 2 * number);
 }
 
-double kdtree_leave(const struct kdtree *tree, struct vec3 c, struct vec3 up, double radius,
-                    double limit)
+static struct leaving leaving_from(const struct kdtree *tree, struct vec3 c, struct vec3 up,
+                                   double radius, double limit)
 {
-    double inside = radius - SLACK, before;
-    struct leaving l = {tree, c, up, radius, inside * inside, 0, limit, {c.x, c.y, c.z}};
+    double inside = radius - SLACK;
 
-    if (tree->n == 0 || inside <= 0)
+    return (struct leaving){tree, c, up, radius, inside > 0 ? inside * inside : 0, 0, limit,
+                            {c.x, c.y, c.z}, {.n = 0}};
+}
+
+/* One after the other, and the first again: it may be in the way once more. */
+static void leave_these(struct leaving *l, const struct kdtree_touch *these)
+{
+    for (size_t i = 0; these->n > 0 && i <= these->n; i++) {
+        struct vec3 p = these->p[i < these->n ? i : 0];
+        meet(l, &(struct kd_point){{p.x, p.y, p.z}, 0});
+    }
+}
+
+double kdtree_leave_these(const struct kdtree_touch *these, struct vec3 c, struct vec3 up,
+                          double radius)
+{
+    struct leaving l = leaving_from(NULL, c, up, radius, HUGE_VAL);
+
+    leave_these(&l, these);
+    return l.h;
+}
+
+double kdtree_leave(const struct kdtree *tree, struct vec3 c, struct vec3 up, double radius,
+                    double limit, struct kdtree_touch *touch)
+{
+    struct leaving l = leaving_from(tree, c, up, radius, limit);
+    double before;
+
+    if (tree->n == 0)
         return 0;
+    if (touch)
+        leave_these(&l, touch);
     /* What is left by one point may lie in another's interval again. */
     do {
         before = l.h;
         leave(&l, 0, tree->n, 1);
     } while (l.h > before && l.h <= limit);
+    if (touch)
+        *touch = l.last;
     return l.h;
 }
 

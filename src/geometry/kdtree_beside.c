@@ -50,20 +50,15 @@ static void offer_beside(struct beside *s, const struct kd_point *p)
  * the box. */
 static double bound2(const struct beside *s, const struct kd_box *box)
 {
-    double gap2 = 0, half2 = 0;
+    double x = kd_gap(box, 0, s->low[0], s->high[0]), y = kd_gap(box, 1, s->low[1], s->high[1]);
+    double z = kd_gap(box, 2, s->low[2], s->high[2]), gap2 = x * x + y * y + z * z;
 
-    for (int d = 0; d < 3; d++) {
-        double under = box->low[d] - s->high[d], over = s->low[d] - box->high[d];
-        double gap = under > over ? under : over;
-        gap2 += gap > 0 ? gap * gap : 0;
-        half2 += square(box->high[d] - box->low[d]) / 4;
-    }
     if (s->length2 == 0 || gap2 > s->best2)
         return gap2;
-    struct vec3 middle =
-        vec((box->low[0] + box->high[0]) / 2, (box->low[1] + box->high[1]) / 2,
-            (box->low[2] + box->high[2]) / 2);
-    double beyond = sqrt(distance2_beside(s, middle)) - sqrt(half2);
+    struct vec3 low = vec(box->low[0], box->low[1], box->low[2]);
+    struct vec3 half = vec_scale(0.5, vec_sub(vec(box->high[0], box->high[1], box->high[2]), low));
+    double beyond =
+        sqrt(distance2_beside(s, vec_add(low, half))) - sqrt(vec_dot(half, half));
     return beyond > 0 && beyond * beyond > gap2 ? beyond * beyond : gap2;
 }
 

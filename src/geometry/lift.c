@@ -6,84 +6,24 @@ static const struct vec3 UP = {0, 0, 1};
 
 enum { HALVINGS = 20 }; /* of a jump of the lift, at most */
 
-/* A point with what became of it. */
-struct lifted {
-    struct run_point p;   /* its normal as it was */
-    struct vec3 touching; /* the centre before the lift */
-    bool missed;
-};
-
-struct lifteds {
-    size_t n, cap;
-    struct lifted *item;
-};
-
-static void set_centre(struct run_point *p, struct vec3 centre, const struct lift_rule *rule,
-                       double radius)
-{
-    p->ball = centre;
-    p->axis = axis_at(&rule->axis, &rule->feed, centre, p->normal);
-    p->tip = vec_along(centre, -radius, p->axis);
-}
-
 void lift_add(struct run *run, const struct lift_rule *rule, struct vec3 contact,
               struct vec3 normal)
 {
     struct run_point p = {.contact = contact, .normal = normal, .given = true};
 
-    set_centre(&p, vec_along(contact, rule->offset, normal), rule, run->radius);
+    lifted_place(&p, vec_along(contact, rule->offset, normal), rule, run->radius);
     *array_push(run) = p;
 }
 
-/* Where the surface looks down, an axis that would come from below is level instead: the ball
- * touches the same, and what is behind it is beside the part. */
-static void come_level(struct run_point *p, const struct lift_rule *rule, double radius)
-{
-    const double flattest = 0.17364817766693033; /* cos 80 degrees: the ball alone touches yet */
-    struct vec3 level = vec_unit(vec(p->axis.x, p->axis.y, 0));
-
-    if (rule->axis.kind != AXIS_LEAN || p->axis.z >= 0 || vec_dot(level, p->normal) < flattest)
-        return;
-    p->axis = level;
-    p->tip = vec_along(p->ball, -radius, level);
-}
-
-/* The tool can come here, where it is clear, from above: straight down or along its axis. */
-static bool open_above(const struct run_point *p, const struct lift_rule *rule)
-{
-    return guard_free_above(rule->guard, p->ball, rule->offset - rule->tolerance) ||
-           (p->axis.z >= 0 && p->axis.z < 1 &&
-            guard_open(rule->guard, p->ball, p->axis, rule->offset, rule->tolerance));
-}
-
-static struct lifted lift_point(const struct run_point *p, const struct lift_rule *rule,
-                                double radius)
-{
-    struct lifted l = {.p = *p, .touching = vec_along(p->contact, rule->offset, p->normal)};
-    double lift = 0;
-
-    if (rule->guard)
-        lift = guard_lift(rule->guard, l.touching, p->normal, rule->offset, rule->limit);
-    set_centre(&l.p, vec_along(l.touching, lift, p->normal), rule, radius);
-    if (rule->guard)
-        come_level(&l.p, rule, radius);
-    l.missed = rule->guard && (lift < 0 || !open_above(&l.p, rule));
-    if (l.missed) {
-        double rise = guard_rise(rule->guard, l.touching, UP, rule->offset);
-        set_centre(&l.p, vec_along(l.touching, rise, UP), rule, radius);
-    }
-    return l;
-}
-
 /* What stands under a ball that touches elsewhere. */
-static void look_under(const struct run_point *p, const struct lift_rule *rule,
-                       struct lifted_run *to)
+static void look_under(const struct lifted *l, const struct lift_rule *rule, struct lifted_run *to)
 {
     double half = rule->offset / 2;
-    double height = guard_distance(rule->guard, vec_along(p->ball, -half, p->normal)) - half;
+    struct vec3 lower = vec_along(l->p.ball, -half, l->p.normal);
+    double height = guard_distance(rule->guard, lower, vec_distance(lower, l->touch.p[0])) - half;
 
     if (height > rule->stands)
-        *array_push(&to->stand) = (struct stand){p->contact, height};
+        *array_push(&to->stand) = (struct stand){l->p.contact, height};
 }
 
 /* Appends a lifted point to the run, and to the report. */
@@ -108,39 +48,9 @@ static void put(struct lifted_run *to, const struct lifted *l, const struct lift
             report->highest_at = p.contact;
         }
         if (lift > rule->stands)
-            look_under(&p, rule, to);
+            look_under(l, rule, to);
     }
     *array_push(&to->run) = p;
-}
-
-/* Half way between two points, lifted itself. */
-static struct lifted halfway(const struct lifted *a, const struct lifted *b,
-                             const struct lift_rule *rule, double radius)
-{
-    struct run_point p = {.normal = vec_unit(vec_add(a->p.normal, b->p.normal))};
-
-    if (vec_length(p.normal) == 0) /* there is no middle */
-        p.normal = a->p.normal;
-    p.contact = vec_along(vec_mix(a->touching, b->touching, 0.5), -rule->offset, p.normal);
-    return lift_point(&p, rule, radius);
-}
-
-static double off_line(struct vec3 p, struct vec3 a, struct vec3 b)
-{
-    return vec_length(vec_reject(vec_sub(p, a), vec_unit(vec_sub(b, a))));
-}
-
-/* The ball goes no deeper than the tolerance between two points where it is clear. */
-static bool clear_between(const struct run_point *a, const struct run_point *b,
-                          const struct lift_rule *rule)
-{
-    const double slack = 1e-5; /* what clear may mean, and rounding */
-    double within = rule->offset - rule->tolerance, clear = rule->offset - slack;
-    struct vec3 way = vec_sub(b->ball, a->ball);
-
-    /* What is in neither ball stands no deeper in one between than the sagitta of the way. */
-    return !rule->guard || vec_dot(way, way) / 4 <= clear * clear - within * within ||
-           guard_clear_along(rule->guard, a->ball, b->ball, rule->offset, rule->tolerance);
 }
 
 /* A jump of the lift: the centres are that much further apart than the points they belong to. */
@@ -156,7 +66,7 @@ static bool jumps(const struct lifted *a, const struct lifted *b, const struct l
 static bool bridge(const struct run_point *a, const struct run_point *b, int halvings,
                    const struct lift_rule *rule, struct run *dense)
 {
-    if (halvings < HALVINGS && clear_between(a, b, rule))
+    if (halvings < HALVINGS && lifted_clear(a, b, rule))
         return true;
     if (halvings == 0)
         return false;
@@ -191,7 +101,7 @@ static bool needs_bridge(const struct lifted *a, const struct lifted *b,
     if (rule->between && jumps(a, b, rule))
         return true;
     return (rule->between || a->missed || b->missed) &&
-           !clear_between(&a->p, &b->p, rule);
+           !lifted_clear(&a->p, &b->p, rule);
 }
 
 /* Puts the points into the run, with what the tool needs to get over jumps between them. */
@@ -205,28 +115,6 @@ static void put_all(struct lifted_run *to, const struct lifteds *points,
         put(to, l, rule);
     }
     *array_push(&to->end) = to->run.n;
-}
-
-static bool too_near(const struct lifted *a, const struct lifted *b, const struct lift_rule *rule)
-{
-    /* Told by where they would touch, for the lift may jump. */
-    return vec_distance(a->touching, b->touching) < 2 * rule->step;
-}
-
-/* Appends the points between a and b that straight lines need. */
-static void split(const struct lifted *a, const struct lifted *b, const struct lift_rule *rule,
-                  double radius, struct lifteds *to)
-{
-    if (too_near(a, b, rule))
-        return;
-    struct lifted l = halfway(a, b, rule, radius);
-    if (off_line(l.p.ball, a->p.ball, b->p.ball) <= rule->tolerance &&
-        off_line(l.p.tip, a->p.tip, b->p.tip) <= rule->tolerance &&
-        clear_between(&a->p, &b->p, rule))
-        return;
-    split(a, &l, rule, radius, to);
-    *array_push(to) = l;
-    split(&l, b, rule, radius, to);
 }
 
 /* How far a cubic with these tangents leaves the straight line between its ends, at most. */
@@ -256,9 +144,9 @@ static bool refine(const struct lifteds *from, const struct lift_rule *rule, dou
     run_tangents(&run, false, tangent);
     for (size_t i = 0; i < from->n; i++) {
         const struct lifted *l = &from->item[i];
-        if (i > 0 && !too_near(l - 1, l, rule) &&
+        if (i > 0 && !lifted_near(l - 1, l, rule) &&
             bulge(l - 1, tangent[i - 1], l, tangent[i]) > rule->tolerance)
-            *array_push(to) = halfway(l - 1, l, rule, radius);
+            *array_push(to) = lifted_halfway(l - 1, l, rule, radius);
         *array_push(to) = *l;
     }
     array_free(&run);
@@ -266,21 +154,20 @@ static bool refine(const struct lifteds *from, const struct lift_rule *rule, dou
     return to->n > from->n;
 }
 
-static void lift_between(const struct run *run, const struct lift_rule *rule,
-                         struct lifteds *points)
+static void lift_smooth(const struct run *run, const struct lift_rule *rule,
+                        struct lifteds *points)
 {
     struct run smooth = {.radius = run->radius};
+    struct lifted before = {.missed = false};
     bool more = true;
 
     /* Half of the tolerance for the curve, the rest for the lift. */
     run_densify(run, rule->tolerance / 2, &smooth);
     for (size_t i = 0; i < smooth.n; i++) {
-        struct lifted l = lift_point(&smooth.item[i], rule, run->radius);
-        if (i > 0) {
-            struct lifted before = points->item[points->n - 1];
-            split(&before, &l, rule, run->radius, points);
-        }
-        *array_push(points) = l;
+        struct lifted l = lifted_from(&smooth.item[i], &before.touch, rule, run->radius);
+        if (i > 0)
+            lifted_between(&before, &l, rule, run->radius, points);
+        *array_push(points) = before = l;
     }
     array_free(&smooth);
     while (more) {
@@ -293,12 +180,13 @@ static void lift_between(const struct run *run, const struct lift_rule *rule,
 
 void lift_run(const struct run *run, const struct lift_rule *rule, struct lifted_run *to)
 {
+    const struct kdtree_touch nothing = {.n = 0};
     struct lifteds points = {0};
 
     if (rule->between)
-        lift_between(run, rule, &points);
+        lift_smooth(run, rule, &points);
     for (size_t i = 0; !rule->between && i < run->n; i++)
-        *array_push(&points) = lift_point(&run->item[i], rule, run->radius);
+        *array_push(&points) = lifted_from(&run->item[i], &nothing, rule, run->radius);
     put_all(to, &points, rule);
     array_free(&points);
 }

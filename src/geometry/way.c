@@ -18,7 +18,7 @@ static bool try_way(const struct run_point *from, const struct run_point *to, si
         struct vec3 up = vec_slerp(outwards(from), outwards(to), s);
         struct run_point p = {.axis = vec_slerp(from->axis, to->axis, s)};
         p.ball = vec_along(vec_mix(from->ball, to->ball, s), arch, up);
-        double lift = guard_lift(rule->guard, p.ball, up, rule->offset, limit);
+        double lift = guard_lift(rule->guard, p.ball, up, rule->offset, limit, NULL);
         p.ball = vec_along(p.ball, lift, up);
         p.tip = vec_along(p.ball, -way->radius, p.axis);
         if (lift < 0 ||
