@@ -43,6 +43,13 @@ void splinerun_fit(const struct run *run, bool centre, bool paper,
 void splinerun_refit(const struct run *run, bool centre, bool paper,
                      const struct splinefit_options *options, struct splinerun *pieces);
 
+/*
+ * Parts piece k, of more than two points, so that the interval of the run from point i of it to the
+ * next one is a piece by itself, and fits what is new.
+ */
+void splinerun_part(const struct run *run, bool centre, const struct splinefit_options *options,
+                    size_t k, size_t i, struct splinerun *pieces);
+
 void splinerun_free(struct splinerun *pieces);
 
 #endif

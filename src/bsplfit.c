@@ -15,8 +15,8 @@
 #include "path_run.h"
 #include "pathguard.h"
 #include "retrack.h"
+#include "splineguard.h"
 #include "splinereport.h"
-#include "splinerun.h"
 
 static const double TOLERANCE = 0.01; /* mm, when -e is not given */
 
@@ -104,44 +104,19 @@ static void find_runs(const struct path *path, struct jobs *jobs)
     }
 }
 
-/* What a fit of one job needs. */
-struct attempt {
-    const struct settings *settings;
-    struct job *job;
-};
-
-static void fit_run(void *context, const struct run *run, struct deeps *deeps)
-{
-    const struct attempt *a = context;
-    const struct settings *s = a->settings;
-    struct splinerun *pieces = &a->job->pieces;
-
-    if (pieces->n == 0)
-        splinerun_fit(run, s->centre, s->paper, &s->fit, pieces);
-    else
-        splinerun_refit(run, s->centre, s->paper, &s->fit, pieces);
-    for (size_t k = 0; s->guard.rule.guard && k < pieces->n; k++) {
-        const struct splinerun_piece *piece = &pieces->item[k];
-        const struct run_point *from = &run->item[piece->from];
-        struct pose pose = {s->centre ? from->ball : from->tip, from->axis};
-        struct motion motion = motion_spline(pose, pose, &piece->fit.curve);
-        if (!piece->still)
-            recheck_motion(&s->guard.rule, &motion, deeps);
-    }
-}
-
 static void fit_jobs(void *context, size_t from, size_t to)
 {
     const struct bench *bench = context;
     const struct settings *s = bench->settings;
+    struct splineguard guard = {s->guard.rule, s->paper, s->fit};
 
+    guard.rule.centre = s->centre;
     for (size_t i = from; i < to; i++) {
         struct job *job = &bench->jobs->item[i];
         struct run run = {0};
 
         path_run_take(bench->path, job->from, job->to, &run);
-        struct attempt attempt = {s, job};
-        job->seen = recheck_fit(&s->guard.rule, &run, fit_run, &attempt);
+        job->seen = splineguard_fit(&guard, &run, &job->pieces);
         array_free(&run);
     }
 }

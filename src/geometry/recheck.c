@@ -7,6 +7,7 @@ enum { HALVINGS = 16, ROUNDS = 8 };
 
 static const double SAFE = 0.95; /* of the tolerance: lifted from there; the scan is not the part */
 static const double PIECE = 1;   /* mm: of a motion, looked at as one place */
+static const double USELESS = 0.95; /* of the depth before: it did not help */
 static const double NEAR = 0.5;  /* mm: points this near to a place are lifted all the way */
 
 struct walk {
@@ -152,11 +153,12 @@ struct recheck_result recheck_fit(const struct recheck_rule *rule, struct run *r
     fit(context, run, &deeps);
     for (int round = 1; round < ROUNDS && deeps.n > 0; round++) {
         size_t before = deeps.n;
+        double depth = recheck_deepest(&deeps).depth;
         result.lift += recheck_lift(rule, &deeps, run);
         deeps.n = 0;
         fit(context, run, &deeps);
-        if (deeps.n >= before && round > 2)
-            break; /* of no use, as at an end */
+        if (deeps.n >= before && recheck_deepest(&deeps).depth > USELESS * depth && round > 2)
+            break; /* as at an end */
     }
     result.deepest = recheck_deepest(&deeps);
     if (result.deepest.depth <= rule->tolerance)

@@ -4,6 +4,7 @@
 #include "splinerun.h"
 
 #include <stdlib.h>
+#include <string.h>
 
 #include "flatten.h"
 
@@ -174,4 +175,22 @@ void splinerun_refit(const struct run *run, bool centre, bool paper,
         piece_free(&before);
     }
     remember(run, pieces);
+}
+
+void splinerun_part(const struct run *run, bool centre, const struct splinefit_options *options,
+                    size_t k, size_t i, struct splinerun *pieces)
+{
+    struct splinerun_piece whole = pieces->item[k], part[3];
+    size_t end[] = {whole.from, i, i + 1, whole.to}, n = 0;
+
+    for (size_t e = 0; e < 3; e++)
+        if (end[e] < end[e + 1]) {
+            part[n] = (struct splinerun_piece){.from = end[e], .to = end[e + 1]};
+            fit_piece(run, centre, false, options, NULL, &part[n++]);
+        }
+    piece_free(&whole);
+    array_reserve(pieces, pieces->n + n - 1);
+    memmove(&pieces->item[k + n], &pieces->item[k + 1], (pieces->n - k - 1) * sizeof *part);
+    memcpy(&pieces->item[k], part, n * sizeof *part);
+    pieces->n += n - 1;
 }
