@@ -22,15 +22,15 @@ struct cloudpieces {
 /* No sharp edge is between two points: their normals are within 50 degrees. */
 bool cloudpieces_smooth(const struct cloudpieces *c, size_t i, size_t j);
 
-/* Noise leaves single points with another label than all about them: each takes the one that most of
- * its neighbours have, of those whose direction is within 70 degrees of its normal. */
+/* Noise leaves single points with another label than all about them: each takes the one that most
+ * of its neighbours have, of those whose direction is within 70 degrees of its normal. */
 void cloudpieces_settle(struct cloudpieces *c);
 
 /*
- * Points of one label that hang together, through neighbours and across no sharp edge, are a piece.
- * Fills of[n] with the number of each point's, and appends the label of each.  Pieces of less than a
- * hundredth of the cloud, or less than 30 points, go to those about them, best without an edge
- * between; where there are none about they are pieces of their own, below 30 points
+ * Points of one label that hang together, through neighbours and across no sharp edge, are a
+ * piece.  Fills of[n] with the number of each point's, and appends the label of each.  Pieces of
+ * less than a hundredth of the cloud, or less than 30 points, go to those about them, best without
+ * an edge between; where there are none about they are pieces of their own, below 30 points
  * CLOUDPIECE_NONE.
  */
 void cloudpieces_find(const struct cloudpieces *c, int *of, struct ints *label);

@@ -26,6 +26,10 @@ struct planepath {
  * of this radius. */
 struct pass_rule planepath_upright(double angle, double radius);
 
+/* How those of a part with a projection of its own run: along its rows, square to the plane that
+ * these lie in. */
+struct pass_rule planepath_along(const struct mesh_part *part, double radius);
+
 /* Planes at equal distances of at most `step` mm. */
 void planepath_equal(struct planepath *p, const struct mesh *mesh, double step);
 
@@ -45,9 +49,10 @@ double planepath_best(const struct mesh *mesh, double radius, double h, double *
 bool planepath_direction(const char *text, const struct mesh *mesh, double radius, double h,
                          double *angle);
 
-/* Gives the strips of all planes to the toolpath, which is then ended, in as many layers as
- * cutting.h says.  -1: no plane crosses anything that faces the tool. */
-int planepath_make(struct planepath *p, struct toolpath *t, struct error *error);
+/* Gives the strips of all planes of n such paths, one path after the other, to the toolpath, which is
+ * then ended, in as many layers as cutting.h says.  -1: no plane crosses anything that faces the
+ * tool. */
+int planepath_make(struct planepath *paths, size_t n, struct toolpath *t, struct error *error);
 
 void planepath_free(struct planepath *p);
 

@@ -11,4 +11,7 @@
  * that are there, and its frame to to->origin.part. */
 void submesh_add(struct mesh *to, const struct mesh *mesh, const struct subcloud *part);
 
+/* Part k of a mesh that such parts were put together to: its vertices and facets, without rows. */
+struct mesh submesh_of(const struct mesh *mesh, size_t k);
+
 #endif

@@ -9,6 +9,7 @@
 #include "planepath.h"
 #include "ridge.h"
 #include "rows.h"
+#include "submesh.h"
 
 static int normals;
 static double scallop;
@@ -96,18 +97,60 @@ static void make_path(const struct mesh *mesh, const struct rows *rows, struct t
     toolpath_end(t);
 }
 
-/* Planes along the rows, or as --direction says. */
-static void find_planes(const struct mesh *mesh, const struct rows *rows, struct planepath *p)
+/* Planes along the rows, or as --direction says; through a part with a projection of its own along
+ * its rows. */
+static void find_planes(const struct mesh *mesh, const struct mesh_part *part, double spacing,
+                        double angle, struct planepath *p)
 {
-    double angle = atan2(rows->along.y, rows->along.x);
+    bool upright = !part || part->up.z >= 1;
 
-    if (way && !planepath_direction(way, mesh, cutting.radius, scallop, &angle))
+    if (upright && way && !planepath_direction(way, mesh, cutting.radius, scallop, &angle))
         die_usage("option --direction: found '%s', expected auto or degrees", way);
-    p->rule = planepath_upright(angle, cutting.radius);
+    p->rule = upright ? planepath_upright(angle, cutting.radius)
+                      : planepath_along(part, cutting.radius);
     /* A node that random points do not have makes no hole: where the scan guards, rows go on. */
-    if (cutting.guards.n > 0 && mesh->origin.spacing > 0)
-        p->rule.gap = 2 * mesh->origin.spacing;
+    if (cutting.guards.n > 0 && spacing > 0)
+        p->rule.gap = 2 * spacing;
     planepath_scallop(p, mesh, scallop);
+}
+
+/* The parts of a mesh and the planes through them. */
+struct planes {
+    size_t n;
+    struct mesh *part; /* NULL: the mesh is one */
+    struct planepath *path;
+    double widest;
+    bool steep;
+};
+
+static void find_all_planes(const struct mesh *mesh, const struct rows *rows, struct planes *all)
+{
+    const struct mesh_parts *parts = &mesh->origin.part;
+    double angle = atan2(rows->along.y, rows->along.x), spacing = mesh->origin.spacing;
+
+    all->n = parts->n > 1 ? parts->n : 1;
+    all->part = parts->n > 1 ? mem_alloc(parts->n, sizeof *all->part) : NULL;
+    all->path = mem_alloc(all->n, sizeof *all->path);
+    for (size_t k = 0; k < all->n; k++) {
+        all->path[k] = (struct planepath){.threads = 0};
+        if (all->part)
+            all->part[k] = submesh_of(mesh, k);
+        find_planes(all->part ? &all->part[k] : mesh, all->part ? &parts->item[k] : NULL, spacing,
+                    angle, &all->path[k]);
+        all->widest = fmax(all->widest, all->path[k].widest);
+        all->steep = all->steep || all->path[k].steep;
+    }
+}
+
+static void free_planes(struct planes *all)
+{
+    for (size_t k = 0; k < all->n; k++) {
+        planepath_free(&all->path[k]);
+        if (all->part)
+            mesh_free(&all->part[k]);
+    }
+    free(all->path);
+    free(all->part);
 }
 
 static void check_options(struct axis_rule *axis)
@@ -135,7 +178,7 @@ int main(int argc, char **argv)
     struct mesh mesh = {0};
     struct rows rows = {0};
     struct path path = {0};
-    struct planepath planes = {0};
+    struct planes planes = {0};
     struct toolpath t = {.path = &path};
     struct guard *guard;
     struct error error;
@@ -147,7 +190,7 @@ int main(int argc, char **argv)
         die_usage("found %d files, expected one mesh", cli.files);
     read_mesh(cli.file[0], &mesh, &rows);
     if (scallop > 0)
-        find_planes(&mesh, &rows, &planes);
+        find_all_planes(&mesh, &rows, &planes);
     double distance = scallop > 0 ? planes.widest : rows.distance;
     if (cutting_guard(&mesh, rows.distance, cli.threads, &guard, &error) != 0)
         die_error(&error);
@@ -156,7 +199,7 @@ int main(int argc, char **argv)
 
     if (scallop == 0)
         make_path(&mesh, &rows, &t);
-    else if (planepath_make(&planes, &t, &error) != 0)
+    else if (planepath_make(planes.path, planes.n, &t, &error) != 0)
         die_error(&error);
     cutting_head(&mesh, "meshnorm", &t);
     struct out *out = out_open(cli.output);
@@ -165,7 +208,7 @@ int main(int argc, char **argv)
     note("%zu nodes in %zu strips", rows.node.n, rows.strip.n);
     int status = toolpath_conclude(&t);
 
-    planepath_free(&planes);
+    free_planes(&planes);
     path_free(&path);
     guard_free(guard);
     rows_free(&rows);

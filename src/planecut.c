@@ -173,7 +173,7 @@ int main(int argc, char **argv)
     if (cutting_rules(&mesh, guard, planes.widest, &t, &error) != 0)
         die_usage("%s", error.text);
 
-    if (planepath_make(&planes, &t, &error) != 0)
+    if (planepath_make(&planes, 1, &t, &error) != 0)
         die_error(&error);
     cutting_head(&mesh, "planecut", &t);
     struct out *out = out_open(cli.output);

@@ -1,4 +1,5 @@
-/* cloudpieces: pieces end at sharp edges and gaps; small ones go to those about them, islands stay. */
+/* cloudpieces: pieces end at sharp edges and gaps; small ones go to those about them, but islands
+ * stay. */
 #include <check.h>
 #include <stdlib.h>
 

@@ -77,7 +77,7 @@ START_TEST(not_into_rising_walls_nor_over_smooth_borders)
 }
 END_TEST
 
-/* The cap of a round bar: what is beyond lies on its plane; the bar's own surface goes on straight. */
+/* A round bar with a cap: its own surface goes on straight. */
 START_TEST(round_edges)
 {
     struct vec3s p = {0};

@@ -73,7 +73,7 @@ START_TEST(planes_become_passes)
     planepath_equal(&p, &mesh, 4);
     ck_assert_uint_eq(p.height.n, 11); /* 40 mm, the last plane 0.04 inside */
     struct error error;
-    ck_assert_int_eq(planepath_make(&p, &t, &error), 0);
+    ck_assert_int_eq(planepath_make(&p, 1, &t, &error), 0);
     size_t passes = 0;
     double x = HUGE_VAL;
     for (size_t i = 0; i < path.item.n; i++) {

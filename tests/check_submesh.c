@@ -1,4 +1,5 @@
-/* submesh: two parts turned back into place, rows one behind the other, and their frames. */
+/* submesh: two parts turned back into place, rows one behind the other, their frames; and apart
+ * again. */
 #include <check.h>
 #include <stdlib.h>
 
@@ -36,6 +37,18 @@ START_TEST(two_parts)
     ck_assert_double_le(vec_distance(to.vertex.item[13], vec(2, 1, 0)), 1e-12);
     ck_assert_double_le(vec_distance(to.normal.item[13], vec(1, 0, 0)), 1e-12);
     ck_assert_double_gt(mesh_face_cross(&to, to.face.n - 1).x, 0);
+
+    for (size_t k = 0; k < 2; k++) { /* and apart again */
+        struct mesh part = submesh_of(&to, k);
+        ck_assert_uint_eq(part.vertex.n, 12);
+        ck_assert_uint_eq(part.face.n, one.face.n);
+        for (size_t v = 0; v < 12; v++)
+            ck_assert(vec_distance(part.vertex.item[v], to.vertex.item[12 * k + v]) == 0);
+        for (size_t f = 0; f < part.face.n; f++)
+            for (int i = 0; i < 3; i++)
+                ck_assert_int_eq(part.face.item[f].v[i], one.face.item[f].v[i]);
+        mesh_free(&part);
+    }
 
     struct rows rows;
     struct error error;

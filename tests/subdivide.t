@@ -38,6 +38,9 @@ has "it is divided" 'divided into [5-9] parts' "$TMP/err"
 has "its parts are in the head" '^comment part [1-9][0-9]* ' "$TMP/ball.ply"
 ok "half-ball: a path" meshnorm -r 3 -g "$TMP/ball.xyz" "$TMP/ball.ply" -o "$TMP/ball.cl"
 judge "half-ball" 3 0.015 0.03
+ok "rows by a scallop in each of the parts" meshnorm -r 3 -g "$TMP/ball.xyz" --scallop 0.01 \
+	"$TMP/ball.ply" -o "$TMP/ball.cl"
+judge "half-ball by a scallop" 3 0.012 0.05
 
 ball 5 -1 9000 0.005 >"$TMP/ball.xyz"
 cloud2mesh -q --subdivide "$TMP/ball.xyz" -o "$TMP/ball.ply"

@@ -26,6 +26,16 @@ struct pass_rule planepath_upright(double angle, double radius)
     return rule;
 }
 
+struct pass_rule planepath_along(const struct mesh_part *part, double radius)
+{
+    struct pass_rule rule = planepath_upright(0, radius);
+
+    rule.along = part->along;
+    rule.normal = vec_cross(part->up, part->along);
+    rule.facing = part->up;
+    return rule;
+}
+
 /* A border that is straight along the planes has the first of them on it, another one just inside.
  */
 static double first_height(struct meshcut *cut, double inside)
@@ -175,24 +185,30 @@ static void make_pass(struct planepath *p, size_t plane_number, size_t pass, str
     chains_free(&strips);
 }
 
-int planepath_make(struct planepath *p, struct toolpath *t, struct error *error)
+int planepath_make(struct planepath *paths, size_t n, struct toolpath *t, struct error *error)
 {
-    size_t pass = 1;
+    size_t pass = 1, beside = 0, left_out = 0;
 
     for (int layer = cutting.layers - 1; layer >= 0; layer--) {
         t->lift.offset = cutting.radius + layer * cutting.depth;
-        for (size_t i = 0; i < p->height.n; i++) {
-            make_pass(p, i, pass++, t);
-            progress("planes", i + 1, p->height.n);
+        for (struct planepath *p = paths; p < paths + n; p++) {
+            for (size_t i = 0; i < p->height.n; i++) {
+                make_pass(p, i, pass++, t);
+                progress("planes", i + 1, p->height.n);
+            }
         }
     }
     toolpath_end(t);
     if (t->pass == 0)
         return error_set(error, "found nothing that the planes cross and that faces the tool");
-    if (p->beside > 0)
-        say("%zu points have no surface near them and stay on the mesh", p->beside);
-    if (p->left_out > 0)
-        say("%zu points face away from the tool and are left out", p->left_out);
+    for (size_t k = 0; k < n; k++) {
+        beside += paths[k].beside;
+        left_out += paths[k].left_out;
+    }
+    if (beside > 0)
+        say("%zu points have no surface near them and stay on the mesh", beside);
+    if (left_out > 0)
+        say("%zu points face away from the tool and are left out", left_out);
     return 0;
 }
 

@@ -25,7 +25,7 @@ bool cloudpieces_smooth(const struct cloudpieces *c, size_t i, size_t j)
 /* Whose label a point may take. */
 enum voters { DIRECTED, SMOOTH, ANY };
 
-/* The label that most neighbours have, of those other than CLOUDPIECE_NONE; its own where it is among these. */
+/* The label that most neighbours have, of those that have one; its own where it is among these. */
 static int vote(const struct cloudpieces *c, const int *label, size_t i, enum voters voters)
 {
     int best = voters == DIRECTED ? label[i] : CLOUDPIECE_NONE, most = 0;
@@ -59,7 +59,8 @@ void cloudpieces_settle(struct cloudpieces *c)
 }
 
 /* All of one label that hangs together with a point: appended to `piece`, in `of` their number. */
-static void gather(const struct cloudpieces *c, size_t start, int number, int *of, struct sizes *piece)
+static void gather(const struct cloudpieces *c, size_t start, int number, int *of,
+                   struct sizes *piece)
 {
     size_t next = piece->n;
 
@@ -69,7 +70,8 @@ static void gather(const struct cloudpieces *c, size_t start, int number, int *o
         size_t i = piece->item[next++];
         for (size_t k = 0; k < CLOUD_NEAR; k++) {
             size_t j = c->neighbour[i * CLOUD_NEAR + k];
-            if (of[j] != CLOUDPIECE_NONE || c->label[j] != c->label[i] || !cloudpieces_smooth(c, i, j))
+            if (of[j] != CLOUDPIECE_NONE || c->label[j] != c->label[i] ||
+                !cloudpieces_smooth(c, i, j))
                 continue;
             of[j] = number;
             *array_push(piece) = j;

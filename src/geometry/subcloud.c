@@ -132,7 +132,8 @@ static void fill(const struct division *d, const struct cloudpieces *pieces, con
 /* From above round and down: by height of the direction, then by its turn. */
 static int in_order(const void *a, const void *b)
 {
-    const struct vec3 *p = &((const struct subcloud *)a)->up, *q = &((const struct subcloud *)b)->up;
+    const struct vec3 *p = &((const struct subcloud *)a)->up;
+    const struct vec3 *q = &((const struct subcloud *)b)->up;
     double turn = atan2(p->y, p->x) - atan2(q->y, q->x);
 
     if (fabs(p->z - q->z) > 1e-9)
