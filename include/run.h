@@ -25,6 +25,19 @@ struct run {
     double radius; /* of the ball, mm */
 };
 
+/* Is its contact point known? */
+static inline bool run_point_touches(const struct run_point *p)
+{
+    return vec_dot(p->normal, p->normal) > 0.5;
+}
+
+/* How far the centre stands above its contact point along the normal, mm; the radius, unless the
+ * ball was lifted. */
+static inline double run_point_height(const struct run_point *p)
+{
+    return vec_dot(vec_sub(p->ball, p->contact), p->normal);
+}
+
 /*
  * Tangents of the ball's path, unit: three-point (Bessel) tangents of the centres, projected
  * perpendicular to the normal where there is one (a centre that is lifted off its contact point more

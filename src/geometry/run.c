@@ -8,11 +8,11 @@
 
 #include <stdlib.h>
 
-static const double SAME = 1e-7;          /* mm: centres nearer than this are one station */
-static const double CORNER = PI / 3;      /* a turn above this in one point is a corner */
-static const double STEEP = 0.7;          /* slope of the centres against the surface: no tangent */
-static const double AXIS_SMOOTH = PI / 3; /* axes further apart than this: great circle */
-enum { PARTS_MAX = 10000 };               /* pieces of one interval */
+#include "runcurve.h"
+
+static const double SAME = 1e-7;     /* mm: centres nearer than this are one station */
+static const double CORNER = PI / 3; /* a turn above this in one point is a corner */
+static const double STEEP = 0.7;     /* slope of the centres against the surface: no tangent */
 
 struct station {
     size_t first, last;  /* of its points */
@@ -47,13 +47,6 @@ static struct vec3 chord_of(const struct run *run, const struct stations *s, siz
     return vec_sub(point_of(run, s, k + 1)->ball, point_of(run, s, k)->ball);
 }
 
-/* How far the centre stands above its contact point along the normal, mm; the radius, unless the
- * ball was lifted. */
-static double height_of(const struct run_point *p)
-{
-    return vec_dot(vec_sub(p->ball, p->contact), p->normal);
-}
-
 /*
  * The centre of a ball that touches moves perpendicular to the normal; one that is being lifted
  * moves by the slope of its lift against it.
@@ -64,11 +57,6 @@ static struct vec3 along_surface(struct vec3 tangent, struct vec3 normal, double
     if (fabs(slope) > STEEP || vec_length(t) < STEEP)
         return tangent;
     return vec_unit(vec_along(vec_unit(t), slope, normal));
-}
-
-static bool touches(const struct run_point *p)
-{
-    return vec_dot(p->normal, p->normal) > 0.5;
 }
 
 /* Derivative at the middle one of three values on a parabola; h: the lengths between them. */
@@ -86,9 +74,11 @@ static struct vec3 bessel_tangent(const struct run *run, const struct stations *
         return vec_unit(out); /* straight back */
     const struct run_point *a = point_of(run, s, k - 1), *b = point_of(run, s, k),
                            *c = point_of(run, s, k + 1);
-    if (!touches(a) || !touches(b) || !touches(c))
+    if (!run_point_touches(a) || !run_point_touches(b) || !run_point_touches(c))
         return t;
-    return along_surface(t, b->normal, bessel(height_of(a), h0, height_of(b), h1, height_of(c)));
+    return along_surface(
+        t, b->normal,
+        bessel(run_point_height(a), h0, run_point_height(b), h1, run_point_height(c)));
 }
 
 /* At an end: the tangent of the circle that the end chord and the tangent beyond it make. */
@@ -101,9 +91,9 @@ static struct vec3 end_tangent(const struct run *run, const struct stations *s, 
     v = vec_unit(v);
     struct vec3 beyond = s->item[next].tangent;
     struct vec3 t = vec_unit(vec_sub(vec_scale(2 * vec_dot(v, beyond), v), beyond));
-    if (!touches(a) || !touches(b))
+    if (!run_point_touches(a) || !run_point_touches(b))
         return t;
-    double slope = (height_of(b) - height_of(a)) / h;
+    double slope = (run_point_height(b) - run_point_height(a)) / h;
     return along_surface(t, a->normal, next > end ? slope : -slope);
 }
 
@@ -180,97 +170,6 @@ static void axis_turns(const struct run *run, struct stations *s)
     }
 }
 
-/* One interval of the reference curve. */
-struct interval {
-    const struct run_point *a, *b;
-    struct vec3 va, vb; /* derivatives of the centre at its ends, mm */
-    struct vec3 wa, wb; /* derivatives of the axis */
-    bool great_circle;  /* the axis has no derivatives */
-};
-
-/*
- * The speed at the ends is that at which a cubic is nearest to a circle with these tangents:
- * 2 d / (1 + cos(turn / 2)) for a chord of length d.
- */
-static struct interval interval_between(const struct run_point *a, const struct run_point *b,
-                                        const struct station *sa, const struct station *sb)
-{
-    double half = sqrt(fmax(0, (1 + vec_dot(sa->tangent, sb->tangent)) / 2));
-    double speed = 2 * vec_distance(a->ball, b->ball) / (1 + half);
-    return (struct interval){
-        .a = a,
-        .b = b,
-        .va = vec_scale(speed, sa->tangent),
-        .vb = vec_scale(speed, sb->tangent),
-        .wa = vec_scale(speed, sa->turn),
-        .wb = vec_scale(speed, sb->turn),
-        .great_circle = sa == sb || vec_angle(a->axis, b->axis) > AXIS_SMOOTH,
-    };
-}
-
-static struct vec3 hermite(struct vec3 p, struct vec3 v, struct vec3 q, struct vec3 w, double t)
-{
-    struct vec3 d = vec_sub(q, p);
-    double s = 1 - t;
-    struct vec3 r = vec_along(p, t * t * (3 - 2 * t), d);
-    return vec_along(vec_along(r, t * s * s, v), -t * t * s, w);
-}
-
-static struct run_point interval_at(const struct interval *c, double t, double radius)
-{
-    struct run_point p = {.ball = hermite(c->a->ball, c->va, c->b->ball, c->vb, t)};
-    p.axis = c->great_circle ? vec_slerp(c->a->axis, c->b->axis, t)
-                             : vec_unit(hermite(c->a->axis, c->wa, c->b->axis, c->wb, t));
-    p.tip = vec_along(p.ball, -radius, p.axis);
-    if (touches(c->a) && touches(c->b)) {
-        p.normal = vec_slerp(c->a->normal, c->b->normal, t);
-        double h = (1 - t) * height_of(c->a) + t * height_of(c->b);
-        p.contact = vec_along(p.ball, -h, p.normal);
-    }
-    return p;
-}
-
-static double segment_distance(struct vec3 p, struct vec3 a, struct vec3 b)
-{
-    struct vec3 d = vec_sub(b, a);
-    double l2 = vec_dot(d, d);
-    double t = l2 > 0 ? vec_dot(vec_sub(p, a), d) / l2 : 0;
-    return vec_distance(p, vec_along(a, fmin(1, fmax(0, t)), d));
-}
-
-/* Largest distance between the curve and `parts` straight pieces, at the tip and the centre. */
-static double interval_chord(const struct interval *c, size_t parts, double radius)
-{
-    enum { SAMPLES = 4 };
-    double worst = 0, n = (double)parts;
-    struct run_point from = *c->a;
-    for (size_t k = 0; k < parts; k++) {
-        struct run_point to = k + 1 < parts ? interval_at(c, (double)(k + 1) / n, radius) : *c->b;
-        for (int i = 1; i < SAMPLES; i++) {
-            struct run_point p = interval_at(c, ((double)k + (double)i / SAMPLES) / n, radius);
-            worst = fmax(worst, segment_distance(p.ball, from.ball, to.ball));
-            worst = fmax(worst, segment_distance(p.tip, from.tip, to.tip));
-        }
-        from = to;
-    }
-    return worst;
-}
-
-static double densify_interval(const struct interval *c, double chord, struct run *dense)
-{
-    size_t parts = 1;
-    double whole = interval_chord(c, 1, dense->radius), off = whole;
-    while (off > chord && parts < PARTS_MAX) {
-        double more = 1.01 * (double)parts * sqrt(off / chord);
-        parts = more < PARTS_MAX ? (size_t)more + 1 : PARTS_MAX;
-        off = interval_chord(c, parts, dense->radius);
-    }
-    for (size_t k = 1; k < parts; k++)
-        *array_push(dense) = interval_at(c, (double)k / (double)parts, dense->radius);
-    *array_push(dense) = *c->b;
-    return whole;
-}
-
 /* A piece of the run without corners, but for its first point, which is there already. */
 static double densify_piece(const struct run *piece, double chord, struct run *dense)
 {
@@ -283,9 +182,12 @@ static double densify_piece(const struct run *piece, double chord, struct run *d
         const struct station *here = &s.item[at];
         if (at + 1 < s.n && s.item[at + 1].first == i + 1)
             at++;
-        struct interval c =
-            interval_between(&piece->item[i], &piece->item[i + 1], here, &s.item[at]);
-        worst = fmax(worst, densify_interval(&c, chord, dense));
+        const struct station *next = &s.item[at];
+        struct runcurve c =
+            runcurve_between((struct runcurve_end){&piece->item[i], here->tangent, here->turn},
+                             (struct runcurve_end){&piece->item[i + 1], next->tangent, next->turn});
+        c.great_circle = c.great_circle || here == next; /* the axis turns in one place */
+        worst = fmax(worst, runcurve_densify(&c, chord, dense));
     }
     array_free(&s);
     return worst;
