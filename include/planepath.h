@@ -4,6 +4,7 @@
 #ifndef CLOUDMILL_PLANEPATH_H
 #define CLOUDMILL_PLANEPATH_H
 
+#include "brink.h"
 #include "onsurface.h"
 #include "passes.h"
 #include "toolpath.h"
@@ -13,6 +14,7 @@ struct planepath {
     int threads;           /* as of parallel_for */
     struct onsurface *on;  /* contact points are put on these surfaces; NULL: stay on the mesh */
     double reach;          /* of a point to its surface, mm */
+    struct brink *brink;   /* strips run out to the border of this scan; NULL: to the mesh's */
 
     struct meshcut *cut;
     struct doubles height; /* of the planes, along their normal, mm */
@@ -20,6 +22,17 @@ struct planepath {
     bool steep;            /* the scallop that was asked for can't be kept */
     size_t left_out;       /* points that face away */
     size_t beside;         /* points without a surface */
+};
+
+/* What one of them cuts: strips in order along it. */
+struct plane_cut {
+    double height;
+    struct chains strips;
+};
+
+struct plane_cuts {
+    size_t n, cap;
+    struct plane_cut *item;
 };
 
 /* How the planes at `angle` radians about z run, from the lower left to the upper right; for a ball
@@ -48,6 +61,14 @@ double planepath_best(const struct mesh *mesh, double radius, double h, double *
  * told.  False: neither. */
 bool planepath_direction(const char *text, const struct mesh *mesh, double radius, double h,
                          double *angle);
+
+/* Lets the strips of upright planes run out to the border of the scan of -g (runout.h), if there is
+ * one and the mesh is one that says how far apart its vertices are, without parts. */
+void planepath_run_out(struct planepath *p, const struct mesh *mesh);
+
+/* Its step once the planes, in the order of their heights, are cut: with more planes, half as far
+ * apart, beyond the first and the last. */
+void planepath_go_beyond(const struct planepath *p, struct plane_cuts *cuts);
 
 /* Gives the strips of all planes of n such paths, one path after the other, to the toolpath, which is
  * then ended, in as many layers as cutting.h says.  -1: no plane crosses anything that faces the

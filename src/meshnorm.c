@@ -197,6 +197,8 @@ int main(int argc, char **argv)
     if (cutting_rules(&mesh, guard, distance, &t, &error) != 0)
         die_usage("%s", error.text);
 
+    if (scallop > 0 && !planes.part)
+        planepath_run_out(&planes.path[0], &mesh);
     if (scallop == 0)
         make_path(&mesh, &rows, &t);
     else if (planepath_make(planes.path, planes.n, &t, &error) != 0)

@@ -173,6 +173,7 @@ int main(int argc, char **argv)
     if (cutting_rules(&mesh, guard, planes.widest, &t, &error) != 0)
         die_usage("%s", error.text);
 
+    planepath_run_out(&planes, &mesh);
     if (planepath_make(&planes, 1, &t, &error) != 0)
         die_error(&error);
     cutting_head(&mesh, "planecut", &t);

@@ -133,6 +133,20 @@ for sigma in 0 0.02; do
 		ncverify -q -r 2 -g wave.true -e 0.04 --band 1 --left "$left" program.mpf
 done
 
+# Rows run out to the border of the scan, whose random points no grid of nodes reaches: what is left
+# is within the scallop and the tolerance at every point beside and under the ball's ways.
+awk 'function uniform() { seed = (seed * 16807) % 2147483647; return seed / 2147483647 }
+	BEGIN { seed = 31; for (i = 0; i < 3000; i++) {
+		x = 30 * uniform() - 15; y = 24 * uniform() - 12
+		printf "%.4f %.4f %.4f\n", x, y, 10 - x * x / 70 - y * y / 50 + x * y / 90 } }' >hump.xyz
+ok "a hump: a mesh" cloud2mesh -q -t 2 -o hump.ply hump.xyz
+for tool in meshnorm planecut; do
+	ok "a hump: a path by $tool" $tool -q -r 6 --scallop 0.02 -e 0.01 -g hump.xyz -o hump.cl hump.ply
+	ok "a hump: a program" ncpost -q -c siemens -o hump.mpf hump.cl
+	status 0 "$tool: no more than 0.03 mm is left, up to the border" \
+		ncverify -q -r 6 -g hump.xyz -e 0.01 --left 0.03 hump.mpf
+done
+
 # Points that float over the scan lift no path, whatever they are over.
 for where in "0.3 0.4 1.5" "-6.2 3.1 3" "5.1 5.2 1.2"; do echo "$where"; done >strays
 cat saddle.xyz strays >strayed.xyz

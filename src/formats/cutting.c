@@ -139,7 +139,7 @@ int cutting_guard(const struct mesh *mesh, double near, int threads, struct guar
                   struct error *error)
 {
     const struct cutting *c = &cutting;
-    struct scan_rule rule = {c->radius, c->tolerance, c->noise, threads};
+    struct scan_rule rule = {c->radius, c->tolerance, c->noise, threads, {0}};
 
     *guard = NULL;
     if (c->paper)
@@ -147,6 +147,7 @@ int cutting_guard(const struct mesh *mesh, double near, int threads, struct guar
     *guard = c->guards.n > 0 ? scan_guard(&c->guards, mesh, near, &rule, error)
                              : guard_from_mesh(mesh, sqrt(6 * 0.002 * c->radius));
     cutting.noise = rule.noise;
+    cutting.certain = rule.certain;
     return *guard ? 0 : -1;
 }
 

@@ -164,40 +164,72 @@ static void put_on_surfaces(struct planepath *p, struct contacts *points)
     free(put.beside);
 }
 
-static void make_pass(struct planepath *p, size_t plane_number, size_t pass, struct toolpath *t)
+static struct plane_cuts cut_all(struct planepath *p)
 {
-    struct chains chains = {0}, strips = {0};
-    bool back = !cutting.one_way && pass % 2 == 0;
+    struct plane_cuts cuts = {0};
 
-    meshcut_at(p->cut, p->height.item[plane_number], &chains);
-    put_on_surfaces(p, &chains.point);
-    p->left_out += passes_make(&chains, &p->rule, &strips);
+    for (size_t i = 0; i < p->height.n; i++) {
+        struct chains chains = {0}, strips = {0};
+        meshcut_at(p->cut, p->height.item[i], &chains);
+        put_on_surfaces(p, &chains.point);
+        p->left_out += passes_make(&chains, &p->rule, &strips);
+        *array_push(&cuts) = (struct plane_cut){p->height.item[i], strips};
+        chains_free(&chains);
+    }
+    if (p->brink)
+        planepath_go_beyond(p, &cuts);
+    return cuts;
+}
+
+static void make_pass(const struct planepath *p, const struct chains *strips, size_t pass,
+                      struct toolpath *t)
+{
+    bool back = !cutting.one_way && pass % 2 == 0;
+    struct chains way = {0};
+
+    for (size_t i = 0; i < strips->point.n; i++)
+        *array_push(&way.point) = strips->point.item[i];
+    for (size_t k = 0; k < strips->chain.n; k++)
+        *array_push(&way.chain) = strips->chain.item[k];
     if (back)
-        passes_reverse(&strips);
-    for (size_t k = 0; k < strips.chain.n; k++) {
-        const struct chain *chain = &strips.chain.item[k];
+        passes_reverse(&way);
+    for (size_t k = 0; k < way.chain.n; k++) {
+        const struct chain *chain = &way.chain.item[k];
         t->lift.feed.side = p->rule.normal;
-        t->lift.feed.plane = passes_forward(&strips, k, p->rule.normal);
-        toolpath_strip(t, pass, &strips.point.item[chain->from], chain->to - chain->from,
+        t->lift.feed.plane = passes_forward(&way, k, p->rule.normal);
+        toolpath_strip(t, pass, &way.point.item[chain->from], chain->to - chain->from,
                        vec_scale(back ? -1 : 1, p->rule.along));
     }
-    chains_free(&chains);
-    chains_free(&strips);
+    chains_free(&way);
+}
+
+static void free_cuts(struct plane_cuts *cuts, size_t n)
+{
+    for (size_t k = 0; k < n; k++) {
+        for (size_t i = 0; i < cuts[k].n; i++)
+            chains_free(&cuts[k].item[i].strips);
+        array_free(&cuts[k]);
+    }
+    free(cuts);
 }
 
 int planepath_make(struct planepath *paths, size_t n, struct toolpath *t, struct error *error)
 {
     size_t pass = 1, beside = 0, left_out = 0;
+    struct plane_cuts *cuts = mem_alloc(n, sizeof *cuts);
 
+    for (size_t k = 0; k < n; k++)
+        cuts[k] = cut_all(&paths[k]);
     for (int layer = cutting.layers - 1; layer >= 0; layer--) {
         t->lift.offset = cutting.radius + layer * cutting.depth;
-        for (struct planepath *p = paths; p < paths + n; p++) {
-            for (size_t i = 0; i < p->height.n; i++) {
-                make_pass(p, i, pass++, t);
-                progress("planes", i + 1, p->height.n);
+        for (size_t k = 0; k < n; k++) {
+            for (size_t i = 0; i < cuts[k].n; i++) {
+                make_pass(&paths[k], &cuts[k].item[i].strips, pass++, t);
+                progress("planes", i + 1, cuts[k].n);
             }
         }
     }
+    free_cuts(cuts, n);
     toolpath_end(t);
     if (t->pass == 0)
         return error_set(error, "found nothing that the planes cross and that faces the tool");
@@ -217,4 +249,5 @@ void planepath_free(struct planepath *p)
     meshcut_free(p->cut);
     array_free(&p->height);
     onsurface_free(p->on);
+    brink_free(p->brink);
 }

@@ -98,6 +98,7 @@ static struct guard *guard_of(struct vec3s *points, struct scan_rule *rule, stru
             rule->noise, surface.moved, buckets.n);
     note("guarded by %zu points of the scan and %zu put between", buckets.n, surface.added);
     buckets_free(&buckets);
+    rule->certain = surface.certain;
     return guard_take(surface.point, rule->threads);
 }
 

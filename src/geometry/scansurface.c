@@ -17,10 +17,14 @@ static const double FAR = 6;
  * long as it is certain to this part of the noise. */
 static const double MIDDLE = 0.4, CERTAIN = 0.35;
 
+/* Of the noise: a surface less certain than this at its own place, as at a border, is doubtful; and
+ * so is one whose slope may be off (two standard deviations) by what sinks the ball in so far. */
+static const double DOUBTFUL = 0.3, SUNK = 0.3;
+
 /* What becomes of a point. */
 struct place {
     struct vec3 point;
-    bool moved;
+    bool moved, doubtful;
     struct vec3s between;
 };
 
@@ -47,6 +51,16 @@ static struct vec3 guess_at(const struct buckets *b, struct vec3 place)
     return normal.z < 0 ? vec_scale(-1, normal) : normal;
 }
 
+/* A ball put on along a normal that is off by e sinks in by e^2 / (2 (1 / R - k)). */
+static bool is_doubtful(const struct job *job, const struct surfacefit *fit)
+{
+    double radius = job->rule->radius, sigma = job->fit.sigma;
+    double fits = fmax(1 / radius - quadric_curvature(&fit->q), 0.05 / radius);
+
+    return fit->q.variance > DOUBTFUL * DOUBTFUL ||
+           2 * sigma * sigma * fit->q.tilt / fits > SUNK * sigma;
+}
+
 /* Brings a point to a surface; false when noise alone does not explain where it is. */
 static bool bring(const struct job *job, const struct surfacefit *fit, size_t i)
 {
@@ -55,7 +69,9 @@ static bool bring(const struct job *job, const struct surfacefit *fit, size_t i)
 
     if (!surfacefit_holds(fit, job->fit.sigma) || vec_distance(p, foot) > FAR * job->fit.sigma)
         return false;
-    *place = (struct place){.point = foot, .moved = true};
+    *place = (struct place){.point = foot,
+                            .moved = true,
+                            .doubtful = is_doubtful(job, fit)};
     if (job->filled)
         scanfill_on(&job->fill, i, foot, &fit->q, fit->spread, &place->between);
     return true;
@@ -182,6 +198,8 @@ static struct scansurface gather(struct job *job)
     for (size_t i = 0; i < b->n; i++) {
         struct place *place = &job->place[i];
         *array_push(&surface.point) = place->point;
+        if (!place->doubtful)
+            *array_push(&surface.certain) = place->point;
         surface.moved += place->moved;
         surface.added += place->between.n;
         for (size_t k = 0; k < place->between.n; k++)
@@ -200,7 +218,7 @@ struct scansurface scansurface_make(const struct buckets *buckets,
     if (plan(&job) < 0) {
         array_reserve(&surface.point, buckets->n);
         for (size_t i = 0; i < buckets->n; i++)
-            *array_push(&surface.point) = buckets->point[i];
+            *array_push(&surface.point) = *array_push(&surface.certain) = buckets->point[i];
         return surface;
     }
     job.place = mem_alloc(buckets->n, sizeof *job.place);
