@@ -45,12 +45,9 @@ static double least(const struct attempt *a, const struct target *t, size_t k, b
 START_TEST(as_near_as_by_brute_force)
 {
     for (int fixed = 0; fixed < 2; fixed++) {
-        struct run run = trial_motion(200, 8);
-        for (size_t i = 0; fixed && i < run.n; i++)
-            run.item[i].axis = vec(0, 0, 1);
-        struct track track = track_new(&run, false);
-        struct target t = target_new(&track, 80, 0.01, 0.02);
-        struct attempt a = fitted(&t, 3, 7);
+        struct trial_fit fit = trial_fit_new(200, 8, fixed, false, 80);
+        struct target t = fit.target;
+        struct attempt a = fit.attempt = fitted(&t, 3, 7);
         size_t kinds = feet_kinds(&t);
         double worst = 0;
 
@@ -68,10 +65,7 @@ START_TEST(as_near_as_by_brute_force)
         }
         ck_assert_double_eq_tol(a.feet.worst, worst, 1e-12);
         ck_assert_double_gt(worst, 0.05);
-        attempt_free(&a);
-        target_free(&t);
-        track_free(&track);
-        array_free(&run);
+        trial_fit_free(&fit);
     }
 }
 END_TEST
@@ -79,12 +73,10 @@ END_TEST
 /* The foothold is perpendicular to the curve, and says how the curve stands there. */
 START_TEST(footholds)
 {
-    struct run run = trial_motion(200, 8);
-    struct track track = track_new(&run, true);
-    struct target t = target_new(&track, 80, 0.01, 0.02);
-    struct attempt a = fitted(&t, 4, 9);
+    struct trial_fit fit = trial_fit_new(200, 8, false, true, 80);
+    struct attempt a = fit.attempt = fitted(&fit.target, 4, 9);
 
-    for (size_t k = 1; k + 1 < t.n; k++) {
+    for (size_t k = 1; k + 1 < fit.target.n; k++) {
         const struct foothold *s = &a.feet.point[k];
         struct vec3 d[2];
         bspline_derivatives(&a.curve, a.curve.pole, s->u, 1, d);
@@ -93,10 +85,7 @@ START_TEST(footholds)
         ck_assert_double_lt(vec_distance(axis_at(&a.curve, s->u), s->axis), 1e-3);
         ck_assert(a.curve.knot[s->span + 4] <= s->u && s->u <= a.curve.knot[s->span + 5]);
     }
-    attempt_free(&a);
-    target_free(&t);
-    track_free(&track);
-    array_free(&run);
+    trial_fit_free(&fit);
 }
 END_TEST
 

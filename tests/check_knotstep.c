@@ -14,50 +14,40 @@ enum { POLES = 8 };
 
 /* A curve near to a motion, and what its equations are about. */
 struct setting {
-    struct run run;
-    struct track track;
-    struct target target;
-    struct attempt attempt;
+    struct trial_fit fit;
     struct spanform form;
 };
 
 static struct setting setting_new(int degree, bool fixed, double radius)
 {
-    struct setting s = {.run = trial_motion(120, radius)};
+    struct setting s = {.fit = trial_fit_new(120, radius, fixed, false, 60)};
 
-    for (size_t i = 0; fixed && i < s.run.n; i++)
-        s.run.item[i].axis = vec(0, 0, 1);
-    s.track = track_new(&s.run, false);
-    s.target = target_new(&s.track, 60, 0.01, 0.02);
-    s.attempt = trial_attempt(&s.target, degree, POLES, 1.1);
-    s.form = spanform_new(&s.attempt.curve);
-    spanform_curve(&s.form, &s.attempt.curve);
+    s.fit.attempt = trial_attempt(&s.fit.target, degree, POLES, 1.1);
+    s.form = spanform_new(&s.fit.attempt.curve);
+    spanform_curve(&s.form, &s.fit.attempt.curve);
     for (int i = 0; i < 6; i++)
-        feet_follow(&s.form, &s.target, &s.attempt.feet);
+        feet_follow(&s.form, &s.fit.target, &s.fit.attempt.feet);
     return s;
 }
 
 static void setting_free(struct setting *s)
 {
     spanform_free(&s->form);
-    attempt_free(&s->attempt);
-    target_free(&s->target);
-    track_free(&s->track);
-    array_free(&s->run);
+    trial_fit_free(&s->fit);
 }
 
 /* Half the sum of the squares of all distances but those at the ends, which are fixed, in parts of
  * nothing: after feet were followed anew on the curve as it now is. */
 static double half_sum(struct setting *s)
 {
-    size_t kinds = feet_kinds(&s->target);
+    size_t kinds = feet_kinds(&s->fit.target);
     double sum = 0;
 
-    spanform_curve(&s->form, &s->attempt.curve);
+    spanform_curve(&s->form, &s->fit.attempt.curve);
     for (int i = 0; i < 4; i++)
-        feet_follow(&s->form, &s->target, &s->attempt.feet);
-    for (size_t i = kinds; i < (s->target.n - 1) * kinds; i++)
-        sum += s->attempt.feet.off[i] * s->attempt.feet.off[i] / 2;
+        feet_follow(&s->form, &s->fit.target, &s->fit.attempt.feet);
+    for (size_t i = kinds; i < (s->fit.target.n - 1) * kinds; i++)
+        sum += s->fit.attempt.feet.off[i] * s->fit.attempt.feet.off[i] / 2;
     return sum;
 }
 
@@ -81,13 +71,13 @@ START_TEST(the_right_hand_side_is_the_slope)
     for (int degree = 2; degree <= 5; degree++)
         for (int fixed = 0; fixed < 2; fixed++) {
             struct setting s = setting_new(degree, fixed, 8);
-            struct bspline *b = &s.attempt.curve;
+            struct bspline *b = &s.fit.attempt.curve;
             struct knotstep step = knotstep_new(b);
             double largest = 0;
 
             half_sum(&s);
             spanform_slopes(&s.form, b);
-            knotstep_equations(&step, &s.form, &s.target, &s.attempt.feet, 2);
+            knotstep_equations(&step, &s.form, &s.fit.target, &s.fit.attempt.feet, 2);
             for (size_t i = 0; i < step.unknowns; i++)
                 largest = fmax(largest, fabs(step.right[i]));
             for (size_t i = 1; i + 1 < b->poles; i++) {
@@ -112,16 +102,16 @@ START_TEST(steps_go_down)
 {
     for (int fixed = 0; fixed < 2; fixed++) {
         struct setting s = setting_new(3, fixed, 8);
-        struct knotstep step = knotstep_new(&s.attempt.curve);
+        struct knotstep step = knotstep_new(&s.fit.attempt.curve);
         double first = half_sum(&s), before = first;
 
         for (int i = 0; i < 12; i++) {
-            struct bspline to = bspline_copy(&s.attempt.curve);
-            spanform_slopes(&s.form, &s.attempt.curve);
-            knotstep_equations(&step, &s.form, &s.target, &s.attempt.feet, 2);
-            ck_assert(knotstep_move(&step, 0.05, 0.01, &s.attempt.curve, &to));
-            bspline_free(&s.attempt.curve);
-            s.attempt.curve = to;
+            struct bspline to = bspline_copy(&s.fit.attempt.curve);
+            spanform_slopes(&s.form, &s.fit.attempt.curve);
+            knotstep_equations(&step, &s.form, &s.fit.target, &s.fit.attempt.feet, 2);
+            ck_assert(knotstep_move(&step, 0.05, 0.01, &s.fit.attempt.curve, &to));
+            bspline_free(&s.fit.attempt.curve);
+            s.fit.attempt.curve = to;
             double after = half_sum(&s);
             ck_assert_double_le(after, before * 1.001);
             before = after;

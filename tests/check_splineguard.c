@@ -82,8 +82,8 @@ static double in_wall(struct vec3 ball)
     return BALL - fmin(ball.z, ball.z * cos(STEEP) - ball.x * sin(STEEP));
 }
 
-/* The ball comes along the floor and climbs the wall; the corner is taken in two turns, and a smooth
- * curve swings out of them into wall and floor.  The normals lie along both, so that lifts
+/* The ball comes along the floor and climbs the wall; the corner is taken in two turns, and a
+ * smooth curve swings out of them into wall and floor.  The normals lie along both, so that lifts
  * only move points sideways: the straight lines are left. */
 START_TEST(where_lifts_do_not_help_lines_do)
 {

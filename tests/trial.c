@@ -111,3 +111,22 @@ struct attempt trial_attempt(const struct target *t, int degree, size_t poles, d
     ck_assert(attempt_start(t, &form, knot, t->at, &a));
     return a;
 }
+
+struct trial_fit trial_fit_new(size_t n, double radius, bool fixed, bool centre, size_t parts)
+{
+    struct trial_fit fit = {.run = trial_motion(n, radius)};
+
+    for (size_t i = 0; fixed && i < fit.run.n; i++)
+        fit.run.item[i].axis = vec(0, 0, 1);
+    fit.track = track_new(&fit.run, centre);
+    fit.target = target_new(&fit.track, parts, 0.01, 0.02);
+    return fit;
+}
+
+void trial_fit_free(struct trial_fit *fit)
+{
+    attempt_free(&fit->attempt);
+    target_free(&fit->target);
+    track_free(&fit->track);
+    array_free(&fit->run);
+}

@@ -30,4 +30,18 @@ void trial_assert_chain(const struct trace *t, const struct stray *within, const
 /* A curve through the target by least squares, its knots spread by that power. */
 struct attempt trial_attempt(const struct target *t, int degree, size_t poles, double power);
 
+/* A curve through trial_motion, and all that it takes. */
+struct trial_fit {
+    struct run run;
+    struct track track;
+    struct target target;
+    struct attempt attempt;
+};
+
+/* The motion's n points, with a `fixed` axis or turning, its tip tracked or its `centre`, sampled
+ * at about `parts` places; the attempt is still to be made. */
+struct trial_fit trial_fit_new(size_t n, double radius, bool fixed, bool centre, size_t parts);
+
+void trial_fit_free(struct trial_fit *fit);
+
 #endif
