@@ -19,7 +19,7 @@ enum {
     UNEVEN_POINTS = 6,
     UNEVEN_KNOWN = 12,
     PATIENCE = 5,
-    TRIALS = 3,      /* of uneven data that may fail */
+    TRIALS = 2,      /* of uneven data that may fail */
     PLACES = 4,      /* points that a pole known to be needed counts for */
     FINEST = 50,     /* part of a count that is worth no more trials */
     MORE_AGAIN = 16, /* part of a curve's poles that it may get more */
@@ -29,7 +29,7 @@ enum {
 static const double WORTH_IT = 5; /* tolerances off: nearer is worth to be moved about */
 static const double NEARLY = 2;   /* nearer than this is worth more patience */
 static const double EFFORT = 6e4, EFFORT_PER_POINT = 2500; /* distances times steps, at most */
-static const double EFFORT_UNEVEN = 500; /* the same per point, from where on the data is uneven */
+static const double EFFORT_UNEVEN = 400; /* the same per point, from where on the data is uneven */
 
 /* Knots spread by what the data asks for. */
 static bool serves_spread(struct knottrials *t, size_t poles)

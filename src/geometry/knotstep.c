@@ -13,6 +13,17 @@ enum { ORDER = BSPLINE_DEGREE_MAX + 1, SLOPES = 2 * BSPLINE_DEGREE_MAX };
 
 static const double APPROACH = 0.4; /* of the way to its neighbour, at most, for a knot in a step */
 
+/*
+ * How far apart the unknowns of a span are at most: in it act the poles i .. i + p and 2 p knots, of
+ * which the first stands behind pole i + 1 - early and the last behind i + 2 p - early.
+ */
+static size_t band_of(size_t p, size_t width, size_t early)
+{
+    size_t knots = (2 * p - 1) * (width + 1), behind = (2 * p - early) * (width + 1) + width;
+
+    return knots > behind ? knots : behind;
+}
+
 struct knotstep knotstep_new(const struct bspline *curve)
 {
     struct knotstep s = {0};
@@ -29,7 +40,7 @@ struct knotstep knotstep_new(const struct bspline *curve)
             s.knot[knot] = at++;
     }
     s.unknowns = at;
-    size_t band = 2 * p * (width + 1);
+    size_t band = band_of(p, width, early);
     s.normal = band_new(at, band < at ? band : at - 1);
     s.factor = band_new(at, s.normal.width);
     s.right = mem_alloc(at, sizeof *s.right);
