@@ -14,7 +14,8 @@
  * wall four, two at its top and two at its foot, of which the inner two have the normal of the
  * wall, and vertical facets between them.  They come in the order from the edge's first vertex to
  * its second; those of an edge along a row get its row and the column of its first vertex, the
- * others row and column -1.
+ * others row and column -1.  Where two walls, or the creases between three sheets, meet within a
+ * facet, that corner gets vertices too (edgecorner.h), after those of all edges.
  *
  * feature[edges->n]: FEATURE_NONE leaves the edge as it is.  The mesh must have normals.
  */

@@ -95,6 +95,45 @@ START_TEST(a_step)
 }
 END_TEST
 
+/* A box 6 mm high, its corner at the origin. */
+static double from_box(struct vec3 p)
+{
+    double up = hypot(hypot(fmax(p.x, 0), fmax(p.y, 0)), p.z - 6), ground = fabs(p.z);
+    double right = hypot(hypot(p.x, p.z - fmin(fmax(p.z, 0), 6)), fmax(p.y, 0));
+    double front = hypot(hypot(p.y, p.z - fmin(fmax(p.z, 0), 6)), fmax(p.x, 0));
+    if (p.x < 0 && p.y < 0)
+        ground = hypot(p.z, fmin(-p.x, -p.y));
+    return fmin(fmin(up, ground), fmin(right, front));
+}
+
+/* Where two walls meet, with noise and without: facets are on the box, and its corner is there. */
+START_TEST(a_corner)
+{
+    for (int i = 0; i < 2; i++) {
+        struct vec3s p = {0};
+        size_t flat;
+        double noise = i * 0.02, top = INFINITY, foot = INFINITY;
+        rectangle(&p, 900, vec(0, 0, 6), vec(-12, 0, 0), vec(0, -12, 0), noise);
+        rectangle(&p, 1800, vec(0, 12, 0), vec(12, 0, 0), vec(0, -24, 0), noise);
+        rectangle(&p, 900, vec(-12, 0, 0), vec(12, 0, 0), vec(0, 12, 0), noise);
+        rectangle(&p, 450, vec(0, 0, 0), vec(0, -12, 0), vec(0, 0, 6), noise);
+        rectangle(&p, 450, vec(0, 0, 0), vec(-12, 0, 0), vec(0, 0, 6), noise);
+        struct mesh m = mesh_of(&p, 1.2, &flat);
+        struct featuremesh found = featuremesh_keep(&m, p.item, p.n, flat, 0.4, noise, 2);
+        ck_assert_uint_gt(found.walls, 20);
+        ck_assert_double_le(worst(&m, from_box), 0.1);
+        for (size_t v = 0; v < m.vertex.n; v++) {
+            top = fmin(top, vec_distance(m.vertex.item[v], vec(0, 0, 6)));
+            foot = fmin(foot, vec_distance(m.vertex.item[v], vec(0, 0, 0)));
+        }
+        ck_assert_double_le(fmax(top, foot), 0.1);
+        array_free(&found.place);
+        mesh_free(&m);
+        array_free(&p);
+    }
+}
+END_TEST
+
 /* Waves with a radius of 9 mm and noise. */
 START_TEST(waves_stay)
 {
@@ -122,6 +161,7 @@ int main(void)
     SRunner *runner = srunner_create(suite);
     tcase_add_test(tests, roof);
     tcase_add_test(tests, a_step);
+    tcase_add_test(tests, a_corner);
     tcase_add_test(tests, waves_stay);
     suite_add_tcase(suite, tests);
     srunner_run_all(runner, CK_ENV);

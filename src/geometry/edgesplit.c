@@ -3,6 +3,8 @@
 
 #include <stdlib.h>
 
+#include "edgecorner.h"
+
 /* The vertices put into an edge, as the side of a facet goes along it: first and last are on the
  * sheets of the side's ends, the inner ones on the wall. */
 struct chain {
@@ -98,6 +100,105 @@ static void split_one(struct splitting *s, const int v[3], const struct chain *c
     add_facet(s, c->v[c->n - 1], b, far);
 }
 
+static struct edgecorner_plane plane_at(const struct splitting *s, int v)
+{
+    return (struct edgecorner_plane){s->mesh->vertex.item[v], s->mesh->normal.item[v]};
+}
+
+/* The sheet that two vertices are on. */
+static struct edgecorner_plane sheet_at(const struct splitting *s, int v, int w)
+{
+    return edgecorner_mean(plane_at(s, v), plane_at(s, w));
+}
+
+/* A vertex at a corner, with the normal that another one has. */
+static int corner_like(struct splitting *s, struct vec3 place, int v)
+{
+    return add_vertex(s->mesh, place, s->mesh->normal.item[v], -1, -1);
+}
+
+/* The same on a sheet that two vertices are on: *second is another one where their normals differ. */
+static int corner_on(struct splitting *s, struct vec3 place, int v, int w, int *second)
+{
+    const double same = 0.99;
+    bool one = vec_dot(s->mesh->normal.item[v], s->mesh->normal.item[w]) > same;
+
+    if (one)
+        return *second = add_vertex(s->mesh, place, sheet_at(s, v, w).normal, -1, -1);
+    *second = corner_like(s, place, w);
+    return corner_like(s, place, v);
+}
+
+/* What two chains bound: corner a's side of the feature, and that of b and c. */
+struct between {
+    int a, b, c;
+    int a_out, a_in; /* the first of the chain from a to b, the last of that from c to a */
+    int b_out, c_in; /* the other ends of these */
+};
+
+/* Facets about a corner of the feature, on_a on the side of a, on_b on the other. */
+static void fan_about(struct splitting *s, const struct between *t, struct vec3 on_a,
+                      struct vec3 on_b)
+{
+    int second, first = corner_on(s, on_a, t->a_out, t->a_in, &second);
+
+    add_facet(s, t->a, t->a_out, first);
+    add_facet(s, t->a, second, t->a_in);
+    first = corner_on(s, on_b, t->b_out, t->c_in, &second);
+    add_facet(s, first, t->b_out, t->b);
+    add_facet(s, first, t->b, t->c);
+    add_facet(s, second, t->c, t->c_in);
+}
+
+/* A quadrangle of two walls that turn within the facet. */
+static void wall_to(struct splitting *s, const struct chain *out, struct vec3 top, struct vec3 foot)
+{
+    int v = corner_like(s, top, out->v[1]), w = corner_like(s, foot, out->v[1]);
+
+    add_four(s, out->v[1], out->v[2], w, v);
+}
+
+/* Two walls that meet within the facet.  False: they do not. */
+static bool walls_meet(struct splitting *s, const struct between *t, const struct chain *out,
+                       const struct chain *in)
+{
+    const struct vec3 *at = s->mesh->vertex.item;
+    const struct vec3 corner[3] = {at[t->a], at[t->b], at[t->c]};
+    struct edgecorner_plane plane[3] = {plane_at(s, out->v[1]), plane_at(s, in->v[1]),
+                                        sheet_at(s, t->a_out, t->a_in)};
+    struct vec3 on_a, on_b;
+
+    if (!edgecorner(plane, corner, &on_a))
+        return false;
+    plane[2] = sheet_at(s, t->b_out, t->c_in);
+    if (!edgecorner(plane, corner, &on_b))
+        return false;
+    struct chain back = {4, {in->v[3], in->v[2], in->v[1], in->v[0]}};
+    fan_about(s, t, on_a, on_b);
+    wall_to(s, out, on_a, on_b);
+    int v = corner_like(s, on_a, back.v[1]), w = corner_like(s, on_b, back.v[1]);
+    add_four(s, back.v[2], back.v[1], v, w);
+    return true;
+}
+
+/* Two creases about one sheet that meet within the facet.  False: they do not. */
+static bool creases_meet(struct splitting *s, const struct between *t)
+{
+    const struct vec3 *at = s->mesh->vertex.item, *normal = s->mesh->normal.item;
+    const struct vec3 corner[3] = {at[t->a], at[t->b], at[t->c]};
+    bool one = vec_dot(normal[t->a_out], normal[t->a_in]) > vec_dot(normal[t->b_out], normal[t->c_in]);
+    struct edgecorner_plane plane[3] = {
+        one ? plane_at(s, t->b_out) : plane_at(s, t->a_out),
+        one ? plane_at(s, t->c_in) : plane_at(s, t->a_in),
+        one ? sheet_at(s, t->a_out, t->a_in) : sheet_at(s, t->b_out, t->c_in)};
+    struct vec3 on;
+
+    if (!edgecorner(plane, corner, &on))
+        return false;
+    fan_about(s, t, on, on);
+    return true;
+}
+
 /* The feature parts corner i from the other two; `out` is on the side that begins at it, `in` on
  * the one that ends there. */
 static void split_two(struct splitting *s, const int v[3], int i, const struct chain *out,
@@ -105,12 +206,39 @@ static void split_two(struct splitting *s, const int v[3], int i, const struct c
 {
     int a = v[i], b = v[(i + 1) % 3], c = v[(i + 2) % 3];
     int out_wall = out->n == 4 ? 1 : 0, in_wall = in->n == 4 ? 1 : 0;
+    struct between t = {a, b, c, out->v[0], in->v[in->n - 1], out->v[out->n - 1], in->v[0]};
 
-    add_facet(s, a, out->v[0], in->v[in->n - 1]);
+    if ((out_wall && in_wall && walls_meet(s, &t, out, in)) ||
+        (!out_wall && !in_wall && creases_meet(s, &t)))
+        return;
+    add_facet(s, a, t.a_out, t.a_in);
     if (out_wall || in_wall)
         add_four(s, out->v[out_wall], out->v[out->n - 1 - out_wall], in->v[in_wall],
                  in->v[in->n - 1 - in_wall]);
-    add_four(s, out->v[out->n - 1], b, c, in->v[0]);
+    add_four(s, t.b_out, b, c, t.c_in);
+}
+
+/* Three sheets that meet within the facet.  False: they do not. */
+static bool sheets_meet(struct splitting *s, const int v[3], const struct chain c[3])
+{
+    const struct vec3 *at = s->mesh->vertex.item;
+    const struct vec3 corner[3] = {at[v[0]], at[v[1]], at[v[2]]};
+    struct edgecorner_plane plane[3];
+    struct vec3 on;
+
+    for (int i = 0; i < 3; i++) {
+        if (c[i].n != 2)
+            return false;
+        plane[i] = sheet_at(s, c[i].v[0], c[(i + 2) % 3].v[1]);
+    }
+    if (!edgecorner(plane, corner, &on))
+        return false;
+    for (int i = 0; i < 3; i++) {
+        int last = c[(i + 2) % 3].v[1], second, first = corner_on(s, on, c[i].v[0], last, &second);
+        add_facet(s, v[i], c[i].v[0], first);
+        add_facet(s, v[i], second, last);
+    }
+    return true;
 }
 
 /* Features on all sides: a corner facet each, and what is left between them. */
@@ -118,6 +246,8 @@ static void split_three(struct splitting *s, const int v[3], const struct chain 
 {
     int around[6], n = 0;
 
+    if (sheets_meet(s, v, c))
+        return;
     for (int i = 0; i < 3; i++) {
         const struct chain *in = &c[(i + 2) % 3];
         add_facet(s, v[i], c[i].v[0], in->v[in->n - 1]);

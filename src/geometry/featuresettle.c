@@ -4,7 +4,12 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "edgecorner.h"
+
 static const double CLEAR = 0.25; /* of the edge, between a vertex and the feature */
+
+static const double ROOM = 0.1;     /* of the side of a facet, between it and a corner */
+static const double FARTHEST = 0.4; /* of the side: so far vertices move for a corner */
 
 /* What the features do to a vertex. */
 struct beside {
@@ -61,8 +66,82 @@ static void settle_about(const struct featuresettle *s, size_t e, struct beside 
         const int *v = s->mesh->face.item[edge->facet[k]].v;
         int third = v[0] + v[1] + v[2] - edge->v[0] - edge->v[1];
         int i = side_of(f, at, p[third]);
-        if (fabs(vec_dot(vec_sub(p[third], f->place[i]), f->along)) < length)
+        struct vec3 off = vec_sub(p[third], f->place[i]);
+        bool behind = vec_dot(off, across_of(f, at)) * (i == 0 ? 1 : -1) < -CLEAR / 2 * length;
+        /* where two walls meet at a corner a vertex may well be behind one of them */
+        if (!behind && fabs(vec_dot(off, f->along)) < length)
             keep_away(&beside[third], f, i, at, p[third], CLEAR * length, aloof);
+    }
+}
+
+/* On the side of a vertex of its edge. */
+static struct edgecorner_plane sheet_of(const struct featuresettle *s, size_t e, int v)
+{
+    const struct feature *f = &s->feature[e];
+    int i = s->edges->edge[e].v[0] == v ? 0 : 1;
+
+    return (struct edgecorner_plane){f->place[i], f->normal[i]};
+}
+
+/* Where the features of the edges from a to b and from c to a meet. */
+static bool find_corner(const struct featuresettle *s, const size_t e[2], int a, int b, int c,
+                        struct vec3 *corner)
+{
+    const struct feature *f[2] = {&s->feature[e[0]], &s->feature[e[1]]};
+    struct edgecorner_plane on_a[2] = {sheet_of(s, e[0], a), sheet_of(s, e[1], a)};
+    struct edgecorner_plane on_b[2] = {sheet_of(s, e[0], b), sheet_of(s, e[1], c)};
+    struct edgecorner_plane plane[3] = {{on_b[0].place, f[0]->wall}, {on_b[1].place, f[1]->wall},
+                                        edgecorner_mean(on_b[0], on_b[1])};
+
+    if (f[0]->kind == FEATURE_CREASE) {
+        bool one = vec_dot(on_a[0].normal, on_a[1].normal) > vec_dot(on_b[0].normal, on_b[1].normal);
+        plane[0] = one ? on_b[0] : on_a[0];
+        plane[1] = one ? on_b[1] : on_a[1];
+        plane[2] = one ? edgecorner_mean(on_a[0], on_a[1]) : plane[2];
+    }
+    return edgecorner_of(plane, on_b[0].place, corner);
+}
+
+/* A corner that juts out of the facet over the side from b to c: these make room for it. */
+static void move_out(const struct featuresettle *s, const size_t e[2], int a, int b, int c,
+                     struct beside *beside)
+{
+    const struct vec3 *p = s->mesh->vertex.item;
+    struct vec3 corner, side = vec_sub(p[c], p[b]);
+    double length = hypot(side.x, side.y);
+    struct vec3 out = vec(side.y / length, -side.x / length, 0);
+    int v[2] = {b, c};
+
+    if (!(length > 0) || s->feature[e[0]].kind != s->feature[e[1]].kind ||
+        !find_corner(s, e, a, b, c, &corner))
+        return;
+    struct vec3 off = vec_sub(corner, p[b]);
+    double over = vec_dot(off, out) + ROOM * length, along = (off.x * side.x + off.y * side.y);
+    if (!(over > 0 && over < FARTHEST * length && along > 0 && along < length * length))
+        return;
+    for (int i = 0; i < 2; i++) {
+        struct vec3 normal = sheet_of(s, e[i], v[i]).normal;
+        struct vec3 shift = vec_scale(over, vec_unit(vec_reject(out, normal)));
+        if (vec_length(shift) > vec_length(beside[v[i]].shift))
+            beside[v[i]].shift = shift;
+    }
+}
+
+/* The same for each facet that two features cross. */
+static void settle_corners(const struct featuresettle *s, struct beside *beside)
+{
+    for (size_t f = 0; f < s->mesh->face.n; f++) {
+        const int *v = s->mesh->face.item[f].v, *of = s->edges->of[f];
+        int crossed = 0, whole = 0;
+        for (int i = 0; i < 3; i++) {
+            bool cross = s->feature[of[i]].kind != FEATURE_NONE;
+            crossed += cross;
+            whole = cross ? whole : i;
+        }
+        int a = (whole + 2) % 3, b = whole, c = (whole + 1) % 3;
+        const size_t e[2] = {(size_t)of[a], (size_t)of[c]};
+        if (crossed == 2)
+            move_out(s, e, v[a], v[b], v[c], beside);
     }
 }
 
@@ -74,6 +153,7 @@ static struct beside *find_beside(const struct featuresettle *s)
     for (size_t e = 0; e < s->edges->n; e++)
         if (s->feature[e].kind != FEATURE_NONE)
             settle_about(s, e, beside);
+    settle_corners(s, beside);
     return beside;
 }
 

@@ -95,6 +95,14 @@ static size_t mark_rises(struct raster *r)
     return marked;
 }
 
+/* z of the normal of the plane through the points, 1 where they carry none. */
+static double plane_z(const struct vec3 *near, size_t n, struct planefit *plane)
+{
+    if (planefit(near, n, plane) < 0)
+        plane->normal = vec(0, 0, 1);
+    return plane->normal.z;
+}
+
 static void look(void *context, size_t from, size_t to)
 {
     const struct looked *l = context;
@@ -106,8 +114,9 @@ static void look(void *context, size_t from, size_t to)
         size_t n = kdtree_nearest(l->tree, l->point[i], NEAR, index, NULL);
         for (size_t k = 0; k < n; k++)
             near[k] = l->point[index[k]];
-        l->steep[i] = n == NEAR && planefit(near, n, &plane) == 0 &&
-                      fabs(plane.normal.z) < STEEP && plane.rms < plane.width / 2;
+        /* where two walls meet at a corner a plane leaves more */
+        double most = fabs(plane_z(near, n, &plane)) < STEEP / 2 ? 0.75 : 0.5;
+        l->steep[i] = n == NEAR && fabs(plane.normal.z) < STEEP && plane.rms < most * plane.width;
     }
 }
 
