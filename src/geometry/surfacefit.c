@@ -28,8 +28,8 @@ static double weigh(const struct quadric *q, struct surfacefit_hood *hood, size_
     *farthest = 0;
     for (size_t i = 0; i < k; i++) {
         double off = quadric_off(q, hood->point[i]), r = off / (TUKEY * sigma);
-        *farthest = fmax(*farthest, fabs(off));
-        double root = fmax(1 - r * r, 0);
+        *farthest = fabs(off) > *farthest ? fabs(off) : *farthest;
+        double root = r * r < 1 ? 1 - r * r : 0;
         hood->weight[i] = root * root;
         sum += hood->weight[i];
         sum2 += hood->weight[i] * off * off;
