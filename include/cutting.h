@@ -44,8 +44,13 @@ int cutting_guard(const struct mesh *mesh, double near, int threads, struct guar
 int cutting_rules(const struct mesh *mesh, const struct guard *guard, double distance,
                   struct toolpath *t, struct error *error);
 
-/* Fills the head of the path when it is done; `tool` is the stage that spent what straight lines
+/* Before the path is made: with a tolerance all that its head says is known, and it goes to `output`
+ * (NULL: standard output) while it is made.  `tool`: the stage that spends what straight lines
  * spend. */
-void cutting_head(const struct mesh *mesh, const char *tool, const struct toolpath *t);
+void cutting_begin(const struct mesh *mesh, const char *tool, const char *output,
+                   struct toolpath *t);
+
+/* When it is made: what is left of it to be written, or all. */
+void cutting_end(const struct mesh *mesh, const char *tool, struct toolpath *t);
 
 #endif

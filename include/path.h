@@ -136,6 +136,11 @@ int path_read(const char *file, struct path *path, struct error *error);
 /* Writes the stream with its head and FINI.  Coordinates with 6 decimals, vectors with 9. */
 void path_write(struct out *out, const struct path *path);
 
+/* The same in pieces: the head, items as often as there are more, the end. */
+void path_write_head(struct out *out, const struct path_head *head);
+void path_write_items(struct out *out, const struct path *path);
+void path_write_end(struct out *out);
+
 void path_free(struct path *path);
 
 /* The item takes the tool elsewhere. */

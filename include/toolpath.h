@@ -75,9 +75,16 @@ struct toolpath {
 
     int threads; /* as of parallel_for */
 
+    /* The path, whose head is known, is written as it is made, and not kept: to this file, NULL:
+     * standard output.  What is open of it at the end. */
+    bool streams;
+    const char *output;
+    struct out *out;
+
     /* Where it stands: for toolpath.c alone. */
     struct { size_t n, cap; struct toolpath_strip *item; } strip;
     struct { size_t n, cap; struct toolpath_stand *item; } stand;
+    struct vec3s ball; /* its centre at the points that are not rapid */
     struct run_point at;
     size_t pass;
     bool down;

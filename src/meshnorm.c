@@ -197,16 +197,14 @@ int main(int argc, char **argv)
     if (cutting_rules(&mesh, guard, distance, &t, &error) != 0)
         die_usage("%s", error.text);
 
+    cutting_begin(&mesh, "meshnorm", cli.output, &t);
     if (scallop > 0 && !planes.part)
         planepath_run_out(&planes.path[0], &mesh);
     if (scallop == 0)
         make_path(&mesh, &rows, &t);
     else if (planepath_make(planes.path, planes.n, &t, &error) != 0)
         die_error(&error);
-    cutting_head(&mesh, "meshnorm", &t);
-    struct out *out = out_open(cli.output);
-    path_write(out, &path);
-    out_close(out);
+    cutting_end(&mesh, "meshnorm", &t);
     note("%zu nodes in %zu strips", rows.node.n, rows.strip.n);
     int status = toolpath_conclude(&t);
 

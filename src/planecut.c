@@ -173,13 +173,11 @@ int main(int argc, char **argv)
     if (cutting_rules(&mesh, guard, planes.widest, &t, &error) != 0)
         die_usage("%s", error.text);
 
+    cutting_begin(&mesh, "planecut", cli.output, &t);
     planepath_run_out(&planes, &mesh);
     if (planepath_make(&planes, 1, &t, &error) != 0)
         die_error(&error);
-    cutting_head(&mesh, "planecut", &t);
-    struct out *out = out_open(cli.output);
-    path_write(out, &path);
-    out_close(out);
+    cutting_end(&mesh, "planecut", &t);
     note("%zu planes", planes.height.n);
     int status = toolpath_conclude(&t);
 

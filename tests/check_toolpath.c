@@ -2,7 +2,9 @@
 #include "toolpath.h"
 
 #include <check.h>
+#include <stdio.h>
 #include <stdlib.h>
+#include <unistd.h>
 
 static const double R = 5;
 
@@ -185,12 +187,54 @@ START_TEST(without_a_guard_the_moves_are_the_same)
 }
 END_TEST
 
+/* Reads up to `size` bytes of a file, and takes it away. */
+static size_t read_away(const char *name, char *text, size_t size)
+{
+    FILE *file = fopen(name, "rb");
+    ck_assert_ptr_nonnull(file);
+    size_t n = fread(text, 1, size, file);
+    fclose(file);
+    remove(name);
+    return n;
+}
+
+START_TEST(a_path_written_as_it_is_made_is_the_same)
+{
+    static char whole[20000], streamed[20000];
+    char name[] = "/tmp/check_toolpath.XXXXXX";
+    close(mkstemp(name));
+    struct guard *guard = make_floor();
+    struct path path = {.head = {.multax = true, .tool = 3, .clearance = 20, .chord = NAN}};
+    struct path piece = path;
+    struct toolpath kept = make_toolpath(&path, guard), t = make_toolpath(&piece, guard);
+
+    make_path(&kept);
+    kept.out = out_open(name);
+    path_write(kept.out, &path);
+    out_close(kept.out);
+    size_t n = read_away(name, whole, sizeof whole);
+    t.streams = true;
+    t.output = name;
+    make_path(&t);
+    path_write_end(t.out);
+    out_close(t.out);
+    ck_assert_uint_gt(n, 1000);
+    ck_assert_uint_eq(read_away(name, streamed, sizeof streamed), n);
+    ck_assert_mem_eq(whole, streamed, n);
+    ck_assert_uint_eq(piece.item.n, 0);
+    path_free(&path);
+    path_free(&piece);
+    guard_free(guard);
+}
+END_TEST
+
 int main(void)
 {
     Suite *suite = suite_create("toolpath");
     TCase *tests = tcase_create("toolpath");
     tcase_add_test(tests, passes_links_and_feeds_are_in_order);
     tcase_add_test(tests, the_ball_is_clear_on_every_rapid);
+    tcase_add_test(tests, a_path_written_as_it_is_made_is_the_same);
     tcase_add_test(tests, a_lid_above_the_strip_is_told);
     tcase_add_test(tests, what_stands_in_a_gutter_is_measured);
     tcase_add_test(tests, without_a_guard_the_moves_are_the_same);

@@ -194,7 +194,8 @@ int cutting_rules(const struct mesh *mesh, const struct guard *guard, double dis
     return clearance_plane(mesh, guard, &t->rule.clearance, error);
 }
 
-void cutting_head(const struct mesh *mesh, const char *tool, const struct toolpath *t)
+/* `tool` spent what straight lines spend. */
+static void fill_head(const struct mesh *mesh, const char *tool, const struct toolpath *t)
 {
     const struct cutting *c = &cutting;
     const struct mesh_origin *origin = &mesh->origin;
@@ -217,4 +218,25 @@ void cutting_head(const struct mesh *mesh, const char *tool, const struct toolpa
     if (c->tolerance > 0)
         path_spend(t->path, tool, c->tolerance);
     head->chord = c->tolerance > 0 ? NAN : t->chord;
+}
+
+void cutting_begin(const struct mesh *mesh, const char *tool, const char *output,
+                   struct toolpath *t)
+{
+    t->streams = cutting.tolerance > 0;
+    t->output = output;
+    if (t->streams)
+        fill_head(mesh, tool, t);
+}
+
+void cutting_end(const struct mesh *mesh, const char *tool, struct toolpath *t)
+{
+    if (t->streams) {
+        path_write_end(t->out);
+    } else {
+        fill_head(mesh, tool, t);
+        t->out = out_open(t->output);
+        path_write(t->out, t->path);
+    }
+    out_close(t->out);
 }

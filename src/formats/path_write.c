@@ -43,7 +43,7 @@ static void put_load(struct out *out, int number, int offset)
     out_text(out, "\n");
 }
 
-static void put_head(struct out *out, const struct path_head *head)
+void path_write_head(struct out *out, const struct path_head *head)
 {
     static const char *const coolant[] = {NULL, "OFF", "ON", "MIST"};
     static const char *const track[] = {NULL, "CENTER", "CONTACT"};
@@ -224,9 +224,8 @@ static void put_item(struct out *out, const struct path *path, const struct path
     }
 }
 
-void path_write(struct out *out, const struct path *path)
+void path_write_items(struct out *out, const struct path *path)
 {
-    put_head(out, &path->head);
     const struct path_cycle *on = NULL;
     for (size_t i = 0; i < path->item.n; i++) {
         put_cycle(out, path, &path->item.item[i], &on);
@@ -234,5 +233,16 @@ void path_write(struct out *out, const struct path *path)
     }
     if (on)
         out_text(out, "CYCLE/OFF\n");
+}
+
+void path_write_end(struct out *out)
+{
     out_text(out, "FINI\n");
+}
+
+void path_write(struct out *out, const struct path *path)
+{
+    path_write_head(out, &path->head);
+    path_write_items(out, path);
+    path_write_end(out);
 }

@@ -19,9 +19,17 @@ struct way {
     bool clear;
 };
 
+/* A point of the path, and of what is looked at when it is done. */
+static struct path_item *add_point(struct toolpath *t, struct pose pose, bool rapid)
+{
+    if (t->lift.guard && !rapid)
+        *array_push(&t->ball) = vec_along(pose.p, t->rule.radius, pose.a);
+    return path_add_point(t->path, pose, rapid);
+}
+
 static void move(struct toolpath *t, struct vec3 ball, struct vec3 axis, bool rapid)
 {
-    path_add_point(t->path, (struct pose){vec_along(ball, -t->rule.radius, axis), axis}, rapid);
+    add_point(t, (struct pose){vec_along(ball, -t->rule.radius, axis), axis}, rapid);
 }
 
 static void set_feed(struct toolpath *t, double feed)
@@ -161,7 +169,7 @@ static void cut(struct toolpath *t, const struct run_point *point, size_t n)
 {
     for (size_t i = 0; i < n; i++) {
         const struct run_point *p = &point[i];
-        struct path_item *item = path_add_point(t->path, (struct pose){p->tip, p->axis}, false);
+        struct path_item *item = add_point(t, (struct pose){p->tip, p->axis}, false);
         if (vec_length(p->normal) > 0)
             path_touch(t->path, item, (struct contact){p->contact, p->normal});
         if (vec_dot(p->axis, p->normal) < -1e-6)
@@ -234,6 +242,15 @@ struct batch {
     size_t done, from; /* strips [done, from) are lifted, those behind are not */
 };
 
+/* What there is of the path goes out, and its room is for what follows. */
+static void drain(struct toolpath *t)
+{
+    if (!t->out)
+        return;
+    path_write_items(t->out, t->path);
+    t->path->item.n = t->path->contact.n = 0;
+}
+
 static void work_on(void *context, size_t first, size_t last)
 {
     const struct batch *b = context;
@@ -246,6 +263,7 @@ static void work_on(void *context, size_t first, size_t last)
             add_strip(b->t, strip);
             array_free(&strip->contact);
             lifted_run_free(&strip->lifted);
+            drain(b->t);
         }
     }
 }
@@ -257,6 +275,10 @@ void toolpath_end(struct toolpath *t)
 
     if (t->rule.turn > 0)
         toolpath_turn(t);
+    if (t->streams) {
+        t->out = out_open(t->output);
+        path_write_head(t->out, &t->path->head);
+    }
     while (b.done < t->strip.n) {
         size_t left = t->strip.n - b.from, more = left < BATCH ? left : BATCH;
         parallel_for(t->threads, 1 + more, work_on, &b);
@@ -265,7 +287,8 @@ void toolpath_end(struct toolpath *t)
         b.from += more;
     }
     array_free(&t->strip);
-    toolpath_stand(t);
     if (t->down)
         retract(t);
+    drain(t);
+    toolpath_stand(t);
 }

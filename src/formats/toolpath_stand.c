@@ -5,24 +5,11 @@
 #include "parallel.h"
 #include "toolpath.h"
 
-/* Where the ball's centre is at the points of the path, and what is looked for there. */
 struct job {
     const struct toolpath *t;
-    struct kdtree *ball;
+    struct kdtree *ball; /* where its centre is at the points of the path */
     bool *stays; /* at each place: more than may */
 };
-
-static struct vec3s balls_of(const struct toolpath *t)
-{
-    struct vec3s ball = {0};
-
-    for (size_t i = 0; i < t->path->item.n; i++) {
-        const struct path_item *item = &t->path->item.item[i];
-        if (item->kind == PATH_POINT && !item->rapid)
-            *array_push(&ball) = vec_along(item->to.p, t->rule.radius, item->to.a);
-    }
-    return ball;
-}
 
 /* No ball comes nearer to the place than this above it. */
 static bool stays(const struct job *job, const struct toolpath_stand *s, double height)
@@ -64,9 +51,8 @@ void toolpath_stand(struct toolpath *t)
 
     if (t->stand.n == 0)
         return;
-    struct vec3s ball = balls_of(t);
-    job.ball = kdtree_new_by(ball.item, ball.n, t->threads);
-    array_free(&ball);
+    job.ball = kdtree_new_by(t->ball.item, t->ball.n, t->threads);
+    array_free(&t->ball);
     job.stays = mem_alloc(t->stand.n, sizeof *job.stays);
     parallel_for(t->threads, t->stand.n, look, &job);
     find_highest(t, &job);
