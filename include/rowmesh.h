@@ -27,13 +27,15 @@ struct rowmesh {
 struct rowmesh_wish {
     double error, spacing, widest; /* mean spacing of the points, largest distance of two rows, mm */
     const struct edgezone *zone;   /* NULL: no creases and walls are known */
+    double out; /* so many of the points of a strip, as part of them, may be off it by more */
 };
 
 /*
  * Rows are never nearer than the points, but where there is a zone.  The mesh gets vertices, rows,
  * columns and facets; result.worst > error where the points are too far apart for it, or stand
- * upright.  Points near to the creases and walls of the zone are not judged, for these are put into
- * the mesh later: it has there edges no longer than the zone's, and no vertices too near to them.
+ * upright, or where wish->out of them may be off (meshinsert.h brings these in).  Points near to
+ * the creases and walls of the zone are not judged, for these are put into the mesh later: it has
+ * there edges no longer than the zone's, and no vertices too near to them.
  */
 struct rowmesh rowmesh_make(const struct buckets *buckets, const struct footprint *footprint,
                             const struct holes *holes, const struct rowmesh_wish *wish,

@@ -4,6 +4,7 @@
 
 #include "cloudmesh_base.h"
 #include "meshcover.h"
+#include "meshinsert.h"
 #include "meshnear.h"
 #include "wallpoints.h"
 
@@ -52,7 +53,7 @@ static int smooth_points(const struct cloudmesh_wish *wish, struct vec3s *points
 static int make_rows(const struct cloudmesh_wish *wish, const struct source *s, int threads,
                      struct mesh *mesh, struct cloudmesh *made, struct error *error)
 {
-    const double slant = 0.866, widest = 24, gaps = 6;
+    const double slant = 0.866, widest = 24, gaps = 6, out = 0.12; /* an eighth */
     double mean = s->surface_parts.mean, gap = wish->max_gap > 0 ? wish->max_gap : gaps * mean;
     struct vec3s *points = s->surface;
     struct holes holes;
@@ -65,7 +66,7 @@ static int make_rows(const struct cloudmesh_wish *wish, const struct source *s, 
         return -1;
     }
     double apart = wish->spacing > 0 ? slant * wish->spacing : widest * mean;
-    struct rowmesh_wish rows = {wish->error, mean, apart, s->zone};
+    struct rowmesh_wish rows = {wish->error, mean, apart, s->zone, out};
     made->rows = rowmesh_make(&buckets, &f, &holes, &rows, mesh);
     buckets_free(&buckets);
     holes_free(&holes);
@@ -78,26 +79,43 @@ static int make_rows(const struct cloudmesh_wish *wish, const struct source *s, 
     return 0;
 }
 
-/* How far the points over and under the mesh are from it as it is in the end, in space.  Those near
- * a crease or wall have their noise: that is allowed for. */
+/* What a point may be off besides: near a crease or wall it has its noise. */
+static double allowance(const struct source *s, struct vec3 at)
+{
+    const double sigmas = 3.5;
+
+    return s->noise > 0 && s->zone && edgezone_near(s->zone, at.x, at.y) ? sigmas * s->noise : 0;
+}
+
+/* Points that rows do not come near enough to become vertices between them.  Half a thousandth of
+ * the error is for the digits of the mesh. */
+static void insert_points(const struct cloudmesh_wish *wish, const struct source *s,
+                          int threads, struct mesh *mesh)
+{
+    const struct vec3s *points = &s->judged;
+    double *within = mem_alloc(points->n, sizeof *within);
+
+    for (size_t i = 0; i < points->n; i++)
+        within[i] = 0.9995 * wish->error + allowance(s, points->item[i]);
+    meshinsert(mesh, points->item, within, points->n, threads);
+    free(within);
+}
+
+/* How far the points over and under the mesh are from it as it is in the end, in space. */
 static void measure(const struct mesh *mesh, const struct source *s, int threads,
                     struct rowmesh *rows)
 {
-    const double sigmas = 3.5;
     const struct vec3s *points = &s->judged;
     double *distance = mem_alloc(points->n, sizeof *distance), sum2 = 0;
 
     meshnear(mesh, points->item, points->n, threads, distance);
     rows->worst = 0;
     for (size_t i = 0; i < points->n; i++) {
-        struct vec3 at = points->item[i];
-        double off = distance[i];
-        if (s->noise > 0 && s->zone && edgezone_near(s->zone, at.x, at.y))
-            off = fmax(off - sigmas * s->noise, 0);
+        double off = fmax(distance[i] - allowance(s, points->item[i]), 0);
         sum2 += off * off;
         if (off > rows->worst) {
             rows->worst = off;
-            rows->at = at;
+            rows->at = points->item[i];
         }
     }
     rows->rms = points->n > 0 ? sqrt(sum2 / (double)points->n) : 0;
@@ -150,6 +168,8 @@ static int mesh_of(const struct cloudmesh_wish *wish, struct source *s, int thre
     if (status == 0 && mesh->face.n > 0) {
         cloudmesh_edges(wish, &s->scan_parts, s->scan, s->noise, threads, mesh, made);
         status = meshcover(mesh, points->item, flat, mean, &s->judged, error);
+        if (status == 0)
+            insert_points(wish, s, threads, mesh);
         measure(mesh, s, threads, &made->rows);
         made->rows.beside = points->n - s->judged.n;
     }

@@ -15,15 +15,22 @@ struct strip {
     struct faces face; /* as rowzip numbers them */
     double worst, sum2;
     struct vec3 at;
-    size_t points, bridges;
+    size_t points, out, bridges;
+    size_t lost; /* points between its rows that no facet is above or below */
     bool done;
+};
+
+/* A point's place across the rows. */
+struct across {
+    double v;
+    size_t point;
 };
 
 struct work {
     const struct buckets *buckets;
     const struct footprint *footprint;
     const struct holes *holes;
-    double error, spacing;
+    double error, spacing, out;
     struct rowcurve_rule rule;
     struct {
         size_t n, cap;
@@ -34,7 +41,40 @@ struct work {
         struct strip *item; /* between row i and row i + 1 */
     } strip;
     unsigned char *covered; /* by point: 1, a facet is above or below it */
+    struct across *across;  /* of all points, by rising v */
 };
+
+static int by_v(const void *a, const void *b)
+{
+    const struct across *p = a, *q = b;
+
+    if (p->v < q->v || p->v > q->v)
+        return p->v < q->v ? -1 : 1;
+    return (p->point > q->point) - (p->point < q->point);
+}
+
+static void sort_across(struct work *w)
+{
+    w->across = mem_alloc(w->buckets->n, sizeof *w->across);
+    for (size_t i = 0; i < w->buckets->n; i++)
+        w->across[i] = (struct across){footprint_turn(w->footprint, w->buckets->point[i]).y, i};
+    qsort(w->across, w->buckets->n, sizeof *w->across, by_v);
+}
+
+/* The first of the points that is no lower. */
+static size_t first_across(const struct work *w, double v)
+{
+    size_t low = 0, high = w->buckets->n;
+
+    while (low < high) {
+        size_t middle = low + (high - low) / 2;
+        if (w->across[middle].v < v)
+            low = middle + 1;
+        else
+            high = middle;
+    }
+    return low;
+}
 
 static struct vec3 turn_back(const struct footprint *f, struct vec3 p)
 {
@@ -73,6 +113,7 @@ static void measure_face(struct work *w, struct strip *s, struct vec3 a, struct 
             if (w->rule.zone && edgezone_near(w->rule.zone, p.x, p.y))
                 continue;
             s->points++;
+            s->out += off > w->error;
             s->sum2 += off * off;
             if (off > s->worst) {
                 s->worst = off;
@@ -86,7 +127,10 @@ static void make_strip(struct work *w, size_t index)
     const double nothing = 1e-12;
     struct strip *s = &w->strip.item[index];
     const struct rowcurve *low = &w->row.item[index], *high = &w->row.item[index + 1];
+    size_t first = first_across(w, low->v), end = first_across(w, high->v);
     struct faces all = {0};
+    for (size_t i = first; i < end; i++)
+        w->covered[w->across[i].point] = 0;
     rowzip(w->buckets, w->footprint, w->error, low, high, &all);
     for (size_t f = 0; f < all.n; f++) {
         struct vec3 p[3];
@@ -105,6 +149,8 @@ static void make_strip(struct work *w, size_t index)
         *array_push(&s->face) = all.item[f];
     }
     array_free(&all);
+    for (size_t i = first; i < end; i++)
+        s->lost += !w->covered[w->across[i].point];
     s->done = true;
 }
 
@@ -166,21 +212,24 @@ static bool is_too_wide(const struct work *w, size_t index)
     return false;
 }
 
-/* A strip that is off the cloud gets triangles no longer than it is wide, then it is halved.  Facets
- * over a hole hide how far the rest of a strip is off: there it is halved too, down to rows three
- * spacings apart. */
+/* A strip with too many points off it gets triangles no longer than it is wide, then it is halved.
+ * Facets over a hole, and borders that run aslant, hide how far the rest of a strip is off: there
+ * it is halved too, down to rows three spacings apart. */
 static void refine(struct work *w)
 {
-    const double rim = 6, slender = 2, square = 1.2;
+    const double few = 0.01, rim = 6, slender = 2, square = 1.2;
     for (size_t i = 0; i < w->strip.n;) {
         struct strip *s = &w->strip.item[i];
         double pitch = w->row.item[i + 1].v - w->row.item[i].v;
         if (!s->done)
             make_strip(w, i);
-        bool bridged = s->bridges > 0 && pitch >= rim * w->spacing;
+        double points = (double)(s->points + s->lost);
+        bool hidden = (double)s->lost > few * points;
+        bool bridged = (s->bridges > 0 || hidden) && pitch >= rim * w->spacing;
+        bool few_out = !hidden && s->bridges == 0 && (double)s->out <= w->out * points;
         if (is_too_wide(w, i)) {
             halve(w, i);
-        } else if (s->worst <= w->error && !bridged) {
+        } else if (!bridged && (s->worst <= w->error || few_out)) {
             i++;
         } else if (fmax(w->row.item[i].longest, w->row.item[i + 1].longest) > slender * pitch) {
             double longest = fmax(square * pitch, 2 * w->spacing);
@@ -242,10 +291,11 @@ struct rowmesh rowmesh_make(const struct buckets *buckets, const struct footprin
 {
     const double gaps = 6, reaches = 1.2;
     struct work w = {.buckets = buckets, .footprint = footprint, .holes = holes,
-                     .error = wish->error, .spacing = wish->spacing,
+                     .error = wish->error, .spacing = wish->spacing, .out = wish->out,
                      .rule = {wish->spacing, reaches * wish->spacing, gaps * wish->spacing,
                               ALONG * wish->error, wish->zone},
                      .covered = mem_alloc(buckets->n, 1)};
+    sort_across(&w);
     first_rows(&w, wish->widest);
     refine(&w);
     struct rowmesh result = sum_up(&w, mesh);
@@ -255,6 +305,7 @@ struct rowmesh rowmesh_make(const struct buckets *buckets, const struct footprin
         array_free(&w.strip.item[i].face);
     array_free(&w.row);
     array_free(&w.strip);
+    free(w.across);
     free(w.covered);
     return result;
 }
