@@ -11,10 +11,10 @@
 struct brink;
 
 struct brink_rule {
-    const struct vec3s *scan; /* its points, as scansurface.h is certain of them */
-    double spacing;           /* of the mesh's vertices, mm */
-    double radius;            /* of the ball, mm */
-    double sure;              /* mm: a place is left out where the ball may be off by more */
+    const struct vec3s *scan, *doubtful; /* its points (scansurface.h) */
+    double spacing;                      /* of the mesh's vertices, mm */
+    double radius;                       /* of the ball, mm */
+    double sure; /* mm: a place is left out where the ball may be off by more */
 };
 
 struct brink *brink_new(const struct brink_rule *rule, const struct mesh *mesh);
@@ -25,6 +25,9 @@ double brink_step(const struct brink *brink);
 
 /* Is a place within one and a half spacings of the border of the mesh? */
 bool brink_beside(const struct brink *brink, struct vec3 p);
+
+/* Is a contact not beyond the border of the scan, which is looked for beside that of the mesh? */
+bool brink_within(const struct brink *brink, const struct contact *c);
 
 /* An upright plane: what has x . normal = height; `along` is horizontal and in it. */
 struct brink_plane {

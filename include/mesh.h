@@ -51,6 +51,7 @@ struct mesh_origin {
     double spacing;               /* t of the triangular grid, mm */
     double direction;             /* of the rows, degrees about z from x */
     double ledger;                /* tolerance spent by the maker, mm; NAN: not said */
+    double extended;              /* how far it goes beyond the scan, mm; 0: with it */
     double noise;       /* of the scan, one standard deviation, mm */
     char *maker;                  /* the tool that spent it, NULL: not said */
     struct mesh_surfaces surface; /* that it was made from; none: not said */

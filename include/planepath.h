@@ -15,6 +15,7 @@ struct planepath {
     struct onsurface *on;  /* contact points are put on these surfaces; NULL: stay on the mesh */
     double reach;          /* of a point to its surface, mm */
     struct brink *brink;   /* strips run out to the border of this scan; NULL: to the mesh's */
+    bool extended;         /* the mesh goes beyond the scan because it was asked to */
 
     struct meshcut *cut;
     struct doubles height; /* of the planes, along their normal, mm */

@@ -6,6 +6,7 @@
  *     comment direction 12.5
  *     comment source scan.xyz
  *     comment place 1 0 0 -5 ...       16 numbers, row by row
+ *     comment extended 2.0000
  *     comment noise 0.0197
  *     comment ledger cloud2mesh 0.0120
  *     comment surface 4.634000 1.2 3.4 5.6 part.igs:7    smallest hollow radius, its place, name

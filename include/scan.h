@@ -13,7 +13,7 @@ struct scan_rule {
     double tolerance; /* of the path, mm: the ball sinks between points by a fifth of it at most */
     double noise;     /* of the scan, mm; negative: as found where it is above a tenth of the tolerance */
     int threads;
-    struct vec3s certain; /* what becomes of it: its points that are (scansurface.h) */
+    struct vec3s certain, doubtful; /* what becomes of it: its points (scansurface.h) */
 };
 
 /*

@@ -22,7 +22,7 @@ struct scansurface_rule {
 
 struct scansurface {
     struct vec3s point;
-    struct vec3s certain; /* points of the scan, where noise leaves little doubt of the surface */
+    struct vec3s certain, doubtful; /* points of the scan: does noise leave doubt of the surface? */
     size_t moved, added; /* points brought to their quadrics, points put between */
 };
 

@@ -195,6 +195,7 @@ int main(int argc, char **argv)
     left_out += read - points.n;
     if (settings.extend > 0)
         extend(name, &settings, &points, noise, cli.threads);
+    mesh.origin.extended = settings.extend;
     bool of_surface = settings.wish.error > 0 && noise > 0;
     struct cloudmesh made;
     if (cloudmesh_make(&settings.wish, &points, noise, cli.threads, &mesh, &made, &error) < 0)

@@ -34,7 +34,8 @@ static struct vec3s scan_of(double half, double hole, double ripple)
 static struct brink *brink_of(const struct vec3s *scan)
 {
     struct mesh mesh = shape_grid(saddle, -9, -9, 9, 9, 18, 18);
-    struct brink_rule rule = {scan, 1, 5, 0.005};
+    struct vec3s none = {0};
+    struct brink_rule rule = {scan, &none, 1, 5, 0.005};
     struct brink *brink = brink_new(&rule, &mesh);
 
     mesh_free(&mesh);
@@ -69,6 +70,14 @@ START_TEST(it_is_the_surface_up_to_the_last_points)
     }
     for (double y = -9; y < 9; y += 0.7)
         ck_assert(!put(brink, 10.1, y, &c));
+    for (double y = -9; y < 9; y += 0.7) {
+        c.p = saddle(9.99, y, &c.n);
+        ck_assert(brink_within(brink, &c));
+        c.p = saddle(10.3, y, &c.n);
+        ck_assert(!brink_within(brink, &c));
+    }
+    c.p = saddle(0, 0, &c.n);
+    ck_assert(brink_within(brink, &c)); /* far from the border it is not looked for */
     ck_assert_double_eq(brink_step(brink), 0.25);
     ck_assert(brink_beside(brink, vec(9.9, 0, 2)));
     ck_assert(!brink_beside(brink, vec(0, 0, 0)));

@@ -27,7 +27,8 @@ static struct brink *brink_of(double half)
     for (int j = -n; j <= n; j++)
         for (int i = -n; i <= n; i++)
             *array_push(&scan) = hollow(i * 0.5, j * 0.5, &normal);
-    struct brink_rule rule = {&scan, 1, 5, 0.005};
+    struct vec3s none = {0};
+    struct brink_rule rule = {&scan, &none, 1, 5, 0.005};
     struct brink *brink = brink_new(&rule, &mesh);
     array_free(&scan);
     mesh_free(&mesh);
@@ -76,6 +77,23 @@ START_TEST(rows_run_out_to_the_last_points)
         ck_assert(i == 0 || p.x > strips.point.item[i - 1].p.x);
         ck_assert_double_le(vec_distance(p, hollow(p.x, p.y, &normal)), 1e-5);
     }
+    chains_free(&strips);
+    brink_free(brink);
+}
+END_TEST
+
+START_TEST(what_lies_beyond_the_scan_is_left_out)
+{
+    struct brink *brink = brink_of(8);
+    struct chains strips = {0};
+
+    add_strip(3.2, -9, 9, &strips);
+    add_strip(8.6, -9, 9, &strips);
+    ck_assert_uint_eq(runout_within(brink, &strips), 4 + 37);
+    ck_assert_uint_eq(strips.chain.n, 1);
+    ck_assert_double_eq(first_of(&strips, 0), -8);
+    ck_assert_double_eq(last_of(&strips, 0), 8);
+    ck_assert_uint_eq(runout_within(brink, &strips), 0);
     chains_free(&strips);
     brink_free(brink);
 }
@@ -155,6 +173,7 @@ int main(void)
     Suite *suite = suite_create("runout");
     TCase *tests = tcase_create("runout");
     tcase_add_test(tests, rows_run_out_to_the_last_points);
+    tcase_add_test(tests, what_lies_beyond_the_scan_is_left_out);
     tcase_add_test(tests, rows_end_with_a_mesh_that_is_a_part_of_the_scan);
     tcase_add_test(tests, strips_grow_up_to_each_other);
     tcase_add_test(tests, rows_are_added_beside_others);

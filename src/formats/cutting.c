@@ -139,7 +139,7 @@ int cutting_guard(const struct mesh *mesh, double near, int threads, struct guar
                   struct error *error)
 {
     const struct cutting *c = &cutting;
-    struct scan_rule rule = {c->radius, c->tolerance, c->noise, threads, {0}};
+    struct scan_rule rule = {c->radius, c->tolerance, c->noise, threads, {0}, {0}};
 
     *guard = NULL;
     if (c->paper)
@@ -148,6 +148,7 @@ int cutting_guard(const struct mesh *mesh, double near, int threads, struct guar
                              : guard_from_mesh(mesh, sqrt(6 * 0.002 * c->radius));
     cutting.noise = rule.noise;
     cutting.certain = rule.certain;
+    cutting.doubtful = rule.doubtful;
     return *guard ? 0 : -1;
 }
 

@@ -24,7 +24,7 @@ static struct vec3s balls_of(const struct path *path)
 int pathguard_read(struct pathguard *guard, const struct path *path, double tolerance, int threads,
                    struct error *error)
 {
-    struct scan_rule rule = {path_ball(path), tolerance, guard->noise, threads, {0}};
+    struct scan_rule rule = {path_ball(path), tolerance, guard->noise, threads, {0}, {0}};
 
     if (guard->files.n == 0)
         return 0;
@@ -39,6 +39,7 @@ int pathguard_read(struct pathguard *guard, const struct path *path, double tole
         scan_guard_points(&guard->files, &ball, 3 * rule.radius, &rule, error);
     array_free(&ball);
     array_free(&rule.certain);
+    array_free(&rule.doubtful);
     return guard->rule.guard ? 0 : -1;
 }
 

@@ -18,6 +18,7 @@ struct ends {
     const struct planepath *path;
     struct plane_cuts *cuts;
     double *length;
+    size_t *beyond;
 };
 
 static struct brink_plane plane_at(const struct planepath *p, double height)
@@ -32,19 +33,27 @@ static void lengthen(void *context, size_t from, size_t to)
     for (size_t i = from; i < to; i++) {
         struct plane_cut *cut = &e->cuts->item[i];
         struct brink_plane plane = plane_at(e->path, cut->height);
+        e->beyond[i] = e->path->extended ? 0 : runout_within(e->path->brink, &cut->strips);
         e->length[i] = runout_ends(e->path->brink, &plane, &cut->strips);
     }
 }
 
 static double lengthen_all(const struct planepath *p, struct plane_cuts *cuts)
 {
-    struct ends e = {p, cuts, mem_alloc(cuts->n + 1, sizeof(double))};
+    struct ends e = {p, cuts, mem_alloc(cuts->n + 1, sizeof(double)),
+                     mem_alloc(cuts->n + 1, sizeof(size_t))};
     double length = 0;
+    size_t beyond = 0;
 
     parallel_for(p->threads, cuts->n, lengthen, &e);
     for (size_t i = 0; i < cuts->n; i++)
         length += e.length[i];
+    for (size_t i = 0; i < cuts->n; i++)
+        beyond += e.beyond[i];
+    if (beyond > 0)
+        note("%zu points of the mesh lie beyond the border of the scan and are left out", beyond);
     free(e.length);
+    free(e.beyond);
     return length;
 }
 
@@ -147,11 +156,14 @@ void planepath_go_beyond(const struct planepath *p, struct plane_cuts *cuts)
 void planepath_run_out(struct planepath *p, const struct mesh *mesh)
 {
     struct brink_rule rule = {.scan = &cutting.certain,
+                              .doubtful = &cutting.doubtful,
                               .spacing = mesh->origin.spacing,
                               .radius = cutting.radius,
                               .sure = SURE * (cutting.tolerance + fmax(cutting.noise, 0))};
 
     if (rule.scan->n > 0 && rule.spacing > 0 && mesh->origin.part.n == 0 && p->rule.normal.z == 0)
         p->brink = brink_new(&rule, mesh);
+    p->extended = mesh->origin.extended > 0;
     array_free(&cutting.certain);
+    array_free(&cutting.doubtful);
 }

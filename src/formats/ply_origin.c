@@ -103,6 +103,8 @@ int ply_origin_read(struct mesh_origin *origin, const char *comment, struct erro
         return read_number("direction", text, &origin->direction, error);
     } else if ((text = behind(comment, "noise"))) {
         return read_number("noise", text, &origin->noise, error);
+    } else if ((text = behind(comment, "extended"))) {
+        return read_number("extended", text, &origin->extended, error);
     } else if ((text = behind(comment, "place"))) {
         return read_place(text, origin, error);
     } else if ((text = behind(comment, "ledger"))) {
@@ -189,6 +191,11 @@ void ply_origin_write(struct out *out, const struct mesh_origin *origin)
             out_text(out, " ");
             write_number(out, origin->place[i / 4][i % 4]);
         }
+        out_text(out, "\n");
+    }
+    if (origin->extended > 0) {
+        out_text(out, "comment extended ");
+        out_num(out, origin->extended, 4);
         out_text(out, "\n");
     }
     if (origin->noise > 0) {

@@ -99,6 +99,7 @@ static struct guard *guard_of(struct vec3s *points, struct scan_rule *rule, stru
     note("guarded by %zu points of the scan and %zu put between", buckets.n, surface.added);
     buckets_free(&buckets);
     rule->certain = surface.certain;
+    rule->doubtful = surface.doubtful;
     return guard_take(surface.point, rule->threads);
 }
 

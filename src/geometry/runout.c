@@ -7,6 +7,8 @@
 
 enum { HALVINGS = 6 };
 
+static const double LITTLE = 0.1; /* of a step: not worth a point */
+
 /* A contact so far on in its plane, up (way 1) or down (-1) along. */
 static struct contact ahead(const struct brink_plane *plane, struct contact c, double way,
                             double distance)
@@ -35,7 +37,7 @@ static void end_march(const struct brink *b, const struct brink_plane *plane, st
             off = middle;
         }
     }
-    if (on > 0)
+    if (on > LITTLE * brink_step(b))
         *array_push(run) = last;
 }
 

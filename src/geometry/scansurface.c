@@ -198,8 +198,7 @@ static struct scansurface gather(struct job *job)
     for (size_t i = 0; i < b->n; i++) {
         struct place *place = &job->place[i];
         *array_push(&surface.point) = place->point;
-        if (!place->doubtful)
-            *array_push(&surface.certain) = place->point;
+        *array_push(place->doubtful ? &surface.doubtful : &surface.certain) = place->point;
         surface.moved += place->moved;
         surface.added += place->between.n;
         for (size_t k = 0; k < place->between.n; k++)
