@@ -147,6 +147,18 @@ for tool in meshnorm planecut; do
 		ncverify -q -r 6 -g hump.xyz -e 0.01 --left 0.03 hump.mpf
 done
 
+# Laser lines, the last of them cut off short: no facet hangs on its end, and rows end with the scan.
+awk 'function uniform() { seed = (seed * 16807) % 2147483647; return seed / 2147483647 }
+	function put(x, y) { printf "%.4f %.4f %.4f\n", x, y, 2 * sin(x / 4) * cos(y / 5) + x / 10 }
+	BEGIN { seed = 5; for (j = 0; j <= 24; j++) for (i = 0; i <= (j < 24 ? 140 : 9); i++)
+		put(0.2 * (i + uniform() - 0.5), 0.8 * j + 0.16 * (uniform() - 0.5)) }' >lines.xyz
+awk 'BEGIN { for (x = -1; x <= 29; x += 0.1) for (y = -1; y <= 20.5; y += 0.1)
+	printf "%.4f %.4f %.5f\n", x, y, 2 * sin(x / 4) * cos(y / 5) + x / 10 }' >lines.true
+ok "laser lines: a mesh" cloud2mesh -q -e 0.05 -o lines.ply lines.xyz
+status 0 "laser lines: a path" meshnorm -q -r 4 --scallop 0.02 -e 0.01 -g lines.xyz -o lines.cl lines.ply
+status 0 "laser lines: no deeper than 0.01 mm, beyond the last of them too" \
+	"$READBACK" --scan lines.true --deeper 0.01 lines.cl
+
 # Points that float over the scan lift no path, whatever they are over.
 for where in "0.3 0.4 1.5" "-6.2 3.1 3" "5.1 5.2 1.2"; do echo "$where"; done >strays
 cat saddle.xyz strays >strayed.xyz

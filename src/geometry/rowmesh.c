@@ -122,6 +122,30 @@ static void measure_face(struct work *w, struct strip *s, struct vec3 a, struct 
         }
 }
 
+/* Along the rows, of a vertex of the strip between two. */
+static double along(const struct rowcurve *low, const struct rowcurve *high, size_t v)
+{
+    return v < low->node.n ? low->node.item[v].x : high->node.item[v - low->node.n].x;
+}
+
+/* Does a facet of a strip hang on the end of one row by a corner, beyond where that row goes? */
+static bool hangs(const struct work *w, const struct face *face, const struct rowcurve *low,
+                  const struct rowcurve *high)
+{
+    size_t n = low->node.n, m = high->node.n;
+
+    for (int i = 0; i < 3; i++) {
+        size_t tip = (size_t)face->v[i], a = (size_t)face->v[(i + 1) % 3];
+        size_t b = (size_t)face->v[(i + 2) % 3];
+        if ((tip < n) == (a < n) || (tip < n) == (b < n))
+            continue;
+        double x = along(low, high, tip), xa = along(low, high, a), xb = along(low, high, b);
+        return ((tip + 1 == n || tip + 1 == n + m) && fmin(xa, xb) > x + w->rule.gap) ||
+               ((tip == 0 || tip == n) && fmax(xa, xb) < x - w->rule.gap);
+    }
+    return false;
+}
+
 static void make_strip(struct work *w, size_t index)
 {
     const double nothing = 1e-12;
@@ -141,7 +165,7 @@ static void make_strip(struct work *w, size_t index)
         }
         if (!(cross_above(p[0], p[1], p[2]) > nothing * w->spacing * w->spacing))
             continue;
-        if (holes_bridged(w->holes, p[0], p[1], p[2])) {
+        if (hangs(w, &all.item[f], low, high) || holes_bridged(w->holes, p[0], p[1], p[2])) {
             s->bridges++;
             continue;
         }
