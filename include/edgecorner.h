@@ -1,8 +1,8 @@
 /*
  * edgecorner - where creases or walls meet within a facet.
  *
- * A facet that two walls cross, or creases between three sheets, holds the corner that they make: the
- * place where their planes meet.
+ * A facet that two walls cross, or creases between three sheets, holds the corner that they make:
+ * the place where their planes meet.
  */
 #ifndef CLOUDMILL_EDGECORNER_H
 #define CLOUDMILL_EDGECORNER_H

@@ -13,7 +13,8 @@
  * other two.  From there it is followed, straight on over the sheets that it has, from facet to
  * facet; where that leads within six of them to another crease or wall, or to the border of the
  * mesh (or through a corner beside that), the edges on the way get its continuation, in place of
- * FEATURE_NONE.  Nothing else changes.
+ * FEATURE_NONE.  A crease goes on only over edges whose ends are on its sheets.  Nothing else
+ * changes.
  */
 void featuregap_close(const struct mesh *mesh, const struct mesh_edges *edges,
                       struct feature *feature);

@@ -117,7 +117,8 @@ static int corner_like(struct splitting *s, struct vec3 place, int v)
     return add_vertex(s->mesh, place, s->mesh->normal.item[v], -1, -1);
 }
 
-/* The same on a sheet that two vertices are on: *second is another one where their normals differ. */
+/* The same on a sheet that two vertices are on; *second is another one where their normals
+ * differ. */
 static int corner_on(struct splitting *s, struct vec3 place, int v, int w, int *second)
 {
     const double same = 0.99;
@@ -186,7 +187,8 @@ static bool creases_meet(struct splitting *s, const struct between *t)
 {
     const struct vec3 *at = s->mesh->vertex.item, *normal = s->mesh->normal.item;
     const struct vec3 corner[3] = {at[t->a], at[t->b], at[t->c]};
-    bool one = vec_dot(normal[t->a_out], normal[t->a_in]) > vec_dot(normal[t->b_out], normal[t->c_in]);
+    double turn_a = vec_dot(normal[t->a_out], normal[t->a_in]);
+    bool one = turn_a > vec_dot(normal[t->b_out], normal[t->c_in]);
     struct edgecorner_plane plane[3] = {
         one ? plane_at(s, t->b_out) : plane_at(s, t->a_out),
         one ? plane_at(s, t->c_in) : plane_at(s, t->a_in),

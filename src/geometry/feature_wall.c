@@ -64,8 +64,8 @@ static double smooth(const struct feature_cloud *cloud)
     return 2.5 * cloud->noise + 0.15 * cloud->spacing;
 }
 
-/* Of the points on a wall that are nearest to `at`, lengths upright counting less, those between its
- * top and foot. */
+/* Of the points on a wall that are nearest to `at`, lengths upright counting less, those between
+ * its top and foot. */
 static size_t near_wall(const struct feature_cloud *cloud, const struct level level[2],
                         struct vec3 at, size_t most, struct vec3 *near)
 {

@@ -8,6 +8,10 @@
 
 enum { FARTHEST = 6 };
 
+/* How far the ends of an edge may be off the sheets of a crease that goes on over it, by its
+ * length. */
+static const double OFF = 0.15;
+
 /* A way from facet to facet, and what the edges on it would get. */
 struct way {
     int n, edge[FARTHEST];
@@ -55,12 +59,15 @@ static bool go_on(const struct mesh *mesh, const struct mesh_edge *edge, const s
     if (!(s > rim && s < 1 - rim))
         return false;
     bool swap = from < 0; /* end 0 of the edge is on the side of the feature's end 1 */
+    double length = vec_distance(a, b);
     *next = *f;
     for (int i = 0; i < 2; i++) {
         int k = swap ? 1 - i : i;
         next->normal[i] = next->end[i] = f->normal[k];
         next->place[i] = on_sheet(f, k, vec_mix(a, b, s));
         next->foot[i] = on_sheet(f, k, i == 0 ? a : b);
+        if (f->kind == FEATURE_CREASE && vec_distance(next->foot[i], i == 0 ? a : b) > OFF * length)
+            return false;
     }
     if (f->kind == FEATURE_CREASE) { /* the line of both sheets */
         struct vec3 off = vec_sub(vec_mix(a, b, s), f->place[0]);

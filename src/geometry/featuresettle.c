@@ -50,6 +50,24 @@ static void keep_away(struct beside *b, const struct feature *f, int i, const st
         b->shift = shift;
 }
 
+/* Do features that run different ways cross the facet?  Where two walls meet at a corner a vertex may
+ * well be behind one of them. */
+static bool has_corner(const struct featuresettle *s, int facet)
+{
+    const double same = 0.94;
+    const struct feature *first = NULL;
+
+    for (int i = 0; i < 3; i++) {
+        const struct feature *f = &s->feature[s->edges->of[facet][i]];
+        if (f->kind == FEATURE_NONE)
+            continue;
+        if (first && fabs(vec_dot(first->along, f->along)) < same)
+            return true;
+        first = first ? first : f;
+    }
+    return false;
+}
+
 /* The vertices of the two facets beside an edge keep away from its feature. */
 static void settle_about(const struct featuresettle *s, size_t e, struct beside *beside)
 {
@@ -68,8 +86,7 @@ static void settle_about(const struct featuresettle *s, size_t e, struct beside 
         int i = side_of(f, at, p[third]);
         struct vec3 off = vec_sub(p[third], f->place[i]);
         bool behind = vec_dot(off, across_of(f, at)) * (i == 0 ? 1 : -1) < -CLEAR / 2 * length;
-        /* where two walls meet at a corner a vertex may well be behind one of them */
-        if (!behind && fabs(vec_dot(off, f->along)) < length)
+        if (!(behind && has_corner(s, edge->facet[k])) && fabs(vec_dot(off, f->along)) < length)
             keep_away(&beside[third], f, i, at, p[third], CLEAR * length, aloof);
     }
 }
@@ -94,7 +111,8 @@ static bool find_corner(const struct featuresettle *s, const size_t e[2], int a,
                                         edgecorner_mean(on_b[0], on_b[1])};
 
     if (f[0]->kind == FEATURE_CREASE) {
-        bool one = vec_dot(on_a[0].normal, on_a[1].normal) > vec_dot(on_b[0].normal, on_b[1].normal);
+        double turn_a = vec_dot(on_a[0].normal, on_a[1].normal);
+        bool one = turn_a > vec_dot(on_b[0].normal, on_b[1].normal);
         plane[0] = one ? on_b[0] : on_a[0];
         plane[1] = one ? on_b[1] : on_a[1];
         plane[2] = one ? edgecorner_mean(on_a[0], on_a[1]) : plane[2];

@@ -9,7 +9,7 @@
 #include "parallel.h"
 #include "planefit.h"
 
-enum { NEAR = 16, FEWEST = 5 };
+enum { NEAR = 16, WIDER = 48, FEWEST = 5 };
 
 static const double CELL = 2;                    /* width of a cell, mean spacings */
 static const double RISE = 2;                    /* of the cloud within one, by its width */
@@ -30,6 +30,7 @@ struct looked {
     const struct vec3 *point;
     double spacing;
     bool *steep, *wall;
+    struct planefit *plane; /* through the neighbourhood of each */
 };
 
 static size_t cell_of(const struct raster *r, struct vec3 p)
@@ -110,36 +111,48 @@ static void look(void *context, size_t from, size_t to)
     for (size_t i = from; i < to; i++) {
         size_t index[NEAR];
         struct vec3 near[NEAR];
-        struct planefit plane;
+        struct planefit *plane = &l->plane[i];
         size_t n = kdtree_nearest(l->tree, l->point[i], NEAR, index, NULL);
         for (size_t k = 0; k < n; k++)
             near[k] = l->point[index[k]];
         /* where two walls meet at a corner a plane leaves more */
-        double most = fabs(plane_z(near, n, &plane)) < STEEP / 2 ? 0.75 : 0.5;
-        l->steep[i] = n == NEAR && fabs(plane.normal.z) < STEEP && plane.rms < most * plane.width;
+        double most = fabs(plane_z(near, n, plane)) < STEEP / 2 ? 0.75 : 0.5;
+        l->steep[i] = n == NEAR && fabs(plane->normal.z) < STEEP && plane->rms < most * plane->width;
     }
 }
 
+static bool is_on(const struct looked *l, const struct planefit *plane, struct vec3 p)
+{
+    double off = fabs(vec_dot(vec_sub(p, plane->centre), plane->normal));
+
+    return off < fmax(2.5 * plane->rms, 0.15 * l->spacing);
+}
+
 /* At the top and the foot of a wall a neighbourhood is half flat: there a point counts that lies
- * on the plane through the points of the wall next to it. */
+ * on the plane through the points of the wall next to it, or on those that some of these have for
+ * themselves, for there may be two walls. */
 static void grow(void *context, size_t from, size_t to)
 {
     const struct looked *l = context;
 
     for (size_t i = from; i < to; i++) {
-        size_t index[NEAR], walls = 0;
+        size_t index[WIDER], walls = 0, on = 0;
         struct vec3 near[NEAR];
         struct planefit plane;
         l->wall[i] = l->steep[i];
-        size_t n = l->wall[i] ? 0 : kdtree_nearest(l->tree, l->point[i], NEAR, index, NULL);
-        for (size_t k = 0; k < n; k++)
-            if (l->steep[index[k]])
+        size_t n = l->wall[i] ? 0 : kdtree_nearest(l->tree, l->point[i], WIDER, index, NULL);
+        for (size_t k = 0; k < n; k++) {
+            const struct planefit *other = &l->plane[index[k]];
+            if (!l->steep[index[k]])
+                continue;
+            if (k < NEAR)
                 near[walls++] = l->point[index[k]];
-        if (walls < FEWEST || planefit(near, walls, &plane) < 0 ||
-            !(fabs(plane.normal.z) < STEEP) || !(plane.rms < plane.width / 2))
-            continue;
-        double off = fabs(vec_dot(vec_sub(l->point[i], plane.centre), plane.normal));
-        l->wall[i] = off < fmax(2.5 * plane.rms, 0.15 * l->spacing);
+            on += other->rms < other->width / 4 && is_on(l, other, l->point[i]);
+        }
+        if (walls >= FEWEST && planefit(near, walls, &plane) == 0 &&
+            fabs(plane.normal.z) < STEEP && plane.rms < plane.width / 2)
+            l->wall[i] = is_on(l, &plane, l->point[i]);
+        l->wall[i] = l->wall[i] || on >= FEWEST;
     }
 }
 
@@ -176,12 +189,14 @@ size_t wallpoints_part(struct vec3 *point, size_t n, double spacing, int threads
                 *array_push(&close) = point[i];
         struct kdtree *tree = kdtree_new_by(close.item, close.n, threads);
         struct looked looked = {tree, close.item, spacing, mem_alloc(close.n, sizeof(bool)),
-                                mem_alloc(close.n, sizeof(bool))};
+                                mem_alloc(close.n, sizeof(bool)),
+                                mem_alloc(close.n, sizeof(struct planefit))};
         parallel_for(threads, close.n, look, &looked);
         parallel_for(threads, close.n, grow, &looked);
         flat = part(point, n, &raster, looked.wall);
         free(looked.steep);
         free(looked.wall);
+        free(looked.plane);
         kdtree_free(tree);
         array_free(&close);
     }
