@@ -17,11 +17,11 @@ struct scan_rule {
 };
 
 /*
- * A guard of the points of all files, in the mesh's mm: placed as the mesh was, when its stream
- * says that it was placed (turned, shifted, or from other units), else as they are.  NULL when a
- * file can't be read, has no points, or when the mesh is clearly elsewhere: more than half of its
- * vertices further than `near` mm from every point of the scan.  rule->noise becomes what
- * was taken out.
+ * A guard of the points of all files and of the mesh's sharp edges, in the mesh's mm: placed as the
+ * mesh was, when its stream says that it was placed (turned, shifted, or from other units), else as
+ * they are.  NULL when a file can't be read, has no points, or when the mesh is clearly elsewhere:
+ * more than half of its vertices further than `near` mm from every point of the scan.  rule->noise
+ * becomes what was taken out.
  */
 struct guard *scan_guard(const struct cli_list *files, const struct mesh *mesh, double near,
                          struct scan_rule *rule, struct error *error);

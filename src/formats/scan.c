@@ -7,6 +7,7 @@
 #include "footprint.h"
 #include "noise.h"
 #include "scansurface.h"
+#include "sharpedges.h"
 #include "stray.h"
 
 static struct vec3 place(const double m[4][4], struct vec3 p)
@@ -73,8 +74,19 @@ static double spacing_of(const struct vec3s *points)
     return spacing > 0 ? spacing : 1; /* upright or a single point: any cell will do */
 }
 
+/* The mesh knows better than the scan where its sharp edges are. */
+static void add_edges(const struct mesh *mesh, double spacing, struct vec3s *points)
+{
+    size_t before = points->n;
+
+    sharpedges_sample(mesh, spacing, points);
+    if (points->n > before)
+        note("and by %zu points on sharp edges of the mesh", points->n - before);
+}
+
 /* NULL: more points than can be sorted. */
-static struct guard *guard_of(struct vec3s *points, struct scan_rule *rule, struct error *error)
+static struct guard *guard_of(struct vec3s *points, const struct mesh *mesh, struct scan_rule *rule,
+                              struct error *error)
 {
     const double little = 0.1;  /* of the tolerance */
     const size_t many = 400000; /* points: noise is taken out of more only when it is said */
@@ -97,21 +109,25 @@ static struct guard *guard_of(struct vec3s *points, struct scan_rule *rule, stru
         say("noise of %.2g mm taken out of the scan that guards (%zu of %zu points moved)",
             rule->noise, surface.moved, buckets.n);
     note("guarded by %zu points of the scan and %zu put between", buckets.n, surface.added);
+    if (mesh)
+        add_edges(mesh, sqrt(8 * rule->radius * how.sink), &surface.point);
     buckets_free(&buckets);
     rule->certain = surface.certain;
     rule->doubtful = surface.doubtful;
     return guard_take(surface.point, rule->threads);
 }
 
-static struct guard *read_guard(const struct cli_list *files, const double (*placed)[4],
+/* mesh: NULL where there is none. */
+static struct guard *read_guard(const struct cli_list *files, const struct mesh *mesh,
                                 const struct vec3s *place_of, const char *what, double near,
                                 struct scan_rule *rule, struct error *error)
 {
+    const double(*placed)[4] = mesh && mesh->origin.placed ? mesh->origin.place : NULL;
     struct vec3s points = {0};
     struct guard *guard = NULL;
 
     if (read_points(files, placed, &points, error) == 0)
-        guard = guard_of(&points, rule, error);
+        guard = guard_of(&points, mesh, rule, error);
     array_free(&points);
     size_t far = guard ? far_places(place_of, guard, near) : 0;
     if (!guard || 2 * far <= place_of->n)
@@ -127,8 +143,7 @@ static struct guard *read_guard(const struct cli_list *files, const double (*pla
 struct guard *scan_guard(const struct cli_list *files, const struct mesh *mesh, double near,
                          struct scan_rule *rule, struct error *error)
 {
-    return read_guard(files, mesh->origin.placed ? mesh->origin.place : NULL, &mesh->vertex,
-                      "mesh vertices", near, rule, error);
+    return read_guard(files, mesh, &mesh->vertex, "mesh vertices", near, rule, error);
 }
 
 struct guard *scan_guard_points(const struct cli_list *files, const struct vec3s *place,

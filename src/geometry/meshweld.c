@@ -27,8 +27,7 @@ static int compare_places(const void *pa, const void *pb)
     return order != 0 ? order : (a->vertex > b->vertex) - (a->vertex < b->vertex);
 }
 
-/* The first of the vertices that are where each vertex is; *n of them are not the first. */
-static size_t *first_at_place(const struct mesh *mesh, size_t *n)
+size_t *mesh_first_at_place(const struct mesh *mesh)
 {
     struct place *place = mem_alloc(mesh->vertex.n, sizeof *place);
     size_t *first = mem_alloc(mesh->vertex.n, sizeof *first);
@@ -40,7 +39,6 @@ static size_t *first_at_place(const struct mesh *mesh, size_t *n)
         if (compare_positions(place[i].p, place[begin].p) != 0)
             begin = i;
         first[place[i].vertex] = place[begin].vertex;
-        *n += begin < i;
     }
     free(place);
     return first;
@@ -49,12 +47,14 @@ static size_t *first_at_place(const struct mesh *mesh, size_t *n)
 size_t mesh_weld(struct mesh *mesh)
 {
     size_t welded = 0;
-    size_t *first = first_at_place(mesh, &welded);
+    size_t *first = mesh_first_at_place(mesh);
     int *number = mem_alloc(mesh->vertex.n, sizeof *number);
     struct vec3s vertex = {0};
 
-    for (size_t v = 0; v < mesh->vertex.n; v++)
+    for (size_t v = 0; v < mesh->vertex.n; v++) {
         number[v] = -1;
+        welded += first[v] != v;
+    }
     for (size_t f = 0; f < mesh->face.n; f++) {
         for (int i = 0; i < 3; i++) {
             int *v = &mesh->face.item[f].v[i];
