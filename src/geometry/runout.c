@@ -6,6 +6,7 @@
 #include "passes.h"
 
 enum { HALVINGS = 6 };
+static const double least = 0.1; /* of a step, along the plane: on walls it would go to and fro */
 
 static const double LITTLE = 0.1; /* of a step: not worth a point */
 
@@ -54,7 +55,8 @@ static void march(const struct brink *b, const struct brink_plane *plane, struct
             end_march(b, plane, c, way, run);
             return;
         }
-        if ((vec_dot(next.p, plane->along) - stop) * way >= 0)
+        double on = vec_dot(vec_sub(next.p, c.p), plane->along) * way;
+        if (on < least * brink_step(b) || (vec_dot(next.p, plane->along) - stop) * way >= 0)
             return;
         if (!brink_beside(b, next.p)) {
             run->n = first;
