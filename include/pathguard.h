@@ -21,7 +21,8 @@ struct pathguard {
     size_t pass;  /* in which */
 };
 
-/* Reads the scan, in the coordinates of the path, for a ball that may go `tolerance` mm deep.  -1
+/* Reads the scan, in the coordinates of the path, for a ball that may go `tolerance` mm deep, as
+ * densely as the path's maker did (by the last entry of its ledger) if that was closer.  -1
  * also when the path has no ball cutter, or is clearly elsewhere. */
 int pathguard_read(struct pathguard *guard, const struct path *path, double tolerance, int threads,
                    struct error *error);
@@ -29,6 +30,9 @@ int pathguard_read(struct pathguard *guard, const struct path *path, double tole
 /* Adds what became of the run that begins with this item of the path. */
 void pathguard_add(struct pathguard *guard, const struct path *path, size_t item,
                    const struct recheck_result *result);
+
+/* Adds the straight motions at feed that belong to no run and are carried through as they are. */
+void pathguard_carried(struct pathguard *guard, const struct path *path);
 
 /* Says what does not hold; the tool's exit status, EXIT_DONE or EXIT_UNMET. */
 int pathguard_conclude(const struct pathguard *guard);

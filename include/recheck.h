@@ -47,6 +47,9 @@ double recheck_lift(const struct recheck_rule *rule, const struct deeps *deeps, 
 /* The deepest of them; depth 0 when there is none. */
 struct deep recheck_deepest(const struct deeps *deeps);
 
+/* The same, depth 0 also when it is within the tolerance. */
+struct deep recheck_beyond(const struct recheck_rule *rule, const struct deeps *deeps);
+
 struct recheck_result {
     struct deep deepest; /* that is left beyond the tolerance; depth 0: none */
     double lift;         /* of the points, all rounds together at most, mm */

@@ -17,8 +17,8 @@ struct splineguard {
  * Fits the run (splinerun_fit; the ball's centre is tracked with rule.centre) and has its points
  * lifted where the curves go too deep (recheck_fit).  Where that does not help, as at an end, which
  * stays, or where the path climbs a wall, the curve gives way to the straight line between the two
- * points next to the place, which are what was checked before; not with `paper`.  Frees what
- * *pieces held.  The run's points are those that were lifted then.
+ * points next to the place, which are what was checked before.  With `paper` what goes too deep is
+ * only told.  Frees what *pieces held.  The run's points are those that were lifted then.
  */
 struct recheck_result splineguard_fit(const struct splineguard *guard, struct run *run,
                                       struct splinerun *pieces);

@@ -213,6 +213,7 @@ int main(int argc, char **argv)
     struct out *o = out_open(cli.output);
     path_write(o, &out);
     out_close(o);
+    pathguard_carried(&s.guard, &in);
     int status = pathguard_conclude(&s.guard);
     pathguard_free(&s.guard);
     path_free(&in);

@@ -240,6 +240,7 @@ int main(int argc, char **argv)
     struct splinereport r = report(&jobs, settings.report);
     for (size_t i = 0; i < jobs.n; i++)
         pathguard_add(&settings.guard, &in, jobs.item[i].from, &jobs.item[i].seen);
+    pathguard_carried(&settings.guard, &in);
     int status = verdict(&jobs, &in);
     assemble(&in, &jobs, r.spent + settings.guard.lift, &out);
     struct out *o = out_open(cli.output);

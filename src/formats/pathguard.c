@@ -21,10 +21,24 @@ static struct vec3s balls_of(const struct path *path)
     return ball;
 }
 
+/* The tolerance that the scan is looked at with: where the path was made with a closer one, that, so
+ * that what stands for the scan between its points is the same. */
+static double scan_tolerance(const struct path *path, double tolerance)
+{
+    const double closest = 0.1; /* of the fitter's */
+    size_t n = path->head.ledger.n;
+    double made = n > 0 ? path->head.ledger.item[n - 1].spent : tolerance;
+
+    return fmin(tolerance, fmax(made, closest * tolerance));
+}
+
 int pathguard_read(struct pathguard *guard, const struct path *path, double tolerance, int threads,
                    struct error *error)
 {
-    struct scan_rule rule = {path_ball(path), tolerance, guard->noise, threads, {0}, {0}};
+    struct scan_rule rule = {.radius = path_ball(path),
+                             .tolerance = scan_tolerance(path, tolerance),
+                             .noise = guard->noise,
+                             .threads = threads};
 
     if (guard->files.n == 0)
         return 0;
@@ -41,6 +55,12 @@ int pathguard_read(struct pathguard *guard, const struct path *path, double tole
     array_free(&rule.certain);
     array_free(&rule.doubtful);
     return guard->rule.guard ? 0 : -1;
+}
+
+static bool is_pose(const struct path_item *item)
+{
+    return item->kind == PATH_POINT || item->kind == PATH_ARC || item->kind == PATH_SPLINE ||
+           item->kind == PATH_HOLE;
 }
 
 /* The last pass that begins before the item. */
@@ -61,6 +81,40 @@ void pathguard_add(struct pathguard *guard, const struct path *path, size_t item
         guard->deepest = result->deepest;
         guard->pass = pass_of(path, item);
     }
+}
+
+/* The motions that lead to the items [from, to). */
+static void look_at_carried(struct pathguard *guard, const struct path *path, size_t from,
+                            size_t to)
+{
+    struct recheck_result result = {.lift = 0};
+    struct deeps deeps = {0};
+
+    for (size_t i = from > 0 ? from : 1; i < to; i++) {
+        const struct path_item *item = &path->item.item[i], *before = item - 1;
+        if (item->kind != PATH_POINT || item->rapid)
+            continue;
+        while (before > path->item.item && !is_pose(before))
+            before--;
+        if (!is_pose(before))
+            continue;
+        struct motion line = motion_line(before->to, item->to);
+        recheck_motion(&guard->rule, &line, &deeps);
+    }
+    result.deepest = recheck_beyond(&guard->rule, &deeps);
+    pathguard_add(guard, path, from, &result);
+    array_free(&deeps);
+}
+
+void pathguard_carried(struct pathguard *guard, const struct path *path)
+{
+    size_t at = 0, from = 0, to;
+
+    if (!guard->rule.guard)
+        return;
+    for (; path_next_run(path, &from, &to); from = at = to)
+        look_at_carried(guard, path, at, from + 1);
+    look_at_carried(guard, path, at, path->item.n);
 }
 
 int pathguard_conclude(const struct pathguard *guard)

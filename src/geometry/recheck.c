@@ -142,6 +142,16 @@ struct deep recheck_deepest(const struct deeps *deeps)
     return deepest;
 }
 
+struct deep recheck_beyond(const struct recheck_rule *rule, const struct deeps *deeps)
+{
+    const double printed = 0.001; /* of the tolerance: what the digits of the points leave */
+    struct deep deepest = recheck_deepest(deeps);
+
+    if (deepest.depth <= (1 + printed) * rule->tolerance)
+        deepest.depth = 0;
+    return deepest;
+}
+
 struct recheck_result recheck_fit(const struct recheck_rule *rule, struct run *run,
                                   void (*fit)(void *context, const struct run *run,
                                               struct deeps *deeps),
@@ -160,9 +170,7 @@ struct recheck_result recheck_fit(const struct recheck_rule *rule, struct run *r
         if (deeps.n >= before && recheck_deepest(&deeps).depth > USELESS * depth && round > 2)
             break; /* as at an end */
     }
-    result.deepest = recheck_deepest(&deeps);
-    if (result.deepest.depth <= rule->tolerance)
-        result.deepest.depth = 0;
+    result.deepest = recheck_beyond(rule, &deeps);
     array_free(&deeps);
     return result;
 }

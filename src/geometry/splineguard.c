@@ -64,8 +64,8 @@ static bool straighten(const struct work *work, const struct run *run)
         const struct splinerun_piece *piece = &work->pieces->item[k];
         deeps.n = 0;
         look(g, run, piece, &deeps);
-        struct deep deepest = recheck_deepest(&deeps);
-        if (deepest.depth <= g->rule.tolerance || piece->to == piece->from + 1)
+        struct deep deepest = recheck_beyond(&g->rule, &deeps);
+        if (deepest.depth == 0 || piece->to == piece->from + 1)
             continue;
         splinerun_part(run, g->rule.centre, &g->fit, k, interval_at(run, piece, deepest.ball),
                        work->pieces);
@@ -75,15 +75,29 @@ static bool straighten(const struct work *work, const struct run *run)
     return done;
 }
 
+/* The points as they are: what is too deep is only told. */
+static struct recheck_result fit_once(struct work *work, const struct run *run)
+{
+    struct recheck_result result = {.lift = 0};
+    struct deeps deeps = {0};
+
+    fit(work, run, &deeps);
+    result.deepest = recheck_beyond(&work->guard->rule, &deeps);
+    array_free(&deeps);
+    return result;
+}
+
 struct recheck_result splineguard_fit(const struct splineguard *guard, struct run *run,
                                       struct splinerun *pieces)
 {
     struct work work = {guard, pieces};
 
     splinerun_free(pieces);
+    if (guard->paper)
+        return fit_once(&work, run);
     struct recheck_result result = recheck_fit(&guard->rule, run, fit, &work);
     for (int round = 0; round < ROUNDS && result.deepest.depth > 0; round++) {
-        if (guard->paper || !straighten(&work, run))
+        if (!straighten(&work, run))
             break;
         struct recheck_result more = recheck_fit(&guard->rule, run, fit, &work);
         result.deepest = more.deepest;
