@@ -90,7 +90,7 @@ START_TEST(hole)
 {
     struct holes h;
     struct error error;
-    ck_assert_int_eq(holes_find(cloud.item, cloud.n, 1.5, &h, &error), 0);
+    ck_assert_int_eq(holes_find(cloud.item, cloud.n, 1.5, 0.75, &h, &error), 0);
     struct gridmesh_count count = make_mesh(&h); /* discs of 2.3 fit between the points */
     ck_assert_uint_eq(mesh.face.n, 0);
     ck_assert_uint_eq(count.bridges, 40);

@@ -31,7 +31,7 @@ static bool bridged(double hole, double gap, struct vec3 a, struct vec3 b, struc
     struct vec3s p = plate(hole);
     struct holes h;
     struct error error;
-    ck_assert_int_eq(holes_find(p.item, p.n, gap, &h, &error), 0);
+    ck_assert_int_eq(holes_find(p.item, p.n, gap, gap / 2, &h, &error), 0);
     bool is = holes_bridged(&h, a, b, c);
     ck_assert_int_eq(holes_bridged(&h, b, c, a), is);
     holes_free(&h);
@@ -64,6 +64,33 @@ START_TEST(beside_a_hole)
 }
 END_TEST
 
+/* Over a round hole's rim, facets that reach this far into it. */
+static bool reaches(double hole, double gap, double rim, double depth)
+{
+    struct vec3s p = plate(hole);
+    struct holes h;
+    struct error error;
+    double y = 20 - hole / 2;
+    ck_assert_int_eq(holes_find(p.item, p.n, gap, rim, &h, &error), 0);
+    bool is = holes_bridged(&h, vec(18, y - 2, 0), vec(22, y - 2, 0), vec(20, y + depth, 0));
+    holes_free(&h);
+    array_free(&p);
+    return is;
+}
+
+START_TEST(rims)
+{
+    for (int wide = 0; wide < 2; wide++) {
+        double hole = wide ? 12 : 4.5;
+        ck_assert(!reaches(hole, 3, 0.6, 0.2)); /* points are 0.25 mm apart */
+        ck_assert(!reaches(hole, 3, 1.5, 0.9));
+        ck_assert(reaches(hole, 3, 0.6, 1.3));
+        ck_assert(reaches(hole, 3, 1.5, 2.2));
+    }
+    ck_assert(!reaches(2, 3, 0.4, 1)); /* no hole by its width */
+}
+END_TEST
+
 static struct vec3 any_near(const struct vec3 *point, int n, struct vec3 a)
 {
     for (;;) {
@@ -84,7 +111,7 @@ START_TEST(same_as_point_by_point)
     int some = 0, none = 0;
     for (int i = 0; i < N; i++)
         point[i] = vec(30 * uniform(), 30 * uniform(), 0);
-    ck_assert_int_eq(holes_find(point, N, gap, &h, &error), 0);
+    ck_assert_int_eq(holes_find(point, N, gap, gap / 2, &h, &error), 0);
     for (int f = 0; f < FACETS; f++) {
         struct vec3 a = point[(int)(uniform() * N)], b = any_near(point, N, a);
         struct vec3 c = any_near(point, N, a);
@@ -118,7 +145,7 @@ START_TEST(gap_far_too_small)
     struct vec3 p[3] = {{0, 0, 0}, {1000, 0, 0}, {0, 1000, 0}};
     struct holes h;
     struct error error;
-    ck_assert_int_eq(holes_find(p, 3, 1e-3, &h, &error), -1);
+    ck_assert_int_eq(holes_find(p, 3, 1e-3, 5e-4, &h, &error), -1);
     ck_assert_ptr_nonnull(strstr(error.text, "gap of 0.001 mm is too small"));
 }
 END_TEST
@@ -131,6 +158,7 @@ int main(void)
     tcase_add_test(tests, over_a_hole);
     tcase_add_test(tests, thin_facet_across_a_hole);
     tcase_add_test(tests, beside_a_hole);
+    tcase_add_test(tests, rims);
     tcase_add_test(tests, same_as_point_by_point);
     tcase_add_test(tests, gap_far_too_small);
     suite_add_tcase(suite, tests);

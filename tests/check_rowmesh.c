@@ -35,7 +35,7 @@ static void sort(double spacing, double direction)
 {
     struct error error;
     footprint = footprint_of(scan.item, scan.n, direction);
-    ck_assert_int_eq(holes_find(scan.item, scan.n, 6 * spacing, &holes, &error), 0);
+    ck_assert_int_eq(holes_find(scan.item, scan.n, 6 * spacing, 3 * spacing, &holes, &error), 0);
     ck_assert_int_eq(buckets_make(scan.item, scan.n, spacing, 2, &buckets, &error), 0);
 }
 

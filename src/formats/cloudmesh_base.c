@@ -54,8 +54,10 @@ int cloudmesh_by_grid(const struct cloudmesh_wish *wish, const struct cloud_part
     bool whole = wish->paper && wish->max_gap == 0;
     double t = wish->spacing;
     double gap = wish->max_gap > 0 ? wish->max_gap : 6 * parts->mean;
+    double rim = fmax(t / 2, 1.5 * parts->mean);
     if (grid_make(&f, points->n, t, &made->grid, error) < 0 ||
-        (!whole && holes_find(point, points->n, gap, &holes, error) < 0))
+        (!whole && holes_find(point, points->n, gap, wish->paper ? gap / 2 : rim, &holes,
+                              error) < 0))
         return -1;
     size_t *chosen = choose(wish, parts, &made->grid, points);
     made->count = gridmesh_make(&made->grid, chosen, point, whole ? NULL : &holes, mesh);

@@ -53,13 +53,13 @@ static int smooth_points(const struct cloudmesh_wish *wish, struct vec3s *points
 static int make_rows(const struct cloudmesh_wish *wish, const struct source *s, int threads,
                      struct mesh *mesh, struct cloudmesh *made, struct error *error)
 {
-    const double slant = 0.866, widest = 24, gaps = 6, out = 0.12; /* an eighth */
+    const double slant = 0.866, widest = 24, gaps = 6, rims = 2, out = 0.12; /* an eighth */
     double mean = s->surface_parts.mean, gap = wish->max_gap > 0 ? wish->max_gap : gaps * mean;
     struct vec3s *points = s->surface;
     struct holes holes;
     struct buckets buckets;
     struct footprint f = footprint_of(points->item, points->n, wish->direction);
-    if (holes_find(points->item, points->n, gap, &holes, error) < 0)
+    if (holes_find(points->item, points->n, gap, rims * mean, &holes, error) < 0)
         return -1;
     if (buckets_make(points->item, s->surface_parts.flat, mean, threads, &buckets, error) < 0) {
         holes_free(&holes);

@@ -1,6 +1,7 @@
 /*
- * holes - every point marks the cells within half the gap of it; a facet bridges a hole when it
- * has an unmarked cell; see holes.h.  A cell is a bit, so that a whole cloud's marks grow into
+ * holes - every point marks the cells within half the gap of it; what is left are the middles of
+ * holes, which unmark all about them but a rim; a facet bridges a hole when it has an unmarked cell;
+ * see holes.h.  A cell is a bit, so that a whole cloud's marks grow into
  * discs 64 cells at a time.
  */
 #include "holes.h"
@@ -10,12 +11,13 @@
 #include "array.h"
 #include "footprint.h"
 
-enum { CELLS_A_GAP = 6, REACH = CELLS_A_GAP / 2, WORD = 64 };
+enum { CELLS_A_GAP = 12, REACH = CELLS_A_GAP / 2, WORD = 64 };
 
 static const double MOST_CELLS = 2e9;
 
 /* The raster with a border of REACH cells around the points, so that no disc falls outside. */
-static int lay_out(const struct footprint *f, double gap, struct holes *h, struct error *error)
+static int lay_out(const struct footprint *f, double gap, double rim, struct holes *h,
+                   struct error *error)
 {
     double cell = gap / CELLS_A_GAP;
     double columns = floor((f->xmax - f->xmin) / cell) + 2 + 2 * REACH;
@@ -27,7 +29,7 @@ static int lay_out(const struct footprint *f, double gap, struct holes *h, struc
                          gap, f->xmax - f->xmin, f->ymax - f->ymin,
                          gap * sqrt(columns * rows / MOST_CELLS));
     size_t words = (size_t)columns / WORD + 1;
-    *h = (struct holes){gap, cell, f->xmin, f->ymin, (size_t)rows, words, NULL};
+    *h = (struct holes){fmin(rim, gap / 2), cell, f->xmin, f->ymin, (size_t)rows, words, NULL};
     h->near = mem_alloc(h->rows * h->words, sizeof *h->near);
     return 0;
 }
@@ -62,11 +64,33 @@ static void add_grown(uint64_t *to, const uint64_t *from, size_t words, int widt
     }
 }
 
-int holes_find(const struct vec3 *point, size_t n, double gap, struct holes *holes,
+/* The cells within `reach` cells of a hole's middle, where a disc as wide as the gap is empty, lose
+ * their mark: all of the hole but its rim. */
+static void open_holes(struct holes *h, int reach)
+{
+    size_t words = h->words;
+    uint64_t *open = mem_alloc(h->rows * words, sizeof *open);
+    uint64_t *empty = mem_alloc(words, sizeof *empty);
+
+    for (size_t row = REACH; row < h->rows - REACH; row++) {
+        uint64_t any = 0;
+        for (size_t i = 0; i < words; i++)
+            any |= empty[i] = ~h->near[row * words + i];
+        for (int away = -reach; any && away <= reach; away++)
+            add_grown(open + (size_t)((long)row + away) * words, empty, words,
+                      (int)sqrt(reach * reach - away * away));
+    }
+    for (size_t i = 0; i < h->rows * words; i++)
+        h->near[i] &= ~open[i];
+    free(empty);
+    free(open);
+}
+
+int holes_find(const struct vec3 *point, size_t n, double gap, double rim, struct holes *holes,
                struct error *error)
 {
     struct footprint f = footprint_of(point, n, 0);
-    if (lay_out(&f, gap, holes, error) < 0)
+    if (lay_out(&f, gap, rim, holes, error) < 0)
         return -1;
     size_t words = holes->words;
     uint64_t *taken = mem_alloc(holes->rows * words, sizeof *taken);
@@ -78,6 +102,9 @@ int holes_find(const struct vec3 *point, size_t n, double gap, struct holes *hol
                       width);
         }
     free(taken);
+    int reach = (int)floor((gap / 2 - rim) / holes->cell);
+    if (reach > 0)
+        open_holes(holes, reach);
     return 0;
 }
 
@@ -95,8 +122,7 @@ static double distance2(struct vec3 a, struct vec3 b)
 bool holes_bridged(const struct holes *holes, struct vec3 a, struct vec3 b, struct vec3 c)
 {
     double longest2 = fmax(distance2(a, b), fmax(distance2(b, c), distance2(c, a)));
-    if (longest2 * 4 <=
-        holes->gap * holes->gap * 3) /* no place in it is half a gap from a corner */
+    if (longest2 <= 3 * holes->rim * holes->rim) /* no place in it is so far from a corner */
         return false;
     double a_cell = 1 / holes->cell;
     int steps = (int)ceil(sqrt(longest2) * a_cell);
