@@ -30,7 +30,8 @@ void scanfill_on(const struct scanfill *fill, size_t i, struct vec3 p, const str
                  double spread, struct vec3s *to);
 
 /* The same on a surface through the nearest points as they are: of the second degree through 16 to
- * 32, or of the third through 24 where that leaves less. */
-void scanfill_about(const struct scanfill *fill, size_t i, struct vec3s *to);
+ * 32, or of the third through 24 where that leaves less.  Returns how far these are off it (one
+ * standard deviation, mm), 0 where nothing was appended. */
+double scanfill_about(const struct scanfill *fill, size_t i, struct vec3s *to);
 
 #endif

@@ -17,6 +17,7 @@ struct scansurface_rule {
     double radius; /* of the ball, mm */
     double sink;   /* how deep it may sink between points, mm */
     double noise;  /* standard deviation of what is taken out, mm (noise.h); 0: nothing */
+    double vague;  /* mm: a surface between points that is off them by more is vague */
     int threads;   /* as of parallel_for */
 };
 
@@ -24,6 +25,9 @@ struct scansurface {
     struct vec3s point;
     struct vec3s certain, doubtful; /* points of the scan: does noise leave doubt of the surface? */
     size_t moved, added; /* points brought to their quadrics, points put between */
+    size_t vague; /* of a scan without noise: points about which the surface between is vague, ... */
+    double worst; /* ... the most that it is off, mm, and where */
+    struct vec3 at;
 };
 
 /* No point moves by more than six standard deviations.  More than 400,000 points get none between. */

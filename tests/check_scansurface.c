@@ -42,7 +42,7 @@ static double noise_taken;
 /* Sorts the points. */
 static struct scansurface surface_of(struct vec3s *points, double noise)
 {
-    struct scansurface_rule rule = {.radius = BALL, .sink = 0.002, .noise = noise};
+    struct scansurface_rule rule = {.radius = BALL, .sink = 0.002, .noise = noise, .vague = 0.01};
     struct buckets buckets;
     struct error error;
     ck_assert_int_eq(buckets_make(points->item, points->n, 0.5, 1, &buckets, &error), 0);
@@ -81,9 +81,28 @@ START_TEST(what_is_sparse_is_filled)
     ck_assert_double_lt(after, 0.005);
     ck_assert(noise_taken == 0);
     ck_assert_uint_eq(s.moved, 0);
+    ck_assert_uint_eq(s.vague, 0);
+    ck_assert_double_lt(s.worst, 0.003);
     ck_assert_uint_eq(s.point.n, points.n + s.added);
     for (size_t i = 0; i < s.point.n; i++)
         ck_assert_double_eq_tol(vec_length(s.point.item[i]), SPHERE, 0.003);
+    array_free(&points);
+    array_free(&s.point);
+}
+END_TEST
+
+/* A ripple of 0.3 mm every 6 mm under points 0.7 mm apart, flat for x < 0. */
+START_TEST(what_is_too_sparse_is_told)
+{
+    struct vec3s points = {0};
+    for (double x = -12; x < 12; x += 0.7)
+        for (double y = -12; y < 12; y += 0.7)
+            *array_push(&points) = vec(x, y, x > 0 ? 0.3 * (1 - cos(x * PI / 3)) : 0);
+    struct scansurface s = surface_of(&points, 0);
+    ck_assert_uint_gt(s.vague, 100);
+    ck_assert_uint_lt(s.vague, points.n * 2 / 3);
+    ck_assert_double_gt(s.worst, 0.01);
+    ck_assert_double_gt(s.at.x, -2);
     array_free(&points);
     array_free(&s.point);
 }
@@ -169,6 +188,7 @@ int main(void)
     TCase *tcase = tcase_create("scansurface");
     tcase_set_timeout(tcase, 60);
     tcase_add_test(tcase, what_is_sparse_is_filled);
+    tcase_add_test(tcase, what_is_too_sparse_is_told);
     tcase_add_test(tcase, noise_is_found_and_taken_out);
     tcase_add_test(tcase, noise_that_is_said_counts);
     tcase_add_test(tcase, a_hole_stays);

@@ -103,11 +103,17 @@ static struct guard *guard_of(struct vec3s *points, const struct mesh *mesh, str
     struct scansurface_rule how = {.radius = rule->radius,
                                    .sink = rule->tolerance / 5,
                                    .noise = rule->noise,
+                                   .vague = rule->tolerance,
                                    .threads = rule->threads};
     struct scansurface surface = scansurface_make(&buckets, &how);
     if (rule->noise > 0)
         say("noise of %.2g mm taken out of the scan that guards (%zu of %zu points moved)",
             rule->noise, surface.moved, buckets.n);
+    if (surface.vague > 0)
+        say("the scan is too sparse at %zu points for a tolerance of %g: the surface between them is "
+            "uncertain, at worst by %.3f mm at %.3f %.3f %.3f",
+            surface.vague, rule->tolerance, surface.worst, surface.at.x, surface.at.y,
+            surface.at.z);
     note("guarded by %zu points of the scan and %zu put between", buckets.n, surface.added);
     if (mesh)
         add_edges(mesh, sqrt(8 * rule->radius * how.sink), &surface.point);

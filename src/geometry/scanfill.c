@@ -124,8 +124,9 @@ static double fit_quadric(const struct near *near, struct quadric *q)
     return HUGE_VAL;
 }
 
-void scanfill_about(const struct scanfill *fill, size_t i, struct vec3s *to)
+double scanfill_about(const struct scanfill *fill, size_t i, struct vec3s *to)
 {
+    size_t before = to->n;
     struct near near;
     struct quadric q, cubic;
 
@@ -141,4 +142,5 @@ void scanfill_about(const struct scanfill *fill, size_t i, struct vec3s *to)
     }
     if (spread < HUGE_VAL && is_worth_it(fill, &near, spread))
         put(fill, &near, near.point[0], &q, to);
+    return to->n > before ? spread : 0;
 }

@@ -26,6 +26,7 @@ struct place {
     struct vec3 point;
     bool moved, doubtful;
     struct vec3s between;
+    double vague; /* how far the points are off the surface of these, mm */
 };
 
 struct job {
@@ -172,7 +173,7 @@ static void fill_places(void *context, size_t from, size_t to)
     const struct job *job = context;
 
     for (size_t i = from; i < to; i++)
-        scanfill_about(&job->fill, i, &job->place[i].between);
+        job->place[i].vague = scanfill_about(&job->fill, i, &job->place[i].between);
 }
 
 /* What there is to be done: -1 when it is nothing. */
@@ -200,6 +201,11 @@ static struct scansurface gather(struct job *job)
         *array_push(&surface.point) = place->point;
         *array_push(place->doubtful ? &surface.doubtful : &surface.certain) = place->point;
         surface.moved += place->moved;
+        surface.vague += place->vague > job->rule->vague;
+        if (place->vague > surface.worst) {
+            surface.worst = place->vague;
+            surface.at = place->point;
+        }
         surface.added += place->between.n;
         for (size_t k = 0; k < place->between.n; k++)
             *array_push(&surface.point) = place->between.item[k];
