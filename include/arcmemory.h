@@ -9,6 +9,7 @@
 
 struct arcmemory_part {
     struct trace trace;
+    struct pieces pieces;
     struct printeds printed; /* none: taken out */
     struct stray worst;
 };
@@ -20,9 +21,13 @@ struct arcmemory {
 };
 
 /* Takes out what became of a part with these very points: its pieces in the place of those in
- * `printed`.  False when there was none. */
-bool arcmemory_take(struct arcmemory *memory, const struct trace *trace, struct printeds *printed,
-                    struct stray *worst);
+ * `pieces` and `printed`.  False when there was none. */
+bool arcmemory_take(struct arcmemory *memory, const struct trace *trace, struct pieces *pieces,
+                    struct printeds *printed, struct stray *worst);
+
+/* The part that begins and ends where the trace does; NULL: none. */
+const struct arcmemory_part *arcmemory_like(const struct arcmemory *memory,
+                                            const struct trace *trace);
 
 void arcmemory_free(struct arcmemory *memory);
 

@@ -4,9 +4,9 @@
 #ifndef CLOUDMILL_ARCPRINT_H
 #define CLOUDMILL_ARCPRINT_H
 
+#include "arcfit.h"
 #include "num.h"
 #include "path.h"
-#include "trace.h"
 
 enum {
     PATH_COORDINATE = 6, /* decimals of lengths in the path stream */
@@ -27,6 +27,11 @@ struct printeds {
 /* The piece through its rounded ends, beginning at `from` (as printed); a line where it is shorter
  * than a thousandth of a millimetre, or rounding leaves nothing of its turn. */
 struct printed arcprint_piece(const struct piece *piece, struct vec3 from);
+
+/* All pieces that follow a trace, beginning at its first point, in the place of what is in
+ * `printed`.  Returns how far they stray from it: without limit when they don't lead to its end. */
+struct stray arcprint_pieces(const struct trace *trace, const struct pieces *pieces,
+                             struct printeds *printed);
 
 /* How many equal chords keep within `sagitta` mm of the piece, at the tracked point and at the other
  * end of the lever: a power of two, at most 4096. */

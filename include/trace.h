@@ -35,6 +35,9 @@ void trace_free(struct trace *trace);
 struct vec3 trace_point(const struct trace *trace, double place);
 struct vec3 trace_axis(const struct trace *trace, double place);
 
+/* The tool axis is the same at the points `from` to `to`. */
+bool trace_axis_still(const struct trace *trace, size_t from, size_t to);
+
 /* Place nearest to q: the next minimum of the distance, downhill from `place`. */
 double trace_place(const struct trace *trace, struct vec3 q, double place);
 

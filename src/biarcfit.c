@@ -56,8 +56,9 @@ static void fit_run(void *context, const struct run *run, struct deeps *deeps)
     path_free(fitted);
     *fitted = (struct path){0};
     a->job->report = (struct arcrun_report){0};
-    arcrun_fit(run, work->options, &a->job->memory, fitted, &a->job->report);
-    for (size_t i = 0; work->guard->guard && i < fitted->item.n; i++) {
+    bool guarded = work->guard->guard != NULL;
+    arcrun_fit(run, work->options, guarded ? &a->job->memory : NULL, fitted, &a->job->report);
+    for (size_t i = 0; guarded && i < fitted->item.n; i++) {
         const struct path_item *item = &fitted->item.item[i];
         if (item->kind != PATH_POINT && item->kind != PATH_ARC)
             continue;

@@ -19,6 +19,13 @@ status 0 "dense passes within 0.005" biarcfit -e 0.005 -o "$TMP/p5.cl" "$passes"
 below "within 3 % of the fewest known, 134, at 0.005" "$(arcs "$TMP/p5.cl")" 138
 below "what was spent at 0.005" "$(spent "$TMP/p5.cl")" 0.005
 
+# one pass of 220 mm: more arcs than are moved all together
+path "$(awk 'BEGIN { for (i = 0; i <= 880; i++) { x = i / 4 - 110
+	printf "GOTO/%.6f,%.6f,%.6f,0,0,1\n", x, 2 * cos(x / 25),
+		2.5 * sin(x / 5.25 + 0.3 * sin(x / 17)) + 1.5 * sin(x / 60) } }')" >"$TMP/long.cl"
+status 0 "a long pass" biarcfit -e 0.01 -o "$TMP/long.out" "$TMP/long.cl"
+below "within 3 % of the fewest known, 46" "$(arcs "$TMP/long.out")" 47
+
 grep -v 'CONTCT\|^GOTO\|LEDGER' "$passes" >"$TMP/rest.in"
 grep -v 'CONTCT\|^GOTO\|^CIRCLE\|LEDGER' "$TMP/p10.cl" >"$TMP/rest.out"
 same "all but the points is carried through" "$TMP/rest.in" "$TMP/rest.out"

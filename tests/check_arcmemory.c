@@ -28,19 +28,23 @@ START_TEST(parts_are_known_by_their_points)
 {
     struct arcmemory memory = {0};
     struct printeds found = {0};
+    struct pieces pieces = {0};
     struct stray worst = {0};
     *array_push(&memory) = part_at(1, 10);
     *array_push(&memory) = part_at(2, 20);
     struct trace second = trace_from(2), third = trace_from(2 + 1e-12);
-    ck_assert(!arcmemory_take(&memory, &third, &found, &worst));
-    ck_assert(arcmemory_take(&memory, &second, &found, &worst));
+    ck_assert_ptr_eq(arcmemory_like(&memory, &second), &memory.item[1]);
+    ck_assert_ptr_null(arcmemory_like(&memory, &third));
+    ck_assert(!arcmemory_take(&memory, &third, &pieces, &found, &worst));
+    ck_assert(arcmemory_take(&memory, &second, &pieces, &found, &worst));
     ck_assert_uint_eq(found.n, 1);
     ck_assert_double_eq(found.item[0].arc.radius, 20);
     ck_assert_double_eq(worst.tracked, 0.2);
-    ck_assert(!arcmemory_take(&memory, &second, &found, &worst)); /* it was taken out */
+    ck_assert(!arcmemory_take(&memory, &second, &pieces, &found, &worst)); /* it was taken out */
     trace_free(&second);
     trace_free(&third);
     array_free(&found);
+    array_free(&pieces);
     arcmemory_free(&memory);
     ck_assert_uint_eq(memory.n, 0);
 }

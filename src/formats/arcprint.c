@@ -4,6 +4,7 @@
 #include <math.h>
 
 static const double SHORT = 1e-3; /* mm: nothing below this is an arc */
+static const double THERE = 1e-5; /* mm: so near to the end of the trace its digits are it */
 
 static struct printed print_line(const struct piece *piece, struct vec3 from, struct vec3 to)
 {
@@ -27,6 +28,24 @@ struct printed arcprint_piece(const struct piece *piece, struct vec3 from)
     if (fabs(p.piece.arc.angle - exact.angle) > 0.01 * exact.angle)
         return print_line(piece, from, to);
     return p;
+}
+
+struct stray arcprint_pieces(const struct trace *trace, const struct pieces *pieces,
+                             struct printeds *printed)
+{
+    struct vec3 at = vec_round(trace->p[0], PATH_COORDINATE), end = trace->p[trace->n - 1];
+    struct stray worst = {0};
+
+    printed->n = 0;
+    for (size_t i = 0; i < pieces->n; i++) {
+        struct printed p = arcprint_piece(&pieces->item[i], at);
+        at = p.piece.arc.to;
+        worst = stray_worst(worst, trace_stray(trace, &p.piece, 4, NULL));
+        *array_push(printed) = p;
+    }
+    if (pieces->n == 0 || vec_distance(at, end) >= THERE)
+        worst.tracked = HUGE_VAL; /* what is missing strays from nothing */
+    return worst;
 }
 
 int arcprint_chords(const struct piece *piece, double lever, double sagitta)

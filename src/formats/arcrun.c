@@ -5,6 +5,7 @@
 
 #include "arcback.h"
 #include "arcbeam.h"
+#include "arcmend.h"
 #include "arcprint.h"
 #include "arcrelax.h"
 
@@ -22,18 +23,9 @@ struct fit {
     struct stray worst;
 };
 
-/* Prints all pieces in memory and measures what a reader of the digits will find. */
 static void print_pieces(struct fit *f)
 {
-    f->printed.n = 0;
-    f->worst = (struct stray){0};
-    struct vec3 at = vec_round(f->trace.p[0], PATH_COORDINATE);
-    for (size_t i = 0; i < f->pieces.n; i++) {
-        struct printed p = arcprint_piece(&f->pieces.item[i], at);
-        at = p.piece.arc.to;
-        f->worst = stray_worst(f->worst, trace_stray(&f->trace, &p.piece, 4, NULL));
-        *array_push(&f->printed) = p;
-    }
+    f->worst = arcprint_pieces(&f->trace, &f->pieces, &f->printed);
 }
 
 /* Straight from point to point: the trace itself. */
@@ -45,15 +37,6 @@ static void fit_points(struct fit *f)
                                               (double)i, (double)(i + 1));
 }
 
-/* The printed pieces go on to the end of the trace: what is missing strays from nothing. */
-static bool arrives(const struct fit *f)
-{
-    if (f->printed.n == 0)
-        return false;
-    struct vec3 end = f->printed.item[f->printed.n - 1].piece.arc.to;
-    return vec_distance(end, f->trace.p[f->trace.n - 1]) < 1e-5;
-}
-
 static size_t given_points(const struct fit *f)
 {
     size_t n = 0;
@@ -63,10 +46,11 @@ static size_t given_points(const struct fit *f)
 }
 
 /* Many points that were given fall to a piece.  Where they are few, as on a scan, a longer search
- * finds hardly fewer pieces. */
-static bool smooth(const struct fit *f)
+ * finds hardly fewer pieces; and what is guarded may be fitted several times. */
+static bool smooth(const struct fit *f, bool again)
 {
-    return given_points(f) >= 6 * f->pieces.n;
+    const size_t many = again ? 16 : 8;
+    return given_points(f) >= many * f->pieces.n;
 }
 
 /* The pieces found from the other end, where they are fewer. */
@@ -76,7 +60,8 @@ static bool fit_back(const struct fit *f, const struct stray *less, struct piece
     arcbeam_fit(&trace, less, PATH_COORDINATE, back);
     arcrelax(&trace, less, PATH_COORDINATE, true, back);
     arcback_pieces(back, trace.n);
-    arcrelax(&f->trace, less, PATH_COORDINATE, true, back);
+    if (back->n <= f->pieces.n)
+        arcrelax(&f->trace, less, PATH_COORDINATE, true, back);
     trace_free(&trace);
     return back->n < f->pieces.n;
 }
@@ -92,34 +77,56 @@ static void swap(struct pieces *a, struct pieces *b)
 static bool proven(struct fit *f, const struct stray *within)
 {
     print_pieces(f);
-    return stray_within(&f->worst, within) && arrives(f);
+    return stray_within(&f->worst, within);
+}
+
+/* Once: from the start, and from the end where that pays. */
+static bool fit_once(struct fit *f, bool again, const struct stray *within,
+                     const struct stray *less)
+{
+    struct pieces back = {0};
+    bool good = false;
+
+    f->pieces.n = 0;
+    arcbeam_fit(&f->trace, less, PATH_COORDINATE, &f->pieces);
+    arcrelax(&f->trace, less, PATH_COORDINATE, false, &f->pieces);
+    bool thorough = smooth(f, again);
+    if (thorough)
+        arcrelax(&f->trace, less, PATH_COORDINATE, true, &f->pieces);
+    if (thorough && fit_back(f, less, &back)) {
+        swap(&f->pieces, &back);
+        good = proven(f, within);
+        if (!good)
+            swap(&f->pieces, &back);
+    }
+    array_free(&back);
+    return good || proven(f, within);
+}
+
+/* The pieces of the last time, where they have to change no more than in one place. */
+static bool mend(struct fit *f, const struct arcmemory *memory, const struct stray *within,
+                 const struct stray *less)
+{
+    const struct arcmemory_part *last = memory ? arcmemory_like(memory, &f->trace) : NULL;
+
+    return last &&
+           arcmend(&last->trace, &f->trace, less, PATH_COORDINATE, &last->pieces, &f->pieces) &&
+           proven(f, within);
 }
 
 /* Fits within less and less of the tolerance until the printed digits keep all of it. */
-static void fit_within(struct fit *f, double tolerance)
+static void fit_within(struct fit *f, const struct arcmemory *memory, double tolerance)
 {
     struct stray within = {tolerance, tolerance, f->options->axis};
     double part = 1 - 1e-6 / tolerance;
-    bool good = false;
 
-    for (int i = 0; i < 6 && !good; i++, part *= 0.995) {
+    for (int i = 0; i < 6; i++, part *= 0.995) {
         struct stray less = {part * tolerance, part * tolerance, part * f->options->axis};
-        struct pieces back = {0};
-        f->pieces.n = 0;
-        arcbeam_fit(&f->trace, &less, PATH_COORDINATE, &f->pieces);
-        bool thorough = smooth(f);
-        arcrelax(&f->trace, &less, PATH_COORDINATE, thorough, &f->pieces);
-        if (thorough && fit_back(f, &less, &back)) {
-            swap(&f->pieces, &back);
-            good = proven(f, &within);
-            if (!good)
-                swap(&f->pieces, &back);
-        }
-        good = good || proven(f, &within);
-        array_free(&back);
+        if (i == 0 && mend(f, memory, &within, &less))
+            return;
+        if (fit_once(f, memory != NULL, &within, &less))
+            return;
     }
-    if (good)
-        return;
     fit_points(f);
     print_pieces(f);
 }
@@ -258,7 +265,8 @@ static void keep(struct arcmemory *memory, struct fit *f)
         trace_free(&f->trace);
         return;
     }
-    *array_push(memory) = (struct arcmemory_part){f->trace, f->printed, f->worst};
+    *array_push(memory) = (struct arcmemory_part){f->trace, f->pieces, f->printed, f->worst};
+    f->pieces = (struct pieces){0};
     f->printed = (struct printeds){0};
 }
 
@@ -277,8 +285,9 @@ void arcrun_fit(const struct run *run, const struct arcrun_options *options,
         if (options->paper) {
             fit_each(&f, run, report);
             print_pieces(&f);
-        } else if (!(memory && arcmemory_take(memory, &f.trace, &f.printed, &f.worst))) {
-            fit_within(&f, options->tolerance - taken);
+        } else if (!memory ||
+                   !arcmemory_take(memory, &f.trace, &f.pieces, &f.printed, &f.worst)) {
+            fit_within(&f, memory, options->tolerance - taken);
         }
         put_pieces(&f, out, report);
         report->worst = stray_worst(report->worst, f.worst);

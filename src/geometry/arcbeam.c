@@ -56,7 +56,7 @@ struct beam {
     struct links done; /* all that are part of chains */
     struct proposals next;
     struct windows windows; /* for use within expand */
-    bool stepped;           /* single arcs did not do everywhere */
+    size_t stepped;         /* pieces that are no single arcs, where these would not do */
 };
 
 static size_t reach_of(const struct beam *b, size_t at, struct vec3 p, struct vec3 t)
@@ -227,7 +227,7 @@ static void step_by_biarc(struct beam *b, size_t from)
     struct reached *last = &b->done.item[b->done.n - 1].end;
     if (vec_dot(last->tangent, b->trace->tangent[last->at]) < 0.8)
         last->tangent = b->trace->tangent[last->at];
-    b->stepped = true;
+    b->stepped += m.n;
     array_free(&m);
 }
 
@@ -275,14 +275,6 @@ static void search(struct beam *b)
     }
 }
 
-static bool axis_still(const struct trace *t)
-{
-    for (size_t i = 1; i < t->n; i++)
-        if (vec_distance(t->axis[i], t->axis[0]) > 0)
-            return false;
-    return true;
-}
-
 void arcbeam_fit(const struct trace *trace, const struct stray *within, int digits,
                  struct pieces *pieces)
 {
@@ -290,12 +282,12 @@ void arcbeam_fit(const struct trace *trace, const struct stray *within, int digi
         return;
     struct beam b = {.trace = trace, .within = within, .digits = digits};
     struct pieces biarcs = {0}, arcs = {0};
-    b.width = axis_still(trace) ? BEAM : SWUNG;
+    b.width = trace_axis_still(trace, 0, trace->n - 1) ? BEAM : SWUNG;
     start(&b);
     size_t starts = b.done.n;
     search(&b);
     chain_of(&b, b.done.n - 1, starts, &arcs);
-    if (b.stepped)
+    if (4 * b.stepped > arcs.n)
         arcfit_biarcs(trace, within, &biarcs);
     const struct pieces *best = biarcs.n == 0 || arcs.n <= biarcs.n ? &arcs : &biarcs;
     for (size_t i = 0; i < best->n; i++)

@@ -292,7 +292,7 @@ double arcmoves_settle(struct arcmoves *m, double enough)
     if (m->chain.n == 0)
         return HUGE_VAL;
     struct work w = work_new(m);
-    double damping = 1e-3, worst = HUGE_VAL;
+    double damping = 1e-4, worst = HUGE_VAL;
     arcchain_turn(&m->chain, 0);
     arcchain_copy(&w.kept, &m->chain);
     for (;; m->stage++) {

@@ -3,222 +3,13 @@
 
 #include <stdlib.h>
 
-#include "arcmoves.h"
+#include "arcpart.h"
 
 enum {
     WHOLE = 32, /* arcs that are moved all together; of more a window at a time */
     WINDOW = 6, /* of so many arcs, */
-    WIDE = 14,  /* or so many where the axis stands still */
-    EACH = 12,  /* points looked at for each arc, */
-    EACH_MOST = 80, /* and where these hold */
-    CLOSER = 3, /* stage (arcmoves.h) at which that begins */
-    EVENED = 5, /* times that joints are spaced anew by what the arcs are off */
-    AXIS_DIGITS = 9
+    WIDE = 14   /* or so many where the axis stands still */
 };
-
-static const double POWER = 0.5; /* of an arc's stray, when joints are spaced by it */
-
-/* Part of a chain to be done with one arc fewer. */
-struct part {
-    const struct trace *trace;
-    const struct stray *within;
-    int digits;
-    const struct piece *old;
-    size_t n; /* old pieces */
-    bool start_held, end_held, thorough;
-};
-
-static bool axis_still(const struct trace *t, size_t from, size_t to)
-{
-    for (size_t i = from + 1; i <= to; i++)
-        if (vec_distance(t->axis[i], t->axis[from]) > 0)
-            return false;
-    return true;
-}
-
-static double length_at(const struct trace *t, double place)
-{
-    size_t i = (size_t)place < t->n - 1 ? (size_t)place : t->n - 2;
-    return t->length[i] + (place - (double)i) * (t->length[i + 1] - t->length[i]);
-}
-
-/* The place on the trace at a length from its start, looked for from point `i` on. */
-static double place_at(const struct trace *t, double length, size_t i)
-{
-    while (i + 2 < t->n && t->length[i + 1] < length)
-        i++;
-    double step = t->length[i + 1] - t->length[i];
-    return (double)i + (step > 0 ? fmin(1, fmax(0, (length - t->length[i]) / step)) : 0);
-}
-
-/* Puts an inner joint onto the trace. */
-static void put_joint(const struct part *part, struct arcchain *chain, size_t i, double place)
-{
-    struct joint *j = &chain->joint[i];
-    *j = (struct joint){.p = trace_point(part->trace, place), .place = place};
-    arcchain_lean(chain, part->trace, i);
-}
-
-/* The ends of the chain: those of the old pieces. */
-static void put_ends(const struct part *part, struct arcchain *chain)
-{
-    const struct piece *first = &part->old[0], *last = &part->old[part->n - 1];
-    chain->joint[0] = (struct joint){.p = first->arc.from,
-                                     .tangent = first->arc.tangent,
-                                     .axis = first->axis,
-                                     .place = first->from};
-    chain->joint[chain->n] =
-        (struct joint){.p = last->arc.to, .axis = last->axis_to, .place = last->to};
-}
-
-/* To each arc falls the like share of the old ones. */
-static void space_evenly(const struct part *part, struct arcchain *chain)
-{
-    const struct trace *t = part->trace;
-    put_ends(part, chain);
-    for (size_t i = 1; i < chain->n; i++) {
-        double share = (double)(i * part->n) / (double)chain->n, rest = share - floor(share);
-        const struct piece *p = &part->old[(size_t)share];
-        double a = length_at(t, p->from), b = length_at(t, p->to);
-        put_joint(part, chain, i, place_at(t, a + rest * (b - a), (size_t)p->from));
-    }
-}
-
-/* The joints of the old pieces but for one of them. */
-static void leave_out(const struct part *part, size_t without, struct arcchain *chain)
-{
-    put_ends(part, chain);
-    for (size_t i = 1; i < chain->n; i++) {
-        const struct piece *p = &part->old[i < without ? i : i + 1];
-        put_joint(part, chain, i, p->from);
-        chain->joint[i].p = p->arc.from;
-    }
-}
-
-/* How far off the points are that each arc passes, as a part of the largest. */
-static void strays(struct arcmoves *m, double *stray)
-{
-    struct passing *passing = &m->passing;
-    double *off = mem_alloc(4 * passing->n + 1, sizeof *off), most = 0;
-    arcmiss(&m->chain, m->lever, passing, off);
-    for (size_t i = 0; i < passing->n; i++) {
-        const double *far = off + 2 * (passing->n + i);
-        double *s = &stray[passing->item[i].arc], here = hypot(off[2 * i], off[2 * i + 1]);
-        if (m->lever != 0)
-            here = fmax(here, hypot(far[0], far[1]));
-        *s = fmax(*s, here);
-        most = fmax(most, here);
-    }
-    for (size_t i = 0; i < m->chain.n; i++)
-        stray[i] = most > 0 ? stray[i] / most : 1;
-    free(off);
-}
-
-/* Gives arcs that are nearer to the trace than others more of it. */
-static void space_by_stray(const struct part *part, struct arcmoves *m)
-{
-    const struct trace *t = part->trace;
-    struct arcchain *chain = &m->chain;
-    double *share = mem_alloc(chain->n, sizeof *share), old = 0, sum = 0;
-    strays(m, share);
-    double start = length_at(t, chain->joint[0].place), at = start;
-    for (size_t i = 0; i < chain->n; i++) {
-        double length = length_at(t, chain->joint[i + 1].place) - at;
-        share[i] = length / pow(fmax(share[i], 0.2), POWER);
-        at += length;
-        old += length;
-        sum += share[i];
-    }
-    put_ends(part, chain);
-    chain->joint[0].tangent =
-        part->start_held ? part->old[0].arc.tangent : t->tangent[(size_t)part->old[0].from];
-    at = start;
-    for (size_t i = 1; i < chain->n; i++) {
-        at += share[i - 1] * old / sum;
-        put_joint(part, chain, i, place_at(t, at, (size_t)part->old[0].from));
-    }
-    free(share);
-}
-
-/* The chain with rounded joints as pieces that hold; false when they don't. */
-static bool prove(const struct part *part, const struct arcmoves *m, struct pieces *out)
-{
-    struct arcchain chain = arcchain_new(m->chain.n);
-    arcchain_copy(&chain, &m->chain);
-    for (size_t i = 1; i < chain.n; i++) {
-        struct joint *j = &chain.joint[i];
-        j->p = vec_round(j->p, part->digits);
-        if (m->lever != 0)
-            j->axis = vec_unit(vec_round(j->axis, AXIS_DIGITS));
-    }
-    arcchain_turn(&chain, 0);
-    out->n = 0;
-    arcchain_pieces(&chain, part->trace, out);
-    struct vec3 end = chain.joint[chain.n].tangent;
-    bool good = !m->end_held || vec_angle(end, m->end) < ARCFIT_KINK;
-    for (size_t i = 0; i < out->n && good; i++) {
-        struct stray stray = trace_stray(part->trace, &out->item[i], 4, part->within);
-        good = stray_within(&stray, part->within);
-    }
-    arcchain_free(&chain);
-    return good;
-}
-
-/* Looks at all points now, where those looked at so far hold and others don't. */
-static void look_closer(const struct part *part, struct arcmoves *m)
-{
-    size_t from = (size_t)part->old[0].from, to = (size_t)ceil(part->old[part->n - 1].to);
-    passing_free(&m->passing);
-    m->passing = passing_of(part->trace, from, to, EACH_MOST * part->n);
-}
-
-/* From the joints as they are spaced now. */
-static bool settle(const struct part *part, struct arcmoves *m, struct pieces *out)
-{
-    m->stage = 0;
-    for (int i = 0; i < 4; i++) {
-        if (arcmoves_settle(m, 0.995 - 0.005 * i) > 1)
-            return false;
-        if (prove(part, m, out))
-            return true;
-        if (i == 0)
-            look_closer(part, m);
-        m->stage = CLOSER;
-    }
-    return false;
-}
-
-/* One arc fewer; where all arcs of a smooth part are moved together, from many spacings. */
-static bool fewer(const struct part *part, struct pieces *out)
-{
-    const struct piece *last = &part->old[part->n - 1];
-    size_t from = (size_t)part->old[0].from, to = (size_t)ceil(last->to);
-    if (part->n < 2 || to > part->trace->n - 1)
-        return false;
-    struct arcmoves m = {.trace = part->trace,
-                         .chain = arcchain_new(part->n - 1),
-                         .passing = passing_of(part->trace, from, to, EACH * part->n),
-                         .tolerance = part->within->tracked,
-                         .lever = axis_still(part->trace, from, to) ? 0 : part->trace->lever,
-                         .other = part->within->other,
-                         .start_held = part->start_held,
-                         .end_held = part->end_held,
-                         .end = arc_tangent(&last->arc, 1)};
-    bool many = !part->start_held && !part->end_held && (m.lever == 0 || part->thorough);
-    space_evenly(part, &m.chain);
-    bool good = settle(part, &m, out);
-    for (int i = 0; i < EVENED && many && !good; i++) {
-        space_by_stray(part, &m);
-        good = settle(part, &m, out);
-    }
-    for (size_t i = 1; i < part->n && many && !good; i++) {
-        leave_out(part, i, &m.chain);
-        good = settle(part, &m, out);
-    }
-    arcchain_free(&m.chain);
-    passing_free(&m.passing);
-    return good;
-}
 
 /* Puts `some` in the place of n pieces at `at`. */
 static void replace(struct pieces *pieces, size_t at, size_t n, const struct pieces *some)
@@ -240,17 +31,17 @@ static size_t smooth_end(const struct pieces *pieces, size_t from)
     return i;
 }
 
-/* n pieces from `at` on, of the smooth part [from, end), with one fewer; false when that can't be. */
-static bool relax_some(const struct part *like, size_t from, size_t end, size_t at, size_t n,
+/* n pieces from `at` on, of the smooth part [from, end), with one fewer; false where none holds. */
+static bool relax_some(const struct arcpart *like, size_t from, size_t end, size_t at, size_t n,
                        struct pieces *pieces)
 {
-    struct part part = *like;
+    struct arcpart part = *like;
     struct pieces some = {0};
     part.old = &pieces->item[at];
     part.n = n;
     part.start_held = at > from;
     part.end_held = at + n < end;
-    bool good = fewer(&part, &some);
+    bool good = n > 1 && arcpart_fit(&part, n - 1, &some);
 
     if (good)
         replace(pieces, at, n, &some);
@@ -260,10 +51,10 @@ static bool relax_some(const struct part *like, size_t from, size_t end, size_t 
 
 /* The smooth part [from, end) with fewer pieces; returns its new end.  Windows that hold no arc too
  * many come in rows (a scan's noise): the longer the row, the fewer of the next are tried. */
-static size_t relax(const struct part *like, size_t from, size_t end, struct pieces *pieces)
+static size_t relax(const struct arcpart *like, size_t from, size_t end, struct pieces *pieces)
 {
     bool still =
-        axis_still(like->trace, (size_t)pieces->item[from].from, (size_t)pieces->item[end - 1].to);
+        trace_axis_still(like->trace, (size_t)pieces->item[from].from, (size_t)pieces->item[end - 1].to);
     size_t stride = 1, window = still ? WIDE : WINDOW;
 
     for (size_t i = from; end - from > window && i < end;) {
@@ -284,7 +75,7 @@ static size_t relax(const struct part *like, size_t from, size_t end, struct pie
 void arcrelax(const struct trace *trace, const struct stray *within, int digits, bool thorough,
               struct pieces *pieces)
 {
-    struct part like = {
+    struct arcpart like = {
         .trace = trace, .within = within, .digits = digits, .thorough = thorough};
 
     for (size_t from = 0; from < pieces->n;)

@@ -70,6 +70,14 @@ struct vec3 trace_axis(const struct trace *t, double place)
                        : vec_slerp(t->axis[i], t->axis[i + 1], part);
 }
 
+bool trace_axis_still(const struct trace *t, size_t from, size_t to)
+{
+    for (size_t i = from + 1; i <= to; i++)
+        if (vec_distance(t->axis[i], t->axis[from]) > 0)
+            return false;
+    return true;
+}
+
 static double segment_foot(struct vec3 q, struct vec3 a, struct vec3 b)
 {
     struct vec3 d = vec_sub(b, a);
