@@ -8,6 +8,8 @@
 #ifndef CLOUDMILL_FEATURE_H
 #define CLOUDMILL_FEATURE_H
 
+#include <stdbool.h>
+
 #include "kdtree.h"
 #include "vec.h"
 
@@ -39,6 +41,9 @@ enum { FEATURE_MOST = 400 };
 
 /* How many points about a place it takes to see a crease in the noise, 72 to FEATURE_MOST. */
 size_t feature_reach(const struct feature_cloud *cloud);
+
+/* May there be a wall: is the way from a to b steep, with a point of a wall over or under it? */
+bool feature_steep(const struct feature_cloud *cloud, struct vec3 a, struct vec3 b);
 
 /* A crease: `na` and `nb` are unit normals at the vertices.  Sheets that turn by less than 8
  * degrees are no crease. */

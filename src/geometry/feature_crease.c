@@ -5,21 +5,15 @@
 
 #include "array.h"
 #include "feature.h"
+#include "featuresharp.h"
 #include "flank.h"
-#include "longhood.h"
-#include "ribway.h"
 
-enum { MOST = FEATURE_MOST, TURNS = 20, ROUNDS = 4, FEWEST = 8, CLOSE = 24, STRIP = 48,
-       HALVINGS = 40 };
+enum { MOST = FEATURE_MOST, TURNS = 20, ROUNDS = 4, FEWEST = 8, HALVINGS = 40 };
 
 static const double FLAT = 0.99026806874157036; /* cos 8 degrees */
 
 /* What two sheets may leave, in mean spacings, beside the noise. */
 static const double ROUGH = 0.05;
-
-/* How far the points nearest to the crease may be off the sheets in the mean, in mean spacings:
- * further where an edge is rounded. */
-static const double ROUND = 0.05;
 
 /* Points about a place, taken apart into two sheets. */
 struct parted {
@@ -140,81 +134,8 @@ static bool better_than_one(const struct parted *p, const struct feature_cloud *
            two < 2 * cloud->noise + ROUGH * cloud->spacing;
 }
 
-/* The mean of the points' distances from the nearer sheet, and their root mean square. */
-static void off_sheets(const struct parted *p, const struct vec3 *near, size_t n, double *mean,
-                       double *rms)
-{
-    double sum = 0, sum2 = 0;
-
-    for (size_t i = 0; i < n; i++) {
-        double above[2] = {flank_above(&p->sheet[0], near[i]), flank_above(&p->sheet[1], near[i])};
-        double off = fabs(above[0]) < fabs(above[1]) ? above[0] : above[1];
-        sum += off;
-        sum2 += off * off;
-    }
-    *mean = sum / (double)n;
-    *rms = sqrt(sum2 / (double)n);
-}
-
-/* A quadric leaves much less of n points. */
-static bool bends(const struct parted *p, const struct feature_cloud *cloud,
-                  const struct vec3 *near, size_t n, double left)
-{
-    double mean, rms;
-
-    off_sheets(p, near, n, &mean, &rms);
-    return rms > 1.15 * left * sqrt((double)n / ((double)n - 6.0)) + 0.01 * cloud->spacing &&
-           rms > 1.25 * cloud->noise;
-}
-
-/* The points nearest to the crease are all on one side of the sheets. */
-static bool gapes(const struct parted *p, const struct feature_cloud *cloud,
-                  const struct vec3 *near, size_t n)
-{
-    double mean, rms;
-
-    off_sheets(p, near, n, &mean, &rms);
-    return fabs(mean) > 2.5 * cloud->noise / sqrt((double)n) + ROUND * cloud->spacing;
-}
-
-/* The same of the points nearest along the crease, which tell of a narrow rib. */
-static bool is_rib(const struct parted *p, const struct feature_cloud *cloud,
-                   const struct vec3 *near, size_t n, size_t some, struct vec3 at,
-                   struct vec3 along)
-{
-    struct vec3 found[STRIP];
-    struct ribway rib;
-
-    if (!ribway_find(near, n, at, p->w, along, some, &rib))
-        return false;
-    size_t all = longhood_take(near, n, at, rib.way, RIBWAY_LONGER, some, found);
-    if (bends(p, cloud, found, all, rib.rms))
-        return true;
-    size_t third = longhood_take(near, n, at, along, RIBWAY_LONGER, some / 3, found);
-    return gapes(p, cloud, found, third);
-}
-
-/* A rounded edge leaves the place where the sheets meet. */
-static bool sharp(const struct parted *p, const struct feature_cloud *cloud, struct vec3 at,
-                  struct vec3 along)
-{
-    size_t index[RIBWAY_LONGER * STRIP];
-    struct vec3 near[RIBWAY_LONGER * STRIP];
-    struct quadric one;
-    size_t n = kdtree_nearest(cloud->tree, at, RIBWAY_LONGER * STRIP, index, NULL);
-
-    if (n < CLOSE)
-        return false;
-    for (size_t i = 0; i < n; i++)
-        near[i] = cloud->point[index[i]];
-    if (quadric_fit(near, CLOSE, at, p->w, &one) == 0 &&
-        bends(p, cloud, near, CLOSE, quadric_rms(&one, near, CLOSE)))
-        return false;
-    return !gapes(p, cloud, near, CLOSE / 2) && !is_rib(p, cloud, near, n, CLOSE, at, along) &&
-           !is_rib(p, cloud, near, n, STRIP, at, along);
-}
-
-/* The nearest points, parted by the plane half way between a and b, or by the sheets as they are. */
+/* The nearest points, parted by the plane half way between a and b, or by the sheets as they
+ * are. */
 static bool gather(const struct feature_cloud *cloud, struct vec3 at, size_t k, struct vec3 a,
                    struct vec3 b, bool parted, struct parted *p)
 {
@@ -323,7 +244,7 @@ struct feature feature_crease(const struct feature_cloud *cloud, struct vec3 a, 
             !find_crease(cloud, a, b, i == 0, &p, &at))
             continue;
         struct feature f = told(&p, at, a, b);
-        if (turns(&f) && better_than_one(&p, cloud) && sharp(&p, cloud, at, f.along))
+        if (turns(&f) && better_than_one(&p, cloud) && featuresharp(cloud, p.sheet, p.w, at, f.along))
             return f;
     }
     return none;

@@ -1,4 +1,4 @@
-/* featuremesh - see featuremesh.h. */
+/* featuremesh - see featuremesh.h; featuremesh_walls.c is the rest of it. */
 #include "featuremesh.h"
 
 #include <stdbool.h>
@@ -12,9 +12,8 @@
 #include "parallel.h"
 #include "quadric.h"
 
-enum { NEAR = 30, MOST = 200, LOOKS = 4, MOST_DOUBTFUL = 12000, MANY = 200000, CHAIN = 6 };
+enum { NEAR = 30, MOST = 200, LOOKS = 4, MOST_DOUBTFUL = 12000 };
 
-static const double SLOPE = 0.5;                /* rise of an edge by its length, of a wall */
 static const double TURN = 0.99452189536827333; /* cos 6 degrees between normals */
 static const double OFF = 0.10452846326765347;  /* sin 6 degrees between an edge and the surface */
 static const double FACING = 0.2;               /* z of a normal that is seen from above */
@@ -29,24 +28,6 @@ struct search {
     bool walls_only;
     struct feature *feature;
 };
-
-/* A point of a wall lies under or over an edge. */
-static bool over_wall(const struct feature_cloud *cloud, struct vec3 a, struct vec3 b)
-{
-    size_t nearest;
-    double distance2;
-
-    return cloud->walls &&
-           kdtree_nearest(cloud->walls, vec_mix(a, b, 0.5), 1, &nearest, &distance2) == 1 &&
-           4 * distance2 < vec_dot(vec_sub(a, b), vec_sub(a, b));
-}
-
-static bool steep(const struct feature_cloud *cloud, struct vec3 a, struct vec3 b)
-{
-    double length = hypot(a.x - b.x, a.y - b.y), rise = fabs(a.z - b.z);
-
-    return rise > SLOPE * length && over_wall(cloud, a, b);
-}
 
 /* The normals at the ends of an edge differ, or it leaves one of the surfaces that they are of. */
 static bool turns(const struct mesh *mesh, const struct mesh_edge *e)
@@ -104,9 +85,10 @@ static void look_at_edges(void *context, size_t from, size_t to)
         if (edge->facet[0] < 0 || (!s->active[v] && !s->active[w]))
             continue;
         f->kind = FEATURE_NONE;
-        if (steep(&s->cloud, a, b))
+        if (feature_steep(&s->cloud, a, b))
             *f = feature_wall(&s->cloud, a, b);
-        if (f->kind == FEATURE_NONE && !s->walls_only && turns(m, edge) && (s->rough[v] || s->rough[w]))
+        bool rough = s->rough[v] || s->rough[w];
+        if (f->kind == FEATURE_NONE && !s->walls_only && rough && turns(m, edge))
             *f = feature_crease(&s->cloud, a, b, m->normal.item[v], m->normal.item[w]);
         if (f->kind != FEATURE_NONE && !seen(f))
             f->kind = FEATURE_NONE;
@@ -208,18 +190,6 @@ static struct featuremesh keep_better(struct search *s, const struct mesh *befor
     return sum_up(s);
 }
 
-static void look_for_walls(void *context, size_t from, size_t to)
-{
-    const struct search *s = context;
-    const struct vec3 *at = s->mesh->vertex.item;
-
-    for (size_t e = from; e < to; e++) {
-        const int *v = s->edges->edge[e].v;
-        if (s->edges->edge[e].facet[0] >= 0 && steep(&s->cloud, at[v[0]], at[v[1]]))
-            s->feature[e] = feature_wall(&s->cloud, at[v[0]], at[v[1]]);
-    }
-}
-
 /* In the middle of each feature, and a third of its edge along it to either side. */
 static void add_places(const struct search *s, struct vec3s *place)
 {
@@ -232,28 +202,6 @@ static void add_places(const struct search *s, struct vec3s *place)
             *array_push(place) = vec_along(vec_mix(f->place[0], f->place[1], 0.5),
                                            i * length / 3, f->along);
     }
-}
-
-size_t featuremesh_walls(const struct mesh *mesh, const struct vec3 *point, size_t n, size_t flat,
-                         double spacing, double noise, int threads)
-{
-    if (flat >= n || mesh->face.n == 0)
-        return 0;
-    struct mesh_edges edges = mesh_edges_find(mesh);
-    struct kdtree *tree = kdtree_new_by(point, flat, threads);
-    struct kdtree *walls = kdtree_new_by(point + flat, n - flat, threads);
-    struct search s = {.mesh = (struct mesh *)mesh,
-                       .edges = &edges,
-                       .cloud = {tree, point, walls, point + flat, spacing, noise},
-                       .feature = mem_alloc(edges.n, sizeof *s.feature)};
-
-    parallel_for(threads, edges.n, look_for_walls, &s);
-    size_t found = featuregap_longest(&edges, s.feature) >= (edges.n > MANY ? 4 * CHAIN : CHAIN) ? sum_up(&s).walls : 0;
-    free(s.feature);
-    kdtree_free(tree);
-    kdtree_free(walls);
-    mesh_edges_free(&edges);
-    return found;
 }
 
 struct featuremesh featuremesh_keep(struct mesh *mesh, const struct vec3 *point, size_t n,
