@@ -22,8 +22,8 @@ struct pathguard {
 };
 
 /* Reads the scan, in the coordinates of the path, for a ball that may go `tolerance` mm deep, as
- * densely as the path's maker did (by the last entry of its ledger) if that was closer.  -1
- * also when the path has no ball cutter, or is clearly elsewhere. */
+ * densely as the path's maker did (by the last entry of its ledger, within a tenth and four times
+ * that tolerance).  -1 also when the path has no ball cutter, or is clearly elsewhere. */
 int pathguard_read(struct pathguard *guard, const struct path *path, double tolerance, int threads,
                    struct error *error);
 

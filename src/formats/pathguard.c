@@ -21,15 +21,15 @@ static struct vec3s balls_of(const struct path *path)
     return ball;
 }
 
-/* The tolerance that the scan is looked at with: where the path was made with a closer one, that, so
- * that what stands for the scan between its points is the same. */
+/* The tolerance that the scan is looked at with: the one that the path was made with, unless it is
+ * far from the fitter's, so that what stands for the scan between its points is the same. */
 static double scan_tolerance(const struct path *path, double tolerance)
 {
-    const double closest = 0.1; /* of the fitter's */
+    const double closest = 0.1, widest = 4; /* of the fitter's */
     size_t n = path->head.ledger.n;
     double made = n > 0 ? path->head.ledger.item[n - 1].spent : tolerance;
 
-    return fmin(tolerance, fmax(made, closest * tolerance));
+    return fmin(fmax(made, closest * tolerance), widest * tolerance);
 }
 
 int pathguard_read(struct pathguard *guard, const struct path *path, double tolerance, int threads,
