@@ -5,12 +5,15 @@
 #ifndef CLOUDMILL_PASSES_H
 #define CLOUDMILL_PASSES_H
 
+#include "guard.h"
 #include "meshcut.h"
 
 struct pass_rule {
     struct vec3 normal; /* of the planes, unit, towards the next one */
     struct vec3 along;  /* horizontal unit vector in the planes: the way that odd passes go */
-    double gap;         /* chains whose ends are no further apart are one strip, mm */
+    double gap;         /* chains whose ends are no further apart are one strip, mm, but where */
+    const struct guard *guard; /* (NULL: nowhere) this scan has no points between them ... */
+    double bare;               /* ... within so much, mm: a hole */
     struct vec3 facing; /* unit; what faces away from it is left out ... */
     bool faced;         /* ... if this is set */
     double radius;      /* of the ball, and ... */
@@ -21,7 +24,7 @@ struct pass_rule {
  * Appends the strips of a plane's chains.  An open chain goes the way of `along` from end to end; a
  * closed one starts at its end against `along`, and goes over its upper side first.  The strip with
  * the least start along comes first, and goes on with the chain whose start (or, turned round, end)
- * is the nearest within the gap.  Where such a joint is a ridge, points between turn the normal
+ * is the nearest within the gap, unless the way there is over a hole of the scan.  Where such a joint is a ridge, points between turn the normal
  * from one side to the other, so that straight lines between the ball's centres sink in by no more
  * than the tolerance.  Returns how many points face away and were left out.
  */

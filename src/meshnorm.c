@@ -109,8 +109,10 @@ static void find_planes(const struct mesh *mesh, const struct mesh_part *part, d
     p->rule = upright ? planepath_upright(angle, cutting.radius)
                       : planepath_along(part, cutting.radius);
     /* A node that random points do not have makes no hole: where the scan guards, rows go on. */
-    if (cutting.guards.n > 0 && spacing > 0)
+    if (cutting.guards.n > 0 && spacing > 0) {
         p->rule.gap = 2 * spacing;
+        p->rule.bare = 0.6 * spacing;
+    }
     planepath_scallop(p, mesh, scallop);
 }
 
@@ -140,6 +142,13 @@ static void find_all_planes(const struct mesh *mesh, const struct rows *rows, st
         all->widest = fmax(all->widest, all->path[k].widest);
         all->steep = all->steep || all->path[k].steep;
     }
+}
+
+/* Rows do not go on over holes of the scan. */
+static void mind_holes(struct planes *all, const struct guard *scan)
+{
+    for (size_t k = 0; k < all->n; k++)
+        all->path[k].rule.guard = all->path[k].rule.bare > 0 ? scan : NULL;
 }
 
 static void free_planes(struct planes *all)
@@ -194,6 +203,7 @@ int main(int argc, char **argv)
     double distance = scallop > 0 ? planes.widest : rows.distance;
     if (cutting_guard(&mesh, rows.distance, cli.threads, &guard, &error) != 0)
         die_error(&error);
+    mind_holes(&planes, guard);
     if (cutting_rules(&mesh, guard, distance, &t, &error) != 0)
         die_usage("%s", error.text);
 

@@ -66,6 +66,32 @@ START_TEST(chains_follow_each_other_and_join)
 }
 END_TEST
 
+/* A gap of 3 mm over a scan that goes on there, and over a hole of it. */
+START_TEST(no_join_over_a_hole_of_the_scan)
+{
+    for (int hole = 0; hole < 2; hole++) {
+        struct vec3s scan = {0};
+        for (int i = 0; i <= 100; i++)
+            for (int k = -10; k <= 10; k++)
+                if (!hole || i < 40 || i > 70)
+                    *array_push(&scan) = vec(0.1 * i, 0.1 * k, 0);
+        struct guard *guard = guard_from_points(scan.item, scan.n);
+        struct chains chains = {0}, strips = {0};
+        struct pass_rule rule = rule_of(4);
+        rule.guard = guard;
+        rule.bare = 1.2;
+        add(&chains, 0, 4, 0);
+        add(&chains, 7, 10, 0);
+        passes_make(&chains, &rule, &strips);
+        ck_assert_uint_eq(strips.chain.n, hole ? 2 : 1);
+        chains_free(&chains);
+        chains_free(&strips);
+        guard_free(guard);
+        array_free(&scan);
+    }
+}
+END_TEST
+
 START_TEST(the_nearest_goes_on_not_the_next)
 {
     struct chains chains = {0}, strips = {0};
@@ -197,6 +223,7 @@ int main(void)
     Suite *suite = suite_create("passes");
     TCase *tests = tcase_create("passes");
     tcase_add_test(tests, chains_follow_each_other_and_join);
+    tcase_add_test(tests, no_join_over_a_hole_of_the_scan);
     tcase_add_test(tests, the_nearest_goes_on_not_the_next);
     tcase_add_test(tests, a_ridge_is_rolled_over);
     tcase_add_test(tests, a_ring_starts_at_its_end_and_goes_over_the_top);

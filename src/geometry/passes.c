@@ -115,12 +115,23 @@ static size_t next_start(const struct chains *chains, const bool *used, struct v
     return best;
 }
 
+/* Is there a hole of the scan between two points? */
+static bool is_bare(const struct pass_rule *rule, struct vec3 a, struct vec3 b)
+{
+    double steps = rule->guard ? ceil(4 * vec_distance(a, b) / rule->bare) : 0;
+
+    for (double i = 1; i < steps; i++)
+        if (guard_distance(rule->guard, vec_mix(a, b, i / steps), rule->bare) >= rule->bare)
+            return true;
+    return false;
+}
+
 /* The unused open chain with an end nearest to p, within the gap; *turned: it is its last one. */
-static size_t next_joined(const struct chains *chains, const bool *used, struct vec3 p, double gap,
-                          bool *turned)
+static size_t next_joined(const struct chains *chains, const bool *used, struct vec3 p,
+                          const struct pass_rule *rule, bool *turned)
 {
     size_t best = chains->chain.n;
-    double least = gap;
+    double least = rule->gap;
 
     for (size_t k = 0; k < chains->chain.n; k++) {
         const struct chain *chain = &chains->chain.item[k];
@@ -128,7 +139,8 @@ static size_t next_joined(const struct chains *chains, const bool *used, struct 
             continue;
         double start = vec_distance(p, chains->point.item[chain->from].p);
         double end = vec_distance(p, chains->point.item[chain->to - 1].p);
-        if (fmin(start, end) <= least) {
+        size_t nearest = end < start ? chain->to - 1 : chain->from;
+        if (fmin(start, end) <= least && !is_bare(rule, p, chains->point.item[nearest].p)) {
             least = fmin(start, end);
             *turned = end < start;
             best = k;
@@ -185,8 +197,8 @@ size_t passes_make(const struct chains *chains, const struct pass_rule *rule, st
             go_on(strips, from, &kept.point.item[chain->from], chain->to - chain->from, turned,
                   rule);
             k = closed ? kept.chain.n
-                       : next_joined(&kept, used, strips->point.item[strips->point.n - 1].p,
-                                     rule->gap, &turned);
+                       : next_joined(&kept, used, strips->point.item[strips->point.n - 1].p, rule,
+                                     &turned);
         }
         end_chain(strips, from, closed);
     }
