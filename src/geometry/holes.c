@@ -102,7 +102,7 @@ int holes_find(const struct vec3 *point, size_t n, double gap, double rim, struc
                       width);
         }
     free(taken);
-    int reach = rim < gap / 2 ? (int)ceil((gap / 2 - rim) / holes->cell) + 1 : 0;
+    int reach = (int)floor((gap / 2 - rim) / holes->cell);
     if (reach > 0)
         open_holes(holes, reach);
     return 0;
