@@ -92,6 +92,29 @@ START_TEST(edges)
 }
 END_TEST
 
+START_TEST(sparse_walls)
+{
+    /* A step in a dense scan, its wall a tenth as dense; strays over all of it. */
+    enum { FLOOR = 20000, WALL = 200, STRAYS = 30 };
+    noisy_seed(5 + (unsigned)_i);
+    for (int i = 0; i < FLOOR; i++) {
+        double x = 60 * noisy_uniform() - 30, y = 40 * noisy_uniform();
+        *array_push(&scan) = vec(x, y, (x < 0 ? 0 : 6) + 0.02 * noisy_normal());
+    }
+    for (int i = 0; i < WALL; i++)
+        *array_push(&scan) =
+            vec(0.02 * noisy_normal(), 40 * noisy_uniform(), 6 * noisy_uniform());
+    for (int i = 0; i < STRAYS; i++)
+        *array_push(&scan) = vec(i % 2 ? 60 * noisy_uniform() - 30 : 0.5 * noisy_normal(),
+                                 40 * noisy_uniform(), 14 + 26 * noisy_uniform());
+    sort();
+    size_t found = stray_outliers(&buckets, 0.02, 2, out), right = 0;
+    for (size_t i = 0; i < buckets.n; i++)
+        right += out[i] && buckets.point[i].z > 10;
+    ck_assert_uint_eq(right, STRAYS);
+    ck_assert_uint_le(found - right, WALL / 8);
+}
+END_TEST
 START_TEST(points_twice)
 {
     noisy_seed(4);
@@ -159,6 +182,7 @@ int main(void)
     tcase_add_checked_fixture(tests, NULL, free_all);
     tcase_add_loop_test(tests, outliers, 0, 6);
     tcase_add_test(tests, clumps_in_the_air);
+    tcase_add_loop_test(tests, sparse_walls, 0, 4);
     tcase_add_loop_test(tests, edges, 0, 4);
     tcase_add_test(tests, points_twice);
     tcase_add_test(tests, under_a_roof);

@@ -11,6 +11,9 @@
 
 enum { NEAR = 24, FEWEST = 6, TRIMS = 10, TALL = 4, SEEDS = 8, WAYS = 24 };
 
+/* Of more points than these some are as good, to find the level of an end. */
+enum { ENOUGH = 600 };
+
 static const double LEAN = 0.26; /* z of a wall's normal, at most: 75 degrees */
 
 static const struct vec3 UP = {0, 0, 1};
@@ -49,7 +52,7 @@ static bool find_level(const struct feature_cloud *cloud, struct vec3 end, struc
     struct sizes found = {0};
 
     kdtree_within(cloud->tree, end, reach, &found);
-    for (size_t i = 0; i < found.n; i++) {
+    for (size_t i = 0; i < found.n; i += found.n / ENOUGH + 1) {
         struct vec3 p = cloud->point[found.item[i]];
         if (fabs(p.z - end.z) < fabs(p.z - other.z))
             *array_push(&l->point) = p;

@@ -5,11 +5,16 @@
  */
 #include "kdtree.h"
 
+#include <math.h>
+#include <stdbool.h>
 #include <stdlib.h>
 
 #include "kdnodes.h"
 
-enum { ON_STACK = 128 };
+enum { ON_STACK = 256 };
+
+/* So many points about equally far are not sorted by insertion. */
+enum { CROWD = 32 };
 
 struct kdtree *kdtree_new(const struct vec3 *point, size_t n)
 {
@@ -105,6 +110,54 @@ static void search_nearest(struct nearest *s, size_t from, size_t to, double box
     }
 }
 
+/* The farthest to the end, again and again. */
+static void sort_heap(struct nearest *s)
+{
+    for (size_t last = s->n - 1; last > 0; last--) {
+        size_t index = s->index[last];
+        double distance2 = s->distance2[last];
+        s->index[last] = s->index[0];
+        s->distance2[last] = s->distance2[0];
+        settle(s, 0, last, index, distance2);
+    }
+}
+
+/* The same by a histogram of the distances, which on a surface is even, and what it leaves by
+ * insertion.  False: they are too many, or many are about equally far. */
+static bool sort_evenly(struct nearest *s)
+{
+    size_t begin[ON_STACK + 1] = {0}, index[ON_STACK], n = s->n;
+    double d2[ON_STACK], scale = (double)n / s->distance2[0];
+    unsigned char part[ON_STACK];
+    if (n > ON_STACK || !(s->distance2[0] > 0) || !isfinite(scale))
+        return false;
+    for (size_t i = 0; i < n; i++) {
+        size_t at = (size_t)(s->distance2[i] * scale);
+        part[i] = (unsigned char)(at < n ? at : n - 1);
+        if (++begin[part[i] + 1] > CROWD)
+            return false;
+    }
+    for (size_t i = 0; i < n; i++)
+        begin[i + 1] += begin[i];
+    for (size_t i = 0; i < n; i++) {
+        size_t at = begin[part[i]]++;
+        index[at] = s->index[i];
+        d2[at] = s->distance2[i];
+    }
+    for (size_t i = 0; i < n; i++) {
+        size_t at = i;
+        for (; at > 0 && (s->distance2[at - 1] > d2[i] ||
+                          (s->distance2[at - 1] == d2[i] && s->index[at - 1] > index[i]));
+             at--) {
+            s->index[at] = s->index[at - 1];
+            s->distance2[at] = s->distance2[at - 1];
+        }
+        s->index[at] = index[i];
+        s->distance2[at] = d2[i];
+    }
+    return true;
+}
+
 size_t kdtree_nearest(const struct kdtree *tree, struct vec3 q, size_t k, size_t *index,
                       double *distance2)
 {
@@ -118,13 +171,8 @@ size_t kdtree_nearest(const struct kdtree *tree, struct vec3 q, size_t k, size_t
         distance2 = k <= ON_STACK ? stack : (own = mem_alloc(k, sizeof *own));
     struct nearest s = {tree, {q.x, q.y, q.z}, {0, 0, 0}, k, 0, index, distance2};
     search_nearest(&s, 0, tree->n, 0);
-    for (size_t last = k - 1; last > 0; last--) { /* heap sort: nearest first */
-        size_t to_place = index[last];
-        double its = distance2[last];
-        index[last] = index[0];
-        distance2[last] = distance2[0];
-        settle(&s, 0, last, to_place, its);
-    }
+    if (!sort_evenly(&s))
+        sort_heap(&s);
     free(own);
     return k;
 }

@@ -74,6 +74,16 @@ static double reach_of(const struct buckets *b, struct vec3 p)
     return sqrt(distance2[n - 1]);
 }
 
+/* Beside a dense surface a sparse one is no clump: more of the neighbours than make one are as far from
+ * theirs. */
+static bool is_sparse_surface(const struct buckets *b, const uint32_t *near, double reach)
+{
+    int wider = 0;
+    for (int i = 0; wider <= CLUMP && i < NEAR; i++)
+        wider += reach_of(b, b->point[near[i]]) >= reach;
+    return wider > CLUMP;
+}
+
 /* `distance2` of the point's neighbours, `near` without itself.  On a surface the 24th of them is
  * 1.7 times as far as the eighth; from a place apart both are about equally far. */
 static bool stands_alone(const struct job *job, const uint32_t *near, const double *distance2)
@@ -92,7 +102,7 @@ static bool stands_alone(const struct job *job, const uint32_t *near, const doub
         closer += far_less;
         wider += !far_less;
     }
-    return closer > CLUMP / 2;
+    return closer > CLUMP / 2 && !is_sparse_surface(b, near, reach / much);
 }
 
 static bool is_outlier(const struct job *job, size_t i)
@@ -160,6 +170,18 @@ static bool fit_block(const struct job *job, size_t row, size_t column, double l
     return most <= least || refit(point, n, job->sigma, q, off) <= least;
 }
 
+/* Another point of the cell is no farther from point i than the cell is wide.  The surface of a few
+ * points may be so bent that it takes in one high above them. */
+static bool has_company(const struct buckets *b, size_t cell, size_t i)
+{
+    for (size_t k = b->first[cell]; k < b->first[cell + 1]; k++) {
+        struct vec3 d = vec_sub(b->point[k], b->point[i]);
+        if (k != i && vec_dot(d, d) <= b->cell * b->cell)
+            return true;
+    }
+    return false;
+}
+
 static void look_at_cells(void *context, size_t from, size_t to)
 {
     const struct job *job = context;
@@ -172,7 +194,7 @@ static void look_at_cells(void *context, size_t from, size_t to)
             continue;
         bool smooth = fit_block(job, cell / b->columns, cell % b->columns, least, &q);
         for (size_t i = b->first[cell]; i < b->first[cell + 1]; i++)
-            if (!smooth || fabs(quadric_off(&q, b->point[i])) > least)
+            if (!smooth || fabs(quadric_off(&q, b->point[i])) > least || !has_company(b, cell, i))
                 job->out[i] |= is_outlier(job, i);
     }
 }
