@@ -6,7 +6,7 @@
 #include "planefit.h"
 #include "ribway.h"
 
-enum { STEPS = 48, FEW = 12, SOME = 24, MANY = 48, WIDEST = FEATURE_MOST, TRIES = 3 };
+enum { STEPS = 48, FEW = 12, SOME = 24, MANY = 48, WIDEST = FEATURE_MOST, TRIES = 5 };
 
 static const double BEND = 0.04;    /* of the edge, at a crest */
 static const double BESIDE = 0.08;  /* of the edge, beside it, but no more than ... */
@@ -15,7 +15,7 @@ static const double ROUND = 0.4;    /* curvature along by that across: more is n
 static const double BENT = 0.5;    /* curvature across by the length of the edge: less is no rib */
 static const double TIGHT = 1.5;    /* curvature by the length of the edge: so tight it is a peak */
 static const double FACING = 0.3;   /* z of a normal that is seen well from above */
-static const double NOISY = 0.01;   /* spacings: less noise does not matter */
+static const double NOISY = 0.05;   /* spacings: less noise needs no more points */
 
 /* The surface over an edge, in equal steps. */
 struct profile {
@@ -26,9 +26,12 @@ struct profile {
     double height[STEPS + 1]; /* along `up`, over a */
 };
 
-static bool noisy(const struct feature_cloud *cloud)
+/* Twice as many points where there is much noise, from few on. */
+static size_t enough(const struct feature_cloud *cloud, size_t few)
 {
-    return cloud->noise > NOISY * cloud->spacing;
+    double noisy = cloud->noise / cloud->spacing / NOISY - 1;
+
+    return few + (size_t)((double)few * fmin(fmax(noisy, 0), 1));
 }
 
 /* Over the way from a to b, at the height h. */
@@ -63,7 +66,7 @@ static bool look_at(const struct profile *p, struct vec3 at, struct quadric *q)
 {
     size_t index[SOME];
     struct vec3 near[SOME];
-    size_t k = kdtree_nearest(p->cloud->tree, at, noisy(p->cloud) ? SOME : FEW, index, NULL);
+    size_t k = kdtree_nearest(p->cloud->tree, at, enough(p->cloud, FEW), index, NULL);
 
     for (size_t i = 0; i < k; i++)
         near[i] = p->cloud->point[index[i]];
@@ -100,16 +103,19 @@ static double over_chord(const struct profile *p, double part, double height)
     return height - part * p->height[p->n];
 }
 
-/* The step that is highest, or lowest where sign is -1; 0: one of the ends is. */
+/* The step that is highest over the chord, or deepest under it where sign is -1; 0: none is. */
 static int extreme(const struct profile *p, double sign, double *over)
 {
     int top = 0;
 
-    for (int i = 1; i <= p->n; i++)
-        if (sign * p->height[i] > sign * p->height[top])
+    *over = 0;
+    for (int i = 1; i < p->n; i++) {
+        double off = sign * over_chord(p, (double)i / p->n, p->height[i]);
+        if (off > *over) {
+            *over = off;
             top = i;
-    top = top < p->n ? top : 0;
-    *over = sign * over_chord(p, (double)top / p->n, p->height[top]);
+        }
+    }
     return top;
 }
 
@@ -128,7 +134,7 @@ static struct vec3 straight_way(const struct quadric *q, bool *rib, double *acro
 /* The surface along the rib at a place that is near to it; false: there is no rib. */
 static bool fit_along(const struct profile *p, struct vec3 at, struct quadric *q)
 {
-    size_t index[RIBWAY_LONGER * MANY], some = noisy(p->cloud) ? MANY : SOME;
+    size_t index[RIBWAY_LONGER * MANY], some = enough(p->cloud, SOME);
     struct vec3 near[RIBWAY_LONGER * MANY];
     double across;
     bool rib;
@@ -195,7 +201,7 @@ static bool climb(const struct profile *p, int step, double sign, struct crest *
         derive(p, &q, &slope, &bend);
         if (!(sign * bend < 0))
             return false;
-        double shift = -slope / bend / p->length, most = 1.0 / p->n;
+        double shift = -slope / bend / p->length, most = 2.0 / p->n;
         if (i + 1 < TRIES)
             part += fmin(fmax(shift, -most), most);
     }
@@ -258,14 +264,19 @@ struct crest crest_find(const struct feature_cloud *cloud, struct vec3 a, struct
 {
     struct profile p = {.cloud = cloud, .a = a, .b = b};
     struct crest c = {.n = 0, .top = -1};
-    double up, down;
+    double sign[2] = {1, -1}, over[2];
+    int step[2];
 
     if (!find_up(&p) || !follow(&p))
         return c;
-    int highest = extreme(&p, 1, &up), lowest = extreme(&p, -1, &down);
-    double sign = up > down ? 1 : -1, most = fmax(up, down);
-    if (most > fmax(BEND * p.length, cloud->noise))
-        climb(&p, sign > 0 ? highest : lowest, sign, &c);
+    for (int i = 0; i < 2; i++)
+        step[i] = extreme(&p, sign[i], &over[i]);
+    int first = over[0] > over[1] ? 0 : 1;
+    for (int i = 0; i < 2 && c.n == 0; i++) {
+        int k = i == 0 ? first : 1 - first;
+        if (over[k] > fmax(BEND * p.length, cloud->noise))
+            climb(&p, step[k], sign[k], &c);
+    }
     while (c.n < CREST_MOST && refine(&p, &c))
         ;
     return c;

@@ -8,7 +8,7 @@
 #include "meshedges.h"
 #include "parallel.h"
 
-enum { MOST_EDGES = 12000, CORNERS = 3 * (CREST_MOST + 1) };
+enum { FEW_EDGES = 6000, MOST_EDGES = 12000, CORNERS = 3 * (CREST_MOST + 1) };
 
 static const double TURN = 0.99452189536827333; /* cos 6 degrees between normals */
 static const double OFF = 0.10452846326765347;  /* sin 6 degrees between an edge and the surface */
@@ -25,6 +25,7 @@ struct search {
     struct faces face;   /* what comes of the facets */
 };
 
+/* On a small mesh all may. */
 static bool may_cross(const struct search *s, const struct mesh_edge *e)
 {
     const struct vec3 *n = s->mesh->normal.item, *p = s->mesh->vertex.item;
@@ -32,7 +33,7 @@ static bool may_cross(const struct search *s, const struct mesh_edge *e)
     struct vec3 way = vec_sub(p[e->v[1]], p[e->v[0]]);
     double length = vec_length(way);
 
-    return vec_dot(n[e->v[0]], n[e->v[1]]) < TURN || length > LONG * s->cloud.spacing ||
+    return s->edges->n < FEW_EDGES || vec_dot(n[e->v[0]], n[e->v[1]]) < TURN || length > LONG * s->cloud.spacing ||
            fabs(vec_dot(way, n[e->v[0]])) > OFF * length ||
            fabs(vec_dot(way, n[e->v[1]])) > OFF * length;
 }
