@@ -8,7 +8,7 @@
 
 /*
  * Looks at every edge whose ends have normals that turn, or that is long, for a crest (crest.h),
- * and puts the points of that into it: the facets beside are cut up between them, from crest to
+ * on a mesh of fewer than 6000 edges at all of them, and puts the points of that into it: the facets beside are cut up between them, from crest to
  * crest.  Edges with a vertex numbered `first` or up, which are those of creases and walls
  * (edgesplit.h), stay as they are.  New vertices come in the order from an edge's first vertex to
  * its second; those of an edge along a row get its row and the column of its first vertex, the

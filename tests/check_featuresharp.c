@@ -1,5 +1,5 @@
-/* featuresharp: a roof is sharp, with noise and without; a rib is not, though two planes lie along its
- * flanks. */
+/* featuresharp: a roof is sharp, with noise and without; a rib is not, though two planes lie along
+ * its flanks. */
 #include <check.h>
 #include <stdlib.h>
 

@@ -33,7 +33,8 @@ static bool may_cross(const struct search *s, const struct mesh_edge *e)
     struct vec3 way = vec_sub(p[e->v[1]], p[e->v[0]]);
     double length = vec_length(way);
 
-    return s->edges->n < FEW_EDGES || vec_dot(n[e->v[0]], n[e->v[1]]) < TURN || length > LONG * s->cloud.spacing ||
+    return s->edges->n < FEW_EDGES || vec_dot(n[e->v[0]], n[e->v[1]]) < TURN ||
+           length > LONG * s->cloud.spacing ||
            fabs(vec_dot(way, n[e->v[0]])) > OFF * length ||
            fabs(vec_dot(way, n[e->v[1]])) > OFF * length;
 }

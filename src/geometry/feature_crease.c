@@ -244,7 +244,8 @@ struct feature feature_crease(const struct feature_cloud *cloud, struct vec3 a, 
             !find_crease(cloud, a, b, i == 0, &p, &at))
             continue;
         struct feature f = told(&p, at, a, b);
-        if (turns(&f) && better_than_one(&p, cloud) && featuresharp(cloud, p.sheet, p.w, at, f.along))
+        if (turns(&f) && better_than_one(&p, cloud) &&
+            featuresharp(cloud, p.sheet, p.w, at, f.along))
             return f;
     }
     return none;

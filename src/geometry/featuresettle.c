@@ -50,8 +50,8 @@ static void keep_away(struct beside *b, const struct feature *f, int i, const st
         b->shift = shift;
 }
 
-/* Do features that run different ways cross the facet?  Where two walls meet at a corner a vertex may
- * well be behind one of them. */
+/* Do features that run different ways cross the facet?  Where two walls meet at a corner a vertex
+ * may well be behind one of them. */
 static bool has_corner(const struct featuresettle *s, int facet)
 {
     const double same = 0.94;
