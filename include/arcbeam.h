@@ -12,7 +12,7 @@
 #include "arcfit.h"
 
 /*
- * Appends a chain of pieces as arcfit_biarcs does, each proven by trace_stray, the joints of
+ * Appends a chain of pieces as arcfit_biarcs does, each proven by piece_stray, the joints of
  * single arcs rounded to `digits` decimals.  Where single arcs don't do everywhere, it is never more
  * of them than arcfit_biarcs makes.  The axis at a joint may be off the trace's too (swing.h).
  */

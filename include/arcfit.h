@@ -9,7 +9,7 @@
 #ifndef CLOUDMILL_ARCFIT_H
 #define CLOUDMILL_ARCFIT_H
 
-#include "trace.h"
+#include "piece.h"
 
 #define ARCFIT_KINK RADIANS(0.01)
 

@@ -18,7 +18,7 @@ struct arcpart {
 };
 
 /*
- * So many arcs in the place of the old pieces, proven by trace_stray with rounded joints; what was
+ * So many arcs in the place of the old pieces, proven by piece_stray with rounded joints; what was
  * in `out` goes.  False when none was found that keep within.
  *
  * The joints begin spaced as evenly as the old pieces were.  For one arc fewer with both directions

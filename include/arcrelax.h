@@ -14,7 +14,7 @@
 
 /*
  * Replaces parts of the chain `pieces`, which keep `within` of the trace, by fewer pieces that keep
- * it, proven by trace_stray with joints rounded to `digits` decimals.  Kinks stay where they are.
+ * it, proven by piece_stray with joints rounded to `digits` decimals.  Kinks stay where they are.
  * `thorough`: from many spacings of the joints also where the axis turns.  That takes several times
  * as long for a tenth fewer arcs of smooth data, and for hardly fewer of a scan.
  */

@@ -7,7 +7,7 @@
 #include "arcmemory.h"
 #include "path.h"
 #include "run.h"
-#include "trace.h"
+#include "piece.h"
 
 /* The items [from, to) of a path, all of them points, as a run.  The path tracks the tip or the
  * centre; radius 0 when the tool is no ball. */

@@ -5,7 +5,7 @@
  * 2 p / e^2, e the way to V and p its part across; to pass V at most d away it lies within
  * 2 d / e^2 of that (to first order in d / |e|).  The arcs that can follow a row of points are the
  * intersection of these discs; here it is enclosed by an octagon.  So an outlook is a guess, on the
- * hopeful side: what it proposes has to be proven (trace_stray).
+ * hopeful side: what it proposes has to be proven (piece_stray).
  */
 #ifndef CLOUDMILL_OUTLOOK_H
 #define CLOUDMILL_OUTLOOK_H

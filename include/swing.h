@@ -9,7 +9,7 @@
 #ifndef CLOUDMILL_SWING_H
 #define CLOUDMILL_SWING_H
 
-#include "trace.h"
+#include "piece.h"
 
 /*
  * The axis at the piece's end, unit and rounded to `digits` decimals, that brings the other end of

@@ -1,5 +1,5 @@
 /*
- * trace - what a motion on arcs has to follow, and how far it strays.
+ * trace - what a motion on arcs has to follow.
  *
  * A trace is a run seen from the point that is programmed: the tip (or the ball's centre), with the
  * other end of the lever along the tool axis, the centre (or the tip), beside it.  Between its
@@ -11,7 +11,6 @@
 
 #include <stdbool.h>
 
-#include "arc.h"
 #include "run.h"
 #include "vec.h"
 
@@ -41,35 +40,11 @@ bool trace_axis_still(const struct trace *trace, size_t from, size_t to);
 /* Place nearest to q: the next minimum of the distance, downhill from `place`. */
 double trace_place(const struct trace *trace, struct vec3 q, double place);
 
-/* A piece of the fitted motion: an arc or a line from one place of a trace to another; the axis turns on the great circle. */
-struct piece {
-    struct arc arc;
-    double from, to;           /* places */
-    struct vec3 axis, axis_to; /* at its ends, unit */
-    bool biarc;                /* it and the next one are a biarc */
-};
+/* Distance of q from the straight lines between n points, mm: goes from line *k to its neighbours
+ * while these are nearer. */
+double trace_distance(const struct vec3 *line, size_t n, struct vec3 q, size_t *k);
 
-struct piece trace_piece(const struct trace *trace, struct arc arc, double from, double to);
-
-struct stray {
-    double tracked, other; /* two-sided distances of the two points' paths, mm */
-    double axis;           /* between the axes at matching places, radians */
-};
-
-/*
- * How far the piece strays from its part of the trace: at the feet of the trace's points, at the
- * ends and at `fine` places between (more on long intervals); from the arc to the trace and from
- * the trace's points to the arc.  With `within` not NULL it stops as soon as one of its figures is
- * exceeded, and returns what it found up to there; and looks between points only where what it
- * found at them does not yet say that all in between is within.
- */
-struct stray trace_stray(const struct trace *trace, const struct piece *piece, int fine,
-                         const struct stray *within);
-
-/* No figure of `stray` is above that of `within`. */
-bool stray_within(const struct stray *stray, const struct stray *within);
-
-/* The larger of each. */
-struct stray stray_worst(struct stray a, struct stray b);
+/* The interval between points that holds the place, and how far into it that is. */
+size_t trace_interval(const struct trace *trace, double place, double *part);
 
 #endif

@@ -51,7 +51,7 @@ START_TEST(pieces_from_the_end_follow_the_trace)
     ck_assert_double_eq(pieces.item[0].from, 0);
     ck_assert_double_eq(pieces.item[pieces.n - 1].to, (double)(t.n - 1));
     for (size_t i = 0; i < pieces.n; i++) {
-        struct stray stray = trace_stray(&t, &pieces.item[i], 8, NULL);
+        struct stray stray = piece_stray(&t, &pieces.item[i], 8, NULL);
         ck_assert(stray.tracked < 0.010001 && stray.other < 0.010001 && stray.axis < 0.020001);
         if (i == 0)
             continue;

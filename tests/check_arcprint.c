@@ -62,8 +62,8 @@ static struct trace quarter(struct pieces *pieces)
     struct trace t = trace_of(&run, 0, run.n, false, false);
     struct arc first = arc_to(t.p[0], vec(1, 0, 0), t.p[80]);
     struct arc second = arc_to(t.p[80], arc_tangent(&first, 1), t.p[160]);
-    *array_push(pieces) = trace_piece(&t, first, 0, 80);
-    *array_push(pieces) = trace_piece(&t, second, 80, 160);
+    *array_push(pieces) = piece_of(&t, first, 0, 80);
+    *array_push(pieces) = piece_of(&t, second, 80, 160);
     array_free(&run);
     return t;
 }

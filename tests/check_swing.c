@@ -24,10 +24,10 @@ static struct trace leaning(double lean)
 START_TEST(the_other_end_strays_less)
 {
     struct trace t = leaning(0.0005);
-    struct piece piece = trace_piece(&t, arc_line(t.p[0], t.p[40]), 0, 40);
-    struct stray before = trace_stray(&t, &piece, 4, NULL);
+    struct piece piece = piece_of(&t, arc_line(t.p[0], t.p[40]), 0, 40);
+    struct stray before = piece_stray(&t, &piece, 4, NULL);
     piece.axis_to = swing_end(&t, &piece, &WITHIN, 0.85, 9);
-    struct stray after = trace_stray(&t, &piece, 4, NULL);
+    struct stray after = piece_stray(&t, &piece, 4, NULL);
     ck_assert_double_eq_tol(vec_length(piece.axis_to), 1, 1e-15);
     ck_assert_double_lt(after.other, 0.8 * before.other);
     trace_free(&t);
@@ -37,7 +37,7 @@ END_TEST
 START_TEST(the_end_stays_within_its_part)
 {
     struct trace t = leaning(0.01);
-    struct piece piece = trace_piece(&t, arc_line(t.p[0], t.p[40]), 0, 40);
+    struct piece piece = piece_of(&t, arc_line(t.p[0], t.p[40]), 0, 40);
     struct vec3 axis = swing_end(&t, &piece, &WITHIN, 0.85, 9);
     double moved = vec_distance(vec_scale(t.lever, axis), vec_scale(t.lever, piece.axis_to));
     ck_assert_double_le(moved, 0.85 * WITHIN.other + 1e-7);
@@ -49,7 +49,7 @@ END_TEST
 START_TEST(what_follows_already_is_left)
 {
     struct trace t = leaning(0);
-    struct piece piece = trace_piece(&t, arc_line(t.p[0], t.p[40]), 0, 40);
+    struct piece piece = piece_of(&t, arc_line(t.p[0], t.p[40]), 0, 40);
     struct vec3 axis = swing_end(&t, &piece, &WITHIN, 0.85, 9);
     ck_assert_double_lt(vec_distance(axis, piece.axis_to), 1e-15);
     trace_free(&t);

@@ -1,99 +1,14 @@
-/* Tests of trace.h: strayed distances against ones measured by sampling without any cleverness. */
+/* Tests of trace.h: places on a screw line, and the points they are. */
 #include "trace.h"
 
 #include <check.h>
 #include <stdlib.h>
 
-/* A screw line of radius 10, the axis leaning outward and turning with it. */
-static struct run screw(size_t n, double step)
-{
-    struct run run = {.radius = 4};
-    for (size_t i = 0; i < n; i++) {
-        double u = step * (double)i;
-        struct vec3 axis = vec(0.3 * cos(u), 0.3 * sin(u), sqrt(1 - 0.09));
-        struct vec3 tip = vec(10 * cos(u), 10 * sin(u), 2 * u);
-        *array_push(&run) =
-            (struct run_point){.tip = tip, .ball = vec_along(tip, 4, axis), .axis = axis};
-    }
-    return run;
-}
-
-static double to_line(struct vec3 q, const struct vec3 *line, size_t from, size_t to)
-{
-    double best = HUGE_VAL;
-    for (size_t i = from; i < to; i++)
-        for (int k = 0; k <= 200; k++)
-            best = fmin(best, vec_distance(q, vec_mix(line[i], line[i + 1], k / 200.0)));
-    return best;
-}
-
-/* Both directions, by brute force. */
-static void brute(const struct trace *t, const struct piece *p, double *tracked, double *other)
-{
-    enum { MANY = 400 };
-    size_t from = (size_t)p->from, to = (size_t)ceil(p->to);
-    struct vec3 at[MANY + 1], far[MANY + 1];
-    *tracked = *other = 0;
-    for (int k = 0; k <= MANY; k++) {
-        double s = (double)k / MANY;
-        at[k] = arc_at(&p->arc, s);
-        far[k] = vec_along(at[k], t->lever, vec_slerp(p->axis, p->axis_to, s));
-        *tracked = fmax(*tracked, to_line(at[k], t->p, 0, t->n - 1));
-        *other = fmax(*other, to_line(far[k], t->other, 0, t->n - 1));
-    }
-    for (size_t i = from + 1; i <= to; i++) {
-        *tracked = fmax(*tracked, to_line(t->p[i], at, 0, MANY));
-        *other = fmax(*other, to_line(t->other[i], far, 0, MANY));
-    }
-}
-
-START_TEST(stray_is_what_brute_force_finds)
-{
-    struct run run = screw(60, 0.02);
-    for (int centre = 0; centre < 2; centre++) {
-        struct trace t = trace_of(&run, 0, run.n, centre, false);
-        for (size_t to = 10; to < 60; to += 16) {
-            struct vec3 aim = vec_add(t.p[to], vec(0.01, 0.02, -0.03));
-            struct arc arc = arc_to(t.p[3], t.tangent[3], aim);
-            struct piece p = trace_piece(&t, arc, 3, (double)to);
-            struct stray stray = trace_stray(&t, &p, 4, NULL);
-            double tracked, other;
-            brute(&t, &p, &tracked, &other);
-            ck_assert_double_lt(fabs(stray.tracked - tracked), 0.02 * tracked + 1e-4);
-            ck_assert_double_lt(fabs(stray.other - other), 0.02 * other + 1e-4);
-        }
-        trace_free(&t);
-    }
-    array_free(&run);
-}
-END_TEST
-
-START_TEST(an_axis_out_of_step_is_seen)
-{
-    struct run run = {.radius = 5};
-    for (int i = 0; i <= 10; i++) { /* turns in the second half of the way alone */
-        struct vec3 axis = vec_turn(vec(0, 0, 1), vec(1, 0, 0), i > 5 ? RADIANS(2) * (i - 5) : 0);
-        struct vec3 tip = vec(i, 0, 0);
-        *array_push(&run) =
-            (struct run_point){.tip = tip, .ball = vec_along(tip, 5, axis), .axis = axis};
-    }
-    struct trace t = trace_of(&run, 0, run.n, false, false);
-    struct piece p = trace_piece(&t, arc_line(t.p[0], t.p[10]), 0, 10);
-    struct stray stray = trace_stray(&t, &p, 1, NULL);
-    ck_assert_double_eq(stray.tracked, 0);
-    ck_assert_double_eq_tol(DEGREES(stray.axis), 5, 1e-9);
-    ck_assert_double_gt(stray.other, 0.3);
-    struct stray within = {1, 0.1, 1};
-    stray = trace_stray(&t, &p, 1, &within);
-    ck_assert(!stray_within(&stray, &within));
-    trace_free(&t);
-    array_free(&run);
-}
-END_TEST
+#include "trial.h"
 
 START_TEST(places)
 {
-    struct run run = screw(20, 0.1);
+    struct run run = trial_screw(20, 0.1);
     struct trace t = trace_of(&run, 0, run.n, false, false);
     ck_assert_double_lt(vec_distance(trace_point(&t, 3.25), vec_mix(t.p[3], t.p[4], 0.25)), 1e-15);
     ck_assert_double_lt(vec_distance(trace_point(&t, 19), t.p[19]), 1e-15);
@@ -106,12 +21,31 @@ START_TEST(places)
 }
 END_TEST
 
+START_TEST(distances_go_downhill)
+{
+    struct run run = trial_screw(40, 0.1);
+    struct trace t = trace_of(&run, 0, run.n, false, false);
+    size_t k = 0;
+    struct vec3 beside = vec_add(trace_point(&t, 30.5), vec(0, 0, 0.01));
+    ck_assert_double_lt(trace_distance(t.p, t.n, beside, &k), 0.01);
+    ck_assert_uint_eq(k, 30);
+    double part;
+    ck_assert_uint_eq(trace_interval(&t, 30.5, &part), 30);
+    ck_assert_double_eq(part, 0.5);
+    ck_assert_uint_eq(trace_interval(&t, 39, &part), 38);
+    ck_assert_double_eq(part, 1);
+    ck_assert(trace_axis_still(&t, 7, 7));
+    ck_assert(!trace_axis_still(&t, 7, 8));
+    trace_free(&t);
+    array_free(&run);
+}
+END_TEST
+
 int main(void)
 {
     TCase *t = tcase_create("trace");
-    tcase_add_test(t, stray_is_what_brute_force_finds);
-    tcase_add_test(t, an_axis_out_of_step_is_seen);
     tcase_add_test(t, places);
+    tcase_add_test(t, distances_go_downhill);
     Suite *s = suite_create("trace");
     suite_add_tcase(s, t);
     SRunner *r = srunner_create(s);

@@ -27,6 +27,19 @@ struct run trial_motion(size_t n, double radius)
     return run;
 }
 
+struct run trial_screw(size_t n, double step)
+{
+    struct run run = {.radius = 4};
+    for (size_t i = 0; i < n; i++) {
+        double u = step * (double)i;
+        struct vec3 axis = vec(0.3 * cos(u), 0.3 * sin(u), sqrt(1 - 0.09));
+        struct vec3 tip = vec(10 * cos(u), 10 * sin(u), 2 * u);
+        *array_push(&run) =
+            (struct run_point){.tip = tip, .ball = vec_along(tip, 4, axis), .axis = axis};
+    }
+    return run;
+}
+
 double trial_off_chain(struct vec3 q, const struct vec3 *point, size_t n)
 {
     double best = INFINITY;
@@ -81,7 +94,7 @@ void trial_assert_chain(const struct trace *t, const struct stray *within, const
     ck_assert_double_lt(vec_distance(p->item[0].arc.from, t->p[0]), 1e-12);
     ck_assert_double_lt(vec_distance(p->item[p->n - 1].arc.to, t->p[t->n - 1]), 1e-12);
     for (size_t i = 0; i < p->n; i++) {
-        struct stray stray = trace_stray(t, &p->item[i], 8, NULL);
+        struct stray stray = piece_stray(t, &p->item[i], 8, NULL);
         ck_assert_double_le(stray.tracked, 1.01 * within->tracked);
         ck_assert_double_le(stray.other, 1.01 * within->other);
         ck_assert_double_le(stray.axis, within->axis);

@@ -15,6 +15,10 @@ struct run trial_motion(size_t n, double radius);
 /* Distance of q from the nearest of the straight pieces between n points, mm. */
 double trial_off_chain(struct vec3 q, const struct vec3 *point, size_t n);
 
+/* n points on a screw line of radius 10, `step` radians apart, the axis leaning outward and turning
+ * with it; radius 4. */
+struct run trial_screw(size_t n, double step);
+
 /* n points `step` mm apart in x on a wave in space, radius 6; with `lean` the axis swings along it,
  * with `kink` there is a corner in the middle. */
 struct trace trial_wave(size_t n, double step, double lean, double kink);

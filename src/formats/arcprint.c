@@ -40,7 +40,7 @@ struct stray arcprint_pieces(const struct trace *trace, const struct pieces *pie
     for (size_t i = 0; i < pieces->n; i++) {
         struct printed p = arcprint_piece(&pieces->item[i], at);
         at = p.piece.arc.to;
-        worst = stray_worst(worst, trace_stray(trace, &p.piece, 4, NULL));
+        worst = stray_worst(worst, piece_stray(trace, &p.piece, 4, NULL));
         *array_push(printed) = p;
     }
     if (pieces->n == 0 || vec_distance(at, end) >= THERE)

@@ -33,7 +33,7 @@ static void fit_points(struct fit *f)
 {
     f->pieces.n = 0;
     for (size_t i = 0; i + 1 < f->trace.n; i++)
-        *array_push(&f->pieces) = trace_piece(&f->trace, arc_line(f->trace.p[i], f->trace.p[i + 1]),
+        *array_push(&f->pieces) = piece_of(&f->trace, arc_line(f->trace.p[i], f->trace.p[i + 1]),
                                               (double)i, (double)(i + 1));
 }
 
@@ -211,7 +211,7 @@ static void fit_each(struct fit *f, const struct run *run, struct arcrun_report 
         if (p->biarc)
             to = fmin(to, fmax(from, trace_place(&f->trace, p->arc.to, (from + to) / 2)));
         bool biarc = p->biarc;
-        *p = trace_piece(&f->trace, p->arc, from, to);
+        *p = piece_of(&f->trace, p->arc, from, to);
         p->biarc = biarc;
     }
     free(at);

@@ -155,13 +155,13 @@ static bool prove(const struct beam *b, const struct proposal *n, struct link *l
     const struct trace *t = b->trace;
     const struct reached *from = &b->done.item[n->before].end;
     struct arc arc = n->straight ? arc_line(from->p, n->p) : arc_to(from->p, from->tangent, n->p);
-    struct piece piece = trace_piece(t, arc, (double)from->at, (double)n->at);
+    struct piece piece = piece_of(t, arc, (double)from->at, (double)n->at);
     piece.axis = from->axis;
-    *stray = trace_stray(t, &piece, 4, b->within);
+    *stray = piece_stray(t, &piece, 4, b->within);
     if (stray->tracked <= b->within->tracked && stray->other > b->within->other &&
         n->at + 1 < t->n) {
         piece.axis_to = swing_end(t, &piece, b->within, SWING, AXIS_DIGITS);
-        *stray = trace_stray(t, &piece, 4, b->within);
+        *stray = piece_stray(t, &piece, 4, b->within);
     }
     *link = (struct link){.piece = piece,
                           .before = n->before,

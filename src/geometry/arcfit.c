@@ -25,7 +25,7 @@ struct greedy {
 /* A piece that starts where the chain has come to. */
 static struct piece start_piece(const struct greedy *g, struct arc arc, double to)
 {
-    struct piece piece = trace_piece(g->trace, arc, (double)g->at, to);
+    struct piece piece = piece_of(g->trace, arc, (double)g->at, to);
     piece.axis = g->axis;
     return piece;
 }
@@ -34,7 +34,7 @@ static bool holds(const struct greedy *g, const struct piece *m)
 {
     if (m->arc.angle > TURN_MAX)
         return false;
-    struct stray stray = trace_stray(g->trace, m, 4, g->within);
+    struct stray stray = piece_stray(g->trace, m, 4, g->within);
     return stray_within(&stray, g->within);
 }
 
@@ -78,7 +78,7 @@ static bool try_ratio(struct greedy *g, size_t to, double ratio, struct reach *r
     struct reach r = {
         .to = to,
         .n = 2,
-        .piece = {start_piece(g, b.first, joint), trace_piece(t, b.second, joint, end)}};
+        .piece = {start_piece(g, b.first, joint), piece_of(t, b.second, joint, end)}};
     r.piece[0].biarc = true;
     if (!holds(g, &r.piece[0]) || !holds(g, &r.piece[1]))
         return false;
@@ -201,15 +201,15 @@ size_t arcfit_each(const struct trace *t, struct pieces *pieces)
             loops++;
             if (!biarc_of_ratio(t->p[i], t->tangent[i], t->p[i + 1], t->tangent[i + 1], 1, &b)) {
                 struct arc line = arc_line(t->p[i], t->p[i + 1]);
-                *array_push(pieces) = trace_piece(t, line, from, to);
+                *array_push(pieces) = piece_of(t, line, from, to);
                 continue;
             }
         }
         double joint = from + b.a / (b.a + b.b);
         struct piece *first = array_push(pieces);
-        *first = trace_piece(t, b.first, from, joint);
+        *first = piece_of(t, b.first, from, joint);
         first->biarc = true;
-        *array_push(pieces) = trace_piece(t, b.second, joint, to);
+        *array_push(pieces) = piece_of(t, b.second, joint, to);
     }
     return loops;
 }

@@ -137,7 +137,7 @@ static bool prove(const struct arcpart *part, const struct arcmoves *m, struct p
     struct vec3 end = chain.joint[chain.n].tangent;
     bool good = !m->end_held || vec_angle(end, m->end) < ARCFIT_KINK;
     for (size_t i = 0; i < out->n && good; i++) {
-        struct stray stray = trace_stray(part->trace, &out->item[i], 4, part->within);
+        struct stray stray = piece_stray(part->trace, &out->item[i], 4, part->within);
         good = stray_within(&stray, part->within);
     }
     arcchain_free(&chain);
