@@ -3,7 +3,7 @@
 
 #include <stdlib.h>
 
-#include "band.h"
+#include "powersum.h"
 
 enum { TRIES = 7 };
 
@@ -25,51 +25,31 @@ static const struct stage {
 
 enum { N_STAGES = sizeof STAGES / sizeof *STAGES };
 
-/* Distances in pairs, in tolerances, and the columns of their slopes. */
 struct work {
     struct arcmoves *m;
-    size_t unknowns, pairs;
-    double *off, *next, *weighed; /* 2 * pairs */
-    struct column {
-        size_t from, to; /* points that change */
-        double held[3];  /* how the tangent at the end does */
-        double *slope;   /* 2 * pairs */
-    } * column;
-    double *slopes;
-    double held[3]; /* the tangent at the end, in stage->held */
+    struct powersum sum; /* of the distances in tolerances, and the end's tangent in stage->turned */
+    double *next, *step;
     struct arcchain kept;
-    struct band normal, factor;
-    double *right, *step;
+    struct band factor;
 };
 
 static struct work work_new(struct arcmoves *m)
 {
     size_t inner = m->chain.n - 1, n = (m->start_held ? 0 : 2) + (m->lever != 0 ? 4 : 3) * inner;
-    struct work w = {.m = m, .unknowns = n};
-    w.pairs = m->passing.n * (m->lever != 0 ? 2 : 1);
-    w.off = mem_alloc(6 * w.pairs, sizeof *w.off);
-    w.next = w.off + 2 * w.pairs;
-    w.weighed = w.next + 2 * w.pairs;
-    w.slopes = mem_alloc(2 * w.pairs * n, sizeof *w.slopes);
-    w.column = mem_alloc(n, sizeof *w.column);
-    for (size_t k = 0; k < n; k++)
-        w.column[k].slope = w.slopes + 2 * w.pairs * k;
+    struct work w = {.m = m, .sum = powersum_new(m->passing.n, m->lever != 0, n)};
+    w.next = mem_alloc(2 * w.sum.pairs, sizeof *w.next);
+    w.step = mem_alloc(n, sizeof *w.step);
     w.kept = arcchain_new(m->chain.n);
-    w.normal = band_new(n, n > 0 ? n - 1 : 0);
-    w.factor = band_new(n, w.normal.width);
-    w.right = mem_alloc(2 * n, sizeof *w.right);
-    w.step = w.right + n;
+    w.factor = band_new(n, w.sum.normal.width);
     return w;
 }
 
 static void work_free(struct work *w)
 {
-    free(w->off);
-    free(w->slopes);
-    free(w->column);
-    free(w->right);
+    powersum_free(&w->sum);
+    free(w->next);
+    free(w->step);
     arcchain_free(&w->kept);
-    band_free(&w->normal);
     band_free(&w->factor);
 }
 
@@ -124,7 +104,7 @@ static void move(struct arcmoves *m, size_t k, double by, size_t *from, size_t *
 static void differ(struct work *w, size_t k)
 {
     struct arcmoves *m = w->m;
-    struct column *c = &w->column[k];
+    struct powersum_column *c = &w->sum.column[k];
     size_t from, to;
     move(m, k, MOVED, &from, &to);
     arcchain_turn(&m->chain, from);
@@ -141,104 +121,26 @@ static void differ(struct work *w, size_t k)
     arcchain_copy(&m->chain, &w->kept);
 }
 
-static double power(double x, int n)
-{
-    double y = 1;
-    while (n > 0) {
-        y *= n % 2 ? x : 1;
-        x *= x;
-        n /= 2;
-    }
-    return y;
-}
-
-/* The sum of (d / scale)^(2 half). */
-static double cost(const struct work *w, const double *off, const double held[3], int half,
-                   double scale)
-{
-    double sum = held[0] * held[0] + held[1] * held[1] + held[2] * held[2];
-    for (size_t i = 0; i < w->pairs; i++) {
-        double d2 = off[2 * i] * off[2 * i] + off[2 * i + 1] * off[2 * i + 1];
-        sum += power(d2 / (scale * scale), half);
-    }
-    return sum;
-}
-
-/* Pair i of the distances and their slopes become those of (d / scale)^half. */
-static void weigh(struct work *w, size_t i, int half, double scale)
-{
-    double x = w->off[2 * i], y = w->off[2 * i + 1], d = sqrt(x * x + y * y);
-    double f = power(d / scale, half - 1) / scale;
-    double ux = d > 0 ? x / d : 0, uy = d > 0 ? y / d : 0;
-    w->weighed[2 * i] = f * x;
-    w->weighed[2 * i + 1] = f * y;
-    size_t point = i < w->m->passing.n ? i : i - w->m->passing.n;
-    for (size_t k = 0; k < w->unknowns; k++) {
-        struct column *c = &w->column[k];
-        if (point < c->from || point >= c->to)
-            continue;
-        double *s = c->slope + 2 * i, along = (half - 1) * (ux * s[0] + uy * s[1]);
-        s[0] = f * (s[0] + along * ux);
-        s[1] = f * (s[1] + along * uy);
-    }
-}
-
-static double dot(const double *a, const double *b, size_t from, size_t to)
-{
-    double even = 0, odd = 0;
-    for (size_t i = 2 * from; i < 2 * to; i += 2) {
-        even += a[i] * b[i];
-        odd += a[i + 1] * b[i + 1];
-    }
-    return even + odd;
-}
-
-/* Sum over the points [from, to), both ends of the lever. */
-static double dots(const struct work *w, const double *a, const double *b, size_t from, size_t to)
-{
-    size_t n = w->m->passing.n;
-    double sum = dot(a, b, from, to);
-    return w->pairs > n ? sum + dot(a, b, n + from, n + to) : sum;
-}
-
-static void normal_equations(struct work *w)
-{
-    for (size_t k = 0; k < w->unknowns; k++) {
-        const struct column *c = &w->column[k];
-        const double *h = c->held, *g = w->held;
-        w->right[k] = -(h[0] * g[0] + h[1] * g[1] + h[2] * g[2]) -
-                      dots(w, c->slope, w->weighed, c->from, c->to);
-        for (size_t l = 0; l <= k; l++) {
-            const struct column *d = &w->column[l];
-            size_t from = c->from > d->from ? c->from : d->from;
-            size_t to = c->to < d->to ? c->to : d->to;
-            g = d->held;
-            *band_at(&w->normal, k, l) =
-                h[0] * g[0] + h[1] * g[1] + h[2] * g[2] + dots(w, c->slope, d->slope, from, to);
-        }
-    }
-}
-
 /* Goes by the step, or back; false when the cost has not become less. */
 static bool try_step(struct work *w, const struct stage *stage, double scale, double *now)
 {
     struct arcmoves *m = w->m;
     double held[3];
     size_t from, to;
-    for (size_t k = 0; k < w->unknowns; k++)
+    for (size_t k = 0; k < w->sum.unknowns; k++)
         move(m, k, w->step[k], &from, &to);
     arcchain_turn(&m->chain, 0);
     measure(m, w->next, held);
-    double then = cost(w, w->next, held, stage->half, scale);
+    double then = powersum_cost(&w->sum, w->next, held, stage->half, scale);
     if (!(then < *now)) {
         arcchain_copy(&m->chain, &w->kept);
         return false;
     }
     *now = then;
-    for (size_t i = 0; i < 2 * w->pairs; i++)
-        w->off[i] = w->next[i];
+    for (size_t i = 0; i < 2 * w->sum.pairs; i++)
+        w->sum.off[i] = w->next[i];
     for (int i = 0; i < 3; i++)
-        w->held[i] = held[i];
+        w->sum.held[i] = held[i];
     arcchain_copy(&w->kept, &m->chain);
     return true;
 }
@@ -247,19 +149,17 @@ static bool try_step(struct work *w, const struct stage *stage, double scale, do
 static bool step(struct work *w, const struct stage *stage, double scale, double *damping,
                  double *now)
 {
-    measure(w->m, w->off, w->held);
-    for (size_t k = 0; k < w->unknowns; k++)
+    measure(w->m, w->sum.off, w->sum.held);
+    for (size_t k = 0; k < w->sum.unknowns; k++)
         differ(w, k);
-    for (size_t i = 0; i < w->pairs; i++)
-        weigh(w, i, stage->half, scale);
-    normal_equations(w);
+    powersum_equations(&w->sum, stage->half, scale);
     bool better = false;
     for (int i = 0; i < TRIES && !better; i++) {
-        for (size_t k = 0; k < w->unknowns * w->unknowns; k++)
-            w->factor.item[k] = w->normal.item[k];
-        for (size_t k = 0; k < w->unknowns; k++) {
-            *band_at(&w->factor, k, k) += *damping * *band_at(&w->normal, k, k) + 1e-12;
-            w->step[k] = w->right[k];
+        for (size_t k = 0; k < w->sum.unknowns * w->sum.unknowns; k++)
+            w->factor.item[k] = w->sum.normal.item[k];
+        for (size_t k = 0; k < w->sum.unknowns; k++) {
+            *band_at(&w->factor, k, k) += *damping * *band_at(&w->sum.normal, k, k) + 1e-12;
+            w->step[k] = w->sum.right[k];
         }
         if (band_factor(&w->factor)) {
             band_solve(&w->factor, w->step, 1);
@@ -273,8 +173,8 @@ static bool step(struct work *w, const struct stage *stage, double scale, double
 static double largest(const struct work *w)
 {
     double worst = 0;
-    for (size_t i = 0; i < w->pairs; i++) {
-        double x = w->off[2 * i], y = w->off[2 * i + 1];
+    for (size_t i = 0; i < w->sum.pairs; i++) {
+        double x = w->sum.off[2 * i], y = w->sum.off[2 * i + 1];
         worst = fmax(worst, x * x + y * y);
     }
     return sqrt(worst);
@@ -298,10 +198,10 @@ double arcmoves_settle(struct arcmoves *m, double enough)
     for (;; m->stage++) {
         const struct stage *stage = &STAGES[m->stage];
         int steps = m->start_held || m->end_held ? stage->held : stage->free;
-        measure(m, w.off, w.held);
+        measure(m, w.sum.off, w.sum.held);
         worst = largest(&w);
-        double scale = fmax(worst, 1e-3), now = cost(&w, w.off, w.held, stage->half, scale);
-        for (int k = 0; k < steps && w.unknowns > 0 && (worst > enough || kinked(m)); k++) {
+        double scale = fmax(worst, 1e-3), now = powersum_cost(&w.sum, w.sum.off, w.sum.held, stage->half, scale);
+        for (int k = 0; k < steps && w.sum.unknowns > 0 && (worst > enough || kinked(m)); k++) {
             double before = now;
             if (!step(&w, stage, scale, &damping, &now) || before - now < SETTLED * before)
                 k = steps;
