@@ -134,5 +134,6 @@ int pathguard_conclude(const struct pathguard *guard)
 
 void pathguard_free(struct pathguard *guard)
 {
+    array_free(&guard->files);
     guard_free((struct guard *)guard->rule.guard);
 }
