@@ -26,7 +26,9 @@ double brink_step(const struct brink *brink);
 /* Is a place within one and a half spacings of the border of the mesh? */
 bool brink_beside(const struct brink *brink, struct vec3 p);
 
-/* Is a contact not beyond the border of the scan, which is looked for beside that of the mesh? */
+/* Is a contact not beyond the border of the scan, which is looked for beside that of the mesh?
+ * Points less than a fifth of a spacing off tell none, nor do fewer than 40, nor points more than a
+ * spacing off: the mesh is of more. */
 bool brink_within(const struct brink *brink, const struct contact *c);
 
 /* An upright plane: what has x . normal = height; `along` is horizontal and in it. */

@@ -89,11 +89,25 @@ START_TEST(what_lies_beyond_the_scan_is_left_out)
 
     add_strip(3.2, -9, 9, &strips);
     add_strip(8.6, -9, 9, &strips);
-    ck_assert_uint_eq(runout_within(brink, &strips), 4 + 37);
+    ck_assert_uint_eq(runout_within(brink, &strips), 4 + 37 - 4); /* ends are more than 1 mm off */
     ck_assert_uint_eq(strips.chain.n, 1);
     ck_assert_double_eq(first_of(&strips, 0), -8);
     ck_assert_double_eq(last_of(&strips, 0), 8);
     ck_assert_uint_eq(runout_within(brink, &strips), 0);
+    chains_free(&strips);
+    brink_free(brink);
+}
+END_TEST
+
+START_TEST(a_few_points_have_no_border)
+{
+    struct brink *brink = brink_of(1); /* 25 points */
+    struct brink_plane plane = {ACROSS, ALONG, 9};
+    struct chains strips = {0};
+
+    add_strip(9, -9, 9, &strips);
+    ck_assert_uint_eq(runout_within(brink, &strips), 0);
+    ck_assert_double_eq(runout_ends(brink, &plane, &strips), 0);
     chains_free(&strips);
     brink_free(brink);
 }
@@ -174,6 +188,7 @@ int main(void)
     TCase *tests = tcase_create("runout");
     tcase_add_test(tests, rows_run_out_to_the_last_points);
     tcase_add_test(tests, what_lies_beyond_the_scan_is_left_out);
+    tcase_add_test(tests, a_few_points_have_no_border);
     tcase_add_test(tests, rows_end_with_a_mesh_that_is_a_part_of_the_scan);
     tcase_add_test(tests, strips_grow_up_to_each_other);
     tcase_add_test(tests, rows_are_added_beside_others);

@@ -13,6 +13,9 @@ enum { NEAR = 40, FEWER = 24 };
 /* Of the spacing: how far beside the mesh rows may go, and from point to point. */
 static const double BESIDE = 1.5, STEP = 0.25;
 
+/* Of it too: a contact of the mesh so far off the points is not beyond them. */
+static const double LITTLE = 0.2;
+
 /* Radians that the points about a place may leave open beyond a half turn: the last row of a grid
  * is straight; and those about a place of the mesh, whose edges bend outward too. */
 static const double OPEN = 0.005, OPEN_MESH = 0.1;
@@ -163,7 +166,9 @@ bool brink_within(const struct brink *b, const struct contact *c)
     double distance2[NEAR];
     struct vec3 near[NEAR];
 
-    return !brink_beside(b, c->p) || (gather(b, b->all, c->p, near, distance2) && surrounded(near, c, OPEN_MESH));
+    return !brink_beside(b, c->p) || !gather(b, b->all, c->p, near, distance2) ||
+           sqrt(distance2[0]) > b->step / STEP ||
+           sqrt(distance2[0]) < LITTLE * b->step / STEP || surrounded(near, c, OPEN_MESH);
 }
 
 bool brink_put(const struct brink *b, const struct brink_plane *plane, struct contact *c)
