@@ -8,11 +8,12 @@
 
 /*
  * Looks at every edge whose ends have normals that turn, or that is long, for a crest (crest.h),
- * on a mesh of fewer than 6000 edges at all of them, and puts the points of that into it: the facets beside are cut up between them, from crest to
- * crest.  Edges with a vertex numbered `first` or up, which are those of creases and walls
- * (edgesplit.h), stay as they are.  New vertices come in the order from an edge's first vertex to
- * its second; those of an edge along a row get its row and the column of its first vertex, the
- * others row and column -1.
+ * on a mesh of fewer than 6000 edges at all of them, and puts the points of that into it: the
+ * facets beside are cut up between them, from crest to crest.  Then at those that come of it, twice
+ * more, but along rows only at edges between old vertices.  Edges with a vertex numbered `first` or
+ * up, which are those of creases and walls (edgesplit.h), stay as they are.  New vertices come in
+ * the order from an edge's first vertex to its second; those of an edge along a row get its row and
+ * the column of its first vertex, the others row and column -1.
  *
  * The n points of the cloud, none of them on a wall; `spacing` is their mean spacing, `noise` one
  * standard deviation, mm.  The mesh must have normals.  Returns how many edges got points; 0, and

@@ -8,7 +8,7 @@
 #include "meshedges.h"
 #include "parallel.h"
 
-enum { FEW_EDGES = 6000, MOST_EDGES = 12000, CORNERS = 3 * (CREST_MOST + 1) };
+enum { LOOKS = 3, FEW_EDGES = 6000, MOST_EDGES = 12000, CORNERS = 3 * (CREST_MOST + 1) };
 
 static const double TURN = 0.99452189536827333; /* cos 6 degrees between normals */
 static const double OFF = 0.10452846326765347;  /* sin 6 degrees between an edge and the surface */
@@ -18,6 +18,7 @@ struct search {
     struct mesh *mesh;
     const struct mesh_edges *edges;
     struct feature_cloud cloud;
+    size_t first, last;  /* vertices of creases and walls, and those from there on are new */
     struct sizes edge;   /* to be looked at */
     struct crest *crest; /* of each of those */
     int *of;             /* which one each edge of the mesh is, -1: none */
@@ -39,13 +40,26 @@ static bool may_cross(const struct search *s, const struct mesh_edge *e)
            fabs(vec_dot(way, n[e->v[1]])) > OFF * length;
 }
 
-/* Edges between vertices before `first`. */
-static void choose_edges(struct search *s, size_t first)
+/* Neither of a crease or wall, nor put into a row that has points between its own by now. */
+static bool is_free(const struct search *s, const struct mesh_edge *e)
+{
+    const struct ints *row = &s->mesh->row;
+    bool along = row->n > 0 && row->item[e->v[0]] >= 0 && row->item[e->v[0]] == row->item[e->v[1]];
+
+    for (int i = 0; i < 2; i++) {
+        size_t v = (size_t)e->v[i];
+        if (v >= s->first && (v < s->last || along))
+            return false;
+    }
+    return e->facet[0] >= 0;
+}
+
+static void choose_edges(struct search *s)
 {
     for (size_t e = 0; e < s->edges->n; e++) {
         const struct mesh_edge *edge = &s->edges->edge[e];
         s->of[e] = -1;
-        if (edge->facet[0] < 0 || (size_t)edge->v[1] >= first || !may_cross(s, edge))
+        if (!is_free(s, edge) || !may_cross(s, edge))
             continue;
         s->of[e] = (int)s->edge.n;
         *array_push(&s->edge) = e;
@@ -173,19 +187,18 @@ static size_t put_in(struct search *s)
     return found;
 }
 
-size_t crestmesh_keep(struct mesh *mesh, size_t first, const struct vec3 *point, size_t n,
-                      double spacing, double noise, int threads)
+/* Looks once at the edges that there are.  The tree is made when it is needed. */
+static size_t look_once(struct mesh *mesh, size_t first, size_t last, struct feature_cloud cloud,
+                        size_t n, int threads)
 {
     struct mesh_edges edges = mesh_edges_find(mesh);
-    struct search s = {.mesh = mesh,
-                       .edges = &edges,
-                       .cloud = {.point = point, .spacing = spacing, .noise = noise},
+    struct search s = {.mesh = mesh, .edges = &edges, .cloud = cloud, .first = first, .last = last,
                        .of = mem_alloc(edges.n, sizeof *s.of)};
     size_t found = 0;
 
-    choose_edges(&s, first);
+    choose_edges(&s);
     if (s.edge.n > 0 && s.edge.n <= MOST_EDGES) {
-        struct kdtree *tree = kdtree_new_by(point, n, threads);
+        struct kdtree *tree = kdtree_new_by(cloud.point, n, threads);
         s.cloud.tree = tree;
         s.crest = mem_alloc(s.edge.n, sizeof *s.crest);
         s.vertex = mem_alloc(s.edge.n, sizeof *s.vertex);
@@ -199,4 +212,18 @@ size_t crestmesh_keep(struct mesh *mesh, size_t first, const struct vec3 *point,
     free(s.of);
     mesh_edges_free(&edges);
     return found;
+}
+
+size_t crestmesh_keep(struct mesh *mesh, size_t first, const struct vec3 *point, size_t n,
+                      double spacing, double noise, int threads)
+{
+    const struct feature_cloud cloud = {.point = point, .spacing = spacing, .noise = noise};
+    size_t last = mesh->vertex.n, all = 0, found = 1;
+
+    /* the edges between new points may cut off the crest where one is missing */
+    for (int i = 0; i < LOOKS && found > 0; i++) {
+        found = look_once(mesh, first, last, cloud, n, threads);
+        all += found;
+    }
+    return all;
 }
