@@ -77,6 +77,34 @@ START_TEST(walls)
 }
 END_TEST
 
+/* Points of a wall in columns lie on a plane to the last digit: here one turned by 12 degrees. */
+START_TEST(wall_of_columns)
+{
+    const double lean = 0.21255656167002213; /* tan 12 degrees */
+    struct vec3s p = {0};
+    for (int i = 0; i < 84; i++)
+        for (int k = 0; k < 21; k++) {
+            double y = i * 0.476 - 20;
+            *array_push(&p) = vec(-10 + k * 0.47 - lean * y, y, 0);
+            *array_push(&p) = vec(0.5 + k * 0.47 - lean * y, y, 6);
+        }
+    size_t flat = p.n;
+    for (int i = 0; i < 84; i++)
+        for (int k = 0; k < 13; k++)
+            *array_push(&p) = vec(-lean * (i * 0.476 - 20), i * 0.476 - 20, k * 0.5);
+    struct feature_cloud c = cloud_of(&p, flat, 0);
+    for (int i = 0; i < 30; i++) {
+        double y = i - 15.3;
+        struct feature f =
+            feature_wall(&c, vec(0.8 - lean * y, y, 6), vec(-0.8 - lean * y, y + 0.2, 0));
+        ck_assert_int_eq(f.kind, FEATURE_WALL);
+        ck_assert_double_le(fabs(f.place[0].x + lean * f.place[0].y), 1e-9);
+    }
+    free_cloud(&c);
+    array_free(&p);
+}
+END_TEST
+
 /* A sphere of 5 mm, its spacing 0.4: no crease between vertices 16 degrees apart, and no wall on
  * its steep flank. */
 START_TEST(nothing_on_a_sphere)
@@ -108,6 +136,7 @@ int main(void)
     SRunner *runner = srunner_create(suite);
     tcase_add_test(tests, roofs_and_valleys);
     tcase_add_test(tests, walls);
+    tcase_add_test(tests, wall_of_columns);
     tcase_add_test(tests, nothing_on_a_sphere);
     suite_add_tcase(suite, tests);
     srunner_run_all(runner, CK_ENV);

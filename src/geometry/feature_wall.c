@@ -125,6 +125,7 @@ static void look_round(const struct vec3 *near, size_t n, double most, struct pl
  * leaves less than `most`. */
 static bool fit_plane(const struct vec3 *near, size_t n, double most, struct planefit *plane)
 {
+    const double least = 0.01; /* points may lie on a plane to the last digit */
     struct vec3 some[FEATURE_MOST];
     size_t left = 0;
 
@@ -134,7 +135,8 @@ static bool fit_plane(const struct vec3 *near, size_t n, double most, struct pla
         look_round(near, n, 2 * most, plane);
     for (int i = 0; i < TRIMS; i++) {
         memcpy(some, near, n * sizeof *near);
-        size_t kept = keep(some, n, plane, 2.5 * fmin(plane->rms, most), true);
+        double far = fmax(2.5 * fmin(plane->rms, most), least * most);
+        size_t kept = keep(some, n, plane, far, true);
         if (kept < FEWEST || planefit(some, kept, plane) < 0)
             return false;
         if (kept == left)
