@@ -145,12 +145,17 @@ void cloudmesh_edges(const struct cloudmesh_wish *wish, const struct cloud_parts
         made->walls = found.walls;
         array_free(&made->edge);
         made->edge = found.place;
-        made->crests = crestmesh_keep(mesh, first, points->item, parts->flat, parts->mean,
-                                      fmax(noise, mesh->origin.noise), threads);
+        struct crests crests = crestmesh_keep(mesh, first, points->item, parts->flat, parts->mean,
+                                              fmax(noise, mesh->origin.noise), threads);
+        made->crests = crests.found;
         if (found.too_many > 0 && !wish->silent)
             say("%zu edges of the mesh lie where the scan is rough: too many to look for creases "
                 "there (a wider spacing has fewer)",
                 found.too_many);
+        if (crests.too_many > 0 && !wish->silent)
+            say("%zu edges of the mesh may cut off ribs or grooves: too many to look at (a wider "
+                "spacing has fewer)",
+                crests.too_many);
     }
     if (!wish->paper)
         mesh_normals_seen(mesh);

@@ -8,7 +8,7 @@
 #include "meshedges.h"
 #include "parallel.h"
 
-enum { LOOKS = 3, FEW_EDGES = 6000, MOST_EDGES = 12000, CORNERS = 3 * (CREST_MOST + 1) };
+enum { LOOKS = 3, FEW_EDGES = 6000, CORNERS = 3 * (CREST_MOST + 1) };
 
 static const double TURN = 0.99452189536827333; /* cos 6 degrees between normals */
 static const double OFF = 0.10452846326765347;  /* sin 6 degrees between an edge and the surface */
@@ -19,6 +19,8 @@ struct search {
     const struct mesh_edges *edges;
     struct feature_cloud cloud;
     size_t first, last;  /* vertices of creases and walls, and those from there on are new */
+    size_t left, many;   /* edges that may be looked at yet; that would have to be */
+    size_t fresh;        /* those from there on are of the last look: other edges were looked at */
     struct sizes edge;   /* to be looked at */
     struct crest *crest; /* of each of those */
     int *of;             /* which one each edge of the mesh is, -1: none */
@@ -51,7 +53,7 @@ static bool is_free(const struct search *s, const struct mesh_edge *e)
         if (v >= s->first && (v < s->last || along))
             return false;
     }
-    return e->facet[0] >= 0;
+    return e->facet[0] >= 0 && (size_t)e->v[1] >= s->fresh;
 }
 
 static void choose_edges(struct search *s)
@@ -183,47 +185,62 @@ static size_t put_in(struct search *s)
     if (found > 0) {
         array_free(&s->mesh->face);
         s->mesh->face = s->face;
+        s->face = (struct faces){0};
     }
     return found;
 }
 
-/* Looks once at the edges that there are.  The tree is made when it is needed. */
-static size_t look_once(struct mesh *mesh, size_t first, size_t last, struct feature_cloud cloud,
-                        size_t n, int threads)
+/* Looks once at the edges of the vertices from `fresh` on.  The tree is made when it is needed. */
+static size_t look_once(struct search *s, size_t fresh, size_t n, struct kdtree **tree, int threads)
 {
-    struct mesh_edges edges = mesh_edges_find(mesh);
-    struct search s = {.mesh = mesh, .edges = &edges, .cloud = cloud, .first = first, .last = last,
-                       .of = mem_alloc(edges.n, sizeof *s.of)};
+    struct mesh_edges edges = mesh_edges_find(s->mesh);
     size_t found = 0;
 
-    choose_edges(&s);
-    if (s.edge.n > 0 && s.edge.n <= MOST_EDGES) {
-        struct kdtree *tree = kdtree_new_by(cloud.point, n, threads);
-        s.cloud.tree = tree;
-        s.crest = mem_alloc(s.edge.n, sizeof *s.crest);
-        s.vertex = mem_alloc(s.edge.n, sizeof *s.vertex);
-        parallel_for(threads, s.edge.n, look, &s);
-        found = put_in(&s);
-        kdtree_free(tree);
-        free(s.crest);
-        free(s.vertex);
+    s->edges = &edges;
+    s->of = mem_alloc(edges.n, sizeof *s->of);
+    s->fresh = fresh;
+    s->edge.n = s->face.n = 0;
+    choose_edges(s);
+    s->many = s->edge.n > s->left ? s->edge.n : 0;
+    if (s->edge.n > 0 && !s->many) {
+        s->left -= s->edge.n;
+        *tree = *tree ? *tree : kdtree_new_by(s->cloud.point, n, threads);
+        s->cloud.tree = *tree;
+        s->crest = mem_alloc(s->edge.n, sizeof *s->crest);
+        s->vertex = mem_alloc(s->edge.n, sizeof *s->vertex);
+        parallel_for(threads, s->edge.n, look, s);
+        found = put_in(s);
+        free(s->crest);
+        free(s->vertex);
     }
-    array_free(&s.edge);
-    free(s.of);
+    free(s->of);
     mesh_edges_free(&edges);
     return found;
 }
 
-size_t crestmesh_keep(struct mesh *mesh, size_t first, const struct vec3 *point, size_t n,
-                      double spacing, double noise, int threads)
+struct crests crestmesh_keep(struct mesh *mesh, size_t first, const struct vec3 *point, size_t n,
+                             double spacing, double noise, int threads)
 {
-    const struct feature_cloud cloud = {.point = point, .spacing = spacing, .noise = noise};
-    size_t last = mesh->vertex.n, all = 0, found = 1;
+    const size_t huge = 400000, many = 12000, few = 4000; /* points; edges, of huge clouds */
+    struct search s = {.mesh = mesh,
+                       .cloud = {.point = point, .spacing = spacing, .noise = noise},
+                       .first = first,
+                       .last = mesh->vertex.n,
+                       .left = n > huge ? few : many};
+    struct kdtree *tree = NULL;
+    struct crests all = {.found = 0};
+    size_t fresh = 0, found = 1;
 
     /* the edges between new points may cut off the crest where one is missing */
     for (int i = 0; i < LOOKS && found > 0; i++) {
-        found = look_once(mesh, first, last, cloud, n, threads);
-        all += found;
+        size_t next = mesh->vertex.n;
+        found = look_once(&s, fresh, n, &tree, threads);
+        all.found += found;
+        fresh = next;
     }
+    all.too_many = s.many;
+    if (tree)
+        kdtree_free(tree);
+    array_free(&s.edge);
     return all;
 }
