@@ -26,7 +26,7 @@ struct apt_argument {
 struct apt {
     const char *word; /* major word, "" for a comment that carries nothing */
     const char *raw;  /* the statement as it stood, joined, without blanks around */
-    bool comment;     /* it stands behind $$; with `$$->` word and arguments are filled all the same */
+    bool comment; /* it stands behind $$; with `$$->` word and arguments are filled all the same */
     bool slash;       /* there was a slash behind the word */
     unsigned line;    /* where it starts */
     struct { size_t n, cap; struct apt_argument *item; } argument;

@@ -23,8 +23,8 @@ struct arcpart {
  *
  * The joints begin spaced as evenly as the old pieces were.  For one arc fewer with both directions
  * free there are more tries: spaced anew by what each arc is off, and as the old ones without one
- * of them; where the axis turns only when `thorough`.  When that, and a direction is held, the first
- * of these ways too.
+ * of them; where the axis turns only when `thorough`.  When that, and a direction is held, the
+ * first of these ways too.
  */
 bool arcpart_fit(const struct arcpart *part, size_t arcs, struct pieces *out);
 

@@ -33,8 +33,8 @@ struct printed arcprint_piece(const struct piece *piece, struct vec3 from);
 struct stray arcprint_pieces(const struct trace *trace, const struct pieces *pieces,
                              struct printeds *printed);
 
-/* How many equal chords keep within `sagitta` mm of the piece, at the tracked point and at the other
- * end of the lever: a power of two, at most 4096. */
+/* How many equal chords keep within `sagitta` mm of the piece, at the tracked point and at the
+ * other end of the lever: a power of two, at most 4096. */
 int arcprint_chords(const struct piece *piece, double lever, double sagitta);
 
 /* The arc as a comment, "$$ CIRCLE/...", in at most ARCPRINT_MAX bytes. */

@@ -23,8 +23,8 @@ double balltree_nearest(const struct balltree *tree, struct vec3 p, double withi
                         size_t *nearest);
 
 /*
- * Is p among places where the ball touches the part, or beside them?  Seen along the unit vector n, the places
- * within `reach` of p lie around it with no gap of 3/8 of a turn or more.
+ * Is p among places where the ball touches the part, or beside them?  Seen along the unit vector n,
+ * the places within `reach` of p lie around it with no gap of 3/8 of a turn or more.
  */
 bool balltree_surrounds(const struct balltree *tree, struct vec3 p, struct vec3 n, double reach);
 

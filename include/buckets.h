@@ -3,9 +3,9 @@
  * what lies over a place.
  *
  * The points are put in order within their own array, with room for a copy meanwhile: row by row of
- * cells, in each cell by x, y, z.  So their order, and whatever is computed in it, does not depend on
- * the order of the file; points twice stand side by side.  Beside the points there are four bytes a
- * cell.
+ * cells, in each cell by x, y, z.  So their order, and whatever is computed in it, does not depend
+ * on the order of the file; points twice stand side by side.  Beside the points there are four
+ * bytes a cell.
  */
 #ifndef CLOUDMILL_BUCKETS_H
 #define CLOUDMILL_BUCKETS_H

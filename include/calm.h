@@ -16,9 +16,9 @@
 void calm_play(struct run *run, double play);
 
 /*
- * No more than `rate` radians of turn for a millimetre, of the tip and of the ball's centre, between
- * any two neighbouring points: axes are averaged over a length of the path that is doubled until
- * this holds.  Points in one place get one axis.  Returns how far an axis was turned at most,
+ * No more than `rate` radians of turn for a millimetre, of the tip and of the ball's centre,
+ * between any two neighbouring points: axes are averaged over a length of the path that is doubled
+ * until this holds.  Points in one place get one axis.  Returns how far an axis was turned at most,
  * radians.
  */
 double calm_rate(struct run *run, double rate);

@@ -1,9 +1,9 @@
 /*
  * course - what a tool does, as a list of pieces that can be evaluated anywhere.
  *
- * A program as the control would run it (ncread.h) ends up here.  Everything is evaluated by formulas of this file alone, so that no
- * mistake of the suite's own arcs and splines is made twice.  Lengths in mm, rotary axes in
- * degrees.
+ * A program as the control would run it (ncread.h) ends up here.  Everything is evaluated by
+ * formulas of this file alone, so that no mistake of the suite's own arcs and splines is made
+ * twice.  Lengths in mm, rotary axes in degrees.
  */
 #ifndef CLOUDMILL_COURSE_H
 #define CLOUDMILL_COURSE_H

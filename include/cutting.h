@@ -44,9 +44,9 @@ int cutting_guard(const struct mesh *mesh, double near, int threads, struct guar
 int cutting_rules(const struct mesh *mesh, const struct guard *guard, double distance,
                   struct toolpath *t, struct error *error);
 
-/* Before the path is made: with a tolerance all that its head says is known, and it goes to `output`
- * (NULL: standard output) while it is made.  `tool`: the stage that spends what straight lines
- * spend. */
+/* Before the path is made: with a tolerance all that its head says is known, and it goes to
+ * `output` (NULL: standard output) while it is made.  `tool`: the stage that spends what straight
+ * lines spend. */
 void cutting_begin(const struct mesh *mesh, const char *tool, const char *output,
                    struct toolpath *t);
 

@@ -33,10 +33,9 @@ int cycle_kind(const char *word);
 
 /*
  * The words of the statement, the first of which is a kind.  Numbers without a name are, in this
- * order, depth, feed, turns an inch (of a tap, when there are four), clearance, step; named ones may
- * stand between them, as CATIA has INCR.  Other words
- * are counted as unknown, with their number; -1 for numbers that cannot be told and for holes that
- * cannot be made from above.
+ * order, depth, feed, turns an inch (of a tap, when there are four), clearance, step; named ones
+ * may stand between them, as CATIA has INCR.  Other words are counted as unknown, with their
+ * number; -1 for numbers that cannot be told and for holes that cannot be made from above.
  */
 int cycle_words(struct path_parse *p, struct cycle_words *words);
 

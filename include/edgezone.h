@@ -1,6 +1,6 @@
 /*
- * edgezone - where creases and walls run, seen from above: known from a first mesh, for a second one
- * to keep its vertices off them.
+ * edgezone - where creases and walls run, seen from above: known from a first mesh, for a second
+ * one to keep its vertices off them.
  */
 #ifndef CLOUDMILL_EDGEZONE_H
 #define CLOUDMILL_EDGEZONE_H

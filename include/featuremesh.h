@@ -12,9 +12,9 @@ struct featuremesh {
     size_t too_many;       /* edges that might be on a crease, more than are looked at: none is */
 };
 
-/* How many edges of the mesh cross a wall; it needs no normals.  The points as below.  0 where there
- * are no six of them one beside the other, on a mesh of more than 200,000 edges twenty-four: that is
- * the roughness of a scan. */
+/* How many edges of the mesh cross a wall; it needs no normals.  The points as below.  0 where
+ * there are no six of them one beside the other, on a mesh of more than 200,000 edges twenty-four:
+ * that is the roughness of a scan. */
 size_t featuremesh_walls(const struct mesh *mesh, const struct vec3 *point, size_t n, size_t flat,
                          double spacing, double noise, int threads);
 

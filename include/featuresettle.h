@@ -16,9 +16,9 @@ struct featuresettle {
 };
 
 /* Vertices nearer to a feature than a quarter of its edge, of the facets beside it, move away from
- * it along the sheet of their side, and onto that when they are far off it, as points on a wall are.
- * Where a corner of two features juts out of its facet they move on to make room for it.  beside[]
- * gets which vertices have a feature near to them. */
+ * it along the sheet of their side, and onto that when they are far off it, as points on a wall
+ * are. Where a corner of two features juts out of its facet they move on to make room for it.
+ * beside[] gets which vertices have a feature near to them. */
 void featuresettle_places(const struct featuresettle *s, unsigned char *beside);
 
 /* Vertices with a feature on one of their edges get the normal of their side. */

@@ -25,8 +25,8 @@ struct quadric flank_frame(struct vec3 origin, struct vec3 w);
 void flank_local(const struct quadric *q, const struct vec3 *point, size_t n, struct vec3 *local);
 
 /* The plane of flank_plane through those of n points, as flank_local gives them, whose side is
- * `which` (`side` NULL: all): the first three coefficients of sheet->q, nothing else; the others and
- * the frame stand there already. */
+ * `which` (`side` NULL: all): the first three coefficients of sheet->q, nothing else; the others
+ * and the frame stand there already. */
 int flank_plane_of(const struct vec3 *local, const unsigned char *side, unsigned char which,
                    size_t n, struct flank *sheet);
 

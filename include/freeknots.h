@@ -22,11 +22,10 @@ struct freeknots_options {
  * the curve found, each knot in turn is tried to be left out.
  * A curve serves when proof_keeps holds on its printed digits; true then, with *curve and its
  * *proof.  False when none with at most 16 poles, or a pole for every fourth point, does.
- * Where a known count above 16 has fewer than twelve points for each pole, so that the curve follows
- * the noise of the data, the counts go down from there, to three fifths each time, and then by
- * bisection, from knots spread by the data alone.
- * The work is bounded by the number of points, and sooner in such a case; *cut tells that the bound
- * was reached, so that fewer poles might do.
+ * Where a known count above 16 has fewer than twelve points for each pole, so that the curve
+ * follows the noise of the data, the counts go down from there, to three fifths each time, and then
+ * by bisection, from knots spread by the data alone. The work is bounded by the number of points,
+ * and sooner in such a case; *cut tells that the bound was reached, so that fewer poles might do.
  */
 bool freeknots_search(const struct track *track, const struct freeknots_options *options,
                       struct bspline *curve, struct proof *proof, bool *cut);

@@ -10,9 +10,9 @@
 
 /*
  * Appends all surfaces, in the order of their directory entries (128), in mm: each 128 once for
- * each entity that trims it, or once as it is.  A loop is given by curves in the parameters or, where
- * the file prefers these or has no others, by curves in space.  `mm` > 0 takes the place of the file's own unit.  A
- * file without a surface is an error.
+ * each entity that trims it, or once as it is.  A loop is given by curves in the parameters or,
+ * where the file prefers these or has no others, by curves in space.  `mm` > 0 takes the place of
+ * the file's own unit.  A file without a surface is an error.
  */
 int iges_surfaces(const struct iges *iges, double mm, struct patches *patches, struct error *error);
 

@@ -17,8 +17,8 @@
 int intake_read(char **file, int files, struct vec3s *points, size_t *left_out,
                 struct error *error);
 
-/* Unit, matrix (a file, or NULL), lowest leftmost point as origin (paper 1, 3.1), in this order, into
- * the points and the mesh's record of its place.  -1: the matrix cannot be read. */
+/* Unit, matrix (a file, or NULL), lowest leftmost point as origin (paper 1, 3.1), in this order,
+ * into the points and the mesh's record of its place.  -1: the matrix cannot be read. */
 int intake_place(struct vec3s *points, const char *unit, const char *matrix, bool to_origin,
                  struct mesh_origin *origin, struct error *error);
 
@@ -32,8 +32,8 @@ enum intake_drop { INTAKE_KEEP, INTAKE_DROP_OUTLIERS, INTAKE_DROP };
 
 /*
  * Takes out points that are there twice and, as `drop` says, outliers or these and points under a
- * roof, and measures the noise; says what it found.  `spacing` is the mean spacing, mm.  The points are in the
- * order of buckets.h afterwards, whatever it was.  -1: too many of them.
+ * roof, and measures the noise; says what it found.  `spacing` is the mean spacing, mm.  The points
+ * are in the order of buckets.h afterwards, whatever it was.  -1: too many of them.
  */
 int intake_clean(struct vec3s *points, double spacing, enum intake_drop drop, int threads,
                  struct intake *intake, struct error *error);

@@ -23,7 +23,8 @@ struct layer_options {
 int layer_read(const char *file, const struct layer_options *options, struct layer *layer,
                struct error *error);
 
-/* The chord error that can't be seen: 1/5000 of the extent, or what the options say if that is less. */
+/* The chord error that can't be seen: 1/5000 of the extent, or what the options say if that is
+ * less. */
 double layer_chord(const struct layer_options *options, const struct box *box);
 
 /* A path: arcs and B-splines in pieces that stray from them by no more than that. */

@@ -4,9 +4,9 @@
  *
  * Asked are curves (B-splines, and polynomials one after the other), which are made to follow the
  * part, and two straight blocks that go up and come back at a sharp angle; of a curve also whether
- * it ends over the part, up the tool or up Z, and a straight block comes down again.  Ways from pass to
- * pass, up, across and down in blocks of their own, are none; neither is a pass that goes out
- * beside the part.  Lengths in mm.
+ * it ends over the part, up the tool or up Z, and a straight block comes down again.  Ways from
+ * pass to pass, up, across and down in blocks of their own, are none; neither is a pass that goes
+ * out beside the part.  Lengths in mm.
  */
 #ifndef CLOUDMILL_LEAP_H
 #define CLOUDMILL_LEAP_H

@@ -30,8 +30,8 @@ struct attempt attempt_onto(const struct attempt *attempt, const struct target *
  * Levenberg's and Marquardt's steps for the sum of the distances to the power 2, 4, 8 ... 64, until
  * no place asks for more than `goal` mm (true).  False as soon as that is out of reach: the
  * distances' mean by the norm is never above the largest one, so that a minimum of it above `goal`
- * is the end of it.  Each step takes its number of distances from *effort; false when that is used up.
- * More patience than 1 takes that many times the steps.
+ * is the end of it.  Each step takes its number of distances from *effort; false when that is used
+ * up. More patience than 1 takes that many times the steps.
  */
 bool minimax_fit(const struct target *target, double goal, int patience, struct attempt *attempt,
                  double *effort);

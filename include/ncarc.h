@@ -29,7 +29,8 @@ struct nc_arc {
  * Words for the piece s0 to s1 of an arc motion, between two stations as printed, with `digits`
  * decimals.  *d: the deviation of the printed arc from the motion, *point the tracked point's part
  * of it.  False where the control cannot be given it: not in a principal plane, points too near to
- * a line or to each other to say where the centre is, the printed radius at the two ends more than `radius_error` mm apart.
+ * a line or to each other to say where the centre is, the printed radius at the two ends more than
+ * `radius_error` mm apart.
  */
 bool nc_arc_words(struct nc_arc *arc, enum nc_arcs kind, int digits, double radius_error,
                   const struct follow *f, const struct station *from, const struct station *to,

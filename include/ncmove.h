@@ -11,8 +11,8 @@ struct nc_move *nc_move_to(struct nc_step *step, enum nc_kind kind, const struct
 
 /*
  * A block from where the program is to a stance, along which the tracked point goes `length` mm;
- * index: of its arc or spline in the plan, which follows `along` (NULL: straight).  The program then stands there; the pose is the caller's
- * to set.
+ * index: of its arc or spline in the plan, which follows `along` (NULL: straight).  The program
+ * then stands there; the pose is the caller's to set.
  */
 void nc_add_move(struct nc_step *step, enum nc_kind kind, const struct stance *stance,
                  double length, size_t index, const struct nc_along *along);

@@ -1,5 +1,6 @@
 /*
- * ncread_siemens - blocks of the Sinumerik 840D sl and ONE (NC programming manual and the design notes).
+ * ncread_siemens - blocks of the Sinumerik 840D sl and ONE (NC programming manual and the design
+ * notes).
  *
  * Under TRAORI X Y Z are the tip in the frame of the work; the axis by A3= B3= C3= on the great
  * circle (ORIVECT), by rotary words in proportion (ORIAXES) or by a second point (ORICURVE).
@@ -9,7 +10,16 @@
 
 #include "ncread.h"
 
-enum siemens_move { MOVE_NONE, MOVE_RAPID, MOVE_LINE, MOVE_CW, MOVE_CCW, MOVE_CIP, MOVE_POLY, MOVE_BSPLINE };
+enum siemens_move {
+    MOVE_NONE,
+    MOVE_RAPID,
+    MOVE_LINE,
+    MOVE_CW,
+    MOVE_CCW,
+    MOVE_CIP,
+    MOVE_POLY,
+    MOVE_BSPLINE
+};
 
 /* A polynomial's end and coefficients, PO[X]=(end, a2, a3, a4, a5). */
 struct polynomial {

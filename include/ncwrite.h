@@ -27,7 +27,8 @@ enum nc_slot { NC_X, NC_Y, NC_Z, NC_Q0, NC_Q1, NC_I, NC_J, NC_K, NC_F, NC_SLOTS 
 
 enum {
     NC_BLOCK_MAX = 1000,
-    NC_LINE_MAX = NC_BLOCK_MAX + 2 * NUM_MAX, /* with the word that goes beyond it, and its number */
+    NC_LINE_MAX =
+        NC_BLOCK_MAX + 2 * NUM_MAX, /* with the word that goes beyond it, and its number */
     NC_COMMENT_MAX = 80
 };
 

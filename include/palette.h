@@ -22,8 +22,8 @@ const char *palette_cycle(size_t i);
 /* From the lowest, 0, to the highest, PALETTE_HEIGHTS - 1. */
 const char *palette_height(size_t level);
 
-/* A facet's grey by the light on it, 0 dark to PALETTE_SHADES - 1; or a shade of the given colour of
- * the cycle. */
+/* A facet's grey by the light on it, 0 dark to PALETTE_SHADES - 1; or a shade of the given colour
+ * of the cycle. */
 void palette_shade(char colour[PALETTE_COLOUR], size_t level);
 void palette_tint(char colour[PALETTE_COLOUR], size_t cycle, size_t level);
 

@@ -24,9 +24,10 @@ struct pass_rule {
  * Appends the strips of a plane's chains.  An open chain goes the way of `along` from end to end; a
  * closed one starts at its end against `along`, and goes over its upper side first.  The strip with
  * the least start along comes first, and goes on with the chain whose start (or, turned round, end)
- * is the nearest within the gap, unless the way there is over a hole of the scan.  Where such a joint is a ridge, points between turn the normal
- * from one side to the other, so that straight lines between the ball's centres sink in by no more
- * than the tolerance.  Returns how many points face away and were left out.
+ * is the nearest within the gap, unless the way there is over a hole of the scan.  Where such a
+ * joint is a ridge, points between turn the normal from one side to the other, so that straight
+ * lines between the ball's centres sink in by no more than the tolerance.  Returns how many points
+ * face away and were left out.
  */
 size_t passes_make(const struct chains *chains, const struct pass_rule *rule,
                    struct chains *strips);

@@ -122,8 +122,14 @@ struct path {
     struct { size_t n, cap; struct path_tool *item; } tool;
     size_t tools_numbered; /* tools without a number that were given one here, in their order */
     struct { size_t n, cap; char **item; } text;
-    struct { size_t n, cap; struct path_unknown { char *word; size_t times; unsigned line; } *item; }
-        unknown; /* post-processor words that nobody here knows, for one warning each */
+    struct {
+        size_t n, cap;
+        struct path_unknown {
+            char *word;
+            size_t times;
+            unsigned line;
+        } * item;
+    } unknown; /* post-processor words that nobody here knows, for one warning each */
 };
 
 /*

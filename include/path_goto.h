@@ -15,9 +15,9 @@ int path_read_from(struct path_parse *p);
 int path_read_contact(struct path_parse *p);
 
 /*
- * Takes the lines that wait in the reader as long as they are plain, `GOTO/x,y,z,i,j,k` and contacts
- * between them: most of a path, and in a tenth of the time that a statement takes otherwise.  What
- * stands behind them is for apt_read.
+ * Takes the lines that wait in the reader as long as they are plain, `GOTO/x,y,z,i,j,k` and
+ * contacts between them: most of a path, and in a tenth of the time that a statement takes
+ * otherwise.  What stands behind them is for apt_read.
  */
 int path_goto_run(struct path_parse *p);
 

@@ -11,8 +11,8 @@
  * that was not said. */
 int path_read_gohome(struct path_parse *p);
 
-/* Row of RETRCT: at rapid along the tool axis to the clearance plane where that is ahead; counted as
- * unknown where there is no such plane. */
+/* Row of RETRCT: at rapid along the tool axis to the clearance plane where that is ahead; counted
+ * as unknown where there is no such plane. */
 int path_read_retrct(struct path_parse *p);
 
 /* Row of CLEARP/XYPLAN,z and CLRSRF/a,b,c,d (a x + b y + c z = d) and of either with z alone. */

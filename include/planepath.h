@@ -53,7 +53,7 @@ void planepath_scallop(struct planepath *p, const struct mesh *mesh, double h);
 
 /*
  * The angle of upright planes, of twelve 15 degrees apart, at which the tool cuts the fewest
- * millimetres for cusps of at most h mm: lengths of the chains of up to 24 planes, for all.  *length
+ * millimetres for cusps of at most h mm: lengths of the chains of up to 24 planes, for all. *length
  * becomes about how many.
  */
 double planepath_best(const struct mesh *mesh, double radius, double h, double *length);
@@ -71,8 +71,8 @@ void planepath_run_out(struct planepath *p, const struct mesh *mesh);
  * apart, beyond the first and the last. */
 void planepath_go_beyond(const struct planepath *p, struct plane_cuts *cuts);
 
-/* Gives the strips of all planes of n such paths, one path after the other, to the toolpath, which is
- * then ended, in as many layers as cutting.h says.  -1: no plane crosses anything that faces the
+/* Gives the strips of all planes of n such paths, one path after the other, to the toolpath, which
+ * is then ended, in as many layers as cutting.h says.  -1: no plane crosses anything that faces the
  * tool. */
 int planepath_make(struct planepath *paths, size_t n, struct toolpath *t, struct error *error);
 

@@ -24,9 +24,9 @@ struct proof {
 bool proof_print(struct bspline *curve);
 
 /*
- * Fills *proof.  The bounds exceed the truth by at most 2.2 times `resolution` mm; when the distance
- * of a point is found to be above `limit` (INFINITY: never), the search stops there: that distance
- * is then only known to be above the limit, and what comes later is INFINITY.
+ * Fills *proof.  The bounds exceed the truth by at most 2.2 times `resolution` mm; when the
+ * distance of a point is found to be above `limit` (INFINITY: never), the search stops there: that
+ * distance is then only known to be above the limit, and what comes later is INFINITY.
  */
 void proof_measure(const struct bspline *curve, const struct track *track, double resolution,
                    double limit, struct proof *proof);

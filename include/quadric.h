@@ -15,7 +15,8 @@
 struct quadric {
     struct vec3 origin, u, v, w; /* w near the normal; unit vectors */
     double c[10]; /* from the sixth on of u^3, u^2 v, u v^2, v^3: cubic.h; of a quadric 0 */
-    double variance, tilt; /* of c0; of c1 and c2 together, 1/mm^2: where each point's w has 1 mm^2 */
+    double variance,
+        tilt; /* of c0; of c1 and c2 together, 1/mm^2: where each point's w has 1 mm^2 */
 };
 
 /*

@@ -1,6 +1,6 @@
 /*
- * roofs - how high points stand, cell by cell of a grid seen from above: what tells that a ball high
- * over them touches none, without a look at the points.
+ * roofs - how high points stand, cell by cell of a grid seen from above: what tells that a ball
+ * high over them touches none, without a look at the points.
  */
 #ifndef CLOUDMILL_ROOFS_H
 #define CLOUDMILL_ROOFS_H

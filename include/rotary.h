@@ -2,8 +2,8 @@
  * rotary - how far the rotary axes of a machine turn from one direction of the tool axis to the
  * next.
  *
- * Whatever the machine, one of its rotary axes sets how far the tool axis leans from the machine's Z
- * and one in which direction (A or B, and C): so far does each of them turn.  Every lean has two
+ * Whatever the machine, one of its rotary axes sets how far the tool axis leans from the machine's
+ * Z and one in which direction (A or B, and C): so far does each of them turn.  Every lean has two
  * solutions, to one side and, half a turn further, to the other; the one with the shorter way
  * counts.
  */

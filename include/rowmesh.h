@@ -25,7 +25,8 @@ struct rowmesh {
 };
 
 struct rowmesh_wish {
-    double error, spacing, widest; /* mean spacing of the points, largest distance of two rows, mm */
+    double error, spacing,
+        widest; /* mean spacing of the points, largest distance of two rows, mm */
     const struct edgezone *zone;   /* NULL: no creases and walls are known */
     double out; /* so many of the points of a strip, as part of them, may be off it by more */
 };

@@ -33,10 +33,10 @@ struct rows {
 /*
  * Takes a mesh apart.  A strip ends where the next node of the row is not joined to it by a facet
  * edge and is not at the same place: there is a hole, or a step too high.  Vertices of one row and
- * column follow each other as they stand in the mesh; those of a negative row are in no row.  The direction is the one that the mesh says
- * (mesh.origin.direction) where the rows bear it out within 5 degrees, else that of the rows; where
- * the mesh has parts, what it says of these.
- * -1: the mesh has no rows, or no facet.
+ * column follow each other as they stand in the mesh; those of a negative row are in no row.  The
+ * direction is the one that the mesh says (mesh.origin.direction) where the rows bear it out within
+ * 5 degrees, else that of the rows; where the mesh has parts, what it says of these. -1: the mesh
+ * has no rows, or no facet.
  */
 int rows_find(const struct mesh *mesh, struct rows *rows, struct error *error);
 

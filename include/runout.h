@@ -11,8 +11,8 @@
 #include "brink.h"
 #include "meshcut.h"
 
-/* Leaves out of the strips what lies beyond the border of the scan, as where the mesh has vertices on
- * surfaces continued over it.  Returns how many points. */
+/* Leaves out of the strips what lies beyond the border of the scan, as where the mesh has vertices
+ * on surfaces continued over it.  Returns how many points. */
 size_t runout_within(const struct brink *brink, struct chains *strips);
 
 /* Lengthens the strips of a plane, which run along, at both ends; closed ones stay as they are, and

@@ -11,7 +11,8 @@
 struct scan_rule {
     double radius;    /* of the ball, mm */
     double tolerance; /* of the path, mm: the ball sinks between points by a fifth of it at most */
-    double noise;     /* of the scan, mm; negative: as found where it is above a tenth of the tolerance */
+    double
+        noise; /* of the scan, mm; negative: as found where it is above a tenth of the tolerance */
     int threads;
     struct vec3s certain, doubtful; /* what becomes of it: its points (scansurface.h) */
 };

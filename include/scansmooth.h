@@ -2,8 +2,8 @@
  * scansmooth - the vertices of a mesh moved from noisy points of the scan onto the surface that the
  * scan stands for, with its normals and curvatures.
  *
- * A vertex goes to its foot on the surface that surfacefit.h has there; along ribs and grooves too on
- * meshes of fewer than 71,000 vertices.
+ * A vertex goes to its foot on the surface that surfacefit.h has there; along ribs and grooves too
+ * on meshes of fewer than 71,000 vertices.
  */
 #ifndef CLOUDMILL_SCANSMOOTH_H
 #define CLOUDMILL_SCANSMOOTH_H

@@ -25,12 +25,14 @@ struct scansurface {
     struct vec3s point;
     struct vec3s certain, doubtful; /* points of the scan: does noise leave doubt of the surface? */
     size_t moved, added; /* points brought to their quadrics, points put between */
-    size_t vague; /* of a scan without noise: points about which the surface between is vague, ... */
+    size_t
+        vague; /* of a scan without noise: points about which the surface between is vague, ... */
     double worst; /* ... the most that it is off, mm, and where */
     struct vec3 at;
 };
 
-/* No point moves by more than six standard deviations.  More than 400,000 points get none between. */
+/* No point moves by more than six standard deviations.  More than 400,000 points get none between.
+ */
 struct scansurface scansurface_make(const struct buckets *buckets,
                                     const struct scansurface_rule *rule);
 

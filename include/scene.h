@@ -53,8 +53,8 @@ struct scene {
 void layer_free(struct layer *layer);
 void scene_free(struct scene *scene);
 
-/* The box of all that the layer shows but rapid moves, ticks of this length too; of rapid moves when
- * there is nothing else. */
+/* The box of all that the layer shows but rapid moves, ticks of this length too; of rapid moves
+ * when there is nothing else. */
 struct box layer_box(const struct layer *layer, double tick);
 
 /* The box of all layers as they stand in a view, with some room for rapid moves that leave it. */

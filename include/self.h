@@ -6,7 +6,8 @@
 
 #include <stddef.h>
 
-/* The folder of the running program, without a slash at its end; "" where the system does not say. */
+/* The folder of the running program, without a slash at its end; "" where the system does not say.
+ */
 void self_folder(char *folder, size_t size);
 
 #endif

@@ -1,6 +1,6 @@
 /*
- * sharpedges - where a mesh has a sharp edge that stands out, as points: a scan seldom has points on
- * its edges, and a ball that rolls over them would sink in between those beside.
+ * sharpedges - where a mesh has a sharp edge that stands out, as points: a scan seldom has points
+ * on its edges, and a ball that rolls over them would sink in between those beside.
  */
 #ifndef CLOUDMILL_SHARPEDGES_H
 #define CLOUDMILL_SHARPEDGES_H

@@ -13,7 +13,8 @@ struct splinerun_piece {
     bool still;            /* all its points are in one place: there is no curve */
     struct splinefit fit;
     double smooth;         /* part of the tolerance that went into making the data dense, mm */
-    struct poses fallback; /* straight pieces within the tolerance of the curve, without its start */
+    struct poses
+        fallback; /* straight pieces within the tolerance of the curve, without its start */
 };
 
 struct splinerun {
@@ -23,8 +24,8 @@ struct splinerun {
 };
 
 /*
- * Fills *pieces with those of a run of at least 2 points.  The ball's centre is tracked with `centre`,
- * else the tip.
+ * Fills *pieces with those of a run of at least 2 points.  The ball's centre is tracked with
+ * `centre`, else the tip.
  *
  * With `paper` the run is one piece, fitted as it is by splinefit_paper.  By default it is parted
  * where the path turns by more than 60 degrees, in one point and over 10 times the tolerance (so

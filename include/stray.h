@@ -15,8 +15,8 @@ size_t stray_twice(const struct buckets *buckets, unsigned char *out);
 
 /*
  * Outliers, `sigma` being the noise of the scan (mm, noise.h): points that
- *   - stand alone: the eighth nearest neighbour is more than three times as far as that of the points
- *     next to them (the local outlier factor's idea: Breunig, Kriegel, Ng, Sander 2000), but for
+ *   - stand alone: the eighth nearest neighbour is more than three times as far as that of the
+ * points next to them (the local outlier factor's idea: Breunig, Kriegel, Ng, Sander 2000), but for
  *     a sparse surface beside a dense one, as a wall's: more than eight of the 24 are as far, or
  *     more than twelve mean spacings, where no facet would reach them, or
  *   - are off a quadric through their 24 nearest neighbours, fitted by Tukey's biweight, by more
@@ -28,8 +28,8 @@ size_t stray_twice(const struct buckets *buckets, unsigned char *out);
 size_t stray_outliers(const struct buckets *buckets, double sigma, int threads,
                       unsigned char *out);
 
-/* Points that a tool from above cannot reach: within the cells about them, in every eighth of the turn,
- * points stand above them more than four times as high as they are away. */
+/* Points that a tool from above cannot reach: within the cells about them, in every eighth of the
+ * turn, points stand above them more than four times as high as they are away. */
 size_t stray_under(const struct buckets *buckets, int threads, unsigned char *out);
 
 #endif

@@ -27,11 +27,11 @@ struct subclouds {
  * Each point goes to the direction that is nearest to its normal, of as few as serve it within 50
  * degrees: straight up first, then those of 32 directions around and 45 degrees up and down that
  * serve most of what is left.  The pieces of these (cloudpieces.h) are the parts.  Points nearer
- * than `overlap` mm (0: four and a half mean spacings) to those of a part belong to it too, if they face
- * it within 70 degrees and no sharp edge is between; beyond sharp edges its surface is continued
- * instead, by two thirds of the overlap (overedge.h).  The rows of the part that is seen from above
- * run `direction` degrees from x; those of others are horizontal.  Parts come from the top down and
- * round.
+ * than `overlap` mm (0: four and a half mean spacings) to those of a part belong to it too, if they
+ * face it within 70 degrees and no sharp edge is between; beyond sharp edges its surface is
+ * continued instead, by two thirds of the overlap (overedge.h).  The rows of the part that is seen
+ * from above run `direction` degrees from x; those of others are horizontal.  Parts come from the
+ * top down and round.
  */
 struct subclouds subclouds_find(const struct vec3 *point, size_t n, double overlap,
                                 double direction, int threads);

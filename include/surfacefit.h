@@ -8,8 +8,8 @@
  * neighbourhood, the less of the surface is a cubic.  So the widest neighbourhood is taken whose
  * foot and normal agree with those of its nearer halves within what noise explains (O. Lepski's
  * rule, Theory of Probability and its Applications 35, 1991).  Where even few points are bent too
- * much, as on a rib or in a groove, they are taken from a neighbourhood that is six times as long the
- * way it runs; that way is the one in which such a neighbourhood is fitted best.
+ * much, as on a rib or in a groove, they are taken from a neighbourhood that is six times as long
+ * the way it runs; that way is the one in which such a neighbourhood is fitted best.
  */
 #ifndef CLOUDMILL_SURFACEFIT_H
 #define CLOUDMILL_SURFACEFIT_H
@@ -46,8 +46,8 @@ struct surfacefit_hood {
 struct surfacefit_hood *surfacefit_hood_new(void);
 void surfacefit_hood_free(struct surfacefit_hood *hood);
 
-/* From few points to many, 32 to 362: the last neighbourhood of a place that agrees with all within it.
- * `guess`: the normal there, roughly, on either side. */
+/* From few points to many, 32 to 362: the last neighbourhood of a place that agrees with all within
+ * it. `guess`: the normal there, roughly, on either side. */
 size_t surfacefit_widest(const struct surfacefit_rule *rule, struct vec3 place, struct vec3 guess,
                          struct surfacefit_hood *hood);
 

@@ -1,9 +1,9 @@
 /*
  * svg - a picture as SVG text: its frame, groups, texts and compact paths.
  *
- * Lengths in the picture's own units, y downwards, as CSS pixels.  A path is written in whole tenths
- * (a group scales it down), each step relative to the one before, so that what is written adds up to
- * the place that was meant.
+ * Lengths in the picture's own units, y downwards, as CSS pixels.  A path is written in whole
+ * tenths (a group scales it down), each step relative to the one before, so that what is written
+ * adds up to the place that was meant.
  */
 #ifndef CLOUDMILL_SVG_H
 #define CLOUDMILL_SVG_H

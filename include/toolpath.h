@@ -24,8 +24,8 @@ struct toolpath_rule {
     bool skip;           /* ... and what the holder keeps the tool from */
     double play;         /* how far axes may be off their rule to turn less, radians */
     double rate;         /* fastest turn of the axis along a strip, radians/mm; 0: any */
-    double turn;         /* LEAN: axes may lean up to this, radians, to whatever side, so that rotary
-                            axes turn least; 0: as the rule of the axis says */
+    double turn; /* LEAN: axes may lean up to this, radians, to whatever side, so that rotary
+                    axes turn least; 0: as the rule of the axis says */
     struct holder holder;
     double lean;         /* how far axes may be leaned where the holder touches, radians */
 };
@@ -107,13 +107,13 @@ void toolpath_end(struct toolpath *t);
  * EXIT_UNMET. */
 int toolpath_conclude(const struct toolpath *t);
 
-/* Looks from the places where a lifted ball may leave something for the nearest that it comes on the
- * whole path, which may reach them from the side, and counts those where it does not.  For
+/* Looks from the places where a lifted ball may leave something for the nearest that it comes on
+ * the whole path, which may reach them from the side, and counts those where it does not.  For
  * toolpath.c. */
 void toolpath_stand(struct toolpath *t);
 
-/* Chooses lead and tilt anew, between what they are together and rule.turn, so that rotary axes turn
- * least over the contacts of all strips (rotary.h), and says which.  For toolpath.c. */
+/* Chooses lead and tilt anew, between what they are together and rule.turn, so that rotary axes
+ * turn least over the contacts of all strips (rotary.h), and says which.  For toolpath.c. */
 void toolpath_turn(struct toolpath *t);
 
 /* Lifts a strip and does with its axes what the rule says: play, lean and rate.  Where the holder

@@ -65,12 +65,12 @@ static struct settings read_options(struct cli *cli, int argc, char **argv)
          "standard deviation of the points (default: as measured; 0: vertices\n"
          "stay points of the scan)",
          CLI_NUMBER, &s.noise, 0, 1e6, 0, NULL},
-        {0, "smooth", NULL, "look for no creases, no walls, no ribs", CLI_FLAG, &s.wish.smooth, 0, 0, 0, NULL},
+        {0, "smooth", NULL, "look for no creases, no walls, no ribs", CLI_FLAG, &s.wish.smooth, 0,
+         0, 0, NULL},
         {0, "extend", "MM", "continue the surface so far beyond the outer border", CLI_NUMBER,
          &s.extend, CLI_POSITIVE, 0, 0, NULL},
-        {0, "subdivide", NULL,
-         "divide the cloud by orientation, each part with its own projection", CLI_FLAG,
-         &s.wish.subdivide, 0, 0, 0, NULL},
+        {0, "subdivide", NULL, "divide the cloud by orientation, each part with its own projection",
+         CLI_FLAG, &s.wish.subdivide, 0, 0, 0, NULL},
         {0, "paper", NULL,
          "as published: a node takes any point nearer than the spacing, holes\n"
          "are bridged, normals are the mean of the facets'",
@@ -141,7 +141,8 @@ static void say_steep(const struct settings *settings, const struct mesh *mesh)
     const double little = 0.005;
     double part = mesh_steep_part(mesh, vec(0, 0, 1));
     if (part > little && !settings->wish.subdivide && !settings->wish.paper)
-        say("%.1f %% of the surface is steeper than 70 degrees, where points are far apart seen from "
+        say("%.1f %% of the surface is steeper than 70 degrees, where points are far apart seen "
+            "from "
             "above: --subdivide gives it projections of its own",
             100 * part);
 }
@@ -216,9 +217,10 @@ int main(int argc, char **argv)
     mesh_free(&mesh);
     array_free(&points);
     if (settings.wish.error > 0 && made.rows.worst > settings.wish.error)
-        die_unmet("%s: the mesh is off by %.4f mm at %.3f %.3f %.3f, expected %g mm: the points are "
-                  "too far apart there, or it is steep",
-                  name, made.rows.worst, made.rows.at.x, made.rows.at.y, made.rows.at.z,
-                  settings.wish.error);
+        die_unmet(
+            "%s: the mesh is off by %.4f mm at %.3f %.3f %.3f, expected %g mm: the points are "
+            "too far apart there, or it is steep",
+            name, made.rows.worst, made.rows.at.x, made.rows.at.y, made.rows.at.z,
+            settings.wish.error);
     return EXIT_DONE;
 }

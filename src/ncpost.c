@@ -36,8 +36,10 @@ struct settings {
 
 static struct settings settings_default(void)
 {
-    return (struct settings){
-        .chord = 0.005, .axis_tolerance = 0.05, .feed = 500, .extract = {.from = -1, .explain = -1}};
+    return (struct settings){.chord = 0.005,
+                             .axis_tolerance = 0.05,
+                             .feed = 500,
+                             .extract = {.from = -1, .explain = -1}};
 }
 
 static void read_limit(struct settings *s, const struct cli *cli)

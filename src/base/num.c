@@ -149,7 +149,8 @@ static inline char *put_digits(char *end, uint64_t n, int least)
 
 size_t num_put(char *buf, int64_t integer, bool negative, int digits)
 {
-    char text[2 * DIGITS_MAX], *end = text + DIGITS_MAX; /* behind: so that copies have one length */
+    char text[2 * DIGITS_MAX],
+        *end = text + DIGITS_MAX; /* behind: so that copies have one length */
     const char *p = put_digits(end, (uint64_t)integer, digits + 1);
     char *to = buf;
     *to = '-';

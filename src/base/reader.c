@@ -47,7 +47,8 @@ void reader_close(struct reader *r)
     r->buf = NULL;
 }
 
-/* One read behind what is there; bytes beyond `to` always stay free for a '\0', and are all '\0'. */
+/* One read behind what is there; bytes beyond `to` always stay free for a '\0', and are all '\0'.
+ */
 static int fill_once(struct reader *r, struct error *error)
 {
     r->buf = mem_grow(r->buf, &r->cap, r->to + CHUNK + BEHIND, 1);

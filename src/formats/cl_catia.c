@@ -50,7 +50,8 @@ static int numbers_in(struct path_parse *p, const char *word, size_t n, double *
                     n);
 }
 
-/* The direction has few digits: an arc across the tool axis is square to it, when its points are. */
+/* The direction has few digits: an arc across the tool axis is square to it, when its points are.
+ */
 static void square_to_tool(struct vec3 tool, struct vec3 spoke, struct vec3 chord,
                            struct vec3 *axis)
 {

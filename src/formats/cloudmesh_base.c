@@ -98,8 +98,8 @@ static double normals_of_points(const struct cloudmesh_wish *wish, const struct 
 }
 
 /* Vertices moved onto the surface, and its normals; returns the tolerance spent. */
-static double move_vertices(const struct cloudmesh_wish *wish, const struct buckets *buckets, double noise,
-                            int threads, struct mesh *mesh)
+static double move_vertices(const struct cloudmesh_wish *wish, const struct buckets *buckets,
+                            double noise, int threads, struct mesh *mesh)
 {
     struct scansmooth r = scansmooth(mesh, buckets, noise, (size_t)wish->neighbours, threads);
     if (wish->silent)

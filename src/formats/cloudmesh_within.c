@@ -256,8 +256,8 @@ static bool has_walls(const struct cloudmesh_wish *wish, struct source *s, int t
     struct cloud_parts walled = s->scan_parts;
 
     walled.flat = wallpoints_part(s->scan->item, s->scan->n, walled.mean, threads);
-    return walled.flat < s->scan->n && cloudmesh_has_walls(wish, &walled, s->scan,
-                                                           fmax(s->noise, s->origin.noise), threads);
+    return walled.flat < s->scan->n &&
+           cloudmesh_has_walls(wish, &walled, s->scan, fmax(s->noise, s->origin.noise), threads);
 }
 
 int cloudmesh_within(const struct cloudmesh_wish *wish, struct vec3s *points, double noise,

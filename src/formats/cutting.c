@@ -122,8 +122,9 @@ int cutting_check(struct axis_rule *axis, struct error *error)
     if (c->paper && (c->guards.n > 0 || c->tolerance > 0))
         return error_set(error, "found --paper with -g or -e: the papers have neither");
     if (c->paper && (c->holder || c->play > 0 || c->rate > 0))
-        return error_set(error, "found --paper with --holder, --axis-play or --axis-rate: the papers "
-                                "have none of them");
+        return error_set(error,
+                         "found --paper with --holder, --axis-play or --axis-rate: the papers "
+                         "have none of them");
     if (c->turn > 0 &&
         (c->paper || c->fixed_given || c->to_given || c->from_given || c->circle_given))
         return error_set(error, "found --least-turn with %s, expected it with --tilt and --lead",

@@ -85,8 +85,8 @@ static int read_include(struct machine *m, char *line, const struct reader *r, i
     if (access(file, R_OK) != 0)
         return error_at(error, r->name, r->line, "include: cannot open %.200s", name);
     if (is_folder(file))
-        return error_at(error, r->name, r->line, "include: found the folder %.200s, expected a file",
-                        name);
+        return error_at(error, r->name, r->line,
+                        "include: found the folder %.200s, expected a file", name);
     if (read_file(m, file, depth + 1, &inner) != 0)
         return *error = inner, -1;
     return 1;

@@ -176,8 +176,8 @@ static int not_reached(struct nc_step *step, struct pose to, int over)
 }
 
 /*
- * q is the shortest way to the axis by either solution, were there no end of travel.  Where the axis
- * nearest the work is free, it makes no odds when it turns to where it will be needed.
+ * q is the shortest way to the axis by either solution, were there no end of travel.  Where the
+ * axis nearest the work is free, it makes no odds when it turns to where it will be needed.
  */
 static bool nearest_of_both(const struct nc_step *step, struct vec3 axis, const double q[])
 {

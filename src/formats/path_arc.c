@@ -11,8 +11,8 @@
 /* The ends of an arc may be off its circle, its start off its plane, by so much, mm. */
 static const double near = 0.01;
 
-/* Start = end is a full circle, mm: the same digits.  NX leaves arcs of their last digit behind others,
- * which are no circles. */
+/* Start = end is a full circle, mm: the same digits.  NX leaves arcs of their last digit behind
+ * others, which are no circles. */
 static const double same = 2e-6;
 
 /* Both ends of the arc must lie on its circle, the start in its plane. */

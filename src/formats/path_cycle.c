@@ -45,9 +45,9 @@ static int expect_sound(struct path_parse *p, const struct path_cycle *c)
 }
 
 /*
- * Where the feed begins and where the tool leaves.  RAPTO is a height as CLEAR is; of Creo it is how
- * much further down from there the rapid goes (PTC, CL Output for Holemaking Cycles).  The feed may
- * begin within a hole that is there already.
+ * Where the feed begins and where the tool leaves.  RAPTO is a height as CLEAR is; of Creo it is
+ * how much further down from there the rapid goes (PTC, CL Output for Holemaking Cycles).  The feed
+ * may begin within a hole that is there already.
  */
 static void take_heights(struct path_parse *p, const struct cycle_words *w, struct path_cycle *c)
 {
@@ -55,8 +55,8 @@ static void take_heights(struct path_parse *p, const struct cycle_words *w, stru
     bool further = p->dialect == &cl_creo && !isnan(clear) && !isnan(rapid);
     c->clear = further ? clear - rapid : or_else(rapid, or_else(clear, usual_clear));
     double least = c->clear < 0 ? usual_clear : c->clear;
-    c->retract = fmax(fmax(c->clear, 0),
-                      or_else(p->unit * w->value[CYCLE_RETRACT], fmax(least, or_else(clear, least))));
+    c->retract = fmax(fmax(c->clear, 0), or_else(p->unit * w->value[CYCLE_RETRACT],
+                                                 fmax(least, or_else(clear, least))));
 }
 
 /* A thread's pitch says the feed. */

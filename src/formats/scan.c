@@ -110,7 +110,8 @@ static struct guard *guard_of(struct vec3s *points, const struct mesh *mesh, str
         say("noise of %.2g mm taken out of the scan that guards (%zu of %zu points moved)",
             rule->noise, surface.moved, buckets.n);
     if (surface.vague > 0)
-        say("the scan is too sparse at %zu points for a tolerance of %g: the surface between them is "
+        say("the scan is too sparse at %zu points for a tolerance of %g: the surface between them "
+            "is "
             "uncertain, at worst by %.3f mm at %.3f %.3f %.3f",
             surface.vague, rule->tolerance, surface.worst, surface.at.x, surface.at.y,
             surface.at.z);

@@ -1,4 +1,5 @@
-/* toolpath_lift - a strip lifted, its axes made calm and leaned away from the part; see toolpath.h. */
+/* toolpath_lift - a strip lifted, its axes made calm and leaned away from the part; see toolpath.h.
+ */
 #include <stdlib.h>
 
 #include "calm.h"

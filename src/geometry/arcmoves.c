@@ -27,7 +27,8 @@ enum { N_STAGES = sizeof STAGES / sizeof *STAGES };
 
 struct work {
     struct arcmoves *m;
-    struct powersum sum; /* of the distances in tolerances, and the end's tangent in stage->turned */
+    struct powersum
+        sum; /* of the distances in tolerances, and the end's tangent in stage->turned */
     double *next, *step;
     struct arcchain kept;
     struct band factor;
@@ -200,7 +201,8 @@ double arcmoves_settle(struct arcmoves *m, double enough)
         int steps = m->start_held || m->end_held ? stage->held : stage->free;
         measure(m, w.sum.off, w.sum.held);
         worst = largest(&w);
-        double scale = fmax(worst, 1e-3), now = powersum_cost(&w.sum, w.sum.off, w.sum.held, stage->half, scale);
+        double scale = fmax(worst, 1e-3),
+               now = powersum_cost(&w.sum, w.sum.off, w.sum.held, stage->half, scale);
         for (int k = 0; k < steps && w.sum.unknowns > 0 && (worst > enough || kinked(m)); k++) {
             double before = now;
             if (!step(&w, stage, scale, &damping, &now) || before - now < SETTLED * before)

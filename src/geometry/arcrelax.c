@@ -53,8 +53,8 @@ static bool relax_some(const struct arcpart *like, size_t from, size_t end, size
  * many come in rows (a scan's noise): the longer the row, the fewer of the next are tried. */
 static size_t relax(const struct arcpart *like, size_t from, size_t end, struct pieces *pieces)
 {
-    bool still =
-        trace_axis_still(like->trace, (size_t)pieces->item[from].from, (size_t)pieces->item[end - 1].to);
+    bool still = trace_axis_still(like->trace, (size_t)pieces->item[from].from,
+                                  (size_t)pieces->item[end - 1].to);
     size_t stride = 1, window = still ? WIDE : WINDOW;
 
     for (size_t i = from; end - from > window && i < end;) {

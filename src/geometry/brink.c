@@ -178,7 +178,8 @@ bool brink_put(const struct brink *b, const struct brink_plane *plane, struct co
     struct vec3 near[NEAR];
     struct contact on = *c;
 
-    if (!gather(b, b->points, c->p, near, distance2) || distance2[0] > far * far * distance2[NEAR - 1])
+    if (!gather(b, b->points, c->p, near, distance2) ||
+        distance2[0] > far * far * distance2[NEAR - 1])
         return false;
     if (settle(b, near, plane, &on) < 0 || vec_distance(on.p, c->p) > b->step ||
         !surrounded(near, &on, OPEN))

@@ -143,7 +143,8 @@ double calm_rate(struct run *run, double rate)
 
     for (size_t i = 0; i < run->n; i++) {
         axis[i] = run->item[i].axis;
-        along[i] = i > 0 ? along[i - 1] + vec_distance(run->item[i].ball, run->item[i - 1].ball) : 0;
+        along[i] =
+            i > 0 ? along[i - 1] + vec_distance(run->item[i].ball, run->item[i - 1].ball) : 0;
     }
     for (double half = 0.5; run->n > 1 && calm_fastest(run) > rate; half *= 2) {
         if (half > along[run->n - 1]) {

@@ -168,7 +168,8 @@ static bool plane_of_wall(const struct feature_cloud *cloud, const struct level 
     return false;
 }
 
-/* The sheet of level s where the way from a to b comes to the wall, up to `over` beyond its ends. */
+/* The sheet of level s where the way from a to b comes to the wall, up to `over` beyond its ends.
+ */
 static bool meet(const struct level *level, const struct planefit *plane, struct vec3 a,
                  struct vec3 b, struct vec3 *at)
 {
@@ -265,8 +266,8 @@ static bool find_wall(const struct feature_cloud *cloud, const struct level leve
 
 /* The step is what it was taken for: much higher than the levels are rough, and no slope that goes
  * on beyond it. */
-static bool holds(const struct feature *f, const struct level level[2], struct vec3 a, struct vec3 b,
-                  const struct feature_cloud *cloud)
+static bool holds(const struct feature *f, const struct level level[2], struct vec3 a,
+                  struct vec3 b, const struct feature_cloud *cloud)
 {
     double step = fabs(f->place[0].z - f->place[1].z), rise = fabs(a.z - b.z);
 

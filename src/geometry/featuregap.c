@@ -23,7 +23,8 @@ static double side(const struct feature *f, struct vec3 across, struct vec3 p)
     return vec_dot(vec_sub(p, f->place[0]), across);
 }
 
-/* Across a feature, between the two sheets, unit: from the side of its end 1 to that of its end 0. */
+/* Across a feature, between the two sheets, unit: from the side of its end 1 to that of its end 0.
+ */
 static struct vec3 across_of(const struct feature *f)
 {
     struct vec3 up = f->kind == FEATURE_WALL ? vec(0, 0, 1) : vec_add(f->normal[0], f->normal[1]);

@@ -1,8 +1,8 @@
 /*
  * holes - every point marks the cells within half the gap of it; what is left are the middles of
- * holes, which unmark all about them but a rim; a facet bridges a hole when it has an unmarked cell;
- * see holes.h.  A cell is a bit, so that a whole cloud's marks grow into
- * discs 64 cells at a time.
+ * holes, which unmark all about them but a rim; a facet bridges a hole when it has an unmarked
+ * cell; see holes.h.  A cell is a bit, so that a whole cloud's marks grow into discs 64 cells at a
+ * time.
  */
 #include "holes.h"
 

@@ -9,7 +9,8 @@
 
 enum { SOME = 200 };
 
-/* Nodes with lower numbers hand their halves to two threads, where that many points are worth it. */
+/* Nodes with lower numbers hand their halves to two threads, where that many points are worth it.
+ */
 enum { TOP = 8, WORTH = 50000 };
 
 static void swap(struct kd_point *a, struct kd_point *b)

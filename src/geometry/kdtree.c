@@ -1,7 +1,7 @@
 /*
- * kdtree - nearest points by the planes that part the tree: the distance to a node's cell is carried
- * down and changed in one coordinate at a time (Arya and Mount 1993).  Ways through the tree are in
- * kdtree_beside.c.
+ * kdtree - nearest points by the planes that part the tree: the distance to a node's cell is
+ * carried down and changed in one coordinate at a time (Arya and Mount 1993).  Ways through the
+ * tree are in kdtree_beside.c.
  */
 #include "kdtree.h"
 
@@ -46,8 +46,8 @@ struct nearest {
     double *distance2;
 };
 
-/* Puts a point where `at` is free, among the first n, those under it nearer; among equals the larger
- * index is the farther. */
+/* Puts a point where `at` is free, among the first n, those under it nearer; among equals the
+ * larger index is the farther. */
 static void settle(struct nearest *s, size_t at, size_t n, size_t index, double distance2)
 {
     size_t *all = s->index;

@@ -18,7 +18,7 @@ struct leaving {
 };
 
 /*
- * A point p keeps the centre c + h * up out of an interval of h: those with |c + h up - p| < R.  Its
+ * A point p keeps the centre c + h * up out of an interval of h: those with |c + h up - p| < R. Its
  * upper end, a root of a quadratic.
  */
 static double leaves(const double p[3], struct vec3 c, struct vec3 up, double radius)

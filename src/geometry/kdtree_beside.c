@@ -1,9 +1,9 @@
 /*
  * kdtree_beside - what is nearest to a straight way, or lowest; see kdtree.h.
  *
- * Points of a surface lie thin in the cells of the planes that part the tree, and a ball that touches
- * it reaches into all cells under it: what looks for the nearest point to a way goes by the boxes
- * around the points of the nodes instead.
+ * Points of a surface lie thin in the cells of the planes that part the tree, and a ball that
+ * touches it reaches into all cells under it: what looks for the nearest point to a way goes by the
+ * boxes around the points of the nodes instead.
  */
 #include <math.h>
 #include <stdint.h>

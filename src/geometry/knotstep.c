@@ -14,8 +14,8 @@ enum { ORDER = BSPLINE_DEGREE_MAX + 1, SLOPES = 2 * BSPLINE_DEGREE_MAX };
 static const double APPROACH = 0.4; /* of the way to its neighbour, at most, for a knot in a step */
 
 /*
- * How far apart the unknowns of a span are at most: in it act the poles i .. i + p and 2 p knots, of
- * which the first stands behind pole i + 1 - early and the last behind i + 2 p - early.
+ * How far apart the unknowns of a span are at most: in it act the poles i .. i + p and 2 p knots,
+ * of which the first stands behind pole i + 1 - early and the last behind i + 2 p - early.
  */
 static size_t band_of(size_t p, size_t width, size_t early)
 {

@@ -10,7 +10,7 @@ static const double WIDER = 3;                  /* must, by this factor for each
 static const double STEP = 0.04363323129985824; /* 2.5 degrees */
 static const double RAMP = 0.05;                /* of the lean, 1/mm */
 static const double OUTSIDE = 0.05;             /* cosine of axis and normal, at least */
-static const double FINE = 0.02;                /* mm: poses no further apart need no more between */
+static const double FINE = 0.02; /* mm: poses no further apart need no more between */
 
 static double clearance(const struct lean_rule *rule, const struct run_point *p, double below)
 {
@@ -120,7 +120,8 @@ static bool lean_more(const struct lean_rule *rule, const struct run *run, const
         if (is_clear(rule, p, 0.9 * margin[i]))
             continue;
         double least = STEP + 2 * asin(fmin(vec_length(own[i]) / 2, 1));
-        if (!find_lean(rule, p, margin[i], rule_axis[i], least, i > 0 ? p[-1].axis : p->axis, &axis))
+        if (!find_lean(rule, p, margin[i], rule_axis[i], least, i > 0 ? p[-1].axis : p->axis,
+                       &axis))
             continue;
         own[i] = vec_sub(axis, rule_axis[i]);
         any = true;
@@ -181,7 +182,8 @@ double lean_away(const struct lean_rule *rule, struct run *run, bool *touches)
     }
     for (int trial = 0; trial < TRIALS && again; trial++) {
         bool leaned = false;
-        for (int round = 0; round < ROUNDS && lean_more(rule, run, margin, rule_axis, own); round++) {
+        for (int round = 0; round < ROUNDS && lean_more(rule, run, margin, rule_axis, own);
+             round++) {
             spread(run, rule_axis, own);
             leaned = true;
         }

@@ -16,7 +16,8 @@ static bool before(struct ranked p, struct ranked q)
     return p.distance2 < q.distance2 || (p.distance2 == q.distance2 && p.index < q.index);
 }
 
-/* Puts the k first ones of n in front, in no particular but repeatable order (Hoare's selection). */
+/* Puts the k first ones of n in front, in no particular but repeatable order (Hoare's selection).
+ */
 static void select_first(struct ranked *r, size_t n, size_t k)
 {
     for (size_t from = 0, to = n; to - from > 1 && k > from;) {

@@ -83,7 +83,8 @@ static double dot(const double *a, const double *b, size_t from, size_t to)
 }
 
 /* Sum over the points [from, to), both ends of the lever. */
-static double dots(const struct powersum *s, const double *a, const double *b, size_t from, size_t to)
+static double dots(const struct powersum *s, const double *a, const double *b, size_t from,
+                   size_t to)
 {
     size_t n = s->points;
     double sum = dot(a, b, from, to);

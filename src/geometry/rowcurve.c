@@ -19,8 +19,8 @@ static struct vec3 turn_back(const struct footprint *f, double x, double y)
     return vec(f->cosine * x - f->sine * y, f->sine * x + f->cosine * y, 0);
 }
 
-/* Puts a place at the height of the point nearest to it seen from above, the upper one of two; false
- * when that is farther than `reach`. */
+/* Puts a place at the height of the point nearest to it seen from above, the upper one of two;
+ * false when that is farther than `reach`. */
 static bool drop_onto(const struct buckets *b, struct vec3 *at, double reach)
 {
     double least = reach * reach;
@@ -41,9 +41,9 @@ static bool drop_onto(const struct buckets *b, struct vec3 *at, double reach)
     return found;
 }
 
-/* The surface over (x, y) of the grid's axes, from a quadric through the nearest points, few of them
- * where it bends; where that is off them (an edge), the point nearest there.  False where there are
- * none within `reach`. */
+/* The surface over (x, y) of the grid's axes, from a quadric through the nearest points, few of
+ * them where it bends; where that is off them (an edge), the point nearest there.  False where
+ * there are none within `reach`. */
 static bool surface_at(const struct buckets *b, const struct footprint *f, double x, double y,
                        double reach, double tolerance, struct vec3 *found)
 {

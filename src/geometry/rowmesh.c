@@ -302,7 +302,8 @@ static struct rowmesh sum_up(const struct work *w, struct mesh *mesh)
         }
     }
     for (size_t i = 0; i < mesh->col.n; i++)
-        result.columns = mesh->col.item[i] >= result.columns ? mesh->col.item[i] + 1 : result.columns;
+        result.columns =
+            mesh->col.item[i] >= result.columns ? mesh->col.item[i] + 1 : result.columns;
     result.rms = points > 0 ? sqrt(sum2 / (double)points) : 0;
     for (size_t i = 0; i < w->buckets->n; i++)
         result.beside += !w->covered[i];

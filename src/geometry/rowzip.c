@@ -38,7 +38,8 @@ static double off_cloud(const struct buckets *b, struct vec3 at)
  * shortest edges are taken. */
 static double cost_of(const struct zip *z, size_t i, size_t j)
 {
-    const double aslant = 0.1; /* of the error, for each time that it is as long as the rows are apart */
+    const double aslant =
+        0.1; /* of the error, for each time that it is as long as the rows are apart */
     const struct footprint *f = z->footprint;
     struct vec3 p = z->a[i], q = z->b[j], middle = vec_mix(p, q, 0.5);
     double off = off_cloud(z->buckets, vec(f->cosine * middle.x - f->sine * middle.y,

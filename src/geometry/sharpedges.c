@@ -4,7 +4,8 @@
 
 #include "meshweld.h"
 
-/* The edge of a facet from its corner i on, by the first vertices at its ends, the smaller first. */
+/* The edge of a facet from its corner i on, by the first vertices at its ends, the smaller first.
+ */
 struct side {
     size_t end[2];
     size_t facet;

@@ -74,8 +74,8 @@ static double reach_of(const struct buckets *b, struct vec3 p)
     return sqrt(distance2[n - 1]);
 }
 
-/* Beside a dense surface a sparse one is no clump: more of the neighbours than make one are as far from
- * theirs. */
+/* Beside a dense surface a sparse one is no clump: more of the neighbours than make one are as far
+ * from theirs. */
 static bool is_sparse_surface(const struct buckets *b, const uint32_t *near, double reach)
 {
     int wider = 0;

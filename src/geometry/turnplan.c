@@ -85,8 +85,9 @@ static void offer_all(struct search *s, const struct turnplan_place *place,
 }
 
 /* From a state of the place before on to this one in a block. */
-static void go_on(struct search *s, const struct turnplan_place *place, const struct turnground *ground,
-                  const struct state *from, uint16_t by, uint16_t into[])
+static void go_on(struct search *s, const struct turnplan_place *place,
+                  const struct turnground *ground, const struct state *from, uint16_t by,
+                  uint16_t into[])
 {
     for (int k = 0; k < ground->found.n; k++) {
         double q[ROTARY_MAX] = {0}, base[ROTARY_MAX] = {0}, most = 0;

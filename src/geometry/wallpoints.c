@@ -50,7 +50,8 @@ static bool make_raster(const struct vec3 *point, size_t n, double spacing, stru
         xmax = fmax(xmax, point[i].x);
         ymax = fmax(ymax, point[i].y);
     }
-    double columns = floor((xmax - r->x) / r->width) + 1, rows = floor((ymax - r->y) / r->width) + 1;
+    double columns = floor((xmax - r->x) / r->width) + 1,
+           rows = floor((ymax - r->y) / r->width) + 1;
     if (!(columns * rows < 20.0 * (double)n + 1000))
         return false;
     r->columns = (size_t)columns;
@@ -117,7 +118,8 @@ static void look(void *context, size_t from, size_t to)
             near[k] = l->point[index[k]];
         /* where two walls meet at a corner a plane leaves more */
         double most = fabs(plane_z(near, n, plane)) < STEEP / 2 ? 0.75 : 0.5;
-        l->steep[i] = n == NEAR && fabs(plane->normal.z) < STEEP && plane->rms < most * plane->width;
+        l->steep[i] =
+            n == NEAR && fabs(plane->normal.z) < STEEP && plane->rms < most * plane->width;
     }
 }
 
