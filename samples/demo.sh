@@ -13,6 +13,7 @@ export PATH CLOUDMILL_MACHINES
 out=${1:-demo}
 scan=samples/face_nefertiti_26493.xyz
 spacing=2 radius=5 tolerance=0.01 deepest=0.1
+rate=20 # degrees a mm: the normals of a rough scan swing
 mkdir -p "$out"
 
 # job FITTER CONTROL FITTED PROGRAM: the program, and the reader's report on it
@@ -47,8 +48,8 @@ cloud2mesh -q -t $spacing -o "$out/face.ply" $scan
 echo "  $(wc -l <$scan | tr -d ' ') scan points," \
 	"$(sed -n 's/^element vertex //p' "$out/face.ply") nodes on a triangular grid of $spacing mm"
 
-echo "\$ meshnorm -r $radius --avoid -g $scan $out/face.ply > $out/face.cl"
-meshnorm -q -r $radius --avoid -g $scan -o "$out/face.cl" "$out/face.ply"
+echo "\$ meshnorm -r $radius --avoid --axis-rate $rate -g $scan $out/face.ply > $out/face.cl"
+meshnorm -q -r $radius --avoid --axis-rate $rate -g $scan -o "$out/face.cl" "$out/face.ply"
 echo "  $(grep -c CONTCT/ "$out/face.cl") points in $(grep -c PASS/ "$out/face.cl") passes;" \
 	"a ball of radius $radius, kept clear of all of the scan" \
 	"(what it does not fit stays standing)"
