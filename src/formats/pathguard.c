@@ -57,12 +57,6 @@ int pathguard_read(struct pathguard *guard, const struct path *path, double tole
     return guard->rule.guard ? 0 : -1;
 }
 
-static bool is_pose(const struct path_item *item)
-{
-    return item->kind == PATH_POINT || item->kind == PATH_ARC || item->kind == PATH_SPLINE ||
-           item->kind == PATH_HOLE;
-}
-
 /* The last pass that begins before the item. */
 static size_t pass_of(const struct path *path, size_t item)
 {
@@ -94,9 +88,9 @@ static void look_at_carried(struct pathguard *guard, const struct path *path, si
         const struct path_item *item = &path->item.item[i], *before = item - 1;
         if (item->kind != PATH_POINT || item->rapid)
             continue;
-        while (before > path->item.item && !is_pose(before))
+        while (before > path->item.item && !path_moves(before))
             before--;
-        if (!is_pose(before))
+        if (!path_moves(before))
             continue;
         struct motion line = motion_line(before->to, item->to);
         recheck_motion(&guard->rule, &line, &deeps);

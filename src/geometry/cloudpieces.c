@@ -98,35 +98,13 @@ static void dissolve(const struct cloudpieces *c, int *of, enum voters voters)
     free(old);
 }
 
-/* What is left of a size that is worth it, far from all parts: islands. */
-static void add_islands(const struct cloudpieces *c, int *of, struct ints *label)
+/* Numbers the pieces of at least so many points among those that have none: each is a part. */
+static void number_pieces(const struct cloudpieces *c, double least, int *of, struct ints *label)
 {
     int *seen = mem_alloc(c->n, sizeof *seen);
     struct sizes piece = {0};
 
     memcpy(seen, of, c->n * sizeof *seen);
-    for (size_t i = 0; i < c->n; i++) {
-        if (seen[i] != CLOUDPIECE_NONE)
-            continue;
-        piece.n = 0;
-        gather(c, i, 0, seen, &piece);
-        for (size_t k = 0; k < piece.n && piece.n >= FEWEST; k++)
-            of[piece.item[k]] = (int)label->n;
-        if (piece.n >= FEWEST)
-            *array_push(label) = c->label[i];
-    }
-    array_free(&piece);
-    free(seen);
-}
-
-void cloudpieces_find(const struct cloudpieces *c, int *of, struct ints *label)
-{
-    double least = fmax(FEWEST, SMALL * (double)c->n);
-    int *seen = mem_alloc(c->n, sizeof *seen);
-    struct sizes piece = {0};
-
-    for (size_t i = 0; i < c->n; i++)
-        seen[i] = of[i] = CLOUDPIECE_NONE;
     for (size_t i = 0; i < c->n; i++) {
         if (seen[i] != CLOUDPIECE_NONE)
             continue;
@@ -140,7 +118,14 @@ void cloudpieces_find(const struct cloudpieces *c, int *of, struct ints *label)
     }
     array_free(&piece);
     free(seen);
+}
+
+void cloudpieces_find(const struct cloudpieces *c, int *of, struct ints *label)
+{
+    for (size_t i = 0; i < c->n; i++)
+        of[i] = CLOUDPIECE_NONE;
+    number_pieces(c, fmax(FEWEST, SMALL * (double)c->n), of, label);
     dissolve(c, of, SMOOTH);
     dissolve(c, of, ANY);
-    add_islands(c, of, label);
+    number_pieces(c, FEWEST, of, label); /* far from all parts: islands */
 }
