@@ -81,9 +81,6 @@ struct dialect {
 /* By its name; NULL: none. */
 const struct dialect *dialect_find(const char *name);
 
-/* All of them, as a choice of cli.h. */
-#define DIALECT_NAMES "fanuc|siemens|heidenhain|linuxcnc"
-
 /* What a program for this control and machine may hold.  `still`: the rotary axes stay at zero, and
  * nothing needs to be said of them. */
 struct nc_ability dialect_ability(const struct dialect *dialect, const struct machine *machine,

@@ -4,8 +4,8 @@
 #ifndef CLOUDMILL_EARCLIP_H
 #define CLOUDMILL_EARCLIP_H
 
-#include "mesh.h"
-#include "nurbs.h"
+#include "faces.h"
+#include "uv.h"
 
 /*
  * Appends the n - 2 triangles of a polygon whose corners run counter-clockwise, the best shaped ear

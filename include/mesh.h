@@ -10,16 +10,8 @@
 
 #include "array.h"
 #include "error.h"
+#include "faces.h"
 #include "vec.h"
-
-struct face {
-    int v[3]; /* vertices, counter-clockwise seen from outside */
-};
-
-struct faces {
-    size_t n, cap;
-    struct face *item;
-};
 
 /* One of the surfaces that a mesh was made from: where it is most tightly hollow. */
 struct mesh_surface {

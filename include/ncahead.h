@@ -33,8 +33,4 @@ bool nc_ahead_make(struct nc_ahead *ahead, const struct nc_step *step, size_t fr
 
 void nc_ahead_free(struct nc_ahead *ahead);
 
-/* The motion that an item of the path is, from the pose before it. */
-struct motion nc_item_motion(const struct path *path, const struct path_item *item,
-                             struct pose from);
-
 #endif

@@ -12,6 +12,7 @@
 #include <stddef.h>
 
 #include "error.h"
+#include "uv.h"
 #include "vec.h"
 
 enum { NURBS_DEGREE_MAX = 25 };
@@ -42,16 +43,6 @@ struct nurbs_curve {
 struct nurbs {
     struct nurbs_axis u, v;
     struct nurbs_pole *pole;
-};
-
-/* A place in the plane of the two parameters. */
-struct uv {
-    double u, v;
-};
-
-struct uvs {
-    size_t n, cap;
-    struct uv *item;
 };
 
 /* Point, unit normal along dS/du x dS/dv, and principal curvatures k1 >= k2 in 1/mm, positive

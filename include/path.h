@@ -189,6 +189,10 @@ void path_touch(struct path *path, struct path_item *item, struct contact contac
 /* Appends items [from, to) of another path, unchanged (deep copies of what they point at). */
 void path_add_items(struct path *path, const struct path *other, size_t from, size_t to);
 
+/* The motion that an item of the path is, from the pose before it. */
+struct motion path_item_motion(const struct path *path, const struct path_item *item,
+                               struct pose from);
+
 /*
  * Holes of drilling cycles become the straight motions that they stand for: at rapid above the
  * mouth, down to `clear`, at feed to the bottom (in steps), out to `retract`.  A step begins at

@@ -8,7 +8,6 @@
 #include "out.h"
 #include "parallel.h"
 #include "path.h"
-#include "ncahead.h"
 #include "pathguard.h"
 #include "retilt.h"
 
@@ -62,7 +61,7 @@ static void fit_run(void *context, const struct run *run, struct deeps *deeps)
         const struct path_item *item = &fitted->item.item[i];
         if (item->kind != PATH_POINT && item->kind != PATH_ARC)
             continue;
-        struct motion motion = nc_item_motion(fitted, item, at);
+        struct motion motion = path_item_motion(fitted, item, at);
         recheck_motion(work->guard, &motion, deeps);
         at = item->to;
     }

@@ -9,6 +9,7 @@
 
 #include "array.h"
 #include "cli.h"
+#include "control.h"
 #include "dialect.h"
 #include "machine.h"
 #include "nccutcom.h"
@@ -56,7 +57,7 @@ static void read_limit(struct settings *s, const struct cli *cli)
 static void read_options(struct settings *s, struct cli *cli, int argc, char **argv)
 {
     const struct cli_option option[] = {
-        {'c', "control", DIALECT_NAMES, "control to write for (default: the machine's own)",
+        {'c', "control", CONTROL_NAMES, "control to write for (default: the machine's own)",
          CLI_CHOICE, &s->control, 0, 0, 0, &s->control_given},
         {'m', "machine", "NAME",
          "machine: NAME.txt in this folder, in $CLOUDMILL_MACHINES or among\n"
@@ -130,12 +131,12 @@ static const struct dialect *choose_dialect(const struct settings *s, const stru
     static const char *const names[] = {"fanuc", "siemens", "heidenhain", "linuxcnc"};
     const char *name = s->control_given ? names[s->control] : machine->control;
     if (!*name)
-        die_usage("found no control, expected -c %s (machine %s names none)", DIALECT_NAMES,
+        die_usage("found no control, expected -c %s (machine %s names none)", CONTROL_NAMES,
                   machine->name);
     const struct dialect *dialect = dialect_find(name);
     struct error error;
     if (!dialect)
-        die("machine %s: control: found `%s`, expected %s", machine->name, name, DIALECT_NAMES);
+        die("machine %s: control: found `%s`, expected %s", machine->name, name, CONTROL_NAMES);
     if (s->program && dialect->check_name(s->program, &error) != 0)
         die_usage("%s", error.text);
     if (s->vectors && dialect->vectors_never)
@@ -218,7 +219,7 @@ int main(int argc, char **argv)
 {
     struct settings s = settings_default();
     struct cli cli = {.tool = "ncpost",
-                      .usage = "-c " DIALECT_NAMES " [-m MACHINE] [options] [FILE]",
+                      .usage = "-c " CONTROL_NAMES " [-m MACHINE] [options] [FILE]",
                       .about = "Write the NC program of a path for a control and a machine."};
     read_options(&s, &cli, argc, argv);
     struct machine machine = read_machine(&s);

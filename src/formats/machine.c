@@ -6,9 +6,9 @@
 #include <string.h>
 
 #include "array.h"
-#include "dialect.h"
+#include "control.h"
 #include "keys.h"
-#include "nctemplate.h"
+#include "template.h"
 
 static const char letters[] = "XYZABC";
 
@@ -158,7 +158,7 @@ static int check_templates(const struct machine *m, char key[KEY_NAME], struct e
                {"plane.off", b->plane_off}};
     for (size_t i = 0; i < sizeof all / sizeof *all; i++) {
         snprintf(key, KEY_NAME, "%s", all[i].key);
-        if (nc_template_check(all[i].text, error) != 0)
+        if (template_check(all[i].text, error) != 0)
             return -1;
     }
     return 0;
@@ -208,8 +208,8 @@ int machine_assemble(struct machine *m, char key[KEY_NAME], struct error *error)
     static const int axes_of_type[] = {2, 2, 2, 1, 1, 0};
     int letter[ROTARY_MAX] = {0, 0}, n = axes_of_type[m->type];
     snprintf(key, KEY_NAME, "control");
-    if (*m->control && !dialect_find(m->control))
-        return error_set(error, "control: found `%s`, expected %s", m->control, DIALECT_NAMES);
+    if (*m->control && !control_known(m->control))
+        return error_set(error, "control: found `%s`, expected %s", m->control, CONTROL_NAMES);
     if (check_templates(m, key, error) != 0 || check_travel(m, key, error) != 0)
         return -1;
     snprintf(key, KEY_NAME, "axes");

@@ -7,18 +7,6 @@
 
 enum { DEPTH = 12, SPAN_PIECES = 8, HALVINGS = 45, PLACES_MAX = 10000000 };
 
-struct motion nc_item_motion(const struct path *path, const struct path_item *item,
-                             struct pose from)
-{
-    if (item->kind == PATH_ARC) {
-        const struct path_arc *arc = &path->arc.item[item->index];
-        return motion_arc(from, item->to, arc->centre, arc->axis);
-    }
-    if (item->kind == PATH_SPLINE)
-        return motion_spline(from, item->to, &path->spline.item[item->index].curve);
-    return motion_line(from, item->to);
-}
-
 static void add(struct nc_ahead *ahead, struct pose at, double s, bool may_turn)
 {
     const struct nc_step *step = ahead->step;
@@ -165,7 +153,7 @@ static void sample_items(struct nc_ahead *ahead, size_t from, size_t to)
             ahead->n = ahead->s.n = 0;
             add(ahead, item->to, 1, true);
         } else {
-            struct motion motion = nc_item_motion(path, item, pose);
+            struct motion motion = path_item_motion(path, item, pose);
             sample_motion(ahead, &step->machine->chain, &motion);
         }
         pose = item->to;

@@ -61,7 +61,7 @@ static int cut(struct nc_step *step, const struct path_item *item)
     if (item->kind == PATH_POINT) {
         result = nc_step_line(step, item->to);
     } else {
-        struct motion motion = nc_item_motion(path, item, step->state.pose);
+        struct motion motion = path_item_motion(path, item, step->state.pose);
         result = nc_step_motion(step, &motion);
     }
     step->state.faster = 1;

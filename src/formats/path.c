@@ -209,3 +209,15 @@ bool path_next_run(const struct path *path, size_t *from, size_t *to)
     }
     return false;
 }
+
+struct motion path_item_motion(const struct path *path, const struct path_item *item,
+                               struct pose from)
+{
+    if (item->kind == PATH_ARC) {
+        const struct path_arc *arc = &path->arc.item[item->index];
+        return motion_arc(from, item->to, arc->centre, arc->axis);
+    }
+    if (item->kind == PATH_SPLINE)
+        return motion_spline(from, item->to, &path->spline.item[item->index].curve);
+    return motion_line(from, item->to);
+}

@@ -1,7 +1,11 @@
 /* earclip - see earclip.h. */
 #include "earclip.h"
 
+#include <math.h>
+#include <stdbool.h>
 #include <stdlib.h>
+
+#include "array.h"
 
 /* The polygon as a ring; quality is that of the ear at a corner, below 0 where there is none. */
 struct ring {
