@@ -25,6 +25,8 @@ back_src := $(wildcard tests/readback/*.c)
 unit_src := $(wildcard tests/check_*.c)
 help_src := $(filter-out $(unit_src),$(wildcard tests/*.c))
 bench_src := $(wildcard tests/bench/*.c)
+c_files  := $(wildcard src/*.c src/*/*.c include/*.h tests/*.[ch] tests/readback/*.[ch] \
+              tests/bench/*.c tests/accuracy/*.c)
 cloud    := $(BUILD)/tests/accuracy/cloud
 manuals  := $(wildcard man/*.[157])
 machines := $(wildcard machines/*.txt)
@@ -39,7 +41,7 @@ benches  := $(bench_src:tests/bench/%.c=$(BUILD)/bench/%)
 readback := $(if $(back_src),$(BUILD)/tests/readback/readback)
 
 # What `make deps` installs: for the tests, and for lint and fuzz.
-packages = check pkg-config mandoc clang clang-tidy cppcheck shellcheck gcovr parallel python3 chromium
+packages = check pkg-config mandoc clang clang-format clang-tidy cppcheck shellcheck gcovr parallel python3 chromium
 # Its interpreter rs274 judges our programs where it is there; else those tests are passed over.
 judge = linuxcnc-uspace
 
@@ -99,6 +101,7 @@ deps:
 	-DEBIAN_FRONTEND=noninteractive apt-get install -y --no-install-recommends $(judge)
 
 lint:
+	clang-format --dry-run --Werror $(c_files)
 	cppcheck --quiet --std=c11 --enable=warning,performance,portability --inline-suppr \
 	  --suppress=missingIncludeSystem --error-exitcode=1 -I include -I tests src tests
 	clang-tidy --quiet --warnings-as-errors='*' $(tool_src) $(lib_src) -- $(FLAGS) $(DEFS)

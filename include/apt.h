@@ -26,11 +26,17 @@ struct apt_argument {
 struct apt {
     const char *word; /* major word, "" for a comment that carries nothing */
     const char *raw;  /* the statement as it stood, joined, without blanks around */
-    bool comment; /* it stands behind $$; with `$$->` word and arguments are filled all the same */
-    bool slash;       /* there was a slash behind the word */
-    unsigned line;    /* where it starts */
-    struct { size_t n, cap; struct apt_argument *item; } argument;
-    struct { size_t n, cap; char *item; } joined, upper; /* storage of the above */
+    bool comment;  /* it stands behind $$; with `$$->` word and arguments are filled all the same */
+    bool slash;    /* there was a slash behind the word */
+    unsigned line; /* where it starts */
+    struct {
+        size_t n, cap;
+        struct apt_argument *item;
+    } argument;
+    struct {
+        size_t n, cap;
+        char *item;
+    } joined, upper; /* storage of the above */
 };
 
 /* The next statement that is not empty: 1; 0 at the end of the input; -1: error. */

@@ -23,14 +23,14 @@ struct arcrun_options {
 
 /* What became of one or more runs. */
 struct arcrun_report {
-    size_t points;     /* of the input */
+    size_t points; /* of the input */
     size_t arcs, lines;
-    size_t c, s;       /* pairs of arcs with a common tangent that bend the same or the other way */
-    size_t loops;      /* paper: intervals where its biarc is none */
-    size_t corners;    /* kept as they are */
-    size_t kinks;      /* other places where the direction jumps */
-    double length;     /* mm */
-    double spent;      /* of the tolerance, mm: what is strayed and what the reference takes */
+    size_t c, s;    /* pairs of arcs with a common tangent that bend the same or the other way */
+    size_t loops;   /* paper: intervals where its biarc is none */
+    size_t corners; /* kept as they are */
+    size_t kinks;   /* other places where the direction jumps */
+    double length;  /* mm */
+    double spent;   /* of the tolerance, mm: what is strayed and what the reference takes */
     struct stray worst;
 };
 

@@ -46,7 +46,7 @@ struct axis_feed {
  * cos(theta) n + sin(theta) (cos(psi) T + sin(psi) B): with one of them zero the other one is
  * theta.
  */
-struct vec3 axis_at(const struct axis_rule *rule, const struct axis_feed *feed,
-                    struct vec3 centre, struct vec3 normal);
+struct vec3 axis_at(const struct axis_rule *rule, const struct axis_feed *feed, struct vec3 centre,
+                    struct vec3 normal);
 
 #endif

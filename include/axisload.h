@@ -27,8 +27,8 @@ struct axisload_peak {
 
 struct axisload {
     double low[LOAD_AXES], high[LOAD_AXES]; /* travel used; low > high: never moved */
-    size_t beyond;               /* pieces that leave the travel ... */
-    struct axisload_peak travel; /* ... the first of them: value is the place of the axis */
+    size_t beyond;                          /* pieces that leave the travel ... */
+    struct axisload_peak travel;        /* ... the first of them: value is the place of the axis */
     size_t unreachable, unreachable_at; /* tool axes that the machine has no angles for */
     struct axisload_peak jump;   /* largest turn of a rotary axis in one block that cuts, degrees */
     struct axisload_peak swing;  /* largest turn for a mm of the tip in one such block, degrees */
@@ -36,7 +36,7 @@ struct axisload {
     struct axisload_peak speed;  /* ... the worst: value is the share of its largest speed */
     double cut_time, rapid_time; /* minutes; blocks too fast take as long as the axis needs */
     double cut_length, rapid_length; /* of the tip, mm */
-    size_t no_feed;              /* pieces at feed without a feed */
+    size_t no_feed;                  /* pieces at feed without a feed */
 };
 
 struct axisload axisload_run(const struct course *course, const struct axisload_limits *limits);

@@ -22,12 +22,12 @@ struct ballroll_setup {
 enum { BALLROLL_PERCENTILES = 3 }; /* 50, 95, 99 */
 
 struct ballroll {
-    size_t points, cut;      /* all, and those of the region cut */
-    size_t gouged, left;     /* of these beyond the tolerance */
-    double *deviation;       /* of each point, at most band */
-    unsigned *segment;       /* of each point, the nearest of the path; UINT_MAX: beyond the band */
-    unsigned char *region;   /* of each point: 1 when it is of the region cut */
-    double gouge, over;      /* worst, mm, 0 at least */
+    size_t points, cut;    /* all, and those of the region cut */
+    size_t gouged, left;   /* of these beyond the tolerance */
+    double *deviation;     /* of each point, at most band */
+    unsigned *segment;     /* of each point, the nearest of the path; UINT_MAX: beyond the band */
+    unsigned char *region; /* of each point: 1 when it is of the region cut */
+    double gouge, over;    /* worst, mm, 0 at least */
     size_t gouge_at, over_at; /* points there */
     double gouge_part[BALLROLL_PERCENTILES], over_part[BALLROLL_PERCENTILES];
 };

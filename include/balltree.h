@@ -19,8 +19,7 @@ void balltree_free(struct balltree *tree);
  * The distance of p to the nearest segment and, when it is below `within`, that segment in
  * *nearest; else `within` itself.  *nearest on entry: a segment that may be near, to begin with.
  */
-double balltree_nearest(const struct balltree *tree, struct vec3 p, double within,
-                        size_t *nearest);
+double balltree_nearest(const struct balltree *tree, struct vec3 p, double within, size_t *nearest);
 
 /*
  * Is p among places where the ball touches the part, or beside them?  Seen along the unit vector n,

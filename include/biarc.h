@@ -33,7 +33,8 @@ bool biarc_shortest(struct vec3 from, struct vec3 t1, struct vec3 to, struct vec
 
 /*
  * The curvatures of its arcs by the formulas of paper 1, 3.4, 1/mm:
- * k1 = |t1 x s - b t1 x t3| / (s^2 / 2 - b s . t3), k2 = |s x t3 - a t1 x t3| / (s^2 / 2 - a s . t1).
+ * k1 = |t1 x s - b t1 x t3| / (s^2 / 2 - b s . t3), k2 = |s x t3 - a t1 x t3| / (s^2 / 2 - a s .
+ * t1).
  */
 void biarc_curvatures(const struct biarc *biarc, struct vec3 t3, double *first, double *second);
 

@@ -21,8 +21,9 @@ struct bspline {
     size_t poles;
     double *knot;      /* poles + degree + 1 */
     struct vec3 *pole; /* of the tracked point, mm */
-    struct vec3 *head; /* of head = tip + length * axis on the same knots; NULL: the axis is fixed */
-    double length;     /* distance from the tip to the head, mm */
+    struct vec3
+        *head;     /* of head = tip + length * axis on the same knots; NULL: the axis is fixed */
+    double length; /* distance from the tip to the head, mm */
 };
 
 struct bspline bspline_new(int degree, size_t poles, bool with_head);

@@ -48,15 +48,15 @@ struct cli_option {
 };
 
 struct cli {
-    const char *tool;               /* name for messages and usage */
-    const char *usage;              /* "[options] [FILE...]" */
-    const char *about;              /* one line: what the tool does */
+    const char *tool;                /* name for messages and usage */
+    const char *usage;               /* "[options] [FILE...]" */
+    const char *about;               /* one line: what the tool does */
     const struct cli_option *option; /* ends with a name of NULL */
-    const struct cli_option *more;  /* a second such table, of options that tools share; or NULL */
-    const char *output;             /* -o, NULL: standard output */
-    int threads;                    /* -j, 0: as many as there are processors */
-    int files;                      /* how many operands there were ... */
-    char **file;                    /* ... and they; none: one, "-" */
+    const struct cli_option *more;   /* a second such table, of options that tools share; or NULL */
+    const char *output;              /* -o, NULL: standard output */
+    int threads;                     /* -j, 0: as many as there are processors */
+    int files;                       /* how many operands there were ... */
+    char **file;                     /* ... and they; none: one, "-" */
 };
 
 /* Reads the options.  -h and -V end the process with 0, a mistake with 2. */

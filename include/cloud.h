@@ -11,11 +11,11 @@
 /* What was read and what was passed over, for the tool to tell. */
 struct cloud_count {
     size_t points;
-    size_t comments;   /* lines */
-    size_t heads;      /* heading lines before the first point (names, prose, a count) */
-    size_t not_finite; /* rows with nan, inf or a number too large: left out */
-    size_t not_measured; /* empty cells of a PTX grid: left out */
-    size_t columns;    /* most columns of a row, as far as rows were looked at one by one */
+    size_t comments;         /* lines */
+    size_t heads;            /* heading lines before the first point (names, prose, a count) */
+    size_t not_finite;       /* rows with nan, inf or a number too large: left out */
+    size_t not_measured;     /* empty cells of a PTX grid: left out */
+    size_t columns;          /* most columns of a row, as far as rows were looked at one by one */
     size_t first_not_finite; /* line of the first of them, 0: the format has no lines */
 };
 

@@ -28,9 +28,9 @@ enum cloud_row_kind {
 struct cloud_row {
     enum cloud_row_kind kind;
     struct vec3 p;
-    size_t columns; /* before a comment */
-    size_t numbers; /* columns from the first one on that are numbers */
-    char point;     /* decimal point of the coordinates, 0: none had one */
+    size_t columns;   /* before a comment */
+    size_t numbers;   /* columns from the first one on that are numbers */
+    char point;       /* decimal point of the coordinates, 0: none had one */
     const char *word; /* CLOUD_WORD: the column ... */
     int word_n;       /* ... and as much of it as a message shows */
 };

@@ -22,8 +22,8 @@ int cloudmesh_by_grid(const struct cloudmesh_wish *wish, const struct cloud_part
                       struct error *error);
 
 /* Normals, and vertices moved where there is noise, from n points, which it sorts. */
-int cloudmesh_normals(const struct cloudmesh_wish *wish, struct vec3 *point, size_t n,
-                      double noise, int threads, struct mesh *mesh, struct error *error);
+int cloudmesh_normals(const struct cloudmesh_wish *wish, struct vec3 *point, size_t n, double noise,
+                      int threads, struct mesh *mesh, struct error *error);
 
 /* Creases and walls put into the mesh, and its normals to the side that is seen. */
 void cloudmesh_edges(const struct cloudmesh_wish *wish, const struct cloud_parts *parts,

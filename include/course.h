@@ -20,9 +20,9 @@ struct course_pose {
 
 enum shape {
     SHAPE_LINE,
-    SHAPE_ARC,  /* about `normal`, its radius and height changing evenly where they change */
+    SHAPE_ARC,        /* about `normal`, its radius and height changing evenly where they change */
     SHAPE_POLYNOMIAL, /* in s, of the fifth degree at most */
-    SHAPE_SPLINE /* part of a rational B-spline */
+    SHAPE_SPLINE      /* part of a rational B-spline */
 };
 
 /* What the second channel q of a piece holds, and how the axis follows from it. */
@@ -34,10 +34,10 @@ enum swing {
 
 struct course_spline {
     int order;
-    size_t n;          /* poles */
-    double *knot;      /* n + order */
+    size_t n;           /* poles */
+    double *knot;       /* n + order */
     struct vec3 *p, *q; /* poles of both channels; q NULL: it does not change */
-    double *weight;    /* NULL: all 1 */
+    double *weight;     /* NULL: all 1 */
 };
 
 /* A piece of shape ARC: about a line through `centre`, by the right-hand rule. */
@@ -55,17 +55,17 @@ struct course_polynomial {
 };
 
 struct piece {
-    unsigned char shape, swing;    /* enum shape, enum swing */
+    unsigned char shape, swing; /* enum shape, enum swing */
     bool rapid;
-    bool table;                    /* p is the place of the linear axes: rig_tip */
-    bool touches;                  /* a contact point was given for its end */
-    bool inverse;                  /* feed is one over the minutes that it takes */
-    int block;                     /* its N number, -1: none */
-    size_t line;                   /* of the program or stream */
-    size_t index;                  /* ARC, CUBIC, SPLINE: element of the course's array of these */
-    double feed;                   /* mm/min, 0: not said */
-    double u[2];                   /* SPLINE: from, to */
-    struct vec3 p[2], q[2];        /* both channels at the start and the end */
+    bool table;             /* p is the place of the linear axes: rig_tip */
+    bool touches;           /* a contact point was given for its end */
+    bool inverse;           /* feed is one over the minutes that it takes */
+    int block;              /* its N number, -1: none */
+    size_t line;            /* of the program or stream */
+    size_t index;           /* ARC, CUBIC, SPLINE: element of the course's array of these */
+    double feed;            /* mm/min, 0: not said */
+    double u[2];            /* SPLINE: from, to */
+    struct vec3 p[2], q[2]; /* both channels at the start and the end */
 };
 
 /* What the first channel is: the tool's tip, or the ball's centre. */
@@ -75,13 +75,25 @@ struct course {
     const char *name; /* of the file */
     struct rig rig;
     enum course_track track;
-    struct { size_t n, cap; struct piece *item; } piece;
-    struct { size_t n, cap; struct course_arc *item; } arc;
-    struct { size_t n, cap; struct course_polynomial *item; } polynomial;
-    struct { size_t n, cap; struct course_spline *item; } spline;
-    size_t blocks;  /* lines with something in them */
-    double dwell;   /* minutes that the tool stands still */
-    size_t passes;  /* the path stream's */
+    struct {
+        size_t n, cap;
+        struct piece *item;
+    } piece;
+    struct {
+        size_t n, cap;
+        struct course_arc *item;
+    } arc;
+    struct {
+        size_t n, cap;
+        struct course_polynomial *item;
+    } polynomial;
+    struct {
+        size_t n, cap;
+        struct course_spline *item;
+    } spline;
+    size_t blocks;                     /* lines with something in them */
+    double dwell;                      /* minutes that the tool stands still */
+    size_t passes;                     /* the path stream's */
     size_t lines, arcs, curves, poles; /* as programmed: straight moves, and so on */
 };
 

@@ -15,11 +15,11 @@ enum { CREST_MOST = 7 };
 
 /* Points of the surface over an edge, from its first end to its second. */
 struct crest {
-    int n;                        /* 0: straight, or nothing that bends one way only */
-    int top;                      /* which of them is on the crest, -1: none is */
-    double part[CREST_MOST];      /* of the way, seen from above */
+    int n;                   /* 0: straight, or nothing that bends one way only */
+    int top;                 /* which of them is on the crest, -1: none is */
+    double part[CREST_MOST]; /* of the way, seen from above */
     struct vec3 place[CREST_MOST], normal[CREST_MOST];
-    double kmax[CREST_MOST];      /* the larger principal curvature, as in quadric.h */
+    double kmax[CREST_MOST]; /* the larger principal curvature, as in quadric.h */
 };
 
 /* The surface bends over the edge from a to b by more than 4 % of its length, at a crest; beside it

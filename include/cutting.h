@@ -15,7 +15,7 @@ struct cutting {
     double radius; /* of the ball; each tool has -r in a table of its own */
     double tilt, lead, fixed[3], to_point[3], from_point[3], circle[7];
     double tolerance, limit, depth, noise, play, rate, lean, turn; /* degrees, degrees/mm */
-    struct vec3s certain, doubtful; /* points of the scan of -g (scan.h) */
+    struct vec3s certain, doubtful;                    /* points of the scan of -g (scan.h) */
     double clearance, approach, feed, plunge, spindle; /* clearance NAN: by the part */
     int layers, tool, coolant;
     bool paper, one_way, avoid;

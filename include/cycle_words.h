@@ -13,11 +13,11 @@ enum cycle_number {
     CYCLE_RAPID,   /* RAPTO */
     CYCLE_RETRACT, /* RTRCTO, RETURN */
     CYCLE_STEP,
-    CYCLE_NEXT,    /* of the steps behind the first, the smallest */
-    CYCLE_DWELL,   /* seconds */
-    CYCLE_FEED,    /* mm/min */
+    CYCLE_NEXT,  /* of the steps behind the first, the smallest */
+    CYCLE_DWELL, /* seconds */
+    CYCLE_FEED,  /* mm/min */
     CYCLE_PITCH,
-    CYCLE_TPI,     /* turns an inch */
+    CYCLE_TPI, /* turns an inch */
     CYCLE_NUMBERS
 };
 

@@ -11,13 +11,13 @@
 
 /* What is in the spindle and how it turns, as the program goes on. */
 struct nc_tooling {
-    size_t taken;    /* how many of the path's further tools came before it */
-    int number;      /* 0: none was given */
-    int offset;      /* of its length; the number where nothing else was said, 1 where none was */
-    double spindle;  /* rev/min, 0: it stands */
+    size_t taken;   /* how many of the path's further tools came before it */
+    int number;     /* 0: none was given */
+    int offset;     /* of its length; the number where nothing else was said, 1 where none was */
+    double spindle; /* rev/min, 0: it stands */
     bool ccw;
-    int coolant;     /* as in path_head */
-    size_t next;     /* where the program's first motion with it is looked for */
+    int coolant; /* as in path_head */
+    size_t next; /* where the program's first motion with it is looked for */
 };
 
 /* A program while it is written. */
@@ -26,18 +26,20 @@ struct nc_program {
     const struct machine *machine;
     const struct nc_plan *plan;
     struct nc_wish wish;
-    bool plane;             /* the path is in tilted planes, which the control turns to */
+    bool plane; /* the path is in tilted planes, which the control turns to */
     struct nc_planes planes;
-    size_t at_plane;        /* where the program is among them */
-    bool same_tool;         /* it is taken up again behind another plane */
-    int turned;             /* rotary axes of the machine that the control turns for them */
-    size_t part, parts;     /* 1 of 3; 0: the whole */
-    size_t met;             /* the move whose block is w.wanted */
+    size_t at_plane;    /* where the program is among them */
+    bool same_tool;     /* it is taken up again behind another plane */
+    int turned;         /* rotary axes of the machine that the control turns for them */
+    size_t part, parts; /* 1 of 3; 0: the whole */
+    size_t met;         /* the move whose block is w.wanted */
     struct nc_tooling tooling;
-    struct { int asked, on; } cutcom; /* nccutcom.h */
+    struct {
+        int asked, on;
+    } cutcom;                   /* nccutcom.h */
     bool cutcom_offset;         /* G41 wants D and a number */
     const struct nc_hole *hole; /* whose drilling cycle is on, NULL: none is */
-    const char *name; /* number or name asked for, NULL: by the dialect */
+    const char *name;           /* number or name asked for, NULL: by the dialect */
     struct nc_writer w;
 };
 
@@ -58,7 +60,7 @@ struct dialect {
     bool tcp_of_machine;          /* it has tool-centre-point control only where the machine file
                                      names this control and says so */
     enum nc_arcs arcs, arcs_vectors;
-    enum nc_arcs arcs_space;      /* those of a machine that has the key arcs.space */
+    enum nc_arcs arcs_space; /* those of a machine that has the key arcs.space */
     enum nc_splines splines, splines_vectors;
 
     /* -1: a name or number that the control does not take */

@@ -15,12 +15,12 @@
 
 /* The cloud, as wallpoints_part put it in order. */
 struct feature_cloud {
-    const struct kdtree *tree;     /* of the points that lie on no wall ... */
-    const struct vec3 *point;      /* ... which are these */
-    const struct kdtree *walls;    /* of those that do, NULL: there are none */
+    const struct kdtree *tree;  /* of the points that lie on no wall ... */
+    const struct vec3 *point;   /* ... which are these */
+    const struct kdtree *walls; /* of those that do, NULL: there are none */
     const struct vec3 *wall;
-    double spacing;                /* mean spacing of the points, mm */
-    double noise;                  /* standard deviation of it, mm */
+    double spacing; /* mean spacing of the points, mm */
+    double noise;   /* standard deviation of it, mm */
 };
 
 enum feature_kind { FEATURE_NONE, FEATURE_CREASE, FEATURE_WALL };

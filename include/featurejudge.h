@@ -14,7 +14,7 @@
  * a tenth of what `noise` (one standard deviation, mm) makes of it.
  */
 void featurejudge(const struct mesh *without, const struct mesh *with, const struct vec3 *point,
-                  size_t points, double reach, double noise, int threads,
-                  struct feature *feature, size_t n);
+                  size_t points, double reach, double noise, int threads, struct feature *feature,
+                  size_t n);
 
 #endif

@@ -25,10 +25,10 @@ struct follow {
 
 /* What a block says: the numbers as printed. */
 struct station {
-    struct vec3 p;          /* X Y Z: the tracked point; in FOLLOW_JOINT the linear axes */
-    struct vec3 a;          /* the tool axis: as the vector says it or, where there is none, as the
-                               rotary axes do */
-    double q[ROTARY_MAX];   /* the rotary axes, radians */
+    struct vec3 p;        /* X Y Z: the tracked point; in FOLLOW_JOINT the linear axes */
+    struct vec3 a;        /* the tool axis: as the vector says it or, where there is none, as the
+                             rotary axes do */
+    double q[ROTARY_MAX]; /* the rotary axes, radians */
 };
 
 /* A station, with its rotary axes' cosines and sines. */
@@ -61,10 +61,11 @@ struct pose follow_pose(const struct follow *f, const struct station *from,
  * between two poses; infinite where the block turns too far to say.
  *
  * Both move at the same time s, and e(s) is the difference of their axes (or points).  The parabola
- * through e(0), e(1/2), e(1) leaves the line through e(0) and e(1) by no more than |e(1/2) - (e(0) +
- * e(1)) / 2|; and e leaves the parabola by no more than max |e'''| sqrt(3) / 216, the remainder of the
- * interpolation.  Axes that turn through q0 and q1 have |a'''| <= (|q0| + |q1|)^3.  In FOLLOW_JOINT
- * the tip runs ahead or behind by its own e(s); what the axis turns meanwhile is added.
+ * through e(0), e(1/2), e(1) leaves the line through e(0) and e(1) by no more than |e(1/2) - (e(0)
+ * + e(1)) / 2|; and e leaves the parabola by no more than max |e'''| sqrt(3) / 216, the remainder
+ * of the interpolation.  Axes that turn through q0 and q1 have |a'''| <= (|q0| + |q1|)^3.  In
+ * FOLLOW_JOINT the tip runs ahead or behind by its own e(s); what the axis turns meanwhile is
+ * added.
  */
 struct deviation follow_line(const struct follow *f, const struct stance *from,
                              const struct stance *to, struct pose start, struct pose goal,

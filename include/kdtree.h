@@ -47,9 +47,8 @@ bool kdtree_any_beside(const struct kdtree *tree, struct vec3 a, struct vec3 b, 
  * *index; else `below`.  The value must change no faster than the distance between two places, as a
  * signed distance does.
  */
-double kdtree_lowest(const struct kdtree *tree,
-                     double (*value)(const void *context, struct vec3 p), const void *context,
-                     double below, size_t *index);
+double kdtree_lowest(const struct kdtree *tree, double (*value)(const void *context, struct vec3 p),
+                     const void *context, double below, size_t *index);
 
 /* Is it lower than `below` at any point?  Ends at the first. */
 bool kdtree_any_lower(const struct kdtree *tree,

@@ -27,7 +27,7 @@ struct key {
     double min, max; /* NUMBER, COUNT: both 0: no bounds */
     size_t size;     /* TEXT: room with the '\0' */
     const char *words;
-    size_t line;     /* where it was last set, 0: not in this file */
+    size_t line; /* where it was last set, 0: not in this file */
 };
 
 struct keys {

@@ -29,10 +29,10 @@ struct rotary {
 };
 
 struct chain {
-    int n;                           /* rotary axes, 0 to ROTARY_MAX */
+    int n;                            /* rotary axes, 0 to ROTARY_MAX */
     struct rotary rotary[ROTARY_MAX]; /* from the work to the tool: tables before heads */
-    int master;                      /* the one that is to move least */
-    struct vec3 tool;                /* unit axis from tip to spindle when all stand at zero */
+    int master;                       /* the one that is to move least */
+    struct vec3 tool;                 /* unit axis from tip to spindle when all stand at zero */
 };
 
 /* Angles as their cosines and sines, where the trigonometry would be most of the time. */

@@ -37,7 +37,10 @@ struct lifted_run {
     struct run run;
     struct sizes end; /* of each piece, as index of run.item; the last one is run.n */
     struct lift_report report;
-    struct { size_t n, cap; struct stand *item; } stand; /* those above rule.stands */
+    struct {
+        size_t n, cap;
+        struct stand *item;
+    } stand; /* those above rule.stands */
 };
 
 void lifted_run_free(struct lifted_run *lifted);

@@ -23,10 +23,10 @@ struct lift_rule {
 
 /* A point with what became of it. */
 struct lifted {
-    struct run_point p;        /* its normal as it was */
-    struct vec3 touching;      /* the centre before the lift */
-    bool missed; /* no lift within the limit clears it, or no tool from outside comes to
-                    it: it is straight up in z as far as it takes */
+    struct run_point p;   /* its normal as it was */
+    struct vec3 touching; /* the centre before the lift */
+    bool missed;          /* no lift within the limit clears it, or no tool from outside comes to
+                             it: it is straight up in z as far as it takes */
     struct kdtree_touch touch; /* what stopped the ball */
 };
 

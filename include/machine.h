@@ -41,30 +41,30 @@ struct machine {
     double min[MACHINE_AXES]; /* travel, mm and degrees */
     double max[MACHINE_AXES];
     double rapid[MACHINE_AXES]; /* mm/min and degrees/min; X Y Z have one */
-    double retract;           /* mm along the tool axis, where the path has no approach */
-    char offset[60];          /* work offset; "": the control's own, G54 */
-    int feeds;                /* enum machine_feeds */
-    double feed_max;          /* largest F that the control takes */
-    bool cycles;              /* the control has drilling cycles */
-    bool cutcom;              /* radius compensation where the path asks for it */
-    bool plane;               /* the control turns to a tilted plane where the tool axis is fixed */
-    bool smooth;              /* the control is to smooth the path within ncpost's tolerance */
+    double retract;             /* mm along the tool axis, where the path has no approach */
+    char offset[60];            /* work offset; "": the control's own, G54 */
+    int feeds;                  /* enum machine_feeds */
+    double feed_max;            /* largest F that the control takes */
+    bool cycles;                /* the control has drilling cycles */
+    bool cutcom;                /* radius compensation where the path asks for it */
+    bool plane;  /* the control turns to a tilted plane where the tool axis is fixed */
+    bool smooth; /* the control is to smooth the path within ncpost's tolerance */
     struct machine_templates { /* blocks, "": the control's own (nctemplate.h) */
-        char home[120];       /* retracts Z to a safe height */
-        char start[120];      /* behind the modal words at the start */
+        char home[120];        /* retracts Z to a safe height */
+        char start[120];       /* behind the modal words at the start */
         char tool_change[120];
         char tcp_on[120], tcp_off[120];
         char smooth_on[120], smooth_off[120];
         char plane_on[120], plane_off[120];
-        char tap[120];        /* before a tapping cycle: M29 S{rpm} */
-        char end[120];        /* before M30 */
+        char tap[120]; /* before a tapping cycle: M29 S{rpm} */
+        char end[120]; /* before M30 */
     } blocks;
-    int number_step;          /* of block numbers, 0: none */
-    int number_max;           /* behind it they begin again */
+    int number_step; /* of block numbers, 0: none */
+    int number_max;  /* behind it they begin again */
     struct machine_digits digits;
 
-    struct chain chain;       /* made of the above; travel in radians */
-    int letter[ROTARY_MAX];   /* MACHINE_A ... of each axis of the chain */
+    struct chain chain;     /* made of the above; travel in radians */
+    int letter[ROTARY_MAX]; /* MACHINE_A ... of each axis of the chain */
 };
 
 /* Table-table A/C with tool-centre-point control, as machines/table-ac.txt. */

@@ -27,7 +27,7 @@ struct mesh_surfaces {
 
 /* A part with a projection of its own: its rows, and those up to the next part. */
 struct mesh_part {
-    int row;          /* its first one */
+    int row;           /* its first one */
     struct vec3 along; /* unit, the way the columns rise */
     struct vec3 up;    /* unit, perpendicular: out of the plane that its grid lies in */
 };
@@ -44,7 +44,7 @@ struct mesh_origin {
     double direction;             /* of the rows, degrees about z from x */
     double ledger;                /* tolerance spent by the maker, mm; NAN: not said */
     double extended;              /* how far it goes beyond the scan, mm; 0: with it */
-    double noise;       /* of the scan, one standard deviation, mm */
+    double noise;                 /* of the scan, one standard deviation, mm */
     char *maker;                  /* the tool that spent it, NULL: not said */
     struct mesh_surfaces surface; /* that it was made from; none: not said */
     struct mesh_parts part;       /* by rising row; none: it is one, seen from above */
@@ -54,10 +54,10 @@ struct mesh_origin {
 
 struct mesh {
     struct vec3s vertex;
-    struct vec3s normal;     /* as many as vertices, or none */
-    struct ints row, col;    /* of the triangular grid, from 0: as many as vertices, or none */
-    struct doubles kmax;     /* largest concave curvature, 1/mm: as many as vertices, or none */
-    struct faces face;       /* row by row, in each row the triangles that point up first */
+    struct vec3s normal;  /* as many as vertices, or none */
+    struct ints row, col; /* of the triangular grid, from 0: as many as vertices, or none */
+    struct doubles kmax;  /* largest concave curvature, 1/mm: as many as vertices, or none */
+    struct faces face;    /* row by row, in each row the triangles that point up first */
     struct mesh_origin origin;
 };
 

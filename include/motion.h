@@ -35,9 +35,9 @@ enum motion_kind { MOTION_LINE, MOTION_ARC, MOTION_SPLINE };
 struct motion {
     enum motion_kind kind;
     struct pose from, to;
-    struct vec3 centre, axis;     /* ARC: axis of the right-hand turn, unit */
-    double sweep;                 /* ARC: radians, 0 to 2 pi; start = end: 2 pi */
-    const struct bspline *curve;  /* SPLINE: belongs to the path */
+    struct vec3 centre, axis;    /* ARC: axis of the right-hand turn, unit */
+    double sweep;                /* ARC: radians, 0 to 2 pi; start = end: 2 pi */
+    const struct bspline *curve; /* SPLINE: belongs to the path */
 };
 
 struct motion motion_line(struct pose from, struct pose to);

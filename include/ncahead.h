@@ -19,10 +19,13 @@ struct nc_ahead {
     struct doubles s;            /* of each place: how far along its motion, 0 to 1 */
     struct sizes start;          /* of each item of the group: the place where it starts; then that
                                     where the last one ends */
-    struct { size_t n, cap; struct nc_leap *item; } leap;
+    struct {
+        size_t n, cap;
+        struct nc_leap *item;
+    } leap;
     struct chain_solutions found; /* at the last place */
     const struct nc_step *step;
-    struct turnplan_cost cost;   /* of the way that was found */
+    struct turnplan_cost cost; /* of the way that was found */
 };
 
 /*

@@ -33,7 +33,7 @@ size_t nc_part_pass(const struct nc_plan *plan, size_t pass);
  * Where the parts end: ends[0] < ends[1] ... the last of them the number of moves.  Between two
  * rapids where that can be, else in the cut.  -1: not even one move has room.
  */
-int nc_part_ends(struct sizes *ends, const struct dialect *dialect,
-                 const struct nc_program *whole, struct nc_limit limit, struct error *error);
+int nc_part_ends(struct sizes *ends, const struct dialect *dialect, const struct nc_program *whole,
+                 struct nc_limit limit, struct error *error);
 
 #endif

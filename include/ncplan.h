@@ -23,7 +23,7 @@ enum nc_feeds {
 /* What the program may hold, from the control, the machine and the options. */
 struct nc_ability {
     enum follow_mode mode;
-    bool tcp;      /* the program switches tool-centre-point control on */
+    bool tcp; /* the program switches tool-centre-point control on */
     enum nc_feeds feeds;
     double feed_max;
     double unit;   /* mm, see struct nc_wish */
@@ -52,7 +52,7 @@ enum nc_why {
     NC_WHY_TURN,     /* retract - turn - return */
     NC_WHY_APPROACH, /* the path has no way down or up */
     NC_WHY_RETRACT,
-    NC_WHY_PART      /* a program that is only a part has its own way down and up */
+    NC_WHY_PART /* a program that is only a part has its own way down and up */
 };
 
 enum nc_kind {
@@ -72,42 +72,54 @@ struct nc_hole {
     struct vec3 mouth;
     const struct path_cycle *cycle; /* the path's */
     double feed;                    /* mm/min, or inches */
-    double depth, clear, retract; /* of the cycle, as printed */
+    double depth, clear, retract;   /* of the cycle, as printed */
 };
 
 /* 64 bytes, for there may be millions. */
 struct nc_move {
     enum nc_kind kind : 8;
     enum nc_why why : 8;
-    unsigned line;        /* of the path, 0: made here */
-    unsigned index;       /* ARC, SPLINE, HOLE: element of the plan; TEXT, TOOL: of the path; PASS:
-                             its number */
-    unsigned vector;      /* element of the plan, in FOLLOW_VECTOR */
-    double feed;          /* as printed, see enum nc_feeds */
-    struct vec3 p;        /* RAPID, LINE, ARC, SPLINE, HOLE: where it ends, see struct station */
+    unsigned line;   /* of the path, 0: made here */
+    unsigned index;  /* ARC, SPLINE, HOLE: element of the plan; TEXT, TOOL: of the path; PASS:
+                        its number */
+    unsigned vector; /* element of the plan, in FOLLOW_VECTOR */
+    double feed;     /* as printed, see enum nc_feeds */
+    struct vec3 p;   /* RAPID, LINE, ARC, SPLINE, HOLE: where it ends, see struct station */
     double q[ROTARY_MAX];
 };
 
 struct nc_total {
     size_t rapids, lines, arcs, splines, holes, passes;
-    size_t chorded;          /* arcs and B-splines of the path that became straight blocks */
-    size_t turns;            /* retract - turn - return */
-    double cut, rapid;       /* length, mm */
+    size_t chorded;    /* arcs and B-splines of the path that became straight blocks */
+    size_t turns;      /* retract - turn - return */
+    double cut, rapid; /* length, mm */
     double minutes;
-    struct deviation spent;  /* the worst of all blocks at feed */
+    struct deviation spent; /* the worst of all blocks at feed */
     bool feed_assumed, approach_made, retract_made;
 };
 
 struct nc_plan {
     struct nc_ability ability;
-    struct { size_t n, cap; struct nc_move *item; } move;
+    struct {
+        size_t n, cap;
+        struct nc_move *item;
+    } move;
     struct vec3s vector; /* tool axes as printed */
-    struct { size_t n, cap; struct nc_arc *item; } arc;
-    struct { size_t n, cap; struct nc_spline *item; } spline;
-    struct { size_t n, cap; struct nc_hole *item; } hole;
+    struct {
+        size_t n, cap;
+        struct nc_arc *item;
+    } arc;
+    struct {
+        size_t n, cap;
+        struct nc_spline *item;
+    } spline;
+    struct {
+        size_t n, cap;
+        struct nc_hole *item;
+    } hole;
     struct nc_total total;
     bool no_vectors; /* rotary words instead: with vectors the control would find no way */
-    bool unmet; /* nc_plan_make failed because the machine cannot get there: exit status 3 */
+    bool unmet;      /* nc_plan_make failed because the machine cannot get there: exit status 3 */
 };
 
 /* Fills the plan, which keeps nothing of the path; -1: the error says pass, line and axis. */

@@ -33,7 +33,7 @@ struct ncread_setup {
 /* What is known of where the machine is. */
 struct ncread_place {
     bool known[3];
-    double at[3];   /* X Y Z as programmed */
+    double at[3]; /* X Y Z as programmed */
     bool turned[2];
     double turn[2]; /* as the rig has them, degrees */
     bool has_axis;
@@ -49,12 +49,12 @@ struct ncread {
     struct ncread_words words;
     size_t line;
     const char *text; /* of this line */
-    long block; /* N number of this block, -1: none */
+    long block;       /* N number of this block, -1: none */
     long last_block;
     struct ncread_place here;
     /* modal */
-    int move;  /* the dialect's own */
-    int plane; /* 17, 18, 19 */
+    int move;    /* the dialect's own */
+    int plane;   /* 17, 18, 19 */
     double unit; /* of the program's lengths, mm; 0: not said */
     bool absolute, inverse_time, spindle;
     bool tcp;     /* on */
@@ -63,15 +63,15 @@ struct ncread {
     bool length;  /* the tool's length is on (LinuxCNC) */
     double speed; /* of the spindle, 1/min, where the dialect needs it; 0: not said */
     double feed;
-    bool feed_here; /* F stands in this block */
-    bool ended;     /* M30 was read */
-    bool closed;    /* and the mark behind it */
+    bool feed_here;             /* F stands in this block */
+    bool ended;                 /* M30 was read */
+    bool closed;                /* and the mark behind it */
     struct ncread_place middle; /* of G02.4 */
     bool has_middle;
     struct vec3 centre; /* CC of Klartext */
     bool has_centre;
     struct ncread_plane tilted; /* the plane that X Y Z are in */
-    struct ncread_hole hole; /* the drilling cycle that is on */
+    struct ncread_hole hole;    /* the drilling cycle that is on */
     /* a B-spline being read */
     int order;
     struct doubles knot, weight;
@@ -84,7 +84,7 @@ struct ncread {
 /* Runs a whole program into the course, which starts as all zero.  -1: it can't be run, the place
  * is named. */
 int ncread_read(const char *file, const struct ncread_setup *setup, struct course *course,
-                 struct error *error);
+                struct error *error);
 
 /* The controls. */
 extern const struct ncread_dialect ncread_fanuc, ncread_siemens, ncread_heidenhain, ncread_linuxcnc;
@@ -130,19 +130,19 @@ int ncread_ready(const struct ncread *c, struct error *error);
 
 /* The tool goes there: checks what a move needs, adds the piece. */
 int ncread_go(struct ncread *c, const struct ncread_place *to, struct piece piece, bool rapid,
-               struct error *error);
+              struct error *error);
 
 /* Makes the piece an arc about `centre` in the active plane, counter-clockwise or clockwise. */
 int ncread_arc(struct ncread *c, struct piece *piece, struct vec3 centre, bool ccw,
-                struct error *error);
+               struct error *error);
 
 /* The same from a radius (negative: more than a half turn). */
 int ncread_arc_radius(struct ncread *c, struct piece *piece, double radius, bool ccw,
-                       struct error *error);
+                      struct error *error);
 
 /* Makes the piece an arc through a point. */
 int ncread_arc_through(struct ncread *c, struct piece *piece, struct vec3 middle,
-                        struct error *error);
+                       struct error *error);
 
 /* One pole more of the spline being read; the first one takes over the piece's swing. */
 void ncread_pole(struct ncread *c, const struct piece *piece, struct vec3 p, struct vec3 q);

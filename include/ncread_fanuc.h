@@ -23,11 +23,11 @@ enum fanuc_move {
 /* What one block says besides its modal words. */
 struct ncread_fanuc_block {
     struct ncread_place to;
-    bool named;   /* X Y Z or a rotary word */
+    bool named; /* X Y Z or a rotary word */
     bool centre_named[3], knot_named, weight_named, radius_named;
     double centre[3], weight, radius; /* centre[2] is K: a knot under G06.2 */
     bool machine, home, spline_begins;
-    bool tool;    /* G43.4 or G43.5 stands in this block */
+    bool tool; /* G43.4 or G43.5 stands in this block */
 };
 
 /* The words of a block into the control's modal state and *b. */

@@ -30,16 +30,16 @@ struct polynomial {
 /* What one block says besides its modal words. */
 struct ncread_siemens_block {
     struct ncread_place to;
-    bool named;          /* a word that moves something */
-    bool machine;        /* SUPA */
-    bool turns;          /* rotary words */
+    bool named;   /* a word that moves something */
+    bool machine; /* SUPA */
+    bool turns;   /* rotary words */
     int vector_n, head_n, middle_n;
     double vector[3], middle[3], head[3];
     bool centre_named, radius_named;
-    struct vec3 centre;  /* absolute */
+    struct vec3 centre; /* absolute */
     double radius;
-    double length;       /* PL */
-    double weight;       /* PW, of a pole; weighs: named */
+    double length; /* PL */
+    double weight; /* PW, of a pole; weighs: named */
     bool weighs;
     struct polynomial tip[3], second[3];
 };

@@ -20,10 +20,10 @@ enum word_kind {
 
 struct ncread_word {
     enum word_kind kind;
-    char name[WORD_TEXT];   /* X  A3  PO[X]  TRAORI */
-    bool absolute;          /* AC() */
-    bool pointed;           /* its number has a decimal point */
-    int values;             /* 0: a text or nothing */
+    char name[WORD_TEXT]; /* X  A3  PO[X]  TRAORI */
+    bool absolute;        /* AC() */
+    bool pointed;         /* its number has a decimal point */
+    int values;           /* 0: a text or nothing */
     double value[WORD_VALUES];
 };
 

@@ -15,9 +15,9 @@ enum nc_splines {
 
 struct nc_spline {
     enum { NC_NURBS, NC_POLY, NC_BSPLINE } form;
-    bool turns;               /* rotary words (NURBS), a head curve (POLY, BSPLINE) */
-    struct vec3 head_start;   /* POLY, BSPLINE: where the head curve begins */
-    struct bspline curve;     /* NURBS, BSPLINE: knots and poles as printed, head likewise */
+    bool turns;                /* rotary words (NURBS), a head curve (POLY, BSPLINE) */
+    struct vec3 head_start;    /* POLY, BSPLINE: where the head curve begins */
+    struct bspline curve;      /* NURBS, BSPLINE: knots and poles as printed, head likewise */
     double *angle[ROTARY_MAX]; /* NURBS: poles of the rotary words, degrees, as printed */
     struct nc_spans span;      /* POLY */
     int degree;                /* POLY: of its polynomials */
@@ -33,10 +33,10 @@ struct nc_spline_digits {
  * False where the control cannot be given it within `allowed` (its degree, its axis, its digits);
  * nothing then needs freeing.  *d: the deviation of what is printed from the motion.
  */
-bool nc_spline_words(struct nc_spline *spline, enum nc_splines kind,
-                     struct nc_spline_digits digits, const struct follow *f,
-                     const struct station *from, const struct motion *motion,
-                     struct deviation allowed, struct station *to, struct deviation *d);
+bool nc_spline_words(struct nc_spline *spline, enum nc_splines kind, struct nc_spline_digits digits,
+                     const struct follow *f, const struct station *from,
+                     const struct motion *motion, struct deviation allowed, struct station *to,
+                     struct deviation *d);
 
 void nc_spline_free(struct nc_spline *spline);
 

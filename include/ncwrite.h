@@ -42,11 +42,11 @@ struct nc_writer {
     size_t n;
     double value[NC_SLOTS];
     bool known[NC_SLOTS];
-    const char *motion; /* modal G code of motion, NULL: not said */
-    int plane;          /* 17 18 19, 0: not said */
-    bool inverse;       /* feeds are inverse time: G93 */
+    const char *motion;   /* modal G code of motion, NULL: not said */
+    int plane;            /* 17 18 19, 0: not said */
+    bool inverse;         /* feeds are inverse time: G93 */
     size_t blocks, bytes; /* written */
-    long wanted;        /* number of a block to be kept in `met`, -1: none */
+    long wanted;          /* number of a block to be kept in `met`, -1: none */
     char met[NC_LINE_MAX + 1];
     char own[NC_LINE_MAX];
 };

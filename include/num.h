@@ -54,8 +54,7 @@ static inline int num_digits(uint64_t eight, uint64_t *value)
  */
 static inline const char *num_plain(const char *p, double *value)
 {
-    static const uint64_t scale[] = {1,      10,      100,      1000,     10000,
-                                     100000, 1000000, 10000000, 100000000};
+    static const uint64_t scale[] = {1, 10, 100, 1000, 10000, 100000, 1000000, 10000000, 100000000};
     bool negative = *p == '-';
     p += negative;
     uint64_t mantissa = 0, more;

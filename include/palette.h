@@ -10,10 +10,10 @@
 #include <stddef.h>
 
 enum {
-    PALETTE_CYCLE = 6,   /* colours for passes and streams before they begin anew */
+    PALETTE_CYCLE = 6, /* colours for passes and streams before they begin anew */
     PALETTE_HEIGHTS = 11,
     PALETTE_SHADES = 32,
-    PALETTE_COLOUR = 8   /* room for #rrggbb */
+    PALETTE_COLOUR = 8 /* room for #rrggbb */
 };
 
 /* The i-th of the cycle. */

@@ -14,10 +14,10 @@ struct pass_rule {
     double gap;         /* chains whose ends are no further apart are one strip, mm, but where */
     const struct guard *guard; /* (NULL: nowhere) this scan has no points between them ... */
     double bare;               /* ... within so much, mm: a hole */
-    struct vec3 facing; /* unit; what faces away from it is left out ... */
-    bool faced;         /* ... if this is set */
-    double radius;      /* of the ball, and ... */
-    double tolerance;   /* ... what it may sink in where it rolls over a sharp edge, mm */
+    struct vec3 facing;        /* unit; what faces away from it is left out ... */
+    bool faced;                /* ... if this is set */
+    double radius;             /* of the ball, and ... */
+    double tolerance;          /* ... what it may sink in where it rolls over a sharp edge, mm */
 };
 
 /*

@@ -94,34 +94,55 @@ struct ledger_entry {
 enum path_track { TRACK_TIP, TRACK_CENTRE, TRACK_CONTACT };
 
 struct path_head {
-    char *partno;      /* text behind PARTNO/, NULL: none */
-    bool multax;       /* MULTAX/ON */
-    double cutter[7];  /* CUTTER/ d, r, e, f, alpha, beta, h (mm, degrees) */
-    int cutter_n;      /* how many of them were given, 0: no CUTTER */
-    int tool;          /* LOADTL/, 0: none */
-    int offset;        /* as in path_tool */
-    double spindle;    /* rev/min, 0: none */
-    bool spindle_ccw;  /* CCLW */
-    int coolant;       /* 0 not said, 1 off, 2 on (flood), 3 mist */
+    char *partno;     /* text behind PARTNO/, NULL: none */
+    bool multax;      /* MULTAX/ON */
+    double cutter[7]; /* CUTTER/ d, r, e, f, alpha, beta, h (mm, degrees) */
+    int cutter_n;     /* how many of them were given, 0: no CUTTER */
+    int tool;         /* LOADTL/, 0: none */
+    int offset;       /* as in path_tool */
+    double spindle;   /* rev/min, 0: none */
+    bool spindle_ccw; /* CCLW */
+    int coolant;      /* 0 not said, 1 off, 2 on (flood), 3 mist */
     enum path_track track;
-    double chord;      /* $$-> CHORD/: how far the smooth path stands off the straight lines
-                          between its points, mm; a fitter takes it out; NAN: not said */
-    double clearance;  /* $$-> CLEAR/: z of the clearance plane, mm; NAN: not said */
-    struct { size_t n, cap; struct ledger_entry *item; } ledger;
+    double chord;     /* $$-> CHORD/: how far the smooth path stands off the straight lines
+                         between its points, mm; a fitter takes it out; NAN: not said */
+    double clearance; /* $$-> CLEAR/: z of the clearance plane, mm; NAN: not said */
+    struct {
+        size_t n, cap;
+        struct ledger_entry *item;
+    } ledger;
 };
 
 struct path {
     const char *name;   /* of the file, for messages */
     const char *system; /* that wrote it, "NX", as its words show; NULL: this suite or not known */
     struct path_head head; /* with its first tool */
-    struct { size_t n, cap; struct path_item *item; } item;
+    struct {
+        size_t n, cap;
+        struct path_item *item;
+    } item;
     struct contacts contact;
-    struct { size_t n, cap; struct path_arc *item; } arc;
-    struct { size_t n, cap; struct path_spline *item; } spline;
-    struct { size_t n, cap; struct path_cycle *item; } cycle;
-    struct { size_t n, cap; struct path_tool *item; } tool;
+    struct {
+        size_t n, cap;
+        struct path_arc *item;
+    } arc;
+    struct {
+        size_t n, cap;
+        struct path_spline *item;
+    } spline;
+    struct {
+        size_t n, cap;
+        struct path_cycle *item;
+    } cycle;
+    struct {
+        size_t n, cap;
+        struct path_tool *item;
+    } tool;
     size_t tools_numbered; /* tools without a number that were given one here, in their order */
-    struct { size_t n, cap; char **item; } text;
+    struct {
+        size_t n, cap;
+        char **item;
+    } text;
     struct {
         size_t n, cap;
         struct path_unknown {

@@ -88,7 +88,7 @@ struct path_parse {
     bool homeward;  /* the tool leaves them as high as it was at CYCLE, in `before` */
     bool drilled;   /* the last cycle has a hole */
     struct pose before;
-    double leave;   /* as high as they are left otherwise, mm above the mouth */
+    double leave; /* as high as they are left otherwise, mm above the mouth */
 
     struct path_tool tool, next_tool; /* the one in the spindle; what is known of the next */
     char tool_name[40];               /* of NX, "": none */

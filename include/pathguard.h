@@ -15,10 +15,10 @@ struct pathguard {
     struct recheck_rule rule;
 
     /* What came of it, over all runs. */
-    double lift;  /* of points, at most, mm */
-    size_t left;  /* runs that still go too deep */
+    double lift; /* of points, at most, mm */
+    size_t left; /* runs that still go too deep */
     struct deep deepest;
-    size_t pass;  /* in which */
+    size_t pass; /* in which */
 };
 
 /* Reads the scan, in the coordinates of the path, for a ball that may go `tolerance` mm deep, as

@@ -15,7 +15,7 @@
 
 struct powersum {
     size_t points, pairs, unknowns;
-    double *off;     /* the pairs: those of all points, then the second ones; 2 * pairs */
+    double *off; /* the pairs: those of all points, then the second ones; 2 * pairs */
     double held[3];
     double *weighed; /* 2 * pairs, of powersum_equations */
     struct powersum_column {

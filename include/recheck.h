@@ -60,9 +60,8 @@ struct recheck_result {
  * times.  `fit` makes the motions of the run anew and appends to `deeps` what recheck_motion finds
  * of them.
  */
-struct recheck_result recheck_fit(const struct recheck_rule *rule, struct run *run,
-                                  void (*fit)(void *context, const struct run *run,
-                                              struct deeps *deeps),
-                                  void *context);
+struct recheck_result
+recheck_fit(const struct recheck_rule *rule, struct run *run,
+            void (*fit)(void *context, const struct run *run, struct deeps *deeps), void *context);
 
 #endif

@@ -12,9 +12,9 @@
 enum { RIBWAY_LONGER = 4, RIBWAY_MOST = 64 };
 
 struct ribway {
-    struct quadric q;  /* through the points of a neighbourhood that is longer that way */
-    struct vec3 way;   /* unit */
-    double rms;        /* of their distances from it, mm */
+    struct quadric q; /* through the points of a neighbourhood that is longer that way */
+    struct vec3 way;  /* unit */
+    double rms;       /* of their distances from it, mm */
 };
 
 /*

@@ -20,14 +20,14 @@ struct rowmesh {
     struct vec3 at;    /* the worst point */
     size_t beside;     /* points that no facet is above or below */
     size_t rows;
-    int columns;       /* places that a row can have a vertex at */
-    size_t bridges;    /* facets over a hole, left out */
+    int columns;    /* places that a row can have a vertex at */
+    size_t bridges; /* facets over a hole, left out */
 };
 
 struct rowmesh_wish {
     double error, spacing,
-        widest; /* mean spacing of the points, largest distance of two rows, mm */
-    const struct edgezone *zone;   /* NULL: no creases and walls are known */
+        widest;                  /* mean spacing of the points, largest distance of two rows, mm */
+    const struct edgezone *zone; /* NULL: no creases and walls are known */
     double out; /* so many of the points of a strip, as part of them, may be off it by more */
 };
 

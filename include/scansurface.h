@@ -24,7 +24,7 @@ struct scansurface_rule {
 struct scansurface {
     struct vec3s point;
     struct vec3s certain, doubtful; /* points of the scan: does noise leave doubt of the surface? */
-    size_t moved, added; /* points brought to their quadrics, points put between */
+    size_t moved, added;            /* points brought to their quadrics, points put between */
     size_t
         vague; /* of a scan without noise: points about which the surface between is vague, ... */
     double worst; /* ... the most that it is off, mm, and where */

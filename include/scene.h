@@ -32,16 +32,19 @@ struct ticks {
 };
 
 struct layer {
-    const char *name;                  /* of the file */
-    char figures[240];                 /* what there is in it, for the title */
-    struct vec3s point;                /* of a cloud */
-    struct mesh mesh;                  /* no facets: there is none */
-    struct vec3s node;                 /* of the strokes */
-    struct { size_t n, cap; struct stroke *item; } stroke;
-    struct vec3s joint;                /* where motions end */
+    const char *name;   /* of the file */
+    char figures[240];  /* what there is in it, for the title */
+    struct vec3s point; /* of a cloud */
+    struct mesh mesh;   /* no facets: there is none */
+    struct vec3s node;  /* of the strokes */
+    struct {
+        size_t n, cap;
+        struct stroke *item;
+    } stroke;
+    struct vec3s joint; /* where motions end */
     struct ticks normal, axis;
-    size_t passes, motions[STROKES];   /* of each kind as programmed; of POLES: how many poles */
-    double cut, rapid;                 /* length, mm */
+    size_t passes, motions[STROKES]; /* of each kind as programmed; of POLES: how many poles */
+    double cut, rapid;               /* length, mm */
 };
 
 struct scene {

@@ -14,7 +14,7 @@ struct remarks {
     size_t n, cap;
     struct remark {
         char text[REMARK];
-    } *item;
+    } * item;
 };
 
 struct sheet_options {

@@ -11,8 +11,8 @@ enum { LEGEND_ITEMS = 16 };
 struct legend_item {
     char text[120];
     char ink[PANE_INK]; /* of its sample; empty: heights by colour */
-    bool dot;            /* its sample is a dot, not a line */
-    double x;            /* of the sample, from the left */
+    bool dot;           /* its sample is a dot, not a line */
+    double x;           /* of the sample, from the left */
     size_t row;
 };
 

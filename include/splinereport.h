@@ -20,8 +20,8 @@ struct splinereport {
 };
 
 /* Counts one piece; unless `table` is NULL, writes its row. */
-void splinereport_add(struct splinereport *report, size_t pass,
-                      const struct splinerun_piece *piece, FILE *table);
+void splinereport_add(struct splinereport *report, size_t pass, const struct splinerun_piece *piece,
+                      FILE *table);
 
 /* The headings of the table, and its last row. */
 void splinereport_head(FILE *table);

@@ -9,10 +9,10 @@
 #include "splinefit.h"
 
 struct splinerun_piece {
-    size_t from, to;       /* its first and last point in the run */
-    bool still;            /* all its points are in one place: there is no curve */
+    size_t from, to; /* its first and last point in the run */
+    bool still;      /* all its points are in one place: there is no curve */
     struct splinefit fit;
-    double smooth;         /* part of the tolerance that went into making the data dense, mm */
+    double smooth; /* part of the tolerance that went into making the data dense, mm */
     struct poses
         fallback; /* straight pieces within the tolerance of the curve, without its start */
 };

@@ -34,10 +34,10 @@ struct stock_interval {
 };
 
 struct stock {
-    double x, y;   /* of the first column's middle line */
-    double dx, dy; /* from one column to the next */
-    int nx, ny;    /* columns along X and Y */
-    double bottom; /* no column reaches lower */
+    double x, y;                 /* of the first column's middle line */
+    double dx, dy;               /* from one column to the next */
+    int nx, ny;                  /* columns along X and Y */
+    double bottom;               /* no column reaches lower */
     struct stock_column *column; /* along X first */
     struct {
         size_t n, cap;

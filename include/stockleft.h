@@ -14,16 +14,16 @@ enum { STOCKLEFT_PERCENTILES = 3, STOCKLEFT_BINS = 1 << 16 }; /* 50, 95, 99 */
 
 struct stockleft {
     const struct vec3 *point;
-    size_t points;          /* that are asked */
-    size_t *order, *first;  /* by tile of the stock: order[first[k]] to order[first[k + 1] - 1] */
-    float *thick;           /* of each in `order` */
-    double bin;             /* mm of each bin */
-    size_t *count;          /* points in each bin */
+    size_t points;         /* that are asked */
+    size_t *order, *first; /* by tile of the stock: order[first[k]] to order[first[k + 1] - 1] */
+    float *thick;          /* of each in `order` */
+    double bin;            /* mm of each bin */
+    size_t *count;         /* points in each bin */
 };
 
 struct stockleft_sum {
     double worst;
-    struct vec3 at; /* the point there */
+    struct vec3 at;                     /* the point there */
     double part[STOCKLEFT_PERCENTILES]; /* no finer than a bin: 1/65536 of the stock's height */
 };
 

@@ -8,7 +8,7 @@
 #include "stock.h"
 
 enum stock_kind {
-    STOCK_AROUND, /* the box around the points, on its sides and its top `allowance` larger */
+    STOCK_AROUND,  /* the box around the points, on its sides and its top `allowance` larger */
     STOCK_BETWEEN, /* the box between low and high */
     STOCK_OFFSET   /* all within `allowance` of the surface or below it */
 };

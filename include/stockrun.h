@@ -14,10 +14,10 @@
 struct stockrun_pass {
     size_t first, last; /* pieces of the course */
     double volume;
-    double bite;        /* deepest that this pass took, along the normal of what it cut ... */
-    size_t bite_piece;  /* ... in this piece ... */
+    double bite;         /* deepest that this pass took, along the normal of what it cut ... */
+    size_t bite_piece;   /* ... in this piece ... */
     struct vec3 bite_at; /* ... here */
-    size_t blocks, air; /* blocks at feed, and those of them that took nothing */
+    size_t blocks, air;  /* blocks at feed, and those of them that took nothing */
     double length, air_length; /* of the ball's way in them */
     struct stockleft_sum left; /* behind it */
 };
@@ -31,7 +31,7 @@ struct stockrun {
     double rapid;         /* how deep a rapid move goes into it, above the tolerance; 0: none */
     size_t rapid_piece;
     struct vec3 rapid_at;
-    size_t rapids;        /* rapid pieces that do */
+    size_t rapids; /* rapid pieces that do */
 };
 
 struct stockrun_setup {

@@ -25,8 +25,7 @@ size_t stray_twice(const struct buckets *buckets, unsigned char *out);
  * those points only that are off a robust quadric over their cell and the eight around it, or have
  * no other point of their cell near them.
  */
-size_t stray_outliers(const struct buckets *buckets, double sigma, int threads,
-                      unsigned char *out);
+size_t stray_outliers(const struct buckets *buckets, double sigma, int threads, unsigned char *out);
 
 /* Points that a tool from above cannot reach: within the cells about them, in every eighth of the
  * turn, points stand above them more than four times as high as they are away. */

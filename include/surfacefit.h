@@ -72,8 +72,7 @@ void surfacefit_gather(const struct buckets *buckets, struct vec3 place, size_t 
 /* a surface through the first k of them in the frame of a normal, what is far off counting less and
  * less (-1: there is none), */
 int surfacefit_through(struct surfacefit_hood *hood, size_t k, struct vec3 place,
-                       struct vec3 normal, struct vec3 guess, double sigma,
-                       struct surfacefit *fit);
+                       struct vec3 normal, struct vec3 guess, double sigma, struct surfacefit *fit);
 
 /* and whether it is so uncertain that a neighbourhood that is bent tells more. */
 bool surfacefit_useless(const struct surfacefit *fit, double sigma);

@@ -27,7 +27,7 @@ struct toolpath_rule {
     double turn; /* LEAN: axes may lean up to this, radians, to whatever side, so that rotary
                     axes turn least; 0: as the rule of the axis says */
     struct holder holder;
-    double lean;         /* how far axes may be leaned where the holder touches, radians */
+    double lean; /* how far axes may be leaned where the holder touches, radians */
 };
 
 /* A strip from when it is given until it stands in the path. */
@@ -56,16 +56,16 @@ struct toolpath {
 
     /* What came of it, over all strips. */
     struct lift_report report;
-    size_t missed_pass;  /* of report.miss_at, 0: none */
-    size_t standing;     /* places where the ball does not fit and, on the whole path, does not come
-                            as near as it should */
-    double stands;       /* what stays there at most, mm */
+    size_t missed_pass; /* of report.miss_at, 0: none */
+    size_t standing;    /* places where the ball does not fit and, on the whole path, does not come
+                           as near as it should */
+    double stands;      /* what stays there at most, mm */
     struct vec3 stands_at;
     size_t stands_pass;
-    double chord;        /* between the smooth curve and the straight lines, mm */
-    double leaned;       /* because of the holder, at most, radians */
-    size_t held;         /* points left out because the holder touches there */
-    size_t held_pass;    /* of the first of them */
+    double chord;     /* between the smooth curve and the straight lines, mm */
+    double leaned;    /* because of the holder, at most, radians */
+    size_t held;      /* points left out because the holder touches there */
+    size_t held_pass; /* of the first of them */
     struct vec3 held_at;
     size_t low, high;    /* links with the tool down, links over the clearance plane */
     size_t shank;        /* points where the tool touches with more than its ball */
@@ -82,8 +82,14 @@ struct toolpath {
     struct out *out;
 
     /* Where it stands: for toolpath.c alone. */
-    struct { size_t n, cap; struct toolpath_strip *item; } strip;
-    struct { size_t n, cap; struct toolpath_stand *item; } stand;
+    struct {
+        size_t n, cap;
+        struct toolpath_strip *item;
+    } strip;
+    struct {
+        size_t n, cap;
+        struct toolpath_stand *item;
+    } stand;
     struct vec3s ball; /* its centre at the points that are not rapid */
     struct run_point at;
     size_t pass;

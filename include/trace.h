@@ -16,12 +16,12 @@
 
 struct trace {
     size_t n;
-    struct vec3 *p;      /* the tracked point */
-    struct vec3 *other;  /* p + lever * axis */
+    struct vec3 *p;     /* the tracked point */
+    struct vec3 *other; /* p + lever * axis */
     struct vec3 *axis;
     struct vec3 *tangent; /* of p (run_tangents; a tip is not bound to the surface) */
-    double *length;      /* of p's path from the start, mm */
-    double lever;        /* mm: the radius when the tip is tracked, minus it for the centre */
+    double *length;       /* of p's path from the start, mm */
+    double lever;         /* mm: the radius when the tip is tracked, minus it for the centre */
 };
 
 /*

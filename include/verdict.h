@@ -16,7 +16,7 @@ enum { FINDING_TEXT = 240 };
 
 /* One thing found. */
 struct finding {
-    bool fault; /* it makes the program refused; else it is told only */
+    bool fault;              /* it makes the program refused; else it is told only */
     char text[FINDING_TEXT]; /* with its block, without the file's name */
 };
 
@@ -35,13 +35,13 @@ struct verdict {
     const struct vec3s *point;
     struct ballroll roll;
     struct axisload load;
-    double rapid;          /* how deep a rapid move goes in, 0: none does */
-    size_t rapid_points;   /* points that rapids pass through */
+    double rapid;        /* how deep a rapid move goes in, 0: none does */
+    size_t rapid_points; /* points that rapids pass through */
     size_t rapid_at, rapid_piece;
     const struct holderway *holder; /* shank and holder against the part; NULL: not looked at */
     const struct stockrun *stock;   /* what became of the stock; NULL: none was given */
     const struct holderway *stock_holder;
-    double cell;           /* of the stock, mm */
+    double cell; /* of the stock, mm */
     unsigned passes;
     struct verdict_piece *piece; /* as many as the course has */
     struct {

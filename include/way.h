@@ -15,7 +15,7 @@
  * is a straight line.  False when a lift above `limit` would be needed, or the lines between are
  * not clear within the tolerance.
  */
-bool way_low(const struct run_point *from, const struct run_point *to,
-             const struct lift_rule *rule, double limit, struct run *way);
+bool way_low(const struct run_point *from, const struct run_point *to, const struct lift_rule *rule,
+             double limit, struct run *way);
 
 #endif

@@ -71,8 +71,8 @@ static void read_options(int argc, char **argv, struct cli *cli, struct settings
         {0, "params", "all|uniform|centripetal|chord", "parameters of the points (all)", CLI_CHOICE,
          &params, 0, 0, 0, NULL},
         {0, "knots", "all|uniform|average|free",
-         "knots of the curves (all: free, or what serves where they don't)",
-         CLI_CHOICE, &knots, 0, 0, 0, NULL},
+         "knots of the curves (all: free, or what serves where they don't)", CLI_CHOICE, &knots, 0,
+         0, 0, NULL},
         {0, "paper", NULL,
          "as published: the points as they are, 5 control points and 5 more\n"
          "each time, judged at the points alone",
@@ -224,8 +224,7 @@ int main(int argc, char **argv)
     struct cli cli = {.tool = "bsplfit",
                       .usage = "[options] [FILE]",
                       .about = "Replaces the points of a path by B-splines within a tolerance."};
-    struct settings settings = {.fit = {.degree = 3, .tolerance = TOLERANCE},
-                                .guard.noise = -1};
+    struct settings settings = {.fit = {.degree = 3, .tolerance = TOLERANCE}, .guard.noise = -1};
     struct path in = {0}, out = {0};
     struct jobs jobs = {0};
     struct error error;

@@ -112,7 +112,7 @@ static double clean(const char *name, const struct settings *s, struct vec3s *po
     if (!s->clean || !(mean > 0)) /* no area: the mesh will say so */
         return 0;
     enum intake_drop drop = s->outliers == OUTLIERS_KEEP ? INTAKE_KEEP
-                            : s->wish.subdivide               ? INTAKE_DROP_OUTLIERS
+                            : s->wish.subdivide          ? INTAKE_DROP_OUTLIERS
                                                          : INTAKE_DROP;
     if (intake_clean(points, mean, drop, threads, &intake, &error) < 0)
         die("%s: %s", name, error.text);

@@ -106,8 +106,8 @@ static void find_planes(const struct mesh *mesh, const struct mesh_part *part, d
 
     if (upright && way && !planepath_direction(way, mesh, cutting.radius, scallop, &angle))
         die_usage("option --direction: found '%s', expected auto or degrees", way);
-    p->rule = upright ? planepath_upright(angle, cutting.radius)
-                      : planepath_along(part, cutting.radius);
+    p->rule =
+        upright ? planepath_upright(angle, cutting.radius) : planepath_along(part, cutting.radius);
     /* A node that random points do not have makes no hole: where the scan guards, rows go on. */
     if (cutting.guards.n > 0 && spacing > 0) {
         p->rule.gap = 2 * spacing;

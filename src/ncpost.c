@@ -96,8 +96,8 @@ static void read_options(struct settings *s, struct cli *cli, int argc, char **a
          "instead of a path: a program that shows on the machine whether\n"
          "signs and centres of its rotary axes are right",
          CLI_FLAG, &s->self_test, 0, 0, 0, NULL},
-        {0, "program", "NAME", "number (Fanuc) or name of the program", CLI_TEXT,
-         &s->program, 0, 0, 0, NULL},
+        {0, "program", "NAME", "number (Fanuc) or name of the program", CLI_TEXT, &s->program, 0, 0,
+         0, NULL},
         {0, "strict", NULL, "refuse post-processor words that nobody here knows", CLI_FLAG,
          &s->strict, 0, 0, 0, NULL},
         {0, NULL, NULL, NULL, CLI_FLAG, NULL, 0, 0, 0, NULL},
@@ -163,9 +163,8 @@ static void read_path(const struct settings *s, const char *file, struct path *p
 }
 
 /* What was assumed or added. */
-static void tell(const struct path *path, const struct nc_plan *plan,
-                 const struct dialect *dialect, const struct machine *machine,
-                 const struct settings *s)
+static void tell(const struct path *path, const struct nc_plan *plan, const struct dialect *dialect,
+                 const struct machine *machine, const struct settings *s)
 {
     const struct nc_total *total = &plan->total;
     if (path->head.track == TRACK_CENTRE)
@@ -201,7 +200,8 @@ static void make_plan(struct nc_program *p, struct nc_plan *plan, struct path *p
 {
     struct error error;
     bool unmet = false;
-    struct nc_choice choice = {.plane = s->plane, .inch = s->inch,
+    struct nc_choice choice = {.plane = s->plane,
+                               .inch = s->inch,
                                .axis = s->vectors  ? NC_AXIS_VECTORS
                                        : s->rotary ? NC_AXIS_ROTARY
                                                    : NC_AXIS_USUAL};
@@ -231,8 +231,8 @@ int main(int argc, char **argv)
         read_path(&s, cli.file[0], &path);
 
     struct nc_plan plan;
-    struct nc_program program = {.path = &path, .machine = &machine, .plan = &plan,
-                                 .name = s.program};
+    struct nc_program program = {
+        .path = &path, .machine = &machine, .plan = &plan, .name = s.program};
     make_plan(&program, &plan, &path, &machine, dialect, &s);
     size_t files;
     struct error error;

@@ -167,8 +167,7 @@ int main(int argc, char **argv)
     set_rule(&t.lift.axis, &mesh, closed, &planes);
     find_planes(&mesh, &planes);
     read_surfaces(&mesh, &patches, &planes);
-    if (cutting_guard(&mesh, fmax(planes.widest, cutting.radius), cli.threads, &guard,
-                      &error) != 0)
+    if (cutting_guard(&mesh, fmax(planes.widest, cutting.radius), cli.threads, &guard, &error) != 0)
         die_error(&error);
     if (cutting_rules(&mesh, guard, planes.widest, &t, &error) != 0)
         die_usage("%s", error.text);

@@ -24,8 +24,8 @@ START_TEST(an_arc_goes_through_its_rounded_ends)
     ck_assert(vec_distance(p.piece.arc.from, from) == 0);
     ck_assert(vec_distance(p.piece.arc.to, vec_round(piece.arc.to, 6)) == 0);
     for (int i = 0; i <= 10; i++)
-        ck_assert_double_lt(vec_distance(arc_at(&p.piece.arc, i / 10.0), arc_at(&piece.arc, i / 10.0)),
-                            1e-5);
+        ck_assert_double_lt(
+            vec_distance(arc_at(&p.piece.arc, i / 10.0), arc_at(&piece.arc, i / 10.0)), 1e-5);
 }
 END_TEST
 

@@ -106,11 +106,11 @@ START_TEST(axis_goes_through_points_and_circles)
     for (int i = 0; i < 50; i++) {
         struct vec3 c = vec(uniform(-50, 50), uniform(-50, 50), uniform(0, 20)), n = normal();
         struct vec3 a = axis_at(&to, &feed, c, n);
-        ck_assert_double_lt(
-            vec_distance(vec_along(c, vec_distance(c, to.point), a), to.point), 1e-9);
+        ck_assert_double_lt(vec_distance(vec_along(c, vec_distance(c, to.point), a), to.point),
+                            1e-9);
         a = axis_at(&from, &feed, c, n);
-        ck_assert_double_lt(
-            vec_distance(vec_along(c, -vec_distance(c, from.point), a), from.point), 1e-9);
+        ck_assert_double_lt(vec_distance(vec_along(c, -vec_distance(c, from.point), a), from.point),
+                            1e-9);
 
         a = axis_at(&circle, &feed, c, n);
         double best = HUGE_VAL;

@@ -34,7 +34,8 @@ START_TEST(half_ball)
         struct vec3s p = {0};
         for (int i = 0; i < 6000; i++) {
             double z = uniform(), a = 2 * PI * uniform(), r = sqrt(1 - z * z);
-            *array_push(&p) = vec_scale(4 + 0.01 * noisy * normal(), vec(r * cos(a), r * sin(a), z));
+            *array_push(&p) =
+                vec_scale(4 + 0.01 * noisy * normal(), vec(r * cos(a), r * sin(a), z));
         }
         check(&p, of_ball, noisy ? 25 : 6);
         array_free(&p);
@@ -73,8 +74,8 @@ START_TEST(two_pieces_and_their_spacing)
 }
 END_TEST
 
-/* The roof of a box and its walls, random points: all normals point out, and beside its edges hardly
- * one is between those of two sides. */
+/* The roof of a box and its walls, random points: all normals point out, and beside its edges
+ * hardly one is between those of two sides. */
 START_TEST(sharp_edges)
 {
     for (int noisy = 0; noisy < 2; noisy++) {

@@ -16,9 +16,9 @@ static int read_text(const char *text)
     return cutpart_read(scratch_text(text), vec(0, 0, 1), &mesh, &closed, &error);
 }
 
-#define HEAD(comments, properties)                                                             \
+#define HEAD(comments, properties)                                                              \
     "ply\nformat ascii 1.0\n" comments "element vertex 3\nproperty float x\nproperty float y\n" \
-    "property float z\n" properties "element face 1\nproperty list uchar int vertex_indices\n" \
+    "property float z\n" properties "element face 1\nproperty list uchar int vertex_indices\n"  \
     "end_header\n"
 
 START_TEST(surfaces_count_where_they_are_named)
@@ -72,11 +72,11 @@ START_TEST(what_cannot_be_cut)
     ck_assert_int_eq(read_text(HEAD("", "") "0 0 0\n1 0 0\n2 0 0\n3 0 1 2\n"), -1);
     ck_assert_ptr_nonnull(strstr(error.text, "no facet that has an area"));
     ck_assert_int_eq(read_text(HEAD("comment surface 4 1 2 a\n", "") "0 0 0\n1 0 0\n2 1 0\n"
-                                                                      "3 0 1 2\n"),
+                                                                     "3 0 1 2\n"),
                      -1);
     ck_assert_ptr_nonnull(strstr(error.text, "comment surface with 3 numbers"));
     ck_assert_int_eq(read_text(HEAD("comment surface -4 1 2 3 a\n", "") "0 0 0\n1 0 0\n2 1 0\n"
-                                                                         "3 0 1 2\n"),
+                                                                        "3 0 1 2\n"),
                      -1);
     ck_assert_ptr_nonnull(strstr(error.text, "radius -4"));
 }

@@ -1,5 +1,5 @@
-/* earclip: random stars, and combs with corners in one line: n - 2 triangles, none turned over, of the
- * polygon's area together. */
+/* earclip: random stars, and combs with corners in one line: n - 2 triangles, none turned over, of
+ * the polygon's area together. */
 #include <check.h>
 #include <stdint.h>
 #include <stdlib.h>

@@ -120,8 +120,8 @@ START_TEST(nothing_on_a_sphere)
         struct vec3 n = vec(r * cos(a), r * sin(a), z);
         struct vec3 m = vec_turn(n, vec_perpendicular(n), RADIANS(16));
         struct vec3 low = vec_unit(vec(n.x, n.y, fmax(n.z - 0.3, 0.05)));
-        ck_assert_int_eq(
-            feature_crease(&c, vec_scale(5, n), vec_scale(5, m), n, m).kind, FEATURE_NONE);
+        ck_assert_int_eq(feature_crease(&c, vec_scale(5, n), vec_scale(5, m), n, m).kind,
+                         FEATURE_NONE);
         ck_assert_int_eq(feature_wall(&c, vec_scale(5, n), vec_scale(5, low)).kind, FEATURE_NONE);
     }
     free_cloud(&c);

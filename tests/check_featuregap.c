@@ -38,9 +38,9 @@ static struct feature crossing(enum feature_kind kind, struct vec3 a, struct vec
     for (int i = 0; i < 2; i++) {
         double sign = (i == 0 ? from : to) > 0 ? 1 : -1;
         f.place[i] = vec(at.x, at.y, kind == FEATURE_WALL && sign > 0 ? 5 : 0);
-        f.normal[i] = kind == FEATURE_WALL ? vec(0, 0, 1)
-                                           : vec_unit(vec(sign * 0.7 * unit * out.x,
-                                                          sign * 0.7 * unit * out.y, 1));
+        f.normal[i] = kind == FEATURE_WALL
+                          ? vec(0, 0, 1)
+                          : vec_unit(vec(sign * 0.7 * unit * out.x, sign * 0.7 * unit * out.y, 1));
         f.end[i] = f.normal[i];
         f.foot[i] = i == 0 ? a : b;
     }
@@ -69,8 +69,8 @@ static void set_up(enum feature_kind kind)
     edges = mesh_edges_find(&m);
     feature = mem_alloc(edges.n, sizeof *feature);
     for (size_t e = 0; e < edges.n; e++)
-        feature[e] = crossing(kind, m.vertex.item[edges.edge[e].v[0]],
-                              m.vertex.item[edges.edge[e].v[1]]);
+        feature[e] =
+            crossing(kind, m.vertex.item[edges.edge[e].v[0]], m.vertex.item[edges.edge[e].v[1]]);
 }
 
 static void tear_down(void)

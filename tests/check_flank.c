@@ -9,14 +9,16 @@ START_TEST(plane_through_its_points)
 {
     struct vec3s p = {0};
     struct flank fitted, told;
-    struct vec3 w = vec_unit(vec(0.2, 0.1, 1)), n = vec_unit(vec_cross(vec(4, 0, 1), vec(0, 4, -1)));
+    struct vec3 w = vec_unit(vec(0.2, 0.1, 1)),
+                n = vec_unit(vec_cross(vec(4, 0, 1), vec(0, 4, -1)));
     rectangle(&p, 30, vec(1, 2, 3), vec(4, 0, 1), vec(0, 4, -1), 0);
     ck_assert_int_eq(flank_plane(p.item, p.n, vec(0, 0, 0), w, &fitted), 0);
     told = flank_through(vec(1, 2, 3), n, vec(0, 0, 0), w);
     for (int i = 0; i < 20; i++) {
         struct vec3 q = vec(9 * uniform(), 9 * uniform(), 9 * uniform());
         ck_assert_double_eq_tol(flank_height(&fitted, q), flank_height(&told, q), 1e-9);
-        ck_assert_double_eq_tol(vec_dot(vec_sub(flank_point(&fitted, q), vec(1, 2, 3)), n), 0, 1e-9);
+        ck_assert_double_eq_tol(vec_dot(vec_sub(flank_point(&fitted, q), vec(1, 2, 3)), n), 0,
+                                1e-9);
         ck_assert_double_eq_tol(flank_above(&fitted, flank_point(&fitted, q)), 0, 1e-12);
         ck_assert_double_le(vec_distance(flank_normal(&fitted, q), n), 1e-9);
     }

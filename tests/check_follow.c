@@ -11,9 +11,11 @@
 /* C carried by A, both centres at the origin. */
 static struct chain table_ac(void)
 {
-    return (struct chain){.n = 2, .master = 1, .tool = {0, 0, 1},
-                          .rotary = {{{0, 0, 1}, {0, 0, 0}, true, -9, 9},
-                                     {{1, 0, 0}, {0, 0, 0}, true, -9, 9}}};
+    return (struct chain){
+        .n = 2,
+        .master = 1,
+        .tool = {0, 0, 1},
+        .rotary = {{{0, 0, 1}, {0, 0, 0}, true, -9, 9}, {{1, 0, 0}, {0, 0, 0}, true, -9, 9}}};
 }
 
 static struct station station(const struct chain *chain, struct vec3 p, double c, double a)

@@ -48,8 +48,8 @@ START_TEST(no_place_is_more_hollow)
         struct uvs disc = {0};
         bool flipped = turn % 2, trimmed = turn % 3 == 0;
         for (int i = 0; i < 100 && trimmed; i++)
-            *array_push(&disc) = (struct uv){2 + 1.5 * cos(2 * PI * i / 100),
-                                             2 + 1.5 * sin(2 * PI * i / 100)};
+            *array_push(&disc) =
+                (struct uv){2 + 1.5 * cos(2 * PI * i / 100), 2 + 1.5 * sin(2 * PI * i / 100)};
         if (trimmed)
             *array_push(&loops) = disc;
         struct hollow h = hollow_find(&p, &loops, flipped, 1);

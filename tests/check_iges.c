@@ -43,7 +43,8 @@ static void append(char *to, size_t size, const char *format, ...)
 }
 
 /* Lines of `width` characters of the parameters; width 65 runs on into column 65. */
-static void add(struct file *f, int type, int form, int matrix, size_t width, const char *parameters)
+static void add(struct file *f, int type, int form, int matrix, size_t width,
+                const char *parameters)
 {
     int number = 2 * f->entities + 1, first = f->lines + 1;
     for (const char *p = parameters; *p; p += strlen(p) < width ? strlen(p) : width) {
@@ -52,8 +53,8 @@ static void add(struct file *f, int type, int form, int matrix, size_t width, co
         append(f->parameter, sizeof f->parameter, "%s%*dP%7d%s", text, 72 - (int)width, number,
                ++f->lines, f->end);
     }
-    append(f->directory, sizeof f->directory, "%8d%8d%8d%8d%8d%8d%8d%8d%8sD%7d%s", type, first, 0, 0,
-           0, 0, matrix, 0, "00000000", number, f->end);
+    append(f->directory, sizeof f->directory, "%8d%8d%8d%8d%8d%8d%8d%8d%8sD%7d%s", type, first, 0,
+           0, 0, 0, matrix, 0, "00000000", number, f->end);
     append(f->directory, sizeof f->directory, "%8d%8d%8d%8d%8d%16s%8s%8dD%7d%s", type, 0, 0,
            f->lines - first + 1, form, "", "", 0, number + 1, f->end);
     f->entities++;
@@ -182,7 +183,8 @@ START_TEST(global_section)
 }
 END_TEST
 
-/* Entity 3 shifts by (1, 2, 3), entity 5 turns x to y and points to 3: first turned, then shifted. */
+/* Entity 3 shifts by (1, 2, 3), entity 5 turns x to y and points to 3: first turned, then shifted.
+ */
 START_TEST(transformations)
 {
     struct file f = new_file(MM);
@@ -203,8 +205,8 @@ START_TEST(transformations)
 }
 END_TEST
 
-/* A 144 with a loop of a line, an arc, a polyline and a spline; a hole in space alone, placed as the
- * 144 is; one of a curve that is not read is counted. */
+/* A 144 with a loop of a line, an arc, a polyline and a spline; a hole in space alone, placed as
+ * the 144 is; one of a curve that is not read is counted. */
 START_TEST(trimming)
 {
     struct file f = new_file(MM);
@@ -217,7 +219,8 @@ START_TEST(trimming)
     add(&f, 110, 0, 0, 64, "110,0.1,0.1,0.,0.9,0.1,0.;");
     add(&f, 100, 0, 0, 64, "100,0.,0.9,0.5,0.9,0.1,0.9,0.9;");
     add(&f, 106, 11, 0, 64, "106,1,3,0.,0.9,0.9,0.5,0.8,0.1,0.9;");
-    add(&f, 126, 0, 0, 64, "126,1,1,1,0,1,0,0.,0.,1.,1.,1.,1.,0.1,0.9,0.,0.1,0.1,0.,0.,1.,0.,0.,1.;");
+    add(&f, 126, 0, 0, 64,
+        "126,1,1,1,0,1,0,0.,0.,1.,1.,1.,1.,0.1,0.9,0.,0.1,0.1,0.,0.,1.,0.,0.,1.;");
     add(&f, 142, 0, 0, 64, "142,0,3,0,9,2;");
     add(&f, 142, 0, 0, 64, "142,0,3,21,0,1;");
     add(&f, 130, 0, 0, 64, "130,9;");
@@ -274,7 +277,7 @@ START_TEST(refusals)
     refused(128, "128,1,1,1,1,0,0,1,0,0,0.,0.,1.,1.", "cut short");
     refused(128, "128,1.5,1,1,1;", "whole number");
     refused(128, "128,99Habc;", "99 characters");
-#define SQUARE(knots, weights, last, range)                                                     \
+#define SQUARE(knots, weights, last, range)                                                      \
     "128,1,1,1,1,0,0,1,0,0," knots ",0.,0.,1.,1.," weights ",0.,0.,0.,40.,0.,0.,0.,30.,0.," last \
     "," range ";"
     refused(128, SQUARE("0.,0.,1.,1.", "1.,1.,1.,1.", "5Hhello,30.,8.", "0.,1.,0.,1."), "a text");
@@ -282,7 +285,8 @@ START_TEST(refusals)
     refused(128, SQUARE("0.,0.,1E308,1E308", "1.,1.,1.,1.", "40.,30.,8.", "0.,1.,0.,1."), "1e+308");
     refused(128, SQUARE("0.,0.,1.,1.", "1.,-1.,1.,1.", "40.,30.,8.", "0.,1.,0.,1."), "weight -1");
     refused(128, SQUARE("0.,0.,1.,1.", "1.,1.,1.,1.", "40.,30.,8.", "1.,0.,0.,1."), "range in u");
-    refused(128, SQUARE("0.,2.,1.,1.", "1.,1.,1.,1.", "40.,30.,8.", "0.,1.,0.,1."), "below the one");
+    refused(128, SQUARE("0.,2.,1.,1.", "1.,1.,1.,1.", "40.,30.,8.", "0.,1.,0.,1."),
+            "below the one");
     refused(128, SQUARE("0.,0.,1.,1.", "1.,1.,1.,1.", "40.,30.,1E999", "0.,1.,0.,1."), "finite");
     add(&f, 128, 0, 0, 64, PATCH);
     f.parameter[70] = '7'; /* the pointer back */

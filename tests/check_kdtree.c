@@ -195,10 +195,12 @@ START_TEST(balls_leave_as_one_by_one)
             ck_assert_double_eq_tol(h, first, 1e-3);
             ck_assert_uint_eq(touch.n, h > 0);
             if (touch.n > 0)
-                ck_assert_double_eq_tol(vec_distance(touch.p[0], vec_along(c, h, up)), radius, 1e-9);
+                ck_assert_double_eq_tol(vec_distance(touch.p[0], vec_along(c, h, up)), radius,
+                                        1e-9);
             bool any = false;
             for (int i = 0; i < N; i++)
-                any = any || (point[i].z > c.z && hypot(point[i].x - c.x, point[i].y - c.y) < radius);
+                any =
+                    any || (point[i].z > c.z && hypot(point[i].x - c.x, point[i].y - c.y) < radius);
             ck_assert_int_eq(kdtree_any_above(tree, c, radius), any);
             raised += first > 0.01 && last > first + 0.01;
         }

@@ -127,8 +127,17 @@ START_TEST(fewer_axes)
 END_TEST
 
 static const char *const shipped[] = {
-    "table-ac", "table-bc", "head-ca", "head-cb", "head-table-bc", "nutating-head",
-    "nutating-head-table", "nutating-table", "linuxcnc-xyzac", "linuxcnc-xyzbc", "table-a",
+    "table-ac",
+    "table-bc",
+    "head-ca",
+    "head-cb",
+    "head-table-bc",
+    "nutating-head",
+    "nutating-head-table",
+    "nutating-table",
+    "linuxcnc-xyzac",
+    "linuxcnc-xyzbc",
+    "table-a",
 };
 enum { SHIPPED = sizeof shipped / sizeof *shipped };
 
@@ -192,9 +201,8 @@ START_TEST(any_two_axes)
         for (int k = 0; k < 2; k++) {
             struct vec3 centre = vec_scale(300 * chance(), random_unit());
             chain.rotary[k] = rotary_of(random_unit(), centre, k < tables);
-            rig.axis[k] = (struct rig_axis){.table = k < tables,
-                                            .axis = chain.rotary[k].axis,
-                                            .centre = centre};
+            rig.axis[k] = (struct rig_axis){
+                .table = k < tables, .axis = chain.rotary[k].axis, .centre = centre};
         }
         for (int k = 0; k < 3600; k++) {
             const double q[2] = {0, k / 10.0};

@@ -70,8 +70,9 @@ START_TEST(the_axis_leans_off_the_wall)
         ck_assert_double_le(vec_angle(p->axis, p[-1].axis), RADIANS(4));
         ck_assert_double_gt(vec_dot(p->axis, p->normal), 0.05);
     }
-    ck_assert_double_lt(run.item[80].axis.x, -0.1);        /* away from the wall */
-    ck_assert_double_lt(vec_angle(run.item[0].axis, vec(0, 0, 1)), 1e-12); /* far from it, upright */
+    ck_assert_double_lt(run.item[80].axis.x, -0.1); /* away from the wall */
+    ck_assert_double_lt(vec_angle(run.item[0].axis, vec(0, 0, 1)),
+                        1e-12); /* far from it, upright */
     array_free(&run);
     guard_free(guard);
 }

@@ -131,8 +131,12 @@ END_TEST
 static const struct {
     const char *setting, *says;
 } impossible[] = {
-    {"axes=A", "two"},          {"axes=A A", "two"},        {"axes=A B C", "two"},
-    {"axes=A X", "two"},        {"axis.A=0 0 0", "0 long"}, {"axis.A=0 0 1", "parallel"},
+    {"axes=A", "two"},
+    {"axes=A A", "two"},
+    {"axes=A B C", "two"},
+    {"axes=A X", "two"},
+    {"axis.A=0 0 0", "0 long"},
+    {"axis.A=0 0 1", "parallel"},
     {"a.min=200", "a.min 200 above"},
 };
 

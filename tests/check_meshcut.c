@@ -1,4 +1,5 @@
-/* meshcut against spheres and planes known exactly, brute force, and meshes with borders and holes. */
+/* meshcut against spheres and planes known exactly, brute force, and meshes with borders and holes.
+ */
 #include <check.h>
 #include <stdint.h>
 #include <stdlib.h>
@@ -179,8 +180,8 @@ static size_t count_points(const struct mesh *mesh, struct vec3 normal, double s
     return n;
 }
 
-/* Paper 2: 9,023 = 22 * 401 + 201 points at step 2 over 44 mm, 13,033 = 32 * 401 + 201 at step 5 over
- * 160 mm, on 200 x 200 cells: the first plane is on the border, the last one just inside. */
+/* Paper 2: 9,023 = 22 * 401 + 201 points at step 2 over 44 mm, 13,033 = 32 * 401 + 201 at step 5
+ * over 160 mm, on 200 x 200 cells: the first plane is on the border, the last one just inside. */
 START_TEST(counts_of_the_paper)
 {
     struct mesh s1 = shape_grid(shape_wave, 0, 0, 44, 51, 200, 200);
@@ -196,7 +197,8 @@ START_TEST(counts_of_the_paper)
 }
 END_TEST
 
-/* A mesh stream has 6 decimals: a border that is straight stays one when it is turned and rounded. */
+/* A mesh stream has 6 decimals: a border that is straight stays one when it is turned and rounded.
+ */
 START_TEST(a_border_that_is_rounded_is_still_one)
 {
     struct mesh mesh = shape_grid(shape_wave, 0, 0, 44, 51, 50, 50);

@@ -152,8 +152,9 @@ START_TEST(off_text)
                             "3 0 1 4\n3 1 2 4\n3 2 3 4\n3 3 0 4\n"));
     is_pyramid(scratch_text("OFF 5 4 8 # counts\n# corners\n0 0 0\n\n10 0 0\n10 8 0\n0 8 0\n"
                             "5 4 3.5\n3 0 1 4 255 0 0\n3 1 2 4\n3 2 3 4\n3 3 0 4"));
-    is_pyramid(scratch_text("COFF\n5 4 0\n0 0 0 255 0 0 9\n10 0 0 0 0 0 0\n10 8 0 0 0 0 0\n"
-                            "0 8 0 1 1 1 1\n5 4 3.5 0 0 0 0\n3 0 1 4\n3 1 2 4\n3 2 3 4\n3 3 0 4\n"));
+    is_pyramid(
+        scratch_text("COFF\n5 4 0\n0 0 0 255 0 0 9\n10 0 0 0 0 0 0\n10 8 0 0 0 0 0\n"
+                     "0 8 0 1 1 1 1\n5 4 3.5 0 0 0 0\n3 0 1 4\n3 1 2 4\n3 2 3 4\n3 3 0 4\n"));
     ck_assert_int_eq(read_file(scratch_text("NOFF\n4 1 0\n0 0 0 0 0 2\n1 0 0 0 0 1\n1 1 0 0 0 1\n"
                                             "0 1 0 0 1 1\n4 0 1 2 3\n")),
                      0);

@@ -134,8 +134,8 @@ START_TEST(a_sheet_faces_up)
     r = mesh_mend(&mesh, up);
     ck_assert_uint_eq(r.normals, 1);
     for (size_t v = 0; v < mesh.normal.n; v++)
-        ck_assert_double_lt(vec_distance(mesh.normal.item[v],
-                                         vec_scale(1 / 50.0, mesh.vertex.item[v])), 1e-9);
+        ck_assert_double_lt(
+            vec_distance(mesh.normal.item[v], vec_scale(1 / 50.0, mesh.vertex.item[v])), 1e-9);
     /* Without normals, and a whole sheet of the wrong side. */
     array_free(&mesh.normal);
     flip_all(&mesh);
@@ -174,7 +174,8 @@ START_TEST(edges_know_their_facets)
         border += edges.edge[e].facet[1] == EDGE_BORDER;
         ck_assert_int_lt(edges.edge[e].v[0], edges.edge[e].v[1]);
     }
-    /* Euler: 7 * 6 rows + 8 * 5 columns + 35 diagonals, and two sides of the facet on a diagonal. */
+    /* Euler: 7 * 6 rows + 8 * 5 columns + 35 diagonals, and two sides of the facet on a diagonal.
+     */
     ck_assert_uint_eq(edges.n, 42 + 40 + 35 + 2);
     ck_assert_uint_eq(many, 1);
     ck_assert_uint_eq(border, 24 + 2);

@@ -18,11 +18,12 @@ START_TEST(by_brute_force)
         struct vec3 p = anywhere(2);
         double least = HUGE_VAL, distance;
         for (int f = 0; f < 12; f++) {
-            struct vec3 a = anywhere(1), b = anywhere(1), c = f % 3 ? anywhere(1) : vec_mix(a, b, 1.01);
+            struct vec3 a = anywhere(1), b = anywhere(1),
+                        c = f % 3 ? anywhere(1) : vec_mix(a, b, 1.01);
             for (int i = 0; i <= 100; i++)
                 for (int j = 0; j <= 100 - i; j++) {
-                    struct vec3 q = vec_along(vec_along(a, i / 100.0, vec_sub(b, a)), j / 100.0,
-                                              vec_sub(c, a));
+                    struct vec3 q =
+                        vec_along(vec_along(a, i / 100.0, vec_sub(b, a)), j / 100.0, vec_sub(c, a));
                     least = fmin(least, vec_distance(p, q));
                 }
             int v = (int)m.vertex.n;

@@ -20,8 +20,7 @@ static struct mesh square(int row0, int row2)
     return m;
 }
 
-static struct meshsplit begin(struct mesh *m, const struct vec3 *point, const double *within,
-                              int n)
+static struct meshsplit begin(struct mesh *m, const struct vec3 *point, const double *within, int n)
 {
     struct meshsplit w = {.mesh = m, .old = 4, .point = point, .within = within};
     const int beyond[] = {-1, -1, 1, 0, -1, -1};

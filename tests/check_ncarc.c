@@ -58,18 +58,18 @@ START_TEST(centre_words)
     struct follow f = {.mode = FOLLOW_VECTOR};
     seed = 5;
     for (int i = 0; i < 4000; i++) {
-        struct trial t = random_arc(normal[i % 4], 0.05 + 6 * chance(), written[_i].unit,
-                                    written[_i].digits);
+        struct trial t =
+            random_arc(normal[i % 4], 0.05 + 6 * chance(), written[_i].unit, written[_i].digits);
         struct nc_arc arc;
         struct deviation d;
         double point;
-        ck_assert(nc_arc_words(&arc, NC_ARCS_CENTRE, written[_i].digits,
-                               0.005 / written[_i].unit, &f, &t.from, &t.to, &t.motion, 0, 1, &d,
-                               &point));
+        ck_assert(nc_arc_words(&arc, NC_ARCS_CENTRE, written[_i].digits, 0.005 / written[_i].unit,
+                               &f, &t.from, &t.to, &t.motion, 0, 1, &d, &point));
         ck_assert_double_lt(point, 20 * digit);
         ck_assert_int_eq(arc.plane, plane[i % 4]);
         ck_assert(arc.ccw == (i % 4 == 0 || i % 4 == 2));
-        ck_assert_double_lt(vec_distance(printed(arc.centre, written[_i].digits), arc.centre), 1e-12);
+        ck_assert_double_lt(vec_distance(printed(arc.centre, written[_i].digits), arc.centre),
+                            1e-12);
         struct vec3 centre = vec_add(t.from.p, arc.centre);
         struct vec3 r0 = vec_reject(vec_sub(t.from.p, centre), normal[i % 4]);
         struct vec3 r1 = vec_reject(vec_sub(t.to.p, centre), normal[i % 4]);
@@ -101,16 +101,17 @@ START_TEST(too_short)
         struct deviation d = {0, 0};
         double point = 0;
         for (int kind = NC_ARCS_FLAT; kind <= NC_ARCS_BOTH; kind++) {
-            bool words = nc_arc_words(&arc, (enum nc_arcs)kind, written[_i].digits,
-                                      0.005 / written[_i].unit, &f, &t.from, &t.to, &t.motion, 0, 1,
-                                      &d, &point);
+            bool words =
+                nc_arc_words(&arc, (enum nc_arcs)kind, written[_i].digits, 0.005 / written[_i].unit,
+                             &f, &t.from, &t.to, &t.motion, 0, 1, &d, &point);
             ck_assert(!words || vec_distance(t.from.p, t.to.p) > 9.5 * digit);
         }
     }
 }
 END_TEST
 
-/* R: the centre that the control finds lies on the bisector of the chord, on the side of the sign. */
+/* R: the centre that the control finds lies on the bisector of the chord, on the side of the sign.
+ */
 START_TEST(radius_words)
 {
     double digit = pow(10, -written[_i].digits);
@@ -171,8 +172,7 @@ START_TEST(space_words)
         ck_assert_double_lt(fabs(vec_distance(centre, t.to.p) - r), 1e-7 * r);
         for (int k = 1; k < 8; k++) {
             struct vec3 p = motion_at(&t.motion, k / 8.0).p;
-            ck_assert_double_lt(fabs(vec_distance(centre, p) - r),
-                                point + 2 * digit);
+            ck_assert_double_lt(fabs(vec_distance(centre, p) - r), point + 2 * digit);
         }
     }
     struct trial flat = random_arc(vec(0, 0, 1), 1e-4, 1, 3);

@@ -1,6 +1,6 @@
 /*
- * ncpoly: the printed polynomials, by the formula of the manual, are the curve, to the fifth degree;
- * a wrong factor is seen; the width is that of the words as the manual writes them.
+ * ncpoly: the printed polynomials, by the formula of the manual, are the curve, to the fifth
+ * degree; a wrong factor is seen; the width is that of the words as the manual writes them.
  */
 #include <check.h>
 #include <stdint.h>
@@ -100,8 +100,8 @@ START_TEST(faults_are_seen)
         struct pose from = {b.pole[0], vec(0, 0, 1)}, to = {b.pole[b.poles - 1], vec(0, 0, 1)};
         struct motion motion = motion_spline(from, to, &b);
         ck_assert(nc_poly_words(&spans, &b, 5));
-        struct deviation d = nc_poly_deviation(&spans, &b, &f, b.pole[0], b.head[0], &motion,
-                                               allowed, &more);
+        struct deviation d =
+            nc_poly_deviation(&spans, &b, &f, b.pole[0], b.head[0], &motion, allowed, &more);
         ck_assert_double_lt(d.point, 2e-5);
         ck_assert_double_lt(d.axis, 1e-6);
         ck_assert_uint_eq(more.n, 0);

@@ -104,12 +104,12 @@ START_TEST(slow_part_of_a_curve)
     struct bspline slow = leaning(60), even = leaning(0), tame = leaning(1);
     const struct bspline *curve[] = {&slow, &even, &tame};
     for (int i = 0; i < 3; i++) {
-        struct pose from = {curve[i]->pole[0], vec_unit(vec_sub(curve[i]->head[0],
-                                                                curve[i]->pole[0]))};
+        struct pose from = {curve[i]->pole[0],
+                            vec_unit(vec_sub(curve[i]->head[0], curve[i]->pole[0]))};
         struct motion motion = motion_spline(from, from, curve[i]);
         int over;
-        ck_assert_int_eq(chain_choose(&m.chain, from.a, (double[]){0, 0}, false, -1,
-                                      step.state.at.q, &over), 0);
+        ck_assert_int_eq(
+            chain_choose(&m.chain, from.a, (double[]){0, 0}, false, -1, step.state.at.q, &over), 0);
         double s = nc_curve_part(&step, &motion);
         ck_assert_double_eq_tol(12 * s, round(12 * s), 1e-9);
         if (i > 0)

@@ -1,6 +1,6 @@
 /*
- * ncspline: G06.2 of curves of every degree, run by de Boor's scheme on the printed poles, knots and
- * angles: within the tolerance of the motion, no span below 1; POLY ends where the motion does.
+ * ncspline: G06.2 of curves of every degree, run by de Boor's scheme on the printed poles, knots
+ * and angles: within the tolerance of the motion, no span below 1; POLY ends where the motion does.
  */
 #include <check.h>
 #include <stdint.h>
@@ -18,9 +18,11 @@ static double chance(void)
     return (double)(seed >> 11) / 9007199254740992.0;
 }
 
-static const struct chain table_ac = {.n = 2, .master = 1, .tool = {0, 0, 1},
-                                      .rotary = {{{0, 0, 1}, {0, 0, 0}, true, -99, 99},
-                                                 {{1, 0, 0}, {0, 0, 0}, true, -2, 2}}};
+static const struct chain table_ac = {
+    .n = 2,
+    .master = 1,
+    .tool = {0, 0, 1},
+    .rotary = {{{0, 0, 1}, {0, 0, 0}, true, -99, 99}, {{1, 0, 0}, {0, 0, 0}, true, -2, 2}}};
 
 /* The tool leans 20 degrees forward and swings a little. */
 static struct bspline any_curve(int degree, size_t poles, double unit)
@@ -85,8 +87,8 @@ static void expect_near(const struct nc_spline *s, const struct motion *motion, 
     for (int i = 0; i <= 2000; i++) {
         double share = i / 2000.0, u = k[degree] + share * (k[n] - k[degree]);
         struct pose wanted = motion_at(motion, share);
-        struct vec3 p = vec(at(k, degree, n, x[0], u), at(k, degree, n, x[1], u),
-                            at(k, degree, n, x[2], u));
+        struct vec3 p =
+            vec(at(k, degree, n, x[0], u), at(k, degree, n, x[1], u), at(k, degree, n, x[2], u));
         double c = RADIANS(at(k, degree, n, s->angle[0], u));
         double a = RADIANS(at(k, degree, n, s->angle[1], u));
         struct vec3 tool = vec(sin(c) * sin(a), -cos(c) * sin(a), cos(a));
@@ -149,7 +151,8 @@ START_TEST(polynomials)
                                              (struct pose){b.pole[b.poles - 1], from.a}, &b);
         motion.to.a = motion_at(&motion, 1).a;
         struct nc_spline s;
-        ck_assert(nc_spline_words(&s, NC_SPLINES_HEAD, digits, &f, &from, &motion, allowed, &to, &d));
+        ck_assert(
+            nc_spline_words(&s, NC_SPLINES_HEAD, digits, &f, &from, &motion, allowed, &to, &d));
         ck_assert(d.point <= 0.005 && (degree > 5 || s.form != NC_POLY || d.point < 3e-5));
         ck_assert(s.form != NC_POLY || s.degree == (degree > 5 ? 3 : degree));
         ck_assert_double_lt(vec_distance(to.p, b.pole[b.poles - 1]), 1e-5);
@@ -168,8 +171,8 @@ START_TEST(none)
         struct bspline b = any_curve(degree, 8, 1);
         struct deviation allowed = {0.005, RADIANS(0.05)}, d;
         struct station from = begin(&b, digits), to;
-        struct motion motion = motion_spline((struct pose){b.pole[0], from.a},
-                                             (struct pose){b.pole[7], from.a}, &b);
+        struct motion motion =
+            motion_spline((struct pose){b.pole[0], from.a}, (struct pose){b.pole[7], from.a}, &b);
         struct nc_spline s;
         enum nc_splines kind = degree == 1 ? NC_SPLINES_ROTARY : NC_SPLINES_NONE;
         ck_assert(!nc_spline_words(&s, kind, digits, &f, &from, &motion, allowed, &to, &d));

@@ -1,7 +1,7 @@
 /*
- * nurbs, against the Cox - de Boor recursion with long doubles and difference quotients, and against
- * surfaces that are known: a sphere (points, normals, curvatures, poles), a cylinder in a quarter, a
- * paraboloid.
+ * nurbs, against the Cox - de Boor recursion with long doubles and difference quotients, and
+ * against surfaces that are known: a sphere (points, normals, curvatures, poles), a cylinder in a
+ * quarter, a paraboloid.
  */
 #include <check.h>
 #include <stdint.h>
@@ -44,8 +44,8 @@ static struct vec3 by_definition(const struct nurbs *s, struct uv at)
     for (size_t j = 0; j < s->v.poles; j++)
         for (size_t i = 0; i < s->u.poles; i++) {
             const struct nurbs_pole *p = &s->pole[j * s->u.poles + i];
-            long double n = recursion(&s->u, i, s->u.degree, at.u) *
-                            recursion(&s->v, j, s->v.degree, at.v);
+            long double n =
+                recursion(&s->u, i, s->u.degree, at.u) * recursion(&s->v, j, s->v.degree, at.v);
             sum[0] += n * p->wx;
             sum[1] += n * p->wy;
             sum[2] += n * p->wz;
@@ -80,7 +80,8 @@ static struct nurbs random_surface(int p, int q)
     s.pole = mem_alloc(n, sizeof *s.pole);
     for (size_t i = 0; i < n; i++) {
         double w = 0.2 + 3 * chance();
-        double x = (double)(i % s.u.poles) + chance() / 2, y = (double)(i / s.u.poles) + chance() / 2;
+        double x = (double)(i % s.u.poles) + chance() / 2,
+               y = (double)(i / s.u.poles) + chance() / 2;
         s.pole[i] = (struct nurbs_pole){w * x, w * y, w * 3 * chance(), w};
     }
     return s;
@@ -88,7 +89,8 @@ static struct nurbs random_surface(int p, int q)
 
 static struct uv place_of(const struct nurbs *s, double u, double v)
 {
-    return (struct uv){s->u.from + u * (s->u.to - s->u.from), s->v.from + v * (s->v.to - s->v.from)};
+    return (struct uv){s->u.from + u * (s->u.to - s->u.from),
+                       s->v.from + v * (s->v.to - s->v.from)};
 }
 
 START_TEST(points_by_definition)
@@ -142,10 +144,11 @@ END_TEST
 /* Radius 10 about the origin: circle of nine poles times half circle of five. */
 static struct nurbs sphere(void)
 {
-    static const double circle[9][2] = {{1, 0}, {1, 1}, {0, 1}, {-1, 1}, {-1, 0},
+    static const double circle[9][2] = {{1, 0},   {1, 1},  {0, 1},  {-1, 1}, {-1, 0},
                                         {-1, -1}, {0, -1}, {1, -1}, {1, 0}};
     static const double half[5][2] = {{0, -1}, {1, -1}, {1, 0}, {1, 1}, {0, 1}};
-    static const double u[12] = {0, 0, 0, 1, 1, 2, 2, 3, 3, 4, 4, 4}, v[8] = {0, 0, 0, 1, 1, 2, 2, 2};
+    static const double u[12] = {0, 0, 0, 1, 1, 2, 2, 3, 3, 4, 4, 4},
+                        v[8] = {0, 0, 0, 1, 1, 2, 2, 2};
     struct nurbs s = {.u = {.degree = 2, .poles = 9, .from = 0, .to = 4},
                       .v = {.degree = 2, .poles = 5, .from = 0, .to = 2}};
     s.u.knot = mem_alloc(12, sizeof *s.u.knot);
@@ -217,8 +220,8 @@ START_TEST(a_paraboloid)
 }
 END_TEST
 
-/* All of one edge in one point, where the cross product vanishes: a cone's normal there is the limit
- * along its side; a flat fan's is that of its plane. */
+/* All of one edge in one point, where the cross product vanishes: a cone's normal there is the
+ * limit along its side; a flat fan's is that of its plane. */
 START_TEST(degenerate_edges)
 {
     struct nurbs s = {.u = {.degree = 1, .poles = 2, .from = 0, .to = 1},

@@ -62,8 +62,8 @@ static void expect_along(const struct path *path, const struct helix *h, double 
         const struct path_arc *arc = &path->arc.item[item->index];
         struct motion m = motion_arc(at, item->to, arc->centre, arc->axis);
         for (int k = 0; k <= 10; k++)
-            ck_assert_double_lt(vec_distance(motion_at(&m, k / 10.0).p, on(h, done + m.sweep * k / 10)),
-                                2e-4);
+            ck_assert_double_lt(
+                vec_distance(motion_at(&m, k / 10.0).p, on(h, done + m.sweep * k / 10)), 2e-4);
         done += m.sweep;
         at = item->to;
     }
@@ -121,7 +121,8 @@ END_TEST
 /* Creo lists points of an arc without a word; one that is off it ends the arc. */
 START_TEST(points_on_the_arc)
 {
-    static const char list[] = "GOTO/5,0,0\nCIRCLE/0,0,0,0,0,1,5\nGOTO/3,4,0\n-3,4,0\n-5,0,0\n%s\nFINI\n";
+    static const char list[] =
+        "GOTO/5,0,0\nCIRCLE/0,0,0,0,0,1,5\nGOTO/3,4,0\n-3,4,0\n-5,0,0\n%s\nFINI\n";
     static const struct {
         const char *behind;
         size_t arcs;

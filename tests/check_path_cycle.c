@@ -67,7 +67,8 @@ START_TEST(what_it_means)
 {
     struct path path;
     struct error error = {""};
-    ck_assert_msg(read_cycle(means[_i].head, means[_i].words, &path, &error) == 0, "%s", error.text);
+    ck_assert_msg(read_cycle(means[_i].head, means[_i].words, &path, &error) == 0, "%s",
+                  error.text);
     const struct path_cycle *c = &path.cycle.item[0];
     ck_assert_int_eq((int)c->kind, (int)means[_i].kind);
     ck_assert_double_eq_tol(c->depth, means[_i].depth, 1e-9);

@@ -51,7 +51,7 @@ START_TEST(feeds_in_all_units)
     struct path path;
     struct error error = {""};
     char text[400];
-    const char *places = *feeds[_i].head == 0 ? "GOTO/5,0,0"
+    const char *places = *feeds[_i].head == 0           ? "GOTO/5,0,0"
                          : strstr(feeds[_i].head, "CM") ? "GOTO/.5,0,0"
                                                         : "GOTO/.19685039370,0,0";
     snprintf(text, sizeof text, "SPINDL/RPM,2000\n%sGOTO/0,0,0\n%s\n%s\nFINI\n", feeds[_i].head,

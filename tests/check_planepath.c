@@ -65,9 +65,15 @@ START_TEST(planes_become_passes)
     struct planepath p = {.rule = planepath_upright(PI / 2, BALL)};
     struct path path = {0};
     struct toolpath t = {.path = &path,
-                         .rule = {.radius = BALL, .feed = 800, .plunge = 300, .clearance = 20,
-                                  .approach = 3, .longest = 6},
-                         .lift = {.limit = BALL, .tolerance = 0.01, .step = 0.05,
+                         .rule = {.radius = BALL,
+                                  .feed = 800,
+                                  .plunge = 300,
+                                  .clearance = 20,
+                                  .approach = 3,
+                                  .longest = 6},
+                         .lift = {.limit = BALL,
+                                  .tolerance = 0.01,
+                                  .step = 0.05,
                                   .axis = {.kind = AXIS_FIXED, .direction = {0, 0, 1}}}};
     cutting.radius = BALL;
     planepath_equal(&p, &mesh, 4);

@@ -1,4 +1,5 @@
-/* Tests of powersum.h: the right side is the slope of the sum, the step leads to the least squares. */
+/* Tests of powersum.h: the right side is the slope of the sum, the step leads to the least squares.
+ */
 #include "powersum.h"
 
 #include <check.h>

@@ -72,8 +72,7 @@ START_TEST(an_arc_is_followed_round)
     for (int k = -1; k <= 1; k++) {
         double off = 0.03 * k, radius = SPHERE + BALL + off;
         struct run_point a = on_arc(-0.3, radius), b = on_arc(0.3, radius);
-        struct motion arc =
-            motion_arc(centre_of(&a), centre_of(&b), vec(0, 0, 0), vec(0, 1, 0));
+        struct motion arc = motion_arc(centre_of(&a), centre_of(&b), vec(0, 0, 0), vec(0, 1, 0));
         struct deeps deeps = {0};
         recheck_motion(&rule, &arc, &deeps);
         ck_assert_double_eq_tol(recheck_deepest(&deeps).depth, k < 0 ? 0.03 : 0, 0.001);
@@ -106,8 +105,9 @@ START_TEST(points_are_lifted_out)
         double out = vec_length(run.item[i].ball) - SPHERE - BALL;
         ck_assert_double_ge(out, -0.0051);
         ck_assert_double_le(out, 0.04);
-        ck_assert_double_lt(vec_distance(vec_along(run.item[i].tip, BALL, run.item[i].axis),
-                                         run.item[i].ball), 1e-12);
+        ck_assert_double_lt(
+            vec_distance(vec_along(run.item[i].tip, BALL, run.item[i].axis), run.item[i].ball),
+            1e-12);
     }
     ck_assert(vec_distance(first.ball, run.item[0].ball) == 0);
     ck_assert(vec_distance(last.ball, run.item[run.n - 1].ball) == 0);

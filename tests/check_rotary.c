@@ -19,7 +19,8 @@ START_TEST(ways_are_those_of_lean_and_direction)
         ck_assert_double_eq_tol(rotary_way(leaning(0.5, at), leaning(0.4, at - 1)), 1.1, 1e-9);
         /* straight over the top: the lean goes to the other side */
         ck_assert_double_eq_tol(rotary_way(leaning(0.1, at), leaning(0.2, at + PI)), 0.3, 1e-9);
-        ck_assert_double_eq_tol(rotary_way(leaning(0.1, at), leaning(0.2, at + PI - 0.1)), 0.4, 1e-9);
+        ck_assert_double_eq_tol(rotary_way(leaning(0.1, at), leaning(0.2, at + PI - 0.1)), 0.4,
+                                1e-9);
         ck_assert_double_eq_tol(rotary_way(vec(0, 0, 1), leaning(0.3, at)), 0.3, 1e-9);
         ck_assert_double_eq(rotary_way(leaning(0.3, at), leaning(0.3, at)), 0);
     }

@@ -61,11 +61,11 @@ static double worst_off(double (*height)(double, double))
     for (size_t f = 0; f < mesh.face.n; f++) {
         const int *v = mesh.face.item[f].v;
         struct vec3 a = mesh.vertex.item[v[0]], b = mesh.vertex.item[v[1]];
-        struct vec3 c = mesh.vertex.item[v[2]], ab = vec_mix(a, b, 0.5), middle = vec_mix(ab, c, 1.0 / 3);
+        struct vec3 c = mesh.vertex.item[v[2]], ab = vec_mix(a, b, 0.5),
+                    middle = vec_mix(ab, c, 1.0 / 3);
         worst = fmax(worst, fabs(ab.z - height(ab.x, ab.y)) * noisy_up(height, ab.x, ab.y).z);
-        worst = fmax(worst,
-                     fabs(middle.z - height(middle.x, middle.y)) *
-                         noisy_up(height, middle.x, middle.y).z);
+        worst = fmax(worst, fabs(middle.z - height(middle.x, middle.y)) *
+                                noisy_up(height, middle.x, middle.y).z);
     }
     return worst;
 }
@@ -89,7 +89,7 @@ START_TEST(panel)
     make_scan(panel_height, 17000, (enum noisy_pattern)_i);
     for (int k = 0; k < 3; k++) {
         struct rowmesh r = rowmesh_make(&buckets, &footprint, &holes,
-                                    &(struct rowmesh_wish){error[k], 0.48, 12, NULL, 0}, &mesh);
+                                        &(struct rowmesh_wish){error[k], 0.48, 12, NULL, 0}, &mesh);
         ck_assert_double_le(r.worst, error[k]);
         ck_assert_double_lt(r.rms, error[k] / 2);
         ck_assert_double_lt(worst_off(panel_height), 1.25 * error[k]);
@@ -142,8 +142,8 @@ END_TEST
 START_TEST(rib)
 {
     make_scan(ridge, 100000, (enum noisy_pattern)_i);
-    rowmesh_make(&buckets, &footprint, &holes,
-                                    &(struct rowmesh_wish){0.05, 0.2, 4.8, NULL, 0}, &mesh);
+    rowmesh_make(&buckets, &footprint, &holes, &(struct rowmesh_wish){0.05, 0.2, 4.8, NULL, 0},
+                 &mesh);
     int rows = mesh.row.item[mesh.row.n - 1] + 1;
     double *kept = mem_alloc((size_t)rows, sizeof *kept);
     for (size_t i = 0; i < mesh.vertex.n; i++) {
@@ -190,9 +190,9 @@ START_TEST(hole)
     ck_assert_double_lt(r.worst, 1e-6);
     for (size_t f = 0; f < mesh.face.n; f++) {
         const int *v = mesh.face.item[f].v;
-        struct vec3 middle = vec_scale(1.0 / 3, vec_add(mesh.vertex.item[v[0]],
-                                                        vec_add(mesh.vertex.item[v[1]],
-                                                                mesh.vertex.item[v[2]])));
+        struct vec3 middle =
+            vec_scale(1.0 / 3, vec_add(mesh.vertex.item[v[0]],
+                                       vec_add(mesh.vertex.item[v[1]], mesh.vertex.item[v[2]])));
         ck_assert_double_gt(hypot(middle.x, middle.y), 4);
     }
     ck_assert_double_gt(area(), 0.95 * (74 * 54 - PI * 36));

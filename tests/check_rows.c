@@ -21,8 +21,8 @@ static struct mesh make_mesh(double angle, bool mirror, int hole_row, int hole_c
         if (mirror)
             v = -v;
         at[row][col] = (int)mesh.vertex.n;
-        *array_push(&mesh.vertex) = vec(u * cos(angle) - v * sin(angle),
-                                        u * sin(angle) + v * cos(angle), 0.1 * col);
+        *array_push(&mesh.vertex) =
+            vec(u * cos(angle) - v * sin(angle), u * sin(angle) + v * cos(angle), 0.1 * col);
         *array_push(&mesh.row) = row + 3;
         *array_push(&mesh.col) = col - row;
     }

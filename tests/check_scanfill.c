@@ -1,5 +1,5 @@
-/* scanfill: points between those of a sparse cloud lie on its surface, in no hole, and only where the ball
- * asks for them. */
+/* scanfill: points between those of a sparse cloud lie on its surface, in no hole, and only where
+ * the ball asks for them. */
 #include <check.h>
 #include <stdlib.h>
 

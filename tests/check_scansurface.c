@@ -1,5 +1,5 @@
-/* scansurface against a sphere: its points stay on it, the ball does not sink between them, noise is
- * found and taken out, holes and rough places stay. */
+/* scansurface against a sphere: its points stay on it, the ball does not sink between them, noise
+ * is found and taken out, holes and rough places stay. */
 #include "scansurface.h"
 
 #include <check.h>

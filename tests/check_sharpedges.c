@@ -1,4 +1,5 @@
-/* sharpedges: on all edges of a cube, on none inside out; not where a crease ends or is a valley. */
+/* sharpedges: on all edges of a cube, on none inside out; not where a crease ends or is a valley.
+ */
 #include <check.h>
 #include <stdlib.h>
 
@@ -59,8 +60,7 @@ static struct mesh roof(double top, bool split)
     for (int i = 0; i < 8; i++)
         *array_push(&m.vertex) = vec(x[i / 2], i % 2 * 4, i / 2 == 1 || i / 2 == 2 ? top : 0);
     int r = split ? 4 : 2;
-    const struct face faces[] = {
-        {{0, 2, 3}}, {{0, 3, 1}}, {{r, 6, 7}}, {{r, 7, r + 1}}};
+    const struct face faces[] = {{{0, 2, 3}}, {{0, 3, 1}}, {{r, 6, 7}}, {{r, 7, r + 1}}};
     for (int f = 0; f < 4; f++)
         *array_push(&m.face) = faces[f];
     return m;
@@ -68,8 +68,11 @@ static struct mesh roof(double top, bool split)
 
 START_TEST(roof_and_valley)
 {
-    const struct { double top; bool split; size_t points; } cases[] = {
-        {2, true, 5}, {-2, true, 0}, {0, true, 0}, {2, false, 0}};
+    const struct {
+        double top;
+        bool split;
+        size_t points;
+    } cases[] = {{2, true, 5}, {-2, true, 0}, {0, true, 0}, {2, false, 0}};
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
         struct mesh m = roof(cases[i].top, cases[i].split);
         struct vec3s points = sampled(&m, 1);

@@ -102,8 +102,7 @@ START_TEST(sparse_walls)
         *array_push(&scan) = vec(x, y, (x < 0 ? 0 : 6) + 0.02 * noisy_normal());
     }
     for (int i = 0; i < WALL; i++)
-        *array_push(&scan) =
-            vec(0.02 * noisy_normal(), 40 * noisy_uniform(), 6 * noisy_uniform());
+        *array_push(&scan) = vec(0.02 * noisy_normal(), 40 * noisy_uniform(), 6 * noisy_uniform());
     for (int i = 0; i < STRAYS; i++)
         *array_push(&scan) = vec(i % 2 ? 60 * noisy_uniform() - 30 : 0.5 * noisy_normal(),
                                  40 * noisy_uniform(), 14 + 26 * noisy_uniform());
@@ -166,8 +165,8 @@ START_TEST(a_pocket)
         double x = 74 * noisy_uniform() - 37, y = 54 * noisy_uniform() - 27;
         *array_push(&scan) = vec(x, y, fabs(x) < 12 && fabs(y) < 9 ? 0 : 6);
         if (i < 1000)
-            *array_push(&scan) = vec(12 + 0.02 * noisy_normal(), 18 * noisy_uniform() - 9,
-                                     6 * noisy_uniform());
+            *array_push(&scan) =
+                vec(12 + 0.02 * noisy_normal(), 18 * noisy_uniform() - 9, 6 * noisy_uniform());
     }
     sort();
     ck_assert_uint_eq(stray_under(&buckets, 2, out), 0);

@@ -26,9 +26,13 @@ static struct toolpath make_toolpath(struct path *path, const struct guard *guar
 {
     return (struct toolpath){
         .path = path,
-        .rule = {.radius = R, .feed = 800, .plunge = 300, .clearance = 20, .approach = 3,
-                 .longest = 6},
-        .lift = {.guard = guard, .offset = R, .limit = R, .tolerance = 0.01, .step = 0.05,
+        .rule =
+            {.radius = R, .feed = 800, .plunge = 300, .clearance = 20, .approach = 3, .longest = 6},
+        .lift = {.guard = guard,
+                 .offset = R,
+                 .limit = R,
+                 .tolerance = 0.01,
+                 .step = 0.05,
                  .axis = {.kind = AXIS_LEAN, .tilt = 0.25},
                  .feed = {.side = {0, 1, 0}}}};
 }
@@ -154,8 +158,8 @@ START_TEST(what_stands_in_a_gutter_is_measured)
     }
     for (int i = 0; i < 9; i++) {
         double u = PI / 4 * (i - 4) / 4;
-        contact[i] = (struct contact){vec(4 * sin(u), 0, 4 * sqrt(2) - 4 * cos(u)),
-                                      vec(-sin(u), 0, cos(u))};
+        contact[i] =
+            (struct contact){vec(4 * sin(u), 0, 4 * sqrt(2) - 4 * cos(u)), vec(-sin(u), 0, cos(u))};
     }
     struct guard *guard = guard_from_points(points.item, points.n);
     array_free(&points);

@@ -1,6 +1,7 @@
 /*
- * trimcut: the triangles have the area of the polygons and none is turned over; on random stars with holes, on polygons along the lines, through the nodes, smaller
- * than a cell and outside the grid.
+ * trimcut: the triangles have the area of the polygons and none is turned over; on random stars
+ * with holes, on polygons along the lines, through the nodes, smaller than a cell and outside the
+ * grid.
  */
 #include <check.h>
 #include <stdint.h>
@@ -106,8 +107,8 @@ static void add_box(struct uvloops *loops, double u0, double v0, double u1, doub
     *array_push(loops) = box;
 }
 
-/* Boxes whose sides lie on lines, and within rounding of them: no slivers, so no more triangles than
- * whole cells have. */
+/* Boxes whose sides lie on lines, and within rounding of them: no slivers, so no more triangles
+ * than whole cells have. */
 START_TEST(along_the_lines)
 {
     static const double off[] = {0, 1e-12, -1e-12, 1e-9, -1e-9, 2e-8};

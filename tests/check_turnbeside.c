@@ -5,7 +5,8 @@
 #include "chains.h"
 #include "turnbeside.h"
 
-/* From one direction to the next, small steps and turned about axes in no plane; cosines and sines with it. */
+/* From one direction to the next, small steps and turned about axes in no plane; cosines and sines
+ * with it. */
 START_TEST(beside_the_last)
 {
     int found = 0;
@@ -34,10 +35,10 @@ START_TEST(beside_the_last)
                 by[j] = from[j] - q[j];
             }
             turned = chain_turned_on(&turned, by);
-            ck_assert_double_lt(vec_distance(chain_axis_of(&chain, &turned),
-                                             chain_axis(&chain, from)), 1e-12);
-            ck_assert_double_lt(vec_distance(chain_ways_axis(&ways, &turned),
-                                             chain_axis(&chain, from)), 1e-12);
+            ck_assert_double_lt(
+                vec_distance(chain_axis_of(&chain, &turned), chain_axis(&chain, from)), 1e-12);
+            ck_assert_double_lt(
+                vec_distance(chain_ways_axis(&ways, &turned), chain_axis(&chain, from)), 1e-12);
         }
     }
     ck_assert_int_gt(found, 15000);

@@ -71,7 +71,8 @@ START_TEST(chosen_in_place)
         double beside[2], place[2] = {from[0], from[1]};
         int over, over_in_place;
         int result = chain_choose(&chain, axis, from, true, -1, beside, &over);
-        ck_assert_int_eq(chain_choose(&chain, axis, place, true, -1, place, &over_in_place), result);
+        ck_assert_int_eq(chain_choose(&chain, axis, place, true, -1, place, &over_in_place),
+                         result);
         if (result != 0)
             continue;
         ck_assert(place[0] == beside[0] && place[1] == beside[1]);

@@ -6,9 +6,11 @@
 
 static struct chain table_ac(double min, double max)
 {
-    return (struct chain){.n = 2, .master = 1, .tool = {0, 0, 1},
-                          .rotary = {{{0, 0, 1}, {0, 0, 0}, true, -99, 99},
-                                     {{1, 0, 0}, {0, 0, 0}, true, min, max}}};
+    return (struct chain){
+        .n = 2,
+        .master = 1,
+        .tool = {0, 0, 1},
+        .rotary = {{{0, 0, 1}, {0, 0, 0}, true, -99, 99}, {{1, 0, 0}, {0, 0, 0}, true, min, max}}};
 }
 
 /* Tip on x at constant speed, the head swinging through the plane y z: tan A = -(a + b u). */
@@ -81,8 +83,8 @@ START_TEST(out_of_travel)
     struct bspline c = swinging(6, 0.2, 0.2);
     double pole0[6], pole1[6], *pole[2] = {pole0, pole1};
     const double from[2] = {0, -atan(0.2)};
-    struct motion m = motion_spline((struct pose){c.pole[0], {0, 0, 1}},
-                                    (struct pose){c.pole[5], {0, 0, 1}}, &c);
+    struct motion m =
+        motion_spline((struct pose){c.pole[0], {0, 0, 1}}, (struct pose){c.pole[5], {0, 0, 1}}, &c);
     int over;
     ck_assert_int_eq(turnfit(&chain, &m, from, pole, &over), -1);
     ck_assert_int_eq(over, 1);

@@ -80,8 +80,8 @@ static const struct {
 
 START_TEST(fewest_turns)
 {
-    struct chain chain = table_ac(wound[_i].a_min, wound[_i].a_max, wound[_i].c_min,
-                                  wound[_i].c_max);
+    struct chain chain =
+        table_ac(wound[_i].a_min, wound[_i].a_max, wound[_i].c_min, wound[_i].c_max);
     size_t n;
     struct turnplan_place *place = spiral(wound[_i].turns, wound[_i].tilt, &n);
     int turns = plan_of(&chain, place, n);
@@ -163,8 +163,8 @@ static void random_pass(struct turnplan_place place[])
     double step = 0.15 * chance() - 0.05, wind = 1.3 * (2 * chance() - 1);
     for (int j = 0; j < PLACES; j++) {
         double t = fmax(0.1, tilt + step * j), c = turn + wind * j;
-        place[j] = (struct turnplan_place){
-            .axis = {sin(t) * sin(c), -sin(t) * cos(c), cos(t)}, .may_turn = true};
+        place[j] = (struct turnplan_place){.axis = {sin(t) * sin(c), -sin(t) * cos(c), cos(t)},
+                                           .may_turn = true};
     }
 }
 

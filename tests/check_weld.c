@@ -1,6 +1,7 @@
 /*
- * weld and outward, through a quilt: a plane cut into strips with other counts and hands has no open
- * edge inside and one side; a gap wider than allowed stays open; a cube turned inside out is found.
+ * weld and outward, through a quilt: a plane cut into strips with other counts and hands has no
+ * open edge inside and one side; a gap wider than allowed stays open; a cube turned inside out is
+ * found.
  */
 #include <check.h>
 #include <stdlib.h>

@@ -25,8 +25,8 @@ double noisy_normal(void)
 struct vec3 noisy_up(double (*height)(double x, double y), double x, double y)
 {
     const double h = 1e-4;
-    return vec_unit(vec(height(x - h, y) - height(x + h, y), height(x, y - h) - height(x, y + h),
-                        2 * h));
+    return vec_unit(
+        vec(height(x - h, y) - height(x + h, y), height(x, y - h) - height(x, y + h), 2 * h));
 }
 
 void noisy_scan(struct vec3s *scan, double (*height)(double x, double y), int n,

@@ -41,15 +41,21 @@ static struct jet surface(double x, double y)
     for (int side = -1; side <= 1; side += 2) {
         const double a2 = 12.5 * 12.5, b2 = 11.0 * 11.0;
         double u = x - 20 * side, v = y - 7;
-        add_bump(&j, 1.9, (struct jet){.z = u * u / a2 + v * v / b2,
-                                       .x = 2 * u / a2, .y = 2 * v / b2,
-                                       .xx = 2 / a2, .yy = 2 / b2});
+        add_bump(&j, 1.9,
+                 (struct jet){.z = u * u / a2 + v * v / b2,
+                              .x = 2 * u / a2,
+                              .y = 2 * v / b2,
+                              .xx = 2 / a2,
+                              .yy = 2 / b2});
     }
     const double a4 = 20.0 * 20 * 20 * 20, b2 = 6.0 * 6.0;
     double v = y + 9;
-    add_bump(&j, -2.2, (struct jet){.z = x * x * x * x / a4 + v * v / b2,
-                                    .x = 4 * x * x * x / a4, .y = 2 * v / b2,
-                                    .xx = 12 * x * x / a4, .yy = 2 / b2});
+    add_bump(&j, -2.2,
+             (struct jet){.z = x * x * x * x / a4 + v * v / b2,
+                          .x = 4 * x * x * x / a4,
+                          .y = 2 * v / b2,
+                          .xx = 12 * x * x / a4,
+                          .yy = 2 / b2});
     const double k = PANEL_SCALE;
     return (struct jet){k * (j.z - PANEL_ZERO), k * j.x, k * j.y, k * j.xx, k * j.xy, k * j.yy};
 }

@@ -34,7 +34,7 @@ static void fit_points(struct fit *f)
     f->pieces.n = 0;
     for (size_t i = 0; i + 1 < f->trace.n; i++)
         *array_push(&f->pieces) = piece_of(&f->trace, arc_line(f->trace.p[i], f->trace.p[i + 1]),
-                                              (double)i, (double)(i + 1));
+                                           (double)i, (double)(i + 1));
 }
 
 static size_t given_points(const struct fit *f)
@@ -285,8 +285,7 @@ void arcrun_fit(const struct run *run, const struct arcrun_options *options,
         if (options->paper) {
             fit_each(&f, run, report);
             print_pieces(&f);
-        } else if (!memory ||
-                   !arcmemory_take(memory, &f.trace, &f.pieces, &f.printed, &f.worst)) {
+        } else if (!memory || !arcmemory_take(memory, &f.trace, &f.pieces, &f.printed, &f.worst)) {
             fit_within(&f, memory, options->tolerance - taken);
         }
         put_pieces(&f, out, report);

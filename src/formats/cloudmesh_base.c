@@ -56,8 +56,8 @@ int cloudmesh_by_grid(const struct cloudmesh_wish *wish, const struct cloud_part
     double gap = wish->max_gap > 0 ? wish->max_gap : 6 * parts->mean;
     double rim = fmax(t / 2, 1.5 * parts->mean);
     if (grid_make(&f, points->n, t, &made->grid, error) < 0 ||
-        (!whole && holes_find(point, points->n, gap, wish->paper ? gap / 2 : rim, &holes,
-                              error) < 0))
+        (!whole &&
+         holes_find(point, points->n, gap, wish->paper ? gap / 2 : rim, &holes, error) < 0))
         return -1;
     size_t *chosen = choose(wish, parts, &made->grid, points);
     made->count = gridmesh_make(&made->grid, chosen, point, whole ? NULL : &holes, mesh);
@@ -115,8 +115,8 @@ static double move_vertices(const struct cloudmesh_wish *wish, const struct buck
     return 3 * r.error;
 }
 
-int cloudmesh_normals(const struct cloudmesh_wish *wish, struct vec3 *point, size_t n,
-                      double noise, int threads, struct mesh *mesh, struct error *error)
+int cloudmesh_normals(const struct cloudmesh_wish *wish, struct vec3 *point, size_t n, double noise,
+                      int threads, struct mesh *mesh, struct error *error)
 {
     struct buckets buckets;
     if (wish->normals == NORMALS_FACET) {
@@ -171,8 +171,8 @@ bool cloudmesh_has_walls(const struct cloudmesh_wish *wish, const struct cloud_p
     if (!(grid.spacing > 0))
         grid.spacing = cloudmesh_three_spacings(parts->mean);
     bool found = cloudmesh_by_grid(&grid, parts, points, &mesh, &made, &error) == 0 &&
-                 featuremesh_walls(&mesh, points->item, points->n, parts->flat, parts->mean,
-                                   noise, threads) > 0;
+                 featuremesh_walls(&mesh, points->item, points->n, parts->flat, parts->mean, noise,
+                                   threads) > 0;
     mesh_free(&mesh);
     return found;
 }

@@ -74,8 +74,8 @@ static int make_rows(const struct cloudmesh_wish *wish, const struct source *s, 
         return error_set(error, "no mesh within %g mm of the points: too few of them", wish->error);
     mesh->origin.spacing = (f.ymax - f.ymin) / (double)(made->rows.rows - 1) / slant;
     mesh->origin.direction = wish->direction;
-    made->grid = (struct grid){f,      mesh->origin.spacing, f.xmin, f.ymin, made->rows.columns,
-                               (int)made->rows.rows};
+    made->grid = (struct grid){f,      mesh->origin.spacing, f.xmin,
+                               f.ymin, made->rows.columns,   (int)made->rows.rows};
     return 0;
 }
 
@@ -89,8 +89,8 @@ static double allowance(const struct source *s, struct vec3 at)
 
 /* Points that rows do not come near enough to become vertices between them.  Half a thousandth of
  * the error is for the digits of the mesh. */
-static void insert_points(const struct cloudmesh_wish *wish, const struct source *s,
-                          int threads, struct mesh *mesh)
+static void insert_points(const struct cloudmesh_wish *wish, const struct source *s, int threads,
+                          struct mesh *mesh)
 {
     const struct vec3s *points = &s->judged;
     double *within = mem_alloc(points->n, sizeof *within);
@@ -178,9 +178,8 @@ static int mesh_of(const struct cloudmesh_wish *wish, struct source *s, int thre
 
 /* Rows that leave room for the edges that a grid has found: that mesh is the one where it is within
  * the error, or closer than the other.  Both are judged alike. */
-static int mesh_in_zone(const struct cloudmesh_wish *asked, const struct source *known,
-                        bool walls, int threads, struct mesh *mesh, struct cloudmesh *made,
-                        struct error *error)
+static int mesh_in_zone(const struct cloudmesh_wish *asked, const struct source *known, bool walls,
+                        int threads, struct mesh *mesh, struct cloudmesh *made, struct error *error)
 {
     struct cloudmesh_wish wish = *asked;
     struct source s = *known;
@@ -195,8 +194,7 @@ static int mesh_in_zone(const struct cloudmesh_wish *asked, const struct source 
     s.surface_parts.flat = mixed.n;
     if (walls) {
         s.scan_parts.flat = wallpoints_part(s.scan->item, s.scan->n, s.scan_parts.mean, threads);
-        s.surface_parts.flat =
-            wallpoints_part(mixed.item, mixed.n, s.surface_parts.mean, threads);
+        s.surface_parts.flat = wallpoints_part(mixed.item, mixed.n, s.surface_parts.mean, threads);
     }
     int status = mesh_of(&wish, &s, threads, &other, &other_made, error);
     if (status == 0) {

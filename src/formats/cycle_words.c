@@ -13,23 +13,23 @@ static const struct {
     const char *word;
     enum cycle_number number;
 } names[] = {
-    {"DEPTH", CYCLE_DEPTH},    {"FEDTO", CYCLE_DEPTH},   {"CLEAR", CYCLE_CLEAR},
+    {"DEPTH", CYCLE_DEPTH},    {"FEDTO", CYCLE_DEPTH},    {"CLEAR", CYCLE_CLEAR},
     {"RAPTO", CYCLE_RAPID},    {"RTRCTO", CYCLE_RETRACT}, {"RETRCT", CYCLE_RETRACT},
-    {"RETURN", CYCLE_RETRACT}, {"STEP", CYCLE_STEP},     {"INCR", CYCLE_STEP},
-    {"1STPECK", CYCLE_STEP},   {"SUBPECK", CYCLE_NEXT},  {"DWELL", CYCLE_DWELL},
-    {"PITCH", CYCLE_PITCH},    {"LEAD", CYCLE_PITCH},    {"TPI", CYCLE_TPI},
+    {"RETURN", CYCLE_RETRACT}, {"STEP", CYCLE_STEP},      {"INCR", CYCLE_STEP},
+    {"1STPECK", CYCLE_STEP},   {"SUBPECK", CYCLE_NEXT},   {"DWELL", CYCLE_DWELL},
+    {"PITCH", CYCLE_PITCH},    {"LEAD", CYCLE_PITCH},     {"TPI", CYCLE_TPI},
 };
 
 static const struct {
     const char *word;
     enum path_cycle_kind kind;
 } kinds[] = {
-    {"DRILL", CYCLE_DRILL},  {"FACE", CYCLE_DRILL},   {"CSINK", CYCLE_DRILL},
-    {"DEEP", CYCLE_DEEP},    {"DEEP2", CYCLE_DEEP},   {"PECK", CYCLE_DEEP},
-    {"BRKCHP", CYCLE_BREAK}, {"TAP", CYCLE_TAP},      {"DEEPHL", CYCLE_DEEP},
-    {"DEEPDR", CYCLE_DEEP},  {"CHIPBR", CYCLE_BREAK}, {"SPOT", CYCLE_DRILL},
-    {"CDRILL", CYCLE_DRILL}, {"SPOTDR", CYCLE_DRILL}, {"DRAG", CYCLE_DRAG},
-    {"TAPPING", CYCLE_TAP},  {"BORE", CYCLE_BORE},    {"REAM", CYCLE_BORE},
+    {"DRILL", CYCLE_DRILL},   {"FACE", CYCLE_DRILL},   {"CSINK", CYCLE_DRILL},
+    {"DEEP", CYCLE_DEEP},     {"DEEP2", CYCLE_DEEP},   {"PECK", CYCLE_DEEP},
+    {"BRKCHP", CYCLE_BREAK},  {"TAP", CYCLE_TAP},      {"DEEPHL", CYCLE_DEEP},
+    {"DEEPDR", CYCLE_DEEP},   {"CHIPBR", CYCLE_BREAK}, {"SPOT", CYCLE_DRILL},
+    {"CDRILL", CYCLE_DRILL},  {"SPOTDR", CYCLE_DRILL}, {"DRAG", CYCLE_DRAG},
+    {"TAPPING", CYCLE_TAP},   {"BORE", CYCLE_BORE},    {"REAM", CYCLE_BORE},
     {"MANUAL", CYCLE_MANUAL},
 };
 

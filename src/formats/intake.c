@@ -27,8 +27,7 @@ static void say_skipped(const char *file, const struct cloud_count *c)
             c->not_measured == 1 ? "" : "s");
 }
 
-int intake_read(char **file, int files, struct vec3s *points, size_t *left_out,
-                struct error *error)
+int intake_read(char **file, int files, struct vec3s *points, size_t *left_out, struct error *error)
 {
     *left_out = 0;
     for (int i = 0; i < files; i++) {

@@ -159,4 +159,3 @@ int machine_read(struct machine *machine, const char *name, struct error *error)
         return -1;
     return read_file(machine, file, 0, error);
 }
-

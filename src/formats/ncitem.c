@@ -13,8 +13,7 @@ static const double sampled = 0.9;
 static void add_note(struct nc_step *step, enum nc_kind kind, const struct path_item *item)
 {
     struct nc_move *move = array_push(&step->plan->move);
-    *move = (struct nc_move){
-        .kind = kind, .line = item->line, .index = item->index};
+    *move = (struct nc_move){.kind = kind, .line = item->line, .index = item->index};
 }
 
 /* A path that starts with a cut: above its first point first, along the tool axis. */

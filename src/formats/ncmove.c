@@ -21,14 +21,12 @@ static double joint_way(const struct nc_step *step, const struct station *a,
 }
 
 /* What a turn about a tip that stands counts, mm: as it has degrees, or as the ball goes. */
-static double turn_way(const struct nc_step *step, const struct station *a,
-                       const struct station *b)
+static double turn_way(const struct nc_step *step, const struct station *a, const struct station *b)
 {
     double way = 0;
     for (int i = 0; i < step->machine->chain.n; i++)
         way = hypot(way, DEGREES(b->q[i] - a->q[i]));
-    return larger(way / step->wish.unit,
-                  fabs(step->follow.ball) * vec_distance(a->a, b->a));
+    return larger(way / step->wish.unit, fabs(step->follow.ball) * vec_distance(a->a, b->a));
 }
 
 /*

@@ -20,9 +20,8 @@ int nc_limit_read(const char *text, struct nc_limit *limit, struct error *error)
     bool good = num_read(&rest, &n) && n >= 1 && n < 1e12;
     double scale = strcmp(rest, "M") == 0 ? 1e6 : strcmp(rest, "k") == 0 ? 1e3 : 0;
     if (!good || (scale == 0 && *rest))
-        return error_set(error,
-                         "option --split: found `%.40s`, expected blocks, or bytes as 500k or 2M",
-                         text);
+        return error_set(
+            error, "option --split: found `%.40s`, expected blocks, or bytes as 500k or 2M", text);
     *(scale > 0 ? &limit->bytes : &limit->blocks) = (size_t)(n * fmax(scale, 1));
     return 0;
 }

@@ -56,11 +56,8 @@ int nc_plan_make(struct nc_plan *plan, const struct path *path, const struct mac
                  struct nc_ability ability, struct nc_wish wish, struct error *error)
 {
     *plan = (struct nc_plan){.ability = ability};
-    struct nc_step step = {.path = path,
-                           .machine = machine,
-                           .plan = plan,
-                           .wish = wish,
-                           .error = error};
+    struct nc_step step = {
+        .path = path, .machine = machine, .plan = plan, .wish = wish, .error = error};
     if (path->head.track == TRACK_CONTACT)
         return error_set(error,
                          "%s: found a path of contact points (TRACK/CONTACT), expected one of tool "

@@ -26,7 +26,7 @@ static struct vec3 span_at(struct vec3 start, struct vec3 end, const struct vec3
 }
 
 static void take_factors(const struct bspline *b, const struct vec3 *pole, double u, double scale,
-                    int digits, struct vec3 factor[FACTORS])
+                         int digits, struct vec3 factor[FACTORS])
 {
     struct vec3 d[NC_POLY_DEGREE + 1];
     double share = scale;
@@ -115,8 +115,7 @@ struct deviation nc_poly_deviation(const struct nc_spans *spans, const struct bs
             struct pose wanted = motion_at(motion, (u + h * k / SAMPLES - from) / range);
             struct pose at = {span_at(start, n->end, n->factor, n->h, p), wanted.a};
             if (b->head)
-                at.a = vec_unit(
-                    vec_sub(span_at(head, n->head_end, n->head_factor, n->h, p), at.p));
+                at.a = vec_unit(vec_sub(span_at(head, n->head_end, n->head_factor, n->h, p), at.p));
             d[k] = follow_difference(f, at, wanted);
         }
         struct deviation here = follow_peak(d, SAMPLES + 1);

@@ -97,8 +97,8 @@ static int go_on_turned(struct nc_step *step, const struct motion *motion, doubl
     return no_way_on(step, goal, to);
 }
 
-static void take(struct nc_step *step, const struct stance *to, struct pose goal,
-                 enum nc_kind kind, struct deviation d)
+static void take(struct nc_step *step, const struct stance *to, struct pose goal, enum nc_kind kind,
+                 struct deviation d)
 {
     struct nc_total *total = &step->plan->total;
     nc_add_straight(step, kind, to, &goal);

@@ -29,13 +29,12 @@ static size_t value(const struct nc_program *p, enum template_word word, char *t
         return sign + num_write_short(text + sign, angle[i], p->plan->ability.digits.angle,
                                       p->w.style.point);
     }
-    const double values[TEMPLATE_PLANE] = {
-        [TEMPLATE_TOOL] = t->number ? t->number : 1,
-        [TEMPLATE_OFFSET] = t->offset,
-        [TEMPLATE_RPM] = t->spindle,
-        [TEMPLATE_TOLERANCE] = p->wish.chord,
-        [TEMPLATE_ORIENTATION] = DEGREES(p->wish.axis_tolerance),
-        [TEMPLATE_LEVEL] = level(p->wish.chord)};
+    const double values[TEMPLATE_PLANE] = {[TEMPLATE_TOOL] = t->number ? t->number : 1,
+                                           [TEMPLATE_OFFSET] = t->offset,
+                                           [TEMPLATE_RPM] = t->spindle,
+                                           [TEMPLATE_TOLERANCE] = p->wish.chord,
+                                           [TEMPLATE_ORIENTATION] = DEGREES(p->wish.axis_tolerance),
+                                           [TEMPLATE_LEVEL] = level(p->wish.chord)};
     bool angle_or_length = word == TEMPLATE_TOLERANCE || word == TEMPLATE_ORIENTATION;
     return num_write_short(text, values[word], angle_or_length ? 4 : 0, false);
 }

@@ -16,9 +16,12 @@ void nc_writer_begin(struct nc_writer *w, struct out *out, struct nc_style style
         step = 1;
     if (style.most && style.most < most)
         most = style.most;
-    *w = (struct nc_writer){
-        .out = out, .style = style, .step = step, .most = most, .number = style.count_all ? -1 : 0,
-        .wanted = -1};
+    *w = (struct nc_writer){.out = out,
+                            .style = style,
+                            .step = step,
+                            .most = most,
+                            .number = style.count_all ? -1 : 0,
+                            .wanted = -1};
     w->line = out ? out_room(out, NC_LINE_MAX) : w->own;
 }
 

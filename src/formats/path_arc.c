@@ -156,4 +156,3 @@ int path_read_circle(struct path_parse *p)
     p->circle.turns = (size_t)times;
     return 0;
 }
-

@@ -97,8 +97,8 @@ int path_read_spindle(struct path_parse *p)
                         "found a SPINDL speed at the cutting edge, expected a CUTTER before it");
     p->spindle = rpm;
     for (size_t i = 0; i < p->apt.argument.n; i++)
-        plain = plain && (p->apt.argument.item[i].is_number ||
-                          is_plain(p->apt.argument.item[i].text));
+        plain =
+            plain && (p->apt.argument.item[i].is_number || is_plain(p->apt.argument.item[i].text));
     if (head->spindle > 0 && plain)
         return path_keep_text(p);
     if (head->spindle > 0) {
@@ -116,9 +116,9 @@ double path_feed_unit(const struct path_parse *p, const char *word)
         const char *word;
         double mm;   /* 0: the unit of the stream */
         bool a_turn; /* not a minute */
-    } units[] = {{"MMPM", 1, false},  {"IPM", 25.4, false}, {"PERMIN", 0, false}, {"MMPR", 1, true},
-                 {"IPR", 25.4, true}, {"PERREV", 0, true},  {"FPM", 304.8, false},
-                 {"FPR", 304.8, true}};
+    } units[] = {{"MMPM", 1, false},    {"IPM", 25.4, false}, {"PERMIN", 0, false},
+                 {"MMPR", 1, true},     {"IPR", 25.4, true},  {"PERREV", 0, true},
+                 {"FPM", 304.8, false}, {"FPR", 304.8, true}};
     for (size_t i = 0; i < sizeof units / sizeof *units; i++)
         if (strcmp(word, units[i].word) == 0) {
             double mm = units[i].mm > 0 ? units[i].mm : p->unit;

@@ -203,8 +203,7 @@ int path_read_godlta(struct path_parse *p)
     if (path_numbers(p, 0, n, v, "dx, dy, dz") < 0 ||
         (n == 6 && path_direction(p, v + 3, "a tool axis", &p->axis) < 0))
         return -1;
-    struct vec3 way =
-        n == 1 ? vec_scale(p->unit * v[0], p->axis) : path_way_of(p, v);
+    struct vec3 way = n == 1 ? vec_scale(p->unit * v[0], p->axis) : path_way_of(p, v);
     return path_move_to(p, (struct pose){vec_add(p->said, way), p->axis});
 }
 
@@ -243,4 +242,3 @@ int path_read_from(struct path_parse *p)
     path_add_text(p->path, text);
     return 0;
 }
-

@@ -228,8 +228,8 @@ static const struct path_row head_words[] = {
 
 static const struct path_row comments[] = {
     {"CONTCT", path_read_contact}, {"PASS", read_pass},          {"TRACK", read_track},
-    {"LEDGER", read_ledger},  {"CHORD", read_chord},        {"CLEAR", read_clear},
-    {"CLOUDMILL", read_own},  {"CUTTER", path_read_cutter},
+    {"LEDGER", read_ledger},       {"CHORD", read_chord},        {"CLEAR", read_clear},
+    {"CLOUDMILL", read_own},       {"CUTTER", path_read_cutter},
 };
 
 const struct path_row *path_find_row(const struct path_row *rows, size_t n, const char *word)

@@ -60,9 +60,9 @@ static int read_geometry(struct path_parse *p)
 }
 
 static const struct path_row motions[] = {
-    {"GOTO", path_read_goto},     {"CIRCLE", path_read_circle},    {"RAPID", read_rapid},
-    {"MOVNRB", read_movnrb}, {"GODLTA", path_read_godlta},    {"FROM", path_read_from},
-    {"TLAXIS", path_read_tlaxis}, {"CYCLE", path_read_cycle}, {"FINI", read_fini},
+    {"GOTO", path_read_goto},     {"CIRCLE", path_read_circle}, {"RAPID", read_rapid},
+    {"MOVNRB", read_movnrb},      {"GODLTA", path_read_godlta}, {"FROM", path_read_from},
+    {"TLAXIS", path_read_tlaxis}, {"CYCLE", path_read_cycle},   {"FINI", read_fini},
     {"GOHOME", path_read_gohome}, {"RETRCT", path_read_retrct}, {"CLEARP", path_read_clearp},
     {"CLRSRF", path_read_clearp}, {"ROTABL", path_read_rotabl}, {"ROTATE", path_read_rotabl},
     {"ROTHED", path_read_rotabl},
@@ -70,9 +70,9 @@ static const struct path_row motions[] = {
 
 /* Post-processor words that a later stage may use. */
 static const char *const carried[] = {
-    "PPRINT", "INSERT", "TPRINT", "REMARK", "STOP",   "OPSTOP", "AUXFUN", "CUTCOM", "INTOL",
-    "OUTTOL",
-    "TOLER",  "MACHIN", "END",    "CSYS",   "SELECT", "SEQNO",  "DISPLY", "REWIND", "SELCTL",
+    "PPRINT", "INSERT", "TPRINT", "REMARK", "STOP",   "OPSTOP", "AUXFUN",
+    "CUTCOM", "INTOL",  "OUTTOL", "TOLER",  "MACHIN", "END",    "CSYS",
+    "SELECT", "SEQNO",  "DISPLY", "REWIND", "SELCTL",
 };
 
 static const char *const geometry[] = {

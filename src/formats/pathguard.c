@@ -46,11 +46,9 @@ int pathguard_read(struct pathguard *guard, const struct path *path, double tole
         return error_at(error, path->name, 0,
                         "found no path of a ball cutter, expected one to guard by a scan");
     struct vec3s ball = balls_of(path);
-    guard->rule = (struct recheck_rule){.radius = rule.radius,
-                                        .tolerance = tolerance,
-                                        .centre = path->head.track == TRACK_CENTRE};
-    guard->rule.guard =
-        scan_guard_points(&guard->files, &ball, 3 * rule.radius, &rule, error);
+    guard->rule = (struct recheck_rule){
+        .radius = rule.radius, .tolerance = tolerance, .centre = path->head.track == TRACK_CENTRE};
+    guard->rule.guard = scan_guard_points(&guard->files, &ball, 3 * rule.radius, &rule, error);
     array_free(&ball);
     array_free(&rule.certain);
     array_free(&rule.doubtful);

@@ -149,8 +149,8 @@ static void put_some(void *context, size_t from, size_t to)
     struct putting *p = context;
 
     for (size_t i = from; i < to; i++)
-        p->beside[i] = onsurface_put(p->path->on, p->path->rule.normal, p->path->reach,
-                                     &p->point[i]) < 0;
+        p->beside[i] =
+            onsurface_put(p->path->on, p->path->rule.normal, p->path->reach, &p->point[i]) < 0;
 }
 
 static void put_on_surfaces(struct planepath *p, struct contacts *points)

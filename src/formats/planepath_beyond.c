@@ -107,8 +107,8 @@ static double go_between(const struct planepath *p, const struct plane_cut *low,
 {
     double step = high->height - low->height;
     struct plane_cut between = {low->height + step / 2, {{0}, {0}}};
-    double length = widen(p, low, high, LONG * step, &between) +
-                    widen(p, high, low, LONG * step, &between);
+    double length =
+        widen(p, low, high, LONG * step, &between) + widen(p, high, low, LONG * step, &between);
 
     if (length > 0)
         *array_push(to) = between;

@@ -21,7 +21,9 @@ static void lean(struct vec3 a, char text[60])
     bool x = fabs(a.x) > fabs(a.y);
     double most = x ? a.x : a.y;
     snprintf(text, 60, "The tool leans to %s of the work",
-             x ? most > 0 ? "X+" : "X-" : most > 0 ? "Y+" : "Y-");
+             x          ? most > 0 ? "X+" : "X-"
+             : most > 0 ? "Y+"
+                        : "Y-");
 }
 
 static bool within(const struct machine *m, const double q[])

@@ -76,7 +76,7 @@ static void add_motions(struct legend *legend, const struct scene *scene,
         for (size_t i = 0; i < 3; i++) {
             struct stroke stroke = {.kind = STROKE_ARC, .pass = i + 1};
             pane_ink(style, 0, &stroke,
-                      add(legend, i < 2 ? "" : "passes, in six colours by turns")->ink);
+                     add(legend, i < 2 ? "" : "passes, in six colours by turns")->ink);
         }
     }
     if (!style->by_pass && count(scene, STROKE_LINE))
@@ -108,8 +108,7 @@ static void add_rest(struct legend *legend, const struct scene *scene,
     if (normals)
         snprintf(add(legend, "normals")->ink, PANE_INK, "stroke=\"#009E73\" stroke-width=\"12\"");
     if (axes)
-        snprintf(add(legend, "tool axes")->ink, PANE_INK,
-                 "stroke=\"#444444\" stroke-width=\"12\"");
+        snprintf(add(legend, "tool axes")->ink, PANE_INK, "stroke=\"#444444\" stroke-width=\"12\"");
 }
 
 static void add_layers(struct legend *legend, const struct scene *scene,

@@ -3,18 +3,17 @@
 
 #include <string.h>
 
-static const char *const words[TEMPLATE_NONE] = {
-    [TEMPLATE_TOOL] = "{tool}",
-    [TEMPLATE_OFFSET] = "{offset}",
-    [TEMPLATE_RPM] = "{rpm}",
-    [TEMPLATE_TOLERANCE] = "{tolerance}",
-    [TEMPLATE_ORIENTATION] = "{orientation}",
-    [TEMPLATE_LEVEL] = "{level}",
-    [TEMPLATE_A] = "{a}",
-    [TEMPLATE_B] = "{b}",
-    [TEMPLATE_I] = "{i}",
-    [TEMPLATE_J] = "{j}",
-    [TEMPLATE_K] = "{k}"};
+static const char *const words[TEMPLATE_NONE] = {[TEMPLATE_TOOL] = "{tool}",
+                                                 [TEMPLATE_OFFSET] = "{offset}",
+                                                 [TEMPLATE_RPM] = "{rpm}",
+                                                 [TEMPLATE_TOLERANCE] = "{tolerance}",
+                                                 [TEMPLATE_ORIENTATION] = "{orientation}",
+                                                 [TEMPLATE_LEVEL] = "{level}",
+                                                 [TEMPLATE_A] = "{a}",
+                                                 [TEMPLATE_B] = "{b}",
+                                                 [TEMPLATE_I] = "{i}",
+                                                 [TEMPLATE_J] = "{j}",
+                                                 [TEMPLATE_K] = "{k}"};
 
 enum template_word template_word(const char *text, size_t *length)
 {

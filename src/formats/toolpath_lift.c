@@ -6,7 +6,7 @@
 #include "leanaway.h"
 #include "toolpath.h"
 
-static const double SLACK = 0.01; /* mm: guard points may be in the holder by so much */
+static const double SLACK = 0.01;    /* mm: guard points may be in the holder by so much */
 static const double ROUNDED = 0.999; /* of the rate: the rest goes to the printed digits */
 
 /* Axes of the points [from, to): touches[] of those that the holder keeps the tool from. */

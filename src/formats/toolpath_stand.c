@@ -8,7 +8,7 @@
 struct job {
     const struct toolpath *t;
     struct kdtree *ball; /* where its centre is at the points of the path */
-    bool *stays; /* at each place: more than may */
+    bool *stays;         /* at each place: more than may */
 };
 
 /* No ball comes nearer to the place than this above it. */
@@ -16,8 +16,7 @@ static bool stays(const struct job *job, const struct toolpath_stand *s, double 
 {
     struct vec3 at = s->stand.contact;
 
-    return s->stand.height > height &&
-           !kdtree_any_beside(job->ball, at, at, s->offset + height);
+    return s->stand.height > height && !kdtree_any_beside(job->ball, at, at, s->offset + height);
 }
 
 static void look(void *context, size_t from, size_t to)

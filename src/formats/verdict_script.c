@@ -7,12 +7,14 @@ const char *const verdict_script[] = {
     "'use strict';",
     "const canvas = document.getElementById('view'), pen = canvas.getContext('2d');",
     "const passes = [...document.querySelectorAll('button[data-pass]')];",
-    "const info = document.getElementById('info'), N = D.points.length / 6, M = D.nodes.length / 5;",
+    "const info = document.getElementById('info'), N = D.points.length / 6, M = D.nodes.length / "
+    "5;",
     "let turn = 0.6, tilt = 0.9, zoom = 1, shift = [0, 0], chosen = -1, spot = -1, pass = -1;",
     "const show = {points: true, path: true, rapid: true};",
     "let size = 1;",
     "for (let i = 0; i < N; i++)",
-    "  size = Math.max(size, Math.hypot(D.points[6 * i], D.points[6 * i + 1], D.points[6 * i + 2]));",
+    "  size = Math.max(size, Math.hypot(D.points[6 * i], D.points[6 * i + 1], D.points[6 * i + "
+    "2]));",
     "// The view: about z by turn, then about the screen's x by tilt; y of the screen points down.",
     "function frame() {",
     "  const c = Math.cos(turn), s = Math.sin(turn), u = Math.cos(tilt), v = Math.sin(tilt);",
@@ -31,8 +33,10 @@ const char *const verdict_script[] = {
     "}",
     "function drawPoints(at) {",
     "  const w = canvas.width, h = canvas.height, image = pen.createImageData(w, h);",
-    "  const pixel = new Uint32Array(image.data.buffer), depth = new Float32Array(w * h).fill(-1e30);",
-    "  const r = Math.max(2, Math.min(12, Math.round(zoom * 1.2 * Math.sqrt(w * h / Math.max(1, N)))));",
+    "  const pixel = new Uint32Array(image.data.buffer), depth = new Float32Array(w * "
+    "h).fill(-1e30);",
+    "  const r = Math.max(2, Math.min(12, Math.round(zoom * 1.2 * Math.sqrt(w * h / Math.max(1, "
+    "N)))));",
     "  for (let i = 0; i < N; i++) {",
     "    const p = at(D.points[6 * i], D.points[6 * i + 1], D.points[6 * i + 2]);",
     "    const x0 = Math.round(p[0] - r / 2), y0 = Math.round(p[1] - r / 2);",
@@ -182,7 +186,8 @@ const char *const verdict_script[] = {
     "function stepPass(by) {",
     "  if (!passes.length) return;",
     "  const at = passes.findIndex(b => Number(b.dataset.pass) === pass);",
-    "  const next = at < 0 && by < 0 ? passes.length - 1 : (at + by + passes.length) % passes.length;",
+    "  const next = at < 0 && by < 0 ? passes.length - 1 : (at + by + passes.length) % "
+    "passes.length;",
     "  choosePass(Number(passes[next].dataset.pass));",
     "}",
     "function find(number) {",
@@ -200,7 +205,8 @@ const char *const verdict_script[] = {
     "  ArrowLeft: e => { if (e.shiftKey) shift[0] -= 20; else turn -= 0.1; },",
     "  ArrowRight: e => { if (e.shiftKey) shift[0] += 20; else turn += 0.1; },",
     "  ArrowUp: e => { if (e.shiftKey) shift[1] -= 20; else tilt = Math.min(1.57, tilt + 0.1); },",
-    "  ArrowDown: e => { if (e.shiftKey) shift[1] += 20; else tilt = Math.max(-1.57, tilt - 0.1); },",
+    "  ArrowDown: e => { if (e.shiftKey) shift[1] += 20; else tilt = Math.max(-1.57, tilt - 0.1); "
+    "},",
     "  '+': () => { zoom *= 1.2; }, '=': () => { zoom *= 1.2; }, '-': () => { zoom /= 1.2; },",
     "  '0': () => { turn = 0.6; tilt = 0.9; zoom = 1; shift = [0, 0]; },",
     "  t: () => { turn = 0; tilt = 0; }, f: () => { turn = 0; tilt = 1.57; },",
@@ -230,5 +236,4 @@ const char *const verdict_script[] = {
     "window.addEventListener('resize', redraw);",
     "draw();",
     "if (D.worst.length) step(1);",
-    NULL
-};
+    NULL};

@@ -75,10 +75,9 @@ static bool try_ratio(struct greedy *g, size_t to, double ratio, struct reach *r
     double joint = trace_place(t, b.joint, from + (end - from) * ratio / (1 + ratio));
     if (!(joint > from && joint < end))
         return false;
-    struct reach r = {
-        .to = to,
-        .n = 2,
-        .piece = {start_piece(g, b.first, joint), piece_of(t, b.second, joint, end)}};
+    struct reach r = {.to = to,
+                      .n = 2,
+                      .piece = {start_piece(g, b.first, joint), piece_of(t, b.second, joint, end)}};
     r.piece[0].biarc = true;
     if (!holds(g, &r.piece[0]) || !holds(g, &r.piece[1]))
         return false;

@@ -132,8 +132,8 @@ bool arcmend(const struct trace *old, const struct trace *now, const struct stra
     struct pieces all = {0};
     struct gaps gaps = {0};
     size_t at = 0;
-    bool good = before->n > 0 && same_point(old, 0, now, 0) &&
-                same_point(old, old->n - 1, now, now->n - 1);
+    bool good =
+        before->n > 0 && same_point(old, 0, now, 0) && same_point(old, old->n - 1, now, now->n - 1);
 
     pieces->n = 0;
     if (good)

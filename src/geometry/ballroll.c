@@ -13,8 +13,9 @@ enum { GROUP = 32 };
 
 #define CLOSE 0.04 /* of the radius */
 #define HUG 4      /* tolerances that the ball may be off the part and still be on it */
-#define HOLE 1.5 /* spacings of the points that a hole between them is wide, seen from its middle \
-                  */
+#define HOLE                                                                             \
+    1.5 /* spacings of the points that a hole between them is wide, seen from its middle \
+         */
 
 enum { SAMPLES = 200, BESIDE = 5 };
 

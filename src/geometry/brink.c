@@ -167,8 +167,8 @@ bool brink_within(const struct brink *b, const struct contact *c)
     struct vec3 near[NEAR];
 
     return !brink_beside(b, c->p) || !gather(b, b->all, c->p, near, distance2) ||
-           sqrt(distance2[0]) > b->step / STEP ||
-           sqrt(distance2[0]) < LITTLE * b->step / STEP || surrounded(near, c, OPEN_MESH);
+           sqrt(distance2[0]) > b->step / STEP || sqrt(distance2[0]) < LITTLE * b->step / STEP ||
+           surrounded(near, c, OPEN_MESH);
 }
 
 bool brink_put(const struct brink *b, const struct brink_plane *plane, struct contact *c)

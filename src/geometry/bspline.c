@@ -267,7 +267,7 @@ struct bspline bspline_part(const struct bspline *b, double u0, double u1)
             part.head[i] = whole.head[first - p + i];
     }
     for (size_t i = 0; i < part.poles + p + 1; i++)
-        part.knot[i] = i <= p             ? whole.knot[first]
+        part.knot[i] = i <= p            ? whole.knot[first]
                        : i >= part.poles ? whole.knot[last]
                                          : whole.knot[first - p + i];
     bspline_free(&whole);

@@ -31,7 +31,7 @@ static void range_of(const struct vec3 *point, size_t n, int axis, double *low, 
 static void core_of(const struct vec3 *point, size_t n, int axis, double *low, double *high)
 {
     enum { BINS = 256, ROUNDS = 8, PART = 500 };
-    for (int round = 0; round < ROUNDS && *high > *low; round++) {
+    for (int round = 0; round<ROUNDS && * high> * low; round++) {
         size_t bin[BINS] = {0}, cut[2] = {0, 0};
         double width = (*high - *low) / BINS;
         for (size_t i = 0; i < n; i++) {

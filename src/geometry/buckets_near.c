@@ -229,8 +229,7 @@ size_t buckets_nearest(const struct buckets *buckets, struct vec3 q, size_t k, u
         return h.k;
     for (size_t ring = 0;; ring++) {
         double beyond = offer_ring(buckets, q, ring, &h);
-        if (beyond == INFINITY ||
-            (h.n == h.k && beyond > 0 && h.distance2[0] < beyond * beyond))
+        if (beyond == INFINITY || (h.n == h.k && beyond > 0 && h.distance2[0] < beyond * beyond))
             break;
     }
     sort_heap(&h);

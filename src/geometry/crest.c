@@ -8,14 +8,14 @@
 
 enum { STEPS = 48, FEW = 12, SOME = 24, MANY = 48, WIDEST = FEATURE_MOST, TRIES = 5 };
 
-static const double BEND = 0.04;    /* of the edge, at a crest */
-static const double BESIDE = 0.08;  /* of the edge, beside it, but no more than ... */
-static const double FAR = 0.4;      /* ... mean spacings */
-static const double ROUND = 0.4;    /* curvature along by that across: more is no rib */
+static const double BEND = 0.04;   /* of the edge, at a crest */
+static const double BESIDE = 0.08; /* of the edge, beside it, but no more than ... */
+static const double FAR = 0.4;     /* ... mean spacings */
+static const double ROUND = 0.4;   /* curvature along by that across: more is no rib */
 static const double BENT = 0.5;    /* curvature across by the length of the edge: less is no rib */
-static const double TIGHT = 1.5;    /* curvature by the length of the edge: so tight it is a peak */
-static const double FACING = 0.3;   /* z of a normal that is seen well from above */
-static const double NOISY = 0.05;   /* spacings: less noise needs no more points */
+static const double TIGHT = 1.5;   /* curvature by the length of the edge: so tight it is a peak */
+static const double FACING = 0.3;  /* z of a normal that is seen well from above */
+static const double NOISY = 0.05;  /* spacings: less noise needs no more points */
 
 /* The surface over an edge, in equal steps. */
 struct profile {

@@ -12,7 +12,7 @@ enum { LOOKS = 3, FEW_EDGES = 6000, CORNERS = 3 * (CREST_MOST + 1) };
 
 static const double TURN = 0.99452189536827333; /* cos 6 degrees between normals */
 static const double OFF = 0.10452846326765347;  /* sin 6 degrees between an edge and the surface */
-static const double LONG = 4.5; /* mean spacings */
+static const double LONG = 4.5;                 /* mean spacings */
 
 struct search {
     struct mesh *mesh;
@@ -37,8 +37,7 @@ static bool may_cross(const struct search *s, const struct mesh_edge *e)
     double length = vec_length(way);
 
     return s->edges->n < FEW_EDGES || vec_dot(n[e->v[0]], n[e->v[1]]) < TURN ||
-           length > LONG * s->cloud.spacing ||
-           fabs(vec_dot(way, n[e->v[0]])) > OFF * length ||
+           length > LONG * s->cloud.spacing || fabs(vec_dot(way, n[e->v[0]])) > OFF * length ||
            fabs(vec_dot(way, n[e->v[1]])) > OFF * length;
 }
 

@@ -189,10 +189,10 @@ static bool creases_meet(struct splitting *s, const struct between *t)
     const struct vec3 corner[3] = {at[t->a], at[t->b], at[t->c]};
     double turn_a = vec_dot(normal[t->a_out], normal[t->a_in]);
     bool one = turn_a > vec_dot(normal[t->b_out], normal[t->c_in]);
-    struct edgecorner_plane plane[3] = {
-        one ? plane_at(s, t->b_out) : plane_at(s, t->a_out),
-        one ? plane_at(s, t->c_in) : plane_at(s, t->a_in),
-        one ? sheet_at(s, t->a_out, t->a_in) : sheet_at(s, t->b_out, t->c_in)};
+    struct edgecorner_plane plane[3] = {one ? plane_at(s, t->b_out) : plane_at(s, t->a_out),
+                                        one ? plane_at(s, t->c_in) : plane_at(s, t->a_in),
+                                        one ? sheet_at(s, t->a_out, t->a_in)
+                                            : sheet_at(s, t->b_out, t->c_in)};
     struct vec3 on;
 
     if (!edgecorner(plane, corner, &on))

@@ -64,8 +64,9 @@ static int make_plan(const struct vec3s *points, double spacing, double margin, 
     double columns = ceil((xmax + margin - p->x) / spacing);
     double rows = ceil((ymax + margin - p->y) / spacing);
     if (!(columns * rows < MOST_CELLS))
-        return error_set(error, "a strip of %g mm about the cloud takes %.0f squares of %g mm, "
-                                "expected fewer than %.0f",
+        return error_set(error,
+                         "a strip of %g mm about the cloud takes %.0f squares of %g mm, "
+                         "expected fewer than %.0f",
                          margin, columns * rows, spacing, MOST_CELLS);
     p->columns = (size_t)columns;
     p->rows = (size_t)rows;

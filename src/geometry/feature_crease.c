@@ -18,9 +18,9 @@ static const double ROUGH = 0.05;
 /* Points about a place, taken apart into two sheets. */
 struct parted {
     struct vec3 point[MOST];
-    struct vec3 local[MOST]; /* the same, in the frame of the sheets */
+    struct vec3 local[MOST];  /* the same, in the frame of the sheets */
     unsigned char side[MOST]; /* on which of the sheets each is */
-    struct vec3 of[2][MOST]; /* the points, by sheet */
+    struct vec3 of[2][MOST];  /* the points, by sheet */
     size_t n, count[2];
     struct vec3 origin, w;
     struct flank sheet[2];
@@ -198,8 +198,8 @@ static bool find_crease(const struct feature_cloud *cloud, struct vec3 a, struct
         crossed = crossing(p, a, b, at);
         if (crossed && again)
             break;
-        p->w = vec_unit(vec_add(flank_normal(&p->sheet[0], p->origin),
-                                flank_normal(&p->sheet[1], p->origin)));
+        p->w = vec_unit(
+            vec_add(flank_normal(&p->sheet[0], p->origin), flank_normal(&p->sheet[1], p->origin)));
     }
     for (int s = 0; s < 2; s++)
         flank_bend(p->of[s], p->count[s], &p->sheet[s]);

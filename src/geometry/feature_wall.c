@@ -81,8 +81,7 @@ static size_t near_wall(const struct feature_cloud *cloud, const struct level le
     for (size_t i = 0; i < all; i++) {
         struct vec3 p = cloud->wall[index[i]];
         double part = -flank_above(&level[0].sheet, p) / step; /* of the way down from level 0 */
-        if (part > 0.02 && part < 0.98 &&
-            hypot(p.x - at.x, p.y - at.y) < 6 * cloud->spacing)
+        if (part > 0.02 && part < 0.98 && hypot(p.x - at.x, p.y - at.y) < 6 * cloud->spacing)
             found[n++] = p;
     }
     return n > 0 ? longhood_take(found, n, at, UP, TALL, most, near) : 0;
@@ -222,9 +221,8 @@ static double unsupported(const struct feature_cloud *cloud, const struct level 
 
 /* Is the material within both walls, not within either: are the points of the one behind the
  * other?  `out`: out of that other one. */
-static bool juts_out(const struct feature_cloud *cloud, const struct level level[2],
-                     struct vec3 at, const struct planefit *one, const struct planefit *other,
-                     struct vec3 out)
+static bool juts_out(const struct feature_cloud *cloud, const struct level level[2], struct vec3 at,
+                     const struct planefit *one, const struct planefit *other, struct vec3 out)
 {
     struct vec3 near[4 * NEAR], sum = {0, 0, 0};
     size_t n = near_wall(cloud, level, at, 4 * NEAR, near);
@@ -251,8 +249,8 @@ static bool find_wall(const struct feature_cloud *cloud, const struct level leve
         fabs(vec_dot(plane.normal, second.normal)) < same) {
         double other_off = unsupported(cloud, level, &other, &second);
         struct vec3 top = a.z > b.z ? a : b, down = vec_sub(a.z > b.z ? b : a, top);
-        struct vec3 out = vec_dot(second.normal, down) < 0 ? vec_scale(-1, second.normal)
-                                                           : second.normal;
+        struct vec3 out =
+            vec_dot(second.normal, down) < 0 ? vec_scale(-1, second.normal) : second.normal;
         bool later = vec_dot(vec_sub(other.place[0], f->place[0]), vec(down.x, down.y, 0)) > 0;
         bool both = off < near * cloud->spacing && other_off < near * cloud->spacing;
         bool juts = both && juts_out(cloud, level, other.place[0], &plane, &second, out);

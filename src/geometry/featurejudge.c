@@ -88,8 +88,8 @@ static void measure(const struct mesh *without, const struct mesh *with, const s
 }
 
 void featurejudge(const struct mesh *without, const struct mesh *with, const struct vec3 *point,
-                  size_t points, double reach, double noise, int threads,
-                  struct feature *feature, size_t n)
+                  size_t points, double reach, double noise, int threads, struct feature *feature,
+                  size_t n)
 {
     struct sizes which = {0}, owner = {0}, about = {0};
     struct vec3s place = places_of(feature, n, &which);

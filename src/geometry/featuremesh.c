@@ -23,7 +23,7 @@ struct search {
     struct mesh *mesh;
     const struct mesh_edges *edges;
     struct feature_cloud cloud;
-    unsigned char *rough; /* vertices where one quadric does not fit */
+    unsigned char *rough;  /* vertices where one quadric does not fit */
     unsigned char *active; /* look only at the edges of these vertices */
     bool walls_only;
     struct feature *feature;
@@ -199,8 +199,8 @@ static void add_places(const struct search *s, struct vec3s *place)
         const struct vec3 *at = s->mesh->vertex.item;
         double length = vec_distance(at[v[0]], at[v[1]]);
         for (int i = -1; i <= 1 && f->kind != FEATURE_NONE; i++)
-            *array_push(place) = vec_along(vec_mix(f->place[0], f->place[1], 0.5),
-                                           i * length / 3, f->along);
+            *array_push(place) =
+                vec_along(vec_mix(f->place[0], f->place[1], 0.5), i * length / 3, f->along);
     }
 }
 

@@ -107,7 +107,8 @@ static bool find_corner(const struct featuresettle *s, const size_t e[2], int a,
     const struct feature *f[2] = {&s->feature[e[0]], &s->feature[e[1]]};
     struct edgecorner_plane on_a[2] = {sheet_of(s, e[0], a), sheet_of(s, e[1], a)};
     struct edgecorner_plane on_b[2] = {sheet_of(s, e[0], b), sheet_of(s, e[1], c)};
-    struct edgecorner_plane plane[3] = {{on_b[0].place, f[0]->wall}, {on_b[1].place, f[1]->wall},
+    struct edgecorner_plane plane[3] = {{on_b[0].place, f[0]->wall},
+                                        {on_b[1].place, f[1]->wall},
                                         edgecorner_mean(on_b[0], on_b[1])};
 
     if (f[0]->kind == FEATURE_CREASE) {

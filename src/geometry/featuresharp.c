@@ -33,8 +33,8 @@ static void off_sheets(const struct pair *p, const struct vec3 *near, size_t n, 
 }
 
 /* A quadric leaves much less of n points. */
-static bool bends(const struct pair *p, const struct feature_cloud *cloud,
-                  const struct vec3 *near, size_t n, double left)
+static bool bends(const struct pair *p, const struct feature_cloud *cloud, const struct vec3 *near,
+                  size_t n, double left)
 {
     double mean, rms;
 
@@ -44,8 +44,8 @@ static bool bends(const struct pair *p, const struct feature_cloud *cloud,
 }
 
 /* The points nearest to the crease are all on one side of the sheets. */
-static bool gapes(const struct pair *p, const struct feature_cloud *cloud,
-                  const struct vec3 *near, size_t n)
+static bool gapes(const struct pair *p, const struct feature_cloud *cloud, const struct vec3 *near,
+                  size_t n)
 {
     double mean, rms;
 
@@ -54,9 +54,8 @@ static bool gapes(const struct pair *p, const struct feature_cloud *cloud,
 }
 
 /* The same of the points nearest along the crease, which tell of a narrow rib. */
-static bool is_rib(const struct pair *p, const struct feature_cloud *cloud,
-                   const struct vec3 *near, size_t n, size_t some, struct vec3 at,
-                   struct vec3 along)
+static bool is_rib(const struct pair *p, const struct feature_cloud *cloud, const struct vec3 *near,
+                   size_t n, size_t some, struct vec3 at, struct vec3 along)
 {
     struct vec3 found[STRIP];
     struct ribway rib;

@@ -4,7 +4,7 @@
 /* Pieces that a block is looked at in; a piece turns through no more than `piece_turn`, radians. */
 enum { SAMPLES = 8, SAMPLES_SPLINE = 24, SAMPLES_MOST = 128 };
 static const double piece_turn = 0.15;
-static const double little_of = 0.05; /* of what is allowed: a bound of it needs no closer look */
+static const double little_of = 0.05;  /* of what is allowed: a bound of it needs no closer look */
 static const double most_ahead = 0.25; /* of a block, that its time may run ahead or behind */
 
 bool deviation_within(struct deviation d, struct deviation allowed)

@@ -13,7 +13,7 @@ struct leaving {
     struct vec3 c, up;
     double radius, inside2; /* of its centre: what is nearer has to be left */
     double h, limit;
-    double at[3]; /* its centre */
+    double at[3];             /* its centre */
     struct kdtree_touch last; /* the point left last */
 };
 
@@ -82,8 +82,8 @@ static struct leaving leaving_from(const struct kdtree *tree, struct vec3 c, str
 {
     double inside = radius - SLACK;
 
-    return (struct leaving){tree, c, up, radius, inside > 0 ? inside * inside : 0, 0, limit,
-                            {c.x, c.y, c.z}, {.n = 0}};
+    return (struct leaving){
+        tree, c, up, radius, inside > 0 ? inside * inside : 0, 0, limit, {c.x, c.y, c.z}, {.n = 0}};
 }
 
 /* One after the other, and the first again: it may be in the way once more. */
@@ -146,8 +146,8 @@ struct last {
 /* How far the line up through c passes by a box, at least. */
 static double passes(const struct last *l, const struct kd_box *box)
 {
-    struct vec3 half = vec(box->high[0] - box->low[0], box->high[1] - box->low[1],
-                           box->high[2] - box->low[2]);
+    struct vec3 half =
+        vec(box->high[0] - box->low[0], box->high[1] - box->low[1], box->high[2] - box->low[2]);
     struct vec3 middle = vec_along(vec(box->low[0], box->low[1], box->low[2]), 0.5, half);
 
     if (l->upright)

@@ -57,8 +57,7 @@ static double bound2(const struct beside *s, const struct kd_box *box)
         return gap2;
     struct vec3 low = vec(box->low[0], box->low[1], box->low[2]);
     struct vec3 half = vec_scale(0.5, vec_sub(vec(box->high[0], box->high[1], box->high[2]), low));
-    double beyond =
-        sqrt(distance2_beside(s, vec_add(low, half))) - sqrt(vec_dot(half, half));
+    double beyond = sqrt(distance2_beside(s, vec_add(low, half))) - sqrt(vec_dot(half, half));
     return beyond > 0 && beyond * beyond > gap2 ? beyond * beyond : gap2;
 }
 
@@ -204,9 +203,8 @@ static void search_lowest(struct lowest *s, size_t from, size_t to, size_t numbe
     }
 }
 
-double kdtree_lowest(const struct kdtree *tree,
-                     double (*value)(const void *context, struct vec3 p), const void *context,
-                     double below, size_t *index)
+double kdtree_lowest(const struct kdtree *tree, double (*value)(const void *context, struct vec3 p),
+                     const void *context, double below, size_t *index)
 {
     struct lowest s = {tree, value, context, below, SIZE_MAX};
 

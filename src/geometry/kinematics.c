@@ -42,7 +42,7 @@ struct vec3 chain_axis(const struct chain *chain, const double q[])
 
 /* p turned about the i-th axis, sense 1, or back, -1. */
 static inline struct vec3 turn_about(const struct chain *chain, int i, struct vec3 p,
-                              const struct turned *at, int sense)
+                                     const struct turned *at, int sense)
 {
     const struct rotary *r = &chain->rotary[i];
     struct vec3 arm = vec_sub(p, r->centre);

@@ -27,8 +27,8 @@ static bool is_clear(const struct lean_rule *rule, const struct run_point *p, do
 static bool clear_between(const struct lean_rule *rule, struct run_point a, double clear_a,
                           struct run_point b, double clear_b, int halvings)
 {
-    double way = vec_distance(a.ball, b.ball) +
-                 holder_reach(rule->holder) * vec_angle(a.axis, b.axis);
+    double way =
+        vec_distance(a.ball, b.ball) + holder_reach(rule->holder) * vec_angle(a.axis, b.axis);
 
     if (fmin(clear_a, clear_b) < -rule->slack)
         return false;
@@ -53,9 +53,8 @@ bool lean_clear(const struct lean_rule *rule, const struct run_point *from,
 
 /* The least lean off `rule_axis` from `least` on that clears the point; of equal ones that nearest
  * to `before`.  False when there is none. */
-static bool find_lean(const struct lean_rule *rule, const struct run_point *p,
-                      double margin, struct vec3 rule_axis, double least, struct vec3 before,
-                      struct vec3 *found)
+static bool find_lean(const struct lean_rule *rule, const struct run_point *p, double margin,
+                      struct vec3 rule_axis, double least, struct vec3 before, struct vec3 *found)
 {
     *found = rule_axis;
     struct vec3 side = vec_perpendicular(rule_axis);

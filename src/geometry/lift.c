@@ -100,8 +100,7 @@ static bool needs_bridge(const struct lifted *a, const struct lifted *b,
         return false;
     if (rule->between && jumps(a, b, rule))
         return true;
-    return (rule->between || a->missed || b->missed) &&
-           !lifted_clear(&a->p, &b->p, rule);
+    return (rule->between || a->missed || b->missed) && !lifted_clear(&a->p, &b->p, rule);
 }
 
 /* Puts the points into the run, with what the tool needs to get over jumps between them. */
@@ -154,8 +153,7 @@ static bool refine(const struct lifteds *from, const struct lift_rule *rule, dou
     return to->n > from->n;
 }
 
-static void lift_smooth(const struct run *run, const struct lift_rule *rule,
-                        struct lifteds *points)
+static void lift_smooth(const struct run *run, const struct lift_rule *rule, struct lifteds *points)
 {
     struct run smooth = {.radius = run->radius};
     struct lifted before = {.missed = false};

@@ -42,9 +42,8 @@ static bool open_above(const struct run_point *p, const struct lift_rule *rule)
 struct lifted lifted_from(const struct run_point *p, const struct kdtree_touch *touch,
                           const struct lift_rule *rule, double radius)
 {
-    struct lifted l = {.p = *p,
-                       .touching = vec_along(p->contact, rule->offset, p->normal),
-                       .touch = *touch};
+    struct lifted l = {
+        .p = *p, .touching = vec_along(p->contact, rule->offset, p->normal), .touch = *touch};
     double lift = 0;
 
     if (rule->guard)

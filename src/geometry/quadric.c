@@ -27,8 +27,8 @@ static void local(const struct quadric *q, struct vec3 p, double *u, double *v, 
 }
 
 /* The middle of the neighbourhood and its size. */
-static struct span span_of(const struct quadric *q, const struct vec3 *point,
-                           const double *weight, size_t n)
+static struct span span_of(const struct quadric *q, const struct vec3 *point, const double *weight,
+                           size_t n)
 {
     double count = 0, uu = 0, uv = 0, vv = 0, su = 0, sv = 0, u, v, w, u1, v1;
     if (n == 0)
@@ -238,8 +238,7 @@ int quadric_fit_steep(const struct vec3 *point, size_t n, struct vec3 origin, st
     const double steep = cos(PI / 4);
     struct quadric other;
     int fitted = quadric_settle(point, n, origin, guess, quadric);
-    if (guess.z >= steep ||
-        quadric_settle(point, n, origin, vec(0, 0, 1), &other) < 0)
+    if (guess.z >= steep || quadric_settle(point, n, origin, vec(0, 0, 1), &other) < 0)
         return fitted;
     if (fitted < 0 || quadric_rms(&other, point, n) < quadric_rms(quadric, point, n))
         *quadric = other;

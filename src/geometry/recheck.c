@@ -8,7 +8,7 @@ enum { HALVINGS = 16, ROUNDS = 8 };
 static const double SAFE = 0.92; /* of the tolerance: lifted from there; the scan is not the part */
 static const double PIECE = 1;   /* mm: of a motion, looked at as one place */
 static const double USELESS = 0.95; /* of the depth before: it did not help */
-static const double NEAR = 0.5;  /* mm: points this near to a place are lifted all the way */
+static const double NEAR = 0.5;     /* mm: points this near to a place are lifted all the way */
 
 struct walk {
     const struct recheck_rule *rule;
@@ -152,10 +152,9 @@ struct deep recheck_beyond(const struct recheck_rule *rule, const struct deeps *
     return deepest;
 }
 
-struct recheck_result recheck_fit(const struct recheck_rule *rule, struct run *run,
-                                  void (*fit)(void *context, const struct run *run,
-                                              struct deeps *deeps),
-                                  void *context)
+struct recheck_result
+recheck_fit(const struct recheck_rule *rule, struct run *run,
+            void (*fit)(void *context, const struct run *run, struct deeps *deeps), void *context)
 {
     struct recheck_result result = {.lift = 0};
     struct deeps deeps = {0};

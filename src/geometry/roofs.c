@@ -100,8 +100,8 @@ double roofs_top(const struct roofs *r, struct vec3 a, struct vec3 b, double rad
     size_t low = cell_at(r->y, r->cell, fmin(a.y, b.y) - radius, r->rows);
     size_t high = cell_at(r->y, r->cell, fmax(a.y, b.y) + radius, r->rows);
     size_t k = 0;
-    while (k + 1 < r->levels && ((right - left) >> k >= MOST_ACROSS ||
-                                 (high - low) >> k >= MOST_ACROSS))
+    while (k + 1 < r->levels &&
+           ((right - left) >> k >= MOST_ACROSS || (high - low) >> k >= MOST_ACROSS))
         k++;
     const struct roofs_level *level = &r->level[k];
     for (size_t row = low >> k; row <= high >> k; row++) {

@@ -74,8 +74,7 @@ static bool surface_at(const struct buckets *b, const struct footprint *f, doubl
 }
 
 /* Leaves out the places on creases and walls between others, where these run across. */
-static void stay_clear(const struct footprint *f, const struct edgezone *zone,
-                       struct candidates *c)
+static void stay_clear(const struct footprint *f, const struct edgezone *zone, struct candidates *c)
 {
     const double across = 2; /* so far at most, in lengths of the zone's edges */
     size_t kept = 0;
@@ -99,8 +98,7 @@ static void stay_clear(const struct footprint *f, const struct edgezone *zone,
     c->point.n = c->col.n = kept;
 }
 
-static void mark_near(const struct footprint *f, const struct edgezone *zone,
-                      struct candidates *c)
+static void mark_near(const struct footprint *f, const struct edgezone *zone, struct candidates *c)
 {
     for (size_t i = 0; i < c->point.n; i++) {
         struct vec3 at = turn_back(f, c->point.item[i].x, c->point.item[i].y);

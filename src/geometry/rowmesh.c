@@ -315,8 +315,12 @@ struct rowmesh rowmesh_make(const struct buckets *buckets, const struct footprin
                             struct mesh *mesh)
 {
     const double gaps = 6, reaches = 1.2;
-    struct work w = {.buckets = buckets, .footprint = footprint, .holes = holes,
-                     .error = wish->error, .spacing = wish->spacing, .out = wish->out,
+    struct work w = {.buckets = buckets,
+                     .footprint = footprint,
+                     .holes = holes,
+                     .error = wish->error,
+                     .spacing = wish->spacing,
+                     .out = wish->out,
                      .rule = {wish->spacing, reaches * wish->spacing, gaps * wish->spacing,
                               ALONG * wish->error, wish->zone},
                      .covered = mem_alloc(buckets->n, 1)};

@@ -73,8 +73,9 @@ static void find_costs(struct zip *z)
 void rowzip(const struct buckets *buckets, const struct footprint *footprint, double error,
             const struct rowcurve *lower, const struct rowcurve *upper, struct faces *faces)
 {
-    struct zip z = {buckets,       footprint,     error, lower->node.item, upper->node.item,
-                    lower->node.n, upper->node.n, NULL,  NULL};
+    struct zip z = {
+        buckets,       footprint, error, lower->node.item, upper->node.item, lower->node.n,
+        upper->node.n, NULL,      NULL};
     struct faces down = {0};
     if (z.na == 0 || z.nb == 0)
         return;

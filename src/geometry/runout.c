@@ -244,7 +244,7 @@ static void carry_over(const struct brink *b, const struct brink_plane *plane,
             size_t next = i + 1 < n ? i + 1 : i;
             struct contact at = {vec_mix(c[i].p, c[next].p, k / parts),
                                  vec_unit(vec_mix(c[i].n, c[next].n, k / parts))};
-                if (!covered(all, vec_dot(at.p, plane->along)) && carry(b, plane, &at)) {
+            if (!covered(all, vec_dot(at.p, plane->along)) && carry(b, plane, &at)) {
                 *array_push(&pieces->point) = at;
                 continue;
             }
@@ -284,8 +284,7 @@ static size_t add_pieces(const struct brink *b, const struct brink_plane *plane,
 }
 
 double runout_beside(const struct brink *b, const struct brink_plane *plane,
-                     const struct runout_neighbours *beside, double shortest,
-                     struct chains *strips)
+                     const struct runout_neighbours *beside, double shortest, struct chains *strips)
 {
     struct growings all = {0};
     struct chains pieces = {0};

@@ -70,9 +70,7 @@ static bool bring(const struct job *job, const struct surfacefit *fit, size_t i)
 
     if (!surfacefit_holds(fit, job->fit.sigma) || vec_distance(p, foot) > FAR * job->fit.sigma)
         return false;
-    *place = (struct place){.point = foot,
-                            .moved = true,
-                            .doubtful = is_doubtful(job, fit)};
+    *place = (struct place){.point = foot, .moved = true, .doubtful = is_doubtful(job, fit)};
     if (job->filled)
         scanfill_on(&job->fill, i, foot, &fit->q, fit->spread, &place->between);
     return true;

@@ -1,7 +1,6 @@
 /* swing - see swing.h. */
 #include "swing.h"
 
-
 enum { LOOKS = 8 }; /* points looked at on a piece, at most; more on very short ones */
 
 /* Sideways at point k: across the other end's path and across the axis; only a turn of the axis in

@@ -172,8 +172,8 @@ static void forward(struct search *s, const struct turnplan_place place[], size_
         uint16_t *into = s->by + j * (size_t)s->states.n;
         if (j > 0) {
             const struct vec3 *ahead = next_tilted(s, place, n, j, &tilted);
-            struct turnground ground = turnstate_ground(s->chain, s->plan->cone, place[j - 1].axis,
-                                                        place[j].axis, ahead);
+            struct turnground ground =
+                turnstate_ground(s->chain, s->plan->cone, place[j - 1].axis, place[j].axis, ahead);
             struct state *other = s->last;
             s->last = s->row;
             s->row = other;
@@ -223,8 +223,8 @@ static void follow(const struct search *s, struct turnplan_place place[], size_t
         if (place[j].passed)
             continue;
         if (j > 0)
-            ground = turnstate_ground(s->chain, s->plan->cone, place[j - 1].axis, place[j].axis,
-                                      ahead);
+            ground =
+                turnstate_ground(s->chain, s->plan->cone, place[j - 1].axis, place[j].axis, ahead);
         turnstate_angles(&s->states, &ground, at[j], q, place[j].q);
         q[0] = place[j].q[0];
         q[1] = place[j].q[1];

@@ -151,8 +151,8 @@ static void grow(void *context, size_t from, size_t to)
                 near[walls++] = l->point[index[k]];
             on += other->rms < other->width / 4 && is_on(l, other, l->point[i]);
         }
-        if (walls >= FEWEST && planefit(near, walls, &plane) == 0 &&
-            fabs(plane.normal.z) < STEEP && plane.rms < plane.width / 2)
+        if (walls >= FEWEST && planefit(near, walls, &plane) == 0 && fabs(plane.normal.z) < STEEP &&
+            plane.rms < plane.width / 2)
             l->wall[i] = is_on(l, &plane, l->point[i]);
         l->wall[i] = l->wall[i] || on >= FEWEST;
     }
@@ -190,7 +190,10 @@ size_t wallpoints_part(struct vec3 *point, size_t n, double spacing, int threads
             if (raster.near[cell_of(&raster, point[i])])
                 *array_push(&close) = point[i];
         struct kdtree *tree = kdtree_new_by(close.item, close.n, threads);
-        struct looked looked = {tree, close.item, spacing, mem_alloc(close.n, sizeof(bool)),
+        struct looked looked = {tree,
+                                close.item,
+                                spacing,
+                                mem_alloc(close.n, sizeof(bool)),
                                 mem_alloc(close.n, sizeof(bool)),
                                 mem_alloc(close.n, sizeof(struct planefit))};
         parallel_for(threads, close.n, look, &looked);

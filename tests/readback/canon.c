@@ -127,8 +127,9 @@ static int read_block(struct ncread *c, const char *line, struct error *error)
 static int read_end(struct ncread *c, struct error *error)
 {
     if (!c->ended || c->spindle || c->order)
-        return ncread_error(c, error, "ends without PROGRAM_END, with the spindle turning or with "
-                                       "the tool's length on");
+        return ncread_error(c, error,
+                            "ends without PROGRAM_END, with the spindle turning or with "
+                            "the tool's length on");
     return 0;
 }
 

@@ -21,9 +21,8 @@
 #include "../panel.h"
 #include "sweep.h"
 
-static const struct ncread_dialect *const dialects[] = {&ncread_fanuc, &ncread_siemens,
-                                                        &ncread_heidenhain, &ncread_linuxcnc,
-                                                        &canon};
+static const struct ncread_dialect *const dialects[] = {
+    &ncread_fanuc, &ncread_siemens, &ncread_heidenhain, &ncread_linuxcnc, &canon};
 enum { CONTROL_NONE = sizeof dialects / sizeof *dialects };
 
 struct options {
@@ -115,8 +114,8 @@ static bool roll(const struct course *course, const struct surface *surface, dou
     if (isfinite(nodes.worst))
         printf("ball at the contact points: deepest %.6f mm\n", nodes.worst);
     ncread_place(&course->piece.item[depth.piece], place, sizeof place);
-    printf("ball: deepest %.6f mm at %s, centre %.3f %.3f %.3f\n", depth.worst, place,
-           depth.ball.x, depth.ball.y, depth.ball.z);
+    printf("ball: deepest %.6f mm at %s, centre %.3f %.3f %.3f\n", depth.worst, place, depth.ball.x,
+           depth.ball.y, depth.ball.z);
     if (nodes.worst > o->nodes)
         say("%s: %.4f mm deep at a contact point, limit %g", course->name, nodes.worst, o->nodes);
     if (depth.worst > o->deeper)
@@ -276,27 +275,31 @@ static int run(const char *file, const struct options *o)
 
 int main(int argc, char **argv)
 {
-    struct options o = {.control = CONTROL_NONE, .tolerance = 0.001, .axis = 0.01,
-                        .deeper = HUGE_VAL, .nodes = HUGE_VAL};
+    struct options o = {.control = CONTROL_NONE,
+                        .tolerance = 0.001,
+                        .axis = 0.01,
+                        .deeper = HUGE_VAL,
+                        .nodes = HUGE_VAL};
     const struct cli_option option[] = {
         {'c', "control", "fanuc|siemens|heidenhain|linuxcnc|canon|none",
          "the operand is a program for this control; canon: what LinuxCNC's\n"
-         "interpreter makes of it (rs274); none (default): it is a path", CLI_CHOICE, &o.control, 0, 0, 0, NULL},
+         "interpreter makes of it (rs274); none (default): it is a path",
+         CLI_CHOICE, &o.control, 0, 0, 0, NULL},
         {'m', "machine", "NAME", "the machine: its axes, TCP or not, travel", CLI_TEXT, &o.machine,
          0, 0, 0, NULL},
         {0, "set", "KEY=VALUE", "one key of it; may be given again", CLI_LIST, &o.set, 0, 0, 0,
          NULL},
         {0, "axes", "ac|bc", "rotary axes of the machine (ac)", CLI_CHOICE, &o.axes, 0, 0, 0, NULL},
-        {0, "no-tcp", NULL, "the machine has no tool centre point control", CLI_FLAG, &o.no_tcp,
-         0, 0, 0, NULL},
+        {0, "no-tcp", NULL, "the machine has no tool centre point control", CLI_FLAG, &o.no_tcp, 0,
+         0, 0, NULL},
         {0, "reversed", NULL, "its rotary axes turn against the ISO sense", CLI_FLAG, &o.reversed,
          0, 0, 0, NULL},
         {0, "path", "FILE", "the path that the program was made from", CLI_TEXT, &o.path, 0, 0, 0,
          NULL},
         {0, "no-steps", NULL, "drilling steps of program and path joined: a control has its own",
          CLI_FLAG, &o.no_steps, 0, 0, 0, NULL},
-        {'e', "tolerance", "MM", "of the tip against the path (0.001)", CLI_NUMBER, &o.tolerance,
-         0, 1e3, 0, NULL},
+        {'e', "tolerance", "MM", "of the tip against the path (0.001)", CLI_NUMBER, &o.tolerance, 0,
+         1e3, 0, NULL},
         {0, "axis", "DEG", "of the tool axis against the path (0.01)", CLI_NUMBER, &o.axis, 0, 180,
          0, NULL},
         {0, "scan", "FILE", "roll the ball over these points", CLI_TEXT, &o.scan, 0, 0, 0, NULL},
@@ -309,7 +312,8 @@ int main(int argc, char **argv)
          NULL},
         {0},
     };
-    struct cli cli = {.tool = "readback", .usage = "[options] FILE",
+    struct cli cli = {.tool = "readback",
+                      .usage = "[options] FILE",
                       .about = "run an NC program as the control would, and judge where it goes",
                       .option = option};
     cli_parse(&cli, argc, argv);

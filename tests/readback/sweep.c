@@ -9,8 +9,8 @@
 #define STEP_AXIS RADIANS(0.5) /* ... and its turn */
 #define FLAT_TIP 1e-5          /* how straight it is, mm */
 #define FLAT_AXIS RADIANS(0.001)
-#define RAPID_OFF 1.01         /* how far a rapid may be off its straight way, mm */
-#define DETOUR 2.0             /* longest way that one may make and the other not, mm */
+#define RAPID_OFF 1.01 /* how far a rapid may be off its straight way, mm */
+#define DETOUR 2.0     /* longest way that one may make and the other not, mm */
 
 static double apart(struct course_pose a, struct course_pose b, double weight)
 {
@@ -27,8 +27,8 @@ static void add(struct samples *chain, struct course_pose pose, bool joined, siz
 }
 
 /* Halves the piece from s0 to s1 until it is straight; adds its end. */
-static void flatten(const struct course *course, size_t index, double s0, struct course_pose a, double s1,
-                    struct course_pose b, int depth, struct samples *chain)
+static void flatten(const struct course *course, size_t index, double s0, struct course_pose a,
+                    double s1, struct course_pose b, int depth, struct samples *chain)
 {
     const struct piece *piece = &course->piece.item[index];
     double s = (s0 + s1) / 2;
@@ -299,16 +299,21 @@ int sweep_rapids(const struct course *program, const struct course *path, double
             met = piece->rapid && !end && meets(there, place, tip_limit, axis_limit);
             if (piece->rapid && !met && there.p.z < height - tip_limit &&
                 !meets(there, last, tip_limit, axis_limit) && !leads_back(program, k) &&
-                !leads_off(program, k) && !(i > 0 && !end && on_way(there.p, course_at(path, &want[-1], 1).p, place.p))) {
+                !leads_off(program, k) &&
+                !(i > 0 && !end && on_way(there.p, course_at(path, &want[-1], 1).p, place.p))) {
                 char text[60];
                 ncread_place(piece, text, sizeof text);
-                return error_set(error, "%s: %s: a rapid move to %.3f %.3f %.3f that is not in "
-                                 "the path", program->name, text, there.p.x, there.p.y, there.p.z);
+                return error_set(error,
+                                 "%s: %s: a rapid move to %.3f %.3f %.3f that is not in "
+                                 "the path",
+                                 program->name, text, there.p.x, there.p.y, there.p.z);
             }
         }
         if (!met && !end)
-            return error_at(error, path->name, want->line, "the program makes no rapid move to "
-                            "%.3f %.3f %.3f", place.p.x, place.p.y, place.p.z);
+            return error_at(error, path->name, want->line,
+                            "the program makes no rapid move to "
+                            "%.3f %.3f %.3f",
+                            place.p.x, place.p.y, place.p.z);
         last = place;
     }
     return 0;

@@ -29,18 +29,18 @@ struct samples {
  * the ways back down from a turn off the part. */
 void sweep_chain(const struct course *course, struct samples *chain);
 
-/* Straight cuts one behind the other on a line, with rapids along it between, become one cut: a hole
- * drilled in steps. */
+/* Straight cuts one behind the other on a line, with rapids along it between, become one cut: a
+ * hole drilled in steps. */
 void sweep_join_steps(struct course *course);
 
 /* Length of the tip's way, mm. */
 double sweep_length(const struct samples *chain);
 
 struct sweep {
-    double tip, axis, ball;   /* worst, mm and degrees; of the ball's centre */
-    size_t tip_at, axis_at;   /* samples of `from` there */
-    bool beyond;              /* some sample is beyond the limits ... */
-    size_t first;             /* ... and this is the first */
+    double tip, axis, ball; /* worst, mm and degrees; of the ball's centre */
+    size_t tip_at, axis_at; /* samples of `from` there */
+    bool beyond;            /* some sample is beyond the limits ... */
+    size_t first;           /* ... and this is the first */
 };
 
 /* Walks all of `from` along `to`. */
