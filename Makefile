@@ -20,13 +20,13 @@ DEFS  = -DCLOUDMILL_DATADIR='"$(PREFIX)/share/cloudmill"'
 LIBS  = -lm -pthread
 
 tool_src := $(wildcard src/*.c)
-lib_src  := $(wildcard src/base/*.c src/geometry/*.c src/formats/*.c)
+lib_src  := $(wildcard src/*/*.c src/io/*/*.c)
 back_src := $(wildcard tests/readback/*.c)
-unit_src := $(wildcard tests/check_*.c)
-help_src := $(filter-out $(unit_src),$(wildcard tests/*.c))
+unit_src := $(wildcard tests/unit/*.c tests/unit/*/*.c tests/unit/io/*/*.c)
+help_src := $(wildcard tests/lib/*.c)
 bench_src := $(wildcard tests/bench/*.c)
-c_files  := $(wildcard src/*.c src/*/*.c include/*.h tests/*.[ch] tests/readback/*.[ch] \
-              tests/bench/*.c tests/accuracy/*.c)
+c_files  := $(filter-out tests/data/%,$(wildcard $(foreach top,src include tests,\
+              $(addprefix $(top)/,*.[ch] */*.[ch] */*/*.[ch] */*/*/*.[ch]))))
 cloud    := $(BUILD)/tests/accuracy/cloud
 manuals  := $(wildcard man/*.[157])
 machines := $(wildcard machines/*.txt)
@@ -47,6 +47,7 @@ judge = linuxcnc-uspace
 
 all: $(tools)
 
+$(BUILD)/tests/lib/%.o: FLAGS += -iquote src -iquote tests/lib
 $(BUILD)/%.o: %.c
 	@mkdir -p $(@D)
 	$(CC) $(FLAGS) $(DEFS) $(CFLAGS) $(CPPFLAGS) -MMD -MP -c -o $@ $<
@@ -61,21 +62,23 @@ $(BUILD)/bin/%: $(BUILD)/src/%.o $(lib)
 
 $(BUILD)/tests/readback/readback: $(back_obj) $(help_obj) $(lib)
 	@mkdir -p $(@D)
-	$(CC) $(CFLAGS) $(LDFLAGS) -iquote tests -o $@ $(back_obj) $(help_obj) $(lib) \
+	$(CC) $(CFLAGS) $(LDFLAGS) -o $@ $(back_obj) $(help_obj) $(lib) \
 	  $$(pkg-config --libs check) $(LIBS)
 
-$(BUILD)/tests/readback/%.o: FLAGS += -iquote tests
-$(BUILD)/tests/check_%.o: FLAGS += -iquote tests
-$(BUILD)/tests/check_%: $(BUILD)/tests/check_%.o $(help_obj) $(lib)
+$(BUILD)/tests/readback/%.o: FLAGS += -iquote src -iquote tests/lib
+$(BUILD)/tests/unit/%.o: FLAGS += -iquote src -iquote tests/lib
+$(BUILD)/tests/unit/%: $(BUILD)/tests/unit/%.o $(help_obj) $(lib)
 	$(CC) $(CFLAGS) $(LDFLAGS) -o $@ $< $(help_obj) $(lib) $$(pkg-config --libs check) $(LIBS)
 
-$(BUILD)/tests/accuracy/%.o: FLAGS += -iquote tests
-$(cloud): $(BUILD)/tests/accuracy/cloud.o $(BUILD)/tests/panel.o
+$(BUILD)/tests/accuracy/%.o: FLAGS += -iquote src -iquote tests/lib
+$(cloud): $(BUILD)/tests/accuracy/cloud.o $(BUILD)/tests/lib/panel.o
 	$(CC) $(CFLAGS) $(LDFLAGS) -o $@ $^ $(LIBS)
 
 $(BUILD)/bench/%: $(BUILD)/tests/bench/%.o
 	@mkdir -p $(@D)
 	$(CC) $(CFLAGS) $(LDFLAGS) -o $@ $< $(LIBS)
+
+units: $(units)
 
 check: all $(units) $(readback) $(cloud)
 	@CC="$(CC)" BIN="$(abspath $(BUILD))/bin" READBACK="$(abspath $(BUILD))/tests/readback/readback" \
@@ -103,9 +106,9 @@ deps:
 lint:
 	clang-format --dry-run --Werror $(c_files)
 	cppcheck --quiet --std=c11 --enable=warning,performance,portability --inline-suppr \
-	  --suppress=missingIncludeSystem --error-exitcode=1 -I include -I tests src tests
+	  --suppress=missingIncludeSystem --error-exitcode=1 -I include -I src -I tests/lib src tests
 	clang-tidy --quiet --warnings-as-errors='*' $(tool_src) $(lib_src) -- $(FLAGS) $(DEFS)
-	shellcheck -S warning -x -P tests tests/*.sh tests/*/*.sh tests/*.t samples/*.sh .ci/run
+	shellcheck -S warning -x -P tests/lib tests/*.sh tests/*/*.sh tests/*/*.t samples/*.sh .ci/run
 
 sanitize:
 	$(MAKE) BUILD=$(BUILD)/sanitize CC=clang \
@@ -142,7 +145,7 @@ distcheck: dist
 clean:
 	rm -rf $(BUILD) demo figures cloudmill-$(VERSION).tar.gz
 
-.PHONY: all check demo figures bench accuracy deps lint sanitize fuzz install uninstall dist distcheck clean
+.PHONY: all units check demo figures bench accuracy deps lint sanitize fuzz install uninstall dist distcheck clean
 .SECONDARY:
 
 -include $(shell find $(BUILD) -name '*.d' 2>/dev/null)

@@ -3,13 +3,13 @@
 #include <stdio.h>
 #include <stdlib.h>
 
-#include "arcrun.h"
-#include "cli.h"
-#include "out.h"
-#include "parallel.h"
-#include "path.h"
-#include "pathguard.h"
-#include "retilt.h"
+#include "stage/arcrun.h"
+#include "base/cli.h"
+#include "base/out.h"
+#include "base/parallel.h"
+#include "io/path/path.h"
+#include "stage/pathguard.h"
+#include "stage/retilt.h"
 
 struct settings {
     double tolerance, axis, tilt;

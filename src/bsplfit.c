@@ -7,16 +7,16 @@
 #include <stdio.h>
 #include <stdlib.h>
 
-#include "array.h"
-#include "cli.h"
-#include "out.h"
-#include "parallel.h"
-#include "path.h"
-#include "path_run.h"
-#include "pathguard.h"
-#include "retrack.h"
-#include "splineguard.h"
-#include "splinereport.h"
+#include "base/array.h"
+#include "base/cli.h"
+#include "base/out.h"
+#include "base/parallel.h"
+#include "io/path/path.h"
+#include "io/path/path_run.h"
+#include "stage/pathguard.h"
+#include "stage/retrack.h"
+#include "splinefit/splineguard.h"
+#include "stage/splinereport.h"
 
 static const double TOLERANCE = 0.01; /* mm, when -e is not given */
 

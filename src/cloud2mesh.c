@@ -6,11 +6,11 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "cli.h"
-#include "cloudmesh.h"
-#include "extend.h"
-#include "intake.h"
-#include "ply.h"
+#include "base/cli.h"
+#include "stage/cloudmesh.h"
+#include "cloud/extend.h"
+#include "stage/intake.h"
+#include "io/mesh/ply.h"
 
 enum outliers { OUTLIERS_DROP, OUTLIERS_KEEP };
 

@@ -4,12 +4,12 @@
  */
 #include <stdlib.h>
 
-#include "cutting.h"
-#include "part.h"
-#include "planepath.h"
-#include "ridge.h"
-#include "rows.h"
-#include "submesh.h"
+#include "stage/cutting.h"
+#include "stage/part.h"
+#include "stage/planepath.h"
+#include "toolpath/ridge.h"
+#include "toolpath/rows.h"
+#include "meshing/submesh.h"
 
 static int normals;
 static double scallop;

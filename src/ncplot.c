@@ -3,13 +3,13 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "cli.h"
-#include "cloud.h"
-#include "difference.h"
-#include "layer.h"
-#include "out.h"
-#include "sheet.h"
-#include "sheet_legend.h"
+#include "base/cli.h"
+#include "io/cloud/cloud.h"
+#include "plot/difference.h"
+#include "plot/layer.h"
+#include "base/out.h"
+#include "plot/sheet.h"
+#include "plot/sheet_legend.h"
 
 static const char *const units[] = {"mm", "cm", "m", "um", "inch", "in"};
 

@@ -7,18 +7,18 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "array.h"
-#include "cli.h"
-#include "control.h"
-#include "dialect.h"
-#include "machine.h"
-#include "nccutcom.h"
-#include "nchead.h"
-#include "nchole.h"
-#include "ncoutput.h"
-#include "ncsettle.h"
-#include "path.h"
-#include "selftest.h"
+#include "base/array.h"
+#include "base/cli.h"
+#include "machine/control.h"
+#include "post/dialect.h"
+#include "machine/machine.h"
+#include "post/nccutcom.h"
+#include "post/nchead.h"
+#include "post/nchole.h"
+#include "post/ncoutput.h"
+#include "post/ncsettle.h"
+#include "io/path/path.h"
+#include "post/selftest.h"
 
 struct settings {
     int control;

@@ -8,16 +8,16 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "array.h"
-#include "cli.h"
-#include "cloud.h"
-#include "holder_spec.h"
-#include "machine.h"
-#include "ncread_machine.h"
-#include "stock_spec.h"
-#include "verdict.h"
-#include "verifypart.h"
-#include "verifyrun.h"
+#include "base/array.h"
+#include "base/cli.h"
+#include "io/cloud/cloud.h"
+#include "stage/holder_spec.h"
+#include "machine/machine.h"
+#include "ncread/ncread_machine.h"
+#include "verify/stock_spec.h"
+#include "verify/verdict.h"
+#include "verify/verifypart.h"
+#include "verify/verifyrun.h"
 
 static const char *const unit_name[] = {"mm", "cm", "m", "um", "inch", "in"};
 

@@ -7,14 +7,14 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "cli.h"
-#include "cloud.h"
-#include "nurbs_report.h"
-#include "outward.h"
-#include "parallel.h"
-#include "ply.h"
-#include "surfaces.h"
-#include "weld.h"
+#include "base/cli.h"
+#include "io/cloud/cloud.h"
+#include "stage/nurbs_report.h"
+#include "nurbs/outward.h"
+#include "base/parallel.h"
+#include "io/mesh/ply.h"
+#include "io/nurbs/surfaces.h"
+#include "nurbs/weld.h"
 
 enum { MOST = 5000 };
 

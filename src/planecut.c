@@ -4,11 +4,11 @@
  */
 #include <stdlib.h>
 
-#include "cutpart.h"
-#include "cutting.h"
-#include "planepath.h"
-#include "scallop.h"
-#include "surfaces.h"
+#include "stage/cutpart.h"
+#include "stage/cutting.h"
+#include "stage/planepath.h"
+#include "toolpath/scallop.h"
+#include "io/nurbs/surfaces.h"
 
 static const double MOST_PLANES = 100000;
 

@@ -1,5 +1,5 @@
 #!/bin/sh
-# tests/run.sh - runs the unit tests in $UNITS and every tests/*.t, one a processor at a time, each
+# tests/run.sh - runs the unit tests in $UNITS and every tests/tool/*.t and tests/house/*.t, one a processor at a time, each
 # with a time limit; prints what failed in full and one line for each, and last `N passed, N failed`
 # over all single tests.
 SRC=$(cd "$(dirname "$0")/.." && pwd)
@@ -33,7 +33,7 @@ count() { # NAME STATUS PASSED FAILED
 }
 
 # The scripts first: they take longest.
-for test in "$SRC"/tests/*.t $UNITS; do
+for test in "$SRC"/tests/tool/*.t "$SRC"/tests/house/*.t $UNITS; do
 	printf '%s\n' "$test"
 done | xargs -P "$(getconf _NPROCESSORS_ONLN 2>/dev/null || echo 1)" -n 1 sh "$0" --one "$logs"
 
@@ -49,7 +49,7 @@ for unit in $UNITS; do
 	count "$name" "$code" $((all - bad)) "$bad"
 done
 
-for test in "$SRC"/tests/*.t; do
+for test in "$SRC"/tests/tool/*.t "$SRC"/tests/house/*.t; do
 	name=$(basename "$test")
 	log=$logs/$name.log
 	count "$name" "$(cat "$logs/$name.exit")" "$(grep -c '^ok ' "$log")" "$(grep -c '^not ok ' "$log")"

@@ -1,5 +1,5 @@
 /* self - see self.h. */
-#include "self.h"
+#include "base/self.h"
 
 #include <string.h>
 #include <unistd.h>

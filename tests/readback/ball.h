@@ -4,7 +4,7 @@
 #ifndef READBACK_BALL_H
 #define READBACK_BALL_H
 
-#include "course.h"
+#include "simulate/course.h"
 
 /* Distance of a point from the part's surface, mm. */
 struct surface {

@@ -9,9 +9,9 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "ncread.h"
-#include "ncread_unit.h"
-#include "num.h"
+#include "ncread/ncread.h"
+#include "ncread/ncread_unit.h"
+#include "base/num.h"
 
 enum { NUMBERS = 9 };
 

@@ -7,18 +7,18 @@
 #include <stdio.h>
 #include <stdlib.h>
 
-#include "array.h"
-#include "axisload.h"
+#include "base/array.h"
+#include "simulate/axisload.h"
 #include "ball.h"
 #include "canon.h"
 #include "cl.h"
-#include "cli.h"
-#include "cloud.h"
-#include "kdtree.h"
-#include "machine.h"
-#include "ncread.h"
-#include "ncread_machine.h"
-#include "../panel.h"
+#include "base/cli.h"
+#include "io/cloud/cloud.h"
+#include "math/kdtree.h"
+#include "machine/machine.h"
+#include "ncread/ncread.h"
+#include "ncread/ncread_machine.h"
+#include "panel.h"
 #include "sweep.h"
 
 static const struct ncread_dialect *const dialects[] = {

@@ -1,7 +1,7 @@
 #include "sweep.h"
 
-#include "array.h"
-#include "ncread.h"
+#include "base/array.h"
+#include "ncread/ncread.h"
 
 #include <stdlib.h>
 

@@ -8,8 +8,8 @@
 #ifndef READBACK_SWEEP_H
 #define READBACK_SWEEP_H
 
-#include "course.h"
-#include "error.h"
+#include "simulate/course.h"
+#include "base/error.h"
 
 struct sample {
     struct course_pose pose;

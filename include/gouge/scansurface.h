@@ -1,0 +1,39 @@
+/*
+ * scansurface - the surface that the points of a scan stand for, as points that are dense enough to
+ * keep a ball off it.
+ *
+ * A ball sinks between points that are far apart, and rides on the crests of the noise of points
+ * that are near.  So points spread by noise are brought to the surfaces of surfacefit.h, one for
+ * all points in its middle; and where the scan is sparse, points are put between (scanfill.h).
+ * Points that noise does not explain (edges, walls, hair) stay as they are.
+ */
+#ifndef CLOUDMILL_SCANSURFACE_H
+#define CLOUDMILL_SCANSURFACE_H
+
+#include "base/array.h"
+#include "math/buckets.h"
+
+struct scansurface_rule {
+    double radius; /* of the ball, mm */
+    double sink;   /* how deep it may sink between points, mm */
+    double noise;  /* standard deviation of what is taken out, mm (noise.h); 0: nothing */
+    double vague;  /* mm: a surface between points that is off them by more is vague */
+    int threads;   /* as of parallel_for */
+};
+
+struct scansurface {
+    struct vec3s point;
+    struct vec3s certain, doubtful; /* points of the scan: does noise leave doubt of the surface? */
+    size_t moved, added;            /* points brought to their quadrics, points put between */
+    size_t
+        vague; /* of a scan without noise: points about which the surface between is vague, ... */
+    double worst; /* ... the most that it is off, mm, and where */
+    struct vec3 at;
+};
+
+/* No point moves by more than six standard deviations.  More than 400,000 points get none between.
+ */
+struct scansurface scansurface_make(const struct buckets *buckets,
+                                    const struct scansurface_rule *rule);
+
+#endif

@@ -1,0 +1,83 @@
+/*
+ * surfacefit - the surface that the noisy points of a scan stand for about one place: a cubic or,
+ * where they carry none, a quadric, through as many of them as agree, outliers without weight
+ * (Tukey's biweight).
+ *
+ * How many points is a trade: through k points of noise sigma the foot of the place is uncertain by
+ * about 2 sigma / sqrt(k) within the cloud and by more at its border, but the wider the
+ * neighbourhood, the less of the surface is a cubic.  So the widest neighbourhood is taken whose
+ * foot and normal agree with those of its nearer halves within what noise explains (O. Lepski's
+ * rule, Theory of Probability and its Applications 35, 1991).  Where even few points are bent too
+ * much, as on a rib or in a groove, they are taken from a neighbourhood that is six times as long
+ * the way it runs; that way is the one in which such a neighbourhood is fitted best.
+ */
+#ifndef CLOUDMILL_SURFACEFIT_H
+#define CLOUDMILL_SURFACEFIT_H
+
+#include <stdbool.h>
+
+#include "math/buckets.h"
+#include "math/quadric.h"
+
+struct surfacefit_rule {
+    const struct buckets *buckets; /* the scan */
+    double sigma;                  /* its noise, one standard deviation, mm (noise.h) */
+    size_t neighbours;             /* to begin with */
+    bool along;                    /* look along ribs and grooves, which takes its time */
+};
+
+struct surfacefit {
+    struct quadric q; /* its origin is the place, or the foot of that on a first fit */
+    double offset;    /* of the place from the surface, signed along the first guess, mm */
+    double spread;    /* of the points that count, for their freedom, mm */
+    double reach;     /* of the neighbourhood, mm */
+    size_t n;         /* points */
+};
+
+enum { SURFACEFIT_WIDEST = 1024 };
+
+/* The neighbourhood in hand, nearest first: one for each thread. */
+struct surfacefit_hood {
+    size_t n;
+    uint32_t index[SURFACEFIT_WIDEST];
+    double distance2[SURFACEFIT_WIDEST], weight[SURFACEFIT_WIDEST];
+    struct vec3 point[SURFACEFIT_WIDEST];
+};
+struct surfacefit_hood *surfacefit_hood_new(void);
+void surfacefit_hood_free(struct surfacefit_hood *hood);
+
+/* From few points to many, 32 to 362: the last neighbourhood of a place that agrees with all within
+ * it. `guess`: the normal there, roughly, on either side. */
+size_t surfacefit_widest(const struct surfacefit_rule *rule, struct vec3 place, struct vec3 guess,
+                         struct surfacefit_hood *hood);
+
+/* What half of the places can take, of up to 200 of them; less where there are very many. */
+size_t surfacefit_typical(const struct surfacefit_rule *rule, const struct vec3 *place,
+                          const struct vec3 *guess, size_t n, int threads);
+
+/* The surface about a place, from rule->neighbours points or, where these do not agree, fewer; from
+ * up to four times as many where they tell little, as at a border, and up to 1024 where they carry
+ * none.  False: there is none. */
+bool surfacefit_at(const struct surfacefit_rule *rule, struct vec3 place, struct vec3 guess,
+                   struct surfacefit_hood *hood, struct surfacefit *fit);
+
+/* For surfacefit_at, the better surface where there is a rib or a groove. */
+void surfacefit_along(const struct surfacefit_rule *rule, struct vec3 place, struct vec3 guess,
+                      struct surfacefit_hood *hood, struct surfacefit *fit);
+
+/* Its steps: the k points nearest to a place, */
+void surfacefit_gather(const struct buckets *buckets, struct vec3 place, size_t k,
+                       struct surfacefit_hood *hood);
+
+/* a surface through the first k of them in the frame of a normal, what is far off counting less and
+ * less (-1: there is none), */
+int surfacefit_through(struct surfacefit_hood *hood, size_t k, struct vec3 place,
+                       struct vec3 normal, struct vec3 guess, double sigma, struct surfacefit *fit);
+
+/* and whether it is so uncertain that a neighbourhood that is bent tells more. */
+bool surfacefit_useless(const struct surfacefit *fit, double sigma);
+
+/* Is it noise alone that spreads the points about it? */
+bool surfacefit_holds(const struct surfacefit *fit, double sigma);
+
+#endif

@@ -1,0 +1,17 @@
+/*
+ * submesh - the meshes of the parts of a cloud as one mesh.
+ */
+#ifndef CLOUDMILL_SUBMESH_H
+#define CLOUDMILL_SUBMESH_H
+
+#include "mesh/mesh.h"
+#include "cloud/subcloud.h"
+
+/* Appends the mesh of a part, which is in the part's own axes: turned back, its rows behind those
+ * that are there, and its frame to to->origin.part. */
+void submesh_add(struct mesh *to, const struct mesh *mesh, const struct subcloud *part);
+
+/* Part k of a mesh that such parts were put together to: its vertices and facets, without rows. */
+struct mesh submesh_of(const struct mesh *mesh, size_t k);
+
+#endif

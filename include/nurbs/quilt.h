@@ -1,0 +1,60 @@
+/*
+ * quilt - the triangles of several patches, joined along common edges and turned to one side.
+ */
+#ifndef CLOUDMILL_QUILT_H
+#define CLOUDMILL_QUILT_H
+
+#include "nurbs/tessellate.h"
+
+struct quilt_vertex {
+    struct vec3 point, normal; /* normal as the surface's own parameters give it */
+    double k1, k2;             /* k1 >= k2, of that side */
+    struct uv at;
+    int sheet, piece;
+    size_t place; /* vertices of the same place have the same number: that of one of them ... */
+    size_t next;  /* ... and are a ring */
+};
+
+struct quilt_vertices {
+    size_t n, cap;
+    struct quilt_vertex *item;
+};
+
+/* A border edge of a sheet (or of a piece of one), as its triangle has it. */
+struct quilt_edge {
+    size_t from, to; /* vertices */
+    size_t face;
+};
+
+struct quilt_edges {
+    size_t n, cap;
+    struct quilt_edge *item;
+};
+
+struct quilt {
+    struct quilt_vertices vertex;
+    struct faces face;
+    struct ints sheet;       /* of each face */
+    struct quilt_edges edge; /* the borders */
+    size_t sheets;
+    size_t narrow; /* sheets left out */
+    bool *flipped; /* [sheet] its normals were the wrong way round */
+};
+
+/* All sheets, each as it is.  Of several one that is, on the mean, less than `least` mm wide is
+ * left out: its neighbours on both sides then adjoin. */
+void quilt_make(const struct sheet *sheet, size_t n, double least, struct quilt *quilt);
+
+bool quilt_same_piece(const struct quilt_vertex *a, const struct quilt_vertex *b);
+
+/* The places of two vertices made one. */
+void quilt_unite(struct quilt *quilt, size_t a, size_t b);
+
+/* Every sheet to the side that `flipped` says, vertices of one place and (within one degree) one
+ * normal made one; the others of a place, along a sharp edge, keep their normals and get the same
+ * coordinates.  Triangles without area are left out. */
+void quilt_mesh(const struct quilt *quilt, struct mesh *mesh);
+
+void quilt_free(struct quilt *quilt);
+
+#endif

@@ -1,0 +1,24 @@
+/*
+ * uvloops - closed polygons in the plane of two parameters: what lies inside them.
+ */
+#ifndef CLOUDMILL_UVLOOPS_H
+#define CLOUDMILL_UVLOOPS_H
+
+#include "nurbs/nurbs.h"
+
+struct uvloops {
+    size_t n, cap;
+    struct uvs *item; /* closed polygons: the last point joins the first, which is not repeated */
+    double off;       /* of curves in space, the farthest that one lies off the surface, mm ... */
+    size_t lost;      /* ... and how many loops of them do not close there, and are left out */
+};
+
+/* True when an odd number of loops go round the place, or an even number where `open`. */
+bool uvloops_inside(const struct uvloops *loops, bool open, struct uv at);
+
+/* True when the inside, by the same rule, lies to the right of a loop. */
+bool uvloops_backwards(const struct uvloops *loops, size_t index, bool open);
+
+void uvloops_free(struct uvloops *loops);
+
+#endif

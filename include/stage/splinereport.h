@@ -1,0 +1,33 @@
+/*
+ * splinereport - what became of the points of a path, as the tables of paper 2 tell it: points,
+ * control points, percentage of reduction, C1 and C2; and as it is proven, the distance both ways.
+ */
+#ifndef CLOUDMILL_SPLINEREPORT_H
+#define CLOUDMILL_SPLINEREPORT_H
+
+#include <stdio.h>
+
+#include "splinefit/splinerun.h"
+
+struct splinereport {
+    size_t points, splines, poles;
+    size_t polylines;           /* splines that fell back to degree 1 with a pole at each point */
+    size_t cut;                 /* curves whose search was cut short */
+    struct deviation deviation; /* the largest of each */
+    struct proof worst;         /* the largest of each */
+    double spent;               /* of the tolerance, mm: the worst distance, and what the making
+                                   dense of the data took */
+};
+
+/* Counts one piece; unless `table` is NULL, writes its row. */
+void splinereport_add(struct splinereport *report, size_t pass, const struct splinerun_piece *piece,
+                      FILE *table);
+
+/* The headings of the table, and its last row. */
+void splinereport_head(FILE *table);
+void splinereport_totals(const struct splinereport *report, FILE *table);
+
+/* Percentage of reduction. */
+double splinereport_fewer(size_t points, size_t poles);
+
+#endif

@@ -1,0 +1,49 @@
+/*
+ * brink - the surface of a scan near the border of a mesh that was made from it, up to where the
+ * scan itself ends.
+ */
+#ifndef CLOUDMILL_BRINK_H
+#define CLOUDMILL_BRINK_H
+
+#include "mesh/mesh.h"
+#include "curve/motion.h"
+
+struct brink;
+
+struct brink_rule {
+    const struct vec3s *scan, *doubtful; /* its points (scansurface.h) */
+    double spacing;                      /* of the mesh's vertices, mm */
+    double radius;                       /* of the ball, mm */
+    double sure; /* mm: a place is left out where the ball may be off by more */
+};
+
+struct brink *brink_new(const struct brink_rule *rule, const struct mesh *mesh);
+void brink_free(struct brink *brink);
+
+/* How far it is from place to place there, mm: a quarter of the spacing. */
+double brink_step(const struct brink *brink);
+
+/* Is a place within one and a half spacings of the border of the mesh? */
+bool brink_beside(const struct brink *brink, struct vec3 p);
+
+/* Is a contact not beyond the border of the scan, which is looked for beside that of the mesh?
+ * Points less than a fifth of a spacing off tell none, nor do fewer than 40, nor points more than a
+ * spacing off: the mesh is of more. */
+bool brink_within(const struct brink *brink, const struct contact *c);
+
+/* An upright plane: what has x . normal = height; `along` is horizontal and in it. */
+struct brink_plane {
+    struct vec3 normal, along;
+    double height;
+};
+
+/*
+ * The point in the plane within a step of c on the surface of the third degree through the 40
+ * nearest points of the scan, and its normal there.  False where these do not surround it, seen
+ * along the normal, or leave a gap about it half as wide as they reach; where the surface runs
+ * along the plane; and where that through the 24 nearest differs: a ball on a normal that is off by
+ * e sinks in by e^2 / (2 (1 / R - k)), k the hollow curvature.
+ */
+bool brink_put(const struct brink *brink, const struct brink_plane *plane, struct contact *c);
+
+#endif

@@ -1,0 +1,57 @@
+/*
+ * meshcut - where planes cross a mesh: chains of contact points (paper 2, 2.2).
+ *
+ * Every point lies on an edge of a facet, and two that follow each other on edges of one facet.
+ * A vertex on the plane, or within 2e-6 mm of it, counts as below it: each crossing is found once,
+ * and a border along the plane as a whole.
+ */
+#ifndef CLOUDMILL_MESHCUT_H
+#define CLOUDMILL_MESHCUT_H
+
+#include <stdbool.h>
+
+#include "base/array.h"
+#include "mesh/mesh.h"
+#include "curve/motion.h"
+
+/* Points [from, to) of the chains' contacts. */
+struct chain {
+    size_t from, to;
+    bool closed; /* goes back to its first point, which then stands again at its end */
+};
+
+struct chains {
+    struct contacts point;
+    struct {
+        size_t n, cap;
+        struct chain *item;
+    } chain;
+};
+
+void chains_free(struct chains *chains);
+
+struct meshcut;
+
+/*
+ * Prepares a mesh with normals for planes of this unit normal.  The mesh must outlive it.  `smooth`
+ * takes the edges as the surface runs there (edgecurve.h), not as straight: points are then on the
+ * surface to the fourth order of an edge's length.
+ */
+struct meshcut *meshcut_new(const struct mesh *mesh, struct vec3 normal, bool smooth);
+
+void meshcut_free(struct meshcut *cut);
+
+/* Lowest and highest of the facets' vertices along the planes' normal, mm. */
+double meshcut_low(const struct meshcut *cut);
+double meshcut_high(const struct meshcut *cut);
+
+/*
+ * Appends the chains of the plane with x . normal = height.  A chain runs as the cross product of
+ * the plane's and the surface's normals; it ends at a border of the mesh, and at an edge that has
+ * more than two facets.  Points nearer than 0.001 mm to the last one are left out, and chains of
+ * one point.  Points lie on the plane within rounding; their normals are those of the vertices,
+ * mixed, and perpendicular to the edge as it runs.
+ */
+void meshcut_at(struct meshcut *cut, double height, struct chains *chains);
+
+#endif

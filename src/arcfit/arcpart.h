@@ -1,0 +1,31 @@
+/*
+ * arcpart - part of a chain of arcs replaced by another number of arcs, all their joints moved
+ * together (arcmoves.h).
+ */
+#ifndef CLOUDMILL_ARCPART_H
+#define CLOUDMILL_ARCPART_H
+
+#include "arcfit/arcfit.h"
+
+struct arcpart {
+    const struct trace *trace;
+    const struct stray *within;
+    int digits;                /* decimals of the joints */
+    const struct piece *old;   /* what there is: where the part begins and ends, */
+    size_t n;                  /* how it is shared out */
+    bool start_held, end_held; /* the direction there stays */
+    bool thorough;             /* many spacings of the joints also where the axis turns */
+};
+
+/*
+ * So many arcs in the place of the old pieces, proven by piece_stray with rounded joints; what was
+ * in `out` goes.  False when none was found that keep within.
+ *
+ * The joints begin spaced as evenly as the old pieces were.  For one arc fewer with both directions
+ * free there are more tries: spaced anew by what each arc is off, and as the old ones without one
+ * of them; where the axis turns only when `thorough`.  When that, and a direction is held, the
+ * first of these ways too.
+ */
+bool arcpart_fit(const struct arcpart *part, size_t arcs, struct pieces *out);
+
+#endif

@@ -1,0 +1,111 @@
+/* turnstate - see turnstate.h. */
+#include "machine/turnstate.h"
+
+/* Of the first axis, which is the one that is turned round and round, and of the second. */
+static const int windings_max[ROTARY_MAX] = {257, 9};
+static const double slack = 1e-9;  /* radians beyond the travel that are rounding */
+static const double jump = PI / 2; /* radians between two near directions that are none */
+
+bool turnstate_ends(const struct chain *chain, int i)
+{
+    return chain->rotary[i].max - chain->rotary[i].min < (windings_max[i] - 1) * 2 * PI;
+}
+
+static struct winding winding_of(const struct chain *chain, int i)
+{
+    const struct rotary *r = &chain->rotary[i];
+    if (i >= chain->n || !turnstate_ends(chain, i))
+        return (struct winding){1, 0, true};
+    int least = (int)ceil((r->min - PI) / (2 * PI) - slack);
+    int most = (int)floor((r->max + PI) / (2 * PI) + slack);
+    return (struct winding){most - least + 1, least, false};
+}
+
+struct turnstates turnstates(const struct chain *chain)
+{
+    struct turnstates s = {chain, {winding_of(chain, 0), winding_of(chain, 1)}, 0};
+    s.n = 2 * s.winding[0].many * s.winding[1].many;
+    return s;
+}
+
+bool turnstate_within(const struct chain *chain, const double q[])
+{
+    for (int i = 0; i < chain->n; i++)
+        if (!(q[i] >= chain->rotary[i].min - slack && q[i] <= chain->rotary[i].max + slack))
+            return false;
+    return true;
+}
+
+int turnstate_at(const struct turnstates *s, int k, const double q[], const double base[])
+{
+    int at = k;
+    if (!turnstate_within(s->chain, q))
+        return -1;
+    for (int i = 0; i < ROTARY_MAX; i++) {
+        const struct winding *w = &s->winding[i];
+        int turns = w->endless ? 0 : (int)round((q[i] - base[i]) / (2 * PI)) - w->least;
+        if (turns < 0 || turns >= w->many)
+            return -1;
+        at = at * w->many + turns;
+    }
+    return at;
+}
+
+void turnstate_angles(const struct turnstates *s, const struct turnground *ground, int state,
+                      const double from[], double q[])
+{
+    int turns[ROTARY_MAX], k = state;
+    for (int i = ROTARY_MAX; i-- > 0; k /= s->winding[i].many)
+        turns[i] = k % s->winding[i].many;
+    for (int i = 0; i < ROTARY_MAX; i++) {
+        double base = ground->found.q[k][i];
+        if (i == 0 && ground->stays)
+            base = remainder(from[0], 2 * PI);
+        double whole = s->winding[i].endless ? round((from[i] - base) / (2 * PI))
+                                             : turns[i] + s->winding[i].least;
+        q[i] = i < s->chain->n ? base + 2 * PI * whole : 0;
+    }
+}
+
+bool turnstate_end(const struct chain *chain, const struct chain_solutions *from,
+                   const struct chain_solutions *to, int solution, double *share)
+{
+    *share = 1;
+    if (from->free || to->free || solution >= from->n || solution >= to->n)
+        return false;
+    for (int i = 0; i < 2 * chain->n; i++) {
+        const struct rotary *r = &chain->rotary[i / 2];
+        double here = from->q[solution][i / 2];
+        double turn = remainder(to->q[solution][i / 2] - here, 2 * PI);
+        double far = remainder((i % 2 ? r->max : r->min) - here, 2 * PI);
+        if (turnstate_ends(chain, i / 2) && fabs(turn) < jump && far / turn > 0 &&
+            far / turn < *share)
+            *share = far / turn;
+    }
+    return *share < 1;
+}
+
+double turnstate_step(const struct chain *chain, struct vec3 axis)
+{
+    double off = chain->n ? vec_angle(chain->rotary[0].axis, axis) : 1;
+    return fmax(5e-4, fmin(0.035, 0.3 * fmin(off, PI - off)));
+}
+
+struct turnground turnstate_ground(const struct chain *chain, double cone, struct vec3 near,
+                                   struct vec3 axis, const struct vec3 *ahead)
+{
+    struct turnground g = {.found = chain_angles(chain, axis)};
+    bool free = g.found.free, was = chain->n == 2 && chain_free(chain, near);
+    if (free && was && ahead) {
+        struct chain_solutions then = chain_angles(chain, *ahead);
+        for (int k = 0; k < then.n && k < g.found.n; k++)
+            g.found.q[k][0] = then.q[k][0];
+    }
+    g.stays = free && !(was && ahead);
+    double most = sin(fmin(cone, PI / 2));
+    struct vec3 here = vec_cross(chain->rotary[0].axis, axis);
+    struct vec3 before = vec_cross(chain->rotary[0].axis, near);
+    g.loose = (free && was) || (chain->n == 2 && vec_dot(here, here) <= most * most &&
+                                vec_dot(before, before) <= most * most);
+    return g;
+}

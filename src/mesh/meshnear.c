@@ -1,0 +1,39 @@
+/* meshnear - see meshnear.h. */
+#include "mesh/meshnear.h"
+
+#include <stdlib.h>
+
+#include "base/array.h"
+#include "math/facetree.h"
+#include "base/parallel.h"
+
+struct job {
+    const struct facetree *tree;
+    const struct vec3 *point;
+    double *distance;
+};
+
+static void measure(void *context, size_t from, size_t to)
+{
+    const struct job *job = context;
+
+    for (size_t i = from; i < to; i++)
+        job->distance[i] = facetree_distance(job->tree, job->point[i]);
+}
+
+void meshnear(const struct mesh *mesh, const struct vec3 *point, size_t n, int threads,
+              double *distance)
+{
+    const struct vec3 *at = mesh->vertex.item;
+    struct facets facets = {0};
+
+    for (size_t f = 0; f < mesh->face.n; f++) {
+        const int *v = mesh->face.item[f].v;
+        *array_push(&facets) = (struct facet){{at[v[0]], at[v[1]], at[v[2]]}};
+    }
+    struct facetree *tree = facetree_new(&facets);
+    struct job job = {tree, point, distance};
+    parallel_for(threads, n, measure, &job);
+    facetree_free(tree);
+    array_free(&facets);
+}

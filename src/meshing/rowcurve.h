@@ -1,0 +1,40 @@
+/*
+ * rowcurve - a row of a mesh: points of the cloud along a straight line seen from above, and those
+ * of them that it takes to follow the rest within a tolerance.
+ */
+#ifndef CLOUDMILL_ROWCURVE_H
+#define CLOUDMILL_ROWCURVE_H
+
+#include <stdbool.h>
+
+#include "base/array.h"
+#include "math/buckets.h"
+#include "meshing/edgezone.h"
+#include "cloud/footprint.h"
+
+struct rowcurve {
+    double v;          /* the line's place across the rows, in the grid's axes, mm */
+    double longest;    /* as it was made */
+    struct vec3s node; /* those taken, in the grid's axes, by rising x ... */
+    struct ints col;   /* ... and the cells of the line that they stand for */
+};
+
+struct rowcurve_rule {
+    double width, reach, gap, tolerance; /* mm, see below */
+    const struct edgezone *zone;         /* NULL: no creases and walls are known */
+};
+
+/*
+ * Goes along the line y = v of the grid's axes in steps of `width`; at each is the surface over it,
+ * by a quadric through the nearest points or, where that is off them, as at an edge, the nearest
+ * point itself; nothing where no point is within `reach`.  Of these places the ends of each stretch
+ * without a gap wider than `gap` are taken, and by Douglas and Peucker's rule (1973) the fewest
+ * others, so that none is farther than `tolerance` from the straight lines between those taken, in
+ * space, and these are about as long as `longest` at most.  None is taken on a crease or wall, but
+ * where one runs along the row; near them the lines are no longer than the zone says.
+ */
+struct rowcurve rowcurve_make(const struct buckets *buckets, const struct footprint *footprint,
+                              double v, const struct rowcurve_rule *rule, double longest);
+void rowcurve_free(struct rowcurve *row);
+
+#endif

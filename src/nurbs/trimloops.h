@@ -1,0 +1,17 @@
+/*
+ * trimloops - the curves that trim a patch as polygons in its parameters.
+ */
+#ifndef CLOUDMILL_TRIMLOOPS_H
+#define CLOUDMILL_TRIMLOOPS_H
+
+#include "nurbs/patch.h"
+#include "nurbs/uvloops.h"
+
+/*
+ * The loops of a patch as polygons whose sides, on the surface, stay within `tolerance` mm of the
+ * curve; curves that run backwards are turned round.  Curves in space are put on the surface, by
+ * the foot points of their own points (pullback.h).
+ */
+void trimloops(const struct patch *patch, double tolerance, struct uvloops *loops);
+
+#endif

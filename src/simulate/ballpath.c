@@ -1,0 +1,81 @@
+/* ballpath - see ballpath.h. */
+#include "simulate/ballpath.h"
+
+#include "base/array.h"
+
+enum { DEEPEST = 16 };
+
+struct walk {
+    const struct course *course;
+    const struct piece *piece;
+    size_t index;
+    double height, flat; /* above the point that the course tracks */
+    struct ball_path *path;
+};
+
+/* The centre at a place of the piece. */
+static struct vec3 centre_at(const struct walk *w, double s)
+{
+    struct course_pose pose = course_at(w->course, w->piece, s);
+    return vec_along(pose.p, w->height, pose.a);
+}
+
+/* How far q is from the chord at the same share of it. */
+static double stray(struct vec3 a, struct vec3 b, struct vec3 q)
+{
+    struct vec3 chord = vec_sub(b, a), to = vec_sub(q, a);
+    double l2 = vec_dot(chord, chord);
+    double t = l2 > 0 ? fmin(fmax(vec_dot(chord, to) / l2, 0), 1) : 0;
+    return vec_distance(to, vec_scale(t, chord));
+}
+
+/* Halves until three places between the ends lie on the chord. */
+static void flatten(const struct walk *w, double s0, struct vec3 a, double s1, struct vec3 b,
+                    int depth)
+{
+    double s = (s0 + s1) / 2;
+    struct vec3 m = centre_at(w, s);
+    bool straight = stray(a, b, m) <= w->flat;
+    for (int i = 1; straight && i <= 3; i += 2) {
+        double between = s0 + (s1 - s0) * i / 4;
+        straight = stray(a, b, centre_at(w, between)) <= w->flat;
+    }
+    if (depth >= DEEPEST || (straight && depth >= 0)) {
+        *array_push(w->path) =
+            (struct ball_segment){a, b, {(float)s0, (float)s1}, (unsigned)w->index, false};
+        return;
+    }
+    flatten(w, s0, a, s, m, depth + 1);
+    flatten(w, s, m, s1, b, depth + 1);
+}
+
+void ballpath_piece(const struct course *course, size_t piece, double radius, double up,
+                    double flat, struct ball_path *path)
+{
+    const struct piece *at = &course->piece.item[piece];
+    double height = up + (course->track == COURSE_TIP ? radius : 0);
+    struct walk w = {course, at, piece, height, flat, path};
+    struct vec3 a = centre_at(&w, 0), b = centre_at(&w, 1);
+    bool still =
+        at->shape == SHAPE_LINE && vec_distance(at->q[0], at->q[1]) == 0 && at->swing != SWING_HEAD;
+    if (still)
+        *array_push(path) = (struct ball_segment){a, b, {0, 1}, (unsigned)piece, false};
+    else /* what curves is halved twice at least: a full turn ends where it begins */
+        flatten(&w, 0, a, 1, b, at->shape == SHAPE_LINE ? 0 : -2);
+}
+
+void ballpath_cut(const struct course *course, double radius, double flat, struct ball_path *path)
+{
+    for (size_t i = 0; i < course->piece.n; i++)
+        if (!course->piece.item[i].rapid)
+            ballpath_piece(course, i, radius, 0, flat, path);
+}
+
+void ballpath_rapid(const struct course *course, double radius, double shank, double flat,
+                    struct ball_path *path)
+{
+    for (size_t i = 0; i < course->piece.n; i++)
+        if (course->piece.item[i].rapid)
+            for (int k = 0; k * radius / 2 <= shank; k++)
+                ballpath_piece(course, i, radius, k * radius / 2, flat, path);
+}

@@ -1,0 +1,141 @@
+/* rig - see rig.h. */
+#include "simulate/rig.h"
+
+struct matrix3 {
+    double m[3][3];
+};
+
+/* The rotation about a unit axis, columns and rows written out. */
+static struct matrix3 rotation(struct vec3 u, double degrees)
+{
+    double c = cos(RADIANS(degrees)), s = sin(RADIANS(degrees)), v = 1 - c;
+    return (struct matrix3){
+        {{c + u.x * u.x * v, u.x * u.y * v - u.z * s, u.x * u.z * v + u.y * s},
+         {u.y * u.x * v + u.z * s, c + u.y * u.y * v, u.y * u.z * v - u.x * s},
+         {u.z * u.x * v - u.y * s, u.z * u.y * v + u.x * s, c + u.z * u.z * v}}};
+}
+
+static struct vec3 times(const struct matrix3 *a, struct vec3 p)
+{
+    return vec(a->m[0][0] * p.x + a->m[0][1] * p.y + a->m[0][2] * p.z,
+               a->m[1][0] * p.x + a->m[1][1] * p.y + a->m[1][2] * p.z,
+               a->m[2][0] * p.x + a->m[2][1] * p.y + a->m[2][2] * p.z);
+}
+
+/* p turned about one of the axes, which goes through its centre. */
+static struct vec3 turned(const struct rig_axis *axis, double degrees, struct vec3 p)
+{
+    struct matrix3 r = rotation(axis->axis, degrees);
+    return vec_add(axis->centre, times(&r, vec_sub(p, axis->centre)));
+}
+
+struct vec3 rig_axis_at(const struct rig *rig, const double q[])
+{
+    struct vec3 a = rig->tool;
+    for (int i = rig->n - 1; i >= 0; i--) {
+        struct matrix3 r = rotation(rig->axis[i].axis, q[i]);
+        a = times(&r, a);
+    }
+    return a;
+}
+
+/* How far the heads swing the tip away from where it is at zero. */
+static struct vec3 swing(const struct rig *rig, const double q[])
+{
+    struct vec3 p = {0, 0, 0};
+    for (int i = rig->n - 1; i >= 0; i--)
+        if (!rig->axis[i].table)
+            p = turned(&rig->axis[i], q[i], p);
+    return p;
+}
+
+struct vec3 rig_tip(const struct rig *rig, struct vec3 linear, const double q[])
+{
+    struct vec3 p = vec_add(linear, swing(rig, q));
+    for (int i = rig->n - 1; i >= 0; i--)
+        if (rig->axis[i].table)
+            p = turned(&rig->axis[i], q[i], p);
+    return p;
+}
+
+struct vec3 rig_linear(const struct rig *rig, struct vec3 tip, const double q[])
+{
+    for (int i = 0; i < rig->n; i++)
+        if (rig->axis[i].table)
+            tip = turned(&rig->axis[i], -q[i], tip);
+    return vec_sub(tip, swing(rig, q));
+}
+
+/* The angle about u that brings p nearest to r, degrees. */
+static double angle_about(struct vec3 u, struct vec3 p, struct vec3 r, double otherwise)
+{
+    struct vec3 a = vec_reject(p, u), b = vec_reject(r, u);
+    if (vec_length(a) < 1e-9 || vec_length(b) < 1e-9)
+        return otherwise;
+    return DEGREES(atan2(vec_dot(u, vec_cross(a, b)), vec_dot(a, b)));
+}
+
+/* The whole turns nearest to `near` that are within the travel; *over: none is. */
+static double near_to(const struct rig_axis *axis, double angle, double near, bool *over)
+{
+    const double slack = 1e-6;
+    angle += 360 * round((near - angle) / 360);
+    double within = angle;
+    if (angle > axis->max + slack)
+        within -= 360 * ceil((angle - axis->max - slack) / 360);
+    else if (angle < axis->min - slack)
+        within += 360 * ceil((axis->min - slack - angle) / 360);
+    *over = within > axis->max + slack || within < axis->min - slack;
+    return *over ? angle : within;
+}
+
+/* Both vectors that lie on the cones of the tool about axis 1 and of the target about axis 0. */
+static void cones(const struct rig *rig, struct vec3 target, struct vec3 found[2])
+{
+    struct vec3 u = rig->axis[0].axis, v = rig->axis[1].axis, w = vec_cross(u, v);
+    double uv = vec_dot(u, v), s = 1 - uv * uv;
+    double ut = vec_dot(u, target), vt = vec_dot(v, rig->tool);
+    double a = (ut - uv * vt) / s, b = (vt - uv * ut) / s;
+    double c2 = (1 - a * a - b * b - 2 * a * b * uv) / s;
+    double c = c2 > 0 ? sqrt(c2) : 0;
+    struct vec3 flat = vec_add(vec_scale(a, u), vec_scale(b, v));
+    found[0] = vec_along(flat, c, w);
+    found[1] = vec_along(flat, -c, w);
+}
+
+bool rig_angles(const struct rig *rig, struct vec3 axis, const double near[], double slack,
+                double q[])
+{
+    double best = HUGE_VAL;
+    bool over[RIG_AXES];
+    if (rig->n == 1)
+        q[0] = near_to(&rig->axis[0], angle_about(rig->axis[0].axis, rig->tool, axis, near[0]),
+                       near[0], over);
+    if (rig->n == 2) {
+        struct vec3 between[2];
+        cones(rig, axis, between);
+        for (int i = 0; i < 2; i++) {
+            double one = angle_about(rig->axis[1].axis, rig->tool, between[i], near[1]);
+            double nought = angle_about(rig->axis[0].axis, between[i], axis, near[0]);
+            one = near_to(&rig->axis[1], one, near[1], &over[1]);
+            nought = near_to(&rig->axis[0], nought, near[0], &over[0]);
+            double move = fabs(one - near[1]) + fabs(nought - near[0]);
+            move += over[0] || over[1] ? 1e6 : 0;
+            if (move < best) {
+                best = move;
+                q[0] = nought;
+                q[1] = one;
+            }
+        }
+    }
+    return DEGREES(vec_angle(rig_axis_at(rig, q), axis)) <= slack;
+}
+
+struct rig rig_trunnion(char master, int sense)
+{
+    struct vec3 tilt = master == 'A' ? vec(sense, 0, 0) : vec(0, sense, 0);
+    return (struct rig){.n = 2,
+                        .axis = {{'C', true, vec(0, 0, sense), vec(0, 0, 0), -HUGE_VAL, HUGE_VAL},
+                                 {master, true, tilt, vec(0, 0, 0), -HUGE_VAL, HUGE_VAL}},
+                        .tool = vec(0, 0, 1)};
+}

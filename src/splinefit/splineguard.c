@@ -1,0 +1,107 @@
+/* splineguard - see splineguard.h. */
+#include "splinefit/splineguard.h"
+
+#include <stdlib.h>
+
+enum { ROUNDS = 6 }; /* of straight lines put in */
+
+struct work {
+    const struct splineguard *guard;
+    struct splinerun *pieces;
+};
+
+static void look(const struct splineguard *guard, const struct run *run,
+                 const struct splinerun_piece *piece, struct deeps *deeps)
+{
+    const struct run_point *from = &run->item[piece->from];
+    struct pose pose = {guard->rule.centre ? from->ball : from->tip, from->axis};
+    struct motion motion = motion_spline(pose, pose, &piece->fit.curve);
+
+    if (!piece->still)
+        recheck_motion(&guard->rule, &motion, deeps);
+}
+
+static void fit(void *context, const struct run *run, struct deeps *deeps)
+{
+    struct work *work = context;
+    const struct splineguard *g = work->guard;
+
+    if (work->pieces->n == 0)
+        splinerun_fit(run, g->rule.centre, g->paper, &g->fit, work->pieces);
+    else
+        splinerun_refit(run, g->rule.centre, g->paper, &g->fit, work->pieces);
+    for (size_t k = 0; g->rule.guard && k < work->pieces->n; k++)
+        look(g, run, &work->pieces->item[k], deeps);
+}
+
+/* The interval of the piece, told by its first point, over which the place is the least detour. */
+static size_t interval_at(const struct run *run, const struct splinerun_piece *piece,
+                          struct vec3 place)
+{
+    double least = HUGE_VAL;
+    size_t at = piece->from;
+
+    for (size_t i = piece->from; i < piece->to; i++) {
+        struct vec3 a = run->item[i].ball, b = run->item[i + 1].ball;
+        double detour = vec_distance(a, place) + vec_distance(place, b) - vec_distance(a, b);
+        if (detour < least) {
+            least = detour;
+            at = i;
+        }
+    }
+    return at;
+}
+
+/* In each piece that goes too deep, the line between the two points next to the deepest place.
+ * False when there was none. */
+static bool straighten(const struct work *work, const struct run *run)
+{
+    const struct splineguard *g = work->guard;
+    struct deeps deeps = {0};
+    bool done = false;
+
+    for (size_t k = work->pieces->n; k-- > 0;) { /* what is parted, grows behind */
+        const struct splinerun_piece *piece = &work->pieces->item[k];
+        deeps.n = 0;
+        look(g, run, piece, &deeps);
+        struct deep deepest = recheck_beyond(&g->rule, &deeps);
+        if (deepest.depth == 0 || piece->to == piece->from + 1)
+            continue;
+        splinerun_part(run, g->rule.centre, &g->fit, k, interval_at(run, piece, deepest.ball),
+                       work->pieces);
+        done = true;
+    }
+    array_free(&deeps);
+    return done;
+}
+
+/* The points as they are: what is too deep is only told. */
+static struct recheck_result fit_once(struct work *work, const struct run *run)
+{
+    struct recheck_result result = {.lift = 0};
+    struct deeps deeps = {0};
+
+    fit(work, run, &deeps);
+    result.deepest = recheck_beyond(&work->guard->rule, &deeps);
+    array_free(&deeps);
+    return result;
+}
+
+struct recheck_result splineguard_fit(const struct splineguard *guard, struct run *run,
+                                      struct splinerun *pieces)
+{
+    struct work work = {guard, pieces};
+
+    splinerun_free(pieces);
+    if (guard->paper)
+        return fit_once(&work, run);
+    struct recheck_result result = recheck_fit(&guard->rule, run, fit, &work);
+    for (int round = 0; round < ROUNDS && result.deepest.depth > 0; round++) {
+        if (!straighten(&work, run))
+            break;
+        struct recheck_result more = recheck_fit(&guard->rule, run, fit, &work);
+        result.deepest = more.deepest;
+        result.lift += more.lift;
+    }
+    return result;
+}

@@ -1,0 +1,39 @@
+/* runout_within - strips without what lies beyond the scan; see runout.h. */
+#include <stdlib.h>
+
+#include "toolpath/runout.h"
+
+static void end_chain(size_t from, struct chains *to)
+{
+    if (to->point.n >= from + 2)
+        *array_push(&to->chain) = (struct chain){from, to->point.n, false};
+    else
+        to->point.n = from;
+}
+
+size_t runout_within(const struct brink *b, struct chains *strips)
+{
+    struct chains to = {0};
+    size_t left_out = 0;
+
+    for (size_t k = 0; k < strips->chain.n; k++) {
+        const struct chain *chain = &strips->chain.item[k];
+        size_t from = to.point.n, before = left_out;
+        for (size_t i = chain->from; i < chain->to; i++) {
+            const struct contact *c = &strips->point.item[i];
+            if (chain->closed || brink_within(b, c)) {
+                *array_push(&to.point) = *c;
+                continue;
+            }
+            left_out++;
+            end_chain(from, &to);
+            from = to.point.n;
+        }
+        end_chain(from, &to);
+        if (left_out == before && chain->closed)
+            to.chain.item[to.chain.n - 1].closed = true;
+    }
+    chains_free(strips);
+    *strips = to;
+    return left_out;
+}
