@@ -18,7 +18,7 @@ enum follow_mode { FOLLOW_VECTOR, FOLLOW_ROTARY, FOLLOW_JOINT };
 
 struct follow {
     enum follow_mode mode;
-    const struct chain *chain;
+    const struct kinematic_chain *chain;
     double ball; /* from the tracked point along the tool axis to the other point whose place
                     matters: the ball's centre (or, where that is tracked, the tip); 0: none */
 };

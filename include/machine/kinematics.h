@@ -28,7 +28,7 @@ struct rotary {
     double rapid;       /* a minute; 0: not known */
 };
 
-struct chain {
+struct kinematic_chain {
     int n;                            /* rotary axes, 0 to ROTARY_MAX */
     struct rotary rotary[ROTARY_MAX]; /* from the work to the tool: tables before heads */
     int master;                       /* the one that is to move least */
@@ -40,26 +40,29 @@ struct turned {
     double cosine[ROTARY_MAX], sine[ROTARY_MAX];
 };
 
-struct turned chain_turned(const struct chain *chain, const double q[]);
+struct turned chain_turned(const struct kinematic_chain *chain, const double q[]);
 
 /* Half-way between two, less than half a turn apart. */
-struct turned chain_turned_mid(const struct chain *chain, struct turned a, struct turned b);
+struct turned chain_turned_mid(const struct kinematic_chain *chain, struct turned a,
+                               struct turned b);
 
 /* The tool axis in the frame of the work. */
-struct vec3 chain_axis(const struct chain *chain, const double q[]);
-struct vec3 chain_axis_of(const struct chain *chain, const struct turned *at);
+struct vec3 chain_axis(const struct kinematic_chain *chain, const double q[]);
+struct vec3 chain_axis_of(const struct kinematic_chain *chain, const struct turned *at);
 
 /* The tip in the frame of the work, when the linear axes stand at `linear` and tool-centre-point
  * control is off; at zero angles it is `linear` itself. */
-struct vec3 chain_tip(const struct chain *chain, struct vec3 linear, const double q[]);
-struct vec3 chain_tip_of(const struct chain *chain, struct vec3 linear, const struct turned *at);
+struct vec3 chain_tip(const struct kinematic_chain *chain, struct vec3 linear, const double q[]);
+struct vec3 chain_tip_of(const struct kinematic_chain *chain, struct vec3 linear,
+                         const struct turned *at);
 
 /* Where the linear axes must stand for the tip to be at `tip`: the inverse of chain_tip. */
-struct vec3 chain_linear(const struct chain *chain, struct vec3 tip, const double q[]);
-struct vec3 chain_linear_of(const struct chain *chain, struct vec3 tip, const struct turned *at);
+struct vec3 chain_linear(const struct kinematic_chain *chain, struct vec3 tip, const double q[]);
+struct vec3 chain_linear_of(const struct kinematic_chain *chain, struct vec3 tip,
+                            const struct turned *at);
 
 /* The direction is singular: the axis nearest the work may have any angle. */
-bool chain_free(const struct chain *chain, struct vec3 axis);
+bool chain_free(const struct kinematic_chain *chain, struct vec3 axis);
 
 /* What chain_angles found. */
 struct chain_solutions {
@@ -73,6 +76,6 @@ struct chain_solutions {
  * angle between their directions and the tool's are sides of a spherical triangle; its half-angle
  * formula keeps its precision near the singular direction, where acos loses half its digits.
  */
-struct chain_solutions chain_angles(const struct chain *chain, struct vec3 axis);
+struct chain_solutions chain_angles(const struct kinematic_chain *chain, struct vec3 axis);
 
 #endif

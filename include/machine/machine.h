@@ -63,8 +63,8 @@ struct machine {
     int number_max;  /* behind it they begin again */
     struct machine_digits digits;
 
-    struct chain chain;     /* made of the above; travel in radians */
-    int letter[ROTARY_MAX]; /* MACHINE_A ... of each axis of the chain */
+    struct kinematic_chain chain; /* made of the above; travel in radians */
+    int letter[ROTARY_MAX];       /* MACHINE_A ... of each axis of the chain */
 };
 
 /* Table-table A/C with tool-centre-point control, as machines/table-ac.txt. */

@@ -13,13 +13,13 @@
  * still[i] + cosine[i] cos q1 + sine[i] sin q1, before the first axis turns.
  */
 struct chain_ways {
-    const struct chain *chain;
+    const struct kinematic_chain *chain;
     struct vec3 up, side, front;
     double still[3], cosine[3], sine[3];
     double h, h2, per; /* length of cosine[0], sine[0]; its square, and 1 by that */
 };
 
-struct chain_ways chain_ways(const struct chain *chain);
+struct chain_ways chain_ways(const struct kinematic_chain *chain);
 
 /* Component i of the tool in the frame of the ways, when the second axis is turned. */
 static inline double chain_component(const struct chain_ways *w, int i, double c1, double s1)
@@ -86,7 +86,7 @@ static inline bool chain_beside(const struct chain_ways *w, struct vec3 axis, co
                                 const struct turned *was, double q[], struct turned *now)
 {
     const double steep = 1e-4; /* of h^2: half a degree from the singular direction */
-    const struct chain *chain = w->chain;
+    const struct kinematic_chain *chain = w->chain;
     const struct rotary *r0 = &chain->rotary[0], *r1 = &chain->rotary[1];
     if (chain->n != 2)
         return false;

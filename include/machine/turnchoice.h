@@ -9,10 +9,10 @@
 
 /* What a turn of the i-th axis counts beside one of the slowest: by the time that it takes, where
  * the axes' speeds are known; else all count alike. */
-double chain_weight(const struct chain *chain, int i);
+double chain_weight(const struct kinematic_chain *chain, int i);
 
 /* How far the axes turn from a to b, all together, by these weights. */
-double chain_way(const struct chain *chain, const double a[], const double b[]);
+double chain_way(const struct kinematic_chain *chain, const double a[], const double b[]);
 
 /*
  * Of the solutions turned by whole turns into the travel, the one to go to from the angles `from`:
@@ -21,7 +21,7 @@ double chain_way(const struct chain *chain, const double a[], const double b[]);
  * allows that solution alone, -1 both.  A free axis stays as it is.  -1 when none is within the
  * travel; *over is then the axis that is over (-1: the chain cannot reach the direction).
  */
-int chain_choose(const struct chain *chain, struct vec3 axis, const double from[], bool smooth,
-                 int only, double q[], int *over);
+int chain_choose(const struct kinematic_chain *chain, struct vec3 axis, const double from[],
+                 bool smooth, int only, double q[], int *over);
 
 #endif

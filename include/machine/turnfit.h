@@ -16,7 +16,7 @@
  * `from` are the angles where it starts, and the first poles.  -1 when the axis leaves the travel
  * on the way; *over as chain_choose says it.
  */
-int turnfit(const struct chain *chain, const struct motion *motion, const double from[],
+int turnfit(const struct kinematic_chain *chain, const struct motion *motion, const double from[],
             double *pole[ROTARY_MAX], int *over);
 
 #endif

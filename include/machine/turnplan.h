@@ -26,7 +26,7 @@ struct turnplan_place {
 };
 
 struct turnplan {
-    const struct chain *chain;
+    const struct kinematic_chain *chain;
     double cone; /* radians: so near the singular direction the first axis may turn at one place */
     /* may one block lead from one place to another, with these angles?  NULL: leaps always may */
     bool (*leaps)(const void *with, size_t from, size_t to, const double q0[], const double q1[]);

@@ -15,7 +15,7 @@ struct winding {
 };
 
 struct turnstates {
-    const struct chain *chain;
+    const struct kinematic_chain *chain;
     struct winding winding[ROTARY_MAX];
     int n; /* states 0 to n - 1; the lower half is the first solution's */
 };
@@ -28,13 +28,13 @@ struct turnground {
 };
 
 /* An axis whose travel is 256 turns or more, the second one 8, is taken to have no end. */
-struct turnstates turnstates(const struct chain *chain);
+struct turnstates turnstates(const struct kinematic_chain *chain);
 
 /* The i-th axis has an end. */
-bool turnstate_ends(const struct chain *chain, int i);
+bool turnstate_ends(const struct kinematic_chain *chain, int i);
 
 /* The angles are within the travel, but for rounding. */
-bool turnstate_within(const struct chain *chain, const double q[]);
+bool turnstate_within(const struct kinematic_chain *chain, const double q[]);
 
 /* The state of these angles, whole turns away from `base`, those of the k-th solution; -1: outside
  * of the travel. */
@@ -49,19 +49,19 @@ void turnstate_angles(const struct turnstates *s, const struct turnground *groun
  * an end of its travel or to an angle whole turns from it, by one of the solutions: where a turn
  * back gains most.  *share: how far on the way in its angle, 0 to 1, the first of them.
  */
-bool turnstate_end(const struct chain *chain, const struct chain_solutions *from,
+bool turnstate_end(const struct kinematic_chain *chain, const struct chain_solutions *from,
                    const struct chain_solutions *to, int solution, double *share);
 
 /* The most that the direction may change from one place to the next near this one, radians:
  * less near the direction in which the first axis is free. */
-double turnstate_step(const struct chain *chain, struct vec3 axis);
+double turnstate_step(const struct kinematic_chain *chain, struct vec3 axis);
 
 /*
  * What a direction is from the one before, `near`.  Where the first axis is free it stays as it is,
  * and along a way that stays so it turns to where it will be needed (`ahead`, NULL: nowhere); where
  * both are within `cone` radians of such a direction it is loose.
  */
-struct turnground turnstate_ground(const struct chain *chain, double cone, struct vec3 near,
-                                   struct vec3 axis, const struct vec3 *ahead);
+struct turnground turnstate_ground(const struct kinematic_chain *chain, double cone,
+                                   struct vec3 near, struct vec3 axis, const struct vec3 *ahead);
 
 #endif

@@ -127,7 +127,7 @@ int nc_plan_make(struct nc_plan *plan, const struct path *path, const struct mac
                  struct nc_ability ability, struct nc_wish wish, struct error *error);
 
 /* What a move says where it ends. */
-struct station nc_plan_station(const struct nc_plan *plan, const struct chain *chain,
+struct station nc_plan_station(const struct nc_plan *plan, const struct kinematic_chain *chain,
                                const struct nc_move *move);
 
 void nc_plan_free(struct nc_plan *plan);

@@ -28,7 +28,7 @@ struct planepath {
 /* What one of them cuts: strips in order along it. */
 struct plane_cut {
     double height;
-    struct chains strips;
+    struct slice_chains strips;
 };
 
 struct plane_cuts {

@@ -15,20 +15,20 @@
 #include "curve/motion.h"
 
 /* Points [from, to) of the chains' contacts. */
-struct chain {
+struct slice_chain {
     size_t from, to;
     bool closed; /* goes back to its first point, which then stands again at its end */
 };
 
-struct chains {
+struct slice_chains {
     struct contacts point;
     struct {
         size_t n, cap;
-        struct chain *item;
+        struct slice_chain *item;
     } chain;
 };
 
-void chains_free(struct chains *chains);
+void slice_chains_free(struct slice_chains *chains);
 
 struct meshcut;
 
@@ -52,6 +52,6 @@ double meshcut_high(const struct meshcut *cut);
  * one point.  Points lie on the plane within rounding; their normals are those of the vertices,
  * mixed, and perpendicular to the edge as it runs.
  */
-void meshcut_at(struct meshcut *cut, double height, struct chains *chains);
+void meshcut_at(struct meshcut *cut, double height, struct slice_chains *chains);
 
 #endif

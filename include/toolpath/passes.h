@@ -29,20 +29,20 @@ struct pass_rule {
  * lines between the ball's centres sink in by no more than the tolerance.  Returns how many points
  * face away and were left out.
  */
-size_t passes_make(const struct chains *chains, const struct pass_rule *rule,
-                   struct chains *strips);
+size_t passes_make(const struct slice_chains *chains, const struct pass_rule *rule,
+                   struct slice_chains *strips);
 
 /* Turns all strips and their order round: the way back. */
-void passes_reverse(struct chains *strips);
+void passes_reverse(struct slice_chains *strips);
 
 /*
  * The normal of the planes (rule.normal or its opposite) with which a strip goes forward as its
  * cross product with the surface's normal.
  */
-struct vec3 passes_forward(const struct chains *strips, size_t strip, struct vec3 normal);
+struct vec3 passes_forward(const struct slice_chains *strips, size_t strip, struct vec3 normal);
 
 /* Length of all chains, mm. */
-double chains_length(const struct chains *chains);
+double chains_length(const struct slice_chains *chains);
 
 /* The horizontal direction in planes of this normal that has the next plane on its left; x for
  * horizontal planes. */

@@ -13,18 +13,18 @@
 
 /* Leaves out of the strips what lies beyond the border of the scan, as where the mesh has vertices
  * on surfaces continued over it.  Returns how many points. */
-size_t runout_within(const struct brink *brink, struct chains *strips);
+size_t runout_within(const struct brink *brink, struct slice_chains *strips);
 
 /* Lengthens the strips of a plane, which run along, at both ends; closed ones stay as they are, and
  * so do ends from which the scan goes on beyond what is beside the mesh: there the mesh is meant to
  * end.  Strips that meet become one.  Returns the length that was added, mm. */
 double runout_ends(const struct brink *brink, const struct brink_plane *plane,
-                   struct chains *strips);
+                   struct slice_chains *strips);
 
 /* What is cut beside a plane: the strips that it goes on from, and where those on its other side
  * (NULL: none) leave it nothing to do. */
 struct runout_neighbours {
-    const struct chains *from, *beyond;
+    const struct slice_chains *from, *beyond;
 };
 
 /*
@@ -34,6 +34,6 @@ struct runout_neighbours {
  */
 double runout_beside(const struct brink *brink, const struct brink_plane *plane,
                      const struct runout_neighbours *beside, double shortest,
-                     struct chains *strips);
+                     struct slice_chains *strips);
 
 #endif

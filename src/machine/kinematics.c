@@ -4,7 +4,7 @@
 static const double reach = 1e-6;    /* radians beyond the chain's reach that count as rounding */
 static const double singular = 1e-9; /* radians from the singular direction that count as on it */
 
-struct turned chain_turned(const struct chain *chain, const double q[])
+struct turned chain_turned(const struct kinematic_chain *chain, const double q[])
 {
     struct turned t = {{1, 1}, {0, 0}};
     for (int i = 0; i < chain->n; i++) {
@@ -14,7 +14,8 @@ struct turned chain_turned(const struct chain *chain, const double q[])
     return t;
 }
 
-struct turned chain_turned_mid(const struct chain *chain, struct turned a, struct turned b)
+struct turned chain_turned_mid(const struct kinematic_chain *chain, struct turned a,
+                               struct turned b)
 {
     struct turned t = a;
     for (int i = 0; i < chain->n; i++) {
@@ -26,7 +27,7 @@ struct turned chain_turned_mid(const struct chain *chain, struct turned a, struc
     return t;
 }
 
-struct vec3 chain_axis_of(const struct chain *chain, const struct turned *at)
+struct vec3 chain_axis_of(const struct kinematic_chain *chain, const struct turned *at)
 {
     struct vec3 a = chain->tool;
     for (int i = chain->n - 1; i >= 0; i--)
@@ -34,14 +35,14 @@ struct vec3 chain_axis_of(const struct chain *chain, const struct turned *at)
     return a;
 }
 
-struct vec3 chain_axis(const struct chain *chain, const double q[])
+struct vec3 chain_axis(const struct kinematic_chain *chain, const double q[])
 {
     struct turned at = chain_turned(chain, q);
     return chain_axis_of(chain, &at);
 }
 
 /* p turned about the i-th axis, sense 1, or back, -1. */
-static inline struct vec3 turn_about(const struct chain *chain, int i, struct vec3 p,
+static inline struct vec3 turn_about(const struct kinematic_chain *chain, int i, struct vec3 p,
                                      const struct turned *at, int sense)
 {
     const struct rotary *r = &chain->rotary[i];
@@ -50,7 +51,7 @@ static inline struct vec3 turn_about(const struct chain *chain, int i, struct ve
 }
 
 /* How far the head's axes carry the tip from where it is at zero. */
-static struct vec3 head_offset(const struct chain *chain, const struct turned *at)
+static struct vec3 head_offset(const struct kinematic_chain *chain, const struct turned *at)
 {
     struct vec3 tip = vec(0, 0, 0);
     for (int i = chain->n - 1; i >= 0 && !chain->rotary[i].table; i--)
@@ -58,7 +59,8 @@ static struct vec3 head_offset(const struct chain *chain, const struct turned *a
     return tip;
 }
 
-struct vec3 chain_tip_of(const struct chain *chain, struct vec3 linear, const struct turned *at)
+struct vec3 chain_tip_of(const struct kinematic_chain *chain, struct vec3 linear,
+                         const struct turned *at)
 {
     struct vec3 tip = vec_add(linear, head_offset(chain, at));
     for (int i = chain->n - 1; i >= 0; i--)
@@ -67,13 +69,14 @@ struct vec3 chain_tip_of(const struct chain *chain, struct vec3 linear, const st
     return tip;
 }
 
-struct vec3 chain_tip(const struct chain *chain, struct vec3 linear, const double q[])
+struct vec3 chain_tip(const struct kinematic_chain *chain, struct vec3 linear, const double q[])
 {
     struct turned at = chain_turned(chain, q);
     return chain_tip_of(chain, linear, &at);
 }
 
-struct vec3 chain_linear_of(const struct chain *chain, struct vec3 tip, const struct turned *at)
+struct vec3 chain_linear_of(const struct kinematic_chain *chain, struct vec3 tip,
+                            const struct turned *at)
 {
     for (int i = 0; i < chain->n; i++)
         if (chain->rotary[i].table)
@@ -82,7 +85,7 @@ struct vec3 chain_linear_of(const struct chain *chain, struct vec3 tip, const st
     return head ? vec_sub(tip, head_offset(chain, at)) : tip;
 }
 
-struct vec3 chain_linear(const struct chain *chain, struct vec3 tip, const double q[])
+struct vec3 chain_linear(const struct kinematic_chain *chain, struct vec3 tip, const double q[])
 {
     struct turned at = chain_turned(chain, q);
     return chain_linear_of(chain, tip, &at);
@@ -102,7 +105,7 @@ static double clamp_sine(double angle)
     return s > 0 ? s : 0;
 }
 
-static struct chain_solutions angles_of_two(const struct chain *chain, struct vec3 axis)
+static struct chain_solutions angles_of_two(const struct kinematic_chain *chain, struct vec3 axis)
 {
     struct vec3 u0 = chain->rotary[0].axis, u1 = chain->rotary[1].axis;
     double between = vec_angle(u0, u1), tool = vec_angle(u1, chain->tool);
@@ -129,7 +132,7 @@ static struct chain_solutions angles_of_two(const struct chain *chain, struct ve
     return s;
 }
 
-static struct chain_solutions angle_of_one(const struct chain *chain, struct vec3 axis)
+static struct chain_solutions angle_of_one(const struct kinematic_chain *chain, struct vec3 axis)
 {
     struct chain_solutions s = {0};
     struct vec3 u = chain->rotary[0].axis;
@@ -138,13 +141,13 @@ static struct chain_solutions angle_of_one(const struct chain *chain, struct vec
     return s;
 }
 
-bool chain_free(const struct chain *chain, struct vec3 axis)
+bool chain_free(const struct kinematic_chain *chain, struct vec3 axis)
 {
     struct vec3 off = vec_cross(chain->rotary[0].axis, axis);
     return chain->n == 2 && vec_dot(off, off) < singular * singular;
 }
 
-struct chain_solutions chain_angles(const struct chain *chain, struct vec3 axis)
+struct chain_solutions chain_angles(const struct kinematic_chain *chain, struct vec3 axis)
 {
     if (chain->n == 2)
         return angles_of_two(chain, axis);

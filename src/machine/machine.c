@@ -181,7 +181,8 @@ static int make_chain(struct machine *m, const int letter[], int n, char key[KEY
                       struct error *error)
 {
     bool turned = m->type == TABLE_TABLE || m->type == HEAD_TABLE;
-    m->chain = (struct chain){.n = n, .master = turned && n == 2 ? 1 : 0, .tool = {0, 0, 1}};
+    m->chain =
+        (struct kinematic_chain){.n = n, .master = turned && n == 2 ? 1 : 0, .tool = {0, 0, 1}};
     for (int i = 0; i < n; i++) {
         int k = letter[turned ? n - 1 - i : i], of = k - MACHINE_A;
         bool table =

@@ -9,7 +9,7 @@
 #include "machine/keys.h"
 #include "machine/machine.h"
 #include "base/reader.h"
-#include "base/self.h"
+#include "base/program_dir.h"
 
 #ifndef CLOUDMILL_DATADIR
 #define CLOUDMILL_DATADIR "/usr/local/share/cloudmill"
@@ -41,7 +41,7 @@ static int find_file(const char *name, const char *beside, char file[FILE_MAX], 
         return 0;
     }
     char self[FILE_MAX], beside_installed[FILE_MAX + 32], beside_built[FILE_MAX + 32];
-    self_folder(self, sizeof self);
+    program_dir(self, sizeof self);
     snprintf(beside_installed, sizeof beside_installed, "%s/../share/cloudmill/machines", self);
     snprintf(beside_built, sizeof beside_built, "%s/../../machines", self);
     const char *const places[] = {".", own && *own ? own : ".", beside_installed, beside_built,

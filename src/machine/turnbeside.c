@@ -1,7 +1,7 @@
 /* turnbeside - see turnbeside.h. */
 #include "machine/turnbeside.h"
 
-struct chain_ways chain_ways(const struct chain *chain)
+struct chain_ways chain_ways(const struct kinematic_chain *chain)
 {
     struct chain_ways w = {.chain = chain};
     if (chain->n != 2)

@@ -27,7 +27,7 @@ static bool better(const double a[3], const double b[3])
     return false;
 }
 
-double chain_weight(const struct chain *chain, int i)
+double chain_weight(const struct kinematic_chain *chain, int i)
 {
     double slowest = HUGE_VAL;
     for (int k = 0; k < chain->n; k++)
@@ -35,7 +35,7 @@ double chain_weight(const struct chain *chain, int i)
     return i < chain->n && slowest > 0 ? slowest / chain->rotary[i].rapid : 1;
 }
 
-double chain_way(const struct chain *chain, const double a[], const double b[])
+double chain_way(const struct kinematic_chain *chain, const double a[], const double b[])
 {
     double sum = 0;
     for (int i = 0; i < chain->n; i++)
@@ -43,8 +43,8 @@ double chain_way(const struct chain *chain, const double a[], const double b[])
     return sum;
 }
 
-static void merit(const struct chain *chain, const double from[], const double q[], bool smooth,
-                  double m[3])
+static void merit(const struct kinematic_chain *chain, const double from[], const double q[],
+                  bool smooth, double m[3])
 {
     double sum = 0, away = 0, master = 0;
     for (int i = 0; i < chain->n; i++) {
@@ -58,8 +58,8 @@ static void merit(const struct chain *chain, const double from[], const double q
     m[2] = away;
 }
 
-int chain_choose(const struct chain *chain, struct vec3 axis, const double from[], bool smooth,
-                 int only, double q[], int *over)
+int chain_choose(const struct kinematic_chain *chain, struct vec3 axis, const double from[],
+                 bool smooth, int only, double q[], int *over)
 {
     if (smooth && only < 0 && chain_weight(chain, 0) <= chain_weight(chain, 1)) {
         struct turned turned = chain_turned(chain, from);

@@ -63,7 +63,7 @@ static void solve(struct normal *m, int axes)
 }
 
 /* The angles at all samples, each from the one before: samples * axes; NULL: out of travel. */
-static double *sample_angles(const struct chain *chain, const struct motion *motion,
+static double *sample_angles(const struct kinematic_chain *chain, const struct motion *motion,
                              const double from[], size_t each, size_t *n, int *over)
 {
     const struct bspline *b = motion->curve;
@@ -85,7 +85,7 @@ static double *sample_angles(const struct chain *chain, const struct motion *mot
     return angle;
 }
 
-int turnfit(const struct chain *chain, const struct motion *motion, const double from[],
+int turnfit(const struct kinematic_chain *chain, const struct motion *motion, const double from[],
             double *pole[ROTARY_MAX], int *over)
 {
     const struct bspline *b = motion->curve;

@@ -21,7 +21,7 @@ enum { BY_BLOCK, BY_TURN, BY_LEAP, BY_BITS = 2 };
 
 struct search {
     const struct turnplan *plan;
-    const struct chain *chain;
+    const struct kinematic_chain *chain;
     double weight[ROTARY_MAX];
     struct turnstates states; /* of each place */
     struct state *row, *last, *turned,

@@ -6,12 +6,12 @@ static const int windings_max[ROTARY_MAX] = {257, 9};
 static const double slack = 1e-9;  /* radians beyond the travel that are rounding */
 static const double jump = PI / 2; /* radians between two near directions that are none */
 
-bool turnstate_ends(const struct chain *chain, int i)
+bool turnstate_ends(const struct kinematic_chain *chain, int i)
 {
     return chain->rotary[i].max - chain->rotary[i].min < (windings_max[i] - 1) * 2 * PI;
 }
 
-static struct winding winding_of(const struct chain *chain, int i)
+static struct winding winding_of(const struct kinematic_chain *chain, int i)
 {
     const struct rotary *r = &chain->rotary[i];
     if (i >= chain->n || !turnstate_ends(chain, i))
@@ -21,14 +21,14 @@ static struct winding winding_of(const struct chain *chain, int i)
     return (struct winding){most - least + 1, least, false};
 }
 
-struct turnstates turnstates(const struct chain *chain)
+struct turnstates turnstates(const struct kinematic_chain *chain)
 {
     struct turnstates s = {chain, {winding_of(chain, 0), winding_of(chain, 1)}, 0};
     s.n = 2 * s.winding[0].many * s.winding[1].many;
     return s;
 }
 
-bool turnstate_within(const struct chain *chain, const double q[])
+bool turnstate_within(const struct kinematic_chain *chain, const double q[])
 {
     for (int i = 0; i < chain->n; i++)
         if (!(q[i] >= chain->rotary[i].min - slack && q[i] <= chain->rotary[i].max + slack))
@@ -67,7 +67,7 @@ void turnstate_angles(const struct turnstates *s, const struct turnground *groun
     }
 }
 
-bool turnstate_end(const struct chain *chain, const struct chain_solutions *from,
+bool turnstate_end(const struct kinematic_chain *chain, const struct chain_solutions *from,
                    const struct chain_solutions *to, int solution, double *share)
 {
     *share = 1;
@@ -85,14 +85,14 @@ bool turnstate_end(const struct chain *chain, const struct chain_solutions *from
     return *share < 1;
 }
 
-double turnstate_step(const struct chain *chain, struct vec3 axis)
+double turnstate_step(const struct kinematic_chain *chain, struct vec3 axis)
 {
     double off = chain->n ? vec_angle(chain->rotary[0].axis, axis) : 1;
     return fmax(5e-4, fmin(0.035, 0.3 * fmin(off, PI - off)));
 }
 
-struct turnground turnstate_ground(const struct chain *chain, double cone, struct vec3 near,
-                                   struct vec3 axis, const struct vec3 *ahead)
+struct turnground turnstate_ground(const struct kinematic_chain *chain, double cone,
+                                   struct vec3 near, struct vec3 axis, const struct vec3 *ahead)
 {
     struct turnground g = {.found = chain_angles(chain, axis)};
     bool free = g.found.free, was = chain->n == 2 && chain_free(chain, near);

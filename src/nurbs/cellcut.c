@@ -29,12 +29,12 @@ static void add_corner(struct polygons *p, size_t first, int id)
 
 /* Round one polygon from a chain on: along it, along the border to the next that enters, and so
  * on. */
-static bool round_polygon(struct chain *chain, const int *id, const struct end *end, size_t ends,
-                          const int corner[4], size_t start, struct polygons *p)
+static bool round_polygon(struct trim_chain *chain, const int *id, const struct end *end,
+                          size_t ends, const int corner[4], size_t start, struct polygons *p)
 {
     size_t now = start, first = p->id.n;
     do {
-        struct chain *k = &chain[now];
+        struct trim_chain *k = &chain[now];
         k->used = true;
         for (size_t i = 0; i < k->n; i++)
             add_corner(p, first, id[k->first + i]);
@@ -59,7 +59,7 @@ static bool round_polygon(struct chain *chain, const int *id, const struct end *
     return now == start;
 }
 
-bool cellcut(struct chain *chain, size_t n, const int *id, const int corner[4],
+bool cellcut(struct trim_chain *chain, size_t n, const int *id, const int corner[4],
              struct polygons *polygons)
 {
     struct end *end = mem_alloc(2 * n, sizeof *end);

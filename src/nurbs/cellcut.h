@@ -9,16 +9,16 @@
 #include "base/array.h"
 
 /* A line through a cell, from border to border: vertices first..first + n - 1 of a list of ids. */
-struct chain {
+struct trim_chain {
     size_t cell, first, n;
     int side_in, side_out; /* bottom, right, top, left: 0 to 3 */
     double in, out;        /* how far along the side, counter-clockwise */
     bool used;             /* for cellcut */
 };
 
-struct chains {
+struct trim_chains {
     size_t n, cap;
-    struct chain *item;
+    struct trim_chain *item;
 };
 
 /* Polygons one behind the other: polygon i ends in front of end.item[i]. */
@@ -32,7 +32,7 @@ struct polygons {
  * left, joined to closed polygons (Weiler and Atherton 1977).  False when chains do not enter and
  * leave by turns along the border.
  */
-bool cellcut(struct chain *chain, size_t n, const int *id, const int corner[4],
+bool cellcut(struct trim_chain *chain, size_t n, const int *id, const int corner[4],
              struct polygons *polygons);
 
 void polygons_free(struct polygons *polygons);

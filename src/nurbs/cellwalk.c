@@ -40,7 +40,7 @@ static int add_vertex(struct cellwalk *c, struct uv at)
 /* The walker: which cell it is in (lines below it, so that 0 is outside), and its chain so far. */
 struct walk {
     size_t column, row;
-    struct chain chain;
+    struct trim_chain chain;
 };
 
 static bool in_grid(const struct cellwalk *c, size_t column, size_t row)
@@ -88,7 +88,7 @@ static void cross(struct cellwalk *c, struct walk *w, int side, int vertex, doub
     w->column -= side == 3 ? 1 : 0;
     w->row += side == 2 ? 1 : 0;
     w->row -= side == 0 ? 1 : 0;
-    w->chain = (struct chain){.first = c->id.n, .n = 1, .side_in = opposite[side]};
+    w->chain = (struct trim_chain){.first = c->id.n, .n = 1, .side_in = opposite[side]};
     w->chain.in = along_side(opposite[side], along);
     *array_push(&c->id) = vertex;
 }
@@ -138,12 +138,12 @@ static void trace_loop(struct cellwalk *c, const struct lattice_point *point, co
     struct walk w = {.column = lattice_below(&c->u, point[0].u),
                      .row = lattice_below(&c->v, point[0].v)};
     size_t first_chain = c->chain.n, begin = c->id.n;
-    struct chain opening = {0};
+    struct trim_chain opening = {0};
     bool begun = false;
     int first_id = (int)c->mesh->at.n;
     for (size_t i = 0; i < n; i++)
         add_vertex(c, at[i]);
-    w.chain = (struct chain){.first = begin};
+    w.chain = (struct trim_chain){.first = begin};
     for (size_t i = 0; i < n; i++) {
         struct lattice_point p[2] = {point[i], point[(i + 1) % n]};
         struct uv place[2] = {at[i], at[(i + 1) % n]};
@@ -162,7 +162,7 @@ static void trace_loop(struct cellwalk *c, const struct lattice_point *point, co
     }
     if (!begun || opening.n == 0)
         return;
-    struct chain whole = w.chain;
+    struct trim_chain whole = w.chain;
     whole.cell = opening.cell;
     whole.side_out = opening.side_out;
     whole.out = opening.out;

@@ -12,9 +12,9 @@
 struct cellwalk {
     struct lattice u, v;
     const double *u_line, *v_line;
-    struct uvmesh *mesh; /* its vertices: the nodes, row by row, then those of the polygons */
-    struct ints id;      /* vertices of all chains */
-    struct chains chain; /* lines through cells, the inside on their left */
+    struct uvmesh *mesh;      /* its vertices: the nodes, row by row, then those of the polygons */
+    struct ints id;           /* vertices of all chains */
+    struct trim_chains chain; /* lines through cells, the inside on their left */
     int *turn;     /* [line of v][column + 1]: loops crossing it upwards less those downwards */
     bool *crossed; /* [cell] a chain runs through it */
     bool open;     /* the border of the grid bounds the inside too */

@@ -12,7 +12,7 @@
 
 static int compare_chains(const void *p, const void *q)
 {
-    const struct chain *a = p, *b = q;
+    const struct trim_chain *a = p, *b = q;
     if (a->cell != b->cell)
         return a->cell < b->cell ? -1 : 1;
     return a->first < b->first ? -1 : a->first > b->first;
@@ -55,7 +55,7 @@ static void add_polygon(struct cellwalk *c, size_t cell, const int *id, size_t n
 }
 
 /* The chains of one cell. */
-static void cut_cell(struct cellwalk *c, struct chain *chain, size_t n, const int *inside,
+static void cut_cell(struct cellwalk *c, struct trim_chain *chain, size_t n, const int *inside,
                      struct polygons *p, struct uvs *at)
 {
     size_t cell = chain[0].cell, column = cell % (c->u.n - 1), row = cell / (c->u.n - 1);

@@ -22,8 +22,8 @@ static void add(struct nc_ahead *ahead, struct pose at, double s, bool may_turn)
 
 /* Where between two places, by one of the solutions, an axis comes to an end of its travel; s0: it
  * does not. */
-static double end_between(const struct chain *chain, const struct motion *motion, double s0,
-                          double s1, const struct chain_solutions *a,
+static double end_between(const struct kinematic_chain *chain, const struct motion *motion,
+                          double s0, double s1, const struct chain_solutions *a,
                           const struct chain_solutions *b, int solution)
 {
     double low = s0, high = s1, share;
@@ -38,8 +38,8 @@ static double end_between(const struct chain *chain, const struct motion *motion
 }
 
 /* A place of its own there: the tool may turn, though rather at the end of a motion. */
-static void add_ends(struct nc_ahead *ahead, const struct chain *chain, const struct motion *motion,
-                     double s0, double s1)
+static void add_ends(struct nc_ahead *ahead, const struct kinematic_chain *chain,
+                     const struct motion *motion, double s0, double s1)
 {
     struct chain_solutions a = ahead->found, b = chain_angles(chain, motion_at(motion, s1).a);
     double end[2];
@@ -57,8 +57,8 @@ static void add_ends(struct nc_ahead *ahead, const struct chain *chain, const st
 }
 
 /* Places of a motion behind s0, where the direction is a0, up to s1. */
-static void sample(struct nc_ahead *ahead, const struct chain *chain, const struct motion *motion,
-                   double s0, struct vec3 a0, double s1, int depth)
+static void sample(struct nc_ahead *ahead, const struct kinematic_chain *chain,
+                   const struct motion *motion, double s0, struct vec3 a0, double s1, int depth)
 {
     struct pose to = motion_at(motion, s1);
     double step = fmin(turnstate_step(chain, a0), turnstate_step(chain, to.a));
@@ -89,7 +89,7 @@ static void add_leap(struct nc_ahead *ahead, const struct motion *motion, size_t
     *array_push(&ahead->leap) = (struct nc_leap){ahead->n - 1, motion_at(motion, 0), motion->to};
 }
 
-static void sample_motion(struct nc_ahead *ahead, const struct chain *chain,
+static void sample_motion(struct nc_ahead *ahead, const struct kinematic_chain *chain,
                           const struct motion *motion)
 {
     double s = 0;

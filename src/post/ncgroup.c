@@ -119,7 +119,7 @@ static int leave(struct nc_step *step, const struct path_item *item)
  */
 static void turn_before(struct nc_step *step, const struct path_item *item)
 {
-    const struct chain *chain = &step->machine->chain;
+    const struct kinematic_chain *chain = &step->machine->chain;
     double q[ROTARY_MAX] = {step->state.at.q[0], step->state.at.q[1]};
     struct stance to;
     bool doubt = step->doubt;
@@ -136,7 +136,7 @@ static void turn_before(struct nc_step *step, const struct path_item *item)
 /* The rapids have led to the part: there the axes turn to where the way that was found begins. */
 static void arrive(struct nc_step *step, const struct nc_ahead *ahead)
 {
-    const struct chain *chain = &step->machine->chain;
+    const struct kinematic_chain *chain = &step->machine->chain;
     double q[ROTARY_MAX] = {0};
     int over;
     if (step->first && ahead && step->state.begun &&

@@ -33,7 +33,7 @@ static int above(struct nc_move *up, const struct nc_program *whole, const struc
     struct nc_plan plan = *whole->plan;
     struct nc_step step = {
         .path = whole->path, .machine = whole->machine, .plan = &plan, .error = error};
-    const struct chain *chain = &whole->machine->chain;
+    const struct kinematic_chain *chain = &whole->machine->chain;
     step.follow = (struct follow){.mode = plan.ability.mode, .chain = chain};
     step.ways = chain_ways(chain);
     step.state.line = from->line;

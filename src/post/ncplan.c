@@ -19,7 +19,7 @@ void nc_plan_free(struct nc_plan *plan)
     array_free(&plan->hole);
 }
 
-struct station nc_plan_station(const struct nc_plan *plan, const struct chain *chain,
+struct station nc_plan_station(const struct nc_plan *plan, const struct kinematic_chain *chain,
                                const struct nc_move *move)
 {
     struct station at = {.p = move->p, .q = {move->q[0], move->q[1]}};
@@ -39,7 +39,7 @@ static double clear_height(const struct path *path)
 }
 
 /* The travel to the last digit within it, so that no angle is beyond it once it is rounded. */
-static void trim_travel(struct chain *chain, int digits)
+static void trim_travel(struct kinematic_chain *chain, int digits)
 {
     const double slack = 1e-9;
     for (int i = 0; i < chain->n; i++) {

@@ -71,7 +71,7 @@ static void stance_of(const struct nc_step *step, const struct pose *to, const d
                       const struct turned *turned, struct stance *s, struct deviation *off)
 {
     const struct machine_digits *digits = &step->plan->ability.digits;
-    const struct chain *chain = &step->machine->chain;
+    const struct kinematic_chain *chain = &step->machine->chain;
     struct vec3 p = to->p;
     double by[ROTARY_MAX];
     for (int i = 0; i < ROTARY_MAX; i++) { /* 0 where there is no axis */
@@ -121,7 +121,7 @@ static const struct vec3 *next_tilted(struct nc_step *step)
  */
 static void turn_ahead(struct nc_step *step, struct pose to, double q[])
 {
-    const struct chain *chain = &step->machine->chain;
+    const struct kinematic_chain *chain = &step->machine->chain;
     double then[ROTARY_MAX];
     int over;
     if (!chain_free(chain, to.a))
@@ -181,7 +181,7 @@ static int not_reached(struct nc_step *step, struct pose to, int over)
  */
 static bool nearest_of_both(const struct nc_step *step, struct vec3 axis, const double q[])
 {
-    const struct chain *chain = &step->machine->chain;
+    const struct kinematic_chain *chain = &step->machine->chain;
     const double *from = step->state.at.q;
     struct chain_solutions found = chain_angles(chain, axis);
     for (int k = 0; k < found.n; k++) {
@@ -209,7 +209,7 @@ bool nc_reach_beside(const struct nc_step *step, const struct pose *to, struct s
 
 int nc_reach(struct nc_step *step, struct pose to, double s, struct stance *stance)
 {
-    const struct chain *chain = &step->machine->chain;
+    const struct kinematic_chain *chain = &step->machine->chain;
     double q[ROTARY_MAX] = {step->state.at.q[0], step->state.at.q[1]};
     struct deviation off;
     int over;

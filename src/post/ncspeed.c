@@ -41,8 +41,8 @@ struct sample {
 };
 
 /* s of a NURBS as printed. */
-static struct sample sample_of_spline(const struct chain *chain, const struct nc_spline *spline,
-                                      double s)
+static struct sample sample_of_spline(const struct kinematic_chain *chain,
+                                      const struct nc_spline *spline, double s)
 {
     const struct bspline *b = &spline->curve;
     double basis[BSPLINE_DEGREE_MAX + 1], from = b->knot[b->degree], to = b->knot[b->poles];
@@ -63,7 +63,7 @@ static struct sample sample_at(const struct nc_step *step, const struct station 
                                const struct nc_along *along, double s, const double before[])
 {
     const struct station *from = &step->state.at;
-    const struct chain *chain = &step->machine->chain;
+    const struct kinematic_chain *chain = &step->machine->chain;
     int over;
     if (along && along->spline && along->spline->form == NC_NURBS && along->spline->turns)
         return sample_of_spline(chain, along->spline, s);
@@ -93,7 +93,7 @@ static double piece_minutes(const struct machine *m, const struct sample *a, con
 static bool slides_keep_up(const struct nc_step *step, const struct station *to, double length,
                            double turn, double minutes)
 {
-    const struct chain *chain = &step->machine->chain;
+    const struct kinematic_chain *chain = &step->machine->chain;
     double arm = fabs(to->p.x) + fabs(to->p.y) + fabs(to->p.z) + length;
     for (int i = 0; i < chain->n; i++) {
         struct vec3 c = chain->rotary[i].centre;

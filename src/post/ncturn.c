@@ -7,7 +7,7 @@
 enum { TURN_STEP = 2 /* degrees */ };
 static const double return_height = 2; /* mm above the part, down to which the return is a rapid */
 
-static double most_turn(const struct chain *chain, const double a[], const double b[])
+static double most_turn(const struct kinematic_chain *chain, const double a[], const double b[])
 {
     double most = 0;
     for (int i = 0; i < chain->n; i++)
@@ -19,7 +19,7 @@ static double most_turn(const struct chain *chain, const double a[], const doubl
  * which the goal is in reach too. */
 static bool turned_angles(const struct nc_step *step, struct pose goal, double q[])
 {
-    const struct chain *chain = &step->machine->chain;
+    const struct kinematic_chain *chain = &step->machine->chain;
     double middle[ROTARY_MAX] = {0}, next[ROTARY_MAX];
     int over;
     for (int i = 0; i < chain->n; i++) {

@@ -25,7 +25,7 @@ double nc_way_since(const struct nc_step *step, const struct nc_since *since)
 }
 
 /* Both solutions turn alike, whatever the way: two axes at right angles, and the tool across. */
-static bool turn_alike(const struct chain *chain)
+static bool turn_alike(const struct kinematic_chain *chain)
 {
     const struct rotary *r = chain->rotary;
     return fabs(vec_dot(r[0].axis, r[1].axis)) < 1e-9 &&
@@ -51,7 +51,7 @@ static bool first_stays(const struct nc_step *step, const struct nc_since *since
 static double way_of(const struct nc_step *step, const struct nc_since *since, size_t from,
                      size_t to, int k)
 {
-    const struct chain *chain = &step->machine->chain;
+    const struct kinematic_chain *chain = &step->machine->chain;
     double q[ROTARY_MAX] = {since->q[0], since->q[1]}, next[ROTARY_MAX], way = 0;
     bool cutting = false;
     struct turned turned = {{1, 1}, {0, 0}};
@@ -84,7 +84,7 @@ static double way_of(const struct nc_step *step, const struct nc_since *since, s
 bool nc_way_surely_shortest(const struct nc_step *step, const struct nc_since *since, size_t from,
                             size_t to)
 {
-    const struct chain *chain = &step->machine->chain;
+    const struct kinematic_chain *chain = &step->machine->chain;
     if (step->follow.mode == FOLLOW_VECTOR || chain->n < 2)
         return true;
     if (turn_alike(chain))

@@ -43,10 +43,10 @@ static double first_height(struct meshcut *cut, double inside)
     double low = meshcut_low(cut), length[2];
 
     for (int i = 0; i < 2; i++) {
-        struct chains chains = {0};
+        struct slice_chains chains = {0};
         meshcut_at(cut, low + i * inside, &chains);
         length[i] = chains_length(&chains);
-        chains_free(&chains);
+        slice_chains_free(&chains);
     }
     return length[0] > 0.9 * length[1] ? low : low + inside;
 }
@@ -94,10 +94,10 @@ static double length_at(const struct mesh *mesh, double angle, double radius, do
     scallop_heights(mesh, rule.normal, meshcut_low(cut), meshcut_high(cut), h, radius, &height);
     size_t look = height.n < LOOKED_AT ? height.n : LOOKED_AT;
     for (size_t i = 0; i < look; i++) {
-        struct chains chains = {0};
+        struct slice_chains chains = {0};
         meshcut_at(cut, height.item[(2 * i + 1) * height.n / (2 * look)], &chains);
         length += chains_length(&chains) * (double)height.n / (double)look;
-        chains_free(&chains);
+        slice_chains_free(&chains);
     }
     array_free(&height);
     meshcut_free(cut);
@@ -169,23 +169,23 @@ static struct plane_cuts cut_all(struct planepath *p)
     struct plane_cuts cuts = {0};
 
     for (size_t i = 0; i < p->height.n; i++) {
-        struct chains chains = {0}, strips = {0};
+        struct slice_chains chains = {0}, strips = {0};
         meshcut_at(p->cut, p->height.item[i], &chains);
         put_on_surfaces(p, &chains.point);
         p->left_out += passes_make(&chains, &p->rule, &strips);
         *array_push(&cuts) = (struct plane_cut){p->height.item[i], strips};
-        chains_free(&chains);
+        slice_chains_free(&chains);
     }
     if (p->brink)
         planepath_go_beyond(p, &cuts);
     return cuts;
 }
 
-static void make_pass(const struct planepath *p, const struct chains *strips, size_t pass,
+static void make_pass(const struct planepath *p, const struct slice_chains *strips, size_t pass,
                       struct toolpath *t)
 {
     bool back = !cutting.one_way && pass % 2 == 0;
-    struct chains way = {0};
+    struct slice_chains way = {0};
 
     for (size_t i = 0; i < strips->point.n; i++)
         *array_push(&way.point) = strips->point.item[i];
@@ -194,20 +194,20 @@ static void make_pass(const struct planepath *p, const struct chains *strips, si
     if (back)
         passes_reverse(&way);
     for (size_t k = 0; k < way.chain.n; k++) {
-        const struct chain *chain = &way.chain.item[k];
+        const struct slice_chain *chain = &way.chain.item[k];
         t->lift.feed.side = p->rule.normal;
         t->lift.feed.plane = passes_forward(&way, k, p->rule.normal);
         toolpath_strip(t, pass, &way.point.item[chain->from], chain->to - chain->from,
                        vec_scale(back ? -1 : 1, p->rule.along));
     }
-    chains_free(&way);
+    slice_chains_free(&way);
 }
 
 static void free_cuts(struct plane_cuts *cuts, size_t n)
 {
     for (size_t k = 0; k < n; k++) {
         for (size_t i = 0; i < cuts[k].n; i++)
-            chains_free(&cuts[k].item[i].strips);
+            slice_chains_free(&cuts[k].item[i].strips);
         array_free(&cuts[k]);
     }
     free(cuts);

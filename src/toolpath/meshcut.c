@@ -25,7 +25,7 @@ struct meshcut {
     bool *done;     /* facets of the plane at hand */
 };
 
-void chains_free(struct chains *chains)
+void slice_chains_free(struct slice_chains *chains)
 {
     array_free(&chains->point);
     array_free(&chains->chain);
@@ -201,7 +201,8 @@ static double forward(const struct contacts *points, size_t from, struct vec3 no
 }
 
 /* Follows a chain that comes into a facet by an edge. */
-static void follow(struct meshcut *cut, int facet, int edge, double height, struct chains *chains)
+static void follow(struct meshcut *cut, int facet, int edge, double height,
+                   struct slice_chains *chains)
 {
     struct contacts *points = &chains->point;
     size_t from = points->n;
@@ -224,7 +225,8 @@ static void follow(struct meshcut *cut, int facet, int edge, double height, stru
     }
     if (forward(points, from, cut->normal) < 0)
         reverse(points, from);
-    *array_push(&chains->chain) = (struct chain){from, points->n, closed && points->n > from + 3};
+    *array_push(&chains->chain) =
+        (struct slice_chain){from, points->n, closed && points->n > from + 3};
 }
 
 /* The facets that may cross the plane: [*from, *to) of the order. */
@@ -244,7 +246,7 @@ static void candidates(const struct meshcut *cut, double height, size_t *from, s
         --*from;
 }
 
-void meshcut_at(struct meshcut *cut, double height, struct chains *chains)
+void meshcut_at(struct meshcut *cut, double height, struct slice_chains *chains)
 {
     size_t from, to;
 

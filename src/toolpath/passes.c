@@ -7,7 +7,7 @@
 /* Points nearer than this are one, mm (as in meshcut). */
 static const double CROWDED = 1e-3;
 
-static void put(struct chains *to, struct contact c)
+static void put(struct slice_chains *to, struct contact c)
 {
     *array_push(&to->point) = c;
 }
@@ -22,10 +22,10 @@ static void reverse_points(struct contact *c, size_t n)
 }
 
 /* Ends the chain that begins at point `from`, unless it is too short to be one. */
-static void end_chain(struct chains *to, size_t from, bool closed)
+static void end_chain(struct slice_chains *to, size_t from, bool closed)
 {
     if (to->point.n >= from + 2)
-        *array_push(&to->chain) = (struct chain){from, to->point.n, closed};
+        *array_push(&to->chain) = (struct slice_chain){from, to->point.n, closed};
     else
         to->point.n = from;
 }
@@ -36,8 +36,8 @@ static bool is_away(const struct pass_rule *rule, const struct contact *c)
 }
 
 /* Appends what of a chain does not face away; returns how many points do. */
-static size_t leave_out(const struct contact *c, struct chain chain, const struct pass_rule *rule,
-                        struct chains *to)
+static size_t leave_out(const struct contact *c, struct slice_chain chain,
+                        const struct pass_rule *rule, struct slice_chains *to)
 {
     size_t n = chain.to - chain.from, begin = 0, left_out = 0, from = to->point.n;
 
@@ -86,10 +86,10 @@ static void open_loop(struct contact *c, size_t n, const struct pass_rule *rule)
         reverse_points(c, n);
 }
 
-static void turn_chains(struct chains *chains, const struct pass_rule *rule)
+static void turn_chains(struct slice_chains *chains, const struct pass_rule *rule)
 {
     for (size_t k = 0; k < chains->chain.n; k++) {
-        const struct chain *chain = &chains->chain.item[k];
+        const struct slice_chain *chain = &chains->chain.item[k];
         struct contact *c = &chains->point.item[chain->from];
         size_t n = chain->to - chain->from;
         if (chain->closed)
@@ -100,7 +100,7 @@ static void turn_chains(struct chains *chains, const struct pass_rule *rule)
 }
 
 /* The unused chain that starts least along. */
-static size_t next_start(const struct chains *chains, const bool *used, struct vec3 along)
+static size_t next_start(const struct slice_chains *chains, const bool *used, struct vec3 along)
 {
     size_t best = chains->chain.n;
     double least = HUGE_VAL;
@@ -127,14 +127,14 @@ static bool is_bare(const struct pass_rule *rule, struct vec3 a, struct vec3 b)
 }
 
 /* The unused open chain with an end nearest to p, within the gap; *turned: it is its last one. */
-static size_t next_joined(const struct chains *chains, const bool *used, struct vec3 p,
+static size_t next_joined(const struct slice_chains *chains, const bool *used, struct vec3 p,
                           const struct pass_rule *rule, bool *turned)
 {
     size_t best = chains->chain.n;
     double least = rule->gap;
 
     for (size_t k = 0; k < chains->chain.n; k++) {
-        const struct chain *chain = &chains->chain.item[k];
+        const struct slice_chain *chain = &chains->chain.item[k];
         if (used[k] || chain->closed)
             continue;
         double start = vec_distance(p, chains->point.item[chain->from].p);
@@ -150,7 +150,8 @@ static size_t next_joined(const struct chains *chains, const bool *used, struct 
 }
 
 /* Points that turn the normal from one side of a ridge to the other; none in a valley. */
-static void roll(struct chains *to, size_t from, struct contact next, const struct pass_rule *rule)
+static void roll(struct slice_chains *to, size_t from, struct contact next,
+                 const struct pass_rule *rule)
 {
     struct contact last = to->point.item[to->point.n - 1];
 
@@ -161,8 +162,8 @@ static void roll(struct chains *to, size_t from, struct contact next, const stru
 }
 
 /* Appends a chain to the strip that begins at point `from`. */
-static void go_on(struct chains *to, size_t from, const struct contact *c, size_t n, bool turned,
-                  const struct pass_rule *rule)
+static void go_on(struct slice_chains *to, size_t from, const struct contact *c, size_t n,
+                  bool turned, const struct pass_rule *rule)
 {
     for (size_t i = 0; i < n; i++) {
         struct contact next = c[turned ? n - 1 - i : i];
@@ -177,13 +178,14 @@ static void go_on(struct chains *to, size_t from, const struct contact *c, size_
     }
 }
 
-size_t passes_make(const struct chains *chains, const struct pass_rule *rule, struct chains *strips)
+size_t passes_make(const struct slice_chains *chains, const struct pass_rule *rule,
+                   struct slice_chains *strips)
 {
-    struct chains kept = {0};
+    struct slice_chains kept = {0};
     size_t left_out = 0;
 
     for (size_t k = 0; k < chains->chain.n; k++) {
-        const struct chain *chain = &chains->chain.item[k];
+        const struct slice_chain *chain = &chains->chain.item[k];
         left_out += leave_out(&chains->point.item[chain->from], *chain, rule, &kept);
     }
     turn_chains(&kept, rule);
@@ -192,7 +194,7 @@ size_t passes_make(const struct chains *chains, const struct pass_rule *rule, st
         size_t from = strips->point.n;
         bool turned = false, closed = kept.chain.item[k].closed;
         while (k < kept.chain.n) {
-            const struct chain *chain = &kept.chain.item[k];
+            const struct slice_chain *chain = &kept.chain.item[k];
             used[k] = true;
             go_on(strips, from, &kept.point.item[chain->from], chain->to - chain->from, turned,
                   rule);
@@ -203,28 +205,28 @@ size_t passes_make(const struct chains *chains, const struct pass_rule *rule, st
         end_chain(strips, from, closed);
     }
     free(used);
-    chains_free(&kept);
+    slice_chains_free(&kept);
     return left_out;
 }
 
-void passes_reverse(struct chains *strips)
+void passes_reverse(struct slice_chains *strips)
 {
     size_t n = strips->point.n, chains = strips->chain.n;
-    struct chain *turned = mem_alloc(chains, sizeof *turned);
+    struct slice_chain *turned = mem_alloc(chains, sizeof *turned);
 
     reverse_points(strips->point.item, n);
     for (size_t k = 0; k < chains; k++) {
-        const struct chain *chain = &strips->chain.item[chains - 1 - k];
-        turned[k] = (struct chain){n - chain->to, n - chain->from, chain->closed};
+        const struct slice_chain *chain = &strips->chain.item[chains - 1 - k];
+        turned[k] = (struct slice_chain){n - chain->to, n - chain->from, chain->closed};
     }
     for (size_t k = 0; k < chains; k++)
         strips->chain.item[k] = turned[k];
     free(turned);
 }
 
-struct vec3 passes_forward(const struct chains *strips, size_t strip, struct vec3 normal)
+struct vec3 passes_forward(const struct slice_chains *strips, size_t strip, struct vec3 normal)
 {
-    const struct chain *chain = &strips->chain.item[strip];
+    const struct slice_chain *chain = &strips->chain.item[strip];
     double sum = 0;
 
     for (size_t i = chain->from; i + 1 < chain->to; i++) {
@@ -234,12 +236,12 @@ struct vec3 passes_forward(const struct chains *strips, size_t strip, struct vec
     return vec_scale(sum < 0 ? -1 : 1, normal);
 }
 
-double chains_length(const struct chains *chains)
+double chains_length(const struct slice_chains *chains)
 {
     double sum = 0;
 
     for (size_t k = 0; k < chains->chain.n; k++) {
-        const struct chain *chain = &chains->chain.item[k];
+        const struct slice_chain *chain = &chains->chain.item[k];
         for (size_t i = chain->from; i + 1 < chain->to; i++)
             sum += vec_distance(chains->point.item[i].p, chains->point.item[i + 1].p);
     }

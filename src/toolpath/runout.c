@@ -91,10 +91,10 @@ static void span(const struct brink_plane *plane, const struct contact *c, size_
     }
 }
 
-static struct growing growing_of(const struct brink_plane *plane, const struct chains *chains,
+static struct growing growing_of(const struct brink_plane *plane, const struct slice_chains *chains,
                                  size_t k)
 {
-    const struct chain *chain = &chains->chain.item[k];
+    const struct slice_chain *chain = &chains->chain.item[k];
     struct growing g = {.core = &chains->point.item[chain->from],
                         .n = chain->to - chain->from,
                         .closed = chain->closed,
@@ -105,8 +105,8 @@ static struct growing growing_of(const struct brink_plane *plane, const struct c
     return g;
 }
 
-static void add_strips(const struct brink_plane *plane, const struct chains *strips, bool guest,
-                       struct growings *all)
+static void add_strips(const struct brink_plane *plane, const struct slice_chains *strips,
+                       bool guest, struct growings *all)
 {
     for (size_t k = 0; k < strips->chain.n; k++) {
         struct growing g = growing_of(plane, strips, k);
@@ -145,9 +145,9 @@ static int compare_growings(const void *pa, const void *pb)
 }
 
 /* The strips as they have become, in order; those that meet are one. */
-static struct chains finish(const struct brink *b, struct growings *all)
+static struct slice_chains finish(const struct brink *b, struct growings *all)
 {
-    struct chains to = {0};
+    struct slice_chains to = {0};
 
     if (all->n > 1)
         qsort(all->item, all->n, sizeof *all->item, compare_growings);
@@ -168,7 +168,7 @@ static struct chains finish(const struct brink *b, struct growings *all)
         if (meets)
             to.chain.item[to.chain.n - 1].to = to.point.n;
         else
-            *array_push(&to.chain) = (struct chain){from, to.point.n, g->closed};
+            *array_push(&to.chain) = (struct slice_chain){from, to.point.n, g->closed};
         array_free(&g->before);
         array_free(&g->behind);
     }
@@ -176,7 +176,8 @@ static struct chains finish(const struct brink *b, struct growings *all)
     return to;
 }
 
-double runout_ends(const struct brink *b, const struct brink_plane *plane, struct chains *strips)
+double runout_ends(const struct brink *b, const struct brink_plane *plane,
+                   struct slice_chains *strips)
 {
     struct growings all = {0};
     double length = chains_length(strips);
@@ -184,8 +185,8 @@ double runout_ends(const struct brink *b, const struct brink_plane *plane, struc
     add_strips(plane, strips, false, &all);
     for (size_t k = 0; k < all.n; k++)
         grow(b, plane, &all, k);
-    struct chains longer = finish(b, &all);
-    chains_free(strips);
+    struct slice_chains longer = finish(b, &all);
+    slice_chains_free(strips);
     *strips = longer;
     array_free(&all);
     return chains_length(strips) - length;
@@ -233,7 +234,7 @@ static bool covered(const struct growings *all, double at)
 /* The pieces that follow each other of what can be carried over; chain ends where one does. */
 static void carry_over(const struct brink *b, const struct brink_plane *plane,
                        const struct contact *c, size_t n, const struct growings *all,
-                       struct chains *pieces)
+                       struct slice_chains *pieces)
 {
     size_t from = pieces->point.n;
 
@@ -249,12 +250,12 @@ static void carry_over(const struct brink *b, const struct brink_plane *plane,
                 continue;
             }
             if (pieces->point.n > from)
-                *array_push(&pieces->chain) = (struct chain){from, pieces->point.n, false};
+                *array_push(&pieces->chain) = (struct slice_chain){from, pieces->point.n, false};
             from = pieces->point.n;
         }
     }
     if (pieces->point.n > from)
-        *array_push(&pieces->chain) = (struct chain){from, pieces->point.n, false};
+        *array_push(&pieces->chain) = (struct slice_chain){from, pieces->point.n, false};
 }
 
 static void drop_last(struct growings *all)
@@ -267,7 +268,7 @@ static void drop_last(struct growings *all)
 
 /* The pieces as strips, each grown; returns how many of them are long enough. */
 static size_t add_pieces(const struct brink *b, const struct brink_plane *plane,
-                         const struct chains *pieces, double shortest, struct growings *all)
+                         const struct slice_chains *pieces, double shortest, struct growings *all)
 {
     size_t before = all->n;
 
@@ -284,28 +285,29 @@ static size_t add_pieces(const struct brink *b, const struct brink_plane *plane,
 }
 
 double runout_beside(const struct brink *b, const struct brink_plane *plane,
-                     const struct runout_neighbours *beside, double shortest, struct chains *strips)
+                     const struct runout_neighbours *beside, double shortest,
+                     struct slice_chains *strips)
 {
     struct growings all = {0};
-    struct chains pieces = {0};
-    const struct chains *from = beside->from;
+    struct slice_chains pieces = {0};
+    const struct slice_chains *from = beside->from;
     double length = chains_length(strips);
 
     add_strips(plane, strips, false, &all);
     if (beside->beyond)
         add_strips(plane, beside->beyond, true, &all);
     for (size_t k = 0; k < from->chain.n; k++) {
-        const struct chain *chain = &from->chain.item[k];
+        const struct slice_chain *chain = &from->chain.item[k];
         if (!chain->closed)
             carry_over(b, plane, &from->point.item[chain->from], chain->to - chain->from, &all,
                        &pieces);
     }
     if (add_pieces(b, plane, &pieces, shortest, &all) > 0) {
-        struct chains more = finish(b, &all);
-        chains_free(strips);
+        struct slice_chains more = finish(b, &all);
+        slice_chains_free(strips);
         *strips = more;
     }
     array_free(&all);
-    chains_free(&pieces);
+    slice_chains_free(&pieces);
     return chains_length(strips) - length;
 }

@@ -3,21 +3,21 @@
 
 #include "toolpath/runout.h"
 
-static void end_chain(size_t from, struct chains *to)
+static void end_chain(size_t from, struct slice_chains *to)
 {
     if (to->point.n >= from + 2)
-        *array_push(&to->chain) = (struct chain){from, to->point.n, false};
+        *array_push(&to->chain) = (struct slice_chain){from, to->point.n, false};
     else
         to->point.n = from;
 }
 
-size_t runout_within(const struct brink *b, struct chains *strips)
+size_t runout_within(const struct brink *b, struct slice_chains *strips)
 {
-    struct chains to = {0};
+    struct slice_chains to = {0};
     size_t left_out = 0;
 
     for (size_t k = 0; k < strips->chain.n; k++) {
-        const struct chain *chain = &strips->chain.item[k];
+        const struct slice_chain *chain = &strips->chain.item[k];
         size_t from = to.point.n, before = left_out;
         for (size_t i = chain->from; i < chain->to; i++) {
             const struct contact *c = &strips->point.item[i];
@@ -33,7 +33,7 @@ size_t runout_within(const struct brink *b, struct chains *strips)
         if (left_out == before && chain->closed)
             to.chain.item[to.chain.n - 1].closed = true;
     }
-    chains_free(strips);
+    slice_chains_free(strips);
     *strips = to;
     return left_out;
 }

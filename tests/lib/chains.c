@@ -20,11 +20,11 @@ struct rotary rotary_of(struct vec3 axis, struct vec3 centre, bool table)
     return (struct rotary){vec_unit(axis), centre, table, -1e9, 1e9, 0};
 }
 
-struct chain chain_of(int kind)
+struct kinematic_chain chain_of(int kind)
 {
     struct vec3 x = vec(1, 0, 0), y = vec(0, 1, 0), z = vec(0, 0, 1), yz = vec(0, 1, 1);
     struct vec3 c = vec(3, -7, 20), d = vec(-1, 5, 130);
-    struct chain chain = {.n = 2, .master = 1, .tool = z};
+    struct kinematic_chain chain = {.n = 2, .master = 1, .tool = z};
     const struct rotary pair[KINDS][2] = {
         [KIND_TABLE_AC] = {rotary_of(z, c, true), rotary_of(x, d, true)},
         [KIND_TABLE_BC] = {rotary_of(z, c, true), rotary_of(y, d, true)},

@@ -20,7 +20,7 @@ enum {
 /* An axis whose travel has no end. */
 struct rotary rotary_of(struct vec3 axis, struct vec3 centre, bool table);
 
-struct chain chain_of(int kind);
+struct kinematic_chain chain_of(int kind);
 
 /* Where the random numbers begin. */
 extern uint64_t seed;

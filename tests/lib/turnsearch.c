@@ -3,7 +3,7 @@
 
 #include <stdbool.h>
 
-struct angles angles_all(const struct chain *chain, struct vec3 axis)
+struct angles angles_all(const struct kinematic_chain *chain, struct vec3 axis)
 {
     struct angles all = {0};
     for (int start = 0; start < 144; start++) {
@@ -40,7 +40,7 @@ struct angles angles_all(const struct chain *chain, struct vec3 axis)
     return all;
 }
 
-double angles_way(const struct chain *chain, const double a[], const double b[])
+double angles_way(const struct kinematic_chain *chain, const double a[], const double b[])
 {
     double slow = fmin(chain->rotary[0].rapid, chain->rotary[1].rapid), sum = 0;
     for (int i = 0; i < 2; i++)
@@ -54,8 +54,8 @@ static bool better(const int turns[], const double way[], int k, int t, double w
     return turns[k] < 0 || t < turns[k] || (t == turns[k] && w < way[k]);
 }
 
-int angles_least(const struct chain *chain, const struct vec3 axis[], int n, const double from[],
-                 double *way)
+int angles_least(const struct kinematic_chain *chain, const struct vec3 axis[], int n,
+                 const double from[], double *way)
 {
     struct angles at = angles_all(chain, axis[0]);
     int turns[ANGLES], least = -1;

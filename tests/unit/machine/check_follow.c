@@ -9,16 +9,17 @@
 #include "machine/follow.h"
 
 /* C carried by A, both centres at the origin. */
-static struct chain table_ac(void)
+static struct kinematic_chain table_ac(void)
 {
-    return (struct chain){
+    return (struct kinematic_chain){
         .n = 2,
         .master = 1,
         .tool = {0, 0, 1},
         .rotary = {{{0, 0, 1}, {0, 0, 0}, true, -9, 9}, {{1, 0, 0}, {0, 0, 0}, true, -9, 9}}};
 }
 
-static struct station station(const struct chain *chain, struct vec3 p, double c, double a)
+static struct station station(const struct kinematic_chain *chain, struct vec3 p, double c,
+                              double a)
 {
     const double q[2] = {c, a};
     return (struct station){.p = p, .a = chain_axis(chain, q), .q = {c, a}};
@@ -27,7 +28,7 @@ static struct station station(const struct chain *chain, struct vec3 p, double c
 /* Great circle between vectors: the motion of the path itself. */
 START_TEST(vectors_are_exact)
 {
-    struct chain chain = table_ac();
+    struct kinematic_chain chain = table_ac();
     struct follow f = {FOLLOW_VECTOR, &chain, 8};
     struct station from = station(&chain, vec(0, 0, 0), 0, 0.5);
     struct station to = station(&chain, vec(10, 0, 0), 1, 0.7);
@@ -44,7 +45,7 @@ END_TEST
  */
 START_TEST(rotary_words_leave_the_great_circle)
 {
-    struct chain chain = table_ac();
+    struct kinematic_chain chain = table_ac();
     struct follow f = {FOLLOW_ROTARY, &chain, 8};
     struct station from = station(&chain, vec(0, 0, 0), -0.3, 0.5);
     struct station to = station(&chain, vec(10, 0, 0), 0.3, 0.5);
@@ -62,7 +63,7 @@ END_TEST
  */
 START_TEST(joints_leave_the_straight_line)
 {
-    struct chain chain = table_ac();
+    struct kinematic_chain chain = table_ac();
     struct follow f = {FOLLOW_JOINT, &chain, 0};
     struct vec3 p = vec(50, 0, 0);
     const double q0[2] = {-0.1, 0}, q1[2] = {0.1, 0};
@@ -76,7 +77,7 @@ END_TEST
 
 START_TEST(chord_of_an_arc)
 {
-    struct chain chain = table_ac();
+    struct kinematic_chain chain = table_ac();
     struct follow f = {FOLLOW_VECTOR, &chain, 0};
     struct station from = station(&chain, vec(10, 0, 0), 0, 0);
     struct station to = station(&chain, vec(0, 10, 0), 0, 0);
@@ -94,7 +95,7 @@ END_TEST
 /* The tool turns over the pole on one spot: its two ends alone would look right. */
 START_TEST(a_turn_on_the_spot_is_seen)
 {
-    struct chain chain = table_ac();
+    struct kinematic_chain chain = table_ac();
     struct follow f = {FOLLOW_ROTARY, &chain, 8};
     struct station from = station(&chain, vec(0, 0, 0), PI, 0.5);
     struct station to = station(&chain, vec(1e-5, 0, 0), 0, -0.5);
@@ -119,9 +120,9 @@ static struct vec3 random_vec(double size)
     return vec(size * x, size * y, size * chance());
 }
 
-static struct chain random_chain(void)
+static struct kinematic_chain random_chain(void)
 {
-    struct chain chain = {.n = 2, .master = 1, .tool = vec_unit(random_vec(1))};
+    struct kinematic_chain chain = {.n = 2, .master = 1, .tool = vec_unit(random_vec(1))};
     int tables = (int)(1.5 + 1.4999 * chance());
     for (int i = 0; i < 2; i++)
         chain.rotary[i] = (struct rotary){.axis = vec_unit(random_vec(1)),
@@ -132,7 +133,7 @@ static struct chain random_chain(void)
     return chain;
 }
 
-static struct stance stance_at(const struct chain *chain, struct vec3 p, const double q[])
+static struct stance stance_at(const struct kinematic_chain *chain, struct vec3 p, const double q[])
 {
     struct stance s = {{p, chain_axis(chain, q), {q[0], q[1]}}, chain_turned(chain, q)};
     return s;
@@ -194,7 +195,7 @@ START_TEST(bounds_hold)
     int finite = 0;
     seed = 11;
     for (int i = 0; i < 3000; i++) {
-        struct chain chain = random_chain();
+        struct kinematic_chain chain = random_chain();
         struct follow f = {_i ? FOLLOW_JOINT : FOLLOW_ROTARY, &chain, 8 * chance()};
         struct block b = random_block(&f, pow(10, -1.5 + 1.5 * chance()));
         struct deviation close = {0, 1}, rough = {1, 1};
@@ -227,7 +228,7 @@ START_TEST(bends_hold)
     double nearest = 0;
     seed = 13;
     for (int i = 0; i < 3000; i++) {
-        struct chain chain = random_chain();
+        struct kinematic_chain chain = random_chain();
         struct follow f = {_i ? FOLLOW_JOINT : FOLLOW_ROTARY, &chain, 8 * chance()};
         struct block b = random_block(&f, pow(10, -1.5 + 1.5 * chance()));
         struct deviation bend = follow_bend(&f, &b.from.at, &b.to.at);
@@ -258,7 +259,7 @@ START_TEST(peaks_are_found)
 {
     seed = 12;
     for (int i = 0; i < 2000; i++) {
-        struct chain chain = random_chain();
+        struct kinematic_chain chain = random_chain();
         struct follow f = {FOLLOW_ROTARY, &chain, 0};
         struct block b = random_block(&f, 9);
         struct deviation worst = dense(&f, &b);

@@ -14,7 +14,7 @@
  * cos B), written out. */
 START_TEST(published_axis)
 {
-    struct chain ac = chain_of(KIND_TABLE_AC), bc = chain_of(KIND_TABLE_BC);
+    struct kinematic_chain ac = chain_of(KIND_TABLE_AC), bc = chain_of(KIND_TABLE_BC);
     seed = 1;
     for (int i = 0; i < 1000; i++) {
         double c = 6 * chance() - 3, t = 6 * chance() - 3;
@@ -29,7 +29,7 @@ END_TEST
 
 START_TEST(inverse_is_inverse)
 {
-    struct chain chain = chain_of(_i);
+    struct kinematic_chain chain = chain_of(_i);
     double worst_axis = 0, worst_tip = 0;
     int reached = 0;
     seed = 2;
@@ -57,7 +57,7 @@ END_TEST
 /* The angles that went in come out again, as one of the two. */
 START_TEST(angles_come_back)
 {
-    struct chain chain = chain_of(_i);
+    struct kinematic_chain chain = chain_of(_i);
     seed = 3;
     for (int i = 0; i < 20000; i++) {
         const double q[2] = {6 * chance() - 3, 6 * chance() - 3};
@@ -74,7 +74,7 @@ END_TEST
 /* At a tilt of 1e-7 the angle itself is still right to 1e-13; acos would give it to 1e-9. */
 START_TEST(near_the_pole)
 {
-    struct chain chain = chain_of(KIND_TABLE_AC);
+    struct kinematic_chain chain = chain_of(KIND_TABLE_AC);
     const double q[2] = {0.7, 1e-7};
     struct chain_solutions s = chain_angles(&chain, chain_axis(&chain, q));
     double best = fmin(fabs(s.q[0][1] - 1e-7), fabs(s.q[1][1] - 1e-7));
@@ -88,7 +88,7 @@ END_TEST
 /* A table turns the work: what the linear axes must do is what the turned work does. */
 START_TEST(table_carries_the_work)
 {
-    struct chain chain = chain_of(KIND_TABLE_AC);
+    struct kinematic_chain chain = chain_of(KIND_TABLE_AC);
     chain.rotary[0].centre = chain.rotary[1].centre = vec(0, 0, 0);
     const double q[2] = {PI / 2, 0}; /* the tool by +90 about z: the table by -90 */
     struct vec3 linear = chain_linear(&chain, vec(10, 0, 5), q);
@@ -103,7 +103,7 @@ END_TEST
 /* A head with its pivot 100 above the tip leans to 90 degrees: the tip lies 100 aside. */
 START_TEST(head_carries_the_tip)
 {
-    struct chain chain = chain_of(KIND_HEAD_HEAD);
+    struct kinematic_chain chain = chain_of(KIND_HEAD_HEAD);
     chain.rotary[0].centre = chain.rotary[1].centre = vec(0, 0, 100);
     const double q[2] = {0, PI / 2};
     struct vec3 tip = chain_tip(&chain, vec(1, 2, 3), q);
@@ -113,7 +113,7 @@ END_TEST
 
 START_TEST(fewer_axes)
 {
-    struct chain chain = chain_of(KIND_TABLE_AC);
+    struct kinematic_chain chain = chain_of(KIND_TABLE_AC);
     chain.n = 1;
     chain.rotary[0] = rotary_of(vec(1, 0, 0), vec(0, 0, 0), true);
     struct chain_solutions s = chain_angles(&chain, vec(0, -sin(0.3), cos(0.3)));
@@ -154,7 +154,7 @@ static double apart(struct vec3 a, struct vec3 b)
     return DEGREES(vec_distance(a, b));
 }
 
-static void check_pose(const struct chain *chain, const struct rig *rig, struct vec3 tip,
+static void check_pose(const struct kinematic_chain *chain, const struct rig *rig, struct vec3 tip,
                        struct vec3 axis)
 {
     struct chain_solutions s = chain_angles(chain, axis);
@@ -194,7 +194,7 @@ START_TEST(any_two_axes)
     int beyond = 0;
     seed = 60;
     for (int i = 0; i < 300; i++) {
-        struct chain chain = {.n = 2, .tool = random_unit()};
+        struct kinematic_chain chain = {.n = 2, .tool = random_unit()};
         struct rig rig = {.n = 2, .tool = chain.tool};
         int tables = (int)(3 * chance());
         double low = 1, high = -1;

@@ -180,7 +180,7 @@ static double chance(void) /* -1..1, a plain generator of Lehmer's */
  * tip to the linear axes and back. */
 static void there_and_back(const struct machine *m, double *axis, double *point)
 {
-    const struct chain *chain = &m->chain;
+    const struct kinematic_chain *chain = &m->chain;
     double q[ROTARY_MAX] = {0};
     for (int i = 0; i < chain->n; i++) {
         const struct rotary *r = &chain->rotary[i];

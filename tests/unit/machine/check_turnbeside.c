@@ -12,7 +12,7 @@ START_TEST(beside_the_last)
     int found = 0;
     seed = 70;
     for (int i = 0; i < 300; i++) {
-        struct chain chain = chain_of(i % KINDS);
+        struct kinematic_chain chain = chain_of(i % KINDS);
         if (i % 4 == 3) /* three axes in no plane */
             chain.rotary[1].axis = vec_unit(vec(0.1 * chance(), 1, chance() - 0.5));
         if (i % 4 == 3)

@@ -7,7 +7,7 @@
 
 START_TEST(travel_and_choice)
 {
-    struct chain chain = chain_of(KIND_TABLE_AC);
+    struct kinematic_chain chain = chain_of(KIND_TABLE_AC);
     const double from[2] = {0, 0};
     double q[2];
     int over;
@@ -45,7 +45,7 @@ END_TEST
  * move of the master alone would spin the other axis by half a turn. */
 START_TEST(over_the_pole)
 {
-    struct chain chain = chain_of(KIND_TABLE_AC);
+    struct kinematic_chain chain = chain_of(KIND_TABLE_AC);
     const double from[2] = {0, -0.02};
     const double beyond[2] = {0, 0.02};
     struct vec3 axis = chain_axis(&chain, beyond);
@@ -63,7 +63,7 @@ END_TEST
  * both sides of it.  What is chosen brings the tool there, by no more than half a turn. */
 START_TEST(chosen_in_place)
 {
-    struct chain chain = chain_of(_i);
+    struct kinematic_chain chain = chain_of(_i);
     seed = 5;
     for (int i = 0; i < 20000; i++) {
         struct vec3 axis = random_unit();

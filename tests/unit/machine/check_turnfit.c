@@ -4,9 +4,9 @@
 
 #include "machine/turnfit.h"
 
-static struct chain table_ac(double min, double max)
+static struct kinematic_chain table_ac(double min, double max)
 {
-    return (struct chain){
+    return (struct kinematic_chain){
         .n = 2,
         .master = 1,
         .tool = {0, 0, 1},
@@ -41,7 +41,7 @@ static double angle_at(const struct bspline *c, const double *pole, double u)
 /* Worst difference from A = -atan(a + b u), C = 0. */
 static double worst(size_t poles, double a, double b)
 {
-    struct chain chain = table_ac(-2, 2);
+    struct kinematic_chain chain = table_ac(-2, 2);
     struct bspline c = swinging(poles, a, b);
     double range = (double)(poles - 3), off = 0, pole0[40], pole1[40];
     double *pole[2] = {pole0, pole1};
@@ -79,7 +79,7 @@ END_TEST
 
 START_TEST(out_of_travel)
 {
-    struct chain chain = table_ac(-0.4, 0.3);
+    struct kinematic_chain chain = table_ac(-0.4, 0.3);
     struct bspline c = swinging(6, 0.2, 0.2);
     double pole0[6], pole1[6], *pole[2] = {pole0, pole1};
     const double from[2] = {0, -atan(0.2)};

@@ -13,9 +13,9 @@
 
 enum { EACH = 72 }; /* places of one turn */
 
-static struct chain table_ac(double a_min, double a_max, double c_min, double c_max)
+static struct kinematic_chain table_ac(double a_min, double a_max, double c_min, double c_max)
 {
-    return (struct chain){
+    return (struct kinematic_chain){
         .n = 2,
         .master = 1,
         .tool = {0, 0, 1},
@@ -36,7 +36,7 @@ static struct turnplan_place *spiral(int turns, double tilt, size_t *n)
     return place;
 }
 
-static int plan_of(const struct chain *chain, struct turnplan_place *place, size_t n)
+static int plan_of(const struct kinematic_chain *chain, struct turnplan_place *place, size_t n)
 {
     const double from[ROTARY_MAX] = {0};
     struct turnplan plan = {.chain = chain};
@@ -44,8 +44,8 @@ static int plan_of(const struct chain *chain, struct turnplan_place *place, size
     return turnplan_make(&plan, place, n, from, &cost) == 0 ? (int)cost.turns : -1;
 }
 
-static void check_places(const struct chain *chain, const struct turnplan_place *place, size_t n,
-                         int turns)
+static void check_places(const struct kinematic_chain *chain, const struct turnplan_place *place,
+                         size_t n, int turns)
 {
     int counted = 0;
     for (size_t i = 0; i < n; i++) {
@@ -80,7 +80,7 @@ static const struct {
 
 START_TEST(fewest_turns)
 {
-    struct chain chain =
+    struct kinematic_chain chain =
         table_ac(wound[_i].a_min, wound[_i].a_max, wound[_i].c_min, wound[_i].c_max);
     size_t n;
     struct turnplan_place *place = spiral(wound[_i].turns, wound[_i].tilt, &n);
@@ -93,7 +93,8 @@ END_TEST
 
 START_TEST(no_way)
 {
-    struct chain chain = table_ac(-30, 40, -360, 360), narrow = table_ac(-60, 60, -80, 80);
+    struct kinematic_chain chain = table_ac(-30, 40, -360, 360),
+                           narrow = table_ac(-60, 60, -80, 80);
     size_t n;
     struct turnplan_place *place = spiral(1, 50, &n);
     ck_assert_int_eq(plan_of(&chain, place, n), -1);
@@ -110,7 +111,8 @@ START_TEST(over_the_pole)
         double w = RADIANS(i - 30);
         place[i] = (struct turnplan_place){.axis = {0, sin(w), cos(w)}, .may_turn = true};
     }
-    struct chain both = table_ac(-120, 120, -360, 360), one = table_ac(-5, 120, -360, 360);
+    struct kinematic_chain both = table_ac(-120, 120, -360, 360),
+                           one = table_ac(-5, 120, -360, 360);
     ck_assert_int_eq(plan_of(&both, place, 61), 0);
     check_places(&both, place, 61, 0);
     for (int i = 1; i < 61; i++)
@@ -125,8 +127,8 @@ END_TEST
 enum { PLACES = 7 };
 
 /* All ways from the angles q at place j on; by block, or turned back at j and then by block. */
-static void try_all(const struct chain *chain, const struct angles all[], int j, const double q[],
-                    unsigned turns, double way, struct turnplan_cost *least)
+static void try_all(const struct kinematic_chain *chain, const struct angles all[], int j,
+                    const double q[], unsigned turns, double way, struct turnplan_cost *least)
 {
     if (turns > least->turns || (turns == least->turns && way >= least->way))
         return;
@@ -146,9 +148,9 @@ static void try_all(const struct chain *chain, const struct angles all[], int j,
 }
 
 /* A machine with narrow travel, and a pass of a few directions. */
-static struct chain narrow_chain(int i)
+static struct kinematic_chain narrow_chain(int i)
 {
-    struct chain chain = chain_of(i % KINDS);
+    struct kinematic_chain chain = chain_of(i % KINDS);
     for (int k = 0; k < 2; k++) {
         chain.rotary[k].min = -(0.3 + 4 * chance());
         chain.rotary[k].max = 0.3 + 4 * chance();
@@ -173,7 +175,7 @@ START_TEST(as_by_trying)
     int found = 0, back = 0;
     seed = 90;
     for (int i = 0; i < 600; i++) {
-        struct chain chain = narrow_chain(i);
+        struct kinematic_chain chain = narrow_chain(i);
         struct turnplan plan = {.chain = &chain};
         struct turnplan_place place[PLACES];
         struct turnplan_cost cost, least = {99, HUGE_VAL};
@@ -203,7 +205,7 @@ END_TEST
 static bool near_half_way(const void *with, size_t from, size_t to, const double q0[],
                           const double q1[])
 {
-    const struct chain *chain = with;
+    const struct kinematic_chain *chain = with;
     const double half[] = {(q0[0] + q1[0]) / 2, (q0[1] + q1[1]) / 2};
     struct vec3 meant = vec_unit(vec_add(chain_axis(chain, q0), chain_axis(chain, q1)));
     ck_assert_uint_eq(to - from, 400);
@@ -214,7 +216,8 @@ static bool near_half_way(const void *with, size_t from, size_t to, const double
  * first axis is saved, and where the second one may not follow it is turned after all. */
 START_TEST(past_the_pole)
 {
-    struct chain both = table_ac(-120, 120, -99999, 99999), one = table_ac(-2, 120, -99999, 99999);
+    struct kinematic_chain both = table_ac(-120, 120, -99999, 99999),
+                           one = table_ac(-2, 120, -99999, 99999);
     const double from[ROTARY_MAX] = {0, 0};
     struct turnplan_cost cost;
     struct turnplan_place place[401];

@@ -28,16 +28,16 @@ static double area(const struct polygons *p)
 }
 
 /* From the bottom (0) to the top (2) at the place of vertices 4 and 5, or 6 and 7 downwards. */
-static const struct chain up = {
+static const struct trim_chain up = {
     .first = 0, .n = 2, .side_in = 0, .in = 0.3, .side_out = 2, .out = -0.3};
-static const struct chain down = {
+static const struct trim_chain down = {
     .first = 2, .n = 2, .side_in = 2, .in = -0.7, .side_out = 0, .out = 0.7};
 
 START_TEST(one_line)
 {
     static const int id[] = {4, 5, 6, 7};
     struct polygons p = {0};
-    struct chain chain[1] = {up};
+    struct trim_chain chain[1] = {up};
     ck_assert(cellcut(chain, 1, id, corner, &p));
     ck_assert_double_lt(fabs(area(&p) - 0.3), 1e-15);
     chain[0] = down;
@@ -51,11 +51,11 @@ START_TEST(two_lines)
 {
     static const int beside[] = {4, 5, 6, 7}, between[] = {7, 6, 5, 4};
     struct polygons p = {0};
-    struct chain chain[2] = {up, down};
+    struct trim_chain chain[2] = {up, down};
     ck_assert(cellcut(chain, 2, beside, corner, &p));
     ck_assert_uint_eq(p.end.n, 2);
     ck_assert_double_lt(fabs(area(&p) - 0.6), 1e-15);
-    struct chain inner[2] = {up, down};
+    struct trim_chain inner[2] = {up, down};
     inner[0].in = 0.7, inner[0].out = -0.7, inner[1].in = -0.3, inner[1].out = 0.3;
     ck_assert(cellcut(inner, 2, between, corner, &p));
     ck_assert_uint_eq(p.end.n, 1);
@@ -68,7 +68,7 @@ START_TEST(both_upwards)
 {
     static const int id[] = {4, 5, 7, 6};
     struct polygons p = {0};
-    struct chain chain[2] = {up, up};
+    struct trim_chain chain[2] = {up, up};
     chain[1].first = 2;
     chain[1].in = 0.7, chain[1].out = -0.7;
     ck_assert(!cellcut(chain, 2, id, corner, &p));

@@ -62,7 +62,7 @@ static struct path path_of(const struct vec3 axis[])
     return path;
 }
 
-static double way_of_plan(const struct chain *chain, const struct nc_plan *plan)
+static double way_of_plan(const struct kinematic_chain *chain, const struct nc_plan *plan)
 {
     double way = 0, q[2] = {0};
     for (size_t i = 0; i < plan->move.n; i++) {

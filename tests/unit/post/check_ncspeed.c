@@ -26,7 +26,7 @@ static struct machine any_machine(int kind)
     return m;
 }
 
-static struct station any_station(const struct chain *chain, double far)
+static struct station any_station(const struct kinematic_chain *chain, double far)
 {
     struct station s = {.p = vec_scale(far * chance(), random_unit()),
                         .q = {4 * chance() - 2, 2 * chance() - 1}};

@@ -18,7 +18,7 @@ static double chance(void)
     return (double)(seed >> 11) / 9007199254740992.0;
 }
 
-static const struct chain table_ac = {
+static const struct kinematic_chain table_ac = {
     .n = 2,
     .master = 1,
     .tool = {0, 0, 1},

@@ -21,9 +21,10 @@ static struct vec3 direction(void)
     return vec_unit(vec(uniform(-1, 1), uniform(-1, 1), uniform(-1, 1)));
 }
 
-static struct chains cut_at(const struct mesh *mesh, struct vec3 normal, double height, bool smooth)
+static struct slice_chains cut_at(const struct mesh *mesh, struct vec3 normal, double height,
+                                  bool smooth)
 {
-    struct chains chains = {0};
+    struct slice_chains chains = {0};
     struct meshcut *cut = meshcut_new(mesh, normal, smooth);
 
     meshcut_at(cut, height, &chains);
@@ -32,7 +33,7 @@ static struct chains cut_at(const struct mesh *mesh, struct vec3 normal, double 
 }
 
 /* The farthest that points are off the sphere of radius 50, and normals off the exact ones. */
-static void off_sphere(const struct chains *chains, double *off, double *turned)
+static void off_sphere(const struct slice_chains *chains, double *off, double *turned)
 {
     *off = *turned = 0;
     for (size_t i = 0; i < chains->point.n; i++) {
@@ -50,8 +51,8 @@ START_TEST(points_are_on_the_sphere_and_on_the_plane)
     for (int i = 0; i < 50; i++) {
         struct vec3 normal = vec_unit(vec(uniform(-1, 1), uniform(-1, 1), uniform(-0.3, 0.3)));
         double height = vec_dot(normal, vec(uniform(-15, 15), uniform(-15, 15), 47)), off, turned;
-        struct chains flat = cut_at(&mesh, normal, height, false);
-        struct chains smooth = cut_at(&mesh, normal, height, true);
+        struct slice_chains flat = cut_at(&mesh, normal, height, false);
+        struct slice_chains smooth = cut_at(&mesh, normal, height, true);
         ck_assert_uint_gt(flat.chain.n, 0);
         ck_assert_uint_eq(flat.chain.n, smooth.chain.n);
         for (size_t k = 0; k < smooth.point.n; k++)
@@ -63,8 +64,8 @@ START_TEST(points_are_on_the_sphere_and_on_the_plane)
         off_sphere(&smooth, &off, &turned);
         ck_assert_double_lt(off, sagitta / 500);
         ck_assert_double_lt(turned, 1e-3);
-        chains_free(&flat);
-        chains_free(&smooth);
+        slice_chains_free(&flat);
+        slice_chains_free(&smooth);
     }
     mesh_free(&mesh);
 }
@@ -76,9 +77,9 @@ START_TEST(the_error_is_of_the_fourth_order)
 
     for (int i = 0; i < 2; i++) {
         struct mesh mesh = shape_grid(shape_sphere, -20, -20, 20, 20, 10 << i, 10 << i);
-        struct chains chains = cut_at(&mesh, vec_unit(vec(1, 2, 0.1)), 3.3, true);
+        struct slice_chains chains = cut_at(&mesh, vec_unit(vec(1, 2, 0.1)), 3.3, true);
         off_sphere(&chains, &off[i], &turned);
-        chains_free(&chains);
+        slice_chains_free(&chains);
         mesh_free(&mesh);
     }
     ck_assert_double_gt(off[0] / off[1], 12);
@@ -110,7 +111,7 @@ START_TEST(neighbours_lie_in_one_facet)
     for (int i = 0; i < 40; i++) {
         struct vec3 normal = direction();
         double height = vec_dot(normal, mesh.vertex.item[(size_t)uniform(0, 195)]) + 0.013;
-        struct chains chains = cut_at(&mesh, normal, height, false);
+        struct slice_chains chains = cut_at(&mesh, normal, height, false);
         for (size_t k = 0; k < chains.chain.n; k++) {
             for (size_t p = chains.chain.item[k].from; p + 1 < chains.chain.item[k].to; p++) {
                 size_t facet = 0;
@@ -119,7 +120,7 @@ START_TEST(neighbours_lie_in_one_facet)
                 ck_assert_msg(facet < mesh.face.n, "plane %d, point %zu", i, p);
             }
         }
-        chains_free(&chains);
+        slice_chains_free(&chains);
     }
     mesh_free(&mesh);
 }
@@ -133,7 +134,7 @@ START_TEST(every_facet_on_the_plane_is_cut_once)
     for (int i = 0; i < 100; i++) {
         double height = uniform(meshcut_low(cut), meshcut_high(cut)), length = 0, sum = 0;
         struct vec3 normal = vec_unit(vec(3, 1, 2));
-        struct chains chains = {0};
+        struct slice_chains chains = {0};
         /* The same length as the facets' own crossings, each from its corners. */
         for (size_t f = 0; f < mesh.face.n; f++) {
             struct vec3 end[2];
@@ -154,7 +155,7 @@ START_TEST(every_facet_on_the_plane_is_cut_once)
                 sum += vec_distance(chains.point.item[p].p, chains.point.item[p + 1].p);
         }
         ck_assert_double_eq_tol(sum, length, 0.01);
-        chains_free(&chains);
+        slice_chains_free(&chains);
     }
     meshcut_free(cut);
     mesh_free(&mesh);
@@ -166,7 +167,7 @@ static size_t count_points(const struct mesh *mesh, struct vec3 normal, double s
 {
     struct meshcut *cut = meshcut_new(mesh, normal, true);
     struct doubles height = {0};
-    struct chains chains = {0};
+    struct slice_chains chains = {0};
 
     scallop_equal(meshcut_low(cut), meshcut_high(cut), step, &height);
     for (size_t i = 0; i < height.n; i++)
@@ -174,7 +175,7 @@ static size_t count_points(const struct mesh *mesh, struct vec3 normal, double s
     size_t n = chains.point.n;
     ck_assert_uint_eq(chains.chain.n, height.n);
     *planes = height.n;
-    chains_free(&chains);
+    slice_chains_free(&chains);
     array_free(&height);
     meshcut_free(cut);
     return n;
@@ -223,7 +224,7 @@ START_TEST(a_ring_is_closed)
     for (int i = 0; i < 30; i++) {
         struct vec3 normal = direction();
         double height = uniform(-40, 40), sum = 0;
-        struct chains chains = cut_at(&mesh, normal, height, true);
+        struct slice_chains chains = cut_at(&mesh, normal, height, true);
         ck_assert_uint_eq(chains.chain.n, 1);
         ck_assert(chains.chain.item[0].closed);
         const struct contact *c = chains.point.item;
@@ -234,7 +235,7 @@ START_TEST(a_ring_is_closed)
             sum += vec_distance(c[k].p, c[k + 1].p);
         }
         ck_assert_double_eq_tol(sum, 2 * PI * sqrt(2500 - height * height), 2.5);
-        chains_free(&chains);
+        slice_chains_free(&chains);
     }
     mesh_free(&mesh);
 }
@@ -251,14 +252,14 @@ START_TEST(a_hole_breaks_a_chain)
             mesh.face.item[kept++] = mesh.face.item[f];
     }
     mesh.face.n = kept;
-    struct chains through = cut_at(&mesh, vec(0, 1, 0), 0.7, true);
-    struct chains beside = cut_at(&mesh, vec(0, 1, 0), 12.7, true);
+    struct slice_chains through = cut_at(&mesh, vec(0, 1, 0), 0.7, true);
+    struct slice_chains beside = cut_at(&mesh, vec(0, 1, 0), 12.7, true);
     ck_assert_uint_eq(through.chain.n, 2);
     ck_assert_uint_eq(beside.chain.n, 1);
     for (size_t i = 0; i < through.point.n; i++)
         ck_assert_double_gt(fabs(through.point.item[i].p.x), 4);
-    chains_free(&through);
-    chains_free(&beside);
+    slice_chains_free(&through);
+    slice_chains_free(&beside);
     mesh_free(&mesh);
 }
 END_TEST
@@ -275,9 +276,9 @@ START_TEST(an_edge_of_three_facets_ends_chains)
     }
     for (int i = 2; i < 5; i++)
         *array_push(&mesh.face) = (struct face){{0, 1, i}};
-    struct chains chains = cut_at(&mesh, vec(0, 1, 0), 1, false);
+    struct slice_chains chains = cut_at(&mesh, vec(0, 1, 0), 1, false);
     ck_assert_uint_eq(chains.chain.n, 3);
-    chains_free(&chains);
+    slice_chains_free(&chains);
     mesh_free(&mesh);
 }
 END_TEST

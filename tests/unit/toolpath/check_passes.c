@@ -16,7 +16,7 @@ static struct pass_rule rule_of(double gap)
 }
 
 /* A straight chain of points a tenth apart, level at height z, the normal up. */
-static void add(struct chains *chains, double from, double to, double z)
+static void add(struct slice_chains *chains, double from, double to, double z)
 {
     size_t begin = chains->point.n;
     int n = (int)lround(fabs(to - from) * 10);
@@ -24,22 +24,22 @@ static void add(struct chains *chains, double from, double to, double z)
     for (int i = 0; i <= n; i++)
         *array_push(&chains->point) =
             (struct contact){vec(from + (to - from) * i / n, 0, z), vec(0, 0, 1)};
-    *array_push(&chains->chain) = (struct chain){begin, chains->point.n, false};
+    *array_push(&chains->chain) = (struct slice_chain){begin, chains->point.n, false};
 }
 
-static const struct contact *first(const struct chains *c, size_t k)
+static const struct contact *first(const struct slice_chains *c, size_t k)
 {
     return &c->point.item[c->chain.item[k].from];
 }
 
-static const struct contact *last(const struct chains *c, size_t k)
+static const struct contact *last(const struct slice_chains *c, size_t k)
 {
     return &c->point.item[c->chain.item[k].to - 1];
 }
 
 START_TEST(chains_follow_each_other_and_join)
 {
-    struct chains chains = {0}, strips = {0};
+    struct slice_chains chains = {0}, strips = {0};
     struct pass_rule rule = rule_of(0.3);
 
     add(&chains, 5, 8, 0);
@@ -61,8 +61,8 @@ START_TEST(chains_follow_each_other_and_join)
     ck_assert_double_eq(last(&strips, 0)->p.x, 9);
     ck_assert_double_eq(first(&strips, 1)->p.x, 8);
     ck_assert_double_eq(last(&strips, 1)->p.x, 0);
-    chains_free(&chains);
-    chains_free(&strips);
+    slice_chains_free(&chains);
+    slice_chains_free(&strips);
 }
 END_TEST
 
@@ -76,7 +76,7 @@ START_TEST(no_join_over_a_hole_of_the_scan)
                 if (!hole || i < 40 || i > 70)
                     *array_push(&scan) = vec(0.1 * i, 0.1 * k, 0);
         struct guard *guard = guard_from_points(scan.item, scan.n);
-        struct chains chains = {0}, strips = {0};
+        struct slice_chains chains = {0}, strips = {0};
         struct pass_rule rule = rule_of(4);
         rule.guard = guard;
         rule.bare = 1.2;
@@ -84,8 +84,8 @@ START_TEST(no_join_over_a_hole_of_the_scan)
         add(&chains, 7, 10, 0);
         passes_make(&chains, &rule, &strips);
         ck_assert_uint_eq(strips.chain.n, hole ? 2 : 1);
-        chains_free(&chains);
-        chains_free(&strips);
+        slice_chains_free(&chains);
+        slice_chains_free(&strips);
         guard_free(guard);
         array_free(&scan);
     }
@@ -94,7 +94,7 @@ END_TEST
 
 START_TEST(the_nearest_goes_on_not_the_next)
 {
-    struct chains chains = {0}, strips = {0};
+    struct slice_chains chains = {0}, strips = {0};
     struct pass_rule rule = rule_of(0.3);
 
     /* Two levels, as of two surfaces over each other, both in two parts. */
@@ -106,15 +106,15 @@ START_TEST(the_nearest_goes_on_not_the_next)
     ck_assert_uint_eq(strips.chain.n, 2);
     for (size_t k = 0; k < 2; k++)
         ck_assert_double_eq(first(&strips, k)->p.z, last(&strips, k)->p.z);
-    chains_free(&chains);
-    chains_free(&strips);
+    slice_chains_free(&chains);
+    slice_chains_free(&strips);
 }
 END_TEST
 
 /* A roof: 60 degrees up, then down.  Straight lines between centres sink into the ridge. */
 START_TEST(a_ridge_is_rolled_over)
 {
-    struct chains chains = {0}, strips = {0};
+    struct slice_chains chains = {0}, strips = {0};
     struct pass_rule rule = rule_of(0.3);
     double slope = RADIANS(60), deepest = 0;
 
@@ -125,7 +125,7 @@ START_TEST(a_ridge_is_rolled_over)
             double x = side < 0 ? i - 10 : i;
             *array_push(&chains.point) = (struct contact){vec(x, 0, -fabs(x) * tan(slope)), n};
         }
-        *array_push(&chains.chain) = (struct chain){begin, chains.point.n, false};
+        *array_push(&chains.chain) = (struct slice_chain){begin, chains.point.n, false};
     }
     passes_make(&chains, &rule, &strips);
     ck_assert_uint_eq(strips.chain.n, 1);
@@ -146,16 +146,16 @@ START_TEST(a_ridge_is_rolled_over)
     passes_make(&chains, &rule, &strips);
     ck_assert_uint_eq(strips.chain.n, 1);
     ck_assert_uint_eq(strips.point.n, 22);
-    chains_free(&chains);
-    chains_free(&strips);
+    slice_chains_free(&chains);
+    slice_chains_free(&strips);
 }
 END_TEST
 
 /* Rings of a ball in upright and level planes. */
-static struct chains ring(struct vec3 normal, double height)
+static struct slice_chains ring(struct vec3 normal, double height)
 {
     struct mesh mesh = shape_ball(50, 40, 60);
-    struct chains chains = {0};
+    struct slice_chains chains = {0};
     struct meshcut *cut = meshcut_new(&mesh, normal, true);
 
     meshcut_at(cut, height, &chains);
@@ -169,7 +169,7 @@ START_TEST(a_ring_starts_at_its_end_and_goes_over_the_top)
     struct pass_rule rule = rule_of(0.1);
 
     for (int turned = 0; turned < 2; turned++) {
-        struct chains chains, strips = {0};
+        struct slice_chains chains, strips = {0};
         rule.normal = vec(0, turned ? -1 : 1, 0);
         chains = ring(rule.normal, turned ? -7.3 : 7.3);
         passes_make(&chains, &rule, &strips);
@@ -180,8 +180,8 @@ START_TEST(a_ring_starts_at_its_end_and_goes_over_the_top)
         ck_assert_double_gt(strips.point.item[10].p.z, 1);
         struct vec3 plane = passes_forward(&strips, 0, rule.normal);
         ck_assert_double_gt(vec_cross(plane, vec(0, 0, 1)).x, 0.99);
-        chains_free(&chains);
-        chains_free(&strips);
+        slice_chains_free(&chains);
+        slice_chains_free(&strips);
     }
 }
 END_TEST
@@ -189,7 +189,7 @@ END_TEST
 START_TEST(what_faces_away_is_left_out)
 {
     struct pass_rule rule = rule_of(0.1);
-    struct chains chains = ring(vec(0, 1, 0), 7.3), strips = {0};
+    struct slice_chains chains = ring(vec(0, 1, 0), 7.3), strips = {0};
 
     rule.faced = true;
     rule.normal = vec(0, 1, 0);
@@ -202,8 +202,8 @@ START_TEST(what_faces_away_is_left_out)
         ck_assert_double_ge(strips.point.item[i].p.z, -1e-4);
     for (size_t i = 0; i + 1 < strips.point.n; i++)
         ck_assert_double_gt(strips.point.item[i + 1].p.x, strips.point.item[i].p.x - 1e-9);
-    chains_free(&chains);
-    chains_free(&strips);
+    slice_chains_free(&chains);
+    slice_chains_free(&strips);
 }
 END_TEST
 

@@ -35,9 +35,9 @@ static struct brink *brink_of(double half)
     return brink;
 }
 
-static void add_strip(double y, double from, double to, struct chains *strips)
+static void add_strip(double y, double from, double to, struct slice_chains *strips)
 {
-    struct chain chain = {strips->point.n, 0, false};
+    struct slice_chain chain = {strips->point.n, 0, false};
 
     for (double x = from; x <= to; x += 0.5) {
         struct contact c;
@@ -48,12 +48,12 @@ static void add_strip(double y, double from, double to, struct chains *strips)
     *array_push(&strips->chain) = chain;
 }
 
-static double first_of(const struct chains *s, size_t k)
+static double first_of(const struct slice_chains *s, size_t k)
 {
     return s->point.item[s->chain.item[k].from].p.x;
 }
 
-static double last_of(const struct chains *s, size_t k)
+static double last_of(const struct slice_chains *s, size_t k)
 {
     return s->point.item[s->chain.item[k].to - 1].p.x;
 }
@@ -62,7 +62,7 @@ START_TEST(rows_run_out_to_the_last_points)
 {
     struct brink *brink = brink_of(10);
     struct brink_plane plane = {ACROSS, ALONG, 3.2};
-    struct chains strips = {0};
+    struct slice_chains strips = {0};
     struct vec3 normal;
 
     add_strip(3.2, -9, 9, &strips);
@@ -77,7 +77,7 @@ START_TEST(rows_run_out_to_the_last_points)
         ck_assert(i == 0 || p.x > strips.point.item[i - 1].p.x);
         ck_assert_double_le(vec_distance(p, hollow(p.x, p.y, &normal)), 1e-5);
     }
-    chains_free(&strips);
+    slice_chains_free(&strips);
     brink_free(brink);
 }
 END_TEST
@@ -85,7 +85,7 @@ END_TEST
 START_TEST(what_lies_beyond_the_scan_is_left_out)
 {
     struct brink *brink = brink_of(8);
-    struct chains strips = {0};
+    struct slice_chains strips = {0};
 
     add_strip(3.2, -9, 9, &strips);
     add_strip(8.6, -9, 9, &strips);
@@ -94,7 +94,7 @@ START_TEST(what_lies_beyond_the_scan_is_left_out)
     ck_assert_double_eq(first_of(&strips, 0), -8);
     ck_assert_double_eq(last_of(&strips, 0), 8);
     ck_assert_uint_eq(runout_within(brink, &strips), 0);
-    chains_free(&strips);
+    slice_chains_free(&strips);
     brink_free(brink);
 }
 END_TEST
@@ -103,12 +103,12 @@ START_TEST(a_few_points_have_no_border)
 {
     struct brink *brink = brink_of(1); /* 25 points */
     struct brink_plane plane = {ACROSS, ALONG, 9};
-    struct chains strips = {0};
+    struct slice_chains strips = {0};
 
     add_strip(9, -9, 9, &strips);
     ck_assert_uint_eq(runout_within(brink, &strips), 0);
     ck_assert_double_eq(runout_ends(brink, &plane, &strips), 0);
-    chains_free(&strips);
+    slice_chains_free(&strips);
     brink_free(brink);
 }
 END_TEST
@@ -117,7 +117,7 @@ START_TEST(rows_end_with_a_mesh_that_is_a_part_of_the_scan)
 {
     struct brink *brink = brink_of(14);
     struct brink_plane plane = {ACROSS, ALONG, 3.2}, beyond = {ACROSS, ALONG, 9.5};
-    struct chains strips = {0}, end = {0}, none = {0};
+    struct slice_chains strips = {0}, end = {0}, none = {0};
     struct runout_neighbours beside = {&end, NULL};
 
     add_strip(3.2, -9, 9, &strips);
@@ -125,8 +125,8 @@ START_TEST(rows_end_with_a_mesh_that_is_a_part_of_the_scan)
     ck_assert_double_eq(last_of(&strips, 0), 9);
     add_strip(9, -9, 9, &end);
     ck_assert_double_eq(runout_beside(brink, &beyond, &beside, 0.5, &none), 0);
-    chains_free(&strips);
-    chains_free(&end);
+    slice_chains_free(&strips);
+    slice_chains_free(&end);
     brink_free(brink);
 }
 END_TEST
@@ -135,7 +135,7 @@ START_TEST(strips_grow_up_to_each_other)
 {
     struct brink *brink = brink_of(10);
     struct brink_plane plane = {ACROSS, ALONG, 9.4};
-    struct chains strips = {0};
+    struct slice_chains strips = {0};
 
     add_strip(9.4, -4, -1, &strips);
     add_strip(9.4, 3, 5, &strips);
@@ -145,7 +145,7 @@ START_TEST(strips_grow_up_to_each_other)
     ck_assert_double_eq_tol(last_of(&strips, 0), 10, 0.04);
     for (size_t i = 1; i < strips.point.n; i++)
         ck_assert_double_gt(strips.point.item[i].p.x, strips.point.item[i - 1].p.x);
-    chains_free(&strips);
+    slice_chains_free(&strips);
     brink_free(brink);
 }
 END_TEST
@@ -154,7 +154,7 @@ START_TEST(rows_are_added_beside_others)
 {
     struct brink *brink = brink_of(10);
     struct brink_plane plane = {ACROSS, ALONG, 9.6}, out = {ACROSS, ALONG, 10.1};
-    struct chains from = {0}, beyond = {0}, strips = {0}, parts = {0}, none = {0};
+    struct slice_chains from = {0}, beyond = {0}, strips = {0}, parts = {0}, none = {0};
     struct runout_neighbours all = {&from, NULL}, some = {&from, &beyond}, last = {&strips, NULL};
 
     add_strip(9, -9, 9, &from);
@@ -170,14 +170,14 @@ START_TEST(rows_are_added_beside_others)
     ck_assert_uint_eq(parts.chain.n, 2);
     ck_assert_double_le(last_of(&parts, 0), -2);
     ck_assert_double_ge(first_of(&parts, 1), 5);
-    chains_free(&parts);
+    slice_chains_free(&parts);
     runout_beside(brink, &plane, &some, 6, &parts);
     ck_assert_uint_eq(parts.chain.n, 1);
     ck_assert_double_eq_tol(first_of(&parts, 0), -10, 0.04);
-    chains_free(&from);
-    chains_free(&beyond);
-    chains_free(&strips);
-    chains_free(&parts);
+    slice_chains_free(&from);
+    slice_chains_free(&beyond);
+    slice_chains_free(&strips);
+    slice_chains_free(&parts);
     brink_free(brink);
 }
 END_TEST

@@ -1,10 +1,10 @@
-/* self - see self.h. */
-#include "base/self.h"
+/* program_dir - see program_dir.h. */
+#include "base/program_dir.h"
 
 #include <string.h>
 #include <unistd.h>
 
-void self_folder(char *folder, size_t size)
+void program_dir(char *folder, size_t size)
 {
     ssize_t n = readlink("/proc/self/exe", folder, size - 1); /* Linux; elsewhere it is not there */
     folder[n > 0 ? n : 0] = '\0';
