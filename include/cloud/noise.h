@@ -12,7 +12,7 @@
 
 #include <stdbool.h>
 
-#include "math/buckets.h"
+#include "math/point_grid.h"
 
 struct noise {
     double sigma; /* standard deviation of the points from the surface, along its normal, mm; 0
@@ -22,9 +22,9 @@ struct noise {
                      rough part */
 };
 
-struct noise noise_look(const struct buckets *buckets, int threads);
+struct noise noise_look(const struct point_grid *point_grid, int threads);
 
 /* The standard deviation alone. */
-double noise_of(const struct buckets *buckets, int threads);
+double noise_of(const struct point_grid *point_grid, int threads);
 
 #endif

@@ -7,24 +7,24 @@
 
 #include <stdbool.h>
 
-#include "math/buckets.h"
+#include "math/point_grid.h"
 #include "math/quadric.h"
 
 struct scanfill {
-    const struct buckets *buckets; /* the scan */
-    double radius;                 /* of the ball, mm */
-    double sink;                   /* how deep it may sink between points, mm */
-    double noise;                  /* standard deviation of the points, mm; 0: none */
+    const struct point_grid *point_grid; /* the scan */
+    double radius;                       /* of the ball, mm */
+    double sink;                         /* how deep it may sink between points, mm */
+    double noise;                        /* standard deviation of the points, mm; 0: none */
 };
 
 /* The ball sinks deeper in more than a tenth of the places. */
 bool scanfill_needed(const struct scanfill *fill);
 
 /*
- * Appends points about point i of the buckets, which the surface q has at p, as dense as the ball
- * asks for: those nearer to i than to the other points and with one of them beyond, so that no hole
- * is filled and no border moves.  `spread`: of the points about q, mm; where it is more than noise
- * and the ball's sinking explain, nothing is appended.
+ * Appends points about point i of the point_grid, which the surface q has at p, as dense as the
+ * ball asks for: those nearer to i than to the other points and with one of them beyond, so that no
+ * hole is filled and no border moves.  `spread`: of the points about q, mm; where it is more than
+ * noise and the ball's sinking explain, nothing is appended.
  */
 void scanfill_on(const struct scanfill *fill, size_t i, struct vec3 p, const struct quadric *q,
                  double spread, struct vec3s *to);

@@ -5,7 +5,7 @@
 #ifndef CLOUDMILL_SCANNORMALS_H
 #define CLOUDMILL_SCANNORMALS_H
 
-#include "math/buckets.h"
+#include "math/point_grid.h"
 #include "mesh/mesh.h"
 
 /* How far the vertices stand off their quadrics. */
@@ -31,7 +31,7 @@ struct scannormals {
  *
  * The result does not depend on the number of threads.
  */
-struct scannormals scannormals_quadric(struct mesh *mesh, const struct buckets *buckets,
+struct scannormals scannormals_quadric(struct mesh *mesh, const struct point_grid *point_grid,
                                        int neighbours, int threads);
 
 #endif

@@ -3,7 +3,7 @@
  * keep a ball off it.
  *
  * A ball sinks between points that are far apart, and rides on the crests of the noise of points
- * that are near.  So points spread by noise are brought to the surfaces of surfacefit.h, one for
+ * that are near.  So points spread by noise are brought to the surfaces of surface_fit.h, one for
  * all points in its middle; and where the scan is sparse, points are put between (scanfill.h).
  * Points that noise does not explain (edges, walls, hair) stay as they are.
  */
@@ -11,7 +11,7 @@
 #define CLOUDMILL_SCANSURFACE_H
 
 #include "base/array.h"
-#include "math/buckets.h"
+#include "math/point_grid.h"
 
 struct scansurface_rule {
     double radius; /* of the ball, mm */
@@ -33,7 +33,7 @@ struct scansurface {
 
 /* No point moves by more than six standard deviations.  More than 400,000 points get none between.
  */
-struct scansurface scansurface_make(const struct buckets *buckets,
+struct scansurface scansurface_make(const struct point_grid *point_grid,
                                     const struct scansurface_rule *rule);
 
 #endif

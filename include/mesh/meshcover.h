@@ -10,7 +10,7 @@
 
 /* Appends to `covered` those of n points that a facet is above or below, or has on its border; in
  * an order of their own, the same each time.  `spacing` is about what they are apart, mm.  -1: they
- * cannot be sorted (buckets.h). */
+ * cannot be sorted (point_grid.h). */
 int meshcover(const struct mesh *mesh, const struct vec3 *point, size_t n, double spacing,
               struct vec3s *covered, struct error *error);
 

@@ -9,7 +9,7 @@
 #ifndef CLOUDMILL_ROWMESH_H
 #define CLOUDMILL_ROWMESH_H
 
-#include "math/buckets.h"
+#include "math/point_grid.h"
 #include "meshing/edgezone.h"
 #include "cloud/footprint.h"
 #include "cloud/holes.h"
@@ -38,7 +38,7 @@ struct rowmesh_wish {
  * the creases and walls of the zone are not judged, for these are put into the mesh later: it has
  * there edges no longer than the zone's, and no vertices too near to them.
  */
-struct rowmesh rowmesh_make(const struct buckets *buckets, const struct footprint *footprint,
+struct rowmesh rowmesh_make(const struct point_grid *point_grid, const struct footprint *footprint,
                             const struct holes *holes, const struct rowmesh_wish *wish,
                             struct mesh *mesh);
 

@@ -2,13 +2,13 @@
  * scansmooth - the vertices of a mesh moved from noisy points of the scan onto the surface that the
  * scan stands for, with its normals and curvatures.
  *
- * A vertex goes to its foot on the surface that surfacefit.h has there; along ribs and grooves too
+ * A vertex goes to its foot on the surface that surface_fit.h has there; along ribs and grooves too
  * on meshes of fewer than 71,000 vertices.
  */
 #ifndef CLOUDMILL_SCANSMOOTH_H
 #define CLOUDMILL_SCANSMOOTH_H
 
-#include "math/buckets.h"
+#include "math/point_grid.h"
 #include "mesh/mesh.h"
 
 struct scansmooth {
@@ -26,7 +26,7 @@ struct scansmooth {
  * with; 0: chosen, by a sample of the vertices and then for each.  The mesh gets
  * normals and kmax.  The result does not depend on the number of threads.
  */
-struct scansmooth scansmooth(struct mesh *mesh, const struct buckets *buckets, double sigma,
+struct scansmooth scansmooth(struct mesh *mesh, const struct point_grid *point_grid, double sigma,
                              size_t neighbours, int threads);
 
 #endif

@@ -7,7 +7,7 @@
 
 #include <stdbool.h>
 
-#include "math/buckets.h"
+#include "math/point_grid.h"
 #include "base/error.h"
 #include "mesh/mesh.h"
 #include "math/vec.h"
@@ -33,7 +33,7 @@ enum intake_drop { INTAKE_KEEP, INTAKE_DROP_OUTLIERS, INTAKE_DROP };
 /*
  * Takes out points that are there twice and, as `drop` says, outliers or these and points under a
  * roof, and measures the noise; says what it found.  `spacing` is the mean spacing, mm.  The points
- * are in the order of buckets.h afterwards, whatever it was.  -1: too many of them.
+ * are in the order of point_grid.h afterwards, whatever it was.  -1: too many of them.
  */
 int intake_clean(struct vec3s *points, double spacing, enum intake_drop drop, int threads,
                  struct intake *intake, struct error *error);

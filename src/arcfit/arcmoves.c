@@ -3,7 +3,7 @@
 
 #include <stdlib.h>
 
-#include "math/powersum.h"
+#include "math/pnorm.h"
 
 enum { TRIES = 7 };
 
@@ -27,8 +27,7 @@ enum { N_STAGES = sizeof STAGES / sizeof *STAGES };
 
 struct work {
     struct arcmoves *m;
-    struct powersum
-        sum; /* of the distances in tolerances, and the end's tangent in stage->turned */
+    struct pnorm sum; /* of the distances in tolerances, and the end's tangent in stage->turned */
     double *next, *step;
     struct arcchain kept;
     struct band factor;
@@ -37,7 +36,7 @@ struct work {
 static struct work work_new(struct arcmoves *m)
 {
     size_t inner = m->chain.n - 1, n = (m->start_held ? 0 : 2) + (m->lever != 0 ? 4 : 3) * inner;
-    struct work w = {.m = m, .sum = powersum_new(m->passing.n, m->lever != 0, n)};
+    struct work w = {.m = m, .sum = pnorm_new(m->passing.n, m->lever != 0, n)};
     w.next = mem_alloc(2 * w.sum.pairs, sizeof *w.next);
     w.step = mem_alloc(n, sizeof *w.step);
     w.kept = arcchain_new(m->chain.n);
@@ -47,7 +46,7 @@ static struct work work_new(struct arcmoves *m)
 
 static void work_free(struct work *w)
 {
-    powersum_free(&w->sum);
+    pnorm_free(&w->sum);
     free(w->next);
     free(w->step);
     arcchain_free(&w->kept);
@@ -105,7 +104,7 @@ static void move(struct arcmoves *m, size_t k, double by, size_t *from, size_t *
 static void differ(struct work *w, size_t k)
 {
     struct arcmoves *m = w->m;
-    struct powersum_column *c = &w->sum.column[k];
+    struct pnorm_column *c = &w->sum.column[k];
     size_t from, to;
     move(m, k, MOVED, &from, &to);
     arcchain_turn(&m->chain, from);
@@ -132,7 +131,7 @@ static bool try_step(struct work *w, const struct stage *stage, double scale, do
         move(m, k, w->step[k], &from, &to);
     arcchain_turn(&m->chain, 0);
     measure(m, w->next, held);
-    double then = powersum_cost(&w->sum, w->next, held, stage->half, scale);
+    double then = pnorm_cost(&w->sum, w->next, held, stage->half, scale);
     if (!(then < *now)) {
         arcchain_copy(&m->chain, &w->kept);
         return false;
@@ -153,7 +152,7 @@ static bool step(struct work *w, const struct stage *stage, double scale, double
     measure(w->m, w->sum.off, w->sum.held);
     for (size_t k = 0; k < w->sum.unknowns; k++)
         differ(w, k);
-    powersum_equations(&w->sum, stage->half, scale);
+    pnorm_equations(&w->sum, stage->half, scale);
     bool better = false;
     for (int i = 0; i < TRIES && !better; i++) {
         for (size_t k = 0; k < w->sum.unknowns * w->sum.unknowns; k++)
@@ -202,7 +201,7 @@ double arcmoves_settle(struct arcmoves *m, double enough)
         measure(m, w.sum.off, w.sum.held);
         worst = largest(&w);
         double scale = fmax(worst, 1e-3),
-               now = powersum_cost(&w.sum, w.sum.off, w.sum.held, stage->half, scale);
+               now = pnorm_cost(&w.sum, w.sum.off, w.sum.held, stage->half, scale);
         for (int k = 0; k < steps && w.sum.unknowns > 0 && (worst > enough || kinked(m)); k++) {
             double before = now;
             if (!step(&w, stage, scale, &damping, &now) || before - now < SETTLED * before)

@@ -7,7 +7,7 @@
 #include "base/array.h"
 #include "math/kdtree.h"
 #include "base/parallel.h"
-#include "math/planefit.h"
+#include "math/plane_fit.h"
 
 /* Off a plane, by its length, at a sharp edge. */
 static const double BENT = 0.07;
@@ -16,9 +16,9 @@ struct job {
     const struct vec3 *point;
     const struct kdtree *tree;
     size_t *neighbour;
-    struct vec3 *normal;    /* of the planes below */
-    struct planefit *plane; /* through each point and its neighbours */
-    size_t *best, *better;  /* whose plane each point takes, and takes next */
+    struct vec3 *normal;     /* of the planes below */
+    struct plane_fit *plane; /* through each point and its neighbours */
+    size_t *best, *better;   /* whose plane each point takes, and takes next */
 };
 
 /* A way to a point that has no sign yet, from one that has. */
@@ -74,11 +74,11 @@ static void fit_planes(void *context, size_t from, size_t to)
 
     for (size_t i = from; i < to; i++) {
         struct vec3 near[CLOUD_NEAR + 1] = {job->point[i]};
-        struct planefit *plane = &job->plane[i];
+        struct plane_fit *plane = &job->plane[i];
         for (size_t k = 0; k < CLOUD_NEAR; k++)
             near[k + 1] = job->point[job->neighbour[i * CLOUD_NEAR + k]];
-        if (planefit(near, CLOUD_NEAR + 1, plane) != 0)
-            *plane = (struct planefit){near[0], vec(0, 0, 1), HUGE_VAL, 0, 0};
+        if (plane_fit(near, CLOUD_NEAR + 1, plane) != 0)
+            *plane = (struct plane_fit){near[0], vec(0, 0, 1), HUGE_VAL, 0, 0};
         job->normal[i] = plane->normal;
     }
 }
@@ -86,7 +86,7 @@ static void fit_planes(void *context, size_t from, size_t to)
 /* How badly the plane of point j serves point i. */
 static double badness(const struct job *job, size_t i, size_t j)
 {
-    const struct planefit *plane = &job->plane[j];
+    const struct plane_fit *plane = &job->plane[j];
 
     return hypot(plane->rms, vec_dot(plane->normal, vec_sub(job->point[i], plane->centre)));
 }
@@ -216,7 +216,7 @@ static int by_height(const void *a, const void *b)
 }
 
 /* Steep, or no plane. */
-static bool is_vague(const struct planefit *plane)
+static bool is_vague(const struct plane_fit *plane)
 {
     return fabs(plane->normal.z) < 0.5 || plane->rms > BENT * plane->length;
 }

@@ -4,7 +4,7 @@
 #include <stdbool.h>
 #include <stdlib.h>
 
-#include "math/flank.h"
+#include "math/side_fit.h"
 #include "math/kdtree.h"
 #include "base/parallel.h"
 
@@ -148,16 +148,16 @@ static void continue_surface(void *context, size_t from, size_t to)
 
     for (size_t i = from; i < to; i++) {
         struct vec3 *place = &job->place[i];
-        struct flank f;
+        struct side_fit f;
         size_t n = kdtree_nearest(job->plan->tree, *place, job->near, index, NULL);
         for (size_t k = 0; k < n; k++)
             near[k] = job->point[index[k]];
         struct vec3 origin = vec(place->x, place->y, near[0].z);
-        if (flank_plane(near, n, origin, vec(0, 0, 1), &f) < 0)
+        if (side_fit_plane(near, n, origin, vec(0, 0, 1), &f) < 0)
             place->z = near[0].z;
         else {
-            flank_bend(near, n, &f);
-            *place = flank_point(&f, origin);
+            side_fit_bend(near, n, &f);
+            *place = side_fit_point(&f, origin);
         }
     }
 }

@@ -17,7 +17,7 @@ static const double EVEN = 3;     /* spread of the roughest tenth by that of the
 static const double CELL = 3;     /* width of a cell in mean spacings of the points */
 
 struct job {
-    const struct buckets *buckets;
+    const struct point_grid *point_grid;
     size_t places;
     double *fewer, *twice; /* variance at each place; negative: none */
 };
@@ -37,9 +37,9 @@ struct near {
     struct vec3 point[2 * MOST];
 };
 
-static size_t gather(const struct buckets *b, struct vec3 from, size_t k, struct near *near)
+static size_t gather(const struct point_grid *b, struct vec3 from, size_t k, struct near *near)
 {
-    size_t n = buckets_nearest(b, from, k, near->index, near->distance2);
+    size_t n = point_grid_nearest(b, from, k, near->index, near->distance2);
     for (size_t i = 0; i < n; i++)
         near->point[i] = b->point[near->index[i]];
     return n;
@@ -48,8 +48,8 @@ static size_t gather(const struct buckets *b, struct vec3 from, size_t k, struct
 /* The fewest points about a place that carry a quadric, and twice as many.  They are gathered once
  * more about its foot: those nearest to a point that is off the surface are off to the same side.
  */
-static void measure_at(const struct buckets *b, struct vec3 place, struct near *near, double *fewer,
-                       double *twice)
+static void measure_at(const struct point_grid *b, struct vec3 place, struct near *near,
+                       double *fewer, double *twice)
 {
     for (size_t k = FEWEST; k <= MOST; k *= 2) {
         struct quadric q;
@@ -71,7 +71,7 @@ static void measure_at(const struct buckets *b, struct vec3 place, struct near *
 static void measure(void *context, size_t from, size_t to)
 {
     const struct job *job = context;
-    const struct buckets *b = job->buckets;
+    const struct point_grid *b = job->point_grid;
     struct near near;
     for (size_t i = from; i < to; i++) {
         size_t place = (size_t)(((double)i + 0.5) / (double)job->places * (double)b->n);
@@ -91,10 +91,10 @@ static size_t sort_found(double *value, size_t n)
     return found;
 }
 
-struct noise noise_look(const struct buckets *buckets, int threads)
+struct noise noise_look(const struct point_grid *point_grid, int threads)
 {
-    size_t places = buckets->n < PLACES ? buckets->n : PLACES;
-    struct job job = {buckets, places, mem_alloc(places, sizeof(double)),
+    size_t places = point_grid->n < PLACES ? point_grid->n : PLACES;
+    struct job job = {point_grid, places, mem_alloc(places, sizeof(double)),
                       mem_alloc(places, sizeof(double))};
     struct noise noise = {.sigma = 0};
     parallel_for(threads, places, measure, &job);
@@ -102,7 +102,7 @@ struct noise noise_look(const struct buckets *buckets, int threads)
     if (fewer > 0 && twice > 0) {
         double narrow = job.fewer[fewer / 2], wide = job.twice[twice / 2];
         noise.sigma = sqrt(fmax((GROWTH * narrow - wide) / (GROWTH - 1), 0));
-        noise.alike = noise.sigma < buckets->cell / CELL && wide <= WHITE * WHITE * narrow &&
+        noise.alike = noise.sigma < point_grid->cell / CELL && wide <= WHITE * WHITE * narrow &&
                       job.fewer[9 * fewer / 10] <= EVEN * EVEN * job.fewer[fewer / 10];
     }
     free(job.fewer);
@@ -110,7 +110,7 @@ struct noise noise_look(const struct buckets *buckets, int threads)
     return noise;
 }
 
-double noise_of(const struct buckets *buckets, int threads)
+double noise_of(const struct point_grid *point_grid, int threads)
 {
-    return noise_look(buckets, threads).sigma;
+    return noise_look(point_grid, threads).sigma;
 }

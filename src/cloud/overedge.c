@@ -4,7 +4,7 @@
 #include <stdlib.h>
 
 #include "cloudnormals.h"
-#include "math/flank.h"
+#include "math/side_fit.h"
 #include "math/kdtree.h"
 
 enum { FEWEST = 40, MOST = 400 };
@@ -38,7 +38,7 @@ static bool way_over(const struct overedge *c, size_t i, struct vec3 *way)
 }
 
 /* The surface about a point, on its side of all edges. */
-static bool surface_at(const struct edges *e, size_t i, struct flank *f)
+static bool surface_at(const struct edges *e, size_t i, struct side_fit *f)
 {
     const double alike = 0.9; /* cosine of 26 degrees */
     const struct overedge *c = e->cloud;
@@ -48,9 +48,9 @@ static bool surface_at(const struct edges *e, size_t i, struct flank *f)
     for (size_t k = 0; k < n; k++)
         if (c->in[index[k]] && vec_dot(c->normal[index[k]], c->normal[i]) > alike)
             near[own++] = c->point[index[k]];
-    if (flank_plane(near, own, c->point[i], c->normal[i], f) < 0)
+    if (side_fit_plane(near, own, c->point[i], c->normal[i], f) < 0)
         return false;
-    flank_bend(near, own, f);
+    side_fit_bend(near, own, f);
     return true;
 }
 
@@ -60,13 +60,13 @@ static void go_over(const struct edges *e, size_t i, struct vec3s *place)
     const double clear = 0.95 * e->length;
     const struct overedge *c = e->cloud;
     struct vec3 way;
-    struct flank f;
+    struct side_fit f;
 
     if (!c->in[i] || !way_over(c, i, &way) || !surface_at(e, i, &f))
         return;
     for (double off = e->spacing; off < e->length + e->spacing / 2; off += e->spacing) {
-        struct vec3 at = flank_point(&f, vec_along(c->point[i], off, way));
-        struct vec3 centre = vec_along(at, e->length, flank_normal(&f, at));
+        struct vec3 at = side_fit_point(&f, vec_along(c->point[i], off, way));
+        struct vec3 centre = vec_along(at, e->length, side_fit_normal(&f, at));
         size_t nearest;
         double distance2 = HUGE_VAL;
         kdtree_nearest(e->tree, centre, 1, &nearest, &distance2);

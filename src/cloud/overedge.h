@@ -20,8 +20,8 @@ struct overedge {
 /*
  * Appends points, about `spacing` mm apart and no further than `length` mm off the part, beside its
  * points at convex edges: where neighbours outside of it stand off by more than 40 degrees.  They
- * lie square to the edge on a quadric, or plane (flank.h), through points nearby with like normals.
- * There is none where other points keep a ball of radius `length` from touching there.
+ * lie square to the edge on a quadric, or plane (side_fit.h), through points nearby with like
+ * normals. There is none where other points keep a ball of radius `length` from touching there.
  */
 void overedge_find(const struct overedge *cloud, double spacing, double length,
                    struct vec3s *beyond);

@@ -17,9 +17,9 @@ struct near {
 };
 
 /* Of point i; of several in one place, this one first. */
-static void find_near(const struct buckets *b, size_t i, size_t k, struct near *near)
+static void find_near(const struct point_grid *b, size_t i, size_t k, struct near *near)
 {
-    near->n = buckets_nearest(b, b->point[i], k, near->index, near->distance2);
+    near->n = point_grid_nearest(b, b->point[i], k, near->index, near->distance2);
     for (size_t j = 0; j < near->n; j++)
         near->point[j] = b->point[near->index[j]];
     near->point[0] = b->point[i];
@@ -33,7 +33,7 @@ static double gap_of(const struct scanfill *fill)
 
 bool scanfill_needed(const struct scanfill *fill)
 {
-    const struct buckets *b = fill->buckets;
+    const struct point_grid *b = fill->point_grid;
     size_t sample = b->n < SAMPLE ? b->n : SAMPLE, wide = 0, seen = 0;
 
     for (size_t i = 0; i < sample; i++) {
@@ -101,7 +101,7 @@ void scanfill_on(const struct scanfill *fill, size_t i, struct vec3 p, const str
 {
     struct near near;
 
-    find_near(fill->buckets, i, NEAR, &near);
+    find_near(fill->point_grid, i, NEAR, &near);
     if (is_worth_it(fill, &near, spread))
         put(fill, &near, p, q, to);
 }
@@ -130,7 +130,7 @@ double scanfill_about(const struct scanfill *fill, size_t i, struct vec3s *to)
     struct near near;
     struct quadric q, cubic;
 
-    find_near(fill->buckets, i, NEAR, &near);
+    find_near(fill->point_grid, i, NEAR, &near);
     double spread = fit_quadric(&near, &q);
     if (spread < HUGE_VAL && near.n >= FEW &&
         cubic_fit(near.point, NULL, FEW, near.point[0], quadric_normal(&q), &cubic) == 0) {

@@ -10,7 +10,7 @@ enum { MOST_TIMES = 32, QUADRIC = 6, CUBIC = 10 /* terms */ };
 
 struct job {
     struct mesh *mesh;
-    const struct buckets *buckets;
+    const struct point_grid *point_grid;
     size_t neighbours;
     double *distance; /* of each vertex from its quadric; negative: it has none */
 };
@@ -57,9 +57,9 @@ static int fit_at(const struct job *job, struct vec3 vertex, struct vec3 guess,
                   const struct hood *near, struct quadric *q)
 {
     for (size_t k = job->neighbours; k <= MOST_TIMES * job->neighbours; k *= 2) {
-        size_t n = buckets_nearest(job->buckets, vertex, k, near->index, near->distance2);
+        size_t n = point_grid_nearest(job->point_grid, vertex, k, near->index, near->distance2);
         for (size_t i = 0; i < n; i++)
-            near->point[i] = job->buckets->point[near->index[i]];
+            near->point[i] = job->point_grid->point[near->index[i]];
         if (quadric_fit_steep(near->point, n, vertex, guess, q) == 0) {
             if (k == job->neighbours) {
                 fit_half(near->point, n, vertex, q);
@@ -129,11 +129,12 @@ static struct scannormals sum_up(double *distance, size_t n)
     return s;
 }
 
-struct scannormals scannormals_quadric(struct mesh *mesh, const struct buckets *buckets,
+struct scannormals scannormals_quadric(struct mesh *mesh, const struct point_grid *point_grid,
                                        int neighbours, int threads)
 {
     size_t vertices = mesh->vertex.n;
-    struct job job = {mesh, buckets, (size_t)neighbours, mem_alloc(vertices, sizeof *job.distance)};
+    struct job job = {mesh, point_grid, (size_t)neighbours,
+                      mem_alloc(vertices, sizeof *job.distance)};
     mesh_normals_facet(mesh);
     array_reserve(&mesh->kmax, vertices);
     mesh->kmax.n = vertices;

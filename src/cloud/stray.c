@@ -16,12 +16,12 @@ static const double SIGMA_OF_MEDIAN = 1.4826; /* of what is normally distributed
 static const double TUKEY = 4.685;            /* in standard deviations */
 
 struct job {
-    const struct buckets *buckets;
+    const struct point_grid *point_grid;
     double sigma, spacing;
     unsigned char *out;
 };
 
-size_t stray_twice(const struct buckets *b, unsigned char *out)
+size_t stray_twice(const struct point_grid *b, unsigned char *out)
 {
     size_t found = 0;
     for (size_t i = 1; i < b->n; i++) {
@@ -66,17 +66,17 @@ static double refit(const struct vec3 *point, size_t n, double sigma, struct qua
 }
 
 /* Distance to the eighth nearest neighbour of a point of the cloud. */
-static double reach_of(const struct buckets *b, struct vec3 p)
+static double reach_of(const struct point_grid *b, struct vec3 p)
 {
     uint32_t index[CLUMP + 1];
     double distance2[CLUMP + 1];
-    size_t n = buckets_nearest(b, p, CLUMP + 1, index, distance2);
+    size_t n = point_grid_nearest(b, p, CLUMP + 1, index, distance2);
     return sqrt(distance2[n - 1]);
 }
 
 /* Beside a dense surface a sparse one is no clump: more of the neighbours than make one are as far
  * from theirs. */
-static bool is_sparse_surface(const struct buckets *b, const uint32_t *near, double reach)
+static bool is_sparse_surface(const struct point_grid *b, const uint32_t *near, double reach)
 {
     int wider = 0;
     for (int i = 0; wider <= CLUMP && i < NEAR; i++)
@@ -89,7 +89,7 @@ static bool is_sparse_surface(const struct buckets *b, const uint32_t *near, dou
 static bool stands_alone(const struct job *job, const uint32_t *near, const double *distance2)
 {
     const double much = 3, apart = 1.5, far = 12;
-    const struct buckets *b = job->buckets;
+    const struct point_grid *b = job->point_grid;
     double reach = sqrt(distance2[CLUMP]);
     if (reach > far * job->spacing)
         return true;
@@ -108,12 +108,12 @@ static bool stands_alone(const struct job *job, const uint32_t *near, const doub
 static bool is_outlier(const struct job *job, size_t i)
 {
     const double sigmas = 6, spreads = 8, spacings = 0.1;
-    const struct buckets *b = job->buckets;
+    const struct point_grid *b = job->point_grid;
     uint32_t index[NEAR + 1], near[NEAR];
     double distance2[NEAR + 1], off[NEAR];
     struct vec3 point[NEAR];
     struct quadric q;
-    if (buckets_nearest(b, b->point[i], NEAR + 1, index, distance2) < NEAR + 1)
+    if (point_grid_nearest(b, b->point[i], NEAR + 1, index, distance2) < NEAR + 1)
         return false;
     for (size_t k = 0, n = 0; k <= NEAR && n < NEAR; k++)
         if (index[k] != i) {
@@ -135,7 +135,7 @@ static bool is_outlier(const struct job *job, size_t i)
 
 /* The points of a cell and every third of the eight around it, its own first; of very many only
  * some.  Returns how many; *own: how many of the cell. */
-static size_t gather(const struct buckets *b, size_t row, size_t column, struct vec3 *point,
+static size_t gather(const struct point_grid *b, size_t row, size_t column, struct vec3 *point,
                      size_t *own)
 {
     size_t n = 0;
@@ -162,7 +162,7 @@ static bool fit_block(const struct job *job, size_t row, size_t column, double l
 {
     struct vec3 point[MOST_BLOCK];
     double off[MOST_BLOCK], most = 0;
-    size_t own = 0, n = gather(job->buckets, row, column, point, &own);
+    size_t own = 0, n = gather(job->point_grid, row, column, point, &own);
     if (quadric_fit(point, n, point[0], vec(0, 0, 1), q) < 0)
         return false;
     for (size_t i = 0; i < own; i++)
@@ -172,7 +172,7 @@ static bool fit_block(const struct job *job, size_t row, size_t column, double l
 
 /* Another point of the cell is no farther from point i than the cell is wide.  The surface of a few
  * points may be so bent that it takes in one high above them. */
-static bool has_company(const struct buckets *b, size_t cell, size_t i)
+static bool has_company(const struct point_grid *b, size_t cell, size_t i)
 {
     for (size_t k = b->first[cell]; k < b->first[cell + 1]; k++) {
         struct vec3 d = vec_sub(b->point[k], b->point[i]);
@@ -185,7 +185,7 @@ static bool has_company(const struct buckets *b, size_t cell, size_t i)
 static void look_at_cells(void *context, size_t from, size_t to)
 {
     const struct job *job = context;
-    const struct buckets *b = job->buckets;
+    const struct point_grid *b = job->point_grid;
     const double sigmas = 5, spacings = 0.08;
     const double least = fmax(sigmas * job->sigma, spacings * job->spacing);
     for (size_t cell = from; cell < to; cell++) {
@@ -207,7 +207,7 @@ static size_t count(const unsigned char *out, size_t n)
     return found;
 }
 
-static size_t mark(const struct buckets *b, double sigma, int threads,
+static size_t mark(const struct point_grid *b, double sigma, int threads,
                    void (*work)(void *, size_t, size_t), unsigned char *out)
 {
     const double spacings_a_cell = 3;
@@ -217,14 +217,15 @@ static size_t mark(const struct buckets *b, double sigma, int threads,
     return count(out, b->n) - before;
 }
 
-size_t stray_outliers(const struct buckets *b, double sigma, int threads, unsigned char *out)
+size_t stray_outliers(const struct point_grid *b, double sigma, int threads, unsigned char *out)
 {
     return mark(b, sigma, threads, look_at_cells, out);
 }
 
 /* Marks the eighths of the turn in which a point of the cell stands steeply above p.  All eight, so
  * that the bottom of a wall or in a corner of a pocket is not under anything. */
-static unsigned eighths_above(const struct buckets *b, size_t cell, struct vec3 p, double nearest)
+static unsigned eighths_above(const struct point_grid *b, size_t cell, struct vec3 p,
+                              double nearest)
 {
     const double steep = 4;
     unsigned above = 0;
@@ -240,7 +241,7 @@ static unsigned eighths_above(const struct buckets *b, size_t cell, struct vec3 
 static void look_under(void *context, size_t from, size_t to)
 {
     const struct job *job = context;
-    const struct buckets *b = job->buckets;
+    const struct point_grid *b = job->point_grid;
     for (size_t cell = from; cell < to; cell++) {
         size_t row = cell / b->columns, column = cell % b->columns;
         double top = -INFINITY;
@@ -262,7 +263,7 @@ static void look_under(void *context, size_t from, size_t to)
     }
 }
 
-size_t stray_under(const struct buckets *b, int threads, unsigned char *out)
+size_t stray_under(const struct point_grid *b, int threads, unsigned char *out)
 {
     return mark(b, 0, threads, look_under, out);
 }

@@ -7,7 +7,7 @@
 
 #include "math/kdtree.h"
 #include "base/parallel.h"
-#include "math/planefit.h"
+#include "math/plane_fit.h"
 
 enum { NEAR = 16, WIDER = 48, FEWEST = 5 };
 
@@ -30,7 +30,7 @@ struct looked {
     const struct vec3 *point;
     double spacing;
     bool *steep, *wall;
-    struct planefit *plane; /* through the neighbourhood of each */
+    struct plane_fit *plane; /* through the neighbourhood of each */
 };
 
 static size_t cell_of(const struct raster *r, struct vec3 p)
@@ -98,9 +98,9 @@ static size_t mark_rises(struct raster *r)
 }
 
 /* z of the normal of the plane through the points, 1 where they carry none. */
-static double plane_z(const struct vec3 *near, size_t n, struct planefit *plane)
+static double plane_z(const struct vec3 *near, size_t n, struct plane_fit *plane)
 {
-    if (planefit(near, n, plane) < 0)
+    if (plane_fit(near, n, plane) < 0)
         plane->normal = vec(0, 0, 1);
     return plane->normal.z;
 }
@@ -112,7 +112,7 @@ static void look(void *context, size_t from, size_t to)
     for (size_t i = from; i < to; i++) {
         size_t index[NEAR];
         struct vec3 near[NEAR];
-        struct planefit *plane = &l->plane[i];
+        struct plane_fit *plane = &l->plane[i];
         size_t n = kdtree_nearest(l->tree, l->point[i], NEAR, index, NULL);
         for (size_t k = 0; k < n; k++)
             near[k] = l->point[index[k]];
@@ -123,7 +123,7 @@ static void look(void *context, size_t from, size_t to)
     }
 }
 
-static bool is_on(const struct looked *l, const struct planefit *plane, struct vec3 p)
+static bool is_on(const struct looked *l, const struct plane_fit *plane, struct vec3 p)
 {
     double off = fabs(vec_dot(vec_sub(p, plane->centre), plane->normal));
 
@@ -140,19 +140,19 @@ static void grow(void *context, size_t from, size_t to)
     for (size_t i = from; i < to; i++) {
         size_t index[WIDER], walls = 0, on = 0;
         struct vec3 near[NEAR];
-        struct planefit plane;
+        struct plane_fit plane;
         l->wall[i] = l->steep[i];
         size_t n = l->wall[i] ? 0 : kdtree_nearest(l->tree, l->point[i], WIDER, index, NULL);
         for (size_t k = 0; k < n; k++) {
-            const struct planefit *other = &l->plane[index[k]];
+            const struct plane_fit *other = &l->plane[index[k]];
             if (!l->steep[index[k]])
                 continue;
             if (k < NEAR)
                 near[walls++] = l->point[index[k]];
             on += other->rms < other->width / 4 && is_on(l, other, l->point[i]);
         }
-        if (walls >= FEWEST && planefit(near, walls, &plane) == 0 && fabs(plane.normal.z) < STEEP &&
-            plane.rms < plane.width / 2)
+        if (walls >= FEWEST && plane_fit(near, walls, &plane) == 0 &&
+            fabs(plane.normal.z) < STEEP && plane.rms < plane.width / 2)
             l->wall[i] = is_on(l, &plane, l->point[i]);
         l->wall[i] = l->wall[i] || on >= FEWEST;
     }
@@ -195,7 +195,7 @@ size_t wallpoints_part(struct vec3 *point, size_t n, double spacing, int threads
                                 spacing,
                                 mem_alloc(close.n, sizeof(bool)),
                                 mem_alloc(close.n, sizeof(bool)),
-                                mem_alloc(close.n, sizeof(struct planefit))};
+                                mem_alloc(close.n, sizeof(struct plane_fit))};
         parallel_for(threads, close.n, look, &looked);
         parallel_for(threads, close.n, grow, &looked);
         flat = part(point, n, &raster, looked.wall);

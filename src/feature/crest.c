@@ -3,8 +3,8 @@
 
 #include <stdbool.h>
 
-#include "math/planefit.h"
-#include "math/ribway.h"
+#include "math/plane_fit.h"
+#include "math/ridge_direction.h"
 
 enum { STEPS = 48, FEW = 12, SOME = 24, MANY = 48, WIDEST = FEATURE_MOST, TRIES = 5 };
 
@@ -47,14 +47,14 @@ static bool find_up(struct profile *p)
 {
     size_t index[WIDEST];
     struct vec3 near[WIDEST];
-    struct planefit plane;
+    struct plane_fit plane;
     double reach = 2 * vec_distance(p->a, p->b) / p->cloud->spacing;
     size_t k = (size_t)fmin(fmax(PI * reach * reach, 60), WIDEST);
 
     k = kdtree_nearest(p->cloud->tree, vec_mix(p->a, p->b, 0.5), k, index, NULL);
     for (size_t i = 0; i < k; i++)
         near[i] = p->cloud->point[index[i]];
-    if (planefit(near, k, &plane) < 0)
+    if (plane_fit(near, k, &plane) < 0)
         return false;
     p->up = plane.normal.z < 0 ? vec_scale(-1, plane.normal) : plane.normal;
     p->length = vec_length(vec_reject(vec_sub(p->b, p->a), p->up));
@@ -134,11 +134,11 @@ static struct vec3 straight_way(const struct quadric *q, bool *rib, double *acro
 /* The surface along the rib at a place that is near to it; false: there is no rib. */
 static bool fit_along(const struct profile *p, struct vec3 at, struct quadric *q)
 {
-    size_t index[RIBWAY_LONGER * MANY], some = enough(p->cloud, SOME);
-    struct vec3 near[RIBWAY_LONGER * MANY];
+    size_t index[RIDGE_DIRECTION_LONGER * MANY], some = enough(p->cloud, SOME);
+    struct vec3 near[RIDGE_DIRECTION_LONGER * MANY];
     double across;
     bool rib;
-    size_t k = kdtree_nearest(p->cloud->tree, at, RIBWAY_LONGER * some, index, NULL);
+    size_t k = kdtree_nearest(p->cloud->tree, at, RIDGE_DIRECTION_LONGER * some, index, NULL);
 
     for (size_t i = 0; i < k; i++)
         near[i] = p->cloud->point[index[i]];
@@ -148,8 +148,8 @@ static bool fit_along(const struct profile *p, struct vec3 at, struct quadric *q
     if (fabs(across) * p->length < BENT || quadric_normal(q).z < FACING)
         return false;
     if (rib) {
-        struct ribway best;
-        if (!ribway_find(near, k, at, p->up, way, some, &best))
+        struct ridge_direction best;
+        if (!ridge_direction_find(near, k, at, p->up, way, some, &best))
             return false;
         *q = best.q;
         return quadric_normal(q).z > FACING &&

@@ -4,7 +4,7 @@
  * A rounded rib is no crease, but where it is narrow against the edges of a mesh these cut off its
  * top.  The surface over the edge is followed in steps of half the spacing of the points; its
  * highest or lowest place against the plane of the neighbourhood is the crest, and it is looked at
- * again with a neighbourhood that is long the way the rib runs (longhood.h).
+ * again with a neighbourhood that is long the way the rib runs (neighbourhood_along.h).
  */
 #ifndef CLOUDMILL_CREST_H
 #define CLOUDMILL_CREST_H

@@ -6,7 +6,7 @@
 #include "base/array.h"
 #include "feature.h"
 #include "featuresharp.h"
-#include "math/flank.h"
+#include "math/side_fit.h"
 
 enum { MOST = FEATURE_MOST, TURNS = 20, ROUNDS = 4, FEWEST = 8, HALVINGS = 40 };
 
@@ -23,7 +23,7 @@ struct parted {
     struct vec3 of[2][MOST];  /* the points, by sheet */
     size_t n, count[2];
     struct vec3 origin, w;
-    struct flank sheet[2];
+    struct side_fit sheet[2];
 };
 
 static void take(struct parted *p, int side, struct vec3 point)
@@ -34,14 +34,14 @@ static void take(struct parted *p, int side, struct vec3 point)
 /* How far sheet 0 is above sheet 1. */
 static double step_at(const struct parted *p, struct vec3 at)
 {
-    return flank_height(&p->sheet[0], at) - flank_height(&p->sheet[1], at);
+    return side_fit_height(&p->sheet[0], at) - side_fit_height(&p->sheet[1], at);
 }
 
 /* Planes through the points as they are parted; false when one has too few. */
 static bool fit_planes(struct parted *p)
 {
     for (unsigned char s = 0; s < 2; s++)
-        if (p->count[s] < FEWEST || flank_plane_of(p->local, p->side, s, p->n, &p->sheet[s]) < 0)
+        if (p->count[s] < FEWEST || side_fit_plane_of(p->local, p->side, s, p->n, &p->sheet[s]) < 0)
             return false;
     return true;
 }
@@ -71,8 +71,8 @@ static bool settle(struct parted *p, struct vec3 a)
     bool moves = true;
 
     for (int s = 0; s < 2; s++)
-        p->sheet[s].q = flank_frame(p->origin, p->w);
-    flank_local(&p->sheet[0].q, p->point, p->n, p->local);
+        p->sheet[s].q = side_fit_frame(p->origin, p->w);
+    side_fit_local(&p->sheet[0].q, p->point, p->n, p->local);
     for (int i = 0; i < TURNS && moves; i++) {
         if (!fit_planes(p))
             return false;
@@ -83,7 +83,7 @@ static bool settle(struct parted *p, struct vec3 a)
         take(p, p->side[i], p->point[i]);
     for (int s = 0; s < 2; s++)
         if (p->count[s] < FEWEST ||
-            flank_plane(p->of[s], p->count[s], p->origin, p->w, &p->sheet[s]) < 0)
+            side_fit_plane(p->of[s], p->count[s], p->origin, p->w, &p->sheet[s]) < 0)
             return false;
     return true;
 }
@@ -103,7 +103,7 @@ static bool crossing(const struct parted *p, struct vec3 a, struct vec3 b, struc
         else
             high = s;
     }
-    *at = flank_point(&p->sheet[0], vec_mix(a, b, low));
+    *at = side_fit_point(&p->sheet[0], vec_mix(a, b, low));
     return true;
 }
 
@@ -170,9 +170,9 @@ static struct feature told(const struct parted *p, struct vec3 at, struct vec3 a
     struct feature f = {.kind = FEATURE_CREASE, .place = {at, at}};
 
     for (int s = 0; s < 2; s++) {
-        f.normal[s] = flank_normal(&p->sheet[s], at);
-        f.end[s] = flank_normal(&p->sheet[s], s == 0 ? a : b);
-        f.foot[s] = flank_point(&p->sheet[s], s == 0 ? a : b);
+        f.normal[s] = side_fit_normal(&p->sheet[s], at);
+        f.end[s] = side_fit_normal(&p->sheet[s], s == 0 ? a : b);
+        f.foot[s] = side_fit_point(&p->sheet[s], s == 0 ? a : b);
     }
     f.known = vec_distance(p->point[p->n - 1], at);
     f.along = vec_unit(vec_cross(f.normal[0], f.normal[1]));
@@ -198,11 +198,11 @@ static bool find_crease(const struct feature_cloud *cloud, struct vec3 a, struct
         crossed = crossing(p, a, b, at);
         if (crossed && again)
             break;
-        p->w = vec_unit(
-            vec_add(flank_normal(&p->sheet[0], p->origin), flank_normal(&p->sheet[1], p->origin)));
+        p->w = vec_unit(vec_add(side_fit_normal(&p->sheet[0], p->origin),
+                                side_fit_normal(&p->sheet[1], p->origin)));
     }
     for (int s = 0; s < 2; s++)
-        flank_bend(p->of[s], p->count[s], &p->sheet[s]);
+        side_fit_bend(p->of[s], p->count[s], &p->sheet[s]);
     return crossed && crossing(p, a, b, at);
 }
 
@@ -223,8 +223,8 @@ static bool from_normals(struct parted *p, struct vec3 a, struct vec3 b, struct 
 
     if (vec_dot(na, nb) >= FLAT || vec_dot(na, p->w) < least || vec_dot(nb, p->w) < least)
         return false;
-    p->sheet[0] = flank_through(a, na, p->origin, p->w);
-    p->sheet[1] = flank_through(b, nb, p->origin, p->w);
+    p->sheet[0] = side_fit_through(a, na, p->origin, p->w);
+    p->sheet[1] = side_fit_through(b, nb, p->origin, p->w);
     return crossing(p, a, b, at);
 }
 

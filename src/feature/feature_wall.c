@@ -5,9 +5,9 @@
 
 #include "base/array.h"
 #include "feature.h"
-#include "math/planefit.h"
-#include "math/flank.h"
-#include "math/longhood.h"
+#include "math/plane_fit.h"
+#include "math/side_fit.h"
+#include "math/neighbourhood_along.h"
 
 enum { NEAR = 24, FEWEST = 6, TRIMS = 10, TALL = 4, SEEDS = 8, WAYS = 24 };
 
@@ -21,25 +21,25 @@ static const struct vec3 UP = {0, 0, 1};
 /* Points of one end, and the sheet through them. */
 struct level {
     struct vec3s point;
-    struct flank sheet;
+    struct side_fit sheet;
 };
 
 /* Leaves out what is more than two and a half times the rms off the sheet: the last points of a
  * wall. */
 static bool fit_trimmed(struct level *l, struct vec3 origin)
 {
-    if (flank_plane(l->point.item, l->point.n, origin, UP, &l->sheet) < 0)
+    if (side_fit_plane(l->point.item, l->point.n, origin, UP, &l->sheet) < 0)
         return false;
     for (int i = 0; i < TRIMS; i++) {
         double most = 2.5 * l->sheet.rms + 1e-6;
         size_t kept = 0;
         for (size_t k = 0; k < l->point.n; k++)
-            if (fabs(flank_above(&l->sheet, l->point.item[k])) <= most)
+            if (fabs(side_fit_above(&l->sheet, l->point.item[k])) <= most)
                 l->point.item[kept++] = l->point.item[k];
         if (kept == l->point.n)
             break;
         l->point.n = kept;
-        if (flank_plane(l->point.item, kept, origin, UP, &l->sheet) < 0)
+        if (side_fit_plane(l->point.item, kept, origin, UP, &l->sheet) < 0)
             return false;
     }
     return true;
@@ -75,20 +75,20 @@ static size_t near_wall(const struct feature_cloud *cloud, const struct level le
     size_t index[FEATURE_MOST], n = 0;
     size_t all = TALL * most < FEATURE_MOST ? TALL * most : FEATURE_MOST;
     struct vec3 found[FEATURE_MOST];
-    double step = flank_height(&level[0].sheet, at) - flank_height(&level[1].sheet, at);
+    double step = side_fit_height(&level[0].sheet, at) - side_fit_height(&level[1].sheet, at);
 
     all = cloud->walls ? kdtree_nearest(cloud->walls, at, all, index, NULL) : 0;
     for (size_t i = 0; i < all; i++) {
         struct vec3 p = cloud->wall[index[i]];
-        double part = -flank_above(&level[0].sheet, p) / step; /* of the way down from level 0 */
+        double part = -side_fit_above(&level[0].sheet, p) / step; /* of the way down from level 0 */
         if (part > 0.02 && part < 0.98 && hypot(p.x - at.x, p.y - at.y) < 6 * cloud->spacing)
             found[n++] = p;
     }
-    return n > 0 ? longhood_take(found, n, at, UP, TALL, most, near) : 0;
+    return n > 0 ? neighbourhood_along_take(found, n, at, UP, TALL, most, near) : 0;
 }
 
 /* Keeps the points within `most` of the plane, or those that are not, in their order. */
-static size_t keep(struct vec3 *near, size_t n, const struct planefit *plane, double most,
+static size_t keep(struct vec3 *near, size_t n, const struct plane_fit *plane, double most,
                    bool within)
 {
     size_t kept = 0;
@@ -102,7 +102,7 @@ static size_t keep(struct vec3 *near, size_t n, const struct planefit *plane, do
 }
 
 /* The upright plane through one of the points that most of them are on, within `most`. */
-static void look_round(const struct vec3 *near, size_t n, double most, struct planefit *plane)
+static void look_round(const struct vec3 *near, size_t n, double most, struct plane_fit *plane)
 {
     size_t best = 0, step = n / SEEDS + 1;
 
@@ -115,14 +115,14 @@ static void look_round(const struct vec3 *near, size_t n, double most, struct pl
             if (on <= best)
                 continue;
             best = on;
-            *plane = (struct planefit){.centre = near[i], .normal = normal, .rms = most};
+            *plane = (struct plane_fit){.centre = near[i], .normal = normal, .rms = most};
         }
     }
 }
 
 /* The plane through most of n points, without those of a wall that meets this one at a corner: it
  * leaves less than `most`. */
-static bool fit_plane(const struct vec3 *near, size_t n, double most, struct planefit *plane)
+static bool fit_plane(const struct vec3 *near, size_t n, double most, struct plane_fit *plane)
 {
     const double least = 0.01; /* points may lie on a plane to the last digit */
     struct vec3 some[FEATURE_MOST];
@@ -130,13 +130,13 @@ static bool fit_plane(const struct vec3 *near, size_t n, double most, struct pla
 
     if (n < FEWEST)
         return false;
-    if (planefit(near, n, plane) < 0 || !(plane->rms < most))
+    if (plane_fit(near, n, plane) < 0 || !(plane->rms < most))
         look_round(near, n, 2 * most, plane);
     for (int i = 0; i < TRIMS; i++) {
         memcpy(some, near, n * sizeof *near);
         double far = fmax(2.5 * fmin(plane->rms, most), least * most);
         size_t kept = keep(some, n, plane, far, true);
-        if (kept < FEWEST || planefit(some, kept, plane) < 0)
+        if (kept < FEWEST || plane_fit(some, kept, plane) < 0)
             return false;
         if (kept == left)
             break;
@@ -149,7 +149,7 @@ static bool fit_plane(const struct vec3 *near, size_t n, double most, struct pla
  * there are too few points of it, or it is no wall.  Where there is noise, as wide a neighbourhood
  * as is a plane but for that. */
 static bool plane_of_wall(const struct feature_cloud *cloud, const struct level level[2],
-                          struct vec3 at, const struct planefit *but, struct planefit *plane)
+                          struct vec3 at, const struct plane_fit *but, struct plane_fit *plane)
 {
     struct vec3 near[FEATURE_MOST];
     bool noisy = cloud->noise > 0.01 * cloud->spacing;
@@ -169,30 +169,30 @@ static bool plane_of_wall(const struct feature_cloud *cloud, const struct level 
 
 /* The sheet of level s where the way from a to b comes to the wall, up to `over` beyond its ends.
  */
-static bool meet(const struct level *level, const struct planefit *plane, struct vec3 a,
+static bool meet(const struct level *level, const struct plane_fit *plane, struct vec3 a,
                  struct vec3 b, struct vec3 *at)
 {
     const double over = 0.25;
-    struct vec3 p = flank_point(&level->sheet, a), q = flank_point(&level->sheet, b);
+    struct vec3 p = side_fit_point(&level->sheet, a), q = side_fit_point(&level->sheet, b);
     double from = vec_dot(vec_sub(p, plane->centre), plane->normal);
     double to = vec_dot(vec_sub(q, plane->centre), plane->normal);
 
     if (!(fabs(to - from) > 0))
         return false;
     double s = from / (from - to);
-    *at = flank_point(&level->sheet, vec_mix(a, b, s));
+    *at = side_fit_point(&level->sheet, vec_mix(a, b, s));
     return s > -over && s < 1 + over;
 }
 
 /* One wall between a and b, as in plane_of_wall. */
 static bool one_wall(const struct feature_cloud *cloud, const struct level level[2], struct vec3 a,
-                     struct vec3 b, const struct planefit *but, struct feature *f,
-                     struct planefit *plane)
+                     struct vec3 b, const struct plane_fit *but, struct feature *f,
+                     struct plane_fit *plane)
 {
     struct vec3 at = vec_mix(a, b, 0.5);
 
     for (int i = 0; i < 2; i++) {
-        struct planefit found;
+        struct plane_fit found;
         if (!plane_of_wall(cloud, level, at, but, &found))
             return i > 0;
         *plane = found;
@@ -207,7 +207,7 @@ static bool one_wall(const struct feature_cloud *cloud, const struct level level
 
 /* How far the points of a wall are from where it was found, seen from above. */
 static double unsupported(const struct feature_cloud *cloud, const struct level level[2],
-                          const struct feature *f, const struct planefit *plane)
+                          const struct feature *f, const struct plane_fit *plane)
 {
     struct vec3 near[2 * NEAR], at = vec_mix(f->place[0], f->place[1], 0.5);
     double least = INFINITY;
@@ -222,7 +222,7 @@ static double unsupported(const struct feature_cloud *cloud, const struct level 
 /* Is the material within both walls, not within either: are the points of the one behind the
  * other?  `out`: out of that other one. */
 static bool juts_out(const struct feature_cloud *cloud, const struct level level[2], struct vec3 at,
-                     const struct planefit *one, const struct planefit *other, struct vec3 out)
+                     const struct plane_fit *one, const struct plane_fit *other, struct vec3 out)
 {
     struct vec3 near[4 * NEAR], sum = {0, 0, 0};
     size_t n = near_wall(cloud, level, at, 4 * NEAR, near);
@@ -241,7 +241,7 @@ static bool find_wall(const struct feature_cloud *cloud, const struct level leve
     const double near = 1, far = 1.5; /* mean spacings */
     const double same = 0.94;         /* cosine between two walls */
     struct feature other = *f;
-    struct planefit plane, second;
+    struct plane_fit plane, second;
     bool found = one_wall(cloud, level, a, b, NULL, f, &plane);
     double off = found ? unsupported(cloud, level, f, &plane) : INFINITY;
 
@@ -291,9 +291,9 @@ struct feature feature_wall(const struct feature_cloud *cloud, struct vec3 a, st
         f.known = reach;
         f.along = vec_unit(vec_cross(UP, f.wall));
         for (int s = 0; s < 2; s++) {
-            f.normal[s] = flank_normal(&level[s].sheet, f.place[s]);
-            f.end[s] = flank_normal(&level[s].sheet, s == 0 ? a : b);
-            f.foot[s] = flank_point(&level[s].sheet, s == 0 ? a : b);
+            f.normal[s] = side_fit_normal(&level[s].sheet, f.place[s]);
+            f.end[s] = side_fit_normal(&level[s].sheet, s == 0 ? a : b);
+            f.foot[s] = side_fit_point(&level[s].sheet, s == 0 ? a : b);
         }
     }
     array_free(&level[0].point);

@@ -1,8 +1,8 @@
 /* featuresharp - see featuresharp.h. */
 #include "featuresharp.h"
 
-#include "math/longhood.h"
-#include "math/ribway.h"
+#include "math/neighbourhood_along.h"
+#include "math/ridge_direction.h"
 
 enum { CLOSE = 24, STRIP = 48 };
 
@@ -12,7 +12,7 @@ static const double ROUND = 0.05;
 
 /* Two sheets in one frame. */
 struct pair {
-    const struct flank *sheet;
+    const struct side_fit *sheet;
     struct vec3 up;
 };
 
@@ -23,7 +23,8 @@ static void off_sheets(const struct pair *p, const struct vec3 *near, size_t n, 
     double sum = 0, sum2 = 0;
 
     for (size_t i = 0; i < n; i++) {
-        double above[2] = {flank_above(&p->sheet[0], near[i]), flank_above(&p->sheet[1], near[i])};
+        double above[2] = {side_fit_above(&p->sheet[0], near[i]),
+                           side_fit_above(&p->sheet[1], near[i])};
         double off = fabs(above[0]) < fabs(above[1]) ? above[0] : above[1];
         sum += off;
         sum2 += off * off;
@@ -58,25 +59,27 @@ static bool is_rib(const struct pair *p, const struct feature_cloud *cloud, cons
                    size_t n, size_t some, struct vec3 at, struct vec3 along)
 {
     struct vec3 found[STRIP];
-    struct ribway rib;
+    struct ridge_direction rib;
 
-    if (!ribway_find(near, n, at, p->up, along, some, &rib))
+    if (!ridge_direction_find(near, n, at, p->up, along, some, &rib))
         return false;
-    size_t all = longhood_take(near, n, at, rib.way, RIBWAY_LONGER, some, found);
+    size_t all =
+        neighbourhood_along_take(near, n, at, rib.way, RIDGE_DIRECTION_LONGER, some, found);
     if (bends(p, cloud, found, all, rib.rms))
         return true;
-    size_t third = longhood_take(near, n, at, along, RIBWAY_LONGER, some / 3, found);
+    size_t third =
+        neighbourhood_along_take(near, n, at, along, RIDGE_DIRECTION_LONGER, some / 3, found);
     return gapes(p, cloud, found, third);
 }
 
-bool featuresharp(const struct feature_cloud *cloud, const struct flank sheet[2], struct vec3 up,
+bool featuresharp(const struct feature_cloud *cloud, const struct side_fit sheet[2], struct vec3 up,
                   struct vec3 at, struct vec3 along)
 {
     struct pair p = {sheet, up};
-    size_t index[RIBWAY_LONGER * STRIP];
-    struct vec3 near[RIBWAY_LONGER * STRIP];
+    size_t index[RIDGE_DIRECTION_LONGER * STRIP];
+    struct vec3 near[RIDGE_DIRECTION_LONGER * STRIP];
     struct quadric one;
-    size_t n = kdtree_nearest(cloud->tree, at, RIBWAY_LONGER * STRIP, index, NULL);
+    size_t n = kdtree_nearest(cloud->tree, at, RIDGE_DIRECTION_LONGER * STRIP, index, NULL);
 
     if (n < CLOSE)
         return false;

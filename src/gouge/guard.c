@@ -3,14 +3,14 @@
 #include <stdlib.h>
 
 #include "curve/edgecurve.h"
-#include "math/roofs.h"
+#include "math/height_pyramid.h"
 
 /* A facet further than this off a vertex's normal spans a step, not a smooth surface. */
 static const double SMOOTH = 0.8660254037844386; /* cos 30 degrees */
 
 struct guard {
     struct kdtree *tree;
-    struct roofs roofs;
+    struct height_pyramid height_pyramid;
     struct vec3 low, high; /* corners of the box around the points */
 };
 
@@ -19,7 +19,7 @@ struct guard *guard_take(struct vec3s point, int threads)
     struct guard *guard = mem_alloc(1, sizeof *guard);
 
     guard->tree = kdtree_new_by(point.item, point.n, threads);
-    guard->roofs = roofs_over(point.item, point.n);
+    guard->height_pyramid = height_pyramid_over(point.item, point.n);
     guard->low = vec(HUGE_VAL, HUGE_VAL, HUGE_VAL);
     guard->high = vec(-HUGE_VAL, -HUGE_VAL, -HUGE_VAL);
     for (size_t i = 0; i < point.n; i++) {
@@ -131,7 +131,7 @@ void guard_free(struct guard *guard)
     if (!guard)
         return;
     kdtree_free(guard->tree);
-    roofs_free(&guard->roofs);
+    height_pyramid_free(&guard->height_pyramid);
     free(guard);
 }
 
@@ -164,7 +164,7 @@ double guard_depth(const struct guard *guard, struct vec3 c, double radius)
 /* No guard point is nearer than `within` to a way, for all of them are lower. */
 static bool far_over(const struct guard *guard, struct vec3 a, struct vec3 b, double within)
 {
-    return roofs_top(&guard->roofs, a, b, within) <= fmin(a.z, b.z) - within;
+    return height_pyramid_top(&guard->height_pyramid, a, b, within) <= fmin(a.z, b.z) - within;
 }
 
 double guard_depth_along(const struct guard *guard, struct vec3 a, struct vec3 b, double radius)
@@ -197,7 +197,7 @@ double guard_rise(const struct guard *guard, struct vec3 c, struct vec3 up, doub
 bool guard_clear_along(const struct guard *guard, struct vec3 a, struct vec3 b, double radius,
                        double depth)
 {
-    double within = radius - depth, top = roofs_top(&guard->roofs, a, b, within);
+    double within = radius - depth, top = height_pyramid_top(&guard->height_pyramid, a, b, within);
 
     if (b.z > a.z && top + within < b.z) { /* up to where it is over all points */
         if (top + within < a.z)
@@ -216,7 +216,7 @@ bool guard_clear_along(const struct guard *guard, struct vec3 a, struct vec3 b, 
 
 bool guard_free_above(const struct guard *guard, struct vec3 c, double radius)
 {
-    return roofs_top(&guard->roofs, c, c, radius) <= c.z ||
+    return height_pyramid_top(&guard->height_pyramid, c, c, radius) <= c.z ||
            !kdtree_any_above(guard->tree, c, radius);
 }
 

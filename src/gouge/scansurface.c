@@ -5,7 +5,7 @@
 
 #include "base/parallel.h"
 #include "cloud/scanfill.h"
-#include "math/surfacefit.h"
+#include "math/surface_fit.h"
 
 enum { MANY = 400000, RIBS = 71000, GUESS = 16, SAMPLE = 1500 };
 
@@ -31,20 +31,20 @@ struct place {
 
 struct job {
     const struct scansurface_rule *rule;
-    const struct buckets *buckets;
-    struct surfacefit_rule fit; /* sigma: noise to take out; 0: none */
+    const struct point_grid *point_grid;
+    struct surface_fit_options fit; /* sigma: noise to take out; 0: none */
     struct scanfill fill;
     bool filled;
     struct place *place;
 };
 
 /* A rough normal from the points about a place. */
-static struct vec3 guess_at(const struct buckets *b, struct vec3 place)
+static struct vec3 guess_at(const struct point_grid *b, struct vec3 place)
 {
     uint32_t index[GUESS];
     double distance2[GUESS];
     struct vec3 near[GUESS];
-    size_t n = buckets_nearest(b, place, GUESS, index, distance2);
+    size_t n = point_grid_nearest(b, place, GUESS, index, distance2);
 
     for (size_t i = 0; i < n; i++)
         near[i] = b->point[index[i]];
@@ -53,7 +53,7 @@ static struct vec3 guess_at(const struct buckets *b, struct vec3 place)
 }
 
 /* A ball put on along a normal that is off by e sinks in by e^2 / (2 (1 / R - k)). */
-static bool is_doubtful(const struct job *job, const struct surfacefit *fit)
+static bool is_doubtful(const struct job *job, const struct surface_fit *fit)
 {
     double radius = job->rule->radius, sigma = job->fit.sigma;
     double fits = fmax(1 / radius - quadric_curvature(&fit->q), 0.05 / radius);
@@ -63,12 +63,12 @@ static bool is_doubtful(const struct job *job, const struct surfacefit *fit)
 }
 
 /* Brings a point to a surface; false when noise alone does not explain where it is. */
-static bool bring(const struct job *job, const struct surfacefit *fit, size_t i)
+static bool bring(const struct job *job, const struct surface_fit *fit, size_t i)
 {
-    struct vec3 p = job->buckets->point[i], foot = quadric_nearest(&fit->q, p);
+    struct vec3 p = job->point_grid->point[i], foot = quadric_nearest(&fit->q, p);
     struct place *place = &job->place[i];
 
-    if (!surfacefit_holds(fit, job->fit.sigma) || vec_distance(p, foot) > FAR * job->fit.sigma)
+    if (!surface_fit_holds(fit, job->fit.sigma) || vec_distance(p, foot) > FAR * job->fit.sigma)
         return false;
     *place = (struct place){.point = foot, .moved = true, .doubtful = is_doubtful(job, fit)};
     if (job->filled)
@@ -77,7 +77,7 @@ static bool bring(const struct job *job, const struct surfacefit *fit, size_t i)
 }
 
 /* How far from its middle a surface counts. */
-static double range_of(const struct surfacefit *fit)
+static double range_of(const struct surface_fit *fit)
 {
     double spare = CERTAIN * CERTAIN - fit->q.variance;
 
@@ -109,21 +109,22 @@ static size_t middle_of(const struct vec3 *point, const bool *done, size_t from,
 
 /* The points of a cell: a surface about the middle one of those that are left serves those near to
  * it, until none is left. */
-static void settle_cell(const struct job *job, size_t from, size_t to, struct surfacefit_hood *hood)
+static void settle_cell(const struct job *job, size_t from, size_t to,
+                        struct surface_fit_hood *hood)
 {
-    const struct vec3 *point = job->buckets->point;
+    const struct vec3 *point = job->point_grid->point;
     bool *done = mem_alloc(to - from + 1, sizeof *done);
 
     for (size_t i = from; i < to; i++)
         done[i - from] = false;
     for (;;) {
-        struct surfacefit fit;
+        struct surface_fit fit;
         size_t middle = middle_of(point, done, from, to);
         if (middle == to)
             break;
         done[middle - from] = true;
-        bool fitted = surfacefit_at(&job->fit, point[middle], guess_at(job->buckets, point[middle]),
-                                    hood, &fit);
+        bool fitted = surface_fit_at(&job->fit, point[middle],
+                                     guess_at(job->point_grid, point[middle]), hood, &fit);
         if (!(fitted && bring(job, &fit, middle)) && job->filled)
             scanfill_about(&job->fill, middle, &job->place[middle].between);
         double range = fitted ? range_of(&fit) : 0;
@@ -138,11 +139,11 @@ static void settle_cell(const struct job *job, size_t from, size_t to, struct su
 static void settle_cells(void *context, size_t from, size_t to)
 {
     const struct job *job = context;
-    struct surfacefit_hood *hood = surfacefit_hood_new();
+    struct surface_fit_hood *hood = surface_fit_hood_new();
 
     for (size_t cell = from; cell < to; cell++)
-        settle_cell(job, job->buckets->first[cell], job->buckets->first[cell + 1], hood);
-    surfacefit_hood_free(hood);
+        settle_cell(job, job->point_grid->first[cell], job->point_grid->first[cell + 1], hood);
+    surface_fit_hood_free(hood);
 }
 
 /* How many points to begin with, from a sample of them; a surface for each cell, `work` points for
@@ -150,7 +151,7 @@ static void settle_cells(void *context, size_t from, size_t to)
 static size_t neighbours_of(const struct job *job, double work)
 {
     const double few = 56;
-    const struct buckets *b = job->buckets;
+    const struct point_grid *b = job->point_grid;
     size_t some = b->n < SAMPLE ? b->n : SAMPLE;
     struct vec3s place = {0}, guess = {0};
 
@@ -159,7 +160,7 @@ static size_t neighbours_of(const struct job *job, double work)
         *array_push(&guess) = guess_at(b, place.item[i]);
     }
     size_t neighbours =
-        surfacefit_typical(&job->fit, place.item, guess.item, some, job->rule->threads);
+        surface_fit_typical(&job->fit, place.item, guess.item, some, job->rule->threads);
     array_free(&place);
     array_free(&guess);
     double affordable = fmax(work / (double)(b->columns * b->rows), few);
@@ -179,9 +180,9 @@ static int plan(struct job *job)
 {
     const double work = 16e6;
     const struct scansurface_rule *rule = job->rule;
-    const struct buckets *b = job->buckets;
+    const struct point_grid *b = job->point_grid;
 
-    job->fit = (struct surfacefit_rule){b, rule->noise, 0, b->n < RIBS};
+    job->fit = (struct surface_fit_options){b, rule->noise, 0, b->n < RIBS};
     job->fill = (struct scanfill){b, rule->radius, rule->sink, rule->noise};
     job->filled = b->n <= MANY && scanfill_needed(&job->fill);
     if (rule->noise > 0)
@@ -191,7 +192,7 @@ static int plan(struct job *job)
 
 static struct scansurface gather(struct job *job)
 {
-    const struct buckets *b = job->buckets;
+    const struct point_grid *b = job->point_grid;
     struct scansurface surface = {.moved = 0};
 
     for (size_t i = 0; i < b->n; i++) {
@@ -212,25 +213,25 @@ static struct scansurface gather(struct job *job)
     return surface;
 }
 
-struct scansurface scansurface_make(const struct buckets *buckets,
+struct scansurface scansurface_make(const struct point_grid *point_grid,
                                     const struct scansurface_rule *rule)
 {
-    struct job job = {.rule = rule, .buckets = buckets};
+    struct job job = {.rule = rule, .point_grid = point_grid};
     struct scansurface surface = {.moved = 0};
 
     if (plan(&job) < 0) {
-        array_reserve(&surface.point, buckets->n);
-        for (size_t i = 0; i < buckets->n; i++)
-            *array_push(&surface.point) = *array_push(&surface.certain) = buckets->point[i];
+        array_reserve(&surface.point, point_grid->n);
+        for (size_t i = 0; i < point_grid->n; i++)
+            *array_push(&surface.point) = *array_push(&surface.certain) = point_grid->point[i];
         return surface;
     }
-    job.place = mem_alloc(buckets->n, sizeof *job.place);
-    for (size_t i = 0; i < buckets->n; i++)
-        job.place[i] = (struct place){.point = buckets->point[i]};
+    job.place = mem_alloc(point_grid->n, sizeof *job.place);
+    for (size_t i = 0; i < point_grid->n; i++)
+        job.place[i] = (struct place){.point = point_grid->point[i]};
     if (job.fit.sigma > 0)
-        parallel_for(rule->threads, buckets->columns * buckets->rows, settle_cells, &job);
+        parallel_for(rule->threads, point_grid->columns * point_grid->rows, settle_cells, &job);
     else
-        parallel_for(rule->threads, buckets->n, fill_places, &job);
+        parallel_for(rule->threads, point_grid->n, fill_places, &job);
     surface = gather(&job);
     free(job.place);
     return surface;

@@ -4,11 +4,11 @@
 #include <stdlib.h>
 
 #include "base/array.h"
-#include "math/facetree.h"
+#include "math/facet_tree.h"
 #include "base/parallel.h"
 
 struct job {
-    const struct facetree *tree;
+    const struct facet_tree *tree;
     const struct vec3 *point;
     double *distance;
 };
@@ -18,7 +18,7 @@ static void measure(void *context, size_t from, size_t to)
     const struct job *job = context;
 
     for (size_t i = from; i < to; i++)
-        job->distance[i] = facetree_distance(job->tree, job->point[i]);
+        job->distance[i] = facet_tree_distance(job->tree, job->point[i]);
 }
 
 void meshnear(const struct mesh *mesh, const struct vec3 *point, size_t n, int threads,
@@ -31,9 +31,9 @@ void meshnear(const struct mesh *mesh, const struct vec3 *point, size_t n, int t
         const int *v = mesh->face.item[f].v;
         *array_push(&facets) = (struct facet){{at[v[0]], at[v[1]], at[v[2]]}};
     }
-    struct facetree *tree = facetree_new(&facets);
+    struct facet_tree *tree = facet_tree_new(&facets);
     struct job job = {tree, point, distance};
     parallel_for(threads, n, measure, &job);
-    facetree_free(tree);
+    facet_tree_free(tree);
     array_free(&facets);
 }

@@ -21,12 +21,12 @@ static struct vec3 turn_back(const struct footprint *f, double x, double y)
 
 /* Puts a place at the height of the point nearest to it seen from above, the upper one of two;
  * false when that is farther than `reach`. */
-static bool drop_onto(const struct buckets *b, struct vec3 *at, double reach)
+static bool drop_onto(const struct point_grid *b, struct vec3 *at, double reach)
 {
     double least = reach * reach;
     bool found = false;
-    size_t c0 = buckets_column(b, at->x - reach), c1 = buckets_column(b, at->x + reach);
-    size_t r0 = buckets_row(b, at->y - reach), r1 = buckets_row(b, at->y + reach);
+    size_t c0 = point_grid_column(b, at->x - reach), c1 = point_grid_column(b, at->x + reach);
+    size_t r0 = point_grid_row(b, at->y - reach), r1 = point_grid_row(b, at->y + reach);
     for (size_t r = r0; r <= r1; r++)
         for (uint32_t i = b->first[r * b->columns + c0]; i < b->first[r * b->columns + c1 + 1];
              i++) {
@@ -44,7 +44,7 @@ static bool drop_onto(const struct buckets *b, struct vec3 *at, double reach)
 /* The surface over (x, y) of the grid's axes, from a quadric through the nearest points, few of
  * them where it bends; where that is off them (an edge), the point nearest there.  False where
  * there are none within `reach`. */
-static bool surface_at(const struct buckets *b, const struct footprint *f, double x, double y,
+static bool surface_at(const struct point_grid *b, const struct footprint *f, double x, double y,
                        double reach, double tolerance, struct vec3 *found)
 {
     static const size_t count[] = {20, 40, 80, 10};
@@ -57,7 +57,7 @@ static bool surface_at(const struct buckets *b, const struct footprint *f, doubl
     if (!drop_onto(b, &at, reach))
         return false;
     for (int c = 0; c < COUNTS; c++) {
-        size_t n = buckets_nearest(b, at, count[c], index, distance2);
+        size_t n = point_grid_nearest(b, at, count[c], index, distance2);
         for (size_t i = 0; i < n; i++)
             near[i] = b->point[index[i]];
         if (quadric_fit(near, n, at, vec(0, 0, 1), &q) < 0)
@@ -106,7 +106,7 @@ static void mark_near(const struct footprint *f, const struct edgezone *zone, st
     }
 }
 
-static struct candidates find_candidates(const struct buckets *b, const struct footprint *f,
+static struct candidates find_candidates(const struct point_grid *b, const struct footprint *f,
                                          double v, const struct rowcurve_rule *rule)
 {
     struct candidates c = {0};
@@ -169,11 +169,12 @@ static void take_between(struct candidates *c, const struct rowcurve_rule *rule,
     take_between(c, rule, at, to, longest);
 }
 
-struct rowcurve rowcurve_make(const struct buckets *buckets, const struct footprint *footprint,
-                              double v, const struct rowcurve_rule *rule, double longest)
+struct rowcurve rowcurve_make(const struct point_grid *point_grid,
+                              const struct footprint *footprint, double v,
+                              const struct rowcurve_rule *rule, double longest)
 {
     struct rowcurve row = {.v = v, .longest = longest};
-    struct candidates c = find_candidates(buckets, footprint, v, rule);
+    struct candidates c = find_candidates(point_grid, footprint, v, rule);
     for (size_t from = 0, to; from < c.point.n; from = to + 1) {
         to = from;
         while (to + 1 < c.point.n && c.point.item[to + 1].x - c.point.item[to].x <= rule->gap)

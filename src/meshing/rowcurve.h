@@ -8,7 +8,7 @@
 #include <stdbool.h>
 
 #include "base/array.h"
-#include "math/buckets.h"
+#include "math/point_grid.h"
 #include "meshing/edgezone.h"
 #include "cloud/footprint.h"
 
@@ -33,8 +33,9 @@ struct rowcurve_rule {
  * space, and these are about as long as `longest` at most.  None is taken on a crease or wall, but
  * where one runs along the row; near them the lines are no longer than the zone says.
  */
-struct rowcurve rowcurve_make(const struct buckets *buckets, const struct footprint *footprint,
-                              double v, const struct rowcurve_rule *rule, double longest);
+struct rowcurve rowcurve_make(const struct point_grid *point_grid,
+                              const struct footprint *footprint, double v,
+                              const struct rowcurve_rule *rule, double longest);
 void rowcurve_free(struct rowcurve *row);
 
 #endif

@@ -27,7 +27,7 @@ struct across {
 };
 
 struct work {
-    const struct buckets *buckets;
+    const struct point_grid *point_grid;
     const struct footprint *footprint;
     const struct holes *holes;
     double error, spacing, out;
@@ -55,16 +55,16 @@ static int by_v(const void *a, const void *b)
 
 static void sort_across(struct work *w)
 {
-    w->across = mem_alloc(w->buckets->n, sizeof *w->across);
-    for (size_t i = 0; i < w->buckets->n; i++)
-        w->across[i] = (struct across){footprint_turn(w->footprint, w->buckets->point[i]).y, i};
-    qsort(w->across, w->buckets->n, sizeof *w->across, by_v);
+    w->across = mem_alloc(w->point_grid->n, sizeof *w->across);
+    for (size_t i = 0; i < w->point_grid->n; i++)
+        w->across[i] = (struct across){footprint_turn(w->footprint, w->point_grid->point[i]).y, i};
+    qsort(w->across, w->point_grid->n, sizeof *w->across, by_v);
 }
 
 /* The first of the points that is no lower. */
 static size_t first_across(const struct work *w, double v)
 {
-    size_t low = 0, high = w->buckets->n;
+    size_t low = 0, high = w->point_grid->n;
 
     while (low < high) {
         size_t middle = low + (high - low) / 2;
@@ -83,7 +83,7 @@ static struct vec3 turn_back(const struct footprint *f, struct vec3 p)
 
 static struct rowcurve row_at(const struct work *w, double v, double longest)
 {
-    return rowcurve_make(w->buckets, w->footprint, v, &w->rule, longest);
+    return rowcurve_make(w->point_grid, w->footprint, v, &w->rule, longest);
 }
 
 static double cross_above(struct vec3 a, struct vec3 b, struct vec3 p)
@@ -96,12 +96,12 @@ static void measure_face(struct work *w, struct strip *s, struct vec3 a, struct 
                          struct vec3 c)
 {
     const double edge = -1e-9 * w->spacing * w->spacing; /* points on a border belong to it */
-    const struct buckets *k = w->buckets;
+    const struct point_grid *k = w->point_grid;
     struct vec3 normal = vec_unit(vec_cross(vec_sub(b, a), vec_sub(c, a)));
-    size_t c0 = buckets_column(k, fmin(a.x, fmin(b.x, c.x)));
-    size_t c1 = buckets_column(k, fmax(a.x, fmax(b.x, c.x)));
-    size_t r0 = buckets_row(k, fmin(a.y, fmin(b.y, c.y)));
-    size_t r1 = buckets_row(k, fmax(a.y, fmax(b.y, c.y)));
+    size_t c0 = point_grid_column(k, fmin(a.x, fmin(b.x, c.x)));
+    size_t c1 = point_grid_column(k, fmax(a.x, fmax(b.x, c.x)));
+    size_t r0 = point_grid_row(k, fmin(a.y, fmin(b.y, c.y)));
+    size_t r1 = point_grid_row(k, fmax(a.y, fmax(b.y, c.y)));
     for (size_t r = r0; r <= r1; r++)
         for (size_t i = k->first[r * k->columns + c0]; i < k->first[r * k->columns + c1 + 1]; i++) {
             struct vec3 p = k->point[i];
@@ -155,7 +155,7 @@ static void make_strip(struct work *w, size_t index)
     struct faces all = {0};
     for (size_t i = first; i < end; i++)
         w->covered[w->across[i].point] = 0;
-    rowzip(w->buckets, w->footprint, w->error, low, high, &all);
+    rowzip(w->point_grid, w->footprint, w->error, low, high, &all);
     for (size_t f = 0; f < all.n; f++) {
         struct vec3 p[3];
         for (int i = 0; i < 3; i++) {
@@ -305,17 +305,17 @@ static struct rowmesh sum_up(const struct work *w, struct mesh *mesh)
         result.columns =
             mesh->col.item[i] >= result.columns ? mesh->col.item[i] + 1 : result.columns;
     result.rms = points > 0 ? sqrt(sum2 / (double)points) : 0;
-    for (size_t i = 0; i < w->buckets->n; i++)
+    for (size_t i = 0; i < w->point_grid->n; i++)
         result.beside += !w->covered[i];
     return result;
 }
 
-struct rowmesh rowmesh_make(const struct buckets *buckets, const struct footprint *footprint,
+struct rowmesh rowmesh_make(const struct point_grid *point_grid, const struct footprint *footprint,
                             const struct holes *holes, const struct rowmesh_wish *wish,
                             struct mesh *mesh)
 {
     const double gaps = 6, reaches = 1.2;
-    struct work w = {.buckets = buckets,
+    struct work w = {.point_grid = point_grid,
                      .footprint = footprint,
                      .holes = holes,
                      .error = wish->error,
@@ -323,7 +323,7 @@ struct rowmesh rowmesh_make(const struct buckets *buckets, const struct footprin
                      .out = wish->out,
                      .rule = {wish->spacing, reaches * wish->spacing, gaps * wish->spacing,
                               ALONG * wish->error, wish->zone},
-                     .covered = mem_alloc(buckets->n, 1)};
+                     .covered = mem_alloc(point_grid->n, 1)};
     sort_across(&w);
     first_rows(&w, wish->widest);
     refine(&w);

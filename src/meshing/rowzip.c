@@ -6,7 +6,7 @@
 #include "math/quadric.h"
 
 struct zip {
-    const struct buckets *buckets;
+    const struct point_grid *point_grid;
     const struct footprint *footprint;
     double error;
     const struct vec3 *a, *b; /* lower, upper row */
@@ -17,14 +17,14 @@ struct zip {
 
 /* How far the cloud is from a place, by a quadric through the nearest points or, where they carry
  * none, their plane. */
-static double off_cloud(const struct buckets *b, struct vec3 at)
+static double off_cloud(const struct point_grid *b, struct vec3 at)
 {
     enum { NEAR = 16 };
     uint32_t index[NEAR];
     double distance2[NEAR];
     struct vec3 near[NEAR], mean = vec(0, 0, 0);
     struct quadric q;
-    size_t n = buckets_nearest(b, at, NEAR, index, distance2);
+    size_t n = point_grid_nearest(b, at, NEAR, index, distance2);
     for (size_t k = 0; k < n; k++) {
         near[k] = b->point[index[k]];
         mean = vec_along(mean, 1 / (double)n, near[k]);
@@ -42,8 +42,8 @@ static double cost_of(const struct zip *z, size_t i, size_t j)
         0.1; /* of the error, for each time that it is as long as the rows are apart */
     const struct footprint *f = z->footprint;
     struct vec3 p = z->a[i], q = z->b[j], middle = vec_mix(p, q, 0.5);
-    double off = off_cloud(z->buckets, vec(f->cosine * middle.x - f->sine * middle.y,
-                                           f->sine * middle.x + f->cosine * middle.y, middle.z));
+    double off = off_cloud(z->point_grid, vec(f->cosine * middle.x - f->sine * middle.y,
+                                              f->sine * middle.x + f->cosine * middle.y, middle.z));
     double slant = aslant * z->error * vec_distance(p, q) / fmax(fabs(q.y - p.y), 1e-300);
     return off * off + slant * slant;
 }
@@ -53,7 +53,7 @@ static double cost_within(const struct zip *z, size_t i, size_t j)
 {
     const double aslant = 3, cells = 4;
     double across = fabs(z->b[j].y - z->a[i].y), along = fabs(z->b[j].x - z->a[i].x);
-    if (along > fmax(aslant * across, cells * z->buckets->cell))
+    if (along > fmax(aslant * across, cells * z->point_grid->cell))
         return 1e6 * along * along;
     return cost_of(z, i, j);
 }
@@ -70,11 +70,11 @@ static void find_costs(struct zip *z)
         }
 }
 
-void rowzip(const struct buckets *buckets, const struct footprint *footprint, double error,
+void rowzip(const struct point_grid *point_grid, const struct footprint *footprint, double error,
             const struct rowcurve *lower, const struct rowcurve *upper, struct faces *faces)
 {
     struct zip z = {
-        buckets,       footprint, error, lower->node.item, upper->node.item, lower->node.n,
+        point_grid,    footprint, error, lower->node.item, upper->node.item, lower->node.n,
         upper->node.n, NULL,      NULL};
     struct faces down = {0};
     if (z.na == 0 || z.nb == 0)

@@ -4,7 +4,7 @@
 #ifndef CLOUDMILL_ROWZIP_H
 #define CLOUDMILL_ROWZIP_H
 
-#include "math/buckets.h"
+#include "math/point_grid.h"
 #include "cloud/footprint.h"
 #include "mesh/mesh.h"
 #include "rowcurve.h"
@@ -17,7 +17,7 @@
  * that an edge of the part that runs across the rows is followed.  Where they are off by much less
  * than `error` the short ones count.
  */
-void rowzip(const struct buckets *buckets, const struct footprint *footprint, double error,
+void rowzip(const struct point_grid *point_grid, const struct footprint *footprint, double error,
             const struct rowcurve *lower, const struct rowcurve *upper, struct faces *faces);
 
 #endif

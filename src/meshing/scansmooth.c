@@ -4,13 +4,13 @@
 #include <stdlib.h>
 
 #include "base/parallel.h"
-#include "math/surfacefit.h"
+#include "math/surface_fit.h"
 
 enum { RIBS = 71000 }; /* ribs are looked along on meshes of fewer vertices, for its time */
 
 struct job {
     struct mesh *mesh;
-    struct surfacefit_rule rule;
+    struct surface_fit_options rule;
     double *variance; /* of each vertex, in sigma^2; negative: not moved */
     double *distance; /* that it was moved; negative: there was no surface at all */
 };
@@ -22,26 +22,26 @@ static void smooth_vertices(void *context, size_t from, size_t to)
     const struct job *job = context;
     double sigma = job->rule.sigma;
     struct mesh *mesh = job->mesh;
-    struct surfacefit_hood *hood = surfacefit_hood_new();
+    struct surface_fit_hood *hood = surface_fit_hood_new();
     for (size_t i = from; i < to; i++) {
-        struct surfacefit fit;
+        struct surface_fit fit;
         struct vec3 *vertex = &mesh->vertex.item[i];
         job->variance[i] = job->distance[i] = -1;
         mesh->kmax.item[i] = 0;
-        if (!surfacefit_at(&job->rule, *vertex, mesh->normal.item[i], hood, &fit))
+        if (!surface_fit_at(&job->rule, *vertex, mesh->normal.item[i], hood, &fit))
             continue;
         struct vec3 normal = quadric_normal(&fit.q);
         mesh->normal.item[i] = normal.z < down ? vec_scale(-1, normal) : normal;
         mesh->kmax.item[i] = quadric_curvature(&fit.q);
         job->distance[i] = 0;
         struct vec3 foot = quadric_foot(&fit.q);
-        if (!surfacefit_holds(&fit, sigma) || vec_distance(foot, *vertex) > far * sigma)
+        if (!surface_fit_holds(&fit, sigma) || vec_distance(foot, *vertex) > far * sigma)
             continue;
         job->variance[i] = fit.q.variance;
         job->distance[i] = vec_distance(foot, *vertex);
         *vertex = foot;
     }
-    surfacefit_hood_free(hood);
+    surface_fit_hood_free(hood);
 }
 
 static struct scansmooth sum_up(const struct job *job)
@@ -64,17 +64,17 @@ static struct scansmooth sum_up(const struct job *job)
     return s;
 }
 
-struct scansmooth scansmooth(struct mesh *mesh, const struct buckets *buckets, double sigma,
+struct scansmooth scansmooth(struct mesh *mesh, const struct point_grid *point_grid, double sigma,
                              size_t neighbours, int threads)
 {
     size_t n = mesh->vertex.n;
-    struct job job = {.mesh = mesh, .rule = {buckets, sigma, neighbours, n < RIBS}};
+    struct job job = {.mesh = mesh, .rule = {point_grid, sigma, neighbours, n < RIBS}};
     mesh_normals_facet(mesh);
     array_reserve(&mesh->kmax, n);
     mesh->kmax.n = n;
     if (neighbours == 0)
         job.rule.neighbours =
-            surfacefit_typical(&job.rule, mesh->vertex.item, mesh->normal.item, n, threads);
+            surface_fit_typical(&job.rule, mesh->vertex.item, mesh->normal.item, n, threads);
     job.variance = mem_alloc(n, sizeof *job.variance);
     job.distance = mem_alloc(n, sizeof *job.distance);
     parallel_for(threads, n, smooth_vertices, &job);

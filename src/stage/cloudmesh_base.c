@@ -82,11 +82,11 @@ static void say_thin(size_t thin, const struct mesh *mesh)
 }
 
 /* Normals of the points as they are; returns the tolerance spent. */
-static double normals_of_points(const struct cloudmesh_wish *wish, const struct buckets *buckets,
-                                int threads, struct mesh *mesh)
+static double normals_of_points(const struct cloudmesh_wish *wish,
+                                const struct point_grid *point_grid, int threads, struct mesh *mesh)
 {
     int neighbours = wish->neighbours ? wish->neighbours : 40;
-    struct scannormals r = scannormals_quadric(mesh, buckets, neighbours, threads);
+    struct scannormals r = scannormals_quadric(mesh, point_grid, neighbours, threads);
     if (wish->silent)
         return r.noise;
     say_thin(r.thin, mesh);
@@ -98,10 +98,10 @@ static double normals_of_points(const struct cloudmesh_wish *wish, const struct 
 }
 
 /* Vertices moved onto the surface, and its normals; returns the tolerance spent. */
-static double move_vertices(const struct cloudmesh_wish *wish, const struct buckets *buckets,
+static double move_vertices(const struct cloudmesh_wish *wish, const struct point_grid *point_grid,
                             double noise, int threads, struct mesh *mesh)
 {
-    struct scansmooth r = scansmooth(mesh, buckets, noise, (size_t)wish->neighbours, threads);
+    struct scansmooth r = scansmooth(mesh, point_grid, noise, (size_t)wish->neighbours, threads);
     if (wish->silent)
         return 3 * r.error;
     say_thin(r.thin, mesh);
@@ -118,17 +118,18 @@ static double move_vertices(const struct cloudmesh_wish *wish, const struct buck
 int cloudmesh_normals(const struct cloudmesh_wish *wish, struct vec3 *point, size_t n, double noise,
                       int threads, struct mesh *mesh, struct error *error)
 {
-    struct buckets buckets;
+    struct point_grid point_grid;
     if (wish->normals == NORMALS_FACET) {
         mesh_normals_facet(mesh);
         return 0;
     }
-    if (buckets_make(point, n, cloudmesh_spacing(wish, point, n), threads, &buckets, error) < 0)
+    if (point_grid_make(point, n, cloudmesh_spacing(wish, point, n), threads, &point_grid, error) <
+        0)
         return -1;
-    mesh->origin.ledger = noise > 0 ? move_vertices(wish, &buckets, noise, threads, mesh)
-                                    : normals_of_points(wish, &buckets, threads, mesh);
+    mesh->origin.ledger = noise > 0 ? move_vertices(wish, &point_grid, noise, threads, mesh)
+                                    : normals_of_points(wish, &point_grid, threads, mesh);
     mesh->origin.maker = mem_string("cloud2mesh", strlen("cloud2mesh"));
-    buckets_free(&buckets);
+    point_grid_free(&point_grid);
     return 0;
 }
 

@@ -57,18 +57,19 @@ static int make_rows(const struct cloudmesh_wish *wish, const struct source *s, 
     double mean = s->surface_parts.mean, gap = wish->max_gap > 0 ? wish->max_gap : gaps * mean;
     struct vec3s *points = s->surface;
     struct holes holes;
-    struct buckets buckets;
+    struct point_grid point_grid;
     struct footprint f = footprint_of(points->item, points->n, wish->direction);
     if (holes_find(points->item, points->n, gap, rims * mean, &holes, error) < 0)
         return -1;
-    if (buckets_make(points->item, s->surface_parts.flat, mean, threads, &buckets, error) < 0) {
+    if (point_grid_make(points->item, s->surface_parts.flat, mean, threads, &point_grid, error) <
+        0) {
         holes_free(&holes);
         return -1;
     }
     double apart = wish->spacing > 0 ? slant * wish->spacing : widest * mean;
     struct rowmesh_wish rows = {wish->error, mean, apart, s->zone, out};
-    made->rows = rowmesh_make(&buckets, &f, &holes, &rows, mesh);
-    buckets_free(&buckets);
+    made->rows = rowmesh_make(&point_grid, &f, &holes, &rows, mesh);
+    point_grid_free(&point_grid);
     holes_free(&holes);
     if (mesh->face.n == 0 && !wish->subdivide)
         return error_set(error, "no mesh within %g mm of the points: too few of them", wish->error);

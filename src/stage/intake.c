@@ -80,23 +80,23 @@ static void say_cleaned(const struct intake *c, bool drop)
 int intake_clean(struct vec3s *points, double spacing, enum intake_drop drop, int threads,
                  struct intake *intake, struct error *error)
 {
-    struct buckets buckets;
+    struct point_grid point_grid;
     *intake = (struct intake){0};
-    if (buckets_make(points->item, points->n, spacing, threads, &buckets, error) < 0)
+    if (point_grid_make(points->item, points->n, spacing, threads, &point_grid, error) < 0)
         return -1;
     unsigned char *out = mem_alloc(points->n, 1);
-    intake->twice = stray_twice(&buckets, out);
-    buckets_remove(&buckets, out);
-    intake->noise = noise_of(&buckets, threads);
+    intake->twice = stray_twice(&point_grid, out);
+    point_grid_remove(&point_grid, out);
+    intake->noise = noise_of(&point_grid, threads);
     memset(out, 0, points->n);
-    intake->outliers = stray_outliers(&buckets, intake->noise, threads, out);
+    intake->outliers = stray_outliers(&point_grid, intake->noise, threads, out);
     if (drop != INTAKE_DROP_OUTLIERS)
-        intake->under = stray_under(&buckets, threads, out);
+        intake->under = stray_under(&point_grid, threads, out);
     if (drop != INTAKE_KEEP)
-        buckets_remove(&buckets, out);
-    points->n = buckets.n;
+        point_grid_remove(&point_grid, out);
+    points->n = point_grid.n;
     say_cleaned(intake, drop != INTAKE_KEEP);
     free(out);
-    buckets_free(&buckets);
+    point_grid_free(&point_grid);
     return 0;
 }

@@ -51,18 +51,19 @@ static size_t far_places(const struct vec3s *place, const struct guard *guard, d
 
 /* Takes out points that are not on the surface, where it is certain that noise does not put them
  * there: it is known, or there is none. */
-static void drop_outliers(struct buckets *buckets, struct noise noise, double spacing, int threads)
+static void drop_outliers(struct point_grid *point_grid, struct noise noise, double spacing,
+                          int threads)
 {
     const double none = 0.002; /* in spacings */
 
     if (!noise.alike && noise.sigma >= none * spacing)
         return;
-    unsigned char *out = mem_alloc(buckets->n, 1);
-    memset(out, 0, buckets->n);
-    size_t outliers = stray_outliers(buckets, noise.sigma, threads, out);
+    unsigned char *out = mem_alloc(point_grid->n, 1);
+    memset(out, 0, point_grid->n);
+    size_t outliers = stray_outliers(point_grid, noise.sigma, threads, out);
     if (outliers > 0)
         say("left out %zu outlier%s of the scan that guards", outliers, outliers == 1 ? "" : "s");
-    buckets_remove(buckets, out);
+    point_grid_remove(point_grid, out);
     free(out);
 }
 
@@ -91,12 +92,12 @@ static struct guard *guard_of(struct vec3s *points, const struct mesh *mesh, str
     const double little = 0.1;  /* of the tolerance */
     const size_t many = 400000; /* points: noise is taken out of more only when it is said */
     double spacing = spacing_of(points);
-    struct buckets buckets;
+    struct point_grid point_grid;
 
-    if (buckets_make(points->item, points->n, spacing, rule->threads, &buckets, error) < 0)
+    if (point_grid_make(points->item, points->n, spacing, rule->threads, &point_grid, error) < 0)
         return NULL;
-    struct noise found = noise_look(&buckets, rule->threads);
-    drop_outliers(&buckets, found, spacing, rule->threads);
+    struct noise found = noise_look(&point_grid, rule->threads);
+    drop_outliers(&point_grid, found, spacing, rule->threads);
     bool takes = found.alike && found.sigma > little * rule->tolerance && points->n <= many;
     if (rule->noise < 0)
         rule->noise = takes ? found.sigma : 0;
@@ -105,20 +106,20 @@ static struct guard *guard_of(struct vec3s *points, const struct mesh *mesh, str
                                    .noise = rule->noise,
                                    .vague = rule->tolerance,
                                    .threads = rule->threads};
-    struct scansurface surface = scansurface_make(&buckets, &how);
+    struct scansurface surface = scansurface_make(&point_grid, &how);
     if (rule->noise > 0)
         say("noise of %.2g mm taken out of the scan that guards (%zu of %zu points moved)",
-            rule->noise, surface.moved, buckets.n);
+            rule->noise, surface.moved, point_grid.n);
     if (surface.vague > 0)
         say("the scan is too sparse at %zu points for a tolerance of %g: the surface between them "
             "is "
             "uncertain, at worst by %.3f mm at %.3f %.3f %.3f",
             surface.vague, rule->tolerance, surface.worst, surface.at.x, surface.at.y,
             surface.at.z);
-    note("guarded by %zu points of the scan and %zu put between", buckets.n, surface.added);
+    note("guarded by %zu points of the scan and %zu put between", point_grid.n, surface.added);
     if (mesh)
         add_edges(mesh, sqrt(8 * rule->radius * how.sink), &surface.point);
-    buckets_free(&buckets);
+    point_grid_free(&point_grid);
     rule->certain = surface.certain;
     rule->doubtful = surface.doubtful;
     return guard_take(surface.point, rule->threads);

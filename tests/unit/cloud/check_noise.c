@@ -2,7 +2,7 @@
 #include <check.h>
 #include <stdlib.h>
 
-#include "math/buckets.h"
+#include "math/point_grid.h"
 #include "cloud/noise.h"
 #include "noisy.h"
 #include "panel.h"
@@ -23,12 +23,12 @@ static double (*const shape[])(double, double) = {panel_height, wave, roof};
 
 static double measured(void)
 {
-    struct buckets buckets;
+    struct point_grid point_grid;
     struct error error;
-    ck_assert_int_eq(buckets_make(scan.item, scan.n, 0.48, 2, &buckets, &error), 0);
-    double noise = noise_of(&buckets, 2);
-    ck_assert(noise == noise_of(&buckets, 1));
-    buckets_free(&buckets);
+    ck_assert_int_eq(point_grid_make(scan.item, scan.n, 0.48, 2, &point_grid, &error), 0);
+    double noise = noise_of(&point_grid, 2);
+    ck_assert(noise == noise_of(&point_grid, 1));
+    point_grid_free(&point_grid);
     array_free(&scan);
     return noise;
 }

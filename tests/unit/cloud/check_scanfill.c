@@ -8,7 +8,7 @@
 #include "cloud/scanfill.h"
 
 static struct vec3s scan;
-static struct buckets buckets;
+static struct point_grid point_grid;
 static struct vec3s put;
 
 static double wave(double x, double y)
@@ -27,13 +27,14 @@ static struct scanfill make_fill(int n, double hole)
         if (hypot(all.item[i].x - hole, all.item[i].y) > 4)
             *array_push(&scan) = all.item[i];
     array_free(&all);
-    ck_assert_int_eq(buckets_make(scan.item, scan.n, sqrt(74 * 54.0 / n), 1, &buckets, &error), 0);
-    return (struct scanfill){.buckets = &buckets, .radius = 4, .sink = 0.002};
+    ck_assert_int_eq(
+        point_grid_make(scan.item, scan.n, sqrt(74 * 54.0 / n), 1, &point_grid, &error), 0);
+    return (struct scanfill){.point_grid = &point_grid, .radius = 4, .sink = 0.002};
 }
 
 static void free_all(void)
 {
-    buckets_free(&buckets);
+    point_grid_free(&point_grid);
     array_free(&scan);
     array_free(&put);
 }
@@ -43,9 +44,9 @@ START_TEST(on_the_surface)
     struct scanfill fill = make_fill(6000, 5);
     double sum2 = 0, worst = 0;
     ck_assert(scanfill_needed(&fill));
-    for (size_t i = 0; i < buckets.n; i++)
+    for (size_t i = 0; i < point_grid.n; i++)
         scanfill_about(&fill, i, &put);
-    ck_assert_uint_gt(put.n, 3 * buckets.n);
+    ck_assert_uint_gt(put.n, 3 * point_grid.n);
     for (size_t i = 0; i < put.n; i++) {
         struct vec3 p = put.item[i];
         double off = p.z - wave(p.x, p.y);
@@ -65,8 +66,8 @@ START_TEST(on_a_surface_that_is_given)
 {
     struct scanfill fill = make_fill(6000, 100);
     struct quadric plane = {.origin = {0, 0, 9}, .u = {1, 0, 0}, .v = {0, 1, 0}, .w = {0, 0, 1}};
-    size_t i = buckets.n / 2;
-    struct vec3 p = buckets.point[i];
+    size_t i = point_grid.n / 2;
+    struct vec3 p = point_grid.point[i];
     scanfill_on(&fill, i, vec(p.x, p.y, 9), &plane, 0, &put);
     for (size_t k = 0; k < put.n; k++)
         ck_assert_double_eq_tol(put.item[k].z, 9, 1e-12);

@@ -53,11 +53,11 @@ static void free_all(void)
 /* Sorts the scan. */
 static struct scannormals normals(int neighbours, int threads)
 {
-    struct buckets buckets;
+    struct point_grid point_grid;
     struct error error;
-    ck_assert_int_eq(buckets_make(scan.item, scan.n, 0.5, threads, &buckets, &error), 0);
-    struct scannormals r = scannormals_quadric(&mesh, &buckets, neighbours, threads);
-    buckets_free(&buckets);
+    ck_assert_int_eq(point_grid_make(scan.item, scan.n, 0.5, threads, &point_grid, &error), 0);
+    struct scannormals r = scannormals_quadric(&mesh, &point_grid, neighbours, threads);
+    point_grid_free(&point_grid);
     return r;
 }
 

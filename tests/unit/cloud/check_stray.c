@@ -9,7 +9,7 @@
 #include "cloud/stray.h"
 
 static struct vec3s scan;
-static struct buckets buckets;
+static struct point_grid point_grid;
 static unsigned char *out;
 
 static double roof(double x, double y)
@@ -25,13 +25,13 @@ static double terraces(double x, double y)
 static void sort(void)
 {
     struct error error;
-    ck_assert_int_eq(buckets_make(scan.item, scan.n, 0.48, 2, &buckets, &error), 0);
+    ck_assert_int_eq(point_grid_make(scan.item, scan.n, 0.48, 2, &point_grid, &error), 0);
     out = mem_alloc(scan.n, 1);
 }
 
 static void free_all(void)
 {
-    buckets_free(&buckets);
+    point_grid_free(&point_grid);
     array_free(&scan);
     free(out);
     out = NULL;
@@ -41,8 +41,8 @@ static void free_all(void)
 static size_t marked_off(double (*height)(double, double))
 {
     size_t n = 0;
-    for (size_t i = 0; i < buckets.n; i++) {
-        struct vec3 p = buckets.point[i];
+    for (size_t i = 0; i < point_grid.n; i++) {
+        struct vec3 p = point_grid.point[i];
         n += out[i] && fabs(p.z - height(p.x, p.y)) > 0.4;
     }
     return n;
@@ -59,7 +59,7 @@ START_TEST(outliers)
         scan.item[at].z += (i % 2 ? 1 : -1) * (0.5 + 19.5 * pow(noisy_uniform(), 3));
     }
     sort();
-    size_t found = stray_outliers(&buckets, sigma, 2, out), right = marked_off(panel_height);
+    size_t found = stray_outliers(&point_grid, sigma, 2, out), right = marked_off(panel_height);
     ck_assert_uint_ge(right, 98); /* one may lie beside another */
     ck_assert_uint_le(found - right, 1);
 }
@@ -73,9 +73,9 @@ START_TEST(clumps_in_the_air)
         for (int k = 0; k < 6; k++)
             *array_push(&scan) = vec(-30 + 18 * i + 0.3 * noisy_uniform(), 10 + 0.2 * k, 30);
     sort();
-    size_t found = stray_outliers(&buckets, 0.02, 2, out), right = 0;
-    for (size_t i = 0; i < buckets.n; i++)
-        right += out[i] && buckets.point[i].z > 25;
+    size_t found = stray_outliers(&point_grid, 0.02, 2, out), right = 0;
+    for (size_t i = 0; i < point_grid.n; i++)
+        right += out[i] && point_grid.point[i].z > 25;
     ck_assert_uint_eq(right, 24);
     ck_assert_uint_le(found - right, 2);
 }
@@ -87,8 +87,8 @@ START_TEST(edges)
     noisy_seed(4);
     noisy_scan(&scan, _i % 2 ? roof : terraces, 17000, NOISY_LINES, _i / 2 * 0.02);
     sort();
-    ck_assert_uint_le(stray_outliers(&buckets, _i / 2 * 0.02, 2, out), 2);
-    ck_assert_uint_eq(stray_under(&buckets, 2, out), 0);
+    ck_assert_uint_le(stray_outliers(&point_grid, _i / 2 * 0.02, 2, out), 2);
+    ck_assert_uint_eq(stray_under(&point_grid, 2, out), 0);
 }
 END_TEST
 
@@ -107,9 +107,9 @@ START_TEST(sparse_walls)
         *array_push(&scan) = vec(i % 2 ? 60 * noisy_uniform() - 30 : 0.5 * noisy_normal(),
                                  40 * noisy_uniform(), 14 + 26 * noisy_uniform());
     sort();
-    size_t found = stray_outliers(&buckets, 0.02, 2, out), right = 0;
-    for (size_t i = 0; i < buckets.n; i++)
-        right += out[i] && buckets.point[i].z > 10;
+    size_t found = stray_outliers(&point_grid, 0.02, 2, out), right = 0;
+    for (size_t i = 0; i < point_grid.n; i++)
+        right += out[i] && point_grid.point[i].z > 10;
     ck_assert_uint_eq(right, STRAYS);
     ck_assert_uint_le(found - right, WALL / 8);
 }
@@ -126,11 +126,11 @@ START_TEST(points_twice)
         }
     size_t more = scan.n - n;
     sort();
-    ck_assert_uint_eq(stray_twice(&buckets, out), more);
-    buckets_remove(&buckets, out);
+    ck_assert_uint_eq(stray_twice(&point_grid, out), more);
+    point_grid_remove(&point_grid, out);
     memset(out, 0, n);
-    ck_assert_uint_eq(buckets.n, n);
-    ck_assert_uint_eq(stray_twice(&buckets, out), 0);
+    ck_assert_uint_eq(point_grid.n, n);
+    ck_assert_uint_eq(stray_twice(&point_grid, out), 0);
 }
 END_TEST
 
@@ -144,9 +144,9 @@ START_TEST(under_a_roof)
         for (double y = -10; y <= 10; y += 0.4)
             *array_push(&scan) = vec(x, y, 26);
     sort();
-    size_t found = stray_under(&buckets, 2, out);
-    for (size_t i = 0; i < buckets.n; i++) {
-        struct vec3 p = buckets.point[i];
+    size_t found = stray_under(&point_grid, 2, out);
+    for (size_t i = 0; i < point_grid.n; i++) {
+        struct vec3 p = point_grid.point[i];
         bool inside = fabs(p.x) < 13 && fabs(p.y) < 8 && p.z < 20;
         under += inside;
         ck_assert(!inside || out[i]);
@@ -169,7 +169,7 @@ START_TEST(a_pocket)
                 vec(12 + 0.02 * noisy_normal(), 18 * noisy_uniform() - 9, 6 * noisy_uniform());
     }
     sort();
-    ck_assert_uint_eq(stray_under(&buckets, 2, out), 0);
+    ck_assert_uint_eq(stray_under(&point_grid, 2, out), 0);
 }
 END_TEST
 

@@ -16,15 +16,15 @@ static struct mesh mesh_of(struct vec3s *p, double t, size_t *flat)
     struct mesh m = {0};
     struct grid grid;
     struct error error;
-    struct buckets buckets;
+    struct point_grid point_grid;
     struct footprint f = footprint_of(p->item, p->n, 20);
     *flat = wallpoints_part(p->item, p->n, t / 3, 1);
     ck_assert_int_eq(grid_make(&f, p->n, t, &grid, &error), 0);
     size_t *chosen = reposition(&grid, p->item, *flat, REACH_NEAREST);
     gridmesh_make(&grid, chosen, p->item, NULL, &m);
-    ck_assert_int_eq(buckets_make(p->item, *flat, t / 3, 1, &buckets, &error), 0);
-    scannormals_quadric(&m, &buckets, 40, 1);
-    buckets_free(&buckets);
+    ck_assert_int_eq(point_grid_make(p->item, *flat, t / 3, 1, &point_grid, &error), 0);
+    scannormals_quadric(&m, &point_grid, 40, 1);
+    point_grid_free(&point_grid);
     free(chosen);
     return m;
 }

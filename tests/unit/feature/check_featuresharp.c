@@ -17,10 +17,10 @@ static int sharp_places(const struct vec3s *p, double noise, double slope, doubl
     int sharp = 0;
     for (int i = -2; i <= 2; i++) {
         struct vec3 at = vec_along(vec(0, 0, high), i, along);
-        struct flank sheet[2];
+        struct side_fit sheet[2];
         for (int k = 0; k < 2; k++) {
             struct vec3 normal = vec_unit(vec_along(up, k ? slope : -slope, across));
-            sheet[k] = flank_through(at, normal, at, up);
+            sheet[k] = side_fit_through(at, normal, at, up);
         }
         sharp += featuresharp(&cloud, sheet, up, at, along);
     }
@@ -28,7 +28,7 @@ static int sharp_places(const struct vec3s *p, double noise, double slope, doubl
     return sharp;
 }
 
-START_TEST(roofs)
+START_TEST(height_pyramid)
 {
     const double noise[] = {0, 0.02, 0.05};
     for (int i = 0; i < 3; i++) {
@@ -67,7 +67,7 @@ int main(void)
     Suite *suite = suite_create("featuresharp");
     TCase *tests = tcase_create("featuresharp");
     SRunner *runner = srunner_create(suite);
-    tcase_add_test(tests, roofs);
+    tcase_add_test(tests, height_pyramid);
     tcase_add_test(tests, ribs);
     tcase_add_test(tests, no_points);
     suite_add_tcase(suite, tests);

@@ -43,16 +43,16 @@ static double noise_taken;
 static struct scansurface surface_of(struct vec3s *points, double noise)
 {
     struct scansurface_rule rule = {.radius = BALL, .sink = 0.002, .noise = noise, .vague = 0.01};
-    struct buckets buckets;
+    struct point_grid point_grid;
     struct error error;
-    ck_assert_int_eq(buckets_make(points->item, points->n, 0.5, 1, &buckets, &error), 0);
+    ck_assert_int_eq(point_grid_make(points->item, points->n, 0.5, 1, &point_grid, &error), 0);
     if (noise < 0) { /* as found */
-        struct noise found = noise_look(&buckets, 1);
+        struct noise found = noise_look(&point_grid, 1);
         rule.noise = found.alike && found.sigma > 0.005 ? found.sigma : 0;
     }
     noise_taken = rule.noise;
-    struct scansurface surface = scansurface_make(&buckets, &rule);
-    buckets_free(&buckets);
+    struct scansurface surface = scansurface_make(&point_grid, &rule);
+    point_grid_free(&point_grid);
     return surface;
 }
 

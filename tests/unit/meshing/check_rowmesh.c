@@ -9,7 +9,7 @@
 #include "meshing/rowzip.h"
 
 static struct vec3s scan;
-static struct buckets buckets;
+static struct point_grid point_grid;
 static struct holes holes;
 static struct footprint footprint;
 static struct mesh mesh;
@@ -36,7 +36,7 @@ static void sort(double spacing, double direction)
     struct error error;
     footprint = footprint_of(scan.item, scan.n, direction);
     ck_assert_int_eq(holes_find(scan.item, scan.n, 6 * spacing, 3 * spacing, &holes, &error), 0);
-    ck_assert_int_eq(buckets_make(scan.item, scan.n, spacing, 2, &buckets, &error), 0);
+    ck_assert_int_eq(point_grid_make(scan.item, scan.n, spacing, 2, &point_grid, &error), 0);
 }
 
 static void make_scan(double (*height)(double, double), int n, enum noisy_pattern pattern)
@@ -49,7 +49,7 @@ static void make_scan(double (*height)(double, double), int n, enum noisy_patter
 static void free_all(void)
 {
     array_free(&scan);
-    buckets_free(&buckets);
+    point_grid_free(&point_grid);
     holes_free(&holes);
     mesh_free(&mesh);
 }
@@ -88,7 +88,7 @@ START_TEST(panel)
     size_t before = 0;
     make_scan(panel_height, 17000, (enum noisy_pattern)_i);
     for (int k = 0; k < 3; k++) {
-        struct rowmesh r = rowmesh_make(&buckets, &footprint, &holes,
+        struct rowmesh r = rowmesh_make(&point_grid, &footprint, &holes,
                                         &(struct rowmesh_wish){error[k], 0.48, 12, NULL, 0}, &mesh);
         ck_assert_double_le(r.worst, error[k]);
         ck_assert_double_lt(r.rms, error[k] / 2);
@@ -110,7 +110,7 @@ START_TEST(rows_are_rows)
     noisy_seed(31);
     noisy_scan(&scan, panel_height, 17000, NOISY_RANDOM, 0);
     sort(0.48, 30);
-    struct rowmesh r = rowmesh_make(&buckets, &footprint, &holes,
+    struct rowmesh r = rowmesh_make(&point_grid, &footprint, &holes,
                                     &(struct rowmesh_wish){0.05, 0.48, 12, NULL, 0}, &mesh);
     ck_assert_double_le(r.worst, 0.05);
     ck_assert_uint_eq(mesh.row.n, mesh.vertex.n);
@@ -130,7 +130,7 @@ END_TEST
 START_TEST(plane_takes_few)
 {
     make_scan(tilted, 17000, NOISY_RANDOM);
-    struct rowmesh r = rowmesh_make(&buckets, &footprint, &holes,
+    struct rowmesh r = rowmesh_make(&point_grid, &footprint, &holes,
                                     &(struct rowmesh_wish){0.01, 0.48, 12, NULL, 0}, &mesh);
     ck_assert_double_lt(r.worst, 1e-6);
     ck_assert_uint_le(mesh.vertex.n, 40);
@@ -142,7 +142,7 @@ END_TEST
 START_TEST(rib)
 {
     make_scan(ridge, 100000, (enum noisy_pattern)_i);
-    rowmesh_make(&buckets, &footprint, &holes, &(struct rowmesh_wish){0.05, 0.2, 4.8, NULL, 0},
+    rowmesh_make(&point_grid, &footprint, &holes, &(struct rowmesh_wish){0.05, 0.2, 4.8, NULL, 0},
                  &mesh);
     int rows = mesh.row.item[mesh.row.n - 1] + 1;
     double *kept = mem_alloc((size_t)rows, sizeof *kept);
@@ -185,7 +185,7 @@ START_TEST(hole)
             *array_push(&scan) = vec(x, y, tilted(x, y));
     }
     sort(0.48, 0);
-    struct rowmesh r = rowmesh_make(&buckets, &footprint, &holes,
+    struct rowmesh r = rowmesh_make(&point_grid, &footprint, &holes,
                                     &(struct rowmesh_wish){0.05, 0.48, 12, NULL, 0}, &mesh);
     ck_assert_double_lt(r.worst, 1e-6);
     for (size_t f = 0; f < mesh.face.n; f++) {
@@ -203,7 +203,7 @@ END_TEST
 START_TEST(out_of_reach)
 {
     make_scan(ridge, 4000, NOISY_RANDOM);
-    struct rowmesh r = rowmesh_make(&buckets, &footprint, &holes,
+    struct rowmesh r = rowmesh_make(&point_grid, &footprint, &holes,
                                     &(struct rowmesh_wish){0.01, 1, 12, NULL, 0}, &mesh);
     ck_assert_double_gt(r.worst, 0.01);
     double s = r.at.x * cos(RADIANS(25)) + r.at.y * sin(RADIANS(25)) - 3;

@@ -11,7 +11,7 @@
 
 static struct vec3s scan;
 static struct mesh mesh;
-static struct buckets buckets;
+static struct point_grid point_grid;
 
 static void make_scan(double (*height)(double, double), enum noisy_pattern pattern, double sigma,
                       double t)
@@ -21,7 +21,7 @@ static void make_scan(double (*height)(double, double), enum noisy_pattern patte
     noisy_seed(21);
     noisy_scan(&scan, height, 17000, pattern, sigma);
     struct footprint f = footprint_of(scan.item, scan.n, 0);
-    ck_assert_int_eq(buckets_make(scan.item, scan.n, 0.48, 1, &buckets, &error), 0);
+    ck_assert_int_eq(point_grid_make(scan.item, scan.n, 0.48, 1, &point_grid, &error), 0);
     ck_assert_int_eq(grid_make(&f, scan.n, t, &g, &error), 0);
     size_t *chosen = reposition(&g, scan.item, scan.n, REACH_NEAREST);
     gridmesh_make(&g, chosen, scan.item, NULL, &mesh);
@@ -32,7 +32,7 @@ static void free_all(void)
 {
     array_free(&scan);
     mesh_free(&mesh);
-    buckets_free(&buckets);
+    point_grid_free(&point_grid);
 }
 
 /* How deep a ball of 8 mm that touches the mesh at its vertices gouges the true panel. */
@@ -58,7 +58,7 @@ START_TEST(panel)
         for (size_t i = 0; i < mesh.vertex.n; i++)
             before = fmax(before, fabs(panel_distance(mesh.vertex.item[i])));
         ck_assert_double_gt(before, 2.8 * sigma[k]);
-        struct scansmooth r = scansmooth(&mesh, &buckets, sigma[k], 0, 2);
+        struct scansmooth r = scansmooth(&mesh, &point_grid, sigma[k], 0, 2);
         ck_assert_uint_eq(r.moved, mesh.vertex.n);
         ck_assert_double_lt(worst_gouge(), 0.01 + 1.5 * sigma[k]);
         ck_assert_double_lt(r.error, 0.4 * sigma[k]);
@@ -81,7 +81,7 @@ START_TEST(plane)
 {
     const struct vec3 normal = vec_unit(vec(-3, 0.3, 1));
     make_scan(tilted, NOISY_RANDOM, 0.02, 4);
-    struct scansmooth r = scansmooth(&mesh, &buckets, 0.02, 0, 2);
+    struct scansmooth r = scansmooth(&mesh, &point_grid, 0.02, 0, 2);
     ck_assert_uint_ge(r.typical, 180);
     ck_assert_uint_eq(r.moved, mesh.vertex.n);
     for (size_t i = 0; i < mesh.vertex.n; i++) {
@@ -101,7 +101,7 @@ static double fold(double x, double y)
 START_TEST(edge)
 {
     make_scan(fold, NOISY_RANDOM, 0.01, 2);
-    scansmooth(&mesh, &buckets, 0.01, 0, 2);
+    scansmooth(&mesh, &point_grid, 0.01, 0, 2);
     for (size_t i = 0; i < mesh.vertex.n; i++) {
         struct vec3 p = mesh.vertex.item[i];
         ck_assert_double_lt(fabs(p.z - fold(p.x, p.y)) / sqrt(2.04), 0.08);
@@ -113,9 +113,9 @@ END_TEST
 START_TEST(outliers)
 {
     make_scan(panel_height, NOISY_RANDOM, 0.02, 4);
-    for (size_t i = 0; i < buckets.n; i += 40)
-        buckets.point[i].z += 1 + noisy_uniform();
-    scansmooth(&mesh, &buckets, 0.02, 0, 2);
+    for (size_t i = 0; i < point_grid.n; i += 40)
+        point_grid.point[i].z += 1 + noisy_uniform();
+    scansmooth(&mesh, &point_grid, 0.02, 0, 2);
     ck_assert_double_lt(worst_gouge(), 0.01 + 1.5 * 0.02);
 }
 END_TEST
@@ -127,8 +127,8 @@ START_TEST(threads_do_not_matter)
     for (size_t i = 0; i < mesh.vertex.n; i++)
         *array_push(&second.vertex) = mesh.vertex.item[i];
     second.face = mesh.face;
-    scansmooth(&first, &buckets, 0.02, 60, 1);
-    scansmooth(&second, &buckets, 0.02, 60, 5);
+    scansmooth(&first, &point_grid, 0.02, 60, 1);
+    scansmooth(&second, &point_grid, 0.02, 60, 5);
     ck_assert_mem_eq(first.vertex.item, second.vertex.item,
                      first.vertex.n * sizeof *first.vertex.item);
     ck_assert_mem_eq(first.normal.item, second.normal.item,

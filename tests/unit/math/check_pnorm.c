@@ -1,6 +1,6 @@
-/* Tests of powersum.h: the right side is the slope of the sum, the step leads to the least squares.
+/* Tests of pnorm.h: the right side is the slope of the sum, the step leads to the least squares.
  */
-#include "math/powersum.h"
+#include "math/pnorm.h"
 
 #include <check.h>
 #include <math.h>
@@ -14,14 +14,14 @@ static double some(size_t i)
 }
 
 /* Pairs that depend on three unknowns x in a straight way; unknown k moves points from k on. */
-static void set(struct powersum *s, const double x[UNKNOWNS], double *off, double held[3])
+static void set(struct pnorm *s, const double x[UNKNOWNS], double *off, double held[3])
 {
     for (size_t i = 0; i < 2 * s->pairs; i++)
         off[i] = some(i);
     for (size_t c = 0; c < 3; c++)
         held[c] = some(100 + c);
     for (size_t k = 0; k < UNKNOWNS; k++) {
-        struct powersum_column *column = &s->column[k];
+        struct pnorm_column *column = &s->column[k];
         column->from = k;
         column->to = POINTS;
         for (size_t i = 0; i < 2 * s->pairs; i++) {
@@ -35,19 +35,19 @@ static void set(struct powersum *s, const double x[UNKNOWNS], double *off, doubl
     }
 }
 
-static double cost_at(struct powersum *s, const double x[UNKNOWNS], int half)
+static double cost_at(struct pnorm *s, const double x[UNKNOWNS], int half)
 {
     double off[4 * POINTS], held[3];
 
     set(s, x, off, held);
-    return powersum_cost(s, off, held, half, 0.8);
+    return pnorm_cost(s, off, held, half, 0.8);
 }
 
 START_TEST(the_right_side_is_the_slope)
 {
     for (int half = 1; half < 9; half += 3) {
         for (int twice = 0; twice < 2; twice++) {
-            struct powersum s = powersum_new(POINTS, twice, UNKNOWNS);
+            struct pnorm s = pnorm_new(POINTS, twice, UNKNOWNS);
             double x[UNKNOWNS] = {0.1, -0.2, 0.3}, slope[UNKNOWNS];
             for (int k = 0; k < UNKNOWNS; k++) {
                 double here = x[k], step = 1e-6;
@@ -58,10 +58,10 @@ START_TEST(the_right_side_is_the_slope)
                 x[k] = here;
             }
             set(&s, x, s.off, s.held);
-            powersum_equations(&s, half, 0.8);
+            pnorm_equations(&s, half, 0.8);
             for (int k = 0; k < UNKNOWNS; k++)
                 ck_assert_double_eq_tol(-2 * s.right[k], slope[k], 1e-5 * (1 + fabs(slope[k])));
-            powersum_free(&s);
+            pnorm_free(&s);
         }
     }
 }
@@ -69,11 +69,11 @@ END_TEST
 
 START_TEST(squares_are_least_after_one_step)
 {
-    struct powersum s = powersum_new(POINTS, true, UNKNOWNS);
+    struct pnorm s = pnorm_new(POINTS, true, UNKNOWNS);
     double x[UNKNOWNS] = {0.1, -0.2, 0.3};
 
     set(&s, x, s.off, s.held);
-    powersum_equations(&s, 1, 0.8);
+    pnorm_equations(&s, 1, 0.8);
     ck_assert(band_factor(&s.normal));
     band_solve(&s.normal, s.right, 1);
     for (int k = 0; k < UNKNOWNS; k++)
@@ -86,7 +86,7 @@ START_TEST(squares_are_least_after_one_step)
             x[k] -= 1e-3 * way;
         }
     }
-    powersum_free(&s);
+    pnorm_free(&s);
 }
 END_TEST
 

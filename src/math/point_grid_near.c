@@ -1,11 +1,11 @@
-/* buckets_near - nearest points of a cloud in buckets; see buckets.h.
+/* point_grid_near - nearest points of a cloud in point_grid; see point_grid.h.
  *
  * Few points about a place are looked at all at once, and told apart by a histogram of how far they
  * are: on a surface that fills it evenly.  A heap takes over where that does not serve. */
 #include <math.h>
 #include <stdbool.h>
 
-#include "math/buckets.h"
+#include "math/point_grid.h"
 
 /* Points looked at at once; parts of their distance; so many in one part are not told apart. */
 enum { AT_ONCE = 512, BINS = 64, CROWD = 48, RINGS = 4 };
@@ -19,9 +19,9 @@ struct around {
                       cells was sorted into those at the border */
 };
 
-static struct around cells_around(const struct buckets *b, struct vec3 q, size_t ring)
+static struct around cells_around(const struct point_grid *b, struct vec3 q, size_t ring)
 {
-    struct around a = {.column = buckets_column(b, q.x), .row = buckets_row(b, q.y)};
+    struct around a = {.column = point_grid_column(b, q.x), .row = point_grid_row(b, q.y)};
     a.left = a.column > ring ? a.column - ring : 0;
     a.low = a.row > ring ? a.row - ring : 0;
     a.right = b->columns - 1 - a.column > ring ? a.column + ring : b->columns - 1;
@@ -40,12 +40,12 @@ static struct around cells_around(const struct buckets *b, struct vec3 q, size_t
 }
 
 /* The points of a row of cells, from one column to another. */
-static uint32_t row_begin(const struct buckets *b, const struct around *a, size_t row)
+static uint32_t row_begin(const struct point_grid *b, const struct around *a, size_t row)
 {
     return b->first[row * b->columns + a->left];
 }
 
-static uint32_t row_end(const struct buckets *b, const struct around *a, size_t row)
+static uint32_t row_end(const struct point_grid *b, const struct around *a, size_t row)
 {
     return b->first[row * b->columns + a->right + 1];
 }
@@ -57,8 +57,8 @@ struct some {
 };
 
 /* All points nearer than `within2`, in their order. */
-static void gather(const struct buckets *b, struct vec3 q, const struct around *a, double within2,
-                   struct some *some)
+static void gather(const struct point_grid *b, struct vec3 q, const struct around *a,
+                   double within2, struct some *some)
 {
     some->n = 0;
     for (size_t row = a->low; row <= a->high; row++) {
@@ -120,7 +120,7 @@ static bool sort_out(const struct some *some, double within2, size_t k, uint32_t
 }
 
 /* False: where there are too many points at once, or too few. */
-static bool near_at_once(const struct buckets *b, struct vec3 q, size_t k, uint32_t *index,
+static bool near_at_once(const struct point_grid *b, struct vec3 q, size_t k, uint32_t *index,
                          double *distance2)
 {
     struct some some;
@@ -170,8 +170,8 @@ static void settle(struct heap *h, size_t at, size_t n, uint32_t index, double d
     h->distance2[at] = distance2;
 }
 
-static void offer_cells(const struct buckets *b, struct vec3 q, size_t row, size_t from, size_t to,
-                        struct heap *h)
+static void offer_cells(const struct point_grid *b, struct vec3 q, size_t row, size_t from,
+                        size_t to, struct heap *h)
 {
     const uint32_t *first = b->first + row * b->columns;
     for (uint32_t i = first[from]; i < first[to + 1]; i++) {
@@ -205,7 +205,7 @@ static void sort_heap(struct heap *h)
 }
 
 /* The cells whose column or row is `ring` away; how near a point beyond them can be. */
-static double offer_ring(const struct buckets *b, struct vec3 q, size_t ring, struct heap *h)
+static double offer_ring(const struct point_grid *b, struct vec3 q, size_t ring, struct heap *h)
 {
     struct around a = cells_around(b, q, ring);
     for (size_t r = a.low; r <= a.high; r++) {
@@ -221,14 +221,14 @@ static double offer_ring(const struct buckets *b, struct vec3 q, size_t ring, st
     return a.beyond;
 }
 
-size_t buckets_nearest(const struct buckets *buckets, struct vec3 q, size_t k, uint32_t *index,
-                       double *distance2)
+size_t point_grid_nearest(const struct point_grid *point_grid, struct vec3 q, size_t k,
+                          uint32_t *index, double *distance2)
 {
-    struct heap h = {0, k < buckets->n ? k : buckets->n, index, distance2};
-    if (h.k == 0 || (4 * k <= AT_ONCE && near_at_once(buckets, q, k, index, distance2)))
+    struct heap h = {0, k < point_grid->n ? k : point_grid->n, index, distance2};
+    if (h.k == 0 || (4 * k <= AT_ONCE && near_at_once(point_grid, q, k, index, distance2)))
         return h.k;
     for (size_t ring = 0;; ring++) {
-        double beyond = offer_ring(buckets, q, ring, &h);
+        double beyond = offer_ring(point_grid, q, ring, &h);
         if (beyond == INFINITY || (h.n == h.k && beyond > 0 && h.distance2[0] < beyond * beyond))
             break;
     }

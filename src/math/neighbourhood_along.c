@@ -1,5 +1,5 @@
-/* longhood - see longhood.h. */
-#include "math/longhood.h"
+/* neighbourhood_along - see neighbourhood_along.h. */
+#include "math/neighbourhood_along.h"
 
 #include <stdbool.h>
 #include <stdlib.h>
@@ -42,8 +42,8 @@ static void select_first(struct ranked *r, size_t n, size_t k)
     }
 }
 
-size_t longhood_take(const struct vec3 *point, size_t n, struct vec3 at, struct vec3 way,
-                     double aspect, size_t k, struct vec3 *found)
+size_t neighbourhood_along_take(const struct vec3 *point, size_t n, struct vec3 at, struct vec3 way,
+                                double aspect, size_t k, struct vec3 *found)
 {
     struct ranked *ranked = mem_alloc(n, sizeof *ranked);
     size_t farthest = 0;

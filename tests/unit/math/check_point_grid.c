@@ -1,16 +1,17 @@
-/* buckets: nearest points against going through all of them, the order of the file, taking out. */
+/* point_grid: nearest points against going through all of them, the order of the file, taking out.
+ */
 #include <check.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "base/array.h"
-#include "math/buckets.h"
+#include "math/point_grid.h"
 
 enum { N = 3000 };
 
 static uint64_t state;
 static struct vec3 point[N];
-static struct buckets buckets;
+static struct point_grid point_grid;
 static struct error error;
 
 static double uniform(void)
@@ -36,12 +37,12 @@ static void make_points(int kind)
             y = x + 0.1 * y;
         point[i] = vec(x, y, z);
     }
-    ck_assert_int_eq(buckets_make(point, N, 0.9, 2, &buckets, &error), 0);
+    ck_assert_int_eq(point_grid_make(point, N, 0.9, 2, &point_grid, &error), 0);
 }
 
 static void free_all(void)
 {
-    buckets_free(&buckets);
+    point_grid_free(&point_grid);
 }
 
 static double distance2(struct vec3 a, struct vec3 b)
@@ -55,7 +56,7 @@ static void check_nearest(struct vec3 q, size_t k)
 {
     uint32_t index[N];
     double found[N];
-    size_t n = buckets_nearest(&buckets, q, k, index, found);
+    size_t n = point_grid_nearest(&point_grid, q, k, index, found);
     ck_assert_uint_eq(n, k < N ? k : N);
     for (size_t i = 0; i < n; i++) {
         size_t before = 0;
@@ -83,14 +84,14 @@ END_TEST
 START_TEST(cells_hold_their_points)
 {
     make_points(_i);
-    size_t cells = buckets.columns * buckets.rows;
-    ck_assert_uint_eq(buckets.first[0], 0);
-    ck_assert_uint_eq(buckets.first[cells], N);
+    size_t cells = point_grid.columns * point_grid.rows;
+    ck_assert_uint_eq(point_grid.first[0], 0);
+    ck_assert_uint_eq(point_grid.first[cells], N);
     ck_assert_uint_le(cells, N + 64);
     for (size_t c = 0; c < cells; c++)
-        for (uint32_t i = buckets.first[c]; i < buckets.first[c + 1]; i++) {
-            ck_assert_uint_eq(buckets_row(&buckets, point[i].y), c / buckets.columns);
-            ck_assert_uint_eq(buckets_column(&buckets, point[i].x), c % buckets.columns);
+        for (uint32_t i = point_grid.first[c]; i < point_grid.first[c + 1]; i++) {
+            ck_assert_uint_eq(point_grid_row(&point_grid, point[i].y), c / point_grid.columns);
+            ck_assert_uint_eq(point_grid_column(&point_grid, point[i].x), c % point_grid.columns);
         }
 }
 END_TEST
@@ -100,14 +101,14 @@ START_TEST(order_of_the_file_does_not_matter)
     struct vec3 first[N];
     make_points(_i);
     memcpy(first, point, sizeof first);
-    buckets_free(&buckets);
+    point_grid_free(&point_grid);
     for (size_t i = N - 1; i > 0; i--) {
         size_t j = (size_t)(uniform() * (double)(i + 1));
         struct vec3 t = point[i];
         point[i] = point[j];
         point[j] = t;
     }
-    ck_assert_int_eq(buckets_make(point, N, 0.9, 1, &buckets, &error), 0);
+    ck_assert_int_eq(point_grid_make(point, N, 0.9, 1, &point_grid, &error), 0);
     ck_assert_mem_eq(first, point, sizeof first);
 }
 END_TEST
@@ -123,18 +124,18 @@ START_TEST(take_out)
         left += !out[i];
         x += out[i] ? 0 : point[i].x;
     }
-    buckets_remove(&buckets, out);
-    ck_assert_uint_eq(buckets.n, left);
+    point_grid_remove(&point_grid, out);
+    ck_assert_uint_eq(point_grid.n, left);
     for (size_t i = 0; i < left; i++)
         x -= point[i].x;
     ck_assert_double_eq_tol(x, 0, 1e-7);
-    for (size_t c = 0; c < buckets.columns * buckets.rows; c++)
-        for (uint32_t i = buckets.first[c]; i < buckets.first[c + 1]; i++)
-            ck_assert_uint_eq(buckets_row(&buckets, point[i].y), c / buckets.columns);
+    for (size_t c = 0; c < point_grid.columns * point_grid.rows; c++)
+        for (uint32_t i = point_grid.first[c]; i < point_grid.first[c + 1]; i++)
+            ck_assert_uint_eq(point_grid_row(&point_grid, point[i].y), c / point_grid.columns);
     uint32_t index;
     double d2;
     for (size_t i = 0; i < left; i += 97) {
-        ck_assert_uint_eq(buckets_nearest(&buckets, point[i], 1, &index, &d2), 1);
+        ck_assert_uint_eq(point_grid_nearest(&point_grid, point[i], 1, &index, &d2), 1);
         ck_assert_uint_eq(index, i);
     }
 }
@@ -142,9 +143,9 @@ END_TEST
 
 START_TEST(nothing)
 {
-    ck_assert_int_eq(buckets_make(point, 0, 1, 1, &buckets, &error), -1);
+    ck_assert_int_eq(point_grid_make(point, 0, 1, 1, &point_grid, &error), -1);
     ck_assert_ptr_nonnull(strstr(error.text, "0 points"));
-    buckets.first = NULL;
+    point_grid.first = NULL;
 }
 END_TEST
 

@@ -1,15 +1,15 @@
-/* powersum - see powersum.h. */
-#include "math/powersum.h"
+/* pnorm - see pnorm.h. */
+#include "math/pnorm.h"
 
 #include <math.h>
 #include <stdlib.h>
 
 #include "base/array.h"
 
-struct powersum powersum_new(size_t points, bool twice, size_t unknowns)
+struct pnorm pnorm_new(size_t points, bool twice, size_t unknowns)
 {
     size_t pairs = points * (twice ? 2 : 1);
-    struct powersum s = {.points = points, .pairs = pairs, .unknowns = unknowns};
+    struct pnorm s = {.points = points, .pairs = pairs, .unknowns = unknowns};
 
     s.off = mem_alloc(4 * pairs, sizeof *s.off);
     s.weighed = s.off + 2 * pairs;
@@ -22,7 +22,7 @@ struct powersum powersum_new(size_t points, bool twice, size_t unknowns)
     return s;
 }
 
-void powersum_free(struct powersum *s)
+void pnorm_free(struct pnorm *s)
 {
     free(s->off);
     free(s->slopes);
@@ -42,8 +42,8 @@ static double power(double x, int n)
     return y;
 }
 
-double powersum_cost(const struct powersum *s, const double *off, const double held[3], int half,
-                     double scale)
+double pnorm_cost(const struct pnorm *s, const double *off, const double held[3], int half,
+                  double scale)
 {
     double sum = held[0] * held[0] + held[1] * held[1] + held[2] * held[2];
     for (size_t i = 0; i < s->pairs; i++) {
@@ -54,7 +54,7 @@ double powersum_cost(const struct powersum *s, const double *off, const double h
 }
 
 /* Pair i of the distances and their slopes become those of (d / scale)^half. */
-static void weigh(struct powersum *s, size_t i, int half, double scale)
+static void weigh(struct pnorm *s, size_t i, int half, double scale)
 {
     double x = s->off[2 * i], y = s->off[2 * i + 1], d = sqrt(x * x + y * y);
     double f = power(d / scale, half - 1) / scale;
@@ -63,7 +63,7 @@ static void weigh(struct powersum *s, size_t i, int half, double scale)
     s->weighed[2 * i + 1] = f * y;
     size_t point = i < s->points ? i : i - s->points;
     for (size_t k = 0; k < s->unknowns; k++) {
-        struct powersum_column *c = &s->column[k];
+        struct pnorm_column *c = &s->column[k];
         if (point < c->from || point >= c->to)
             continue;
         double *slope = c->slope + 2 * i, along = (half - 1) * (ux * slope[0] + uy * slope[1]);
@@ -83,25 +83,24 @@ static double dot(const double *a, const double *b, size_t from, size_t to)
 }
 
 /* Sum over the points [from, to), both ends of the lever. */
-static double dots(const struct powersum *s, const double *a, const double *b, size_t from,
-                   size_t to)
+static double dots(const struct pnorm *s, const double *a, const double *b, size_t from, size_t to)
 {
     size_t n = s->points;
     double sum = dot(a, b, from, to);
     return s->pairs > n ? sum + dot(a, b, n + from, n + to) : sum;
 }
 
-void powersum_equations(struct powersum *s, int half, double scale)
+void pnorm_equations(struct pnorm *s, int half, double scale)
 {
     for (size_t i = 0; i < s->pairs; i++)
         weigh(s, i, half, scale);
     for (size_t k = 0; k < s->unknowns; k++) {
-        const struct powersum_column *c = &s->column[k];
+        const struct pnorm_column *c = &s->column[k];
         const double *h = c->held, *g = s->held;
         s->right[k] = -(h[0] * g[0] + h[1] * g[1] + h[2] * g[2]) -
                       dots(s, c->slope, s->weighed, c->from, c->to);
         for (size_t l = 0; l <= k; l++) {
-            const struct powersum_column *d = &s->column[l];
+            const struct pnorm_column *d = &s->column[l];
             size_t from = c->from > d->from ? c->from : d->from;
             size_t to = c->to < d->to ? c->to : d->to;
             g = d->held;

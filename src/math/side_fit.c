@@ -1,5 +1,5 @@
-/* flank - see flank.h. */
-#include "math/flank.h"
+/* side_fit - see side_fit.h. */
+#include "math/side_fit.h"
 
 #include <stdlib.h>
 
@@ -28,7 +28,7 @@ static double left_over(const struct quadric *q, const struct vec3 *point, size_
     return n > fixed ? quadric_rms(q, point, n) * sqrt((double)n / (double)(n - fixed)) : 0;
 }
 
-struct quadric flank_frame(struct vec3 origin, struct vec3 w)
+struct quadric side_fit_frame(struct vec3 origin, struct vec3 w)
 {
     struct quadric q = {.origin = origin, .w = w, .u = vec_perpendicular(w)};
 
@@ -36,14 +36,14 @@ struct quadric flank_frame(struct vec3 origin, struct vec3 w)
     return q;
 }
 
-void flank_local(const struct quadric *q, const struct vec3 *point, size_t n, struct vec3 *local)
+void side_fit_local(const struct quadric *q, const struct vec3 *point, size_t n, struct vec3 *local)
 {
     for (size_t i = 0; i < n; i++)
         place(q, point[i], &local[i].x, &local[i].y, &local[i].z);
 }
 
-int flank_plane_of(const struct vec3 *local, const unsigned char *side, unsigned char which,
-                   size_t n, struct flank *sheet)
+int side_fit_plane_of(const struct vec3 *local, const unsigned char *side, unsigned char which,
+                      size_t n, struct side_fit *sheet)
 {
     double mu = 0, mv = 0, mh = 0, uu = 0, uv = 0, vv = 0, uh = 0, vh = 0, *c = sheet->q.c;
     size_t count = 0;
@@ -81,14 +81,14 @@ int flank_plane_of(const struct vec3 *local, const unsigned char *side, unsigned
     return 0;
 }
 
-int flank_plane(const struct vec3 *point, size_t n, struct vec3 origin, struct vec3 w,
-                struct flank *sheet)
+int side_fit_plane(const struct vec3 *point, size_t n, struct vec3 origin, struct vec3 w,
+                   struct side_fit *sheet)
 {
-    struct flank plane = {.q = flank_frame(origin, w)};
+    struct side_fit plane = {.q = side_fit_frame(origin, w)};
     struct vec3 local[SOME], *all = n > SOME ? mem_alloc(n, sizeof *all) : local;
 
-    flank_local(&plane.q, point, n, all);
-    int status = flank_plane_of(all, NULL, 0, n, &plane);
+    side_fit_local(&plane.q, point, n, all);
+    int status = side_fit_plane_of(all, NULL, 0, n, &plane);
     if (n > SOME)
         free(all);
     if (status < 0)
@@ -98,9 +98,10 @@ int flank_plane(const struct vec3 *point, size_t n, struct vec3 origin, struct v
     return 0;
 }
 
-struct flank flank_through(struct vec3 place, struct vec3 normal, struct vec3 origin, struct vec3 w)
+struct side_fit side_fit_through(struct vec3 place, struct vec3 normal, struct vec3 origin,
+                                 struct vec3 w)
 {
-    struct flank f = {.q = flank_frame(origin, w)};
+    struct side_fit f = {.q = side_fit_frame(origin, w)};
     double upright = vec_dot(normal, w);
 
     f.q.c[1] = -vec_dot(normal, f.q.u) / upright;
@@ -109,9 +110,9 @@ struct flank flank_through(struct vec3 place, struct vec3 normal, struct vec3 or
     return f;
 }
 
-void flank_bend(const struct vec3 *point, size_t n, struct flank *sheet)
+void side_fit_bend(const struct vec3 *point, size_t n, struct side_fit *sheet)
 {
-    struct flank bent;
+    struct side_fit bent;
 
     if (n < 3 * QUADRIC || quadric_fit(point, n, sheet->q.origin, sheet->q.w, &bent.q) < 0)
         return;
@@ -120,7 +121,7 @@ void flank_bend(const struct vec3 *point, size_t n, struct flank *sheet)
         *sheet = bent;
 }
 
-double flank_height(const struct flank *sheet, struct vec3 p)
+double side_fit_height(const struct side_fit *sheet, struct vec3 p)
 {
     const double *c = sheet->q.c;
     double u, v, w;
@@ -129,17 +130,17 @@ double flank_height(const struct flank *sheet, struct vec3 p)
     return c[0] + u * (c[1] + c[3] * u + c[4] * v) + v * (c[2] + c[5] * v);
 }
 
-double flank_above(const struct flank *sheet, struct vec3 p)
+double side_fit_above(const struct side_fit *sheet, struct vec3 p)
 {
-    return vec_dot(vec_sub(p, sheet->q.origin), sheet->q.w) - flank_height(sheet, p);
+    return vec_dot(vec_sub(p, sheet->q.origin), sheet->q.w) - side_fit_height(sheet, p);
 }
 
-struct vec3 flank_point(const struct flank *sheet, struct vec3 p)
+struct vec3 side_fit_point(const struct side_fit *sheet, struct vec3 p)
 {
-    return vec_along(p, -flank_above(sheet, p), sheet->q.w);
+    return vec_along(p, -side_fit_above(sheet, p), sheet->q.w);
 }
 
-struct vec3 flank_normal(const struct flank *sheet, struct vec3 p)
+struct vec3 side_fit_normal(const struct side_fit *sheet, struct vec3 p)
 {
     const struct quadric *q = &sheet->q;
     double u, v, w;

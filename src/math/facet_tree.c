@@ -1,5 +1,5 @@
-/* facetree - see facetree.h. */
-#include "math/facetree.h"
+/* facet_tree - see facet_tree.h. */
+#include "math/facet_tree.h"
 
 #include <stdbool.h>
 #include <stdlib.h>
@@ -10,7 +10,7 @@
 enum { LEAF = 6, DEPTH = 64 };
 
 /* Nodes [2 i + 1], [2 i + 2] are the halves of node i; a leaf has no more than LEAF facets. */
-struct facetree {
+struct facet_tree {
     const struct facets *facets;
     struct box *box;
     size_t nodes;
@@ -51,7 +51,7 @@ static void select_facet(struct facet *f, size_t from, size_t to, size_t k, int 
     }
 }
 
-static void build(struct facetree *tree, size_t node, struct facet *f, size_t from, size_t to)
+static void build(struct facet_tree *tree, size_t node, struct facet *f, size_t from, size_t to)
 {
     struct box box = box_empty(), middles = box_empty();
     for (size_t i = from; i < to; i++) {
@@ -70,9 +70,9 @@ static void build(struct facetree *tree, size_t node, struct facet *f, size_t fr
     build(tree, 2 * node + 2, f, half, to);
 }
 
-struct facetree *facetree_new(struct facets *facets)
+struct facet_tree *facet_tree_new(struct facets *facets)
 {
-    struct facetree *tree = mem_alloc(1, sizeof *tree);
+    struct facet_tree *tree = mem_alloc(1, sizeof *tree);
     tree->facets = facets;
     tree->nodes = 1;
     for (size_t most = facets->n; most > LEAF; most -= most / 2)
@@ -82,7 +82,7 @@ struct facetree *facetree_new(struct facets *facets)
     return tree;
 }
 
-void facetree_free(struct facetree *tree)
+void facet_tree_free(struct facet_tree *tree)
 {
     if (!tree)
         return;
@@ -124,7 +124,7 @@ static struct span half_of(struct span s, bool second)
                   : (struct span){2 * s.node + 1, s.from, half};
 }
 
-double facetree_distance(const struct facetree *tree, struct vec3 p)
+double facet_tree_distance(const struct facet_tree *tree, struct vec3 p)
 {
     struct span stack[DEPTH] = {{0, 0, tree->facets->n}};
     double best = HUGE_VAL;

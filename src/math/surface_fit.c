@@ -1,5 +1,5 @@
-/* surfacefit - see surfacefit.h. */
-#include "math/surfacefit.h"
+/* surface_fit - see surface_fit.h. */
+#include "math/surface_fit.h"
 
 #include <stdlib.h>
 
@@ -10,17 +10,17 @@ enum { LEAST = 32, FEW = 64, MOST = 362, STEPS = 8, REFITS = 2 };
 
 static const double TUKEY = 4.685; /* in standard deviations: 95 % efficient on normal noise */
 
-void surfacefit_gather(const struct buckets *b, struct vec3 vertex, size_t k,
-                       struct surfacefit_hood *hood)
+void surface_fit_gather(const struct point_grid *b, struct vec3 vertex, size_t k,
+                        struct surface_fit_hood *hood)
 {
-    hood->n = buckets_nearest(b, vertex, k, hood->index, hood->distance2);
+    hood->n = point_grid_nearest(b, vertex, k, hood->index, hood->distance2);
     for (size_t i = 0; i < hood->n; i++)
         hood->point[i] = b->point[hood->index[i]];
 }
 
 /* Weights of the first k points; returns their spread about the quadric.  Where it passes a good
  * part of them by it is not theirs: infinite. *farthest: the largest of their distances. */
-static double weigh(const struct quadric *q, struct surfacefit_hood *hood, size_t k, double sigma,
+static double weigh(const struct quadric *q, struct surface_fit_hood *hood, size_t k, double sigma,
                     double *farthest)
 {
     const double terms = 6, most = 0.6;
@@ -51,7 +51,7 @@ static bool is_useless(const struct quadric *q, double sigma)
 
 /* In the frame of a normal that is nearly right: a cubic or, where the points carry none, a
  * quadric. -1: neither. */
-static int fit_weighted(const struct surfacefit_hood *hood, const double *weight, size_t k,
+static int fit_weighted(const struct surface_fit_hood *hood, const double *weight, size_t k,
                         struct vec3 vertex, struct vec3 normal, double sigma, struct quadric *q)
 {
     if (cubic_fit(hood->point, weight, k, vertex, normal, q) == 0 && !is_useless(q, sigma))
@@ -59,8 +59,9 @@ static int fit_weighted(const struct surfacefit_hood *hood, const double *weight
     return quadric_fit_weighted(hood->point, weight, k, vertex, normal, q);
 }
 
-int surfacefit_through(struct surfacefit_hood *hood, size_t k, struct vec3 vertex,
-                       struct vec3 normal, struct vec3 guess, double sigma, struct surfacefit *fit)
+int surface_fit_through(struct surface_fit_hood *hood, size_t k, struct vec3 vertex,
+                        struct vec3 normal, struct vec3 guess, double sigma,
+                        struct surface_fit *fit)
 {
     const double far = 3.5; /* in sigma */
     struct quadric *q = &fit->q;
@@ -85,8 +86,8 @@ int surfacefit_through(struct surfacefit_hood *hood, size_t k, struct vec3 verte
 /* The surface through the first k points, in the frame of a quadric through some of them; where
  * that leads nowhere, as on laser lines it may, through all of them, or straight up.  -1: they
  * carry none. */
-static int fit_to(struct surfacefit_hood *hood, size_t k, struct vec3 vertex, struct vec3 guess,
-                  double sigma, struct surfacefit *fit)
+static int fit_to(struct surface_fit_hood *hood, size_t k, struct vec3 vertex, struct vec3 guess,
+                  double sigma, struct surface_fit *fit)
 {
     const size_t some[] = {k < 48 ? k : 48, k, 0};
     int fitted = -1;
@@ -97,14 +98,14 @@ static int fit_to(struct surfacefit_hood *hood, size_t k, struct vec3 vertex, st
                 continue;
             normal = quadric_normal(&fit->q);
         }
-        fitted = surfacefit_through(hood, k, vertex, normal, guess, sigma, fit);
+        fitted = surface_fit_through(hood, k, vertex, normal, guess, sigma, fit);
     }
     return fitted;
 }
 
 /* Do the feet, and the normals, of a wide neighbourhood and of its nearer part differ by no more
  * than noise explains, `times` as much? */
-static bool same_foot(const struct surfacefit *wide, const struct surfacefit *part, double sigma,
+static bool same_foot(const struct surface_fit *wide, const struct surface_fit *part, double sigma,
                       double times)
 {
     const double sigmas = 2.5, tilts = 3;
@@ -117,39 +118,40 @@ static bool same_foot(const struct surfacefit *wide, const struct surfacefit *pa
 }
 
 /* Is the wide neighbourhood spread as its nearer part is? */
-static bool same_spread(const struct surfacefit *wide, const struct surfacefit *part, double sigma)
+static bool same_spread(const struct surface_fit *wide, const struct surface_fit *part,
+                        double sigma)
 {
     double bent = 1 + 3 / sqrt(2 * (double)wide->n);
     return wide->spread <= bent * fmax(part->spread, sigma);
 }
 
-static bool agree(const struct surfacefit *wide, const struct surfacefit *part, double sigma)
+static bool agree(const struct surface_fit *wide, const struct surface_fit *part, double sigma)
 {
     return same_foot(wide, part, sigma, 1) && same_spread(wide, part, sigma);
 }
 
 /* Where to gather from: the foot of the vertex on a first fit, for the points nearest to one that
  * is off the surface are off to the same side. */
-static struct vec3 first_foot(const struct surfacefit_rule *rule, struct vec3 vertex,
-                              struct vec3 guess, struct surfacefit_hood *hood)
+static struct vec3 first_foot(const struct surface_fit_options *rule, struct vec3 vertex,
+                              struct vec3 guess, struct surface_fit_hood *hood)
 {
     const size_t some = 2 * (size_t)LEAST;
     const double far = 4;
-    struct surfacefit fit;
-    surfacefit_gather(rule->buckets, vertex, some, hood);
+    struct surface_fit fit;
+    surface_fit_gather(rule->point_grid, vertex, some, hood);
     if (fit_to(hood, hood->n, vertex, guess, rule->sigma, &fit) < 0 ||
         is_useless(&fit.q, rule->sigma) || fabs(fit.offset) > far * rule->sigma)
         return vertex;
     return quadric_foot(&fit.q);
 }
 
-size_t surfacefit_widest(const struct surfacefit_rule *rule, struct vec3 vertex, struct vec3 guess,
-                         struct surfacefit_hood *hood)
+size_t surface_fit_widest(const struct surface_fit_options *rule, struct vec3 vertex,
+                          struct vec3 guess, struct surface_fit_hood *hood)
 {
-    struct surfacefit fit[STEPS];
+    struct surface_fit fit[STEPS];
     size_t widest = LEAST, n = 0;
     vertex = first_foot(rule, vertex, guess, hood);
-    surfacefit_gather(rule->buckets, vertex, MOST, hood);
+    surface_fit_gather(rule->point_grid, vertex, MOST, hood);
     double k = LEAST;
     for (int step = 0; step < STEPS; step++, k *= sqrt(2)) {
         size_t count = (size_t)(k + 0.5);
@@ -173,14 +175,14 @@ static bool is_settled(const struct quadric *q, double sigma)
 
 /* The neighbourhood to begin with, wider where it carries no surface or, at a border, an uncertain
  * one.  Returns its size, 0: there is none. */
-static size_t begin_at(const struct surfacefit_rule *rule, struct vec3 vertex, struct vec3 guess,
-                       struct surfacefit_hood *hood, struct surfacefit *fit)
+static size_t begin_at(const struct surface_fit_options *rule, struct vec3 vertex,
+                       struct vec3 guess, struct surface_fit_hood *hood, struct surface_fit *fit)
 {
-    size_t began = 0, most = 4 * rule->neighbours < SURFACEFIT_WIDEST ? 4 * rule->neighbours
-                                                                      : SURFACEFIT_WIDEST;
-    for (size_t k = rule->neighbours; k <= SURFACEFIT_WIDEST; k *= 2) {
-        struct surfacefit wide;
-        surfacefit_gather(rule->buckets, vertex, k, hood);
+    size_t began = 0, most = 4 * rule->neighbours < SURFACE_FIT_WIDEST ? 4 * rule->neighbours
+                                                                       : SURFACE_FIT_WIDEST;
+    for (size_t k = rule->neighbours; k <= SURFACE_FIT_WIDEST; k *= 2) {
+        struct surface_fit wide;
+        surface_fit_gather(rule->point_grid, vertex, k, hood);
         if (fit_to(hood, hood->n, vertex, guess, rule->sigma, &wide) == 0) {
             bool useless = began == 0 || is_useless(&fit->q, rule->sigma);
             if (!useless && (k > most || !agree(&wide, fit, rule->sigma)))
@@ -197,7 +199,7 @@ static size_t begin_at(const struct surfacefit_rule *rule, struct vec3 vertex, s
 }
 
 /* Is the nearer part the better one?  Where it is uncertain itself that takes more to say. */
-static bool is_better(const struct surfacefit *part, const struct surfacefit *fit, double sigma)
+static bool is_better(const struct surface_fit *part, const struct surface_fit *fit, double sigma)
 {
     double times = is_settled(&part->q, sigma) ? 1 : 2;
     return !is_useless(&part->q, sigma) &&
@@ -205,8 +207,8 @@ static bool is_better(const struct surfacefit *part, const struct surfacefit *fi
 }
 
 /* The surface for a vertex: false when no neighbourhood has one. */
-static bool fit_at(const struct surfacefit_rule *rule, struct vec3 vertex, struct vec3 guess,
-                   struct surfacefit_hood *hood, struct surfacefit *fit)
+static bool fit_at(const struct surface_fit_options *rule, struct vec3 vertex, struct vec3 guess,
+                   struct surface_fit_hood *hood, struct surface_fit *fit)
 {
     const double narrow = 0.05; /* sigma, in widths of the neighbourhood */
     size_t k = begin_at(rule, vertex, guess, hood, fit);
@@ -214,9 +216,9 @@ static bool fit_at(const struct surfacefit_rule *rule, struct vec3 vertex, struc
         vertex = first_foot(rule, vertex, guess, hood);
         k = begin_at(rule, vertex, guess, hood, fit);
     }
-    for (struct surfacefit part; k / 2 >= LEAST && k > rule->neighbours / 16; k /= 2) {
-        if (surfacefit_through(hood, k / 2, vertex, quadric_normal(&fit->q), guess, rule->sigma,
-                               &part) < 0 ||
+    for (struct surface_fit part; k / 2 >= LEAST && k > rule->neighbours / 16; k /= 2) {
+        if (surface_fit_through(hood, k / 2, vertex, quadric_normal(&fit->q), guess, rule->sigma,
+                                &part) < 0 ||
             !is_better(&part, fit, rule->sigma))
             break;
         *fit = part;
@@ -226,52 +228,53 @@ static bool fit_at(const struct surfacefit_rule *rule, struct vec3 vertex, struc
 
 /* Where the frame of the few nearest points led nowhere, as on laser lines it may: that of all of
  * them, and straight up. */
-static void try_other_frames(const struct surfacefit_rule *rule, struct vec3 vertex,
-                             struct vec3 guess, struct surfacefit_hood *hood,
-                             struct surfacefit *fit)
+static void try_other_frames(const struct surface_fit_options *rule, struct vec3 vertex,
+                             struct vec3 guess, struct surface_fit_hood *hood,
+                             struct surface_fit *fit)
 {
-    struct surfacefit other;
+    struct surface_fit other;
     struct vec3 normal[2] = {guess, vec(0, 0, 1)};
-    surfacefit_gather(rule->buckets, vertex, rule->neighbours, hood);
+    surface_fit_gather(rule->point_grid, vertex, rule->neighbours, hood);
     if (quadric_fit_steep(hood->point, hood->n, vertex, guess, &other.q) == 0)
         normal[0] = quadric_normal(&other.q);
     for (int i = 0; i < 2; i++)
-        if (surfacefit_through(hood, hood->n, vertex, normal[i], guess, rule->sigma, &other) == 0 &&
+        if (surface_fit_through(hood, hood->n, vertex, normal[i], guess, rule->sigma, &other) ==
+                0 &&
             other.spread < fit->spread)
             *fit = other;
 }
 
-struct surfacefit_hood *surfacefit_hood_new(void)
+struct surface_fit_hood *surface_fit_hood_new(void)
 {
-    return mem_alloc(1, sizeof(struct surfacefit_hood));
+    return mem_alloc(1, sizeof(struct surface_fit_hood));
 }
 
-void surfacefit_hood_free(struct surfacefit_hood *hood)
+void surface_fit_hood_free(struct surface_fit_hood *hood)
 {
     free(hood);
 }
 
-bool surfacefit_useless(const struct surfacefit *fit, double sigma)
+bool surface_fit_useless(const struct surface_fit *fit, double sigma)
 {
     return is_useless(&fit->q, sigma);
 }
 
-bool surfacefit_holds(const struct surfacefit *fit, double sigma)
+bool surface_fit_holds(const struct surface_fit *fit, double sigma)
 {
     const double bent = 2;
     return fit->spread <= bent * sigma;
 }
 
-bool surfacefit_at(const struct surfacefit_rule *rule, struct vec3 place, struct vec3 guess,
-                   struct surfacefit_hood *hood, struct surfacefit *fit)
+bool surface_fit_at(const struct surface_fit_options *rule, struct vec3 place, struct vec3 guess,
+                    struct surface_fit_hood *hood, struct surface_fit *fit)
 {
     const double rough = 1.2, torn = 8; /* in sigma */
     if (!fit_at(rule, place, guess, hood, fit))
         return false;
-    if (!surfacefit_holds(fit, rule->sigma))
+    if (!surface_fit_holds(fit, rule->sigma))
         try_other_frames(rule, place, guess, hood, fit);
     if (rule->along && fit->spread > rough * rule->sigma && fit->spread < torn * rule->sigma &&
         fit->n <= FEW)
-        surfacefit_along(rule, place, guess, hood, fit);
+        surface_fit_along(rule, place, guess, hood, fit);
     return true;
 }

@@ -1,5 +1,5 @@
-/* roofs - see roofs.h. */
-#include "math/roofs.h"
+/* height_pyramid - see height_pyramid.h. */
+#include "math/height_pyramid.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -18,12 +18,12 @@ static size_t cell_at(double from, double cell, double v, size_t cells)
 }
 
 /* Each level half as wide and deep as the one before, all in one array. */
-static void lay_levels(struct roofs *r)
+static void lay_levels(struct height_pyramid *r)
 {
     size_t columns = r->columns, rows = r->rows, cells = 0;
 
-    while (r->levels < ROOFS_LEVELS) {
-        r->level[r->levels++] = (struct roofs_level){columns, rows, NULL};
+    while (r->levels < HEIGHT_PYRAMID_LEVELS) {
+        r->level[r->levels++] = (struct height_pyramid_level){columns, rows, NULL};
         cells += columns * rows;
         if (columns * rows == 1)
             break;
@@ -40,7 +40,8 @@ static void lay_levels(struct roofs *r)
     }
 }
 
-static void raise_level(const struct roofs_level *fine, struct roofs_level *coarse)
+static void raise_level(const struct height_pyramid_level *fine,
+                        struct height_pyramid_level *coarse)
 {
     for (size_t row = 0; row < fine->rows; row++) {
         for (size_t c = 0; c < fine->columns; c++) {
@@ -51,9 +52,9 @@ static void raise_level(const struct roofs_level *fine, struct roofs_level *coar
     }
 }
 
-struct roofs roofs_over(const struct vec3 *point, size_t n)
+struct height_pyramid height_pyramid_over(const struct vec3 *point, size_t n)
 {
-    struct roofs r = {.columns = 0};
+    struct height_pyramid r = {.columns = 0};
     double low[2] = {INFINITY, INFINITY}, high[2] = {-INFINITY, -INFINITY};
 
     if (n == 0)
@@ -83,13 +84,14 @@ struct roofs roofs_over(const struct vec3 *point, size_t n)
     return r;
 }
 
-void roofs_free(struct roofs *roofs)
+void height_pyramid_free(struct height_pyramid *height_pyramid)
 {
-    free(roofs->top);
-    roofs->top = NULL;
+    free(height_pyramid->top);
+    height_pyramid->top = NULL;
 }
 
-double roofs_top(const struct roofs *r, struct vec3 a, struct vec3 b, double radius)
+double height_pyramid_top(const struct height_pyramid *r, struct vec3 a, struct vec3 b,
+                          double radius)
 {
     double top = -INFINITY;
 
@@ -103,7 +105,7 @@ double roofs_top(const struct roofs *r, struct vec3 a, struct vec3 b, double rad
     while (k + 1 < r->levels &&
            ((right - left) >> k >= MOST_ACROSS || (high - low) >> k >= MOST_ACROSS))
         k++;
-    const struct roofs_level *level = &r->level[k];
+    const struct height_pyramid_level *level = &r->level[k];
     for (size_t row = low >> k; row <= high >> k; row++) {
         for (size_t c = left >> k; c <= right >> k; c++) {
             double z = level->top[row * level->columns + c];

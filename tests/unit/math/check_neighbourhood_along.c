@@ -1,8 +1,8 @@
-/* longhood: which points are taken, against an exhaustive count. */
+/* neighbourhood_along: which points are taken, against an exhaustive count. */
 #include <check.h>
 #include <stdlib.h>
 
-#include "math/longhood.h"
+#include "math/neighbourhood_along.h"
 #include "rough.h"
 
 enum { POINTS = 400, TAKEN = 40 };
@@ -22,7 +22,7 @@ START_TEST(taken)
     size_t nearer = 0;
     for (int i = 0; i < POINTS; i++)
         p[i] = vec(10 * uniform(), 10 * uniform(), 2 * uniform());
-    ck_assert_uint_eq(longhood_take(p, POINTS, at, way, 3, TAKEN, found), TAKEN);
+    ck_assert_uint_eq(neighbourhood_along_take(p, POINTS, at, way, 3, TAKEN, found), TAKEN);
     for (int i = 0; i < TAKEN; i++) {
         farthest = fmax(farthest, counted(found[i], at, way));
         last = fmax(last, vec_distance(found[i], at));
@@ -31,7 +31,7 @@ START_TEST(taken)
         nearer += counted(p[i], at, way) <= farthest * (1 + 1e-12);
     ck_assert_uint_eq(nearer, TAKEN);
     ck_assert(vec_distance(found[TAKEN - 1], at) == last);
-    ck_assert_uint_eq(longhood_take(p, 7, at, way, 3, TAKEN, found), 7);
+    ck_assert_uint_eq(neighbourhood_along_take(p, 7, at, way, 3, TAKEN, found), 7);
 }
 END_TEST
 

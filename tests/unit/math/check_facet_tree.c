@@ -1,5 +1,5 @@
-/* Tests of facetree.h: against looking at every facet, and against known distances. */
-#include "math/facetree.h"
+/* Tests of facet_tree.h: against looking at every facet, and against known distances. */
+#include "math/facet_tree.h"
 
 #include <check.h>
 #include <stdlib.h>
@@ -50,16 +50,16 @@ START_TEST(it_finds_what_looking_at_all_finds)
             struct vec3 c = i % 2 ? vec_add(a, random_point(2)) : b;
             *array_push(&facets) = (struct facet){{a, b, c}};
         }
-        struct facetree *tree = facetree_new(&facets);
+        struct facet_tree *tree = facet_tree_new(&facets);
         for (int k = 0; k < 200; k++) {
             struct vec3 p = random_point(14);
             double best = HUGE_VAL;
             for (size_t i = 0; i < n; i++)
                 best = fmin(best, vec_distance(p, facet_nearest(&facets.item[i], p)));
-            double found = facetree_distance(tree, p);
+            double found = facet_tree_distance(tree, p);
             ck_assert(found <= best && found >= best);
         }
-        facetree_free(tree);
+        facet_tree_free(tree);
         array_free(&facets);
     }
 }
@@ -70,9 +70,9 @@ START_TEST(many_at_one_place)
     struct facets facets = {0};
     for (int i = 0; i < 5000; i++)
         *array_push(&facets) = (struct facet){{vec(1, 1, 1), vec(1, 1, 1), vec(1, 1, 1)}};
-    struct facetree *tree = facetree_new(&facets);
-    ck_assert_double_eq_tol(facetree_distance(tree, vec(1, 1, 4)), 3, 1e-12);
-    facetree_free(tree);
+    struct facet_tree *tree = facet_tree_new(&facets);
+    ck_assert_double_eq_tol(facet_tree_distance(tree, vec(1, 1, 4)), 3, 1e-12);
+    facet_tree_free(tree);
     array_free(&facets);
 }
 END_TEST

@@ -1,9 +1,9 @@
-/* surfacefit_typical - how many points most surfaces take; see surfacefit.h. */
+/* surface_fit_typical - how many points most surfaces take; see surface_fit.h. */
 #include <stdlib.h>
 
 #include "base/array.h"
 #include "base/parallel.h"
-#include "math/surfacefit.h"
+#include "math/surface_fit.h"
 
 enum { SAMPLE = 200, FEWEST = 32 };
 
@@ -11,7 +11,7 @@ enum { SAMPLE = 200, FEWEST = 32 };
 static const double WORK = 4e6, AFFORDED = 56;
 
 struct sample {
-    const struct surfacefit_rule *rule;
+    const struct surface_fit_options *rule;
     const struct vec3 *place, *guess;
     size_t places, n; /* of them, looked at */
     size_t *widest;
@@ -20,13 +20,13 @@ struct sample {
 static void choose(void *context, size_t from, size_t to)
 {
     const struct sample *sample = context;
-    struct surfacefit_hood *hood = surfacefit_hood_new();
+    struct surface_fit_hood *hood = surface_fit_hood_new();
     for (size_t i = from; i < to; i++) {
         size_t at = i * sample->places / sample->n;
         sample->widest[i] =
-            surfacefit_widest(sample->rule, sample->place[at], sample->guess[at], hood);
+            surface_fit_widest(sample->rule, sample->place[at], sample->guess[at], hood);
     }
-    surfacefit_hood_free(hood);
+    surface_fit_hood_free(hood);
 }
 
 static int by_size(const void *a, const void *b)
@@ -35,8 +35,8 @@ static int by_size(const void *a, const void *b)
     return (x > y) - (x < y);
 }
 
-size_t surfacefit_typical(const struct surfacefit_rule *rule, const struct vec3 *place,
-                          const struct vec3 *guess, size_t n, int threads)
+size_t surface_fit_typical(const struct surface_fit_options *rule, const struct vec3 *place,
+                           const struct vec3 *guess, size_t n, int threads)
 {
     size_t some = n < SAMPLE ? n : SAMPLE;
     struct sample sample = {rule, place, guess, n, some, mem_alloc(some, sizeof(size_t))};

@@ -1,5 +1,5 @@
-/* planefit - see planefit.h. */
-#include "math/planefit.h"
+/* plane_fit - see plane_fit.h. */
+#include "math/plane_fit.h"
 
 enum { SWEEPS = 30 };
 
@@ -48,7 +48,7 @@ static void rotate(double a[3][3], double v[3][3], int p, int q)
     }
 }
 
-int planefit(const struct vec3 *point, size_t n, struct planefit *plane)
+int plane_fit(const struct vec3 *point, size_t n, struct plane_fit *plane)
 {
     double a[3][3], v[3][3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
     int least = 0, most = 0;

@@ -1,10 +1,10 @@
-/* ribway: the way a noisy rib runs is found from a bad guess, and how high it is. */
+/* ridge_direction: the way a noisy rib runs is found from a bad guess, and how high it is. */
 #include <check.h>
 #include <stdlib.h>
 
 #include "math/kdtree.h"
 #include "ribs.h"
-#include "math/ribway.h"
+#include "math/ridge_direction.h"
 
 enum { SOME = 48 };
 
@@ -23,13 +23,13 @@ static void look_along(double noise, double most_degrees, double most_off)
         struct vec3 at = vec_along(vec(0, 0, 0.8), i * 0.7, along);
         double turn = (i % 2 ? -15 : 15) * PI / 180;
         struct vec3 guess = vec_along(vec_scale(cos(turn), along), sin(turn), across);
-        size_t index[RIBWAY_LONGER * SOME];
-        struct vec3 near[RIBWAY_LONGER * SOME];
-        struct ribway rib;
-        size_t n = kdtree_nearest(tree, at, RIBWAY_LONGER * SOME, index, NULL);
+        size_t index[RIDGE_DIRECTION_LONGER * SOME];
+        struct vec3 near[RIDGE_DIRECTION_LONGER * SOME];
+        struct ridge_direction rib;
+        size_t n = kdtree_nearest(tree, at, RIDGE_DIRECTION_LONGER * SOME, index, NULL);
         for (size_t k = 0; k < n; k++)
             near[k] = p.item[index[k]];
-        ck_assert(ribway_find(near, n, at, vec(0, 0, 1), guess, SOME, &rib));
+        ck_assert(ridge_direction_find(near, n, at, vec(0, 0, 1), guess, SOME, &rib));
         ck_assert_double_le(degrees_between(rib.way, along), most_degrees);
         ck_assert_double_le(fabs(rib.q.c[0]), most_off);
         ck_assert_double_le(rib.rms, 0.01 + noise);
@@ -54,8 +54,8 @@ END_TEST
 START_TEST(too_few_points)
 {
     const struct vec3 near[5] = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}, {2, 1, 0}};
-    struct ribway rib;
-    ck_assert(!ribway_find(near, 5, near[0], vec(0, 0, 1), vec(1, 0, 0), 5, &rib));
+    struct ridge_direction rib;
+    ck_assert(!ridge_direction_find(near, 5, near[0], vec(0, 0, 1), vec(1, 0, 0), 5, &rib));
 }
 END_TEST
 

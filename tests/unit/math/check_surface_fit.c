@@ -1,15 +1,16 @@
-/* surfacefit: feet and normals on known surfaces, about places of every kind, from noisy points. */
+/* surface_fit: feet and normals on known surfaces, about places of every kind, from noisy points.
+ */
 #include <check.h>
 #include <stdlib.h>
 
 #include "noisy.h"
-#include "math/surfacefit.h"
+#include "math/surface_fit.h"
 
 static const double SIGMA = 0.02;
 
 static struct vec3s scan;
-static struct buckets buckets;
-static struct surfacefit_hood *hood;
+static struct point_grid point_grid;
+static struct surface_fit_hood *hood;
 
 static double saddle(double x, double y)
 {
@@ -31,14 +32,14 @@ static void make_scan(double (*height)(double, double), enum noisy_pattern patte
     struct error error;
     noisy_seed(5);
     noisy_scan(&scan, height, 17000, pattern, SIGMA);
-    ck_assert_int_eq(buckets_make(scan.item, scan.n, 0.48, 1, &buckets, &error), 0);
-    hood = surfacefit_hood_new();
+    ck_assert_int_eq(point_grid_make(scan.item, scan.n, 0.48, 1, &point_grid, &error), 0);
+    hood = surface_fit_hood_new();
 }
 
 static void free_all(void)
 {
-    surfacefit_hood_free(hood);
-    buckets_free(&buckets);
+    surface_fit_hood_free(hood);
+    point_grid_free(&point_grid);
     array_free(&scan);
 }
 
@@ -52,15 +53,15 @@ static bool is_inside(struct vec3 p)
  * spreads the points. */
 static void look_all_over(double (*height)(double, double), size_t neighbours)
 {
-    struct surfacefit_rule rule = {&buckets, SIGMA, neighbours, false};
+    struct surface_fit_options rule = {&point_grid, SIGMA, neighbours, false};
     double sum2 = 0, n = 0;
     for (size_t i = 0; i < scan.n; i += 17) {
-        struct surfacefit fit;
+        struct surface_fit fit;
         struct vec3 p = scan.item[i];
         if (!is_inside(p))
             continue;
-        ck_assert(surfacefit_at(&rule, p, vec(0, 0, 1), hood, &fit));
-        ck_assert(surfacefit_holds(&fit, SIGMA));
+        ck_assert(surface_fit_at(&rule, p, vec(0, 0, 1), hood, &fit));
+        ck_assert(surface_fit_holds(&fit, SIGMA));
         struct vec3 foot = quadric_nearest(&fit.q, p), up = noisy_up(height, foot.x, foot.y);
         double off = (foot.z - height(foot.x, foot.y)) * up.z;
         ck_assert_double_lt(fabs(off), 1.5 * SIGMA);
@@ -85,12 +86,12 @@ START_TEST(as_many_points_as_agree)
     size_t typical[2];
     for (int k = 0; k < 2; k++) {
         make_scan(k ? wave : saddle, NOISY_RANDOM);
-        struct surfacefit_rule rule = {&buckets, SIGMA, 0, false};
+        struct surface_fit_options rule = {&point_grid, SIGMA, 0, false};
         struct vec3s up = {0};
         for (size_t i = 0; i < scan.n; i++)
             *array_push(&up) = vec(0, 0, 1);
-        typical[k] = surfacefit_typical(&rule, scan.item, up.item, scan.n, 2);
-        ck_assert_uint_eq(typical[k], surfacefit_typical(&rule, scan.item, up.item, scan.n, 1));
+        typical[k] = surface_fit_typical(&rule, scan.item, up.item, scan.n, 2);
+        ck_assert_uint_eq(typical[k], surface_fit_typical(&rule, scan.item, up.item, scan.n, 1));
         array_free(&up);
         free_all();
     }
@@ -104,16 +105,16 @@ END_TEST
 START_TEST(not_across_an_edge)
 {
     make_scan(fold, NOISY_RANDOM);
-    struct surfacefit_rule rule = {&buckets, SIGMA, 200, false};
+    struct surface_fit_options rule = {&point_grid, SIGMA, 200, false};
     size_t seen = 0;
     for (size_t i = 0; i < scan.n; i++) {
-        struct surfacefit fit;
+        struct surface_fit fit;
         struct vec3 p = scan.item[i];
         double from_edge = fabs(p.x + 0.2 * p.y);
         if (!is_inside(p) || from_edge < 1.5 || from_edge > 2)
             continue;
-        ck_assert(surfacefit_at(&rule, p, vec(0, 0, 1), hood, &fit));
-        if (surfacefit_holds(&fit, SIGMA)) {
+        ck_assert(surface_fit_at(&rule, p, vec(0, 0, 1), hood, &fit));
+        if (surface_fit_holds(&fit, SIGMA)) {
             struct vec3 foot = quadric_nearest(&fit.q, p);
             ck_assert_double_lt(fabs(foot.z - fold(foot.x, foot.y)), 4 * SIGMA);
         }

@@ -1,5 +1,5 @@
-/* buckets - a counting sort, then each cell by value; see buckets.h. */
-#include "math/buckets.h"
+/* point_grid - a counting sort, then each cell by value; see point_grid.h. */
+#include "math/point_grid.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -51,7 +51,7 @@ static void core_of(const struct vec3 *point, size_t n, int axis, double *low, d
 }
 
 /* Cells over the box of the points; over their core where the box is mostly empty. */
-static void lay_out(struct buckets *b, double spacing)
+static void lay_out(struct point_grid *b, double spacing)
 {
     double x1, y1, most = (double)b->n + 64;
     range_of(b->point, b->n, 0, &b->x, &x1);
@@ -78,24 +78,24 @@ static size_t cell_from(double from, double cell, double v, size_t cells)
     return c < (double)(cells - 1) ? (size_t)c : cells - 1;
 }
 
-size_t buckets_column(const struct buckets *b, double x)
+size_t point_grid_column(const struct point_grid *b, double x)
 {
     return cell_from(b->x, b->cell, x, b->columns);
 }
 
-size_t buckets_row(const struct buckets *b, double y)
+size_t point_grid_row(const struct point_grid *b, double y)
 {
     return cell_from(b->y, b->cell, y, b->rows);
 }
 
-static size_t cell_of(const struct buckets *b, struct vec3 p)
+static size_t cell_of(const struct point_grid *b, struct vec3 p)
 {
-    return buckets_row(b, p.y) * b->columns + buckets_column(b, p.x);
+    return point_grid_row(b, p.y) * b->columns + point_grid_column(b, p.x);
 }
 
 /* What threads share to sort points into cells. */
 struct sorting {
-    const struct buckets *b;
+    const struct point_grid *b;
     uint32_t *cell, *next; /* of each point; where the next point of each cell goes */
     struct vec3 *sorted;
 };
@@ -118,7 +118,7 @@ static void take_points(void *context, size_t from, size_t to)
             s->sorted[s->next[s->cell[i]]++] = s->b->point[i];
 }
 
-static void sort_into_cells(struct buckets *b, int threads)
+static void sort_into_cells(struct point_grid *b, int threads)
 {
     size_t cells = b->columns * b->rows;
     struct sorting s = {b, mem_alloc(b->n, sizeof *s.cell), mem_alloc(cells, sizeof *s.next),
@@ -149,7 +149,7 @@ static int by_value(const void *a, const void *b)
 static void sort_cells(void *context, size_t from, size_t to)
 {
     enum { FEW = 24 };
-    const struct buckets *b = context;
+    const struct point_grid *b = context;
     for (size_t c = from; c < to; c++) {
         struct vec3 *p = b->point + b->first[c];
         size_t n = b->first[c + 1] - b->first[c];
@@ -167,26 +167,26 @@ static void sort_cells(void *context, size_t from, size_t to)
     }
 }
 
-int buckets_make(struct vec3 *point, size_t n, double spacing, int threads, struct buckets *buckets,
-                 struct error *error)
+int point_grid_make(struct vec3 *point, size_t n, double spacing, int threads,
+                    struct point_grid *point_grid, struct error *error)
 {
     if (n == 0 || n > UINT32_MAX)
         return error_set(error, "found %zu points, expected 1 to %lu", n,
                          (unsigned long)UINT32_MAX);
-    *buckets = (struct buckets){.point = point, .n = n};
-    lay_out(buckets, spacing);
-    sort_into_cells(buckets, threads);
-    parallel_for(threads, buckets->columns * buckets->rows, sort_cells, buckets);
+    *point_grid = (struct point_grid){.point = point, .n = n};
+    lay_out(point_grid, spacing);
+    sort_into_cells(point_grid, threads);
+    parallel_for(threads, point_grid->columns * point_grid->rows, sort_cells, point_grid);
     return 0;
 }
 
-void buckets_free(struct buckets *buckets)
+void point_grid_free(struct point_grid *point_grid)
 {
-    free(buckets->first);
-    buckets->first = NULL;
+    free(point_grid->first);
+    point_grid->first = NULL;
 }
 
-void buckets_remove(struct buckets *b, const unsigned char *out)
+void point_grid_remove(struct point_grid *b, const unsigned char *out)
 {
     size_t cells = b->columns * b->rows, kept = 0;
     for (size_t c = 0; c < cells; c++) {
