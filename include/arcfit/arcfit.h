@@ -15,7 +15,7 @@
 
 struct pieces {
     size_t n, cap;
-    struct piece *item;
+    struct arc_piece *item;
 };
 
 /*

@@ -9,14 +9,14 @@
 #include "arcfit/trace.h"
 
 /* The axis turns on the great circle. */
-struct piece {
+struct arc_piece {
     struct arc arc;
     double from, to;           /* places */
     struct vec3 axis, axis_to; /* at its ends, unit */
     bool biarc;                /* it and the next one are a biarc */
 };
 
-struct piece piece_of(const struct trace *trace, struct arc arc, double from, double to);
+struct arc_piece piece_of(const struct trace *trace, struct arc arc, double from, double to);
 
 struct stray {
     double tracked, other; /* two-sided distances of the two points' paths, mm */
@@ -30,7 +30,7 @@ struct stray {
  * exceeded, and returns what it found up to there; and looks between points only where what it
  * found at them does not yet say that all in between is within.
  */
-struct stray piece_stray(const struct trace *trace, const struct piece *piece, int fine,
+struct stray piece_stray(const struct trace *trace, const struct arc_piece *piece, int fine,
                          const struct stray *within);
 
 /* No figure of `stray` is above that of `within`. */

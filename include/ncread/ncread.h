@@ -1,5 +1,5 @@
 /*
- * ncread - an NC program run as the control runs it, block by block, into a course.
+ * ncread - an NC program run as the control runs it, block by block, into a nc_motion.
  *
  * Written from the makers' manuals as design and man pages state them, and sharing nothing with
  * the code that writes programs: a mistake there must not be made here once more.  What the
@@ -9,7 +9,7 @@
 #define CLOUDMILL_NCREAD_H
 
 #include "base/array.h"
-#include "simulate/course.h"
+#include "simulate/nc_motion.h"
 #include "base/error.h"
 #include "ncread/ncread_hole.h"
 #include "ncread/ncread_plane.h"
@@ -27,7 +27,7 @@ struct ncread_dialect {
 struct ncread_setup {
     const struct ncread_dialect *dialect;
     bool tcp; /* the machine has tool centre point control */
-    struct rig rig;
+    struct verify_kinematics verify_kinematics;
 };
 
 /* What is known of where the machine is. */
@@ -35,7 +35,7 @@ struct ncread_place {
     bool known[3];
     double at[3]; /* X Y Z as programmed */
     bool turned[2];
-    double turn[2]; /* as the rig has them, degrees */
+    double turn[2]; /* as the verify_kinematics has them, degrees */
     bool has_axis;
     struct vec3 axis;
     bool has_head;
@@ -44,7 +44,7 @@ struct ncread_place {
 
 struct ncread {
     const struct ncread_setup *setup;
-    struct course *course;
+    struct nc_motion *nc_motion;
     const char *name; /* of the file */
     struct ncread_words words;
     size_t line;
@@ -78,12 +78,12 @@ struct ncread {
     struct vec3s pole_p, pole_q;
     struct ints pole_block; /* where each pole stands: its N number ... */
     struct sizes pole_line; /* ... and its line */
-    struct piece spline;
+    struct nc_piece spline;
 };
 
-/* Runs a whole program into the course, which starts as all zero.  -1: it can't be run, the place
- * is named. */
-int ncread_read(const char *file, const struct ncread_setup *setup, struct course *course,
+/* Runs a whole program into the nc_motion, which starts as all zero.  -1: it can't be run, the
+ * place is named. */
+int ncread_read(const char *file, const struct ncread_setup *setup, struct nc_motion *nc_motion,
                 struct error *error);
 
 /* The controls. */
@@ -96,7 +96,7 @@ const struct ncread_dialect *ncread_named(const char *name);
 const struct ncread_dialect *ncread_tell(const char *file, struct error *error);
 
 /* A text like `N120 (line 14)` for messages, at least 40 characters. */
-void ncread_place(const struct piece *piece, char *text, size_t size);
+void ncread_place(const struct nc_piece *piece, char *text, size_t size);
 
 /* --- what the dialects share ---------------------------------------------------------- */
 
@@ -120,7 +120,7 @@ void ncread_turned(const struct ncread *c, struct ncread_place *to);
 void ncread_pointed(struct ncread_place *to, struct vec3 axis);
 
 /* A piece from here to there with its swing; its shape is the caller's. */
-struct piece ncread_piece(const struct ncread *c, const struct ncread_place *to);
+struct nc_piece ncread_piece(const struct ncread *c, const struct ncread_place *to);
 
 /* The rotary axes stand at zero: the linear axes go where the tip goes. */
 bool ncread_upright(const struct ncread *c);
@@ -129,23 +129,23 @@ bool ncread_upright(const struct ncread *c);
 int ncread_ready(const struct ncread *c, struct error *error);
 
 /* The tool goes there: checks what a move needs, adds the piece. */
-int ncread_go(struct ncread *c, const struct ncread_place *to, struct piece piece, bool rapid,
+int ncread_go(struct ncread *c, const struct ncread_place *to, struct nc_piece piece, bool rapid,
               struct error *error);
 
 /* Makes the piece an arc about `centre` in the active plane, counter-clockwise or clockwise. */
-int ncread_arc(struct ncread *c, struct piece *piece, struct vec3 centre, bool ccw,
+int ncread_arc(struct ncread *c, struct nc_piece *piece, struct vec3 centre, bool ccw,
                struct error *error);
 
 /* The same from a radius (negative: more than a half turn). */
-int ncread_arc_radius(struct ncread *c, struct piece *piece, double radius, bool ccw,
+int ncread_arc_radius(struct ncread *c, struct nc_piece *piece, double radius, bool ccw,
                       struct error *error);
 
 /* Makes the piece an arc through a point. */
-int ncread_arc_through(struct ncread *c, struct piece *piece, struct vec3 middle,
+int ncread_arc_through(struct ncread *c, struct nc_piece *piece, struct vec3 middle,
                        struct error *error);
 
 /* One pole more of the spline being read; the first one takes over the piece's swing. */
-void ncread_pole(struct ncread *c, const struct piece *piece, struct vec3 p, struct vec3 q);
+void ncread_pole(struct ncread *c, const struct nc_piece *piece, struct vec3 p, struct vec3 q);
 
 /* The spline is complete: its knots are checked and it is added. */
 int ncread_spline(struct ncread *c, struct error *error);

@@ -6,9 +6,9 @@
 #define CLOUDMILL_NCREAD_MACHINE_H
 
 #include "machine/machine.h"
-#include "simulate/rig.h"
+#include "simulate/verify_kinematics.h"
 
 /* The axes from the keys type, axes, axis.* and centre.* themselves. */
-struct rig ncread_rig(const struct machine *machine);
+struct verify_kinematics ncread_rig(const struct machine *machine);
 
 #endif

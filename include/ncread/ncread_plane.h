@@ -11,7 +11,7 @@
 
 #include <stdbool.h>
 
-#include "simulate/course.h"
+#include "simulate/nc_motion.h"
 #include "base/error.h"
 
 struct ncread;
@@ -28,7 +28,7 @@ int ncread_plane_spatial(struct ncread *c, struct error *error);
 
 /* What was read in the plane, as it is in the work: a piece with its arc or polynomial; the poles
  * of the spline being read. */
-void ncread_plane_turn(struct ncread *c, struct piece *piece);
+void ncread_plane_turn(struct ncread *c, struct nc_piece *piece);
 void ncread_plane_turn_poles(struct ncread *c);
 
 #endif

@@ -16,10 +16,10 @@ struct onsurface *onsurface_new(const struct patches *patches, double slack);
 void onsurface_free(struct onsurface *on);
 
 /*
- * Moves a contact point within the plane of this unit normal, square to its own course in it, onto
- * the nearest surface, inside its trimming, and gives it that surface's normal, to its own side.
- * Returns the number of the surface, or -1 when there is none within `reach` mm: the point is then
- * left as it is.
+ * Moves a contact point within the plane of this unit normal, square to its own nc_motion in it,
+ * onto the nearest surface, inside its trimming, and gives it that surface's normal, to its own
+ * side. Returns the number of the surface, or -1 when there is none within `reach` mm: the point is
+ * then left as it is.
  */
 int onsurface_put(const struct onsurface *on, struct vec3 plane, double reach,
                   struct contact *contact);

@@ -52,11 +52,11 @@ struct nc_step {
     struct deviation allowed; /* of a block, with rounding */
     double clear;             /* z above which the path goes at rapid, NAN: not known */
     struct nc_state state;
-    struct nc_course course; /* for the next motion */
-    struct chain_ways ways;  /* of the machine */
-    double within;           /* nc_surely_within of the machine */
-    size_t next;             /* the item of the path that comes next */
-    size_t tilted;           /* looked for from there: the next whose tool axis is not singular */
+    struct nc_course nc_motion; /* for the next motion */
+    struct chain_ways ways;     /* of the machine */
+    double within;              /* nc_surely_within of the machine */
+    size_t next;                /* the item of the path that comes next */
+    size_t tilted;         /* looked for from there: the next whose tool axis is not singular */
     bool first;            /* the next motion may take either solution: the tool is off the part */
     bool doubt;            /* the nearest way may not have been the shortest of all */
     struct nc_stops stops; /* inside of the next motion */

@@ -15,8 +15,8 @@ enum {
 };
 
 struct printed {
-    struct piece piece;  /* as it is read back */
-    struct path_arc arc; /* radius 0: a straight line */
+    struct arc_piece piece; /* as it is read back */
+    struct path_arc arc;    /* radius 0: a straight line */
 };
 
 struct printeds {
@@ -26,7 +26,7 @@ struct printeds {
 
 /* The piece through its rounded ends, beginning at `from` (as printed); a line where it is shorter
  * than a thousandth of a millimetre, or rounding leaves nothing of its turn. */
-struct printed arcprint_piece(const struct piece *piece, struct vec3 from);
+struct printed arcprint_piece(const struct arc_piece *piece, struct vec3 from);
 
 /* All pieces that follow a trace, beginning at its first point, in the place of what is in
  * `printed`.  Returns how far they stray from it: without limit when they don't lead to its end. */
@@ -35,7 +35,7 @@ struct stray arcprint_pieces(const struct trace *trace, const struct pieces *pie
 
 /* How many equal chords keep within `sagitta` mm of the piece, at the tracked point and at the
  * other end of the lever: a power of two, at most 4096. */
-int arcprint_chords(const struct piece *piece, double lever, double sagitta);
+int arcprint_chords(const struct arc_piece *piece, double lever, double sagitta);
 
 /* The arc as a comment, "$$ CIRCLE/...", in at most ARCPRINT_MAX bytes. */
 void arcprint_comment(const struct path_arc *arc, char *text);

@@ -5,7 +5,7 @@
 #define CLOUDMILL_STOCK_SPEC_H
 
 #include "base/error.h"
-#include "simulate/stockpart.h"
+#include "simulate/stock_init.h"
 
 /*
  * Reads box (around the part), box,MM (so much larger on its sides and its top),

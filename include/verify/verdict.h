@@ -4,11 +4,11 @@
 #ifndef CLOUDMILL_VERDICT_H
 #define CLOUDMILL_VERDICT_H
 
-#include "simulate/axisload.h"
-#include "simulate/ballroll.h"
+#include "simulate/axis_limits.h"
+#include "simulate/deviation_map.h"
 #include "base/error.h"
 #include "ncread/ncread.h"
-#include "simulate/stockrun.h"
+#include "simulate/stock_simulate.h"
 
 struct out;
 
@@ -29,21 +29,22 @@ struct verdict_piece {
 struct verdict {
     const char *file, *control, *machine; /* as said, or told from the text */
     double radius, tolerance, left;       /* left: most material, HUGE_VAL: not judged */
-    double band;                          /* as of ballroll */
-    const struct course *course;
-    const struct ball_path *cut;
+    double band;                          /* as of deviation_map */
+    const struct nc_motion *nc_motion;
+    const struct centre_path *cut;
     const struct vec3s *point;
-    struct ballroll roll;
-    struct axisload load;
+    struct deviation_map roll;
+    struct axis_limits load;
     double rapid;        /* how deep a rapid move goes in, 0: none does */
     size_t rapid_points; /* points that rapids pass through */
     size_t rapid_at, rapid_piece;
-    const struct holderway *holder; /* shank and holder against the part; NULL: not looked at */
-    const struct stockrun *stock;   /* what became of the stock; NULL: none was given */
-    const struct holderway *stock_holder;
+    const struct holder_collision
+        *holder;                        /* shank and holder against the part; NULL: not looked at */
+    const struct stock_simulate *stock; /* what became of the stock; NULL: none was given */
+    const struct holder_collision *stock_holder;
     double cell; /* of the stock, mm */
     unsigned passes;
-    struct verdict_piece *piece; /* as many as the course has */
+    struct verdict_piece *piece; /* as many as the nc_motion has */
     struct {
         size_t n, cap;
         struct finding *item;

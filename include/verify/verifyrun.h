@@ -5,11 +5,11 @@
 #ifndef CLOUDMILL_VERIFYRUN_H
 #define CLOUDMILL_VERIFYRUN_H
 
-#include "simulate/stockpart.h"
+#include "simulate/stock_init.h"
 #include "verify/verdict.h"
 
 struct verifyrun_setup {
-    double band;  /* as of ballroll, mm */
+    double band;  /* as of deviation_map, mm */
     double shank; /* length of a shaft as thick as the ball, which rapid moves keep clear, mm */
     const struct holder *holder;    /* NULL: that shaft alone */
     const struct stock_spec *stock; /* NULL: none */
@@ -19,13 +19,13 @@ struct verifyrun_setup {
 
 /* What the verdict points at. */
 struct verifyrun {
-    struct ball_path cut;
+    struct centre_path cut;
     struct holder shape;
-    struct holderway part, stock;
-    struct stockrun run;
+    struct holder_collision part, stock;
+    struct stock_simulate run;
 };
 
-/* Fills what the verdict is judged by; its course, points, radius and tolerance are given. */
+/* Fills what the verdict is judged by; its nc_motion, points, radius and tolerance are given. */
 void verifyrun_do(const struct verifyrun_setup *setup, struct verifyrun *run,
                   struct verdict *verdict);
 

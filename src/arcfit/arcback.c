@@ -26,17 +26,17 @@ struct trace arcback_trace(const struct trace *trace)
     return back;
 }
 
-static struct piece turned(const struct piece *p, double last)
+static struct arc_piece turned(const struct arc_piece *p, double last)
 {
     const struct arc *arc = &p->arc;
     struct vec3 tangent = vec_scale(-1, arc_tangent(arc, 1));
 
-    return (struct piece){.arc = arc_straight(arc) ? arc_line(arc->to, arc->from)
-                                                   : arc_to(arc->to, tangent, arc->from),
-                          .from = last - p->to,
-                          .to = last - p->from,
-                          .axis = p->axis_to,
-                          .axis_to = p->axis};
+    return (struct arc_piece){.arc = arc_straight(arc) ? arc_line(arc->to, arc->from)
+                                                       : arc_to(arc->to, tangent, arc->from),
+                              .from = last - p->to,
+                              .to = last - p->from,
+                              .axis = p->axis_to,
+                              .axis_to = p->axis};
 }
 
 void arcback_pieces(struct pieces *pieces, size_t points)
@@ -44,7 +44,7 @@ void arcback_pieces(struct pieces *pieces, size_t points)
     double last = (double)points - 1;
 
     for (size_t i = 0, k = pieces->n; i < k--; i++) {
-        struct piece first = turned(&pieces->item[k], last);
+        struct arc_piece first = turned(&pieces->item[k], last);
         pieces->item[k] = turned(&pieces->item[i], last);
         pieces->item[i] = first;
     }

@@ -23,8 +23,8 @@ static const double STRAIGHT = 1e-9; /* mm: an end this near to the line ahead i
 
 /* A chain of pieces, by its last one. */
 struct link {
-    struct piece piece; /* none in the links that start a chain */
-    size_t before;      /* link */
+    struct arc_piece piece; /* none in the links that start a chain */
+    size_t before;          /* link */
     struct reached end;
 };
 
@@ -155,7 +155,7 @@ static bool prove(const struct beam *b, const struct proposal *n, struct link *l
     const struct trace *t = b->trace;
     const struct reached *from = &b->done.item[n->before].end;
     struct arc arc = n->straight ? arc_line(from->p, n->p) : arc_to(from->p, from->tangent, n->p);
-    struct piece piece = piece_of(t, arc, (double)from->at, (double)n->at);
+    struct arc_piece piece = piece_of(t, arc, (double)from->at, (double)n->at);
     piece.axis = from->axis;
     *stray = piece_stray(t, &piece, 4, b->within);
     if (stray->tracked <= b->within->tracked && stray->other > b->within->other &&

@@ -56,7 +56,7 @@ void arcchain_pieces(const struct arcchain *chain, const struct trace *trace, st
         const struct joint *from = &chain->joint[i], *to = from + 1;
         double next = i + 1 < chain->n ? trace_place(trace, to->p, place) : to->place;
         next = fmax(place, next);
-        struct piece piece = piece_of(trace, arcchain_arc(chain, i), place, next);
+        struct arc_piece piece = piece_of(trace, arcchain_arc(chain, i), place, next);
         piece.axis = from->axis;
         piece.axis_to = to->axis;
         *array_push(pieces) = piece;

@@ -11,7 +11,7 @@ static const double TURN_MAX = 2.6; /* of one arc, radians */
 struct reach {
     size_t to; /* point reached */
     int n;     /* pieces: 1 or 2 */
-    struct piece piece[2];
+    struct arc_piece piece[2];
 };
 
 struct greedy {
@@ -23,14 +23,14 @@ struct greedy {
 };
 
 /* A piece that starts where the chain has come to. */
-static struct piece start_piece(const struct greedy *g, struct arc arc, double to)
+static struct arc_piece start_piece(const struct greedy *g, struct arc arc, double to)
 {
-    struct piece piece = piece_of(g->trace, arc, (double)g->at, to);
+    struct arc_piece piece = piece_of(g->trace, arc, (double)g->at, to);
     piece.axis = g->axis;
     return piece;
 }
 
-static bool holds(const struct greedy *g, const struct piece *m)
+static bool holds(const struct greedy *g, const struct arc_piece *m)
 {
     if (m->arc.angle > TURN_MAX)
         return false;
@@ -44,7 +44,7 @@ static bool try_line(struct greedy *g, size_t to, struct reach *reach)
     struct arc line = arc_line(g->from, t->p[to]);
     if (vec_angle(line.tangent, g->tangent) > ARCFIT_KINK)
         return false;
-    struct piece m = start_piece(g, line, (double)to);
+    struct arc_piece m = start_piece(g, line, (double)to);
     if (!holds(g, &m))
         return false;
     *reach = (struct reach){.to = to, .n = 1, .piece = {m}};
@@ -58,7 +58,7 @@ static bool try_arc(struct greedy *g, size_t to, struct reach *reach)
     struct arc arc = arc_to(g->from, g->tangent, t->p[to]);
     if (vec_angle(arc_tangent(&arc, 1), t->tangent[to]) > ARCFIT_KINK)
         return false;
-    struct piece m = start_piece(g, arc, (double)to);
+    struct arc_piece m = start_piece(g, arc, (double)to);
     if (!holds(g, &m))
         return false;
     *reach = (struct reach){.to = to, .n = 1, .piece = {m}};
@@ -205,7 +205,7 @@ size_t arcfit_each(const struct trace *t, struct pieces *pieces)
             }
         }
         double joint = from + b.a / (b.a + b.b);
-        struct piece *first = array_push(pieces);
+        struct arc_piece *first = array_push(pieces);
         *first = piece_of(t, b.first, from, joint);
         first->biarc = true;
         *array_push(pieces) = piece_of(t, b.second, joint, to);

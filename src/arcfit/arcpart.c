@@ -42,7 +42,7 @@ static void put_joint(const struct arcpart *part, struct arcchain *chain, size_t
 /* The ends of the chain: those of the old pieces. */
 static void put_ends(const struct arcpart *part, struct arcchain *chain)
 {
-    const struct piece *first = &part->old[0], *last = &part->old[part->n - 1];
+    const struct arc_piece *first = &part->old[0], *last = &part->old[part->n - 1];
     chain->joint[0] = (struct joint){.p = first->arc.from,
                                      .tangent = first->arc.tangent,
                                      .axis = first->axis,
@@ -58,7 +58,7 @@ static void space_evenly(const struct arcpart *part, struct arcchain *chain)
     put_ends(part, chain);
     for (size_t i = 1; i < chain->n; i++) {
         double share = (double)(i * part->n) / (double)chain->n, rest = share - floor(share);
-        const struct piece *p = &part->old[(size_t)share];
+        const struct arc_piece *p = &part->old[(size_t)share];
         double a = length_at(t, p->from), b = length_at(t, p->to);
         put_joint(part, chain, i, place_at(t, a + rest * (b - a), (size_t)p->from));
     }
@@ -69,7 +69,7 @@ static void leave_out(const struct arcpart *part, size_t without, struct arcchai
 {
     put_ends(part, chain);
     for (size_t i = 1; i < chain->n; i++) {
-        const struct piece *p = &part->old[i < without ? i : i + 1];
+        const struct arc_piece *p = &part->old[i < without ? i : i + 1];
         put_joint(part, chain, i, p->from);
         chain->joint[i].p = p->arc.from;
     }
@@ -188,7 +188,7 @@ static bool settle_others(const struct arcpart *part, struct arcmoves *m, struct
 
 bool arcpart_fit(const struct arcpart *part, size_t arcs, struct pieces *out)
 {
-    const struct piece *last = &part->old[part->n - 1];
+    const struct arc_piece *last = &part->old[part->n - 1];
     size_t from = (size_t)part->old[0].from, to = (size_t)ceil(last->to);
     if (arcs == 0 || to > part->trace->n - 1)
         return false;

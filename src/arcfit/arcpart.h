@@ -10,11 +10,11 @@
 struct arcpart {
     const struct trace *trace;
     const struct stray *within;
-    int digits;                /* decimals of the joints */
-    const struct piece *old;   /* what there is: where the part begins and ends, */
-    size_t n;                  /* how it is shared out */
-    bool start_held, end_held; /* the direction there stays */
-    bool thorough;             /* many spacings of the joints also where the axis turns */
+    int digits;                  /* decimals of the joints */
+    const struct arc_piece *old; /* what there is: where the part begins and ends, */
+    size_t n;                    /* how it is shared out */
+    bool start_held, end_held;   /* the direction there stays */
+    bool thorough;               /* many spacings of the joints also where the axis turns */
 };
 
 /*

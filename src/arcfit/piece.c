@@ -3,13 +3,13 @@
 
 enum { FINE_MAX = 64 };
 
-struct piece piece_of(const struct trace *trace, struct arc arc, double from, double to)
+struct arc_piece piece_of(const struct trace *trace, struct arc arc, double from, double to)
 {
-    return (struct piece){.arc = arc,
-                          .from = from,
-                          .to = to,
-                          .axis = trace_axis(trace, from),
-                          .axis_to = trace_axis(trace, to)};
+    return (struct arc_piece){.arc = arc,
+                              .from = from,
+                              .to = to,
+                              .axis = trace_axis(trace, from),
+                              .axis_to = trace_axis(trace, to)};
 }
 
 bool stray_within(const struct stray *stray, const struct stray *within)
@@ -113,7 +113,7 @@ static int places_between(const struct arc *arc, double s0, double s1, int fine,
     return need > fine ? need < FINE_MAX ? (int)need : FINE_MAX : fine;
 }
 
-static struct follower follow(const struct trace *trace, const struct piece *m)
+static struct follower follow(const struct trace *trace, const struct arc_piece *m)
 {
     struct follower f = {.trace = trace, .arc = &m->arc, .axis = m->axis};
     f.length = arc_length(&m->arc);
@@ -176,7 +176,7 @@ static void step_on(struct follower *f, double from, double to, int fine, double
 }
 
 /* How far the start of the piece is from where it should be; unknown between two points. */
-static struct apart apart_at_start(const struct follower *f, const struct piece *piece)
+static struct apart apart_at_start(const struct follower *f, const struct arc_piece *piece)
 {
     size_t k = (size_t)piece->from;
     if ((double)k < piece->from)
@@ -190,7 +190,7 @@ static struct apart apart_at_start(const struct follower *f, const struct piece 
  * All points of the piece's part of the trace, and places between their feet: all of them when
  * nothing bounds the stray, else those where it could be out of bounds.
  */
-static void walk(struct follower *f, const struct piece *piece, int fine,
+static void walk(struct follower *f, const struct arc_piece *piece, int fine,
                  const struct stray *within)
 {
     double limit = fmin(within->tracked, 0.1), at = 0;
@@ -212,7 +212,7 @@ static void walk(struct follower *f, const struct piece *piece, int fine,
     meet_trace(f, 1);
 }
 
-struct stray piece_stray(const struct trace *trace, const struct piece *piece, int fine,
+struct stray piece_stray(const struct trace *trace, const struct arc_piece *piece, int fine,
                          const struct stray *within)
 {
     struct follower f = follow(trace, piece);

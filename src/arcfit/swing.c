@@ -13,7 +13,7 @@ static struct vec3 sideways(const struct trace *t, size_t k)
 }
 
 /* How far sideways the other end is from point k when the piece is at s, mm. */
-static double lag(const struct trace *t, const struct piece *piece, size_t k, double s,
+static double lag(const struct trace *t, const struct arc_piece *piece, size_t k, double s,
                   struct vec3 side)
 {
     struct vec3 axis = vec_mix(piece->axis, piece->axis_to, s);
@@ -26,7 +26,7 @@ static double clamp(double x, double lo, double hi)
     return x < lo ? lo : x > hi ? hi : x;
 }
 
-struct vec3 swing_end(const struct trace *trace, const struct piece *piece,
+struct vec3 swing_end(const struct trace *trace, const struct arc_piece *piece,
                       const struct stray *within, double part, int digits)
 {
     size_t from = (size_t)piece->from, to = (size_t)piece->to;

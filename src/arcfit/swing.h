@@ -16,7 +16,7 @@
  * the lever nearest to its trace, by least squares over some points; at the end itself it stays
  * within `part` of the two tolerances.  piece->axis_to where there is nothing to gain.
  */
-struct vec3 swing_end(const struct trace *trace, const struct piece *piece,
+struct vec3 swing_end(const struct trace *trace, const struct arc_piece *piece,
                       const struct stray *within, double part, int digits);
 
 #endif

@@ -57,8 +57,8 @@ bool ncread_axis(const struct ncread *c, const char *name, double value, struct 
         to->known[*name - 'X'] = true;
         return true;
     }
-    for (int i = 0; i < c->setup->rig.n; i++)
-        if (*name == c->setup->rig.axis[i].letter) {
+    for (int i = 0; i < c->setup->verify_kinematics.n; i++)
+        if (*name == c->setup->verify_kinematics.axis[i].letter) {
             to->turn[i] = value;
             to->turned[i] = true;
             return true;
@@ -68,7 +68,7 @@ bool ncread_axis(const struct ncread *c, const char *name, double value, struct 
 
 static bool all_turned(const struct ncread *c, const struct ncread_place *place)
 {
-    for (int i = 0; i < c->setup->rig.n; i++)
+    for (int i = 0; i < c->setup->verify_kinematics.n; i++)
         if (!place->turned[i])
             return false;
     return true;
@@ -77,7 +77,7 @@ static bool all_turned(const struct ncread *c, const struct ncread_place *place)
 void ncread_turned(const struct ncread *c, struct ncread_place *to)
 {
     if (all_turned(c, to)) {
-        to->axis = rig_axis_at(&c->setup->rig, to->turn);
+        to->axis = verify_kinematics_axis_at(&c->setup->verify_kinematics, to->turn);
         to->has_axis = true;
     }
 }
@@ -99,9 +99,9 @@ static struct vec3 point_of(const struct ncread_place *place)
     return vec(place->at[0], place->at[1], place->at[2]);
 }
 
-struct piece ncread_piece(const struct ncread *c, const struct ncread_place *to)
+struct nc_piece ncread_piece(const struct ncread *c, const struct ncread_place *to)
 {
-    struct piece piece = {
+    struct nc_piece piece = {
         .line = c->line, .block = (int)c->block, .feed = c->feed, .inverse = c->inverse_time};
     const struct ncread_place *from = &c->here;
     piece.p[0] = point_of(from);
@@ -128,7 +128,7 @@ struct piece ncread_piece(const struct ncread *c, const struct ncread_place *to)
 
 bool ncread_upright(const struct ncread *c)
 {
-    for (int i = 0; i < c->setup->rig.n; i++)
+    for (int i = 0; i < c->setup->verify_kinematics.n; i++)
         if (!c->here.turned[i] || c->here.turn[i] != 0)
             return false;
     return true;
@@ -151,7 +151,7 @@ int ncread_ready(const struct ncread *c, struct error *error)
     return 0;
 }
 
-int ncread_go(struct ncread *c, const struct ncread_place *to, struct piece piece, bool rapid,
+int ncread_go(struct ncread *c, const struct ncread_place *to, struct nc_piece piece, bool rapid,
               struct error *error)
 {
     if (!rapid && ncread_ready(c, error) < 0)
@@ -168,10 +168,10 @@ int ncread_go(struct ncread *c, const struct ncread_place *to, struct piece piec
         }
         ncread_plane_turn(c, &piece);
         ncread_unit_piece(c, &piece);
-        *array_push(&c->course->piece) = piece;
-        c->course->lines += piece.shape == SHAPE_LINE && !rapid;
-        c->course->arcs += piece.shape == SHAPE_ARC;
-        c->course->curves += piece.shape == SHAPE_POLYNOMIAL;
+        *array_push(&c->nc_motion->piece) = piece;
+        c->nc_motion->lines += piece.shape == SHAPE_LINE && !rapid;
+        c->nc_motion->arcs += piece.shape == SHAPE_ARC;
+        c->nc_motion->curves += piece.shape == SHAPE_POLYNOMIAL;
     }
     c->here = *to;
     if (!tracked) /* words of another frame: nothing is known of the tip */
@@ -219,7 +219,7 @@ const struct ncread_dialect *ncread_tell(const char *file, struct error *error)
     return found;
 }
 
-void ncread_place(const struct piece *piece, char *text, size_t size)
+void ncread_place(const struct nc_piece *piece, char *text, size_t size)
 {
     if (piece->block >= 0)
         snprintf(text, size, "N%d (line %zu)", piece->block, piece->line);
@@ -245,17 +245,17 @@ static int read_lines(struct ncread *c, struct reader *r, struct error *error)
     return more;
 }
 
-int ncread_read(const char *file, const struct ncread_setup *setup, struct course *course,
+int ncread_read(const char *file, const struct ncread_setup *setup, struct nc_motion *nc_motion,
                 struct error *error)
 {
-    struct ncread c = {.setup = setup, .course = course, .name = file, .last_block = -1};
+    struct ncread c = {.setup = setup, .nc_motion = nc_motion, .name = file, .last_block = -1};
     struct reader r;
     if (reader_open(&r, file, error) < 0)
         return -1;
-    course->name = file;
-    course->rig = setup->rig;
-    c.here.axis = setup->rig.tool;
-    c.here.has_axis = setup->rig.n == 0;
+    nc_motion->name = file;
+    nc_motion->verify_kinematics = setup->verify_kinematics;
+    c.here.axis = setup->verify_kinematics.tool;
+    c.here.has_axis = setup->verify_kinematics.n == 0;
     int result = read_lines(&c, &r, error);
     c.block = -1;
     if (result == 0)

@@ -30,7 +30,7 @@ static int spline_block(struct ncread *c, struct ncread_fanuc_block *b, struct e
         return ncread_error(c, error, "G06.2 wants G43.4");
     if (!b->centre_named[2])
         return ncread_error(c, error, "a block of G06.2 without its knot K");
-    struct piece piece = ncread_piece(c, &b->to);
+    struct nc_piece piece = ncread_piece(c, &b->to);
     if (b->spline_begins) {
         if (c->pole_p.n > 0)
             return ncread_error(c, error, "G06.2 inside G06.2");
@@ -57,7 +57,7 @@ static int spline_block(struct ncread *c, struct ncread_fanuc_block *b, struct e
     return 0;
 }
 
-static int arc_block(struct ncread *c, struct ncread_fanuc_block *b, struct piece *piece,
+static int arc_block(struct ncread *c, struct ncread_fanuc_block *b, struct nc_piece *piece,
                      struct error *error)
 {
     bool by_centre = b->centre_named[0] || b->centre_named[1] || b->centre_named[2];
@@ -92,7 +92,7 @@ static int block_axis(struct ncread *c, struct ncread_fanuc_block *b, struct err
 }
 
 /* Makes the piece an arc when the block is one, in a plane or in space. */
-static int arc(struct ncread *c, struct ncread_fanuc_block *b, struct piece *piece,
+static int arc(struct ncread *c, struct ncread_fanuc_block *b, struct nc_piece *piece,
                struct error *error)
 {
     if (c->move == MOVE_SPACE) {
@@ -136,7 +136,7 @@ static int run_block(struct ncread *c, struct ncread_fanuc_block *b, struct erro
     }
     if (c->move != MOVE_RAPID && !c->length && (c->tilted.on || !c->setup->tcp))
         return ncread_error(c, error, "cuts without the tool's length, G43");
-    struct piece piece = ncread_piece(c, &b->to);
+    struct nc_piece piece = ncread_piece(c, &b->to);
     if (arc(c, b, &piece, error) < 0)
         return -1;
     return ncread_go(c, &b->to, piece, c->move == MOVE_RAPID, error);
@@ -144,7 +144,7 @@ static int run_block(struct ncread *c, struct ncread_fanuc_block *b, struct erro
 
 static int read_block(struct ncread *c, const char *line, struct error *error)
 {
-    c->course->blocks++;
+    c->nc_motion->blocks++;
     if (c->line == 1) {
         c->move = MOVE_NONE;
         c->plane = 17;

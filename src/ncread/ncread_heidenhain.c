@@ -164,7 +164,7 @@ static int circle(struct ncread *c, struct klartext *k, struct error *error)
     }
     if (!sense || !c->has_centre || k->fast)
         return ncread_error(c, error, "C wants DR+ or DR- and CC before it");
-    struct piece piece = ncread_piece(c, &k->to);
+    struct nc_piece piece = ncread_piece(c, &k->to);
     struct vec3 centre = vec(c->centre.x, c->centre.y, piece.p[0].z);
     if (ncread_arc(c, &piece, centre, sense > 0, error) < 0)
         return -1;
@@ -200,7 +200,7 @@ static void dwell(struct ncread *c, const char *word)
     double seconds;
     word += strcspn(word, "0123456789");
     if (num_read(&word, &seconds))
-        c->course->dwell += seconds / 60;
+        c->nc_motion->dwell += seconds / 60;
 }
 
 static int run(struct ncread *c, struct klartext *k, struct error *error)
@@ -241,7 +241,7 @@ static int read_block(struct ncread *c, const char *line, struct error *error)
 {
     char *end;
     struct klartext k = {.to = c->here};
-    c->course->blocks++;
+    c->nc_motion->blocks++;
     if (*line == ' ')
         return ncread_hole_parameter(c, line, error);
     c->block = strtol(line, &end, 10);

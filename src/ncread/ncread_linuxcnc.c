@@ -109,7 +109,7 @@ static int machine_move(struct ncread *c, const struct block *b, struct error *e
         ncread_axis(c, c->words.item[i].name, 0, &named);
         for (int k = 0; k < 3; k++)
             c->here.known[k] = c->here.known[k] && !named.known[k];
-        for (int k = 0; k < RIG_AXES; k++)
+        for (int k = 0; k < VERIFY_KINEMATICS_AXES; k++)
             c->here.turned[k] = c->here.turned[k] && !named.turned[k];
     }
     return 0;
@@ -132,7 +132,7 @@ static int run_block(struct ncread *c, struct block *b, struct error *error)
         return ncread_error(c, error, "a move under G91");
     if (c->move != MOVE_RAPID && !c->length)
         return ncread_error(c, error, "cuts without the tool's length, G43");
-    struct piece piece = ncread_piece(c, &b->to);
+    struct nc_piece piece = ncread_piece(c, &b->to);
     struct vec3 centre = vec_add(piece.p[0], vec(b->centre[0], b->centre[1], b->centre[2]));
     bool arc = c->move == MOVE_CW || c->move == MOVE_CCW, ccw = c->move == MOVE_CCW;
     if (b->centred + b->by_radius != arc)
@@ -150,7 +150,7 @@ static int read_block(struct ncread *c, const char *line, struct error *error)
 {
     struct error found;
     struct block b = {0};
-    c->course->blocks++;
+    c->nc_motion->blocks++;
     if (c->line == 1) {
         c->move = MOVE_NONE;
         c->plane = 17;

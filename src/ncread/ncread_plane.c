@@ -20,9 +20,9 @@ static int leave(struct ncread *c)
 {
     c->tilted.on = false;
     forget_place(c);
-    for (int i = 0; i < RIG_AXES; i++)
+    for (int i = 0; i < VERIFY_KINEMATICS_AXES; i++)
         c->here.turned[i] = false;
-    if (c->setup->rig.n == 0)
+    if (c->setup->verify_kinematics.n == 0)
         c->here.has_axis = true;
     return 1;
 }
@@ -129,7 +129,7 @@ static struct vec3 point(const struct ncread_plane *p, struct vec3 v)
     return vec_add(p->origin, way(p, v));
 }
 
-static void turn_ends(const struct ncread_plane *p, struct piece *piece)
+static void turn_ends(const struct ncread_plane *p, struct nc_piece *piece)
 {
     for (int i = 0; i < 2; i++) {
         piece->p[i] = point(p, piece->p[i]);
@@ -137,19 +137,19 @@ static void turn_ends(const struct ncread_plane *p, struct piece *piece)
     }
 }
 
-void ncread_plane_turn(struct ncread *c, struct piece *piece)
+void ncread_plane_turn(struct ncread *c, struct nc_piece *piece)
 {
     const struct ncread_plane *p = &c->tilted;
     if (!p->on)
         return;
     turn_ends(p, piece);
     if (piece->shape == SHAPE_ARC) {
-        struct course_arc *arc = &c->course->arc.item[piece->index];
+        struct nc_motion_arc *arc = &c->nc_motion->arc.item[piece->index];
         arc->centre = point(p, arc->centre);
         arc->normal = way(p, arc->normal);
     } else if (piece->shape == SHAPE_POLYNOMIAL) {
-        struct course_polynomial *sum = &c->course->polynomial.item[piece->index];
-        for (int i = 0; i < COURSE_DEGREE; i++)
+        struct nc_motion_polynomial *sum = &c->nc_motion->polynomial.item[piece->index];
+        for (int i = 0; i < NC_MOTION_DEGREE; i++)
             sum->p[i] = way(p, sum->p[i]);
     }
 }

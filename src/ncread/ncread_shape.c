@@ -8,11 +8,11 @@ static double slack(const struct ncread *c)
     return 0.005 / (c->unit > 0 ? c->unit : 1);
 }
 
-static void set_arc(struct ncread *c, struct piece *piece, struct course_arc arc)
+static void set_arc(struct ncread *c, struct nc_piece *piece, struct nc_motion_arc arc)
 {
     piece->shape = SHAPE_ARC;
-    piece->index = c->course->arc.n;
-    *array_push(&c->course->arc) = arc;
+    piece->index = c->nc_motion->arc.n;
+    *array_push(&c->nc_motion->arc) = arc;
 }
 
 static struct vec3 plane_normal(const struct ncread *c)
@@ -20,7 +20,7 @@ static struct vec3 plane_normal(const struct ncread *c)
     return c->plane == 17 ? vec(0, 0, 1) : c->plane == 18 ? vec(0, 1, 0) : vec(1, 0, 0);
 }
 
-int ncread_arc(struct ncread *c, struct piece *piece, struct vec3 centre, bool ccw,
+int ncread_arc(struct ncread *c, struct nc_piece *piece, struct vec3 centre, bool ccw,
                struct error *error)
 {
     struct vec3 n = plane_normal(c);
@@ -36,11 +36,11 @@ int ncread_arc(struct ncread *c, struct piece *piece, struct vec3 centre, bool c
         angle = full ? 2 * PI : angle > 0 ? angle : angle + 2 * PI;
     else
         angle = full ? -2 * PI : angle < 0 ? angle : angle - 2 * PI;
-    set_arc(c, piece, (struct course_arc){centre, n, angle});
+    set_arc(c, piece, (struct nc_motion_arc){centre, n, angle});
     return 0;
 }
 
-int ncread_arc_radius(struct ncread *c, struct piece *piece, double radius, bool ccw,
+int ncread_arc_radius(struct ncread *c, struct nc_piece *piece, double radius, bool ccw,
                       struct error *error)
 {
     struct vec3 n = plane_normal(c);
@@ -58,7 +58,7 @@ int ncread_arc_radius(struct ncread *c, struct piece *piece, double radius, bool
     return ncread_arc(c, piece, centre, ccw, error);
 }
 
-int ncread_arc_through(struct ncread *c, struct piece *piece, struct vec3 middle,
+int ncread_arc_through(struct ncread *c, struct nc_piece *piece, struct vec3 middle,
                        struct error *error)
 {
     struct vec3 u = vec_sub(middle, piece->p[0]), v = vec_sub(piece->p[1], piece->p[0]);
@@ -68,7 +68,7 @@ int ncread_arc_through(struct ncread *c, struct piece *piece, struct vec3 middle
         return ncread_error(c, error, "an arc through points that lie on a line");
     struct vec3 to_centre =
         vec_scale(0.5 / area2, vec_cross(vec_sub(vec_scale(lu, v), vec_scale(lv, u)), n));
-    struct course_arc arc = {vec_add(piece->p[0], to_centre), vec_unit(n), 0};
+    struct nc_motion_arc arc = {vec_add(piece->p[0], to_centre), vec_unit(n), 0};
     struct vec3 from = vec_sub(piece->p[0], arc.centre), to = vec_sub(piece->p[1], arc.centre);
     arc.angle = atan2(vec_dot(vec_cross(from, to), arc.normal), vec_dot(from, to));
     if (arc.angle <= 0)
@@ -77,7 +77,7 @@ int ncread_arc_through(struct ncread *c, struct piece *piece, struct vec3 middle
     return 0;
 }
 
-void ncread_pole(struct ncread *c, const struct piece *piece, struct vec3 p, struct vec3 q)
+void ncread_pole(struct ncread *c, const struct nc_piece *piece, struct vec3 p, struct vec3 q)
 {
     if (c->pole_p.n == 0)
         c->spline = *piece;
@@ -88,11 +88,11 @@ void ncread_pole(struct ncread *c, const struct piece *piece, struct vec3 p, str
 }
 
 /* Each span of the spline is named by the block of the pole in the middle of those it follows. */
-static void name_spans(struct ncread *c, const struct course_spline *b, size_t first)
+static void name_spans(struct ncread *c, const struct nc_motion_spline *b, size_t first)
 {
     size_t span = (size_t)b->order - 1;
-    for (size_t i = first; i < c->course->piece.n; i++) {
-        struct piece *piece = &c->course->piece.item[i];
+    for (size_t i = first; i < c->nc_motion->piece.n; i++) {
+        struct nc_piece *piece = &c->nc_motion->piece.item[i];
         while (span + 1 < b->n && b->knot[span + 1] <= piece->u[0])
             span++;
         size_t pole = span + 1 - (size_t)b->order / 2;
@@ -122,15 +122,15 @@ int ncread_spline(struct ncread *c, struct error *error)
             return ncread_error(c, error, "a spline with a weight that is not above zero");
     ncread_plane_turn_poles(c);
     ncread_unit_poles(c);
-    struct course_spline b = {.order = c->order, .n = n};
+    struct nc_motion_spline b = {.order = c->order, .n = n};
     b.knot = c->knot.item;
     b.p = c->pole_p.item;
     b.q = c->pole_q.item;
     b.weight = c->weight.item;
     c->knot = c->weight = (struct doubles){0};
     c->pole_p = c->pole_q = (struct vec3s){0};
-    size_t first = c->course->piece.n;
-    course_add_spline(c->course, b, &c->spline);
+    size_t first = c->nc_motion->piece.n;
+    nc_motion_add_spline(c->nc_motion, b, &c->spline);
     name_spans(c, &b, first);
     return 0;
 }

@@ -34,36 +34,36 @@ static int block_axis(struct ncread *c, struct ncread_siemens_block *b, struct e
 
 /* Coefficients of s = p / PL from those of p; the first follows from the ends. */
 static void coefficients(const struct polynomial p[3], double length, struct vec3 from,
-                         struct vec3 to, struct vec3 c[COURSE_DEGREE])
+                         struct vec3 to, struct vec3 c[NC_MOTION_DEGREE])
 {
     double power = length;
     c[0] = vec_sub(to, from);
-    for (int i = 1; i < COURSE_DEGREE; i++) {
+    for (int i = 1; i < NC_MOTION_DEGREE; i++) {
         power *= length;
         c[i] = vec_scale(power, vec(p[0].value[i], p[1].value[i], p[2].value[i]));
         c[0] = vec_sub(c[0], c[i]);
     }
 }
 
-static int poly_piece(struct ncread *c, struct ncread_siemens_block *b, struct piece *piece,
+static int poly_piece(struct ncread *c, struct ncread_siemens_block *b, struct nc_piece *piece,
                       struct error *error)
 {
     if (!(b->length > 0))
         return ncread_error(c, error, "POLY with a PL that is not above zero");
-    struct course_polynomial sum = {.swings = b->head_n == 3};
+    struct nc_motion_polynomial sum = {.swings = b->head_n == 3};
     piece->shape = SHAPE_POLYNOMIAL;
-    piece->index = c->course->polynomial.n;
+    piece->index = c->nc_motion->polynomial.n;
     coefficients(b->tip, b->length, piece->p[0], piece->p[1], sum.p);
     if (b->head_n == 3 && piece->swing != SWING_HEAD)
         return ncread_error(c, error, "ORICURVE from a second point that is not known");
     if (sum.swings)
         coefficients(b->second, b->length, piece->q[0], piece->q[1], sum.q);
-    *array_push(&c->course->polynomial) = sum;
+    *array_push(&c->nc_motion->polynomial) = sum;
     return 0;
 }
 
 /* One pole of a BSPLINE; the first pole is where the tool is. */
-static int bspline_block(struct ncread *c, struct ncread_siemens_block *b, struct piece *piece,
+static int bspline_block(struct ncread *c, struct ncread_siemens_block *b, struct nc_piece *piece,
                          struct error *error)
 {
     if (b->vector_n == 3 || b->length != 1)
@@ -96,7 +96,7 @@ static int bspline_ends(struct ncread *c, struct error *error)
     return ncread_spline(c, error);
 }
 
-static int arc_piece(struct ncread *c, struct ncread_siemens_block *b, struct piece *piece,
+static int arc_piece(struct ncread *c, struct ncread_siemens_block *b, struct nc_piece *piece,
                      struct error *error)
 {
     if (b->centre_named == b->radius_named)
@@ -135,7 +135,7 @@ static int run_block(struct ncread *c, struct ncread_siemens_block *b, struct er
         return ncread_error(c, error, "CIP wants I1= J1= K1=, others none of them");
     if (c->move != MOVE_BSPLINE && bspline_ends(c, error) < 0)
         return -1;
-    struct piece piece = ncread_piece(c, &b->to);
+    struct nc_piece piece = ncread_piece(c, &b->to);
     int result = 0;
     if (c->move == MOVE_BSPLINE)
         return bspline_block(c, b, &piece, error);
@@ -151,7 +151,7 @@ static int run_block(struct ncread *c, struct ncread_siemens_block *b, struct er
 
 static int read_block(struct ncread *c, const char *line, struct error *error)
 {
-    c->course->blocks++;
+    c->nc_motion->blocks++;
     if (c->line == 1) {
         size_t n = strlen(line);
         c->plane = 17;

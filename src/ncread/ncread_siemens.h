@@ -24,7 +24,7 @@ enum siemens_move {
 /* A polynomial's end and coefficients, PO[X]=(end, a2, a3, a4, a5). */
 struct polynomial {
     bool named;
-    double value[COURSE_DEGREE];
+    double value[NC_MOTION_DEGREE];
 };
 
 /* What one block says besides its modal words. */

@@ -97,7 +97,7 @@ static int polynomial(const struct ncread *c, const struct ncread_word *w,
     char axis = w->name[3];
     bool head = w->name[4] == 'H';
     if (axis < 'X' || axis > 'Z' || strcmp(w->name + 4 + head, "]") != 0 ||
-        w->values > COURSE_DEGREE)
+        w->values > NC_MOTION_DEGREE)
         return ncread_unknown(c, w, error);
     struct polynomial *p = head ? &b->second[axis - 'X'] : &b->tip[axis - 'X'];
     p->named = true;

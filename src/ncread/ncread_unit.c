@@ -11,7 +11,7 @@ int ncread_unit(struct ncread *c, double mm, struct error *error)
     return 0;
 }
 
-static void ends(double unit, struct piece *piece)
+static void ends(double unit, struct nc_piece *piece)
 {
     for (int i = 0; i < 2; i++) {
         piece->p[i] = vec_scale(unit, piece->p[i]);
@@ -22,17 +22,17 @@ static void ends(double unit, struct piece *piece)
         piece->feed *= unit;
 }
 
-void ncread_unit_piece(struct ncread *c, struct piece *piece)
+void ncread_unit_piece(struct ncread *c, struct nc_piece *piece)
 {
     if (!(c->unit > 0)) /* only rapid moves: the frame is set later */
         return;
     ends(c->unit, piece);
     if (piece->shape == SHAPE_ARC) {
-        struct course_arc *arc = &c->course->arc.item[piece->index];
+        struct nc_motion_arc *arc = &c->nc_motion->arc.item[piece->index];
         arc->centre = vec_scale(c->unit, arc->centre);
     } else if (piece->shape == SHAPE_POLYNOMIAL) {
-        struct course_polynomial *sum = &c->course->polynomial.item[piece->index];
-        for (int i = 0; i < COURSE_DEGREE; i++) {
+        struct nc_motion_polynomial *sum = &c->nc_motion->polynomial.item[piece->index];
+        for (int i = 0; i < NC_MOTION_DEGREE; i++) {
             sum->p[i] = vec_scale(c->unit, sum->p[i]);
             sum->q[i] = vec_scale(c->unit, sum->q[i]);
         }

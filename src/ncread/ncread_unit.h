@@ -4,7 +4,7 @@
 #ifndef CLOUDMILL_NCREAD_UNIT_H
 #define CLOUDMILL_NCREAD_UNIT_H
 
-#include "simulate/course.h"
+#include "simulate/nc_motion.h"
 #include "base/error.h"
 
 #define INCH 25.4 /* mm */
@@ -15,7 +15,7 @@ struct ncread;
 int ncread_unit(struct ncread *c, double mm, struct error *error);
 
 /* Brings a piece, with its arc or polynomials, to mm. */
-void ncread_unit_piece(struct ncread *c, struct piece *piece);
+void ncread_unit_piece(struct ncread *c, struct nc_piece *piece);
 
 /* Brings the poles of the spline that was read to mm. */
 void ncread_unit_poles(struct ncread *c);

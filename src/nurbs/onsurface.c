@@ -129,16 +129,16 @@ static double outside(const struct onsurface *on, int k, struct uv at)
 int onsurface_put(const struct onsurface *on, struct vec3 plane, double reach,
                   struct contact *contact)
 {
-    struct vec3 course = vec_unit(vec_cross(plane, contact->n)), p = contact->p, n = contact->n;
+    struct vec3 nc_motion = vec_unit(vec_cross(plane, contact->n)), p = contact->p, n = contact->n;
     size_t nearest[NEAREST];
     size_t found = kdtree_nearest(on->tree, p, NEAREST, nearest, NULL);
     int best = -1;
 
-    for (size_t i = 0; i < found && vec_length(course) > 0; i++) {
+    for (size_t i = 0; i < found && vec_length(nc_motion) > 0; i++) {
         const struct seed *seed = &on->seed.item[nearest[i]];
         const struct nurbs *s = &on->patches->item[seed->surface].surface;
         struct uv at = seed->at;
-        if (best == seed->surface || search(s, p, plane, course, &at) > BEYOND)
+        if (best == seed->surface || search(s, p, plane, nc_motion, &at) > BEYOND)
             continue;
         struct nurbs_place place = nurbs_place(s, at);
         double away = vec_distance(place.point, p), agree = vec_dot(place.normal, n);

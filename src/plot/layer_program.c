@@ -12,7 +12,7 @@ enum { HALVINGS = 9 };
 
 /* What is known on the way through the pieces. */
 struct walk {
-    const struct course *course;
+    const struct nc_motion *nc_motion;
     const struct layer_options *options;
     struct layer *layer;
     double chord;
@@ -20,7 +20,7 @@ struct walk {
     size_t drawn[STROKES];
 };
 
-static enum stroke_kind kind_of(const struct piece *piece)
+static enum stroke_kind kind_of(const struct nc_piece *piece)
 {
     if (piece->rapid)
         return STROKE_RAPID;
@@ -36,7 +36,7 @@ static enum stroke_kind kind_of(const struct piece *piece)
 }
 
 /* The stroke goes on: straight piece behind straight piece, span behind span of one spline. */
-static bool goes_on(const struct piece *was, const struct piece *piece)
+static bool goes_on(const struct nc_piece *was, const struct nc_piece *piece)
 {
     enum stroke_kind kind = kind_of(piece);
     if (!was || kind_of(was) != kind || kind == STROKE_ARC)
@@ -45,14 +45,14 @@ static bool goes_on(const struct piece *was, const struct piece *piece)
                                      was->index == piece->index);
 }
 
-static struct vec3 tip(const struct walk *w, const struct piece *piece, double s)
+static struct vec3 tip(const struct walk *w, const struct nc_piece *piece, double s)
 {
-    return course_at(w->course, piece, s).p;
+    return nc_motion_at(w->nc_motion, piece, s).p;
 }
 
 /* Nodes behind s0 up to s1, halved until the middle is no farther off than the chord error. */
-static void bend(struct walk *w, const struct piece *piece, double s0, struct vec3 from, double s1,
-                 struct vec3 to, int halvings)
+static void bend(struct walk *w, const struct nc_piece *piece, double s0, struct vec3 from,
+                 double s1, struct vec3 to, int halvings)
 {
     double s = (s0 + s1) / 2;
     struct vec3 middle = tip(w, piece, s);
@@ -65,7 +65,7 @@ static void bend(struct walk *w, const struct piece *piece, double s0, struct ve
     *(piece->rapid ? &w->layer->rapid : &w->layer->cut) += vec_distance(from, to);
 }
 
-static void add_piece(struct walk *w, const struct piece *was, const struct piece *piece)
+static void add_piece(struct walk *w, const struct nc_piece *was, const struct nc_piece *piece)
 {
     struct layer *layer = w->layer;
     enum stroke_kind kind = kind_of(piece);
@@ -93,25 +93,25 @@ static void add_piece(struct walk *w, const struct piece *was, const struct piec
     }
     layer->stroke.item[layer->stroke.n - 1].to = layer->node.n;
     if (!piece->rapid) {
-        struct course_pose pose = course_at(w->course, piece, 1);
+        struct nc_motion_pose pose = nc_motion_at(w->nc_motion, piece, 1);
         *array_push(&layer->joint) = pose.p;
         if (w->options->axes)
             *array_push(&layer->axis) = (struct tick){pose.p, pose.a};
     }
 }
 
-static double chord_of(const struct layer_options *options, const struct course *course)
+static double chord_of(const struct layer_options *options, const struct nc_motion *nc_motion)
 {
     struct box box = box_empty();
-    for (size_t i = 0; i < course->piece.n; i++)
-        box_add(&box, course_at(course, &course->piece.item[i], 1).p);
+    for (size_t i = 0; i < nc_motion->piece.n; i++)
+        box_add(&box, nc_motion_at(nc_motion, &nc_motion->piece.item[i], 1).p);
     return layer_chord(options, &box);
 }
 
-static void add_poles(struct layer *layer, const struct course *course)
+static void add_poles(struct layer *layer, const struct nc_motion *nc_motion)
 {
-    for (size_t i = 0; i < course->spline.n; i++) {
-        const struct course_spline *spline = &course->spline.item[i];
+    for (size_t i = 0; i < nc_motion->spline.n; i++) {
+        const struct nc_motion_spline *spline = &nc_motion->spline.item[i];
         size_t from = layer->node.n;
         for (size_t k = 0; k < spline->n; k++)
             *array_push(&layer->node) = spline->p[k];
@@ -119,18 +119,20 @@ static void add_poles(struct layer *layer, const struct course *course)
     }
 }
 
-static void add_course(const struct course *course, const struct layer_options *options,
+static void add_course(const struct nc_motion *nc_motion, const struct layer_options *options,
                        struct layer *layer)
 {
-    struct walk w = {
-        .course = course, .options = options, .layer = layer, .chord = chord_of(options, course)};
-    for (size_t i = 0; i < course->piece.n; i++)
-        add_piece(&w, i ? &course->piece.item[i - 1] : NULL, &course->piece.item[i]);
+    struct walk w = {.nc_motion = nc_motion,
+                     .options = options,
+                     .layer = layer,
+                     .chord = chord_of(options, nc_motion)};
+    for (size_t i = 0; i < nc_motion->piece.n; i++)
+        add_piece(&w, i ? &nc_motion->piece.item[i - 1] : NULL, &nc_motion->piece.item[i]);
     layer->passes = w.run > 1 ? w.run : 0;
-    layer->motions[STROKE_SPLINE] = course->curves;
-    layer->motions[STROKE_POLES] = course->poles;
+    layer->motions[STROKE_SPLINE] = nc_motion->curves;
+    layer->motions[STROKE_POLES] = nc_motion->poles;
     if (options->poles)
-        add_poles(layer, course);
+        add_poles(layer, nc_motion);
 }
 
 /* Some controls have tool centre point control only on machines that are theirs. */
@@ -149,16 +151,17 @@ int layer_program(const char *file, const struct layer_options *options, struct 
         return -1;
     if (machine_finish(&machine, error) != 0)
         return -1;
-    struct ncread_setup setup = {.dialect = ncread_tell(file, error), .rig = ncread_rig(&machine)};
-    struct course course = {0};
+    struct ncread_setup setup = {.dialect = ncread_tell(file, error),
+                                 .verify_kinematics = ncread_rig(&machine)};
+    struct nc_motion nc_motion = {0};
     if (setup.dialect)
         setup.tcp = has_tcp(setup.dialect->name, &machine);
     if (!setup.dialect || stream_again(file, error) < 0 ||
-        ncread_read(file, &setup, &course, error) < 0) {
-        course_free(&course);
+        ncread_read(file, &setup, &nc_motion, error) < 0) {
+        nc_motion_free(&nc_motion);
         return -1;
     }
-    add_course(&course, options, layer);
-    course_free(&course);
+    add_course(&nc_motion, options, layer);
+    nc_motion_free(&nc_motion);
     return 0;
 }

@@ -83,12 +83,13 @@ static void add_stops(struct nc_step *step, const struct nc_ahead *ahead, size_t
 static int set_course(struct nc_step *step, const struct nc_ahead *ahead, size_t from, size_t i)
 {
     size_t place = ahead->start.item[i - from], end = ahead->start.item[i - from + 1];
-    step->course.n = 0;
+    step->nc_motion.n = 0;
     if (!path_moves(&step->path->item.item[i]))
         return 0;
     if (end > place && ahead->item[place].turn && nc_step_turn(step, ahead->item[place + 1].q) != 0)
         return -1;
-    step->course = (struct nc_course){end - place + 1, ahead->item + place, ahead->s.item + place};
+    step->nc_motion =
+        (struct nc_course){end - place + 1, ahead->item + place, ahead->s.item + place};
     add_stops(step, ahead, place, end);
     return 0;
 }
@@ -100,7 +101,7 @@ static int leave(struct nc_step *step, const struct path_item *item)
     struct stance to;
     int result = 0;
     step->first = false;
-    step->course.n = 0;
+    step->nc_motion.n = 0;
     if (nc_reach(step, item->to, 1, &to) != 0)
         return -1;
     double turn = chain_way(&step->machine->chain, step->state.at.q, to.at.q);
@@ -153,7 +154,7 @@ static int plan_items(struct nc_step *step, const struct nc_ahead *ahead, size_t
     step->first = true;
     step->doubt = false;
     step->tilted = from;
-    step->course.n = step->stops.n = 0;
+    step->nc_motion.n = step->stops.n = 0;
     for (size_t i = from; i < to; i++) {
         const struct path_item *item = &step->path->item.item[i];
         step->next = i + 1;
@@ -210,7 +211,7 @@ int nc_group_plan(struct nc_step *step, size_t from, size_t to)
         found && (nearest != 0 || (ahead.cost.turns == 0 && nc_way_saves(ahead.cost.way, way)));
     int result = better ? plan_along(step, &ahead, from, to, &mark, way) : -1;
     nc_ahead_free(&ahead);
-    step->course.n = step->stops.n = 0;
+    step->nc_motion.n = step->stops.n = 0;
     if (result == 0 || (nearest == 0 && !better))
         return 0;
     back_to(step, &mark);

@@ -133,17 +133,17 @@ static void turn_ahead(struct nc_step *step, struct pose to, double q[])
         q[0] = then[0];
 }
 
-/* The angles that a course has at s, between two of its places. */
-static void aim_at(const struct nc_course *course, double s, double q[])
+/* The angles that a nc_motion has at s, between two of its places. */
+static void aim_at(const struct nc_course *nc_motion, double s, double q[])
 {
-    size_t low = 0, high = course->n - 1;
-    bool leap = course->n > 2 && course->place[1].passed;
+    size_t low = 0, high = nc_motion->n - 1;
+    bool leap = nc_motion->n > 2 && nc_motion->place[1].passed;
     while (high > low + 1 && !leap) {
         size_t mid = (low + high) / 2;
-        *(course->s[mid] < s ? &low : &high) = mid;
+        *(nc_motion->s[mid] < s ? &low : &high) = mid;
     }
-    const struct turnplan_place *from = &course->place[low], *to = &course->place[high];
-    double s0 = low ? course->s[low] : 0, s1 = course->s[high];
+    const struct turnplan_place *from = &nc_motion->place[low], *to = &nc_motion->place[high];
+    double s0 = low ? nc_motion->s[low] : 0, s1 = nc_motion->s[high];
     double t = s1 > s0 && !from->turn ? (s - s0) / (s1 - s0) : 1;
     for (int i = 0; i < ROTARY_MAX; i++)
         q[i] = from->q[i] + t * (to->q[i] - from->q[i]);
@@ -200,7 +200,7 @@ bool nc_reach_beside(const struct nc_step *step, const struct pose *to, struct s
 {
     double q[ROTARY_MAX] = {0};
     struct turned turned;
-    if (step->first || step->course.n > 0 ||
+    if (step->first || step->nc_motion.n > 0 ||
         !chain_beside(&step->ways, to->a, step->state.at.q, &step->state.turned, q, &turned))
         return false;
     stance_of(step, to, q, &turned, stance, off);
@@ -215,12 +215,12 @@ int nc_reach(struct nc_step *step, struct pose to, double s, struct stance *stan
     int over;
     if (nc_reach_beside(step, &to, stance, &off))
         return nc_check_linear(step, stance);
-    if (step->course.n)
-        aim_at(&step->course, s, q);
+    if (step->nc_motion.n)
+        aim_at(&step->nc_motion, s, q);
     if (chain_choose(chain, to.a, q, true, -1, q, &over) != 0)
         return not_reached(step, to, over);
     step->doubt = step->doubt || (!step->first && !nearest_of_both(step, to.a, q));
-    if (step->course.n == 0 && (step->follow.mode != FOLLOW_VECTOR || !step->state.begun))
+    if (step->nc_motion.n == 0 && (step->follow.mode != FOLLOW_VECTOR || !step->state.begun))
         turn_ahead(step, to, q); /* a vector says no angle: there the axis stays */
     *stance = nc_station(step, to, q);
     return nc_check_linear(step, stance);

@@ -11,7 +11,7 @@ struct stance nc_station(const struct nc_step *step, struct pose to, const doubl
 
 /*
  * The station that reaches a pose from where the program is, s (0 to 1) along the step's motion: as
- * its course says, else the nearest.  -1 with the error filled and the plan unmet: the rotary or
+ * its nc_motion says, else the nearest.  -1 with the error filled and the plan unmet: the rotary or
  * the linear axes would leave their travel.
  */
 int nc_reach(struct nc_step *step, struct pose to, double s, struct stance *stance);

@@ -124,17 +124,18 @@ static int splines(struct nc_step *step, const struct motion *motion)
     return spline_between(step, motion, 0, s) != 0 ? -1 : spline_between(step, motion, s, 1);
 }
 
-/* A spline from s0 to s1 as a curve of its own, to which the course of the whole says nothing. */
+/* A spline from s0 to s1 as a curve of its own, to which the nc_motion of the whole says nothing.
+ */
 static int spline_between(struct nc_step *step, const struct motion *motion, double s0, double s1)
 {
     const struct bspline *b = motion->curve;
-    struct nc_course course = step->course;
+    struct nc_course nc_motion = step->nc_motion;
     double from = b->knot[b->degree], range = b->knot[b->poles] - from;
     struct bspline part = bspline_part(b, from + s0 * range, from + s1 * range);
     struct motion piece = motion_spline(motion_at(motion, s0), motion_at(motion, s1), &part);
-    step->course.n = 0;
+    step->nc_motion.n = 0;
     int result = splines(step, &piece);
-    step->course = course;
+    step->nc_motion = nc_motion;
     bspline_free(&part);
     return result;
 }
@@ -142,11 +143,11 @@ static int spline_between(struct nc_step *step, const struct motion *motion, dou
 static int spline_part(struct nc_step *step, const struct motion *motion, double s0, double s1)
 {
     struct motion lead = motion_line(step->state.pose, motion_at(motion, s0));
-    struct nc_course course = step->course;
-    step->course.n = 0;
+    struct nc_course nc_motion = step->nc_motion;
+    step->nc_motion.n = 0;
     if (nc_step_straight(step, &lead, 0, 1, NC_LINE, step->allowed) != 0)
         return -1;
-    step->course = course;
+    step->nc_motion = nc_motion;
     return s0 <= 0 && s1 >= 1 ? splines(step, motion) : spline_between(step, motion, s0, s1);
 }
 

@@ -68,17 +68,17 @@ static int retract_turn_return(struct nc_step *step, const double q[])
     near.p = vec_along(here.p, low, here.a);
     enum nc_why why = step->state.why;
     double faster = step->state.faster;
-    struct nc_course course = step->course;
+    struct nc_course nc_motion = step->nc_motion;
     step->state.why = NC_WHY_TURN;
     step->state.faster = 1;
-    step->course.n = 0;
+    step->nc_motion.n = 0;
     if (nc_step_rapid(step, up) != 0)
         return -1;
     nc_turn_to(step, q);
     struct motion back = motion_line(near, here);
     step->plan->total.turns++;
     int result = nc_step_rapid(step, near) == 0 ? nc_step_motion(step, &back) : -1;
-    step->course = course;
+    step->nc_motion = nc_motion;
     step->state.why = why;
     step->state.faster = faster;
     return result;

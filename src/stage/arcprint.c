@@ -6,14 +6,14 @@
 static const double SHORT = 1e-3; /* mm: nothing below this is an arc */
 static const double THERE = 1e-5; /* mm: so near to the end of the trace its digits are it */
 
-static struct printed print_line(const struct piece *piece, struct vec3 from, struct vec3 to)
+static struct printed print_line(const struct arc_piece *piece, struct vec3 from, struct vec3 to)
 {
     struct printed p = {.piece = *piece};
     p.piece.arc = arc_line(from, to);
     return p;
 }
 
-struct printed arcprint_piece(const struct piece *piece, struct vec3 from)
+struct printed arcprint_piece(const struct arc_piece *piece, struct vec3 from)
 {
     struct vec3 to = vec_round(piece->arc.to, PATH_COORDINATE);
     struct arc exact = arc_to(from, piece->arc.tangent, to);
@@ -48,7 +48,7 @@ struct stray arcprint_pieces(const struct trace *trace, const struct pieces *pie
     return worst;
 }
 
-int arcprint_chords(const struct piece *piece, double lever, double sagitta)
+int arcprint_chords(const struct arc_piece *piece, double lever, double sagitta)
 {
     for (int n = 1; n < 4096; n *= 2) {
         double worst = 0;

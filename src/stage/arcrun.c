@@ -156,7 +156,7 @@ static void put_chords(const struct fit *f, const struct printed *p, struct path
     char text[ARCPRINT_MAX];
     arcprint_comment(&p->arc, text);
     path_add_text(out, text);
-    const struct piece *piece = &p->piece;
+    const struct arc_piece *piece = &p->piece;
     int n = arcprint_chords(piece, f->trace.lever, DENSE * f->options->tolerance);
     for (int i = 1; i <= n; i++) {
         double s = (double)i / n, place = piece->from + s * (piece->to - piece->from);
@@ -205,7 +205,7 @@ static void fit_each(struct fit *f, const struct run *run, struct arcrun_report 
         if (f->dense->item[f->first + i].given)
             at[n++] = i;
     for (size_t i = 0; i < f->pieces.n; i++) {
-        struct piece *p = &f->pieces.item[i];
+        struct arc_piece *p = &f->pieces.item[i];
         double from = i > 0 ? f->pieces.item[i - 1].to : 0;
         double to = (double)at[(size_t)ceil(p->to)];
         if (p->biarc)

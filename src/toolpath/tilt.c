@@ -32,7 +32,7 @@ static void frenet(const struct run *run, struct frame *frame)
     arcfit_each(&trace, &pieces);
     bool begun = false;
     for (size_t k = 0; k < pieces.n; k++) {
-        const struct piece *piece = &pieces.item[k];
+        const struct arc_piece *piece = &pieces.item[k];
         bool last = k + 1 == pieces.n;
         if (piece->from > floor(piece->from) && !last)
             continue; /* the second half of a biarc */

@@ -7,7 +7,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 
-#include "simulate/leap.h"
+#include "simulate/excursion.h"
 
 enum { LEAN_STEPS = 4 };
 
@@ -23,7 +23,7 @@ static void find(struct verdict *v, bool fault, size_t piece, const char *format
     struct finding *finding = array_push(&v->finding);
     char place[60], what[FINDING_TEXT - 64];
     va_list arguments;
-    ncread_place(&v->course->piece.item[piece], place, sizeof place);
+    ncread_place(&v->nc_motion->piece.item[piece], place, sizeof place);
     va_start(arguments, format);
     vsnprintf(what, sizeof what, format, arguments);
     va_end(arguments);
@@ -33,13 +33,13 @@ static void find(struct verdict *v, bool fault, size_t piece, const char *format
 
 static void sum_pieces(struct verdict *v)
 {
-    const struct course *course = v->course;
+    const struct nc_motion *nc_motion = v->nc_motion;
     bool cut = false;
-    v->piece = mem_alloc(course->piece.n, sizeof *v->piece);
-    for (size_t i = 0; i < course->piece.n; i++) {
-        if (!course->piece.item[i].rapid && !cut)
+    v->piece = mem_alloc(nc_motion->piece.n, sizeof *v->piece);
+    for (size_t i = 0; i < nc_motion->piece.n; i++) {
+        if (!nc_motion->piece.item[i].rapid && !cut)
             v->passes++;
-        cut = !course->piece.item[i].rapid;
+        cut = !nc_motion->piece.item[i].rapid;
         v->piece[i].pass = v->passes;
     }
     for (size_t i = 0; i < v->roll.points; i++) {
@@ -61,7 +61,7 @@ static size_t piece_at(const struct verdict *v, size_t point)
 
 static void judge_surface(struct verdict *v)
 {
-    const struct ballroll *r = &v->roll;
+    const struct deviation_map *r = &v->roll;
     struct vec3 p = v->point->item[r->gouge_at];
     if (r->gouge > v->tolerance)
         find(v, true, piece_at(v, r->gouge_at),
@@ -80,11 +80,11 @@ static void judge_surface(struct verdict *v)
 }
 
 /* Shank or holder in the part, or in the stock. */
-static void judge_holder(struct verdict *v, const struct holderway *way, const char *what)
+static void judge_holder(struct verdict *v, const struct holder_collision *way, const char *what)
 {
     if (!way || !(way->depth > 0))
         return;
-    bool fast = v->course->piece.item[way->piece].rapid;
+    bool fast = v->nc_motion->piece.item[way->piece].rapid;
     find(v, true, way->piece,
          "shank or holder goes %.3f mm deep into the %s at %.3f %.3f %.3f%s (blocks: %zu)",
          way->depth, what, way->at.x, way->at.y, way->at.z, fast ? ", in a rapid move" : "",
@@ -93,7 +93,7 @@ static void judge_holder(struct verdict *v, const struct holderway *way, const c
 
 static void judge_stock(struct verdict *v)
 {
-    const struct stockrun *run = v->stock;
+    const struct stock_simulate *run = v->stock;
     if (run && run->rapid > 0)
         find(v, true, run->rapid_piece,
              "a rapid move goes %.3f mm deep into the stock at %.3f %.3f %.3f (blocks: %zu)",
@@ -108,14 +108,15 @@ struct lean {
     bool on; /* the ball touches the part in it */
 };
 
-static struct lean lean(const struct course *course, const struct piece *piece)
+static struct lean lean(const struct nc_motion *nc_motion, const struct nc_piece *piece)
 {
-    struct course_pose a = course_at(course, piece, 0), b = course_at(course, piece, 1);
+    struct nc_motion_pose a = nc_motion_at(nc_motion, piece, 0),
+                          b = nc_motion_at(nc_motion, piece, 1);
     struct lean lean = {a.a, b.a, vec_angle(a.a, b.a), vec_distance(a.p, b.p), false};
     if (vec_distance(piece->q[0], piece->q[1]) < STILL && piece->shape == SHAPE_LINE)
         return lean;
     for (int i = 1; i < LEAN_STEPS; i++) {
-        struct vec3 axis = course_at(course, piece, (double)i / LEAN_STEPS).a;
+        struct vec3 axis = nc_motion_at(nc_motion, piece, (double)i / LEAN_STEPS).a;
         lean.most = fmax(lean.most, vec_angle(a.a, axis));
     }
     return lean;
@@ -128,13 +129,13 @@ static struct lean lean(const struct course *course, const struct piece *piece)
  */
 static void judge_jumps(struct verdict *v)
 {
-    const struct ball_path *cut = v->cut;
+    const struct centre_path *cut = v->cut;
     size_t jumps = 0, worst = 0, last = SIZE_MAX - 1;
     double most = 0;
     struct lean before = {0};
     for (size_t i = 0; i < cut->n;) {
         size_t piece = cut->item[i].piece;
-        struct lean at = lean(v->course, &v->course->piece.item[piece]);
+        struct lean at = lean(v->nc_motion, &v->nc_motion->piece.item[piece]);
         for (; i < cut->n && cut->item[i].piece == piece; i++)
             at.on = at.on || cut->item[i].on;
         bool follows = piece == last + 1;
@@ -159,8 +160,9 @@ static void judge_jumps(struct verdict *v)
 /* Curves that leave the part and come back. */
 static void judge_leaps(struct verdict *v)
 {
-    const struct leap_setup setup = {v->radius, v->band};
-    struct leap leap = leap_find(v->course, v->cut, v->point->item, v->point->n, &setup);
+    const struct excursion_options setup = {v->radius, v->band};
+    struct excursion leap =
+        excursion_find(v->nc_motion, v->cut, v->point->item, v->point->n, &setup);
     if (leap.leaps > 0)
         find(v, true, leap.piece,
              "the ball leaves the part amid a cut, %.3f mm off it at %.3f %.3f %.3f (times: %zu)",
@@ -170,14 +172,14 @@ static void judge_leaps(struct verdict *v)
 static void judge_axes(struct verdict *v)
 {
     static const char letter[] = "XYZABC";
-    const struct axisload *load = &v->load;
+    const struct axis_limits *load = &v->load;
     if (load->beyond)
         find(v, true, load->travel.piece, "axis %c at %.3f is beyond its travel (blocks: %zu)",
              letter[load->travel.axis], load->travel.value, load->beyond);
     if (load->unreachable)
         find(v, true, load->unreachable_at, "a tool axis that the machine's axes cannot reach");
     if (load->fast)
-        find(v, load->speed.value > 0 && v->course->piece.item[load->speed.piece].inverse,
+        find(v, load->speed.value > 0 && v->nc_motion->piece.item[load->speed.piece].inverse,
              load->speed.piece,
              "axis %c would have to move at %.2f of its largest speed "
              "(blocks: %zu)",
@@ -195,9 +197,9 @@ void verdict_judge(struct verdict *v)
     judge_axes(v);
     judge_jumps(v);
     judge_leaps(v);
-    if (v->cut->n == 0 && v->course->piece.n > 0)
+    if (v->cut->n == 0 && v->nc_motion->piece.n > 0)
         find(v, v->left < HUGE_VAL, 0, "nothing is cut, all moves are rapid"); /* a part of many */
-    else if (v->roll.cut == 0 && v->course->piece.n > 0)
+    else if (v->roll.cut == 0 && v->nc_motion->piece.n > 0)
         find(v, true, 0, "the ball comes near no point of the part");
 }
 
@@ -209,7 +211,7 @@ static double depth(const struct verdict *v, bool gouge, size_t piece)
 size_t verdict_worst(const struct verdict *v, bool gouge, size_t most, size_t *piece)
 {
     size_t n = 0;
-    for (size_t i = 0; i < v->course->piece.n; i++) {
+    for (size_t i = 0; i < v->nc_motion->piece.n; i++) {
         double value = depth(v, gouge, i);
         if (value <= 0 || (n == most && value <= depth(v, gouge, piece[n - 1])))
             continue;
@@ -231,7 +233,7 @@ bool verdict_refused(const struct verdict *v)
 
 void verdict_free(struct verdict *v)
 {
-    ballroll_free(&v->roll);
+    deviation_map_free(&v->roll);
     free(v->piece);
     array_free(&v->finding);
 }

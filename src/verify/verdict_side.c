@@ -36,7 +36,7 @@ static void row(struct out *o, const char *what, double worst, const double *par
 static void figures(struct out *o, const struct verdict *v)
 {
     static const char letter[] = "XYZABC";
-    const struct ballroll *r = &v->roll;
+    const struct deviation_map *r = &v->roll;
     out_text(o, "<h2>Figures, mm</h2>\n<table><tr><td></td><th>worst</th><th>50%</th><th>95%</th>"
                 "<th>99%</th><th>points beyond</th></tr>\n");
     row(o, "gouge", r->gouge, r->gouge_part, r->gouged);
@@ -107,7 +107,7 @@ static void blocks(struct out *o, const struct verdict *v, struct side_rows *row
         const struct verdict_piece *at = &v->piece[worst[i]];
         bool gouge = (double)at->gouge > v->tolerance || at->over <= 0;
         char where[60];
-        ncread_place(&v->course->piece.item[worst[i]], where, sizeof where);
+        ncread_place(&v->nc_motion->piece.item[worst[i]], where, sizeof where);
         out_printf(o, "<button type=\"button\" data-row=\"%ld\">%s, pass %u: %s %.4f</button>\n",
                    side_row(rows, worst[i]), where, at->pass, gouge ? "gouge" : "left",
                    (double)(gouge ? at->gouge : at->over));
@@ -118,16 +118,16 @@ static void blocks(struct out *o, const struct verdict *v, struct side_rows *row
 /* What one pass did. */
 struct pass {
     double gouge, over, length; /* mm */
-    const struct piece *first, *last;
+    const struct nc_piece *first, *last;
 };
 
-static double length_of(const struct course *course, const struct piece *piece)
+static double length_of(const struct nc_motion *nc_motion, const struct nc_piece *piece)
 {
     enum { STEPS = 8 };
     double length = 0;
     for (int k = 0; k < STEPS; k++)
-        length += vec_distance(course_at(course, piece, (double)k / STEPS).p,
-                               course_at(course, piece, (double)(k + 1) / STEPS).p);
+        length += vec_distance(nc_motion_at(nc_motion, piece, (double)k / STEPS).p,
+                               nc_motion_at(nc_motion, piece, (double)(k + 1) / STEPS).p);
     return length;
 }
 
@@ -135,14 +135,14 @@ static double length_of(const struct course *course, const struct piece *piece)
 static void passes(struct out *o, const struct verdict *v)
 {
     struct pass *pass = mem_alloc((size_t)v->passes + 1, sizeof *pass);
-    for (size_t i = 0; i < v->course->piece.n; i++) {
-        const struct piece *piece = &v->course->piece.item[i];
+    for (size_t i = 0; i < v->nc_motion->piece.n; i++) {
+        const struct nc_piece *piece = &v->nc_motion->piece.item[i];
         struct pass *p = &pass[v->piece[i].pass];
         if (piece->rapid || v->piece[i].pass > v->passes)
             continue;
         p->gouge = fmax(p->gouge, (double)v->piece[i].gouge);
         p->over = fmax(p->over, (double)v->piece[i].over);
-        p->length += length_of(v->course, piece);
+        p->length += length_of(v->nc_motion, piece);
         p->first = p->first ? p->first : piece;
         p->last = piece;
     }

@@ -2,7 +2,7 @@
 #include "base/out.h"
 #include "verify/verdict.h"
 
-static void put_left(struct out *o, const struct stockleft_sum *left)
+static void put_left(struct out *o, const struct stock_rest_sum *left)
 {
     out_printf(o, "left %.4f mm (50%% %.4f, 95%% %.4f, 99%% %.4f)", left->worst, left->part[0],
                left->part[1], left->part[2]);
@@ -10,8 +10,8 @@ static void put_left(struct out *o, const struct stockleft_sum *left)
 
 static void put_pass(const struct verdict *v, struct out *o, size_t k)
 {
-    const struct stockrun_pass *pass = &v->stock->pass.item[k];
-    const struct piece *piece = v->course->piece.item;
+    const struct stock_simulate_pass *pass = &v->stock->pass.item[k];
+    const struct nc_piece *piece = v->nc_motion->piece.item;
     char first[60], last[60], bite[60];
     ncread_place(&piece[pass->first], first, sizeof first);
     ncread_place(&piece[pass->last], last, sizeof last);
@@ -29,10 +29,10 @@ static void put_pass(const struct verdict *v, struct out *o, size_t k)
 
 void verdict_stock(const struct verdict *v, struct out *o)
 {
-    const struct stockrun *run = v->stock;
-    struct stockrun_pass sum = {0};
+    const struct stock_simulate *run = v->stock;
+    struct stock_simulate_pass sum = {0};
     for (size_t k = 0; k < run->pass.n; k++) {
-        const struct stockrun_pass *pass = &run->pass.item[k];
+        const struct stock_simulate_pass *pass = &run->pass.item[k];
         put_pass(v, o, k);
         sum.air += pass->air;
         sum.blocks += pass->blocks;

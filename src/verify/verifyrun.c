@@ -8,38 +8,38 @@
 /* The deepest that the ball, or the shaft over it, goes into the part in a rapid move. */
 static void roll_rapids(const struct verifyrun_setup *s, struct verdict *v)
 {
-    struct ball_path rapid = {0};
-    struct ballroll roll;
-    ballpath_rapid(v->course, v->radius, s->holder ? 0 : s->shank, FLAT, &rapid);
-    struct ballroll_setup setup = {v->radius, v->tolerance, -v->tolerance, s->threads};
-    ballroll_run(&rapid, v->point->item, v->point->n, &setup, &roll);
+    struct centre_path rapid = {0};
+    struct deviation_map roll;
+    centre_path_rapid(v->nc_motion, v->radius, s->holder ? 0 : s->shank, FLAT, &rapid);
+    struct deviation_map_options setup = {v->radius, v->tolerance, -v->tolerance, s->threads};
+    deviation_map_run(&rapid, v->point->item, v->point->n, &setup, &roll);
     if (roll.gouged > 0) {
         v->rapid = roll.gouge;
         v->rapid_points = roll.gouged;
         v->rapid_at = roll.gouge_at;
         v->rapid_piece = rapid.item[roll.segment[roll.gouge_at]].piece;
     }
-    ballroll_free(&roll);
+    deviation_map_free(&roll);
     array_free(&rapid);
 }
 
-static struct holderway way_of(const struct verdict *v, const struct holder *holder,
-                               struct obstacle *obstacle)
+static struct holder_collision way_of(const struct verdict *v, const struct holder *holder,
+                                      struct collision_body *obstacle)
 {
-    return (struct holderway){.course = v->course,
-                              .holder = holder,
-                              .obstacle = obstacle,
-                              .radius = v->radius,
-                              .tolerance = v->tolerance};
+    return (struct holder_collision){.nc_motion = v->nc_motion,
+                                     .holder = holder,
+                                     .obstacle = obstacle,
+                                     .radius = v->radius,
+                                     .tolerance = v->tolerance};
 }
 
 static void follow_holder(const struct verifyrun_setup *s, struct verifyrun *run, struct verdict *v)
 {
-    struct obstacle part = obstacle_points(v->point->item, v->point->n);
+    struct collision_body part = collision_body_points(v->point->item, v->point->n);
     run->part = way_of(v, s->holder, &part);
-    for (size_t i = 0; i < v->course->piece.n; i++)
-        holderway_piece(&run->part, i);
-    obstacle_free(&part);
+    for (size_t i = 0; i < v->nc_motion->piece.n; i++)
+        holder_collision_piece(&run->part, i);
+    collision_body_free(&part);
     v->holder = &run->part;
 }
 
@@ -47,28 +47,28 @@ static void cut_stock(const struct verifyrun_setup *s, struct verifyrun *run, st
 {
     const struct vec3 *point = v->point->item;
     size_t n = v->point->n;
-    v->cell = s->cell > 0 ? s->cell : stockpart_cell(s->stock, point, n, v->radius);
-    struct stock stock = stockpart_new(s->stock, point, n, v->cell);
-    struct stockleft left = stockleft_new(point, n, &stock);
-    struct obstacle block = obstacle_stock(&stock);
+    v->cell = s->cell > 0 ? s->cell : stock_init_cell(s->stock, point, n, v->radius);
+    struct stock stock = stock_init_new(s->stock, point, n, v->cell);
+    struct stock_rest left = stock_rest_new(point, n, &stock);
+    struct collision_body block = collision_body_stock(&stock);
     run->stock = way_of(v, s->holder ? s->holder : &run->shape, &block);
-    const struct stockrun_setup setup = {v->course,    v->cut,      v->radius, FLAT,
-                                         v->tolerance, &run->stock, !s->holder};
-    stockrun_run(&setup, &stock, &left, &run->run);
+    const struct stock_simulate_options setup = {v->nc_motion, v->cut,      v->radius, FLAT,
+                                                 v->tolerance, &run->stock, !s->holder};
+    stock_simulate_run(&setup, &stock, &left, &run->run);
     v->stock = &run->run;
     v->stock_holder = &run->stock;
-    obstacle_free(&block);
-    stockleft_free(&left);
+    collision_body_free(&block);
+    stock_rest_free(&left);
     stock_free(&stock);
 }
 
 void verifyrun_do(const struct verifyrun_setup *s, struct verifyrun *run, struct verdict *v)
 {
     *run = (struct verifyrun){.shape = {s->shank > 0, {{v->radius, v->radius, s->shank}}}};
-    ballpath_cut(v->course, v->radius, FLAT, &run->cut);
+    centre_path_cut(v->nc_motion, v->radius, FLAT, &run->cut);
     v->cut = &run->cut;
-    struct ballroll_setup setup = {v->radius, v->tolerance, s->band, s->threads};
-    ballroll_run(&run->cut, v->point->item, v->point->n, &setup, &v->roll);
+    struct deviation_map_options setup = {v->radius, v->tolerance, s->band, s->threads};
+    deviation_map_run(&run->cut, v->point->item, v->point->n, &setup, &v->roll);
     roll_rapids(s, v);
     if (s->holder)
         follow_holder(s, run, v);
@@ -79,5 +79,5 @@ void verifyrun_do(const struct verifyrun_setup *s, struct verifyrun *run, struct
 void verifyrun_free(struct verifyrun *run)
 {
     array_free(&run->cut);
-    stockrun_free(&run->run);
+    stock_simulate_free(&run->run);
 }

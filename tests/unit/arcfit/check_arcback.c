@@ -55,7 +55,7 @@ START_TEST(pieces_from_the_end_follow_the_trace)
         ck_assert(stray.tracked < 0.010001 && stray.other < 0.010001 && stray.axis < 0.020001);
         if (i == 0)
             continue;
-        const struct piece *a = &pieces.item[i - 1], *b = &pieces.item[i];
+        const struct arc_piece *a = &pieces.item[i - 1], *b = &pieces.item[i];
         ck_assert_double_eq(a->to, b->from);
         ck_assert_double_eq(vec_distance(a->arc.to, b->arc.from), 0);
         ck_assert_double_eq(vec_distance(a->axis_to, b->axis), 0);

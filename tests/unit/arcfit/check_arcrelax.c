@@ -74,7 +74,7 @@ START_TEST(a_kink_stays)
                           .lever = t.lever};
     arcbeam_fit(&half, &WITHIN, 6, &second);
     for (size_t i = 0; i < second.n; i++) {
-        struct piece moved = second.item[i];
+        struct arc_piece moved = second.item[i];
         moved.from += 100;
         moved.to += 100;
         *array_push(&p) = moved;

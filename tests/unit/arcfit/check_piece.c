@@ -16,7 +16,7 @@ static double to_line(struct vec3 q, const struct vec3 *line, size_t from, size_
 }
 
 /* Both directions, by brute force. */
-static void brute(const struct trace *t, const struct piece *p, double *tracked, double *other)
+static void brute(const struct trace *t, const struct arc_piece *p, double *tracked, double *other)
 {
     enum { MANY = 400 };
     size_t from = (size_t)p->from, to = (size_t)ceil(p->to);
@@ -43,7 +43,7 @@ START_TEST(stray_is_what_brute_force_finds)
         for (size_t to = 10; to < 60; to += 16) {
             struct vec3 aim = vec_add(t.p[to], vec(0.01, 0.02, -0.03));
             struct arc arc = arc_to(t.p[3], t.tangent[3], aim);
-            struct piece p = piece_of(&t, arc, 3, (double)to);
+            struct arc_piece p = piece_of(&t, arc, 3, (double)to);
             struct stray stray = piece_stray(&t, &p, 4, NULL);
             double tracked, other;
             brute(&t, &p, &tracked, &other);
@@ -66,7 +66,7 @@ START_TEST(an_axis_out_of_step_is_seen)
             (struct run_point){.tip = tip, .ball = vec_along(tip, 5, axis), .axis = axis};
     }
     struct trace t = trace_of(&run, 0, run.n, false, false);
-    struct piece p = piece_of(&t, arc_line(t.p[0], t.p[10]), 0, 10);
+    struct arc_piece p = piece_of(&t, arc_line(t.p[0], t.p[10]), 0, 10);
     struct stray stray = piece_stray(&t, &p, 1, NULL);
     ck_assert_double_eq(stray.tracked, 0);
     ck_assert_double_eq_tol(DEGREES(stray.axis), 5, 1e-9);

@@ -24,7 +24,7 @@ static struct trace leaning(double lean)
 START_TEST(the_other_end_strays_less)
 {
     struct trace t = leaning(0.0005);
-    struct piece piece = piece_of(&t, arc_line(t.p[0], t.p[40]), 0, 40);
+    struct arc_piece piece = piece_of(&t, arc_line(t.p[0], t.p[40]), 0, 40);
     struct stray before = piece_stray(&t, &piece, 4, NULL);
     piece.axis_to = swing_end(&t, &piece, &WITHIN, 0.85, 9);
     struct stray after = piece_stray(&t, &piece, 4, NULL);
@@ -37,7 +37,7 @@ END_TEST
 START_TEST(the_end_stays_within_its_part)
 {
     struct trace t = leaning(0.01);
-    struct piece piece = piece_of(&t, arc_line(t.p[0], t.p[40]), 0, 40);
+    struct arc_piece piece = piece_of(&t, arc_line(t.p[0], t.p[40]), 0, 40);
     struct vec3 axis = swing_end(&t, &piece, &WITHIN, 0.85, 9);
     double moved = vec_distance(vec_scale(t.lever, axis), vec_scale(t.lever, piece.axis_to));
     ck_assert_double_le(moved, 0.85 * WITHIN.other + 1e-7);
@@ -49,7 +49,7 @@ END_TEST
 START_TEST(what_follows_already_is_left)
 {
     struct trace t = leaning(0);
-    struct piece piece = piece_of(&t, arc_line(t.p[0], t.p[40]), 0, 40);
+    struct arc_piece piece = piece_of(&t, arc_line(t.p[0], t.p[40]), 0, 40);
     struct vec3 axis = swing_end(&t, &piece, &WITHIN, 0.85, 9);
     ck_assert_double_lt(vec_distance(axis, piece.axis_to), 1e-15);
     trace_free(&t);

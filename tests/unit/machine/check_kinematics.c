@@ -154,7 +154,8 @@ static double apart(struct vec3 a, struct vec3 b)
     return DEGREES(vec_distance(a, b));
 }
 
-static void check_pose(const struct kinematic_chain *chain, const struct rig *rig, struct vec3 tip,
+static void check_pose(const struct kinematic_chain *chain,
+                       const struct verify_kinematics *verify_kinematics, struct vec3 tip,
                        struct vec3 axis)
 {
     struct chain_solutions s = chain_angles(chain, axis);
@@ -162,8 +163,10 @@ static void check_pose(const struct kinematic_chain *chain, const struct rig *ri
     for (int k = 0; k < s.n; k++) {
         const double degrees[] = {DEGREES(s.q[k][0]), DEGREES(s.q[k][1])};
         struct vec3 linear = chain_linear(chain, tip, s.q[k]);
-        ck_assert_double_le(apart(rig_axis_at(rig, degrees), axis), 1e-9);
-        ck_assert_double_le(vec_distance(rig_tip(rig, linear, degrees), tip), 1e-9);
+        ck_assert_double_le(apart(verify_kinematics_axis_at(verify_kinematics, degrees), axis),
+                            1e-9);
+        ck_assert_double_le(
+            vec_distance(verify_kinematics_tip(verify_kinematics, linear, degrees), tip), 1e-9);
     }
 }
 
@@ -177,12 +180,12 @@ START_TEST(every_machine)
     snprintf(file, sizeof file, "%s/machines/%s.txt", folder ? folder : ".", shipped[_i]);
     ck_assert_msg(machine_read(&machine, file, &error) == 0, "%s", error.text);
     ck_assert_int_eq(machine_finish(&machine, &error), 0);
-    struct rig rig = ncread_rig(&machine);
+    struct verify_kinematics verify_kinematics = ncread_rig(&machine);
     seed = 40 + (uint64_t)_i;
     for (int i = 0; i < poses(30000); i++) {
         const double q[2] = {360 * chance() - 180, 360 * chance() - 180};
-        check_pose(&machine.chain, &rig, vec_scale(500 * chance(), random_unit()),
-                   rig_axis_at(&rig, q));
+        check_pose(&machine.chain, &verify_kinematics, vec_scale(500 * chance(), random_unit()),
+                   verify_kinematics_axis_at(&verify_kinematics, q));
     }
 }
 END_TEST
@@ -195,18 +198,19 @@ START_TEST(any_two_axes)
     seed = 60;
     for (int i = 0; i < 300; i++) {
         struct kinematic_chain chain = {.n = 2, .tool = random_unit()};
-        struct rig rig = {.n = 2, .tool = chain.tool};
+        struct verify_kinematics verify_kinematics = {.n = 2, .tool = chain.tool};
         int tables = (int)(3 * chance());
         double low = 1, high = -1;
         for (int k = 0; k < 2; k++) {
             struct vec3 centre = vec_scale(300 * chance(), random_unit());
             chain.rotary[k] = rotary_of(random_unit(), centre, k < tables);
-            rig.axis[k] = (struct rig_axis){
+            verify_kinematics.axis[k] = (struct verify_kinematics_axis){
                 .table = k < tables, .axis = chain.rotary[k].axis, .centre = centre};
         }
         for (int k = 0; k < 3600; k++) {
             const double q[2] = {0, k / 10.0};
-            double up = vec_dot(chain.rotary[0].axis, rig_axis_at(&rig, q));
+            double up =
+                vec_dot(chain.rotary[0].axis, verify_kinematics_axis_at(&verify_kinematics, q));
             low = fmin(low, up);
             high = fmax(high, up);
         }
@@ -214,7 +218,7 @@ START_TEST(any_two_axes)
             struct vec3 axis = random_unit(), tip = vec_scale(300 * chance(), random_unit());
             double up = vec_dot(chain.rotary[0].axis, axis);
             if (up > low + 1e-9 && up < high - 1e-9)
-                check_pose(&chain, &rig, tip, axis);
+                check_pose(&chain, &verify_kinematics, tip, axis);
             if (up < low - 1e-5 || up > high + 1e-5) {
                 ck_assert_int_eq(chain_angles(&chain, axis).n, 0);
                 beyond++;

@@ -39,24 +39,25 @@ static void numbered(char *text, size_t size)
 }
 
 /* Reads the cut between head and foot; -1: refused. */
-static int read_cut(int control, const char *cut, struct course *course, struct error *error)
+static int read_cut(int control, const char *cut, struct nc_motion *nc_motion, struct error *error)
 {
     char text[4000];
-    struct ncread_setup setup = {
-        .dialect = dialects[control], .tcp = true, .rig = rig_trunnion('A', 1)};
+    struct ncread_setup setup = {.dialect = dialects[control],
+                                 .tcp = true,
+                                 .verify_kinematics = verify_kinematics_trunnion('A', 1)};
     snprintf(text, sizeof text, "%s%s%s", head[control], cut, foot[control]);
     if (control == HEIDENHAIN)
         numbered(text, sizeof text);
-    *course = (struct course){0};
-    return ncread_read(scratch_text(text), &setup, course, error);
+    *nc_motion = (struct nc_motion){0};
+    return ncread_read(scratch_text(text), &setup, nc_motion, error);
 }
 
 /* The first piece at feed that goes anywhere. */
-static const struct piece *first_cut(const struct course *course)
+static const struct nc_piece *first_cut(const struct nc_motion *nc_motion)
 {
-    for (size_t i = 0; i < course->piece.n; i++)
-        if (!course->piece.item[i].rapid)
-            return &course->piece.item[i];
+    for (size_t i = 0; i < nc_motion->piece.n; i++)
+        if (!nc_motion->piece.item[i].rapid)
+            return &nc_motion->piece.item[i];
     return NULL;
 }
 
@@ -141,13 +142,14 @@ static const struct {
 
 START_TEST(motion_is_known)
 {
-    struct course course;
+    struct nc_motion nc_motion;
     struct error error;
-    ck_assert_msg(read_cut(motion[_i].control, motion[_i].cut, &course, &error) == 0, "%s",
+    ck_assert_msg(read_cut(motion[_i].control, motion[_i].cut, &nc_motion, &error) == 0, "%s",
                   error.text);
-    const struct piece *piece = first_cut(&course);
+    const struct nc_piece *piece = first_cut(&nc_motion);
     ck_assert_ptr_nonnull(piece);
-    struct course_pose middle = course_at(&course, piece, 0.5), end = course_at(&course, piece, 1);
+    struct nc_motion_pose middle = nc_motion_at(&nc_motion, piece, 0.5),
+                          end = nc_motion_at(&nc_motion, piece, 1);
     struct vec3 axis = motion[_i].axis;
     axis.z = sqrt(1 - axis.x * axis.x - axis.y * axis.y);
     ck_assert_msg(vec_distance(middle.p, motion[_i].middle) < 1e-9, "%g %g %g", middle.p.x,
@@ -155,7 +157,7 @@ START_TEST(motion_is_known)
     ck_assert_double_lt(vec_distance(end.p, motion[_i].end), 1e-9);
     ck_assert_double_lt(vec_distance(end.a, axis), 1e-9);
     ck_assert_double_eq(piece->feed, motion[_i].feed);
-    course_free(&course);
+    nc_motion_free(&nc_motion);
 }
 END_TEST
 
@@ -167,9 +169,11 @@ START_TEST(inches)
     static const char *const cut[] = {"G2 X1. Y1. I1. J0.\n", "G2 X1 Y1 I1 J0\n",
                                       "CC X+1 Y+0\nC X+1 Y+1 DR- F500\n", "G2 X1 Y1 I1 J0\n"};
     char text[4000], changed[4000] = "";
-    struct course course = {0};
+    struct nc_motion nc_motion = {0};
     struct error error;
-    struct ncread_setup setup = {.dialect = dialects[_i], .tcp = true, .rig = rig_trunnion('A', 1)};
+    struct ncread_setup setup = {.dialect = dialects[_i],
+                                 .tcp = true,
+                                 .verify_kinematics = verify_kinematics_trunnion('A', 1)};
     snprintf(text, sizeof text, "%s%s%s", head[_i], cut[_i], foot[_i]);
     char *s = text;
     for (char *at = strstr(s, from[_i]); at; at = strstr(s, from[_i])) {
@@ -180,14 +184,14 @@ START_TEST(inches)
     strcat(changed, s);
     if (_i == HEIDENHAIN)
         numbered(changed, sizeof changed);
-    ck_assert_msg(ncread_read(scratch_text(changed), &setup, &course, &error) == 0, "%s",
+    ck_assert_msg(ncread_read(scratch_text(changed), &setup, &nc_motion, &error) == 0, "%s",
                   error.text);
-    const struct piece *piece = first_cut(&course);
-    struct course_pose middle = course_at(&course, piece, 0.5);
+    const struct nc_piece *piece = first_cut(&nc_motion);
+    struct nc_motion_pose middle = nc_motion_at(&nc_motion, piece, 0.5);
     double side = 25.4 * sqrt(0.5);
     ck_assert_double_lt(vec_distance(middle.p, vec(25.4 - side, side, 50 * 25.4)), 1e-9);
     ck_assert_double_eq_tol(piece->feed, 500 * 25.4, 1e-9);
-    course_free(&course);
+    nc_motion_free(&nc_motion);
 }
 END_TEST
 
@@ -227,14 +231,14 @@ static const struct {
 
 START_TEST(refused_with_its_line)
 {
-    struct course course;
+    struct nc_motion nc_motion;
     struct error error = {""};
-    ck_assert_int_lt(read_cut(refused[_i].control, refused[_i].cut, &course, &error), 0);
+    ck_assert_int_lt(read_cut(refused[_i].control, refused[_i].cut, &nc_motion, &error), 0);
     ck_assert_msg(strstr(error.text, refused[_i].found) != NULL, "%s", error.text);
     ck_assert_msg(strncmp(error.text, scratch_name(), strlen(scratch_name())) == 0 &&
                       error.text[strlen(scratch_name())] == ':',
                   "%s", error.text);
-    course_free(&course);
+    nc_motion_free(&nc_motion);
 }
 END_TEST
 

@@ -5,18 +5,18 @@
 #include <stdlib.h>
 #include <string.h>
 
-static struct piece arc_piece(void)
+static struct arc_piece arc_piece(void)
 {
     struct vec3 a = vec_unit(vec(0.2, -0.3, 1)), u = vec_perpendicular(a), v = vec_cross(a, u);
     struct vec3 centre = vec(10.1234567, -4.7654321, 3.3333333);
-    struct piece piece = {.axis = vec(0, 0, 1), .axis_to = vec_unit(vec(0.3, 0, 1))};
+    struct arc_piece piece = {.axis = vec(0, 0, 1), .axis_to = vec_unit(vec(0.3, 0, 1))};
     piece.arc = arc_about(vec_along(centre, 7, u), vec_along(centre, 7, v), centre, a);
     return piece;
 }
 
 START_TEST(an_arc_goes_through_its_rounded_ends)
 {
-    struct piece piece = arc_piece();
+    struct arc_piece piece = arc_piece();
     struct vec3 from = vec_round(piece.arc.from, PATH_COORDINATE);
     struct printed p = arcprint_piece(&piece, from);
     ck_assert_double_eq_tol(p.arc.radius, 7, 1e-5);
@@ -31,7 +31,7 @@ END_TEST
 
 START_TEST(what_is_too_short_is_a_line)
 {
-    struct piece piece = arc_piece();
+    struct arc_piece piece = arc_piece();
     piece.arc = arc_to(vec(0, 0, 0), vec(1, 0, 0), vec(6e-4, 1e-4, 0));
     ck_assert_double_eq(arcprint_piece(&piece, vec(0, 0, 0)).arc.radius, 0);
     piece.arc = arc_to(vec(0, 0, 0), vec(1, 0, 0), vec(5, 1, 0));
@@ -41,7 +41,7 @@ END_TEST
 
 START_TEST(chords_keep_the_sagitta)
 {
-    struct piece piece = arc_piece();
+    struct arc_piece piece = arc_piece();
     int n = arcprint_chords(&piece, 0, 0.01);
     double half = piece.arc.angle / n / 2;
     ck_assert_double_le(7 * (1 - cos(half)), 0.01);
@@ -93,7 +93,7 @@ START_TEST(an_end_beside_the_traces_strays_without_limit)
     struct pieces pieces = {0};
     struct printeds printed = {0};
     struct trace t = quarter(&pieces);
-    struct piece *last = &pieces.item[1];
+    struct arc_piece *last = &pieces.item[1];
     last->arc = arc_to(last->arc.from, last->arc.tangent, t.p[159]);
     ck_assert_double_gt(arcprint_pieces(&t, &pieces, &printed).tracked, 1e9);
     array_free(&pieces);
