@@ -162,7 +162,7 @@ static void free_planes(struct planes *all)
     free(all->part);
 }
 
-static void check_options(struct axis_rule *axis)
+static void check_options(struct tool_axis_options *axis)
 {
     struct error error;
 

@@ -42,7 +42,7 @@ static const struct cli_option options[] = {
     {0}};
 /* clang-format on */
 
-static void check_options(struct axis_rule *axis)
+static void check_options(struct tool_axis_options *axis)
 {
     struct error error;
 
@@ -99,7 +99,7 @@ static void find_planes(const struct mesh *mesh, struct planepath *p)
         planepath_scallop(p, mesh, scallop);
 }
 
-static void set_rule(const struct axis_rule *axis, const struct mesh *mesh, bool closed,
+static void set_rule(const struct tool_axis_options *axis, const struct mesh *mesh, bool closed,
                      struct planepath *p)
 {
     struct pass_rule *rule = &p->rule;

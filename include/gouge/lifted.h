@@ -5,7 +5,7 @@
 #ifndef CLOUDMILL_LIFTED_H
 #define CLOUDMILL_LIFTED_H
 
-#include "curve/axis.h"
+#include "curve/tool_axis.h"
 #include "gouge/guard.h"
 #include "curve/run.h"
 
@@ -17,8 +17,8 @@ struct lift_rule {
     double tolerance;          /* of straight lines against the curve and the part, mm */
     double step;               /* no points nearer than this are put between, mm */
     double stands;             /* what may stand under a ball that was lifted, mm */
-    struct axis_rule axis;
-    struct axis_feed feed;
+    struct tool_axis_options axis;
+    struct tool_axis_feed feed;
 };
 
 /* A point with what became of it. */

@@ -10,7 +10,7 @@
 #ifndef CLOUDMILL_ROTARY_H
 #define CLOUDMILL_ROTARY_H
 
-#include "curve/axis.h"
+#include "curve/tool_axis.h"
 
 /* The way of both rotary axes together between two unit vectors, radians. */
 double rotary_way(struct vec3 from, struct vec3 to);
@@ -20,6 +20,6 @@ int rotary_leans(double least, double most);
 
 /* Number i of them, 0 <= i < rotary_leans(): lead and tilt of the rule, so that the axis is off the
  * normal by least, or in even steps of about 5 degrees up to most, in each of 24 directions. */
-struct axis_rule rotary_lean(double least, double most, int i);
+struct tool_axis_options rotary_lean(double least, double most, int i);
 
 #endif

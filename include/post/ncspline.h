@@ -29,7 +29,7 @@ struct nc_spline_digits {
 
 /*
  * Words for the whole spline motion from a station as printed; *to is where it ends, as printed.  A
- * curve of a higher degree than the control knows becomes a cubic beside it (cubicform.h).
+ * curve of a higher degree than the control knows becomes a cubic beside it (cubic_form.h).
  * False where the control cannot be given it within `allowed` (its degree, its axis, its digits);
  * nothing then needs freeing.  *d: the deviation of what is printed from the motion.
  */

@@ -29,7 +29,7 @@ extern const struct cli_option cutting_options[]; /* for cli.more */
 
 /* Checks the options against each other, fills in what follows from others, and gives the rule for
  * the axis: what to do with -1 is a matter of usage. */
-int cutting_check(struct axis_rule *axis, struct error *error);
+int cutting_check(struct tool_axis_options *axis, struct error *error);
 
 /*
  * What the ball is kept clear of: the scans of -g, which are told from the wrong ones by vertices

@@ -34,7 +34,7 @@ struct meshcut;
 
 /*
  * Prepares a mesh with normals for planes of this unit normal.  The mesh must outlive it.  `smooth`
- * takes the edges as the surface runs there (edgecurve.h), not as straight: points are then on the
+ * takes the edges as the surface runs there (edge_curve.h), not as straight: points are then on the
  * surface to the fourth order of an edge's length.
  */
 struct meshcut *meshcut_new(const struct mesh *mesh, struct vec3 normal, bool smooth);

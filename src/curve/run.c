@@ -8,7 +8,7 @@
 
 #include <stdlib.h>
 
-#include "runcurve.h"
+#include "run_curve.h"
 
 static const double SAME = 1e-7;     /* mm: centres nearer than this are one station */
 static const double CORNER = PI / 3; /* a turn above this in one point is a corner */
@@ -183,11 +183,11 @@ static double densify_piece(const struct run *piece, double chord, struct run *d
         if (at + 1 < s.n && s.item[at + 1].first == i + 1)
             at++;
         const struct station *next = &s.item[at];
-        struct runcurve c =
-            runcurve_between((struct runcurve_end){&piece->item[i], here->tangent, here->turn},
-                             (struct runcurve_end){&piece->item[i + 1], next->tangent, next->turn});
+        struct run_curve c = run_curve_between(
+            (struct run_curve_end){&piece->item[i], here->tangent, here->turn},
+            (struct run_curve_end){&piece->item[i + 1], next->tangent, next->turn});
         c.great_circle = c.great_circle || here == next; /* the axis turns in one place */
-        worst = fmax(worst, runcurve_densify(&c, chord, dense));
+        worst = fmax(worst, run_curve_densify(&c, chord, dense));
     }
     array_free(&s);
     return worst;

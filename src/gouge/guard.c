@@ -2,7 +2,7 @@
 
 #include <stdlib.h>
 
-#include "curve/edgecurve.h"
+#include "curve/edge_curve.h"
 #include "math/height_pyramid.h"
 
 /* A facet further than this off a vertex's normal spans a step, not a smooth surface. */

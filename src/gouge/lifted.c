@@ -6,7 +6,7 @@ void lifted_place(struct run_point *p, struct vec3 centre, const struct lift_rul
                   double radius)
 {
     p->ball = centre;
-    p->axis = axis_at(&rule->axis, &rule->feed, centre, p->normal);
+    p->axis = tool_axis_at(&rule->axis, &rule->feed, centre, p->normal);
     p->tip = vec_along(centre, -radius, p->axis);
 }
 

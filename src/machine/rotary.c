@@ -29,13 +29,13 @@ int rotary_leans(double least, double most)
     return DIRECTIONS * (1 + steps(least, most));
 }
 
-struct axis_rule rotary_lean(double least, double most, int i)
+struct tool_axis_options rotary_lean(double least, double most, int i)
 {
     int n = steps(least, most);
     double part = n > 0 ? (double)(i / DIRECTIONS) / n : 0, off = least + part * (most - least);
     double direction = 2 * PI * (i % DIRECTIONS) / DIRECTIONS;
 
-    return (struct axis_rule){.kind = AXIS_LEAN,
-                              .lead = atan(tan(off) * cos(direction)),
-                              .tilt = atan(tan(off) * sin(direction))};
+    return (struct tool_axis_options){.kind = AXIS_LEAN,
+                                      .lead = atan(tan(off) * cos(direction)),
+                                      .tilt = atan(tan(off) * sin(direction))};
 }

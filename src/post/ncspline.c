@@ -10,7 +10,7 @@
 #include <stdlib.h>
 
 #include "base/array.h"
-#include "curve/cubicform.h"
+#include "curve/cubic_form.h"
 #include "base/num.h"
 #include "machine/turnfit.h"
 
@@ -37,7 +37,7 @@ struct beside {
 static struct beside beside(const struct bspline *b, int degree)
 {
     struct beside c = {.lowered = b->degree > degree};
-    c.curve = c.lowered ? cubicform(b, NULL, 0) : bspline_copy(b);
+    c.curve = c.lowered ? cubic_form(b, NULL, 0) : bspline_copy(b);
     return c;
 }
 
@@ -58,7 +58,7 @@ static void beside_refine(struct beside *c, const struct bspline *b, const struc
     if (!c->lowered)
         return;
     bspline_free(&c->curve);
-    c->curve = cubicform(b, c->knots.item, c->knots.n);
+    c->curve = cubic_form(b, c->knots.item, c->knots.n);
 }
 
 /* ---- polynomials ---- */

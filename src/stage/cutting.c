@@ -83,12 +83,12 @@ static struct vec3 vec_of(const double v[3])
     return vec(v[0], v[1], v[2]);
 }
 
-static int axis_rule(struct axis_rule *rule, struct error *error)
+static int axis_rule(struct tool_axis_options *rule, struct error *error)
 {
     const struct cutting *c = &cutting;
 
-    *rule =
-        (struct axis_rule){.kind = AXIS_LEAN, .tilt = RADIANS(c->tilt), .lead = RADIANS(c->lead)};
+    *rule = (struct tool_axis_options){
+        .kind = AXIS_LEAN, .tilt = RADIANS(c->tilt), .lead = RADIANS(c->lead)};
     if (c->fixed_given + c->to_given + c->from_given + c->circle_given + c->lean_given > 1)
         return error_set(error, "found two rules for the axis, expected one of --tilt/--lead, "
                                 "--fixed, --to-point, --from-point, --circle");
@@ -113,7 +113,7 @@ static int axis_rule(struct axis_rule *rule, struct error *error)
     return 0;
 }
 
-int cutting_check(struct axis_rule *axis, struct error *error)
+int cutting_check(struct tool_axis_options *axis, struct error *error)
 {
     struct cutting *c = &cutting;
 

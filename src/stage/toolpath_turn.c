@@ -13,7 +13,7 @@ struct trial {
 };
 
 /* The way of the rotary axes over all contacts, with the axis by this rule. */
-static double way_by(const struct toolpath *t, const struct axis_rule *rule)
+static double way_by(const struct toolpath *t, const struct tool_axis_options *rule)
 {
     struct vec3 before = {0, 0, 0};
     double way = 0;
@@ -23,7 +23,7 @@ static double way_by(const struct toolpath *t, const struct axis_rule *rule)
         for (size_t k = 0; k < strip->contact.n; k++) {
             struct contact c = strip->contact.item[k];
             struct vec3 centre = vec_along(c.p, strip->lift.offset, c.n);
-            struct vec3 axis = axis_at(rule, &strip->lift.feed, centre, c.n);
+            struct vec3 axis = tool_axis_at(rule, &strip->lift.feed, centre, c.n);
             if (i > 0 || k > 0)
                 way += rotary_way(before, axis);
             before = axis;
@@ -37,14 +37,14 @@ static void try_leans(void *context, size_t from, size_t to)
     const struct trial *trial = context;
 
     for (size_t i = from; i < to; i++) {
-        struct axis_rule rule = rotary_lean(trial->least, trial->most, (int)i);
+        struct tool_axis_options rule = rotary_lean(trial->least, trial->most, (int)i);
         trial->way[i] = way_by(trial->t, &rule);
     }
 }
 
 void toolpath_turn(struct toolpath *t)
 {
-    const struct axis_rule *asked = &t->lift.axis;
+    const struct tool_axis_options *asked = &t->lift.axis;
     double least = atan(hypot(tan(asked->lead), tan(asked->tilt)));
     struct trial trial = {t, least, fmax(least, t->rule.turn), NULL};
     size_t n = (size_t)rotary_leans(trial.least, trial.most), best = 0;
@@ -57,7 +57,7 @@ void toolpath_turn(struct toolpath *t)
     double before = way_by(t, asked), now = trial.way[best];
     free(trial.way);
     if (now < before) {
-        struct axis_rule rule = rotary_lean(trial.least, trial.most, (int)best);
+        struct tool_axis_options rule = rotary_lean(trial.least, trial.most, (int)best);
         t->lift.axis = rule;
         for (size_t i = 0; i < t->strip.n; i++)
             t->strip.item[i].lift.axis = rule;

@@ -2,7 +2,7 @@
 
 #include <stdlib.h>
 
-#include "curve/edgecurve.h"
+#include "curve/edge_curve.h"
 #include "mesh/meshedges.h"
 
 /* Points nearer than this say more of rounding than of a direction, mm. */

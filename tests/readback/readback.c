@@ -57,7 +57,7 @@ static bool walk(const char *what, const struct nc_motion *nc_motion, const stru
     char place[60];
     ncread_place(&nc_motion->piece.item[from->item[sweep.tip_at].piece], place, sizeof place);
     printf("%s: tip %.6f mm at %s", what, sweep.tip, place);
-    ncread_place(&nc_motion->piece.item[from->item[sweep.axis_at].piece], place, sizeof place);
+    ncread_place(&nc_motion->piece.item[from->item[sweep.tool_axis_at].piece], place, sizeof place);
     printf(", axis %.5f degrees at %s", sweep.axis, place);
     if (from->radius != 0)
         printf(", ball %.6f mm", sweep.ball);

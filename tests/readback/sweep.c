@@ -233,7 +233,7 @@ struct sweep sweep_walk(const struct samples *from, const struct samples *to, do
         sweep.ball = fmax(sweep.ball, ball_miss(sample->pose, match.pose, from->radius));
         if (axis > sweep.axis) {
             sweep.axis = axis;
-            sweep.axis_at = i;
+            sweep.tool_axis_at = i;
         }
     }
     return sweep;

@@ -37,10 +37,10 @@ void sweep_join_steps(struct nc_motion *nc_motion);
 double sweep_length(const struct samples *chain);
 
 struct sweep {
-    double tip, axis, ball; /* worst, mm and degrees; of the ball's centre */
-    size_t tip_at, axis_at; /* samples of `from` there */
-    bool beyond;            /* some sample is beyond the limits ... */
-    size_t first;           /* ... and this is the first */
+    double tip, axis, ball;      /* worst, mm and degrees; of the ball's centre */
+    size_t tip_at, tool_axis_at; /* samples of `from` there */
+    bool beyond;                 /* some sample is beyond the limits ... */
+    size_t first;                /* ... and this is the first */
 };
 
 /* Walks all of `from` along `to`. */

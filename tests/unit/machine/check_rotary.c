@@ -30,19 +30,19 @@ END_TEST
 START_TEST(leans_are_off_the_normal_by_what_was_asked)
 {
     double least = 15 * PI / 180, most = 27 * PI / 180, smallest = 9, largest = 0;
-    struct axis_feed feed = {.along = vec(1, 0, 0), .side = vec(0, 1, 0)};
+    struct tool_axis_feed feed = {.along = vec(1, 0, 0), .side = vec(0, 1, 0)};
     int n = rotary_leans(least, most);
 
     ck_assert_int_eq(rotary_leans(least, least), 24);
     ck_assert_int_eq(n, 24 * 4);
     for (int i = 0; i < n; i++) {
-        struct axis_rule rule = rotary_lean(least, most, i);
-        struct vec3 axis = axis_at(&rule, &feed, vec(0, 0, 0), vec(0, 0, 1));
+        struct tool_axis_options rule = rotary_lean(least, most, i);
+        struct vec3 axis = tool_axis_at(&rule, &feed, vec(0, 0, 0), vec(0, 0, 1));
         double off = acos(axis.z);
         smallest = fmin(smallest, off);
         largest = fmax(largest, off);
         for (int k = 0; k < i; k++) { /* and no two alike */
-            struct axis_rule other = rotary_lean(least, most, k);
+            struct tool_axis_options other = rotary_lean(least, most, k);
             ck_assert_double_gt(fabs(rule.lead - other.lead) + fabs(rule.tilt - other.tilt), 1e-3);
         }
     }

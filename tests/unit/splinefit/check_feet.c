@@ -21,7 +21,7 @@ static struct attempt fitted(const struct target *target, int degree, size_t pol
     return a;
 }
 
-static struct vec3 axis_at(const struct bspline *b, double u)
+static struct vec3 tool_axis_at(const struct bspline *b, double u)
 {
     return vec_unit(vec_sub(bspline_at(b, b->head, u), bspline_at(b, b->pole, u)));
 }
@@ -36,7 +36,7 @@ static double least(const struct attempt *a, const struct target *t, size_t k, b
         double u = fmin(fmax(from + i * end / 40000, 0), end);
         struct vec3 p = bspline_at(b, b->pole, u);
         if (other)
-            p = vec_along(p, t->offset, axis_at(b, u));
+            p = vec_along(p, t->offset, tool_axis_at(b, u));
         best = fmin(best, vec_distance(p, other ? t->other[k] : t->point[k]));
     }
     return best;
@@ -59,7 +59,7 @@ START_TEST(as_near_as_by_brute_force)
             if (fixed)
                 continue;
             ck_assert_double_eq_tol(off[1], least(&a, &t, k, true), 2e-4);
-            struct vec3 axis = axis_at(&a.curve, t.other_leads ? a.feet.v[k] : a.feet.u[k]);
+            struct vec3 axis = tool_axis_at(&a.curve, t.other_leads ? a.feet.v[k] : a.feet.u[k]);
             ck_assert_double_eq_tol(off[2], vec_distance(axis, t.axis[k]) * 0.01 / 0.02, 1e-6);
             worst = fmax(worst, fmax(off[1], off[2]));
         }
@@ -82,7 +82,7 @@ START_TEST(footholds)
         bspline_derivatives(&a.curve, a.curve.pole, s->u, 1, d);
         ck_assert_double_lt(vec_distance(vec_unit(d[1]), s->along), 1e-3);
         ck_assert_double_lt(fabs(vec_dot(s->off, s->along)), 0.02 * vec_length(s->off) + 1e-5);
-        ck_assert_double_lt(vec_distance(axis_at(&a.curve, s->u), s->axis), 1e-3);
+        ck_assert_double_lt(vec_distance(tool_axis_at(&a.curve, s->u), s->axis), 1e-3);
         ck_assert(a.curve.knot[s->span + 4] <= s->u && s->u <= a.curve.knot[s->span + 5]);
     }
     trial_fit_free(&fit);

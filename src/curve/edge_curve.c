@@ -1,4 +1,4 @@
-#include "curve/edgecurve.h"
+#include "curve/edge_curve.h"
 
 static const double STEP = 0.5; /* sin 30 degrees */
 

@@ -1,5 +1,5 @@
 /*
- * cubicform: what is a cubic on its knots comes out as it is, whatever its degree was written as;
+ * cubic_form: what is a cubic on its knots comes out as it is, whatever its degree was written as;
  * any other curve comes nearer with the fourth power of its spans, ends and smoothness kept.
  */
 #include <check.h>
@@ -7,7 +7,7 @@
 #include <stdlib.h>
 
 #include "base/array.h"
-#include "curve/cubicform.h"
+#include "curve/cubic_form.h"
 
 static uint64_t seed;
 
@@ -56,14 +56,14 @@ START_TEST(cubics_stay)
         int degree = 1 + i % 3;
         size_t poles = (size_t)degree + 1 + (size_t)(12 * chance());
         struct bspline b = any_curve(degree, poles, 1 + i % degree, i % 2);
-        struct bspline c = cubicform(&b, NULL, 0);
+        struct bspline c = cubic_form(&b, NULL, 0);
         ck_assert_int_eq(c.degree, 3);
         ck_assert_double_lt(distance(&b, &c, false), 1e-10);
         if (b.head)
             ck_assert_double_lt(distance(&b, &c, true), 1e-10);
         bspline_free(&c);
         double more = 0.317 * b.knot[poles];
-        c = cubicform(&b, &more, 1);
+        c = cubic_form(&b, &more, 1);
         ck_assert_double_lt(distance(&b, &c, false), 1e-10);
         bspline_free(&c);
         bspline_free(&b);
@@ -78,7 +78,7 @@ static struct bspline finer(const struct bspline *b, int n)
     for (size_t i = (size_t)b->degree; i < b->poles; i++)
         for (int k = n - 1; k > 0 && b->knot[i + 1] > b->knot[i]; k--)
             *array_push(&more) = b->knot[i] + (b->knot[i + 1] - b->knot[i]) * k / n;
-    struct bspline c = cubicform(b, more.item, more.n);
+    struct bspline c = cubic_form(b, more.item, more.n);
     array_free(&more);
     return c;
 }

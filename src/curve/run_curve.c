@@ -1,5 +1,5 @@
-/* runcurve - see runcurve.h. */
-#include "runcurve.h"
+/* run_curve - see run_curve.h. */
+#include "run_curve.h"
 
 static const double AXIS_SMOOTH = PI / 3; /* axes further apart than this: great circle */
 enum { PARTS_MAX = 10000 };               /* pieces of one interval */
@@ -8,12 +8,12 @@ enum { PARTS_MAX = 10000 };               /* pieces of one interval */
  * The speed at the ends is that at which a cubic is nearest to a circle with these tangents:
  * 2 d / (1 + cos(turn / 2)) for a chord of length d.
  */
-struct runcurve runcurve_between(struct runcurve_end a, struct runcurve_end b)
+struct run_curve run_curve_between(struct run_curve_end a, struct run_curve_end b)
 {
     double length = vec_distance(a.point->ball, b.point->ball);
     double half = sqrt(fmax(0, (1 + vec_dot(a.tangent, b.tangent)) / 2));
     double speed = 2 * length / (1 + half);
-    return (struct runcurve){
+    return (struct run_curve){
         .a = a.point,
         .b = b.point,
         .va = vec_scale(speed, a.tangent),
@@ -32,7 +32,7 @@ static struct vec3 hermite(struct vec3 p, struct vec3 v, struct vec3 q, struct v
     return vec_along(vec_along(r, t * s * s, v), -t * t * s, w);
 }
 
-struct run_point runcurve_at(const struct runcurve *c, double t, double radius)
+struct run_point run_curve_at(const struct run_curve *c, double t, double radius)
 {
     struct run_point p = {.ball = hermite(c->a->ball, c->va, c->b->ball, c->vb, t)};
     p.axis = c->great_circle ? vec_slerp(c->a->axis, c->b->axis, t)
@@ -55,15 +55,15 @@ static double segment_distance(struct vec3 p, struct vec3 a, struct vec3 b)
 }
 
 /* Largest distance between the curve and `parts` straight pieces, at the tip and the centre. */
-static double chord_error(const struct runcurve *c, size_t parts, double radius)
+static double chord_error(const struct run_curve *c, size_t parts, double radius)
 {
     enum { SAMPLES = 4 };
     double worst = 0, n = (double)parts;
     struct run_point from = *c->a;
     for (size_t k = 0; k < parts; k++) {
-        struct run_point to = k + 1 < parts ? runcurve_at(c, (double)(k + 1) / n, radius) : *c->b;
+        struct run_point to = k + 1 < parts ? run_curve_at(c, (double)(k + 1) / n, radius) : *c->b;
         for (int i = 1; i < SAMPLES; i++) {
-            struct run_point p = runcurve_at(c, ((double)k + (double)i / SAMPLES) / n, radius);
+            struct run_point p = run_curve_at(c, ((double)k + (double)i / SAMPLES) / n, radius);
             worst = fmax(worst, segment_distance(p.ball, from.ball, to.ball));
             worst = fmax(worst, segment_distance(p.tip, from.tip, to.tip));
         }
@@ -72,7 +72,7 @@ static double chord_error(const struct runcurve *c, size_t parts, double radius)
     return worst;
 }
 
-double runcurve_densify(const struct runcurve *c, double chord, struct run *dense)
+double run_curve_densify(const struct run_curve *c, double chord, struct run *dense)
 {
     size_t parts = 1;
     double whole = chord_error(c, 1, dense->radius), off = whole;
@@ -82,7 +82,7 @@ double runcurve_densify(const struct runcurve *c, double chord, struct run *dens
         off = chord_error(c, parts, dense->radius);
     }
     for (size_t k = 1; k < parts; k++)
-        *array_push(dense) = runcurve_at(c, (double)k / (double)parts, dense->radius);
+        *array_push(dense) = run_curve_at(c, (double)k / (double)parts, dense->radius);
     *array_push(dense) = *c->b;
     return whole;
 }

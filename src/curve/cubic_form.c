@@ -1,5 +1,5 @@
-/* cubicform - see cubicform.h. */
-#include "curve/cubicform.h"
+/* cubic_form - see cubic_form.h. */
+#include "curve/cubic_form.h"
 
 #include <stdlib.h>
 
@@ -47,7 +47,7 @@ static struct vec3 pole_at(const struct bspline *b, const struct vec3 *pole, con
     return vec_along(p, x * y * z / 6, d[3]); /* the factor of the first, x + y + z, is 0 */
 }
 
-struct bspline cubicform(const struct bspline *b, const double *more, size_t n)
+struct bspline cubic_form(const struct bspline *b, const double *more, size_t n)
 {
     struct doubles knots = {0};
     double from = b->knot[0], to = b->knot[b->poles];

@@ -1,7 +1,7 @@
-#include "curve/axis.h"
+#include "curve/tool_axis.h"
 
 /* Feed direction perpendicular to the normal; where the surface faces the feed, straight up it. */
-static struct vec3 tangent(const struct axis_feed *feed, struct vec3 normal)
+static struct vec3 tangent(const struct tool_axis_feed *feed, struct vec3 normal)
 {
     struct vec3 t = vec_cross(feed->plane, normal);
 
@@ -13,7 +13,7 @@ static struct vec3 tangent(const struct axis_feed *feed, struct vec3 normal)
 }
 
 /* The direction that has the next row on its side whatever the surface does there. */
-static double side_of(const struct axis_feed *feed)
+static double side_of(const struct tool_axis_feed *feed)
 {
     struct vec3 up = vec_length(feed->up) > 0 ? feed->up : vec(0, 0, 1);
     struct vec3 left = vec_cross(up, feed->along);
@@ -23,7 +23,7 @@ static double side_of(const struct axis_feed *feed)
     return vec_dot(left, feed->side) < 0 ? -1 : 1;
 }
 
-static struct vec3 lean(const struct axis_rule *rule, const struct axis_feed *feed,
+static struct vec3 lean(const struct tool_axis_options *rule, const struct tool_axis_feed *feed,
                         struct vec3 normal)
 {
     struct vec3 t = tangent(feed, normal);
@@ -32,7 +32,7 @@ static struct vec3 lean(const struct axis_rule *rule, const struct axis_feed *fe
     return vec_along(vec_along(normal, tan(rule->lead), t), tan(rule->tilt), b);
 }
 
-static struct vec3 nearest_on_circle(const struct axis_rule *rule, struct vec3 p)
+static struct vec3 nearest_on_circle(const struct tool_axis_options *rule, struct vec3 p)
 {
     struct vec3 out = vec_unit(vec_reject(vec_sub(p, rule->point), rule->direction));
 
@@ -41,8 +41,8 @@ static struct vec3 nearest_on_circle(const struct axis_rule *rule, struct vec3 p
     return vec_along(rule->point, rule->radius, out);
 }
 
-struct vec3 axis_at(const struct axis_rule *rule, const struct axis_feed *feed, struct vec3 centre,
-                    struct vec3 normal)
+struct vec3 tool_axis_at(const struct tool_axis_options *rule, const struct tool_axis_feed *feed,
+                         struct vec3 centre, struct vec3 normal)
 {
     struct vec3 a = normal;
 

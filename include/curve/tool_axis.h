@@ -1,5 +1,5 @@
 /*
- * axis - the direction of the tool axis at a contact point (paper 1, 1 and fig. 2, 3.5;
+ * tool_axis - the direction of the tool axis at a contact point (paper 1, 1 and fig. 2, 3.5;
  * design/3-geometry.md).
  *
  * The frame is that of the surface (Darboux), not of the curve: n the surface normal, T the feed
@@ -8,8 +8,8 @@
  * sign of B is fixed by the direction of the step from row to row, so that the tool leans to the
  * same side on zig and on zag.
  */
-#ifndef CLOUDMILL_AXIS_H
-#define CLOUDMILL_AXIS_H
+#ifndef CLOUDMILL_TOOL_AXIS_H
+#define CLOUDMILL_TOOL_AXIS_H
 
 #include "math/vec.h"
 
@@ -21,7 +21,7 @@ enum axis_kind {
     AXIS_FIXED       /* everywhere the same */
 };
 
-struct axis_rule {
+struct tool_axis_options {
     enum axis_kind kind;
     double tilt;           /* LEAN: radians, positive towards the next row */
     double lead;           /* LEAN: radians, positive the way the tool feeds */
@@ -31,7 +31,7 @@ struct axis_rule {
 };
 
 /* What stays the same along one strip, in the direction it is cut. */
-struct axis_feed {
+struct tool_axis_feed {
     struct vec3 along; /* horizontal unit vector, the way the tool feeds */
     struct vec3 side;  /* unit vector, towards the next row; not turned on the way back; horizontal
                           but for planes that are not upright */
@@ -46,7 +46,7 @@ struct axis_feed {
  * cos(theta) n + sin(theta) (cos(psi) T + sin(psi) B): with one of them zero the other one is
  * theta.
  */
-struct vec3 axis_at(const struct axis_rule *rule, const struct axis_feed *feed, struct vec3 centre,
-                    struct vec3 normal);
+struct vec3 tool_axis_at(const struct tool_axis_options *rule, const struct tool_axis_feed *feed,
+                         struct vec3 centre, struct vec3 normal);
 
 #endif

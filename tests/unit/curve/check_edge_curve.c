@@ -1,7 +1,7 @@
 /* edgecurve against a circle, and its own derivative. */
 #include <check.h>
 
-#include "curve/edgecurve.h"
+#include "curve/edge_curve.h"
 
 static struct edge_curve arc(double radius, double angle)
 {

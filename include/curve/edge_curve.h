@@ -1,5 +1,5 @@
 /*
- * edgecurve - the edge of a facet as the surface runs there: a cubic that has the vertices'
+ * edge_curve - the edge of a facet as the surface runs there: a cubic that has the vertices'
  * normals.
  *
  * The straight edge of a facet is a chord of the surface, off by up to its sagitta (k c^2 / 8 for a
@@ -7,8 +7,8 @@
  * belongs to both facets beside it, and so does the curve.  After the PN triangles of Vlachos et
  * al. 2001, but with handles that make edges of a sphere circular to the sixth order.
  */
-#ifndef CLOUDMILL_EDGECURVE_H
-#define CLOUDMILL_EDGECURVE_H
+#ifndef CLOUDMILL_EDGE_CURVE_H
+#define CLOUDMILL_EDGE_CURVE_H
 
 #include "math/vec.h"
 
