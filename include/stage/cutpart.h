@@ -7,7 +7,7 @@
 #include "base/error.h"
 #include "mesh/mesh.h"
 
-/* Reads a mesh (meshfile.h) and mends it (meshmend.h), with what was done told by note() and
+/* Reads a mesh (meshfile.h) and mends it (mesh_repair.h), with what was done told by note() and
  * say().  *closed: all its sheets are.  -1 also when no facet has an area, or a vertex of a facet
  * no normal. */
 int cutpart_read(const char *file, struct vec3 up, struct mesh *mesh, bool *closed,

@@ -5,7 +5,7 @@
 
 #include "crest.h"
 #include "math/earclip.h"
-#include "mesh/meshedges.h"
+#include "mesh/mesh_edges.h"
 #include "base/parallel.h"
 
 enum { LOOKS = 3, FEW_EDGES = 6000, CORNERS = 3 * (CREST_MOST + 1) };

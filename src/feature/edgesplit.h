@@ -6,7 +6,7 @@
 
 #include "feature.h"
 #include "mesh/mesh.h"
-#include "mesh/meshedges.h"
+#include "mesh/mesh_edges.h"
 
 /*
  * Puts the vertices of each edge's feature into the mesh, and facets in place of those that it

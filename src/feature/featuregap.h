@@ -6,7 +6,7 @@
 
 #include "feature.h"
 #include "mesh/mesh.h"
-#include "mesh/meshedges.h"
+#include "mesh/mesh_edges.h"
 
 /*
  * A crease or wall ends where it comes into a facet over one of its edges and crosses none of the

@@ -4,7 +4,7 @@
 #include <stdlib.h>
 
 #include "base/array.h"
-#include "mesh/meshnear.h"
+#include "mesh/mesh_distance.h"
 
 /* Of the noise's squares: so little says nothing. */
 static const double SAME = 0.1;
@@ -76,8 +76,8 @@ static void measure(const struct mesh *without, const struct mesh *with, const s
 {
     double *before = mem_alloc(near->n, sizeof *before), *after = mem_alloc(near->n, sizeof *after);
 
-    meshnear(without, near->item, near->n, threads, before);
-    meshnear(with, near->item, near->n, threads, after);
+    mesh_distance(without, near->item, near->n, threads, before);
+    mesh_distance(with, near->item, near->n, threads, after);
     for (size_t i = 0; i < near->n; i++) {
         sum[owner->item[i]].without += before[i] * before[i];
         sum[owner->item[i]].with += after[i] * after[i];

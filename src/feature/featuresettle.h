@@ -6,7 +6,7 @@
 
 #include "feature.h"
 #include "mesh/mesh.h"
-#include "mesh/meshedges.h"
+#include "mesh/mesh_edges.h"
 
 struct featuresettle {
     struct mesh *mesh;

@@ -2,7 +2,7 @@
 
 #include <stdlib.h>
 
-#include "mesh/meshweld.h"
+#include "mesh/mesh_weld.h"
 
 /* The edge of a facet from its corner i on, by the first vertices at its ends, the smaller first.
  */

@@ -5,12 +5,12 @@
 #include <stdlib.h>
 
 #include "math/kdtree.h"
-#include "mesh/meshedges.h"
-#include "mesh/meshnear.h"
-#include "mesh/meshsplit.h"
+#include "mesh/mesh_edges.h"
+#include "mesh/mesh_distance.h"
+#include "mesh/facet_split.h"
 
 /* Takes a point off the list of its facet. */
-static void forget(struct meshsplit *w, int facet, int i)
+static void forget(struct facet_split *w, int facet, int i)
 {
     int *link = &w->first.item[facet];
 
@@ -20,7 +20,7 @@ static void forget(struct meshsplit *w, int facet, int i)
 }
 
 /* Facets get their worst points until none is out; all again, for what is beside them changes. */
-static void insert_all(struct meshsplit *w)
+static void insert_all(struct facet_split *w)
 {
     size_t before;
 
@@ -30,30 +30,30 @@ static void insert_all(struct meshsplit *w)
         for (int f = 0; f < (int)w->mesh->face.n; f++)
             *array_push(&w->todo) = f;
         for (size_t next = 0; next < w->todo.n; next++) {
-            int facet = w->todo.item[next], i = MESHSPLIT_NONE;
-            while (meshsplit_worst(w, facet, &i) > 0 && !meshsplit_apart(w, facet, w->point[i]))
+            int facet = w->todo.item[next], i = FACET_SPLIT_NONE;
+            while (facet_split_worst(w, facet, &i) > 0 && !facet_split_apart(w, facet, w->point[i]))
                 forget(w, facet, i);
-            if (meshsplit_worst(w, facet, &i) > 0)
-                meshsplit_at(w, facet, i);
+            if (facet_split_worst(w, facet, &i) > 0)
+                facet_split_at(w, facet, i);
         }
     } while (w->mesh->vertex.n > before);
 }
 
 /* The facets beyond the edges. */
-static void find_beyond(struct meshsplit *w)
+static void find_beyond(struct facet_split *w)
 {
     struct mesh_edges edges = mesh_edges_find(w->mesh);
 
     for (size_t f = 0; f < w->mesh->face.n; f++)
         for (int k = 0; k < 3; k++) {
             int beyond = mesh_edge_beyond(&edges, edges.of[f][k], (int)f);
-            *array_push(&w->beyond) = beyond < 0 ? MESHSPLIT_NONE : beyond;
+            *array_push(&w->beyond) = beyond < 0 ? FACET_SPLIT_NONE : beyond;
         }
     mesh_edges_free(&edges);
 }
 
 /* Puts each point over the first facet that it is above or below. */
-static void find_points(struct meshsplit *w, size_t n)
+static void find_points(struct facet_split *w, size_t n)
 {
     struct vec3 *flat = mem_alloc(n, sizeof *flat);
     bool *done = mem_alloc(n, sizeof *done);
@@ -77,13 +77,13 @@ static void find_points(struct meshsplit *w, size_t n)
         middle.z = 0;
         near.n = 0;
         kdtree_within(tree, middle, reach * (1 + 1e-9), &near);
-        *array_push(&w->first) = MESHSPLIT_NONE;
+        *array_push(&w->first) = FACET_SPLIT_NONE;
         for (size_t k = 0; k < near.n; k++) {
             size_t i = near.item[k];
-            if (done[i] || !meshsplit_over(w, f, w->point[i]))
+            if (done[i] || !facet_split_over(w, f, w->point[i]))
                 continue;
             done[i] = true;
-            meshsplit_put(w, f, (int)i);
+            facet_split_put(w, f, (int)i);
         }
     }
     array_free(&near);
@@ -93,7 +93,7 @@ static void find_points(struct meshsplit *w, size_t n)
 }
 
 /* Points that an upright facet, of a wall, is near enough to are nobody's concern. */
-static void leave_served(struct meshsplit *w, size_t n, int threads)
+static void leave_served(struct facet_split *w, size_t n, int threads)
 {
     const double upright = 0.02; /* sine of the slope off upright */
     struct mesh walls = {.vertex = w->mesh->vertex};
@@ -105,9 +105,9 @@ static void leave_served(struct meshsplit *w, size_t n, int threads)
     for (size_t i = 0; i < n; i++)
         off[i] = HUGE_VAL;
     if (walls.face.n > 0)
-        meshnear(&walls, w->point, n, threads, off);
+        mesh_distance(&walls, w->point, n, threads, off);
     for (int f = 0; f < (int)w->mesh->face.n; f++)
-        for (int i = w->first.item[f], next; i != MESHSPLIT_NONE; i = next) {
+        for (int i = w->first.item[f], next; i != FACET_SPLIT_NONE; i = next) {
             next = w->next[i];
             if (off[i] <= w->within[i])
                 forget(w, f, i);
@@ -117,7 +117,7 @@ static void leave_served(struct meshsplit *w, size_t n, int threads)
 }
 
 /* Normals of the new vertices: the facets' by their areas. */
-static void find_normals(struct meshsplit *w)
+static void find_normals(struct facet_split *w)
 {
     struct mesh *mesh = w->mesh;
 
@@ -138,7 +138,7 @@ static void find_normals(struct meshsplit *w)
 size_t meshinsert(struct mesh *mesh, const struct vec3 *point, const double *within, size_t n,
                   int threads)
 {
-    struct meshsplit w = {
+    struct facet_split w = {
         .mesh = mesh, .old = (int)mesh->vertex.n, .point = point, .within = within};
 
     if (n == 0)

@@ -8,7 +8,7 @@
 #include "feature/crestmesh.h"
 #include "feature/featuremesh.h"
 #include "cloud/holes.h"
-#include "mesh/meshnear.h"
+#include "mesh/mesh_distance.h"
 #include "base/num.h"
 #include "meshing/reposition.h"
 #include "cloud/scannormals.h"
@@ -187,7 +187,7 @@ static double off_points(const struct mesh *mesh, const struct vec3s *points, in
     for (size_t i = 0; i < points->n; i += points->n / most + 1)
         *array_push(&some) = points->item[i];
     double *distance = mem_alloc(some.n, sizeof *distance);
-    meshnear(mesh, some.item, some.n, threads, distance);
+    mesh_distance(mesh, some.item, some.n, threads, distance);
     for (size_t i = 0; i < some.n; i++)
         sum += distance[i] * distance[i];
     free(distance);

@@ -3,9 +3,9 @@
 #include <stdlib.h>
 
 #include "cloudmesh_base.h"
-#include "mesh/meshcover.h"
+#include "mesh/mesh_coverage.h"
 #include "meshing/meshinsert.h"
-#include "mesh/meshnear.h"
+#include "mesh/mesh_distance.h"
 #include "cloud/wallpoints.h"
 
 /* What the mesh is made of: the points, or where there is noise the surface that they stand for;
@@ -109,7 +109,7 @@ static void measure(const struct mesh *mesh, const struct source *s, int threads
     const struct vec3s *points = &s->judged;
     double *distance = mem_alloc(points->n, sizeof *distance), sum2 = 0;
 
-    meshnear(mesh, points->item, points->n, threads, distance);
+    mesh_distance(mesh, points->item, points->n, threads, distance);
     rows->worst = 0;
     for (size_t i = 0; i < points->n; i++) {
         double off = fmax(distance[i] - allowance(s, points->item[i]), 0);
@@ -163,12 +163,12 @@ static int mesh_of(const struct cloudmesh_wish *wish, struct source *s, int thre
     s->judged.n = 0;
     /* the points of walls before these are there: then nothing is under them */
     if (status == 0 && mesh->face.n > 0)
-        status = meshcover(mesh, points->item + flat, walls, mean, &s->judged, error);
+        status = mesh_coverage(mesh, points->item + flat, walls, mean, &s->judged, error);
     if (status == 0 && mesh->face.n > 0)
         status = make_normals(wish, s, threads, mesh, error);
     if (status == 0 && mesh->face.n > 0) {
         cloudmesh_edges(wish, &s->scan_parts, s->scan, s->noise, threads, mesh, made);
-        status = meshcover(mesh, points->item, flat, mean, &s->judged, error);
+        status = mesh_coverage(mesh, points->item, flat, mean, &s->judged, error);
         if (status == 0)
             insert_points(wish, s, threads, mesh);
         measure(mesh, s, threads, &made->rows);

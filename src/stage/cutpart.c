@@ -3,11 +3,11 @@
 
 #include "base/cli.h"
 #include "io/mesh/meshfile.h"
-#include "mesh/meshmend.h"
+#include "mesh/mesh_repair.h"
 
 static const double FITS = 1 + 1e-6;
 
-static void tell_mending(const char *file, const struct mend_report *r)
+static void tell_mending(const char *file, const struct mesh_repair_report *r)
 {
     if (r->welded > 0)
         note("%s: %zu vertices at the places of others made one with them", file, r->welded);
@@ -35,7 +35,7 @@ int cutpart_read(const char *file, struct vec3 up, struct mesh *mesh, bool *clos
 {
     if (mesh_read(file, mesh, error) != 0)
         return -1;
-    struct mend_report report = mesh_mend(mesh, up);
+    struct mesh_repair_report report = mesh_repair(mesh, up);
     if (mesh->face.n == 0)
         return error_set(error, "%s: found no facet that has an area", file);
     for (size_t i = 0; i < 3 * mesh->face.n; i++) {

@@ -5,7 +5,7 @@
 
 #include "math/cubic.h"
 #include "math/kdtree.h"
-#include "mesh/meshedges.h"
+#include "mesh/mesh_edges.h"
 #include "math/quadric.h"
 
 enum { NEAR = 40, FEWER = 24 };

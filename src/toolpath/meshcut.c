@@ -3,7 +3,7 @@
 #include <stdlib.h>
 
 #include "curve/edge_curve.h"
-#include "mesh/meshedges.h"
+#include "mesh/mesh_edges.h"
 
 /* Points nearer than this say more of rounding than of a direction, mm. */
 static const double CROWDED = 1e-3;

@@ -2,7 +2,7 @@
  * stl - meshes from STL, text or binary.
  *
  * An STL has no units: its numbers are taken as mm.  Its normals are not used, for they say no more
- * than the order of the corners.  Vertices at one place are made one (meshweld.h).
+ * than the order of the corners.  Vertices at one place are made one (mesh_weld.h).
  */
 #ifndef CLOUDMILL_STL_H
 #define CLOUDMILL_STL_H

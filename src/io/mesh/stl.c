@@ -7,7 +7,7 @@
 #include <strings.h>
 
 #include "base/num.h"
-#include "mesh/meshweld.h"
+#include "mesh/mesh_weld.h"
 
 enum { HEAD = 84, FACET = 50 }; /* bytes of a binary file: head with the count, each facet */
 

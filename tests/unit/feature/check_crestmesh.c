@@ -4,7 +4,7 @@
 #include <stdlib.h>
 
 #include "feature/crestmesh.h"
-#include "mesh/meshedges.h"
+#include "mesh/mesh_edges.h"
 #include "ribs.h"
 
 enum { COLUMNS = 12, ROWS = 13 };

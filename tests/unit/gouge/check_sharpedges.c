@@ -3,7 +3,7 @@
 #include <check.h>
 #include <stdlib.h>
 
-#include "mesh/creases.h"
+#include "mesh/crease_normals.h"
 #include "shapes.h"
 #include "gouge/sharpedges.h"
 
@@ -22,7 +22,7 @@ static int on_face(double x, double size)
 START_TEST(edges_of_a_cube)
 {
     struct mesh cube = shape_cube(10);
-    mesh_normals_creased(&cube);
+    crease_normals(&cube);
     struct vec3s points = sampled(&cube, 1);
     ck_assert_uint_eq(points.n, 12 * 11);
     for (size_t i = 0; i < points.n; i++) {
@@ -45,7 +45,7 @@ START_TEST(none_inside_out)
         v[1] = v[2];
         v[2] = swap;
     }
-    mesh_normals_creased(&cube);
+    crease_normals(&cube);
     struct vec3s points = sampled(&cube, 1);
     ck_assert_uint_eq(points.n, 0);
     mesh_free(&cube);

@@ -1,11 +1,11 @@
-/* meshinsert, with meshsplit: a coarse mesh of rows is brought within an error of points that are
+/* meshinsert, with facet_split: a coarse mesh of rows is brought within an error of points that are
  * anywhere between, judged by the distance to all facets; its rows and its cover stay. */
 #include <check.h>
 #include <stdlib.h>
 
 #include "meshing/meshinsert.h"
-#include "mesh/meshnear.h"
-#include "mesh/meshsplit.h"
+#include "mesh/mesh_distance.h"
+#include "mesh/facet_split.h"
 #include "rough.h"
 
 enum { ROWS = 9, COLUMNS = 11 };
@@ -84,7 +84,7 @@ static void check(struct vec3s *p, double (*height)(double, double), double erro
     ck_assert_uint_le(more, most);
     ck_assert_double_eq_tol(area(&m), before, 1e-9);
     ck_assert_uint_eq(m.face.n, 2 * (ROWS - 1) * (COLUMNS - 1) + 2 * more);
-    meshnear(&m, p->item, p->n, 1, off);
+    mesh_distance(&m, p->item, p->n, 1, off);
     for (size_t i = 0; i < p->n; i++)
         ck_assert_double_le(off[i], error);
     ck_assert_uint_eq(m.normal.n, m.vertex.n);

@@ -1,8 +1,8 @@
-/* meshsplit: one facet split, edges turned and kept, and who is beside whom. */
+/* facet_split: one facet split, edges turned and kept, and who is beside whom. */
 #include <check.h>
 #include <stdlib.h>
 
-#include "mesh/meshsplit.h"
+#include "mesh/facet_split.h"
 
 /* A square of two facets: corner i of the mesh, whose vertices have these rows. */
 static struct mesh square(int row0, int row2)
@@ -20,21 +20,22 @@ static struct mesh square(int row0, int row2)
     return m;
 }
 
-static struct meshsplit begin(struct mesh *m, const struct vec3 *point, const double *within, int n)
+static struct facet_split begin(struct mesh *m, const struct vec3 *point, const double *within,
+                                int n)
 {
-    struct meshsplit w = {.mesh = m, .old = 4, .point = point, .within = within};
+    struct facet_split w = {.mesh = m, .old = 4, .point = point, .within = within};
     const int beyond[] = {-1, -1, 1, 0, -1, -1};
     w.next = mem_alloc((size_t)n, sizeof *w.next);
     for (int i = 0; i < 6; i++)
         *array_push(&w.beyond) = beyond[i];
-    *array_push(&w.first) = MESHSPLIT_NONE;
-    *array_push(&w.first) = MESHSPLIT_NONE;
+    *array_push(&w.first) = FACET_SPLIT_NONE;
+    *array_push(&w.first) = FACET_SPLIT_NONE;
     for (int i = 0; i < n; i++)
-        meshsplit_put(&w, meshsplit_over(&w, 0, point[i]) ? 0 : 1, i);
+        facet_split_put(&w, facet_split_over(&w, 0, point[i]) ? 0 : 1, i);
     return w;
 }
 
-static void end(struct meshsplit *w)
+static void end(struct facet_split *w)
 {
     array_free(&w->beyond);
     array_free(&w->first);
@@ -53,7 +54,7 @@ static bool has_edge(const struct mesh *m, int a, int b)
 }
 
 /* Each facet is beyond the edges of those beyond its own. */
-static void check_beside(const struct meshsplit *w)
+static void check_beside(const struct facet_split *w)
 {
     for (int f = 0; f < (int)w->mesh->face.n; f++)
         for (int k = 0; k < 3; k++) {
@@ -71,12 +72,12 @@ START_TEST(edges_turn_or_stay)
         struct vec3 p[] = {{2.2, 1.8, 1}, {1, 3, 0}, {3.5, 0.2, 0}};
         double within[] = {0.1, 2, 2};
         struct mesh m = along ? square(0, 0) : square(0, 1);
-        struct meshsplit w = begin(&m, p, within, 3);
+        struct facet_split w = begin(&m, p, within, 3);
         int at = -1;
-        ck_assert_double_eq_tol(meshsplit_worst(&w, 0, &at), 0.9, 1e-9);
+        ck_assert_double_eq_tol(facet_split_worst(&w, 0, &at), 0.9, 1e-9);
         ck_assert_int_eq(at, 0);
-        ck_assert(meshsplit_apart(&w, 0, p[0]) && !meshsplit_apart(&w, 0, vec(4, 4, 3)));
-        meshsplit_at(&w, 0, 0);
+        ck_assert(facet_split_apart(&w, 0, p[0]) && !facet_split_apart(&w, 0, vec(4, 4, 3)));
+        facet_split_at(&w, 0, 0);
         ck_assert_uint_eq(m.vertex.n, 5);
         ck_assert_uint_eq(m.face.n, 4);
         ck_assert(has_edge(&m, 2, 0) == along);
@@ -86,7 +87,7 @@ START_TEST(edges_turn_or_stay)
             int lists = 0;
             for (int f = 0; f < 4; f++)
                 for (int q = w.first.item[f]; q >= 0; q = w.next[q])
-                    lists += q == i && meshsplit_over(&w, f, p[i]);
+                    lists += q == i && facet_split_over(&w, f, p[i]);
             ck_assert_int_eq(lists, 1);
         }
         end(&w);

@@ -1,8 +1,8 @@
-#include "creases.h"
+#include "crease_normals.h"
 
 #include <stdlib.h>
 
-#include "mesh/meshedges.h"
+#include "mesh/mesh_edges.h"
 
 static const double SHARP = 0.8660254037844386; /* cos 30 degrees */
 
@@ -67,7 +67,7 @@ static struct vec3 weighted_normal(const struct mesh *mesh, size_t facet, int co
     return vec_scale(angle, vec_unit(mesh_face_cross(mesh, facet)));
 }
 
-void mesh_normals_creased(struct mesh *mesh)
+void crease_normals(struct mesh *mesh)
 {
     int *parent = join_corners(mesh);
     int *number = mem_alloc(3 * mesh->face.n, sizeof *number);

@@ -1,8 +1,8 @@
-/* meshnear: distances from facets by a dense search, and from a mesh by its known plane. */
+/* mesh_distance: distances from facets by a dense search, and from a mesh by its known plane. */
 #include <check.h>
 #include <stdlib.h>
 
-#include "mesh/meshnear.h"
+#include "mesh/mesh_distance.h"
 #include "rough.h"
 
 static struct vec3 anywhere(double size)
@@ -32,7 +32,7 @@ START_TEST(by_brute_force)
             *array_push(&m.vertex) = c;
             *array_push(&m.face) = (struct face){{v, v + 1, v + 2}};
         }
-        meshnear(&m, &p, 1, 1, &distance);
+        mesh_distance(&m, &p, 1, 1, &distance);
         ck_assert_double_le(distance, least + 1e-12);
         ck_assert_double_ge(distance, least - 0.02);
         mesh_free(&m);
@@ -52,8 +52,8 @@ START_TEST(flat_mesh)
             *array_push(&m.face) = (struct face){{i, i + 1, i + 10}};
     for (int i = 0; i < 50; i++)
         p[i] = vec(1 + floor(7 * uniform()) + 0.2, 1 + floor(7 * uniform()) + 0.2, 6 * uniform());
-    meshnear(&m, p, 50, 1, one);
-    meshnear(&m, p, 50, 3, three);
+    mesh_distance(&m, p, 50, 1, one);
+    mesh_distance(&m, p, 50, 3, three);
     for (int i = 0; i < 50; i++) {
         ck_assert_double_eq_tol(one[i], fabs(p[i].z - 3), 1e-9);
         ck_assert_double_eq(one[i], three[i]);

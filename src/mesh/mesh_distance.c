@@ -1,5 +1,5 @@
-/* meshnear - see meshnear.h. */
-#include "mesh/meshnear.h"
+/* mesh_distance - see mesh_distance.h. */
+#include "mesh/mesh_distance.h"
 
 #include <stdlib.h>
 
@@ -21,8 +21,8 @@ static void measure(void *context, size_t from, size_t to)
         job->distance[i] = facet_tree_distance(job->tree, job->point[i]);
 }
 
-void meshnear(const struct mesh *mesh, const struct vec3 *point, size_t n, int threads,
-              double *distance)
+void mesh_distance(const struct mesh *mesh, const struct vec3 *point, size_t n, int threads,
+                   double *distance)
 {
     const struct vec3 *at = mesh->vertex.item;
     struct facets facets = {0};

@@ -1,8 +1,8 @@
 /*
- * meshcover - which points are above or below a mesh, seen along z.
+ * mesh_coverage - which points are above or below a mesh, seen along z.
  */
-#ifndef CLOUDMILL_MESHCOVER_H
-#define CLOUDMILL_MESHCOVER_H
+#ifndef CLOUDMILL_MESH_COVERAGE_H
+#define CLOUDMILL_MESH_COVERAGE_H
 
 #include "base/array.h"
 #include "base/error.h"
@@ -11,7 +11,7 @@
 /* Appends to `covered` those of n points that a facet is above or below, or has on its border; in
  * an order of their own, the same each time.  `spacing` is about what they are apart, mm.  -1: they
  * cannot be sorted (point_grid.h). */
-int meshcover(const struct mesh *mesh, const struct vec3 *point, size_t n, double spacing,
-              struct vec3s *covered, struct error *error);
+int mesh_coverage(const struct mesh *mesh, const struct vec3 *point, size_t n, double spacing,
+                  struct vec3s *covered, struct error *error);
 
 #endif

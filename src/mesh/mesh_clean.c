@@ -1,5 +1,5 @@
-/* meshdrop - see meshdrop.h. */
-#include "meshdrop.h"
+/* mesh_clean - see mesh_clean.h. */
+#include "mesh_clean.h"
 
 #include <stdbool.h>
 #include <stdlib.h>
@@ -33,7 +33,7 @@ static void leave_out(struct mesh *mesh, const bool *out)
     mesh->face.n = n;
 }
 
-size_t mesh_drop_no_area(struct mesh *mesh)
+size_t mesh_clean_no_area(struct mesh *mesh)
 {
     bool *out = mem_alloc(mesh->face.n, sizeof *out);
     size_t before = mesh->face.n;
@@ -80,7 +80,7 @@ static int compare_corners(const void *pa, const void *pb)
     return order != 0 ? order : (a->facet > b->facet) - (a->facet < b->facet);
 }
 
-size_t mesh_drop_doubled(struct mesh *mesh)
+size_t mesh_clean_doubled(struct mesh *mesh)
 {
     size_t n = mesh->face.n;
     struct corners *corners = mem_alloc(n, sizeof *corners);

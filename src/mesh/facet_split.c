@@ -1,5 +1,5 @@
-/* meshsplit - see meshsplit.h. */
-#include "mesh/meshsplit.h"
+/* facet_split - see facet_split.h. */
+#include "mesh/facet_split.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -14,12 +14,12 @@ static double left(struct vec3 a, struct vec3 b, struct vec3 p)
     return (b.x - a.x) * (p.y - a.y) - (b.y - a.y) * (p.x - a.x);
 }
 
-static struct vec3 corner(const struct meshsplit *w, int facet, int i)
+static struct vec3 corner(const struct facet_split *w, int facet, int i)
 {
     return w->mesh->vertex.item[w->mesh->face.item[facet].v[i % 3]];
 }
 
-bool meshsplit_over(const struct meshsplit *w, int facet, struct vec3 p)
+bool facet_split_over(const struct facet_split *w, int facet, struct vec3 p)
 {
     for (int i = 0; i < 3; i++)
         if (left(corner(w, facet, i), corner(w, facet, i + 1), p) < -FLAT)
@@ -27,45 +27,45 @@ bool meshsplit_over(const struct meshsplit *w, int facet, struct vec3 p)
     return left(corner(w, facet, 0), corner(w, facet, 1), corner(w, facet, 2)) > FLAT;
 }
 
-static double off_facet(const struct meshsplit *w, int facet, struct vec3 p)
+static double off_facet(const struct facet_split *w, int facet, struct vec3 p)
 {
     struct facet f = {{corner(w, facet, 0), corner(w, facet, 1), corner(w, facet, 2)}};
 
     return vec_distance(facet_nearest(&f, p), p);
 }
 
-void meshsplit_put(struct meshsplit *w, int facet, int i)
+void facet_split_put(struct facet_split *w, int facet, int i)
 {
     w->next[i] = w->first.item[facet];
     w->first.item[facet] = i;
 }
 
 /* The points over a facet, off its list. */
-static void take_points(struct meshsplit *w, int facet, struct ints *points)
+static void take_points(struct facet_split *w, int facet, struct ints *points)
 {
-    for (int i = w->first.item[facet]; i != MESHSPLIT_NONE; i = w->next[i])
+    for (int i = w->first.item[facet]; i != FACET_SPLIT_NONE; i = w->next[i])
         *array_push(points) = i;
-    w->first.item[facet] = MESHSPLIT_NONE;
+    w->first.item[facet] = FACET_SPLIT_NONE;
 }
 
-double meshsplit_off(const struct meshsplit *w, int facet, int i)
+double facet_split_off(const struct facet_split *w, int facet, int i)
 {
     double off = off_facet(w, facet, w->point[i]);
 
     for (int k = 0; k < 3 && off > w->within[i]; k++) {
         int beside = w->beyond.item[3 * facet + k];
-        if (beside != MESHSPLIT_NONE)
+        if (beside != FACET_SPLIT_NONE)
             off = fmin(off, off_facet(w, beside, w->point[i]));
     }
     return off;
 }
 
-double meshsplit_worst(const struct meshsplit *w, int facet, int *at)
+double facet_split_worst(const struct facet_split *w, int facet, int *at)
 {
     double worst = 0;
 
-    for (int i = w->first.item[facet]; i != MESHSPLIT_NONE; i = w->next[i]) {
-        double out = meshsplit_off(w, facet, i) - w->within[i];
+    for (int i = w->first.item[facet]; i != FACET_SPLIT_NONE; i = w->next[i]) {
+        double out = facet_split_off(w, facet, i) - w->within[i];
         if (out > worst) {
             worst = out;
             *at = i;
@@ -75,14 +75,14 @@ double meshsplit_worst(const struct meshsplit *w, int facet, int *at)
 }
 
 /* Where an edge of a facet led to `from` it leads to `to`. */
-static void relink(struct meshsplit *w, int facet, int from, int to)
+static void relink(struct facet_split *w, int facet, int from, int to)
 {
-    for (int k = 0; facet != MESHSPLIT_NONE && k < 3; k++)
+    for (int k = 0; facet != FACET_SPLIT_NONE && k < 3; k++)
         if (w->beyond.item[3 * facet + k] == from)
             w->beyond.item[3 * facet + k] = to;
 }
 
-static void set_facet(struct meshsplit *w, int facet, const int v[3], const int beyond[3])
+static void set_facet(struct facet_split *w, int facet, const int v[3], const int beyond[3])
 {
     for (int k = 0; k < 3; k++) {
         w->mesh->face.item[facet].v[k] = v[k];
@@ -90,17 +90,17 @@ static void set_facet(struct meshsplit *w, int facet, const int v[3], const int 
     }
 }
 
-static int add_facet(struct meshsplit *w)
+static int add_facet(struct facet_split *w)
 {
     *array_push(&w->mesh->face) = (struct face){{0, 0, 0}};
-    *array_push(&w->first) = MESHSPLIT_NONE;
+    *array_push(&w->first) = FACET_SPLIT_NONE;
     for (int k = 0; k < 3; k++)
-        *array_push(&w->beyond) = MESHSPLIT_NONE;
+        *array_push(&w->beyond) = FACET_SPLIT_NONE;
     return (int)w->mesh->face.n - 1;
 }
 
 /* An edge along a row, a crease or a wall. */
-static bool stays(const struct meshsplit *w, int a, int b)
+static bool stays(const struct facet_split *w, int a, int b)
 {
     const int *row = w->mesh->row.item;
 
@@ -119,26 +119,26 @@ static bool in_circle(struct vec3 a, struct vec3 b, struct vec3 c, struct vec3 d
 }
 
 /* Spreads points over the facets, each to the first that it is over. */
-static void spread(struct meshsplit *w, const struct ints *points, const int *facet, int facets)
+static void spread(struct facet_split *w, const struct ints *points, const int *facet, int facets)
 {
     for (size_t k = 0; k < points->n; k++) {
         int i = points->item[k], to = facet[facets - 1];
         for (int f = 0; f < facets; f++)
-            if (meshsplit_over(w, facet[f], w->point[i])) {
+            if (facet_split_over(w, facet[f], w->point[i])) {
                 to = facet[f];
                 break;
             }
-        meshsplit_put(w, to, i);
+        facet_split_put(w, to, i);
     }
 }
 
 /* How far the points over facets f and g would be out of two others at worst. */
-static double worst_of_both(const struct meshsplit *w, int f, int g, const struct facet other[2])
+static double worst_of_both(const struct facet_split *w, int f, int g, const struct facet other[2])
 {
     double worst = 0;
 
     for (int side = 0; side < 2; side++)
-        for (int i = w->first.item[side ? g : f]; i != MESHSPLIT_NONE; i = w->next[i]) {
+        for (int i = w->first.item[side ? g : f]; i != FACET_SPLIT_NONE; i = w->next[i]) {
             struct vec3 p = w->point[i];
             double off = fmin(vec_distance(facet_nearest(&other[0], p), p),
                               vec_distance(facet_nearest(&other[1], p), p));
@@ -149,7 +149,7 @@ static double worst_of_both(const struct meshsplit *w, int f, int g, const struc
 
 /* Turns the edge of facet f opposite to the new vertex, which is its corner 0, and edge k of facet
  * g behind it: the two have the new vertex in common then. */
-static void turn_edge(struct meshsplit *w, int f, int g, int k)
+static void turn_edge(struct facet_split *w, int f, int g, int k)
 {
     const int *v = w->mesh->face.item[f].v;
     int p = v[0], a = v[1], b = v[2], d = w->mesh->face.item[g].v[(k + 2) % 3];
@@ -169,7 +169,7 @@ static void turn_edge(struct meshsplit *w, int f, int g, int k)
 }
 
 /* Is it better to turn it?  Rounder from above, and no point comes farther out. */
-static bool better_turned(const struct meshsplit *w, int f, int g, int k)
+static bool better_turned(const struct facet_split *w, int f, int g, int k)
 {
     struct vec3 p = corner(w, f, 0), a = corner(w, f, 1), b = corner(w, f, 2);
     struct vec3 d = corner(w, g, k + 2);
@@ -184,13 +184,13 @@ static bool better_turned(const struct meshsplit *w, int f, int g, int k)
 }
 
 /* The edge opposite to the new vertex, which is corner 0 of facet f, and those behind it. */
-static void settle(struct meshsplit *w, int f)
+static void settle(struct facet_split *w, int f)
 {
     int g = w->beyond.item[3 * f + 1], k = 0;
     const int *v = w->mesh->face.item[f].v;
 
     *array_push(&w->todo) = f;
-    if (g == MESHSPLIT_NONE || stays(w, v[1], v[2]))
+    if (g == FACET_SPLIT_NONE || stays(w, v[1], v[2]))
         return;
     while (k < 2 && w->beyond.item[3 * g + k] != f)
         k++;
@@ -201,7 +201,7 @@ static void settle(struct meshsplit *w, int f)
     settle(w, g);
 }
 
-static void add_vertex(struct meshsplit *w, int facet, struct vec3 p)
+static void add_vertex(struct facet_split *w, int facet, struct vec3 p)
 {
     struct mesh *mesh = w->mesh;
     const int *v = mesh->face.item[facet].v;
@@ -212,11 +212,11 @@ static void add_vertex(struct meshsplit *w, int facet, struct vec3 p)
     if (mesh->kmax.n > 0)
         *array_push(&mesh->kmax) = kmax;
     *array_push(&mesh->vertex) = p;
-    *array_push(&mesh->row) = MESHSPLIT_NONE;
-    *array_push(&mesh->col) = MESHSPLIT_NONE;
+    *array_push(&mesh->row) = FACET_SPLIT_NONE;
+    *array_push(&mesh->col) = FACET_SPLIT_NONE;
 }
 
-void meshsplit_at(struct meshsplit *w, int facet, int i)
+void facet_split_at(struct facet_split *w, int facet, int i)
 {
     struct ints points = {0};
     struct face old = w->mesh->face.item[facet];
@@ -240,7 +240,7 @@ void meshsplit_at(struct meshsplit *w, int facet, int i)
         settle(w, f[k]);
 }
 
-bool meshsplit_apart(const struct meshsplit *w, int facet, struct vec3 p)
+bool facet_split_apart(const struct facet_split *w, int facet, struct vec3 p)
 {
     const double apart = 1e-4, steep = 0.0874886635259240; /* cotangent of 85 degrees */
 

@@ -1,8 +1,8 @@
 /*
- * meshedges - the edges of a mesh and the facets beside them.
+ * mesh_edges - the edges of a mesh and the facets beside them.
  */
-#ifndef CLOUDMILL_MESHEDGES_H
-#define CLOUDMILL_MESHEDGES_H
+#ifndef CLOUDMILL_MESH_EDGES_H
+#define CLOUDMILL_MESH_EDGES_H
 
 #include "mesh/mesh.h"
 

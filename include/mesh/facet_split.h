@@ -1,17 +1,17 @@
 /*
- * meshsplit - facets of a mesh split at points that lie above or below them, seen along z.
+ * facet_split - facets of a mesh split at points that lie above or below them, seen along z.
  */
-#ifndef CLOUDMILL_MESHSPLIT_H
-#define CLOUDMILL_MESHSPLIT_H
+#ifndef CLOUDMILL_FACET_SPLIT_H
+#define CLOUDMILL_FACET_SPLIT_H
 
 #include <stdbool.h>
 
 #include "mesh/mesh.h"
 
-enum { MESHSPLIT_NONE = -1 };
+enum { FACET_SPLIT_NONE = -1 };
 
 /* A mesh with rows, and the points over its facets. */
-struct meshsplit {
+struct facet_split {
     struct mesh *mesh;
     int old; /* so many vertices were there */
     const struct vec3 *point;
@@ -23,26 +23,26 @@ struct meshsplit {
 };
 
 /* Is p above or below a facet, or its border, that is one from above? */
-bool meshsplit_over(const struct meshsplit *w, int facet, struct vec3 p);
+bool facet_split_over(const struct facet_split *w, int facet, struct vec3 p);
 
 /* Point i is over the facet. */
-void meshsplit_put(struct meshsplit *w, int facet, int i);
+void facet_split_put(struct facet_split *w, int facet, int i);
 
 /* How far point i is off a facet or those beside it, mm. */
-double meshsplit_off(const struct meshsplit *w, int facet, int i);
+double facet_split_off(const struct facet_split *w, int facet, int i);
 
 /* How far the worst of the points over a facet is out of it and of those beside it, mm, and which
  * it is; 0: none is out. */
-double meshsplit_worst(const struct meshsplit *w, int facet, int *at);
+double facet_split_worst(const struct facet_split *w, int facet, int *at);
 
 /* Is p off the corners of the facet, seen from above, and not steeper than 85 degrees to any? */
-bool meshsplit_apart(const struct meshsplit *w, int facet, struct vec3 p);
+bool facet_split_apart(const struct facet_split *w, int facet, struct vec3 p);
 
 /*
  * Point i becomes a vertex in no row (-1) and splits the facet in three.  Edges about it are turned
  * where that makes rounder triangles, seen from above, and brings no point out (Lawson 1977); edges
  * along rows, creases and walls stay.
  */
-void meshsplit_at(struct meshsplit *w, int facet, int i);
+void facet_split_at(struct facet_split *w, int facet, int i);
 
 #endif

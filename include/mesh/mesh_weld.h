@@ -1,8 +1,8 @@
 /*
- * meshweld - vertices at one place made one vertex.
+ * mesh_weld - vertices at one place made one vertex.
  */
-#ifndef CLOUDMILL_MESHWELD_H
-#define CLOUDMILL_MESHWELD_H
+#ifndef CLOUDMILL_MESH_WELD_H
+#define CLOUDMILL_MESH_WELD_H
 
 #include "mesh/mesh.h"
 

@@ -1,4 +1,4 @@
-#include "mesh/meshweld.h"
+#include "mesh/mesh_weld.h"
 
 #include <stdlib.h>
 

@@ -1,4 +1,4 @@
-#include "mesh/meshedges.h"
+#include "mesh/mesh_edges.h"
 
 #include <stdlib.h>
 

@@ -1,8 +1,8 @@
 /*
- * creases - normals for a mesh that has none, and sharp edges kept sharp.
+ * crease_normals - normals for a mesh that has none, and sharp edges kept sharp.
  */
-#ifndef CLOUDMILL_CREASES_H
-#define CLOUDMILL_CREASES_H
+#ifndef CLOUDMILL_CREASE_NORMALS_H
+#define CLOUDMILL_CREASE_NORMALS_H
 
 #include "mesh/mesh.h"
 
@@ -12,6 +12,6 @@
  * vertex, weighted by their angle there.  Vertices without a facet go, and so do kmax, rows and
  * columns. Facets must have area and be turned alike.
  */
-void mesh_normals_creased(struct mesh *mesh);
+void crease_normals(struct mesh *mesh);
 
 #endif

@@ -1,9 +1,9 @@
-/* check_meshdrop - facets without area, facets twice. */
+/* check_mesh_clean - facets without area, facets twice. */
 #include <check.h>
 #include <stdlib.h>
 
 #include "base/array.h"
-#include "mesh/meshdrop.h"
+#include "mesh/mesh_clean.h"
 
 /* Vertices of a unit square, one on its diagonal and one beside that by `off`. */
 static struct mesh square(double off)
@@ -29,12 +29,12 @@ START_TEST(no_area)
     add(&mesh, 1, 1, 3); /* two corners */
     add(&mesh, 0, 5, 4); /* thin, but with an area */
     add(&mesh, 3, 3, 3);
-    ck_assert_uint_eq(mesh_drop_no_area(&mesh), 3);
+    ck_assert_uint_eq(mesh_clean_no_area(&mesh), 3);
     ck_assert_uint_eq(mesh.face.n, 2);
     ck_assert_int_eq(mesh.face.item[0].v[1], 1);
     ck_assert_int_eq(mesh.face.item[1].v[1], 5);
     ck_assert_uint_eq(mesh.vertex.n, 6);
-    ck_assert_uint_eq(mesh_drop_no_area(&mesh), 0);
+    ck_assert_uint_eq(mesh_clean_no_area(&mesh), 0);
     mesh_free(&mesh);
 }
 END_TEST
@@ -48,14 +48,14 @@ START_TEST(doubled)
     for (int k = 0; k < 6; k++)
         add(&mesh, turn[k][0], turn[k][1], turn[k][2]);
     add(&mesh, 0, 2, 3);
-    ck_assert_uint_eq(mesh_drop_doubled(&mesh), 5);
+    ck_assert_uint_eq(mesh_clean_doubled(&mesh), 5);
     ck_assert_uint_eq(mesh.face.n, 3);
     for (int i = 0; i < 3; i++) {
         ck_assert_int_eq(mesh.face.item[0].v[i], i + 1);
         ck_assert_int_eq(mesh.face.item[1].v[i], i);
     }
     ck_assert_int_eq(mesh.face.item[2].v[1], 2);
-    ck_assert_uint_eq(mesh_drop_doubled(&mesh), 0);
+    ck_assert_uint_eq(mesh_clean_doubled(&mesh), 0);
     mesh_free(&mesh);
 }
 END_TEST

@@ -1,16 +1,16 @@
 /*
- * meshmend - a foreign mesh made fit to be cut: what is no facet left out, all facets turned the
+ * mesh_repair - a foreign mesh made fit to be cut: what is no facet left out, all facets turned the
  * same way round and out of the material, normals where there are none.
  */
-#ifndef CLOUDMILL_MESHMEND_H
-#define CLOUDMILL_MESHMEND_H
+#ifndef CLOUDMILL_MESH_REPAIR_H
+#define CLOUDMILL_MESH_REPAIR_H
 
 #include <stdbool.h>
 
 #include "mesh/mesh.h"
 
 /* What was found and done. */
-struct mend_report {
+struct mesh_repair_report {
     size_t welded;     /* vertices at the same place as another one, made one with it */
     size_t no_area;    /* facets without area, left out */
     size_t doubled;    /* facets that were there before, left out */
@@ -29,9 +29,9 @@ struct mend_report {
  * tenth of its area does not cancel: a mesh that has normals is turned as a whole, its normals with
  * it, and one without piece by piece.  Without normals, vertices at one place become one, facets
  * that meet at more than 30 degrees get vertices of their own, and normals are the mean of the
- * facets', each weighted by its angle at the vertex (creases.h).  Rows and columns are dropped, and
- * kmax where normals were made.  A mesh that loses all its facets is left without.
+ * facets', each weighted by its angle at the vertex (crease_normals.h).  Rows and columns are
+ * dropped, and kmax where normals were made.  A mesh that loses all its facets is left without.
  */
-struct mend_report mesh_mend(struct mesh *mesh, struct vec3 up);
+struct mesh_repair_report mesh_repair(struct mesh *mesh, struct vec3 up);
 
 #endif

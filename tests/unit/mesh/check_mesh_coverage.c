@@ -1,8 +1,9 @@
-/* meshcover: points over and under a ring of facets, those in its middle and outside left out. */
+/* mesh_coverage: points over and under a ring of facets, those in its middle and outside left out.
+ */
 #include <check.h>
 #include <stdlib.h>
 
-#include "mesh/meshcover.h"
+#include "mesh/mesh_coverage.h"
 #include "rough.h"
 
 enum { SIDES = 6, POINTS = 5000 };
@@ -47,13 +48,13 @@ START_TEST(a_ring)
         *array_push(&p) = vec_add(m.vertex.item[2 * i], vec(0, 0, -7));
         inside++;
     }
-    ck_assert_int_eq(meshcover(&m, p.item, p.n, 0.3, &covered, &error), 0);
+    ck_assert_int_eq(mesh_coverage(&m, p.item, p.n, 0.3, &covered, &error), 0);
     ck_assert_uint_eq(covered.n, inside);
     for (size_t i = 0; i < covered.n; i++) {
         ck_assert_double_le(across(covered.item[i]), 10 + 1e-9);
         ck_assert_double_ge(across(covered.item[i]), 4 - 1e-9);
     }
-    ck_assert_int_eq(meshcover(&m, NULL, 0, 0.3, &covered, &error), 0);
+    ck_assert_int_eq(mesh_coverage(&m, NULL, 0, 0.3, &covered, &error), 0);
     ck_assert_uint_eq(covered.n, inside);
     mesh_free(&m);
     array_free(&p);

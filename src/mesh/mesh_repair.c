@@ -1,11 +1,11 @@
-#include "mesh/meshmend.h"
+#include "mesh/mesh_repair.h"
 
 #include <stdlib.h>
 
-#include "creases.h"
-#include "meshdrop.h"
-#include "mesh/meshedges.h"
-#include "mesh/meshweld.h"
+#include "crease_normals.h"
+#include "mesh_clean.h"
+#include "mesh/mesh_edges.h"
+#include "mesh/mesh_weld.h"
 
 /* Of the area, what must be left when the facets' normals are added up to say where a piece faces.
  */
@@ -120,7 +120,7 @@ static void turn_piece(struct mesh *mesh, const struct pieces *pieces, size_t be
 }
 
 /* A mesh that has normals faces as a whole where they say, or up. */
-static void face_with_normals(struct mesh *mesh, struct vec3 up, struct mend_report *report)
+static void face_with_normals(struct mesh *mesh, struct vec3 up, struct mesh_repair_report *report)
 {
     double area = 0, upwards = 0, agree = 0;
 
@@ -171,7 +171,7 @@ static size_t turn_normals(struct mesh *mesh)
     return turned;
 }
 
-static void face_up(struct mesh *mesh, struct vec3 up, struct mend_report *report)
+static void face_up(struct mesh *mesh, struct vec3 up, struct mesh_repair_report *report)
 {
     struct mesh_edges edges = mesh_edges_find(mesh);
     struct pieces pieces = {0};
@@ -196,21 +196,21 @@ static void face_up(struct mesh *mesh, struct vec3 up, struct mend_report *repor
     mesh_edges_free(&edges);
 }
 
-struct mend_report mesh_mend(struct mesh *mesh, struct vec3 up)
+struct mesh_repair_report mesh_repair(struct mesh *mesh, struct vec3 up)
 {
-    struct mend_report report = {.normals_made = mesh->normal.n != mesh->vertex.n};
+    struct mesh_repair_report report = {.normals_made = mesh->normal.n != mesh->vertex.n};
 
     array_free(&mesh->row);
     array_free(&mesh->col);
     if (report.normals_made)
         report.welded = mesh_weld(mesh);
-    report.no_area = mesh_drop_no_area(mesh);
-    report.doubled = mesh_drop_doubled(mesh);
+    report.no_area = mesh_clean_no_area(mesh);
+    report.doubled = mesh_clean_doubled(mesh);
     if (mesh->face.n == 0)
         return report;
     face_up(mesh, up, &report);
     if (report.normals_made) {
-        mesh_normals_creased(mesh);
+        crease_normals(mesh);
     } else {
         face_with_normals(mesh, up, &report);
         report.normals = turn_normals(mesh);

@@ -1,5 +1,5 @@
-/* meshcover - see meshcover.h. */
-#include "mesh/meshcover.h"
+/* mesh_coverage - see mesh_coverage.h. */
+#include "mesh/mesh_coverage.h"
 
 #include <stdlib.h>
 
@@ -26,8 +26,8 @@ static void mark(const struct point_grid *k, struct vec3 a, struct vec3 b, struc
                        cross_above(c, a, k->point[i]) >= border;
 }
 
-int meshcover(const struct mesh *mesh, const struct vec3 *point, size_t n, double spacing,
-              struct vec3s *covered, struct error *error)
+int mesh_coverage(const struct mesh *mesh, const struct vec3 *point, size_t n, double spacing,
+                  struct vec3s *covered, struct error *error)
 {
     const double border = -1e-9 * spacing * spacing; /* points on a border belong to it */
     const struct vec3 *at = mesh->vertex.item;
