@@ -152,7 +152,7 @@ static void extend(const char *name, const struct settings *s, struct vec3s *poi
 {
     struct error error;
     size_t n = points->n;
-    if (footprint_check(points->item, n, &error) < 0)
+    if (plan_extent_check(points->item, n, &error) < 0)
         die("%s: %s", name, error.text);
     double mean = cloudmesh_spacing(&s->wish, points->item, n);
     double gap = s->wish.max_gap > 0 ? s->wish.max_gap : 6 * mean;

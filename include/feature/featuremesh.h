@@ -25,9 +25,9 @@ size_t featuremesh_walls(const struct mesh *mesh, const struct vec3 *point, size
  * beside it get the normal of their side, and those nearer to it than a quarter of the edge move
  * away from it on their side, for the facets' sake.
  *
- * The n points as wallpoints_part put them, the first `flat` of them on no wall; `spacing` is their
- * mean spacing, `noise` one standard deviation, mm.  The mesh must have normals.  The result does
- * not depend on the number of threads.
+ * The n points as wall_points_part put them, the first `flat` of them on no wall; `spacing` is
+ * their mean spacing, `noise` one standard deviation, mm.  The mesh must have normals.  The result
+ * does not depend on the number of threads.
  */
 struct featuremesh featuremesh_keep(struct mesh *mesh, const struct vec3 *point, size_t n,
                                     size_t flat, double spacing, double noise, int threads);

@@ -4,7 +4,7 @@
  *
  * A ball sinks between points that are far apart, and rides on the crests of the noise of points
  * that are near.  So points spread by noise are brought to the surfaces of surface_fit.h, one for
- * all points in its middle; and where the scan is sparse, points are put between (scanfill.h).
+ * all points in its middle; and where the scan is sparse, points are put between (upsample.h).
  * Points that noise does not explain (edges, walls, hair) stay as they are.
  */
 #ifndef CLOUDMILL_SCANSURFACE_H

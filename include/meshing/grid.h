@@ -12,23 +12,23 @@
 #include <stddef.h>
 
 #include "base/error.h"
-#include "cloud/footprint.h"
+#include "cloud/plan_extent.h"
 #include "math/vec.h"
 
 #define GRID_SLANT 0.86602540378443864676 /* sin 60: height of a row, times t */
 
 struct grid {
-    struct footprint footprint;
+    struct plan_extent plan_extent;
     double t;          /* side of the triangles, mm */
     double x, y;       /* lower left corner, node (0, 0), in the grid's axes (eq 2) */
     int columns, rows; /* of nodes: one more than of triangles */
 };
 
 /*
- * The grid with triangles of side t over a footprint.  -1 when it would have more than 50 nodes
+ * The grid with triangles of side t over a plan_extent.  -1 when it would have more than 50 nodes
  * for each of the n points (and 1,000), or 1e9: points far off, or t far too small.
  */
-int grid_make(const struct footprint *footprint, size_t n, double t, struct grid *grid,
+int grid_make(const struct plan_extent *plan_extent, size_t n, double t, struct grid *grid,
               struct error *error);
 
 size_t grid_nodes(const struct grid *grid);

@@ -11,7 +11,7 @@
 
 #include "math/point_grid.h"
 #include "meshing/edgezone.h"
-#include "cloud/footprint.h"
+#include "cloud/plan_extent.h"
 #include "cloud/holes.h"
 #include "mesh/mesh.h"
 
@@ -38,8 +38,8 @@ struct rowmesh_wish {
  * the creases and walls of the zone are not judged, for these are put into the mesh later: it has
  * there edges no longer than the zone's, and no vertices too near to them.
  */
-struct rowmesh rowmesh_make(const struct point_grid *point_grid, const struct footprint *footprint,
-                            const struct holes *holes, const struct rowmesh_wish *wish,
-                            struct mesh *mesh);
+struct rowmesh rowmesh_make(const struct point_grid *point_grid,
+                            const struct plan_extent *plan_extent, const struct holes *holes,
+                            const struct rowmesh_wish *wish, struct mesh *mesh);
 
 #endif

@@ -5,11 +5,11 @@
 #define CLOUDMILL_SUBMESH_H
 
 #include "mesh/mesh.h"
-#include "cloud/subcloud.h"
+#include "cloud/segment.h"
 
 /* Appends the mesh of a part, which is in the part's own axes: turned back, its rows behind those
  * that are there, and its frame to to->origin.part. */
-void submesh_add(struct mesh *to, const struct mesh *mesh, const struct subcloud *part);
+void submesh_add(struct mesh *to, const struct mesh *mesh, const struct segment *part);
 
 /* Part k of a mesh that such parts were put together to: its vertices and facets, without rows. */
 struct mesh submesh_of(const struct mesh *mesh, size_t k);

@@ -24,7 +24,7 @@ int intake_place(struct vec3s *points, const char *unit, const char *matrix, boo
 
 /* What is known of a cloud that was cleaned. */
 struct intake {
-    size_t twice, outliers, under; /* taken out: stray.h */
+    size_t twice, outliers, under; /* taken out: outliers.h */
     double noise;                  /* noise.h, mm */
 };
 

@@ -9,14 +9,14 @@
 #include <stdlib.h>
 
 #include "base/array.h"
-#include "cloud/footprint.h"
+#include "cloud/plan_extent.h"
 
 enum { CELLS_A_GAP = 12, REACH = CELLS_A_GAP / 2, WORD = 64 };
 
 static const double MOST_CELLS = 2e9;
 
 /* The raster with a border of REACH cells around the points, so that no disc falls outside. */
-static int lay_out(const struct footprint *f, double gap, double rim, struct holes *h,
+static int lay_out(const struct plan_extent *f, double gap, double rim, struct holes *h,
                    struct error *error)
 {
     double cell = gap / CELLS_A_GAP;
@@ -89,7 +89,7 @@ static void open_holes(struct holes *h, int reach)
 int holes_find(const struct vec3 *point, size_t n, double gap, double rim, struct holes *holes,
                struct error *error)
 {
-    struct footprint f = footprint_of(point, n, 0);
+    struct plan_extent f = plan_extent_of(point, n, 0);
     if (lay_out(&f, gap, rim, holes, error) < 0)
         return -1;
     size_t words = holes->words;

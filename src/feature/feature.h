@@ -13,7 +13,7 @@
 #include "math/kdtree.h"
 #include "math/vec.h"
 
-/* The cloud, as wallpoints_part put it in order. */
+/* The cloud, as wall_points_part put it in order. */
 struct feature_cloud {
     const struct kdtree *tree;  /* of the points that lie on no wall ... */
     const struct vec3 *point;   /* ... which are these */

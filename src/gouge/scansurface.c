@@ -4,7 +4,7 @@
 #include <stdlib.h>
 
 #include "base/parallel.h"
-#include "cloud/scanfill.h"
+#include "cloud/upsample.h"
 #include "math/surface_fit.h"
 
 enum { MANY = 400000, RIBS = 71000, GUESS = 16, SAMPLE = 1500 };
@@ -33,7 +33,7 @@ struct job {
     const struct scansurface_rule *rule;
     const struct point_grid *point_grid;
     struct surface_fit_options fit; /* sigma: noise to take out; 0: none */
-    struct scanfill fill;
+    struct upsample fill;
     bool filled;
     struct place *place;
 };
@@ -72,7 +72,7 @@ static bool bring(const struct job *job, const struct surface_fit *fit, size_t i
         return false;
     *place = (struct place){.point = foot, .moved = true, .doubtful = is_doubtful(job, fit)};
     if (job->filled)
-        scanfill_on(&job->fill, i, foot, &fit->q, fit->spread, &place->between);
+        upsample_on(&job->fill, i, foot, &fit->q, fit->spread, &place->between);
     return true;
 }
 
@@ -126,7 +126,7 @@ static void settle_cell(const struct job *job, size_t from, size_t to,
         bool fitted = surface_fit_at(&job->fit, point[middle],
                                      guess_at(job->point_grid, point[middle]), hood, &fit);
         if (!(fitted && bring(job, &fit, middle)) && job->filled)
-            scanfill_about(&job->fill, middle, &job->place[middle].between);
+            upsample_about(&job->fill, middle, &job->place[middle].between);
         double range = fitted ? range_of(&fit) : 0;
         for (size_t i = from; i < to; i++)
             if (!done[i - from] && vec_distance(point[i], point[middle]) < range &&
@@ -172,7 +172,7 @@ static void fill_places(void *context, size_t from, size_t to)
     const struct job *job = context;
 
     for (size_t i = from; i < to; i++)
-        job->place[i].vague = scanfill_about(&job->fill, i, &job->place[i].between);
+        job->place[i].vague = upsample_about(&job->fill, i, &job->place[i].between);
 }
 
 /* What there is to be done: -1 when it is nothing. */
@@ -183,8 +183,8 @@ static int plan(struct job *job)
     const struct point_grid *b = job->point_grid;
 
     job->fit = (struct surface_fit_options){b, rule->noise, 0, b->n < RIBS};
-    job->fill = (struct scanfill){b, rule->radius, rule->sink, rule->noise};
-    job->filled = b->n <= MANY && scanfill_needed(&job->fill);
+    job->fill = (struct upsample){b, rule->radius, rule->sink, rule->noise};
+    job->filled = b->n <= MANY && upsample_needed(&job->fill);
     if (rule->noise > 0)
         job->fit.neighbours = neighbours_of(job, work);
     return rule->noise > 0 || job->filled ? 0 : -1;

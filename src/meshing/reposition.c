@@ -30,8 +30,8 @@ static struct view view_from(const struct grid *g, int column, int row, struct v
 static bool comes_first(const struct grid *g, const struct vec3 *point, int column, int row,
                         size_t a, size_t b)
 {
-    struct vec3 p = footprint_turn(&g->footprint, point[a]);
-    struct vec3 q = footprint_turn(&g->footprint, point[b]);
+    struct vec3 p = plan_extent_turn(&g->plan_extent, point[a]);
+    struct vec3 q = plan_extent_turn(&g->plan_extent, point[b]);
     struct view from_p = view_from(g, column, row, p), from_q = view_from(g, column, row, q);
     if (from_p.upper != from_q.upper)
         return from_p.upper;
@@ -72,7 +72,7 @@ static int whole(double x, int most)
 
 static struct place place_of(const struct grid *g, struct vec3 point)
 {
-    struct vec3 p = footprint_turn(&g->footprint, point);
+    struct vec3 p = plan_extent_turn(&g->plan_extent, point);
     double v = (p.y - g->y) / (g->t * GRID_SLANT), u = (p.x - g->x) / g->t - 0.5 * v;
     u = u > 0 ? u : 0;
     int column = whole(u, g->columns - 2), row = whole(v, g->rows - 2);

@@ -14,7 +14,7 @@ struct candidates {
 };
 
 /* From the grid's axes back to the scan's. */
-static struct vec3 turn_back(const struct footprint *f, double x, double y)
+static struct vec3 turn_back(const struct plan_extent *f, double x, double y)
 {
     return vec(f->cosine * x - f->sine * y, f->sine * x + f->cosine * y, 0);
 }
@@ -44,7 +44,7 @@ static bool drop_onto(const struct point_grid *b, struct vec3 *at, double reach)
 /* The surface over (x, y) of the grid's axes, from a quadric through the nearest points, few of
  * them where it bends; where that is off them (an edge), the point nearest there.  False where
  * there are none within `reach`. */
-static bool surface_at(const struct point_grid *b, const struct footprint *f, double x, double y,
+static bool surface_at(const struct point_grid *b, const struct plan_extent *f, double x, double y,
                        double reach, double tolerance, struct vec3 *found)
 {
     static const size_t count[] = {20, 40, 80, 10};
@@ -69,12 +69,13 @@ static bool surface_at(const struct point_grid *b, const struct footprint *f, do
         if (c < COUNTS - 1)
             c = COUNTS - 2; /* it bends: the fewest are the last to be tried */
     }
-    *found = footprint_turn(f, b->point[index[0]]);
+    *found = plan_extent_turn(f, b->point[index[0]]);
     return fabs(found->x - x) <= beside * reach && fabs(found->y - y) <= beside * reach;
 }
 
 /* Leaves out the places on creases and walls between others, where these run across. */
-static void stay_clear(const struct footprint *f, const struct edgezone *zone, struct candidates *c)
+static void stay_clear(const struct plan_extent *f, const struct edgezone *zone,
+                       struct candidates *c)
 {
     const double across = 2; /* so far at most, in lengths of the zone's edges */
     size_t kept = 0;
@@ -98,7 +99,8 @@ static void stay_clear(const struct footprint *f, const struct edgezone *zone, s
     c->point.n = c->col.n = kept;
 }
 
-static void mark_near(const struct footprint *f, const struct edgezone *zone, struct candidates *c)
+static void mark_near(const struct plan_extent *f, const struct edgezone *zone,
+                      struct candidates *c)
 {
     for (size_t i = 0; i < c->point.n; i++) {
         struct vec3 at = turn_back(f, c->point.item[i].x, c->point.item[i].y);
@@ -106,7 +108,7 @@ static void mark_near(const struct footprint *f, const struct edgezone *zone, st
     }
 }
 
-static struct candidates find_candidates(const struct point_grid *b, const struct footprint *f,
+static struct candidates find_candidates(const struct point_grid *b, const struct plan_extent *f,
                                          double v, const struct rowcurve_rule *rule)
 {
     struct candidates c = {0};
@@ -170,11 +172,11 @@ static void take_between(struct candidates *c, const struct rowcurve_rule *rule,
 }
 
 struct rowcurve rowcurve_make(const struct point_grid *point_grid,
-                              const struct footprint *footprint, double v,
+                              const struct plan_extent *plan_extent, double v,
                               const struct rowcurve_rule *rule, double longest)
 {
     struct rowcurve row = {.v = v, .longest = longest};
-    struct candidates c = find_candidates(point_grid, footprint, v, rule);
+    struct candidates c = find_candidates(point_grid, plan_extent, v, rule);
     for (size_t from = 0, to; from < c.point.n; from = to + 1) {
         to = from;
         while (to + 1 < c.point.n && c.point.item[to + 1].x - c.point.item[to].x <= rule->gap)

@@ -10,7 +10,7 @@
 #include "base/array.h"
 #include "math/point_grid.h"
 #include "meshing/edgezone.h"
-#include "cloud/footprint.h"
+#include "cloud/plan_extent.h"
 
 struct rowcurve {
     double v;          /* the line's place across the rows, in the grid's axes, mm */
@@ -34,7 +34,7 @@ struct rowcurve_rule {
  * where one runs along the row; near them the lines are no longer than the zone says.
  */
 struct rowcurve rowcurve_make(const struct point_grid *point_grid,
-                              const struct footprint *footprint, double v,
+                              const struct plan_extent *plan_extent, double v,
                               const struct rowcurve_rule *rule, double longest);
 void rowcurve_free(struct rowcurve *row);
 

@@ -28,7 +28,7 @@ struct across {
 
 struct work {
     const struct point_grid *point_grid;
-    const struct footprint *footprint;
+    const struct plan_extent *plan_extent;
     const struct holes *holes;
     double error, spacing, out;
     struct rowcurve_rule rule;
@@ -57,7 +57,8 @@ static void sort_across(struct work *w)
 {
     w->across = mem_alloc(w->point_grid->n, sizeof *w->across);
     for (size_t i = 0; i < w->point_grid->n; i++)
-        w->across[i] = (struct across){footprint_turn(w->footprint, w->point_grid->point[i]).y, i};
+        w->across[i] =
+            (struct across){plan_extent_turn(w->plan_extent, w->point_grid->point[i]).y, i};
     qsort(w->across, w->point_grid->n, sizeof *w->across, by_v);
 }
 
@@ -76,14 +77,14 @@ static size_t first_across(const struct work *w, double v)
     return low;
 }
 
-static struct vec3 turn_back(const struct footprint *f, struct vec3 p)
+static struct vec3 turn_back(const struct plan_extent *f, struct vec3 p)
 {
     return vec(f->cosine * p.x - f->sine * p.y, f->sine * p.x + f->cosine * p.y, p.z);
 }
 
 static struct rowcurve row_at(const struct work *w, double v, double longest)
 {
-    return rowcurve_make(w->point_grid, w->footprint, v, &w->rule, longest);
+    return rowcurve_make(w->point_grid, w->plan_extent, v, &w->rule, longest);
 }
 
 static double cross_above(struct vec3 a, struct vec3 b, struct vec3 p)
@@ -155,13 +156,13 @@ static void make_strip(struct work *w, size_t index)
     struct faces all = {0};
     for (size_t i = first; i < end; i++)
         w->covered[w->across[i].point] = 0;
-    rowzip(w->point_grid, w->footprint, w->error, low, high, &all);
+    rowzip(w->point_grid, w->plan_extent, w->error, low, high, &all);
     for (size_t f = 0; f < all.n; f++) {
         struct vec3 p[3];
         for (int i = 0; i < 3; i++) {
             size_t v = (size_t)all.item[f].v[i];
-            p[i] = turn_back(w->footprint, v < low->node.n ? low->node.item[v]
-                                                           : high->node.item[v - low->node.n]);
+            p[i] = turn_back(w->plan_extent, v < low->node.n ? low->node.item[v]
+                                                             : high->node.item[v - low->node.n]);
         }
         if (!(cross_above(p[0], p[1], p[2]) > nothing * w->spacing * w->spacing))
             continue;
@@ -196,11 +197,11 @@ static void halve(struct work *w, size_t index)
 
 static void first_rows(struct work *w, double widest)
 {
-    double height = w->footprint->ymax - w->footprint->ymin;
+    double height = w->plan_extent->ymax - w->plan_extent->ymin;
     size_t n = (size_t)fmax(ceil(height / widest), 2);
     for (size_t i = 0; i <= n; i++) {
         struct rowcurve row =
-            row_at(w, w->footprint->ymin + height * (double)i / (double)n, INFINITY);
+            row_at(w, w->plan_extent->ymin + height * (double)i / (double)n, INFINITY);
         *array_push(&w->row) = row;
         if (i > 0)
             *array_push(&w->strip) = (struct strip){0};
@@ -229,7 +230,7 @@ static bool is_too_wide(const struct work *w, size_t index)
     double low = w->row.item[index].v, high = w->row.item[index + 1].v;
 
     for (size_t i = 0; zone && high - low > zone->fine && i < zone->place.n; i++) {
-        double v = footprint_turn(w->footprint, zone->place.item[i]).y;
+        double v = plan_extent_turn(w->plan_extent, zone->place.item[i]).y;
         if (v >= low && v <= high)
             return true;
     }
@@ -272,7 +273,7 @@ static void add_vertices(const struct work *w, struct mesh *mesh)
 {
     for (size_t r = 0; r < w->row.n; r++)
         for (size_t i = 0; i < w->row.item[r].node.n; i++) {
-            *array_push(&mesh->vertex) = turn_back(w->footprint, w->row.item[r].node.item[i]);
+            *array_push(&mesh->vertex) = turn_back(w->plan_extent, w->row.item[r].node.item[i]);
             *array_push(&mesh->row) = (int)r;
             *array_push(&mesh->col) = w->row.item[r].col.item[i];
         }
@@ -310,13 +311,13 @@ static struct rowmesh sum_up(const struct work *w, struct mesh *mesh)
     return result;
 }
 
-struct rowmesh rowmesh_make(const struct point_grid *point_grid, const struct footprint *footprint,
-                            const struct holes *holes, const struct rowmesh_wish *wish,
-                            struct mesh *mesh)
+struct rowmesh rowmesh_make(const struct point_grid *point_grid,
+                            const struct plan_extent *plan_extent, const struct holes *holes,
+                            const struct rowmesh_wish *wish, struct mesh *mesh)
 {
     const double gaps = 6, reaches = 1.2;
     struct work w = {.point_grid = point_grid,
-                     .footprint = footprint,
+                     .plan_extent = plan_extent,
                      .holes = holes,
                      .error = wish->error,
                      .spacing = wish->spacing,

@@ -7,7 +7,7 @@
 
 struct zip {
     const struct point_grid *point_grid;
-    const struct footprint *footprint;
+    const struct plan_extent *plan_extent;
     double error;
     const struct vec3 *a, *b; /* lower, upper row */
     size_t na, nb;
@@ -40,7 +40,7 @@ static double cost_of(const struct zip *z, size_t i, size_t j)
 {
     const double aslant =
         0.1; /* of the error, for each time that it is as long as the rows are apart */
-    const struct footprint *f = z->footprint;
+    const struct plan_extent *f = z->plan_extent;
     struct vec3 p = z->a[i], q = z->b[j], middle = vec_mix(p, q, 0.5);
     double off = off_cloud(z->point_grid, vec(f->cosine * middle.x - f->sine * middle.y,
                                               f->sine * middle.x + f->cosine * middle.y, middle.z));
@@ -70,12 +70,13 @@ static void find_costs(struct zip *z)
         }
 }
 
-void rowzip(const struct point_grid *point_grid, const struct footprint *footprint, double error,
-            const struct rowcurve *lower, const struct rowcurve *upper, struct faces *faces)
+void rowzip(const struct point_grid *point_grid, const struct plan_extent *plan_extent,
+            double error, const struct rowcurve *lower, const struct rowcurve *upper,
+            struct faces *faces)
 {
     struct zip z = {
-        point_grid,    footprint, error, lower->node.item, upper->node.item, lower->node.n,
-        upper->node.n, NULL,      NULL};
+        point_grid,    plan_extent, error, lower->node.item, upper->node.item, lower->node.n,
+        upper->node.n, NULL,        NULL};
     struct faces down = {0};
     if (z.na == 0 || z.nb == 0)
         return;

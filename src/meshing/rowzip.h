@@ -5,7 +5,7 @@
 #define CLOUDMILL_ROWZIP_H
 
 #include "math/point_grid.h"
-#include "cloud/footprint.h"
+#include "cloud/plan_extent.h"
 #include "mesh/mesh.h"
 #include "rowcurve.h"
 
@@ -17,7 +17,8 @@
  * that an edge of the part that runs across the rows is followed.  Where they are off by much less
  * than `error` the short ones count.
  */
-void rowzip(const struct point_grid *point_grid, const struct footprint *footprint, double error,
-            const struct rowcurve *lower, const struct rowcurve *upper, struct faces *faces);
+void rowzip(const struct point_grid *point_grid, const struct plan_extent *plan_extent,
+            double error, const struct rowcurve *lower, const struct rowcurve *upper,
+            struct faces *faces);
 
 #endif

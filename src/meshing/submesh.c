@@ -10,15 +10,15 @@ static int rows_of(const struct mesh *mesh)
     return last + 1;
 }
 
-void submesh_add(struct mesh *to, const struct mesh *mesh, const struct subcloud *part)
+void submesh_add(struct mesh *to, const struct mesh *mesh, const struct segment *part)
 {
     int row = rows_of(to), first = (int)to->vertex.n;
 
     *array_push(&to->origin.part) = (struct mesh_part){row, part->along, part->up};
     for (size_t v = 0; v < mesh->vertex.n; v++) {
         int own = mesh->row.item[v];
-        *array_push(&to->vertex) = subcloud_out(part, mesh->vertex.item[v]);
-        *array_push(&to->normal) = subcloud_out(part, mesh->normal.item[v]);
+        *array_push(&to->vertex) = segment_out(part, mesh->vertex.item[v]);
+        *array_push(&to->normal) = segment_out(part, mesh->normal.item[v]);
         *array_push(&to->row) = own < 0 ? own : row + own;
         *array_push(&to->col) = mesh->col.item[v];
         if (mesh->kmax.n > 0)

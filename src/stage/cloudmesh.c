@@ -5,9 +5,9 @@
 
 #include "base/cli.h"
 #include "cloudmesh_base.h"
-#include "cloud/subcloud.h"
+#include "cloud/segment.h"
 #include "meshing/submesh.h"
-#include "cloud/wallpoints.h"
+#include "cloud/wall_points.h"
 
 static double spacing_of_cloud(double mean)
 {
@@ -21,13 +21,13 @@ static int part_walls(struct cloudmesh_wish *wish, struct vec3s *points, int thr
                       struct cloud_parts *parts, struct error *error)
 {
     *parts = (struct cloud_parts){0, points->n};
-    if (footprint_check(points->item, points->n, error) < 0)
+    if (plan_extent_check(points->item, points->n, error) < 0)
         return -1;
     bool whole = wish->paper && wish->max_gap == 0;
     if (!wish->smooth || !(wish->spacing > 0) || !(whole || wish->max_gap > 0))
         parts->mean = cloudmesh_spacing(wish, points->item, points->n);
     if (!wish->smooth)
-        parts->flat = wallpoints_part(points->item, points->n, parts->mean, threads);
+        parts->flat = wall_points_part(points->item, points->n, parts->mean, threads);
     if (!(wish->spacing > 0))
         wish->spacing = spacing_of_cloud(parts->mean);
     return 0;
@@ -87,13 +87,13 @@ static int one_mesh(const struct cloudmesh_wish *wish, struct vec3s *points, dou
 }
 
 /* One part of a cloud that is divided, in its own projection. */
-static int add_part(const struct cloudmesh_wish *wish, struct subcloud *part, double noise,
+static int add_part(const struct cloudmesh_wish *wish, struct segment *part, double noise,
                     int threads, struct mesh *mesh, struct cloudmesh *made, struct error *error)
 {
     struct mesh own = {.origin.ledger = NAN};
     struct rowmesh worst = made->rows;
     for (size_t k = 0; k < part->point.n; k++)
-        part->point.item[k] = subcloud_in(part, part->point.item[k]);
+        part->point.item[k] = segment_in(part, part->point.item[k]);
     int status = one_mesh(wish, &part->point, noise, threads, &own, made, error);
     if (status == 0 && own.face.n > 0)
         submesh_add(mesh, &own, part);
@@ -109,14 +109,14 @@ static int mesh_of_parts(const struct cloudmesh_wish *asked, const struct vec3s 
                          struct error *error)
 {
     struct cloudmesh_wish wish = *asked;
-    struct subclouds parts =
-        subclouds_find(points->item, points->n, 1.5 * wish.spacing, wish.direction, threads);
+    struct segments parts =
+        segments_find(points->item, points->n, 1.5 * wish.spacing, wish.direction, threads);
     int status = 0;
     wish.spacing = wish.spacing > 0 ? wish.spacing : spacing_of_cloud(parts.spacing);
     wish.direction = 0;
     mesh->origin.spacing = wish.spacing;
     for (size_t i = 0; i < parts.n && status == 0; i++) {
-        struct subcloud *part = &parts.item[i];
+        struct segment *part = &parts.item[i];
         note("part %zu of %zu: seen along %.3f %.3f %.3f, %zu points", i + 1, parts.n, part->up.x,
              part->up.y, part->up.z, part->own);
         status = add_part(&wish, part, noise, threads, mesh, made, error);
@@ -126,7 +126,7 @@ static int mesh_of_parts(const struct cloudmesh_wish *asked, const struct vec3s 
             parts.n == 1 ? "" : "s");
     if (status == 0 && parts.left_out > 0)
         say("%zu points belong to no part and are left out", parts.left_out);
-    subclouds_free(&parts);
+    segments_free(&parts);
     if (status == 0 && mesh->face.n == 0)
         return error_set(error,
                          "no part has points for three neighbouring nodes of a grid of spacing "

@@ -11,7 +11,7 @@
 #include "mesh/mesh_distance.h"
 #include "base/num.h"
 #include "meshing/reposition.h"
-#include "cloud/scannormals.h"
+#include "cloud/scan_normals.h"
 #include "meshing/scansmooth.h"
 
 double cloudmesh_three_spacings(double mean)
@@ -23,8 +23,8 @@ double cloudmesh_three_spacings(double mean)
 
 double cloudmesh_spacing(const struct cloudmesh_wish *wish, const struct vec3 *point, size_t n)
 {
-    struct footprint f = footprint_of(point, n, wish->direction);
-    return footprint_spacing(&f, point, n);
+    struct plan_extent f = plan_extent_of(point, n, wish->direction);
+    return plan_extent_spacing(&f, point, n);
 }
 
 /* A point for each node; one on a wall only where there is no other. */
@@ -50,7 +50,7 @@ int cloudmesh_by_grid(const struct cloudmesh_wish *wish, const struct cloud_part
 {
     const struct vec3 *point = points->item;
     struct holes holes = {0};
-    struct footprint f = footprint_of(point, points->n, wish->direction);
+    struct plan_extent f = plan_extent_of(point, points->n, wish->direction);
     bool whole = wish->paper && wish->max_gap == 0;
     double t = wish->spacing;
     double gap = wish->max_gap > 0 ? wish->max_gap : 6 * parts->mean;
@@ -86,7 +86,7 @@ static double normals_of_points(const struct cloudmesh_wish *wish,
                                 const struct point_grid *point_grid, int threads, struct mesh *mesh)
 {
     int neighbours = wish->neighbours ? wish->neighbours : 40;
-    struct scannormals r = scannormals_quadric(mesh, point_grid, neighbours, threads);
+    struct scan_normals r = scan_normals_quadric(mesh, point_grid, neighbours, threads);
     if (wish->silent)
         return r.noise;
     say_thin(r.thin, mesh);

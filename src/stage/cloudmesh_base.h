@@ -7,7 +7,7 @@
 
 #include "stage/cloudmesh.h"
 
-/* The cloud as wallpoints_part put it in order. */
+/* The cloud as wall_points_part put it in order. */
 struct cloud_parts {
     double mean; /* spacing of the points, mm */
     size_t flat; /* so many of them lie on no wall */

@@ -6,7 +6,7 @@
 #include "mesh/mesh_coverage.h"
 #include "meshing/meshinsert.h"
 #include "mesh/mesh_distance.h"
-#include "cloud/wallpoints.h"
+#include "cloud/wall_points.h"
 
 /* What the mesh is made of: the points, or where there is noise the surface that they stand for;
  * and the scan itself, which creases and walls are found in.  Both with the points of walls behind
@@ -58,7 +58,7 @@ static int make_rows(const struct cloudmesh_wish *wish, const struct source *s, 
     struct vec3s *points = s->surface;
     struct holes holes;
     struct point_grid point_grid;
-    struct footprint f = footprint_of(points->item, points->n, wish->direction);
+    struct plan_extent f = plan_extent_of(points->item, points->n, wish->direction);
     if (holes_find(points->item, points->n, gap, rims * mean, &holes, error) < 0)
         return -1;
     if (point_grid_make(points->item, s->surface_parts.flat, mean, threads, &point_grid, error) <
@@ -194,8 +194,8 @@ static int mesh_in_zone(const struct cloudmesh_wish *asked, const struct source 
     s.scan_parts.flat = s.scan->n;
     s.surface_parts.flat = mixed.n;
     if (walls) {
-        s.scan_parts.flat = wallpoints_part(s.scan->item, s.scan->n, s.scan_parts.mean, threads);
-        s.surface_parts.flat = wallpoints_part(mixed.item, mixed.n, s.surface_parts.mean, threads);
+        s.scan_parts.flat = wall_points_part(s.scan->item, s.scan->n, s.scan_parts.mean, threads);
+        s.surface_parts.flat = wall_points_part(mixed.item, mixed.n, s.surface_parts.mean, threads);
     }
     int status = mesh_of(&wish, &s, threads, &other, &other_made, error);
     if (status == 0) {
@@ -254,7 +254,7 @@ static bool has_walls(const struct cloudmesh_wish *wish, struct source *s, int t
 {
     struct cloud_parts walled = s->scan_parts;
 
-    walled.flat = wallpoints_part(s->scan->item, s->scan->n, walled.mean, threads);
+    walled.flat = wall_points_part(s->scan->item, s->scan->n, walled.mean, threads);
     return walled.flat < s->scan->n &&
            cloudmesh_has_walls(wish, &walled, s->scan, fmax(s->noise, s->origin.noise), threads);
 }
@@ -266,7 +266,7 @@ int cloudmesh_within(const struct cloudmesh_wish *wish, struct vec3s *points, do
     double spent = NAN;
 
     *made = (struct cloudmesh){.walls = 0};
-    if (footprint_check(points->item, points->n, error) < 0)
+    if (plan_extent_check(points->item, points->n, error) < 0)
         return -1;
     for (size_t i = 0; i < points->n; i++)
         *array_push(&surface) = points->item[i];

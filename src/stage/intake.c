@@ -6,10 +6,10 @@
 
 #include "base/cli.h"
 #include "io/cloud/cloud.h"
-#include "cloud/footprint.h"
+#include "cloud/plan_extent.h"
 #include "io/cloud/matrix.h"
 #include "cloud/noise.h"
-#include "cloud/stray.h"
+#include "cloud/outliers.h"
 
 static void say_skipped(const char *file, const struct cloud_count *c)
 {
@@ -54,7 +54,7 @@ int intake_place(struct vec3s *points, const char *unit, const char *matrix, boo
     if (!transform_is_identity(&total))
         transform_points(&total, points->item, points->n);
     if (to_origin && points->n > 0) {
-        struct footprint f = footprint_of(points->item, points->n, 0);
+        struct plan_extent f = plan_extent_of(points->item, points->n, 0);
         struct transform shift = transform_shift(vec(-f.xmin, -f.ymin, 0));
         transform_points(&shift, points->item, points->n);
         total = transform_product(shift, total);
@@ -85,13 +85,13 @@ int intake_clean(struct vec3s *points, double spacing, enum intake_drop drop, in
     if (point_grid_make(points->item, points->n, spacing, threads, &point_grid, error) < 0)
         return -1;
     unsigned char *out = mem_alloc(points->n, 1);
-    intake->twice = stray_twice(&point_grid, out);
+    intake->twice = outliers_twice(&point_grid, out);
     point_grid_remove(&point_grid, out);
     intake->noise = noise_of(&point_grid, threads);
     memset(out, 0, points->n);
-    intake->outliers = stray_outliers(&point_grid, intake->noise, threads, out);
+    intake->outliers = outliers_isolated(&point_grid, intake->noise, threads, out);
     if (drop != INTAKE_DROP_OUTLIERS)
-        intake->under = stray_under(&point_grid, threads, out);
+        intake->under = outliers_under_roof(&point_grid, threads, out);
     if (drop != INTAKE_KEEP)
         point_grid_remove(&point_grid, out);
     points->n = point_grid.n;

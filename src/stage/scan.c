@@ -4,11 +4,11 @@
 #include <string.h>
 
 #include "io/cloud/cloud.h"
-#include "cloud/footprint.h"
+#include "cloud/plan_extent.h"
 #include "cloud/noise.h"
 #include "gouge/scansurface.h"
 #include "gouge/sharpedges.h"
-#include "cloud/stray.h"
+#include "cloud/outliers.h"
 
 static struct vec3 place(const double m[4][4], struct vec3 p)
 {
@@ -60,7 +60,7 @@ static void drop_outliers(struct point_grid *point_grid, struct noise noise, dou
         return;
     unsigned char *out = mem_alloc(point_grid->n, 1);
     memset(out, 0, point_grid->n);
-    size_t outliers = stray_outliers(point_grid, noise.sigma, threads, out);
+    size_t outliers = outliers_isolated(point_grid, noise.sigma, threads, out);
     if (outliers > 0)
         say("left out %zu outlier%s of the scan that guards", outliers, outliers == 1 ? "" : "s");
     point_grid_remove(point_grid, out);
@@ -69,8 +69,8 @@ static void drop_outliers(struct point_grid *point_grid, struct noise noise, dou
 
 static double spacing_of(const struct vec3s *points)
 {
-    struct footprint f = footprint_of(points->item, points->n, 0);
-    double spacing = footprint_spacing(&f, points->item, points->n);
+    struct plan_extent f = plan_extent_of(points->item, points->n, 0);
+    double spacing = plan_extent_spacing(&f, points->item, points->n);
 
     return spacing > 0 ? spacing : 1; /* upright or a single point: any cell will do */
 }

@@ -4,12 +4,12 @@
 #include <stdlib.h>
 
 #include "feature/featuremesh.h"
-#include "cloud/footprint.h"
+#include "cloud/plan_extent.h"
 #include "meshing/gridmesh.h"
 #include "meshing/reposition.h"
 #include "rough.h"
-#include "cloud/scannormals.h"
-#include "cloud/wallpoints.h"
+#include "cloud/scan_normals.h"
+#include "cloud/wall_points.h"
 
 static struct mesh mesh_of(struct vec3s *p, double t, size_t *flat)
 {
@@ -17,13 +17,13 @@ static struct mesh mesh_of(struct vec3s *p, double t, size_t *flat)
     struct grid grid;
     struct error error;
     struct point_grid point_grid;
-    struct footprint f = footprint_of(p->item, p->n, 20);
-    *flat = wallpoints_part(p->item, p->n, t / 3, 1);
+    struct plan_extent f = plan_extent_of(p->item, p->n, 20);
+    *flat = wall_points_part(p->item, p->n, t / 3, 1);
     ck_assert_int_eq(grid_make(&f, p->n, t, &grid, &error), 0);
     size_t *chosen = reposition(&grid, p->item, *flat, REACH_NEAREST);
     gridmesh_make(&grid, chosen, p->item, NULL, &m);
     ck_assert_int_eq(point_grid_make(p->item, *flat, t / 3, 1, &point_grid, &error), 0);
-    scannormals_quadric(&m, &point_grid, 40, 1);
+    scan_normals_quadric(&m, &point_grid, 40, 1);
     point_grid_free(&point_grid);
     free(chosen);
     return m;

@@ -5,9 +5,9 @@
 
 #include "meshing/grid.h"
 
-static struct footprint box(double width, double height)
+static struct plan_extent box(double width, double height)
 {
-    return (struct footprint){1, 0, 10, 10 + width, -5, -5 + height};
+    return (struct plan_extent){1, 0, 10, 10 + width, -5, -5 + height};
 }
 
 START_TEST(corner_and_counts)
@@ -15,7 +15,7 @@ START_TEST(corner_and_counts)
     struct grid g;
     struct error error;
     double height = 9 * sqrt(3); /* leans over by 9; rows are 2 sqrt(3) apart at t = 4 */
-    struct footprint f = box(31, height);
+    struct plan_extent f = box(31, height);
     ck_assert_int_eq(grid_make(&f, 1000, 4, &g, &error), 0);
     ck_assert_double_eq_tol(g.x, 10 - 9, 1e-12); /* eq 2 */
     ck_assert_double_eq_tol(g.y, -5, 1e-12);
@@ -33,7 +33,7 @@ START_TEST(equilateral)
 {
     struct grid g;
     struct error error;
-    struct footprint f = box(20, 20);
+    struct plan_extent f = box(20, 20);
     ck_assert_int_eq(grid_make(&f, 1000, 1.7, &g, &error), 0);
     struct vec3 a = grid_node(&g, 4, 5), b = grid_node(&g, 5, 5), c = grid_node(&g, 4, 6);
     ck_assert_double_eq_tol(vec_distance(a, b), 1.7, 1e-12);
@@ -48,7 +48,7 @@ START_TEST(covers)
     struct error error;
     for (double width = 0.1; width < 300; width *= 1.7)
         for (double height = 0.1; height < 300; height *= 1.9) {
-            struct footprint f = box(width, height);
+            struct plan_extent f = box(width, height);
             struct grid g;
             ck_assert_int_eq(grid_make(&f, 1000000, 3, &g, &error), 0);
             struct vec3 low = grid_node(&g, 0, 0), last = grid_node(&g, g.columns - 1, g.rows - 1);
@@ -66,7 +66,7 @@ START_TEST(absurd)
 {
     struct grid g;
     struct error error;
-    struct footprint far = box(9e8, 9e8), wide = box(100, 100);
+    struct plan_extent far = box(9e8, 9e8), wide = box(100, 100);
     ck_assert_int_eq(grid_make(&far, 601, 4, &g, &error), -1);
     ck_assert_ptr_nonnull(strstr(error.text, "spacing 4 mm"));
     ck_assert_ptr_nonnull(strstr(error.text, "9e+08 x 9e+08 mm"));

@@ -19,7 +19,7 @@ static void make_cloud(void)
         for (int column = 0; column < COLUMNS; column++)
             *array_push(&cloud) =
                 vec(2 * (column + 0.5 * row), 2 * GRID_SLANT * row, 0.1 * column * row);
-    struct footprint f = footprint_of(cloud.item, cloud.n, 0);
+    struct plan_extent f = plan_extent_of(cloud.item, cloud.n, 0);
     ck_assert_int_eq(grid_make(&f, cloud.n, 2, &grid, &error), 0);
 }
 
@@ -104,7 +104,7 @@ END_TEST
 START_TEST(point_of_two_nodes)
 {
     struct vec3 few[] = {{0, 0, 0}, {2, 0, 0}, {4, 0, 0}, {1, 1.7, 0}, {3.4, 1.9, 0}};
-    struct footprint f = footprint_of(few, 5, 0);
+    struct plan_extent f = plan_extent_of(few, 5, 0);
     struct error error;
     ck_assert_int_eq(grid_make(&f, 5, 1.3, &grid, &error), 0);
     size_t *chosen = reposition(&grid, few, 5, REACH_CIRCLE);

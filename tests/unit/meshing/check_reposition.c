@@ -135,7 +135,7 @@ START_TEST(same_as_node_by_node)
         struct grid g;
         for (int i = 0; i < N; i++)
             point[i] = vec(50 * uniform(), 5 + 35 * uniform(), uniform());
-        struct footprint f = footprint_of(point, N, 0);
+        struct plan_extent f = plan_extent_of(point, N, 0);
         ck_assert_int_eq(grid_make(&f, N, 1 + 5 * uniform(), &g, &error), 0);
         for (int i = 0; i < N; i++)
             owner[i] = nearest_node(&g, point[i]);
@@ -189,7 +189,7 @@ START_TEST(order_does_not_matter)
     struct grid g;
     for (int i = 0; i < N; i++)
         shuffled[i] = point[i] = vec(i % 21, i / 21, i % 5);
-    struct footprint f = footprint_of(point, N, 0);
+    struct plan_extent f = plan_extent_of(point, N, 0);
     ck_assert_int_eq(grid_make(&f, N, 2, &g, &error), 0);
     for (int round = 0; round < 20; round++) {
         for (int i = N - 1; i > 0; i--) {

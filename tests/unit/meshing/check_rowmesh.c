@@ -11,7 +11,7 @@
 static struct vec3s scan;
 static struct point_grid point_grid;
 static struct holes holes;
-static struct footprint footprint;
+static struct plan_extent plan_extent;
 static struct mesh mesh;
 
 static double tilted(double x, double y)
@@ -34,7 +34,7 @@ static double ridge(double x, double y)
 static void sort(double spacing, double direction)
 {
     struct error error;
-    footprint = footprint_of(scan.item, scan.n, direction);
+    plan_extent = plan_extent_of(scan.item, scan.n, direction);
     ck_assert_int_eq(holes_find(scan.item, scan.n, 6 * spacing, 3 * spacing, &holes, &error), 0);
     ck_assert_int_eq(point_grid_make(scan.item, scan.n, spacing, 2, &point_grid, &error), 0);
 }
@@ -88,7 +88,7 @@ START_TEST(panel)
     size_t before = 0;
     make_scan(panel_height, 17000, (enum noisy_pattern)_i);
     for (int k = 0; k < 3; k++) {
-        struct rowmesh r = rowmesh_make(&point_grid, &footprint, &holes,
+        struct rowmesh r = rowmesh_make(&point_grid, &plan_extent, &holes,
                                         &(struct rowmesh_wish){error[k], 0.48, 12, NULL, 0}, &mesh);
         ck_assert_double_le(r.worst, error[k]);
         ck_assert_double_lt(r.rms, error[k] / 2);
@@ -110,13 +110,13 @@ START_TEST(rows_are_rows)
     noisy_seed(31);
     noisy_scan(&scan, panel_height, 17000, NOISY_RANDOM, 0);
     sort(0.48, 30);
-    struct rowmesh r = rowmesh_make(&point_grid, &footprint, &holes,
+    struct rowmesh r = rowmesh_make(&point_grid, &plan_extent, &holes,
                                     &(struct rowmesh_wish){0.05, 0.48, 12, NULL, 0}, &mesh);
     ck_assert_double_le(r.worst, 0.05);
     ck_assert_uint_eq(mesh.row.n, mesh.vertex.n);
     for (size_t i = 1; i < mesh.vertex.n; i++) {
-        struct vec3 p = footprint_turn(&footprint, mesh.vertex.item[i - 1]);
-        struct vec3 q = footprint_turn(&footprint, mesh.vertex.item[i]);
+        struct vec3 p = plan_extent_turn(&plan_extent, mesh.vertex.item[i - 1]);
+        struct vec3 q = plan_extent_turn(&plan_extent, mesh.vertex.item[i]);
         ck_assert_int_ge(mesh.row.item[i], mesh.row.item[i - 1]);
         if (mesh.row.item[i] > mesh.row.item[i - 1])
             continue;
@@ -130,7 +130,7 @@ END_TEST
 START_TEST(plane_takes_few)
 {
     make_scan(tilted, 17000, NOISY_RANDOM);
-    struct rowmesh r = rowmesh_make(&point_grid, &footprint, &holes,
+    struct rowmesh r = rowmesh_make(&point_grid, &plan_extent, &holes,
                                     &(struct rowmesh_wish){0.01, 0.48, 12, NULL, 0}, &mesh);
     ck_assert_double_lt(r.worst, 1e-6);
     ck_assert_uint_le(mesh.vertex.n, 40);
@@ -142,7 +142,7 @@ END_TEST
 START_TEST(rib)
 {
     make_scan(ridge, 100000, (enum noisy_pattern)_i);
-    rowmesh_make(&point_grid, &footprint, &holes, &(struct rowmesh_wish){0.05, 0.2, 4.8, NULL, 0},
+    rowmesh_make(&point_grid, &plan_extent, &holes, &(struct rowmesh_wish){0.05, 0.2, 4.8, NULL, 0},
                  &mesh);
     int rows = mesh.row.item[mesh.row.n - 1] + 1;
     double *kept = mem_alloc((size_t)rows, sizeof *kept);
@@ -185,7 +185,7 @@ START_TEST(hole)
             *array_push(&scan) = vec(x, y, tilted(x, y));
     }
     sort(0.48, 0);
-    struct rowmesh r = rowmesh_make(&point_grid, &footprint, &holes,
+    struct rowmesh r = rowmesh_make(&point_grid, &plan_extent, &holes,
                                     &(struct rowmesh_wish){0.05, 0.48, 12, NULL, 0}, &mesh);
     ck_assert_double_lt(r.worst, 1e-6);
     for (size_t f = 0; f < mesh.face.n; f++) {
@@ -203,7 +203,7 @@ END_TEST
 START_TEST(out_of_reach)
 {
     make_scan(ridge, 4000, NOISY_RANDOM);
-    struct rowmesh r = rowmesh_make(&point_grid, &footprint, &holes,
+    struct rowmesh r = rowmesh_make(&point_grid, &plan_extent, &holes,
                                     &(struct rowmesh_wish){0.01, 1, 12, NULL, 0}, &mesh);
     ck_assert_double_gt(r.worst, 0.01);
     double s = r.at.x * cos(RADIANS(25)) + r.at.y * sin(RADIANS(25)) - 3;

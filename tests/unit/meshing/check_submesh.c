@@ -25,8 +25,8 @@ static struct mesh patch(void)
 START_TEST(two_parts)
 {
     struct mesh one = patch(), to = {.origin.spacing = 1};
-    struct subcloud top = {.along = {1, 0, 0}, .across = {0, 1, 0}, .up = {0, 0, 1}};
-    struct subcloud flank = {.along = {0, 1, 0}, .across = {0, 0, 1}, .up = {1, 0, 0}};
+    struct segment top = {.along = {1, 0, 0}, .across = {0, 1, 0}, .up = {0, 0, 1}};
+    struct segment flank = {.along = {0, 1, 0}, .across = {0, 0, 1}, .up = {1, 0, 0}};
     submesh_add(&to, &one, &top);
     submesh_add(&to, &one, &flank);
     ck_assert_uint_eq(to.vertex.n, 24);

@@ -1,4 +1,4 @@
-/* scannormals: against the normals of a known surface, on random points, on laser lines, with any
+/* scan_normals: against the normals of a known surface, on random points, on laser lines, with any
  * number of threads and in any order. */
 #include <check.h>
 #include <stdint.h>
@@ -8,7 +8,7 @@
 #include "meshing/gridmesh.h"
 #include "panel.h"
 #include "meshing/reposition.h"
-#include "cloud/scannormals.h"
+#include "cloud/scan_normals.h"
 
 static uint64_t state = 9;
 static struct vec3s scan;
@@ -51,12 +51,12 @@ static void free_all(void)
 }
 
 /* Sorts the scan. */
-static struct scannormals normals(int neighbours, int threads)
+static struct scan_normals normals(int neighbours, int threads)
 {
     struct point_grid point_grid;
     struct error error;
     ck_assert_int_eq(point_grid_make(scan.item, scan.n, 0.5, threads, &point_grid, &error), 0);
-    struct scannormals r = scannormals_quadric(&mesh, &point_grid, neighbours, threads);
+    struct scan_normals r = scan_normals_quadric(&mesh, &point_grid, neighbours, threads);
     point_grid_free(&point_grid);
     return r;
 }
@@ -79,7 +79,7 @@ START_TEST(random_points)
 {
     random_scan();
     make_mesh(on_wave);
-    struct scannormals r = normals(40, 1);
+    struct scan_normals r = normals(40, 1);
     ck_assert_uint_eq(r.fitted, mesh.vertex.n);
     ck_assert_uint_eq(r.thin, 0);
     ck_assert_double_lt(worst_angle(), 0.002); /* 0.004 by quadrics */
@@ -119,7 +119,7 @@ START_TEST(laser_lines)
         for (double x = 0; x <= 40; x += 0.05)
             *array_push(&scan) = on_wave(x, y + 1e-4 * uniform());
     make_mesh(on_wave);
-    struct scannormals r = normals(40, 1);
+    struct scan_normals r = normals(40, 1);
     ck_assert_uint_eq(r.thin, 0);
     ck_assert_double_lt(worst_angle(), 0.02);
 }
@@ -133,7 +133,7 @@ START_TEST(nothing_but_a_line)
     for (int k = 0; k < 3; k++)
         *array_push(&mesh.vertex) = vec(10 * k, k == 1 ? 0.3 : 0, k == 1 ? 0.4 : 0);
     *array_push(&mesh.face) = (struct face){{0, 2, 1}};
-    struct scannormals r = normals(40, 1);
+    struct scan_normals r = normals(40, 1);
     ck_assert_uint_eq(r.thin, 3);
     ck_assert_uint_eq(r.fitted, 0);
     ck_assert(r.worst == 0 && r.rms == 0);
@@ -203,7 +203,7 @@ static void scan_panel(int pattern)
 
 static void mesh_panel(void)
 {
-    struct footprint f = footprint_of(scan.item, scan.n, 0);
+    struct plan_extent f = plan_extent_of(scan.item, scan.n, 0);
     struct error error;
     struct grid g;
     ck_assert_int_eq(grid_make(&f, scan.n, 4, &g, &error), 0);
@@ -244,7 +244,7 @@ START_TEST(order_and_threads_do_not_matter)
         for (int j = 0; j < 50; j++)
             *array_push(&scan) = on_wave(0.5 * i, 0.5 * j);
     make_mesh(on_wave);
-    struct scannormals one = normals(40, 1);
+    struct scan_normals one = normals(40, 1);
     struct vec3s normal = mesh.normal;
     struct doubles kmax = mesh.kmax;
     for (int threads = 2; threads < 6; threads++) {
@@ -256,7 +256,7 @@ START_TEST(order_and_threads_do_not_matter)
         }
         mesh.normal = (struct vec3s){0};
         mesh.kmax = (struct doubles){0};
-        struct scannormals r = normals(40, threads);
+        struct scan_normals r = normals(40, threads);
         ck_assert(r.worst == one.worst && r.rms == one.rms && r.at == one.at);
         ck_assert_mem_eq(mesh.normal.item, normal.item, normal.n * sizeof *normal.item);
         ck_assert_mem_eq(mesh.kmax.item, kmax.item, kmax.n * sizeof *kmax.item);

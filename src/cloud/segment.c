@@ -1,13 +1,13 @@
-/* subcloud - see subcloud.h. */
-#include "cloud/subcloud.h"
+/* segment - see segment.h. */
+#include "cloud/segment.h"
 
 #include <stdbool.h>
 #include <stdlib.h>
 
-#include "cloudnormals.h"
-#include "cloudpieces.h"
+#include "cloud_normals.h"
+#include "components.h"
 #include "math/kdtree.h"
-#include "overedge.h"
+#include "extend_edges.h"
 
 enum { DIRECTIONS = 33 };
 
@@ -83,9 +83,9 @@ static void label_points(struct division *d)
     }
 }
 
-static struct subcloud frame_of(struct vec3 up, double direction)
+static struct segment frame_of(struct vec3 up, double direction)
 {
-    struct subcloud part = {.up = up};
+    struct segment part = {.up = up};
 
     part.along = vec(cos(RADIANS(direction)), sin(RADIANS(direction)), 0);
     if (up.z < 1)
@@ -95,12 +95,12 @@ static struct subcloud frame_of(struct vec3 up, double direction)
 }
 
 /* The points of part number k, then those of others near to them, and places beyond its edges. */
-static void fill(const struct division *d, const struct cloudpieces *pieces, const int *of, int k,
-                 double overlap, struct subcloud *part)
+static void fill(const struct division *d, const struct components *pieces, const int *of, int k,
+                 double overlap, struct segment *part)
 {
     const double beyond = 2 / 3.0;
     bool *in = mem_alloc(d->n, sizeof *in);
-    struct overedge edges = {d->point, d->normal, d->neighbour, d->n, in};
+    struct extend_edges edges = {d->point, d->normal, d->neighbour, d->n, in};
 
     struct sizes own = {0};
 
@@ -118,13 +118,13 @@ static void fill(const struct division *d, const struct cloudpieces *pieces, con
         double distance2;
         if (of[i] != k && vec_dot(d->normal[i], part->up) > FACING &&
             kdtree_nearest(tree, d->point[i], 1, &nearest, &distance2) == 1 &&
-            distance2 < overlap * overlap && cloudpieces_smooth(pieces, i, own.item[nearest])) {
+            distance2 < overlap * overlap && components_smooth(pieces, i, own.item[nearest])) {
             *array_push(&part->point) = d->point[i];
             in[i] = true;
         }
     }
     kdtree_free(tree);
-    overedge_find(&edges, d->spacing, beyond * overlap, &part->point);
+    extend_edges_find(&edges, d->spacing, beyond * overlap, &part->point);
     array_free(&own);
     free(in);
 }
@@ -132,8 +132,8 @@ static void fill(const struct division *d, const struct cloudpieces *pieces, con
 /* From above round and down: by height of the direction, then by its turn. */
 static int in_order(const void *a, const void *b)
 {
-    const struct vec3 *p = &((const struct subcloud *)a)->up;
-    const struct vec3 *q = &((const struct subcloud *)b)->up;
+    const struct vec3 *p = &((const struct segment *)a)->up;
+    const struct vec3 *q = &((const struct segment *)b)->up;
     double turn = atan2(p->y, p->x) - atan2(q->y, q->x);
 
     if (fabs(p->z - q->z) > 1e-9)
@@ -141,10 +141,10 @@ static int in_order(const void *a, const void *b)
     return (turn > 0) - (turn < 0);
 }
 
-struct subclouds subclouds_find(const struct vec3 *point, size_t n, double overlap,
-                                double direction, int threads)
+struct segments segments_find(const struct vec3 *point, size_t n, double overlap, double direction,
+                              int threads)
 {
-    struct subclouds parts = {0};
+    struct segments parts = {0};
     struct division d = {.point = point, .n = n, .chosen = 1};
     struct ints up = {0};
 
@@ -163,15 +163,15 @@ struct subclouds subclouds_find(const struct vec3 *point, size_t n, double overl
     while (d.chosen < DIRECTIONS && choose_direction(&d))
         ;
     label_points(&d);
-    struct cloudpieces pieces = {n, d.neighbour, d.normal, d.direction, d.label};
-    cloudpieces_settle(&pieces);
-    cloudpieces_find(&pieces, of, &up);
+    struct components pieces = {n, d.neighbour, d.normal, d.direction, d.label};
+    components_settle(&pieces);
+    components_find(&pieces, of, &up);
     for (size_t k = 0; k < up.n; k++) {
         *array_push(&parts) = frame_of(d.direction[up.item[k]], direction);
         fill(&d, &pieces, of, (int)k, overlap, &parts.item[k]);
     }
     for (size_t i = 0; i < n; i++)
-        parts.left_out += of[i] == CLOUDPIECE_NONE;
+        parts.left_out += of[i] == COMPONENT_NONE;
     if (parts.n > 0)
         qsort(parts.item, parts.n, sizeof *parts.item, in_order);
     array_free(&up);
@@ -182,19 +182,19 @@ struct subclouds subclouds_find(const struct vec3 *point, size_t n, double overl
     return parts;
 }
 
-void subclouds_free(struct subclouds *parts)
+void segments_free(struct segments *parts)
 {
     for (size_t i = 0; i < parts->n; i++)
         array_free(&parts->item[i].point);
     array_free(parts);
 }
 
-struct vec3 subcloud_in(const struct subcloud *part, struct vec3 p)
+struct vec3 segment_in(const struct segment *part, struct vec3 p)
 {
     return vec(vec_dot(part->along, p), vec_dot(part->across, p), vec_dot(part->up, p));
 }
 
-struct vec3 subcloud_out(const struct subcloud *part, struct vec3 p)
+struct vec3 segment_out(const struct segment *part, struct vec3 p)
 {
     return vec_along(vec_along(vec_scale(p.x, part->along), p.y, part->across), p.z, part->up);
 }

@@ -6,7 +6,7 @@
 
 #include "noisy.h"
 #include "panel.h"
-#include "cloud/stray.h"
+#include "cloud/outliers.h"
 
 static struct vec3s scan;
 static struct point_grid point_grid;
@@ -59,7 +59,7 @@ START_TEST(outliers)
         scan.item[at].z += (i % 2 ? 1 : -1) * (0.5 + 19.5 * pow(noisy_uniform(), 3));
     }
     sort();
-    size_t found = stray_outliers(&point_grid, sigma, 2, out), right = marked_off(panel_height);
+    size_t found = outliers_isolated(&point_grid, sigma, 2, out), right = marked_off(panel_height);
     ck_assert_uint_ge(right, 98); /* one may lie beside another */
     ck_assert_uint_le(found - right, 1);
 }
@@ -73,7 +73,7 @@ START_TEST(clumps_in_the_air)
         for (int k = 0; k < 6; k++)
             *array_push(&scan) = vec(-30 + 18 * i + 0.3 * noisy_uniform(), 10 + 0.2 * k, 30);
     sort();
-    size_t found = stray_outliers(&point_grid, 0.02, 2, out), right = 0;
+    size_t found = outliers_isolated(&point_grid, 0.02, 2, out), right = 0;
     for (size_t i = 0; i < point_grid.n; i++)
         right += out[i] && point_grid.point[i].z > 25;
     ck_assert_uint_eq(right, 24);
@@ -87,8 +87,8 @@ START_TEST(edges)
     noisy_seed(4);
     noisy_scan(&scan, _i % 2 ? roof : terraces, 17000, NOISY_LINES, _i / 2 * 0.02);
     sort();
-    ck_assert_uint_le(stray_outliers(&point_grid, _i / 2 * 0.02, 2, out), 2);
-    ck_assert_uint_eq(stray_under(&point_grid, 2, out), 0);
+    ck_assert_uint_le(outliers_isolated(&point_grid, _i / 2 * 0.02, 2, out), 2);
+    ck_assert_uint_eq(outliers_under_roof(&point_grid, 2, out), 0);
 }
 END_TEST
 
@@ -107,7 +107,7 @@ START_TEST(sparse_walls)
         *array_push(&scan) = vec(i % 2 ? 60 * noisy_uniform() - 30 : 0.5 * noisy_normal(),
                                  40 * noisy_uniform(), 14 + 26 * noisy_uniform());
     sort();
-    size_t found = stray_outliers(&point_grid, 0.02, 2, out), right = 0;
+    size_t found = outliers_isolated(&point_grid, 0.02, 2, out), right = 0;
     for (size_t i = 0; i < point_grid.n; i++)
         right += out[i] && point_grid.point[i].z > 10;
     ck_assert_uint_eq(right, STRAYS);
@@ -126,11 +126,11 @@ START_TEST(points_twice)
         }
     size_t more = scan.n - n;
     sort();
-    ck_assert_uint_eq(stray_twice(&point_grid, out), more);
+    ck_assert_uint_eq(outliers_twice(&point_grid, out), more);
     point_grid_remove(&point_grid, out);
     memset(out, 0, n);
     ck_assert_uint_eq(point_grid.n, n);
-    ck_assert_uint_eq(stray_twice(&point_grid, out), 0);
+    ck_assert_uint_eq(outliers_twice(&point_grid, out), 0);
 }
 END_TEST
 
@@ -144,7 +144,7 @@ START_TEST(under_a_roof)
         for (double y = -10; y <= 10; y += 0.4)
             *array_push(&scan) = vec(x, y, 26);
     sort();
-    size_t found = stray_under(&point_grid, 2, out);
+    size_t found = outliers_under_roof(&point_grid, 2, out);
     for (size_t i = 0; i < point_grid.n; i++) {
         struct vec3 p = point_grid.point[i];
         bool inside = fabs(p.x) < 13 && fabs(p.y) < 8 && p.z < 20;
@@ -169,7 +169,7 @@ START_TEST(a_pocket)
                 vec(12 + 0.02 * noisy_normal(), 18 * noisy_uniform() - 9, 6 * noisy_uniform());
     }
     sort();
-    ck_assert_uint_eq(stray_under(&point_grid, 2, out), 0);
+    ck_assert_uint_eq(outliers_under_roof(&point_grid, 2, out), 0);
 }
 END_TEST
 

@@ -1,11 +1,11 @@
-/* scanfill: points between those of a sparse cloud lie on its surface, in no hole, and only where
+/* upsample: points between those of a sparse cloud lie on its surface, in no hole, and only where
  * the ball asks for them. */
 #include <check.h>
 #include <stdlib.h>
 
 #include "base/array.h"
 #include "noisy.h"
-#include "cloud/scanfill.h"
+#include "cloud/upsample.h"
 
 static struct vec3s scan;
 static struct point_grid point_grid;
@@ -17,7 +17,7 @@ static double wave(double x, double y)
 }
 
 /* About n points of the wave, but for those in a hole about (hole, 0). */
-static struct scanfill make_fill(int n, double hole)
+static struct upsample make_fill(int n, double hole)
 {
     struct error error;
     struct vec3s all = {0};
@@ -29,7 +29,7 @@ static struct scanfill make_fill(int n, double hole)
     array_free(&all);
     ck_assert_int_eq(
         point_grid_make(scan.item, scan.n, sqrt(74 * 54.0 / n), 1, &point_grid, &error), 0);
-    return (struct scanfill){.point_grid = &point_grid, .radius = 4, .sink = 0.002};
+    return (struct upsample){.point_grid = &point_grid, .radius = 4, .sink = 0.002};
 }
 
 static void free_all(void)
@@ -41,11 +41,11 @@ static void free_all(void)
 
 START_TEST(on_the_surface)
 {
-    struct scanfill fill = make_fill(6000, 5);
+    struct upsample fill = make_fill(6000, 5);
     double sum2 = 0, worst = 0;
-    ck_assert(scanfill_needed(&fill));
+    ck_assert(upsample_needed(&fill));
     for (size_t i = 0; i < point_grid.n; i++)
-        scanfill_about(&fill, i, &put);
+        upsample_about(&fill, i, &put);
     ck_assert_uint_gt(put.n, 3 * point_grid.n);
     for (size_t i = 0; i < put.n; i++) {
         struct vec3 p = put.item[i];
@@ -64,27 +64,27 @@ END_TEST
 /* The surface is handed in: a plane above the points. */
 START_TEST(on_a_surface_that_is_given)
 {
-    struct scanfill fill = make_fill(6000, 100);
+    struct upsample fill = make_fill(6000, 100);
     struct quadric plane = {.origin = {0, 0, 9}, .u = {1, 0, 0}, .v = {0, 1, 0}, .w = {0, 0, 1}};
     size_t i = point_grid.n / 2;
     struct vec3 p = point_grid.point[i];
-    scanfill_on(&fill, i, vec(p.x, p.y, 9), &plane, 0, &put);
+    upsample_on(&fill, i, vec(p.x, p.y, 9), &plane, 0, &put);
     for (size_t k = 0; k < put.n; k++)
         ck_assert_double_eq_tol(put.item[k].z, 9, 1e-12);
-    scanfill_on(&fill, i, vec(p.x, p.y, 9), &plane, 1, &put); /* spread by 1 mm: none */
+    upsample_on(&fill, i, vec(p.x, p.y, 9), &plane, 1, &put); /* spread by 1 mm: none */
     size_t before = put.n;
-    scanfill_on(&fill, i, vec(p.x, p.y, 9), &plane, 1, &put);
+    upsample_on(&fill, i, vec(p.x, p.y, 9), &plane, 1, &put);
     ck_assert_uint_eq(put.n, before);
 }
 END_TEST
 
 START_TEST(dense_enough)
 {
-    struct scanfill fill = make_fill(20000, 100);
+    struct upsample fill = make_fill(20000, 100);
     fill.radius = 100;
-    ck_assert(!scanfill_needed(&fill));
+    ck_assert(!upsample_needed(&fill));
     fill.radius = 4;
-    ck_assert(scanfill_needed(&fill));
+    ck_assert(upsample_needed(&fill));
 }
 END_TEST
 

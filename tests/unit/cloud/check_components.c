@@ -3,8 +3,8 @@
 #include <check.h>
 #include <stdlib.h>
 
-#include "cloud/cloudnormals.h"
-#include "cloud/cloudpieces.h"
+#include "cloud/cloud_normals.h"
+#include "cloud/components.h"
 #include "rough.h"
 
 static const struct vec3 directions[] = {{0, 0, 1}, {0.6, 0, 0.8}};
@@ -14,13 +14,13 @@ static size_t pieces_of(const struct vec3s *p, int *label, bool settle, int **of
 {
     size_t *near = cloud_neighbours(p->item, p->n, 1);
     struct vec3 *normal = mem_alloc(p->n, sizeof *normal);
-    struct cloudpieces c = {p->n, near, normal, directions, label};
+    struct components c = {p->n, near, normal, directions, label};
     struct ints found = {0};
     cloud_normals(p->item, p->n, near, 1, normal);
     *of = mem_alloc(p->n, sizeof **of);
     if (settle)
-        cloudpieces_settle(&c);
-    cloudpieces_find(&c, *of, &found);
+        components_settle(&c);
+    components_find(&c, *of, &found);
     size_t n = found.n;
     array_free(&found);
     free(normal);
@@ -59,7 +59,7 @@ START_TEST(small_ones)
     ck_assert_uint_eq(pieces_of(&p, label, true, &of), 2);
     for (size_t i = 0; i < p.n; i++) {
         ck_assert(i >= 6000 || of[i] == 0);
-        ck_assert(i < 6000 || of[i] == (i < 6040 ? 1 : CLOUDPIECE_NONE));
+        ck_assert(i < 6000 || of[i] == (i < 6040 ? 1 : COMPONENT_NONE));
         ck_assert(i % 50 != 7 || i >= 6000 || label[i] == 0 ||
                   vec_distance(p.item[i], vec(8, 8, 0)) < 1.5);
     }

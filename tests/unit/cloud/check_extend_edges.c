@@ -1,10 +1,10 @@
-/* overedge: a roof between walls and slopes is continued in its own surface, over convex edges
+/* extend_edges: a roof between walls and slopes is continued in its own surface, over convex edges
  * alone, so far as is asked. */
 #include <check.h>
 #include <stdlib.h>
 
-#include "cloud/cloudnormals.h"
-#include "cloud/overedge.h"
+#include "cloud/cloud_normals.h"
+#include "cloud/extend_edges.h"
 #include "rough.h"
 
 static const double SPACING = 0.35, LENGTH = 2;
@@ -19,8 +19,8 @@ static struct vec3s beyond(const struct vec3s *p, size_t own)
     cloud_normals(p->item, p->n, near, 2, normal);
     for (size_t i = 0; i < p->n; i++)
         in[i] = i < own;
-    struct overedge cloud = {p->item, normal, near, p->n, in};
-    overedge_find(&cloud, SPACING, LENGTH, &found);
+    struct extend_edges cloud = {p->item, normal, near, p->n, in};
+    extend_edges_find(&cloud, SPACING, LENGTH, &found);
     free(in);
     free(normal);
     free(near);

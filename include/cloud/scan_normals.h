@@ -1,15 +1,15 @@
 /*
- * scannormals - normals and curvatures of a mesh's vertices from the whole scan that it was chosen
+ * scan_normals - normals and curvatures of a mesh's vertices from the whole scan that it was chosen
  * from.
  */
-#ifndef CLOUDMILL_SCANNORMALS_H
-#define CLOUDMILL_SCANNORMALS_H
+#ifndef CLOUDMILL_SCAN_NORMALS_H
+#define CLOUDMILL_SCAN_NORMALS_H
 
 #include "math/point_grid.h"
 #include "mesh/mesh.h"
 
 /* How far the vertices stand off their quadrics. */
-struct scannormals {
+struct scan_normals {
     size_t fitted, thin; /* vertices with a quadric; without one, they keep the facets' normal */
     size_t at;           /* the vertex with the largest distance */
     double worst, rms;   /* of the distances, mm */
@@ -31,7 +31,7 @@ struct scannormals {
  *
  * The result does not depend on the number of threads.
  */
-struct scannormals scannormals_quadric(struct mesh *mesh, const struct point_grid *point_grid,
-                                       int neighbours, int threads);
+struct scan_normals scan_normals_quadric(struct mesh *mesh, const struct point_grid *point_grid,
+                                         int neighbours, int threads);
 
 #endif

@@ -1,5 +1,5 @@
-/* scanfill - see scanfill.h. */
-#include "cloud/scanfill.h"
+/* upsample - see upsample.h. */
+#include "cloud/upsample.h"
 
 #include "base/array.h"
 #include "math/cubic.h"
@@ -26,12 +26,12 @@ static void find_near(const struct point_grid *b, size_t i, size_t k, struct nea
 }
 
 /* Points so far apart let the ball sink as far as it may. */
-static double gap_of(const struct scanfill *fill)
+static double gap_of(const struct upsample *fill)
 {
     return sqrt(6 * fill->radius * fill->sink);
 }
 
-bool scanfill_needed(const struct scanfill *fill)
+bool upsample_needed(const struct upsample *fill)
 {
     const struct point_grid *b = fill->point_grid;
     size_t sample = b->n < SAMPLE ? b->n : SAMPLE, wide = 0, seen = 0;
@@ -67,7 +67,7 @@ static bool between(const struct near *near, struct vec3 from, struct vec3 p)
 }
 
 /* The ball would sink deeper between the points than they are off the surface. */
-static bool is_worth_it(const struct scanfill *fill, const struct near *near, double spread)
+static bool is_worth_it(const struct upsample *fill, const struct near *near, double spread)
 {
     size_t sixth = near->n > 6 ? 6 : near->n - 1;
     double sink = near->distance2[sixth] / (6 * fill->radius);
@@ -75,7 +75,7 @@ static bool is_worth_it(const struct scanfill *fill, const struct near *near, do
     return sink > fill->sink / 4 && spread <= fmax(fmax(fill->sink, sink / 2), MUCH * fill->noise);
 }
 
-static void put(const struct scanfill *fill, const struct near *near, struct vec3 p,
+static void put(const struct upsample *fill, const struct near *near, struct vec3 p,
                 const struct quadric *q, struct vec3s *to)
 {
     size_t last = near->n < FEWEST ? near->n : FEWEST;
@@ -96,7 +96,7 @@ static void put(const struct scanfill *fill, const struct near *near, struct vec
     }
 }
 
-void scanfill_on(const struct scanfill *fill, size_t i, struct vec3 p, const struct quadric *q,
+void upsample_on(const struct upsample *fill, size_t i, struct vec3 p, const struct quadric *q,
                  double spread, struct vec3s *to)
 {
     struct near near;
@@ -124,7 +124,7 @@ static double fit_quadric(const struct near *near, struct quadric *q)
     return HUGE_VAL;
 }
 
-double scanfill_about(const struct scanfill *fill, size_t i, struct vec3s *to)
+double upsample_about(const struct upsample *fill, size_t i, struct vec3s *to)
 {
     size_t before = to->n;
     struct near near;

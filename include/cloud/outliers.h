@@ -1,17 +1,17 @@
 /*
- * stray - points of a scan that are not on its surface: points twice, outliers, points under a
+ * outliers - points of a scan that are not on its surface: points twice, outliers, points under a
  * roof.
  *
  * Each function marks points of `point_grid` in out[] (as many bytes as points) with 1, beside what
  * is marked already, and returns how many it marked; point_grid_remove takes them out.
  */
-#ifndef CLOUDMILL_STRAY_H
-#define CLOUDMILL_STRAY_H
+#ifndef CLOUDMILL_OUTLIERS_H
+#define CLOUDMILL_OUTLIERS_H
 
 #include "math/point_grid.h"
 
 /* Points equal in x, y and z to one that is kept. */
-size_t stray_twice(const struct point_grid *point_grid, unsigned char *out);
+size_t outliers_twice(const struct point_grid *point_grid, unsigned char *out);
 
 /*
  * Outliers, `sigma` being the noise of the scan (mm, noise.h): points that
@@ -25,11 +25,11 @@ size_t stray_twice(const struct point_grid *point_grid, unsigned char *out);
  * those points only that are off a robust quadric over their cell and the eight around it, or have
  * no other point of their cell near them.
  */
-size_t stray_outliers(const struct point_grid *point_grid, double sigma, int threads,
-                      unsigned char *out);
+size_t outliers_isolated(const struct point_grid *point_grid, double sigma, int threads,
+                         unsigned char *out);
 
 /* Points that a tool from above cannot reach: within the cells about them, in every eighth of the
  * turn, points stand above them more than four times as high as they are away. */
-size_t stray_under(const struct point_grid *point_grid, int threads, unsigned char *out);
+size_t outliers_under_roof(const struct point_grid *point_grid, int threads, unsigned char *out);
 
 #endif

@@ -1,11 +1,11 @@
-/* footprint: boxes of turned clouds, clouds that are none, spacings that are known. */
+/* plan_extent: boxes of turned clouds, clouds that are none, spacings that are known. */
 #include <check.h>
 #include <stdint.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "base/array.h"
-#include "cloud/footprint.h"
+#include "cloud/plan_extent.h"
 
 static uint64_t state = 7;
 static struct vec3s cloud;
@@ -26,12 +26,12 @@ START_TEST(box)
     add(1, 2, 0);
     add(-3, 5, 9);
     add(4, -1, 2);
-    struct footprint f = footprint_of(cloud.item, cloud.n, 0);
+    struct plan_extent f = plan_extent_of(cloud.item, cloud.n, 0);
     ck_assert(f.xmin == -3 && f.xmax == 4 && f.ymin == -1 && f.ymax == 5);
-    f = footprint_of(cloud.item, cloud.n, 90); /* rows along y: x' = y, y' = -x */
+    f = plan_extent_of(cloud.item, cloud.n, 90); /* rows along y: x' = y, y' = -x */
     ck_assert(f.xmin == -1 && f.xmax == 5 && f.ymin == -4 && f.ymax == 3);
-    f = footprint_of(cloud.item, cloud.n, 30);
-    struct vec3 p = footprint_turn(&f, vec(cos(PI / 6), sin(PI / 6), 4));
+    f = plan_extent_of(cloud.item, cloud.n, 30);
+    struct vec3 p = plan_extent_turn(&f, vec(cos(PI / 6), sin(PI / 6), 4));
     ck_assert_double_eq_tol(p.x, 1, 1e-15);
     ck_assert_double_eq_tol(p.y, 0, 1e-15);
     ck_assert(p.z == 4);
@@ -41,7 +41,7 @@ END_TEST
 static void expect_refused(const char *words)
 {
     struct error error;
-    ck_assert_int_eq(footprint_check(cloud.item, cloud.n, &error), -1);
+    ck_assert_int_eq(plan_extent_check(cloud.item, cloud.n, &error), -1);
     ck_assert_msg(strstr(error.text, words) != NULL, "`%s` without `%s`", error.text, words);
 }
 
@@ -61,7 +61,7 @@ START_TEST(no_surface)
     array_free(&cloud);
     for (int i = 0; i < 50; i++)
         add(uniform(), uniform(), uniform());
-    ck_assert_int_eq(footprint_check(cloud.item, cloud.n, &error), 0);
+    ck_assert_int_eq(plan_extent_check(cloud.item, cloud.n, &error), 0);
     add(-1e6, 1e6, 0);
     expect_refused("an outlier far off");
     array_free(&cloud);
@@ -70,7 +70,7 @@ START_TEST(no_surface)
     add(1, 2.001, 0);
     expect_refused("on one line");
     add(1, 2.1, 0);
-    ck_assert_int_eq(footprint_check(cloud.item, cloud.n, &error), 0);
+    ck_assert_int_eq(plan_extent_check(cloud.item, cloud.n, &error), 0);
 }
 END_TEST
 
@@ -79,8 +79,8 @@ START_TEST(spacing_of_a_regular_grid)
     for (int i = 0; i < 60; i++)
         for (int j = 0; j < 40; j++)
             add(0.5 * i + 4e6, 0.5 * j - 5e5, 0);
-    struct footprint f = footprint_of(cloud.item, cloud.n, 0);
-    ck_assert_double_eq_tol(footprint_spacing(&f, cloud.item, cloud.n), 0.5, 0.02);
+    struct plan_extent f = plan_extent_of(cloud.item, cloud.n, 0);
+    ck_assert_double_eq_tol(plan_extent_spacing(&f, cloud.item, cloud.n), 0.5, 0.02);
 }
 END_TEST
 
@@ -90,8 +90,8 @@ START_TEST(spacing_of_laser_lines)
     for (int i = 0; i < 400; i++)
         for (int j = 0; j < 60; j++)
             add(0.25 * i, 1.0 * j, 0);
-    struct footprint f = footprint_of(cloud.item, cloud.n, 0);
-    ck_assert_double_eq_tol(footprint_spacing(&f, cloud.item, cloud.n), 0.5, 0.02);
+    struct plan_extent f = plan_extent_of(cloud.item, cloud.n, 0);
+    ck_assert_double_eq_tol(plan_extent_spacing(&f, cloud.item, cloud.n), 0.5, 0.02);
 }
 END_TEST
 
@@ -103,11 +103,11 @@ START_TEST(spacing_where_points_are)
         add(10 * uniform(), 10 + 200 * uniform(), 0);
     }
     double truth = sqrt(4000.0 / 40000);
-    struct footprint f = footprint_of(cloud.item, cloud.n, 0);
-    ck_assert_double_eq_tol(footprint_spacing(&f, cloud.item, cloud.n), truth, 0.1 * truth);
+    struct plan_extent f = plan_extent_of(cloud.item, cloud.n, 0);
+    ck_assert_double_eq_tol(plan_extent_spacing(&f, cloud.item, cloud.n), truth, 0.1 * truth);
     add(9e8, -9e8, 0);
-    f = footprint_of(cloud.item, cloud.n, 0);
-    ck_assert_double_eq_tol(footprint_spacing(&f, cloud.item, cloud.n), truth, 0.3 * truth);
+    f = plan_extent_of(cloud.item, cloud.n, 0);
+    ck_assert_double_eq_tol(plan_extent_spacing(&f, cloud.item, cloud.n), truth, 0.3 * truth);
 }
 END_TEST
 

@@ -1,5 +1,5 @@
-/* wallpoints - see wallpoints.h. */
-#include "cloud/wallpoints.h"
+/* wall_points - see wall_points.h. */
+#include "cloud/wall_points.h"
 
 #include <stdbool.h>
 #include <stdlib.h>
@@ -177,7 +177,7 @@ static size_t part(struct vec3 *point, size_t n, const struct raster *r, const b
     return kept;
 }
 
-size_t wallpoints_part(struct vec3 *point, size_t n, double spacing, int threads)
+size_t wall_points_part(struct vec3 *point, size_t n, double spacing, int threads)
 {
     struct raster raster;
     struct vec3s close = {0};

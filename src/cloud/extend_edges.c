@@ -1,23 +1,23 @@
-/* overedge - see overedge.h. */
-#include "overedge.h"
+/* extend_edges - see extend_edges.h. */
+#include "extend_edges.h"
 
 #include <stdlib.h>
 
-#include "cloudnormals.h"
+#include "cloud_normals.h"
 #include "math/side_fit.h"
 #include "math/kdtree.h"
 
 enum { FEWEST = 40, MOST = 400 };
 
 struct edges {
-    const struct overedge *cloud;
+    const struct extend_edges *cloud;
     const struct kdtree *tree;
     double spacing, length;
     size_t near; /* points that the surface is continued from, before those of other sides go */
 };
 
 /* Which way the part ends at a point: square to its normal and to the edge.  False: no edge. */
-static bool way_over(const struct overedge *c, size_t i, struct vec3 *way)
+static bool way_over(const struct extend_edges *c, size_t i, struct vec3 *way)
 {
     const int fewest = 2;
     const double sharp = 0.76604444311897804; /* cos 40 degrees */
@@ -41,7 +41,7 @@ static bool way_over(const struct overedge *c, size_t i, struct vec3 *way)
 static bool surface_at(const struct edges *e, size_t i, struct side_fit *f)
 {
     const double alike = 0.9; /* cosine of 26 degrees */
-    const struct overedge *c = e->cloud;
+    const struct extend_edges *c = e->cloud;
     size_t index[MOST], n = kdtree_nearest(e->tree, c->point[i], e->near, index, NULL), own = 0;
     struct vec3 near[MOST];
 
@@ -58,7 +58,7 @@ static bool surface_at(const struct edges *e, size_t i, struct side_fit *f)
 static void go_over(const struct edges *e, size_t i, struct vec3s *place)
 {
     const double clear = 0.95 * e->length;
-    const struct overedge *c = e->cloud;
+    const struct extend_edges *c = e->cloud;
     struct vec3 way;
     struct side_fit f;
 
@@ -99,8 +99,8 @@ static void thin_out(const struct vec3s *place, double spacing, struct vec3s *to
     kdtree_free(tree);
 }
 
-void overedge_find(const struct overedge *cloud, double spacing, double length,
-                   struct vec3s *beyond)
+void extend_edges_find(const struct extend_edges *cloud, double spacing, double length,
+                       struct vec3s *beyond)
 {
     double wide = 1.5 * length / spacing;
     struct kdtree *tree = kdtree_new(cloud->point, cloud->n);

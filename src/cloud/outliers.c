@@ -1,5 +1,5 @@
-/* stray - see stray.h. */
-#include "cloud/stray.h"
+/* outliers - see outliers.h. */
+#include "cloud/outliers.h"
 
 #include <stdbool.h>
 #include <stdlib.h>
@@ -21,7 +21,7 @@ struct job {
     unsigned char *out;
 };
 
-size_t stray_twice(const struct point_grid *b, unsigned char *out)
+size_t outliers_twice(const struct point_grid *b, unsigned char *out)
 {
     size_t found = 0;
     for (size_t i = 1; i < b->n; i++) {
@@ -217,7 +217,7 @@ static size_t mark(const struct point_grid *b, double sigma, int threads,
     return count(out, b->n) - before;
 }
 
-size_t stray_outliers(const struct point_grid *b, double sigma, int threads, unsigned char *out)
+size_t outliers_isolated(const struct point_grid *b, double sigma, int threads, unsigned char *out)
 {
     return mark(b, sigma, threads, look_at_cells, out);
 }
@@ -263,7 +263,7 @@ static void look_under(void *context, size_t from, size_t to)
     }
 }
 
-size_t stray_under(const struct point_grid *b, int threads, unsigned char *out)
+size_t outliers_under_roof(const struct point_grid *b, int threads, unsigned char *out)
 {
     return mark(b, 0, threads, look_under, out);
 }

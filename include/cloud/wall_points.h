@@ -1,9 +1,9 @@
 /*
- * wallpoints - which points of a cloud lie on walls: on what is too steep to be seen from above
+ * wall_points - which points of a cloud lie on walls: on what is too steep to be seen from above
  * (paper 1, 7 and fig. 44).
  */
-#ifndef CLOUDMILL_WALLPOINTS_H
-#define CLOUDMILL_WALLPOINTS_H
+#ifndef CLOUDMILL_WALL_POINTS_H
+#define CLOUDMILL_WALL_POINTS_H
 
 #include "base/array.h"
 #include "math/vec.h"
@@ -15,6 +15,6 @@
  * cloud rises by more than twice the width of a cell (two mean spacings wide) are looked at so
  * closely, so that a cloud without walls costs one look at each point.
  */
-size_t wallpoints_part(struct vec3 *point, size_t n, double spacing, int threads);
+size_t wall_points_part(struct vec3 *point, size_t n, double spacing, int threads);
 
 #endif

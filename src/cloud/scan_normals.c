@@ -1,5 +1,5 @@
-/* scannormals - see scannormals.h. */
-#include "cloud/scannormals.h"
+/* scan_normals - see scan_normals.h. */
+#include "cloud/scan_normals.h"
 
 #include <stdlib.h>
 
@@ -108,9 +108,9 @@ static double three_sigma(double *distance, size_t n)
 }
 
 /* Gathers the distances that are there (not below 0) to the front of the array. */
-static struct scannormals sum_up(double *distance, size_t n)
+static struct scan_normals sum_up(double *distance, size_t n)
 {
-    struct scannormals s = {0};
+    struct scan_normals s = {0};
     double sum2 = 0;
     for (size_t i = 0; i < n; i++) {
         if (distance[i] < 0) {
@@ -129,8 +129,8 @@ static struct scannormals sum_up(double *distance, size_t n)
     return s;
 }
 
-struct scannormals scannormals_quadric(struct mesh *mesh, const struct point_grid *point_grid,
-                                       int neighbours, int threads)
+struct scan_normals scan_normals_quadric(struct mesh *mesh, const struct point_grid *point_grid,
+                                         int neighbours, int threads)
 {
     size_t vertices = mesh->vertex.n;
     struct job job = {mesh, point_grid, (size_t)neighbours,
@@ -139,7 +139,7 @@ struct scannormals scannormals_quadric(struct mesh *mesh, const struct point_gri
     array_reserve(&mesh->kmax, vertices);
     mesh->kmax.n = vertices;
     parallel_for(threads, vertices, fit_vertices, &job);
-    struct scannormals result = sum_up(job.distance, vertices);
+    struct scan_normals result = sum_up(job.distance, vertices);
     free(job.distance);
     return result;
 }

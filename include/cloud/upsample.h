@@ -1,16 +1,16 @@
 /*
- * scanfill - points put between those of a sparse scan, on surfaces through the nearest of them, so
+ * upsample - points put between those of a sparse scan, on surfaces through the nearest of them, so
  * that a ball does not sink in.
  */
-#ifndef CLOUDMILL_SCANFILL_H
-#define CLOUDMILL_SCANFILL_H
+#ifndef CLOUDMILL_UPSAMPLE_H
+#define CLOUDMILL_UPSAMPLE_H
 
 #include <stdbool.h>
 
 #include "math/point_grid.h"
 #include "math/quadric.h"
 
-struct scanfill {
+struct upsample {
     const struct point_grid *point_grid; /* the scan */
     double radius;                       /* of the ball, mm */
     double sink;                         /* how deep it may sink between points, mm */
@@ -18,7 +18,7 @@ struct scanfill {
 };
 
 /* The ball sinks deeper in more than a tenth of the places. */
-bool scanfill_needed(const struct scanfill *fill);
+bool upsample_needed(const struct upsample *fill);
 
 /*
  * Appends points about point i of the point_grid, which the surface q has at p, as dense as the
@@ -26,12 +26,12 @@ bool scanfill_needed(const struct scanfill *fill);
  * hole is filled and no border moves.  `spread`: of the points about q, mm; where it is more than
  * noise and the ball's sinking explain, nothing is appended.
  */
-void scanfill_on(const struct scanfill *fill, size_t i, struct vec3 p, const struct quadric *q,
+void upsample_on(const struct upsample *fill, size_t i, struct vec3 p, const struct quadric *q,
                  double spread, struct vec3s *to);
 
 /* The same on a surface through the nearest points as they are: of the second degree through 16 to
  * 32, or of the third through 24 where that leaves less.  Returns how far these are off it (one
  * standard deviation, mm), 0 where nothing was appended. */
-double scanfill_about(const struct scanfill *fill, size_t i, struct vec3s *to);
+double upsample_about(const struct upsample *fill, size_t i, struct vec3s *to);
 
 #endif

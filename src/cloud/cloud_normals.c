@@ -1,5 +1,5 @@
-/* cloudnormals - see cloudnormals.h. */
-#include "cloudnormals.h"
+/* cloud_normals - see cloud_normals.h. */
+#include "cloud_normals.h"
 
 #include <stdbool.h>
 #include <stdlib.h>

@@ -4,7 +4,7 @@
 #include <stdlib.h>
 
 #include "rough.h"
-#include "cloud/subcloud.h"
+#include "cloud/segment.h"
 
 START_TEST(half_ball)
 {
@@ -13,7 +13,7 @@ START_TEST(half_ball)
         double z = uniform(), a = 2 * PI * uniform(), r = sqrt(1 - z * z);
         *array_push(&p) = vec(4 * r * cos(a), 4 * r * sin(a), 4 * z);
     }
-    struct subclouds parts = subclouds_find(p.item, p.n, 0.3, 30, 2);
+    struct segments parts = segments_find(p.item, p.n, 0.3, 30, 2);
     size_t own = 0;
     ck_assert_uint_ge(parts.n, 5);
     ck_assert_uint_le(parts.n, 9);
@@ -21,18 +21,18 @@ START_TEST(half_ball)
     ck_assert_double_eq_tol(parts.spacing, 4 * sqrt(2 * PI / 8000), 0.015);
     ck_assert_double_eq_tol(parts.item[0].along.y, 0.5, 1e-12);
     for (size_t k = 0; k < parts.n; k++) {
-        const struct subcloud *part = &parts.item[k];
+        const struct segment *part = &parts.item[k];
         struct vec3 q = vec(1, 2, 3);
         own += part->own;
         ck_assert_double_le(vec_distance(vec_cross(part->along, part->across), part->up), 1e-12);
-        ck_assert_double_le(vec_distance(subcloud_out(part, subcloud_in(part, q)), q), 1e-12);
+        ck_assert_double_le(vec_distance(segment_out(part, segment_in(part, q)), q), 1e-12);
         ck_assert(k == 0 || fabs(part->along.z) < 1e-12);
         for (size_t i = 0; i < part->point.n; i++)
             ck_assert_double_le(vec_angle(part->point.item[i], part->up),
                                 RADIANS(i < part->own ? 60 : 75));
     }
     ck_assert_uint_eq(own, p.n);
-    subclouds_free(&parts);
+    segments_free(&parts);
     array_free(&p);
 }
 END_TEST
@@ -44,16 +44,16 @@ START_TEST(one_part)
         double x = 30 * uniform(), y = 20 * uniform();
         *array_push(&p) = vec(x, y, 2 * sin(x / 4) + 0.02 * normal());
     }
-    struct subclouds parts = subclouds_find(p.item, p.n, 0, 0, 1);
+    struct segments parts = segments_find(p.item, p.n, 0, 0, 1);
     ck_assert_uint_eq(parts.n, 1);
     ck_assert_uint_eq(parts.item[0].own, p.n);
     for (size_t i = 0; i < p.n; i++)
         ck_assert(vec_distance(parts.item[0].point.item[i], p.item[i]) == 0);
-    subclouds_free(&parts);
-    parts = subclouds_find(p.item, 10, 0, 0, 1);
+    segments_free(&parts);
+    parts = segments_find(p.item, 10, 0, 0, 1);
     ck_assert_uint_eq(parts.n, 0);
     ck_assert_uint_eq(parts.left_out, 10);
-    subclouds_free(&parts);
+    segments_free(&parts);
     array_free(&p);
 }
 END_TEST
@@ -64,11 +64,11 @@ START_TEST(what_hangs_together)
     struct vec3s p = {0};
     rectangle(&p, 2000, vec(0, 0, 0), vec(0, 20, 0), vec(0, 0, 10), 0);
     rectangle(&p, 2000, vec(-30, 0, 0), vec(0, 20, 0), vec(0, 0, 10), 0);
-    struct subclouds parts = subclouds_find(p.item, p.n, 0, 0, 1);
+    struct segments parts = segments_find(p.item, p.n, 0, 0, 1);
     ck_assert_uint_eq(parts.n, 2);
     ck_assert_uint_eq(parts.item[0].own, 2000);
     ck_assert_double_gt(fabs(parts.item[0].up.x), 0.99);
-    subclouds_free(&parts);
+    segments_free(&parts);
     array_free(&p);
 }
 END_TEST

@@ -1,8 +1,8 @@
 /*
- * cloudnormals - normals of a cloud in space that is no height field, all on one side of it.
+ * cloud_normals - normals of a cloud in space that is no height field, all on one side of it.
  */
-#ifndef CLOUDMILL_CLOUDNORMALS_H
-#define CLOUDMILL_CLOUDNORMALS_H
+#ifndef CLOUDMILL_CLOUD_NORMALS_H
+#define CLOUDMILL_CLOUD_NORMALS_H
 
 #include "math/vec.h"
 

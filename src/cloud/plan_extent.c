@@ -1,5 +1,5 @@
-/* footprint - see footprint.h. */
-#include "cloud/footprint.h"
+/* plan_extent - see plan_extent.h. */
+#include "cloud/plan_extent.h"
 
 #include <stdbool.h>
 #include <stdint.h>
@@ -7,19 +7,19 @@
 
 #include "base/array.h"
 
-struct footprint footprint_of(const struct vec3 *point, size_t n, double direction)
+struct plan_extent plan_extent_of(const struct vec3 *point, size_t n, double direction)
 {
     double quarter = direction / 90, turn = RADIANS(direction);
-    struct footprint f = {cos(turn), sin(turn), 0, 0, 0, 0};
+    struct plan_extent f = {cos(turn), sin(turn), 0, 0, 0, 0};
     if (quarter == floor(quarter)) { /* no cos 90 = 6e-17: points in rows stay in rows */
         f.cosine = round(f.cosine);
         f.sine = round(f.sine);
     }
-    struct vec3 p = footprint_turn(&f, point[0]);
+    struct vec3 p = plan_extent_turn(&f, point[0]);
     f.xmin = f.xmax = p.x;
     f.ymin = f.ymax = p.y;
     for (size_t i = 1; i < n; i++) {
-        p = footprint_turn(&f, point[i]);
+        p = plan_extent_turn(&f, point[i]);
         f.xmin = p.x < f.xmin ? p.x : f.xmin;
         f.xmax = p.x > f.xmax ? p.x : f.xmax;
         f.ymin = p.y < f.ymin ? p.y : f.ymin;
@@ -71,7 +71,7 @@ static bool is_wide(const struct vec3 *point, size_t n, struct vec3 a, struct ve
     return false;
 }
 
-int footprint_check(const struct vec3 *point, size_t n, struct error *error)
+int plan_extent_check(const struct vec3 *point, size_t n, struct error *error)
 {
     if (n == 0)
         return error_set(error, "no points");
@@ -119,7 +119,8 @@ static double parts(double length, double width)
 }
 
 /* Area of the cells with points in them, the box parted evenly into cells near `width`. */
-static double occupied(const struct footprint *f, const struct vec3 *point, size_t n, double width)
+static double occupied(const struct plan_extent *f, const struct vec3 *point, size_t n,
+                       double width)
 {
     double w = f->xmax - f->xmin, h = f->ymax - f->ymin;
     double columns = parts(w, width), rows = parts(h, width);
@@ -131,7 +132,7 @@ static double occupied(const struct footprint *f, const struct vec3 *point, size
     struct cells cells = {0, size - 1, mem_alloc(size, sizeof *cells.key)};
     uint64_t last = 0;
     for (size_t i = 0; i < n; i++) {
-        struct vec3 p = footprint_turn(f, point[i]);
+        struct vec3 p = plan_extent_turn(f, point[i]);
         double column = (p.x - f->xmin) * right, row = (p.y - f->ymin) * up;
         column = column < columns ? column : columns - 1;
         row = row < rows ? row : rows - 1;
@@ -144,7 +145,7 @@ static double occupied(const struct footprint *f, const struct vec3 *point, size
     return (double)cells.n / (right * up);
 }
 
-double footprint_spacing(const struct footprint *f, const struct vec3 *point, size_t n)
+double plan_extent_spacing(const struct plan_extent *f, const struct vec3 *point, size_t n)
 {
     enum { CELL = 5, ROUNDS = 20 };
     double spacing = sqrt((f->xmax - f->xmin) * (f->ymax - f->ymin) / (double)n);
