@@ -121,7 +121,7 @@ static double clean(const char *name, const struct settings *s, struct vec3s *po
     return isnan(s->noise) && intake.noise < least * mean ? 0 : origin->noise;
 }
 
-static void say_left_out(const struct settings *settings, const struct gridmesh_count *count)
+static void say_left_out(const struct settings *settings, const struct grid_mesh_count *count)
 {
     if (count->bridges > 0)
         note("left out %zu facet%s over a hole", count->bridges, count->bridges == 1 ? "" : "s");
@@ -161,7 +161,7 @@ static void extend(const char *name, const struct settings *s, struct vec3s *poi
     say("continued by %g mm beyond the border, by %zu points", s->extend, points->n - n);
 }
 
-static void say_rows(const struct rowmesh *r, double error, bool of_surface)
+static void say_rows(const struct adaptive_rows *r, double error, bool of_surface)
 {
     say("%s within %.4f mm of the mesh at worst (at %.3f %.3f %.3f), %.4f mm rms; %zu rows",
         of_surface ? "the surface that the points stand for is" : "the points are", r->worst,

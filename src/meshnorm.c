@@ -9,7 +9,7 @@
 #include "stage/planepath.h"
 #include "toolpath/ridge.h"
 #include "toolpath/rows.h"
-#include "meshing/submesh.h"
+#include "meshing/mesh_join.h"
 
 static int normals;
 static double scallop;
@@ -136,7 +136,7 @@ static void find_all_planes(const struct mesh *mesh, const struct rows *rows, st
     for (size_t k = 0; k < all->n; k++) {
         all->path[k] = (struct planepath){.threads = 0};
         if (all->part)
-            all->part[k] = submesh_of(mesh, k);
+            all->part[k] = mesh_join_of(mesh, k);
         find_planes(all->part ? &all->part[k] : mesh, all->part ? &parts->item[k] : NULL, spacing,
                     angle, &all->path[k]);
         all->widest = fmax(all->widest, all->path[k].widest);

@@ -9,9 +9,9 @@
 
 #include "base/error.h"
 #include "meshing/grid.h"
-#include "meshing/gridmesh.h"
+#include "meshing/grid_mesh.h"
 #include "mesh/mesh.h"
-#include "meshing/rowmesh.h"
+#include "meshing/adaptive_rows.h"
 
 enum cloudmesh_normals { NORMALS_QUADRIC, NORMALS_FACET };
 
@@ -31,12 +31,12 @@ struct cloudmesh_wish {
 
 /* What came of it. */
 struct cloudmesh {
-    struct gridmesh_count count;
+    struct grid_mesh_count count;
     struct grid grid;
-    struct rowmesh rows;   /* with an error: of the worst part; how far points are in space */
-    size_t creases, walls; /* edges that cross one */
-    size_t crests;         /* edges that got points on a rib or in a groove */
-    struct vec3s edge;     /* where: of no use to the caller of cloudmesh_make, and empty there */
+    struct adaptive_rows rows; /* with an error: of the worst part; how far points are in space */
+    size_t creases, walls;     /* edges that cross one */
+    size_t crests;             /* edges that got points on a rib or in a groove */
+    struct vec3s edge; /* where: of no use to the caller of cloudmesh_make, and empty there */
 };
 
 /* Mean spacing of the points, mm; 0 where they cover no area. */

@@ -6,7 +6,7 @@
 #include "base/cli.h"
 #include "cloudmesh_base.h"
 #include "cloud/segment.h"
-#include "meshing/submesh.h"
+#include "meshing/mesh_join.h"
 #include "cloud/wall_points.h"
 
 static double spacing_of_cloud(double mean)
@@ -91,12 +91,12 @@ static int add_part(const struct cloudmesh_wish *wish, struct segment *part, dou
                     int threads, struct mesh *mesh, struct cloudmesh *made, struct error *error)
 {
     struct mesh own = {.origin.ledger = NAN};
-    struct rowmesh worst = made->rows;
+    struct adaptive_rows worst = made->rows;
     for (size_t k = 0; k < part->point.n; k++)
         part->point.item[k] = segment_in(part, part->point.item[k]);
     int status = one_mesh(wish, &part->point, noise, threads, &own, made, error);
     if (status == 0 && own.face.n > 0)
-        submesh_add(mesh, &own, part);
+        mesh_join_add(mesh, &own, part);
     if (worst.worst > made->rows.worst)
         made->rows = worst;
     mesh_free(&own);

@@ -12,7 +12,7 @@
 #include "base/num.h"
 #include "meshing/reposition.h"
 #include "cloud/scan_normals.h"
-#include "meshing/scansmooth.h"
+#include "meshing/smooth_nodes.h"
 
 double cloudmesh_three_spacings(double mean)
 {
@@ -60,7 +60,7 @@ int cloudmesh_by_grid(const struct cloudmesh_wish *wish, const struct cloud_part
          holes_find(point, points->n, gap, wish->paper ? gap / 2 : rim, &holes, error) < 0))
         return -1;
     size_t *chosen = choose(wish, parts, &made->grid, points);
-    made->count = gridmesh_make(&made->grid, chosen, point, whole ? NULL : &holes, mesh);
+    made->count = grid_mesh_make(&made->grid, chosen, point, whole ? NULL : &holes, mesh);
     free(chosen);
     holes_free(&holes);
     if (mesh->face.n == 0 && !wish->subdivide)
@@ -101,7 +101,8 @@ static double normals_of_points(const struct cloudmesh_wish *wish,
 static double move_vertices(const struct cloudmesh_wish *wish, const struct point_grid *point_grid,
                             double noise, int threads, struct mesh *mesh)
 {
-    struct scansmooth r = scansmooth(mesh, point_grid, noise, (size_t)wish->neighbours, threads);
+    struct smooth_nodes r =
+        smooth_nodes(mesh, point_grid, noise, (size_t)wish->neighbours, threads);
     if (wish->silent)
         return 3 * r.error;
     say_thin(r.thin, mesh);

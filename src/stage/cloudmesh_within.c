@@ -4,7 +4,7 @@
 
 #include "cloudmesh_base.h"
 #include "mesh/mesh_coverage.h"
-#include "meshing/meshinsert.h"
+#include "meshing/greedy_insert.h"
 #include "mesh/mesh_distance.h"
 #include "cloud/wall_points.h"
 
@@ -15,9 +15,9 @@ struct source {
     struct vec3s *surface, *scan;
     struct cloud_parts surface_parts, scan_parts;
     double noise;
-    struct mesh_origin origin;   /* as it is before a mesh is made */
-    const struct edgezone *zone; /* NULL: not known yet */
-    struct vec3s judged;         /* what the last mesh was judged by */
+    struct mesh_origin origin;       /* as it is before a mesh is made */
+    const struct feature_zone *zone; /* NULL: not known yet */
+    struct vec3s judged;             /* what the last mesh was judged by */
 };
 
 /* Noisy points moved onto the surface that they stand for, all or, of very many, those of a grid
@@ -67,8 +67,8 @@ static int make_rows(const struct cloudmesh_wish *wish, const struct source *s, 
         return -1;
     }
     double apart = wish->spacing > 0 ? slant * wish->spacing : widest * mean;
-    struct rowmesh_wish rows = {wish->error, mean, apart, s->zone, out};
-    made->rows = rowmesh_make(&point_grid, &f, &holes, &rows, mesh);
+    struct adaptive_rows_options rows = {wish->error, mean, apart, s->zone, out};
+    made->rows = adaptive_rows_make(&point_grid, &f, &holes, &rows, mesh);
     point_grid_free(&point_grid);
     holes_free(&holes);
     if (mesh->face.n == 0 && !wish->subdivide)
@@ -85,7 +85,8 @@ static double allowance(const struct source *s, struct vec3 at)
 {
     const double sigmas = 3.5;
 
-    return s->noise > 0 && s->zone && edgezone_near(s->zone, at.x, at.y) ? sigmas * s->noise : 0;
+    return s->noise > 0 && s->zone && feature_zone_near(s->zone, at.x, at.y) ? sigmas * s->noise
+                                                                             : 0;
 }
 
 /* Points that rows do not come near enough to become vertices between them.  Half a thousandth of
@@ -98,13 +99,13 @@ static void insert_points(const struct cloudmesh_wish *wish, const struct source
 
     for (size_t i = 0; i < points->n; i++)
         within[i] = 0.9995 * wish->error + allowance(s, points->item[i]);
-    meshinsert(mesh, points->item, within, points->n, threads);
+    greedy_insert(mesh, points->item, within, points->n, threads);
     free(within);
 }
 
 /* How far the points over and under the mesh are from it as it is in the end, in space. */
 static void measure(const struct mesh *mesh, const struct source *s, int threads,
-                    struct rowmesh *rows)
+                    struct adaptive_rows *rows)
 {
     const struct vec3s *points = &s->judged;
     double *distance = mem_alloc(points->n, sizeof *distance), sum2 = 0;
@@ -131,12 +132,12 @@ static struct vec3s mixed_surface(const struct source *s)
 
     for (size_t i = 0; i < s->surface->n; i++) {
         struct vec3 p = s->surface->item[i];
-        if (!edgezone_near(s->zone, p.x, p.y))
+        if (!feature_zone_near(s->zone, p.x, p.y))
             *array_push(&mixed) = p;
     }
     for (size_t i = 0; i < s->scan->n; i++) {
         struct vec3 p = s->scan->item[i];
-        if (edgezone_near(s->zone, p.x, p.y))
+        if (feature_zone_near(s->zone, p.x, p.y))
             *array_push(&mixed) = p;
     }
     return mixed;
@@ -223,10 +224,11 @@ static int mesh_by_zone(const struct cloudmesh_wish *asked, struct source *s, in
     wish.spacing = asked->spacing > 0 ? fmin(asked->spacing, fine) : fine;
     int status = cloudmesh_on_grid(&wish, s->scan, s->noise, threads, &grid, &grid_made, error);
     if (status == 0 && grid_made.edge.n > 0) {
-        struct edgezone zone = edgezone_make(grid_made.edge.item, grid_made.edge.n, wish.spacing);
+        struct feature_zone zone =
+            feature_zone_make(grid_made.edge.item, grid_made.edge.n, wish.spacing);
         s->zone = &zone;
         status = mesh_in_zone(asked, s, grid_made.walls > 0, threads, mesh, made, error);
-        edgezone_free(&zone);
+        feature_zone_free(&zone);
         s->zone = NULL;
     }
     cloudmesh_drop(&grid, &grid_made);

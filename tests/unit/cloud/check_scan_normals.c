@@ -5,7 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "meshing/gridmesh.h"
+#include "meshing/grid_mesh.h"
 #include "panel.h"
 #include "meshing/reposition.h"
 #include "cloud/scan_normals.h"
@@ -208,7 +208,7 @@ static void mesh_panel(void)
     struct grid g;
     ck_assert_int_eq(grid_make(&f, scan.n, 4, &g, &error), 0);
     size_t *chosen = reposition(&g, scan.item, scan.n, REACH_NEAREST);
-    gridmesh_make(&g, chosen, scan.item, NULL, &mesh);
+    grid_mesh_make(&g, chosen, scan.item, NULL, &mesh);
     free(chosen);
 }
 

@@ -5,7 +5,7 @@
 
 #include "feature/featuremesh.h"
 #include "cloud/plan_extent.h"
-#include "meshing/gridmesh.h"
+#include "meshing/grid_mesh.h"
 #include "meshing/reposition.h"
 #include "rough.h"
 #include "cloud/scan_normals.h"
@@ -21,7 +21,7 @@ static struct mesh mesh_of(struct vec3s *p, double t, size_t *flat)
     *flat = wall_points_part(p->item, p->n, t / 3, 1);
     ck_assert_int_eq(grid_make(&f, p->n, t, &grid, &error), 0);
     size_t *chosen = reposition(&grid, p->item, *flat, REACH_NEAREST);
-    gridmesh_make(&grid, chosen, p->item, NULL, &m);
+    grid_mesh_make(&grid, chosen, p->item, NULL, &m);
     ck_assert_int_eq(point_grid_make(p->item, *flat, t / 3, 1, &point_grid, &error), 0);
     scan_normals_quadric(&m, &point_grid, 40, 1);
     point_grid_free(&point_grid);

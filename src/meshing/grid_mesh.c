@@ -1,5 +1,5 @@
-/* gridmesh - see gridmesh.h. */
-#include "meshing/gridmesh.h"
+/* grid_mesh - see grid_mesh.h. */
+#include "meshing/grid_mesh.h"
 
 #include <stdlib.h>
 
@@ -7,7 +7,7 @@
 
 /* Adds a facet of three nodes when it is one; the corners are node numbers for now. */
 static void add_facet(const size_t *chosen, const struct vec3 *point, const struct holes *holes,
-                      const size_t node[3], struct mesh *mesh, struct gridmesh_count *count)
+                      const size_t node[3], struct mesh *mesh, struct grid_mesh_count *count)
 {
     const double nothing = 1e-12; /* against the squares of the edges */
     struct vec3 p[3];
@@ -36,7 +36,7 @@ static void add_facet(const size_t *chosen, const struct vec3 *point, const stru
 
 static void add_row(const struct grid *grid, const size_t *chosen, const struct vec3 *point,
                     const struct holes *holes, size_t row, struct mesh *mesh,
-                    struct gridmesh_count *count)
+                    struct grid_mesh_count *count)
 {
     size_t columns = (size_t)grid->columns;
     size_t low = row * columns, high = low + columns;
@@ -52,7 +52,7 @@ static void add_row(const struct grid *grid, const size_t *chosen, const struct 
 
 /* The vertices, and their numbers in place of the nodes' in the facets. */
 static void number_vertices(const struct grid *grid, const size_t *chosen, const struct vec3 *point,
-                            bool alone_too, struct mesh *mesh, struct gridmesh_count *count)
+                            bool alone_too, struct mesh *mesh, struct grid_mesh_count *count)
 {
     size_t nodes = grid_nodes(grid);
     unsigned char *used = mem_alloc(nodes, 1);
@@ -78,11 +78,11 @@ static void number_vertices(const struct grid *grid, const size_t *chosen, const
     free(used);
 }
 
-struct gridmesh_count gridmesh_make(const struct grid *grid, const size_t *chosen,
-                                    const struct vec3 *point, const struct holes *holes,
-                                    struct mesh *mesh)
+struct grid_mesh_count grid_mesh_make(const struct grid *grid, const size_t *chosen,
+                                      const struct vec3 *point, const struct holes *holes,
+                                      struct mesh *mesh)
 {
-    struct gridmesh_count count = {0, 0, 0, 0};
+    struct grid_mesh_count count = {0, 0, 0, 0};
     for (size_t row = 0; row + 1 < (size_t)grid->rows; row++)
         add_row(grid, chosen, point, holes, row, mesh, &count);
     number_vertices(grid, chosen, point, holes == NULL, mesh, &count);

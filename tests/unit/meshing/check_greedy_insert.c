@@ -1,9 +1,9 @@
-/* meshinsert, with facet_split: a coarse mesh of rows is brought within an error of points that are
- * anywhere between, judged by the distance to all facets; its rows and its cover stay. */
+/* greedy_insert, with facet_split: a coarse mesh of rows is brought within an error of points that
+ * are anywhere between, judged by the distance to all facets; its rows and its cover stay. */
 #include <check.h>
 #include <stdlib.h>
 
-#include "meshing/meshinsert.h"
+#include "meshing/greedy_insert.h"
 #include "mesh/mesh_distance.h"
 #include "mesh/facet_split.h"
 #include "rough.h"
@@ -79,7 +79,7 @@ static void check(struct vec3s *p, double (*height)(double, double), double erro
     double *within = mem_alloc(p->n, sizeof *within), *off = mem_alloc(p->n, sizeof *off);
     for (size_t i = 0; i < p->n; i++)
         within[i] = error;
-    size_t more = meshinsert(&m, p->item, within, p->n, 2);
+    size_t more = greedy_insert(&m, p->item, within, p->n, 2);
     ck_assert_uint_eq(m.vertex.n, old + more);
     ck_assert_uint_le(more, most);
     ck_assert_double_eq_tol(area(&m), before, 1e-9);
@@ -137,9 +137,9 @@ START_TEST(single_points)
     struct vec3 over = vec_along(m.vertex.item[40], 1, vec(0, 0, 1));
     double within = 0.1;
     over.x += 0.05; /* steep */
-    ck_assert_uint_eq(meshinsert(&m, &over, &within, 1, 1), 0);
+    ck_assert_uint_eq(greedy_insert(&m, &over, &within, 1, 1), 0);
     within = 2;
-    ck_assert_uint_eq(meshinsert(&m, &over, &within, 1, 1), 0);
+    ck_assert_uint_eq(greedy_insert(&m, &over, &within, 1, 1), 0);
     mesh_free(&m);
 }
 END_TEST

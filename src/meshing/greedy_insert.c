@@ -1,5 +1,5 @@
-/* meshinsert - see meshinsert.h. */
-#include "meshing/meshinsert.h"
+/* greedy_insert - see greedy_insert.h. */
+#include "meshing/greedy_insert.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -135,8 +135,8 @@ static void find_normals(struct facet_split *w)
     }
 }
 
-size_t meshinsert(struct mesh *mesh, const struct vec3 *point, const double *within, size_t n,
-                  int threads)
+size_t greedy_insert(struct mesh *mesh, const struct vec3 *point, const double *within, size_t n,
+                     int threads)
 {
     struct facet_split w = {
         .mesh = mesh, .old = (int)mesh->vertex.n, .point = point, .within = within};

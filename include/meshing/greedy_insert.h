@@ -1,8 +1,8 @@
 /*
- * meshinsert - points put into a mesh as vertices between its rows where it is off them.
+ * greedy_insert - points put into a mesh as vertices between its rows where it is off them.
  */
-#ifndef CLOUDMILL_MESHINSERT_H
-#define CLOUDMILL_MESHINSERT_H
+#ifndef CLOUDMILL_GREEDY_INSERT_H
+#define CLOUDMILL_GREEDY_INSERT_H
 
 #include "mesh/mesh.h"
 
@@ -15,7 +15,7 @@
  * the largest hollow curvature of the corners about it.  Returns how many vertices there are more.
  * The mesh must have rows and normals.
  */
-size_t meshinsert(struct mesh *mesh, const struct vec3 *point, const double *within, size_t n,
-                  int threads);
+size_t greedy_insert(struct mesh *mesh, const struct vec3 *point, const double *within, size_t n,
+                     int threads);
 
 #endif

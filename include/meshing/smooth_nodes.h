@@ -1,17 +1,17 @@
 /*
- * scansmooth - the vertices of a mesh moved from noisy points of the scan onto the surface that the
- * scan stands for, with its normals and curvatures.
+ * smooth_nodes - the vertices of a mesh moved from noisy points of the scan onto the surface that
+ * the scan stands for, with its normals and curvatures.
  *
  * A vertex goes to its foot on the surface that surface_fit.h has there; along ribs and grooves too
  * on meshes of fewer than 71,000 vertices.
  */
-#ifndef CLOUDMILL_SCANSMOOTH_H
-#define CLOUDMILL_SCANSMOOTH_H
+#ifndef CLOUDMILL_SMOOTH_NODES_H
+#define CLOUDMILL_SMOOTH_NODES_H
 
 #include "math/point_grid.h"
 #include "mesh/mesh.h"
 
-struct scansmooth {
+struct smooth_nodes {
     size_t moved;    /* vertices on a quadric now */
     size_t kept;     /* where no quadric explains the points (an edge): not moved */
     size_t thin;     /* too few points for a quadric: not moved, the facets' normal */
@@ -26,7 +26,7 @@ struct scansmooth {
  * with; 0: chosen, by a sample of the vertices and then for each.  The mesh gets
  * normals and kmax.  The result does not depend on the number of threads.
  */
-struct scansmooth scansmooth(struct mesh *mesh, const struct point_grid *point_grid, double sigma,
-                             size_t neighbours, int threads);
+struct smooth_nodes smooth_nodes(struct mesh *mesh, const struct point_grid *point_grid,
+                                 double sigma, size_t neighbours, int threads);
 
 #endif

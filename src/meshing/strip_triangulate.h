@@ -1,13 +1,13 @@
 /*
- * rowzip - the strip between two rows of a mesh as triangles.
+ * strip_triangulate - the strip between two rows of a mesh as triangles.
  */
-#ifndef CLOUDMILL_ROWZIP_H
-#define CLOUDMILL_ROWZIP_H
+#ifndef CLOUDMILL_STRIP_TRIANGULATE_H
+#define CLOUDMILL_STRIP_TRIANGULATE_H
 
 #include "math/point_grid.h"
 #include "cloud/plan_extent.h"
 #include "mesh/mesh.h"
-#include "rowcurve.h"
+#include "row_simplify.h"
 
 /*
  * Appends the triangles between a row and the one above it: their corners are the numbers of the
@@ -17,8 +17,8 @@
  * that an edge of the part that runs across the rows is followed.  Where they are off by much less
  * than `error` the short ones count.
  */
-void rowzip(const struct point_grid *point_grid, const struct plan_extent *plan_extent,
-            double error, const struct rowcurve *lower, const struct rowcurve *upper,
-            struct faces *faces);
+void strip_triangulate(const struct point_grid *point_grid, const struct plan_extent *plan_extent,
+                       double error, const struct row_simplify *lower,
+                       const struct row_simplify *upper, struct faces *faces);
 
 #endif

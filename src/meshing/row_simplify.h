@@ -1,27 +1,27 @@
 /*
- * rowcurve - a row of a mesh: points of the cloud along a straight line seen from above, and those
- * of them that it takes to follow the rest within a tolerance.
+ * row_simplify - a row of a mesh: points of the cloud along a straight line seen from above, and
+ * those of them that it takes to follow the rest within a tolerance.
  */
-#ifndef CLOUDMILL_ROWCURVE_H
-#define CLOUDMILL_ROWCURVE_H
+#ifndef CLOUDMILL_ROW_SIMPLIFY_H
+#define CLOUDMILL_ROW_SIMPLIFY_H
 
 #include <stdbool.h>
 
 #include "base/array.h"
 #include "math/point_grid.h"
-#include "meshing/edgezone.h"
+#include "meshing/feature_zone.h"
 #include "cloud/plan_extent.h"
 
-struct rowcurve {
+struct row_simplify {
     double v;          /* the line's place across the rows, in the grid's axes, mm */
     double longest;    /* as it was made */
     struct vec3s node; /* those taken, in the grid's axes, by rising x ... */
     struct ints col;   /* ... and the cells of the line that they stand for */
 };
 
-struct rowcurve_rule {
+struct row_simplify_options {
     double width, reach, gap, tolerance; /* mm, see below */
-    const struct edgezone *zone;         /* NULL: no creases and walls are known */
+    const struct feature_zone *zone;     /* NULL: no creases and walls are known */
 };
 
 /*
@@ -33,9 +33,9 @@ struct rowcurve_rule {
  * space, and these are about as long as `longest` at most.  None is taken on a crease or wall, but
  * where one runs along the row; near them the lines are no longer than the zone says.
  */
-struct rowcurve rowcurve_make(const struct point_grid *point_grid,
-                              const struct plan_extent *plan_extent, double v,
-                              const struct rowcurve_rule *rule, double longest);
-void rowcurve_free(struct rowcurve *row);
+struct row_simplify row_simplify_make(const struct point_grid *point_grid,
+                                      const struct plan_extent *plan_extent, double v,
+                                      const struct row_simplify_options *rule, double longest);
+void row_simplify_free(struct row_simplify *row);
 
 #endif

@@ -1,24 +1,24 @@
-/* edgezone: near places along a line and off them, whatever their height. */
+/* feature_zone: near places along a line and off them, whatever their height. */
 #include <check.h>
 #include <stdlib.h>
 
-#include "meshing/edgezone.h"
+#include "meshing/feature_zone.h"
 
 START_TEST(line)
 {
     struct vec3 place[21];
     for (int i = 0; i < 21; i++)
         place[i] = vec(3, i, 40 * i);
-    struct edgezone zone = edgezone_make(place, 21, 2);
+    struct feature_zone zone = feature_zone_make(place, 21, 2);
     for (int i = 0; i < 21; i++) {
-        ck_assert(edgezone_clear(&zone, 3.59, i));
-        ck_assert(!edgezone_clear(&zone, 2.39, i));
-        ck_assert(edgezone_near(&zone, 0.01, i));
-        ck_assert(!edgezone_near(&zone, 6.2, i));
-        ck_assert(edgezone_clear(&zone, 3.2, i + 0.5 * (i < 20)));
+        ck_assert(feature_zone_clear(&zone, 3.59, i));
+        ck_assert(!feature_zone_clear(&zone, 2.39, i));
+        ck_assert(feature_zone_near(&zone, 0.01, i));
+        ck_assert(!feature_zone_near(&zone, 6.2, i));
+        ck_assert(feature_zone_clear(&zone, 3.2, i + 0.5 * (i < 20)));
     }
-    ck_assert(!edgezone_near(&zone, 3, -3.01));
-    edgezone_free(&zone);
+    ck_assert(!feature_zone_near(&zone, 3, -3.01));
+    feature_zone_free(&zone);
 }
 END_TEST
 

@@ -1,5 +1,5 @@
-/* scansmooth - see scansmooth.h. */
-#include "meshing/scansmooth.h"
+/* smooth_nodes - see smooth_nodes.h. */
+#include "meshing/smooth_nodes.h"
 
 #include <stdlib.h>
 
@@ -44,9 +44,9 @@ static void smooth_vertices(void *context, size_t from, size_t to)
     surface_fit_hood_free(hood);
 }
 
-static struct scansmooth sum_up(const struct job *job)
+static struct smooth_nodes sum_up(const struct job *job)
 {
-    struct scansmooth s = {.typical = job->rule.neighbours};
+    struct smooth_nodes s = {.typical = job->rule.neighbours};
     double sum = 0;
     for (size_t i = 0; i < job->mesh->vertex.n; i++) {
         s.thin += job->distance[i] < 0;
@@ -64,8 +64,8 @@ static struct scansmooth sum_up(const struct job *job)
     return s;
 }
 
-struct scansmooth scansmooth(struct mesh *mesh, const struct point_grid *point_grid, double sigma,
-                             size_t neighbours, int threads)
+struct smooth_nodes smooth_nodes(struct mesh *mesh, const struct point_grid *point_grid,
+                                 double sigma, size_t neighbours, int threads)
 {
     size_t n = mesh->vertex.n;
     struct job job = {.mesh = mesh, .rule = {point_grid, sigma, neighbours, n < RIBS}};
@@ -78,7 +78,7 @@ struct scansmooth scansmooth(struct mesh *mesh, const struct point_grid *point_g
     job.variance = mem_alloc(n, sizeof *job.variance);
     job.distance = mem_alloc(n, sizeof *job.distance);
     parallel_for(threads, n, smooth_vertices, &job);
-    struct scansmooth result = sum_up(&job);
+    struct smooth_nodes result = sum_up(&job);
     free(job.variance);
     free(job.distance);
     return result;

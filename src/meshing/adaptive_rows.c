@@ -1,18 +1,18 @@
-/* rowmesh - see rowmesh.h. */
-#include "meshing/rowmesh.h"
+/* adaptive_rows - see adaptive_rows.h. */
+#include "meshing/adaptive_rows.h"
 
 #include <stdbool.h>
 #include <stdlib.h>
 
-#include "rowcurve.h"
-#include "rowzip.h"
+#include "row_simplify.h"
+#include "strip_triangulate.h"
 
 /* Part of the error that the rows may be off along themselves; the rest is for between them. */
 static const double ALONG = 0.4;
 
 /* What is measured of one strip. */
 struct strip {
-    struct faces face; /* as rowzip numbers them */
+    struct faces face; /* as strip_triangulate numbers them */
     double worst, sum2;
     struct vec3 at;
     size_t points, out, bridges;
@@ -31,10 +31,10 @@ struct work {
     const struct plan_extent *plan_extent;
     const struct holes *holes;
     double error, spacing, out;
-    struct rowcurve_rule rule;
+    struct row_simplify_options rule;
     struct {
         size_t n, cap;
-        struct rowcurve *item;
+        struct row_simplify *item;
     } row;
     struct {
         size_t n, cap;
@@ -82,9 +82,9 @@ static struct vec3 turn_back(const struct plan_extent *f, struct vec3 p)
     return vec(f->cosine * p.x - f->sine * p.y, f->sine * p.x + f->cosine * p.y, p.z);
 }
 
-static struct rowcurve row_at(const struct work *w, double v, double longest)
+static struct row_simplify row_at(const struct work *w, double v, double longest)
 {
-    return rowcurve_make(w->point_grid, w->plan_extent, v, &w->rule, longest);
+    return row_simplify_make(w->point_grid, w->plan_extent, v, &w->rule, longest);
 }
 
 static double cross_above(struct vec3 a, struct vec3 b, struct vec3 p)
@@ -111,7 +111,7 @@ static void measure_face(struct work *w, struct strip *s, struct vec3 a, struct 
                 continue;
             double off = fabs(vec_dot(normal, vec_sub(p, a)));
             w->covered[i] = 1;
-            if (w->rule.zone && edgezone_near(w->rule.zone, p.x, p.y))
+            if (w->rule.zone && feature_zone_near(w->rule.zone, p.x, p.y))
                 continue;
             s->points++;
             s->out += off > w->error;
@@ -124,14 +124,14 @@ static void measure_face(struct work *w, struct strip *s, struct vec3 a, struct 
 }
 
 /* Along the rows, of a vertex of the strip between two. */
-static double along(const struct rowcurve *low, const struct rowcurve *high, size_t v)
+static double along(const struct row_simplify *low, const struct row_simplify *high, size_t v)
 {
     return v < low->node.n ? low->node.item[v].x : high->node.item[v - low->node.n].x;
 }
 
 /* Does a facet of a strip hang on the end of one row by a corner, beyond where that row goes? */
-static bool hangs(const struct work *w, const struct face *face, const struct rowcurve *low,
-                  const struct rowcurve *high)
+static bool hangs(const struct work *w, const struct face *face, const struct row_simplify *low,
+                  const struct row_simplify *high)
 {
     size_t n = low->node.n, m = high->node.n;
 
@@ -151,12 +151,12 @@ static void make_strip(struct work *w, size_t index)
 {
     const double nothing = 1e-12;
     struct strip *s = &w->strip.item[index];
-    const struct rowcurve *low = &w->row.item[index], *high = &w->row.item[index + 1];
+    const struct row_simplify *low = &w->row.item[index], *high = &w->row.item[index + 1];
     size_t first = first_across(w, low->v), end = first_across(w, high->v);
     struct faces all = {0};
     for (size_t i = first; i < end; i++)
         w->covered[w->across[i].point] = 0;
-    rowzip(w->point_grid, w->plan_extent, w->error, low, high, &all);
+    strip_triangulate(w->point_grid, w->plan_extent, w->error, low, high, &all);
     for (size_t f = 0; f < all.n; f++) {
         struct vec3 p[3];
         for (int i = 0; i < 3; i++) {
@@ -183,7 +183,7 @@ static void make_strip(struct work *w, size_t index)
 static void halve(struct work *w, size_t index)
 {
     double low = w->row.item[index].v, high = w->row.item[index + 1].v;
-    struct rowcurve row = row_at(w, (low + high) / 2, w->row.item[index].longest);
+    struct row_simplify row = row_at(w, (low + high) / 2, w->row.item[index].longest);
     array_push(&w->row);
     for (size_t i = w->row.n - 1; i > index + 1; i--)
         w->row.item[i] = w->row.item[i - 1];
@@ -200,7 +200,7 @@ static void first_rows(struct work *w, double widest)
     double height = w->plan_extent->ymax - w->plan_extent->ymin;
     size_t n = (size_t)fmax(ceil(height / widest), 2);
     for (size_t i = 0; i <= n; i++) {
-        struct rowcurve row =
+        struct row_simplify row =
             row_at(w, w->plan_extent->ymin + height * (double)i / (double)n, INFINITY);
         *array_push(&w->row) = row;
         if (i > 0)
@@ -211,11 +211,11 @@ static void first_rows(struct work *w, double widest)
 /* Makes a row's pieces no longer than that; the strips beside it are to be made again. */
 static void shorten(struct work *w, size_t index, double longest)
 {
-    struct rowcurve *row = &w->row.item[index];
+    struct row_simplify *row = &w->row.item[index];
     double v = row->v;
     if (row->longest <= longest)
         return;
-    rowcurve_free(row);
+    row_simplify_free(row);
     *row = row_at(w, v, longest);
     for (size_t i = index > 0 ? index - 1 : 0; i <= index && i < w->strip.n; i++) {
         array_free(&w->strip.item[i].face);
@@ -226,7 +226,7 @@ static void shorten(struct work *w, size_t index, double longest)
 /* Is the strip wider than edges across a crease or wall may be, and is one in it? */
 static bool is_too_wide(const struct work *w, size_t index)
 {
-    const struct edgezone *zone = w->rule.zone;
+    const struct feature_zone *zone = w->rule.zone;
     double low = w->row.item[index].v, high = w->row.item[index + 1].v;
 
     for (size_t i = 0; zone && high - low > zone->fine && i < zone->place.n; i++) {
@@ -279,9 +279,9 @@ static void add_vertices(const struct work *w, struct mesh *mesh)
         }
 }
 
-static struct rowmesh sum_up(const struct work *w, struct mesh *mesh)
+static struct adaptive_rows sum_up(const struct work *w, struct mesh *mesh)
 {
-    struct rowmesh result = {.rows = w->row.n};
+    struct adaptive_rows result = {.rows = w->row.n};
     size_t first = 0, points = 0;
     double sum2 = 0;
     add_vertices(w, mesh);
@@ -311,9 +311,10 @@ static struct rowmesh sum_up(const struct work *w, struct mesh *mesh)
     return result;
 }
 
-struct rowmesh rowmesh_make(const struct point_grid *point_grid,
-                            const struct plan_extent *plan_extent, const struct holes *holes,
-                            const struct rowmesh_wish *wish, struct mesh *mesh)
+struct adaptive_rows adaptive_rows_make(const struct point_grid *point_grid,
+                                        const struct plan_extent *plan_extent,
+                                        const struct holes *holes,
+                                        const struct adaptive_rows_options *wish, struct mesh *mesh)
 {
     const double gaps = 6, reaches = 1.2;
     struct work w = {.point_grid = point_grid,
@@ -328,9 +329,9 @@ struct rowmesh rowmesh_make(const struct point_grid *point_grid,
     sort_across(&w);
     first_rows(&w, wish->widest);
     refine(&w);
-    struct rowmesh result = sum_up(&w, mesh);
+    struct adaptive_rows result = sum_up(&w, mesh);
     for (size_t i = 0; i < w.row.n; i++)
-        rowcurve_free(&w.row.item[i]);
+        row_simplify_free(&w.row.item[i]);
     for (size_t i = 0; i < w.strip.n; i++)
         array_free(&w.strip.item[i].face);
     array_free(&w.row);

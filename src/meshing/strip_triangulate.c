@@ -1,5 +1,5 @@
-/* rowzip - see rowzip.h. */
-#include "rowzip.h"
+/* strip_triangulate - see strip_triangulate.h. */
+#include "strip_triangulate.h"
 
 #include <stdlib.h>
 
@@ -70,9 +70,9 @@ static void find_costs(struct zip *z)
         }
 }
 
-void rowzip(const struct point_grid *point_grid, const struct plan_extent *plan_extent,
-            double error, const struct rowcurve *lower, const struct rowcurve *upper,
-            struct faces *faces)
+void strip_triangulate(const struct point_grid *point_grid, const struct plan_extent *plan_extent,
+                       double error, const struct row_simplify *lower,
+                       const struct row_simplify *upper, struct faces *faces)
 {
     struct zip z = {
         point_grid,    plan_extent, error, lower->node.item, upper->node.item, lower->node.n,

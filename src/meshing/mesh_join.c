@@ -1,5 +1,5 @@
-/* submesh - see submesh.h. */
-#include "meshing/submesh.h"
+/* mesh_join - see mesh_join.h. */
+#include "meshing/mesh_join.h"
 
 static int rows_of(const struct mesh *mesh)
 {
@@ -10,7 +10,7 @@ static int rows_of(const struct mesh *mesh)
     return last + 1;
 }
 
-void submesh_add(struct mesh *to, const struct mesh *mesh, const struct segment *part)
+void mesh_join_add(struct mesh *to, const struct mesh *mesh, const struct segment *part)
 {
     int row = rows_of(to), first = (int)to->vertex.n;
 
@@ -42,7 +42,7 @@ static int first_of(const struct mesh *mesh, size_t k)
     return v;
 }
 
-struct mesh submesh_of(const struct mesh *mesh, size_t k)
+struct mesh mesh_join_of(const struct mesh *mesh, size_t k)
 {
     struct mesh part = {.origin.ledger = NAN};
     int first = first_of(mesh, k), end = first_of(mesh, k + 1);

@@ -1,5 +1,5 @@
-/* rowcurve - see rowcurve.h. */
-#include "rowcurve.h"
+/* row_simplify - see row_simplify.h. */
+#include "row_simplify.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -74,7 +74,7 @@ static bool surface_at(const struct point_grid *b, const struct plan_extent *f, 
 }
 
 /* Leaves out the places on creases and walls between others, where these run across. */
-static void stay_clear(const struct plan_extent *f, const struct edgezone *zone,
+static void stay_clear(const struct plan_extent *f, const struct feature_zone *zone,
                        struct candidates *c)
 {
     const double across = 2; /* so far at most, in lengths of the zone's edges */
@@ -82,10 +82,10 @@ static void stay_clear(const struct plan_extent *f, const struct edgezone *zone,
 
     for (size_t i = 0, to; i < c->point.n; i = to) {
         struct vec3 at = turn_back(f, c->point.item[i].x, c->point.item[i].y);
-        bool clear = edgezone_clear(zone, at.x, at.y);
+        bool clear = feature_zone_clear(zone, at.x, at.y);
         for (to = i + 1; clear && to < c->point.n; to++) {
             at = turn_back(f, c->point.item[to].x, c->point.item[to].y);
-            if (!edgezone_clear(zone, at.x, at.y))
+            if (!feature_zone_clear(zone, at.x, at.y))
                 break;
         }
         double length = to < c->point.n ? c->point.item[to].x - c->point.item[i].x : HUGE_VAL;
@@ -99,17 +99,17 @@ static void stay_clear(const struct plan_extent *f, const struct edgezone *zone,
     c->point.n = c->col.n = kept;
 }
 
-static void mark_near(const struct plan_extent *f, const struct edgezone *zone,
+static void mark_near(const struct plan_extent *f, const struct feature_zone *zone,
                       struct candidates *c)
 {
     for (size_t i = 0; i < c->point.n; i++) {
         struct vec3 at = turn_back(f, c->point.item[i].x, c->point.item[i].y);
-        c->near[i] = edgezone_near(zone, at.x, at.y);
+        c->near[i] = feature_zone_near(zone, at.x, at.y);
     }
 }
 
 static struct candidates find_candidates(const struct point_grid *b, const struct plan_extent *f,
-                                         double v, const struct rowcurve_rule *rule)
+                                         double v, const struct row_simplify_options *rule)
 {
     struct candidates c = {0};
     int cells = (int)fmax(ceil((f->xmax - f->xmin) / rule->width - 1e-9), 1);
@@ -138,7 +138,7 @@ static double off_line(struct vec3 a, struct vec3 b, struct vec3 p)
 }
 
 /* How long a piece may be: no longer than the zone's edges where it is near them. */
-static double most_between(const struct candidates *c, const struct rowcurve_rule *rule,
+static double most_between(const struct candidates *c, const struct row_simplify_options *rule,
                            size_t from, size_t to, double longest)
 {
     for (size_t i = from; rule->zone && i <= to; i++)
@@ -149,7 +149,7 @@ static double most_between(const struct candidates *c, const struct rowcurve_rul
 
 /* Takes what it needs between two that are taken; where they are farther apart than `longest`, the
  * one in the middle at least. */
-static void take_between(struct candidates *c, const struct rowcurve_rule *rule, size_t from,
+static void take_between(struct candidates *c, const struct row_simplify_options *rule, size_t from,
                          size_t to, double longest)
 {
     const struct vec3 *p = c->point.item;
@@ -171,11 +171,11 @@ static void take_between(struct candidates *c, const struct rowcurve_rule *rule,
     take_between(c, rule, at, to, longest);
 }
 
-struct rowcurve rowcurve_make(const struct point_grid *point_grid,
-                              const struct plan_extent *plan_extent, double v,
-                              const struct rowcurve_rule *rule, double longest)
+struct row_simplify row_simplify_make(const struct point_grid *point_grid,
+                                      const struct plan_extent *plan_extent, double v,
+                                      const struct row_simplify_options *rule, double longest)
 {
-    struct rowcurve row = {.v = v, .longest = longest};
+    struct row_simplify row = {.v = v, .longest = longest};
     struct candidates c = find_candidates(point_grid, plan_extent, v, rule);
     for (size_t from = 0, to; from < c.point.n; from = to + 1) {
         to = from;
@@ -196,7 +196,7 @@ struct rowcurve rowcurve_make(const struct point_grid *point_grid,
     return row;
 }
 
-void rowcurve_free(struct rowcurve *row)
+void row_simplify_free(struct row_simplify *row)
 {
     array_free(&row->node);
     array_free(&row->col);

@@ -4,7 +4,7 @@
 #include <stdlib.h>
 
 #include "toolpath/rows.h"
-#include "meshing/submesh.h"
+#include "meshing/mesh_join.h"
 
 /* A flat patch of 3 rows of 4 columns in its own axes, with one vertex between the rows. */
 static struct mesh patch(void)
@@ -27,8 +27,8 @@ START_TEST(two_parts)
     struct mesh one = patch(), to = {.origin.spacing = 1};
     struct segment top = {.along = {1, 0, 0}, .across = {0, 1, 0}, .up = {0, 0, 1}};
     struct segment flank = {.along = {0, 1, 0}, .across = {0, 0, 1}, .up = {1, 0, 0}};
-    submesh_add(&to, &one, &top);
-    submesh_add(&to, &one, &flank);
+    mesh_join_add(&to, &one, &top);
+    mesh_join_add(&to, &one, &flank);
     ck_assert_uint_eq(to.vertex.n, 24);
     ck_assert_uint_eq(to.origin.part.n, 2);
     ck_assert_int_eq(to.origin.part.item[1].row, 3);
@@ -39,7 +39,7 @@ START_TEST(two_parts)
     ck_assert_double_gt(mesh_face_cross(&to, to.face.n - 1).x, 0);
 
     for (size_t k = 0; k < 2; k++) { /* and apart again */
-        struct mesh part = submesh_of(&to, k);
+        struct mesh part = mesh_join_of(&to, k);
         ck_assert_uint_eq(part.vertex.n, 12);
         ck_assert_uint_eq(part.face.n, one.face.n);
         for (size_t v = 0; v < 12; v++)

@@ -1,13 +1,13 @@
-/* edgezone - see edgezone.h. */
-#include "meshing/edgezone.h"
+/* feature_zone - see feature_zone.h. */
+#include "meshing/feature_zone.h"
 
 #include <stdlib.h>
 
 static const double CLEAR = 0.3, NEAR = 1.5;
 
-struct edgezone edgezone_make(const struct vec3 *place, size_t n, double fine)
+struct feature_zone feature_zone_make(const struct vec3 *place, size_t n, double fine)
 {
-    struct edgezone zone = {.fine = fine};
+    struct feature_zone zone = {.fine = fine};
 
     for (size_t i = 0; i < n; i++)
         *array_push(&zone.place) = vec(place[i].x, place[i].y, 0);
@@ -15,13 +15,13 @@ struct edgezone edgezone_make(const struct vec3 *place, size_t n, double fine)
     return zone;
 }
 
-void edgezone_free(struct edgezone *zone)
+void feature_zone_free(struct feature_zone *zone)
 {
     kdtree_free(zone->tree);
     array_free(&zone->place);
 }
 
-static bool within(const struct edgezone *zone, double x, double y, double reach)
+static bool within(const struct feature_zone *zone, double x, double y, double reach)
 {
     size_t nearest;
     double distance2;
@@ -30,12 +30,12 @@ static bool within(const struct edgezone *zone, double x, double y, double reach
            distance2 < reach * reach;
 }
 
-bool edgezone_clear(const struct edgezone *zone, double x, double y)
+bool feature_zone_clear(const struct feature_zone *zone, double x, double y)
 {
     return within(zone, x, y, CLEAR * zone->fine);
 }
 
-bool edgezone_near(const struct edgezone *zone, double x, double y)
+bool feature_zone_near(const struct feature_zone *zone, double x, double y)
 {
     return within(zone, x, y, NEAR * zone->fine);
 }

@@ -1,8 +1,8 @@
-/* gridmesh: a cloud that stands on its nodes gives the paper's rows of triangles. */
+/* grid_mesh: a cloud that stands on its nodes gives the paper's rows of triangles. */
 #include <check.h>
 #include <stdlib.h>
 
-#include "meshing/gridmesh.h"
+#include "meshing/grid_mesh.h"
 #include "meshing/reposition.h"
 
 static struct vec3s cloud;
@@ -29,10 +29,10 @@ static void free_all(void)
     mesh_free(&mesh);
 }
 
-static struct gridmesh_count make_mesh(const struct holes *holes)
+static struct grid_mesh_count make_mesh(const struct holes *holes)
 {
     size_t *chosen = reposition(&grid, cloud.item, cloud.n, REACH_NEAREST);
-    struct gridmesh_count count = gridmesh_make(&grid, chosen, cloud.item, holes, &mesh);
+    struct grid_mesh_count count = grid_mesh_make(&grid, chosen, cloud.item, holes, &mesh);
     free(chosen);
     return count;
 }
@@ -45,7 +45,7 @@ static bool points_up(const struct face *f)
 
 START_TEST(rows_of_triangles)
 {
-    struct gridmesh_count count = make_mesh(NULL);
+    struct grid_mesh_count count = make_mesh(NULL);
     ck_assert_uint_eq(mesh.vertex.n, 30);
     ck_assert_uint_eq(mesh.row.n, 30);
     ck_assert_uint_eq(mesh.col.n, 30);
@@ -91,7 +91,7 @@ START_TEST(hole)
     struct holes h;
     struct error error;
     ck_assert_int_eq(holes_find(cloud.item, cloud.n, 1.5, 0.75, &h, &error), 0);
-    struct gridmesh_count count = make_mesh(&h); /* discs of 2.3 fit between the points */
+    struct grid_mesh_count count = make_mesh(&h); /* discs of 2.3 fit between the points */
     ck_assert_uint_eq(mesh.face.n, 0);
     ck_assert_uint_eq(count.bridges, 40);
     ck_assert_uint_eq(count.alone, 30);
@@ -108,7 +108,7 @@ START_TEST(point_of_two_nodes)
     struct error error;
     ck_assert_int_eq(grid_make(&f, 5, 1.3, &grid, &error), 0);
     size_t *chosen = reposition(&grid, few, 5, REACH_CIRCLE);
-    struct gridmesh_count count = gridmesh_make(&grid, chosen, few, NULL, &mesh);
+    struct grid_mesh_count count = grid_mesh_make(&grid, chosen, few, NULL, &mesh);
     free(chosen);
     ck_assert_uint_gt(mesh.vertex.n, 5);
     ck_assert_uint_gt(count.no_area, 0);

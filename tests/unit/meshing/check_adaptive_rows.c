@@ -1,12 +1,13 @@
-/* rowmesh, with rowcurve and rowzip: how far a mesh is off surfaces that are known. */
+/* adaptive_rows, with row_simplify and strip_triangulate: how far a mesh is off surfaces that are
+ * known. */
 #include <check.h>
 #include <stdbool.h>
 #include <stdlib.h>
 
 #include "noisy.h"
 #include "panel.h"
-#include "meshing/rowmesh.h"
-#include "meshing/rowzip.h"
+#include "meshing/adaptive_rows.h"
+#include "meshing/strip_triangulate.h"
 
 static struct vec3s scan;
 static struct point_grid point_grid;
@@ -88,8 +89,9 @@ START_TEST(panel)
     size_t before = 0;
     make_scan(panel_height, 17000, (enum noisy_pattern)_i);
     for (int k = 0; k < 3; k++) {
-        struct rowmesh r = rowmesh_make(&point_grid, &plan_extent, &holes,
-                                        &(struct rowmesh_wish){error[k], 0.48, 12, NULL, 0}, &mesh);
+        struct adaptive_rows r =
+            adaptive_rows_make(&point_grid, &plan_extent, &holes,
+                               &(struct adaptive_rows_options){error[k], 0.48, 12, NULL, 0}, &mesh);
         ck_assert_double_le(r.worst, error[k]);
         ck_assert_double_lt(r.rms, error[k] / 2);
         ck_assert_double_lt(worst_off(panel_height), 1.25 * error[k]);
@@ -110,8 +112,9 @@ START_TEST(rows_are_rows)
     noisy_seed(31);
     noisy_scan(&scan, panel_height, 17000, NOISY_RANDOM, 0);
     sort(0.48, 30);
-    struct rowmesh r = rowmesh_make(&point_grid, &plan_extent, &holes,
-                                    &(struct rowmesh_wish){0.05, 0.48, 12, NULL, 0}, &mesh);
+    struct adaptive_rows r =
+        adaptive_rows_make(&point_grid, &plan_extent, &holes,
+                           &(struct adaptive_rows_options){0.05, 0.48, 12, NULL, 0}, &mesh);
     ck_assert_double_le(r.worst, 0.05);
     ck_assert_uint_eq(mesh.row.n, mesh.vertex.n);
     for (size_t i = 1; i < mesh.vertex.n; i++) {
@@ -130,8 +133,9 @@ END_TEST
 START_TEST(plane_takes_few)
 {
     make_scan(tilted, 17000, NOISY_RANDOM);
-    struct rowmesh r = rowmesh_make(&point_grid, &plan_extent, &holes,
-                                    &(struct rowmesh_wish){0.01, 0.48, 12, NULL, 0}, &mesh);
+    struct adaptive_rows r =
+        adaptive_rows_make(&point_grid, &plan_extent, &holes,
+                           &(struct adaptive_rows_options){0.01, 0.48, 12, NULL, 0}, &mesh);
     ck_assert_double_lt(r.worst, 1e-6);
     ck_assert_uint_le(mesh.vertex.n, 40);
     ck_assert_double_gt(area(), 0.98 * 74 * 54);
@@ -142,8 +146,8 @@ END_TEST
 START_TEST(rib)
 {
     make_scan(ridge, 100000, (enum noisy_pattern)_i);
-    rowmesh_make(&point_grid, &plan_extent, &holes, &(struct rowmesh_wish){0.05, 0.2, 4.8, NULL, 0},
-                 &mesh);
+    adaptive_rows_make(&point_grid, &plan_extent, &holes,
+                       &(struct adaptive_rows_options){0.05, 0.2, 4.8, NULL, 0}, &mesh);
     int rows = mesh.row.item[mesh.row.n - 1] + 1;
     double *kept = mem_alloc((size_t)rows, sizeof *kept);
     for (size_t i = 0; i < mesh.vertex.n; i++) {
@@ -185,8 +189,9 @@ START_TEST(hole)
             *array_push(&scan) = vec(x, y, tilted(x, y));
     }
     sort(0.48, 0);
-    struct rowmesh r = rowmesh_make(&point_grid, &plan_extent, &holes,
-                                    &(struct rowmesh_wish){0.05, 0.48, 12, NULL, 0}, &mesh);
+    struct adaptive_rows r =
+        adaptive_rows_make(&point_grid, &plan_extent, &holes,
+                           &(struct adaptive_rows_options){0.05, 0.48, 12, NULL, 0}, &mesh);
     ck_assert_double_lt(r.worst, 1e-6);
     for (size_t f = 0; f < mesh.face.n; f++) {
         const int *v = mesh.face.item[f].v;
@@ -203,8 +208,9 @@ END_TEST
 START_TEST(out_of_reach)
 {
     make_scan(ridge, 4000, NOISY_RANDOM);
-    struct rowmesh r = rowmesh_make(&point_grid, &plan_extent, &holes,
-                                    &(struct rowmesh_wish){0.01, 1, 12, NULL, 0}, &mesh);
+    struct adaptive_rows r =
+        adaptive_rows_make(&point_grid, &plan_extent, &holes,
+                           &(struct adaptive_rows_options){0.01, 1, 12, NULL, 0}, &mesh);
     ck_assert_double_gt(r.worst, 0.01);
     double s = r.at.x * cos(RADIANS(25)) + r.at.y * sin(RADIANS(25)) - 3;
     ck_assert_double_lt(fabs(s), 3);
