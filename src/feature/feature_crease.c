@@ -5,7 +5,7 @@
 
 #include "base/array.h"
 #include "feature.h"
-#include "featuresharp.h"
+#include "feature_test.h"
 #include "math/side_fit.h"
 
 enum { MOST = FEATURE_MOST, TURNS = 20, ROUNDS = 4, FEWEST = 8, HALVINGS = 40 };
@@ -245,7 +245,7 @@ struct feature feature_crease(const struct feature_cloud *cloud, struct vec3 a, 
             continue;
         struct feature f = told(&p, at, a, b);
         if (turns(&f) && better_than_one(&p, cloud) &&
-            featuresharp(cloud, p.sheet, p.w, at, f.along))
+            feature_test_sharp(cloud, p.sheet, p.w, at, f.along))
             return f;
     }
     return none;

@@ -5,8 +5,8 @@
 #include <string.h>
 
 #include "base/cli.h"
-#include "feature/crestmesh.h"
-#include "feature/featuremesh.h"
+#include "feature/crest_mesh.h"
+#include "feature/feature_mesh.h"
 #include "cloud/holes.h"
 #include "mesh/mesh_distance.h"
 #include "base/num.h"
@@ -140,15 +140,15 @@ void cloudmesh_edges(const struct cloudmesh_wish *wish, const struct cloud_parts
 {
     if (!wish->smooth) {
         size_t first = mesh->vertex.n;
-        struct featuremesh found =
-            featuremesh_keep(mesh, points->item, points->n, parts->flat, parts->mean,
-                             fmax(noise, mesh->origin.noise), threads);
+        struct feature_mesh found =
+            feature_mesh_keep(mesh, points->item, points->n, parts->flat, parts->mean,
+                              fmax(noise, mesh->origin.noise), threads);
         made->creases = found.creases;
         made->walls = found.walls;
         array_free(&made->edge);
         made->edge = found.place;
-        struct crests crests = crestmesh_keep(mesh, first, points->item, parts->flat, parts->mean,
-                                              fmax(noise, mesh->origin.noise), threads);
+        struct crests crests = crest_mesh_keep(mesh, first, points->item, parts->flat, parts->mean,
+                                               fmax(noise, mesh->origin.noise), threads);
         made->crests = crests.found;
         if (found.too_many > 0 && !wish->silent)
             say("%zu edges of the mesh lie where the scan is rough: too many to look for creases "
@@ -173,8 +173,8 @@ bool cloudmesh_has_walls(const struct cloudmesh_wish *wish, const struct cloud_p
     if (!(grid.spacing > 0))
         grid.spacing = cloudmesh_three_spacings(parts->mean);
     bool found = cloudmesh_by_grid(&grid, parts, points, &mesh, &made, &error) == 0 &&
-                 featuremesh_walls(&mesh, points->item, points->n, parts->flat, parts->mean, noise,
-                                   threads) > 0;
+                 feature_mesh_walls(&mesh, points->item, points->n, parts->flat, parts->mean, noise,
+                                    threads) > 0;
     mesh_free(&mesh);
     return found;
 }

@@ -1,5 +1,5 @@
-/* featurejudge - see featurejudge.h. */
-#include "featurejudge.h"
+/* feature_accept - see feature_accept.h. */
+#include "feature_accept.h"
 
 #include <stdlib.h>
 
@@ -87,9 +87,9 @@ static void measure(const struct mesh *without, const struct mesh *with, const s
     free(after);
 }
 
-void featurejudge(const struct mesh *without, const struct mesh *with, const struct vec3 *point,
-                  size_t points, double reach, double noise, int threads, struct feature *feature,
-                  size_t n)
+void feature_accept(const struct mesh *without, const struct mesh *with, const struct vec3 *point,
+                    size_t points, double reach, double noise, int threads, struct feature *feature,
+                    size_t n)
 {
     struct sizes which = {0}, owner = {0}, about = {0};
     struct vec3s place = places_of(feature, n, &which);

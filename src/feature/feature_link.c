@@ -1,5 +1,5 @@
-/* featuregap - see featuregap.h. */
-#include "featuregap.h"
+/* feature_link - see feature_link.h. */
+#include "feature_link.h"
 
 #include <stdbool.h>
 #include <stdlib.h>
@@ -119,8 +119,8 @@ static bool follow(const struct mesh *mesh, const struct mesh_edges *edges,
     return true;
 }
 
-void featuregap_close(const struct mesh *mesh, const struct mesh_edges *edges,
-                      struct feature *feature)
+void feature_link_close(const struct mesh *mesh, const struct mesh_edges *edges,
+                        struct feature *feature)
 {
     for (size_t f = 0; f < mesh->face.n; f++) {
         int crossed = 0, edge = -1;
@@ -137,7 +137,7 @@ void featuregap_close(const struct mesh *mesh, const struct mesh_edges *edges,
     }
 }
 
-size_t featuregap_longest(const struct mesh_edges *edges, const struct feature *feature)
+size_t feature_link_longest(const struct mesh_edges *edges, const struct feature *feature)
 {
     unsigned char *seen = mem_alloc(edges->n, 1);
     struct ints open = {0};

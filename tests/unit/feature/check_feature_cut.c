@@ -1,9 +1,9 @@
-/* edgesplit: area, places and normals of facets that creases and walls cross, on one to three
+/* feature_cut: area, places and normals of facets that creases and walls cross, on one to three
  * sides. */
 #include <check.h>
 #include <stdlib.h>
 
-#include "feature/edgesplit.h"
+#include "feature/feature_cut.h"
 
 /* One triangle in the plane z = 0, its corners in one row and the next. */
 static struct mesh triangle(void)
@@ -53,7 +53,7 @@ START_TEST(creases)
                 f[e] = half_way(&m, &edges.edge[e], FEATURE_CREASE);
             crossed += sides >> e & 1;
         }
-        edgesplit(&m, &edges, f);
+        feature_cut(&m, &edges, f);
         ck_assert_uint_eq(m.vertex.n, 3 + 2 * crossed);
         ck_assert_uint_eq(m.row.n, m.vertex.n);
         ck_assert_double_eq_tol(area(&m), 8, 1e-12);
@@ -76,7 +76,7 @@ START_TEST(wall)
     for (size_t e = 0; e < 3; e++)
         if (edges.edge[e].v[0] == 0) /* 0-1 along the row, 0-2 */
             f[e] = half_way(&m, &edges.edge[e], FEATURE_WALL);
-    edgesplit(&m, &edges, f);
+    feature_cut(&m, &edges, f);
     double upright = 0;
     for (size_t k = 0; k < m.face.n; k++)
         if (fabs(vec_unit(mesh_face_cross(&m, k)).z) < 1e-9)
@@ -98,8 +98,8 @@ END_TEST
 
 int main(void)
 {
-    Suite *suite = suite_create("edgesplit");
-    TCase *tests = tcase_create("edgesplit");
+    Suite *suite = suite_create("feature_cut");
+    TCase *tests = tcase_create("feature_cut");
     SRunner *runner = srunner_create(suite);
     tcase_add_test(tests, creases);
     tcase_add_test(tests, wall);

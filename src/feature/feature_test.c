@@ -1,5 +1,5 @@
-/* featuresharp - see featuresharp.h. */
-#include "featuresharp.h"
+/* feature_test - see feature_test.h. */
+#include "feature_test.h"
 
 #include "math/neighbourhood_along.h"
 #include "math/ridge_direction.h"
@@ -72,8 +72,8 @@ static bool is_rib(const struct pair *p, const struct feature_cloud *cloud, cons
     return gapes(p, cloud, found, third);
 }
 
-bool featuresharp(const struct feature_cloud *cloud, const struct side_fit sheet[2], struct vec3 up,
-                  struct vec3 at, struct vec3 along)
+bool feature_test_sharp(const struct feature_cloud *cloud, const struct side_fit sheet[2],
+                        struct vec3 up, struct vec3 at, struct vec3 along)
 {
     struct pair p = {sheet, up};
     size_t index[RIDGE_DIRECTION_LONGER * STRIP];

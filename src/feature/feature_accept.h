@@ -1,8 +1,8 @@
 /*
- * featurejudge - which features bring a mesh closer to its scan.
+ * feature_accept - which features bring a mesh closer to its scan.
  */
-#ifndef CLOUDMILL_FEATUREJUDGE_H
-#define CLOUDMILL_FEATUREJUDGE_H
+#ifndef CLOUDMILL_FEATURE_ACCEPT_H
+#define CLOUDMILL_FEATURE_ACCEPT_H
 
 #include "feature.h"
 #include "mesh/mesh.h"
@@ -13,8 +13,8 @@
  * of its place, and of those of other features within four times that, must be less, or no more by
  * a tenth of what `noise` (one standard deviation, mm) makes of it.
  */
-void featurejudge(const struct mesh *without, const struct mesh *with, const struct vec3 *point,
-                  size_t points, double reach, double noise, int threads, struct feature *feature,
-                  size_t n);
+void feature_accept(const struct mesh *without, const struct mesh *with, const struct vec3 *point,
+                    size_t points, double reach, double noise, int threads, struct feature *feature,
+                    size_t n);
 
 #endif

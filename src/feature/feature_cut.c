@@ -1,9 +1,9 @@
-/* edgesplit - see edgesplit.h. */
-#include "edgesplit.h"
+/* feature_cut - see feature_cut.h. */
+#include "feature_cut.h"
 
 #include <stdlib.h>
 
-#include "edgecorner.h"
+#include "feature_corner.h"
 
 /* The vertices put into an edge, as the side of a facet goes along it: first and last are on the
  * sheets of the side's ends, the inner ones on the wall. */
@@ -100,15 +100,15 @@ static void split_one(struct splitting *s, const int v[3], const struct chain *c
     add_facet(s, c->v[c->n - 1], b, far);
 }
 
-static struct edgecorner_plane plane_at(const struct splitting *s, int v)
+static struct feature_corner_plane plane_at(const struct splitting *s, int v)
 {
-    return (struct edgecorner_plane){s->mesh->vertex.item[v], s->mesh->normal.item[v]};
+    return (struct feature_corner_plane){s->mesh->vertex.item[v], s->mesh->normal.item[v]};
 }
 
 /* The sheet that two vertices are on. */
-static struct edgecorner_plane sheet_at(const struct splitting *s, int v, int w)
+static struct feature_corner_plane sheet_at(const struct splitting *s, int v, int w)
 {
-    return edgecorner_mean(plane_at(s, v), plane_at(s, w));
+    return feature_corner_mean(plane_at(s, v), plane_at(s, w));
 }
 
 /* A vertex at a corner, with the normal that another one has. */
@@ -165,14 +165,14 @@ static bool walls_meet(struct splitting *s, const struct between *t, const struc
 {
     const struct vec3 *at = s->mesh->vertex.item;
     const struct vec3 corner[3] = {at[t->a], at[t->b], at[t->c]};
-    struct edgecorner_plane plane[3] = {plane_at(s, out->v[1]), plane_at(s, in->v[1]),
-                                        sheet_at(s, t->a_out, t->a_in)};
+    struct feature_corner_plane plane[3] = {plane_at(s, out->v[1]), plane_at(s, in->v[1]),
+                                            sheet_at(s, t->a_out, t->a_in)};
     struct vec3 on_a, on_b;
 
-    if (!edgecorner(plane, corner, &on_a))
+    if (!feature_corner(plane, corner, &on_a))
         return false;
     plane[2] = sheet_at(s, t->b_out, t->c_in);
-    if (!edgecorner(plane, corner, &on_b))
+    if (!feature_corner(plane, corner, &on_b))
         return false;
     struct chain back = {4, {in->v[3], in->v[2], in->v[1], in->v[0]}};
     fan_about(s, t, on_a, on_b);
@@ -189,13 +189,13 @@ static bool creases_meet(struct splitting *s, const struct between *t)
     const struct vec3 corner[3] = {at[t->a], at[t->b], at[t->c]};
     double turn_a = vec_dot(normal[t->a_out], normal[t->a_in]);
     bool one = turn_a > vec_dot(normal[t->b_out], normal[t->c_in]);
-    struct edgecorner_plane plane[3] = {one ? plane_at(s, t->b_out) : plane_at(s, t->a_out),
-                                        one ? plane_at(s, t->c_in) : plane_at(s, t->a_in),
-                                        one ? sheet_at(s, t->a_out, t->a_in)
-                                            : sheet_at(s, t->b_out, t->c_in)};
+    struct feature_corner_plane plane[3] = {one ? plane_at(s, t->b_out) : plane_at(s, t->a_out),
+                                            one ? plane_at(s, t->c_in) : plane_at(s, t->a_in),
+                                            one ? sheet_at(s, t->a_out, t->a_in)
+                                                : sheet_at(s, t->b_out, t->c_in)};
     struct vec3 on;
 
-    if (!edgecorner(plane, corner, &on))
+    if (!feature_corner(plane, corner, &on))
         return false;
     fan_about(s, t, on, on);
     return true;
@@ -225,7 +225,7 @@ static bool sheets_meet(struct splitting *s, const int v[3], const struct chain 
 {
     const struct vec3 *at = s->mesh->vertex.item;
     const struct vec3 corner[3] = {at[v[0]], at[v[1]], at[v[2]]};
-    struct edgecorner_plane plane[3];
+    struct feature_corner_plane plane[3];
     struct vec3 on;
 
     for (int i = 0; i < 3; i++) {
@@ -233,7 +233,7 @@ static bool sheets_meet(struct splitting *s, const int v[3], const struct chain 
             return false;
         plane[i] = sheet_at(s, c[i].v[0], c[(i + 2) % 3].v[1]);
     }
-    if (!edgecorner(plane, corner, &on))
+    if (!feature_corner(plane, corner, &on))
         return false;
     for (int i = 0; i < 3; i++) {
         int last = c[(i + 2) % 3].v[1], second, first = corner_on(s, on, c[i].v[0], last, &second);
@@ -284,7 +284,7 @@ static void split_facet(struct splitting *s, size_t facet)
     }
 }
 
-void edgesplit(struct mesh *mesh, const struct mesh_edges *edges, const struct feature *feature)
+void feature_cut(struct mesh *mesh, const struct mesh_edges *edges, const struct feature *feature)
 {
     struct splitting s = {.mesh = mesh, .edges = edges};
 

@@ -1,14 +1,14 @@
-/* featuremesh - see featuremesh.h; featuremesh_walls.c is the rest of it. */
-#include "feature/featuremesh.h"
+/* feature_mesh - see feature_mesh.h; feature_mesh_walls.c is the rest of it. */
+#include "feature/feature_mesh.h"
 
 #include <stdbool.h>
 #include <stdlib.h>
 #include <string.h>
 
-#include "edgesplit.h"
-#include "featuregap.h"
-#include "featurejudge.h"
-#include "featuresettle.h"
+#include "feature_cut.h"
+#include "feature_link.h"
+#include "feature_accept.h"
+#include "feature_relocate.h"
 #include "base/parallel.h"
 #include "math/quadric.h"
 
@@ -107,14 +107,15 @@ static size_t doubtful_edges(const struct search *s)
     return found;
 }
 
-static struct featuresettle settling(const struct search *s)
+static struct feature_relocate settling(const struct search *s)
 {
-    return (struct featuresettle){s->mesh, s->edges, s->feature, s->cloud.spacing, s->cloud.noise};
+    return (struct feature_relocate){s->mesh, s->edges, s->feature, s->cloud.spacing,
+                                     s->cloud.noise};
 }
 
-static struct featuremesh sum_up(const struct search *s)
+static struct feature_mesh sum_up(const struct search *s)
 {
-    struct featuremesh found = {0};
+    struct feature_mesh found = {0};
 
     for (size_t e = 0; e < s->edges->n; e++) {
         found.creases += s->feature[e].kind == FEATURE_CREASE;
@@ -125,23 +126,23 @@ static struct featuremesh sum_up(const struct search *s)
 
 /* Looks at the edges, and again at those about what was found, for there normals are better known
  * and vertices stand off by then. */
-static struct featuremesh look(struct search *s, int threads)
+static struct feature_mesh look(struct search *s, int threads)
 {
-    struct featuremesh found = {0};
+    struct feature_mesh found = {0};
 
     for (int i = 0; i < LOOKS; i++) {
         parallel_for(threads, s->edges->n, look_at_edges, s);
-        featuregap_close(s->mesh, s->edges, s->feature);
+        feature_link_close(s->mesh, s->edges, s->feature);
         found = sum_up(s);
         if (found.creases + found.walls == 0)
             break;
-        struct featuresettle settle = settling(s);
+        struct feature_relocate settle = settling(s);
         if (i + 1 < LOOKS) {
-            featuresettle_places(&settle, s->active);
+            feature_relocate_places(&settle, s->active);
             for (size_t v = 0; v < s->mesh->vertex.n; v++)
                 s->rough[v] |= s->active[v];
         }
-        featuresettle_normals(&settle);
+        feature_relocate_normals(&settle);
     }
     return found;
 }
@@ -170,8 +171,8 @@ static void copy_places(const struct mesh *from, struct mesh *to)
 
 /* Cuts the mesh open along those features that bring it closer to the points; `before` is where
  * its vertices were. */
-static struct featuremesh keep_better(struct search *s, const struct mesh *before, size_t n,
-                                      int threads)
+static struct feature_mesh keep_better(struct search *s, const struct mesh *before, size_t n,
+                                       int threads)
 {
     struct mesh *m = s->mesh, trial = {0}, whole = *before;
     double reach = 3 * s->cloud.spacing;
@@ -180,13 +181,13 @@ static struct featuremesh keep_better(struct search *s, const struct mesh *befor
     for (size_t f = 0; f < m->face.n; f++)
         *array_push(&trial.face) = m->face.item[f];
     whole.face = m->face;
-    edgesplit(&trial, s->edges, s->feature);
-    featurejudge(&whole, &trial, s->cloud.point, n, reach, s->cloud.noise, threads, s->feature,
-                 s->edges->n);
+    feature_cut(&trial, s->edges, s->feature);
+    feature_accept(&whole, &trial, s->cloud.point, n, reach, s->cloud.noise, threads, s->feature,
+                   s->edges->n);
     mesh_free(&trial);
-    struct featuresettle settle = settling(s);
-    featuresettle_back(&settle, before);
-    edgesplit(m, s->edges, s->feature);
+    struct feature_relocate settle = settling(s);
+    feature_relocate_back(&settle, before);
+    feature_cut(m, s->edges, s->feature);
     return sum_up(s);
 }
 
@@ -204,8 +205,8 @@ static void add_places(const struct search *s, struct vec3s *place)
     }
 }
 
-struct featuremesh featuremesh_keep(struct mesh *mesh, const struct vec3 *point, size_t n,
-                                    size_t flat, double spacing, double noise, int threads)
+struct feature_mesh feature_mesh_keep(struct mesh *mesh, const struct vec3 *point, size_t n,
+                                      size_t flat, double spacing, double noise, int threads)
 {
     struct mesh_edges edges = mesh_edges_find(mesh);
     struct kdtree *tree = kdtree_new_by(point, flat, threads);
@@ -223,17 +224,17 @@ struct featuremesh featuremesh_keep(struct mesh *mesh, const struct vec3 *point,
     parallel_for(threads, mesh->vertex.n, look_at_vertices, &s);
     memset(s.active, 1, mesh->vertex.n);
     size_t doubtful = doubtful_edges(&s);
-    struct featuremesh found = {0};
+    struct feature_mesh found = {0};
     s.walls_only = doubtful > MOST_DOUBTFUL;
     if (!s.walls_only || walls)
         found = look(&s, threads);
-    struct featuresettle settle = settling(&s);
+    struct feature_relocate settle = settling(&s);
     if (found.creases + found.walls > 0 && noise > NOISY * spacing)
-        featuresettle_feet(&settle);
+        feature_relocate_feet(&settle);
     if (found.creases + found.walls > 0)
         found = keep_better(&s, &before, n, threads);
     else
-        featuresettle_back(&settle, &before);
+        feature_relocate_back(&settle, &before);
     add_places(&s, &found.place);
     found.too_many = s.walls_only ? doubtful : 0;
     array_free(&before.vertex);

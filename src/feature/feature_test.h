@@ -1,8 +1,8 @@
 /*
- * featuresharp - is a crease sharp, or a rounded edge or a narrow rib that was taken for one?
+ * feature_test - is a crease sharp, or a rounded edge or a narrow rib that was taken for one?
  */
-#ifndef CLOUDMILL_FEATURESHARP_H
-#define CLOUDMILL_FEATURESHARP_H
+#ifndef CLOUDMILL_FEATURE_TEST_H
+#define CLOUDMILL_FEATURE_TEST_H
 
 #include <stdbool.h>
 
@@ -16,7 +16,7 @@
  * leaves much less of them, and the sheets more than noise does.  False also where there are too
  * few points.
  */
-bool featuresharp(const struct feature_cloud *cloud, const struct side_fit sheet[2], struct vec3 up,
-                  struct vec3 at, struct vec3 along);
+bool feature_test_sharp(const struct feature_cloud *cloud, const struct side_fit sheet[2],
+                        struct vec3 up, struct vec3 at, struct vec3 along);
 
 #endif

@@ -1,5 +1,5 @@
-/* edgecorner - see edgecorner.h. */
-#include "edgecorner.h"
+/* feature_corner - see feature_corner.h. */
+#include "feature_corner.h"
 
 static const double TURN = 0.14; /* sine of the angle between two planes */
 static const double ROOM = 0.01; /* from the sides of the triangle, of its heights */
@@ -20,19 +20,21 @@ static bool within(const struct vec3 t[3], struct vec3 p)
     return inside;
 }
 
-struct edgecorner_plane edgecorner_mean(struct edgecorner_plane a, struct edgecorner_plane b)
+struct feature_corner_plane feature_corner_mean(struct feature_corner_plane a,
+                                                struct feature_corner_plane b)
 {
-    return (struct edgecorner_plane){vec_mix(a.place, b.place, 0.5),
-                                     vec_unit(vec_add(a.normal, b.normal))};
+    return (struct feature_corner_plane){vec_mix(a.place, b.place, 0.5),
+                                         vec_unit(vec_add(a.normal, b.normal))};
 }
 
-bool edgecorner_of(const struct edgecorner_plane plane[3], struct vec3 from, struct vec3 *corner)
+bool feature_corner_of(const struct feature_corner_plane plane[3], struct vec3 from,
+                       struct vec3 *corner)
 {
     struct vec3 sum = {0, 0, 0};
     double volume = vec_dot(plane[0].normal, vec_cross(plane[1].normal, plane[2].normal));
 
     for (int i = 0; i < 3; i++) {
-        const struct edgecorner_plane *p = &plane[i];
+        const struct feature_corner_plane *p = &plane[i];
         struct vec3 line = vec_cross(plane[(i + 1) % 3].normal, plane[(i + 2) % 3].normal);
         if (!(vec_length(line) > TURN))
             return false;
@@ -44,8 +46,8 @@ bool edgecorner_of(const struct edgecorner_plane plane[3], struct vec3 from, str
     return true;
 }
 
-bool edgecorner(const struct edgecorner_plane plane[3], const struct vec3 triangle[3],
-                struct vec3 *corner)
+bool feature_corner(const struct feature_corner_plane plane[3], const struct vec3 triangle[3],
+                    struct vec3 *corner)
 {
-    return edgecorner_of(plane, triangle[0], corner) && within(triangle, *corner);
+    return feature_corner_of(plane, triangle[0], corner) && within(triangle, *corner);
 }

@@ -4,8 +4,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "feature/featuregap.h"
-#include "feature/featuresettle.h"
+#include "feature/feature_link.h"
+#include "feature/feature_relocate.h"
 
 enum { COLUMNS = 7, ROWS = 12 };
 
@@ -113,16 +113,16 @@ START_TEST(gaps)
             set_up(kind);
             struct feature *was = mem_alloc(edges.n, sizeof *was);
             memcpy(was, feature, edges.n * sizeof *was);
-            size_t all = featuregap_longest(&edges, feature), gone = forget(3, 4);
+            size_t all = feature_link_longest(&edges, feature), gone = forget(3, 4);
             ck_assert_uint_ge(all, 2 * ROWS - 2);
             ck_assert_uint_gt(gone, 1);
-            size_t longest = featuregap_longest(&edges, feature);
+            size_t longest = feature_link_longest(&edges, feature);
             ck_assert_uint_lt(longest, all - gone);
             ck_assert_uint_ge(2 * longest, all - gone);
-            featuregap_close(&m, &edges, feature);
+            feature_link_close(&m, &edges, feature);
             compare(was);
             ck_assert_uint_gt(forget(8.3, 99), 1); /* to the border */
-            featuregap_close(&m, &edges, feature);
+            feature_link_close(&m, &edges, feature);
             compare(was);
             free(was);
             tear_down();
@@ -138,7 +138,7 @@ START_TEST(ends)
     struct feature *was = mem_alloc(edges.n, sizeof *was);
     ck_assert_uint_gt(forget(2, 99), 12);
     memcpy(was, feature, edges.n * sizeof *was);
-    featuregap_close(&m, &edges, feature);
+    feature_link_close(&m, &edges, feature);
     compare(was);
     free(was);
     tear_down();
@@ -150,7 +150,7 @@ START_TEST(settled)
 {
     slope = 0;
     set_up(FEATURE_CREASE);
-    struct featuresettle s = {&m, &edges, feature, 0.4, 0.05};
+    struct feature_relocate s = {&m, &edges, feature, 0.4, 0.05};
     struct mesh before = {.vertex = {m.vertex.n, 0, mem_alloc(m.vertex.n, sizeof(struct vec3))},
                           .normal = {m.normal.n, 0, mem_alloc(m.normal.n, sizeof(struct vec3))}};
     unsigned char *beside = mem_alloc(m.vertex.n, 1);
@@ -158,9 +158,9 @@ START_TEST(settled)
     memcpy(before.normal.item, m.normal.item, m.vertex.n * sizeof(struct vec3));
     for (size_t v = 0; v < m.vertex.n; v += 3)
         m.vertex.item[v].z += 0.04;
-    featuresettle_feet(&s);
-    featuresettle_places(&s, beside);
-    featuresettle_normals(&s);
+    feature_relocate_feet(&s);
+    feature_relocate_places(&s, beside);
+    feature_relocate_normals(&s);
     for (size_t v = 0; v < m.vertex.n; v++) {
         struct vec3 p = m.vertex.item[v];
         if (fabs(off_line(p)) > 0.6)
@@ -172,7 +172,7 @@ START_TEST(settled)
     }
     for (size_t e = 0; e < edges.n; e++)
         feature[e].kind = FEATURE_NONE;
-    featuresettle_back(&s, &before);
+    feature_relocate_back(&s, &before);
     for (size_t v = 0; v < m.vertex.n; v++)
         ck_assert(vec_distance(m.vertex.item[v], before.vertex.item[v]) == 0);
     free(beside);

@@ -1,10 +1,10 @@
-/* featuresettle - see featuresettle.h. */
-#include "featuresettle.h"
+/* feature_relocate - see feature_relocate.h. */
+#include "feature_relocate.h"
 
 #include <stdlib.h>
 #include <string.h>
 
-#include "edgecorner.h"
+#include "feature_corner.h"
 
 static const double CLEAR = 0.25; /* of the edge, between a vertex and the feature */
 
@@ -52,7 +52,7 @@ static void keep_away(struct beside *b, const struct feature *f, int i, const st
 
 /* Do features that run different ways cross the facet?  Where two walls meet at a corner a vertex
  * may well be behind one of them. */
-static bool has_corner(const struct featuresettle *s, int facet)
+static bool has_corner(const struct feature_relocate *s, int facet)
 {
     const double same = 0.94;
     const struct feature *first = NULL;
@@ -69,7 +69,7 @@ static bool has_corner(const struct featuresettle *s, int facet)
 }
 
 /* The vertices of the two facets beside an edge keep away from its feature. */
-static void settle_about(const struct featuresettle *s, size_t e, struct beside *beside)
+static void settle_about(const struct feature_relocate *s, size_t e, struct beside *beside)
 {
     const struct mesh_edge *edge = &s->edges->edge[e];
     const struct feature *f = &s->feature[e];
@@ -92,37 +92,37 @@ static void settle_about(const struct featuresettle *s, size_t e, struct beside 
 }
 
 /* On the side of a vertex of its edge. */
-static struct edgecorner_plane sheet_of(const struct featuresettle *s, size_t e, int v)
+static struct feature_corner_plane sheet_of(const struct feature_relocate *s, size_t e, int v)
 {
     const struct feature *f = &s->feature[e];
     int i = s->edges->edge[e].v[0] == v ? 0 : 1;
 
-    return (struct edgecorner_plane){f->place[i], f->normal[i]};
+    return (struct feature_corner_plane){f->place[i], f->normal[i]};
 }
 
 /* Where the features of the edges from a to b and from c to a meet. */
-static bool find_corner(const struct featuresettle *s, const size_t e[2], int a, int b, int c,
+static bool find_corner(const struct feature_relocate *s, const size_t e[2], int a, int b, int c,
                         struct vec3 *corner)
 {
     const struct feature *f[2] = {&s->feature[e[0]], &s->feature[e[1]]};
-    struct edgecorner_plane on_a[2] = {sheet_of(s, e[0], a), sheet_of(s, e[1], a)};
-    struct edgecorner_plane on_b[2] = {sheet_of(s, e[0], b), sheet_of(s, e[1], c)};
-    struct edgecorner_plane plane[3] = {{on_b[0].place, f[0]->wall},
-                                        {on_b[1].place, f[1]->wall},
-                                        edgecorner_mean(on_b[0], on_b[1])};
+    struct feature_corner_plane on_a[2] = {sheet_of(s, e[0], a), sheet_of(s, e[1], a)};
+    struct feature_corner_plane on_b[2] = {sheet_of(s, e[0], b), sheet_of(s, e[1], c)};
+    struct feature_corner_plane plane[3] = {{on_b[0].place, f[0]->wall},
+                                            {on_b[1].place, f[1]->wall},
+                                            feature_corner_mean(on_b[0], on_b[1])};
 
     if (f[0]->kind == FEATURE_CREASE) {
         double turn_a = vec_dot(on_a[0].normal, on_a[1].normal);
         bool one = turn_a > vec_dot(on_b[0].normal, on_b[1].normal);
         plane[0] = one ? on_b[0] : on_a[0];
         plane[1] = one ? on_b[1] : on_a[1];
-        plane[2] = one ? edgecorner_mean(on_a[0], on_a[1]) : plane[2];
+        plane[2] = one ? feature_corner_mean(on_a[0], on_a[1]) : plane[2];
     }
-    return edgecorner_of(plane, on_b[0].place, corner);
+    return feature_corner_of(plane, on_b[0].place, corner);
 }
 
 /* A corner that juts out of the facet over the side from b to c: these make room for it. */
-static void move_out(const struct featuresettle *s, const size_t e[2], int a, int b, int c,
+static void move_out(const struct feature_relocate *s, const size_t e[2], int a, int b, int c,
                      struct beside *beside)
 {
     const struct vec3 *p = s->mesh->vertex.item;
@@ -147,7 +147,7 @@ static void move_out(const struct featuresettle *s, const size_t e[2], int a, in
 }
 
 /* The same for each facet that two features cross. */
-static void settle_corners(const struct featuresettle *s, struct beside *beside)
+static void settle_corners(const struct feature_relocate *s, struct beside *beside)
 {
     for (size_t f = 0; f < s->mesh->face.n; f++) {
         const int *v = s->mesh->face.item[f].v, *of = s->edges->of[f];
@@ -165,7 +165,7 @@ static void settle_corners(const struct featuresettle *s, struct beside *beside)
 }
 
 /* Which vertices are beside a feature, and where they are to go. */
-static struct beside *find_beside(const struct featuresettle *s)
+static struct beside *find_beside(const struct feature_relocate *s)
 {
     struct beside *beside = mem_alloc(s->mesh->vertex.n, sizeof *beside);
 
@@ -176,7 +176,7 @@ static struct beside *find_beside(const struct featuresettle *s)
     return beside;
 }
 
-void featuresettle_places(const struct featuresettle *s, unsigned char *beside)
+void feature_relocate_places(const struct feature_relocate *s, unsigned char *beside)
 {
     struct mesh *m = s->mesh;
     struct beside *found = find_beside(s);
@@ -188,7 +188,7 @@ void featuresettle_places(const struct featuresettle *s, unsigned char *beside)
     free(found);
 }
 
-void featuresettle_normals(const struct featuresettle *s)
+void feature_relocate_normals(const struct feature_relocate *s)
 {
     struct mesh *m = s->mesh;
     struct vec3 *sum = mem_alloc(m->vertex.n, sizeof *sum);
@@ -205,7 +205,7 @@ void featuresettle_normals(const struct featuresettle *s)
     free(sum);
 }
 
-void featuresettle_feet(const struct featuresettle *s)
+void feature_relocate_feet(const struct feature_relocate *s)
 {
     struct mesh *m = s->mesh;
     struct vec3 *sum = mem_alloc(m->vertex.n, sizeof *sum);
@@ -228,7 +228,7 @@ void featuresettle_feet(const struct featuresettle *s)
     free(count);
 }
 
-void featuresettle_back(const struct featuresettle *s, const struct mesh *before)
+void feature_relocate_back(const struct feature_relocate *s, const struct mesh *before)
 {
     struct mesh *m = s->mesh;
     struct beside *found = find_beside(s);

@@ -1,8 +1,8 @@
-/* featurejudge: of two features the one that brings the mesh closer to the points stays. */
+/* feature_accept: of two features the one that brings the mesh closer to the points stays. */
 #include <check.h>
 #include <stdlib.h>
 
-#include "feature/featurejudge.h"
+#include "feature/feature_accept.h"
 #include "rough.h"
 
 /* A strip of squares along x, its middle row of vertices at this height up to x = 20, at `other`
@@ -38,7 +38,7 @@ START_TEST(the_better_one_stays)
             {.kind = FEATURE_NONE},
             {.kind = FEATURE_CREASE, .place = {{32, 0, 0.3}, {32, 0, 0.3}}},
         };
-        featurejudge(&without, &with, p.item, p.n, 1, noise, 2, f, 3);
+        feature_accept(&without, &with, p.item, p.n, 1, noise, 2, f, 3);
         ck_assert_int_eq(f[0].kind, FEATURE_CREASE);
         ck_assert_int_eq(f[1].kind, FEATURE_NONE);
         ck_assert_int_eq(f[2].kind, FEATURE_NONE);
@@ -51,8 +51,8 @@ END_TEST
 
 int main(void)
 {
-    Suite *suite = suite_create("featurejudge");
-    TCase *tests = tcase_create("featurejudge");
+    Suite *suite = suite_create("feature_accept");
+    TCase *tests = tcase_create("feature_accept");
     SRunner *runner = srunner_create(suite);
     tcase_add_test(tests, the_better_one_stays);
     suite_add_tcase(suite, tests);

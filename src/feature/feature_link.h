@@ -1,8 +1,8 @@
 /*
- * featuregap - gaps in the lines that creases and walls make over a mesh.
+ * feature_link - gaps in the lines that creases and walls make over a mesh.
  */
-#ifndef CLOUDMILL_FEATUREGAP_H
-#define CLOUDMILL_FEATUREGAP_H
+#ifndef CLOUDMILL_FEATURE_LINK_H
+#define CLOUDMILL_FEATURE_LINK_H
 
 #include "feature.h"
 #include "mesh/mesh.h"
@@ -16,10 +16,10 @@
  * FEATURE_NONE.  A crease goes on only over edges whose ends are on its sheets.  Nothing else
  * changes.
  */
-void featuregap_close(const struct mesh *mesh, const struct mesh_edges *edges,
-                      struct feature *feature);
+void feature_link_close(const struct mesh *mesh, const struct mesh_edges *edges,
+                        struct feature *feature);
 
 /* The most edges in one chain: from facet to facet, over edges that something crosses. */
-size_t featuregap_longest(const struct mesh_edges *edges, const struct feature *feature);
+size_t feature_link_longest(const struct mesh_edges *edges, const struct feature *feature);
 
 #endif

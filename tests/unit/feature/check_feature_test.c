@@ -1,9 +1,9 @@
-/* featuresharp: a roof is sharp, with noise and without; a rib is not, though two planes lie along
- * its flanks. */
+/* feature_test_sharp: a roof is sharp, with noise and without; a rib is not, though two planes lie
+ * along its flanks. */
 #include <check.h>
 #include <stdlib.h>
 
-#include "feature/featuresharp.h"
+#include "feature/feature_test.h"
 #include "ribs.h"
 
 /* Planes with this slope to both sides of the y axis, meeting at the height `high`, judged at five
@@ -22,7 +22,7 @@ static int sharp_places(const struct vec3s *p, double noise, double slope, doubl
             struct vec3 normal = vec_unit(vec_along(up, k ? slope : -slope, across));
             sheet[k] = side_fit_through(at, normal, at, up);
         }
-        sharp += featuresharp(&cloud, sheet, up, at, along);
+        sharp += feature_test_sharp(&cloud, sheet, up, at, along);
     }
     kdtree_free(tree);
     return sharp;
@@ -64,8 +64,8 @@ END_TEST
 
 int main(void)
 {
-    Suite *suite = suite_create("featuresharp");
-    TCase *tests = tcase_create("featuresharp");
+    Suite *suite = suite_create("feature_test_sharp");
+    TCase *tests = tcase_create("feature_test_sharp");
     SRunner *runner = srunner_create(suite);
     tcase_add_test(tests, height_pyramid);
     tcase_add_test(tests, ribs);

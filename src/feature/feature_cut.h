@@ -1,8 +1,8 @@
 /*
- * edgesplit - a mesh cut open along creases and walls (paper 1, 7, figs 45 and 46).
+ * feature_cut - a mesh cut open along creases and walls (paper 1, 7, figs 45 and 46).
  */
-#ifndef CLOUDMILL_EDGESPLIT_H
-#define CLOUDMILL_EDGESPLIT_H
+#ifndef CLOUDMILL_FEATURE_CUT_H
+#define CLOUDMILL_FEATURE_CUT_H
 
 #include "feature.h"
 #include "mesh/mesh.h"
@@ -15,10 +15,10 @@
  * wall, and vertical facets between them.  They come in the order from the edge's first vertex to
  * its second; those of an edge along a row get its row and the column of its first vertex, the
  * others row and column -1.  Where two walls, or the creases between three sheets, meet within a
- * facet, that corner gets vertices too (edgecorner.h), after those of all edges.
+ * facet, that corner gets vertices too (feature_corner.h), after those of all edges.
  *
  * feature[edges->n]: FEATURE_NONE leaves the edge as it is.  The mesh must have normals.
  */
-void edgesplit(struct mesh *mesh, const struct mesh_edges *edges, const struct feature *feature);
+void feature_cut(struct mesh *mesh, const struct mesh_edges *edges, const struct feature *feature);
 
 #endif

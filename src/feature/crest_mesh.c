@@ -1,5 +1,5 @@
-/* crestmesh - see crestmesh.h. */
-#include "feature/crestmesh.h"
+/* crest_mesh - see crest_mesh.h. */
+#include "feature/crest_mesh.h"
 
 #include <stdlib.h>
 
@@ -217,8 +217,8 @@ static size_t look_once(struct search *s, size_t fresh, size_t n, struct kdtree 
     return found;
 }
 
-struct crests crestmesh_keep(struct mesh *mesh, size_t first, const struct vec3 *point, size_t n,
-                             double spacing, double noise, int threads)
+struct crests crest_mesh_keep(struct mesh *mesh, size_t first, const struct vec3 *point, size_t n,
+                              double spacing, double noise, int threads)
 {
     const size_t huge = 400000, many = 12000, few = 4000; /* points; edges, of huge clouds */
     struct search s = {.mesh = mesh,

@@ -1,9 +1,9 @@
-/* Is there a wall between two vertices of a mesh; see featuremesh.h. */
+/* Is there a wall between two vertices of a mesh; see feature_mesh.h. */
 #include <stdlib.h>
 
 #include "feature.h"
-#include "featuregap.h"
-#include "feature/featuremesh.h"
+#include "feature_link.h"
+#include "feature/feature_mesh.h"
 #include "base/parallel.h"
 
 /* Edges of a large mesh, and how many in a row are a wall; on a large one four times as many. */
@@ -37,8 +37,8 @@ static size_t count_walls(const struct search *s)
     return walls;
 }
 
-size_t featuremesh_walls(const struct mesh *mesh, const struct vec3 *point, size_t n, size_t flat,
-                         double spacing, double noise, int threads)
+size_t feature_mesh_walls(const struct mesh *mesh, const struct vec3 *point, size_t n, size_t flat,
+                          double spacing, double noise, int threads)
 {
     if (flat >= n || mesh->face.n == 0)
         return 0;
@@ -52,7 +52,7 @@ size_t featuremesh_walls(const struct mesh *mesh, const struct vec3 *point, size
 
     parallel_for(threads, edges.n, look_for_walls, &s);
     size_t chain = edges.n > MANY ? 4 * CHAIN : CHAIN;
-    size_t found = featuregap_longest(&edges, s.feature) >= chain ? count_walls(&s) : 0;
+    size_t found = feature_link_longest(&edges, s.feature) >= chain ? count_walls(&s) : 0;
     free(s.feature);
     kdtree_free(tree);
     kdtree_free(walls);
