@@ -134,7 +134,7 @@ static void read_surfaces(struct mesh *mesh, struct patches *patches, struct pla
         const int *v = mesh->face.item[f].v;
         longest = fmax(longest, vec_distance(mesh->vertex.item[v[0]], mesh->vertex.item[v[1]]));
     }
-    p->on = onsurface_new(patches, fmax(slack, BESIDE * longest));
+    p->on = project_new(patches, fmax(slack, BESIDE * longest));
     p->reach = longest / 2;
     mesh->origin.ledger = NAN; /* points leave the mesh: what it was off is not spent */
 }

@@ -6,7 +6,7 @@
 
 #include "mesh/mesh.h"
 #include "nurbs/patch.h"
-#include "nurbs/trimcut.h"
+#include "nurbs/trim_grid.h"
 
 /* The triangles of one patch.  Where the surface may have a kink (nurbs_axis_breaks) each side has
  * vertices of its own: a vertex belongs to one piece. */

@@ -4,7 +4,7 @@
 #ifndef CLOUDMILL_NURBS_REPORT_H
 #define CLOUDMILL_NURBS_REPORT_H
 
-#include "nurbs/hollow.h"
+#include "nurbs/concave_radius.h"
 #include "nurbs/patch.h"
 #include "nurbs/tessellate.h"
 
@@ -12,10 +12,10 @@
  * and untrimmed; normals along dS/du x dS/dv, at a knot those of the span behind it.  15 digits. */
 void nurbs_report_grid(const char *file, const struct patches *patches, int n);
 
-/* A table `surface,radius,u,v,x,y,z`: where each surface is most tightly hollow (hollow_find_all),
- * and last the largest ball that fits all of them. */
+/* A table `surface,radius,u,v,x,y,z`: where each surface is most tightly hollow
+ * (concave_radius_find_all), and last the largest ball that fits all of them. */
 void nurbs_report_radii(const char *file, const struct patches *patches,
-                        const struct hollow *hollow);
+                        const struct concave_radius *hollow);
 
 /* Says of each surface's sheet what its trimming left unclear; curves in space further than `fine`
  * mm off their surface. */

@@ -5,14 +5,14 @@
 #define CLOUDMILL_PLANEPATH_H
 
 #include "toolpath/brink.h"
-#include "nurbs/onsurface.h"
+#include "nurbs/project.h"
 #include "toolpath/passes.h"
 #include "stage/toolpath.h"
 
 struct planepath {
     struct pass_rule rule; /* to be filled first */
     int threads;           /* as of parallel_for */
-    struct onsurface *on;  /* contact points are put on these surfaces; NULL: stay on the mesh */
+    struct projection *on; /* contact points are put on these surfaces; NULL: stay on the mesh */
     double reach;          /* of a point to its surface, mm */
     struct brink *brink;   /* strips run out to the border of this scan; NULL: to the mesh's */
     bool extended;         /* the mesh goes beyond the scan because it was asked to */

@@ -3,9 +3,9 @@
 
 #include <stdlib.h>
 
-#include "gridlines.h"
+#include "isolines.h"
 #include "base/parallel.h"
-#include "trimloops.h"
+#include "trim_loops.h"
 
 /* Grids that are tried, and of them those that hardly help before it is given up. */
 enum { ROUNDS = 8, IDLE = 2, CELLS_MAX = 4000000 };
@@ -231,12 +231,12 @@ static void lift(const struct nurbs *s, const struct uvmesh *mesh, struct tessel
     free(part);
 }
 
-static void make(const struct patch *patch, const struct uvloops *loops, struct tessellation how,
+static void make(const struct patch *patch, const struct uv_polygon *loops, struct tessellation how,
                  struct doubles *u, struct doubles *v, struct sheet *sheet)
 {
     struct uvmesh mesh;
     bool open = patch->open || loops->n == 0;
-    trimcut(u, v, loops, open, &mesh);
+    trim_grid(u, v, loops, open, &mesh);
     sheet_free(sheet);
     sheet->unclear = mesh.unclear;
     sheet->off = loops->off;
@@ -249,19 +249,19 @@ static void make(const struct patch *patch, const struct uvloops *loops, struct 
 
 void tessellate(const struct patch *patch, struct tessellation how, struct sheet *sheet)
 {
-    struct uvloops loops;
+    struct uv_polygon loops;
     struct doubles u = {0}, v = {0};
     double finer = 1;
     *sheet = (struct sheet){0};
-    trimloops(patch, how.tolerance, &loops);
+    trim_loops(patch, how.tolerance, &loops);
     if (how.n > 0) {
-        gridlines_equal(&patch->surface.u, how.n, &u);
-        gridlines_equal(&patch->surface.v, how.n, &v);
+        isolines_equal(&patch->surface.u, how.n, &u);
+        isolines_equal(&patch->surface.v, how.n, &v);
         make(patch, &loops, how, &u, &v, sheet);
     }
     double last = HUGE_VAL, factor = 1;
     for (int round = 0, idle = 0; how.n == 0 && round < ROUNDS && idle < IDLE; round++) {
-        gridlines_bent(&patch->surface, how.tolerance, finer, &u, &v);
+        isolines_bent(&patch->surface, how.tolerance, finer, &u, &v);
         sheet->too_fine = u.n * v.n > CELLS_MAX;
         if (sheet->too_fine)
             break;
@@ -276,7 +276,7 @@ void tessellate(const struct patch *patch, struct tessellation how, struct sheet
     }
     array_free(&u);
     array_free(&v);
-    uvloops_free(&loops);
+    uv_polygon_free(&loops);
 }
 
 void sheet_free(struct sheet *sheet)

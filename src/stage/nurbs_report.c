@@ -47,7 +47,7 @@ void nurbs_report_grid(const char *file, const struct patches *patches, int n)
 }
 
 void nurbs_report_radii(const char *file, const struct patches *patches,
-                        const struct hollow *hollow)
+                        const struct concave_radius *hollow)
 {
     const struct patch *tightest = NULL;
     double most = 0;

@@ -150,7 +150,7 @@ static void put_some(void *context, size_t from, size_t to)
 
     for (size_t i = from; i < to; i++)
         p->beside[i] =
-            onsurface_put(p->path->on, p->path->rule.normal, p->path->reach, &p->point[i]) < 0;
+            project_put(p->path->on, p->path->rule.normal, p->path->reach, &p->point[i]) < 0;
 }
 
 static void put_on_surfaces(struct planepath *p, struct contacts *points)
@@ -248,6 +248,6 @@ void planepath_free(struct planepath *p)
 {
     meshcut_free(p->cut);
     array_free(&p->height);
-    onsurface_free(p->on);
+    project_free(p->on);
     brink_free(p->brink);
 }
