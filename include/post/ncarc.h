@@ -4,7 +4,7 @@
 #ifndef CLOUDMILL_NCARC_H
 #define CLOUDMILL_NCARC_H
 
-#include "machine/follow.h"
+#include "machine/interpolation.h"
 
 /* What arcs a control can be given. */
 enum nc_arcs {
@@ -33,9 +33,9 @@ struct nc_arc {
  * `radius_error` mm apart.
  */
 bool nc_arc_words(struct nc_arc *arc, enum nc_arcs kind, int digits, double radius_error,
-                  const struct follow *f, const struct station *from, const struct station *to,
-                  const struct motion *motion, double s0, double s1, struct deviation *d,
-                  double *point);
+                  const struct interpolation *f, const struct block_pose *from,
+                  const struct block_pose *to, const struct motion *motion, double s0, double s1,
+                  struct pose_deviation *d, double *point);
 
 /* The most that one block may turn, radians. */
 double nc_arc_most(enum nc_arcs kind);

@@ -22,7 +22,7 @@ enum nc_feeds {
 
 /* What the program may hold, from the control, the machine and the options. */
 struct nc_ability {
-    enum follow_mode mode;
+    enum interpolation_mode mode;
     bool tcp; /* the program switches tool-centre-point control on */
     enum nc_feeds feeds;
     double feed_max;
@@ -82,9 +82,9 @@ struct nc_move {
     unsigned line;   /* of the path, 0: made here */
     unsigned index;  /* ARC, SPLINE, HOLE: element of the plan; TEXT, TOOL: of the path; PASS:
                         its number */
-    unsigned vector; /* element of the plan, in FOLLOW_VECTOR */
+    unsigned vector; /* element of the plan, in INTERPOLATE_VECTOR */
     double feed;     /* as printed, see enum nc_feeds */
-    struct vec3 p;   /* RAPID, LINE, ARC, SPLINE, HOLE: where it ends, see struct station */
+    struct vec3 p;   /* RAPID, LINE, ARC, SPLINE, HOLE: where it ends, see struct block_pose */
     double q[ROTARY_MAX];
 };
 
@@ -94,7 +94,7 @@ struct nc_total {
     size_t turns;      /* retract - turn - return */
     double cut, rapid; /* length, mm */
     double minutes;
-    struct deviation spent; /* the worst of all blocks at feed */
+    struct pose_deviation spent; /* the worst of all blocks at feed */
     bool feed_assumed, approach_made, retract_made;
 };
 
@@ -127,8 +127,8 @@ int nc_plan_make(struct nc_plan *plan, const struct path *path, const struct mac
                  struct nc_ability ability, struct nc_wish wish, struct error *error);
 
 /* What a move says where it ends. */
-struct station nc_plan_station(const struct nc_plan *plan, const struct kinematic_chain *chain,
-                               const struct nc_move *move);
+struct block_pose nc_plan_station(const struct nc_plan *plan, const struct kinematic_chain *chain,
+                                  const struct nc_move *move);
 
 void nc_plan_free(struct nc_plan *plan);
 

@@ -8,7 +8,7 @@
 #define CLOUDMILL_NCPOLY_H
 
 #include "base/array.h"
-#include "machine/follow.h"
+#include "machine/interpolation.h"
 
 enum {
     NC_POLY_DEGREE = 5, /* the highest that POLY knows */
@@ -47,9 +47,9 @@ size_t nc_poly_width(const struct nc_spans *spans, int degree, bool turns, int d
  * parameters, which need not be the curve.  Each span that is beyond `allowed` adds its middle to
  * `more`.
  */
-struct deviation nc_poly_deviation(const struct nc_spans *spans, const struct bspline *b,
-                                   const struct follow *f, struct vec3 start, struct vec3 head,
-                                   const struct motion *motion, struct deviation allowed,
-                                   struct doubles *more);
+struct pose_deviation nc_poly_deviation(const struct nc_spans *spans, const struct bspline *b,
+                                        const struct interpolation *f, struct vec3 start,
+                                        struct vec3 head, const struct motion *motion,
+                                        struct pose_deviation allowed, struct doubles *more);
 
 #endif

@@ -34,9 +34,9 @@ struct nc_spline_digits {
  * nothing then needs freeing.  *d: the deviation of what is printed from the motion.
  */
 bool nc_spline_words(struct nc_spline *spline, enum nc_splines kind, struct nc_spline_digits digits,
-                     const struct follow *f, const struct station *from,
-                     const struct motion *motion, struct deviation allowed, struct station *to,
-                     struct deviation *d);
+                     const struct interpolation *f, const struct block_pose *from,
+                     const struct motion *motion, struct pose_deviation allowed,
+                     struct block_pose *to, struct pose_deviation *d);
 
 void nc_spline_free(struct nc_spline *spline);
 

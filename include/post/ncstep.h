@@ -5,20 +5,20 @@
 #define CLOUDMILL_NCSTEP_H
 
 #include "post/ncplan.h"
-#include "machine/turnbeside.h"
-#include "machine/turnplan.h"
+#include "machine/ik_near.h"
+#include "machine/ik_plan.h"
 
 /* Where the program is. */
 struct nc_state {
-    bool begun;           /* pose and at are known */
-    struct pose pose;     /* as the path means it */
-    struct station at;    /* as the last block says it */
-    struct turned turned; /* of its rotary axes */
-    struct deviation off; /* of `at` from `pose` by its rounding, see nc_reach_beside; NAN: not
+    bool begun;                /* pose and at are known */
+    struct pose pose;          /* as the path means it */
+    struct block_pose at;      /* as the last block says it */
+    struct turned turned;      /* of its rotary axes */
+    struct pose_deviation off; /* of `at` from `pose` by its rounding, see nc_reach_beside; NAN: not
                              known */
-    double feed;          /* mm/min, 0: not given yet */
-    double faster;        /* the tracked point goes faster than that by this factor */
-    bool touches;         /* the contact at `pose` is known */
+    double feed;               /* mm/min, 0: not given yet */
+    double faster;             /* the tracked point goes faster than that by this factor */
+    bool touches;              /* the contact at `pose` is known */
     struct contact contact;
     enum nc_why why; /* of the blocks that are made now */
     size_t pass;
@@ -29,7 +29,7 @@ struct nc_state {
 struct nc_course {
     size_t n; /* of its places, the one where it starts with them; 0:
                  none, the rotary axes go the nearest way */
-    const struct turnplan_place *place;
+    const struct ik_plan_place *place;
     const double *s; /* how far along the motion, but of the first, 0 to 1 */
 };
 
@@ -47,13 +47,13 @@ struct nc_step {
     const struct path *path;
     const struct machine *machine;
     struct nc_plan *plan;
-    struct follow follow;
+    struct interpolation follow;
     struct nc_wish wish;
-    struct deviation allowed; /* of a block, with rounding */
-    double clear;             /* z above which the path goes at rapid, NAN: not known */
+    struct pose_deviation allowed; /* of a block, with rounding */
+    double clear;                  /* z above which the path goes at rapid, NAN: not known */
     struct nc_state state;
     struct nc_course nc_motion; /* for the next motion */
-    struct chain_ways ways;     /* of the machine */
+    struct ik_near_table ways;  /* of the machine */
     double within;              /* nc_surely_within of the machine */
     size_t next;                /* the item of the path that comes next */
     size_t tilted;         /* looked for from there: the next whose tool axis is not singular */

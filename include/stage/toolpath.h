@@ -119,7 +119,7 @@ int toolpath_conclude(const struct toolpath *t);
 void toolpath_stand(struct toolpath *t);
 
 /* Chooses lead and tilt anew, between what they are together and rule.turn, so that rotary axes
- * turn least over the contacts of all strips (rotary.h), and says which.  For toolpath.c. */
+ * turn least over the contacts of all strips (rotary_cost.h), and says which.  For toolpath.c. */
 void toolpath_turn(struct toolpath *t);
 
 /* Lifts a strip and does with its axes what the rule says: play, lean and rate.  Where the holder

@@ -14,7 +14,7 @@ static const double SAME = 1e-7;     /* mm: centres nearer than this are one sta
 static const double CORNER = PI / 3; /* a turn above this in one point is a corner */
 static const double STEEP = 0.7;     /* slope of the centres against the surface: no tangent */
 
-struct station {
+struct block_pose {
     size_t first, last;  /* of its points */
     struct vec3 tangent; /* unit */
     struct vec3 turn;    /* derivative of the axis by the length of the centre's path, 1/mm */
@@ -22,7 +22,7 @@ struct station {
 
 struct stations {
     size_t n, cap;
-    struct station *item;
+    struct block_pose *item;
 };
 
 static struct stations find_stations(const struct run *run)
@@ -31,7 +31,7 @@ static struct stations find_stations(const struct run *run)
     for (size_t i = 0; i < run->n; i++) {
         const struct run_point *p = &run->item[i];
         if (i == 0 || vec_distance(p->ball, run->item[s.item[s.n - 1].first].ball) > SAME)
-            *array_push(&s) = (struct station){.first = i};
+            *array_push(&s) = (struct block_pose){.first = i};
         s.item[s.n - 1].last = i;
     }
     return s;
@@ -158,7 +158,7 @@ static struct vec3 turn_after(const struct run *run, const struct stations *s, s
 static void axis_turns(const struct run *run, struct stations *s)
 {
     for (size_t k = 0; s->n > 1 && k < s->n; k++) {
-        struct station *here = &s->item[k];
+        struct block_pose *here = &s->item[k];
         if (vec_distance(run->item[here->first].axis, run->item[here->last].axis) > 0)
             continue;
         size_t i = k > 0 ? k - 1 : 0, j = k + 1 < s->n ? k : k - 1;
@@ -179,10 +179,10 @@ static double densify_piece(const struct run *piece, double chord, struct run *d
     double worst = 0;
     size_t at = 0; /* station of point i */
     for (size_t i = 0; i + 1 < piece->n; i++) {
-        const struct station *here = &s.item[at];
+        const struct block_pose *here = &s.item[at];
         if (at + 1 < s.n && s.item[at + 1].first == i + 1)
             at++;
-        const struct station *next = &s.item[at];
+        const struct block_pose *next = &s.item[at];
         struct run_curve c = run_curve_between(
             (struct run_curve_end){&piece->item[i], here->tangent, here->turn},
             (struct run_curve_end){&piece->item[i + 1], next->tangent, next->turn});

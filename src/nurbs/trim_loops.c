@@ -72,7 +72,7 @@ static void follow(struct follower *f, double t0, struct uv a, double t1, struct
 
 /* One curve, span by span, from t0 to t1, with its last point; a span that bends is parted first.
  * `start` is its place at t0, where t0 is an end of the range. */
-static void follow_curve(struct follower *f, bool backwards, struct uv start)
+static void interpolation_curve(struct follower *f, bool backwards, struct uv start)
 {
     const struct nurbs_axis *t = &f->curve->t;
     size_t spans = t->poles - (size_t)t->degree;
@@ -129,8 +129,8 @@ static bool is_backwards(const struct patch *patch, const struct patch_loop *loo
 
 /* All curves of a loop, one behind the other, without repeated points: from its first place to its
  * last one, which may be the first again a turn further on. */
-static void follow_loop(const struct patch *patch, const struct patch_loop *loop,
-                        struct follower *f, struct uvs *to)
+static void interpolation_loop(const struct patch *patch, const struct patch_loop *loop,
+                               struct follower *f, struct uvs *to)
 {
     struct uvs all = {0};
     struct vec3 at = {0, 0, 0};
@@ -143,7 +143,8 @@ static void follow_loop(const struct patch *patch, const struct patch_loop *loop
         at = end_of(f->curve, backwards);
         if (k == 0 && loop->space)
             guess = pullback_seek(&f->on, at);
-        follow_curve(f, backwards, uv_at(f, backwards ? f->curve->t.to : f->curve->t.from, guess));
+        interpolation_curve(f, backwards,
+                            uv_at(f, backwards ? f->curve->t.to : f->curve->t.from, guess));
         guess = all.item[all.n - 1];
         at = end_of(f->curve, !backwards);
     }
@@ -159,7 +160,7 @@ void trim_loops(const struct patch *patch, double tolerance, struct uv_polygon *
     struct follower f = {.on = pullback_new(&patch->surface), .tolerance = tolerance};
     for (size_t i = 0; i < patch->loop.n; i++) {
         struct uvs loop = {0};
-        follow_loop(patch, &patch->loop.item[i], &f, &loop);
+        interpolation_loop(patch, &patch->loop.item[i], &f, &loop);
         *array_push(&raw) = loop;
     }
     trim_seam(&f.on, &raw, loops);

@@ -32,7 +32,7 @@ struct nc_ability dialect_ability(const struct dialect *dialect, const struct ma
     bool vectors = axis == NC_AXIS_USUAL ? dialect->vectors : axis == NC_AXIS_VECTORS;
     const struct machine_digits *own = &machine->digits, *usual = &dialect->digits;
     struct nc_ability ability = {
-        .mode = FOLLOW_JOINT,
+        .mode = INTERPOLATE_JOINT,
         .digits = {given(own->linear, usual->linear + finer), given(own->angle, usual->angle),
                    given(own->vector, usual->vector), given(own->knot, usual->knot),
                    given(own->feed, usual->feed + 2 * finer)},
@@ -47,7 +47,7 @@ struct nc_ability dialect_ability(const struct dialect *dialect, const struct ma
     ability.tcp = tcp && !still;
     if (tcp || still) {
         vectors = vectors && ability.tcp;
-        ability.mode = vectors ? FOLLOW_VECTOR : FOLLOW_ROTARY;
+        ability.mode = vectors ? INTERPOLATE_VECTOR : INTERPOLATE_ROTARY;
         ability.doubtful = vectors && dialect->vectors_doubtful;
         if (machine->arcs)
             ability.arcs = vectors ? dialect->arcs_vectors : dialect->arcs;

@@ -52,7 +52,8 @@ static void compensate(struct nc_program *p, const struct nc_move *first)
         nc_end(w);
     } else {
         nc_template(p, p->machine->blocks.tcp_on,
-                    p->plan->ability.mode == FOLLOW_VECTOR ? "G43.5 H{offset}" : "G43.4 H{offset}");
+                    p->plan->ability.mode == INTERPOLATE_VECTOR ? "G43.5 H{offset}"
+                                                                : "G43.4 H{offset}");
         w->motion = NULL;
     }
 }

@@ -121,7 +121,7 @@ static void take(struct nc_program *p)
         nc_template(p, p->machine->blocks.plane_on, "PLANE SPATIAL SPA{a} SPB{b} SPC+0 TURN FMAX");
     if (p->plan->ability.tcp)
         nc_template(p, p->machine->blocks.tcp_on,
-                    p->plan->ability.mode == FOLLOW_VECTOR
+                    p->plan->ability.mode == INTERPOLATE_VECTOR
                         ? "FUNCTION TCPM F TCP AXIS POS PATHCTRL VECTOR"
                         : "FUNCTION TCPM F TCP AXIS POS PATHCTRL AXIS");
     nc_coolant(p);
@@ -140,7 +140,7 @@ static void take(struct nc_program *p)
 static void line(struct nc_program *p, const struct nc_move *move)
 {
     struct nc_writer *w = &p->w;
-    bool vectors = p->plan->ability.mode == FOLLOW_VECTOR;
+    bool vectors = p->plan->ability.mode == INTERPOLATE_VECTOR;
     const char *cutcom = nc_cutcom_word(p, move, cutcom_word);
     if (vectors)
         nc_forget(w, NC_X, NC_K);

@@ -10,7 +10,7 @@ enum { DEPTH = 12, SPAN_PIECES = 8, HALVINGS = 45, PLACES_MAX = 10000000 };
 static void add(struct nc_ahead *ahead, struct pose at, double s, bool may_turn)
 {
     const struct nc_step *step = ahead->step;
-    struct turnplan_place place = {.axis = at.a, .may_turn = may_turn};
+    struct ik_plan_place place = {.axis = at.a, .may_turn = may_turn};
     if (vec_dot(at.p, at.p) >= step->within * step->within) {
         struct chain_solutions found = chain_angles(&step->machine->chain, at.a);
         for (int k = 0; k < found.n && !found.free; k++)
@@ -27,12 +27,12 @@ static double end_between(const struct kinematic_chain *chain, const struct moti
                           const struct chain_solutions *b, int solution)
 {
     double low = s0, high = s1, share;
-    if (!turnstate_end(chain, a, b, solution, &share))
+    if (!ik_branch_end(chain, a, b, solution, &share))
         return s0;
     for (int i = 0; i < HALVINGS; i++) { /* before the end, by less than the last digit */
         double mid = (low + high) / 2;
         struct chain_solutions at = chain_angles(chain, motion_at(motion, mid).a);
-        *(turnstate_end(chain, a, &at, solution, &share) ? &high : &low) = mid;
+        *(ik_branch_end(chain, a, &at, solution, &share) ? &high : &low) = mid;
     }
     return low;
 }
@@ -61,7 +61,7 @@ static void sample(struct nc_ahead *ahead, const struct kinematic_chain *chain,
                    const struct motion *motion, double s0, struct vec3 a0, double s1, int depth)
 {
     struct pose to = motion_at(motion, s1);
-    double step = fmin(turnstate_step(chain, a0), turnstate_step(chain, to.a));
+    double step = fmin(ik_branch_step(chain, a0), ik_branch_step(chain, to.a));
     if (vec_angle(a0, to.a) <= step || depth == DEPTH || ahead->n > PLACES_MAX) {
         add_ends(ahead, chain, motion, s0, s1);
         add(ahead, to, s1, false);
@@ -128,9 +128,9 @@ static bool leaps(const void *with, size_t from, size_t to, const double q0[], c
     }
     const struct nc_leap *leap = &ahead->leap.item[low];
     struct motion motion = motion_line(leap->from, leap->to);
-    struct stance a = nc_station(step, leap->from, q0), b = nc_station(step, leap->to, q1);
-    return deviation_within(follow_block(&step->follow, &a.at, &b.at, &motion, 0, 1),
-                            step->allowed);
+    struct machine_pose a = nc_station(step, leap->from, q0), b = nc_station(step, leap->to, q1);
+    return pose_deviation_within(interpolation_block(&step->follow, &a.at, &b.at, &motion, 0, 1),
+                                 step->allowed);
 }
 
 static void sample_items(struct nc_ahead *ahead, size_t from, size_t to)
@@ -165,15 +165,15 @@ static void sample_items(struct nc_ahead *ahead, size_t from, size_t to)
 bool nc_ahead_make(struct nc_ahead *ahead, const struct nc_step *step, size_t from, size_t to)
 {
     *ahead = (struct nc_ahead){.step = step};
-    if (step->follow.mode == FOLLOW_VECTOR || step->machine->chain.n == 0)
+    if (step->follow.mode == INTERPOLATE_VECTOR || step->machine->chain.n == 0)
         return false;
     sample_items(ahead, from, to);
-    struct turnplan plan = {.chain = &step->machine->chain,
-                            .cone = step->allowed.axis / 2,
-                            .leaps = leaps,
-                            .with = ahead};
+    struct ik_plan plan = {.chain = &step->machine->chain,
+                           .cone = step->allowed.axis / 2,
+                           .leaps = leaps,
+                           .with = ahead};
     return ahead->n > 1 && ahead->n < PLACES_MAX &&
-           turnplan_make(&plan, ahead->item, ahead->n, step->state.at.q, &ahead->cost) == 0;
+           ik_plan_make(&plan, ahead->item, ahead->n, step->state.at.q, &ahead->cost) == 0;
 }
 
 void nc_ahead_free(struct nc_ahead *ahead)

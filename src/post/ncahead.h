@@ -1,11 +1,11 @@
 /*
- * ncahead - the look ahead over a group of motions for its rotary axes (turnplan.h).
+ * ncahead - the look ahead over a group of motions for its rotary axes (ik_plan.h).
  */
 #ifndef CLOUDMILL_NCAHEAD_H
 #define CLOUDMILL_NCAHEAD_H
 
 #include "post/ncstep.h"
-#include "machine/turnplan.h"
+#include "machine/ik_plan.h"
 
 /* A straight motion that may be one block past the singular direction: it ends at that place. */
 struct nc_leap {
@@ -15,17 +15,17 @@ struct nc_leap {
 
 struct nc_ahead {
     size_t n, cap;
-    struct turnplan_place *item; /* along the group, from where its rapids have led to */
-    struct doubles s;            /* of each place: how far along its motion, 0 to 1 */
-    struct sizes start;          /* of each item of the group: the place where it starts; then that
-                                    where the last one ends */
+    struct ik_plan_place *item; /* along the group, from where its rapids have led to */
+    struct doubles s;           /* of each place: how far along its motion, 0 to 1 */
+    struct sizes start;         /* of each item of the group: the place where it starts; then that
+                                   where the last one ends */
     struct {
         size_t n, cap;
         struct nc_leap *item;
     } leap;
     struct chain_solutions found; /* at the last place */
     const struct nc_step *step;
-    struct turnplan_cost cost; /* of the way that was found */
+    struct ik_plan_cost cost; /* of the way that was found */
 };
 
 /*

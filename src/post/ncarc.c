@@ -23,7 +23,7 @@ static struct vec3 principal(struct vec3 axis, struct nc_arc *arc)
 }
 
 /* The printed arc as a motion of the tracked point (the tool axis is not used). */
-static struct motion printed_arc(const struct station *from, const struct station *to,
+static struct motion printed_arc(const struct block_pose *from, const struct block_pose *to,
                                  struct vec3 centre, struct vec3 axis)
 {
     struct pose start = {from->p, axis}, end = {to->p, axis};
@@ -80,9 +80,9 @@ static bool circle_of(struct vec3 a, struct vec3 b, struct vec3 c, int digits, s
 }
 
 static bool words_of(struct nc_arc *arc, enum nc_arcs kind, int digits, double radius_error,
-                     const struct follow *f, const struct station *from, const struct station *to,
-                     const struct motion *motion, double s0, double s1, struct deviation *d,
-                     double *point)
+                     const struct interpolation *f, const struct block_pose *from,
+                     const struct block_pose *to, const struct motion *motion, double s0, double s1,
+                     struct pose_deviation *d, double *point)
 {
     double sweep = (s1 - s0) * motion->sweep;
     struct vec3 axis;
@@ -110,19 +110,19 @@ static bool words_of(struct nc_arc *arc, enum nc_arcs kind, int digits, double r
             return false;
     }
     struct motion printed = printed_arc(from, to, vec_add(from->p, arc->centre), axis);
-    *d = follow_curve(f, from, to, &printed, motion, s0, s1, point);
+    *d = interpolation_curve(f, from, to, &printed, motion, s0, s1, point);
     return true;
 }
 
 bool nc_arc_words(struct nc_arc *arc, enum nc_arcs kind, int digits, double radius_error,
-                  const struct follow *f, const struct station *from, const struct station *to,
-                  const struct motion *motion, double s0, double s1, struct deviation *d,
-                  double *point)
+                  const struct interpolation *f, const struct block_pose *from,
+                  const struct block_pose *to, const struct motion *motion, double s0, double s1,
+                  struct pose_deviation *d, double *point)
 {
     if (kind != NC_ARCS_BOTH)
         return words_of(arc, kind, digits, radius_error, f, from, to, motion, s0, s1, d, point);
     struct nc_arc space;
-    struct deviation of_space;
+    struct pose_deviation of_space;
     double point_of_space;
     bool flat =
         words_of(arc, NC_ARCS_CENTRE, digits, radius_error, f, from, to, motion, s0, s1, d, point);

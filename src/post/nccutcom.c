@@ -7,7 +7,7 @@
 
 static bool may(const struct machine *machine, const struct nc_ability *ability)
 {
-    bool still = machine->chain.n == 0 || (!ability->tcp && ability->mode == FOLLOW_ROTARY);
+    bool still = machine->chain.n == 0 || (!ability->tcp && ability->mode == INTERPOLATE_ROTARY);
     return machine->cutcom && still && ability->feeds == NC_FEEDS_TIP;
 }
 

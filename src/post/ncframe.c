@@ -4,7 +4,7 @@
 #include <stdlib.h>
 
 #include "base/num.h"
-#include "machine/turnchoice.h"
+#include "machine/ik_choose.h"
 
 static const double inch = 25.4; /* mm */
 
@@ -202,7 +202,7 @@ static int expect_reach(const struct path *path, const struct machine *machine, 
     const double zero[ROTARY_MAX] = {0};
     double q[ROTARY_MAX];
     int over;
-    if (chain_choose(&machine->chain, axis, zero, false, -1, q, &over) == 0)
+    if (ik_choose(&machine->chain, axis, zero, false, -1, q, &over) == 0)
         return 0;
     return error_set(error, "%s: found tool axis %.6f %.6f %.6f, which %s does not reach",
                      path->name, axis.x, axis.y, axis.z, machine->name);

@@ -98,13 +98,13 @@ static int set_course(struct nc_step *step, const struct nc_ahead *ahead, size_t
  * the tool goes off the part first. */
 static int leave(struct nc_step *step, const struct path_item *item)
 {
-    struct stance to;
+    struct machine_pose to;
     int result = 0;
     step->first = false;
     step->nc_motion.n = 0;
     if (nc_reach(step, item->to, 1, &to) != 0)
         return -1;
-    double turn = chain_way(&step->machine->chain, step->state.at.q, to.at.q);
+    double turn = ik_travel(&step->machine->chain, step->state.at.q, to.at.q);
     if (turn > 2 * vec_angle(step->state.pose.a, item->to.a) + far_turn) {
         step->state.why = NC_WHY_RETRACT;
         result = nc_step_rapid(step, nc_pose_off(step));
@@ -122,13 +122,13 @@ static void turn_before(struct nc_step *step, const struct path_item *item)
 {
     const struct kinematic_chain *chain = &step->machine->chain;
     double q[ROTARY_MAX] = {step->state.at.q[0], step->state.at.q[1]};
-    struct stance to;
+    struct machine_pose to;
     bool doubt = step->doubt;
     int over;
-    if (step->follow.mode == FOLLOW_JOINT && step->first && step->state.begun &&
+    if (step->follow.mode == INTERPOLATE_JOINT && step->first && step->state.begun &&
         nc_reach(step, item->to, 1, &to) == 0 &&
-        chain_choose(chain, step->state.pose.a, to.at.q, true, -1, q, &over) == 0 &&
-        chain_way(chain, q, step->state.at.q) > far_turn)
+        ik_choose(chain, step->state.pose.a, to.at.q, true, -1, q, &over) == 0 &&
+        ik_travel(chain, q, step->state.at.q) > far_turn)
         nc_turn_to(step, q);
     step->first = true;
     step->doubt = doubt;
@@ -141,8 +141,8 @@ static void arrive(struct nc_step *step, const struct nc_ahead *ahead)
     double q[ROTARY_MAX] = {0};
     int over;
     if (step->first && ahead && step->state.begun &&
-        chain_choose(chain, step->state.pose.a, ahead->item[0].q, true, -1, q, &over) == 0 &&
-        chain_way(chain, q, step->state.at.q) > RADIANS(0.01))
+        ik_choose(chain, step->state.pose.a, ahead->item[0].q, true, -1, q, &over) == 0 &&
+        ik_travel(chain, q, step->state.at.q) > RADIANS(0.01))
         nc_turn_to(step, q);
     step->first = step->first && !step->state.begun;
 }

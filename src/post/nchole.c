@@ -77,8 +77,8 @@ int nc_hole(struct nc_step *step, const struct path_item *item)
         over = vec_distance(step->state.pose.p, above.p);
     else if (come(step, above) != 0)
         return -1;
-    struct stance deep = nc_station(step, bottom, step->state.at.q);
-    struct stance to = nc_station(step, above, step->state.at.q);
+    struct machine_pose deep = nc_station(step, bottom, step->state.at.q);
+    struct machine_pose to = nc_station(step, above, step->state.at.q);
     if (nc_check_linear(step, &deep) != 0 || nc_check_linear(step, &to) != 0)
         return -1;
     struct nc_move *move = nc_move_to(step, NC_HOLE, &to);

@@ -84,23 +84,23 @@ int nc_item_depart(struct nc_step *step)
 }
 
 /* Half of the last digit of each word, at the tracked point and at the ball. */
-static struct deviation rounding(const struct nc_step *step)
+static struct pose_deviation rounding(const struct nc_step *step)
 {
     const struct nc_ability *ability = &step->plan->ability;
     double linear = sqrt(3) * 0.5 * pow(10, -ability->digits.linear);
-    double axis = ability->mode == FOLLOW_VECTOR
+    double axis = ability->mode == INTERPOLATE_VECTOR
                       ? sqrt(3) * 0.5 * pow(10, -ability->digits.vector)
                       : RADIANS(sqrt(2) * 0.5 * pow(10, -ability->digits.angle));
-    return (struct deviation){linear + fabs(step->follow.ball) * axis, axis};
+    return (struct pose_deviation){linear + fabs(step->follow.ball) * axis, axis};
 }
 
 void nc_item_tool(struct nc_step *step, double ball)
 {
     bool centre = step->path->head.track == TRACK_CENTRE;
     step->follow.ball = ball > 0 ? centre ? -ball : ball : 0;
-    struct deviation last = rounding(step);
-    step->allowed = (struct deviation){sampled * step->wish.chord + last.point,
-                                       sampled * step->wish.axis_tolerance + last.axis};
+    struct pose_deviation last = rounding(step);
+    step->allowed = (struct pose_deviation){sampled * step->wish.chord + last.point,
+                                            sampled * step->wish.axis_tolerance + last.axis};
 }
 
 /* Another tool or plane: home from here, and from home to the motion that follows, if there is

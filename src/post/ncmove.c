@@ -11,8 +11,8 @@ static inline double larger(double a, double b)
 }
 
 /* The way of all axes together, mm and degrees. */
-static double joint_way(const struct nc_step *step, const struct station *a,
-                        const struct station *b)
+static double joint_way(const struct nc_step *step, const struct block_pose *a,
+                        const struct block_pose *b)
 {
     double way = vec_distance(a->p, b->p);
     for (int i = 0; i < step->machine->chain.n; i++)
@@ -21,7 +21,8 @@ static double joint_way(const struct nc_step *step, const struct station *a,
 }
 
 /* What a turn about a tip that stands counts, mm: as it has degrees, or as the ball goes. */
-static double turn_way(const struct nc_step *step, const struct station *a, const struct station *b)
+static double turn_way(const struct nc_step *step, const struct block_pose *a,
+                       const struct block_pose *b)
 {
     double way = 0;
     for (int i = 0; i < step->machine->chain.n; i++)
@@ -34,11 +35,11 @@ static double turn_way(const struct nc_step *step, const struct station *a, cons
  * rounded down where an axis would be too fast else.  Where the tip stays, as printed, F counts
  * degrees.
  */
-static double feed_word(const struct nc_step *step, const struct stance *stance, double length,
-                        const struct nc_along *along, double *minutes)
+static double feed_word(const struct nc_step *step, const struct machine_pose *stance,
+                        double length, const struct nc_along *along, double *minutes)
 {
     const struct nc_ability *ability = &step->plan->ability;
-    const struct station *from = &step->state.at, *to = &stance->at;
+    const struct block_pose *from = &step->state.at, *to = &stance->at;
     bool tip = ability->feeds == NC_FEEDS_TIP;
     if (tip && !along)
         length = vec_distance(from->p, to->p);
@@ -54,7 +55,8 @@ static double feed_word(const struct nc_step *step, const struct stance *stance,
         feed = joint_way(step, from, to) / larger(*minutes, 1e-9);
     else if (slow || still)
         feed = length / *minutes;
-    for (int i = 0; stays && step->follow.mode == FOLLOW_VECTOR && i < step->machine->chain.n; i++)
+    for (int i = 0; stays && step->follow.mode == INTERPOLATE_VECTOR && i < step->machine->chain.n;
+         i++)
         feed = fmin(feed, step->machine->rapid[step->machine->letter[i]]); /* now one, now both */
     double may = feed < ability->feed_max ? feed : ability->feed_max;
     int digits = nc_feed_digits(ability, may);
@@ -64,9 +66,10 @@ static double feed_word(const struct nc_step *step, const struct stance *stance,
     return said > 0 ? said : least;
 }
 
-struct nc_move *nc_move_to(struct nc_step *step, enum nc_kind kind, const struct stance *stance)
+struct nc_move *nc_move_to(struct nc_step *step, enum nc_kind kind,
+                           const struct machine_pose *stance)
 {
-    const struct station *to = &stance->at;
+    const struct block_pose *to = &stance->at;
     struct nc_plan *plan = step->plan;
     struct nc_state *state = &step->state;
     struct nc_move *move = array_push(&plan->move);
@@ -75,7 +78,7 @@ struct nc_move *nc_move_to(struct nc_step *step, enum nc_kind kind, const struct
                              .line = state->line,
                              .p = to->p,
                              .q = {to->q[0], to->q[1]}};
-    if (step->follow.mode == FOLLOW_VECTOR) {
+    if (step->follow.mode == INTERPOLATE_VECTOR) {
         move->vector = (unsigned)plan->vector.n;
         *array_push(&plan->vector) = to->a;
     }
@@ -86,7 +89,7 @@ struct nc_move *nc_move_to(struct nc_step *step, enum nc_kind kind, const struct
     return move;
 }
 
-void nc_add_move(struct nc_step *step, enum nc_kind kind, const struct stance *stance,
+void nc_add_move(struct nc_step *step, enum nc_kind kind, const struct machine_pose *stance,
                  double length, size_t index, const struct nc_along *along)
 {
     struct nc_total *total = &step->plan->total;
@@ -110,7 +113,7 @@ void nc_add_move(struct nc_step *step, enum nc_kind kind, const struct stance *s
 }
 
 /* Both say the same. */
-static bool same_station(const struct station *a, const struct station *b, bool vectors)
+static bool same_station(const struct block_pose *a, const struct block_pose *b, bool vectors)
 {
     bool same = a->p.x == b->p.x && a->p.y == b->p.y && a->p.z == b->p.z;
     if (vectors)
@@ -118,11 +121,11 @@ static bool same_station(const struct station *a, const struct station *b, bool 
     return same && a->q[0] == b->q[0] && a->q[1] == b->q[1];
 }
 
-void nc_add_straight(struct nc_step *step, enum nc_kind kind, const struct stance *to,
+void nc_add_straight(struct nc_step *step, enum nc_kind kind, const struct machine_pose *to,
                      const struct pose *goal)
 {
     struct nc_state *state = &step->state;
-    if (!same_station(&state->at, &to->at, step->follow.mode == FOLLOW_VECTOR))
+    if (!same_station(&state->at, &to->at, step->follow.mode == INTERPOLATE_VECTOR))
         nc_add_move(step, kind, to, vec_distance(state->pose.p, goal->p), 0, NULL);
     state->off.point = state->off.axis = NAN;
     state->pose = *goal;

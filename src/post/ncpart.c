@@ -34,15 +34,15 @@ static int above(struct nc_move *up, const struct nc_program *whole, const struc
     struct nc_step step = {
         .path = whole->path, .machine = whole->machine, .plan = &plan, .error = error};
     const struct kinematic_chain *chain = &whole->machine->chain;
-    step.follow = (struct follow){.mode = plan.ability.mode, .chain = chain};
-    step.ways = chain_ways(chain);
+    step.follow = (struct interpolation){.mode = plan.ability.mode, .chain = chain};
+    step.ways = ik_near_table(chain);
     step.state.line = from->line;
-    struct station at = nc_plan_station(&plan, chain, from);
+    struct block_pose at = nc_plan_station(&plan, chain, from);
     struct pose pose = {at.p, vec_unit(at.a)};
-    if (plan.ability.mode == FOLLOW_JOINT)
+    if (plan.ability.mode == INTERPOLATE_JOINT)
         pose.p = chain_tip(chain, at.p, at.q);
     pose.p = vec_along(pose.p, whole->machine->retract, pose.a);
-    struct stance stance = nc_station(&step, pose, at.q);
+    struct machine_pose stance = nc_station(&step, pose, at.q);
     *up = *from; /* the tool axis and the rotary axes as they are */
     up->kind = NC_RAPID;
     up->why = NC_WHY_PART;

@@ -19,12 +19,12 @@ void nc_plan_free(struct nc_plan *plan)
     array_free(&plan->hole);
 }
 
-struct station nc_plan_station(const struct nc_plan *plan, const struct kinematic_chain *chain,
-                               const struct nc_move *move)
+struct block_pose nc_plan_station(const struct nc_plan *plan, const struct kinematic_chain *chain,
+                                  const struct nc_move *move)
 {
-    struct station at = {.p = move->p, .q = {move->q[0], move->q[1]}};
-    at.a = plan->ability.mode == FOLLOW_VECTOR ? plan->vector.item[move->vector]
-                                               : chain_axis(chain, move->q);
+    struct block_pose at = {.p = move->p, .q = {move->q[0], move->q[1]}};
+    at.a = plan->ability.mode == INTERPOLATE_VECTOR ? plan->vector.item[move->vector]
+                                                    : chain_axis(chain, move->q);
     return at;
 }
 
@@ -66,13 +66,13 @@ int nc_plan_make(struct nc_plan *plan, const struct path *path, const struct mac
     struct machine own = *machine;
     trim_travel(&own.chain, ability.digits.angle);
     step.machine = &own;
-    step.follow = (struct follow){.mode = ability.mode, .chain = &own.chain};
+    step.follow = (struct interpolation){.mode = ability.mode, .chain = &own.chain};
     step.clear = clear_height(path);
     array_reserve(&plan->move, path->item.n + path->item.n / 16); /* most are blocks as they are */
-    step.ways = chain_ways(&own.chain);
+    step.ways = ik_near_table(&own.chain);
     step.within = nc_surely_within(machine);
     step.state.faster = 1;
-    step.state.off = (struct deviation){NAN, NAN};
+    step.state.off = (struct pose_deviation){NAN, NAN};
     for (int i = 0; i < own.chain.n; i++) /* at zero, or as near as the travel lets them be */
         step.state.at.q[i] = fmin(fmax(0, own.chain.rotary[i].min), own.chain.rotary[i].max);
     step.state.turned = chain_turned(&machine->chain, step.state.at.q);

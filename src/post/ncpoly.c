@@ -96,17 +96,17 @@ size_t nc_poly_width(const struct nc_spans *spans, int degree, bool turns, int d
     return most;
 }
 
-struct deviation nc_poly_deviation(const struct nc_spans *spans, const struct bspline *b,
-                                   const struct follow *f, struct vec3 start, struct vec3 head,
-                                   const struct motion *motion, struct deviation allowed,
-                                   struct doubles *more)
+struct pose_deviation nc_poly_deviation(const struct nc_spans *spans, const struct bspline *b,
+                                        const struct interpolation *f, struct vec3 start,
+                                        struct vec3 head, const struct motion *motion,
+                                        struct pose_deviation allowed, struct doubles *more)
 {
-    struct deviation worst = {0, 0};
+    struct pose_deviation worst = {0, 0};
     double from = b->knot[0], range = b->knot[b->poles] - from;
     size_t knot = (size_t)b->degree;
     for (size_t i = 0; i < spans->n; i++, knot++) {
         const struct nc_span *n = &spans->item[i];
-        struct deviation d[SAMPLES + 1];
+        struct pose_deviation d[SAMPLES + 1];
         while (b->knot[knot + 1] <= b->knot[knot])
             knot++;
         double u = b->knot[knot], h = b->knot[knot + 1] - u;
@@ -116,12 +116,12 @@ struct deviation nc_poly_deviation(const struct nc_spans *spans, const struct bs
             struct pose at = {span_at(start, n->end, n->factor, n->h, p), wanted.a};
             if (b->head)
                 at.a = vec_unit(vec_sub(span_at(head, n->head_end, n->head_factor, n->h, p), at.p));
-            d[k] = follow_difference(f, at, wanted);
+            d[k] = interpolation_difference(f, at, wanted);
         }
-        struct deviation here = follow_peak(d, SAMPLES + 1);
-        if (!deviation_within(here, allowed))
+        struct pose_deviation here = interpolation_peak(d, SAMPLES + 1);
+        if (!pose_deviation_within(here, allowed))
             *array_push(more) = u + h / 2;
-        worst = deviation_worst(worst, here);
+        worst = pose_deviation_worst(worst, here);
         start = n->end;
         head = n->head_end;
     }

@@ -41,12 +41,12 @@ int nc_linear_over(const struct nc_step *step, struct vec3 tip, const double q[]
     return out_of_travel(step->machine, (const double[]){p.x, p.y, p.z});
 }
 
-int nc_check_linear(struct nc_step *step, const struct stance *to)
+int nc_check_linear(struct nc_step *step, const struct machine_pose *to)
 {
     struct vec3 p = to->at.p;
-    if (step->follow.mode != FOLLOW_JOINT && vec_dot(p, p) < step->within * step->within)
+    if (step->follow.mode != INTERPOLATE_JOINT && vec_dot(p, p) < step->within * step->within)
         return 0;
-    if (step->follow.mode != FOLLOW_JOINT)
+    if (step->follow.mode != INTERPOLATE_JOINT)
         p = chain_linear_of(&step->machine->chain, p, &to->turned);
     const double at[3] = {p.x, p.y, p.z};
     int axis = out_of_travel(step->machine, at);
@@ -60,7 +60,7 @@ int nc_check_linear(struct nc_step *step, const struct stance *to)
 static inline double axis_off(const struct nc_step *step, struct vec3 said, struct vec3 axis)
 {
     double off = vec_distance(said, axis);
-    if (step->follow.mode != FOLLOW_VECTOR)
+    if (step->follow.mode != INTERPOLATE_VECTOR)
         return off;
     double unit = vec_distance(vec_unit(said), axis);
     return step->plan->ability.doubtful && off > unit ? off : unit;
@@ -68,7 +68,8 @@ static inline double axis_off(const struct nc_step *step, struct vec3 said, stru
 
 /* The same, where the cosines and sines of q are known; *off: what its rounding does. */
 static void stance_of(const struct nc_step *step, const struct pose *to, const double q[],
-                      const struct turned *turned, struct stance *s, struct deviation *off)
+                      const struct turned *turned, struct machine_pose *s,
+                      struct pose_deviation *off)
 {
     const struct machine_digits *digits = &step->plan->ability.digits;
     const struct kinematic_chain *chain = &step->machine->chain;
@@ -78,24 +79,24 @@ static void stance_of(const struct nc_step *step, const struct pose *to, const d
         s->at.q[i] = RADIANS(num_round(DEGREES(q[i]), digits->angle));
         by[i] = s->at.q[i] - q[i];
     }
-    s->turned = chain_turned_on(turned, by);
-    if (step->follow.mode == FOLLOW_VECTOR)
+    s->turned = ik_turned_on(turned, by);
+    if (step->follow.mode == INTERPOLATE_VECTOR)
         s->at.a = vec_round(to->a, digits->vector);
     else
-        s->at.a = chain->n == 2   ? chain_ways_axis(&step->ways, &s->turned)
+        s->at.a = chain->n == 2   ? ik_near_axis(&step->ways, &s->turned)
                   : chain->n == 1 ? chain_axis_of(chain, &s->turned)
                                   : to->a;
-    if (step->follow.mode == FOLLOW_JOINT)
+    if (step->follow.mode == INTERPOLATE_JOINT)
         p = chain_linear_of(chain, p, &s->turned);
     s->at.p = vec_round(p, digits->linear);
-    *off = (struct deviation){vec_distance(s->at.p, p), axis_off(step, s->at.a, to->a)};
+    *off = (struct pose_deviation){vec_distance(s->at.p, p), axis_off(step, s->at.a, to->a)};
 }
 
-struct stance nc_station(const struct nc_step *step, struct pose to, const double q[])
+struct machine_pose nc_station(const struct nc_step *step, struct pose to, const double q[])
 {
     struct turned turned = chain_turned(&step->machine->chain, q);
-    struct stance s;
-    struct deviation off;
+    struct machine_pose s;
+    struct pose_deviation off;
     stance_of(step, &to, q, &turned, &s, &off);
     return s;
 }
@@ -129,7 +130,7 @@ static void turn_ahead(struct nc_step *step, struct pose to, double q[])
     if (step->state.begun && !step->first && !chain_free(chain, step->state.pose.a))
         return;
     const struct vec3 *ahead = next_tilted(step);
-    if (ahead && chain_choose(chain, *ahead, q, true, -1, then, &over) == 0)
+    if (ahead && ik_choose(chain, *ahead, q, true, -1, then, &over) == 0)
         q[0] = then[0];
 }
 
@@ -142,7 +143,7 @@ static void aim_at(const struct nc_course *nc_motion, double s, double q[])
         size_t mid = (low + high) / 2;
         *(nc_motion->s[mid] < s ? &low : &high) = mid;
     }
-    const struct turnplan_place *from = &nc_motion->place[low], *to = &nc_motion->place[high];
+    const struct ik_plan_place *from = &nc_motion->place[low], *to = &nc_motion->place[high];
     double s0 = low ? nc_motion->s[low] : 0, s1 = nc_motion->s[high];
     double t = s1 > s0 && !from->turn ? (s - s0) / (s1 - s0) : 1;
     for (int i = 0; i < ROTARY_MAX; i++)
@@ -189,38 +190,38 @@ static bool nearest_of_both(const struct nc_step *step, struct vec3 axis, const 
             found.q[k][i] += 2 * PI * round((from[i] - found.q[k][i]) / (2 * PI));
         if (found.free)
             found.q[k][0] = from[0];
-        if (chain_way(chain, from, found.q[k]) < chain_way(chain, from, q) - 1e-9)
+        if (ik_travel(chain, from, found.q[k]) < ik_travel(chain, from, q) - 1e-9)
             return false;
     }
     return true;
 }
 
-bool nc_reach_beside(const struct nc_step *step, const struct pose *to, struct stance *stance,
-                     struct deviation *off)
+bool nc_reach_beside(const struct nc_step *step, const struct pose *to, struct machine_pose *stance,
+                     struct pose_deviation *off)
 {
     double q[ROTARY_MAX] = {0};
     struct turned turned;
     if (step->first || step->nc_motion.n > 0 ||
-        !chain_beside(&step->ways, to->a, step->state.at.q, &step->state.turned, q, &turned))
+        !ik_near(&step->ways, to->a, step->state.at.q, &step->state.turned, q, &turned))
         return false;
     stance_of(step, to, q, &turned, stance, off);
     return true;
 }
 
-int nc_reach(struct nc_step *step, struct pose to, double s, struct stance *stance)
+int nc_reach(struct nc_step *step, struct pose to, double s, struct machine_pose *stance)
 {
     const struct kinematic_chain *chain = &step->machine->chain;
     double q[ROTARY_MAX] = {step->state.at.q[0], step->state.at.q[1]};
-    struct deviation off;
+    struct pose_deviation off;
     int over;
     if (nc_reach_beside(step, &to, stance, &off))
         return nc_check_linear(step, stance);
     if (step->nc_motion.n)
         aim_at(&step->nc_motion, s, q);
-    if (chain_choose(chain, to.a, q, true, -1, q, &over) != 0)
+    if (ik_choose(chain, to.a, q, true, -1, q, &over) != 0)
         return not_reached(step, to, over);
     step->doubt = step->doubt || (!step->first && !nearest_of_both(step, to.a, q));
-    if (step->nc_motion.n == 0 && (step->follow.mode != FOLLOW_VECTOR || !step->state.begun))
+    if (step->nc_motion.n == 0 && (step->follow.mode != INTERPOLATE_VECTOR || !step->state.begun))
         turn_ahead(step, to, q); /* a vector says no angle: there the axis stays */
     *stance = nc_station(step, to, q);
     return nc_check_linear(step, stance);

@@ -43,7 +43,7 @@ int nc_settle(struct nc_program *p, struct nc_plan *plan, struct path *path,
     ability.smoothing = smoothing;
     int result = nc_plan_make(plan, path, machine, ability, p->wish, error);
     *unmet = result != 0 && plan->unmet;
-    if (*unmet && ability.mode == FOLLOW_VECTOR) {
+    if (*unmet && ability.mode == INTERPOLATE_VECTOR) {
         struct error again;
         ability = dialect_ability(dialect, machine, NC_AXIS_ROTARY, still, p->wish.unit);
         ability.smoothing = smoothing;

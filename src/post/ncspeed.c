@@ -20,11 +20,12 @@ static double rotary_minutes(const struct machine *m, const double a[], const do
     return minutes;
 }
 
-double nc_axes_minutes(const struct nc_step *step, const struct station *a, const struct station *b)
+double nc_axes_minutes(const struct nc_step *step, const struct block_pose *a,
+                       const struct block_pose *b)
 {
     const struct machine *m = step->machine;
     double minutes = rotary_minutes(m, a->q, b->q);
-    if (step->follow.mode == FOLLOW_JOINT)
+    if (step->follow.mode == INTERPOLATE_JOINT)
         minutes = larger(minutes, vec_distance(a->p, b->p) / m->rapid[MACHINE_X]);
     return minutes;
 }
@@ -59,21 +60,21 @@ static struct sample sample_of_spline(const struct kinematic_chain *chain,
 }
 
 /* s of the way from where the program is; the angles come near those of the sample before. */
-static struct sample sample_at(const struct nc_step *step, const struct station *to,
+static struct sample sample_at(const struct nc_step *step, const struct block_pose *to,
                                const struct nc_along *along, double s, const double before[])
 {
-    const struct station *from = &step->state.at;
+    const struct block_pose *from = &step->state.at;
     const struct kinematic_chain *chain = &step->machine->chain;
     int over;
     if (along && along->spline && along->spline->form == NC_NURBS && along->spline->turns)
         return sample_of_spline(chain, along->spline, s);
     struct pose at = along ? motion_at(along->motion, along->s0 + s * (along->s1 - along->s0))
-                           : follow_pose(&step->follow, from, to, s);
+                           : interpolation_pose(&step->follow, from, to, s);
     struct sample sample = {.tip = at.p};
     for (int i = 0; i < chain->n; i++)
         sample.q[i] = from->q[i] + s * (to->q[i] - from->q[i]);
-    bool even_turn = step->follow.mode == FOLLOW_ROTARY && !(along && along->motion->curve);
-    if (!even_turn && chain_choose(chain, at.a, before, true, -1, sample.q, &over) != 0)
+    bool even_turn = step->follow.mode == INTERPOLATE_ROTARY && !(along && along->motion->curve);
+    if (!even_turn && ik_choose(chain, at.a, before, true, -1, sample.q, &over) != 0)
         sample.q[0] = before[0], sample.q[1] = before[1];
     sample.linear = chain_linear(chain, sample.tip, sample.q);
     return sample;
@@ -90,7 +91,7 @@ static double piece_minutes(const struct machine *m, const struct sample *a, con
 
 /* The slides surely need no longer: a turn takes them no further than its angle times how far the
  * tip and the centres are from 0. */
-static bool slides_keep_up(const struct nc_step *step, const struct station *to, double length,
+static bool slides_keep_up(const struct nc_step *step, const struct block_pose *to, double length,
                            double turn, double minutes)
 {
     const struct kinematic_chain *chain = &step->machine->chain;
@@ -106,26 +107,26 @@ static bool slides_keep_up(const struct nc_step *step, const struct station *to,
  * The rotary axes surely need no longer: rotary words turn each at one speed; a vector no axis by
  * more than about the turn of the tool axis over the sine of its angle to the first one.
  */
-static bool axes_keep_up(const struct nc_step *step, const struct station *to, double minutes)
+static bool axes_keep_up(const struct nc_step *step, const struct block_pose *to, double minutes)
 {
     const struct machine *m = step->machine;
     double up = vec_dot(m->chain.rotary[0].axis, to->a), slowest = HUGE_VAL;
     for (int i = 0; i < m->chain.n; i++)
         slowest = fmin(slowest, m->rapid[m->letter[i]]);
     double great = DEGREES(vec_distance(step->state.at.a, to->a)), sine2 = 1 - up * up;
-    return step->follow.mode == FOLLOW_ROTARY || m->chain.n < 2 ||
+    return step->follow.mode == INTERPOLATE_ROTARY || m->chain.n < 2 ||
            4 * great * great <= sine2 * minutes * minutes * slowest * slowest;
 }
 
-double nc_block_minutes(const struct nc_step *step, const struct stance *to, double length,
+double nc_block_minutes(const struct nc_step *step, const struct machine_pose *to, double length,
                         const struct nc_along *along, double least)
 {
-    const struct station *from = &step->state.at;
+    const struct block_pose *from = &step->state.at;
     const struct machine *m = step->machine;
     double minutes = larger(least, nc_axes_minutes(step, from, &to->at)), turn = 0;
     for (int i = 0; i < m->chain.n; i++)
         turn += fabs(to->at.q[i] - from->q[i]);
-    if (step->follow.mode == FOLLOW_JOINT || m->chain.n == 0)
+    if (step->follow.mode == INTERPOLATE_JOINT || m->chain.n == 0)
         return minutes;
     bool curve = along && along->motion->curve;
     if (!curve && axes_keep_up(step, &to->at, minutes) &&
@@ -159,7 +160,7 @@ struct span_speeds {
 
 static struct span_speeds span_speeds(const struct nc_step *step, const struct motion *motion)
 {
-    const struct station *at = &step->state.at;
+    const struct block_pose *at = &step->state.at;
     const struct nc_along along = {motion, 0, 1, NULL};
     struct span_speeds spans = {0};
     struct sample a = sample_at(step, at, &along, 0, at->q);
@@ -209,7 +210,7 @@ static double best_part(const struct span_speeds *spans)
 
 double nc_curve_part(const struct nc_step *step, const struct motion *motion)
 {
-    if (step->follow.mode == FOLLOW_JOINT || step->machine->chain.n == 0)
+    if (step->follow.mode == INTERPOLATE_JOINT || step->machine->chain.n == 0)
         return 1;
     struct span_speeds spans = span_speeds(step, motion);
     double s = best_part(&spans);

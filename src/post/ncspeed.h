@@ -19,15 +19,15 @@ struct nc_along {
 
 /* The longest that an axis needs for the straight way between two stations, minutes: each axis at
  * an even speed, without tool-centre-point control the slides too. */
-double nc_axes_minutes(const struct nc_step *step, const struct station *a,
-                       const struct station *b);
+double nc_axes_minutes(const struct nc_step *step, const struct block_pose *a,
+                       const struct block_pose *b);
 
 /*
  * The time of the block from where the program is, minutes, at which no axis is anywhere on it
  * faster than it can be, if its tip goes at an even speed, `length` in all, or where that is 0 the
  * rotary axes do.  `along` NULL: it is straight.  `least`: a time that it takes in any case.
  */
-double nc_block_minutes(const struct nc_step *step, const struct stance *to, double length,
+double nc_block_minutes(const struct nc_step *step, const struct machine_pose *to, double length,
                         const struct nc_along *along, double least);
 
 /*

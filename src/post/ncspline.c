@@ -12,7 +12,7 @@
 #include "base/array.h"
 #include "curve/cubic_form.h"
 #include "base/num.h"
-#include "machine/turnfit.h"
+#include "machine/rotary_spline.h"
 
 enum { SAMPLES = 8, ROUNDS_MAX = 6, CUBIC = 3 };
 
@@ -64,13 +64,14 @@ static void beside_refine(struct beside *c, const struct bspline *b, const struc
 /* ---- polynomials ---- */
 
 /* By polynomials of such a degree at most. */
-static struct deviation poly_words(struct nc_spline *spline, int degree, int digits,
-                                   const struct follow *f, const struct station *from,
-                                   const struct motion *motion, struct deviation allowed)
+static struct pose_deviation poly_words(struct nc_spline *spline, int degree, int digits,
+                                        const struct interpolation *f,
+                                        const struct block_pose *from, const struct motion *motion,
+                                        struct pose_deviation allowed)
 {
     const struct bspline *b = motion->curve;
     struct beside c = beside(b, degree);
-    struct deviation d = {HUGE_VAL, HUGE_VAL};
+    struct pose_deviation d = {HUGE_VAL, HUGE_VAL};
     spline->form = NC_POLY;
     for (int round = 0; round < ROUNDS_MAX; round++) {
         struct doubles more = {0};
@@ -78,7 +79,7 @@ static struct deviation poly_words(struct nc_spline *spline, int degree, int dig
         spline->degree = c.curve.degree;
         if (!nc_poly_words(&spline->span, &c.curve, digits) ||
             nc_poly_width(&spline->span, c.curve.degree, spline->turns, digits) > NC_POLY_WIDTH) {
-            d = (struct deviation){HUGE_VAL, HUGE_VAL};
+            d = (struct pose_deviation){HUGE_VAL, HUGE_VAL};
             break;
         }
         d = nc_poly_deviation(&spline->span, &c.curve, f, from->p, spline->head_start, motion,
@@ -98,7 +99,7 @@ static struct deviation poly_words(struct nc_spline *spline, int degree, int dig
 
 /* Poles as printed; the first one is where the tool is, in the very digits that brought it there.
  */
-static void round_poles(struct bspline *b, int digits, const struct station *from)
+static void round_poles(struct bspline *b, int digits, const struct block_pose *from)
 {
     for (size_t i = 0; i < b->poles; i++) {
         b->pole[i] = vec_round(b->pole[i], digits);
@@ -109,10 +110,12 @@ static void round_poles(struct bspline *b, int digits, const struct station *fro
 }
 
 /* A uniform clamped cubic by its poles alone: the control takes spans of length 1. */
-static struct deviation bspline_words(struct nc_spline *spline, int digits, const struct follow *f,
-                                      const struct station *from, const struct motion *motion)
+static struct pose_deviation bspline_words(struct nc_spline *spline, int digits,
+                                           const struct interpolation *f,
+                                           const struct block_pose *from,
+                                           const struct motion *motion)
 {
-    struct deviation worst = {0, 0};
+    struct pose_deviation worst = {0, 0};
     spline->form = NC_BSPLINE;
     spline->curve = bspline_copy(motion->curve);
     struct bspline *b = &spline->curve;
@@ -122,12 +125,12 @@ static struct deviation bspline_words(struct nc_spline *spline, int digits, cons
         b->knot[i] = i < p ? 0 : i > b->poles ? (double)(b->poles - p) : (double)(i - p);
     struct motion printed = motion_spline(motion->from, motion->to, b);
     for (size_t span = 0; span < b->poles - p; span++) {
-        struct deviation d[SAMPLES + 1];
+        struct pose_deviation d[SAMPLES + 1];
         for (int k = 0; k <= SAMPLES; k++) {
             double s = (double)(span * SAMPLES + (size_t)k) / (double)((b->poles - p) * SAMPLES);
-            d[k] = follow_difference(f, motion_at(&printed, s), motion_at(motion, s));
+            d[k] = interpolation_difference(f, motion_at(&printed, s), motion_at(motion, s));
         }
-        worst = deviation_worst(worst, follow_peak(d, SAMPLES + 1));
+        worst = pose_deviation_worst(worst, interpolation_peak(d, SAMPLES + 1));
     }
     return worst;
 }
@@ -161,15 +164,17 @@ static struct vec3 angles_at(const struct bspline *b, double *const angle[], siz
  * The printed NURBS against the motion; `exact` has the knots not yet scaled and rounded.  Each
  * span that is beyond `allowed` adds its middle to `more`.
  */
-static struct deviation nurbs_deviation(const struct nc_spline *spline, const struct follow *f,
-                                        const struct bspline *exact, const struct motion *motion,
-                                        struct deviation allowed, struct doubles *more)
+static struct pose_deviation nurbs_deviation(const struct nc_spline *spline,
+                                             const struct interpolation *f,
+                                             const struct bspline *exact,
+                                             const struct motion *motion,
+                                             struct pose_deviation allowed, struct doubles *more)
 {
     const struct bspline *b = &spline->curve;
-    struct deviation worst = {0, 0};
+    struct pose_deviation worst = {0, 0};
     double start = exact->knot[0], range = exact->knot[exact->poles] - start;
     for (size_t span = (size_t)b->degree; span < b->poles; span++) {
-        struct deviation d[SAMPLES + 1] = {{0, 0}};
+        struct pose_deviation d[SAMPLES + 1] = {{0, 0}};
         double u = exact->knot[span], h = exact->knot[span + 1] - u;
         double v = b->knot[span], g = b->knot[span + 1] - v;
         for (int k = 0; h > 0 && k <= SAMPLES; k++) {
@@ -182,19 +187,19 @@ static struct deviation nurbs_deviation(const struct nc_spline *spline, const st
                 at.p = vec_along(at.p, basis[i], b->pole[span - (size_t)b->degree + (size_t)i]);
             struct vec3 q = angles_at(b, spline->angle, span, basis);
             at.a = chain_axis(f->chain, (const double[]){q.x, q.y});
-            d[k] = follow_difference(f, at, wanted);
+            d[k] = interpolation_difference(f, at, wanted);
         }
-        struct deviation here = follow_peak(d, SAMPLES + 1);
-        if (!deviation_within(here, allowed))
+        struct pose_deviation here = interpolation_peak(d, SAMPLES + 1);
+        if (!pose_deviation_within(here, allowed))
             *array_push(more) = u + h / 2;
-        worst = deviation_worst(worst, here);
+        worst = pose_deviation_worst(worst, here);
     }
     return worst;
 }
 
 /* One round: angles fitted on the knots of `exact`, everything rounded as printed. */
 static int nurbs_round(struct nc_spline *spline, struct nc_spline_digits digits,
-                       const struct follow *f, const struct station *from,
+                       const struct interpolation *f, const struct block_pose *from,
                        const struct bspline *exact, const struct motion *motion)
 {
     struct motion same = motion_spline(motion->from, motion->to, exact);
@@ -205,7 +210,7 @@ static int nurbs_round(struct nc_spline *spline, struct nc_spline_digits digits,
     spline->curve = bspline_copy(exact);
     for (int k = 0; k < ROTARY_MAX; k++)
         spline->angle[k] = mem_alloc(exact->poles, sizeof(double));
-    if (turnfit(f->chain, &same, from->q, spline->angle, &over) != 0)
+    if (rotary_spline_fit(f->chain, &same, from->q, spline->angle, &over) != 0)
         return -1;
     for (int k = 0; k < ROTARY_MAX; k++)
         for (size_t i = 0; i < exact->poles; i++)
@@ -215,16 +220,17 @@ static int nurbs_round(struct nc_spline *spline, struct nc_spline_digits digits,
     return 0;
 }
 
-static struct deviation nurbs_words(struct nc_spline *spline, struct nc_spline_digits digits,
-                                    const struct follow *f, const struct station *from,
-                                    const struct motion *motion, struct deviation allowed)
+static struct pose_deviation nurbs_words(struct nc_spline *spline, struct nc_spline_digits digits,
+                                         const struct interpolation *f,
+                                         const struct block_pose *from, const struct motion *motion,
+                                         struct pose_deviation allowed)
 {
     struct beside c = beside(motion->curve, CUBIC);
-    struct deviation d = {HUGE_VAL, HUGE_VAL};
+    struct pose_deviation d = {HUGE_VAL, HUGE_VAL};
     for (int round = 0; round < ROUNDS_MAX; round++) {
         struct doubles more = {0};
         if (nurbs_round(spline, digits, f, from, &c.curve, motion) != 0) {
-            d = (struct deviation){HUGE_VAL, HUGE_VAL};
+            d = (struct pose_deviation){HUGE_VAL, HUGE_VAL};
             break;
         }
         d = nurbs_deviation(spline, f, &c.curve, motion, allowed, &more);
@@ -239,20 +245,21 @@ static struct deviation nurbs_words(struct nc_spline *spline, struct nc_spline_d
     return d;
 }
 
-static struct station end_station(const struct nc_spline *spline, const struct motion *motion)
+static struct block_pose end_station(const struct nc_spline *spline, const struct motion *motion)
 {
-    struct station to = {.p = spline->form == NC_POLY ? spline->span.item[spline->span.n - 1].end
-                                                      : spline->curve.pole[spline->curve.poles - 1],
-                         .a = motion_at(motion, 1).a};
+    struct block_pose to = {.p = spline->form == NC_POLY
+                                     ? spline->span.item[spline->span.n - 1].end
+                                     : spline->curve.pole[spline->curve.poles - 1],
+                            .a = motion_at(motion, 1).a};
     for (int k = 0; spline->form == NC_NURBS && k < ROTARY_MAX; k++)
         to.q[k] = RADIANS(spline->angle[k][spline->curve.poles - 1]);
     return to;
 }
 
 bool nc_spline_words(struct nc_spline *spline, enum nc_splines kind, struct nc_spline_digits digits,
-                     const struct follow *f, const struct station *from,
-                     const struct motion *motion, struct deviation allowed, struct station *to,
-                     struct deviation *d)
+                     const struct interpolation *f, const struct block_pose *from,
+                     const struct motion *motion, struct pose_deviation allowed,
+                     struct block_pose *to, struct pose_deviation *d)
 {
     const struct bspline *b = motion->curve;
     *spline = (struct nc_spline){0};
@@ -260,7 +267,7 @@ bool nc_spline_words(struct nc_spline *spline, enum nc_splines kind, struct nc_s
         return false;
     if (!b->head && vec_angle(motion->from.a, motion->to.a) > 1e-8)
         return false;
-    *d = (struct deviation){HUGE_VAL, HUGE_VAL};
+    *d = (struct pose_deviation){HUGE_VAL, HUGE_VAL};
     if (kind == NC_SPLINES_ROTARY) {
         *d = nurbs_words(spline, digits, f, from, motion, allowed);
     } else {
@@ -269,14 +276,14 @@ bool nc_spline_words(struct nc_spline *spline, enum nc_splines kind, struct nc_s
             spline->head_start = vec_round(b->head[0], digits.linear);
         if (b->degree == 3 && bspline_uniform(b))
             *d = bspline_words(spline, digits.linear, f, from, motion);
-        if (!deviation_within(*d, allowed)) {
+        if (!pose_deviation_within(*d, allowed)) {
             bspline_free(&spline->curve);
             *d = poly_words(spline, NC_POLY_DEGREE, digits.linear, f, from, motion, allowed);
         }
-        if (!deviation_within(*d, allowed) && b->degree > CUBIC)
+        if (!pose_deviation_within(*d, allowed) && b->degree > CUBIC)
             *d = poly_words(spline, CUBIC, digits.linear, f, from, motion, allowed);
     }
-    if (!deviation_within(*d, allowed)) {
+    if (!pose_deviation_within(*d, allowed)) {
         nc_spline_free(spline);
         return false;
     }

@@ -12,9 +12,10 @@ static const double rapid_chord = 1; /* mm, where a rapid has to be split at all
 
 int nc_step_rapid(struct nc_step *step, struct pose to)
 {
-    double chord = step->follow.mode == FOLLOW_JOINT ? rapid_chord / step->wish.unit : HUGE_VAL;
-    struct deviation any = {chord, HUGE_VAL};
-    struct stance stance;
+    double chord =
+        step->follow.mode == INTERPOLATE_JOINT ? rapid_chord / step->wish.unit : HUGE_VAL;
+    struct pose_deviation any = {chord, HUGE_VAL};
+    struct machine_pose stance;
     if (step->state.begun) {
         struct motion motion = motion_line(step->state.pose, to);
         return nc_step_straight(step, &motion, 0, 1, NC_RAPID, any);
@@ -30,23 +31,23 @@ int nc_step_rapid(struct nc_step *step, struct pose to)
 static int arc(struct nc_step *step, const struct motion *motion, double s0, double s1, int depth)
 {
     const struct nc_ability *ability = &step->plan->ability;
-    struct stance to;
+    struct machine_pose to;
     struct nc_arc words;
-    struct deviation d;
+    struct pose_deviation d;
     double point = 0;
     struct pose goal = motion_at(motion, s1);
     bool fits = nc_reach(step, goal, s1, &to) == 0;
     fits =
         fits && nc_arc_words(&words, ability->arcs, ability->digits.linear, ability->radius_error,
                              &step->follow, &step->state.at, &to.at, motion, s0, s1, &d, &point);
-    if (fits && !deviation_within(d, step->allowed) && point <= step->allowed.point &&
+    if (fits && !pose_deviation_within(d, step->allowed) && point <= step->allowed.point &&
         depth < ARC_DEPTH_MAX) { /* it is the tool axis: it may be right in halves */
         double mid = (s0 + s1) / 2;
         if (arc(step, motion, s0, mid, depth + 1) != 0)
             return -1;
         return arc(step, motion, mid, s1, depth + 1);
     }
-    if (!fits || !deviation_within(d, step->allowed)) {
+    if (!fits || !pose_deviation_within(d, step->allowed)) {
         step->plan->total.chorded++;
         step->state.why = NC_WHY_CHORD;
         return nc_step_straight(step, motion, s0, s1, NC_LINE, step->allowed);
@@ -55,7 +56,7 @@ static int arc(struct nc_step *step, const struct motion *motion, double s0, dou
     const struct nc_along along = {motion, s0, s1, NULL};
     nc_add_move(step, NC_ARC, &to, (s1 - s0) * motion_length(motion), step->plan->arc.n - 1,
                 &along);
-    step->plan->total.spent = deviation_worst(step->plan->total.spent, d);
+    step->plan->total.spent = pose_deviation_worst(step->plan->total.spent, d);
     step->state.pose = goal;
     return 0;
 }
@@ -77,19 +78,19 @@ static int spline(struct nc_step *step, const struct motion *motion)
     struct nc_spline_digits digits = {ability->digits.linear, ability->digits.angle,
                                       ability->digits.knot};
     struct nc_spline words;
-    struct stance to, checked;
-    struct deviation d;
+    struct machine_pose to, checked;
+    struct pose_deviation d;
     if (nc_spline_words(&words, ability->splines, digits, &step->follow, &step->state.at, motion,
                         step->allowed, &to.at, &d)) {
         *array_push(&step->plan->spline) = words;
-        if (step->follow.mode == FOLLOW_VECTOR && nc_reach(step, motion->to, 1, &checked) == 0)
+        if (step->follow.mode == INTERPOLATE_VECTOR && nc_reach(step, motion->to, 1, &checked) == 0)
             to.at.q[0] = checked.at.q[0], to.at.q[1] = checked.at.q[1];
         to.turned = chain_turned(&step->machine->chain, to.at.q);
         if (nc_check_linear(step, &to) != 0)
             return -1;
         const struct nc_along along = {motion, 0, 1, &words};
         nc_add_move(step, NC_SPLINE, &to, motion_length(motion), step->plan->spline.n - 1, &along);
-        step->plan->total.spent = deviation_worst(step->plan->total.spent, d);
+        step->plan->total.spent = pose_deviation_worst(step->plan->total.spent, d);
         step->state.pose = motion_at(motion, 1);
         return 0;
     }

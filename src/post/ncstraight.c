@@ -8,19 +8,21 @@
 enum { DEPTH_MAX = 14 };
 
 /* How far the block to a stance is off the motion. */
-static struct deviation block_deviation(const struct nc_step *step, const struct follow *f,
-                                        const struct stance *to, const struct motion *motion,
-                                        double s0, double s1, struct deviation allowed)
+static struct pose_deviation block_deviation(const struct nc_step *step,
+                                             const struct interpolation *f,
+                                             const struct machine_pose *to,
+                                             const struct motion *motion, double s0, double s1,
+                                             struct pose_deviation allowed)
 {
     const struct nc_state *state = &step->state;
     if (motion->kind == MOTION_LINE) {
-        struct stance from = {state->at, state->turned};
+        struct machine_pose from = {state->at, state->turned};
         struct pose goal = motion_at(motion, s1);
-        struct deviation most = follow_line(f, &from, to, state->pose, goal, allowed);
-        if (deviation_within(most, allowed))
+        struct pose_deviation most = interpolation_line(f, &from, to, state->pose, goal, allowed);
+        if (pose_deviation_within(most, allowed))
             return most;
     }
-    return follow_block(f, &state->at, &to->at, motion, s0, s1);
+    return interpolation_block(f, &state->at, &to->at, motion, s0, s1);
 }
 
 /*
@@ -28,39 +30,39 @@ static struct deviation block_deviation(const struct nc_step *step, const struct
  * could only follow by way of another solution or whole turns back, the block cannot be.  Beside
  * the singular direction they may turn far while the tool hardly does.
  */
-static bool turns_back(const struct nc_step *step, const struct stance *to,
+static bool turns_back(const struct nc_step *step, const struct machine_pose *to,
                        const struct motion *motion, double s0, double s1)
 {
-    const struct station *at = &step->state.at;
-    struct follow rotary = step->follow;
+    const struct block_pose *at = &step->state.at;
+    struct interpolation rotary = step->follow;
     double most = 0;
     for (int i = 0; i < rotary.chain->n; i++)
         most = fmax(most, fabs(to->at.q[i] - at->q[i]));
-    if (step->follow.mode != FOLLOW_VECTOR || most < PI / 2)
+    if (step->follow.mode != INTERPOLATE_VECTOR || most < PI / 2)
         return false;
-    rotary.mode = FOLLOW_ROTARY;
+    rotary.mode = INTERPOLATE_ROTARY;
     double great = vec_angle(motion_at(motion, s0).a, motion_at(motion, s1).a);
-    return follow_block(&rotary, at, &to->at, motion, s0, s1).axis > great + RADIANS(1);
+    return interpolation_block(&rotary, at, &to->at, motion, s0, s1).axis > great + RADIANS(1);
 }
 
 /* The same for every way in which the control may turn the axis. */
-static struct deviation deviation_of(const struct nc_step *step, const struct stance *to,
-                                     const struct motion *motion, double s0, double s1,
-                                     struct deviation allowed)
+static struct pose_deviation deviation_of(const struct nc_step *step, const struct machine_pose *to,
+                                          const struct motion *motion, double s0, double s1,
+                                          struct pose_deviation allowed)
 {
-    struct follow other = step->follow;
+    struct interpolation other = step->follow;
     if (allowed.axis < HUGE_VAL && turns_back(step, to, motion, s0, s1))
-        return (struct deviation){HUGE_VAL, HUGE_VAL};
-    struct deviation d = block_deviation(step, &other, to, motion, s0, s1, allowed);
-    if (step->plan->ability.doubtful && deviation_within(d, allowed)) {
-        other.mode = FOLLOW_ROTARY;
-        d = deviation_worst(d, block_deviation(step, &other, to, motion, s0, s1, allowed));
+        return (struct pose_deviation){HUGE_VAL, HUGE_VAL};
+    struct pose_deviation d = block_deviation(step, &other, to, motion, s0, s1, allowed);
+    if (step->plan->ability.doubtful && pose_deviation_within(d, allowed)) {
+        other.mode = INTERPOLATE_ROTARY;
+        d = pose_deviation_worst(d, block_deviation(step, &other, to, motion, s0, s1, allowed));
     }
     return d;
 }
 
 /* The axis that would have to turn furthest is to blame. */
-static int no_way_on(struct nc_step *step, struct pose goal, const struct stance *to)
+static int no_way_on(struct nc_step *step, struct pose goal, const struct machine_pose *to)
 {
     const struct machine *m = step->machine;
     const double *from = step->state.at.q;
@@ -79,7 +81,7 @@ static int no_way_on(struct nc_step *step, struct pose goal, const struct stance
  * turn that no block in the cut can make.  Off the part they turn where they are.
  */
 static int go_on_turned(struct nc_step *step, const struct motion *motion, double s0, double s1,
-                        enum nc_kind kind, struct stance *to)
+                        enum nc_kind kind, struct machine_pose *to)
 {
     struct pose goal = motion_at(motion, s1);
     if (kind == NC_RAPID) {
@@ -90,34 +92,34 @@ static int go_on_turned(struct nc_step *step, const struct motion *motion, doubl
     }
     bool turned = step->may_turn && nc_turn_for(step, goal) == 0;
     if (turned && nc_reach(step, goal, s1, to) == 0 &&
-        deviation_within(deviation_of(step, to, motion, s0, s1, step->allowed), step->allowed))
+        pose_deviation_within(deviation_of(step, to, motion, s0, s1, step->allowed), step->allowed))
         return 0;
     if (step->plan->unmet)
         return -1;
     return no_way_on(step, goal, to);
 }
 
-static void take(struct nc_step *step, const struct stance *to, struct pose goal, enum nc_kind kind,
-                 struct deviation d)
+static void take(struct nc_step *step, const struct machine_pose *to, struct pose goal,
+                 enum nc_kind kind, struct pose_deviation d)
 {
     struct nc_total *total = &step->plan->total;
     nc_add_straight(step, kind, to, &goal);
     if (kind == NC_LINE)
-        total->spent = deviation_worst(total->spent, d);
+        total->spent = pose_deviation_worst(total->spent, d);
 }
 
 static int straight(struct nc_step *step, const struct motion *motion, double s0, double s1,
-                    enum nc_kind kind, struct deviation allowed, int depth)
+                    enum nc_kind kind, struct pose_deviation allowed, int depth)
 {
     struct pose goal = motion_at(motion, s1);
-    struct stance to;
-    struct deviation d = {HUGE_VAL, HUGE_VAL};
+    struct machine_pose to;
+    struct pose_deviation d = {HUGE_VAL, HUGE_VAL};
     bool reached = nc_reach(step, goal, s1, &to) == 0;
     if (!reached && !step->may_turn)
         return -1; /* with it: as far as it goes, then turn */
     if (reached)
         d = deviation_of(step, &to, motion, s0, s1, allowed);
-    if (!deviation_within(d, allowed) && depth < DEPTH_MAX) {
+    if (!pose_deviation_within(d, allowed) && depth < DEPTH_MAX) {
         double mid = (s0 + s1) / 2;
         if (step->state.why == NC_WHY_PATH)
             step->state.why = NC_WHY_DIVIDED;
@@ -125,7 +127,7 @@ static int straight(struct nc_step *step, const struct motion *motion, double s0
             return -1;
         return straight(step, motion, mid, s1, kind, allowed, depth + 1);
     }
-    if (!deviation_within(d, allowed)) {
+    if (!pose_deviation_within(d, allowed)) {
         if (go_on_turned(step, motion, s0, s1, kind, &to) != 0)
             return -1;
         d = kind == NC_LINE ? deviation_of(step, &to, motion, s0, s1, allowed) : d;
@@ -135,7 +137,7 @@ static int straight(struct nc_step *step, const struct motion *motion, double s0
 }
 
 int nc_step_straight(struct nc_step *step, const struct motion *motion, double s0, double s1,
-                     enum nc_kind kind, struct deviation allowed)
+                     enum nc_kind kind, struct pose_deviation allowed)
 {
     return straight(step, motion, s0, s1, kind, allowed, 0);
 }

@@ -13,6 +13,6 @@
  * -1: the error is filled with the pass, the axis and the point from which no way leads on.
  */
 int nc_step_straight(struct nc_step *step, const struct motion *motion, double s0, double s1,
-                     enum nc_kind kind, struct deviation allowed);
+                     enum nc_kind kind, struct pose_deviation allowed);
 
 #endif

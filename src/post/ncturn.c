@@ -28,8 +28,8 @@ static bool turned_angles(const struct nc_step *step, struct pose goal, double q
             middle[i] = chain->rotary[i].min + span / 2;
     }
     for (int only = 0; only < 2; only++)
-        if (chain_choose(chain, step->state.pose.a, middle, false, only, q, &over) == 0 &&
-            chain_choose(chain, goal.a, q, true, -1, next, &over) == 0 &&
+        if (ik_choose(chain, step->state.pose.a, middle, false, only, q, &over) == 0 &&
+            ik_choose(chain, goal.a, q, true, -1, next, &over) == 0 &&
             most_turn(chain, q, step->state.at.q) > RADIANS(1) &&
             most_turn(chain, q, next) < RADIANS(90))
             return true;
@@ -40,12 +40,12 @@ void nc_turn_to(struct nc_step *step, const double q[])
 {
     double from[ROTARY_MAX] = {step->state.at.q[0], step->state.at.q[1]};
     double far = DEGREES(most_turn(&step->machine->chain, q, from));
-    int n = step->follow.mode == FOLLOW_JOINT ? (int)ceil(far / TURN_STEP) : 1;
+    int n = step->follow.mode == INTERPOLATE_JOINT ? (int)ceil(far / TURN_STEP) : 1;
     for (int k = 1; k <= n; k++) {
         double part[ROTARY_MAX];
         for (int i = 0; i < ROTARY_MAX; i++)
             part[i] = from[i] + (q[i] - from[i]) * k / n;
-        struct stance to = nc_station(step, step->state.pose, part);
+        struct machine_pose to = nc_station(step, step->state.pose, part);
         nc_add_move(step, NC_RAPID, &to, 0, 0, NULL);
     }
 }
@@ -88,7 +88,7 @@ int nc_step_turn(struct nc_step *step, const double q[])
 {
     double at[ROTARY_MAX] = {0};
     int over;
-    if (chain_choose(&step->machine->chain, step->state.pose.a, q, true, -1, at, &over) != 0)
+    if (ik_choose(&step->machine->chain, step->state.pose.a, q, true, -1, at, &over) != 0)
         return 0;
     return retract_turn_return(step, at);
 }
@@ -96,7 +96,7 @@ int nc_step_turn(struct nc_step *step, const double q[])
 int nc_turn_for(struct nc_step *step, struct pose goal)
 {
     double q[ROTARY_MAX] = {0};
-    if (step->follow.mode == FOLLOW_VECTOR || !turned_angles(step, goal, q))
+    if (step->follow.mode == INTERPOLATE_VECTOR || !turned_angles(step, goal, q))
         return -1;
     return retract_turn_return(step, q);
 }

@@ -18,7 +18,7 @@ double nc_way_since(const struct nc_step *step, const struct nc_since *since)
         const struct nc_move *move = &step->plan->move.item[i];
         if (!nc_moves(move))
             continue;
-        way += chain_way(&step->machine->chain, q, move->q);
+        way += ik_travel(&step->machine->chain, q, move->q);
         q = move->q;
     }
     return way;
@@ -66,16 +66,16 @@ static double way_of(const struct nc_step *step, const struct nc_since *since, s
             continue;
         }
         if (!cutting) {
-            if (chain_choose(chain, start ? start->to.a : item->to.a, q, true, k, next, &over) != 0)
+            if (ik_choose(chain, start ? start->to.a : item->to.a, q, true, k, next, &over) != 0)
                 return HUGE_VAL;
-            way = chain_way(chain, q, next);
+            way = ik_travel(chain, q, next);
             q[0] = next[0], q[1] = next[1];
             turned = chain_turned(chain, q);
             cutting = true;
         }
-        if (!chain_beside(&step->ways, item->to.a, q, &turned, next, &turned))
+        if (!ik_near(&step->ways, item->to.a, q, &turned, next, &turned))
             return 0;
-        way += chain_way(chain, q, next);
+        way += ik_travel(chain, q, next);
         q[0] = next[0], q[1] = next[1];
     }
     return way;
@@ -85,7 +85,7 @@ bool nc_way_surely_shortest(const struct nc_step *step, const struct nc_since *s
                             size_t to)
 {
     const struct kinematic_chain *chain = &step->machine->chain;
-    if (step->follow.mode == FOLLOW_VECTOR || chain->n < 2)
+    if (step->follow.mode == INTERPOLATE_VECTOR || chain->n < 2)
         return true;
     if (turn_alike(chain))
         return !step->doubt || first_stays(step, since);

@@ -13,7 +13,7 @@ struct nc_since {
     double q[ROTARY_MAX];
 };
 
-/* How far the rotary axes turn in all that was planned since, as chain_way says it. */
+/* How far the rotary axes turn in all that was planned since, as ik_travel says it. */
 double nc_way_since(const struct nc_step *step, const struct nc_since *since);
 
 /* One way is so much shorter than another that planning again is worth it. */

@@ -74,7 +74,7 @@ void nc_rotary_home(struct nc_program *p)
 
 void nc_axis(struct nc_program *p, const struct nc_move *move, const char *const address[3])
 {
-    if (p->plan->ability.mode == FOLLOW_VECTOR)
+    if (p->plan->ability.mode == INTERPOLATE_VECTOR)
         vector_words(p, address, p->plan->vector.item[move->vector]);
     else
         nc_rotary(p, move->q);

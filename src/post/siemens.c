@@ -69,7 +69,7 @@ static void transform(struct nc_program *p, const struct nc_move *first)
     nc_template(p, p->machine->blocks.tcp_on, "TRAORI");
     nc_offset(p, "G54");
     nc_end(w);
-    nc_code(w, p->plan->ability.mode == FOLLOW_VECTOR ? "ORIWKS ORIVECT" : "ORIWKS ORIAXES");
+    nc_code(w, p->plan->ability.mode == INTERPOLATE_VECTOR ? "ORIWKS ORIVECT" : "ORIWKS ORIAXES");
     if (siemens_turning_curves(p->plan))
         nc_code(w, "UPATH");
     nc_end(w);

@@ -126,8 +126,8 @@ static double follow(const struct spanform *form, const struct target *target, s
     return vec_length(p.off);
 }
 
-static void follow_both(const struct spanform *form, const struct target *target, size_t k,
-                        struct feet *feet)
+static void interpolation_both(const struct spanform *form, const struct target *target, size_t k,
+                               struct feet *feet)
 {
     struct foothold *point = &feet->point[k], *other = &feet->other[k];
     double *off = &feet->off[k * FEET_KINDS];
@@ -154,7 +154,7 @@ void feet_follow(const struct spanform *form, const struct target *target, struc
         feet->u[k] = point->u;
         near = point->span;
         if (target->axis != NULL)
-            follow_both(form, target, k, feet);
+            interpolation_both(form, target, k, feet);
         for (size_t i = 0; i < kinds; i++)
             if (!(feet->off[k * kinds + i] <= feet->worst)) {
                 feet->worst = feet->off[k * kinds + i];

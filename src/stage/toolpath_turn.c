@@ -3,7 +3,7 @@
 
 #include "base/cli.h"
 #include "base/parallel.h"
-#include "machine/rotary.h"
+#include "machine/rotary_cost.h"
 #include "stage/toolpath.h"
 
 struct trial {
@@ -25,7 +25,7 @@ static double way_by(const struct toolpath *t, const struct tool_axis_options *r
             struct vec3 centre = vec_along(c.p, strip->lift.offset, c.n);
             struct vec3 axis = tool_axis_at(rule, &strip->lift.feed, centre, c.n);
             if (i > 0 || k > 0)
-                way += rotary_way(before, axis);
+                way += rotary_travel(before, axis);
             before = axis;
         }
     }

@@ -33,7 +33,8 @@ static struct holder_collision way_of(const struct verdict *v, const struct hold
                                      .tolerance = v->tolerance};
 }
 
-static void follow_holder(const struct verifyrun_setup *s, struct verifyrun *run, struct verdict *v)
+static void interpolation_holder(const struct verifyrun_setup *s, struct verifyrun *run,
+                                 struct verdict *v)
 {
     struct collision_body part = collision_body_points(v->point->item, v->point->n);
     run->part = way_of(v, s->holder, &part);
@@ -71,7 +72,7 @@ void verifyrun_do(const struct verifyrun_setup *s, struct verifyrun *run, struct
     deviation_map_run(&run->cut, v->point->item, v->point->n, &setup, &v->roll);
     roll_rapids(s, v);
     if (s->holder)
-        follow_holder(s, run, v);
+        interpolation_holder(s, run, v);
     if (s->stock)
         cut_stock(s, run, v);
 }

@@ -103,7 +103,7 @@ static void drill(struct drill *d, const struct path_cycle *c)
 }
 
 /* The speed that a SPINDL among the texts says. */
-static void follow_spindle(struct drill *d, const char *text)
+static void interpolation_spindle(struct drill *d, const char *text)
 {
     if (strncmp(text, "SPINDL", 6) != 0)
         return;
@@ -129,7 +129,7 @@ static void follow(struct drill *d, const struct path_item *item)
         d->feed = item->feed;
         d->own_feed = false;
     } else if (item->kind == PATH_TEXT) {
-        follow_spindle(d, d->path->text.item[item->index]);
+        interpolation_spindle(d, d->path->text.item[item->index]);
     }
     *array_push(&d->path->item) = *item;
 }

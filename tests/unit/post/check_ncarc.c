@@ -26,7 +26,7 @@ static struct vec3 printed(struct vec3 p, int digits)
 /* An arc about an axis, its ends as printed. */
 struct trial {
     struct motion motion;
-    struct station from, to;
+    struct block_pose from, to;
     double radius;
 };
 
@@ -39,8 +39,8 @@ static struct trial random_arc(struct vec3 axis, double sweep, double unit, int 
     struct pose a = {vec_along(centre, t.radius, arm), up};
     struct pose b = {vec_along(centre, t.radius, vec_turn(arm, axis, sweep)), up};
     t.motion = motion_arc(a, b, centre, axis);
-    t.from = (struct station){.p = printed(a.p, digits), .a = up};
-    t.to = (struct station){.p = printed(b.p, digits), .a = up};
+    t.from = (struct block_pose){.p = printed(a.p, digits), .a = up};
+    t.to = (struct block_pose){.p = printed(b.p, digits), .a = up};
     return t;
 }
 
@@ -55,13 +55,13 @@ START_TEST(centre_words)
     const struct vec3 normal[] = {{0, 0, 1}, {0, -1, 0}, {1, 0, 0}, {0, 0, -1}};
     const int plane[] = {17, 18, 19, 17};
     double digit = pow(10, -written[_i].digits);
-    struct follow f = {.mode = FOLLOW_VECTOR};
+    struct interpolation f = {.mode = INTERPOLATE_VECTOR};
     seed = 5;
     for (int i = 0; i < 4000; i++) {
         struct trial t =
             random_arc(normal[i % 4], 0.05 + 6 * chance(), written[_i].unit, written[_i].digits);
         struct nc_arc arc;
-        struct deviation d;
+        struct pose_deviation d;
         double point;
         ck_assert(nc_arc_words(&arc, NC_ARCS_CENTRE, written[_i].digits, 0.005 / written[_i].unit,
                                &f, &t.from, &t.to, &t.motion, 0, 1, &d, &point));
@@ -86,7 +86,7 @@ END_TEST
 /* Of a few last digits, the centre would be anywhere: no words, whichever way it is told. */
 START_TEST(too_short)
 {
-    struct follow f = {.mode = FOLLOW_VECTOR};
+    struct interpolation f = {.mode = INTERPOLATE_VECTOR};
     double digit = pow(10, -written[_i].digits);
     seed = 6;
     for (int i = 0; i < 1000; i++) {
@@ -98,7 +98,7 @@ START_TEST(too_short)
         t.motion = motion_arc(t.motion.from, t.motion.to, t.motion.centre, axis);
         t.to.p = printed(t.motion.to.p, written[_i].digits);
         struct nc_arc arc;
-        struct deviation d = {0, 0};
+        struct pose_deviation d = {0, 0};
         double point = 0;
         for (int kind = NC_ARCS_FLAT; kind <= NC_ARCS_BOTH; kind++) {
             bool words =
@@ -115,14 +115,14 @@ END_TEST
 START_TEST(radius_words)
 {
     double digit = pow(10, -written[_i].digits);
-    struct follow f = {.mode = FOLLOW_VECTOR};
+    struct interpolation f = {.mode = INTERPOLATE_VECTOR};
     int made = 0;
     seed = 6;
     for (int i = 0; i < 2000; i++) {
         struct trial t = random_arc(vec(0, 0, i % 2 ? 1 : -1), 0.05 + 2 * chance(),
                                     written[_i].unit, written[_i].digits);
         struct nc_arc arc;
-        struct deviation d;
+        struct pose_deviation d;
         double point;
         if (!nc_arc_words(&arc, NC_ARCS_RADIUS, written[_i].digits, 1, &f, &t.from, &t.to,
                           &t.motion, 0, 1, &d, &point))
@@ -150,13 +150,13 @@ END_TEST
 START_TEST(space_words)
 {
     double digit = pow(10, -written[_i].digits);
-    struct follow f = {.mode = FOLLOW_VECTOR};
+    struct interpolation f = {.mode = INTERPOLATE_VECTOR};
     seed = 7;
     for (int i = 0; i < 2000; i++) {
         struct vec3 axis = vec_unit(vec(chance() - 0.5, chance() - 0.5, chance() - 0.5));
         struct trial t = random_arc(axis, 0.3 + 2 * chance(), written[_i].unit, written[_i].digits);
         struct nc_arc arc;
-        struct deviation d;
+        struct pose_deviation d;
         double point;
         if (!nc_arc_words(&arc, NC_ARCS_SPACE, written[_i].digits, 1, &f, &t.from, &t.to, &t.motion,
                           0, 1, &d, &point)) {
@@ -177,7 +177,7 @@ START_TEST(space_words)
     }
     struct trial flat = random_arc(vec(0, 0, 1), 1e-4, 1, 3);
     struct nc_arc arc;
-    struct deviation d;
+    struct pose_deviation d;
     double point;
     ck_assert(!nc_arc_words(&arc, NC_ARCS_SPACE, 3, 1, &f, &flat.from, &flat.to, &flat.motion, 0, 1,
                             &d, &point));

@@ -89,8 +89,8 @@ END_TEST
 
 START_TEST(faults_are_seen)
 {
-    struct follow f = {.mode = FOLLOW_VECTOR};
-    struct deviation allowed = {0.001, 0.001};
+    struct interpolation f = {.mode = INTERPOLATE_VECTOR};
+    struct pose_deviation allowed = {0.001, 0.001};
     for (int i = 0; i < 40; i++) {
         seed = (uint64_t)i + 1;
         int degree = 2 + i % 4;
@@ -100,7 +100,7 @@ START_TEST(faults_are_seen)
         struct pose from = {b.pole[0], vec(0, 0, 1)}, to = {b.pole[b.poles - 1], vec(0, 0, 1)};
         struct motion motion = motion_spline(from, to, &b);
         ck_assert(nc_poly_words(&spans, &b, 5));
-        struct deviation d =
+        struct pose_deviation d =
             nc_poly_deviation(&spans, &b, &f, b.pole[0], b.head[0], &motion, allowed, &more);
         ck_assert_double_lt(d.point, 2e-5);
         ck_assert_double_lt(d.axis, 1e-6);

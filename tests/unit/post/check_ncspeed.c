@@ -26,16 +26,17 @@ static struct machine any_machine(int kind)
     return m;
 }
 
-static struct station any_station(const struct kinematic_chain *chain, double far)
+static struct block_pose any_station(const struct kinematic_chain *chain, double far)
 {
-    struct station s = {.p = vec_scale(far * chance(), random_unit()),
-                        .q = {4 * chance() - 2, 2 * chance() - 1}};
+    struct block_pose s = {.p = vec_scale(far * chance(), random_unit()),
+                           .q = {4 * chance() - 2, 2 * chance() - 1}};
     s.a = chain_axis(chain, s.q);
     return s;
 }
 
 /* The least time at which no axis is too fast in any of many steps, all of them as long. */
-static double by_steps(const struct machine *m, const struct station *a, const struct station *b)
+static double by_steps(const struct machine *m, const struct block_pose *a,
+                       const struct block_pose *b)
 {
     struct vec3 last = chain_linear(&m->chain, a->p, a->q);
     double minutes = 0;
@@ -58,9 +59,10 @@ START_TEST(as_by_small_steps)
     seed = 300 + (uint64_t)_i;
     for (int i = 0; i < 300; i++) {
         struct machine m = any_machine(_i);
-        struct nc_step step = {.machine = &m, .follow = {.mode = FOLLOW_ROTARY, .chain = &m.chain}};
+        struct nc_step step = {.machine = &m,
+                               .follow = {.mode = INTERPOLATE_ROTARY, .chain = &m.chain}};
         step.state.at = any_station(&m.chain, 900);
-        struct stance to = {.at = any_station(&m.chain, 900)};
+        struct machine_pose to = {.at = any_station(&m.chain, 900)};
         if (i % 3 == 0) /* close by, or where it is */
             to.at.p = vec_along(step.state.at.p, i % 2 ? 1 : 0, random_unit());
         to.turned = chain_turned(&m.chain, to.at.q);
@@ -98,7 +100,8 @@ START_TEST(slow_part_of_a_curve)
     struct error error;
     ck_assert_int_eq(machine_finish(&m, &error), 0);
     m.rapid[MACHINE_A] = m.rapid[MACHINE_C] = 1000;
-    struct nc_step step = {.machine = &m, .follow = {.mode = FOLLOW_ROTARY, .chain = &m.chain}};
+    struct nc_step step = {.machine = &m,
+                           .follow = {.mode = INTERPOLATE_ROTARY, .chain = &m.chain}};
     step.state.feed = 1000;
     step.state.faster = 1;
     struct bspline slow = leaning(60), even = leaning(0), tame = leaning(1);
@@ -109,7 +112,7 @@ START_TEST(slow_part_of_a_curve)
         struct motion motion = motion_spline(from, from, curve[i]);
         int over;
         ck_assert_int_eq(
-            chain_choose(&m.chain, from.a, (double[]){0, 0}, false, -1, step.state.at.q, &over), 0);
+            ik_choose(&m.chain, from.a, (double[]){0, 0}, false, -1, step.state.at.q, &over), 0);
         double s = nc_curve_part(&step, &motion);
         ck_assert_double_eq_tol(12 * s, round(12 * s), 1e-9);
         if (i > 0)
@@ -146,7 +149,7 @@ START_TEST(slides_within)
         m.max[MACHINE_X] = 400 + 400 * chance();
         m.min[MACHINE_Z] = -300 - 400 * chance();
         struct nc_step step = {.machine = &m, .within = nc_surely_within(&m)};
-        struct station at = any_station(&m.chain, 1200);
+        struct block_pose at = any_station(&m.chain, 1200);
         struct vec3 linear = chain_linear(&m.chain, at.p, at.q);
         int found = nc_linear_over(&step, at.p, at.q);
         bool x = linear.x > m.max[MACHINE_X], z = linear.z < m.min[MACHINE_Z];

@@ -57,9 +57,9 @@ static double at(const double *knot, size_t degree, size_t n, const double *pole
     return d[degree];
 }
 
-static struct station begin(const struct bspline *b, struct nc_spline_digits digits)
+static struct block_pose begin(const struct bspline *b, struct nc_spline_digits digits)
 {
-    struct station from = {.a = vec_unit(vec_sub(b->head[0], b->pole[0]))};
+    struct block_pose from = {.a = vec_unit(vec_sub(b->head[0], b->pole[0]))};
     struct vec3 p = b->pole[0];
     from.p = vec(num_round(p.x, digits.linear), num_round(p.y, digits.linear),
                  num_round(p.z, digits.linear));
@@ -104,7 +104,7 @@ static void expect_near(const struct nc_spline *s, const struct motion *motion, 
 START_TEST(nurbs)
 {
     const struct nc_spline_digits mm = {3, 3, 3}, inch = {4, 3, 4};
-    struct follow f = {.mode = FOLLOW_ROTARY, .chain = &table_ac, .ball = 0};
+    struct interpolation f = {.mode = INTERPOLATE_ROTARY, .chain = &table_ac, .ball = 0};
     int done = 0;
     for (int i = 0; i < 60; i++) {
         seed = (uint64_t)i + 1;
@@ -112,8 +112,8 @@ START_TEST(nurbs)
         double unit = i % 2 ? 1 / 25.4 : 1;
         struct nc_spline_digits digits = i % 2 ? inch : mm;
         struct bspline b = any_curve(degree, (size_t)degree + 1 + (size_t)i % 7, unit);
-        struct deviation allowed = {0.005 * unit, RADIANS(0.05)}, d;
-        struct station from = begin(&b, digits), to;
+        struct pose_deviation allowed = {0.005 * unit, RADIANS(0.05)}, d;
+        struct block_pose from = begin(&b, digits), to;
         struct motion motion = motion_spline((struct pose){b.pole[0], from.a},
                                              (struct pose){b.pole[b.poles - 1], from.a}, &b);
         motion.to.a = motion_at(&motion, 1).a;
@@ -140,13 +140,13 @@ END_TEST
 START_TEST(polynomials)
 {
     const struct nc_spline_digits digits = {5, 5, 5};
-    struct follow f = {.mode = FOLLOW_VECTOR, .chain = &table_ac};
+    struct interpolation f = {.mode = INTERPOLATE_VECTOR, .chain = &table_ac};
     for (int i = 0; i < 60; i++) {
         seed = (uint64_t)i + 1;
         int degree = 2 + i % 7;
         struct bspline b = any_curve(degree, (size_t)degree + 1 + (size_t)i % 7, 1);
-        struct deviation allowed = {0.005, RADIANS(0.05)}, d;
-        struct station from = begin(&b, digits), to;
+        struct pose_deviation allowed = {0.005, RADIANS(0.05)}, d;
+        struct block_pose from = begin(&b, digits), to;
         struct motion motion = motion_spline((struct pose){b.pole[0], from.a},
                                              (struct pose){b.pole[b.poles - 1], from.a}, &b);
         motion.to.a = motion_at(&motion, 1).a;
@@ -166,11 +166,11 @@ END_TEST
 START_TEST(none)
 {
     const struct nc_spline_digits digits = {3, 3, 3};
-    struct follow f = {.mode = FOLLOW_ROTARY, .chain = &table_ac};
+    struct interpolation f = {.mode = INTERPOLATE_ROTARY, .chain = &table_ac};
     for (int degree = 1; degree <= 3; degree += 2) {
         struct bspline b = any_curve(degree, 8, 1);
-        struct deviation allowed = {0.005, RADIANS(0.05)}, d;
-        struct station from = begin(&b, digits), to;
+        struct pose_deviation allowed = {0.005, RADIANS(0.05)}, d;
+        struct block_pose from = begin(&b, digits), to;
         struct motion motion =
             motion_spline((struct pose){b.pole[0], from.a}, (struct pose){b.pole[7], from.a}, &b);
         struct nc_spline s;

@@ -1,5 +1,5 @@
-/* turnfit - see turnfit.h. */
-#include "machine/turnfit.h"
+/* rotary_spline - see rotary_spline.h. */
+#include "machine/rotary_spline.h"
 
 #include <stdlib.h>
 
@@ -74,7 +74,7 @@ static double *sample_angles(const struct kinematic_chain *chain, const struct m
         double next = motion_next_knot(motion, s);
         for (size_t i = 1; i <= each; i++) {
             struct pose at = motion_at(motion, s + (next - s) * (double)i / (double)each);
-            if (chain_choose(chain, at.a, q, true, -1, q, over) != 0)
+            if (ik_choose(chain, at.a, q, true, -1, q, over) != 0)
                 return free(angle), NULL;
             for (int k = 0; k < chain->n; k++)
                 angle[*n * ROTARY_MAX + (size_t)k] = q[k];
@@ -85,8 +85,8 @@ static double *sample_angles(const struct kinematic_chain *chain, const struct m
     return angle;
 }
 
-int turnfit(const struct kinematic_chain *chain, const struct motion *motion, const double from[],
-            double *pole[ROTARY_MAX], int *over)
+int rotary_spline_fit(const struct kinematic_chain *chain, const struct motion *motion,
+                      const double from[], double *pole[ROTARY_MAX], int *over)
 {
     const struct bspline *b = motion->curve;
     size_t each = (size_t)b->degree + MORE, samples, width = (size_t)b->degree + 1;

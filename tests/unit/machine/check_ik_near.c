@@ -3,7 +3,7 @@
 #include <stdlib.h>
 
 #include "chains.h"
-#include "machine/turnbeside.h"
+#include "machine/ik_near.h"
 
 /* From one direction to the next, small steps and turned about axes in no plane; cosines and sines
  * with it. */
@@ -17,14 +17,14 @@ START_TEST(beside_the_last)
             chain.rotary[1].axis = vec_unit(vec(0.1 * chance(), 1, chance() - 0.5));
         if (i % 4 == 3)
             chain.tool = vec_unit(vec(chance() - 0.5, 0.2, 1));
-        struct chain_ways ways = chain_ways(&chain);
+        struct ik_near_table ways = ik_near_table(&chain);
         double from[2] = {6 * chance() - 3, 6 * chance() - 3}, q[2], by[2] = {0};
         struct turned turned = chain_turned(&chain, from);
         for (int k = 0; k < 100; k++) {
             const double next[2] = {from[0] + 0.1 * chance() * chance() - 0.03,
                                     from[1] + 0.1 * chance() * chance() - 0.03};
             struct vec3 axis = chain_axis(&chain, next);
-            if (!chain_beside(&ways, axis, from, &turned, q, &turned))
+            if (!ik_near(&ways, axis, from, &turned, q, &turned))
                 break;
             found++;
             for (int j = 0; j < 2; j++) {
@@ -34,11 +34,11 @@ START_TEST(beside_the_last)
                 from[j] = RADIANS(round(1000 * DEGREES(q[j])) / 1000); /* as printed */
                 by[j] = from[j] - q[j];
             }
-            turned = chain_turned_on(&turned, by);
+            turned = ik_turned_on(&turned, by);
             ck_assert_double_lt(
                 vec_distance(chain_axis_of(&chain, &turned), chain_axis(&chain, from)), 1e-12);
             ck_assert_double_lt(
-                vec_distance(chain_ways_axis(&ways, &turned), chain_axis(&chain, from)), 1e-12);
+                vec_distance(ik_near_axis(&ways, &turned), chain_axis(&chain, from)), 1e-12);
         }
     }
     ck_assert_int_gt(found, 15000);

@@ -1,8 +1,9 @@
-/* turnfit: angles that are polynomials come back exactly; others within what the knots allow. */
+/* rotary_spline_fit: angles that are polynomials come back exactly; others within what the knots
+ * allow. */
 #include <check.h>
 #include <stdlib.h>
 
-#include "machine/turnfit.h"
+#include "machine/rotary_spline.h"
 
 static struct kinematic_chain table_ac(double min, double max)
 {
@@ -49,7 +50,7 @@ static double worst(size_t poles, double a, double b)
     struct pose start = {c.pole[0], {0, 0, 1}};
     struct motion m = motion_spline(start, start, &c);
     int over;
-    ck_assert_int_eq(turnfit(&chain, &m, from, pole, &over), 0);
+    ck_assert_int_eq(rotary_spline_fit(&chain, &m, from, pole, &over), 0);
     ck_assert_double_eq(pole1[0], from[1]);
     ck_assert_double_eq_tol(pole1[poles - 1], -atan(a + b * range), 1e-12);
     for (int i = 0; i <= 200; i++) {
@@ -86,7 +87,7 @@ START_TEST(out_of_travel)
     struct motion m =
         motion_spline((struct pose){c.pole[0], {0, 0, 1}}, (struct pose){c.pole[5], {0, 0, 1}}, &c);
     int over;
-    ck_assert_int_eq(turnfit(&chain, &m, from, pole, &over), -1);
+    ck_assert_int_eq(rotary_spline_fit(&chain, &m, from, pole, &over), -1);
     ck_assert_int_eq(over, 1);
     bspline_free(&c);
 }
@@ -94,7 +95,7 @@ END_TEST
 
 int main(void)
 {
-    Suite *suite = suite_create("turnfit");
+    Suite *suite = suite_create("rotary_spline_fit");
     TCase *tests = tcase_create("angles");
 
     tcase_add_test(tests, constant_angles);

@@ -1,5 +1,5 @@
 /*
- * turnplan: turns back along spirals are as few as arithmetic allows, turns back and way on random
+ * ik_plan: turns back along spirals are as few as arithmetic allows, turns back and way on random
  * passes are those of an exhaustive search, angles stay in the travel and have the directions, and
  * what cannot be is refused.
  */
@@ -8,7 +8,7 @@
 
 #include "base/array.h"
 #include "chains.h"
-#include "machine/turnplan.h"
+#include "machine/ik_plan.h"
 #include "turnsearch.h"
 
 enum { EACH = 72 }; /* places of one turn */
@@ -24,10 +24,10 @@ static struct kinematic_chain table_ac(double a_min, double a_max, double c_min,
 }
 
 /* So many turns of a direction at this tilt. */
-static struct turnplan_place *spiral(int turns, double tilt, size_t *n)
+static struct ik_plan_place *spiral(int turns, double tilt, size_t *n)
 {
     *n = (size_t)(turns * EACH) + 1;
-    struct turnplan_place *place = mem_alloc(*n, sizeof *place);
+    struct ik_plan_place *place = mem_alloc(*n, sizeof *place);
     for (size_t i = 0; i < *n; i++) {
         double w = 2 * PI * (double)i / EACH, s = sin(RADIANS(tilt));
         place[i].axis = vec(s * sin(w), -s * cos(w), cos(RADIANS(tilt))); /* C is w, A the tilt */
@@ -36,15 +36,15 @@ static struct turnplan_place *spiral(int turns, double tilt, size_t *n)
     return place;
 }
 
-static int plan_of(const struct kinematic_chain *chain, struct turnplan_place *place, size_t n)
+static int plan_of(const struct kinematic_chain *chain, struct ik_plan_place *place, size_t n)
 {
     const double from[ROTARY_MAX] = {0};
-    struct turnplan plan = {.chain = chain};
-    struct turnplan_cost cost;
-    return turnplan_make(&plan, place, n, from, &cost) == 0 ? (int)cost.turns : -1;
+    struct ik_plan plan = {.chain = chain};
+    struct ik_plan_cost cost;
+    return ik_plan_make(&plan, place, n, from, &cost) == 0 ? (int)cost.turns : -1;
 }
 
-static void check_places(const struct kinematic_chain *chain, const struct turnplan_place *place,
+static void check_places(const struct kinematic_chain *chain, const struct ik_plan_place *place,
                          size_t n, int turns)
 {
     int counted = 0;
@@ -83,7 +83,7 @@ START_TEST(fewest_turns)
     struct kinematic_chain chain =
         table_ac(wound[_i].a_min, wound[_i].a_max, wound[_i].c_min, wound[_i].c_max);
     size_t n;
-    struct turnplan_place *place = spiral(wound[_i].turns, wound[_i].tilt, &n);
+    struct ik_plan_place *place = spiral(wound[_i].turns, wound[_i].tilt, &n);
     int turns = plan_of(&chain, place, n);
     ck_assert_int_eq(turns, wound[_i].back);
     check_places(&chain, place, n, turns);
@@ -96,7 +96,7 @@ START_TEST(no_way)
     struct kinematic_chain chain = table_ac(-30, 40, -360, 360),
                            narrow = table_ac(-60, 60, -80, 80);
     size_t n;
-    struct turnplan_place *place = spiral(1, 50, &n);
+    struct ik_plan_place *place = spiral(1, 50, &n);
     ck_assert_int_eq(plan_of(&chain, place, n), -1);
     ck_assert_int_eq(plan_of(&narrow, place, n), -1);
     free(place);
@@ -106,10 +106,10 @@ END_TEST
 /* Straight over the pole: A goes on through zero where it may, else there is one turn back. */
 START_TEST(over_the_pole)
 {
-    struct turnplan_place place[61];
+    struct ik_plan_place place[61];
     for (int i = 0; i < 61; i++) {
         double w = RADIANS(i - 30);
-        place[i] = (struct turnplan_place){.axis = {0, sin(w), cos(w)}, .may_turn = true};
+        place[i] = (struct ik_plan_place){.axis = {0, sin(w), cos(w)}, .may_turn = true};
     }
     struct kinematic_chain both = table_ac(-120, 120, -360, 360),
                            one = table_ac(-5, 120, -360, 360);
@@ -128,12 +128,12 @@ enum { PLACES = 7 };
 
 /* All ways from the angles q at place j on; by block, or turned back at j and then by block. */
 static void try_all(const struct kinematic_chain *chain, const struct angles all[], int j,
-                    const double q[], unsigned turns, double way, struct turnplan_cost *least)
+                    const double q[], unsigned turns, double way, struct ik_plan_cost *least)
 {
     if (turns > least->turns || (turns == least->turns && way >= least->way))
         return;
     if (j + 1 == PLACES) {
-        *least = (struct turnplan_cost){turns, way};
+        *least = (struct ik_plan_cost){turns, way};
         return;
     }
     for (int t = -1; t < all[j].n; t++) {
@@ -159,14 +159,14 @@ static struct kinematic_chain narrow_chain(int i)
     return chain;
 }
 
-static void random_pass(struct turnplan_place place[])
+static void random_pass(struct ik_plan_place place[])
 {
     double tilt = 0.15 + chance(), turn = 2 * PI * chance();
     double step = 0.15 * chance() - 0.05, wind = 1.3 * (2 * chance() - 1);
     for (int j = 0; j < PLACES; j++) {
         double t = fmax(0.1, tilt + step * j), c = turn + wind * j;
-        place[j] = (struct turnplan_place){.axis = {sin(t) * sin(c), -sin(t) * cos(c), cos(t)},
-                                           .may_turn = true};
+        place[j] = (struct ik_plan_place){.axis = {sin(t) * sin(c), -sin(t) * cos(c), cos(t)},
+                                          .may_turn = true};
     }
 }
 
@@ -176,9 +176,9 @@ START_TEST(as_by_trying)
     seed = 90;
     for (int i = 0; i < 600; i++) {
         struct kinematic_chain chain = narrow_chain(i);
-        struct turnplan plan = {.chain = &chain};
-        struct turnplan_place place[PLACES];
-        struct turnplan_cost cost, least = {99, HUGE_VAL};
+        struct ik_plan plan = {.chain = &chain};
+        struct ik_plan_place place[PLACES];
+        struct ik_plan_cost cost, least = {99, HUGE_VAL};
         struct angles all[PLACES];
         const double from[2] = {4 * chance() - 2, 2 * chance() - 1};
         random_pass(place);
@@ -186,7 +186,7 @@ START_TEST(as_by_trying)
             all[j] = angles_all(&chain, place[j].axis);
         for (int k = 0; k < all[0].n; k++)
             try_all(&chain, all, 0, all[0].q[k], 0, angles_way(&chain, from, all[0].q[k]), &least);
-        int result = turnplan_make(&plan, place, PLACES, from, &cost);
+        int result = ik_plan_make(&plan, place, PLACES, from, &cost);
         ck_assert_int_eq(result, least.turns < 99 ? 0 : -1);
         if (result != 0)
             continue;
@@ -219,25 +219,25 @@ START_TEST(past_the_pole)
     struct kinematic_chain both = table_ac(-120, 120, -99999, 99999),
                            one = table_ac(-2, 120, -99999, 99999);
     const double from[ROTARY_MAX] = {0, 0};
-    struct turnplan_cost cost;
-    struct turnplan_place place[401];
+    struct ik_plan_cost cost;
+    struct ik_plan_place place[401];
     for (int i = 0; i <= 400; i++) {
         struct vec3 at = vec(RADIANS(0.05 * (i - 200)), RADIANS(0.03), 1);
-        place[i] = (struct turnplan_place){.axis = vec_unit(at), .may_turn = i == 400};
+        place[i] = (struct ik_plan_place){.axis = vec_unit(at), .may_turn = i == 400};
     }
     place[400].leap = 400;
-    struct turnplan plan = {.chain = &both, .leaps = near_half_way, .with = &both};
-    ck_assert_int_eq(turnplan_make(&plan, place, 401, from, &cost), 0);
+    struct ik_plan plan = {.chain = &both, .leaps = near_half_way, .with = &both};
+    ck_assert_int_eq(ik_plan_make(&plan, place, 401, from, &cost), 0);
     ck_assert_uint_eq(cost.turns, 0);
     ck_assert_double_eq_tol(DEGREES(cost.way), 10 + 90 + 20, 1);
     ck_assert(place[1].passed && place[399].passed && !place[400].passed && !place[0].passed);
     ck_assert_double_eq_tol(fabs(DEGREES(place[400].q[1] - place[0].q[1])), 20, 0.3);
     place[400].leap = 0;
-    ck_assert_int_eq(turnplan_make(&plan, place, 401, from, &cost), 0);
+    ck_assert_int_eq(ik_plan_make(&plan, place, 401, from, &cost), 0);
     ck_assert_double_eq_tol(DEGREES(cost.way), 10 + 90 + 20 + 180, 1);
     place[400].leap = 400;
     plan.chain = &one;
-    ck_assert_int_eq(turnplan_make(&plan, place, 401, from, &cost), 0);
+    ck_assert_int_eq(ik_plan_make(&plan, place, 401, from, &cost), 0);
     ck_assert_double_eq_tol(DEGREES(cost.way), 10 + 90 + 20 + 180, 1);
     ck_assert(!place[1].passed);
 }

@@ -1,5 +1,5 @@
-/* turnplan - see turnplan.h. */
-#include "machine/turnplan.h"
+/* ik_plan - see ik_plan.h. */
+#include "machine/ik_plan.h"
 
 #include <stdint.h>
 #include <stdlib.h>
@@ -20,10 +20,10 @@ struct state {
 enum { BY_BLOCK, BY_TURN, BY_LEAP, BY_BITS = 2 };
 
 struct search {
-    const struct turnplan *plan;
+    const struct ik_plan *plan;
     const struct kinematic_chain *chain;
     double weight[ROTARY_MAX];
-    struct turnstates states; /* of each place */
+    struct ik_branches states; /* of each place */
     struct state *row, *last, *turned,
         *far;     /* of this place, the one before; where a leap starts */
     int *parent;  /* of each turned state, the one that it turned from */
@@ -66,10 +66,10 @@ static int best(const struct state row[], int n)
 }
 
 /* Every state in which the tool can stand at a place, from one that cost so much. */
-static void offer_all(struct search *s, const struct turnplan_place *place,
-                      const struct state *from, int parent)
+static void offer_all(struct search *s, const struct ik_plan_place *place, const struct state *from,
+                      int parent)
 {
-    struct turnground ground = {.found = chain_angles(s->chain, place->axis)};
+    struct ik_branch_ground ground = {.found = chain_angles(s->chain, place->axis)};
     ground.stays = ground.found.free;
     int each = s->states.n / 2;
     for (int to = 0; to < ground.found.n * each; to++) {
@@ -77,16 +77,16 @@ static void offer_all(struct search *s, const struct turnplan_place *place,
         if (place->shut[to / each] ||
             (s->last[to].way < HUGE_VAL && s->last[to].turns < from->turns))
             continue; /* it is there with fewer turns back */
-        turnstate_angles(&s->states, &ground, to, from->q, q);
-        if (turnstate_within(s->chain, q) &&
+        ik_branch_angles(&s->states, &ground, to, from->q, q);
+        if (ik_branch_within(s->chain, q) &&
             offer(&s->turned[to], from->turns, from->way + way(s, from->q, q), q))
             s->parent[to] = parent;
     }
 }
 
 /* From a state of the place before on to this one in a block. */
-static void go_on(struct search *s, const struct turnplan_place *place,
-                  const struct turnground *ground, const struct state *from, uint16_t by,
+static void go_on(struct search *s, const struct ik_plan_place *place,
+                  const struct ik_branch_ground *ground, const struct state *from, uint16_t by,
                   uint16_t into[])
 {
     for (int k = 0; k < ground->found.n; k++) {
@@ -101,7 +101,7 @@ static void go_on(struct search *s, const struct turnplan_place *place,
             if (i > 0 || !ground->loose)
                 most = fmax(most, fabs(q[i] - from->q[i]));
         }
-        int to = place->shut[k] || !(most < jump) ? -1 : turnstate_at(&s->states, k, q, base);
+        int to = place->shut[k] || !(most < jump) ? -1 : ik_branch_at(&s->states, k, q, base);
         if (to >= 0 && offer(&s->row[to], from->turns, from->way + way(s, from->q, q), q))
             into[to] = by;
     }
@@ -113,8 +113,8 @@ static uint16_t come(int state, int how)
 }
 
 /* The turns back at the place before: from the states with the fewest turns. */
-static void turn_back(struct search *s, const struct turnplan_place *last,
-                      const struct turnplan_place *place, const struct turnground *ground,
+static void turn_back(struct search *s, const struct ik_plan_place *last,
+                      const struct ik_plan_place *place, const struct ik_branch_ground *ground,
                       uint16_t into[])
 {
     int start = best(s->last, s->states.n);
@@ -135,19 +135,19 @@ static void turn_back(struct search *s, const struct turnplan_place *last,
 }
 
 /* One block from where a motion starts to where it ends, whatever lies between. */
-static void leap(struct search *s, const struct turnplan_place place[], size_t j,
-                 const struct turnground *ground, uint16_t into[])
+static void leap(struct search *s, const struct ik_plan_place place[], size_t j,
+                 const struct ik_branch_ground *ground, uint16_t into[])
 {
-    const struct turnplan *plan = s->plan;
+    const struct ik_plan *plan = s->plan;
     int each = s->states.n / 2;
     for (int k = 0; k < s->states.n; k++)
         for (int to = 0; to < ground->found.n * each && s->far[k].way < HUGE_VAL; to++) {
             const struct state *from = &s->far[k];
             double q[ROTARY_MAX];
-            turnstate_angles(&s->states, ground, to, from->q, q);
+            ik_branch_angles(&s->states, ground, to, from->q, q);
             if (place[j].shut[to / each] || fabs(q[0] - from->q[0]) > PI ||
                 fabs(q[1] - from->q[1]) > PI ||
-                turnstate_at(&s->states, to / each, q, ground->found.q[to / each]) != to)
+                ik_branch_at(&s->states, to / each, q, ground->found.q[to / each]) != to)
                 continue;
             if (plan->leaps && !plan->leaps(plan->with, j - place[j].leap, j, from->q, q))
                 continue;
@@ -156,7 +156,7 @@ static void leap(struct search *s, const struct turnplan_place place[], size_t j
         }
 }
 
-static const struct vec3 *next_tilted(const struct search *s, const struct turnplan_place place[],
+static const struct vec3 *next_tilted(const struct search *s, const struct ik_plan_place place[],
                                       size_t n, size_t j, size_t *tilted)
 {
     if (*tilted <= j)
@@ -165,15 +165,15 @@ static const struct vec3 *next_tilted(const struct search *s, const struct turnp
     return *tilted < n ? &place[*tilted].axis : NULL;
 }
 
-static void forward(struct search *s, const struct turnplan_place place[], size_t n)
+static void forward(struct search *s, const struct ik_plan_place place[], size_t n)
 {
     size_t tilted = 0, leads = 0; /* the next place that a leap leads to */
     for (size_t j = 0; j < n; j++) {
         uint16_t *into = s->by + j * (size_t)s->states.n;
         if (j > 0) {
             const struct vec3 *ahead = next_tilted(s, place, n, j, &tilted);
-            struct turnground ground =
-                turnstate_ground(s->chain, s->plan->cone, place[j - 1].axis, place[j].axis, ahead);
+            struct ik_branch_ground ground =
+                ik_branch_ground(s->chain, s->plan->cone, place[j - 1].axis, place[j].axis, ahead);
             struct state *other = s->last;
             s->last = s->row;
             s->row = other;
@@ -193,7 +193,7 @@ static void forward(struct search *s, const struct turnplan_place place[], size_
 }
 
 /* Backwards from the best last state: the state at each place that no leap passes. */
-static void trace_back(const struct search *s, struct turnplan_place place[], size_t n, int state,
+static void trace_back(const struct search *s, struct ik_plan_place place[], size_t n, int state,
                        int at[])
 {
     size_t j = n - 1;
@@ -211,32 +211,32 @@ static void trace_back(const struct search *s, struct turnplan_place place[], si
 }
 
 /* The angles along the way that was found. */
-static void follow(const struct search *s, struct turnplan_place place[], size_t n, const int at[],
+static void follow(const struct search *s, struct ik_plan_place place[], size_t n, const int at[],
                    const double from[])
 {
     double q[ROTARY_MAX] = {from[0], from[1]};
     size_t tilted = 0;
     for (size_t j = 0; j < n; j++) {
         const struct vec3 *ahead = next_tilted(s, place, n, j, &tilted);
-        struct turnground ground = {.found = chain_angles(s->chain, place[j].axis)};
+        struct ik_branch_ground ground = {.found = chain_angles(s->chain, place[j].axis)};
         ground.stays = ground.found.free;
         if (place[j].passed)
             continue;
         if (j > 0)
             ground =
-                turnstate_ground(s->chain, s->plan->cone, place[j - 1].axis, place[j].axis, ahead);
-        turnstate_angles(&s->states, &ground, at[j], q, place[j].q);
+                ik_branch_ground(s->chain, s->plan->cone, place[j - 1].axis, place[j].axis, ahead);
+        ik_branch_angles(&s->states, &ground, at[j], q, place[j].q);
         q[0] = place[j].q[0];
         q[1] = place[j].q[1];
     }
 }
 
-static struct search search_of(const struct turnplan *plan, size_t n)
+static struct search search_of(const struct ik_plan *plan, size_t n)
 {
     struct search s = {.plan = plan,
                        .chain = plan->chain,
-                       .weight = {chain_weight(plan->chain, 0), chain_weight(plan->chain, 1)},
-                       .states = turnstates(plan->chain)};
+                       .weight = {ik_weight(plan->chain, 0), ik_weight(plan->chain, 1)},
+                       .states = ik_branches(plan->chain)};
     size_t states = (size_t)s.states.n;
     s.row = mem_alloc(4 * states, sizeof *s.row);
     s.last = s.row + states;
@@ -248,7 +248,7 @@ static struct search search_of(const struct turnplan *plan, size_t n)
 }
 
 /* The best of the last states, without turns back where that can be; -1: none. */
-static int search(struct search *s, const struct turnplan_place place[], size_t n,
+static int search(struct search *s, const struct ik_plan_place place[], size_t n,
                   const double from[])
 {
     struct state start = {.q = {from[0], from[1]}};
@@ -265,15 +265,15 @@ static int search(struct search *s, const struct turnplan_place place[], size_t 
     return search(s, place, n, from);
 }
 
-int turnplan_make(const struct turnplan *plan, struct turnplan_place place[], size_t n,
-                  const double from[], struct turnplan_cost *cost)
+int ik_plan_make(const struct ik_plan *plan, struct ik_plan_place place[], size_t n,
+                 const double from[], struct ik_plan_cost *cost)
 {
     struct search s = search_of(plan, n);
     struct state *rows = s.row;
     int last = search(&s, place, n, from);
     if (last >= 0) {
         int *at = mem_alloc(n, sizeof *at);
-        *cost = (struct turnplan_cost){s.row[last].turns, s.row[last].way};
+        *cost = (struct ik_plan_cost){s.row[last].turns, s.row[last].way};
         trace_back(&s, place, n, last, at);
         follow(&s, place, n, at, from);
         free(at);

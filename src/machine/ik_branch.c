@@ -1,34 +1,34 @@
-/* turnstate - see turnstate.h. */
-#include "machine/turnstate.h"
+/* ik_branch - see ik_branch.h. */
+#include "machine/ik_branch.h"
 
 /* Of the first axis, which is the one that is turned round and round, and of the second. */
 static const int windings_max[ROTARY_MAX] = {257, 9};
 static const double slack = 1e-9;  /* radians beyond the travel that are rounding */
 static const double jump = PI / 2; /* radians between two near directions that are none */
 
-bool turnstate_ends(const struct kinematic_chain *chain, int i)
+bool ik_branch_ends(const struct kinematic_chain *chain, int i)
 {
     return chain->rotary[i].max - chain->rotary[i].min < (windings_max[i] - 1) * 2 * PI;
 }
 
-static struct winding winding_of(const struct kinematic_chain *chain, int i)
+static struct turn_range winding_of(const struct kinematic_chain *chain, int i)
 {
     const struct rotary *r = &chain->rotary[i];
-    if (i >= chain->n || !turnstate_ends(chain, i))
-        return (struct winding){1, 0, true};
+    if (i >= chain->n || !ik_branch_ends(chain, i))
+        return (struct turn_range){1, 0, true};
     int least = (int)ceil((r->min - PI) / (2 * PI) - slack);
     int most = (int)floor((r->max + PI) / (2 * PI) + slack);
-    return (struct winding){most - least + 1, least, false};
+    return (struct turn_range){most - least + 1, least, false};
 }
 
-struct turnstates turnstates(const struct kinematic_chain *chain)
+struct ik_branches ik_branches(const struct kinematic_chain *chain)
 {
-    struct turnstates s = {chain, {winding_of(chain, 0), winding_of(chain, 1)}, 0};
+    struct ik_branches s = {chain, {winding_of(chain, 0), winding_of(chain, 1)}, 0};
     s.n = 2 * s.winding[0].many * s.winding[1].many;
     return s;
 }
 
-bool turnstate_within(const struct kinematic_chain *chain, const double q[])
+bool ik_branch_within(const struct kinematic_chain *chain, const double q[])
 {
     for (int i = 0; i < chain->n; i++)
         if (!(q[i] >= chain->rotary[i].min - slack && q[i] <= chain->rotary[i].max + slack))
@@ -36,13 +36,13 @@ bool turnstate_within(const struct kinematic_chain *chain, const double q[])
     return true;
 }
 
-int turnstate_at(const struct turnstates *s, int k, const double q[], const double base[])
+int ik_branch_at(const struct ik_branches *s, int k, const double q[], const double base[])
 {
     int at = k;
-    if (!turnstate_within(s->chain, q))
+    if (!ik_branch_within(s->chain, q))
         return -1;
     for (int i = 0; i < ROTARY_MAX; i++) {
-        const struct winding *w = &s->winding[i];
+        const struct turn_range *w = &s->winding[i];
         int turns = w->endless ? 0 : (int)round((q[i] - base[i]) / (2 * PI)) - w->least;
         if (turns < 0 || turns >= w->many)
             return -1;
@@ -51,7 +51,7 @@ int turnstate_at(const struct turnstates *s, int k, const double q[], const doub
     return at;
 }
 
-void turnstate_angles(const struct turnstates *s, const struct turnground *ground, int state,
+void ik_branch_angles(const struct ik_branches *s, const struct ik_branch_ground *ground, int state,
                       const double from[], double q[])
 {
     int turns[ROTARY_MAX], k = state;
@@ -67,7 +67,7 @@ void turnstate_angles(const struct turnstates *s, const struct turnground *groun
     }
 }
 
-bool turnstate_end(const struct kinematic_chain *chain, const struct chain_solutions *from,
+bool ik_branch_end(const struct kinematic_chain *chain, const struct chain_solutions *from,
                    const struct chain_solutions *to, int solution, double *share)
 {
     *share = 1;
@@ -78,23 +78,24 @@ bool turnstate_end(const struct kinematic_chain *chain, const struct chain_solut
         double here = from->q[solution][i / 2];
         double turn = remainder(to->q[solution][i / 2] - here, 2 * PI);
         double far = remainder((i % 2 ? r->max : r->min) - here, 2 * PI);
-        if (turnstate_ends(chain, i / 2) && fabs(turn) < jump && far / turn > 0 &&
+        if (ik_branch_ends(chain, i / 2) && fabs(turn) < jump && far / turn > 0 &&
             far / turn < *share)
             *share = far / turn;
     }
     return *share < 1;
 }
 
-double turnstate_step(const struct kinematic_chain *chain, struct vec3 axis)
+double ik_branch_step(const struct kinematic_chain *chain, struct vec3 axis)
 {
     double off = chain->n ? vec_angle(chain->rotary[0].axis, axis) : 1;
     return fmax(5e-4, fmin(0.035, 0.3 * fmin(off, PI - off)));
 }
 
-struct turnground turnstate_ground(const struct kinematic_chain *chain, double cone,
-                                   struct vec3 near, struct vec3 axis, const struct vec3 *ahead)
+struct ik_branch_ground ik_branch_ground(const struct kinematic_chain *chain, double cone,
+                                         struct vec3 near, struct vec3 axis,
+                                         const struct vec3 *ahead)
 {
-    struct turnground g = {.found = chain_angles(chain, axis)};
+    struct ik_branch_ground g = {.found = chain_angles(chain, axis)};
     bool free = g.found.free, was = chain->n == 2 && chain_free(chain, near);
     if (free && was && ahead) {
         struct chain_solutions then = chain_angles(chain, *ahead);

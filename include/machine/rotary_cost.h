@@ -1,19 +1,19 @@
 /*
- * rotary - how far the rotary axes of a machine turn from one direction of the tool axis to the
- * next.
+ * rotary_cost - how far the rotary axes of a machine turn from one direction of the tool axis to
+ * the next.
  *
  * Whatever the machine, one of its rotary axes sets how far the tool axis leans from the machine's
  * Z and one in which direction (A or B, and C): so far does each of them turn.  Every lean has two
  * solutions, to one side and, half a turn further, to the other; the one with the shorter way
  * counts.
  */
-#ifndef CLOUDMILL_ROTARY_H
-#define CLOUDMILL_ROTARY_H
+#ifndef CLOUDMILL_ROTARY_COST_H
+#define CLOUDMILL_ROTARY_COST_H
 
 #include "curve/tool_axis.h"
 
 /* The way of both rotary axes together between two unit vectors, radians. */
-double rotary_way(struct vec3 from, struct vec3 to);
+double rotary_travel(struct vec3 from, struct vec3 to);
 
 /* How many leans rotary_lean knows from `least` to `most` radians off the normal. */
 int rotary_leans(double least, double most);

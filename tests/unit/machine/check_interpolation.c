@@ -6,7 +6,7 @@
 #include <stdint.h>
 #include <stdlib.h>
 
-#include "machine/follow.h"
+#include "machine/interpolation.h"
 
 /* C carried by A, both centres at the origin. */
 static struct kinematic_chain table_ac(void)
@@ -18,22 +18,22 @@ static struct kinematic_chain table_ac(void)
         .rotary = {{{0, 0, 1}, {0, 0, 0}, true, -9, 9}, {{1, 0, 0}, {0, 0, 0}, true, -9, 9}}};
 }
 
-static struct station station(const struct kinematic_chain *chain, struct vec3 p, double c,
-                              double a)
+static struct block_pose station(const struct kinematic_chain *chain, struct vec3 p, double c,
+                                 double a)
 {
     const double q[2] = {c, a};
-    return (struct station){.p = p, .a = chain_axis(chain, q), .q = {c, a}};
+    return (struct block_pose){.p = p, .a = chain_axis(chain, q), .q = {c, a}};
 }
 
 /* Great circle between vectors: the motion of the path itself. */
 START_TEST(vectors_are_exact)
 {
     struct kinematic_chain chain = table_ac();
-    struct follow f = {FOLLOW_VECTOR, &chain, 8};
-    struct station from = station(&chain, vec(0, 0, 0), 0, 0.5);
-    struct station to = station(&chain, vec(10, 0, 0), 1, 0.7);
+    struct interpolation f = {INTERPOLATE_VECTOR, &chain, 8};
+    struct block_pose from = station(&chain, vec(0, 0, 0), 0, 0.5);
+    struct block_pose to = station(&chain, vec(10, 0, 0), 1, 0.7);
     struct motion m = motion_line((struct pose){from.p, from.a}, (struct pose){to.p, to.a});
-    struct deviation d = follow_block(&f, &from, &to, &m, 0, 1);
+    struct pose_deviation d = interpolation_block(&f, &from, &to, &m, 0, 1);
     ck_assert_double_lt(d.point, 1e-12);
     ck_assert_double_lt(d.axis, 1e-12);
 }
@@ -46,12 +46,12 @@ END_TEST
 START_TEST(rotary_words_leave_the_great_circle)
 {
     struct kinematic_chain chain = table_ac();
-    struct follow f = {FOLLOW_ROTARY, &chain, 8};
-    struct station from = station(&chain, vec(0, 0, 0), -0.3, 0.5);
-    struct station to = station(&chain, vec(10, 0, 0), 0.3, 0.5);
+    struct interpolation f = {INTERPOLATE_ROTARY, &chain, 8};
+    struct block_pose from = station(&chain, vec(0, 0, 0), -0.3, 0.5);
+    struct block_pose to = station(&chain, vec(10, 0, 0), 0.3, 0.5);
     struct motion m = motion_line((struct pose){from.p, from.a}, (struct pose){to.p, to.a});
     double off = 0.5 - atan(tan(0.5) * cos(0.3));
-    struct deviation d = follow_block(&f, &from, &to, &m, 0, 1);
+    struct pose_deviation d = interpolation_block(&f, &from, &to, &m, 0, 1);
     ck_assert_double_eq_tol(d.axis, off, 1e-9);
     ck_assert_double_eq_tol(d.point, 8 * 2 * sin(off / 2), 1e-9);
 }
@@ -64,13 +64,13 @@ END_TEST
 START_TEST(joints_leave_the_straight_line)
 {
     struct kinematic_chain chain = table_ac();
-    struct follow f = {FOLLOW_JOINT, &chain, 0};
+    struct interpolation f = {INTERPOLATE_JOINT, &chain, 0};
     struct vec3 p = vec(50, 0, 0);
     const double q0[2] = {-0.1, 0}, q1[2] = {0.1, 0};
-    struct station from = {.p = chain_linear(&chain, p, q0), .a = {0, 0, 1}, .q = {-0.1, 0}};
-    struct station to = {.p = chain_linear(&chain, p, q1), .a = {0, 0, 1}, .q = {0.1, 0}};
+    struct block_pose from = {.p = chain_linear(&chain, p, q0), .a = {0, 0, 1}, .q = {-0.1, 0}};
+    struct block_pose to = {.p = chain_linear(&chain, p, q1), .a = {0, 0, 1}, .q = {0.1, 0}};
     struct motion m = motion_line((struct pose){p, {0, 0, 1}}, (struct pose){p, {0, 0, 1}});
-    struct deviation d = follow_block(&f, &from, &to, &m, 0, 1);
+    struct pose_deviation d = interpolation_block(&f, &from, &to, &m, 0, 1);
     ck_assert_double_eq_tol(d.point, 50 * (1 - cos(0.1)), 1e-6);
 }
 END_TEST
@@ -78,15 +78,15 @@ END_TEST
 START_TEST(chord_of_an_arc)
 {
     struct kinematic_chain chain = table_ac();
-    struct follow f = {FOLLOW_VECTOR, &chain, 0};
-    struct station from = station(&chain, vec(10, 0, 0), 0, 0);
-    struct station to = station(&chain, vec(0, 10, 0), 0, 0);
+    struct interpolation f = {INTERPOLATE_VECTOR, &chain, 0};
+    struct block_pose from = station(&chain, vec(10, 0, 0), 0, 0);
+    struct block_pose to = station(&chain, vec(0, 10, 0), 0, 0);
     struct motion m = motion_arc((struct pose){from.p, from.a}, (struct pose){to.p, to.a},
                                  vec(0, 0, 0), vec(0, 0, 1));
-    struct deviation d = follow_block(&f, &from, &to, &m, 0, 1);
+    struct pose_deviation d = interpolation_block(&f, &from, &to, &m, 0, 1);
     ck_assert_double_eq_tol(d.point, 10 - sqrt(50), 1e-9);
     double point;
-    d = follow_curve(&f, &from, &to, &m, &m, 0, 1, &point);
+    d = interpolation_curve(&f, &from, &to, &m, &m, 0, 1, &point);
     ck_assert_double_lt(d.point, 1e-12);
     ck_assert_double_lt(point, 1e-12);
 }
@@ -96,11 +96,11 @@ END_TEST
 START_TEST(a_turn_on_the_spot_is_seen)
 {
     struct kinematic_chain chain = table_ac();
-    struct follow f = {FOLLOW_ROTARY, &chain, 8};
-    struct station from = station(&chain, vec(0, 0, 0), PI, 0.5);
-    struct station to = station(&chain, vec(1e-5, 0, 0), 0, -0.5);
+    struct interpolation f = {INTERPOLATE_ROTARY, &chain, 8};
+    struct block_pose from = station(&chain, vec(0, 0, 0), PI, 0.5);
+    struct block_pose to = station(&chain, vec(1e-5, 0, 0), 0, -0.5);
     struct motion m = motion_line((struct pose){from.p, from.a}, (struct pose){to.p, to.a});
-    struct deviation d = follow_block(&f, &from, &to, &m, 0, 1);
+    struct pose_deviation d = interpolation_block(&f, &from, &to, &m, 0, 1);
     ck_assert_double_gt(d.axis, 0.3);
 }
 END_TEST
@@ -133,34 +133,36 @@ static struct kinematic_chain random_chain(void)
     return chain;
 }
 
-static struct stance stance_at(const struct kinematic_chain *chain, struct vec3 p, const double q[])
+static struct machine_pose stance_at(const struct kinematic_chain *chain, struct vec3 p,
+                                     const double q[])
 {
-    struct stance s = {{p, chain_axis(chain, q), {q[0], q[1]}}, chain_turned(chain, q)};
+    struct machine_pose s = {{p, chain_axis(chain, q), {q[0], q[1]}}, chain_turned(chain, q)};
     return s;
 }
 
 /* Where the block is at s, by the chain itself, less where the motion is: {point or ball, axis}. */
-static struct deviation off_at(const struct follow *f, const struct stance *a,
-                               const struct stance *b, const struct motion *m, double s)
+static struct pose_deviation off_at(const struct interpolation *f, const struct machine_pose *a,
+                                    const struct machine_pose *b, const struct motion *m, double s)
 {
     const double q[2] = {a->at.q[0] + s * (b->at.q[0] - a->at.q[0]),
                          a->at.q[1] + s * (b->at.q[1] - a->at.q[1])};
     struct pose at = {vec_mix(a->at.p, b->at.p, s), chain_axis(f->chain, q)};
     struct pose wanted = motion_at(m, s);
-    if (f->mode == FOLLOW_JOINT)
+    if (f->mode == INTERPOLATE_JOINT)
         at.p = chain_tip(f->chain, at.p, q);
     struct vec3 e = vec_sub(at.p, wanted.p);
     struct vec3 ball = vec_along(e, f->ball, vec_sub(at.a, wanted.a));
-    return (struct deviation){fmax(vec_length(e), vec_length(ball)), vec_angle(at.a, wanted.a)};
+    return (struct pose_deviation){fmax(vec_length(e), vec_length(ball)),
+                                   vec_angle(at.a, wanted.a)};
 }
 
 struct block {
-    struct stance from, to;
+    struct machine_pose from, to;
     struct motion motion;
 };
 
 /* A block as ncpost would make it: both ends right but for the printed digits. */
-static struct block random_block(const struct follow *f, double turn)
+static struct block random_block(const struct interpolation *f, double turn)
 {
     double q0[2] = {3 * chance(), 3 * chance()};
     double q1[2] = {q0[0] + turn * chance(), q0[1] + turn * chance()};
@@ -170,7 +172,7 @@ static struct block random_block(const struct follow *f, double turn)
         q0[i] += 1e-5 * chance();
         q1[i] += 1e-5 * chance();
     }
-    if (f->mode == FOLLOW_JOINT) {
+    if (f->mode == INTERPOLATE_JOINT) {
         p0 = chain_linear(f->chain, p0, q0);
         p1 = chain_linear(f->chain, p1, q1);
     }
@@ -180,11 +182,11 @@ static struct block random_block(const struct follow *f, double turn)
                           motion_line(start, goal)};
 }
 
-static struct deviation dense(const struct follow *f, const struct block *b)
+static struct pose_deviation dense(const struct interpolation *f, const struct block *b)
 {
-    struct deviation worst = {0, 0};
+    struct pose_deviation worst = {0, 0};
     for (int i = 0; i <= 1000; i++)
-        worst = deviation_worst(worst, off_at(f, &b->from, &b->to, &b->motion, i / 1000.0));
+        worst = pose_deviation_worst(worst, off_at(f, &b->from, &b->to, &b->motion, i / 1000.0));
     return worst;
 }
 
@@ -196,11 +198,13 @@ START_TEST(bounds_hold)
     seed = 11;
     for (int i = 0; i < 3000; i++) {
         struct kinematic_chain chain = random_chain();
-        struct follow f = {_i ? FOLLOW_JOINT : FOLLOW_ROTARY, &chain, 8 * chance()};
+        struct interpolation f = {_i ? INTERPOLATE_JOINT : INTERPOLATE_ROTARY, &chain,
+                                  8 * chance()};
         struct block b = random_block(&f, pow(10, -1.5 + 1.5 * chance()));
-        struct deviation close = {0, 1}, rough = {1, 1};
-        struct deviation worst = dense(&f, &b);
-        struct deviation most = follow_line(&f, &b.from, &b.to, b.motion.from, b.motion.to, close);
+        struct pose_deviation close = {0, 1}, rough = {1, 1};
+        struct pose_deviation worst = dense(&f, &b);
+        struct pose_deviation most =
+            interpolation_line(&f, &b.from, &b.to, b.motion.from, b.motion.to, close);
         ck_assert_double_ge(most.point, worst.point - 1e-12);
         ck_assert_double_ge(most.axis, worst.axis - 1e-12);
         if (most.axis < HUGE_VAL) {
@@ -213,7 +217,7 @@ START_TEST(bounds_hold)
             ck_assert_double_le(most.axis, 1.1 * worst.axis + (_i ? 1e-4 : 4e-5));
             ck_assert_double_le(most.point, 1.1 * worst.point + 2e-3);
         }
-        most = follow_line(&f, &b.from, &b.to, b.motion.from, b.motion.to, rough);
+        most = interpolation_line(&f, &b.from, &b.to, b.motion.from, b.motion.to, rough);
         ck_assert_double_ge(most.point, worst.point - 1e-12);
         ck_assert_double_ge(most.axis, worst.axis - 1e-12);
     }
@@ -229,12 +233,13 @@ START_TEST(bends_hold)
     seed = 13;
     for (int i = 0; i < 3000; i++) {
         struct kinematic_chain chain = random_chain();
-        struct follow f = {_i ? FOLLOW_JOINT : FOLLOW_ROTARY, &chain, 8 * chance()};
+        struct interpolation f = {_i ? INTERPOLATE_JOINT : INTERPOLATE_ROTARY, &chain,
+                                  8 * chance()};
         struct block b = random_block(&f, pow(10, -1.5 + 1.5 * chance()));
-        struct deviation bend = follow_bend(&f, &b.from.at, &b.to.at);
+        struct pose_deviation bend = interpolation_bend(&f, &b.from.at, &b.to.at);
         double slack = 1e-4 * bend.axis + 1e-9, ends[3] = {0}, most[3] = {0};
         for (int k = 0; k <= 100; k++) {
-            struct pose at = follow_pose(&f, &b.from.at, &b.to.at, k / 100.0);
+            struct pose at = interpolation_pose(&f, &b.from.at, &b.to.at, k / 100.0);
             struct pose wanted = motion_at(&b.motion, k / 100.0);
             struct vec3 tip = vec_sub(at.p, wanted.p), axis = vec_sub(at.a, wanted.a);
             double off[3] = {vec_length(tip), vec_length(vec_along(tip, f.ball, axis)),
@@ -260,10 +265,10 @@ START_TEST(peaks_are_found)
     seed = 12;
     for (int i = 0; i < 2000; i++) {
         struct kinematic_chain chain = random_chain();
-        struct follow f = {FOLLOW_ROTARY, &chain, 0};
+        struct interpolation f = {INTERPOLATE_ROTARY, &chain, 0};
         struct block b = random_block(&f, 9);
-        struct deviation worst = dense(&f, &b);
-        struct deviation d = follow_block(&f, &b.from.at, &b.to.at, &b.motion, 0, 1);
+        struct pose_deviation worst = dense(&f, &b);
+        struct pose_deviation d = interpolation_block(&f, &b.from.at, &b.to.at, &b.motion, 0, 1);
         ck_assert_double_ge(d.axis, 0.97 * worst.axis - 2e-3);
     }
 }

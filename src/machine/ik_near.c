@@ -1,9 +1,9 @@
-/* turnbeside - see turnbeside.h. */
-#include "machine/turnbeside.h"
+/* ik_near - see ik_near.h. */
+#include "machine/ik_near.h"
 
-struct chain_ways chain_ways(const struct kinematic_chain *chain)
+struct ik_near_table ik_near_table(const struct kinematic_chain *chain)
 {
-    struct chain_ways w = {.chain = chain};
+    struct ik_near_table w = {.chain = chain};
     if (chain->n != 2)
         return w;
     struct vec3 u1 = chain->rotary[1].axis, across = vec_cross(u1, chain->tool);

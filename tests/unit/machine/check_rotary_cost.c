@@ -1,5 +1,5 @@
 /* rotary against angles that are known. */
-#include "machine/rotary.h"
+#include "machine/rotary_cost.h"
 
 #include <check.h>
 #include <math.h>
@@ -14,15 +14,15 @@ START_TEST(ways_are_those_of_lean_and_direction)
 {
     for (int i = 0; i < 36; i++) {
         double at = 2 * PI * i / 36;
-        ck_assert_double_eq_tol(rotary_way(leaning(0.5, at), leaning(0.7, at)), 0.2, 1e-9);
-        ck_assert_double_eq_tol(rotary_way(leaning(0.5, at), leaning(0.4, at + 1)), 1.1, 1e-9);
-        ck_assert_double_eq_tol(rotary_way(leaning(0.5, at), leaning(0.4, at - 1)), 1.1, 1e-9);
+        ck_assert_double_eq_tol(rotary_travel(leaning(0.5, at), leaning(0.7, at)), 0.2, 1e-9);
+        ck_assert_double_eq_tol(rotary_travel(leaning(0.5, at), leaning(0.4, at + 1)), 1.1, 1e-9);
+        ck_assert_double_eq_tol(rotary_travel(leaning(0.5, at), leaning(0.4, at - 1)), 1.1, 1e-9);
         /* straight over the top: the lean goes to the other side */
-        ck_assert_double_eq_tol(rotary_way(leaning(0.1, at), leaning(0.2, at + PI)), 0.3, 1e-9);
-        ck_assert_double_eq_tol(rotary_way(leaning(0.1, at), leaning(0.2, at + PI - 0.1)), 0.4,
+        ck_assert_double_eq_tol(rotary_travel(leaning(0.1, at), leaning(0.2, at + PI)), 0.3, 1e-9);
+        ck_assert_double_eq_tol(rotary_travel(leaning(0.1, at), leaning(0.2, at + PI - 0.1)), 0.4,
                                 1e-9);
-        ck_assert_double_eq_tol(rotary_way(vec(0, 0, 1), leaning(0.3, at)), 0.3, 1e-9);
-        ck_assert_double_eq(rotary_way(leaning(0.3, at), leaning(0.3, at)), 0);
+        ck_assert_double_eq_tol(rotary_travel(vec(0, 0, 1), leaning(0.3, at)), 0.3, 1e-9);
+        ck_assert_double_eq(rotary_travel(leaning(0.3, at), leaning(0.3, at)), 0);
     }
 }
 END_TEST

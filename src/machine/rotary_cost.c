@@ -1,5 +1,5 @@
-/* rotary - see rotary.h. */
-#include "machine/rotary.h"
+/* rotary_cost - see rotary_cost.h. */
+#include "machine/rotary_cost.h"
 
 #include <math.h>
 
@@ -8,7 +8,7 @@ enum { DIRECTIONS = 24 };
 static const double STEP = 5 * PI / 180;
 static const double UPRIGHT = 1e-6; /* radians: an axis that leans less has no direction */
 
-double rotary_way(struct vec3 from, struct vec3 to)
+double rotary_travel(struct vec3 from, struct vec3 to)
 {
     double lean0 = atan2(hypot(from.x, from.y), from.z), lean1 = atan2(hypot(to.x, to.y), to.z);
 

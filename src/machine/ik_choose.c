@@ -1,7 +1,7 @@
-/* turnchoice - see turnchoice.h. */
-#include "machine/turnchoice.h"
+/* ik_choose - see ik_choose.h. */
+#include "machine/ik_choose.h"
 
-#include "machine/turnbeside.h"
+#include "machine/ik_near.h"
 
 /* q turned by whole turns to be nearest to `from` within the travel; false: there is none. */
 static bool within_travel(const struct rotary *rotary, double from, double *q)
@@ -27,7 +27,7 @@ static bool better(const double a[3], const double b[3])
     return false;
 }
 
-double chain_weight(const struct kinematic_chain *chain, int i)
+double ik_weight(const struct kinematic_chain *chain, int i)
 {
     double slowest = HUGE_VAL;
     for (int k = 0; k < chain->n; k++)
@@ -35,11 +35,11 @@ double chain_weight(const struct kinematic_chain *chain, int i)
     return i < chain->n && slowest > 0 ? slowest / chain->rotary[i].rapid : 1;
 }
 
-double chain_way(const struct kinematic_chain *chain, const double a[], const double b[])
+double ik_travel(const struct kinematic_chain *chain, const double a[], const double b[])
 {
     double sum = 0;
     for (int i = 0; i < chain->n; i++)
-        sum += chain_weight(chain, i) * fabs(a[i] - b[i]);
+        sum += ik_weight(chain, i) * fabs(a[i] - b[i]);
     return sum;
 }
 
@@ -53,18 +53,18 @@ static void merit(const struct kinematic_chain *chain, const double from[], cons
         if (i == chain->master)
             master = fabs(q[i] - from[i]);
     }
-    m[0] = smooth ? chain_way(chain, from, q) : master;
+    m[0] = smooth ? ik_travel(chain, from, q) : master;
     m[1] = smooth ? master : sum - master;
     m[2] = away;
 }
 
-int chain_choose(const struct kinematic_chain *chain, struct vec3 axis, const double from[],
-                 bool smooth, int only, double q[], int *over)
+int ik_choose(const struct kinematic_chain *chain, struct vec3 axis, const double from[],
+              bool smooth, int only, double q[], int *over)
 {
-    if (smooth && only < 0 && chain_weight(chain, 0) <= chain_weight(chain, 1)) {
+    if (smooth && only < 0 && ik_weight(chain, 0) <= ik_weight(chain, 1)) {
         struct turned turned = chain_turned(chain, from);
-        struct chain_ways ways = chain_ways(chain);
-        if (chain_beside(&ways, axis, from, &turned, q, &turned))
+        struct ik_near_table ways = ik_near_table(chain);
+        if (ik_near(&ways, axis, from, &turned, q, &turned))
             return 0;
     }
     struct chain_solutions s = chain_angles(chain, axis);
