@@ -23,7 +23,7 @@ struct job {
     struct path fitted;
     struct arcrun_report report;
     struct arcmemory memory; /* while it is fitted again and again */
-    struct recheck_result seen;
+    struct gouge_refit_result seen;
 };
 
 struct jobs {
@@ -34,7 +34,7 @@ struct jobs {
 struct work {
     const struct path *in;
     const struct arcrun_options *options;
-    const struct recheck_rule *guard;
+    const struct gouge_refit_options *guard;
     struct jobs jobs;
 };
 
@@ -44,7 +44,7 @@ struct attempt {
     struct job *job;
 };
 
-static void fit_run(void *context, const struct run *run, struct deeps *deeps)
+static void fit_run(void *context, const struct run *run, struct gouges *deeps)
 {
     const struct attempt *a = context;
     const struct work *work = a->work;
@@ -62,7 +62,7 @@ static void fit_run(void *context, const struct run *run, struct deeps *deeps)
         if (item->kind != PATH_POINT && item->kind != PATH_ARC)
             continue;
         struct motion motion = path_item_motion(fitted, item, at);
-        recheck_motion(work->guard, &motion, deeps);
+        gouge_refit_motion(work->guard, &motion, deeps);
         at = item->to;
     }
 }
@@ -74,7 +74,7 @@ static void fit_jobs(void *context, size_t from, size_t to)
         struct job *job = &work->jobs.item[i];
         struct run run = arcrun_read(work->in, job->from, job->to);
         struct attempt attempt = {work, job};
-        job->seen = recheck_fit(work->guard, &run, fit_run, &attempt);
+        job->seen = gouge_refit_fit(work->guard, &run, fit_run, &attempt);
         arcmemory_free(&job->memory);
         array_free(&run);
     }

@@ -31,7 +31,7 @@ struct settings {
 struct job {
     size_t from, to, pass;
     struct splinerun pieces;
-    struct recheck_result seen;
+    struct gouge_refit_result seen;
 };
 
 struct jobs {

@@ -145,7 +145,7 @@ static void find_all_planes(const struct mesh *mesh, const struct rows *rows, st
 }
 
 /* Rows do not go on over holes of the scan. */
-static void mind_holes(struct planes *all, const struct guard *scan)
+static void mind_holes(struct planes *all, const struct gouge_check *scan)
 {
     for (size_t k = 0; k < all->n; k++)
         all->path[k].rule.guard = all->path[k].rule.bare > 0 ? scan : NULL;
@@ -189,7 +189,7 @@ int main(int argc, char **argv)
     struct path path = {0};
     struct planes planes = {0};
     struct toolpath t = {.path = &path};
-    struct guard *guard;
+    struct gouge_check *guard;
     struct error error;
 
     cli_parse(&cli, argc, argv);
@@ -220,7 +220,7 @@ int main(int argc, char **argv)
 
     free_planes(&planes);
     path_free(&path);
-    guard_free(guard);
+    gouge_free(guard);
     rows_free(&rows);
     mesh_free(&mesh);
     return planes.steep ? EXIT_UNMET : status;

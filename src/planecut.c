@@ -152,7 +152,7 @@ int main(int argc, char **argv)
     struct patches patches = {0};
     struct planepath planes = {0};
     struct toolpath t = {.path = &path};
-    struct guard *guard;
+    struct gouge_check *guard;
     struct error error;
     bool closed;
 
@@ -183,7 +183,7 @@ int main(int argc, char **argv)
     planepath_free(&planes);
     patches_free(&patches);
     path_free(&path);
-    guard_free(guard);
+    gouge_free(guard);
     mesh_free(&mesh);
     return planes.steep && scallop_given ? EXIT_UNMET : status;
 }

@@ -4,23 +4,23 @@
 #ifndef CLOUDMILL_SPLINEGUARD_H
 #define CLOUDMILL_SPLINEGUARD_H
 
-#include "gouge/recheck.h"
+#include "gouge/gouge_refit.h"
 #include "splinefit/splinerun.h"
 
 struct splineguard {
-    struct recheck_rule rule; /* without a guard, nothing is kept clear of */
-    bool paper;               /* as published (splinerun.h) */
+    struct gouge_refit_options rule; /* without a guard, nothing is kept clear of */
+    bool paper;                      /* as published (splinerun.h) */
     struct splinefit_options fit;
 };
 
 /*
  * Fits the run (splinerun_fit; the ball's centre is tracked with rule.centre) and has its points
- * lifted where the curves go too deep (recheck_fit).  Where that does not help, as at an end, which
- * stays, or where the path climbs a wall, the curve gives way to the straight line between the two
- * points next to the place, which are what was checked before.  With `paper` what goes too deep is
- * only told.  Frees what *pieces held.  The run's points are those that were lifted then.
+ * lifted where the curves go too deep (gouge_refit_fit).  Where that does not help, as at an end,
+ * which stays, or where the path climbs a wall, the curve gives way to the straight line between
+ * the two points next to the place, which are what was checked before.  With `paper` what goes too
+ * deep is only told.  Frees what *pieces held.  The run's points are those that were lifted then.
  */
-struct recheck_result splineguard_fit(const struct splineguard *guard, struct run *run,
-                                      struct splinerun *pieces);
+struct gouge_refit_result splineguard_fit(const struct splineguard *guard, struct run *run,
+                                          struct splinerun *pieces);
 
 #endif

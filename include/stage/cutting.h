@@ -6,7 +6,7 @@
 #define CLOUDMILL_CUTTING_H
 
 #include "base/cli.h"
-#include "gouge/guard.h"
+#include "gouge/gouge.h"
 #include "mesh/mesh.h"
 #include "stage/toolpath.h"
 
@@ -36,12 +36,12 @@ int cutting_check(struct tool_axis_options *axis, struct error *error);
  * further than `near` from them, or the mesh so finely that the ball sinks in by less than 0.002
  * mm. *guard is NULL with --paper.
  */
-int cutting_guard(const struct mesh *mesh, double near, int threads, struct guard **guard,
+int cutting_guard(const struct mesh *mesh, double near, int threads, struct gouge_check **guard,
                   struct error *error);
 
 /* Fills the rules of the toolpath but for the direction of the feed; `distance` is that of the
  * passes, mm.  -1: --clearance lies within the part. */
-int cutting_rules(const struct mesh *mesh, const struct guard *guard, double distance,
+int cutting_rules(const struct mesh *mesh, const struct gouge_check *guard, double distance,
                   struct toolpath *t, struct error *error);
 
 /* Before the path is made: with a tolerance all that its head says is known, and it goes to

@@ -7,17 +7,17 @@
 
 #include "base/cli.h"
 #include "io/path/path.h"
-#include "gouge/recheck.h"
+#include "gouge/gouge_refit.h"
 
 struct pathguard {
     struct cli_list files; /* none: nothing is kept clear of */
     double noise;          /* of the scan, mm; negative: as found (scan.h) */
-    struct recheck_rule rule;
+    struct gouge_refit_options rule;
 
     /* What came of it, over all runs. */
     double lift; /* of points, at most, mm */
     size_t left; /* runs that still go too deep */
-    struct deep deepest;
+    struct gouge deepest;
     size_t pass; /* in which */
 };
 
@@ -29,7 +29,7 @@ int pathguard_read(struct pathguard *guard, const struct path *path, double tole
 
 /* Adds what became of the run that begins with this item of the path. */
 void pathguard_add(struct pathguard *guard, const struct path *path, size_t item,
-                   const struct recheck_result *result);
+                   const struct gouge_refit_result *result);
 
 /* Adds the straight motions at feed that belong to no run and are carried through as they are. */
 void pathguard_carried(struct pathguard *guard, const struct path *path);

@@ -11,7 +11,7 @@
 #ifndef CLOUDMILL_TOOLPATH_H
 #define CLOUDMILL_TOOLPATH_H
 
-#include "gouge/lift.h"
+#include "gouge/gouge_strip.h"
 #include "io/path/path.h"
 
 struct toolpath_rule {
@@ -33,9 +33,9 @@ struct toolpath_rule {
 /* A strip from when it is given until it stands in the path. */
 struct toolpath_strip {
     size_t pass;
-    struct lift_rule lift;
+    struct gouge_lift_options lift;
     struct contacts contact;
-    struct lifted_run lifted;
+    struct gouge_strip lifted;
     double chord;        /* between the smooth curve and the straight lines, mm */
     double leaned;       /* because of the holder, at most, radians */
     size_t held;         /* points left out because the holder touches there */
@@ -44,7 +44,7 @@ struct toolpath_strip {
 
 /* A place where material may be left, as its strip sees it. */
 struct toolpath_stand {
-    struct stand stand;
+    struct uncut stand;
     size_t pass;
     double offset; /* of the centre from the part there, mm */
 };
@@ -52,10 +52,10 @@ struct toolpath_stand {
 struct toolpath {
     struct path *path;
     struct toolpath_rule rule;
-    struct lift_rule lift; /* of the strips, and what links must be clear of */
+    struct gouge_lift_options lift; /* of the strips, and what links must be clear of */
 
     /* What came of it, over all strips. */
-    struct lift_report report;
+    struct gouge_strip_report report;
     size_t missed_pass; /* of report.miss_at, 0: none */
     size_t standing;    /* places where the ball does not fit and, on the whole path, does not come
                            as near as it should */

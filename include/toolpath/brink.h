@@ -11,7 +11,7 @@
 struct brink;
 
 struct brink_rule {
-    const struct vec3s *scan, *doubtful; /* its points (scansurface.h) */
+    const struct vec3s *scan, *doubtful; /* its points (guard_points.h) */
     double spacing;                      /* of the mesh's vertices, mm */
     double radius;                       /* of the ball, mm */
     double sure; /* mm: a place is left out where the ball may be off by more */

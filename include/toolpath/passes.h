@@ -5,19 +5,19 @@
 #ifndef CLOUDMILL_PASSES_H
 #define CLOUDMILL_PASSES_H
 
-#include "gouge/guard.h"
+#include "gouge/gouge.h"
 #include "toolpath/meshcut.h"
 
 struct pass_rule {
     struct vec3 normal; /* of the planes, unit, towards the next one */
     struct vec3 along;  /* horizontal unit vector in the planes: the way that odd passes go */
     double gap;         /* chains whose ends are no further apart are one strip, mm, but where */
-    const struct guard *guard; /* (NULL: nowhere) this scan has no points between them ... */
-    double bare;               /* ... within so much, mm: a hole */
-    struct vec3 facing;        /* unit; what faces away from it is left out ... */
-    bool faced;                /* ... if this is set */
-    double radius;             /* of the ball, and ... */
-    double tolerance;          /* ... what it may sink in where it rolls over a sharp edge, mm */
+    const struct gouge_check *guard; /* (NULL: nowhere) this scan has no points between them ... */
+    double bare;                     /* ... within so much, mm: a hole */
+    struct vec3 facing;              /* unit; what faces away from it is left out ... */
+    bool faced;                      /* ... if this is set */
+    double radius;                   /* of the ball, and ... */
+    double tolerance; /* ... what it may sink in where it rolls over a sharp edge, mm */
 };
 
 /*

@@ -11,17 +11,17 @@ struct work {
 };
 
 static void look(const struct splineguard *guard, const struct run *run,
-                 const struct splinerun_piece *piece, struct deeps *deeps)
+                 const struct splinerun_piece *piece, struct gouges *deeps)
 {
     const struct run_point *from = &run->item[piece->from];
     struct pose pose = {guard->rule.centre ? from->ball : from->tip, from->axis};
     struct motion motion = motion_spline(pose, pose, &piece->fit.curve);
 
     if (!piece->still)
-        recheck_motion(&guard->rule, &motion, deeps);
+        gouge_refit_motion(&guard->rule, &motion, deeps);
 }
 
-static void fit(void *context, const struct run *run, struct deeps *deeps)
+static void fit(void *context, const struct run *run, struct gouges *deeps)
 {
     struct work *work = context;
     const struct splineguard *g = work->guard;
@@ -57,14 +57,14 @@ static size_t interval_at(const struct run *run, const struct splinerun_piece *p
 static bool straighten(const struct work *work, const struct run *run)
 {
     const struct splineguard *g = work->guard;
-    struct deeps deeps = {0};
+    struct gouges deeps = {0};
     bool done = false;
 
     for (size_t k = work->pieces->n; k-- > 0;) { /* what is parted, grows behind */
         const struct splinerun_piece *piece = &work->pieces->item[k];
         deeps.n = 0;
         look(g, run, piece, &deeps);
-        struct deep deepest = recheck_beyond(&g->rule, &deeps);
+        struct gouge deepest = gouge_refit_beyond(&g->rule, &deeps);
         if (deepest.depth == 0 || piece->to == piece->from + 1)
             continue;
         splinerun_part(run, g->rule.centre, &g->fit, k, interval_at(run, piece, deepest.ball),
@@ -76,30 +76,30 @@ static bool straighten(const struct work *work, const struct run *run)
 }
 
 /* The points as they are: what is too deep is only told. */
-static struct recheck_result fit_once(struct work *work, const struct run *run)
+static struct gouge_refit_result fit_once(struct work *work, const struct run *run)
 {
-    struct recheck_result result = {.lift = 0};
-    struct deeps deeps = {0};
+    struct gouge_refit_result result = {.lift = 0};
+    struct gouges deeps = {0};
 
     fit(work, run, &deeps);
-    result.deepest = recheck_beyond(&work->guard->rule, &deeps);
+    result.deepest = gouge_refit_beyond(&work->guard->rule, &deeps);
     array_free(&deeps);
     return result;
 }
 
-struct recheck_result splineguard_fit(const struct splineguard *guard, struct run *run,
-                                      struct splinerun *pieces)
+struct gouge_refit_result splineguard_fit(const struct splineguard *guard, struct run *run,
+                                          struct splinerun *pieces)
 {
     struct work work = {guard, pieces};
 
     splinerun_free(pieces);
     if (guard->paper)
         return fit_once(&work, run);
-    struct recheck_result result = recheck_fit(&guard->rule, run, fit, &work);
+    struct gouge_refit_result result = gouge_refit_fit(&guard->rule, run, fit, &work);
     for (int round = 0; round < ROUNDS && result.deepest.depth > 0; round++) {
         if (!straighten(&work, run))
             break;
-        struct recheck_result more = recheck_fit(&guard->rule, run, fit, &work);
+        struct gouge_refit_result more = gouge_refit_fit(&guard->rule, run, fit, &work);
         result.deepest = more.deepest;
         result.lift += more.lift;
     }

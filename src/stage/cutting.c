@@ -136,7 +136,7 @@ int cutting_check(struct tool_axis_options *axis, struct error *error)
     return axis_rule(axis, error);
 }
 
-int cutting_guard(const struct mesh *mesh, double near, int threads, struct guard **guard,
+int cutting_guard(const struct mesh *mesh, double near, int threads, struct gouge_check **guard,
                   struct error *error)
 {
     const struct cutting *c = &cutting;
@@ -146,7 +146,7 @@ int cutting_guard(const struct mesh *mesh, double near, int threads, struct guar
     if (c->paper)
         return 0;
     *guard = c->guards.n > 0 ? scan_guard(&c->guards, mesh, near, &rule, error)
-                             : guard_from_mesh(mesh, sqrt(6 * 0.002 * c->radius));
+                             : gouge_from_mesh(mesh, sqrt(6 * 0.002 * c->radius));
     cutting.noise = rule.noise;
     cutting.certain = rule.certain;
     cutting.doubtful = rule.doubtful;
@@ -154,10 +154,10 @@ int cutting_guard(const struct mesh *mesh, double near, int threads, struct guar
 }
 
 /* The clearance plane: what was asked for, if it is above everything, or a safe one. */
-static int clearance_plane(const struct mesh *mesh, const struct guard *guard, double *z,
+static int clearance_plane(const struct mesh *mesh, const struct gouge_check *guard, double *z,
                            struct error *error)
 {
-    double top = fmax(part_top(mesh), guard ? guard_top(guard) : -HUGE_VAL);
+    double top = fmax(part_top(mesh), guard ? gouge_top(guard) : -HUGE_VAL);
 
     top += (cutting.layers - 1) * cutting.depth;
     if (cutting.clearance < top)
@@ -168,7 +168,7 @@ static int clearance_plane(const struct mesh *mesh, const struct guard *guard, d
     return 0;
 }
 
-int cutting_rules(const struct mesh *mesh, const struct guard *guard, double distance,
+int cutting_rules(const struct mesh *mesh, const struct gouge_check *guard, double distance,
                   struct toolpath *t, struct error *error)
 {
     const struct cutting *c = &cutting;

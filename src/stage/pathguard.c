@@ -46,7 +46,7 @@ int pathguard_read(struct pathguard *guard, const struct path *path, double tole
         return error_at(error, path->name, 0,
                         "found no path of a ball cutter, expected one to guard by a scan");
     struct vec3s ball = balls_of(path);
-    guard->rule = (struct recheck_rule){
+    guard->rule = (struct gouge_refit_options){
         .radius = rule.radius, .tolerance = tolerance, .centre = path->head.track == TRACK_CENTRE};
     guard->rule.guard = scan_guard_points(&guard->files, &ball, 3 * rule.radius, &rule, error);
     array_free(&ball);
@@ -65,7 +65,7 @@ static size_t pass_of(const struct path *path, size_t item)
 }
 
 void pathguard_add(struct pathguard *guard, const struct path *path, size_t item,
-                   const struct recheck_result *result)
+                   const struct gouge_refit_result *result)
 {
     guard->lift = fmax(guard->lift, result->lift);
     guard->left += result->deepest.depth > 0;
@@ -79,8 +79,8 @@ void pathguard_add(struct pathguard *guard, const struct path *path, size_t item
 static void look_at_carried(struct pathguard *guard, const struct path *path, size_t from,
                             size_t to)
 {
-    struct recheck_result result = {.lift = 0};
-    struct deeps deeps = {0};
+    struct gouge_refit_result result = {.lift = 0};
+    struct gouges deeps = {0};
 
     for (size_t i = from > 0 ? from : 1; i < to; i++) {
         const struct path_item *item = &path->item.item[i], *before = item - 1;
@@ -91,9 +91,9 @@ static void look_at_carried(struct pathguard *guard, const struct path *path, si
         if (!path_moves(before))
             continue;
         struct motion line = motion_line(before->to, item->to);
-        recheck_motion(&guard->rule, &line, &deeps);
+        gouge_refit_motion(&guard->rule, &line, &deeps);
     }
-    result.deepest = recheck_beyond(&guard->rule, &deeps);
+    result.deepest = gouge_refit_beyond(&guard->rule, &deeps);
     pathguard_add(guard, path, from, &result);
     array_free(&deeps);
 }
@@ -127,5 +127,5 @@ int pathguard_conclude(const struct pathguard *guard)
 void pathguard_free(struct pathguard *guard)
 {
     array_free(&guard->files);
-    guard_free((struct guard *)guard->rule.guard);
+    gouge_free((struct gouge_check *)guard->rule.guard);
 }

@@ -6,8 +6,8 @@
 #include "io/cloud/cloud.h"
 #include "cloud/plan_extent.h"
 #include "cloud/noise.h"
-#include "gouge/scansurface.h"
-#include "gouge/sharpedges.h"
+#include "gouge/guard_points.h"
+#include "gouge/convex_edges.h"
 #include "cloud/outliers.h"
 
 static struct vec3 place(const double m[4][4], struct vec3 p)
@@ -40,12 +40,12 @@ static int read_points(const struct cli_list *files, const double (*placed)[4],
 }
 
 /* How many places have no guard point within `near`. */
-static size_t far_places(const struct vec3s *place, const struct guard *guard, double near)
+static size_t far_places(const struct vec3s *place, const struct gouge_check *guard, double near)
 {
     size_t far = 0;
 
     for (size_t i = 0; i < place->n; i++)
-        far += guard_clear_along(guard, place->item[i], place->item[i], near, 0);
+        far += gouge_clear_along(guard, place->item[i], place->item[i], near, 0);
     return far;
 }
 
@@ -80,14 +80,14 @@ static void add_edges(const struct mesh *mesh, double spacing, struct vec3s *poi
 {
     size_t before = points->n;
 
-    sharpedges_sample(mesh, spacing, points);
+    convex_edges_sample(mesh, spacing, points);
     if (points->n > before)
         note("and by %zu points on sharp edges of the mesh", points->n - before);
 }
 
 /* NULL: more points than can be sorted. */
-static struct guard *guard_of(struct vec3s *points, const struct mesh *mesh, struct scan_rule *rule,
-                              struct error *error)
+static struct gouge_check *gouge_of(struct vec3s *points, const struct mesh *mesh,
+                                    struct scan_rule *rule, struct error *error)
 {
     const double little = 0.1;  /* of the tolerance */
     const size_t many = 400000; /* points: noise is taken out of more only when it is said */
@@ -101,12 +101,12 @@ static struct guard *guard_of(struct vec3s *points, const struct mesh *mesh, str
     bool takes = found.alike && found.sigma > little * rule->tolerance && points->n <= many;
     if (rule->noise < 0)
         rule->noise = takes ? found.sigma : 0;
-    struct scansurface_rule how = {.radius = rule->radius,
-                                   .sink = rule->tolerance / 5,
-                                   .noise = rule->noise,
-                                   .vague = rule->tolerance,
-                                   .threads = rule->threads};
-    struct scansurface surface = scansurface_make(&point_grid, &how);
+    struct guard_points_options how = {.radius = rule->radius,
+                                       .sink = rule->tolerance / 5,
+                                       .noise = rule->noise,
+                                       .vague = rule->tolerance,
+                                       .threads = rule->threads};
+    struct guard_points surface = guard_points_make(&point_grid, &how);
     if (rule->noise > 0)
         say("noise of %.2g mm taken out of the scan that guards (%zu of %zu points moved)",
             rule->noise, surface.moved, point_grid.n);
@@ -122,25 +122,25 @@ static struct guard *guard_of(struct vec3s *points, const struct mesh *mesh, str
     point_grid_free(&point_grid);
     rule->certain = surface.certain;
     rule->doubtful = surface.doubtful;
-    return guard_take(surface.point, rule->threads);
+    return gouge_take(surface.point, rule->threads);
 }
 
 /* mesh: NULL where there is none. */
-static struct guard *read_guard(const struct cli_list *files, const struct mesh *mesh,
-                                const struct vec3s *place_of, const char *what, double near,
-                                struct scan_rule *rule, struct error *error)
+static struct gouge_check *read_guard(const struct cli_list *files, const struct mesh *mesh,
+                                      const struct vec3s *place_of, const char *what, double near,
+                                      struct scan_rule *rule, struct error *error)
 {
     const double(*placed)[4] = mesh && mesh->origin.placed ? mesh->origin.place : NULL;
     struct vec3s points = {0};
-    struct guard *guard = NULL;
+    struct gouge_check *guard = NULL;
 
     if (read_points(files, placed, &points, error) == 0)
-        guard = guard_of(&points, mesh, rule, error);
+        guard = gouge_of(&points, mesh, rule, error);
     array_free(&points);
     size_t far = guard ? far_places(place_of, guard, near) : 0;
     if (!guard || 2 * far <= place_of->n)
         return guard;
-    guard_free(guard);
+    gouge_free(guard);
     error_at(error, files->item[0], 0,
              "found %zu of %zu %s further than %.3g mm from the scan, expected the scan that the "
              "mesh was made from",
@@ -148,14 +148,14 @@ static struct guard *read_guard(const struct cli_list *files, const struct mesh 
     return NULL;
 }
 
-struct guard *scan_guard(const struct cli_list *files, const struct mesh *mesh, double near,
-                         struct scan_rule *rule, struct error *error)
+struct gouge_check *scan_guard(const struct cli_list *files, const struct mesh *mesh, double near,
+                               struct scan_rule *rule, struct error *error)
 {
     return read_guard(files, mesh, &mesh->vertex, "mesh vertices", near, rule, error);
 }
 
-struct guard *scan_guard_points(const struct cli_list *files, const struct vec3s *place,
-                                double near, struct scan_rule *rule, struct error *error)
+struct gouge_check *scan_guard_points(const struct cli_list *files, const struct vec3s *place,
+                                      double near, struct scan_rule *rule, struct error *error)
 {
     return read_guard(files, NULL, place, "points of the path", near, rule, error);
 }

@@ -5,16 +5,16 @@
 #define CLOUDMILL_SCAN_H
 
 #include "base/cli.h"
-#include "gouge/guard.h"
+#include "gouge/gouge.h"
 
-/* What is made of the points: scansurface.h. */
+/* What is made of the points: guard_points.h. */
 struct scan_rule {
     double radius;    /* of the ball, mm */
     double tolerance; /* of the path, mm: the ball sinks between points by a fifth of it at most */
     double
         noise; /* of the scan, mm; negative: as found where it is above a tenth of the tolerance */
     int threads;
-    struct vec3s certain, doubtful; /* what becomes of it: its points (scansurface.h) */
+    struct vec3s certain, doubtful; /* what becomes of it: its points (guard_points.h) */
 };
 
 /*
@@ -24,11 +24,11 @@ struct scan_rule {
  * more than half of its vertices further than `near` mm from every point of the scan.  rule->noise
  * becomes what was taken out.
  */
-struct guard *scan_guard(const struct cli_list *files, const struct mesh *mesh, double near,
-                         struct scan_rule *rule, struct error *error);
+struct gouge_check *scan_guard(const struct cli_list *files, const struct mesh *mesh, double near,
+                               struct scan_rule *rule, struct error *error);
 
 /* The same with the places of a path for vertices, and the scan as it is. */
-struct guard *scan_guard_points(const struct cli_list *files, const struct vec3s *place,
-                                double near, struct scan_rule *rule, struct error *error);
+struct gouge_check *scan_guard_points(const struct cli_list *files, const struct vec3s *place,
+                                      double near, struct scan_rule *rule, struct error *error);
 
 #endif

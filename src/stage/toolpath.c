@@ -2,11 +2,11 @@
 
 #include <stdlib.h>
 
-#include "gouge/calm.h"
+#include "gouge/axis_smooth.h"
 #include "base/cli.h"
-#include "gouge/leanaway.h"
+#include "gouge/holder_avoid.h"
 #include "base/parallel.h"
-#include "gouge/way.h"
+#include "gouge/link.h"
 
 /* A direction flatter than this does not lead to the clearance plane: sin 10 degrees. */
 static const double FLAT = 0.17364817766693033;
@@ -48,24 +48,24 @@ static double way_out(const struct toolpath *t, struct vec3 from, struct vec3 di
         return rise / direction.z;
     if (!t->lift.guard)
         return 0;
-    return fmax(0, guard_extent(t->lift.guard, from, direction) + t->lift.offset);
+    return fmax(0, gouge_extent(t->lift.guard, from, direction) + t->lift.offset);
 }
 
 /* Shank and holder go clear from one place to the other with the axis of p. */
 static bool holder_clear(const struct toolpath *t, const struct run_point *p, struct vec3 from,
                          struct vec3 to)
 {
-    struct lean_rule rule = {t->lift.guard, &t->rule.holder, 0, 2 * t->lift.tolerance};
+    struct holder_avoid_options rule = {t->lift.guard, &t->rule.holder, 0, 2 * t->lift.tolerance};
     struct run_point a = {.ball = from, .axis = p->axis}, b = {.ball = to, .axis = p->axis};
 
-    return t->rule.holder.n == 0 || lean_clear(&rule, &a, &b);
+    return t->rule.holder.n == 0 || holder_lean_clear(&rule, &a, &b);
 }
 
 /* The way off the point p that begins in this direction. */
 static struct way way_off(const struct toolpath *t, const struct run_point *p,
                           struct vec3 direction)
 {
-    const struct guard *guard = t->lift.guard;
+    const struct gouge_check *guard = t->lift.guard;
     double offset = t->lift.offset, plane = t->rule.clearance + t->rule.radius * p->axis.z;
     struct way way = {.near = vec_along(p->ball, t->rule.approach, direction), .clear = true};
     double out = way_out(t, way.near, direction, fmax(0, plane - way.near.z));
@@ -75,9 +75,9 @@ static struct way way_off(const struct toolpath *t, const struct run_point *p,
     if (plane > way.out.z + 1e-6)
         way.top.z = plane;
     if (guard) {
-        double depth = fmax(guard_depth_along(guard, p->ball, way.out, offset),
-                            guard_depth_along(guard, way.out, way.top, offset));
-        way.clear = depth <= fmax(guard_depth(guard, p->ball, offset), 0) + t->lift.tolerance &&
+        double depth = fmax(gouge_depth_along(guard, p->ball, way.out, offset),
+                            gouge_depth_along(guard, way.out, way.top, offset));
+        way.clear = depth <= fmax(gouge_depth(guard, p->ball, offset), 0) + t->lift.tolerance &&
                     holder_clear(t, p, p->ball, way.out) && holder_clear(t, p, way.out, way.top);
     }
     return way;
@@ -127,14 +127,15 @@ static void approach(struct toolpath *t, const struct run_point *p)
 /* Shank and holder go clear, and the axis turns no faster than it may, on the way to p. */
 static bool low_is_free(const struct toolpath *t, const struct run_point *p, const struct run *way)
 {
-    struct lean_rule rule = {t->lift.guard, &t->rule.holder, 0, 2 * t->lift.tolerance};
+    struct holder_avoid_options rule = {t->lift.guard, &t->rule.holder, 0, 2 * t->lift.tolerance};
     struct run_point before = t->at;
 
     for (size_t i = 0; i <= way->n; i++) {
         struct run_point ends[2] = {before, i < way->n ? way->item[i] : *p};
         struct run both = {.n = 2, .item = ends, .radius = t->rule.radius};
-        if ((t->rule.rate > 0 && calm_fastest(&both) > t->rule.rate) ||
-            (t->rule.holder.n > 0 && t->lift.guard && !lean_clear(&rule, &ends[0], &ends[1])))
+        if ((t->rule.rate > 0 && axis_smooth_fastest(&both) > t->rule.rate) ||
+            (t->rule.holder.n > 0 && t->lift.guard &&
+             !holder_lean_clear(&rule, &ends[0], &ends[1])))
             return false;
         before = ends[1];
     }
@@ -146,7 +147,7 @@ static void link_to(struct toolpath *t, size_t pass, const struct run_point *p)
 {
     struct run way = {.radius = t->rule.radius};
     bool low = t->down && vec_distance(t->at.ball, p->ball) <= t->rule.longest &&
-               way_low(&t->at, p, &t->lift, t->rule.radius, &way) && low_is_free(t, p, &way);
+               link_low(&t->at, p, &t->lift, t->rule.radius, &way) && low_is_free(t, p, &way);
 
     if (t->down && !low)
         retract(t);
@@ -179,9 +180,9 @@ static void cut(struct toolpath *t, const struct run_point *point, size_t n)
     t->down = true;
 }
 
-static void report(struct toolpath *t, size_t pass, const struct lift_report *r)
+static void report(struct toolpath *t, size_t pass, const struct gouge_strip_report *r)
 {
-    struct lift_report *all = &t->report;
+    struct gouge_strip_report *all = &t->report;
 
     all->points += r->points;
     all->lifted += r->lifted;
@@ -211,7 +212,7 @@ void toolpath_strip(struct toolpath *t, size_t pass, const struct contact *conta
 
 static void add_strip(struct toolpath *t, const struct toolpath_strip *strip)
 {
-    const struct lifted_run *lifted = &strip->lifted;
+    const struct gouge_strip *lifted = &strip->lifted;
     size_t from = 0;
 
     t->lift = strip->lift;
@@ -262,7 +263,7 @@ static void work_on(void *context, size_t first, size_t last)
             struct toolpath_strip *strip = &b->t->strip.item[k];
             add_strip(b->t, strip);
             array_free(&strip->contact);
-            lifted_run_free(&strip->lifted);
+            gouge_strip_free(&strip->lifted);
             drain(b->t);
         }
     }

@@ -2,8 +2,8 @@
  */
 #include <stdlib.h>
 
-#include "gouge/calm.h"
-#include "gouge/leanaway.h"
+#include "gouge/axis_smooth.h"
+#include "gouge/holder_avoid.h"
 #include "stage/toolpath.h"
 
 static const double SLACK = 0.01;    /* mm: guard points may be in the holder by so much */
@@ -15,23 +15,23 @@ static void shape(const struct toolpath *t, struct toolpath_strip *strip, size_t
 {
     const struct run *all = &strip->lifted.run;
     struct run run = {.n = to - from, .item = all->item + from, .radius = all->radius};
-    struct lean_rule rule = {strip->lift.guard, &t->rule.holder, t->rule.lean, SLACK};
+    struct holder_avoid_options rule = {strip->lift.guard, &t->rule.holder, t->rule.lean, SLACK};
     bool holds = rule.guard && rule.holder->n > 0;
 
     if (t->rule.play > 0)
-        calm_play(&run, t->rule.play);
+        axis_smooth_play(&run, t->rule.play);
     if (holds)
-        strip->leaned = fmax(strip->leaned, lean_away(&rule, &run, touches + from));
-    if (t->rule.rate > 0 && calm_rate(&run, ROUNDED * t->rule.rate) > 0 && holds) {
+        strip->leaned = fmax(strip->leaned, holder_avoid(&rule, &run, touches + from));
+    if (t->rule.rate > 0 && axis_smooth_rate(&run, ROUNDED * t->rule.rate) > 0 && holds) {
         rule.limit = 0; /* looks again, leans no more */
-        lean_away(&rule, &run, touches + from);
+        holder_avoid(&rule, &run, touches + from);
     }
 }
 
 /* The pieces of the strip without the points that touch; a piece ends before them. */
 static void leave_out(struct toolpath_strip *strip, const bool *touches)
 {
-    struct lifted_run *lifted = &strip->lifted;
+    struct gouge_strip *lifted = &strip->lifted;
     struct sizes end = {0};
     size_t kept = 0, piece = 0;
 
@@ -55,7 +55,7 @@ static void leave_out(struct toolpath_strip *strip, const bool *touches)
 }
 
 /* Puts points on the straight lines between those further apart than this, for the axes to lean. */
-static void fill(struct lifted_run *lifted)
+static void fill(struct gouge_strip *lifted)
 {
     const double most = 0.5; /* mm */
     struct run fine = {.radius = lifted->run.radius};
@@ -126,14 +126,14 @@ static double chord_of(const struct run *run, size_t from, size_t to)
 
 void toolpath_lift(const struct toolpath *t, struct toolpath_strip *strip)
 {
-    struct lifted_run *lifted = &strip->lifted;
+    struct gouge_strip *lifted = &strip->lifted;
     struct run nodes = {.radius = t->rule.radius};
     size_t from = 0;
 
     for (size_t i = 0; i < strip->contact.n; i++)
-        lift_add(&nodes, &strip->lift, strip->contact.item[i].p, strip->contact.item[i].n);
+        gouge_strip_add(&nodes, &strip->lift, strip->contact.item[i].p, strip->contact.item[i].n);
     lifted->run.radius = nodes.radius;
-    lift_run(&nodes, &strip->lift, lifted);
+    gouge_strip_lift(&nodes, &strip->lift, lifted);
     array_free(&nodes);
     shape_all(t, strip);
     /* Points put between them lie on the smooth path. */

@@ -5,7 +5,7 @@
 /* What does not hold, and where. */
 static void complain(const struct toolpath *t)
 {
-    const struct lift_report *r = &t->report;
+    const struct gouge_strip_report *r = &t->report;
     struct vec3 at = r->miss_at;
 
     if (r->missed > 0)
@@ -37,7 +37,7 @@ static void complain(const struct toolpath *t)
 
 int toolpath_conclude(const struct toolpath *t)
 {
-    const struct lift_report *r = &t->report;
+    const struct gouge_strip_report *r = &t->report;
 
     note("%zu points in %zu passes, %zu links with the tool down, %zu over the clearance plane",
          r->points, t->pass, t->low, t->high);

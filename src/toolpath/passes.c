@@ -121,7 +121,7 @@ static bool is_bare(const struct pass_rule *rule, struct vec3 a, struct vec3 b)
     double steps = rule->guard ? ceil(4 * vec_distance(a, b) / rule->bare) : 0;
 
     for (double i = 1; i < steps; i++)
-        if (guard_distance(rule->guard, vec_mix(a, b, i / steps), rule->bare) >= rule->bare)
+        if (gouge_distance(rule->guard, vec_mix(a, b, i / steps), rule->bare) >= rule->bare)
             return true;
     return false;
 }

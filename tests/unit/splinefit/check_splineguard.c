@@ -60,15 +60,15 @@ START_TEST(points_too_low_are_lifted)
             struct vec3 n = vec(sin(a), 0, cos(a));
             add(&run, vec_scale(SPHERE + BALL - (abs(i) < 9 ? 0.03 : 0), n), n);
         }
-        struct guard *sphere = guard_from_points(points.item, points.n);
+        struct gouge_check *sphere = gouge_from_points(points.item, points.n);
         guard.rule.guard = guarded ? sphere : NULL;
-        struct recheck_result seen = splineguard_fit(&guard, &run, &pieces);
+        struct gouge_refit_result seen = splineguard_fit(&guard, &run, &pieces);
         ck_assert(seen.deepest.depth == 0);
         ck_assert(guarded ? seen.lift > 0.02 && seen.lift < 0.06 : seen.lift == 0);
         double worst = deepest(&pieces, in_sphere);
         ck_assert(guarded ? worst < 0.0105 : worst > 0.02);
         ck_assert_uint_eq(pieces.n, 1);
-        guard_free(sphere);
+        gouge_free(sphere);
         splinerun_free(&pieces);
         array_free(&run);
     }
@@ -105,18 +105,18 @@ START_TEST(where_lifts_do_not_help_lines_do)
     for (int i = 0; i <= 12; i++)
         add(&run, vec_along(corner, 0.5 * i + 0.1, up), side);
 
-    struct guard *wall = guard_from_points(points.item, points.n);
+    struct gouge_check *wall = gouge_from_points(points.item, points.n);
     splineguard_fit(&guard, &run, &pieces);
     ck_assert_double_gt(deepest(&pieces, in_wall), 0.03);
     guard.rule.guard = wall;
-    struct recheck_result seen = splineguard_fit(&guard, &run, &pieces);
+    struct gouge_refit_result seen = splineguard_fit(&guard, &run, &pieces);
     ck_assert(seen.deepest.depth == 0);
     ck_assert_double_lt(deepest(&pieces, in_wall), 0.0105);
     ck_assert_uint_gt(pieces.n, 1);
     ck_assert(pieces.item[0].from == 0 && pieces.item[pieces.n - 1].to == run.n - 1);
     for (size_t k = 1; k < pieces.n; k++)
         ck_assert_uint_eq(pieces.item[k].from, pieces.item[k - 1].to);
-    guard_free(wall);
+    gouge_free(wall);
     splinerun_free(&pieces);
     array_free(&run);
     array_free(&points);

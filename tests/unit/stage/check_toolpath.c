@@ -22,7 +22,7 @@ static void make_path(struct toolpath *t)
     toolpath_end(t);
 }
 
-static struct toolpath make_toolpath(struct path *path, const struct guard *guard)
+static struct toolpath make_toolpath(struct path *path, const struct gouge_check *guard)
 {
     return (struct toolpath){
         .path = path,
@@ -37,13 +37,13 @@ static struct toolpath make_toolpath(struct path *path, const struct guard *guar
                  .feed = {.side = {0, 1, 0}}}};
 }
 
-static struct guard *make_floor(void)
+static struct gouge_check *make_floor(void)
 {
     struct vec3s points = {0};
     for (int i = -10; i <= 10; i++)
         for (int k = -5; k <= 70; k++)
             *array_push(&points) = vec(i, k, 0);
-    struct guard *guard = guard_from_points(points.item, points.n);
+    struct gouge_check *guard = gouge_from_points(points.item, points.n);
     array_free(&points);
     return guard;
 }
@@ -55,7 +55,7 @@ static struct vec3 ball_of(const struct path_item *item)
 
 START_TEST(passes_links_and_feeds_are_in_order)
 {
-    struct guard *guard = make_floor();
+    struct gouge_check *guard = make_floor();
     struct path path = {0};
     struct toolpath t = make_toolpath(&path, guard);
     make_path(&t);
@@ -86,13 +86,13 @@ START_TEST(passes_links_and_feeds_are_in_order)
     ck_assert_uint_eq(rapids, 6); /* over, down, up; twice */
     ck_assert_int_eq(toolpath_conclude(&t), 0);
     path_free(&path);
-    guard_free(guard);
+    gouge_free(guard);
 }
 END_TEST
 
 START_TEST(the_ball_is_clear_on_every_rapid)
 {
-    struct guard *guard = make_floor();
+    struct gouge_check *guard = make_floor();
     struct path path = {0};
     struct toolpath t = make_toolpath(&path, guard);
     make_path(&t);
@@ -102,9 +102,9 @@ START_TEST(the_ball_is_clear_on_every_rapid)
         const struct path_item *item = &path.item.item[i];
         if (item->kind != PATH_POINT)
             continue;
-        ck_assert_double_le(guard_depth(guard, ball_of(item), R), 1e-6);
+        ck_assert_double_le(gouge_depth(guard, ball_of(item), R), 1e-6);
         if (before && item->rapid)
-            ck_assert_double_le(guard_depth_along(guard, ball_of(before), ball_of(item), R + 1), 0);
+            ck_assert_double_le(gouge_depth_along(guard, ball_of(before), ball_of(item), R + 1), 0);
         before = item;
     }
     const struct path_item *first = &path.item.item[1], *last = before;
@@ -112,7 +112,7 @@ START_TEST(the_ball_is_clear_on_every_rapid)
     ck_assert_double_eq_tol(first->to.p.z, 20, 1e-9);
     ck_assert_double_eq_tol(last->to.p.z, 20, 1e-9);
     path_free(&path);
-    guard_free(guard);
+    gouge_free(guard);
 }
 END_TEST
 
@@ -125,7 +125,7 @@ START_TEST(a_lid_above_the_strip_is_told)
             *array_push(&points) = vec(i, k, 0);
             *array_push(&points) = vec(i, k, 12);
         }
-    struct guard *guard = guard_from_points(points.item, points.n);
+    struct gouge_check *guard = gouge_from_points(points.item, points.n);
     array_free(&points);
     struct path path = {0};
     struct toolpath t = make_toolpath(&path, guard);
@@ -139,7 +139,7 @@ START_TEST(a_lid_above_the_strip_is_told)
         if (path.item.item[i].kind == PATH_POINT)
             ck_assert_double_ge(path.item.item[i].to.p.z, 12 - 1);
     path_free(&path);
-    guard_free(guard);
+    gouge_free(guard);
 }
 END_TEST
 
@@ -161,7 +161,7 @@ START_TEST(what_stands_in_a_gutter_is_measured)
         contact[i] =
             (struct contact){vec(4 * sin(u), 0, 4 * sqrt(2) - 4 * cos(u)), vec(-sin(u), 0, cos(u))};
     }
-    struct guard *guard = guard_from_points(points.item, points.n);
+    struct gouge_check *guard = gouge_from_points(points.item, points.n);
     array_free(&points);
     struct path path = {0};
     struct toolpath t = make_toolpath(&path, guard);
@@ -176,7 +176,7 @@ START_TEST(what_stands_in_a_gutter_is_measured)
     t.rule.avoid = true;
     ck_assert_int_eq(toolpath_conclude(&t), 0);
     path_free(&path);
-    guard_free(guard);
+    gouge_free(guard);
 }
 END_TEST
 
@@ -207,7 +207,7 @@ START_TEST(a_path_written_as_it_is_made_is_the_same)
     static char whole[20000], streamed[20000];
     char name[] = "/tmp/check_toolpath.XXXXXX";
     close(mkstemp(name));
-    struct guard *guard = make_floor();
+    struct gouge_check *guard = make_floor();
     struct path path = {.head = {.multax = true, .tool = 3, .clearance = 20, .chord = NAN}};
     struct path piece = path;
     struct toolpath kept = make_toolpath(&path, guard), t = make_toolpath(&piece, guard);
@@ -228,7 +228,7 @@ START_TEST(a_path_written_as_it_is_made_is_the_same)
     ck_assert_uint_eq(piece.item.n, 0);
     path_free(&path);
     path_free(&piece);
-    guard_free(guard);
+    gouge_free(guard);
 }
 END_TEST
 

@@ -75,7 +75,7 @@ START_TEST(no_join_over_a_hole_of_the_scan)
             for (int k = -10; k <= 10; k++)
                 if (!hole || i < 40 || i > 70)
                     *array_push(&scan) = vec(0.1 * i, 0.1 * k, 0);
-        struct guard *guard = guard_from_points(scan.item, scan.n);
+        struct gouge_check *guard = gouge_from_points(scan.item, scan.n);
         struct slice_chains chains = {0}, strips = {0};
         struct pass_rule rule = rule_of(4);
         rule.guard = guard;
@@ -86,7 +86,7 @@ START_TEST(no_join_over_a_hole_of_the_scan)
         ck_assert_uint_eq(strips.chain.n, hole ? 2 : 1);
         slice_chains_free(&chains);
         slice_chains_free(&strips);
-        guard_free(guard);
+        gouge_free(guard);
         array_free(&scan);
     }
 }

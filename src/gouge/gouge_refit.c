@@ -1,5 +1,5 @@
-/* recheck - see recheck.h. */
-#include "gouge/recheck.h"
+/* gouge_refit - see gouge_refit.h. */
+#include "gouge/gouge_refit.h"
 
 #include <stdlib.h>
 
@@ -11,10 +11,10 @@ static const double USELESS = 0.95; /* of the depth before: it did not help */
 static const double NEAR = 0.5;     /* mm: points this near to a place are lifted all the way */
 
 struct walk {
-    const struct recheck_rule *rule;
+    const struct gouge_refit_options *rule;
     const struct motion *motion;
     double flat;
-    struct deeps *deeps;
+    struct gouges *deeps;
 };
 
 static struct vec3 ball_at(const struct walk *w, double s)
@@ -39,12 +39,12 @@ static void look(const struct walk *w, double s0, struct vec3 a, double s1, stru
 {
     const double finest = 1e-3, finer = 1.0 / 8; /* of the tolerance; of the last */
     double tolerance = SAFE * w->rule->tolerance, may = tolerance - w->flat;
-    double deeper = guard_depth_along(w->rule->guard, a, b, w->rule->radius - may);
+    double deeper = gouge_depth_along(w->rule->guard, a, b, w->rule->radius - may);
 
     if (deeper <= 0)
         return;
     if (deeper > 2 * w->flat || w->flat < finest * tolerance || halvings == 0) {
-        *array_push(w->deeps) = (struct deep){vec_mix(a, b, 0.5), deeper + may};
+        *array_push(w->deeps) = (struct gouge){vec_mix(a, b, 0.5), deeper + may};
         return;
     }
     struct walk closer = *w;
@@ -69,8 +69,8 @@ static void halve(const struct walk *w, double s0, struct vec3 a, double s1, str
     halve(w, s, m, s1, b, halvings - 1);
 }
 
-void recheck_motion(const struct recheck_rule *rule, const struct motion *motion,
-                    struct deeps *deeps)
+void gouge_refit_motion(const struct gouge_refit_options *rule, const struct motion *motion,
+                        struct gouges *deeps)
 {
     struct walk w = {rule, motion, rule->tolerance / 20, deeps};
     double s0 = 0;
@@ -106,14 +106,15 @@ static double reach_of(const struct run *run, struct vec3 place)
     return fmax(NEAR, nearest + apart);
 }
 
-double recheck_lift(const struct recheck_rule *rule, const struct deeps *deeps, struct run *run)
+double gouge_refit_lift(const struct gouge_refit_options *rule, const struct gouges *deeps,
+                        struct run *run)
 {
     double *lift = mem_alloc(run->n, sizeof *lift), highest = 0;
 
     for (size_t i = 0; i < run->n; i++)
         lift[i] = 0;
     for (size_t k = 0; k < deeps->n; k++) {
-        const struct deep *deep = &deeps->item[k];
+        const struct gouge *deep = &deeps->item[k];
         double reach = reach_of(run, deep->ball), whole = deep->depth - rule->tolerance / 2;
         for (size_t i = 1; i + 1 < run->n; i++) {
             double beyond = vec_distance(run->item[i].ball, deep->ball) / reach - 1;
@@ -132,9 +133,9 @@ double recheck_lift(const struct recheck_rule *rule, const struct deeps *deeps, 
     return highest;
 }
 
-struct deep recheck_deepest(const struct deeps *deeps)
+struct gouge gouge_refit_deepest(const struct gouges *deeps)
 {
-    struct deep deepest = {.depth = 0};
+    struct gouge deepest = {.depth = 0};
 
     for (size_t i = 0; i < deeps->n; i++)
         if (deeps->item[i].depth > deepest.depth)
@@ -142,34 +143,35 @@ struct deep recheck_deepest(const struct deeps *deeps)
     return deepest;
 }
 
-struct deep recheck_beyond(const struct recheck_rule *rule, const struct deeps *deeps)
+struct gouge gouge_refit_beyond(const struct gouge_refit_options *rule, const struct gouges *deeps)
 {
     const double printed = 0.001; /* of the tolerance: what the digits of the points leave */
-    struct deep deepest = recheck_deepest(deeps);
+    struct gouge deepest = gouge_refit_deepest(deeps);
 
     if (deepest.depth <= (1 + printed) * rule->tolerance)
         deepest.depth = 0;
     return deepest;
 }
 
-struct recheck_result
-recheck_fit(const struct recheck_rule *rule, struct run *run,
-            void (*fit)(void *context, const struct run *run, struct deeps *deeps), void *context)
+struct gouge_refit_result gouge_refit_fit(const struct gouge_refit_options *rule, struct run *run,
+                                          void (*fit)(void *context, const struct run *run,
+                                                      struct gouges *deeps),
+                                          void *context)
 {
-    struct recheck_result result = {.lift = 0};
-    struct deeps deeps = {0};
+    struct gouge_refit_result result = {.lift = 0};
+    struct gouges deeps = {0};
 
     fit(context, run, &deeps);
     for (int round = 1; round < ROUNDS && deeps.n > 0; round++) {
         size_t before = deeps.n;
-        double depth = recheck_deepest(&deeps).depth;
-        result.lift += recheck_lift(rule, &deeps, run);
+        double depth = gouge_refit_deepest(&deeps).depth;
+        result.lift += gouge_refit_lift(rule, &deeps, run);
         deeps.n = 0;
         fit(context, run, &deeps);
-        if (deeps.n >= before && recheck_deepest(&deeps).depth > USELESS * depth && round > 2)
+        if (deeps.n >= before && gouge_refit_deepest(&deeps).depth > USELESS * depth && round > 2)
             break; /* as at an end */
     }
-    result.deepest = recheck_beyond(rule, &deeps);
+    result.deepest = gouge_refit_beyond(rule, &deeps);
     array_free(&deeps);
     return result;
 }

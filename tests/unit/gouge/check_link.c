@@ -1,5 +1,5 @@
 /* way over a floor, over a low wall, and not over a high one. */
-#include "gouge/way.h"
+#include "gouge/link.h"
 
 #include <check.h>
 #include <stdlib.h>
@@ -7,7 +7,7 @@
 static const double R = 5;
 
 /* A floor of points 0.5 mm apart with a wall of this height along x at y = 2. */
-static struct guard *floor_with_wall(double height)
+static struct gouge_check *floor_with_wall(double height)
 {
     struct vec3s points = {0};
     for (int i = -20; i <= 20; i++) {
@@ -16,7 +16,7 @@ static struct guard *floor_with_wall(double height)
         for (double z = 0; z <= height; z += 0.25)
             *array_push(&points) = vec(0.5 * i, 2, z);
     }
-    struct guard *guard = guard_from_points(points.item, points.n);
+    struct gouge_check *guard = gouge_from_points(points.item, points.n);
     array_free(&points);
     return guard;
 }
@@ -32,17 +32,17 @@ static struct run_point point_at(double y, double z)
 /* The way from y = -4 to y = 8 where the ball stands on the floor or against the wall. */
 static bool find_way(double wall, double limit, struct run *way)
 {
-    struct guard *guard = floor_with_wall(wall);
-    struct lift_rule rule = {.guard = guard, .offset = R, .tolerance = 0.01};
+    struct gouge_check *guard = floor_with_wall(wall);
+    struct gouge_lift_options rule = {.guard = guard, .offset = R, .tolerance = 0.01};
     struct run_point from = point_at(-4, R), to = point_at(8, R);
-    bool found = way_low(&from, &to, &rule, limit, way);
+    bool found = link_low(&from, &to, &rule, limit, way);
     struct vec3 before = from.ball;
     for (size_t i = 0; found && i <= way->n; i++) {
         struct vec3 ball = i < way->n ? way->item[i].ball : to.ball;
-        ck_assert_double_le(guard_depth_along(guard, before, ball, R), 0.01);
+        ck_assert_double_le(gouge_depth_along(guard, before, ball, R), 0.01);
         before = ball;
     }
-    guard_free(guard);
+    gouge_free(guard);
     return found;
 }
 
@@ -84,10 +84,10 @@ END_TEST
 
 START_TEST(without_a_guard_it_is_straight)
 {
-    struct lift_rule rule = {.offset = R};
+    struct gouge_lift_options rule = {.offset = R};
     struct run_point from = point_at(-4, R), to = point_at(8, R);
     struct run way = {.radius = R};
-    ck_assert(way_low(&from, &to, &rule, R, &way));
+    ck_assert(link_low(&from, &to, &rule, R, &way));
     ck_assert_uint_eq(way.n, 0);
 }
 END_TEST

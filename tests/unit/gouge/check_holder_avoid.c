@@ -1,5 +1,5 @@
 /* leanaway: a tool along the foot of a wall, its holder judged point by point. */
-#include "gouge/leanaway.h"
+#include "gouge/holder_avoid.h"
 
 #include <check.h>
 #include <stdlib.h>
@@ -12,7 +12,7 @@ static const struct holder holder = {2, {{3, 3, 30}, {12, 12, 40}}};
 static struct vec3s part;
 
 /* A floor z = 0 and a wall at x = 6 up to z = `high`, from y = 20 to 60. */
-static struct guard *make_part(double high)
+static struct gouge_check *make_part(double high)
 {
     part.n = 0;
     for (int k = 0; k <= 80; k++) {
@@ -21,7 +21,7 @@ static struct guard *make_part(double high)
         for (int j = 1; j <= (int)high && k >= 20 && k <= 60; j++)
             *array_push(&part) = vec(6, k, j);
     }
-    return guard_from_points(part.item, part.n);
+    return gouge_from_points(part.item, part.n);
 }
 
 /* Along y at the foot of the wall, the axis upright. */
@@ -52,12 +52,12 @@ static double deepest_between(const struct run_point *a, const struct run_point 
 
 START_TEST(the_axis_leans_off_the_wall)
 {
-    struct guard *guard = make_part(50);
+    struct gouge_check *guard = make_part(50);
     struct run run = make_run();
-    struct lean_rule rule = {guard, &holder, RADIANS(40), 0.01};
+    struct holder_avoid_options rule = {guard, &holder, RADIANS(40), 0.01};
     bool touches[161];
     ck_assert_double_gt(deepest_between(&run.item[80], &run.item[80]), 5);
-    double lean = lean_away(&rule, &run, touches);
+    double lean = holder_avoid(&rule, &run, touches);
     /* The holder's lower edge at (12, 30) turned to x = 6 or less: by 9.2 degrees more than nothing
      * and, as its upper end comes nearer too, no more than 25. */
     ck_assert_double_ge(lean, RADIANS(9));
@@ -74,38 +74,38 @@ START_TEST(the_axis_leans_off_the_wall)
     ck_assert_double_lt(vec_angle(run.item[0].axis, vec(0, 0, 1)),
                         1e-12); /* far from it, upright */
     array_free(&run);
-    guard_free(guard);
+    gouge_free(guard);
 }
 END_TEST
 
 START_TEST(what_a_limit_does_not_clear_touches)
 {
-    struct guard *guard = make_part(50);
+    struct gouge_check *guard = make_part(50);
     struct run run = make_run();
-    struct lean_rule rule = {guard, &holder, RADIANS(5), 0.01};
+    struct holder_avoid_options rule = {guard, &holder, RADIANS(5), 0.01};
     bool touches[161];
-    ck_assert_double_le(lean_away(&rule, &run, touches), RADIANS(5) + 1e-9);
+    ck_assert_double_le(holder_avoid(&rule, &run, touches), RADIANS(5) + 1e-9);
     ck_assert(!touches[0] && !touches[10] && touches[80] && touches[60] && !touches[160]);
     /* What is not told to touch does not. */
     for (size_t i = 1; i < run.n; i++)
         if (!touches[i] && !touches[i - 1])
             ck_assert_double_le(deepest_between(&run.item[i - 1], &run.item[i]), 0.01 + 1e-9);
     array_free(&run);
-    guard_free(guard);
+    gouge_free(guard);
 }
 END_TEST
 
 START_TEST(a_low_wall_needs_nothing)
 {
-    struct guard *guard = make_part(25);
+    struct gouge_check *guard = make_part(25);
     struct run run = make_run();
-    struct lean_rule rule = {guard, &holder, RADIANS(40), 0.01};
+    struct holder_avoid_options rule = {guard, &holder, RADIANS(40), 0.01};
     bool touches[161];
-    ck_assert(lean_away(&rule, &run, touches) == 0);
+    ck_assert(holder_avoid(&rule, &run, touches) == 0);
     for (size_t i = 0; i < run.n; i++)
         ck_assert(!touches[i] && run.item[i].axis.z == 1);
     array_free(&run);
-    guard_free(guard);
+    gouge_free(guard);
 }
 END_TEST
 
@@ -115,15 +115,15 @@ START_TEST(a_post_between_is_seen)
     struct vec3 post[60];
     for (int j = 0; j < 60; j++)
         post[j] = vec(8, 0, j);
-    struct guard *guard = guard_from_points(post, 60);
-    struct lean_rule rule = {guard, &holder, 0, 0.01};
+    struct gouge_check *guard = gouge_from_points(post, 60);
+    struct holder_avoid_options rule = {guard, &holder, 0, 0.01};
     struct run_point a = {.ball = {0, -30, BALL}, .axis = {0, 0, 1}}, b = a, c = a;
     b.ball.y = 30;
     c.ball = vec(-10, 30, BALL);
-    ck_assert(!lean_clear(&rule, &a, &b));
+    ck_assert(!holder_lean_clear(&rule, &a, &b));
     a.ball.x = -10;
-    ck_assert(lean_clear(&rule, &a, &c));
-    guard_free(guard);
+    ck_assert(holder_lean_clear(&rule, &a, &c));
+    gouge_free(guard);
 }
 END_TEST
 

@@ -1,10 +1,10 @@
 /*
- * calm - the tool axes along a run turned less than the rule for the axis has them.
+ * axis_smooth - the tool axes along a run turned less than the rule for the axis has them.
  *
  * The ball's centres stay where they are; the tips follow the axes.
  */
-#ifndef CLOUDMILL_CALM_H
-#define CLOUDMILL_CALM_H
+#ifndef CLOUDMILL_AXIS_SMOOTH_H
+#define CLOUDMILL_AXIS_SMOOTH_H
 
 #include "curve/run.h"
 
@@ -13,7 +13,7 @@
  * squares of the turns by their lengths is made small by relaxation, coarse points first, and each
  * axis is brought back into its cone.
  */
-void calm_play(struct run *run, double play);
+void axis_smooth_play(struct run *run, double play);
 
 /*
  * No more than `rate` radians of turn for a millimetre, of the tip and of the ball's centre,
@@ -21,10 +21,10 @@ void calm_play(struct run *run, double play);
  * until this holds.  Points in one place get one axis.  Returns how far an axis was turned at most,
  * radians.
  */
-double calm_rate(struct run *run, double rate);
+double axis_smooth_rate(struct run *run, double rate);
 
 /* The fastest turn between neighbouring points, radians a millimetre of the shorter of both ways;
  * HUGE_VAL where the axis turns in one place. */
-double calm_fastest(const struct run *run);
+double axis_smooth_fastest(const struct run *run);
 
 #endif

@@ -1,39 +1,39 @@
 /* lift over shapes where the highest clear place of a ball is known. */
-#include "gouge/lift.h"
+#include "gouge/gouge_strip.h"
 
 #include <check.h>
 #include <stdlib.h>
 
 static const double R = 5;
 
-static struct lift_rule make_rule(const struct guard *guard, bool between)
+static struct gouge_lift_options make_rule(const struct gouge_check *guard, bool between)
 {
-    return (struct lift_rule){.guard = guard,
-                              .offset = R,
-                              .limit = R,
-                              .between = between,
-                              .tolerance = 0.01,
-                              .step = 0.05,
-                              .axis = {.kind = AXIS_LEAN, .tilt = 0.2},
-                              .feed = {.along = {1, 0, 0}, .side = {0, 1, 0}}};
+    return (struct gouge_lift_options){.guard = guard,
+                                       .offset = R,
+                                       .limit = R,
+                                       .between = between,
+                                       .tolerance = 0.01,
+                                       .step = 0.05,
+                                       .axis = {.kind = AXIS_LEAN, .tilt = 0.2},
+                                       .feed = {.along = {1, 0, 0}, .side = {0, 1, 0}}};
 }
 
 /* A strip of contact points on the plane z = 0, 2 mm apart. */
-static struct run strip_on_plane(const struct lift_rule *rule)
+static struct run strip_on_plane(const struct gouge_lift_options *rule)
 {
     struct run run = {.radius = R};
     for (int i = -5; i <= 5; i++)
-        lift_add(&run, rule, vec(2 * i, 0, 0), vec(0, 0, 1));
+        gouge_strip_add(&run, rule, vec(2 * i, 0, 0), vec(0, 0, 1));
     return run;
 }
 
 START_TEST(a_point_stands_as_the_offset_says)
 {
-    struct lift_rule rule = make_rule(NULL, false);
+    struct gouge_lift_options rule = make_rule(NULL, false);
     struct run run = {.radius = R};
     rule.offset = R + 0.6;
     struct vec3 n = vec_unit(vec(0.3, 0.2, 1));
-    lift_add(&run, &rule, vec(1, 2, 3), n);
+    gouge_strip_add(&run, &rule, vec(1, 2, 3), n);
     struct run_point p = run.item[0];
     ck_assert_double_lt(vec_distance(p.ball, vec_along(vec(1, 2, 3), 5.6, n)), 1e-12);
     ck_assert_double_lt(vec_distance(p.tip, vec_along(p.ball, -R, p.axis)), 1e-12);
@@ -44,17 +44,17 @@ END_TEST
 
 START_TEST(without_a_guard_nothing_is_lifted)
 {
-    struct lift_rule rule = make_rule(NULL, false);
+    struct gouge_lift_options rule = make_rule(NULL, false);
     struct run run = strip_on_plane(&rule);
-    struct lifted_run lifted = {.run = {.radius = R}};
-    lift_run(&run, &rule, &lifted);
+    struct gouge_strip lifted = {.run = {.radius = R}};
+    gouge_strip_lift(&run, &rule, &lifted);
     ck_assert_uint_eq(lifted.run.n, run.n);
     ck_assert_uint_eq(lifted.end.n, 1);
     ck_assert_uint_eq(lifted.end.item[0], run.n);
     ck_assert_uint_eq(lifted.report.lifted, 0);
     for (size_t i = 0; i < run.n; i++)
         ck_assert_double_eq(vec_distance(run.item[i].ball, lifted.run.item[i].ball), 0);
-    lifted_run_free(&lifted);
+    gouge_strip_free(&lifted);
     array_free(&run);
 }
 END_TEST
@@ -69,11 +69,11 @@ static double over_pin(double x)
 START_TEST(a_ball_rolls_over_a_pin)
 {
     struct vec3 pin = vec(0.7, 0.4, 1);
-    struct guard *guard = guard_from_points(&pin, 1);
-    struct lift_rule rule = make_rule(guard, true);
+    struct gouge_check *guard = gouge_from_points(&pin, 1);
+    struct gouge_lift_options rule = make_rule(guard, true);
     struct run run = strip_on_plane(&rule);
-    struct lifted_run lifted = {.run = {.radius = R}};
-    lift_run(&run, &rule, &lifted);
+    struct gouge_strip lifted = {.run = {.radius = R}};
+    gouge_strip_lift(&run, &rule, &lifted);
     ck_assert_uint_eq(lifted.report.missed, 0);
     ck_assert_double_eq_tol(lifted.report.highest, 1 + sqrt(R * R - 0.16) - R, 0.01);
     for (size_t i = 0; i < lifted.run.n; i++) {
@@ -86,26 +86,26 @@ START_TEST(a_ball_rolls_over_a_pin)
             ck_assert_double_eq_tol(c.z, over_pin(c.x), 0.015);
         }
     }
-    lifted_run_free(&lifted);
+    gouge_strip_free(&lifted);
     array_free(&run);
-    guard_free(guard);
+    gouge_free(guard);
 }
 END_TEST
 
 START_TEST(only_nodes_without_between)
 {
     struct vec3 pin = vec(0.7, 0.4, 1);
-    struct guard *guard = guard_from_points(&pin, 1);
-    struct lift_rule rule = make_rule(guard, false);
+    struct gouge_check *guard = gouge_from_points(&pin, 1);
+    struct gouge_lift_options rule = make_rule(guard, false);
     struct run run = strip_on_plane(&rule);
-    struct lifted_run lifted = {.run = {.radius = R}};
-    lift_run(&run, &rule, &lifted);
+    struct gouge_strip lifted = {.run = {.radius = R}};
+    gouge_strip_lift(&run, &rule, &lifted);
     ck_assert_uint_eq(lifted.run.n, run.n);
     for (size_t i = 0; i < run.n; i++)
         ck_assert_double_eq_tol(lifted.run.item[i].ball.z, over_pin(run.item[i].ball.x), 2e-6);
-    lifted_run_free(&lifted);
+    gouge_strip_free(&lifted);
     array_free(&run);
-    guard_free(guard);
+    gouge_free(guard);
 }
 END_TEST
 
@@ -115,12 +115,12 @@ START_TEST(a_tower_is_passed_over_without_a_touch)
     struct vec3s tower = {0};
     for (int i = 0; i <= 100; i++)
         *array_push(&tower) = vec(1, 0, 0.2 * i);
-    struct guard *guard = guard_from_points(tower.item, tower.n);
+    struct gouge_check *guard = gouge_from_points(tower.item, tower.n);
     for (int between = 0; between < 2; between++) {
-        struct lift_rule rule = make_rule(guard, between);
+        struct gouge_lift_options rule = make_rule(guard, between);
         struct run run = strip_on_plane(&rule);
-        struct lifted_run lifted = {.run = {.radius = R}};
-        lift_run(&run, &rule, &lifted);
+        struct gouge_strip lifted = {.run = {.radius = R}};
+        gouge_strip_lift(&run, &rule, &lifted);
         ck_assert_uint_gt(lifted.report.missed, 0);
         ck_assert_double_gt(lifted.report.miss, 19.5);
         ck_assert_double_lt(lifted.report.miss, 20 + 1e-6);
@@ -130,12 +130,12 @@ START_TEST(a_tower_is_passed_over_without_a_touch)
             if (p->ball.z > 2 * R + 0.01)
                 ck_assert_double_eq(vec_length(p->normal), 0);
             if (i > 0)
-                ck_assert_double_le(guard_depth_along(guard, p[-1].ball, p->ball, R), 0.01);
+                ck_assert_double_le(gouge_depth_along(guard, p[-1].ball, p->ball, R), 0.01);
         }
-        lifted_run_free(&lifted);
+        gouge_strip_free(&lifted);
         array_free(&run);
     }
-    guard_free(guard);
+    gouge_free(guard);
     array_free(&tower);
 }
 END_TEST
@@ -153,19 +153,19 @@ START_TEST(a_hollow_tighter_than_the_ball_is_spanned)
         for (int k = -60; k <= 60; k++)
             *array_push(&gutter) = vec(x, 0.1 * k, z);
     }
-    struct guard *guard = guard_from_points(gutter.item, gutter.n);
-    struct lift_rule rule = make_rule(guard, true);
+    struct gouge_check *guard = gouge_from_points(gutter.item, gutter.n);
+    struct gouge_lift_options rule = make_rule(guard, true);
     struct run run = {.radius = R};
     for (int i = -4; i <= 4; i++) {
         double u = PI / 4 * i / 4;
-        lift_add(&run, &rule, vec(4 * sin(u), 0, 4 * sqrt(2) - 4 * cos(u)),
-                 vec(-sin(u), 0, cos(u)));
+        gouge_strip_add(&run, &rule, vec(4 * sin(u), 0, 4 * sqrt(2) - 4 * cos(u)),
+                        vec(-sin(u), 0, cos(u)));
     }
-    struct lifted_run lifted = {.run = {.radius = R}};
-    lift_run(&run, &rule, &lifted);
+    struct gouge_strip lifted = {.run = {.radius = R}};
+    gouge_strip_lift(&run, &rule, &lifted);
     for (size_t i = 0; i < lifted.run.n; i++) {
         struct vec3 c = lifted.run.item[i].ball;
-        ck_assert_double_le(guard_depth(guard, c, R), 1e-6);
+        ck_assert_double_le(gouge_depth(guard, c, R), 1e-6);
         /* Not higher than a ball that touches one flank: |x| + 5 sqrt(2). */
         ck_assert_double_le(c.z, fabs(c.x) + R * sqrt(2) + 1e-3);
         ck_assert_double_ge(c.z, fabs(c.x) + R * sqrt(2) - 0.003);
@@ -176,9 +176,9 @@ START_TEST(a_hollow_tighter_than_the_ball_is_spanned)
         if (fabs(lifted.stand.item[i].contact.x) < 0.01)
             bottom = lifted.stand.item[i].height;
     ck_assert_double_eq_tol(bottom, (R - 4) * (sqrt(2) - 1), 0.01);
-    lifted_run_free(&lifted);
+    gouge_strip_free(&lifted);
     array_free(&run);
-    guard_free(guard);
+    gouge_free(guard);
     array_free(&gutter);
 }
 END_TEST
@@ -191,27 +191,27 @@ START_TEST(what_looks_down_is_touched_from_the_side)
         double z = 1 - 1.6 * (i + 0.5) / 60000, r = sqrt(1 - z * z), a = i * 2.399963229728653;
         *array_push(&ball) = vec(20 * r * cos(a), 20 * r * sin(a), 20 * z);
     }
-    struct guard *guard = guard_from_points(ball.item, ball.n);
-    struct lift_rule rule = make_rule(guard, false);
+    struct gouge_check *guard = gouge_from_points(ball.item, ball.n);
+    struct gouge_lift_options rule = make_rule(guard, false);
     for (int down = -10; down <= 28; down += 2) {
         struct run run = {.radius = R};
-        struct lifted_run lifted = {.run = {.radius = R}};
+        struct gouge_strip lifted = {.run = {.radius = R}};
         struct vec3 n = vec(cos(RADIANS(down)), 0, -sin(RADIANS(down)));
         rule.feed.along = vec(0, 1, 0);
         rule.feed.side = vec(0, 0, 1);
         rule.feed.up = vec(1, 0, 0);
-        lift_add(&run, &rule, vec_scale(20, n), n);
-        lift_run(&run, &rule, &lifted);
+        gouge_strip_add(&run, &rule, vec_scale(20, n), n);
+        gouge_strip_lift(&run, &rule, &lifted);
         const struct run_point *p = &lifted.run.item[0];
         ck_assert_uint_eq(lifted.report.missed, 0);
         ck_assert_double_ge(p->axis.z, 0);
         ck_assert_double_ge(vec_dot(p->axis, n), cos(RADIANS(fmax(down, 12))) - 1e-9);
         ck_assert_double_le(vec_distance(p->ball, vec_scale(20 + R, n)), 0.01);
         ck_assert_double_le(vec_distance(p->tip, vec_along(p->ball, -R, p->axis)), 1e-12);
-        lifted_run_free(&lifted);
+        gouge_strip_free(&lifted);
         array_free(&run);
     }
-    guard_free(guard);
+    gouge_free(guard);
     array_free(&ball);
 }
 END_TEST

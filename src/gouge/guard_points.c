@@ -1,5 +1,5 @@
-/* scansurface - see scansurface.h. */
-#include "gouge/scansurface.h"
+/* gouge_points - see guard_points.h. */
+#include "gouge/guard_points.h"
 
 #include <stdlib.h>
 
@@ -30,7 +30,7 @@ struct place {
 };
 
 struct job {
-    const struct scansurface_rule *rule;
+    const struct guard_points_options *rule;
     const struct point_grid *point_grid;
     struct surface_fit_options fit; /* sigma: noise to take out; 0: none */
     struct upsample fill;
@@ -179,7 +179,7 @@ static void fill_places(void *context, size_t from, size_t to)
 static int plan(struct job *job)
 {
     const double work = 16e6;
-    const struct scansurface_rule *rule = job->rule;
+    const struct guard_points_options *rule = job->rule;
     const struct point_grid *b = job->point_grid;
 
     job->fit = (struct surface_fit_options){b, rule->noise, 0, b->n < RIBS};
@@ -190,10 +190,10 @@ static int plan(struct job *job)
     return rule->noise > 0 || job->filled ? 0 : -1;
 }
 
-static struct scansurface gather(struct job *job)
+static struct guard_points gather(struct job *job)
 {
     const struct point_grid *b = job->point_grid;
-    struct scansurface surface = {.moved = 0};
+    struct guard_points surface = {.moved = 0};
 
     for (size_t i = 0; i < b->n; i++) {
         struct place *place = &job->place[i];
@@ -213,11 +213,11 @@ static struct scansurface gather(struct job *job)
     return surface;
 }
 
-struct scansurface scansurface_make(const struct point_grid *point_grid,
-                                    const struct scansurface_rule *rule)
+struct guard_points guard_points_make(const struct point_grid *point_grid,
+                                      const struct guard_points_options *rule)
 {
     struct job job = {.rule = rule, .point_grid = point_grid};
-    struct scansurface surface = {.moved = 0};
+    struct guard_points surface = {.moved = 0};
 
     if (plan(&job) < 0) {
         array_reserve(&surface.point, point_grid->n);

@@ -1,5 +1,5 @@
-/* leanaway - see leanaway.h. */
-#include "gouge/leanaway.h"
+/* holder_avoid - see holder_avoid.h. */
+#include "gouge/holder_avoid.h"
 
 #include <stdlib.h>
 
@@ -12,20 +12,22 @@ static const double RAMP = 0.05;                /* of the lean, 1/mm */
 static const double OUTSIDE = 0.05;             /* cosine of axis and normal, at least */
 static const double FINE = 0.02; /* mm: poses no further apart need no more between */
 
-static double clearance(const struct lean_rule *rule, const struct run_point *p, double below)
+static double clearance(const struct holder_avoid_options *rule, const struct run_point *p,
+                        double below)
 {
-    return guard_holder(rule->guard, rule->holder, p->ball, p->axis, below);
+    return gouge_holder(rule->guard, rule->holder, p->ball, p->axis, below);
 }
 
-static bool is_clear(const struct lean_rule *rule, const struct run_point *p, double least)
+static bool is_clear(const struct holder_avoid_options *rule, const struct run_point *p,
+                     double least)
 {
-    return guard_holder_clear(rule->guard, rule->holder, p->ball, p->axis, least);
+    return gouge_holder_clear(rule->guard, rule->holder, p->ball, p->axis, least);
 }
 
 /* Between two poses no point of the holder moves farther than the centre does and its reach
  * turns: so both clearances together, if above that way, leave some of it everywhere. */
-static bool clear_between(const struct lean_rule *rule, struct run_point a, double clear_a,
-                          struct run_point b, double clear_b, int halvings)
+static bool clear_between(const struct holder_avoid_options *rule, struct run_point a,
+                          double clear_a, struct run_point b, double clear_b, int halvings)
 {
     double way =
         vec_distance(a.ball, b.ball) + holder_reach(rule->holder) * vec_angle(a.axis, b.axis);
@@ -41,8 +43,8 @@ static bool clear_between(const struct lean_rule *rule, struct run_point a, doub
            clear_between(rule, m, clear_m, b, clear_b, halvings - 1);
 }
 
-bool lean_clear(const struct lean_rule *rule, const struct run_point *from,
-                const struct run_point *to)
+bool holder_lean_clear(const struct holder_avoid_options *rule, const struct run_point *from,
+                       const struct run_point *to)
 {
     double way = vec_distance(from->ball, to->ball) +
                  holder_reach(rule->holder) * vec_angle(from->axis, to->axis) + MARGIN;
@@ -53,8 +55,9 @@ bool lean_clear(const struct lean_rule *rule, const struct run_point *from,
 
 /* The least lean off `rule_axis` from `least` on that clears the point; of equal ones that nearest
  * to `before`.  False when there is none. */
-static bool find_lean(const struct lean_rule *rule, const struct run_point *p, double margin,
-                      struct vec3 rule_axis, double least, struct vec3 before, struct vec3 *found)
+static bool find_lean(const struct holder_avoid_options *rule, const struct run_point *p,
+                      double margin, struct vec3 rule_axis, double least, struct vec3 before,
+                      struct vec3 *found)
 {
     *found = rule_axis;
     struct vec3 side = vec_perpendicular(rule_axis);
@@ -108,8 +111,8 @@ static void spread(struct run *run, const struct vec3 *rule_axis, const struct v
 }
 
 /* Leans of the points that still need one, larger than before; false when none does. */
-static bool lean_more(const struct lean_rule *rule, const struct run *run, const double *margin,
-                      const struct vec3 *rule_axis, struct vec3 *own)
+static bool lean_more(const struct holder_avoid_options *rule, const struct run *run,
+                      const double *margin, const struct vec3 *rule_axis, struct vec3 *own)
 {
     bool any = false;
 
@@ -129,7 +132,7 @@ static bool lean_more(const struct lean_rule *rule, const struct run *run, const
 }
 
 /* Neighbouring axes brought nearer to each other where that leaves the holder clear. */
-static void smooth(const struct lean_rule *rule, struct run *run, const double *margin,
+static void smooth(const struct holder_avoid_options *rule, struct run *run, const double *margin,
                    const struct vec3 *rule_axis)
 {
     for (int sweep = 0; sweep < SWEEPS; sweep++) {
@@ -150,7 +153,7 @@ static void smooth(const struct lean_rule *rule, struct run *run, const double *
 
 /* Which points the holder touches at or on the way to; ends of ways that it touches between get
  * another margin.  False when there are none of these. */
-static bool judge(const struct lean_rule *rule, const struct run *run, double *margin,
+static bool judge(const struct holder_avoid_options *rule, const struct run *run, double *margin,
                   bool *touches)
 {
     bool between = false;
@@ -158,7 +161,7 @@ static bool judge(const struct lean_rule *rule, const struct run *run, double *m
     for (size_t i = 0; i < run->n; i++) {
         const struct run_point *p = &run->item[i];
         touches[i] = !is_clear(rule, p, -rule->slack);
-        if (touches[i] || i == 0 || touches[i - 1] || lean_clear(rule, p - 1, p))
+        if (touches[i] || i == 0 || touches[i - 1] || holder_lean_clear(rule, p - 1, p))
             continue;
         touches[i] = between = true;
         margin[i] *= WIDER;
@@ -167,7 +170,7 @@ static bool judge(const struct lean_rule *rule, const struct run *run, double *m
     return between;
 }
 
-double lean_away(const struct lean_rule *rule, struct run *run, bool *touches)
+double holder_avoid(const struct holder_avoid_options *rule, struct run *run, bool *touches)
 {
     struct vec3 *rule_axis = mem_alloc(run->n + 1, sizeof *rule_axis);
     struct vec3 *own = mem_alloc(run->n + 1, sizeof *own);

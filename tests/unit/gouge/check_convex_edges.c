@@ -1,16 +1,16 @@
-/* sharpedges: on all edges of a cube, on none inside out; not where a crease ends or is a valley.
+/* convex_edges: on all edges of a cube, on none inside out; not where a crease ends or is a valley.
  */
 #include <check.h>
 #include <stdlib.h>
 
 #include "mesh/crease_normals.h"
 #include "shapes.h"
-#include "gouge/sharpedges.h"
+#include "gouge/convex_edges.h"
 
 static struct vec3s sampled(const struct mesh *mesh, double spacing)
 {
     struct vec3s points = {0};
-    sharpedges_sample(mesh, spacing, &points);
+    convex_edges_sample(mesh, spacing, &points);
     return points;
 }
 

@@ -1,4 +1,4 @@
-#include "gouge/guard.h"
+#include "gouge/gouge.h"
 
 #include <stdlib.h>
 
@@ -8,15 +8,15 @@
 /* A facet further than this off a vertex's normal spans a step, not a smooth surface. */
 static const double SMOOTH = 0.8660254037844386; /* cos 30 degrees */
 
-struct guard {
+struct gouge_check {
     struct kdtree *tree;
     struct height_pyramid height_pyramid;
     struct vec3 low, high; /* corners of the box around the points */
 };
 
-struct guard *guard_take(struct vec3s point, int threads)
+struct gouge_check *gouge_take(struct vec3s point, int threads)
 {
-    struct guard *guard = mem_alloc(1, sizeof *guard);
+    struct gouge_check *guard = mem_alloc(1, sizeof *guard);
 
     guard->tree = kdtree_new_by(point.item, point.n, threads);
     guard->height_pyramid = height_pyramid_over(point.item, point.n);
@@ -32,13 +32,13 @@ struct guard *guard_take(struct vec3s point, int threads)
     return guard;
 }
 
-struct guard *guard_from_points(const struct vec3 *point, size_t n)
+struct gouge_check *gouge_from_points(const struct vec3 *point, size_t n)
 {
     struct vec3s copy = {0};
 
     for (size_t i = 0; i < n; i++)
         *array_push(&copy) = point[i];
-    return guard_take(copy, 1);
+    return gouge_take(copy, 1);
 }
 
 /* A curved triangle: control points of a cubic Bezier triangle, named after their corners. */
@@ -99,7 +99,7 @@ static void patch_sample(const struct patch *patch, double spacing, struct vec3s
     }
 }
 
-struct guard *guard_from_mesh(const struct mesh *mesh, double spacing)
+struct gouge_check *gouge_from_mesh(const struct mesh *mesh, double spacing)
 {
     struct vec3s points = {0};
     bool *used = mem_alloc(mesh->vertex.n, sizeof *used);
@@ -123,10 +123,10 @@ struct guard *guard_from_mesh(const struct mesh *mesh, double spacing)
             *array_push(&points) = mesh->vertex.item[v];
     }
     free(used);
-    return guard_take(points, 1);
+    return gouge_take(points, 1);
 }
 
-void guard_free(struct guard *guard)
+void gouge_free(struct gouge_check *guard)
 {
     if (!guard)
         return;
@@ -135,12 +135,12 @@ void guard_free(struct guard *guard)
     free(guard);
 }
 
-double guard_top(const struct guard *guard)
+double gouge_top(const struct gouge_check *guard)
 {
     return guard->high.z;
 }
 
-double guard_extent(const struct guard *guard, struct vec3 c, struct vec3 up)
+double gouge_extent(const struct gouge_check *guard, struct vec3 c, struct vec3 up)
 {
     struct vec3 corner =
         vec(up.x > 0 ? guard->high.x : guard->low.x, up.y > 0 ? guard->high.y : guard->low.y,
@@ -149,25 +149,26 @@ double guard_extent(const struct guard *guard, struct vec3 c, struct vec3 up)
     return vec_dot(vec_sub(corner, c), up);
 }
 
-double guard_distance(const struct guard *guard, struct vec3 p, double within)
+double gouge_distance(const struct gouge_check *guard, struct vec3 p, double within)
 {
     size_t nearest;
 
     return kdtree_nearest_segment(guard->tree, p, p, within, &nearest);
 }
 
-double guard_depth(const struct guard *guard, struct vec3 c, double radius)
+double gouge_depth(const struct gouge_check *guard, struct vec3 c, double radius)
 {
-    return radius - guard_distance(guard, c, HUGE_VAL);
+    return radius - gouge_distance(guard, c, HUGE_VAL);
 }
 
 /* No guard point is nearer than `within` to a way, for all of them are lower. */
-static bool far_over(const struct guard *guard, struct vec3 a, struct vec3 b, double within)
+static bool far_over(const struct gouge_check *guard, struct vec3 a, struct vec3 b, double within)
 {
     return height_pyramid_top(&guard->height_pyramid, a, b, within) <= fmin(a.z, b.z) - within;
 }
 
-double guard_depth_along(const struct guard *guard, struct vec3 a, struct vec3 b, double radius)
+double gouge_depth_along(const struct gouge_check *guard, struct vec3 a, struct vec3 b,
+                         double radius)
 {
     /* In pieces, so that their boxes stay small; what is found bounds the search in the next. */
     double pieces = fmax(1, ceil(vec_distance(a, b) / radius)), nearest = radius;
@@ -181,7 +182,7 @@ double guard_depth_along(const struct guard *guard, struct vec3 a, struct vec3 b
     return radius - nearest;
 }
 
-double guard_lift(const struct guard *guard, struct vec3 c, struct vec3 up, double radius,
+double gouge_lift(const struct gouge_check *guard, struct vec3 c, struct vec3 up, double radius,
                   double limit, struct kdtree_touch *touch)
 {
     double lift = kdtree_leave(guard->tree, c, up, radius, limit, touch);
@@ -189,12 +190,12 @@ double guard_lift(const struct guard *guard, struct vec3 c, struct vec3 up, doub
     return lift <= limit ? lift : -1;
 }
 
-double guard_rise(const struct guard *guard, struct vec3 c, struct vec3 up, double radius)
+double gouge_rise(const struct gouge_check *guard, struct vec3 c, struct vec3 up, double radius)
 {
     return kdtree_rise(guard->tree, c, up, radius);
 }
 
-bool guard_clear_along(const struct guard *guard, struct vec3 a, struct vec3 b, double radius,
+bool gouge_clear_along(const struct gouge_check *guard, struct vec3 a, struct vec3 b, double radius,
                        double depth)
 {
     double within = radius - depth, top = height_pyramid_top(&guard->height_pyramid, a, b, within);
@@ -214,18 +215,18 @@ bool guard_clear_along(const struct guard *guard, struct vec3 a, struct vec3 b, 
     return true;
 }
 
-bool guard_free_above(const struct guard *guard, struct vec3 c, double radius)
+bool gouge_free_above(const struct gouge_check *guard, struct vec3 c, double radius)
 {
     return height_pyramid_top(&guard->height_pyramid, c, c, radius) <= c.z ||
            !kdtree_any_above(guard->tree, c, radius);
 }
 
-bool guard_open(const struct guard *guard, struct vec3 c, struct vec3 up, double radius,
+bool gouge_open(const struct gouge_check *guard, struct vec3 c, struct vec3 up, double radius,
                 double depth)
 {
-    double end = fmax(guard_extent(guard, c, up) + radius, 0);
+    double end = fmax(gouge_extent(guard, c, up) + radius, 0);
 
-    return guard_clear_along(guard, c, vec_along(c, end, up), radius, depth);
+    return gouge_clear_along(guard, c, vec_along(c, end, up), radius, depth);
 }
 
 /* A holder where it is. */
@@ -241,7 +242,7 @@ static double from_holder(const void *context, struct vec3 p)
     return holder_distance(held->holder, held->centre, held->axis, p);
 }
 
-double guard_holder(const struct guard *guard, const struct holder *holder, struct vec3 c,
+double gouge_holder(const struct gouge_check *guard, const struct holder *holder, struct vec3 c,
                     struct vec3 axis, double below)
 {
     struct held held = {holder, c, axis};
@@ -250,7 +251,7 @@ double guard_holder(const struct guard *guard, const struct holder *holder, stru
     return holder->n > 0 ? kdtree_lowest(guard->tree, from_holder, &held, below, &nearest) : below;
 }
 
-bool guard_holder_clear(const struct guard *guard, const struct holder *holder, struct vec3 c,
+bool gouge_holder_clear(const struct gouge_check *guard, const struct holder *holder, struct vec3 c,
                         struct vec3 axis, double least)
 {
     struct held held = {holder, c, axis};

@@ -1,5 +1,5 @@
 /*
- * guard - keeping the ball clear of the part: of the whole scan, or of the mesh as a smooth
+ * gouge - keeping the ball clear of the part: of the whole scan, or of the mesh as a smooth
  * surface.
  *
  * The part is a set of guard points, dense against the ball's radius.  A ball with its centre at c
@@ -9,8 +9,8 @@
  * Between guard points that are a gap g apart the ball sinks by up to g^2 / (6 R) (a triangle of
  * points; g^2 / (8 R) between two) into what they stand for, less what a hollow curves away.
  */
-#ifndef CLOUDMILL_GUARD_H
-#define CLOUDMILL_GUARD_H
+#ifndef CLOUDMILL_GOUGE_H
+#define CLOUDMILL_GOUGE_H
 
 #include <stdbool.h>
 
@@ -19,14 +19,14 @@
 #include "mesh/mesh.h"
 #include "math/vec.h"
 
-struct guard;
+struct gouge_check;
 
 /* From the points of a scan, as dense as they are. */
-struct guard *guard_from_points(const struct vec3 *point, size_t n);
+struct gouge_check *gouge_from_points(const struct vec3 *point, size_t n);
 
 /* The same, and the points are freed as soon as they are in it, by several threads (as
  * in parallel.h). */
-struct guard *guard_take(struct vec3s points, int threads);
+struct gouge_check *gouge_take(struct vec3s points, int threads);
 
 /*
  * From a mesh with vertex normals: each facet as the curved triangle that its vertices and normals
@@ -35,29 +35,30 @@ struct guard *guard_take(struct vec3s points, int threads);
  * hollow it stands above the surface by its sagitta.  Only a facet that stands more than 30
  * degrees off one of its vertices' normals, as at a step or an edge, is sampled flat.
  */
-struct guard *guard_from_mesh(const struct mesh *mesh, double spacing);
+struct gouge_check *gouge_from_mesh(const struct mesh *mesh, double spacing);
 
-void guard_free(struct guard *guard);
+void gouge_free(struct gouge_check *guard);
 
 /* The highest z among the guard points, mm. */
-double guard_top(const struct guard *guard);
+double gouge_top(const struct gouge_check *guard);
 
 /* How far from c the box around the guard points reaches in a direction (a unit vector), mm. */
-double guard_extent(const struct guard *guard, struct vec3 c, struct vec3 direction);
+double gouge_extent(const struct gouge_check *guard, struct vec3 c, struct vec3 direction);
 
 /* Distance from p to the nearest guard point, mm; `within` when none is nearer than that. */
-double guard_distance(const struct guard *guard, struct vec3 p, double within);
+double gouge_distance(const struct gouge_check *guard, struct vec3 p, double within);
 
 /* How deep a ball of this radius, its centre at c, is in the part, mm; negative: clear by so
  * much. */
-double guard_depth(const struct guard *guard, struct vec3 c, double radius);
+double gouge_depth(const struct gouge_check *guard, struct vec3 c, double radius);
 
 /* The same for a ball whose centre moves straight from a to b: the deepest on the way, 0 where the
  * whole way is clear. */
-double guard_depth_along(const struct guard *guard, struct vec3 a, struct vec3 b, double radius);
+double gouge_depth_along(const struct gouge_check *guard, struct vec3 a, struct vec3 b,
+                         double radius);
 
 /* Does the ball go no deeper than `depth` on that way?  Quicker than to ask how deep. */
-bool guard_clear_along(const struct guard *guard, struct vec3 a, struct vec3 b, double radius,
+bool gouge_clear_along(const struct gouge_check *guard, struct vec3 a, struct vec3 b, double radius,
                        double depth);
 
 /*
@@ -65,31 +66,31 @@ bool guard_clear_along(const struct guard *guard, struct vec3 a, struct vec3 b, 
  * vector) clear of the part (up to 1e-6 mm), or -1 when no lift within the limit does.  `touch` as
  * of kdtree_leave.
  */
-double guard_lift(const struct guard *guard, struct vec3 c, struct vec3 up, double radius,
+double gouge_lift(const struct gouge_check *guard, struct vec3 c, struct vec3 up, double radius,
                   double limit, struct kdtree_touch *touch);
 
 /*
  * The smallest lift h >= 0 from which on the ball stays clear all the way along `up`, out of reach
- * of every guard point: where a tool that comes from there ends.  A scan is a shell, and guard_lift
+ * of every guard point: where a tool that comes from there ends.  A scan is a shell, and gouge_lift
  * may find room behind it; this does not.
  */
-double guard_rise(const struct guard *guard, struct vec3 c, struct vec3 up, double radius);
+double gouge_rise(const struct gouge_check *guard, struct vec3 c, struct vec3 up, double radius);
 
 /* Does a ball that is clear at c stay so on its way straight up? */
-bool guard_free_above(const struct guard *guard, struct vec3 c, double radius);
+bool gouge_free_above(const struct gouge_check *guard, struct vec3 c, double radius);
 
 /* True when the ball can come to c from outside, against `up`, and goes no deeper than `depth` into
  * the part on the way. */
-bool guard_open(const struct guard *guard, struct vec3 c, struct vec3 up, double radius,
+bool gouge_open(const struct gouge_check *guard, struct vec3 c, struct vec3 up, double radius,
                 double depth);
 
 /* How far shank and holder above a ball at c are from the nearest guard point, mm: negative by how
  * deep it is in them; `below` where none is as near. */
-double guard_holder(const struct guard *guard, const struct holder *holder, struct vec3 c,
+double gouge_holder(const struct gouge_check *guard, const struct holder *holder, struct vec3 c,
                     struct vec3 axis, double below);
 
 /* Are they no nearer than `least`?  Quicker than to ask how near. */
-bool guard_holder_clear(const struct guard *guard, const struct holder *holder, struct vec3 c,
+bool gouge_holder_clear(const struct gouge_check *guard, const struct holder *holder, struct vec3 c,
                         struct vec3 axis, double least);
 
 #endif

@@ -1,17 +1,18 @@
 /*
- * lift - a run of contact points made clear of the part: each centre lifted along its normal.
+ * gouge_strip - a run of contact points made clear of the part: each centre lifted along its
+ * normal.
  *
  * A run holds, strip by strip, where the ball of the tool touches: contact, normal, centre, axis
  * and tip (run.h).  The centre stands off the contact point by an offset, the radius of the ball
  * and what a layer leaves on the part, and by the lift.
  */
-#ifndef CLOUDMILL_LIFT_H
-#define CLOUDMILL_LIFT_H
+#ifndef CLOUDMILL_GOUGE_STRIP_H
+#define CLOUDMILL_GOUGE_STRIP_H
 
-#include "gouge/lifted.h"
+#include "gouge/gouge_point.h"
 
 /* What became of the points.  Starts as all zero. */
-struct lift_report {
+struct gouge_strip_report {
     size_t points;
     size_t lifted;          /* along their normals, within the limit */
     double highest;         /* lift of those, mm */
@@ -26,28 +27,28 @@ struct lift_report {
  * much farther down goes a ball of half the radius with the same lowest point.  Where the contact
  * point alone was too low it is nothing.
  */
-struct stand {
+struct uncut {
     struct vec3 contact;
     double height; /* mm */
 };
 
 /* Runs end to end, and where each of them ends: where there is no way but over the clearance
  * plane to the next. */
-struct lifted_run {
+struct gouge_strip {
     struct run run;
     struct sizes end; /* of each piece, as index of run.item; the last one is run.n */
-    struct lift_report report;
+    struct gouge_strip_report report;
     struct {
         size_t n, cap;
-        struct stand *item;
+        struct uncut *item;
     } stand; /* those above rule.stands */
 };
 
-void lifted_run_free(struct lifted_run *lifted);
+void gouge_strip_free(struct gouge_strip *lifted);
 
 /* Appends the point that touches at `contact`: centre, axis and tip by the rule, not lifted. */
-void lift_add(struct run *run, const struct lift_rule *rule, struct vec3 contact,
-              struct vec3 normal);
+void gouge_strip_add(struct run *run, const struct gouge_lift_options *rule, struct vec3 contact,
+                     struct vec3 normal);
 
 /*
  * Appends each point of the run lifted, its axis turned where that depends on the centre.  A point
@@ -61,6 +62,7 @@ void lift_add(struct run *run, const struct lift_rule *rule, struct vec3 contact
  * curve, centre and tip, or under it where they may, for the ball on the lines goes no deeper than
  * the tolerance into the guard.  They are no nearer than `step`, but where the lift jumps.
  */
-void lift_run(const struct run *run, const struct lift_rule *rule, struct lifted_run *to);
+void gouge_strip_lift(const struct run *run, const struct gouge_lift_options *rule,
+                      struct gouge_strip *to);
 
 #endif

@@ -1,14 +1,14 @@
 /*
- * leanaway - shank and holder kept clear of the part by leaning the tool axis.
+ * holder_avoid - shank and holder kept clear of the part by leaning the tool axis.
  */
-#ifndef CLOUDMILL_LEANAWAY_H
-#define CLOUDMILL_LEANAWAY_H
+#ifndef CLOUDMILL_HOLDER_AVOID_H
+#define CLOUDMILL_HOLDER_AVOID_H
 
-#include "gouge/guard.h"
+#include "gouge/gouge.h"
 #include "curve/run.h"
 
-struct lean_rule {
-    const struct guard *guard;
+struct holder_avoid_options {
+    const struct gouge_check *guard;
     const struct holder *holder;
     double limit; /* how far the axis may be leaned, radians */
     double slack; /* how deep a guard point may be in the holder, mm */
@@ -17,8 +17,8 @@ struct lean_rule {
 /* True when the holder is clear on the way from one pose to the other, the ball's centre going
  * straight and the axis on the great circle: proven by how far it can move between the poses that
  * are looked at. */
-bool lean_clear(const struct lean_rule *rule, const struct run_point *from,
-                const struct run_point *to);
+bool holder_lean_clear(const struct holder_avoid_options *rule, const struct run_point *from,
+                       const struct run_point *to);
 
 /*
  * Leans the axes of a run, ball and contact where they are, so that the holder is clear at the
@@ -27,6 +27,6 @@ bool lean_clear(const struct lean_rule *rule, const struct run_point *from,
  * stays on the outer side of the surface.  touches[i] becomes true where that did not help, at the
  * point or on the way to it from the one before.  Returns the largest lean, radians.
  */
-double lean_away(const struct lean_rule *rule, struct run *run, bool *touches);
+double holder_avoid(const struct holder_avoid_options *rule, struct run *run, bool *touches);
 
 #endif

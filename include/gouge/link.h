@@ -1,12 +1,12 @@
 /*
- * way - from the end of one run to the start of the next with the tool down.
+ * link - from the end of one run to the start of the next with the tool down.
  */
-#ifndef CLOUDMILL_WAY_H
-#define CLOUDMILL_WAY_H
+#ifndef CLOUDMILL_LINK_H
+#define CLOUDMILL_LINK_H
 
 #include <stdbool.h>
 
-#include "gouge/lift.h"
+#include "gouge/gouge_strip.h"
 
 /*
  * Appends the points between to `way`, on a low arch from centre to centre (a tenth of its length
@@ -15,7 +15,7 @@
  * is a straight line.  False when a lift above `limit` would be needed, or the lines between are
  * not clear within the tolerance.
  */
-bool way_low(const struct run_point *from, const struct run_point *to, const struct lift_rule *rule,
-             double limit, struct run *way);
+bool link_low(const struct run_point *from, const struct run_point *to,
+              const struct gouge_lift_options *rule, double limit, struct run *way);
 
 #endif

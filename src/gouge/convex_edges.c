@@ -1,4 +1,4 @@
-#include "gouge/sharpedges.h"
+#include "gouge/convex_edges.h"
 
 #include <stdlib.h>
 
@@ -76,7 +76,7 @@ static bool falls_off(const struct mesh *mesh, const struct side *a, const struc
     return vec_dot(up, vec_sub(beyond, p[a->end[0]])) < 0;
 }
 
-void sharpedges_sample(const struct mesh *mesh, double spacing, struct vec3s *to)
+void convex_edges_sample(const struct mesh *mesh, double spacing, struct vec3s *to)
 {
     struct sides sides = find_sides(mesh);
 

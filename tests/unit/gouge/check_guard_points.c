@@ -1,12 +1,12 @@
-/* scansurface against a sphere: its points stay on it, the ball does not sink between them, noise
+/* guard_points against a sphere: its points stay on it, the ball does not sink between them, noise
  * is found and taken out, holes and rough places stay. */
-#include "gouge/scansurface.h"
+#include "gouge/guard_points.h"
 
 #include <check.h>
 #include <stdint.h>
 #include <stdlib.h>
 
-#include "gouge/guard.h"
+#include "gouge/gouge.h"
 #include "cloud/noise.h"
 
 static const double SPHERE = 40, BALL = 8;
@@ -40,9 +40,10 @@ static void sphere(size_t n, double noise, double hole, struct vec3s *points)
 static double noise_taken;
 
 /* Sorts the points. */
-static struct scansurface surface_of(struct vec3s *points, double noise)
+static struct guard_points surface_of(struct vec3s *points, double noise)
 {
-    struct scansurface_rule rule = {.radius = BALL, .sink = 0.002, .noise = noise, .vague = 0.01};
+    struct guard_points_options rule = {
+        .radius = BALL, .sink = 0.002, .noise = noise, .vague = 0.01};
     struct point_grid point_grid;
     struct error error;
     ck_assert_int_eq(point_grid_make(points->item, points->n, 0.5, 1, &point_grid, &error), 0);
@@ -51,7 +52,7 @@ static struct scansurface surface_of(struct vec3s *points, double noise)
         rule.noise = found.alike && found.sigma > 0.005 ? found.sigma : 0;
     }
     noise_taken = rule.noise;
-    struct scansurface surface = scansurface_make(&point_grid, &rule);
+    struct guard_points surface = guard_points_make(&point_grid, &rule);
     point_grid_free(&point_grid);
     return surface;
 }
@@ -59,14 +60,14 @@ static struct scansurface surface_of(struct vec3s *points, double noise)
 /* The deepest that a ball sinks which touches the sphere, at 2000 places off the border. */
 static double deepest_sink(const struct vec3 *point, size_t n)
 {
-    struct guard *guard = guard_from_points(point, n);
+    struct gouge_check *guard = gouge_from_points(point, n);
     double deepest = 0;
     for (int i = 0; i < 2000; i++) {
         struct vec3 c = vec_unit(vec(uniform(-12, 12), uniform(-12, 12), SPHERE));
-        double distance = guard_distance(guard, vec_scale(SPHERE + BALL, c), HUGE_VAL);
+        double distance = gouge_distance(guard, vec_scale(SPHERE + BALL, c), HUGE_VAL);
         deepest = fmax(deepest, distance - BALL);
     }
-    guard_free(guard);
+    gouge_free(guard);
     return deepest;
 }
 
@@ -75,7 +76,7 @@ START_TEST(what_is_sparse_is_filled)
     struct vec3s points = {0};
     sphere(1500, 0, 100, &points); /* 0.8 mm apart in the mean */
     double before = deepest_sink(points.item, points.n);
-    struct scansurface s = surface_of(&points, -1);
+    struct guard_points s = surface_of(&points, -1);
     double after = deepest_sink(s.point.item, s.point.n);
     ck_assert_double_gt(before, 0.02);
     ck_assert_double_lt(after, 0.005);
@@ -98,7 +99,7 @@ START_TEST(what_is_too_sparse_is_told)
     for (double x = -12; x < 12; x += 0.7)
         for (double y = -12; y < 12; y += 0.7)
             *array_push(&points) = vec(x, y, x > 0 ? 0.3 * (1 - cos(x * PI / 3)) : 0);
-    struct scansurface s = surface_of(&points, 0);
+    struct guard_points s = surface_of(&points, 0);
     ck_assert_uint_gt(s.vague, 10);
     ck_assert_uint_lt(s.vague, points.n / 2);
     ck_assert_double_gt(s.worst, 0.01);
@@ -115,7 +116,7 @@ START_TEST(noise_is_found_and_taken_out)
         struct vec3s points = {0};
         double noise = noises[k], sum2 = 0, worst = 0;
         sphere(4000, noise, 100, &points);
-        struct scansurface s = surface_of(&points, -1);
+        struct guard_points s = surface_of(&points, -1);
         ck_assert_double_eq_tol(noise_taken, noise, 0.1 * noise);
         ck_assert_uint_gt(s.moved, points.n * 98 / 100);
         size_t inside = 0;
@@ -140,7 +141,7 @@ START_TEST(noise_that_is_said_counts)
 {
     struct vec3s points = {0};
     sphere(4000, 0.02, 100, &points);
-    struct scansurface none = surface_of(&points, 0), said = surface_of(&points, 0.02);
+    struct guard_points none = surface_of(&points, 0), said = surface_of(&points, 0.02);
     ck_assert_uint_eq(none.moved, 0);
     for (size_t i = 0, at = 0; i < points.n; i++, at++) { /* all are there, in their order */
         while (at < none.point.n && vec_distance(none.point.item[at], points.item[i]) > 0)
@@ -158,7 +159,7 @@ START_TEST(a_hole_stays)
 {
     struct vec3s points = {0};
     sphere(1500, 0, 4, &points);
-    struct scansurface s = surface_of(&points, -1);
+    struct guard_points s = surface_of(&points, -1);
     for (size_t i = 0; i < s.point.n; i++)
         ck_assert_double_gt(hypot(s.point.item[i].x - 4, s.point.item[i].y), 1.2);
     array_free(&points);
@@ -173,7 +174,7 @@ START_TEST(what_is_rough_stays_as_it_is)
         double x = uniform(-15, 15), y = uniform(-15, 15);
         *array_push(&points) = vec(x, y, 2 * sin(3 * x) * cos(4 * y));
     }
-    struct scansurface s = surface_of(&points, -1);
+    struct guard_points s = surface_of(&points, -1);
     ck_assert(noise_taken == 0);
     ck_assert_uint_eq(s.moved, 0);
     ck_assert_uint_eq(s.added, 0);

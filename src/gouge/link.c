@@ -1,4 +1,4 @@
-#include "gouge/way.h"
+#include "gouge/link.h"
 
 /* The way that is out of the material, as far as the point knows. */
 static struct vec3 outwards(const struct run_point *p)
@@ -8,7 +8,7 @@ static struct vec3 outwards(const struct run_point *p)
 
 /* The way in `parts` equal parts; false when it is not clear. */
 static bool try_way(const struct run_point *from, const struct run_point *to, size_t parts,
-                    const struct lift_rule *rule, double limit, struct run *way)
+                    const struct gouge_lift_options *rule, double limit, struct run *way)
 {
     double length = vec_distance(from->ball, to->ball);
     struct run_point before = *from;
@@ -18,11 +18,11 @@ static bool try_way(const struct run_point *from, const struct run_point *to, si
         struct vec3 up = vec_slerp(outwards(from), outwards(to), s);
         struct run_point p = {.axis = vec_slerp(from->axis, to->axis, s)};
         p.ball = vec_along(vec_mix(from->ball, to->ball, s), arch, up);
-        double lift = guard_lift(rule->guard, p.ball, up, rule->offset, limit, NULL);
+        double lift = gouge_lift(rule->guard, p.ball, up, rule->offset, limit, NULL);
         p.ball = vec_along(p.ball, lift, up);
         p.tip = vec_along(p.ball, -way->radius, p.axis);
         if (lift < 0 ||
-            guard_depth_along(rule->guard, before.ball, p.ball, rule->offset) > rule->tolerance)
+            gouge_depth_along(rule->guard, before.ball, p.ball, rule->offset) > rule->tolerance)
             return false;
         before = p;
         if (i < parts)
@@ -31,8 +31,8 @@ static bool try_way(const struct run_point *from, const struct run_point *to, si
     return true;
 }
 
-bool way_low(const struct run_point *from, const struct run_point *to, const struct lift_rule *rule,
-             double limit, struct run *way)
+bool link_low(const struct run_point *from, const struct run_point *to,
+              const struct gouge_lift_options *rule, double limit, struct run *way)
 {
     size_t n = way->n;
 

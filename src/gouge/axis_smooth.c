@@ -1,5 +1,5 @@
-/* calm - see calm.h. */
-#include "gouge/calm.h"
+/* axis_smooth - see axis_smooth.h. */
+#include "gouge/axis_smooth.h"
 
 #include <stdlib.h>
 
@@ -72,7 +72,7 @@ static void fill(struct run *run, const struct vec3 *middle, double play, size_t
     }
 }
 
-void calm_play(struct run *run, double play)
+void axis_smooth_play(struct run *run, double play)
 {
     struct vec3 *middle = mem_alloc(run->n + 1, sizeof *middle);
 
@@ -87,7 +87,7 @@ void calm_play(struct run *run, double play)
     free(middle);
 }
 
-double calm_fastest(const struct run *run)
+double axis_smooth_fastest(const struct run *run)
 {
     double fastest = 0;
 
@@ -136,7 +136,7 @@ static void one_axis(struct run *run, const struct vec3 *axis)
         set_axis(run, i, mean);
 }
 
-double calm_rate(struct run *run, double rate)
+double axis_smooth_rate(struct run *run, double rate)
 {
     struct vec3 *axis = mem_alloc(run->n + 1, sizeof *axis);
     double *along = mem_alloc(run->n + 1, sizeof *along), turned = 0;
@@ -146,7 +146,7 @@ double calm_rate(struct run *run, double rate)
         along[i] =
             i > 0 ? along[i - 1] + vec_distance(run->item[i].ball, run->item[i - 1].ball) : 0;
     }
-    for (double half = 0.5; run->n > 1 && calm_fastest(run) > rate; half *= 2) {
+    for (double half = 0.5; run->n > 1 && axis_smooth_fastest(run) > rate; half *= 2) {
         if (half > along[run->n - 1]) {
             one_axis(run, axis);
             break;

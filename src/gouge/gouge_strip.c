@@ -1,4 +1,4 @@
-#include "gouge/lift.h"
+#include "gouge/gouge_strip.h"
 
 #include <stdlib.h>
 
@@ -6,30 +6,32 @@ static const struct vec3 UP = {0, 0, 1};
 
 enum { HALVINGS = 20 }; /* of a jump of the lift, at most */
 
-void lift_add(struct run *run, const struct lift_rule *rule, struct vec3 contact,
-              struct vec3 normal)
+void gouge_strip_add(struct run *run, const struct gouge_lift_options *rule, struct vec3 contact,
+                     struct vec3 normal)
 {
     struct run_point p = {.contact = contact, .normal = normal, .given = true};
 
-    lifted_place(&p, vec_along(contact, rule->offset, normal), rule, run->radius);
+    gouge_point_place(&p, vec_along(contact, rule->offset, normal), rule, run->radius);
     *array_push(run) = p;
 }
 
 /* What stands under a ball that touches elsewhere. */
-static void look_under(const struct lifted *l, const struct lift_rule *rule, struct lifted_run *to)
+static void look_under(const struct gouge_point *l, const struct gouge_lift_options *rule,
+                       struct gouge_strip *to)
 {
     double half = rule->offset / 2;
     struct vec3 lower = vec_along(l->p.ball, -half, l->p.normal);
-    double height = guard_distance(rule->guard, lower, vec_distance(lower, l->touch.p[0])) - half;
+    double height = gouge_distance(rule->guard, lower, vec_distance(lower, l->touch.p[0])) - half;
 
     if (height > rule->stands)
-        *array_push(&to->stand) = (struct stand){l->p.contact, height};
+        *array_push(&to->stand) = (struct uncut){l->p.contact, height};
 }
 
 /* Appends a lifted point to the run, and to the report. */
-static void put(struct lifted_run *to, const struct lifted *l, const struct lift_rule *rule)
+static void put(struct gouge_strip *to, const struct gouge_point *l,
+                const struct gouge_lift_options *rule)
 {
-    struct lift_report *report = &to->report;
+    struct gouge_strip_report *report = &to->report;
     struct run_point p = l->p;
     double lift = vec_distance(p.ball, l->touching);
 
@@ -54,7 +56,8 @@ static void put(struct lifted_run *to, const struct lifted *l, const struct lift
 }
 
 /* A jump of the lift: the centres are that much further apart than the points they belong to. */
-static bool jumps(const struct lifted *a, const struct lifted *b, const struct lift_rule *rule)
+static bool jumps(const struct gouge_point *a, const struct gouge_point *b,
+                  const struct gouge_lift_options *rule)
 {
     double apart = vec_distance(a->p.ball, b->p.ball);
 
@@ -64,15 +67,15 @@ static bool jumps(const struct lifted *a, const struct lifted *b, const struct l
 /* From one side of a jump to the other, over what is between; false when that is in the way too,
  * as under an overhang. */
 static bool bridge(const struct run_point *a, const struct run_point *b, int halvings,
-                   const struct lift_rule *rule, struct run *dense)
+                   const struct gouge_lift_options *rule, struct run *dense)
 {
-    if (halvings < HALVINGS && lifted_clear(a, b, rule))
+    if (halvings < HALVINGS && gouge_point_clear(a, b, rule))
         return true;
     if (halvings == 0)
         return false;
     struct run_point p = {.axis = vec_slerp(a->axis, b->axis, 0.5)};
     p.ball = vec_mix(a->ball, b->ball, 0.5);
-    p.ball.z += guard_rise(rule->guard, p.ball, UP, rule->offset);
+    p.ball.z += gouge_rise(rule->guard, p.ball, UP, rule->offset);
     p.tip = vec_along(p.ball, -dense->radius, p.axis);
     if (!bridge(a, &p, halvings - 1, rule, dense))
         return false;
@@ -81,8 +84,8 @@ static bool bridge(const struct run_point *a, const struct run_point *b, int hal
 }
 
 /* The same, or where there is no way the end of the piece. */
-static void bridge_or_end(const struct lifted *a, const struct lifted *b,
-                          const struct lift_rule *rule, struct lifted_run *to)
+static void bridge_or_end(const struct gouge_point *a, const struct gouge_point *b,
+                          const struct gouge_lift_options *rule, struct gouge_strip *to)
 {
     size_t n = to->run.n;
 
@@ -93,22 +96,22 @@ static void bridge_or_end(const struct lifted *a, const struct lifted *b,
 }
 
 /* Between nodes alone only what the ball can't reach is bridged, for nobody looked between. */
-static bool needs_bridge(const struct lifted *a, const struct lifted *b,
-                         const struct lift_rule *rule)
+static bool needs_bridge(const struct gouge_point *a, const struct gouge_point *b,
+                         const struct gouge_lift_options *rule)
 {
     if (!rule->guard)
         return false;
     if (rule->between && jumps(a, b, rule))
         return true;
-    return (rule->between || a->missed || b->missed) && !lifted_clear(&a->p, &b->p, rule);
+    return (rule->between || a->missed || b->missed) && !gouge_point_clear(&a->p, &b->p, rule);
 }
 
 /* Puts the points into the run, with what the tool needs to get over jumps between them. */
-static void put_all(struct lifted_run *to, const struct lifteds *points,
-                    const struct lift_rule *rule)
+static void put_all(struct gouge_strip *to, const struct gouge_points *points,
+                    const struct gouge_lift_options *rule)
 {
     for (size_t i = 0; i < points->n; i++) {
-        const struct lifted *l = &points->item[i];
+        const struct gouge_point *l = &points->item[i];
         if (i > 0 && needs_bridge(l - 1, l, rule))
             bridge_or_end(l - 1, l, rule, to);
         put(to, l, rule);
@@ -117,7 +120,8 @@ static void put_all(struct lifted_run *to, const struct lifteds *points,
 }
 
 /* How far a cubic with these tangents leaves the straight line between its ends, at most. */
-static double bulge(const struct lifted *a, struct vec3 ta, const struct lifted *b, struct vec3 tb)
+static double bulge(const struct gouge_point *a, struct vec3 ta, const struct gouge_point *b,
+                    struct vec3 tb)
 {
     struct vec3 chord = vec_sub(b->p.ball, a->p.ball);
     double length = vec_length(chord);
@@ -132,8 +136,8 @@ static double bulge(const struct lifted *a, struct vec3 ta, const struct lifted 
  * ones at a kink of the lift.  Appends all points of `from` to `to`, and one half way where it
  * would leave the straight line by more than the tolerance; true when there was one.
  */
-static bool refine(const struct lifteds *from, const struct lift_rule *rule, double radius,
-                   struct lifteds *to)
+static bool refine(const struct gouge_points *from, const struct gouge_lift_options *rule,
+                   double radius, struct gouge_points *to)
 {
     struct run run = {.radius = radius};
     struct vec3 *tangent = mem_alloc(from->n, sizeof *tangent);
@@ -142,10 +146,10 @@ static bool refine(const struct lifteds *from, const struct lift_rule *rule, dou
         *array_push(&run) = from->item[i].p;
     run_tangents(&run, false, tangent);
     for (size_t i = 0; i < from->n; i++) {
-        const struct lifted *l = &from->item[i];
-        if (i > 0 && !lifted_near(l - 1, l, rule) &&
+        const struct gouge_point *l = &from->item[i];
+        if (i > 0 && !gouge_point_near(l - 1, l, rule) &&
             bulge(l - 1, tangent[i - 1], l, tangent[i]) > rule->tolerance)
-            *array_push(to) = lifted_halfway(l - 1, l, rule, radius);
+            *array_push(to) = gouge_point_halfway(l - 1, l, rule, radius);
         *array_push(to) = *l;
     }
     array_free(&run);
@@ -153,43 +157,45 @@ static bool refine(const struct lifteds *from, const struct lift_rule *rule, dou
     return to->n > from->n;
 }
 
-static void lift_smooth(const struct run *run, const struct lift_rule *rule, struct lifteds *points)
+static void lift_smooth(const struct run *run, const struct gouge_lift_options *rule,
+                        struct gouge_points *points)
 {
     struct run smooth = {.radius = run->radius};
-    struct lifted before = {.missed = false};
+    struct gouge_point before = {.missed = false};
     bool more = true;
 
     /* Half of the tolerance for the curve, the rest for the lift. */
     run_densify(run, rule->tolerance / 2, &smooth);
     for (size_t i = 0; i < smooth.n; i++) {
-        struct lifted l = lifted_from(&smooth.item[i], &before.touch, rule, run->radius);
+        struct gouge_point l = gouge_point_from(&smooth.item[i], &before.touch, rule, run->radius);
         if (i > 0)
-            lifted_between(&before, &l, rule, run->radius, points);
+            gouge_point_between(&before, &l, rule, run->radius, points);
         *array_push(points) = before = l;
     }
     array_free(&smooth);
     while (more) {
-        struct lifteds finer = {0};
+        struct gouge_points finer = {0};
         more = refine(points, rule, run->radius, &finer);
         array_free(points);
         *points = finer;
     }
 }
 
-void lift_run(const struct run *run, const struct lift_rule *rule, struct lifted_run *to)
+void gouge_strip_lift(const struct run *run, const struct gouge_lift_options *rule,
+                      struct gouge_strip *to)
 {
     const struct kdtree_touch nothing = {.n = 0};
-    struct lifteds points = {0};
+    struct gouge_points points = {0};
 
     if (rule->between)
         lift_smooth(run, rule, &points);
     for (size_t i = 0; !rule->between && i < run->n; i++)
-        *array_push(&points) = lifted_from(&run->item[i], &nothing, rule, run->radius);
+        *array_push(&points) = gouge_point_from(&run->item[i], &nothing, rule, run->radius);
     put_all(to, &points, rule);
     array_free(&points);
 }
 
-void lifted_run_free(struct lifted_run *lifted)
+void gouge_strip_free(struct gouge_strip *lifted)
 {
     array_free(&lifted->run);
     array_free(&lifted->end);

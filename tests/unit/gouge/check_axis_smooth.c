@@ -1,5 +1,5 @@
 /* calm: turns that are known, before and after. */
-#include "gouge/calm.h"
+#include "gouge/axis_smooth.h"
 
 #include <check.h>
 #include <stdlib.h>
@@ -61,7 +61,7 @@ START_TEST(a_wiggle_within_the_play_goes)
 {
     struct run run = line(300, wiggle);
     ck_assert_double_gt(turned(&run), 5);
-    calm_play(&run, 0.12);
+    axis_smooth_play(&run, 0.12);
     ck_assert_double_lt(turned(&run), 0.05);
     for (size_t i = 0; i < run.n; i++)
         ck_assert_double_le(fabs(angle_of(&run.item[i]) - wiggle(i)), 0.12 + 1e-9);
@@ -74,7 +74,7 @@ END_TEST
 START_TEST(a_step_is_as_large_as_it_must_be)
 {
     struct run run = line(200, step);
-    calm_play(&run, 0.1);
+    axis_smooth_play(&run, 0.1);
     ck_assert_double_eq_tol(turned(&run), 0.4, 0.02);
     for (size_t i = 0; i < run.n; i++)
         ck_assert_double_le(fabs(angle_of(&run.item[i]) - step(i)), 0.1 + 1e-9);
@@ -88,9 +88,9 @@ START_TEST(no_turn_is_faster_than_it_may_be)
     static const double rates[] = {0.2, 0.05, 0.01, 0.001};
     for (int k = 0; k < 4; k++) {
         struct run run = line(200, step);
-        ck_assert_double_gt(calm_fastest(&run), rates[k]);
-        double off = calm_rate(&run, rates[k]), most = 0;
-        ck_assert_double_le(calm_fastest(&run), rates[k]);
+        ck_assert_double_gt(axis_smooth_fastest(&run), rates[k]);
+        double off = axis_smooth_rate(&run, rates[k]), most = 0;
+        ck_assert_double_le(axis_smooth_fastest(&run), rates[k]);
         for (size_t i = 0; i < run.n; i++)
             most = fmax(most, fabs(angle_of(&run.item[i]) - step(i)));
         ck_assert_double_eq_tol(off, most, 1e-9);
@@ -104,8 +104,8 @@ END_TEST
 START_TEST(what_is_slow_stays)
 {
     struct run run = line(200, steady);
-    ck_assert_double_eq_tol(calm_fastest(&run), 0.004 / (1 - 0.004 * BALL), 0.0004);
-    ck_assert(calm_rate(&run, 0.005) == 0);
+    ck_assert_double_eq_tol(axis_smooth_fastest(&run), 0.004 / (1 - 0.004 * BALL), 0.0004);
+    ck_assert(axis_smooth_rate(&run, 0.005) == 0);
     for (size_t i = 0; i < run.n; i++)
         ck_assert_double_eq_tol(angle_of(&run.item[i]), steady(i), 1e-12);
     array_free(&run);
@@ -117,11 +117,11 @@ START_TEST(a_turn_in_one_place_is_spread)
     struct run run = line(200, step);
     run.item[100].ball = run.item[99].ball;
     run.item[100].tip = vec_along(run.item[100].ball, -BALL, run.item[100].axis);
-    calm_rate(&run, 0.05);
-    ck_assert_double_le(calm_fastest(&run), 0.05);
+    axis_smooth_rate(&run, 0.05);
+    ck_assert_double_le(axis_smooth_fastest(&run), 0.05);
     struct run none = {.radius = BALL};
-    ck_assert(calm_rate(&none, 0.1) == 0);
-    calm_play(&none, 0.1);
+    ck_assert(axis_smooth_rate(&none, 0.1) == 0);
+    axis_smooth_play(&none, 0.1);
     array_free(&run);
 }
 END_TEST
