@@ -7,7 +7,7 @@
 #include "stage/cutting.h"
 #include "stage/part.h"
 #include "stage/planepath.h"
-#include "toolpath/ridge.h"
+#include "toolpath/edge_roll.h"
 #include "toolpath/rows.h"
 #include "meshing/mesh_join.h"
 
@@ -56,7 +56,7 @@ static void gather(const struct mesh *mesh, const struct rows *rows, struct stri
         if (to->n > 1 && vec_distance(next.p, to->item[to->n - 1].p) < 1e-9) {
             struct contact last = to->item[to->n - 1];
             struct vec3 forward = vec_sub(last.p, to->item[to->n - 2].p);
-            ridge_roll(to, forward, last, next, cutting.radius, sink);
+            edge_roll(to, forward, last, next, cutting.radius, sink);
         }
         *array_push(to) = next;
     }

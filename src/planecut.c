@@ -102,7 +102,7 @@ static void find_planes(const struct mesh *mesh, struct planepath *p)
 static void set_rule(const struct tool_axis_options *axis, const struct mesh *mesh, bool closed,
                      struct planepath *p)
 {
-    struct pass_rule *rule = &p->rule;
+    struct pass_options *rule = &p->rule;
     double turn = RADIANS(angle), h = step_given ? fmin(0.01, cutting.radius / 2) : scallop;
 
     if (way && !planepath_direction(way, mesh, cutting.radius, h, &turn))

@@ -4,20 +4,21 @@
 #ifndef CLOUDMILL_PLANEPATH_H
 #define CLOUDMILL_PLANEPATH_H
 
-#include "toolpath/brink.h"
+#include "toolpath/border_surface.h"
 #include "nurbs/project.h"
 #include "toolpath/passes.h"
 #include "stage/toolpath.h"
 
 struct planepath {
-    struct pass_rule rule; /* to be filled first */
-    int threads;           /* as of parallel_for */
-    struct projection *on; /* contact points are put on these surfaces; NULL: stay on the mesh */
-    double reach;          /* of a point to its surface, mm */
-    struct brink *brink;   /* strips run out to the border of this scan; NULL: to the mesh's */
-    bool extended;         /* the mesh goes beyond the scan because it was asked to */
+    struct pass_options rule; /* to be filled first */
+    int threads;              /* as of parallel_for */
+    struct projection *on;    /* contact points are put on these surfaces; NULL: stay on the mesh */
+    double reach;             /* of a point to its surface, mm */
+    struct border_surface
+        *border_surface; /* strips run out to the border of this scan; NULL: to the mesh's */
+    bool extended;       /* the mesh goes beyond the scan because it was asked to */
 
-    struct meshcut *cut;
+    struct slice *cut;
     struct doubles height; /* of the planes, along their normal, mm */
     double widest;         /* distance of two planes, mm */
     bool steep;            /* the scallop that was asked for can't be kept */
@@ -38,11 +39,11 @@ struct plane_cuts {
 
 /* How the planes at `angle` radians about z run, from the lower left to the upper right; for a ball
  * of this radius. */
-struct pass_rule planepath_upright(double angle, double radius);
+struct pass_options planepath_upright(double angle, double radius);
 
 /* How those of a part with a projection of its own run: along its rows, square to the plane that
  * these lie in. */
-struct pass_rule planepath_along(const struct mesh_part *part, double radius);
+struct pass_options planepath_along(const struct mesh_part *part, double radius);
 
 /* Planes at equal distances of at most `step` mm. */
 void planepath_equal(struct planepath *p, const struct mesh *mesh, double step);
@@ -63,8 +64,8 @@ double planepath_best(const struct mesh *mesh, double radius, double h, double *
 bool planepath_direction(const char *text, const struct mesh *mesh, double radius, double h,
                          double *angle);
 
-/* Lets the strips of upright planes run out to the border of the scan of -g (runout.h), if there is
- * one and the mesh is one that says how far apart its vertices are, without parts. */
+/* Lets the strips of upright planes run out to the border of the scan of -g (pass_extend.h), if
+ * there is one and the mesh is one that says how far apart its vertices are, without parts. */
 void planepath_run_out(struct planepath *p, const struct mesh *mesh);
 
 /* Its step once the planes, in the order of their heights, are cut: with more planes, half as far

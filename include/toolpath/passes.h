@@ -6,9 +6,9 @@
 #define CLOUDMILL_PASSES_H
 
 #include "gouge/gouge.h"
-#include "toolpath/meshcut.h"
+#include "toolpath/slice.h"
 
-struct pass_rule {
+struct pass_options {
     struct vec3 normal; /* of the planes, unit, towards the next one */
     struct vec3 along;  /* horizontal unit vector in the planes: the way that odd passes go */
     double gap;         /* chains whose ends are no further apart are one strip, mm, but where */
@@ -29,7 +29,7 @@ struct pass_rule {
  * lines between the ball's centres sink in by no more than the tolerance.  Returns how many points
  * face away and were left out.
  */
-size_t passes_make(const struct slice_chains *chains, const struct pass_rule *rule,
+size_t passes_make(const struct slice_chains *chains, const struct pass_options *rule,
                    struct slice_chains *strips);
 
 /* Turns all strips and their order round: the way back. */

@@ -12,23 +12,23 @@
 
 enum { DIRECTIONS = 12, LOOKED_AT = 24 };
 
-struct pass_rule planepath_upright(double angle, double radius)
+struct pass_options planepath_upright(double angle, double radius)
 {
-    struct pass_rule rule = {.along = vec(cos(angle), sin(angle), 0),
-                             .normal = vec(-sin(angle), cos(angle), 0),
-                             .gap = 0.1,
-                             .facing = vec(0, 0, 1),
-                             .radius = radius,
-                             .tolerance = 0.002};
+    struct pass_options rule = {.along = vec(cos(angle), sin(angle), 0),
+                                .normal = vec(-sin(angle), cos(angle), 0),
+                                .gap = 0.1,
+                                .facing = vec(0, 0, 1),
+                                .radius = radius,
+                                .tolerance = 0.002};
 
     if (rule.normal.x + rule.normal.y < 0)
         rule.normal = vec_scale(-1, rule.normal);
     return rule;
 }
 
-struct pass_rule planepath_along(const struct mesh_part *part, double radius)
+struct pass_options planepath_along(const struct mesh_part *part, double radius)
 {
-    struct pass_rule rule = planepath_upright(0, radius);
+    struct pass_options rule = planepath_upright(0, radius);
 
     rule.along = part->along;
     rule.normal = vec_cross(part->up, part->along);
@@ -38,13 +38,13 @@ struct pass_rule planepath_along(const struct mesh_part *part, double radius)
 
 /* A border that is straight along the planes has the first of them on it, another one just inside.
  */
-static double first_height(struct meshcut *cut, double inside)
+static double first_height(struct slice *cut, double inside)
 {
-    double low = meshcut_low(cut), length[2];
+    double low = slice_low(cut), length[2];
 
     for (int i = 0; i < 2; i++) {
         struct slice_chains chains = {0};
-        meshcut_at(cut, low + i * inside, &chains);
+        slice_at(cut, low + i * inside, &chains);
         length[i] = chains_length(&chains);
         slice_chains_free(&chains);
     }
@@ -53,7 +53,7 @@ static double first_height(struct meshcut *cut, double inside)
 
 static void move_first(struct planepath *p)
 {
-    double low = meshcut_low(p->cut), high = meshcut_high(p->cut);
+    double low = slice_low(p->cut), high = slice_high(p->cut);
     double distance = p->height.n > 1 ? p->height.item[1] - p->height.item[0] : high - low;
 
     p->height.item[0] = first_height(p->cut, 0.01 * distance);
@@ -61,18 +61,17 @@ static void move_first(struct planepath *p)
 
 void planepath_equal(struct planepath *p, const struct mesh *mesh, double step)
 {
-    p->cut = meshcut_new(mesh, p->rule.normal, !cutting.paper);
-    scallop_equal(meshcut_low(p->cut), meshcut_high(p->cut), step, &p->height);
+    p->cut = slice_new(mesh, p->rule.normal, !cutting.paper);
+    scallop_equal(slice_low(p->cut), slice_high(p->cut), step, &p->height);
     p->widest = step;
     move_first(p);
 }
 
 void planepath_scallop(struct planepath *p, const struct mesh *mesh, double h)
 {
-    p->cut = meshcut_new(mesh, p->rule.normal, !cutting.paper);
-    struct scallop_report report =
-        scallop_heights(mesh, p->rule.normal, meshcut_low(p->cut), meshcut_high(p->cut), h,
-                        p->rule.radius, &p->height);
+    p->cut = slice_new(mesh, p->rule.normal, !cutting.paper);
+    struct scallop_report report = scallop_heights(
+        mesh, p->rule.normal, slice_low(p->cut), slice_high(p->cut), h, p->rule.radius, &p->height);
     p->widest = report.widest;
     p->steep = report.steep > 0;
     note("planes %.4f to %.4f mm apart", report.narrowest, report.widest);
@@ -86,21 +85,21 @@ void planepath_scallop(struct planepath *p, const struct mesh *mesh, double h)
 /* About how long all passes are. */
 static double length_at(const struct mesh *mesh, double angle, double radius, double h)
 {
-    struct pass_rule rule = planepath_upright(angle, radius);
-    struct meshcut *cut = meshcut_new(mesh, rule.normal, true);
+    struct pass_options rule = planepath_upright(angle, radius);
+    struct slice *cut = slice_new(mesh, rule.normal, true);
     struct doubles height = {0};
     double length = 0;
 
-    scallop_heights(mesh, rule.normal, meshcut_low(cut), meshcut_high(cut), h, radius, &height);
+    scallop_heights(mesh, rule.normal, slice_low(cut), slice_high(cut), h, radius, &height);
     size_t look = height.n < LOOKED_AT ? height.n : LOOKED_AT;
     for (size_t i = 0; i < look; i++) {
         struct slice_chains chains = {0};
-        meshcut_at(cut, height.item[(2 * i + 1) * height.n / (2 * look)], &chains);
+        slice_at(cut, height.item[(2 * i + 1) * height.n / (2 * look)], &chains);
         length += chains_length(&chains) * (double)height.n / (double)look;
         slice_chains_free(&chains);
     }
     array_free(&height);
-    meshcut_free(cut);
+    slice_free(cut);
     return length;
 }
 
@@ -170,13 +169,13 @@ static struct plane_cuts cut_all(struct planepath *p)
 
     for (size_t i = 0; i < p->height.n; i++) {
         struct slice_chains chains = {0}, strips = {0};
-        meshcut_at(p->cut, p->height.item[i], &chains);
+        slice_at(p->cut, p->height.item[i], &chains);
         put_on_surfaces(p, &chains.point);
         p->left_out += passes_make(&chains, &p->rule, &strips);
         *array_push(&cuts) = (struct plane_cut){p->height.item[i], strips};
         slice_chains_free(&chains);
     }
-    if (p->brink)
+    if (p->border_surface)
         planepath_go_beyond(p, &cuts);
     return cuts;
 }
@@ -246,8 +245,8 @@ int planepath_make(struct planepath *paths, size_t n, struct toolpath *t, struct
 
 void planepath_free(struct planepath *p)
 {
-    meshcut_free(p->cut);
+    slice_free(p->cut);
     array_free(&p->height);
     project_free(p->on);
-    brink_free(p->brink);
+    border_surface_free(p->border_surface);
 }

@@ -5,7 +5,7 @@
 #include "stage/cutting.h"
 #include "base/parallel.h"
 #include "stage/planepath.h"
-#include "toolpath/runout.h"
+#include "toolpath/pass_extend.h"
 
 /* Of the tolerance and the noise: how far the ball may be off on the surface near a border. */
 static const double SURE = 0.5;
@@ -21,9 +21,9 @@ struct ends {
     size_t *beyond;
 };
 
-static struct brink_plane plane_at(const struct planepath *p, double height)
+static struct border_surface_plane plane_at(const struct planepath *p, double height)
 {
-    return (struct brink_plane){p->rule.normal, p->rule.along, height};
+    return (struct border_surface_plane){p->rule.normal, p->rule.along, height};
 }
 
 static void lengthen(void *context, size_t from, size_t to)
@@ -32,9 +32,10 @@ static void lengthen(void *context, size_t from, size_t to)
 
     for (size_t i = from; i < to; i++) {
         struct plane_cut *cut = &e->cuts->item[i];
-        struct brink_plane plane = plane_at(e->path, cut->height);
-        e->beyond[i] = e->path->extended ? 0 : runout_within(e->path->brink, &cut->strips);
-        e->length[i] = runout_ends(e->path->brink, &plane, &cut->strips);
+        struct border_surface_plane plane = plane_at(e->path, cut->height);
+        e->beyond[i] =
+            e->path->extended ? 0 : pass_extend_within(e->path->border_surface, &cut->strips);
+        e->length[i] = pass_extend_ends(e->path->border_surface, &plane, &cut->strips);
     }
 }
 
@@ -62,10 +63,10 @@ static double lengthen_all(const struct planepath *p, struct plane_cuts *cuts)
 static double widen(const struct planepath *p, const struct plane_cut *from,
                     const struct plane_cut *beyond, double shortest, struct plane_cut *cut)
 {
-    struct brink_plane plane = plane_at(p, cut->height);
-    struct runout_neighbours beside = {&from->strips, beyond ? &beyond->strips : NULL};
+    struct border_surface_plane plane = plane_at(p, cut->height);
+    struct pass_extend_neighbours beside = {&from->strips, beyond ? &beyond->strips : NULL};
 
-    return runout_beside(p->brink, &plane, &beside, shortest, &cut->strips);
+    return pass_extend_beside(p->border_surface, &plane, &beside, shortest, &cut->strips);
 }
 
 static double widen_all(const struct planepath *p, struct plane_cuts *cuts)
@@ -155,14 +156,15 @@ void planepath_go_beyond(const struct planepath *p, struct plane_cuts *cuts)
 
 void planepath_run_out(struct planepath *p, const struct mesh *mesh)
 {
-    struct brink_rule rule = {.scan = &cutting.certain,
-                              .doubtful = &cutting.doubtful,
-                              .spacing = mesh->origin.spacing,
-                              .radius = cutting.radius,
-                              .sure = SURE * (cutting.tolerance + fmax(cutting.noise, 0))};
+    struct border_surface_options rule = {.scan = &cutting.certain,
+                                          .doubtful = &cutting.doubtful,
+                                          .spacing = mesh->origin.spacing,
+                                          .radius = cutting.radius,
+                                          .sure =
+                                              SURE * (cutting.tolerance + fmax(cutting.noise, 0))};
 
     if (rule.scan->n > 0 && rule.spacing > 0 && mesh->origin.part.n == 0 && p->rule.normal.z == 0)
-        p->brink = brink_new(&rule, mesh);
+        p->border_surface = border_surface_new(&rule, mesh);
     p->extended = mesh->origin.extended > 0;
     array_free(&cutting.certain);
     array_free(&cutting.doubtful);

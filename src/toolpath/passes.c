@@ -2,9 +2,9 @@
 
 #include <stdlib.h>
 
-#include "toolpath/ridge.h"
+#include "toolpath/edge_roll.h"
 
-/* Points nearer than this are one, mm (as in meshcut). */
+/* Points nearer than this are one, mm (as in slice). */
 static const double CROWDED = 1e-3;
 
 static void put(struct slice_chains *to, struct contact c)
@@ -30,14 +30,14 @@ static void end_chain(struct slice_chains *to, size_t from, bool closed)
         to->point.n = from;
 }
 
-static bool is_away(const struct pass_rule *rule, const struct contact *c)
+static bool is_away(const struct pass_options *rule, const struct contact *c)
 {
     return rule->faced && vec_dot(c->n, rule->facing) < -1e-6;
 }
 
 /* Appends what of a chain does not face away; returns how many points do. */
 static size_t leave_out(const struct contact *c, struct slice_chain chain,
-                        const struct pass_rule *rule, struct slice_chains *to)
+                        const struct pass_options *rule, struct slice_chains *to)
 {
     size_t n = chain.to - chain.from, begin = 0, left_out = 0, from = to->point.n;
 
@@ -66,7 +66,7 @@ static size_t leave_out(const struct contact *c, struct slice_chain chain,
 }
 
 /* A closed chain from its point least along, over its upper side first. */
-static void open_loop(struct contact *c, size_t n, const struct pass_rule *rule)
+static void open_loop(struct contact *c, size_t n, const struct pass_options *rule)
 {
     struct contact *turned = mem_alloc(n, sizeof *turned);
     size_t least = 0;
@@ -86,7 +86,7 @@ static void open_loop(struct contact *c, size_t n, const struct pass_rule *rule)
         reverse_points(c, n);
 }
 
-static void turn_chains(struct slice_chains *chains, const struct pass_rule *rule)
+static void turn_chains(struct slice_chains *chains, const struct pass_options *rule)
 {
     for (size_t k = 0; k < chains->chain.n; k++) {
         const struct slice_chain *chain = &chains->chain.item[k];
@@ -116,7 +116,7 @@ static size_t next_start(const struct slice_chains *chains, const bool *used, st
 }
 
 /* Is there a hole of the scan between two points? */
-static bool is_bare(const struct pass_rule *rule, struct vec3 a, struct vec3 b)
+static bool is_bare(const struct pass_options *rule, struct vec3 a, struct vec3 b)
 {
     double steps = rule->guard ? ceil(4 * vec_distance(a, b) / rule->bare) : 0;
 
@@ -128,7 +128,7 @@ static bool is_bare(const struct pass_rule *rule, struct vec3 a, struct vec3 b)
 
 /* The unused open chain with an end nearest to p, within the gap; *turned: it is its last one. */
 static size_t next_joined(const struct slice_chains *chains, const bool *used, struct vec3 p,
-                          const struct pass_rule *rule, bool *turned)
+                          const struct pass_options *rule, bool *turned)
 {
     size_t best = chains->chain.n;
     double least = rule->gap;
@@ -151,19 +151,19 @@ static size_t next_joined(const struct slice_chains *chains, const bool *used, s
 
 /* Points that turn the normal from one side of a ridge to the other; none in a valley. */
 static void roll(struct slice_chains *to, size_t from, struct contact next,
-                 const struct pass_rule *rule)
+                 const struct pass_options *rule)
 {
     struct contact last = to->point.item[to->point.n - 1];
 
     if (to->point.n < from + 2)
         return;
     struct vec3 forward = vec_sub(last.p, to->point.item[to->point.n - 2].p);
-    ridge_roll(&to->point, forward, last, next, rule->radius, rule->tolerance);
+    edge_roll(&to->point, forward, last, next, rule->radius, rule->tolerance);
 }
 
 /* Appends a chain to the strip that begins at point `from`. */
 static void go_on(struct slice_chains *to, size_t from, const struct contact *c, size_t n,
-                  bool turned, const struct pass_rule *rule)
+                  bool turned, const struct pass_options *rule)
 {
     for (size_t i = 0; i < n; i++) {
         struct contact next = c[turned ? n - 1 - i : i];
@@ -178,7 +178,7 @@ static void go_on(struct slice_chains *to, size_t from, const struct contact *c,
     }
 }
 
-size_t passes_make(const struct slice_chains *chains, const struct pass_rule *rule,
+size_t passes_make(const struct slice_chains *chains, const struct pass_options *rule,
                    struct slice_chains *strips)
 {
     struct slice_chains kept = {0};

@@ -5,14 +5,14 @@
 #include "toolpath/passes.h"
 #include "shapes.h"
 
-static struct pass_rule rule_of(double gap)
+static struct pass_options rule_of(double gap)
 {
-    return (struct pass_rule){.normal = vec(0, 1, 0),
-                              .along = vec(1, 0, 0),
-                              .gap = gap,
-                              .facing = vec(0, 0, 1),
-                              .radius = 5,
-                              .tolerance = 0.002};
+    return (struct pass_options){.normal = vec(0, 1, 0),
+                                 .along = vec(1, 0, 0),
+                                 .gap = gap,
+                                 .facing = vec(0, 0, 1),
+                                 .radius = 5,
+                                 .tolerance = 0.002};
 }
 
 /* A straight chain of points a tenth apart, level at height z, the normal up. */
@@ -40,7 +40,7 @@ static const struct contact *last(const struct slice_chains *c, size_t k)
 START_TEST(chains_follow_each_other_and_join)
 {
     struct slice_chains chains = {0}, strips = {0};
-    struct pass_rule rule = rule_of(0.3);
+    struct pass_options rule = rule_of(0.3);
 
     add(&chains, 5, 8, 0);
     add(&chains, 12, 9, 0); /* the other way round, a gap of 1 */
@@ -77,7 +77,7 @@ START_TEST(no_join_over_a_hole_of_the_scan)
                     *array_push(&scan) = vec(0.1 * i, 0.1 * k, 0);
         struct gouge_check *guard = gouge_from_points(scan.item, scan.n);
         struct slice_chains chains = {0}, strips = {0};
-        struct pass_rule rule = rule_of(4);
+        struct pass_options rule = rule_of(4);
         rule.guard = guard;
         rule.bare = 1.2;
         add(&chains, 0, 4, 0);
@@ -95,7 +95,7 @@ END_TEST
 START_TEST(the_nearest_goes_on_not_the_next)
 {
     struct slice_chains chains = {0}, strips = {0};
-    struct pass_rule rule = rule_of(0.3);
+    struct pass_options rule = rule_of(0.3);
 
     /* Two levels, as of two surfaces over each other, both in two parts. */
     add(&chains, 0, 5, 0);
@@ -115,7 +115,7 @@ END_TEST
 START_TEST(a_ridge_is_rolled_over)
 {
     struct slice_chains chains = {0}, strips = {0};
-    struct pass_rule rule = rule_of(0.3);
+    struct pass_options rule = rule_of(0.3);
     double slope = RADIANS(60), deepest = 0;
 
     for (int side = -1; side <= 1; side += 2) {
@@ -156,17 +156,17 @@ static struct slice_chains ring(struct vec3 normal, double height)
 {
     struct mesh mesh = shape_ball(50, 40, 60);
     struct slice_chains chains = {0};
-    struct meshcut *cut = meshcut_new(&mesh, normal, true);
+    struct slice *cut = slice_new(&mesh, normal, true);
 
-    meshcut_at(cut, height, &chains);
-    meshcut_free(cut);
+    slice_at(cut, height, &chains);
+    slice_free(cut);
     mesh_free(&mesh);
     return chains;
 }
 
 START_TEST(a_ring_starts_at_its_end_and_goes_over_the_top)
 {
-    struct pass_rule rule = rule_of(0.1);
+    struct pass_options rule = rule_of(0.1);
 
     for (int turned = 0; turned < 2; turned++) {
         struct slice_chains chains, strips = {0};
@@ -188,7 +188,7 @@ END_TEST
 
 START_TEST(what_faces_away_is_left_out)
 {
-    struct pass_rule rule = rule_of(0.1);
+    struct pass_options rule = rule_of(0.1);
     struct slice_chains chains = ring(vec(0, 1, 0), 7.3), strips = {0};
 
     rule.faced = true;

@@ -1,7 +1,7 @@
-/* runout_within - strips without what lies beyond the scan; see runout.h. */
+/* pass_extend_within - strips without what lies beyond the scan; see pass_extend.h. */
 #include <stdlib.h>
 
-#include "toolpath/runout.h"
+#include "toolpath/pass_extend.h"
 
 static void end_chain(size_t from, struct slice_chains *to)
 {
@@ -11,7 +11,7 @@ static void end_chain(size_t from, struct slice_chains *to)
         to->point.n = from;
 }
 
-size_t runout_within(const struct brink *b, struct slice_chains *strips)
+size_t pass_extend_within(const struct border_surface *b, struct slice_chains *strips)
 {
     struct slice_chains to = {0};
     size_t left_out = 0;
@@ -21,7 +21,7 @@ size_t runout_within(const struct brink *b, struct slice_chains *strips)
         size_t from = to.point.n, before = left_out;
         for (size_t i = chain->from; i < chain->to; i++) {
             const struct contact *c = &strips->point.item[i];
-            if (chain->closed || brink_within(b, c)) {
+            if (chain->closed || border_surface_within(b, c)) {
                 *array_push(&to.point) = *c;
                 continue;
             }

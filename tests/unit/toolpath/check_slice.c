@@ -1,10 +1,10 @@
-/* meshcut against spheres and planes known exactly, brute force, and meshes with borders and holes.
+/* slice against spheres and planes known exactly, brute force, and meshes with borders and holes.
  */
 #include <check.h>
 #include <stdint.h>
 #include <stdlib.h>
 
-#include "toolpath/meshcut.h"
+#include "toolpath/slice.h"
 #include "toolpath/scallop.h"
 #include "shapes.h"
 
@@ -25,10 +25,10 @@ static struct slice_chains cut_at(const struct mesh *mesh, struct vec3 normal, d
                                   bool smooth)
 {
     struct slice_chains chains = {0};
-    struct meshcut *cut = meshcut_new(mesh, normal, smooth);
+    struct slice *cut = slice_new(mesh, normal, smooth);
 
-    meshcut_at(cut, height, &chains);
-    meshcut_free(cut);
+    slice_at(cut, height, &chains);
+    slice_free(cut);
     return chains;
 }
 
@@ -129,10 +129,10 @@ END_TEST
 START_TEST(every_facet_on_the_plane_is_cut_once)
 {
     struct mesh mesh = shape_grid(shape_wave, 0, 0, 44, 51, 30, 30);
-    struct meshcut *cut = meshcut_new(&mesh, vec_unit(vec(3, 1, 2)), false);
+    struct slice *cut = slice_new(&mesh, vec_unit(vec(3, 1, 2)), false);
 
     for (int i = 0; i < 100; i++) {
-        double height = uniform(meshcut_low(cut), meshcut_high(cut)), length = 0, sum = 0;
+        double height = uniform(slice_low(cut), slice_high(cut)), length = 0, sum = 0;
         struct vec3 normal = vec_unit(vec(3, 1, 2));
         struct slice_chains chains = {0};
         /* The same length as the facets' own crossings, each from its corners. */
@@ -149,7 +149,7 @@ START_TEST(every_facet_on_the_plane_is_cut_once)
             if (n == 2)
                 length += vec_distance(end[0], end[1]);
         }
-        meshcut_at(cut, height, &chains);
+        slice_at(cut, height, &chains);
         for (size_t k = 0; k < chains.chain.n; k++) {
             for (size_t p = chains.chain.item[k].from; p + 1 < chains.chain.item[k].to; p++)
                 sum += vec_distance(chains.point.item[p].p, chains.point.item[p + 1].p);
@@ -157,7 +157,7 @@ START_TEST(every_facet_on_the_plane_is_cut_once)
         ck_assert_double_eq_tol(sum, length, 0.01);
         slice_chains_free(&chains);
     }
-    meshcut_free(cut);
+    slice_free(cut);
     mesh_free(&mesh);
 }
 END_TEST
@@ -165,19 +165,19 @@ END_TEST
 /* Points over all planes of a step along a direction. */
 static size_t count_points(const struct mesh *mesh, struct vec3 normal, double step, size_t *planes)
 {
-    struct meshcut *cut = meshcut_new(mesh, normal, true);
+    struct slice *cut = slice_new(mesh, normal, true);
     struct doubles height = {0};
     struct slice_chains chains = {0};
 
-    scallop_equal(meshcut_low(cut), meshcut_high(cut), step, &height);
+    scallop_equal(slice_low(cut), slice_high(cut), step, &height);
     for (size_t i = 0; i < height.n; i++)
-        meshcut_at(cut, height.item[i], &chains);
+        slice_at(cut, height.item[i], &chains);
     size_t n = chains.point.n;
     ck_assert_uint_eq(chains.chain.n, height.n);
     *planes = height.n;
     slice_chains_free(&chains);
     array_free(&height);
-    meshcut_free(cut);
+    slice_free(cut);
     return n;
 }
 

@@ -1,5 +1,5 @@
-/* runout - see runout.h. */
-#include "toolpath/runout.h"
+/* pass_extend - see pass_extend.h. */
+#include "toolpath/pass_extend.h"
 
 #include <stdlib.h>
 
@@ -11,7 +11,7 @@ static const double least = 0.1; /* of a step, along the plane: on walls it woul
 static const double LITTLE = 0.1; /* of a step: not worth a point */
 
 /* A contact so far on in its plane, up (way 1) or down (-1) along. */
-static struct contact ahead(const struct brink_plane *plane, struct contact c, double way,
+static struct contact ahead(const struct border_surface_plane *plane, struct contact c, double way,
                             double distance)
 {
     struct vec3 forward = vec_unit(vec_cross(plane->normal, c.n));
@@ -22,43 +22,44 @@ static struct contact ahead(const struct brink_plane *plane, struct contact c, d
 }
 
 /* The last place before the border of the scan, less than a step on. */
-static void end_march(const struct brink *b, const struct brink_plane *plane, struct contact c,
-                      double way, struct contacts *run)
+static void end_march(const struct border_surface *b, const struct border_surface_plane *plane,
+                      struct contact c, double way, struct contacts *run)
 {
     struct contact last = c;
-    double on = 0, off = brink_step(b);
+    double on = 0, off = border_surface_step(b);
 
     for (int i = 0; i < HALVINGS; i++) {
         double middle = (on + off) / 2;
         struct contact next = ahead(plane, c, way, middle);
-        if (brink_put(b, plane, &next)) {
+        if (border_surface_put(b, plane, &next)) {
             on = middle;
             last = next;
         } else {
             off = middle;
         }
     }
-    if (on > LITTLE * brink_step(b))
+    if (on > LITTLE * border_surface_step(b))
         *array_push(run) = last;
 }
 
 /* Appends what follows c, up to the border of the scan or, along the plane, to `stop`; nothing
  * where the scan goes on. */
-static void march(const struct brink *b, const struct brink_plane *plane, struct contact c,
-                  double way, double stop, struct contacts *run)
+static void march(const struct border_surface *b, const struct border_surface_plane *plane,
+                  struct contact c, double way, double stop, struct contacts *run)
 {
     size_t first = run->n;
 
     for (;;) {
-        struct contact next = ahead(plane, c, way, brink_step(b));
-        if (!brink_put(b, plane, &next)) {
+        struct contact next = ahead(plane, c, way, border_surface_step(b));
+        if (!border_surface_put(b, plane, &next)) {
             end_march(b, plane, c, way, run);
             return;
         }
         double on = vec_dot(vec_sub(next.p, c.p), plane->along) * way;
-        if (on < least * brink_step(b) || (vec_dot(next.p, plane->along) - stop) * way >= 0)
+        if (on < least * border_surface_step(b) ||
+            (vec_dot(next.p, plane->along) - stop) * way >= 0)
             return;
-        if (!brink_beside(b, next.p)) {
+        if (!border_surface_beside(b, next.p)) {
             run->n = first;
             return;
         }
@@ -81,7 +82,7 @@ struct growings {
     struct growing *item;
 };
 
-static void span(const struct brink_plane *plane, const struct contact *c, size_t n,
+static void span(const struct border_surface_plane *plane, const struct contact *c, size_t n,
                  struct growing *g)
 {
     for (size_t i = 0; i < n; i++) {
@@ -91,8 +92,8 @@ static void span(const struct brink_plane *plane, const struct contact *c, size_
     }
 }
 
-static struct growing growing_of(const struct brink_plane *plane, const struct slice_chains *chains,
-                                 size_t k)
+static struct growing growing_of(const struct border_surface_plane *plane,
+                                 const struct slice_chains *chains, size_t k)
 {
     const struct slice_chain *chain = &chains->chain.item[k];
     struct growing g = {.core = &chains->point.item[chain->from],
@@ -105,7 +106,7 @@ static struct growing growing_of(const struct brink_plane *plane, const struct s
     return g;
 }
 
-static void add_strips(const struct brink_plane *plane, const struct slice_chains *strips,
+static void add_strips(const struct border_surface_plane *plane, const struct slice_chains *strips,
                        bool guest, struct growings *all)
 {
     for (size_t k = 0; k < strips->chain.n; k++) {
@@ -116,8 +117,8 @@ static void add_strips(const struct brink_plane *plane, const struct slice_chain
 }
 
 /* Both ends of strip k, up to where the others are. */
-static void grow(const struct brink *b, const struct brink_plane *plane, struct growings *all,
-                 size_t k)
+static void grow(const struct border_surface *b, const struct border_surface_plane *plane,
+                 struct growings *all, size_t k)
 {
     struct growing *g = &all->item[k];
     double low = -HUGE_VAL, high = HUGE_VAL;
@@ -145,7 +146,7 @@ static int compare_growings(const void *pa, const void *pb)
 }
 
 /* The strips as they have become, in order; those that meet are one. */
-static struct slice_chains finish(const struct brink *b, struct growings *all)
+static struct slice_chains finish(const struct border_surface *b, struct growings *all)
 {
     struct slice_chains to = {0};
 
@@ -157,8 +158,9 @@ static struct slice_chains finish(const struct brink *b, struct growings *all)
             continue;
         size_t from = to.point.n;
         const struct contact *start = g->before.n > 0 ? &g->before.item[g->before.n - 1] : g->core;
-        bool meets = to.chain.n > 0 && !g->closed && !to.chain.item[to.chain.n - 1].closed &&
-                     vec_distance(to.point.item[from - 1].p, start->p) < 1.01 * brink_step(b);
+        bool meets =
+            to.chain.n > 0 && !g->closed && !to.chain.item[to.chain.n - 1].closed &&
+            vec_distance(to.point.item[from - 1].p, start->p) < 1.01 * border_surface_step(b);
         for (size_t i = g->before.n; i-- > 0;)
             *array_push(&to.point) = g->before.item[i];
         for (size_t i = 0; i < g->n; i++)
@@ -176,8 +178,8 @@ static struct slice_chains finish(const struct brink *b, struct growings *all)
     return to;
 }
 
-double runout_ends(const struct brink *b, const struct brink_plane *plane,
-                   struct slice_chains *strips)
+double pass_extend_ends(const struct border_surface *b, const struct border_surface_plane *plane,
+                        struct slice_chains *strips)
 {
     struct growings all = {0};
     double length = chains_length(strips);
@@ -194,22 +196,23 @@ double runout_ends(const struct brink *b, const struct brink_plane *plane,
 
 /* Does the scan end beside the mesh, going on from a place in a plane to the next planes (way 1 or
  * -1)? */
-static bool ends_beyond(const struct brink *b, struct brink_plane plane, struct contact c,
-                        double way)
+static bool ends_beyond(const struct border_surface *b, struct border_surface_plane plane,
+                        struct contact c, double way)
 {
-    while (brink_beside(b, c.p)) {
+    while (border_surface_beside(b, c.p)) {
         struct vec3 level = vec_reject(plane.normal, c.n);
-        double level2 = vec_dot(level, level), step = brink_step(b) * sqrt(level2);
+        double level2 = vec_dot(level, level), step = border_surface_step(b) * sqrt(level2);
         plane.height += way * step;
         c.p = vec_along(c.p, way * step / level2, level);
-        if (!(level2 > 0) || !brink_put(b, &plane, &c))
+        if (!(level2 > 0) || !border_surface_put(b, &plane, &c))
             return true;
     }
     return false;
 }
 
 /* A place of a neighbouring plane carried over to this one. */
-static bool carry(const struct brink *b, const struct brink_plane *plane, struct contact *c)
+static bool carry(const struct border_surface *b, const struct border_surface_plane *plane,
+                  struct contact *c)
 {
     double way = plane->height - vec_dot(c->p, plane->normal);
     struct vec3 level = vec_reject(plane->normal, c->n);
@@ -218,7 +221,7 @@ static bool carry(const struct brink *b, const struct brink_plane *plane, struct
     if (!(level2 > 0))
         return false;
     c->p = vec_along(c->p, way / level2, level);
-    return brink_put(b, plane, c) && brink_beside(b, c->p) &&
+    return border_surface_put(b, plane, c) && border_surface_beside(b, c->p) &&
            ends_beyond(b, *plane, *c, way < 0 ? -1 : 1);
 }
 
@@ -232,7 +235,7 @@ static bool covered(const struct growings *all, double at)
 }
 
 /* The pieces that follow each other of what can be carried over; chain ends where one does. */
-static void carry_over(const struct brink *b, const struct brink_plane *plane,
+static void carry_over(const struct border_surface *b, const struct border_surface_plane *plane,
                        const struct contact *c, size_t n, const struct growings *all,
                        struct slice_chains *pieces)
 {
@@ -240,7 +243,7 @@ static void carry_over(const struct brink *b, const struct brink_plane *plane,
 
     for (size_t i = 0; i < n; i++) {
         double way = i + 1 < n ? vec_distance(c[i].p, c[i + 1].p) : 0;
-        double parts = fmax(1, ceil(way / brink_step(b)));
+        double parts = fmax(1, ceil(way / border_surface_step(b)));
         for (double k = 0; k < parts; k++) {
             size_t next = i + 1 < n ? i + 1 : i;
             struct contact at = {vec_mix(c[i].p, c[next].p, k / parts),
@@ -267,7 +270,7 @@ static void drop_last(struct growings *all)
 }
 
 /* The pieces as strips, each grown; returns how many of them are long enough. */
-static size_t add_pieces(const struct brink *b, const struct brink_plane *plane,
+static size_t add_pieces(const struct border_surface *b, const struct border_surface_plane *plane,
                          const struct slice_chains *pieces, double shortest, struct growings *all)
 {
     size_t before = all->n;
@@ -284,9 +287,9 @@ static size_t add_pieces(const struct brink *b, const struct brink_plane *plane,
     return all->n - before;
 }
 
-double runout_beside(const struct brink *b, const struct brink_plane *plane,
-                     const struct runout_neighbours *beside, double shortest,
-                     struct slice_chains *strips)
+double pass_extend_beside(const struct border_surface *b, const struct border_surface_plane *plane,
+                          const struct pass_extend_neighbours *beside, double shortest,
+                          struct slice_chains *strips)
 {
     struct growings all = {0};
     struct slice_chains pieces = {0};

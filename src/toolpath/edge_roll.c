@@ -1,10 +1,10 @@
-/* ridge - see ridge.h. */
-#include "toolpath/ridge.h"
+/* edge_roll - see edge_roll.h. */
+#include "toolpath/edge_roll.h"
 
 #include "base/array.h"
 
-void ridge_roll(struct contacts *to, struct vec3 forward, struct contact last, struct contact next,
-                double radius, double tolerance)
+void edge_roll(struct contacts *to, struct vec3 forward, struct contact last, struct contact next,
+               double radius, double tolerance)
 {
     if (vec_dot(next.n, forward) < vec_dot(last.n, forward))
         return;

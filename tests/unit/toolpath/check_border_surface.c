@@ -1,6 +1,6 @@
-/* brink on a saddle whose scan reaches a millimetre beyond its mesh: points and normals against the
- * formula, and where there are none. */
-#include "toolpath/brink.h"
+/* border_surface on a saddle whose scan reaches a millimetre beyond its mesh: points and normals
+ * against the formula, and where there are none. */
+#include "toolpath/border_surface.h"
 
 #include <check.h>
 #include <stdlib.h>
@@ -31,58 +31,59 @@ static struct vec3s scan_of(double half, double hole, double ripple)
     return scan;
 }
 
-static struct brink *brink_of(const struct vec3s *scan)
+static struct border_surface *border_surface_of(const struct vec3s *scan)
 {
     struct mesh mesh = shape_grid(saddle, -9, -9, 9, 9, 18, 18);
     struct vec3s none = {0};
-    struct brink_rule rule = {scan, &none, 1, 5, 0.005};
-    struct brink *brink = brink_new(&rule, &mesh);
+    struct border_surface_options rule = {scan, &none, 1, 5, 0.005};
+    struct border_surface *border_surface = border_surface_new(&rule, &mesh);
 
     mesh_free(&mesh);
-    return brink;
+    return border_surface;
 }
 
 /* On the plane y = `y`, from a place that is off by 0.05 mm. */
-static bool put(const struct brink *brink, double x, double y, struct contact *c)
+static bool put(const struct border_surface *border_surface, double x, double y, struct contact *c)
 {
-    struct brink_plane plane = {vec(0, 1, 0), vec(1, 0, 0), y};
+    struct border_surface_plane plane = {vec(0, 1, 0), vec(1, 0, 0), y};
 
     c->p = saddle(x, y, &c->n);
     c->p.z += 0.05;
     c->n = vec_unit(vec_add(c->n, vec(0.05, 0.02, 0)));
-    return brink_put(brink, &plane, c);
+    return border_surface_put(border_surface, &plane, c);
 }
 
 START_TEST(it_is_the_surface_up_to_the_last_points)
 {
     struct vec3s scan = scan_of(10, 0, 0);
-    struct brink *brink = brink_of(&scan);
+    struct border_surface *border_surface = border_surface_of(&scan);
     struct contact c;
     struct vec3 normal;
 
     for (double x = 8.03; x < 10; x += 0.1) {
         for (double y = -9.97; y < 10; y += 0.7) {
-            ck_assert(put(brink, x, y, &c));
+            ck_assert(put(border_surface, x, y, &c));
             ck_assert_double_le(vec_distance(c.p, saddle(c.p.x, c.p.y, &normal)), 1e-4);
             ck_assert_double_le(vec_distance(c.n, normal), 1e-4);
             ck_assert_double_eq_tol(c.p.y, y, 1e-12);
         }
     }
     for (double y = -9; y < 9; y += 0.7)
-        ck_assert(!put(brink, 10.1, y, &c));
+        ck_assert(!put(border_surface, 10.1, y, &c));
     for (double y = -9; y < 9; y += 0.7) {
         c.p = saddle(9.99, y, &c.n);
-        ck_assert(brink_within(brink, &c));
+        ck_assert(border_surface_within(border_surface, &c));
         c.p = saddle(10.3, y, &c.n);
-        ck_assert(!brink_within(brink, &c));
+        ck_assert(!border_surface_within(border_surface, &c));
     }
     c.p = saddle(0, 0, &c.n);
-    ck_assert(brink_within(brink, &c)); /* far from the border it is not looked for */
-    ck_assert_double_eq(brink_step(brink), 0.25);
-    ck_assert(brink_beside(brink, vec(9.9, 0, 2)));
-    ck_assert(!brink_beside(brink, vec(0, 0, 0)));
-    ck_assert(!brink_beside(brink, vec(12, 0, 3)));
-    brink_free(brink);
+    ck_assert(
+        border_surface_within(border_surface, &c)); /* far from the border it is not looked for */
+    ck_assert_double_eq(border_surface_step(border_surface), 0.25);
+    ck_assert(border_surface_beside(border_surface, vec(9.9, 0, 2)));
+    ck_assert(!border_surface_beside(border_surface, vec(0, 0, 0)));
+    ck_assert(!border_surface_beside(border_surface, vec(12, 0, 3)));
+    border_surface_free(border_surface);
     array_free(&scan);
 }
 END_TEST
@@ -90,12 +91,12 @@ END_TEST
 START_TEST(there_is_none_in_a_hole)
 {
     struct vec3s scan = scan_of(12, 1.8, 0);
-    struct brink *brink = brink_of(&scan);
+    struct border_surface *border_surface = border_surface_of(&scan);
     struct contact c;
 
-    ck_assert(!put(brink, 9, 0, &c));
-    ck_assert(put(brink, 9, 2.4, &c));
-    brink_free(brink);
+    ck_assert(!put(border_surface, 9, 0, &c));
+    ck_assert(put(border_surface, 9, 2.4, &c));
+    border_surface_free(border_surface);
     array_free(&scan);
 }
 END_TEST
@@ -103,14 +104,14 @@ END_TEST
 START_TEST(there_is_none_where_it_is_uncertain)
 {
     struct vec3s scan = scan_of(10, 0, 0.3);
-    struct brink *brink = brink_of(&scan);
+    struct border_surface *border_surface = border_surface_of(&scan);
     struct contact c;
     int sure = 0;
 
     for (double y = -9; y < 9; y += 0.3)
-        sure += put(brink, 9.6, y, &c);
+        sure += put(border_surface, 9.6, y, &c);
     ck_assert_int_le(sure, 6); /* of 60 */
-    brink_free(brink);
+    border_surface_free(border_surface);
     array_free(&scan);
 }
 END_TEST

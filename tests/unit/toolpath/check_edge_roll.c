@@ -3,7 +3,7 @@
 #include <stdlib.h>
 
 #include "base/array.h"
-#include "toolpath/ridge.h"
+#include "toolpath/edge_roll.h"
 
 START_TEST(chords_sink_as_told)
 {
@@ -13,7 +13,7 @@ START_TEST(chords_sink_as_told)
         struct contact last = {{0, 0, 0}, {0, 0, 1}}, next = last;
         next.n = vec(sin(RADIANS(angle)), 0, cos(RADIANS(angle)));
         *array_push(&to) = last;
-        ridge_roll(&to, vec(1, 0, 0), last, next, radius, tolerance);
+        edge_roll(&to, vec(1, 0, 0), last, next, radius, tolerance);
         *array_push(&to) = next;
         for (size_t i = 1; i < to.n; i++) {
             double turn = vec_angle(to.item[i - 1].n, to.item[i].n);
@@ -29,9 +29,9 @@ START_TEST(none_in_a_valley)
 {
     struct contacts to = {0};
     struct contact last = {{0, 0, 0}, {0.6, 0, 0.8}}, next = {{0, 0, 0}, {-0.6, 0, 0.8}};
-    ridge_roll(&to, vec(1, 0, 0), last, next, 4, 0.01);
+    edge_roll(&to, vec(1, 0, 0), last, next, 4, 0.01);
     ck_assert_uint_eq(to.n, 0);
-    ridge_roll(&to, vec(-1, 0, 0), last, next, 4, 0.01);
+    edge_roll(&to, vec(-1, 0, 0), last, next, 4, 0.01);
     ck_assert_uint_gt(to.n, 5);
     array_free(&to);
 }

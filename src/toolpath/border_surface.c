@@ -1,5 +1,5 @@
-/* brink - see brink.h. */
-#include "toolpath/brink.h"
+/* border_surface - see border_surface.h. */
+#include "toolpath/border_surface.h"
 
 #include <stdlib.h>
 
@@ -23,7 +23,7 @@ static const double OPEN = 0.005, OPEN_MESH = 0.1;
 static const double STEEP = 0.01; /* sine squared of surface against plane */
 static const double TIGHT = 0.05; /* of the ball's curvature: as much as none is left */
 
-struct brink {
+struct border_surface {
     struct vec3s point; /* of the scan, near the border of the mesh: first those that are certain */
     struct kdtree *points, *all;
     struct kdtree *border; /* places along it */
@@ -50,12 +50,12 @@ static struct kdtree *border_of(const struct mesh *mesh, double spacing)
     return tree;
 }
 
-static bool near_border(const struct brink *b, struct vec3 p, double within)
+static bool near_border(const struct border_surface *b, struct vec3 p, double within)
 {
     return kdtree_any_beside(b->border, p, p, within);
 }
 
-static void add_points(struct brink *b, const struct vec3s *scan, double spacing)
+static void add_points(struct border_surface *b, const struct vec3s *scan, double spacing)
 {
     for (size_t i = 0; i < scan->n; i++) {
         if (near_border(b, scan->item[i], b->beside + spacing))
@@ -63,9 +63,10 @@ static void add_points(struct brink *b, const struct vec3s *scan, double spacing
     }
 }
 
-struct brink *brink_new(const struct brink_rule *rule, const struct mesh *mesh)
+struct border_surface *border_surface_new(const struct border_surface_options *rule,
+                                          const struct mesh *mesh)
 {
-    struct brink *b = mem_alloc(1, sizeof *b);
+    struct border_surface *b = mem_alloc(1, sizeof *b);
 
     b->border = border_of(mesh, rule->spacing);
     b->beside = BESIDE * rule->spacing;
@@ -79,7 +80,7 @@ struct brink *brink_new(const struct brink_rule *rule, const struct mesh *mesh)
     return b;
 }
 
-void brink_free(struct brink *b)
+void border_surface_free(struct border_surface *b)
 {
     if (!b)
         return;
@@ -115,7 +116,8 @@ static bool surrounded(const struct vec3 *near, const struct contact *c, double 
 }
 
 /* How far the ball may be off on a surface: by what one through fewer of the points differs. */
-static double unsure(const struct brink *b, const struct vec3 *near, const struct quadric *q)
+static double unsure(const struct border_surface *b, const struct vec3 *near,
+                     const struct quadric *q)
 {
     struct vec3 normal = quadric_normal(q);
     struct quadric other;
@@ -128,8 +130,8 @@ static double unsure(const struct brink *b, const struct vec3 *near, const struc
 }
 
 /* Moves a contact within its plane onto the surface through the points; -1: no surface there. */
-static int settle(const struct brink *b, const struct vec3 *near, const struct brink_plane *plane,
-                  struct contact *c)
+static int settle(const struct border_surface *b, const struct vec3 *near,
+                  const struct border_surface_plane *plane, struct contact *c)
 {
     struct quadric q;
 
@@ -149,7 +151,7 @@ static int settle(const struct brink *b, const struct vec3 *near, const struct b
 }
 
 /* The nearest points of a tree; false where these are too few. */
-static bool gather(const struct brink *b, const struct kdtree *tree, struct vec3 p,
+static bool gather(const struct border_surface *b, const struct kdtree *tree, struct vec3 p,
                    struct vec3 near[NEAR], double distance2[NEAR])
 {
     size_t index[NEAR];
@@ -161,17 +163,18 @@ static bool gather(const struct brink *b, const struct kdtree *tree, struct vec3
     return true;
 }
 
-bool brink_within(const struct brink *b, const struct contact *c)
+bool border_surface_within(const struct border_surface *b, const struct contact *c)
 {
     double distance2[NEAR];
     struct vec3 near[NEAR];
 
-    return !brink_beside(b, c->p) || !gather(b, b->all, c->p, near, distance2) ||
+    return !border_surface_beside(b, c->p) || !gather(b, b->all, c->p, near, distance2) ||
            sqrt(distance2[0]) > b->step / STEP || sqrt(distance2[0]) < LITTLE * b->step / STEP ||
            surrounded(near, c, OPEN_MESH);
 }
 
-bool brink_put(const struct brink *b, const struct brink_plane *plane, struct contact *c)
+bool border_surface_put(const struct border_surface *b, const struct border_surface_plane *plane,
+                        struct contact *c)
 {
     const double far = 0.5; /* of the reach: nearer points there are in the midst of some */
     double distance2[NEAR];
@@ -188,12 +191,12 @@ bool brink_put(const struct brink *b, const struct brink_plane *plane, struct co
     return true;
 }
 
-double brink_step(const struct brink *b)
+double border_surface_step(const struct border_surface *b)
 {
     return b->step;
 }
 
-bool brink_beside(const struct brink *b, struct vec3 p)
+bool border_surface_beside(const struct border_surface *b, struct vec3 p)
 {
     return near_border(b, p, b->beside);
 }

@@ -1,38 +1,39 @@
 /*
- * brink - the surface of a scan near the border of a mesh that was made from it, up to where the
- * scan itself ends.
+ * border_surface - the surface of a scan near the border of a mesh that was made from it, up to
+ * where the scan itself ends.
  */
-#ifndef CLOUDMILL_BRINK_H
-#define CLOUDMILL_BRINK_H
+#ifndef CLOUDMILL_BORDER_SURFACE_H
+#define CLOUDMILL_BORDER_SURFACE_H
 
 #include "mesh/mesh.h"
 #include "curve/motion.h"
 
-struct brink;
+struct border_surface;
 
-struct brink_rule {
+struct border_surface_options {
     const struct vec3s *scan, *doubtful; /* its points (guard_points.h) */
     double spacing;                      /* of the mesh's vertices, mm */
     double radius;                       /* of the ball, mm */
     double sure; /* mm: a place is left out where the ball may be off by more */
 };
 
-struct brink *brink_new(const struct brink_rule *rule, const struct mesh *mesh);
-void brink_free(struct brink *brink);
+struct border_surface *border_surface_new(const struct border_surface_options *rule,
+                                          const struct mesh *mesh);
+void border_surface_free(struct border_surface *border_surface);
 
 /* How far it is from place to place there, mm: a quarter of the spacing. */
-double brink_step(const struct brink *brink);
+double border_surface_step(const struct border_surface *border_surface);
 
 /* Is a place within one and a half spacings of the border of the mesh? */
-bool brink_beside(const struct brink *brink, struct vec3 p);
+bool border_surface_beside(const struct border_surface *border_surface, struct vec3 p);
 
 /* Is a contact not beyond the border of the scan, which is looked for beside that of the mesh?
  * Points less than a fifth of a spacing off tell none, nor do fewer than 40, nor points more than a
  * spacing off: the mesh is of more. */
-bool brink_within(const struct brink *brink, const struct contact *c);
+bool border_surface_within(const struct border_surface *border_surface, const struct contact *c);
 
 /* An upright plane: what has x . normal = height; `along` is horizontal and in it. */
-struct brink_plane {
+struct border_surface_plane {
     struct vec3 normal, along;
     double height;
 };
@@ -44,6 +45,7 @@ struct brink_plane {
  * along the plane; and where that through the 24 nearest differs: a ball on a normal that is off by
  * e sinks in by e^2 / (2 (1 / R - k)), k the hollow curvature.
  */
-bool brink_put(const struct brink *brink, const struct brink_plane *plane, struct contact *c);
+bool border_surface_put(const struct border_surface *border_surface,
+                        const struct border_surface_plane *plane, struct contact *c);
 
 #endif

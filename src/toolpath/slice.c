@@ -1,4 +1,4 @@
-#include "toolpath/meshcut.h"
+#include "toolpath/slice.h"
 
 #include <stdlib.h>
 
@@ -13,7 +13,7 @@ static const double ON_PLANE = 2e-6;
 
 enum { NONE = -1 };
 
-struct meshcut {
+struct slice {
     const struct mesh *mesh;
     struct vec3 normal;
     bool smooth;
@@ -45,7 +45,7 @@ static int compare_heights(const void *pa, const void *pb)
     return (a->facet > b->facet) - (a->facet < b->facet);
 }
 
-static void sort_facets(struct meshcut *cut)
+static void sort_facets(struct slice *cut)
 {
     size_t n = cut->mesh->face.n;
     struct by_height *by = mem_alloc(n, sizeof *by);
@@ -67,9 +67,9 @@ static void sort_facets(struct meshcut *cut)
     free(by);
 }
 
-struct meshcut *meshcut_new(const struct mesh *mesh, struct vec3 normal, bool smooth)
+struct slice *slice_new(const struct mesh *mesh, struct vec3 normal, bool smooth)
 {
-    struct meshcut *cut = mem_alloc(1, sizeof *cut);
+    struct slice *cut = mem_alloc(1, sizeof *cut);
 
     cut->mesh = mesh;
     cut->normal = normal;
@@ -83,7 +83,7 @@ struct meshcut *meshcut_new(const struct mesh *mesh, struct vec3 normal, bool sm
     return cut;
 }
 
-void meshcut_free(struct meshcut *cut)
+void slice_free(struct slice *cut)
 {
     if (!cut)
         return;
@@ -95,12 +95,12 @@ void meshcut_free(struct meshcut *cut)
     free(cut);
 }
 
-double meshcut_low(const struct meshcut *cut)
+double slice_low(const struct slice *cut)
 {
     return cut->mesh->face.n > 0 ? cut->lowest[0] : 0;
 }
 
-double meshcut_high(const struct meshcut *cut)
+double slice_high(const struct slice *cut)
 {
     double high = -HUGE_VAL;
 
@@ -111,12 +111,12 @@ double meshcut_high(const struct meshcut *cut)
     return high;
 }
 
-static bool is_below(const struct meshcut *cut, int vertex, double height)
+static bool is_below(const struct slice *cut, int vertex, double height)
 {
     return cut->height[vertex] <= height + ON_PLANE;
 }
 
-static bool crosses(const struct meshcut *cut, int edge, double height)
+static bool crosses(const struct slice *cut, int edge, double height)
 {
     const int *v = cut->edges.edge[edge].v;
 
@@ -139,7 +139,7 @@ static double crossing(const struct edge_curve *curve, struct vec3 normal, doubl
     return low;
 }
 
-static struct contact contact_on(const struct meshcut *cut, int edge, double height)
+static struct contact contact_on(const struct slice *cut, int edge, double height)
 {
     const int *v = cut->edges.edge[edge].v;
     bool rises = is_below(cut, v[0], height);
@@ -163,7 +163,7 @@ static struct contact contact_on(const struct meshcut *cut, int edge, double hei
 }
 
 /* The edge by which a chain that came in by one leaves a facet, NONE when there is none. */
-static int way_out(const struct meshcut *cut, int facet, int by, double height)
+static int way_out(const struct slice *cut, int facet, int by, double height)
 {
     for (int i = 0; i < 3; i++) {
         int edge = cut->edges.of[facet][i];
@@ -201,7 +201,7 @@ static double forward(const struct contacts *points, size_t from, struct vec3 no
 }
 
 /* Follows a chain that comes into a facet by an edge. */
-static void follow(struct meshcut *cut, int facet, int edge, double height,
+static void follow(struct slice *cut, int facet, int edge, double height,
                    struct slice_chains *chains)
 {
     struct contacts *points = &chains->point;
@@ -230,7 +230,7 @@ static void follow(struct meshcut *cut, int facet, int edge, double height,
 }
 
 /* The facets that may cross the plane: [*from, *to) of the order. */
-static void candidates(const struct meshcut *cut, double height, size_t *from, size_t *to)
+static void candidates(const struct slice *cut, double height, size_t *from, size_t *to)
 {
     size_t n = cut->mesh->face.n, low = 0, high = n;
 
@@ -246,7 +246,7 @@ static void candidates(const struct meshcut *cut, double height, size_t *from, s
         --*from;
 }
 
-void meshcut_at(struct meshcut *cut, double height, struct slice_chains *chains)
+void slice_at(struct slice *cut, double height, struct slice_chains *chains)
 {
     size_t from, to;
 

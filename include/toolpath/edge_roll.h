@@ -1,8 +1,9 @@
 /*
- * ridge - the ball rolled over a sharp edge, from the normal of its one side to that of the other.
+ * edge_roll - the ball rolled over a sharp edge, from the normal of its one side to that of the
+ * other.
  */
-#ifndef CLOUDMILL_RIDGE_H
-#define CLOUDMILL_RIDGE_H
+#ifndef CLOUDMILL_EDGE_ROLL_H
+#define CLOUDMILL_EDGE_ROLL_H
 
 #include "curve/motion.h"
 
@@ -12,7 +13,7 @@
  * `forward` is the way to `last` from the contact before it: in a valley, where the normal turns
  * backwards, there are none.
  */
-void ridge_roll(struct contacts *to, struct vec3 forward, struct contact last, struct contact next,
-                double radius, double tolerance);
+void edge_roll(struct contacts *to, struct vec3 forward, struct contact last, struct contact next,
+               double radius, double tolerance);
 
 #endif

@@ -1,12 +1,12 @@
 /*
- * meshcut - where planes cross a mesh: chains of contact points (paper 2, 2.2).
+ * slice - where planes cross a mesh: chains of contact points (paper 2, 2.2).
  *
  * Every point lies on an edge of a facet, and two that follow each other on edges of one facet.
  * A vertex on the plane, or within 2e-6 mm of it, counts as below it: each crossing is found once,
  * and a border along the plane as a whole.
  */
-#ifndef CLOUDMILL_MESHCUT_H
-#define CLOUDMILL_MESHCUT_H
+#ifndef CLOUDMILL_SLICE_H
+#define CLOUDMILL_SLICE_H
 
 #include <stdbool.h>
 
@@ -30,20 +30,20 @@ struct slice_chains {
 
 void slice_chains_free(struct slice_chains *chains);
 
-struct meshcut;
+struct slice;
 
 /*
  * Prepares a mesh with normals for planes of this unit normal.  The mesh must outlive it.  `smooth`
  * takes the edges as the surface runs there (edge_curve.h), not as straight: points are then on the
  * surface to the fourth order of an edge's length.
  */
-struct meshcut *meshcut_new(const struct mesh *mesh, struct vec3 normal, bool smooth);
+struct slice *slice_new(const struct mesh *mesh, struct vec3 normal, bool smooth);
 
-void meshcut_free(struct meshcut *cut);
+void slice_free(struct slice *cut);
 
 /* Lowest and highest of the facets' vertices along the planes' normal, mm. */
-double meshcut_low(const struct meshcut *cut);
-double meshcut_high(const struct meshcut *cut);
+double slice_low(const struct slice *cut);
+double slice_high(const struct slice *cut);
 
 /*
  * Appends the chains of the plane with x . normal = height.  A chain runs as the cross product of
@@ -52,6 +52,6 @@ double meshcut_high(const struct meshcut *cut);
  * one point.  Points lie on the plane within rounding; their normals are those of the vertices,
  * mixed, and perpendicular to the edge as it runs.
  */
-void meshcut_at(struct meshcut *cut, double height, struct slice_chains *chains);
+void slice_at(struct slice *cut, double height, struct slice_chains *chains);
 
 #endif

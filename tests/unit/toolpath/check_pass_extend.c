@@ -1,6 +1,6 @@
-/* runout on a hollow whose scan goes beyond its mesh: how far rows run out (seen along the normal
- * the last points curve) and which rows are added. */
-#include "toolpath/runout.h"
+/* pass_extend on a hollow whose scan goes beyond its mesh: how far rows run out (seen along the
+ * normal the last points curve) and which rows are added. */
+#include "toolpath/pass_extend.h"
 
 #include <check.h>
 #include <stdlib.h>
@@ -17,7 +17,7 @@ static struct vec3 hollow(double x, double y, struct vec3 *normal)
 }
 
 /* A scan half a millimetre fine out to `half`, beyond a mesh of 18 by 18 mm. */
-static struct brink *brink_of(double half)
+static struct border_surface *border_surface_of(double half)
 {
     struct mesh mesh = shape_grid(hollow, -9, -9, 9, 9, 18, 18);
     struct vec3s scan = {0};
@@ -28,11 +28,11 @@ static struct brink *brink_of(double half)
         for (int i = -n; i <= n; i++)
             *array_push(&scan) = hollow(i * 0.5, j * 0.5, &normal);
     struct vec3s none = {0};
-    struct brink_rule rule = {&scan, &none, 1, 5, 0.005};
-    struct brink *brink = brink_new(&rule, &mesh);
+    struct border_surface_options rule = {&scan, &none, 1, 5, 0.005};
+    struct border_surface *border_surface = border_surface_new(&rule, &mesh);
     array_free(&scan);
     mesh_free(&mesh);
-    return brink;
+    return border_surface;
 }
 
 static void add_strip(double y, double from, double to, struct slice_chains *strips)
@@ -60,13 +60,14 @@ static double last_of(const struct slice_chains *s, size_t k)
 
 START_TEST(rows_run_out_to_the_last_points)
 {
-    struct brink *brink = brink_of(10);
-    struct brink_plane plane = {ACROSS, ALONG, 3.2};
+    struct border_surface *border_surface = border_surface_of(10);
+    struct border_surface_plane plane = {ACROSS, ALONG, 3.2};
     struct slice_chains strips = {0};
     struct vec3 normal;
 
     add_strip(3.2, -9, 9, &strips);
-    double length = chains_length(&strips), added = runout_ends(brink, &plane, &strips);
+    double length = chains_length(&strips),
+           added = pass_extend_ends(border_surface, &plane, &strips);
     ck_assert_uint_eq(strips.chain.n, 1);
     ck_assert_double_eq_tol(first_of(&strips, 0), -10, 0.04);
     ck_assert_double_eq_tol(last_of(&strips, 0), 10, 0.04);
@@ -78,107 +79,109 @@ START_TEST(rows_run_out_to_the_last_points)
         ck_assert_double_le(vec_distance(p, hollow(p.x, p.y, &normal)), 1e-5);
     }
     slice_chains_free(&strips);
-    brink_free(brink);
+    border_surface_free(border_surface);
 }
 END_TEST
 
 START_TEST(what_lies_beyond_the_scan_is_left_out)
 {
-    struct brink *brink = brink_of(8);
+    struct border_surface *border_surface = border_surface_of(8);
     struct slice_chains strips = {0};
 
     add_strip(3.2, -9, 9, &strips);
     add_strip(8.6, -9, 9, &strips);
-    ck_assert_uint_eq(runout_within(brink, &strips), 4 + 37 - 4); /* ends are more than 1 mm off */
+    ck_assert_uint_eq(pass_extend_within(border_surface, &strips),
+                      4 + 37 - 4); /* ends are more than 1 mm off */
     ck_assert_uint_eq(strips.chain.n, 1);
     ck_assert_double_eq(first_of(&strips, 0), -8);
     ck_assert_double_eq(last_of(&strips, 0), 8);
-    ck_assert_uint_eq(runout_within(brink, &strips), 0);
+    ck_assert_uint_eq(pass_extend_within(border_surface, &strips), 0);
     slice_chains_free(&strips);
-    brink_free(brink);
+    border_surface_free(border_surface);
 }
 END_TEST
 
 START_TEST(a_few_points_have_no_border)
 {
-    struct brink *brink = brink_of(1); /* 25 points */
-    struct brink_plane plane = {ACROSS, ALONG, 9};
+    struct border_surface *border_surface = border_surface_of(1); /* 25 points */
+    struct border_surface_plane plane = {ACROSS, ALONG, 9};
     struct slice_chains strips = {0};
 
     add_strip(9, -9, 9, &strips);
-    ck_assert_uint_eq(runout_within(brink, &strips), 0);
-    ck_assert_double_eq(runout_ends(brink, &plane, &strips), 0);
+    ck_assert_uint_eq(pass_extend_within(border_surface, &strips), 0);
+    ck_assert_double_eq(pass_extend_ends(border_surface, &plane, &strips), 0);
     slice_chains_free(&strips);
-    brink_free(brink);
+    border_surface_free(border_surface);
 }
 END_TEST
 
 START_TEST(rows_end_with_a_mesh_that_is_a_part_of_the_scan)
 {
-    struct brink *brink = brink_of(14);
-    struct brink_plane plane = {ACROSS, ALONG, 3.2}, beyond = {ACROSS, ALONG, 9.5};
+    struct border_surface *border_surface = border_surface_of(14);
+    struct border_surface_plane plane = {ACROSS, ALONG, 3.2}, beyond = {ACROSS, ALONG, 9.5};
     struct slice_chains strips = {0}, end = {0}, none = {0};
-    struct runout_neighbours beside = {&end, NULL};
+    struct pass_extend_neighbours beside = {&end, NULL};
 
     add_strip(3.2, -9, 9, &strips);
-    ck_assert_double_eq(runout_ends(brink, &plane, &strips), 0);
+    ck_assert_double_eq(pass_extend_ends(border_surface, &plane, &strips), 0);
     ck_assert_double_eq(last_of(&strips, 0), 9);
     add_strip(9, -9, 9, &end);
-    ck_assert_double_eq(runout_beside(brink, &beyond, &beside, 0.5, &none), 0);
+    ck_assert_double_eq(pass_extend_beside(border_surface, &beyond, &beside, 0.5, &none), 0);
     slice_chains_free(&strips);
     slice_chains_free(&end);
-    brink_free(brink);
+    border_surface_free(border_surface);
 }
 END_TEST
 
 START_TEST(strips_grow_up_to_each_other)
 {
-    struct brink *brink = brink_of(10);
-    struct brink_plane plane = {ACROSS, ALONG, 9.4};
+    struct border_surface *border_surface = border_surface_of(10);
+    struct border_surface_plane plane = {ACROSS, ALONG, 9.4};
     struct slice_chains strips = {0};
 
     add_strip(9.4, -4, -1, &strips);
     add_strip(9.4, 3, 5, &strips);
-    runout_ends(brink, &plane, &strips);
+    pass_extend_ends(border_surface, &plane, &strips);
     ck_assert_uint_eq(strips.chain.n, 1);
     ck_assert_double_eq_tol(first_of(&strips, 0), -10, 0.04);
     ck_assert_double_eq_tol(last_of(&strips, 0), 10, 0.04);
     for (size_t i = 1; i < strips.point.n; i++)
         ck_assert_double_gt(strips.point.item[i].p.x, strips.point.item[i - 1].p.x);
     slice_chains_free(&strips);
-    brink_free(brink);
+    border_surface_free(border_surface);
 }
 END_TEST
 
 START_TEST(rows_are_added_beside_others)
 {
-    struct brink *brink = brink_of(10);
-    struct brink_plane plane = {ACROSS, ALONG, 9.6}, out = {ACROSS, ALONG, 10.1};
+    struct border_surface *border_surface = border_surface_of(10);
+    struct border_surface_plane plane = {ACROSS, ALONG, 9.6}, out = {ACROSS, ALONG, 10.1};
     struct slice_chains from = {0}, beyond = {0}, strips = {0}, parts = {0}, none = {0};
-    struct runout_neighbours all = {&from, NULL}, some = {&from, &beyond}, last = {&strips, NULL};
+    struct pass_extend_neighbours all = {&from, NULL}, some = {&from, &beyond},
+                                  last = {&strips, NULL};
 
     add_strip(9, -9, 9, &from);
-    ck_assert_double_gt(runout_beside(brink, &plane, &all, 0.5, &strips), 19.9);
+    ck_assert_double_gt(pass_extend_beside(border_surface, &plane, &all, 0.5, &strips), 19.9);
     ck_assert_uint_eq(strips.chain.n, 1);
     ck_assert_double_eq_tol(first_of(&strips, 0), -10, 0.04);
     ck_assert_double_eq_tol(last_of(&strips, 0), 10, 0.04);
-    ck_assert_double_eq(runout_beside(brink, &plane, &all, 0.5, &strips), 0);
-    ck_assert_double_eq(runout_beside(brink, &out, &last, 0.5, &none), 0);
+    ck_assert_double_eq(pass_extend_beside(border_surface, &plane, &all, 0.5, &strips), 0);
+    ck_assert_double_eq(pass_extend_beside(border_surface, &out, &last, 0.5, &none), 0);
 
     add_strip(10, -2, 5, &beyond); /* what it has leaves two pieces, of which one is too short */
-    runout_beside(brink, &plane, &some, 0.5, &parts);
+    pass_extend_beside(border_surface, &plane, &some, 0.5, &parts);
     ck_assert_uint_eq(parts.chain.n, 2);
     ck_assert_double_le(last_of(&parts, 0), -2);
     ck_assert_double_ge(first_of(&parts, 1), 5);
     slice_chains_free(&parts);
-    runout_beside(brink, &plane, &some, 6, &parts);
+    pass_extend_beside(border_surface, &plane, &some, 6, &parts);
     ck_assert_uint_eq(parts.chain.n, 1);
     ck_assert_double_eq_tol(first_of(&parts, 0), -10, 0.04);
     slice_chains_free(&from);
     slice_chains_free(&beyond);
     slice_chains_free(&strips);
     slice_chains_free(&parts);
-    brink_free(brink);
+    border_surface_free(border_surface);
 }
 END_TEST
 
