@@ -9,7 +9,7 @@
 #ifndef CLOUDMILL_ARCFIT_H
 #define CLOUDMILL_ARCFIT_H
 
-#include "arcfit/piece.h"
+#include "arcfit/arc_piece.h"
 
 #define ARCFIT_KINK RADIANS(0.01)
 
@@ -24,7 +24,8 @@ struct pieces {
  * its tangents.  A single arc or a line where that reaches as far.  The length is found by doubling
  * and bisection, each try checked in full.
  */
-void arcfit_biarcs(const struct trace *trace, const struct stray *within, struct pieces *pieces);
+void arcfit_biarcs(const struct trace *trace, const struct arc_deviation *within,
+                   struct pieces *pieces);
 
 /* Where a chain has come to: near which point of the trace, in what direction, with what axis. */
 struct reached {
@@ -36,7 +37,7 @@ struct reached {
  * One step of the above from anywhere near a point of the trace, in any direction: appends one or
  * two pieces and returns the point of the trace at which they end.
  */
-size_t arcfit_step(const struct trace *trace, const struct stray *within,
+size_t arcfit_step(const struct trace *trace, const struct arc_deviation *within,
                    const struct reached *from, struct pieces *pieces);
 
 /*

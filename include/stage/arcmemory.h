@@ -11,7 +11,7 @@ struct arcmemory_part {
     struct trace trace;
     struct pieces pieces;
     struct printeds printed; /* none: taken out */
-    struct stray worst;
+    struct arc_deviation worst;
 };
 
 /* Starts as all zero; owns its parts. */
@@ -23,7 +23,7 @@ struct arcmemory {
 /* Takes out what became of a part with these very points: its pieces in the place of those in
  * `pieces` and `printed`.  False when there was none. */
 bool arcmemory_take(struct arcmemory *memory, const struct trace *trace, struct pieces *pieces,
-                    struct printeds *printed, struct stray *worst);
+                    struct printeds *printed, struct arc_deviation *worst);
 
 /* The part that begins and ends where the trace does; NULL: none. */
 const struct arcmemory_part *arcmemory_like(const struct arcmemory *memory,

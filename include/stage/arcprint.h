@@ -30,8 +30,8 @@ struct printed arcprint_piece(const struct arc_piece *piece, struct vec3 from);
 
 /* All pieces that follow a trace, beginning at its first point, in the place of what is in
  * `printed`.  Returns how far they stray from it: without limit when they don't lead to its end. */
-struct stray arcprint_pieces(const struct trace *trace, const struct pieces *pieces,
-                             struct printeds *printed);
+struct arc_deviation arcprint_pieces(const struct trace *trace, const struct pieces *pieces,
+                                     struct printeds *printed);
 
 /* How many equal chords keep within `sagitta` mm of the piece, at the tracked point and at the
  * other end of the lever: a power of two, at most 4096. */

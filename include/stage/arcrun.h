@@ -7,7 +7,7 @@
 #include "stage/arcmemory.h"
 #include "io/path/path.h"
 #include "curve/run.h"
-#include "arcfit/piece.h"
+#include "arcfit/arc_piece.h"
 
 /* The items [from, to) of a path, all of them points, as a run.  The path tracks the tip or the
  * centre; radius 0 when the tool is no ball. */
@@ -31,7 +31,7 @@ struct arcrun_report {
     size_t kinks;   /* other places where the direction jumps */
     double length;  /* mm */
     double spent;   /* of the tolerance, mm: what is strayed and what the reference takes */
-    struct stray worst;
+    struct arc_deviation worst;
 };
 
 /*

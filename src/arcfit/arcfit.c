@@ -16,7 +16,7 @@ struct reach {
 
 struct greedy {
     const struct trace *trace;
-    const struct stray *within;
+    const struct arc_deviation *within;
     size_t at;                       /* point of the trace reached so far, */
     struct vec3 from, tangent, axis; /* where and in which direction */
     int favourite;                   /* ratio that held last */
@@ -25,7 +25,7 @@ struct greedy {
 /* A piece that starts where the chain has come to. */
 static struct arc_piece start_piece(const struct greedy *g, struct arc arc, double to)
 {
-    struct arc_piece piece = piece_of(g->trace, arc, (double)g->at, to);
+    struct arc_piece piece = arc_piece_of(g->trace, arc, (double)g->at, to);
     piece.axis = g->axis;
     return piece;
 }
@@ -34,8 +34,8 @@ static bool holds(const struct greedy *g, const struct arc_piece *m)
 {
     if (m->arc.angle > TURN_MAX)
         return false;
-    struct stray stray = piece_stray(g->trace, m, 4, g->within);
-    return stray_within(&stray, g->within);
+    struct arc_deviation stray = arc_piece_deviation(g->trace, m, 4, g->within);
+    return arc_deviation_within(&stray, g->within);
 }
 
 static bool try_line(struct greedy *g, size_t to, struct reach *reach)
@@ -75,9 +75,10 @@ static bool try_ratio(struct greedy *g, size_t to, double ratio, struct reach *r
     double joint = trace_place(t, b.joint, from + (end - from) * ratio / (1 + ratio));
     if (!(joint > from && joint < end))
         return false;
-    struct reach r = {.to = to,
-                      .n = 2,
-                      .piece = {start_piece(g, b.first, joint), piece_of(t, b.second, joint, end)}};
+    struct reach r = {
+        .to = to,
+        .n = 2,
+        .piece = {start_piece(g, b.first, joint), arc_piece_of(t, b.second, joint, end)}};
     r.piece[0].biarc = true;
     if (!holds(g, &r.piece[0]) || !holds(g, &r.piece[1]))
         return false;
@@ -154,7 +155,7 @@ static struct vec3 end_direction(const struct trace *t, const struct reach *r)
     return vec_dot(ahead, t->tangent[r->to]) > 0.8 ? ahead : t->tangent[r->to];
 }
 
-size_t arcfit_step(const struct trace *trace, const struct stray *within,
+size_t arcfit_step(const struct trace *trace, const struct arc_deviation *within,
                    const struct reached *from, struct pieces *pieces)
 {
     struct greedy g = {.trace = trace,
@@ -169,7 +170,8 @@ size_t arcfit_step(const struct trace *trace, const struct stray *within,
     return r.to;
 }
 
-void arcfit_biarcs(const struct trace *trace, const struct stray *within, struct pieces *pieces)
+void arcfit_biarcs(const struct trace *trace, const struct arc_deviation *within,
+                   struct pieces *pieces)
 {
     if (trace->n < 2)
         return;
@@ -200,15 +202,15 @@ size_t arcfit_each(const struct trace *t, struct pieces *pieces)
             loops++;
             if (!biarc_of_ratio(t->p[i], t->tangent[i], t->p[i + 1], t->tangent[i + 1], 1, &b)) {
                 struct arc line = arc_line(t->p[i], t->p[i + 1]);
-                *array_push(pieces) = piece_of(t, line, from, to);
+                *array_push(pieces) = arc_piece_of(t, line, from, to);
                 continue;
             }
         }
         double joint = from + b.a / (b.a + b.b);
         struct arc_piece *first = array_push(pieces);
-        *first = piece_of(t, b.first, from, joint);
+        *first = arc_piece_of(t, b.first, from, joint);
         first->biarc = true;
-        *array_push(pieces) = piece_of(t, b.second, joint, to);
+        *array_push(pieces) = arc_piece_of(t, b.second, joint, to);
     }
     return loops;
 }

@@ -64,14 +64,14 @@ bool raster_point(struct raster *r, struct vec3 p, size_t owner)
 }
 
 /* The cells that a box touches: columns [c0, c1], rows [r0, r1]. */
-struct window {
+struct arc_window {
     size_t c0, c1, r0, r1;
 };
 
-static struct window window(const struct raster *r, double left, double bottom, double right,
-                            double top)
+static struct arc_window window(const struct raster *r, double left, double bottom, double right,
+                                double top)
 {
-    return (struct window){
+    return (struct arc_window){
         along(r->left, left, r->cell, r->columns), along(r->left, right, r->cell, r->columns),
         along(r->bottom, bottom, r->cell, r->rows), along(r->bottom, top, r->cell, r->rows)};
 }
@@ -84,7 +84,7 @@ static struct vec3 middle(const struct raster *r, size_t column, size_t row)
 
 void raster_disc(struct raster *r, struct vec3 p, double radius, size_t owner)
 {
-    struct window w = window(r, p.x - radius, p.y - radius, p.x + radius, p.y + radius);
+    struct arc_window w = window(r, p.x - radius, p.y - radius, p.x + radius, p.y + radius);
     for (size_t row = w.r0; row <= w.r1; row++)
         for (size_t column = w.c0; column <= w.c1; column++) {
             struct vec3 m = middle(r, column, row);
@@ -103,7 +103,7 @@ static double area(struct vec3 a, struct vec3 b, struct vec3 c)
 struct cover {
     struct vec3 a, b, c;
     double all;
-    struct window window;
+    struct arc_window window;
 };
 
 static bool cover_begin(const struct raster *r, struct vec3 a, struct vec3 b, struct vec3 c,

@@ -15,7 +15,7 @@ static bool same_points(const struct trace *a, const struct trace *b)
 }
 
 bool arcmemory_take(struct arcmemory *memory, const struct trace *trace, struct pieces *pieces,
-                    struct printeds *printed, struct stray *worst)
+                    struct printeds *printed, struct arc_deviation *worst)
 {
     for (size_t i = 0; i < memory->n; i++) {
         struct arcmemory_part *part = &memory->item[i];

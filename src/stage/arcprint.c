@@ -30,17 +30,17 @@ struct printed arcprint_piece(const struct arc_piece *piece, struct vec3 from)
     return p;
 }
 
-struct stray arcprint_pieces(const struct trace *trace, const struct pieces *pieces,
-                             struct printeds *printed)
+struct arc_deviation arcprint_pieces(const struct trace *trace, const struct pieces *pieces,
+                                     struct printeds *printed)
 {
     struct vec3 at = vec_round(trace->p[0], PATH_COORDINATE), end = trace->p[trace->n - 1];
-    struct stray worst = {0};
+    struct arc_deviation worst = {0};
 
     printed->n = 0;
     for (size_t i = 0; i < pieces->n; i++) {
         struct printed p = arcprint_piece(&pieces->item[i], at);
         at = p.piece.arc.to;
-        worst = stray_worst(worst, piece_stray(trace, &p.piece, 4, NULL));
+        worst = arc_deviation_worst(worst, arc_piece_deviation(trace, &p.piece, 4, NULL));
         *array_push(printed) = p;
     }
     if (pieces->n == 0 || vec_distance(at, end) >= THERE)

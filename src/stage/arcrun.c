@@ -3,11 +3,11 @@
 
 #include <stdlib.h>
 
-#include "arcfit/arcback.h"
-#include "arcfit/arcbeam.h"
-#include "arcfit/arcmend.h"
+#include "arcfit/arc_reverse.h"
+#include "arcfit/arc_beam.h"
+#include "arcfit/arc_update.h"
 #include "stage/arcprint.h"
-#include "arcfit/arcrelax.h"
+#include "arcfit/arcspline_reduce.h"
 
 static const double REFERENCE = 0.02; /* part of the tolerance that the dense reference may take */
 static const double DENSE = 0.25; /* of it: straight lines this near to the smooth path are it */
@@ -20,7 +20,7 @@ struct fit {
     struct trace trace;
     struct pieces pieces;
     struct printeds printed;
-    struct stray worst;
+    struct arc_deviation worst;
 };
 
 static void print_pieces(struct fit *f)
@@ -33,8 +33,8 @@ static void fit_points(struct fit *f)
 {
     f->pieces.n = 0;
     for (size_t i = 0; i + 1 < f->trace.n; i++)
-        *array_push(&f->pieces) = piece_of(&f->trace, arc_line(f->trace.p[i], f->trace.p[i + 1]),
-                                           (double)i, (double)(i + 1));
+        *array_push(&f->pieces) = arc_piece_of(
+            &f->trace, arc_line(f->trace.p[i], f->trace.p[i + 1]), (double)i, (double)(i + 1));
 }
 
 static size_t given_points(const struct fit *f)
@@ -54,14 +54,14 @@ static bool smooth(const struct fit *f, bool again)
 }
 
 /* The pieces found from the other end, where they are fewer. */
-static bool fit_back(const struct fit *f, const struct stray *less, struct pieces *back)
+static bool fit_back(const struct fit *f, const struct arc_deviation *less, struct pieces *back)
 {
-    struct trace trace = arcback_trace(&f->trace);
-    arcbeam_fit(&trace, less, PATH_COORDINATE, back);
-    arcrelax(&trace, less, PATH_COORDINATE, true, back);
-    arcback_pieces(back, trace.n);
+    struct trace trace = arc_reverse_trace(&f->trace);
+    arc_beam_fit(&trace, less, PATH_COORDINATE, back);
+    arcspline_reduce(&trace, less, PATH_COORDINATE, true, back);
+    arc_reverse_pieces(back, trace.n);
     if (back->n <= f->pieces.n)
-        arcrelax(&f->trace, less, PATH_COORDINATE, true, back);
+        arcspline_reduce(&f->trace, less, PATH_COORDINATE, true, back);
     trace_free(&trace);
     return back->n < f->pieces.n;
 }
@@ -74,25 +74,25 @@ static void swap(struct pieces *a, struct pieces *b)
 }
 
 /* The printed pieces keep the tolerance. */
-static bool proven(struct fit *f, const struct stray *within)
+static bool proven(struct fit *f, const struct arc_deviation *within)
 {
     print_pieces(f);
-    return stray_within(&f->worst, within);
+    return arc_deviation_within(&f->worst, within);
 }
 
 /* Once: from the start, and from the end where that pays. */
-static bool fit_once(struct fit *f, bool again, const struct stray *within,
-                     const struct stray *less)
+static bool fit_once(struct fit *f, bool again, const struct arc_deviation *within,
+                     const struct arc_deviation *less)
 {
     struct pieces back = {0};
     bool good = false;
 
     f->pieces.n = 0;
-    arcbeam_fit(&f->trace, less, PATH_COORDINATE, &f->pieces);
-    arcrelax(&f->trace, less, PATH_COORDINATE, false, &f->pieces);
+    arc_beam_fit(&f->trace, less, PATH_COORDINATE, &f->pieces);
+    arcspline_reduce(&f->trace, less, PATH_COORDINATE, false, &f->pieces);
     bool thorough = smooth(f, again);
     if (thorough)
-        arcrelax(&f->trace, less, PATH_COORDINATE, true, &f->pieces);
+        arcspline_reduce(&f->trace, less, PATH_COORDINATE, true, &f->pieces);
     if (thorough && fit_back(f, less, &back)) {
         swap(&f->pieces, &back);
         good = proven(f, within);
@@ -104,24 +104,24 @@ static bool fit_once(struct fit *f, bool again, const struct stray *within,
 }
 
 /* The pieces of the last time, where they have to change no more than in one place. */
-static bool mend(struct fit *f, const struct arcmemory *memory, const struct stray *within,
-                 const struct stray *less)
+static bool mend(struct fit *f, const struct arcmemory *memory, const struct arc_deviation *within,
+                 const struct arc_deviation *less)
 {
     const struct arcmemory_part *last = memory ? arcmemory_like(memory, &f->trace) : NULL;
 
     return last &&
-           arcmend(&last->trace, &f->trace, less, PATH_COORDINATE, &last->pieces, &f->pieces) &&
+           arc_update(&last->trace, &f->trace, less, PATH_COORDINATE, &last->pieces, &f->pieces) &&
            proven(f, within);
 }
 
 /* Fits within less and less of the tolerance until the printed digits keep all of it. */
 static void fit_within(struct fit *f, const struct arcmemory *memory, double tolerance)
 {
-    struct stray within = {tolerance, tolerance, f->options->axis};
+    struct arc_deviation within = {tolerance, tolerance, f->options->axis};
     double part = 1 - 1e-6 / tolerance;
 
     for (int i = 0; i < 6; i++, part *= 0.995) {
-        struct stray less = {part * tolerance, part * tolerance, part * f->options->axis};
+        struct arc_deviation less = {part * tolerance, part * tolerance, part * f->options->axis};
         if (i == 0 && mend(f, memory, &within, &less))
             return;
         if (fit_once(f, memory != NULL, &within, &less))
@@ -211,7 +211,7 @@ static void fit_each(struct fit *f, const struct run *run, struct arcrun_report 
         if (p->biarc)
             to = fmin(to, fmax(from, trace_place(&f->trace, p->arc.to, (from + to) / 2)));
         bool biarc = p->biarc;
-        *p = piece_of(&f->trace, p->arc, from, to);
+        *p = arc_piece_of(&f->trace, p->arc, from, to);
         p->biarc = biarc;
     }
     free(at);
@@ -289,7 +289,7 @@ void arcrun_fit(const struct run *run, const struct arcrun_options *options,
             fit_within(&f, memory, options->tolerance - taken);
         }
         put_pieces(&f, out, report);
-        report->worst = stray_worst(report->worst, f.worst);
+        report->worst = arc_deviation_worst(report->worst, f.worst);
         f.first = end.item[i];
         keep(memory ? &next : NULL, &f);
     }

@@ -89,12 +89,13 @@ struct trace trial_wave(size_t n, double step, double lean, double kink)
     return t;
 }
 
-void trial_assert_chain(const struct trace *t, const struct stray *within, const struct pieces *p)
+void trial_assert_chain(const struct trace *t, const struct arc_deviation *within,
+                        const struct pieces *p)
 {
     ck_assert_double_lt(vec_distance(p->item[0].arc.from, t->p[0]), 1e-12);
     ck_assert_double_lt(vec_distance(p->item[p->n - 1].arc.to, t->p[t->n - 1]), 1e-12);
     for (size_t i = 0; i < p->n; i++) {
-        struct stray stray = piece_stray(t, &p->item[i], 8, NULL);
+        struct arc_deviation stray = arc_piece_deviation(t, &p->item[i], 8, NULL);
         ck_assert_double_le(stray.tracked, 1.01 * within->tracked);
         ck_assert_double_le(stray.other, 1.01 * within->other);
         ck_assert_double_le(stray.axis, within->axis);

@@ -29,7 +29,8 @@ double trial_brute_force(const struct bspline *b, const struct track *t, bool ot
 
 /* The pieces lead from the trace's first point to its last, all of them joined, with no kink and
  * within the tolerances. */
-void trial_assert_chain(const struct trace *t, const struct stray *within, const struct pieces *p);
+void trial_assert_chain(const struct trace *t, const struct arc_deviation *within,
+                        const struct pieces *p);
 
 /* A curve through the target by least squares, its knots spread by that power. */
 struct attempt trial_attempt(const struct target *t, int degree, size_t poles, double power);

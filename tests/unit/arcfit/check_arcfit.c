@@ -4,7 +4,7 @@
 #include <check.h>
 #include <stdlib.h>
 
-static const struct stray WITHIN = {0.01, 0.01, 0.02};
+static const struct arc_deviation WITHIN = {0.01, 0.01, 0.02};
 
 static void add(struct run *run, double x, double y, double z)
 {
@@ -20,7 +20,7 @@ static void assert_chain(const struct trace *t, const struct pieces *p)
     ck_assert_double_eq(p->item[0].from, 0);
     ck_assert_double_eq(p->item[p->n - 1].to, (double)(t->n - 1));
     for (size_t i = 0; i < p->n; i++) {
-        struct stray stray = piece_stray(t, &p->item[i], 4, NULL);
+        struct arc_deviation stray = arc_piece_deviation(t, &p->item[i], 4, NULL);
         ck_assert_double_le(stray.tracked, 1.01 * WITHIN.tracked);
         if (i == 0)
             continue;
@@ -117,7 +117,7 @@ START_TEST(what_nothing_fits_goes_from_point_to_point)
     arcfit_biarcs(&t, &WITHIN, &p);
     ck_assert_double_eq(p.item[p.n - 1].to, (double)(t.n - 1));
     for (size_t i = 0; i < p.n; i++) {
-        struct stray stray = piece_stray(&t, &p.item[i], 4, NULL);
+        struct arc_deviation stray = arc_piece_deviation(&t, &p.item[i], 4, NULL);
         ck_assert_double_le(stray.tracked, 1.01 * WITHIN.tracked);
     }
     array_free(&p);

@@ -29,7 +29,7 @@ START_TEST(parts_are_known_by_their_points)
     struct arcmemory memory = {0};
     struct printeds found = {0};
     struct pieces pieces = {0};
-    struct stray worst = {0};
+    struct arc_deviation worst = {0};
     *array_push(&memory) = part_at(1, 10);
     *array_push(&memory) = part_at(2, 20);
     struct trace second = trace_from(2), third = trace_from(2 + 1e-12);

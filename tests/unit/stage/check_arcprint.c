@@ -62,8 +62,8 @@ static struct trace quarter(struct pieces *pieces)
     struct trace t = trace_of(&run, 0, run.n, false, false);
     struct arc first = arc_to(t.p[0], vec(1, 0, 0), t.p[80]);
     struct arc second = arc_to(t.p[80], arc_tangent(&first, 1), t.p[160]);
-    *array_push(pieces) = piece_of(&t, first, 0, 80);
-    *array_push(pieces) = piece_of(&t, second, 80, 160);
+    *array_push(pieces) = arc_piece_of(&t, first, 0, 80);
+    *array_push(pieces) = arc_piece_of(&t, second, 80, 160);
     array_free(&run);
     return t;
 }
@@ -73,7 +73,7 @@ START_TEST(a_lost_end_strays_without_limit)
     struct pieces pieces = {0};
     struct printeds printed = {0};
     struct trace t = quarter(&pieces);
-    struct stray whole = arcprint_pieces(&t, &pieces, &printed);
+    struct arc_deviation whole = arcprint_pieces(&t, &pieces, &printed);
     ck_assert_double_lt(whole.tracked, 3e-4); /* the sagitta of the trace, 0.2^2 / (8 20) */
     ck_assert_uint_eq(printed.n, 2);
     pieces.n = 1; /* what there is of it is as near as before */
