@@ -15,7 +15,7 @@
 #include "io/path/path_run.h"
 #include "stage/pathguard.h"
 #include "stage/retrack.h"
-#include "splinefit/splineguard.h"
+#include "splinefit/spline_guard.h"
 #include "stage/splinereport.h"
 
 static const double TOLERANCE = 0.01; /* mm, when -e is not given */
@@ -30,7 +30,7 @@ struct settings {
 /* One cutting run: the items [from, to) of the path. */
 struct job {
     size_t from, to, pass;
-    struct splinerun pieces;
+    struct spline_run pieces;
     struct gouge_refit_result seen;
 };
 
@@ -108,7 +108,7 @@ static void fit_jobs(void *context, size_t from, size_t to)
 {
     const struct bench *bench = context;
     const struct settings *s = bench->settings;
-    struct splineguard guard = {s->guard.rule, s->paper, s->fit};
+    struct spline_guard guard = {s->guard.rule, s->paper, s->fit};
 
     guard.rule.centre = s->centre;
     for (size_t i = from; i < to; i++) {
@@ -116,7 +116,7 @@ static void fit_jobs(void *context, size_t from, size_t to)
         struct run run = {0};
 
         path_run_take(bench->path, job->from, job->to, &run);
-        job->seen = splineguard_fit(&guard, &run, &job->pieces);
+        job->seen = spline_guard_fit(&guard, &run, &job->pieces);
         array_free(&run);
     }
 }
@@ -125,7 +125,7 @@ static void fit_jobs(void *context, size_t from, size_t to)
 static void write_job(const struct path *in, struct job *job, struct path *out)
 {
     for (size_t k = 0; k < job->pieces.n; k++) {
-        struct splinerun_piece *piece = &job->pieces.item[k];
+        struct spline_run_piece *piece = &job->pieces.item[k];
         const struct path_item *last = &in->item.item[job->from + piece->to];
 
         if (piece->still) {
@@ -161,7 +161,7 @@ static void assemble(const struct path *in, struct jobs *jobs, double spent, str
 static void free_jobs(struct jobs *jobs)
 {
     for (size_t i = 0; i < jobs->n; i++)
-        splinerun_free(&jobs->item[i].pieces);
+        spline_run_free(&jobs->item[i].pieces);
     array_free(jobs);
 }
 
@@ -189,7 +189,7 @@ static int verdict(const struct jobs *jobs, const struct path *path)
     for (size_t i = 0; i < jobs->n; i++) {
         const struct job *job = &jobs->item[i];
         for (size_t k = 0; k < job->pieces.n; k++) {
-            const struct splinerun_piece *piece = &job->pieces.item[k];
+            const struct spline_run_piece *piece = &job->pieces.item[k];
             if (piece->still || piece->fit.within)
                 continue;
             say("%s:%u: pass %zu: %.6f mm at the tip, %.6f mm at the ball, %.4f degrees: "

@@ -1,6 +1,6 @@
 /*
  * deviation - how far a curve is from its data, by the measures of paper 2, at the data's own
- * parameters.  (The true distance both ways is proof.h's.)
+ * parameters.  (The true distance both ways is spline_bound.h's.)
  */
 #ifndef CLOUDMILL_DEVIATION_H
 #define CLOUDMILL_DEVIATION_H

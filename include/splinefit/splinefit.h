@@ -11,7 +11,7 @@
 #include "splinefit/deviation.h"
 #include "splinefit/knots.h"
 #include "splinefit/params.h"
-#include "splinefit/proof.h"
+#include "splinefit/spline_bound.h"
 #include "splinefit/track.h"
 
 struct splinefit_options {
@@ -26,7 +26,7 @@ enum splinefit_kind {
     SPLINEFIT_FITTED,   /* by least squares, with `params` and `knots` */
     SPLINEFIT_STRAIGHT, /* degree 1 with two poles */
     SPLINEFIT_POLYLINE, /* degree 1 with a pole at each point: nothing else served */
-    SPLINEFIT_FREE      /* with free knots (freeknots_search) */
+    SPLINEFIT_FREE      /* with free knots (free_knots_search) */
 };
 
 struct splinefit {
@@ -35,7 +35,7 @@ struct splinefit {
     enum params_method params;
     enum knots_method knots;
     struct deviation deviation; /* of the tracked point, by the paper's measures */
-    struct proof proof;         /* distance both ways */
+    struct spline_bound proof;  /* distance both ways */
     bool within;                /* what the search promises holds */
     bool cut;                   /* it took too long: fewer poles might do */
 };
@@ -50,18 +50,18 @@ void splinefit_paper(const struct track *track, const struct splinefit_options *
                      struct splinefit *fit);
 
 /*
- * The default: a straight line; else what freeknots_search finds.  Where that finds nothing, where
+ * The default: a straight line; else what free_knots_search finds.  Where that finds nothing, where
  * it was cut short and this is better, and when `params` or `knots` are given: 5, 10, 15 ... poles
- * (from 40 on a quarter more each time) until proof_keeps holds for a combination, then the least
- * count above the last that failed, by bisection.  Degree 1 with a pole at each point when nothing
- * else serves.
+ * (from 40 on a quarter more each time) until spline_bound_keeps holds for a combination, then the
+ * least count above the last that failed, by bisection.  Degree 1 with a pole at each point when
+ * nothing else serves.
  */
 void splinefit_search(const struct track *track, const struct splinefit_options *options,
                       struct splinefit *fit);
 
 /*
  * The default for data that lies only a little beside that of `before`: the same curve, moved
- * (freeknots_again); where that does not serve, as splinefit_search.
+ * (free_knots_again); where that does not serve, as splinefit_search.
  */
 void splinefit_again(const struct track *track, const struct splinefit_options *options,
                      const struct splinefit *before, struct splinefit *fit);

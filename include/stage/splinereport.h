@@ -7,21 +7,21 @@
 
 #include <stdio.h>
 
-#include "splinefit/splinerun.h"
+#include "splinefit/spline_run.h"
 
 struct splinereport {
     size_t points, splines, poles;
     size_t polylines;           /* splines that fell back to degree 1 with a pole at each point */
     size_t cut;                 /* curves whose search was cut short */
     struct deviation deviation; /* the largest of each */
-    struct proof worst;         /* the largest of each */
+    struct spline_bound worst;  /* the largest of each */
     double spent;               /* of the tolerance, mm: the worst distance, and what the making
                                    dense of the data took */
 };
 
 /* Counts one piece; unless `table` is NULL, writes its row. */
-void splinereport_add(struct splinereport *report, size_t pass, const struct splinerun_piece *piece,
-                      FILE *table);
+void splinereport_add(struct splinereport *report, size_t pass,
+                      const struct spline_run_piece *piece, FILE *table);
 
 /* The headings of the table, and its last row. */
 void splinereport_head(FILE *table);

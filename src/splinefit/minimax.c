@@ -7,7 +7,7 @@
 #include <string.h>
 
 #include "base/array.h"
-#include "knotstep.h"
+#include "knots_step.h"
 #include "lsq.h"
 
 enum { POWER_MAX = 64, TRIES = 6, AHEAD = 100 };
@@ -18,8 +18,8 @@ struct work {
     const struct target *target;
     struct attempt *best;
     struct attempt trial;
-    struct spanform form;
-    struct knotstep step;
+    struct ppform form;
+    struct knots_step step;
     double nearest, damping;
     int patience;
     double *effort;
@@ -30,7 +30,7 @@ bool attempt_start(const struct target *target, const struct bspline *form, cons
 {
     attempt->curve = bspline_new(form->degree, form->poles, target->axis != NULL);
     attempt->curve.length = TRACK_LENGTH;
-    attempt->feet = feet_new(target);
+    attempt->feet = footpoints_new(target);
     memcpy(attempt->curve.knot, knot, (form->poles + (size_t)form->degree + 1) * sizeof *knot);
     memcpy(attempt->feet.u, u, target->n * sizeof *u);
     struct vec3 *head = NULL;
@@ -48,14 +48,14 @@ bool attempt_start(const struct target *target, const struct bspline *form, cons
 void attempt_free(struct attempt *attempt)
 {
     bspline_free(&attempt->curve);
-    feet_free(&attempt->feet);
+    footpoints_free(&attempt->feet);
 }
 
 /* The mean of the distances by the norm, in parts of `reference`: (mean of r^power)^(1 / power). */
-static double mean_of(const struct target *target, const struct feet *feet, int power,
+static double mean_of(const struct target *target, const struct footpoints *feet, int power,
                       double reference)
 {
-    size_t n = target->n * feet_kinds(target);
+    size_t n = target->n * footpoints_kinds(target);
     double sum = 0;
 
     for (size_t i = 0; i < n; i++) {
@@ -79,9 +79,9 @@ static void swap(struct attempt *a, struct attempt *b)
 
 struct attempt attempt_copy(const struct attempt *a, const struct target *target)
 {
-    struct attempt copy = {bspline_copy(&a->curve), feet_new(target)};
+    struct attempt copy = {bspline_copy(&a->curve), footpoints_new(target)};
 
-    feet_copy(&copy.feet, &a->feet, target);
+    footpoints_copy(&copy.feet, &a->feet, target);
     return copy;
 }
 
@@ -102,7 +102,7 @@ static void spread(const struct target *from, const double *value, const struct 
 struct attempt attempt_onto(const struct attempt *a, const struct target *from,
                             const struct target *to)
 {
-    struct attempt moved = {bspline_copy(&a->curve), feet_new(to)};
+    struct attempt moved = {bspline_copy(&a->curve), footpoints_new(to)};
     double where = from->at[a->feet.where];
 
     moved.feet.worst = a->feet.worst;
@@ -122,16 +122,16 @@ static double improve(struct work *w, int power)
     double reference = w->best->feet.worst;
     double before = mean_of(w->target, &w->best->feet, power, reference);
 
-    spanform_curve(&w->form, &w->best->curve);
-    spanform_slopes(&w->form, &w->best->curve);
-    knotstep_equations(&w->step, &w->form, w->target, &w->best->feet, power);
+    ppform_curve(&w->form, &w->best->curve);
+    ppform_slopes(&w->form, &w->best->curve);
+    knots_step_equations(&w->step, &w->form, w->target, &w->best->feet, power);
     for (int i = 0; i < TRIES; i++, w->damping *= 8) {
-        if (!knotstep_move(&w->step, w->damping, w->nearest, &w->best->curve, &w->trial.curve))
+        if (!knots_step_move(&w->step, w->damping, w->nearest, &w->best->curve, &w->trial.curve))
             continue;
-        spanform_curve(&w->form, &w->trial.curve);
-        feet_copy(&w->trial.feet, &w->best->feet, w->target);
-        feet_follow(&w->form, w->target, &w->trial.feet);
-        *w->effort -= (double)(w->target->n * feet_kinds(w->target));
+        ppform_curve(&w->form, &w->trial.curve);
+        footpoints_copy(&w->trial.feet, &w->best->feet, w->target);
+        footpoints_follow(&w->form, w->target, &w->trial.feet);
+        *w->effort -= (double)(w->target->n * footpoints_kinds(w->target));
         double after = mean_of(w->target, &w->trial.feet, power, reference);
         if (!(after < before))
             continue;
@@ -155,7 +155,7 @@ static bool hopeless(double mean, double gain, double goal, int patience)
 
 static bool climb(struct work *w, double goal)
 {
-    const struct feet *feet = &w->best->feet;
+    const struct footpoints *feet = &w->best->feet;
 
     for (int power = 2; power <= POWER_MAX; power *= 2) {
         int most = w->patience * (power == 2 || power == POWER_MAX ? 40 : 20);
@@ -181,15 +181,15 @@ bool minimax_fit(const struct target *target, double goal, int patience, struct 
     struct work w = {
         .target = target, .best = attempt, .damping = 1e-3, .patience = patience, .effort = effort};
 
-    w.form = spanform_new(&attempt->curve);
-    spanform_curve(&w.form, &attempt->curve);
-    feet_follow(&w.form, target, &attempt->feet);
+    w.form = ppform_new(&attempt->curve);
+    ppform_curve(&w.form, &attempt->curve);
+    footpoints_follow(&w.form, target, &attempt->feet);
     w.trial = attempt_copy(attempt, target);
-    w.step = knotstep_new(&attempt->curve);
+    w.step = knots_step_new(&attempt->curve);
     w.nearest = NEAREST * target->at[target->n - 1] / (double)w.form.spans;
     bool reached = climb(&w, goal);
-    knotstep_free(&w.step);
+    knots_step_free(&w.step);
     attempt_free(&w.trial);
-    spanform_free(&w.form);
+    ppform_free(&w.form);
     return reached;
 }

@@ -5,12 +5,12 @@
 #ifndef CLOUDMILL_MINIMAX_H
 #define CLOUDMILL_MINIMAX_H
 
-#include "feet.h"
+#include "footpoints.h"
 
 /* A curve and the feet of a target on it. */
 struct attempt {
     struct bspline curve;
-    struct feet feet;
+    struct footpoints feet;
 };
 
 /* Least squares on these knots (0 to the target's length, of which the attempt gets a copy), with

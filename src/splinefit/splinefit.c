@@ -7,7 +7,7 @@
 #include <string.h>
 
 #include "base/array.h"
-#include "freeknots.h"
+#include "free_knots.h"
 #include "lsq.h"
 
 enum { PARAMS = 3, KNOTS = 2, START = 5, STEP = 5, WIDER = 40 };
@@ -82,20 +82,21 @@ static bool accepted_by_paper(const struct search *s, const struct bspline *curv
     return c1_other(s, curve) <= s->options->tolerance;
 }
 
-static bool accepted(const struct search *s, const struct bspline *curve, struct proof *proof)
+static bool accepted(const struct search *s, const struct bspline *curve,
+                     struct spline_bound *proof)
 {
     const struct splinefit_options *o = s->options;
 
     if (s->paper) {
         if (!accepted_by_paper(s, curve))
             return false;
-        proof_measure(curve, s->track, o->tolerance * RESOLUTION, INFINITY, proof);
+        spline_bound_measure(curve, s->track, o->tolerance * RESOLUTION, INFINITY, proof);
         return isfinite(proof->axis); /* not so where the head passes near the point */
     }
-    if (proof_hopeless(curve, s->track, s->scaled, o->tolerance))
+    if (spline_bound_hopeless(curve, s->track, s->scaled, o->tolerance))
         return false;
-    proof_measure(curve, s->track, o->tolerance * RESOLUTION, o->tolerance, proof);
-    return proof_keeps(proof, o->tolerance, o->angle);
+    spline_bound_measure(curve, s->track, o->tolerance * RESOLUTION, o->tolerance, proof);
+    return spline_bound_keeps(proof, o->tolerance, o->angle);
 }
 
 /* One combination; on success *fit holds it in the place of what it held before. */
@@ -104,11 +105,11 @@ static bool try_combination(const struct search *s, size_t poles, int params, in
 {
     const struct track *t = s->track;
     struct bspline curve = track_curve(t, s->options->degree, poles);
-    struct proof proof = {0};
+    struct spline_bound proof = {0};
     const double *u = s->u[params];
 
     knots_fill((enum knots_method)knots, u, t->n, curve.degree, poles, curve.knot);
-    if (lsq_fit(&curve, u, t->point, t->head, t->n) && proof_print(&curve)) {
+    if (lsq_fit(&curve, u, t->point, t->head, t->n) && spline_bound_print(&curve)) {
         scale_params(s, u, &curve);
         if (accepted(s, &curve, &proof)) {
             bspline_free(&fit->curve);
@@ -173,9 +174,10 @@ static bool straight_line(const struct search *s, struct splinefit *fit)
     const struct splinefit_options *o = s->options;
 
     *fit = (struct splinefit){.curve = track_straight(s->track), .kind = SPLINEFIT_STRAIGHT};
-    if (proof_print(&fit->curve)) {
-        proof_measure(&fit->curve, s->track, o->tolerance * RESOLUTION, o->tolerance, &fit->proof);
-        fit->within = proof_keeps(&fit->proof, o->tolerance, o->angle);
+    if (spline_bound_print(&fit->curve)) {
+        spline_bound_measure(&fit->curve, s->track, o->tolerance * RESOLUTION, o->tolerance,
+                             &fit->proof);
+        fit->within = spline_bound_keeps(&fit->proof, o->tolerance, o->angle);
     }
     if (!fit->within)
         splinefit_free(fit);
@@ -188,9 +190,9 @@ static void polyline(const struct search *s, struct splinefit *fit)
     const struct splinefit_options *o = s->options;
 
     *fit = (struct splinefit){.curve = track_polyline(s->track), .kind = SPLINEFIT_POLYLINE};
-    proof_print(&fit->curve);
-    proof_polyline(&fit->curve, s->track, &fit->proof);
-    fit->within = proof_keeps(&fit->proof, o->tolerance, o->angle);
+    spline_bound_print(&fit->curve);
+    spline_bound_polyline(&fit->curve, s->track, &fit->proof);
+    fit->within = spline_bound_keeps(&fit->proof, o->tolerance, o->angle);
 }
 
 /* With all combinations open, the knots may as well be free.  `before`: a curve for nearly the same
@@ -199,15 +201,15 @@ static bool free_knots(const struct search *s, size_t known, const struct bsplin
                        struct splinefit *fit)
 {
     const struct splinefit_options *o = s->options;
-    struct freeknots_options options = {o->degree, o->tolerance, o->angle, known};
+    struct free_knots_options options = {o->degree, o->tolerance, o->angle, known};
 
     *fit = (struct splinefit){.kind = SPLINEFIT_FREE, .within = true};
     if (o->params >= 0 || o->knots >= 0)
         return false;
     if (before)
         return before->degree == o->degree &&
-               freeknots_again(s->track, &options, before, &fit->curve, &fit->proof);
-    return freeknots_search(s->track, &options, &fit->curve, &fit->proof, &fit->cut);
+               free_knots_again(s->track, &options, before, &fit->curve, &fit->proof);
+    return free_knots_search(s->track, &options, &fit->curve, &fit->proof, &fit->cut);
 }
 
 static void least_squares(const struct search *s, struct splinefit *fit)
@@ -239,7 +241,7 @@ static void measure(struct search *s, struct splinefit *fit)
     if (fit->kind == SPLINEFIT_POLYLINE)
         memcpy(s->scaled, fit->curve.knot + 1, t->n * sizeof *s->scaled);
     else if (fit->kind == SPLINEFIT_FREE)
-        proof_feet(&fit->curve, t, s->options->tolerance * RESOLUTION, s->scaled);
+        spline_bound_feet(&fit->curve, t, s->options->tolerance * RESOLUTION, s->scaled);
     else if (fit->kind == SPLINEFIT_STRAIGHT)
         scale_params(s, s->u[PARAMS_CHORD], &fit->curve);
     else

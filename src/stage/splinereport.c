@@ -28,7 +28,7 @@ void splinereport_head(FILE *table)
 }
 
 static void write_row(FILE *table, size_t points, size_t poles, const struct deviation *d,
-                      const struct proof *p, const char *end)
+                      const struct spline_bound *p, const char *end)
 {
     fprintf(table, "%7zu %7zu %7.2f %9.6f %9.6f %9.6f %9.6f %9.6f %9.6f %8.4f  %s\n", points, poles,
             splinereport_fewer(points, poles), d->c1, d->c2, d->rms, d->middle, p->point, p->other,
@@ -46,8 +46,8 @@ static void keep_largest(double *largest, double value)
     *largest = fmax(*largest, value);
 }
 
-void splinereport_add(struct splinereport *report, size_t pass, const struct splinerun_piece *piece,
-                      FILE *table)
+void splinereport_add(struct splinereport *report, size_t pass,
+                      const struct spline_run_piece *piece, FILE *table)
 {
     const struct splinefit *fit = &piece->fit;
     size_t points = piece->to - piece->from + 1, poles = fit->curve.poles;

@@ -9,15 +9,15 @@
 
 START_TEST(sums_and_largest)
 {
-    struct splinerun_piece a = {.from = 0, .to = 100, .smooth = 0.001};
-    struct splinerun_piece b = {.from = 100, .to = 150};
+    struct spline_run_piece a = {.from = 0, .to = 100, .smooth = 0.001};
+    struct spline_run_piece b = {.from = 100, .to = 150};
     struct splinereport r = {0};
     char text[4000];
     FILE *table = fmemopen(text, sizeof text, "w");
 
     a.fit.curve.poles = 15;
     a.fit.deviation = (struct deviation){.c1 = 0.5, .c2 = 0.1, .rms = 0.2, .middle = 0.6};
-    a.fit.proof = (struct proof){0.008, 0.007, 0.01};
+    a.fit.proof = (struct spline_bound){0.008, 0.007, 0.01};
     b.fit = a.fit;
     b.fit.curve.poles = 6;
     b.fit.deviation.c1 = 0.7;

@@ -1,11 +1,11 @@
 /*
- * knotstart: knots rise from end to end, equally or denser where the curve bends more.
+ * knots_init: knots rise from end to end, equally or denser where the curve bends more.
  */
 #include <check.h>
 #include <stdlib.h>
 
 #include "base/array.h"
-#include "splinefit/knotstart.h"
+#include "splinefit/knots_init.h"
 
 /* Straight at first, then waves. */
 static struct target wavy(void)
@@ -41,14 +41,14 @@ START_TEST(rising_from_end_to_end)
 
     for (int degree = 2; degree <= 5; degree++)
         for (size_t poles = (size_t)degree + 1; poles < 40; poles += 4) {
-            knotstart_uniform(&t, degree, poles, knot);
+            knots_init_uniform(&t, degree, poles, knot);
             rises(&t, knot, degree, poles);
-            ck_assert(knotstart_spread(&t, degree, poles, knot));
+            ck_assert(knots_init_spread(&t, degree, poles, knot));
             rises(&t, knot, degree, poles);
-            knotstart_mean(&t, degree, poles, knot);
+            knots_init_mean(&t, degree, poles, knot);
             rises(&t, knot, degree, poles);
         }
-    ck_assert(!knotstart_spread(&t, 3, t.n, knot));
+    ck_assert(!knots_init_spread(&t, 3, t.n, knot));
     target_free(&t);
 }
 END_TEST
@@ -59,7 +59,7 @@ START_TEST(denser_where_it_bends)
     double knot[64], half = t.at[t.n - 1] / 2;
     int late = 0;
 
-    knotstart_spread(&t, 3, 24, knot);
+    knots_init_spread(&t, 3, 24, knot);
     for (int j = 4; j < 24; j++)
         late += knot[j] > half;
     ck_assert_int_ge(late, 15);
@@ -77,7 +77,7 @@ START_TEST(a_knot_put_in_is_not_missed)
     for (size_t i = 0; i < 6; i++)
         b.pole[i] = vec(2.0 * (double)i, i % 2 == 0 ? 3 : -2, 0);
     bspline_insert(&b, 5);
-    ck_assert_double_lt(knotstart_missed(&b, 5), 1e-9 * knotstart_missed(&b, 4));
+    ck_assert_double_lt(knots_init_missed(&b, 5), 1e-9 * knots_init_missed(&b, 4));
     bspline_free(&b);
 }
 END_TEST

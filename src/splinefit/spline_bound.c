@@ -1,7 +1,7 @@
 /*
- * proof - printed digits, and distances both ways.
+ * spline_bound - printed digits, and distances both ways.
  */
-#include "splinefit/proof.h"
+#include "splinefit/spline_bound.h"
 
 #include <stdlib.h>
 
@@ -30,7 +30,7 @@ static double length_of(const struct bspline *curve)
 
 static struct vec3 printed(struct vec3 p)
 {
-    return vec_round(p, PROOF_DIGITS);
+    return vec_round(p, SPLINE_BOUND_DIGITS);
 }
 
 /* A motion that only turns the axis has no length of its own: 1 mm then. */
@@ -44,10 +44,10 @@ static bool print_knots(struct bspline *curve)
     double before = from;
     for (size_t i = 0; i < curve->poles + (size_t)curve->degree + 1; i++) {
         double knot = curve->knot[i];
-        curve->knot[i] = num_round((knot - from) * scale, PROOF_DIGITS);
+        curve->knot[i] = num_round((knot - from) * scale, SPLINE_BOUND_DIGITS);
         if (i > 0 && curve->degree == 1 && knot > before) /* a pole at each: keep them apart */
             curve->knot[i] =
-                fmax(curve->knot[i], num_round(curve->knot[i - 1] + 1e-6, PROOF_DIGITS));
+                fmax(curve->knot[i], num_round(curve->knot[i - 1] + 1e-6, SPLINE_BOUND_DIGITS));
         else if (i > 0 && curve->degree == 1)
             curve->knot[i] = curve->knot[i - 1];
         else if (knot > before && !(curve->knot[i] > curve->knot[i - 1]))
@@ -57,7 +57,7 @@ static bool print_knots(struct bspline *curve)
     return true;
 }
 
-bool proof_print(struct bspline *curve)
+bool spline_bound_print(struct bspline *curve)
 {
     for (size_t i = 0; i < curve->poles; i++) {
         if (!isfinite(vec_dot(curve->pole[i], curve->pole[i])))
@@ -113,13 +113,13 @@ static bool other_moves_more(const struct track *track)
     return other > point;
 }
 
-bool proof_keeps(const struct proof *proof, double tolerance, double angle)
+bool spline_bound_keeps(const struct spline_bound *proof, double tolerance, double angle)
 {
     return proof->point <= tolerance && proof->other <= tolerance && proof->axis <= angle;
 }
 
 static void measure_flat(const struct flat *flat, const struct track *track, double hidden,
-                         double limit, struct proof *proof)
+                         double limit, struct spline_bound *proof)
 {
     struct foot *foot = mem_alloc(2 * flat->u.n, sizeof *foot), *other_foot = foot + flat->u.n;
     struct polyline mine = {flat->point.n, flat->point.item}, data = {track->n, track->point};
@@ -138,19 +138,19 @@ static void measure_flat(const struct flat *flat, const struct track *track, dou
     free(foot);
 }
 
-void proof_measure(const struct bspline *curve, const struct track *track, double resolution,
-                   double limit, struct proof *proof)
+void spline_bound_measure(const struct bspline *curve, const struct track *track, double resolution,
+                          double limit, struct spline_bound *proof)
 {
     struct flat flat = {0};
 
-    *proof = (struct proof){INFINITY, INFINITY, INFINITY};
+    *proof = (struct spline_bound){INFINITY, INFINITY, INFINITY};
     if (flatten(curve, track->offset, track->axis[0], resolution, &flat))
         measure_flat(&flat, track, resolution, limit, proof);
     flat_free(&flat);
 }
 
-bool proof_feet(const struct bspline *curve, const struct track *track, double resolution,
-                double *u)
+bool spline_bound_feet(const struct bspline *curve, const struct track *track, double resolution,
+                       double *u)
 {
     struct flat flat = {0};
     bool done = flatten(curve, track->offset, track->axis[0], resolution, &flat);
@@ -171,7 +171,7 @@ bool proof_feet(const struct bspline *curve, const struct track *track, double r
 
 /* Point k + s of the way to the next one, of the curve against the track. */
 static void compare_at(const struct bspline *curve, const struct track *track, size_t k, double s,
-                       struct proof *proof)
+                       struct spline_bound *proof)
 {
     size_t next = k + 1 < track->n ? k + 1 : k;
     struct vec3 p = vec_mix(curve->pole[k], curve->pole[next], s), a = track->axis[0];
@@ -188,18 +188,19 @@ static void compare_at(const struct bspline *curve, const struct track *track, s
     proof->axis = fmax(proof->axis, vec_angle(a, axis_there));
 }
 
-void proof_polyline(const struct bspline *curve, const struct track *track, struct proof *proof)
+void spline_bound_polyline(const struct bspline *curve, const struct track *track,
+                           struct spline_bound *proof)
 {
     enum { PARTS = 4 };
 
-    *proof = (struct proof){0};
+    *proof = (struct spline_bound){0};
     for (size_t k = 0; k < track->n; k++)
         for (int i = 0; i < PARTS; i++)
             compare_at(curve, track, k, (double)i / PARTS, proof);
 }
 
-bool proof_hopeless(const struct bspline *curve, const struct track *track, const double *u,
-                    double tolerance)
+bool spline_bound_hopeless(const struct bspline *curve, const struct track *track, const double *u,
+                           double tolerance)
 {
     struct polyline data = {track->n, track->point};
 

@@ -1,13 +1,13 @@
 /*
- * freeknots - starts and counts.
+ * free_knots - starts and counts.
  */
-#include "freeknots.h"
+#include "free_knots.h"
 
 #include <stdlib.h>
 
 #include "base/array.h"
-#include "knotstart.h"
-#include "knottrial.h"
+#include "knots_init.h"
+#include "knots_try.h"
 
 enum {
     ONE_BY_ONE = 12,
@@ -32,31 +32,31 @@ static const double EFFORT = 6e4, EFFORT_PER_POINT = 2500; /* distances times st
 static const double EFFORT_UNEVEN = 400; /* the same per point, from where on the data is uneven */
 
 /* Knots spread by what the data asks for. */
-static bool serves_spread(struct knottrials *t, size_t poles)
+static bool serves_spread(struct knots_trials *t, size_t poles)
 {
-    return knotstart_spread(&t->rough, t->options->degree, poles, t->knot) &&
-           knottrial_from_knots(t, poles, t->rough.at);
+    return knots_init_spread(&t->rough, t->options->degree, poles, t->knot) &&
+           knots_try_from_knots(t, poles, t->rough.at);
 }
 
 /* The starts that know nothing of other attempts. */
-static bool serves_anew(struct knottrials *t, size_t poles)
+static bool serves_anew(struct knots_trials *t, size_t poles)
 {
     int degree = t->options->degree;
 
-    knotstart_uniform(&t->rough, degree, poles, t->knot);
-    if (knottrial_from_knots(t, poles, t->rough.at))
+    knots_init_uniform(&t->rough, degree, poles, t->knot);
+    if (knots_try_from_knots(t, poles, t->rough.at))
         return true;
-    if (poles < (size_t)degree + 2 || !knotstart_spread(&t->rough, degree, poles, t->knot))
+    if (poles < (size_t)degree + 2 || !knots_init_spread(&t->rough, degree, poles, t->knot))
         return false;
-    if (knottrial_from_knots(t, poles, t->rough.at))
+    if (knots_try_from_knots(t, poles, t->rough.at))
         return true;
-    knotstart_spread(&t->rough, degree, poles, t->knot);
-    knotstart_mean(&t->rough, degree, poles, t->knot);
-    return knottrial_from_knots(t, poles, t->rough.at);
+    knots_init_spread(&t->rough, degree, poles, t->knot);
+    knots_init_mean(&t->rough, degree, poles, t->knot);
+    return knots_try_from_knots(t, poles, t->rough.at);
 }
 
 /* With one knot less: up to `tries` of those that are missed least. */
-static bool serves_with_one_less(struct knottrials *t, const struct attempt *from, int tries)
+static bool serves_with_one_less(struct knots_trials *t, const struct attempt *from, int tries)
 {
     struct attempt attempt = attempt_copy(from, &t->rough);
     size_t first = (size_t)t->options->degree + 1, poles = attempt.curve.poles;
@@ -64,7 +64,7 @@ static bool serves_with_one_less(struct knottrials *t, const struct attempt *fro
     bool done = false;
 
     for (size_t j = first; j < poles; j++)
-        missed[j] = knotstart_missed(&attempt.curve, j);
+        missed[j] = knots_init_missed(&attempt.curve, j);
     for (int i = 0; i < tries && !done; i++) {
         size_t least = first;
         for (size_t j = first; j < poles; j++)
@@ -73,7 +73,7 @@ static bool serves_with_one_less(struct knottrials *t, const struct attempt *fro
         if (poles <= first || !isfinite(missed[least]))
             break;
         missed[least] = INFINITY;
-        done = knottrial_without(t, &attempt, least);
+        done = knots_try_without(t, &attempt, least);
     }
     free(missed);
     attempt_free(&attempt);
@@ -81,7 +81,7 @@ static bool serves_with_one_less(struct knottrials *t, const struct attempt *fro
 }
 
 /* How many knots are worth a try to be left out. */
-static int tries(const struct knottrials *t)
+static int tries(const struct knots_trials *t)
 {
     return t->curve.poles <= FEW ? LEFT_OUT : t->curve.poles <= MANY ? LEFT_OUT / 2 : 1;
 }
@@ -90,7 +90,7 @@ static int tries(const struct knottrials *t)
  * The best that failed, with a knot more where it is worst and then one less elsewhere, as long as
  * that makes it better.
  */
-static bool serves_by_exchange(struct knottrials *t)
+static bool serves_by_exchange(struct knots_trials *t)
 {
     int most = t->curve.poles <= FEW ? EXCHANGES : t->curve.poles <= MANY ? 1 : 0;
 
@@ -99,7 +99,7 @@ static bool serves_by_exchange(struct knottrials *t)
         if (t->failed.curve.poles + 1 != t->curve.poles ||
             !(before < WORTH_IT * t->options->tolerance))
             break;
-        struct attempt more = knottrial_one_more(t, &t->failed);
+        struct attempt more = knots_try_one_more(t, &t->failed);
         minimax_fit(&t->rough, t->options->tolerance, 1, &more, &t->effort);
         bool done = serves_with_one_less(t, &more, tries(t));
         attempt_free(&more);
@@ -116,20 +116,20 @@ static size_t next_count(size_t poles)
     return poles < ONE_BY_ONE ? poles + 1 : poles + poles / 4;
 }
 
-static bool serves_with_one_more(struct knottrials *t)
+static bool serves_with_one_more(struct knots_trials *t)
 {
-    struct attempt more = knottrial_one_more(t, &t->failed);
-    return knottrial_serves(t, &more);
+    struct attempt more = knots_try_one_more(t, &t->failed);
+    return knots_try_serves(t, &more);
 }
 
 /* A pole for every few points and still to do: the curve would follow the noise of the data. */
-static bool is_rough(const struct knottrials *t, size_t poles, size_t points)
+static bool is_rough(const struct knots_trials *t, size_t poles, size_t points)
 {
     return poles > FEW && poles * points > t->track->n;
 }
 
 /* Upwards until a count serves.  Returns the last one that did not. */
-static size_t search_upwards(struct knottrials *t, size_t parts, size_t least)
+static size_t search_upwards(struct knots_trials *t, size_t parts, size_t least)
 {
     size_t failed = least - 1;
 
@@ -138,14 +138,14 @@ static size_t search_upwards(struct knottrials *t, size_t parts, size_t least)
          n = next_count(n)) {
         if (is_rough(t, n, UNEVEN_POINTS))
             t->effort = fmin(t->effort, EFFORT_UNEVEN * (double)t->track->n);
-        knottrials_aim(t, parts, n);
+        knots_trials_aim(t, parts, n);
         if (!(t->failed.curve.poles + 1 == n && serves_with_one_more(t)) && !serves_anew(t, n))
             failed = n;
     }
     return failed;
 }
 
-static void bisect(struct knottrials *t, size_t failed)
+static void bisect(struct knots_trials *t, size_t failed)
 {
     while (t->curve.poles > failed + 1 && t->effort > 0) {
         size_t n = failed + (t->curve.poles - failed) / 2;
@@ -155,7 +155,7 @@ static void bisect(struct knottrials *t, size_t failed)
 }
 
 /* The nearest that failed, with more patience. */
-static bool serves_by_patience(struct knottrials *t)
+static bool serves_by_patience(struct knots_trials *t)
 {
     bool done = false;
 
@@ -163,7 +163,7 @@ static bool serves_by_patience(struct knottrials *t)
         t->failed.feet.worst < NEARLY * t->options->tolerance) {
         struct attempt again = attempt_copy(&t->failed, &t->rough);
         t->patience = PATIENCE;
-        done = knottrial_serves(t, &again);
+        done = knots_try_serves(t, &again);
         t->patience = 1;
     }
     return done;
@@ -174,13 +174,13 @@ static bool serves_by_patience(struct knottrials *t)
  * failing: down from the count that is known, and none gets much of the effort.  Only knots spread
  * by the data are a start that comes near.
  */
-static void search_uneven(struct knottrials *t, size_t least)
+static void search_uneven(struct knots_trials *t, size_t least)
 {
     size_t serves = t->options->known, failed = least - 1;
     double most = EFFORT_UNEVEN * fmax((double)t->track->n, PLACES * (double)serves);
     double left = fmin(t->effort, most), each = left / TRIALS;
 
-    knottrials_aim_few(t, serves);
+    knots_trials_aim_few(t, serves);
     while (serves - failed > 1 + serves / FINEST && left > 0) {
         size_t n = failed < least ? serves * 3 / 5 : failed + (serves - failed) / 2;
         n = n < least ? least : n;
@@ -194,7 +194,7 @@ static void search_uneven(struct knottrials *t, size_t least)
     t->effort = left;
 }
 
-static void search_counts(struct knottrials *t, size_t parts)
+static void search_counts(struct knots_trials *t, size_t parts)
 {
     size_t least = (size_t)t->options->degree + 1;
 
@@ -212,14 +212,15 @@ static void search_counts(struct knottrials *t, size_t parts)
         ;
 }
 
-bool freeknots_search(const struct track *track, const struct freeknots_options *options,
-                      struct bspline *curve, struct proof *proof, bool *cut)
+bool free_knots_search(const struct track *track, const struct free_knots_options *options,
+                       struct bspline *curve, struct spline_bound *proof, bool *cut)
 {
     double effort = EFFORT + EFFORT_PER_POINT * (double)track->n;
 
     *curve = (struct bspline){0};
     for (size_t parts = PARTS; parts <= PARTS_FINEST; parts *= 4) {
-        struct knottrials t = {.track = track, .options = options, .effort = effort, .patience = 1};
+        struct knots_trials t = {
+            .track = track, .options = options, .effort = effort, .patience = 1};
         search_counts(&t, parts);
         if (t.curve.poles > 0 && (curve->poles == 0 || t.curve.poles < curve->poles)) {
             bspline_free(curve);
@@ -230,7 +231,7 @@ bool freeknots_search(const struct track *track, const struct freeknots_options 
         }
         effort = t.effort;
         bool coarse = t.coarse;
-        knottrials_free(&t);
+        knots_trials_free(&t);
         if (!coarse || curve->poles > 0 || parts > track->n)
             break;
     }
@@ -238,24 +239,25 @@ bool freeknots_search(const struct track *track, const struct freeknots_options 
     return curve->poles > 0;
 }
 
-bool freeknots_again(const struct track *track, const struct freeknots_options *options,
-                     const struct bspline *before, struct bspline *curve, struct proof *proof)
+bool free_knots_again(const struct track *track, const struct free_knots_options *options,
+                      const struct bspline *before, struct bspline *curve,
+                      struct spline_bound *proof)
 {
-    struct knottrials t = {.track = track, .options = options, .patience = 1};
+    struct knots_trials t = {.track = track, .options = options, .patience = 1};
     size_t most = before->poles + before->poles / MORE_AGAIN + 2;
 
     *curve = (struct bspline){0};
     if ((track->head != NULL) != (before->head != NULL))
         return false;
     t.effort = EFFORT_UNEVEN * (double)track->n;
-    knottrials_aim_few(&t, most);
-    bool done = knottrial_from_curve(&t, before);
+    knots_trials_aim_few(&t, most);
+    bool done = knots_try_from_curve(&t, before);
     while (!done && t.failed.curve.poles > 0 && t.failed.curve.poles < most && t.effort > 0)
         done = serves_with_one_more(&t);
     if (done) {
         *curve = t.curve;
         *proof = t.proof;
     }
-    knottrials_free(&t);
+    knots_trials_free(&t);
     return done;
 }

@@ -1,14 +1,14 @@
 /*
- * splinerun - a cutting run as B-splines: parted at its corners, made dense, fitted.
+ * spline_run - a cutting run as B-splines: parted at its corners, made dense, fitted.
  */
-#ifndef CLOUDMILL_SPLINERUN_H
-#define CLOUDMILL_SPLINERUN_H
+#ifndef CLOUDMILL_SPLINE_RUN_H
+#define CLOUDMILL_SPLINE_RUN_H
 
 #include "curve/motion.h"
 #include "curve/run.h"
 #include "splinefit/splinefit.h"
 
-struct splinerun_piece {
+struct spline_run_piece {
     size_t from, to; /* its first and last point in the run */
     bool still;      /* all its points are in one place: there is no curve */
     struct splinefit fit;
@@ -17,9 +17,9 @@ struct splinerun_piece {
         fallback; /* straight pieces within the tolerance of the curve, without its start */
 };
 
-struct splinerun {
+struct spline_run {
     size_t n, cap;
-    struct splinerun_piece *item;
+    struct spline_run_piece *item;
     struct run fitted; /* the points that they were fitted to; owned */
 };
 
@@ -34,23 +34,23 @@ struct splinerun {
  * tenth of the tolerance, and keeps the rest; but not where the axis is fixed and every tenth point
  * turns by more than 30 degrees, which is noise.  splinefit_search fits.
  */
-void splinerun_fit(const struct run *run, bool centre, bool paper,
-                   const struct splinefit_options *options, struct splinerun *pieces);
+void spline_run_fit(const struct run *run, bool centre, bool paper,
+                    const struct splinefit_options *options, struct spline_run *pieces);
 
 /*
  * The same after some of the run's points were moved a little: pieces end where they did; one whose
  * points all stay is kept as it is, and the curves of the others are moved (splinefit_again).
  */
-void splinerun_refit(const struct run *run, bool centre, bool paper,
-                     const struct splinefit_options *options, struct splinerun *pieces);
+void spline_run_refit(const struct run *run, bool centre, bool paper,
+                      const struct splinefit_options *options, struct spline_run *pieces);
 
 /*
  * Parts piece k, of more than two points, so that the interval of the run from point i of it to the
  * next one is a piece by itself, and fits what is new.
  */
-void splinerun_part(const struct run *run, bool centre, const struct splinefit_options *options,
-                    size_t k, size_t i, struct splinerun *pieces);
+void spline_run_part(const struct run *run, bool centre, const struct splinefit_options *options,
+                     size_t k, size_t i, struct spline_run *pieces);
 
-void splinerun_free(struct splinerun *pieces);
+void spline_run_free(struct spline_run *pieces);
 
 #endif

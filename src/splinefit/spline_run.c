@@ -1,7 +1,7 @@
 /*
- * splinerun - corners, dense data, fallback points.
+ * spline_run - corners, dense data, fallback points.
  */
-#include "splinefit/splinerun.h"
+#include "splinefit/spline_run.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -16,13 +16,13 @@ static const double SPARSE = 1;         /* parts of the tolerance: straight line
 static const double DENSE = 0.1;        /* parts of the tolerance: chord error when made dense */
 static const double FALLBACK = 0.99;    /* parts of the tolerance: chord error of the fallback */
 
-static void piece_free(struct splinerun_piece *piece)
+static void piece_free(struct spline_run_piece *piece)
 {
     splinefit_free(&piece->fit);
     array_free(&piece->fallback);
 }
 
-void splinerun_free(struct splinerun *pieces)
+void spline_run_free(struct spline_run *pieces)
 {
     for (size_t i = 0; i < pieces->n; i++)
         piece_free(&pieces->item[i]);
@@ -61,7 +61,7 @@ static struct sizes piece_ends(const struct run *run, double tolerance)
     return end;
 }
 
-static void fill_fallback(struct splinerun_piece *piece, const struct run *run, bool centre,
+static void fill_fallback(struct spline_run_piece *piece, const struct run *run, bool centre,
                           double offset, double tolerance)
 {
     const struct run_point *last = &run->item[piece->to];
@@ -93,7 +93,7 @@ static bool is_rough(const struct run *run)
  * points, or NULL. */
 static void fit_piece(const struct run *run, bool centre, bool paper,
                       const struct splinefit_options *options, const struct splinefit *before,
-                      struct splinerun_piece *piece)
+                      struct spline_run_piece *piece)
 {
     struct run part = {
         .n = piece->to - piece->from + 1, .item = run->item + piece->from, .radius = run->radius};
@@ -122,15 +122,15 @@ static void fit_piece(const struct run *run, bool centre, bool paper,
     array_free(&dense);
 }
 
-static void remember(const struct run *run, struct splinerun *pieces)
+static void remember(const struct run *run, struct spline_run *pieces)
 {
     pieces->fitted.n = 0;
     for (size_t i = 0; i < run->n; i++)
         *array_push(&pieces->fitted) = run->item[i];
 }
 
-void splinerun_fit(const struct run *run, bool centre, bool paper,
-                   const struct splinefit_options *options, struct splinerun *pieces)
+void spline_run_fit(const struct run *run, bool centre, bool paper,
+                    const struct splinefit_options *options, struct spline_run *pieces)
 {
     struct sizes end = {0};
 
@@ -140,8 +140,8 @@ void splinerun_fit(const struct run *run, bool centre, bool paper,
         end = piece_ends(run, options->tolerance);
     size_t from = 0;
     for (size_t k = 0; k < end.n; k++) {
-        struct splinerun_piece *piece = array_push(pieces);
-        *piece = (struct splinerun_piece){.from = from, .to = end.item[k]};
+        struct spline_run_piece *piece = array_push(pieces);
+        *piece = (struct spline_run_piece){.from = from, .to = end.item[k]};
         fit_piece(run, centre, paper, options, NULL, piece);
         from = end.item[k];
     }
@@ -154,8 +154,8 @@ static bool same(const struct run_point *a, const struct run_point *b)
     return vec_distance(a->ball, b->ball) == 0 && vec_distance(a->axis, b->axis) == 0;
 }
 
-static bool moved(const struct run *run, const struct splinerun *pieces,
-                  const struct splinerun_piece *piece)
+static bool moved(const struct run *run, const struct spline_run *pieces,
+                  const struct spline_run_piece *piece)
 {
     for (size_t i = piece->from; i <= piece->to; i++)
         if (!same(&run->item[i], &pieces->fitted.item[i]))
@@ -163,29 +163,29 @@ static bool moved(const struct run *run, const struct splinerun *pieces,
     return false;
 }
 
-void splinerun_refit(const struct run *run, bool centre, bool paper,
-                     const struct splinefit_options *options, struct splinerun *pieces)
+void spline_run_refit(const struct run *run, bool centre, bool paper,
+                      const struct splinefit_options *options, struct spline_run *pieces)
 {
     for (size_t k = 0; k < pieces->n; k++) {
-        struct splinerun_piece *piece = &pieces->item[k], before = *piece;
+        struct spline_run_piece *piece = &pieces->item[k], before = *piece;
         if (!moved(run, pieces, piece))
             continue;
-        *piece = (struct splinerun_piece){.from = before.from, .to = before.to};
+        *piece = (struct spline_run_piece){.from = before.from, .to = before.to};
         fit_piece(run, centre, paper, options, before.still ? NULL : &before.fit, piece);
         piece_free(&before);
     }
     remember(run, pieces);
 }
 
-void splinerun_part(const struct run *run, bool centre, const struct splinefit_options *options,
-                    size_t k, size_t i, struct splinerun *pieces)
+void spline_run_part(const struct run *run, bool centre, const struct splinefit_options *options,
+                     size_t k, size_t i, struct spline_run *pieces)
 {
-    struct splinerun_piece whole = pieces->item[k], part[3];
+    struct spline_run_piece whole = pieces->item[k], part[3];
     size_t end[] = {whole.from, i, i + 1, whole.to}, n = 0;
 
     for (size_t e = 0; e < 3; e++)
         if (end[e] < end[e + 1]) {
-            part[n] = (struct splinerun_piece){.from = end[e], .to = end[e + 1]};
+            part[n] = (struct spline_run_piece){.from = end[e], .to = end[e + 1]};
             fit_piece(run, centre, false, options, NULL, &part[n++]);
         }
     piece_free(&whole);

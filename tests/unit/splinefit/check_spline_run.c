@@ -1,11 +1,11 @@
 /*
- * splinerun: where runs are parted, what sparse points become, and that pieces join.
+ * spline_run: where runs are parted, what sparse points become, and that pieces join.
  */
 #include <check.h>
 #include <stdlib.h>
 
 #include "base/array.h"
-#include "splinefit/splinerun.h"
+#include "splinefit/spline_run.h"
 
 static const struct splinefit_options ALL = {
     .degree = 3, .params = -1, .knots = -1, .tolerance = 0.01, .angle = 0.02};
@@ -22,29 +22,29 @@ static void add(struct run *run, double x, double y, double z)
 START_TEST(a_corner_parts)
 {
     struct run run = {.radius = 8};
-    struct splinerun pieces = {0};
+    struct spline_run pieces = {0};
 
     for (int k = 0; k <= 20; k++)
         add(&run, k, 0, 0);
     for (int k = 1; k <= 20; k++)
         add(&run, 20, k, 0);
-    splinerun_fit(&run, false, false, &ALL, &pieces);
+    spline_run_fit(&run, false, false, &ALL, &pieces);
     ck_assert_uint_eq(pieces.n, 2);
     ck_assert_uint_eq(pieces.item[0].to, 20);
     ck_assert_uint_eq(pieces.item[1].from, 20);
     ck_assert_uint_eq(pieces.item[1].to, 40);
     for (size_t i = 0; i < 2; i++) {
-        const struct splinerun_piece *p = &pieces.item[i];
+        const struct spline_run_piece *p = &pieces.item[i];
         ck_assert(p->fit.kind == SPLINEFIT_STRAIGHT && p->smooth == 0);
         ck_assert_uint_eq(p->fallback.n, 1);
         ck_assert(vec_distance(p->fallback.item[0].p, run.item[p->to].tip) == 0);
     }
     ck_assert(vec_distance(pieces.item[0].fit.curve.pole[1], pieces.item[1].fit.curve.pole[0]) ==
               0);
-    splinerun_free(&pieces);
-    splinerun_fit(&run, false, true, &ALL, &pieces); /* the paper knows no corners */
+    spline_run_free(&pieces);
+    spline_run_fit(&run, false, true, &ALL, &pieces); /* the paper knows no corners */
     ck_assert_uint_eq(pieces.n, 1);
-    splinerun_free(&pieces);
+    spline_run_free(&pieces);
     array_free(&run);
 }
 END_TEST
@@ -53,14 +53,14 @@ END_TEST
 START_TEST(noise_is_no_corner)
 {
     struct run run = {.radius = 8};
-    struct splinerun pieces = {0};
+    struct spline_run pieces = {0};
 
     for (int k = 0; k <= 2000; k++)
         add(&run, 0.004 * k, k % 2 == 0 ? 0 : 0.003, 0);
-    splinerun_fit(&run, false, false, &ALL, &pieces);
+    spline_run_fit(&run, false, false, &ALL, &pieces);
     ck_assert_uint_eq(pieces.n, 1);
     ck_assert(pieces.item[0].fit.kind == SPLINEFIT_STRAIGHT);
-    splinerun_free(&pieces);
+    spline_run_free(&pieces);
     array_free(&run);
 }
 END_TEST
@@ -69,14 +69,14 @@ END_TEST
 START_TEST(sparse_points_make_a_smooth_curve)
 {
     struct run run = {.radius = 8};
-    struct splinerun pieces = {0};
+    struct spline_run pieces = {0};
     double worst = 0;
 
     for (int k = 0; k <= 18; k++)
         add(&run, 30 * cos(k * PI / 12), 30 * sin(k * PI / 12), 0);
-    splinerun_fit(&run, false, false, &ALL, &pieces);
+    spline_run_fit(&run, false, false, &ALL, &pieces);
     ck_assert_uint_eq(pieces.n, 1);
-    const struct splinerun_piece *p = &pieces.item[0];
+    const struct spline_run_piece *p = &pieces.item[0];
     ck_assert(p->fit.within && p->smooth > 0);
     for (int i = 0; i <= 2000; i++) {
         double u = p->fit.curve.knot[p->fit.curve.poles] * i / 2000;
@@ -89,7 +89,7 @@ START_TEST(sparse_points_make_a_smooth_curve)
         ck_assert_double_lt(fabs(hypot(at.x, at.y) - 30), 0.012);
     }
     ck_assert(vec_distance(p->fallback.item[p->fallback.n - 1].p, run.item[18].tip) == 0);
-    splinerun_free(&pieces);
+    spline_run_free(&pieces);
     array_free(&run);
 }
 END_TEST
@@ -98,12 +98,12 @@ END_TEST
 START_TEST(fallback_keeps_the_tolerance)
 {
     struct run run = {.radius = 8};
-    struct splinerun pieces = {0};
+    struct spline_run pieces = {0};
 
     for (int k = 0; k <= 300; k++)
         add(&run, 0.2 * k, 6 * sin(0.03 * k), 3 * cos(0.02 * k));
-    splinerun_fit(&run, true, false, &ALL, &pieces);
-    const struct splinerun_piece *p = &pieces.item[0];
+    spline_run_fit(&run, true, false, &ALL, &pieces);
+    const struct spline_run_piece *p = &pieces.item[0];
     ck_assert(p->fit.kind == SPLINEFIT_FREE && p->smooth == 0);
     ck_assert(vec_distance(p->fit.curve.pole[0], run.item[0].ball) < 1e-6);
     double worst = 0;
@@ -120,7 +120,7 @@ START_TEST(fallback_keeps_the_tolerance)
     }
     ck_assert_double_le(worst, 0.01);
     ck_assert_double_gt(worst, 0.001);
-    splinerun_free(&pieces);
+    spline_run_free(&pieces);
     array_free(&run);
 }
 END_TEST
@@ -128,14 +128,14 @@ END_TEST
 START_TEST(one_place_has_no_curve)
 {
     struct run run = {.radius = 8};
-    struct splinerun pieces = {0};
+    struct spline_run pieces = {0};
 
     for (int k = 0; k < 4; k++)
         add(&run, 1, 2, 3);
-    splinerun_fit(&run, false, false, &ALL, &pieces);
+    spline_run_fit(&run, false, false, &ALL, &pieces);
     ck_assert_uint_eq(pieces.n, 1);
     ck_assert(pieces.item[0].still);
-    splinerun_free(&pieces);
+    spline_run_free(&pieces);
     array_free(&run);
 }
 END_TEST
@@ -145,24 +145,24 @@ END_TEST
 START_TEST(what_has_not_moved_stays)
 {
     struct run run = {.radius = 8};
-    struct splinerun pieces = {0};
+    struct spline_run pieces = {0};
 
     for (int k = 0; k <= 20; k++)
         add(&run, 0, k - 20, 0);
     for (int k = 1; k <= 200; k++)
         add(&run, 0.2 * k, 0, 3 * sin(0.04 * k));
-    splinerun_fit(&run, true, false, &ALL, &pieces);
+    spline_run_fit(&run, true, false, &ALL, &pieces);
     ck_assert_uint_eq(pieces.n, 2);
     const struct vec3 *line = pieces.item[0].fit.curve.pole, *wave = pieces.item[1].fit.curve.pole;
-    splinerun_refit(&run, true, false, &ALL, &pieces);
+    spline_run_refit(&run, true, false, &ALL, &pieces);
     ck_assert(pieces.item[0].fit.curve.pole == line && pieces.item[1].fit.curve.pole == wave);
 
     for (size_t k = 118; k <= 122; k++)
         run.item[k].ball.y += 0.03;
-    splinerun_refit(&run, true, false, &ALL, &pieces);
+    spline_run_refit(&run, true, false, &ALL, &pieces);
     ck_assert_uint_eq(pieces.n, 2);
     ck_assert(pieces.item[0].fit.curve.pole == line);
-    const struct splinerun_piece *p = &pieces.item[1];
+    const struct spline_run_piece *p = &pieces.item[1];
     ck_assert(p->from == 20 && p->to == 220 && p->fit.within);
     ck_assert(vec_distance(p->fit.curve.pole[0], run.item[20].ball) < 1e-6);
     double nearest = INFINITY;
@@ -172,7 +172,7 @@ START_TEST(what_has_not_moved_stays)
         nearest = fmin(nearest, vec_distance(at, run.item[120].ball));
     }
     ck_assert_double_le(nearest, 0.0101);
-    splinerun_free(&pieces);
+    spline_run_free(&pieces);
     array_free(&run);
 }
 END_TEST

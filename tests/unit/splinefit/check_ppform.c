@@ -1,10 +1,10 @@
 /*
- * spanform: polynomials against de Boor's algorithm; derivatives by knots against differences.
+ * ppform: polynomials against de Boor's algorithm; derivatives by knots against differences.
  */
 #include <check.h>
 #include <stdlib.h>
 
-#include "splinefit/spanform.h"
+#include "splinefit/ppform.h"
 
 static unsigned long seed = 1;
 
@@ -34,15 +34,15 @@ START_TEST(same_as_de_boor)
     for (int degree = 1; degree <= 6; degree++)
         for (int head = 0; head < 2; head++) {
             struct bspline b = random_curve(degree, (size_t)degree + 6, head == 1);
-            struct spanform f = spanform_new(&b);
+            struct ppform f = ppform_new(&b);
             size_t near = 0;
 
-            spanform_curve(&f, &b);
+            ppform_curve(&f, &b);
             for (int k = 0; k <= 100; k++) {
                 double u = b.knot[b.poles] * k / 100, value[6], first[6], second[6];
                 struct vec3 d[3];
-                near = spanform_span(&f, near, u);
-                spanform_at(&f, near, u, value, first, second);
+                near = ppform_span(&f, near, u);
+                ppform_at(&f, near, u, value, first, second);
                 bspline_derivatives(&b, b.pole, u, 2, d);
                 ck_assert_double_eq_tol(value[0], d[0].x, 1e-12);
                 ck_assert_double_eq_tol(first[1], d[1].y, 1e-10);
@@ -51,17 +51,17 @@ START_TEST(same_as_de_boor)
                 if (head == 1)
                     ck_assert_double_eq_tol(value[4], bspline_at(&b, b.head, u).y, 1e-12);
             }
-            spanform_free(&f);
+            ppform_free(&f);
             bspline_free(&b);
         }
 }
 END_TEST
 
 /* The x of the derivative by knot j at u, from the span's polynomial. */
-static double slope_at(const struct spanform *f, size_t j, double u)
+static double slope_at(const struct ppform *f, size_t j, double u)
 {
-    size_t p = (size_t)f->degree, span = spanform_span(f, 0, u);
-    double s = spanform_place(f, span, u), power = 1, sum = 0;
+    size_t p = (size_t)f->degree, span = ppform_span(f, 0, u);
+    double s = ppform_place(f, span, u), power = 1, sum = 0;
 
     if (j < span + 1 || j > span + 2 * p)
         return 0;
@@ -75,10 +75,10 @@ START_TEST(derivatives_by_knots)
 {
     for (int degree = 2; degree <= 5; degree++) {
         struct bspline b = random_curve(degree, (size_t)degree + 7, degree % 2 == 0);
-        struct spanform f = spanform_new(&b);
+        struct ppform f = ppform_new(&b);
 
-        spanform_curve(&f, &b);
-        spanform_slopes(&f, &b);
+        ppform_curve(&f, &b);
+        ppform_slopes(&f, &b);
         for (size_t j = (size_t)degree + 1; j < b.poles; j++)
             for (int k = 1; k < 60; k++) {
                 double u = b.knot[b.poles] * k / 60, knot = b.knot[j], step = 1e-6;
@@ -91,7 +91,7 @@ START_TEST(derivatives_by_knots)
                 b.knot[j] = knot;
                 ck_assert_double_eq_tol(slope_at(&f, j, u), (after - before) / (2 * step), 1e-7);
             }
-        spanform_free(&f);
+        ppform_free(&f);
         bspline_free(&b);
     }
 }

@@ -1,7 +1,7 @@
 /*
- * knottrial - from knots to a proven curve.
+ * knots_try - from knots to a proven curve.
  */
-#include "knottrial.h"
+#include "knots_try.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -15,9 +15,9 @@ static const double SLOWEST = 0.1;      /* of the mean speed */
 static const double NEAR = 0.1;         /* parts of the tolerance: feet to begin with */
 static const double COARSE = 1.05;      /* parts of the tolerance */
 
-static void aim(struct knottrials *t, size_t parts, size_t finer)
+static void aim(struct knots_trials *t, size_t parts, size_t finer)
 {
-    const struct freeknots_options *o = t->options;
+    const struct free_knots_options *o = t->options;
 
     target_free(&t->rough);
     target_free(&t->fine);
@@ -29,7 +29,7 @@ static void aim(struct knottrials *t, size_t parts, size_t finer)
     t->knot = mem_alloc(2 * t->rough.n + 32, sizeof *t->knot);
 }
 
-void knottrials_aim(struct knottrials *t, size_t parts, size_t poles)
+void knots_trials_aim(struct knots_trials *t, size_t parts, size_t poles)
 {
     if (t->rough.n > 0 && poles * ROUGH_PER_POLE <= t->parts)
         return;
@@ -39,14 +39,14 @@ void knottrials_aim(struct knottrials *t, size_t parts, size_t poles)
     aim(t, parts, FINER);
 }
 
-void knottrials_aim_few(struct knottrials *t, size_t poles)
+void knots_trials_aim_few(struct knots_trials *t, size_t poles)
 {
     size_t parts = FEW_PER_POLE * poles;
 
     aim(t, parts > FEW_LEAST ? parts : FEW_LEAST, FEW_FINER);
 }
 
-void knottrials_free(struct knottrials *t)
+void knots_trials_free(struct knots_trials *t)
 {
     attempt_free(&t->failed);
     attempt_free(&t->served);
@@ -92,19 +92,19 @@ static bool runs_on(const struct bspline *curve, const struct target *target)
 }
 
 /* True when the attempt, which is on `fine`, keeps the tolerance on its printed digits. */
-static bool prove(struct knottrials *t, struct attempt *attempt)
+static bool prove(struct knots_trials *t, struct attempt *attempt)
 {
-    const struct freeknots_options *o = t->options;
+    const struct free_knots_options *o = t->options;
     double goal = (1 - MARGIN) * o->tolerance;
 
     for (int i = 0; i < PROOFS && minimax_fit(&t->fine, goal, t->patience, attempt, &t->effort);
          i++) {
         struct bspline curve = bspline_copy(&attempt->curve);
-        struct proof proof = {INFINITY, INFINITY, INFINITY};
+        struct spline_bound proof = {INFINITY, INFINITY, INFINITY};
         t->effort -= (double)t->track->n;
-        if (proof_print(&curve))
-            proof_measure(&curve, t->track, RESOLUTION * o->tolerance, INFINITY, &proof);
-        if (proof_keeps(&proof, o->tolerance, o->angle) && runs_on(&curve, &t->fine)) {
+        if (spline_bound_print(&curve))
+            spline_bound_measure(&curve, t->track, RESOLUTION * o->tolerance, INFINITY, &proof);
+        if (spline_bound_keeps(&proof, o->tolerance, o->angle) && runs_on(&curve, &t->fine)) {
             bspline_free(&t->curve);
             t->curve = curve;
             t->proof = proof;
@@ -123,7 +123,7 @@ static bool prove(struct knottrials *t, struct attempt *attempt)
 }
 
 /* The attempt on `fine`, and back again. */
-static bool prove_fine(struct knottrials *t, struct attempt *attempt)
+static bool prove_fine(struct knots_trials *t, struct attempt *attempt)
 {
     struct attempt fine = attempt_onto(attempt, &t->rough, &t->fine);
     bool done = prove(t, &fine);
@@ -134,7 +134,7 @@ static bool prove_fine(struct knottrials *t, struct attempt *attempt)
     return done;
 }
 
-bool knottrial_serves(struct knottrials *t, struct attempt *attempt)
+bool knots_try_serves(struct knots_trials *t, struct attempt *attempt)
 {
     double goal = (1 - MARGIN) * t->options->tolerance;
     bool done =
@@ -149,21 +149,21 @@ bool knottrial_serves(struct knottrials *t, struct attempt *attempt)
     return done;
 }
 
-bool knottrial_from_knots(struct knottrials *t, size_t poles, const double *u)
+bool knots_try_from_knots(struct knots_trials *t, size_t poles, const double *u)
 {
     struct attempt attempt = {0};
     struct bspline form = {.degree = t->options->degree, .poles = poles};
 
     if (t->effort > 0 && attempt_start(&t->rough, &form, t->knot, u, &attempt))
-        return knottrial_serves(t, &attempt);
+        return knots_try_serves(t, &attempt);
     attempt_free(&attempt);
     return false;
 }
 
-bool knottrial_from_curve(struct knottrials *t, const struct bspline *before)
+bool knots_try_from_curve(struct knots_trials *t, const struct bspline *before)
 {
     const struct target *target = &t->rough;
-    struct attempt attempt = {bspline_copy(before), feet_new(target)};
+    struct attempt attempt = {bspline_copy(before), footpoints_new(target)};
     struct track places = *t->track;
     size_t last = before->poles - 1, end = places.n - 1;
 
@@ -175,16 +175,17 @@ bool knottrial_from_curve(struct knottrials *t, const struct bspline *before)
     }
     places.n = target->n;
     places.point = target->point;
-    bool done = proof_feet(&attempt.curve, &places, NEAR * target->tolerance, attempt.feet.u);
+    bool done =
+        spline_bound_feet(&attempt.curve, &places, NEAR * target->tolerance, attempt.feet.u);
     if (done && before->head != NULL)
         memcpy(attempt.feet.v, attempt.feet.u, target->n * sizeof *attempt.feet.u);
     if (done)
-        return knottrial_serves(t, &attempt);
+        return knots_try_serves(t, &attempt);
     attempt_free(&attempt);
     return false;
 }
 
-struct attempt knottrial_one_more(const struct knottrials *t, const struct attempt *from)
+struct attempt knots_try_one_more(const struct knots_trials *t, const struct attempt *from)
 {
     struct attempt more = attempt_copy(from, &t->rough);
     double u = more.feet.u[more.feet.where];
@@ -196,7 +197,7 @@ struct attempt knottrial_one_more(const struct knottrials *t, const struct attem
     return more;
 }
 
-bool knottrial_without(struct knottrials *t, const struct attempt *from, size_t j)
+bool knots_try_without(struct knots_trials *t, const struct attempt *from, size_t j)
 {
     const double *knot = from->curve.knot;
     size_t knots = from->curve.poles + (size_t)t->options->degree + 1;
@@ -205,7 +206,7 @@ bool knottrial_without(struct knottrials *t, const struct attempt *from, size_t 
     memcpy(u, from->feet.u, t->rough.n * sizeof *u);
     memcpy(t->knot, knot, j * sizeof *knot);
     memcpy(t->knot + j, knot + j + 1, (knots - j - 1) * sizeof *knot);
-    bool done = knottrial_from_knots(t, from->curve.poles - 1, u);
+    bool done = knots_try_from_knots(t, from->curve.poles - 1, u);
     free(u);
     return done;
 }

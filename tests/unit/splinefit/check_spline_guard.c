@@ -1,14 +1,14 @@
 /*
- * splineguard: curves over a sphere and up a wall, measured against them by their own formulas.
+ * spline_guard: curves over a sphere and up a wall, measured against them by their own formulas.
  */
 #include <check.h>
 #include <stdlib.h>
 
-#include "splinefit/splineguard.h"
+#include "splinefit/spline_guard.h"
 
 static const double BALL = 5, SPHERE = 30, STEEP = 70 * PI / 180;
 
-static const struct splineguard USUAL = {
+static const struct spline_guard USUAL = {
     .rule = {.radius = 5, .tolerance = 0.01, .centre = true},
     .fit = {.degree = 3, .params = -1, .knots = -1, .tolerance = 0.01, .angle = 0.02}};
 
@@ -22,7 +22,7 @@ static void add(struct run *run, struct vec3 ball, struct vec3 normal)
 }
 
 /* The deepest of the ball along all curves; how deep it is at a place, says `depth`. */
-static double deepest(const struct splinerun *pieces, double (*depth)(struct vec3 ball))
+static double deepest(const struct spline_run *pieces, double (*depth)(struct vec3 ball))
 {
     enum { PLACES = 4000 };
     double worst = -INFINITY;
@@ -52,8 +52,8 @@ START_TEST(points_too_low_are_lifted)
             *array_push(&points) = vec(x, y, sqrt(SPHERE * SPHERE - x * x - y * y));
         }
     for (int guarded = 0; guarded < 2; guarded++) {
-        struct splineguard guard = USUAL;
-        struct splinerun pieces = {0};
+        struct spline_guard guard = USUAL;
+        struct spline_run pieces = {0};
         struct run run = {.radius = BALL};
         for (int i = -40; i <= 40; i++) {
             double a = 0.3 * i / 40;
@@ -62,14 +62,14 @@ START_TEST(points_too_low_are_lifted)
         }
         struct gouge_check *sphere = gouge_from_points(points.item, points.n);
         guard.rule.guard = guarded ? sphere : NULL;
-        struct gouge_refit_result seen = splineguard_fit(&guard, &run, &pieces);
+        struct gouge_refit_result seen = spline_guard_fit(&guard, &run, &pieces);
         ck_assert(seen.deepest.depth == 0);
         ck_assert(guarded ? seen.lift > 0.02 && seen.lift < 0.06 : seen.lift == 0);
         double worst = deepest(&pieces, in_sphere);
         ck_assert(guarded ? worst < 0.0105 : worst > 0.02);
         ck_assert_uint_eq(pieces.n, 1);
         gouge_free(sphere);
-        splinerun_free(&pieces);
+        spline_run_free(&pieces);
         array_free(&run);
     }
     array_free(&points);
@@ -91,8 +91,8 @@ START_TEST(where_lifts_do_not_help_lines_do)
     struct vec3 up = vec(cos(STEEP), 0, sin(STEEP)), along = vec(1, 0, 0), side = vec(0, 1, 0);
     struct vec3 corner = vec(-BALL * (1 - cos(STEEP)) / sin(STEEP), 0, BALL);
     struct run run = {.radius = BALL};
-    struct splinerun pieces = {0};
-    struct splineguard guard = USUAL;
+    struct spline_run pieces = {0};
+    struct spline_guard guard = USUAL;
 
     for (int i = 0; i <= 150; i++)
         for (int k = -20; k <= 20; k++) {
@@ -106,10 +106,10 @@ START_TEST(where_lifts_do_not_help_lines_do)
         add(&run, vec_along(corner, 0.5 * i + 0.1, up), side);
 
     struct gouge_check *wall = gouge_from_points(points.item, points.n);
-    splineguard_fit(&guard, &run, &pieces);
+    spline_guard_fit(&guard, &run, &pieces);
     ck_assert_double_gt(deepest(&pieces, in_wall), 0.03);
     guard.rule.guard = wall;
-    struct gouge_refit_result seen = splineguard_fit(&guard, &run, &pieces);
+    struct gouge_refit_result seen = spline_guard_fit(&guard, &run, &pieces);
     ck_assert(seen.deepest.depth == 0);
     ck_assert_double_lt(deepest(&pieces, in_wall), 0.0105);
     ck_assert_uint_gt(pieces.n, 1);
@@ -117,7 +117,7 @@ START_TEST(where_lifts_do_not_help_lines_do)
     for (size_t k = 1; k < pieces.n; k++)
         ck_assert_uint_eq(pieces.item[k].from, pieces.item[k - 1].to);
     gouge_free(wall);
-    splinerun_free(&pieces);
+    spline_run_free(&pieces);
     array_free(&run);
     array_free(&points);
 }

@@ -1,7 +1,7 @@
 /*
- * knotstart - uniform knots, and knots by the density that the data asks for.
+ * knots_init - uniform knots, and knots by the density that the data asks for.
  */
-#include "knotstart.h"
+#include "knots_init.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -26,14 +26,14 @@ static double uniform(const struct target *target, int degree, size_t poles, siz
     return target->at[target->n - 1] * (double)(j - p) / (double)(poles - p);
 }
 
-void knotstart_uniform(const struct target *target, int degree, size_t poles, double *knot)
+void knots_init_uniform(const struct target *target, int degree, size_t poles, double *knot)
 {
     end_knots(target, degree, poles, knot);
     for (size_t j = (size_t)degree + 1; j < poles; j++)
         knot[j] = uniform(target, degree, poles, j);
 }
 
-void knotstart_mean(const struct target *target, int degree, size_t poles, double *knot)
+void knots_init_mean(const struct target *target, int degree, size_t poles, double *knot)
 {
     for (size_t j = (size_t)degree + 1; j < poles; j++)
         knot[j] = (knot[j] + uniform(target, degree, poles, j)) / 2;
@@ -49,7 +49,7 @@ static double jump_at(const struct bspline *b, size_t j)
     return vec_distance(d[b->degree], e[b->degree]);
 }
 
-double knotstart_missed(const struct bspline *curve, size_t j)
+double knots_init_missed(const struct bspline *curve, size_t j)
 {
     double before = curve->knot[j] - curve->knot[j - 1];
     double after = curve->knot[j + 1] - curve->knot[j], missed = jump_at(curve, j);
@@ -98,14 +98,14 @@ static void spread(const struct target *target, const struct bspline *fine, size
     free(sum);
 }
 
-bool knotstart_spread(const struct target *target, int degree, size_t poles, double *knot)
+bool knots_init_spread(const struct target *target, int degree, size_t poles, double *knot)
 {
     size_t more = 2 * poles + 8;
 
     if (more >= target->n)
         return false;
     struct bspline fine = bspline_new(degree, more, false);
-    knotstart_uniform(target, degree, more, fine.knot);
+    knots_init_uniform(target, degree, more, fine.knot);
     bool done = lsq_fit(&fine, target->at, target->point, NULL, target->n);
     if (done)
         spread(target, &fine, poles, knot);

@@ -13,11 +13,11 @@
 static struct attempt fitted(const struct target *target, int degree, size_t poles)
 {
     struct attempt a = trial_attempt(target, degree, poles, 1);
-    struct spanform s = spanform_new(&a.curve);
-    spanform_curve(&s, &a.curve);
+    struct ppform s = ppform_new(&a.curve);
+    ppform_curve(&s, &a.curve);
     for (int i = 0; i < 4; i++)
-        feet_follow(&s, target, &a.feet);
-    spanform_free(&s);
+        footpoints_follow(&s, target, &a.feet);
+    ppform_free(&s);
     return a;
 }
 
@@ -48,10 +48,10 @@ START_TEST(as_near_as_by_brute_force)
         struct trial_fit fit = trial_fit_new(200, 8, fixed, false, 80);
         struct target t = fit.target;
         struct attempt a = fit.attempt = fitted(&t, 3, 7);
-        size_t kinds = feet_kinds(&t);
+        size_t kinds = footpoints_kinds(&t);
         double worst = 0;
 
-        ck_assert_uint_eq(kinds, fixed ? 1 : FEET_KINDS);
+        ck_assert_uint_eq(kinds, fixed ? 1 : FOOTPOINT_KINDS);
         for (size_t k = 0; k < t.n; k++) {
             const double *off = &a.feet.off[k * kinds];
             ck_assert_double_eq_tol(off[0], least(&a, &t, k, false), 2e-4);
@@ -77,7 +77,7 @@ START_TEST(footholds)
     struct attempt a = fit.attempt = fitted(&fit.target, 4, 9);
 
     for (size_t k = 1; k + 1 < fit.target.n; k++) {
-        const struct foothold *s = &a.feet.point[k];
+        const struct footpoint *s = &a.feet.point[k];
         struct vec3 d[2];
         bspline_derivatives(&a.curve, a.curve.pole, s->u, 1, d);
         ck_assert_double_lt(vec_distance(vec_unit(d[1]), s->along), 1e-3);

@@ -1,7 +1,7 @@
 /*
- * pull - weights, and the chain rule for what hangs on the axis.
+ * residual - weights, and the chain rule for what hangs on the axis.
  */
-#include "pull.h"
+#include "residual.h"
 
 #include <string.h>
 
@@ -34,7 +34,7 @@ static struct norm norm_of(struct vec3 off, struct vec3 along, double part, int 
 }
 
 /* Adds  weight (I - tt' + more dd')  to the first rows and columns. */
-static void add_plain(const struct norm *n, struct pull *f)
+static void add_plain(const struct norm *n, struct residual *f)
 {
     double t[3] = {n->t.x, n->t.y, n->t.z}, d[3] = {n->d.x, n->d.y, n->d.z};
     double off[3] = {n->off.x, n->off.y, n->off.z};
@@ -51,7 +51,7 @@ static void add_plain(const struct norm *n, struct pull *f)
  * With N the plain form:  A'NA = whole^2 N - whole (NB + BN) + BNB,  B'NA = whole BN - BNB.
  */
 static void add_turned(const struct norm *n, double whole, double part, struct vec3 axis,
-                       struct pull *f)
+                       struct residual *f)
 {
     struct vec3 ta = vec_reject(n->t, axis), da = vec_reject(n->d, axis);
     struct vec3 ga = vec_reject(n->off, axis);
@@ -69,16 +69,16 @@ static void add_turned(const struct norm *n, double whole, double part, struct v
             double bn = part * (across - tb[i] * t[j] + more * db[i] * d[j]);
             double nb = part * (across - t[i] * tb[j] + more * d[i] * db[j]);
             double bnb = part * part * (across - tb[i] * tb[j] + more * db[i] * db[j]);
-            f->w[pull_at(i + 3, j)] += weight * (whole * bn - bnb);
+            f->w[residual_at(i + 3, j)] += weight * (whole * bn - bnb);
             if (j > i)
                 continue;
-            f->w[pull_at(i, j)] += weight * (whole * whole * plain - whole * (nb + bn) + bnb);
-            f->w[pull_at(i + 3, j + 3)] += weight * bnb;
+            f->w[residual_at(i, j)] += weight * (whole * whole * plain - whole * (nb + bn) + bnb);
+            f->w[residual_at(i + 3, j + 3)] += weight * bnb;
         }
     }
 }
 
-static void add_length(const struct foothold *s, struct pull *f)
+static void add_length(const struct footpoint *s, struct residual *f)
 {
     double a[3] = {s->axis.x, s->axis.y, s->axis.z}, off = HOLD * (s->reach - TRACK_LENGTH);
 
@@ -87,17 +87,17 @@ static void add_length(const struct foothold *s, struct pull *f)
         f->g[i + 3] += off * a[i];
         for (int j = 0; j < 3; j++) {
             double w = HOLD * a[i] * a[j];
-            f->w[pull_at(i + 3, j)] -= w;
+            f->w[residual_at(i + 3, j)] -= w;
             if (j > i)
                 continue;
-            f->w[pull_at(i, j)] += w;
-            f->w[pull_at(i + 3, j + 3)] += w;
+            f->w[residual_at(i, j)] += w;
+            f->w[residual_at(i + 3, j + 3)] += w;
         }
     }
 }
 
-static void add_axis(const struct target *target, size_t k, const struct foothold *s, double part,
-                     int power, struct pull *f)
+static void add_axis(const struct target *target, size_t k, const struct footpoint *s, double part,
+                     int power, struct residual *f)
 {
     double scale = target->tolerance / target->angle;
     struct vec3 off = vec_scale(scale, vec_sub(s->axis, target->axis[k]));
@@ -107,11 +107,11 @@ static void add_axis(const struct target *target, size_t k, const struct foothol
     add_length(s, f);
 }
 
-void pull_of(const struct target *target, const struct feet *feet, size_t k, bool other, int power,
-             struct pull *pull)
+void residual_of(const struct target *target, const struct footpoints *feet, size_t k, bool other,
+                 int power, struct residual *pull)
 {
-    const struct foothold *s = other ? &feet->other[k] : &feet->point[k];
-    const double *off = &feet->off[k * feet_kinds(target)];
+    const struct footpoint *s = other ? &feet->other[k] : &feet->point[k];
+    const double *off = &feet->off[k * footpoints_kinds(target)];
     struct norm n = norm_of(s->off, s->along, off[other] / feet->worst, power);
 
     memset(pull, 0, sizeof *pull);

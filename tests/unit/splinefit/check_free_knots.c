@@ -1,12 +1,12 @@
 /*
- * freeknots: what is found keeps the tolerance by brute force and takes no more poles than are
+ * free_knots: what is found keeps the tolerance by brute force and takes no more poles than are
  * known to do; curves that are hard come to an end and are never wrongly said to be within.
  */
 #include <check.h>
 #include <stdlib.h>
 
 #include "base/array.h"
-#include "splinefit/freeknots.h"
+#include "splinefit/free_knots.h"
 #include "trial.h"
 
 static void add(struct run *run, double x, double y, double z)
@@ -33,18 +33,18 @@ static double brute_force(const struct bspline *b, const struct track *t)
     return worst;
 }
 
-static const struct freeknots_options USUAL = {.degree = 3, .tolerance = 0.01, .angle = 0.02};
+static const struct free_knots_options USUAL = {.degree = 3, .tolerance = 0.01, .angle = 0.02};
 
 /* Poles of a run with the usual options (0: none found); checked by brute force. */
-static size_t poles_of(struct run *run, const struct freeknots_options *options)
+static size_t poles_of(struct run *run, const struct free_knots_options *options)
 {
     struct track t = track_new(run, false);
     struct bspline curve;
-    struct proof proof;
+    struct spline_bound proof;
     size_t poles = 0;
     bool cut;
 
-    if (freeknots_search(&t, options, &curve, &proof, &cut)) {
+    if (free_knots_search(&t, options, &curve, &proof, &cut)) {
         poles = curve.poles;
         ck_assert_int_eq(curve.degree, options->degree);
         ck_assert_double_le(proof.point, options->tolerance);
@@ -69,7 +69,7 @@ START_TEST(a_spline_is_found_again)
                           {30, 15, 2}, {50, 10, -4}, {60, 0, 0}};
     struct bspline b = {.degree = 3, .poles = 6, .knot = knot, .pole = pole};
     struct run run = {.radius = 4};
-    struct freeknots_options o = USUAL;
+    struct free_knots_options o = USUAL;
 
     for (int k = 0; k <= 600; k++) {
         struct vec3 p = bspline_at(&b, pole, (double)k * k / 360000);
@@ -86,7 +86,7 @@ START_TEST(half_a_circle)
 {
     for (int degree = 2; degree <= 5; degree++) {
         struct run run = {.radius = 4};
-        struct freeknots_options o = USUAL;
+        struct free_knots_options o = USUAL;
 
         o.degree = degree;
         for (int k = 0; k <= 900; k++)
@@ -185,19 +185,19 @@ START_TEST(a_curve_moves_with_its_data)
         struct run run = noisy_wave(0, 0, 0.2 * turns), moved = noisy_wave(0, 0.03, 0.2 * turns);
         struct track t = track_new(&run, true), u = track_new(&moved, true);
         struct bspline before, curve;
-        struct proof proof;
+        struct spline_bound proof;
         bool cut;
 
-        ck_assert(freeknots_search(&t, &USUAL, &before, &proof, &cut));
+        ck_assert(free_knots_search(&t, &USUAL, &before, &proof, &cut));
         ck_assert_double_gt(trial_brute_force(&before, &u, false), 0.02);
-        ck_assert(freeknots_again(&u, &USUAL, &before, &curve, &proof));
+        ck_assert(free_knots_again(&u, &USUAL, &before, &curve, &proof));
         ck_assert_double_le(trial_brute_force(&curve, &u, false), 0.01);
         ck_assert_double_le(trial_brute_force(&curve, &u, true), 0.01);
         ck_assert_uint_ge(curve.poles, before.poles);
         ck_assert_uint_le(curve.poles, before.poles + before.poles / 16 + 2);
         bspline_free(&curve);
         struct bspline line = track_straight(&t); /* too far off, and not of this degree */
-        ck_assert(!freeknots_again(&u, &USUAL, &line, &curve, &proof));
+        ck_assert(!free_knots_again(&u, &USUAL, &line, &curve, &proof));
         bspline_free(&line);
         bspline_free(&before);
         track_free(&t);
@@ -213,13 +213,13 @@ START_TEST(uneven_data_takes_fewer_than_is_known)
 {
     struct run run = noisy_wave(0.024, 0, 0.2);
     struct track t = track_new(&run, true);
-    struct freeknots_options o = USUAL;
+    struct free_knots_options o = USUAL;
     struct bspline curve;
-    struct proof proof;
+    struct spline_bound proof;
     bool cut;
 
     o.known = 200;
-    ck_assert(freeknots_search(&t, &o, &curve, &proof, &cut));
+    ck_assert(free_knots_search(&t, &o, &curve, &proof, &cut));
     ck_assert_uint_lt(curve.poles, 190);
     ck_assert_uint_gt(curve.poles, 20);
     ck_assert_double_le(trial_brute_force(&curve, &t, false), 0.01);

@@ -1,15 +1,15 @@
 /*
- * spanform - a B-spline as one polynomial for each span, and how it moves with its knots.
+ * ppform - a B-spline as one polynomial for each span, and how it moves with its knots.
  *
  * The polynomials are in s, from -1 at the span's start to 1 at its end.  A value has 3 components,
  * those of the point, or 6 with the head's behind them.
  */
-#ifndef CLOUDMILL_SPANFORM_H
-#define CLOUDMILL_SPANFORM_H
+#ifndef CLOUDMILL_PPFORM_H
+#define CLOUDMILL_PPFORM_H
 
 #include "curve/bspline.h"
 
-struct spanform {
+struct ppform {
     int degree, width; /* width: components, 3 or 6 */
     size_t spans;
     const double *knot; /* of the curve: span i is from knot[degree + i] to knot[degree + i + 1] */
@@ -19,11 +19,11 @@ struct spanform {
 };
 
 /* For a curve of so many poles, still without values. */
-struct spanform spanform_new(const struct bspline *curve);
-void spanform_free(struct spanform *form);
+struct ppform ppform_new(const struct bspline *curve);
+void ppform_free(struct ppform *form);
 
 /* Fills `curve` alone from knots and poles; no span may be empty. */
-void spanform_curve(struct spanform *form, const struct bspline *b);
+void ppform_curve(struct ppform *form, const struct bspline *b);
 
 /*
  * Fills `basis` and `slope`, the derivatives of the curve by the knots i + 1 .. i + 2 degree that
@@ -31,17 +31,17 @@ void spanform_curve(struct spanform *form, const struct bspline *b);
  * N^ are the basis functions of the knots with t_j doubled.  (The divided difference whose
  * derivative by a node is the one with that node doubled.)
  */
-void spanform_slopes(struct spanform *form, const struct bspline *b);
+void ppform_slopes(struct ppform *form, const struct bspline *b);
 
 /* The span of u, looked for from the span `near`. */
-size_t spanform_span(const struct spanform *form, size_t near, double u);
+size_t ppform_span(const struct ppform *form, size_t near, double u);
 
 /* Half of its length, and the s of u in it. */
-double spanform_half(const struct spanform *form, size_t span);
-double spanform_place(const struct spanform *form, size_t span, double u);
+double ppform_half(const struct ppform *form, size_t span);
+double ppform_place(const struct ppform *form, size_t span, double u);
 
 /* Value, first and second derivative at u in the span, each of `width` components. */
-void spanform_at(const struct spanform *form, size_t span, double u, double *value, double *first,
-                 double *second);
+void ppform_at(const struct ppform *form, size_t span, double u, double *value, double *first,
+               double *second);
 
 #endif

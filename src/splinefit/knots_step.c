@@ -1,13 +1,13 @@
 /*
- * knotstep - banded normal equations, summed up span by span.
+ * knots_step - banded normal equations, summed up span by span.
  */
-#include "knotstep.h"
+#include "knots_step.h"
 
 #include <stdlib.h>
 #include <string.h>
 
 #include "base/array.h"
-#include "moments.h"
+#include "span_moments.h"
 
 enum { ORDER = BSPLINE_DEGREE_MAX + 1, SLOPES = 2 * BSPLINE_DEGREE_MAX };
 
@@ -24,9 +24,9 @@ static size_t band_of(size_t p, size_t width, size_t early)
     return knots > behind ? knots : behind;
 }
 
-struct knotstep knotstep_new(const struct bspline *curve)
+struct knots_step knots_step_new(const struct bspline *curve)
 {
-    struct knotstep s = {0};
+    struct knots_step s = {0};
     size_t p = (size_t)curve->degree, width = curve->head != NULL ? 6 : 3, at = 0;
     size_t early = (p + 1) / 2; /* a knot stands among the poles behind the one in its middle */
 
@@ -46,12 +46,12 @@ struct knotstep knotstep_new(const struct bspline *curve)
     s.right = mem_alloc(at, sizeof *s.right);
     s.step = mem_alloc(at, sizeof *s.step);
     s.scale = mem_alloc(at, sizeof *s.scale);
-    s.moments =
-        mem_alloc((curve->poles - p) * moments_size(curve->degree, (int)width), sizeof *s.moments);
+    s.moments = mem_alloc((curve->poles - p) * span_moments_size(curve->degree, (int)width),
+                          sizeof *s.moments);
     return s;
 }
 
-void knotstep_free(struct knotstep *s)
+void knots_step_free(struct knots_step *s)
 {
     free(s->pole);
     free(s->knot);
@@ -61,30 +61,30 @@ void knotstep_free(struct knotstep *s)
     free(s->step);
     free(s->scale);
     free(s->moments);
-    *s = (struct knotstep){0};
+    *s = (struct knots_step){0};
 }
 
 /* All places' pulls, each into its span. */
-static void sum_moments(struct knotstep *s, const struct spanform *form,
-                        const struct target *target, const struct feet *feet, int power)
+static void sum_moments(struct knots_step *s, const struct ppform *form,
+                        const struct target *target, const struct footpoints *feet, int power)
 {
     int degree = form->degree, width = form->width;
-    size_t size = moments_size(degree, width);
-    struct pull pull;
+    size_t size = span_moments_size(degree, width);
+    struct residual pull;
 
     memset(s->moments, 0, form->spans * size * sizeof *s->moments);
     for (size_t k = 1; k + 1 < target->n; k++)
         for (int other = 0; other <= (target->axis != NULL); other++) {
-            const struct foothold *at = other ? &feet->other[k] : &feet->point[k];
-            pull_of(target, feet, k, other, power, &pull);
-            moments_add(&s->moments[at->span * size], degree, width,
-                        spanform_place(form, at->span, at->u), &pull);
+            const struct footpoint *at = other ? &feet->other[k] : &feet->point[k];
+            residual_of(target, feet, k, other, power, &pull);
+            span_moments_add(&s->moments[at->span * size], degree, width,
+                             ppform_place(form, at->span, at->u), &pull);
         }
 }
 
 /* One span while its part of the equations is added. */
 struct part {
-    const struct spanform *form;
+    const struct ppform *form;
     const double *moments;
     size_t span, poles;
 };
@@ -103,14 +103,15 @@ static double product(int n, const double *a, const double *b)
     return sum;
 }
 
-/* Elements of pole i of the span with the poles up to it; t: its moments (moments_of_basis). */
-static void add_poles(struct knotstep *s, const struct part *part, size_t i, const double *t)
+/* Elements of pole i of the span with the poles up to it; t: its moments (span_moments_of_basis).
+ */
+static void add_poles(struct knots_step *s, const struct part *part, size_t i, const double *t)
 {
     size_t width = (size_t)part->form->width, order = (size_t)part->form->degree + 1;
     const double *basis = &part->form->basis[part->span * order * order];
 
     for (size_t j = 0; j <= i; j++) {
-        double sum[PULL_WIDTH * PULL_WIDTH] = {0};
+        double sum[RESIDUAL_WIDTH * RESIDUAL_WIDTH] = {0};
         if (!is_inner(part, j))
             continue;
         for (size_t l = 0; l < order; l++)
@@ -136,7 +137,7 @@ struct slopes {
     const double *c[SLOPES];
 };
 
-static struct slopes span_slopes(const struct knotstep *s, const struct part *part)
+static struct slopes span_slopes(const struct knots_step *s, const struct part *part)
 {
     size_t p = (size_t)part->form->degree, room = (p + 1) * (size_t)part->form->width;
     struct slopes slopes = {0};
@@ -152,14 +153,14 @@ static struct slopes span_slopes(const struct knotstep *s, const struct part *pa
 }
 
 /* Elements of a pole with the knots. */
-static void add_pole_knots(struct knotstep *s, const struct part *part, size_t i, const double *t,
+static void add_pole_knots(struct knots_step *s, const struct part *part, size_t i, const double *t,
                            const struct slopes *slopes)
 {
     int width = part->form->width, order = part->form->degree + 1;
     size_t first = s->pole[part->span + i];
 
     for (int q = 0; q < slopes->n; q++) {
-        double sum[PULL_WIDTH] = {0};
+        double sum[RESIDUAL_WIDTH] = {0};
         for (int l = 0; l < order; l++)
             for (int v = 0; v < width; v++)
                 sum[v] += product(width, &t[(l * width + v) * width], &slopes->c[q][l * width]);
@@ -168,34 +169,34 @@ static void add_pole_knots(struct knotstep *s, const struct part *part, size_t i
     }
 }
 
-static void add_knots(struct knotstep *s, const struct part *part, const struct slopes *slopes)
+static void add_knots(struct knots_step *s, const struct part *part, const struct slopes *slopes)
 {
     int degree = part->form->degree, width = part->form->width, room = (degree + 1) * width;
-    double y[ORDER * PULL_WIDTH];
+    double y[ORDER * RESIDUAL_WIDTH];
 
     for (int q = 0; q < slopes->n; q++) {
-        moments_times(part->moments, degree, width, slopes->c[q], y);
+        span_moments_times(part->moments, degree, width, slopes->c[q], y);
         for (int r = 0; r <= q; r++)
             add_element(&s->normal, slopes->unknown[q], slopes->unknown[r],
                         product(room, slopes->c[r], y));
         s->right[slopes->unknown[q]] -=
-            product(room, slopes->c[q], moments_right(part->moments, degree, width));
+            product(room, slopes->c[q], span_moments_right(part->moments, degree, width));
     }
 }
 
-static void add_span(struct knotstep *s, const struct part *part)
+static void add_span(struct knots_step *s, const struct part *part)
 {
     int degree = part->form->degree, width = part->form->width;
     size_t order = (size_t)degree + 1;
     struct slopes slopes = span_slopes(s, part);
-    const double *right = moments_right(part->moments, degree, width);
-    double t[ORDER * PULL_WIDTH * PULL_WIDTH];
+    const double *right = span_moments_right(part->moments, degree, width);
+    double t[ORDER * RESIDUAL_WIDTH * RESIDUAL_WIDTH];
 
     for (size_t i = 0; i < order; i++) {
         const double *basis = &part->form->basis[(part->span * order + i) * order];
         if (!is_inner(part, i))
             continue;
-        moments_of_basis(part->moments, degree, width, basis, t);
+        span_moments_of_basis(part->moments, degree, width, basis, t);
         add_poles(s, part, i, t);
         add_pole_knots(s, part, i, t, &slopes);
         for (size_t k = 0; k < order; k++)
@@ -206,7 +207,7 @@ static void add_span(struct knotstep *s, const struct part *part)
 }
 
 /* A pole is damped by the mean of its diagonal elements: none of them may be near zero. */
-static void fill_scale(struct knotstep *s, const struct spanform *form, size_t poles)
+static void fill_scale(struct knots_step *s, const struct ppform *form, size_t poles)
 {
     size_t width = (size_t)form->width;
 
@@ -219,17 +220,17 @@ static void fill_scale(struct knotstep *s, const struct spanform *form, size_t p
         }
 }
 
-static void clear(struct knotstep *s)
+static void clear(struct knots_step *s)
 {
     memset(s->normal.item, 0, s->unknowns * (s->normal.width + 1) * sizeof(double));
     memset(s->right, 0, s->unknowns * sizeof(double));
 }
 
-void knotstep_equations(struct knotstep *s, const struct spanform *form,
-                        const struct target *target, const struct feet *feet, int power)
+void knots_step_equations(struct knots_step *s, const struct ppform *form,
+                          const struct target *target, const struct footpoints *feet, int power)
 {
     size_t poles = form->spans + (size_t)form->degree;
-    size_t size = moments_size(form->degree, form->width);
+    size_t size = span_moments_size(form->degree, form->width);
 
     clear(s);
     sum_moments(s, form, target, feet, power);
@@ -240,7 +241,7 @@ void knotstep_equations(struct knotstep *s, const struct spanform *form,
     fill_scale(s, form, poles);
 }
 
-static bool solve(struct knotstep *s, double damping)
+static bool solve(struct knots_step *s, double damping)
 {
     memcpy(s->factor.item, s->normal.item, s->unknowns * (s->normal.width + 1) * sizeof(double));
     for (size_t i = 0; i < s->unknowns; i++)
@@ -257,8 +258,8 @@ static struct vec3 moved(struct vec3 p, const double *step)
     return vec_add(p, vec(step[0], step[1], step[2]));
 }
 
-bool knotstep_move(struct knotstep *s, double damping, double nearest, const struct bspline *from,
-                   struct bspline *to)
+bool knots_step_move(struct knots_step *s, double damping, double nearest,
+                     const struct bspline *from, struct bspline *to)
 {
     size_t p = (size_t)from->degree;
 

@@ -1,12 +1,12 @@
 /*
- * knotstep, and the pulls and moments that it is made of: the equations are the derivatives, by
+ * knots_step, and the pulls and moments that it is made of: the equations are the derivatives, by
  * differences, of the sum that is to become small; a step makes that smaller.
  */
 #include <check.h>
 #include <stdlib.h>
 
 #include "base/array.h"
-#include "splinefit/knotstep.h"
+#include "splinefit/knots_step.h"
 #include "splinefit/minimax.h"
 #include "trial.h"
 
@@ -15,7 +15,7 @@ enum { POLES = 8 };
 /* A curve near to a motion, and what its equations are about. */
 struct setting {
     struct trial_fit fit;
-    struct spanform form;
+    struct ppform form;
 };
 
 static struct setting setting_new(int degree, bool fixed, double radius)
@@ -23,16 +23,16 @@ static struct setting setting_new(int degree, bool fixed, double radius)
     struct setting s = {.fit = trial_fit_new(120, radius, fixed, false, 60)};
 
     s.fit.attempt = trial_attempt(&s.fit.target, degree, POLES, 1.1);
-    s.form = spanform_new(&s.fit.attempt.curve);
-    spanform_curve(&s.form, &s.fit.attempt.curve);
+    s.form = ppform_new(&s.fit.attempt.curve);
+    ppform_curve(&s.form, &s.fit.attempt.curve);
     for (int i = 0; i < 6; i++)
-        feet_follow(&s.form, &s.fit.target, &s.fit.attempt.feet);
+        footpoints_follow(&s.form, &s.fit.target, &s.fit.attempt.feet);
     return s;
 }
 
 static void setting_free(struct setting *s)
 {
-    spanform_free(&s->form);
+    ppform_free(&s->form);
     trial_fit_free(&s->fit);
 }
 
@@ -40,12 +40,12 @@ static void setting_free(struct setting *s)
  * nothing: after feet were followed anew on the curve as it now is. */
 static double half_sum(struct setting *s)
 {
-    size_t kinds = feet_kinds(&s->fit.target);
+    size_t kinds = footpoints_kinds(&s->fit.target);
     double sum = 0;
 
-    spanform_curve(&s->form, &s->fit.attempt.curve);
+    ppform_curve(&s->form, &s->fit.attempt.curve);
     for (int i = 0; i < 4; i++)
-        feet_follow(&s->form, &s->fit.target, &s->fit.attempt.feet);
+        footpoints_follow(&s->form, &s->fit.target, &s->fit.attempt.feet);
     for (size_t i = kinds; i < (s->fit.target.n - 1) * kinds; i++)
         sum += s->fit.attempt.feet.off[i] * s->fit.attempt.feet.off[i] / 2;
     return sum;
@@ -72,12 +72,12 @@ START_TEST(the_right_hand_side_is_the_slope)
         for (int fixed = 0; fixed < 2; fixed++) {
             struct setting s = setting_new(degree, fixed, 8);
             struct bspline *b = &s.fit.attempt.curve;
-            struct knotstep step = knotstep_new(b);
+            struct knots_step step = knots_step_new(b);
             double largest = 0;
 
             half_sum(&s);
-            spanform_slopes(&s.form, b);
-            knotstep_equations(&step, &s.form, &s.fit.target, &s.fit.attempt.feet, 2);
+            ppform_slopes(&s.form, b);
+            knots_step_equations(&step, &s.form, &s.fit.target, &s.fit.attempt.feet, 2);
             for (size_t i = 0; i < step.unknowns; i++)
                 largest = fmax(largest, fabs(step.right[i]));
             for (size_t i = 1; i + 1 < b->poles; i++) {
@@ -91,7 +91,7 @@ START_TEST(the_right_hand_side_is_the_slope)
             for (size_t j = (size_t)degree + 1; j < b->poles; j++)
                 ck_assert_double_eq_tol(-step.right[step.knot[j]], slope_by(&s, &b->knot[j], 1e-4),
                                         2e-3 * largest);
-            knotstep_free(&step);
+            knots_step_free(&step);
             setting_free(&s);
         }
 }
@@ -102,14 +102,14 @@ START_TEST(steps_go_down)
 {
     for (int fixed = 0; fixed < 2; fixed++) {
         struct setting s = setting_new(3, fixed, 8);
-        struct knotstep step = knotstep_new(&s.fit.attempt.curve);
+        struct knots_step step = knots_step_new(&s.fit.attempt.curve);
         double first = half_sum(&s), before = first;
 
         for (int i = 0; i < 12; i++) {
             struct bspline to = bspline_copy(&s.fit.attempt.curve);
-            spanform_slopes(&s.form, &s.fit.attempt.curve);
-            knotstep_equations(&step, &s.form, &s.fit.target, &s.fit.attempt.feet, 2);
-            ck_assert(knotstep_move(&step, 0.05, 0.01, &s.fit.attempt.curve, &to));
+            ppform_slopes(&s.form, &s.fit.attempt.curve);
+            knots_step_equations(&step, &s.form, &s.fit.target, &s.fit.attempt.feet, 2);
+            ck_assert(knots_step_move(&step, 0.05, 0.01, &s.fit.attempt.curve, &to));
             bspline_free(&s.fit.attempt.curve);
             s.fit.attempt.curve = to;
             double after = half_sum(&s);
@@ -117,7 +117,7 @@ START_TEST(steps_go_down)
             before = after;
         }
         ck_assert_double_lt(before, 0.7 * first);
-        knotstep_free(&step);
+        knots_step_free(&step);
         setting_free(&s);
     }
 }

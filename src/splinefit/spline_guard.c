@@ -1,17 +1,17 @@
-/* splineguard - see splineguard.h. */
-#include "splinefit/splineguard.h"
+/* spline_guard - see spline_guard.h. */
+#include "splinefit/spline_guard.h"
 
 #include <stdlib.h>
 
 enum { ROUNDS = 6 }; /* of straight lines put in */
 
 struct work {
-    const struct splineguard *guard;
-    struct splinerun *pieces;
+    const struct spline_guard *guard;
+    struct spline_run *pieces;
 };
 
-static void look(const struct splineguard *guard, const struct run *run,
-                 const struct splinerun_piece *piece, struct gouges *deeps)
+static void look(const struct spline_guard *guard, const struct run *run,
+                 const struct spline_run_piece *piece, struct gouges *deeps)
 {
     const struct run_point *from = &run->item[piece->from];
     struct pose pose = {guard->rule.centre ? from->ball : from->tip, from->axis};
@@ -24,18 +24,18 @@ static void look(const struct splineguard *guard, const struct run *run,
 static void fit(void *context, const struct run *run, struct gouges *deeps)
 {
     struct work *work = context;
-    const struct splineguard *g = work->guard;
+    const struct spline_guard *g = work->guard;
 
     if (work->pieces->n == 0)
-        splinerun_fit(run, g->rule.centre, g->paper, &g->fit, work->pieces);
+        spline_run_fit(run, g->rule.centre, g->paper, &g->fit, work->pieces);
     else
-        splinerun_refit(run, g->rule.centre, g->paper, &g->fit, work->pieces);
+        spline_run_refit(run, g->rule.centre, g->paper, &g->fit, work->pieces);
     for (size_t k = 0; g->rule.guard && k < work->pieces->n; k++)
         look(g, run, &work->pieces->item[k], deeps);
 }
 
 /* The interval of the piece, told by its first point, over which the place is the least detour. */
-static size_t interval_at(const struct run *run, const struct splinerun_piece *piece,
+static size_t interval_at(const struct run *run, const struct spline_run_piece *piece,
                           struct vec3 place)
 {
     double least = HUGE_VAL;
@@ -56,19 +56,19 @@ static size_t interval_at(const struct run *run, const struct splinerun_piece *p
  * False when there was none. */
 static bool straighten(const struct work *work, const struct run *run)
 {
-    const struct splineguard *g = work->guard;
+    const struct spline_guard *g = work->guard;
     struct gouges deeps = {0};
     bool done = false;
 
     for (size_t k = work->pieces->n; k-- > 0;) { /* what is parted, grows behind */
-        const struct splinerun_piece *piece = &work->pieces->item[k];
+        const struct spline_run_piece *piece = &work->pieces->item[k];
         deeps.n = 0;
         look(g, run, piece, &deeps);
         struct gouge deepest = gouge_refit_beyond(&g->rule, &deeps);
         if (deepest.depth == 0 || piece->to == piece->from + 1)
             continue;
-        splinerun_part(run, g->rule.centre, &g->fit, k, interval_at(run, piece, deepest.ball),
-                       work->pieces);
+        spline_run_part(run, g->rule.centre, &g->fit, k, interval_at(run, piece, deepest.ball),
+                        work->pieces);
         done = true;
     }
     array_free(&deeps);
@@ -87,12 +87,12 @@ static struct gouge_refit_result fit_once(struct work *work, const struct run *r
     return result;
 }
 
-struct gouge_refit_result splineguard_fit(const struct splineguard *guard, struct run *run,
-                                          struct splinerun *pieces)
+struct gouge_refit_result spline_guard_fit(const struct spline_guard *guard, struct run *run,
+                                           struct spline_run *pieces)
 {
     struct work work = {guard, pieces};
 
-    splinerun_free(pieces);
+    spline_run_free(pieces);
     if (guard->paper)
         return fit_once(&work, run);
     struct gouge_refit_result result = gouge_refit_fit(&guard->rule, run, fit, &work);

@@ -1,7 +1,7 @@
 /*
- * spanform - Taylor's polynomials at the middle of each span.
+ * ppform - Taylor's polynomials at the middle of each span.
  */
-#include "spanform.h"
+#include "ppform.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -10,9 +10,9 @@
 
 enum { ORDER_MAX = BSPLINE_DEGREE_MAX + 1, KNOTS_MAX = 3 * ORDER_MAX };
 
-struct spanform spanform_new(const struct bspline *curve)
+struct ppform ppform_new(const struct bspline *curve)
 {
-    struct spanform f = {.degree = curve->degree, .width = curve->head != NULL ? 6 : 3};
+    struct ppform f = {.degree = curve->degree, .width = curve->head != NULL ? 6 : 3};
     size_t order = (size_t)f.degree + 1, width = (size_t)f.width;
 
     f.spans = curve->poles - (size_t)f.degree;
@@ -22,12 +22,12 @@ struct spanform spanform_new(const struct bspline *curve)
     return f;
 }
 
-void spanform_free(struct spanform *form)
+void ppform_free(struct ppform *form)
 {
     free(form->curve);
     free(form->basis);
     free(form->slope);
-    *form = (struct spanform){0};
+    *form = (struct ppform){0};
 }
 
 /* Adds  factor (sign s + shift) from[]  to the polynomial to[], from of `n` coefficients. */
@@ -86,7 +86,7 @@ static void pole_values(const struct bspline *b, size_t i, double value[6])
     value[5] = h.z;
 }
 
-void spanform_curve(struct spanform *form, const struct bspline *b)
+void ppform_curve(struct ppform *form, const struct bspline *b)
 {
     int order = form->degree + 1;
     size_t room = (size_t)(order * form->width), square = (size_t)(order * order);
@@ -116,7 +116,7 @@ static void pole_slope(const struct bspline *b, size_t i, double value[6])
 }
 
 /* The derivative by knot j in a span whose first knot is knot `at`. */
-static void knot_slope(const struct spanform *form, const struct bspline *b, size_t at, size_t j,
+static void knot_slope(const struct ppform *form, const struct bspline *b, size_t at, size_t j,
                        double *slope)
 {
     int order = form->degree + 1;
@@ -145,7 +145,7 @@ static void knot_slope(const struct spanform *form, const struct bspline *b, siz
     }
 }
 
-void spanform_slopes(struct spanform *form, const struct bspline *b)
+void ppform_slopes(struct ppform *form, const struct bspline *b)
 {
     size_t p = (size_t)form->degree, room = (p + 1) * (size_t)form->width;
 
@@ -157,19 +157,19 @@ void spanform_slopes(struct spanform *form, const struct bspline *b)
         }
 }
 
-double spanform_half(const struct spanform *form, size_t span)
+double ppform_half(const struct ppform *form, size_t span)
 {
     const double *from = &form->knot[(size_t)form->degree + span];
     return (from[1] - from[0]) / 2;
 }
 
-double spanform_place(const struct spanform *form, size_t span, double u)
+double ppform_place(const struct ppform *form, size_t span, double u)
 {
     const double *from = &form->knot[(size_t)form->degree + span];
     return (2 * u - from[0] - from[1]) / (from[1] - from[0]);
 }
 
-size_t spanform_span(const struct spanform *form, size_t near, double u)
+size_t ppform_span(const struct ppform *form, size_t near, double u)
 {
     const double *knot = &form->knot[form->degree];
 
@@ -196,8 +196,8 @@ static inline void horner(const double *c, int degree, int width, double s, doub
         }
 }
 
-void spanform_at(const struct spanform *form, size_t span, double u, double *value, double *first,
-                 double *second)
+void ppform_at(const struct ppform *form, size_t span, double u, double *value, double *first,
+               double *second)
 {
     const double *from = &form->knot[(size_t)form->degree + span];
     double by = 2 / (from[1] - from[0]), s = (u - from[0]) * by - 1;

@@ -9,7 +9,7 @@
 #include "splinefit/knots.h"
 #include "base/num.h"
 #include "splinefit/params.h"
-#include "splinefit/proof.h"
+#include "splinefit/spline_bound.h"
 #include "trial.h"
 
 static bool printed(double x)
@@ -25,7 +25,7 @@ static struct bspline fitted(const struct track *t, size_t poles)
     params_fill(PARAMS_CHORD, t->chord, t->n, u);
     knots_fill(KNOTS_AVERAGE, u, t->n, 3, poles, b.knot);
     ck_assert(lsq_fit(&b, u, t->point, t->head, t->n));
-    ck_assert(proof_print(&b));
+    ck_assert(spline_bound_print(&b));
     free(u);
     return b;
 }
@@ -36,17 +36,17 @@ START_TEST(never_below_the_truth)
         struct run run = trial_motion(60 + 10 * (size_t)turn, 8);
         struct track t = track_new(&run, turn % 2 == 1);
         struct bspline b = fitted(&t, 5 + (size_t)turn);
-        struct proof proof;
+        struct spline_bound proof;
 
-        proof_measure(&b, &t, 1e-4, INFINITY, &proof);
+        spline_bound_measure(&b, &t, 1e-4, INFINITY, &proof);
         double point = trial_brute_force(&b, &t, false), other = trial_brute_force(&b, &t, true);
         ck_assert_double_ge(proof.point, point - 2e-5); /* the brute force has chords of its own */
         ck_assert_double_le(proof.point, point + 2.3e-4);
         ck_assert_double_ge(proof.other, other - 2e-5);
         ck_assert_double_le(proof.other, other + 2.3e-4);
-        ck_assert(proof_keeps(&proof, point + 3e-4 + fmax(0, other - point), PI));
-        ck_assert(!proof_keeps(&proof, point - 1e-4, PI));
-        ck_assert(!proof_keeps(&proof, 10, proof.axis / 2));
+        ck_assert(spline_bound_keeps(&proof, point + 3e-4 + fmax(0, other - point), PI));
+        ck_assert(!spline_bound_keeps(&proof, point - 1e-4, PI));
+        ck_assert(!spline_bound_keeps(&proof, 10, proof.axis / 2));
         bspline_free(&b);
         track_free(&t);
         array_free(&run);
@@ -59,13 +59,13 @@ START_TEST(the_axis_at_matching_places)
     struct run run = trial_motion(200, 8);
     struct track t = track_new(&run, false);
     struct bspline b = fitted(&t, 30);
-    struct proof proof;
+    struct spline_bound proof;
 
-    proof_measure(&b, &t, 1e-4, INFINITY, &proof);
+    spline_bound_measure(&b, &t, 1e-4, INFINITY, &proof);
     ck_assert_double_lt(proof.axis, 1e-4);
     for (size_t i = 0; i < b.poles; i++) /* all axes off by atan(0.05) about y, nearly */
         b.head[i] = vec_add(b.head[i], vec(5, 0, 0));
-    proof_measure(&b, &t, 1e-4, INFINITY, &proof);
+    spline_bound_measure(&b, &t, 1e-4, INFINITY, &proof);
     ck_assert_double_gt(proof.axis, 0.04);
     ck_assert_double_lt(proof.axis, 0.06);
     ck_assert_double_gt(proof.other, 0.3); /* 8 mm times that */
@@ -93,7 +93,7 @@ START_TEST(printed_digits_and_length)
         ck_assert(printed(b.head[i].x) && printed(b.head[i].y) && printed(b.head[i].z));
     }
     b.pole[3].y = NAN;
-    ck_assert(!proof_print(&b));
+    ck_assert(!spline_bound_print(&b));
     bspline_free(&b);
     track_free(&t);
     array_free(&run);
@@ -109,7 +109,7 @@ START_TEST(knots_that_would_fall_into_one)
         b.knot[i] = knot[i];
     for (size_t i = 0; i < 5; i++)
         b.pole[i] = vec(20 * (double)i, 0, 0);
-    ck_assert(!proof_print(&b));
+    ck_assert(!spline_bound_print(&b));
     bspline_free(&b);
 }
 END_TEST
@@ -119,11 +119,11 @@ START_TEST(stops_at_the_limit)
     struct run run = trial_motion(100, 8);
     struct track t = track_new(&run, false);
     struct bspline b = fitted(&t, 5);
-    struct proof proof;
+    struct spline_bound proof;
 
-    proof_measure(&b, &t, 1e-5, 1e-3, &proof);
+    spline_bound_measure(&b, &t, 1e-5, 1e-3, &proof);
     ck_assert_double_gt(proof.point, 1e-3);
-    ck_assert(!proof_keeps(&proof, 1e-3, PI));
+    ck_assert(!spline_bound_keeps(&proof, 1e-3, PI));
     bspline_free(&b);
     track_free(&t);
     array_free(&run);
@@ -141,13 +141,13 @@ START_TEST(hopeless_is_hopeless)
     params_fill(PARAMS_CHORD, t.chord, t.n, u);
     for (size_t poles = 5; poles < 25; poles++) {
         struct bspline b = fitted(&t, poles);
-        struct proof proof;
+        struct spline_bound proof;
         double scaled[150];
 
         for (size_t k = 0; k < t.n; k++)
             scaled[k] = u[k] * b.knot[b.poles];
-        proof_measure(&b, &t, 1e-4, INFINITY, &proof);
-        if (proof_hopeless(&b, &t, scaled, 0.01)) {
+        spline_bound_measure(&b, &t, 1e-4, INFINITY, &proof);
+        if (spline_bound_hopeless(&b, &t, scaled, 0.01)) {
             ck_assert_double_gt(proof.point, 0.01);
             turned_away++;
         } else {

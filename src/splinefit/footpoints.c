@@ -1,7 +1,7 @@
 /*
- * feet - Newton's method on (C - Q) . C' = 0.
+ * footpoints - Newton's method on (C - Q) . C' = 0.
  */
-#include "feet.h"
+#include "footpoints.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -13,17 +13,17 @@ enum { STEPS = 3 };
  * beyond its reach the distance changes by the square of that. */
 static const double SMALL = 0.05;
 
-size_t feet_kinds(const struct target *target)
+size_t footpoints_kinds(const struct target *target)
 {
-    return target->axis != NULL ? FEET_KINDS : 1;
+    return target->axis != NULL ? FOOTPOINT_KINDS : 1;
 }
 
-struct feet feet_new(const struct target *target)
+struct footpoints footpoints_new(const struct target *target)
 {
-    struct feet f = {0};
+    struct footpoints f = {0};
 
     f.u = mem_alloc(target->n, sizeof *f.u);
-    f.off = mem_alloc(target->n * feet_kinds(target), sizeof *f.off);
+    f.off = mem_alloc(target->n * footpoints_kinds(target), sizeof *f.off);
     f.point = mem_alloc(target->n, sizeof *f.point);
     if (target->axis != NULL) {
         f.v = mem_alloc(target->n, sizeof *f.v);
@@ -32,17 +32,18 @@ struct feet feet_new(const struct target *target)
     return f;
 }
 
-void feet_free(struct feet *feet)
+void footpoints_free(struct footpoints *feet)
 {
     free(feet->u);
     free(feet->v);
     free(feet->off);
     free(feet->point);
     free(feet->other);
-    *feet = (struct feet){0};
+    *feet = (struct footpoints){0};
 }
 
-void feet_copy(struct feet *to, const struct feet *from, const struct target *target)
+void footpoints_copy(struct footpoints *to, const struct footpoints *from,
+                     const struct target *target)
 {
     memcpy(to->u, from->u, target->n * sizeof *to->u);
     if (target->axis != NULL)
@@ -64,12 +65,12 @@ static struct vec3 vec_of(const double *value)
     return vec(value[0], value[1], value[2]);
 }
 
-static void evaluate(const struct spanform *form, const struct target *target, size_t k, bool other,
-                     const struct foothold *at, struct place *p)
+static void evaluate(const struct ppform *form, const struct target *target, size_t k, bool other,
+                     const struct footpoint *at, struct place *p)
 {
     double value[6], first[6], second[6];
 
-    spanform_at(form, at->span, at->u, value, first, second);
+    ppform_at(form, at->span, at->u, value, first, second);
     struct vec3 point = vec_of(value);
     p->speed = vec_of(first);
     p->bend = vec_of(second);
@@ -88,9 +89,9 @@ static void evaluate(const struct spanform *form, const struct target *target, s
 }
 
 /* u with a step of Newton's, inside the curve and not over half a span. */
-static double stepped(const struct spanform *form, const struct foothold *at, double step)
+static double stepped(const struct ppform *form, const struct footpoint *at, double step)
 {
-    double most = spanform_half(form, at->span);
+    double most = ppform_half(form, at->span);
     double from = form->knot[0], to = form->knot[(size_t)form->degree + form->spans];
     double u = at->u + (step > most ? most : step < -most ? -most : step);
 
@@ -98,14 +99,14 @@ static double stepped(const struct spanform *form, const struct foothold *at, do
 }
 
 /* Follows the foot of place k from at->u.  Returns the distance there. */
-static double follow(const struct spanform *form, const struct target *target, size_t k, bool other,
-                     struct foothold *at)
+static double follow(const struct ppform *form, const struct target *target, size_t k, bool other,
+                     struct footpoint *at)
 {
     double tiny = SMALL * target->tolerance;
     struct place p = {0};
 
     for (int i = 0;; i++) {
-        at->span = spanform_span(form, at->span, at->u);
+        at->span = ppform_span(form, at->span, at->u);
         evaluate(form, target, k, other, at, &p);
         double square = vec_dot(p.speed, p.speed), slope = square + vec_dot(p.off, p.bend);
         if (i == STEPS || !(square > 0))
@@ -126,11 +127,11 @@ static double follow(const struct spanform *form, const struct target *target, s
     return vec_length(p.off);
 }
 
-static void interpolation_both(const struct spanform *form, const struct target *target, size_t k,
-                               struct feet *feet)
+static void interpolation_both(const struct ppform *form, const struct target *target, size_t k,
+                               struct footpoints *feet)
 {
-    struct foothold *point = &feet->point[k], *other = &feet->other[k];
-    double *off = &feet->off[k * FEET_KINDS];
+    struct footpoint *point = &feet->point[k], *other = &feet->other[k];
+    double *off = &feet->off[k * FOOTPOINT_KINDS];
 
     other->u = feet->v[k];
     other->span = point->span;
@@ -140,14 +141,15 @@ static void interpolation_both(const struct spanform *form, const struct target 
     off[2] = vec_distance(axis, target->axis[k]) * target->tolerance / target->angle;
 }
 
-void feet_follow(const struct spanform *form, const struct target *target, struct feet *feet)
+void footpoints_follow(const struct ppform *form, const struct target *target,
+                       struct footpoints *feet)
 {
-    size_t near = 0, kinds = feet_kinds(target);
+    size_t near = 0, kinds = footpoints_kinds(target);
 
     feet->worst = 0;
     feet->where = 0;
     for (size_t k = 0; k < target->n; k++) {
-        struct foothold *point = &feet->point[k];
+        struct footpoint *point = &feet->point[k];
         point->u = feet->u[k];
         point->span = near;
         feet->off[k * kinds] = follow(form, target, k, false, point);
