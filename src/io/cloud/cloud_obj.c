@@ -24,7 +24,7 @@ bool cloud_obj_statement(const char *line, size_t n)
 
 int cloud_obj_read(struct cloud_source *s, struct error *error)
 {
-    const struct cloud_style style = {.parting = ' ', .point = '.', .column = {0, 1, 2}};
+    const struct cloud_options style = {.parting = ' ', .point = '.', .column = {0, 1, 2}};
     bool continued = false; /* the line before ended in a backslash */
     char *line;
     size_t n;

@@ -78,7 +78,7 @@ static int read_statement(struct cloud_source *s, struct pcd *pcd, char *line, s
 }
 
 /* Which columns are x, y and z. */
-static int find_columns(struct cloud_source *s, const struct pcd *pcd, struct cloud_style *style,
+static int find_columns(struct cloud_source *s, const struct pcd *pcd, struct cloud_options *style,
                         struct error *error)
 {
     for (int axis = 0; axis < 3; axis++) {
@@ -111,7 +111,7 @@ static int read_head(struct cloud_source *s, struct pcd *pcd, struct error *erro
 int cloud_pcd_read(struct cloud_source *s, struct error *error)
 {
     struct pcd pcd = {.points = -1};
-    struct cloud_style style = {.parting = ' ', .point = '.'};
+    struct cloud_options style = {.parting = ' ', .point = '.'};
     if (read_head(s, &pcd, error) < 0 || find_columns(s, &pcd, &style, error) < 0)
         return -1;
     char *line;

@@ -65,7 +65,7 @@ static struct vec3 placed(struct vec3 p, double m[4][4])
 static int read_cells(struct cloud_source *s, size_t cells, double matrix[4][4],
                       struct error *error)
 {
-    const struct cloud_style style = {.parting = ' ', .point = '.', .column = {0, 1, 2}};
+    const struct cloud_options style = {.parting = ' ', .point = '.', .column = {0, 1, 2}};
     for (size_t i = 0; i < cells; i++) {
         char *line;
         size_t n;

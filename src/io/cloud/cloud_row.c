@@ -18,15 +18,15 @@ static bool is_blank(char c)
 }
 
 /* A comment begins at p: `//`, `;` where it parts no columns, `#` but not that of 1.#IND. */
-static bool is_comment(const struct cloud_style *style, const char *p, const char *line)
+static bool is_comment(const struct cloud_options *style, const char *p, const char *line)
 {
     return (*p == '#' && (p == line || p[-1] != '.')) || (*p == '/' && p[1] == '/') ||
            (*p == ';' && style->parting != ';');
 }
 
 /* The next column at *s; false when there is none before a comment or the end. */
-static bool next_field(const struct cloud_style *style, char **s, const char *line, const char *end,
-                       struct field *field)
+static bool next_field(const struct cloud_options *style, char **s, const char *line,
+                       const char *end, struct field *field)
 {
     char *p = *s;
     while (is_blank(*p))
@@ -47,7 +47,7 @@ static bool next_field(const struct cloud_style *style, char **s, const char *li
 enum number { NO_NUMBER, NUMBER, NO_FINITE_NUMBER };
 
 /* The whole field as a number.  A comma in it is a decimal comma where the style has no point. */
-static enum number read_number(const struct cloud_style *style, struct field f, double *value,
+static enum number read_number(const struct cloud_options *style, struct field f, double *value,
                                char *point)
 {
     size_t n = (size_t)(f.to - f.from);
@@ -76,7 +76,7 @@ static enum number read_number(const struct cloud_style *style, struct field f, 
     return found;
 }
 
-struct cloud_row cloud_row_read(const struct cloud_style *style, char *line, size_t n)
+struct cloud_row cloud_row_read(const struct cloud_options *style, char *line, size_t n)
 {
     struct cloud_row row = {.kind = CLOUD_POINT};
     const char *end = line + n;
@@ -132,7 +132,7 @@ static int axis_of(struct field f)
 }
 
 /* The columns that a heading calls x, y and z, each once; *columns: how many it has in all. */
-static bool named_columns(const char *heading, struct cloud_style *style, size_t *columns)
+static bool named_columns(const char *heading, struct cloud_options *style, size_t *columns)
 {
     size_t n = strlen(heading);
     char *copy = mem_string(heading, n), *s = copy;
@@ -149,13 +149,13 @@ static bool named_columns(const char *heading, struct cloud_style *style, size_t
     return times[0] == 1 && times[1] == 1 && times[2] == 1;
 }
 
-bool cloud_row_sniff(const char *heading, char *line, size_t n, struct cloud_style *style,
+bool cloud_row_sniff(const char *heading, char *line, size_t n, struct cloud_options *style,
                      struct cloud_row *row)
 {
     struct cloud_row closest = {0};
     for (const char *parting = ";, "; *parting; parting++) {
         size_t columns = 0;
-        *style = (struct cloud_style){.parting = *parting};
+        *style = (struct cloud_options){.parting = *parting};
         bool named = heading && named_columns(heading, style, &columns);
         for (int given = named ? 0 : 1; given < 2; given++) {
             if (given)

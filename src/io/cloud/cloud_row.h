@@ -10,7 +10,7 @@
 #include "math/vec.h"
 
 /* How the rows of a text are written; the same for the whole of it. */
-struct cloud_style {
+struct cloud_options {
     char parting;     /* what parts the columns: ' ' (blanks and tabs), ',' or ';' */
     char point;       /* decimal point: '.' or ',', 0: only whole numbers so far */
     size_t column[3]; /* which columns are x, y and z, from 0 */
@@ -40,7 +40,7 @@ struct cloud_row {
 #define CLOUD_TOO_LARGE 1e30
 
 /* Reads the n bytes at line (with a '\0' behind) as a row.  May change the line meanwhile. */
-struct cloud_row cloud_row_read(const struct cloud_style *style, char *line, size_t n);
+struct cloud_row cloud_row_read(const struct cloud_options *style, char *line, size_t n);
 
 /*
  * Finds the style in which a line is a row with a point; `heading`, where not NULL, is the line
@@ -48,7 +48,7 @@ struct cloud_row cloud_row_read(const struct cloud_style *style, char *line, siz
  * they are; else they are the first three.  False when there is no such style; *row is then what
  * comes closest.
  */
-bool cloud_row_sniff(const char *heading, char *line, size_t n, struct cloud_style *style,
+bool cloud_row_sniff(const char *heading, char *line, size_t n, struct cloud_options *style,
                      struct cloud_row *row);
 
 #endif

@@ -81,7 +81,7 @@ static inline const char *rows_of(const char *p, const char *end, char parting, 
     return p;
 }
 
-size_t cloud_run(const struct cloud_style *style, const char *text, const char *end, size_t most,
+size_t cloud_run(const struct cloud_options *style, const char *text, const char *end, size_t most,
                  struct vec3s *points, size_t *rows)
 {
     enum { SHORTEST_ROW = 6 }; /* `0 0 0` and its line end */

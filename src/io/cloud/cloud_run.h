@@ -16,7 +16,7 @@
  * to `most` points; *rows says how many.  Returns how many bytes they took; the line behind them,
  * if there is one, is for cloud_row_read.
  */
-size_t cloud_run(const struct cloud_style *style, const char *text, const char *end, size_t most,
+size_t cloud_run(const struct cloud_options *style, const char *text, const char *end, size_t most,
                  struct vec3s *points, size_t *rows);
 
 #endif

@@ -14,7 +14,7 @@
 
 struct text {
     struct cloud_source *source;
-    struct cloud_style style;
+    struct cloud_options style;
     bool begun;         /* the first row was there */
     bool doubtful;      /* it had words behind its numbers: a heading, unless the next has too */
     bool reserved;      /* room was made for all points of the file */
@@ -109,7 +109,7 @@ static int first_line(struct text *t, char *line, size_t n, struct error *error)
 /* Line two settles what line one was: `12 3 2019 scan of a panel` before rows of numbers alone. */
 static void settle_doubt(struct text *t, char *line, size_t n)
 {
-    struct cloud_style style;
+    struct cloud_options style;
     struct cloud_row row;
     t->doubtful = false;
     if (!cloud_row_sniff(NULL, line, n, &style, &row) || row.numbers < row.columns)
