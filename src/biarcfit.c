@@ -8,13 +8,13 @@
 #include "base/out.h"
 #include "base/parallel.h"
 #include "io/path/path.h"
-#include "stage/pathguard.h"
-#include "stage/retilt.h"
+#include "stage/gouge_options.h"
+#include "stage/path_tilt.h"
 
 struct settings {
     double tolerance, axis, tilt;
     bool tolerance_given, tilted, paper, chords, report;
-    struct pathguard guard;
+    struct gouge_options guard;
 };
 
 /* One cutting run: items [from, to) of the input, and what became of them. */
@@ -112,7 +112,7 @@ static struct arcrun_report fit_path(const struct path *in, struct settings *s, 
         path_add_items(out, &job->fitted, 0, job->fitted.item.n);
         done = job->to;
         arcrun_add(&sum, &job->report);
-        pathguard_add(&s->guard, in, job->from, &job->seen);
+        gouge_options_add(&s->guard, in, job->from, &job->seen);
         if (s->report)
             report_job(job, i + 1);
         path_free(&job->fitted);
@@ -196,10 +196,10 @@ int main(int argc, char **argv)
     if (path_read(cli.file[0], &in, &error) < 0)
         die_error(&error);
     check(&in);
-    if (s.tilted && retilt_path(&in, RADIANS(s.tilt), s.paper, &error) < 0)
+    if (s.tilted && path_set_tilt(&in, RADIANS(s.tilt), s.paper, &error) < 0)
         die_error(&error);
 
-    if (pathguard_read(&s.guard, &in, s.tolerance, cli.threads, &error) < 0)
+    if (gouge_options_read(&s.guard, &in, s.tolerance, cli.threads, &error) < 0)
         die_error(&error);
 
     out.name = in.name;
@@ -213,9 +213,9 @@ int main(int argc, char **argv)
     struct out *o = out_open(cli.output);
     path_write(o, &out);
     out_close(o);
-    pathguard_carried(&s.guard, &in);
-    int status = pathguard_conclude(&s.guard);
-    pathguard_free(&s.guard);
+    gouge_options_carried(&s.guard, &in);
+    int status = gouge_options_conclude(&s.guard);
+    gouge_options_free(&s.guard);
     path_free(&in);
     path_free(&out);
     return !s.paper && report.spent > s.tolerance ? EXIT_UNMET : status;

@@ -13,10 +13,10 @@
 #include "base/parallel.h"
 #include "io/path/path.h"
 #include "io/path/path_run.h"
-#include "stage/pathguard.h"
-#include "stage/retrack.h"
+#include "stage/gouge_options.h"
+#include "stage/path_reference.h"
 #include "splinefit/spline_guard.h"
-#include "stage/splinereport.h"
+#include "stage/spline_report.h"
 
 static const double TOLERANCE = 0.01; /* mm, when -e is not given */
 
@@ -24,7 +24,7 @@ struct settings {
     struct splinefit_options fit;
     int points; /* 0: as the path is; else one more than its enum path_track */
     bool paper, report, centre;
-    struct pathguard guard;
+    struct gouge_options guard;
 };
 
 /* One cutting run: the items [from, to) of the path. */
@@ -166,20 +166,20 @@ static void free_jobs(struct jobs *jobs)
 }
 
 /* The totals over all runs, and the table when it is asked for. */
-static struct splinereport report(const struct jobs *jobs, bool table)
+static struct spline_report report(const struct jobs *jobs, bool table)
 {
-    struct splinereport r = {0};
+    struct spline_report r = {0};
 
     if (table)
-        splinereport_head(stderr);
+        spline_report_head(stderr);
     for (size_t i = 0; i < jobs->n; i++) {
         const struct job *job = &jobs->item[i];
         for (size_t k = 0; k < job->pieces.n; k++)
             if (!job->pieces.item[k].still)
-                splinereport_add(&r, job->pass, &job->pieces.item[k], table ? stderr : NULL);
+                spline_report_add(&r, job->pass, &job->pieces.item[k], table ? stderr : NULL);
     }
     if (table)
-        splinereport_totals(&r, stderr);
+        spline_report_totals(&r, stderr);
     return r;
 }
 
@@ -211,7 +211,7 @@ static void read_path(const char *file, struct path *path, struct settings *s)
     for (size_t i = 0; i < path->unknown.n; i++)
         say("%s:%u: %s is no word known here, carried along", path->name,
             path->unknown.item[i].line, path->unknown.item[i].word);
-    if (s->points > 0 && retrack_path(path, (enum path_track)(s->points - 1), &error) != 0)
+    if (s->points > 0 && path_set_reference(path, (enum path_track)(s->points - 1), &error) != 0)
         die_error(&error);
     s->centre = path->head.track == TRACK_CENTRE;
     if (path->head.track != TRACK_CONTACT && !(path_ball(path) > 0))
@@ -231,15 +231,15 @@ int main(int argc, char **argv)
 
     read_options(argc, argv, &cli, &settings);
     read_path(cli.file[0], &in, &settings);
-    if (pathguard_read(&settings.guard, &in, settings.fit.tolerance, cli.threads, &error) != 0)
+    if (gouge_options_read(&settings.guard, &in, settings.fit.tolerance, cli.threads, &error) != 0)
         die_error(&error);
     find_runs(&in, &jobs);
     struct bench bench = {&in, &settings, &jobs};
     parallel_shown("fitting", cli.threads, jobs.n, fit_jobs, &bench);
-    struct splinereport r = report(&jobs, settings.report);
+    struct spline_report r = report(&jobs, settings.report);
     for (size_t i = 0; i < jobs.n; i++)
-        pathguard_add(&settings.guard, &in, jobs.item[i].from, &jobs.item[i].seen);
-    pathguard_carried(&settings.guard, &in);
+        gouge_options_add(&settings.guard, &in, jobs.item[i].from, &jobs.item[i].seen);
+    gouge_options_carried(&settings.guard, &in);
     int status = verdict(&jobs, &in);
     assemble(&in, &jobs, r.spent + settings.guard.lift, &out);
     struct out *o = out_open(cli.output);
@@ -247,12 +247,12 @@ int main(int argc, char **argv)
     out_close(o);
     note("%zu points in %zu runs: %zu splines, %zu control points, %.2f %% fewer; worst tip %.6f, "
          "ball %.6f mm, axis %.4f degrees",
-         r.points, jobs.n, r.splines, r.poles, splinereport_fewer(r.points, r.poles), r.worst.point,
-         r.worst.other, DEGREES(r.worst.axis));
+         r.points, jobs.n, r.splines, r.poles, spline_report_fewer(r.points, r.poles),
+         r.worst.point, r.worst.other, DEGREES(r.worst.axis));
     if (r.cut > 0)
         note("%zu curves took too long: with more time fewer control points might do", r.cut);
-    int guarded = pathguard_conclude(&settings.guard);
-    pathguard_free(&settings.guard);
+    int guarded = gouge_options_conclude(&settings.guard);
+    gouge_options_free(&settings.guard);
     free_jobs(&jobs);
     path_free(&out);
     path_free(&in);

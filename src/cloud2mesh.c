@@ -9,13 +9,13 @@
 #include "base/cli.h"
 #include "stage/cloudmesh.h"
 #include "cloud/extend.h"
-#include "stage/intake.h"
+#include "stage/cloud_prepare.h"
 #include "io/mesh/ply.h"
 
 enum outliers { OUTLIERS_DROP, OUTLIERS_KEEP };
 
 struct settings {
-    struct cloudmesh_wish wish;
+    struct cloudmesh_options wish;
     double noise;  /* NAN: from the cloud */
     double extend; /* beyond the border, mm */
     int unit, outliers;
@@ -106,19 +106,19 @@ static double clean(const char *name, const struct settings *s, struct vec3s *po
                     struct mesh_origin *origin)
 {
     const double least = 0.004; /* in spacings: less does not matter beside the facets */
-    struct intake intake;
+    struct cloud_prepare cloud_prepare;
     struct error error;
     double mean = points->n >= 3 ? cloudmesh_spacing(&s->wish, points->item, points->n) : 0;
     if (!s->clean || !(mean > 0)) /* no area: the mesh will say so */
         return 0;
-    enum intake_drop drop = s->outliers == OUTLIERS_KEEP ? INTAKE_KEEP
-                            : s->wish.subdivide          ? INTAKE_DROP_OUTLIERS
-                                                         : INTAKE_DROP;
-    if (intake_clean(points, mean, drop, threads, &intake, &error) < 0)
+    enum cloud_prepare_drop drop = s->outliers == OUTLIERS_KEEP ? CLOUD_PREPARE_KEEP
+                                   : s->wish.subdivide          ? CLOUD_PREPARE_DROP_OUTLIERS
+                                                                : CLOUD_PREPARE_DROP;
+    if (cloud_prepare_clean(points, mean, drop, threads, &cloud_prepare, &error) < 0)
         die("%s: %s", name, error.text);
-    origin->noise = isnan(s->noise) ? intake.noise : s->noise;
-    note("noise of the scan %.4f mm (one standard deviation)", intake.noise);
-    return isnan(s->noise) && intake.noise < least * mean ? 0 : origin->noise;
+    origin->noise = isnan(s->noise) ? cloud_prepare.noise : s->noise;
+    note("noise of the scan %.4f mm (one standard deviation)", cloud_prepare.noise);
+    return isnan(s->noise) && cloud_prepare.noise < least * mean ? 0 : origin->noise;
 }
 
 static void say_left_out(const struct settings *settings, const struct grid_mesh_count *count)
@@ -187,9 +187,9 @@ int main(int argc, char **argv)
     size_t left_out;
 
     const char *name = name_of(&cli);
-    if (intake_read(cli.file, cli.files, &points, &left_out, &error) < 0 ||
-        intake_place(&points, unit_name[settings.unit], settings.matrix, settings.origin,
-                     &mesh.origin, &error) < 0)
+    if (cloud_prepare_read(cli.file, cli.files, &points, &left_out, &error) < 0 ||
+        cloud_prepare_place(&points, unit_name[settings.unit], settings.matrix, settings.origin,
+                            &mesh.origin, &error) < 0)
         die_error(&error);
     size_t read = points.n;
     double noise = clean(name, &settings, &points, cli.threads, &mesh.origin);

@@ -11,7 +11,7 @@
 #include "base/array.h"
 #include "base/cli.h"
 #include "io/cloud/cloud.h"
-#include "stage/holder_spec.h"
+#include "stage/holder_options.h"
 #include "machine/machine.h"
 #include "ncread/ncread_machine.h"
 #include "verify/stock_spec.h"
@@ -35,7 +35,7 @@ struct settings {
 static void read_shapes(struct settings *s)
 {
     struct error error;
-    if (s->holder && holder_spec_read(s->holder, &s->shape, &error) < 0)
+    if (s->holder && holder_options_read(s->holder, &s->shape, &error) < 0)
         die_usage("option --holder: %s", error.text);
     if (s->stock && stock_spec_read(s->stock, &s->block, &error) < 0)
         die_usage("option --stock: %s", error.text);

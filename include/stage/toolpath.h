@@ -14,7 +14,7 @@
 #include "gouge/gouge_strip.h"
 #include "io/path/path.h"
 
-struct toolpath_rule {
+struct toolpath_options {
     double radius;       /* of the ball, mm */
     double feed, plunge; /* mm/min: cutting, and going down the last bit */
     double clearance;    /* z of the tip on the clearance plane, mm */
@@ -51,7 +51,7 @@ struct toolpath_stand {
 
 struct toolpath {
     struct path *path;
-    struct toolpath_rule rule;
+    struct toolpath_options rule;
     struct gouge_lift_options lift; /* of the strips, and what links must be clear of */
 
     /* What came of it, over all strips. */

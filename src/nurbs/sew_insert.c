@@ -53,8 +53,8 @@ static int side_of(const struct face *f, size_t from)
 }
 
 /* The edge replaced by the pieces of it. */
-static void part_edge(struct work *w, const struct nurbs *part, size_t edge,
-                      const struct t_vertices *guests, struct insertions *to)
+static void mesh_for_rows_edge(struct work *w, const struct nurbs *part, size_t edge,
+                               const struct t_vertices *guests, struct insertions *to)
 {
     struct patch_mesh *q = w->q;
     struct patch_mesh_edge e = q->edge.item[edge];
@@ -93,7 +93,7 @@ static void insert_guests(struct work *w, struct insertions *to)
         t_vertices_find(w->m, &part, &e, &guests);
         boundary_match_keep(w->company, a->sheet, &guests);
         if (guests.n > 0)
-            part_edge(w, &part, edge, &guests, to);
+            mesh_for_rows_edge(w, &part, edge, &guests, to);
     }
     array_free(&guests);
 }

@@ -115,8 +115,8 @@ static void cut_cells(struct trim_traverse *c)
 
 /* A loop between two lines in both directions would be a hole inside a cell, or alone in it: a line
  * through its middle. */
-static void part_lone_loops(struct doubles *u, const struct doubles *v,
-                            const struct uv_polygon *loops)
+static void mesh_for_rows_lone_loops(struct doubles *u, const struct doubles *v,
+                                     const struct uv_polygon *loops)
 {
     for (size_t i = 0; i < loops->n; i++) {
         const struct uvs *loop = &loops->item[i];
@@ -150,7 +150,7 @@ void trim_grid(struct doubles *u, const struct doubles *v, const struct uv_polyg
                bool open, struct uvmesh *mesh)
 {
     *mesh = (struct uvmesh){0};
-    part_lone_loops(u, v, loops);
+    mesh_for_rows_lone_loops(u, v, loops);
     struct trim_traverse c = {.u = trim_snap_new(u),
                               .v = trim_snap_new(v),
                               .u_line = u->item,

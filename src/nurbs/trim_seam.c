@@ -8,7 +8,7 @@
 /* Of the range: what is rounding. */
 static const double NEAR = 1e-6;
 
-static double part_of(struct uv at, bool u)
+static double mesh_for_rows_of(struct uv at, bool u)
 {
     return u ? at.u : at.v;
 }
@@ -29,7 +29,7 @@ static int rounds(const struct pullback *s, const struct uvs *loop, bool u)
     const struct nurbs_axis *a = axis_of(s, u);
     if (!(u ? s->closed_u : s->closed_v) || loop->n < 2)
         return 0;
-    double way = part_of(loop->item[loop->n - 1], u) - part_of(loop->item[0], u);
+    double way = mesh_for_rows_of(loop->item[loop->n - 1], u) - mesh_for_rows_of(loop->item[0], u);
     return (int)floor(way / (a->to - a->from) + 0.5);
 }
 
@@ -39,7 +39,8 @@ static void clip(struct uvs *loop, bool u, double limit, double side)
     struct uvs kept = {0};
     for (size_t i = 0; i < loop->n; i++) {
         struct uv a = loop->item[i], b = loop->item[(i + 1) % loop->n];
-        double x = side * (part_of(a, u) - limit), y = side * (part_of(b, u) - limit);
+        double x = side * (mesh_for_rows_of(a, u) - limit),
+               y = side * (mesh_for_rows_of(b, u) - limit);
         if (x >= 0)
             *array_push(&kept) = a;
         if ((x > 0 && y < 0) || (x < 0 && y > 0)) {
@@ -67,8 +68,8 @@ static void wrap(const struct pullback *s, struct uvs *loop, bool u, struct uv_p
     const struct nurbs_axis *a = axis_of(s, u);
     double low = HUGE_VAL, high = -HUGE_VAL, width = a->to - a->from;
     for (size_t i = 0; i < loop->n; i++) {
-        low = fmin(low, part_of(loop->item[i], u));
-        high = fmax(high, part_of(loop->item[i], u));
+        low = fmin(low, mesh_for_rows_of(loop->item[i], u));
+        high = fmax(high, mesh_for_rows_of(loop->item[i], u));
     }
     double first = floor((low - a->from) / width + NEAR);
     double last = ceil((high - a->from) / width - NEAR) - 1;

@@ -21,7 +21,7 @@ static void write_program(const struct dialect *dialect, struct nc_program *p, c
 }
 
 /* part.nc: part-2.nc */
-static char *part_name(const char *file, size_t part)
+static char *mesh_for_rows_name(const char *file, size_t part)
 {
     size_t size = strlen(file) + 24;
     const char *slash = strrchr(file, '/'), *dot = strrchr(slash ? slash : file, '.');
@@ -42,7 +42,7 @@ static int one_part(const struct dialect *dialect, const struct nc_program *whol
     p.part = i + 1;
     p.parts = ends->n;
     if (result == 0 && file) {
-        char *name = part_name(file, i + 1);
+        char *name = mesh_for_rows_name(file, i + 1);
         write_program(dialect, &p, name);
         free(name);
     }

@@ -17,8 +17,8 @@ static double spacing_of_cloud(double mean)
 }
 
 /* The mean spacing, and the points of walls behind the others; the spacing of the grid. */
-static int part_walls(struct cloudmesh_wish *wish, struct vec3s *points, int threads,
-                      struct cloud_parts *parts, struct error *error)
+static int mesh_for_rows_walls(struct cloudmesh_options *wish, struct vec3s *points, int threads,
+                               struct cloud_parts *parts, struct error *error)
 {
     *parts = (struct cloud_parts){0, points->n};
     if (plan_extent_check(points->item, points->n, error) < 0)
@@ -33,7 +33,7 @@ static int part_walls(struct cloudmesh_wish *wish, struct vec3s *points, int thr
     return 0;
 }
 
-static int mesh_of(const struct cloudmesh_wish *wish, const struct cloud_parts *parts,
+static int mesh_of(const struct cloudmesh_options *wish, const struct cloud_parts *parts,
                    struct vec3s *points, double noise, int threads, struct mesh *mesh,
                    struct cloudmesh *made, struct error *error)
 {
@@ -47,14 +47,14 @@ static int mesh_of(const struct cloudmesh_wish *wish, const struct cloud_parts *
     return 0;
 }
 
-int cloudmesh_on_grid(const struct cloudmesh_wish *asked, struct vec3s *points, double noise,
+int cloudmesh_on_grid(const struct cloudmesh_options *asked, struct vec3s *points, double noise,
                       int threads, struct mesh *mesh, struct cloudmesh *made, struct error *error)
 {
-    struct cloudmesh_wish wish = *asked;
+    struct cloudmesh_options wish = *asked;
     struct cloud_parts parts;
     struct cloudmesh walled = {.walls = 0};
     *made = walled;
-    if (part_walls(&wish, points, threads, &parts, error) < 0)
+    if (mesh_for_rows_walls(&wish, points, threads, &parts, error) < 0)
         return -1;
     struct mesh with_walls = {.origin = mesh->origin};
     wish.silent = true;
@@ -73,7 +73,7 @@ int cloudmesh_on_grid(const struct cloudmesh_wish *asked, struct vec3s *points, 
 }
 
 /* A cloud that one projection serves. */
-static int one_mesh(const struct cloudmesh_wish *wish, struct vec3s *points, double noise,
+static int one_mesh(const struct cloudmesh_options *wish, struct vec3s *points, double noise,
                     int threads, struct mesh *mesh, struct cloudmesh *made, struct error *error)
 {
     int status = wish->error > 0
@@ -87,7 +87,7 @@ static int one_mesh(const struct cloudmesh_wish *wish, struct vec3s *points, dou
 }
 
 /* One part of a cloud that is divided, in its own projection. */
-static int add_part(const struct cloudmesh_wish *wish, struct segment *part, double noise,
+static int add_part(const struct cloudmesh_options *wish, struct segment *part, double noise,
                     int threads, struct mesh *mesh, struct cloudmesh *made, struct error *error)
 {
     struct mesh own = {.origin.ledger = NAN};
@@ -104,11 +104,11 @@ static int add_part(const struct cloudmesh_wish *wish, struct segment *part, dou
 }
 
 /* The same for each part of a cloud that is divided by orientation, one after the other. */
-static int mesh_of_parts(const struct cloudmesh_wish *asked, const struct vec3s *points,
+static int mesh_of_parts(const struct cloudmesh_options *asked, const struct vec3s *points,
                          double noise, int threads, struct mesh *mesh, struct cloudmesh *made,
                          struct error *error)
 {
-    struct cloudmesh_wish wish = *asked;
+    struct cloudmesh_options wish = *asked;
     struct segments parts =
         segments_find(points->item, points->n, 1.5 * wish.spacing, wish.direction, threads);
     int status = 0;
@@ -135,7 +135,7 @@ static int mesh_of_parts(const struct cloudmesh_wish *asked, const struct vec3s 
     return status;
 }
 
-int cloudmesh_make(const struct cloudmesh_wish *wish, struct vec3s *points, double noise,
+int cloudmesh_make(const struct cloudmesh_options *wish, struct vec3s *points, double noise,
                    int threads, struct mesh *mesh, struct cloudmesh *made, struct error *error)
 {
     *made = (struct cloudmesh){.walls = 0};

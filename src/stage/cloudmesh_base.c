@@ -21,14 +21,14 @@ double cloudmesh_three_spacings(double mean)
     return num_round(round(3 * mean / step) * step, (int)digits);
 }
 
-double cloudmesh_spacing(const struct cloudmesh_wish *wish, const struct vec3 *point, size_t n)
+double cloudmesh_spacing(const struct cloudmesh_options *wish, const struct vec3 *point, size_t n)
 {
     struct plan_extent f = plan_extent_of(point, n, wish->direction);
     return plan_extent_spacing(&f, point, n);
 }
 
 /* A point for each node; one on a wall only where there is no other. */
-static size_t *choose(const struct cloudmesh_wish *wish, const struct cloud_parts *parts,
+static size_t *choose(const struct cloudmesh_options *wish, const struct cloud_parts *parts,
                       const struct grid *grid, const struct vec3s *points)
 {
     enum reach reach = wish->paper ? REACH_CIRCLE : REACH_NEAREST;
@@ -44,7 +44,7 @@ static size_t *choose(const struct cloudmesh_wish *wish, const struct cloud_part
     return chosen;
 }
 
-int cloudmesh_by_grid(const struct cloudmesh_wish *wish, const struct cloud_parts *parts,
+int cloudmesh_by_grid(const struct cloudmesh_options *wish, const struct cloud_parts *parts,
                       const struct vec3s *points, struct mesh *mesh, struct cloudmesh *made,
                       struct error *error)
 {
@@ -82,7 +82,7 @@ static void say_thin(size_t thin, const struct mesh *mesh)
 }
 
 /* Normals of the points as they are; returns the tolerance spent. */
-static double normals_of_points(const struct cloudmesh_wish *wish,
+static double normals_of_points(const struct cloudmesh_options *wish,
                                 const struct point_grid *point_grid, int threads, struct mesh *mesh)
 {
     int neighbours = wish->neighbours ? wish->neighbours : 40;
@@ -98,8 +98,9 @@ static double normals_of_points(const struct cloudmesh_wish *wish,
 }
 
 /* Vertices moved onto the surface, and its normals; returns the tolerance spent. */
-static double move_vertices(const struct cloudmesh_wish *wish, const struct point_grid *point_grid,
-                            double noise, int threads, struct mesh *mesh)
+static double move_vertices(const struct cloudmesh_options *wish,
+                            const struct point_grid *point_grid, double noise, int threads,
+                            struct mesh *mesh)
 {
     struct smooth_nodes r =
         smooth_nodes(mesh, point_grid, noise, (size_t)wish->neighbours, threads);
@@ -116,8 +117,8 @@ static double move_vertices(const struct cloudmesh_wish *wish, const struct poin
     return 3 * r.error;
 }
 
-int cloudmesh_normals(const struct cloudmesh_wish *wish, struct vec3 *point, size_t n, double noise,
-                      int threads, struct mesh *mesh, struct error *error)
+int cloudmesh_normals(const struct cloudmesh_options *wish, struct vec3 *point, size_t n,
+                      double noise, int threads, struct mesh *mesh, struct error *error)
 {
     struct point_grid point_grid;
     if (wish->normals == NORMALS_FACET) {
@@ -134,7 +135,7 @@ int cloudmesh_normals(const struct cloudmesh_wish *wish, struct vec3 *point, siz
     return 0;
 }
 
-void cloudmesh_edges(const struct cloudmesh_wish *wish, const struct cloud_parts *parts,
+void cloudmesh_edges(const struct cloudmesh_options *wish, const struct cloud_parts *parts,
                      const struct vec3s *points, double noise, int threads, struct mesh *mesh,
                      struct cloudmesh *made)
 {
@@ -163,10 +164,10 @@ void cloudmesh_edges(const struct cloudmesh_wish *wish, const struct cloud_parts
         mesh_normals_seen(mesh);
 }
 
-bool cloudmesh_has_walls(const struct cloudmesh_wish *wish, const struct cloud_parts *parts,
+bool cloudmesh_has_walls(const struct cloudmesh_options *wish, const struct cloud_parts *parts,
                          const struct vec3s *points, double noise, int threads)
 {
-    struct cloudmesh_wish grid = *wish;
+    struct cloudmesh_options grid = *wish;
     struct mesh mesh = {.origin.ledger = NAN};
     struct cloudmesh made;
     struct error error;

@@ -22,12 +22,12 @@ struct source {
 
 /* Noisy points moved onto the surface that they stand for, all or, of very many, those of a grid
  * twice as wide as they are apart. */
-static int smooth_points(const struct cloudmesh_wish *wish, struct vec3s *points, double noise,
+static int smooth_points(const struct cloudmesh_options *wish, struct vec3s *points, double noise,
                          int threads, double *spent, struct error *error)
 {
     enum { ALL = 200000 };
     const double apart = 2; /* in spacings */
-    struct cloudmesh_wish fine = *wish;
+    struct cloudmesh_options fine = *wish;
     struct mesh mesh = {.origin.ledger = NAN};
     struct cloudmesh made;
     struct cloud_parts parts = {cloudmesh_spacing(wish, points->item, points->n), points->n};
@@ -50,7 +50,7 @@ static int smooth_points(const struct cloudmesh_wish *wish, struct vec3s *points
 }
 
 /* Rows and what is between them. */
-static int make_rows(const struct cloudmesh_wish *wish, const struct source *s, int threads,
+static int make_rows(const struct cloudmesh_options *wish, const struct source *s, int threads,
                      struct mesh *mesh, struct cloudmesh *made, struct error *error)
 {
     const double slant = 0.866, widest = 24, gaps = 6, rims = 2, out = 0.12; /* an eighth */
@@ -91,7 +91,7 @@ static double allowance(const struct source *s, struct vec3 at)
 
 /* Points that rows do not come near enough to become vertices between them.  Half a thousandth of
  * the error is for the digits of the mesh. */
-static void insert_points(const struct cloudmesh_wish *wish, const struct source *s, int threads,
+static void insert_points(const struct cloudmesh_options *wish, const struct source *s, int threads,
                           struct mesh *mesh)
 {
     const struct vec3s *points = &s->judged;
@@ -144,7 +144,7 @@ static struct vec3s mixed_surface(const struct source *s)
 }
 
 /* Normals: with a zone, vertices near to it are moved onto surfaces yet. */
-static int make_normals(const struct cloudmesh_wish *wish, const struct source *s, int threads,
+static int make_normals(const struct cloudmesh_options *wish, const struct source *s, int threads,
                         struct mesh *mesh, struct error *error)
 {
     bool raw = s->zone && s->noise > 0;
@@ -154,7 +154,7 @@ static int make_normals(const struct cloudmesh_wish *wish, const struct source *
     return cloudmesh_normals(wish, points->item, flat, raw ? s->noise : 0, threads, mesh, error);
 }
 
-static int mesh_of(const struct cloudmesh_wish *wish, struct source *s, int threads,
+static int mesh_of(const struct cloudmesh_options *wish, struct source *s, int threads,
                    struct mesh *mesh, struct cloudmesh *made, struct error *error)
 {
     const struct vec3s *points = s->surface;
@@ -180,10 +180,11 @@ static int mesh_of(const struct cloudmesh_wish *wish, struct source *s, int thre
 
 /* Rows that leave room for the edges that a grid has found: that mesh is the one where it is within
  * the error, or closer than the other.  Both are judged alike. */
-static int mesh_in_zone(const struct cloudmesh_wish *asked, const struct source *known, bool walls,
-                        int threads, struct mesh *mesh, struct cloudmesh *made, struct error *error)
+static int mesh_in_zone(const struct cloudmesh_options *asked, const struct source *known,
+                        bool walls, int threads, struct mesh *mesh, struct cloudmesh *made,
+                        struct error *error)
 {
-    struct cloudmesh_wish wish = *asked;
+    struct cloudmesh_options wish = *asked;
     struct source s = *known;
     struct vec3s mixed = mixed_surface(known);
     struct mesh other = {.origin = s.origin};
@@ -211,11 +212,11 @@ static int mesh_in_zone(const struct cloudmesh_wish *asked, const struct source 
 }
 
 /* Creases and walls are found best by a grid. */
-static int mesh_by_zone(const struct cloudmesh_wish *asked, struct source *s, int threads,
+static int mesh_by_zone(const struct cloudmesh_options *asked, struct source *s, int threads,
                         struct mesh *mesh, struct cloudmesh *made, struct error *error)
 {
     double fine = cloudmesh_three_spacings(s->scan_parts.mean);
-    struct cloudmesh_wish wish = *asked;
+    struct cloudmesh_options wish = *asked;
     struct mesh grid = {.origin = s->origin};
     struct cloudmesh grid_made;
 
@@ -236,10 +237,10 @@ static int mesh_by_zone(const struct cloudmesh_wish *asked, struct source *s, in
 }
 
 /* What is taken for an edge and is none may bring the mesh out of the error: it stays within it. */
-static int mesh_without_edges(const struct cloudmesh_wish *asked, struct source *s, int threads,
+static int mesh_without_edges(const struct cloudmesh_options *asked, struct source *s, int threads,
                               struct mesh *mesh, struct cloudmesh *made, struct error *error)
 {
-    struct cloudmesh_wish wish = *asked;
+    struct cloudmesh_options wish = *asked;
     struct mesh other = {.origin = s->origin};
     struct cloudmesh other_made = {.walls = 0};
 
@@ -252,7 +253,7 @@ static int mesh_without_edges(const struct cloudmesh_wish *asked, struct source 
 }
 
 /* Are there points on walls, and walls under edges of a mesh? */
-static bool has_walls(const struct cloudmesh_wish *wish, struct source *s, int threads)
+static bool has_walls(const struct cloudmesh_options *wish, struct source *s, int threads)
 {
     struct cloud_parts walled = s->scan_parts;
 
@@ -261,7 +262,7 @@ static bool has_walls(const struct cloudmesh_wish *wish, struct source *s, int t
            cloudmesh_has_walls(wish, &walled, s->scan, fmax(s->noise, s->origin.noise), threads);
 }
 
-int cloudmesh_within(const struct cloudmesh_wish *wish, struct vec3s *points, double noise,
+int cloudmesh_within(const struct cloudmesh_options *wish, struct vec3s *points, double noise,
                      int threads, struct mesh *mesh, struct cloudmesh *made, struct error *error)
 {
     struct vec3s surface = {0};

@@ -17,7 +17,7 @@ static void write_vec(struct out *out, struct vec3 p)
     write_number(out, p.z);
 }
 
-static double part_of(const struct nurbs_axis *a, int i, int n)
+static double mesh_for_rows_of(const struct nurbs_axis *a, int i, int n)
 {
     return i == n - 1 ? a->to : a->from + (a->to - a->from) * i / (n - 1);
 }
@@ -33,7 +33,7 @@ void nurbs_report_grid(const char *file, const struct patches *patches, int n)
         whole.v.to = s->v.knot[s->v.poles];
         for (int i = 0; i < n; i++)
             for (int j = 0; j < n; j++) {
-                struct uv at = {part_of(&s->u, i, n), part_of(&s->v, j, n)};
+                struct uv at = {mesh_for_rows_of(&s->u, i, n), mesh_for_rows_of(&s->v, j, n)};
                 struct nurbs_place p = nurbs_place(&whole, at);
                 out_printf(out, "%d", patches->item[k].entity);
                 write_number(out, at.u);

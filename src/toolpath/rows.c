@@ -169,7 +169,7 @@ static size_t count_between(const struct mesh *mesh)
 }
 
 /* The part that a row belongs to; NULL: the mesh has none. */
-static const struct mesh_part *part_of(const struct mesh *mesh, int row)
+static const struct mesh_part *mesh_for_rows_of(const struct mesh *mesh, int row)
 {
     const struct mesh_parts *part = &mesh->origin.part;
     const struct mesh_part *found = NULL;
@@ -191,7 +191,7 @@ static void find_directions(const struct mesh *mesh, struct rows *rows)
         rows->distance = slant * mesh->origin.spacing;
     for (size_t i = 0; i < rows->strip.n; i++) {
         struct strip *s = &rows->strip.item[i];
-        const struct mesh_part *part = part_of(mesh, s->row);
+        const struct mesh_part *part = mesh_for_rows_of(mesh, s->row);
         s->along = part ? part->along : rows->along;
         s->up = part ? part->up : vec(0, 0, 1);
         s->side = part ? vec_cross(part->up, part->along) : rows->side;

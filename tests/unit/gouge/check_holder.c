@@ -5,7 +5,7 @@
 #include <string.h>
 
 #include "gouge/holder.h"
-#include "stage/holder_spec.h"
+#include "stage/holder_options.h"
 
 static const struct holder stack = {3, {{3, 3, 40}, {10, 25, 20}, {25, 25, 60}}};
 
@@ -105,14 +105,14 @@ START_TEST(texts_are_read)
 {
     struct holder h;
     struct error error;
-    ck_assert_int_eq(holder_spec_read("3:40+10:25:20+25:60", &h, &error), 0);
+    ck_assert_int_eq(holder_options_read("3:40+10:25:20+25:60", &h, &error), 0);
     ck_assert_int_eq(h.n, 3);
     for (int i = 0; i < 3; i++) {
         ck_assert_double_eq(h.part[i].low, stack.part[i].low);
         ck_assert_double_eq(h.part[i].high, stack.part[i].high);
         ck_assert_double_eq(h.part[i].length, stack.part[i].length);
     }
-    ck_assert_int_eq(holder_spec_read("0:4:2.5", &h, &error), 0);
+    ck_assert_int_eq(holder_options_read("0:4:2.5", &h, &error), 0);
     ck_assert_double_eq(h.part[0].low, 0);
 }
 END_TEST
@@ -125,7 +125,7 @@ START_TEST(other_texts_are_not)
 {
     struct holder h;
     struct error error = {""};
-    ck_assert_msg(holder_spec_read(wrong[_i], &h, &error) < 0, "%s", wrong[_i]);
+    ck_assert_msg(holder_options_read(wrong[_i], &h, &error) < 0, "%s", wrong[_i]);
     ck_assert_ptr_nonnull(strstr(error.text, "found"));
 }
 END_TEST
@@ -137,9 +137,9 @@ START_TEST(no_more_parts_than_there_is_room_for)
     char text[HOLDER_PARTS * 4 + 8] = "1:1";
     for (int i = 1; i < HOLDER_PARTS; i++)
         strcat(text, "+1:1");
-    ck_assert_int_eq(holder_spec_read(text, &h, &error), 0);
+    ck_assert_int_eq(holder_options_read(text, &h, &error), 0);
     strcat(text, "+1:1");
-    ck_assert_int_lt(holder_spec_read(text, &h, &error), 0);
+    ck_assert_int_lt(holder_options_read(text, &h, &error), 0);
 }
 END_TEST
 

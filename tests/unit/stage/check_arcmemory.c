@@ -17,7 +17,7 @@ static struct trace trace_from(double y)
     return trace;
 }
 
-static struct arcmemory_part part_at(double y, double radius)
+static struct arcmemory_part mesh_for_rows_at(double y, double radius)
 {
     struct arcmemory_part part = {.trace = trace_from(y), .worst.tracked = radius / 100};
     *array_push(&part.printed) = (struct printed){.arc.radius = radius};
@@ -30,8 +30,8 @@ START_TEST(parts_are_known_by_their_points)
     struct printeds found = {0};
     struct pieces pieces = {0};
     struct arc_deviation worst = {0};
-    *array_push(&memory) = part_at(1, 10);
-    *array_push(&memory) = part_at(2, 20);
+    *array_push(&memory) = mesh_for_rows_at(1, 10);
+    *array_push(&memory) = mesh_for_rows_at(2, 20);
     struct trace second = trace_from(2), third = trace_from(2 + 1e-12);
     ck_assert_ptr_eq(arcmemory_like(&memory, &second), &memory.item[1]);
     ck_assert_ptr_null(arcmemory_like(&memory, &third));

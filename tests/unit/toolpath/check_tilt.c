@@ -1,10 +1,10 @@
-/* Tests of tilt.h and retilt.h on a cylinder, where the frames are known. */
+/* Tests of tilt.h and path_tilt.h on a cylinder, where the frames are known. */
 #include "toolpath/tilt.h"
 
 #include <check.h>
 #include <stdlib.h>
 
-#include "stage/retilt.h"
+#include "stage/path_tilt.h"
 
 /* Along a convex cylinder about the y axis, to +x or back; normals outward, ball of radius 4. */
 static struct run over(bool back)
@@ -77,7 +77,7 @@ START_TEST(the_moves_beside_a_run_go_with_it)
         path_touch(&path, item, (struct contact){run.item[i].contact, run.item[i].normal});
     }
     struct error error;
-    ck_assert_int_eq(retilt_path(&path, 0.2, false, &error), 0);
+    ck_assert_int_eq(path_set_tilt(&path, 0.2, false, &error), 0);
     struct pose now = path.item.item[1].to, start = path.item.item[2].to;
     ck_assert_double_eq(vec_distance(path.item.item[0].to.p, far.p), 0);
     ck_assert_double_lt(vec_distance(now.a, start.a), 1e-15);
@@ -86,7 +86,7 @@ START_TEST(the_moves_beside_a_run_go_with_it)
     ck_assert_double_lt(vec_distance(was_ball, ball), 1e-12);
     for (size_t i = 0; i < path.item.n; i++)
         path.item.item[i].touches = false;
-    ck_assert_int_eq(retilt_path(&path, 0.2, false, &error), -1);
+    ck_assert_int_eq(path_set_tilt(&path, 0.2, false, &error), -1);
     path_free(&path);
     array_free(&run);
 }

@@ -1,5 +1,5 @@
-/* cutpart - see cutpart.h. */
-#include "stage/cutpart.h"
+/* mesh_for_planes - see mesh_for_planes.h. */
+#include "stage/mesh_for_planes.h"
 
 #include "base/cli.h"
 #include "io/mesh/meshfile.h"
@@ -30,8 +30,8 @@ static void tell_mending(const char *file, const struct mesh_repair_report *r)
         say("%s: the mesh has no normals: taking the mean of the facets', sharp edges kept", file);
 }
 
-int cutpart_read(const char *file, struct vec3 up, struct mesh *mesh, bool *closed,
-                 struct error *error)
+int mesh_for_planes_read(const char *file, struct vec3 up, struct mesh *mesh, bool *closed,
+                         struct error *error)
 {
     if (mesh_read(file, mesh, error) != 0)
         return -1;
@@ -50,8 +50,8 @@ int cutpart_read(const char *file, struct vec3 up, struct mesh *mesh, bool *clos
     return 0;
 }
 
-static void look_at(struct cutpart_hollow *h, double radius, struct vec3 at, const char *surface,
-                    double ball)
+static void look_at(struct mesh_for_planes_hollow *h, double radius, struct vec3 at,
+                    const char *surface, double ball)
 {
     h->tighter += ball > radius * FITS;
     if (radius < h->radius) {
@@ -61,10 +61,10 @@ static void look_at(struct cutpart_hollow *h, double radius, struct vec3 at, con
     }
 }
 
-struct cutpart_hollow cutpart_hollow(const struct mesh *mesh, double ball)
+struct mesh_for_planes_hollow mesh_for_planes_hollow(const struct mesh *mesh, double ball)
 {
     const struct mesh_surfaces *s = &mesh->origin.surface;
-    struct cutpart_hollow h = {.known = s->n > 0 || mesh->kmax.n > 0, .radius = HUGE_VAL};
+    struct mesh_for_planes_hollow h = {.known = s->n > 0 || mesh->kmax.n > 0, .radius = HUGE_VAL};
 
     for (size_t i = 0; i < s->n; i++) {
         if (s->item[i].radius > 0)

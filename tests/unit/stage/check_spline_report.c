@@ -1,17 +1,17 @@
 /*
- * splinereport: sums and largest values over pieces, and percentages of the paper's Table 1.
+ * spline_report: sums and largest values over pieces, and percentages of the paper's Table 1.
  */
 #include <check.h>
 #include <stdlib.h>
 #include <string.h>
 
-#include "stage/splinereport.h"
+#include "stage/spline_report.h"
 
 START_TEST(sums_and_largest)
 {
     struct spline_run_piece a = {.from = 0, .to = 100, .smooth = 0.001};
     struct spline_run_piece b = {.from = 100, .to = 150};
-    struct splinereport r = {0};
+    struct spline_report r = {0};
     char text[4000];
     FILE *table = fmemopen(text, sizeof text, "w");
 
@@ -22,10 +22,10 @@ START_TEST(sums_and_largest)
     b.fit.curve.poles = 6;
     b.fit.deviation.c1 = 0.7;
     b.fit.proof.other = 0.0085;
-    splinereport_head(table);
-    splinereport_add(&r, 3, &a, table);
-    splinereport_add(&r, 3, &b, NULL);
-    splinereport_totals(&r, table);
+    spline_report_head(table);
+    spline_report_add(&r, 3, &a, table);
+    spline_report_add(&r, 3, &b, NULL);
+    spline_report_totals(&r, table);
     fclose(table);
     ck_assert_uint_eq(r.points, 151); /* the corner between the pieces counts once */
     ck_assert_uint_eq(r.poles, 21);
@@ -40,9 +40,9 @@ END_TEST
 
 START_TEST(percentages_of_table_1)
 {
-    ck_assert_double_eq_tol(splinereport_fewer(9023, 225), 97.5, 0.01);
-    ck_assert_double_eq_tol(splinereport_fewer(9023, 230), 97.45, 0.01);
-    ck_assert(splinereport_fewer(0, 0) == 0);
+    ck_assert_double_eq_tol(spline_report_fewer(9023, 225), 97.5, 0.01);
+    ck_assert_double_eq_tol(spline_report_fewer(9023, 230), 97.45, 0.01);
+    ck_assert(spline_report_fewer(0, 0) == 0);
 }
 END_TEST
 

@@ -1,10 +1,11 @@
-/* planepath_beyond - the strips of planes run out to the border of the scan; see planepath.h. */
+/* plane_passes_beyond - the strips of planes run out to the border of the scan; see plane_passes.h.
+ */
 #include <stdlib.h>
 
 #include "base/cli.h"
-#include "stage/cutting.h"
+#include "stage/path_options.h"
 #include "base/parallel.h"
-#include "stage/planepath.h"
+#include "stage/plane_passes.h"
 #include "toolpath/pass_extend.h"
 
 /* Of the tolerance and the noise: how far the ball may be off on the surface near a border. */
@@ -15,13 +16,13 @@ static const double LONG = 1.5;
 
 /* What the threads share. */
 struct ends {
-    const struct planepath *path;
+    const struct plane_passes *path;
     struct plane_cuts *cuts;
     double *length;
     size_t *beyond;
 };
 
-static struct border_surface_plane plane_at(const struct planepath *p, double height)
+static struct border_surface_plane plane_at(const struct plane_passes *p, double height)
 {
     return (struct border_surface_plane){p->rule.normal, p->rule.along, height};
 }
@@ -39,7 +40,7 @@ static void lengthen(void *context, size_t from, size_t to)
     }
 }
 
-static double lengthen_all(const struct planepath *p, struct plane_cuts *cuts)
+static double lengthen_all(const struct plane_passes *p, struct plane_cuts *cuts)
 {
     struct ends e = {p, cuts, mem_alloc(cuts->n + 1, sizeof(double)),
                      mem_alloc(cuts->n + 1, sizeof(size_t))};
@@ -60,7 +61,7 @@ static double lengthen_all(const struct planepath *p, struct plane_cuts *cuts)
 
 /* What the plane has beside the strips of a neighbouring one and not beside those on its other side
  * (NULL: none). */
-static double widen(const struct planepath *p, const struct plane_cut *from,
+static double widen(const struct plane_passes *p, const struct plane_cut *from,
                     const struct plane_cut *beyond, double shortest, struct plane_cut *cut)
 {
     struct border_surface_plane plane = plane_at(p, cut->height);
@@ -69,7 +70,7 @@ static double widen(const struct planepath *p, const struct plane_cut *from,
     return pass_extend_beside(p->border_surface, &plane, &beside, shortest, &cut->strips);
 }
 
-static double widen_all(const struct planepath *p, struct plane_cuts *cuts)
+static double widen_all(const struct plane_passes *p, struct plane_cuts *cuts)
 {
     double length = 0;
 
@@ -86,8 +87,8 @@ static double widen_all(const struct planepath *p, struct plane_cuts *cuts)
 
 /* Planes from the end on (`way` 1: beyond the last, -1: before the first), as long as the scan has
  * something for them. */
-static double go_on(const struct planepath *p, const struct plane_cut *end, double way, double step,
-                    struct plane_cuts *more)
+static double go_on(const struct plane_passes *p, const struct plane_cut *end, double way,
+                    double step, struct plane_cuts *more)
 {
     double length = 0;
 
@@ -103,7 +104,7 @@ static double go_on(const struct planepath *p, const struct plane_cut *end, doub
 
 /* Two planes, of which one ends well before the other where the border runs nearly along them: what
  * goes between. */
-static double go_between(const struct planepath *p, const struct plane_cut *low,
+static double go_between(const struct plane_passes *p, const struct plane_cut *low,
                          const struct plane_cut *high, struct plane_cuts *to)
 {
     double step = high->height - low->height;
@@ -117,7 +118,7 @@ static double go_between(const struct planepath *p, const struct plane_cut *low,
 }
 
 /* Half the distance of the planes at an end; the one at the border may have come nearer. */
-static double end_step(const struct planepath *p, bool last)
+static double end_step(const struct plane_passes *p, bool last)
 {
     const double *h = p->height.item;
     size_t n = p->height.n;
@@ -127,7 +128,7 @@ static double end_step(const struct planepath *p, bool last)
     return (last ? h[n - 2] - h[n - 3] : h[2] - h[1]) / 2;
 }
 
-void planepath_go_beyond(const struct planepath *p, struct plane_cuts *cuts)
+void plane_passes_go_beyond(const struct plane_passes *p, struct plane_cuts *cuts)
 {
     struct plane_cuts before = {0}, behind = {0}, all = {0};
     double length = lengthen_all(p, cuts);
@@ -154,7 +155,7 @@ void planepath_go_beyond(const struct planepath *p, struct plane_cuts *cuts)
     *cuts = all;
 }
 
-void planepath_run_out(struct planepath *p, const struct mesh *mesh)
+void plane_passes_run_out(struct plane_passes *p, const struct mesh *mesh)
 {
     struct border_surface_options rule = {.scan = &cutting.certain,
                                           .doubtful = &cutting.doubtful,

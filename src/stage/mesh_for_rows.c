@@ -1,26 +1,27 @@
-#include "stage/part.h"
+#include "stage/mesh_for_rows.h"
 
 #include <string.h>
 
 #include "base/cli.h"
 #include "io/mesh/ply.h"
 
-static int set_normals(enum part_normals normals, struct mesh *mesh, struct error *error)
+static int set_normals(enum mesh_for_rows_normals normals, struct mesh *mesh, struct error *error)
 {
     bool none = mesh->normal.n == 0;
 
-    if (normals == PART_CENTRAL)
+    if (normals == ROW_NORMALS_CENTRAL)
         return mesh_normals_central(mesh, error);
-    if (none && normals == PART_MESH)
+    if (none && normals == ROW_NORMALS_MESH)
         say("the mesh has no normals: taking the mean of the facets'");
-    if (none || normals == PART_FACET)
+    if (none || normals == ROW_NORMALS_FACET)
         mesh_normals_facet(mesh);
-    if (normals == PART_GOURAUD)
+    if (normals == ROW_NORMALS_GOURAUD)
         mesh_normals_gouraud(mesh);
     return 0;
 }
 
-int part_read(const char *file, enum part_normals normals, struct mesh *mesh, struct error *error)
+int mesh_for_rows_read(const char *file, enum mesh_for_rows_normals normals, struct mesh *mesh,
+                       struct error *error)
 {
     struct error why;
 
@@ -38,7 +39,7 @@ int part_read(const char *file, enum part_normals normals, struct mesh *mesh, st
     return 0;
 }
 
-double part_top(const struct mesh *mesh)
+double mesh_for_rows_top(const struct mesh *mesh)
 {
     double top = -HUGE_VAL;
 
@@ -47,7 +48,7 @@ double part_top(const struct mesh *mesh)
     return top;
 }
 
-const char *part_name(const struct mesh *mesh)
+const char *mesh_for_rows_name(const struct mesh *mesh)
 {
     const char *source = mesh->origin.source;
 

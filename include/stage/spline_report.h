@@ -1,15 +1,15 @@
 /*
- * splinereport - what became of the points of a path, as the tables of paper 2 tell it: points,
+ * spline_report - what became of the points of a path, as the tables of paper 2 tell it: points,
  * control points, percentage of reduction, C1 and C2; and as it is proven, the distance both ways.
  */
-#ifndef CLOUDMILL_SPLINEREPORT_H
-#define CLOUDMILL_SPLINEREPORT_H
+#ifndef CLOUDMILL_SPLINE_REPORT_H
+#define CLOUDMILL_SPLINE_REPORT_H
 
 #include <stdio.h>
 
 #include "splinefit/spline_run.h"
 
-struct splinereport {
+struct spline_report {
     size_t points, splines, poles;
     size_t polylines;           /* splines that fell back to degree 1 with a pole at each point */
     size_t cut;                 /* curves whose search was cut short */
@@ -20,14 +20,14 @@ struct splinereport {
 };
 
 /* Counts one piece; unless `table` is NULL, writes its row. */
-void splinereport_add(struct splinereport *report, size_t pass,
-                      const struct spline_run_piece *piece, FILE *table);
+void spline_report_add(struct spline_report *report, size_t pass,
+                       const struct spline_run_piece *piece, FILE *table);
 
 /* The headings of the table, and its last row. */
-void splinereport_head(FILE *table);
-void splinereport_totals(const struct splinereport *report, FILE *table);
+void spline_report_head(FILE *table);
+void spline_report_totals(const struct spline_report *report, FILE *table);
 
 /* Percentage of reduction. */
-double splinereport_fewer(size_t points, size_t poles);
+double spline_report_fewer(size_t points, size_t poles);
 
 #endif

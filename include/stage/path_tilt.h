@@ -1,8 +1,8 @@
 /*
- * retilt - the tool axis of a whole path set anew (tilt.h).
+ * path_tilt - the tool axis of a whole path set anew (tilt.h).
  */
-#ifndef CLOUDMILL_RETILT_H
-#define CLOUDMILL_RETILT_H
+#ifndef CLOUDMILL_PATH_TILT_H
+#define CLOUDMILL_PATH_TILT_H
 
 #include "io/path/path.h"
 
@@ -11,6 +11,6 @@
  * have the axis of its end take the new axis, their ball where it was.  A path without a ball
  * cutter, or without contact points and normals, is an error.
  */
-int retilt_path(struct path *path, double angle, bool frenet, struct error *error);
+int path_set_tilt(struct path *path, double angle, bool frenet, struct error *error);
 
 #endif

@@ -1,18 +1,18 @@
-/* planepath - see planepath.h. */
-#include "stage/planepath.h"
+/* plane_passes - see plane_passes.h. */
+#include "stage/plane_passes.h"
 
 #include <stdlib.h>
 #include <string.h>
 
 #include "base/cli.h"
-#include "stage/cutting.h"
+#include "stage/path_options.h"
 #include "base/num.h"
 #include "base/parallel.h"
 #include "toolpath/scallop.h"
 
 enum { DIRECTIONS = 12, LOOKED_AT = 24 };
 
-struct pass_options planepath_upright(double angle, double radius)
+struct pass_options plane_passes_upright(double angle, double radius)
 {
     struct pass_options rule = {.along = vec(cos(angle), sin(angle), 0),
                                 .normal = vec(-sin(angle), cos(angle), 0),
@@ -26,9 +26,9 @@ struct pass_options planepath_upright(double angle, double radius)
     return rule;
 }
 
-struct pass_options planepath_along(const struct mesh_part *part, double radius)
+struct pass_options plane_passes_along(const struct mesh_part *part, double radius)
 {
-    struct pass_options rule = planepath_upright(0, radius);
+    struct pass_options rule = plane_passes_upright(0, radius);
 
     rule.along = part->along;
     rule.normal = vec_cross(part->up, part->along);
@@ -51,7 +51,7 @@ static double first_height(struct slice *cut, double inside)
     return length[0] > 0.9 * length[1] ? low : low + inside;
 }
 
-static void move_first(struct planepath *p)
+static void move_first(struct plane_passes *p)
 {
     double low = slice_low(p->cut), high = slice_high(p->cut);
     double distance = p->height.n > 1 ? p->height.item[1] - p->height.item[0] : high - low;
@@ -59,7 +59,7 @@ static void move_first(struct planepath *p)
     p->height.item[0] = first_height(p->cut, 0.01 * distance);
 }
 
-void planepath_equal(struct planepath *p, const struct mesh *mesh, double step)
+void plane_passes_equal(struct plane_passes *p, const struct mesh *mesh, double step)
 {
     p->cut = slice_new(mesh, p->rule.normal, !cutting.paper);
     scallop_equal(slice_low(p->cut), slice_high(p->cut), step, &p->height);
@@ -67,7 +67,7 @@ void planepath_equal(struct planepath *p, const struct mesh *mesh, double step)
     move_first(p);
 }
 
-void planepath_scallop(struct planepath *p, const struct mesh *mesh, double h)
+void plane_passes_scallop(struct plane_passes *p, const struct mesh *mesh, double h)
 {
     p->cut = slice_new(mesh, p->rule.normal, !cutting.paper);
     struct scallop_report report = scallop_heights(
@@ -85,7 +85,7 @@ void planepath_scallop(struct planepath *p, const struct mesh *mesh, double h)
 /* About how long all passes are. */
 static double length_at(const struct mesh *mesh, double angle, double radius, double h)
 {
-    struct pass_options rule = planepath_upright(angle, radius);
+    struct pass_options rule = plane_passes_upright(angle, radius);
     struct slice *cut = slice_new(mesh, rule.normal, true);
     struct doubles height = {0};
     double length = 0;
@@ -103,7 +103,7 @@ static double length_at(const struct mesh *mesh, double angle, double radius, do
     return length;
 }
 
-double planepath_best(const struct mesh *mesh, double radius, double h, double *length)
+double plane_passes_best(const struct mesh *mesh, double radius, double h, double *length)
 {
     double best = 0;
 
@@ -119,13 +119,13 @@ double planepath_best(const struct mesh *mesh, double radius, double h, double *
     return best;
 }
 
-bool planepath_direction(const char *text, const struct mesh *mesh, double radius, double h,
-                         double *angle)
+bool plane_passes_direction(const char *text, const struct mesh *mesh, double radius, double h,
+                            double *angle)
 {
     double length, degrees;
 
     if (strcmp(text, "auto") == 0) {
-        *angle = planepath_best(mesh, radius, h, &length);
+        *angle = plane_passes_best(mesh, radius, h, &length);
         say("planes at %g degrees: the fewest millimetres of cut, about %.0f", DEGREES(*angle),
             length);
         return true;
@@ -138,7 +138,7 @@ bool planepath_direction(const char *text, const struct mesh *mesh, double radiu
 
 /* What the threads share. */
 struct putting {
-    const struct planepath *path;
+    const struct plane_passes *path;
     struct contact *point;
     bool *beside;
 };
@@ -152,7 +152,7 @@ static void put_some(void *context, size_t from, size_t to)
             project_put(p->path->on, p->path->rule.normal, p->path->reach, &p->point[i]) < 0;
 }
 
-static void put_on_surfaces(struct planepath *p, struct contacts *points)
+static void put_on_surfaces(struct plane_passes *p, struct contacts *points)
 {
     struct putting put = {p, points->item, mem_alloc(points->n + 1, sizeof *put.beside)};
 
@@ -163,7 +163,7 @@ static void put_on_surfaces(struct planepath *p, struct contacts *points)
     free(put.beside);
 }
 
-static struct plane_cuts cut_all(struct planepath *p)
+static struct plane_cuts cut_all(struct plane_passes *p)
 {
     struct plane_cuts cuts = {0};
 
@@ -176,11 +176,11 @@ static struct plane_cuts cut_all(struct planepath *p)
         slice_chains_free(&chains);
     }
     if (p->border_surface)
-        planepath_go_beyond(p, &cuts);
+        plane_passes_go_beyond(p, &cuts);
     return cuts;
 }
 
-static void make_pass(const struct planepath *p, const struct slice_chains *strips, size_t pass,
+static void make_pass(const struct plane_passes *p, const struct slice_chains *strips, size_t pass,
                       struct toolpath *t)
 {
     bool back = !cutting.one_way && pass % 2 == 0;
@@ -212,7 +212,7 @@ static void free_cuts(struct plane_cuts *cuts, size_t n)
     free(cuts);
 }
 
-int planepath_make(struct planepath *paths, size_t n, struct toolpath *t, struct error *error)
+int plane_passes_make(struct plane_passes *paths, size_t n, struct toolpath *t, struct error *error)
 {
     size_t pass = 1, beside = 0, left_out = 0;
     struct plane_cuts *cuts = mem_alloc(n, sizeof *cuts);
@@ -243,7 +243,7 @@ int planepath_make(struct planepath *paths, size_t n, struct toolpath *t, struct
     return 0;
 }
 
-void planepath_free(struct planepath *p)
+void plane_passes_free(struct plane_passes *p)
 {
     slice_free(p->cut);
     array_free(&p->height);

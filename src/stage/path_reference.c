@@ -1,5 +1,5 @@
-/* retrack - see retrack.h. */
-#include "stage/retrack.h"
+/* path_reference - see path_reference.h. */
+#include "stage/path_reference.h"
 
 static int refuse(const struct path *path, enum path_track track, struct error *error)
 {
@@ -25,7 +25,7 @@ static int refuse(const struct path *path, enum path_track track, struct error *
     return 0;
 }
 
-int retrack_path(struct path *path, enum path_track track, struct error *error)
+int path_set_reference(struct path *path, enum path_track track, struct error *error)
 {
     if (path->head.track == track)
         return 0;

@@ -1,4 +1,4 @@
-/* toolpath_stand - what a path leaves standing; see toolpath.h. */
+/* toolpath_uncut - what a path leaves standing; see toolpath.h. */
 #include <stdlib.h>
 
 #include "math/kdtree.h"

@@ -1,5 +1,5 @@
-/* intake - see intake.h. */
-#include "stage/intake.h"
+/* cloud_prepare - see cloud_prepare.h. */
+#include "stage/cloud_prepare.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -27,7 +27,8 @@ static void say_skipped(const char *file, const struct cloud_count *c)
             c->not_measured == 1 ? "" : "s");
 }
 
-int intake_read(char **file, int files, struct vec3s *points, size_t *left_out, struct error *error)
+int cloud_prepare_read(char **file, int files, struct vec3s *points, size_t *left_out,
+                       struct error *error)
 {
     *left_out = 0;
     for (int i = 0; i < files; i++) {
@@ -40,8 +41,8 @@ int intake_read(char **file, int files, struct vec3s *points, size_t *left_out, 
     return 0;
 }
 
-int intake_place(struct vec3s *points, const char *unit, const char *matrix, bool to_origin,
-                 struct mesh_origin *origin, struct error *error)
+int cloud_prepare_place(struct vec3s *points, const char *unit, const char *matrix, bool to_origin,
+                        struct mesh_origin *origin, struct error *error)
 {
     struct transform total = transform_scale(cloud_unit(unit)), placing;
     if (matrix) {
@@ -64,7 +65,7 @@ int intake_place(struct vec3s *points, const char *unit, const char *matrix, boo
     return 0;
 }
 
-static void say_cleaned(const struct intake *c, bool drop)
+static void say_cleaned(const struct cloud_prepare *c, bool drop)
 {
     const char *left = drop ? "left out" : "found, and kept,";
     if (c->twice > 0)
@@ -77,25 +78,25 @@ static void say_cleaned(const struct intake *c, bool drop)
             c->under == 1 ? "" : "s");
 }
 
-int intake_clean(struct vec3s *points, double spacing, enum intake_drop drop, int threads,
-                 struct intake *intake, struct error *error)
+int cloud_prepare_clean(struct vec3s *points, double spacing, enum cloud_prepare_drop drop,
+                        int threads, struct cloud_prepare *cloud_prepare, struct error *error)
 {
     struct point_grid point_grid;
-    *intake = (struct intake){0};
+    *cloud_prepare = (struct cloud_prepare){0};
     if (point_grid_make(points->item, points->n, spacing, threads, &point_grid, error) < 0)
         return -1;
     unsigned char *out = mem_alloc(points->n, 1);
-    intake->twice = outliers_twice(&point_grid, out);
+    cloud_prepare->twice = outliers_twice(&point_grid, out);
     point_grid_remove(&point_grid, out);
-    intake->noise = noise_of(&point_grid, threads);
+    cloud_prepare->noise = noise_of(&point_grid, threads);
     memset(out, 0, points->n);
-    intake->outliers = outliers_isolated(&point_grid, intake->noise, threads, out);
-    if (drop != INTAKE_DROP_OUTLIERS)
-        intake->under = outliers_under_roof(&point_grid, threads, out);
-    if (drop != INTAKE_KEEP)
+    cloud_prepare->outliers = outliers_isolated(&point_grid, cloud_prepare->noise, threads, out);
+    if (drop != CLOUD_PREPARE_DROP_OUTLIERS)
+        cloud_prepare->under = outliers_under_roof(&point_grid, threads, out);
+    if (drop != CLOUD_PREPARE_KEEP)
         point_grid_remove(&point_grid, out);
     points->n = point_grid.n;
-    say_cleaned(intake, drop != INTAKE_KEEP);
+    say_cleaned(cloud_prepare, drop != CLOUD_PREPARE_KEEP);
     free(out);
     point_grid_free(&point_grid);
     return 0;

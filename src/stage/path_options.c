@@ -1,26 +1,26 @@
-#include "stage/cutting.h"
+#include "stage/path_options.h"
 
 #include <stdlib.h>
 #include <string.h>
 
-#include "stage/holder_spec.h"
-#include "stage/part.h"
-#include "scan.h"
+#include "stage/holder_options.h"
+#include "stage/mesh_for_rows.h"
+#include "guard_read.h"
 
-struct cutting cutting = {.tilt = 15,
-                          .depth = 0.3,
-                          .noise = -1,
-                          .lean = 30,
-                          .clearance = NAN,
-                          .approach = 5,
-                          .feed = 800,
-                          .spindle = 8000,
-                          .layers = 1,
-                          .tool = 1,
-                          .coolant = 1};
+struct path_options cutting = {.tilt = 15,
+                               .depth = 0.3,
+                               .noise = -1,
+                               .lean = 30,
+                               .clearance = NAN,
+                               .approach = 5,
+                               .feed = 800,
+                               .spindle = 8000,
+                               .layers = 1,
+                               .tool = 1,
+                               .coolant = 1};
 
 /* clang-format off */
-const struct cli_option cutting_options[] = {
+const struct cli_option path_options_options[] = {
     {'g', "guard", "FILE", "keep the ball clear of all points of this scan, not only of the mesh\n"
      "(may be given several times)", CLI_LIST, &cutting.guards, 0, 0, 0, NULL},
     {0, "noise", "SIGMA", "standard deviation of the noise that is taken out of the scan of -g\n"
@@ -85,7 +85,7 @@ static struct vec3 vec_of(const double v[3])
 
 static int axis_rule(struct tool_axis_options *rule, struct error *error)
 {
-    const struct cutting *c = &cutting;
+    const struct path_options *c = &cutting;
 
     *rule = (struct tool_axis_options){
         .kind = AXIS_LEAN, .tilt = RADIANS(c->tilt), .lead = RADIANS(c->lead)};
@@ -113,9 +113,9 @@ static int axis_rule(struct tool_axis_options *rule, struct error *error)
     return 0;
 }
 
-int cutting_check(struct tool_axis_options *axis, struct error *error)
+int path_options_check(struct tool_axis_options *axis, struct error *error)
 {
-    struct cutting *c = &cutting;
+    struct path_options *c = &cutting;
 
     if (c->radius == 0)
         return error_set(error, "found no radius of the ball, expected -r R");
@@ -136,16 +136,16 @@ int cutting_check(struct tool_axis_options *axis, struct error *error)
     return axis_rule(axis, error);
 }
 
-int cutting_guard(const struct mesh *mesh, double near, int threads, struct gouge_check **guard,
-                  struct error *error)
+int path_options_guard(const struct mesh *mesh, double near, int threads,
+                       struct gouge_check **guard, struct error *error)
 {
-    const struct cutting *c = &cutting;
-    struct scan_rule rule = {c->radius, c->tolerance, c->noise, threads, {0}, {0}};
+    const struct path_options *c = &cutting;
+    struct guard_read_options rule = {c->radius, c->tolerance, c->noise, threads, {0}, {0}};
 
     *guard = NULL;
     if (c->paper)
         return 0;
-    *guard = c->guards.n > 0 ? scan_guard(&c->guards, mesh, near, &rule, error)
+    *guard = c->guards.n > 0 ? guard_read(&c->guards, mesh, near, &rule, error)
                              : gouge_from_mesh(mesh, sqrt(6 * 0.002 * c->radius));
     cutting.noise = rule.noise;
     cutting.certain = rule.certain;
@@ -157,7 +157,7 @@ int cutting_guard(const struct mesh *mesh, double near, int threads, struct goug
 static int clearance_plane(const struct mesh *mesh, const struct gouge_check *guard, double *z,
                            struct error *error)
 {
-    double top = fmax(part_top(mesh), guard ? gouge_top(guard) : -HUGE_VAL);
+    double top = fmax(mesh_for_rows_top(mesh), guard ? gouge_top(guard) : -HUGE_VAL);
 
     top += (cutting.layers - 1) * cutting.depth;
     if (cutting.clearance < top)
@@ -168,24 +168,24 @@ static int clearance_plane(const struct mesh *mesh, const struct gouge_check *gu
     return 0;
 }
 
-int cutting_rules(const struct mesh *mesh, const struct gouge_check *guard, double distance,
-                  struct toolpath *t, struct error *error)
+int path_options_rules(const struct mesh *mesh, const struct gouge_check *guard, double distance,
+                       struct toolpath *t, struct error *error)
 {
-    const struct cutting *c = &cutting;
+    const struct path_options *c = &cutting;
     struct error why;
 
-    t->rule = (struct toolpath_rule){.radius = c->radius,
-                                     .feed = c->feed,
-                                     .plunge = c->plunge,
-                                     .approach = c->approach,
-                                     .longest = 3 * distance,
-                                     .avoid = c->avoid || c->guards.n == 0};
+    t->rule = (struct toolpath_options){.radius = c->radius,
+                                        .feed = c->feed,
+                                        .plunge = c->plunge,
+                                        .approach = c->approach,
+                                        .longest = 3 * distance,
+                                        .avoid = c->avoid || c->guards.n == 0};
     t->rule.skip = c->avoid;
     t->rule.play = RADIANS(c->play);
     t->rule.rate = RADIANS(c->rate);
     t->rule.lean = RADIANS(c->lean);
     t->rule.turn = RADIANS(c->turn);
-    if (c->holder && holder_spec_read(c->holder, &t->rule.holder, &why) != 0)
+    if (c->holder && holder_options_read(c->holder, &t->rule.holder, &why) != 0)
         return error_set(error, "option --holder: %s", why.text);
     t->lift.guard = guard;
     t->lift.limit = c->limit > 0 ? c->limit : c->radius;
@@ -199,9 +199,9 @@ int cutting_rules(const struct mesh *mesh, const struct gouge_check *guard, doub
 /* `tool` spent what straight lines spend. */
 static void fill_head(const struct mesh *mesh, const char *tool, const struct toolpath *t)
 {
-    const struct cutting *c = &cutting;
+    const struct path_options *c = &cutting;
     const struct mesh_origin *origin = &mesh->origin;
-    const char *name = c->partno ? c->partno : part_name(mesh);
+    const char *name = c->partno ? c->partno : mesh_for_rows_name(mesh);
     const double r = c->radius, cutter[7] = {2 * r, r, 0, r, 0, 0, fmax(60, 4 * r)};
     struct path_head *head = &t->path->head;
 
@@ -222,8 +222,8 @@ static void fill_head(const struct mesh *mesh, const char *tool, const struct to
     head->chord = c->tolerance > 0 ? NAN : t->chord;
 }
 
-void cutting_begin(const struct mesh *mesh, const char *tool, const char *output,
-                   struct toolpath *t)
+void path_options_begin(const struct mesh *mesh, const char *tool, const char *output,
+                        struct toolpath *t)
 {
     t->streams = cutting.tolerance > 0;
     t->output = output;
@@ -231,7 +231,7 @@ void cutting_begin(const struct mesh *mesh, const char *tool, const char *output
         fill_head(mesh, tool, t);
 }
 
-void cutting_end(const struct mesh *mesh, const char *tool, struct toolpath *t)
+void path_options_end(const struct mesh *mesh, const char *tool, struct toolpath *t)
 {
     if (t->streams) {
         path_write_end(t->out);

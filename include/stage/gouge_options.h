@@ -1,17 +1,17 @@
 /*
- * pathguard - the scan that the motions fitted to a path are kept clear of: the options -g and
+ * gouge_options - the scan that the motions fitted to a path are kept clear of: the options -g and
  * --noise of the fitters.
  */
-#ifndef CLOUDMILL_PATHGUARD_H
-#define CLOUDMILL_PATHGUARD_H
+#ifndef CLOUDMILL_GOUGE_OPTIONS_H
+#define CLOUDMILL_GOUGE_OPTIONS_H
 
 #include "base/cli.h"
 #include "io/path/path.h"
 #include "gouge/gouge_refit.h"
 
-struct pathguard {
+struct gouge_options {
     struct cli_list files; /* none: nothing is kept clear of */
-    double noise;          /* of the scan, mm; negative: as found (scan.h) */
+    double noise;          /* of the scan, mm; negative: as found (guard_read.h) */
     struct gouge_refit_options rule;
 
     /* What came of it, over all runs. */
@@ -24,19 +24,19 @@ struct pathguard {
 /* Reads the scan, in the coordinates of the path, for a ball that may go `tolerance` mm deep, as
  * densely as the path's maker did (by the last entry of its ledger, within a tenth and four times
  * that tolerance).  -1 also when the path has no ball cutter, or is clearly elsewhere. */
-int pathguard_read(struct pathguard *guard, const struct path *path, double tolerance, int threads,
-                   struct error *error);
+int gouge_options_read(struct gouge_options *guard, const struct path *path, double tolerance,
+                       int threads, struct error *error);
 
 /* Adds what became of the run that begins with this item of the path. */
-void pathguard_add(struct pathguard *guard, const struct path *path, size_t item,
-                   const struct gouge_refit_result *result);
+void gouge_options_add(struct gouge_options *guard, const struct path *path, size_t item,
+                       const struct gouge_refit_result *result);
 
 /* Adds the straight motions at feed that belong to no run and are carried through as they are. */
-void pathguard_carried(struct pathguard *guard, const struct path *path);
+void gouge_options_carried(struct gouge_options *guard, const struct path *path);
 
 /* Says what does not hold; the tool's exit status, EXIT_DONE or EXIT_UNMET. */
-int pathguard_conclude(const struct pathguard *guard);
+int gouge_options_conclude(const struct gouge_options *guard);
 
-void pathguard_free(struct pathguard *guard);
+void gouge_options_free(struct gouge_options *guard);
 
 #endif

@@ -1,14 +1,14 @@
 /*
- * scan - the scan that a path is guarded against, brought to where the mesh is.
+ * guard_read - the scan that a path is guarded against, brought to where the mesh is.
  */
-#ifndef CLOUDMILL_SCAN_H
-#define CLOUDMILL_SCAN_H
+#ifndef CLOUDMILL_GUARD_READ_H
+#define CLOUDMILL_GUARD_READ_H
 
 #include "base/cli.h"
 #include "gouge/gouge.h"
 
 /* What is made of the points: guard_points.h. */
-struct scan_rule {
+struct guard_read_options {
     double radius;    /* of the ball, mm */
     double tolerance; /* of the path, mm: the ball sinks between points by a fifth of it at most */
     double
@@ -24,11 +24,12 @@ struct scan_rule {
  * more than half of its vertices further than `near` mm from every point of the scan.  rule->noise
  * becomes what was taken out.
  */
-struct gouge_check *scan_guard(const struct cli_list *files, const struct mesh *mesh, double near,
-                               struct scan_rule *rule, struct error *error);
+struct gouge_check *guard_read(const struct cli_list *files, const struct mesh *mesh, double near,
+                               struct guard_read_options *rule, struct error *error);
 
 /* The same with the places of a path for vertices, and the scan as it is. */
-struct gouge_check *scan_guard_points(const struct cli_list *files, const struct vec3s *place,
-                                      double near, struct scan_rule *rule, struct error *error);
+struct gouge_check *guard_read_points(const struct cli_list *files, const struct vec3s *place,
+                                      double near, struct guard_read_options *rule,
+                                      struct error *error);
 
 #endif

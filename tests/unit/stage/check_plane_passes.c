@@ -1,10 +1,11 @@
-/* planepath on a gutter: how long all passes are, and in which direction they are the shortest. */
-#include "stage/planepath.h"
+/* plane_passes on a gutter: how long all passes are, and in which direction they are the shortest.
+ */
+#include "stage/plane_passes.h"
 
 #include <check.h>
 #include <stdlib.h>
 
-#include "stage/cutting.h"
+#include "stage/path_options.h"
 #include "toolpath/scallop.h"
 
 enum { ALONG = 40, AROUND = 30 };
@@ -36,7 +37,7 @@ static struct mesh make_gutter(void)
 START_TEST(the_shortest_direction_is_along_a_gutter)
 {
     struct mesh mesh = make_gutter();
-    double length, angle = planepath_best(&mesh, BALL, CUSP, &length);
+    double length, angle = plane_passes_best(&mesh, BALL, CUSP, &length);
     /* 40 mm for each step around, at most as far apart as the cusps allow at every place */
     double step = scallop_step(CUSP, BALL, -1 / GUTTER), around = 2 * 0.75 * GUTTER;
     ck_assert_double_eq_tol(angle, 0, 1e-12);
@@ -50,11 +51,11 @@ START_TEST(directions_are_read)
 {
     struct mesh mesh = make_gutter();
     double angle;
-    ck_assert(planepath_direction("30", &mesh, BALL, CUSP, &angle));
+    ck_assert(plane_passes_direction("30", &mesh, BALL, CUSP, &angle));
     ck_assert_double_eq_tol(angle, PI / 6, 1e-12);
-    ck_assert(planepath_direction("auto", &mesh, BALL, CUSP, &angle));
+    ck_assert(plane_passes_direction("auto", &mesh, BALL, CUSP, &angle));
     ck_assert_double_eq_tol(angle, 0, 1e-12);
-    ck_assert(!planepath_direction("automatic", &mesh, BALL, CUSP, &angle));
+    ck_assert(!plane_passes_direction("automatic", &mesh, BALL, CUSP, &angle));
     mesh_free(&mesh);
 }
 END_TEST
@@ -62,7 +63,7 @@ END_TEST
 START_TEST(planes_become_passes)
 {
     struct mesh mesh = make_gutter();
-    struct planepath p = {.rule = planepath_upright(PI / 2, BALL)};
+    struct plane_passes p = {.rule = plane_passes_upright(PI / 2, BALL)};
     struct path path = {0};
     struct toolpath t = {.path = &path,
                          .rule = {.radius = BALL,
@@ -76,10 +77,10 @@ START_TEST(planes_become_passes)
                                   .step = 0.05,
                                   .axis = {.kind = AXIS_FIXED, .direction = {0, 0, 1}}}};
     cutting.radius = BALL;
-    planepath_equal(&p, &mesh, 4);
+    plane_passes_equal(&p, &mesh, 4);
     ck_assert_uint_eq(p.height.n, 11); /* 40 mm, the last plane 0.04 inside */
     struct error error;
-    ck_assert_int_eq(planepath_make(&p, 1, &t, &error), 0);
+    ck_assert_int_eq(plane_passes_make(&p, 1, &t, &error), 0);
     size_t passes = 0;
     double x = HUGE_VAL;
     for (size_t i = 0; i < path.item.n; i++) {
@@ -94,7 +95,7 @@ START_TEST(planes_become_passes)
     }
     ck_assert_uint_eq(passes, 11);
     ck_assert_double_eq_tol(x, 0, 1e-9);
-    planepath_free(&p);
+    plane_passes_free(&p);
     path_free(&path);
     mesh_free(&mesh);
 }

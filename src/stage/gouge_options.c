@@ -1,10 +1,10 @@
-/* pathguard - see pathguard.h. */
-#include "stage/pathguard.h"
+/* gouge_options - see gouge_options.h. */
+#include "stage/gouge_options.h"
 
 #include <stdlib.h>
 
 #include "io/path/path_run.h"
-#include "scan.h"
+#include "guard_read.h"
 
 /* Where the ball is at the points of all runs. */
 static struct vec3s balls_of(const struct path *path)
@@ -32,13 +32,13 @@ static double scan_tolerance(const struct path *path, double tolerance)
     return fmin(fmax(made, closest * tolerance), widest * tolerance);
 }
 
-int pathguard_read(struct pathguard *guard, const struct path *path, double tolerance, int threads,
-                   struct error *error)
+int gouge_options_read(struct gouge_options *guard, const struct path *path, double tolerance,
+                       int threads, struct error *error)
 {
-    struct scan_rule rule = {.radius = path_ball(path),
-                             .tolerance = scan_tolerance(path, tolerance),
-                             .noise = guard->noise,
-                             .threads = threads};
+    struct guard_read_options rule = {.radius = path_ball(path),
+                                      .tolerance = scan_tolerance(path, tolerance),
+                                      .noise = guard->noise,
+                                      .threads = threads};
 
     if (guard->files.n == 0)
         return 0;
@@ -48,7 +48,7 @@ int pathguard_read(struct pathguard *guard, const struct path *path, double tole
     struct vec3s ball = balls_of(path);
     guard->rule = (struct gouge_refit_options){
         .radius = rule.radius, .tolerance = tolerance, .centre = path->head.track == TRACK_CENTRE};
-    guard->rule.guard = scan_guard_points(&guard->files, &ball, 3 * rule.radius, &rule, error);
+    guard->rule.guard = guard_read_points(&guard->files, &ball, 3 * rule.radius, &rule, error);
     array_free(&ball);
     array_free(&rule.certain);
     array_free(&rule.doubtful);
@@ -64,8 +64,8 @@ static size_t pass_of(const struct path *path, size_t item)
     return 0;
 }
 
-void pathguard_add(struct pathguard *guard, const struct path *path, size_t item,
-                   const struct gouge_refit_result *result)
+void gouge_options_add(struct gouge_options *guard, const struct path *path, size_t item,
+                       const struct gouge_refit_result *result)
 {
     guard->lift = fmax(guard->lift, result->lift);
     guard->left += result->deepest.depth > 0;
@@ -76,7 +76,7 @@ void pathguard_add(struct pathguard *guard, const struct path *path, size_t item
 }
 
 /* The motions that lead to the items [from, to). */
-static void look_at_carried(struct pathguard *guard, const struct path *path, size_t from,
+static void look_at_carried(struct gouge_options *guard, const struct path *path, size_t from,
                             size_t to)
 {
     struct gouge_refit_result result = {.lift = 0};
@@ -94,11 +94,11 @@ static void look_at_carried(struct pathguard *guard, const struct path *path, si
         gouge_refit_motion(&guard->rule, &line, &deeps);
     }
     result.deepest = gouge_refit_beyond(&guard->rule, &deeps);
-    pathguard_add(guard, path, from, &result);
+    gouge_options_add(guard, path, from, &result);
     array_free(&deeps);
 }
 
-void pathguard_carried(struct pathguard *guard, const struct path *path)
+void gouge_options_carried(struct gouge_options *guard, const struct path *path)
 {
     size_t at = 0, from = 0, to;
 
@@ -109,7 +109,7 @@ void pathguard_carried(struct pathguard *guard, const struct path *path)
     look_at_carried(guard, path, at, path->item.n);
 }
 
-int pathguard_conclude(const struct pathguard *guard)
+int gouge_options_conclude(const struct gouge_options *guard)
 {
     struct vec3 at = guard->deepest.ball;
 
@@ -124,7 +124,7 @@ int pathguard_conclude(const struct pathguard *guard)
     return EXIT_UNMET;
 }
 
-void pathguard_free(struct pathguard *guard)
+void gouge_options_free(struct gouge_options *guard)
 {
     array_free(&guard->files);
     gouge_free((struct gouge_check *)guard->rule.guard);

@@ -1,4 +1,4 @@
-#include "scan.h"
+#include "guard_read.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -87,7 +87,7 @@ static void add_edges(const struct mesh *mesh, double spacing, struct vec3s *poi
 
 /* NULL: more points than can be sorted. */
 static struct gouge_check *gouge_of(struct vec3s *points, const struct mesh *mesh,
-                                    struct scan_rule *rule, struct error *error)
+                                    struct guard_read_options *rule, struct error *error)
 {
     const double little = 0.1;  /* of the tolerance */
     const size_t many = 400000; /* points: noise is taken out of more only when it is said */
@@ -128,7 +128,7 @@ static struct gouge_check *gouge_of(struct vec3s *points, const struct mesh *mes
 /* mesh: NULL where there is none. */
 static struct gouge_check *read_guard(const struct cli_list *files, const struct mesh *mesh,
                                       const struct vec3s *place_of, const char *what, double near,
-                                      struct scan_rule *rule, struct error *error)
+                                      struct guard_read_options *rule, struct error *error)
 {
     const double(*placed)[4] = mesh && mesh->origin.placed ? mesh->origin.place : NULL;
     struct vec3s points = {0};
@@ -148,14 +148,15 @@ static struct gouge_check *read_guard(const struct cli_list *files, const struct
     return NULL;
 }
 
-struct gouge_check *scan_guard(const struct cli_list *files, const struct mesh *mesh, double near,
-                               struct scan_rule *rule, struct error *error)
+struct gouge_check *guard_read(const struct cli_list *files, const struct mesh *mesh, double near,
+                               struct guard_read_options *rule, struct error *error)
 {
     return read_guard(files, mesh, &mesh->vertex, "mesh vertices", near, rule, error);
 }
 
-struct gouge_check *scan_guard_points(const struct cli_list *files, const struct vec3s *place,
-                                      double near, struct scan_rule *rule, struct error *error)
+struct gouge_check *guard_read_points(const struct cli_list *files, const struct vec3s *place,
+                                      double near, struct guard_read_options *rule,
+                                      struct error *error)
 {
     return read_guard(files, NULL, place, "points of the path", near, rule, error);
 }

@@ -1,15 +1,15 @@
 /*
- * planepath - parallel planes through a mesh as the passes of a tool path.
+ * plane_passes - parallel planes through a mesh as the passes of a tool path.
  */
-#ifndef CLOUDMILL_PLANEPATH_H
-#define CLOUDMILL_PLANEPATH_H
+#ifndef CLOUDMILL_PLANE_PASSES_H
+#define CLOUDMILL_PLANE_PASSES_H
 
 #include "toolpath/border_surface.h"
 #include "nurbs/project.h"
 #include "toolpath/passes.h"
 #include "stage/toolpath.h"
 
-struct planepath {
+struct plane_passes {
     struct pass_options rule; /* to be filled first */
     int threads;              /* as of parallel_for */
     struct projection *on;    /* contact points are put on these surfaces; NULL: stay on the mesh */
@@ -39,44 +39,45 @@ struct plane_cuts {
 
 /* How the planes at `angle` radians about z run, from the lower left to the upper right; for a ball
  * of this radius. */
-struct pass_options planepath_upright(double angle, double radius);
+struct pass_options plane_passes_upright(double angle, double radius);
 
 /* How those of a part with a projection of its own run: along its rows, square to the plane that
  * these lie in. */
-struct pass_options planepath_along(const struct mesh_part *part, double radius);
+struct pass_options plane_passes_along(const struct mesh_part *part, double radius);
 
 /* Planes at equal distances of at most `step` mm. */
-void planepath_equal(struct planepath *p, const struct mesh *mesh, double step);
+void plane_passes_equal(struct plane_passes *p, const struct mesh *mesh, double step);
 
 /* Planes so far apart that the ball leaves no cusp higher than h mm; says where it can't be kept
  * (scallop.h). */
-void planepath_scallop(struct planepath *p, const struct mesh *mesh, double h);
+void plane_passes_scallop(struct plane_passes *p, const struct mesh *mesh, double h);
 
 /*
  * The angle of upright planes, of twelve 15 degrees apart, at which the tool cuts the fewest
  * millimetres for cusps of at most h mm: lengths of the chains of up to 24 planes, for all. *length
  * becomes about how many.
  */
-double planepath_best(const struct mesh *mesh, double radius, double h, double *length);
+double plane_passes_best(const struct mesh *mesh, double radius, double h, double *length);
 
-/* What --direction asks for, radians: degrees as text, or `auto` for planepath_best, which is then
- * told.  False: neither. */
-bool planepath_direction(const char *text, const struct mesh *mesh, double radius, double h,
-                         double *angle);
+/* What --direction asks for, radians: degrees as text, or `auto` for plane_passes_best, which is
+ * then told.  False: neither. */
+bool plane_passes_direction(const char *text, const struct mesh *mesh, double radius, double h,
+                            double *angle);
 
 /* Lets the strips of upright planes run out to the border of the scan of -g (pass_extend.h), if
  * there is one and the mesh is one that says how far apart its vertices are, without parts. */
-void planepath_run_out(struct planepath *p, const struct mesh *mesh);
+void plane_passes_run_out(struct plane_passes *p, const struct mesh *mesh);
 
 /* Its step once the planes, in the order of their heights, are cut: with more planes, half as far
  * apart, beyond the first and the last. */
-void planepath_go_beyond(const struct planepath *p, struct plane_cuts *cuts);
+void plane_passes_go_beyond(const struct plane_passes *p, struct plane_cuts *cuts);
 
 /* Gives the strips of all planes of n such paths, one path after the other, to the toolpath, which
- * is then ended, in as many layers as cutting.h says.  -1: no plane crosses anything that faces the
- * tool. */
-int planepath_make(struct planepath *paths, size_t n, struct toolpath *t, struct error *error);
+ * is then ended, in as many layers as path_options.h says.  -1: no plane crosses anything that
+ * faces the tool. */
+int plane_passes_make(struct plane_passes *paths, size_t n, struct toolpath *t,
+                      struct error *error);
 
-void planepath_free(struct planepath *p);
+void plane_passes_free(struct plane_passes *p);
 
 #endif

@@ -1,5 +1,5 @@
-/* holder_spec - see holder_spec.h. */
-#include "stage/holder_spec.h"
+/* holder_options - see holder_options.h. */
+#include "stage/holder_options.h"
 
 #include <stdbool.h>
 #include <string.h>
@@ -26,7 +26,7 @@ static bool read_part(const char **s, struct holder_part *part)
     return part->length > 0 && part->low + part->high > 0;
 }
 
-int holder_spec_read(const char *text, struct holder *holder, struct error *error)
+int holder_options_read(const char *text, struct holder *holder, struct error *error)
 {
     const char *s = text;
     holder->n = 0;

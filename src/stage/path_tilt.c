@@ -1,5 +1,5 @@
-/* retilt - see retilt.h. */
-#include "stage/retilt.h"
+/* path_tilt - see path_tilt.h. */
+#include "stage/path_tilt.h"
 
 #include <stdlib.h>
 
@@ -51,7 +51,7 @@ static struct pose tracked(const struct path *path, const struct run_point *p)
     return (struct pose){path->head.track == TRACK_CENTRE ? p->ball : p->tip, p->axis};
 }
 
-int retilt_path(struct path *path, double angle, bool frenet, struct error *error)
+int path_set_tilt(struct path *path, double angle, bool frenet, struct error *error)
 {
     if (path_ball(path) < 0)
         return error_set(error, "%s: found no ball cutter, expected one to tilt", path->name);

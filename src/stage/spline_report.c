@@ -1,9 +1,9 @@
 /*
- * splinereport - rows of figures for people.
+ * spline_report - rows of figures for people.
  */
-#include "stage/splinereport.h"
+#include "stage/spline_report.h"
 
-double splinereport_fewer(size_t points, size_t poles)
+double spline_report_fewer(size_t points, size_t poles)
 {
     return points > 0 ? 100 * (1 - (double)poles / (double)points) : 0;
 }
@@ -21,7 +21,7 @@ static const char *combination(const struct splinefit *fit)
     return fit->kind == SPLINEFIT_STRAIGHT ? "straight" : "polyline";
 }
 
-void splinereport_head(FILE *table)
+void spline_report_head(FILE *table)
 {
     fprintf(table, "%5s %7s %7s %7s %9s %9s %9s %9s %9s %9s %8s  %s\n", "pass", "points", "control",
             "%fewer", "C1", "C2", "rms", "middle", "tip", "ball", "axis", "parameters/knots");
@@ -31,11 +31,11 @@ static void write_row(FILE *table, size_t points, size_t poles, const struct dev
                       const struct spline_bound *p, const char *end)
 {
     fprintf(table, "%7zu %7zu %7.2f %9.6f %9.6f %9.6f %9.6f %9.6f %9.6f %8.4f  %s\n", points, poles,
-            splinereport_fewer(points, poles), d->c1, d->c2, d->rms, d->middle, p->point, p->other,
+            spline_report_fewer(points, poles), d->c1, d->c2, d->rms, d->middle, p->point, p->other,
             DEGREES(p->axis), end);
 }
 
-void splinereport_totals(const struct splinereport *report, FILE *table)
+void spline_report_totals(const struct spline_report *report, FILE *table)
 {
     fprintf(table, "%5s ", "all");
     write_row(table, report->points, report->poles, &report->deviation, &report->worst, "");
@@ -46,8 +46,8 @@ static void keep_largest(double *largest, double value)
     *largest = fmax(*largest, value);
 }
 
-void splinereport_add(struct splinereport *report, size_t pass,
-                      const struct spline_run_piece *piece, FILE *table)
+void spline_report_add(struct spline_report *report, size_t pass,
+                       const struct spline_run_piece *piece, FILE *table)
 {
     const struct splinefit *fit = &piece->fit;
     size_t points = piece->to - piece->from + 1, poles = fit->curve.poles;

@@ -1,8 +1,8 @@
 /*
- * holder_spec - shank and holder as an option gives them.
+ * holder_options - shank and holder as an option gives them.
  */
-#ifndef CLOUDMILL_HOLDER_SPEC_H
-#define CLOUDMILL_HOLDER_SPEC_H
+#ifndef CLOUDMILL_HOLDER_OPTIONS_H
+#define CLOUDMILL_HOLDER_OPTIONS_H
 
 #include "base/error.h"
 #include "gouge/holder.h"
@@ -12,6 +12,6 @@
  * lower and its upper end and length, or R:L, a cylinder: 3:40+10:25:20+25:60.  Radii are 0 or
  * more, not both 0, lengths above 0, all in mm and no more than 10000.  -1: what was found instead.
  */
-int holder_spec_read(const char *text, struct holder *holder, struct error *error);
+int holder_options_read(const char *text, struct holder *holder, struct error *error);
 
 #endif

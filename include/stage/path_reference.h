@@ -1,8 +1,8 @@
 /*
- * retrack - a path of points told anew by another point of the tool.
+ * path_reference - a path of points told anew by another point of the tool.
  */
-#ifndef CLOUDMILL_RETRACK_H
-#define CLOUDMILL_RETRACK_H
+#ifndef CLOUDMILL_PATH_REFERENCE_H
+#define CLOUDMILL_PATH_REFERENCE_H
 
 #include "io/path/path.h"
 
@@ -12,6 +12,6 @@
  * the head.  An error: a path without a ball cutter, with arcs or B-splines, or of contact points
  * where other ones are wanted; contact points wanted where a path has none.
  */
-int retrack_path(struct path *path, enum path_track track, struct error *error);
+int path_set_reference(struct path *path, enum path_track track, struct error *error);
 
 #endif
