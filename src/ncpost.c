@@ -16,7 +16,7 @@
 #include "post/nchead.h"
 #include "post/nchole.h"
 #include "post/ncoutput.h"
-#include "post/ncsettle.h"
+#include "post/post_setup.h"
 #include "io/path/path.h"
 #include "post/selftest.h"
 
@@ -200,14 +200,15 @@ static void make_plan(struct nc_program *p, struct nc_plan *plan, struct path *p
 {
     struct error error;
     bool unmet = false;
-    struct nc_choice choice = {.plane = s->plane,
-                               .inch = s->inch,
-                               .axis = s->vectors  ? NC_AXIS_VECTORS
-                                       : s->rotary ? NC_AXIS_ROTARY
-                                                   : NC_AXIS_USUAL};
+    struct nc_post_options choice = {.plane = s->plane,
+                                     .inch = s->inch,
+                                     .axis = s->vectors  ? NC_AXIS_VECTORS
+                                             : s->rotary ? NC_AXIS_ROTARY
+                                                         : NC_AXIS_USUAL};
     if (s->plane && !dialect->plane)
         die_usage("found --plane, which %s does not know", dialect->name);
-    p->wish = (struct nc_wish){s->chord, RADIANS(s->axis_tolerance), s->feed, s->contact_feed, 1};
+    p->wish =
+        (struct nc_plan_options){s->chord, RADIANS(s->axis_tolerance), s->feed, s->contact_feed, 1};
     if (nc_settle(p, plan, path, machine, dialect, choice, &unmet, &error) == 0)
         return;
     if (unmet)

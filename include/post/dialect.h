@@ -25,7 +25,7 @@ struct nc_program {
     const struct path *path;
     const struct machine *machine;
     const struct nc_plan *plan;
-    struct nc_wish wish;
+    struct nc_plan_options wish;
     bool plane; /* the path is in tilted planes, which the control turns to */
     struct nc_planes planes;
     size_t at_plane;    /* where the program is among them */
@@ -48,7 +48,7 @@ enum nc_axis_words { NC_AXIS_USUAL, NC_AXIS_VECTORS, NC_AXIS_ROTARY };
 
 struct dialect {
     const char *name;
-    struct nc_style style;
+    struct nc_format_options style;
     struct machine_digits digits; /* usual numbers of decimals */
     bool vectors;                 /* the usual axis words under tool-centre-point control */
     bool vectors_never;           /* it knows no vectors */

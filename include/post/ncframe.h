@@ -36,7 +36,7 @@ bool nc_frame_planes(const struct path *path, struct nc_planes *planes);
 bool nc_frame_upright(const struct nc_planes *planes);
 
 /* All lengths in inches. */
-void nc_frame_inch(struct path *path, struct machine *machine, struct nc_wish *wish);
+void nc_frame_inch(struct path *path, struct machine *machine, struct nc_plan_options *wish);
 
 /*
  * Each part of the path in the frame whose Z is its plane's axis: the work's frame turned by the

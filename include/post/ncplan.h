@@ -26,7 +26,7 @@ struct nc_ability {
     bool tcp; /* the program switches tool-centre-point control on */
     enum nc_feeds feeds;
     double feed_max;
-    double unit;   /* mm, see struct nc_wish */
+    double unit;   /* mm, see struct nc_plan_options */
     bool doubtful; /* vectors, but the control may turn its rotary axes evenly: keep to both */
     enum nc_arcs arcs;
     enum nc_splines splines;
@@ -36,7 +36,7 @@ struct nc_ability {
 };
 
 /* What the user asks for. */
-struct nc_wish {
+struct nc_plan_options {
     double chord;          /* ncpost's own share of the tolerance, mm */
     double axis_tolerance; /* of the tool axis, radians */
     double feed;           /* mm/min where the path gives none */
@@ -124,7 +124,7 @@ struct nc_plan {
 
 /* Fills the plan, which keeps nothing of the path; -1: the error says pass, line and axis. */
 int nc_plan_make(struct nc_plan *plan, const struct path *path, const struct machine *machine,
-                 struct nc_ability ability, struct nc_wish wish, struct error *error);
+                 struct nc_ability ability, struct nc_plan_options wish, struct error *error);
 
 /* What a move says where it ends. */
 struct block_pose nc_plan_station(const struct nc_plan *plan, const struct kinematic_chain *chain,

@@ -48,7 +48,7 @@ struct nc_step {
     const struct machine *machine;
     struct nc_plan *plan;
     struct interpolation follow;
-    struct nc_wish wish;
+    struct nc_plan_options wish;
     struct pose_deviation allowed; /* of a block, with rounding */
     double clear;                  /* z above which the path goes at rapid, NAN: not known */
     struct nc_state state;

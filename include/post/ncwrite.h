@@ -13,7 +13,7 @@
 #include "base/out.h"
 
 /* How a control wants its text. */
-struct nc_style {
+struct nc_format_options {
     const char *open, *close; /* around a comment */
     bool capitals;            /* in comments, and no brackets in them */
     bool point;               /* a whole number has its decimal point: X12. */
@@ -34,7 +34,7 @@ enum {
 
 struct nc_writer {
     struct out *out; /* NULL: to nowhere */
-    struct nc_style style;
+    struct nc_format_options style;
     int step;    /* of block numbers, 0: none */
     long most;   /* the numbers begin again behind it */
     long number; /* of the last block */
@@ -52,7 +52,7 @@ struct nc_writer {
 };
 
 /* Begins anew; nobody else writes to `out` as long as the writer does. */
-void nc_writer_begin(struct nc_writer *w, struct out *out, struct nc_style style, int step,
+void nc_writer_begin(struct nc_writer *w, struct out *out, struct nc_format_options style, int step,
                      long most);
 
 /* Adds a word to the block: as it stands; an address with a number; with a whole number. */

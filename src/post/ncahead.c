@@ -3,7 +3,7 @@
 
 #include <stdlib.h>
 
-#include "ncreach.h"
+#include "post_ik.h"
 
 enum { DEPTH = 12, SPAN_PIECES = 8, HALVINGS = 45, PLACES_MAX = 10000000 };
 

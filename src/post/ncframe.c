@@ -94,7 +94,7 @@ static void cutter_to_inch(double cutter[7])
     cutter[6] /= inch;
 }
 
-void nc_frame_inch(struct path *path, struct machine *machine, struct nc_wish *wish)
+void nc_frame_inch(struct path *path, struct machine *machine, struct nc_plan_options *wish)
 {
     const struct frame frame = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}, inch, false};
     path_to(&frame, path, 0, path->item.n);

@@ -3,8 +3,8 @@
 
 #include "ncahead.h"
 #include "ncitem.h"
-#include "ncreach.h"
-#include "ncturn.h"
+#include "post_ik.h"
+#include "post_rewind.h"
 #include "ncway.h"
 
 static const double far_turn = PI / 6; /* radians: to another solution, or whole turns */

@@ -2,7 +2,7 @@
 #include "post/nchole.h"
 
 #include "ncmove.h"
-#include "ncreach.h"
+#include "post_ik.h"
 #include "base/num.h"
 
 /* The tool stands where it left a hole of the same cycle with its mouth as high. */

@@ -4,7 +4,7 @@
 #include "base/array.h"
 #include "ncahead.h"
 #include "post/nchole.h"
-#include "ncturn.h"
+#include "post_rewind.h"
 
 /* Of a tolerance: the worst place of a block may lie between those that are looked at. */
 static const double sampled = 0.9;

@@ -4,7 +4,7 @@
 #ifndef CLOUDMILL_NCMOVE_H
 #define CLOUDMILL_NCMOVE_H
 
-#include "ncspeed.h"
+#include "post_feed.h"
 
 /* Appends a move that ends at a stance, where the program then stands. */
 struct nc_move *nc_move_to(struct nc_step *step, enum nc_kind kind,

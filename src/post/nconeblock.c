@@ -2,7 +2,7 @@
 #include "nconeblock.h"
 
 #include "ncmove.h"
-#include "ncreach.h"
+#include "post_ik.h"
 
 static inline double larger(double a, double b)
 {

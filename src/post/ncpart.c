@@ -5,7 +5,7 @@
 #include <string.h>
 
 #include "post/nchead.h"
-#include "ncreach.h"
+#include "post_ik.h"
 #include "base/num.h"
 
 enum {

@@ -5,7 +5,7 @@
 
 #include "ncgroup.h"
 #include "ncitem.h"
-#include "ncreach.h"
+#include "post_ik.h"
 #include "base/num.h"
 
 void nc_plan_free(struct nc_plan *plan)
@@ -53,7 +53,7 @@ static void trim_travel(struct kinematic_chain *chain, int digits)
 }
 
 int nc_plan_make(struct nc_plan *plan, const struct path *path, const struct machine *machine,
-                 struct nc_ability ability, struct nc_wish wish, struct error *error)
+                 struct nc_ability ability, struct nc_plan_options wish, struct error *error)
 {
     *plan = (struct nc_plan){.ability = ability};
     struct nc_step step = {

@@ -3,9 +3,9 @@
 
 #include "nconeblock.h"
 #include "ncmove.h"
-#include "ncreach.h"
+#include "post_ik.h"
 #include "ncstraight.h"
-#include "ncturn.h"
+#include "post_rewind.h"
 
 enum { ARC_DEPTH_MAX = 5 };
 static const double rapid_chord = 1; /* mm, where a rapid has to be split at all */

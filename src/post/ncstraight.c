@@ -2,8 +2,8 @@
 #include "ncstraight.h"
 
 #include "ncmove.h"
-#include "ncreach.h"
-#include "ncturn.h"
+#include "post_ik.h"
+#include "post_rewind.h"
 
 enum { DEPTH_MAX = 14 };
 

@@ -1,7 +1,7 @@
 /* ncway - see ncway.h. */
 #include "ncway.h"
 
-#include "ncreach.h"
+#include "post_ik.h"
 
 static const double worth = 0.01; /* of the way of the rotary axes: what a second plan must save */
 

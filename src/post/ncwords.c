@@ -2,7 +2,7 @@
 #include "ncwords.h"
 
 #include "post/nccutcom.h"
-#include "ncspeed.h"
+#include "post_feed.h"
 #include "nctemplate.h"
 
 const struct nc_move *nc_first_move(const struct nc_program *p)

@@ -9,7 +9,7 @@
 
 #include "base/num.h"
 
-void nc_writer_begin(struct nc_writer *w, struct out *out, struct nc_style style, int step,
+void nc_writer_begin(struct nc_writer *w, struct out *out, struct nc_format_options style, int step,
                      long most)
 {
     if (style.count_all)

@@ -115,7 +115,7 @@ END_TEST
 START_TEST(inches_are_lengths_alone)
 {
     struct machine m = reaching();
-    struct nc_wish wish = {.chord = 0.0254, .axis_tolerance = 0.1, .feed = 254, .unit = 1};
+    struct nc_plan_options wish = {.chord = 0.0254, .axis_tolerance = 0.1, .feed = 254, .unit = 1};
     struct path path = {.name = "path"};
     path.head.clearance = 25.4;
     *array_push(&path.cycle) = (struct path_cycle){

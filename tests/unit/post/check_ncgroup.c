@@ -77,7 +77,7 @@ static double way_of_plan(const struct kinematic_chain *chain, const struct nc_p
 static int try_pass(const struct machine *m, const struct vec3 axis[], int *turns)
 {
     const double from[2] = {0};
-    const struct nc_wish wish = {
+    const struct nc_plan_options wish = {
         .chord = 0.01, .axis_tolerance = RADIANS(0.1), .feed = 1000, .unit = 1};
     struct nc_plan plan;
     struct error error;

@@ -1,8 +1,8 @@
-/* ncturn - see ncturn.h. */
-#include "ncturn.h"
+/* post_rewind - see post_rewind.h. */
+#include "post_rewind.h"
 
 #include "ncmove.h"
-#include "ncreach.h"
+#include "post_ik.h"
 
 enum { TURN_STEP = 2 /* degrees */ };
 static const double return_height = 2; /* mm above the part, down to which the return is a rapid */

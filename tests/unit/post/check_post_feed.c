@@ -6,8 +6,8 @@
 #include <stdlib.h>
 
 #include "chains.h"
-#include "post/ncreach.h"
-#include "post/ncspeed.h"
+#include "post/post_ik.h"
+#include "post/post_feed.h"
 
 enum { STEPS = 1000 };
 

@@ -1,14 +1,14 @@
 /*
- * ncsettle - what a program will be like, before it is planned: in which frame, with drilling
+ * post_setup - what a program will be like, before it is planned: in which frame, with drilling
  * cycles of the control or without, with tool-centre-point control or without; and the plan.
  */
-#ifndef CLOUDMILL_NCSETTLE_H
-#define CLOUDMILL_NCSETTLE_H
+#ifndef CLOUDMILL_POST_SETUP_H
+#define CLOUDMILL_POST_SETUP_H
 
 #include "post/dialect.h"
 
 /* What the user chose. */
-struct nc_choice {
+struct nc_post_options {
     bool plane, inch;
     enum nc_axis_words axis;
 };
@@ -21,7 +21,7 @@ struct nc_choice {
  * machine cannot get there: the error says the place.
  */
 int nc_settle(struct nc_program *p, struct nc_plan *plan, struct path *path,
-              struct machine *machine, const struct dialect *dialect, struct nc_choice choice,
+              struct machine *machine, const struct dialect *dialect, struct nc_post_options choice,
               bool *unmet, struct error *error);
 
 #endif

@@ -1,8 +1,8 @@
 /*
- * ncturn - the rotary axes turned with the tool off the part.
+ * post_rewind - the rotary axes turned with the tool off the part.
  */
-#ifndef CLOUDMILL_NCTURN_H
-#define CLOUDMILL_NCTURN_H
+#ifndef CLOUDMILL_POST_REWIND_H
+#define CLOUDMILL_POST_REWIND_H
 
 #include "post/ncstep.h"
 

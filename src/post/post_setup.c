@@ -1,12 +1,12 @@
-/* ncsettle - see ncsettle.h. */
-#include "post/ncsettle.h"
+/* post_setup - see post_setup.h. */
+#include "post/post_setup.h"
 
 #include "post/nccutcom.h"
 #include "post/ncframe.h"
 
 /* *still: the rotary axes stay at zero. */
 static int set_frame(struct nc_program *p, struct path *path, struct machine *machine,
-                     const struct dialect *dialect, struct nc_choice choice, bool *still,
+                     const struct dialect *dialect, struct nc_post_options choice, bool *still,
                      bool *unmet, struct error *error)
 {
     bool planes = nc_frame_planes(path, &p->planes), upright = nc_frame_upright(&p->planes);
@@ -32,7 +32,7 @@ static int set_frame(struct nc_program *p, struct path *path, struct machine *ma
 }
 
 int nc_settle(struct nc_program *p, struct nc_plan *plan, struct path *path,
-              struct machine *machine, const struct dialect *dialect, struct nc_choice choice,
+              struct machine *machine, const struct dialect *dialect, struct nc_post_options choice,
               bool *unmet, struct error *error)
 {
     bool still = false;

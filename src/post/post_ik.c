@@ -1,5 +1,5 @@
-/* ncreach - see ncreach.h. */
-#include "ncreach.h"
+/* post_ik - see post_ik.h. */
+#include "post_ik.h"
 
 #include "base/num.h"
 

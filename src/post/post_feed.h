@@ -1,12 +1,12 @@
 /*
- * ncspeed - how fast a block may be: the time that the machine's axes need for it.
+ * post_feed - how fast a block may be: the time that the machine's axes need for it.
  *
  * Under tool-centre-point control F is the tip's, while slides and rotary axes have to follow:
  * where the tool turns about a tip that hardly moves, or works far from a rotary centre, they are
  * the ones that say how fast it can be.
  */
-#ifndef CLOUDMILL_NCSPEED_H
-#define CLOUDMILL_NCSPEED_H
+#ifndef CLOUDMILL_POST_FEED_H
+#define CLOUDMILL_POST_FEED_H
 
 #include "post/ncstep.h"
 

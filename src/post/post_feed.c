@@ -1,5 +1,5 @@
-/* ncspeed - see ncspeed.h. */
-#include "ncspeed.h"
+/* post_feed - see post_feed.h. */
+#include "post_feed.h"
 
 #include <stdlib.h>
 

@@ -1,8 +1,8 @@
 /*
- * ncreach - from a pose of the path to the words that bring the machine there.
+ * post_ik - from a pose of the path to the words that bring the machine there.
  */
-#ifndef CLOUDMILL_NCREACH_H
-#define CLOUDMILL_NCREACH_H
+#ifndef CLOUDMILL_POST_IK_H
+#define CLOUDMILL_POST_IK_H
 
 #include "post/ncstep.h"
 
