@@ -131,7 +131,7 @@ static void read_program(const struct settings *s, const struct machine *machine
                          struct verdict *v, struct nc_motion *nc_motion)
 {
     static const char *const names[] = {"fanuc", "siemens", "heidenhain", "linuxcnc"};
-    struct ncread_setup setup = {.tcp = machine->tcp, .verify_kinematics = ncread_rig(machine)};
+    struct ncread_options setup = {.tcp = machine->tcp, .verify_kinematics = ncread_rig(machine)};
     struct error error;
     if (!s->control_given && (!file || strcmp(file, "-") == 0))
         die_usage("the program is read from standard input: say its control by -c");

@@ -24,7 +24,7 @@ struct ncread_dialect {
     int (*end)(struct ncread *c, struct error *error);
 };
 
-struct ncread_setup {
+struct ncread_options {
     const struct ncread_dialect *dialect;
     bool tcp; /* the machine has tool centre point control */
     struct verify_kinematics verify_kinematics;
@@ -43,7 +43,7 @@ struct ncread_place {
 };
 
 struct ncread {
-    const struct ncread_setup *setup;
+    const struct ncread_options *setup;
     struct nc_motion *nc_motion;
     const char *name; /* of the file */
     struct ncread_words words;
@@ -83,7 +83,7 @@ struct ncread {
 
 /* Runs a whole program into the nc_motion, which starts as all zero.  -1: it can't be run, the
  * place is named. */
-int ncread_read(const char *file, const struct ncread_setup *setup, struct nc_motion *nc_motion,
+int ncread_read(const char *file, const struct ncread_options *setup, struct nc_motion *nc_motion,
                 struct error *error);
 
 /* The controls. */

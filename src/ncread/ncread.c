@@ -245,7 +245,7 @@ static int read_lines(struct ncread *c, struct reader *r, struct error *error)
     return more;
 }
 
-int ncread_read(const char *file, const struct ncread_setup *setup, struct nc_motion *nc_motion,
+int ncread_read(const char *file, const struct ncread_options *setup, struct nc_motion *nc_motion,
                 struct error *error)
 {
     struct ncread c = {.setup = setup, .nc_motion = nc_motion, .name = file, .last_block = -1};

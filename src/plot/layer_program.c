@@ -151,8 +151,8 @@ int layer_program(const char *file, const struct layer_options *options, struct 
         return -1;
     if (machine_finish(&machine, error) != 0)
         return -1;
-    struct ncread_setup setup = {.dialect = ncread_tell(file, error),
-                                 .verify_kinematics = ncread_rig(&machine)};
+    struct ncread_options setup = {.dialect = ncread_tell(file, error),
+                                   .verify_kinematics = ncread_rig(&machine)};
     struct nc_motion nc_motion = {0};
     if (setup.dialect)
         setup.tcp = has_tcp(setup.dialect->name, &machine);

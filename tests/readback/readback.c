@@ -225,7 +225,7 @@ static void read_operand(const char *file, const struct options *o, struct nc_mo
 {
     struct error error;
     struct path path = {0};
-    struct ncread_setup setup = {
+    struct ncread_options setup = {
         .tcp = !o->no_tcp,
         .verify_kinematics = verify_kinematics_trunnion(o->axes ? 'B' : 'A', o->reversed ? -1 : 1)};
     if (o->machine) {

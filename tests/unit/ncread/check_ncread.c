@@ -42,9 +42,9 @@ static void numbered(char *text, size_t size)
 static int read_cut(int control, const char *cut, struct nc_motion *nc_motion, struct error *error)
 {
     char text[4000];
-    struct ncread_setup setup = {.dialect = dialects[control],
-                                 .tcp = true,
-                                 .verify_kinematics = verify_kinematics_trunnion('A', 1)};
+    struct ncread_options setup = {.dialect = dialects[control],
+                                   .tcp = true,
+                                   .verify_kinematics = verify_kinematics_trunnion('A', 1)};
     snprintf(text, sizeof text, "%s%s%s", head[control], cut, foot[control]);
     if (control == HEIDENHAIN)
         numbered(text, sizeof text);
@@ -171,9 +171,9 @@ START_TEST(inches)
     char text[4000], changed[4000] = "";
     struct nc_motion nc_motion = {0};
     struct error error;
-    struct ncread_setup setup = {.dialect = dialects[_i],
-                                 .tcp = true,
-                                 .verify_kinematics = verify_kinematics_trunnion('A', 1)};
+    struct ncread_options setup = {.dialect = dialects[_i],
+                                   .tcp = true,
+                                   .verify_kinematics = verify_kinematics_trunnion('A', 1)};
     snprintf(text, sizeof text, "%s%s%s", head[_i], cut[_i], foot[_i]);
     char *s = text;
     for (char *at = strstr(s, from[_i]); at; at = strstr(s, from[_i])) {
