@@ -14,10 +14,10 @@
 #include "stage/holder_options.h"
 #include "machine/machine.h"
 #include "ncread/ncread_machine.h"
-#include "verify/stock_spec.h"
+#include "verify/stock_options.h"
 #include "verify/verdict.h"
-#include "verify/verifypart.h"
-#include "verify/verifyrun.h"
+#include "verify/verify_part.h"
+#include "verify/verify_run.h"
 
 static const char *const unit_name[] = {"mm", "cm", "m", "um", "inch", "in"};
 
@@ -28,7 +28,7 @@ struct settings {
     struct cli_list part, set;
     double radius, tolerance, left, band, shank, cell;
     struct holder shape;
-    struct stock_spec block;
+    struct stock_options block;
 };
 
 /* Shank, holder and stock. */
@@ -37,7 +37,7 @@ static void read_shapes(struct settings *s)
     struct error error;
     if (s->holder && holder_options_read(s->holder, &s->shape, &error) < 0)
         die_usage("option --holder: %s", error.text);
-    if (s->stock && stock_spec_read(s->stock, &s->block, &error) < 0)
+    if (s->stock && stock_options_read(s->stock, &s->block, &error) < 0)
         die_usage("option --stock: %s", error.text);
 }
 
@@ -155,8 +155,8 @@ static void read_part(const struct settings *s, struct vec3s *points)
     struct error error;
     double spacing;
     for (size_t i = 0; i < s->part.n; i++) {
-        if (verifypart_read(s->part.item[i], cloud_unit(unit_name[s->unit]), s->radius, points,
-                            &spacing, &error) < 0)
+        if (verify_part_read(s->part.item[i], cloud_unit(unit_name[s->unit]), s->radius, points,
+                             &spacing, &error) < 0)
             die_error(&error);
         if (spacing > 0)
             note("%s: points %.3f mm apart on its faces", s->part.item[i], spacing);
@@ -183,7 +183,7 @@ int main(int argc, char **argv)
     struct cli cli;
     struct nc_motion nc_motion = {0};
     struct vec3s points = {0};
-    struct verifyrun run;
+    struct verify_run run;
     read_options(&s, &cli, argc, argv);
     struct machine machine = read_machine(&s);
     struct axis_limits_limits limits = limits_of(&machine);
@@ -192,13 +192,13 @@ int main(int argc, char **argv)
     read_program(&s, &machine, cli.file[0], &v, &nc_motion);
     read_part(&s, &points);
     v.point = &points;
-    const struct verifyrun_setup setup = {.band = s.band,
-                                          .shank = s.shank,
-                                          .holder = s.holder ? &s.shape : NULL,
-                                          .stock = s.stock ? &s.block : NULL,
-                                          .cell = s.cell,
-                                          .threads = cli.threads};
-    verifyrun_do(&setup, &run, &v);
+    const struct verify_run_options setup = {.band = s.band,
+                                             .shank = s.shank,
+                                             .holder = s.holder ? &s.shape : NULL,
+                                             .stock = s.stock ? &s.block : NULL,
+                                             .cell = s.cell,
+                                             .threads = cli.threads};
+    verify_run_do(&setup, &run, &v);
     v.load = axis_limits_run(&nc_motion, &limits);
     verdict_judge(&v);
     if (s.map)
@@ -210,7 +210,7 @@ int main(int argc, char **argv)
     for (size_t i = 0; i < v.finding.n; i++)
         say("%s: %s", v.file, v.finding.item[i].text);
     verdict_free(&v);
-    verifyrun_free(&run);
+    verify_run_free(&run);
     array_free(&points);
     array_free(&s.part);
     array_free(&s.set);

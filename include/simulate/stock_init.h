@@ -13,7 +13,7 @@ enum stock_kind {
     STOCK_OFFSET   /* all within `allowance` of the surface or below it */
 };
 
-struct stock_spec {
+struct stock_options {
     enum stock_kind kind;
     double allowance; /* mm */
     struct vec3 low, high;
@@ -23,7 +23,7 @@ struct stock_spec {
  * How far columns are apart when nobody says: a five-hundredth of the longer side, no less than a
  * twenty-fifth of the ball's radius, mm.
  */
-double stock_init_cell(const struct stock_spec *spec, const struct vec3 *point, size_t n,
+double stock_init_cell(const struct stock_options *spec, const struct vec3 *point, size_t n,
                        double radius);
 
 /*
@@ -32,7 +32,7 @@ double stock_init_cell(const struct stock_spec *spec, const struct vec3 *point, 
  * along its normals, and by balls about it where it is hollow.  Columns further from all points,
  * seen from above, than two of their mean distances and the allowance are empty.
  */
-struct stock stock_init_new(const struct stock_spec *spec, const struct vec3 *point, size_t n,
+struct stock stock_init_new(const struct stock_options *spec, const struct vec3 *point, size_t n,
                             double cell);
 
 #endif

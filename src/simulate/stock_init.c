@@ -10,9 +10,10 @@
 
 enum { NEAR = 12, LONGEST = 500, RADIUS = 25, SPACINGS = 2 };
 
-static struct stock_spec box_of(const struct stock_spec *spec, const struct vec3 *point, size_t n)
+static struct stock_options box_of(const struct stock_options *spec, const struct vec3 *point,
+                                   size_t n)
 {
-    struct stock_spec box = *spec;
+    struct stock_options box = *spec;
     double more = spec->allowance;
     if (spec->kind == STOCK_BETWEEN)
         return box;
@@ -27,10 +28,10 @@ static struct stock_spec box_of(const struct stock_spec *spec, const struct vec3
     return box;
 }
 
-double stock_init_cell(const struct stock_spec *spec, const struct vec3 *point, size_t n,
+double stock_init_cell(const struct stock_options *spec, const struct vec3 *point, size_t n,
                        double radius)
 {
-    struct stock_spec box = box_of(spec, point, n);
+    struct stock_options box = box_of(spec, point, n);
     double side = fmax(box.high.x - box.low.x, box.high.y - box.low.y);
     return fmax(side / LONGEST, radius / RADIUS);
 }
@@ -181,10 +182,10 @@ static void lay_over(struct stock *s, const struct seen *pushed)
         }
 }
 
-struct stock stock_init_new(const struct stock_spec *spec, const struct vec3 *point, size_t n,
+struct stock stock_init_new(const struct stock_options *spec, const struct vec3 *point, size_t n,
                             double cell)
 {
-    struct stock_spec box = box_of(spec, point, n);
+    struct stock_options box = box_of(spec, point, n);
     struct stock s = stock_box(box.low, box.high, cell);
     struct seen part = {0}, pushed = {0};
     if (spec->kind != STOCK_OFFSET)

@@ -44,7 +44,7 @@ static const struct {
 START_TEST(offset_is_thickness)
 {
     struct vec3s points = surface(offsets[_i].height, 0.25);
-    struct stock_spec spec = {.kind = STOCK_OFFSET, .allowance = offsets[_i].offset};
+    struct stock_options spec = {.kind = STOCK_OFFSET, .allowance = offsets[_i].offset};
     struct stock s = stock_init_new(&spec, points.item, points.n, 0.1);
     for (size_t i = 0; i < points.n; i++) {
         struct vec3 p = points.item[i];
@@ -60,7 +60,7 @@ END_TEST
 START_TEST(volume_of_an_offset)
 {
     struct vec3s points = surface(dome, 0.25);
-    struct stock_spec spec = {.kind = STOCK_OFFSET, .allowance = 1};
+    struct stock_options spec = {.kind = STOCK_OFFSET, .allowance = 1};
     double want = 0, got = 0;
     struct stock s = stock_init_new(&spec, points.item, points.n, 0.1);
     for (int j = 0; j < s.ny; j++)
@@ -87,7 +87,7 @@ START_TEST(a_ridge_is_rounded)
 {
     const double allowance[] = {1, 6};
     struct vec3s points = surface(ridge, 0.25);
-    struct stock_spec spec = {.kind = STOCK_OFFSET, .allowance = allowance[_i]};
+    struct stock_options spec = {.kind = STOCK_OFFSET, .allowance = allowance[_i]};
     struct stock s = stock_init_new(&spec, points.item, points.n, 0.1);
     double side = sqrt(0.5) * allowance[_i]; /* from here on it is the side that is offset */
     for (int j = 0; j < s.ny; j++)
@@ -107,13 +107,13 @@ END_TEST
 START_TEST(boxes)
 {
     struct vec3s points = surface(plane, 1);
-    struct stock_spec around = {.kind = STOCK_AROUND, .allowance = 2};
+    struct stock_options around = {.kind = STOCK_AROUND, .allowance = 2};
     struct stock s = stock_init_new(&around, points.item, points.n, 0.5);
     ck_assert_double_eq_tol(stock_volume(&s), 24 * 24 * (16 + 2), 1e-6);
     ck_assert_double_eq(s.bottom, -8);
     ck_assert_double_eq_tol(stock_x(&s, 0), -12 + 0.25, 1e-12);
     stock_free(&s);
-    struct stock_spec between = {.kind = STOCK_BETWEEN, .low = {1, 2, 3}, .high = {4, 6, 8}};
+    struct stock_options between = {.kind = STOCK_BETWEEN, .low = {1, 2, 3}, .high = {4, 6, 8}};
     s = stock_init_new(&between, points.item, points.n, 0.5);
     ck_assert_double_eq_tol(stock_volume(&s), 3 * 4 * 5, 1e-6);
     stock_free(&s);

@@ -1,12 +1,12 @@
-/* verifyrun - see verifyrun.h. */
-#include "verify/verifyrun.h"
+/* verify_run - see verify_run.h. */
+#include "verify/verify_run.h"
 
 #include <stdlib.h>
 
 #define FLAT 0.0002 /* how straight the ball's way is between two places, mm */
 
 /* The deepest that the ball, or the shaft over it, goes into the part in a rapid move. */
-static void roll_rapids(const struct verifyrun_setup *s, struct verdict *v)
+static void roll_rapids(const struct verify_run_options *s, struct verdict *v)
 {
     struct centre_path rapid = {0};
     struct deviation_map roll;
@@ -33,7 +33,7 @@ static struct holder_collision way_of(const struct verdict *v, const struct hold
                                      .tolerance = v->tolerance};
 }
 
-static void interpolation_holder(const struct verifyrun_setup *s, struct verifyrun *run,
+static void interpolation_holder(const struct verify_run_options *s, struct verify_run *run,
                                  struct verdict *v)
 {
     struct collision_body part = collision_body_points(v->point->item, v->point->n);
@@ -44,7 +44,7 @@ static void interpolation_holder(const struct verifyrun_setup *s, struct verifyr
     v->holder = &run->part;
 }
 
-static void cut_stock(const struct verifyrun_setup *s, struct verifyrun *run, struct verdict *v)
+static void cut_stock(const struct verify_run_options *s, struct verify_run *run, struct verdict *v)
 {
     const struct vec3 *point = v->point->item;
     size_t n = v->point->n;
@@ -63,9 +63,9 @@ static void cut_stock(const struct verifyrun_setup *s, struct verifyrun *run, st
     stock_free(&stock);
 }
 
-void verifyrun_do(const struct verifyrun_setup *s, struct verifyrun *run, struct verdict *v)
+void verify_run_do(const struct verify_run_options *s, struct verify_run *run, struct verdict *v)
 {
-    *run = (struct verifyrun){.shape = {s->shank > 0, {{v->radius, v->radius, s->shank}}}};
+    *run = (struct verify_run){.shape = {s->shank > 0, {{v->radius, v->radius, s->shank}}}};
     centre_path_cut(v->nc_motion, v->radius, FLAT, &run->cut);
     v->cut = &run->cut;
     struct deviation_map_options setup = {v->radius, v->tolerance, s->band, s->threads};
@@ -77,7 +77,7 @@ void verifyrun_do(const struct verifyrun_setup *s, struct verifyrun *run, struct
         cut_stock(s, run, v);
 }
 
-void verifyrun_free(struct verifyrun *run)
+void verify_run_free(struct verify_run *run)
 {
     array_free(&run->cut);
     stock_simulate_free(&run->run);

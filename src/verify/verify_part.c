@@ -1,5 +1,5 @@
-/* verifypart - see verifypart.h. */
-#include "verify/verifypart.h"
+/* verify_part - see verify_part.h. */
+#include "verify/verify_part.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -86,8 +86,8 @@ static int read_surfaces(const char *file, struct mesh *mesh, struct error *erro
     return result;
 }
 
-int verifypart_read(const char *file, double unit, double radius, struct vec3s *points,
-                    double *spacing, struct error *error)
+int verify_part_read(const char *file, double unit, double radius, struct vec3s *points,
+                     double *spacing, struct error *error)
 {
     struct mesh mesh = {0};
     struct cloud_count count = {0};

@@ -1,5 +1,5 @@
-/* stock_spec - see stock_spec.h. */
-#include "verify/stock_spec.h"
+/* stock_options - see stock_options.h. */
+#include "verify/stock_options.h"
 
 #include <string.h>
 
@@ -22,13 +22,13 @@ static int numbers(const char *s, double value[6])
     return -1;
 }
 
-int stock_spec_read(const char *text, struct stock_spec *spec, struct error *error)
+int stock_options_read(const char *text, struct stock_options *spec, struct error *error)
 {
     bool box = strncmp(text, "box", 3) == 0;
     const char *rest = text + (box ? 3 : strncmp(text, "offset", 6) == 0 ? 6 : 0);
     double v[6];
     int n = rest == text ? -1 : !*rest ? 0 : strchr(",:", *rest) ? numbers(rest + 1, v) : -1;
-    *spec = (struct stock_spec){.kind = box ? STOCK_AROUND : STOCK_OFFSET};
+    *spec = (struct stock_options){.kind = box ? STOCK_AROUND : STOCK_OFFSET};
     if (box && n == 6) {
         spec->kind = STOCK_BETWEEN;
         spec->low = vec(v[0], v[1], v[2]);

@@ -1,8 +1,8 @@
 /*
- * verifypart - the part that a program is judged against, as points.
+ * verify_part - the part that a program is judged against, as points.
  */
-#ifndef CLOUDMILL_VERIFYPART_H
-#define CLOUDMILL_VERIFYPART_H
+#ifndef CLOUDMILL_VERIFY_PART_H
+#define CLOUDMILL_VERIFY_PART_H
 
 #include "base/error.h"
 #include "math/vec.h"
@@ -14,7 +14,7 @@
  * 0.0005 mm, as long as that are no more than some millions; *spacing is what was kept, 0 for a
  * cloud.
  */
-int verifypart_read(const char *file, double unit, double radius, struct vec3s *points,
-                    double *spacing, struct error *error);
+int verify_part_read(const char *file, double unit, double radius, struct vec3s *points,
+                     double *spacing, struct error *error);
 
 #endif

@@ -1,8 +1,8 @@
 /*
- * stock_spec - the stock as an option gives it.
+ * stock_options - the stock as an option gives it.
  */
-#ifndef CLOUDMILL_STOCK_SPEC_H
-#define CLOUDMILL_STOCK_SPEC_H
+#ifndef CLOUDMILL_STOCK_OPTIONS_H
+#define CLOUDMILL_STOCK_OPTIONS_H
 
 #include "base/error.h"
 #include "simulate/stock_init.h"
@@ -12,6 +12,6 @@
  * box:X0,Y0,Z0,X1,Y1,Z1 (two corners), or offset,MM (the surface and so much more).
  * -1: what was found instead.
  */
-int stock_spec_read(const char *text, struct stock_spec *spec, struct error *error);
+int stock_options_read(const char *text, struct stock_options *spec, struct error *error);
 
 #endif
