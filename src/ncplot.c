@@ -5,7 +5,7 @@
 
 #include "base/cli.h"
 #include "io/cloud/cloud.h"
-#include "plot/difference.h"
+#include "plot/layer_distance.h"
 #include "plot/layer.h"
 #include "base/out.h"
 #include "plot/sheet.h"
@@ -115,7 +115,7 @@ static char *title_of(const struct scene *scene)
 static void compare(const struct layer *from, const struct layer *to, int threads,
                     struct scene *scene, char text[REMARK])
 {
-    struct difference d = difference_of(from, to, threads);
+    struct layer_distance d = layer_distance_of(from, to, threads);
     *text = '\0';
     if (d.n == 0)
         return;

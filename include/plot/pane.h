@@ -9,7 +9,7 @@
 #include "plot/scene.h"
 #include "plot/svg.h"
 
-struct pane_style {
+struct pane_options {
     bool by_pass;          /* strokes by their pass; else by their kind */
     bool by_layer;         /* all by its stream, to compare */
     bool joints;           /* where motions end */
@@ -23,7 +23,7 @@ struct pane {
     struct box box; /* of the scene in the view, mm */
     double x, y;    /* left upper corner, px */
     double scale;   /* px in a mm */
-    const struct pane_style *style;
+    const struct pane_options *style;
     struct raster near; /* what is nearest to the eye: hides what is behind */
     bool hides;         /* there is something in it */
     double slack;       /* what is less behind is not hidden, mm */
@@ -45,7 +45,7 @@ void pane_marks(struct pane *pane, const struct scene *scene, struct svg *svg);
 
 /* The attributes of strokes of this kind, as pane and legend have them. */
 enum { PANE_INK = 160 };
-void pane_ink(const struct pane_style *style, size_t layer, const struct stroke *stroke,
+void pane_ink(const struct pane_options *style, size_t layer, const struct stroke *stroke,
               char ink[PANE_INK]);
 
 #endif

@@ -23,7 +23,7 @@ struct legend {
 };
 
 /* What there is in the scene, in rows no wider than `width` px. */
-struct legend legend_of(const struct scene *scene, const struct pane_style *style, double scale,
+struct legend legend_of(const struct scene *scene, const struct pane_options *style, double scale,
                         double width);
 double legend_height(const struct legend *legend);
 void legend_draw(const struct legend *legend, struct svg *svg, double x, double y);

@@ -27,7 +27,7 @@ static struct raster occupied(const struct pane *pane, const struct vec3s *point
     return r;
 }
 
-static size_t level_of(const struct pane_style *style, struct vec3 p)
+static size_t level_of(const struct pane_options *style, struct vec3 p)
 {
     double range = style->high.z - style->low.z;
     double s = range > 0 ? (p.z - style->low.z) / range : 0;
@@ -37,7 +37,7 @@ static size_t level_of(const struct pane_style *style, struct vec3 p)
 static void draw_points(const struct pane *pane, const struct layer *layer, size_t number,
                         double least, struct svg *svg)
 {
-    const struct pane_style *style = pane->style;
+    const struct pane_options *style = pane->style;
     size_t marks, limit = style->marks;
     double cell = least;
     struct raster r = occupied(pane, &layer->point, cell, &marks);

@@ -4,7 +4,7 @@
 
 #include "palette.h"
 #include "plot/pane.h"
-#include "thin.h"
+#include "decimate.h"
 
 enum { PASSES = 160 }; /* more in a view would run together */
 
@@ -14,7 +14,7 @@ struct grain {
     size_t every;     /* of the passes */
 };
 
-void pane_ink(const struct pane_style *style, size_t layer, const struct stroke *stroke,
+void pane_ink(const struct pane_options *style, size_t layer, const struct stroke *stroke,
               char ink[PANE_INK])
 {
     static const char *const colour[STROKES][2] = {
@@ -42,7 +42,7 @@ static bool drawn(const struct stroke *stroke, const struct grain *grain)
 static size_t put(struct vec3s *chain, const struct grain *grain, struct svg *svg)
 {
     struct vec3s few = {0};
-    thin_chain(chain->item, chain->n, grain->tolerance, &few);
+    decimate_chain(chain->item, chain->n, grain->tolerance, &few);
     for (size_t i = 0; svg && i < few.n; i++) {
         if (i == 0)
             svg_move(svg, few.item[i].x, few.item[i].y);
@@ -88,7 +88,7 @@ static size_t draw_stroke(const struct pane *pane, const struct layer *layer,
 }
 
 /* A style: strokes of one look make one path. */
-static size_t style_of(const struct pane_style *style, const struct stroke *s)
+static size_t style_of(const struct pane_options *style, const struct stroke *s)
 {
     size_t variant = style->by_pass ? s->pass % PALETTE_CYCLE : s->number % 2;
     return (size_t)s->kind * PALETTE_CYCLE + variant;

@@ -99,7 +99,7 @@ static void put_panes(struct layout *l)
 }
 
 static struct layout lay_out(const struct scene *scene, const struct sheet_options *options,
-                             const struct pane_style *style)
+                             const struct pane_options *style)
 {
     enum view_name name[4];
     struct layout l = {.n = choose(options->views, name)};
@@ -189,9 +189,9 @@ static void draw_panes(struct layout *l, const struct scene *scene, struct svg *
     }
 }
 
-static struct pane_style style_of(const struct scene *scene, const struct sheet_options *options)
+static struct pane_options style_of(const struct scene *scene, const struct sheet_options *options)
 {
-    struct pane_style style = {
+    struct pane_options style = {
         .by_pass = options->by_pass, .by_layer = options->by_layer, .joints = options->joints};
     struct box all = box_empty(), clouds = box_empty();
     for (size_t i = 0; i < scene->n; i++) {
@@ -208,7 +208,7 @@ static struct pane_style style_of(const struct scene *scene, const struct sheet_
 
 void sheet_write(struct out *out, const struct scene *scene, const struct sheet_options *options)
 {
-    struct pane_style style = style_of(scene, options);
+    struct pane_options style = style_of(scene, options);
     struct layout l = lay_out(scene, options, &style);
     style.marks = l.n > 1 ? MARKS / 2 : MARKS;
     l.head = put_head(NULL, scene, options, l.width);

@@ -41,7 +41,7 @@ static void add_dot(struct legend *legend, const char *text, const char *colour)
     snprintf(item->ink, PANE_INK, "stroke=\"%s\" stroke-width=\"50\"", colour);
 }
 
-static void add_kind(struct legend *legend, const struct pane_style *style, enum stroke_kind kind,
+static void add_kind(struct legend *legend, const struct pane_options *style, enum stroke_kind kind,
                      const char *text)
 {
     struct stroke stroke = {.kind = kind, .number = 0};
@@ -49,8 +49,8 @@ static void add_kind(struct legend *legend, const struct pane_style *style, enum
 }
 
 /* Twice for what comes in two colours by turns. */
-static void add_turns(struct legend *legend, const struct pane_style *style, enum stroke_kind kind,
-                      const char *text)
+static void add_turns(struct legend *legend, const struct pane_options *style,
+                      enum stroke_kind kind, const char *text)
 {
     struct stroke stroke = {.kind = kind, .number = 1};
     add_kind(legend, style, kind, "");
@@ -66,7 +66,7 @@ static size_t count(const struct scene *scene, enum stroke_kind kind)
 }
 
 static void add_motions(struct legend *legend, const struct scene *scene,
-                        const struct pane_style *style)
+                        const struct pane_options *style)
 {
     if (style->by_layer)
         return;
@@ -88,7 +88,7 @@ static void add_motions(struct legend *legend, const struct scene *scene,
 }
 
 static void add_rest(struct legend *legend, const struct scene *scene,
-                     const struct pane_style *style)
+                     const struct pane_options *style)
 {
     bool normals = false, axes = false, poles = false, joints = false;
     for (size_t i = 0; i < scene->n; i++) {
@@ -112,7 +112,7 @@ static void add_rest(struct legend *legend, const struct scene *scene,
 }
 
 static void add_layers(struct legend *legend, const struct scene *scene,
-                       const struct pane_style *style)
+                       const struct pane_options *style)
 {
     char text[120];
     for (size_t i = 0; style->by_layer && i < scene->n; i++) {
@@ -135,7 +135,7 @@ static double sample_width(const struct legend_item *item)
     return item->dot ? 8 : item->ink[0] ? SAMPLE : HEIGHTS;
 }
 
-struct legend legend_of(const struct scene *scene, const struct pane_style *style, double scale,
+struct legend legend_of(const struct scene *scene, const struct pane_options *style, double scale,
                         double width)
 {
     struct legend legend = {.bar = sheet_bar(fmin(180, width / 3) / scale), .scale = scale};

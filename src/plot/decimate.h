@@ -1,8 +1,8 @@
 /*
- * thin - a chain of points on a picture with no more points than the picture can show.
+ * decimate - a chain of points on a picture with no more points than the picture can show.
  */
-#ifndef CLOUDMILL_THIN_H
-#define CLOUDMILL_THIN_H
+#ifndef CLOUDMILL_DECIMATE_H
+#define CLOUDMILL_DECIMATE_H
 
 #include "math/vec.h"
 
@@ -12,6 +12,6 @@
  * than the tolerance go; where the chain turns back, the turning point stays.  One walk along the
  * chain, with the sector of directions that still serve (Williams 1978, Zhao and Saalfeld 1997).
  */
-void thin_chain(const struct vec3 *point, size_t n, double tolerance, struct vec3s *out);
+void decimate_chain(const struct vec3 *point, size_t n, double tolerance, struct vec3s *out);
 
 #endif

@@ -1,5 +1,5 @@
-/* Tests of difference.h: layers whose distance is known. */
-#include "plot/difference.h"
+/* Tests of layer_distance.h: layers whose distance is known. */
+#include "plot/layer_distance.h"
 
 #include <check.h>
 #include <stdlib.h>
@@ -21,7 +21,7 @@ static struct layer circle(double radius, double height)
 START_TEST(two_circles)
 {
     struct layer small = circle(20, 0), large = circle(20.3, 0.4);
-    struct difference d = difference_of(&small, &large, 2);
+    struct layer_distance d = layer_distance_of(&small, &large, 2);
     ck_assert_double_eq_tol(d.worst, 0.5, 0.003); /* chords of a degree */
     ck_assert_double_eq_tol(d.rms, 0.5, 0.003);
     ck_assert_double_le(d.most95, d.worst);
@@ -31,9 +31,9 @@ START_TEST(two_circles)
         *array_push(&small.node) = vec(0, 0, 50 + i);
     *array_push(&small.stroke) =
         (struct stroke){.kind = STROKE_RAPID, .from = small.node.n - 2, .to = small.node.n};
-    ck_assert_double_lt(difference_of(&small, &large, 1).worst, 1);
+    ck_assert_double_lt(layer_distance_of(&small, &large, 1).worst, 1);
     small.stroke.item[1].kind = STROKE_ARC;
-    d = difference_of(&small, &large, 1);
+    d = layer_distance_of(&small, &large, 1);
     ck_assert_double_gt(d.worst, 50);
     ck_assert_double_eq_tol(d.at.z, 51, 1e-9);
     ck_assert_double_lt(d.most95, 1);
@@ -49,11 +49,11 @@ START_TEST(points_over_a_mesh)
         double z = -1 + 2 * (i + 0.5) / 500, u = 2.4 * i, r = sqrt(1 - z * z);
         *array_push(&cloud.point) = vec_scale(10.25, vec(r * cos(u), r * sin(u), z));
     }
-    struct difference d = difference_of(&cloud, &mesh, 1);
+    struct layer_distance d = layer_distance_of(&cloud, &mesh, 1);
     ck_assert_uint_eq(d.n, 500);
     ck_assert_double_eq_tol(d.worst, 0.255, 0.01); /* facets stand 0.012 within at most */
     ck_assert_double_eq_tol(d.rms, 0.255, 0.01);
-    ck_assert_uint_eq(difference_of(&cloud, &(struct layer){0}, 1).n, 0);
+    ck_assert_uint_eq(layer_distance_of(&cloud, &(struct layer){0}, 1).n, 0);
     layer_free(&mesh);
     layer_free(&cloud);
 }

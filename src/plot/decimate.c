@@ -1,5 +1,5 @@
-/* thin - see thin.h. */
-#include "thin.h"
+/* decimate - see decimate.h. */
+#include "decimate.h"
 
 #include <stdbool.h>
 
@@ -51,7 +51,7 @@ static bool take(struct sector *sector, struct vec3 p, double tolerance)
     return true;
 }
 
-void thin_chain(const struct vec3 *point, size_t n, double tolerance, struct vec3s *out)
+void decimate_chain(const struct vec3 *point, size_t n, double tolerance, struct vec3s *out)
 {
     if (n == 0)
         return;

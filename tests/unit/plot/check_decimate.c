@@ -1,9 +1,9 @@
-/* thin - nothing strays by more than the tolerance, few points stay, ends and turns stay. */
+/* decimate - nothing strays by more than the tolerance, few points stay, ends and turns stay. */
 #include <check.h>
 #include <stdlib.h>
 
 #include "base/array.h"
-#include "plot/thin.h"
+#include "plot/decimate.h"
 
 /* Distance of p from the chain. */
 static double off(const struct vec3s *chain, struct vec3 p)
@@ -20,7 +20,7 @@ static double off(const struct vec3s *chain, struct vec3 p)
 static size_t thinned(const struct vec3 *p, size_t n, double tolerance)
 {
     struct vec3s out = {0};
-    thin_chain(p, n, tolerance, &out);
+    decimate_chain(p, n, tolerance, &out);
     ck_assert_double_eq(vec_distance(out.item[0], p[0]), 0);
     ck_assert_double_eq(vec_distance(out.item[out.n - 1], p[n - 1]), 0);
     for (size_t i = 0; i < n; i++)
@@ -79,12 +79,12 @@ END_TEST
 START_TEST(short_chains)
 {
     struct vec3s out = {0};
-    thin_chain(NULL, 0, 1, &out);
+    decimate_chain(NULL, 0, 1, &out);
     ck_assert_uint_eq(out.n, 0);
     struct vec3 p[2] = {{1, 1, 0}, {1, 1, 0}};
-    thin_chain(p, 1, 1, &out);
+    decimate_chain(p, 1, 1, &out);
     ck_assert_uint_eq(out.n, 1);
-    thin_chain(p, 2, 1, &out);
+    decimate_chain(p, 2, 1, &out);
     ck_assert_uint_eq(out.n, 3);
     array_free(&out);
 }

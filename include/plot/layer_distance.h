@@ -1,12 +1,12 @@
 /*
- * difference - how far one layer of a scene is from another.
+ * layer_distance - how far one layer of a scene is from another.
  */
-#ifndef CLOUDMILL_DIFFERENCE_H
-#define CLOUDMILL_DIFFERENCE_H
+#ifndef CLOUDMILL_LAYER_DISTANCE_H
+#define CLOUDMILL_LAYER_DISTANCE_H
 
 #include "plot/scene.h"
 
-struct difference {
+struct layer_distance {
     size_t n;          /* places measured; 0: nothing to measure */
     double worst, rms; /* mm */
     double most95;     /* mm: 95 in 100 places are no further */
@@ -18,6 +18,7 @@ struct difference {
  * nodes and between them no coarser than a thousandth of its extent) to the nearest place of `to`:
  * its points, facets, or straight pieces of what is cut.  On `threads` threads (parallel.h).
  */
-struct difference difference_of(const struct layer *from, const struct layer *to, int threads);
+struct layer_distance layer_distance_of(const struct layer *from, const struct layer *to,
+                                        int threads);
 
 #endif

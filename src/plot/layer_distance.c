@@ -1,5 +1,5 @@
-/* difference - see difference.h. */
-#include "plot/difference.h"
+/* layer_distance - see layer_distance.h. */
+#include "plot/layer_distance.h"
 
 #include <stdlib.h>
 
@@ -71,9 +71,10 @@ static void measure(void *context, size_t from, size_t to)
         s->distance[i] = facet_tree_distance(s->tree, s->places->item[i]);
 }
 
-struct difference difference_of(const struct layer *from, const struct layer *to, int threads)
+struct layer_distance layer_distance_of(const struct layer *from, const struct layer *to,
+                                        int threads)
 {
-    struct difference d = {0};
+    struct layer_distance d = {0};
     struct facets facets = facets_of(to);
     struct vec3s places = places_of(from);
     if (facets.n > 0 && places.n > 0) {
