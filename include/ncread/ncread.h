@@ -35,7 +35,7 @@ struct ncread_place {
     bool known[3];
     double at[3]; /* X Y Z as programmed */
     bool turned[2];
-    double turn[2]; /* as the verify_kinematics has them, degrees */
+    double turn[2]; /* as the machine has them, degrees */
     bool has_axis;
     struct vec3 axis;
     bool has_head;
@@ -81,7 +81,7 @@ struct ncread {
     struct nc_piece spline;
 };
 
-/* Runs a whole program into the nc_motion, which starts as all zero.  -1: it can't be run, the
+/* Runs a whole program into the motion, which starts as all zero.  -1: it can't be run, the
  * place is named. */
 int ncread_read(const char *file, const struct ncread_options *setup, struct nc_motion *nc_motion,
                 struct error *error);

@@ -35,7 +35,7 @@ struct ncread_hole {
 };
 
 /*
- * The block is a dwell, G4: X, F or P say how long, in seconds, P in `unit` of them; the nc_motion
+ * The block is a dwell, G4: X, F or P say how long, in seconds, P in `unit` of them; the motion
  * counts it.
  */
 bool ncread_hole_dwell(struct ncread *c, double unit);

@@ -2,8 +2,8 @@
  * axis_limits - what each axis of the machine does along a nc_motion: travel, turns, speeds, time.
  *
  * Axes in the order X Y Z A B C; mm and degrees, minutes.  With tool centre point control the
- * linear axes and, where the nc_motion gives the tool axis as a vector, the rotary axes follow from
- * the verify_kinematics as the control would make them: of two solutions the nearer one.
+ * linear axes and, where the motion gives the tool axis as a vector, the rotary axes follow from
+ * the machine as the control would make them: of two solutions the nearer one.
  */
 #ifndef CLOUDMILL_AXIS_LIMITS_H
 #define CLOUDMILL_AXIS_LIMITS_H

@@ -12,7 +12,7 @@
 struct centre_segment {
     struct vec3 a, b;
     float s[2];     /* of its piece, from 0 to 1 */
-    unsigned piece; /* of the nc_motion */
+    unsigned piece; /* of the motion */
     bool on;        /* the ball touches the part half way (set by deviation_map_run) */
 };
 

@@ -21,7 +21,7 @@ struct excursion_options {
 struct excursion {
     size_t leaps;   /* how many */
     double height;  /* of the highest: how far the ball is off all points */
-    size_t piece;   /* where that is, of the nc_motion */
+    size_t piece;   /* where that is, of the motion */
     struct vec3 at; /* the ball's centre there */
 };
 

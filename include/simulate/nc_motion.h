@@ -28,7 +28,7 @@ enum shape {
 /* What the second channel q of a piece holds, and how the axis follows from it. */
 enum swing {
     SWING_GREAT,  /* the axis: on the great circle, in proportion to s */
-    SWING_ROTARY, /* the verify_kinematics's angles in degrees (x, y), each in proportion to s */
+    SWING_ROTARY, /* the machine's angles in degrees (x, y), each in proportion to s */
     SWING_HEAD    /* a second point on the tool axis */
 };
 
@@ -62,7 +62,7 @@ struct nc_piece {
     bool inverse;           /* feed is one over the minutes that it takes */
     int block;              /* its N number, -1: none */
     size_t line;            /* of the program or stream */
-    size_t index;           /* ARC, CUBIC, SPLINE: element of the nc_motion's array of these */
+    size_t index;           /* ARC, CUBIC, SPLINE: element of its array of these */
     double feed;            /* mm/min, 0: not said */
     double u[2];            /* SPLINE: from, to */
     struct vec3 p[2], q[2]; /* both channels at the start and the end */
@@ -103,7 +103,7 @@ void nc_motion_free(struct nc_motion *m);
 struct nc_motion_pose nc_motion_at(const struct nc_motion *m, const struct nc_piece *piece,
                                    double s);
 
-/* Adds a piece for each knot span of the spline, which the nc_motion takes over. */
+/* Adds a piece for each knot span of the spline, which the motion takes over. */
 void nc_motion_add_spline(struct nc_motion *m, struct nc_motion_spline spline,
                           const struct nc_piece *as);
 

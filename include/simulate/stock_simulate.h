@@ -12,7 +12,7 @@
 #include "simulate/stock_rest.h"
 
 struct stock_simulate_pass {
-    size_t first, last; /* pieces of the nc_motion */
+    size_t first, last; /* pieces of the motion */
     double volume;
     double bite;         /* deepest that this pass took, along the normal of what it cut ... */
     size_t bite_piece;   /* ... in this piece ... */

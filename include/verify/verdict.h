@@ -44,7 +44,7 @@ struct verdict {
     const struct holder_collision *stock_holder;
     double cell; /* of the stock, mm */
     unsigned passes;
-    struct verdict_piece *piece; /* as many as the nc_motion has */
+    struct verdict_piece *piece; /* as many as the motion has */
     struct {
         size_t n, cap;
         struct finding *item;

@@ -125,7 +125,8 @@ static int splines(struct nc_step *step, const struct motion *motion)
     return spline_between(step, motion, 0, s) != 0 ? -1 : spline_between(step, motion, s, 1);
 }
 
-/* A spline from s0 to s1 as a curve of its own, to which the nc_motion of the whole says nothing.
+/* A spline from s0 to s1 as a curve of its own, to which the look-ahead over the whole says
+ * nothing.
  */
 static int spline_between(struct nc_step *step, const struct motion *motion, double s0, double s1)
 {

@@ -9,7 +9,7 @@ struct walk {
     const struct nc_motion *nc_motion;
     const struct nc_piece *piece;
     size_t index;
-    double height, flat; /* above the point that the nc_motion tracks */
+    double height, flat; /* above the point that the motion tracks */
     struct centre_path *path;
 };
 

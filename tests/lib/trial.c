@@ -101,7 +101,7 @@ void trial_assert_chain(const struct trace *t, const struct arc_deviation *withi
         ck_assert_double_le(stray.axis, within->axis);
         if (i == 0)
             continue;
-        const struct nc_piece *before = &p->item[i - 1], *here = &p->item[i];
+        const struct arc_piece *before = &p->item[i - 1], *here = &p->item[i];
         ck_assert_double_lt(vec_distance(before->arc.to, here->arc.from), 1e-12);
         ck_assert_double_lt(vec_distance(before->axis_to, here->axis), 1e-12);
         ck_assert_double_le(before->to, here->from);

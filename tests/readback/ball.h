@@ -18,7 +18,7 @@ struct depth {
     size_t piece;
 };
 
-/* Along all of the nc_motion, rapid moves too; found to 0.01 mm of way. */
+/* Along all of the motion, rapid moves too; found to 0.01 mm of way. */
 struct depth ball_depth(const struct nc_motion *nc_motion, double radius,
                         const struct surface *surface);
 
