@@ -98,6 +98,9 @@ accuracy: all $(readback) $(cloud)
 	@BIN="$(abspath $(BUILD))/bin" READBACK="$(abspath $(BUILD))/tests/readback/readback" \
 	  CLOUD="$(abspath $(cloud))" sh tests/accuracy/accuracy.sh
 
+freeze: all
+	@BIN="$(abspath $(BUILD))/bin" sh tests/house/freeze.sh
+
 deps:
 	apt-get update
 	DEBIAN_FRONTEND=noninteractive apt-get install -y --no-install-recommends $(packages)
@@ -145,7 +148,8 @@ distcheck: dist
 clean:
 	rm -rf $(BUILD) demo figures cloudmill-$(VERSION).tar.gz
 
-.PHONY: all units check demo figures bench accuracy deps lint sanitize fuzz install uninstall dist distcheck clean
+.PHONY: all units check demo figures bench accuracy freeze deps lint sanitize fuzz \
+  install uninstall dist distcheck clean
 .SECONDARY:
 
 -include $(shell find $(BUILD) -name '*.d' 2>/dev/null)
