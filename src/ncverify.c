@@ -128,10 +128,10 @@ static struct machine read_machine(const struct settings *s)
 }
 
 static void read_program(const struct settings *s, const struct machine *machine, const char *file,
-                         struct verdict *v, struct nc_motion *nc_motion)
+                         struct verdict *v, struct nc_motion *motion)
 {
     static const char *const names[] = {"fanuc", "siemens", "heidenhain", "linuxcnc"};
-    struct ncread_options setup = {.tcp = machine->tcp, .verify_kinematics = ncread_rig(machine)};
+    struct ncread_options setup = {.tcp = machine->tcp, .kinematics = ncread_kinematics(machine)};
     struct error error;
     if (!s->control_given && (!file || strcmp(file, "-") == 0))
         die_usage("the program is read from standard input: say its control by -c");
@@ -141,13 +141,13 @@ static void read_program(const struct settings *s, const struct machine *machine
     /* LinuxCNC has no word for it: its kinematics does it or does not */
     if (setup.dialect == &ncread_linuxcnc)
         setup.tcp = setup.tcp && strcmp(machine->control, "linuxcnc") == 0;
-    if (ncread_read(file, &setup, nc_motion, &error) < 0)
+    if (ncread_read(file, &setup, motion, &error) < 0)
         die_error(&error);
-    nc_motion->track = s->centre ? NC_MOTION_CENTRE : NC_MOTION_TIP;
-    v->file = nc_motion->name;
+    motion->track = s->centre ? NC_MOTION_CENTRE : NC_MOTION_TIP;
+    v->file = motion->name;
     v->control = setup.dialect->name;
     v->machine = machine->name;
-    v->nc_motion = nc_motion;
+    v->motion = motion;
 }
 
 static void read_part(const struct settings *s, struct vec3s *points)
@@ -165,11 +165,10 @@ static void read_part(const struct settings *s, struct vec3s *points)
         die("%s: no points to judge by", s->part.item[0]);
 }
 
-static struct axis_limits_limits limits_of(const struct machine *machine)
+static struct axis_limits limits_of(const struct machine *machine)
 {
-    struct axis_limits_limits limits = {.combined =
-                                            !machine->tcp && machine->feeds == FEEDS_COMBINED};
-    for (int k = 0; k < LOAD_AXES; k++) {
+    struct axis_limits limits = {.combined = !machine->tcp && machine->feeds == FEEDS_COMBINED};
+    for (int k = 0; k < NC_AXES; k++) {
         limits.min[k] = machine->min[k];
         limits.max[k] = machine->max[k];
         limits.rapid[k] = machine->rapid[k];
@@ -181,15 +180,15 @@ int main(int argc, char **argv)
 {
     struct settings s = {.tolerance = 0.05};
     struct cli cli;
-    struct nc_motion nc_motion = {0};
+    struct nc_motion motion = {0};
     struct vec3s points = {0};
     struct verify_run run;
     read_options(&s, &cli, argc, argv);
     struct machine machine = read_machine(&s);
-    struct axis_limits_limits limits = limits_of(&machine);
+    struct axis_limits limits = limits_of(&machine);
     struct verdict v = {
         .radius = s.radius, .tolerance = s.tolerance, .left = s.left, .band = s.band};
-    read_program(&s, &machine, cli.file[0], &v, &nc_motion);
+    read_program(&s, &machine, cli.file[0], &v, &motion);
     read_part(&s, &points);
     v.point = &points;
     const struct verify_run_options setup = {.band = s.band,
@@ -199,7 +198,7 @@ int main(int argc, char **argv)
                                              .cell = s.cell,
                                              .threads = cli.threads};
     verify_run_do(&setup, &run, &v);
-    v.load = axis_limits_run(&nc_motion, &limits);
+    v.load = axis_limits_check(&motion, &limits);
     verdict_judge(&v);
     if (s.map)
         verdict_map(&v, s.map);
@@ -214,6 +213,6 @@ int main(int argc, char **argv)
     array_free(&points);
     array_free(&s.part);
     array_free(&s.set);
-    nc_motion_free(&nc_motion);
+    nc_motion_free(&motion);
     return refused ? EXIT_UNMET : EXIT_DONE;
 }

@@ -1,5 +1,5 @@
 /*
- * ncread - an NC program run as the control runs it, block by block, into a nc_motion.
+ * ncread - an NC program run as the control runs it, block by block, into a motion.
  *
  * Written from the makers' manuals as design and man pages state them, and sharing nothing with
  * the code that writes programs: a mistake there must not be made here once more.  What the
@@ -27,7 +27,7 @@ struct ncread_dialect {
 struct ncread_options {
     const struct ncread_dialect *dialect;
     bool tcp; /* the machine has tool centre point control */
-    struct verify_kinematics verify_kinematics;
+    struct verify_kinematics kinematics;
 };
 
 /* What is known of where the machine is. */
@@ -44,7 +44,7 @@ struct ncread_place {
 
 struct ncread {
     const struct ncread_options *setup;
-    struct nc_motion *nc_motion;
+    struct nc_motion *motion;
     const char *name; /* of the file */
     struct ncread_words words;
     size_t line;
@@ -83,7 +83,7 @@ struct ncread {
 
 /* Runs a whole program into the motion, which starts as all zero.  -1: it can't be run, the
  * place is named. */
-int ncread_read(const char *file, const struct ncread_options *setup, struct nc_motion *nc_motion,
+int ncread_read(const char *file, const struct ncread_options *setup, struct nc_motion *motion,
                 struct error *error);
 
 /* The controls. */

@@ -9,6 +9,6 @@
 #include "simulate/verify_kinematics.h"
 
 /* The axes from the keys type, axes, axis.* and centre.* themselves. */
-struct verify_kinematics ncread_rig(const struct machine *machine);
+struct verify_kinematics ncread_kinematics(const struct machine *machine);
 
 #endif

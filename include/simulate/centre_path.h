@@ -1,7 +1,7 @@
 /*
  * centre_path - where the centre of the tool's ball goes, as straight segments.
  *
- * Lengths in mm.  A nc_motion that tracks the tip has the ball's centre one radius up the tool
+ * Lengths in mm.  A motion that tracks the tip has the ball's centre one radius up the tool
  * axis.
  */
 #ifndef CLOUDMILL_CENTRE_PATH_H
@@ -25,16 +25,16 @@ struct centre_path {
  * Appends the segments of one piece, no further than `flat` mm from the way of the centre, and
  * `up` mm further up the tool axis than the centre.
  */
-void centre_path_piece(const struct nc_motion *nc_motion, size_t piece, double radius, double up,
+void centre_path_piece(const struct nc_motion *motion, size_t piece, double radius, double up,
                        double flat, struct centre_path *path);
 
 /* All pieces at feed. */
-void centre_path_cut(const struct nc_motion *nc_motion, double radius, double flat,
+void centre_path_cut(const struct nc_motion *motion, double radius, double flat,
                      struct centre_path *path);
 
 /* All rapid pieces, with further balls of the same radius, half a radius apart, over `shank` mm:
  * a shaft as thick as the ball. */
-void centre_path_rapid(const struct nc_motion *nc_motion, double radius, double shank, double flat,
+void centre_path_rapid(const struct nc_motion *motion, double radius, double shank, double flat,
                        struct centre_path *path);
 
 #endif

@@ -26,7 +26,7 @@ struct excursion {
 };
 
 /* The leaps of a path that deviation_map_run has looked at, over n points of the part. */
-struct excursion excursion_find(const struct nc_motion *nc_motion, const struct centre_path *path,
+struct excursion excursion_find(const struct nc_motion *motion, const struct centre_path *path,
                                 const struct vec3 *point, size_t n,
                                 const struct excursion_options *setup);
 

@@ -1,5 +1,5 @@
 /*
- * holder_collision - shank and holder followed along a nc_motion: where do they run into something?
+ * holder_collision - shank and holder followed along a motion: where do they run into something?
  *
  * The stack is looked at where it stands; as far as it is clear, so far it may move before it has
  * to be looked at again.  Where it is not clear the piece is halved until the depth is known within
@@ -14,7 +14,7 @@
 
 struct holder_collision {
     /* set by the caller */
-    const struct nc_motion *nc_motion;
+    const struct nc_motion *motion;
     const struct holder *holder;
     struct collision_body *obstacle;
     double radius;    /* of the ball */

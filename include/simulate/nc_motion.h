@@ -26,10 +26,10 @@ enum shape {
 };
 
 /* What the second channel q of a piece holds, and how the axis follows from it. */
-enum swing {
-    SWING_GREAT,  /* the axis: on the great circle, in proportion to s */
-    SWING_ROTARY, /* the machine's angles in degrees (x, y), each in proportion to s */
-    SWING_HEAD    /* a second point on the tool axis */
+enum axis_interpolation {
+    AXIS_GREAT_CIRCLE,  /* the axis: on the great circle, in proportion to s */
+    AXIS_ROTARY_LINEAR, /* the machine's angles in degrees (x, y), each in proportion to s */
+    AXIS_BY_HEAD        /* a second point on the tool axis */
 };
 
 struct nc_motion_spline {
@@ -55,7 +55,7 @@ struct nc_motion_polynomial {
 };
 
 struct nc_piece {
-    unsigned char shape, swing; /* enum shape, enum swing */
+    unsigned char shape, interpolation; /* enum shape, enum axis_interpolation */
     bool rapid;
     bool table;             /* p is the place of the linear axes: verify_kinematics_tip */
     bool touches;           /* a contact point was given for its end */
@@ -73,7 +73,7 @@ enum nc_motion_track { NC_MOTION_TIP, NC_MOTION_CENTRE, NC_MOTION_CONTACT };
 
 struct nc_motion {
     const char *name; /* of the file */
-    struct verify_kinematics verify_kinematics;
+    struct verify_kinematics kinematics;
     enum nc_motion_track track;
     struct {
         size_t n, cap;

@@ -1,5 +1,5 @@
 /*
- * stock_simulate - a nc_motion run over a stock: what each pass takes off and leaves, which moves
+ * stock_simulate - a motion run over a stock: what each pass takes off and leaves, which moves
  * cut air, what rapid moves, shank and holder run into.
  *
  * A pass is what is cut between two rapid moves.  Lengths in mm, volumes in mm^3.
@@ -35,7 +35,7 @@ struct stock_simulate {
 };
 
 struct stock_simulate_options {
-    const struct nc_motion *nc_motion;
+    const struct nc_motion *motion;
     const struct centre_path *cut; /* its pieces at feed: centre_path_cut */
     double radius, flat, tolerance;
     struct holder_collision *way; /* shank and holder against this stock; NULL: not looked at */

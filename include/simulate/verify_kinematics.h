@@ -30,16 +30,15 @@ struct verify_kinematics {
 };
 
 /* The tool axis in the frame of the work. */
-struct vec3 verify_kinematics_axis_at(const struct verify_kinematics *verify_kinematics,
-                                      const double q[]);
+struct vec3 verify_kinematics_axis_at(const struct verify_kinematics *kinematics, const double q[]);
 
 /* The tip in the frame of the work when the linear axes stand at `linear`; at zero it is there. */
-struct vec3 verify_kinematics_tip(const struct verify_kinematics *verify_kinematics,
-                                  struct vec3 linear, const double q[]);
+struct vec3 verify_kinematics_tip(const struct verify_kinematics *kinematics, struct vec3 linear,
+                                  const double q[]);
 
 /* Where the linear axes stand for the tip to be at `tip`: the inverse of verify_kinematics_tip. */
-struct vec3 verify_kinematics_linear(const struct verify_kinematics *verify_kinematics,
-                                     struct vec3 tip, const double q[]);
+struct vec3 verify_kinematics_linear(const struct verify_kinematics *kinematics, struct vec3 tip,
+                                     const double q[]);
 
 /*
  * The angles for a tool axis, of the two solutions in whole turns the one nearest to `near` (the
@@ -48,7 +47,7 @@ struct vec3 verify_kinematics_linear(const struct verify_kinematics *verify_kine
  * reach by more than `slack` degrees; q is then the nearest.  Two axes by the second subproblem of
  * Paden and Kahan (Murray, Li, Sastry, A Mathematical Introduction to Robotic Manipulation, 3.2).
  */
-bool verify_kinematics_angles(const struct verify_kinematics *verify_kinematics, struct vec3 axis,
+bool verify_kinematics_angles(const struct verify_kinematics *kinematics, struct vec3 axis,
                               const double near[], double slack, double q[]);
 
 /* Two tables, A or B carrying C, through the zero point; `sense` -1: they turn the other way. */

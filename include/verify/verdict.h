@@ -30,11 +30,11 @@ struct verdict {
     const char *file, *control, *machine; /* as said, or told from the text */
     double radius, tolerance, left;       /* left: most material, HUGE_VAL: not judged */
     double band;                          /* as of deviation_map */
-    const struct nc_motion *nc_motion;
+    const struct nc_motion *motion;
     const struct centre_path *cut;
     const struct vec3s *point;
     struct deviation_map roll;
-    struct axis_limits load;
+    struct axis_use load;
     double rapid;        /* how deep a rapid move goes in, 0: none does */
     size_t rapid_points; /* points that rapids pass through */
     size_t rapid_at, rapid_piece;

@@ -25,7 +25,7 @@ struct verify_run {
     struct stock_simulate run;
 };
 
-/* Fills what the verdict is judged by; its nc_motion, points, radius and tolerance are given. */
+/* Fills what the verdict is judged by; its motion, points, radius and tolerance are given. */
 void verify_run_do(const struct verify_run_options *setup, struct verify_run *run,
                    struct verdict *verdict);
 

@@ -57,8 +57,8 @@ bool ncread_axis(const struct ncread *c, const char *name, double value, struct 
         to->known[*name - 'X'] = true;
         return true;
     }
-    for (int i = 0; i < c->setup->verify_kinematics.n; i++)
-        if (*name == c->setup->verify_kinematics.axis[i].letter) {
+    for (int i = 0; i < c->setup->kinematics.n; i++)
+        if (*name == c->setup->kinematics.axis[i].letter) {
             to->turn[i] = value;
             to->turned[i] = true;
             return true;
@@ -68,7 +68,7 @@ bool ncread_axis(const struct ncread *c, const char *name, double value, struct 
 
 static bool all_turned(const struct ncread *c, const struct ncread_place *place)
 {
-    for (int i = 0; i < c->setup->verify_kinematics.n; i++)
+    for (int i = 0; i < c->setup->kinematics.n; i++)
         if (!place->turned[i])
             return false;
     return true;
@@ -77,7 +77,7 @@ static bool all_turned(const struct ncread *c, const struct ncread_place *place)
 void ncread_turned(const struct ncread *c, struct ncread_place *to)
 {
     if (all_turned(c, to)) {
-        to->axis = verify_kinematics_axis_at(&c->setup->verify_kinematics, to->turn);
+        to->axis = verify_kinematics_axis_at(&c->setup->kinematics, to->turn);
         to->has_axis = true;
     }
 }
@@ -107,18 +107,18 @@ struct nc_piece ncread_piece(const struct ncread *c, const struct ncread_place *
     piece.p[0] = point_of(from);
     piece.p[1] = point_of(to);
     if (c->tilted.on) {
-        piece.swing = SWING_GREAT;
+        piece.interpolation = AXIS_GREAT_CIRCLE;
         piece.q[0] = piece.q[1] = vec(0, 0, 1);
     } else if (c->curve && from->has_head && to->has_head) {
-        piece.swing = SWING_HEAD;
+        piece.interpolation = AXIS_BY_HEAD;
         piece.q[0] = from->head;
         piece.q[1] = to->head;
     } else if (c->vectors && c->setup->tcp) {
-        piece.swing = SWING_GREAT;
+        piece.interpolation = AXIS_GREAT_CIRCLE;
         piece.q[0] = from->axis;
         piece.q[1] = to->axis;
     } else {
-        piece.swing = SWING_ROTARY;
+        piece.interpolation = AXIS_ROTARY_LINEAR;
         piece.q[0] = vec(from->turn[0], from->turn[1], 0);
         piece.q[1] = vec(to->turn[0], to->turn[1], 0);
         piece.table = !c->setup->tcp;
@@ -128,7 +128,7 @@ struct nc_piece ncread_piece(const struct ncread *c, const struct ncread_place *
 
 bool ncread_upright(const struct ncread *c)
 {
-    for (int i = 0; i < c->setup->verify_kinematics.n; i++)
+    for (int i = 0; i < c->setup->kinematics.n; i++)
         if (!c->here.turned[i] || c->here.turn[i] != 0)
             return false;
     return true;
@@ -158,7 +158,8 @@ int ncread_go(struct ncread *c, const struct ncread_place *to, struct nc_piece p
         return -1;
     piece.rapid = rapid;
     bool tracked = c->tcp || !c->setup->tcp || c->tilted.on || ncread_upright(c);
-    if (piece.swing == SWING_ROTARY && !rapid && !(all_turned(c, &c->here) && all_turned(c, to)))
+    if (piece.interpolation == AXIS_ROTARY_LINEAR && !rapid &&
+        !(all_turned(c, &c->here) && all_turned(c, to)))
         return ncread_error(c, error, "cuts with rotary axes whose place is not known");
     if (tracked && all_known(to) && (to->has_axis || c->tilted.on)) {
         bool axis = c->here.has_axis || c->tilted.on;
@@ -168,10 +169,10 @@ int ncread_go(struct ncread *c, const struct ncread_place *to, struct nc_piece p
         }
         ncread_plane_turn(c, &piece);
         ncread_unit_piece(c, &piece);
-        *array_push(&c->nc_motion->piece) = piece;
-        c->nc_motion->lines += piece.shape == SHAPE_LINE && !rapid;
-        c->nc_motion->arcs += piece.shape == SHAPE_ARC;
-        c->nc_motion->curves += piece.shape == SHAPE_POLYNOMIAL;
+        *array_push(&c->motion->piece) = piece;
+        c->motion->lines += piece.shape == SHAPE_LINE && !rapid;
+        c->motion->arcs += piece.shape == SHAPE_ARC;
+        c->motion->curves += piece.shape == SHAPE_POLYNOMIAL;
     }
     c->here = *to;
     if (!tracked) /* words of another frame: nothing is known of the tip */
@@ -245,17 +246,17 @@ static int read_lines(struct ncread *c, struct reader *r, struct error *error)
     return more;
 }
 
-int ncread_read(const char *file, const struct ncread_options *setup, struct nc_motion *nc_motion,
+int ncread_read(const char *file, const struct ncread_options *setup, struct nc_motion *motion,
                 struct error *error)
 {
-    struct ncread c = {.setup = setup, .nc_motion = nc_motion, .name = file, .last_block = -1};
+    struct ncread c = {.setup = setup, .motion = motion, .name = file, .last_block = -1};
     struct reader r;
     if (reader_open(&r, file, error) < 0)
         return -1;
-    nc_motion->name = file;
-    nc_motion->verify_kinematics = setup->verify_kinematics;
-    c.here.axis = setup->verify_kinematics.tool;
-    c.here.has_axis = setup->verify_kinematics.n == 0;
+    motion->name = file;
+    motion->kinematics = setup->kinematics;
+    c.here.axis = setup->kinematics.tool;
+    c.here.has_axis = setup->kinematics.n == 0;
     int result = read_lines(&c, &r, error);
     c.block = -1;
     if (result == 0)

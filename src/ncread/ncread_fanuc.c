@@ -144,7 +144,7 @@ static int run_block(struct ncread *c, struct ncread_fanuc_block *b, struct erro
 
 static int read_block(struct ncread *c, const char *line, struct error *error)
 {
-    c->nc_motion->blocks++;
+    c->motion->blocks++;
     if (c->line == 1) {
         c->move = MOVE_NONE;
         c->plane = 17;

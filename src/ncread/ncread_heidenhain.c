@@ -200,7 +200,7 @@ static void dwell(struct ncread *c, const char *word)
     double seconds;
     word += strcspn(word, "0123456789");
     if (num_read(&word, &seconds))
-        c->nc_motion->dwell += seconds / 60;
+        c->motion->dwell += seconds / 60;
 }
 
 static int run(struct ncread *c, struct klartext *k, struct error *error)
@@ -241,7 +241,7 @@ static int read_block(struct ncread *c, const char *line, struct error *error)
 {
     char *end;
     struct klartext k = {.to = c->here};
-    c->nc_motion->blocks++;
+    c->motion->blocks++;
     if (*line == ' ')
         return ncread_hole_parameter(c, line, error);
     c->block = strtol(line, &end, 10);

@@ -49,7 +49,7 @@ int ncread_hole_down(struct ncread *c, const struct ncread_place *at, struct err
     if (go(c, x, y, c->here.at[2], true, error) < 0 || go(c, x, y, h->clear, true, error) < 0 ||
         feed(c, h->feed, x, y, h->bottom, error) < 0)
         return -1;
-    c->nc_motion->dwell += h->dwell / 60;
+    c->motion->dwell += h->dwell / 60;
     if (h->slow && feed(c, h->back, x, y, h->clear, error) < 0)
         return -1;
     return go(c, x, y, h->level, true, error);
@@ -68,7 +68,7 @@ bool ncread_hole_dwell(struct ncread *c, double unit)
             seconds = w->value[0] * (w->name[0] == 'P' ? unit : 1);
     }
     if (dwell)
-        c->nc_motion->dwell += seconds / 60;
+        c->motion->dwell += seconds / 60;
     return dwell;
 }
 

@@ -150,7 +150,7 @@ static int read_block(struct ncread *c, const char *line, struct error *error)
 {
     struct error found;
     struct block b = {0};
-    c->nc_motion->blocks++;
+    c->motion->blocks++;
     if (c->line == 1) {
         c->move = MOVE_NONE;
         c->plane = 17;

@@ -22,7 +22,7 @@ static int leave(struct ncread *c)
     forget_place(c);
     for (int i = 0; i < VERIFY_KINEMATICS_AXES; i++)
         c->here.turned[i] = false;
-    if (c->setup->verify_kinematics.n == 0)
+    if (c->setup->kinematics.n == 0)
         c->here.has_axis = true;
     return 1;
 }
@@ -144,11 +144,11 @@ void ncread_plane_turn(struct ncread *c, struct nc_piece *piece)
         return;
     turn_ends(p, piece);
     if (piece->shape == SHAPE_ARC) {
-        struct nc_motion_arc *arc = &c->nc_motion->arc.item[piece->index];
+        struct nc_motion_arc *arc = &c->motion->arc.item[piece->index];
         arc->centre = point(p, arc->centre);
         arc->normal = way(p, arc->normal);
     } else if (piece->shape == SHAPE_POLYNOMIAL) {
-        struct nc_motion_polynomial *sum = &c->nc_motion->polynomial.item[piece->index];
+        struct nc_motion_polynomial *sum = &c->motion->polynomial.item[piece->index];
         for (int i = 0; i < NC_MOTION_DEGREE; i++)
             sum->p[i] = way(p, sum->p[i]);
     }

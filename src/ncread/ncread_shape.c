@@ -11,8 +11,8 @@ static double slack(const struct ncread *c)
 static void set_arc(struct ncread *c, struct nc_piece *piece, struct nc_motion_arc arc)
 {
     piece->shape = SHAPE_ARC;
-    piece->index = c->nc_motion->arc.n;
-    *array_push(&c->nc_motion->arc) = arc;
+    piece->index = c->motion->arc.n;
+    *array_push(&c->motion->arc) = arc;
 }
 
 static struct vec3 plane_normal(const struct ncread *c)
@@ -91,8 +91,8 @@ void ncread_pole(struct ncread *c, const struct nc_piece *piece, struct vec3 p, 
 static void name_spans(struct ncread *c, const struct nc_motion_spline *b, size_t first)
 {
     size_t span = (size_t)b->order - 1;
-    for (size_t i = first; i < c->nc_motion->piece.n; i++) {
-        struct nc_piece *piece = &c->nc_motion->piece.item[i];
+    for (size_t i = first; i < c->motion->piece.n; i++) {
+        struct nc_piece *piece = &c->motion->piece.item[i];
         while (span + 1 < b->n && b->knot[span + 1] <= piece->u[0])
             span++;
         size_t pole = span + 1 - (size_t)b->order / 2;
@@ -129,8 +129,8 @@ int ncread_spline(struct ncread *c, struct error *error)
     b.weight = c->weight.item;
     c->knot = c->weight = (struct doubles){0};
     c->pole_p = c->pole_q = (struct vec3s){0};
-    size_t first = c->nc_motion->piece.n;
-    nc_motion_add_spline(c->nc_motion, b, &c->spline);
+    size_t first = c->motion->piece.n;
+    nc_motion_add_spline(c->motion, b, &c->spline);
     name_spans(c, &b, first);
     return 0;
 }

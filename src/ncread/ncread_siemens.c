@@ -52,13 +52,13 @@ static int poly_piece(struct ncread *c, struct ncread_siemens_block *b, struct n
         return ncread_error(c, error, "POLY with a PL that is not above zero");
     struct nc_motion_polynomial sum = {.swings = b->head_n == 3};
     piece->shape = SHAPE_POLYNOMIAL;
-    piece->index = c->nc_motion->polynomial.n;
+    piece->index = c->motion->polynomial.n;
     coefficients(b->tip, b->length, piece->p[0], piece->p[1], sum.p);
-    if (b->head_n == 3 && piece->swing != SWING_HEAD)
+    if (b->head_n == 3 && piece->interpolation != AXIS_BY_HEAD)
         return ncread_error(c, error, "ORICURVE from a second point that is not known");
     if (sum.swings)
         coefficients(b->second, b->length, piece->q[0], piece->q[1], sum.q);
-    *array_push(&c->nc_motion->polynomial) = sum;
+    *array_push(&c->motion->polynomial) = sum;
     return 0;
 }
 
@@ -68,7 +68,7 @@ static int bspline_block(struct ncread *c, struct ncread_siemens_block *b, struc
 {
     if (b->vector_n == 3 || b->length != 1)
         return ncread_error(c, error, "BSPLINE with tool vectors or PL");
-    if (b->head_n == 3 && piece->swing != SWING_HEAD)
+    if (b->head_n == 3 && piece->interpolation != AXIS_BY_HEAD)
         return ncread_error(c, error, "ORICURVE from a second point that is not known");
     if (c->pole_p.n == 0) {
         if (ncread_ready(c, error) < 0)
@@ -151,7 +151,7 @@ static int run_block(struct ncread *c, struct ncread_siemens_block *b, struct er
 
 static int read_block(struct ncread *c, const char *line, struct error *error)
 {
-    c->nc_motion->blocks++;
+    c->motion->blocks++;
     if (c->line == 1) {
         size_t n = strlen(line);
         c->plane = 17;

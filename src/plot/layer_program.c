@@ -12,7 +12,7 @@ enum { HALVINGS = 9 };
 
 /* What is known on the way through the pieces. */
 struct walk {
-    const struct nc_motion *nc_motion;
+    const struct nc_motion *motion;
     const struct layer_options *options;
     struct layer *layer;
     double chord;
@@ -47,7 +47,7 @@ static bool goes_on(const struct nc_piece *was, const struct nc_piece *piece)
 
 static struct vec3 tip(const struct walk *w, const struct nc_piece *piece, double s)
 {
-    return nc_motion_at(w->nc_motion, piece, s).p;
+    return nc_motion_at(w->motion, piece, s).p;
 }
 
 /* Nodes behind s0 up to s1, halved until the middle is no farther off than the chord error. */
@@ -93,25 +93,25 @@ static void add_piece(struct walk *w, const struct nc_piece *was, const struct n
     }
     layer->stroke.item[layer->stroke.n - 1].to = layer->node.n;
     if (!piece->rapid) {
-        struct nc_motion_pose pose = nc_motion_at(w->nc_motion, piece, 1);
+        struct nc_motion_pose pose = nc_motion_at(w->motion, piece, 1);
         *array_push(&layer->joint) = pose.p;
         if (w->options->axes)
             *array_push(&layer->axis) = (struct tick){pose.p, pose.a};
     }
 }
 
-static double chord_of(const struct layer_options *options, const struct nc_motion *nc_motion)
+static double chord_of(const struct layer_options *options, const struct nc_motion *motion)
 {
     struct box box = box_empty();
-    for (size_t i = 0; i < nc_motion->piece.n; i++)
-        box_add(&box, nc_motion_at(nc_motion, &nc_motion->piece.item[i], 1).p);
+    for (size_t i = 0; i < motion->piece.n; i++)
+        box_add(&box, nc_motion_at(motion, &motion->piece.item[i], 1).p);
     return layer_chord(options, &box);
 }
 
-static void add_poles(struct layer *layer, const struct nc_motion *nc_motion)
+static void add_poles(struct layer *layer, const struct nc_motion *motion)
 {
-    for (size_t i = 0; i < nc_motion->spline.n; i++) {
-        const struct nc_motion_spline *spline = &nc_motion->spline.item[i];
+    for (size_t i = 0; i < motion->spline.n; i++) {
+        const struct nc_motion_spline *spline = &motion->spline.item[i];
         size_t from = layer->node.n;
         for (size_t k = 0; k < spline->n; k++)
             *array_push(&layer->node) = spline->p[k];
@@ -119,20 +119,18 @@ static void add_poles(struct layer *layer, const struct nc_motion *nc_motion)
     }
 }
 
-static void add_course(const struct nc_motion *nc_motion, const struct layer_options *options,
+static void add_course(const struct nc_motion *motion, const struct layer_options *options,
                        struct layer *layer)
 {
-    struct walk w = {.nc_motion = nc_motion,
-                     .options = options,
-                     .layer = layer,
-                     .chord = chord_of(options, nc_motion)};
-    for (size_t i = 0; i < nc_motion->piece.n; i++)
-        add_piece(&w, i ? &nc_motion->piece.item[i - 1] : NULL, &nc_motion->piece.item[i]);
+    struct walk w = {
+        .motion = motion, .options = options, .layer = layer, .chord = chord_of(options, motion)};
+    for (size_t i = 0; i < motion->piece.n; i++)
+        add_piece(&w, i ? &motion->piece.item[i - 1] : NULL, &motion->piece.item[i]);
     layer->passes = w.run > 1 ? w.run : 0;
-    layer->motions[STROKE_SPLINE] = nc_motion->curves;
-    layer->motions[STROKE_POLES] = nc_motion->poles;
+    layer->motions[STROKE_SPLINE] = motion->curves;
+    layer->motions[STROKE_POLES] = motion->poles;
     if (options->poles)
-        add_poles(layer, nc_motion);
+        add_poles(layer, motion);
 }
 
 /* Some controls have tool centre point control only on machines that are theirs. */
@@ -152,16 +150,16 @@ int layer_program(const char *file, const struct layer_options *options, struct 
     if (machine_finish(&machine, error) != 0)
         return -1;
     struct ncread_options setup = {.dialect = ncread_tell(file, error),
-                                   .verify_kinematics = ncread_rig(&machine)};
-    struct nc_motion nc_motion = {0};
+                                   .kinematics = ncread_kinematics(&machine)};
+    struct nc_motion motion = {0};
     if (setup.dialect)
         setup.tcp = has_tcp(setup.dialect->name, &machine);
     if (!setup.dialect || stream_again(file, error) < 0 ||
-        ncread_read(file, &setup, &nc_motion, error) < 0) {
-        nc_motion_free(&nc_motion);
+        ncread_read(file, &setup, &motion, error) < 0) {
+        nc_motion_free(&motion);
         return -1;
     }
-    add_course(&nc_motion, options, layer);
-    nc_motion_free(&nc_motion);
+    add_course(&motion, options, layer);
+    nc_motion_free(&motion);
     return 0;
 }

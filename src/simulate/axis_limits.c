@@ -10,39 +10,39 @@ enum { STEPS = 6 };
 #define TRAVEL 1e-6
 
 struct state {
-    double axis[LOAD_AXES];
+    double axis[NC_AXES];
     double turn[VERIFY_KINEMATICS_AXES];
     struct vec3 tip;
 };
 
 struct run {
-    const struct nc_motion *nc_motion;
-    const struct axis_limits_limits *limits;
-    struct axis_limits *load;
+    const struct nc_motion *motion;
+    const struct axis_limits *limits;
+    struct axis_use *load;
     double turn[VERIFY_KINEMATICS_AXES]; /* where the rotary axes stand */
 };
 
 /* Where all axes stand at s of a piece. */
 static struct state state_at(struct run *run, size_t index, double s)
 {
-    const struct verify_kinematics *verify_kinematics = &run->nc_motion->verify_kinematics;
-    const struct nc_piece *piece = &run->nc_motion->piece.item[index];
-    struct nc_motion_pose pose = nc_motion_at(run->nc_motion, piece, s);
+    const struct verify_kinematics *kinematics = &run->motion->kinematics;
+    const struct nc_piece *piece = &run->motion->piece.item[index];
+    struct nc_motion_pose pose = nc_motion_at(run->motion, piece, s);
     struct state state = {.tip = pose.p};
-    if (piece->swing == SWING_ROTARY && piece->shape != SHAPE_SPLINE) {
+    if (piece->interpolation == AXIS_ROTARY_LINEAR && piece->shape != SHAPE_SPLINE) {
         struct vec3 q = vec_mix(piece->q[0], piece->q[1], s);
         state.turn[0] = q.x;
         state.turn[1] = q.y;
-    } else if (!verify_kinematics_angles(verify_kinematics, pose.a, run->turn, REACH, state.turn)) {
+    } else if (!verify_kinematics_angles(kinematics, pose.a, run->turn, REACH, state.turn)) {
         if (run->load->unreachable++ == 0)
             run->load->unreachable_at = index;
     }
-    struct vec3 linear = verify_kinematics_linear(verify_kinematics, pose.p, state.turn);
+    struct vec3 linear = verify_kinematics_linear(kinematics, pose.p, state.turn);
     state.axis[0] = linear.x;
     state.axis[1] = linear.y;
     state.axis[2] = linear.z;
-    for (int i = 0; i < verify_kinematics->n; i++) {
-        state.axis[3 + verify_kinematics->axis[i].letter - 'A'] = state.turn[i];
+    for (int i = 0; i < kinematics->n; i++) {
+        state.axis[3 + kinematics->axis[i].letter - 'A'] = state.turn[i];
         run->turn[i] = state.turn[i];
     }
     return state;
@@ -51,16 +51,16 @@ static struct state state_at(struct run *run, size_t index, double s)
 /* Travel; true when an axis is beyond it. */
 static bool travel(struct run *run, const struct state *state, size_t index)
 {
-    struct axis_limits *load = run->load;
+    struct axis_use *load = run->load;
     bool beyond = false;
-    for (int k = 0; k < LOAD_AXES; k++) {
+    for (int k = 0; k < NC_AXES; k++) {
         double at = state->axis[k];
         load->low[k] = fmin(load->low[k], at);
         load->high[k] = fmax(load->high[k], at);
         if (at >= run->limits->min[k] - TRAVEL && at <= run->limits->max[k] + TRAVEL)
             continue;
         if (load->beyond == 0 && !beyond)
-            load->travel = (struct axis_limits_peak){at, k, index};
+            load->travel = (struct axis_peak){at, k, index};
         beyond = true;
     }
     return beyond;
@@ -77,7 +77,7 @@ static double programmed(const struct run *run, const struct nc_piece *piece, co
         return share / piece->feed;
     if (!run->limits->combined && way > 0)
         return way / piece->feed;
-    for (int k = run->limits->combined ? 0 : 3; k < LOAD_AXES; k++) /* the tip stays: degrees */
+    for (int k = run->limits->combined ? 0 : 3; k < NC_AXES; k++) /* the tip stays: degrees */
         sum += (b->axis[k] - a->axis[k]) * (b->axis[k] - a->axis[k]);
     return sqrt(sum) / piece->feed;
 }
@@ -86,7 +86,7 @@ static double programmed(const struct run *run, const struct nc_piece *piece, co
 static double needed(const struct run *run, const struct state *a, const struct state *b, int *axis)
 {
     double most = 0;
-    for (int k = 0; k < LOAD_AXES; k++) {
+    for (int k = 0; k < NC_AXES; k++) {
         double time = fabs(b->axis[k] - a->axis[k]) / run->limits->rapid[k];
         if (time > most) {
             most = time;
@@ -96,28 +96,28 @@ static double needed(const struct run *run, const struct state *a, const struct 
     return most;
 }
 
-static void raise(struct axis_limits_peak *peak, double value, int axis, size_t piece)
+static void raise(struct axis_peak *peak, double value, int axis, size_t piece)
 {
     if (value > peak->value)
-        *peak = (struct axis_limits_peak){value, axis, piece};
+        *peak = (struct axis_peak){value, axis, piece};
 }
 
 static void turns(struct run *run, size_t index, const struct state *a, const struct state *b,
                   double way)
 {
-    for (int k = 3; k < LOAD_AXES; k++) {
+    for (int k = 3; k < NC_AXES; k++) {
         double turn = fabs(b->axis[k] - a->axis[k]);
         raise(&run->load->jump, turn, k, index);
         if (way > SHORT)
-            raise(&run->load->swing, turn / way, k, index);
+            raise(&run->load->turn_rate, turn / way, k, index);
     }
 }
 
 static void one_piece(struct run *run, size_t index)
 {
-    const struct nc_piece *piece = &run->nc_motion->piece.item[index];
-    struct axis_limits *load = run->load;
-    bool still = piece->shape == SHAPE_LINE && piece->swing != SWING_HEAD &&
+    const struct nc_piece *piece = &run->motion->piece.item[index];
+    struct axis_use *load = run->load;
+    bool still = piece->shape == SHAPE_LINE && piece->interpolation != AXIS_BY_HEAD &&
                  vec_distance(piece->q[0], piece->q[1]) == 0;
     int steps = still ? 1 : STEPS;
     struct state first = state_at(run, index, 0), a = first;
@@ -145,16 +145,15 @@ static void one_piece(struct run *run, size_t index)
         turns(run, index, &first, &a, way);
 }
 
-struct axis_limits axis_limits_run(const struct nc_motion *nc_motion,
-                                   const struct axis_limits_limits *limits)
+struct axis_use axis_limits_check(const struct nc_motion *motion, const struct axis_limits *limits)
 {
-    struct axis_limits load = {0};
-    struct run run = {nc_motion, limits, &load, {0, 0}};
-    for (int k = 0; k < LOAD_AXES; k++) {
+    struct axis_use load = {0};
+    struct run run = {motion, limits, &load, {0, 0}};
+    for (int k = 0; k < NC_AXES; k++) {
         load.low[k] = HUGE_VAL;
         load.high[k] = -HUGE_VAL;
     }
-    for (size_t i = 0; i < nc_motion->piece.n; i++)
+    for (size_t i = 0; i < motion->piece.n; i++)
         one_piece(&run, i);
     return load;
 }

@@ -6,7 +6,7 @@
 enum { DEEPEST = 16 };
 
 struct walk {
-    const struct nc_motion *nc_motion;
+    const struct nc_motion *motion;
     const struct nc_piece *piece;
     size_t index;
     double height, flat; /* above the point that the motion tracks */
@@ -16,7 +16,7 @@ struct walk {
 /* The centre at a place of the piece. */
 static struct vec3 centre_at(const struct walk *w, double s)
 {
-    struct nc_motion_pose pose = nc_motion_at(w->nc_motion, w->piece, s);
+    struct nc_motion_pose pose = nc_motion_at(w->motion, w->piece, s);
     return vec_along(pose.p, w->height, pose.a);
 }
 
@@ -49,34 +49,34 @@ static void flatten(const struct walk *w, double s0, struct vec3 a, double s1, s
     flatten(w, s, m, s1, b, depth + 1);
 }
 
-void centre_path_piece(const struct nc_motion *nc_motion, size_t piece, double radius, double up,
+void centre_path_piece(const struct nc_motion *motion, size_t piece, double radius, double up,
                        double flat, struct centre_path *path)
 {
-    const struct nc_piece *at = &nc_motion->piece.item[piece];
-    double height = up + (nc_motion->track == NC_MOTION_TIP ? radius : 0);
-    struct walk w = {nc_motion, at, piece, height, flat, path};
+    const struct nc_piece *at = &motion->piece.item[piece];
+    double height = up + (motion->track == NC_MOTION_TIP ? radius : 0);
+    struct walk w = {motion, at, piece, height, flat, path};
     struct vec3 a = centre_at(&w, 0), b = centre_at(&w, 1);
-    bool still =
-        at->shape == SHAPE_LINE && vec_distance(at->q[0], at->q[1]) == 0 && at->swing != SWING_HEAD;
+    bool still = at->shape == SHAPE_LINE && vec_distance(at->q[0], at->q[1]) == 0 &&
+                 at->interpolation != AXIS_BY_HEAD;
     if (still)
         *array_push(path) = (struct centre_segment){a, b, {0, 1}, (unsigned)piece, false};
     else /* what curves is halved twice at least: a full turn ends where it begins */
         flatten(&w, 0, a, 1, b, at->shape == SHAPE_LINE ? 0 : -2);
 }
 
-void centre_path_cut(const struct nc_motion *nc_motion, double radius, double flat,
+void centre_path_cut(const struct nc_motion *motion, double radius, double flat,
                      struct centre_path *path)
 {
-    for (size_t i = 0; i < nc_motion->piece.n; i++)
-        if (!nc_motion->piece.item[i].rapid)
-            centre_path_piece(nc_motion, i, radius, 0, flat, path);
+    for (size_t i = 0; i < motion->piece.n; i++)
+        if (!motion->piece.item[i].rapid)
+            centre_path_piece(motion, i, radius, 0, flat, path);
 }
 
-void centre_path_rapid(const struct nc_motion *nc_motion, double radius, double shank, double flat,
+void centre_path_rapid(const struct nc_motion *motion, double radius, double shank, double flat,
                        struct centre_path *path)
 {
-    for (size_t i = 0; i < nc_motion->piece.n; i++)
-        if (nc_motion->piece.item[i].rapid)
+    for (size_t i = 0; i < motion->piece.n; i++)
+        if (motion->piece.item[i].rapid)
             for (int k = 0; k * radius / 2 <= shank; k++)
-                centre_path_piece(nc_motion, i, radius, k * radius / 2, flat, path);
+                centre_path_piece(motion, i, radius, k * radius / 2, flat, path);
 }

@@ -7,7 +7,7 @@
 #define OVER 0.9  /* the same between up and what the end of a curve stands over */
 
 struct search {
-    const struct nc_motion *nc_motion;
+    const struct nc_motion *motion;
     const struct centre_path *path;
     const struct vec3 *point;
     size_t n;
@@ -19,7 +19,7 @@ struct search {
 /* Does the way go on from one segment to the next as one curve, or as straight blocks do? */
 static bool goes_on(const struct search *s, size_t from, size_t to)
 {
-    const struct nc_piece *piece = s->nc_motion->piece.item;
+    const struct nc_piece *piece = s->motion->piece.item;
     unsigned p = s->path->item[from].piece, q = s->path->item[to].piece;
     if (p == q)
         return true;
@@ -60,8 +60,8 @@ static double clearance(struct search *s, struct vec3 centre)
 /* Where the ball's centre is at the end of a piece, and the axis. */
 static struct nc_motion_pose end_of(const struct search *s, size_t piece)
 {
-    struct nc_motion_pose pose = nc_motion_at(s->nc_motion, &s->nc_motion->piece.item[piece], 1);
-    if (s->nc_motion->track == NC_MOTION_TIP)
+    struct nc_motion_pose pose = nc_motion_at(s->motion, &s->motion->piece.item[piece], 1);
+    if (s->motion->track == NC_MOTION_TIP)
         pose.p = vec_along(pose.p, s->setup->radius, pose.a);
     return pose;
 }
@@ -81,13 +81,13 @@ static void found(struct search *s, size_t segment, double height)
 static void look_at_end(struct search *s, size_t to)
 {
     size_t piece = s->path->item[to].piece, next = piece + 1;
-    const struct nc_piece *all = s->nc_motion->piece.item;
+    const struct nc_piece *all = s->motion->piece.item;
     if (all[piece].shape == SHAPE_LINE || all[piece].shape == SHAPE_ARC)
         return;
-    while (next < s->nc_motion->piece.n && all[next].shape == SHAPE_LINE &&
+    while (next < s->motion->piece.n && all[next].shape == SHAPE_LINE &&
            vec_distance(all[next].p[0], all[next].p[1]) == 0)
         next++; /* the tool turns where it is */
-    if (next == s->nc_motion->piece.n || all[next].shape != SHAPE_LINE)
+    if (next == s->motion->piece.n || all[next].shape != SHAPE_LINE)
         return;
     struct nc_motion_pose end = end_of(s, piece);
     struct vec3 up = from_part(s, end.p);
@@ -113,7 +113,7 @@ static void look(struct search *s, size_t from, size_t to)
     struct vec3 a = segment[from].a, b = segment[to].b;
     size_t top = from;
     double most = 0, band = s->setup->band;
-    if (s->nc_motion->piece.item[segment[from].piece].shape == SHAPE_LINE && !spike(s, from, to))
+    if (s->motion->piece.item[segment[from].piece].shape == SHAPE_LINE && !spike(s, from, to))
         return;
     for (size_t i = from; i < to; i++) {
         double high = vec_length(rise(a, b, segment[i].b));
@@ -126,18 +126,18 @@ static void look(struct search *s, size_t from, size_t to)
         look_at_end(s, to);
         return;
     }
-    const struct nc_piece *piece = &s->nc_motion->piece.item[segment[top].piece];
-    struct vec3 axis = nc_motion_at(s->nc_motion, piece, (double)segment[top].s[1]).a;
+    const struct nc_piece *piece = &s->motion->piece.item[segment[top].piece];
+    struct vec3 axis = nc_motion_at(s->motion, piece, (double)segment[top].s[1]).a;
     double height = clearance(s, segment[top].b);
     if (most > band && height > band && vec_dot(axis, rise(a, b, segment[top].b)) >= RISES * most)
         found(s, top, height);
 }
 
-struct excursion excursion_find(const struct nc_motion *nc_motion, const struct centre_path *path,
+struct excursion excursion_find(const struct nc_motion *motion, const struct centre_path *path,
                                 const struct vec3 *point, size_t n,
                                 const struct excursion_options *setup)
 {
-    struct search s = {nc_motion, path, point, n, setup, NULL, {0}};
+    struct search s = {motion, path, point, n, setup, NULL, {0}};
     for (size_t i = 0; n > 0 && i < path->n; i++) {
         size_t from = i;
         if (path->item[i].on)

@@ -13,8 +13,8 @@ enum { CURVED = 8 };
 /* The ball's centre and the axis at s of a piece. */
 static struct nc_motion_pose pose_at(const struct holder_collision *w, size_t piece, double s)
 {
-    struct nc_motion_pose pose = nc_motion_at(w->nc_motion, &w->nc_motion->piece.item[piece], s);
-    if (w->nc_motion->track == NC_MOTION_TIP)
+    struct nc_motion_pose pose = nc_motion_at(w->motion, &w->motion->piece.item[piece], s);
+    if (w->motion->track == NC_MOTION_TIP)
         pose.p = vec_along(pose.p, w->radius, pose.a);
     return pose;
 }
@@ -89,9 +89,9 @@ static void follow(struct holder_collision *w, struct stretch s)
 
 void holder_collision_piece(struct holder_collision *w, size_t index)
 {
-    const struct nc_piece *piece = &w->nc_motion->piece.item[index];
+    const struct nc_piece *piece = &w->motion->piece.item[index];
     bool straight = piece->shape == SHAPE_LINE && vec_distance(piece->q[0], piece->q[1]) == 0 &&
-                    piece->swing != SWING_HEAD;
+                    piece->interpolation != AXIS_BY_HEAD;
     struct nc_motion_pose a = pose_at(w, index, 0);
     int parts = straight ? 1 : CURVED;
     if (w->known)

@@ -88,7 +88,7 @@ struct nc_motion_pose nc_motion_at(const struct nc_motion *m, const struct nc_pi
 {
     struct vec3 p = vec_mix(piece->p[0], piece->p[1], s);
     struct vec3 q = vec_mix(piece->q[0], piece->q[1], s);
-    if (piece->swing == SWING_GREAT)
+    if (piece->interpolation == AXIS_GREAT_CIRCLE)
         q = great_circle(piece->q[0], piece->q[1], s);
     if (piece->shape == SHAPE_ARC) {
         p = arc_at(&m->arc.item[piece->index], piece, s);
@@ -102,14 +102,14 @@ struct nc_motion_pose nc_motion_at(const struct nc_motion *m, const struct nc_pi
         double middle = (piece->u[0] + piece->u[1]) / 2;
         spline_at(b, span_of(b, middle), piece->u[0] + s * (piece->u[1] - piece->u[0]), &p, &q);
     }
-    if (piece->swing == SWING_GREAT)
+    if (piece->interpolation == AXIS_GREAT_CIRCLE)
         return (struct nc_motion_pose){p, q};
-    if (piece->swing == SWING_HEAD)
+    if (piece->interpolation == AXIS_BY_HEAD)
         return (struct nc_motion_pose){p, vec_unit(vec_sub(q, p))};
     const double turn[VERIFY_KINEMATICS_AXES] = {q.x, q.y};
     if (piece->table)
-        p = verify_kinematics_tip(&m->verify_kinematics, p, turn);
-    return (struct nc_motion_pose){p, verify_kinematics_axis_at(&m->verify_kinematics, turn)};
+        p = verify_kinematics_tip(&m->kinematics, p, turn);
+    return (struct nc_motion_pose){p, verify_kinematics_axis_at(&m->kinematics, turn)};
 }
 
 void nc_motion_add_spline(struct nc_motion *m, struct nc_motion_spline spline,

@@ -43,7 +43,7 @@ static void rapid(struct job *job, size_t piece, struct centre_path *way)
     const struct stock_simulate_options *setup = job->setup;
     bool deep = false;
     way->n = 0;
-    centre_path_piece(setup->nc_motion, piece, setup->radius, 0, setup->flat, way);
+    centre_path_piece(setup->motion, piece, setup->radius, 0, setup->flat, way);
     for (size_t k = 0; k < way->n; k++) {
         struct stock_bite bite =
             stock_capsule(job->stock, way->item[k].a, way->item[k].b, setup->radius, 0);
@@ -63,9 +63,9 @@ static void feed(struct job *job, size_t piece)
     if (!job->cut)
         *array_push(&job->run->pass) = (struct stock_simulate_pass){.first = piece};
     struct stock_simulate_pass *pass = &job->run->pass.item[job->run->pass.n - 1];
-    if (job->line != job->setup->nc_motion->piece.item[piece].line)
+    if (job->line != job->setup->motion->piece.item[piece].line)
         end_block(job);
-    job->line = job->setup->nc_motion->piece.item[piece].line;
+    job->line = job->setup->motion->piece.item[piece].line;
     for (; job->segment < cut->n && cut->item[job->segment].piece == piece; job->segment++) {
         const struct centre_segment *s = &cut->item[job->segment];
         struct stock_bite bite =
@@ -89,8 +89,8 @@ void stock_simulate_run(const struct stock_simulate_options *setup, struct stock
     struct job job = {.setup = setup, .stock = stock, .left = left, .run = run};
     struct centre_path way = {0};
     *run = (struct stock_simulate){.before = stock_volume(stock)};
-    for (size_t i = 0; i < setup->nc_motion->piece.n; i++) {
-        bool fast = setup->nc_motion->piece.item[i].rapid;
+    for (size_t i = 0; i < setup->motion->piece.n; i++) {
+        bool fast = setup->motion->piece.item[i].rapid;
         if (fast) {
             end_pass(&job);
             rapid(&job, i, &way);

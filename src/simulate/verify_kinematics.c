@@ -29,44 +29,43 @@ static struct vec3 turned(const struct verify_kinematics_axis *axis, double degr
     return vec_add(axis->centre, times(&r, vec_sub(p, axis->centre)));
 }
 
-struct vec3 verify_kinematics_axis_at(const struct verify_kinematics *verify_kinematics,
-                                      const double q[])
+struct vec3 verify_kinematics_axis_at(const struct verify_kinematics *kinematics, const double q[])
 {
-    struct vec3 a = verify_kinematics->tool;
-    for (int i = verify_kinematics->n - 1; i >= 0; i--) {
-        struct matrix3 r = rotation(verify_kinematics->axis[i].axis, q[i]);
+    struct vec3 a = kinematics->tool;
+    for (int i = kinematics->n - 1; i >= 0; i--) {
+        struct matrix3 r = rotation(kinematics->axis[i].axis, q[i]);
         a = times(&r, a);
     }
     return a;
 }
 
 /* How far the heads swing the tip away from where it is at zero. */
-static struct vec3 swing(const struct verify_kinematics *verify_kinematics, const double q[])
+static struct vec3 head_shift(const struct verify_kinematics *kinematics, const double q[])
 {
     struct vec3 p = {0, 0, 0};
-    for (int i = verify_kinematics->n - 1; i >= 0; i--)
-        if (!verify_kinematics->axis[i].table)
-            p = turned(&verify_kinematics->axis[i], q[i], p);
+    for (int i = kinematics->n - 1; i >= 0; i--)
+        if (!kinematics->axis[i].table)
+            p = turned(&kinematics->axis[i], q[i], p);
     return p;
 }
 
-struct vec3 verify_kinematics_tip(const struct verify_kinematics *verify_kinematics,
-                                  struct vec3 linear, const double q[])
+struct vec3 verify_kinematics_tip(const struct verify_kinematics *kinematics, struct vec3 linear,
+                                  const double q[])
 {
-    struct vec3 p = vec_add(linear, swing(verify_kinematics, q));
-    for (int i = verify_kinematics->n - 1; i >= 0; i--)
-        if (verify_kinematics->axis[i].table)
-            p = turned(&verify_kinematics->axis[i], q[i], p);
+    struct vec3 p = vec_add(linear, head_shift(kinematics, q));
+    for (int i = kinematics->n - 1; i >= 0; i--)
+        if (kinematics->axis[i].table)
+            p = turned(&kinematics->axis[i], q[i], p);
     return p;
 }
 
-struct vec3 verify_kinematics_linear(const struct verify_kinematics *verify_kinematics,
-                                     struct vec3 tip, const double q[])
+struct vec3 verify_kinematics_linear(const struct verify_kinematics *kinematics, struct vec3 tip,
+                                     const double q[])
 {
-    for (int i = 0; i < verify_kinematics->n; i++)
-        if (verify_kinematics->axis[i].table)
-            tip = turned(&verify_kinematics->axis[i], -q[i], tip);
-    return vec_sub(tip, swing(verify_kinematics, q));
+    for (int i = 0; i < kinematics->n; i++)
+        if (kinematics->axis[i].table)
+            tip = turned(&kinematics->axis[i], -q[i], tip);
+    return vec_sub(tip, head_shift(kinematics, q));
 }
 
 /* The angle about u that brings p nearest to r, degrees. */
@@ -94,13 +93,12 @@ static double near_to(const struct verify_kinematics_axis *axis, double angle, d
 }
 
 /* Both vectors that lie on the cones of the tool about axis 1 and of the target about axis 0. */
-static void cones(const struct verify_kinematics *verify_kinematics, struct vec3 target,
+static void cones(const struct verify_kinematics *kinematics, struct vec3 target,
                   struct vec3 found[2])
 {
-    struct vec3 u = verify_kinematics->axis[0].axis, v = verify_kinematics->axis[1].axis,
-                w = vec_cross(u, v);
+    struct vec3 u = kinematics->axis[0].axis, v = kinematics->axis[1].axis, w = vec_cross(u, v);
     double uv = vec_dot(u, v), s = 1 - uv * uv;
-    double ut = vec_dot(u, target), vt = vec_dot(v, verify_kinematics->tool);
+    double ut = vec_dot(u, target), vt = vec_dot(v, kinematics->tool);
     double a = (ut - uv * vt) / s, b = (vt - uv * ut) / s;
     double c2 = (1 - a * a - b * b - 2 * a * b * uv) / s;
     double c = c2 > 0 ? sqrt(c2) : 0;
@@ -109,25 +107,24 @@ static void cones(const struct verify_kinematics *verify_kinematics, struct vec3
     found[1] = vec_along(flat, -c, w);
 }
 
-bool verify_kinematics_angles(const struct verify_kinematics *verify_kinematics, struct vec3 axis,
+bool verify_kinematics_angles(const struct verify_kinematics *kinematics, struct vec3 axis,
                               const double near[], double slack, double q[])
 {
     double best = HUGE_VAL;
     bool over[VERIFY_KINEMATICS_AXES];
-    if (verify_kinematics->n == 1)
-        q[0] = near_to(
-            &verify_kinematics->axis[0],
-            angle_about(verify_kinematics->axis[0].axis, verify_kinematics->tool, axis, near[0]),
-            near[0], over);
-    if (verify_kinematics->n == 2) {
+    if (kinematics->n == 1)
+        q[0] = near_to(&kinematics->axis[0],
+                       angle_about(kinematics->axis[0].axis, kinematics->tool, axis, near[0]),
+                       near[0], over);
+    if (kinematics->n == 2) {
         struct vec3 between[2];
-        cones(verify_kinematics, axis, between);
+        cones(kinematics, axis, between);
         for (int i = 0; i < 2; i++) {
-            double one = angle_about(verify_kinematics->axis[1].axis, verify_kinematics->tool,
-                                     between[i], near[1]);
-            double nought = angle_about(verify_kinematics->axis[0].axis, between[i], axis, near[0]);
-            one = near_to(&verify_kinematics->axis[1], one, near[1], &over[1]);
-            nought = near_to(&verify_kinematics->axis[0], nought, near[0], &over[0]);
+            double one =
+                angle_about(kinematics->axis[1].axis, kinematics->tool, between[i], near[1]);
+            double nought = angle_about(kinematics->axis[0].axis, between[i], axis, near[0]);
+            one = near_to(&kinematics->axis[1], one, near[1], &over[1]);
+            nought = near_to(&kinematics->axis[0], nought, near[0], &over[0]);
             double move = fabs(one - near[1]) + fabs(nought - near[0]);
             move += over[0] || over[1] ? 1e6 : 0;
             if (move < best) {
@@ -137,7 +134,7 @@ bool verify_kinematics_angles(const struct verify_kinematics *verify_kinematics,
             }
         }
     }
-    return DEGREES(vec_angle(verify_kinematics_axis_at(verify_kinematics, q), axis)) <= slack;
+    return DEGREES(vec_angle(verify_kinematics_axis_at(kinematics, q), axis)) <= slack;
 }
 
 struct verify_kinematics verify_kinematics_trunnion(char master, int sense)

@@ -23,7 +23,7 @@ static void find(struct verdict *v, bool fault, size_t piece, const char *format
     struct finding *finding = array_push(&v->finding);
     char place[60], what[FINDING_TEXT - 64];
     va_list arguments;
-    ncread_place(&v->nc_motion->piece.item[piece], place, sizeof place);
+    ncread_place(&v->motion->piece.item[piece], place, sizeof place);
     va_start(arguments, format);
     vsnprintf(what, sizeof what, format, arguments);
     va_end(arguments);
@@ -33,13 +33,13 @@ static void find(struct verdict *v, bool fault, size_t piece, const char *format
 
 static void sum_pieces(struct verdict *v)
 {
-    const struct nc_motion *nc_motion = v->nc_motion;
+    const struct nc_motion *motion = v->motion;
     bool cut = false;
-    v->piece = mem_alloc(nc_motion->piece.n, sizeof *v->piece);
-    for (size_t i = 0; i < nc_motion->piece.n; i++) {
-        if (!nc_motion->piece.item[i].rapid && !cut)
+    v->piece = mem_alloc(motion->piece.n, sizeof *v->piece);
+    for (size_t i = 0; i < motion->piece.n; i++) {
+        if (!motion->piece.item[i].rapid && !cut)
             v->passes++;
-        cut = !nc_motion->piece.item[i].rapid;
+        cut = !motion->piece.item[i].rapid;
         v->piece[i].pass = v->passes;
     }
     for (size_t i = 0; i < v->roll.points; i++) {
@@ -84,7 +84,7 @@ static void judge_holder(struct verdict *v, const struct holder_collision *way, 
 {
     if (!way || !(way->depth > 0))
         return;
-    bool fast = v->nc_motion->piece.item[way->piece].rapid;
+    bool fast = v->motion->piece.item[way->piece].rapid;
     find(v, true, way->piece,
          "shank or holder goes %.3f mm deep into the %s at %.3f %.3f %.3f%s (blocks: %zu)",
          way->depth, what, way->at.x, way->at.y, way->at.z, fast ? ", in a rapid move" : "",
@@ -108,15 +108,14 @@ struct lean {
     bool on; /* the ball touches the part in it */
 };
 
-static struct lean lean(const struct nc_motion *nc_motion, const struct nc_piece *piece)
+static struct lean lean(const struct nc_motion *motion, const struct nc_piece *piece)
 {
-    struct nc_motion_pose a = nc_motion_at(nc_motion, piece, 0),
-                          b = nc_motion_at(nc_motion, piece, 1);
+    struct nc_motion_pose a = nc_motion_at(motion, piece, 0), b = nc_motion_at(motion, piece, 1);
     struct lean lean = {a.a, b.a, vec_angle(a.a, b.a), vec_distance(a.p, b.p), false};
     if (vec_distance(piece->q[0], piece->q[1]) < STILL && piece->shape == SHAPE_LINE)
         return lean;
     for (int i = 1; i < LEAN_STEPS; i++) {
-        struct vec3 axis = nc_motion_at(nc_motion, piece, (double)i / LEAN_STEPS).a;
+        struct vec3 axis = nc_motion_at(motion, piece, (double)i / LEAN_STEPS).a;
         lean.most = fmax(lean.most, vec_angle(a.a, axis));
     }
     return lean;
@@ -135,7 +134,7 @@ static void judge_jumps(struct verdict *v)
     struct lean before = {0};
     for (size_t i = 0; i < cut->n;) {
         size_t piece = cut->item[i].piece;
-        struct lean at = lean(v->nc_motion, &v->nc_motion->piece.item[piece]);
+        struct lean at = lean(v->motion, &v->motion->piece.item[piece]);
         for (; i < cut->n && cut->item[i].piece == piece; i++)
             at.on = at.on || cut->item[i].on;
         bool follows = piece == last + 1;
@@ -161,8 +160,7 @@ static void judge_jumps(struct verdict *v)
 static void judge_leaps(struct verdict *v)
 {
     const struct excursion_options setup = {v->radius, v->band};
-    struct excursion leap =
-        excursion_find(v->nc_motion, v->cut, v->point->item, v->point->n, &setup);
+    struct excursion leap = excursion_find(v->motion, v->cut, v->point->item, v->point->n, &setup);
     if (leap.leaps > 0)
         find(v, true, leap.piece,
              "the ball leaves the part amid a cut, %.3f mm off it at %.3f %.3f %.3f (times: %zu)",
@@ -172,14 +170,14 @@ static void judge_leaps(struct verdict *v)
 static void judge_axes(struct verdict *v)
 {
     static const char letter[] = "XYZABC";
-    const struct axis_limits *load = &v->load;
+    const struct axis_use *load = &v->load;
     if (load->beyond)
         find(v, true, load->travel.piece, "axis %c at %.3f is beyond its travel (blocks: %zu)",
              letter[load->travel.axis], load->travel.value, load->beyond);
     if (load->unreachable)
         find(v, true, load->unreachable_at, "a tool axis that the machine's axes cannot reach");
     if (load->fast)
-        find(v, load->speed.value > 0 && v->nc_motion->piece.item[load->speed.piece].inverse,
+        find(v, load->speed.value > 0 && v->motion->piece.item[load->speed.piece].inverse,
              load->speed.piece,
              "axis %c would have to move at %.2f of its largest speed "
              "(blocks: %zu)",
@@ -197,9 +195,9 @@ void verdict_judge(struct verdict *v)
     judge_axes(v);
     judge_jumps(v);
     judge_leaps(v);
-    if (v->cut->n == 0 && v->nc_motion->piece.n > 0)
+    if (v->cut->n == 0 && v->motion->piece.n > 0)
         find(v, v->left < HUGE_VAL, 0, "nothing is cut, all moves are rapid"); /* a part of many */
-    else if (v->roll.cut == 0 && v->nc_motion->piece.n > 0)
+    else if (v->roll.cut == 0 && v->motion->piece.n > 0)
         find(v, true, 0, "the ball comes near no point of the part");
 }
 
@@ -211,7 +209,7 @@ static double depth(const struct verdict *v, bool gouge, size_t piece)
 size_t verdict_worst(const struct verdict *v, bool gouge, size_t most, size_t *piece)
 {
     size_t n = 0;
-    for (size_t i = 0; i < v->nc_motion->piece.n; i++) {
+    for (size_t i = 0; i < v->motion->piece.n; i++) {
         double value = depth(v, gouge, i);
         if (value <= 0 || (n == most && value <= depth(v, gouge, piece[n - 1])))
             continue;

@@ -39,8 +39,7 @@ static void row(struct out *o, const struct verdict *v, size_t i)
     char deviation[NUM_MAX];
     num_write(deviation, v->roll.deviation[i], 6);
     out_printf(o, "%s %d %s %s\n", deviation,
-               segment == UINT_MAX ? -1
-                                   : v->nc_motion->piece.item[v->cut->item[segment].piece].block,
+               segment == UINT_MAX ? -1 : v->motion->piece.item[v->cut->item[segment].piece].block,
                deviation, deviation);
 }
 

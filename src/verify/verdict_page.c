@@ -84,22 +84,22 @@ static void points(struct out *o, const struct verdict *v, struct vec3 centre,
 static void nodes(struct out *o, const struct verdict *v, struct vec3 centre,
                   struct side_rows *rows)
 {
-    const struct nc_motion *nc_motion = v->nc_motion;
-    size_t stride = nc_motion->piece.n / NODES + 1;
+    const struct nc_motion *motion = v->motion;
+    size_t stride = motion->piece.n / NODES + 1;
     out_text(o, "nodes:[");
-    for (size_t i = 0; i < nc_motion->piece.n; i++) {
-        const struct nc_piece *piece = &nc_motion->piece.item[i];
-        bool turn = i == 0 || piece->rapid != nc_motion->piece.item[i - 1].rapid;
+    for (size_t i = 0; i < motion->piece.n; i++) {
+        const struct nc_piece *piece = &motion->piece.item[i];
+        bool turn = i == 0 || piece->rapid != motion->piece.item[i - 1].rapid;
         if (i % stride != 0 && !turn)
             continue;
         long row = side_row(rows, i);
         int steps = piece->shape == SHAPE_LINE ? 1 : 8;
         if (turn) {
-            place(o, nc_motion_at(nc_motion, piece, 0).p, centre);
+            place(o, nc_motion_at(motion, piece, 0).p, centre);
             out_printf(o, "0,%ld,\n", row);
         }
         for (int k = 1; k <= steps; k++) {
-            place(o, nc_motion_at(nc_motion, piece, (double)k / steps).p, centre);
+            place(o, nc_motion_at(motion, piece, (double)k / steps).p, centre);
             out_printf(o, "%d,%ld,\n", piece->rapid ? 2 : 1, row);
         }
     }
@@ -121,7 +121,7 @@ static void data(struct out *o, const struct verdict *v, struct side_rows *rows,
     out_text(o, "],\nrows:[");
     for (size_t i = 0; i < rows->piece.n; i++) {
         size_t at = rows->piece.item[i];
-        const struct nc_piece *piece = &v->nc_motion->piece.item[at];
+        const struct nc_piece *piece = &v->motion->piece.item[at];
         out_printf(o, "%d,%zu,%u,%d,%d,\n", piece->block, piece->line, v->piece[at].pass,
                    fine((double)v->piece[at].gouge), fine((double)v->piece[at].over));
     }
@@ -161,7 +161,7 @@ void verdict_page(const struct verdict *v, const char *file)
     while (n > 0 && (double)v->piece[worst[n - 1]].gouge <= v->tolerance)
         n--; /* what is within the tolerance is no matter */
     n += verdict_worst(v, false, WORST, worst + n);
-    rows.of = mem_alloc(v->nc_motion->piece.n, sizeof *rows.of);
+    rows.of = mem_alloc(v->motion->piece.n, sizeof *rows.of);
     out_text(o, "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\">\n"
                 "<meta name=\"viewport\" content=\"width=device-width\">\n<title>ncverify: ");
     side_text(o, v->file);

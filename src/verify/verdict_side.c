@@ -45,7 +45,7 @@ static void figures(struct out *o, const struct verdict *v)
                r->points, r->cut, v->load.cut_length, v->passes);
     out_printf(o, "%.2f min at feed; %.1f mm rapid, %.2f min.</p>\n<table>", v->load.cut_time,
                v->load.rapid_length, v->load.rapid_time);
-    for (int k = 0; k < LOAD_AXES; k++)
+    for (int k = 0; k < NC_AXES; k++)
         if (v->load.low[k] < v->load.high[k])
             out_printf(o,
                        "<tr><th scope=\"row\">travel %c</th><td class=\"n\">%.3f</td>"
@@ -107,7 +107,7 @@ static void blocks(struct out *o, const struct verdict *v, struct side_rows *row
         const struct verdict_piece *at = &v->piece[worst[i]];
         bool gouge = (double)at->gouge > v->tolerance || at->over <= 0;
         char where[60];
-        ncread_place(&v->nc_motion->piece.item[worst[i]], where, sizeof where);
+        ncread_place(&v->motion->piece.item[worst[i]], where, sizeof where);
         out_printf(o, "<button type=\"button\" data-row=\"%ld\">%s, pass %u: %s %.4f</button>\n",
                    side_row(rows, worst[i]), where, at->pass, gouge ? "gouge" : "left",
                    (double)(gouge ? at->gouge : at->over));
@@ -121,13 +121,13 @@ struct pass {
     const struct nc_piece *first, *last;
 };
 
-static double length_of(const struct nc_motion *nc_motion, const struct nc_piece *piece)
+static double length_of(const struct nc_motion *motion, const struct nc_piece *piece)
 {
     enum { STEPS = 8 };
     double length = 0;
     for (int k = 0; k < STEPS; k++)
-        length += vec_distance(nc_motion_at(nc_motion, piece, (double)k / STEPS).p,
-                               nc_motion_at(nc_motion, piece, (double)(k + 1) / STEPS).p);
+        length += vec_distance(nc_motion_at(motion, piece, (double)k / STEPS).p,
+                               nc_motion_at(motion, piece, (double)(k + 1) / STEPS).p);
     return length;
 }
 
@@ -135,14 +135,14 @@ static double length_of(const struct nc_motion *nc_motion, const struct nc_piece
 static void passes(struct out *o, const struct verdict *v)
 {
     struct pass *pass = mem_alloc((size_t)v->passes + 1, sizeof *pass);
-    for (size_t i = 0; i < v->nc_motion->piece.n; i++) {
-        const struct nc_piece *piece = &v->nc_motion->piece.item[i];
+    for (size_t i = 0; i < v->motion->piece.n; i++) {
+        const struct nc_piece *piece = &v->motion->piece.item[i];
         struct pass *p = &pass[v->piece[i].pass];
         if (piece->rapid || v->piece[i].pass > v->passes)
             continue;
         p->gouge = fmax(p->gouge, (double)v->piece[i].gouge);
         p->over = fmax(p->over, (double)v->piece[i].over);
-        p->length += length_of(v->nc_motion, piece);
+        p->length += length_of(v->motion, piece);
         p->first = p->first ? p->first : piece;
         p->last = piece;
     }

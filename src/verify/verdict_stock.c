@@ -11,7 +11,7 @@ static void put_left(struct out *o, const struct stock_rest_sum *left)
 static void put_pass(const struct verdict *v, struct out *o, size_t k)
 {
     const struct stock_simulate_pass *pass = &v->stock->pass.item[k];
-    const struct nc_piece *piece = v->nc_motion->piece.item;
+    const struct nc_piece *piece = v->motion->piece.item;
     char first[60], last[60], bite[60];
     ncread_place(&piece[pass->first], first, sizeof first);
     ncread_place(&piece[pass->last], last, sizeof last);

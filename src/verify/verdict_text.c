@@ -10,8 +10,8 @@ enum { WORST = 5 };
 
 static void program(const struct verdict *v, struct out *o)
 {
-    const struct nc_motion *c = v->nc_motion;
-    const struct axis_limits *load = &v->load;
+    const struct nc_motion *c = v->motion;
+    const struct axis_use *load = &v->load;
     out_printf(o, "program      %s: %s, %zu lines; %zu straight, %zu arcs, %zu curves\n", v->file,
                v->control, c->blocks, c->lines, c->arcs, c->curves);
     out_printf(o, "machine      %s\n", v->machine);
@@ -27,20 +27,20 @@ static void program(const struct verdict *v, struct out *o)
 static void axes(const struct verdict *v, struct out *o)
 {
     static const char letter[] = "XYZABC";
-    const struct axis_limits *load = &v->load;
+    const struct axis_use *load = &v->load;
     char place[60];
-    for (int k = 0; k < LOAD_AXES; k++)
+    for (int k = 0; k < NC_AXES; k++)
         if (load->low[k] < load->high[k])
             out_printf(o, "travel %c     %.3f to %.3f\n", letter[k], load->low[k], load->high[k]);
     if (load->jump.value > 0) {
-        ncread_place(&v->nc_motion->piece.item[load->jump.piece], place, sizeof place);
+        ncread_place(&v->motion->piece.item[load->jump.piece], place, sizeof place);
         out_printf(o, "turn         axis %c by at most %.3f degrees in a block, %s\n",
                    letter[load->jump.axis], load->jump.value, place);
     }
-    if (load->swing.value > 0) {
-        ncread_place(&v->nc_motion->piece.item[load->swing.piece], place, sizeof place);
+    if (load->turn_rate.value > 0) {
+        ncread_place(&v->motion->piece.item[load->turn_rate.piece], place, sizeof place);
         out_printf(o, "swing        axis %c by at most %.3f degrees a mm, %s\n",
-                   letter[load->swing.axis], load->swing.value, place);
+                   letter[load->turn_rate.axis], load->turn_rate.value, place);
     }
 }
 
@@ -58,7 +58,7 @@ static void quantity(const struct verdict *v, struct out *o, bool gouge)
     for (size_t i = 0; i < n; i++) {
         char place[60];
         const struct verdict_piece *at = &v->piece[piece[i]];
-        ncread_place(&v->nc_motion->piece.item[piece[i]], place, sizeof place);
+        ncread_place(&v->motion->piece.item[piece[i]], place, sizeof place);
         out_printf(o, "%s        %.4f mm in %s, pass %u\n", name,
                    (double)(gouge ? at->gouge : at->over), place, at->pass);
     }

@@ -10,7 +10,7 @@ static void roll_rapids(const struct verify_run_options *s, struct verdict *v)
 {
     struct centre_path rapid = {0};
     struct deviation_map roll;
-    centre_path_rapid(v->nc_motion, v->radius, s->holder ? 0 : s->shank, FLAT, &rapid);
+    centre_path_rapid(v->motion, v->radius, s->holder ? 0 : s->shank, FLAT, &rapid);
     struct deviation_map_options setup = {v->radius, v->tolerance, -v->tolerance, s->threads};
     deviation_map_run(&rapid, v->point->item, v->point->n, &setup, &roll);
     if (roll.gouged > 0) {
@@ -26,19 +26,19 @@ static void roll_rapids(const struct verify_run_options *s, struct verdict *v)
 static struct holder_collision way_of(const struct verdict *v, const struct holder *holder,
                                       struct collision_body *obstacle)
 {
-    return (struct holder_collision){.nc_motion = v->nc_motion,
+    return (struct holder_collision){.motion = v->motion,
                                      .holder = holder,
                                      .obstacle = obstacle,
                                      .radius = v->radius,
                                      .tolerance = v->tolerance};
 }
 
-static void interpolation_holder(const struct verify_run_options *s, struct verify_run *run,
-                                 struct verdict *v)
+static void follow_holder(const struct verify_run_options *s, struct verify_run *run,
+                          struct verdict *v)
 {
     struct collision_body part = collision_body_points(v->point->item, v->point->n);
     run->part = way_of(v, s->holder, &part);
-    for (size_t i = 0; i < v->nc_motion->piece.n; i++)
+    for (size_t i = 0; i < v->motion->piece.n; i++)
         holder_collision_piece(&run->part, i);
     collision_body_free(&part);
     v->holder = &run->part;
@@ -53,7 +53,7 @@ static void cut_stock(const struct verify_run_options *s, struct verify_run *run
     struct stock_rest left = stock_rest_new(point, n, &stock);
     struct collision_body block = collision_body_stock(&stock);
     run->stock = way_of(v, s->holder ? s->holder : &run->shape, &block);
-    const struct stock_simulate_options setup = {v->nc_motion, v->cut,      v->radius, FLAT,
+    const struct stock_simulate_options setup = {v->motion,    v->cut,      v->radius, FLAT,
                                                  v->tolerance, &run->stock, !s->holder};
     stock_simulate_run(&setup, &stock, &left, &run->run);
     v->stock = &run->run;
@@ -66,13 +66,13 @@ static void cut_stock(const struct verify_run_options *s, struct verify_run *run
 void verify_run_do(const struct verify_run_options *s, struct verify_run *run, struct verdict *v)
 {
     *run = (struct verify_run){.shape = {s->shank > 0, {{v->radius, v->radius, s->shank}}}};
-    centre_path_cut(v->nc_motion, v->radius, FLAT, &run->cut);
+    centre_path_cut(v->motion, v->radius, FLAT, &run->cut);
     v->cut = &run->cut;
     struct deviation_map_options setup = {v->radius, v->tolerance, s->band, s->threads};
     deviation_map_run(&run->cut, v->point->item, v->point->n, &setup, &v->roll);
     roll_rapids(s, v);
     if (s->holder)
-        interpolation_holder(s, run, v);
+        follow_holder(s, run, v);
     if (s->stock)
         cut_stock(s, run, v);
 }

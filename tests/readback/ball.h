@@ -19,11 +19,11 @@ struct depth {
 };
 
 /* Along all of the motion, rapid moves too; found to 0.01 mm of way. */
-struct depth ball_depth(const struct nc_motion *nc_motion, double radius,
+struct depth ball_depth(const struct nc_motion *motion, double radius,
                         const struct surface *surface);
 
 /* Only at the ends of pieces that were given with a contact point. */
-struct depth ball_nodes(const struct nc_motion *nc_motion, double radius,
+struct depth ball_nodes(const struct nc_motion *motion, double radius,
                         const struct surface *surface);
 
 #endif

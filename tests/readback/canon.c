@@ -118,7 +118,7 @@ static int read_block(struct ncread *c, const char *line, struct error *error)
         c->absolute = true;
         c->tcp = c->setup->tcp;
     }
-    c->nc_motion->blocks++;
+    c->motion->blocks++;
     c->block = s[1] == '.' ? -1 : strtol(s + 1, NULL, 10);
     s += strcspn(s, " ");
     return call(c, s + strspn(s, " "), error);

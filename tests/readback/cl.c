@@ -22,7 +22,7 @@ static void *copied(const void *from, size_t n, size_t size)
     return to;
 }
 
-static void add_spline(struct nc_motion *nc_motion, const struct bspline *curve,
+static void add_spline(struct nc_motion *motion, const struct bspline *curve,
                        struct nc_piece *piece)
 {
     size_t order = (size_t)curve->degree + 1;
@@ -31,12 +31,12 @@ static void add_spline(struct nc_motion *nc_motion, const struct bspline *curve,
     b.p = copied(curve->pole, curve->poles, sizeof *b.p);
     if (curve->head) {
         b.q = copied(curve->head, curve->poles, sizeof *b.q);
-        piece->swing = SWING_HEAD;
+        piece->interpolation = AXIS_BY_HEAD;
     }
-    nc_motion_add_spline(nc_motion, b, piece);
+    nc_motion_add_spline(motion, b, piece);
 }
 
-static void add_item(struct nc_motion *nc_motion, const struct path *path,
+static void add_item(struct nc_motion *motion, const struct path *path,
                      const struct path_item *item, struct pose from)
 {
     struct nc_piece piece = {.rapid = item->rapid && item->kind == PATH_POINT,
@@ -45,22 +45,22 @@ static void add_item(struct nc_motion *nc_motion, const struct path *path,
                              .touches = item->touches,
                              .p = {from.p, item->to.p},
                              .q = {from.a, item->to.a}};
-    nc_motion->blocks++;
+    motion->blocks++;
     if (item->kind == PATH_SPLINE) {
-        add_spline(nc_motion, &path->spline.item[item->index].curve, &piece);
+        add_spline(motion, &path->spline.item[item->index].curve, &piece);
         return;
     }
     if (item->kind == PATH_ARC) {
         const struct path_arc *arc = &path->arc.item[item->index];
         piece.shape = SHAPE_ARC;
-        piece.index = nc_motion->arc.n;
-        *array_push(&nc_motion->arc) = (struct nc_motion_arc){arc->centre, vec_unit(arc->axis),
-                                                              arc_angle(arc, from.p, item->to.p)};
-        nc_motion->arcs++;
+        piece.index = motion->arc.n;
+        *array_push(&motion->arc) = (struct nc_motion_arc){arc->centre, vec_unit(arc->axis),
+                                                           arc_angle(arc, from.p, item->to.p)};
+        motion->arcs++;
     } else if (!piece.rapid) {
-        nc_motion->lines++;
+        motion->lines++;
     }
-    *array_push(&nc_motion->piece) = piece;
+    *array_push(&motion->piece) = piece;
 }
 
 static enum nc_motion_track track_of(enum path_track track)
@@ -70,24 +70,24 @@ static enum nc_motion_track track_of(enum path_track track)
                                    : NC_MOTION_CONTACT;
 }
 
-int cl_read(const char *file, struct path *path, struct nc_motion *nc_motion, struct error *error)
+int cl_read(const char *file, struct path *path, struct nc_motion *motion, struct error *error)
 {
     if (path_read(file, path, error) < 0)
         return -1;
     path_drill(path);
-    nc_motion->name = file;
-    nc_motion->track = track_of(path->head.track);
+    motion->name = file;
+    motion->track = track_of(path->head.track);
     const struct pose *from = NULL;
     for (size_t i = 0; i < path->item.n; i++) {
         const struct path_item *item = &path->item.item[i];
         if (item->kind == PATH_PASS)
-            nc_motion->passes++;
+            motion->passes++;
         if (item->kind != PATH_POINT && item->kind != PATH_ARC && item->kind != PATH_SPLINE)
             continue;
         /* The place before the first statement is not known: it is reached from itself. */
         if (!from && item->kind != PATH_POINT)
             return error_at(error, file, item->line, "a curve before the first GOTO");
-        add_item(nc_motion, path, item, from ? *from : item->to);
+        add_item(motion, path, item, from ? *from : item->to);
         from = &item->to;
     }
     return 0;

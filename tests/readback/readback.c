@@ -33,31 +33,31 @@ struct options {
     double tolerance, axis, radius, deeper, nodes;
 };
 
-static void count_line(const char *what, const struct nc_motion *nc_motion)
+static void count_line(const char *what, const struct nc_motion *motion)
 {
     struct samples chain = {0};
-    sweep_chain(nc_motion, &chain);
+    sweep_chain(motion, &chain);
     printf("%s: ", what);
-    if (nc_motion->passes)
-        printf("%zu passes, ", nc_motion->passes);
+    if (motion->passes)
+        printf("%zu passes, ", motion->passes);
     else
-        printf("%zu blocks, ", nc_motion->blocks);
-    printf("%zu lines, %zu arcs, %zu curves, %zu poles, %.1f mm cut\n", nc_motion->lines,
-           nc_motion->arcs, nc_motion->curves, nc_motion->poles, sweep_length(&chain));
+        printf("%zu blocks, ", motion->blocks);
+    printf("%zu lines, %zu arcs, %zu curves, %zu poles, %.1f mm cut\n", motion->lines, motion->arcs,
+           motion->curves, motion->poles, sweep_length(&chain));
     array_free(&chain);
 }
 
 /* One direction of the comparison; false when it is beyond the limits. */
-static bool walk(const char *what, const struct nc_motion *nc_motion, const struct samples *from,
+static bool walk(const char *what, const struct nc_motion *motion, const struct samples *from,
                  const struct samples *to, const struct options *o)
 {
     struct sweep sweep = sweep_walk(from, to, o->tolerance, o->axis);
     if (from->n == 0)
         return true;
     char place[60];
-    ncread_place(&nc_motion->piece.item[from->item[sweep.tip_at].piece], place, sizeof place);
+    ncread_place(&motion->piece.item[from->item[sweep.tip_at].piece], place, sizeof place);
     printf("%s: tip %.6f mm at %s", what, sweep.tip, place);
-    ncread_place(&nc_motion->piece.item[from->item[sweep.tool_axis_at].piece], place, sizeof place);
+    ncread_place(&motion->piece.item[from->item[sweep.tool_axis_at].piece], place, sizeof place);
     printf(", axis %.5f degrees at %s", sweep.axis, place);
     if (from->radius != 0)
         printf(", ball %.6f mm", sweep.ball);
@@ -65,9 +65,8 @@ static bool walk(const char *what, const struct nc_motion *nc_motion, const stru
     if (!sweep.beyond)
         return true;
     struct vec3 p = from->item[sweep.first].pose.p;
-    ncread_place(&nc_motion->piece.item[from->item[sweep.first].piece], place, sizeof place);
-    say("%s: %s: beyond the tolerance first at %.3f %.3f %.3f", nc_motion->name, place, p.x, p.y,
-        p.z);
+    ncread_place(&motion->piece.item[from->item[sweep.first].piece], place, sizeof place);
+    say("%s: %s: beyond the tolerance first at %.3f %.3f %.3f", motion->name, place, p.x, p.y, p.z);
     return false;
 }
 
@@ -104,42 +103,41 @@ static double exact_distance(const void *unused, struct vec3 p)
     return panel_distance(p);
 }
 
-static bool roll(const struct nc_motion *nc_motion, const struct surface *surface, double radius,
+static bool roll(const struct nc_motion *motion, const struct surface *surface, double radius,
                  const struct options *o)
 {
-    struct depth depth = ball_depth(nc_motion, radius, surface);
-    struct depth nodes = ball_nodes(nc_motion, radius, surface);
+    struct depth depth = ball_depth(motion, radius, surface);
+    struct depth nodes = ball_nodes(motion, radius, surface);
     char place[60];
-    if (nc_motion->track == NC_MOTION_CONTACT || !(radius > 0))
-        die("%s: no ball: it tracks contact points, or -r is missing", nc_motion->name);
+    if (motion->track == NC_MOTION_CONTACT || !(radius > 0))
+        die("%s: no ball: it tracks contact points, or -r is missing", motion->name);
     if (isfinite(nodes.worst))
         printf("ball at the contact points: deepest %.6f mm\n", nodes.worst);
-    ncread_place(&nc_motion->piece.item[depth.piece], place, sizeof place);
+    ncread_place(&motion->piece.item[depth.piece], place, sizeof place);
     printf("ball: deepest %.6f mm at %s, centre %.3f %.3f %.3f\n", depth.worst, place, depth.ball.x,
            depth.ball.y, depth.ball.z);
     if (nodes.worst > o->nodes)
-        say("%s: %.4f mm deep at a contact point, limit %g", nc_motion->name, nodes.worst,
-            o->nodes);
+        say("%s: %.4f mm deep at a contact point, limit %g", motion->name, nodes.worst, o->nodes);
     if (depth.worst > o->deeper)
-        say("%s: %s: the ball is %.4f mm deep in the part, limit %g", nc_motion->name, place,
+        say("%s: %s: the ball is %.4f mm deep in the part, limit %g", motion->name, place,
             depth.worst, o->deeper);
     return depth.worst <= o->deeper && nodes.worst <= o->nodes;
 }
 
-static bool gouges(const struct nc_motion *nc_motion, double radius, const struct options *o)
+static bool gouges(const struct nc_motion *motion, double radius, const struct options *o)
 {
     struct error error;
     struct vec3s points = {0};
     struct cloud_count count = {0};
     bool held = true;
     if (o->panel)
-        held = roll(nc_motion, &(struct surface){exact_distance, NULL}, radius, o);
+        held = roll(motion, &(struct surface){exact_distance, NULL}, radius, o);
     if (!o->scan)
         return held;
     if (cloud_read(o->scan, &points, &count, &error) < 0)
         die_error(&error);
     struct kdtree *tree = kdtree_new(points.item, points.n);
-    held = roll(nc_motion, &(struct surface){scan_distance, tree}, radius, o) && held;
+    held = roll(motion, &(struct surface){scan_distance, tree}, radius, o) && held;
     kdtree_free(tree);
     array_free(&points);
     return held;
@@ -160,52 +158,51 @@ static struct machine read_machine(const struct options *o)
 }
 
 /* How far the rotary axes turn in a rapid block in which the tip stays, degrees. */
-static double turn_on_the_spot(const struct nc_motion *nc_motion, size_t i)
+static double turn_on_the_spot(const struct nc_motion *motion, size_t i)
 {
-    const struct nc_piece *piece = &nc_motion->piece.item[i];
-    if (i == 0 || !piece->rapid || piece->swing != SWING_ROTARY)
+    const struct nc_piece *piece = &motion->piece.item[i];
+    if (i == 0 || !piece->rapid || piece->interpolation != AXIS_ROTARY_LINEAR)
         return 0;
-    struct nc_motion_pose a = nc_motion_at(nc_motion, piece, 0),
-                          b = nc_motion_at(nc_motion, piece, 1);
+    struct nc_motion_pose a = nc_motion_at(motion, piece, 0), b = nc_motion_at(motion, piece, 1);
     struct vec3 turn = vec_sub(piece->q[1], piece->q[0]);
     return vec_distance(a.p, b.p) < 0.01 ? vec_length(turn) : 0;
 }
 
 /* How far from the end of the last cut the piece starts, mm. */
-static double off_cut(const struct nc_motion *nc_motion, size_t i)
+static double off_cut(const struct nc_motion *motion, size_t i)
 {
     size_t cut = i;
-    while (cut > 0 && nc_motion->piece.item[cut].rapid)
+    while (cut > 0 && motion->piece.item[cut].rapid)
         cut--;
-    if (nc_motion->piece.item[cut].rapid)
+    if (motion->piece.item[cut].rapid)
         return HUGE_VAL;
-    return vec_distance(nc_motion_at(nc_motion, &nc_motion->piece.item[cut], 1).p,
-                        nc_motion_at(nc_motion, &nc_motion->piece.item[i], 0).p);
+    return vec_distance(nc_motion_at(motion, &motion->piece.item[cut], 1).p,
+                        nc_motion_at(motion, &motion->piece.item[i], 0).p);
 }
 
 /*
  * The axes: no place beyond the travel, and how often the program turns back, by 30 degrees or more
  * in rapid blocks on the spot, off the part (the least distance from the end of the last cut).
  */
-static bool drive(const struct nc_motion *nc_motion, const struct options *o)
+static bool drive(const struct nc_motion *motion, const struct options *o)
 {
     struct machine machine = read_machine(o);
     bool combined = machine.feeds == FEEDS_COMBINED || dialects[o->control] == &ncread_heidenhain;
-    struct axis_limits_limits limits = {.combined = !machine.tcp && combined};
+    struct axis_limits limits = {.combined = !machine.tcp && combined};
     size_t turns = 0, first = 0; /* piece of a turn */
     double turned = 0, least = HUGE_VAL;
-    for (int k = 0; k < LOAD_AXES; k++) {
+    for (int k = 0; k < NC_AXES; k++) {
         limits.min[k] = machine.min[k];
         limits.max[k] = machine.max[k];
         limits.rapid[k] = machine.rapid[k];
     }
-    struct axis_limits load = axis_limits_run(nc_motion, &limits);
-    for (size_t i = 1; i < nc_motion->piece.n; i++) {
-        double turn = turn_on_the_spot(nc_motion, i);
+    struct axis_use load = axis_limits_check(motion, &limits);
+    for (size_t i = 1; i < motion->piece.n; i++) {
+        double turn = turn_on_the_spot(motion, i);
         if (turned == 0)
             first = i;
         if (turned < 30 && turned + turn >= 30) {
-            least = fmin(least, off_cut(nc_motion, first));
+            least = fmin(least, off_cut(motion, first));
             turns++;
         }
         turned = turn > 0 ? turned + turn : 0;
@@ -214,32 +211,32 @@ static bool drive(const struct nc_motion *nc_motion, const struct options *o)
            turns, turns ? least : 0, load.beyond, load.fast, load.jump.value);
     if (load.beyond == 0)
         return true;
-    say("%s: axis %c at %.5f, beyond its travel", nc_motion->name, "XYZABC"[load.travel.axis],
+    say("%s: axis %c at %.5f, beyond its travel", motion->name, "XYZABC"[load.travel.axis],
         load.travel.value);
     return false;
 }
 
 /* The operand: a program, or itself a path. */
-static void read_operand(const char *file, const struct options *o, struct nc_motion *nc_motion,
+static void read_operand(const char *file, const struct options *o, struct nc_motion *motion,
                          double *radius)
 {
     struct error error;
     struct path path = {0};
     struct ncread_options setup = {
         .tcp = !o->no_tcp,
-        .verify_kinematics = verify_kinematics_trunnion(o->axes ? 'B' : 'A', o->reversed ? -1 : 1)};
+        .kinematics = verify_kinematics_trunnion(o->axes ? 'B' : 'A', o->reversed ? -1 : 1)};
     if (o->machine) {
         struct machine machine = read_machine(o);
-        setup.verify_kinematics = ncread_rig(&machine);
+        setup.kinematics = ncread_kinematics(&machine);
         setup.tcp = machine.tcp && !o->no_tcp;
     }
     if (o->control != CONTROL_NONE) {
         setup.dialect = dialects[o->control];
-        if (ncread_read(file, &setup, nc_motion, &error) < 0)
+        if (ncread_read(file, &setup, motion, &error) < 0)
             die_error(&error);
         return;
     }
-    if (cl_read(file, &path, nc_motion, &error) < 0)
+    if (cl_read(file, &path, motion, &error) < 0)
         die_error(&error);
     *radius = path_ball(&path);
     path_free(&path);
@@ -249,30 +246,30 @@ static int run(const char *file, const struct options *o)
 {
     struct error error;
     struct path path = {0};
-    struct nc_motion nc_motion = {0}, wanted = {0};
+    struct nc_motion motion = {0}, wanted = {0};
     double radius = -1;
     bool held = true;
-    read_operand(file, o, &nc_motion, &radius);
-    count_line(o->control == CONTROL_NONE ? "path" : "program", &nc_motion);
+    read_operand(file, o, &motion, &radius);
+    count_line(o->control == CONTROL_NONE ? "path" : "program", &motion);
     if (o->path) {
         if (cl_read(o->path, &path, &wanted, &error) < 0)
             die_error(&error);
         count_line("its path", &wanted);
         radius = path_ball(&path);
-        nc_motion.track = wanted.track;
+        motion.track = wanted.track;
         if (o->no_steps) {
-            sweep_join_steps(&nc_motion);
+            sweep_join_steps(&motion);
             sweep_join_steps(&wanted);
         }
         double up = wanted.track == NC_MOTION_CENTRE ? -radius : radius;
-        held = compare(&nc_motion, &wanted, radius > 0 ? up : 0, o);
+        held = compare(&motion, &wanted, radius > 0 ? up : 0, o);
         path_free(&path);
     }
     if (o->machine && o->control != CONTROL_NONE)
-        held = drive(&nc_motion, o) && held;
+        held = drive(&motion, o) && held;
     if (o->panel || o->scan)
-        held = gouges(&nc_motion, o->radius > 0 ? o->radius : radius, o) && held;
-    nc_motion_free(&nc_motion);
+        held = gouges(&motion, o->radius > 0 ? o->radius : radius, o) && held;
+    nc_motion_free(&motion);
     nc_motion_free(&wanted);
     return held ? EXIT_DONE : EXIT_UNMET;
 }

@@ -27,13 +27,13 @@ static void add(struct samples *chain, struct nc_motion_pose pose, bool joined, 
 }
 
 /* Halves the piece from s0 to s1 until it is straight; adds its end. */
-static void flatten(const struct nc_motion *nc_motion, size_t index, double s0,
+static void flatten(const struct nc_motion *motion, size_t index, double s0,
                     struct nc_motion_pose a, double s1, struct nc_motion_pose b, int depth,
                     struct samples *chain)
 {
-    const struct nc_piece *piece = &nc_motion->piece.item[index];
+    const struct nc_piece *piece = &motion->piece.item[index];
     double s = (s0 + s1) / 2;
-    struct nc_motion_pose m = nc_motion_at(nc_motion, piece, s);
+    struct nc_motion_pose m = nc_motion_at(motion, piece, s);
     struct vec3 turn = vec_unit(vec_add(a.a, b.a));
     bool straight = vec_distance(m.p, vec_mix(a.p, b.p, 0.5)) <= FLAT_TIP &&
                     vec_angle(m.a, turn) <= FLAT_AXIS && vec_distance(a.p, b.p) <= STEP_TIP &&
@@ -43,8 +43,8 @@ static void flatten(const struct nc_motion *nc_motion, size_t index, double s0,
         add(chain, b, true, index);
         return;
     }
-    flatten(nc_motion, index, s0, a, s, m, depth + 1, chain);
-    flatten(nc_motion, index, s, m, s1, b, depth + 1, chain);
+    flatten(motion, index, s0, a, s, m, depth + 1, chain);
+    flatten(motion, index, s, m, s1, b, depth + 1, chain);
 }
 
 /* The tool comes back to where it had left the cut, down its own axis from no more than 3 mm. */
@@ -55,24 +55,24 @@ static bool comes_back(struct nc_motion_pose a, struct nc_motion_pose b, struct 
            vec_length(way) < 3 && vec_angle(way, b.a) < RADIANS(0.5);
 }
 
-void sweep_chain(const struct nc_motion *nc_motion, struct samples *chain)
+void sweep_chain(const struct nc_motion *motion, struct samples *chain)
 {
     bool apart_before = true;
-    for (size_t i = 0; i < nc_motion->piece.n; i++) {
-        const struct nc_piece *piece = &nc_motion->piece.item[i];
+    for (size_t i = 0; i < motion->piece.n; i++) {
+        const struct nc_piece *piece = &motion->piece.item[i];
         if (piece->rapid) {
             apart_before = true;
             continue;
         }
-        struct nc_motion_pose a = nc_motion_at(nc_motion, piece, 0),
-                              b = nc_motion_at(nc_motion, piece, 1);
+        struct nc_motion_pose a = nc_motion_at(motion, piece, 0),
+                              b = nc_motion_at(motion, piece, 1);
         if (apart_before && chain->n && piece->shape == SHAPE_LINE &&
             comes_back(a, b, chain->item[chain->n - 1].pose))
             continue;
         if (apart_before)
             add(chain, a, false, i);
         apart_before = false;
-        flatten(nc_motion, i, 0, a, 1, b, 0, chain);
+        flatten(motion, i, 0, a, 1, b, 0, chain);
     }
 }
 
@@ -91,36 +91,36 @@ static bool along(const struct nc_piece *cut, struct vec3 p, double beyond)
 }
 
 /* The next step of the hole that this cut is part of, 0: there is none. */
-static size_t next_step(const struct nc_motion *nc_motion, size_t i)
+static size_t next_step(const struct nc_motion *motion, size_t i)
 {
-    const struct nc_piece *cut = &nc_motion->piece.item[i];
+    const struct nc_piece *cut = &motion->piece.item[i];
     size_t k = i + 1;
-    while (k < nc_motion->piece.n && nc_motion->piece.item[k].rapid &&
-           along(cut, nc_motion->piece.item[k].p[1], 0))
+    while (k < motion->piece.n && motion->piece.item[k].rapid &&
+           along(cut, motion->piece.item[k].p[1], 0))
         k++;
-    if (k == i + 1 || k == nc_motion->piece.n || !is_line(&nc_motion->piece.item[k]))
+    if (k == i + 1 || k == motion->piece.n || !is_line(&motion->piece.item[k]))
         return 0;
-    const struct nc_piece *next = &nc_motion->piece.item[k];
+    const struct nc_piece *next = &motion->piece.item[k];
     bool deeper = along(cut, next->p[1], HUGE_VAL) && !along(cut, next->p[1], 0);
     return deeper && along(cut, next->p[0], 0) ? k : 0;
 }
 
-void sweep_join_steps(struct nc_motion *nc_motion)
+void sweep_join_steps(struct nc_motion *motion)
 {
     size_t n = 0, next;
-    for (size_t i = 0; i < nc_motion->piece.n; i++) {
-        struct nc_piece *cut = &nc_motion->piece.item[n++];
-        *cut = nc_motion->piece.item[i];
+    for (size_t i = 0; i < motion->piece.n; i++) {
+        struct nc_piece *cut = &motion->piece.item[n++];
+        *cut = motion->piece.item[i];
         if (!is_line(cut) || vec_distance(cut->p[0], cut->p[1]) == 0)
             continue;
-        nc_motion->piece.item[i] = *cut;
-        while ((next = next_step(nc_motion, i)) != 0) {
-            nc_motion->piece.item[next].p[0] = cut->p[0];
-            *cut = nc_motion->piece.item[next];
+        motion->piece.item[i] = *cut;
+        while ((next = next_step(motion, i)) != 0) {
+            motion->piece.item[next].p[0] = cut->p[0];
+            *cut = motion->piece.item[next];
             i = next;
         }
     }
-    nc_motion->piece.n = n;
+    motion->piece.n = n;
 }
 
 double sweep_length(const struct samples *chain)
@@ -246,17 +246,16 @@ static bool meets(struct nc_motion_pose a, struct nc_motion_pose b, double tip_l
 }
 
 /* The rapid piece k leads to the way back down to where the cut was left. */
-static bool leads_back(const struct nc_motion *nc_motion, size_t k)
+static bool leads_back(const struct nc_motion *motion, size_t k)
 {
-    const struct nc_piece *piece = nc_motion->piece.item;
+    const struct nc_piece *piece = motion->piece.item;
     size_t cut = k;
     while (cut > 0 && piece[cut].rapid)
         cut--;
-    if (k + 1 >= nc_motion->piece.n || piece[cut].rapid || piece[k + 1].rapid)
+    if (k + 1 >= motion->piece.n || piece[cut].rapid || piece[k + 1].rapid)
         return false;
-    return comes_back(nc_motion_at(nc_motion, &piece[k + 1], 0),
-                      nc_motion_at(nc_motion, &piece[k + 1], 1),
-                      nc_motion_at(nc_motion, &piece[cut], 1));
+    return comes_back(nc_motion_at(motion, &piece[k + 1], 0),
+                      nc_motion_at(motion, &piece[k + 1], 1), nc_motion_at(motion, &piece[cut], 1));
 }
 
 /* On the straight way from one place to another, as close as a rapid has to be. */
@@ -268,13 +267,13 @@ static bool on_way(struct vec3 p, struct vec3 from, struct vec3 to)
 }
 
 /* The rapid piece k goes up the tool axis from a cut, a full retract. */
-static bool leads_off(const struct nc_motion *nc_motion, size_t k)
+static bool leads_off(const struct nc_motion *motion, size_t k)
 {
     size_t cut = k;
-    while (cut > 0 && nc_motion->piece.item[cut].rapid)
+    while (cut > 0 && motion->piece.item[cut].rapid)
         cut--;
-    struct nc_motion_pose from = nc_motion_at(nc_motion, &nc_motion->piece.item[cut], 1);
-    struct nc_motion_pose to = nc_motion_at(nc_motion, &nc_motion->piece.item[k], 1);
+    struct nc_motion_pose from = nc_motion_at(motion, &motion->piece.item[cut], 1);
+    struct nc_motion_pose to = nc_motion_at(motion, &motion->piece.item[k], 1);
     struct vec3 off = vec_sub(to.p, from.p);
     return vec_length(vec_reject(off, from.a)) < 0.02 && vec_dot(off, from.a) > 0;
 }

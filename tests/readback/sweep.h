@@ -25,13 +25,13 @@ struct samples {
     double radius; /* of the ball, mm: its centre is so far up the tool axis */
 };
 
-/* The cutting pieces of a nc_motion, straight between samples to 1e-5 mm and 0.001 degrees, without
+/* The cutting pieces of a motion, straight between samples to 1e-5 mm and 0.001 degrees, without
  * the ways back down from a turn off the part. */
-void sweep_chain(const struct nc_motion *nc_motion, struct samples *chain);
+void sweep_chain(const struct nc_motion *motion, struct samples *chain);
 
 /* Straight cuts one behind the other on a line, with rapids along it between, become one cut: a
  * hole drilled in steps. */
-void sweep_join_steps(struct nc_motion *nc_motion);
+void sweep_join_steps(struct nc_motion *motion);
 
 /* Length of the tip's way, mm. */
 double sweep_length(const struct samples *chain);

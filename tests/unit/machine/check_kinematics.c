@@ -180,7 +180,7 @@ START_TEST(every_machine)
     snprintf(file, sizeof file, "%s/machines/%s.txt", folder ? folder : ".", shipped[_i]);
     ck_assert_msg(machine_read(&machine, file, &error) == 0, "%s", error.text);
     ck_assert_int_eq(machine_finish(&machine, &error), 0);
-    struct verify_kinematics verify_kinematics = ncread_rig(&machine);
+    struct verify_kinematics verify_kinematics = ncread_kinematics(&machine);
     seed = 40 + (uint64_t)_i;
     for (int i = 0; i < poses(30000); i++) {
         const double q[2] = {360 * chance() - 180, 360 * chance() - 180};

@@ -39,25 +39,25 @@ static void numbered(char *text, size_t size)
 }
 
 /* Reads the cut between head and foot; -1: refused. */
-static int read_cut(int control, const char *cut, struct nc_motion *nc_motion, struct error *error)
+static int read_cut(int control, const char *cut, struct nc_motion *motion, struct error *error)
 {
     char text[4000];
     struct ncread_options setup = {.dialect = dialects[control],
                                    .tcp = true,
-                                   .verify_kinematics = verify_kinematics_trunnion('A', 1)};
+                                   .kinematics = verify_kinematics_trunnion('A', 1)};
     snprintf(text, sizeof text, "%s%s%s", head[control], cut, foot[control]);
     if (control == HEIDENHAIN)
         numbered(text, sizeof text);
-    *nc_motion = (struct nc_motion){0};
-    return ncread_read(scratch_text(text), &setup, nc_motion, error);
+    *motion = (struct nc_motion){0};
+    return ncread_read(scratch_text(text), &setup, motion, error);
 }
 
 /* The first piece at feed that goes anywhere. */
-static const struct nc_piece *first_cut(const struct nc_motion *nc_motion)
+static const struct nc_piece *first_cut(const struct nc_motion *motion)
 {
-    for (size_t i = 0; i < nc_motion->piece.n; i++)
-        if (!nc_motion->piece.item[i].rapid)
-            return &nc_motion->piece.item[i];
+    for (size_t i = 0; i < motion->piece.n; i++)
+        if (!motion->piece.item[i].rapid)
+            return &motion->piece.item[i];
     return NULL;
 }
 
@@ -68,7 +68,7 @@ static const struct {
         end;          /* of the tip half way and at the end of the last piece but the head's */
     struct vec3 axis; /* at the end */
     double feed;
-} motion[] = {
+} move_case[] = {
     /* straight, the axis turning: A 30 leans to -y in ISO sense, C 90 turns that to +x */
     {FANUC, "G1 X10. Y4. Z42. A30. C90.\n", {5, 2, 46}, {10, 4, 42}, {0.5, 0, 0.75}, 500},
     {SIEMENS, "G1 X10 Y4 Z42 A30 C90\n", {5, 2, 46}, {10, 4, 42}, {0.5, 0, 0.75}, 500},
@@ -142,22 +142,22 @@ static const struct {
 
 START_TEST(motion_is_known)
 {
-    struct nc_motion nc_motion;
+    struct nc_motion motion;
     struct error error;
-    ck_assert_msg(read_cut(motion[_i].control, motion[_i].cut, &nc_motion, &error) == 0, "%s",
+    ck_assert_msg(read_cut(move_case[_i].control, move_case[_i].cut, &motion, &error) == 0, "%s",
                   error.text);
-    const struct nc_piece *piece = first_cut(&nc_motion);
+    const struct nc_piece *piece = first_cut(&motion);
     ck_assert_ptr_nonnull(piece);
-    struct nc_motion_pose middle = nc_motion_at(&nc_motion, piece, 0.5),
-                          end = nc_motion_at(&nc_motion, piece, 1);
-    struct vec3 axis = motion[_i].axis;
+    struct nc_motion_pose middle = nc_motion_at(&motion, piece, 0.5),
+                          end = nc_motion_at(&motion, piece, 1);
+    struct vec3 axis = move_case[_i].axis;
     axis.z = sqrt(1 - axis.x * axis.x - axis.y * axis.y);
-    ck_assert_msg(vec_distance(middle.p, motion[_i].middle) < 1e-9, "%g %g %g", middle.p.x,
+    ck_assert_msg(vec_distance(middle.p, move_case[_i].middle) < 1e-9, "%g %g %g", middle.p.x,
                   middle.p.y, middle.p.z);
-    ck_assert_double_lt(vec_distance(end.p, motion[_i].end), 1e-9);
+    ck_assert_double_lt(vec_distance(end.p, move_case[_i].end), 1e-9);
     ck_assert_double_lt(vec_distance(end.a, axis), 1e-9);
-    ck_assert_double_eq(piece->feed, motion[_i].feed);
-    nc_motion_free(&nc_motion);
+    ck_assert_double_eq(piece->feed, move_case[_i].feed);
+    nc_motion_free(&motion);
 }
 END_TEST
 
@@ -169,11 +169,10 @@ START_TEST(inches)
     static const char *const cut[] = {"G2 X1. Y1. I1. J0.\n", "G2 X1 Y1 I1 J0\n",
                                       "CC X+1 Y+0\nC X+1 Y+1 DR- F500\n", "G2 X1 Y1 I1 J0\n"};
     char text[4000], changed[4000] = "";
-    struct nc_motion nc_motion = {0};
+    struct nc_motion motion = {0};
     struct error error;
-    struct ncread_options setup = {.dialect = dialects[_i],
-                                   .tcp = true,
-                                   .verify_kinematics = verify_kinematics_trunnion('A', 1)};
+    struct ncread_options setup = {
+        .dialect = dialects[_i], .tcp = true, .kinematics = verify_kinematics_trunnion('A', 1)};
     snprintf(text, sizeof text, "%s%s%s", head[_i], cut[_i], foot[_i]);
     char *s = text;
     for (char *at = strstr(s, from[_i]); at; at = strstr(s, from[_i])) {
@@ -184,14 +183,14 @@ START_TEST(inches)
     strcat(changed, s);
     if (_i == HEIDENHAIN)
         numbered(changed, sizeof changed);
-    ck_assert_msg(ncread_read(scratch_text(changed), &setup, &nc_motion, &error) == 0, "%s",
+    ck_assert_msg(ncread_read(scratch_text(changed), &setup, &motion, &error) == 0, "%s",
                   error.text);
-    const struct nc_piece *piece = first_cut(&nc_motion);
-    struct nc_motion_pose middle = nc_motion_at(&nc_motion, piece, 0.5);
+    const struct nc_piece *piece = first_cut(&motion);
+    struct nc_motion_pose middle = nc_motion_at(&motion, piece, 0.5);
     double side = 25.4 * sqrt(0.5);
     ck_assert_double_lt(vec_distance(middle.p, vec(25.4 - side, side, 50 * 25.4)), 1e-9);
     ck_assert_double_eq_tol(piece->feed, 500 * 25.4, 1e-9);
-    nc_motion_free(&nc_motion);
+    nc_motion_free(&motion);
 }
 END_TEST
 
@@ -231,14 +230,14 @@ static const struct {
 
 START_TEST(refused_with_its_line)
 {
-    struct nc_motion nc_motion;
+    struct nc_motion motion;
     struct error error = {""};
-    ck_assert_int_lt(read_cut(refused[_i].control, refused[_i].cut, &nc_motion, &error), 0);
+    ck_assert_int_lt(read_cut(refused[_i].control, refused[_i].cut, &motion, &error), 0);
     ck_assert_msg(strstr(error.text, refused[_i].found) != NULL, "%s", error.text);
     ck_assert_msg(strncmp(error.text, scratch_name(), strlen(scratch_name())) == 0 &&
                       error.text[strlen(scratch_name())] == ':',
                   "%s", error.text);
-    nc_motion_free(&nc_motion);
+    nc_motion_free(&motion);
 }
 END_TEST
 
@@ -246,7 +245,7 @@ int main(void)
 {
     Suite *suite = suite_create("ncread");
     TCase *tcase = tcase_create("ncread");
-    tcase_add_loop_test(tcase, motion_is_known, 0, (int)(sizeof motion / sizeof *motion));
+    tcase_add_loop_test(tcase, motion_is_known, 0, (int)(sizeof move_case / sizeof *move_case));
     tcase_add_loop_test(tcase, inches, 0, CONTROLS);
     tcase_add_loop_test(tcase, refused_with_its_line, 0, (int)(sizeof refused / sizeof *refused));
     suite_add_tcase(suite, tcase);

@@ -5,29 +5,29 @@
 #include "base/array.h"
 #include "simulate/axis_limits.h"
 
-static const struct axis_limits_limits limits = {
+static const struct axis_limits limits = {
     .min = {-100, -100, -100, -30, -360, -360},
     .max = {100, 100, 100, 30, 360, 360},
     .rapid = {6000, 6000, 6000, 600, 600, 600},
 };
 
 /* One straight move of the tip, A and C turning evenly. */
-static struct axis_limits one(struct vec3 to, double a, double feed, bool inverse)
+static struct axis_use one(struct vec3 to, double a, double feed, bool inverse)
 {
-    struct nc_motion nc_motion = {.verify_kinematics = verify_kinematics_trunnion('A', 1)};
-    *array_push(&nc_motion.piece) = (struct nc_piece){.swing = SWING_ROTARY,
-                                                      .feed = feed,
-                                                      .inverse = inverse,
-                                                      .p = {{0, 0, 0}, to},
-                                                      .q = {{0, 0, 0}, {0, a, 0}}};
-    struct axis_limits load = axis_limits_run(&nc_motion, &limits);
-    nc_motion_free(&nc_motion);
+    struct nc_motion motion = {.kinematics = verify_kinematics_trunnion('A', 1)};
+    *array_push(&motion.piece) = (struct nc_piece){.interpolation = AXIS_ROTARY_LINEAR,
+                                                   .feed = feed,
+                                                   .inverse = inverse,
+                                                   .p = {{0, 0, 0}, to},
+                                                   .q = {{0, 0, 0}, {0, a, 0}}};
+    struct axis_use load = axis_limits_check(&motion, &limits);
+    nc_motion_free(&motion);
     return load;
 }
 
 START_TEST(time_is_way_by_feed)
 {
-    struct axis_limits load = one(vec(30, 40, 0), 0, 500, false);
+    struct axis_use load = one(vec(30, 40, 0), 0, 500, false);
     ck_assert_double_eq_tol(load.cut_time, 0.1, 1e-12);
     ck_assert_double_eq_tol(load.cut_length, 50, 1e-9);
     ck_assert_uint_eq(load.beyond + load.fast + load.no_feed, 0);
@@ -38,20 +38,20 @@ END_TEST
 START_TEST(a_turn_takes_its_time)
 {
     /* 20 degrees in 1 mm at 500: 10000 degrees a minute, the axis makes 600 */
-    struct axis_limits load = one(vec(1, 0, 0), 20, 500, false);
+    struct axis_use load = one(vec(1, 0, 0), 20, 500, false);
     ck_assert_uint_eq(load.fast, 1);
     ck_assert_int_eq(load.speed.axis, 3);
     ck_assert_double_eq_tol(load.speed.value, 10000.0 / 600, 1e-6);
     ck_assert_double_eq_tol(load.cut_time, 20.0 / 600, 1e-9);
     ck_assert_double_eq_tol(load.jump.value, 20, 1e-9);
-    ck_assert_double_eq_tol(load.swing.value, 20, 1e-6);
+    ck_assert_double_eq_tol(load.turn_rate.value, 20, 1e-6);
 }
 END_TEST
 
 START_TEST(travel_is_kept)
 {
     ck_assert_uint_eq(one(vec(100, 0, 0), 0, 500, false).beyond, 0);
-    struct axis_limits load = one(vec(101, 0, 0), 0, 500, false);
+    struct axis_use load = one(vec(101, 0, 0), 0, 500, false);
     ck_assert_uint_eq(load.beyond, 1);
     ck_assert_int_eq(load.travel.axis, 0);
     load = one(vec(1, 0, 0), 31, 500, false);

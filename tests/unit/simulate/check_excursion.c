@@ -19,8 +19,8 @@ enum { PIECES = 6 };
 static struct excursion shaped(const double high[PIECES + 1], const double side[PIECES + 1],
                                const unsigned char shape[PIECES])
 {
-    struct nc_motion nc_motion = {.verify_kinematics = verify_kinematics_trunnion('A', 1),
-                                  .track = NC_MOTION_TIP};
+    struct nc_motion motion = {.kinematics = verify_kinematics_trunnion('A', 1),
+                               .track = NC_MOTION_TIP};
     struct centre_path path = {0};
     struct vec3s points = {0};
     struct deviation_map roll;
@@ -30,10 +30,11 @@ static struct excursion shaped(const double high[PIECES + 1], const double side[
     for (int i = 0; i < PIECES; i++) {
         struct vec3 from = vec(4 * i - 12, side[i], high[i]);
         struct vec3 to = vec(4 * i - 8, side[i + 1], high[i + 1]);
-        *array_push(&nc_motion.polynomial) =
-            (struct nc_motion_polynomial){.p[0] = vec_sub(to, from)};
-        *array_push(&nc_motion.piece) = (struct nc_piece){
-            .shape = shape[i], .swing = SWING_ROTARY, .index = (size_t)i, .p = {from, to}};
+        *array_push(&motion.polynomial) = (struct nc_motion_polynomial){.p[0] = vec_sub(to, from)};
+        *array_push(&motion.piece) = (struct nc_piece){.shape = shape[i],
+                                                       .interpolation = AXIS_ROTARY_LINEAR,
+                                                       .index = (size_t)i,
+                                                       .p = {from, to}};
         for (int k = 0; k < 40; k++)
             *array_push(&path) = (struct centre_segment){
                 vec_along(vec_mix(from, to, k / 40.0), RADIUS, vec(0, 0, 1)),
@@ -44,10 +45,10 @@ static struct excursion shaped(const double high[PIECES + 1], const double side[
     }
     const struct deviation_map_options setup = {RADIUS, 0.02, 1.25, 1};
     deviation_map_run(&path, points.item, points.n, &setup, &roll);
-    struct excursion leap = excursion_find(&nc_motion, &path, points.item, points.n,
+    struct excursion leap = excursion_find(&motion, &path, points.item, points.n,
                                            &(struct excursion_options){RADIUS, setup.band});
     deviation_map_free(&roll);
-    nc_motion_free(&nc_motion);
+    nc_motion_free(&motion);
     array_free(&path);
     array_free(&points);
     return leap;

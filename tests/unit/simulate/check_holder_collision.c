@@ -1,5 +1,5 @@
 /*
- * check_holder_collision - shank and holder along a nc_motion: what is nearest against all places
+ * check_holder_collision - shank and holder along a motion: what is nearest against all places
  * looked at one by one, and depths that are known.
  */
 #include <check.h>
@@ -74,12 +74,13 @@ START_TEST(nearest_of_a_stock_that_is_cut)
 }
 END_TEST
 
-/* A nc_motion of straight pieces of the tip with these axes. */
-static void go(struct nc_motion *nc_motion, struct vec3 from, struct vec3 to, struct vec3 axis0,
+/* A motion of straight pieces of the tip with these axes. */
+static void go(struct nc_motion *motion, struct vec3 from, struct vec3 to, struct vec3 axis0,
                struct vec3 axis1)
 {
-    struct nc_piece piece = {.swing = SWING_GREAT, .p = {from, to}, .q = {axis0, axis1}};
-    *array_push(&nc_motion->piece) = piece;
+    struct nc_piece piece = {
+        .interpolation = AXIS_GREAT_CIRCLE, .p = {from, to}, .q = {axis0, axis1}};
+    *array_push(&motion->piece) = piece;
 }
 
 /*
@@ -91,18 +92,15 @@ START_TEST(depth_in_a_turn)
     struct vec3 spike = vec(3, 0, 20), up = vec(0, 0, 1);
     double lean = atan2(3, 17); /* seen from the ball's centre */
     struct vec3 over = vec(sin(lean), 0, cos(lean));
-    struct nc_motion nc_motion = {0};
-    go(&nc_motion, vec(0, -20, 0), vec(0, 20, 0), up, up);
-    go(&nc_motion, vec(0, 20, 0), vec(0, 0, 0), up, up);
+    struct nc_motion motion = {0};
+    go(&motion, vec(0, -20, 0), vec(0, 20, 0), up, up);
+    go(&motion, vec(0, 20, 0), vec(0, 0, 0), up, up);
     struct vec3 tip = vec_along(vec(0, 0, 3), -3, over);
-    go(&nc_motion, vec(0, 0, 0), tip, up, over);
-    go(&nc_motion, tip, vec_add(tip, vec(0, 20, 0)), over, over);
+    go(&motion, vec(0, 0, 0), tip, up, over);
+    go(&motion, tip, vec_add(tip, vec(0, 20, 0)), over, over);
     struct collision_body part = collision_body_points(&spike, 1);
-    struct holder_collision way = {.nc_motion = &nc_motion,
-                                   .holder = &stack,
-                                   .obstacle = &part,
-                                   .radius = 3,
-                                   .tolerance = 0.05};
+    struct holder_collision way = {
+        .motion = &motion, .holder = &stack, .obstacle = &part, .radius = 3, .tolerance = 0.05};
     holder_collision_piece(&way, 0);
     holder_collision_piece(&way, 1);
     ck_assert_double_eq(way.depth, 0);
@@ -113,7 +111,7 @@ START_TEST(depth_in_a_turn)
     ck_assert_uint_eq(way.pieces, 2);
     ck_assert_double_eq(way.at.z, 20);
     collision_body_free(&part);
-    nc_motion_free(&nc_motion);
+    nc_motion_free(&motion);
 }
 END_TEST
 
@@ -121,33 +119,28 @@ END_TEST
 START_TEST(depth_in_the_middle_of_a_long_piece)
 {
     struct vec3 up = vec(0, 0, 1), spike = vec(0, 1.25, 10);
-    struct nc_motion nc_motion = {.track = NC_MOTION_CENTRE};
-    go(&nc_motion, vec(-500, 0, 0), vec(700, 0, 0), up, up);
-    go(&nc_motion, vec(700, 0, 0), vec(700, 0, 60), up, up);
+    struct nc_motion motion = {.track = NC_MOTION_CENTRE};
+    go(&motion, vec(-500, 0, 0), vec(700, 0, 0), up, up);
+    go(&motion, vec(700, 0, 0), vec(700, 0, 60), up, up);
     struct collision_body part = collision_body_points(&spike, 1);
-    struct holder_collision way = {.nc_motion = &nc_motion,
-                                   .holder = &stack,
-                                   .obstacle = &part,
-                                   .radius = 3,
-                                   .tolerance = 0.05};
+    struct holder_collision way = {
+        .motion = &motion, .holder = &stack, .obstacle = &part, .radius = 3, .tolerance = 0.05};
     holder_collision_piece(&way, 0);
     holder_collision_piece(&way, 1);
     ck_assert_double_eq_tol(way.depth, 0.75, 0.0126);
     ck_assert_uint_eq(way.piece, 0);
     ck_assert_uint_eq(way.pieces, 1);
     collision_body_free(&part);
-    nc_motion_free(&nc_motion);
+    nc_motion_free(&motion);
 }
 END_TEST
 
 /* The least of the distances of all points along a piece, looked at closely. */
-static double least_along(const struct nc_motion *nc_motion, size_t piece,
-                          const struct vec3s *points)
+static double least_along(const struct nc_motion *motion, size_t piece, const struct vec3s *points)
 {
     double least = HUGE_VAL;
     for (int k = 0; k <= 300; k++) {
-        struct nc_motion_pose at =
-            nc_motion_at(nc_motion, &nc_motion->piece.item[piece], k / 300.0);
+        struct nc_motion_pose at = nc_motion_at(motion, &motion->piece.item[piece], k / 300.0);
         for (size_t i = 0; i < points->n; i++)
             least = fmin(least, holder_distance(&stack, at.p, at.a, points->item[i]));
     }
@@ -159,7 +152,7 @@ START_TEST(most_pieces_hit)
 {
     unsigned state = 31;
     struct vec3s points = {0};
-    struct nc_motion nc_motion = {.track = NC_MOTION_CENTRE};
+    struct nc_motion motion = {.track = NC_MOTION_CENTRE};
     struct vec3 from = vec(0, 0, -10), axis = vec(0, 0, 1);
     size_t hit = 0, close = 0;
     double depth = 0;
@@ -169,18 +162,15 @@ START_TEST(most_pieces_hit)
         *array_push(&points) = p;
     }
     struct collision_body part = collision_body_points(points.item, points.n);
-    struct holder_collision way = {.nc_motion = &nc_motion,
-                                   .holder = &stack,
-                                   .obstacle = &part,
-                                   .radius = 3,
-                                   .tolerance = 0.05};
+    struct holder_collision way = {
+        .motion = &motion, .holder = &stack, .obstacle = &part, .radius = 3, .tolerance = 0.05};
     for (size_t i = 0; i < 100; i++) {
         struct vec3 to =
             vec(random_in(&state, -40, 40), random_in(&state, -40, 40), random_in(&state, -25, -5));
         struct vec3 turned = vec_unit(vec_along(axis, 0.1, direction(&state)));
-        go(&nc_motion, from, to, axis, turned);
+        go(&motion, from, to, axis, turned);
         holder_collision_piece(&way, i);
-        double least = least_along(&nc_motion, i, &points);
+        double least = least_along(&motion, i, &points);
         hit += least < -0.05;
         close += fabs(least + 0.05) < 0.2; /* between two places looked at it may be as deep */
         depth = fmax(depth, -least);
@@ -193,11 +183,11 @@ START_TEST(most_pieces_hit)
     ck_assert_uint_lt(hit, 95);
     ck_assert_uint_ge(way.pieces, hit);
     ck_assert_uint_le(way.pieces, hit + close);
-    struct nc_motion_pose last = nc_motion_at(&nc_motion, &nc_motion.piece.item[way.piece], 0.5);
+    struct nc_motion_pose last = nc_motion_at(&motion, &motion.piece.item[way.piece], 0.5);
     ck_assert(vec_distance(way.at, last.p) < 100 && way.at.z >= -3 && way.at.z <= 3);
     collision_body_free(&part);
     array_free(&points);
-    nc_motion_free(&nc_motion);
+    nc_motion_free(&motion);
 }
 END_TEST
 
@@ -207,16 +197,13 @@ START_TEST(holder_against_stock)
     struct vec3 up = vec(0, 0, 1);
     struct stock s = stock_box(vec(-30, -30, -60), vec(30, 30, 0), 0.5);
     struct collision_body block = collision_body_stock(&s);
-    struct nc_motion nc_motion = {.track = NC_MOTION_CENTRE};
-    go(&nc_motion, vec(0, 0, 10), vec(0, 0, -24), up, up);
-    go(&nc_motion, vec(0, 0, -24), vec(0, 0, -31), up, up);
-    struct holder_collision way = {.nc_motion = &nc_motion,
-                                   .holder = &stack,
-                                   .obstacle = &block,
-                                   .radius = 3,
-                                   .tolerance = 0.1};
+    struct nc_motion motion = {.track = NC_MOTION_CENTRE};
+    go(&motion, vec(0, 0, 10), vec(0, 0, -24), up, up);
+    go(&motion, vec(0, 0, -24), vec(0, 0, -31), up, up);
+    struct holder_collision way = {
+        .motion = &motion, .holder = &stack, .obstacle = &block, .radius = 3, .tolerance = 0.1};
     for (size_t i = 0; i < 2; i++) {
-        stock_capsule(&s, nc_motion.piece.item[i].p[0], nc_motion.piece.item[i].p[1], 3, 1);
+        stock_capsule(&s, motion.piece.item[i].p[0], motion.piece.item[i].p[1], 3, 1);
         holder_collision_piece(&way, i);
         if (i == 0)
             ck_assert_double_eq(way.depth, 0);
@@ -225,7 +212,7 @@ START_TEST(holder_against_stock)
     ck_assert_uint_eq(way.piece, 1);
     collision_body_free(&block);
     stock_free(&s);
-    nc_motion_free(&nc_motion);
+    nc_motion_free(&motion);
 }
 END_TEST
 

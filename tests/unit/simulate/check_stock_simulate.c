@@ -8,33 +8,33 @@
 #define R 4.0
 
 /* The ball's centre goes straight to a place; each block is a line of its own. */
-static void go(struct nc_motion *nc_motion, struct vec3 to, bool rapid)
+static void go(struct nc_motion *motion, struct vec3 to, bool rapid)
 {
-    size_t n = nc_motion->piece.n;
-    struct vec3 from = n ? nc_motion->piece.item[n - 1].p[1] : to, up = vec(0, 0, 1);
-    struct nc_piece piece = {.swing = SWING_GREAT,
+    size_t n = motion->piece.n;
+    struct vec3 from = n ? motion->piece.item[n - 1].p[1] : to, up = vec(0, 0, 1);
+    struct nc_piece piece = {.interpolation = AXIS_GREAT_CIRCLE,
                              .rapid = rapid,
                              .block = (int)n + 1,
                              .line = n + 1,
                              .p = {from, to},
                              .q = {up, up}};
-    *array_push(&nc_motion->piece) = piece;
+    *array_push(&motion->piece) = piece;
 }
 
 /* One pass along x at y, with its bottom at z: four blocks at feed, the first and last in air. */
-static void pass(struct nc_motion *nc_motion, double y, double z)
+static void pass(struct nc_motion *motion, double y, double z)
 {
-    go(nc_motion, vec(-30, y, 20), true);
-    go(nc_motion, vec(-30, y, z + R), false);
-    go(nc_motion, vec(0, y, z + R), false);
-    go(nc_motion, vec(30, y, z + R), false);
-    go(nc_motion, vec(30, y, 20), false);
-    go(nc_motion, vec(30, y, 30), true);
+    go(motion, vec(-30, y, 20), true);
+    go(motion, vec(-30, y, z + R), false);
+    go(motion, vec(0, y, z + R), false);
+    go(motion, vec(30, y, z + R), false);
+    go(motion, vec(30, y, 20), false);
+    go(motion, vec(30, y, 30), true);
 }
 
 /* Bottom of the block -10, its top 0, the part's points at -3. */
 struct fixture {
-    struct nc_motion nc_motion;
+    struct nc_motion motion;
     struct vec3s points;
     struct centre_path cut;
     struct stock stock;
@@ -47,14 +47,14 @@ static void run(struct fixture *f, struct holder_collision *way)
     for (int j = -19; j <= 19; j++)
         for (int i = -19; i <= 19; i++)
             *array_push(&f->points) = vec(i / 2.0, j / 2.0, -3);
-    f->nc_motion.track = NC_MOTION_CENTRE;
-    centre_path_cut(&f->nc_motion, R, 0.001, &f->cut);
+    f->motion.track = NC_MOTION_CENTRE;
+    centre_path_cut(&f->motion, R, 0.001, &f->cut);
     f->stock = stock_box(vec(-10, -10, -10), vec(10, 10, 0), 0.1);
     f->left = stock_rest_new(f->points.item, f->points.n, &f->stock);
     struct collision_body block = collision_body_stock(&f->stock);
     if (way)
         way->obstacle = &block;
-    struct stock_simulate_options setup = {&f->nc_motion, &f->cut, R, 0.001, 0.01, way, false};
+    struct stock_simulate_options setup = {&f->motion, &f->cut, R, 0.001, 0.01, way, false};
     stock_simulate_run(&setup, &f->stock, &f->left, &f->run);
     collision_body_free(&block);
 }
@@ -66,7 +66,7 @@ static void end(struct fixture *f)
     stock_free(&f->stock);
     array_free(&f->cut);
     array_free(&f->points);
-    nc_motion_free(&f->nc_motion);
+    nc_motion_free(&f->motion);
 }
 
 static double segment_area(double depth)
@@ -78,9 +78,9 @@ static double segment_area(double depth)
 START_TEST(passes_layer_by_layer)
 {
     struct fixture f = {0};
-    pass(&f.nc_motion, 0, -1);
-    pass(&f.nc_motion, 0, -2.5);
-    pass(&f.nc_motion, 0, -2.5);
+    pass(&f.motion, 0, -1);
+    pass(&f.motion, 0, -2.5);
+    pass(&f.motion, 0, -2.5);
     run(&f, NULL);
     const struct stock_simulate_pass *p = f.run.pass.item;
     ck_assert_uint_eq(f.run.pass.n, 3);
@@ -110,7 +110,7 @@ START_TEST(scallops)
 {
     struct fixture f = {0};
     for (int k = -8; k <= 8; k++)
-        pass(&f.nc_motion, 1.5 * k, -3);
+        pass(&f.motion, 1.5 * k, -3);
     run(&f, NULL);
     const struct stock_rest_sum *left = &f.run.pass.item[16].left;
     double cusp = R - sqrt(R * R - 0.75 * 0.75);
@@ -126,12 +126,12 @@ END_TEST
 START_TEST(rapid_through_what_is_left)
 {
     struct fixture f = {0};
-    pass(&f.nc_motion, 0, -2);
-    go(&f.nc_motion, vec(-30, 0, 30), true);
-    go(&f.nc_motion, vec(-30, 0, R - 2), true); /* in the groove: clear */
-    go(&f.nc_motion, vec(30, 0, R - 2), true);
-    go(&f.nc_motion, vec(30, 5, R - 1.5), true);
-    go(&f.nc_motion, vec(-30, 5, R - 1.5), true); /* beside it: through the stock */
+    pass(&f.motion, 0, -2);
+    go(&f.motion, vec(-30, 0, 30), true);
+    go(&f.motion, vec(-30, 0, R - 2), true); /* in the groove: clear */
+    go(&f.motion, vec(30, 0, R - 2), true);
+    go(&f.motion, vec(30, 5, R - 1.5), true);
+    go(&f.motion, vec(-30, 5, R - 1.5), true); /* beside it: through the stock */
     run(&f, NULL);
     ck_assert_double_eq_tol(f.run.rapid, 1.5, 1e-3);
     ck_assert_uint_eq(f.run.rapid_piece, 10);
@@ -146,14 +146,14 @@ START_TEST(holder_follows_the_stock)
     const struct holder stack = {2, {{2, 2, 5}, {6, 6, 30}}};
     struct fixture f = {0};
     struct holder_collision way = {
-        .nc_motion = &f.nc_motion, .holder = &stack, .radius = R, .tolerance = 0.02};
-    pass(&f.nc_motion, 0, -3);
-    pass(&f.nc_motion, 0, -6);
-    pass(&f.nc_motion, 0, -8.5); /* its centre at -4.5, the collar from 0.5 up: clear */
-    pass(&f.nc_motion, 0, -9.5); /* from -0.5 up */
+        .motion = &f.motion, .holder = &stack, .radius = R, .tolerance = 0.02};
+    pass(&f.motion, 0, -3);
+    pass(&f.motion, 0, -6);
+    pass(&f.motion, 0, -8.5); /* its centre at -4.5, the collar from 0.5 up: clear */
+    pass(&f.motion, 0, -9.5); /* from -0.5 up */
     run(&f, &way);
     ck_assert_double_eq_tol(way.depth, 0.5, 0.05);
-    ck_assert_int_eq(f.nc_motion.piece.item[way.piece].block, 21);
+    ck_assert_int_eq(f.motion.piece.item[way.piece].block, 21);
     end(&f);
 }
 END_TEST

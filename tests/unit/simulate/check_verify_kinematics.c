@@ -42,21 +42,18 @@ START_TEST(matrices_agree_with_the_chain)
 {
     unsigned state = 7;
     struct machine m = machine_of(machines[_i]);
-    struct verify_kinematics verify_kinematics = ncread_rig(&m);
-    ck_assert_int_eq(verify_kinematics.n, m.chain.n);
+    struct verify_kinematics kinematics = ncread_kinematics(&m);
+    ck_assert_int_eq(kinematics.n, m.chain.n);
     for (int trial = 0; trial < 200; trial++) {
         double q[2] = {random_in(&state, -180, 180), random_in(&state, -90, 90)};
         double radians[2] = {RADIANS(q[0]), RADIANS(q[1])};
         struct vec3 p = vec(random_in(&state, -90, 90), random_in(&state, -90, 90), 10);
         struct vec3 a = chain_axis(&m.chain, radians), tip = chain_tip(&m.chain, p, radians);
-        ck_assert_double_lt(vec_distance(a, verify_kinematics_axis_at(&verify_kinematics, q)),
-                            1e-12);
-        ck_assert_double_lt(vec_distance(tip, verify_kinematics_tip(&verify_kinematics, p, q)),
-                            1e-10);
+        ck_assert_double_lt(vec_distance(a, verify_kinematics_axis_at(&kinematics, q)), 1e-12);
+        ck_assert_double_lt(vec_distance(tip, verify_kinematics_tip(&kinematics, p, q)), 1e-10);
         ck_assert_double_lt(
-            vec_distance(
-                p, verify_kinematics_linear(&verify_kinematics,
-                                            verify_kinematics_tip(&verify_kinematics, p, q), q)),
+            vec_distance(p, verify_kinematics_linear(&kinematics,
+                                                     verify_kinematics_tip(&kinematics, p, q), q)),
             1e-10);
     }
 }
@@ -66,20 +63,19 @@ START_TEST(angles_are_found_again)
 {
     unsigned state = 11;
     struct machine m = machine_of(machines[_i]);
-    struct verify_kinematics verify_kinematics = ncread_rig(&m);
-    for (int i = 0; i < verify_kinematics.n; i++) {
-        verify_kinematics.axis[i].min = -500;
-        verify_kinematics.axis[i].max = 500;
+    struct verify_kinematics kinematics = ncread_kinematics(&m);
+    for (int i = 0; i < kinematics.n; i++) {
+        kinematics.axis[i].min = -500;
+        kinematics.axis[i].max = 500;
     }
     for (int trial = 0; trial < 200; trial++) {
         double q[2] = {random_in(&state, -400, 400), random_in(&state, 5, 80)}, found[2] = {0};
-        if (verify_kinematics.n < 2)
+        if (kinematics.n < 2)
             q[1] = 0;
         double near[2] = {q[0] + 1, q[1] - 1};
-        ck_assert(verify_kinematics_angles(&verify_kinematics,
-                                           verify_kinematics_axis_at(&verify_kinematics, q), near,
-                                           1e-5, found));
-        for (int i = 0; i < verify_kinematics.n; i++)
+        ck_assert(verify_kinematics_angles(&kinematics, verify_kinematics_axis_at(&kinematics, q),
+                                           near, 1e-5, found));
+        for (int i = 0; i < kinematics.n; i++)
             ck_assert_double_lt(fabs(found[i] - q[i]), 1e-5);
     }
 }
@@ -88,9 +84,9 @@ END_TEST
 START_TEST(an_axis_out_of_reach_is_said)
 {
     struct machine m = machine_of("machines/table-a.txt");
-    struct verify_kinematics verify_kinematics = ncread_rig(&m);
+    struct verify_kinematics kinematics = ncread_kinematics(&m);
     double near[2] = {0, 0}, q[2] = {0, 0};
-    ck_assert(!verify_kinematics_angles(&verify_kinematics, vec_unit(vec(1, 0, 1)), near, 0.01, q));
+    ck_assert(!verify_kinematics_angles(&kinematics, vec_unit(vec(1, 0, 1)), near, 0.01, q));
 }
 END_TEST
 
