@@ -1,116 +1,186 @@
 /* height_pyramid - see height_pyramid.h. */
 #include "math/height_pyramid.h"
 
-#include <math.h>
 #include <stdlib.h>
 
 #include "base/array.h"
+#include "math/box.h"
 
-enum { TO_A_CELL = 16, MOST_ACROSS = 8 };
+enum { POINTS_IN_CELL = 16, CELLS_ACROSS = 8, BOXES_MOST = 64 };
 
-static size_t cell_at(double from, double cell, double v, size_t cells)
+static const struct height_range EMPTY = {HUGE_VAL, -HUGE_VAL};
+
+struct height_pyramid height_pyramid_new(double x, double y, double dx, double dy, int columns,
+                                         int rows)
 {
-    double c = (v - from) / cell;
+    struct height_pyramid p = {.x = x, .y = y, .dx = dx, .dy = dy};
 
-    if (!(c > 0))
-        return 0;
-    return c < (double)(cells - 1) ? (size_t)c : cells - 1;
-}
-
-/* Each level half as wide and deep as the one before, all in one array. */
-static void lay_levels(struct height_pyramid *r)
-{
-    size_t columns = r->columns, rows = r->rows, cells = 0;
-
-    while (r->levels < HEIGHT_PYRAMID_LEVELS) {
-        r->level[r->levels++] = (struct height_pyramid_level){columns, rows, NULL};
-        cells += columns * rows;
-        if (columns * rows == 1)
+    while (p.levels < HEIGHT_PYRAMID_LEVELS) {
+        size_t n = (size_t)columns * (size_t)rows;
+        struct height_level *level = &p.level[p.levels++];
+        *level = (struct height_level){columns, rows, mem_alloc(n, sizeof *level->cell)};
+        for (size_t i = 0; i < n; i++)
+            level->cell[i] = EMPTY;
+        if (n == 1)
             break;
         columns = (columns + 1) / 2;
         rows = (rows + 1) / 2;
     }
-    r->top = mem_alloc(cells, sizeof *r->top);
-    for (size_t i = 0; i < cells; i++)
-        r->top[i] = -INFINITY;
-    cells = 0;
-    for (size_t k = 0; k < r->levels; k++) {
-        r->level[k].top = r->top + cells;
-        cells += r->level[k].columns * r->level[k].rows;
-    }
+    return p;
 }
 
-static void raise_level(const struct height_pyramid_level *fine,
-                        struct height_pyramid_level *coarse)
+void height_pyramid_free(struct height_pyramid *pyramid)
 {
-    for (size_t row = 0; row < fine->rows; row++) {
-        for (size_t c = 0; c < fine->columns; c++) {
-            double z = fine->top[row * fine->columns + c];
-            double *top = &coarse->top[row / 2 * coarse->columns + c / 2];
-            *top = z > *top ? z : *top;
-        }
+    for (int k = 0; k < pyramid->levels; k++)
+        free(pyramid->level[k].cell);
+    pyramid->levels = 0;
+}
+
+static struct height_range *cell_at(const struct height_level *level, int i, int j)
+{
+    return &level->cell[(size_t)j * (size_t)level->columns + (size_t)i];
+}
+
+static void range_join(struct height_range *range, struct height_range other)
+{
+    range->low = other.low < range->low ? other.low : range->low;
+    range->high = other.high > range->high ? other.high : range->high;
+}
+
+/* The range of cell (i, j) of a level from its four of the level before. */
+static void join_four(struct height_pyramid *p, int level, int i, int j)
+{
+    const struct height_level *fine = &p->level[level - 1];
+    struct height_range sum = EMPTY;
+
+    for (int c = 0; c < 4; c++) {
+        int ci = 2 * i + c % 2, cj = 2 * j + c / 2;
+        if (ci < fine->columns && cj < fine->rows)
+            range_join(&sum, *cell_at(fine, ci, cj));
     }
+    *cell_at(&p->level[level], i, j) = sum;
+}
+
+void height_pyramid_set(struct height_pyramid *p, struct height_cell at, struct height_range range)
+{
+    *cell_at(&p->level[0], at.column, at.row) = range;
+    for (int k = 1; k < p->levels; k++)
+        join_four(p, k, at.column >> k, at.row >> k);
+}
+
+static int clamp(double x, int n)
+{
+    return !(x > 0) ? 0 : x < n - 1 ? (int)x : n - 1;
+}
+
+struct height_cell height_pyramid_cell(const struct height_pyramid *p, struct vec3 at)
+{
+    return (struct height_cell){clamp((at.x - p->x) / p->dx, p->level[0].columns),
+                                clamp((at.y - p->y) / p->dy, p->level[0].rows)};
 }
 
 struct height_pyramid height_pyramid_over(const struct vec3 *point, size_t n)
 {
-    struct height_pyramid r = {.columns = 0};
-    double low[2] = {INFINITY, INFINITY}, high[2] = {-INFINITY, -INFINITY};
+    struct box box = box_empty();
 
     if (n == 0)
-        return r;
+        return (struct height_pyramid){.levels = 0};
+    for (size_t i = 0; i < n; i++)
+        box_add(&box, point[i]);
+    double most = (double)n / POINTS_IN_CELL + 1;
+    double wide = box.high.x - box.low.x, deep = box.high.y - box.low.y;
+    double cell = fmax(sqrt(wide * deep / most), fmax(wide, deep) / most);
+    if (!(cell > 0))
+        cell = 1;
+    struct height_pyramid p = height_pyramid_new(box.low.x, box.low.y, cell, cell,
+                                                 (int)(wide / cell) + 1, (int)(deep / cell) + 1);
     for (size_t i = 0; i < n; i++) {
-        low[0] = fmin(low[0], point[i].x);
-        low[1] = fmin(low[1], point[i].y);
-        high[0] = fmax(high[0], point[i].x);
-        high[1] = fmax(high[1], point[i].y);
+        struct height_cell at = height_pyramid_cell(&p, point[i]);
+        range_join(cell_at(&p.level[0], at.column, at.row),
+                   (struct height_range){point[i].z, point[i].z});
     }
-    double most = (double)n / TO_A_CELL + 1, wide = high[0] - low[0], deep = high[1] - low[1];
-    r.x = low[0];
-    r.y = low[1];
-    r.cell = fmax(sqrt(wide * deep / most), fmax(wide, deep) / most);
-    if (!(r.cell > 0))
-        r.cell = 1;
-    r.columns = (size_t)(wide / r.cell) + 1;
-    r.rows = (size_t)(deep / r.cell) + 1;
-    lay_levels(&r);
-    for (size_t i = 0; i < n; i++) {
-        double *top = &r.level[0].top[cell_at(r.y, r.cell, point[i].y, r.rows) * r.columns +
-                                      cell_at(r.x, r.cell, point[i].x, r.columns)];
-        *top = point[i].z > *top ? point[i].z : *top;
-    }
-    for (size_t k = 1; k < r.levels; k++)
-        raise_level(&r.level[k - 1], &r.level[k]);
-    return r;
+    for (int k = 1; k < p.levels; k++)
+        for (int j = 0; j < p.level[k].rows; j++)
+            for (int i = 0; i < p.level[k].columns; i++)
+                join_four(&p, k, i, j);
+    return p;
 }
 
-void height_pyramid_free(struct height_pyramid *height_pyramid)
-{
-    free(height_pyramid->top);
-    height_pyramid->top = NULL;
-}
-
-double height_pyramid_top(const struct height_pyramid *r, struct vec3 a, struct vec3 b,
+double height_pyramid_top(const struct height_pyramid *p, struct vec3 a, struct vec3 b,
                           double radius)
 {
     double top = -INFINITY;
+    int k = 0;
 
-    if (r->columns == 0)
+    if (p->levels == 0)
         return top;
-    size_t left = cell_at(r->x, r->cell, fmin(a.x, b.x) - radius, r->columns);
-    size_t right = cell_at(r->x, r->cell, fmax(a.x, b.x) + radius, r->columns);
-    size_t low = cell_at(r->y, r->cell, fmin(a.y, b.y) - radius, r->rows);
-    size_t high = cell_at(r->y, r->cell, fmax(a.y, b.y) + radius, r->rows);
-    size_t k = 0;
-    while (k + 1 < r->levels &&
-           ((right - left) >> k >= MOST_ACROSS || (high - low) >> k >= MOST_ACROSS))
+    struct height_cell low =
+        height_pyramid_cell(p, vec(fmin(a.x, b.x) - radius, fmin(a.y, b.y) - radius, 0));
+    struct height_cell high =
+        height_pyramid_cell(p, vec(fmax(a.x, b.x) + radius, fmax(a.y, b.y) + radius, 0));
+    while (k + 1 < p->levels && ((high.column - low.column) >> k >= CELLS_ACROSS ||
+                                 (high.row - low.row) >> k >= CELLS_ACROSS))
         k++;
-    const struct height_pyramid_level *level = &r->level[k];
-    for (size_t row = low >> k; row <= high >> k; row++) {
-        for (size_t c = left >> k; c <= right >> k; c++) {
-            double z = level->top[row * level->columns + c];
+    for (int j = low.row >> k; j <= high.row >> k; j++) {
+        for (int i = low.column >> k; i <= high.column >> k; i++) {
+            double z = cell_at(&p->level[k], i, j)->high;
             top = z > top ? z : top;
         }
     }
     return top;
+}
+
+/* Nothing over the cell is nearer than this; a tall box is several, one on top of the other. */
+static double cell_bound(const struct height_pyramid *p, const struct height_search *search,
+                         int level, int i, int j)
+{
+    const struct height_range *range = cell_at(&p->level[level], i, j);
+    double dx = ldexp(p->dx, level), dy = ldexp(p->dy, level), tall = range->high - range->low;
+
+    if (tall < 0)
+        return HUGE_VAL;
+    double boxes = fmin(fmax(1, ceil(tall / (dx + dy))), BOXES_MOST), least = HUGE_VAL;
+    struct vec3 half = vec(dx / 2, dy / 2, tall / boxes / 2);
+    for (int k = 0; k < (int)boxes; k++) {
+        double z = range->low + (k + 0.5) * tall / boxes;
+        struct vec3 middle = vec(p->x + (i + 0.5) * dx, p->y + (j + 0.5) * dy, z);
+        least = fmin(least, search->bound(search->context, middle, half));
+    }
+    return least;
+}
+
+static void descend(const struct height_pyramid *p, struct height_search *search, int level, int i,
+                    int j)
+{
+    struct child {
+        double bound;
+        int i, j;
+    } child[4];
+    int n = 0;
+
+    if (level == 0) {
+        search->nearest = search->visit(search->context, (struct height_cell){i, j});
+        return;
+    }
+    for (int c = 0; c < 4; c++) {
+        struct child next = {0, 2 * i + c % 2, 2 * j + c / 2};
+        if (next.i >= p->level[level - 1].columns || next.j >= p->level[level - 1].rows)
+            continue;
+        next.bound = cell_bound(p, search, level - 1, next.i, next.j);
+        int k = n++;
+        for (; k > 0 && child[k - 1].bound > next.bound; k--)
+            child[k] = child[k - 1];
+        child[k] = next;
+    }
+    for (int k = 0; k < n && child[k].bound < search->nearest && search->nearest >= search->enough;
+         k++)
+        descend(p, search, level - 1, child[k].i, child[k].j);
+}
+
+void height_pyramid_search(const struct height_pyramid *p, struct height_search *search)
+{
+    int top = p->levels - 1;
+
+    if (top >= 0 && cell_bound(p, search, top, 0, 0) < search->nearest)
+        descend(p, search, top, 0, 0);
 }

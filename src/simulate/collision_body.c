@@ -12,32 +12,36 @@ static int clamp(double x, int n)
     return x < 0 ? 0 : x >= n ? n - 1 : (int)x;
 }
 
-static size_t cell_of(const struct tiles *t, struct vec3 p)
+static size_t index_of(const struct height_pyramid *t, struct height_cell at)
 {
-    int i = clamp((p.x - t->x) / t->dx, t->nx[0]), j = clamp((p.y - t->y) / t->dy, t->ny[0]);
-    return (size_t)j * (size_t)t->nx[0] + (size_t)i;
+    return (size_t)at.row * (size_t)t->level[0].columns + (size_t)at.column;
+}
+
+static size_t cell_of(const struct height_pyramid *t, struct vec3 p)
+{
+    return index_of(t, height_pyramid_cell(t, p));
 }
 
 /* Points in the order of their cells, each cell with its box. */
 static void fill(struct collision_body *o, size_t n)
 {
-    size_t cells = (size_t)o->tiles.nx[0] * (size_t)o->tiles.ny[0];
+    size_t cells = (size_t)o->heights.level[0].columns * (size_t)o->heights.level[0].rows;
     o->order = mem_alloc(n, sizeof *o->order);
     o->first = mem_alloc(cells + 2, sizeof *o->first);
     for (size_t i = 0; i < n; i++)
-        o->first[cell_of(&o->tiles, o->point[i]) + 2]++;
+        o->first[cell_of(&o->heights, o->point[i]) + 2]++;
     for (size_t k = 2; k < cells + 2; k++)
         o->first[k] += o->first[k - 1];
     for (size_t i = 0; i < n; i++)
-        o->order[o->first[cell_of(&o->tiles, o->point[i]) + 1]++] = i;
+        o->order[o->first[cell_of(&o->heights, o->point[i]) + 1]++] = i;
     for (size_t k = 0; k < cells; k++) {
-        struct tile tile = {HUGE_VAL, -HUGE_VAL};
+        struct height_range range = {HUGE_VAL, -HUGE_VAL};
         for (size_t i = o->first[k]; i < o->first[k + 1]; i++) {
-            tile.low = fmin(tile.low, o->point[o->order[i]].z);
-            tile.high = fmax(tile.high, o->point[o->order[i]].z);
+            range.low = fmin(range.low, o->point[o->order[i]].z);
+            range.high = fmax(range.high, o->point[o->order[i]].z);
         }
-        size_t nx = (size_t)o->tiles.nx[0];
-        tiles_set(&o->tiles, (int)(k % nx), (int)(k / nx), tile);
+        size_t nx = (size_t)o->heights.level[0].columns;
+        height_pyramid_set(&o->heights, (struct height_cell){(int)(k % nx), (int)(k / nx)}, range);
     }
 }
 
@@ -53,17 +57,36 @@ struct collision_body collision_body_points(const struct vec3 *point, size_t n)
     double side = fmax(hypot(high.x - low.x, high.y - low.y), 1e-6);
     double cell = fmax(sqrt(area * IN_CELL / (double)n), side / CELLS_MOST);
     int nx = (int)((high.x - low.x) / cell) + 1, ny = (int)((high.y - low.y) / cell) + 1;
-    o.tiles = tiles_new(low.x, low.y, cell, cell, nx, ny);
+    o.heights = height_pyramid_new(low.x, low.y, cell, cell, nx, ny);
     fill(&o, n);
     return o;
 }
 
-static void visit_points(void *what, int i, int j, struct tiles_search *search)
+/* Takes one place into the search; returns its distance. */
+static double search_place(struct holder_search *search, struct vec3 place)
 {
-    struct collision_body *o = what;
-    size_t k = (size_t)j * (size_t)o->tiles.nx[0] + (size_t)i;
+    double distance = holder_distance(search->holder, search->centre, search->axis, place);
+    if (distance < search->distance) {
+        search->distance = distance;
+        search->at = place;
+    }
+    return distance;
+}
+
+/* What a search through the pyramid is about. */
+struct body_search {
+    const struct collision_body *body;
+    struct holder_search *holder;
+};
+
+static double visit_points(void *context, struct height_cell cell)
+{
+    const struct body_search *search = context;
+    const struct collision_body *o = search->body;
+    size_t k = index_of(&o->heights, cell);
     for (size_t m = o->first[k]; m < o->first[k + 1]; m++)
-        tiles_look(search, o->point[o->order[m]]);
+        search_place(search->holder, o->point[o->order[m]]);
+    return search->holder->distance;
 }
 
 /* Top of a column; where nothing is left, or beside the grid, the bottom. */
@@ -92,28 +115,29 @@ static struct columns columns_of(const struct stock *s, int i, int j)
                             (int)fmin((j + 1) * STOCK_TILE, s->ny)};
 }
 
-static void set_tile(struct collision_body *o, int i, int j)
+static void set_heights(struct collision_body *o, int i, int j)
 {
     const struct stock *s = o->stock;
     struct columns at = columns_of(s, i, j);
-    struct tile tile = {HUGE_VAL, -HUGE_VAL};
+    struct height_range range = {HUGE_VAL, -HUGE_VAL};
     for (int v = at.j0; v < at.j1; v++)
         for (int u = at.i0; u < at.i1; u++) {
             double top = top_of(s, u, v);
-            tile.high = fmax(tile.high, top);
-            tile.low = fmin(tile.low, fmin(top, wall_foot(s, u, v)));
+            range.high = fmax(range.high, top);
+            range.low = fmin(range.low, fmin(top, wall_foot(s, u, v)));
         }
-    tiles_set(&o->tiles, i, j, tile);
+    height_pyramid_set(&o->heights, (struct height_cell){i, j}, range);
 }
 
 struct collision_body collision_body_stock(struct stock *s)
 {
     struct collision_body o = {.stock = s};
     double dx = s->dx * STOCK_TILE, dy = s->dy * STOCK_TILE;
-    o.tiles = tiles_new(s->x - s->dx / 2, s->y - s->dy / 2, dx, dy, s->tiles_x, s->tiles_y);
+    o.heights =
+        height_pyramid_new(s->x - s->dx / 2, s->y - s->dy / 2, dx, dy, s->tiles_x, s->tiles_y);
     for (int j = 0; j < s->tiles_y; j++)
         for (int i = 0; i < s->tiles_x; i++)
-            set_tile(&o, i, j);
+            set_heights(&o, i, j);
     return o;
 }
 
@@ -139,56 +163,73 @@ static void follow(struct collision_body *o)
         mark_beside(s, s->holder.item[k]);
     for (size_t k = 0; k < s->holder.n; k++) {
         int tile = s->holder.item[k];
-        set_tile(o, tile % s->tiles_x, tile / s->tiles_x);
+        set_heights(o, tile % s->tiles_x, tile / s->tiles_x);
         s->changed[tile] &= (unsigned char)~STOCK_FOR_HOLDER;
     }
     s->holder.n = 0;
 }
 
 /* The top of a column and, where they may be nearer than what was found, places down its wall. */
-static void look_at_column(const struct stock *s, int i, int j, struct tiles_search *search)
+static void look_at_column(const struct stock *s, int i, int j, struct holder_search *search)
 {
     double top = top_of(s, i, j), foot = wall_foot(s, i, j), step = fmin(s->dx, s->dy);
     struct vec3 place = vec(stock_x(s, i), stock_y(s, j), top);
     if (top <= s->bottom)
         return;
-    double distance = tiles_look(search, place);
+    double distance = search_place(search, place);
     while (place.z - step > foot && distance - (place.z - foot) < search->distance) {
         /* as far as nothing can be nearer than what was found already */
         place.z -= fmax(step, distance - search->distance);
         if (place.z > foot)
-            distance = tiles_look(search, place);
+            distance = search_place(search, place);
     }
 }
 
-static void visit_stock(void *what, int i, int j, struct tiles_search *search)
+static double visit_stock(void *context, struct height_cell cell)
 {
-    const struct collision_body *o = what;
-    struct columns at = columns_of(o->stock, i, j);
+    const struct body_search *search = context;
+    const struct stock *s = search->body->stock;
+    struct columns at = columns_of(s, cell.column, cell.row);
     for (int v = at.j0; v < at.j1; v++)
         for (int u = at.i0; u < at.i1; u++)
-            look_at_column(o->stock, u, v, search);
+            look_at_column(s, u, v, search->holder);
+    return search->holder->distance;
+}
+
+static double bound_box(void *context, struct vec3 middle, struct vec3 half)
+{
+    const struct holder_search *s = ((const struct body_search *)context)->holder;
+    return holder_bound(s->holder, s->centre, s->axis, middle, half);
+}
+
+/* Has all cells looked at where something may be nearer. */
+static void search_cells(const struct collision_body *o, struct holder_search *holder)
+{
+    struct body_search context = {o, holder};
+    struct height_search search = {bound_box, o->stock ? visit_stock : visit_points, &context,
+                                   holder->distance, holder->enough};
+    height_pyramid_search(&o->heights, &search);
 }
 
 void collision_body_free(struct collision_body *obstacle)
 {
-    tiles_free(&obstacle->tiles);
+    height_pyramid_free(&obstacle->heights);
     free(obstacle->order);
     free(obstacle->first);
 }
 
 /* What was nearest the last time is near still. */
-static void begin(const struct collision_body *o, struct tiles_search *search)
+static void begin(const struct collision_body *o, struct holder_search *search)
 {
     const struct stock *s = o->stock;
     if (s)
         look_at_column(s, clamp((o->hint.x - s->x) / s->dx + 0.5, s->nx),
                        clamp((o->hint.y - s->y) / s->dy + 0.5, s->ny), search);
     else
-        tiles_look(search, o->hint);
+        search_place(search, o->hint);
 }
 
-void collision_body_nearest(struct collision_body *o, struct tiles_search *search)
+void collision_body_nearest(struct collision_body *o, struct holder_search *search)
 {
     double before = search->distance;
     if (o->stock)
@@ -196,7 +237,7 @@ void collision_body_nearest(struct collision_body *o, struct tiles_search *searc
     if (o->hinted)
         begin(o, search);
     if (search->distance >= search->enough)
-        tiles_nearest(&o->tiles, o->stock ? visit_stock : visit_points, o, search);
+        search_cells(o, search);
     if (search->distance < before) {
         o->hinted = true;
         o->hint = search->at;

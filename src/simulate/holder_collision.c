@@ -38,7 +38,7 @@ struct stretch {
 static double nearest(struct holder_collision *w, size_t piece, struct nc_motion_pose pose,
                       double limit, double enough)
 {
-    struct tiles_search search = {w->holder, pose.p, pose.a, limit, enough, {0, 0, 0}};
+    struct holder_search search = {w->holder, pose.p, pose.a, limit, enough, {0, 0, 0}};
     collision_body_nearest(w->obstacle, &search);
     if (search.distance < limit && -search.distance > fmax(w->tolerance, w->depth)) {
         w->depth = -search.distance;

@@ -4,9 +4,9 @@
 #include <stdbool.h>
 #include <stdlib.h>
 
+#include "math/height_pyramid.h"
 #include "math/kdtree.h"
 #include "math/quadric.h"
-#include "simulate/tiles.h"
 
 enum { NEAR = 12, LONGEST = 500, RADIUS = 25, SPACINGS = 2 };
 
@@ -101,7 +101,7 @@ static void skyline(const struct stock *s, const struct vec3 *point, size_t n, s
 /* The ball over one column that reaches highest there: balls stand on all columns with a surface.
  */
 struct balls {
-    struct tiles surface; /* its height over each column */
+    struct height_pyramid surface; /* its height over each column */
     double radius;
 };
 
@@ -120,10 +120,11 @@ static double beyond(double x, double corner, double step, int first, int n)
 
 static void find_highest(const struct balls *b, int level, int i, int j, struct highest *top)
 {
-    const struct tiles *t = &b->surface;
-    if (i >= t->nx[level] || j >= t->ny[level])
+    const struct height_pyramid *t = &b->surface;
+    const struct height_level *l = &t->level[level];
+    if (i >= l->columns || j >= l->rows)
         return;
-    double z = t->level[level][(size_t)j * (size_t)t->nx[level] + (size_t)i].high;
+    double z = l->cell[(size_t)j * (size_t)l->columns + (size_t)i].high;
     double x = beyond(top->x, t->x, t->dx, i << level, 1 << level);
     double y = beyond(top->y, t->y, t->dy, j << level, 1 << level);
     double w2 = b->radius * b->radius - x * x - y * y;
@@ -156,18 +157,20 @@ static void raise(struct stock *s, const struct balls *balls)
 static void offset(struct stock *s, const struct seen *part, double reach, double allowance,
                    struct vec3s *pushed)
 {
-    struct balls balls = {tiles_new(s->x - s->dx / 2, s->y - s->dy / 2, s->dx, s->dy, s->nx, s->ny),
-                          allowance};
+    struct balls balls = {
+        height_pyramid_new(s->x - s->dx / 2, s->y - s->dy / 2, s->dx, s->dy, s->nx, s->ny),
+        allowance};
     for (int j = 0; j < s->ny; j++)
         for (int i = 0; i < s->nx; i++) {
             struct vec3 p, normal;
             if (!surface_at(part, stock_x(s, i), stock_y(s, j), reach, &p, &normal))
                 continue;
-            tiles_set(&balls.surface, i, j, (struct tile){p.z, p.z});
+            height_pyramid_set(&balls.surface, (struct height_cell){i, j},
+                               (struct height_range){p.z, p.z});
             *array_push(pushed) = vec_along(p, allowance, normal);
         }
     raise(s, &balls);
-    tiles_free(&balls.surface);
+    height_pyramid_free(&balls.surface);
 }
 
 static void lay_over(struct stock *s, const struct seen *pushed)

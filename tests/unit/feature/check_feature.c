@@ -24,7 +24,7 @@ static void free_cloud(struct feature_cloud *c)
 
 /* Roofs along y of this slope, and valleys: the place is on the ridge, the normals are those of the
  * planes, though the vertices' own are those of one smooth surface over both. */
-START_TEST(height_pyramid_and_valleys)
+START_TEST(roofs_and_valleys)
 {
     static const double slope[] = {0.2, 0.5, -0.5, 1.2, -1};
     for (int i = 0; i < 10; i++) {
@@ -134,7 +134,7 @@ int main(void)
     Suite *suite = suite_create("feature");
     TCase *tests = tcase_create("feature");
     SRunner *runner = srunner_create(suite);
-    tcase_add_test(tests, height_pyramid_and_valleys);
+    tcase_add_test(tests, roofs_and_valleys);
     tcase_add_test(tests, walls);
     tcase_add_test(tests, wall_of_columns);
     tcase_add_test(tests, nothing_on_a_sphere);

@@ -28,7 +28,7 @@ static int sharp_places(const struct vec3s *p, double noise, double slope, doubl
     return sharp;
 }
 
-START_TEST(height_pyramid)
+START_TEST(roofs)
 {
     const double noise[] = {0, 0.02, 0.05};
     for (int i = 0; i < 3; i++) {
@@ -67,7 +67,7 @@ int main(void)
     Suite *suite = suite_create("feature_test_sharp");
     TCase *tests = tcase_create("feature_test_sharp");
     SRunner *runner = srunner_create(suite);
-    tcase_add_test(tests, height_pyramid);
+    tcase_add_test(tests, roofs);
     tcase_add_test(tests, ribs);
     tcase_add_test(tests, no_points);
     suite_add_tcase(suite, tests);

@@ -33,21 +33,21 @@ START_TEST(nothing_near_a_way_is_higher)
     size_t told = 0;
     for (int i = 0; i < POINTS; i++)
         point[i] = vec(uniform(-20, 30), uniform(5, 40), uniform(-3, 3));
-    struct height_pyramid height_pyramid = height_pyramid_over(point, POINTS);
+    struct height_pyramid pyramid = height_pyramid_over(point, POINTS);
     for (int i = 0; i < WAYS; i++) {
         double radius = uniform(0.1, 4);
         struct vec3 a = vec(uniform(-19, 29), uniform(6, 39), uniform(-5, 5));
         struct vec3 b = vec(a.x + uniform(-9, 9), a.y + uniform(-9, 9), a.z);
-        double top = height_pyramid_top(&height_pyramid, a, b, radius);
+        double top = height_pyramid_top(&pyramid, a, b, radius);
         ck_assert_double_ge(top, highest(point, a, b, radius));
         /* one cell further, no more: cells are no wider than a quarter of what is looked at */
         double wide = fmax(fabs(a.x - b.x), fabs(a.y - b.y)) + 2 * radius;
-        double cell = fmax(height_pyramid.cell, wide / 4);
+        double cell = fmax(pyramid.dx, wide / 4);
         ck_assert(isinf(top) || top <= highest(point, a, b, radius + 1.01 * cell));
         told += !isinf(top);
     }
     ck_assert_uint_gt(told, WAYS / 2);
-    height_pyramid_free(&height_pyramid);
+    height_pyramid_free(&pyramid);
 }
 END_TEST
 
@@ -65,12 +65,82 @@ START_TEST(points_may_stand_in_a_line_or_be_one_or_none)
 }
 END_TEST
 
+struct nearest {
+    const struct vec3 *point;
+    const struct height_pyramid *pyramid;
+    struct vec3 from;
+    double distance;
+    size_t looked;
+};
+
+static double bound(void *context, struct vec3 middle, struct vec3 half)
+{
+    const struct nearest *n = context;
+    return vec_distance(n->from, middle) - vec_length(half);
+}
+
+static double visit(void *context, struct height_cell cell)
+{
+    struct nearest *n = context;
+    for (int i = 0; i < POINTS; i++) {
+        struct height_cell at = height_pyramid_cell(n->pyramid, n->point[i]);
+        if (at.column == cell.column && at.row == cell.row)
+            n->distance = fmin(n->distance, vec_distance(n->from, n->point[i]));
+    }
+    n->looked++;
+    return n->distance;
+}
+
+START_TEST(the_nearest_is_found_in_few_cells)
+{
+    static struct vec3 point[POINTS];
+    for (int i = 0; i < POINTS; i++)
+        point[i] = vec(uniform(-20, 30), uniform(5, 40), uniform(-3, 3));
+    struct height_pyramid pyramid = height_pyramid_over(point, POINTS);
+    size_t cells = (size_t)pyramid.level[0].columns * (size_t)pyramid.level[0].rows, looked = 0;
+    for (int i = 0; i < WAYS; i++) {
+        struct nearest n = {point, &pyramid, vec(uniform(-25, 35), uniform(0, 45), uniform(-9, 9)),
+                            HUGE_VAL, 0};
+        struct height_search search = {bound, visit, &n, HUGE_VAL, -HUGE_VAL};
+        height_pyramid_search(&pyramid, &search);
+        double want = HUGE_VAL;
+        for (int k = 0; k < POINTS; k++)
+            want = fmin(want, vec_distance(n.from, point[k]));
+        ck_assert_double_eq(search.nearest, want);
+        looked += n.looked;
+    }
+    ck_assert_uint_lt(looked, WAYS * cells / 4);
+    height_pyramid_free(&pyramid);
+}
+END_TEST
+
+/* Cells set one by one, up and down again, as those of a stock that is cut. */
+START_TEST(a_cell_may_be_set_again)
+{
+    struct height_pyramid p = height_pyramid_new(0, 0, 1, 2, 5, 3);
+    height_pyramid_set(&p, (struct height_cell){4, 2}, (struct height_range){-1, 7});
+    height_pyramid_set(&p, (struct height_cell){0, 0}, (struct height_range){2, 3});
+    const struct height_range *top = p.level[p.levels - 1].cell;
+    ck_assert_double_eq(top->low, -1);
+    ck_assert_double_eq(top->high, 7);
+    height_pyramid_set(&p, (struct height_cell){4, 2}, (struct height_range){1, 2.5});
+    ck_assert_double_eq(top->low, 1);
+    ck_assert_double_eq(top->high, 3);
+    struct height_cell at = height_pyramid_cell(&p, vec(4.5, 9, 0));
+    ck_assert_int_eq(at.column, 4);
+    ck_assert_int_eq(at.row, 2);
+    height_pyramid_free(&p);
+}
+END_TEST
+
 int main(void)
 {
-    Suite *suite = suite_create("roofs");
-    TCase *test = tcase_create("roofs");
+    Suite *suite = suite_create("height_pyramid");
+    TCase *test = tcase_create("height_pyramid");
     tcase_add_test(test, nothing_near_a_way_is_higher);
     tcase_add_test(test, points_may_stand_in_a_line_or_be_one_or_none);
+    tcase_add_test(test, the_nearest_is_found_in_few_cells);
+    tcase_add_test(test, a_cell_may_be_set_again);
     suite_add_tcase(suite, test);
     SRunner *runner = srunner_create(suite);
     srunner_run_all(runner, CK_NORMAL);

@@ -34,7 +34,7 @@ START_TEST(nearest_of_points)
     for (int trial = 0; trial < 300; trial++) {
         struct vec3 c =
             vec(random_in(&state, -50, 50), random_in(&state, -30, 30), random_in(&state, -30, 30));
-        struct tiles_search search = {&stack, c, direction(&state), 12, -HUGE_VAL, {0, 0, 0}};
+        struct holder_search search = {&stack, c, direction(&state), 12, -HUGE_VAL, {0, 0, 0}};
         double want = 12;
         for (size_t i = 0; i < points.n; i++)
             want = fmin(want, holder_distance(&stack, c, search.axis, points.item[i]));
@@ -60,9 +60,9 @@ START_TEST(nearest_of_a_stock_that_is_cut)
         struct vec3 b = vec_add(a, vec(random_in(&state, -9, 9), random_in(&state, -9, 9), -2));
         stock_capsule(&s, a, b, 3, 1);
         struct vec3 axis = direction(&state);
-        struct tiles_search search = {&stack,   vec_along(b, 6, axis), axis, 12, -HUGE_VAL,
-                                      {0, 0, 0}};
-        struct tiles_search again = search;
+        struct holder_search search = {&stack,   vec_along(b, 6, axis), axis, 12, -HUGE_VAL,
+                                       {0, 0, 0}};
+        struct holder_search again = search;
         collision_body_nearest(&block, &search);
         struct collision_body anew = collision_body_stock(&s);
         collision_body_nearest(&anew, &again);
