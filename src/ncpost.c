@@ -4,14 +4,14 @@
  * Everything is planned and checked before the first byte is written (ncplan.h); the dialect then
  * only sets it down.
  */
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "base/array.h"
 #include "base/cli.h"
-#include "machine/control.h"
 #include "post/dialect.h"
-#include "machine/machine.h"
+#include "machine/machine_options.h"
 #include "post/nccutcom.h"
 #include "post/nchead.h"
 #include "post/nchole.h"
@@ -21,10 +21,7 @@
 #include "post/selftest.h"
 
 struct settings {
-    int control;
-    bool control_given;
-    const char *machine;
-    struct cli_list set;
+    struct machine_options machine;
     double tolerance; /* of the whole ledger, 0: none */
     double chord, axis_tolerance;
     double feed;
@@ -57,14 +54,9 @@ static void read_limit(struct settings *s, const struct cli *cli)
 static void read_options(struct settings *s, struct cli *cli, int argc, char **argv)
 {
     const struct cli_option option[] = {
-        {'c', "control", CONTROL_NAMES, "control to write for (default: the machine's own)",
-         CLI_CHOICE, &s->control, 0, 0, 0, &s->control_given},
-        {'m', "machine", "NAME",
-         "machine: NAME.txt in this folder, in $CLOUDMILL_MACHINES or among\n"
-         "the installed ones, or a file (default: table-ac)",
-         CLI_TEXT, &s->machine, 0, 0, 0, NULL},
-        {0, "set", "KEY=VALUE", "set one key of the machine; may be given again", CLI_LIST, &s->set,
-         0, 0, 0, NULL},
+        machine_option_control(&s->machine, "control to write for (default: the machine's own)"),
+        machine_option_name(&s->machine),
+        machine_option_set(&s->machine),
         {'e', "tolerance", "MM",
          "most that all stages together may spend; beyond it the exit\nstatus is 3", CLI_NUMBER,
          &s->tolerance, CLI_POSITIVE, 0, 0, NULL},
@@ -114,34 +106,29 @@ static void read_options(struct settings *s, struct cli *cli, int argc, char **a
 
 static struct machine read_machine(const struct settings *s)
 {
-    struct machine machine = machine_default();
+    struct machine machine;
     struct error error;
-    if (s->machine && machine_read(&machine, s->machine, &error) != 0)
-        die_error(&error);
-    for (size_t i = 0; i < s->set.n; i++)
-        if (machine_set(&machine, s->set.item[i], &error) != 0)
-            die_usage("%s", error.text);
-    if (machine_finish(&machine, &error) != 0)
-        die_error(&error);
+    int status = machine_options_read(&s->machine, &machine, &error);
+    if (status)
+        die_status(status, &error);
     return machine;
 }
 
-static const struct dialect *choose_dialect(const struct settings *s, const struct machine *machine)
+static enum control_id choose_control(const struct settings *s, const struct machine *machine)
 {
-    static const char *const names[] = {"fanuc", "siemens", "heidenhain", "linuxcnc"};
-    const char *name = s->control_given ? names[s->control] : machine->control;
-    if (!*name)
-        die_usage("found no control, expected -c %s (machine %s names none)", CONTROL_NAMES,
+    enum control_id control = s->machine.control_given ? (enum control_id)s->machine.control
+                                                       : control_find(machine->control);
+    if (control == CONTROLS)
+        die_usage("found no control, expected -c %s (machine %s names none)", control_names(),
                   machine->name);
-    const struct dialect *dialect = dialect_find(name);
+    const struct dialect *dialect = dialect_of(control);
+    const char *name = control_row(control)->name;
     struct error error;
-    if (!dialect)
-        die("machine %s: control: found `%s`, expected %s", machine->name, name, CONTROL_NAMES);
     if (s->program && dialect->check_name(s->program, &error) != 0)
         die_usage("%s", error.text);
     if (s->vectors && dialect->vectors_never)
         die_usage("found --vectors, which %s does not know", name);
-    return dialect;
+    return control;
 }
 
 static void read_path(const struct settings *s, const char *file, struct path *path)
@@ -206,7 +193,7 @@ static void make_plan(struct nc_program *p, struct nc_plan *plan, struct path *p
                                              : s->rotary ? NC_AXIS_ROTARY
                                                          : NC_AXIS_USUAL};
     if (s->plane && !dialect->plane)
-        die_usage("found --plane, which %s does not know", dialect->name);
+        die_usage("found --plane, which %s does not know", control_row(p->control)->name);
     p->wish =
         (struct nc_plan_options){s->chord, RADIANS(s->axis_tolerance), s->feed, s->contact_feed, 1};
     if (nc_settle(p, plan, path, machine, dialect, choice, &unmet, &error) == 0)
@@ -219,12 +206,15 @@ static void make_plan(struct nc_program *p, struct nc_plan *plan, struct path *p
 int main(int argc, char **argv)
 {
     struct settings s = settings_default();
+    char usage[200];
+    snprintf(usage, sizeof usage, "-c %s [-m MACHINE] [options] [FILE]", control_names());
     struct cli cli = {.tool = "ncpost",
-                      .usage = "-c " CONTROL_NAMES " [-m MACHINE] [options] [FILE]",
+                      .usage = usage,
                       .about = "Write the NC program of a path for a control and a machine."};
     read_options(&s, &cli, argc, argv);
     struct machine machine = read_machine(&s);
-    const struct dialect *dialect = choose_dialect(&s, &machine);
+    enum control_id control = choose_control(&s, &machine);
+    const struct dialect *dialect = dialect_of(control);
     struct path path = {0};
     if (s.self_test)
         selftest_path(&path, &machine);
@@ -233,7 +223,7 @@ int main(int argc, char **argv)
 
     struct nc_plan plan;
     struct nc_program program = {
-        .path = &path, .machine = &machine, .plan = &plan, .name = s.program};
+        .control = control, .path = &path, .machine = &machine, .plan = &plan, .name = s.program};
     make_plan(&program, &plan, &path, &machine, dialect, &s);
     size_t files;
     struct error error;
@@ -244,7 +234,7 @@ int main(int argc, char **argv)
 
     tell(&path, &plan, dialect, &machine, &s);
     double sum = nc_ledger_sum(&path, &plan);
-    array_free(&s.set);
+    machine_options_free(&s.machine);
     array_free(&program.planes);
     nc_plan_free(&plan);
     path_free(&path);

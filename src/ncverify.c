@@ -12,7 +12,7 @@
 #include "base/cli.h"
 #include "io/cloud/cloud.h"
 #include "stage/holder_options.h"
-#include "machine/machine.h"
+#include "machine/machine_options.h"
 #include "ncread/ncread_machine.h"
 #include "verify/stock_options.h"
 #include "verify/verdict.h"
@@ -22,10 +22,11 @@
 static const char *const unit_name[] = {"mm", "cm", "m", "um", "inch", "in"};
 
 struct settings {
-    int control, unit;
-    bool control_given, radius_given, shank_given, band_given, left_given, centre;
-    const char *machine, *map, *page, *holder, *stock;
-    struct cli_list part, set;
+    int unit;
+    bool radius_given, shank_given, band_given, left_given, centre;
+    struct machine_options machine;
+    const char *map, *page, *holder, *stock;
+    struct cli_list part;
     double radius, tolerance, left, band, shank, cell;
     struct holder shape;
     struct stock_options block;
@@ -50,15 +51,10 @@ static void read_options(struct settings *s, struct cli *cli, int argc, char **a
          CLI_LIST, &s->part, 0, 0, 0, NULL},
         {'r', "radius", "MM", "radius of the ball", CLI_NUMBER, &s->radius, CLI_POSITIVE, 1e4, 0,
          &s->radius_given},
-        {'c', "control", "fanuc|siemens|heidenhain|linuxcnc",
-         "control of the program (default: told from its first lines)", CLI_CHOICE, &s->control, 0,
-         0, 0, &s->control_given},
-        {'m', "machine", "NAME",
-         "machine: NAME.txt in this folder, in $CLOUDMILL_MACHINES or among\n"
-         "the installed ones, or a file (default: table-ac)",
-         CLI_TEXT, &s->machine, 0, 0, 0, NULL},
-        {0, "set", "KEY=VALUE", "set one key of the machine; may be given again", CLI_LIST, &s->set,
-         0, 0, 0, NULL},
+        machine_option_control(&s->machine,
+                               "control of the program (default: told from its first lines)"),
+        machine_option_name(&s->machine),
+        machine_option_set(&s->machine),
         {'e', "tolerance", "MM", "deepest gouge; beyond it the exit status is 3 (default 0.05)",
          CLI_NUMBER, &s->tolerance, CLI_POSITIVE, 100, 0, NULL},
         {0, "left", "MM",
@@ -115,32 +111,26 @@ static void read_options(struct settings *s, struct cli *cli, int argc, char **a
 
 static struct machine read_machine(const struct settings *s)
 {
-    struct machine machine = machine_default();
+    struct machine machine;
     struct error error;
-    if (s->machine && machine_read(&machine, s->machine, &error) != 0)
-        die_error(&error);
-    for (size_t i = 0; i < s->set.n; i++)
-        if (machine_set(&machine, s->set.item[i], &error) != 0)
-            die_error(&error);
-    if (machine_finish(&machine, &error) != 0)
-        die_error(&error);
+    int status = machine_options_read(&s->machine, &machine, &error);
+    if (status)
+        die_status(status, &error);
     return machine;
 }
 
 static void read_program(const struct settings *s, const struct machine *machine, const char *file,
                          struct verdict *v, struct nc_motion *motion)
 {
-    static const char *const names[] = {"fanuc", "siemens", "heidenhain", "linuxcnc"};
-    struct ncread_options setup = {.tcp = machine->tcp, .kinematics = ncread_kinematics(machine)};
+    struct ncread_options setup = {.kinematics = ncread_kinematics(machine)};
     struct error error;
-    if (!s->control_given && (!file || strcmp(file, "-") == 0))
+    if (!s->machine.control_given && (!file || strcmp(file, "-") == 0))
         die_usage("the program is read from standard input: say its control by -c");
-    setup.dialect = s->control_given ? ncread_named(names[s->control]) : ncread_tell(file, &error);
+    setup.dialect = s->machine.control_given ? ncread_of((enum control_id)s->machine.control)
+                                             : ncread_tell(file, &error);
     if (!setup.dialect)
         die_error(&error);
-    /* LinuxCNC has no word for it: its kinematics does it or does not */
-    if (setup.dialect == &ncread_linuxcnc)
-        setup.tcp = setup.tcp && strcmp(machine->control, "linuxcnc") == 0;
+    setup.tcp = machine_has_tcp(machine, control_find(setup.dialect->name));
     if (ncread_read(file, &setup, motion, &error) < 0)
         die_error(&error);
     motion->track = s->centre ? NC_MOTION_CENTRE : NC_MOTION_TIP;
@@ -212,7 +202,7 @@ int main(int argc, char **argv)
     verify_run_free(&run);
     array_free(&points);
     array_free(&s.part);
-    array_free(&s.set);
+    machine_options_free(&s.machine);
     nc_motion_free(&motion);
     return refused ? EXIT_UNMET : EXIT_DONE;
 }

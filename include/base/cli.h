@@ -72,6 +72,9 @@ _Noreturn void die_error(const struct error *error);
 _Noreturn void die_usage(const char *format, ...) __attribute__((format(printf, 1, 2)));
 _Noreturn void die_unmet(const char *format, ...) __attribute__((format(printf, 1, 2)));
 
+/* The same with the status as a value: EXIT_FAILED, EXIT_USAGE or EXIT_UNMET. */
+_Noreturn void die_status(int status, const struct error *error);
+
 /* Percent on standard error when that is a terminal and -q was not given; done == of clears it. */
 void progress(const char *what, size_t done, size_t of);
 

@@ -11,6 +11,7 @@
 #include <stdbool.h>
 
 #include "base/error.h"
+#include "machine/control.h"
 #include "machine/keys.h"
 #include "machine/kinematics.h"
 
@@ -88,6 +89,9 @@ struct keys machine_keys(struct machine *machine);
 /* machine_finish for what reads files: the error names no machine, and `key` is the one to
  * blame. */
 int machine_assemble(struct machine *machine, char key[KEY_NAME], struct error *error);
+
+/* True if programs of this control can have tool-centre-point control on the machine. */
+bool machine_has_tcp(const struct machine *machine, enum control_id control);
 
 /* The letter of an axis: 'X' ... 'C'. */
 char machine_letter(int axis);

@@ -9,6 +9,7 @@
 #define CLOUDMILL_NCREAD_H
 
 #include "base/array.h"
+#include "machine/control.h"
 #include "simulate/nc_motion.h"
 #include "base/error.h"
 #include "ncread/ncread_hole.h"
@@ -87,10 +88,12 @@ int ncread_read(const char *file, const struct ncread_options *setup, struct nc_
                 struct error *error);
 
 /* The controls. */
-extern const struct ncread_dialect ncread_fanuc, ncread_siemens, ncread_heidenhain, ncread_linuxcnc;
+#define ROW(name, title, tcp_of_machine) extern const struct ncread_dialect ncread_##name;
+CONTROL_TABLE(ROW)
+#undef ROW
 
-/* The dialect of this name, NULL: none. */
-const struct ncread_dialect *ncread_named(const char *name);
+/* The reader of a control's programs. */
+const struct ncread_dialect *ncread_of(enum control_id control);
 
 /* The dialect that a program's first lines look like, NULL with the error: they look like none. */
 const struct ncread_dialect *ncread_tell(const char *file, struct error *error);

@@ -5,6 +5,7 @@
 #ifndef CLOUDMILL_DIALECT_H
 #define CLOUDMILL_DIALECT_H
 
+#include "machine/control.h"
 #include "post/ncframe.h"
 #include "post/ncplan.h"
 #include "post/ncwrite.h"
@@ -22,6 +23,7 @@ struct nc_tooling {
 
 /* A program while it is written. */
 struct nc_program {
+    enum control_id control;
     const struct path *path;
     const struct machine *machine;
     const struct nc_plan *plan;
@@ -47,7 +49,6 @@ struct nc_program {
 enum nc_axis_words { NC_AXIS_USUAL, NC_AXIS_VECTORS, NC_AXIS_ROTARY };
 
 struct dialect {
-    const char *name;
     struct nc_format_options style;
     struct machine_digits digits; /* usual numbers of decimals */
     bool vectors;                 /* the usual axis words under tool-centre-point control */
@@ -57,8 +58,6 @@ struct dialect {
     bool steps_alike;             /* its drilling cycles know one step, and no dwell with it */
     bool plane;                   /* it can turn to a tilted plane */
     bool plane_euler;             /* by Euler's angles */
-    bool tcp_of_machine;          /* it has tool-centre-point control only where the machine file
-                                     names this control and says so */
     enum nc_arcs arcs, arcs_vectors;
     enum nc_arcs arcs_space; /* those of a machine that has the key arcs.space */
     enum nc_splines splines, splines_vectors;
@@ -80,12 +79,12 @@ struct dialect {
     void (*finish)(struct nc_program *p); /* the end of the program */
 };
 
-/* By its name; NULL: none. */
-const struct dialect *dialect_find(const char *name);
+/* The writer of a control's programs. */
+const struct dialect *dialect_of(enum control_id control);
 
 /* What a program for this control and machine may hold.  `still`: the rotary axes stay at zero, and
  * nothing needs to be said of them. */
-struct nc_ability dialect_ability(const struct dialect *dialect, const struct machine *machine,
+struct nc_ability dialect_ability(enum control_id control, const struct machine *machine,
                                   enum nc_axis_words axis, bool still, double unit);
 
 /* The start of the program, up to its first motion; what comes behind its last one. */

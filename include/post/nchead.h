@@ -8,7 +8,7 @@
 #include "post/dialect.h"
 
 /* Comments at the start of the program. */
-void nc_head(struct nc_program *p, const char *control);
+void nc_head(struct nc_program *p);
 
 /* Sum of the ledger with ncpost's own share, mm. */
 double nc_ledger_sum(const struct path *path, const struct nc_plan *plan);

@@ -98,6 +98,15 @@ void die_unmet(const char *format, ...)
     exit(EXIT_UNMET);
 }
 
+void die_status(int status, const struct error *error)
+{
+    if (status == EXIT_USAGE)
+        die_usage("%s", error->text);
+    if (status == EXIT_UNMET)
+        die_unmet("%s", error->text);
+    die_error(error);
+}
+
 void progress(const char *what, size_t done, size_t of)
 {
     static time_t last;

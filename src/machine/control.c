@@ -3,16 +3,28 @@
 
 #include <string.h>
 
-bool control_known(const char *name)
+#define ROW(name, title, tcp_of_machine) {#name, title, tcp_of_machine},
+static const struct control table[] = {CONTROL_TABLE(ROW)};
+#undef ROW
+
+#define ROW(name, title, tcp_of_machine) "|" #name
+static const char names[] = CONTROL_TABLE(ROW);
+#undef ROW
+
+const struct control *control_row(enum control_id id)
 {
-    size_t length = strlen(name);
-    for (const char *s = CONTROL_NAMES; length; s++) {
-        size_t own = strcspn(s, "|");
-        if (own == length && strncmp(s, name, length) == 0)
-            return true;
-        s += own;
-        if (!*s)
-            break;
-    }
-    return false;
+    return &table[id];
+}
+
+enum control_id control_find(const char *name)
+{
+    int id = 0;
+    while (id < CONTROLS && strcmp(table[id].name, name) != 0)
+        id++;
+    return (enum control_id)id;
+}
+
+const char *control_names(void)
+{
+    return names + 1;
 }

@@ -6,7 +6,6 @@
 #include <string.h>
 
 #include "base/array.h"
-#include "machine/control.h"
 #include "machine/keys.h"
 #include "machine/template.h"
 
@@ -15,6 +14,12 @@ static const char letters[] = "XYZABC";
 char machine_letter(int axis)
 {
     return letters[axis];
+}
+
+bool machine_has_tcp(const struct machine *machine, enum control_id control)
+{
+    return machine->tcp &&
+           (!control_row(control)->tcp_of_machine || control_find(machine->control) == control);
 }
 
 struct machine machine_default(void)
@@ -209,8 +214,8 @@ int machine_assemble(struct machine *m, char key[KEY_NAME], struct error *error)
     static const int axes_of_type[] = {2, 2, 2, 1, 1, 0};
     int letter[ROTARY_MAX] = {0, 0}, n = axes_of_type[m->type];
     snprintf(key, KEY_NAME, "control");
-    if (*m->control && !control_known(m->control))
-        return error_set(error, "control: found `%s`, expected %s", m->control, CONTROL_NAMES);
+    if (*m->control && control_find(m->control) == CONTROLS)
+        return error_set(error, "control: found `%s`, expected %s", m->control, control_names());
     if (check_templates(m, key, error) != 0 || check_travel(m, key, error) != 0)
         return -1;
     snprintf(key, KEY_NAME, "axes");

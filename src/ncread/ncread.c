@@ -180,15 +180,13 @@ int ncread_go(struct ncread *c, const struct ncread_place *to, struct nc_piece p
     return 0;
 }
 
-static const struct ncread_dialect *const dialects[] = {&ncread_fanuc, &ncread_siemens,
-                                                        &ncread_heidenhain, &ncread_linuxcnc};
+#define ROW(name, title, tcp_of_machine) &ncread_##name,
+static const struct ncread_dialect *const dialects[] = {CONTROL_TABLE(ROW)};
+#undef ROW
 
-const struct ncread_dialect *ncread_named(const char *name)
+const struct ncread_dialect *ncread_of(enum control_id control)
 {
-    for (size_t i = 0; i < sizeof dialects / sizeof *dialects; i++)
-        if (strcmp(dialects[i]->name, name) == 0)
-            return dialects[i];
-    return NULL;
+    return dialects[control];
 }
 
 const struct ncread_dialect *ncread_tell(const char *file, struct error *error)

@@ -1,8 +1,7 @@
 /* layer_program - an NC program as strokes, as the control runs it; see layer.h. */
 #include <stdlib.h>
-#include <string.h>
 
-#include "post/dialect.h"
+#include "machine/machine_options.h"
 #include "plot/layer.h"
 #include "ncread/ncread.h"
 #include "ncread/ncread_machine.h"
@@ -133,27 +132,18 @@ static void add_course(const struct nc_motion *motion, const struct layer_option
         add_poles(layer, motion);
 }
 
-/* Some controls have tool centre point control only on machines that are theirs. */
-static bool has_tcp(const char *control, const struct machine *machine)
-{
-    const struct dialect *dialect = dialect_find(control);
-    bool theirs = strcmp(machine->control, control) == 0;
-    return machine->tcp && (theirs || !dialect || !dialect->tcp_of_machine);
-}
-
 int layer_program(const char *file, const struct layer_options *options, struct layer *layer,
                   struct error *error)
 {
-    struct machine machine = machine_default();
-    if (options->machine && machine_read(&machine, options->machine, error) != 0)
-        return -1;
-    if (machine_finish(&machine, error) != 0)
+    const struct machine_options chosen = {.name = options->machine};
+    struct machine machine;
+    if (machine_options_read(&chosen, &machine, error) != 0)
         return -1;
     struct ncread_options setup = {.dialect = ncread_tell(file, error),
                                    .kinematics = ncread_kinematics(&machine)};
     struct nc_motion motion = {0};
     if (setup.dialect)
-        setup.tcp = has_tcp(setup.dialect->name, &machine);
+        setup.tcp = machine_has_tcp(&machine, control_find(setup.dialect->name));
     if (!setup.dialect || stream_again(file, error) < 0 ||
         ncread_read(file, &setup, &motion, error) < 0) {
         nc_motion_free(&motion);

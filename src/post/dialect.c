@@ -1,23 +1,21 @@
 /* dialect - see dialect.h. */
 #include "post/dialect.h"
 
-#include <string.h>
-
 #include "post/nccutcom.h"
 #include "post/nchead.h"
 #include "nctool.h"
 
-extern const struct dialect dialect_fanuc, dialect_siemens, dialect_heidenhain, dialect_linuxcnc;
+#define ROW(name, title, tcp_of_machine) extern const struct dialect dialect_##name;
+CONTROL_TABLE(ROW)
+#undef ROW
 
-static const struct dialect *const table[] = {&dialect_fanuc, &dialect_siemens, &dialect_heidenhain,
-                                              &dialect_linuxcnc};
+#define ROW(name, title, tcp_of_machine) &dialect_##name,
+static const struct dialect *const table[] = {CONTROL_TABLE(ROW)};
+#undef ROW
 
-const struct dialect *dialect_find(const char *name)
+const struct dialect *dialect_of(enum control_id control)
 {
-    for (size_t i = 0; i < sizeof table / sizeof *table; i++)
-        if (strcmp(table[i]->name, name) == 0)
-            return table[i];
-    return NULL;
+    return table[control];
 }
 
 static int given(int digits, int usual)
@@ -25,9 +23,10 @@ static int given(int digits, int usual)
     return digits < 0 ? usual : digits;
 }
 
-struct nc_ability dialect_ability(const struct dialect *dialect, const struct machine *machine,
+struct nc_ability dialect_ability(enum control_id control, const struct machine *machine,
                                   enum nc_axis_words axis, bool still, double unit)
 {
+    const struct dialect *dialect = dialect_of(control);
     int finer = unit > 1; /* an inch is 25.4 mm: a digit more */
     bool vectors = axis == NC_AXIS_USUAL ? dialect->vectors : axis == NC_AXIS_VECTORS;
     const struct machine_digits *own = &machine->digits, *usual = &dialect->digits;
@@ -40,9 +39,7 @@ struct nc_ability dialect_ability(const struct dialect *dialect, const struct ma
         .unit = unit,
         .feed_max = machine->feed_max,
     };
-    bool tcp = machine->tcp;
-    if (dialect->tcp_of_machine && strcmp(machine->control, dialect->name) != 0)
-        tcp = false;
+    bool tcp = machine_has_tcp(machine, control);
     still = still || machine->chain.n == 0;
     ability.tcp = tcp && !still;
     if (tcp || still) {

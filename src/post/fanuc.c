@@ -64,7 +64,7 @@ static void start(struct nc_program *p)
     p->cutcom_offset = true;
     nc_line(w, "%");
     program_number(p);
-    nc_head(p, "Fanuc");
+    nc_head(p);
     nc_code(w, p->plan->ability.unit > 1 ? "G90 G17 G20 G40 G49 G80 G94"
                                          : "G90 G17 G21 G40 G49 G80 G94");
     nc_offset(p, "G54");
@@ -201,7 +201,6 @@ static void finish(struct nc_program *p)
 }
 
 const struct dialect dialect_fanuc = {
-    .name = "fanuc",
     .style = {.open = "(", .close = ")", .capitals = true, .point = true},
     .digits = {.linear = 3, .angle = 3, .vector = 6, .knot = 3, .feed = 1},
     .vectors_doubtful = true,

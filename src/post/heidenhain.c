@@ -95,7 +95,7 @@ static void start(struct nc_program *p)
 {
     struct nc_writer *w = &p->w;
     program_line(p, "BEGIN");
-    nc_head(p, "Heidenhain");
+    nc_head(p);
     nc_offset(p, "");
     nc_end(w);
     nc_template(p, p->machine->blocks.start, "");
@@ -220,7 +220,6 @@ static void finish(struct nc_program *p)
 }
 
 const struct dialect dialect_heidenhain = {
-    .name = "heidenhain",
     .style = {.open = "; ", .close = "", .sign = true, .count_all = true},
     .digits = {.linear = 4, .angle = 4, .vector = 7, .knot = 3, .feed = 1},
     .vectors_doubtful = true,

@@ -59,7 +59,7 @@ static void start(struct nc_program *p)
     nc_line(w, "%");
     if (p->name)
         nc_comment(w, "%s", p->name);
-    nc_head(p, "LinuxCNC");
+    nc_head(p);
     nc_code(w, p->plan->ability.unit > 1 ? "G90 G91.1 G17 G20 G40 G49 G80 G94"
                                          : "G90 G91.1 G17 G21 G40 G49 G80 G94");
     nc_offset(p, "G54");
@@ -141,11 +141,9 @@ static void finish(struct nc_program *p)
 }
 
 const struct dialect dialect_linuxcnc = {
-    .name = "linuxcnc",
     .style = {.open = "(", .close = ")", .capitals = true, .point = true, .most = 99999},
     .digits = {.linear = 4, .angle = 4, .vector = 6, .knot = 3, .feed = 2},
     .vectors_never = true,
-    .tcp_of_machine = true,
     .arcs = NC_ARCS_CENTRE,
     .splines = NC_SPLINES_NONE,
     .steps_alike = true,

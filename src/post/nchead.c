@@ -70,13 +70,14 @@ static void head_ledger(struct nc_program *p)
                shown(nc_ledger_sum(p->path, p->plan)), shown(DEGREES(total->spent.axis)));
 }
 
-void nc_head(struct nc_program *p, const char *control)
+void nc_head(struct nc_program *p)
 {
     const struct nc_total *total = &p->plan->total;
     const char *partno = p->path->head.partno;
     if (partno && *partno)
         nc_comment(&p->w, "%.70s", partno);
-    nc_comment(&p->w, "cloudmill ncpost for %s, %.50s", control, p->machine->name);
+    nc_comment(&p->w, "cloudmill ncpost for %s, %.50s", control_row(p->control)->title,
+               p->machine->name);
     if (p->parts)
         nc_comment(&p->w, "Part %zu of %zu; figures below are those of the whole", p->part,
                    p->parts);

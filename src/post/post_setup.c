@@ -39,13 +39,14 @@ int nc_settle(struct nc_program *p, struct nc_plan *plan, struct path *path,
     double smoothing = machine->smooth ? p->wish.chord : 0;
     if (set_frame(p, path, machine, dialect, choice, &still, unmet, error) != 0)
         return -1;
-    struct nc_ability ability = dialect_ability(dialect, machine, choice.axis, still, p->wish.unit);
+    struct nc_ability ability =
+        dialect_ability(p->control, machine, choice.axis, still, p->wish.unit);
     ability.smoothing = smoothing;
     int result = nc_plan_make(plan, path, machine, ability, p->wish, error);
     *unmet = result != 0 && plan->unmet;
     if (*unmet && ability.mode == INTERPOLATE_VECTOR) {
         struct error again;
-        ability = dialect_ability(dialect, machine, NC_AXIS_ROTARY, still, p->wish.unit);
+        ability = dialect_ability(p->control, machine, NC_AXIS_ROTARY, still, p->wish.unit);
         ability.smoothing = smoothing;
         nc_plan_free(plan);
         result = nc_plan_make(plan, path, machine, ability, p->wish, &again);

@@ -80,7 +80,7 @@ static void start(struct nc_program *p)
 {
     struct nc_writer *w = &p->w;
     program_name(p);
-    nc_head(p, "Siemens");
+    nc_head(p);
     nc_code(w, p->plan->ability.unit > 1 ? "G90 G17 G700 G40 G94" : "G90 G17 G71 G40 G94");
     nc_offset(p, "G54");
     nc_end(w);
@@ -176,7 +176,6 @@ static void finish(struct nc_program *p)
 }
 
 const struct dialect dialect_siemens = {
-    .name = "siemens",
     .style = {.open = "; ", .close = ""},
     .digits = {.linear = 5, .angle = 5, .vector = 8, .knot = 5, .feed = 2},
     .vectors = true,

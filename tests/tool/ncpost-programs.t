@@ -339,7 +339,7 @@ ncpost -q -c fanuc --set 'home=G53 Z0.|G90' --set 'tool.change=T{tool}|M6 (S{rpm
 for line in 'G53 Z0\.' 'T3' 'M6 \(S12000\)' 'G187' 'M99' 'G43\.4 H3'; do
 	has "templates: a block $line" "^N[0-9]+ $line\$" own.nc
 done
-status 1 "a template with a word that nobody knows" \
+status 2 "a template with a word that nobody knows" \
 	ncpost -c fanuc --set 'home=G53 Z{height}' "$golden/shapes.cl"
 has "names it" '\{height\}' err
 for control in fanuc siemens heidenhain linuxcnc; do

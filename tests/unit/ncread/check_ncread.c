@@ -7,9 +7,12 @@
 #include "ncread/ncread.h"
 #include "scratch.h"
 
-static const struct ncread_dialect *const dialects[] = {&ncread_fanuc, &ncread_siemens,
-                                                        &ncread_heidenhain, &ncread_linuxcnc};
-enum { FANUC, SIEMENS, HEIDENHAIN, LINUXCNC, CONTROLS };
+enum {
+    FANUC = CONTROL_fanuc,
+    SIEMENS = CONTROL_siemens,
+    HEIDENHAIN = CONTROL_heidenhain,
+    LINUXCNC = CONTROL_linuxcnc
+};
 
 /* What stands before and behind the cut: spindle, tool, the tip at 0 0 50 with the axis upright. */
 static const char *const head[] = {
@@ -42,7 +45,7 @@ static void numbered(char *text, size_t size)
 static int read_cut(int control, const char *cut, struct nc_motion *motion, struct error *error)
 {
     char text[4000];
-    struct ncread_options setup = {.dialect = dialects[control],
+    struct ncread_options setup = {.dialect = ncread_of((enum control_id)control),
                                    .tcp = true,
                                    .kinematics = verify_kinematics_trunnion('A', 1)};
     snprintf(text, sizeof text, "%s%s%s", head[control], cut, foot[control]);
@@ -171,8 +174,9 @@ START_TEST(inches)
     char text[4000], changed[4000] = "";
     struct nc_motion motion = {0};
     struct error error;
-    struct ncread_options setup = {
-        .dialect = dialects[_i], .tcp = true, .kinematics = verify_kinematics_trunnion('A', 1)};
+    struct ncread_options setup = {.dialect = ncread_of((enum control_id)_i),
+                                   .tcp = true,
+                                   .kinematics = verify_kinematics_trunnion('A', 1)};
     snprintf(text, sizeof text, "%s%s%s", head[_i], cut[_i], foot[_i]);
     char *s = text;
     for (char *at = strstr(s, from[_i]); at; at = strstr(s, from[_i])) {

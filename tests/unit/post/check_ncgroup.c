@@ -83,7 +83,7 @@ static int try_pass(const struct machine *m, const struct vec3 axis[], int *turn
     struct error error;
     double way = 0;
     struct path path = path_of(axis);
-    struct nc_ability ability = dialect_ability(dialect_find("fanuc"), m, NC_AXIS_ROTARY, false, 1);
+    struct nc_ability ability = dialect_ability(CONTROL_fanuc, m, NC_AXIS_ROTARY, false, 1);
     int least = angles_least(&m->chain, axis, POINTS, from, &way);
     int result = nc_plan_make(&plan, &path, m, ability, wish, &error);
     ck_assert_msg(result == (least < 0 ? -1 : 0), "%d turns, %s", least, error.text);
