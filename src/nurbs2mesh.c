@@ -8,18 +8,18 @@
 #include <string.h>
 
 #include "base/cli.h"
-#include "io/cloud/cloud.h"
-#include "stage/nurbs_report.h"
-#include "nurbs/orient.h"
 #include "base/parallel.h"
+#include "io/cloud/cloud.h"
 #include "io/mesh/ply.h"
 #include "io/nurbs/surfaces.h"
+#include "nurbs/orient.h"
 #include "nurbs/sew.h"
+#include "stage/nurbs_report.h"
 
-enum { MOST = 5000 };
+enum { CELLS_MAX = 5000 };
 
-/* By the size of the part: edges so near are one, and a surface so narrow is none. */
-static const double WIDE = 2.5e-4, NARROW = 1e-5;
+/* By the size of the part: edges so near are joined, and surfaces so narrow are left out. */
+static const double GAP = 2.5e-4, NARROW = 1e-5;
 
 struct settings {
     int n;
@@ -37,7 +37,7 @@ static struct settings read_options(struct cli *cli, int argc, char **argv)
     static struct settings s = {.n = 200, .up = {0, 0, 1}};
     const struct cli_option option[] = {
         {'n', "count", "N", "triangles in each direction of a surface (default: 200)", CLI_COUNT,
-         &s.n, 1, MOST, 0, &s.count_given},
+         &s.n, 1, CELLS_MAX, 0, &s.count_given},
         {'e', "tolerance", "MM",
          "instead: as many as keep each triangle and each trimmed edge so near\nto the surface",
          CLI_NUMBER, &s.tolerance, CLI_POSITIVE, 0, 0, NULL},
@@ -55,7 +55,7 @@ static struct settings read_options(struct cli *cli, int argc, char **argv)
         {0, "grid", "N",
          "print points and normals of an N x N grid of the parameters of each\n"
          "surface, untrimmed, instead of the mesh",
-         CLI_COUNT, &s.grid, 2, MOST, 0, NULL},
+         CLI_COUNT, &s.grid, 2, CELLS_MAX, 0, NULL},
         {0}};
     cli->option = option;
     cli_parse(cli, argc, argv);
@@ -80,22 +80,22 @@ static void read_files(const struct cli *cli, const struct settings *s, struct p
 }
 
 /* What the threads share: a surface is a unit of work. */
-struct job {
+struct tessellate_all {
     const struct patches *patches;
-    struct tessellation how;
+    struct tessellate_options how;
     struct sheet *sheet;
 };
 
 static void tessellate_some(void *context, size_t from, size_t to)
 {
-    struct job *job = context;
+    struct tessellate_all *all = context;
     for (size_t i = from; i < to; i++)
-        tessellate(&job->patches->item[i], job->how, &job->sheet[i]);
+        tessellate(&all->patches->item[i], all->how, &all->sheet[i]);
 }
 
-/* The farthest any triangle is off its surface. */
-static double judge(const struct settings *s, const struct patches *patches,
-                    const struct sheet *sheet)
+/* How far triangles are off their surfaces at most; ends where that is more than asked for. */
+static double check_error(const struct settings *s, const struct patches *patches,
+                          const struct sheet *sheet)
 {
     size_t worst = 0;
     for (size_t i = 0; i < patches->n; i++) {
@@ -118,52 +118,52 @@ static double judge(const struct settings *s, const struct patches *patches,
     return sheet[worst].error;
 }
 
-/* Sheets to the tolerance, made one; returns how far triangles are off, with what their corners
- * moved where surfaces do not quite meet. */
-static double make_sheets(const struct cli *cli, const struct settings *s,
-                          const struct patches *patches, double size, double fine,
-                          struct sheet *sheet, struct patch_mesh *patch_mesh,
-                          struct sew_count *welded)
+/* Tessellates and sews; returns how far triangles are off, with what sewing moved their corners. */
+static double tessellate_and_sew(const struct cli *cli, const struct settings *s,
+                                 const struct patches *patches, double size, double fine,
+                                 struct sheet *sheet, struct patch_mesh *patch_mesh,
+                                 struct sew_count *sewn)
 {
     /* Few surfaces: the threads share each of them, else each takes one. */
     bool few = patches->n < 8;
-    struct job job = {patches, {s->tolerance > 0 ? 0 : s->n, fine, few ? cli->threads : 1}, sheet};
-    double gap = s->gap > 0 ? s->gap : WIDE * size;
+    struct tessellate_all all = {
+        patches, {s->tolerance > 0 ? 0 : s->n, fine, few ? cli->threads : 1}, sheet};
+    double gap = s->gap > 0 ? s->gap : GAP * size;
     if (s->gap == 0 && s->tolerance > 0)
         gap = fmin(gap, s->tolerance);
     for (size_t i = 0; i < patches->n; i++)
         sheet_free(&sheet[i]);
     patch_mesh_free(patch_mesh);
-    parallel_shown("tessellating", few ? 1 : cli->threads, patches->n, tessellate_some, &job);
+    parallel_shown("tessellating", few ? 1 : cli->threads, patches->n, tessellate_some, &all);
     nurbs_report_trimming(patches, sheet, fine);
-    double error = judge(s, patches, sheet);
+    double error = check_error(s, patches, sheet);
     patch_mesh_make(sheet, patches->n, fmin(NARROW * size, gap), patch_mesh);
-    *welded = sew(patch_mesh, patches, gap, fine);
-    return error + welded->moved;
+    *sewn = sew(patch_mesh, patches, gap, fine);
+    return error + sewn->moved;
 }
 
 /* Everything between reading and writing; returns how far triangles are off. */
-static double make_quilt(const struct cli *cli, const struct settings *s,
-                         const struct patches *patches, struct sheet *sheet,
-                         struct patch_mesh *patch_mesh)
+static double make_patch_mesh(const struct cli *cli, const struct settings *s,
+                              const struct patches *patches, struct sheet *sheet,
+                              struct patch_mesh *patch_mesh)
 {
     double size = patches_size(patches);
     double fine = s->tolerance > 0 ? s->tolerance : fmax(1e-5 * size, 1e-3);
-    struct sew_count welded;
-    double error = make_sheets(cli, s, patches, size, fine, sheet, patch_mesh, &welded);
-    /* What joining edges takes of the tolerance, triangles must leave. */
+    struct sew_count sewn;
+    double error = tessellate_and_sew(cli, s, patches, size, fine, sheet, patch_mesh, &sewn);
+    /* What sewing takes of the tolerance is left to it: triangles keep less. */
     for (int i = 0; i < 3 && s->tolerance > 0 && error > s->tolerance; i++) {
-        fine = fmax(s->tolerance - 1.1 * welded.moved, s->tolerance / 4);
-        error = make_sheets(cli, s, patches, size, fine, sheet, patch_mesh, &welded);
+        fine = fmax(s->tolerance - 1.1 * sewn.moved, s->tolerance / 4);
+        error = tessellate_and_sew(cli, s, patches, size, fine, sheet, patch_mesh, &sewn);
     }
     if (s->tolerance > 0 && error > s->tolerance)
         die_unmet("neighbours lie %g mm and more apart, expected %g mm (-e): take a smaller --gap",
-                  welded.moved, s->tolerance);
+                  sewn.moved, s->tolerance);
     struct orient_count out = orient_outward(patch_mesh, vec(s->up[0], s->up[1], s->up[2]));
     note("%zu border vertices joined and %zu inserted, moved by at most %g mm; %zu %s; %zu open "
          "edges",
-         welded.joined, welded.inserted, welded.moved, out.bodies,
-         out.bodies == 1 ? "body" : "bodies", out.open);
+         sewn.joined, sewn.inserted, sewn.moved, out.bodies, out.bodies == 1 ? "body" : "bodies",
+         out.open);
     if (patch_mesh->narrow > 0)
         say("%zu surfaces narrower than %g mm left out", patch_mesh->narrow, NARROW * size);
     if (out.unclear > 0)
@@ -183,26 +183,27 @@ static char *source_of(const struct cli *cli)
     return mem_string(name, (size_t)n);
 }
 
-/* What the mesh says of each surface: its name and where it is most tightly hollow. */
-static void tell_surfaces(const struct patches *patches, const struct concave_radius *hollow,
-                          struct mesh_surfaces *told)
+/* What the mesh says of each surface: its name and its smallest concave radius. */
+static void name_surfaces(const struct patches *patches, const struct concave_radius *concave,
+                          struct mesh_surfaces *surfaces)
 {
     for (size_t i = 0; i < patches->n; i++) {
         char name[300];
         int n = snprintf(name, sizeof name, "%.280s:%d", patches->item[i].file,
                          patches->item[i].entity);
-        bool is_hollow = hollow[i].curvature > 1e-9;
-        *array_push(told) = (struct mesh_surface){
-            mem_string(name, (size_t)n), is_hollow ? 1 / hollow[i].curvature : 0, hollow[i].point};
+        bool is_concave = concave[i].curvature > 1e-9;
+        *array_push(surfaces) =
+            (struct mesh_surface){mem_string(name, (size_t)n),
+                                  is_concave ? 1 / concave[i].curvature : 0, concave[i].point};
     }
 }
 
 static void write_mesh(const struct cli *cli, const struct patches *patches,
-                       const struct concave_radius *hollow, const struct patch_mesh *patch_mesh,
+                       const struct concave_radius *concave, const struct patch_mesh *patch_mesh,
                        double error)
 {
     struct mesh mesh = {.origin = {.ledger = error}};
-    tell_surfaces(patches, hollow, &mesh.origin.surface);
+    name_surfaces(patches, concave, &mesh.origin.surface);
     mesh.origin.source = source_of(cli);
     mesh.origin.maker = mem_string("nurbs2mesh", strlen("nurbs2mesh"));
     patch_mesh_mesh(patch_mesh, &mesh);
@@ -233,14 +234,14 @@ int main(int argc, char **argv)
     if (settings.grid > 0) {
         nurbs_report_grid(cli.output, &patches, settings.grid);
     } else {
-        double error = make_quilt(&cli, &settings, &patches, sheet, &patch_mesh);
-        struct concave_radius *hollow =
+        double error = make_patch_mesh(&cli, &settings, &patches, sheet, &patch_mesh);
+        struct concave_radius *concave =
             concave_radius_find_all(&patches, patch_mesh.flipped, cli.threads);
         if (settings.report)
-            nurbs_report_radii(cli.output, &patches, hollow);
+            nurbs_report_radii(cli.output, &patches, concave);
         else
-            write_mesh(&cli, &patches, hollow, &patch_mesh, error);
-        free(hollow);
+            write_mesh(&cli, &patches, concave, &patch_mesh, error);
+        free(concave);
     }
     for (size_t i = 0; i < patches.n; i++)
         sheet_free(&sheet[i]);

@@ -1,29 +1,27 @@
 /*
- * concave_radius - where a NURBS patch is most tightly hollow, and so the largest ball that fits
- * it.
+ * concave_radius - the smallest concave radius of a patch, and so the largest ball that fits it.
  */
 #ifndef CLOUDMILL_CONCAVE_RADIUS_H
 #define CLOUDMILL_CONCAVE_RADIUS_H
 
 #include "nurbs/patch.h"
-#include "nurbs/trim_grid.h"
 
 struct concave_radius {
-    double curvature; /* the largest principal curvature, hollow positive, 1/mm */
+    double curvature; /* the largest principal curvature, concave positive, 1/mm */
     struct uv at;
     struct vec3 point;
 };
 
 /*
- * The largest principal curvature inside the loops, seen from the side dS/du x dS/dv or, where
- * `flipped`, from the other: the best of samples in every span of the knots, each then followed
- * uphill within its span to 1e-12 of it.  A curvature of 0 or less says that no place is hollow.
+ * The largest principal curvature inside the trimming, seen from the side dS/du x dS/dv or, where
+ * `flipped`, from the other.  Samples in every span of the knots are starts of a pattern search
+ * that climbs within its span, to 1e-12 of the span.  A curvature of 0 or less means that no place
+ * is concave.
  */
-struct concave_radius concave_radius_find(const struct patch *patch, const struct uv_polygon *loops,
-                                          bool flipped, int threads);
+struct concave_radius concave_radius_find(const struct patch *patch, bool flipped, int threads);
 
-/* The same for all patches, [i] of patches->item[i] and flipped[i], each inside its own trimming.
- * The caller frees the array. */
+/* The same for all patches: [i] is of patches->item[i] and flipped[i].  The caller frees the array.
+ */
 struct concave_radius *concave_radius_find_all(const struct patches *patches, const bool *flipped,
                                                int threads);
 

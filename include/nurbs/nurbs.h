@@ -1,5 +1,20 @@
 /*
- * nurbs - rational B-spline curves and surfaces of any degree: points, normals, curvatures.
+ * nurbs - rational B-spline curves and surfaces of any degree: points, normals, curvatures.  The
+ * door of this folder.
+ *
+ * In come trimmed surfaces (nurbs/patch.h; io/nurbs reads them from files), out goes one mesh with
+ * exact normals and curvatures.  The stages, each with a header of its own:
+ *
+ *   evaluation    here
+ *   isolines      where the grid of a surface has its lines (Filip, Magedson and Markot 1986)
+ *   trimming      curves as polygons in the parameters (trim_loops), and the grid cut along them
+ *                 (trim_grid; Weiler and Atherton 1977, Sutherland and Hodgman 1974)
+ *   tessellation  a surface as triangles, to a tolerance or a count (nurbs/tessellate.h)
+ *   sewing        borders of neighbours made one (nurbs/patch_mesh.h, nurbs/sew.h)
+ *   orientation   all surfaces turned to one side, the outside out (nurbs/orient.h)
+ *
+ * Beside them: the smallest concave radius (nurbs/concave_radius.h), and contact points moved from
+ * the mesh onto the surfaces (nurbs/project.h).
  *
  * The formulas are those of Piegl and Tiller, The NURBS Book: basis functions eq 2.5, their
  * derivatives eq 2.7, rational derivatives eq 4.20, and of do Carmo, Differential Geometry of
@@ -20,7 +35,7 @@ enum { NURBS_DEGREE_MAX = 25 };
 /* Knots, weights and coordinates beyond this are refused by readers: squares would overflow. */
 #define NURBS_LARGEST 1e100
 
-/* One parameter: poles + degree + 1 knots, and the range that counts, within
+/* One parameter: poles + degree + 1 knots, and the range that is used, within
  * knot[degree]..knot[poles]. */
 struct nurbs_axis {
     int degree;
@@ -29,7 +44,7 @@ struct nurbs_axis {
     double from, to;
 };
 
-/* A pole with its weight multiplied in. */
+/* A pole in homogeneous coordinates: multiplied by its weight. */
 struct nurbs_pole {
     double wx, wy, wz, w;
 };
@@ -46,7 +61,7 @@ struct nurbs {
 };
 
 /* Point, unit normal along dS/du x dS/dv, and principal curvatures k1 >= k2 in 1/mm, positive
- * where the surface is hollow seen from the side that the normal points to. */
+ * where the surface is concave seen from the side that the normal points to. */
 struct nurbs_place {
     struct vec3 point, normal;
     double k1, k2;
@@ -56,11 +71,11 @@ struct nurbs_place {
  * or t), 0 when they are sound.  A range beyond the knots is cut to them. */
 int nurbs_axis_check(struct nurbs_axis *axis, const char *name, struct error *error);
 
-/* The knots inside the range where the surface has a kink, or may have: those repeated as often as
- * the degree.  Up to `most` go to `at`; returns how many there are. */
+/* The knots inside the range where the surface may have a kink: those repeated as often as the
+ * degree.  Writes up to `most` of them to `at`; returns how many there are. */
 size_t nurbs_axis_breaks(const struct nurbs_axis *axis, double *at, size_t most);
 
-/* At the end of the range, and beyond, the piece before it counts: a range that ends on a kink
+/* At the end of the range, and beyond, the span before it is evaluated: a range that ends on a kink
  * belongs to one side of it. */
 struct vec3 nurbs_point(const struct nurbs *s, struct uv at);
 

@@ -1,22 +1,26 @@
 /*
- * orient - which side of the patches is outside.
+ * orient - all patches turned to the same side, the outside out.
  */
 #ifndef CLOUDMILL_ORIENT_H
 #define CLOUDMILL_ORIENT_H
 
 #include "nurbs/patch_mesh.h"
 
+/* Of the area of a body: area vectors that sum up to less say nothing. */
+#define ORIENT_CLOSED 0.02
+
 struct orient_count {
-    size_t bodies;    /* groups of sheets that hang together by their edges */
-    size_t conflicts; /* pairs of neighbours that cannot both be right */
-    size_t unclear;   /* groups of which up does not say which side is outside */
+    size_t bodies;    /* groups of sheets connected by common edges */
+    size_t conflicts; /* pairs of neighbours that cannot be turned alike */
+    size_t unclear;   /* bodies that stand so upright that `up` does not tell their outside */
     size_t open;      /* border edges that no other sheet shares */
 };
 
 /*
- * Sets patch_mesh->flipped.  Neighbours along an edge are turned to the same side; then each group
- * as a whole so that its outside looks, on the whole, along `up`.  Where it looks to all sides
- * alike (a closed body, within 2 percent of the area) outside is where its volume is not.
+ * Sets patch_mesh->flipped.  Neighbours along an edge are turned to the same side, by a maximum
+ * spanning tree over the lengths of the common edges (Kruskal).  Then each body as a whole is
+ * turned so that the sum of its area vectors looks along `up`; a closed body, whose area vectors
+ * cancel out within ORIENT_CLOSED of its area, so that its volume is positive.
  */
 struct orient_count orient_outward(struct patch_mesh *patch_mesh, struct vec3 up);
 

@@ -1,5 +1,5 @@
 /*
- * patch - a NURBS surface and the curves that trim it.
+ * patch - a trimmed surface: a NURBS surface and the curves that trim it.
  */
 #ifndef CLOUDMILL_PATCH_H
 #define CLOUDMILL_PATCH_H
@@ -21,13 +21,13 @@ struct patch_loops {
 
 struct patch {
     struct nurbs surface;
-    struct patch_loops loop; /* none: the whole range counts */
+    struct patch_loops loop; /* none: untrimmed */
     bool open;               /* the border of the range bounds it too: all loops are holes */
     char *file;              /* where it was read from ... */
     int entity;              /* ... and its number there: in IGES its directory entry */
-    int ignored;             /* loops that trim it but are not understood ... */
+    int ignored;             /* loops of curves that are not read ... */
     int ignored_entity;      /* ... the first of them ... */
-    int ignored_type;        /* ... and what the entity is that was met there */
+    int ignored_type;        /* ... and the type of the curve */
 };
 
 struct patches {
@@ -37,14 +37,14 @@ struct patches {
     int other_entity, other_type; /* ... and the first of them */
 };
 
-/* A straight line, as a curve of degree 1. */
+/* A straight line in the parameters, as a curve of degree 1. */
 struct nurbs_curve patch_line(struct uv from, struct uv to);
 
-/* A curve over 0 to 1 without inner knots where poles = degree + 1; all of it still to be filled
- * but for the knots at both ends. */
+/* A curve over 0 to 1 with clamped knots; the poles, and the inner knots where poles > degree + 1,
+ * are the caller's to fill. */
 struct nurbs_curve patch_curve(int degree, size_t poles);
 
-/* The diagonal of the box of all poles, mm: what "small" is measured by. */
+/* The diagonal of the box of all poles, mm. */
 double patches_size(const struct patches *patches);
 
 void patch_loop_free(struct patch_loop *loop);

@@ -1,18 +1,21 @@
 /*
- * patch_mesh - the triangles of several patches, joined along common edges and turned to one side.
+ * patch_mesh - the triangles of several patches, to be sewn, oriented and written as one mesh.
  */
 #ifndef CLOUDMILL_PATCH_MESH_H
 #define CLOUDMILL_PATCH_MESH_H
 
 #include "nurbs/tessellate.h"
 
+/* Degrees. */
+#define PATCH_MESH_SMOOTH 1.0
+
 struct patch_mesh_vertex {
-    struct vec3 point, normal; /* normal as the surface's own parameters give it */
-    double k1, k2;             /* k1 >= k2, of that side */
+    struct vec3 point, normal; /* the normal along dS/du x dS/dv */
+    double k1, k2;             /* k1 >= k2, seen from that side */
     struct uv at;
     int sheet, piece;
-    size_t place; /* vertices of the same place have the same number: that of one of them ... */
-    size_t next;  /* ... and are a ring */
+    size_t place; /* sewn vertices have the same number, that of one of them ... */
+    size_t next;  /* ... and form a ring */
 };
 
 struct patch_mesh_vertices {
@@ -20,7 +23,7 @@ struct patch_mesh_vertices {
     struct patch_mesh_vertex *item;
 };
 
-/* A border edge of a sheet (or of a piece of one), as its triangle has it. */
+/* A border edge of a sheet (or of a piece of one), in the direction of its triangle. */
 struct patch_mesh_edge {
     size_t from, to; /* vertices */
     size_t face;
@@ -38,22 +41,23 @@ struct patch_mesh {
     struct patch_mesh_edges edge; /* the borders */
     size_t sheets;
     size_t narrow; /* sheets left out */
-    bool *flipped; /* [sheet] its normals were the wrong way round */
+    bool *flipped; /* [sheet] its outside is the side away from dS/du x dS/dv */
 };
 
-/* All sheets, each as it is.  Of several one that is, on the mean, less than `least` mm wide is
- * left out: its neighbours on both sides then adjoin. */
+/* All sheets, not yet joined.  Where there are several, one whose mean width is less than `least`
+ * mm is left out: its neighbours on both sides then adjoin. */
 void patch_mesh_make(const struct sheet *sheet, size_t n, double least,
                      struct patch_mesh *patch_mesh);
 
+/* Do both belong to the same piece of the same sheet? */
 bool patch_mesh_same_piece(const struct patch_mesh_vertex *a, const struct patch_mesh_vertex *b);
 
-/* The places of two vertices made one. */
+/* Gives two vertices, and all of their places, one place. */
 void patch_mesh_unite(struct patch_mesh *patch_mesh, size_t a, size_t b);
 
-/* Every sheet to the side that `flipped` says, vertices of one place and (within one degree) one
- * normal made one; the others of a place, along a sharp edge, keep their normals and get the same
- * coordinates.  Triangles without area are left out. */
+/* Appends all triangles, each sheet turned to the side that `flipped` says.  Vertices of one place
+ * whose normals are within PATCH_MESH_SMOOTH become one; the others of a place, along a sharp edge,
+ * keep their normals and get the same coordinates.  Triangles without area are left out. */
 void patch_mesh_mesh(const struct patch_mesh *patch_mesh, struct mesh *mesh);
 
 void patch_mesh_free(struct patch_mesh *patch_mesh);

@@ -6,33 +6,39 @@
 
 #include "mesh/mesh.h"
 #include "nurbs/patch.h"
-#include "nurbs/trim_grid.h"
 
 /* The triangles of one patch.  Where the surface may have a kink (nurbs_axis_breaks) each side has
- * vertices of its own: a vertex belongs to one piece. */
+ * vertices of its own, so that a vertex belongs to one piece of the surface. */
 struct sheet {
     struct uvs at;
     struct vec3s point, normal; /* normals along dS/du x dS/dv */
     struct doubles k1, k2;      /* as nurbs_place */
-    struct ints piece;          /* of each vertex; nurbs of a piece: sheet_piece */
+    struct ints piece;          /* of each vertex (tessellate_piece) */
     struct faces face;          /* counter-clockwise seen from where the normals point */
-    double error;               /* how far a triangle is off, mm: at its middle and those of its
-                                   sides; where n is 0 at nine places more */
+    double error;               /* how far a triangle is off at most, mm: at its middle and those of
+                                   its sides; where the options ask for a tolerance, at nine places more */
     struct vec3 error_at;       /* where */
-    bool too_fine;              /* the tolerance would need more than 4 million cells: not made */
+    bool too_fine;              /* the tolerance needs more than TESSELLATE_CELLS_MAX: not made */
     double off;                 /* how far trimming curves in space lie off the surface, mm */
-    size_t lost;                /* of these, loops that do not close on it: left out */
+    size_t lost;                /* of these, loops that do not close on the surface: left out */
     size_t unclear;             /* cells in which the trimming crosses itself */
     size_t lines_u, lines_v;    /* of the grid */
 };
 
-struct tessellation {
-    int n;            /* triangles in each direction, or 0: as many as the tolerance needs */
-    double tolerance; /* mm: of the surface where n is 0, of the trimming always */
+#define TESSELLATE_CELLS_MAX 4000000
+
+struct tessellate_options {
+    int n;            /* cells in each direction, or 0: as many as the tolerance needs */
+    double tolerance; /* mm: of the trimming, and where n is 0 of the surface */
     int threads;      /* for this patch; as in parallel.h */
 };
 
-void tessellate(const struct patch *patch, struct tessellation how, struct sheet *sheet);
+/*
+ * The cells of a grid of parameter lines, two triangles each, cut off along the trimming.  To a
+ * tolerance the grid is made finer until every triangle keeps it, or until finer grids hardly help:
+ * sheet->error tells.
+ */
+void tessellate(const struct patch *patch, struct tessellate_options how, struct sheet *sheet);
 
 /* The surface with its range narrowed to one piece (it shares the memory of the surface). */
 struct nurbs tessellate_piece(const struct nurbs *surface, int piece);

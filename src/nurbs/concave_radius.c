@@ -7,14 +7,18 @@
 #include "base/parallel.h"
 #include "trim_loops.h"
 
-/* Samples over the whole range, least in a span, and least where there are many spans. */
+/* Starts of the pattern search; samples over the whole range, least in a span, and where there are
+ * more than MANY spans; steps of one search. */
 enum { BEST = 12, ACROSS = 96, LEAST = 6, FEW = 3, MANY = 64, STEPS_MAX = 20000 };
+
+/* By the size of the patch, and in mm: how exactly its trimming is followed. */
+static const double TRIM_TOLERANCE = 1e-6;
 
 struct search {
     const struct patch *patch;
     const struct uv_polygon *loops;
     bool flipped;
-    struct concave_radius best[BEST]; /* of different spans, the most hollow first */
+    struct concave_radius best[BEST]; /* of different spans, the most concave first */
     struct nurbs span[BEST];
 };
 
@@ -39,7 +43,8 @@ static void span_ends(const struct nurbs_axis *a, struct doubles *end)
     *array_push(end) = a->to;
 }
 
-static void keep(struct search *s, struct concave_radius found, const struct nurbs *part)
+/* Keeps the BEST samples, in order. */
+static void keep_best(struct search *s, struct concave_radius found, const struct nurbs *part)
 {
     size_t i = BEST;
     for (; i > 0 && found.curvature > s->best[i - 1].curvature; i--)
@@ -53,7 +58,7 @@ static void keep(struct search *s, struct concave_radius found, const struct nur
     }
 }
 
-/* The spans of the knots, and what samples of each found. */
+/* The spans of the knots, and the most concave sample of each. */
 struct spans {
     const struct search *search;
     struct doubles u, v;
@@ -92,25 +97,25 @@ static void sample_spans(void *context, size_t from, size_t to)
 }
 
 /* How many samples in each of n spans. */
-static int samples(size_t n)
+static int samples_per_span(size_t n)
 {
     int each = ACROSS / (int)n;
     return each > LEAST ? each : n > MANY ? FEW : LEAST;
 }
 
-/* Steps in eight directions, halved when none goes up. */
+/* Pattern search: steps in eight directions, halved when none goes up. */
 static struct concave_radius climb(const struct search *s, const struct nurbs *part,
                                    struct concave_radius h)
 {
-    static const int way[8][2] = {{1, 0}, {-1, 0},  {0, 1},  {0, -1},
-                                  {1, 1}, {-1, -1}, {1, -1}, {-1, 1}};
+    static const int direction[8][2] = {{1, 0}, {-1, 0},  {0, 1},  {0, -1},
+                                        {1, 1}, {-1, -1}, {1, -1}, {-1, 1}};
     double u = part->u.to - part->u.from, v = part->v.to - part->v.from, step = 1.0 / LEAST;
     for (int turn = 0; turn < STEPS_MAX && step > 1e-12; turn++) {
         struct concave_radius next = h;
         for (int k = 0; k < 8; k++) {
             struct concave_radius t = h;
-            t.at.u = fmin(fmax(h.at.u + way[k][0] * step * u, part->u.from), part->u.to);
-            t.at.v = fmin(fmax(h.at.v + way[k][1] * step * v, part->v.from), part->v.to);
+            t.at.u = fmin(fmax(h.at.u + direction[k][0] * step * u, part->u.from), part->u.to);
+            t.at.v = fmin(fmax(h.at.v + direction[k][1] * step * v, part->v.from), part->v.to);
             t.curvature = curvature_at(s, part, t.at, &t.point);
             if (t.curvature > next.curvature)
                 next = t;
@@ -121,8 +126,8 @@ static struct concave_radius climb(const struct search *s, const struct nurbs *p
     return h;
 }
 
-struct concave_radius concave_radius_find(const struct patch *patch, const struct uv_polygon *loops,
-                                          bool flipped, int threads)
+static struct concave_radius find_inside(const struct patch *patch, const struct uv_polygon *loops,
+                                         bool flipped, int threads)
 {
     struct search s = {.patch = patch, .loops = loops, .flipped = flipped};
     struct spans spans = {.search = &s};
@@ -130,14 +135,14 @@ struct concave_radius concave_radius_find(const struct patch *patch, const struc
         s.best[i].curvature = -HUGE_VAL;
     span_ends(&patch->surface.u, &spans.u);
     span_ends(&patch->surface.v, &spans.v);
-    spans.nu = samples(spans.u.n);
-    spans.nv = samples(spans.v.n);
+    spans.nu = samples_per_span(spans.u.n);
+    spans.nv = samples_per_span(spans.v.n);
     size_t n = (spans.u.n - 1) * (spans.v.n - 1);
     spans.most = mem_alloc(n, sizeof *spans.most);
     parallel_for(threads, n, sample_spans, &spans);
     for (size_t k = 0; k < n; k++) {
         struct nurbs part = span_of(&spans, k);
-        keep(&s, spans.most[k], &part);
+        keep_best(&s, spans.most[k], &part);
     }
     array_free(&spans.u);
     array_free(&spans.v);
@@ -151,34 +156,39 @@ struct concave_radius concave_radius_find(const struct patch *patch, const struc
     return best;
 }
 
-struct job {
+struct concave_radius concave_radius_find(const struct patch *patch, bool flipped, int threads)
+{
+    const struct nurbs *s = &patch->surface;
+    struct uv_polygon loops;
+    double size = vec_distance(nurbs_point(s, (struct uv){s->u.from, s->v.from}),
+                               nurbs_point(s, (struct uv){s->u.to, s->v.to}));
+    trim_loops(patch, fmax(TRIM_TOLERANCE * size, TRIM_TOLERANCE), &loops);
+    struct concave_radius found = find_inside(patch, &loops, flipped, threads);
+    uv_polygon_free(&loops);
+    return found;
+}
+
+/* What the threads share: a patch is a unit of work. */
+struct concave_search {
     const struct patches *patches;
     const bool *flipped;
     int threads; /* for one patch */
-    struct concave_radius *hollow;
+    struct concave_radius *found;
 };
 
 static void find_some(void *context, size_t from, size_t to)
 {
-    struct job *job = context;
-    for (size_t i = from; i < to; i++) {
-        const struct patch *patch = &job->patches->item[i];
-        const struct nurbs *s = &patch->surface;
-        struct uv_polygon loops;
-        double size = vec_distance(nurbs_point(s, (struct uv){s->u.from, s->v.from}),
-                                   nurbs_point(s, (struct uv){s->u.to, s->v.to}));
-        trim_loops(patch, fmax(1e-6 * size, 1e-6), &loops);
-        job->hollow[i] = concave_radius_find(patch, &loops, job->flipped[i], job->threads);
-        uv_polygon_free(&loops);
-    }
+    struct concave_search *s = context;
+    for (size_t i = from; i < to; i++)
+        s->found[i] = concave_radius_find(&s->patches->item[i], s->flipped[i], s->threads);
 }
 
 struct concave_radius *concave_radius_find_all(const struct patches *patches, const bool *flipped,
                                                int threads)
 {
-    struct concave_radius *hollow = mem_alloc(patches->n + 1, sizeof *hollow);
+    struct concave_radius *found = mem_alloc(patches->n + 1, sizeof *found);
     bool few = patches->n < 8; /* then the threads share each, else each takes one */
-    struct job job = {patches, flipped, few ? threads : 1, hollow};
-    parallel_for(few ? 1 : threads, patches->n, find_some, &job);
-    return hollow;
+    struct concave_search search = {patches, flipped, few ? threads : 1, found};
+    parallel_for(few ? 1 : threads, patches->n, find_some, &search);
+    return found;
 }

@@ -6,7 +6,7 @@
 /* Samples in one direction, and the most cells that a tolerance may ask for. */
 enum { ACROSS = 24, ALONG = 96, CELLS_MAX = 1000000 };
 
-/* The range parted at the breaks: those with both ends. */
+/* The breaks and both ends of the range. */
 static void break_lines(const struct nurbs_axis *a, struct doubles *at)
 {
     size_t n = nurbs_axis_breaks(a, NULL, 0);

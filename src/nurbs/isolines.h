@@ -1,5 +1,5 @@
 /*
- * isolines - the parameter lines of a grid over a NURBS surface.
+ * isolines - the parameter lines of the grid that a surface is tessellated by.
  */
 #ifndef CLOUDMILL_ISOLINES_H
 #define CLOUDMILL_ISOLINES_H
@@ -7,14 +7,13 @@
 #include "base/array.h"
 #include "nurbs/nurbs.h"
 
-/* n cells over the range, equal between the breaks (nurbs_axis_breaks), each of which is a line. */
+/* n cells over the range, equal between the breaks (nurbs_axis_breaks); every break is a line. */
 void isolines_equal(const struct nurbs_axis *axis, int n, struct doubles *line);
 
 /*
  * As many cells in u and in v as the tolerance needs, denser where the surface bends more: so that
  * the bound of Filip, Magedson and Markot (1986) on the distance between a triangle and the
- * surface, with the second derivatives taken along the normal, is `tolerance` times 1 / `finer`
- * squared.
+ * surface, with the second derivatives taken along the normal, is `tolerance` / `finer` squared.
  */
 void isolines_bent(const struct nurbs *s, double tolerance, double finer, struct doubles *u,
                    struct doubles *v);

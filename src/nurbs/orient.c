@@ -3,15 +3,15 @@
 
 #include <stdlib.h>
 
-/* An edge between two places; forward: from the lower number to the higher. */
-struct seam {
+/* A border edge between two places; forward: from the lower number to the higher. */
+struct place_edge {
     size_t low, high;
     int sheet;
     bool forward;
     double length;
 };
 
-/* Two neighbours, how much of their edge says that they agree (+) or not (-), mm. */
+/* Two neighbours, and the length of edge along which they agree (+) or not (-), mm. */
 struct bond {
     int a, b;
     double agree;
@@ -22,9 +22,9 @@ struct bonds {
     struct bond *item;
 };
 
-static int compare_seams(const void *p, const void *q)
+static int compare_place_edges(const void *p, const void *q)
 {
-    const struct seam *a = p, *b = q;
+    const struct place_edge *a = p, *b = q;
     if (a->low != b->low)
         return a->low < b->low ? -1 : 1;
     if (a->high != b->high)
@@ -44,9 +44,9 @@ static int compare_bonds(const void *p, const void *q)
     return a->agree < b->agree ? -1 : a->agree > b->agree;
 }
 
-static struct seam *seams_of(const struct patch_mesh *q, size_t *n)
+static struct place_edge *place_edges_of(const struct patch_mesh *q, size_t *n)
 {
-    struct seam *seam = mem_alloc(q->edge.n + 1, sizeof *seam);
+    struct place_edge *edge = mem_alloc(q->edge.n + 1, sizeof *edge);
     *n = 0;
     for (size_t i = 0; i < q->edge.n; i++) {
         const struct patch_mesh_edge *e = &q->edge.item[i];
@@ -54,22 +54,23 @@ static struct seam *seams_of(const struct patch_mesh *q, size_t *n)
         if (a->place == b->place)
             continue;
         bool forward = a->place < b->place;
-        seam[(*n)++] = (struct seam){forward ? a->place : b->place, forward ? b->place : a->place,
-                                     a->sheet, forward, vec_distance(a->point, b->point)};
+        edge[(*n)++] =
+            (struct place_edge){forward ? a->place : b->place, forward ? b->place : a->place,
+                                a->sheet, forward, vec_distance(a->point, b->point)};
     }
     if (*n > 0)
-        qsort(seam, *n, sizeof *seam, compare_seams);
-    return seam;
+        qsort(edge, *n, sizeof *edge, compare_place_edges);
+    return edge;
 }
 
-/* Where exactly two sheets share an edge they are neighbours; the same pair is summed up. */
+/* Neighbours are sheets that share an edge with no third; the edges of a pair are summed up. */
 static void find_bonds(const struct patch_mesh *q, struct bonds *bonds, size_t *open)
 {
     size_t n, kept = 0;
-    struct seam *seam = seams_of(q, &n);
+    struct place_edge *edge = place_edges_of(q, &n);
     *open = 0;
     for (size_t i = 0, k; i < n; i += k) {
-        const struct seam *s = &seam[i];
+        const struct place_edge *s = &edge[i];
         for (k = 1; i + k < n && s[k].low == s->low && s[k].high == s->high;)
             k++;
         *open += k == 1;
@@ -77,7 +78,7 @@ static void find_bonds(const struct patch_mesh *q, struct bonds *bonds, size_t *
             *array_push(bonds) = (struct bond){
                 s[0].sheet, s[1].sheet, s[0].forward == s[1].forward ? -s->length : s->length};
     }
-    free(seam);
+    free(edge);
     if (bonds->n == 0)
         return;
     qsort(bonds->item, bonds->n, sizeof *bonds->item, compare_bonds);
@@ -100,7 +101,8 @@ static int compare_strength(const void *p, const void *q)
     return a->a != b->a ? a->a - b->a : a->b - b->b;
 }
 
-/* The strongest bonds first join sheets to bodies (Kruskal): body[i] is the body's lowest sheet. */
+/* Joins sheets to bodies, the longest common edges first (Kruskal): body[i] is the lowest sheet of
+ * the body. */
 static size_t join_bodies(struct patch_mesh *q, struct bonds *bonds, int *body)
 {
     size_t conflicts = 0;
@@ -124,15 +126,15 @@ static size_t join_bodies(struct patch_mesh *q, struct bonds *bonds, int *body)
     return conflicts;
 }
 
-struct sum {
+struct body_sum {
     struct vec3 area;
     double total, volume;
 };
 
 /* Area as a vector and as a number, and volume about the first point, of one body. */
-static struct sum sum_body(const struct patch_mesh *q, const int *body, int which)
+static struct body_sum sum_body(const struct patch_mesh *q, const int *body, int which)
 {
-    struct sum sum = {{0, 0, 0}, 0, 0};
+    struct body_sum sum = {{0, 0, 0}, 0, 0};
     struct vec3 origin = {0, 0, 0};
     bool begun = false;
     for (size_t i = 0; i < q->face.n; i++) {
@@ -167,13 +169,13 @@ struct orient_count orient_outward(struct patch_mesh *q, struct vec3 up)
     for (size_t i = 0; i < q->sheets; i++) {
         if (body[i] != (int)i)
             continue;
-        struct sum sum = sum_body(q, body, (int)i);
+        struct body_sum sum = sum_body(q, body, (int)i);
         double along = vec_dot(sum.area, vec_unit(up));
-        bool closed = vec_length(sum.area) <= 0.02 * sum.total;
+        bool closed = vec_length(sum.area) <= ORIENT_CLOSED * sum.total;
         if (!(sum.total > 0))
             continue; /* trimmed away, or too narrow */
         count.bodies++;
-        count.unclear += !closed && fabs(along) <= 0.02 * sum.total;
+        count.unclear += !closed && fabs(along) <= ORIENT_CLOSED * sum.total;
         bool turn = closed ? sum.volume < 0 : along < 0;
         for (size_t k = 0; k < q->sheets && turn; k++)
             if (body[k] == (int)i)

@@ -15,7 +15,7 @@ static int high_end(const struct face *f, int side)
     return a > b ? a : b;
 }
 
-/* Edges of one triangle only: all edges sorted by their lower vertex, then looked through. */
+/* Edges of one triangle only: all edges sorted by their lower vertex, then compared. */
 static void find_borders(const struct sheet *s, size_t first_vertex, size_t first_face,
                          struct patch_mesh_edges *edge)
 {
@@ -112,7 +112,7 @@ void patch_mesh_unite(struct patch_mesh *q, size_t a, size_t b)
     v[b].next = swap;
 }
 
-/* Vertices of one place, one behind the other. */
+/* All vertices ordered by place. */
 static size_t *by_place(const struct patch_mesh *q, size_t *from)
 {
     size_t n = q->vertex.n;
@@ -131,11 +131,12 @@ static struct vec3 normal_of(const struct patch_mesh *q, const struct patch_mesh
     return q->flipped[v->sheet] ? vec_scale(-1, v->normal) : v->normal;
 }
 
-/* The vertices of one place: groups about the first that is not in one yet. */
+/* The vertices of one place as vertices of the mesh: groups of alike normals about the first that
+ * is in no group yet. */
 static void merge_place(const struct patch_mesh *q, const size_t *member, size_t n, int *name,
                         struct mesh *mesh)
 {
-    double near = cos(RADIANS(1));
+    double near = cos(RADIANS(PATCH_MESH_SMOOTH));
     struct vec3 point = q->vertex.item[q->vertex.item[member[0]].place].point;
     for (size_t i = 0; i < n; i++)
         name[member[i]] = -1;

@@ -6,6 +6,7 @@
 #include "math/kdtree.h"
 #include "trim_loops.h"
 
+/* Starts of searches: samples of each surface in each direction, and of these the nearest ones. */
 enum { ACROSS = 64, NEAREST = 8, STEPS = 30 };
 
 /* How far a point on a border may be beyond it, mm: a mesh stream has 6 decimals. */
@@ -79,10 +80,10 @@ static double clamp(double x, double low, double high)
     return fmin(fmax(x, low), high);
 }
 
-/* Newton's method for the place whose point lies level with p along both directions; what is left
- * of the two, mm. */
-static double search(const struct nurbs *s, struct vec3 p, struct vec3 a, struct vec3 b,
-                     struct uv *at)
+/* Newton's method for the place whose point differs from p along neither of two directions; returns
+ * what is left of the difference, mm. */
+static double search_along(const struct nurbs *s, struct vec3 p, struct vec3 a, struct vec3 b,
+                           struct uv *at)
 {
     double left = HUGE_VAL;
 
@@ -103,8 +104,8 @@ static double search(const struct nurbs *s, struct vec3 p, struct vec3 a, struct
     return left;
 }
 
-/* How far a place is outside what the loops leave of its surface, mm: 0 inside. */
-static double outside(const struct projection *on, int k, struct uv at)
+/* How far a place is outside the trimming of its surface, mm: 0 inside. */
+static double distance_outside(const struct projection *on, int k, struct uv at)
 {
     const struct uv_polygon *loops = &on->loops[k];
     struct vec3 d[3][3];
@@ -118,36 +119,36 @@ static double outside(const struct projection *on, int k, struct uv at)
         for (size_t m = 0; m < loop->n; m++) {
             struct uv a = loop->item[m], b = loop->item[(m + 1) % loop->n];
             struct vec3 p = vec_along(vec_scale(a.u - at.u, d[1][0]), a.v - at.v, d[0][1]);
-            struct vec3 way = vec_along(vec_scale(b.u - a.u, d[1][0]), b.v - a.v, d[0][1]);
-            double l = vec_dot(way, way), t = l > 0 ? -vec_dot(p, way) / l : 0;
-            least = fmin(least, vec_length(vec_along(p, clamp(t, 0, 1), way)));
+            struct vec3 side = vec_along(vec_scale(b.u - a.u, d[1][0]), b.v - a.v, d[0][1]);
+            double l = vec_dot(side, side), t = l > 0 ? -vec_dot(p, side) / l : 0;
+            least = fmin(least, vec_length(vec_along(p, clamp(t, 0, 1), side)));
         }
     }
     return least;
 }
 
-int project_put(const struct projection *on, struct vec3 plane, double reach,
-                struct contact *contact)
+int project_contact(const struct projection *on, struct vec3 plane, double reach,
+                    struct contact *contact)
 {
-    struct vec3 nc_motion = vec_unit(vec_cross(plane, contact->n)), p = contact->p, n = contact->n;
+    struct vec3 along = vec_unit(vec_cross(plane, contact->n)), p = contact->p, n = contact->n;
     size_t nearest[NEAREST];
     size_t found = kdtree_nearest(on->tree, p, NEAREST, nearest, NULL);
     int best = -1;
 
-    for (size_t i = 0; i < found && vec_length(nc_motion) > 0; i++) {
+    for (size_t i = 0; i < found && vec_length(along) > 0; i++) {
         const struct seed *seed = &on->seed.item[nearest[i]];
         const struct nurbs *s = &on->patches->item[seed->surface].surface;
         struct uv at = seed->at;
-        if (best == seed->surface || search(s, p, plane, nc_motion, &at) > BEYOND)
+        if (best == seed->surface || search_along(s, p, plane, along, &at) > BEYOND)
             continue;
         struct nurbs_place place = nurbs_place(s, at);
         double away = vec_distance(place.point, p), agree = vec_dot(place.normal, n);
         if (away > reach || fabs(agree) < 0.7)
             continue;
-        double beyond = outside(on, seed->surface, at);
+        double beyond = distance_outside(on, seed->surface, at);
         if (beyond > on->slack || away + beyond > reach)
             continue;
-        away += beyond; /* one that is all of it on its surface comes first */
+        away += beyond; /* points inside the trimming come first */
         reach = away;
         best = seed->surface;
         /* On the plane to the last bit, whatever is left of the search. */

@@ -3,13 +3,13 @@
 
 #include <stdlib.h>
 
-#include "isolines.h"
 #include "base/parallel.h"
-#include "trim_loops.h"
+#include "isolines.h"
+#include "trim_grid.h"
 
 /* Grids that are tried, and of them those that hardly help before it is given up. */
-enum { ROUNDS = 8, IDLE = 2, CELLS_MAX = 4000000 };
-static const double LITTLE = 0.3; /* of what a finer grid should help */
+enum { ROUNDS = 8, IDLE = 2 };
+static const double LITTLE = 0.3; /* of the gain that a finer grid should bring */
 
 /* Pieces are numbered row by row: those of u first. */
 static size_t breaks_of(const struct nurbs_axis *axis, double **at)
@@ -27,7 +27,7 @@ static size_t segment_of(const double *at, size_t n, double x)
     return i;
 }
 
-static void narrow(struct nurbs_axis *axis, const double *at, size_t n, size_t segment)
+static void narrow_range(struct nurbs_axis *axis, const double *at, size_t n, size_t segment)
 {
     if (segment > 0)
         axis->from = at[segment - 1];
@@ -40,8 +40,8 @@ struct nurbs tessellate_piece(const struct nurbs *surface, int piece)
     struct nurbs part = *surface;
     double *u, *v;
     size_t nu = breaks_of(&surface->u, &u), nv = breaks_of(&surface->v, &v);
-    narrow(&part.u, u, nu, (size_t)piece % (nu + 1));
-    narrow(&part.v, v, nv, (size_t)piece / (nu + 1));
+    narrow_range(&part.u, u, nu, (size_t)piece % (nu + 1));
+    narrow_range(&part.v, v, nv, (size_t)piece / (nu + 1));
     free(u);
     free(v);
     return part;
@@ -82,17 +82,17 @@ static size_t *faces_by_piece(const int *piece, size_t n)
 }
 
 /* What the threads share: vertices, then faces. */
-struct lift {
+struct evaluation {
     struct sheet *sheet;
     const struct nurbs *part; /* [piece] */
     double *error;            /* [face] */
     struct vec3 *error_at;
-    int places; /* of a triangle that are looked at */
+    int places; /* of a triangle that are measured */
 };
 
 static void place_vertices(void *context, size_t from, size_t to)
 {
-    struct lift *l = context;
+    struct evaluation *l = context;
     struct sheet *sheet = l->sheet;
     for (size_t i = from; i < to; i++) {
         struct nurbs_place p = nurbs_place(&l->part[sheet->piece.item[i]], sheet->at.item[i]);
@@ -103,24 +103,24 @@ static void place_vertices(void *context, size_t from, size_t to)
     }
 }
 
-/* Where triangles are looked at: the middles of it and of its sides, then quarters. */
+/* Where triangles are measured: their middle and those of their sides, then quarters. */
 enum { FEW = 4, MANY = 13 };
-static const double looked_at[MANY][3] = {{1 / 3.0, 1 / 3.0, 1 / 3.0},
-                                          {0.5, 0.5, 0},
-                                          {0, 0.5, 0.5},
-                                          {0.5, 0, 0.5},
-                                          {0.75, 0.25, 0},
-                                          {0.25, 0.75, 0},
-                                          {0, 0.75, 0.25},
-                                          {0, 0.25, 0.75},
-                                          {0.25, 0, 0.75},
-                                          {0.75, 0, 0.25},
-                                          {0.5, 0.25, 0.25},
-                                          {0.25, 0.5, 0.25},
-                                          {0.25, 0.25, 0.5}};
+static const double sample[MANY][3] = {{1 / 3.0, 1 / 3.0, 1 / 3.0},
+                                       {0.5, 0.5, 0},
+                                       {0, 0.5, 0.5},
+                                       {0.5, 0, 0.5},
+                                       {0.75, 0.25, 0},
+                                       {0.25, 0.75, 0},
+                                       {0, 0.75, 0.25},
+                                       {0, 0.25, 0.75},
+                                       {0.25, 0, 0.75},
+                                       {0.75, 0, 0.25},
+                                       {0.5, 0.25, 0.25},
+                                       {0.25, 0.5, 0.25},
+                                       {0.25, 0.25, 0.5}};
 
-/* How far the place of a triangle is from the surface, at most: what is across the surface there,
- * and what the surface bends over what is along it. */
+/* A bound on how far a point of a triangle is from the surface: the distance across the surface,
+ * and what the surface bends over the distance along it. */
 static double off_at(const struct nurbs *part, struct uv at, struct vec3 p, double bend,
                      struct vec3 *on)
 {
@@ -134,7 +134,7 @@ static double off_at(const struct nurbs *part, struct uv at, struct vec3 p, doub
 
 static void measure_faces(void *context, size_t from, size_t to)
 {
-    struct lift *l = context;
+    struct evaluation *l = context;
     const struct sheet *s = l->sheet;
     for (size_t i = from; i < to; i++) {
         const int *v = s->face.item[i].v;
@@ -146,9 +146,9 @@ static void measure_faces(void *context, size_t from, size_t to)
             struct uv at = {0, 0};
             struct vec3 p = {0, 0, 0}, on;
             for (int k = 0; k < 3; k++) {
-                at.u += looked_at[m][k] * s->at.item[v[k]].u;
-                at.v += looked_at[m][k] * s->at.item[v[k]].v;
-                p = vec_along(p, looked_at[m][k], s->point.item[v[k]]);
+                at.u += sample[m][k] * s->at.item[v[k]].u;
+                at.v += sample[m][k] * s->at.item[v[k]].v;
+                p = vec_along(p, sample[m][k], s->point.item[v[k]]);
             }
             double off = off_at(part, at, p, bend, &on);
             if (off > l->error[i]) {
@@ -159,7 +159,7 @@ static void measure_faces(void *context, size_t from, size_t to)
     }
 }
 
-static void measure(struct lift *l, int threads)
+static void measure(struct evaluation *l, int threads)
 {
     struct sheet *s = l->sheet;
     l->error = mem_alloc(s->face.n + 1, sizeof *l->error);
@@ -210,13 +210,13 @@ static struct nurbs *all_pieces(const struct nurbs *s)
     return part;
 }
 
-/* From the triangles in the parameters to those in space, piece by piece. */
-static void lift(const struct nurbs *s, const struct uvmesh *mesh, struct tessellation how,
-                 struct sheet *sheet)
+/* The triangles in the parameters brought into space, piece by piece. */
+static void evaluate_sheet(const struct nurbs *s, const struct uvmesh *mesh,
+                           struct tessellate_options how, struct sheet *sheet)
 {
     int *piece = mem_alloc(mesh->face.n + 1, sizeof *piece);
     struct nurbs *part = all_pieces(s);
-    struct lift l = {.sheet = sheet, .part = part, .places = how.n > 0 ? FEW : MANY};
+    struct evaluation l = {.sheet = sheet, .part = part, .places = how.n > 0 ? FEW : MANY};
     pieces_of_faces(s, mesh, piece);
     number_vertices(mesh, piece, sheet);
     size_t n = sheet->at.n;
@@ -231,8 +231,9 @@ static void lift(const struct nurbs *s, const struct uvmesh *mesh, struct tessel
     free(part);
 }
 
-static void make(const struct patch *patch, const struct uv_polygon *loops, struct tessellation how,
-                 struct doubles *u, struct doubles *v, struct sheet *sheet)
+static void make_sheet(const struct patch *patch, const struct uv_polygon *loops,
+                       struct tessellate_options how, struct doubles *u, struct doubles *v,
+                       struct sheet *sheet)
 {
     struct uvmesh mesh;
     bool open = patch->open || loops->n == 0;
@@ -243,11 +244,11 @@ static void make(const struct patch *patch, const struct uv_polygon *loops, stru
     sheet->lost = loops->lost;
     sheet->lines_u = u->n;
     sheet->lines_v = v->n;
-    lift(&patch->surface, &mesh, how, sheet);
+    evaluate_sheet(&patch->surface, &mesh, how, sheet);
     uvmesh_free(&mesh);
 }
 
-void tessellate(const struct patch *patch, struct tessellation how, struct sheet *sheet)
+void tessellate(const struct patch *patch, struct tessellate_options how, struct sheet *sheet)
 {
     struct uv_polygon loops;
     struct doubles u = {0}, v = {0};
@@ -257,15 +258,15 @@ void tessellate(const struct patch *patch, struct tessellation how, struct sheet
     if (how.n > 0) {
         isolines_equal(&patch->surface.u, how.n, &u);
         isolines_equal(&patch->surface.v, how.n, &v);
-        make(patch, &loops, how, &u, &v, sheet);
+        make_sheet(patch, &loops, how, &u, &v, sheet);
     }
     double last = HUGE_VAL, factor = 1;
     for (int round = 0, idle = 0; how.n == 0 && round < ROUNDS && idle < IDLE; round++) {
         isolines_bent(&patch->surface, how.tolerance, finer, &u, &v);
-        sheet->too_fine = u.n * v.n > CELLS_MAX;
+        sheet->too_fine = u.n * v.n > TESSELLATE_CELLS_MAX;
         if (sheet->too_fine)
             break;
-        make(patch, &loops, how, &u, &v, sheet);
+        make_sheet(patch, &loops, how, &u, &v, sheet);
         if (sheet->error <= how.tolerance)
             break;
         double hope = 1 - (1 - 1 / (factor * factor)) * LITTLE;

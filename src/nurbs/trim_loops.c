@@ -4,12 +4,182 @@
 #include <stdlib.h>
 
 #include "base/array.h"
-#include "pullback.h"
-#include "trim_seam.h"
+
+/* Does the loop go round the place?  Crossings of the ray to the right. */
+static bool goes_round(const struct uvs *loop, struct uv p)
+{
+    bool inside = false;
+    for (size_t i = 0, k = loop->n - 1; i < loop->n; k = i++) {
+        struct uv a = loop->item[k], b = loop->item[i];
+        if ((a.v > p.v) != (b.v > p.v) && p.u < a.u + (p.v - a.v) / (b.v - a.v) * (b.u - a.u))
+            inside = !inside;
+    }
+    return inside;
+}
+
+bool uv_polygon_inside(const struct uv_polygon *loops, bool open, struct uv at)
+{
+    bool inside = open;
+    for (size_t i = 0; i < loops->n; i++)
+        if (goes_round(&loops->item[i], at))
+            inside = !inside;
+    return inside;
+}
+
+static double loop_area(const struct uvs *loop)
+{
+    double area = 0;
+    struct uv o = loop->item[0];
+    for (size_t i = 0, k = loop->n - 1; i < loop->n; k = i++) {
+        struct uv a = loop->item[k], b = loop->item[i];
+        area += (a.u - o.u) * (b.v - o.v) - (b.u - o.u) * (a.v - o.v);
+    }
+    return area / 2;
+}
+
+bool uv_polygon_backwards(const struct uv_polygon *loops, size_t index, bool open)
+{
+    const struct uvs *loop = &loops->item[index];
+    bool hole = open;
+    for (size_t i = 0; i < loops->n; i++)
+        if (i != index && goes_round(&loops->item[i], loop->item[0]))
+            hole = !hole;
+    return (loop_area(loop) > 0) == hole;
+}
+
+void uv_polygon_free(struct uv_polygon *loops)
+{
+    for (size_t i = 0; i < loops->n; i++)
+        array_free(&loops->item[i]);
+    array_free(loops);
+    loops->off = 0;
+    loops->lost = 0;
+}
+
+/* Samples of the whole range in each direction, of which the best are starts of a search; samples
+ * along a side of the range. */
+enum { ACROSS = 40, STARTS = 6, SIDE_SAMPLES = 9 };
+
+/* By their length: two sides of the range so near each other are one. */
+static const double CLOSED = 1e-6;
+
+static double width(const struct nurbs_axis *a)
+{
+    return a->to - a->from;
+}
+
+/* Are the two sides of the range where u (or else v) ends one line? */
+static bool is_closed(const struct nurbs *s, bool u)
+{
+    double apart = 0, length = 0;
+    struct vec3 last = {0, 0, 0};
+    for (int i = 0; i <= SIDE_SAMPLES; i++) {
+        double along_v = s->v.from + width(&s->v) * i / SIDE_SAMPLES;
+        double along_u = s->u.from + width(&s->u) * i / SIDE_SAMPLES;
+        struct vec3 a =
+            nurbs_point(s, u ? (struct uv){s->u.from, along_v} : (struct uv){along_u, s->v.from});
+        struct vec3 b =
+            nurbs_point(s, u ? (struct uv){s->u.to, along_v} : (struct uv){along_u, s->v.to});
+        apart = fmax(apart, vec_distance(a, b));
+        length += i > 0 ? vec_distance(a, last) : 0;
+        last = a;
+    }
+    return apart <= CLOSED * length;
+}
+
+struct pullback pullback_new(const struct nurbs *surface)
+{
+    return (struct pullback){surface, is_closed(surface, true), is_closed(surface, false)};
+}
+
+/* Whole turns that bring x into the range. */
+static double turns(const struct nurbs_axis *a, bool closed, double x)
+{
+    return closed ? floor((x - a->from) / width(a)) : 0;
+}
+
+struct vec3 pullback_point(const struct pullback *p, struct uv at)
+{
+    const struct nurbs *s = p->surface;
+    at.u -= width(&s->u) * turns(&s->u, p->closed_u, at.u);
+    at.v -= width(&s->v) * turns(&s->v, p->closed_v, at.v);
+    at.u = fmin(fmax(at.u, s->u.from), s->u.to);
+    at.v = fmin(fmax(at.v, s->v.from), s->v.to);
+    return nurbs_point(s, at);
+}
+
+static double distance(const struct pullback *p, struct vec3 q, struct uv at)
+{
+    return vec_distance(q, pullback_point(p, at));
+}
+
+struct uv pullback_foot(const struct pullback *p, struct vec3 q, struct uv guess)
+{
+    const struct nurbs *s = p->surface;
+    double ku = turns(&s->u, p->closed_u, guess.u), kv = turns(&s->v, p->closed_v, guess.v);
+    struct uv base = {guess.u - ku * width(&s->u), guess.v - kv * width(&s->v)};
+    struct uv best = nurbs_foot(s, q, base);
+    double least = vec_distance(q, nurbs_point(s, best));
+    best.u += ku * width(&s->u);
+    best.v += kv * width(&s->v);
+    /* A search that ends at the seam goes on beyond it. */
+    for (int i = 0; i < 4; i++) {
+        bool along_u = i < 2;
+        double sign = i % 2 == 0 ? 1 : -1;
+        const struct nurbs_axis *a = along_u ? &s->u : &s->v;
+        double at = along_u ? best.u - ku * width(a) : best.v - kv * width(a);
+        if (!(along_u ? p->closed_u : p->closed_v) || (sign > 0 ? at < a->to : at > a->from))
+            continue;
+        struct uv t = {best.u - ku * width(&s->u), best.v - kv * width(&s->v)};
+        *(along_u ? &t.u : &t.v) = sign > 0 ? a->from : a->to;
+        t = nurbs_foot(s, q, t);
+        double d = vec_distance(q, nurbs_point(s, t));
+        if (d < least) {
+            least = d;
+            ku += along_u ? sign : 0;
+            kv += along_u ? 0 : sign;
+            best = (struct uv){t.u + ku * width(&s->u), t.v + kv * width(&s->v)};
+        }
+    }
+    return best;
+}
+
+struct uv pullback_seek(const struct pullback *p, struct vec3 q)
+{
+    const struct nurbs *s = p->surface;
+    struct uv start[STARTS] = {{0, 0}}, best = {0, 0};
+    double near[STARTS], least = HUGE_VAL;
+    for (int i = 0; i < STARTS; i++)
+        near[i] = HUGE_VAL;
+    for (int k = 0; k < (ACROSS + 1) * (ACROSS + 1); k++) {
+        struct uv at = {s->u.from + width(&s->u) * (k % (ACROSS + 1)) / ACROSS,
+                        s->v.from + width(&s->v) * (k / (ACROSS + 1)) / ACROSS};
+        double d = distance(p, q, at);
+        int i = STARTS;
+        for (; i > 0 && d < near[i - 1]; i--)
+            if (i < STARTS) {
+                near[i] = near[i - 1];
+                start[i] = start[i - 1];
+            }
+        if (i < STARTS) {
+            near[i] = d;
+            start[i] = at;
+        }
+    }
+    for (int i = 0; i < STARTS; i++) {
+        struct uv at = pullback_foot(p, q, start[i]);
+        double d = distance(p, q, at);
+        if (d < least) {
+            least = d;
+            best = at;
+        }
+    }
+    return best;
+}
 
 enum { DEPTH_MAX = 10, SPACE_PARTS = 8 };
 
-/* A curve in the parameters or in space, followed on the surface. */
+/* A curve in the parameters or in space that is being followed on the surface. */
 struct follower {
     struct pullback on;
     const struct nurbs_curve *curve;
@@ -43,7 +213,7 @@ static struct uv mix(struct uv a, struct uv b, double t)
     return (struct uv){a.u + (b.u - a.u) * t, a.v + (b.v - a.v) * t};
 }
 
-/* Is the straight way in the parameters, and on the surface, near the curve at three places? */
+/* Is the chord in the parameters, and on the surface, near the curve at three places? */
 static bool is_near(struct follower *f, double t0, struct uv a, double t1, struct uv b)
 {
     struct vec3 p = pullback_point(&f->on, a), q = pullback_point(&f->on, b);
@@ -58,7 +228,8 @@ static bool is_near(struct follower *f, double t0, struct uv a, double t1, struc
 }
 
 /* All points of the curve from t0 to t1 but the last. */
-static void follow(struct follower *f, double t0, struct uv a, double t1, struct uv b, int depth)
+static void follow_span(struct follower *f, double t0, struct uv a, double t1, struct uv b,
+                        int depth)
 {
     if (depth == DEPTH_MAX || is_near(f, t0, a, t1, b)) {
         *array_push(f->to) = a;
@@ -66,13 +237,13 @@ static void follow(struct follower *f, double t0, struct uv a, double t1, struct
     }
     double middle = t0 + (t1 - t0) / 2;
     struct uv m = uv_at(f, middle, mix(a, b, 0.5));
-    follow(f, t0, a, middle, m, depth + 1);
-    follow(f, middle, m, t1, b, depth + 1);
+    follow_span(f, t0, a, middle, m, depth + 1);
+    follow_span(f, middle, m, t1, b, depth + 1);
 }
 
-/* One curve, span by span, from t0 to t1, with its last point; a span that bends is parted first.
- * `start` is its place at t0, where t0 is an end of the range. */
-static void interpolation_curve(struct follower *f, bool backwards, struct uv start)
+/* All points of a curve, span by span, with its last one; a span that bends is split first.
+ * `start` is the place of its first point. */
+static void follow_curve(struct follower *f, bool backwards, struct uv start)
 {
     const struct nurbs_axis *t = &f->curve->t;
     size_t spans = t->poles - (size_t)t->degree;
@@ -85,7 +256,7 @@ static void interpolation_curve(struct follower *f, bool backwards, struct uv st
         for (int p = 0; p < parts && high > low; p++) {
             double t0 = from + step * p / parts, t1 = from + step * (p + 1) / parts;
             struct uv b = uv_at(f, t1, a);
-            follow(f, t0, a, t1, b, 0);
+            follow_span(f, t0, a, t1, b, 0);
             a = b;
         }
     }
@@ -103,7 +274,7 @@ static struct vec3 end_of(const struct nurbs_curve *c, bool last)
     return nurbs_curve_point(c, last ? c->t.to : c->t.from);
 }
 
-/* How far the loop's curves are apart in u and v, or in space, squared. */
+/* The squared distance of two points of the loop's curves: in parts of the range, or in space. */
 static double apart(const struct patch *patch, const struct patch_loop *loop, struct vec3 a,
                     struct vec3 b)
 {
@@ -127,10 +298,10 @@ static bool is_backwards(const struct patch *patch, const struct patch_loop *loo
            fmin(apart(patch, loop, last, p), apart(patch, loop, last, q));
 }
 
-/* All curves of a loop, one behind the other, without repeated points: from its first place to its
- * last one, which may be the first again a turn further on. */
-static void interpolation_loop(const struct patch *patch, const struct patch_loop *loop,
-                               struct follower *f, struct uvs *to)
+/* All curves of a loop in order, without repeated points: from its first place to its last one,
+ * which may be the first again a turn further on. */
+static void follow_loop(const struct patch *patch, const struct patch_loop *loop,
+                        struct follower *f, struct uvs *to)
 {
     struct uvs all = {0};
     struct vec3 at = {0, 0, 0};
@@ -143,8 +314,7 @@ static void interpolation_loop(const struct patch *patch, const struct patch_loo
         at = end_of(f->curve, backwards);
         if (k == 0 && loop->space)
             guess = pullback_seek(&f->on, at);
-        interpolation_curve(f, backwards,
-                            uv_at(f, backwards ? f->curve->t.to : f->curve->t.from, guess));
+        follow_curve(f, backwards, uv_at(f, backwards ? f->curve->t.to : f->curve->t.from, guess));
         guess = all.item[all.n - 1];
         at = end_of(f->curve, !backwards);
     }
@@ -154,13 +324,149 @@ static void interpolation_loop(const struct patch *patch, const struct patch_loo
     array_free(&all);
 }
 
+/* By the width of the range: what is rounding. */
+static const double ROUNDING = 1e-6;
+
+static double coordinate(struct uv at, bool u)
+{
+    return u ? at.u : at.v;
+}
+
+static struct uv moved(struct uv at, bool u, double by)
+{
+    return u ? (struct uv){at.u + by, at.v} : (struct uv){at.u, at.v + by};
+}
+
+static const struct nurbs_axis *axis_of(const struct pullback *s, bool u)
+{
+    return u ? &s->surface->u : &s->surface->v;
+}
+
+/* How often a loop goes round before it comes back to its start. */
+static int rounds(const struct pullback *s, const struct uvs *loop, bool u)
+{
+    const struct nurbs_axis *a = axis_of(s, u);
+    if (!(u ? s->closed_u : s->closed_v) || loop->n < 2)
+        return 0;
+    double along = coordinate(loop->item[loop->n - 1], u) - coordinate(loop->item[0], u);
+    return (int)floor(along / (a->to - a->from) + 0.5);
+}
+
+/* The part of a polygon above the limit (side 1) or below it (-1): Sutherland and Hodgman 1974. */
+static void clip_loop(struct uvs *loop, bool u, double limit, double side)
+{
+    struct uvs kept = {0};
+    for (size_t i = 0; i < loop->n; i++) {
+        struct uv a = loop->item[i], b = loop->item[(i + 1) % loop->n];
+        double x = side * (coordinate(a, u) - limit), y = side * (coordinate(b, u) - limit);
+        if (x >= 0)
+            *array_push(&kept) = a;
+        if ((x > 0 && y < 0) || (x < 0 && y > 0)) {
+            double t = x / (x - y);
+            struct uv at = {a.u + t * (b.u - a.u), a.v + t * (b.v - a.v)};
+            *(u ? &at.u : &at.v) = limit;
+            *array_push(&kept) = at;
+        }
+    }
+    array_free(loop);
+    *loop = kept;
+}
+
+/* Appends a loop of an area, else frees it. */
+static void append_loop(struct uvs *loop, struct uv_polygon *to)
+{
+    if (loop->n >= 3)
+        *array_push(to) = *loop;
+    else
+        array_free(loop);
+}
+
+/* The loop in the range of one parameter, as often as it reaches into it; takes it over. */
+static void wrap_loop(const struct pullback *s, struct uvs *loop, bool u, struct uv_polygon *to)
+{
+    const struct nurbs_axis *a = axis_of(s, u);
+    double low = HUGE_VAL, high = -HUGE_VAL, width = a->to - a->from;
+    for (size_t i = 0; i < loop->n; i++) {
+        low = fmin(low, coordinate(loop->item[i], u));
+        high = fmax(high, coordinate(loop->item[i], u));
+    }
+    double first = floor((low - a->from) / width + ROUNDING);
+    double last = ceil((high - a->from) / width - ROUNDING) - 1;
+    if (!(u ? s->closed_u : s->closed_v) || !(last >= first) || last - first > 2) {
+        append_loop(loop, to);
+        return;
+    }
+    for (double k = first; k <= last; k++) {
+        struct uvs copy = {0};
+        for (size_t i = 0; i < loop->n; i++)
+            *array_push(&copy) = moved(loop->item[i], u, -k * width);
+        if (last > first) {
+            clip_loop(&copy, u, a->from, 1);
+            clip_loop(&copy, u, a->to, -1);
+        }
+        append_loop(&copy, to);
+    }
+    array_free(loop);
+}
+
+/* Closes a loop that goes round over one of the ends of the other parameter. */
+static void close_round(const struct pullback *s, struct uvs *loop, bool u, bool high)
+{
+    const struct nurbs_axis *other = axis_of(s, !u);
+    double end = high ? other->to : other->from;
+    struct uv first = loop->item[0], last = loop->item[loop->n - 1];
+    *(u ? &first.v : &first.u) = end;
+    *(u ? &last.v : &last.u) = end;
+    *array_push(loop) = last;
+    *array_push(loop) = first;
+}
+
+static bool is_same_place(const struct pullback *s, struct uv a, struct uv b)
+{
+    double u = (a.u - b.u) / (s->surface->u.to - s->surface->u.from);
+    double v = (a.v - b.v) / (s->surface->v.to - s->surface->v.from);
+    return u * u + v * v <= 1e-18;
+}
+
+/* Brings loops into the range of a surface that closes on itself (trim_loops.h). */
+static void trim_seam(const struct pullback *s, const struct uv_polygon *from,
+                      struct uv_polygon *to)
+{
+    size_t round[2] = {0};
+    *to = (struct uv_polygon){0};
+    for (size_t i = 0; i < from->n; i++)
+        for (int u = 0; u < 2; u++)
+            round[u] += rounds(s, &from->item[i], u == 1) != 0;
+    for (size_t i = 0; i < from->n; i++) {
+        struct uvs loop = {0};
+        struct uv_polygon once = {0};
+        int n[2] = {rounds(s, &from->item[i], false), rounds(s, &from->item[i], true)};
+        if (abs(n[0]) + abs(n[1]) > 1) {
+            to->lost++;
+            continue;
+        }
+        for (size_t k = 0; k < from->item[i].n; k++)
+            *array_push(&loop) = from->item[i].item[k];
+        bool u = n[1] != 0, is_round = n[0] != 0 || u;
+        while (!is_round && loop.n > 1 && is_same_place(s, loop.item[0], loop.item[loop.n - 1]))
+            loop.n--;
+        /* The left of a loop along u is at higher v, of one along v at lower u. */
+        if (is_round)
+            close_round(s, &loop, u, round[u] % 2 == 0 || (n[u] > 0) == u);
+        wrap_loop(s, &loop, true, &once);
+        for (size_t k = 0; k < once.n; k++)
+            wrap_loop(s, &once.item[k], false, to);
+        array_free(&once);
+    }
+}
+
 void trim_loops(const struct patch *patch, double tolerance, struct uv_polygon *loops)
 {
     struct uv_polygon raw = {0};
     struct follower f = {.on = pullback_new(&patch->surface), .tolerance = tolerance};
     for (size_t i = 0; i < patch->loop.n; i++) {
         struct uvs loop = {0};
-        interpolation_loop(patch, &patch->loop.item[i], &f, &loop);
+        follow_loop(patch, &patch->loop.item[i], &f, &loop);
         *array_push(&raw) = loop;
     }
     trim_seam(&f.on, &raw, loops);

@@ -17,7 +17,7 @@ static void write_vec(struct out *out, struct vec3 p)
     write_number(out, p.z);
 }
 
-static double mesh_for_rows_of(const struct nurbs_axis *a, int i, int n)
+static double place_on_range(const struct nurbs_axis *a, int i, int n)
 {
     return i == n - 1 ? a->to : a->from + (a->to - a->from) * i / (n - 1);
 }
@@ -28,12 +28,12 @@ void nurbs_report_grid(const char *file, const struct patches *patches, int n)
     out_text(out, "entity,u,v,x,y,z,nx,ny,nz\n");
     for (size_t k = 0; k < patches->n; k++) {
         const struct nurbs *s = &patches->item[k].surface;
-        struct nurbs whole = *s; /* a range that ends on a knot: the span behind that counts */
+        struct nurbs whole = *s; /* a range that ends on a knot: the span after it counts */
         whole.u.to = s->u.knot[s->u.poles];
         whole.v.to = s->v.knot[s->v.poles];
         for (int i = 0; i < n; i++)
             for (int j = 0; j < n; j++) {
-                struct uv at = {mesh_for_rows_of(&s->u, i, n), mesh_for_rows_of(&s->v, j, n)};
+                struct uv at = {place_on_range(&s->u, i, n), place_on_range(&s->v, j, n)};
                 struct nurbs_place p = nurbs_place(&whole, at);
                 out_printf(out, "%d", patches->item[k].entity);
                 write_number(out, at.u);
@@ -47,7 +47,7 @@ void nurbs_report_grid(const char *file, const struct patches *patches, int n)
 }
 
 void nurbs_report_radii(const char *file, const struct patches *patches,
-                        const struct concave_radius *hollow)
+                        const struct concave_radius *concave)
 {
     const struct patch *tightest = NULL;
     double most = 0;
@@ -56,15 +56,15 @@ void nurbs_report_radii(const char *file, const struct patches *patches,
     for (size_t i = 0; i < patches->n; i++) {
         const struct patch *p = &patches->item[i];
         out_printf(out, "%s:%d", p->file, p->entity);
-        if (hollow[i].curvature > 1e-9) {
-            out_printf(out, ",%.6f,%.9g,%.9g,%.6f,%.6f,%.6f\n", 1 / hollow[i].curvature,
-                       hollow[i].at.u + 0.0, hollow[i].at.v + 0.0, hollow[i].point.x + 0.0,
-                       hollow[i].point.y + 0.0, hollow[i].point.z + 0.0);
+        if (concave[i].curvature > 1e-9) {
+            out_printf(out, ",%.6f,%.9g,%.9g,%.6f,%.6f,%.6f\n", 1 / concave[i].curvature,
+                       concave[i].at.u + 0.0, concave[i].at.v + 0.0, concave[i].point.x + 0.0,
+                       concave[i].point.y + 0.0, concave[i].point.z + 0.0);
         } else {
             out_text(out, ",none,,,,,\n");
         }
-        if (hollow[i].curvature > most) {
-            most = hollow[i].curvature;
+        if (concave[i].curvature > most) {
+            most = concave[i].curvature;
             tightest = p;
         }
     }

@@ -149,7 +149,7 @@ static void put_some(void *context, size_t from, size_t to)
 
     for (size_t i = from; i < to; i++)
         p->beside[i] =
-            project_put(p->path->on, p->path->rule.normal, p->path->reach, &p->point[i]) < 0;
+            project_contact(p->path->on, p->path->rule.normal, p->path->reach, &p->point[i]) < 0;
 }
 
 static void put_on_surfaces(struct plane_passes *p, struct contacts *points)

@@ -68,7 +68,7 @@ static int read_surfaces(const char *file, struct mesh *mesh, struct error *erro
     for (size_t i = 0; result == 0 && i < patches.n; i++) {
         struct sheet sheet = {0};
         size_t from = mesh->vertex.n;
-        tessellate(&patches.item[i], (struct tessellation){.tolerance = CHORD}, &sheet);
+        tessellate(&patches.item[i], (struct tessellate_options){.tolerance = CHORD}, &sheet);
         if (sheet.too_fine)
             result = error_set(error, "%s: surface %d is too large for triangles within %g mm",
                                file, patches.item[i].entity, CHORD);

@@ -8,6 +8,7 @@
 
 #include "base/array.h"
 #include "nurbs/concave_radius.h"
+#include "nurbs/trim_loops.h"
 #include "nurbs/tessellate.h"
 
 static uint64_t seed;
@@ -46,13 +47,18 @@ START_TEST(no_place_is_more_hollow)
         struct patch p = random_patch();
         struct uv_polygon loops = {0};
         struct uvs disc = {0};
+        struct patch_loop ring = {0};
         bool flipped = turn % 2, trimmed = turn % 3 == 0;
         for (int i = 0; i < 100 && trimmed; i++)
             *array_push(&disc) =
                 (struct uv){2 + 1.5 * cos(2 * PI * i / 100), 2 + 1.5 * sin(2 * PI * i / 100)};
         if (trimmed)
             *array_push(&loops) = disc;
-        struct concave_radius h = concave_radius_find(&p, &loops, flipped, 1);
+        for (size_t i = 0; i < disc.n && trimmed; i++)
+            *array_push(&ring) = patch_line(disc.item[i], disc.item[(i + 1) % disc.n]);
+        if (trimmed)
+            *array_push(&p.loop) = ring;
+        struct concave_radius h = concave_radius_find(&p, flipped, 1);
         for (int i = 0; i <= 200; i++)
             for (int k = 0; k <= 200; k++) {
                 struct uv at = {4 * i / 200.0, 4 * k / 200.0};

@@ -1,5 +1,5 @@
 /*
- * gridlines: equal lines, with every kink among them; bent ones that keep the tolerance of a known
+ * isolines: equal lines, with every kink among them; bent ones that keep the tolerance of a known
  * curvature, and no more of them than that takes.
  */
 #include <check.h>
@@ -78,8 +78,8 @@ END_TEST
 
 int main(void)
 {
-    Suite *suite = suite_create("gridlines");
-    TCase *tests = tcase_create("gridlines");
+    Suite *suite = suite_create("isolines");
+    TCase *tests = tcase_create("isolines");
     SRunner *runner = srunner_create(suite);
     tcase_set_timeout(tests, 60);
     tcase_add_test(tests, equal);

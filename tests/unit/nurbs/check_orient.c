@@ -13,7 +13,7 @@ static struct orient_count count_of(struct patch p, struct vec3 up, bool *flippe
     struct sheet s;
     struct patch_mesh q;
     struct mesh mesh = {0};
-    tessellate(&p, (struct tessellation){8, 0.01, 1}, &s);
+    tessellate(&p, (struct tessellate_options){8, 0.01, 1}, &s);
     patch_mesh_make(&s, 1, 0, &q);
     sew(&q, &all, 1e-6, 0.01);
     struct orient_count count = orient_outward(&q, up);

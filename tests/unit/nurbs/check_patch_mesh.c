@@ -20,7 +20,7 @@ static void make(bool sharp, double least, double strip, struct patch_mesh *q)
         known_flat(vec(0, 10, 0), vec(10, 10, 0), vec(0, 10 + strip, 0), vec(10, 10 + strip, 0))};
     struct sheet s[3];
     for (int i = 0; i < 3; i++)
-        tessellate(&p[i], (struct tessellation){2, 0.01, 1}, &s[i]);
+        tessellate(&p[i], (struct tessellate_options){2, 0.01, 1}, &s[i]);
     patch_mesh_make(s, 3, least, q);
     for (int i = 0; i < 3; i++) {
         sheet_free(&s[i]);

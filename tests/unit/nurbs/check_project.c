@@ -37,7 +37,7 @@ START_TEST(points_go_to_the_surface_and_stay_in_their_plane)
         /* A normal that is a little off, as one that is mixed from two. */
         c.n = vec_unit(vec_add(n, vec(uniform(-0.02, 0.02), uniform(-0.02, 0.02), 0)));
         was = c;
-        ck_assert_int_eq(project_put(on, plane, 0.2, &c), 0);
+        ck_assert_int_eq(project_contact(on, plane, 0.2, &c), 0);
         ck_assert_double_eq_tol(c.p.z, c.p.x * c.p.y / 25, 1e-9);
         ck_assert_double_eq_tol(vec_dot(vec_sub(c.p, was.p), plane), 0, 1e-12);
         struct vec3 exact = vec_unit(vec(-c.p.y / 25, -c.p.x / 25, 1));
@@ -55,14 +55,14 @@ START_TEST(what_is_elsewhere_stays)
     struct contact beside = {vec(11, 5, 2.2), vec(0, 0, 1)}, above = {vec(5, 5, 2), vec(0, 0, 1)};
     struct contact c = beside;
 
-    ck_assert_int_eq(project_put(on, vec(0, 1, 0), 5, &c), -1);
+    ck_assert_int_eq(project_contact(on, vec(0, 1, 0), 5, &c), -1);
     ck_assert_double_eq(vec_distance(c.p, beside.p), 0);
     c = above;
-    ck_assert_int_eq(project_put(on, vec(0, 1, 0), 0.5, &c), -1);
+    ck_assert_int_eq(project_contact(on, vec(0, 1, 0), 0.5, &c), -1);
     ck_assert_double_eq(vec_distance(c.p, above.p), 0);
     /* On the border, beyond it by what six decimals leave. */
     c = (struct contact){vec(10.0000004, 5, 2), vec(-0.2, -0.4, 0.9)};
-    ck_assert_int_eq(project_put(on, vec(0, 1, 0), 0.5, &c), 0);
+    ck_assert_int_eq(project_contact(on, vec(0, 1, 0), 0.5, &c), 0);
     project_free(on);
 }
 END_TEST
@@ -89,7 +89,7 @@ START_TEST(what_is_trimmed_away_is_none)
         double r = uniform(0.1, 4.5), a = uniform(0, 7);
         double x = 5 + r * cos(a), y = 5 + r * sin(a);
         struct contact c = {vec(x, y, x * y / 25 + 0.01), vec_unit(vec(-y / 25, -x / 25, 1))};
-        int got = project_put(on, vec(0, 1, 0), 0.2, &c);
+        int got = project_contact(on, vec(0, 1, 0), 0.2, &c);
         if (r < 2.98 || r > 3.005)
             ck_assert_int_eq(got, r < 3 ? -1 : 0);
     }

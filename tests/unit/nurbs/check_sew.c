@@ -1,5 +1,5 @@
 /*
- * weld and outward, through a patch_mesh: a plane cut into strips with other counts and hands has
+ * sew and orient: a plane cut into strips with other counts and hands has
  * no open edge inside and one side; a gap wider than allowed stays open; a cube turned inside out
  * is found.
  */
@@ -7,6 +7,7 @@
 #include <stdlib.h>
 
 #include "base/array.h"
+#include "known.h"
 #include "nurbs/orient.h"
 #include "nurbs/sew.h"
 
@@ -29,7 +30,7 @@ static void add_flat(struct patches *to, struct vec3 a, struct vec3 b, struct ve
 }
 
 struct joined {
-    struct sew_count weld;
+    struct sew_count sewn;
     struct orient_count out;
     struct mesh mesh;
 };
@@ -40,9 +41,9 @@ static struct joined join(const struct patches *patches, const int *n, double ga
     struct patch_mesh patch_mesh;
     struct joined j = {0};
     for (size_t i = 0; i < patches->n; i++)
-        tessellate(&patches->item[i], (struct tessellation){n[i], 0.001, 1}, &sheet[i]);
+        tessellate(&patches->item[i], (struct tessellate_options){n[i], 0.001, 1}, &sheet[i]);
     patch_mesh_make(sheet, patches->n, 0, &patch_mesh);
-    j.weld = sew(&patch_mesh, patches, gap, 0.001);
+    j.sewn = sew(&patch_mesh, patches, gap, 0.001);
     j.out = orient_outward(&patch_mesh, vec(0, 0, 1));
     patch_mesh_mesh(&patch_mesh, &j.mesh);
     for (size_t i = 0; i < patches->n; i++)
@@ -115,13 +116,79 @@ START_TEST(inside_out)
 }
 END_TEST
 
+/*
+ * Borders that run side by side share vertices; those that only cross or touch
+ * stay as they are.
+ */
+/* How many vertices are joined or inserted between two patches, of 4 and 7 cells. */
+static size_t meet(struct patch a, struct patch b, double gap, double *moved)
+{
+    struct patch p[2] = {a, b};
+    struct patches all = {.n = 2, .item = p};
+    struct sheet s[2];
+    struct patch_mesh q;
+    for (int i = 0; i < 2; i++)
+        tessellate(&p[i], (struct tessellate_options){i ? 7 : 4, 0.01, 1}, &s[i]);
+    patch_mesh_make(s, 2, 0, &q);
+    struct sew_count count = sew(&q, &all, gap, 0.01);
+    *moved = count.moved;
+    for (size_t i = 0; i < q.edge.n; i++) { /* every border edge is one of its triangle */
+        const struct patch_mesh_edge *e = &q.edge.item[i];
+        const int *v = q.face.item[e->face].v;
+        int found = 0;
+        for (int k = 0; k < 3; k++)
+            found += (size_t)v[k] == e->from && (size_t)v[(k + 1) % 3] == e->to;
+        ck_assert_int_eq(found, 1);
+    }
+    patch_mesh_free(&q);
+    for (int i = 0; i < 2; i++) {
+        sheet_free(&s[i]);
+        patch_free(&p[i]);
+    }
+    return count.joined + count.inserted;
+}
+
+static struct patch left(void)
+{
+    return known_flat(vec(0, 0, 0), vec(40, 0, 0), vec(0, 40, 0), vec(40, 40, 0));
+}
+
+START_TEST(side_by_side)
+{
+    double moved;
+    for (int k = 0; k < 5; k++) { /* up to 0.04 apart: ends joined, 3 and 6 inserted */
+        double d = 0.01 * k;
+        struct patch right =
+            known_flat(vec(40 + d, 0, 0), vec(80, 0, 0), vec(40, 40, d), vec(80, 40, 0));
+        ck_assert_uint_eq(meet(left(), right, 0.05, &moved), 2 + 3 + 6);
+        ck_assert_double_lt(fabs(moved - d / 2), 1e-12);
+    }
+    struct patch right =
+        known_flat(vec(40.06, 0, 0), vec(80, 0, 0), vec(40.06, 40, 0), vec(80, 40, 0));
+    ck_assert_uint_eq(meet(left(), right, 0.05, &moved), 0);
+}
+END_TEST
+
+/* The border of one runs through that of the other at 45 degrees, through a vertex of both. */
+START_TEST(crossing)
+{
+    double moved;
+    struct patch other =
+        known_flat(vec(30, 10, 0.02), vec(30, 10, 30), vec(58, 38, 0.02), vec(58, 38, 30));
+    ck_assert_uint_eq(meet(left(), other, 0.05, &moved), 0);
+    ck_assert_double_eq(moved, 0);
+}
+END_TEST
+
 int main(void)
 {
-    Suite *suite = suite_create("weld");
-    TCase *tests = tcase_create("weld");
+    Suite *suite = suite_create("sew");
+    TCase *tests = tcase_create("sew");
     SRunner *runner = srunner_create(suite);
     tcase_add_test(tests, strips);
     tcase_add_test(tests, inside_out);
+    tcase_add_test(tests, side_by_side);
+    tcase_add_test(tests, crossing);
     suite_add_tcase(suite, tests);
     srunner_run_all(runner, CK_ENV);
     int failed = srunner_ntests_failed(runner);

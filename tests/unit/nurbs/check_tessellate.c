@@ -50,7 +50,7 @@ START_TEST(within_the_tolerance)
         struct patch p = torus ? known_torus(20, 5) : known_sphere(10);
         double e = tolerance[k / 2], area, want = torus ? 4 * PI * PI * 100 : 4 * PI * 100;
         struct sheet s;
-        tessellate(&p, (struct tessellation){0, e, 1}, &s);
+        tessellate(&p, (struct tessellate_options){0, e, 1}, &s);
         double most = farthest(&s, torus ? off_torus : off_sphere, &area);
         ck_assert_double_le(most, s.error * (1 + 1e-9) + 1e-12);
         ck_assert_double_le(s.error, e);
@@ -66,7 +66,7 @@ START_TEST(exact_vertices)
 {
     struct patch p = known_torus(20, 5);
     struct sheet s;
-    tessellate(&p, (struct tessellation){23, 0.01, 1}, &s);
+    tessellate(&p, (struct tessellate_options){23, 0.01, 1}, &s);
     for (size_t i = 0; i < s.at.n; i++) {
         struct vec3 q = s.point.item[i], ring = vec_scale(20, vec_unit(vec(q.x, q.y, 0)));
         struct vec3 normal = vec_scale(0.2, vec_sub(q, ring));
@@ -85,8 +85,8 @@ START_TEST(threads_change_nothing)
 {
     struct patch p = known_sphere(10);
     struct sheet a, b;
-    tessellate(&p, (struct tessellation){0, 0.02, 1}, &a);
-    tessellate(&p, (struct tessellation){0, 0.02, 5}, &b);
+    tessellate(&p, (struct tessellate_options){0, 0.02, 1}, &a);
+    tessellate(&p, (struct tessellate_options){0, 0.02, 5}, &b);
     ck_assert_uint_eq(a.at.n, b.at.n);
     ck_assert_uint_eq(a.face.n, b.face.n);
     ck_assert_int_eq(memcmp(a.point.item, b.point.item, a.at.n * sizeof *a.point.item), 0);
@@ -103,7 +103,7 @@ START_TEST(out_of_reach)
 {
     struct patch p = known_sphere(10);
     struct sheet s;
-    tessellate(&p, (struct tessellation){0, 1e-9, 1}, &s);
+    tessellate(&p, (struct tessellate_options){0, 1e-9, 1}, &s);
     ck_assert(s.too_fine);
     sheet_free(&s);
     patch_free(&p);

@@ -17,6 +17,11 @@ static double chance(void)
     return (double)(seed >> 11) / 9007199254740992.0;
 }
 
+static double uniform(double low, double high)
+{
+    return low + (high - low) * chance();
+}
+
 static struct doubles lines(int n)
 {
     struct doubles d = {0};
@@ -179,6 +184,132 @@ START_TEST(inside)
 }
 END_TEST
 
+/* The lattice: lines are even and rise, places odd and on the side of each line that they are on.
+ */
+START_TEST(sides_of_lines)
+{
+    for (int turn = 0; turn < 50; turn++) {
+        struct doubles line = {0};
+        double from = uniform(-1e6, 1e6), width = uniform(1e-3, 1e6), x = 0;
+        while (x < 1) {
+            *array_push(&line) = from + x * width;
+            x += uniform(0.001, 0.2);
+        }
+        *array_push(&line) = from + width;
+        struct trim_lattice a = trim_snap_new(&line);
+        ck_assert_uint_eq(a.n, line.n);
+        for (size_t i = 0; i < a.n; i++) {
+            ck_assert_int_eq(a.line[i] % 2, 0);
+            ck_assert(i == 0 || a.line[i] > a.line[i - 1]);
+        }
+        for (int i = 0; i < 400; i++) {
+            double place = from + uniform(0.0005, 0.9995) * width;
+            size_t below = 0;
+            double near = width;
+            for (size_t k = 0; k < line.n; k++) {
+                below += line.item[k] < place;
+                near = fmin(near, fabs(line.item[k] - place));
+            }
+            int64_t at = trim_snap_place(&a, place, 1);
+            ck_assert_int_eq(at & 1, 1);
+            if (near > 1e-7 * width)
+                ck_assert_uint_eq(trim_snap_below(&a, at), below);
+        }
+        trim_snap_free(&a);
+        array_free(&line);
+    }
+}
+END_TEST
+
+START_TEST(on_a_line)
+{
+    double lines[] = {2, 3, 5};
+    struct doubles line = {.n = 3, .item = lines};
+    struct trim_lattice a = trim_snap_new(&line);
+    for (int k = -1; k <= 1; k++) { /* on it and within rounding */
+        double off = k * 1e-8;
+        ck_assert_int_eq(trim_snap_place(&a, 3 + off, 1), a.line[1] + 1);
+        ck_assert_int_eq(trim_snap_place(&a, 3 + off, -1), a.line[1] - 1);
+        ck_assert_int_eq(trim_snap_place(&a, 2 + off, 1), a.line[0] - 1);
+        ck_assert_int_eq(trim_snap_place(&a, 5 + off, -1), a.line[2] + 1);
+    }
+    trim_snap_free(&a);
+}
+END_TEST
+
+/* Clipping a cell: one line through a cell leaves what is on its left, two leave what is between or
+ * beside; lines that cross are refused. */
+/* Vertices 0 to 3 are the corners of the cell from the lower left, counter-clockwise; others lie at
+ * `clip_x` and `clip_y`. */
+static const double clip_x[] = {0, 1, 1, 0, 0.3, 0.3, 0.7, 0.7},
+                    clip_y[] = {0, 0, 1, 1, 0, 1, 1, 0};
+static const int corner[4] = {0, 1, 2, 3};
+
+static double polygons_area(const struct polygons *p)
+{
+    double sum = 0;
+    for (size_t k = 0, from = 0; k < p->end.n; from = p->end.item[k++]) {
+        double part = 0;
+        size_t n = p->end.item[k] - from;
+        for (size_t i = 0; i < n; i++) {
+            int a = p->id.item[from + i], b = p->id.item[from + (i + 1) % n];
+            part += (clip_x[a] * clip_y[b] - clip_x[b] * clip_y[a]) / 2;
+        }
+        ck_assert_double_gt(part, 0);
+        sum += part;
+    }
+    return sum;
+}
+
+/* From the bottom (0) to the top (2) at the place of vertices 4 and 5, or 6 and 7 downwards. */
+static const struct trim_chain up = {
+    .first = 0, .n = 2, .side_in = 0, .in = 0.3, .side_out = 2, .out = -0.3};
+static const struct trim_chain down = {
+    .first = 2, .n = 2, .side_in = 2, .in = -0.7, .side_out = 0, .out = 0.7};
+
+START_TEST(one_line)
+{
+    static const int id[] = {4, 5, 6, 7};
+    struct polygons p = {0};
+    struct trim_chain chain[1] = {up};
+    ck_assert(trim_clip(chain, 1, id, corner, &p));
+    ck_assert_double_lt(fabs(polygons_area(&p) - 0.3), 1e-15);
+    chain[0] = down;
+    ck_assert(trim_clip(chain, 1, id, corner, &p));
+    ck_assert_double_lt(fabs(polygons_area(&p) - 0.3), 1e-15); /* right of 0.7 is on its left */
+    polygons_free(&p);
+}
+END_TEST
+
+START_TEST(two_lines)
+{
+    static const int beside[] = {4, 5, 6, 7}, between[] = {7, 6, 5, 4};
+    struct polygons p = {0};
+    struct trim_chain chain[2] = {up, down};
+    ck_assert(trim_clip(chain, 2, beside, corner, &p));
+    ck_assert_uint_eq(p.end.n, 2);
+    ck_assert_double_lt(fabs(polygons_area(&p) - 0.6), 1e-15);
+    struct trim_chain inner[2] = {up, down};
+    inner[0].in = 0.7, inner[0].out = -0.7, inner[1].in = -0.3, inner[1].out = 0.3;
+    ck_assert(trim_clip(inner, 2, between, corner, &p));
+    ck_assert_uint_eq(p.end.n, 1);
+    ck_assert_double_lt(fabs(polygons_area(&p) - 0.4), 1e-15);
+    polygons_free(&p);
+}
+END_TEST
+
+START_TEST(both_upwards)
+{
+    static const int id[] = {4, 5, 7, 6};
+    struct polygons p = {0};
+    struct trim_chain chain[2] = {up, up};
+    chain[1].first = 2;
+    chain[1].in = 0.7, chain[1].out = -0.7;
+    ck_assert(!trim_clip(chain, 2, id, corner, &p));
+    polygons_free(&p);
+}
+END_TEST
+
 int main(void)
 {
     Suite *suite = suite_create("trim_grid");
@@ -189,6 +320,11 @@ int main(void)
     tcase_add_test(tests, whole_and_outside);
     tcase_add_test(tests, through_the_nodes);
     tcase_add_test(tests, inside);
+    tcase_add_test(tests, sides_of_lines);
+    tcase_add_test(tests, on_a_line);
+    tcase_add_test(tests, one_line);
+    tcase_add_test(tests, two_lines);
+    tcase_add_test(tests, both_upwards);
     suite_add_tcase(suite, tests);
     srunner_run_all(runner, CK_ENV);
     int failed = srunner_ntests_failed(runner);
