@@ -4,7 +4,7 @@
 #include <math.h>
 #include <stdlib.h>
 
-#include "math/facet_tree.h"
+#include "math/box_tree.h"
 
 static const double FLAT = 1e-9; /* mm2: twice the area of a facet that is none from above */
 

@@ -4,11 +4,12 @@
 #include <stdlib.h>
 
 #include "base/array.h"
-#include "math/facet_tree.h"
+#include "math/box_tree.h"
 #include "base/parallel.h"
 
 struct job {
-    const struct facet_tree *tree;
+    const struct facets *facets;
+    const struct box_tree *tree;
     const struct vec3 *point;
     double *distance;
 };
@@ -18,7 +19,7 @@ static void measure(void *context, size_t from, size_t to)
     const struct job *job = context;
 
     for (size_t i = from; i < to; i++)
-        job->distance[i] = facet_tree_distance(job->tree, job->point[i]);
+        job->distance[i] = facets_distance(job->tree, job->facets, job->point[i]);
 }
 
 void mesh_distance(const struct mesh *mesh, const struct vec3 *point, size_t n, int threads,
@@ -31,9 +32,9 @@ void mesh_distance(const struct mesh *mesh, const struct vec3 *point, size_t n, 
         const int *v = mesh->face.item[f].v;
         *array_push(&facets) = (struct facet){{at[v[0]], at[v[1]], at[v[2]]}};
     }
-    struct facet_tree *tree = facet_tree_new(&facets);
-    struct job job = {tree, point, distance};
+    struct box_tree *tree = facets_tree(&facets);
+    struct job job = {&facets, tree, point, distance};
     parallel_for(threads, n, measure, &job);
-    facet_tree_free(tree);
+    box_tree_free(tree);
     array_free(&facets);
 }

@@ -3,7 +3,7 @@
 
 #include <stdlib.h>
 
-#include "math/facet_tree.h"
+#include "math/box_tree.h"
 #include "base/parallel.h"
 
 static const double FINE = 1e-3; /* of the extent of what is cut */
@@ -59,7 +59,8 @@ static struct vec3s places_of(const struct layer *layer)
 }
 
 struct search {
-    const struct facet_tree *tree;
+    const struct facets *facets;
+    const struct box_tree *tree;
     const struct vec3s *places;
     double *distance;
 };
@@ -68,7 +69,7 @@ static void measure(void *context, size_t from, size_t to)
 {
     struct search *s = context;
     for (size_t i = from; i < to; i++)
-        s->distance[i] = facet_tree_distance(s->tree, s->places->item[i]);
+        s->distance[i] = facets_distance(s->tree, s->facets, s->places->item[i]);
 }
 
 struct layer_distance layer_distance_of(const struct layer *from, const struct layer *to,
@@ -78,8 +79,8 @@ struct layer_distance layer_distance_of(const struct layer *from, const struct l
     struct facets facets = facets_of(to);
     struct vec3s places = places_of(from);
     if (facets.n > 0 && places.n > 0) {
-        struct facet_tree *tree = facet_tree_new(&facets);
-        struct search s = {tree, &places, mem_alloc(places.n, sizeof(double))};
+        struct box_tree *tree = facets_tree(&facets);
+        struct search s = {&facets, tree, &places, mem_alloc(places.n, sizeof(double))};
         parallel_for(threads, places.n, measure, &s);
         double sum = 0;
         for (size_t i = 0; i < places.n; i++) {
@@ -94,7 +95,7 @@ struct layer_distance layer_distance_of(const struct layer *from, const struct l
         doubles_sort(s.distance, d.n);
         d.most95 = s.distance[(d.n - 1) * 95 / 100];
         free(s.distance);
-        facet_tree_free(tree);
+        box_tree_free(tree);
     }
     array_free(&places);
     array_free(&facets);

@@ -285,14 +285,49 @@ START_TEST(figures_are_those_of_the_truth)
 }
 END_TEST
 
+/* Passes along x, 1 mm apart, over a square of +-10, turned about Z; points of a plane on a larger
+ * one, which the ball misses by a tenth. */
+START_TEST(among_passes_and_beside_them)
+{
+    double turn = _i * 0.37, c = cos(turn), s = sin(turn);
+    struct deviation_map_options options = {4.9, 0.05, 0.6, 1};
+    struct centre_path path = {0};
+    struct vec3s points = {0};
+    struct deviation_map map;
+    for (int row = -10; row <= 10; row++)
+        for (int k = -20; k < 20; k++) {
+            double x0 = k * 0.5, x1 = x0 + 0.5, y = row;
+            struct vec3 a = vec(c * x0 - s * y, s * x0 + c * y, 5);
+            struct vec3 b = vec(c * x1 - s * y, s * x1 + c * y, 5);
+            *array_push(&path) = (struct centre_segment){a, b, {0, 1}, 0, false};
+        }
+    for (double x = -13; x <= 13; x += 0.37)
+        for (double y = -13; y <= 13; y += 0.41)
+            *array_push(&points) = vec(c * x - s * y, s * x + c * y, 0);
+    deviation_map_run(&path, points.item, points.n, &options, &map);
+    for (size_t i = 0; i < points.n; i++) {
+        struct vec3 p = points.item[i];
+        double out = fmax(fabs(c * p.x + s * p.y), fabs(c * p.y - s * p.x)) - 10;
+        if (out < -2.3) /* cuts are seen 2.29 around it */
+            ck_assert(map.region[i]);
+        if (out > 0.6)
+            ck_assert(!map.region[i]);
+    }
+    deviation_map_free(&map);
+    array_free(&path);
+    array_free(&points);
+}
+END_TEST
+
 int main(void)
 {
-    Suite *suite = suite_create("ballroll");
-    TCase *tcase = tcase_create("ballroll");
+    Suite *suite = suite_create("deviation_map");
+    TCase *tcase = tcase_create("deviation_map");
     tcase_add_loop_test(tcase, depth_is_what_it_is, 0, 3);
     tcase_add_loop_test(tcase, what_is_left_is_what_it_is, 0, 3);
     tcase_add_test(tcase, scallop_of_the_dome);
     tcase_add_loop_test(tcase, beside_is_not_cut, 0, 3);
+    tcase_add_loop_test(tcase, among_passes_and_beside_them, 0, 17);
     tcase_add_loop_test(tcase, threads_change_nothing, 0, 3);
     tcase_add_loop_test(tcase, figures_are_those_of_the_truth, 0, 12);
     suite_add_tcase(suite, tcase);
