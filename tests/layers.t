@@ -61,22 +61,18 @@ for file in "$SRC"/src/formats/ncread*.c "$SRC"/include/ncread*.h "$SRC"/src/geo
 	"$SRC"/include/course.h "$SRC"/include/ball*.h "$SRC"/src/geometry/stock*.c \
 	"$SRC"/src/geometry/holder*.c "$SRC"/src/geometry/obstacle.c "$SRC"/src/geometry/tiles.c \
 	"$SRC"/src/geometry/axisload.c "$SRC"/include/axisload.h; do
-	[ -e "$file" ] || continue
+	[ -e "$file" ] || { echo "$file is not there" && continue; }
 	grep -Hn '^#include "' "$file" | grep -vE '"(ncread[a-z_]*|rig|course|ball[a-z]*|axisload|stock[a-z]*|holder[a-z]*|obstacle|tiles|quadric|array|box|error|num|reader|vec|kdtree|parallel|machine)\.h"'
 done >"$TMP/found"
 empty "the reader of programs shares nothing with the writers" "$TMP/found"
 
 # What a sanitizer puts into objects and tools is not ours.
 if ! nm "$BIN/cloud2mesh" | grep -q '__asan_init'; then
-	nm -A "$BIN"/../src/geometry/*.o 2>/dev/null | grep -E ' [BbDdC] ' | grep -vE '\.part|\.cold' >"$TMP/found"
+	ok "the objects of geometry are there" nm -A "$BIN"/../src/geometry/*.o
+	grep -E ' [BbDdC] ' "$TMP/out" | grep -vE '\.part|\.cold' >"$TMP/found"
 	empty "geometry has no variables that outlive a call" "$TMP/found"
-	# run time: libc and libm alone
-	for tool in "$BIN"/*; do
-		ldd "$tool" 2>/dev/null | awk '{ print $1 }' |
-			grep -vE '^(linux-vdso|linux-gate|libc|libm|libpthread|/.*ld-|/lib.*/ld-|statically)' |
-			sed "s|^|$tool: |"
-	done >"$TMP/found"
-	empty "the tools need libc and libm alone" "$TMP/found"
+else
+	skip "geometry has no variables that outlive a call" "a sanitizer is built in"
 fi
 
 done_testing
