@@ -38,16 +38,19 @@ units    := $(unit_src:tests/%.c=$(BUILD)/tests/%)
 benches  := $(bench_src:tests/bench/%.c=$(BUILD)/bench/%)
 readback := $(if $(back_src),$(BUILD)/tests/readback/readback)
 
+started := $(shell date +%s)
+
 # What `make deps` installs: for the tests, and for lint and fuzz.
-packages = check pkg-config mandoc clang clang-tidy cppcheck shellcheck gcovr parallel python3 chromium
-# Its interpreter rs274 judges our programs where it is there; else those tests are passed over.
+packages = check pkg-config mandoc clang clang-tidy cppcheck shellcheck gcovr parallel python3 chromium \
+  locales
+# Its interpreter rs274 judges our programs where it is there; else those tests are skipped.
 judge = linuxcnc-uspace
 
 all: $(tools)
 
 $(BUILD)/%.o: %.c
 	@mkdir -p $(@D)
-	$(CC) $(FLAGS) $(DEFS) $(CFLAGS) $(CPPFLAGS) -MMD -MP -c -o $@ $<
+	$(CC) $(FLAGS) $(DEFS) $(CFLAGS) $(CPPFLAGS) -MD -MP -c -o $@ $<
 
 $(lib): $(lib_obj)
 	@rm -f $@
@@ -77,11 +80,11 @@ $(BUILD)/bench/%: $(BUILD)/tests/bench/%.o
 
 check: all $(units) $(readback) $(cloud)
 	@CC="$(CC)" BIN="$(abspath $(BUILD))/bin" READBACK="$(abspath $(BUILD))/tests/readback/readback" \
-	  CLOUD="$(abspath $(cloud))" UNITS="$(abspath $(units))" MAKE="$(MAKE)" sh tests/run.sh
+	  CLOUD="$(abspath $(cloud))" UNITS="$(abspath $(units))" MAKE="$(MAKE)" STARTED=$(started) \
+	  sh tests/run.sh
 
-demo: all $(readback)
-	@BIN="$(abspath $(BUILD))/bin" READBACK="$(abspath $(BUILD))/tests/readback/readback" \
-	  sh samples/demo.sh demo
+demo: all
+	@BIN="$(abspath $(BUILD))/bin" sh samples/demo.sh demo
 
 figures: all
 	@BIN="$(abspath $(BUILD))/bin" sh samples/figures.sh figures
@@ -102,7 +105,8 @@ lint:
 	cppcheck --quiet --std=c11 --enable=warning,performance,portability --inline-suppr \
 	  --suppress=missingIncludeSystem --error-exitcode=1 -I include -I tests src tests
 	clang-tidy --quiet --warnings-as-errors='*' $(tool_src) $(lib_src) -- $(FLAGS) $(DEFS)
-	shellcheck -S warning -x -P tests tests/*.sh tests/*/*.sh tests/*.t samples/*.sh .ci/run
+	shellcheck -S warning -x -P tests $$(find tests -name '*.sh' -o -name '*.t') \
+	  $$(find tests/house/bare -type f) samples/*.sh .ci/run
 
 sanitize:
 	$(MAKE) BUILD=$(BUILD)/sanitize CC=clang \
