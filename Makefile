@@ -20,11 +20,13 @@ DEFS  = -DCLOUDMILL_DATADIR='"$(PREFIX)/share/cloudmill"'
 LIBS  = -lm -pthread
 
 tool_src := $(wildcard src/*.c)
-lib_src  := $(wildcard src/base/*.c src/geometry/*.c src/formats/*.c)
+lib_src  := $(wildcard src/*/*.c src/io/*/*.c)
 back_src := $(wildcard tests/readback/*.c)
-unit_src := $(wildcard tests/check_*.c)
-help_src := $(filter-out $(unit_src),$(wildcard tests/*.c))
+unit_src := $(wildcard tests/unit/*.c tests/unit/*/*.c tests/unit/io/*/*.c)
+help_src := $(wildcard tests/lib/*.c)
 bench_src := $(wildcard tests/bench/*.c)
+c_files  := $(filter-out tests/data/%,$(wildcard $(foreach top,src include tests,\
+              $(addprefix $(top)/,*.[ch] */*.[ch] */*/*.[ch] */*/*/*.[ch]))))
 cloud    := $(BUILD)/tests/accuracy/cloud
 manuals  := $(wildcard man/*.[157])
 machines := $(wildcard machines/*.txt)
@@ -41,13 +43,14 @@ readback := $(if $(back_src),$(BUILD)/tests/readback/readback)
 started := $(shell date +%s)
 
 # What `make deps` installs: for the tests, and for lint and fuzz.
-packages = check pkg-config mandoc clang clang-tidy cppcheck shellcheck gcovr parallel python3 chromium \
-  locales
+packages = check pkg-config mandoc python3 chromium locales clang clang-format clang-tidy cppcheck \
+  shellcheck gcovr parallel
 # Its interpreter rs274 judges our programs where it is there; else those tests are skipped.
 judge = linuxcnc-uspace
 
 all: $(tools)
 
+$(BUILD)/tests/lib/%.o: FLAGS += -iquote src -iquote tests/lib
 $(BUILD)/%.o: %.c
 	@mkdir -p $(@D)
 	$(CC) $(FLAGS) $(DEFS) $(CFLAGS) $(CPPFLAGS) -MD -MP -c -o $@ $<
@@ -62,21 +65,23 @@ $(BUILD)/bin/%: $(BUILD)/src/%.o $(lib)
 
 $(BUILD)/tests/readback/readback: $(back_obj) $(help_obj) $(lib)
 	@mkdir -p $(@D)
-	$(CC) $(CFLAGS) $(LDFLAGS) -iquote tests -o $@ $(back_obj) $(help_obj) $(lib) \
+	$(CC) $(CFLAGS) $(LDFLAGS) -o $@ $(back_obj) $(help_obj) $(lib) \
 	  $$(pkg-config --libs check) $(LIBS)
 
-$(BUILD)/tests/readback/%.o: FLAGS += -iquote tests
-$(BUILD)/tests/check_%.o: FLAGS += -iquote tests
-$(BUILD)/tests/check_%: $(BUILD)/tests/check_%.o $(help_obj) $(lib)
+$(BUILD)/tests/readback/%.o: FLAGS += -iquote src -iquote tests/lib
+$(BUILD)/tests/unit/%.o: FLAGS += -iquote src -iquote tests/lib
+$(BUILD)/tests/unit/%: $(BUILD)/tests/unit/%.o $(help_obj) $(lib)
 	$(CC) $(CFLAGS) $(LDFLAGS) -o $@ $< $(help_obj) $(lib) $$(pkg-config --libs check) $(LIBS)
 
-$(BUILD)/tests/accuracy/%.o: FLAGS += -iquote tests
-$(cloud): $(BUILD)/tests/accuracy/cloud.o $(BUILD)/tests/panel.o
+$(BUILD)/tests/accuracy/%.o: FLAGS += -iquote src -iquote tests/lib
+$(cloud): $(BUILD)/tests/accuracy/cloud.o $(BUILD)/tests/lib/panel.o
 	$(CC) $(CFLAGS) $(LDFLAGS) -o $@ $^ $(LIBS)
 
 $(BUILD)/bench/%: $(BUILD)/tests/bench/%.o
 	@mkdir -p $(@D)
 	$(CC) $(CFLAGS) $(LDFLAGS) -o $@ $< $(LIBS)
+
+units: $(units)
 
 check: all $(units) $(readback) $(cloud)
 	@CC="$(CC)" BIN="$(abspath $(BUILD))/bin" READBACK="$(abspath $(BUILD))/tests/readback/readback" \
@@ -96,17 +101,21 @@ accuracy: all $(readback) $(cloud)
 	@BIN="$(abspath $(BUILD))/bin" READBACK="$(abspath $(BUILD))/tests/readback/readback" \
 	  CLOUD="$(abspath $(cloud))" sh tests/accuracy/accuracy.sh
 
+freeze: all
+	@BIN="$(abspath $(BUILD))/bin" sh tests/house/freeze.sh
+
 deps:
 	apt-get update
 	DEBIAN_FRONTEND=noninteractive apt-get install -y --no-install-recommends $(packages)
 	-DEBIAN_FRONTEND=noninteractive apt-get install -y --no-install-recommends $(judge)
 
 lint:
+	clang-format --dry-run --Werror $(c_files)
 	cppcheck --quiet --std=c11 --enable=warning,performance,portability --inline-suppr \
-	  --suppress=missingIncludeSystem --error-exitcode=1 -I include -I tests src tests
+	  --suppress=missingIncludeSystem --error-exitcode=1 -I include -I src -I tests/lib src tests
 	clang-tidy --quiet --warnings-as-errors='*' $(tool_src) $(lib_src) -- $(FLAGS) $(DEFS)
-	shellcheck -S warning -x -P tests $$(find tests -name '*.sh' -o -name '*.t') \
-	  $$(find tests/house/bare -type f) samples/*.sh .ci/run
+	shellcheck -S warning -x -P tests/lib tests/*.sh tests/*/*.sh tests/*/*.t tests/house/bare/* \
+	  samples/*.sh .ci/run
 
 sanitize:
 	$(MAKE) BUILD=$(BUILD)/sanitize CC=clang \
@@ -143,7 +152,8 @@ distcheck: dist
 clean:
 	rm -rf $(BUILD) demo figures cloudmill-$(VERSION).tar.gz
 
-.PHONY: all check demo figures bench accuracy deps lint sanitize fuzz install uninstall dist distcheck clean
+.PHONY: all units check demo figures bench accuracy freeze deps lint sanitize fuzz \
+  install uninstall dist distcheck clean
 .SECONDARY:
 
 -include $(shell find $(BUILD) -name '*.d' 2>/dev/null)

@@ -3,19 +3,18 @@
 #include <stdio.h>
 #include <stdlib.h>
 
-#include "arcrun.h"
-#include "cli.h"
-#include "out.h"
-#include "parallel.h"
-#include "path.h"
-#include "ncahead.h"
-#include "pathguard.h"
-#include "retilt.h"
+#include "stage/arcrun.h"
+#include "base/cli.h"
+#include "base/out.h"
+#include "base/parallel.h"
+#include "io/path/path.h"
+#include "stage/gouge_options.h"
+#include "stage/path_tilt.h"
 
 struct settings {
     double tolerance, axis, tilt;
     bool tolerance_given, tilted, paper, chords, report;
-    struct pathguard guard;
+    struct gouge_options guard;
 };
 
 /* One cutting run: items [from, to) of the input, and what became of them. */
@@ -24,7 +23,7 @@ struct job {
     struct path fitted;
     struct arcrun_report report;
     struct arcmemory memory; /* while it is fitted again and again */
-    struct recheck_result seen;
+    struct gouge_refit_result seen;
 };
 
 struct jobs {
@@ -35,7 +34,7 @@ struct jobs {
 struct work {
     const struct path *in;
     const struct arcrun_options *options;
-    const struct recheck_rule *guard;
+    const struct gouge_refit_options *guard;
     struct jobs jobs;
 };
 
@@ -45,7 +44,7 @@ struct attempt {
     struct job *job;
 };
 
-static void fit_run(void *context, const struct run *run, struct deeps *deeps)
+static void fit_run(void *context, const struct run *run, struct gouges *deeps)
 {
     const struct attempt *a = context;
     const struct work *work = a->work;
@@ -62,8 +61,8 @@ static void fit_run(void *context, const struct run *run, struct deeps *deeps)
         const struct path_item *item = &fitted->item.item[i];
         if (item->kind != PATH_POINT && item->kind != PATH_ARC)
             continue;
-        struct motion motion = nc_item_motion(fitted, item, at);
-        recheck_motion(work->guard, &motion, deeps);
+        struct motion motion = path_item_motion(fitted, item, at);
+        gouge_refit_motion(work->guard, &motion, deeps);
         at = item->to;
     }
 }
@@ -75,7 +74,7 @@ static void fit_jobs(void *context, size_t from, size_t to)
         struct job *job = &work->jobs.item[i];
         struct run run = arcrun_read(work->in, job->from, job->to);
         struct attempt attempt = {work, job};
-        job->seen = recheck_fit(work->guard, &run, fit_run, &attempt);
+        job->seen = gouge_refit_fit(work->guard, &run, fit_run, &attempt);
         arcmemory_free(&job->memory);
         array_free(&run);
     }
@@ -113,7 +112,7 @@ static struct arcrun_report fit_path(const struct path *in, struct settings *s, 
         path_add_items(out, &job->fitted, 0, job->fitted.item.n);
         done = job->to;
         arcrun_add(&sum, &job->report);
-        pathguard_add(&s->guard, in, job->from, &job->seen);
+        gouge_options_add(&s->guard, in, job->from, &job->seen);
         if (s->report)
             report_job(job, i + 1);
         path_free(&job->fitted);
@@ -197,10 +196,10 @@ int main(int argc, char **argv)
     if (path_read(cli.file[0], &in, &error) < 0)
         die_error(&error);
     check(&in);
-    if (s.tilted && retilt_path(&in, RADIANS(s.tilt), s.paper, &error) < 0)
+    if (s.tilted && path_set_tilt(&in, RADIANS(s.tilt), s.paper, &error) < 0)
         die_error(&error);
 
-    if (pathguard_read(&s.guard, &in, s.tolerance, cli.threads, &error) < 0)
+    if (gouge_options_read(&s.guard, &in, s.tolerance, cli.threads, &error) < 0)
         die_error(&error);
 
     out.name = in.name;
@@ -214,9 +213,9 @@ int main(int argc, char **argv)
     struct out *o = out_open(cli.output);
     path_write(o, &out);
     out_close(o);
-    pathguard_carried(&s.guard, &in);
-    int status = pathguard_conclude(&s.guard);
-    pathguard_free(&s.guard);
+    gouge_options_carried(&s.guard, &in);
+    int status = gouge_options_conclude(&s.guard);
+    gouge_options_free(&s.guard);
     path_free(&in);
     path_free(&out);
     return !s.paper && report.spent > s.tolerance ? EXIT_UNMET : status;

@@ -7,16 +7,16 @@
 #include <stdio.h>
 #include <stdlib.h>
 
-#include "array.h"
-#include "cli.h"
-#include "out.h"
-#include "parallel.h"
-#include "path.h"
-#include "path_run.h"
-#include "pathguard.h"
-#include "retrack.h"
-#include "splineguard.h"
-#include "splinereport.h"
+#include "base/array.h"
+#include "base/cli.h"
+#include "base/out.h"
+#include "base/parallel.h"
+#include "io/path/path.h"
+#include "io/path/path_run.h"
+#include "stage/gouge_options.h"
+#include "stage/path_reference.h"
+#include "splinefit/spline_guard.h"
+#include "stage/spline_report.h"
 
 static const double TOLERANCE = 0.01; /* mm, when -e is not given */
 
@@ -24,14 +24,14 @@ struct settings {
     struct splinefit_options fit;
     int points; /* 0: as the path is; else one more than its enum path_track */
     bool paper, report, centre;
-    struct pathguard guard;
+    struct gouge_options guard;
 };
 
 /* One cutting run: the items [from, to) of the path. */
 struct job {
     size_t from, to, pass;
-    struct splinerun pieces;
-    struct recheck_result seen;
+    struct spline_run pieces;
+    struct gouge_refit_result seen;
 };
 
 struct jobs {
@@ -71,8 +71,8 @@ static void read_options(int argc, char **argv, struct cli *cli, struct settings
         {0, "params", "all|uniform|centripetal|chord", "parameters of the points (all)", CLI_CHOICE,
          &params, 0, 0, 0, NULL},
         {0, "knots", "all|uniform|average|free",
-         "knots of the curves (all: free, or what serves where they don't)",
-         CLI_CHOICE, &knots, 0, 0, 0, NULL},
+         "knots of the curves (all: free, or what serves where they don't)", CLI_CHOICE, &knots, 0,
+         0, 0, NULL},
         {0, "paper", NULL,
          "as published: the points as they are, 5 control points and 5 more\n"
          "each time, judged at the points alone",
@@ -108,7 +108,7 @@ static void fit_jobs(void *context, size_t from, size_t to)
 {
     const struct bench *bench = context;
     const struct settings *s = bench->settings;
-    struct splineguard guard = {s->guard.rule, s->paper, s->fit};
+    struct spline_guard guard = {s->guard.rule, s->paper, s->fit};
 
     guard.rule.centre = s->centre;
     for (size_t i = from; i < to; i++) {
@@ -116,7 +116,7 @@ static void fit_jobs(void *context, size_t from, size_t to)
         struct run run = {0};
 
         path_run_take(bench->path, job->from, job->to, &run);
-        job->seen = splineguard_fit(&guard, &run, &job->pieces);
+        job->seen = spline_guard_fit(&guard, &run, &job->pieces);
         array_free(&run);
     }
 }
@@ -125,7 +125,7 @@ static void fit_jobs(void *context, size_t from, size_t to)
 static void write_job(const struct path *in, struct job *job, struct path *out)
 {
     for (size_t k = 0; k < job->pieces.n; k++) {
-        struct splinerun_piece *piece = &job->pieces.item[k];
+        struct spline_run_piece *piece = &job->pieces.item[k];
         const struct path_item *last = &in->item.item[job->from + piece->to];
 
         if (piece->still) {
@@ -161,25 +161,25 @@ static void assemble(const struct path *in, struct jobs *jobs, double spent, str
 static void free_jobs(struct jobs *jobs)
 {
     for (size_t i = 0; i < jobs->n; i++)
-        splinerun_free(&jobs->item[i].pieces);
+        spline_run_free(&jobs->item[i].pieces);
     array_free(jobs);
 }
 
 /* The totals over all runs, and the table when it is asked for. */
-static struct splinereport report(const struct jobs *jobs, bool table)
+static struct spline_report report(const struct jobs *jobs, bool table)
 {
-    struct splinereport r = {0};
+    struct spline_report r = {0};
 
     if (table)
-        splinereport_head(stderr);
+        spline_report_head(stderr);
     for (size_t i = 0; i < jobs->n; i++) {
         const struct job *job = &jobs->item[i];
         for (size_t k = 0; k < job->pieces.n; k++)
             if (!job->pieces.item[k].still)
-                splinereport_add(&r, job->pass, &job->pieces.item[k], table ? stderr : NULL);
+                spline_report_add(&r, job->pass, &job->pieces.item[k], table ? stderr : NULL);
     }
     if (table)
-        splinereport_totals(&r, stderr);
+        spline_report_totals(&r, stderr);
     return r;
 }
 
@@ -189,7 +189,7 @@ static int verdict(const struct jobs *jobs, const struct path *path)
     for (size_t i = 0; i < jobs->n; i++) {
         const struct job *job = &jobs->item[i];
         for (size_t k = 0; k < job->pieces.n; k++) {
-            const struct splinerun_piece *piece = &job->pieces.item[k];
+            const struct spline_run_piece *piece = &job->pieces.item[k];
             if (piece->still || piece->fit.within)
                 continue;
             say("%s:%u: pass %zu: %.6f mm at the tip, %.6f mm at the ball, %.4f degrees: "
@@ -211,7 +211,7 @@ static void read_path(const char *file, struct path *path, struct settings *s)
     for (size_t i = 0; i < path->unknown.n; i++)
         say("%s:%u: %s is no word known here, carried along", path->name,
             path->unknown.item[i].line, path->unknown.item[i].word);
-    if (s->points > 0 && retrack_path(path, (enum path_track)(s->points - 1), &error) != 0)
+    if (s->points > 0 && path_set_reference(path, (enum path_track)(s->points - 1), &error) != 0)
         die_error(&error);
     s->centre = path->head.track == TRACK_CENTRE;
     if (path->head.track != TRACK_CONTACT && !(path_ball(path) > 0))
@@ -224,23 +224,22 @@ int main(int argc, char **argv)
     struct cli cli = {.tool = "bsplfit",
                       .usage = "[options] [FILE]",
                       .about = "Replaces the points of a path by B-splines within a tolerance."};
-    struct settings settings = {.fit = {.degree = 3, .tolerance = TOLERANCE},
-                                .guard.noise = -1};
+    struct settings settings = {.fit = {.degree = 3, .tolerance = TOLERANCE}, .guard.noise = -1};
     struct path in = {0}, out = {0};
     struct jobs jobs = {0};
     struct error error;
 
     read_options(argc, argv, &cli, &settings);
     read_path(cli.file[0], &in, &settings);
-    if (pathguard_read(&settings.guard, &in, settings.fit.tolerance, cli.threads, &error) != 0)
+    if (gouge_options_read(&settings.guard, &in, settings.fit.tolerance, cli.threads, &error) != 0)
         die_error(&error);
     find_runs(&in, &jobs);
     struct bench bench = {&in, &settings, &jobs};
     parallel_shown("fitting", cli.threads, jobs.n, fit_jobs, &bench);
-    struct splinereport r = report(&jobs, settings.report);
+    struct spline_report r = report(&jobs, settings.report);
     for (size_t i = 0; i < jobs.n; i++)
-        pathguard_add(&settings.guard, &in, jobs.item[i].from, &jobs.item[i].seen);
-    pathguard_carried(&settings.guard, &in);
+        gouge_options_add(&settings.guard, &in, jobs.item[i].from, &jobs.item[i].seen);
+    gouge_options_carried(&settings.guard, &in);
     int status = verdict(&jobs, &in);
     assemble(&in, &jobs, r.spent + settings.guard.lift, &out);
     struct out *o = out_open(cli.output);
@@ -248,12 +247,12 @@ int main(int argc, char **argv)
     out_close(o);
     note("%zu points in %zu runs: %zu splines, %zu control points, %.2f %% fewer; worst tip %.6f, "
          "ball %.6f mm, axis %.4f degrees",
-         r.points, jobs.n, r.splines, r.poles, splinereport_fewer(r.points, r.poles), r.worst.point,
-         r.worst.other, DEGREES(r.worst.axis));
+         r.points, jobs.n, r.splines, r.poles, spline_report_fewer(r.points, r.poles),
+         r.worst.point, r.worst.other, DEGREES(r.worst.axis));
     if (r.cut > 0)
         note("%zu curves took too long: with more time fewer control points might do", r.cut);
-    int guarded = pathguard_conclude(&settings.guard);
-    pathguard_free(&settings.guard);
+    int guarded = gouge_options_conclude(&settings.guard);
+    gouge_options_free(&settings.guard);
     free_jobs(&jobs);
     path_free(&out);
     path_free(&in);

@@ -6,16 +6,16 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "cli.h"
-#include "cloudmesh.h"
-#include "extend.h"
-#include "intake.h"
-#include "ply.h"
+#include "base/cli.h"
+#include "stage/cloudmesh.h"
+#include "cloud/extend.h"
+#include "stage/cloud_prepare.h"
+#include "io/mesh/ply.h"
 
 enum outliers { OUTLIERS_DROP, OUTLIERS_KEEP };
 
 struct settings {
-    struct cloudmesh_wish wish;
+    struct cloudmesh_options wish;
     double noise;  /* NAN: from the cloud */
     double extend; /* beyond the border, mm */
     int unit, outliers;
@@ -106,22 +106,22 @@ static double clean(const char *name, const struct settings *s, struct vec3s *po
                     struct mesh_origin *origin)
 {
     const double least = 0.004; /* in spacings: less does not matter beside the facets */
-    struct intake intake;
+    struct cloud_prepare cloud_prepare;
     struct error error;
     double mean = points->n >= 3 ? cloudmesh_spacing(&s->wish, points->item, points->n) : 0;
     if (!s->clean || !(mean > 0)) /* no area: the mesh will say so */
         return 0;
-    enum intake_drop drop = s->outliers == OUTLIERS_KEEP ? INTAKE_KEEP
-                            : s->wish.subdivide               ? INTAKE_DROP_OUTLIERS
-                                                         : INTAKE_DROP;
-    if (intake_clean(points, mean, drop, threads, &intake, &error) < 0)
+    enum cloud_prepare_drop drop = s->outliers == OUTLIERS_KEEP ? CLOUD_PREPARE_KEEP
+                                   : s->wish.subdivide          ? CLOUD_PREPARE_DROP_OUTLIERS
+                                                                : CLOUD_PREPARE_DROP;
+    if (cloud_prepare_clean(points, mean, drop, threads, &cloud_prepare, &error) < 0)
         die("%s: %s", name, error.text);
-    origin->noise = isnan(s->noise) ? intake.noise : s->noise;
-    note("noise of the scan %.4f mm (one standard deviation)", intake.noise);
-    return isnan(s->noise) && intake.noise < least * mean ? 0 : origin->noise;
+    origin->noise = isnan(s->noise) ? cloud_prepare.noise : s->noise;
+    note("noise of the scan %.4f mm (one standard deviation)", cloud_prepare.noise);
+    return isnan(s->noise) && cloud_prepare.noise < least * mean ? 0 : origin->noise;
 }
 
-static void say_left_out(const struct settings *settings, const struct gridmesh_count *count)
+static void say_left_out(const struct settings *settings, const struct grid_mesh_count *count)
 {
     if (count->bridges > 0)
         note("left out %zu facet%s over a hole", count->bridges, count->bridges == 1 ? "" : "s");
@@ -152,7 +152,7 @@ static void extend(const char *name, const struct settings *s, struct vec3s *poi
 {
     struct error error;
     size_t n = points->n;
-    if (footprint_check(points->item, n, &error) < 0)
+    if (plan_extent_check(points->item, n, &error) < 0)
         die("%s: %s", name, error.text);
     double mean = cloudmesh_spacing(&s->wish, points->item, n);
     double gap = s->wish.max_gap > 0 ? s->wish.max_gap : 6 * mean;
@@ -161,7 +161,7 @@ static void extend(const char *name, const struct settings *s, struct vec3s *poi
     say("continued by %g mm beyond the border, by %zu points", s->extend, points->n - n);
 }
 
-static void say_rows(const struct rowmesh *r, double error, bool of_surface)
+static void say_rows(const struct adaptive_rows *r, double error, bool of_surface)
 {
     say("%s within %.4f mm of the mesh at worst (at %.3f %.3f %.3f), %.4f mm rms; %zu rows",
         of_surface ? "the surface that the points stand for is" : "the points are", r->worst,
@@ -187,9 +187,9 @@ int main(int argc, char **argv)
     size_t left_out;
 
     const char *name = name_of(&cli);
-    if (intake_read(cli.file, cli.files, &points, &left_out, &error) < 0 ||
-        intake_place(&points, unit_name[settings.unit], settings.matrix, settings.origin,
-                     &mesh.origin, &error) < 0)
+    if (cloud_prepare_read(cli.file, cli.files, &points, &left_out, &error) < 0 ||
+        cloud_prepare_place(&points, unit_name[settings.unit], settings.matrix, settings.origin,
+                            &mesh.origin, &error) < 0)
         die_error(&error);
     size_t read = points.n;
     double noise = clean(name, &settings, &points, cli.threads, &mesh.origin);

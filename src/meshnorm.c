@@ -4,12 +4,12 @@
  */
 #include <stdlib.h>
 
-#include "cutting.h"
-#include "part.h"
-#include "planepath.h"
-#include "ridge.h"
-#include "rows.h"
-#include "submesh.h"
+#include "stage/path_options.h"
+#include "stage/mesh_for_rows.h"
+#include "stage/plane_passes.h"
+#include "toolpath/edge_roll.h"
+#include "toolpath/rows.h"
+#include "meshing/mesh_join.h"
 
 static int normals;
 static double scallop;
@@ -34,7 +34,7 @@ static void read_mesh(const char *file, struct mesh *mesh, struct rows *rows)
 {
     struct error error;
 
-    if (part_read(file, (enum part_normals)normals, mesh, &error) != 0)
+    if (mesh_for_rows_read(file, (enum mesh_for_rows_normals)normals, mesh, &error) != 0)
         die_error(&error);
     if (rows_find(mesh, rows, &error) != 0)
         die("%s: %s", file, error.text);
@@ -56,7 +56,7 @@ static void gather(const struct mesh *mesh, const struct rows *rows, struct stri
         if (to->n > 1 && vec_distance(next.p, to->item[to->n - 1].p) < 1e-9) {
             struct contact last = to->item[to->n - 1];
             struct vec3 forward = vec_sub(last.p, to->item[to->n - 2].p);
-            ridge_roll(to, forward, last, next, cutting.radius, sink);
+            edge_roll(to, forward, last, next, cutting.radius, sink);
         }
         *array_push(to) = next;
     }
@@ -100,27 +100,27 @@ static void make_path(const struct mesh *mesh, const struct rows *rows, struct t
 /* Planes along the rows, or as --direction says; through a part with a projection of its own along
  * its rows. */
 static void find_planes(const struct mesh *mesh, const struct mesh_part *part, double spacing,
-                        double angle, struct planepath *p)
+                        double angle, struct plane_passes *p)
 {
     bool upright = !part || part->up.z >= 1;
 
-    if (upright && way && !planepath_direction(way, mesh, cutting.radius, scallop, &angle))
+    if (upright && way && !plane_passes_direction(way, mesh, cutting.radius, scallop, &angle))
         die_usage("option --direction: found '%s', expected auto or degrees", way);
-    p->rule = upright ? planepath_upright(angle, cutting.radius)
-                      : planepath_along(part, cutting.radius);
+    p->rule = upright ? plane_passes_upright(angle, cutting.radius)
+                      : plane_passes_along(part, cutting.radius);
     /* A node that random points do not have makes no hole: where the scan guards, rows go on. */
     if (cutting.guards.n > 0 && spacing > 0) {
         p->rule.gap = 2 * spacing;
         p->rule.bare = 0.6 * spacing;
     }
-    planepath_scallop(p, mesh, scallop);
+    plane_passes_scallop(p, mesh, scallop);
 }
 
 /* The parts of a mesh and the planes through them. */
 struct planes {
     size_t n;
     struct mesh *part; /* NULL: the mesh is one */
-    struct planepath *path;
+    struct plane_passes *path;
     double widest;
     bool steep;
 };
@@ -134,9 +134,9 @@ static void find_all_planes(const struct mesh *mesh, const struct rows *rows, st
     all->part = parts->n > 1 ? mem_alloc(parts->n, sizeof *all->part) : NULL;
     all->path = mem_alloc(all->n, sizeof *all->path);
     for (size_t k = 0; k < all->n; k++) {
-        all->path[k] = (struct planepath){.threads = 0};
+        all->path[k] = (struct plane_passes){.threads = 0};
         if (all->part)
-            all->part[k] = submesh_of(mesh, k);
+            all->part[k] = mesh_join_of(mesh, k);
         find_planes(all->part ? &all->part[k] : mesh, all->part ? &parts->item[k] : NULL, spacing,
                     angle, &all->path[k]);
         all->widest = fmax(all->widest, all->path[k].widest);
@@ -145,7 +145,7 @@ static void find_all_planes(const struct mesh *mesh, const struct rows *rows, st
 }
 
 /* Rows do not go on over holes of the scan. */
-static void mind_holes(struct planes *all, const struct guard *scan)
+static void mind_holes(struct planes *all, const struct gouge_check *scan)
 {
     for (size_t k = 0; k < all->n; k++)
         all->path[k].rule.guard = all->path[k].rule.bare > 0 ? scan : NULL;
@@ -154,7 +154,7 @@ static void mind_holes(struct planes *all, const struct guard *scan)
 static void free_planes(struct planes *all)
 {
     for (size_t k = 0; k < all->n; k++) {
-        planepath_free(&all->path[k]);
+        plane_passes_free(&all->path[k]);
         if (all->part)
             mesh_free(&all->part[k]);
     }
@@ -162,11 +162,11 @@ static void free_planes(struct planes *all)
     free(all->part);
 }
 
-static void check_options(struct axis_rule *axis)
+static void check_options(struct tool_axis_options *axis)
 {
     struct error error;
 
-    if (cutting_check(axis, &error) != 0)
+    if (path_options_check(axis, &error) != 0)
         die_usage("%s", error.text);
     if (way && scallop == 0)
         die_usage("found --direction without --scallop: the mesh's own rows have theirs");
@@ -183,13 +183,13 @@ int main(int argc, char **argv)
                       .about = "Makes a tool path from the rows of a mesh: mesh stream in, path "
                                "stream out.",
                       .option = options,
-                      .more = cutting_options};
+                      .more = path_options_options};
     struct mesh mesh = {0};
     struct rows rows = {0};
     struct path path = {0};
     struct planes planes = {0};
     struct toolpath t = {.path = &path};
-    struct guard *guard;
+    struct gouge_check *guard;
     struct error error;
 
     cli_parse(&cli, argc, argv);
@@ -201,26 +201,26 @@ int main(int argc, char **argv)
     if (scallop > 0)
         find_all_planes(&mesh, &rows, &planes);
     double distance = scallop > 0 ? planes.widest : rows.distance;
-    if (cutting_guard(&mesh, rows.distance, cli.threads, &guard, &error) != 0)
+    if (path_options_guard(&mesh, rows.distance, cli.threads, &guard, &error) != 0)
         die_error(&error);
     mind_holes(&planes, guard);
-    if (cutting_rules(&mesh, guard, distance, &t, &error) != 0)
+    if (path_options_rules(&mesh, guard, distance, &t, &error) != 0)
         die_usage("%s", error.text);
 
-    cutting_begin(&mesh, "meshnorm", cli.output, &t);
+    path_options_begin(&mesh, "meshnorm", cli.output, &t);
     if (scallop > 0 && !planes.part)
-        planepath_run_out(&planes.path[0], &mesh);
+        plane_passes_run_out(&planes.path[0], &mesh);
     if (scallop == 0)
         make_path(&mesh, &rows, &t);
-    else if (planepath_make(planes.path, planes.n, &t, &error) != 0)
+    else if (plane_passes_make(planes.path, planes.n, &t, &error) != 0)
         die_error(&error);
-    cutting_end(&mesh, "meshnorm", &t);
+    path_options_end(&mesh, "meshnorm", &t);
     note("%zu nodes in %zu strips", rows.node.n, rows.strip.n);
     int status = toolpath_conclude(&t);
 
     free_planes(&planes);
     path_free(&path);
-    guard_free(guard);
+    gouge_free(guard);
     rows_free(&rows);
     mesh_free(&mesh);
     return planes.steep ? EXIT_UNMET : status;

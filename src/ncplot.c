@@ -3,13 +3,13 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "cli.h"
-#include "cloud.h"
-#include "difference.h"
-#include "layer.h"
-#include "out.h"
-#include "sheet.h"
-#include "sheet_legend.h"
+#include "base/cli.h"
+#include "io/cloud/cloud.h"
+#include "plot/layer_distance.h"
+#include "plot/layer.h"
+#include "base/out.h"
+#include "plot/sheet.h"
+#include "plot/sheet_legend.h"
 
 static const char *const units[] = {"mm", "cm", "m", "um", "inch", "in"};
 
@@ -115,7 +115,7 @@ static char *title_of(const struct scene *scene)
 static void compare(const struct layer *from, const struct layer *to, int threads,
                     struct scene *scene, char text[REMARK])
 {
-    struct difference d = difference_of(from, to, threads);
+    struct layer_distance d = layer_distance_of(from, to, threads);
     *text = '\0';
     if (d.n == 0)
         return;

@@ -7,17 +7,18 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "array.h"
-#include "cli.h"
-#include "dialect.h"
-#include "machine.h"
-#include "nccutcom.h"
-#include "nchead.h"
-#include "nchole.h"
-#include "ncoutput.h"
-#include "ncsettle.h"
-#include "path.h"
-#include "selftest.h"
+#include "base/array.h"
+#include "base/cli.h"
+#include "machine/control.h"
+#include "post/dialect.h"
+#include "machine/machine.h"
+#include "post/nccutcom.h"
+#include "post/nchead.h"
+#include "post/nchole.h"
+#include "post/ncoutput.h"
+#include "post/post_setup.h"
+#include "io/path/path.h"
+#include "post/selftest.h"
 
 struct settings {
     int control;
@@ -56,7 +57,7 @@ static void read_limit(struct settings *s, const struct cli *cli)
 static void read_options(struct settings *s, struct cli *cli, int argc, char **argv)
 {
     const struct cli_option option[] = {
-        {'c', "control", DIALECT_NAMES, "control to write for (default: the machine's own)",
+        {'c', "control", CONTROL_NAMES, "control to write for (default: the machine's own)",
          CLI_CHOICE, &s->control, 0, 0, 0, &s->control_given},
         {'m', "machine", "NAME",
          "machine: NAME.txt in this folder, in $CLOUDMILL_MACHINES or among\n"
@@ -95,8 +96,8 @@ static void read_options(struct settings *s, struct cli *cli, int argc, char **a
          "instead of a path: a program that shows on the machine whether\n"
          "signs and centres of its rotary axes are right",
          CLI_FLAG, &s->self_test, 0, 0, 0, NULL},
-        {0, "program", "NAME", "number (Fanuc) or name of the program", CLI_TEXT,
-         &s->program, 0, 0, 0, NULL},
+        {0, "program", "NAME", "number (Fanuc) or name of the program", CLI_TEXT, &s->program, 0, 0,
+         0, NULL},
         {0, "strict", NULL, "refuse post-processor words that nobody here knows", CLI_FLAG,
          &s->strict, 0, 0, 0, NULL},
         {0, NULL, NULL, NULL, CLI_FLAG, NULL, 0, 0, 0, NULL},
@@ -130,12 +131,12 @@ static const struct dialect *choose_dialect(const struct settings *s, const stru
     static const char *const names[] = {"fanuc", "siemens", "heidenhain", "linuxcnc"};
     const char *name = s->control_given ? names[s->control] : machine->control;
     if (!*name)
-        die_usage("found no control, expected -c %s (machine %s names none)", DIALECT_NAMES,
+        die_usage("found no control, expected -c %s (machine %s names none)", CONTROL_NAMES,
                   machine->name);
     const struct dialect *dialect = dialect_find(name);
     struct error error;
     if (!dialect)
-        die("machine %s: control: found `%s`, expected %s", machine->name, name, DIALECT_NAMES);
+        die("machine %s: control: found `%s`, expected %s", machine->name, name, CONTROL_NAMES);
     if (s->program && dialect->check_name(s->program, &error) != 0)
         die_usage("%s", error.text);
     if (s->vectors && dialect->vectors_never)
@@ -162,9 +163,8 @@ static void read_path(const struct settings *s, const char *file, struct path *p
 }
 
 /* What was assumed or added. */
-static void tell(const struct path *path, const struct nc_plan *plan,
-                 const struct dialect *dialect, const struct machine *machine,
-                 const struct settings *s)
+static void tell(const struct path *path, const struct nc_plan *plan, const struct dialect *dialect,
+                 const struct machine *machine, const struct settings *s)
 {
     const struct nc_total *total = &plan->total;
     if (path->head.track == TRACK_CENTRE)
@@ -200,13 +200,15 @@ static void make_plan(struct nc_program *p, struct nc_plan *plan, struct path *p
 {
     struct error error;
     bool unmet = false;
-    struct nc_choice choice = {.plane = s->plane, .inch = s->inch,
-                               .axis = s->vectors  ? NC_AXIS_VECTORS
-                                       : s->rotary ? NC_AXIS_ROTARY
-                                                   : NC_AXIS_USUAL};
+    struct nc_post_options choice = {.plane = s->plane,
+                                     .inch = s->inch,
+                                     .axis = s->vectors  ? NC_AXIS_VECTORS
+                                             : s->rotary ? NC_AXIS_ROTARY
+                                                         : NC_AXIS_USUAL};
     if (s->plane && !dialect->plane)
         die_usage("found --plane, which %s does not know", dialect->name);
-    p->wish = (struct nc_wish){s->chord, RADIANS(s->axis_tolerance), s->feed, s->contact_feed, 1};
+    p->wish =
+        (struct nc_plan_options){s->chord, RADIANS(s->axis_tolerance), s->feed, s->contact_feed, 1};
     if (nc_settle(p, plan, path, machine, dialect, choice, &unmet, &error) == 0)
         return;
     if (unmet)
@@ -218,7 +220,7 @@ int main(int argc, char **argv)
 {
     struct settings s = settings_default();
     struct cli cli = {.tool = "ncpost",
-                      .usage = "-c " DIALECT_NAMES " [-m MACHINE] [options] [FILE]",
+                      .usage = "-c " CONTROL_NAMES " [-m MACHINE] [options] [FILE]",
                       .about = "Write the NC program of a path for a control and a machine."};
     read_options(&s, &cli, argc, argv);
     struct machine machine = read_machine(&s);
@@ -230,8 +232,8 @@ int main(int argc, char **argv)
         read_path(&s, cli.file[0], &path);
 
     struct nc_plan plan;
-    struct nc_program program = {.path = &path, .machine = &machine, .plan = &plan,
-                                 .name = s.program};
+    struct nc_program program = {
+        .path = &path, .machine = &machine, .plan = &plan, .name = s.program};
     make_plan(&program, &plan, &path, &machine, dialect, &s);
     size_t files;
     struct error error;

@@ -8,16 +8,16 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "array.h"
-#include "cli.h"
-#include "cloud.h"
-#include "holder_spec.h"
-#include "machine.h"
-#include "ncread_machine.h"
-#include "stock_spec.h"
-#include "verdict.h"
-#include "verifypart.h"
-#include "verifyrun.h"
+#include "base/array.h"
+#include "base/cli.h"
+#include "io/cloud/cloud.h"
+#include "stage/holder_options.h"
+#include "machine/machine.h"
+#include "ncread/ncread_machine.h"
+#include "verify/stock_options.h"
+#include "verify/verdict.h"
+#include "verify/verify_part.h"
+#include "verify/verify_run.h"
 
 static const char *const unit_name[] = {"mm", "cm", "m", "um", "inch", "in"};
 
@@ -28,16 +28,16 @@ struct settings {
     struct cli_list part, set;
     double radius, tolerance, left, band, shank, cell;
     struct holder shape;
-    struct stock_spec block;
+    struct stock_options block;
 };
 
 /* Shank, holder and stock. */
 static void read_shapes(struct settings *s)
 {
     struct error error;
-    if (s->holder && holder_spec_read(s->holder, &s->shape, &error) < 0)
+    if (s->holder && holder_options_read(s->holder, &s->shape, &error) < 0)
         die_usage("option --holder: %s", error.text);
-    if (s->stock && stock_spec_read(s->stock, &s->block, &error) < 0)
+    if (s->stock && stock_options_read(s->stock, &s->block, &error) < 0)
         die_usage("option --stock: %s", error.text);
 }
 
@@ -128,10 +128,10 @@ static struct machine read_machine(const struct settings *s)
 }
 
 static void read_program(const struct settings *s, const struct machine *machine, const char *file,
-                         struct verdict *v, struct course *course)
+                         struct verdict *v, struct nc_motion *nc_motion)
 {
     static const char *const names[] = {"fanuc", "siemens", "heidenhain", "linuxcnc"};
-    struct ncread_setup setup = {.tcp = machine->tcp, .rig = ncread_rig(machine)};
+    struct ncread_options setup = {.tcp = machine->tcp, .verify_kinematics = ncread_rig(machine)};
     struct error error;
     if (!s->control_given && (!file || strcmp(file, "-") == 0))
         die_usage("the program is read from standard input: say its control by -c");
@@ -141,13 +141,13 @@ static void read_program(const struct settings *s, const struct machine *machine
     /* LinuxCNC has no word for it: its kinematics does it or does not */
     if (setup.dialect == &ncread_linuxcnc)
         setup.tcp = setup.tcp && strcmp(machine->control, "linuxcnc") == 0;
-    if (ncread_read(file, &setup, course, &error) < 0)
+    if (ncread_read(file, &setup, nc_motion, &error) < 0)
         die_error(&error);
-    course->track = s->centre ? COURSE_CENTRE : COURSE_TIP;
-    v->file = course->name;
+    nc_motion->track = s->centre ? NC_MOTION_CENTRE : NC_MOTION_TIP;
+    v->file = nc_motion->name;
     v->control = setup.dialect->name;
     v->machine = machine->name;
-    v->course = course;
+    v->nc_motion = nc_motion;
 }
 
 static void read_part(const struct settings *s, struct vec3s *points)
@@ -155,8 +155,8 @@ static void read_part(const struct settings *s, struct vec3s *points)
     struct error error;
     double spacing;
     for (size_t i = 0; i < s->part.n; i++) {
-        if (verifypart_read(s->part.item[i], cloud_unit(unit_name[s->unit]), s->radius, points,
-                            &spacing, &error) < 0)
+        if (verify_part_read(s->part.item[i], cloud_unit(unit_name[s->unit]), s->radius, points,
+                             &spacing, &error) < 0)
             die_error(&error);
         if (spacing > 0)
             note("%s: points %.3f mm apart on its faces", s->part.item[i], spacing);
@@ -165,9 +165,10 @@ static void read_part(const struct settings *s, struct vec3s *points)
         die("%s: no points to judge by", s->part.item[0]);
 }
 
-static struct axisload_limits limits_of(const struct machine *machine)
+static struct axis_limits_limits limits_of(const struct machine *machine)
 {
-    struct axisload_limits limits = {.combined = !machine->tcp && machine->feeds == FEEDS_COMBINED};
+    struct axis_limits_limits limits = {.combined =
+                                            !machine->tcp && machine->feeds == FEEDS_COMBINED};
     for (int k = 0; k < LOAD_AXES; k++) {
         limits.min[k] = machine->min[k];
         limits.max[k] = machine->max[k];
@@ -180,25 +181,25 @@ int main(int argc, char **argv)
 {
     struct settings s = {.tolerance = 0.05};
     struct cli cli;
-    struct course course = {0};
+    struct nc_motion nc_motion = {0};
     struct vec3s points = {0};
-    struct verifyrun run;
+    struct verify_run run;
     read_options(&s, &cli, argc, argv);
     struct machine machine = read_machine(&s);
-    struct axisload_limits limits = limits_of(&machine);
+    struct axis_limits_limits limits = limits_of(&machine);
     struct verdict v = {
         .radius = s.radius, .tolerance = s.tolerance, .left = s.left, .band = s.band};
-    read_program(&s, &machine, cli.file[0], &v, &course);
+    read_program(&s, &machine, cli.file[0], &v, &nc_motion);
     read_part(&s, &points);
     v.point = &points;
-    const struct verifyrun_setup setup = {.band = s.band,
-                                          .shank = s.shank,
-                                          .holder = s.holder ? &s.shape : NULL,
-                                          .stock = s.stock ? &s.block : NULL,
-                                          .cell = s.cell,
-                                          .threads = cli.threads};
-    verifyrun_do(&setup, &run, &v);
-    v.load = axisload_run(&course, &limits);
+    const struct verify_run_options setup = {.band = s.band,
+                                             .shank = s.shank,
+                                             .holder = s.holder ? &s.shape : NULL,
+                                             .stock = s.stock ? &s.block : NULL,
+                                             .cell = s.cell,
+                                             .threads = cli.threads};
+    verify_run_do(&setup, &run, &v);
+    v.load = axis_limits_run(&nc_motion, &limits);
     verdict_judge(&v);
     if (s.map)
         verdict_map(&v, s.map);
@@ -209,10 +210,10 @@ int main(int argc, char **argv)
     for (size_t i = 0; i < v.finding.n; i++)
         say("%s: %s", v.file, v.finding.item[i].text);
     verdict_free(&v);
-    verifyrun_free(&run);
+    verify_run_free(&run);
     array_free(&points);
     array_free(&s.part);
     array_free(&s.set);
-    course_free(&course);
+    nc_motion_free(&nc_motion);
     return refused ? EXIT_UNMET : EXIT_DONE;
 }

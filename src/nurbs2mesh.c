@@ -7,14 +7,14 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "cli.h"
-#include "cloud.h"
-#include "nurbs_report.h"
-#include "outward.h"
-#include "parallel.h"
-#include "ply.h"
-#include "surfaces.h"
-#include "weld.h"
+#include "base/cli.h"
+#include "io/cloud/cloud.h"
+#include "stage/nurbs_report.h"
+#include "nurbs/orient.h"
+#include "base/parallel.h"
+#include "io/mesh/ply.h"
+#include "io/nurbs/surfaces.h"
+#include "nurbs/sew.h"
 
 enum { MOST = 5000 };
 
@@ -122,7 +122,8 @@ static double judge(const struct settings *s, const struct patches *patches,
  * moved where surfaces do not quite meet. */
 static double make_sheets(const struct cli *cli, const struct settings *s,
                           const struct patches *patches, double size, double fine,
-                          struct sheet *sheet, struct quilt *quilt, struct weld_count *welded)
+                          struct sheet *sheet, struct patch_mesh *patch_mesh,
+                          struct sew_count *welded)
 {
     /* Few surfaces: the threads share each of them, else each takes one. */
     bool few = patches->n < 8;
@@ -132,38 +133,39 @@ static double make_sheets(const struct cli *cli, const struct settings *s,
         gap = fmin(gap, s->tolerance);
     for (size_t i = 0; i < patches->n; i++)
         sheet_free(&sheet[i]);
-    quilt_free(quilt);
+    patch_mesh_free(patch_mesh);
     parallel_shown("tessellating", few ? 1 : cli->threads, patches->n, tessellate_some, &job);
     nurbs_report_trimming(patches, sheet, fine);
     double error = judge(s, patches, sheet);
-    quilt_make(sheet, patches->n, fmin(NARROW * size, gap), quilt);
-    *welded = weld(quilt, patches, gap, fine);
+    patch_mesh_make(sheet, patches->n, fmin(NARROW * size, gap), patch_mesh);
+    *welded = sew(patch_mesh, patches, gap, fine);
     return error + welded->moved;
 }
 
 /* Everything between reading and writing; returns how far triangles are off. */
 static double make_quilt(const struct cli *cli, const struct settings *s,
-                         const struct patches *patches, struct sheet *sheet, struct quilt *quilt)
+                         const struct patches *patches, struct sheet *sheet,
+                         struct patch_mesh *patch_mesh)
 {
     double size = patches_size(patches);
     double fine = s->tolerance > 0 ? s->tolerance : fmax(1e-5 * size, 1e-3);
-    struct weld_count welded;
-    double error = make_sheets(cli, s, patches, size, fine, sheet, quilt, &welded);
+    struct sew_count welded;
+    double error = make_sheets(cli, s, patches, size, fine, sheet, patch_mesh, &welded);
     /* What joining edges takes of the tolerance, triangles must leave. */
     for (int i = 0; i < 3 && s->tolerance > 0 && error > s->tolerance; i++) {
         fine = fmax(s->tolerance - 1.1 * welded.moved, s->tolerance / 4);
-        error = make_sheets(cli, s, patches, size, fine, sheet, quilt, &welded);
+        error = make_sheets(cli, s, patches, size, fine, sheet, patch_mesh, &welded);
     }
     if (s->tolerance > 0 && error > s->tolerance)
         die_unmet("neighbours lie %g mm and more apart, expected %g mm (-e): take a smaller --gap",
                   welded.moved, s->tolerance);
-    struct outward_count out = outward(quilt, vec(s->up[0], s->up[1], s->up[2]));
+    struct orient_count out = orient_outward(patch_mesh, vec(s->up[0], s->up[1], s->up[2]));
     note("%zu border vertices joined and %zu inserted, moved by at most %g mm; %zu %s; %zu open "
          "edges",
          welded.joined, welded.inserted, welded.moved, out.bodies,
          out.bodies == 1 ? "body" : "bodies", out.open);
-    if (quilt->narrow > 0)
-        say("%zu surfaces narrower than %g mm left out", quilt->narrow, NARROW * size);
+    if (patch_mesh->narrow > 0)
+        say("%zu surfaces narrower than %g mm left out", patch_mesh->narrow, NARROW * size);
     if (out.unclear > 0)
         say("%zu of %zu bodies stand upright: --up does not say which side is outside", out.unclear,
             out.bodies);
@@ -182,7 +184,7 @@ static char *source_of(const struct cli *cli)
 }
 
 /* What the mesh says of each surface: its name and where it is most tightly hollow. */
-static void tell_surfaces(const struct patches *patches, const struct hollow *hollow,
+static void tell_surfaces(const struct patches *patches, const struct concave_radius *hollow,
                           struct mesh_surfaces *told)
 {
     for (size_t i = 0; i < patches->n; i++) {
@@ -196,19 +198,21 @@ static void tell_surfaces(const struct patches *patches, const struct hollow *ho
 }
 
 static void write_mesh(const struct cli *cli, const struct patches *patches,
-                       const struct hollow *hollow, const struct quilt *quilt, double error)
+                       const struct concave_radius *hollow, const struct patch_mesh *patch_mesh,
+                       double error)
 {
     struct mesh mesh = {.origin = {.ledger = error}};
     tell_surfaces(patches, hollow, &mesh.origin.surface);
     mesh.origin.source = source_of(cli);
     mesh.origin.maker = mem_string("nurbs2mesh", strlen("nurbs2mesh"));
-    quilt_mesh(quilt, &mesh);
+    patch_mesh_mesh(patch_mesh, &mesh);
     double area = 0;
     for (size_t i = 0; i < mesh.face.n; i++)
         area += vec_length(mesh_face_cross(&mesh, i));
     if (!(area > 0))
         die("%s: surfaces without area, expected some", mesh.origin.source);
-    note("%zu surfaces in; %zu vertices, %zu facets", quilt->sheets, mesh.vertex.n, mesh.face.n);
+    note("%zu surfaces in; %zu vertices, %zu facets", patch_mesh->sheets, mesh.vertex.n,
+         mesh.face.n);
     struct out *out = out_open(cli->output);
     ply_write(out, &mesh);
     out_close(out);
@@ -222,25 +226,26 @@ int main(int argc, char **argv)
                       .about = "Make a mesh of NURBS surfaces (IGES, or NURBS text)."};
     struct settings settings = read_options(&cli, argc, argv);
     struct patches patches = {0};
-    struct quilt quilt = {0};
+    struct patch_mesh patch_mesh = {0};
 
     read_files(&cli, &settings, &patches);
     struct sheet *sheet = mem_alloc(patches.n, sizeof *sheet);
     if (settings.grid > 0) {
         nurbs_report_grid(cli.output, &patches, settings.grid);
     } else {
-        double error = make_quilt(&cli, &settings, &patches, sheet, &quilt);
-        struct hollow *hollow = hollow_find_all(&patches, quilt.flipped, cli.threads);
+        double error = make_quilt(&cli, &settings, &patches, sheet, &patch_mesh);
+        struct concave_radius *hollow =
+            concave_radius_find_all(&patches, patch_mesh.flipped, cli.threads);
         if (settings.report)
             nurbs_report_radii(cli.output, &patches, hollow);
         else
-            write_mesh(&cli, &patches, hollow, &quilt, error);
+            write_mesh(&cli, &patches, hollow, &patch_mesh, error);
         free(hollow);
     }
     for (size_t i = 0; i < patches.n; i++)
         sheet_free(&sheet[i]);
     free(sheet);
-    quilt_free(&quilt);
+    patch_mesh_free(&patch_mesh);
     patches_free(&patches);
     return EXIT_DONE;
 }

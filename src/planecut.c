@@ -4,11 +4,11 @@
  */
 #include <stdlib.h>
 
-#include "cutpart.h"
-#include "cutting.h"
-#include "planepath.h"
-#include "scallop.h"
-#include "surfaces.h"
+#include "stage/mesh_for_planes.h"
+#include "stage/path_options.h"
+#include "stage/plane_passes.h"
+#include "toolpath/scallop.h"
+#include "io/nurbs/surfaces.h"
 
 static const double MOST_PLANES = 100000;
 
@@ -42,11 +42,11 @@ static const struct cli_option options[] = {
     {0}};
 /* clang-format on */
 
-static void check_options(struct axis_rule *axis)
+static void check_options(struct tool_axis_options *axis)
 {
     struct error error;
 
-    if (cutting_check(axis, &error) != 0)
+    if (path_options_check(axis, &error) != 0)
         die_usage("%s", error.text);
     if (step_given && scallop_given)
         die_usage("found -s and --scallop, expected one of them");
@@ -66,7 +66,7 @@ static void check_options(struct axis_rule *axis)
  */
 static void check_radius(const char *file, const struct mesh *mesh)
 {
-    struct cutpart_hollow h = cutpart_hollow(mesh, cutting.radius);
+    struct mesh_for_planes_hollow h = mesh_for_planes_hollow(mesh, cutting.radius);
 
     if (!h.known && !cutting.paper)
         say("%s: the mesh has no curvatures (kmax), so that it can't be told whether the ball "
@@ -81,7 +81,7 @@ static void check_radius(const char *file, const struct mesh *mesh)
               h.surface ? "surfaces" : "vertices");
 }
 
-static void find_planes(const struct mesh *mesh, struct planepath *p)
+static void find_planes(const struct mesh *mesh, struct plane_passes *p)
 {
     double least = step_given ? step : scallop_step(scallop, cutting.radius, 0) / 10;
     double low = HUGE_VAL, high = -HUGE_VAL;
@@ -94,20 +94,20 @@ static void find_planes(const struct mesh *mesh, struct planepath *p)
     if ((high - low) / least > MOST_PLANES)
         die_usage("found a distance of planes for more than %g of them", MOST_PLANES);
     if (step_given)
-        planepath_equal(p, mesh, step);
+        plane_passes_equal(p, mesh, step);
     else
-        planepath_scallop(p, mesh, scallop);
+        plane_passes_scallop(p, mesh, scallop);
 }
 
-static void set_rule(const struct axis_rule *axis, const struct mesh *mesh, bool closed,
-                     struct planepath *p)
+static void set_rule(const struct tool_axis_options *axis, const struct mesh *mesh, bool closed,
+                     struct plane_passes *p)
 {
-    struct pass_rule *rule = &p->rule;
+    struct pass_options *rule = &p->rule;
     double turn = RADIANS(angle), h = step_given ? fmin(0.01, cutting.radius / 2) : scallop;
 
-    if (way && !planepath_direction(way, mesh, cutting.radius, h, &turn))
+    if (way && !plane_passes_direction(way, mesh, cutting.radius, h, &turn))
         die_usage("option --direction: found '%s', expected auto or degrees", way);
-    *rule = planepath_upright(turn, cutting.radius);
+    *rule = plane_passes_upright(turn, cutting.radius);
     rule->gap = gap;
     rule->faced = closed || axis->kind == AXIS_FIXED;
     if (plane_given) {
@@ -118,7 +118,7 @@ static void set_rule(const struct axis_rule *axis, const struct mesh *mesh, bool
         rule->facing = axis->direction;
 }
 
-static void read_surfaces(struct mesh *mesh, struct patches *patches, struct planepath *p)
+static void read_surfaces(struct mesh *mesh, struct patches *patches, struct plane_passes *p)
 {
     struct surfaces_unit unit;
     struct error error;
@@ -134,7 +134,7 @@ static void read_surfaces(struct mesh *mesh, struct patches *patches, struct pla
         const int *v = mesh->face.item[f].v;
         longest = fmax(longest, vec_distance(mesh->vertex.item[v[0]], mesh->vertex.item[v[1]]));
     }
-    p->on = onsurface_new(patches, fmax(slack, BESIDE * longest));
+    p->on = project_new(patches, fmax(slack, BESIDE * longest));
     p->reach = longest / 2;
     mesh->origin.ledger = NAN; /* points leave the mesh: what it was off is not spent */
 }
@@ -146,13 +146,13 @@ int main(int argc, char **argv)
                       .about = "Makes a tool path from parallel planes through a mesh: mesh (PLY, "
                                "STL, OFF) in, path\nstream out.",
                       .option = options,
-                      .more = cutting_options};
+                      .more = path_options_options};
     struct mesh mesh = {0};
     struct path path = {0};
     struct patches patches = {0};
-    struct planepath planes = {0};
+    struct plane_passes planes = {0};
     struct toolpath t = {.path = &path};
-    struct guard *guard;
+    struct gouge_check *guard;
     struct error error;
     bool closed;
 
@@ -161,30 +161,30 @@ int main(int argc, char **argv)
     check_options(&t.lift.axis);
     if (cli.files > 1)
         die_usage("found %d files, expected one mesh", cli.files);
-    if (cutpart_read(cli.file[0], vec(0, 0, 1), &mesh, &closed, &error) != 0)
+    if (mesh_for_planes_read(cli.file[0], vec(0, 0, 1), &mesh, &closed, &error) != 0)
         die_error(&error);
     check_radius(cli.file[0], &mesh);
     set_rule(&t.lift.axis, &mesh, closed, &planes);
     find_planes(&mesh, &planes);
     read_surfaces(&mesh, &patches, &planes);
-    if (cutting_guard(&mesh, fmax(planes.widest, cutting.radius), cli.threads, &guard,
-                      &error) != 0)
+    if (path_options_guard(&mesh, fmax(planes.widest, cutting.radius), cli.threads, &guard,
+                           &error) != 0)
         die_error(&error);
-    if (cutting_rules(&mesh, guard, planes.widest, &t, &error) != 0)
+    if (path_options_rules(&mesh, guard, planes.widest, &t, &error) != 0)
         die_usage("%s", error.text);
 
-    cutting_begin(&mesh, "planecut", cli.output, &t);
-    planepath_run_out(&planes, &mesh);
-    if (planepath_make(&planes, 1, &t, &error) != 0)
+    path_options_begin(&mesh, "planecut", cli.output, &t);
+    plane_passes_run_out(&planes, &mesh);
+    if (plane_passes_make(&planes, 1, &t, &error) != 0)
         die_error(&error);
-    cutting_end(&mesh, "planecut", &t);
+    path_options_end(&mesh, "planecut", &t);
     note("%zu planes", planes.height.n);
     int status = toolpath_conclude(&t);
 
-    planepath_free(&planes);
+    plane_passes_free(&planes);
     patches_free(&patches);
     path_free(&path);
-    guard_free(guard);
+    gouge_free(guard);
     mesh_free(&mesh);
     return planes.steep && scallop_given ? EXIT_UNMET : status;
 }

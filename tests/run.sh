@@ -44,10 +44,10 @@ count() { # NAME PASSED FAILED SKIPPED
 	note=
 	[ "$4" -eq 0 ] || note=", $4 skipped"
 	if [ "$bad" -eq 0 ]; then
-		printf 'ok    %-28s %5d %4d s%s\n' "$1" "$2" "$seconds" "$note"
+		printf 'ok    %-40s %5d %4d s%s\n' "$1" "$2" "$seconds" "$note"
 		return
 	fi
-	printf 'FAIL  %-28s %5d %4d s%s, %d failed, exit %d\n' "$1" "$2" "$seconds" "$note" "$3" "$status"
+	printf 'FAIL  %-40s %5d %4d s%s, %d failed, exit %d\n' "$1" "$2" "$seconds" "$note" "$3" "$status"
 	grep -vE '^(ok|skip) ' "$logs/$1.log" | sed 's/^/      /' | head -n 60
 }
 

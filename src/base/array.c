@@ -1,13 +1,13 @@
 /* array - see array.h. */
 #define _DEFAULT_SOURCE /* madvise */
-#include "array.h"
+#include "base/array.h"
 
 #include <stdint.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/mman.h>
 
-#include "cli.h"
+#include "base/cli.h"
 
 void *mem_alloc(size_t n, size_t size)
 {

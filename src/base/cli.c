@@ -1,5 +1,5 @@
 /* cli - options by table and the help made from it; see cli.h. */
-#include "cli.h"
+#include "base/cli.h"
 
 #include <fcntl.h>
 #include <getopt.h>
@@ -9,9 +9,9 @@
 #include <string.h>
 #include <unistd.h>
 
-#include "array.h"
+#include "base/array.h"
 #include "message.h"
-#include "num.h"
+#include "base/num.h"
 
 static bool help, version, quiet, verbose;
 

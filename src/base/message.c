@@ -7,8 +7,8 @@
 #include <time.h>
 #include <unistd.h>
 
-#include "cli.h"
-#include "out.h"
+#include "base/cli.h"
+#include "base/out.h"
 
 static struct {
     const char *tool;

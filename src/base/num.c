@@ -8,7 +8,7 @@
  * Writing: x * 10^digits is rounded to an integer, half away from zero, and its digits are set
  * down; beyond 2^53, where a double has no decimals to round, printf writes it.
  */
-#include "num.h"
+#include "base/num.h"
 
 #include <stdint.h>
 #include <stdio.h>

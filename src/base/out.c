@@ -1,5 +1,5 @@
 /* out - see out.h. */
-#include "out.h"
+#include "base/out.h"
 
 #include <errno.h>
 #include <fcntl.h>
@@ -12,9 +12,9 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include "array.h"
-#include "cli.h"
-#include "num.h"
+#include "base/array.h"
+#include "base/cli.h"
+#include "base/num.h"
 
 enum { BUFFER = 1 << 16 };
 

@@ -1,10 +1,10 @@
 /* parallel - threads that take piece after piece from one counter; see parallel.h. */
-#include "parallel.h"
+#include "base/parallel.h"
 
 #include <pthread.h>
 #include <unistd.h>
 
-#include "cli.h"
+#include "base/cli.h"
 
 enum { MOST_THREADS = 64, MOST_PIECE = 64, PIECES_EACH = 8 };
 

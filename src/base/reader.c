@@ -4,7 +4,7 @@
  * One buffer, refilled at its end and moved to its front when a line does not fit behind; a line
  * is ended in place with '\0' and handed out without a copy.
  */
-#include "reader.h"
+#include "base/reader.h"
 
 #include <errno.h>
 #include <fcntl.h>
@@ -13,8 +13,8 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include "array.h"
-#include "cli.h"
+#include "base/array.h"
+#include "base/cli.h"
 
 enum { CHUNK = 1 << 16, LARGE = 1 << 22, BEHIND = 8 /* bytes that may be looked at */ };
 

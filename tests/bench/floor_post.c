@@ -63,7 +63,8 @@ static char *tcp(char *to, const double v[6])
     return word(to, 'C', degrees * atan2(v[3], -v[4]));
 }
 
-/* Table-table A/C with its centres at zero: the cosines and sines of both angles are in the axis. */
+/* Table-table A/C with its centres at zero: the cosines and sines of both angles are in the axis.
+ */
 static char *axes(char *to, const double v[6])
 {
     static double before[3];
@@ -91,7 +92,9 @@ int main(int argc, char **argv)
 {
     if (argc < 3)
         return 2;
-    char *(*block)(char *, const double *) = *argv[1] == 't' ? tcp : *argv[1] == 'a' ? axes : vectors;
+    char *(*block)(char *, const double *) = *argv[1] == 't'   ? tcp
+                                             : *argv[1] == 'a' ? axes
+                                                               : vectors;
     int fd = open(argv[2], O_RDONLY);
     size_t have = 0, made = 0;
     for (ssize_t n; (n = read(fd, in + have, CHUNK)) > 0;) {

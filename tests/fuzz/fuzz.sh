@@ -19,9 +19,9 @@ fuzz() {
 	rm -rf "${OUT:?}/$name" "$OUT/$name.seeds"
 	mkdir -p "$OUT/$name.seeds"
 	# shellcheck disable=SC2086 # patterns
-	(cd "$SRC/tests/awkward" && ls -Sr $pattern) | head -n 12 | while read -r seed; do
-		[ -f "$SRC/tests/awkward/$seed" ] &&
-			head -c 4000 "$SRC/tests/awkward/$seed" >"$OUT/$name.seeds/${seed##*/}"
+	(cd "$SRC/tests/data/awkward" && ls -Sr $pattern) | head -n 12 | while read -r seed; do
+		[ -f "$SRC/tests/data/awkward/$seed" ] &&
+			head -c 4000 "$SRC/tests/data/awkward/$seed" >"$OUT/$name.seeds/${seed##*/}"
 	done
 	tool=$1
 	shift
@@ -42,10 +42,10 @@ fuzz nurbs-text '../../samples/saddle.nurbs' nurbs2mesh -n 4 @@
 fuzz path 'path*.cl' ncpost -c fanuc @@
 fuzz path-arcs 'path*.cl' biarcfit -e 0.1 @@
 fuzz path-splines 'path*.cl' bsplfit -e 0.1 @@
-cloud=$SRC/tests/awkward/hex-grid.xyz
+cloud=$SRC/tests/data/awkward/hex-grid.xyz
 fuzz program-fanuc '../golden/*.nc' ncverify -c fanuc -g "$cloud" -r 4 @@
 fuzz program-siemens '../golden/*.mpf' ncverify -c siemens -g "$cloud" -r 4 @@
 fuzz program-heidenhain '../golden/*.h' ncverify -c heidenhain -g "$cloud" -r 4 @@
 fuzz program-linuxcnc '../golden/*.ngc' ncverify -c linuxcnc -g "$cloud" -r 4 @@
-fuzz machine 'machine*.txt' ncpost -m @@ "$SRC/tests/awkward/path.cl"
+fuzz machine 'machine*.txt' ncpost -m @@ "$SRC/tests/data/awkward/path.cl"
 exit $bad

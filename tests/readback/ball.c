@@ -6,16 +6,16 @@
 #define LEAST 0.01 /* and as close as it gets where it may be deep, mm */
 
 struct search {
-    const struct course *course;
+    const struct nc_motion *nc_motion;
     const struct surface *surface;
     double radius;
     struct depth depth;
 };
 
-static struct vec3 ball_at(const struct search *search, const struct piece *piece, double s)
+static struct vec3 ball_at(const struct search *search, const struct nc_piece *piece, double s)
 {
-    struct course_pose pose = course_at(search->course, piece, s);
-    double up = search->course->track == COURSE_TIP ? search->radius : 0;
+    struct nc_motion_pose pose = nc_motion_at(search->nc_motion, piece, s);
+    double up = search->nc_motion->track == NC_MOTION_TIP ? search->radius : 0;
     return vec_along(pose.p, up, pose.a);
 }
 
@@ -31,7 +31,7 @@ static double look(struct search *search, size_t index, struct vec3 ball)
 static void between(struct search *search, size_t index, double s0, struct vec3 a, double da,
                     double s1, struct vec3 b, double db, int level)
 {
-    const struct piece *piece = &search->course->piece.item[index];
+    const struct nc_piece *piece = &search->nc_motion->piece.item[index];
     double s = (s0 + s1) / 2;
     struct vec3 m = ball_at(search, piece, s);
     double way = vec_distance(a, m) + vec_distance(m, b);
@@ -46,11 +46,12 @@ static void between(struct search *search, size_t index, double s0, struct vec3 
     between(search, index, s, m, dm, s1, b, db, level + 1);
 }
 
-struct depth ball_depth(const struct course *course, double radius, const struct surface *surface)
+struct depth ball_depth(const struct nc_motion *nc_motion, double radius,
+                        const struct surface *surface)
 {
-    struct search search = {course, surface, radius, {-HUGE_VAL, {0, 0, 0}, 0}};
-    for (size_t i = 0; i < course->piece.n; i++) {
-        const struct piece *piece = &course->piece.item[i];
+    struct search search = {nc_motion, surface, radius, {-HUGE_VAL, {0, 0, 0}, 0}};
+    for (size_t i = 0; i < nc_motion->piece.n; i++) {
+        const struct nc_piece *piece = &nc_motion->piece.item[i];
         struct vec3 a = ball_at(&search, piece, 0), b = ball_at(&search, piece, 1);
         double da = look(&search, i, a), db = look(&search, i, b);
         between(&search, i, 0, a, da, 1, b, db, 0);
@@ -58,11 +59,12 @@ struct depth ball_depth(const struct course *course, double radius, const struct
     return search.depth;
 }
 
-struct depth ball_nodes(const struct course *course, double radius, const struct surface *surface)
+struct depth ball_nodes(const struct nc_motion *nc_motion, double radius,
+                        const struct surface *surface)
 {
-    struct search search = {course, surface, radius, {-HUGE_VAL, {0, 0, 0}, 0}};
-    for (size_t i = 0; i < course->piece.n; i++)
-        if (course->piece.item[i].touches)
-            look(&search, i, ball_at(&search, &course->piece.item[i], 1));
+    struct search search = {nc_motion, surface, radius, {-HUGE_VAL, {0, 0, 0}, 0}};
+    for (size_t i = 0; i < nc_motion->piece.n; i++)
+        if (nc_motion->piece.item[i].touches)
+            look(&search, i, ball_at(&search, &nc_motion->piece.item[i], 1));
     return search.depth;
 }

@@ -4,7 +4,7 @@
 #ifndef READBACK_BALL_H
 #define READBACK_BALL_H
 
-#include "course.h"
+#include "simulate/nc_motion.h"
 
 /* Distance of a point from the part's surface, mm. */
 struct surface {
@@ -18,10 +18,12 @@ struct depth {
     size_t piece;
 };
 
-/* Along all of the course, rapid moves too; found to 0.01 mm of way. */
-struct depth ball_depth(const struct course *course, double radius, const struct surface *surface);
+/* Along all of the motion, rapid moves too; found to 0.01 mm of way. */
+struct depth ball_depth(const struct nc_motion *nc_motion, double radius,
+                        const struct surface *surface);
 
 /* Only at the ends of pieces that were given with a contact point. */
-struct depth ball_nodes(const struct course *course, double radius, const struct surface *surface);
+struct depth ball_nodes(const struct nc_motion *nc_motion, double radius,
+                        const struct surface *surface);
 
 #endif

@@ -9,9 +9,9 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "ncread.h"
-#include "ncread_unit.h"
-#include "num.h"
+#include "ncread/ncread.h"
+#include "ncread/ncread_unit.h"
+#include "base/num.h"
 
 enum { NUMBERS = 9 };
 
@@ -36,7 +36,7 @@ static int set(struct ncread *c, const double v[3], const double turn[3], struct
     return 0;
 }
 
-static int go(struct ncread *c, const struct ncread_place *to, struct piece piece, bool rapid,
+static int go(struct ncread *c, const struct ncread_place *to, struct nc_piece piece, bool rapid,
               struct error *error)
 {
     if (c->order) /* the length is on */
@@ -62,7 +62,7 @@ static int arc(struct ncread *c, const double v[NUMBERS], struct error *error)
     if (fabs(v[4]) != 1)
         return ncread_error(c, error, "an arc of more than one turn");
     set(c, end, v + 6, &to);
-    struct piece piece = ncread_piece(c, &to);
+    struct nc_piece piece = ncread_piece(c, &to);
     if (ncread_arc(c, &piece, vec(centre[0], centre[1], centre[2]), v[4] > 0, error) < 0)
         return -1;
     return go(c, &to, piece, false, error);
@@ -118,7 +118,7 @@ static int read_block(struct ncread *c, const char *line, struct error *error)
         c->absolute = true;
         c->tcp = c->setup->tcp;
     }
-    c->course->blocks++;
+    c->nc_motion->blocks++;
     c->block = s[1] == '.' ? -1 : strtol(s + 1, NULL, 10);
     s += strcspn(s, " ");
     return call(c, s + strspn(s, " "), error);
@@ -127,8 +127,9 @@ static int read_block(struct ncread *c, const char *line, struct error *error)
 static int read_end(struct ncread *c, struct error *error)
 {
     if (!c->ended || c->spindle || c->order)
-        return ncread_error(c, error, "ends without PROGRAM_END, with the spindle turning or with "
-                                       "the tool's length on");
+        return ncread_error(c, error,
+                            "ends without PROGRAM_END, with the spindle turning or with "
+                            "the tool's length on");
     return 0;
 }
 

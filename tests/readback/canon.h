@@ -4,7 +4,7 @@
 #ifndef READBACK_CANON_H
 #define READBACK_CANON_H
 
-#include "ncread.h"
+#include "ncread/ncread.h"
 
 extern const struct ncread_dialect canon;
 

@@ -22,69 +22,72 @@ static void *copied(const void *from, size_t n, size_t size)
     return to;
 }
 
-static void add_spline(struct course *course, const struct bspline *curve, struct piece *piece)
+static void add_spline(struct nc_motion *nc_motion, const struct bspline *curve,
+                       struct nc_piece *piece)
 {
     size_t order = (size_t)curve->degree + 1;
-    struct course_spline b = {.order = curve->degree + 1, .n = curve->poles};
+    struct nc_motion_spline b = {.order = curve->degree + 1, .n = curve->poles};
     b.knot = copied(curve->knot, curve->poles + order, sizeof *b.knot);
     b.p = copied(curve->pole, curve->poles, sizeof *b.p);
     if (curve->head) {
         b.q = copied(curve->head, curve->poles, sizeof *b.q);
         piece->swing = SWING_HEAD;
     }
-    course_add_spline(course, b, piece);
+    nc_motion_add_spline(nc_motion, b, piece);
 }
 
-static void add_item(struct course *course, const struct path *path, const struct path_item *item,
-                     struct pose from)
+static void add_item(struct nc_motion *nc_motion, const struct path *path,
+                     const struct path_item *item, struct pose from)
 {
-    struct piece piece = {.rapid = item->rapid && item->kind == PATH_POINT,
-                          .line = item->line,
-                          .block = -1,
-                          .touches = item->touches,
-                          .p = {from.p, item->to.p},
-                          .q = {from.a, item->to.a}};
-    course->blocks++;
+    struct nc_piece piece = {.rapid = item->rapid && item->kind == PATH_POINT,
+                             .line = item->line,
+                             .block = -1,
+                             .touches = item->touches,
+                             .p = {from.p, item->to.p},
+                             .q = {from.a, item->to.a}};
+    nc_motion->blocks++;
     if (item->kind == PATH_SPLINE) {
-        add_spline(course, &path->spline.item[item->index].curve, &piece);
+        add_spline(nc_motion, &path->spline.item[item->index].curve, &piece);
         return;
     }
     if (item->kind == PATH_ARC) {
         const struct path_arc *arc = &path->arc.item[item->index];
         piece.shape = SHAPE_ARC;
-        piece.index = course->arc.n;
-        *array_push(&course->arc) = (struct course_arc){arc->centre, vec_unit(arc->axis),
-                                                        arc_angle(arc, from.p, item->to.p)};
-        course->arcs++;
+        piece.index = nc_motion->arc.n;
+        *array_push(&nc_motion->arc) = (struct nc_motion_arc){arc->centre, vec_unit(arc->axis),
+                                                              arc_angle(arc, from.p, item->to.p)};
+        nc_motion->arcs++;
     } else if (!piece.rapid) {
-        course->lines++;
+        nc_motion->lines++;
     }
-    *array_push(&course->piece) = piece;
+    *array_push(&nc_motion->piece) = piece;
 }
 
-static enum course_track track_of(enum path_track track)
+static enum nc_motion_track track_of(enum path_track track)
 {
-    return track == TRACK_TIP ? COURSE_TIP : track == TRACK_CENTRE ? COURSE_CENTRE : COURSE_CONTACT;
+    return track == TRACK_TIP      ? NC_MOTION_TIP
+           : track == TRACK_CENTRE ? NC_MOTION_CENTRE
+                                   : NC_MOTION_CONTACT;
 }
 
-int cl_read(const char *file, struct path *path, struct course *course, struct error *error)
+int cl_read(const char *file, struct path *path, struct nc_motion *nc_motion, struct error *error)
 {
     if (path_read(file, path, error) < 0)
         return -1;
     path_drill(path);
-    course->name = file;
-    course->track = track_of(path->head.track);
+    nc_motion->name = file;
+    nc_motion->track = track_of(path->head.track);
     const struct pose *from = NULL;
     for (size_t i = 0; i < path->item.n; i++) {
         const struct path_item *item = &path->item.item[i];
         if (item->kind == PATH_PASS)
-            course->passes++;
+            nc_motion->passes++;
         if (item->kind != PATH_POINT && item->kind != PATH_ARC && item->kind != PATH_SPLINE)
             continue;
         /* The place before the first statement is not known: it is reached from itself. */
         if (!from && item->kind != PATH_POINT)
             return error_at(error, file, item->line, "a curve before the first GOTO");
-        add_item(course, path, item, from ? *from : item->to);
+        add_item(nc_motion, path, item, from ? *from : item->to);
         from = &item->to;
     }
     return 0;

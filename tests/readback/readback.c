@@ -7,23 +7,22 @@
 #include <stdio.h>
 #include <stdlib.h>
 
-#include "array.h"
-#include "axisload.h"
+#include "base/array.h"
+#include "simulate/axis_limits.h"
 #include "ball.h"
 #include "canon.h"
 #include "cl.h"
-#include "cli.h"
-#include "cloud.h"
-#include "kdtree.h"
-#include "machine.h"
-#include "ncread.h"
-#include "ncread_machine.h"
-#include "../panel.h"
+#include "base/cli.h"
+#include "io/cloud/cloud.h"
+#include "math/kdtree.h"
+#include "machine/machine.h"
+#include "ncread/ncread.h"
+#include "ncread/ncread_machine.h"
+#include "panel.h"
 #include "sweep.h"
 
-static const struct ncread_dialect *const dialects[] = {&ncread_fanuc, &ncread_siemens,
-                                                        &ncread_heidenhain, &ncread_linuxcnc,
-                                                        &canon};
+static const struct ncread_dialect *const dialects[] = {
+    &ncread_fanuc, &ncread_siemens, &ncread_heidenhain, &ncread_linuxcnc, &canon};
 enum { CONTROL_NONE = sizeof dialects / sizeof *dialects };
 
 struct options {
@@ -34,31 +33,31 @@ struct options {
     double tolerance, axis, radius, deeper, nodes;
 };
 
-static void count_line(const char *what, const struct course *course)
+static void count_line(const char *what, const struct nc_motion *nc_motion)
 {
     struct samples chain = {0};
-    sweep_chain(course, &chain);
+    sweep_chain(nc_motion, &chain);
     printf("%s: ", what);
-    if (course->passes)
-        printf("%zu passes, ", course->passes);
+    if (nc_motion->passes)
+        printf("%zu passes, ", nc_motion->passes);
     else
-        printf("%zu blocks, ", course->blocks);
-    printf("%zu lines, %zu arcs, %zu curves, %zu poles, %.1f mm cut\n", course->lines, course->arcs,
-           course->curves, course->poles, sweep_length(&chain));
+        printf("%zu blocks, ", nc_motion->blocks);
+    printf("%zu lines, %zu arcs, %zu curves, %zu poles, %.1f mm cut\n", nc_motion->lines,
+           nc_motion->arcs, nc_motion->curves, nc_motion->poles, sweep_length(&chain));
     array_free(&chain);
 }
 
 /* One direction of the comparison; false when it is beyond the limits. */
-static bool walk(const char *what, const struct course *course, const struct samples *from,
+static bool walk(const char *what, const struct nc_motion *nc_motion, const struct samples *from,
                  const struct samples *to, const struct options *o)
 {
     struct sweep sweep = sweep_walk(from, to, o->tolerance, o->axis);
     if (from->n == 0)
         return true;
     char place[60];
-    ncread_place(&course->piece.item[from->item[sweep.tip_at].piece], place, sizeof place);
+    ncread_place(&nc_motion->piece.item[from->item[sweep.tip_at].piece], place, sizeof place);
     printf("%s: tip %.6f mm at %s", what, sweep.tip, place);
-    ncread_place(&course->piece.item[from->item[sweep.axis_at].piece], place, sizeof place);
+    ncread_place(&nc_motion->piece.item[from->item[sweep.tool_axis_at].piece], place, sizeof place);
     printf(", axis %.5f degrees at %s", sweep.axis, place);
     if (from->radius != 0)
         printf(", ball %.6f mm", sweep.ball);
@@ -66,12 +65,13 @@ static bool walk(const char *what, const struct course *course, const struct sam
     if (!sweep.beyond)
         return true;
     struct vec3 p = from->item[sweep.first].pose.p;
-    ncread_place(&course->piece.item[from->item[sweep.first].piece], place, sizeof place);
-    say("%s: %s: beyond the tolerance first at %.3f %.3f %.3f", course->name, place, p.x, p.y, p.z);
+    ncread_place(&nc_motion->piece.item[from->item[sweep.first].piece], place, sizeof place);
+    say("%s: %s: beyond the tolerance first at %.3f %.3f %.3f", nc_motion->name, place, p.x, p.y,
+        p.z);
     return false;
 }
 
-static bool compare(const struct course *program, const struct course *path, double radius,
+static bool compare(const struct nc_motion *program, const struct nc_motion *path, double radius,
                     const struct options *o)
 {
     double weight = fmin(100, o->tolerance / RADIANS(o->axis)); /* both limits count alike */
@@ -104,41 +104,42 @@ static double exact_distance(const void *unused, struct vec3 p)
     return panel_distance(p);
 }
 
-static bool roll(const struct course *course, const struct surface *surface, double radius,
+static bool roll(const struct nc_motion *nc_motion, const struct surface *surface, double radius,
                  const struct options *o)
 {
-    struct depth depth = ball_depth(course, radius, surface);
-    struct depth nodes = ball_nodes(course, radius, surface);
+    struct depth depth = ball_depth(nc_motion, radius, surface);
+    struct depth nodes = ball_nodes(nc_motion, radius, surface);
     char place[60];
-    if (course->track == COURSE_CONTACT || !(radius > 0))
-        die("%s: no ball: it tracks contact points, or -r is missing", course->name);
+    if (nc_motion->track == NC_MOTION_CONTACT || !(radius > 0))
+        die("%s: no ball: it tracks contact points, or -r is missing", nc_motion->name);
     if (isfinite(nodes.worst))
         printf("ball at the contact points: deepest %.6f mm\n", nodes.worst);
-    ncread_place(&course->piece.item[depth.piece], place, sizeof place);
-    printf("ball: deepest %.6f mm at %s, centre %.3f %.3f %.3f\n", depth.worst, place,
-           depth.ball.x, depth.ball.y, depth.ball.z);
+    ncread_place(&nc_motion->piece.item[depth.piece], place, sizeof place);
+    printf("ball: deepest %.6f mm at %s, centre %.3f %.3f %.3f\n", depth.worst, place, depth.ball.x,
+           depth.ball.y, depth.ball.z);
     if (nodes.worst > o->nodes)
-        say("%s: %.4f mm deep at a contact point, limit %g", course->name, nodes.worst, o->nodes);
+        say("%s: %.4f mm deep at a contact point, limit %g", nc_motion->name, nodes.worst,
+            o->nodes);
     if (depth.worst > o->deeper)
-        say("%s: %s: the ball is %.4f mm deep in the part, limit %g", course->name, place,
+        say("%s: %s: the ball is %.4f mm deep in the part, limit %g", nc_motion->name, place,
             depth.worst, o->deeper);
     return depth.worst <= o->deeper && nodes.worst <= o->nodes;
 }
 
-static bool gouges(const struct course *course, double radius, const struct options *o)
+static bool gouges(const struct nc_motion *nc_motion, double radius, const struct options *o)
 {
     struct error error;
     struct vec3s points = {0};
     struct cloud_count count = {0};
     bool held = true;
     if (o->panel)
-        held = roll(course, &(struct surface){exact_distance, NULL}, radius, o);
+        held = roll(nc_motion, &(struct surface){exact_distance, NULL}, radius, o);
     if (!o->scan)
         return held;
     if (cloud_read(o->scan, &points, &count, &error) < 0)
         die_error(&error);
     struct kdtree *tree = kdtree_new(points.item, points.n);
-    held = roll(course, &(struct surface){scan_distance, tree}, radius, o) && held;
+    held = roll(nc_motion, &(struct surface){scan_distance, tree}, radius, o) && held;
     kdtree_free(tree);
     array_free(&points);
     return held;
@@ -159,37 +160,38 @@ static struct machine read_machine(const struct options *o)
 }
 
 /* How far the rotary axes turn in a rapid block in which the tip stays, degrees. */
-static double turn_on_the_spot(const struct course *course, size_t i)
+static double turn_on_the_spot(const struct nc_motion *nc_motion, size_t i)
 {
-    const struct piece *piece = &course->piece.item[i];
+    const struct nc_piece *piece = &nc_motion->piece.item[i];
     if (i == 0 || !piece->rapid || piece->swing != SWING_ROTARY)
         return 0;
-    struct course_pose a = course_at(course, piece, 0), b = course_at(course, piece, 1);
+    struct nc_motion_pose a = nc_motion_at(nc_motion, piece, 0),
+                          b = nc_motion_at(nc_motion, piece, 1);
     struct vec3 turn = vec_sub(piece->q[1], piece->q[0]);
     return vec_distance(a.p, b.p) < 0.01 ? vec_length(turn) : 0;
 }
 
 /* How far from the end of the last cut the piece starts, mm. */
-static double off_cut(const struct course *course, size_t i)
+static double off_cut(const struct nc_motion *nc_motion, size_t i)
 {
     size_t cut = i;
-    while (cut > 0 && course->piece.item[cut].rapid)
+    while (cut > 0 && nc_motion->piece.item[cut].rapid)
         cut--;
-    if (course->piece.item[cut].rapid)
+    if (nc_motion->piece.item[cut].rapid)
         return HUGE_VAL;
-    return vec_distance(course_at(course, &course->piece.item[cut], 1).p,
-                        course_at(course, &course->piece.item[i], 0).p);
+    return vec_distance(nc_motion_at(nc_motion, &nc_motion->piece.item[cut], 1).p,
+                        nc_motion_at(nc_motion, &nc_motion->piece.item[i], 0).p);
 }
 
 /*
  * The axes: no place beyond the travel, and how often the program turns back, by 30 degrees or more
  * in rapid blocks on the spot, off the part (the least distance from the end of the last cut).
  */
-static bool drive(const struct course *course, const struct options *o)
+static bool drive(const struct nc_motion *nc_motion, const struct options *o)
 {
     struct machine machine = read_machine(o);
     bool combined = machine.feeds == FEEDS_COMBINED || dialects[o->control] == &ncread_heidenhain;
-    struct axisload_limits limits = {.combined = !machine.tcp && combined};
+    struct axis_limits_limits limits = {.combined = !machine.tcp && combined};
     size_t turns = 0, first = 0; /* piece of a turn */
     double turned = 0, least = HUGE_VAL;
     for (int k = 0; k < LOAD_AXES; k++) {
@@ -197,13 +199,13 @@ static bool drive(const struct course *course, const struct options *o)
         limits.max[k] = machine.max[k];
         limits.rapid[k] = machine.rapid[k];
     }
-    struct axisload load = axisload_run(course, &limits);
-    for (size_t i = 1; i < course->piece.n; i++) {
-        double turn = turn_on_the_spot(course, i);
+    struct axis_limits load = axis_limits_run(nc_motion, &limits);
+    for (size_t i = 1; i < nc_motion->piece.n; i++) {
+        double turn = turn_on_the_spot(nc_motion, i);
         if (turned == 0)
             first = i;
         if (turned < 30 && turned + turn >= 30) {
-            least = fmin(least, off_cut(course, first));
+            least = fmin(least, off_cut(nc_motion, first));
             turns++;
         }
         turned = turn > 0 ? turned + turn : 0;
@@ -212,31 +214,32 @@ static bool drive(const struct course *course, const struct options *o)
            turns, turns ? least : 0, load.beyond, load.fast, load.jump.value);
     if (load.beyond == 0)
         return true;
-    say("%s: axis %c at %.5f, beyond its travel", course->name, "XYZABC"[load.travel.axis],
+    say("%s: axis %c at %.5f, beyond its travel", nc_motion->name, "XYZABC"[load.travel.axis],
         load.travel.value);
     return false;
 }
 
 /* The operand: a program, or itself a path. */
-static void read_operand(const char *file, const struct options *o, struct course *course,
+static void read_operand(const char *file, const struct options *o, struct nc_motion *nc_motion,
                          double *radius)
 {
     struct error error;
     struct path path = {0};
-    struct ncread_setup setup = {.tcp = !o->no_tcp,
-                                 .rig = rig_trunnion(o->axes ? 'B' : 'A', o->reversed ? -1 : 1)};
+    struct ncread_options setup = {
+        .tcp = !o->no_tcp,
+        .verify_kinematics = verify_kinematics_trunnion(o->axes ? 'B' : 'A', o->reversed ? -1 : 1)};
     if (o->machine) {
         struct machine machine = read_machine(o);
-        setup.rig = ncread_rig(&machine);
+        setup.verify_kinematics = ncread_rig(&machine);
         setup.tcp = machine.tcp && !o->no_tcp;
     }
     if (o->control != CONTROL_NONE) {
         setup.dialect = dialects[o->control];
-        if (ncread_read(file, &setup, course, &error) < 0)
+        if (ncread_read(file, &setup, nc_motion, &error) < 0)
             die_error(&error);
         return;
     }
-    if (cl_read(file, &path, course, &error) < 0)
+    if (cl_read(file, &path, nc_motion, &error) < 0)
         die_error(&error);
     *radius = path_ball(&path);
     path_free(&path);
@@ -246,57 +249,61 @@ static int run(const char *file, const struct options *o)
 {
     struct error error;
     struct path path = {0};
-    struct course course = {0}, wanted = {0};
+    struct nc_motion nc_motion = {0}, wanted = {0};
     double radius = -1;
     bool held = true;
-    read_operand(file, o, &course, &radius);
-    count_line(o->control == CONTROL_NONE ? "path" : "program", &course);
+    read_operand(file, o, &nc_motion, &radius);
+    count_line(o->control == CONTROL_NONE ? "path" : "program", &nc_motion);
     if (o->path) {
         if (cl_read(o->path, &path, &wanted, &error) < 0)
             die_error(&error);
         count_line("its path", &wanted);
         radius = path_ball(&path);
-        course.track = wanted.track;
+        nc_motion.track = wanted.track;
         if (o->no_steps) {
-            sweep_join_steps(&course);
+            sweep_join_steps(&nc_motion);
             sweep_join_steps(&wanted);
         }
-        double up = wanted.track == COURSE_CENTRE ? -radius : radius;
-        held = compare(&course, &wanted, radius > 0 ? up : 0, o);
+        double up = wanted.track == NC_MOTION_CENTRE ? -radius : radius;
+        held = compare(&nc_motion, &wanted, radius > 0 ? up : 0, o);
         path_free(&path);
     }
     if (o->machine && o->control != CONTROL_NONE)
-        held = drive(&course, o) && held;
+        held = drive(&nc_motion, o) && held;
     if (o->panel || o->scan)
-        held = gouges(&course, o->radius > 0 ? o->radius : radius, o) && held;
-    course_free(&course);
-    course_free(&wanted);
+        held = gouges(&nc_motion, o->radius > 0 ? o->radius : radius, o) && held;
+    nc_motion_free(&nc_motion);
+    nc_motion_free(&wanted);
     return held ? EXIT_DONE : EXIT_UNMET;
 }
 
 int main(int argc, char **argv)
 {
-    struct options o = {.control = CONTROL_NONE, .tolerance = 0.001, .axis = 0.01,
-                        .deeper = HUGE_VAL, .nodes = HUGE_VAL};
+    struct options o = {.control = CONTROL_NONE,
+                        .tolerance = 0.001,
+                        .axis = 0.01,
+                        .deeper = HUGE_VAL,
+                        .nodes = HUGE_VAL};
     const struct cli_option option[] = {
         {'c', "control", "fanuc|siemens|heidenhain|linuxcnc|canon|none",
          "the operand is a program for this control; canon: what LinuxCNC's\n"
-         "interpreter makes of it (rs274); none (default): it is a path", CLI_CHOICE, &o.control, 0, 0, 0, NULL},
+         "interpreter makes of it (rs274); none (default): it is a path",
+         CLI_CHOICE, &o.control, 0, 0, 0, NULL},
         {'m', "machine", "NAME", "the machine: its axes, TCP or not, travel", CLI_TEXT, &o.machine,
          0, 0, 0, NULL},
         {0, "set", "KEY=VALUE", "one key of it; may be given again", CLI_LIST, &o.set, 0, 0, 0,
          NULL},
         {0, "axes", "ac|bc", "rotary axes of the machine (ac)", CLI_CHOICE, &o.axes, 0, 0, 0, NULL},
-        {0, "no-tcp", NULL, "the machine has no tool centre point control", CLI_FLAG, &o.no_tcp,
-         0, 0, 0, NULL},
+        {0, "no-tcp", NULL, "the machine has no tool centre point control", CLI_FLAG, &o.no_tcp, 0,
+         0, 0, NULL},
         {0, "reversed", NULL, "its rotary axes turn against the ISO sense", CLI_FLAG, &o.reversed,
          0, 0, 0, NULL},
         {0, "path", "FILE", "the path that the program was made from", CLI_TEXT, &o.path, 0, 0, 0,
          NULL},
         {0, "no-steps", NULL, "drilling steps of program and path joined: a control has its own",
          CLI_FLAG, &o.no_steps, 0, 0, 0, NULL},
-        {'e', "tolerance", "MM", "of the tip against the path (0.001)", CLI_NUMBER, &o.tolerance,
-         0, 1e3, 0, NULL},
+        {'e', "tolerance", "MM", "of the tip against the path (0.001)", CLI_NUMBER, &o.tolerance, 0,
+         1e3, 0, NULL},
         {0, "axis", "DEG", "of the tool axis against the path (0.01)", CLI_NUMBER, &o.axis, 0, 180,
          0, NULL},
         {0, "scan", "FILE", "roll the ball over these points", CLI_TEXT, &o.scan, 0, 0, 0, NULL},
@@ -309,7 +316,8 @@ int main(int argc, char **argv)
          NULL},
         {0},
     };
-    struct cli cli = {.tool = "readback", .usage = "[options] FILE",
+    struct cli cli = {.tool = "readback",
+                      .usage = "[options] FILE",
                       .about = "run an NC program as the control would, and judge where it goes",
                       .option = option};
     cli_parse(&cli, argc, argv);

@@ -8,11 +8,11 @@
 #ifndef READBACK_SWEEP_H
 #define READBACK_SWEEP_H
 
-#include "course.h"
-#include "error.h"
+#include "simulate/nc_motion.h"
+#include "base/error.h"
 
 struct sample {
-    struct course_pose pose;
+    struct nc_motion_pose pose;
     bool joined;   /* the tool cuts on its way from the sample before to this one */
     double length; /* of the cut up to here, mm, with the turn of the axis by its weight */
     size_t piece;
@@ -25,22 +25,22 @@ struct samples {
     double radius; /* of the ball, mm: its centre is so far up the tool axis */
 };
 
-/* The cutting pieces of a course, straight between samples to 1e-5 mm and 0.001 degrees, without
+/* The cutting pieces of a nc_motion, straight between samples to 1e-5 mm and 0.001 degrees, without
  * the ways back down from a turn off the part. */
-void sweep_chain(const struct course *course, struct samples *chain);
+void sweep_chain(const struct nc_motion *nc_motion, struct samples *chain);
 
-/* Straight cuts one behind the other on a line, with rapids along it between, become one cut: a hole
- * drilled in steps. */
-void sweep_join_steps(struct course *course);
+/* Straight cuts one behind the other on a line, with rapids along it between, become one cut: a
+ * hole drilled in steps. */
+void sweep_join_steps(struct nc_motion *nc_motion);
 
 /* Length of the tip's way, mm. */
 double sweep_length(const struct samples *chain);
 
 struct sweep {
-    double tip, axis, ball;   /* worst, mm and degrees; of the ball's centre */
-    size_t tip_at, axis_at;   /* samples of `from` there */
-    bool beyond;              /* some sample is beyond the limits ... */
-    size_t first;             /* ... and this is the first */
+    double tip, axis, ball;      /* worst, mm and degrees; of the ball's centre */
+    size_t tip_at, tool_axis_at; /* samples of `from` there */
+    bool beyond;                 /* some sample is beyond the limits ... */
+    size_t first;                /* ... and this is the first */
 };
 
 /* Walks all of `from` along `to`. */
@@ -53,7 +53,7 @@ struct sweep sweep_walk(const struct samples *from, const struct samples *to, do
  * the straight way between two such places, or up the tool axis from a cut.
  * -1 with the place that is missing or too many.
  */
-int sweep_rapids(const struct course *program, const struct course *path, double tip_limit,
+int sweep_rapids(const struct nc_motion *program, const struct nc_motion *path, double tip_limit,
                  double axis_limit, struct error *error);
 
 #endif

@@ -1,0 +1,78 @@
+/*
+ * cli - what every tool does the same way: options, help, messages, exit status, progress.
+ *
+ * A tool declares its options as a table; -h -V -q -v -o and -j are added here.  Exit status:
+ * 0 done, 1 input, output or memory failed, 2 wrong usage, 3 done but a stated requirement is
+ * not met.
+ */
+#ifndef CLOUDMILL_CLI_H
+#define CLOUDMILL_CLI_H
+
+#include <float.h>
+#include <stdbool.h>
+#include <stddef.h>
+
+#include "base/error.h"
+
+#define CLOUDMILL_VERSION "0.1.0"
+
+enum { EXIT_DONE = 0, EXIT_FAILED = 1, EXIT_USAGE = 2, EXIT_UNMET = 3 };
+
+enum cli_kind {
+    CLI_FLAG,    /* bool *: set to true */
+    CLI_NUMBER,  /* double *: one finite number within min..max */
+    CLI_COUNT,   /* int *: a whole number within min..max */
+    CLI_TEXT,    /* const char ** */
+    CLI_CHOICE,  /* int *: index of the word among `arg`, written "one|two|three" */
+    CLI_NUMBERS, /* double[count]: exactly `count` numbers, commas between */
+    CLI_LIST     /* struct cli_list *: may be given again and again */
+};
+
+#define CLI_POSITIVE DBL_MIN /* as min: above zero */
+
+struct cli_list {
+    size_t n, cap;
+    const char **item;
+};
+
+struct cli_option {
+    int letter;       /* 0: no short form */
+    const char *name; /* long form without the dashes */
+    const char *arg;  /* name of the value in the help, NULL for a flag */
+    const char *help; /* one line, or more with '\n' between */
+    enum cli_kind kind;
+    void *value;     /* where it goes; what stands there is the default */
+    double min, max; /* both 0: no bounds */
+    int count;       /* of CLI_NUMBERS */
+    bool *given;     /* set to true when the option was there; may be NULL */
+};
+
+struct cli {
+    const char *tool;                /* name for messages and usage */
+    const char *usage;               /* "[options] [FILE...]" */
+    const char *about;               /* one line: what the tool does */
+    const struct cli_option *option; /* ends with a name of NULL */
+    const struct cli_option *more;   /* a second such table, of options that tools share; or NULL */
+    const char *output;              /* -o, NULL: standard output */
+    int threads;                     /* -j, 0: as many as there are processors */
+    int files;                       /* how many operands there were ... */
+    char **file;                     /* ... and they; none: one, "-" */
+};
+
+/* Reads the options.  -h and -V end the process with 0, a mistake with 2. */
+void cli_parse(struct cli *cli, int argc, char **argv);
+
+/* One line on standard error behind `tool: `.  say: unless -q; note: only with -v. */
+void say(const char *format, ...) __attribute__((format(printf, 1, 2)));
+void note(const char *format, ...) __attribute__((format(printf, 1, 2)));
+
+/* Ends the process with the message: exit 1, exit 1 with error's text, exit 2, exit 3. */
+_Noreturn void die(const char *format, ...) __attribute__((format(printf, 1, 2)));
+_Noreturn void die_error(const struct error *error);
+_Noreturn void die_usage(const char *format, ...) __attribute__((format(printf, 1, 2)));
+_Noreturn void die_unmet(const char *format, ...) __attribute__((format(printf, 1, 2)));
+
+/* Percent on standard error when that is a terminal and -q was not given; done == of clears it. */
+void progress(const char *what, size_t done, size_t of);
+
+#endif

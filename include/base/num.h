@@ -1,0 +1,188 @@
+/*
+ * num - numbers as text, the same in every locale and on every platform.
+ */
+#ifndef CLOUDMILL_NUM_H
+#define CLOUDMILL_NUM_H
+
+#include <math.h>
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <string.h>
+
+/* 10^0 to 10^22, all exact. */
+extern const double num_ten[23];
+
+/*
+ * Reads one decimal number at *s: sign, digits with or without a point (`5`, `5.`, `.5`),
+ * exponent by e, E, d or D.  The value is the nearest double, as strtod's would be.  True when a
+ * number was there, and *s then stands behind it; false leaves *s.  The text must end in '\0'
+ * (any character that can't be part of a number will do).  nan, inf and hexadecimal are no numbers;
+ * a number too large for a double gives +-HUGE_VAL: check with isfinite where it matters.
+ */
+bool num_read(const char **s, double *value);
+
+/* The first eight characters, the first one lowest, whatever the processor's order of bytes. */
+static inline uint64_t num_eight(const char *p)
+{
+    const unsigned char *u = (const unsigned char *)p;
+    return (uint64_t)u[0] | (uint64_t)u[1] << 8 | (uint64_t)u[2] << 16 | (uint64_t)u[3] << 24 |
+           (uint64_t)u[4] << 32 | (uint64_t)u[5] << 40 | (uint64_t)u[6] << 48 |
+           (uint64_t)u[7] << 56;
+}
+
+/* How many of them are digits before the first that is none; and the number that these are, 0
+ * where there are none. */
+static inline int num_digits(uint64_t eight, uint64_t *value)
+{
+    static const uint64_t each = 0x0101010101010101;
+    uint64_t digit = eight ^ (0x30 * each);
+    uint64_t other = ((digit + 0x76 * each) | digit) & (0x80 * each);
+    int bits = other ? __builtin_ctzll(other) & 56 : 64;
+    digit = bits ? digit << (64 - bits) : 0; /* noughts in front */
+    digit = (digit * 10 + (digit >> 8)) & 0x00ff00ff00ff00ff;
+    digit = (digit * 100 + (digit >> 16)) & 0x0000ffff0000ffff;
+    *value = (digit * 10000 + (digit >> 32)) & 0xffffffff;
+    return bits / 8;
+}
+
+/*
+ * num_read for the numbers that files are full of, at most 15 digits without an exponent, where it
+ * is called for each of millions: what stands behind the number, NULL when it is not as plain as
+ * that.  Decimals are taken eight at a time, so that so many characters behind the number are
+ * looked at too.
+ */
+static inline const char *num_plain(const char *p, double *value)
+{
+    static const uint64_t scale[] = {1, 10, 100, 1000, 10000, 100000, 1000000, 10000000, 100000000};
+    bool negative = *p == '-';
+    p += negative;
+    uint64_t mantissa = 0, more;
+    size_t decimals = 0;
+    const char *first = p;
+    for (; *p >= '0' && *p <= '9'; p++)
+        mantissa = mantissa * 10 + (uint64_t)(*p - '0');
+    size_t digits = (size_t)(p - first);
+    if (*p == '.') {
+        first = ++p;
+        int n = num_digits(num_eight(p), &more);
+        mantissa = mantissa * scale[n] + more;
+        p += n;
+        for (; n == 8 && *p >= '0' && *p <= '9' && p - first < 16; p++)
+            mantissa = mantissa * 10 + (uint64_t)(*p - '0');
+        decimals = (size_t)(p - first);
+        digits += decimals;
+    }
+    if (digits - 1 >= 15 || *p >= 'A') /* none or too many; an exponent */
+        return NULL;
+    /* both are exact, so that one division rounds once: the nearest double */
+    double magnitude = (double)(int64_t)mantissa / num_ten[decimals];
+    *value = negative ? -magnitude : magnitude;
+    return p;
+}
+
+/*
+ * Passes over a word that programs print for what is no finite number: nan, inf and infinity in any
+ * case, with a sign and with brackets behind (`-nan(ind)`), 1.#IND, 1.#QNAN, -1.#INF.  False leaves
+ * *s.
+ */
+bool num_not_finite(const char **s);
+
+/* The whole of text is one finite number (blanks around it allowed). */
+bool num_whole(const char *text, double *value);
+
+enum { NUM_MAX = 352 }; /* room for any number that num_write writes, and its '\0' */
+
+/*
+ * Writes x with `digits` decimals (0 to 9) at buf, rounded half away from zero, with a decimal
+ * point (none at digits 0), never an exponent, never -0; ends in '\0'; returns the length.
+ */
+size_t num_write(char *buf, double x, int digits);
+
+/* num_write of a number that num_scaled has made whole. */
+size_t num_put(char *buf, int64_t integer, bool negative, int digits);
+
+/* Takes the trailing zeros from the n characters that num_write wrote; the length that is left.
+ * A whole number then has its point where `point` is set: 12. */
+size_t num_shorten(char *buf, size_t n, int digits, bool point);
+
+/* The same without trailing zeros, but with its point where `point` is set: 12. 0.5 -3.25 */
+size_t num_write_short(char *buf, double x, int digits, bool point);
+
+/*
+ * The eight digits of n, below 10^8, a byte each, the first one lowest: fours of them, pairs and
+ * single ones by multiplying with 1 / 100 and 1 / 10, so close that what is cut off is right.
+ */
+static inline uint64_t num_eight_digits(uint32_t n)
+{
+    uint64_t fours = n / 10000 | (uint64_t)(n % 10000) << 32;
+    uint64_t hundreds = ((fours * 10486) >> 20) & 0x0000007f0000007f;
+    uint64_t pairs = hundreds | (fours - 100 * hundreds) << 16;
+    uint64_t tens = ((pairs * 103) >> 10) & 0x000f000f000f000f;
+    return tens | (pairs - 10 * tens) << 8;
+}
+
+/* The lowest byte first, whatever the processor's order of bytes. */
+static inline void num_put_eight(char *to, uint64_t bytes)
+{
+    const char text[] = {(char)bytes,         (char)(bytes >> 8),  (char)(bytes >> 16),
+                         (char)(bytes >> 24), (char)(bytes >> 32), (char)(bytes >> 40),
+                         (char)(bytes >> 48), (char)(bytes >> 56)};
+    memcpy(to, text, sizeof text);
+}
+
+/* num_put and num_shorten at once, without '\0'. */
+size_t num_put_long(char *buf, int64_t integer, bool negative, int digits, bool point);
+
+/* The same where it is called for each of millions; up to NUM_MAX characters may be written to. */
+static inline size_t num_put_short(char *buf, int64_t integer, bool negative, int digits,
+                                   bool point)
+{
+    static const uint64_t character = 0x3030303030303030;
+    if (integer >= 100000000 || digits > 7)
+        return num_put_long(buf, integer, negative, digits, point);
+    uint64_t digit = num_eight_digits((uint32_t)integer);
+    unsigned ones = 8 * (7 - (unsigned)digits); /* bits before the last digit before the point */
+    unsigned first = (unsigned)__builtin_ctzll(digit | UINT64_C(1) << ones) & 56;
+    unsigned noughts = (unsigned)__builtin_clzll(digit | 1) / 8; /* at the end */
+    char *to = buf;
+    *to = '-';
+    to += negative && integer != 0;
+    num_put_eight(to, (digit + character) >> first);
+    to += (ones - first) / 8 + 1;
+    *to = '.';
+    if (noughts < (unsigned)digits) {
+        num_put_eight(to + 1, (digit + character) >> (ones + 8));
+        to += 1 + (unsigned)digits - noughts;
+    } else {
+        to += point;
+    }
+    return (size_t)(to - buf);
+}
+
+/*
+ * |x| * 10^digits rounded half away from zero, where that is below 2^53; else false.  Signed, for
+ * that is what processors convert at once.
+ */
+static inline bool num_scaled(double x, int digits, int64_t *integer)
+{
+    double s = fabs(x) * num_ten[digits];
+    if (!(s < 9007199254740992.0))
+        return false;
+    *integer = (int64_t)(s + 0.5);
+    if (__builtin_expect((double)*integer - s > 0.5, 0)) /* the sum itself was rounded up */
+        --*integer;
+    return true;
+}
+
+/* The value that num_write(x, digits) reads back as. */
+static inline double num_round(double x, int digits)
+{
+    int64_t integer;
+    if (!num_scaled(x, digits, &integer))
+        return x;
+    double r = (double)integer / num_ten[digits];
+    return x < 0 && integer ? -r : r;
+}
+
+#endif

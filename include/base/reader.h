@@ -1,0 +1,60 @@
+/*
+ * reader - input line by line, or byte by byte, from a file or standard input.
+ *
+ * Lines may end in LF, CRLF or a bare CR, the last one in nothing; a UTF-8 byte order mark at the
+ * very start is passed over.  Lines may be of any length.
+ */
+#ifndef CLOUDMILL_READER_H
+#define CLOUDMILL_READER_H
+
+#include <stdbool.h>
+#include <stddef.h>
+
+#include "base/error.h"
+
+struct reader {
+    int fd;
+    const char *name; /* for messages: the file's name, or "-" for standard input */
+    size_t line;      /* number of the line last read, from 1 */
+    size_t size;      /* of a regular file, bytes; 0: not known */
+    size_t got;       /* bytes read so far */
+    bool ended;       /* it had a line end: false only for what the file ends with */
+    char *buf;        /* from here on for reader.c alone */
+    size_t cap, from, to;
+    size_t whole; /* behind the last LF of the buffer */
+    size_t last, last_end;
+    char last_char;
+    bool end, begun;
+};
+
+/* Opens a file; NULL or "-" is standard input.  A directory is an error. */
+int reader_open(struct reader *r, const char *file, struct error *error);
+
+/*
+ * The next line: 1 and *line (ends in '\0', without its line end; may be changed in place, valid
+ * until the next call) and *n, its length, which counts a NUL byte inside if there is one;
+ * 0 at the end of the input; -1 when reading failed.
+ */
+int reader_line(struct reader *r, char **line, size_t *n, struct error *error);
+
+/* Puts the line last read back: the next reader_line returns it again.  Once, and unchanged. */
+void reader_unread(struct reader *r);
+
+/*
+ * For a parser that walks over the text itself: the whole lines, each with its LF, that wait in the
+ * buffer, and how many bytes they are; 0 says nothing of the end of the input.  Eight bytes behind
+ * them may be looked at.  reader_take then
+ * takes the first n bytes of them, which are so many lines.
+ */
+size_t reader_ahead(const struct reader *r, const char **text);
+void reader_take(struct reader *r, size_t n, size_t lines);
+
+/* Up to n bytes to p; returns how many there were (fewer only at the end), -1 on failure. */
+long reader_bytes(struct reader *r, void *p, size_t n, struct error *error);
+
+/* The next bytes without taking them: *p, at most `want` (<= 4096); returns how many. */
+long reader_peek(struct reader *r, const char **p, size_t want, struct error *error);
+
+void reader_close(struct reader *r);
+
+#endif

@@ -1,0 +1,30 @@
+/*
+ * noise - how noisy a scan is, from the scan alone.
+ *
+ * At up to 2000 places over the cloud a quadric is fitted to the fewest nearest points that carry
+ * one and to twice as many.  What the fits leave, for their degrees of freedom, is noise and what
+ * of the surface is no quadric: the latter grows with the width as its third power or faster, so
+ * that its variance is eight times as large over twice the points, and the former does not grow.
+ * Medians over the places, so that edges, outliers and the few tight bends do not count.
+ */
+#ifndef CLOUDMILL_NOISE_H
+#define CLOUDMILL_NOISE_H
+
+#include <stdbool.h>
+
+#include "math/point_grid.h"
+
+struct noise {
+    double sigma; /* standard deviation of the points from the surface, along its normal, mm; 0
+                     where the surface explains all */
+    bool alike;   /* the points are spread about the surface alike everywhere and however wide one
+                     looks, and less than they are apart: by the scanner, not by the shape of a
+                     rough part */
+};
+
+struct noise noise_look(const struct point_grid *point_grid, int threads);
+
+/* The standard deviation alone. */
+double noise_of(const struct point_grid *point_grid, int threads);
+
+#endif

@@ -1,0 +1,37 @@
+/*
+ * scan_normals - normals and curvatures of a mesh's vertices from the whole scan that it was chosen
+ * from.
+ */
+#ifndef CLOUDMILL_SCAN_NORMALS_H
+#define CLOUDMILL_SCAN_NORMALS_H
+
+#include "math/point_grid.h"
+#include "mesh/mesh.h"
+
+/* How far the vertices stand off their quadrics. */
+struct scan_normals {
+    size_t fitted, thin; /* vertices with a quadric; without one, they keep the facets' normal */
+    size_t at;           /* the vertex with the largest distance */
+    double worst, rms;   /* of the distances, mm */
+    double noise;        /* three standard deviations of the scan's noise, mm: from the median of
+                            the distances, so that a sharp edge, where a quadric is of no use, does
+                            not count as noise */
+};
+
+/*
+ * A quadric through the `neighbours` points of the scan nearest to each vertex, or the nearer half
+ * of them where these lie at least twice as close to theirs (a tight bend); where they do not
+ * carry one (points on one or two laser lines), through twice, four times ... thirty-two times as
+ * many.  Where a surface of the third degree through the points leaves less than half of what the
+ * quadric leaves, it counts: without noise that is wherever the surface is smooth.
+ * The normal at the vertex, on the side of the facets' normals or, where these are steep and
+ * that fits better, on the upper side, goes to mesh->normal and
+ * its larger principal curvature (hollow: positive) to mesh->kmax.  A vertex without a quadric
+ * keeps the normal of its facets (eq 8), and 0.
+ *
+ * The result does not depend on the number of threads.
+ */
+struct scan_normals scan_normals_quadric(struct mesh *mesh, const struct point_grid *point_grid,
+                                         int neighbours, int threads);
+
+#endif

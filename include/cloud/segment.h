@@ -1,0 +1,45 @@
+/*
+ * segment - a cloud that no single projection serves, divided by orientation (paper 1, 7).
+ */
+#ifndef CLOUDMILL_SEGMENT_H
+#define CLOUDMILL_SEGMENT_H
+
+#include "base/array.h"
+#include "math/vec.h"
+
+/* One part: what is seen without steep places along its own direction. */
+struct segment {
+    struct vec3 across, up; /* unit, perpendicular: from row to row, and of the projection ... */
+    struct vec3 along;      /* ... and along the rows: along x across = up */
+    struct vec3s point;     /* its own, those of its neighbours within the overlap, and beyond its
+                               sharp edges points that its surface is continued to */
+    size_t own;             /* how many are its own: the first ones */
+};
+
+struct segments {
+    size_t n, cap;
+    struct segment *item;
+    size_t left_out; /* points in none of them */
+    double spacing;  /* mean spacing of the points on their surface, mm */
+};
+
+/*
+ * Each point goes to the direction that is nearest to its normal, of as few as serve it within 50
+ * degrees: straight up first, then those of 32 directions around and 45 degrees up and down that
+ * serve most of what is left.  The pieces of these (components.h) are the parts.  Points nearer
+ * than `overlap` mm (0: four and a half mean spacings) to those of a part belong to it too, if they
+ * face it within 70 degrees and no sharp edge is between; beyond sharp edges its surface is
+ * continued instead, by two thirds of the overlap (extend_edges.h).  The rows of the part that is
+ * seen from above run `direction` degrees from x; those of others are horizontal.  Parts come from
+ * the top down and round.
+ */
+struct segments segments_find(const struct vec3 *point, size_t n, double overlap, double direction,
+                              int threads);
+
+void segments_free(struct segments *parts);
+
+/* Into the part's own axes: along, across, up; and back. */
+struct vec3 segment_in(const struct segment *part, struct vec3 p);
+struct vec3 segment_out(const struct segment *part, struct vec3 p);
+
+#endif

@@ -1,0 +1,37 @@
+/*
+ * upsample - points put between those of a sparse scan, on surfaces through the nearest of them, so
+ * that a ball does not sink in.
+ */
+#ifndef CLOUDMILL_UPSAMPLE_H
+#define CLOUDMILL_UPSAMPLE_H
+
+#include <stdbool.h>
+
+#include "math/point_grid.h"
+#include "math/quadric.h"
+
+struct upsample {
+    const struct point_grid *point_grid; /* the scan */
+    double radius;                       /* of the ball, mm */
+    double sink;                         /* how deep it may sink between points, mm */
+    double noise;                        /* standard deviation of the points, mm; 0: none */
+};
+
+/* The ball sinks deeper in more than a tenth of the places. */
+bool upsample_needed(const struct upsample *fill);
+
+/*
+ * Appends points about point i of the point_grid, which the surface q has at p, as dense as the
+ * ball asks for: those nearer to i than to the other points and with one of them beyond, so that no
+ * hole is filled and no border moves.  `spread`: of the points about q, mm; where it is more than
+ * noise and the ball's sinking explain, nothing is appended.
+ */
+void upsample_on(const struct upsample *fill, size_t i, struct vec3 p, const struct quadric *q,
+                 double spread, struct vec3s *to);
+
+/* The same on a surface through the nearest points as they are: of the second degree through 16 to
+ * 32, or of the third through 24 where that leaves less.  Returns how far these are off it (one
+ * standard deviation, mm), 0 where nothing was appended. */
+double upsample_about(const struct upsample *fill, size_t i, struct vec3s *to);
+
+#endif

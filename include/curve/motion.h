@@ -1,0 +1,61 @@
+/*
+ * motion - one piece of a path as it is meant: straight, on an arc or on a B-spline.
+ *
+ * Along a straight line and an arc the tool axis turns on the great circle between the two end
+ * axes, in proportion to the way; along a B-spline it is the direction from the curve to its head.
+ */
+#ifndef CLOUDMILL_MOTION_H
+#define CLOUDMILL_MOTION_H
+
+#include "curve/bspline.h"
+#include "math/vec.h"
+
+/* Where the tool is: the tracked point and the unit axis from the tip to the spindle. */
+struct pose {
+    struct vec3 p, a;
+};
+
+struct poses {
+    size_t n, cap;
+    struct pose *item;
+};
+
+/* Where the ball touches the surface, and the surface's unit normal there. */
+struct contact {
+    struct vec3 p, n;
+};
+
+struct contacts {
+    size_t n, cap;
+    struct contact *item;
+};
+
+enum motion_kind { MOTION_LINE, MOTION_ARC, MOTION_SPLINE };
+
+struct motion {
+    enum motion_kind kind;
+    struct pose from, to;
+    struct vec3 centre, axis;    /* ARC: axis of the right-hand turn, unit */
+    double sweep;                /* ARC: radians, 0 to 2 pi; start = end: 2 pi */
+    const struct bspline *curve; /* SPLINE: belongs to the path */
+};
+
+struct motion motion_line(struct pose from, struct pose to);
+
+/* The ends may lie a little off the circle or its plane: radius and height go over evenly. */
+struct motion motion_arc(struct pose from, struct pose to, struct vec3 centre, struct vec3 axis);
+
+/* The whole curve; it starts at its first pole, wherever `from` is. */
+struct motion motion_spline(struct pose from, struct pose to, const struct bspline *curve);
+
+/* The pose at s, 0 to 1: in proportion to length on a line and an arc, to the parameter on a
+ * B-spline. */
+struct pose motion_at(const struct motion *motion, double s);
+
+/* Length of the tracked point's way, mm (a B-spline's within about 1e-4 of it). */
+double motion_length(const struct motion *motion);
+
+/* The parameter s of the next end of a knot span behind s; 1 on lines and arcs. */
+double motion_next_knot(const struct motion *motion, double s);
+
+#endif

@@ -1,0 +1,69 @@
+/*
+ * run - a cutting run as a fitter sees it: tip, ball centre, axis and surface normal at points
+ * that are dense enough for straight lines between them to stand for the path.
+ */
+#ifndef CLOUDMILL_RUN_H
+#define CLOUDMILL_RUN_H
+
+#include <stdbool.h>
+
+#include "base/array.h"
+#include "math/vec.h"
+
+struct run_point {
+    struct vec3 tip;     /* of the tool, mm */
+    struct vec3 ball;    /* its centre: tip + radius * axis */
+    struct vec3 axis;    /* unit, tip to spindle */
+    struct vec3 contact; /* on the surface, mm; only where `normal` is not zero */
+    struct vec3 normal;  /* unit; zero: not known */
+    bool given;          /* a point of the input; false: put between by run_densify */
+};
+
+struct run {
+    size_t n, cap;
+    struct run_point *item;
+    double radius; /* of the ball, mm */
+};
+
+/* Is its contact point known? */
+static inline bool run_point_touches(const struct run_point *p)
+{
+    return vec_dot(p->normal, p->normal) > 0.5;
+}
+
+/* How far the centre stands above its contact point along the normal, mm; the radius, unless the
+ * ball was lifted. */
+static inline double run_point_height(const struct run_point *p)
+{
+    return vec_dot(vec_sub(p->ball, p->contact), p->normal);
+}
+
+/*
+ * Tangents of the ball's path, unit: three-point (Bessel) tangents of the centres, projected
+ * perpendicular to the normal where there is one (a centre that is lifted off its contact point
+ * more and more keeps the slope of its lift); points that coincide have one tangent, all of them
+ * the zero vector when the run has no length.  At the ends T0 = 2 (v0 . T1) v0 - T1, v0 the first
+ * chord (design/3-geometry.md, errata "tangent").  Paper 1, 3.4 instead with `forward`: n x (PiPi+1
+ * x n).  tangent[n].
+ */
+void run_tangents(const struct run *run, bool forward, struct vec3 *tangent);
+
+/*
+ * Appends the indices of the inner points where the ball's path turns by more than 60 degrees: the
+ * corners.  Tangents on the two sides of a corner are those of the two pieces that it parts.
+ */
+void run_corners(const struct run *run, struct sizes *corner);
+
+/*
+ * The reference curve of a run: between two points the centre follows the cubic Hermite curve with
+ * run_tangents' tangents (at a speed that comes nearest to a circle), the axis the cubic with
+ * three-point derivatives by the centre's path, made a unit vector (the great circle where axes are
+ * more than 60 degrees apart or the centre stands still), and the tip follows from both; corners
+ * are kept.  Appends to `dense` (which has the same radius) all points and as many between, that
+ * straight lines between neighbours stay within `chord` mm of the curve at the tip and the centre:
+ * an interval that is straight enough gets none, so that dense data comes back as it is.
+ * Returns the largest distance between the curve and the straight lines of the *input*.
+ */
+double run_densify(const struct run *run, double chord, struct run *dense);
+
+#endif

@@ -1,0 +1,31 @@
+/*
+ * ply - the mesh stream (cloudmill-mesh(5)): PLY out, any PLY in.
+ */
+#ifndef CLOUDMILL_PLY_H
+#define CLOUDMILL_PLY_H
+
+#include "base/error.h"
+#include "mesh/mesh.h"
+#include "base/out.h"
+#include "base/reader.h"
+
+/*
+ * Reads a mesh from PLY, ASCII or binary of either byte order, with or without normals, rows and
+ * kmax; polygons become fans of triangles.  Normals are made unit vectors.  `file` NULL or "-" is
+ * standard input.  Fewer or more rows than the head says, no vertices or no faces, an index out of
+ * range, a number that is not finite are errors.  No storage is reserved on the word of a count
+ * alone.
+ */
+int ply_read(const char *file, struct mesh *mesh, struct error *error);
+
+/* The same from a reader that stands at the start of the file. */
+int ply_read_mesh(struct reader *r, struct mesh *mesh, struct error *error);
+
+/* The vertices alone, appended to `points`, those too that are not finite; the reader stands at
+ * the start of the file. */
+int ply_read_points(struct reader *r, struct vec3s *points, struct error *error);
+
+/* Writes the mesh stream: ASCII PLY, doubles with 6 decimals, normals and kmax with 9. */
+void ply_write(struct out *out, const struct mesh *mesh);
+
+#endif

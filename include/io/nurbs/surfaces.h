@@ -1,0 +1,28 @@
+/*
+ * surfaces - NURBS surfaces from any file that holds them, told apart by content: IGES, or our own
+ * text form.
+ */
+#ifndef CLOUDMILL_SURFACES_H
+#define CLOUDMILL_SURFACES_H
+
+#include "nurbs/patch.h"
+
+/* What a file says of its unit, for messages; of IGES alone. */
+struct surfaces_unit {
+    char flag[16];  /* name of its unit flag, empty: none */
+    char other[16]; /* the name beside the flag where it says something else, or empty */
+    double scale;   /* model space scale */
+};
+
+/* Appends the surfaces of a file (NULL or "-": standard input), in mm.  `mm` > 0 is the file's unit
+ * whatever it says itself. */
+int surfaces_read(const char *file, double mm, struct patches *patches, struct surfaces_unit *unit,
+                  struct error *error);
+
+/* Says what the files have that is not read: kinds of trimming curves and of surfaces. */
+void surfaces_tell(const struct patches *patches);
+
+/* Says what a file tells of its unit; `taken`: the name of the unit asked for instead, or NULL. */
+void surfaces_tell_unit(const char *file, const struct surfaces_unit *unit, const char *taken);
+
+#endif

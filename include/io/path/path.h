@@ -1,0 +1,235 @@
+/*
+ * path - the path stream (cloudmill-path(5)): APT CL text in, APT CL text out.
+ *
+ * In memory a path is a head and a list of items in the order of the stream.  Lengths are mm,
+ * feeds mm/min, whatever units the stream was in.
+ */
+#ifndef CLOUDMILL_PATH_H
+#define CLOUDMILL_PATH_H
+
+#include <stdbool.h>
+
+#include "base/array.h"
+#include "curve/bspline.h"
+#include "base/error.h"
+#include "curve/motion.h"
+#include "base/out.h"
+#include "math/vec.h"
+
+enum path_kind {
+    PATH_POINT,  /* straight to a pose (GOTO) */
+    PATH_ARC,    /* on an arc to a pose (CIRCLE, GOTO) */
+    PATH_SPLINE, /* on a B-spline to a pose (MOVNRB/ON ... MOVNRB/OFF) */
+    PATH_HOLE,   /* a hole of a drilling cycle at a pose (GOTO behind CYCLE) */
+    PATH_TOOL,   /* another tool than before (LOADTL) */
+    PATH_PASS,   /* a pass begins ($$-> PASS/number) */
+    PATH_FEED,   /* from here on this feed (FEDRAT) */
+    PATH_TEXT,   /* a statement that is carried along as it is */
+    PATH_PLANE   /* another tilted plane than before: ncpost's own (ncframe.h), in no stream */
+};
+
+/* 64 bytes, for there may be millions. */
+struct path_item {
+    enum path_kind kind : 8;
+    bool rapid : 1;   /* POINT: at the machine's rapid */
+    bool touches : 1; /* POINT, ARC, SPLINE: the contact where it ends is known */
+    unsigned line;    /* of the input, 0: made here */
+    unsigned index;   /* ARC, SPLINE, HOLE, TOOL, TEXT: element of path.arc, .spline, .cycle, .tool,
+                         .text; PASS: number */
+    unsigned contact; /* when it touches: element of path.contact */
+    union {
+        struct pose to; /* POINT, ARC, SPLINE; HOLE: its mouth and the axis out of it */
+        double feed;    /* FEED: mm/min */
+    };
+};
+
+/* An arc about `axis` by the right-hand rule, from the pose before; start = end: a full circle.
+ * An end at another height along `axis` makes it a helix of less than a turn.  The tool axis turns
+ * on the great circle, in proportion to the angle. */
+struct path_arc {
+    struct vec3 centre, axis;
+    double radius;
+};
+
+struct path_spline {
+    struct bspline curve;
+    struct poses fallback; /* the same motion in straight pieces, without its start */
+};
+
+enum path_cycle_kind {
+    CYCLE_DRILL, /* down at feed, out at rapid */
+    CYCLE_DEEP,  /* in steps, out of the hole behind each */
+    CYCLE_BREAK, /* in steps, a little back behind each, to break the chip */
+    CYCLE_TAP,   /* down at feed, the spindle turns back, out at feed */
+    CYCLE_BORE,  /* down and out at feed: boring, reaming */
+    CYCLE_DRAG,  /* down at feed, the spindle stops, out at rapid: boring */
+    CYCLE_MANUAL /* down at feed, spindle and program stop, out at rapid: boring; written out */
+};
+
+/* A drilling cycle.  Heights are against the mouth of the hole, along the tool axis, mm. */
+struct path_cycle {
+    enum path_cycle_kind kind;
+    double depth;      /* of the bottom below the mouth, above 0 */
+    double clear;      /* the feed begins so far above it */
+    double retract;    /* and the tool leaves it so far above, no less than clear */
+    double step, next; /* DEEP, BREAK: the first step and each that follows; 0: all at once */
+    double dwell;      /* at the bottom, seconds */
+    double feed;       /* mm/min, 0: the one in force */
+    double pitch;      /* TAP: mm a turn, 0: not said */
+};
+
+struct path_tool {
+    int number;       /* 0: none was given */
+    int offset;       /* number of its length's offset (OSETNO), 0: that of the tool */
+    double cutter[7]; /* as in path_head */
+    int cutter_n;
+};
+
+/* What a stage spent of the tolerance, mm ($$-> LEDGER/stage,spent). */
+struct ledger_entry {
+    char *stage;
+    double spent;
+};
+
+enum path_track { TRACK_TIP, TRACK_CENTRE, TRACK_CONTACT };
+
+struct path_head {
+    char *partno;     /* text behind PARTNO/, NULL: none */
+    bool multax;      /* MULTAX/ON */
+    double cutter[7]; /* CUTTER/ d, r, e, f, alpha, beta, h (mm, degrees) */
+    int cutter_n;     /* how many of them were given, 0: no CUTTER */
+    int tool;         /* LOADTL/, 0: none */
+    int offset;       /* as in path_tool */
+    double spindle;   /* rev/min, 0: none */
+    bool spindle_ccw; /* CCLW */
+    int coolant;      /* 0 not said, 1 off, 2 on (flood), 3 mist */
+    enum path_track track;
+    double chord;     /* $$-> CHORD/: how far the smooth path stands off the straight lines
+                         between its points, mm; a fitter takes it out; NAN: not said */
+    double clearance; /* $$-> CLEAR/: z of the clearance plane, mm; NAN: not said */
+    struct {
+        size_t n, cap;
+        struct ledger_entry *item;
+    } ledger;
+};
+
+struct path {
+    const char *name;   /* of the file, for messages */
+    const char *system; /* that wrote it, "NX", as its words show; NULL: this suite or not known */
+    struct path_head head; /* with its first tool */
+    struct {
+        size_t n, cap;
+        struct path_item *item;
+    } item;
+    struct contacts contact;
+    struct {
+        size_t n, cap;
+        struct path_arc *item;
+    } arc;
+    struct {
+        size_t n, cap;
+        struct path_spline *item;
+    } spline;
+    struct {
+        size_t n, cap;
+        struct path_cycle *item;
+    } cycle;
+    struct {
+        size_t n, cap;
+        struct path_tool *item;
+    } tool;
+    size_t tools_numbered; /* tools without a number that were given one here, in their order */
+    struct {
+        size_t n, cap;
+        char **item;
+    } text;
+    struct {
+        size_t n, cap;
+        struct path_unknown {
+            char *word;
+            size_t times;
+            unsigned line;
+        } * item;
+    } unknown; /* post-processor words that nobody here knows, for one warning each */
+};
+
+/*
+ * Reads a whole path (NULL or "-": standard input) up to FINI, from this suite or from a CAM system
+ * (cl_dialect.h).  Without its end, with an unknown geometry word, a number that is not finite, an
+ * axis of no length, an arc whose ends are off its circle by more than 0.01 mm: -1.
+ */
+int path_read(const char *file, struct path *path, struct error *error);
+
+/* Writes the stream with its head and FINI.  Coordinates with 6 decimals, vectors with 9. */
+void path_write(struct out *out, const struct path *path);
+
+/* The same in pieces: the head, items as often as there are more, the end. */
+void path_write_head(struct out *out, const struct path_head *head);
+void path_write_items(struct out *out, const struct path *path);
+void path_write_end(struct out *out);
+
+void path_free(struct path *path);
+
+/* The item takes the tool elsewhere. */
+static inline bool path_moves(const struct path_item *item)
+{
+    return item->kind <= PATH_HOLE;
+}
+
+static inline bool path_is_rapid(const struct path_item *item)
+{
+    return item->kind == PATH_POINT && item->rapid;
+}
+
+/* Takes over the head of another path (copies its strings), for a stage that writes a new one. */
+void path_head_copy(struct path_head *to, const struct path_head *from);
+
+/* Adds what a stage spent to the ledger. */
+void path_spend(struct path *path, const char *stage, double spent);
+
+/* Sum of the ledger, mm. */
+double path_spent(const struct path *path);
+
+/* Radius of the ball, mm: CUTTER's d/2 when its corner radius says ball nose; else -1. */
+double path_ball(const struct path *path);
+double path_tool_ball(const struct path_tool *tool);
+
+/* Each appends one item. */
+struct path_item *path_add_point(struct path *path, struct pose to, bool rapid);
+struct path_item *path_add_arc(struct path *path, struct pose to, struct path_arc arc);
+struct path_item *path_add_spline(struct path *path, struct pose to, struct path_spline spline);
+void path_add_hole(struct path *path, struct pose mouth, size_t cycle);
+void path_add_tool(struct path *path, struct path_tool tool);
+void path_add_pass(struct path *path, size_t number);
+void path_add_feed(struct path *path, double feed);
+void path_add_text(struct path *path, const char *text);
+
+/* Says where the tool touches at the end of an item. */
+void path_touch(struct path *path, struct path_item *item, struct contact contact);
+
+/* Appends items [from, to) of another path, unchanged (deep copies of what they point at). */
+void path_add_items(struct path *path, const struct path *other, size_t from, size_t to);
+
+/* The motion that an item of the path is, from the pose before it. */
+struct motion path_item_motion(const struct path *path, const struct path_item *item,
+                               struct pose from);
+
+/*
+ * Holes of drilling cycles become the straight motions that they stand for: at rapid above the
+ * mouth, down to `clear`, at feed to the bottom (in steps), out to `retract`.  A step begins at
+ * rapid PATH_PECK_GAP above the bottom of the one before, or half of it.
+ */
+void path_drill(struct path *path);
+
+#define PATH_PECK_GAP 0.254 /* mm, LinuxCNC's */
+
+/*
+ * The cutting runs of a path, for fitters: the first run at or after item *from as [*from, *to).
+ * A run is a longest row of PATH_POINT items at feed, with nothing else between, that all carry a
+ * contact (in a path without any contact: of all points at feed).  The pose where a run starts is
+ * that of its first item: the motion *to* it is no part of the run.  False when there is none
+ * left.  Runs of one item are passed over.
+ */
+bool path_next_run(const struct path *path, size_t *from, size_t *to);
+
+#endif

@@ -1,0 +1,68 @@
+/*
+ * ik_branch - how the rotary axes can stand in a direction: by either solution, each axis some
+ * whole turns on.  A state is a number, the same all along a pass.
+ */
+#ifndef CLOUDMILL_IK_BRANCH_H
+#define CLOUDMILL_IK_BRANCH_H
+
+#include "machine/ik_choose.h"
+
+/* The whole turns that an axis may have: `many` of them from `least`; one that has no end is
+ * always turned the nearest way. */
+struct turn_range {
+    int many, least;
+    bool endless;
+};
+
+struct ik_branches {
+    const struct kinematic_chain *chain;
+    struct turn_range winding[ROTARY_MAX];
+    int n; /* states 0 to n - 1; the lower half is the first solution's */
+};
+
+/* A direction, come to from the one before. */
+struct ik_branch_ground {
+    struct chain_solutions found;
+    bool stays; /* the first axis is free, and stays as it is */
+    bool loose; /* it may turn as far as it likes from the direction before */
+};
+
+/* An axis whose travel is 256 turns or more, the second one 8, is taken to have no end. */
+struct ik_branches ik_branches(const struct kinematic_chain *chain);
+
+/* The i-th axis has an end. */
+bool ik_branch_ends(const struct kinematic_chain *chain, int i);
+
+/* The angles are within the travel, but for rounding. */
+bool ik_branch_within(const struct kinematic_chain *chain, const double q[]);
+
+/* The state of these angles, whole turns away from `base`, those of the k-th solution; -1: outside
+ * of the travel. */
+int ik_branch_at(const struct ik_branches *s, int k, const double q[], const double base[]);
+
+/* The angles of a state, when those before were `from`; within the travel or not. */
+void ik_branch_angles(const struct ik_branches *s, const struct ik_branch_ground *ground, int state,
+                      const double from[], double q[]);
+
+/*
+ * True when an axis, on its way from the angles of one direction to those of a near one, comes to
+ * an end of its travel or to an angle whole turns from it, by one of the solutions: where a turn
+ * back gains most.  *share: how far on the way in its angle, 0 to 1, the first of them.
+ */
+bool ik_branch_end(const struct kinematic_chain *chain, const struct chain_solutions *from,
+                   const struct chain_solutions *to, int solution, double *share);
+
+/* The most that the direction may change from one place to the next near this one, radians:
+ * less near the direction in which the first axis is free. */
+double ik_branch_step(const struct kinematic_chain *chain, struct vec3 axis);
+
+/*
+ * What a direction is from the one before, `near`.  Where the first axis is free it stays as it is,
+ * and along a way that stays so it turns to where it will be needed (`ahead`, NULL: nowhere); where
+ * both are within `cone` radians of such a direction it is loose.
+ */
+struct ik_branch_ground ik_branch_ground(const struct kinematic_chain *chain, double cone,
+                                         struct vec3 near, struct vec3 axis,
+                                         const struct vec3 *ahead);
+
+#endif

@@ -1,0 +1,95 @@
+/*
+ * machine - a machine tool as a text file of `key = value` lines (cloudmill-machine(5)).
+ *
+ * One key a line, `#` starts a comment, `include = NAME` takes over another machine's keys, to be
+ * overruled by what follows.  A key that is not known, stands twice in one file, or has a value of
+ * the wrong kind is an error with its line.
+ */
+#ifndef CLOUDMILL_MACHINE_H
+#define CLOUDMILL_MACHINE_H
+
+#include <stdbool.h>
+
+#include "base/error.h"
+#include "machine/keys.h"
+#include "machine/kinematics.h"
+
+enum { MACHINE_X, MACHINE_Y, MACHINE_Z, MACHINE_A, MACHINE_B, MACHINE_C, MACHINE_AXES };
+
+/* Feeds without tool-centre-point control: in inverse time, or in mm and degrees a minute along
+ * all axes together, the square root of the sum of the squares of their ways. */
+enum machine_feeds { FEEDS_INVERSE, FEEDS_COMBINED };
+
+enum machine_type { TABLE_TABLE, HEAD_TABLE, HEAD_HEAD, ONE_TABLE, ONE_HEAD, NO_ROTARY };
+
+/* How many decimals the control is given; -1: the control's usual number. */
+struct machine_digits {
+    int linear, angle, vector, knot, feed;
+};
+
+struct machine {
+    char name[100];
+    char control[20];         /* "": any */
+    int type;                 /* enum machine_type */
+    char axes[20];            /* letters of the rotary axes, the outer (master) first: "A C" */
+    struct vec3 axis[3];      /* directions of A, B, C at zero */
+    struct vec3 centre[3];    /* a point on each: of a table's axis in the work frame, of a head's
+                                 from the tool tip at zero (so the tool's length is in it), mm */
+    bool tcp;                 /* tool-centre-point control: G43.4, TRAORI */
+    bool arcs_space;          /* Fanuc: G02.4 for arcs in no principal plane */
+    bool arcs, splines;       /* the control has them: 3-D and planar arcs, NURBS or polynomials */
+    double min[MACHINE_AXES]; /* travel, mm and degrees */
+    double max[MACHINE_AXES];
+    double rapid[MACHINE_AXES]; /* mm/min and degrees/min; X Y Z have one */
+    double retract;             /* mm along the tool axis, where the path has no approach */
+    char offset[60];            /* work offset; "": the control's own, G54 */
+    int feeds;                  /* enum machine_feeds */
+    double feed_max;            /* largest F that the control takes */
+    bool cycles;                /* the control has drilling cycles */
+    bool cutcom;                /* radius compensation where the path asks for it */
+    bool plane;  /* the control turns to a tilted plane where the tool axis is fixed */
+    bool smooth; /* the control is to smooth the path within ncpost's tolerance */
+    struct machine_templates { /* blocks, "": the control's own (nctemplate.h) */
+        char home[120];        /* retracts Z to a safe height */
+        char start[120];       /* behind the modal words at the start */
+        char tool_change[120];
+        char tcp_on[120], tcp_off[120];
+        char smooth_on[120], smooth_off[120];
+        char plane_on[120], plane_off[120];
+        char tap[120]; /* before a tapping cycle: M29 S{rpm} */
+        char end[120]; /* before M30 */
+    } blocks;
+    int number_step; /* of block numbers, 0: none */
+    int number_max;  /* behind it they begin again */
+    struct machine_digits digits;
+
+    struct kinematic_chain chain; /* made of the above; travel in radians */
+    int letter[ROTARY_MAX];       /* MACHINE_A ... of each axis of the chain */
+};
+
+/* Table-table A/C with tool-centre-point control, as machines/table-ac.txt. */
+struct machine machine_default(void);
+
+/*
+ * Reads NAME: with a slash or an ending that file; else NAME.txt in the current folder, in
+ * $CLOUDMILL_MACHINES, then among the machines installed, or built, with the running program.
+ */
+int machine_read(struct machine *machine, const char *name, struct error *error);
+
+/* One more `key=value`, as the command line has it. */
+int machine_set(struct machine *machine, const char *setting, struct error *error);
+
+/* Checks what the keys say together and makes the chain; to be called last. */
+int machine_finish(struct machine *machine, struct error *error);
+
+/* The table of its keys, to be freed by array_free. */
+struct keys machine_keys(struct machine *machine);
+
+/* machine_finish for what reads files: the error names no machine, and `key` is the one to
+ * blame. */
+int machine_assemble(struct machine *machine, char key[KEY_NAME], struct error *error);
+
+/* The letter of an axis: 'X' ... 'C'. */
+char machine_letter(int axis);
+
+#endif

@@ -1,0 +1,25 @@
+/*
+ * rotary_cost - how far the rotary axes of a machine turn from one direction of the tool axis to
+ * the next.
+ *
+ * Whatever the machine, one of its rotary axes sets how far the tool axis leans from the machine's
+ * Z and one in which direction (A or B, and C): so far does each of them turn.  Every lean has two
+ * solutions, to one side and, half a turn further, to the other; the one with the shorter way
+ * counts.
+ */
+#ifndef CLOUDMILL_ROTARY_COST_H
+#define CLOUDMILL_ROTARY_COST_H
+
+#include "curve/tool_axis.h"
+
+/* The way of both rotary axes together between two unit vectors, radians. */
+double rotary_travel(struct vec3 from, struct vec3 to);
+
+/* How many leans rotary_lean knows from `least` to `most` radians off the normal. */
+int rotary_leans(double least, double most);
+
+/* Number i of them, 0 <= i < rotary_leans(): lead and tilt of the rule, so that the axis is off the
+ * normal by least, or in even steps of about 5 degrees up to most, in each of 24 directions. */
+struct tool_axis_options rotary_lean(double least, double most, int i);
+
+#endif

@@ -1,0 +1,83 @@
+/*
+ * kdtree - nearest neighbours and neighbourhoods among points in space.
+ *
+ * The tree holds its own copy of the points, in an order of its own; what it returns are indices
+ * into the array it was made from.  Ties are broken by the smaller index, so that the answer does
+ * not depend on the shape of the tree.
+ */
+#ifndef CLOUDMILL_KDTREE_H
+#define CLOUDMILL_KDTREE_H
+
+#include <stdbool.h>
+
+#include "base/array.h"
+#include "math/vec.h"
+
+struct kdtree;
+
+struct kdtree *kdtree_new(const struct vec3 *point, size_t n);
+
+/* The same, and the same tree, by several threads (as in parallel.h). */
+struct kdtree *kdtree_new_by(const struct vec3 *point, size_t n, int threads);
+
+void kdtree_free(struct kdtree *tree);
+
+/* The k nearest points to q, nearest first (fewer when there are fewer): index[], and their
+ * squared distances when `distance2` is not NULL.  Returns how many. */
+size_t kdtree_nearest(const struct kdtree *tree, struct vec3 q, size_t k, size_t *index,
+                      double *distance2);
+
+/* Appends the indices of all points within `radius` of q (<=), in no particular but repeatable
+ * order.  The caller empties `found` (found->n = 0). */
+void kdtree_within(const struct kdtree *tree, struct vec3 q, double radius, struct sizes *found);
+
+/*
+ * The distance of the straight way from a to b (which may be one place) to the nearest point, and
+ * that point in *index; where none is as near as `within`, `within` itself, and *index stays as it
+ * was.
+ */
+double kdtree_nearest_segment(const struct kdtree *tree, struct vec3 a, struct vec3 b,
+                              double within, size_t *index);
+
+/* Is there a point nearer than `within` to the straight way from a to b?  Ends at the first. */
+bool kdtree_any_beside(const struct kdtree *tree, struct vec3 a, struct vec3 b, double within);
+
+/*
+ * The point at which `value` is lowest, if that is below `below`: its value, and the point in
+ * *index; else `below`.  The value must change no faster than the distance between two places, as a
+ * signed distance does.
+ */
+double kdtree_lowest(const struct kdtree *tree, double (*value)(const void *context, struct vec3 p),
+                     const void *context, double below, size_t *index);
+
+/* Is it lower than `below` at any point?  Ends at the first. */
+bool kdtree_any_lower(const struct kdtree *tree,
+                      double (*value)(const void *context, struct vec3 p), const void *context,
+                      double below);
+
+/* Points of a tree that a ball touched. */
+struct kdtree_touch {
+    size_t n;
+    struct vec3 p[2];
+};
+
+/*
+ * The smallest h >= 0 that brings a ball of this radius with its centre at c + h * up (a unit
+ * vector) clear of all points, up to 1e-6 mm; where that is above `limit`, something above it.
+ * `touch`: points of the tree that are likely in its way, to be tried first (NULL: none); then the
+ * one that it left last, if it left any.
+ */
+double kdtree_leave(const struct kdtree *tree, struct vec3 c, struct vec3 up, double radius,
+                    double limit, struct kdtree_touch *touch);
+
+/* The same of these points alone. */
+double kdtree_leave_these(const struct kdtree_touch *these, struct vec3 c, struct vec3 up,
+                          double radius);
+
+/* The smallest h >= 0 from which on it is clear of all points, however far it goes. */
+double kdtree_rise(const struct kdtree *tree, struct vec3 c, struct vec3 up, double radius);
+
+/* Is there a point higher in z than c and nearer than `radius` to the upright line through it? */
+bool kdtree_any_above(const struct kdtree *tree, struct vec3 c, double radius);
+
+#endif

@@ -1,0 +1,48 @@
+/*
+ * point_grid - a cloud sorted, where it lies, into square cells seen from above: what is near, and
+ * what lies over a place.
+ *
+ * The points are put in order within their own array, with room for a copy meanwhile: row by row of
+ * cells, in each cell by x, y, z.  So their order, and whatever is computed in it, does not depend
+ * on the order of the file; points twice stand side by side.  Beside the points there are four
+ * bytes a cell.
+ */
+#ifndef CLOUDMILL_POINT_GRID_H
+#define CLOUDMILL_POINT_GRID_H
+
+#include <stdint.h>
+
+#include "base/error.h"
+#include "math/vec.h"
+
+struct point_grid {
+    struct vec3 *point; /* the caller's */
+    size_t n;
+    double x, y, cell; /* lower left corner of the cells, their width, mm */
+    size_t columns, rows;
+    uint32_t *first; /* cell row * columns + column holds the points [first[cell], first[cell + 1])
+                        of the array */
+};
+
+/*
+ * Sorts n points, whose mean spacing is about `spacing` mm, into cells three times as wide.  A few
+ * points far off do not widen the cells: they go to those at the border.  -1 (no points, or 2^32
+ * and more): why.
+ */
+int point_grid_make(struct vec3 *point, size_t n, double spacing, int threads,
+                    struct point_grid *point_grid, struct error *error);
+void point_grid_free(struct point_grid *point_grid);
+
+/* The column and the row of a place; of one outside, of the nearest cell. */
+size_t point_grid_column(const struct point_grid *point_grid, double x);
+size_t point_grid_row(const struct point_grid *point_grid, double y);
+
+/* Takes out the points i with out[i] not 0; the others close up. */
+void point_grid_remove(struct point_grid *point_grid, const unsigned char *out);
+
+/* The k points nearest to q in space, nearest first (fewer when there are fewer); of points equally
+ * near the first in the array.  Their indices, and their squared distances.  Returns how many. */
+size_t point_grid_nearest(const struct point_grid *point_grid, struct vec3 q, size_t k,
+                          uint32_t *index, double *distance2);
+
+#endif

@@ -1,0 +1,79 @@
+/*
+ * quadric - a surface of the second degree through a neighbourhood of points.
+ *
+ * In a frame u, v, w at an origin, w along a first guess of the normal:
+ *   w = c0 + c1 u + c2 v + c3 u^2 + c4 uv + c5 v^2
+ * by least squares.  Lengths in mm.
+ */
+#ifndef CLOUDMILL_QUADRIC_H
+#define CLOUDMILL_QUADRIC_H
+
+#include <stddef.h>
+
+#include "math/vec.h"
+
+struct quadric {
+    struct vec3 origin, u, v, w; /* w near the normal; unit vectors */
+    double c[10]; /* from the sixth on of u^3, u^2 v, u v^2, v^3: cubic.h; of a quadric 0 */
+    double variance,
+        tilt; /* of c0; of c1 and c2 together, 1/mm^2: where each point's w has 1 mm^2 */
+};
+
+/*
+ * The quadric nearest to n points, its w axis along `guess` (unit).  -1 when the points do not
+ * carry one: fewer than 6, spread over a strip ten times as long as wide, or so (on two lines) that
+ * a term is the sum of the others up to a fiftieth.
+ */
+int quadric_fit(const struct vec3 *point, size_t n, struct vec3 origin, struct vec3 guess,
+                struct quadric *quadric);
+
+/* The same with the w axis along the quadric's own normal at the origin, found in some turns from a
+ * guess: on a slope the frame of the guess would fit heights above a skew plane. */
+int quadric_settle(const struct vec3 *point, size_t n, struct vec3 origin, struct vec3 guess,
+                   struct quadric *quadric);
+
+/* A unit normal of the plane nearest to n points, on either side: along the axis that serves best
+ * to tell heights by (exact where they lie in a plane); (0, 0, 1) for points that span none. */
+struct vec3 plane_normal(const struct vec3 *point, size_t n);
+
+/* The same, each point with its weight (0: it does not count); the points that count must carry the
+ * quadric. */
+int quadric_fit_weighted(const struct vec3 *point, const double *weight, size_t n,
+                         struct vec3 origin, struct vec3 guess, struct quadric *quadric);
+
+/* The same where the guess is the normal of facets: where that is steep, from straight up too, for
+ * slivers between scan lines and facets across a step have normals that mean nothing.  The better
+ * fit counts. */
+int quadric_fit_steep(const struct vec3 *point, size_t n, struct vec3 origin, struct vec3 guess,
+                      struct quadric *quadric);
+
+/* The same where nothing is known of the normal: from that of the plane nearest to the points. */
+int quadric_fit_free(const struct vec3 *point, size_t n, struct vec3 origin,
+                     struct quadric *quadric);
+
+/* Distance of a point from the quadric, to first order: positive on the side of w. */
+double quadric_off(const struct quadric *quadric, struct vec3 point);
+
+/* The foot of the origin on the quadric, to first order. */
+struct vec3 quadric_foot(const struct quadric *quadric);
+
+/* At the origin's foot on the quadric (u = v = 0): unit normal, on the side of w ... */
+struct vec3 quadric_normal(const struct quadric *quadric);
+
+/* ... distance of the origin from the surface, to first order ... */
+double quadric_distance(const struct quadric *quadric);
+
+/* ... and the larger principal curvature, 1/mm, positive where the surface is hollow seen from the
+ * side of the normal. */
+double quadric_curvature(const struct quadric *quadric);
+
+/* The point over u, v. */
+struct vec3 quadric_at(const struct quadric *quadric, double u, double v);
+
+/* The point of the surface nearest to a point that is near to it. */
+struct vec3 quadric_nearest(const struct quadric *quadric, struct vec3 point);
+
+/* Root mean square of the distances of n points from the surface, to first order. */
+double quadric_rms(const struct quadric *quadric, const struct vec3 *point, size_t n);
+
+#endif

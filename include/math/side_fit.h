@@ -1,0 +1,54 @@
+/*
+ * side_fit - the surface on one side of an edge: a plane, or where that does not do a quadric, as
+ * heights over a plane that all sheets of a neighbourhood share.
+ */
+#ifndef CLOUDMILL_SIDE_FIT_H
+#define CLOUDMILL_SIDE_FIT_H
+
+#include "math/quadric.h"
+#include "math/vec.h"
+
+struct side_fit {
+    struct quadric q; /* a plane: c[3] to c[5] are 0 */
+    double rms;       /* of the points' distances, for those that the fit leaves free, mm */
+};
+
+/* Heights along w (unit) over the plane through the origin.  -1 when the points carry no plane
+ * there: fewer than 4, or nearly on a line. */
+int side_fit_plane(const struct vec3 *point, size_t n, struct vec3 origin, struct vec3 w,
+                   struct side_fit *sheet);
+
+/* A frame: u and v across w, all coefficients 0. */
+struct quadric side_fit_frame(struct vec3 origin, struct vec3 w);
+
+/* The points in the frame of q: x along u, y along v, z along w. */
+void side_fit_local(const struct quadric *q, const struct vec3 *point, size_t n,
+                    struct vec3 *local);
+
+/* The plane of side_fit_plane through those of n points, as side_fit_local gives them, whose side
+ * is `which` (`side` NULL: all): the first three coefficients of sheet->q, nothing else; the others
+ * and the frame stand there already. */
+int side_fit_plane_of(const struct vec3 *local, const unsigned char *side, unsigned char which,
+                      size_t n, struct side_fit *sheet);
+
+/* The plane through a place with this unit normal, which is not across w. */
+struct side_fit side_fit_through(struct vec3 place, struct vec3 normal, struct vec3 origin,
+                                 struct vec3 w);
+
+/* The quadric through the same points in place of the plane, where it leaves less than 0.6 of what
+ * the plane leaves. */
+void side_fit_bend(const struct vec3 *point, size_t n, struct side_fit *sheet);
+
+/* Height of the sheet, along w, over (or under) the place of p. */
+double side_fit_height(const struct side_fit *sheet, struct vec3 p);
+
+/* Height of p above the sheet, along w. */
+double side_fit_above(const struct side_fit *sheet, struct vec3 p);
+
+/* The place of p brought onto the sheet, along w. */
+struct vec3 side_fit_point(const struct side_fit *sheet, struct vec3 p);
+
+/* Unit normal at the place of p, on the side of w. */
+struct vec3 side_fit_normal(const struct side_fit *sheet, struct vec3 p);
+
+#endif

@@ -1,0 +1,84 @@
+/*
+ * surface_fit - the surface that the noisy points of a scan stand for about one place: a cubic or,
+ * where they carry none, a quadric, through as many of them as agree, outliers without weight
+ * (Tukey's biweight).
+ *
+ * How many points is a trade: through k points of noise sigma the foot of the place is uncertain by
+ * about 2 sigma / sqrt(k) within the cloud and by more at its border, but the wider the
+ * neighbourhood, the less of the surface is a cubic.  So the widest neighbourhood is taken whose
+ * foot and normal agree with those of its nearer halves within what noise explains (O. Lepski's
+ * rule, Theory of Probability and its Applications 35, 1991).  Where even few points are bent too
+ * much, as on a rib or in a groove, they are taken from a neighbourhood that is six times as long
+ * the way it runs; that way is the one in which such a neighbourhood is fitted best.
+ */
+#ifndef CLOUDMILL_SURFACE_FIT_H
+#define CLOUDMILL_SURFACE_FIT_H
+
+#include <stdbool.h>
+
+#include "math/point_grid.h"
+#include "math/quadric.h"
+
+struct surface_fit_options {
+    const struct point_grid *point_grid; /* the scan */
+    double sigma;                        /* its noise, one standard deviation, mm (noise.h) */
+    size_t neighbours;                   /* to begin with */
+    bool along;                          /* look along ribs and grooves, which takes its time */
+};
+
+struct surface_fit {
+    struct quadric q; /* its origin is the place, or the foot of that on a first fit */
+    double offset;    /* of the place from the surface, signed along the first guess, mm */
+    double spread;    /* of the points that count, for their freedom, mm */
+    double reach;     /* of the neighbourhood, mm */
+    size_t n;         /* points */
+};
+
+enum { SURFACE_FIT_WIDEST = 1024 };
+
+/* The neighbourhood in hand, nearest first: one for each thread. */
+struct surface_fit_hood {
+    size_t n;
+    uint32_t index[SURFACE_FIT_WIDEST];
+    double distance2[SURFACE_FIT_WIDEST], weight[SURFACE_FIT_WIDEST];
+    struct vec3 point[SURFACE_FIT_WIDEST];
+};
+struct surface_fit_hood *surface_fit_hood_new(void);
+void surface_fit_hood_free(struct surface_fit_hood *hood);
+
+/* From few points to many, 32 to 362: the last neighbourhood of a place that agrees with all within
+ * it. `guess`: the normal there, roughly, on either side. */
+size_t surface_fit_widest(const struct surface_fit_options *rule, struct vec3 place,
+                          struct vec3 guess, struct surface_fit_hood *hood);
+
+/* What half of the places can take, of up to 200 of them; less where there are very many. */
+size_t surface_fit_typical(const struct surface_fit_options *rule, const struct vec3 *place,
+                           const struct vec3 *guess, size_t n, int threads);
+
+/* The surface about a place, from rule->neighbours points or, where these do not agree, fewer; from
+ * up to four times as many where they tell little, as at a border, and up to 1024 where they carry
+ * none.  False: there is none. */
+bool surface_fit_at(const struct surface_fit_options *rule, struct vec3 place, struct vec3 guess,
+                    struct surface_fit_hood *hood, struct surface_fit *fit);
+
+/* For surface_fit_at, the better surface where there is a rib or a groove. */
+void surface_fit_along(const struct surface_fit_options *rule, struct vec3 place, struct vec3 guess,
+                       struct surface_fit_hood *hood, struct surface_fit *fit);
+
+/* Its steps: the k points nearest to a place, */
+void surface_fit_gather(const struct point_grid *point_grid, struct vec3 place, size_t k,
+                        struct surface_fit_hood *hood);
+
+/* a surface through the first k of them in the frame of a normal, what is far off counting less and
+ * less (-1: there is none), */
+int surface_fit_through(struct surface_fit_hood *hood, size_t k, struct vec3 place,
+                        struct vec3 normal, struct vec3 guess, double sigma,
+                        struct surface_fit *fit);
+
+/* and whether it is so uncertain that a neighbourhood that is bent tells more. */
+bool surface_fit_useless(const struct surface_fit *fit, double sigma);
+
+/* Is it noise alone that spreads the points about it? */
+bool surface_fit_holds(const struct surface_fit *fit, double sigma);
+
+#endif

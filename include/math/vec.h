@@ -1,0 +1,127 @@
+/*
+ * vec - points and vectors in space, by value.
+ */
+#ifndef CLOUDMILL_VEC_H
+#define CLOUDMILL_VEC_H
+
+#include <math.h>
+#include <stddef.h>
+
+#include "base/num.h"
+
+#define PI 3.14159265358979323846
+#define DEGREES(radians) ((radians) * (180.0 / PI))
+#define RADIANS(degrees) ((degrees) * (PI / 180.0))
+
+struct vec3 {
+    double x, y, z;
+};
+
+struct vec3s {
+    size_t n, cap;
+    struct vec3 *item;
+};
+
+static inline struct vec3 vec(double x, double y, double z)
+{
+    return (struct vec3){x, y, z};
+}
+
+/* Each coordinate rounded to so many decimals, as it is printed. */
+static inline struct vec3 vec_round(struct vec3 a, int digits)
+{
+    return vec(num_round(a.x, digits), num_round(a.y, digits), num_round(a.z, digits));
+}
+
+static inline struct vec3 vec_add(struct vec3 a, struct vec3 b)
+{
+    return vec(a.x + b.x, a.y + b.y, a.z + b.z);
+}
+
+static inline struct vec3 vec_sub(struct vec3 a, struct vec3 b)
+{
+    return vec(a.x - b.x, a.y - b.y, a.z - b.z);
+}
+
+static inline struct vec3 vec_scale(double s, struct vec3 a)
+{
+    return vec(s * a.x, s * a.y, s * a.z);
+}
+
+/* a + s b */
+static inline struct vec3 vec_along(struct vec3 a, double s, struct vec3 b)
+{
+    return vec(a.x + s * b.x, a.y + s * b.y, a.z + s * b.z);
+}
+
+/* a + s (b - a) */
+static inline struct vec3 vec_mix(struct vec3 a, struct vec3 b, double s)
+{
+    return vec_along(a, s, vec_sub(b, a));
+}
+
+static inline double vec_dot(struct vec3 a, struct vec3 b)
+{
+    return a.x * b.x + a.y * b.y + a.z * b.z;
+}
+
+static inline struct vec3 vec_cross(struct vec3 a, struct vec3 b)
+{
+    return vec(a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x);
+}
+
+static inline double vec_length(struct vec3 a)
+{
+    return sqrt(vec_dot(a, a));
+}
+
+static inline double vec_distance(struct vec3 a, struct vec3 b)
+{
+    return vec_length(vec_sub(a, b));
+}
+
+/* The unit vector along a; zero stays zero. */
+static inline struct vec3 vec_unit(struct vec3 a)
+{
+    double l = vec_length(a);
+    return l > 0 ? vec_scale(1 / l, a) : a;
+}
+
+/* The part of a perpendicular to the unit vector n. */
+static inline struct vec3 vec_reject(struct vec3 a, struct vec3 n)
+{
+    return vec_along(a, -vec_dot(a, n), n);
+}
+
+/* Angle between two vectors of any length, radians 0 to pi, exact near 0 and pi too. */
+static inline double vec_angle(struct vec3 a, struct vec3 b)
+{
+    return atan2(vec_length(vec_cross(a, b)), vec_dot(a, b));
+}
+
+/* The point nearest to p on the straight way from a to b, which may be one place. */
+static inline struct vec3 vec_nearest(struct vec3 a, struct vec3 b, struct vec3 p)
+{
+    struct vec3 d = vec_sub(b, a);
+    double d2 = vec_dot(d, d), s = d2 > 0 ? vec_dot(d, vec_sub(p, a)) / d2 : 0;
+    return vec_along(a, s < 0 ? 0 : s > 1 ? 1 : s, d);
+}
+
+/* a turned about the unit vector `axis` through an angle, said by its cosine and sine, right-handed
+ * (Rodrigues). */
+static inline struct vec3 vec_turn_by(struct vec3 a, struct vec3 axis, double cosine, double sine)
+{
+    struct vec3 turned = vec_along(vec_scale(cosine, a), sine, vec_cross(axis, a));
+    return vec_along(turned, (1 - cosine) * vec_dot(axis, a), axis);
+}
+
+/* The same through an angle in radians. */
+struct vec3 vec_turn(struct vec3 a, struct vec3 axis, double angle);
+
+/* On the great circle from the unit vector a (s = 0) to b (s = 1), in proportion to the angle. */
+struct vec3 vec_slerp(struct vec3 a, struct vec3 b, double s);
+
+/* Any unit vector perpendicular to the unit vector a. */
+struct vec3 vec_perpendicular(struct vec3 a);
+
+#endif

@@ -1,0 +1,83 @@
+/*
+ * nurbs - rational B-spline curves and surfaces of any degree: points, normals, curvatures.
+ *
+ * The formulas are those of Piegl and Tiller, The NURBS Book: basis functions eq 2.5, their
+ * derivatives eq 2.7, rational derivatives eq 4.20, and of do Carmo, Differential Geometry of
+ * Curves and Surfaces, 3-3, for the curvatures.  Knots need not be clamped; weights are positive.
+ */
+#ifndef CLOUDMILL_NURBS_H
+#define CLOUDMILL_NURBS_H
+
+#include <stdbool.h>
+#include <stddef.h>
+
+#include "base/error.h"
+#include "math/uv.h"
+#include "math/vec.h"
+
+enum { NURBS_DEGREE_MAX = 25 };
+
+/* Knots, weights and coordinates beyond this are refused by readers: squares would overflow. */
+#define NURBS_LARGEST 1e100
+
+/* One parameter: poles + degree + 1 knots, and the range that counts, within
+ * knot[degree]..knot[poles]. */
+struct nurbs_axis {
+    int degree;
+    size_t poles;
+    double *knot;
+    double from, to;
+};
+
+/* A pole with its weight multiplied in. */
+struct nurbs_pole {
+    double wx, wy, wz, w;
+};
+
+struct nurbs_curve {
+    struct nurbs_axis t;
+    struct nurbs_pole *pole;
+};
+
+/* Pole (i, j) is pole[j * u.poles + i]: u runs fastest, as in IGES. */
+struct nurbs {
+    struct nurbs_axis u, v;
+    struct nurbs_pole *pole;
+};
+
+/* Point, unit normal along dS/du x dS/dv, and principal curvatures k1 >= k2 in 1/mm, positive
+ * where the surface is hollow seen from the side that the normal points to. */
+struct nurbs_place {
+    struct vec3 point, normal;
+    double k1, k2;
+};
+
+/* -1 with a message that says what is wrong with the knots, the degree or the range (`name`: u, v
+ * or t), 0 when they are sound.  A range beyond the knots is cut to them. */
+int nurbs_axis_check(struct nurbs_axis *axis, const char *name, struct error *error);
+
+/* The knots inside the range where the surface has a kink, or may have: those repeated as often as
+ * the degree.  Up to `most` go to `at`; returns how many there are. */
+size_t nurbs_axis_breaks(const struct nurbs_axis *axis, double *at, size_t most);
+
+/* At the end of the range, and beyond, the piece before it counts: a range that ends on a kink
+ * belongs to one side of it. */
+struct vec3 nurbs_point(const struct nurbs *s, struct uv at);
+
+/* d[k][l] is the derivative k times to u and l times to v; k + l <= order <= 2. */
+void nurbs_derivatives(const struct nurbs *s, struct uv at, int order, struct vec3 d[3][3]);
+
+/* Where dS/du x dS/dv vanishes (a pole, a degenerate edge) the normal is the limit from inside the
+ * range and the curvatures are those a little way inside; never NaN.  Where there is no limit (all
+ * poles in one place or on one line) the normal is (0, 0, 0). */
+struct nurbs_place nurbs_place(const struct nurbs *s, struct uv at);
+
+/* The foot point of q near `at`, within the range (Gauss-Newton). */
+struct uv nurbs_foot(const struct nurbs *s, struct vec3 q, struct uv at);
+
+struct vec3 nurbs_curve_point(const struct nurbs_curve *c, double t);
+
+void nurbs_free(struct nurbs *s);
+void nurbs_curve_free(struct nurbs_curve *c);
+
+#endif

@@ -1,0 +1,54 @@
+/*
+ * patch - a NURBS surface and the curves that trim it.
+ */
+#ifndef CLOUDMILL_PATCH_H
+#define CLOUDMILL_PATCH_H
+
+#include "nurbs/nurbs.h"
+
+/* A closed loop of curves in the plane of the parameters (x is u, y is v) or in space (mm), each
+ * beginning where the one before it ends; a curve may run backwards. */
+struct patch_loop {
+    size_t n, cap;
+    struct nurbs_curve *item;
+    bool space;
+};
+
+struct patch_loops {
+    size_t n, cap;
+    struct patch_loop *item;
+};
+
+struct patch {
+    struct nurbs surface;
+    struct patch_loops loop; /* none: the whole range counts */
+    bool open;               /* the border of the range bounds it too: all loops are holes */
+    char *file;              /* where it was read from ... */
+    int entity;              /* ... and its number there: in IGES its directory entry */
+    int ignored;             /* loops that trim it but are not understood ... */
+    int ignored_entity;      /* ... the first of them ... */
+    int ignored_type;        /* ... and what the entity is that was met there */
+};
+
+struct patches {
+    size_t n, cap;
+    struct patch *item;
+    size_t others;                /* surfaces of kinds that are not read ... */
+    int other_entity, other_type; /* ... and the first of them */
+};
+
+/* A straight line, as a curve of degree 1. */
+struct nurbs_curve patch_line(struct uv from, struct uv to);
+
+/* A curve over 0 to 1 without inner knots where poles = degree + 1; all of it still to be filled
+ * but for the knots at both ends. */
+struct nurbs_curve patch_curve(int degree, size_t poles);
+
+/* The diagonal of the box of all poles, mm: what "small" is measured by. */
+double patches_size(const struct patches *patches);
+
+void patch_loop_free(struct patch_loop *loop);
+void patch_free(struct patch *patch);
+void patches_free(struct patches *patches);
+
+#endif

@@ -1,0 +1,42 @@
+/*
+ * tessellate - one NURBS patch as triangles: vertices with exact points, normals and curvatures.
+ */
+#ifndef CLOUDMILL_TESSELLATE_H
+#define CLOUDMILL_TESSELLATE_H
+
+#include "mesh/mesh.h"
+#include "nurbs/patch.h"
+#include "nurbs/trim_grid.h"
+
+/* The triangles of one patch.  Where the surface may have a kink (nurbs_axis_breaks) each side has
+ * vertices of its own: a vertex belongs to one piece. */
+struct sheet {
+    struct uvs at;
+    struct vec3s point, normal; /* normals along dS/du x dS/dv */
+    struct doubles k1, k2;      /* as nurbs_place */
+    struct ints piece;          /* of each vertex; nurbs of a piece: sheet_piece */
+    struct faces face;          /* counter-clockwise seen from where the normals point */
+    double error;               /* how far a triangle is off, mm: at its middle and those of its
+                                   sides; where n is 0 at nine places more */
+    struct vec3 error_at;       /* where */
+    bool too_fine;              /* the tolerance would need more than 4 million cells: not made */
+    double off;                 /* how far trimming curves in space lie off the surface, mm */
+    size_t lost;                /* of these, loops that do not close on it: left out */
+    size_t unclear;             /* cells in which the trimming crosses itself */
+    size_t lines_u, lines_v;    /* of the grid */
+};
+
+struct tessellation {
+    int n;            /* triangles in each direction, or 0: as many as the tolerance needs */
+    double tolerance; /* mm: of the surface where n is 0, of the trimming always */
+    int threads;      /* for this patch; as in parallel.h */
+};
+
+void tessellate(const struct patch *patch, struct tessellation how, struct sheet *sheet);
+
+/* The surface with its range narrowed to one piece (it shares the memory of the surface). */
+struct nurbs tessellate_piece(const struct nurbs *surface, int piece);
+
+void sheet_free(struct sheet *sheet);
+
+#endif

@@ -1,0 +1,51 @@
+/*
+ * pane - one view of a scene on a picture, and how its parts are drawn.
+ */
+#ifndef CLOUDMILL_PANE_H
+#define CLOUDMILL_PANE_H
+
+#include "math/box.h"
+#include "plot/raster.h"
+#include "plot/scene.h"
+#include "plot/svg.h"
+
+struct pane_options {
+    bool by_pass;          /* strokes by their pass; else by their kind */
+    bool by_layer;         /* all by its stream, to compare */
+    bool joints;           /* where motions end */
+    double tick;           /* length of normals and axes, mm */
+    size_t marks;          /* at most about as many points, facets or ends of lines in a pane */
+    struct vec3 low, high; /* of all clouds: heights by colour */
+};
+
+struct pane {
+    struct view view;
+    struct box box; /* of the scene in the view, mm */
+    double x, y;    /* left upper corner, px */
+    double scale;   /* px in a mm */
+    const struct pane_options *style;
+    struct raster near; /* what is nearest to the eye: hides what is behind */
+    bool hides;         /* there is something in it */
+    double slack;       /* what is less behind is not hidden, mm */
+    size_t every;       /* of the passes each so many-th is drawn */
+};
+
+/* Draws the scene; sets `every`. */
+void pane_draw(struct pane *pane, const struct scene *scene, struct svg *svg);
+
+/* A projected point on the picture, px; its z stays, mm. */
+struct vec3 pane_place(const struct pane *pane, struct vec3 projected);
+
+/* The parts: facets, points, strokes of all layers, then what stands on them. */
+void pane_facets(struct pane *pane, const struct scene *scene, struct svg *svg);
+void pane_points(struct pane *pane, const struct scene *scene, struct svg *svg);
+void pane_strokes(struct pane *pane, const struct scene *scene, struct svg *svg);
+void pane_ticks(struct pane *pane, const struct scene *scene, struct svg *svg);
+void pane_marks(struct pane *pane, const struct scene *scene, struct svg *svg);
+
+/* The attributes of strokes of this kind, as pane and legend have them. */
+enum { PANE_INK = 160 };
+void pane_ink(const struct pane_options *style, size_t layer, const struct stroke *stroke,
+              char ink[PANE_INK]);
+
+#endif

@@ -1,0 +1,55 @@
+/*
+ * ncpoly - a B-spline as polynomials, a block a knot span, checked as they will be read back.
+ *
+ * A span is its Taylor polynomial at its start, so any curve whose degree the control knows goes
+ * over exactly, whatever its knots.
+ */
+#ifndef CLOUDMILL_NCPOLY_H
+#define CLOUDMILL_NCPOLY_H
+
+#include "base/array.h"
+#include "machine/interpolation.h"
+
+enum {
+    NC_POLY_DEGREE = 5, /* the highest that POLY knows */
+    NC_POLY_WIDTH = 460 /* a block has 512 characters, with its number, PL and F */
+};
+
+/* One knot span as a polynomial in p, 0 to h: its end, and the factors of p^2, p^3 and so on (that
+ * of p follows from both ends). */
+struct nc_span {
+    double h;
+    int digits; /* of the factors */
+    struct vec3 end, factor[NC_POLY_DEGREE - 1];
+    struct vec3 head_end, head_factor[NC_POLY_DEGREE - 1];
+};
+
+struct nc_spans {
+    size_t n, cap;
+    struct nc_span *item;
+};
+
+/* Factors that are printed for a curve of a degree: PO[X]=(end,a2,a3) at least. */
+static inline int nc_poly_factors(int degree)
+{
+    return degree > 3 ? degree - 1 : 2;
+}
+
+/* The spans of a curve, in the digits that will be printed; false: one of them is shorter than can
+ * be told. */
+bool nc_poly_words(struct nc_spans *spans, const struct bspline *b, int digits);
+
+/* Characters of the words of the widest span, with those of the head when it `turns`. */
+size_t nc_poly_width(const struct nc_spans *spans, int degree, bool turns, int digits);
+
+/*
+ * The printed polynomials, those of the head from `head` on, against a motion on the curve's
+ * parameters, which need not be the curve.  Each span that is beyond `allowed` adds its middle to
+ * `more`.
+ */
+struct pose_deviation nc_poly_deviation(const struct nc_spans *spans, const struct bspline *b,
+                                        const struct interpolation *f, struct vec3 start,
+                                        struct vec3 head, const struct motion *motion,
+                                        struct pose_deviation allowed, struct doubles *more);
+
+#endif

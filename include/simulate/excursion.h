@@ -1,0 +1,33 @@
+/*
+ * excursion - a cut that leaves the part in the middle of its way and comes back: a pole or a
+ * coefficient that is wrong throws the ball up where all places beside are cut.
+ *
+ * Asked are curves (B-splines, and polynomials one after the other), which are made to follow the
+ * part, and two straight blocks that go up and come back at a sharp angle; of a curve also whether
+ * it ends over the part, up the tool or up Z, and a straight block comes down again.  Ways from
+ * pass to pass, up, across and down in blocks of their own, are none; neither is a pass that goes
+ * out beside the part.  Lengths in mm.
+ */
+#ifndef CLOUDMILL_EXCURSION_H
+#define CLOUDMILL_EXCURSION_H
+
+#include "simulate/centre_path.h"
+
+struct excursion_options {
+    double radius; /* of the ball */
+    double band;   /* as of deviation_map: further off it is no longer on the part */
+};
+
+struct excursion {
+    size_t leaps;   /* how many */
+    double height;  /* of the highest: how far the ball is off all points */
+    size_t piece;   /* where that is, of the motion */
+    struct vec3 at; /* the ball's centre there */
+};
+
+/* The leaps of a path that deviation_map_run has looked at, over n points of the part. */
+struct excursion excursion_find(const struct nc_motion *nc_motion, const struct centre_path *path,
+                                const struct vec3 *point, size_t n,
+                                const struct excursion_options *setup);
+
+#endif

@@ -1,0 +1,110 @@
+/*
+ * nc_motion - what a tool does, as a list of pieces that can be evaluated anywhere.
+ *
+ * A program as the control would run it (ncread.h) ends up here.  Everything is evaluated by
+ * formulas of this file alone, so that no mistake of the suite's own arcs and splines is made
+ * twice.  Lengths in mm, rotary axes in degrees.
+ */
+#ifndef CLOUDMILL_NC_MOTION_H
+#define CLOUDMILL_NC_MOTION_H
+
+#include <stdbool.h>
+#include <stddef.h>
+
+#include "simulate/verify_kinematics.h"
+
+/* The tool's tip and the unit vector along its axis, from the tip to the spindle. */
+struct nc_motion_pose {
+    struct vec3 p, a;
+};
+
+enum shape {
+    SHAPE_LINE,
+    SHAPE_ARC,        /* about `normal`, its radius and height changing evenly where they change */
+    SHAPE_POLYNOMIAL, /* in s, of the fifth degree at most */
+    SHAPE_SPLINE      /* part of a rational B-spline */
+};
+
+/* What the second channel q of a piece holds, and how the axis follows from it. */
+enum swing {
+    SWING_GREAT,  /* the axis: on the great circle, in proportion to s */
+    SWING_ROTARY, /* the machine's angles in degrees (x, y), each in proportion to s */
+    SWING_HEAD    /* a second point on the tool axis */
+};
+
+struct nc_motion_spline {
+    int order;
+    size_t n;           /* poles */
+    double *knot;       /* n + order */
+    struct vec3 *p, *q; /* poles of both channels; q NULL: it does not change */
+    double *weight;     /* NULL: all 1 */
+};
+
+/* A piece of shape ARC: about a line through `centre`, by the right-hand rule. */
+struct nc_motion_arc {
+    struct vec3 centre, normal;
+    double angle; /* radians */
+};
+
+enum { NC_MOTION_DEGREE = 5 }; /* of the polynomials that controls know */
+
+/* A piece of shape POLYNOMIAL: the coefficients of s, s^2 and so on of both channels. */
+struct nc_motion_polynomial {
+    struct vec3 p[NC_MOTION_DEGREE], q[NC_MOTION_DEGREE];
+    bool swings; /* q holds; else the second channel is linear */
+};
+
+struct nc_piece {
+    unsigned char shape, swing; /* enum shape, enum swing */
+    bool rapid;
+    bool table;             /* p is the place of the linear axes: verify_kinematics_tip */
+    bool touches;           /* a contact point was given for its end */
+    bool inverse;           /* feed is one over the minutes that it takes */
+    int block;              /* its N number, -1: none */
+    size_t line;            /* of the program or stream */
+    size_t index;           /* ARC, CUBIC, SPLINE: element of its array of these */
+    double feed;            /* mm/min, 0: not said */
+    double u[2];            /* SPLINE: from, to */
+    struct vec3 p[2], q[2]; /* both channels at the start and the end */
+};
+
+/* What the first channel is: the tool's tip, or the ball's centre. */
+enum nc_motion_track { NC_MOTION_TIP, NC_MOTION_CENTRE, NC_MOTION_CONTACT };
+
+struct nc_motion {
+    const char *name; /* of the file */
+    struct verify_kinematics verify_kinematics;
+    enum nc_motion_track track;
+    struct {
+        size_t n, cap;
+        struct nc_piece *item;
+    } piece;
+    struct {
+        size_t n, cap;
+        struct nc_motion_arc *item;
+    } arc;
+    struct {
+        size_t n, cap;
+        struct nc_motion_polynomial *item;
+    } polynomial;
+    struct {
+        size_t n, cap;
+        struct nc_motion_spline *item;
+    } spline;
+    size_t blocks;                     /* lines with something in them */
+    double dwell;                      /* minutes that the tool stands still */
+    size_t passes;                     /* the path stream's */
+    size_t lines, arcs, curves, poles; /* as programmed: straight moves, and so on */
+};
+
+void nc_motion_free(struct nc_motion *m);
+
+/* Where the tool is at s from 0 to 1 of a piece. */
+struct nc_motion_pose nc_motion_at(const struct nc_motion *m, const struct nc_piece *piece,
+                                   double s);
+
+/* Adds a piece for each knot span of the spline, which the motion takes over. */
+void nc_motion_add_spline(struct nc_motion *m, struct nc_motion_spline spline,
+                          const struct nc_piece *as);
+
+#endif

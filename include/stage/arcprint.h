@@ -1,0 +1,43 @@
+/*
+ * arcprint - a piece of a fitted motion as its digits in the path stream say it.
+ */
+#ifndef CLOUDMILL_ARCPRINT_H
+#define CLOUDMILL_ARCPRINT_H
+
+#include "arcfit/arcfit.h"
+#include "base/num.h"
+#include "io/path/path.h"
+
+enum {
+    PATH_COORDINATE = 6, /* decimals of lengths in the path stream */
+    PATH_VECTOR = 9,
+    ARCPRINT_MAX = 16 * NUM_MAX
+};
+
+struct printed {
+    struct arc_piece piece; /* as it is read back */
+    struct path_arc arc;    /* radius 0: a straight line */
+};
+
+struct printeds {
+    size_t n, cap;
+    struct printed *item;
+};
+
+/* The piece through its rounded ends, beginning at `from` (as printed); a line where it is shorter
+ * than a thousandth of a millimetre, or rounding leaves nothing of its turn. */
+struct printed arcprint_piece(const struct arc_piece *piece, struct vec3 from);
+
+/* All pieces that follow a trace, beginning at its first point, in the place of what is in
+ * `printed`.  Returns how far they stray from it: without limit when they don't lead to its end. */
+struct arc_deviation arcprint_pieces(const struct trace *trace, const struct pieces *pieces,
+                                     struct printeds *printed);
+
+/* How many equal chords keep within `sagitta` mm of the piece, at the tracked point and at the
+ * other end of the lever: a power of two, at most 4096. */
+int arcprint_chords(const struct arc_piece *piece, double lever, double sagitta);
+
+/* The arc as a comment, "$$ CIRCLE/...", in at most ARCPRINT_MAX bytes. */
+void arcprint_comment(const struct path_arc *arc, char *text);
+
+#endif

@@ -1,0 +1,41 @@
+/*
+ * cloud_prepare - scanned points as files give them, made ready for a mesh: read, placed, cleaned;
+ * and what was passed over or taken out, told.
+ */
+#ifndef CLOUDMILL_CLOUD_PREPARE_H
+#define CLOUDMILL_CLOUD_PREPARE_H
+
+#include <stdbool.h>
+
+#include "math/point_grid.h"
+#include "base/error.h"
+#include "mesh/mesh.h"
+#include "math/vec.h"
+
+/* Reads all files as one cloud, in their own units, and says what was passed over.  Returns 0, and
+ * in *left_out how many rows were no points; -1: an error with its place. */
+int cloud_prepare_read(char **file, int files, struct vec3s *points, size_t *left_out,
+                       struct error *error);
+
+/* Unit, matrix (a file, or NULL), lowest leftmost point as origin (paper 1, 3.1), in this order,
+ * into the points and the mesh's record of its place.  -1: the matrix cannot be read. */
+int cloud_prepare_place(struct vec3s *points, const char *unit, const char *matrix, bool to_origin,
+                        struct mesh_origin *origin, struct error *error);
+
+/* What is known of a cloud that was cleaned. */
+struct cloud_prepare {
+    size_t twice, outliers, under; /* taken out: outliers.h */
+    double noise;                  /* noise.h, mm */
+};
+
+enum cloud_prepare_drop { CLOUD_PREPARE_KEEP, CLOUD_PREPARE_DROP_OUTLIERS, CLOUD_PREPARE_DROP };
+
+/*
+ * Takes out points that are there twice and, as `drop` says, outliers or these and points under a
+ * roof, and measures the noise; says what it found.  `spacing` is the mean spacing, mm.  The points
+ * are in the order of point_grid.h afterwards, whatever it was.  -1: too many of them.
+ */
+int cloud_prepare_clean(struct vec3s *points, double spacing, enum cloud_prepare_drop drop,
+                        int threads, struct cloud_prepare *cloud_prepare, struct error *error);
+
+#endif

@@ -1,0 +1,56 @@
+/*
+ * path_options - what all makers of tool paths are told alike: ball, guard, tool axis, feeds,
+ * links, tool.
+ */
+#ifndef CLOUDMILL_PATH_OPTIONS_H
+#define CLOUDMILL_PATH_OPTIONS_H
+
+#include "base/cli.h"
+#include "gouge/gouge.h"
+#include "mesh/mesh.h"
+#include "stage/toolpath.h"
+
+/* The values of the options, before cli_parse their defaults. */
+struct path_options {
+    double radius; /* of the ball; each tool has -r in a table of its own */
+    double tilt, lead, fixed[3], to_point[3], from_point[3], circle[7];
+    double tolerance, limit, depth, noise, play, rate, lean, turn; /* degrees, degrees/mm */
+    struct vec3s certain, doubtful;                    /* points of the scan of -g (guard_read.h) */
+    double clearance, approach, feed, plunge, spindle; /* clearance NAN: by the part */
+    int layers, tool, coolant;
+    bool paper, one_way, avoid;
+    bool lean_given, fixed_given, to_given, from_given, circle_given;
+    const char *partno, *holder;
+    struct cli_list guards;
+};
+
+extern struct path_options cutting;
+extern const struct cli_option path_options_options[]; /* for cli.more */
+
+/* Checks the options against each other, fills in what follows from others, and gives the rule for
+ * the axis: what to do with -1 is a matter of usage. */
+int path_options_check(struct tool_axis_options *axis, struct error *error);
+
+/*
+ * What the ball is kept clear of: the scans of -g, which are told from the wrong ones by vertices
+ * further than `near` from them, or the mesh so finely that the ball sinks in by less than 0.002
+ * mm. *guard is NULL with --paper.
+ */
+int path_options_guard(const struct mesh *mesh, double near, int threads,
+                       struct gouge_check **guard, struct error *error);
+
+/* Fills the rules of the toolpath but for the direction of the feed; `distance` is that of the
+ * passes, mm.  -1: --clearance lies within the part. */
+int path_options_rules(const struct mesh *mesh, const struct gouge_check *guard, double distance,
+                       struct toolpath *t, struct error *error);
+
+/* Before the path is made: with a tolerance all that its head says is known, and it goes to
+ * `output` (NULL: standard output) while it is made.  `tool`: the stage that spends what straight
+ * lines spend. */
+void path_options_begin(const struct mesh *mesh, const char *tool, const char *output,
+                        struct toolpath *t);
+
+/* When it is made: what is left of it to be written, or all. */
+void path_options_end(const struct mesh *mesh, const char *tool, struct toolpath *t);
+
+#endif

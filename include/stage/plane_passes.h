@@ -1,0 +1,83 @@
+/*
+ * plane_passes - parallel planes through a mesh as the passes of a tool path.
+ */
+#ifndef CLOUDMILL_PLANE_PASSES_H
+#define CLOUDMILL_PLANE_PASSES_H
+
+#include "toolpath/border_surface.h"
+#include "nurbs/project.h"
+#include "toolpath/passes.h"
+#include "stage/toolpath.h"
+
+struct plane_passes {
+    struct pass_options rule; /* to be filled first */
+    int threads;              /* as of parallel_for */
+    struct projection *on;    /* contact points are put on these surfaces; NULL: stay on the mesh */
+    double reach;             /* of a point to its surface, mm */
+    struct border_surface
+        *border_surface; /* strips run out to the border of this scan; NULL: to the mesh's */
+    bool extended;       /* the mesh goes beyond the scan because it was asked to */
+
+    struct slice *cut;
+    struct doubles height; /* of the planes, along their normal, mm */
+    double widest;         /* distance of two planes, mm */
+    bool steep;            /* the scallop that was asked for can't be kept */
+    size_t left_out;       /* points that face away */
+    size_t beside;         /* points without a surface */
+};
+
+/* What one of them cuts: strips in order along it. */
+struct plane_cut {
+    double height;
+    struct slice_chains strips;
+};
+
+struct plane_cuts {
+    size_t n, cap;
+    struct plane_cut *item;
+};
+
+/* How the planes at `angle` radians about z run, from the lower left to the upper right; for a ball
+ * of this radius. */
+struct pass_options plane_passes_upright(double angle, double radius);
+
+/* How those of a part with a projection of its own run: along its rows, square to the plane that
+ * these lie in. */
+struct pass_options plane_passes_along(const struct mesh_part *part, double radius);
+
+/* Planes at equal distances of at most `step` mm. */
+void plane_passes_equal(struct plane_passes *p, const struct mesh *mesh, double step);
+
+/* Planes so far apart that the ball leaves no cusp higher than h mm; says where it can't be kept
+ * (scallop.h). */
+void plane_passes_scallop(struct plane_passes *p, const struct mesh *mesh, double h);
+
+/*
+ * The angle of upright planes, of twelve 15 degrees apart, at which the tool cuts the fewest
+ * millimetres for cusps of at most h mm: lengths of the chains of up to 24 planes, for all. *length
+ * becomes about how many.
+ */
+double plane_passes_best(const struct mesh *mesh, double radius, double h, double *length);
+
+/* What --direction asks for, radians: degrees as text, or `auto` for plane_passes_best, which is
+ * then told.  False: neither. */
+bool plane_passes_direction(const char *text, const struct mesh *mesh, double radius, double h,
+                            double *angle);
+
+/* Lets the strips of upright planes run out to the border of the scan of -g (pass_extend.h), if
+ * there is one and the mesh is one that says how far apart its vertices are, without parts. */
+void plane_passes_run_out(struct plane_passes *p, const struct mesh *mesh);
+
+/* Its step once the planes, in the order of their heights, are cut: with more planes, half as far
+ * apart, beyond the first and the last. */
+void plane_passes_go_beyond(const struct plane_passes *p, struct plane_cuts *cuts);
+
+/* Gives the strips of all planes of n such paths, one path after the other, to the toolpath, which
+ * is then ended, in as many layers as path_options.h says.  -1: no plane crosses anything that
+ * faces the tool. */
+int plane_passes_make(struct plane_passes *paths, size_t n, struct toolpath *t,
+                      struct error *error);
+
+void plane_passes_free(struct plane_passes *p);
+
+#endif

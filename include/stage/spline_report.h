@@ -1,0 +1,33 @@
+/*
+ * spline_report - what became of the points of a path, as the tables of paper 2 tell it: points,
+ * control points, percentage of reduction, C1 and C2; and as it is proven, the distance both ways.
+ */
+#ifndef CLOUDMILL_SPLINE_REPORT_H
+#define CLOUDMILL_SPLINE_REPORT_H
+
+#include <stdio.h>
+
+#include "splinefit/spline_run.h"
+
+struct spline_report {
+    size_t points, splines, poles;
+    size_t polylines;           /* splines that fell back to degree 1 with a pole at each point */
+    size_t cut;                 /* curves whose search was cut short */
+    struct deviation deviation; /* the largest of each */
+    struct spline_bound worst;  /* the largest of each */
+    double spent;               /* of the tolerance, mm: the worst distance, and what the making
+                                   dense of the data took */
+};
+
+/* Counts one piece; unless `table` is NULL, writes its row. */
+void spline_report_add(struct spline_report *report, size_t pass,
+                       const struct spline_run_piece *piece, FILE *table);
+
+/* The headings of the table, and its last row. */
+void spline_report_head(FILE *table);
+void spline_report_totals(const struct spline_report *report, FILE *table);
+
+/* Percentage of reduction. */
+double spline_report_fewer(size_t points, size_t poles);
+
+#endif

@@ -1,0 +1,139 @@
+/*
+ * holes - every point marks the cells within half the gap of it; what is left are the middles of
+ * holes, which unmark all about them but a rim; a facet bridges a hole when it has an unmarked
+ * cell; see holes.h.  A cell is a bit, so that a whole cloud's marks grow into discs 64 cells at a
+ * time.
+ */
+#include "cloud/holes.h"
+
+#include <stdlib.h>
+
+#include "base/array.h"
+#include "cloud/plan_extent.h"
+
+enum { CELLS_A_GAP = 12, REACH = CELLS_A_GAP / 2, WORD = 64 };
+
+static const double MOST_CELLS = 2e9;
+
+/* The raster with a border of REACH cells around the points, so that no disc falls outside. */
+static int lay_out(const struct plan_extent *f, double gap, double rim, struct holes *h,
+                   struct error *error)
+{
+    double cell = gap / CELLS_A_GAP;
+    double columns = floor((f->xmax - f->xmin) / cell) + 2 + 2 * REACH;
+    double rows = floor((f->ymax - f->ymin) / cell) + 2 + 2 * REACH;
+    if (!(columns * rows <= MOST_CELLS))
+        return error_set(error,
+                         "a largest gap of %g mm is too small for points that reach over "
+                         "%g x %g mm, expected more than %.2g mm",
+                         gap, f->xmax - f->xmin, f->ymax - f->ymin,
+                         gap * sqrt(columns * rows / MOST_CELLS));
+    size_t words = (size_t)columns / WORD + 1;
+    *h = (struct holes){fmin(rim, gap / 2), cell, f->xmin, f->ymin, (size_t)rows, words, NULL};
+    h->near = mem_alloc(h->rows * h->words, sizeof *h->near);
+    return 0;
+}
+
+/* Cells from the lowest leftmost point, so that rounding puts no point into the border; a place on
+ * a facet may lie before it by rounding. */
+static size_t cells_from(double from, double x, double a_cell)
+{
+    double cells = (x - from) * a_cell;
+    return REACH + (cells > 0 ? (size_t)cells : 0);
+}
+
+static void mark(const struct holes *h, const struct vec3 *point, size_t n, uint64_t *taken)
+{
+    double a_cell = 1 / h->cell;
+    for (size_t i = 0; i < n; i++) {
+        size_t column = cells_from(h->x, point[i].x, a_cell);
+        size_t row = cells_from(h->y, point[i].y, a_cell);
+        taken[row * h->words + column / WORD] |= (uint64_t)1 << column % WORD;
+    }
+}
+
+/* Adds a row to another, each mark grown by `width` cells to both sides. */
+static void add_grown(uint64_t *to, const uint64_t *from, size_t words, int width)
+{
+    for (size_t i = 0; i < words; i++) {
+        uint64_t before = i > 0 ? from[i - 1] : 0, behind = i + 1 < words ? from[i + 1] : 0;
+        uint64_t grown = from[i];
+        for (int k = 1; k <= width; k++)
+            grown |= from[i] << k | from[i] >> k | before >> (WORD - k) | behind << (WORD - k);
+        to[i] |= grown;
+    }
+}
+
+/* The cells within `reach` cells of a hole's middle, where a disc as wide as the gap is empty, lose
+ * their mark: all of the hole but its rim. */
+static void open_holes(struct holes *h, int reach)
+{
+    size_t words = h->words;
+    uint64_t *open = mem_alloc(h->rows * words, sizeof *open);
+    uint64_t *empty = mem_alloc(words, sizeof *empty);
+
+    for (size_t row = REACH; row < h->rows - REACH; row++) {
+        uint64_t any = 0;
+        for (size_t i = 0; i < words; i++)
+            any |= empty[i] = ~h->near[row * words + i];
+        for (int away = -reach; any && away <= reach; away++)
+            add_grown(open + (size_t)((long)row + away) * words, empty, words,
+                      (int)sqrt(reach * reach - away * away));
+    }
+    for (size_t i = 0; i < h->rows * words; i++)
+        h->near[i] &= ~open[i];
+    free(empty);
+    free(open);
+}
+
+int holes_find(const struct vec3 *point, size_t n, double gap, double rim, struct holes *holes,
+               struct error *error)
+{
+    struct plan_extent f = plan_extent_of(point, n, 0);
+    if (lay_out(&f, gap, rim, holes, error) < 0)
+        return -1;
+    size_t words = holes->words;
+    uint64_t *taken = mem_alloc(holes->rows * words, sizeof *taken);
+    mark(holes, point, n, taken);
+    for (size_t row = REACH; row < holes->rows - REACH; row++)
+        for (int k = 0; k <= 2 * REACH; k++) {
+            int away = k - REACH, width = (int)sqrt(REACH * REACH - away * away);
+            add_grown(holes->near + (row - REACH + (size_t)k) * words, taken + row * words, words,
+                      width);
+        }
+    free(taken);
+    int reach = (int)floor((gap / 2 - rim) / holes->cell);
+    if (reach > 0)
+        open_holes(holes, reach);
+    return 0;
+}
+
+void holes_free(struct holes *holes)
+{
+    free(holes->near);
+    holes->near = NULL;
+}
+
+static double distance2(struct vec3 a, struct vec3 b)
+{
+    return (a.x - b.x) * (a.x - b.x) + (a.y - b.y) * (a.y - b.y);
+}
+
+bool holes_bridged(const struct holes *holes, struct vec3 a, struct vec3 b, struct vec3 c)
+{
+    double longest2 = fmax(distance2(a, b), fmax(distance2(b, c), distance2(c, a)));
+    if (longest2 <= 3 * holes->rim * holes->rim) /* no place in it is so far from a corner */
+        return false;
+    double a_cell = 1 / holes->cell;
+    int steps = (int)ceil(sqrt(longest2) * a_cell);
+    for (int i = 0; i <= steps; i++)
+        for (int j = 0; i + j <= steps; j++) {
+            double s = (double)i / steps, t = (double)j / steps;
+            double x = a.x + s * (b.x - a.x) + t * (c.x - a.x);
+            double y = a.y + s * (b.y - a.y) + t * (c.y - a.y);
+            size_t column = cells_from(holes->x, x, a_cell), row = cells_from(holes->y, y, a_cell);
+            if (!(holes->near[row * holes->words + column / WORD] >> column % WORD & 1))
+                return true;
+        }
+    return false;
+}

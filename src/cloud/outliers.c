@@ -1,0 +1,269 @@
+/* outliers - see outliers.h. */
+#include "cloud/outliers.h"
+
+#include <stdbool.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "base/array.h"
+#include "base/parallel.h"
+#include "math/quadric.h"
+
+/* Neighbours for the quadric, for the density; points that a cell's quadric is fitted to. */
+enum { NEAR = 24, CLUMP = 8, MOST_BLOCK = 512, REFITS = 3 };
+
+static const double SIGMA_OF_MEDIAN = 1.4826; /* of what is normally distributed */
+static const double TUKEY = 4.685;            /* in standard deviations */
+
+struct job {
+    const struct point_grid *point_grid;
+    double sigma, spacing;
+    unsigned char *out;
+};
+
+size_t outliers_twice(const struct point_grid *b, unsigned char *out)
+{
+    size_t found = 0;
+    for (size_t i = 1; i < b->n; i++) {
+        const struct vec3 *p = &b->point[i];
+        if (p->x == p[-1].x && p->y == p[-1].y && p->z == p[-1].z) {
+            out[i] = 1;
+            found++;
+        }
+    }
+    return found;
+}
+
+/* Distances of n points from the quadric into off[]; returns their spread, from the median. */
+static double spread_about(const struct quadric *q, const struct vec3 *point, size_t n, double *off)
+{
+    double sorted[MOST_BLOCK];
+    for (size_t i = 0; i < n; i++)
+        off[i] = sorted[i] = fabs(quadric_off(q, point[i]));
+    doubles_sort(sorted, n);
+    return SIGMA_OF_MEDIAN * sorted[n / 2];
+}
+
+/* Refits without what stands out; `q` is a first fit.  Returns the spread of the points. */
+static double refit(const struct vec3 *point, size_t n, double sigma, struct quadric *q,
+                    double *off)
+{
+    double weight[MOST_BLOCK], spread = spread_about(q, point, n, off);
+    for (int i = 0; i < REFITS; i++) {
+        double far = TUKEY * fmax(spread, sigma);
+        struct quadric next;
+        for (size_t k = 0; k < n; k++) {
+            double r = off[k] / far;
+            weight[k] = r < 1 ? (1 - r * r) * (1 - r * r) : 0;
+        }
+        if (!(far > 0) ||
+            quadric_fit_weighted(point, weight, n, q->origin, quadric_normal(q), &next) < 0)
+            break;
+        *q = next;
+        spread = spread_about(q, point, n, off);
+    }
+    return spread;
+}
+
+/* Distance to the eighth nearest neighbour of a point of the cloud. */
+static double reach_of(const struct point_grid *b, struct vec3 p)
+{
+    uint32_t index[CLUMP + 1];
+    double distance2[CLUMP + 1];
+    size_t n = point_grid_nearest(b, p, CLUMP + 1, index, distance2);
+    return sqrt(distance2[n - 1]);
+}
+
+/* Beside a dense surface a sparse one is no clump: more of the neighbours than make one are as far
+ * from theirs. */
+static bool is_sparse_surface(const struct point_grid *b, const uint32_t *near, double reach)
+{
+    int wider = 0;
+    for (int i = 0; wider <= CLUMP && i < NEAR; i++)
+        wider += reach_of(b, b->point[near[i]]) >= reach;
+    return wider > CLUMP;
+}
+
+/* `distance2` of the point's neighbours, `near` without itself.  On a surface the 24th of them is
+ * 1.7 times as far as the eighth; from a place apart both are about equally far. */
+static bool stands_alone(const struct job *job, const uint32_t *near, const double *distance2)
+{
+    const double much = 3, apart = 1.5, far = 12;
+    const struct point_grid *b = job->point_grid;
+    double reach = sqrt(distance2[CLUMP]);
+    if (reach > far * job->spacing)
+        return true;
+    if (distance2[NEAR] > apart * apart * distance2[CLUMP])
+        return false;
+    /* By the fifth of their reaches: four as far, or five nearer, decide. */
+    int wider = 0, closer = 0;
+    for (int i = 0; wider < CLUMP / 2 && closer <= CLUMP / 2; i++) {
+        bool far_less = reach > much * reach_of(b, b->point[near[CLUMP + i]]);
+        closer += far_less;
+        wider += !far_less;
+    }
+    return closer > CLUMP / 2 && !is_sparse_surface(b, near, reach / much);
+}
+
+static bool is_outlier(const struct job *job, size_t i)
+{
+    const double sigmas = 6, spreads = 8, spacings = 0.1;
+    const struct point_grid *b = job->point_grid;
+    uint32_t index[NEAR + 1], near[NEAR];
+    double distance2[NEAR + 1], off[NEAR];
+    struct vec3 point[NEAR];
+    struct quadric q;
+    if (point_grid_nearest(b, b->point[i], NEAR + 1, index, distance2) < NEAR + 1)
+        return false;
+    for (size_t k = 0, n = 0; k <= NEAR && n < NEAR; k++)
+        if (index[k] != i) {
+            point[n] = b->point[index[k]];
+            near[n++] = index[k];
+        }
+    if (stands_alone(job, near, distance2))
+        return true;
+    double spacing = sqrt(PI * distance2[NEAR] / NEAR);
+    double least = fmax(sigmas * job->sigma, spacings * spacing);
+    struct vec3 across = plane_normal(point, NEAR);
+    if (quadric_fit(point, NEAR, b->point[i], across, &q) < 0 ||
+        quadric_distance(&q) < least / 3 || /* for most: far from being told apart by more turns */
+        quadric_settle(point, NEAR, b->point[i], across, &q) < 0 || quadric_distance(&q) < least)
+        return false;
+    double spread = refit(point, NEAR, job->sigma, &q, off);
+    return quadric_distance(&q) > fmax(least, spreads * spread) * sqrt(1 + q.variance);
+}
+
+/* The points of a cell and every third of the eight around it, its own first; of very many only
+ * some.  Returns how many; *own: how many of the cell. */
+static size_t gather(const struct point_grid *b, size_t row, size_t column, struct vec3 *point,
+                     size_t *own)
+{
+    size_t n = 0;
+    for (int k = 0; k < 9; k++) {
+        static const int side[9][2] = {{0, 0}, {-1, -1}, {0, -1}, {1, -1}, {-1, 0},
+                                       {1, 0}, {-1, 1},  {0, 1},  {1, 1}};
+        size_t c = column + (size_t)side[k][0], r = row + (size_t)side[k][1];
+        if (c >= b->columns || r >= b->rows)
+            continue;
+        const uint32_t *first = &b->first[r * b->columns + c];
+        size_t step = (first[1] - first[0]) / (MOST_BLOCK / 9) + (k == 0 ? 1 : 3);
+        for (size_t i = first[0]; i < first[1]; i += step)
+            point[n++] = b->point[i];
+        if (k == 0)
+            *own = n;
+    }
+    return n;
+}
+
+/* Are the points of a cell on one smooth surface with those around, but for a few?  Then `q` is
+ * that. */
+static bool fit_block(const struct job *job, size_t row, size_t column, double least,
+                      struct quadric *q)
+{
+    struct vec3 point[MOST_BLOCK];
+    double off[MOST_BLOCK], most = 0;
+    size_t own = 0, n = gather(job->point_grid, row, column, point, &own);
+    if (quadric_fit(point, n, point[0], vec(0, 0, 1), q) < 0)
+        return false;
+    for (size_t i = 0; i < own; i++)
+        most = fmax(most, fabs(quadric_off(q, point[i])));
+    return most <= least || refit(point, n, job->sigma, q, off) <= least;
+}
+
+/* Another point of the cell is no farther from point i than the cell is wide.  The surface of a few
+ * points may be so bent that it takes in one high above them. */
+static bool has_company(const struct point_grid *b, size_t cell, size_t i)
+{
+    for (size_t k = b->first[cell]; k < b->first[cell + 1]; k++) {
+        struct vec3 d = vec_sub(b->point[k], b->point[i]);
+        if (k != i && vec_dot(d, d) <= b->cell * b->cell)
+            return true;
+    }
+    return false;
+}
+
+static void look_at_cells(void *context, size_t from, size_t to)
+{
+    const struct job *job = context;
+    const struct point_grid *b = job->point_grid;
+    const double sigmas = 5, spacings = 0.08;
+    const double least = fmax(sigmas * job->sigma, spacings * job->spacing);
+    for (size_t cell = from; cell < to; cell++) {
+        struct quadric q;
+        if (b->first[cell] == b->first[cell + 1])
+            continue;
+        bool smooth = fit_block(job, cell / b->columns, cell % b->columns, least, &q);
+        for (size_t i = b->first[cell]; i < b->first[cell + 1]; i++)
+            if (!smooth || fabs(quadric_off(&q, b->point[i])) > least || !has_company(b, cell, i))
+                job->out[i] |= is_outlier(job, i);
+    }
+}
+
+static size_t count(const unsigned char *out, size_t n)
+{
+    size_t found = 0;
+    for (size_t i = 0; i < n; i++)
+        found += out[i];
+    return found;
+}
+
+static size_t mark(const struct point_grid *b, double sigma, int threads,
+                   void (*work)(void *, size_t, size_t), unsigned char *out)
+{
+    const double spacings_a_cell = 3;
+    size_t before = count(out, b->n);
+    struct job job = {b, sigma, b->cell / spacings_a_cell, out};
+    parallel_for(threads, b->columns * b->rows, work, &job);
+    return count(out, b->n) - before;
+}
+
+size_t outliers_isolated(const struct point_grid *b, double sigma, int threads, unsigned char *out)
+{
+    return mark(b, sigma, threads, look_at_cells, out);
+}
+
+/* Marks the eighths of the turn in which a point of the cell stands steeply above p.  All eight, so
+ * that the bottom of a wall or in a corner of a pocket is not under anything. */
+static unsigned eighths_above(const struct point_grid *b, size_t cell, struct vec3 p,
+                              double nearest)
+{
+    const double steep = 4;
+    unsigned above = 0;
+    for (size_t i = b->first[cell]; i < b->first[cell + 1]; i++) {
+        struct vec3 d = vec_sub(b->point[i], p);
+        double away2 = d.x * d.x + d.y * d.y;
+        if (d.z > 0 && away2 > nearest * nearest && d.z * d.z > steep * steep * away2)
+            above |= 1u << ((d.x > 0) + 2 * (d.y > 0) + 4 * (fabs(d.x) > fabs(d.y)));
+    }
+    return above;
+}
+
+static void look_under(void *context, size_t from, size_t to)
+{
+    const struct job *job = context;
+    const struct point_grid *b = job->point_grid;
+    for (size_t cell = from; cell < to; cell++) {
+        size_t row = cell / b->columns, column = cell % b->columns;
+        double top = -INFINITY;
+        size_t r0 = row > 0 ? row - 1 : 0, r1 = row + 1 < b->rows ? row + 1 : row;
+        size_t c0 = column > 0 ? column - 1 : 0, c1 = column + 1 < b->columns ? column + 1 : column;
+        for (size_t r = r0; r <= r1; r++)
+            for (size_t i = b->first[r * b->columns + c0]; i < b->first[r * b->columns + c1 + 1];
+                 i++)
+                top = fmax(top, b->point[i].z);
+        for (size_t i = b->first[cell]; i < b->first[cell + 1]; i++) {
+            unsigned above = 0;
+            if (top - b->point[i].z < b->cell)
+                continue;
+            for (size_t r = r0; r <= r1; r++)
+                for (size_t c = c0; c <= c1; c++)
+                    above |= eighths_above(b, r * b->columns + c, b->point[i], job->spacing / 2);
+            job->out[i] |= above == 0xFF;
+        }
+    }
+}
+
+size_t outliers_under_roof(const struct point_grid *b, int threads, unsigned char *out)
+{
+    return mark(b, 0, threads, look_under, out);
+}

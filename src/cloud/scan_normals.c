@@ -1,0 +1,145 @@
+/* scan_normals - see scan_normals.h. */
+#include "cloud/scan_normals.h"
+
+#include <stdlib.h>
+
+#include "math/cubic.h"
+#include "base/parallel.h"
+
+enum { MOST_TIMES = 32, QUADRIC = 6, CUBIC = 10 /* terms */ };
+
+struct job {
+    struct mesh *mesh;
+    const struct point_grid *point_grid;
+    size_t neighbours;
+    double *distance; /* of each vertex from its quadric; negative: it has none */
+};
+
+/* What the points leave of their freedom: rms of their distances, for `terms` of n fixed by the
+ * fit. */
+static double spread(const struct quadric *q, const struct vec3 *near, size_t n, double terms)
+{
+    return quadric_rms(q, near, n) * sqrt((double)n / fmax((double)n - terms, 1));
+}
+
+/* Noise spreads the nearer half about its quadric as much as the whole; where it is spread much
+ * less, the surface bends too much for one quadric over the whole, and the half counts. */
+static void fit_half(const struct vec3 *near, size_t n, struct vec3 origin, struct quadric *q)
+{
+    const double much = 0.5;
+    const size_t fewest = 12;
+    struct quadric half;
+    if (n / 2 >= fewest && quadric_settle(near, n / 2, origin, quadric_normal(q), &half) == 0 &&
+        spread(&half, near, n / 2, QUADRIC) < much * spread(q, near, n, QUADRIC))
+        *q = half;
+}
+
+/* Where the surface is smooth but no quadric, the third degree explains what noise would not let it
+ * explain. */
+static void fit_cubic(const struct vec3 *near, size_t n, struct vec3 origin, struct quadric *q)
+{
+    const double much = 0.5;
+    struct quadric cubic;
+    size_t some = 3 * n / 5;
+    if (some >= 2 * CUBIC && cubic_fit(near, NULL, some, origin, quadric_normal(q), &cubic) == 0 &&
+        spread(&cubic, near, some, CUBIC) < much * spread(q, near, n / 2, QUADRIC))
+        *q = cubic;
+}
+
+/* The neighbourhood of the vertex in hand, nearest first. */
+struct hood {
+    uint32_t *index;
+    double *distance2;
+    struct vec3 *point;
+};
+
+static int fit_at(const struct job *job, struct vec3 vertex, struct vec3 guess,
+                  const struct hood *near, struct quadric *q)
+{
+    for (size_t k = job->neighbours; k <= MOST_TIMES * job->neighbours; k *= 2) {
+        size_t n = point_grid_nearest(job->point_grid, vertex, k, near->index, near->distance2);
+        for (size_t i = 0; i < n; i++)
+            near->point[i] = job->point_grid->point[near->index[i]];
+        if (quadric_fit_steep(near->point, n, vertex, guess, q) == 0) {
+            if (k == job->neighbours) {
+                fit_half(near->point, n, vertex, q);
+                fit_cubic(near->point, n, vertex, q);
+            }
+            return 0;
+        }
+        if (n < k)
+            break;
+    }
+    return -1;
+}
+
+static void fit_vertices(void *context, size_t from, size_t to)
+{
+    const struct job *job = context;
+    struct mesh *mesh = job->mesh;
+    size_t most = MOST_TIMES * job->neighbours;
+    struct hood near = {mem_alloc(most, sizeof *near.index),
+                        mem_alloc(most, sizeof *near.distance2),
+                        mem_alloc(most, sizeof *near.point)};
+    for (size_t i = from; i < to; i++) {
+        struct quadric q;
+        struct vec3 up = mesh->normal.item[i];
+        job->distance[i] = -1;
+        mesh->kmax.item[i] = 0;
+        if (fit_at(job, mesh->vertex.item[i], up, &near, &q) < 0)
+            continue;
+        mesh->normal.item[i] = quadric_normal(&q);
+        mesh->kmax.item[i] = quadric_curvature(&q);
+        job->distance[i] = quadric_distance(&q);
+    }
+    free(near.index);
+    free(near.distance2);
+    free(near.point);
+}
+
+/* Three standard deviations of what is normally distributed, from the median of its size. */
+static double three_sigma(double *distance, size_t n)
+{
+    static const double sigma_of_median = 1.4826;
+    if (n == 0)
+        return 0;
+    doubles_sort(distance, n);
+    return 3 * sigma_of_median * distance[n / 2];
+}
+
+/* Gathers the distances that are there (not below 0) to the front of the array. */
+static struct scan_normals sum_up(double *distance, size_t n)
+{
+    struct scan_normals s = {0};
+    double sum2 = 0;
+    for (size_t i = 0; i < n; i++) {
+        if (distance[i] < 0) {
+            s.thin++;
+            continue;
+        }
+        sum2 += distance[i] * distance[i];
+        if (distance[i] > s.worst) {
+            s.worst = distance[i];
+            s.at = i;
+        }
+        distance[s.fitted++] = distance[i];
+    }
+    s.rms = s.fitted > 0 ? sqrt(sum2 / (double)s.fitted) : 0;
+    s.noise = three_sigma(distance, s.fitted);
+    return s;
+}
+
+struct scan_normals scan_normals_quadric(struct mesh *mesh, const struct point_grid *point_grid,
+                                         int neighbours, int threads)
+{
+    size_t vertices = mesh->vertex.n;
+    struct job job = {mesh, point_grid, (size_t)neighbours,
+                      mem_alloc(vertices, sizeof *job.distance)};
+    mesh_normals_facet(mesh);
+    array_reserve(&mesh->kmax, vertices);
+    mesh->kmax.n = vertices;
+    parallel_for(threads, vertices, fit_vertices, &job);
+    struct scan_normals result = sum_up(job.distance, vertices);
+    free(job.distance);
+    return result;
+}

@@ -1,0 +1,146 @@
+/* upsample - see upsample.h. */
+#include "cloud/upsample.h"
+
+#include "base/array.h"
+#include "math/cubic.h"
+
+enum { FEWEST = 16, NEAR = 32, FEW = 24, RINGS = 8, SAMPLE = 1500, QUADRIC = 6, CUBIC = 10 };
+
+static const double MUCH = 1.5; /* spread of a neighbourhood by the noise: more is none */
+
+/* A neighbourhood, nearest first. */
+struct near {
+    size_t n;
+    uint32_t index[NEAR];
+    double distance2[NEAR];
+    struct vec3 point[NEAR];
+};
+
+/* Of point i; of several in one place, this one first. */
+static void find_near(const struct point_grid *b, size_t i, size_t k, struct near *near)
+{
+    near->n = point_grid_nearest(b, b->point[i], k, near->index, near->distance2);
+    for (size_t j = 0; j < near->n; j++)
+        near->point[j] = b->point[near->index[j]];
+    near->point[0] = b->point[i];
+}
+
+/* Points so far apart let the ball sink as far as it may. */
+static double gap_of(const struct upsample *fill)
+{
+    return sqrt(6 * fill->radius * fill->sink);
+}
+
+bool upsample_needed(const struct upsample *fill)
+{
+    const struct point_grid *b = fill->point_grid;
+    size_t sample = b->n < SAMPLE ? b->n : SAMPLE, wide = 0, seen = 0;
+
+    for (size_t i = 0; i < sample; i++) {
+        struct near near;
+        find_near(b, i * b->n / sample, 7, &near);
+        if (near.n < 7)
+            continue;
+        seen++;
+        wide += sqrt(near.distance2[6]) > gap_of(fill);
+    }
+    return 10 * wide > seen;
+}
+
+/* p is nearer to `from` than to the other points, and one of these lies beyond it, within 60
+ * degrees. */
+static bool between(const struct near *near, struct vec3 from, struct vec3 p)
+{
+    size_t k = near->n < NEAR ? near->n : NEAR;
+    struct vec3 off = vec_sub(p, from);
+    double off2 = vec_dot(off, off);
+    bool beyond = false;
+
+    for (size_t i = 1; i < k; i++) {
+        struct vec3 to = vec_sub(near->point[i], from);
+        double along = vec_dot(off, to), to2 = vec_dot(to, to);
+        if (2 * along > to2) /* p lies on the far side of the middle */
+            return false;
+        beyond = beyond || (along > 0 && to2 > off2 && 4 * along * along > off2 * to2);
+    }
+    return beyond;
+}
+
+/* The ball would sink deeper between the points than they are off the surface. */
+static bool is_worth_it(const struct upsample *fill, const struct near *near, double spread)
+{
+    size_t sixth = near->n > 6 ? 6 : near->n - 1;
+    double sink = near->distance2[sixth] / (6 * fill->radius);
+
+    return sink > fill->sink / 4 && spread <= fmax(fmax(fill->sink, sink / 2), MUCH * fill->noise);
+}
+
+static void put(const struct upsample *fill, const struct near *near, struct vec3 p,
+                const struct quadric *q, struct vec3s *to)
+{
+    size_t last = near->n < FEWEST ? near->n : FEWEST;
+    double pitch = 0.75 * gap_of(fill), reach = sqrt(near->distance2[last - 1]);
+    struct vec3 off = vec_sub(p, q->origin);
+    double u0 = vec_dot(off, q->u), v0 = vec_dot(off, q->v);
+    int rings = (int)fmin(reach / pitch, RINGS);
+
+    for (int j = -rings; j <= rings; j++) {
+        for (int i = -rings; i <= rings; i++) {
+            double u = pitch * (i + j / 2.0), v = pitch * j * 0.8660254037844386;
+            if ((i == 0 && j == 0) || hypot(u, v) > reach)
+                continue;
+            struct vec3 at = quadric_at(q, u0 + u, v0 + v);
+            if (between(near, p, at))
+                *array_push(to) = at;
+        }
+    }
+}
+
+void upsample_on(const struct upsample *fill, size_t i, struct vec3 p, const struct quadric *q,
+                 double spread, struct vec3s *to)
+{
+    struct near near;
+
+    find_near(fill->point_grid, i, NEAR, &near);
+    if (is_worth_it(fill, &near, spread))
+        put(fill, &near, p, q, to);
+}
+
+/* What n points leave of their freedom. */
+static double spread_of(const struct quadric *q, const struct near *near, size_t n, double terms)
+{
+    double count = (double)n;
+
+    return quadric_rms(q, near->point, n) * sqrt(count / fmax(count - terms, 1));
+}
+
+/* The quadric through the fewest points that carry one: on laser lines it takes more.  HUGE_VAL:
+ * there is none. */
+static double fit_quadric(const struct near *near, struct quadric *q)
+{
+    for (size_t k = FEWEST; k <= near->n && k <= NEAR; k += FEWEST / 2)
+        if (quadric_settle(near->point, k, near->point[0], plane_normal(near->point, k), q) == 0)
+            return spread_of(q, near, k, QUADRIC);
+    return HUGE_VAL;
+}
+
+double upsample_about(const struct upsample *fill, size_t i, struct vec3s *to)
+{
+    size_t before = to->n;
+    struct near near;
+    struct quadric q, cubic;
+
+    find_near(fill->point_grid, i, NEAR, &near);
+    double spread = fit_quadric(&near, &q);
+    if (spread < HUGE_VAL && near.n >= FEW &&
+        cubic_fit(near.point, NULL, FEW, near.point[0], quadric_normal(&q), &cubic) == 0) {
+        double less = spread_of(&cubic, &near, FEW, CUBIC);
+        if (less < spread) {
+            q = cubic;
+            spread = less;
+        }
+    }
+    if (spread < HUGE_VAL && is_worth_it(fill, &near, spread))
+        put(fill, &near, near.point[0], &q, to);
+    return to->n > before ? spread : 0;
+}

@@ -1,0 +1,214 @@
+/*
+ * run - tangents and the smooth reference curve of a cutting run.
+ *
+ * Repeated points have no direction of their own: points whose ball centres coincide form one
+ * station, and tangents belong to stations.
+ */
+#include "curve/run.h"
+
+#include <stdlib.h>
+
+#include "run_curve.h"
+
+static const double SAME = 1e-7;     /* mm: centres nearer than this are one station */
+static const double CORNER = PI / 3; /* a turn above this in one point is a corner */
+static const double STEEP = 0.7;     /* slope of the centres against the surface: no tangent */
+
+struct block_pose {
+    size_t first, last;  /* of its points */
+    struct vec3 tangent; /* unit */
+    struct vec3 turn;    /* derivative of the axis by the length of the centre's path, 1/mm */
+};
+
+struct stations {
+    size_t n, cap;
+    struct block_pose *item;
+};
+
+static struct stations find_stations(const struct run *run)
+{
+    struct stations s = {0};
+    for (size_t i = 0; i < run->n; i++) {
+        const struct run_point *p = &run->item[i];
+        if (i == 0 || vec_distance(p->ball, run->item[s.item[s.n - 1].first].ball) > SAME)
+            *array_push(&s) = (struct block_pose){.first = i};
+        s.item[s.n - 1].last = i;
+    }
+    return s;
+}
+
+static const struct run_point *point_of(const struct run *run, const struct stations *s, size_t k)
+{
+    return &run->item[s->item[k].first];
+}
+
+static struct vec3 chord_of(const struct run *run, const struct stations *s, size_t k)
+{
+    return vec_sub(point_of(run, s, k + 1)->ball, point_of(run, s, k)->ball);
+}
+
+/*
+ * The centre of a ball that touches moves perpendicular to the normal; one that is being lifted
+ * moves by the slope of its lift against it.
+ */
+static struct vec3 along_surface(struct vec3 tangent, struct vec3 normal, double slope)
+{
+    struct vec3 t = vec_reject(tangent, normal);
+    if (fabs(slope) > STEEP || vec_length(t) < STEEP)
+        return tangent;
+    return vec_unit(vec_along(vec_unit(t), slope, normal));
+}
+
+/* Derivative at the middle one of three values on a parabola; h: the lengths between them. */
+static double bessel(double before, double h0, double here, double h1, double after)
+{
+    return (h1 * (here - before) / h0 + h0 * (after - here) / h1) / (h0 + h1);
+}
+
+static struct vec3 bessel_tangent(const struct run *run, const struct stations *s, size_t k)
+{
+    struct vec3 in = chord_of(run, s, k - 1), out = chord_of(run, s, k);
+    double h0 = vec_length(in), h1 = vec_length(out);
+    struct vec3 t = vec_unit(vec_add(vec_scale(h1 / h0, in), vec_scale(h0 / h1, out)));
+    if (vec_dot(t, t) < 0.5)
+        return vec_unit(out); /* straight back */
+    const struct run_point *a = point_of(run, s, k - 1), *b = point_of(run, s, k),
+                           *c = point_of(run, s, k + 1);
+    if (!run_point_touches(a) || !run_point_touches(b) || !run_point_touches(c))
+        return t;
+    return along_surface(
+        t, b->normal,
+        bessel(run_point_height(a), h0, run_point_height(b), h1, run_point_height(c)));
+}
+
+/* At an end: the tangent of the circle that the end chord and the tangent beyond it make. */
+static struct vec3 end_tangent(const struct run *run, const struct stations *s, size_t end,
+                               size_t next)
+{
+    const struct run_point *a = point_of(run, s, end), *b = point_of(run, s, next);
+    struct vec3 v = vec_sub(b->ball, a->ball);
+    double h = vec_length(v);
+    v = vec_unit(v);
+    struct vec3 beyond = s->item[next].tangent;
+    struct vec3 t = vec_unit(vec_sub(vec_scale(2 * vec_dot(v, beyond), v), beyond));
+    if (!run_point_touches(a) || !run_point_touches(b))
+        return t;
+    double slope = (run_point_height(b) - run_point_height(a)) / h;
+    return along_surface(t, a->normal, next > end ? slope : -slope);
+}
+
+static void bessel_tangents(const struct run *run, struct stations *s)
+{
+    for (size_t k = 1; k + 1 < s->n; k++)
+        s->item[k].tangent = bessel_tangent(run, s, k);
+    if (s->n == 2) {
+        s->item[0].tangent = s->item[1].tangent = vec_unit(chord_of(run, s, 0));
+    } else if (s->n > 2) {
+        s->item[0].tangent = end_tangent(run, s, 0, 1);
+        s->item[s->n - 1].tangent = end_tangent(run, s, s->n - 1, s->n - 2);
+    }
+}
+
+/* Paper 1, 3.4: ti = ni x (PiPi+1 x ni); the last point takes the chord before it. */
+static void forward_tangents(const struct run *run, struct stations *s)
+{
+    for (size_t k = 0; s->n > 1 && k < s->n; k++) {
+        struct vec3 v = chord_of(run, s, k + 1 < s->n ? k : k - 1);
+        struct vec3 n = point_of(run, s, k)->normal;
+        struct vec3 t = vec_unit(vec_cross(n, vec_cross(v, n)));
+        s->item[k].tangent = vec_dot(t, t) > 0.5 ? t : vec_unit(v);
+    }
+}
+
+void run_tangents(const struct run *run, bool forward, struct vec3 *tangent)
+{
+    struct stations s = find_stations(run);
+    if (forward)
+        forward_tangents(run, &s);
+    else
+        bessel_tangents(run, &s);
+    for (size_t k = 0; k < s.n; k++) {
+        for (size_t i = s.item[k].first; i <= s.item[k].last; i++)
+            tangent[i] = s.item[k].tangent;
+    }
+    array_free(&s);
+}
+
+void run_corners(const struct run *run, struct sizes *corner)
+{
+    struct stations s = find_stations(run);
+    for (size_t k = 1; k + 1 < s.n; k++)
+        if (vec_angle(chord_of(run, &s, k - 1), chord_of(run, &s, k)) > CORNER)
+            *array_push(corner) = s.item[k].first;
+    array_free(&s);
+}
+
+/* The axis' turn from station k to the next, by the length between them. */
+static struct vec3 turn_after(const struct run *run, const struct stations *s, size_t k)
+{
+    struct vec3 from = run->item[s->item[k].last].axis, to = point_of(run, s, k + 1)->axis;
+    return vec_scale(1 / vec_length(chord_of(run, s, k)), vec_sub(to, from));
+}
+
+/*
+ * How fast the axis turns at each station: of the parabola through three axes, but never more than
+ * three times as fast as in the slower of the two intervals, so that it does not overshoot; not at
+ * all where the axis turns while the centre stands still.
+ */
+static void axis_turns(const struct run *run, struct stations *s)
+{
+    for (size_t k = 0; s->n > 1 && k < s->n; k++) {
+        struct block_pose *here = &s->item[k];
+        if (vec_distance(run->item[here->first].axis, run->item[here->last].axis) > 0)
+            continue;
+        size_t i = k > 0 ? k - 1 : 0, j = k + 1 < s->n ? k : k - 1;
+        double h0 = vec_length(chord_of(run, s, i)), h1 = vec_length(chord_of(run, s, j));
+        struct vec3 r0 = turn_after(run, s, i), r1 = turn_after(run, s, j);
+        struct vec3 r = vec_mix(r0, r1, h0 / (h0 + h1));
+        double most = 3 * fmin(vec_length(r0), vec_length(r1)), l = vec_length(r);
+        here->turn = l > most ? vec_scale(most / l, r) : r;
+    }
+}
+
+/* A piece of the run without corners, but for its first point, which is there already. */
+static double densify_piece(const struct run *piece, double chord, struct run *dense)
+{
+    struct stations s = find_stations(piece);
+    bessel_tangents(piece, &s);
+    axis_turns(piece, &s);
+    double worst = 0;
+    size_t at = 0; /* station of point i */
+    for (size_t i = 0; i + 1 < piece->n; i++) {
+        const struct block_pose *here = &s.item[at];
+        if (at + 1 < s.n && s.item[at + 1].first == i + 1)
+            at++;
+        const struct block_pose *next = &s.item[at];
+        struct run_curve c = run_curve_between(
+            (struct run_curve_end){&piece->item[i], here->tangent, here->turn},
+            (struct run_curve_end){&piece->item[i + 1], next->tangent, next->turn});
+        c.great_circle = c.great_circle || here == next; /* the axis turns in one place */
+        worst = fmax(worst, run_curve_densify(&c, chord, dense));
+    }
+    array_free(&s);
+    return worst;
+}
+
+double run_densify(const struct run *run, double chord, struct run *dense)
+{
+    if (run->n == 0)
+        return 0;
+    struct sizes corner = {0};
+    run_corners(run, &corner);
+    *array_push(&corner) = run->n - 1;
+    *array_push(dense) = run->item[0];
+    double worst = 0;
+    size_t from = 0;
+    for (size_t k = 0; k < corner.n; k++) {
+        size_t to = corner.item[k];
+        struct run piece = {.n = to - from + 1, .item = run->item + from, .radius = run->radius};
+        worst = fmax(worst, densify_piece(&piece, chord, dense));
+        from = to;
+    }
+    array_free(&corner);
+    return worst;
+}

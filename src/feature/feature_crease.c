@@ -1,0 +1,252 @@
+/* The crease between two vertices; see feature.h. */
+#include <stdbool.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "base/array.h"
+#include "feature.h"
+#include "feature_test.h"
+#include "math/side_fit.h"
+
+enum { MOST = FEATURE_MOST, TURNS = 20, ROUNDS = 4, FEWEST = 8, HALVINGS = 40 };
+
+static const double FLAT = 0.99026806874157036; /* cos 8 degrees */
+
+/* What two sheets may leave, in mean spacings, beside the noise. */
+static const double ROUGH = 0.05;
+
+/* Points about a place, taken apart into two sheets. */
+struct parted {
+    struct vec3 point[MOST];
+    struct vec3 local[MOST];  /* the same, in the frame of the sheets */
+    unsigned char side[MOST]; /* on which of the sheets each is */
+    struct vec3 of[2][MOST];  /* the points, by sheet */
+    size_t n, count[2];
+    struct vec3 origin, w;
+    struct side_fit sheet[2];
+};
+
+static void take(struct parted *p, int side, struct vec3 point)
+{
+    p->of[side][p->count[side]++] = point;
+}
+
+/* How far sheet 0 is above sheet 1. */
+static double step_at(const struct parted *p, struct vec3 at)
+{
+    return side_fit_height(&p->sheet[0], at) - side_fit_height(&p->sheet[1], at);
+}
+
+/* Planes through the points as they are parted; false when one has too few. */
+static bool fit_planes(struct parted *p)
+{
+    for (unsigned char s = 0; s < 2; s++)
+        if (p->count[s] < FEWEST || side_fit_plane_of(p->local, p->side, s, p->n, &p->sheet[s]) < 0)
+            return false;
+    return true;
+}
+
+/* Parts the points by the line where the two planes meet; a's side of it is sheet 0.  True when
+ * something changed. */
+static bool mesh_for_rows_by_line(struct parted *p, struct vec3 a)
+{
+    const double *c = p->sheet[0].q.c, *d = p->sheet[1].q.c;
+    double c0 = c[0] - d[0], c1 = c[1] - d[1], c2 = c[2] - d[2];
+    bool a_above = step_at(p, a) > 0, changed = false;
+
+    p->count[0] = p->count[1] = 0;
+    for (size_t i = 0; i < p->n; i++) {
+        bool above = c0 + c1 * p->local[i].x + c2 * p->local[i].y > 0;
+        unsigned char side = above == a_above ? 0 : 1;
+        changed = changed || side != p->side[i];
+        p->side[i] = side;
+        p->count[side]++;
+    }
+    return changed;
+}
+
+/* Fits and parts until nothing changes, or often enough. */
+static bool settle(struct parted *p, struct vec3 a)
+{
+    bool moves = true;
+
+    for (int s = 0; s < 2; s++)
+        p->sheet[s].q = side_fit_frame(p->origin, p->w);
+    side_fit_local(&p->sheet[0].q, p->point, p->n, p->local);
+    for (int i = 0; i < TURNS && moves; i++) {
+        if (!fit_planes(p))
+            return false;
+        moves = mesh_for_rows_by_line(p, a);
+    }
+    p->count[0] = p->count[1] = 0;
+    for (size_t i = 0; i < p->n; i++)
+        take(p, p->side[i], p->point[i]);
+    for (int s = 0; s < 2; s++)
+        if (p->count[s] < FEWEST ||
+            side_fit_plane(p->of[s], p->count[s], p->origin, p->w, &p->sheet[s]) < 0)
+            return false;
+    return true;
+}
+
+/* Where on the way from a to b the sheets meet; false when they do not. */
+static bool crossing(const struct parted *p, struct vec3 a, struct vec3 b, struct vec3 *at)
+{
+    double low = 0, high = 1;
+    bool above = step_at(p, a) > 0;
+
+    if (above == (step_at(p, b) > 0))
+        return false;
+    for (int i = 0; i < HALVINGS; i++) {
+        double s = (low + high) / 2;
+        if ((step_at(p, vec_mix(a, b, s)) > 0) == above)
+            low = s;
+        else
+            high = s;
+    }
+    *at = side_fit_point(&p->sheet[0], vec_mix(a, b, low));
+    return true;
+}
+
+/* What the two sheets leave to each point that they do not fix. */
+static double left_by_two(const struct parted *p)
+{
+    double sum2 = 0, fixed = 6;
+
+    for (int s = 0; s < 2; s++) {
+        double rms = quadric_rms(&p->sheet[s].q, p->of[s], p->count[s]);
+        sum2 += rms * rms * (double)p->count[s];
+        fixed += p->sheet[s].q.c[3] != 0 ? 3 : 0;
+    }
+    return sqrt(sum2 / fmax((double)p->n - fixed, 1));
+}
+
+static bool better_than_one(const struct parted *p, const struct feature_cloud *cloud)
+{
+    struct quadric one;
+
+    if (quadric_fit(p->point, p->n, p->origin, p->w, &one) < 0)
+        return false;
+    double left = quadric_rms(&one, p->point, p->n) * sqrt((double)p->n / (double)(p->n - 6));
+    double two = left_by_two(p);
+    /* by more than what two fits to the same noise may differ */
+    double better = 1 - 2 / sqrt((double)p->n);
+    return left > cloud->noise && two < better * left &&
+           two < 2 * cloud->noise + ROUGH * cloud->spacing;
+}
+
+/* The nearest points, parted by the plane half way between a and b, or by the sheets as they
+ * are. */
+static bool gather(const struct feature_cloud *cloud, struct vec3 at, size_t k, struct vec3 a,
+                   struct vec3 b, bool parted, struct parted *p)
+{
+    size_t index[MOST];
+
+    p->n = kdtree_nearest(cloud->tree, at, k, index, NULL);
+    p->count[0] = p->count[1] = 0;
+    if (p->n < 2 * FEWEST)
+        return false;
+    bool a_above = parted && step_at(p, a) > 0;
+    struct vec3 way = vec_sub(b, a);
+    for (size_t i = 0; i < p->n; i++) {
+        struct vec3 q = p->point[i] = cloud->point[index[i]];
+        bool first = parted ? (step_at(p, q) > 0) == a_above : vec_dot(vec_sub(q, at), way) <= 0;
+        p->side[i] = first ? 0 : 1;
+        p->count[p->side[i]]++;
+    }
+    return true;
+}
+
+/* How many points reach over the edge from end to end. */
+static size_t enough(const struct feature_cloud *cloud, struct vec3 a, struct vec3 b)
+{
+    double reach = vec_distance(a, b) / 2 / cloud->spacing + 1;
+    double k = fmin(fmax(PI * reach * reach, (double)feature_reach(cloud)), MOST);
+
+    return (size_t)k;
+}
+
+static struct feature told(const struct parted *p, struct vec3 at, struct vec3 a, struct vec3 b)
+{
+    struct feature f = {.kind = FEATURE_CREASE, .place = {at, at}};
+
+    for (int s = 0; s < 2; s++) {
+        f.normal[s] = side_fit_normal(&p->sheet[s], at);
+        f.end[s] = side_fit_normal(&p->sheet[s], s == 0 ? a : b);
+        f.foot[s] = side_fit_point(&p->sheet[s], s == 0 ? a : b);
+    }
+    f.known = vec_distance(p->point[p->n - 1], at);
+    f.along = vec_unit(vec_cross(f.normal[0], f.normal[1]));
+    return f;
+}
+
+/*
+ * From all points between a and b to where the crease may be, then the points nearest to that; each
+ * time in a frame half way between the two sheets.  With `crossed` the sheets are there to begin
+ * with, and meet at *at.
+ */
+static bool find_crease(const struct feature_cloud *cloud, struct vec3 a, struct vec3 b,
+                        bool crossed, struct parted *p, struct vec3 *at)
+{
+    size_t near = feature_reach(cloud);
+
+    for (int i = 0; i < ROUNDS; i++) {
+        if (!gather(cloud, crossed ? *at : p->origin, crossed ? near : enough(cloud, a, b), a, b,
+                    crossed, p) ||
+            !settle(p, a))
+            return false;
+        bool again = crossed;
+        crossed = crossing(p, a, b, at);
+        if (crossed && again)
+            break;
+        p->w = vec_unit(vec_add(side_fit_normal(&p->sheet[0], p->origin),
+                                side_fit_normal(&p->sheet[1], p->origin)));
+    }
+    for (int s = 0; s < 2; s++)
+        side_fit_bend(p->of[s], p->count[s], &p->sheet[s]);
+    return crossed && crossing(p, a, b, at);
+}
+
+/* The sheets turn into each other, and by more than they turn on the way there. */
+static bool turns(const struct feature *f)
+{
+    double bend = vec_angle(f->normal[0], f->end[0]) + vec_angle(f->normal[1], f->end[1]);
+
+    return vec_dot(f->normal[0], f->normal[1]) < FLAT &&
+           vec_angle(f->normal[0], f->normal[1]) > 1.5 * bend;
+}
+
+/* From the planes that the vertices' normals tell. */
+static bool from_normals(struct parted *p, struct vec3 a, struct vec3 b, struct vec3 na,
+                         struct vec3 nb, struct vec3 *at)
+{
+    const double least = 0.1; /* cosine of a sheet's normal and the frame's */
+
+    if (vec_dot(na, nb) >= FLAT || vec_dot(na, p->w) < least || vec_dot(nb, p->w) < least)
+        return false;
+    p->sheet[0] = side_fit_through(a, na, p->origin, p->w);
+    p->sheet[1] = side_fit_through(b, nb, p->origin, p->w);
+    return crossing(p, a, b, at);
+}
+
+struct feature feature_crease(const struct feature_cloud *cloud, struct vec3 a, struct vec3 b,
+                              struct vec3 na, struct vec3 nb)
+{
+    struct feature none = {.kind = FEATURE_NONE};
+    struct parted p;
+    struct vec3 at, origin = vec_mix(a, b, 0.5), sum = vec_add(na, nb);
+    /* the second one across the way, for the normals may both be of one side */
+    struct vec3 w[2] = {vec_unit(sum), vec_unit(vec_reject(sum, vec_unit(vec_sub(b, a))))};
+
+    for (int i = 0; i < 2; i++) {
+        p.origin = origin;
+        p.w = w[i];
+        if (!(vec_length(w[i]) > 0) || (i == 0 && !from_normals(&p, a, b, na, nb, &at)) ||
+            !find_crease(cloud, a, b, i == 0, &p, &at))
+            continue;
+        struct feature f = told(&p, at, a, b);
+        if (turns(&f) && better_than_one(&p, cloud) &&
+            feature_test_sharp(cloud, p.sheet, p.w, at, f.along))
+            return f;
+    }
+    return none;
+}

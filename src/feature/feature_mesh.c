@@ -1,0 +1,250 @@
+/* feature_mesh - see feature_mesh.h; feature_mesh_walls.c is the rest of it. */
+#include "feature/feature_mesh.h"
+
+#include <stdbool.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "feature_cut.h"
+#include "feature_link.h"
+#include "feature_accept.h"
+#include "feature_relocate.h"
+#include "base/parallel.h"
+#include "math/quadric.h"
+
+enum { NEAR = 30, MOST = 200, LOOKS = 4, MOST_DOUBTFUL = 12000 };
+
+static const double TURN = 0.99452189536827333; /* cos 6 degrees between normals */
+static const double OFF = 0.10452846326765347;  /* sin 6 degrees between an edge and the surface */
+static const double FACING = 0.2;               /* z of a normal that is seen from above */
+static const double NOISY = 0.01;               /* spacings: less noise does not matter */
+
+struct search {
+    struct mesh *mesh;
+    const struct mesh_edges *edges;
+    struct feature_cloud cloud;
+    unsigned char *rough;  /* vertices where one quadric does not fit */
+    unsigned char *active; /* look only at the edges of these vertices */
+    bool walls_only;
+    struct feature *feature;
+};
+
+/* The normals at the ends of an edge differ, or it leaves one of the surfaces that they are of. */
+static bool turns(const struct mesh *mesh, const struct mesh_edge *e)
+{
+    struct vec3 m = mesh->normal.item[e->v[0]], n = mesh->normal.item[e->v[1]];
+    struct vec3 way = vec_unit(vec_sub(mesh->vertex.item[e->v[1]], mesh->vertex.item[e->v[0]]));
+
+    return vec_dot(m, n) < TURN || fabs(vec_dot(way, m)) > OFF || fabs(vec_dot(way, n)) > OFF;
+}
+
+/* At a crease a quadric leaves much more than the noise. */
+static bool is_rough(const struct search *s, size_t vertex)
+{
+    size_t index[MOST], k = feature_reach(&s->cloud) / 2;
+    struct vec3 near[MOST], at = s->mesh->vertex.item[vertex];
+    struct quadric q;
+    size_t n = kdtree_nearest(s->cloud.tree, at, k < NEAR ? NEAR : k, index, NULL);
+
+    for (size_t i = 0; i < n; i++)
+        near[i] = s->cloud.point[index[i]];
+    if (quadric_fit(near, n, at, s->mesh->normal.item[vertex], &q) < 0)
+        return true;
+    return quadric_rms(&q, near, n) > 1.1 * s->cloud.noise + 0.004 * s->cloud.spacing;
+}
+
+static void look_at_vertices(void *context, size_t from, size_t to)
+{
+    const struct search *s = context;
+
+    for (size_t v = from; v < to; v++)
+        if (s->rough[v])
+            s->rough[v] = is_rough(s, v);
+}
+
+/* Both sides of it face up. */
+static bool seen(const struct feature *f)
+{
+    bool up = true;
+
+    for (int i = 0; i < 2; i++)
+        up = up && f->normal[i].z > FACING && f->end[i].z > FACING;
+    return up;
+}
+
+static void look_at_edges(void *context, size_t from, size_t to)
+{
+    const struct search *s = context;
+    const struct mesh *m = s->mesh;
+
+    for (size_t e = from; e < to; e++) {
+        const struct mesh_edge *edge = &s->edges->edge[e];
+        struct feature *f = &s->feature[e];
+        int v = edge->v[0], w = edge->v[1];
+        struct vec3 a = m->vertex.item[v], b = m->vertex.item[w];
+        if (edge->facet[0] < 0 || (!s->active[v] && !s->active[w]))
+            continue;
+        f->kind = FEATURE_NONE;
+        if (feature_steep(&s->cloud, a, b))
+            *f = feature_wall(&s->cloud, a, b);
+        bool rough = s->rough[v] || s->rough[w];
+        if (f->kind == FEATURE_NONE && !s->walls_only && rough && turns(m, edge))
+            *f = feature_crease(&s->cloud, a, b, m->normal.item[v], m->normal.item[w]);
+        if (f->kind != FEATURE_NONE && !seen(f))
+            f->kind = FEATURE_NONE;
+    }
+}
+
+/* Edges that may cross a crease: on a rough scan of millions of points nearly all. */
+static size_t doubtful_edges(const struct search *s)
+{
+    size_t found = 0;
+    for (size_t e = 0; e < s->edges->n; e++) {
+        const struct mesh_edge *edge = &s->edges->edge[e];
+        found += edge->facet[0] >= 0 && (s->rough[edge->v[0]] || s->rough[edge->v[1]]) &&
+                 turns(s->mesh, edge);
+    }
+    return found;
+}
+
+static struct feature_relocate settling(const struct search *s)
+{
+    return (struct feature_relocate){s->mesh, s->edges, s->feature, s->cloud.spacing,
+                                     s->cloud.noise};
+}
+
+static struct feature_mesh sum_up(const struct search *s)
+{
+    struct feature_mesh found = {0};
+
+    for (size_t e = 0; e < s->edges->n; e++) {
+        found.creases += s->feature[e].kind == FEATURE_CREASE;
+        found.walls += s->feature[e].kind == FEATURE_WALL;
+    }
+    return found;
+}
+
+/* Looks at the edges, and again at those about what was found, for there normals are better known
+ * and vertices stand off by then. */
+static struct feature_mesh look(struct search *s, int threads)
+{
+    struct feature_mesh found = {0};
+
+    for (int i = 0; i < LOOKS; i++) {
+        parallel_for(threads, s->edges->n, look_at_edges, s);
+        feature_link_close(s->mesh, s->edges, s->feature);
+        found = sum_up(s);
+        if (found.creases + found.walls == 0)
+            break;
+        struct feature_relocate settle = settling(s);
+        if (i + 1 < LOOKS) {
+            feature_relocate_places(&settle, s->active);
+            for (size_t v = 0; v < s->mesh->vertex.n; v++)
+                s->rough[v] |= s->active[v];
+        }
+        feature_relocate_normals(&settle);
+    }
+    return found;
+}
+
+/* Only where normals turn can a crease be. */
+static void mark_turns(struct search *s)
+{
+    for (size_t e = 0; e < s->edges->n; e++) {
+        const struct mesh_edge *edge = &s->edges->edge[e];
+        if (turns(s->mesh, edge))
+            s->rough[edge->v[0]] = s->rough[edge->v[1]] = 1;
+    }
+}
+
+/* Vertices and normals. */
+static void copy_places(const struct mesh *from, struct mesh *to)
+{
+    size_t n = from->vertex.n;
+
+    array_reserve(&to->vertex, n);
+    array_reserve(&to->normal, n);
+    memcpy(to->vertex.item, from->vertex.item, n * sizeof *to->vertex.item);
+    memcpy(to->normal.item, from->normal.item, n * sizeof *to->normal.item);
+    to->vertex.n = to->normal.n = n;
+}
+
+/* Cuts the mesh open along those features that bring it closer to the points; `before` is where
+ * its vertices were. */
+static struct feature_mesh keep_better(struct search *s, const struct mesh *before, size_t n,
+                                       int threads)
+{
+    struct mesh *m = s->mesh, trial = {0}, whole = *before;
+    double reach = 3 * s->cloud.spacing;
+
+    copy_places(m, &trial);
+    for (size_t f = 0; f < m->face.n; f++)
+        *array_push(&trial.face) = m->face.item[f];
+    whole.face = m->face;
+    feature_cut(&trial, s->edges, s->feature);
+    feature_accept(&whole, &trial, s->cloud.point, n, reach, s->cloud.noise, threads, s->feature,
+                   s->edges->n);
+    mesh_free(&trial);
+    struct feature_relocate settle = settling(s);
+    feature_relocate_back(&settle, before);
+    feature_cut(m, s->edges, s->feature);
+    return sum_up(s);
+}
+
+/* In the middle of each feature, and a third of its edge along it to either side. */
+static void add_places(const struct search *s, struct vec3s *place)
+{
+    for (size_t e = 0; e < s->edges->n; e++) {
+        const struct feature *f = &s->feature[e];
+        const int *v = s->edges->edge[e].v;
+        const struct vec3 *at = s->mesh->vertex.item;
+        double length = vec_distance(at[v[0]], at[v[1]]);
+        for (int i = -1; i <= 1 && f->kind != FEATURE_NONE; i++)
+            *array_push(place) =
+                vec_along(vec_mix(f->place[0], f->place[1], 0.5), i * length / 3, f->along);
+    }
+}
+
+struct feature_mesh feature_mesh_keep(struct mesh *mesh, const struct vec3 *point, size_t n,
+                                      size_t flat, double spacing, double noise, int threads)
+{
+    struct mesh_edges edges = mesh_edges_find(mesh);
+    struct kdtree *tree = kdtree_new_by(point, flat, threads);
+    struct kdtree *walls = n > flat ? kdtree_new_by(point + flat, n - flat, threads) : NULL;
+    struct search s = {.mesh = mesh,
+                       .edges = &edges,
+                       .cloud = {tree, point, walls, point + flat, spacing, noise},
+                       .rough = mem_alloc(mesh->vertex.n, 1),
+                       .active = mem_alloc(mesh->vertex.n, 1),
+                       .feature = mem_alloc(edges.n, sizeof *s.feature)};
+
+    struct mesh before = {0};
+    copy_places(mesh, &before);
+    mark_turns(&s);
+    parallel_for(threads, mesh->vertex.n, look_at_vertices, &s);
+    memset(s.active, 1, mesh->vertex.n);
+    size_t doubtful = doubtful_edges(&s);
+    struct feature_mesh found = {0};
+    s.walls_only = doubtful > MOST_DOUBTFUL;
+    if (!s.walls_only || walls)
+        found = look(&s, threads);
+    struct feature_relocate settle = settling(&s);
+    if (found.creases + found.walls > 0 && noise > NOISY * spacing)
+        feature_relocate_feet(&settle);
+    if (found.creases + found.walls > 0)
+        found = keep_better(&s, &before, n, threads);
+    else
+        feature_relocate_back(&settle, &before);
+    add_places(&s, &found.place);
+    found.too_many = s.walls_only ? doubtful : 0;
+    array_free(&before.vertex);
+    array_free(&before.normal);
+    free(s.rough);
+    free(s.active);
+    free(s.feature);
+    kdtree_free(tree);
+    if (walls)
+        kdtree_free(walls);
+    mesh_edges_free(&edges);
+    return found;
+}

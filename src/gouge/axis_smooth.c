@@ -1,0 +1,161 @@
+/* axis_smooth - see axis_smooth.h. */
+#include "gouge/axis_smooth.h"
+
+#include <stdlib.h>
+
+enum { SWEEPS = 40, COARSEST = 256 };
+
+static const double OVER = 1.7;   /* over-relaxation */
+static const double STILL = 1e-9; /* mm: points no further apart are in one place */
+
+static void set_axis(struct run *run, size_t i, struct vec3 axis)
+{
+    run->item[i].axis = axis;
+    run->item[i].tip = vec_along(run->item[i].ball, -run->radius, axis);
+}
+
+/* The axis nearest to a, within the cone about `middle`. */
+static struct vec3 into_cone(struct vec3 a, struct vec3 middle, double play)
+{
+    double off = vec_angle(a, middle);
+
+    return off > play ? vec_slerp(middle, a, play / off) : a;
+}
+
+/* One axis towards the mean of its neighbours, the nearer one counting more. */
+static void relax(struct run *run, const struct vec3 *middle, double play, size_t before, size_t i,
+                  size_t behind)
+{
+    const struct run_point *p = run->item;
+    double d0 = fmax(vec_distance(p[before].ball, p[i].ball), STILL);
+    double d1 = fmax(vec_distance(p[i].ball, p[behind].ball), STILL);
+    struct vec3 mean = p[i].axis;
+
+    if (before == i)
+        mean = p[behind].axis;
+    else if (behind == i)
+        mean = p[before].axis;
+    else
+        mean = vec_mix(p[before].axis, p[behind].axis, d0 / (d0 + d1));
+    struct vec3 to = vec_unit(vec_mix(p[i].axis, mean, OVER));
+    if (vec_length(to) > 0)
+        set_axis(run, i, into_cone(to, middle[i], play));
+}
+
+/* The index of the next point that counts at this stride; the last one always does. */
+static size_t next(size_t i, size_t stride, size_t n)
+{
+    return i + stride < n ? i + stride : n - 1;
+}
+
+static void relax_all(struct run *run, const struct vec3 *middle, double play, size_t stride)
+{
+    for (int sweep = 0; sweep < SWEEPS; sweep++) {
+        for (size_t i = 0, before = 0;; before = i, i = next(i, stride, run->n)) {
+            relax(run, middle, play, before, i, next(i, stride, run->n));
+            if (i + 1 == run->n)
+                break;
+        }
+    }
+}
+
+/* The axes between the points that count, evenly. */
+static void fill(struct run *run, const struct vec3 *middle, double play, size_t stride)
+{
+    for (size_t from = 0; from + 1 < run->n; from = next(from, stride, run->n)) {
+        size_t to = next(from, stride, run->n);
+        for (size_t i = from + 1; i < to; i++) {
+            double s = (double)(i - from) / (double)(to - from);
+            struct vec3 a = vec_slerp(run->item[from].axis, run->item[to].axis, s);
+            set_axis(run, i, into_cone(a, middle[i], play));
+        }
+    }
+}
+
+void axis_smooth_play(struct run *run, double play)
+{
+    struct vec3 *middle = mem_alloc(run->n + 1, sizeof *middle);
+
+    for (size_t i = 0; i < run->n; i++)
+        middle[i] = run->item[i].axis;
+    for (size_t stride = COARSEST; run->n > 2 && stride >= 1; stride /= 2) {
+        if (stride >= run->n)
+            continue;
+        relax_all(run, middle, play, stride);
+        fill(run, middle, play, stride);
+    }
+    free(middle);
+}
+
+double axis_smooth_fastest(const struct run *run)
+{
+    double fastest = 0;
+
+    for (size_t i = 1; i < run->n; i++) {
+        const struct run_point *a = &run->item[i - 1], *b = &run->item[i];
+        double turn = vec_angle(a->axis, b->axis);
+        double way = fmin(vec_distance(a->ball, b->ball), vec_distance(a->tip, b->tip));
+        if (turn > 1e-9)
+            fastest = fmax(fastest, way > STILL ? turn / way : HUGE_VAL);
+    }
+    return fastest;
+}
+
+/* Each axis becomes the mean of those within `half` mm along the path, by the length that each
+ * stands for and less the further it is. */
+static void average(struct run *run, const struct vec3 *axis, const double *along, double half)
+{
+    size_t low = 0, high = 0;
+
+    for (size_t i = 0; i < run->n; i++) {
+        while (along[i] - along[low] > half)
+            low++;
+        while (high + 1 < run->n && along[high + 1] - along[i] <= half)
+            high++;
+        struct vec3 sum = vec_scale(1e-9, axis[i]);
+        for (size_t k = low; k < high; k++) {
+            double length = along[k + 1] - along[k];
+            double near = 1 - fabs((along[k] + along[k + 1]) / 2 - along[i]) / half;
+            sum = vec_along(sum, length * fmax(near, 0), vec_add(axis[k], axis[k + 1]));
+        }
+        struct vec3 mean = vec_unit(sum);
+        if (vec_length(mean) > 0)
+            set_axis(run, i, mean);
+    }
+}
+
+/* Where nothing less helps: one axis for all. */
+static void one_axis(struct run *run, const struct vec3 *axis)
+{
+    struct vec3 sum = vec(0, 0, 0);
+
+    for (size_t i = 0; i < run->n; i++)
+        sum = vec_add(sum, axis[i]);
+    struct vec3 mean = vec_length(sum) > 0 ? vec_unit(sum) : axis[0];
+    for (size_t i = 0; i < run->n; i++)
+        set_axis(run, i, mean);
+}
+
+double axis_smooth_rate(struct run *run, double rate)
+{
+    struct vec3 *axis = mem_alloc(run->n + 1, sizeof *axis);
+    double *along = mem_alloc(run->n + 1, sizeof *along), turned = 0;
+
+    for (size_t i = 0; i < run->n; i++) {
+        axis[i] = run->item[i].axis;
+        along[i] =
+            i > 0 ? along[i - 1] + vec_distance(run->item[i].ball, run->item[i - 1].ball) : 0;
+    }
+    for (double half = 0.5; run->n > 1 && axis_smooth_fastest(run) > rate; half *= 2) {
+        if (half > along[run->n - 1]) {
+            one_axis(run, axis);
+            break;
+        }
+        average(run, axis, along, half);
+    }
+    for (size_t i = 0; i < run->n; i++)
+        turned = fmax(turned, vec_angle(axis[i], run->item[i].axis));
+    free(axis);
+    free(along);
+    return turned;
+}

@@ -1,0 +1,107 @@
+/* holder - see holder.h. */
+#include "gouge/holder.h"
+
+#include <stdbool.h>
+
+double holder_length(const struct holder *holder)
+{
+    double length = 0;
+    for (int i = 0; i < holder->n; i++)
+        length += holder->part[i].length;
+    return length;
+}
+
+double holder_reach(const struct holder *holder)
+{
+    double reach = 0, height = 0;
+    for (int i = 0; i < holder->n; i++) {
+        const struct holder_part *part = &holder->part[i];
+        reach = fmax(reach, hypot(part->low, height));
+        height += part->length;
+        reach = fmax(reach, hypot(part->high, height));
+    }
+    return reach;
+}
+
+/* A place beside the axis: how far from it, and how high. */
+struct place {
+    double r, h;
+};
+
+/* Squared distance of p from the segment. */
+static double to_segment2(struct place a, struct place b, struct place p)
+{
+    double dr = b.r - a.r, dh = b.h - a.h, l2 = dr * dr + dh * dh;
+    double r = p.r - a.r, h = p.h - a.h, along = dr * r + dh * h;
+    double s = along <= 0 ? 0 : along >= l2 ? 1 : along / l2;
+    r -= s * dr;
+    h -= s * dh;
+    return r * r + h * h;
+}
+
+static double smaller(double a, double b)
+{
+    return a < b ? a : b;
+}
+
+double holder_distance(const struct holder *holder, struct vec3 centre, struct vec3 axis,
+                       struct vec3 p)
+{
+    struct vec3 d = vec_sub(p, centre);
+    double h = vec_dot(d, axis);
+    const struct place at = {vec_length(vec_along(d, -h, axis)), h};
+    struct place last = {0, 0}; /* the outline from the axis outward and up, and back to it */
+    double least = HUGE_VAL;
+    bool inside = false;
+    if (holder->n == 0)
+        return HUGE_VAL;
+    for (int i = 0; i < holder->n; i++) {
+        const struct holder_part *part = &holder->part[i];
+        const struct place low = {part->low, last.h}, high = {part->high, last.h + part->length};
+        double share = (at.h - low.h) / part->length;
+        least = smaller(least, to_segment2(last, low, at));
+        least = smaller(least, to_segment2(low, high, at));
+        inside = inside ||
+                 (share >= 0 && share <= 1 && at.r < part->low + share * (part->high - part->low));
+        last = high;
+    }
+    least = sqrt(smaller(least, to_segment2(last, (struct place){0, last.h}, at)));
+    return inside ? -least : least;
+}
+
+/* Squared distance of the segment from the corner of the box that is furthest from it. */
+static double to_corners2(struct place a, struct place b, struct place middle, struct place half)
+{
+    double most = 0;
+    for (int k = 0; k < 4; k++) {
+        struct place corner = {middle.r + (k % 2 ? half.r : -half.r),
+                               middle.h + (k / 2 ? half.h : -half.h)};
+        corner.r = corner.r < 0 ? 0 : corner.r;
+        most = -smaller(-most, -to_segment2(a, b, corner));
+    }
+    return most;
+}
+
+double holder_bound(const struct holder *holder, struct vec3 centre, struct vec3 axis,
+                    struct vec3 middle, struct vec3 half)
+{
+    double spread = vec_length(half);
+    double bound = holder_distance(holder, centre, axis, middle) - spread;
+    if (bound >= 0)
+        return bound;
+    struct vec3 d = vec_sub(middle, centre);
+    double h = vec_dot(d, axis), depth2 = HUGE_VAL;
+    const struct place at = {vec_length(vec_along(d, -h, axis)), h};
+    const struct place reach = {spread, fabs(half.x * axis.x) + fabs(half.y * axis.y) +
+                                            fabs(half.z * axis.z)};
+    struct place last = {0, 0};
+    for (int i = 0; i < holder->n; i++) {
+        const struct holder_part *part = &holder->part[i];
+        const struct place low = {part->low, last.h}, high = {part->high, last.h + part->length};
+        depth2 = smaller(depth2, to_corners2(last, low, at, reach));
+        depth2 = smaller(depth2, to_corners2(low, high, at, reach));
+        last = high;
+    }
+    depth2 = smaller(depth2, to_corners2(last, (struct place){0, last.h}, at, reach));
+    return fmax(bound, -sqrt(depth2));
+}

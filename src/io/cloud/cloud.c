@@ -1,0 +1,221 @@
+/* cloud - see cloud.h. */
+#include "io/cloud/cloud.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "base/array.h"
+#include "cloud_obj.h"
+#include "cloud_pcd.h"
+#include "cloud_ptx.h"
+#include "cloud_source.h"
+#include "cloud_text.h"
+#include "io/mesh/ply.h"
+#include "base/reader.h"
+
+enum { HEAD = 4096 }; /* bytes that tell what a file is */
+
+enum format { FORMAT_TEXT, FORMAT_PTX, FORMAT_PCD, FORMAT_OBJ, FORMAT_PLY };
+
+/* Files that begin so are known, and are no text of points. */
+static const struct {
+    const char *bytes;
+    size_t n;
+    const char *what;
+} known[] = {
+    {"\xFF\xFE", 2, "text in UTF-16 encoding, expected UTF-8 or ASCII"},
+    {"\xFE\xFF", 2, "text in UTF-16 encoding, expected UTF-8 or ASCII"},
+    {"\x1F\x8B", 2, "compressed by gzip, expected text: gunzip it first"},
+    {"PK\003\004", 4, "compressed by zip, expected text: unzip it first"},
+    {"BZh", 3, "compressed by bzip2, expected text: bunzip2 it first"},
+    {"\xFD"
+     "7zXZ",
+     5, "compressed by xz, expected text: unxz it first"},
+    {"\x28\xB5\x2F\xFD", 4, "compressed by zstd, expected text: unzstd it first"},
+    {"LASF", 4, "a LAS or LAZ file, expected text: export it as x y z"},
+    {"ASTM-E57", 8, "an E57 file, expected text: export it as x y z"},
+    {"solid ", 6, "an STL file, expected points: convert it to PLY"},
+    {"OFF", 3, "an OFF file, expected points: convert it to PLY"},
+    {"COFF", 4, "an OFF file, expected points: convert it to PLY"},
+    {"NOFF", 4, "an OFF file, expected points: convert it to PLY"},
+    {"# vtk ", 6, "a VTK file, expected points: convert it to PLY"},
+    {"ISO-10303-21", 12, "a STEP file, expected points"},
+};
+
+/* IGES has 80 columns, the 73rd of the first line an S. */
+static bool is_iges(const char *head, size_t n)
+{
+    return n >= 80 && head[72] == 'S' && strspn(head + 73, " 0") >= 6 && !memchr(head, '\n', 80);
+}
+
+/* Text in UTF-16 without its mark: every other byte of the first ones is nought. */
+static bool is_utf16(const char *head, size_t n)
+{
+    size_t noughts[2] = {0, 0};
+    if (n < 16)
+        return false;
+    for (size_t i = 0; i < 16; i++)
+        noughts[i % 2] += head[i] == '\0';
+    return (noughts[0] == 8 && noughts[1] == 0) || (noughts[1] == 8 && noughts[0] == 0);
+}
+
+/* A text has no control characters; a few odd ones are left for the line they stand in. */
+static bool is_binary(const char *head, size_t n)
+{
+    size_t odd = 0;
+    for (size_t i = 0; i < n; i++)
+        odd += (unsigned char)head[i] < ' ' && !memchr("\t\n\v\f\r", head[i], 5);
+    return odd > n / 16;
+}
+
+/* Refuses by name what is no text. */
+static int check_text(const struct reader *r, const char *head, size_t n, struct error *error)
+{
+    for (size_t i = 0; i < sizeof known / sizeof *known; i++)
+        if (n >= known[i].n && memcmp(head, known[i].bytes, known[i].n) == 0)
+            return error_at(error, r->name, 0, "%s", known[i].what);
+    if (is_iges(head, n))
+        return error_at(error, r->name, 0, "an IGES file, expected points");
+    if (is_utf16(head, n))
+        return error_at(error, r->name, 0, "text in UTF-16 encoding, expected UTF-8 or ASCII");
+    if (is_binary(head, n))
+        return error_at(error, r->name, 0, "binary data, expected text");
+    return 0;
+}
+
+/* The next line of the head that is neither empty nor a comment; false when there is none. */
+static bool next_line(const char **s, const char *end, const char **line, size_t *n)
+{
+    while (*s < end) {
+        const char *p = *s;
+        while (p < end && (*p == ' ' || *p == '\t'))
+            p++;
+        const char *to = p;
+        while (to < end && *to != '\n' && *to != '\r')
+            to++;
+        *line = p;
+        *n = (size_t)(to - p);
+        *s = to < end ? to + 1 : end;
+        if (*n > 0 && *p != '#')
+            return true;
+    }
+    return false;
+}
+
+static bool begins(const char *line, size_t n, const char *word)
+{
+    size_t length = strlen(word);
+    return n >= length && memcmp(line, word, length) == 0 &&
+           (n == length || line[length] == ' ' || line[length] == '\t');
+}
+
+static bool is_whole_number(const char *line, size_t n)
+{
+    size_t digits = 0;
+    while (digits < n && line[digits] >= '0' && line[digits] <= '9')
+        digits++;
+    for (size_t i = digits; i < n; i++)
+        if (line[i] != ' ' && line[i] != '\t')
+            return false;
+    return digits > 0;
+}
+
+/* All whole lines of the head are statements of an OBJ file, and one of them a vertex. */
+static bool is_obj(const char *head, const char *end)
+{
+    const char *line;
+    size_t n;
+    bool vertex = false, continued = false;
+    while (next_line(&head, end, &line, &n) && (head < end || !vertex)) {
+        if (!continued && !cloud_obj_statement(line, n))
+            return false;
+        vertex = vertex || begins(line, n, "v");
+        continued = line[n - 1] == '\\';
+    }
+    return vertex;
+}
+
+static enum format find_format(const char *head, size_t n)
+{
+    const char *end = head + n, *s = head, *line;
+    size_t length;
+    if (!next_line(&s, end, &line, &length))
+        return FORMAT_TEXT;
+    if (begins(line, length, "ply"))
+        return FORMAT_PLY;
+    if (begins(line, length, "VERSION") || begins(line, length, "FIELDS"))
+        return FORMAT_PCD;
+    if (is_whole_number(line, length) && next_line(&s, end, &line, &length) &&
+        is_whole_number(line, length))
+        return FORMAT_PTX;
+    return is_obj(head, end) ? FORMAT_OBJ : FORMAT_TEXT;
+}
+
+/* The vertices of a PLY file, those that are not finite taken out again. */
+static int read_ply(struct cloud_source *s, struct error *error)
+{
+    size_t first = s->points->n, kept = first;
+    if (ply_read_points(s->reader, s->points, error) < 0)
+        return -1;
+    struct vec3 *p = s->points->item;
+    for (size_t i = first; i < s->points->n; i++) {
+        if (isfinite(p[i].x) && isfinite(p[i].y) && isfinite(p[i].z))
+            p[kept++] = p[i];
+        else
+            s->count->not_finite++;
+    }
+    s->points->n = kept;
+    s->count->points = kept - first;
+    s->count->columns = 3;
+    return 0;
+}
+
+static int read_source(struct cloud_source *s, struct error *error)
+{
+    const char *head;
+    long n = reader_peek(s->reader, &head, HEAD, error);
+    if (n < 0)
+        return -1;
+    if (n == 0)
+        return error_at(error, s->reader->name, 0, "is empty, expected rows of x y z");
+    enum format format = find_format(head, (size_t)n);
+    if (format != FORMAT_PLY && check_text(s->reader, head, (size_t)n, error) < 0)
+        return -1;
+    static int (*const read[])(struct cloud_source *, struct error *) = {
+        [FORMAT_TEXT] = cloud_text_read, [FORMAT_PTX] = cloud_ptx_read,
+        [FORMAT_PCD] = cloud_pcd_read,   [FORMAT_OBJ] = cloud_obj_read,
+        [FORMAT_PLY] = read_ply,
+    };
+    if (read[format](s, error) < 0)
+        return -1;
+    if (s->count->points == 0)
+        return error_at(error, s->reader->name, 0,
+                        "no points (%zu rows left out), expected rows of x y z",
+                        s->count->not_finite + s->count->not_measured);
+    return 0;
+}
+
+int cloud_read(const char *file, struct vec3s *points, struct cloud_count *count,
+               struct error *error)
+{
+    struct reader r;
+    *count = (struct cloud_count){0};
+    if (reader_open(&r, file, error) < 0)
+        return -1;
+    struct cloud_source source = {&r, points, count};
+    int status = read_source(&source, error);
+    reader_close(&r);
+    return status;
+}
+
+double cloud_unit(const char *name)
+{
+    static const struct {
+        const char *name;
+        double mm;
+    } unit[] = {{"mm", 1}, {"cm", 10}, {"m", 1000}, {"um", 0.001}, {"inch", 25.4}, {"in", 25.4}};
+    for (size_t i = 0; i < sizeof unit / sizeof *unit; i++)
+        if (strcmp(name, unit[i].name) == 0)
+            return unit[i].mm;
+    return 0;
+}

@@ -1,0 +1,110 @@
+/* iges_trim - see iges_trim.h. */
+#include "iges_trim.h"
+
+#include <stdlib.h>
+
+#include "base/array.h"
+#include "iges_curve.h"
+
+enum { COUNT_MAX = 2147483647 };
+
+static void ignore(struct patch *patch, const struct iges_entity *loop,
+                   const struct iges_entity *unknown)
+{
+    if (patch->ignored++ == 0) {
+        patch->ignored_entity = loop->number;
+        patch->ignored_type = unknown->type;
+    }
+}
+
+/* The curve that parameter `at` points to: 0 when it was taken, 1 when there is none, or none that
+ * is understood. */
+static int curve_at(const struct iges_trimming *s, const struct iges_values *v, size_t at,
+                    struct patch_loop *loop, const struct iges_entity **unknown,
+                    struct error *error)
+{
+    const struct iges_entity *curve;
+    if (at >= v->n || !(v->item[at].number > 0))
+        return 1;
+    if (iges_pointer(s->iges, v, at, &curve, error) < 0)
+        return -1;
+    return iges_curve(s->iges, curve, loop, unknown, error);
+}
+
+/* A 142: its curve in the parameters (the third number) or in space (the fourth), whichever the
+ * file prefers, else the other one. */
+static int curve_142(const struct iges_trimming *s, const struct iges_values *v,
+                     struct patch_loop *loop, const struct iges_entity **unknown,
+                     struct error *error)
+{
+    bool prefers_space = v->n > 5 && v->item[5].number > 1.5 && v->item[5].number < 2.5;
+    int got = 1;
+    for (int i = 0; i < 2 && got == 1; i++) {
+        patch_loop_free(loop);
+        loop->space = prefers_space == (i == 0);
+        got = curve_at(s, v, loop->space ? 4 : 3, loop, unknown, error);
+    }
+    return got;
+}
+
+/* A 141: for each curve in space the ones in the parameters; all in space where one of them has
+ * none. */
+static int curves_141(const struct iges_trimming *s, const struct iges_values *v,
+                      struct patch_loop *loop, const struct iges_entity **unknown,
+                      struct error *error)
+{
+    long count, parts;
+    int got = 1;
+    if (iges_whole(s->iges, v, 4, 1, COUNT_MAX, "count of curves", &count, error) < 0)
+        return -1;
+    for (int space = 0; space < 2 && got == 1; space++) {
+        size_t at = 5;
+        patch_loop_free(loop);
+        loop->space = space == 1;
+        got = 0;
+        for (long i = 0; i < count && got == 0; i++, at += 3 + (size_t)parts) {
+            if (iges_whole(s->iges, v, at + 2, 0, COUNT_MAX, "count of curves", &parts, error) < 0)
+                return -1;
+            if (space == 1 || parts == 0)
+                got = space == 1 ? curve_at(s, v, at, loop, unknown, error) : 1;
+            for (size_t k = 0; space == 0 && k < (size_t)parts && got == 0; k++)
+                got = curve_at(s, v, at + 3 + k, loop, unknown, error);
+        }
+    }
+    return got;
+}
+
+/* Curves in space: to mm, and placed as what they trim. */
+static void place_loop(const struct iges_trimming *s, struct patch_loop *loop)
+{
+    for (size_t i = 0; i < loop->n; i++)
+        for (size_t k = 0; k < loop->item[i].t.poles; k++) {
+            struct nurbs_pole *p = &loop->item[i].pole[k];
+            struct vec3 at = vec_scale(1 / p->w, vec(p->wx, p->wy, p->wz));
+            at = vec_scale(s->mm * p->w, transform_point(&s->outer, at));
+            *p = (struct nurbs_pole){at.x, at.y, at.z, p->w};
+        }
+}
+
+int iges_trim(const struct iges_trimming *s, struct patch *patch, const struct iges_entity *e,
+              struct error *error)
+{
+    struct patch_loop loop = {0};
+    struct iges_values v;
+    const struct iges_entity *unknown = e;
+    if (iges_values(s->iges, e, &v, error) < 0)
+        return -1;
+    int got = e->type == 142   ? curve_142(s, &v, &loop, &unknown, error)
+              : e->type == 141 ? curves_141(s, &v, &loop, &unknown, error)
+                               : 1;
+    array_free(&v);
+    if (got == 0 && loop.space)
+        place_loop(s, &loop);
+    if (got == 0)
+        *array_push(&patch->loop) = loop;
+    else
+        patch_loop_free(&loop);
+    if (got > 0)
+        ignore(patch, e, unknown);
+    return got < 0 ? -1 : 0;
+}

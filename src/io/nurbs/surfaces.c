@@ -1,0 +1,96 @@
+/* surfaces - see surfaces.h. */
+#include "io/nurbs/surfaces.h"
+
+#include <stdio.h>
+#include <string.h>
+
+#include "base/cli.h"
+#include "iges.h"
+#include "iges_surface.h"
+#include "nurbs_text.h"
+
+enum { LETTER = 72 }; /* column 73 of an IGES line says its section */
+
+static int read_iges(struct reader *r, double mm, struct patches *patches,
+                     struct surfaces_unit *unit, struct error *error)
+{
+    struct iges iges;
+    if (iges_read(r, &iges, error) < 0)
+        return -1;
+    int status = iges_surfaces(&iges, mm, patches, error);
+    unit->scale = iges.scale;
+    snprintf(unit->flag, sizeof unit->flag, "%s", iges.unit_name);
+    size_t n = strlen(iges.unit_text);
+    if (n > 0 && strncmp(iges.unit_name, iges.unit_text, n) != 0)
+        snprintf(unit->other, sizeof unit->other, "%s", iges.unit_text);
+    iges_free(&iges);
+    return status;
+}
+
+/* The first line that is not blank decides. */
+static int read_any(struct reader *r, double mm, struct patches *patches,
+                    struct surfaces_unit *unit, struct error *error)
+{
+    char none[] = "", *line = none;
+    size_t n = 0;
+    int got = 1;
+    while (got > 0 && strspn(line, " \t") == n)
+        got = reader_line(r, &line, &n, error);
+    if (got < 0)
+        return -1;
+    if (got == 0)
+        return error_at(error, r->name, 0, "an empty file, expected IGES or NURBS text");
+    bool iges = n > LETTER && strchr("SCB", line[LETTER]) && line[LETTER] != '\0';
+    const char *word = line + strspn(line, " \t");
+    bool text = *word == '#' || (strncmp(word, "nurbs", 5) == 0 && strspn(word + 5, " \t") > 0);
+    reader_unread(r);
+    if (iges)
+        return read_iges(r, mm, patches, unit, error);
+    if (text)
+        return nurbs_text_read(r, mm, patches, error);
+    return error_at(
+        error, r->name, r->line + 1,
+        "neither IGES (a section letter in column 73) nor NURBS text (nurbs 1), expected "
+        "one of them");
+}
+
+int surfaces_read(const char *file, double mm, struct patches *patches, struct surfaces_unit *unit,
+                  struct error *error)
+{
+    struct reader r;
+    *unit = (struct surfaces_unit){.scale = 1};
+    if (reader_open(&r, file, error) < 0)
+        return -1;
+    int status = read_any(&r, mm, patches, unit, error);
+    reader_close(&r);
+    return status;
+}
+
+void surfaces_tell(const struct patches *patches)
+{
+    for (size_t i = 0; i < patches->n; i++) {
+        const struct patch *p = &patches->item[i];
+        if (p->ignored > 0)
+            say("%s: surface %d: %d trimming curve%s ignored, the first at directory entry %d "
+                "(entity type %d is not understood there)",
+                p->file, p->entity, p->ignored, p->ignored == 1 ? "" : "s", p->ignored_entity,
+                p->ignored_type);
+    }
+    if (patches->others > 0)
+        say("%zu surface%s of other types left out, the first at directory entry %d (type %d); "
+            "only "
+            "type 128 is read",
+            patches->others, patches->others == 1 ? "" : "s", patches->other_entity,
+            patches->other_type);
+}
+
+void surfaces_tell_unit(const char *file, const struct surfaces_unit *unit, const char *taken)
+{
+    if (unit->flag[0] && !taken)
+        note("%s: unit %s", file, unit->flag);
+    if (unit->other[0])
+        say("%s: the unit flag says %s, the name beside it %s: took %s", file, unit->flag,
+            unit->other, taken ? taken : unit->flag);
+    if ((unit->scale < 1 || unit->scale > 1) && !taken)
+        say("%s: model scale %g worked in", file, unit->scale);
+}

@@ -1,0 +1,231 @@
+/* machine - see machine.h; machine_read.c has the files. */
+#include "machine/machine.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "base/array.h"
+#include "machine/control.h"
+#include "machine/keys.h"
+#include "machine/template.h"
+
+static const char letters[] = "XYZABC";
+
+char machine_letter(int axis)
+{
+    return letters[axis];
+}
+
+struct machine machine_default(void)
+{
+    struct machine m = {
+        .name = "Table-table A/C",
+        .type = TABLE_TABLE,
+        .axes = "A C",
+        .axis = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}},
+        .tcp = true,
+        .arcs = true,
+        .splines = true,
+        .cycles = true,
+        .min = {-2000, -2000, -2000, -120, -120, -99999},
+        .max = {2000, 2000, 2000, 120, 120, 99999},
+        .rapid = {30000, 30000, 30000, 7200, 7200, 7200},
+        .retract = 50,
+        .feed_max = 99999,
+        .number_step = 10,
+        .number_max = 99999999,
+        .digits = {-1, -1, -1, -1, -1},
+    };
+    return m;
+}
+
+static void add_bounded(struct keys *keys, const char *name, enum key_kind kind, void *value,
+                        double min, double max)
+{
+    struct key *key = keys_add(keys, name, kind, value);
+    key->min = min;
+    key->max = max;
+}
+
+static void add_text(struct keys *keys, const char *name, char *value, size_t size)
+{
+    keys_add(keys, name, KEY_TEXT, value)->size = size;
+}
+
+/* The keys of one axis: x.min x.max, a.rapid axis.A centre.A */
+static void add_axis(struct keys *keys, struct machine *m, int axis)
+{
+    char name[20], large = letters[axis], small = (char)(large - 'A' + 'a');
+    snprintf(name, sizeof name, "%c.min", small);
+    add_bounded(keys, name, KEY_NUMBER, &m->min[axis], 0, 0);
+    snprintf(name, sizeof name, "%c.max", small);
+    add_bounded(keys, name, KEY_NUMBER, &m->max[axis], 0, 0);
+    if (axis < MACHINE_A)
+        return;
+    snprintf(name, sizeof name, "%c.rapid", small);
+    add_bounded(keys, name, KEY_NUMBER, &m->rapid[axis], 1, 1e7);
+    snprintf(name, sizeof name, "axis.%c", large);
+    keys_add(keys, name, KEY_VECTOR, &m->axis[axis - MACHINE_A]);
+    snprintf(name, sizeof name, "centre.%c", large);
+    keys_add(keys, name, KEY_VECTOR, &m->centre[axis - MACHINE_A]);
+}
+
+struct keys machine_keys(struct machine *m)
+{
+    struct keys keys = {0};
+    add_text(&keys, "name", m->name, sizeof m->name);
+    add_text(&keys, "control", m->control, sizeof m->control);
+    keys_add(&keys, "type", KEY_CHOICE, &m->type)->words =
+        "table-table|head-table|head-head|table|head|none";
+    add_text(&keys, "axes", m->axes, sizeof m->axes);
+    for (int axis = 0; axis < MACHINE_AXES; axis++)
+        add_axis(&keys, m, axis);
+    keys_add(&keys, "tcp", KEY_YES, &m->tcp);
+    keys_add(&keys, "arcs", KEY_YES, &m->arcs);
+    keys_add(&keys, "arcs.space", KEY_YES, &m->arcs_space);
+    keys_add(&keys, "splines", KEY_YES, &m->splines);
+    keys_add(&keys, "cycles", KEY_YES, &m->cycles);
+    keys_add(&keys, "cutcom", KEY_YES, &m->cutcom);
+    add_bounded(&keys, "rapid", KEY_NUMBER, &m->rapid[MACHINE_X], 1, 1e7);
+    add_bounded(&keys, "retract", KEY_NUMBER, &m->retract, 0.1, 1e5);
+    add_text(&keys, "offset", m->offset, sizeof m->offset);
+    add_text(&keys, "home", m->blocks.home, sizeof m->blocks.home);
+    add_text(&keys, "start", m->blocks.start, sizeof m->blocks.start);
+    add_text(&keys, "end", m->blocks.end, sizeof m->blocks.end);
+    add_text(&keys, "tool.change", m->blocks.tool_change, sizeof m->blocks.tool_change);
+    add_text(&keys, "tap", m->blocks.tap, sizeof m->blocks.tap);
+    add_text(&keys, "tcp.on", m->blocks.tcp_on, sizeof m->blocks.tcp_on);
+    add_text(&keys, "tcp.off", m->blocks.tcp_off, sizeof m->blocks.tcp_off);
+    keys_add(&keys, "smooth", KEY_YES, &m->smooth);
+    add_text(&keys, "smooth.on", m->blocks.smooth_on, sizeof m->blocks.smooth_on);
+    add_text(&keys, "smooth.off", m->blocks.smooth_off, sizeof m->blocks.smooth_off);
+    keys_add(&keys, "plane", KEY_YES, &m->plane);
+    add_text(&keys, "plane.on", m->blocks.plane_on, sizeof m->blocks.plane_on);
+    add_text(&keys, "plane.off", m->blocks.plane_off, sizeof m->blocks.plane_off);
+    keys_add(&keys, "feeds", KEY_CHOICE, &m->feeds)->words = "inverse|combined";
+    add_bounded(&keys, "feed.max", KEY_NUMBER, &m->feed_max, 1, 1e8);
+    add_bounded(&keys, "number.step", KEY_COUNT, &m->number_step, 0, 1000);
+    add_bounded(&keys, "number.max", KEY_COUNT, &m->number_max, 999, 999999999);
+    add_bounded(&keys, "digits.linear", KEY_COUNT, &m->digits.linear, 1, 9);
+    add_bounded(&keys, "digits.angle", KEY_COUNT, &m->digits.angle, 1, 9);
+    add_bounded(&keys, "digits.vector", KEY_COUNT, &m->digits.vector, 3, 9);
+    add_bounded(&keys, "digits.knot", KEY_COUNT, &m->digits.knot, 0, 9);
+    add_bounded(&keys, "digits.feed", KEY_COUNT, &m->digits.feed, 0, 9);
+    return keys;
+}
+
+int machine_set(struct machine *machine, const char *setting, struct error *error)
+{
+    struct keys keys = machine_keys(machine);
+    char *text = mem_string(setting, strlen(setting));
+    int result = keys_set(&keys, text, "--set", 0, error);
+    free(text);
+    array_free(&keys);
+    return result;
+}
+
+/* The letters of the rotary axes, blanks between or not: their number, -1 when they are wrong. */
+static int read_letters(const char *axes, int letter[ROTARY_MAX])
+{
+    int n = 0;
+    for (; *axes; axes++) {
+        if (*axes == ' ' || *axes == '\t')
+            continue;
+        const char *found = strchr("ABC", *axes);
+        if (!found || n == ROTARY_MAX)
+            return -1;
+        letter[n++] = MACHINE_A + (int)(found - "ABC");
+    }
+    return n == 2 && letter[0] == letter[1] ? -1 : n;
+}
+
+static int check_templates(const struct machine *m, char key[KEY_NAME], struct error *error)
+{
+    const struct machine_templates *b = &m->blocks;
+    const struct {
+        const char *key, *text;
+    } all[] = {{"home", b->home},
+               {"start", b->start},
+               {"end", b->end},
+               {"tool.change", b->tool_change},
+               {"tap", b->tap},
+               {"tcp.on", b->tcp_on},
+               {"tcp.off", b->tcp_off},
+               {"smooth.on", b->smooth_on},
+               {"smooth.off", b->smooth_off},
+               {"plane.on", b->plane_on},
+               {"plane.off", b->plane_off}};
+    for (size_t i = 0; i < sizeof all / sizeof *all; i++) {
+        snprintf(key, KEY_NAME, "%s", all[i].key);
+        if (template_check(all[i].text, error) != 0)
+            return -1;
+    }
+    return 0;
+}
+
+static int check_travel(const struct machine *m, char key[KEY_NAME], struct error *error)
+{
+    for (int axis = 0; axis < MACHINE_AXES; axis++) {
+        char small = (char)(letters[axis] - 'A' + 'a');
+        snprintf(key, KEY_NAME, "%c.max", small);
+        if (m->min[axis] > m->max[axis])
+            return error_set(error, "found %c.min %g above %c.max %g, expected min <= max", small,
+                             m->min[axis], small, m->max[axis]);
+    }
+    return 0;
+}
+
+/* The chain, work to tool: a table's outer axis and a head's inner one are nearest the tool. */
+static int make_chain(struct machine *m, const int letter[], int n, char key[KEY_NAME],
+                      struct error *error)
+{
+    bool turned = m->type == TABLE_TABLE || m->type == HEAD_TABLE;
+    m->chain =
+        (struct kinematic_chain){.n = n, .master = turned && n == 2 ? 1 : 0, .tool = {0, 0, 1}};
+    for (int i = 0; i < n; i++) {
+        int k = letter[turned ? n - 1 - i : i], of = k - MACHINE_A;
+        bool table =
+            m->type == TABLE_TABLE || m->type == ONE_TABLE || (m->type == HEAD_TABLE && i == 0);
+        m->letter[i] = k;
+        m->chain.rotary[i] = (struct rotary){.axis = vec_unit(m->axis[of]),
+                                             .centre = m->centre[of],
+                                             .table = table,
+                                             .min = RADIANS(m->min[k]),
+                                             .max = RADIANS(m->max[k]),
+                                             .rapid = RADIANS(m->rapid[k])};
+        snprintf(key, KEY_NAME, "axis.%c", letters[k]);
+        if (!(vec_length(m->axis[of]) >= 1e-9 && vec_length(m->axis[of]) < 1e9))
+            return error_set(error, "%s: found a direction %g long, expected 1e-9 to 1e9", key,
+                             vec_length(m->axis[of]));
+    }
+    if (n == 2 && vec_length(vec_cross(m->chain.rotary[0].axis, m->chain.rotary[1].axis)) < 1e-6)
+        return error_set(error, "axes: found two parallel rotary axes, expected two directions");
+    return 0;
+}
+
+int machine_assemble(struct machine *m, char key[KEY_NAME], struct error *error)
+{
+    static const int axes_of_type[] = {2, 2, 2, 1, 1, 0};
+    int letter[ROTARY_MAX] = {0, 0}, n = axes_of_type[m->type];
+    snprintf(key, KEY_NAME, "control");
+    if (*m->control && !control_known(m->control))
+        return error_set(error, "control: found `%s`, expected %s", m->control, CONTROL_NAMES);
+    if (check_templates(m, key, error) != 0 || check_travel(m, key, error) != 0)
+        return -1;
+    snprintf(key, KEY_NAME, "axes");
+    if (n && read_letters(m->axes, letter) != n)
+        return error_set(error, "axes: found `%s`, expected %s of A B C", m->axes,
+                         n == 2 ? "two" : "one");
+    m->rapid[MACHINE_Y] = m->rapid[MACHINE_Z] = m->rapid[MACHINE_X];
+    return make_chain(m, letter, n, key, error);
+}
+
+int machine_finish(struct machine *m, struct error *error)
+{
+    char key[KEY_NAME];
+    struct error found;
+    if (machine_assemble(m, key, &found) == 0)
+        return 0;
+    return error_set(error, "machine %.100s: %s", m->name, found.text);
+}

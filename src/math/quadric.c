@@ -1,0 +1,252 @@
+/*
+ * quadric - normal equations about the middle of the neighbourhood, in units of its size, solved
+ * by Cholesky's method; see quadric.h.
+ */
+#include "math/quadric.h"
+
+enum { TERMS = 6 };
+
+/* Part of a term that the terms before it must leave over. */
+static const double INDEPENDENT = 0.02;
+
+/* Width of a neighbourhood by its length, up to which it is a strip. */
+static const double NARROW = 0.1;
+
+/* What the fit works in: (u - u0) / size, (v - v0) / size. */
+struct span {
+    double u0, v0, size;
+    double width; /* of the neighbourhood as part of its length */
+};
+
+static void local(const struct quadric *q, struct vec3 p, double *u, double *v, double *w)
+{
+    struct vec3 d = vec_sub(p, q->origin);
+    *u = vec_dot(d, q->u);
+    *v = vec_dot(d, q->v);
+    *w = vec_dot(d, q->w);
+}
+
+/* The middle of the neighbourhood and its size. */
+static struct span span_of(const struct quadric *q, const struct vec3 *point, const double *weight,
+                           size_t n)
+{
+    double count = 0, uu = 0, uv = 0, vv = 0, su = 0, sv = 0, u, v, w, u1, v1;
+    if (n == 0)
+        return (struct span){0, 0, 0, 0};
+    local(q, point[0], &u1, &v1, &w); /* near the middle: no digits are lost */
+    for (size_t i = 0; i < n; i++) {
+        double part = weight ? weight[i] : 1;
+        local(q, point[i], &u, &v, &w);
+        u -= u1;
+        v -= v1;
+        count += part;
+        su += part * u;
+        sv += part * v;
+        uu += part * u * u;
+        uv += part * u * v;
+        vv += part * v * v;
+    }
+    su /= count;
+    sv /= count;
+    uu -= count * su * su;
+    uv -= count * su * sv;
+    vv -= count * sv * sv;
+    /* the eigenvalues of the sums are the squares of length and width */
+    double mean = (uu + vv) / 2, half = hypot((uu - vv) / 2, uv);
+    return (struct span){u1 + su, v1 + sv, sqrt((uu + vv) / count),
+                         mean + half > 0 ? sqrt(fmax(mean - half, 0) / (mean + half)) : 0};
+}
+
+/* Sums of the products of all terms with each other and, in the last column, with w: the products
+ * of two terms are powers u^i v^j of which many are the same. */
+static void add_up(const struct quadric *q, struct span s, const struct vec3 *point,
+                   const double *weight, size_t n, double sum[TERMS][TERMS + 1])
+{
+    double m[5][5] = {{0}}, mw[TERMS] = {0}, shrink = 1 / s.size;
+    for (size_t k = 0; k < n; k++) {
+        double u, v, w, part = weight ? weight[k] : 1;
+        local(q, point[k], &u, &v, &w);
+        u = (u - s.u0) * shrink;
+        v = (v - s.v0) * shrink;
+        double uu = part * u * u, uv = part * u * v, vv = part * v * v, u2 = u * u, v2 = v * v;
+        m[0][0] += part;
+        m[1][0] += part * u;
+        m[0][1] += part * v;
+        m[2][0] += uu;
+        m[1][1] += uv;
+        m[0][2] += vv;
+        m[3][0] += uu * u;
+        m[2][1] += uu * v;
+        m[1][2] += vv * u;
+        m[0][3] += vv * v;
+        m[4][0] += uu * u2;
+        m[3][1] += uv * u2;
+        m[2][2] += uu * v2;
+        m[1][3] += uv * v2;
+        m[0][4] += vv * v2;
+        mw[0] += part * w;
+        mw[1] += part * u * w;
+        mw[2] += part * v * w;
+        mw[3] += uu * w;
+        mw[4] += uv * w;
+        mw[5] += vv * w;
+    }
+    static const int power[TERMS][2] = {{0, 0}, {1, 0}, {0, 1}, {2, 0}, {1, 1}, {0, 2}};
+    for (int i = 0; i < TERMS; i++) {
+        for (int j = 0; j < TERMS; j++)
+            sum[i][j] = m[power[i][0] + power[j][0]][power[i][1] + power[j][1]];
+        sum[i][TERMS] = mw[i];
+    }
+}
+
+/* Solves the symmetric system whose upper half and right side stand in `a`; -1 when a term depends
+ * on the others. */
+static int solve(double a[TERMS][TERMS + 1], double x[TERMS])
+{
+    for (int i = 0; i < TERMS; i++) {
+        double whole = a[i][i];
+        for (int k = 0; k < i; k++)
+            a[i][i] -= a[k][i] * a[k][i];
+        if (!(a[i][i] > INDEPENDENT * whole))
+            return -1;
+        double root = sqrt(a[i][i]);
+        for (int j = i; j <= TERMS; j++) {
+            if (j > i)
+                for (int k = 0; k < i; k++)
+                    a[i][j] -= a[k][i] * a[k][j];
+            a[i][j] = j > i ? a[i][j] / root : root;
+        }
+    }
+    for (int i = TERMS - 1; i >= 0; i--) {
+        x[i] = a[i][TERMS];
+        for (int j = i + 1; j < TERMS; j++)
+            x[i] -= a[i][j] * x[j];
+        x[i] /= a[i][i];
+    }
+    return 0;
+}
+
+/* Variance of the sum of part[i] x[i]: |y|^2, U' y = part, where U' U are the sums of products; `a`
+ * holds U, as solve leaves it. */
+static double variance_of(double a[TERMS][TERMS + 1], const double part[TERMS])
+{
+    double y[TERMS], sum2 = 0;
+    for (int i = 0; i < TERMS; i++) {
+        y[i] = part[i];
+        for (int k = 0; k < i; k++)
+            y[i] -= a[k][i] * y[k];
+        y[i] /= a[i][i];
+        sum2 += y[i] * y[i];
+    }
+    return sum2;
+}
+
+/* Of the surface over the origin, which is at u, v in units of size, and of its slopes there. */
+static void find_variances(double a[TERMS][TERMS + 1], struct span s, struct quadric *q)
+{
+    double u = -s.u0 / s.size, v = -s.v0 / s.size;
+    const double value[TERMS] = {1, u, v, u * u, u * v, v * v};
+    const double by_u[TERMS] = {0, 1, 0, 2 * u, v, 0}, by_v[TERMS] = {0, 0, 1, 0, u, 2 * v};
+    q->variance = variance_of(a, value);
+    q->tilt = (variance_of(a, by_u) + variance_of(a, by_v)) / (s.size * s.size);
+}
+
+int quadric_fit(const struct vec3 *point, size_t n, struct vec3 origin, struct vec3 guess,
+                struct quadric *quadric)
+{
+    return quadric_fit_weighted(point, NULL, n, origin, guess, quadric);
+}
+
+int quadric_fit_weighted(const struct vec3 *point, const double *weight, size_t n,
+                         struct vec3 origin, struct vec3 guess, struct quadric *quadric)
+{
+    double sum[TERMS][TERMS + 1], x[TERMS], *c = quadric->c;
+    quadric->origin = origin;
+    quadric->w = guess;
+    quadric->u = vec_perpendicular(guess);
+    quadric->v = vec_cross(guess, quadric->u);
+    c[6] = c[7] = c[8] = c[9] = 0;
+    if (n < TERMS)
+        return -1;
+    struct span s = span_of(quadric, point, weight, n);
+    if (!(s.width > NARROW))
+        return -1;
+    add_up(quadric, s, point, weight, n, sum);
+    if (solve(sum, x) < 0)
+        return -1;
+    find_variances(sum, s, quadric);
+    /* back to u and v: w = x0 + x1 (u - u0) / size + ... */
+    double a = x[1] / s.size, b = x[2] / s.size, size2 = s.size * s.size;
+    c[3] = x[3] / size2;
+    c[4] = x[4] / size2;
+    c[5] = x[5] / size2;
+    c[1] = a - 2 * c[3] * s.u0 - c[4] * s.v0;
+    c[2] = b - 2 * c[5] * s.v0 - c[4] * s.u0;
+    c[0] =
+        x[0] - a * s.u0 - b * s.v0 + c[3] * s.u0 * s.u0 + c[4] * s.u0 * s.v0 + c[5] * s.v0 * s.v0;
+    return 0;
+}
+
+int quadric_settle(const struct vec3 *point, size_t n, struct vec3 origin, struct vec3 guess,
+                   struct quadric *q)
+{
+    const double still = 1e-4; /* radians */
+
+    for (int turn = 0; turn < 4; turn++) {
+        if (quadric_fit(point, n, origin, guess, q) < 0)
+            return -1;
+        struct vec3 normal = quadric_normal(q);
+        if (vec_distance(normal, guess) < still)
+            return 0;
+        guess = normal;
+    }
+    return 0;
+}
+
+/* The plane z = a x + b y + c by least squares has the normal (-a, -b, 1) D, D the determinant of
+ * the sums in x and y; of the three ways to call the axes the one with the largest D counts. */
+struct vec3 plane_normal(const struct vec3 *point, size_t n)
+{
+    struct vec3 mean = vec(0, 0, 0);
+    double xx = 0, xy = 0, xz = 0, yy = 0, yz = 0, zz = 0;
+
+    for (size_t i = 0; i < n; i++)
+        mean = vec_along(mean, 1 / (double)n, point[i]);
+    for (size_t i = 0; i < n; i++) {
+        struct vec3 d = vec_sub(point[i], mean);
+        xx += d.x * d.x;
+        xy += d.x * d.y;
+        xz += d.x * d.z;
+        yy += d.y * d.y;
+        yz += d.y * d.z;
+        zz += d.z * d.z;
+    }
+    double x = yy * zz - yz * yz, y = xx * zz - xz * xz, z = xx * yy - xy * xy;
+    struct vec3 normal;
+    if (x > y && x > z)
+        normal = vec_unit(vec(x, xz * yz - xy * zz, xy * yz - xz * yy));
+    else if (y > z)
+        normal = vec_unit(vec(xz * yz - xy * zz, y, xy * xz - yz * xx));
+    else
+        normal = vec_unit(vec(xy * yz - xz * yy, xy * xz - yz * xx, z));
+    return vec_length(normal) > 0 ? normal : vec(0, 0, 1);
+}
+
+int quadric_fit_steep(const struct vec3 *point, size_t n, struct vec3 origin, struct vec3 guess,
+                      struct quadric *quadric)
+{
+    const double steep = cos(PI / 4);
+    struct quadric other;
+    int fitted = quadric_settle(point, n, origin, guess, quadric);
+    if (guess.z >= steep || quadric_settle(point, n, origin, vec(0, 0, 1), &other) < 0)
+        return fitted;
+    if (fitted < 0 || quadric_rms(&other, point, n) < quadric_rms(quadric, point, n))
+        *quadric = other;
+    return 0;
+}
+
+int quadric_fit_free(const struct vec3 *point, size_t n, struct vec3 origin,
+                     struct quadric *quadric)
+{
+    return quadric_settle(point, n, origin, plane_normal(point, n), quadric);
+}

@@ -1,0 +1,152 @@
+/* side_fit - see side_fit.h. */
+#include "math/side_fit.h"
+
+#include <stdlib.h>
+
+#include "base/array.h"
+
+enum { PLANE = 3, QUADRIC = 6, SOME = 400 };
+
+/* Spread across a neighbourhood by its length, below which its points are on a line. */
+static const double NARROW = 0.05;
+
+/* What a quadric may leave of what a plane leaves, to be worth its freedom. */
+static const double BETTER = 0.6;
+
+static void place(const struct quadric *q, struct vec3 p, double *u, double *v, double *w)
+{
+    struct vec3 d = vec_sub(p, q->origin);
+
+    *u = vec_dot(d, q->u);
+    *v = vec_dot(d, q->v);
+    *w = vec_dot(d, q->w);
+}
+
+/* What the fit leaves to each of the points that it does not fix. */
+static double left_over(const struct quadric *q, const struct vec3 *point, size_t n, size_t fixed)
+{
+    return n > fixed ? quadric_rms(q, point, n) * sqrt((double)n / (double)(n - fixed)) : 0;
+}
+
+struct quadric side_fit_frame(struct vec3 origin, struct vec3 w)
+{
+    struct quadric q = {.origin = origin, .w = w, .u = vec_perpendicular(w)};
+
+    q.v = vec_cross(w, q.u);
+    return q;
+}
+
+void side_fit_local(const struct quadric *q, const struct vec3 *point, size_t n, struct vec3 *local)
+{
+    for (size_t i = 0; i < n; i++)
+        place(q, point[i], &local[i].x, &local[i].y, &local[i].z);
+}
+
+int side_fit_plane_of(const struct vec3 *local, const unsigned char *side, unsigned char which,
+                      size_t n, struct side_fit *sheet)
+{
+    double mu = 0, mv = 0, mh = 0, uu = 0, uv = 0, vv = 0, uh = 0, vh = 0, *c = sheet->q.c;
+    size_t count = 0;
+
+    for (size_t i = 0; i < n; i++) {
+        if (side && side[i] != which)
+            continue;
+        mu += local[i].x;
+        mv += local[i].y;
+        mh += local[i].z;
+        count++;
+    }
+    if (count <= PLANE)
+        return -1;
+    mu /= (double)count;
+    mv /= (double)count;
+    mh /= (double)count;
+    for (size_t i = 0; i < n; i++) {
+        double u = local[i].x - mu, v = local[i].y - mv, h = local[i].z - mh;
+        if (side && side[i] != which)
+            continue;
+        uu += u * u;
+        uv += u * v;
+        vv += v * v;
+        uh += u * h;
+        vh += v * h;
+    }
+    /* the smaller eigenvalue by the larger one is the square of width by length */
+    double mean = (uu + vv) / 2, half = hypot((uu - vv) / 2, uv), det = uu * vv - uv * uv;
+    if (!(mean - half > NARROW * NARROW * (mean + half)) || !(det > 0))
+        return -1;
+    c[1] = (uh * vv - vh * uv) / det;
+    c[2] = (vh * uu - uh * uv) / det;
+    c[0] = mh - c[1] * mu - c[2] * mv;
+    return 0;
+}
+
+int side_fit_plane(const struct vec3 *point, size_t n, struct vec3 origin, struct vec3 w,
+                   struct side_fit *sheet)
+{
+    struct side_fit plane = {.q = side_fit_frame(origin, w)};
+    struct vec3 local[SOME], *all = n > SOME ? mem_alloc(n, sizeof *all) : local;
+
+    side_fit_local(&plane.q, point, n, all);
+    int status = side_fit_plane_of(all, NULL, 0, n, &plane);
+    if (n > SOME)
+        free(all);
+    if (status < 0)
+        return -1;
+    plane.rms = left_over(&plane.q, point, n, PLANE);
+    *sheet = plane;
+    return 0;
+}
+
+struct side_fit side_fit_through(struct vec3 place, struct vec3 normal, struct vec3 origin,
+                                 struct vec3 w)
+{
+    struct side_fit f = {.q = side_fit_frame(origin, w)};
+    double upright = vec_dot(normal, w);
+
+    f.q.c[1] = -vec_dot(normal, f.q.u) / upright;
+    f.q.c[2] = -vec_dot(normal, f.q.v) / upright;
+    f.q.c[0] = vec_dot(normal, vec_sub(place, origin)) / upright;
+    return f;
+}
+
+void side_fit_bend(const struct vec3 *point, size_t n, struct side_fit *sheet)
+{
+    struct side_fit bent;
+
+    if (n < 3 * QUADRIC || quadric_fit(point, n, sheet->q.origin, sheet->q.w, &bent.q) < 0)
+        return;
+    bent.rms = left_over(&bent.q, point, n, QUADRIC);
+    if (bent.rms < BETTER * sheet->rms)
+        *sheet = bent;
+}
+
+double side_fit_height(const struct side_fit *sheet, struct vec3 p)
+{
+    const double *c = sheet->q.c;
+    double u, v, w;
+
+    place(&sheet->q, p, &u, &v, &w);
+    return c[0] + u * (c[1] + c[3] * u + c[4] * v) + v * (c[2] + c[5] * v);
+}
+
+double side_fit_above(const struct side_fit *sheet, struct vec3 p)
+{
+    return vec_dot(vec_sub(p, sheet->q.origin), sheet->q.w) - side_fit_height(sheet, p);
+}
+
+struct vec3 side_fit_point(const struct side_fit *sheet, struct vec3 p)
+{
+    return vec_along(p, -side_fit_above(sheet, p), sheet->q.w);
+}
+
+struct vec3 side_fit_normal(const struct side_fit *sheet, struct vec3 p)
+{
+    const struct quadric *q = &sheet->q;
+    double u, v, w;
+
+    place(q, p, &u, &v, &w);
+    double du = q->c[1] + 2 * q->c[3] * u + q->c[4] * v;
+    double dv = q->c[2] + 2 * q->c[5] * v + q->c[4] * u;
+    return vec_unit(vec_along(vec_along(q->w, -du, q->u), -dv, q->v));
+}

@@ -1,0 +1,25 @@
+/* vec - see vec.h. */
+#include "math/vec.h"
+
+struct vec3 vec_turn(struct vec3 a, struct vec3 axis, double angle)
+{
+    return vec_turn_by(a, axis, cos(angle), sin(angle));
+}
+
+struct vec3 vec_slerp(struct vec3 a, struct vec3 b, double s)
+{
+    double angle = vec_angle(a, b), sine = sin(angle);
+    if (angle < 1e-6) /* the chord: off the circle by less than 1e-13 */
+        return vec_unit(vec_mix(a, b, s));
+    if (sine < 1e-9) /* opposite: any great circle will do, but the same one always */
+        return vec_turn(a, vec_perpendicular(a), s * angle);
+    double wa = sin((1 - s) * angle) / sine, wb = sin(s * angle) / sine;
+    return vec_along(vec_scale(wa, a), wb, b);
+}
+
+struct vec3 vec_perpendicular(struct vec3 a)
+{
+    double x = fabs(a.x), y = fabs(a.y), z = fabs(a.z);
+    struct vec3 other = x <= y && x <= z ? vec(1, 0, 0) : y <= z ? vec(0, 1, 0) : vec(0, 0, 1);
+    return vec_unit(vec_cross(a, other));
+}

@@ -1,0 +1,189 @@
+/* ncread_fanuc - see ncread_fanuc.h. */
+#include "ncread_fanuc.h"
+
+#include <string.h>
+
+/* G28 and G53: to a place of the machine; the axes named are not known any more. */
+static int machine_move(struct ncread *c, struct ncread_fanuc_block *b, struct error *error)
+{
+    if (c->tcp)
+        return ncread_error(c, error, "G28 or G53 under tool centre point control");
+    if (b->home && c->absolute)
+        return ncread_error(c, error, "G28 without G91: the way leads over a place of the work");
+    for (size_t i = 0; i < c->words.n; i++) {
+        const char *name = c->words.item[i].name;
+        struct ncread_place named = {0};
+        ncread_axis(c, name, 0, &named);
+        for (int k = 0; k < 3; k++)
+            c->here.known[k] = c->here.known[k] && !named.known[k];
+        for (int k = 0; k < 2; k++)
+            c->here.turned[k] = c->here.turned[k] && !named.turned[k];
+    }
+    c->here.has_axis = c->here.has_axis && c->here.turned[0] && c->here.turned[1];
+    return 0;
+}
+
+/* One block of G06.2. */
+static int spline_block(struct ncread *c, struct ncread_fanuc_block *b, struct error *error)
+{
+    if ((!c->tcp && !ncread_upright(c)) || c->vectors)
+        return ncread_error(c, error, "G06.2 wants G43.4");
+    if (!b->centre_named[2])
+        return ncread_error(c, error, "a block of G06.2 without its knot K");
+    struct nc_piece piece = ncread_piece(c, &b->to);
+    if (b->spline_begins) {
+        if (c->pole_p.n > 0)
+            return ncread_error(c, error, "G06.2 inside G06.2");
+        if (vec_distance(piece.p[0], piece.p[1]) > 1e-9 ||
+            vec_distance(piece.q[0], piece.q[1]) > 1e-9)
+            return ncread_error(c, error, "a spline whose first pole is not where the tool is");
+        if (c->order == 0)
+            return ncread_error(c, error, "G06.2 without its order P");
+        if (ncread_ready(c, error) < 0)
+            return -1;
+    } else if (c->pole_p.n == 0) {
+        return ncread_error(c, error, "a block of G06.2 behind its spline's end");
+    }
+    *array_push(&c->knot) = b->centre[2];
+    if (b->named || b->spline_begins) {
+        if (c->knot.n != c->pole_p.n + 1)
+            return ncread_error(c, error, "a pole behind knots that stand alone");
+        ncread_pole(c, &piece, piece.p[1], piece.q[1]);
+        *array_push(&c->weight) = b->radius_named ? b->radius : 1;
+        c->here = b->to;
+    } else if (c->knot.n == c->pole_p.n + (size_t)c->order) {
+        return ncread_spline(c, error);
+    }
+    return 0;
+}
+
+static int arc_block(struct ncread *c, struct ncread_fanuc_block *b, struct nc_piece *piece,
+                     struct error *error)
+{
+    bool by_centre = b->centre_named[0] || b->centre_named[1] || b->centre_named[2];
+    if (c->vectors ? !b->radius_named : by_centre == b->radius_named)
+        return ncread_error(c, error,
+                            "an arc wants its centre by I J K or R, not both; under "
+                            "G43.5 R");
+    if (b->radius_named)
+        return ncread_arc_radius(c, piece, b->radius, c->move == MOVE_CCW, error);
+    struct vec3 to_centre = vec(b->centre[0], b->centre[1], b->centre[2]);
+    return ncread_arc(c, piece, vec_add(piece->p[0], to_centre), c->move == MOVE_CCW, error);
+}
+
+/* The tool axis of the block: I J K under G43.5, all three or none; else the rotary words. */
+static int block_axis(struct ncread *c, struct ncread_fanuc_block *b, struct error *error)
+{
+    int named = b->centre_named[0] + b->centre_named[1] + b->centre_named[2];
+    if (!c->vectors) {
+        ncread_turned(c, &b->to);
+        return 0;
+    }
+    if (b->to.turned[0] || b->to.turned[1])
+        return ncread_error(c, error, "rotary words under G43.5");
+    if (named == 0)
+        return 0;
+    struct vec3 axis = vec(b->centre[0], b->centre[1], b->centre[2]);
+    if (named != 3 || fabs(vec_length(axis) - 1) > 1e-3)
+        return ncread_error(c, error, "a tool vector wants all of I J K and length 1");
+    ncread_pointed(&b->to, axis);
+    b->named = true;
+    return 0;
+}
+
+/* Makes the piece an arc when the block is one, in a plane or in space. */
+static int arc(struct ncread *c, struct ncread_fanuc_block *b, struct nc_piece *piece,
+               struct error *error)
+{
+    if (c->move == MOVE_SPACE) {
+        const double *at = c->middle.at;
+        c->has_middle = false;
+        return ncread_arc_through(c, piece, vec(at[0], at[1], at[2]), error);
+    }
+    return c->move == MOVE_CW || c->move == MOVE_CCW ? arc_block(c, b, piece, error) : 0;
+}
+
+static int run_block(struct ncread *c, struct ncread_fanuc_block *b, struct error *error)
+{
+    if (b->machine || b->home)
+        return machine_move(c, b, error);
+    if (b->tool && c->vectors) {
+        if (b->centre_named[0] || b->centre_named[1] || b->centre_named[2])
+            return ncread_error(c, error, "I J K in the block of G43.5");
+        b->to.turned[0] = b->to.turned[1] = false;
+        c->here.turned[0] = c->here.turned[1] = false;
+    }
+    if (c->move == MOVE_SPLINE && (b->named || b->centre_named[2]))
+        return spline_block(c, b, error);
+    if (c->pole_p.n > 0)
+        return ncread_error(c, error, "a spline that is not complete");
+    if (block_axis(c, b, error) < 0)
+        return -1;
+    if (!b->named)
+        return 0;
+    if (c->hole.on)
+        return ncread_hole_block(c, &b->to, 0.001, error);
+    if (c->move == MOVE_NONE)
+        return ncread_error(c, error, "a place before G0 or G1");
+    if (!c->absolute)
+        return ncread_error(c, error, "a move under G91");
+    if (c->has_middle && c->move != MOVE_SPACE)
+        return ncread_error(c, error, "G02.4 without its end");
+    if (c->move == MOVE_SPACE && !c->has_middle) {
+        c->middle = b->to;
+        c->has_middle = true;
+        return 0;
+    }
+    if (c->move != MOVE_RAPID && !c->length && (c->tilted.on || !c->setup->tcp))
+        return ncread_error(c, error, "cuts without the tool's length, G43");
+    struct nc_piece piece = ncread_piece(c, &b->to);
+    if (arc(c, b, &piece, error) < 0)
+        return -1;
+    return ncread_go(c, &b->to, piece, c->move == MOVE_RAPID, error);
+}
+
+static int read_block(struct ncread *c, const char *line, struct error *error)
+{
+    c->nc_motion->blocks++;
+    if (c->line == 1) {
+        c->move = MOVE_NONE;
+        c->plane = 17;
+        return strcmp(line, "%") == 0 ? 0 : ncread_error(c, error, "expected % alone");
+    }
+    if (c->ended) { /* M30 was read: % alone, once */
+        if (strcmp(line, "%") != 0 || c->closed)
+            return ncread_error(c, error, "expected % behind M30 and nothing behind it");
+        c->closed = true;
+        return 0;
+    }
+    struct error found;
+    int lexed = ncread_word_fanuc(line, &c->words, &found);
+    if (c->line == 2) {
+        bool number = lexed == 0 && c->words.n == 1 && c->words.item[0].name[0] == 'O';
+        return number ? 0 : ncread_error(c, error, "expected the program's number O");
+    }
+    const struct ncread_word *n = ncread_word_find(&c->words, "N");
+    if (n && ncread_block(c, n->value[0], error) < 0)
+        return -1;
+    if (lexed < 0)
+        return ncread_error(c, error, found.text);
+    struct ncread_fanuc_block b = {.to = c->has_middle ? c->middle : c->here};
+    if (ncread_fanuc_words(c, &b, error) < 0)
+        return -1;
+    return run_block(c, &b, error);
+}
+
+static int read_end(struct ncread *c, struct error *error)
+{
+    if (!c->ended)
+        return ncread_error(c, error, "the program ends without M30");
+    if (!c->closed)
+        return ncread_error(c, error, "the program ends without %");
+    if (c->tcp || c->spindle)
+        return ncread_error(c, error,
+                            "ends with the spindle turning or with tool centre point "
+                            "control on");
+    return 0;
+}
+
+const struct ncread_dialect ncread_fanuc = {"fanuc", read_block, read_end};

@@ -1,0 +1,281 @@
+/*
+ * ncread_heidenhain - blocks of Klartext, TNC 640 (user's manual for conversational programming).
+ *
+ * L goes straight with rotary words in proportion, LN with the tool axis TX TY TZ on the great
+ * circle; CC and C are an arc in X Y.  X Y Z are the tip while FUNCTION TCPM or M128 is on.
+ */
+#include <stdlib.h>
+#include <string.h>
+
+#include "ncread/ncread.h"
+#include "ncread_unit.h"
+#include "base/num.h"
+
+enum { TOKENS = 16, TOKEN = 40 };
+
+/* A block as its words between blanks. */
+struct klartext {
+    int n;
+    char word[TOKENS][TOKEN];
+    struct ncread_place to;
+    bool named, fast, machine, call;
+    unsigned seen; /* letters of words that stood in it */
+    int vector_n;
+    double vector[3];
+};
+
+static int split(struct ncread *c, const char *line, struct klartext *k, struct error *error)
+{
+    for (const char *s = line + strspn(line, " "); *s && *s != ';'; s += strspn(s, " ")) {
+        size_t n = strcspn(s, " ;");
+        if (k->n == TOKENS || n >= TOKEN)
+            return ncread_error(c, error, "a word or block that is too long");
+        memcpy(k->word[k->n], s, n);
+        k->word[k->n++][n] = '\0';
+        s += n;
+    }
+    return 0;
+}
+
+/* A number behind the letters of a word; with its sign where it is a place. */
+static int number(struct ncread *c, const char *text, bool sign, double *value, struct error *error)
+{
+    bool pointed;
+    struct error found;
+    if (sign && *text != '+' && *text != '-')
+        return ncread_error(c, error, "a place or angle without its sign");
+    if (ncread_word_number(&text, value, &pointed, &found) < 0)
+        return ncread_error(c, error, found.text);
+    return *text ? ncread_error(c, error, "found letters behind a number") : 0;
+}
+
+static int m_word(struct ncread *c, const char *text, struct klartext *k, struct error *error)
+{
+    struct ncread_word w = {.kind = WORD_ADDRESS, .name = "M", .values = 1};
+    if (number(c, text, false, &w.value[0], error) < 0)
+        return -1;
+    if (w.value[0] == 128)
+        c->tcp = true;
+    else if (w.value[0] == 91)
+        k->machine = true;
+    else if (w.value[0] == 99)
+        k->call = true;
+    else
+        return ncread_m(c, &w, error);
+    return 0;
+}
+
+/* No word twice in a block: X to Z, A to C, F, T and their vectors; several M are well. */
+static int once(const struct ncread *c, const char *w, struct klartext *k, struct error *error)
+{
+    bool vector = *w == 'T' && w[1] >= 'X' && w[1] <= 'Z';
+    int place = vector ? 26 + w[1] - 'X' : *w - 'A';
+    if (place < 0 || *w > 'Z' || *w == 'M')
+        return 0;
+    if (k->seen & 1u << place)
+        return ncread_error(c, error, "a word twice in one block");
+    k->seen |= 1u << place;
+    return 0;
+}
+
+static int word(struct ncread *c, const char *w, struct klartext *k, struct error *error)
+{
+    double value;
+    char letter[2] = {*w, '\0'};
+    if (once(c, w, k, error) < 0)
+        return -1;
+    if (strcmp(w, "FMAX") == 0) {
+        k->fast = true;
+        return 0;
+    }
+    if (strcmp(w, "R0") == 0)
+        return 0;
+    if (*w == 'M')
+        return m_word(c, w + 1, k, error);
+    if (*w == 'F') {
+        if (number(c, w + 1, false, &c->feed, error) < 0)
+            return -1;
+        if (!(c->feed > 0) || w[1] == '+')
+            return ncread_error(c, error, "a feed of nothing or with a sign");
+        return 0;
+    }
+    if (*w == 'T' && w[1] >= 'X' && w[1] <= 'Z') {
+        k->vector_n++;
+        return number(c, w + 2, true, &k->vector[w[1] - 'X'], error);
+    }
+    if (number(c, w + 1, true, &value, error) < 0)
+        return -1;
+    if (!ncread_axis(c, letter, value, &k->to))
+        return ncread_error(c, error, "a word that this reader does not know");
+    k->named = true;
+    return 0;
+}
+
+static void machine_move(struct ncread *c, struct klartext *k)
+{
+    for (int i = 1; i < k->n; i++)
+        if (k->word[i][0] >= 'X' && k->word[i][0] <= 'Z')
+            c->here.known[k->word[i][0] - 'X'] = false;
+}
+
+/* L and LN. */
+static int straight(struct ncread *c, struct klartext *k, bool vectors, struct error *error)
+{
+    for (int i = 1; i < k->n; i++)
+        if (word(c, k->word[i], k, error) < 0)
+            return -1;
+    if (k->machine && c->tcp)
+        return ncread_error(c, error, "M91 under tool centre point control");
+    if (k->machine) {
+        machine_move(c, k);
+        return 0;
+    }
+    c->vectors = vectors;
+    if (!vectors) {
+        ncread_turned(c, &k->to);
+    } else if (k->vector_n == 3) {
+        struct vec3 axis = vec(k->vector[0], k->vector[1], k->vector[2]);
+        if (fabs(vec_length(axis) - 1) > 1e-5 || !c->tcp)
+            return ncread_error(c, error, "LN wants a vector of length 1 and TCPM");
+        if (!c->here.has_axis)
+            ncread_pointed(&c->here, axis);
+        ncread_pointed(&k->to, axis);
+        k->named = true;
+    }
+    if (k->vector_n != (vectors ? 3 : 0))
+        return ncread_error(c, error, "LN wants TX TY TZ, L none of them");
+    if (!k->named)
+        return 0;
+    if (k->call)
+        return ncread_hole_m99(c, &k->to, error);
+    return ncread_go(c, &k->to, ncread_piece(c, &k->to), k->fast, error);
+}
+
+/* C X Y DR+ */
+static int circle(struct ncread *c, struct klartext *k, struct error *error)
+{
+    int sense = 0;
+    c->plane = 17;
+    for (int i = 1; i < k->n; i++) {
+        if (strcmp(k->word[i], "DR+") == 0 || strcmp(k->word[i], "DR-") == 0)
+            sense = k->word[i][2] == '+' ? 1 : -1;
+        else if (strchr("XYF", k->word[i][0]) == NULL || word(c, k->word[i], k, error) < 0)
+            return ncread_error(c, error, "C wants X, Y, DR and F alone");
+    }
+    if (!sense || !c->has_centre || k->fast)
+        return ncread_error(c, error, "C wants DR+ or DR- and CC before it");
+    struct nc_piece piece = ncread_piece(c, &k->to);
+    struct vec3 centre = vec(c->centre.x, c->centre.y, piece.p[0].z);
+    if (ncread_arc(c, &piece, centre, sense > 0, error) < 0)
+        return -1;
+    return ncread_go(c, &k->to, piece, false, error);
+}
+
+static int set_centre(struct ncread *c, struct klartext *k, struct error *error)
+{
+    if (k->n != 3 || k->word[1][0] != 'X' || k->word[2][0] != 'Y')
+        return ncread_error(c, error, "CC wants X and Y");
+    c->has_centre = true;
+    return number(c, k->word[1] + 1, true, &c->centre.x, error) < 0 ||
+                   number(c, k->word[2] + 1, true, &c->centre.y, error) < 0
+               ? -1
+               : 0;
+}
+
+static int function(struct ncread *c, const struct klartext *k, struct error *error)
+{
+    if (k->n == 3 && strcmp(k->word[1], "RESET") == 0 && strcmp(k->word[2], "TCPM") == 0) {
+        c->tcp = false;
+        return 0;
+    }
+    if (k->n != 8 || strcmp(k->word[1], "TCPM") != 0 || strcmp(k->word[5], "POS") != 0)
+        return ncread_error(c, error, "a FUNCTION that this reader does not know");
+    c->tcp = true;
+    return 0;
+}
+
+/* Seconds, behind letters or alone. */
+static void dwell(struct ncread *c, const char *word)
+{
+    double seconds;
+    word += strcspn(word, "0123456789");
+    if (num_read(&word, &seconds))
+        c->nc_motion->dwell += seconds / 60;
+}
+
+static int run(struct ncread *c, struct klartext *k, struct error *error)
+{
+    const char *first = k->n ? k->word[0] : "";
+    if (strcmp(first, "CYCL") == 0) {
+        ncread_hole_define(c, k->n > 2 ? k->word[2] : "");
+        if (k->n > 3 && strcmp(k->word[2], "9.1") == 0)
+            dwell(c, k->word[k->n - 1]);
+    }
+    if (!*first || strcmp(first, "CYCL") == 0)
+        return 0;
+    if (strcmp(first, "TOOL") == 0) {
+        const char *speed = k->n > 2 ? k->word[k->n - 1] : "";
+        bool said = *speed == 'S';
+        speed += said;
+        return said && num_read(&speed, &c->speed)
+                   ? 0
+                   : ncread_error(c, error, "TOOL CALL without a speed");
+    }
+    if (strcmp(first, "L") == 0 || strcmp(first, "LN") == 0)
+        return straight(c, k, first[1] == 'N', error);
+    if (strcmp(first, "CC") == 0)
+        return set_centre(c, k, error);
+    if (strcmp(first, "C") == 0)
+        return circle(c, k, error);
+    if (strcmp(first, "FUNCTION") == 0)
+        return function(c, k, error);
+    if (*first == 'M' && k->n == 1)
+        return m_word(c, first + 1, k, error);
+    int plane = ncread_plane_spatial(c, error);
+    if (plane != 0)
+        return plane < 0 ? -1 : 0;
+    return ncread_error(c, error, "a block that this reader does not know");
+}
+
+static int read_block(struct ncread *c, const char *line, struct error *error)
+{
+    char *end;
+    struct klartext k = {.to = c->here};
+    c->nc_motion->blocks++;
+    if (*line == ' ')
+        return ncread_hole_parameter(c, line, error);
+    c->block = strtol(line, &end, 10);
+    if (end == line || *end != ' ' || c->block != (long)(c->line - 1 - c->hole.lines))
+        return ncread_error(c, error, "block numbers that do not count from 0");
+    if (c->closed)
+        return ncread_error(c, error, "a block behind END PGM");
+    if (split(c, end, &k, error) < 0)
+        return -1;
+    bool inch = k.n == 4 && strcmp(k.word[3], "INCH") == 0;
+    bool outer =
+        k.n == 4 && strcmp(k.word[1], "PGM") == 0 && (inch || strcmp(k.word[3], "MM") == 0);
+    if (outer && ncread_unit(c, inch ? INCH : 1, error) < 0)
+        return -1;
+    if (c->block == 0) {
+        c->absolute = true;
+        return outer && strcmp(k.word[0], "BEGIN") == 0
+                   ? 0
+                   : ncread_error(c, error, "expected BEGIN PGM NAME MM or INCH");
+    }
+    if (c->ended) {
+        c->closed = outer && strcmp(k.word[0], "END") == 0;
+        return c->closed ? 0 : ncread_error(c, error, "expected END PGM behind M30");
+    }
+    return run(c, &k, error);
+}
+
+static int read_end(struct ncread *c, struct error *error)
+{
+    if (!c->closed || c->tcp || c->spindle)
+        return ncread_error(c, error,
+                            "ends without END PGM, with the spindle turning or with "
+                            "tool centre point control on");
+    return 0;
+}
+
+const struct ncread_dialect ncread_heidenhain = {"heidenhain", read_block, read_end};

@@ -1,0 +1,189 @@
+/*
+ * ncread_linuxcnc - blocks of LinuxCNC (its manual: G-Code Overview, G-Codes, Kinematics).
+ *
+ * A machine has tool centre point control when its kinematics does it all the time: X Y Z are then
+ * the tip from the first block on; else they are the linear axes.  Rotary axes turn in proportion.
+ */
+#include <string.h>
+
+#include "ncread/ncread.h"
+#include "ncread/ncread_hole.h"
+#include "ncread_iso.h"
+
+enum { BLOCK_MAX = 255 };
+enum { MOVE_NONE = -1, MOVE_RAPID, MOVE_LINE, MOVE_CW, MOVE_CCW };
+
+/* What one block says besides its modal words. */
+struct block {
+    struct ncread_place to;
+    bool named, machine, length, centred, by_radius;
+    double centre[3], radius;
+};
+
+static int g_word(struct ncread *c, const struct ncread_word *w, struct block *b,
+                  struct error *error)
+{
+    int code = (int)lround(w->value[0] * 10);
+    int taken = ncread_hole_code(c, code) ? 1 : ncread_iso_g(c, code, error);
+    if (code == 930)
+        c->feed = 0;
+    if (taken != 0)
+        return taken < 0 ? -1 : 0;
+    switch (code) {
+    case 40:
+        return 0;
+    case 430:
+        b->length = c->length = true;
+        return 0;
+    case 490:
+        c->length = false;
+        c->here.known[2] = b->to.known[2] = false;
+        return 0;
+    case 530:
+        b->machine = true;
+        return 0;
+    case 610: /* exact path, exact stop, arcs by their centres, no more constant speed */
+    case 611:
+    case 911:
+    case 970:
+        return 0;
+    default:
+        return ncread_unknown(c, w, error);
+    }
+}
+
+static int address(struct ncread *c, const struct ncread_word *w, struct block *b,
+                   struct error *error)
+{
+    char letter = w->name[0];
+    if (ncread_axis(c, w->name, w->value[0], &b->to)) {
+        b->named = true;
+    } else if (letter >= 'I' && letter <= 'K') {
+        b->centre[letter - 'I'] = w->value[0];
+        b->centred = true;
+    } else if (letter == 'R') {
+        b->radius = w->value[0];
+        b->by_radius = true;
+    } else if (letter == 'F') {
+        c->feed = w->value[0];
+        c->feed_here = true;
+    } else if (!strchr("STHDPQN", letter)) {
+        return ncread_unknown(c, w, error);
+    }
+    return 0;
+}
+
+static int words(struct ncread *c, struct block *b, struct error *error)
+{
+    unsigned seen = 0;
+    for (size_t i = 0; i < c->words.n; i++) {
+        const struct ncread_word *w = &c->words.item[i];
+        char letter = w->name[0];
+        unsigned bit = 1u << (letter - 'A');
+        int result = 0;
+        if (letter == 'G')
+            result = g_word(c, w, b, error);
+        else if (letter == 'M' && w->value[0] == 2)
+            c->ended = true;
+        else if (letter == 'M')
+            result = ncread_m(c, w, error);
+        else if (seen & bit)
+            return ncread_error(c, error, "a word twice in one block");
+        if (result < 0)
+            return -1;
+        seen |= bit;
+    }
+    for (size_t i = 0; i < c->words.n; i++)
+        if (!strchr("GM", c->words.item[i].name[0]) && address(c, &c->words.item[i], b, error) < 0)
+            return -1;
+    return 0;
+}
+
+/* G53: to a place of the machine; the axes named are not known any more. */
+static int machine_move(struct ncread *c, const struct block *b, struct error *error)
+{
+    if (c->move != MOVE_RAPID && c->move != MOVE_LINE)
+        return ncread_error(c, error, "G53 without G0 or G1");
+    for (size_t i = 0; b->named && i < c->words.n; i++) {
+        struct ncread_place named = {0};
+        ncread_axis(c, c->words.item[i].name, 0, &named);
+        for (int k = 0; k < 3; k++)
+            c->here.known[k] = c->here.known[k] && !named.known[k];
+        for (int k = 0; k < VERIFY_KINEMATICS_AXES; k++)
+            c->here.turned[k] = c->here.turned[k] && !named.turned[k];
+    }
+    return 0;
+}
+
+static int run_block(struct ncread *c, struct block *b, struct error *error)
+{
+    if (ncread_hole_dwell(c, 1))
+        return b->named ? ncread_error(c, error, "G4 with a place") : 0;
+    if (b->machine)
+        return machine_move(c, b, error);
+    if (!b->named)
+        return 0;
+    ncread_turned(c, &b->to);
+    if (c->hole.on)
+        return ncread_hole_block(c, &b->to, 1, error);
+    if (c->move == MOVE_NONE)
+        return ncread_error(c, error, "a place before G0 or G1");
+    if (!c->absolute)
+        return ncread_error(c, error, "a move under G91");
+    if (c->move != MOVE_RAPID && !c->length)
+        return ncread_error(c, error, "cuts without the tool's length, G43");
+    struct nc_piece piece = ncread_piece(c, &b->to);
+    struct vec3 centre = vec_add(piece.p[0], vec(b->centre[0], b->centre[1], b->centre[2]));
+    bool arc = c->move == MOVE_CW || c->move == MOVE_CCW, ccw = c->move == MOVE_CCW;
+    if (b->centred + b->by_radius != arc)
+        return ncread_error(c, error,
+                            "an arc wants its centre by I J K or R, not both; a line "
+                            "neither");
+    if (b->centred && ncread_arc(c, &piece, centre, ccw, error) < 0)
+        return -1;
+    if (b->by_radius && ncread_arc_radius(c, &piece, b->radius, ccw, error) < 0)
+        return -1;
+    return ncread_go(c, &b->to, piece, c->move == MOVE_RAPID, error);
+}
+
+static int read_block(struct ncread *c, const char *line, struct error *error)
+{
+    struct error found;
+    struct block b = {0};
+    c->nc_motion->blocks++;
+    if (c->line == 1) {
+        c->move = MOVE_NONE;
+        c->plane = 17;
+        c->tcp = c->setup->tcp;
+        return strcmp(line, "%") == 0 ? 0 : ncread_error(c, error, "expected % alone");
+    }
+    if (c->ended) { /* M2 or M30 was read: % alone, once */
+        if (strcmp(line, "%") != 0 || c->closed)
+            return ncread_error(c, error, "expected % behind M2 and nothing behind it");
+        c->closed = true;
+        return 0;
+    }
+    if (strlen(line) > BLOCK_MAX)
+        return ncread_error(c, error, "a block of more than 255 characters");
+    int lexed = ncread_word_fanuc(line, &c->words, &found);
+    const struct ncread_word *n = ncread_word_find(&c->words, "N");
+    if (n && ncread_block(c, n->value[0], error) < 0)
+        return -1;
+    if (lexed < 0)
+        return ncread_error(c, error, found.text);
+    b.to = c->here;
+    if (words(c, &b, error) < 0)
+        return -1;
+    return run_block(c, &b, error);
+}
+
+static int read_end(struct ncread *c, struct error *error)
+{
+    if (!c->ended || !c->closed)
+        return ncread_error(c, error, "the program ends without M2 and %");
+    if (c->length || c->spindle)
+        return ncread_error(c, error, "ends with the spindle turning or with the tool's length on");
+    return 0;
+}
+
+const struct ncread_dialect ncread_linuxcnc = {"linuxcnc", read_block, read_end};

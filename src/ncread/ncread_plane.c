@@ -1,0 +1,167 @@
+/* ncread_plane - see ncread_plane.h. */
+#include "ncread/ncread_plane.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "ncread/ncread.h"
+#include "base/num.h"
+
+enum { CYCLE800_ANGLES = 7, CYCLE800_MODE = 3, AXIS_BY_AXIS = 57, ARGUMENTS = 12 };
+
+static void forget_place(struct ncread *c)
+{
+    memset(c->here.known, 0, sizeof c->here.known);
+    c->here.has_axis = false;
+}
+
+/* Off: where the rotary axes stand is not known before they are told. */
+static int leave(struct ncread *c)
+{
+    c->tilted.on = false;
+    forget_place(c);
+    for (int i = 0; i < VERIFY_KINEMATICS_AXES; i++)
+        c->here.turned[i] = false;
+    if (c->setup->verify_kinematics.n == 0)
+        c->here.has_axis = true;
+    return 1;
+}
+
+/* Turned about its own X, Y or Z (0, 1, 2), degrees. */
+static void turn(struct ncread_plane *p, int axis, double degrees)
+{
+    struct vec3 about = axis == 0 ? p->x : axis == 1 ? p->y : p->z;
+    p->x = vec_turn(p->x, about, RADIANS(degrees));
+    p->y = vec_turn(p->y, about, RADIANS(degrees));
+    p->z = vec_turn(p->z, about, RADIANS(degrees));
+}
+
+static int enter(struct ncread *c, struct vec3 origin, const int axis[3], const double degrees[3],
+                 struct error *error)
+{
+    if (c->tcp || c->tilted.on)
+        return ncread_error(c, error,
+                            "a tilted plane within another or under tool centre point "
+                            "control");
+    c->tilted = (struct ncread_plane){true, origin, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+    for (int i = 0; i < 3; i++)
+        turn(&c->tilted, axis[i], degrees[i]);
+    forget_place(c);
+    return 1;
+}
+
+int ncread_plane_g(struct ncread *c, struct error *error)
+{
+    static const char *const name[] = {"X", "Y", "Z", "I", "J", "K"};
+    static const int euler[] = {2, 0, 2};
+    double v[6];
+    bool begins = false, others = false;
+    for (size_t i = 0; i < c->words.n; i++) {
+        int code =
+            c->words.item[i].name[0] == 'G' ? (int)lround(c->words.item[i].value[0] * 10) : -1;
+        begins = begins || code == 682;
+        others = others || code == 531;
+        if (code == 690)
+            return c->tilted.on ? leave(c) : 1;
+    }
+    if (others)
+        return c->tilted.on ? 1 : ncread_error(c, error, "G53.1 without G68.2");
+    if (!begins)
+        return 0;
+    for (int i = 0; i < 6; i++) {
+        const struct ncread_word *w = ncread_word_find(&c->words, name[i]);
+        if (!w || !w->pointed)
+            return ncread_error(c, error, "G68.2 wants X Y Z I J K with decimal points");
+        v[i] = w->value[0];
+    }
+    return enter(c, vec(v[0], v[1], v[2]), euler, v + 3, error);
+}
+
+int ncread_plane_cycle800(struct ncread *c, struct error *error)
+{
+    static const int axes[] = {0, 1, 2};
+    const char *s = strstr(c->text, "CYCLE800(");
+    double v[ARGUMENTS] = {0};
+    if (!s)
+        return 0;
+    s = strchr(s, '(') + 1;
+    if (*s == ')')
+        return leave(c);
+    for (int i = 0; i < ARGUMENTS && *s; i++) {
+        num_read(&s, &v[i]);
+        s += strcspn(s, ",)");
+        s += *s == ',';
+    }
+    if (v[CYCLE800_MODE] != AXIS_BY_AXIS)
+        return ncread_error(c, error, "CYCLE800 in another mode than 57, axis by axis");
+    return enter(c, vec(v[4], v[5], v[6]), axes, v + CYCLE800_ANGLES, error);
+}
+
+int ncread_plane_spatial(struct ncread *c, struct error *error)
+{
+    static const char *const name[] = {" SPA", " SPB", " SPC"};
+    static const int axes[] = {0, 1, 2};
+    const char *spatial = strstr(c->text, "PLANE SPATIAL ");
+    double v[3];
+    if (strstr(c->text, "PLANE RESET"))
+        return leave(c);
+    if (!spatial)
+        return 0;
+    for (int i = 0; i < 3; i++) {
+        const char *s = strstr(spatial + 13, name[i]);
+        if (s)
+            s += strlen(name[i]);
+        if (!s || (*s != '+' && *s != '-') || !num_read(&s, &v[i]))
+            return ncread_error(c, error, "PLANE SPATIAL wants SPA SPB SPC with their signs");
+    }
+    if (!strstr(c->text, " TURN") && !strstr(c->text, " MOVE"))
+        return ncread_error(c, error, "PLANE SPATIAL without TURN or MOVE");
+    return enter(c, vec(0, 0, 0), axes, v, error);
+}
+
+static struct vec3 way(const struct ncread_plane *p, struct vec3 v)
+{
+    return vec_along(vec_along(vec_scale(v.x, p->x), v.y, p->y), v.z, p->z);
+}
+
+static struct vec3 point(const struct ncread_plane *p, struct vec3 v)
+{
+    return vec_add(p->origin, way(p, v));
+}
+
+static void turn_ends(const struct ncread_plane *p, struct nc_piece *piece)
+{
+    for (int i = 0; i < 2; i++) {
+        piece->p[i] = point(p, piece->p[i]);
+        piece->q[i] = way(p, piece->q[i]);
+    }
+}
+
+void ncread_plane_turn(struct ncread *c, struct nc_piece *piece)
+{
+    const struct ncread_plane *p = &c->tilted;
+    if (!p->on)
+        return;
+    turn_ends(p, piece);
+    if (piece->shape == SHAPE_ARC) {
+        struct nc_motion_arc *arc = &c->nc_motion->arc.item[piece->index];
+        arc->centre = point(p, arc->centre);
+        arc->normal = way(p, arc->normal);
+    } else if (piece->shape == SHAPE_POLYNOMIAL) {
+        struct nc_motion_polynomial *sum = &c->nc_motion->polynomial.item[piece->index];
+        for (int i = 0; i < NC_MOTION_DEGREE; i++)
+            sum->p[i] = way(p, sum->p[i]);
+    }
+}
+
+void ncread_plane_turn_poles(struct ncread *c)
+{
+    const struct ncread_plane *p = &c->tilted;
+    if (!p->on)
+        return;
+    for (size_t i = 0; i < c->pole_p.n; i++) {
+        c->pole_p.item[i] = point(p, c->pole_p.item[i]);
+        c->pole_q.item[i] = way(p, c->pole_q.item[i]);
+    }
+    turn_ends(p, &c->spline);
+}

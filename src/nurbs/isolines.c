@@ -1,0 +1,100 @@
+/* isolines - see isolines.h. */
+#include "isolines.h"
+
+#include <stdlib.h>
+
+/* Samples in one direction, and the most cells that a tolerance may ask for. */
+enum { ACROSS = 24, ALONG = 96, CELLS_MAX = 1000000 };
+
+/* The range parted at the breaks: those with both ends. */
+static void break_lines(const struct nurbs_axis *a, struct doubles *at)
+{
+    size_t n = nurbs_axis_breaks(a, NULL, 0);
+    array_reserve(at, n + 2);
+    at->n = 0;
+    at->item[at->n++] = a->from;
+    nurbs_axis_breaks(a, at->item + 1, n);
+    at->n += n;
+    /* lines that are hardly apart make cells without area */
+    double least = 1e-6 * (a->to - a->from);
+    size_t kept = 1;
+    for (size_t i = 1; i < at->n; i++)
+        if (at->item[i] - at->item[kept - 1] > least && a->to - at->item[i] > least)
+            at->item[kept++] = at->item[i];
+    at->item[kept++] = a->to;
+    at->n = kept;
+}
+
+void isolines_equal(const struct nurbs_axis *axis, int n, struct doubles *line)
+{
+    struct doubles at = {0};
+    break_lines(axis, &at);
+    line->n = 0;
+    for (size_t i = 0; i + 1 < at.n; i++) {
+        double from = at.item[i], width = at.item[i + 1] - from;
+        double cells = fmax(1, floor(n * width / (axis->to - axis->from) + 0.5));
+        for (double k = 0; k < cells; k++)
+            *array_push(line) = from + width * (k / cells);
+    }
+    *array_push(line) = axis->to;
+    array_free(&at);
+}
+
+/* The surface with u and v exchanged where `flip` is set, so that one function does both. */
+static double bend_at(const struct nurbs *s, bool flip, double along, double across)
+{
+    struct vec3 d[3][3];
+    struct uv at = flip ? (struct uv){across, along} : (struct uv){along, across};
+    nurbs_derivatives(s, at, 2, d);
+    struct vec3 n = nurbs_place(s, at).normal;
+    double straight = fabs(vec_dot(flip ? d[0][2] : d[2][0], n));
+    double twist = fabs(vec_dot(d[1][1], n));
+    const struct nurbs_axis *u = flip ? &s->v : &s->u, *v = flip ? &s->u : &s->v;
+    /* twist counts as if both ranges had as many cells */
+    return straight + twist * (v->to - v->from) / (u->to - u->from);
+}
+
+/* Lines between two breaks: equal shares of the integral of the root of the bend. */
+static void lines_between(const struct nurbs *s, bool flip, double from, double to, double factor,
+                          struct doubles *line)
+{
+    const struct nurbs_axis *other = flip ? &s->u : &s->v;
+    double sum[ALONG + 1] = {0};
+    for (int i = 0; i < ALONG; i++) {
+        double most = 0, x = from + (to - from) * (i + 0.5) / ALONG;
+        for (int k = 0; k <= ACROSS; k++) {
+            double y = other->from + (other->to - other->from) * k / ACROSS;
+            most = fmax(most, bend_at(s, flip, x, y));
+        }
+        sum[i + 1] = sum[i] + sqrt(most) * (to - from) / ALONG * factor;
+    }
+    double cells = fmin(fmax(1, ceil(sum[ALONG])), CELLS_MAX);
+    *array_push(line) = from;
+    for (int i = 0, k = 1; k < cells; k++) {
+        double want = sum[ALONG] * k / cells;
+        while (i + 1 < ALONG && sum[i + 1] < want)
+            i++;
+        double part = sum[i + 1] > sum[i] ? (want - sum[i]) / (sum[i + 1] - sum[i]) : 0.5;
+        *array_push(line) = from + (to - from) * (i + fmin(fmax(part, 0), 1)) / ALONG;
+    }
+}
+
+static void lines_of(const struct nurbs *s, bool flip, double factor, struct doubles *line)
+{
+    struct doubles at = {0};
+    break_lines(flip ? &s->v : &s->u, &at);
+    line->n = 0;
+    for (size_t i = 0; i + 1 < at.n; i++)
+        lines_between(s, flip, at.item[i], at.item[i + 1], factor, line);
+    *array_push(line) = at.item[at.n - 1];
+    array_free(&at);
+}
+
+void isolines_bent(const struct nurbs *s, double tolerance, double finer, struct doubles *u,
+                   struct doubles *v)
+{
+    /* h^2 bend / 8 <= tolerance / 2 in each direction */
+    double factor = finer / sqrt(4 * tolerance);
+    lines_of(s, false, factor, u);
+    lines_of(s, true, factor, v);
+}

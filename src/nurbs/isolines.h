@@ -1,0 +1,22 @@
+/*
+ * isolines - the parameter lines of a grid over a NURBS surface.
+ */
+#ifndef CLOUDMILL_ISOLINES_H
+#define CLOUDMILL_ISOLINES_H
+
+#include "base/array.h"
+#include "nurbs/nurbs.h"
+
+/* n cells over the range, equal between the breaks (nurbs_axis_breaks), each of which is a line. */
+void isolines_equal(const struct nurbs_axis *axis, int n, struct doubles *line);
+
+/*
+ * As many cells in u and in v as the tolerance needs, denser where the surface bends more: so that
+ * the bound of Filip, Magedson and Markot (1986) on the distance between a triangle and the
+ * surface, with the second derivatives taken along the normal, is `tolerance` times 1 / `finer`
+ * squared.
+ */
+void isolines_bent(const struct nurbs *s, double tolerance, double finer, struct doubles *u,
+                   struct doubles *v);
+
+#endif

@@ -1,0 +1,63 @@
+/* patch - see patch.h. */
+#include "nurbs/patch.h"
+
+#include <stdlib.h>
+
+#include "base/array.h"
+
+struct nurbs_curve patch_curve(int degree, size_t poles)
+{
+    struct nurbs_curve c = {.t = {.degree = degree, .poles = poles, .from = 0, .to = 1}};
+    c.t.knot = mem_alloc(poles + (size_t)degree + 1, sizeof *c.t.knot);
+    for (size_t i = poles; i < poles + (size_t)degree + 1; i++)
+        c.t.knot[i] = 1;
+    c.pole = mem_alloc(poles, sizeof *c.pole);
+    return c;
+}
+
+struct nurbs_curve patch_line(struct uv from, struct uv to)
+{
+    struct nurbs_curve c = patch_curve(1, 2);
+    c.pole[0] = (struct nurbs_pole){from.u, from.v, 0, 1};
+    c.pole[1] = (struct nurbs_pole){to.u, to.v, 0, 1};
+    return c;
+}
+
+void patch_loop_free(struct patch_loop *loop)
+{
+    for (size_t i = 0; i < loop->n; i++)
+        nurbs_curve_free(&loop->item[i]);
+    array_free(loop);
+}
+
+void patch_free(struct patch *patch)
+{
+    for (size_t i = 0; i < patch->loop.n; i++)
+        patch_loop_free(&patch->loop.item[i]);
+    array_free(&patch->loop);
+    nurbs_free(&patch->surface);
+    free(patch->file);
+    *patch = (struct patch){0};
+}
+
+void patches_free(struct patches *patches)
+{
+    for (size_t i = 0; i < patches->n; i++)
+        patch_free(&patches->item[i]);
+    array_free(patches);
+}
+
+double patches_size(const struct patches *patches)
+{
+    struct vec3 low = {HUGE_VAL, HUGE_VAL, HUGE_VAL}, high = {-HUGE_VAL, -HUGE_VAL, -HUGE_VAL};
+    for (size_t i = 0; i < patches->n; i++) {
+        const struct nurbs *s = &patches->item[i].surface;
+        for (size_t k = 0; k < s->u.poles * s->v.poles; k++) {
+            struct nurbs_pole p = s->pole[k];
+            struct vec3 at = vec_scale(1 / p.w, vec(p.wx, p.wy, p.wz));
+            low = vec(fmin(low.x, at.x), fmin(low.y, at.y), fmin(low.z, at.z));
+            high = vec(fmax(high.x, at.x), fmax(high.y, at.y), fmax(high.z, at.z));
+        }
+    }
+    return patches->n > 0 ? vec_distance(low, high) : 0;
+}

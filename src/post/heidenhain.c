@@ -1,0 +1,245 @@
+/*
+ * heidenhain - Klartext of the TNC 640 (Heidenhain, TNC 640 User's Manual for Conversational
+ * Programming: FUNCTION TCPM, LN, CC and C, cycles 9 and 32; design/5-controls.md).
+ *
+ * Rotary words turn evenly under PATHCTRL AXIS.  LN carries the tool axis as TX TY TZ; which of the
+ * two ways the axis goes between them depends on the control's version, so blocks keep to both.
+ * Arcs are given in the working plane alone, with the tool axis still.  There is no inverse time.
+ */
+#include <ctype.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "post/dialect.h"
+#include "post/nccutcom.h"
+#include "post/nchead.h"
+#include "post/nchole.h"
+#include "nctemplate.h"
+#include "ncwords.h"
+
+enum { NAME_MAX_LENGTH = 24 };
+
+static const char *const cutcom_word[] = {"R0", "RL", "RR"};
+static const char *const vector_address[] = {"TX", "TY", "TZ"};
+
+static const char home[] = "L Z+0 R0 FMAX M91";
+
+static bool allowed(unsigned char c)
+{
+    return c < 128 && (isalnum(c) || c == '_' || c == '-');
+}
+
+static int check_name(const char *name, struct error *error)
+{
+    size_t n = strlen(name);
+    bool good = n >= 1 && n <= NAME_MAX_LENGTH;
+    for (size_t i = 0; i < n; i++)
+        good = good && allowed((unsigned char)name[i]);
+    if (good)
+        return 0;
+    return error_set(error,
+                     "option --program: found `%.40s`, expected 1 to %d letters, digits, _ and -",
+                     name, NAME_MAX_LENGTH);
+}
+
+/* BEGIN PGM NAME MM: the name asked for, else what of PARTNO is allowed. */
+static void program_line(struct nc_program *p, const char *word)
+{
+    char name[NAME_MAX_LENGTH + 1] = "", line[NAME_MAX_LENGTH + 60];
+    const char *from = p->name ? p->name : p->path->head.partno;
+    size_t n = 0;
+    for (; from && *from && n < NAME_MAX_LENGTH; from++) {
+        bool good = allowed((unsigned char)*from);
+        if (good || (n && name[n - 1] != '_'))
+            name[n++] = good ? (char)toupper((unsigned char)*from) : '_';
+    }
+    while (n && name[n - 1] == '_')
+        n--;
+    name[n] = '\0';
+    char part[24] = "";
+    if (p->parts)
+        snprintf(part, sizeof part, "_%zu", p->part);
+    snprintf(line, sizeof line, "%s PGM %s%s %s", word, n ? name : "PART", part,
+             p->plan->ability.unit > 1 ? "INCH" : "MM");
+    nc_block(&p->w, line);
+}
+
+/* L A+0 C+0 R0 FMAX */
+static void turn(struct nc_program *p, const double q[])
+{
+    if (!p->machine->chain.n)
+        return;
+    nc_forget(&p->w, NC_Q0, NC_Q1);
+    nc_code(&p->w, "L");
+    nc_rotary(p, q);
+    nc_code(&p->w, "R0 FMAX");
+    nc_end(&p->w);
+}
+
+static void call_tool(struct nc_program *p)
+{
+    if (*p->machine->blocks.tool_change) {
+        nc_template(p, p->machine->blocks.tool_change, "");
+        return;
+    }
+    nc_code(&p->w, "TOOL CALL");
+    if (p->tooling.number)
+        nc_count(&p->w, "", p->tooling.number);
+    nc_code(&p->w, "Z");
+    if (p->tooling.spindle > 0)
+        nc_count(&p->w, "S", p->tooling.spindle);
+    nc_end(&p->w);
+}
+
+static void start(struct nc_program *p)
+{
+    struct nc_writer *w = &p->w;
+    program_line(p, "BEGIN");
+    nc_head(p, "Heidenhain");
+    nc_offset(p, "");
+    nc_end(w);
+    nc_template(p, p->machine->blocks.start, "");
+    nc_home(p, home);
+}
+
+static void load(struct nc_program *p)
+{
+    call_tool(p);
+    if (p->tooling.spindle > 0)
+        nc_block(&p->w, p->tooling.ccw ? "M4" : "M3");
+}
+
+/* The rotary axes to the first place. */
+static void take(struct nc_program *p)
+{
+    const char *smooth = "CYCL DEF 32.0 TOLERANCE|CYCL DEF 32.1 T{tolerance}|"
+                         "CYCL DEF 32.2 HSC-MODE:0 TA{orientation}";
+    struct nc_writer *w = &p->w;
+    const struct nc_move *first = nc_first_move(p);
+    turn(p, first->q);
+    if (p->plane)
+        nc_template(p, p->machine->blocks.plane_on, "PLANE SPATIAL SPA{a} SPB{b} SPC+0 TURN FMAX");
+    if (p->plan->ability.tcp)
+        nc_template(p, p->machine->blocks.tcp_on,
+                    p->plan->ability.mode == INTERPOLATE_VECTOR
+                        ? "FUNCTION TCPM F TCP AXIS POS PATHCTRL VECTOR"
+                        : "FUNCTION TCPM F TCP AXIS POS PATHCTRL AXIS");
+    nc_coolant(p);
+    if (p->machine->smooth)
+        nc_template(p, p->machine->blocks.smooth_on, smooth);
+    if (!p->plan->ability.tcp) {
+        nc_code(w, "L");
+        nc_modal(w, NC_X, "X", first->p.x, p->plan->ability.digits.linear);
+        nc_modal(w, NC_Y, "Y", first->p.y, p->plan->ability.digits.linear);
+        nc_code(w, "R0 FMAX");
+        nc_end(w);
+    }
+}
+
+/* L X Y Z A C F, or LN X Y Z TX TY TZ F; a block without a place or axis says nothing. */
+static void line(struct nc_program *p, const struct nc_move *move)
+{
+    struct nc_writer *w = &p->w;
+    bool vectors = p->plan->ability.mode == INTERPOLATE_VECTOR;
+    const char *cutcom = nc_cutcom_word(p, move, cutcom_word);
+    if (vectors)
+        nc_forget(w, NC_X, NC_K);
+    nc_code(w, vectors ? "LN" : "L");
+    size_t bare = w->n;
+    nc_place(p, move->p);
+    nc_axis(p, move, vector_address);
+    if (cutcom)
+        nc_code(w, cutcom);
+    if (w->n == bare)
+        nc_drop(w);
+    else if (move->kind == NC_RAPID)
+        nc_code(w, "FMAX");
+    else
+        nc_feed(p, move);
+    nc_end(w);
+}
+
+/* CC X Y, then C X Y DR+ */
+static void arc(struct nc_program *p, const struct nc_move *move)
+{
+    const struct nc_arc *a = &p->plan->arc.item[move->index];
+    int digits = p->plan->ability.digits.linear;
+    struct nc_writer *w = &p->w;
+    nc_code(w, "CC");
+    nc_number(w, "X", w->value[NC_X] + a->centre.x, digits);
+    nc_number(w, "Y", w->value[NC_Y] + a->centre.y, digits);
+    nc_end(w);
+    nc_code(w, "C");
+    nc_forget(w, NC_X, NC_Y);
+    nc_modal(w, NC_X, "X", move->p.x, digits);
+    nc_modal(w, NC_Y, "Y", move->p.y, digits);
+    nc_code(w, a->ccw ? "DR+" : "DR-");
+    nc_feed(p, move);
+    nc_end(w);
+}
+
+/* A speed is the tool call's to say. */
+static void speed(struct nc_program *p, double rpm, bool ccw)
+{
+    nc_code(&p->w, "TOOL CALL");
+    nc_count(&p->w, "S", rpm);
+    nc_end(&p->w);
+    nc_block(&p->w, ccw ? "M4" : "M3");
+}
+
+static void dwell(struct nc_program *p, double seconds)
+{
+    nc_block(&p->w, "CYCL DEF 9.0 DWELL TIME");
+    nc_code(&p->w, "CYCL DEF 9.1 DWELL");
+    nc_number(&p->w, "", seconds, 3);
+    nc_end(&p->w);
+}
+
+/* Home, without what was switched on for the tool. */
+static void leave(struct nc_program *p)
+{
+    nc_cutcom_end(p); /* by R0 of the way home */
+    if (p->machine->smooth)
+        nc_template(p, p->machine->blocks.smooth_off, "CYCL DEF 32.0 TOLERANCE|CYCL DEF 32.1");
+    if (p->plan->ability.tcp)
+        nc_template(p, p->machine->blocks.tcp_off, "FUNCTION RESET TCPM");
+    if (p->plane)
+        nc_template(p, p->machine->blocks.plane_off, "PLANE RESET TURN FMAX");
+    nc_home(p, home);
+}
+
+static void finish(struct nc_program *p)
+{
+    const double zero[ROTARY_MAX] = {0};
+    turn(p, zero);
+    nc_block(&p->w, "M9");
+    nc_block(&p->w, "M5");
+    nc_template(p, p->machine->blocks.end, "");
+    nc_block(&p->w, "M30");
+    program_line(p, "END");
+}
+
+const struct dialect dialect_heidenhain = {
+    .name = "heidenhain",
+    .style = {.open = "; ", .close = "", .sign = true, .count_all = true},
+    .digits = {.linear = 4, .angle = 4, .vector = 7, .knot = 3, .feed = 1},
+    .vectors_doubtful = true,
+    .inverse_never = true,
+    .plane = true,
+    .arcs = NC_ARCS_FLAT,
+    .arcs_vectors = NC_ARCS_FLAT,
+    .splines = NC_SPLINES_NONE,
+    .splines_vectors = NC_SPLINES_NONE,
+    .check_name = check_name,
+    .start = start,
+    .load = load,
+    .take = take,
+    .line = line,
+    .arc = arc,
+    .hole = nc_hole_heidenhain,
+    .hole_end = nc_hole_heidenhain_end,
+    .speed = speed,
+    .dwell = dwell,
+    .leave = leave,
+    .finish = finish,
+};

@@ -1,0 +1,175 @@
+/* nchead - see nchead.h. */
+#include "post/nchead.h"
+
+#include <ctype.h>
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "post/nccutcom.h"
+#include "nctool.h"
+#include "base/num.h"
+
+enum { PLANES_SHOWN = 12 };
+
+double nc_ledger_sum(const struct path *path, const struct nc_plan *plan)
+{
+    double sum = path_spent(path) + plan->total.spent.point * plan->ability.unit;
+    sum += plan->ability.smoothing;
+    return isnan(path->head.chord) ? sum : sum + path->head.chord;
+}
+
+static void tool_line(struct nc_program *p, int number, const double *cutter, int n, double ball)
+{
+    double unit = p->plan->ability.unit;
+    char d[NUM_MAX], r[NUM_MAX];
+    if (n == 0)
+        return;
+    num_write_short(d, unit * cutter[0], 3, false);
+    num_write_short(r, n > 1 ? unit * cutter[1] : 0, 3, false);
+    nc_comment(&p->w, "Tool %d: %s D %.20s R %.20s", number, ball > 0 ? "ball nose" : "cutter", d,
+               r);
+}
+
+static void head_tool(struct nc_program *p)
+{
+    const struct path *path = p->path;
+    tool_line(p, path->head.tool, path->head.cutter, path->head.cutter_n, path_ball(path));
+    for (size_t i = 0; i < path->tool.n; i++) {
+        const struct path_tool *tool = &path->tool.item[i];
+        tool_line(p, tool->number, tool->cutter, tool->cutter_n, path_tool_ball(tool));
+    }
+    if (path->head.track == TRACK_CENTRE) {
+        nc_comment(&p->w, "*** ATTENTION: X Y Z ARE THE CENTRE OF THE BALL, NOT THE TIP ***");
+        nc_comment(&p->w, "*** the tool's length must be measured to the ball's centre ***");
+    } else {
+        nc_comment(&p->w, "X Y Z are the tool tip");
+    }
+}
+
+/* To four decimals, never too small. */
+static double shown(double mm)
+{
+    return fmax(0, ceil(mm * 1e4 - 1e-6)) / 1e4 + 0.0;
+}
+
+static void head_ledger(struct nc_program *p)
+{
+    const struct path_head *head = &p->path->head;
+    const struct nc_total *total = &p->plan->total;
+    for (size_t i = 0; i < head->ledger.n; i++)
+        nc_comment(&p->w, "Tolerance %-12s %.4f", head->ledger.item[i].stage,
+                   shown(head->ledger.item[i].spent));
+    if (!isnan(head->chord))
+        nc_comment(&p->w, "Tolerance %-12s %.4f", "chord", shown(head->chord));
+    nc_comment(&p->w, "Tolerance %-12s %.4f", "ncpost",
+               shown(total->spent.point * p->plan->ability.unit));
+    if (p->plan->ability.smoothing > 0)
+        nc_comment(&p->w, "Tolerance %-12s %.4f", "smoothing", shown(p->plan->ability.smoothing));
+    nc_comment(&p->w, "Tolerance %-12s %.4f mm, axis %.4f deg", "sum",
+               shown(nc_ledger_sum(p->path, p->plan)), shown(DEGREES(total->spent.axis)));
+}
+
+void nc_head(struct nc_program *p, const char *control)
+{
+    const struct nc_total *total = &p->plan->total;
+    const char *partno = p->path->head.partno;
+    if (partno && *partno)
+        nc_comment(&p->w, "%.70s", partno);
+    nc_comment(&p->w, "cloudmill ncpost for %s, %.50s", control, p->machine->name);
+    if (p->parts)
+        nc_comment(&p->w, "Part %zu of %zu; figures below are those of the whole", p->part,
+                   p->parts);
+    if (p->plan->ability.unit > 1)
+        nc_comment(&p->w, "Inches; all figures in these lines are mm");
+    if (p->plane)
+        nc_comment(&p->w, "X Y Z in the tilted plane%s", p->planes.n > 1 ? "s" : "");
+    for (size_t i = 0; p->plane && i < p->planes.n && i < PLANES_SHOWN; i++)
+        nc_comment(&p->w, "Z along %.6f %.6f %.6f", p->planes.item[i].axis.x,
+                   p->planes.item[i].axis.y, p->planes.item[i].axis.z);
+    head_tool(p);
+    head_ledger(p);
+    double unit = p->plan->ability.unit;
+    nc_comment(&p->w, "Cut %.1f mm, rapid %.1f mm, %.1f min", total->cut * unit,
+               total->rapid * unit, total->minutes);
+    nc_comment(&p->w, "Passes %zu, lines %zu, arcs %zu, splines %zu, rapids %zu", total->passes,
+               total->lines, total->arcs, total->splines, total->rapids);
+    if (total->holes)
+        nc_comment(&p->w, "Holes in drilling cycles %zu", total->holes);
+}
+
+static void spindle(struct nc_program *p, double rpm, bool ccw)
+{
+    nc_count(&p->w, "S", rpm);
+    nc_code(&p->w, ccw ? "M4" : "M3");
+    nc_end(&p->w);
+}
+
+void nc_spindle(struct nc_program *p)
+{
+    if (p->tooling.spindle > 0)
+        spindle(p, p->tooling.spindle, p->tooling.ccw);
+}
+
+void nc_coolant(struct nc_program *p)
+{
+    static const char *const code[] = {NULL, NULL, "M8", "M7"};
+    if (code[p->tooling.coolant])
+        nc_block(&p->w, code[p->tooling.coolant]);
+}
+
+/* The statement starts with this word; *rest stands behind it and a slash. */
+static bool is_word(const char *text, const char *word, const char **rest)
+{
+    size_t n = strlen(word);
+    for (size_t i = 0; i < n; i++)
+        if (toupper((unsigned char)text[i]) != word[i])
+            return false;
+    if (isalnum((unsigned char)text[n]))
+        return false;
+    *rest = text + n + strspn(text + n, " \t/");
+    return true;
+}
+
+/* What a statement changes of the spindle and the coolant. */
+static void turn(struct nc_program *p, const struct dialect *dialect, const struct nc_tooling *said)
+{
+    static const char *const coolant[] = {NULL, "M9", "M8", "M7"};
+    struct nc_tooling was = p->tooling;
+    p->tooling = *said;
+    if (said->coolant != was.coolant)
+        nc_block(&p->w, coolant[said->coolant]);
+    if (said->spindle > 0 && (said->spindle != was.spindle || said->ccw != was.ccw))
+        (dialect->speed ? dialect->speed : spindle)(p, said->spindle, said->ccw);
+    else if (said->spindle <= 0 && was.spindle > 0)
+        nc_block(&p->w, "M5");
+}
+
+/* AUXFUN/n: the M word as it is. */
+static void auxiliary(struct nc_program *p, double number)
+{
+    nc_count(&p->w, "M", number);
+    nc_end(&p->w);
+}
+
+void nc_statement(struct nc_program *p, const struct dialect *dialect, const char *text)
+{
+    struct nc_tooling said = p->tooling;
+    const char *rest;
+    double seconds, number;
+    if (nc_cutcom_says(p, text))
+        return;
+    if (nc_tool_says(text, &said))
+        turn(p, dialect, &said);
+    else if (is_word(text, "STOP", &rest))
+        nc_block(&p->w, "M0");
+    else if (is_word(text, "OPSTOP", &rest))
+        nc_block(&p->w, "M1");
+    else if (is_word(text, "AUXFUN", &rest) && num_read(&rest, &number) && number >= 0 &&
+             number <= 9999 && number == floor(number))
+        auxiliary(p, number);
+    else if (is_word(text, "DELAY", &rest) && num_read(&rest, &seconds) && seconds > 0)
+        dialect->dwell(p, seconds);
+    else if (is_word(text, "PPRINT", &rest) || is_word(text, "REMARK", &rest))
+        nc_comment(&p->w, "%.150s", rest);
+}

@@ -1,0 +1,227 @@
+/* post_feed - see post_feed.h. */
+#include "post_feed.h"
+
+#include <stdlib.h>
+
+#include "base/array.h"
+
+enum { PIECES = 12, SPAN_PIECES = 8, MORE_DIGITS = 3, DIGITS_MAX = 9 };
+
+static inline double larger(double a, double b)
+{
+    return a > b ? a : b;
+}
+
+static double rotary_minutes(const struct machine *m, const double a[], const double b[])
+{
+    double minutes = 0;
+    for (int i = 0; i < m->chain.n; i++)
+        minutes = larger(minutes, DEGREES(fabs(b[i] - a[i])) / m->rapid[m->letter[i]]);
+    return minutes;
+}
+
+double nc_axes_minutes(const struct nc_step *step, const struct block_pose *a,
+                       const struct block_pose *b)
+{
+    const struct machine *m = step->machine;
+    double minutes = rotary_minutes(m, a->q, b->q);
+    if (step->follow.mode == INTERPOLATE_JOINT)
+        minutes = larger(minutes, vec_distance(a->p, b->p) / m->rapid[MACHINE_X]);
+    return minutes;
+}
+
+static double degrees(const double a[], const double b[])
+{
+    return DEGREES(hypot(b[0] - a[0], b[1] - a[1]));
+}
+
+/* What one piece of a block asks for. */
+struct sample {
+    struct vec3 tip, linear;
+    double q[ROTARY_MAX];
+};
+
+/* s of a NURBS as printed. */
+static struct sample sample_of_spline(const struct kinematic_chain *chain,
+                                      const struct nc_spline *spline, double s)
+{
+    const struct bspline *b = &spline->curve;
+    double basis[BSPLINE_DEGREE_MAX + 1], from = b->knot[b->degree], to = b->knot[b->poles];
+    double u = from + s * (to - from);
+    size_t span = bspline_span(b->degree, b->poles, b->knot, u);
+    struct sample sample = {.tip = bspline_at(b, b->pole, u)};
+    bspline_basis(b->degree, b->knot, span, u, basis);
+    for (int k = 0; k < chain->n; k++)
+        for (int i = 0; i <= b->degree; i++)
+            sample.q[k] +=
+                basis[i] * RADIANS(spline->angle[k][span - (size_t)b->degree + (size_t)i]);
+    sample.linear = chain_linear(chain, sample.tip, sample.q);
+    return sample;
+}
+
+/* s of the way from where the program is; the angles come near those of the sample before. */
+static struct sample sample_at(const struct nc_step *step, const struct block_pose *to,
+                               const struct nc_along *along, double s, const double before[])
+{
+    const struct block_pose *from = &step->state.at;
+    const struct kinematic_chain *chain = &step->machine->chain;
+    int over;
+    if (along && along->spline && along->spline->form == NC_NURBS && along->spline->turns)
+        return sample_of_spline(chain, along->spline, s);
+    struct pose at = along ? motion_at(along->motion, along->s0 + s * (along->s1 - along->s0))
+                           : interpolation_pose(&step->follow, from, to, s);
+    struct sample sample = {.tip = at.p};
+    for (int i = 0; i < chain->n; i++)
+        sample.q[i] = from->q[i] + s * (to->q[i] - from->q[i]);
+    bool even_turn = step->follow.mode == INTERPOLATE_ROTARY && !(along && along->motion->curve);
+    if (!even_turn && ik_choose(chain, at.a, before, true, -1, sample.q, &over) != 0)
+        sample.q[0] = before[0], sample.q[1] = before[1];
+    sample.linear = chain_linear(chain, sample.tip, sample.q);
+    return sample;
+}
+
+static double piece_minutes(const struct machine *m, const struct sample *a, const struct sample *b)
+{
+    struct vec3 way = vec_sub(b->linear, a->linear);
+    double slides =
+        larger(fabs(way.x) / m->rapid[MACHINE_X],
+               larger(fabs(way.y) / m->rapid[MACHINE_Y], fabs(way.z) / m->rapid[MACHINE_Z]));
+    return larger(slides, rotary_minutes(m, a->q, b->q));
+}
+
+/* The slides surely need no longer: a turn takes them no further than its angle times how far the
+ * tip and the centres are from 0. */
+static bool slides_keep_up(const struct nc_step *step, const struct block_pose *to, double length,
+                           double turn, double minutes)
+{
+    const struct kinematic_chain *chain = &step->machine->chain;
+    double arm = fabs(to->p.x) + fabs(to->p.y) + fabs(to->p.z) + length;
+    for (int i = 0; i < chain->n; i++) {
+        struct vec3 c = chain->rotary[i].centre;
+        arm += 2 * (fabs(c.x) + fabs(c.y) + fabs(c.z));
+    }
+    return length + turn * arm <= minutes * step->machine->rapid[MACHINE_X];
+}
+
+/*
+ * The rotary axes surely need no longer: rotary words turn each at one speed; a vector no axis by
+ * more than about the turn of the tool axis over the sine of its angle to the first one.
+ */
+static bool axes_keep_up(const struct nc_step *step, const struct block_pose *to, double minutes)
+{
+    const struct machine *m = step->machine;
+    double up = vec_dot(m->chain.rotary[0].axis, to->a), slowest = HUGE_VAL;
+    for (int i = 0; i < m->chain.n; i++)
+        slowest = fmin(slowest, m->rapid[m->letter[i]]);
+    double great = DEGREES(vec_distance(step->state.at.a, to->a)), sine2 = 1 - up * up;
+    return step->follow.mode == INTERPOLATE_ROTARY || m->chain.n < 2 ||
+           4 * great * great <= sine2 * minutes * minutes * slowest * slowest;
+}
+
+double nc_block_minutes(const struct nc_step *step, const struct machine_pose *to, double length,
+                        const struct nc_along *along, double least)
+{
+    const struct block_pose *from = &step->state.at;
+    const struct machine *m = step->machine;
+    double minutes = larger(least, nc_axes_minutes(step, from, &to->at)), turn = 0;
+    for (int i = 0; i < m->chain.n; i++)
+        turn += fabs(to->at.q[i] - from->q[i]);
+    if (step->follow.mode == INTERPOLATE_JOINT || m->chain.n == 0)
+        return minutes;
+    bool curve = along && along->motion->curve;
+    if (!curve && axes_keep_up(step, &to->at, minutes) &&
+        slides_keep_up(step, &to->at, length, turn, minutes))
+        return minutes;
+    size_t poles = !curve ? 0 : along->spline ? along->spline->curve.poles : 0;
+    if (curve && along->motion->curve->poles > poles)
+        poles = along->motion->curve->poles;
+    int n = curve ? (int)poles * SPAN_PIECES : PIECES * (1 + (int)(3 * turn));
+    struct sample a = sample_at(step, &to->at, along, 0, from->q);
+    for (int i = 1; i <= n; i++) {
+        struct sample b = sample_at(step, &to->at, along, (double)i / n, a.q);
+        double share = length > 0 ? vec_distance(a.tip, b.tip) / length
+                                  : degrees(a.q, b.q) / degrees(from->q, to->at.q);
+        if (share > 0 && share < HUGE_VAL)
+            minutes = larger(minutes, piece_minutes(m, &a, &b) / share);
+        a = b;
+    }
+    return minutes;
+}
+
+/* One span of a curve: where it ends, how long it is, what a mm of it takes at least, minutes. */
+struct span_speed {
+    double s, length, rate;
+};
+
+struct span_speeds {
+    size_t n, cap;
+    struct span_speed *item;
+};
+
+static struct span_speeds span_speeds(const struct nc_step *step, const struct motion *motion)
+{
+    const struct block_pose *at = &step->state.at;
+    const struct nc_along along = {motion, 0, 1, NULL};
+    struct span_speeds spans = {0};
+    struct sample a = sample_at(step, at, &along, 0, at->q);
+    for (double s = 0; s < 1;) {
+        double from = s, to = motion_next_knot(motion, s);
+        struct span_speed span = {.rate = 1 / (step->state.feed * step->state.faster)};
+        for (int i = 1; i <= SPAN_PIECES; i++) {
+            s = from + (to - from) * i / SPAN_PIECES;
+            struct sample b = sample_at(step, at, &along, s, a.q);
+            double length = vec_distance(a.tip, b.tip);
+            span.length += length;
+            if (length > 0)
+                span.rate = larger(span.rate, piece_minutes(step->machine, &a, &b) / length);
+            a = b;
+        }
+        span.s = s = to;
+        *array_push(&spans) = span;
+    }
+    return spans;
+}
+
+/* Where one F before and another behind take the least time; 1 where that saves too little. */
+static double best_part(const struct span_speeds *spans)
+{
+    const double share = 0.1, least = 0.2 / 60; /* of the time; minutes */
+    size_t n = spans->n;
+    double *behind = mem_alloc(n + 1, sizeof *behind), length = 0, rate = 0, best = 1;
+    double rest = 0, slowest = 0;
+    behind[n] = 0;
+    for (size_t i = n; i-- > 0;) {
+        rest += spans->item[i].length;
+        slowest = larger(slowest, spans->item[i].rate);
+        behind[i] = rest * slowest;
+    }
+    double whole = behind[0], minutes = whole;
+    for (size_t i = 0; i + 1 < n; i++) {
+        length += spans->item[i].length;
+        rate = larger(rate, spans->item[i].rate);
+        if (length * rate + behind[i + 1] < minutes) {
+            minutes = length * rate + behind[i + 1];
+            best = spans->item[i].s;
+        }
+    }
+    free(behind);
+    return whole - minutes > larger(share * whole, least) ? best : 1;
+}
+
+double nc_curve_part(const struct nc_step *step, const struct motion *motion)
+{
+    if (step->follow.mode == INTERPOLATE_JOINT || step->machine->chain.n == 0)
+        return 1;
+    struct span_speeds spans = span_speeds(step, motion);
+    double s = best_part(&spans);
+    array_free(&spans);
+    return s;
+}
+
+int nc_feed_digits(const struct nc_ability *ability, double feed)
+{
+    int digits = ability->digits.feed;
+    if (ability->feeds == NC_FEEDS_INVERSE || feed >= 1)
+        return digits;
+    return digits + MORE_DIGITS < DIGITS_MAX ? digits + MORE_DIGITS : DIGITS_MAX;
+}

@@ -1,0 +1,82 @@
+/* centre_path - see centre_path.h. */
+#include "simulate/centre_path.h"
+
+#include "base/array.h"
+
+enum { DEEPEST = 16 };
+
+struct walk {
+    const struct nc_motion *nc_motion;
+    const struct nc_piece *piece;
+    size_t index;
+    double height, flat; /* above the point that the motion tracks */
+    struct centre_path *path;
+};
+
+/* The centre at a place of the piece. */
+static struct vec3 centre_at(const struct walk *w, double s)
+{
+    struct nc_motion_pose pose = nc_motion_at(w->nc_motion, w->piece, s);
+    return vec_along(pose.p, w->height, pose.a);
+}
+
+/* How far q is from the chord at the same share of it. */
+static double stray(struct vec3 a, struct vec3 b, struct vec3 q)
+{
+    struct vec3 chord = vec_sub(b, a), to = vec_sub(q, a);
+    double l2 = vec_dot(chord, chord);
+    double t = l2 > 0 ? fmin(fmax(vec_dot(chord, to) / l2, 0), 1) : 0;
+    return vec_distance(to, vec_scale(t, chord));
+}
+
+/* Halves until three places between the ends lie on the chord. */
+static void flatten(const struct walk *w, double s0, struct vec3 a, double s1, struct vec3 b,
+                    int depth)
+{
+    double s = (s0 + s1) / 2;
+    struct vec3 m = centre_at(w, s);
+    bool straight = stray(a, b, m) <= w->flat;
+    for (int i = 1; straight && i <= 3; i += 2) {
+        double between = s0 + (s1 - s0) * i / 4;
+        straight = stray(a, b, centre_at(w, between)) <= w->flat;
+    }
+    if (depth >= DEEPEST || (straight && depth >= 0)) {
+        *array_push(w->path) =
+            (struct centre_segment){a, b, {(float)s0, (float)s1}, (unsigned)w->index, false};
+        return;
+    }
+    flatten(w, s0, a, s, m, depth + 1);
+    flatten(w, s, m, s1, b, depth + 1);
+}
+
+void centre_path_piece(const struct nc_motion *nc_motion, size_t piece, double radius, double up,
+                       double flat, struct centre_path *path)
+{
+    const struct nc_piece *at = &nc_motion->piece.item[piece];
+    double height = up + (nc_motion->track == NC_MOTION_TIP ? radius : 0);
+    struct walk w = {nc_motion, at, piece, height, flat, path};
+    struct vec3 a = centre_at(&w, 0), b = centre_at(&w, 1);
+    bool still =
+        at->shape == SHAPE_LINE && vec_distance(at->q[0], at->q[1]) == 0 && at->swing != SWING_HEAD;
+    if (still)
+        *array_push(path) = (struct centre_segment){a, b, {0, 1}, (unsigned)piece, false};
+    else /* what curves is halved twice at least: a full turn ends where it begins */
+        flatten(&w, 0, a, 1, b, at->shape == SHAPE_LINE ? 0 : -2);
+}
+
+void centre_path_cut(const struct nc_motion *nc_motion, double radius, double flat,
+                     struct centre_path *path)
+{
+    for (size_t i = 0; i < nc_motion->piece.n; i++)
+        if (!nc_motion->piece.item[i].rapid)
+            centre_path_piece(nc_motion, i, radius, 0, flat, path);
+}
+
+void centre_path_rapid(const struct nc_motion *nc_motion, double radius, double shank, double flat,
+                       struct centre_path *path)
+{
+    for (size_t i = 0; i < nc_motion->piece.n; i++)
+        if (nc_motion->piece.item[i].rapid)
+            for (int k = 0; k * radius / 2 <= shank; k++)
+                centre_path_piece(nc_motion, i, radius, k * radius / 2, flat, path);
+}

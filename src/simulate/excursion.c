@@ -1,0 +1,152 @@
+/* excursion - see excursion.h. */
+#include "simulate/excursion.h"
+
+#include "math/kdtree.h"
+
+#define RISES 0.5 /* cosine between the tool axis and the way up, at least */
+#define OVER 0.9  /* the same between up and what the end of a curve stands over */
+
+struct search {
+    const struct nc_motion *nc_motion;
+    const struct centre_path *path;
+    const struct vec3 *point;
+    size_t n;
+    const struct excursion_options *setup;
+    struct kdtree *part; /* made when it is needed */
+    struct excursion leap;
+};
+
+/* Does the way go on from one segment to the next as one curve, or as straight blocks do? */
+static bool goes_on(const struct search *s, size_t from, size_t to)
+{
+    const struct nc_piece *piece = s->nc_motion->piece.item;
+    unsigned p = s->path->item[from].piece, q = s->path->item[to].piece;
+    if (p == q)
+        return true;
+    if (q != p + 1 || piece[p].shape != piece[q].shape || piece[p].shape == SHAPE_ARC)
+        return false;
+    return piece[p].shape != SHAPE_SPLINE || piece[p].index == piece[q].index;
+}
+
+/* Straight blocks from one segment to another: are they two, there and back? */
+static bool spike(const struct search *s, size_t from, size_t to)
+{
+    const struct centre_segment *a = &s->path->item[from], *b = &s->path->item[to];
+    if (b->piece != a->piece + 1)
+        return false;
+    size_t top = from;
+    while (s->path->item[top].piece == a->piece)
+        top++;
+    struct vec3 corner = s->path->item[top].a;
+    return vec_dot(vec_sub(a->a, corner), vec_sub(b->b, corner)) > 0;
+}
+
+/* From the nearest point of the part to the ball's centre. */
+static struct vec3 from_part(struct search *s, struct vec3 centre)
+{
+    size_t index;
+    double distance2;
+    if (!s->part)
+        s->part = kdtree_new(s->point, s->n);
+    kdtree_nearest(s->part, centre, 1, &index, &distance2);
+    return vec_sub(centre, s->point[index]);
+}
+
+static double clearance(struct search *s, struct vec3 centre)
+{
+    return vec_length(from_part(s, centre)) - s->setup->radius;
+}
+
+/* Where the ball's centre is at the end of a piece, and the axis. */
+static struct nc_motion_pose end_of(const struct search *s, size_t piece)
+{
+    struct nc_motion_pose pose = nc_motion_at(s->nc_motion, &s->nc_motion->piece.item[piece], 1);
+    if (s->nc_motion->track == NC_MOTION_TIP)
+        pose.p = vec_along(pose.p, s->setup->radius, pose.a);
+    return pose;
+}
+
+static void found(struct search *s, size_t segment, double height)
+{
+    s->leap.leaps++;
+    if (height <= s->leap.height)
+        return;
+    s->leap.height = height;
+    s->leap.piece = s->path->item[segment].piece;
+    s->leap.at = s->path->item[segment].b;
+}
+
+/* A curve that ends off the part: does it end over the part, and a straight block come down again?
+ */
+static void look_at_end(struct search *s, size_t to)
+{
+    size_t piece = s->path->item[to].piece, next = piece + 1;
+    const struct nc_piece *all = s->nc_motion->piece.item;
+    if (all[piece].shape == SHAPE_LINE || all[piece].shape == SHAPE_ARC)
+        return;
+    while (next < s->nc_motion->piece.n && all[next].shape == SHAPE_LINE &&
+           vec_distance(all[next].p[0], all[next].p[1]) == 0)
+        next++; /* the tool turns where it is */
+    if (next == s->nc_motion->piece.n || all[next].shape != SHAPE_LINE)
+        return;
+    struct nc_motion_pose end = end_of(s, piece);
+    struct vec3 up = from_part(s, end.p);
+    double height = vec_length(up) - s->setup->radius;
+    if (fmax(vec_dot(up, end.a), up.z) >= OVER * vec_length(up) &&
+        clearance(s, end_of(s, next).p) < height - s->setup->band)
+        found(s, to, height);
+}
+
+/* From the straight line between two places to a third, at right angles. */
+static struct vec3 rise(struct vec3 from, struct vec3 to, struct vec3 p)
+{
+    struct vec3 chord = vec_sub(to, from), up = vec_sub(p, from);
+    double l2 = vec_dot(chord, chord);
+    double t = l2 > 0 ? fmin(fmax(vec_dot(chord, up) / l2, 0), 1) : 0;
+    return vec_along(up, -t, chord);
+}
+
+/* A stretch of segments off the part, both ends among them. */
+static void look(struct search *s, size_t from, size_t to)
+{
+    const struct centre_segment *segment = s->path->item;
+    struct vec3 a = segment[from].a, b = segment[to].b;
+    size_t top = from;
+    double most = 0, band = s->setup->band;
+    if (s->nc_motion->piece.item[segment[from].piece].shape == SHAPE_LINE && !spike(s, from, to))
+        return;
+    for (size_t i = from; i < to; i++) {
+        double high = vec_length(rise(a, b, segment[i].b));
+        top = high > most ? i : top;
+        most = fmax(most, high);
+    }
+    if (fmax(most, vec_distance(a, b)) <= band || clearance(s, a) > band)
+        return;
+    if (clearance(s, b) > band) {
+        look_at_end(s, to);
+        return;
+    }
+    const struct nc_piece *piece = &s->nc_motion->piece.item[segment[top].piece];
+    struct vec3 axis = nc_motion_at(s->nc_motion, piece, (double)segment[top].s[1]).a;
+    double height = clearance(s, segment[top].b);
+    if (most > band && height > band && vec_dot(axis, rise(a, b, segment[top].b)) >= RISES * most)
+        found(s, top, height);
+}
+
+struct excursion excursion_find(const struct nc_motion *nc_motion, const struct centre_path *path,
+                                const struct vec3 *point, size_t n,
+                                const struct excursion_options *setup)
+{
+    struct search s = {nc_motion, path, point, n, setup, NULL, {0}};
+    for (size_t i = 0; n > 0 && i < path->n; i++) {
+        size_t from = i;
+        if (path->item[i].on)
+            continue;
+        while (i + 1 < path->n && !path->item[i + 1].on && goes_on(&s, i, i + 1))
+            i++;
+        look(&s, from, i);
+    }
+    if (s.part)
+        kdtree_free(s.part);
+    return s.leap;
+}

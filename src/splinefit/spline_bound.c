@@ -1,0 +1,220 @@
+/*
+ * spline_bound - printed digits, and distances both ways.
+ */
+#include "splinefit/spline_bound.h"
+
+#include <stdlib.h>
+
+#include "base/array.h"
+#include "curve/flatten.h"
+#include "base/num.h"
+#include "curve/polyline.h"
+
+/* Length of the curve by 8 chords in each span. */
+static double length_of(const struct bspline *curve)
+{
+    enum { CHORDS = 8 };
+    double length = 0;
+    struct vec3 before = curve->pole[0];
+
+    for (size_t span = (size_t)curve->degree; span < curve->poles; span++) {
+        double from = curve->knot[span], width = curve->knot[span + 1] - from;
+        for (int k = 1; width > 0 && k <= CHORDS; k++) {
+            struct vec3 here = bspline_at(curve, curve->pole, from + width * k / CHORDS);
+            length += vec_distance(before, here);
+            before = here;
+        }
+    }
+    return length;
+}
+
+static struct vec3 printed(struct vec3 p)
+{
+    return vec_round(p, SPLINE_BOUND_DIGITS);
+}
+
+/* A motion that only turns the axis has no length of its own: 1 mm then. */
+static bool print_knots(struct bspline *curve)
+{
+    double length = length_of(curve), from = curve->knot[0];
+    double scale = (length > 1e-3 ? length : 1) / (curve->knot[curve->poles] - from);
+
+    if (!isfinite(scale))
+        return false;
+    double before = from;
+    for (size_t i = 0; i < curve->poles + (size_t)curve->degree + 1; i++) {
+        double knot = curve->knot[i];
+        curve->knot[i] = num_round((knot - from) * scale, SPLINE_BOUND_DIGITS);
+        if (i > 0 && curve->degree == 1 && knot > before) /* a pole at each: keep them apart */
+            curve->knot[i] =
+                fmax(curve->knot[i], num_round(curve->knot[i - 1] + 1e-6, SPLINE_BOUND_DIGITS));
+        else if (i > 0 && curve->degree == 1)
+            curve->knot[i] = curve->knot[i - 1];
+        else if (knot > before && !(curve->knot[i] > curve->knot[i - 1]))
+            return false;
+        before = knot;
+    }
+    return true;
+}
+
+bool spline_bound_print(struct bspline *curve)
+{
+    for (size_t i = 0; i < curve->poles; i++) {
+        if (!isfinite(vec_dot(curve->pole[i], curve->pole[i])))
+            return false;
+        if (curve->head != NULL && !isfinite(vec_dot(curve->head[i], curve->head[i])))
+            return false;
+    }
+    if (!print_knots(curve))
+        return false;
+    for (size_t i = 0; i < curve->poles; i++) {
+        curve->pole[i] = printed(curve->pole[i]);
+        if (curve->head != NULL)
+            curve->head[i] = printed(curve->head[i]);
+    }
+    return true;
+}
+
+/* The largest distance both ways, with what the flattening may hide; feet of the curve's vertices.
+ */
+static double both_ways(struct polyline curve, struct polyline data, double limit, double hidden,
+                        struct foot *foot)
+{
+    double slack = hidden / 5;
+    double there = polyline_distance(curve, data, limit - hidden, slack, foot);
+    if (there + hidden > limit)
+        return there + hidden;
+    return fmax(there, polyline_distance(data, curve, limit - hidden, slack, NULL)) + hidden;
+}
+
+/* Largest angle between the curve's axis and the data's at the foot points. */
+static double axis_angle(const struct flat *flat, const struct track *track,
+                         const struct foot *foot)
+{
+    double worst = 0;
+
+    for (size_t i = 0; i < flat->axis.n; i++) {
+        size_t j = foot[i].segment, next = j + 1 < track->n ? j + 1 : j;
+        struct vec3 a = vec_mix(track->axis[j], track->axis[next], foot[i].t);
+        worst = fmax(worst, vec_angle(flat->axis.item[i], a));
+    }
+    return worst;
+}
+
+/* Which of the two points moves more, so that it tells better which places match. */
+static bool other_moves_more(const struct track *track)
+{
+    double point = 0, other = 0;
+
+    for (size_t k = 0; k + 1 < track->n; k++) {
+        point += vec_distance(track->point[k], track->point[k + 1]);
+        other += vec_distance(track->other[k], track->other[k + 1]);
+    }
+    return other > point;
+}
+
+bool spline_bound_keeps(const struct spline_bound *proof, double tolerance, double angle)
+{
+    return proof->point <= tolerance && proof->other <= tolerance && proof->axis <= angle;
+}
+
+static void measure_flat(const struct flat *flat, const struct track *track, double hidden,
+                         double limit, struct spline_bound *proof)
+{
+    struct foot *foot = mem_alloc(2 * flat->u.n, sizeof *foot), *other_foot = foot + flat->u.n;
+    struct polyline mine = {flat->point.n, flat->point.item}, data = {track->n, track->point};
+
+    proof->point = both_ways(mine, data, limit, hidden, foot);
+    if (track->head == NULL) { /* the other point only runs beside */
+        proof->other = proof->point;
+        proof->axis = 0;
+    } else if (proof->point <= limit) {
+        struct polyline other = {flat->other.n, flat->other.item};
+        struct polyline data_other = {track->n, track->other};
+        proof->other = both_ways(other, data_other, limit, hidden, other_foot);
+        if (proof->other <= limit)
+            proof->axis = axis_angle(flat, track, other_moves_more(track) ? other_foot : foot);
+    }
+    free(foot);
+}
+
+void spline_bound_measure(const struct bspline *curve, const struct track *track, double resolution,
+                          double limit, struct spline_bound *proof)
+{
+    struct flat flat = {0};
+
+    *proof = (struct spline_bound){INFINITY, INFINITY, INFINITY};
+    if (flatten(curve, track->offset, track->axis[0], resolution, &flat))
+        measure_flat(&flat, track, resolution, limit, proof);
+    flat_free(&flat);
+}
+
+bool spline_bound_feet(const struct bspline *curve, const struct track *track, double resolution,
+                       double *u)
+{
+    struct flat flat = {0};
+    bool done = flatten(curve, track->offset, track->axis[0], resolution, &flat);
+
+    if (done) {
+        struct foot *foot = mem_alloc(track->n, sizeof *foot);
+        struct polyline data = {track->n, track->point}, mine = {flat.point.n, flat.point.item};
+        polyline_distance(data, mine, INFINITY, resolution, foot);
+        for (size_t k = 0; k < track->n; k++) {
+            const double *at = &flat.u.item[foot[k].segment];
+            u[k] = foot[k].segment + 1 < flat.u.n ? at[0] + foot[k].t * (at[1] - at[0]) : at[0];
+        }
+        free(foot);
+    }
+    flat_free(&flat);
+    return done;
+}
+
+/* Point k + s of the way to the next one, of the curve against the track. */
+static void compare_at(const struct bspline *curve, const struct track *track, size_t k, double s,
+                       struct spline_bound *proof)
+{
+    size_t next = k + 1 < track->n ? k + 1 : k;
+    struct vec3 p = vec_mix(curve->pole[k], curve->pole[next], s), a = track->axis[0];
+
+    if (curve->head != NULL)
+        a = vec_unit(vec_sub(vec_mix(curve->head[k], curve->head[next], s), p));
+    struct vec3 other = vec_along(p, track->offset, a);
+    struct vec3 there = vec_mix(track->point[k], track->point[next], s);
+    struct vec3 other_there = vec_mix(track->other[k], track->other[next], s);
+    struct vec3 axis_there = vec_mix(track->axis[k], track->axis[next], s);
+
+    proof->point = fmax(proof->point, vec_distance(p, there));
+    proof->other = fmax(proof->other, vec_distance(other, other_there));
+    proof->axis = fmax(proof->axis, vec_angle(a, axis_there));
+}
+
+void spline_bound_polyline(const struct bspline *curve, const struct track *track,
+                           struct spline_bound *proof)
+{
+    enum { PARTS = 4 };
+
+    *proof = (struct spline_bound){0};
+    for (size_t k = 0; k < track->n; k++)
+        for (int i = 0; i < PARTS; i++)
+            compare_at(curve, track, k, (double)i / PARTS, proof);
+}
+
+bool spline_bound_hopeless(const struct bspline *curve, const struct track *track, const double *u,
+                           double tolerance)
+{
+    struct polyline data = {track->n, track->point};
+
+    for (size_t stride = 61; stride > 0; stride /= 61) {
+        for (size_t k = stride / 2; k < track->n; k += stride) {
+            struct vec3 p = bspline_at(curve, curve->pole, u[k]);
+            double step = vec_distance(p, track->point[k]);
+            if (step <= tolerance)
+                continue;
+            size_t segment = k + 1 < track->n ? k : k - 1;
+            struct foot at = {segment, k + 1 < track->n ? 0 : 1, 0};
+            if (polyline_foot(data, at, step, p).distance > tolerance)
+                return true;
+        }
+    }
+    return false;
+}

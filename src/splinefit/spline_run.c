@@ -1,0 +1,196 @@
+/*
+ * spline_run - corners, dense data, fallback points.
+ */
+#include "splinefit/spline_run.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+#include "curve/flatten.h"
+
+static const double CORNER = PI / 3;    /* a turn above this is a corner ... */
+static const double CORNER_REACH = 10;  /* ... if it is one over so many tolerances too */
+static const double ROUGH = PI / 6;     /* a turn above this, at ... */
+static const double ROUGH_POINTS = 0.1; /* ... this part of the points: no smooth path is meant */
+static const double SPARSE = 1;         /* parts of the tolerance: straight lines further off */
+static const double DENSE = 0.1;        /* parts of the tolerance: chord error when made dense */
+static const double FALLBACK = 0.99;    /* parts of the tolerance: chord error of the fallback */
+
+static void piece_free(struct spline_run_piece *piece)
+{
+    splinefit_free(&piece->fit);
+    array_free(&piece->fallback);
+}
+
+void spline_run_free(struct spline_run *pieces)
+{
+    for (size_t i = 0; i < pieces->n; i++)
+        piece_free(&pieces->item[i]);
+    array_free(&pieces->fitted);
+    array_free(pieces);
+}
+
+/* From the corner to the first point before (step -1) or behind it that is `reach` mm away. */
+static struct vec3 away(const struct run *run, size_t corner, int step, double reach)
+{
+    struct vec3 at = run->item[corner].ball, d = {0, 0, 0};
+
+    for (size_t i = corner; step < 0 ? i > 0 : i + 1 < run->n;) {
+        i = step < 0 ? i - 1 : i + 1;
+        d = vec_sub(run->item[i].ball, at);
+        if (vec_length(d) >= reach)
+            break;
+    }
+    return d;
+}
+
+/* Indices where pieces end, the last point among them. */
+static struct sizes piece_ends(const struct run *run, double tolerance)
+{
+    struct sizes corner = {0}, end = {0};
+
+    run_corners(run, &corner);
+    for (size_t k = 0; k < corner.n; k++) {
+        struct vec3 in = away(run, corner.item[k], -1, CORNER_REACH * tolerance);
+        struct vec3 out = away(run, corner.item[k], 1, CORNER_REACH * tolerance);
+        if (PI - vec_angle(in, out) > CORNER)
+            *array_push(&end) = corner.item[k];
+    }
+    *array_push(&end) = run->n - 1;
+    array_free(&corner);
+    return end;
+}
+
+static void fill_fallback(struct spline_run_piece *piece, const struct run *run, bool centre,
+                          double offset, double tolerance)
+{
+    const struct run_point *last = &run->item[piece->to];
+    struct flat flat = {0};
+
+    flatten(&piece->fit.curve, offset, last->axis, FALLBACK * tolerance, &flat);
+    for (size_t i = 1; i + 1 < flat.u.n; i++)
+        *array_push(&piece->fallback) = (struct pose){flat.point.item[i], flat.axis.item[i]};
+    *array_push(&piece->fallback) = (struct pose){centre ? last->ball : last->tip, last->axis};
+    flat_free(&flat);
+}
+
+/* True when the points turn so much that they are noise more than places of a smooth path.  Not
+ * where the axis turns: straight between points, it takes the ball off the straight line. */
+static bool is_rough(const struct run *run)
+{
+    size_t turns = 0;
+
+    for (size_t i = 1; i + 1 < run->n; i++) {
+        if (vec_distance(run->item[i].axis, run->item[0].axis) > 2e-9)
+            return false;
+        turns += vec_angle(vec_sub(run->item[i].ball, run->item[i - 1].ball),
+                           vec_sub(run->item[i + 1].ball, run->item[i].ball)) > ROUGH;
+    }
+    return (double)turns > ROUGH_POINTS * (double)run->n;
+}
+
+/* Fits one piece; `options` with the whole tolerance; `before`: as it was for nearly the same
+ * points, or NULL. */
+static void fit_piece(const struct run *run, bool centre, bool paper,
+                      const struct splinefit_options *options, const struct splinefit *before,
+                      struct spline_run_piece *piece)
+{
+    struct run part = {
+        .n = piece->to - piece->from + 1, .item = run->item + piece->from, .radius = run->radius};
+    struct splinefit_options o = *options;
+    struct run dense = {.radius = run->radius};
+    const struct run *data = &part;
+
+    if (!paper && !is_rough(&part) &&
+        run_densify(&part, DENSE * o.tolerance, &dense) > SPARSE * o.tolerance) {
+        data = &dense;
+        piece->smooth = DENSE * o.tolerance;
+        o.tolerance -= piece->smooth;
+    }
+    struct track track = track_new(data, centre);
+    piece->still = track.n < 2;
+    if (!piece->still) {
+        if (paper)
+            splinefit_paper(&track, &o, &piece->fit);
+        else if (before)
+            splinefit_again(&track, &o, before, &piece->fit);
+        else
+            splinefit_search(&track, &o, &piece->fit);
+        fill_fallback(piece, run, centre, track.offset, options->tolerance);
+    }
+    track_free(&track);
+    array_free(&dense);
+}
+
+static void remember(const struct run *run, struct spline_run *pieces)
+{
+    pieces->fitted.n = 0;
+    for (size_t i = 0; i < run->n; i++)
+        *array_push(&pieces->fitted) = run->item[i];
+}
+
+void spline_run_fit(const struct run *run, bool centre, bool paper,
+                    const struct splinefit_options *options, struct spline_run *pieces)
+{
+    struct sizes end = {0};
+
+    if (paper)
+        *array_push(&end) = run->n - 1;
+    else
+        end = piece_ends(run, options->tolerance);
+    size_t from = 0;
+    for (size_t k = 0; k < end.n; k++) {
+        struct spline_run_piece *piece = array_push(pieces);
+        *piece = (struct spline_run_piece){.from = from, .to = end.item[k]};
+        fit_piece(run, centre, paper, options, NULL, piece);
+        from = end.item[k];
+    }
+    array_free(&end);
+    remember(run, pieces);
+}
+
+static bool same(const struct run_point *a, const struct run_point *b)
+{
+    return vec_distance(a->ball, b->ball) == 0 && vec_distance(a->axis, b->axis) == 0;
+}
+
+static bool moved(const struct run *run, const struct spline_run *pieces,
+                  const struct spline_run_piece *piece)
+{
+    for (size_t i = piece->from; i <= piece->to; i++)
+        if (!same(&run->item[i], &pieces->fitted.item[i]))
+            return true;
+    return false;
+}
+
+void spline_run_refit(const struct run *run, bool centre, bool paper,
+                      const struct splinefit_options *options, struct spline_run *pieces)
+{
+    for (size_t k = 0; k < pieces->n; k++) {
+        struct spline_run_piece *piece = &pieces->item[k], before = *piece;
+        if (!moved(run, pieces, piece))
+            continue;
+        *piece = (struct spline_run_piece){.from = before.from, .to = before.to};
+        fit_piece(run, centre, paper, options, before.still ? NULL : &before.fit, piece);
+        piece_free(&before);
+    }
+    remember(run, pieces);
+}
+
+void spline_run_part(const struct run *run, bool centre, const struct splinefit_options *options,
+                     size_t k, size_t i, struct spline_run *pieces)
+{
+    struct spline_run_piece whole = pieces->item[k], part[3];
+    size_t end[] = {whole.from, i, i + 1, whole.to}, n = 0;
+
+    for (size_t e = 0; e < 3; e++)
+        if (end[e] < end[e + 1]) {
+            part[n] = (struct spline_run_piece){.from = end[e], .to = end[e + 1]};
+            fit_piece(run, centre, false, options, NULL, &part[n++]);
+        }
+    piece_free(&whole);
+    array_reserve(pieces, pieces->n + n - 1);
+    memmove(&pieces->item[k + n], &pieces->item[k + 1], (pieces->n - k - 1) * sizeof *part);
+    memcpy(&pieces->item[k], part, n * sizeof *part);
+    pieces->n += n - 1;
+}

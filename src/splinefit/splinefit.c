@@ -1,0 +1,301 @@
+/*
+ * splinefit - counts of poles tried upwards, six combinations each.
+ */
+#include "splinefit/splinefit.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+#include "base/array.h"
+#include "free_knots.h"
+#include "lsq.h"
+
+enum { PARAMS = 3, KNOTS = 2, START = 5, STEP = 5, WIDER = 40 };
+static const double RESOLUTION = 0.005; /* of a proof, in parts of the tolerance */
+
+struct search {
+    const struct track *track;
+    const struct splinefit_options *options;
+    bool paper;
+    double *u[PARAMS]; /* the points' parameters, 0 to 1 */
+    double *scaled;    /* the same in the range of a curve's knots */
+};
+
+static struct search search_new(const struct track *track, const struct splinefit_options *options,
+                                bool paper)
+{
+    struct search s = {.track = track, .options = options, .paper = paper};
+
+    for (int i = 0; i < PARAMS; i++) {
+        s.u[i] = mem_alloc(track->n, sizeof(double));
+        params_fill((enum params_method)i, track->chord, track->n, s.u[i]);
+    }
+    s.scaled = mem_alloc(track->n, sizeof(double));
+    return s;
+}
+
+static void search_free(struct search *s)
+{
+    for (int i = 0; i < PARAMS; i++)
+        free(s->u[i]);
+    free(s->scaled);
+}
+
+void splinefit_free(struct splinefit *fit)
+{
+    bspline_free(&fit->curve);
+}
+
+/* The parameters in the range of the printed knots. */
+static void scale_params(const struct search *s, const double *u, const struct bspline *curve)
+{
+    double range = curve->knot[curve->poles];
+
+    for (size_t k = 0; k < s->track->n; k++)
+        s->scaled[k] = fmin(u[k] * range, range);
+}
+
+/* Eq 7 at the other end of the radius. */
+static double c1_other(const struct search *s, const struct bspline *curve)
+{
+    const struct track *t = s->track;
+    double worst = 0;
+
+    for (size_t k = 0; curve->head != NULL && k < t->n; k++) {
+        struct vec3 p = bspline_at(curve, curve->pole, s->scaled[k]);
+        struct vec3 h = bspline_at(curve, curve->head, s->scaled[k]);
+        struct vec3 other = vec_along(p, t->offset, vec_unit(vec_sub(h, p)));
+        worst = fmax(worst, vec_distance(other, t->other[k]));
+    }
+    return worst;
+}
+
+static bool accepted_by_paper(const struct search *s, const struct bspline *curve)
+{
+    const struct track *t = s->track;
+
+    for (size_t k = 0; k < t->n; k++) {
+        struct vec3 p = bspline_at(curve, curve->pole, s->scaled[k]);
+        if (!(vec_distance(p, t->point[k]) <= s->options->tolerance))
+            return false;
+    }
+    return c1_other(s, curve) <= s->options->tolerance;
+}
+
+static bool accepted(const struct search *s, const struct bspline *curve,
+                     struct spline_bound *proof)
+{
+    const struct splinefit_options *o = s->options;
+
+    if (s->paper) {
+        if (!accepted_by_paper(s, curve))
+            return false;
+        spline_bound_measure(curve, s->track, o->tolerance * RESOLUTION, INFINITY, proof);
+        return isfinite(proof->axis); /* not so where the head passes near the point */
+    }
+    if (spline_bound_hopeless(curve, s->track, s->scaled, o->tolerance))
+        return false;
+    spline_bound_measure(curve, s->track, o->tolerance * RESOLUTION, o->tolerance, proof);
+    return spline_bound_keeps(proof, o->tolerance, o->angle);
+}
+
+/* One combination; on success *fit holds it in the place of what it held before. */
+static bool try_combination(const struct search *s, size_t poles, int params, int knots,
+                            struct splinefit *fit)
+{
+    const struct track *t = s->track;
+    struct bspline curve = track_curve(t, s->options->degree, poles);
+    struct spline_bound proof = {0};
+    const double *u = s->u[params];
+
+    knots_fill((enum knots_method)knots, u, t->n, curve.degree, poles, curve.knot);
+    if (lsq_fit(&curve, u, t->point, t->head, t->n) && spline_bound_print(&curve)) {
+        scale_params(s, u, &curve);
+        if (accepted(s, &curve, &proof)) {
+            bspline_free(&fit->curve);
+            *fit = (struct splinefit){.curve = curve,
+                                      .kind = SPLINEFIT_FITTED,
+                                      .params = (enum params_method)params,
+                                      .knots = (enum knots_method)knots,
+                                      .proof = proof,
+                                      .within = true};
+            return true;
+        }
+    }
+    bspline_free(&curve);
+    return false;
+}
+
+/* The first combination that is accepted, in the paper's order. */
+static bool try_count(const struct search *s, size_t poles, struct splinefit *fit)
+{
+    const struct splinefit_options *o = s->options;
+
+    for (int i = 0; i < PARAMS; i++)
+        for (int j = 0; j < KNOTS; j++)
+            if ((o->params < 0 || o->params == i) && (o->knots < 0 || o->knots == j) &&
+                try_combination(s, poles, i, j, fit))
+                return true;
+    return false;
+}
+
+static size_t next_count(const struct search *s, size_t poles)
+{
+    return s->paper || poles < WIDER ? poles + STEP : poles + poles / 4;
+}
+
+/* Upwards until a count serves; *failed is the last one that did not.  0: none. */
+static size_t search_upwards(const struct search *s, size_t *failed, struct splinefit *fit)
+{
+    size_t least = (size_t)s->options->degree + 1;
+
+    *failed = least - 1;
+    for (size_t n = START < least ? least : START; n <= s->track->n; n = next_count(s, n)) {
+        if (try_count(s, n, fit))
+            return n;
+        *failed = n;
+    }
+    return 0;
+}
+
+static void bisect(const struct search *s, size_t failed, size_t served, struct splinefit *fit)
+{
+    while (served - failed > 1) {
+        size_t n = failed + (served - failed) / 2;
+        if (try_count(s, n, fit))
+            served = n;
+        else
+            failed = n;
+    }
+}
+
+static bool straight_line(const struct search *s, struct splinefit *fit)
+{
+    const struct splinefit_options *o = s->options;
+
+    *fit = (struct splinefit){.curve = track_straight(s->track), .kind = SPLINEFIT_STRAIGHT};
+    if (spline_bound_print(&fit->curve)) {
+        spline_bound_measure(&fit->curve, s->track, o->tolerance * RESOLUTION, o->tolerance,
+                             &fit->proof);
+        fit->within = spline_bound_keeps(&fit->proof, o->tolerance, o->angle);
+    }
+    if (!fit->within)
+        splinefit_free(fit);
+    return fit->within;
+}
+
+/* What always serves: the data's own polyline. */
+static void polyline(const struct search *s, struct splinefit *fit)
+{
+    const struct splinefit_options *o = s->options;
+
+    *fit = (struct splinefit){.curve = track_polyline(s->track), .kind = SPLINEFIT_POLYLINE};
+    spline_bound_print(&fit->curve);
+    spline_bound_polyline(&fit->curve, s->track, &fit->proof);
+    fit->within = spline_bound_keeps(&fit->proof, o->tolerance, o->angle);
+}
+
+/* With all combinations open, the knots may as well be free.  `before`: a curve for nearly the same
+ * data, or NULL. */
+static bool free_knots(const struct search *s, size_t known, const struct bspline *before,
+                       struct splinefit *fit)
+{
+    const struct splinefit_options *o = s->options;
+    struct free_knots_options options = {o->degree, o->tolerance, o->angle, known};
+
+    *fit = (struct splinefit){.kind = SPLINEFIT_FREE, .within = true};
+    if (o->params >= 0 || o->knots >= 0)
+        return false;
+    if (before)
+        return before->degree == o->degree &&
+               free_knots_again(s->track, &options, before, &fit->curve, &fit->proof);
+    return free_knots_search(s->track, &options, &fit->curve, &fit->proof, &fit->cut);
+}
+
+static void least_squares(const struct search *s, struct splinefit *fit)
+{
+    size_t failed, served = search_upwards(s, &failed, fit);
+
+    if (served == 0)
+        polyline(s, fit);
+    else
+        bisect(s, failed, served, fit);
+}
+
+/* The one with fewer poles into *fit. */
+static void keep_fewer(struct splinefit *fit, struct splinefit *other)
+{
+    if (other->curve.poles < fit->curve.poles) {
+        struct splinefit more = *fit;
+        *fit = *other;
+        *other = more;
+    }
+    splinefit_free(other);
+}
+
+/* The paper's measures of the curve that was chosen. */
+static void measure(struct search *s, struct splinefit *fit)
+{
+    const struct track *t = s->track;
+
+    if (fit->kind == SPLINEFIT_POLYLINE)
+        memcpy(s->scaled, fit->curve.knot + 1, t->n * sizeof *s->scaled);
+    else if (fit->kind == SPLINEFIT_FREE)
+        spline_bound_feet(&fit->curve, t, s->options->tolerance * RESOLUTION, s->scaled);
+    else if (fit->kind == SPLINEFIT_STRAIGHT)
+        scale_params(s, s->u[PARAMS_CHORD], &fit->curve);
+    else
+        scale_params(s, s->u[fit->params], &fit->curve);
+    fit->deviation = deviation_of(&fit->curve, fit->curve.pole, t->point, s->scaled, t->n);
+}
+
+void splinefit_paper(const struct track *track, const struct splinefit_options *options,
+                     struct splinefit *fit)
+{
+    struct search s = search_new(track, options, true);
+    size_t failed;
+
+    *fit = (struct splinefit){0};
+    if (search_upwards(&s, &failed, fit) == 0)
+        polyline(&s, fit);
+    fit->within = true;
+    measure(&s, fit);
+    search_free(&s);
+}
+
+void splinefit_search(const struct track *track, const struct splinefit_options *options,
+                      struct splinefit *fit)
+{
+    struct search s = search_new(track, options, false);
+
+    *fit = (struct splinefit){0};
+    if (!straight_line(&s, fit)) {
+        struct splinefit squares = {0};
+        bool turns = track->head != NULL; /* there the search is long: it is good to know before */
+        if (turns)
+            least_squares(&s, &squares);
+        bool found = free_knots(&s, squares.within ? squares.curve.poles : 0, NULL, fit),
+             cut = fit->cut;
+        if (!turns && (!found || cut))
+            least_squares(&s, &squares);
+        if (!found)
+            *fit = squares;
+        else if (turns || cut)
+            keep_fewer(fit, &squares);
+        fit->cut = cut;
+    }
+    measure(&s, fit);
+    search_free(&s);
+}
+
+void splinefit_again(const struct track *track, const struct splinefit_options *options,
+                     const struct splinefit *before, struct splinefit *fit)
+{
+    struct search s = search_new(track, options, false);
+
+    if (free_knots(&s, 0, &before->curve, fit))
+        measure(&s, fit);
+    else
+        splinefit_search(track, options, fit);
+    search_free(&s);
+}

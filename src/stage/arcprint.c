@@ -1,0 +1,83 @@
+/* arcprint - see arcprint.h. */
+#include "stage/arcprint.h"
+
+#include <math.h>
+
+static const double SHORT = 1e-3; /* mm: nothing below this is an arc */
+static const double THERE = 1e-5; /* mm: so near to the end of the trace its digits are it */
+
+static struct printed print_line(const struct arc_piece *piece, struct vec3 from, struct vec3 to)
+{
+    struct printed p = {.piece = *piece};
+    p.piece.arc = arc_line(from, to);
+    return p;
+}
+
+struct printed arcprint_piece(const struct arc_piece *piece, struct vec3 from)
+{
+    struct vec3 to = vec_round(piece->arc.to, PATH_COORDINATE);
+    struct arc exact = arc_to(from, piece->arc.tangent, to);
+    if (arc_straight(&piece->arc) || arc_straight(&exact) || vec_distance(from, to) < SHORT)
+        return print_line(piece, from, to);
+    struct printed p = {.piece = *piece};
+    p.arc.centre = vec_round(arc_centre(&exact), PATH_COORDINATE);
+    p.arc.axis = vec_round(arc_axis(&exact), PATH_VECTOR);
+    double r0 = vec_distance(from, p.arc.centre), r1 = vec_distance(to, p.arc.centre);
+    p.arc.radius = num_round((r0 + r1) / 2, PATH_COORDINATE);
+    p.piece.arc = arc_about(from, to, p.arc.centre, vec_unit(p.arc.axis));
+    if (fabs(p.piece.arc.angle - exact.angle) > 0.01 * exact.angle)
+        return print_line(piece, from, to);
+    return p;
+}
+
+struct arc_deviation arcprint_pieces(const struct trace *trace, const struct pieces *pieces,
+                                     struct printeds *printed)
+{
+    struct vec3 at = vec_round(trace->p[0], PATH_COORDINATE), end = trace->p[trace->n - 1];
+    struct arc_deviation worst = {0};
+
+    printed->n = 0;
+    for (size_t i = 0; i < pieces->n; i++) {
+        struct printed p = arcprint_piece(&pieces->item[i], at);
+        at = p.piece.arc.to;
+        worst = arc_deviation_worst(worst, arc_piece_deviation(trace, &p.piece, 4, NULL));
+        *array_push(printed) = p;
+    }
+    if (pieces->n == 0 || vec_distance(at, end) >= THERE)
+        worst.tracked = HUGE_VAL; /* what is missing strays from nothing */
+    return worst;
+}
+
+int arcprint_chords(const struct arc_piece *piece, double lever, double sagitta)
+{
+    for (int n = 1; n < 4096; n *= 2) {
+        double worst = 0;
+        for (int i = 0; i < n; i++) {
+            struct vec3 p[3], q[3];
+            for (int k = 0; k < 3; k++) {
+                double s = (i + k * 0.5) / n;
+                p[k] = arc_at(&piece->arc, s);
+                q[k] = vec_along(p[k], lever, vec_slerp(piece->axis, piece->axis_to, s));
+            }
+            worst = fmax(worst, vec_distance(p[1], vec_mix(p[0], p[2], 0.5)));
+            worst = fmax(worst, vec_distance(q[1], vec_mix(q[0], q[2], 0.5)));
+        }
+        if (worst <= sagitta)
+            return n;
+    }
+    return 4096;
+}
+
+void arcprint_comment(const struct path_arc *arc, char *text)
+{
+    const double v[] = {arc->centre.x, arc->centre.y, arc->centre.z, arc->axis.x,
+                        arc->axis.y,   arc->axis.z,   arc->radius};
+
+    for (const char *s = "$$ CIRCLE/"; *s; s++)
+        *text++ = *s;
+    for (int i = 0; i < 7; i++) {
+        if (i > 0)
+            *text++ = ',';
+        text += num_write(text, v[i], i >= 3 && i < 6 ? PATH_VECTOR : PATH_COORDINATE);
+    }
+}

@@ -1,0 +1,307 @@
+/* arcrun - see arcrun.h. */
+#include "stage/arcrun.h"
+
+#include <stdlib.h>
+
+#include "arcfit/arc_reverse.h"
+#include "arcfit/arc_beam.h"
+#include "arcfit/arc_update.h"
+#include "stage/arcprint.h"
+#include "arcfit/arcspline_reduce.h"
+
+static const double REFERENCE = 0.02; /* part of the tolerance that the dense reference may take */
+static const double DENSE = 0.25; /* of it: straight lines this near to the smooth path are it */
+
+/* The work on one smooth part of a run. */
+struct fit {
+    const struct arcrun_options *options;
+    const struct run *dense;
+    size_t first; /* point of the dense run at which the trace begins */
+    struct trace trace;
+    struct pieces pieces;
+    struct printeds printed;
+    struct arc_deviation worst;
+};
+
+static void print_pieces(struct fit *f)
+{
+    f->worst = arcprint_pieces(&f->trace, &f->pieces, &f->printed);
+}
+
+/* Straight from point to point: the trace itself. */
+static void fit_points(struct fit *f)
+{
+    f->pieces.n = 0;
+    for (size_t i = 0; i + 1 < f->trace.n; i++)
+        *array_push(&f->pieces) = arc_piece_of(
+            &f->trace, arc_line(f->trace.p[i], f->trace.p[i + 1]), (double)i, (double)(i + 1));
+}
+
+static size_t given_points(const struct fit *f)
+{
+    size_t n = 0;
+    for (size_t i = 0; i < f->trace.n; i++)
+        n += f->dense->item[f->first + i].given;
+    return n;
+}
+
+/* Many points that were given fall to a piece.  Where they are few, as on a scan, a longer search
+ * finds hardly fewer pieces; and what is guarded may be fitted several times. */
+static bool smooth(const struct fit *f, bool again)
+{
+    const size_t many = again ? 16 : 8;
+    return given_points(f) >= many * f->pieces.n;
+}
+
+/* The pieces found from the other end, where they are fewer. */
+static bool fit_back(const struct fit *f, const struct arc_deviation *less, struct pieces *back)
+{
+    struct trace trace = arc_reverse_trace(&f->trace);
+    arc_beam_fit(&trace, less, PATH_COORDINATE, back);
+    arcspline_reduce(&trace, less, PATH_COORDINATE, true, back);
+    arc_reverse_pieces(back, trace.n);
+    if (back->n <= f->pieces.n)
+        arcspline_reduce(&f->trace, less, PATH_COORDINATE, true, back);
+    trace_free(&trace);
+    return back->n < f->pieces.n;
+}
+
+static void swap(struct pieces *a, struct pieces *b)
+{
+    struct pieces c = *a;
+    *a = *b;
+    *b = c;
+}
+
+/* The printed pieces keep the tolerance. */
+static bool proven(struct fit *f, const struct arc_deviation *within)
+{
+    print_pieces(f);
+    return arc_deviation_within(&f->worst, within);
+}
+
+/* Once: from the start, and from the end where that pays. */
+static bool fit_once(struct fit *f, bool again, const struct arc_deviation *within,
+                     const struct arc_deviation *less)
+{
+    struct pieces back = {0};
+    bool good = false;
+
+    f->pieces.n = 0;
+    arc_beam_fit(&f->trace, less, PATH_COORDINATE, &f->pieces);
+    arcspline_reduce(&f->trace, less, PATH_COORDINATE, false, &f->pieces);
+    bool thorough = smooth(f, again);
+    if (thorough)
+        arcspline_reduce(&f->trace, less, PATH_COORDINATE, true, &f->pieces);
+    if (thorough && fit_back(f, less, &back)) {
+        swap(&f->pieces, &back);
+        good = proven(f, within);
+        if (!good)
+            swap(&f->pieces, &back);
+    }
+    array_free(&back);
+    return good || proven(f, within);
+}
+
+/* The pieces of the last time, where they have to change no more than in one place. */
+static bool mend(struct fit *f, const struct arcmemory *memory, const struct arc_deviation *within,
+                 const struct arc_deviation *less)
+{
+    const struct arcmemory_part *last = memory ? arcmemory_like(memory, &f->trace) : NULL;
+
+    return last &&
+           arc_update(&last->trace, &f->trace, less, PATH_COORDINATE, &last->pieces, &f->pieces) &&
+           proven(f, within);
+}
+
+/* Fits within less and less of the tolerance until the printed digits keep all of it. */
+static void fit_within(struct fit *f, const struct arcmemory *memory, double tolerance)
+{
+    struct arc_deviation within = {tolerance, tolerance, f->options->axis};
+    double part = 1 - 1e-6 / tolerance;
+
+    for (int i = 0; i < 6; i++, part *= 0.995) {
+        struct arc_deviation less = {part * tolerance, part * tolerance, part * f->options->axis};
+        if (i == 0 && mend(f, memory, &within, &less))
+            return;
+        if (fit_once(f, memory != NULL, &within, &less))
+            return;
+    }
+    fit_points(f);
+    print_pieces(f);
+}
+
+/* Contact at a place of the trace. */
+static bool contact_at(const struct fit *f, double place, struct contact *contact)
+{
+    size_t i = f->first + (size_t)place;
+    double part = place - floor(place);
+    const struct run_point *a = &f->dense->item[i], *b = part > 0 ? a + 1 : a;
+    if (vec_length(a->normal) < 0.5 || vec_length(b->normal) < 0.5)
+        return false;
+    contact->p = vec_mix(a->contact, b->contact, part);
+    contact->n = part > 0 ? vec_slerp(a->normal, b->normal, part) : a->normal;
+    return true;
+}
+
+static void touch(struct path *out, struct path_item *item, const struct fit *f, double place)
+{
+    struct contact contact;
+    if (contact_at(f, place, &contact))
+        path_touch(out, item, contact);
+}
+
+static void put_chords(const struct fit *f, const struct printed *p, struct path *out)
+{
+    char text[ARCPRINT_MAX];
+    arcprint_comment(&p->arc, text);
+    path_add_text(out, text);
+    const struct arc_piece *piece = &p->piece;
+    int n = arcprint_chords(piece, f->trace.lever, DENSE * f->options->tolerance);
+    for (int i = 1; i <= n; i++) {
+        double s = (double)i / n, place = piece->from + s * (piece->to - piece->from);
+        struct pose to = {arc_at(&piece->arc, s), vec_slerp(piece->axis, piece->axis_to, s)};
+        touch(out, path_add_point(out, to, false), f, i < n ? place : piece->to);
+    }
+}
+
+static void put_pieces(const struct fit *f, struct path *out, struct arcrun_report *report)
+{
+    const struct printed *before = NULL;
+    for (size_t i = 0; i < f->printed.n; i++) {
+        const struct printed *p = &f->printed.item[i];
+        struct pose to = {p->piece.arc.to, p->piece.axis_to};
+        if (p->arc.radius <= 0)
+            touch(out, path_add_point(out, to, false), f, p->piece.to);
+        else if (f->options->chords)
+            put_chords(f, p, out);
+        else
+            touch(out, path_add_arc(out, to, p->arc), f, p->piece.to);
+        report->arcs += p->arc.radius > 0;
+        report->lines += p->arc.radius <= 0;
+        report->length += arc_length(&p->piece.arc);
+        if (before) {
+            double kink = vec_angle(arc_tangent(&before->piece.arc, 1), p->piece.arc.tangent);
+            bool smooth = kink <= 2 * ARCFIT_KINK,
+                 arcs = before->arc.radius > 0 && p->arc.radius > 0;
+            struct vec3 centre = vec_sub(before->arc.centre, p->piece.arc.from);
+            bool same = vec_dot(centre, p->piece.arc.inward) > 0;
+            bool counts = smooth && arcs && (before->piece.biarc || !f->options->paper);
+            report->kinks += !smooth;
+            report->c += counts && same;
+            report->s += counts && !same;
+        }
+        before = p;
+    }
+}
+
+/* A biarc for each interval between given points, its places those of the dense trace. */
+static void fit_each(struct fit *f, const struct run *run, struct arcrun_report *report)
+{
+    struct trace given = trace_of(run, 0, run->n, f->options->centre, true);
+    report->loops += arcfit_each(&given, &f->pieces);
+    size_t *at = mem_alloc(f->trace.n, sizeof *at), n = 0;
+    for (size_t i = 0; i < f->trace.n; i++)
+        if (f->dense->item[f->first + i].given)
+            at[n++] = i;
+    for (size_t i = 0; i < f->pieces.n; i++) {
+        struct arc_piece *p = &f->pieces.item[i];
+        double from = i > 0 ? f->pieces.item[i - 1].to : 0;
+        double to = (double)at[(size_t)ceil(p->to)];
+        if (p->biarc)
+            to = fmin(to, fmax(from, trace_place(&f->trace, p->arc.to, (from + to) / 2)));
+        bool biarc = p->biarc;
+        *p = arc_piece_of(&f->trace, p->arc, from, to);
+        p->biarc = biarc;
+    }
+    free(at);
+    trace_free(&given);
+}
+
+/* The dense reference as its digits will say it; returns what it takes of the tolerance. */
+static double reference_of(const struct run *run, const struct arcrun_options *options,
+                           struct run *dense)
+{
+    double taken = REFERENCE * options->tolerance;
+    double off = run_densify(run, taken, dense);
+    if (off <= DENSE * options->tolerance) {
+        dense->n = 0;
+        for (size_t i = 0; i < run->n; i++)
+            *array_push(dense) = run->item[i];
+        return 0;
+    }
+    for (size_t i = 0; i < dense->n; i++) {
+        struct run_point *p = &dense->item[i];
+        p->axis = vec_unit(vec_round(p->axis, PATH_VECTOR));
+        if (options->centre)
+            p->ball = vec_round(p->ball, PATH_COORDINATE);
+        else
+            p->tip = vec_round(p->tip, PATH_COORDINATE);
+    }
+    return taken;
+}
+
+/* Where the smooth parts of what is programmed end: at its corners, and at the end of the run. */
+static struct sizes parts_of(const struct run *dense, const struct arcrun_options *options)
+{
+    struct run track = {.radius = dense->radius};
+    for (size_t i = 0; i < dense->n; i++) {
+        struct run_point *p = array_push(&track);
+        *p = dense->item[i];
+        p->ball = options->centre ? p->ball : p->tip;
+    }
+    struct sizes end = {0};
+    if (!options->paper)
+        run_corners(&track, &end);
+    *array_push(&end) = dense->n - 1;
+    array_free(&track);
+    return end;
+}
+
+/* The part goes into the memory, or away. */
+static void keep(struct arcmemory *memory, struct fit *f)
+{
+    if (!memory) {
+        trace_free(&f->trace);
+        return;
+    }
+    *array_push(memory) = (struct arcmemory_part){f->trace, f->pieces, f->printed, f->worst};
+    f->pieces = (struct pieces){0};
+    f->printed = (struct printeds){0};
+}
+
+void arcrun_fit(const struct run *run, const struct arcrun_options *options,
+                struct arcmemory *memory, struct path *out, struct arcrun_report *report)
+{
+    struct arcmemory next = {0};
+    struct run dense = {.radius = run->radius};
+    double taken = reference_of(run, options, &dense);
+    if (options->chords)
+        taken += DENSE * options->tolerance;
+    struct sizes end = parts_of(&dense, options);
+    struct fit f = {.options = options, .dense = &dense};
+    for (size_t i = 0; i < end.n; i++) {
+        f.trace = trace_of(&dense, f.first, end.item[i] - f.first + 1, options->centre, false);
+        if (options->paper) {
+            fit_each(&f, run, report);
+            print_pieces(&f);
+        } else if (!memory || !arcmemory_take(memory, &f.trace, &f.pieces, &f.printed, &f.worst)) {
+            fit_within(&f, memory, options->tolerance - taken);
+        }
+        put_pieces(&f, out, report);
+        report->worst = arc_deviation_worst(report->worst, f.worst);
+        f.first = end.item[i];
+        keep(memory ? &next : NULL, &f);
+    }
+    if (memory) {
+        arcmemory_free(memory);
+        *memory = next;
+    }
+    report->points += run->n;
+    report->corners += end.n - 1;
+    report->spent = fmax(report->worst.tracked, report->worst.other) + taken;
+    array_free(&f.pieces);
+    array_free(&f.printed);
+    array_free(&end);
+    array_free(&dense);
+}

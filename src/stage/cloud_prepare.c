@@ -1,0 +1,103 @@
+/* cloud_prepare - see cloud_prepare.h. */
+#include "stage/cloud_prepare.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+#include "base/cli.h"
+#include "io/cloud/cloud.h"
+#include "cloud/plan_extent.h"
+#include "io/cloud/matrix.h"
+#include "cloud/noise.h"
+#include "cloud/outliers.h"
+
+static void say_skipped(const char *file, const struct cloud_count *c)
+{
+    if (c->heads > 0)
+        say("%s: passed over %zu line%s of heading", file, c->heads, c->heads == 1 ? "" : "s");
+    if (c->comments > 0)
+        say("%s: passed over %zu comment%s", file, c->comments, c->comments == 1 ? "" : "s");
+    if (c->columns > 3)
+        say("%s: passed over the columns behind the third (up to %zu)", file, c->columns);
+    if (c->not_finite > 0)
+        say("%s:%zu: left out %zu row%s with nan, inf or a number out of range, this is the first",
+            file, c->first_not_finite, c->not_finite, c->not_finite == 1 ? "" : "s");
+    if (c->not_measured > 0)
+        say("%s: left out %zu cell%s without a measurement", file, c->not_measured,
+            c->not_measured == 1 ? "" : "s");
+}
+
+int cloud_prepare_read(char **file, int files, struct vec3s *points, size_t *left_out,
+                       struct error *error)
+{
+    *left_out = 0;
+    for (int i = 0; i < files; i++) {
+        struct cloud_count count = {0};
+        if (cloud_read(file[i], points, &count, error) < 0)
+            return -1;
+        say_skipped(file[i], &count);
+        *left_out += count.not_finite + count.not_measured;
+    }
+    return 0;
+}
+
+int cloud_prepare_place(struct vec3s *points, const char *unit, const char *matrix, bool to_origin,
+                        struct mesh_origin *origin, struct error *error)
+{
+    struct transform total = transform_scale(cloud_unit(unit)), placing;
+    if (matrix) {
+        if (matrix_read(matrix, &placing, error) < 0)
+            return -1;
+        if (transform_determinant(&placing) < 0)
+            say("%s: the matrix makes a mirror image of the part", matrix);
+        total = transform_product(placing, total);
+    }
+    if (!transform_is_identity(&total))
+        transform_points(&total, points->item, points->n);
+    if (to_origin && points->n > 0) {
+        struct plan_extent f = plan_extent_of(points->item, points->n, 0);
+        struct transform shift = transform_shift(vec(-f.xmin, -f.ymin, 0));
+        transform_points(&shift, points->item, points->n);
+        total = transform_product(shift, total);
+    }
+    origin->placed = !transform_is_identity(&total);
+    memcpy(origin->place, total.m, sizeof total.m);
+    return 0;
+}
+
+static void say_cleaned(const struct cloud_prepare *c, bool drop)
+{
+    const char *left = drop ? "left out" : "found, and kept,";
+    if (c->twice > 0)
+        say("left out %zu point%s that %s there already", c->twice, c->twice == 1 ? "" : "s",
+            c->twice == 1 ? "was" : "were");
+    if (c->outliers > 0)
+        say("%s %zu outlier%s", left, c->outliers, c->outliers == 1 ? "" : "s");
+    if (c->under > 0)
+        say("%s %zu point%s under others, out of reach from above", left, c->under,
+            c->under == 1 ? "" : "s");
+}
+
+int cloud_prepare_clean(struct vec3s *points, double spacing, enum cloud_prepare_drop drop,
+                        int threads, struct cloud_prepare *cloud_prepare, struct error *error)
+{
+    struct point_grid point_grid;
+    *cloud_prepare = (struct cloud_prepare){0};
+    if (point_grid_make(points->item, points->n, spacing, threads, &point_grid, error) < 0)
+        return -1;
+    unsigned char *out = mem_alloc(points->n, 1);
+    cloud_prepare->twice = outliers_twice(&point_grid, out);
+    point_grid_remove(&point_grid, out);
+    cloud_prepare->noise = noise_of(&point_grid, threads);
+    memset(out, 0, points->n);
+    cloud_prepare->outliers = outliers_isolated(&point_grid, cloud_prepare->noise, threads, out);
+    if (drop != CLOUD_PREPARE_DROP_OUTLIERS)
+        cloud_prepare->under = outliers_under_roof(&point_grid, threads, out);
+    if (drop != CLOUD_PREPARE_KEEP)
+        point_grid_remove(&point_grid, out);
+    points->n = point_grid.n;
+    say_cleaned(cloud_prepare, drop != CLOUD_PREPARE_KEEP);
+    free(out);
+    point_grid_free(&point_grid);
+    return 0;
+}

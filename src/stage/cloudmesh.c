@@ -1,0 +1,144 @@
+/* cloudmesh - see cloudmesh.h. */
+#include "stage/cloudmesh.h"
+
+#include <stdlib.h>
+
+#include "base/cli.h"
+#include "cloudmesh_base.h"
+#include "cloud/segment.h"
+#include "meshing/mesh_join.h"
+#include "cloud/wall_points.h"
+
+static double spacing_of_cloud(double mean)
+{
+    double spacing = cloudmesh_three_spacings(mean);
+    say("spacing %g mm, three times the mean spacing of the points", spacing);
+    return spacing;
+}
+
+/* The mean spacing, and the points of walls behind the others; the spacing of the grid. */
+static int mesh_for_rows_walls(struct cloudmesh_options *wish, struct vec3s *points, int threads,
+                               struct cloud_parts *parts, struct error *error)
+{
+    *parts = (struct cloud_parts){0, points->n};
+    if (plan_extent_check(points->item, points->n, error) < 0)
+        return -1;
+    bool whole = wish->paper && wish->max_gap == 0;
+    if (!wish->smooth || !(wish->spacing > 0) || !(whole || wish->max_gap > 0))
+        parts->mean = cloudmesh_spacing(wish, points->item, points->n);
+    if (!wish->smooth)
+        parts->flat = wall_points_part(points->item, points->n, parts->mean, threads);
+    if (!(wish->spacing > 0))
+        wish->spacing = spacing_of_cloud(parts->mean);
+    return 0;
+}
+
+static int mesh_of(const struct cloudmesh_options *wish, const struct cloud_parts *parts,
+                   struct vec3s *points, double noise, int threads, struct mesh *mesh,
+                   struct cloudmesh *made, struct error *error)
+{
+    if (cloudmesh_by_grid(wish, parts, points, mesh, made, error) < 0)
+        return -1;
+    if (mesh->face.n == 0)
+        return 0;
+    if (cloudmesh_normals(wish, points->item, parts->flat, noise, threads, mesh, error) < 0)
+        return -1;
+    cloudmesh_edges(wish, parts, points, noise, threads, mesh, made);
+    return 0;
+}
+
+int cloudmesh_on_grid(const struct cloudmesh_options *asked, struct vec3s *points, double noise,
+                      int threads, struct mesh *mesh, struct cloudmesh *made, struct error *error)
+{
+    struct cloudmesh_options wish = *asked;
+    struct cloud_parts parts;
+    struct cloudmesh walled = {.walls = 0};
+    *made = walled;
+    if (mesh_for_rows_walls(&wish, points, threads, &parts, error) < 0)
+        return -1;
+    struct mesh with_walls = {.origin = mesh->origin};
+    wish.silent = true;
+    int status = 0;
+    if (parts.flat < points->n &&
+        cloudmesh_has_walls(&wish, &parts, points, fmax(noise, mesh->origin.noise), threads))
+        status = mesh_of(&wish, &parts, points, noise, threads, &with_walls, &walled, error);
+    parts.flat = points->n;
+    wish.silent = asked->silent;
+    if (status == 0)
+        status = mesh_of(&wish, &parts, points, noise, threads, mesh, made, error);
+    if (status == 0 && walled.walls > 0)
+        cloudmesh_closer(points, threads, &with_walls, &walled, mesh, made);
+    cloudmesh_drop(&with_walls, &walled);
+    return status;
+}
+
+/* A cloud that one projection serves. */
+static int one_mesh(const struct cloudmesh_options *wish, struct vec3s *points, double noise,
+                    int threads, struct mesh *mesh, struct cloudmesh *made, struct error *error)
+{
+    int status = wish->error > 0
+                     ? cloudmesh_within(wish, points, noise, threads, mesh, made, error)
+                     : cloudmesh_on_grid(wish, points, noise, threads, mesh, made, error);
+    if (status == 0 && !wish->smooth)
+        note("creases cross %zu edges of the mesh, walls %zu, ribs and grooves %zu", made->creases,
+             made->walls, made->crests);
+    array_free(&made->edge);
+    return status;
+}
+
+/* One part of a cloud that is divided, in its own projection. */
+static int add_part(const struct cloudmesh_options *wish, struct segment *part, double noise,
+                    int threads, struct mesh *mesh, struct cloudmesh *made, struct error *error)
+{
+    struct mesh own = {.origin.ledger = NAN};
+    struct adaptive_rows worst = made->rows;
+    for (size_t k = 0; k < part->point.n; k++)
+        part->point.item[k] = segment_in(part, part->point.item[k]);
+    int status = one_mesh(wish, &part->point, noise, threads, &own, made, error);
+    if (status == 0 && own.face.n > 0)
+        mesh_join_add(mesh, &own, part);
+    if (worst.worst > made->rows.worst)
+        made->rows = worst;
+    mesh_free(&own);
+    return status;
+}
+
+/* The same for each part of a cloud that is divided by orientation, one after the other. */
+static int mesh_of_parts(const struct cloudmesh_options *asked, const struct vec3s *points,
+                         double noise, int threads, struct mesh *mesh, struct cloudmesh *made,
+                         struct error *error)
+{
+    struct cloudmesh_options wish = *asked;
+    struct segments parts =
+        segments_find(points->item, points->n, 1.5 * wish.spacing, wish.direction, threads);
+    int status = 0;
+    wish.spacing = wish.spacing > 0 ? wish.spacing : spacing_of_cloud(parts.spacing);
+    wish.direction = 0;
+    mesh->origin.spacing = wish.spacing;
+    for (size_t i = 0; i < parts.n && status == 0; i++) {
+        struct segment *part = &parts.item[i];
+        note("part %zu of %zu: seen along %.3f %.3f %.3f, %zu points", i + 1, parts.n, part->up.x,
+             part->up.y, part->up.z, part->own);
+        status = add_part(&wish, part, noise, threads, mesh, made, error);
+    }
+    if (status == 0)
+        say("divided into %zu part%s, each with a projection of its own", parts.n,
+            parts.n == 1 ? "" : "s");
+    if (status == 0 && parts.left_out > 0)
+        say("%zu points belong to no part and are left out", parts.left_out);
+    segments_free(&parts);
+    if (status == 0 && mesh->face.n == 0)
+        return error_set(error,
+                         "no part has points for three neighbouring nodes of a grid of spacing "
+                         "%g mm, expected another spacing (-t)",
+                         wish.spacing);
+    return status;
+}
+
+int cloudmesh_make(const struct cloudmesh_options *wish, struct vec3s *points, double noise,
+                   int threads, struct mesh *mesh, struct cloudmesh *made, struct error *error)
+{
+    *made = (struct cloudmesh){.walls = 0};
+    return wish->subdivide ? mesh_of_parts(wish, points, noise, threads, mesh, made, error)
+                           : one_mesh(wish, points, noise, threads, mesh, made, error);
+}

@@ -1,0 +1,222 @@
+/* cloudmesh_base - see cloudmesh_base.h. */
+#include "cloudmesh_base.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+#include "base/cli.h"
+#include "feature/crest_mesh.h"
+#include "feature/feature_mesh.h"
+#include "cloud/holes.h"
+#include "mesh/mesh_distance.h"
+#include "base/num.h"
+#include "meshing/reposition.h"
+#include "cloud/scan_normals.h"
+#include "meshing/smooth_nodes.h"
+
+double cloudmesh_three_spacings(double mean)
+{
+    double step = pow(10, floor(log10(3 * mean)) - 2);
+    double digits = step >= 1 ? 0 : fmin(-floor(log10(step)), 9);
+    return num_round(round(3 * mean / step) * step, (int)digits);
+}
+
+double cloudmesh_spacing(const struct cloudmesh_options *wish, const struct vec3 *point, size_t n)
+{
+    struct plan_extent f = plan_extent_of(point, n, wish->direction);
+    return plan_extent_spacing(&f, point, n);
+}
+
+/* A point for each node; one on a wall only where there is no other. */
+static size_t *choose(const struct cloudmesh_options *wish, const struct cloud_parts *parts,
+                      const struct grid *grid, const struct vec3s *points)
+{
+    enum reach reach = wish->paper ? REACH_CIRCLE : REACH_NEAREST;
+    size_t walls = points->n - parts->flat, nodes = grid_nodes(grid);
+    size_t *chosen = reposition(grid, points->item, parts->flat, reach);
+    if (walls == 0)
+        return chosen;
+    size_t *on_wall = reposition(grid, points->item + parts->flat, walls, reach);
+    for (size_t i = 0; i < nodes; i++)
+        if (chosen[i] == NO_POINT && on_wall[i] != NO_POINT)
+            chosen[i] = parts->flat + on_wall[i];
+    free(on_wall);
+    return chosen;
+}
+
+int cloudmesh_by_grid(const struct cloudmesh_options *wish, const struct cloud_parts *parts,
+                      const struct vec3s *points, struct mesh *mesh, struct cloudmesh *made,
+                      struct error *error)
+{
+    const struct vec3 *point = points->item;
+    struct holes holes = {0};
+    struct plan_extent f = plan_extent_of(point, points->n, wish->direction);
+    bool whole = wish->paper && wish->max_gap == 0;
+    double t = wish->spacing;
+    double gap = wish->max_gap > 0 ? wish->max_gap : 6 * parts->mean;
+    double rim = fmax(t / 2, 1.5 * parts->mean);
+    if (grid_make(&f, points->n, t, &made->grid, error) < 0 ||
+        (!whole &&
+         holes_find(point, points->n, gap, wish->paper ? gap / 2 : rim, &holes, error) < 0))
+        return -1;
+    size_t *chosen = choose(wish, parts, &made->grid, points);
+    made->count = grid_mesh_make(&made->grid, chosen, point, whole ? NULL : &holes, mesh);
+    free(chosen);
+    holes_free(&holes);
+    if (mesh->face.n == 0 && !wish->subdivide)
+        return error_set(error,
+                         "no three neighbouring nodes of a grid of spacing %g mm have points on an "
+                         "area of %g x %g mm, expected another spacing (-t) or a wider area",
+                         t, f.xmax - f.xmin, f.ymax - f.ymin);
+    mesh->origin.spacing = t;
+    mesh->origin.direction = wish->direction;
+    return 0;
+}
+
+static void say_thin(size_t thin, const struct mesh *mesh)
+{
+    if (thin > 0)
+        say("%zu of %zu vertices have too few points about them for a quadric: their normals are "
+            "the facets'",
+            thin, mesh->vertex.n);
+}
+
+/* Normals of the points as they are; returns the tolerance spent. */
+static double normals_of_points(const struct cloudmesh_options *wish,
+                                const struct point_grid *point_grid, int threads, struct mesh *mesh)
+{
+    int neighbours = wish->neighbours ? wish->neighbours : 40;
+    struct scan_normals r = scan_normals_quadric(mesh, point_grid, neighbours, threads);
+    if (wish->silent)
+        return r.noise;
+    say_thin(r.thin, mesh);
+    struct vec3 at = mesh->vertex.item[r.at];
+    note("vertices are off their quadrics by %.4f mm at worst (at %.3f %.3f %.3f), %.4f mm rms; "
+         "three sigma of the noise %.4f mm",
+         r.worst, at.x, at.y, at.z, r.rms, r.noise);
+    return r.noise;
+}
+
+/* Vertices moved onto the surface, and its normals; returns the tolerance spent. */
+static double move_vertices(const struct cloudmesh_options *wish,
+                            const struct point_grid *point_grid, double noise, int threads,
+                            struct mesh *mesh)
+{
+    struct smooth_nodes r =
+        smooth_nodes(mesh, point_grid, noise, (size_t)wish->neighbours, threads);
+    if (wish->silent)
+        return 3 * r.error;
+    say_thin(r.thin, mesh);
+    say("noise %.4f mm (one standard deviation): %zu of %zu vertices moved onto surfaces through "
+        "about %zu points, to within %.4f mm (one standard deviation)",
+        noise, r.moved, mesh->vertex.n, r.typical, r.error);
+    if (r.kept > 0)
+        say("%zu vertices not moved: no surface explains the points about them", r.kept);
+    struct vec3 at = mesh->vertex.item[r.at];
+    note("moved by %.4f mm at most, to %.3f %.3f %.3f", r.farthest, at.x, at.y, at.z);
+    return 3 * r.error;
+}
+
+int cloudmesh_normals(const struct cloudmesh_options *wish, struct vec3 *point, size_t n,
+                      double noise, int threads, struct mesh *mesh, struct error *error)
+{
+    struct point_grid point_grid;
+    if (wish->normals == NORMALS_FACET) {
+        mesh_normals_facet(mesh);
+        return 0;
+    }
+    if (point_grid_make(point, n, cloudmesh_spacing(wish, point, n), threads, &point_grid, error) <
+        0)
+        return -1;
+    mesh->origin.ledger = noise > 0 ? move_vertices(wish, &point_grid, noise, threads, mesh)
+                                    : normals_of_points(wish, &point_grid, threads, mesh);
+    mesh->origin.maker = mem_string("cloud2mesh", strlen("cloud2mesh"));
+    point_grid_free(&point_grid);
+    return 0;
+}
+
+void cloudmesh_edges(const struct cloudmesh_options *wish, const struct cloud_parts *parts,
+                     const struct vec3s *points, double noise, int threads, struct mesh *mesh,
+                     struct cloudmesh *made)
+{
+    if (!wish->smooth) {
+        size_t first = mesh->vertex.n;
+        struct feature_mesh found =
+            feature_mesh_keep(mesh, points->item, points->n, parts->flat, parts->mean,
+                              fmax(noise, mesh->origin.noise), threads);
+        made->creases = found.creases;
+        made->walls = found.walls;
+        array_free(&made->edge);
+        made->edge = found.place;
+        struct crests crests = crest_mesh_keep(mesh, first, points->item, parts->flat, parts->mean,
+                                               fmax(noise, mesh->origin.noise), threads);
+        made->crests = crests.found;
+        if (found.too_many > 0 && !wish->silent)
+            say("%zu edges of the mesh lie where the scan is rough: too many to look for creases "
+                "there (a wider spacing has fewer)",
+                found.too_many);
+        if (crests.too_many > 0 && !wish->silent)
+            say("%zu edges of the mesh may cut off ribs or grooves: too many to look at (a wider "
+                "spacing has fewer)",
+                crests.too_many);
+    }
+    if (!wish->paper)
+        mesh_normals_seen(mesh);
+}
+
+bool cloudmesh_has_walls(const struct cloudmesh_options *wish, const struct cloud_parts *parts,
+                         const struct vec3s *points, double noise, int threads)
+{
+    struct cloudmesh_options grid = *wish;
+    struct mesh mesh = {.origin.ledger = NAN};
+    struct cloudmesh made;
+    struct error error;
+    if (!(grid.spacing > 0))
+        grid.spacing = cloudmesh_three_spacings(parts->mean);
+    bool found = cloudmesh_by_grid(&grid, parts, points, &mesh, &made, &error) == 0 &&
+                 feature_mesh_walls(&mesh, points->item, points->n, parts->flat, parts->mean, noise,
+                                    threads) > 0;
+    mesh_free(&mesh);
+    return found;
+}
+
+/* The sum of the squared distances of the points from the mesh, of every so many of them. */
+static double off_points(const struct mesh *mesh, const struct vec3s *points, int threads)
+{
+    const size_t most = 100000;
+    struct vec3s some = {0};
+    double sum = 0;
+    for (size_t i = 0; i < points->n; i += points->n / most + 1)
+        *array_push(&some) = points->item[i];
+    double *distance = mem_alloc(some.n, sizeof *distance);
+    mesh_distance(mesh, some.item, some.n, threads, distance);
+    for (size_t i = 0; i < some.n; i++)
+        sum += distance[i] * distance[i];
+    free(distance);
+    array_free(&some);
+    return sum;
+}
+
+void cloudmesh_swap(struct mesh *other, struct cloudmesh *other_made, struct mesh *mesh,
+                    struct cloudmesh *made)
+{
+    struct mesh swap = *mesh;
+    struct cloudmesh swap_made = *made;
+    *mesh = *other;
+    *made = *other_made;
+    *other = swap;
+    *other_made = swap_made;
+}
+
+void cloudmesh_closer(const struct vec3s *points, int threads, struct mesh *other,
+                      struct cloudmesh *other_made, struct mesh *mesh, struct cloudmesh *made)
+{
+    if (off_points(other, points, threads) < off_points(mesh, points, threads))
+        cloudmesh_swap(other, other_made, mesh, made);
+}
+
+void cloudmesh_drop(struct mesh *mesh, struct cloudmesh *made)
+{
+    mesh_free(mesh);
+    array_free(&made->edge);
+}

@@ -1,0 +1,162 @@
+#include "guard_read.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+#include "io/cloud/cloud.h"
+#include "cloud/plan_extent.h"
+#include "cloud/noise.h"
+#include "gouge/guard_points.h"
+#include "gouge/convex_edges.h"
+#include "cloud/outliers.h"
+
+static struct vec3 place(const double m[4][4], struct vec3 p)
+{
+    return vec(m[0][0] * p.x + m[0][1] * p.y + m[0][2] * p.z + m[0][3],
+               m[1][0] * p.x + m[1][1] * p.y + m[1][2] * p.z + m[1][3],
+               m[2][0] * p.x + m[2][1] * p.y + m[2][2] * p.z + m[2][3]);
+}
+
+/* `placed`: how, NULL: as they are. */
+static int read_points(const struct cli_list *files, const double (*placed)[4],
+                       struct vec3s *points, struct error *error)
+{
+    for (size_t f = 0; f < files->n; f++) {
+        struct cloud_count count = {0};
+        size_t from = points->n;
+        if (cloud_read(files->item[f], points, &count, error) != 0)
+            return -1;
+        if (points->n == from)
+            return error_at(error, files->item[f], 0, "found no points");
+        if (count.not_finite > 0)
+            say("%s: %zu rows without finite numbers left out, the first in line %zu",
+                files->item[f], count.not_finite, count.first_not_finite);
+        for (size_t i = from; placed && i < points->n; i++)
+            points->item[i] = place(placed, points->item[i]);
+    }
+    if (placed)
+        say("the scan to guard is placed as the mesh was");
+    return 0;
+}
+
+/* How many places have no guard point within `near`. */
+static size_t far_places(const struct vec3s *place, const struct gouge_check *guard, double near)
+{
+    size_t far = 0;
+
+    for (size_t i = 0; i < place->n; i++)
+        far += gouge_clear_along(guard, place->item[i], place->item[i], near, 0);
+    return far;
+}
+
+/* Takes out points that are not on the surface, where it is certain that noise does not put them
+ * there: it is known, or there is none. */
+static void drop_outliers(struct point_grid *point_grid, struct noise noise, double spacing,
+                          int threads)
+{
+    const double none = 0.002; /* in spacings */
+
+    if (!noise.alike && noise.sigma >= none * spacing)
+        return;
+    unsigned char *out = mem_alloc(point_grid->n, 1);
+    memset(out, 0, point_grid->n);
+    size_t outliers = outliers_isolated(point_grid, noise.sigma, threads, out);
+    if (outliers > 0)
+        say("left out %zu outlier%s of the scan that guards", outliers, outliers == 1 ? "" : "s");
+    point_grid_remove(point_grid, out);
+    free(out);
+}
+
+static double spacing_of(const struct vec3s *points)
+{
+    struct plan_extent f = plan_extent_of(points->item, points->n, 0);
+    double spacing = plan_extent_spacing(&f, points->item, points->n);
+
+    return spacing > 0 ? spacing : 1; /* upright or a single point: any cell will do */
+}
+
+/* The mesh knows better than the scan where its sharp edges are. */
+static void add_edges(const struct mesh *mesh, double spacing, struct vec3s *points)
+{
+    size_t before = points->n;
+
+    convex_edges_sample(mesh, spacing, points);
+    if (points->n > before)
+        note("and by %zu points on sharp edges of the mesh", points->n - before);
+}
+
+/* NULL: more points than can be sorted. */
+static struct gouge_check *gouge_of(struct vec3s *points, const struct mesh *mesh,
+                                    struct guard_read_options *rule, struct error *error)
+{
+    const double little = 0.1;  /* of the tolerance */
+    const size_t many = 400000; /* points: noise is taken out of more only when it is said */
+    double spacing = spacing_of(points);
+    struct point_grid point_grid;
+
+    if (point_grid_make(points->item, points->n, spacing, rule->threads, &point_grid, error) < 0)
+        return NULL;
+    struct noise found = noise_look(&point_grid, rule->threads);
+    drop_outliers(&point_grid, found, spacing, rule->threads);
+    bool takes = found.alike && found.sigma > little * rule->tolerance && points->n <= many;
+    if (rule->noise < 0)
+        rule->noise = takes ? found.sigma : 0;
+    struct guard_points_options how = {.radius = rule->radius,
+                                       .sink = rule->tolerance / 5,
+                                       .noise = rule->noise,
+                                       .vague = rule->tolerance,
+                                       .threads = rule->threads};
+    struct guard_points surface = guard_points_make(&point_grid, &how);
+    if (rule->noise > 0)
+        say("noise of %.2g mm taken out of the scan that guards (%zu of %zu points moved)",
+            rule->noise, surface.moved, point_grid.n);
+    if (surface.vague > 0)
+        say("the scan is too sparse at %zu points for a tolerance of %g: the surface between them "
+            "is "
+            "uncertain, at worst by %.3f mm at %.3f %.3f %.3f",
+            surface.vague, rule->tolerance, surface.worst, surface.at.x, surface.at.y,
+            surface.at.z);
+    note("guarded by %zu points of the scan and %zu put between", point_grid.n, surface.added);
+    if (mesh)
+        add_edges(mesh, sqrt(8 * rule->radius * how.sink), &surface.point);
+    point_grid_free(&point_grid);
+    rule->certain = surface.certain;
+    rule->doubtful = surface.doubtful;
+    return gouge_take(surface.point, rule->threads);
+}
+
+/* mesh: NULL where there is none. */
+static struct gouge_check *read_guard(const struct cli_list *files, const struct mesh *mesh,
+                                      const struct vec3s *place_of, const char *what, double near,
+                                      struct guard_read_options *rule, struct error *error)
+{
+    const double(*placed)[4] = mesh && mesh->origin.placed ? mesh->origin.place : NULL;
+    struct vec3s points = {0};
+    struct gouge_check *guard = NULL;
+
+    if (read_points(files, placed, &points, error) == 0)
+        guard = gouge_of(&points, mesh, rule, error);
+    array_free(&points);
+    size_t far = guard ? far_places(place_of, guard, near) : 0;
+    if (!guard || 2 * far <= place_of->n)
+        return guard;
+    gouge_free(guard);
+    error_at(error, files->item[0], 0,
+             "found %zu of %zu %s further than %.3g mm from the scan, expected the scan that the "
+             "mesh was made from",
+             far, place_of->n, what, near);
+    return NULL;
+}
+
+struct gouge_check *guard_read(const struct cli_list *files, const struct mesh *mesh, double near,
+                               struct guard_read_options *rule, struct error *error)
+{
+    return read_guard(files, mesh, &mesh->vertex, "mesh vertices", near, rule, error);
+}
+
+struct gouge_check *guard_read_points(const struct cli_list *files, const struct vec3s *place,
+                                      double near, struct guard_read_options *rule,
+                                      struct error *error)
+{
+    return read_guard(files, NULL, place, "points of the path", near, rule, error);
+}

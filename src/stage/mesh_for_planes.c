@@ -1,0 +1,80 @@
+/* mesh_for_planes - see mesh_for_planes.h. */
+#include "stage/mesh_for_planes.h"
+
+#include "base/cli.h"
+#include "io/mesh/meshfile.h"
+#include "mesh/mesh_repair.h"
+
+static const double FITS = 1 + 1e-6;
+
+static void tell_mending(const char *file, const struct mesh_repair_report *r)
+{
+    if (r->welded > 0)
+        note("%s: %zu vertices at the places of others made one with them", file, r->welded);
+    if (r->no_area > 0)
+        say("%s: %zu facets without area left out", file, r->no_area);
+    if (r->doubled > 0)
+        say("%s: %zu facets were there twice, one of each left out", file, r->doubled);
+    if (r->many > 0)
+        say("%s: %zu edges have more than two facets: passes end there", file, r->many);
+    if (r->flipped > 0)
+        say("%s: %zu facets were the other way round than their neighbours or normals: turned",
+            file, r->flipped);
+    if (r->turned > 0)
+        say("%s: normals pointed down, or into a closed part: %zu of %zu sheets turned", file,
+            r->turned, r->sheets);
+    if (r->normals > 0)
+        say("%s: %zu normals pointed away from their facets: turned to their side", file,
+            r->normals);
+    if (r->normals_made)
+        say("%s: the mesh has no normals: taking the mean of the facets', sharp edges kept", file);
+}
+
+int mesh_for_planes_read(const char *file, struct vec3 up, struct mesh *mesh, bool *closed,
+                         struct error *error)
+{
+    if (mesh_read(file, mesh, error) != 0)
+        return -1;
+    struct mesh_repair_report report = mesh_repair(mesh, up);
+    if (mesh->face.n == 0)
+        return error_set(error, "%s: found no facet that has an area", file);
+    for (size_t i = 0; i < 3 * mesh->face.n; i++) {
+        int v = mesh->face.item[i / 3].v[i % 3];
+        if (vec_length(mesh->normal.item[v]) < 0.5)
+            return error_set(error,
+                             "%s: vertex %d: found a normal of no length, expected a unit vector",
+                             file, v);
+    }
+    tell_mending(file, &report);
+    *closed = report.closed == report.sheets;
+    return 0;
+}
+
+static void look_at(struct mesh_for_planes_hollow *h, double radius, struct vec3 at,
+                    const char *surface, double ball)
+{
+    h->tighter += ball > radius * FITS;
+    if (radius < h->radius) {
+        h->radius = radius;
+        h->at = at;
+        h->surface = surface;
+    }
+}
+
+struct mesh_for_planes_hollow mesh_for_planes_hollow(const struct mesh *mesh, double ball)
+{
+    const struct mesh_surfaces *s = &mesh->origin.surface;
+    struct mesh_for_planes_hollow h = {.known = s->n > 0 || mesh->kmax.n > 0, .radius = HUGE_VAL};
+
+    for (size_t i = 0; i < s->n; i++) {
+        if (s->item[i].radius > 0)
+            look_at(&h, s->item[i].radius, s->item[i].at, s->item[i].name, ball);
+    }
+    if (s->n > 0)
+        return h;
+    for (size_t v = 0; v < mesh->kmax.n; v++) {
+        if (mesh->kmax.item[v] > 0)
+            look_at(&h, 1 / mesh->kmax.item[v], mesh->vertex.item[v], NULL, ball);
+    }
+    return h;
+}

@@ -1,0 +1,95 @@
+/* nurbs_report - see nurbs_report.h. */
+#include "stage/nurbs_report.h"
+
+#include "base/cli.h"
+#include "base/out.h"
+
+/* 15 digits, never -0. */
+static void write_number(struct out *out, double x)
+{
+    out_printf(out, ",%.15g", x + 0.0);
+}
+
+static void write_vec(struct out *out, struct vec3 p)
+{
+    write_number(out, p.x);
+    write_number(out, p.y);
+    write_number(out, p.z);
+}
+
+static double mesh_for_rows_of(const struct nurbs_axis *a, int i, int n)
+{
+    return i == n - 1 ? a->to : a->from + (a->to - a->from) * i / (n - 1);
+}
+
+void nurbs_report_grid(const char *file, const struct patches *patches, int n)
+{
+    struct out *out = out_open(file);
+    out_text(out, "entity,u,v,x,y,z,nx,ny,nz\n");
+    for (size_t k = 0; k < patches->n; k++) {
+        const struct nurbs *s = &patches->item[k].surface;
+        struct nurbs whole = *s; /* a range that ends on a knot: the span behind that counts */
+        whole.u.to = s->u.knot[s->u.poles];
+        whole.v.to = s->v.knot[s->v.poles];
+        for (int i = 0; i < n; i++)
+            for (int j = 0; j < n; j++) {
+                struct uv at = {mesh_for_rows_of(&s->u, i, n), mesh_for_rows_of(&s->v, j, n)};
+                struct nurbs_place p = nurbs_place(&whole, at);
+                out_printf(out, "%d", patches->item[k].entity);
+                write_number(out, at.u);
+                write_number(out, at.v);
+                write_vec(out, p.point);
+                write_vec(out, p.normal);
+                out_text(out, "\n");
+            }
+    }
+    out_close(out);
+}
+
+void nurbs_report_radii(const char *file, const struct patches *patches,
+                        const struct concave_radius *hollow)
+{
+    const struct patch *tightest = NULL;
+    double most = 0;
+    struct out *out = out_open(file);
+    out_text(out, "surface,radius,u,v,x,y,z\n");
+    for (size_t i = 0; i < patches->n; i++) {
+        const struct patch *p = &patches->item[i];
+        out_printf(out, "%s:%d", p->file, p->entity);
+        if (hollow[i].curvature > 1e-9) {
+            out_printf(out, ",%.6f,%.9g,%.9g,%.6f,%.6f,%.6f\n", 1 / hollow[i].curvature,
+                       hollow[i].at.u + 0.0, hollow[i].at.v + 0.0, hollow[i].point.x + 0.0,
+                       hollow[i].point.y + 0.0, hollow[i].point.z + 0.0);
+        } else {
+            out_text(out, ",none,,,,,\n");
+        }
+        if (hollow[i].curvature > most) {
+            most = hollow[i].curvature;
+            tightest = p;
+        }
+    }
+    if (most > 1e-9)
+        out_printf(out, "# largest ball: radius %.6f (%s:%d)\n", 1 / most, tightest->file,
+                   tightest->entity);
+    else
+        out_text(out, "# largest ball: any, nothing is hollow\n");
+    out_close(out);
+}
+
+void nurbs_report_trimming(const struct patches *patches, const struct sheet *sheet, double fine)
+{
+    for (size_t i = 0; i < patches->n; i++) {
+        const struct patch *p = &patches->item[i];
+        if (sheet[i].unclear > 0)
+            say("%s: surface %d: its trimming crosses itself in %zu cells, kept or cut away whole",
+                p->file, p->entity, sheet[i].unclear);
+        if (sheet[i].lost > 0)
+            say("%s: surface %d: %zu trimming loops that go round it more than once ignored",
+                p->file, p->entity, sheet[i].lost);
+        if (sheet[i].off > fine)
+            say("%s: surface %d: its trimming curves in space lie up to %g mm off it", p->file,
+                p->entity, sheet[i].off);
+        if (sheet[i].face.n == 0)
+            say("%s: surface %d: nothing is left of it by its trimming", p->file, p->entity);
+    }
+}

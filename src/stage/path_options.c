@@ -1,0 +1,244 @@
+#include "stage/path_options.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+#include "stage/holder_options.h"
+#include "stage/mesh_for_rows.h"
+#include "guard_read.h"
+
+struct path_options cutting = {.tilt = 15,
+                               .depth = 0.3,
+                               .noise = -1,
+                               .lean = 30,
+                               .clearance = NAN,
+                               .approach = 5,
+                               .feed = 800,
+                               .spindle = 8000,
+                               .layers = 1,
+                               .tool = 1,
+                               .coolant = 1};
+
+/* clang-format off */
+const struct cli_option path_options_options[] = {
+    {'g', "guard", "FILE", "keep the ball clear of all points of this scan, not only of the mesh\n"
+     "(may be given several times)", CLI_LIST, &cutting.guards, 0, 0, 0, NULL},
+    {0, "noise", "SIGMA", "standard deviation of the noise that is taken out of the scan of -g\n"
+     "(default: as found; 0: its points as they are)", CLI_NUMBER, &cutting.noise, 0, 10, 0, NULL},
+    {'e', "tolerance", "E", "put points between those of the mesh: straight lines stay within E of\n"
+     "the smooth curve, no deeper in the part (0.01 with -g or --holder)",
+     CLI_NUMBER, &cutting.tolerance, 0.0001, 10, 0, NULL},
+    {0, "paper", NULL, "as published: mesh points alone, nothing lifted, links not checked",
+     CLI_FLAG, &cutting.paper, 0, 0, 0, NULL},
+    {0, "avoid", NULL, "what the ball can't reach may stay standing (else it is told, with\n"
+     "exit status 3)", CLI_FLAG, &cutting.avoid, 0, 0, 0, NULL},
+    {0, "limit", "H", "lift no centre by more than H: what takes more is passed over\n"
+     "(default: the radius)", CLI_NUMBER, &cutting.limit, CLI_POSITIVE, 0, 0, NULL},
+    {0, "tilt", "DEG", "lean the axis off the normal, sideways, positive to next pass (15)",
+     CLI_NUMBER, &cutting.tilt, -80, 80, 0, &cutting.lean_given},
+    {0, "lead", "DEG", "lean it in the direction of the feed (0)",
+     CLI_NUMBER, &cutting.lead, -80, 80, 0, &cutting.lean_given},
+    {0, "fixed", "I,J,K", "the same axis everywhere, from the tip to the spindle",
+     CLI_NUMBERS, cutting.fixed, 0, 0, 3, &cutting.fixed_given},
+    {0, "to-point", "X,Y,Z", "the spindle points to a point above the part",
+     CLI_NUMBERS, cutting.to_point, 0, 0, 3, &cutting.to_given},
+    {0, "from-point", "X,Y,Z", "the spindle points away from a point below the surface",
+     CLI_NUMBERS, cutting.from_point, 0, 0, 3, &cutting.from_given},
+    {0, "circle", "X,Y,Z,I,J,K,R", "the axis goes through the nearest point of a circle: centre,\n"
+     "axis, radius", CLI_NUMBERS, cutting.circle, 0, 0, 7, &cutting.circle_given},
+    {0, "least-turn", "DEG", "lean the axis as far as --tilt and --lead say, or up to DEG, to\n"
+     "whatever side rotary axes turn least", CLI_NUMBER, &cutting.turn, 0, 80, 0, NULL},
+    {0, "axis-play", "DEG", "axes may be this far off their rule, to turn as little as they can (0)",
+     CLI_NUMBER, &cutting.play, 0, 60, 0, NULL},
+    {0, "axis-rate", "DEG", "turn axes by no more than DEG in a millimetre along a pass",
+     CLI_NUMBER, &cutting.rate, CLI_POSITIVE, 0, 0, NULL},
+    {0, "holder", "SPEC", "keep shank and holder clear too: cones R0:R1:L or cylinders R:L from\n"
+     "the ball's centre upward, joined by +", CLI_TEXT, &cutting.holder, 0, 0, 0, NULL},
+    {0, "lean-limit", "DEG", "how far axes may be leaned away where the holder touches (30)",
+     CLI_NUMBER, &cutting.lean, 0, 85, 0, NULL},
+    {0, "one-way", NULL, "cut all passes in one direction (default: zig-zag)",
+     CLI_FLAG, &cutting.one_way, 0, 0, 0, NULL},
+    {0, "layers", "N", "cut in N layers, the outermost first (1)",
+     CLI_COUNT, &cutting.layers, 1, 1000, 0, NULL},
+    {0, "depth", "MM", "what a layer takes off, along the normal (0.3)",
+     CLI_NUMBER, &cutting.depth, CLI_POSITIVE, 0, 0, NULL},
+    {0, "clearance", "Z", "height of the tip on the clearance plane (default: top of the part\n"
+     "and its layers + radius + 10)", CLI_NUMBER, &cutting.clearance, 0, 0, 0, NULL},
+    {0, "approach", "MM", "last bit of the way down, at the plunge feed (5)",
+     CLI_NUMBER, &cutting.approach, CLI_POSITIVE, 0, 0, NULL},
+    {0, "feed", "F", "cutting feed, mm/min (800)", CLI_NUMBER, &cutting.feed, CLI_POSITIVE, 0, 0, NULL},
+    {0, "plunge", "F", "feed of the last bit down (default: half the cutting feed)",
+     CLI_NUMBER, &cutting.plunge, CLI_POSITIVE, 0, 0, NULL},
+    {0, "spindle", "RPM", "speed of the spindle (8000)",
+     CLI_NUMBER, &cutting.spindle, CLI_POSITIVE, 0, 0, NULL},
+    {0, "tool", "N", "number of the tool (1)", CLI_COUNT, &cutting.tool, 1, 99999999, 0, NULL},
+    {0, "coolant", "off|on|mist", "coolant (on)", CLI_CHOICE, &cutting.coolant, 0, 0, 0, NULL},
+    {0, "partno", "TEXT", "name of the part (default: after the mesh's source)",
+     CLI_TEXT, &cutting.partno, 0, 0, 0, NULL},
+    {0}};
+/* clang-format on */
+
+static struct vec3 vec_of(const double v[3])
+{
+    return vec(v[0], v[1], v[2]);
+}
+
+static int axis_rule(struct tool_axis_options *rule, struct error *error)
+{
+    const struct path_options *c = &cutting;
+
+    *rule = (struct tool_axis_options){
+        .kind = AXIS_LEAN, .tilt = RADIANS(c->tilt), .lead = RADIANS(c->lead)};
+    if (c->fixed_given + c->to_given + c->from_given + c->circle_given + c->lean_given > 1)
+        return error_set(error, "found two rules for the axis, expected one of --tilt/--lead, "
+                                "--fixed, --to-point, --from-point, --circle");
+    if (c->fixed_given) {
+        rule->kind = AXIS_FIXED;
+        rule->direction = vec_unit(vec_of(c->fixed));
+    } else if (c->to_given) {
+        rule->kind = AXIS_TO_POINT;
+        rule->point = vec_of(c->to_point);
+    } else if (c->from_given) {
+        rule->kind = AXIS_FROM_POINT;
+        rule->point = vec_of(c->from_point);
+    } else if (c->circle_given) {
+        rule->kind = AXIS_CIRCLE;
+        rule->point = vec_of(c->circle);
+        rule->direction = vec_unit(vec_of(c->circle + 3));
+        rule->radius = c->circle[6];
+    }
+    if ((c->fixed_given || c->circle_given) && vec_length(rule->direction) == 0)
+        return error_set(error, "option %s: found a direction of no length",
+                         c->fixed_given ? "--fixed" : "--circle");
+    return 0;
+}
+
+int path_options_check(struct tool_axis_options *axis, struct error *error)
+{
+    struct path_options *c = &cutting;
+
+    if (c->radius == 0)
+        return error_set(error, "found no radius of the ball, expected -r R");
+    if (c->paper && (c->guards.n > 0 || c->tolerance > 0))
+        return error_set(error, "found --paper with -g or -e: the papers have neither");
+    if (c->paper && (c->holder || c->play > 0 || c->rate > 0))
+        return error_set(error,
+                         "found --paper with --holder, --axis-play or --axis-rate: the papers "
+                         "have none of them");
+    if (c->turn > 0 &&
+        (c->paper || c->fixed_given || c->to_given || c->from_given || c->circle_given))
+        return error_set(error, "found --least-turn with %s, expected it with --tilt and --lead",
+                         c->paper ? "--paper" : "another rule for the axis");
+    if (c->plunge == 0)
+        c->plunge = c->feed / 2;
+    if (c->tolerance == 0 && (c->guards.n > 0 || c->holder))
+        c->tolerance = 0.01;
+    return axis_rule(axis, error);
+}
+
+int path_options_guard(const struct mesh *mesh, double near, int threads,
+                       struct gouge_check **guard, struct error *error)
+{
+    const struct path_options *c = &cutting;
+    struct guard_read_options rule = {c->radius, c->tolerance, c->noise, threads, {0}, {0}};
+
+    *guard = NULL;
+    if (c->paper)
+        return 0;
+    *guard = c->guards.n > 0 ? guard_read(&c->guards, mesh, near, &rule, error)
+                             : gouge_from_mesh(mesh, sqrt(6 * 0.002 * c->radius));
+    cutting.noise = rule.noise;
+    cutting.certain = rule.certain;
+    cutting.doubtful = rule.doubtful;
+    return *guard ? 0 : -1;
+}
+
+/* The clearance plane: what was asked for, if it is above everything, or a safe one. */
+static int clearance_plane(const struct mesh *mesh, const struct gouge_check *guard, double *z,
+                           struct error *error)
+{
+    double top = fmax(mesh_for_rows_top(mesh), guard ? gouge_top(guard) : -HUGE_VAL);
+
+    top += (cutting.layers - 1) * cutting.depth;
+    if (cutting.clearance < top)
+        return error_set(error,
+                         "option --clearance: found %g, expected more than the top of the part, %g",
+                         cutting.clearance, top);
+    *z = isnan(cutting.clearance) ? top + cutting.radius + 10 : cutting.clearance;
+    return 0;
+}
+
+int path_options_rules(const struct mesh *mesh, const struct gouge_check *guard, double distance,
+                       struct toolpath *t, struct error *error)
+{
+    const struct path_options *c = &cutting;
+    struct error why;
+
+    t->rule = (struct toolpath_options){.radius = c->radius,
+                                        .feed = c->feed,
+                                        .plunge = c->plunge,
+                                        .approach = c->approach,
+                                        .longest = 3 * distance,
+                                        .avoid = c->avoid || c->guards.n == 0};
+    t->rule.skip = c->avoid;
+    t->rule.play = RADIANS(c->play);
+    t->rule.rate = RADIANS(c->rate);
+    t->rule.lean = RADIANS(c->lean);
+    t->rule.turn = RADIANS(c->turn);
+    if (c->holder && holder_options_read(c->holder, &t->rule.holder, &why) != 0)
+        return error_set(error, "option --holder: %s", why.text);
+    t->lift.guard = guard;
+    t->lift.limit = c->limit > 0 ? c->limit : c->radius;
+    t->lift.tolerance = c->tolerance > 0 ? c->tolerance : 0.01;
+    t->lift.between = c->tolerance > 0;
+    t->lift.step = 0.05;
+    t->lift.stands = 3 * t->lift.tolerance + 2 * fmax(c->noise, 0);
+    return clearance_plane(mesh, guard, &t->rule.clearance, error);
+}
+
+/* `tool` spent what straight lines spend. */
+static void fill_head(const struct mesh *mesh, const char *tool, const struct toolpath *t)
+{
+    const struct path_options *c = &cutting;
+    const struct mesh_origin *origin = &mesh->origin;
+    const char *name = c->partno ? c->partno : mesh_for_rows_name(mesh);
+    const double r = c->radius, cutter[7] = {2 * r, r, 0, r, 0, 0, fmax(60, 4 * r)};
+    struct path_head *head = &t->path->head;
+
+    head->partno = mem_string(name, strlen(name));
+    head->multax = t->lift.axis.kind != AXIS_FIXED || t->lift.axis.direction.z < 1;
+    memcpy(head->cutter, cutter, sizeof cutter);
+    head->cutter_n = 7;
+    head->tool = c->tool;
+    head->spindle = c->spindle;
+    head->coolant = c->coolant + 1;
+    head->clearance = t->rule.clearance;
+    if (origin->maker && isfinite(origin->ledger))
+        path_spend(t->path, origin->maker, origin->ledger);
+    /* Between points of the mesh the straight lines are what was checked; without points put
+     * between, it is the smooth curve, and who goes straight leaves it. */
+    if (c->tolerance > 0)
+        path_spend(t->path, tool, c->tolerance);
+    head->chord = c->tolerance > 0 ? NAN : t->chord;
+}
+
+void path_options_begin(const struct mesh *mesh, const char *tool, const char *output,
+                        struct toolpath *t)
+{
+    t->streams = cutting.tolerance > 0;
+    t->output = output;
+    if (t->streams)
+        fill_head(mesh, tool, t);
+}
+
+void path_options_end(const struct mesh *mesh, const char *tool, struct toolpath *t)
+{
+    if (t->streams) {
+        path_write_end(t->out);
+    } else {
+        fill_head(mesh, tool, t);
+        t->out = out_open(t->output);
+        path_write(t->out, t->path);
+    }
+    out_close(t->out);
+}

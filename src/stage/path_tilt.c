@@ -1,0 +1,81 @@
+/* path_tilt - see path_tilt.h. */
+#include "stage/path_tilt.h"
+
+#include <stdlib.h>
+
+#include "stage/arcrun.h"
+#include "toolpath/tilt.h"
+
+static const double SAME_AXIS = 1e-8;
+
+/* The change at one end of a run. */
+struct change {
+    bool any;
+    struct pose was, now;
+};
+
+/* A move with the old axis takes the new one; both points of the tool move as at the run's end. */
+static bool carry(struct path *path, struct path_item *item, const struct change *c)
+{
+    if (!c->any || (item->kind != PATH_POINT && item->kind != PATH_ARC) ||
+        vec_distance(item->to.a, c->was.a) > SAME_AXIS)
+        return false;
+    struct vec3 by = vec_sub(c->now.p, c->was.p);
+    item->to.p = vec_add(item->to.p, by);
+    item->to.a = c->now.a;
+    if (item->kind == PATH_ARC) {
+        struct path_arc *arc = &path->arc.item[item->index];
+        arc->centre = vec_add(arc->centre, by);
+    }
+    return true;
+}
+
+/* The moves between two runs: back from the run ahead, then on from the run behind. */
+static void carry_between(struct path *path, size_t from, size_t to, const struct change *behind,
+                          const struct change *ahead)
+{
+    size_t end = to;
+    while (end > from) {
+        struct path_item *item = &path->item.item[end - 1];
+        bool move = item->kind == PATH_POINT || item->kind == PATH_ARC;
+        if (move && !carry(path, item, ahead))
+            break;
+        end--;
+    }
+    for (size_t i = from; i < end; i++)
+        carry(path, &path->item.item[i], behind);
+}
+
+static struct pose tracked(const struct path *path, const struct run_point *p)
+{
+    return (struct pose){path->head.track == TRACK_CENTRE ? p->ball : p->tip, p->axis};
+}
+
+int path_set_tilt(struct path *path, double angle, bool frenet, struct error *error)
+{
+    if (path_ball(path) < 0)
+        return error_set(error, "%s: found no ball cutter, expected one to tilt", path->name);
+    struct vec3 side = {0};
+    struct change behind = {0};
+    size_t done = 0;
+    for (size_t from = 0, to; path_next_run(path, &from, &to); from = to) {
+        if (!path->item.item[from].touches)
+            return error_set(error, "%s: found no contact points, expected them to tilt by",
+                             path->name);
+        struct path_item *item = path->item.item;
+        struct change ahead = {.any = true, .was = item[from].to};
+        struct change after = {.any = true, .was = item[to - 1].to};
+        struct run run = arcrun_read(path, from, to);
+        tilt_run(&run, angle, frenet, &side);
+        for (size_t i = from; i < to; i++)
+            item[i].to = tracked(path, &run.item[i - from]);
+        ahead.now = item[from].to;
+        after.now = item[to - 1].to;
+        array_free(&run);
+        carry_between(path, done, from, &behind, &ahead);
+        behind = after;
+        done = to;
+    }
+    carry_between(path, done, path->item.n, &behind, &(struct change){0});
+    return 0;
+}

@@ -1,0 +1,256 @@
+#include "toolpath/passes.h"
+
+#include <stdlib.h>
+
+#include "toolpath/edge_roll.h"
+
+/* Points nearer than this are one, mm (as in slice). */
+static const double CROWDED = 1e-3;
+
+static void put(struct slice_chains *to, struct contact c)
+{
+    *array_push(&to->point) = c;
+}
+
+static void reverse_points(struct contact *c, size_t n)
+{
+    for (size_t i = 0, j = n; i + 1 < j; i++) {
+        struct contact swap = c[i];
+        c[i] = c[--j];
+        c[j] = swap;
+    }
+}
+
+/* Ends the chain that begins at point `from`, unless it is too short to be one. */
+static void end_chain(struct slice_chains *to, size_t from, bool closed)
+{
+    if (to->point.n >= from + 2)
+        *array_push(&to->chain) = (struct slice_chain){from, to->point.n, closed};
+    else
+        to->point.n = from;
+}
+
+static bool is_away(const struct pass_options *rule, const struct contact *c)
+{
+    return rule->faced && vec_dot(c->n, rule->facing) < -1e-6;
+}
+
+/* Appends what of a chain does not face away; returns how many points do. */
+static size_t leave_out(const struct contact *c, struct slice_chain chain,
+                        const struct pass_options *rule, struct slice_chains *to)
+{
+    size_t n = chain.to - chain.from, begin = 0, left_out = 0, from = to->point.n;
+
+    while (begin < n && !is_away(rule, &c[begin]))
+        begin++;
+    if (begin == n) {
+        for (size_t i = 0; i < n; i++)
+            put(to, c[i]);
+        end_chain(to, from, chain.closed);
+        return 0;
+    }
+    /* A closed chain is walked round from there, an open one from its start. */
+    size_t turn = chain.closed ? n - 1 : n, first = chain.closed ? begin : 0;
+    for (size_t i = 0; i < turn; i++) {
+        const struct contact *p = &c[(first + i) % turn];
+        if (is_away(rule, p)) {
+            left_out++;
+            end_chain(to, from, false);
+            from = to->point.n;
+        } else {
+            put(to, *p);
+        }
+    }
+    end_chain(to, from, false);
+    return left_out;
+}
+
+/* A closed chain from its point least along, over its upper side first. */
+static void open_loop(struct contact *c, size_t n, const struct pass_options *rule)
+{
+    struct contact *turned = mem_alloc(n, sizeof *turned);
+    size_t least = 0;
+
+    for (size_t i = 1; i + 1 < n; i++) {
+        if (vec_dot(c[i].p, rule->along) < vec_dot(c[least].p, rule->along))
+            least = i;
+    }
+    for (size_t i = 0; i < n; i++)
+        turned[i] = c[(least + i) % (n - 1)];
+    for (size_t i = 0; i < n; i++)
+        c[i] = turned[i];
+    free(turned);
+    /* Chains run as normal x n: on the upper side along, unless the normal has along on its left.
+     */
+    if (vec_dot(vec_cross(rule->normal, vec(0, 0, 1)), rule->along) < 0)
+        reverse_points(c, n);
+}
+
+static void turn_chains(struct slice_chains *chains, const struct pass_options *rule)
+{
+    for (size_t k = 0; k < chains->chain.n; k++) {
+        const struct slice_chain *chain = &chains->chain.item[k];
+        struct contact *c = &chains->point.item[chain->from];
+        size_t n = chain->to - chain->from;
+        if (chain->closed)
+            open_loop(c, n, rule);
+        else if (vec_dot(vec_sub(c[n - 1].p, c[0].p), rule->along) < 0)
+            reverse_points(c, n);
+    }
+}
+
+/* The unused chain that starts least along. */
+static size_t next_start(const struct slice_chains *chains, const bool *used, struct vec3 along)
+{
+    size_t best = chains->chain.n;
+    double least = HUGE_VAL;
+
+    for (size_t k = 0; k < chains->chain.n; k++) {
+        double at = vec_dot(chains->point.item[chains->chain.item[k].from].p, along);
+        if (!used[k] && at < least) {
+            least = at;
+            best = k;
+        }
+    }
+    return best;
+}
+
+/* Is there a hole of the scan between two points? */
+static bool is_bare(const struct pass_options *rule, struct vec3 a, struct vec3 b)
+{
+    double steps = rule->guard ? ceil(4 * vec_distance(a, b) / rule->bare) : 0;
+
+    for (double i = 1; i < steps; i++)
+        if (gouge_distance(rule->guard, vec_mix(a, b, i / steps), rule->bare) >= rule->bare)
+            return true;
+    return false;
+}
+
+/* The unused open chain with an end nearest to p, within the gap; *turned: it is its last one. */
+static size_t next_joined(const struct slice_chains *chains, const bool *used, struct vec3 p,
+                          const struct pass_options *rule, bool *turned)
+{
+    size_t best = chains->chain.n;
+    double least = rule->gap;
+
+    for (size_t k = 0; k < chains->chain.n; k++) {
+        const struct slice_chain *chain = &chains->chain.item[k];
+        if (used[k] || chain->closed)
+            continue;
+        double start = vec_distance(p, chains->point.item[chain->from].p);
+        double end = vec_distance(p, chains->point.item[chain->to - 1].p);
+        size_t nearest = end < start ? chain->to - 1 : chain->from;
+        if (fmin(start, end) <= least && !is_bare(rule, p, chains->point.item[nearest].p)) {
+            least = fmin(start, end);
+            *turned = end < start;
+            best = k;
+        }
+    }
+    return best;
+}
+
+/* Points that turn the normal from one side of a ridge to the other; none in a valley. */
+static void roll(struct slice_chains *to, size_t from, struct contact next,
+                 const struct pass_options *rule)
+{
+    struct contact last = to->point.item[to->point.n - 1];
+
+    if (to->point.n < from + 2)
+        return;
+    struct vec3 forward = vec_sub(last.p, to->point.item[to->point.n - 2].p);
+    edge_roll(&to->point, forward, last, next, rule->radius, rule->tolerance);
+}
+
+/* Appends a chain to the strip that begins at point `from`. */
+static void go_on(struct slice_chains *to, size_t from, const struct contact *c, size_t n,
+                  bool turned, const struct pass_options *rule)
+{
+    for (size_t i = 0; i < n; i++) {
+        struct contact next = c[turned ? n - 1 - i : i];
+        if (i == 0 && to->point.n > from) {
+            struct contact last = to->point.item[to->point.n - 1];
+            roll(to, from, next, rule);
+            /* One point where the surface goes on, two where it has an edge. */
+            if (vec_distance(last.p, next.p) <= CROWDED && vec_angle(last.n, next.n) < 1e-3)
+                continue;
+        }
+        put(to, next);
+    }
+}
+
+size_t passes_make(const struct slice_chains *chains, const struct pass_options *rule,
+                   struct slice_chains *strips)
+{
+    struct slice_chains kept = {0};
+    size_t left_out = 0;
+
+    for (size_t k = 0; k < chains->chain.n; k++) {
+        const struct slice_chain *chain = &chains->chain.item[k];
+        left_out += leave_out(&chains->point.item[chain->from], *chain, rule, &kept);
+    }
+    turn_chains(&kept, rule);
+    bool *used = mem_alloc(kept.chain.n, sizeof *used);
+    for (size_t k; (k = next_start(&kept, used, rule->along)) < kept.chain.n;) {
+        size_t from = strips->point.n;
+        bool turned = false, closed = kept.chain.item[k].closed;
+        while (k < kept.chain.n) {
+            const struct slice_chain *chain = &kept.chain.item[k];
+            used[k] = true;
+            go_on(strips, from, &kept.point.item[chain->from], chain->to - chain->from, turned,
+                  rule);
+            k = closed ? kept.chain.n
+                       : next_joined(&kept, used, strips->point.item[strips->point.n - 1].p, rule,
+                                     &turned);
+        }
+        end_chain(strips, from, closed);
+    }
+    free(used);
+    slice_chains_free(&kept);
+    return left_out;
+}
+
+void passes_reverse(struct slice_chains *strips)
+{
+    size_t n = strips->point.n, chains = strips->chain.n;
+    struct slice_chain *turned = mem_alloc(chains, sizeof *turned);
+
+    reverse_points(strips->point.item, n);
+    for (size_t k = 0; k < chains; k++) {
+        const struct slice_chain *chain = &strips->chain.item[chains - 1 - k];
+        turned[k] = (struct slice_chain){n - chain->to, n - chain->from, chain->closed};
+    }
+    for (size_t k = 0; k < chains; k++)
+        strips->chain.item[k] = turned[k];
+    free(turned);
+}
+
+struct vec3 passes_forward(const struct slice_chains *strips, size_t strip, struct vec3 normal)
+{
+    const struct slice_chain *chain = &strips->chain.item[strip];
+    double sum = 0;
+
+    for (size_t i = chain->from; i + 1 < chain->to; i++) {
+        const struct contact *c = &strips->point.item[i];
+        sum += vec_dot(vec_sub(c[1].p, c[0].p), vec_cross(normal, vec_add(c[0].n, c[1].n)));
+    }
+    return vec_scale(sum < 0 ? -1 : 1, normal);
+}
+
+double chains_length(const struct slice_chains *chains)
+{
+    double sum = 0;
+
+    for (size_t k = 0; k < chains->chain.n; k++) {
+        const struct slice_chain *chain = &chains->chain.item[k];
+        for (size_t i = chain->from; i + 1 < chain->to; i++)
+            sum += vec_distance(chains->point.item[i].p, chains->point.item[i + 1].p);
+    }
+    return sum;
+}
+
+struct vec3 passes_along(struct vec3 normal)
+{
+    struct vec3 along = vec_cross(normal, vec(0, 0, 1));
+
+    return vec_length(along) > 1e-9 ? vec_unit(along) : vec(1, 0, 0);
+}

@@ -1,0 +1,116 @@
+/* verify_part - see verify_part.h. */
+#include "verify/verify_part.h"
+
+#include <stdlib.h>
+#include <string.h>
+#include <strings.h>
+
+#include "base/array.h"
+#include "io/cloud/cloud.h"
+#include "io/mesh/meshfile.h"
+#include "io/nurbs/surfaces.h"
+#include "nurbs/tessellate.h"
+
+#define SINK 0.0005 /* mm */
+#define MOST 4e6    /* points on the faces of a mesh */
+
+static bool ends(const char *file, const char *ending)
+{
+    size_t n = file ? strlen(file) : 0, k = strlen(ending);
+    return n > k && strcasecmp(file + n - k, ending) == 0;
+}
+
+#define CHORD 0.001 /* that triangles may be off a surface, mm */
+
+static double area(const struct mesh *mesh)
+{
+    double sum = 0;
+    for (size_t i = 0; i < mesh->face.n; i++)
+        sum += vec_length(mesh_face_cross(mesh, i)) / 2;
+    return sum;
+}
+
+/* Points between the vertices of a face, its edges with them. */
+static void fill(const struct vec3 v[3], double spacing, struct vec3s *points)
+{
+    double longest =
+        fmax(vec_distance(v[0], v[1]), fmax(vec_distance(v[1], v[2]), vec_distance(v[2], v[0])));
+    int n = (int)fmin(ceil(longest / spacing), 10000);
+    for (int i = 0; i <= n; i++)
+        for (int k = 0; k <= n - i; k++) {
+            bool corner = (i == 0 || i == n) && (k == 0 || k == n - i);
+            struct vec3 p = vec_along(v[0], (double)i / n, vec_sub(v[1], v[0]));
+            if (!corner)
+                *array_push(points) = vec_along(p, (double)k / n, vec_sub(v[2], v[0]));
+        }
+}
+
+static void densify(const struct mesh *mesh, double unit, double radius, struct vec3s *points,
+                    double *spacing)
+{
+    *spacing = fmax(sqrt(8 * radius * SINK), sqrt(2 * unit * unit * area(mesh) / MOST));
+    for (size_t i = 0; i < mesh->vertex.n; i++)
+        *array_push(points) = vec_scale(unit, mesh->vertex.item[i]);
+    for (size_t i = 0; i < mesh->face.n; i++) {
+        struct vec3 v[3];
+        for (int k = 0; k < 3; k++)
+            v[k] = vec_scale(unit, mesh->vertex.item[mesh->face.item[i].v[k]]);
+        fill(v, *spacing, points);
+    }
+}
+
+/* The surfaces of a file, trimmed, as triangles; of their vertices and faces alone. */
+static int read_surfaces(const char *file, struct mesh *mesh, struct error *error)
+{
+    struct patches patches = {0};
+    struct surfaces_unit unit;
+    int result = surfaces_read(file, 0, &patches, &unit, error);
+    for (size_t i = 0; result == 0 && i < patches.n; i++) {
+        struct sheet sheet = {0};
+        size_t from = mesh->vertex.n;
+        tessellate(&patches.item[i], (struct tessellation){.tolerance = CHORD}, &sheet);
+        if (sheet.too_fine)
+            result = error_set(error, "%s: surface %d is too large for triangles within %g mm",
+                               file, patches.item[i].entity, CHORD);
+        for (size_t k = 0; k < sheet.point.n; k++)
+            *array_push(&mesh->vertex) = sheet.point.item[k];
+        for (size_t k = 0; k < sheet.face.n; k++) {
+            struct face face = sheet.face.item[k];
+            for (int j = 0; j < 3; j++)
+                face.v[j] += (int)from;
+            *array_push(&mesh->face) = face;
+        }
+        sheet_free(&sheet);
+    }
+    patches_free(&patches);
+    return result;
+}
+
+int verify_part_read(const char *file, double unit, double radius, struct vec3s *points,
+                     double *spacing, struct error *error)
+{
+    struct mesh mesh = {0};
+    struct cloud_count count = {0};
+    bool solid = ends(file, ".stl") || ends(file, ".off");
+    bool surfaces = ends(file, ".igs") || ends(file, ".iges") || ends(file, ".nurbs");
+    *spacing = 0;
+    if (solid || surfaces || ends(file, ".ply")) {
+        int result = surfaces ? read_surfaces(file, &mesh, error) : mesh_read(file, &mesh, error);
+        if (result == 0 && mesh.face.n > 0) {
+            densify(&mesh, unit, radius, points, spacing);
+            mesh_free(&mesh);
+            return 0;
+        }
+        mesh_free(&mesh);
+        if (result < 0 && (solid || surfaces))
+            return -1;
+        if (solid || surfaces)
+            return error_set(error, "%s: no faces in it", file);
+    }
+    size_t from = points->n;
+    if (cloud_read(file, points, &count, error) < 0)
+        return -1;
+    for (size_t i = from; i < points->n; i++)
+        points->item[i] = vec_scale(unit, points->item[i]);
+    return 0;
+}

@@ -1,0 +1,83 @@
+#!/bin/sh
+# layers.t - the arrows between the folders go one way, what is private stays private, the
+# mathematics is pure, and the judge of programs shares nothing with their writers.
+. "${SRC:-$(dirname "$0")/../..}/tests/lib/lib.sh"
+LC_ALL=C
+export LC_ALL
+
+# From the ground up: a folder includes its own headers and those of folders further left.
+order="base math curve mesh cloud meshing feature nurbs machine gouge arcfit splinefit toolpath \
+simulate io stage post ncread verify plot"
+# What judges a program, and what it may use: nothing that helps to write one.
+judge="simulate ncread verify"
+judge_uses="base math mesh nurbs machine gouge simulate io ncread verify stage"
+
+# arrows: FOLDER FILE HEADER'S-FOLDER HEADER, a line for each include of another folder's header
+arrows() {
+	find "$SRC/src" "$SRC/include" -name '*.[ch]' | while read -r file; do
+		folder=${file#"$SRC"/src/}
+		folder=${folder#"$SRC"/include/}
+		case $folder in */*) folder=${folder%%/*} ;; *) folder=tools ;; esac
+		sed -n 's|^#include "\([a-z]*\)/\(.*\)"|\1 \2|p' "$file" | sed "s|^|$folder ${file#"$SRC"/} |"
+	done
+}
+
+arrows | sort >"$TMP/arrows"
+ok "the includes are found" test "$(wc -l <"$TMP/arrows")" -ge 800
+
+awk -v order="$order" 'BEGIN { n = split(order, o); for (i = 1; i <= n; i++) rank[o[i]] = i; rank["tools"] = n + 1 }
+	!($1 in rank) || !($3 in rank) { print $2 ": no such folder: " $1 " or " $3; next }
+	rank[$3] > rank[$1] { print $2 " includes " $3 "/" $4 }' "$TMP/arrows" >"$TMP/found"
+empty "no folder includes from further right: $order" "$TMP/found"
+
+for folder in $judge; do
+	awk -v me="$folder" -v uses="$judge_uses" 'BEGIN { n = split(uses, u); for (i = 1; i <= n; i++) may[u[i]] = 1 }
+		$1 == me && !($3 in may) { print $2 " includes " $3 "/" $4 }' "$TMP/arrows"
+done >"$TMP/found"
+empty "the judge uses nothing of the writers" "$TMP/found"
+# Of the folders that both use, not what would make a mistake twice: kinematics, gouge checks.
+grep -E '^(simulate|ncread|verify) ' "$TMP/arrows" |
+	grep -E ' (machine (kinematics|ik_|interpolation|rotary)|gouge (gouge|guard|axis|link)|stage (tool|plane|arc))' >"$TMP/found"
+empty "nor the writers' kinematics and gouge checks" "$TMP/found"
+
+# ---- headers: public ones stand under include/, and another folder or a tool needs them
+
+find "$SRC/include" -name '*.h' | sed "s|^$SRC/include/||" | while read -r header; do
+	folder=${header%%/*}
+	grep -E -v "^$folder " "$TMP/arrows" | grep -Fq " $folder ${header#*/}" && continue
+	# or a public header of its own folder is built on it
+	grep -rFlq "#include \"$header\"" "$SRC/include" || echo "include/$header"
+done >"$TMP/found"
+empty "every public header is needed outside of its folder" "$TMP/found"
+grep -rnE '#include "[a-z_]+\.h"' "$SRC/include" >"$TMP/found"
+empty "no public header includes a private one" "$TMP/found"
+find "$SRC/src" -name '*.h' | while read -r header; do
+	grep -rlq "#include \"$(basename "$header")\"" "$(dirname "$header")" || echo "$header"
+done >"$TMP/found"
+empty "every private header is included" "$TMP/found"
+
+# ---- who may do what
+
+pure="math curve mesh cloud meshing feature nurbs gouge arcfit splinefit toolpath simulate"
+for folder in $pure; do
+	grep -nE '#include <(stdio|unistd|fcntl|signal|time|pthread|getopt)\.h>' "$SRC/src/$folder"/*.[ch]
+	grep -nE '\b(exit|abort|printf|fprintf|puts|die|die_error|die_usage|say|note|rand|time|clock)\(' \
+		"$SRC/src/$folder"/*.[ch]
+done >"$TMP/found"
+empty "the mathematics does no input or output and ends nothing" "$TMP/found"
+for folder in $order; do
+	[ "$folder" = base ] || grep -rnE '\b(exit|abort|die|die_error|die_usage)\(' "$SRC/src/$folder"
+done >"$TMP/found"
+empty "base alone ends the process" "$TMP/found"
+grep -rn 'setlocale' "$SRC/src" >"$TMP/found"
+empty "nobody calls setlocale" "$TMP/found"
+
+# What a sanitizer puts into objects and tools is not ours.
+nm "$BIN/cloud2mesh" | grep -q '__asan_init' && skip_rest "a sanitizer is built in"
+for folder in $pure; do
+	ok "objects of $folder are found" test -n "$(find "$BIN/../src/$folder" -name '*.o' 2>/dev/null)"
+	nm -A "$BIN/../src/$folder"/*.o 2>/dev/null | grep -E ' [BbDdC] ' | grep -vE '\.part|\.cold' >"$TMP/found"
+	empty "$folder has no variables that outlive a call" "$TMP/found"
+done
+
+done_testing

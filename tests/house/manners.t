@@ -1,0 +1,170 @@
+#!/bin/sh
+# manners.t - what every tool does the same way: options, exit status, output, messages.
+. "${SRC:-$(dirname "$0")/../..}/tests/lib/lib.sh"
+cd "$TMP" || exit 1
+
+# A small cloud, and what each stage makes of it: the input of the next.
+awk 'BEGIN { for (i = 0; i <= 40; i++) for (k = 0; k <= 30; k++) {
+	x = i - 20; y = k - 15; print x, y, 10 - (x * x + y * y) / 120 } }' >cloud.xyz
+arguments() { # TOOL: what it needs besides its input
+	case $1 in
+	cloud2mesh) echo -t 4 ;;
+	meshnorm | planecut) echo -r 4 ;;
+	ncpost) echo -c siemens ;;
+	esac
+}
+input() { # TOOL
+	case $1 in
+	cloud2mesh) echo cloud.xyz ;;
+	meshnorm | planecut) echo mesh.ply ;;
+	biarcfit | bsplfit) echo path.cl ;;
+	ncpost) echo arcs.cl ;;
+	esac
+}
+cloud2mesh -q -t 4 cloud.xyz >mesh.ply
+meshnorm -q -r 4 mesh.ply >path.cl
+biarcfit -q path.cl >arcs.cl
+
+# The same by the shell, where redirections matter.
+shell() { # STATUS DESC COMMAND-LINE
+	status "$1" "$2" sh -c "$3"
+}
+
+# shellcheck disable=SC2086,SC2046,SC2012 # words of options and file names of our own
+for tool in cloud2mesh meshnorm planecut biarcfit bsplfit ncpost; do
+	in=$(input $tool)
+	set -- $(arguments $tool)
+	args=$*
+
+	# help, version, usage
+	status 0 "$tool -h" $tool -h
+	has "$tool -h says how it is used" "^usage: $tool " out
+	empty "$tool -h says nothing else" err
+	cp out help
+	status 0 "$tool --help" $tool --help
+	same "$tool --help is -h" out help
+	awk 'length > 100 || /\t/ || / $/' help >long
+	empty "$tool -h fits 100 columns" long
+	status 0 "$tool -V" $tool -V
+	has "$tool -V names it and its version" "^$tool .*[0-9]+\.[0-9]+\.[0-9]+" out
+	status 2 "$tool: an unknown option" $tool "$@" --no-such $in
+	has "$tool: wrong usage is told with the tool's name" "^$tool: " err
+	empty "$tool: wrong usage writes nothing" out
+	status 2 "$tool -o without a file" $tool "$@" $in -o
+	for bad in nan inf 8x '' 1e999 -1 0x10; do
+		case $tool in
+		cloud2mesh) status 2 "$tool -t '$bad'" $tool -t "$bad" $in ;;
+		meshnorm | planecut) status 2 "$tool -r '$bad'" $tool -r "$bad" $in ;;
+		*) status 2 "$tool -e '$bad'" $tool "$@" -e "$bad" $in ;;
+		esac
+		status 2 "$tool -j '$bad'" $tool "$@" -j "$bad" $in
+	done
+
+	# input
+	status 1 "$tool: no such file" $tool "$@" no/such/file
+	has "$tool: no such file: the message names it" "^$tool: .*no/such/file" err
+	empty "$tool: no such file: no output" out
+	status 1 "$tool: a folder" $tool "$@" .
+	status 1 "$tool: empty input" $tool "$@" /dev/null
+	empty "$tool: empty input: no output" out
+	shell 1 "$tool: no standard input" "exec $tool $args <&-"
+	status 0 "$tool FILE" $tool "$@" $in
+	cp out want
+	shell 0 "$tool <FILE" "exec $tool $args <$in"
+	cp out through
+	shell 0 "$tool - <FILE" "exec $tool $args - <$in"
+	same "$tool - is standard input" out through
+	head -c $(($(wc -c <$in) / 2)) $in | sed '$d' >half
+	if [ $tool != cloud2mesh ]; then # half a cloud is a cloud
+		status 1 "$tool: half of its input" $tool "$@" half
+		empty "$tool: half of its input: no output" out
+		shell 1 "$tool: half of its input by a pipe" "cat half | $tool $args"
+	fi
+
+	# the same bytes
+	for j in 1 2 5; do
+		status 0 "$tool -j $j" $tool "$@" -j $j $in
+		same "$tool -j $j: the same bytes" out want
+	done
+	for lang in de_DE.UTF-8 tr_TR.UTF-8 C.UTF-8; do
+		has_locale $lang || {
+			skip "$tool in $lang" "no locale $lang"
+			skip "$tool in $lang: the same bytes" "no locale $lang"
+			continue
+		}
+		status 0 "$tool in $lang" env LC_ALL=$lang $tool "$@" $in
+		same "$tool in $lang: the same bytes" out want
+	done
+	mkdir -p elsewhere
+	cp $in elsewhere/
+	shell 0 "$tool in another folder" "cd elsewhere && exec $tool $args $in"
+	same "$tool in another folder: the same bytes" out want
+
+	# output
+	if [ -e /dev/full ]; then
+		shell 1 "$tool: full disk" "exec $tool $args $in >/dev/full"
+		has "$tool: full disk is told" "^$tool: " err
+		status 1 "$tool -o /dev/full" $tool "$@" -o /dev/full $in
+	else
+		skip "$tool: full disk" "no /dev/full"
+	fi
+	shell 1 "$tool: standard output closed" "exec $tool $args $in >&-"
+	status 0 "$tool -o FILE" $tool "$@" -o file $in
+	empty "$tool -o FILE: nothing on standard output" out
+	same "$tool -o FILE: the same bytes" file want
+	status 0 "$tool FILE -o FILE: options behind operands" $tool $in "$@" -o file
+	same "$tool FILE -o FILE: the same bytes" file want
+	echo older >file
+	status 1 "$tool -o: a failing run" $tool "$@" -o file /dev/null
+	echo older >older
+	same "$tool -o: a failing run leaves the older file" file older
+	mkdir -p dir
+	rm -f dir/*
+	$tool -q "$@" -o dir/file /dev/null 2>err
+	ls -A dir >left
+	empty "$tool -o: a failing run leaves nothing beside it" left
+	$tool -q "$@" -o dir/file $in 2>err
+	ls -A dir >left
+	echo file >want_left
+	same "$tool -o: nothing else is left beside the file" left want_left
+	(umask 027 && rm -f file && $tool -q "$@" -o file $in)
+	ls -l file | cut -c 1-10 >mode
+	has "$tool -o: the file's mode follows the umask" '^-rw-r-----$' mode
+	status 0 "$tool -o over its own input" sh -c "cp $in own && $tool $args -o own own"
+	tail -n 1 own >a
+	tail -n 1 want >b
+	same "$tool -o over its own input: written to its end" a b
+	status 0 "$tool -o /dev/null" $tool "$@" -o /dev/null $in
+	[ -c /dev/null ]
+	result $? "/dev/null is still a device"
+	rm -f fifo && mkfifo fifo
+	cat fifo >through &
+	reader=$!
+	status 0 "$tool -o FIFO" timeout 20 $tool "$@" -o fifo $in
+	[ "$got" -eq 0 ] || kill $reader
+	wait $reader
+	same "$tool -o FIFO: written through it" through want
+	[ -p fifo ]
+	result $? "$tool -o FIFO: it is still a FIFO"
+	rm -f file
+	shell 0 "$tool -o FILE with standard error closed" "exec $tool -v $args -o file $in 2>&-"
+	same "$tool -o FILE with standard error closed: the same bytes" file want
+	status 1 "$tool -o into no folder" $tool "$@" -o no/such/file $in
+
+	# messages
+	status 0 "$tool -q" $tool -q "$@" $in
+	empty "$tool -q is quiet" err
+	status 0 "$tool -v" $tool -v "$@" $in
+	has "$tool -v sums up" "^$tool: " err
+	same "$tool -v: the same bytes" out want
+	grep -v "^$tool: " err >other
+	empty "$tool -v: every line begins with its name" other
+	sh -c "$tool -q $args $in 2>err | head -n 1 >first"
+	empty "$tool | head -n 1 is quiet" err
+done
+
+status 2 "ncpost -c nosuch" ncpost -c nosuch arcs.cl
+has "... says what there is" "siemens" err
+status 2 "meshnorm without -r" meshnorm mesh.ply
+status 2 "ncpost without -c" ncpost arcs.cl
+done_testing

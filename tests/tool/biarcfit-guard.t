@@ -1,0 +1,40 @@
+#!/bin/sh
+# pathguard: the option -g of both fitters on a plane, z = 0, and a ball of 5 mm: what is carried
+# through is looked at, too, and what is published is only told.
+. "${SRC:-$(dirname "$0")/../..}/tests/lib/lib.sh"
+
+awk 'BEGIN { for (i = 0; i <= 100; i++) for (j = 0; j <= 40; j++) print i / 4, j / 4 - 5, 0 }' \
+	>"$TMP/plane.xyz"
+
+# path FILE BETWEEN DIP: two runs that touch the plane, a motion between them to the height BETWEEN,
+# and in the second run every fourth point is too low by DIP
+path() {
+	awk -v between="$2" -v dip="$3" '
+		function go(x, z) { printf "GOTO/%.6f,0,%.6f,0,0,1\n", x, z }
+		function touch(x, z) { printf "$$-> CONTCT/%.6f,0,%.6f,0,0,1\n", x, z; go(x, z) }
+		BEGIN {
+			print "PARTNO/T\nUNITS/MM\nMULTAX/ON\nCUTTER/10,5,0,5,0,0,60\n$$-> CLOUDMILL/1\n$$-> PASS/1"
+			print "RAPID"; go(2, 20); print "FEDRAT/MMPM,800"
+			for (x = 2; x <= 10; x += 0.5) touch(x, 0)
+			go(12, between)
+			for (x = 14; x <= 22; x += 0.5) touch(x, x % 2 == 0 && x > 14 && x < 22 ? -dip : 0)
+			print "RAPID"; go(22, 20); print "FINI"
+		}' >"$1"
+}
+
+path "$TMP/clear.cl" 1 0
+path "$TMP/link.cl" -0.05 0
+path "$TMP/low.cl" 1 0.03
+for fit in bsplfit biarcfit; do
+	status 0 "$fit: clear" $fit -q -e 0.01 -g "$TMP/plane.xyz" -o "$TMP/out.cl" "$TMP/clear.cl"
+	status 3 "$fit: a motion between runs" $fit -e 0.01 -g "$TMP/plane.xyz" -o "$TMP/out.cl" "$TMP/link.cl"
+	has "$fit: how deep, and where" 'in pass 1 0\.05[0-9]* mm with its centre at 1[123]\.' "$TMP/err"
+	status 0 "$fit: within what is asked for" $fit -q -e 0.06 -g "$TMP/plane.xyz" -o "$TMP/out.cl" "$TMP/link.cl"
+	status 0 "$fit: points too low" $fit -v -e 0.01 -g "$TMP/plane.xyz" -o "$TMP/out.cl" "$TMP/low.cl"
+	has "$fit: are lifted" 'points lifted by at most 0\.0[2-6]' "$TMP/err"
+done
+status 3 "as published" bsplfit -v --paper -e 0.01 -g "$TMP/plane.xyz" -o "$TMP/out.cl" "$TMP/low.cl"
+hasnt "nothing is lifted" 'lifted' "$TMP/err"
+has "what is too deep is told" 'in pass 1 0\.0[2-9]' "$TMP/err"
+
+done_testing

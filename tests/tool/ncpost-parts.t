@@ -1,0 +1,156 @@
+#!/bin/sh
+# parts.t - programs in parts and from a pass on: each part has the tool, speed, coolant and plane
+# that the whole has at the same place, starts and ends in the clear, and together they cut all.
+. "${SRC:-$(dirname "$0")/../..}/tests/lib/lib.sh"
+cd "$TMP" || exit 1
+
+# Four tools, two speeds, coolant on, mist and off, six passes; and the same leaning by two angles
+work() { # AXIS1 AXIS2
+	awk -v first="$1" -v second="$2" '
+	function go(x, y, z) { printf "GOTO/%.3f,%.3f,%.3f,%s\n", x, y, z, axis }
+	BEGIN {
+		print "UNITS/MM\nMULTAX/ON"
+		for (t = 1; t <= 4; t++) {
+			axis = t < 3 ? first : second
+			printf "LOADTL/%d\nCUTTER/%d\nSPINDL/RPM,%d,CLW\n", t, 4 + t, 1000 * t
+			print t == 2 ? "COOLNT/MIST" : t == 4 ? "COOLNT/OFF" : "COOLNT/ON"
+			for (k = 1; k <= 3; k++) {
+				printf "$$-> PASS/%d\nRAPID\n", ++pass; go(10 * t, 5 * k, 60)
+				print "FEDRAT/MMPM," 100 * pass
+				for (i = 0; i < 9; i++) go(10 * t + i, 5 * k + (i % 2) / 3, -i / 5)
+				if (k == 2) printf "SPINDL/RPM,%d,CCLW\n", 1000 * t + 500
+				print "RAPID"; go(10 * t + 8, 5 * k, 60)
+			}
+		}
+		print "FINI"
+	}'
+}
+work 0,0,1 0,0,1 >flat.cl
+work 0,0,1 0,0.6,0.8 >planes.cl
+
+# Each place at feed with the tool, speed, sense, coolant and plane in force there
+# shellcheck disable=SC2016
+places='
+	BEGIN { coolant = "M9" }
+	function value(letter,  at) {
+		at = match(" " $0 " ", " " letter "[-+]?[0-9.]+ ")
+		return at ? substr(" " $0 " ", RSTART + 2, RLENGTH - 3) + 0 : now[letter]
+	}
+	/^\(|^;|^[0-9]+ ;/ { next }
+	match($0, /(T|TOOL CALL )[0-9]+( D1)?( M6| Z)/) { tool = substr($0, RSTART); gsub(/[^0-9 ].*D1|[A-Z]|6$/, "", tool)
+		match($0, /(T|CALL )[0-9]+/); tool = substr($0, RSTART, RLENGTH); gsub(/[^0-9]/, "", tool) }
+	match($0, / S[0-9]+/) { speed = substr($0, RSTART + 2, RLENGTH - 2) }
+	/ M[345]( |$)/ { match($0, / M[345]( |$)/); sense = substr($0, RSTART + 1, 2) }
+	/ M[789]( |$)/ { match($0, / M[789]( |$)/); coolant = substr($0, RSTART + 1, 2) }
+	/G68\.2|CYCLE800\(0|PLANE SPATIAL/ { plane = $0; sub(/^N?[0-9]+ /, "", plane) }
+	/G28|G53|SUPA|M91|M6/ { next }
+	/ G0( |$)|FMAX/ { rapid = 1 }
+	/ G1( |$)/ || (/^[0-9]+ L/ && !/FMAX/) { rapid = 0 }
+	/ [XYZABC][-+]?[0-9]/ && !/G68|PLANE/ {
+		for (k = 1; k <= 5; k++) { l = substr("XYZAC", k, 1); now[l] = value(l) }
+		if (!rapid) printf "%.3f %.3f %.3f %.3f %.3f T%s S%s %s %s %s\n", now["X"], now["Y"], now["Z"],
+			now["A"], now["C"], tool, speed, sense, coolant, plane
+	}'
+among() { # the first file is part of the second, in its order
+	awk 'NR == FNR { want[++n] = $0; next } $0 == want[i + 1] { i++ } END { print n - i }' "$1" "$2"
+}
+for control in fanuc siemens heidenhain linuxcnc; do
+	for path in flat planes; do
+		[ $control$path = linuxcncplanes ] && continue
+		options=
+		[ $path = planes ] && options=--plane
+		# shellcheck disable=SC2086
+		ncpost -q -c $control $options $path.cl >whole.nc
+		awk "$places" whole.nc >whole
+		for limit in 60 90 3k; do
+			rm -f part-*
+			# shellcheck disable=SC2086
+			ncpost -q -c $control $options --split $limit -o part.nc $path.cl 2>err || cat err
+			: >parts
+			n=1
+			while [ -e part-$n.nc ]; do
+				awk "$places" part-$n.nc >>parts
+				[ $control = linuxcnc ] || "$READBACK" -c $control part-$n.nc >rb 2>&1 || head -n 1 rb
+				n=$((n + 1))
+			done
+			[ $n -gt 3 ] || echo "$control $path $limit: $n parts"
+			left=$(among whole parts)
+			[ "$left" = 0 ] || echo "$control $path --split $limit: $left of $(wc -l <whole) places not there"
+		done
+		for pass in 1 2 5 6 8 10 12; do
+			# shellcheck disable=SC2086
+			ncpost -q -c $control $options --from $pass $path.cl >from.nc 2>err || cat err
+			awk "$places" from.nc >from
+			total=$(wc -l <whole)
+			tail -n $((total - (pass - 1) * 9)) whole >later
+			[ "$total" -eq 108 ] || echo "$control $path: $total places"
+			left=$(among later from)
+			[ "$left" = 0 ] || echo "$control $path --from $pass: $left places not there"
+			[ "$(wc -l <from)" -le $(($(wc -l <later) + 1)) ] || echo "$control $path --from $pass: too many"
+		done
+	done
+done >complaints
+empty "parts and restarts have the whole's tool, speed, coolant and plane at every place" complaints
+
+# statements alone make no part: many before the first motion, behind a tool and behind the last one
+awk 'BEGIN { print "UNITS/MM\nLOADTL/1"
+	for (i = 0; i < 100; i++) print "PPRINT BEFORE " i
+	print "RAPID\nGOTO/0,0,9\nFEDRAT/100"; for (i = 0; i < 60; i++) print "GOTO/" i ",0,0"
+	print "LOADTL/2"; for (i = 0; i < 40; i++) print "PPRINT BETWEEN " i
+	print "RAPID\nGOTO/0,0,9"; for (i = 0; i < 60; i++) print "GOTO/" i ",0,0"
+	for (i = 0; i < 60; i++) print "PPRINT BEHIND " i; print "FINI" }' >said.cl
+status 1 "no room for what is said before the first motion" \
+	ncpost -q -c fanuc --split 60 -o said.nc said.cl
+rm -f said*.nc
+status 0 "with room" ncpost -q -c fanuc --split 160 -o said.nc said.cl
+for part in said-*.nc; do
+	grep -Eq ' X[0-9]' "$part" || echo "$part goes nowhere"
+done >nowhere
+empty "each part goes somewhere" nowhere
+
+# every part cuts, starts with a retract and ends with one: over tools, planes, turns back inside of
+# cuts, and many rapids in a row
+awk 'BEGIN { r = atan2(0, -1) / 180; t = 50 * r
+	print "UNITS/MM\nMULTAX/ON\nCUTTER/8,4,0,4,0,0,60\nLOADTL/1\nSPINDL/RPM,8000,CLW\n$$-> CLOUDMILL/1"
+	for (pass = 1; pass <= 3; pass++) {
+		print "$$-> PASS/" pass
+		for (i = 0; i < 25; i++) printf "RAPID\nGOTO/%d,%d,90,0,0,1\n", i, pass
+		print "RAPID"
+		for (k = 0; k <= 100; k++) { w = k * 10 * r; s = sin(t)
+			if (k == 1) print "FEDRAT/MMPM,700"
+			printf "GOTO/%.6f,%.6f,%.6f,%.9f,%.9f,%.9f\n", 30 * cos(w), 30 * sin(w), (k ? 0 : 60) - k / 9,
+				s * cos(w), s * sin(w), cos(t) }
+		printf "RAPID\nGOTO/%.6f,%.6f,70,%.9f,%.9f,%.9f\n", 40 * cos(w), 40 * sin(w), s * cos(w), s * sin(w), cos(t)
+	}
+	for (i = 0; i < 20; i++) printf "RAPID\nGOTO/%d,3,90,0,0,1\n", i
+	print "FINI" }' >wound.cl
+for control in fanuc siemens heidenhain linuxcnc; do
+	for path in flat planes wound; do
+		options="--set a.min=-30 --set c.min=-360 --set c.max=360"
+		[ $path$control = planeslinuxcnc ] && continue
+		[ $path = planes ] && options=--plane
+		for limit in 70 131 3k; do
+			rm -f part-*
+			# shellcheck disable=SC2086
+			ncpost -q -c $control $options --split $limit -o part.nc $path.cl 2>err || { cat err; continue; }
+			n=1
+			while [ -e part-$n.nc ]; do
+				# without tool-centre-point control a rapid alone may be more blocks than a part has
+				[ $control = linuxcnc ] || grep -Eq '(^| )G0?1( |$)|^[0-9]+ L .*F[0-9]' part-$n.nc || echo "$control $path $limit: part $n cuts nothing"
+				[ "$(grep -Ec 'G28 *Z|G53.*Z0|SUPA.* Z|Z\+0 .*M91' part-$n.nc)" -ge 2 ] ||
+					echo "$control $path $limit: part $n has no retract at one end"
+				tcp=
+				[ $control = linuxcnc ] && tcp=--no-tcp
+				set -- --set a.min=-30 --set c.min=-360 --set c.max=360
+				[ $path = planes ] && set -- --set a.min=-120
+				"$READBACK" -c $control -m table-ac $tcp "$@" part-$n.nc >rb 2>&1 || head -n 1 rb
+				[ $path = planes ] || grep -q 'beyond the travel 0' rb || echo "$control $path $limit $n: $(grep axes: rb)"
+				n=$((n + 1))
+			done
+			[ $n -gt 2 ] || echo "$control $path $limit: $n parts"
+		done
+	done
+done >complaints
+empty "every part cuts, and starts and ends in the clear" complaints
+
+done_testing

@@ -1,0 +1,206 @@
+#!/bin/sh
+# Rotary motion of ncpost: what it makes of paths whose tool axis turns.
+# shellcheck disable=SC2016 # $ of CL files
+. "${SRC:-$(dirname "$0")/../..}/tests/lib/lib.sh"
+
+# Plain points are read a quicker way than statements with a comment or in lower case: same program.
+awk 'BEGIN {
+	print "UNITS/MM\nMULTAX/ON\nCUTTER/8,4,0,4,0,0,60\n$$-> CLOUDMILL/1\nRAPID\nGOTO/0,0,60,0,0,1\nFEDRAT/MMPM,500"
+	for (i = 0; i < 3000; i++) {
+		t = i / 400; a = 0.3 * sin(t); b = 0.25 * cos(t * 1.3) + 0.05
+		printf "$$-> CONTCT/%.6f,%.6f,%.6f,0,0,1\n", i / 10, 1, -0.5
+		printf "GOTO/%.6f,%.6f,%.6f,%.9f,%.9f,%.9f\n", i / 10, t, 5 * sin(t), a, b, sqrt(1 - a * a - b * b)
+		if (i % 50 == 0) printf "GOTO/ %d , -1.5 ,2\n", i / 10
+	}
+	print "FINI"
+}' >"$TMP/plain.cl"
+sed 's/^GOTO.*/& $$ here/; s/^\$\$-> CONTCT/$$-> contct/' "$TMP/plain.cl" >"$TMP/rich.cl"
+sed 's/$/\r/' "$TMP/plain.cl" >"$TMP/crlf.cl"
+for way in plain rich crlf; do
+	ok "ncpost reads $way points" ncpost -q -c fanuc --contact-feed -o "$TMP/$way.nc" "$TMP/$way.cl"
+	grep -v -i "$way" "$TMP/$way.nc" >"$TMP/$way.txt"
+done
+same "points with comments say the same" "$TMP/plain.txt" "$TMP/rich.txt"
+same "points of CRLF files say the same" "$TMP/plain.txt" "$TMP/crlf.txt"
+sed '2500s/,/,x/' "$TMP/plain.cl" >"$TMP/bad.cl"
+status 1 "a bad number among plain points" ncpost -q -c fanuc "$TMP/bad.cl"
+has "is named with its line" 'bad.cl:2500: found `X[0-9.-]*. in' "$TMP/err"
+
+# post PATH CONTROL MACHINE [OPTIONS]: the program is made and, as its control runs it on this
+# machine, keeps 0.01 mm at the tip and 0.1 degrees, no axis leaves its travel; then in $TMP/out
+post() {
+	path=$1 control=$2 machine=$3
+	shift 3
+	desc="$(basename "$path") for $control, $machine $*"
+	case $control in *-vectors | *-rotary) word=--${control#*-} ;; *) word= ;; esac
+	# shellcheck disable=SC2086
+	if ! ncpost -c "${control%-*}" $word -m "$machine" "$@" -o "$TMP/p.nc" "$path" 2>"$TMP/err"; then
+		result 1 "$desc: ncpost"
+		return
+	fi
+	tcp=
+	case $machine in linuxcnc*) ;; *) [ "$control" = linuxcnc ] && tcp=--no-tcp ;; esac
+	# shellcheck disable=SC2086
+	ok "$desc" "$READBACK" -c "${control%-*}" -m "$machine" $tcp "$@" --path "$path" -e 0.01 \
+		--axis 0.1 "$TMP/p.nc"
+	ball=$(sed -n 's/.* ball \([0-9.]*\) mm$/\1/p' "$TMP/out" | sort -n | tail -n 1)
+	[ "$(awk -v b="$ball" 'BEGIN { print b <= 0.01 }')" = 1 ] || result 1 "$desc: ball off by $ball"
+}
+turns() {
+	sed -n 's/^axes: \([0-9]*\) turns back.*/\1/p' "$TMP/out"
+}
+
+# A spiral on a cone: turns, tilt, points a turn, start, sense, POINTS or ARCS
+spiral() {
+	awk -v turns="$1" -v tilt="$2" -v each="$3" -v start="$4" -v sense="$5" -v kind="$6" '
+	function go(k, up,  w, s) {
+		w = rad * (start + sense * 360 * k / each); s = sin(rad * tilt)
+		printf "GOTO/%.6f,%.6f,%.6f,%.9f,%.9f,%.9f\n", 30 * cos(w) + up * s * cos(w),
+			30 * sin(w) + up * s * sin(w), -5 * k / each + up * cos(rad * tilt),
+			s * cos(w), s * sin(w), cos(rad * tilt)
+	}
+	BEGIN {
+		rad = atan2(0, -1) / 180; n = int(turns * each)
+		print "PARTNO/SPIRAL\nUNITS/MM\nMULTAX/ON\nCUTTER/8,4,0,4,0,0,60\nLOADTL/1"
+		print "SPINDL/RPM,8000,CLW\n$$-> CLOUDMILL/1\n$$-> PASS/1\nRAPID"
+		go(0, 60)
+		print "FEDRAT/MMPM,800"
+		for (k = 0; k <= n; k++) {
+			if (kind == "ARCS" && k)
+				printf "CIRCLE/0,0,%.6f,0,0,%d,30\n", -5 * (k - 1) / each, sense
+			go(k, 0)
+		}
+		print "RAPID"
+		go(n, 60)
+		print "FINI"
+	}'
+}
+
+# The fewest turns back along it, counted by hand: C from where it may start to the end of its
+# travel, then from as far back as that place is again, by 360 degrees, or by 180 where A may change
+# its sign: TURNS START SENSE C-MIN C-MAX TILT A-MIN A-MAX
+fewest() {
+	awk -v turns="$1" -v start="$2" -v sense="$3" -v min="$4" -v max="$5" -v t="$6" -v amin="$7" -v amax="$8" 'BEGIN {
+		plus = t <= amax; minus = -t >= amin; best = 99
+		step = plus && minus ? 180 : 360
+		back = step * int((max - min) / step + 1e-9)
+		for (k = -9; k <= 9; k++) {
+			c = start + 90 + (plus ? 0 : 180) + k * step
+			if (c < min - 1e-9 || c > max + 1e-9) continue
+			left = turns * 360 - (sense > 0 ? max - c : c - min)
+			n = left > 1e-9 ? int((left - 1e-9) / back) + 1 : 0
+			if (n < best) best = n
+		}
+		print best
+	}'
+}
+
+back() { # TURNS TILT EACH START SENSE KIND A-MIN A-MAX C-MIN C-MAX CONTROL MACHINE
+	spiral "$1" "$2" "$3" "$4" "$5" "$6" >"$TMP/spiral.cl"
+	post "$TMP/spiral.cl" "${11}" "${12}" --set a.min="$7" --set a.max="$8" --set c.min="$9" --set c.max="${10}"
+	want=$(fewest "$1" "$4" "$5" "$9" "${10}" "$2" "$7" "$8")
+	off=$(sed -n 's/.* turns back, \([0-9.]*\) mm off.*/\1/p' "$TMP/out")
+	ok "$1 turns at $2 from $4, $5: $want turns back" test "$(turns)" -eq "$want"
+	[ "$want" = 0 ] || below "each $off mm off the part, a full retract" 50 "$off"
+}
+
+for control in fanuc siemens-rotary heidenhain linuxcnc; do
+	back 5 50 72 0 1 POINTS -30 120 -360 360 $control table-ac
+done
+back 5 50 72 33 -1 POINTS -30 120 -360 360 fanuc table-ac
+back 5 50 8 100 1 POINTS -30 120 -360 360 fanuc head-ca
+back 5 20 36 77 -1 POINTS -30 120 -360 360 fanuc table-ac-notcp
+back 5 50 72 0 1 POINTS -30 120 -200 210 siemens-rotary table-ac
+back 3.5 20 72 200 1 POINTS -30 120 -200 290 fanuc table-ac
+back 4 70 24 10 1 POINTS -120 30 -720 0 fanuc table-ac
+back 2 20 24 -90 1 POINTS -30 120 0 720 fanuc table-ac
+back 5 50 3 20 1 ARCS -30 120 -360 360 fanuc table-ac
+back 5 50 3 20 -1 ARCS -30 120 -360 360 siemens-rotary table-ac
+back 5 50 8 20 -1 ARCS -30 120 -360 360 linuxcnc table-ac
+spiral 5 50 72 33 1 POINTS >"$TMP/points.cl"
+bsplfit -q -e 0.001 -o "$TMP/splines.cl" "$TMP/points.cl"
+post "$TMP/splines.cl" fanuc table-ac --set a.min=-30 --set c.min=-360 --set c.max=360
+ok "inside of a spline too: 2 turns back" test "$(turns)" -eq 2
+has "and its parts are splines" 'G06.2' "$TMP/p.nc"
+
+# Vectors leave the rotary axes to the control, which cannot turn back: rotary words then
+spiral 5 50 72 33 -1 POINTS >"$TMP/spiral.cl"
+for control in fanuc-vectors siemens heidenhain-vectors; do
+	post "$TMP/spiral.cl" $control table-ac --set a.min=-30 --set c.min=-360 --set c.max=360
+	ok "$control: 2 turns back" test "$(turns)" -eq 2
+done
+status 0 "without such an end vectors stay" ncpost -c siemens -o "$TMP/v.mpf" "$TMP/spiral.cl"
+has "and are vectors" ' A3=.* B3=.* C3=' "$TMP/v.mpf"
+
+# The tip all but stands while the tool axis turns: what is beside what is said by both alike
+awk 'BEGIN {
+	seed = 4; rad = atan2(0, -1) / 180; x = 20; th = 0.3
+	print "UNITS/MM\nMULTAX/ON\nCUTTER/8,4,0,4,0,0,60\nLOADTL/1\nSPINDL/RPM,8000,CLW\n$$-> CLOUDMILL/1"
+	print "RAPID\nGOTO/20,0,60,0,0.173648178,0.984807753\nFEDRAT/MMPM,500"
+	for (i = 0; i < 120; i++) {
+		for (k = 0; k < 5; k++) { seed = (seed * 16807) % 2147483647; r[k] = seed / 2147483647 }
+		d = r[0] < 0.4 ? (r[1] < 0.3 ? 0 : r[1] < 0.6 ? 0.0003 : 0.01) : 1
+		x += d * (r[2] * 1.3 - 0.3); y += d * (r[1] - 0.5)
+		th += 0.1 * r[3] - 0.05; ph += 0.8 * r[4] - 0.4
+		if (th < 0.02 || th > 0.8) th = 0.3
+		printf "GOTO/%.6f,%.6f,0,%.9f,%.9f,%.9f\n", x, y, sin(th) * cos(ph), sin(th) * sin(ph), cos(th)
+	}
+	printf "RAPID\nGOTO/%.6f,%.6f,60,%.9f,%.9f,%.9f\nFINI\n", x, y, sin(th) * cos(ph), sin(th) * sin(ph), cos(th)
+}' >"$TMP/standing.cl"
+for control in fanuc fanuc-vectors siemens siemens-rotary heidenhain linuxcnc; do
+	post "$TMP/standing.cl" $control table-ac
+done
+post "$TMP/standing.cl" fanuc table-ac-notcp
+post "$TMP/standing.cl" siemens head-table-bc-notcp
+
+# A dome over its top in a direction: how far beside the pole (mm), direction, step between points
+dome() {
+	awk -v off="$1" -v dir="$2" -v step="$3" 'BEGIN {
+		rad = atan2(0, -1) / 180; c = cos(rad * dir); s = sin(rad * dir)
+		print "PARTNO/DOME\nUNITS/MM\nMULTAX/ON\nCUTTER/40,20,0,20,0,0,60\nLOADTL/1"
+		print "SPINDL/RPM,8000,CLW\n$$-> CLOUDMILL/1\n$$-> PASS/1"
+		for (t = -40; t < 40 + step; t += step) {
+			x = t * c - off * s; y = t * s + off * c; z = sqrt(6400 - x * x - y * y)
+			if (t == -40)
+				printf "RAPID\nGOTO/%.6f,%.6f,%.6f,%.9f,%.9f,%.9f\nFEDRAT/MMPM,800\n", 1.75 * x, 1.75 * y,
+					1.75 * z, x / 80, y / 80, z / 80
+			printf "GOTO/%.6f,%.6f,%.6f,%.9f,%.9f,%.9f\n", x, y, z, x / 80, y / 80, z / 80
+		}
+		printf "RAPID\nGOTO/%.6f,%.6f,%.6f,%.9f,%.9f,%.9f\nFINI\n", 1.75 * x, 1.75 * y, 1.75 * z,
+			x / 80, y / 80, z / 80
+	}'
+}
+over() { # OFF DIRECTION STEP: on all machines, for all controls between them
+	dome "$@" >"$TMP/dome-$1-$2-$3.cl"
+	set -- "$TMP/dome-$1-$2-$3.cl"
+	post "$1" fanuc table-ac
+	post "$1" fanuc-vectors head-ca
+	post "$1" siemens table-bc
+	post "$1" siemens-rotary nutating-head
+	post "$1" heidenhain head-cb
+	post "$1" fanuc nutating-table
+	post "$1" linuxcnc nutating-head-table
+	post "$1" linuxcnc linuxcnc-xyzac
+	post "$1" fanuc table-ac-notcp
+	post "$1" siemens table-bc-notcp
+	post "$1" heidenhain head-table-bc-notcp
+	post "$1" fanuc head-table-bc --set b.min=-5
+}
+over 0 0 1         # a point at the pole
+over 0 201 7       # the pole between two points
+over 0.0000014 37 1 # 1e-6 degrees beside it
+over 0.05 300 1
+over 2 90 4
+
+# What no turn helps: exit 3, the place named
+spiral 5 50 72 0 1 POINTS >"$TMP/spiral.cl"
+status 3 "a tilt beyond the travel" ncpost -c fanuc --set a.min=-30 --set a.max=45 "$TMP/spiral.cl"
+has "is told with pass, line and axis" 'spiral.cl:10: pass 1: axis A .* at the point [-0-9.]+ [-0-9.]+ [-0-9.]+, .* -30 to 45' "$TMP/err"
+status 3 "C may not turn far enough" ncpost -c fanuc --set a.min=0 --set c.min=-100 --set c.max=100 "$TMP/spiral.cl"
+has "is told with pass, axis and point" \
+	'spiral.cl:[0-9]+: pass 1: axis C of .* at the point [-0-9.]+ [-0-9.]+ [-0-9.]+, expected' "$TMP/err"
+sed 's/^\(GOTO.*,\)\([0-9.]*\)$/\1-\2/' "$TMP/spiral.cl" >"$TMP/under.cl"
+status 3 "a nutating head does not reach below" ncpost -c fanuc -m nutating-head "$TMP/under.cl"
+has "is told with the direction" 'under.cl:10: pass 1: found tool axis .* at the point .*, which no angles' "$TMP/err"
+
+done_testing

@@ -1,0 +1,115 @@
+/* Tests of arcspline_reduce.h: fewer arcs than the search from left to right, as near and as
+ * smooth. */
+#include "arcfit/arcspline_reduce.h"
+
+#include <check.h>
+#include <stdlib.h>
+
+#include "arcfit/arc_beam.h"
+#include "trial.h"
+
+static const struct arc_deviation WITHIN = {0.01, 0.01, 0.02};
+
+static void assert_fewer(size_t n, double lean, size_t fewer)
+{
+    struct trace t = trial_wave(n, 0.25, lean, 0);
+    struct pieces p = {0};
+    arc_beam_fit(&t, &WITHIN, 6, &p);
+    size_t before = p.n;
+    arcspline_reduce(&t, &WITHIN, 6, true, &p);
+    trial_assert_chain(&t, &WITHIN, &p);
+    ck_assert_uint_le(p.n + fewer, before);
+    array_free(&p);
+    trace_free(&t);
+}
+
+START_TEST(a_short_wave_saves_some)
+{
+    assert_fewer(301, 0, 1);
+}
+END_TEST
+
+START_TEST(a_long_one_window_by_window)
+{
+    assert_fewer(1201, 0, 2);
+}
+END_TEST
+
+START_TEST(with_the_axis_swinging)
+{
+    assert_fewer(601, 0.3, 5);
+}
+END_TEST
+
+/* As many pieces as are moved all together, some fewer and some more: none is lost. */
+START_TEST(from_few_to_many)
+{
+    int windows = 0;
+    for (size_t n = 121; n < 800; n += 120) {
+        struct trace t = trial_wave(n, 0.25, 0, 0);
+        struct pieces p = {0};
+        arc_beam_fit(&t, &WITHIN, 6, &p);
+        windows += p.n > 32;
+        arcspline_reduce(&t, &WITHIN, 6, true, &p);
+        trial_assert_chain(&t, &WITHIN, &p);
+        array_free(&p);
+        trace_free(&t);
+    }
+    ck_assert_int_gt(windows, 0);
+}
+END_TEST
+
+START_TEST(a_kink_stays)
+{
+    struct trace t = trial_wave(201, 0.25, 0, 0.5);
+    struct pieces p = {0}, second = {0};
+    struct trace half = t;
+    half.n = 101;
+    arc_beam_fit(&half, &WITHIN, 6, &p);
+    half = (struct trace){.n = 101,
+                          .p = t.p + 100,
+                          .other = t.other + 100,
+                          .axis = t.axis + 100,
+                          .tangent = t.tangent + 100,
+                          .length = t.length + 100,
+                          .lever = t.lever};
+    arc_beam_fit(&half, &WITHIN, 6, &second);
+    for (size_t i = 0; i < second.n; i++) {
+        struct arc_piece moved = second.item[i];
+        moved.from += 100;
+        moved.to += 100;
+        *array_push(&p) = moved;
+    }
+    size_t before = p.n, kinks = 0;
+    arcspline_reduce(&t, &WITHIN, 6, true, &p);
+    ck_assert_uint_lt(p.n, before);
+    for (size_t i = 1; i < p.n; i++) {
+        double kink = vec_angle(arc_tangent(&p.item[i - 1].arc, 1), p.item[i].arc.tangent);
+        kinks += kink > 2 * ARCFIT_KINK;
+        if (kink > 2 * ARCFIT_KINK)
+            ck_assert_double_lt(vec_distance(p.item[i].arc.from, t.p[100]), 1e-12);
+    }
+    ck_assert_uint_eq(kinks, 1);
+    array_free(&p);
+    array_free(&second);
+    trace_free(&t);
+}
+END_TEST
+
+int main(void)
+{
+    TCase *t = tcase_create("arcrelax");
+    tcase_set_timeout(t, 20);
+    tcase_add_test(t, a_short_wave_saves_some);
+    tcase_add_test(t, a_long_one_window_by_window);
+    tcase_add_test(t, with_the_axis_swinging);
+    tcase_add_test(t, from_few_to_many);
+    tcase_add_test(t, a_kink_stays);
+    Suite *s = suite_create("arcrelax");
+    suite_add_tcase(s, t);
+    SRunner *r = srunner_create(s);
+    srunner_run_all(r, CK_NORMAL);
+    int failed = srunner_ntests_failed(r);
+    srunner_free(r);
+    return failed > 0;
+}

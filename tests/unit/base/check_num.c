@@ -1,0 +1,159 @@
+/* check_num - numbers as text: reading equals strtod's, writing rounds half away from zero. */
+#include <check.h>
+#include <math.h>
+#include <stdint.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "base/num.h"
+
+static uint64_t state = 88172645463325252u;
+
+static uint64_t next_random(void)
+{
+    state ^= state << 13;
+    state ^= state >> 7;
+    state ^= state << 17;
+    return state;
+}
+
+START_TEST(reading_gives_the_nearest_double)
+{
+    for (int i = 0; i < 200000; i++) {
+        char text[64];
+        double x = (double)(int64_t)next_random() / (double)(1u << (next_random() % 31));
+        static const char *const formats[] = {"%.4f", "%.17g", "%.3e", "%.20f", "%g"};
+        snprintf(text, sizeof text, formats[i % 5], x * pow(10, (double)(next_random() % 41) - 30));
+        const char *p = text;
+        double value;
+        ck_assert(num_read(&p, &value));
+        ck_assert_msg(value == strtod(text, NULL), "%s", text);
+        ck_assert_int_eq(*p, '\0');
+    }
+}
+END_TEST
+
+static const struct {
+    const char *text;
+    bool good;
+    double value;
+} spellings[] = {
+    {"5", true, 5},
+    {"5.", true, 5},
+    {".5", true, .5},
+    {"-.5", true, -.5},
+    {"+3", true, 3},
+    {"1e3", true, 1000},
+    {"1D+03", true, 1000},
+    {"1d-2", true, .01},
+    {" 7 ", true, 7},
+    {"", false, 0},
+    {".", false, 0},
+    {"-", false, 0},
+    {"nan", false, 0},
+    {"inf", false, 0},
+    {"0x10", false, 0},
+    {"1e999", false, 0},
+    {"8x", false, 0},
+    {"1e", false, 0},
+    {"1,5", false, 0},
+    {"--1", false, 0},
+    {"0.000000000000000000000000000001", true, 1e-30},
+    {"123456789012345678901234567890", true, 123456789012345678901234567890.0},
+};
+
+START_TEST(spellings_of_a_number)
+{
+    double value = 0;
+    ck_assert_msg(num_whole(spellings[_i].text, &value) == spellings[_i].good, "%s",
+                  spellings[_i].text);
+    if (spellings[_i].good)
+        ck_assert_msg(value == spellings[_i].value, "%s", spellings[_i].text);
+}
+END_TEST
+
+static const struct {
+    double x;
+    int digits;
+    const char *fixed, *brief, *pointed;
+} writings[] = {
+    {12, 3, "12.000", "12", "12."},
+    {0.5, 3, "0.500", "0.5", "0.5"},
+    {-0.0004, 3, "0.000", "0", "0."},
+    {-0.0, 6, "0.000000", "0", "0."},
+    {-3.25, 1, "-3.3", "-3.3", "-3.3"},
+    {2.5, 0, "3", "3", "3."},
+    {1234.5678, 2, "1234.57", "1234.57", "1234.57"},
+    {100, 0, "100", "100", "100."},
+    {0.001, 3, "0.001", "0.001", "0.001"},
+    {99.9996, 3, "100.000", "100", "100."},
+};
+
+START_TEST(writings_of_a_number)
+{
+    char text[NUM_MAX];
+    ck_assert_uint_eq(num_write(text, writings[_i].x, writings[_i].digits),
+                      strlen(writings[_i].fixed));
+    ck_assert_str_eq(text, writings[_i].fixed);
+    num_write_short(text, writings[_i].x, writings[_i].digits, false);
+    ck_assert_str_eq(text, writings[_i].brief);
+    num_write_short(text, writings[_i].x, writings[_i].digits, true);
+    ck_assert_str_eq(text, writings[_i].pointed);
+}
+END_TEST
+
+START_TEST(what_is_written_reads_back_as_rounded)
+{
+    for (int i = 0; i < 100000; i++) {
+        char text[NUM_MAX];
+        double x =
+            (double)(int64_t)next_random() / (double)(UINT64_C(1) << (20 + next_random() % 40));
+        int digits = (int)(next_random() % 10);
+        num_write(text, x, digits);
+        const char *p = text;
+        double value;
+        ck_assert(num_read(&p, &value));
+        ck_assert_msg(value == num_round(x, digits), "%s", text);
+        ck_assert(fabs(value - x) <= 0.5000001 * pow(10, -digits) + 1e-15 * fabs(x));
+    }
+}
+END_TEST
+
+/* The quick way writes what the plain one does: all lengths, noughts at either end. */
+START_TEST(short_numbers_alike)
+{
+    for (int i = 0; i < 400000; i++) {
+        char text[NUM_MAX], brief[NUM_MAX];
+        int64_t integer = (int64_t)(next_random() >> (11 + next_random() % 53));
+        int digits = (int)(next_random() % 10);
+        for (uint64_t k = next_random() % 4; k > 0 && i % 3 == 0; k--)
+            integer = integer < INT64_C(100000000000) ? integer * 10 : integer;
+        bool negative = i & 1, point = i & 2;
+        size_t n = num_put(text, integer, negative, digits);
+        n = num_shorten(text, n, digits, point);
+        memset(brief, '#', sizeof brief);
+        ck_assert_msg(num_put_short(brief, integer, negative, digits, point) == n &&
+                          memcmp(text, brief, n) == 0,
+                      "%s", text);
+    }
+}
+END_TEST
+
+int main(void)
+{
+    Suite *suite = suite_create("num");
+    TCase *tests = tcase_create("num");
+    tcase_add_test(tests, reading_gives_the_nearest_double);
+    tcase_add_loop_test(tests, spellings_of_a_number, 0,
+                        (int)(sizeof spellings / sizeof *spellings));
+    tcase_add_loop_test(tests, writings_of_a_number, 0, (int)(sizeof writings / sizeof *writings));
+    tcase_add_test(tests, what_is_written_reads_back_as_rounded);
+    tcase_add_test(tests, short_numbers_alike);
+    suite_add_tcase(suite, tests);
+    SRunner *runner = srunner_create(suite);
+    srunner_run_all(runner, CK_ENV);
+    int failed = srunner_ntests_failed(runner);
+    srunner_free(runner);
+    return failed != 0;
+}

@@ -1,0 +1,141 @@
+/* cloudnormals: on a half-ball and a torus all normals point out, close to the exact ones. */
+#include <check.h>
+#include <stdlib.h>
+
+#include "cloud/cloud_normals.h"
+#include "rough.h"
+
+static void check(const struct vec3s *p, struct vec3 (*exact)(struct vec3), double degrees)
+{
+    size_t *near = cloud_neighbours(p->item, p->n, 2);
+    struct vec3 *normal = mem_alloc(p->n, sizeof *normal);
+    cloud_normals(p->item, p->n, near, 2, normal);
+    for (size_t i = 0; i < p->n; i++) {
+        ck_assert_double_eq_tol(vec_length(normal[i]), 1, 1e-12);
+        ck_assert_double_le(vec_angle(normal[i], exact(p->item[i])), RADIANS(degrees));
+    }
+    free(normal);
+    free(near);
+}
+
+static struct vec3 of_ball(struct vec3 p)
+{
+    return vec_unit(p);
+}
+
+static struct vec3 of_torus(struct vec3 p)
+{
+    return vec_unit(vec_sub(p, vec_scale(12, vec_unit(vec(p.x, p.y, 0)))));
+}
+
+START_TEST(half_ball)
+{
+    for (int noisy = 0; noisy < 2; noisy++) {
+        struct vec3s p = {0};
+        for (int i = 0; i < 6000; i++) {
+            double z = uniform(), a = 2 * PI * uniform(), r = sqrt(1 - z * z);
+            *array_push(&p) =
+                vec_scale(4 + 0.01 * noisy * normal(), vec(r * cos(a), r * sin(a), z));
+        }
+        check(&p, of_ball, noisy ? 25 : 6);
+        array_free(&p);
+    }
+}
+END_TEST
+
+START_TEST(torus)
+{
+    struct vec3s p = {0};
+    while (p.n < 9000) {
+        double u = 2 * PI * uniform(), v = PI * uniform(), r = 12 + 4 * cos(v);
+        if (16 * uniform() < r)
+            *array_push(&p) = vec(r * cos(u), r * sin(u), 4 * sin(v));
+    }
+    check(&p, of_torus, 12);
+    array_free(&p);
+}
+END_TEST
+
+/* Two sheets apart: each has its own highest point. */
+START_TEST(two_pieces_and_their_spacing)
+{
+    struct vec3s p = {0};
+    rectangle(&p, 2500, vec(0, 0, 0), vec(20, 0, 2), vec(0, 20, 0), 0);
+    rectangle(&p, 2500, vec(40, 0, -9), vec(20, 0, -2), vec(0, 20, 0), 0);
+    size_t *near = cloud_neighbours(p.item, p.n, 1);
+    struct vec3 *normal = mem_alloc(p.n, sizeof *normal);
+    cloud_normals(p.item, p.n, near, 1, normal);
+    for (size_t i = 0; i < p.n; i++)
+        ck_assert_double_gt(normal[i].z, 0.99);
+    ck_assert_double_eq_tol(cloud_spacing(p.item, p.n, near), 0.4, 0.04);
+    free(normal);
+    free(near);
+    array_free(&p);
+}
+END_TEST
+
+/* The roof of a box and its walls, random points: all normals point out, and beside its edges
+ * hardly one is between those of two sides. */
+START_TEST(sharp_edges)
+{
+    for (int noisy = 0; noisy < 2; noisy++) {
+        const double noise = 0.02 * noisy;
+        struct vec3s p = {0};
+        rectangle(&p, 6000, vec(0, 0, 10), vec(30, 0, 0), vec(0, 20, 0), noise);
+        rectangle(&p, 3000, vec(0, 0, 0), vec(30, 0, 0), vec(0, 0, 10), noise);
+        rectangle(&p, 3000, vec(0, 20, 0), vec(30, 0, 0), vec(0, 0, 10), noise);
+        rectangle(&p, 2000, vec(0, 0, 0), vec(0, 20, 0), vec(0, 0, 10), noise);
+        rectangle(&p, 2000, vec(30, 0, 0), vec(0, 20, 0), vec(0, 0, 10), noise);
+        size_t *near = cloud_neighbours(p.item, p.n, 2), between = 0;
+        struct vec3 *normal = mem_alloc(p.n, sizeof *normal);
+        cloud_normals(p.item, p.n, near, 2, normal);
+        for (size_t i = 0; i < p.n; i++) {
+            struct vec3 n = vec(fabs(normal[i].x), fabs(normal[i].y), normal[i].z);
+            bool out = vec_dot(normal[i], vec_sub(p.item[i], vec(15, 10, 0))) > 0;
+            ck_assert(out || n.z < 0.2);
+            between += fmax(fmax(n.x, n.y), n.z) < cos(RADIANS(15));
+        }
+        ck_assert_uint_le(between, 5); /* of 16000; 959 without a choice of planes */
+        free(normal);
+        free(near);
+        array_free(&p);
+    }
+}
+END_TEST
+
+/* A pocket whose upright walls are its highest points: its floor tells which side is up. */
+START_TEST(pocket)
+{
+    struct vec3s p = {0};
+    rectangle(&p, 4000, vec(-10, -10, 0), vec(20, 0, 0), vec(0, 20, 0), 0);
+    rectangle(&p, 2000, vec(-10, -10, 0), vec(20, 0, 0), vec(0, 0, 10), 0);
+    rectangle(&p, 2000, vec(-10, 10, 0), vec(20, 0, 0), vec(0, 0, 10), 0);
+    rectangle(&p, 2000, vec(-10, -10, 0), vec(0, 20, 0), vec(0, 0, 10), 0);
+    rectangle(&p, 2000, vec(10, -10, 0), vec(0, 20, 0), vec(0, 0, 10), 0);
+    size_t *near = cloud_neighbours(p.item, p.n, 1);
+    struct vec3 *normal = mem_alloc(p.n, sizeof *normal);
+    cloud_normals(p.item, p.n, near, 1, normal);
+    for (size_t i = 0; i < p.n; i++)
+        ck_assert_double_gt(vec_dot(normal[i], vec_sub(vec(0, 0, 12), p.item[i])), 0);
+    free(normal);
+    free(near);
+    array_free(&p);
+}
+END_TEST
+
+int main(void)
+{
+    Suite *suite = suite_create("cloudnormals");
+    TCase *tests = tcase_create("cloudnormals");
+    SRunner *runner = srunner_create(suite);
+    tcase_add_test(tests, half_ball);
+    tcase_add_test(tests, torus);
+    tcase_add_test(tests, two_pieces_and_their_spacing);
+    tcase_add_test(tests, sharp_edges);
+    tcase_add_test(tests, pocket);
+    suite_add_tcase(suite, tests);
+    srunner_run_all(runner, CK_ENV);
+    int failed = srunner_ntests_failed(runner);
+    srunner_free(runner);
+    return failed > 0;
+}

@@ -1,0 +1,90 @@
+/* noise: what was put on known surfaces, on every pattern; nothing where there is none. */
+#include <check.h>
+#include <stdlib.h>
+
+#include "math/point_grid.h"
+#include "cloud/noise.h"
+#include "noisy.h"
+#include "panel.h"
+
+static struct vec3s scan;
+
+static double wave(double x, double y)
+{
+    return 4 * sin(x * (2 * PI / 20)) * cos(y * (2 * PI / 30));
+}
+
+static double roof(double x, double y)
+{
+    return 12 - 0.5 * fabs(x + 0.2 * y);
+}
+
+static double (*const shape[])(double, double) = {panel_height, wave, roof};
+
+static double measured(void)
+{
+    struct point_grid point_grid;
+    struct error error;
+    ck_assert_int_eq(point_grid_make(scan.item, scan.n, 0.48, 2, &point_grid, &error), 0);
+    double noise = noise_of(&point_grid, 2);
+    ck_assert(noise == noise_of(&point_grid, 1));
+    point_grid_free(&point_grid);
+    array_free(&scan);
+    return noise;
+}
+
+START_TEST(as_put_on)
+{
+    const double sigma[] = {0.01, 0.02, 0.05};
+    for (int p = NOISY_GRID; p <= NOISY_RANDOM; p++)
+        for (int s = 0; s < 3; s++) {
+            noisy_seed((unsigned)(7 + s));
+            noisy_scan(&scan, shape[_i], 17000, (enum noisy_pattern)p, sigma[s]);
+            ck_assert_double_eq_tol(measured() / sigma[s], 1, 0.1);
+        }
+}
+END_TEST
+
+START_TEST(none)
+{
+    for (int p = NOISY_GRID; p <= NOISY_RANDOM; p++) {
+        noisy_seed(3);
+        noisy_scan(&scan, shape[_i], 17000, (enum noisy_pattern)p, 0);
+        ck_assert_double_lt(measured(), 0.002);
+    }
+}
+END_TEST
+
+START_TEST(a_few_outliers_do_not_count)
+{
+    noisy_seed(1);
+    noisy_scan(&scan, panel_height, 17000, NOISY_RANDOM, 0.02);
+    for (size_t i = 0; i < scan.n; i += 100)
+        scan.item[i].z += 5 * noisy_uniform();
+    ck_assert_double_eq_tol(measured() / 0.02, 1, 0.1);
+}
+END_TEST
+
+START_TEST(fewer_points_than_it_takes)
+{
+    for (int i = 0; i < 10; i++)
+        *array_push(&scan) = vec(i, i * i % 7, 0);
+    ck_assert(measured() == 0);
+}
+END_TEST
+
+int main(void)
+{
+    Suite *suite = suite_create("noise");
+    TCase *tests = tcase_create("noise");
+    SRunner *runner = srunner_create(suite);
+    tcase_add_loop_test(tests, as_put_on, 0, 3);
+    tcase_add_loop_test(tests, none, 0, 3);
+    tcase_add_test(tests, a_few_outliers_do_not_count);
+    tcase_add_test(tests, fewer_points_than_it_takes);
+    suite_add_tcase(suite, tests);
+    srunner_run_all(runner, CK_ENV);
+    int failed = srunner_ntests_failed(runner);
+    srunner_free(runner);
+    return failed > 0;
+}

@@ -1,0 +1,194 @@
+/* stray: what was put into known clouds is found, and nothing else is. */
+#include <check.h>
+#include <stdbool.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "noisy.h"
+#include "panel.h"
+#include "cloud/outliers.h"
+
+static struct vec3s scan;
+static struct point_grid point_grid;
+static unsigned char *out;
+
+static double roof(double x, double y)
+{
+    return 12 - 0.5 * fabs(x + 0.2 * y);
+}
+
+static double terraces(double x, double y)
+{
+    return 4 * floor((x + 0.3 * y) / 12.5);
+}
+
+static void sort(void)
+{
+    struct error error;
+    ck_assert_int_eq(point_grid_make(scan.item, scan.n, 0.48, 2, &point_grid, &error), 0);
+    out = mem_alloc(scan.n, 1);
+}
+
+static void free_all(void)
+{
+    point_grid_free(&point_grid);
+    array_free(&scan);
+    free(out);
+    out = NULL;
+}
+
+/* Of the points marked, those 0.4 mm and more off the surface. */
+static size_t marked_off(double (*height)(double, double))
+{
+    size_t n = 0;
+    for (size_t i = 0; i < point_grid.n; i++) {
+        struct vec3 p = point_grid.point[i];
+        n += out[i] && fabs(p.z - height(p.x, p.y)) > 0.4;
+    }
+    return n;
+}
+
+/* 100 points 0.5 to 20 mm above or below, on clean and noisy scans of every pattern. */
+START_TEST(outliers)
+{
+    const double sigma = _i / 3 * 0.02;
+    noisy_seed(4);
+    noisy_scan(&scan, panel_height, 17000, (enum noisy_pattern)(_i % 3), sigma);
+    for (size_t i = 0; i < 100; i++) {
+        size_t at = i * scan.n / 100 + 31;
+        scan.item[at].z += (i % 2 ? 1 : -1) * (0.5 + 19.5 * pow(noisy_uniform(), 3));
+    }
+    sort();
+    size_t found = outliers_isolated(&point_grid, sigma, 2, out), right = marked_off(panel_height);
+    ck_assert_uint_ge(right, 98); /* one may lie beside another */
+    ck_assert_uint_le(found - right, 1);
+}
+END_TEST
+
+START_TEST(clumps_in_the_air)
+{
+    noisy_seed(4);
+    noisy_scan(&scan, terraces, 17000, NOISY_RANDOM, 0.02);
+    for (int i = 0; i < 4; i++)
+        for (int k = 0; k < 6; k++)
+            *array_push(&scan) = vec(-30 + 18 * i + 0.3 * noisy_uniform(), 10 + 0.2 * k, 30);
+    sort();
+    size_t found = outliers_isolated(&point_grid, 0.02, 2, out), right = 0;
+    for (size_t i = 0; i < point_grid.n; i++)
+        right += out[i] && point_grid.point[i].z > 25;
+    ck_assert_uint_eq(right, 24);
+    ck_assert_uint_le(found - right, 2);
+}
+END_TEST
+
+/* Edges and steps are no outliers. */
+START_TEST(edges)
+{
+    noisy_seed(4);
+    noisy_scan(&scan, _i % 2 ? roof : terraces, 17000, NOISY_LINES, _i / 2 * 0.02);
+    sort();
+    ck_assert_uint_le(outliers_isolated(&point_grid, _i / 2 * 0.02, 2, out), 2);
+    ck_assert_uint_eq(outliers_under_roof(&point_grid, 2, out), 0);
+}
+END_TEST
+
+START_TEST(sparse_walls)
+{
+    /* A step in a dense scan, its wall a tenth as dense; strays over all of it. */
+    enum { FLOOR = 20000, WALL = 200, STRAYS = 30 };
+    noisy_seed(5 + (unsigned)_i);
+    for (int i = 0; i < FLOOR; i++) {
+        double x = 60 * noisy_uniform() - 30, y = 40 * noisy_uniform();
+        *array_push(&scan) = vec(x, y, (x < 0 ? 0 : 6) + 0.02 * noisy_normal());
+    }
+    for (int i = 0; i < WALL; i++)
+        *array_push(&scan) = vec(0.02 * noisy_normal(), 40 * noisy_uniform(), 6 * noisy_uniform());
+    for (int i = 0; i < STRAYS; i++)
+        *array_push(&scan) = vec(i % 2 ? 60 * noisy_uniform() - 30 : 0.5 * noisy_normal(),
+                                 40 * noisy_uniform(), 14 + 26 * noisy_uniform());
+    sort();
+    size_t found = outliers_isolated(&point_grid, 0.02, 2, out), right = 0;
+    for (size_t i = 0; i < point_grid.n; i++)
+        right += out[i] && point_grid.point[i].z > 10;
+    ck_assert_uint_eq(right, STRAYS);
+    ck_assert_uint_le(found - right, WALL / 8);
+}
+END_TEST
+START_TEST(points_twice)
+{
+    noisy_seed(4);
+    noisy_scan(&scan, panel_height, 3000, NOISY_RANDOM, 0.02);
+    size_t n = scan.n;
+    for (size_t i = 0; i < n; i += 3)
+        for (size_t k = 0; k < 1 + i % 2; k++) {
+            struct vec3 p = scan.item[i];
+            *array_push(&scan) = p;
+        }
+    size_t more = scan.n - n;
+    sort();
+    ck_assert_uint_eq(outliers_twice(&point_grid, out), more);
+    point_grid_remove(&point_grid, out);
+    memset(out, 0, n);
+    ck_assert_uint_eq(point_grid.n, n);
+    ck_assert_uint_eq(outliers_twice(&point_grid, out), 0);
+}
+END_TEST
+
+/* A roof 6 mm above the middle; the ground goes on below it. */
+START_TEST(under_a_roof)
+{
+    noisy_seed(4);
+    noisy_scan(&scan, panel_height, 17000, NOISY_RANDOM, 0.02);
+    size_t under = 0;
+    for (double x = -15; x <= 15; x += 0.4)
+        for (double y = -10; y <= 10; y += 0.4)
+            *array_push(&scan) = vec(x, y, 26);
+    sort();
+    size_t found = outliers_under_roof(&point_grid, 2, out);
+    for (size_t i = 0; i < point_grid.n; i++) {
+        struct vec3 p = point_grid.point[i];
+        bool inside = fabs(p.x) < 13 && fabs(p.y) < 8 && p.z < 20;
+        under += inside;
+        ck_assert(!inside || out[i]);
+        ck_assert(!out[i] || (fabs(p.x) < 15 && fabs(p.y) < 10 && p.z < 20));
+    }
+    ck_assert_uint_ge(found, under);
+    ck_assert_uint_gt(under, 1000);
+}
+END_TEST
+
+/* A pocket 6 mm deep: nothing in it is under anything, to its corners. */
+START_TEST(a_pocket)
+{
+    noisy_seed(4);
+    for (int i = 0; i < 17000; i++) {
+        double x = 74 * noisy_uniform() - 37, y = 54 * noisy_uniform() - 27;
+        *array_push(&scan) = vec(x, y, fabs(x) < 12 && fabs(y) < 9 ? 0 : 6);
+        if (i < 1000)
+            *array_push(&scan) =
+                vec(12 + 0.02 * noisy_normal(), 18 * noisy_uniform() - 9, 6 * noisy_uniform());
+    }
+    sort();
+    ck_assert_uint_eq(outliers_under_roof(&point_grid, 2, out), 0);
+}
+END_TEST
+
+int main(void)
+{
+    Suite *suite = suite_create("stray");
+    TCase *tests = tcase_create("stray");
+    SRunner *runner = srunner_create(suite);
+    tcase_add_checked_fixture(tests, NULL, free_all);
+    tcase_add_loop_test(tests, outliers, 0, 6);
+    tcase_add_test(tests, clumps_in_the_air);
+    tcase_add_loop_test(tests, sparse_walls, 0, 4);
+    tcase_add_loop_test(tests, edges, 0, 4);
+    tcase_add_test(tests, points_twice);
+    tcase_add_test(tests, under_a_roof);
+    tcase_add_test(tests, a_pocket);
+    suite_add_tcase(suite, tests);
+    srunner_run_all(runner, CK_ENV);
+    int failed = srunner_ntests_failed(runner);
+    srunner_free(runner);
+    return failed > 0;
+}

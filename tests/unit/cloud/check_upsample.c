@@ -1,0 +1,105 @@
+/* upsample: points between those of a sparse cloud lie on its surface, in no hole, and only where
+ * the ball asks for them. */
+#include <check.h>
+#include <stdlib.h>
+
+#include "base/array.h"
+#include "noisy.h"
+#include "cloud/upsample.h"
+
+static struct vec3s scan;
+static struct point_grid point_grid;
+static struct vec3s put;
+
+static double wave(double x, double y)
+{
+    return 3 * sin(x / 4) * cos(y / 6);
+}
+
+/* About n points of the wave, but for those in a hole about (hole, 0). */
+static struct upsample make_fill(int n, double hole)
+{
+    struct error error;
+    struct vec3s all = {0};
+    noisy_seed(3);
+    noisy_scan(&all, wave, n, NOISY_RANDOM, 0);
+    for (size_t i = 0; i < all.n; i++)
+        if (hypot(all.item[i].x - hole, all.item[i].y) > 4)
+            *array_push(&scan) = all.item[i];
+    array_free(&all);
+    ck_assert_int_eq(
+        point_grid_make(scan.item, scan.n, sqrt(74 * 54.0 / n), 1, &point_grid, &error), 0);
+    return (struct upsample){.point_grid = &point_grid, .radius = 4, .sink = 0.002};
+}
+
+static void free_all(void)
+{
+    point_grid_free(&point_grid);
+    array_free(&scan);
+    array_free(&put);
+}
+
+START_TEST(on_the_surface)
+{
+    struct upsample fill = make_fill(6000, 5);
+    double sum2 = 0, worst = 0;
+    ck_assert(upsample_needed(&fill));
+    for (size_t i = 0; i < point_grid.n; i++)
+        upsample_about(&fill, i, &put);
+    ck_assert_uint_gt(put.n, 3 * point_grid.n);
+    for (size_t i = 0; i < put.n; i++) {
+        struct vec3 p = put.item[i];
+        double off = p.z - wave(p.x, p.y);
+        ck_assert_double_gt(hypot(p.x - 5, p.y), 2);
+        if (fabs(p.x) > 35 || fabs(p.y) > 25 || hypot(p.x - 5, p.y) < 5)
+            continue;
+        worst = fmax(worst, fabs(off));
+        sum2 += off * off;
+    }
+    ck_assert_double_lt(worst, 0.025); /* 0.06 by quadrics */
+    ck_assert_double_lt(sqrt(sum2 / (double)put.n), 0.001);
+}
+END_TEST
+
+/* The surface is handed in: a plane above the points. */
+START_TEST(on_a_surface_that_is_given)
+{
+    struct upsample fill = make_fill(6000, 100);
+    struct quadric plane = {.origin = {0, 0, 9}, .u = {1, 0, 0}, .v = {0, 1, 0}, .w = {0, 0, 1}};
+    size_t i = point_grid.n / 2;
+    struct vec3 p = point_grid.point[i];
+    upsample_on(&fill, i, vec(p.x, p.y, 9), &plane, 0, &put);
+    for (size_t k = 0; k < put.n; k++)
+        ck_assert_double_eq_tol(put.item[k].z, 9, 1e-12);
+    upsample_on(&fill, i, vec(p.x, p.y, 9), &plane, 1, &put); /* spread by 1 mm: none */
+    size_t before = put.n;
+    upsample_on(&fill, i, vec(p.x, p.y, 9), &plane, 1, &put);
+    ck_assert_uint_eq(put.n, before);
+}
+END_TEST
+
+START_TEST(dense_enough)
+{
+    struct upsample fill = make_fill(20000, 100);
+    fill.radius = 100;
+    ck_assert(!upsample_needed(&fill));
+    fill.radius = 4;
+    ck_assert(upsample_needed(&fill));
+}
+END_TEST
+
+int main(void)
+{
+    Suite *suite = suite_create("scanfill");
+    TCase *tests = tcase_create("scanfill");
+    SRunner *runner = srunner_create(suite);
+    tcase_add_checked_fixture(tests, NULL, free_all);
+    tcase_add_test(tests, on_the_surface);
+    tcase_add_test(tests, on_a_surface_that_is_given);
+    tcase_add_test(tests, dense_enough);
+    suite_add_tcase(suite, tests);
+    srunner_run_all(runner, CK_ENV);
+    int failed = srunner_ntests_failed(runner);
+    srunner_free(runner);
+    return failed > 0;
+}

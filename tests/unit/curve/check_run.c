@@ -1,0 +1,206 @@
+/* Tests of run.h against circles, where tangents and the reference curve are known. */
+#include "curve/run.h"
+
+#include <check.h>
+#include <stdlib.h>
+
+static struct run_point pose(struct vec3 ball, struct vec3 axis, double radius)
+{
+    return (struct run_point){
+        .tip = vec_along(ball, -radius, axis), .ball = ball, .axis = axis, .given = true};
+}
+
+/* A ball of radius 8 inside a cylinder of radius 20 (its axis is y): the centre goes round on
+ * radius 12, the tool axis leans by 0.2 against the normal, the tip is on a circle too. */
+static struct run in_cylinder(size_t n, double step)
+{
+    struct run run = {.radius = 8};
+    for (size_t i = 0; i < n; i++) {
+        double u = step * (double)i;
+        struct vec3 axis = vec(-sin(u) * cos(0.2), sin(0.2), cos(u) * cos(0.2));
+        struct run_point p = pose(vec(12 * sin(u), 0, -12 * cos(u)), axis, 8);
+        p.normal = vec(-sin(u), 0, cos(u));
+        p.contact = vec(20 * sin(u), 0, -20 * cos(u));
+        *array_push(&run) = p;
+    }
+    return run;
+}
+
+START_TEST(tangents_of_a_circle_are_exact)
+{
+    struct run run = in_cylinder(9, 0.3);
+    struct vec3 t[9];
+    run_tangents(&run, false, t);
+    for (size_t i = 0; i < run.n; i++) {
+        double u = 0.3 * (double)i;
+        ck_assert_double_lt(vec_distance(t[i], vec(cos(u), 0, sin(u))), 1e-12);
+    }
+    array_free(&run);
+}
+END_TEST
+
+START_TEST(forward_tangents_are_those_of_the_paper)
+{
+    struct run run = in_cylinder(5, 0.3);
+    run.item[1].normal = vec(0.6, 0.64, 0.48);
+    struct vec3 t[5];
+    run_tangents(&run, true, t);
+    for (size_t i = 0; i < run.n; i++) {
+        size_t j = i + 1 < run.n ? i : i - 1;
+        struct vec3 chord = vec_sub(run.item[j + 1].ball, run.item[j].ball);
+        struct vec3 n = run.item[i].normal;
+        struct vec3 v = vec_cross(chord, n);
+        ck_assert_double_lt(vec_distance(t[i], vec_unit(vec_cross(n, v))), 1e-12);
+    }
+    array_free(&run);
+}
+END_TEST
+
+START_TEST(a_lifted_centre_keeps_its_slope)
+{
+    struct run run = {.radius = 8};
+    for (int i = 0; i < 5; i++) {
+        struct run_point p = pose(vec(i, 0, 8 + 0.1 * i), vec(0, 0, 1), 8);
+        p.contact = vec(i, 0, 0);
+        p.normal = vec(0, 0, 1);
+        *array_push(&run) = p;
+    }
+    struct vec3 t[5], slope = vec_unit(vec(1, 0, 0.1));
+    run_tangents(&run, false, t);
+    for (size_t i = 0; i < run.n; i++)
+        ck_assert_double_lt(vec_distance(t[i], slope), 2e-3);
+    array_free(&run);
+}
+END_TEST
+
+START_TEST(repeated_points_and_no_length_are_no_trouble)
+{
+    struct run run = {.radius = 2};
+    for (int i = 0; i < 4; i++)
+        *array_push(&run) = pose(vec(1, 2, 3), vec(0, 0, 1), 2);
+    struct vec3 t[6];
+    run_tangents(&run, false, t);
+    for (size_t i = 0; i < run.n; i++)
+        ck_assert_double_eq(vec_length(t[i]), 0);
+    *array_push(&run) = pose(vec(2, 2, 3), vec(0, 0, 1), 2);
+    *array_push(&run) = pose(vec(2, 2, 3), vec(0, 0, 1), 2);
+    for (int forward = 0; forward < 2; forward++) {
+        run_tangents(&run, forward, t);
+        for (size_t i = 0; i < run.n; i++)
+            ck_assert_double_lt(vec_distance(t[i], vec(1, 0, 0)), 1e-12);
+    }
+    struct run dense = {.radius = 2};
+    ck_assert_double_lt(run_densify(&run, 0.001, &dense), 1e-12);
+    ck_assert_uint_eq(dense.n, run.n);
+    array_free(&run);
+    array_free(&dense);
+}
+END_TEST
+
+START_TEST(the_reference_of_a_circle_stays_on_it)
+{
+    struct run run = in_cylinder(7, 0.35), dense = {.radius = 8}, again = {.radius = 8};
+    double off = run_densify(&run, 1e-4, &dense);
+    size_t given = 0;
+    for (size_t i = 0; i < dense.n; i++) {
+        const struct run_point *p = &dense.item[i];
+        given += p->given;
+        ck_assert_double_lt(fabs(hypot(p->ball.x, p->ball.z) - 12), 1e-4);
+        ck_assert_double_lt(fabs(hypot(p->tip.x, p->tip.z) - (12 + 8 * cos(0.2))), 5e-3);
+        ck_assert_double_lt(fabs(vec_length(p->axis) - 1), 1e-12);
+        ck_assert_double_lt(vec_distance(p->tip, vec_along(p->ball, -8, p->axis)), 1e-12);
+        ck_assert_double_lt(fabs(hypot(p->contact.x, p->contact.z) - 20), 1e-3);
+    }
+    ck_assert_uint_eq(given, run.n);
+    ck_assert_uint_gt(dense.n, 10 * run.n);
+    /* the tip's straight lines stand off its circle by the sagitta */
+    ck_assert_double_lt(fabs(off - (12 + 8 * cos(0.2)) * (1 - cos(0.175))), 5e-3);
+
+    ck_assert_double_lt(run_densify(&dense, 2e-4, &again), 2e-4);
+    ck_assert_uint_eq(again.n, dense.n);
+    array_free(&run);
+    array_free(&dense);
+    array_free(&again);
+}
+END_TEST
+
+START_TEST(corners_stay_corners)
+{
+    struct run run = {.radius = 1}, dense = {.radius = 1};
+    struct vec3 at[] = {{0, 0, 0}, {5, 0, 0}, {10, 0, 0}, {10, 5, 0}, {10, 10, 0}};
+    for (size_t i = 0; i < 5; i++)
+        *array_push(&run) = pose(at[i], vec(0, 0, 1), 1);
+    struct sizes corner = {0};
+    run_corners(&run, &corner);
+    ck_assert_uint_eq(corner.n, 1);
+    ck_assert_uint_eq(corner.item[0], 2);
+    ck_assert_double_lt(run_densify(&run, 0.01, &dense), 1e-12);
+    ck_assert_uint_eq(dense.n, 5);
+    array_free(&run);
+    array_free(&dense);
+    array_free(&corner);
+}
+END_TEST
+
+START_TEST(an_axis_that_turns_in_place_goes_on_the_great_circle)
+{
+    struct run run = {.radius = 5}, dense = {.radius = 5};
+    *array_push(&run) = pose(vec(0, 0, 0), vec(0, 0, 1), 5);
+    *array_push(&run) = pose(vec(0, 0, 0), vec(0, 1, 0), 5);
+    double off = run_densify(&run, 1e-3, &dense);
+    ck_assert_double_lt(fabs(off - 5 * (1 - cos(PI / 4))), 1e-9);
+    ck_assert_uint_gt(dense.n, 10);
+    for (size_t i = 0; i < dense.n; i++)
+        ck_assert_double_lt(fabs(vec_length(dense.item[i].tip) - 5), 1e-12);
+    array_free(&run);
+    array_free(&dense);
+}
+END_TEST
+
+START_TEST(any_input_gives_finite_numbers)
+{
+    unsigned seed = 12345;
+    for (size_t round = 0; round < 300; round++) {
+        struct run run = {.radius = 3}, dense = {.radius = 3};
+        size_t n = 1 + round % 9;
+        for (size_t i = 0; i < n; i++) {
+            int v[6];
+            for (int k = 0; k < 6; k++) {
+                seed = seed * 1664525u + 1013904223u;
+                v[k] = (int)(seed >> 28) % 4 - 1;
+            }
+            struct vec3 axis = vec_unit(vec(v[3], v[4], v[5]));
+            if (vec_length(axis) < 0.5)
+                axis = vec(0, 0, 1);
+            *array_push(&run) = pose(vec(v[0], v[1], v[2]), axis, 3);
+        }
+        ck_assert(isfinite(run_densify(&run, 0.01, &dense)));
+        ck_assert_uint_ge(dense.n, run.n);
+        for (size_t i = 0; i < dense.n; i++)
+            ck_assert(isfinite(vec_length(dense.item[i].tip)) &&
+                      isfinite(vec_length(dense.item[i].ball)));
+        array_free(&run);
+        array_free(&dense);
+    }
+}
+END_TEST
+
+int main(void)
+{
+    TCase *t = tcase_create("run");
+    tcase_add_test(t, tangents_of_a_circle_are_exact);
+    tcase_add_test(t, forward_tangents_are_those_of_the_paper);
+    tcase_add_test(t, a_lifted_centre_keeps_its_slope);
+    tcase_add_test(t, repeated_points_and_no_length_are_no_trouble);
+    tcase_add_test(t, the_reference_of_a_circle_stays_on_it);
+    tcase_add_test(t, corners_stay_corners);
+    tcase_add_test(t, an_axis_that_turns_in_place_goes_on_the_great_circle);
+    tcase_add_test(t, any_input_gives_finite_numbers);
+    Suite *s = suite_create("run");
+    suite_add_tcase(s, t);
+    SRunner *r = srunner_create(s);
+    srunner_run_all(r, CK_NORMAL);
+    int failed = srunner_ntests_failed(r);
+    srunner_free(r);
+    return failed > 0;
+}

@@ -1,0 +1,171 @@
+/* feature_mesh: a mesh over a roof and one over a step become the roof and the step; a smooth one
+ * stays as it is. */
+#include <check.h>
+#include <stdlib.h>
+
+#include "feature/feature_mesh.h"
+#include "cloud/plan_extent.h"
+#include "meshing/grid_mesh.h"
+#include "meshing/reposition.h"
+#include "rough.h"
+#include "cloud/scan_normals.h"
+#include "cloud/wall_points.h"
+
+static struct mesh mesh_of(struct vec3s *p, double t, size_t *flat)
+{
+    struct mesh m = {0};
+    struct grid grid;
+    struct error error;
+    struct point_grid point_grid;
+    struct plan_extent f = plan_extent_of(p->item, p->n, 20);
+    *flat = wall_points_part(p->item, p->n, t / 3, 1);
+    ck_assert_int_eq(grid_make(&f, p->n, t, &grid, &error), 0);
+    size_t *chosen = reposition(&grid, p->item, *flat, REACH_NEAREST);
+    grid_mesh_make(&grid, chosen, p->item, NULL, &m);
+    ck_assert_int_eq(point_grid_make(p->item, *flat, t / 3, 1, &point_grid, &error), 0);
+    scan_normals_quadric(&m, &point_grid, 40, 1);
+    point_grid_free(&point_grid);
+    free(chosen);
+    return m;
+}
+
+/* The largest distance from the middles of the facets to the surface. */
+static double worst(const struct mesh *m, double (*distance)(struct vec3))
+{
+    double most = 0;
+    for (size_t f = 0; f < m->face.n; f++) {
+        const int *v = m->face.item[f].v;
+        struct vec3 p = vec_add(m->vertex.item[v[0]], m->vertex.item[v[1]]);
+        p = vec_scale(1 / 3.0, vec_add(p, m->vertex.item[v[2]]));
+        most = fmax(most, fabs(distance(p)));
+    }
+    return most;
+}
+
+static double from_roof(struct vec3 p)
+{
+    return (p.z + 0.5 * fabs(p.x)) / hypot(1, 0.5);
+}
+
+/* Two levels, 6 mm apart, the upper one where x > 0. */
+static double from_step(struct vec3 p)
+{
+    double low = hypot(fmax(p.x, 0), p.z), high = hypot(fmin(p.x, 0), p.z - 6);
+    double wall = hypot(p.x, p.z - fmin(fmax(p.z, 0), 6));
+    return fmin(wall, fmin(low, high));
+}
+
+START_TEST(roof)
+{
+    struct vec3s p = {0};
+    size_t flat;
+    rectangle(&p, 3000, vec(0, 0, 0), vec(-20, 0, -10), vec(0, 25, 0), 0);
+    rectangle(&p, 3000, vec(0, 0, 0), vec(20, 0, -10), vec(0, 25, 0), 0);
+    struct mesh m = mesh_of(&p, 1.3, &flat);
+    ck_assert_double_gt(worst(&m, from_roof), 0.1);
+    struct feature_mesh found = feature_mesh_keep(&m, p.item, p.n, flat, 0.43, 0, 2);
+    ck_assert_uint_gt(found.creases, 20);
+    ck_assert_uint_eq(found.walls, 0);
+    ck_assert_double_le(worst(&m, from_roof), 1e-6);
+    for (size_t v = 0; v < m.vertex.n; v++)
+        ck_assert_double_ge(fabs(m.normal.item[v].x), 0.44);
+    array_free(&found.place);
+    mesh_free(&m);
+    array_free(&p);
+}
+END_TEST
+
+START_TEST(a_step)
+{
+    struct vec3s p = {0};
+    size_t flat;
+    rectangle(&p, 3000, vec(0, 0, 0), vec(-20, 0, 0), vec(0, 25, 0), 0);
+    rectangle(&p, 3000, vec(0, 0, 6), vec(20, 0, 0), vec(0, 25, 0), 0);
+    rectangle(&p, 900, vec(0, 0, 0), vec(0, 25, 0), vec(0, 0, 6), 0);
+    struct mesh m = mesh_of(&p, 1.3, &flat);
+    ck_assert_double_gt(worst(&m, from_step), 0.3);
+    ck_assert_uint_gt(feature_mesh_walls(&m, p.item, p.n, flat, 0.43, 0, 2), 20);
+    ck_assert_uint_eq(feature_mesh_walls(&m, p.item, p.n, p.n, 0.43, 0, 2), 0);
+    struct feature_mesh found = feature_mesh_keep(&m, p.item, p.n, flat, 0.43, 0, 2);
+    ck_assert_uint_gt(found.walls, 20);
+    ck_assert_double_le(worst(&m, from_step), 0.1);
+    array_free(&found.place);
+    mesh_free(&m);
+    array_free(&p);
+}
+END_TEST
+
+/* A box 6 mm high, its corner at the origin. */
+static double from_box(struct vec3 p)
+{
+    double up = hypot(hypot(fmax(p.x, 0), fmax(p.y, 0)), p.z - 6), ground = fabs(p.z);
+    double right = hypot(hypot(p.x, p.z - fmin(fmax(p.z, 0), 6)), fmax(p.y, 0));
+    double front = hypot(hypot(p.y, p.z - fmin(fmax(p.z, 0), 6)), fmax(p.x, 0));
+    if (p.x < 0 && p.y < 0)
+        ground = hypot(p.z, fmin(-p.x, -p.y));
+    return fmin(fmin(up, ground), fmin(right, front));
+}
+
+/* Where two walls meet, with noise and without: facets are on the box, and its corner is there. */
+START_TEST(a_corner)
+{
+    for (int i = 0; i < 2; i++) {
+        struct vec3s p = {0};
+        size_t flat;
+        double noise = i * 0.02, top = INFINITY, foot = INFINITY;
+        rectangle(&p, 900, vec(0, 0, 6), vec(-12, 0, 0), vec(0, -12, 0), noise);
+        rectangle(&p, 1800, vec(0, 12, 0), vec(12, 0, 0), vec(0, -24, 0), noise);
+        rectangle(&p, 900, vec(-12, 0, 0), vec(12, 0, 0), vec(0, 12, 0), noise);
+        rectangle(&p, 450, vec(0, 0, 0), vec(0, -12, 0), vec(0, 0, 6), noise);
+        rectangle(&p, 450, vec(0, 0, 0), vec(-12, 0, 0), vec(0, 0, 6), noise);
+        struct mesh m = mesh_of(&p, 1.2, &flat);
+        struct feature_mesh found = feature_mesh_keep(&m, p.item, p.n, flat, 0.4, noise, 2);
+        ck_assert_uint_gt(found.walls, 20);
+        ck_assert_double_le(worst(&m, from_box), 0.1);
+        for (size_t v = 0; v < m.vertex.n; v++) {
+            top = fmin(top, vec_distance(m.vertex.item[v], vec(0, 0, 6)));
+            foot = fmin(foot, vec_distance(m.vertex.item[v], vec(0, 0, 0)));
+        }
+        ck_assert_double_le(fmax(top, foot), 0.1);
+        array_free(&found.place);
+        mesh_free(&m);
+        array_free(&p);
+    }
+}
+END_TEST
+
+/* Waves with a radius of 9 mm and noise. */
+START_TEST(waves_stay)
+{
+    struct vec3s p = {0};
+    size_t flat;
+    for (int i = 0; i < 6000; i++) {
+        double x = 40 * uniform(), y = 25 * uniform();
+        *array_push(&p) = vec(x, y, 3 * sin(x / 5) * cos(y / 7) + 0.02 * normal());
+    }
+    struct mesh m = mesh_of(&p, 1.3, &flat);
+    size_t vertices = m.vertex.n;
+    struct feature_mesh found = feature_mesh_keep(&m, p.item, p.n, flat, 0.43, 0.02, 2);
+    ck_assert_uint_eq(found.creases + found.walls, 0);
+    ck_assert_uint_eq(m.vertex.n, vertices);
+    array_free(&found.place);
+    mesh_free(&m);
+    array_free(&p);
+}
+END_TEST
+
+int main(void)
+{
+    Suite *suite = suite_create("featuremesh");
+    TCase *tests = tcase_create("featuremesh");
+    SRunner *runner = srunner_create(suite);
+    tcase_add_test(tests, roof);
+    tcase_add_test(tests, a_step);
+    tcase_add_test(tests, a_corner);
+    tcase_add_test(tests, waves_stay);
+    suite_add_tcase(suite, tests);
+    srunner_run_all(runner, CK_ENV);
+    int failed = srunner_ntests_failed(runner);
+    srunner_free(runner);
+    return failed > 0;
+}

@@ -1,0 +1,145 @@
+/* recheck: a chord across the hump of a sphere and an arc below it are found, as deep as they are,
+ * and lifted; what stays outside is not. */
+#include "gouge/gouge_refit.h"
+
+#include <check.h>
+#include <stdlib.h>
+
+static const double SPHERE = 30, BALL = 5;
+
+/* The top of a sphere about the origin, points 0.1 mm apart. */
+static struct gouge_check *make_sphere(void)
+{
+    struct vec3s points = {0};
+    for (int i = -120; i <= 120; i++)
+        for (int k = -40; k <= 40; k++) {
+            double x = 0.1 * i, y = 0.1 * k;
+            *array_push(&points) = vec(x, y, sqrt(SPHERE * SPHERE - x * x - y * y));
+        }
+    struct gouge_check *guard = gouge_from_points(points.item, points.n);
+    array_free(&points);
+    return guard;
+}
+
+static struct run_point on_arc(double angle, double radius)
+{
+    struct vec3 n = vec(sin(angle), 0, cos(angle));
+    struct run_point p = {.axis = {0, 0, 1}, .normal = n, .contact = vec_scale(SPHERE, n)};
+    p.ball = vec_scale(radius, n);
+    p.tip = vec_along(p.ball, -BALL, p.axis);
+    p.given = true;
+    return p;
+}
+
+static struct pose centre_of(const struct run_point *p)
+{
+    return (struct pose){p->ball, p->axis};
+}
+
+static struct pose tip_of(const struct run_point *p)
+{
+    return (struct pose){p->tip, p->axis};
+}
+
+START_TEST(a_chord_is_as_deep_as_its_sagitta)
+{
+    struct gouge_check *guard = make_sphere();
+    struct run_point a = on_arc(-0.1, SPHERE + BALL), b = on_arc(0.1, SPHERE + BALL);
+    double sagitta = (SPHERE + BALL) * (1 - cos(0.1));
+    for (int centre = 0; centre < 2; centre++) {
+        struct gouge_refit_options rule = {guard, BALL, 0.01, centre};
+        struct motion line = centre ? motion_line(centre_of(&a), centre_of(&b))
+                                    : motion_line(tip_of(&a), tip_of(&b));
+        struct gouges deeps = {0};
+        gouge_refit_motion(&rule, &line, &deeps);
+        struct gouge deepest = gouge_refit_deepest(&deeps);
+        ck_assert_double_eq_tol(deepest.depth, sagitta, 0.001);
+        ck_assert_double_le(fabs(deepest.ball.x), 1);
+        array_free(&deeps);
+        rule.tolerance = sagitta + 0.02;
+        gouge_refit_motion(&rule, &line, &deeps);
+        ck_assert_uint_eq(deeps.n, 0);
+        ck_assert(gouge_refit_deepest(&deeps).depth == 0);
+    }
+    gouge_free(guard);
+}
+END_TEST
+
+START_TEST(an_arc_is_followed_round)
+{
+    struct gouge_check *guard = make_sphere();
+    struct gouge_refit_options rule = {guard, BALL, 0.01, true};
+    for (int k = -1; k <= 1; k++) {
+        double off = 0.03 * k, radius = SPHERE + BALL + off;
+        struct run_point a = on_arc(-0.3, radius), b = on_arc(0.3, radius);
+        struct motion arc = motion_arc(centre_of(&a), centre_of(&b), vec(0, 0, 0), vec(0, 1, 0));
+        struct gouges deeps = {0};
+        gouge_refit_motion(&rule, &arc, &deeps);
+        ck_assert_double_eq_tol(gouge_refit_deepest(&deeps).depth, k < 0 ? 0.03 : 0, 0.001);
+        ck_assert(k < 0 ? deeps.n >= 18 : deeps.n == 0); /* all along its 21 mm */
+        array_free(&deeps);
+    }
+    gouge_free(guard);
+}
+END_TEST
+
+/* Points a millimetre apart in the part: lifted, all but the ends are out of it by half the
+ * tolerance and more, and no more than it takes. */
+START_TEST(points_are_lifted_out)
+{
+    struct gouge_check *guard = make_sphere();
+    struct gouge_refit_options rule = {guard, BALL, 0.01, false};
+    struct run run = {.radius = BALL};
+    struct gouges deeps = {0};
+    for (int i = -10; i <= 10; i++)
+        *array_push(&run) = on_arc(i / 35.0, SPHERE + BALL - (abs(i) < 4 ? 0.04 : 0));
+    for (size_t i = 1; i < run.n; i++) {
+        struct motion line = motion_line(tip_of(&run.item[i - 1]), tip_of(&run.item[i]));
+        gouge_refit_motion(&rule, &line, &deeps);
+    }
+    struct run_point first = run.item[0], last = run.item[run.n - 1];
+    double highest = gouge_refit_lift(&rule, &deeps, &run);
+    ck_assert_double_ge(highest, 0.035);
+    ck_assert_double_le(highest, 0.04);
+    for (size_t i = 0; i < run.n; i++) {
+        double out = vec_length(run.item[i].ball) - SPHERE - BALL;
+        ck_assert_double_ge(out, -0.0051);
+        ck_assert_double_le(out, 0.04);
+        ck_assert_double_lt(
+            vec_distance(vec_along(run.item[i].tip, BALL, run.item[i].axis), run.item[i].ball),
+            1e-12);
+    }
+    ck_assert(vec_distance(first.ball, run.item[0].ball) == 0);
+    ck_assert(vec_distance(last.ball, run.item[run.n - 1].ball) == 0);
+    array_free(&run);
+    array_free(&deeps);
+    gouge_free(guard);
+}
+END_TEST
+
+START_TEST(without_a_guard_nothing_is_deep)
+{
+    struct gouge_refit_options rule = {NULL, BALL, 0.01, false};
+    struct run_point a = on_arc(-0.1, 1), b = on_arc(0.1, 1);
+    struct motion line = motion_line(tip_of(&a), tip_of(&b));
+    struct gouges deeps = {0};
+    gouge_refit_motion(&rule, &line, &deeps);
+    ck_assert_uint_eq(deeps.n, 0);
+}
+END_TEST
+
+int main(void)
+{
+    Suite *suite = suite_create("recheck");
+    TCase *tcase = tcase_create("recheck");
+    tcase_add_test(tcase, a_chord_is_as_deep_as_its_sagitta);
+    tcase_add_test(tcase, an_arc_is_followed_round);
+    tcase_add_test(tcase, points_are_lifted_out);
+    tcase_add_test(tcase, without_a_guard_nothing_is_deep);
+    suite_add_tcase(suite, tcase);
+    SRunner *runner = srunner_create(suite);
+    srunner_run_all(runner, CK_NORMAL);
+    int failed = srunner_ntests_failed(runner);
+    srunner_free(runner);
+    return failed > 0;
+}

@@ -1,0 +1,236 @@
+/* lift over shapes where the highest clear place of a ball is known. */
+#include "gouge/gouge_strip.h"
+
+#include <check.h>
+#include <stdlib.h>
+
+static const double R = 5;
+
+static struct gouge_lift_options make_rule(const struct gouge_check *guard, bool between)
+{
+    return (struct gouge_lift_options){.guard = guard,
+                                       .offset = R,
+                                       .limit = R,
+                                       .between = between,
+                                       .tolerance = 0.01,
+                                       .step = 0.05,
+                                       .axis = {.kind = AXIS_LEAN, .tilt = 0.2},
+                                       .feed = {.along = {1, 0, 0}, .side = {0, 1, 0}}};
+}
+
+/* A strip of contact points on the plane z = 0, 2 mm apart. */
+static struct run strip_on_plane(const struct gouge_lift_options *rule)
+{
+    struct run run = {.radius = R};
+    for (int i = -5; i <= 5; i++)
+        gouge_strip_add(&run, rule, vec(2 * i, 0, 0), vec(0, 0, 1));
+    return run;
+}
+
+START_TEST(a_point_stands_as_the_offset_says)
+{
+    struct gouge_lift_options rule = make_rule(NULL, false);
+    struct run run = {.radius = R};
+    rule.offset = R + 0.6;
+    struct vec3 n = vec_unit(vec(0.3, 0.2, 1));
+    gouge_strip_add(&run, &rule, vec(1, 2, 3), n);
+    struct run_point p = run.item[0];
+    ck_assert_double_lt(vec_distance(p.ball, vec_along(vec(1, 2, 3), 5.6, n)), 1e-12);
+    ck_assert_double_lt(vec_distance(p.tip, vec_along(p.ball, -R, p.axis)), 1e-12);
+    ck_assert_double_eq_tol(vec_angle(p.axis, n), 0.2, 1e-12);
+    array_free(&run);
+}
+END_TEST
+
+START_TEST(without_a_guard_nothing_is_lifted)
+{
+    struct gouge_lift_options rule = make_rule(NULL, false);
+    struct run run = strip_on_plane(&rule);
+    struct gouge_strip lifted = {.run = {.radius = R}};
+    gouge_strip_lift(&run, &rule, &lifted);
+    ck_assert_uint_eq(lifted.run.n, run.n);
+    ck_assert_uint_eq(lifted.end.n, 1);
+    ck_assert_uint_eq(lifted.end.item[0], run.n);
+    ck_assert_uint_eq(lifted.report.lifted, 0);
+    for (size_t i = 0; i < run.n; i++)
+        ck_assert_double_eq(vec_distance(run.item[i].ball, lifted.run.item[i].ball), 0);
+    gouge_strip_free(&lifted);
+    array_free(&run);
+}
+END_TEST
+
+/* Where a ball that comes down beside a pin of height 1 at (0.7, 0.4) ends. */
+static double over_pin(double x)
+{
+    double across = hypot(x - 0.7, 0.4);
+    return across < R ? fmax(R, 1 + sqrt(R * R - across * across)) : R;
+}
+
+START_TEST(a_ball_rolls_over_a_pin)
+{
+    struct vec3 pin = vec(0.7, 0.4, 1);
+    struct gouge_check *guard = gouge_from_points(&pin, 1);
+    struct gouge_lift_options rule = make_rule(guard, true);
+    struct run run = strip_on_plane(&rule);
+    struct gouge_strip lifted = {.run = {.radius = R}};
+    gouge_strip_lift(&run, &rule, &lifted);
+    ck_assert_uint_eq(lifted.report.missed, 0);
+    ck_assert_double_eq_tol(lifted.report.highest, 1 + sqrt(R * R - 0.16) - R, 0.01);
+    for (size_t i = 0; i < lifted.run.n; i++) {
+        const struct run_point *p = &lifted.run.item[i];
+        ck_assert_double_eq_tol(p->ball.z, over_pin(p->ball.x), 2e-6);
+        ck_assert_double_lt(vec_distance(p->tip, vec_along(p->ball, -R, p->axis)), 1e-12);
+        /* The straight lines too. */
+        for (int k = 1; i > 0 && k < 20; k++) {
+            struct vec3 c = vec_mix(p[-1].ball, p->ball, k / 20.0);
+            ck_assert_double_eq_tol(c.z, over_pin(c.x), 0.015);
+        }
+    }
+    gouge_strip_free(&lifted);
+    array_free(&run);
+    gouge_free(guard);
+}
+END_TEST
+
+START_TEST(only_nodes_without_between)
+{
+    struct vec3 pin = vec(0.7, 0.4, 1);
+    struct gouge_check *guard = gouge_from_points(&pin, 1);
+    struct gouge_lift_options rule = make_rule(guard, false);
+    struct run run = strip_on_plane(&rule);
+    struct gouge_strip lifted = {.run = {.radius = R}};
+    gouge_strip_lift(&run, &rule, &lifted);
+    ck_assert_uint_eq(lifted.run.n, run.n);
+    for (size_t i = 0; i < run.n; i++)
+        ck_assert_double_eq_tol(lifted.run.item[i].ball.z, over_pin(run.item[i].ball.x), 2e-6);
+    gouge_strip_free(&lifted);
+    array_free(&run);
+    gouge_free(guard);
+}
+END_TEST
+
+START_TEST(a_tower_is_passed_over_without_a_touch)
+{
+    /* Much higher than the limit, and so thin that no node is below it. */
+    struct vec3s tower = {0};
+    for (int i = 0; i <= 100; i++)
+        *array_push(&tower) = vec(1, 0, 0.2 * i);
+    struct gouge_check *guard = gouge_from_points(tower.item, tower.n);
+    for (int between = 0; between < 2; between++) {
+        struct gouge_lift_options rule = make_rule(guard, between);
+        struct run run = strip_on_plane(&rule);
+        struct gouge_strip lifted = {.run = {.radius = R}};
+        gouge_strip_lift(&run, &rule, &lifted);
+        ck_assert_uint_gt(lifted.report.missed, 0);
+        ck_assert_double_gt(lifted.report.miss, 19.5);
+        ck_assert_double_lt(lifted.report.miss, 20 + 1e-6);
+        ck_assert_uint_eq(lifted.end.n, 1);
+        for (size_t i = 0; i < lifted.run.n; i++) {
+            const struct run_point *p = &lifted.run.item[i];
+            if (p->ball.z > 2 * R + 0.01)
+                ck_assert_double_eq(vec_length(p->normal), 0);
+            if (i > 0)
+                ck_assert_double_le(gouge_depth_along(guard, p[-1].ball, p->ball, R), 0.01);
+        }
+        gouge_strip_free(&lifted);
+        array_free(&run);
+    }
+    gouge_free(guard);
+    array_free(&tower);
+}
+END_TEST
+
+START_TEST(a_hollow_tighter_than_the_ball_is_spanned)
+{
+    /* A gutter of radius 4 along y, in points 0.1 mm apart; its flanks go on as planes of 45
+     * degrees.  The ball of radius 5 touches both flanks: its centre is 5 sqrt(2) above where they
+     * meet. */
+    struct vec3s gutter = {0};
+    double half = 4 * sin(PI / 4);
+    for (int i = -100; i <= 100; i++) {
+        double x = 0.1 * i;
+        double z = fabs(x) < half ? 4 * sqrt(2) - sqrt(16 - x * x) : fabs(x);
+        for (int k = -60; k <= 60; k++)
+            *array_push(&gutter) = vec(x, 0.1 * k, z);
+    }
+    struct gouge_check *guard = gouge_from_points(gutter.item, gutter.n);
+    struct gouge_lift_options rule = make_rule(guard, true);
+    struct run run = {.radius = R};
+    for (int i = -4; i <= 4; i++) {
+        double u = PI / 4 * i / 4;
+        gouge_strip_add(&run, &rule, vec(4 * sin(u), 0, 4 * sqrt(2) - 4 * cos(u)),
+                        vec(-sin(u), 0, cos(u)));
+    }
+    struct gouge_strip lifted = {.run = {.radius = R}};
+    gouge_strip_lift(&run, &rule, &lifted);
+    for (size_t i = 0; i < lifted.run.n; i++) {
+        struct vec3 c = lifted.run.item[i].ball;
+        ck_assert_double_le(gouge_depth(guard, c, R), 1e-6);
+        /* Not higher than a ball that touches one flank: |x| + 5 sqrt(2). */
+        ck_assert_double_le(c.z, fabs(c.x) + R * sqrt(2) + 1e-3);
+        ck_assert_double_ge(c.z, fabs(c.x) + R * sqrt(2) - 0.003);
+    }
+    /* From the lowest point of the ball to the bottom of the gutter. */
+    double bottom = -1;
+    for (size_t i = 0; i < lifted.stand.n; i++)
+        if (fabs(lifted.stand.item[i].contact.x) < 0.01)
+            bottom = lifted.stand.item[i].height;
+    ck_assert_double_eq_tol(bottom, (R - 4) * (sqrt(2) - 1), 0.01);
+    gouge_strip_free(&lifted);
+    array_free(&run);
+    gouge_free(guard);
+    array_free(&gutter);
+}
+END_TEST
+
+/* Under the equator of a ball: the axis comes no lower than level, and the point is touched. */
+START_TEST(what_looks_down_is_touched_from_the_side)
+{
+    struct vec3s ball = {0};
+    for (int i = 0; i < 60000; i++) {
+        double z = 1 - 1.6 * (i + 0.5) / 60000, r = sqrt(1 - z * z), a = i * 2.399963229728653;
+        *array_push(&ball) = vec(20 * r * cos(a), 20 * r * sin(a), 20 * z);
+    }
+    struct gouge_check *guard = gouge_from_points(ball.item, ball.n);
+    struct gouge_lift_options rule = make_rule(guard, false);
+    for (int down = -10; down <= 28; down += 2) {
+        struct run run = {.radius = R};
+        struct gouge_strip lifted = {.run = {.radius = R}};
+        struct vec3 n = vec(cos(RADIANS(down)), 0, -sin(RADIANS(down)));
+        rule.feed.along = vec(0, 1, 0);
+        rule.feed.side = vec(0, 0, 1);
+        rule.feed.up = vec(1, 0, 0);
+        gouge_strip_add(&run, &rule, vec_scale(20, n), n);
+        gouge_strip_lift(&run, &rule, &lifted);
+        const struct run_point *p = &lifted.run.item[0];
+        ck_assert_uint_eq(lifted.report.missed, 0);
+        ck_assert_double_ge(p->axis.z, 0);
+        ck_assert_double_ge(vec_dot(p->axis, n), cos(RADIANS(fmax(down, 12))) - 1e-9);
+        ck_assert_double_le(vec_distance(p->ball, vec_scale(20 + R, n)), 0.01);
+        ck_assert_double_le(vec_distance(p->tip, vec_along(p->ball, -R, p->axis)), 1e-12);
+        gouge_strip_free(&lifted);
+        array_free(&run);
+    }
+    gouge_free(guard);
+    array_free(&ball);
+}
+END_TEST
+
+int main(void)
+{
+    Suite *suite = suite_create("lift");
+    TCase *tests = tcase_create("lift");
+    tcase_add_test(tests, a_point_stands_as_the_offset_says);
+    tcase_add_test(tests, without_a_guard_nothing_is_lifted);
+    tcase_add_test(tests, a_ball_rolls_over_a_pin);
+    tcase_add_test(tests, only_nodes_without_between);
+    tcase_add_test(tests, a_tower_is_passed_over_without_a_touch);
+    tcase_add_test(tests, a_hollow_tighter_than_the_ball_is_spanned);
+    tcase_add_test(tests, what_looks_down_is_touched_from_the_side);
+    suite_add_tcase(suite, tests);
+    SRunner *runner = srunner_create(suite);
+    srunner_run_all(runner, CK_NORMAL);
+    int failed = srunner_ntests_failed(runner);
+    srunner_free(runner);
+    return failed > 0;
+}

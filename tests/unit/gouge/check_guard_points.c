@@ -1,0 +1,203 @@
+/* guard_points against a sphere: its points stay on it, the ball does not sink between them, noise
+ * is found and taken out, holes and rough places stay. */
+#include "gouge/guard_points.h"
+
+#include <check.h>
+#include <stdint.h>
+#include <stdlib.h>
+
+#include "gouge/gouge.h"
+#include "cloud/noise.h"
+
+static const double SPHERE = 40, BALL = 8;
+
+static uint64_t state = 11;
+
+static double uniform(double low, double high)
+{
+    state = state * 6364136223846793005u + 1442695040888963407u;
+    return low + (high - low) * ((double)(state >> 11) / 9007199254740992.0);
+}
+
+static double gauss(double sigma)
+{
+    double u = uniform(1e-12, 1), v = uniform(0, 1);
+    return sigma * sqrt(-2 * log(u)) * cos(2 * PI * v);
+}
+
+/* Random points on the top of the sphere, 30 mm square, none nearer to (hole, 0) than 3. */
+static void sphere(size_t n, double noise, double hole, struct vec3s *points)
+{
+    while (points->n < n) {
+        double x = uniform(-15, 15), y = uniform(-15, 15);
+        if (hypot(x - hole, y) < 3)
+            continue;
+        struct vec3 p = vec(x, y, sqrt(SPHERE * SPHERE - x * x - y * y));
+        *array_push(points) = vec_scale(1 + gauss(noise) / SPHERE, p);
+    }
+}
+
+static double noise_taken;
+
+/* Sorts the points. */
+static struct guard_points surface_of(struct vec3s *points, double noise)
+{
+    struct guard_points_options rule = {
+        .radius = BALL, .sink = 0.002, .noise = noise, .vague = 0.01};
+    struct point_grid point_grid;
+    struct error error;
+    ck_assert_int_eq(point_grid_make(points->item, points->n, 0.5, 1, &point_grid, &error), 0);
+    if (noise < 0) { /* as found */
+        struct noise found = noise_look(&point_grid, 1);
+        rule.noise = found.alike && found.sigma > 0.005 ? found.sigma : 0;
+    }
+    noise_taken = rule.noise;
+    struct guard_points surface = guard_points_make(&point_grid, &rule);
+    point_grid_free(&point_grid);
+    return surface;
+}
+
+/* The deepest that a ball sinks which touches the sphere, at 2000 places off the border. */
+static double deepest_sink(const struct vec3 *point, size_t n)
+{
+    struct gouge_check *guard = gouge_from_points(point, n);
+    double deepest = 0;
+    for (int i = 0; i < 2000; i++) {
+        struct vec3 c = vec_unit(vec(uniform(-12, 12), uniform(-12, 12), SPHERE));
+        double distance = gouge_distance(guard, vec_scale(SPHERE + BALL, c), HUGE_VAL);
+        deepest = fmax(deepest, distance - BALL);
+    }
+    gouge_free(guard);
+    return deepest;
+}
+
+START_TEST(what_is_sparse_is_filled)
+{
+    struct vec3s points = {0};
+    sphere(1500, 0, 100, &points); /* 0.8 mm apart in the mean */
+    double before = deepest_sink(points.item, points.n);
+    struct guard_points s = surface_of(&points, -1);
+    double after = deepest_sink(s.point.item, s.point.n);
+    ck_assert_double_gt(before, 0.02);
+    ck_assert_double_lt(after, 0.005);
+    ck_assert(noise_taken == 0);
+    ck_assert_uint_eq(s.moved, 0);
+    ck_assert_uint_eq(s.vague, 0);
+    ck_assert_double_lt(s.worst, 0.003);
+    ck_assert_uint_eq(s.point.n, points.n + s.added);
+    for (size_t i = 0; i < s.point.n; i++)
+        ck_assert_double_eq_tol(vec_length(s.point.item[i]), SPHERE, 0.003);
+    array_free(&points);
+    array_free(&s.point);
+}
+END_TEST
+
+/* A ripple of 0.3 mm every 6 mm under points 0.7 mm apart, flat for x < 0. */
+START_TEST(what_is_too_sparse_is_told)
+{
+    struct vec3s points = {0};
+    for (double x = -12; x < 12; x += 0.7)
+        for (double y = -12; y < 12; y += 0.7)
+            *array_push(&points) = vec(x, y, x > 0 ? 0.3 * (1 - cos(x * PI / 3)) : 0);
+    struct guard_points s = surface_of(&points, 0);
+    ck_assert_uint_gt(s.vague, 10);
+    ck_assert_uint_lt(s.vague, points.n / 2);
+    ck_assert_double_gt(s.worst, 0.01);
+    ck_assert_double_gt(s.at.x, -2);
+    array_free(&points);
+    array_free(&s.point);
+}
+END_TEST
+
+START_TEST(noise_is_found_and_taken_out)
+{
+    static const double noises[] = {0.01, 0.02, 0.05};
+    for (int k = 0; k < 3; k++) {
+        struct vec3s points = {0};
+        double noise = noises[k], sum2 = 0, worst = 0;
+        sphere(4000, noise, 100, &points);
+        struct guard_points s = surface_of(&points, -1);
+        ck_assert_double_eq_tol(noise_taken, noise, 0.1 * noise);
+        ck_assert_uint_gt(s.moved, points.n * 98 / 100);
+        size_t inside = 0;
+        for (size_t i = 0; i < s.point.n; i++) {
+            struct vec3 p = s.point.item[i];
+            if (fabs(p.x) > 13 || fabs(p.y) > 13)
+                continue;
+            double off = fabs(vec_length(p) - SPHERE);
+            sum2 += off * off;
+            worst = fmax(worst, off);
+            inside++;
+        }
+        ck_assert_double_lt(sqrt(sum2 / (double)inside), 0.35 * noise);
+        ck_assert_double_lt(worst, 1.5 * noise);
+        array_free(&points);
+        array_free(&s.point);
+    }
+}
+END_TEST
+
+START_TEST(noise_that_is_said_counts)
+{
+    struct vec3s points = {0};
+    sphere(4000, 0.02, 100, &points);
+    struct guard_points none = surface_of(&points, 0), said = surface_of(&points, 0.02);
+    ck_assert_uint_eq(none.moved, 0);
+    for (size_t i = 0, at = 0; i < points.n; i++, at++) { /* all are there, in their order */
+        while (at < none.point.n && vec_distance(none.point.item[at], points.item[i]) > 0)
+            at++;
+        ck_assert_uint_lt(at, none.point.n);
+    }
+    ck_assert_uint_gt(said.moved, points.n * 98 / 100);
+    array_free(&points);
+    array_free(&none.point);
+    array_free(&said.point);
+}
+END_TEST
+
+START_TEST(a_hole_stays)
+{
+    struct vec3s points = {0};
+    sphere(1500, 0, 4, &points);
+    struct guard_points s = surface_of(&points, -1);
+    for (size_t i = 0; i < s.point.n; i++)
+        ck_assert_double_gt(hypot(s.point.item[i].x - 4, s.point.item[i].y), 1.2);
+    array_free(&points);
+    array_free(&s.point);
+}
+END_TEST
+
+START_TEST(what_is_rough_stays_as_it_is)
+{
+    struct vec3s points = {0};
+    for (int i = 0; i < 5000; i++) {
+        double x = uniform(-15, 15), y = uniform(-15, 15);
+        *array_push(&points) = vec(x, y, 2 * sin(3 * x) * cos(4 * y));
+    }
+    struct guard_points s = surface_of(&points, -1);
+    ck_assert(noise_taken == 0);
+    ck_assert_uint_eq(s.moved, 0);
+    ck_assert_uint_eq(s.added, 0);
+    array_free(&points);
+    array_free(&s.point);
+}
+END_TEST
+
+int main(void)
+{
+    Suite *suite = suite_create("scansurface");
+    TCase *tcase = tcase_create("scansurface");
+    tcase_set_timeout(tcase, 60);
+    tcase_add_test(tcase, what_is_sparse_is_filled);
+    tcase_add_test(tcase, what_is_too_sparse_is_told);
+    tcase_add_test(tcase, noise_is_found_and_taken_out);
+    tcase_add_test(tcase, noise_that_is_said_counts);
+    tcase_add_test(tcase, a_hole_stays);
+    tcase_add_test(tcase, what_is_rough_stays_as_it_is);
+    suite_add_tcase(suite, tcase);
+    SRunner *runner = srunner_create(suite);
+    srunner_run_all(runner, CK_NORMAL);
+    int failed = srunner_ntests_failed(runner);
+    srunner_free(runner);
+    return failed > 0;
+}

@@ -1,0 +1,66 @@
+/* rotary against angles that are known. */
+#include "machine/rotary_cost.h"
+
+#include <check.h>
+#include <math.h>
+#include <stdlib.h>
+
+static struct vec3 leaning(double lean, double direction)
+{
+    return vec(sin(lean) * cos(direction), sin(lean) * sin(direction), cos(lean));
+}
+
+START_TEST(ways_are_those_of_lean_and_direction)
+{
+    for (int i = 0; i < 36; i++) {
+        double at = 2 * PI * i / 36;
+        ck_assert_double_eq_tol(rotary_travel(leaning(0.5, at), leaning(0.7, at)), 0.2, 1e-9);
+        ck_assert_double_eq_tol(rotary_travel(leaning(0.5, at), leaning(0.4, at + 1)), 1.1, 1e-9);
+        ck_assert_double_eq_tol(rotary_travel(leaning(0.5, at), leaning(0.4, at - 1)), 1.1, 1e-9);
+        /* straight over the top: the lean goes to the other side */
+        ck_assert_double_eq_tol(rotary_travel(leaning(0.1, at), leaning(0.2, at + PI)), 0.3, 1e-9);
+        ck_assert_double_eq_tol(rotary_travel(leaning(0.1, at), leaning(0.2, at + PI - 0.1)), 0.4,
+                                1e-9);
+        ck_assert_double_eq_tol(rotary_travel(vec(0, 0, 1), leaning(0.3, at)), 0.3, 1e-9);
+        ck_assert_double_eq(rotary_travel(leaning(0.3, at), leaning(0.3, at)), 0);
+    }
+}
+END_TEST
+
+START_TEST(leans_are_off_the_normal_by_what_was_asked)
+{
+    double least = 15 * PI / 180, most = 27 * PI / 180, smallest = 9, largest = 0;
+    struct tool_axis_feed feed = {.along = vec(1, 0, 0), .side = vec(0, 1, 0)};
+    int n = rotary_leans(least, most);
+
+    ck_assert_int_eq(rotary_leans(least, least), 24);
+    ck_assert_int_eq(n, 24 * 4);
+    for (int i = 0; i < n; i++) {
+        struct tool_axis_options rule = rotary_lean(least, most, i);
+        struct vec3 axis = tool_axis_at(&rule, &feed, vec(0, 0, 0), vec(0, 0, 1));
+        double off = acos(axis.z);
+        smallest = fmin(smallest, off);
+        largest = fmax(largest, off);
+        for (int k = 0; k < i; k++) { /* and no two alike */
+            struct tool_axis_options other = rotary_lean(least, most, k);
+            ck_assert_double_gt(fabs(rule.lead - other.lead) + fabs(rule.tilt - other.tilt), 1e-3);
+        }
+    }
+    ck_assert_double_eq_tol(smallest, least, 1e-9);
+    ck_assert_double_eq_tol(largest, most, 1e-9);
+}
+END_TEST
+
+int main(void)
+{
+    Suite *suite = suite_create("rotary");
+    TCase *tests = tcase_create("rotary");
+    SRunner *runner = srunner_create(suite);
+    tcase_add_test(tests, ways_are_those_of_lean_and_direction);
+    tcase_add_test(tests, leans_are_off_the_normal_by_what_was_asked);
+    suite_add_tcase(suite, tests);
+    srunner_run_all(runner, CK_ENV);
+    int failed = srunner_ntests_failed(runner);
+    srunner_free(runner);
+    return failed > 0;
+}

@@ -1,0 +1,75 @@
+/* ridge_direction: the way a noisy rib runs is found from a bad guess, and how high it is. */
+#include <check.h>
+#include <stdlib.h>
+
+#include "math/kdtree.h"
+#include "ribs.h"
+#include "math/ridge_direction.h"
+
+enum { SOME = 48 };
+
+static double degrees_between(struct vec3 a, struct vec3 b)
+{
+    return 180 / PI * acos(fmin(fabs(vec_dot(a, b)), 1));
+}
+
+/* At nine places along the crest, from guesses 15 degrees to either side of its way. */
+static void look_along(double noise, double most_degrees, double most_off)
+{
+    const struct vec3 along = {-RIB_SIN, RIB_COS, 0}, across = {RIB_COS, RIB_SIN, 0};
+    struct vec3s p = rib_cloud(0.8, noise);
+    struct kdtree *tree = kdtree_new(p.item, p.n);
+    for (int i = -4; i <= 4; i++) {
+        struct vec3 at = vec_along(vec(0, 0, 0.8), i * 0.7, along);
+        double turn = (i % 2 ? -15 : 15) * PI / 180;
+        struct vec3 guess = vec_along(vec_scale(cos(turn), along), sin(turn), across);
+        size_t index[RIDGE_DIRECTION_LONGER * SOME];
+        struct vec3 near[RIDGE_DIRECTION_LONGER * SOME];
+        struct ridge_direction rib;
+        size_t n = kdtree_nearest(tree, at, RIDGE_DIRECTION_LONGER * SOME, index, NULL);
+        for (size_t k = 0; k < n; k++)
+            near[k] = p.item[index[k]];
+        ck_assert(ridge_direction_find(near, n, at, vec(0, 0, 1), guess, SOME, &rib));
+        ck_assert_double_le(degrees_between(rib.way, along), most_degrees);
+        ck_assert_double_le(fabs(rib.q.c[0]), most_off);
+        ck_assert_double_le(rib.rms, 0.01 + noise);
+    }
+    kdtree_free(tree);
+    array_free(&p);
+}
+
+START_TEST(way_of_a_rib)
+{
+    look_along(0, 6, 0.015);
+}
+END_TEST
+
+/* Noise hides the way of a rib that is no narrower than that, not its height. */
+START_TEST(noisy_rib)
+{
+    look_along(0.02, 35, 0.03);
+}
+END_TEST
+
+START_TEST(too_few_points)
+{
+    const struct vec3 near[5] = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}, {2, 1, 0}};
+    struct ridge_direction rib;
+    ck_assert(!ridge_direction_find(near, 5, near[0], vec(0, 0, 1), vec(1, 0, 0), 5, &rib));
+}
+END_TEST
+
+int main(void)
+{
+    Suite *suite = suite_create("ribway");
+    TCase *tests = tcase_create("ribway");
+    SRunner *runner = srunner_create(suite);
+    tcase_add_test(tests, way_of_a_rib);
+    tcase_add_test(tests, noisy_rib);
+    tcase_add_test(tests, too_few_points);
+    suite_add_tcase(suite, tests);
+    srunner_run_all(runner, CK_ENV);
+    int failed = srunner_ntests_failed(runner);
+    srunner_free(runner);
+    return failed > 0;
+}

@@ -1,0 +1,258 @@
+/* check_ncread - small programs of each control, and the motion that they are known to make. */
+#include <check.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "ncread/ncread.h"
+#include "scratch.h"
+
+static const struct ncread_dialect *const dialects[] = {&ncread_fanuc, &ncread_siemens,
+                                                        &ncread_heidenhain, &ncread_linuxcnc};
+enum { FANUC, SIEMENS, HEIDENHAIN, LINUXCNC, CONTROLS };
+
+/* What stands before and behind the cut: spindle, tool, the tip at 0 0 50 with the axis upright. */
+static const char *const head[] = {
+    "%\nO0001\nG90 G17 G21 G94\nG53 G0 Z0.\nT1 M6\nS900 M3\nG0 A0. C0.\nG43.4 H1\n"
+    "G0 X0. Y0. Z50.\nG1 F500.\n",
+    "%_N_T_MPF\nG90 G17 G71 G94\nSUPA G0 Z0 D0\nT=\"B\" D1 M6\nS900 M3\nTRAORI\nORIAXES\n"
+    "G0 A0 C0\nG0 X0 Y0 Z50\nG1 F500\n",
+    "BEGIN PGM T MM\nL Z+0 R0 FMAX M91\nTOOL CALL 1 Z S900\nM3\nL A+0 C+0 R0 FMAX\n"
+    "FUNCTION TCPM F TCP AXIS POS PATHCTRL AXIS\nL X+0 Y+0 Z+50 FMAX\n",
+    "%\nG90 G17 G21 G94\nG53 G0 Z0\nT1 M6\nS900 M3\nG0 A0 C0\nG0 X0 Y0\nG43 H1 Z50\nG1 F500\n"};
+static const char *const foot[] = {
+    "G49\nG53 G0 Z0.\nM5\nM30\n%\n", "TRAFOOF\nSUPA G0 Z0 D0\nM5\nM30\n",
+    "FUNCTION RESET TCPM\nL Z+0 R0 FMAX M91\nM5\nM30\nEND PGM T MM\n",
+    "G49\nG53 G0 Z0\nM5\nM2\n%\n"};
+
+/* Numbers the blocks of Klartext. */
+static void numbered(char *text, size_t size)
+{
+    char copy[4000], *s = copy;
+    size_t n = 0;
+    snprintf(copy, sizeof copy, "%s", text);
+    for (int i = 0; *s; i++) {
+        size_t length = strcspn(s, "\n");
+        n += (size_t)snprintf(text + n, size - n, "%d %.*s\n", i, (int)length, s);
+        s += length + (s[length] == '\n');
+    }
+}
+
+/* Reads the cut between head and foot; -1: refused. */
+static int read_cut(int control, const char *cut, struct nc_motion *nc_motion, struct error *error)
+{
+    char text[4000];
+    struct ncread_options setup = {.dialect = dialects[control],
+                                   .tcp = true,
+                                   .verify_kinematics = verify_kinematics_trunnion('A', 1)};
+    snprintf(text, sizeof text, "%s%s%s", head[control], cut, foot[control]);
+    if (control == HEIDENHAIN)
+        numbered(text, sizeof text);
+    *nc_motion = (struct nc_motion){0};
+    return ncread_read(scratch_text(text), &setup, nc_motion, error);
+}
+
+/* The first piece at feed that goes anywhere. */
+static const struct nc_piece *first_cut(const struct nc_motion *nc_motion)
+{
+    for (size_t i = 0; i < nc_motion->piece.n; i++)
+        if (!nc_motion->piece.item[i].rapid)
+            return &nc_motion->piece.item[i];
+    return NULL;
+}
+
+static const struct {
+    int control;
+    const char *cut;
+    struct vec3 middle,
+        end;          /* of the tip half way and at the end of the last piece but the head's */
+    struct vec3 axis; /* at the end */
+    double feed;
+} motion[] = {
+    /* straight, the axis turning: A 30 leans to -y in ISO sense, C 90 turns that to +x */
+    {FANUC, "G1 X10. Y4. Z42. A30. C90.\n", {5, 2, 46}, {10, 4, 42}, {0.5, 0, 0.75}, 500},
+    {SIEMENS, "G1 X10 Y4 Z42 A30 C90\n", {5, 2, 46}, {10, 4, 42}, {0.5, 0, 0.75}, 500},
+    {HEIDENHAIN, "L X+10 Y+4 Z+42 A+30 C+90 F500\n", {5, 2, 46}, {10, 4, 42}, {0.5, 0, 0.75}, 500},
+    {LINUXCNC, "G1 X10 Y4 Z42 A30 C90\n", {5, 2, 46}, {10, 4, 42}, {0.5, 0, 0.75}, 500},
+    /* a quarter of a circle about (10, 0), from the left to the lower or upper side */
+    {FANUC,
+     "G3 X10. Y-10. I10. J0. F90.\n",
+     {2.928932188134524, -7.071067811865475, 50},
+     {10, -10, 50},
+     {0, 0, 1},
+     90},
+    {FANUC,
+     "G2 X10. Y10. R10.\n",
+     {2.928932188134524, 7.071067811865475, 50},
+     {10, 10, 50},
+     {0, 0, 1},
+     500},
+    {SIEMENS,
+     "G2 X10 Y10 I10 J0\n",
+     {2.928932188134524, 7.071067811865475, 50},
+     {10, 10, 50},
+     {0, 0, 1},
+     500},
+    {SIEMENS,
+     "G3 X10 Y-10 CR=10\n",
+     {2.928932188134524, -7.071067811865475, 50},
+     {10, -10, 50},
+     {0, 0, 1},
+     500},
+    {HEIDENHAIN,
+     "CC X+10 Y+0\nC X+10 Y+10 DR- F500\n",
+     {2.928932188134524, 7.071067811865475, 50},
+     {10, 10, 50},
+     {0, 0, 1},
+     500},
+    {LINUXCNC,
+     "G2 X10 Y10 I10 J0\n",
+     {2.928932188134524, 7.071067811865475, 50},
+     {10, 10, 50},
+     {0, 0, 1},
+     500},
+    /* in Z X, clockwise seen from +Y: from -X over -Z, as +Y turns Z to X; and a helix */
+    {FANUC, "G18 G2 X20. Z50. I10. K0.\n", {10, 0, 40}, {20, 0, 50}, {0, 0, 1}, 500},
+    {LINUXCNC, "G3 X20 Y0 Z44 I10 J0\n", {10, -10, 47}, {20, 0, 44}, {0, 0, 1}, 500},
+    /* through a point in space */
+    {SIEMENS,
+     "CIP X20 Y0 Z50 I1=AC(10) J1=AC(6) K1=AC(58)\n",
+     {10, 6, 58},
+     {20, 0, 50},
+     {0, 0, 1},
+     500},
+    /* x = 8 p, y = 4 p^2, z = 50 - 8 p^3 over p from 0 to 1, with PL 2: p = q / 2 */
+    {SIEMENS,
+     "POLY PO[X]=(8) PO[Y]=(4,1) PO[Z]=(42,0,-1) PL=2\n",
+     {4, 1, 49},
+     {8, 4, 42},
+     {0, 0, 1},
+     500},
+    /* a vector: the great circle to (0.6, 0, 0.8) */
+    {HEIDENHAIN, "LN X+10 Y+0 Z+40 TX+0 TY+0 TZ+1 F500\n", {5, 0, 45}, {10, 0, 40}, {0, 0, 1}, 500},
+    /* a cubic with uniform knots: its poles' mean by 1 3 3 1 in the middle */
+    {FANUC,
+     "G6.2 P4 K0. X0. Y0. Z50. A0. C0.\nK0. X2. Y8. Z50. A0. C0.\nK0. X8. Y8. Z50. A0. C0.\n"
+     "K0. X10. Y0. Z50. A0. C0.\nK1.\nK1.\nK1.\nK1.\n",
+     {5, 6, 50},
+     {10, 0, 50},
+     {0, 0, 1},
+     500},
+};
+
+START_TEST(motion_is_known)
+{
+    struct nc_motion nc_motion;
+    struct error error;
+    ck_assert_msg(read_cut(motion[_i].control, motion[_i].cut, &nc_motion, &error) == 0, "%s",
+                  error.text);
+    const struct nc_piece *piece = first_cut(&nc_motion);
+    ck_assert_ptr_nonnull(piece);
+    struct nc_motion_pose middle = nc_motion_at(&nc_motion, piece, 0.5),
+                          end = nc_motion_at(&nc_motion, piece, 1);
+    struct vec3 axis = motion[_i].axis;
+    axis.z = sqrt(1 - axis.x * axis.x - axis.y * axis.y);
+    ck_assert_msg(vec_distance(middle.p, motion[_i].middle) < 1e-9, "%g %g %g", middle.p.x,
+                  middle.p.y, middle.p.z);
+    ck_assert_double_lt(vec_distance(end.p, motion[_i].end), 1e-9);
+    ck_assert_double_lt(vec_distance(end.a, axis), 1e-9);
+    ck_assert_double_eq(piece->feed, motion[_i].feed);
+    nc_motion_free(&nc_motion);
+}
+END_TEST
+
+/* In inches all is 25.4 times as long, its feed too. */
+START_TEST(inches)
+{
+    static const char *const from[] = {"G21", "G71", "MM\n", "G21"};
+    static const char *const to[] = {"G20", "G70", "INCH\n", "G20"};
+    static const char *const cut[] = {"G2 X1. Y1. I1. J0.\n", "G2 X1 Y1 I1 J0\n",
+                                      "CC X+1 Y+0\nC X+1 Y+1 DR- F500\n", "G2 X1 Y1 I1 J0\n"};
+    char text[4000], changed[4000] = "";
+    struct nc_motion nc_motion = {0};
+    struct error error;
+    struct ncread_options setup = {.dialect = dialects[_i],
+                                   .tcp = true,
+                                   .verify_kinematics = verify_kinematics_trunnion('A', 1)};
+    snprintf(text, sizeof text, "%s%s%s", head[_i], cut[_i], foot[_i]);
+    char *s = text;
+    for (char *at = strstr(s, from[_i]); at; at = strstr(s, from[_i])) {
+        strncat(changed, s, (size_t)(at - s));
+        strcat(changed, to[_i]);
+        s = at + strlen(from[_i]);
+    }
+    strcat(changed, s);
+    if (_i == HEIDENHAIN)
+        numbered(changed, sizeof changed);
+    ck_assert_msg(ncread_read(scratch_text(changed), &setup, &nc_motion, &error) == 0, "%s",
+                  error.text);
+    const struct nc_piece *piece = first_cut(&nc_motion);
+    struct nc_motion_pose middle = nc_motion_at(&nc_motion, piece, 0.5);
+    double side = 25.4 * sqrt(0.5);
+    ck_assert_double_lt(vec_distance(middle.p, vec(25.4 - side, side, 50 * 25.4)), 1e-9);
+    ck_assert_double_eq_tol(piece->feed, 500 * 25.4, 1e-9);
+    nc_motion_free(&nc_motion);
+}
+END_TEST
+
+/* What no control would do. */
+static const struct {
+    int control;
+    const char *cut, *found;
+} refused[] = {
+    {FANUC, "G2 X10. Y10. I10. J1.\n", "one distance"},
+    {FANUC, "G2 X30. Y0. R10.\n", "diameter"},
+    {FANUC, "G1 X10\n", "decimal point"},
+    {FANUC, "G1 X1. X2.\n", "twice"},
+    {FANUC, "G1 X1. U2.\n", "U2"},
+    {FANUC, "G0 X-0.\n", "minus zero"},
+    {FANUC, "G1 X1e3\n", "exponent"},
+    {FANUC, "G6.2 P4 K0. X1. Y0. Z50. A0. C0.\n", "first pole"},
+    {FANUC, "G6.2 P4 K0. X0. Y0. Z50. A0. C0.\nK0. X2. Y8. Z50. A0. C0.\nG1 X1.\n", ""},
+    {SIEMENS, "G1 X10 A3=0 B3=0\n", "all three"},
+    {SIEMENS, "G1 X10 A3=0 B3=0 C3=2\n", "length 1"},
+    {SIEMENS, "CIP X20 Y0 I1=AC(10) J1=AC(0) K1=AC(50)\n", "on a line"},
+    {SIEMENS, "POLY PO[X]=(8) PL=0\n", "PL"},
+    {SIEMENS, "G1 PO[X]=(8)\n", "without POLY"},
+    {SIEMENS, "SUPA G0 Z0\n", "TRAORI"},
+    {HEIDENHAIN, "L X10 F500\n", "sign"},
+    {HEIDENHAIN, "L X+10 X+11 F500\n", "twice"},
+    {HEIDENHAIN, "L X+10 F0\n", "feed"},
+    {HEIDENHAIN, "C X+10 Y+10 DR+ F500\n", "CC"},
+    {HEIDENHAIN, "LN X+10 TX+0 TY+0 F500\n", "TX TY TZ"},
+    {HEIDENHAIN, "M30\nL X+10 F500\n", "END PGM"},
+    {LINUXCNC, "G5.2 X1 Y1\n", "G5.2"},
+    {LINUXCNC, "G2 X10 Y10\n", "centre"},
+    {LINUXCNC, "G1 X10 I3\n", "a line"},
+    {LINUXCNC, "G93 G1 X10\n", "feed"},
+    {LINUXCNC, "G49\nG1 X10\n", "length"},
+    {LINUXCNC, "M5\nG1 X10\n", "spindle"},
+};
+
+START_TEST(refused_with_its_line)
+{
+    struct nc_motion nc_motion;
+    struct error error = {""};
+    ck_assert_int_lt(read_cut(refused[_i].control, refused[_i].cut, &nc_motion, &error), 0);
+    ck_assert_msg(strstr(error.text, refused[_i].found) != NULL, "%s", error.text);
+    ck_assert_msg(strncmp(error.text, scratch_name(), strlen(scratch_name())) == 0 &&
+                      error.text[strlen(scratch_name())] == ':',
+                  "%s", error.text);
+    nc_motion_free(&nc_motion);
+}
+END_TEST
+
+int main(void)
+{
+    Suite *suite = suite_create("ncread");
+    TCase *tcase = tcase_create("ncread");
+    tcase_add_loop_test(tcase, motion_is_known, 0, (int)(sizeof motion / sizeof *motion));
+    tcase_add_loop_test(tcase, inches, 0, CONTROLS);
+    tcase_add_loop_test(tcase, refused_with_its_line, 0, (int)(sizeof refused / sizeof *refused));
+    suite_add_tcase(suite, tcase);
+    SRunner *runner = srunner_create(suite);
+    srunner_run_all(runner, CK_ENV);
+    int failed = srunner_ntests_failed(runner);
+    srunner_free(runner);
+    return failed ? EXIT_FAILURE : EXIT_SUCCESS;
+}

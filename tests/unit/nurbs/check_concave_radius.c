@@ -1,0 +1,86 @@
+/*
+ * hollow: bicubic graphs z = f(x, y) over a square, whose curvature is known by formula: the place
+ * found is at least as hollow as any of a dense grid, inside the trimming, from either side.
+ */
+#include <check.h>
+#include <stdint.h>
+#include <stdlib.h>
+
+#include "base/array.h"
+#include "nurbs/concave_radius.h"
+#include "nurbs/tessellate.h"
+
+static uint64_t seed;
+
+static double chance(void)
+{
+    seed = seed * 6364136223846793005u + 1442695040888963407u;
+    return (double)(seed >> 11) / 9007199254740992.0;
+}
+
+/* Random poles of a height field with inner knots, x and y linear in u and v. */
+static struct patch random_patch(void)
+{
+    struct patch p = {0};
+    struct nurbs *s = &p.surface;
+    size_t n = 7;
+    s->u = s->v = (struct nurbs_axis){.degree = 3, .poles = n, .from = 0, .to = 4};
+    s->u.knot = mem_alloc(n + 4, sizeof *s->u.knot);
+    s->v.knot = mem_alloc(n + 4, sizeof *s->v.knot);
+    for (size_t i = 0; i < n + 4; i++)
+        s->u.knot[i] = s->v.knot[i] = i < 4 ? 0 : i > 6 ? 4 : (double)i - 3;
+    s->pole = mem_alloc(n * n, sizeof *s->pole);
+    for (size_t i = 0; i < n * n; i++) {
+        size_t a = i % n, b = i / n;
+        double x = (s->u.knot[a + 1] + s->u.knot[a + 2] + s->u.knot[a + 3]) / 3;
+        double y = (s->v.knot[b + 1] + s->v.knot[b + 2] + s->v.knot[b + 3]) / 3;
+        s->pole[i] = (struct nurbs_pole){10 * x, 10 * y, 12 * chance(), 1};
+    }
+    return p;
+}
+
+START_TEST(no_place_is_more_hollow)
+{
+    seed = 6;
+    for (int turn = 0; turn < 12; turn++) {
+        struct patch p = random_patch();
+        struct uv_polygon loops = {0};
+        struct uvs disc = {0};
+        bool flipped = turn % 2, trimmed = turn % 3 == 0;
+        for (int i = 0; i < 100 && trimmed; i++)
+            *array_push(&disc) =
+                (struct uv){2 + 1.5 * cos(2 * PI * i / 100), 2 + 1.5 * sin(2 * PI * i / 100)};
+        if (trimmed)
+            *array_push(&loops) = disc;
+        struct concave_radius h = concave_radius_find(&p, &loops, flipped, 1);
+        for (int i = 0; i <= 200; i++)
+            for (int k = 0; k <= 200; k++) {
+                struct uv at = {4 * i / 200.0, 4 * k / 200.0};
+                if (trimmed && !uv_polygon_inside(&loops, false, at))
+                    continue;
+                struct nurbs_place q = nurbs_place(&p.surface, at);
+                ck_assert_double_ge(h.curvature + 1e-9, flipped ? -q.k2 : q.k1);
+            }
+        struct nurbs_place q = nurbs_place(&p.surface, h.at);
+        ck_assert_double_lt(fabs(h.curvature - (flipped ? -q.k2 : q.k1)), 1e-9);
+        ck_assert_double_lt(vec_distance(q.point, h.point), 1e-9);
+        ck_assert(!trimmed || uv_polygon_inside(&loops, false, h.at));
+        uv_polygon_free(&loops);
+        patch_free(&p);
+    }
+}
+END_TEST
+
+int main(void)
+{
+    Suite *suite = suite_create("hollow");
+    TCase *tests = tcase_create("hollow");
+    SRunner *runner = srunner_create(suite);
+    tcase_set_timeout(tests, 60);
+    tcase_add_test(tests, no_place_is_more_hollow);
+    suite_add_tcase(suite, tests);
+    srunner_run_all(runner, CK_ENV);
+    int failed = srunner_ntests_failed(runner);
+    srunner_free(runner);
+    return failed > 0;
+}

@@ -1,0 +1,93 @@
+/*
+ * gridlines: equal lines, with every kink among them; bent ones that keep the tolerance of a known
+ * curvature, and no more of them than that takes.
+ */
+#include <check.h>
+#include <stdint.h>
+#include <stdlib.h>
+
+#include "nurbs/isolines.h"
+#include "known.h"
+
+static void rises(const struct doubles *line, const struct nurbs_axis *a)
+{
+    ck_assert_double_eq(line->item[0], a->from);
+    ck_assert_double_eq(line->item[line->n - 1], a->to);
+    for (size_t i = 1; i < line->n; i++)
+        ck_assert_double_gt(line->item[i], line->item[i - 1]);
+}
+
+START_TEST(equal)
+{
+    struct patch p = known_flat(vec(0, 0, 0), vec(1, 0, 0), vec(0, 1, 0), vec(1, 1, 0));
+    struct doubles line = {0};
+    for (int n = 1; n < 40; n++) {
+        isolines_equal(&p.surface.u, n, &line);
+        ck_assert_uint_eq(line.n, (size_t)n + 1);
+        rises(&line, &p.surface.u);
+        for (int i = 0; i <= n; i++)
+            ck_assert_double_lt(fabs(line.item[i] - (double)i / n), 1e-14);
+    }
+    array_free(&line);
+    patch_free(&p);
+}
+END_TEST
+
+/* A sphere of four spans in u: its knots are double, as kinks have them. */
+START_TEST(kinks_are_lines)
+{
+    struct patch p = known_sphere(10);
+    struct doubles line = {0};
+    for (int n = 1; n < 30; n++) {
+        int found = 0;
+        isolines_equal(&p.surface.u, n, &line);
+        rises(&line, &p.surface.u);
+        for (size_t i = 0; i < line.n; i++)
+            found += line.item[i] == 1 || line.item[i] == 2 || line.item[i] == 3;
+        ck_assert_int_eq(found, 3);
+    }
+    array_free(&line);
+    patch_free(&p);
+}
+END_TEST
+
+/* A cylinder of radius r: an arc of angle a has the sagitta r (1 - cos(a / 2)). */
+START_TEST(bent)
+{
+    static const double tolerance[] = {1, 0.1, 0.01, 0.001};
+    struct patch p = known_cylinder(10, 50);
+    struct doubles u = {0}, v = {0};
+    for (int k = 0; k < 4; k++) {
+        isolines_bent(&p.surface, tolerance[k], 1, &u, &v);
+        rises(&u, &p.surface.u);
+        ck_assert_uint_eq(v.n, 2); /* straight */
+        double most = 0, fewest = PI / acos(1 - tolerance[k] / 10);
+        for (size_t i = 1; i < u.n; i++) {
+            struct vec3 a = nurbs_point(&p.surface, (struct uv){u.item[i - 1], 0});
+            struct vec3 b = nurbs_point(&p.surface, (struct uv){u.item[i], 0});
+            most = fmax(most, 10 - vec_length(vec_mix(a, b, 0.5)));
+        }
+        ck_assert_double_le(most, tolerance[k]);
+        ck_assert_double_le((double)u.n, 1.6 * fewest + 5);
+    }
+    array_free(&u);
+    array_free(&v);
+    patch_free(&p);
+}
+END_TEST
+
+int main(void)
+{
+    Suite *suite = suite_create("gridlines");
+    TCase *tests = tcase_create("gridlines");
+    SRunner *runner = srunner_create(suite);
+    tcase_set_timeout(tests, 60);
+    tcase_add_test(tests, equal);
+    tcase_add_test(tests, kinks_are_lines);
+    tcase_add_test(tests, bent);
+    suite_add_tcase(suite, tests);
+    srunner_run_all(runner, CK_ENV);
+    int failed = srunner_ntests_failed(runner);
+    srunner_free(runner);
+    return failed > 0;
+}

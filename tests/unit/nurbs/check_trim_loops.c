@@ -1,0 +1,209 @@
+/*
+ * trim_loops: curves in space on surfaces where the area inside is known: a plane, a cylinder that
+ * closes on itself (with and without its seam as part of the loop, across it, round it), a sphere
+ * with its poles.  Parts of the surface are told by many places of its range, so the areas are good
+ * to a percent, and the polygons' corners to the tolerance.
+ */
+#include <check.h>
+#include <stdlib.h>
+
+#include "base/array.h"
+#include "known.h"
+#include "nurbs/trim_loops.h"
+
+static const double TOLERANCE = 1e-4;
+
+/* Part of a circle of radius r about `at`, by e1 and e2, in pieces of a quarter or less. */
+static void add_arc(struct patch_loop *loop, struct vec3 at, struct vec3 e1, struct vec3 e2,
+                    double r, double from, double to)
+{
+    int pieces = (int)ceil(fabs(to - from) / (PI / 2) - 1e-9);
+    for (int k = 0; k < pieces; k++) {
+        double half = (to - from) / pieces / 2, middle = from + half * (2 * k + 1);
+        struct nurbs_curve c = patch_curve(2, 3);
+        for (int i = 0; i < 3; i++) {
+            double a = middle + half * (i - 1), w = i == 1 ? cos(half) : 1, out = r / w;
+            struct vec3 q = vec_along(vec_along(at, out * cos(a), e1), out * sin(a), e2);
+            c.pole[i] = (struct nurbs_pole){w * q.x, w * q.y, w * q.z, w};
+        }
+        *array_push(loop) = c;
+    }
+}
+
+static void add_line(struct patch_loop *loop, struct vec3 a, struct vec3 b)
+{
+    struct nurbs_curve c = patch_curve(1, 2);
+    c.pole[0] = (struct nurbs_pole){a.x, a.y, a.z, 1};
+    c.pole[1] = (struct nurbs_pole){b.x, b.y, b.z, 1};
+    *array_push(loop) = c;
+}
+
+static const struct vec3 X = {1, 0, 0}, Y = {0, 1, 0}, Z = {0, 0, 1};
+
+static struct patch_loop *new_loop(struct patch *p)
+{
+    struct patch_loop *loop = array_push(&p->loop);
+    *loop = (struct patch_loop){.space = true};
+    return loop;
+}
+
+/* The area inside the loops, by places in the middle of equal parts of the range, and every side of
+ * the polygons within the range. */
+static double area_inside(const struct patch *p, double most_off)
+{
+    enum { N = 400 };
+    const struct nurbs *s = &p->surface;
+    struct uv_polygon loops;
+    double sum = 0;
+    trim_loops(p, TOLERANCE, &loops);
+    ck_assert_double_le(loops.off, most_off);
+    for (size_t i = 0; i < loops.n; i++)
+        for (size_t k = 0; k < loops.item[i].n; k++) {
+            struct uv at = loops.item[i].item[k];
+            ck_assert_double_gt(at.u, s->u.from - 1e-6);
+            ck_assert_double_lt(at.u, s->u.to + 1e-6);
+            ck_assert_double_gt(at.v, s->v.from - 1e-6);
+            ck_assert_double_lt(at.v, s->v.to + 1e-6);
+        }
+    for (int i = 0; i < N * N; i++) {
+        struct uv at = {s->u.from + (s->u.to - s->u.from) * (i % N + 0.5) / N,
+                        s->v.from + (s->v.to - s->v.from) * (i / N + 0.5) / N};
+        struct vec3 d[3][3];
+        nurbs_derivatives(s, at, 1, d);
+        if (uv_polygon_inside(&loops, p->open || loops.n == 0, at))
+            sum += vec_length(vec_cross(d[1][0], d[0][1]));
+    }
+    uv_polygon_free(&loops);
+    return sum * (s->u.to - s->u.from) * (s->v.to - s->v.from) / (N * N);
+}
+
+static void expect(struct patch p, double area)
+{
+    double got = area_inside(&p, 1e-9);
+    ck_assert_msg(fabs(got - area) < 0.02 * area, "area %g, expected %g", got, area);
+    patch_free(&p);
+}
+
+START_TEST(on_a_plane)
+{
+    struct patch p = known_flat(vec(0, 0, 0), vec(40, 0, 40), vec(0, 30, 0), vec(40, 30, 40));
+    struct patch_loop *loop = new_loop(&p);
+    struct vec3 e1 = vec_unit(vec(1, 0, 1));
+    add_arc(loop, vec(20, 15, 20), e1, Y, 12, 0, PI); /* its second half runs backwards */
+    add_arc(loop, vec(20, 15, 20), e1, Y, 12, 0, -PI / 2);
+    add_arc(loop, vec(20, 15, 20), e1, Y, 12, -PI / 2, -PI);
+    struct nurbs_curve swap = loop->item[2];
+    loop->item[2] = loop->item[3];
+    loop->item[3] = swap;
+    add_arc(new_loop(&p), vec(20, 15, 20), e1, Y, 5, 1, 1 + 2 * PI);
+    /* each corner on the circle, each middle of a side within the tolerance */
+    struct uv_polygon loops;
+    trim_loops(&p, TOLERANCE, &loops);
+    ck_assert_uint_eq(loops.n, 2);
+    for (size_t i = 0; i < 2; i++)
+        for (size_t k = 0; k < loops.item[i].n; k++) {
+            struct uv a = loops.item[i].item[k], b = loops.item[i].item[(k + 1) % loops.item[i].n];
+            struct uv m = {(a.u + b.u) / 2, (a.v + b.v) / 2};
+            double r = i == 0 ? 12 : 5, ra, rm;
+            ra = vec_distance(nurbs_point(&p.surface, a), vec(20, 15, 20));
+            rm = vec_distance(nurbs_point(&p.surface, m), vec(20, 15, 20));
+            ck_assert_double_lt(fabs(ra - r), 1e-9);
+            ck_assert_double_lt(fabs(rm - r), TOLERANCE);
+        }
+    uv_polygon_free(&loops);
+    expect(p, PI * (144 - 25));
+}
+END_TEST
+
+START_TEST(round_a_cylinder)
+{
+    struct patch p = known_cylinder(10, 20);
+    add_arc(new_loop(&p), vec(0, 0, 4), X, Y, 10, 0.3, 0.3 + 2 * PI);
+    add_arc(new_loop(&p), vec(0, 0, 9), X, Y, 10, 4, 4 - 2 * PI);
+    expect(p, 2 * PI * 10 * 5);
+    p = known_cylinder(10, 20); /* the outer loop with the seam in it, both ways */
+    struct patch_loop *loop = new_loop(&p);
+    add_arc(loop, vec(0, 0, 4), X, Y, 10, 0, 2 * PI);
+    add_line(loop, vec(10, 0, 4), vec(10, 0, 9));
+    add_arc(loop, vec(0, 0, 9), X, Y, 10, 2 * PI, 0);
+    add_line(loop, vec(10, 0, 9), vec(10, 0, 4));
+    expect(p, 2 * PI * 10 * 5);
+}
+END_TEST
+
+/* A window that the seam runs through, and the same as a hole. */
+START_TEST(across_the_seam)
+{
+    for (int hole = 0; hole < 2; hole++)
+        for (int start = 0; start < 4; start += 3) {
+            struct patch p = known_cylinder(10, 20);
+            struct patch_loop *loop = new_loop(&p);
+            double a = 0.5;
+            struct vec3 low[2] = {{10 * cos(-a), 10 * sin(-a), 5}, {10 * cos(a), 10 * sin(a), 5}};
+            struct vec3 high[2] = {low[0], low[1]};
+            high[0].z = high[1].z = 15;
+            for (int k = start; k < start + 4; k++) {
+                if (k % 4 == 0)
+                    add_arc(loop, vec(0, 0, 5), X, Y, 10, -a, a);
+                if (k % 4 == 1)
+                    add_line(loop, low[1], high[1]);
+                if (k % 4 == 2)
+                    add_arc(loop, vec(0, 0, 15), X, Y, 10, a, -a);
+                if (k % 4 == 3)
+                    add_line(loop, high[0], low[0]);
+            }
+            p.open = hole == 1;
+            expect(p, hole ? 2 * PI * 200 - 100 : 100);
+        }
+}
+END_TEST
+
+/* One circle alone bounds what is on its left. */
+START_TEST(caps_of_a_sphere)
+{
+    double z = 6, r = 8;
+    struct patch p = known_sphere(10);
+    add_arc(new_loop(&p), vec(0, 0, z), X, Y, r, 1, 1 + 2 * PI);
+    expect(p, 2 * PI * 10 * (10 - z));
+    p = known_sphere(10);
+    add_arc(new_loop(&p), vec(0, 0, z), X, Y, r, 1, 1 - 2 * PI);
+    expect(p, 2 * PI * 10 * (10 + z));
+    p = known_sphere(10); /* one that has no pole inside, over the seam */
+    add_arc(new_loop(&p), vec(6, 0, 0), Y, Z, 8, 0, 2 * PI);
+    expect(p, 2 * PI * 10 * (10 - 6));
+}
+END_TEST
+
+/* A curve beside the surface is put onto it, and how far off it was is told. */
+START_TEST(beside_the_surface)
+{
+    struct patch p = known_cylinder(10, 20);
+    add_arc(new_loop(&p), vec(0, 0, 4), X, Y, 10.01, 0, 2 * PI);
+    add_arc(new_loop(&p), vec(0, 0, 9), X, Y, 9.98, 0, 2 * PI);
+    struct uv_polygon loops;
+    trim_loops(&p, TOLERANCE, &loops);
+    ck_assert_double_lt(fabs(loops.off - 0.02), 1e-9);
+    uv_polygon_free(&loops);
+    double area = area_inside(&p, 0.03);
+    ck_assert_double_lt(fabs(area - 2 * PI * 10 * 5), 0.01 * area);
+    patch_free(&p);
+}
+END_TEST
+
+int main(void)
+{
+    Suite *suite = suite_create("trim_loops");
+    TCase *tests = tcase_create("trim_loops");
+    SRunner *runner = srunner_create(suite);
+    tcase_set_timeout(tests, 60);
+    tcase_add_test(tests, on_a_plane);
+    tcase_add_test(tests, round_a_cylinder);
+    tcase_add_test(tests, across_the_seam);
+    tcase_add_test(tests, caps_of_a_sphere);
+    tcase_add_test(tests, beside_the_surface);
+    suite_add_tcase(suite, tests);
+    srunner_run_all(runner, CK_ENV);
+    int failed = srunner_ntests_failed(runner);
+    srunner_free(runner);
+    return failed > 0;
+}

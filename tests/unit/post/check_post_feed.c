@@ -1,0 +1,179 @@
+/*
+ * ncspeed: the time of a block against the fastest of its axes, measured in a thousand small steps,
+ * on machines of every kind; digits of F.  ncreach: travel of the slides with the tip far off.
+ */
+#include <check.h>
+#include <stdlib.h>
+
+#include "chains.h"
+#include "post/post_ik.h"
+#include "post/post_feed.h"
+
+enum { STEPS = 1000 };
+
+/* A table or head of one of the kinds, its axes slow and fast. */
+static struct machine any_machine(int kind)
+{
+    struct machine m = machine_default();
+    struct error error;
+    ck_assert_int_eq(machine_finish(&m, &error), 0);
+    m.chain = chain_of(kind);
+    m.letter[0] = MACHINE_C;
+    m.letter[1] = MACHINE_A;
+    m.rapid[MACHINE_A] = 1000 + 9000 * chance();
+    m.rapid[MACHINE_C] = 1000 + 9000 * chance();
+    m.rapid[MACHINE_X] = m.rapid[MACHINE_Y] = m.rapid[MACHINE_Z] = 2000 + 30000 * chance();
+    return m;
+}
+
+static struct block_pose any_station(const struct kinematic_chain *chain, double far)
+{
+    struct block_pose s = {.p = vec_scale(far * chance(), random_unit()),
+                           .q = {4 * chance() - 2, 2 * chance() - 1}};
+    s.a = chain_axis(chain, s.q);
+    return s;
+}
+
+/* The least time at which no axis is too fast in any of many steps, all of them as long. */
+static double by_steps(const struct machine *m, const struct block_pose *a,
+                       const struct block_pose *b)
+{
+    struct vec3 last = chain_linear(&m->chain, a->p, a->q);
+    double minutes = 0;
+    for (int i = 1; i <= STEPS; i++) {
+        double s = (double)i / STEPS;
+        const double q[2] = {a->q[0] + s * (b->q[0] - a->q[0]), a->q[1] + s * (b->q[1] - a->q[1])};
+        struct vec3 linear = chain_linear(&m->chain, vec_mix(a->p, b->p, s), q);
+        struct vec3 way = vec_sub(linear, last);
+        double slide = fmax(fabs(way.x), fmax(fabs(way.y), fabs(way.z)));
+        minutes = fmax(minutes, STEPS * slide / m->rapid[MACHINE_X]);
+        last = linear;
+    }
+    minutes = fmax(minutes, DEGREES(fabs(b->q[0] - a->q[0])) / m->rapid[MACHINE_C]);
+    return fmax(minutes, DEGREES(fabs(b->q[1] - a->q[1])) / m->rapid[MACHINE_A]);
+}
+
+START_TEST(as_by_small_steps)
+{
+    int slides = 0;
+    seed = 300 + (uint64_t)_i;
+    for (int i = 0; i < 300; i++) {
+        struct machine m = any_machine(_i);
+        struct nc_step step = {.machine = &m,
+                               .follow = {.mode = INTERPOLATE_ROTARY, .chain = &m.chain}};
+        step.state.at = any_station(&m.chain, 900);
+        struct machine_pose to = {.at = any_station(&m.chain, 900)};
+        if (i % 3 == 0) /* close by, or where it is */
+            to.at.p = vec_along(step.state.at.p, i % 2 ? 1 : 0, random_unit());
+        to.turned = chain_turned(&m.chain, to.at.q);
+        double length = vec_distance(step.state.at.p, to.at.p), least = 0.1 * chance();
+        double want = by_steps(&m, &step.state.at, &to.at),
+               rotary = nc_axes_minutes(&step, &step.state.at, &to.at);
+        double got = nc_block_minutes(&step, &to, length, NULL, least);
+        ck_assert_double_ge(got, 0.97 * fmax(want, least));
+        ck_assert_double_le(got, 1.001 * fmax(want, least));
+        slides += want > 1.01 * rotary && want > least;
+    }
+    ck_assert_int_gt(slides, 30);
+}
+END_TEST
+
+/* A straight cubic of 10 mm a span whose tool leans by `lean` degrees more from its middle on. */
+static struct bspline leaning(double lean)
+{
+    struct bspline b = bspline_new(3, 15, true);
+    b.length = 100;
+    for (size_t i = 0; i < b.poles + 4; i++)
+        b.knot[i] = fmin(fmax((double)i - 3, 0), 12);
+    for (size_t i = 0; i < b.poles; i++) {
+        double angle = RADIANS(i < 8 ? 30 : 30 + lean);
+        b.pole[i] = vec(10 * (b.knot[i + 1] + b.knot[i + 2] + b.knot[i + 3]) / 3, 0, 0);
+        b.head[i] = vec_add(b.pole[i], vec(100 * sin(angle), 0, 100 * cos(angle)));
+    }
+    return b;
+}
+
+/* Parted at a knot beside what is slow, and there alone. */
+START_TEST(slow_part_of_a_curve)
+{
+    struct machine m = machine_default();
+    struct error error;
+    ck_assert_int_eq(machine_finish(&m, &error), 0);
+    m.rapid[MACHINE_A] = m.rapid[MACHINE_C] = 1000;
+    struct nc_step step = {.machine = &m,
+                           .follow = {.mode = INTERPOLATE_ROTARY, .chain = &m.chain}};
+    step.state.feed = 1000;
+    step.state.faster = 1;
+    struct bspline slow = leaning(60), even = leaning(0), tame = leaning(1);
+    const struct bspline *curve[] = {&slow, &even, &tame};
+    for (int i = 0; i < 3; i++) {
+        struct pose from = {curve[i]->pole[0],
+                            vec_unit(vec_sub(curve[i]->head[0], curve[i]->pole[0]))};
+        struct motion motion = motion_spline(from, from, curve[i]);
+        int over;
+        ck_assert_int_eq(
+            ik_choose(&m.chain, from.a, (double[]){0, 0}, false, -1, step.state.at.q, &over), 0);
+        double s = nc_curve_part(&step, &motion);
+        ck_assert_double_eq_tol(12 * s, round(12 * s), 1e-9);
+        if (i > 0)
+            ck_assert_double_eq(s, 1);
+        else
+            ck_assert(12 * s > 4.5 && 12 * s < 8.5);
+    }
+    bspline_free(&slow);
+    bspline_free(&even);
+    bspline_free(&tame);
+}
+END_TEST
+
+/* Below 1 there are more digits, but not of inverse time. */
+START_TEST(digits_of_feeds)
+{
+    struct nc_ability ability = {.feeds = NC_FEEDS_TIP, .digits = {.feed = 1}};
+    ck_assert_int_eq(nc_feed_digits(&ability, 1), 1);
+    ck_assert_int_eq(nc_feed_digits(&ability, 0.99), 4);
+    ability.digits.feed = 8;
+    ck_assert_int_eq(nc_feed_digits(&ability, 0.5), 9);
+    ability.feeds = NC_FEEDS_INVERSE;
+    ck_assert_int_eq(nc_feed_digits(&ability, 0.5), 8);
+}
+END_TEST
+
+/* Within what nc_surely_within says no slide is over, whatever the angles; beyond it, as is. */
+START_TEST(slides_within)
+{
+    int over = 0;
+    seed = 320 + (uint64_t)_i;
+    for (int i = 0; i < 3000; i++) {
+        struct machine m = any_machine(_i);
+        m.max[MACHINE_X] = 400 + 400 * chance();
+        m.min[MACHINE_Z] = -300 - 400 * chance();
+        struct nc_step step = {.machine = &m, .within = nc_surely_within(&m)};
+        struct block_pose at = any_station(&m.chain, 1200);
+        struct vec3 linear = chain_linear(&m.chain, at.p, at.q);
+        int found = nc_linear_over(&step, at.p, at.q);
+        bool x = linear.x > m.max[MACHINE_X], z = linear.z < m.min[MACHINE_Z];
+        ck_assert_int_eq(found, x ? MACHINE_X : z ? MACHINE_Z : -1);
+        over += found >= 0;
+    }
+    ck_assert_int_gt(over, 100);
+}
+END_TEST
+
+int main(void)
+{
+    Suite *suite = suite_create("ncspeed");
+    TCase *tests = tcase_create("blocks");
+
+    tcase_add_loop_test(tests, as_by_small_steps, 0, KINDS);
+    tcase_add_test(tests, slow_part_of_a_curve);
+    tcase_add_test(tests, digits_of_feeds);
+    tcase_add_loop_test(tests, slides_within, 0, KINDS);
+    suite_add_tcase(suite, tests);
+
+    SRunner *runner = srunner_create(suite);
+    srunner_run_all(runner, CK_NORMAL);
+    int failed = srunner_ntests_failed(runner);
+    srunner_free(runner);
+    return failed == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
+}

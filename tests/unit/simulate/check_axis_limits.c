@@ -1,0 +1,78 @@
+/* check_axis_limits - travel, turns, speeds and times of moves that are worked out by hand. */
+#include <check.h>
+#include <stdlib.h>
+
+#include "base/array.h"
+#include "simulate/axis_limits.h"
+
+static const struct axis_limits_limits limits = {
+    .min = {-100, -100, -100, -30, -360, -360},
+    .max = {100, 100, 100, 30, 360, 360},
+    .rapid = {6000, 6000, 6000, 600, 600, 600},
+};
+
+/* One straight move of the tip, A and C turning evenly. */
+static struct axis_limits one(struct vec3 to, double a, double feed, bool inverse)
+{
+    struct nc_motion nc_motion = {.verify_kinematics = verify_kinematics_trunnion('A', 1)};
+    *array_push(&nc_motion.piece) = (struct nc_piece){.swing = SWING_ROTARY,
+                                                      .feed = feed,
+                                                      .inverse = inverse,
+                                                      .p = {{0, 0, 0}, to},
+                                                      .q = {{0, 0, 0}, {0, a, 0}}};
+    struct axis_limits load = axis_limits_run(&nc_motion, &limits);
+    nc_motion_free(&nc_motion);
+    return load;
+}
+
+START_TEST(time_is_way_by_feed)
+{
+    struct axis_limits load = one(vec(30, 40, 0), 0, 500, false);
+    ck_assert_double_eq_tol(load.cut_time, 0.1, 1e-12);
+    ck_assert_double_eq_tol(load.cut_length, 50, 1e-9);
+    ck_assert_uint_eq(load.beyond + load.fast + load.no_feed, 0);
+    ck_assert_double_eq_tol(one(vec(30, 40, 0), 0, 4, true).cut_time, 0.25, 1e-12);
+}
+END_TEST
+
+START_TEST(a_turn_takes_its_time)
+{
+    /* 20 degrees in 1 mm at 500: 10000 degrees a minute, the axis makes 600 */
+    struct axis_limits load = one(vec(1, 0, 0), 20, 500, false);
+    ck_assert_uint_eq(load.fast, 1);
+    ck_assert_int_eq(load.speed.axis, 3);
+    ck_assert_double_eq_tol(load.speed.value, 10000.0 / 600, 1e-6);
+    ck_assert_double_eq_tol(load.cut_time, 20.0 / 600, 1e-9);
+    ck_assert_double_eq_tol(load.jump.value, 20, 1e-9);
+    ck_assert_double_eq_tol(load.swing.value, 20, 1e-6);
+}
+END_TEST
+
+START_TEST(travel_is_kept)
+{
+    ck_assert_uint_eq(one(vec(100, 0, 0), 0, 500, false).beyond, 0);
+    struct axis_limits load = one(vec(101, 0, 0), 0, 500, false);
+    ck_assert_uint_eq(load.beyond, 1);
+    ck_assert_int_eq(load.travel.axis, 0);
+    load = one(vec(1, 0, 0), 31, 500, false);
+    ck_assert_int_eq(load.travel.axis, 3);
+    /* the table turns the point beside it: y 90 by A 30 lifts the linear axes to z -45 */
+    load = one(vec(0, 90, 0), 30, 500, false);
+    ck_assert_double_eq_tol(load.low[2], -45, 1e-9);
+}
+END_TEST
+
+int main(void)
+{
+    Suite *suite = suite_create("axisload");
+    TCase *tcase = tcase_create("axisload");
+    tcase_add_test(tcase, time_is_way_by_feed);
+    tcase_add_test(tcase, a_turn_takes_its_time);
+    tcase_add_test(tcase, travel_is_kept);
+    suite_add_tcase(suite, tcase);
+    SRunner *runner = srunner_create(suite);
+    srunner_run_all(runner, CK_ENV);
+    int failed = srunner_ntests_failed(runner);
+    srunner_free(runner);
+    return failed ? EXIT_FAILURE : EXIT_SUCCESS;
+}

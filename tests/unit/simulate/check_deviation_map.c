@@ -1,0 +1,304 @@
+/*
+ * check_deviation_map - the ball rolled over a dome, a bowl and the panel, all known exactly: a
+ * path that goes so deep, or stays so far off, is measured as it is.
+ */
+#include <check.h>
+#include <stdlib.h>
+
+#include "panel.h"
+#include "simulate/deviation_map.h"
+
+#define RADIUS 6.0
+
+struct place {
+    struct vec3 p, n;
+};
+
+/* A sphere of radius 40 from above, and one of radius 25 from within. */
+static struct place dome(double x, double y)
+{
+    struct vec3 n = vec(x / 40, y / 40, sqrt(1600 - x * x - y * y) / 40);
+    return (struct place){vec_scale(40, n), n};
+}
+
+static struct place bowl(double x, double y)
+{
+    struct vec3 n = vec(-x / 25, -y / 25, sqrt(625 - x * x - y * y) / 25);
+    return (struct place){vec_scale(-25, n), n};
+}
+
+static struct place panel(double x, double y)
+{
+    const double h = 1e-5;
+    double zx = (panel_height(x + h, y) - panel_height(x - h, y)) / (2 * h);
+    double zy = (panel_height(x, y + h) - panel_height(x, y - h)) / (2 * h);
+    return (struct place){vec(x, y, panel_height(x, y)), vec_unit(vec(-zx, -zy, 1))};
+}
+
+static struct place (*const surfaces[])(double, double) = {dome, bowl, panel};
+
+/* Passes 0.5 mm apart, the ball's centre `off` mm further from the surface than its radius. */
+static struct centre_path path_over(struct place (*surface)(double, double), double off)
+{
+    struct centre_path path = {0};
+    for (int row = -16; row <= 16; row++)
+        for (int k = -60; k < 60; k++) {
+            struct place a = surface(k * 0.15, row * 0.5), b = surface((k + 1) * 0.15, row * 0.5);
+            struct vec3 from = vec_along(a.p, RADIUS + off, a.n);
+            struct vec3 to = vec_along(b.p, RADIUS + off, b.n);
+            *array_push(&path) =
+                (struct centre_segment){from, to, {0, 1}, (unsigned)row + 16, false};
+        }
+    return path;
+}
+
+static struct vec3s points_on(struct place (*surface)(double, double), double half)
+{
+    struct vec3s points = {0};
+    for (int i = -40; i <= 40; i++)
+        for (int k = -40; k <= 40; k++)
+            *array_push(&points) = surface(half * i / 40, half * k / 40).p;
+    return points;
+}
+
+static struct deviation_map roll(struct centre_path *path, const struct vec3s *points, int threads)
+{
+    struct deviation_map_options setup = {RADIUS, 0.01, 1.5, threads};
+    struct deviation_map result;
+    deviation_map_run(path, points->item, points->n, &setup, &result);
+    return result;
+}
+
+START_TEST(depth_is_what_it_is)
+{
+    static const double depth[] = {0.05, 0.2, 0};
+    for (size_t i = 0; i < sizeof depth / sizeof *depth; i++) {
+        struct centre_path path = path_over(surfaces[_i], -depth[i]);
+        struct vec3s points = points_on(surfaces[_i], 7.5);
+        struct deviation_map r = roll(&path, &points, 1);
+        ck_assert_uint_eq(r.cut, points.n);
+        ck_assert_double_lt(fabs(r.gouge - depth[i]), 0.002);
+        ck_assert_uint_eq(r.gouged, depth[i] > 0 ? points.n : 0);
+        /* a scallop takes a little away from the depth between two passes */
+        ck_assert_double_le(r.gouge_part[0], depth[i] + 0.002);
+        ck_assert_double_ge(r.gouge_part[0], depth[i] - 0.012);
+        deviation_map_free(&r);
+        array_free(&path);
+        array_free(&points);
+    }
+}
+END_TEST
+
+START_TEST(what_is_left_is_what_it_is)
+{
+    struct centre_path path = path_over(surfaces[_i], 0.03);
+    struct vec3s points = points_on(surfaces[_i], 11.5);
+    struct deviation_map r = roll(&path, &points, 1);
+    ck_assert_double_lt(r.gouge, 1e-6);
+    ck_assert_double_ge(r.over, 0.03);
+    ck_assert_double_lt(r.over, 0.03 + 0.012); /* and half a step's scallop */
+    for (size_t i = 0; i < points.n; i++) {
+        struct vec3 p = points.item[i];
+        if (fabs(p.x) > 8 || fabs(p.y) > 7.4)
+            continue;
+        ck_assert(r.region[i]);
+        ck_assert_double_ge(r.deviation[i], 0.03 - 0.002);
+    }
+    deviation_map_free(&r);
+    array_free(&path);
+    array_free(&points);
+}
+END_TEST
+
+START_TEST(scallop_of_the_dome)
+{
+    /* between two passes s apart: the distance on the sphere of the centres, by its angle */
+    struct centre_path path = path_over(dome, 0);
+    struct vec3 between = dome(0, 0.25).p, centre = vec_scale(46, dome(0, 0).n);
+    double angle = vec_angle(between, centre);
+    double truth = sqrt(40 * 40 + 46 * 46 - 2 * 40 * 46 * cos(angle)) - RADIUS;
+    struct vec3s points = {0};
+    *array_push(&points) = between;
+    struct deviation_map r = roll(&path, &points, 1);
+    ck_assert_double_lt(fabs(r.deviation[0] - truth), 0.0001);
+    deviation_map_free(&r);
+    array_free(&path);
+    array_free(&points);
+}
+END_TEST
+
+START_TEST(beside_is_not_cut)
+{
+    struct centre_path path = path_over(surfaces[_i], 0);
+    struct vec3s points = points_on(surfaces[_i], 11.5);
+    struct deviation_map r = roll(&path, &points, 1);
+    for (size_t i = 0; i < points.n; i++) {
+        struct vec3 p = points.item[i];
+        bool in = fabs(p.x) < 8.5 && fabs(p.y)<7.5, out = fabs(p.x)> 9.6 || fabs(p.y) > 8.6;
+        if (in)
+            ck_assert(r.region[i]);
+        if (out)
+            ck_assert(!r.region[i]);
+    }
+    ck_assert_double_lt(r.over, 0.012);
+    deviation_map_free(&r);
+    array_free(&path);
+    array_free(&points);
+}
+END_TEST
+
+START_TEST(threads_change_nothing)
+{
+    struct centre_path path = path_over(surfaces[_i], -0.02);
+    struct vec3s points = points_on(surfaces[_i], 11);
+    struct deviation_map one = roll(&path, &points, 1), four = roll(&path, &points, 4);
+    for (size_t i = 0; i < points.n; i++) {
+        ck_assert(one.deviation[i] == four.deviation[i]);
+        ck_assert(one.region[i] == four.region[i]);
+    }
+    deviation_map_free(&one);
+    deviation_map_free(&four);
+    array_free(&path);
+    array_free(&points);
+}
+END_TEST
+
+static double wave_height(double x, double y)
+{
+    return 2 * sin(x / 5) * cos(y / 6);
+}
+
+static double saddle_height(double x, double y)
+{
+    return (x * x - y * y) / 60;
+}
+
+static double ridge_height(double x, double y)
+{
+    double s = (x * 0.8 + y * 0.6) / 2.6;
+    return 0.8 * exp(-s * s);
+}
+
+static double dome_height(double x, double y)
+{
+    return sqrt(3600 - x * x - y * y);
+}
+
+static double bowl_height(double x, double y)
+{
+    return -sqrt(900 - x * x - y * y);
+}
+
+static double (*const heights[])(double, double) = {wave_height,  saddle_height, ridge_height,
+                                                    panel_height, bowl_height,   dome_height};
+
+/* Where the ball's centre is meant to be over x in a pass: some passes too deep, some too high. */
+static struct vec3 centre_over(int kind, double radius, double x, int row)
+{
+    const double h = 1e-5, y = row * 0.6;
+    double (*z)(double, double) = heights[kind];
+    struct vec3 n = vec_unit(
+        vec((z(x - h, y) - z(x + h, y)) / (2 * h), (z(x, y - h) - z(x, y + h)) / (2 * h), 1));
+    double off = 0.03 * sin(1.7 * row) + 0.02 * sin(0.9 * x);
+    return vec_along(vec(x, y, z(x, y)), radius + off, n);
+}
+
+/* How far p is from the passes, by a search along each: no segments, no tree. */
+static double truth_of(int kind, double radius, struct vec3 p)
+{
+    double best = HUGE_VAL;
+    for (int row = -14; row <= 14; row++) {
+        if (fabs(row * 0.6 - p.y) > 3)
+            continue;
+        double at = 0, nearest = HUGE_VAL, step = 0.25;
+        for (double x = fmax(p.x - 4, -9); x <= fmin(p.x + 4, 9); x += step) {
+            double d = vec_distance(p, centre_over(kind, radius, x, row));
+            at = d < nearest ? x : at;
+            nearest = fmin(nearest, d);
+        }
+        for (; step > 1e-4; step /= 2) {
+            double low = vec_distance(p, centre_over(kind, radius, fmax(at - step, -9), row));
+            double high = vec_distance(p, centre_over(kind, radius, fmin(at + step, 9), row));
+            at = low < fmin(nearest, high) ? fmax(at - step, -9)
+                 : high < nearest          ? fmin(at + step, 9)
+                                           : at;
+            nearest = fmin(nearest, fmin(low, high));
+        }
+        best = fmin(best, nearest);
+    }
+    return best;
+}
+
+static int rising(const void *a, const void *b)
+{
+    double x = *(const double *)a, y = *(const double *)b;
+    return (x > y) - (x < y);
+}
+
+enum { SCATTERED = 400 };
+
+/* Six surfaces, two balls each, points at random: all figures within 0.002 mm of the truth. */
+START_TEST(figures_are_those_of_the_truth)
+{
+    static const double share[] = {0.50, 0.95, 0.99};
+    const int kind = _i / 2;
+    const double radius = _i % 2 ? 8 : 5;
+    struct centre_path path = {0};
+    struct vec3s points = {0};
+    double truth[SCATTERED];
+    unsigned seed = 77 + (unsigned)_i;
+    for (int row = -14; row <= 14; row++)
+        for (int k = -450; k < 450; k++)
+            *array_push(&path) =
+                (struct centre_segment){centre_over(kind, radius, k * 0.02, row),
+                                        centre_over(kind, radius, (k + 1) * 0.02, row),
+                                        {0, 1},
+                                        (unsigned)row + 14,
+                                        false};
+    for (int i = 0; i < SCATTERED; i++) {
+        double xy[2];
+        for (int k = 0; k < 2; k++) {
+            seed = seed * 1664525 + 1013904223;
+            xy[k] = 6.0 * (seed >> 8) / 8388608 - 6;
+        }
+        struct vec3 p = vec(xy[0], xy[1], heights[kind](xy[0], xy[1]));
+        *array_push(&points) = p;
+        truth[i] = truth_of(kind, radius, p) - radius;
+    }
+    struct deviation_map_options setup = {radius, 0.02, 1.2, 1};
+    struct deviation_map r;
+    deviation_map_run(&path, points.item, points.n, &setup, &r);
+    for (int i = 0; i < SCATTERED; i++)
+        ck_assert_double_eq_tol(r.deviation[i], truth[i], 0.0005);
+    qsort(truth, SCATTERED, sizeof *truth, rising);
+    ck_assert_uint_eq(r.cut, SCATTERED);
+    ck_assert_double_eq_tol(r.gouge, fmax(0, -truth[0]), 0.002);
+    ck_assert_double_eq_tol(r.over, fmax(0, truth[SCATTERED - 1]), 0.002);
+    for (int k = 0; k < DEVIATION_MAP_PERCENTILES; k++) {
+        size_t rank = (size_t)ceil(share[k] * SCATTERED) - 1;
+        ck_assert_double_eq_tol(r.over_part[k], fmax(0, truth[rank]), 0.002);
+        ck_assert_double_eq_tol(r.gouge_part[k], fmax(0, -truth[SCATTERED - 1 - rank]), 0.002);
+    }
+    deviation_map_free(&r);
+    array_free(&path);
+    array_free(&points);
+}
+END_TEST
+
+int main(void)
+{
+    Suite *suite = suite_create("ballroll");
+    TCase *tcase = tcase_create("ballroll");
+    tcase_add_loop_test(tcase, depth_is_what_it_is, 0, 3);
+    tcase_add_loop_test(tcase, what_is_left_is_what_it_is, 0, 3);
+    tcase_add_test(tcase, scallop_of_the_dome);
+    tcase_add_loop_test(tcase, beside_is_not_cut, 0, 3);
+    tcase_add_loop_test(tcase, threads_change_nothing, 0, 3);
+    tcase_add_loop_test(tcase, figures_are_those_of_the_truth, 0, 12);
+    suite_add_tcase(suite, tcase);
+    SRunner *runner = srunner_create(suite);
+    srunner_run_all(runner, CK_ENV);
+    int failed = srunner_ntests_failed(runner);
+    srunner_free(runner);
+    return failed ? EXIT_FAILURE : EXIT_SUCCESS;
+}

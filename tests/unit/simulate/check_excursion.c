@@ -1,0 +1,146 @@
+/*
+ * check_excursion - a cut over a flat part that jumps up: as a curve, as a spike of two blocks, as
+ * a way from pass to pass, out beside the part.
+ */
+#include <check.h>
+#include <stdlib.h>
+
+#include "simulate/deviation_map.h"
+#include "simulate/excursion.h"
+
+#define RADIUS 5.0
+
+enum { PIECES = 6 };
+
+/*
+ * Blocks along x, 4 mm each, from x = -12; `high` of them at their ends; those not straight are one
+ * cubic each, straight too, so that heights are those given.
+ */
+static struct excursion shaped(const double high[PIECES + 1], const double side[PIECES + 1],
+                               const unsigned char shape[PIECES])
+{
+    struct nc_motion nc_motion = {.verify_kinematics = verify_kinematics_trunnion('A', 1),
+                                  .track = NC_MOTION_TIP};
+    struct centre_path path = {0};
+    struct vec3s points = {0};
+    struct deviation_map roll;
+    for (double x = -14; x <= 14; x += 0.5)
+        for (double y = -4; y <= 4; y += 0.5)
+            *array_push(&points) = vec(x, y, 0);
+    for (int i = 0; i < PIECES; i++) {
+        struct vec3 from = vec(4 * i - 12, side[i], high[i]);
+        struct vec3 to = vec(4 * i - 8, side[i + 1], high[i + 1]);
+        *array_push(&nc_motion.polynomial) =
+            (struct nc_motion_polynomial){.p[0] = vec_sub(to, from)};
+        *array_push(&nc_motion.piece) = (struct nc_piece){
+            .shape = shape[i], .swing = SWING_ROTARY, .index = (size_t)i, .p = {from, to}};
+        for (int k = 0; k < 40; k++)
+            *array_push(&path) = (struct centre_segment){
+                vec_along(vec_mix(from, to, k / 40.0), RADIUS, vec(0, 0, 1)),
+                vec_along(vec_mix(from, to, (k + 1) / 40.0), RADIUS, vec(0, 0, 1)),
+                {(float)k / 40, (float)(k + 1) / 40},
+                (unsigned)i,
+                false};
+    }
+    const struct deviation_map_options setup = {RADIUS, 0.02, 1.25, 1};
+    deviation_map_run(&path, points.item, points.n, &setup, &roll);
+    struct excursion leap = excursion_find(&nc_motion, &path, points.item, points.n,
+                                           &(struct excursion_options){RADIUS, setup.band});
+    deviation_map_free(&roll);
+    nc_motion_free(&nc_motion);
+    array_free(&path);
+    array_free(&points);
+    return leap;
+}
+
+static struct excursion over(const double high[PIECES + 1], const double side[PIECES + 1],
+                             unsigned char shape)
+{
+    const unsigned char all[PIECES] = {shape, shape, shape, shape, shape, shape};
+    return shaped(high, side, all);
+}
+
+static const double level[PIECES + 1] = {0};
+
+START_TEST(a_curve_that_jumps)
+{
+    const double high[PIECES + 1] = {0, 0, 3, 8, 2, 0, 0};
+    struct excursion leap = over(high, level, SHAPE_POLYNOMIAL);
+    ck_assert_uint_eq(leap.leaps, 1);
+    ck_assert_double_eq_tol(leap.height, 8, 1e-6);
+    ck_assert_double_eq_tol(leap.at.x, 0, 1e-6);
+    ck_assert(leap.piece == 2 || leap.piece == 3);
+    ck_assert_uint_eq(over(level, level, SHAPE_POLYNOMIAL).leaps, 0);
+}
+END_TEST
+
+/* A curve that ends high over the part: a fault when the straight block behind it comes down. */
+START_TEST(a_curve_that_ends_high)
+{
+    const unsigned char l = SHAPE_LINE, p = SHAPE_POLYNOMIAL, shape[PIECES] = {p, p, p, l, l, l};
+    const double down[PIECES + 1] = {0, 0, 1, 8, 2, 2, 2},
+                               up[PIECES + 1] = {0, 0, 1, 8, 20, 20, 20};
+    const double out[PIECES + 1] = {0, 0, 1, 8, 2, 2, 2}, side[PIECES + 1] = {0, 0, 9, 40, 9, 0, 0};
+    struct excursion leap = shaped(down, level, shape);
+    ck_assert_uint_eq(leap.leaps, 1);
+    ck_assert_double_eq_tol(leap.height, 8, 1e-6);
+    ck_assert_uint_eq(leap.piece, 2);
+    ck_assert_uint_eq(shaped(up, level, shape).leaps, 0);
+    ck_assert_uint_eq(shaped(out, side, shape).leaps, 0);
+}
+END_TEST
+
+START_TEST(less_than_the_band_is_none)
+{
+    const double high[PIECES + 1] = {0, 0, 0.5, 1.2, 0.5, 0, 0};
+    ck_assert_uint_eq(over(high, level, SHAPE_POLYNOMIAL).leaps, 0);
+}
+END_TEST
+
+START_TEST(a_spike_of_two_blocks)
+{
+    const double high[PIECES + 1] = {0, 0, 0, 30, 0, 0, 0};
+    ck_assert_uint_eq(over(high, level, SHAPE_LINE).leaps, 1);
+    ck_assert_double_eq_tol(over(high, level, SHAPE_LINE).height, 30, 1e-6);
+}
+END_TEST
+
+START_TEST(up_across_and_down_is_a_way)
+{
+    const double high[PIECES + 1] = {0, 0, 30, 30, 0, 0, 0};
+    ck_assert_uint_eq(over(high, level, SHAPE_LINE).leaps, 0);
+}
+END_TEST
+
+START_TEST(beside_the_part_is_none)
+{
+    const double side[PIECES + 1] = {0, 0, 10, 30, 10, 0, 0};
+    ck_assert_uint_eq(over(level, side, SHAPE_POLYNOMIAL).leaps, 0);
+}
+END_TEST
+
+START_TEST(a_layer_above_the_part_is_none)
+{
+    const double high[PIECES + 1] = {3, 3, 6, 9, 6, 3, 3};
+    ck_assert_uint_eq(over(high, level, SHAPE_POLYNOMIAL).leaps, 0);
+}
+END_TEST
+
+int main(void)
+{
+    Suite *suite = suite_create("leap");
+    TCase *tcase = tcase_create("leap");
+    tcase_add_test(tcase, a_curve_that_jumps);
+    tcase_add_test(tcase, a_curve_that_ends_high);
+    tcase_add_test(tcase, less_than_the_band_is_none);
+    tcase_add_test(tcase, a_spike_of_two_blocks);
+    tcase_add_test(tcase, up_across_and_down_is_a_way);
+    tcase_add_test(tcase, beside_the_part_is_none);
+    tcase_add_test(tcase, a_layer_above_the_part_is_none);
+    suite_add_tcase(suite, tcase);
+    SRunner *runner = srunner_create(suite);
+    srunner_run_all(runner, CK_ENV);
+    int failed = srunner_ntests_failed(runner);
+    srunner_free(runner);
+    return failed ? EXIT_FAILURE : EXIT_SUCCESS;
+}
