@@ -24,8 +24,9 @@ empty "the demo itself needs nothing of it either" found
 
 # ---- what was built
 
-find "$BIN/../src" -name '*.d' >built
-ok "the compiler says what headers it read (else: make clean)" xargs sh "$bare/headers" <built
+# shellcheck disable=SC2046 # file names of our own
+ok "the compiler says what headers it read (else: make clean)" \
+	sh "$bare/headers" $(find "$BIN/../src" -name '*.d')
 empty "none but ours and libc's" out
 for tool in "$BIN"/*; do
 	desc="$(basename "$tool") needs libc, libm and threads alone"
