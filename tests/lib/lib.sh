@@ -38,7 +38,7 @@ test_failed=0
 rest=
 result() { # STATUS DESC
 	if [ -n "$rest" ]; then
-		skip "$2" "$rest"
+		skip "${2%% (*}" "$rest" # without what was found
 		return 0
 	fi
 	test_count=$((test_count + 1))
