@@ -40,9 +40,12 @@ units    := $(unit_src:tests/%.c=$(BUILD)/tests/%)
 benches  := $(bench_src:tests/bench/%.c=$(BUILD)/bench/%)
 readback := $(if $(back_src),$(BUILD)/tests/readback/readback)
 
+started := $(shell date +%s)
+
 # What `make deps` installs: for the tests, and for lint and fuzz.
-packages = check pkg-config mandoc clang clang-format clang-tidy cppcheck shellcheck gcovr parallel python3 chromium
-# Its interpreter rs274 judges our programs where it is there; else those tests are passed over.
+packages = check pkg-config mandoc python3 chromium locales clang clang-format clang-tidy cppcheck \
+  shellcheck gcovr parallel
+# Its interpreter rs274 judges our programs where it is there; else those tests are skipped.
 judge = linuxcnc-uspace
 
 all: $(tools)
@@ -50,7 +53,7 @@ all: $(tools)
 $(BUILD)/tests/lib/%.o: FLAGS += -iquote src -iquote tests/lib
 $(BUILD)/%.o: %.c
 	@mkdir -p $(@D)
-	$(CC) $(FLAGS) $(DEFS) $(CFLAGS) $(CPPFLAGS) -MMD -MP -c -o $@ $<
+	$(CC) $(FLAGS) $(DEFS) $(CFLAGS) $(CPPFLAGS) -MD -MP -c -o $@ $<
 
 $(lib): $(lib_obj)
 	@rm -f $@
@@ -82,11 +85,11 @@ units: $(units)
 
 check: all $(units) $(readback) $(cloud)
 	@CC="$(CC)" BIN="$(abspath $(BUILD))/bin" READBACK="$(abspath $(BUILD))/tests/readback/readback" \
-	  CLOUD="$(abspath $(cloud))" UNITS="$(abspath $(units))" MAKE="$(MAKE)" sh tests/run.sh
+	  CLOUD="$(abspath $(cloud))" UNITS="$(abspath $(units))" MAKE="$(MAKE)" STARTED=$(started) \
+	  sh tests/run.sh
 
-demo: all $(readback)
-	@BIN="$(abspath $(BUILD))/bin" READBACK="$(abspath $(BUILD))/tests/readback/readback" \
-	  sh samples/demo.sh demo
+demo: all
+	@BIN="$(abspath $(BUILD))/bin" sh samples/demo.sh demo
 
 figures: all
 	@BIN="$(abspath $(BUILD))/bin" sh samples/figures.sh figures
@@ -111,7 +114,8 @@ lint:
 	cppcheck --quiet --std=c11 --enable=warning,performance,portability --inline-suppr \
 	  --suppress=missingIncludeSystem --error-exitcode=1 -I include -I src -I tests/lib src tests
 	clang-tidy --quiet --warnings-as-errors='*' $(tool_src) $(lib_src) -- $(FLAGS) $(DEFS)
-	shellcheck -S warning -x -P tests/lib tests/*.sh tests/*/*.sh tests/*/*.t samples/*.sh .ci/run
+	shellcheck -S warning -x -P tests/lib tests/*.sh tests/*/*.sh tests/*/*.t tests/house/bare/* \
+	  samples/*.sh .ci/run
 
 sanitize:
 	$(MAKE) BUILD=$(BUILD)/sanitize CC=clang \

@@ -13,6 +13,10 @@
 #	hasnt DESC REGEX FILE     no line does
 #	empty DESC FILE           the file is empty; else its first lines are shown
 #	below DESC A B            number A <= number B
+#	skip DESC WHY             a test that cannot be made here, for what WHY says is missing; it
+#	                          counts neither as passed nor as failed
+#	skip_rest WHY             so for every test from here to the end of the file
+#	has_locale NAME           the C library has this locale, or it could be made here
 #	canon PROGRAM             what LinuxCNC's own interpreter makes of it, its canonical calls; each
 #	                          of its tools is there, 100 long, $diameter wide (inches)
 #	done_testing              at the end: exit 1 when anything failed
@@ -31,7 +35,12 @@ export SRC BIN READBACK TMP PATH CLOUDMILL_MACHINES
 test_count=0
 test_failed=0
 
+rest=
 result() { # STATUS DESC
+	if [ -n "$rest" ]; then
+		skip "${2%% (*}" "$rest" # without what was found
+		return 0
+	fi
 	test_count=$((test_count + 1))
 	if [ "$1" -eq 0 ]; then
 		echo "ok - $2"
@@ -41,6 +50,15 @@ result() { # STATUS DESC
 		[ -s "$TMP/err" ] && head -n 5 "$TMP/err" | sed 's/^/#   /'
 		return 0
 	fi
+}
+
+skip() {
+	test_count=$((test_count + 1))
+	echo "skip - $1 # $2"
+}
+
+skip_rest() {
+	rest=$1
 }
 
 run() { # CMD...: exit status in $got, output in $TMP/out and $TMP/err
@@ -80,12 +98,16 @@ has() {
 }
 
 hasnt() {
-	if grep -Eq -e "$2" "$3"; then result 1 "$1 (a line like $2)"; else result 0 "$1"; fi
+	grep -Eq -e "$2" "$3"
+	case $? in
+	0) result 1 "$1 (a line like $2)" ;;
+	1) result 0 "$1" ;;
+	*) result 1 "$1 (cannot look in $3)" ;;
+	esac
 }
 
 empty() {
-	head -n 5 "$2" >"$TMP/err"
-	if [ -s "$2" ]; then result 1 "$1"; else result 0 "$1"; fi
+	if head -n 5 "$2" >"$TMP/err" && [ ! -s "$2" ]; then result 0 "$1"; else result 1 "$1"; fi
 }
 
 below() {
@@ -94,6 +116,16 @@ below() {
 	else
 		result 1 "$1 ($2 > $3)"
 	fi
+}
+
+# Those that are not there are made once for this test, where their sources are installed.
+has_locale() {
+	[ "$(LC_ALL=$1 locale charmap 2>/dev/null)" = "${1#*.}" ] && return
+	mkdir -p "$TMP/locales"
+	localedef -i "${1%.*}" -f "${1#*.}" "$TMP/locales/$1" >/dev/null 2>&1
+	LOCPATH=$TMP/locales:/usr/lib/locale
+	export LOCPATH
+	[ "$(LC_ALL=$1 locale charmap 2>/dev/null)" = "${1#*.}" ]
 }
 
 # Where a program names no tool it is given tool 1.  The interpreter keeps its tools in a file in

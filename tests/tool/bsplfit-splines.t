@@ -191,6 +191,8 @@ status 2 "degree 1" bsplfit --degree 1 "$passes"
 status 2 "degree 6" bsplfit --degree 6 "$passes"
 if [ -w /dev/full ]; then
 	status 1 "a full disk" sh -c "bsplfit -q '$passes' >/dev/full"
+else
+	skip "a full disk" "no /dev/full"
 fi
 printf 'PARTNO/T\nUNITS/MM\nGOTO/0,0,0\nGOTO/1,1,1\nFINI\n' >"$TMP/bare.cl"
 status 0 "no cutter" bsplfit "$TMP/bare.cl"

@@ -4,11 +4,10 @@
 
 scan=$SRC/samples/panel_17036.xyz
 
-# whole FILE: well-formed XML, as far as can be told here; nothing that runs or loads
+# whole FILE: well-formed XML; nothing that runs or loads
 whole() {
-	if command -v xmllint >/dev/null; then
-		ok "$1 is well-formed" xmllint --noout "$TMP/$1"
-	fi
+	ok "$1 is well-formed" \
+		python3 -c 'import sys, xml.dom.minidom as d; d.parse(sys.argv[1])' "$TMP/$1"
 	ok "$1 opens and closes its groups" test \
 		"$(grep -o '<g ' "$TMP/$1" | wc -l)" -eq "$(grep -o '</g>' "$TMP/$1" | wc -l)"
 	has "$1 ends" '^</svg>$' "$TMP/$1"
@@ -26,7 +25,7 @@ bsplfit -q -e 0.01 -o "$TMP/splines.cl" "$TMP/lines.cl"
 # ---- the kinds of streams
 
 status 0 "a cloud" ncplot -v -o "$TMP/cloud.svg" "$scan"
-has "its figures, grouped" '17,036 points, 74\.0 . 54\.0 . 15\.0 mm' "$TMP/err"
+has "its figures, grouped" '17,036 points, 74\.0 × 54\.0 × 15\.0 mm' "$TMP/err"
 has "stand in the picture" '>17,036 points, ' "$TMP/cloud.svg"
 has "with the name" '>panel_17036.xyz<' "$TMP/cloud.svg"
 has "the plan" '>plan \(x right, y up\)<' "$TMP/cloud.svg"

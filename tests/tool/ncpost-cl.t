@@ -18,15 +18,16 @@ for file in "$data"/*.ncl "$data"/*.cls "$data"/*.cldata "$data"/*.apt; do
 	ok "$name without a word that nobody knows" ncpost --strict -c linuxcnc "$file"
 	for machine in table-ac linuxcnc-xyzac; do
 		ncpost -q -c linuxcnc -m $machine -o back.ngc "$file"
-		command -v rs274 >/dev/null || continue
 		axes=--no-tcp
 		[ $machine = linuxcnc-xyzac ] && axes=--reversed
 		# tilted axes that the program itself keeps at the tip make places on a rapid too
 		[ $machine = table-ac ] && grep -q G93 back.ngc && continue
+		desc="$name for linuxcnc, $machine, run by rs274, read back"
+		command -v rs274 >/dev/null || { skip "$desc" "no rs274"; continue; }
 		grep -Eq ' G(73|83) ' back.ngc && axes="$axes --no-steps"
 		canon back.ngc >back.canon || cat canon.err
 		# shellcheck disable=SC2086
-		ok "$name for linuxcnc, $machine, run by rs274, read back" "$READBACK" -c canon $axes \
+		ok "$desc" "$READBACK" -c canon $axes \
 			--path "$file" -e 0.0062 --axis 0.052 back.canon
 	done
 done
@@ -157,6 +158,8 @@ if command -v rs274 >/dev/null; then
 	diameter=0.31496063 # inches, as that interpreter takes them: 8 mm
 	canon cutcom.linuxcnc >cutcom.canon
 	has "LinuxCNC offsets to the left by its tool's radius" 'STRAIGHT_FEED\(30\.0000, 3\.0000, -1' cutcom.canon
+else
+	skip "LinuxCNC offsets to the left by its tool's radius" "no rs274"
 fi
 # ---- drilling as the systems word it
 posts "NX: a tool by its name, then its number; RTRCTO,AUTO" 'G98 G81 X10\. Y5\. Z-20\.5 R3\. F220' \

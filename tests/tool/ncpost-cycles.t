@@ -130,6 +130,9 @@ for machine in table-ac linuxcnc-xyzac three-axis; do
 		END
 		sort found >a && head -n 11 expected | sort >b
 		same "holes, depths, and where the tool leaves" b a
+	else
+		skip "rs274 takes it" "no rs274"
+		skip "holes, depths, and where the tool leaves" "no rs274"
 	fi
 done
 ncpost -q -c linuxcnc --inch holes.cl >inch.ngc

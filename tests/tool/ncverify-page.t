@@ -26,11 +26,7 @@ has "the gouged block is named, or the next" "^($blocks)\$" bad
 hasnt "the page loads nothing" '(src|href)=|https?:|url\(|@import|fetch\(|XMLHttp' page.html
 has "and is whole" '^</script>$' page.html
 
-if [ -z "$browser" ]; then
-	echo "# no chromium here: the page was not opened"
-	done_testing
-	exit
-fi
+[ -n "$browser" ] || skip_rest "no chromium"
 
 # What a person would do, and what they would then see, as lines of text in the page's body.
 cat >steps.js <<'EOF'
