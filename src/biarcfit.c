@@ -5,6 +5,7 @@
 
 #include "stage/arcrun.h"
 #include "base/cli.h"
+#include "base/effort.h"
 #include "base/out.h"
 #include "base/parallel.h"
 #include "io/path/path.h"
@@ -142,7 +143,7 @@ static void tell(const struct arcrun_report *r, const struct path *in, const str
 
 static struct settings read_settings(struct cli *cli, int argc, char **argv)
 {
-    static struct settings s = {.tolerance = 0.01, .axis = 1, .guard.noise = -1};
+    static struct settings s = {.tolerance = 0.01, .axis = 1, .guard.noise = -1, .guard.effort = 1};
     static const struct cli_option options[] = {
         {'e', "tolerance", "MM", "how far tip and ball centre may be off the path (0.01)",
          CLI_NUMBER, &s.tolerance, 1e-4, 100, 0, &s.tolerance_given},
@@ -152,6 +153,7 @@ static struct settings read_settings(struct cli *cli, int argc, char **argv)
          CLI_LIST, &s.guard.files, 0, 0, 0, NULL},
         {0, "noise", "SIGMA", "standard deviation of the scan's noise (default: as found)",
          CLI_NUMBER, &s.guard.noise, 0, 10, 0, NULL},
+        EFFORT_OPTION(&s.guard.effort),
         {0, "axis-tolerance", "DEG", "how far the tool axis may be off (1)", CLI_NUMBER, &s.axis,
          CLI_POSITIVE, 90, 0, NULL},
         {0, "tilt", "DEG",

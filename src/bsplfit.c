@@ -9,6 +9,7 @@
 
 #include "base/array.h"
 #include "base/cli.h"
+#include "base/effort.h"
 #include "base/out.h"
 #include "base/parallel.h"
 #include "io/path/path.h"
@@ -60,6 +61,7 @@ static void read_options(int argc, char **argv, struct cli *cli, struct settings
          CLI_LIST, &s->guard.files, 0, 0, 0, NULL},
         {0, "noise", "SIGMA", "standard deviation of the scan's noise (default: as found)",
          CLI_NUMBER, &s->guard.noise, 0, 10, 0, NULL},
+        EFFORT_OPTION(&s->guard.effort),
         {0, "axis-tolerance", "DEG", "largest error of the tool axis, degrees (1)", CLI_NUMBER,
          &angle, 0.001, 45, 0, NULL},
         {0, "degree", "P", "degree of the curves, 2 to 5 (3); a straight line has 1", CLI_COUNT,
@@ -224,7 +226,8 @@ int main(int argc, char **argv)
     struct cli cli = {.tool = "bsplfit",
                       .usage = "[options] [FILE]",
                       .about = "Replaces the points of a path by B-splines within a tolerance."};
-    struct settings settings = {.fit = {.degree = 3, .tolerance = TOLERANCE}, .guard.noise = -1};
+    struct settings settings = {
+        .fit = {.degree = 3, .tolerance = TOLERANCE}, .guard.noise = -1, .guard.effort = 1};
     struct path in = {0}, out = {0};
     struct jobs jobs = {0};
     struct error error;

@@ -7,6 +7,7 @@
 #include <string.h>
 
 #include "base/cli.h"
+#include "base/effort.h"
 #include "stage/cloudmesh.h"
 #include "cloud/extend.h"
 #include "stage/cloud_prepare.h"
@@ -27,8 +28,9 @@ static const char *const unit_name[] = {"mm", "cm", "m", "um", "inch", "in"};
 
 static struct settings read_options(struct cli *cli, int argc, char **argv)
 {
-    struct settings s = {.noise = NAN};
+    struct settings s = {.noise = NAN, .wish.effort = 1};
     bool normals_given = false;
+    int normals = 0;
     const struct cli_option option[] = {
         {'t', "spacing", "MM",
          "spacing of the triangular grid (default: three times the mean\nspacing of the points)",
@@ -49,10 +51,10 @@ static struct settings read_options(struct cli *cli, int argc, char **argv)
          "no facet over an empty disc wider than this (default: six times the\n"
          "mean spacing of the points; with --paper: no limit)",
          CLI_NUMBER, &s.wish.max_gap, CLI_POSITIVE, 0, 0, NULL},
-        {0, "normals", "quadric|facet",
+        {0, "normals", normals_words(true),
          "normals from a quadric through the nearest points of the cloud, or\n"
          "the mean of the facets' (default: quadric; with --paper: facet)",
-         CLI_CHOICE, &s.wish.normals, 0, 0, 0, &normals_given},
+         CLI_CHOICE, &normals, 0, 0, 0, &normals_given},
         {0, "neighbours", "N",
          "points that a quadric is fitted to (default: 40; where there is noise,\n"
          "as many as it takes)",
@@ -71,6 +73,7 @@ static struct settings read_options(struct cli *cli, int argc, char **argv)
          &s.extend, CLI_POSITIVE, 0, 0, NULL},
         {0, "subdivide", NULL, "divide the cloud by orientation, each part with its own projection",
          CLI_FLAG, &s.wish.subdivide, 0, 0, 0, NULL},
+        EFFORT_OPTION(&s.wish.effort),
         {0, "paper", NULL,
          "as published: a node takes any point nearer than the spacing, holes\n"
          "are bridged, normals are the mean of the facets'",
@@ -78,14 +81,13 @@ static struct settings read_options(struct cli *cli, int argc, char **argv)
         {0}};
     cli->option = option;
     cli_parse(cli, argc, argv);
-    if (s.wish.paper && !normals_given)
-        s.wish.normals = NORMALS_FACET;
-    if (s.wish.paper || s.wish.normals == NORMALS_FACET)
-        s.wish.smooth = true;
+    s.wish.normals =
+        s.wish.paper && !normals_given ? normals_of("facet") : normals_find(true, normals);
+    s.wish.smooth = s.wish.smooth || s.wish.paper || !s.wish.normals->of_surface;
     if (s.extend > 0 && (s.wish.paper || s.wish.subdivide))
         die_usage("found --extend with %s, expected one of them",
                   s.wish.paper ? "--paper" : "--subdivide");
-    s.clean = s.clean || s.wish.normals == NORMALS_QUADRIC;
+    s.clean = s.clean || s.wish.normals->of_surface;
     if (s.wish.paper && s.wish.error > 0)
         die_usage("--paper has a grid of one spacing: expected -t or -e");
     return s;

@@ -15,26 +15,34 @@ static int normals;
 static double scallop;
 static const char *way;
 
-/* clang-format off */
-static const struct cli_option options[] = {
-    {'r', "radius", "R", "radius of the ball (needed)",
-     CLI_NUMBER, &cutting.radius, CLI_POSITIVE, 0, 0, NULL},
-    {0, "normals", "mesh|facet|gouraud|central", "the mesh's own (default), the mean of the "
-     "facets' (eq 8) or of the\nneighbours' (eq 7), central differences on a regular grid",
-     CLI_CHOICE, &normals, 0, 0, 0, NULL},
-    {0, "scallop", "H", "rows as far apart as leaves no cusp higher than H between them,\n"
-     "straight over the surface of the mesh, instead of the mesh's own",
-     CLI_NUMBER, &scallop, CLI_POSITIVE, 0, 0, NULL},
-    {0, "direction", "auto|DEG", "of those rows: that with the fewest millimetres of cut, or about z\n"
-     "from x towards y (default: that of the mesh's rows)", CLI_TEXT, &way, 0, 0, 0, NULL},
-    {0}};
-/* clang-format on */
+static void read_options(struct cli *cli, int argc, char **argv)
+{
+    const struct cli_option options[] = {
+        {'r', "radius", "R", "radius of the ball (needed)", CLI_NUMBER, &cutting.radius,
+         CLI_POSITIVE, 0, 0, NULL},
+        {0, "normals", normals_words(false),
+         "the mesh's own (default), the mean of the facets' (eq 8) or of the\n"
+         "neighbours' (eq 7), central differences on a regular grid",
+         CLI_CHOICE, &normals, 0, 0, 0, NULL},
+        {0, "scallop", "H",
+         "rows as far apart as leaves no cusp higher than H between them,\n"
+         "straight over the surface of the mesh, instead of the mesh's own",
+         CLI_NUMBER, &scallop, CLI_POSITIVE, 0, 0, NULL},
+        {0, "direction", "auto|DEG",
+         "of those rows: that with the fewest millimetres of cut, or about z\n"
+         "from x towards y (default: that of the mesh's rows)",
+         CLI_TEXT, &way, 0, 0, 0, NULL},
+        {0}};
+
+    cli->option = options;
+    cli_parse(cli, argc, argv);
+}
 
 static void read_mesh(const char *file, struct mesh *mesh, struct rows *rows)
 {
     struct error error;
 
-    if (mesh_for_rows_read(file, (enum mesh_for_rows_normals)normals, mesh, &error) != 0)
+    if (mesh_for_rows_read(file, normals_find(false, normals), mesh, &error) != 0)
         die_error(&error);
     if (rows_find(mesh, rows, &error) != 0)
         die("%s: %s", file, error.text);
@@ -182,7 +190,6 @@ int main(int argc, char **argv)
                       .usage = "-r R [options] [FILE]",
                       .about = "Makes a tool path from the rows of a mesh: mesh stream in, path "
                                "stream out.",
-                      .option = options,
                       .more = path_options_options};
     struct mesh mesh = {0};
     struct rows rows = {0};
@@ -192,7 +199,7 @@ int main(int argc, char **argv)
     struct gouge_check *guard;
     struct error error;
 
-    cli_parse(&cli, argc, argv);
+    read_options(&cli, argc, argv);
     t.threads = cli.threads;
     check_options(&t.lift.axis);
     if (cli.files > 1)

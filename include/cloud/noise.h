@@ -1,6 +1,9 @@
 /*
  * noise - how noisy a scan is, from the scan alone.
  *
+ * Noise is said in one standard deviation everywhere, in mm; who needs a bound multiplies it by a
+ * constant that has a name.
+ *
  * At up to 2000 places over the cloud a quadric is fitted to the fewest nearest points that carry
  * one and to twice as many.  What the fits leave, for their degrees of freedom, is noise and what
  * of the surface is no quadric: the latter grows with the width as its third power or faster, so
@@ -22,9 +25,14 @@ struct noise {
                      rough part */
 };
 
-struct noise noise_look(const struct point_grid *point_grid, int threads);
+struct noise noise_measure(const struct point_grid *point_grid, int threads);
 
-/* The standard deviation alone. */
-double noise_of(const struct point_grid *point_grid, int threads);
+/* Its sigma alone. */
+double noise_sigma(const struct point_grid *point_grid, int threads);
+
+/* Standard deviation of n normally distributed numbers about 0, of which `distance` are the sizes:
+ * from their median, so that a few large ones do not count (Hampel 1974).  Sorts them.  0 of none.
+ */
+double noise_of_distances(double *distance, size_t n);
 
 #endif

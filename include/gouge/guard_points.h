@@ -18,6 +18,7 @@ struct guard_points_options {
     double sink;   /* how deep it may sink between points, mm */
     double noise;  /* standard deviation of what is taken out, mm (noise.h); 0: nothing */
     double vague;  /* mm: a surface between points that is off them by more is vague */
+    int effort;    /* effort.h */
     int threads;   /* as of parallel_for */
 };
 
@@ -29,10 +30,13 @@ struct guard_points {
         vague; /* of a scan without noise: points about which the surface between is vague, ... */
     double worst; /* ... the most that it is off, mm, and where */
     struct vec3 at;
+    bool sparse; /* the ball sinks in between points, and more of them would keep it off */
+    size_t near; /* points that the surfaces would go through in all, where these are more than the
+                    effort allows; else 0 */
 };
 
-/* No point moves by more than six standard deviations.  More than 400,000 points get none between.
- */
+/* No point moves by more than six standard deviations.  What there are too many points for:
+ * EFFORT_GUARD_BETWEEN, EFFORT_GUARD_NEAR, EFFORT_RIBS. */
 struct guard_points guard_points_make(const struct point_grid *point_grid,
                                       const struct guard_points_options *rule);
 

@@ -51,7 +51,7 @@ void surface_fit_hood_free(struct surface_fit_hood *hood);
 size_t surface_fit_widest(const struct surface_fit_options *rule, struct vec3 place,
                           struct vec3 guess, struct surface_fit_hood *hood);
 
-/* What half of the places can take, of up to 200 of them; less where there are very many. */
+/* What half of the places can take, of up to 200 of them. */
 size_t surface_fit_typical(const struct surface_fit_options *rule, const struct vec3 *place,
                            const struct vec3 *guess, size_t n, int threads);
 

@@ -2,8 +2,8 @@
  * smooth_nodes - the vertices of a mesh moved from noisy points of the scan onto the surface that
  * the scan stands for, with its normals and curvatures.
  *
- * A vertex goes to its foot on the surface that surface_fit.h has there; along ribs and grooves too
- * on meshes of fewer than 71,000 vertices.
+ * A vertex goes to its foot on the surface that surface_fit.h has there; along ribs and grooves
+ * too, unless there are too many vertices for that (EFFORT_RIBS).
  */
 #ifndef CLOUDMILL_SMOOTH_NODES_H
 #define CLOUDMILL_SMOOTH_NODES_H
@@ -18,15 +18,20 @@ struct smooth_nodes {
     size_t at;       /* the vertex that was moved farthest */
     double farthest; /* by so much, mm */
     double error;    /* one standard deviation of the moved vertices, mm, as the fits have it */
-    size_t typical;  /* neighbourhood that most vertices begin with */
+    size_t typical;  /* neighbourhood that most vertices begin with, ... */
+    size_t wanted;   /* ... and would begin with, were there no EFFORT_NEIGHBOURS */
 };
 
-/*
- * `sigma` > 0: the noise, one standard deviation (noise.h).  `neighbours`: so many points to begin
- * with; 0: chosen, by a sample of the vertices and then for each.  The mesh gets
- * normals and kmax.  The result does not depend on the number of threads.
- */
+struct smooth_nodes_options {
+    double sigma;      /* > 0: the noise, one standard deviation (noise.h), mm */
+    size_t neighbours; /* so many points to begin with; 0: chosen, by a sample of the vertices and
+                          then for each */
+    int effort;        /* effort.h */
+    int threads;       /* of which the result does not depend */
+};
+
+/* The mesh gets normals and kmax. */
 struct smooth_nodes smooth_nodes(struct mesh *mesh, const struct point_grid *point_grid,
-                                 double sigma, size_t neighbours, int threads);
+                                 const struct smooth_nodes_options *options);
 
 #endif

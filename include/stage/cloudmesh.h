@@ -12,8 +12,7 @@
 #include "meshing/grid_mesh.h"
 #include "mesh/mesh.h"
 #include "meshing/adaptive_rows.h"
-
-enum cloudmesh_normals { NORMALS_QUADRIC, NORMALS_FACET };
+#include "stage/normals.h"
 
 /* What is asked for. */
 struct cloudmesh_options {
@@ -21,12 +20,13 @@ struct cloudmesh_options {
     double error;     /* rows by an error, mm; 0: the spacing counts */
     double max_gap;   /* mm, 0: from the cloud */
     double direction; /* of the rows, degrees */
-    int normals;      /* enum cloudmesh_normals */
-    int neighbours;   /* 0: chosen */
-    bool paper;       /* as published */
-    bool smooth;      /* look for no creases and no walls */
-    bool subdivide;   /* parts by orientation, each with a projection of its own */
-    bool silent;      /* of what became of the vertices: a trial */
+    const struct normal_estimator *normals;
+    int neighbours; /* 0: chosen */
+    int effort;     /* effort.h */
+    bool paper;     /* as published */
+    bool smooth;    /* look for no creases and no walls */
+    bool subdivide; /* parts by orientation, each with a projection of its own */
+    bool silent;    /* of what became of the vertices: a trial */
 };
 
 /* What came of it. */

@@ -17,7 +17,7 @@ struct path_options {
     double tolerance, limit, depth, noise, play, rate, lean, turn; /* degrees, degrees/mm */
     struct vec3s certain, doubtful;                    /* points of the scan of -g (guard_read.h) */
     double clearance, approach, feed, plunge, spindle; /* clearance NAN: by the part */
-    int layers, tool, coolant;
+    int layers, tool, coolant, effort;
     bool paper, one_way, avoid;
     bool lean_given, fixed_given, to_given, from_given, circle_given;
     const char *partno, *holder;

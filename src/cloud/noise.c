@@ -12,6 +12,8 @@ enum { PLACES = 2000, FEWEST = 16, MOST = 512, TERMS = 6 };
 /* Variance of the bend over twice the points. */
 static const double GROWTH = 8;
 
+static const double SIGMA_OF_MEDIAN = 1.4826; /* the median of the sizes, normally distributed */
+
 static const double WHITE = 1.35; /* spread of twice the points by that of once, at most */
 static const double EVEN = 3;     /* spread of the roughest tenth by that of the smoothest */
 static const double CELL = 3;     /* width of a cell in mean spacings of the points */
@@ -91,7 +93,7 @@ static size_t sort_found(double *value, size_t n)
     return found;
 }
 
-struct noise noise_look(const struct point_grid *point_grid, int threads)
+struct noise noise_measure(const struct point_grid *point_grid, int threads)
 {
     size_t places = point_grid->n < PLACES ? point_grid->n : PLACES;
     struct job job = {point_grid, places, mem_alloc(places, sizeof(double)),
@@ -110,7 +112,15 @@ struct noise noise_look(const struct point_grid *point_grid, int threads)
     return noise;
 }
 
-double noise_of(const struct point_grid *point_grid, int threads)
+double noise_sigma(const struct point_grid *point_grid, int threads)
 {
-    return noise_look(point_grid, threads).sigma;
+    return noise_measure(point_grid, threads).sigma;
+}
+
+double noise_of_distances(double *distance, size_t n)
+{
+    if (n == 0)
+        return 0;
+    doubles_sort(distance, n);
+    return SIGMA_OF_MEDIAN * distance[n / 2];
 }

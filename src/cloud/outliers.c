@@ -7,13 +7,13 @@
 
 #include "base/array.h"
 #include "base/parallel.h"
+#include "cloud/noise.h"
 #include "math/quadric.h"
 
 /* Neighbours for the quadric, for the density; points that a cell's quadric is fitted to. */
 enum { NEAR = 24, CLUMP = 8, MOST_BLOCK = 512, REFITS = 3 };
 
-static const double SIGMA_OF_MEDIAN = 1.4826; /* of what is normally distributed */
-static const double TUKEY = 4.685;            /* in standard deviations */
+static const double TUKEY = 4.685; /* in standard deviations */
 
 struct job {
     const struct point_grid *point_grid;
@@ -40,8 +40,7 @@ static double spread_about(const struct quadric *q, const struct vec3 *point, si
     double sorted[MOST_BLOCK];
     for (size_t i = 0; i < n; i++)
         off[i] = sorted[i] = fabs(quadric_off(q, point[i]));
-    doubles_sort(sorted, n);
-    return SIGMA_OF_MEDIAN * sorted[n / 2];
+    return noise_of_distances(sorted, n);
 }
 
 /* Refits without what stands out; `q` is a first fit.  Returns the spread of the points. */

@@ -3,11 +3,12 @@
 
 #include <stdlib.h>
 
+#include "base/effort.h"
 #include "base/parallel.h"
 #include "cloud/upsample.h"
 #include "math/surface_fit.h"
 
-enum { MANY = 400000, RIBS = 71000, GUESS = 16, SAMPLE = 1500 };
+enum { GUESS = 16, SAMPLE = 1500, FEWEST = 56 };
 
 /* Noises that a point may be off its surface: of ten thousand one is off five, and the noise itself
  * is known within a tenth. */
@@ -146,11 +147,10 @@ static void settle_cells(void *context, size_t from, size_t to)
     surface_fit_hood_free(hood);
 }
 
-/* How many points to begin with, from a sample of them; a surface for each cell, `work` points for
- * all of them. */
-static size_t neighbours_of(const struct job *job, double work)
+/* How many points to begin with, from a sample of them; there is a surface for each cell.  *near:
+ * as in the header. */
+static size_t neighbours_of(const struct job *job, size_t *near)
 {
-    const double few = 56;
     const struct point_grid *b = job->point_grid;
     size_t some = b->n < SAMPLE ? b->n : SAMPLE;
     struct vec3s place = {0}, guess = {0};
@@ -163,8 +163,13 @@ static size_t neighbours_of(const struct job *job, double work)
         surface_fit_typical(&job->fit, place.item, guess.item, some, job->rule->threads);
     array_free(&place);
     array_free(&guess);
-    double affordable = fmax(work / (double)(b->columns * b->rows), few);
-    return (double)neighbours > affordable ? (size_t)affordable : neighbours;
+    size_t cells = b->columns * b->rows;
+    double most = (double)effort_most(EFFORT_GUARD_NEAR, job->rule->effort) / (double)cells;
+    double affordable = fmax(most, FEWEST);
+    if ((double)neighbours <= affordable)
+        return neighbours;
+    *near = neighbours * cells;
+    return (size_t)affordable;
 }
 
 static void fill_places(void *context, size_t from, size_t to)
@@ -175,18 +180,19 @@ static void fill_places(void *context, size_t from, size_t to)
         job->place[i].vague = upsample_about(&job->fill, i, &job->place[i].between);
 }
 
-/* What there is to be done: -1 when it is nothing. */
-static int plan(struct job *job)
+/* What there is to be done: -1 when it is nothing.  *sparse, *near: as in the header. */
+static int plan(struct job *job, bool *sparse, size_t *near)
 {
-    const double work = 16e6;
     const struct guard_points_options *rule = job->rule;
     const struct point_grid *b = job->point_grid;
 
-    job->fit = (struct surface_fit_options){b, rule->noise, 0, b->n < RIBS};
+    job->fit = (struct surface_fit_options){b, rule->noise, 0,
+                                            effort_covers(EFFORT_RIBS, rule->effort, b->n)};
     job->fill = (struct upsample){b, rule->radius, rule->sink, rule->noise};
-    job->filled = b->n <= MANY && upsample_needed(&job->fill);
+    *sparse = upsample_needed(&job->fill);
+    job->filled = *sparse && effort_covers(EFFORT_GUARD_BETWEEN, rule->effort, b->n);
     if (rule->noise > 0)
-        job->fit.neighbours = neighbours_of(job, work);
+        job->fit.neighbours = neighbours_of(job, near);
     return rule->noise > 0 || job->filled ? 0 : -1;
 }
 
@@ -218,8 +224,11 @@ struct guard_points guard_points_make(const struct point_grid *point_grid,
 {
     struct job job = {.rule = rule, .point_grid = point_grid};
     struct guard_points surface = {.moved = 0};
+    bool sparse;
+    size_t near = 0;
 
-    if (plan(&job) < 0) {
+    if (plan(&job, &sparse, &near) < 0) {
+        surface.sparse = sparse;
         array_reserve(&surface.point, point_grid->n);
         for (size_t i = 0; i < point_grid->n; i++)
             *array_push(&surface.point) = *array_push(&surface.certain) = point_grid->point[i];
@@ -233,6 +242,8 @@ struct guard_points guard_points_make(const struct point_grid *point_grid,
     else
         parallel_for(rule->threads, point_grid->n, fill_places, &job);
     surface = gather(&job);
+    surface.sparse = sparse;
+    surface.near = near;
     free(job.place);
     return surface;
 }

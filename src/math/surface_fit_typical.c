@@ -7,9 +7,6 @@
 
 enum { SAMPLE = 200, FEWEST = 32 };
 
-/* Points to look at in all, and in any case for a place. */
-static const double WORK = 4e6, AFFORDED = 56;
-
 struct sample {
     const struct surface_fit_options *rule;
     const struct vec3 *place, *guess;
@@ -44,6 +41,5 @@ size_t surface_fit_typical(const struct surface_fit_options *rule, const struct 
     qsort(sample.widest, some, sizeof *sample.widest, by_size);
     size_t typical = some > 0 ? sample.widest[some / 2] : FEWEST;
     free(sample.widest);
-    double affordable = fmax(WORK / (double)n, AFFORDED);
-    return (double)typical > affordable ? (size_t)affordable : typical;
+    return typical;
 }

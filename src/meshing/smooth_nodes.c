@@ -3,12 +3,13 @@
 
 #include <stdlib.h>
 
+#include "base/effort.h"
 #include "base/parallel.h"
 #include "math/surface_fit.h"
 
-enum { RIBS = 71000 }; /* ribs are looked along on meshes of fewer vertices, for its time */
+enum { FEWEST = 56 }; /* points that a surface begins with, however many vertices there are */
 
-struct job {
+struct smoothing {
     struct mesh *mesh;
     struct surface_fit_options rule;
     double *variance; /* of each vertex, in sigma^2; negative: not moved */
@@ -19,67 +20,81 @@ static void smooth_vertices(void *context, size_t from, size_t to)
 {
     const double far = 8;     /* in sigma */
     const double down = -0.1; /* a scan seen from above: slivers may say otherwise */
-    const struct job *job = context;
-    double sigma = job->rule.sigma;
-    struct mesh *mesh = job->mesh;
+    const struct smoothing *s = context;
+    double sigma = s->rule.sigma;
+    struct mesh *mesh = s->mesh;
     struct surface_fit_hood *hood = surface_fit_hood_new();
     for (size_t i = from; i < to; i++) {
         struct surface_fit fit;
         struct vec3 *vertex = &mesh->vertex.item[i];
-        job->variance[i] = job->distance[i] = -1;
+        s->variance[i] = s->distance[i] = -1;
         mesh->kmax.item[i] = 0;
-        if (!surface_fit_at(&job->rule, *vertex, mesh->normal.item[i], hood, &fit))
+        if (!surface_fit_at(&s->rule, *vertex, mesh->normal.item[i], hood, &fit))
             continue;
         struct vec3 normal = quadric_normal(&fit.q);
         mesh->normal.item[i] = normal.z < down ? vec_scale(-1, normal) : normal;
         mesh->kmax.item[i] = quadric_curvature(&fit.q);
-        job->distance[i] = 0;
+        s->distance[i] = 0;
         struct vec3 foot = quadric_foot(&fit.q);
         if (!surface_fit_holds(&fit, sigma) || vec_distance(foot, *vertex) > far * sigma)
             continue;
-        job->variance[i] = fit.q.variance;
-        job->distance[i] = vec_distance(foot, *vertex);
+        s->variance[i] = fit.q.variance;
+        s->distance[i] = vec_distance(foot, *vertex);
         *vertex = foot;
     }
     surface_fit_hood_free(hood);
 }
 
-static struct smooth_nodes sum_up(const struct job *job)
+static struct smooth_nodes sum_up(const struct smoothing *s)
 {
-    struct smooth_nodes s = {.typical = job->rule.neighbours};
+    struct smooth_nodes r = {.typical = s->rule.neighbours};
     double sum = 0;
-    for (size_t i = 0; i < job->mesh->vertex.n; i++) {
-        s.thin += job->distance[i] < 0;
-        s.kept += job->distance[i] >= 0 && job->variance[i] < 0;
-        if (job->variance[i] < 0)
+    for (size_t i = 0; i < s->mesh->vertex.n; i++) {
+        r.thin += s->distance[i] < 0;
+        r.kept += s->distance[i] >= 0 && s->variance[i] < 0;
+        if (s->variance[i] < 0)
             continue;
-        s.moved++;
-        sum += job->variance[i];
-        if (job->distance[i] > s.farthest) {
-            s.farthest = job->distance[i];
-            s.at = i;
+        r.moved++;
+        sum += s->variance[i];
+        if (s->distance[i] > r.farthest) {
+            r.farthest = s->distance[i];
+            r.at = i;
         }
     }
-    s.error = s.moved > 0 ? job->rule.sigma * sqrt(sum / (double)s.moved) : 0;
-    return s;
+    r.error = r.moved > 0 ? s->rule.sigma * sqrt(sum / (double)r.moved) : 0;
+    return r;
+}
+
+/* How many points to begin with: `wanted`, but for the effort. */
+static size_t neighbours_of(size_t wanted, size_t vertices, int effort)
+{
+    double most = (double)effort_most(EFFORT_NEIGHBOURS, effort) / (double)vertices;
+    double affordable = fmax(most, FEWEST);
+
+    return (double)wanted > affordable ? (size_t)affordable : wanted;
 }
 
 struct smooth_nodes smooth_nodes(struct mesh *mesh, const struct point_grid *point_grid,
-                                 double sigma, size_t neighbours, int threads)
+                                 const struct smooth_nodes_options *options)
 {
-    size_t n = mesh->vertex.n;
-    struct job job = {.mesh = mesh, .rule = {point_grid, sigma, neighbours, n < RIBS}};
+    size_t n = mesh->vertex.n, wanted = options->neighbours;
+    struct smoothing s = {.mesh = mesh,
+                          .rule = {point_grid, options->sigma, options->neighbours,
+                                   effort_covers(EFFORT_RIBS, options->effort, n)}};
     mesh_normals_facet(mesh);
     array_reserve(&mesh->kmax, n);
     mesh->kmax.n = n;
-    if (neighbours == 0)
-        job.rule.neighbours =
-            surface_fit_typical(&job.rule, mesh->vertex.item, mesh->normal.item, n, threads);
-    job.variance = mem_alloc(n, sizeof *job.variance);
-    job.distance = mem_alloc(n, sizeof *job.distance);
-    parallel_for(threads, n, smooth_vertices, &job);
-    struct smooth_nodes result = sum_up(&job);
-    free(job.variance);
-    free(job.distance);
+    if (wanted == 0) {
+        wanted =
+            surface_fit_typical(&s.rule, mesh->vertex.item, mesh->normal.item, n, options->threads);
+        s.rule.neighbours = neighbours_of(wanted, n, options->effort);
+    }
+    s.variance = mem_alloc(n, sizeof *s.variance);
+    s.distance = mem_alloc(n, sizeof *s.distance);
+    parallel_for(options->threads, n, smooth_vertices, &s);
+    struct smooth_nodes result = sum_up(&s);
+    result.wanted = wanted;
+    free(s.variance);
+    free(s.distance);
     return result;
 }

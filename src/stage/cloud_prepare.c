@@ -88,7 +88,7 @@ int cloud_prepare_clean(struct vec3s *points, double spacing, enum cloud_prepare
     unsigned char *out = mem_alloc(points->n, 1);
     cloud_prepare->twice = outliers_twice(&point_grid, out);
     point_grid_remove(&point_grid, out);
-    cloud_prepare->noise = noise_of(&point_grid, threads);
+    cloud_prepare->noise = noise_sigma(&point_grid, threads);
     memset(out, 0, points->n);
     cloud_prepare->outliers = outliers_isolated(&point_grid, cloud_prepare->noise, threads, out);
     if (drop != CLOUD_PREPARE_DROP_OUTLIERS)

@@ -11,8 +11,6 @@
 #include "mesh/mesh_distance.h"
 #include "base/num.h"
 #include "meshing/reposition.h"
-#include "cloud/scan_normals.h"
-#include "meshing/smooth_nodes.h"
 
 double cloudmesh_three_spacings(double mean)
 {
@@ -73,66 +71,19 @@ int cloudmesh_by_grid(const struct cloudmesh_options *wish, const struct cloud_p
     return 0;
 }
 
-static void say_thin(size_t thin, const struct mesh *mesh)
-{
-    if (thin > 0)
-        say("%zu of %zu vertices have too few points about them for a quadric: their normals are "
-            "the facets'",
-            thin, mesh->vertex.n);
-}
-
-/* Normals of the points as they are; returns the tolerance spent. */
-static double normals_of_points(const struct cloudmesh_options *wish,
-                                const struct point_grid *point_grid, int threads, struct mesh *mesh)
-{
-    int neighbours = wish->neighbours ? wish->neighbours : 40;
-    struct scan_normals r = scan_normals_quadric(mesh, point_grid, neighbours, threads);
-    if (wish->silent)
-        return r.noise;
-    say_thin(r.thin, mesh);
-    struct vec3 at = mesh->vertex.item[r.at];
-    note("vertices are off their quadrics by %.4f mm at worst (at %.3f %.3f %.3f), %.4f mm rms; "
-         "three sigma of the noise %.4f mm",
-         r.worst, at.x, at.y, at.z, r.rms, r.noise);
-    return r.noise;
-}
-
-/* Vertices moved onto the surface, and its normals; returns the tolerance spent. */
-static double move_vertices(const struct cloudmesh_options *wish,
-                            const struct point_grid *point_grid, double noise, int threads,
-                            struct mesh *mesh)
-{
-    struct smooth_nodes r =
-        smooth_nodes(mesh, point_grid, noise, (size_t)wish->neighbours, threads);
-    if (wish->silent)
-        return 3 * r.error;
-    say_thin(r.thin, mesh);
-    say("noise %.4f mm (one standard deviation): %zu of %zu vertices moved onto surfaces through "
-        "about %zu points, to within %.4f mm (one standard deviation)",
-        noise, r.moved, mesh->vertex.n, r.typical, r.error);
-    if (r.kept > 0)
-        say("%zu vertices not moved: no surface explains the points about them", r.kept);
-    struct vec3 at = mesh->vertex.item[r.at];
-    note("moved by %.4f mm at most, to %.3f %.3f %.3f", r.farthest, at.x, at.y, at.z);
-    return 3 * r.error;
-}
-
 int cloudmesh_normals(const struct cloudmesh_options *wish, struct vec3 *point, size_t n,
                       double noise, int threads, struct mesh *mesh, struct error *error)
 {
-    struct point_grid point_grid;
-    if (wish->normals == NORMALS_FACET) {
-        mesh_normals_facet(mesh);
-        return 0;
-    }
-    if (point_grid_make(point, n, cloudmesh_spacing(wish, point, n), threads, &point_grid, error) <
-        0)
-        return -1;
-    mesh->origin.ledger = noise > 0 ? move_vertices(wish, &point_grid, noise, threads, mesh)
-                                    : normals_of_points(wish, &point_grid, threads, mesh);
-    mesh->origin.maker = mem_string("cloud2mesh", strlen("cloud2mesh"));
-    point_grid_free(&point_grid);
-    return 0;
+    struct normals_options options = {.point = point,
+                                      .n = n,
+                                      .spacing = cloudmesh_spacing(wish, point, n),
+                                      .noise = noise,
+                                      .neighbours = wish->neighbours,
+                                      .effort = wish->effort,
+                                      .threads = threads,
+                                      .silent = wish->silent};
+
+    return wish->normals->estimate(mesh, &options, error);
 }
 
 void cloudmesh_edges(const struct cloudmesh_options *wish, const struct cloud_parts *parts,

@@ -38,6 +38,7 @@ int gouge_options_read(struct gouge_options *guard, const struct path *path, dou
     struct guard_read_options rule = {.radius = path_ball(path),
                                       .tolerance = scan_tolerance(path, tolerance),
                                       .noise = guard->noise,
+                                      .effort = guard->effort,
                                       .threads = threads};
 
     if (guard->files.n == 0)

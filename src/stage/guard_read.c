@@ -3,6 +3,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "base/effort.h"
 #include "io/cloud/cloud.h"
 #include "cloud/plan_extent.h"
 #include "cloud/noise.h"
@@ -85,28 +86,42 @@ static void add_edges(const struct mesh *mesh, double spacing, struct vec3s *poi
         note("and by %zu points on sharp edges of the mesh", points->n - before);
 }
 
+static void say_bounded(const struct guard_points *surface, const struct guard_read_options *rule,
+                        size_t points)
+{
+    if (surface->sparse)
+        effort_say(EFFORT_GUARD_BETWEEN, rule->effort, points);
+    if (rule->noise > 0)
+        effort_say(EFFORT_RIBS, rule->effort, points);
+    effort_say(EFFORT_GUARD_NEAR, rule->effort, surface->near);
+}
+
 /* NULL: more points than can be sorted. */
 static struct gouge_check *gouge_of(struct vec3s *points, const struct mesh *mesh,
                                     struct guard_read_options *rule, struct error *error)
 {
-    const double little = 0.1;  /* of the tolerance */
-    const size_t many = 400000; /* points: noise is taken out of more only when it is said */
+    const double little = 0.1; /* of the tolerance */
     double spacing = spacing_of(points);
     struct point_grid point_grid;
 
     if (point_grid_make(points->item, points->n, spacing, rule->threads, &point_grid, error) < 0)
         return NULL;
-    struct noise found = noise_look(&point_grid, rule->threads);
+    struct noise found = noise_measure(&point_grid, rule->threads);
     drop_outliers(&point_grid, found, spacing, rule->threads);
-    bool takes = found.alike && found.sigma > little * rule->tolerance && points->n <= many;
+    bool noisy = found.alike && found.sigma > little * rule->tolerance;
+    if (rule->noise < 0 && noisy)
+        effort_say(EFFORT_GUARD_NOISE, rule->effort, points->n);
     if (rule->noise < 0)
-        rule->noise = takes ? found.sigma : 0;
+        rule->noise =
+            noisy && effort_covers(EFFORT_GUARD_NOISE, rule->effort, points->n) ? found.sigma : 0;
     struct guard_points_options how = {.radius = rule->radius,
                                        .sink = rule->tolerance / 5,
                                        .noise = rule->noise,
                                        .vague = rule->tolerance,
+                                       .effort = rule->effort,
                                        .threads = rule->threads};
     struct guard_points surface = guard_points_make(&point_grid, &how);
+    say_bounded(&surface, rule, point_grid.n);
     if (rule->noise > 0)
         say("noise of %.2g mm taken out of the scan that guards (%zu of %zu points moved)",
             rule->noise, surface.moved, point_grid.n);

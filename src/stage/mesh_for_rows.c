@@ -2,32 +2,17 @@
 
 #include <string.h>
 
-#include "base/cli.h"
 #include "io/mesh/ply.h"
 
-static int set_normals(enum mesh_for_rows_normals normals, struct mesh *mesh, struct error *error)
-{
-    bool none = mesh->normal.n == 0;
-
-    if (normals == ROW_NORMALS_CENTRAL)
-        return mesh_normals_central(mesh, error);
-    if (none && normals == ROW_NORMALS_MESH)
-        say("the mesh has no normals: taking the mean of the facets'");
-    if (none || normals == ROW_NORMALS_FACET)
-        mesh_normals_facet(mesh);
-    if (normals == ROW_NORMALS_GOURAUD)
-        mesh_normals_gouraud(mesh);
-    return 0;
-}
-
-int mesh_for_rows_read(const char *file, enum mesh_for_rows_normals normals, struct mesh *mesh,
+int mesh_for_rows_read(const char *file, const struct normal_estimator *normals, struct mesh *mesh,
                        struct error *error)
 {
     struct error why;
+    struct normals_options options = {.silent = false};
 
     if (ply_read(file, mesh, error) != 0)
         return -1;
-    if (set_normals(normals, mesh, &why) != 0)
+    if (normals->estimate(mesh, &options, &why) != 0)
         return error_at(error, file, 0, "%s", why.text);
     for (size_t v = 0; v < mesh->vertex.n; v++) {
         if (vec_length(mesh->normal.item[v]) < 0.5)

@@ -3,6 +3,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "base/effort.h"
 #include "stage/holder_options.h"
 #include "stage/mesh_for_rows.h"
 #include "guard_read.h"
@@ -10,6 +11,7 @@
 struct path_options cutting = {.tilt = 15,
                                .depth = 0.3,
                                .noise = -1,
+                               .effort = 1,
                                .lean = 30,
                                .clearance = NAN,
                                .approach = 5,
@@ -25,6 +27,7 @@ const struct cli_option path_options_options[] = {
      "(may be given several times)", CLI_LIST, &cutting.guards, 0, 0, 0, NULL},
     {0, "noise", "SIGMA", "standard deviation of the noise that is taken out of the scan of -g\n"
      "(default: as found; 0: its points as they are)", CLI_NUMBER, &cutting.noise, 0, 10, 0, NULL},
+    EFFORT_OPTION(&cutting.effort),
     {'e', "tolerance", "E", "put points between those of the mesh: straight lines stay within E of\n"
      "the smooth curve, no deeper in the part (0.01 with -g or --holder)",
      CLI_NUMBER, &cutting.tolerance, 0.0001, 10, 0, NULL},
@@ -140,7 +143,11 @@ int path_options_guard(const struct mesh *mesh, double near, int threads,
                        struct gouge_check **guard, struct error *error)
 {
     const struct path_options *c = &cutting;
-    struct guard_read_options rule = {c->radius, c->tolerance, c->noise, threads, {0}, {0}};
+    struct guard_read_options rule = {.radius = c->radius,
+                                      .tolerance = c->tolerance,
+                                      .noise = c->noise,
+                                      .effort = c->effort,
+                                      .threads = threads};
 
     *guard = NULL;
     if (c->paper)

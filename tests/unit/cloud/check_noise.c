@@ -26,8 +26,8 @@ static double measured(void)
     struct point_grid point_grid;
     struct error error;
     ck_assert_int_eq(point_grid_make(scan.item, scan.n, 0.48, 2, &point_grid, &error), 0);
-    double noise = noise_of(&point_grid, 2);
-    ck_assert(noise == noise_of(&point_grid, 1));
+    double noise = noise_sigma(&point_grid, 2);
+    ck_assert(noise == noise_sigma(&point_grid, 1));
     point_grid_free(&point_grid);
     array_free(&scan);
     return noise;

@@ -8,7 +8,7 @@
 #include "meshing/grid_mesh.h"
 #include "meshing/reposition.h"
 #include "rough.h"
-#include "cloud/scan_normals.h"
+#include "meshing/scan_normals.h"
 #include "cloud/wall_points.h"
 
 static struct mesh mesh_of(struct vec3s *p, double t, size_t *flat)

@@ -48,7 +48,7 @@ static struct guard_points surface_of(struct vec3s *points, double noise)
     struct error error;
     ck_assert_int_eq(point_grid_make(points->item, points->n, 0.5, 1, &point_grid, &error), 0);
     if (noise < 0) { /* as found */
-        struct noise found = noise_look(&point_grid, 1);
+        struct noise found = noise_measure(&point_grid, 1);
         rule.noise = found.alike && found.sigma > 0.005 ? found.sigma : 0;
     }
     noise_taken = rule.noise;

@@ -8,7 +8,7 @@
 #include "meshing/grid_mesh.h"
 #include "panel.h"
 #include "meshing/reposition.h"
-#include "cloud/scan_normals.h"
+#include "meshing/scan_normals.h"
 
 static uint64_t state = 9;
 static struct vec3s scan;
@@ -85,7 +85,7 @@ START_TEST(random_points)
     ck_assert_double_lt(worst_angle(), 0.002); /* 0.004 by quadrics */
     ck_assert_double_lt(r.worst, 0.001);
     ck_assert_double_le(r.rms, r.worst);
-    ck_assert(r.noise > 0 && r.noise < 0.004);
+    ck_assert(r.sigma > 0 && r.sigma < 0.004 / 3);
     ck_assert_uint_eq(mesh.kmax.n, mesh.vertex.n);
 }
 END_TEST

@@ -1,8 +1,9 @@
 /* scan_normals - see scan_normals.h. */
-#include "cloud/scan_normals.h"
+#include "meshing/scan_normals.h"
 
 #include <stdlib.h>
 
+#include "cloud/noise.h"
 #include "math/cubic.h"
 #include "base/parallel.h"
 
@@ -97,16 +98,6 @@ static void fit_vertices(void *context, size_t from, size_t to)
     free(near.point);
 }
 
-/* Three standard deviations of what is normally distributed, from the median of its size. */
-static double three_sigma(double *distance, size_t n)
-{
-    static const double sigma_of_median = 1.4826;
-    if (n == 0)
-        return 0;
-    doubles_sort(distance, n);
-    return 3 * sigma_of_median * distance[n / 2];
-}
-
 /* Gathers the distances that are there (not below 0) to the front of the array. */
 static struct scan_normals sum_up(double *distance, size_t n)
 {
@@ -125,7 +116,7 @@ static struct scan_normals sum_up(double *distance, size_t n)
         distance[s.fitted++] = distance[i];
     }
     s.rms = s.fitted > 0 ? sqrt(sum2 / (double)s.fitted) : 0;
-    s.noise = three_sigma(distance, s.fitted);
+    s.sigma = noise_of_distances(distance, s.fitted);
     return s;
 }
 

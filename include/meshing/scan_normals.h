@@ -13,9 +13,9 @@ struct scan_normals {
     size_t fitted, thin; /* vertices with a quadric; without one, they keep the facets' normal */
     size_t at;           /* the vertex with the largest distance */
     double worst, rms;   /* of the distances, mm */
-    double noise;        /* three standard deviations of the scan's noise, mm: from the median of
-                            the distances, so that a sharp edge, where a quadric is of no use, does
-                            not count as noise */
+    double sigma;        /* one standard deviation of the vertices' distances, mm: from their
+                            median (noise.h), so that a sharp edge, where a quadric is of no use,
+                            does not count as noise */
 };
 
 /*

@@ -1,0 +1,45 @@
+/*
+ * normals - the ways to estimate the normals of a mesh: one table, which --normals of the tools
+ * takes its words from.
+ *
+ * A new estimator is a function of the type below and a row in normals.c.
+ */
+#ifndef CLOUDMILL_NORMALS_H
+#define CLOUDMILL_NORMALS_H
+
+#include <stdbool.h>
+
+#include "base/error.h"
+#include "math/point_grid.h"
+#include "mesh/mesh.h"
+
+/* What normals are estimated from, besides the mesh. */
+struct normals_options {
+    struct vec3 *point; /* of the scan, which are sorted; NULL: there is only the mesh */
+    size_t n;
+    double spacing; /* mean spacing of the points, mm */
+    double noise; /* of the points, one standard deviation, mm, that vertices are rid of; 0: none */
+    int neighbours; /* points that a surface goes through; 0: chosen */
+    int effort, threads;
+    bool silent; /* a trial: nothing is said */
+};
+
+struct normal_estimator {
+    const char *name; /* as --normals has it */
+    bool of_scan;     /* cloud2mesh has it ... */
+    bool of_mesh;     /* ... and meshnorm, whose mesh may have normals */
+    bool of_surface;  /* they are those of the surface that the points lie on, not of the facets */
+    /* Fills mesh->normal, and what else follows from the surface: mesh->kmax, the places of
+     * vertices, the ledger and its maker.  -1 and why. */
+    int (*estimate)(struct mesh *mesh, const struct normals_options *options, struct error *error);
+};
+
+/* The words of --normals, "one|two", of cloud2mesh or else of meshnorm: the default first; and the
+ * estimator of word k. */
+const char *normals_words(bool of_scan);
+const struct normal_estimator *normals_find(bool of_scan, int k);
+
+/* The estimator of that name. */
+const struct normal_estimator *normals_of(const char *name);
+
+#endif

@@ -1,0 +1,147 @@
+/* normals - see normals.h. */
+#include "stage/normals.h"
+
+#include <string.h>
+
+#include "base/cli.h"
+#include "base/effort.h"
+#include "meshing/scan_normals.h"
+#include "meshing/smooth_nodes.h"
+
+enum { NEIGHBOURS = 40 };
+
+/* What the mesh says that its vertices may be off: so many standard deviations. */
+static const double LEDGER_SIGMAS = 3;
+
+static void say_thin(size_t thin, const struct mesh *mesh)
+{
+    if (thin > 0)
+        say("%zu of %zu vertices have too few points about them for a quadric: their normals are "
+            "the facets'",
+            thin, mesh->vertex.n);
+}
+
+/* Normals of the points as they are; returns the standard deviation of the vertices. */
+static double fit_points(struct mesh *mesh, const struct normals_options *o,
+                         const struct point_grid *scan)
+{
+    int neighbours = o->neighbours ? o->neighbours : NEIGHBOURS;
+    struct scan_normals r = scan_normals_quadric(mesh, scan, neighbours, o->threads);
+    if (o->silent)
+        return r.sigma;
+    say_thin(r.thin, mesh);
+    struct vec3 at = mesh->vertex.item[r.at];
+    note("vertices are off their quadrics by %.4f mm at worst (at %.3f %.3f %.3f), %.4f mm rms; "
+         "three sigma of the noise %.4f mm",
+         r.worst, at.x, at.y, at.z, r.rms, LEDGER_SIGMAS * r.sigma);
+    return r.sigma;
+}
+
+/* Vertices moved onto the surface, and its normals; returns their standard deviation. */
+static double move_vertices(struct mesh *mesh, const struct normals_options *o,
+                            const struct point_grid *scan)
+{
+    struct smooth_nodes_options options = {o->noise, (size_t)o->neighbours, o->effort, o->threads};
+    struct smooth_nodes r = smooth_nodes(mesh, scan, &options);
+    if (o->silent)
+        return r.error;
+    say_thin(r.thin, mesh);
+    say("noise %.4f mm (one standard deviation): %zu of %zu vertices moved onto surfaces through "
+        "about %zu points, to within %.4f mm (one standard deviation)",
+        o->noise, r.moved, mesh->vertex.n, r.typical, r.error);
+    if (r.kept > 0)
+        say("%zu vertices not moved: no surface explains the points about them", r.kept);
+    effort_say(EFFORT_RIBS, o->effort, mesh->vertex.n);
+    if (r.typical < r.wanted)
+        effort_say(EFFORT_NEIGHBOURS, o->effort, r.wanted * mesh->vertex.n);
+    struct vec3 at = mesh->vertex.item[r.at];
+    note("moved by %.4f mm at most, to %.3f %.3f %.3f", r.farthest, at.x, at.y, at.z);
+    return r.error;
+}
+
+static int of_quadrics(struct mesh *mesh, const struct normals_options *o, struct error *error)
+{
+    struct point_grid scan;
+
+    if (point_grid_make(o->point, o->n, o->spacing, o->threads, &scan, error) < 0)
+        return -1;
+    double sigma = o->noise > 0 ? move_vertices(mesh, o, &scan) : fit_points(mesh, o, &scan);
+    mesh->origin.ledger = LEDGER_SIGMAS * sigma;
+    mesh->origin.maker = mem_string("cloud2mesh", strlen("cloud2mesh"));
+    point_grid_free(&scan);
+    return 0;
+}
+
+static int of_facets(struct mesh *mesh, const struct normals_options *o, struct error *error)
+{
+    (void)o;
+    (void)error;
+    mesh_normals_facet(mesh);
+    return 0;
+}
+
+/* The mesh's own. */
+static int as_given(struct mesh *mesh, const struct normals_options *o, struct error *error)
+{
+    if (mesh->normal.n > 0)
+        return 0;
+    say("the mesh has no normals: taking the mean of the facets'");
+    return of_facets(mesh, o, error);
+}
+
+static int of_neighbours(struct mesh *mesh, const struct normals_options *o, struct error *error)
+{
+    if (mesh->normal.n == 0)
+        of_facets(mesh, o, error);
+    mesh_normals_gouraud(mesh);
+    return 0;
+}
+
+static int of_differences(struct mesh *mesh, const struct normals_options *o, struct error *error)
+{
+    (void)o;
+    return mesh_normals_central(mesh, error);
+}
+
+/* As of paper 1: the mean of the facets' normals is eq 8, that of the neighbours' eq 7. */
+static const struct normal_estimator estimators[] = {
+    {"mesh", false, true, false, as_given},          {"quadric", true, false, true, of_quadrics},
+    {"facet", true, true, false, of_facets},         {"gouraud", false, true, false, of_neighbours},
+    {"central", false, true, false, of_differences},
+};
+
+enum { ESTIMATORS = sizeof estimators / sizeof *estimators };
+
+static bool has(const struct normal_estimator *e, bool of_scan)
+{
+    return of_scan ? e->of_scan : e->of_mesh;
+}
+
+const char *normals_words(bool of_scan)
+{
+    static char words[2][20 * ESTIMATORS];
+    char *to = words[of_scan];
+
+    to[0] = '\0';
+    for (int i = 0; i < ESTIMATORS; i++)
+        if (has(&estimators[i], of_scan))
+            strcat(strcat(to, to[0] ? "|" : ""), estimators[i].name);
+    return to;
+}
+
+const struct normal_estimator *normals_find(bool of_scan, int k)
+{
+    for (int i = 0; i < ESTIMATORS; i++)
+        if (has(&estimators[i], of_scan) && k-- == 0)
+            return &estimators[i];
+    return NULL;
+}
+
+const struct normal_estimator *normals_of(const char *name)
+{
+    int i = 0;
+
+    while (i < ESTIMATORS - 1 && strcmp(estimators[i].name, name) != 0)
+        i++;
+    return &estimators[i];
+}
