@@ -13,7 +13,7 @@
 #include "io/cloud/cloud.h"
 #include "stage/holder_options.h"
 #include "machine/machine_options.h"
-#include "ncread/ncread_machine.h"
+#include "ncread/ncread.h"
 #include "verify/stock_options.h"
 #include "verify/verdict.h"
 #include "verify/verify_part.h"
@@ -122,20 +122,21 @@ static struct machine read_machine(const struct settings *s)
 static void read_program(const struct settings *s, const struct machine *machine, const char *file,
                          struct verdict *v, struct nc_motion *motion)
 {
-    struct ncread_options setup = {.kinematics = ncread_kinematics(machine)};
+    struct ncread_options options = {.kinematics = ncread_kinematics(machine)};
     struct error error;
     if (!s->machine.control_given && (!file || strcmp(file, "-") == 0))
         die_usage("the program is read from standard input: say its control by -c");
-    setup.dialect = s->machine.control_given ? ncread_of((enum control_id)s->machine.control)
-                                             : ncread_tell(file, &error);
-    if (!setup.dialect)
+    enum control_id control =
+        s->machine.control_given ? (enum control_id)s->machine.control : ncread_tell(file, &error);
+    if (control == CONTROLS)
         die_error(&error);
-    setup.tcp = machine_has_tcp(machine, control_find(setup.dialect->name));
-    if (ncread_read(file, &setup, motion, &error) < 0)
+    options.dialect = ncread_of(control);
+    options.tcp = machine_has_tcp(machine, control);
+    if (ncread_read(file, &options, motion, &error) < 0)
         die_error(&error);
     motion->track = s->centre ? NC_MOTION_CENTRE : NC_MOTION_TIP;
     v->file = motion->name;
-    v->control = setup.dialect->name;
+    v->control = control_row(control)->name;
     v->machine = machine->name;
     v->motion = motion;
 }

@@ -1,29 +1,35 @@
 /*
- * ncread - an NC program run as the control runs it, block by block, into a motion.
+ * ncread - an NC program run as its control runs it, block by block, into a motion that can be
+ * evaluated anywhere (simulate/nc_motion.h).  The door of the folder.
  *
- * Written from the makers' manuals as design and man pages state them, and sharing nothing with
- * the code that writes programs: a mistake there must not be made here once more.  What the
- * control would refuse, or what leaves open where the tool goes, is an error.
+ * In: the file of a program, its control, what the machine has (tool centre point control, rotary
+ * axes).  Out: a struct nc_motion in mm and degrees, with the block of each piece.  What the
+ * control would refuse, or what leaves open where the tool goes, is an error with its block.
+ *
+ * Each reader is written from its maker's manual and shares nothing with the code that writes
+ * programs: a mistake made there must not be made here once more.
+ *
+ * Stages, all private to the folder:
+ *   1. ncread_word.h: a line as words, as strictly as the control reads them;
+ *   2. ncread_fanuc.c, ncread_siemens.c, ncread_heidenhain.c, ncread_linuxcnc.c: a block's words
+ * into the control's modal state and one move.  G code that Fanuc and LinuxCNC share is in
+ *      ncread_gcode.h, drilling cycles in ncread_hole.h, tilted planes (3+2) in ncread_plane.h;
+ *   3. ncread_state.h: the state of a control while it runs; a move as a piece of the motion,
+ * turned out of a tilted plane and brought to mm.
+ *
+ * Sources: Fanuc 30i operator's manual B-63944 and B-64484EN, Siemens 840D sl NC Programming and
+ * Cycles, Heidenhain TNC 640 Klartext and Cycle Programming, LinuxCNC G-Codes.
  */
 #ifndef CLOUDMILL_NCREAD_H
 #define CLOUDMILL_NCREAD_H
 
-#include "base/array.h"
-#include "machine/control.h"
-#include "simulate/nc_motion.h"
 #include "base/error.h"
-#include "ncread/ncread_hole.h"
-#include "ncread/ncread_plane.h"
-#include "ncread/ncread_word.h"
+#include "machine/control.h"
+#include "machine/machine.h"
+#include "simulate/nc_motion.h"
 
-struct ncread;
-
-/* How one control reads: the blocks of the file one after another, then the end. */
-struct ncread_dialect {
-    const char *name;
-    int (*block)(struct ncread *c, const char *line, struct error *error);
-    int (*end)(struct ncread *c, struct error *error);
-};
+/* How one control reads (ncread_state.h). */
+struct ncread_dialect;
 
 struct ncread_options {
     const struct ncread_dialect *dialect;
@@ -31,126 +37,23 @@ struct ncread_options {
     struct verify_kinematics kinematics;
 };
 
-/* What is known of where the machine is. */
-struct ncread_place {
-    bool known[3];
-    double at[3]; /* X Y Z as programmed */
-    bool turned[2];
-    double turn[2]; /* as the machine has them, degrees */
-    bool has_axis;
-    struct vec3 axis;
-    bool has_head;
-    struct vec3 head; /* second point on the tool axis */
-};
-
-struct ncread {
-    const struct ncread_options *setup;
-    struct nc_motion *motion;
-    const char *name; /* of the file */
-    struct ncread_words words;
-    size_t line;
-    const char *text; /* of this line */
-    long block;       /* N number of this block, -1: none */
-    long last_block;
-    struct ncread_place here;
-    /* modal */
-    int move;    /* the dialect's own */
-    int plane;   /* 17, 18, 19 */
-    double unit; /* of the program's lengths, mm; 0: not said */
-    bool absolute, inverse_time, spindle;
-    bool tcp;     /* on */
-    bool vectors; /* the tool axis is programmed as a vector */
-    bool curve;   /* the tool axis follows a second point (ORICURVE) */
-    bool length;  /* the tool's length is on (LinuxCNC) */
-    double speed; /* of the spindle, 1/min, where the dialect needs it; 0: not said */
-    double feed;
-    bool feed_here;             /* F stands in this block */
-    bool ended;                 /* M30 was read */
-    bool closed;                /* and the mark behind it */
-    struct ncread_place middle; /* of G02.4 */
-    bool has_middle;
-    struct vec3 centre; /* CC of Klartext */
-    bool has_centre;
-    struct ncread_plane tilted; /* the plane that X Y Z are in */
-    struct ncread_hole hole;    /* the drilling cycle that is on */
-    /* a B-spline being read */
-    int order;
-    struct doubles knot, weight;
-    struct vec3s pole_p, pole_q;
-    struct ints pole_block; /* where each pole stands: its N number ... */
-    struct sizes pole_line; /* ... and its line */
-    struct nc_piece spline;
-};
-
-/* Runs a whole program into the motion, which starts as all zero.  -1: it can't be run, the
- * place is named. */
-int ncread_read(const char *file, const struct ncread_options *setup, struct nc_motion *motion,
+/*
+ * Runs a whole program (NULL or "-": standard input) into the motion, which starts as all zero.
+ * -1: it can't be run, the place is named.
+ */
+int ncread_read(const char *file, const struct ncread_options *options, struct nc_motion *motion,
                 struct error *error);
-
-/* The controls. */
-#define ROW(name, title, tcp_of_machine) extern const struct ncread_dialect ncread_##name;
-CONTROL_TABLE(ROW)
-#undef ROW
 
 /* The reader of a control's programs. */
 const struct ncread_dialect *ncread_of(enum control_id control);
 
-/* The dialect that a program's first lines look like, NULL with the error: they look like none. */
-const struct ncread_dialect *ncread_tell(const char *file, struct error *error);
+/* The control that a program's first two lines are written for; CONTROLS with the error: none. */
+enum control_id ncread_tell(const char *file, struct error *error);
+
+/* The rotary axes of a machine file, from its keys type, axes, axis.* and centre.* alone. */
+struct verify_kinematics ncread_kinematics(const struct machine *machine);
 
 /* A text like `N120 (line 14)` for messages, at least 40 characters. */
 void ncread_place(const struct nc_piece *piece, char *text, size_t size);
-
-/* --- what the dialects share ---------------------------------------------------------- */
-
-/* Error with the place of the block. */
-int ncread_error(const struct ncread *c, struct error *error, const char *what);
-
-/* A word that is not known here. */
-int ncread_unknown(const struct ncread *c, const struct ncread_word *w, struct error *error);
-
-/* An M word: the spindle, the end, and those that move nothing. */
-int ncread_m(struct ncread *c, const struct ncread_word *w, struct error *error);
-
-/* The N number of a block must rise; behind the last of four digits or more it may begin anew. */
-int ncread_block(struct ncread *c, double number, struct error *error);
-
-/* X Y Z, the rotary words of this machine: true when `name` is one and `to` took the value. */
-bool ncread_axis(const struct ncread *c, const char *name, double value, struct ncread_place *to);
-
-/* After rotary words the axis follows from them; after a vector they are not known. */
-void ncread_turned(const struct ncread *c, struct ncread_place *to);
-void ncread_pointed(struct ncread_place *to, struct vec3 axis);
-
-/* A piece from here to there with its swing; its shape is the caller's. */
-struct nc_piece ncread_piece(const struct ncread *c, const struct ncread_place *to);
-
-/* The rotary axes stand at zero: the linear axes go where the tip goes. */
-bool ncread_upright(const struct ncread *c);
-
-/* What the control, or good practice, wants to be said before the tool cuts. */
-int ncread_ready(const struct ncread *c, struct error *error);
-
-/* The tool goes there: checks what a move needs, adds the piece. */
-int ncread_go(struct ncread *c, const struct ncread_place *to, struct nc_piece piece, bool rapid,
-              struct error *error);
-
-/* Makes the piece an arc about `centre` in the active plane, counter-clockwise or clockwise. */
-int ncread_arc(struct ncread *c, struct nc_piece *piece, struct vec3 centre, bool ccw,
-               struct error *error);
-
-/* The same from a radius (negative: more than a half turn). */
-int ncread_arc_radius(struct ncread *c, struct nc_piece *piece, double radius, bool ccw,
-                      struct error *error);
-
-/* Makes the piece an arc through a point. */
-int ncread_arc_through(struct ncread *c, struct nc_piece *piece, struct vec3 middle,
-                       struct error *error);
-
-/* One pole more of the spline being read; the first one takes over the piece's swing. */
-void ncread_pole(struct ncread *c, const struct nc_piece *piece, struct vec3 p, struct vec3 q);
-
-/* The spline is complete: its knots are checked and it is added. */
-int ncread_spline(struct ncread *c, struct error *error);
 
 #endif

@@ -5,179 +5,51 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "ncread_unit.h"
 #include "base/reader.h"
+#include "ncread_state.h"
 
-int ncread_error(const struct ncread *c, struct error *error, const char *what)
+static void add_axis(struct verify_kinematics *kinematics, const struct machine *machine,
+                     char letter, bool table)
 {
-    if (c->block >= 0)
-        return error_at(error, c->name, c->line, "N%ld: %s", c->block, what);
-    return error_at(error, c->name, c->line, "%s", what);
+    int k = letter - 'A';
+    kinematics->axis[kinematics->n++] =
+        (struct verify_kinematics_axis){.letter = letter,
+                                        .table = table,
+                                        .axis = vec_unit(machine->axis[k]),
+                                        .centre = machine->centre[k],
+                                        .min = machine->min[MACHINE_A + k],
+                                        .max = machine->max[MACHINE_A + k]};
 }
 
-int ncread_unknown(const struct ncread *c, const struct ncread_word *w, struct error *error)
+struct verify_kinematics ncread_kinematics(const struct machine *machine)
 {
-    char text[120];
-    if (w->kind == WORD_ADDRESS)
-        snprintf(text, sizeof text, "found %s%.15g, which this reader does not know", w->name,
-                 w->value[0]);
-    else
-        snprintf(text, sizeof text, "found %s, which this reader does not know", w->name);
-    return ncread_error(c, error, text);
-}
-
-int ncread_m(struct ncread *c, const struct ncread_word *w, struct error *error)
-{
-    int code = (int)w->value[0];
-    if (code == 3 || code == 4 || code == 5)
-        c->spindle = code != 5;
-    else if (code == 30)
-        c->ended = true;
-    else if (!(code == 0 || code == 1 || (code >= 6 && code <= 9)))
-        return ncread_unknown(c, w, error);
-    return 0;
-}
-
-int ncread_block(struct ncread *c, double number, struct error *error)
-{
-    c->block = (long)number;
-    bool anew = c->last_block >= 9900 && c->block <= 100; /* the digits are used up */
-    if (c->block <= c->last_block && !anew)
-        return ncread_error(c, error, "its number does not rise");
-    c->last_block = c->block;
-    return 0;
-}
-
-bool ncread_axis(const struct ncread *c, const char *name, double value, struct ncread_place *to)
-{
-    if (strlen(name) != 1)
-        return false;
-    if (*name >= 'X' && *name <= 'Z') {
-        to->at[*name - 'X'] = value;
-        to->known[*name - 'X'] = true;
-        return true;
+    struct verify_kinematics kinematics = {.tool = vec(0, 0, 1)};
+    char letter[VERIFY_KINEMATICS_AXES] = {0};
+    int n = 0;
+    for (const char *s = machine->axes; *s && n < VERIFY_KINEMATICS_AXES; s++)
+        if (*s >= 'A' && *s <= 'C')
+            letter[n++] = *s;
+    switch (machine->type) {
+    case TABLE_TABLE: /* the outer one, named first, is further from the work */
+        add_axis(&kinematics, machine, letter[1], true);
+        add_axis(&kinematics, machine, letter[0], true);
+        break;
+    case HEAD_TABLE: /* the head's is named first */
+        add_axis(&kinematics, machine, letter[1], true);
+        add_axis(&kinematics, machine, letter[0], false);
+        break;
+    case HEAD_HEAD: /* the outer one, named first, is further from the tool */
+        add_axis(&kinematics, machine, letter[0], false);
+        add_axis(&kinematics, machine, letter[1], false);
+        break;
+    case ONE_TABLE:
+    case ONE_HEAD:
+        add_axis(&kinematics, machine, letter[0], machine->type == ONE_TABLE);
+        break;
+    default:
+        break;
     }
-    for (int i = 0; i < c->setup->kinematics.n; i++)
-        if (*name == c->setup->kinematics.axis[i].letter) {
-            to->turn[i] = value;
-            to->turned[i] = true;
-            return true;
-        }
-    return false;
-}
-
-static bool all_turned(const struct ncread *c, const struct ncread_place *place)
-{
-    for (int i = 0; i < c->setup->kinematics.n; i++)
-        if (!place->turned[i])
-            return false;
-    return true;
-}
-
-void ncread_turned(const struct ncread *c, struct ncread_place *to)
-{
-    if (all_turned(c, to)) {
-        to->axis = verify_kinematics_axis_at(&c->setup->kinematics, to->turn);
-        to->has_axis = true;
-    }
-}
-
-void ncread_pointed(struct ncread_place *to, struct vec3 axis)
-{
-    to->axis = vec_unit(axis);
-    to->has_axis = true;
-    to->turned[0] = to->turned[1] = false;
-}
-
-static bool all_known(const struct ncread_place *place)
-{
-    return place->known[0] && place->known[1] && place->known[2];
-}
-
-static struct vec3 point_of(const struct ncread_place *place)
-{
-    return vec(place->at[0], place->at[1], place->at[2]);
-}
-
-struct nc_piece ncread_piece(const struct ncread *c, const struct ncread_place *to)
-{
-    struct nc_piece piece = {
-        .line = c->line, .block = (int)c->block, .feed = c->feed, .inverse = c->inverse_time};
-    const struct ncread_place *from = &c->here;
-    piece.p[0] = point_of(from);
-    piece.p[1] = point_of(to);
-    if (c->tilted.on) {
-        piece.interpolation = AXIS_GREAT_CIRCLE;
-        piece.q[0] = piece.q[1] = vec(0, 0, 1);
-    } else if (c->curve && from->has_head && to->has_head) {
-        piece.interpolation = AXIS_BY_HEAD;
-        piece.q[0] = from->head;
-        piece.q[1] = to->head;
-    } else if (c->vectors && c->setup->tcp) {
-        piece.interpolation = AXIS_GREAT_CIRCLE;
-        piece.q[0] = from->axis;
-        piece.q[1] = to->axis;
-    } else {
-        piece.interpolation = AXIS_ROTARY_LINEAR;
-        piece.q[0] = vec(from->turn[0], from->turn[1], 0);
-        piece.q[1] = vec(to->turn[0], to->turn[1], 0);
-        piece.table = !c->setup->tcp;
-    }
-    return piece;
-}
-
-bool ncread_upright(const struct ncread *c)
-{
-    for (int i = 0; i < c->setup->kinematics.n; i++)
-        if (!c->here.turned[i] || c->here.turn[i] != 0)
-            return false;
-    return true;
-}
-
-int ncread_ready(const struct ncread *c, struct error *error)
-{
-    if (!(c->unit > 0) || !c->absolute)
-        return ncread_error(c, error, "cuts before its unit and absolute words are set");
-    if (!c->spindle)
-        return ncread_error(c, error, "cuts while the spindle stands");
-    if (c->setup->tcp && !c->tcp && !c->tilted.on && !ncread_upright(c))
-        return ncread_error(c, error, "cuts without tool centre point control");
-    if (!(c->feed > 0))
-        return ncread_error(c, error, "cuts without a feed");
-    if (c->inverse_time && !c->feed_here)
-        return ncread_error(c, error, "no F in a block under inverse time feed");
-    if (!all_known(&c->here) || !(c->here.has_axis || c->tilted.on))
-        return ncread_error(c, error, "cuts from a place or with an axis that is not known");
-    return 0;
-}
-
-int ncread_go(struct ncread *c, const struct ncread_place *to, struct nc_piece piece, bool rapid,
-              struct error *error)
-{
-    if (!rapid && ncread_ready(c, error) < 0)
-        return -1;
-    piece.rapid = rapid;
-    bool tracked = c->tcp || !c->setup->tcp || c->tilted.on || ncread_upright(c);
-    if (piece.interpolation == AXIS_ROTARY_LINEAR && !rapid &&
-        !(all_turned(c, &c->here) && all_turned(c, to)))
-        return ncread_error(c, error, "cuts with rotary axes whose place is not known");
-    if (tracked && all_known(to) && (to->has_axis || c->tilted.on)) {
-        bool axis = c->here.has_axis || c->tilted.on;
-        if (!all_known(&c->here) || !axis) { /* from the dark: only its end is known */
-            piece.p[0] = piece.p[1];
-            piece.q[0] = piece.q[1];
-        }
-        ncread_plane_turn(c, &piece);
-        ncread_unit_piece(c, &piece);
-        *array_push(&c->motion->piece) = piece;
-        c->motion->lines += piece.shape == SHAPE_LINE && !rapid;
-        c->motion->arcs += piece.shape == SHAPE_ARC;
-        c->motion->curves += piece.shape == SHAPE_POLYNOMIAL;
-    }
-    c->here = *to;
-    if (!tracked) /* words of another frame: nothing is known of the tip */
-        memset(c->here.known, 0, sizeof c->here.known);
-    return 0;
+    return kinematics;
 }
 
 #define ROW(name, title, tcp_of_machine) &ncread_##name,
@@ -189,28 +61,32 @@ const struct ncread_dialect *ncread_of(enum control_id control)
     return dialects[control];
 }
 
-const struct ncread_dialect *ncread_tell(const char *file, struct error *error)
+enum { HEAD = 80 }; /* of the first line */
+
+static enum control_id control_of(const char *first, const char *second)
 {
-    const struct ncread_dialect *found = NULL;
+    for (int i = 0; i < CONTROLS; i++)
+        if (dialects[i]->begins(first, second))
+            return (enum control_id)i;
+    return CONTROLS;
+}
+
+enum control_id ncread_tell(const char *file, struct error *error)
+{
+    enum control_id found = CONTROLS;
     struct reader r;
-    char *line;
+    char *line, first[HEAD] = "";
     size_t n;
-    int more = 0;
     if (reader_open(&r, file, error) < 0)
-        return NULL;
-    for (int i = 0; i < 2 && !found && (more = reader_line(&r, &line, &n, error)) > 0; i++) {
-        if (strncmp(line, "%_N_", 4) == 0)
-            found = &ncread_siemens;
-        else if (strncmp(line, "0 BEGIN PGM ", 12) == 0)
-            found = &ncread_heidenhain;
-        else if (i == 1 && *line == 'O')
-            found = &ncread_fanuc;
-        else if (i == 1)
-            found = &ncread_linuxcnc;
-        if (i == 0 && !found && strcmp(line, "%") != 0)
-            break;
+        return CONTROLS;
+    int more = reader_line(&r, &line, &n, error);
+    if (more > 0) {
+        snprintf(first, sizeof first, "%s", line);
+        found = control_of(first, NULL);
     }
-    if (!found && more >= 0)
+    if (more > 0 && found == CONTROLS && (more = reader_line(&r, &line, &n, error)) > 0)
+        found = control_of(first, line);
+    if (found == CONTROLS && more >= 0)
         error_at(error, r.name, 1,
                  "the first lines are those of no control that is known; say "
                  "which by -c");
@@ -238,27 +114,27 @@ static int read_lines(struct ncread *c, struct reader *r, struct error *error)
         c->feed_here = false;
         if (strlen(line) != n)
             return ncread_error(c, error, "a byte that no program holds");
-        if (c->setup->dialect->block(c, line, error) < 0)
+        if (c->options->dialect->block(c, line, error) < 0)
             return -1;
     }
     return more;
 }
 
-int ncread_read(const char *file, const struct ncread_options *setup, struct nc_motion *motion,
+int ncread_read(const char *file, const struct ncread_options *options, struct nc_motion *motion,
                 struct error *error)
 {
-    struct ncread c = {.setup = setup, .motion = motion, .name = file, .last_block = -1};
+    struct ncread c = {.options = options, .motion = motion, .name = file, .last_block = -1};
     struct reader r;
     if (reader_open(&r, file, error) < 0)
         return -1;
     motion->name = file;
-    motion->kinematics = setup->kinematics;
-    c.here.axis = setup->kinematics.tool;
-    c.here.has_axis = setup->kinematics.n == 0;
+    motion->kinematics = options->kinematics;
+    c.here.axis = options->kinematics.tool;
+    c.here.has_axis = options->kinematics.n == 0;
     int result = read_lines(&c, &r, error);
     c.block = -1;
     if (result == 0)
-        result = setup->dialect->end(&c, error);
+        result = options->dialect->end(&c, error);
     reader_close(&r);
     array_free(&c.words);
     array_free(&c.knot);

@@ -1,30 +1,135 @@
-/* ncread_fanuc - see ncread_fanuc.h. */
-#include "ncread_fanuc.h"
-
+/*
+ * ncread_fanuc - blocks of the Fanuc 30i family (operator's manual B-63944 and the design notes).
+ *
+ * G43.4: X Y Z are the tip in the frame of the work, rotary words and tip go in proportion.
+ * G43.5: I J K is the tool axis, which swings on the great circle.  G06.2: a B-spline from the
+ * place where the tool is (its first pole), a knot in each block and the last ones alone.
+ */
 #include <string.h>
 
+#include "ncread_gcode.h"
+
+static int start_tcp(struct ncread *c, const struct ncread_word *w, struct gcode_block *b,
+                     struct error *error)
+{
+    if (!c->options->tcp)
+        return ncread_error(c, error, "tool centre point control on a machine without it");
+    if (!ncread_word_find(&c->words, "H"))
+        return ncread_error(c, error, "tool centre point control without H");
+    c->tcp = b->tool = true;
+    c->vectors = w->value[0] > 43.45;
+    memset(b->to.known, 0, sizeof b->to.known);
+    c->here = b->to;
+    return 0;
+}
+
+/* Modal and other G words, before the addresses are looked at. */
+static int read_g(struct ncread *c, const struct ncread_word *w, struct gcode_block *b,
+                  struct error *error)
+{
+    int code = (int)lround(w->value[0] * 10);
+    int taken = ncread_hole_code(c, code) ? 1 : ncread_gcode_g(c, code, error);
+    if (taken != 0)
+        return taken < 0 ? -1 : 0;
+    switch (code) {
+    case 51:  /* smoothing */
+    case 690: /* no tilted plane: ncread_plane */
+        return 0;
+    case 24:
+    case 34:
+        if (c->has_middle)
+            return ncread_error(c, error, "G02.4 within G02.4");
+        c->move = MOVE_SPACE;
+        return 0;
+    case 62:
+        c->move = MOVE_SPLINE;
+        b->spline_begins = true;
+        return 0;
+    case 280:
+        b->home = true;
+        return 0;
+    case 430:
+        c->length = true;
+        return 0;
+    case 434:
+    case 435:
+        c->length = true;
+        return start_tcp(c, w, b, error);
+    case 490:
+        c->tcp = c->vectors = c->length = false;
+        return 0;
+    case 530:
+        b->machine = true;
+        return 0;
+    default:
+        return ncread_unknown(c, w, error);
+    }
+}
+
+/* All other words. */
+static int read_address(struct ncread *c, const struct ncread_word *w, struct gcode_block *b,
+                        struct error *error)
+{
+    char letter = w->name[0];
+    if (strchr("XYZABCIJKRFQ", letter) && !w->pointed)
+        return ncread_error(c, error, "a length, angle or feed without a decimal point");
+    if (ncread_gcode_address(c, w, b))
+        return 0;
+    if (letter == 'P' && c->move == MOVE_SPLINE) {
+        c->order = (int)w->value[0];
+        if (c->order < 2 || c->order > 4)
+            return ncread_error(c, error, "a spline whose order is not 2 to 4");
+    } else if (!strchr("STHDPQ", letter)) {
+        return ncread_unknown(c, w, error);
+    }
+    return 0;
+}
+
+/* The words of a block into the state and *b. */
+static int read_words(struct ncread *c, struct gcode_block *b, struct error *error)
+{
+    unsigned seen = 0;
+    if (ncread_hole_dwell(c, 0.001))
+        return 0;
+    int plane = ncread_plane_g(c, error);
+    if (plane != 0)
+        return plane < 0 ? -1 : 0;
+    for (size_t i = 0; i < c->words.n; i++) {
+        const struct ncread_word *w = &c->words.item[i];
+        unsigned bit = 1u << (w->name[0] - 'A');
+        if (w->name[0] == 'N' && i > 0)
+            return ncread_error(c, error, "N behind other words");
+        if (w->name[0] == 'G'   ? read_g(c, w, b, error) < 0
+            : w->name[0] == 'M' ? ncread_m(c, w, error) < 0
+                                : false)
+            return -1;
+        if (strchr("GM", w->name[0]))
+            continue;
+        if (seen & bit)
+            return ncread_error(c, error, "a word twice in one block");
+        seen |= bit;
+    }
+    for (size_t i = 0; i < c->words.n; i++)
+        if (!strchr("GMN", c->words.item[i].name[0]) &&
+            read_address(c, &c->words.item[i], b, error) < 0)
+            return -1;
+    return 0;
+}
+
 /* G28 and G53: to a place of the machine; the axes named are not known any more. */
-static int machine_move(struct ncread *c, struct ncread_fanuc_block *b, struct error *error)
+static int machine_move(struct ncread *c, struct gcode_block *b, struct error *error)
 {
     if (c->tcp)
         return ncread_error(c, error, "G28 or G53 under tool centre point control");
     if (b->home && c->absolute)
         return ncread_error(c, error, "G28 without G91: the way leads over a place of the work");
-    for (size_t i = 0; i < c->words.n; i++) {
-        const char *name = c->words.item[i].name;
-        struct ncread_place named = {0};
-        ncread_axis(c, name, 0, &named);
-        for (int k = 0; k < 3; k++)
-            c->here.known[k] = c->here.known[k] && !named.known[k];
-        for (int k = 0; k < 2; k++)
-            c->here.turned[k] = c->here.turned[k] && !named.turned[k];
-    }
+    ncread_gcode_forget(c);
     c->here.has_axis = c->here.has_axis && c->here.turned[0] && c->here.turned[1];
     return 0;
 }
 
 /* One block of G06.2. */
-static int spline_block(struct ncread *c, struct ncread_fanuc_block *b, struct error *error)
+static int spline_block(struct ncread *c, struct gcode_block *b, struct error *error)
 {
     if ((!c->tcp && !ncread_upright(c)) || c->vectors)
         return ncread_error(c, error, "G06.2 wants G43.4");
@@ -57,22 +162,20 @@ static int spline_block(struct ncread *c, struct ncread_fanuc_block *b, struct e
     return 0;
 }
 
-static int arc_block(struct ncread *c, struct ncread_fanuc_block *b, struct nc_piece *piece,
+static int arc_block(struct ncread *c, struct gcode_block *b, struct nc_piece *piece,
                      struct error *error)
 {
-    bool by_centre = b->centre_named[0] || b->centre_named[1] || b->centre_named[2];
-    if (c->vectors ? !b->radius_named : by_centre == b->radius_named)
+    if (c->vectors ? !b->radius_named : ncread_gcode_centred(b) == b->radius_named)
         return ncread_error(c, error,
                             "an arc wants its centre by I J K or R, not both; under "
                             "G43.5 R");
     if (b->radius_named)
         return ncread_arc_radius(c, piece, b->radius, c->move == MOVE_CCW, error);
-    struct vec3 to_centre = vec(b->centre[0], b->centre[1], b->centre[2]);
-    return ncread_arc(c, piece, vec_add(piece->p[0], to_centre), c->move == MOVE_CCW, error);
+    return ncread_arc(c, piece, ncread_gcode_centre(b, piece), c->move == MOVE_CCW, error);
 }
 
 /* The tool axis of the block: I J K under G43.5, all three or none; else the rotary words. */
-static int block_axis(struct ncread *c, struct ncread_fanuc_block *b, struct error *error)
+static int block_axis(struct ncread *c, struct gcode_block *b, struct error *error)
 {
     int named = b->centre_named[0] + b->centre_named[1] + b->centre_named[2];
     if (!c->vectors) {
@@ -92,8 +195,8 @@ static int block_axis(struct ncread *c, struct ncread_fanuc_block *b, struct err
 }
 
 /* Makes the piece an arc when the block is one, in a plane or in space. */
-static int arc(struct ncread *c, struct ncread_fanuc_block *b, struct nc_piece *piece,
-               struct error *error)
+static int shape_arc(struct ncread *c, struct gcode_block *b, struct nc_piece *piece,
+                     struct error *error)
 {
     if (c->move == MOVE_SPACE) {
         const double *at = c->middle.at;
@@ -103,12 +206,12 @@ static int arc(struct ncread *c, struct ncread_fanuc_block *b, struct nc_piece *
     return c->move == MOVE_CW || c->move == MOVE_CCW ? arc_block(c, b, piece, error) : 0;
 }
 
-static int run_block(struct ncread *c, struct ncread_fanuc_block *b, struct error *error)
+static int run_block(struct ncread *c, struct gcode_block *b, struct error *error)
 {
     if (b->machine || b->home)
         return machine_move(c, b, error);
     if (b->tool && c->vectors) {
-        if (b->centre_named[0] || b->centre_named[1] || b->centre_named[2])
+        if (ncread_gcode_centred(b))
             return ncread_error(c, error, "I J K in the block of G43.5");
         b->to.turned[0] = b->to.turned[1] = false;
         c->here.turned[0] = c->here.turned[1] = false;
@@ -134,10 +237,10 @@ static int run_block(struct ncread *c, struct ncread_fanuc_block *b, struct erro
         c->has_middle = true;
         return 0;
     }
-    if (c->move != MOVE_RAPID && !c->length && (c->tilted.on || !c->setup->tcp))
+    if (c->move != MOVE_RAPID && !c->length && (c->tilted.on || !c->options->tcp))
         return ncread_error(c, error, "cuts without the tool's length, G43");
     struct nc_piece piece = ncread_piece(c, &b->to);
-    if (arc(c, b, &piece, error) < 0)
+    if (shape_arc(c, b, &piece, error) < 0)
         return -1;
     return ncread_go(c, &b->to, piece, c->move == MOVE_RAPID, error);
 }
@@ -167,8 +270,8 @@ static int read_block(struct ncread *c, const char *line, struct error *error)
         return -1;
     if (lexed < 0)
         return ncread_error(c, error, found.text);
-    struct ncread_fanuc_block b = {.to = c->has_middle ? c->middle : c->here};
-    if (ncread_fanuc_words(c, &b, error) < 0)
+    struct gcode_block b = {.to = c->has_middle ? c->middle : c->here};
+    if (read_words(c, &b, error) < 0)
         return -1;
     return run_block(c, &b, error);
 }
@@ -186,4 +289,9 @@ static int read_end(struct ncread *c, struct error *error)
     return 0;
 }
 
-const struct ncread_dialect ncread_fanuc = {"fanuc", read_block, read_end};
+static bool begins(const char *first, const char *second)
+{
+    return strcmp(first, "%") == 0 && second && *second == 'O';
+}
+
+const struct ncread_dialect ncread_fanuc = {"fanuc", begins, read_block, read_end};

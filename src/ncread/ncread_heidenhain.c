@@ -7,8 +7,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "ncread/ncread.h"
-#include "ncread_unit.h"
+#include "ncread_state.h"
 #include "base/num.h"
 
 enum { TOKENS = 16, TOKEN = 40 };
@@ -278,4 +277,10 @@ static int read_end(struct ncread *c, struct error *error)
     return 0;
 }
 
-const struct ncread_dialect ncread_heidenhain = {"heidenhain", read_block, read_end};
+static bool begins(const char *first, const char *second)
+{
+    (void)second;
+    return strncmp(first, "0 BEGIN PGM ", 12) == 0;
+}
+
+const struct ncread_dialect ncread_heidenhain = {"heidenhain", begins, read_block, read_end};

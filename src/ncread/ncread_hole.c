@@ -1,11 +1,11 @@
 /* ncread_hole - see ncread_hole.h. */
-#include "ncread/ncread_hole.h"
+#include "ncread_hole.h"
 
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
-#include "ncread/ncread.h"
+#include "ncread_state.h"
 #include "base/num.h"
 
 enum { ARGUMENTS = 20, STEPS_MOST = 10000 };
@@ -38,7 +38,7 @@ int ncread_hole_down(struct ncread *c, const struct ncread_place *at, struct err
     const struct ncread_hole *h = &c->hole;
     double x = at->at[0], y = at->at[1];
     /* LinuxCNC's kinematics has no word to leave it by; upright it makes no difference */
-    if (c->tcp && !(c->setup->dialect == &ncread_linuxcnc && ncread_upright(c)))
+    if (c->tcp && !(c->options->dialect == &ncread_linuxcnc && ncread_upright(c)))
         return ncread_error(c, error, "a drilling cycle under tool centre point control");
     if (!c->here.known[0] || !c->here.known[1] || !c->here.known[2])
         return ncread_error(c, error, "a drilling cycle from a place that is not known");

@@ -6,25 +6,14 @@
  */
 #include <string.h>
 
-#include "ncread/ncread.h"
-#include "ncread/ncread_hole.h"
-#include "ncread_iso.h"
+#include "ncread_gcode.h"
 
 enum { BLOCK_MAX = 255 };
-enum { MOVE_NONE = -1, MOVE_RAPID, MOVE_LINE, MOVE_CW, MOVE_CCW };
-
-/* What one block says besides its modal words. */
-struct block {
-    struct ncread_place to;
-    bool named, machine, length, centred, by_radius;
-    double centre[3], radius;
-};
-
-static int g_word(struct ncread *c, const struct ncread_word *w, struct block *b,
+static int read_g(struct ncread *c, const struct ncread_word *w, struct gcode_block *b,
                   struct error *error)
 {
     int code = (int)lround(w->value[0] * 10);
-    int taken = ncread_hole_code(c, code) ? 1 : ncread_iso_g(c, code, error);
+    int taken = ncread_hole_code(c, code) ? 1 : ncread_gcode_g(c, code, error);
     if (code == 930)
         c->feed = 0;
     if (taken != 0)
@@ -33,7 +22,7 @@ static int g_word(struct ncread *c, const struct ncread_word *w, struct block *b
     case 40:
         return 0;
     case 430:
-        b->length = c->length = true;
+        c->length = true;
         return 0;
     case 490:
         c->length = false;
@@ -52,28 +41,15 @@ static int g_word(struct ncread *c, const struct ncread_word *w, struct block *b
     }
 }
 
-static int address(struct ncread *c, const struct ncread_word *w, struct block *b,
-                   struct error *error)
+static int read_address(struct ncread *c, const struct ncread_word *w, struct gcode_block *b,
+                        struct error *error)
 {
-    char letter = w->name[0];
-    if (ncread_axis(c, w->name, w->value[0], &b->to)) {
-        b->named = true;
-    } else if (letter >= 'I' && letter <= 'K') {
-        b->centre[letter - 'I'] = w->value[0];
-        b->centred = true;
-    } else if (letter == 'R') {
-        b->radius = w->value[0];
-        b->by_radius = true;
-    } else if (letter == 'F') {
-        c->feed = w->value[0];
-        c->feed_here = true;
-    } else if (!strchr("STHDPQN", letter)) {
+    if (!ncread_gcode_address(c, w, b) && !strchr("STHDPQN", w->name[0]))
         return ncread_unknown(c, w, error);
-    }
     return 0;
 }
 
-static int words(struct ncread *c, struct block *b, struct error *error)
+static int read_words(struct ncread *c, struct gcode_block *b, struct error *error)
 {
     unsigned seen = 0;
     for (size_t i = 0; i < c->words.n; i++) {
@@ -82,7 +58,7 @@ static int words(struct ncread *c, struct block *b, struct error *error)
         unsigned bit = 1u << (letter - 'A');
         int result = 0;
         if (letter == 'G')
-            result = g_word(c, w, b, error);
+            result = read_g(c, w, b, error);
         else if (letter == 'M' && w->value[0] == 2)
             c->ended = true;
         else if (letter == 'M')
@@ -94,28 +70,23 @@ static int words(struct ncread *c, struct block *b, struct error *error)
         seen |= bit;
     }
     for (size_t i = 0; i < c->words.n; i++)
-        if (!strchr("GM", c->words.item[i].name[0]) && address(c, &c->words.item[i], b, error) < 0)
+        if (!strchr("GM", c->words.item[i].name[0]) &&
+            read_address(c, &c->words.item[i], b, error) < 0)
             return -1;
     return 0;
 }
 
 /* G53: to a place of the machine; the axes named are not known any more. */
-static int machine_move(struct ncread *c, const struct block *b, struct error *error)
+static int machine_move(struct ncread *c, const struct gcode_block *b, struct error *error)
 {
     if (c->move != MOVE_RAPID && c->move != MOVE_LINE)
         return ncread_error(c, error, "G53 without G0 or G1");
-    for (size_t i = 0; b->named && i < c->words.n; i++) {
-        struct ncread_place named = {0};
-        ncread_axis(c, c->words.item[i].name, 0, &named);
-        for (int k = 0; k < 3; k++)
-            c->here.known[k] = c->here.known[k] && !named.known[k];
-        for (int k = 0; k < VERIFY_KINEMATICS_AXES; k++)
-            c->here.turned[k] = c->here.turned[k] && !named.turned[k];
-    }
+    if (b->named)
+        ncread_gcode_forget(c);
     return 0;
 }
 
-static int run_block(struct ncread *c, struct block *b, struct error *error)
+static int run_block(struct ncread *c, struct gcode_block *b, struct error *error)
 {
     if (ncread_hole_dwell(c, 1))
         return b->named ? ncread_error(c, error, "G4 with a place") : 0;
@@ -133,15 +104,15 @@ static int run_block(struct ncread *c, struct block *b, struct error *error)
     if (c->move != MOVE_RAPID && !c->length)
         return ncread_error(c, error, "cuts without the tool's length, G43");
     struct nc_piece piece = ncread_piece(c, &b->to);
-    struct vec3 centre = vec_add(piece.p[0], vec(b->centre[0], b->centre[1], b->centre[2]));
+    bool centred = ncread_gcode_centred(b);
     bool arc = c->move == MOVE_CW || c->move == MOVE_CCW, ccw = c->move == MOVE_CCW;
-    if (b->centred + b->by_radius != arc)
+    if (centred + b->radius_named != arc)
         return ncread_error(c, error,
                             "an arc wants its centre by I J K or R, not both; a line "
                             "neither");
-    if (b->centred && ncread_arc(c, &piece, centre, ccw, error) < 0)
+    if (centred && ncread_arc(c, &piece, ncread_gcode_centre(b, &piece), ccw, error) < 0)
         return -1;
-    if (b->by_radius && ncread_arc_radius(c, &piece, b->radius, ccw, error) < 0)
+    if (b->radius_named && ncread_arc_radius(c, &piece, b->radius, ccw, error) < 0)
         return -1;
     return ncread_go(c, &b->to, piece, c->move == MOVE_RAPID, error);
 }
@@ -149,12 +120,12 @@ static int run_block(struct ncread *c, struct block *b, struct error *error)
 static int read_block(struct ncread *c, const char *line, struct error *error)
 {
     struct error found;
-    struct block b = {0};
+    struct gcode_block b = {0};
     c->motion->blocks++;
     if (c->line == 1) {
         c->move = MOVE_NONE;
         c->plane = 17;
-        c->tcp = c->setup->tcp;
+        c->tcp = c->options->tcp;
         return strcmp(line, "%") == 0 ? 0 : ncread_error(c, error, "expected % alone");
     }
     if (c->ended) { /* M2 or M30 was read: % alone, once */
@@ -172,7 +143,7 @@ static int read_block(struct ncread *c, const char *line, struct error *error)
     if (lexed < 0)
         return ncread_error(c, error, found.text);
     b.to = c->here;
-    if (words(c, &b, error) < 0)
+    if (read_words(c, &b, error) < 0)
         return -1;
     return run_block(c, &b, error);
 }
@@ -186,4 +157,9 @@ static int read_end(struct ncread *c, struct error *error)
     return 0;
 }
 
-const struct ncread_dialect ncread_linuxcnc = {"linuxcnc", read_block, read_end};
+static bool begins(const char *first, const char *second)
+{
+    return strcmp(first, "%") == 0 && second && *second != 'O';
+}
+
+const struct ncread_dialect ncread_linuxcnc = {"linuxcnc", begins, read_block, read_end};

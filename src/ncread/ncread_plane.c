@@ -1,10 +1,10 @@
 /* ncread_plane - see ncread_plane.h. */
-#include "ncread/ncread_plane.h"
+#include "ncread_plane.h"
 
 #include <math.h>
 #include <string.h>
 
-#include "ncread/ncread.h"
+#include "ncread_state.h"
 #include "base/num.h"
 
 enum { CYCLE800_ANGLES = 7, CYCLE800_MODE = 3, AXIS_BY_AXIS = 57, ARGUMENTS = 12 };
@@ -22,7 +22,7 @@ static int leave(struct ncread *c)
     forget_place(c);
     for (int i = 0; i < VERIFY_KINEMATICS_AXES; i++)
         c->here.turned[i] = false;
-    if (c->setup->kinematics.n == 0)
+    if (c->options->kinematics.n == 0)
         c->here.has_axis = true;
     return 1;
 }

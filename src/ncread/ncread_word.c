@@ -1,5 +1,5 @@
 /* ncread_word - see ncread_word.h. */
-#include "ncread/ncread_word.h"
+#include "ncread_word.h"
 
 #include <ctype.h>
 #include <stdlib.h>

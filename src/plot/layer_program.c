@@ -4,7 +4,6 @@
 #include "machine/machine_options.h"
 #include "plot/layer.h"
 #include "ncread/ncread.h"
-#include "ncread/ncread_machine.h"
 #include "stream.h"
 
 enum { HALVINGS = 9 };
@@ -139,13 +138,14 @@ int layer_program(const char *file, const struct layer_options *options, struct 
     struct machine machine;
     if (machine_options_read(&chosen, &machine, error) != 0)
         return -1;
-    struct ncread_options setup = {.dialect = ncread_tell(file, error),
-                                   .kinematics = ncread_kinematics(&machine)};
+    enum control_id control = ncread_tell(file, error);
+    if (control == CONTROLS || stream_again(file, error) < 0)
+        return -1;
+    struct ncread_options run = {.dialect = ncread_of(control),
+                                 .tcp = machine_has_tcp(&machine, control),
+                                 .kinematics = ncread_kinematics(&machine)};
     struct nc_motion motion = {0};
-    if (setup.dialect)
-        setup.tcp = machine_has_tcp(&machine, control_find(setup.dialect->name));
-    if (!setup.dialect || stream_again(file, error) < 0 ||
-        ncread_read(file, &setup, &motion, error) < 0) {
+    if (ncread_read(file, &run, &motion, error) < 0) {
         nc_motion_free(&motion);
         return -1;
     }

@@ -9,8 +9,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "ncread/ncread.h"
-#include "ncread/ncread_unit.h"
+#include "ncread/ncread_state.h"
 #include "base/num.h"
 
 enum { NUMBERS = 9 };
@@ -116,7 +115,7 @@ static int read_block(struct ncread *c, const char *line, struct error *error)
     if (c->line == 1) {
         c->plane = 17;
         c->absolute = true;
-        c->tcp = c->setup->tcp;
+        c->tcp = c->options->tcp;
     }
     c->motion->blocks++;
     c->block = s[1] == '.' ? -1 : strtol(s + 1, NULL, 10);
@@ -133,4 +132,4 @@ static int read_end(struct ncread *c, struct error *error)
     return 0;
 }
 
-const struct ncread_dialect canon = {"canon", read_block, read_end};
+const struct ncread_dialect canon = {"canon", NULL, read_block, read_end};

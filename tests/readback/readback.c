@@ -16,8 +16,7 @@
 #include "io/cloud/cloud.h"
 #include "math/kdtree.h"
 #include "machine/machine.h"
-#include "ncread/ncread.h"
-#include "ncread/ncread_machine.h"
+#include "ncread/ncread_state.h"
 #include "panel.h"
 #include "sweep.h"
 

@@ -8,7 +8,7 @@
 
 #include "chains.h"
 #include "machine/machine.h"
-#include "ncread/ncread_machine.h"
+#include "ncread/ncread.h"
 
 /* design/5-controls.md: a = (sin C sin A, -cos C sin A, cos A) and (sin B cos C, sin B sin C,
  * cos B), written out. */

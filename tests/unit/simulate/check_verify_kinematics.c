@@ -6,7 +6,7 @@
 
 #include "machine/kinematics.h"
 #include "machine/machine.h"
-#include "ncread/ncread_machine.h"
+#include "ncread/ncread.h"
 #include "simulate/verify_kinematics.h"
 
 static const char *const machines[] = {

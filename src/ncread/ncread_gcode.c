@@ -1,0 +1,81 @@
+/* ncread_gcode - see ncread_gcode.h. */
+#include "ncread_gcode.h"
+
+/* Tenths of those that do not change where the tool goes: cutter compensation off, work frames,
+ * path control, cycles off. */
+static const int no_effect[] = {400, 540, 550, 560, 570, 580, 590, 640, 800};
+
+int ncread_gcode_g(struct ncread *c, int tenths, struct error *error)
+{
+    switch (tenths) {
+    case 0:
+    case 10:
+    case 20:
+    case 30:
+        c->move = tenths / 10;
+        return 1;
+    case 170:
+    case 180:
+    case 190:
+        c->plane = tenths / 10;
+        return 1;
+    case 200:
+    case 210:
+        return ncread_unit(c, tenths == 200 ? INCH : 1, error) < 0 ? -1 : 1;
+    case 900:
+    case 910:
+        c->absolute = tenths == 900;
+        return 1;
+    case 930:
+    case 940:
+        c->inverse_time = tenths == 930;
+        return 1;
+    default:
+        for (size_t i = 0; i < sizeof no_effect / sizeof *no_effect; i++)
+            if (tenths == no_effect[i])
+                return 1;
+        return 0;
+    }
+}
+
+bool ncread_gcode_address(struct ncread *c, const struct ncread_word *w, struct gcode_block *b)
+{
+    char letter = w->name[0];
+    if (ncread_axis(c, w->name, w->value[0], &b->to)) {
+        b->named = true;
+    } else if (letter >= 'I' && letter <= 'K') {
+        b->centre[letter - 'I'] = w->value[0];
+        b->centre_named[letter - 'I'] = true;
+    } else if (letter == 'R') {
+        b->radius = w->value[0];
+        b->radius_named = true;
+    } else if (letter == 'F') {
+        c->feed = w->value[0];
+        c->feed_here = true;
+    } else {
+        return false;
+    }
+    return true;
+}
+
+void ncread_gcode_forget(struct ncread *c)
+{
+    for (size_t i = 0; i < c->words.n; i++) {
+        struct ncread_place named = {0};
+        ncread_axis(c, c->words.item[i].name, 0, &named);
+        for (int k = 0; k < 3; k++)
+            c->here.known[k] = c->here.known[k] && !named.known[k];
+        for (int k = 0; k < VERIFY_KINEMATICS_AXES; k++)
+            c->here.turned[k] = c->here.turned[k] && !named.turned[k];
+    }
+}
+
+bool ncread_gcode_centred(const struct gcode_block *b)
+{
+    return b->centre_named[0] || b->centre_named[1] || b->centre_named[2];
+}
+
+struct vec3 ncread_gcode_centre(const struct gcode_block *b, const struct nc_piece *piece)
+{
+    return vec_add(piece->p[0], vec(b->centre[0], b->centre[1], b->centre[2]));
+}

@@ -1,0 +1,51 @@
+/*
+ * ncread_gcode - the G code that Fanuc and LinuxCNC share (ISO 6983): modal G words, the words of
+ * places, centres and radii, moves in the frame of the machine.
+ */
+#ifndef CLOUDMILL_NCREAD_GCODE_H
+#define CLOUDMILL_NCREAD_GCODE_H
+
+#include "ncread_state.h"
+
+/* What moves are on, in ncread.move. */
+enum gcode_move {
+    MOVE_NONE = -1,
+    MOVE_RAPID,
+    MOVE_LINE,
+    MOVE_CW,
+    MOVE_CCW,
+    MOVE_SPACE, /* Fanuc's G02.4: a point on the way and then the end */
+    MOVE_SPLINE = 6
+};
+
+/* What one block says besides its modal words. */
+struct gcode_block {
+    struct ncread_place to;
+    bool named; /* X Y Z or a rotary word */
+    bool centre_named[3], radius_named;
+    double centre[3], radius; /* centre[2] is K: a knot under G06.2 */
+    bool machine, home;       /* G53, G28 */
+    bool spline_begins;       /* G06.2 stands in this block */
+    bool tool;                /* G43.4 or G43.5 stands in this block */
+};
+
+/*
+ * Takes a G word, in tenths: straight moves and arcs, planes, units, absolute words, kind of feed,
+ * and those that do not change where the tool goes.  1: taken, 0: it is none of these, -1: it must
+ * not stand here.
+ */
+int ncread_gcode_g(struct ncread *c, int tenths, struct error *error);
+
+/* X Y Z A B C, I J K, R and F of a block: true when the word is one of them. */
+bool ncread_gcode_address(struct ncread *c, const struct ncread_word *w, struct gcode_block *b);
+
+/* After a move to a place of the machine: the axes that the block names are not known any more. */
+void ncread_gcode_forget(struct ncread *c);
+
+/* The block names I, J or K. */
+bool ncread_gcode_centred(const struct gcode_block *b);
+
+/* The centre of an arc: I J K from where the piece begins. */
+struct vec3 ncread_gcode_centre(const struct gcode_block *b, const struct nc_piece *piece);
+
+#endif
