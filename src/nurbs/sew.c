@@ -5,7 +5,8 @@
  * 1. the border is found: the edges that one triangle alone has (boundary_find);
  * 2. T-vertices are found: border vertices that lie on a border edge of another patch
  *    (find_t_vertices);
- * 3. borders that run side by side are told from those that only touch or cross (match_boundaries);
+ * 3. borders that run side by side are distinguished from those that only touch or cross
+ * (match_boundaries);
  * 4. vertices of matched borders get one place (join_pairs);
  * 5. T-vertices are put into the edges that they lie on (insert_t_vertices).
  * At the end the vertices of each place are moved to the middle of them (move_to_middles).
@@ -48,13 +49,13 @@ struct t_vertices {
     struct t_vertex *item;
 };
 
-/* A vertex that meets the border of a sheet.  Pairs along connected border edges form a run, told
+/* A vertex that meets the border of a sheet.  Pairs along connected border edges form a run, named
  * by the index of one of its pairs (union-find). */
 struct boundary_pair {
     size_t vertex;
     int sheet;
     size_t run;
-    double length; /* of the run, in the pair that stands for it, mm */
+    double length; /* of the run, in the pair that names it, mm */
 };
 
 struct boundary_match {

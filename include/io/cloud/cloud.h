@@ -8,22 +8,22 @@
 #include "base/error.h"
 #include "math/vec.h"
 
-/* What was read and what was passed over, for the tool to tell. */
+/* What was read and what was skipped, for messages. */
 struct cloud_count {
     size_t points;
     size_t comments;         /* lines */
     size_t heads;            /* heading lines before the first point (names, prose, a count) */
     size_t not_finite;       /* rows with nan, inf or a number too large: left out */
     size_t not_measured;     /* empty cells of a PTX grid: left out */
-    size_t columns;          /* most columns of a row, as far as rows were looked at one by one */
+    size_t columns;          /* most columns of a row, of those that were read one by one */
     size_t first_not_finite; /* line of the first of them, 0: the format has no lines */
 };
 
 /*
  * Appends the points of one file (NULL or "-": standard input) to `points`, in the file's own
- * units, and fills *count anew.  Accepts, told apart by content and not by the file's name:
- *   - rows of x y z and any further columns, parted by blanks, tabs, commas or semicolons, with a
- *     decimal comma where semicolons or blanks part the columns; comments behind # // or ; and
+ * units, and fills *count anew.  Accepts, recognised by content, not by the file's name:
+ *   - rows of x y z and any further columns, separated by blanks, tabs, commas or semicolons, with
+ * a decimal comma where semicolons or blanks separate the columns; comments after # // or ; and
  *     heading lines before the first row (names, prose, a count of points alone on its line); where
  *     a heading names as many columns as there are, x y z are those that it calls so
  *   - PTS, PTX (its 4 x 4 matrix applied), ASCII PCD, OBJ (its v lines)

@@ -1,5 +1,5 @@
 /*
- * meshfile - a mesh from any file that holds one, told apart by content: PLY (cloudmill-mesh(5)),
+ * meshfile - a mesh from any file that holds one, recognised by content: PLY (cloudmill-mesh(5)),
  * STL, OFF.
  */
 #ifndef CLOUDMILL_MESHFILE_H

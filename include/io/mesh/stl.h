@@ -20,8 +20,8 @@ bool stl_is_binary(const struct reader *r, const char *head, size_t n);
 /*
  * From a reader that stands at the start of the file.  A file that ends early, has no facets, or a
  * number that is not finite is an error; no storage is reserved on the word of a count.  In a text
- * each facet stands as `facet ... vertex x y z` three times ` ... endfacet`, in as many solids as
- * there are.
+ * each facet is written as `facet ... vertex x y z` three times ` ... endfacet`, in as many solids
+ * as there are.
  */
 int stl_read_binary(struct reader *r, struct mesh *mesh, struct error *error);
 int stl_read_text(struct reader *r, struct mesh *mesh, struct error *error);

@@ -1,5 +1,5 @@
 /*
- * surfaces - NURBS surfaces from any file that holds them, told apart by content: IGES, or our own
+ * surfaces - NURBS surfaces from any file that holds them, recognised by content: IGES, or our own
  * text form.
  */
 #ifndef CLOUDMILL_SURFACES_H

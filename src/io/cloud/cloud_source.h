@@ -1,13 +1,13 @@
 /*
- * cloud_source - what the readers of the several cloud formats share: where lines come from and
- * points and counts go to.
+ * cloud_source - what the readers of the several cloud formats share: where lines come from, and
+ * where points and counts go to.
  */
 #ifndef CLOUDMILL_CLOUD_SOURCE_H
 #define CLOUDMILL_CLOUD_SOURCE_H
 
-#include "io/cloud/cloud.h"
-#include "cloud_row.h"
 #include "base/reader.h"
+#include "cloud_text.h"
+#include "io/cloud/cloud.h"
 
 struct cloud_source {
     struct reader *reader;
@@ -18,11 +18,31 @@ struct cloud_source {
 /* The next line, as reader_line; a NUL byte in it is an error. */
 int cloud_line(struct cloud_source *s, char **line, size_t *n, struct error *error);
 
-/* Takes in a row that was read from the last line: 0, or -1 when it is no row of three numbers. */
+/* Appends the point of a row that was read from the last line: 0, or -1 when the row does not hold
+ * three numbers. */
 int cloud_take(struct cloud_source *s, const struct cloud_row *row, struct error *error);
 
 /* An error at the last line. */
 int cloud_error(const struct cloud_source *s, struct error *error, const char *format, ...)
     __attribute__((format(printf, 3, 4)));
+
+/* The readers: each reads to the end of the input, with the errors of cloud_read. */
+int cloud_text_read(struct cloud_source *source, struct error *error);
+int cloud_obj_read(struct cloud_source *source, struct error *error); /* Wavefront, v lines */
+int cloud_pcd_read(struct cloud_source *source, struct error *error); /* of PCL, ASCII data */
+
+/*
+ * PTX, the grid of a terrestrial scanner, one scan or several after each other:
+ *
+ *     columns                      each a whole number alone on its line
+ *     rows
+ *     x y z                        four lines: scanner's place and axes
+ *     m11 m12 m13 m14              four lines: [x y z 1] times this matrix is the point
+ *     x y z intensity [r g b]      columns * rows cells; 0 0 0: nothing was measured
+ */
+int cloud_ptx_read(struct cloud_source *source, struct error *error);
+
+/* The line is a statement of an OBJ file: one of its keywords and a blank after it. */
+bool cloud_obj_statement(const char *line, size_t n);
 
 #endif

@@ -71,7 +71,7 @@ static int read_vertex(struct reader *r, bool normals, struct mesh *mesh, struct
     if (got < 0)
         return -1;
     if (got == 0)
-        return error_at(error, r->name, 0, "the OFF file ends behind %zu vertices, expected more",
+        return error_at(error, r->name, 0, "the OFF file ends after %zu vertices, expected more",
                         mesh->vertex.n);
     if (read_numbers(&s, v, n) < n)
         return expected(r, error, normals ? "x y z nx ny nz" : "x y z");
@@ -90,7 +90,7 @@ static int read_face(struct reader *r, struct mesh *mesh, struct error *error)
     if (got < 0)
         return -1;
     if (got == 0)
-        return error_at(error, r->name, 0, "the OFF file ends behind %zu facets, expected more",
+        return error_at(error, r->name, 0, "the OFF file ends after %zu facets, expected more",
                         mesh->face.n);
     if (read_numbers(&s, &corners, 1) < 1 || !(corners >= 3))
         return expected(r, error, "a face: the number of its corners, 3 or more, and the corners");

@@ -9,9 +9,9 @@
 #include "base/reader.h"
 
 /*
- * From a reader that stands at the start of the file.  The counts stand behind the first word or in
+ * From a reader that stands at the start of the file.  The counts follow the first word or are in
  * the next line, then there is a line for each vertex and each face; what follows the numbers
- * needed is colour and passed over, and so are empty lines and what is behind a `#`.  Polygons
+ * needed is colour and skipped, like empty lines and what follows a `#`.  Polygons
  * become fans of triangles.  Fewer lines than the counts say, an index out of range, a number that
  * is not finite are errors.
  */

@@ -1,15 +1,201 @@
 /* ply - see ply.h. */
 #include "io/mesh/ply.h"
 
+#include <limits.h>
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
-#include "ply_head.h"
+#include "base/array.h"
 #include "ply_origin.h"
-#include "ply_rows.h"
 #include "ply_source.h"
 
-/* Everything behind the head, element by element. */
+/* What is wanted of a file: the mesh, checked, or its points as they are. */
+enum ply_purpose { PLY_MESH, PLY_POINTS };
+
+/* The properties of a vertex that a mesh has. */
+enum role {
+    ROLE_X,
+    ROLE_Y,
+    ROLE_Z,
+    ROLE_NX,
+    ROLE_NY,
+    ROLE_NZ,
+    ROLE_ROW,
+    ROLE_COL,
+    ROLE_KMAX,
+    ROLES
+};
+
+static const char *const role_name[ROLES] = {"x", "y", "z", "nx", "ny", "nz", "row", "col", "kmax"};
+
+/* The property of each role, -1 for none; normals and rows count only when they are complete. */
+static int find_roles(const struct ply_source *s, const struct ply_element *element,
+                      enum ply_purpose purpose, int property[ROLES], struct error *error)
+{
+    for (int i = 0; i < ROLES; i++)
+        property[i] = ply_element_property(element, role_name[i]);
+    for (int i = ROLE_X; i <= ROLE_Z; i++)
+        if (property[i] < 0)
+            return error_at(error, s->reader->name, 0,
+                            "vertices have no property %s, expected x, y and z", role_name[i]);
+    bool normals = property[ROLE_NX] >= 0 && property[ROLE_NY] >= 0 && property[ROLE_NZ] >= 0;
+    bool rows = property[ROLE_ROW] >= 0 && property[ROLE_COL] >= 0;
+    for (int i = ROLE_NX; i < ROLES; i++)
+        if (purpose == PLY_POINTS || (i <= ROLE_NZ && !normals) ||
+            ((i == ROLE_ROW || i == ROLE_COL) && !rows))
+            property[i] = -1;
+    return 0;
+}
+
+static int check_vertex(const struct ply_source *s, const int property[ROLES],
+                        const double value[ROLES], struct error *error)
+{
+    for (int i = 0; i < ROLES; i++) {
+        if (property[i] < 0)
+            continue;
+        if (!isfinite(value[i]))
+            return ply_error(s, error, "vertex %zu has a %s that is no finite number, expected one",
+                             s->row, role_name[i]);
+        if ((i == ROLE_ROW || i == ROLE_COL) &&
+            (value[i] != floor(value[i]) || fabs(value[i]) > INT_MAX))
+            return ply_error(s, error, "vertex %zu has %s %g, expected a whole number", s->row,
+                             role_name[i], value[i]);
+    }
+    return 0;
+}
+
+static void add_vertex(struct mesh *mesh, const int property[ROLES], const double value[ROLES])
+{
+    *array_push(&mesh->vertex) = vec(value[ROLE_X], value[ROLE_Y], value[ROLE_Z]);
+    if (property[ROLE_NX] >= 0)
+        *array_push(&mesh->normal) = vec_unit(vec(value[ROLE_NX], value[ROLE_NY], value[ROLE_NZ]));
+    if (property[ROLE_ROW] >= 0) {
+        *array_push(&mesh->row) = (int)value[ROLE_ROW];
+        *array_push(&mesh->col) = (int)value[ROLE_COL];
+    }
+    if (property[ROLE_KMAX] >= 0)
+        *array_push(&mesh->kmax) = value[ROLE_KMAX];
+}
+
+static int read_vertex(struct ply_source *s, const enum role *role, double value[ROLES],
+                       struct error *error)
+{
+    for (size_t i = 0; i < s->element->property.n; i++) {
+        const struct ply_property *p = &s->element->property.item[i];
+        int got = role[i] == ROLES ? ply_skip(s, p, error)
+                                   : ply_value(s, p->type, &value[role[i]], error);
+        if (got < 0)
+            return -1;
+    }
+    return 0;
+}
+
+static int read_vertices(struct ply_source *s, enum ply_purpose purpose, struct mesh *mesh,
+                         struct error *error)
+{
+    int property[ROLES], status = 0;
+    double value[ROLES] = {0};
+    if (find_roles(s, s->element, purpose, property, error) < 0)
+        return -1;
+    if (s->element->count > INT_MAX)
+        return error_at(error, s->reader->name, 0, "%zu vertices, expected at most %d",
+                        s->element->count, INT_MAX);
+    enum role *role = mem_alloc(s->element->property.n, sizeof *role);
+    for (size_t i = 0; i < s->element->property.n; i++)
+        role[i] = ROLES;
+    for (int i = 0; i < ROLES; i++)
+        if (property[i] >= 0)
+            role[property[i]] = (enum role)i;
+
+    for (s->row = 0; s->row < s->element->count && status == 0; s->row++) {
+        if (ply_row_begin(s, error) < 0 || read_vertex(s, role, value, error) < 0 ||
+            ply_row_end(s, error) < 0 ||
+            (purpose == PLY_MESH && check_vertex(s, property, value, error) < 0))
+            status = -1;
+        else
+            add_vertex(mesh, property, value);
+    }
+    free(role);
+    return status;
+}
+
+static int read_index(struct ply_source *s, enum ply_type type, size_t vertices, int *index,
+                      struct error *error)
+{
+    double value;
+    if (ply_value(s, type, &value, error) < 0)
+        return -1;
+    if (!(value >= 0 && value < (double)vertices && value == floor(value)))
+        return ply_error(s, error, "face %zu has vertex index %.17g, expected 0 to %zu", s->row,
+                         value, vertices - 1);
+    *index = (int)value;
+    return 0;
+}
+
+/* The corners of a polygon as a fan of triangles about its first corner, as they come in. */
+static int read_corners(struct ply_source *s, const struct ply_property *p, struct mesh *mesh,
+                        struct error *error)
+{
+    size_t corners;
+    int first = 0, before = 0, index = 0;
+    if (ply_length(s, p->length_type, &corners, error) < 0)
+        return -1;
+    if (corners < 3)
+        return ply_error(s, error, "face %zu has %zu corners, expected 3 or more", s->row, corners);
+    for (size_t i = 0; i < corners; i++) {
+        if (read_index(s, p->type, mesh->vertex.n, &index, error) < 0)
+            return -1;
+        if (i == 0)
+            first = index;
+        if (i >= 2)
+            *array_push(&mesh->face) = (struct face){{first, before, index}};
+        before = index;
+    }
+    return 0;
+}
+
+static bool is_corners(const struct ply_property *p)
+{
+    return p->list &&
+           (strcmp(p->name, "vertex_indices") == 0 || strcmp(p->name, "vertex_index") == 0);
+}
+
+static int read_faces(struct ply_source *s, struct mesh *mesh, struct error *error)
+{
+    if (mesh->vertex.n == 0 && s->element->count > 0)
+        return error_at(error, s->reader->name, 0,
+                        "faces without vertices before them, expected "
+                        "element vertex first");
+    for (s->row = 0; s->row < s->element->count; s->row++) {
+        if (ply_row_begin(s, error) < 0)
+            return -1;
+        for (size_t i = 0; i < s->element->property.n; i++) {
+            const struct ply_property *p = &s->element->property.item[i];
+            if ((is_corners(p) ? read_corners(s, p, mesh, error) : ply_skip(s, p, error)) < 0)
+                return -1;
+        }
+        if (ply_row_end(s, error) < 0)
+            return -1;
+    }
+    return 0;
+}
+
+static int skip_rows(struct ply_source *s, struct error *error)
+{
+    for (s->row = 0; s->row < s->element->count; s->row++) {
+        if (ply_row_begin(s, error) < 0)
+            return -1;
+        for (size_t i = 0; i < s->element->property.n; i++)
+            if (ply_skip(s, &s->element->property.item[i], error) < 0)
+                return -1;
+        if (ply_row_end(s, error) < 0)
+            return -1;
+    }
+    return 0;
+}
+
+/* Everything after the head, element by element. */
 static int read_elements(struct reader *r, const struct ply_head *head, enum ply_purpose purpose,
                          struct mesh *mesh, struct error *error)
 {
@@ -18,13 +204,13 @@ static int read_elements(struct reader *r, const struct ply_head *head, enum ply
         int got = 0;
         s.element = &head->element.item[i];
         if (strcmp(s.element->name, "vertex") == 0)
-            got = ply_vertices(&s, purpose, mesh, error);
+            got = read_vertices(&s, purpose, mesh, error);
         else if (s.element->property.n == 0)
             continue; /* rows of nothing */
         else if (strcmp(s.element->name, "face") == 0 && purpose == PLY_MESH)
-            got = ply_faces(&s, mesh, error);
+            got = read_faces(&s, mesh, error);
         else
-            got = ply_passed_over(&s, error);
+            got = skip_rows(&s, error);
         if (got < 0)
             return -1;
     }

@@ -14,8 +14,8 @@ struct mesh_origin ply_origin_none(void)
     return (struct mesh_origin){.ledger = NAN};
 }
 
-/* The text behind `key` and a blank, or NULL when the comment does not begin so. */
-static const char *behind(const char *comment, const char *key)
+/* The text after `key` and a blank, or NULL when the comment does not begin so. */
+static const char *text_after(const char *comment, const char *key)
 {
     size_t n = strlen(key);
     return strncmp(comment, key, n) == 0 && comment[n] == ' ' ? comment + n + 1 : NULL;
@@ -37,7 +37,7 @@ static int read_place(const char *text, struct mesh_origin *origin, struct error
             return error_set(error, "comment place with %d numbers, expected 16", i);
     }
     if (text[strspn(text, " \t")])
-        return error_set(error, "comment place with '%.40s' behind, expected 16 numbers", text);
+        return error_set(error, "comment place followed by '%.40s', expected 16 numbers", text);
     origin->placed = true;
     return 0;
 }
@@ -52,12 +52,12 @@ static int read_ledger(const char *text, struct mesh_origin *origin, struct erro
     return 0;
 }
 
-/* The radius of the smallest hollow and its place, or `none`; then the surface's name. */
+/* The smallest concave radius and its place, or `none`; then the surface's name. */
 static int read_surface(const char *text, struct mesh_origin *origin, struct error *error)
 {
     struct mesh_surface s = {0};
     double *to[] = {&s.radius, &s.at.x, &s.at.y, &s.at.z};
-    const char *rest = behind(text, "none");
+    const char *rest = text_after(text, "none");
     for (int i = 0; i < 4 && !rest; i++) {
         text += strspn(text, " ");
         if (!num_read(&text, to[i]) || !isfinite(*to[i]) || *text != ' ')
@@ -94,26 +94,26 @@ static int read_part(const char *text, struct mesh_origin *origin, struct error 
 int ply_origin_read(struct mesh_origin *origin, const char *comment, struct error *error)
 {
     const char *text;
-    if ((text = behind(comment, "cloudmill mesh"))) {
+    if ((text = text_after(comment, "cloudmill mesh"))) {
         if (strcmp(text, "1") != 0)
             return error_set(error, "mesh stream of version '%.40s', expected 1", text);
-    } else if ((text = behind(comment, "spacing"))) {
+    } else if ((text = text_after(comment, "spacing"))) {
         return read_number("spacing", text, &origin->spacing, error);
-    } else if ((text = behind(comment, "direction"))) {
+    } else if ((text = text_after(comment, "direction"))) {
         return read_number("direction", text, &origin->direction, error);
-    } else if ((text = behind(comment, "noise"))) {
+    } else if ((text = text_after(comment, "noise"))) {
         return read_number("noise", text, &origin->noise, error);
-    } else if ((text = behind(comment, "extended"))) {
+    } else if ((text = text_after(comment, "extended"))) {
         return read_number("extended", text, &origin->extended, error);
-    } else if ((text = behind(comment, "place"))) {
+    } else if ((text = text_after(comment, "place"))) {
         return read_place(text, origin, error);
-    } else if ((text = behind(comment, "ledger"))) {
+    } else if ((text = text_after(comment, "ledger"))) {
         return read_ledger(text, origin, error);
-    } else if ((text = behind(comment, "part"))) {
+    } else if ((text = text_after(comment, "part"))) {
         return read_part(text, origin, error);
-    } else if ((text = behind(comment, "surface"))) {
+    } else if ((text = text_after(comment, "surface"))) {
         return read_surface(text, origin, error);
-    } else if ((text = behind(comment, "source"))) {
+    } else if ((text = text_after(comment, "source"))) {
         free(origin->source);
         origin->source = mem_string(text, strlen(text));
     }

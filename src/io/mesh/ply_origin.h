@@ -9,7 +9,7 @@
  *     comment extended 2.0000
  *     comment noise 0.0197
  *     comment ledger cloud2mesh 0.0120
- *     comment surface 4.634000 1.2 3.4 5.6 part.igs:7    smallest hollow radius, its place, name
+ *     comment surface 4.634000 1.2 3.4 5.6 part.igs:7    smallest concave radius, its place, name
  *     comment surface none part.igs:9
  */
 #ifndef CLOUDMILL_PLY_ORIGIN_H
@@ -22,8 +22,8 @@
 /* Says nothing: zeros, and NAN for the ledger. */
 struct mesh_origin ply_origin_none(void);
 
-/* Takes over what one comment says (its text behind `comment `); a comment of another program is
- * passed over.  A number that is none is an error without a place. */
+/* Takes over what one comment says (its text after `comment `); a comment of another program is
+ * ignored.  A word that should be a number and is none is an error without a place. */
 int ply_origin_read(struct mesh_origin *origin, const char *comment, struct error *error);
 
 /* Writes the comments, those that say something.  The ledger has four decimals, rounded up; the

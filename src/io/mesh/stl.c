@@ -81,7 +81,7 @@ int stl_read_binary(struct reader *r, struct mesh *mesh, struct error *error)
             return -1;
         if (got < FACET)
             return error_at(error, r->name, 0,
-                            "taken for a binary STL, the file ends behind %zu facets, expected "
+                            "taken for a binary STL, the file ends after %zu facets, expected "
                             "%lu",
                             mesh->face.n, (unsigned long)facets);
         for (int k = 0; k < 3; k++) {
@@ -94,7 +94,7 @@ int stl_read_binary(struct reader *r, struct mesh *mesh, struct error *error)
     return finish(r, mesh, error);
 }
 
-/* The word at *s in any case; *s then stands behind it. */
+/* The word at *s in any case; *s then points after it. */
 static bool take_word(const char **s, const char *word)
 {
     const char *p = *s + strspn(*s, " \t");
@@ -163,7 +163,7 @@ int stl_read_text(struct reader *r, struct mesh *mesh, struct error *error)
                         "'%.40s' at the wrong place, expected facets of three vertices", line);
     if (inside || !ended)
         return error_at(error, r->name, 0,
-                        "the STL file ends behind %zu facets without endsolid, expected the rest",
+                        "the STL file ends after %zu facets without endsolid, expected the rest",
                         mesh->face.n);
     return finish(r, mesh, error);
 }

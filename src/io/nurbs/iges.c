@@ -1,13 +1,251 @@
 /* iges - see iges.h. */
 #include "iges.h"
 
+#include <ctype.h>
 #include <math.h>
+#include <stdbool.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "base/array.h"
-#include "iges_global.h"
-#include "iges_text.h"
+#include "base/num.h"
+
+/* A place in the text of some records. */
+struct iges_cursor {
+    const char *name; /* of the file */
+    const struct iges_record *record;
+    size_t records;
+    size_t width;  /* columns that hold text: 72 in the global section, 64 for parameters */
+    int entity;    /* whose parameters they are, 0: the global section */
+    size_t column; /* of the next character, from 0 */
+    char comma, semicolon;
+};
+
+enum { WORD_MAX = 80 };
+
+/* Parameters end in column 64; some writers run on into column 65, in front of the pointer back to
+ * the directory, which is right-justified in 66 to 72 but may begin with a nought in 65. */
+static size_t width_of(const struct iges_cursor *c)
+{
+    if (c->entity == 0 || c->record->text[c->width] == ' ')
+        return c->width;
+    char pointer[9] = {0};
+    memcpy(pointer, c->record->text + c->width, 8);
+    return atoi(pointer) != c->entity && atoi(pointer + 1) == c->entity ? c->width + 1 : c->width;
+}
+
+static size_t cursor_line(const struct iges_cursor *c)
+{
+    return c->records > 0 ? c->record->line : c->record[-1].line;
+}
+
+/* The next character without taking it, '\0' at the end of the records. */
+static char peek(struct iges_cursor *c)
+{
+    while (c->records > 0 && c->column >= width_of(c)) {
+        c->record++;
+        c->records--;
+        c->column = 0;
+    }
+    return c->records > 0 ? c->record->text[c->column] : '\0';
+}
+
+static char take(struct iges_cursor *c)
+{
+    char ch = peek(c);
+    if (ch != '\0')
+        c->column++;
+    return ch;
+}
+
+static int copy_text(struct iges_cursor *c, long length, char *text, size_t size,
+                     struct error *error)
+{
+    for (long i = 0; i < length; i++) {
+        char ch = take(c);
+        if (ch == '\0')
+            return error_at(error, c->name, cursor_line(c),
+                            "a text of %ld characters that the file does not hold, expected them",
+                            length);
+        if ((size_t)i + 1 < size)
+            text[i] = ch;
+    }
+    text[(size_t)length < size ? (size_t)length : size - 1] = '\0';
+    return 0;
+}
+
+static int word_value(struct iges_cursor *c, const char *word, struct iges_value *value,
+                      struct error *error)
+{
+    const char *end = word;
+    value->kind = IGES_NUMBER;
+    if (!num_read(&end, &value->number) || *end != '\0')
+        return error_at(error, c->name, value->line, "'%.40s', expected a number", word);
+    if (!isfinite(value->number))
+        return error_at(error, c->name, value->line, "'%.40s', expected a finite number", word);
+    return 0;
+}
+
+/*
+ * The next parameter: 1, or 2 when it is the last one before the record delimiter, or -1.  A text
+ * is copied to `text`, cut to its size.  Numbers may have exponents by E or D.
+ */
+static int next_value(struct iges_cursor *c, struct iges_value *value, char *text, size_t size,
+                      struct error *error)
+{
+    char word[WORD_MAX + 1];
+    size_t n = 0;
+    *value = (struct iges_value){.kind = IGES_DEFAULT};
+    text[0] = '\0';
+    for (;;) {
+        char ch = take(c);
+        if (n == 0 && value->kind == IGES_DEFAULT)
+            value->line = cursor_line(c);
+        if (ch == '\0')
+            return error_at(error, c->name, cursor_line(c),
+                            "parameters that end without '%c', expected it: the file is cut short",
+                            c->semicolon);
+        word[n] = '\0';
+        if (ch == c->comma || ch == c->semicolon) {
+            if (n > 0 && value->kind != IGES_TEXT && word_value(c, word, value, error) < 0)
+                return -1;
+            return ch == c->comma ? 1 : 2;
+        }
+        if (ch == ' ' || value->kind == IGES_TEXT)
+            continue;
+        if (ch == 'H' && n > 0 && strspn(word, "0123456789") == n && n < 7) {
+            value->kind = IGES_TEXT;
+            if (copy_text(c, atol(word), text, size, error) < 0)
+                return -1;
+            continue;
+        }
+        if (n == WORD_MAX || iscntrl((unsigned char)ch))
+            return error_at(error, c->name, value->line,
+                            "a parameter of more than %d characters, or with control characters, "
+                            "expected a number",
+                            WORD_MAX);
+        word[n++] = ch;
+    }
+}
+
+/* Columns of the global section, and the numbers of its parameters that are used. */
+enum { GLOBAL_COLUMNS = 72, SCALE = 13, UNIT_FLAG = 14, UNIT_NAME = 15 };
+
+struct unit {
+    int flag;
+    const char *name, *other;
+    double mm;
+};
+
+static const struct unit unit_table[] = {
+    {1, "INCH", "IN", 25.4},           {2, "MM", "MILLIMETER", 1}, {4, "FT", "FOOT", 304.8},
+    {5, "MI", "MILE", 1609344},        {6, "M", "METER", 1000},    {7, "KM", "KILOMETER", 1e6},
+    {8, "MIL", "MIL", 0.0254},         {9, "UM", "MICRON", 0.001}, {10, "CM", "CENTIMETER", 10},
+    {11, "UIN", "MICROINCH", 2.54e-5},
+};
+
+/* Flag 3 means the unit by name. */
+static const struct unit *unit_of(long flag, const char *name)
+{
+    for (size_t i = 0; i < sizeof unit_table / sizeof *unit_table; i++) {
+        const struct unit *u = &unit_table[i];
+        if (flag == 3 ? strcmp(u->name, name) == 0 || strcmp(u->other, name) == 0 : u->flag == flag)
+            return u;
+    }
+    return NULL;
+}
+
+static int take_unit(struct iges *iges, double flag, const char *name, struct error *error)
+{
+    size_t line = iges->global.item[0].line;
+    const struct unit *unit = flag >= 1 && flag <= 11 ? unit_of((long)flag, name) : NULL;
+    if (!unit)
+        return error_at(error, iges->name, line,
+                        "unit flag %g with unit '%.12s', expected one that IGES knows", flag, name);
+    if (!(iges->scale > 0))
+        return error_at(error, iges->name, line, "model space scale %g, expected a positive one",
+                        iges->scale);
+    iges->unit = unit->mm / iges->scale;
+    snprintf(iges->unit_name, sizeof iges->unit_name, "%s", unit->name);
+    snprintf(iges->unit_text, sizeof iges->unit_text, "%s", name);
+    return 0;
+}
+
+static char peek_text(struct iges_cursor *c)
+{
+    while (peek(c) == ' ')
+        take(c);
+    return peek(c);
+}
+
+/* One of the two delimiters, as 1Hx or as nothing, which means the default; then the one of
+ * parameters, or, where the section ends there, the one of records, which is left standing. */
+static int take_delimiter(struct iges_cursor *c, char *delimiter, struct error *error)
+{
+    char next = peek_text(c);
+    if (next == ';' || next == c->comma) {
+        if (next == c->comma)
+            take(c);
+        return 0;
+    }
+    char one = take(c), h = take(c), ch = take(c);
+    if (one != '1' || h != 'H' || ch <= ' ' || strchr("+-.0123456789DEH", ch))
+        return error_at(error, c->name, cursor_line(c),
+                        "a global section that begins '%c%c', expected 1H and a delimiter",
+                        one > ' ' ? one : '?', h > ' ' ? h : '?');
+    *delimiter = ch;
+    next = peek_text(c);
+    if (next == c->comma)
+        take(c);
+    else if (next != c->semicolon)
+        return error_at(error, c->name, cursor_line(c),
+                        "'%c' after a delimiter in the global section, expected '%c'",
+                        next > ' ' ? next : '?', c->comma);
+    return 0;
+}
+
+/* The parameters after the delimiters. */
+static int read_rest(struct iges *iges, struct iges_cursor *c, double *flag, char *unit,
+                     size_t size, struct error *error)
+{
+    struct iges_value value;
+    char text[32];
+    for (int number = 3, got = 1; got == 1; number++) {
+        got = next_value(c, &value, text, sizeof text, error);
+        if (got < 0)
+            return -1;
+        if (number == SCALE && value.kind == IGES_NUMBER)
+            iges->scale = value.number;
+        if (number == UNIT_FLAG && value.kind == IGES_NUMBER)
+            *flag = value.number;
+        if (number == UNIT_NAME)
+            snprintf(unit, size, "%s", text);
+    }
+    return 0;
+}
+
+static int read_global(struct iges *iges, struct error *error)
+{
+    if (iges->global.n == 0)
+        return error_at(error, iges->name, 0, "no G section, expected one as in IGES");
+    struct iges_cursor c = {.name = iges->name,
+                            .record = iges->global.item,
+                            .records = iges->global.n,
+                            .width = GLOBAL_COLUMNS,
+                            .comma = ',',
+                            .semicolon = ';'};
+    double flag = 1;
+    char unit[32] = "";
+    if (take_delimiter(&c, &c.comma, error) < 0 || take_delimiter(&c, &c.semicolon, error) < 0)
+        return -1;
+    iges->comma = c.comma;
+    iges->semicolon = c.semicolon;
+    iges->scale = 1;
+    if (read_rest(iges, &c, &flag, unit, sizeof unit, error) < 0)
+        return -1;
+    return take_unit(iges, flag, unit, error);
+}
 
 enum { COLUMNS = 80, LETTER = 72, POINTER = 64 };
 
@@ -50,7 +288,7 @@ static int take_record(struct scan *s, const char *text, size_t line, struct err
     int section = (int)(letter - section_letter);
     if (section < s->section)
         return error_at(error, s->iges->name, line,
-                        "a line of section %c behind section %c, expected S, G, D, P, T in order",
+                        "a line of section %c after section %c, expected S, G, D, P, T in order",
                         *letter, section_letter[s->section]);
     s->section = section;
     s->count[section]++;
@@ -171,7 +409,7 @@ int iges_read(struct reader *r, struct iges *iges, struct error *error)
     if (status == 0)
         status = check_terminate(&s, error);
     if (status == 0)
-        status = iges_global(iges, error);
+        status = read_global(iges, error);
     if (status == 0)
         status = take_directory(&s, error);
     array_free(&s.directory);
@@ -208,7 +446,7 @@ int iges_values(const struct iges *iges, const struct iges_entity *entity,
                             entity->number);
     }
     for (int got = 1; got == 1;) {
-        got = iges_next(&c, array_push(values), text, sizeof text, error);
+        got = next_value(&c, array_push(values), text, sizeof text, error);
         if (got < 0) {
             array_free(values);
             return -1;

@@ -7,7 +7,7 @@
 
 enum { DEPTH_MAX = 20, COUNT_MAX = 100000000 };
 
-/* How deep curves within curves are, and how many more may be looked at: one that holds itself many
+/* How deep curves within curves are, and how many more may be read: one that holds itself many
  * times over would never end. */
 struct walk {
     int depth;

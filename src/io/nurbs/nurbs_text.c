@@ -14,7 +14,7 @@ struct source {
     char *rest; /* of the line */
     char *word; /* the last one taken, NULL: the text has ended */
     double mm;
-    bool unit_given; /* on the command line: the text's own is passed over */
+    bool unit_given; /* on the command line: the text's own is ignored */
     struct patches *patches;
     struct error *error;
 };

@@ -1,6 +1,7 @@
 /*
- * hollow: bicubic graphs z = f(x, y) over a square, whose curvature is known by formula: the place
- * found is at least as hollow as any of a dense grid, inside the trimming, from either side.
+ * concave_radius: bicubic graphs z = f(x, y) over a square, whose curvature is known by formula:
+ * the place found is at least as concave as any of a dense grid, inside the trimming, from either
+ * side.
  */
 #include <check.h>
 #include <stdint.h>
@@ -79,8 +80,8 @@ END_TEST
 
 int main(void)
 {
-    Suite *suite = suite_create("hollow");
-    TCase *tests = tcase_create("hollow");
+    Suite *suite = suite_create("concave_radius");
+    TCase *tests = tcase_create("concave_radius");
     SRunner *runner = srunner_create(suite);
     tcase_set_timeout(tests, 60);
     tcase_add_test(tests, no_place_is_more_hollow);

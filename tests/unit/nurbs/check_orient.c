@@ -1,4 +1,4 @@
-/* outward: sheets that look down are turned, closed bodies by their volume, upright ones told. */
+/* orient: sheets that look down are turned, closed bodies by their volume, upright ones counted. */
 #include <check.h>
 #include <stdint.h>
 #include <stdlib.h>
@@ -78,8 +78,8 @@ END_TEST
 
 int main(void)
 {
-    Suite *suite = suite_create("outward");
-    TCase *tests = tcase_create("outward");
+    Suite *suite = suite_create("orient");
+    TCase *tests = tcase_create("orient");
     SRunner *runner = srunner_create(suite);
     tcase_set_timeout(tests, 60);
     tcase_add_test(tests, towards_up);

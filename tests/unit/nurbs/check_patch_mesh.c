@@ -83,8 +83,8 @@ END_TEST
 
 int main(void)
 {
-    Suite *suite = suite_create("quilt");
-    TCase *tests = tcase_create("quilt");
+    Suite *suite = suite_create("patch_mesh");
+    TCase *tests = tcase_create("patch_mesh");
     SRunner *runner = srunner_create(suite);
     tcase_set_timeout(tests, 60);
     tcase_add_test(tests, borders);

@@ -175,7 +175,7 @@ START_TEST(caps_of_a_sphere)
 }
 END_TEST
 
-/* A curve beside the surface is put onto it, and how far off it was is told. */
+/* A curve beside the surface is put onto it, and how far off it was is returned. */
 START_TEST(beside_the_surface)
 {
     struct patch p = known_cylinder(10, 20);

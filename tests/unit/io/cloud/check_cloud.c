@@ -1,4 +1,4 @@
-/* cloud: every format, told apart by content, and every refusal. */
+/* cloud: every format, recognised by content, and every refusal. */
 #include <check.h>
 #include <math.h>
 #include <stdio.h>
@@ -66,7 +66,7 @@ START_TEST(ptx)
     clouds_three(PTX_HEAD(IDENTITY) "1.5 -2.25 3000\n0.5 0.25 -4\n0 0 0\n0 0 0\n" PTX_HEAD(
         IDENTITY) "0 0 0\n7 8 9\n0 0 0\n0 0 0\n");
     clouds_refused(PTX_HEAD(IDENTITY) "1 2 3\n4 5 6\n",
-                   "ends behind 2 cells of a PTX grid, expected 4");
+                   "ends after 2 cells of a PTX grid, expected 4");
     clouds_refused(PTX_HEAD(IDENTITY) "1 2 3\n4 5 6\n1 2 3\n1 2 3\n1 2 3\n",
                    ":15: a line of a PTX head");
     clouds_refused(PTX_HEAD("1 0 0 0\n0 1 0 0\n0 0 1 0\n0 0 0 nan\n") "1 2 3\n", ":10: ");

@@ -104,7 +104,7 @@ START_TEST(stl_binary)
     is_pyramid(scratch_bytes(bytes, BINARY));
     make_binary(bytes, "solid made by nobody facet normal");
     is_pyramid(scratch_bytes(bytes, BINARY));
-    /* Not even the noughts behind the head tell this one, only its size. */
+    /* Not even the noughts after the head tell this one, only its size. */
     make_binary(bytes, "solid");
     memset(bytes + 5, ' ', 75);
     is_pyramid(scratch_bytes(bytes, BINARY));
@@ -116,9 +116,9 @@ START_TEST(stl_damaged)
     char bytes[BINARY], text[2000], *p;
 
     make_binary(bytes, "solid");
-    refused(scratch_bytes(bytes, BINARY - 1), "ends behind 3 facets, expected 4");
+    refused(scratch_bytes(bytes, BINARY - 1), "ends after 3 facets, expected 4");
     bytes[83] = (char)0x80;
-    refused(scratch_bytes(bytes, BINARY), "ends behind 4 facets, expected 2147483652");
+    refused(scratch_bytes(bytes, BINARY), "ends after 4 facets, expected 2147483652");
     make_binary(bytes, "");
     refused(scratch_bytes(bytes, 60), "60 bytes");
     put_float(bytes + 84 + 50 + 20, (double)NAN);
@@ -129,7 +129,7 @@ START_TEST(stl_damaged)
 
     make_text(text, sizeof text, "\n");
     *strstr(text, "endsolid") = '\0';
-    refused(scratch_text(text), "ends behind 4 facets");
+    refused(scratch_text(text), "ends after 4 facets");
     make_text(text, sizeof text, "\n");
     strstr(text, "VERTEX")[8] = 'x';
     refused(scratch_text(text), ":4: ");
@@ -170,13 +170,13 @@ START_TEST(off_damaged)
     refused(scratch_text("OFF\n3 x\n"), "counts");
     refused(scratch_text("OFF\n3 0 0\n"), "0 faces");
     refused(scratch_text("OFF\n4000000000 1 0\n"), "4000000000 vertices");
-    refused(scratch_text("OFF\n3 1 0\n0 0 0\n1 0 0\n"), "ends behind 2 vertices");
+    refused(scratch_text("OFF\n3 1 0\n0 0 0\n1 0 0\n"), "ends after 2 vertices");
     refused(scratch_text("OFF\n3 1 0\n0 0 0\n1 0 0\n1 1\n3 0 1 2\n"), ":5: ");
     refused(scratch_text("OFF\n3 1 0\n0 0 0\n1 0 0\n1 1 nan\n3 0 1 2\n"), ":5: ");
     refused(scratch_text("OFF\n3 1 0\n0 0 0\n1 0 0\n1 1 0\n3 0 1 3\n"), "index 3");
     refused(scratch_text("OFF\n3 1 0\n0 0 0\n1 0 0\n1 1 0\n2 0 1\n"), "a face");
     refused(scratch_text("OFF\n3 1 0\n0 0 0\n1 0 0\n1 1 0\n4000000000 0 1 2\n"), "corners");
-    refused(scratch_text("OFF\n3 2 0\n0 0 0\n1 0 0\n1 1 0\n3 0 1 2\n"), "ends behind 1 facets");
+    refused(scratch_text("OFF\n3 2 0\n0 0 0\n1 0 0\n1 1 0\n3 0 1 2\n"), "ends after 1 facets");
 }
 END_TEST
 

@@ -212,12 +212,12 @@ END_TEST
 
 START_TEST(rows_are_counted)
 {
-    refused(HEAD("4", "0") THREE, ":12: the file ends behind 3 rows of element vertex, expected 4");
+    refused(HEAD("4", "0") THREE, ":12: the file ends after 3 rows of element vertex, expected 4");
     refused(HEAD("3", "2") THREE "3 0 1 2\n",
-            ":13: the file ends behind 1 rows of element face, expected 2");
+            ":13: the file ends after 1 rows of element face, expected 2");
     refused(HEAD("3", "1") THREE "3 0 1 2\n\n3 0 1 2\n",
             ":15: more than the 1 rows of element face");
-    refused(HEAD("3", "1") "0 0 0\n10 0 0 5\n0 10 5\n3 0 1 2\n", ":11: '5' behind the last");
+    refused(HEAD("3", "1") "0 0 0\n10 0 0 5\n0 10 5\n3 0 1 2\n", ":11: '5' after the last");
     refused(HEAD("3", "1") "0 0 0\n10 0\n0 10 5\n3 0 1 2\n", ":11: too few numbers");
     refused(HEAD("4294967295", "1"), "4294967295 vertices");
     refused(HEAD("-5", "1"), ":3: PLY element with the count '-5'");

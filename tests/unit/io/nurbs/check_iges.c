@@ -124,7 +124,7 @@ START_TEST(column_65)
     add(&f, 128, 0, 0, 65, PATCH);
     expect(&f, 1, vec(0, 0, 0));
     f = new_file(MM);
-    add(&f, 128, 0, 0, 17, PATCH); /* numbers broken over lines have blanks behind them */
+    add(&f, 128, 0, 0, 17, PATCH); /* numbers broken over lines have blanks after them */
     struct patches patches;
     struct error error;
     read_file(&f, &patches, &error); /* refused or read, never a crash */
@@ -139,7 +139,7 @@ START_TEST(numbers_and_defaults)
         "128 ,1,1, 1,1,,,,,,,,1.,1D0,,0.,1.0E+00,1.d0,.1D1,1,+1.,10.E-1,,,,4.D+1,,,,30,,40.,"
         "3.0D1,8.,,1.,,1.;");
     expect(&f, 1, vec(0, 0, 0));
-    f = new_file(MM); /* no range at all: that of the knots; pointers behind it count for nothing */
+    f = new_file(MM); /* no range at all: that of the knots; pointers after it count for nothing */
     add(&f, 128, 0, 0, 64,
         "128,1,1,1,1,0,0,1,0,0,0.,0.,1.,1.,0.,0.,1.,1.,1.,1.,1.,1.,"
         "0.,0.,0.,40.,0.,0.,0.,30.,0.,40.,30.,8.;");
