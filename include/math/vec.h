@@ -99,12 +99,38 @@ static inline double vec_angle(struct vec3 a, struct vec3 b)
     return atan2(vec_length(vec_cross(a, b)), vec_dot(a, b));
 }
 
-/* The point nearest to p on the straight way from a to b, which may be one place. */
-static inline struct vec3 vec_nearest(struct vec3 a, struct vec3 b, struct vec3 p)
+/* Where the point of the segment from a to b is that is nearest to p: 0 at a, 1 at b; 0 where both
+ * ends are one point. */
+static inline double vec_segment_foot(struct vec3 a, struct vec3 b, struct vec3 p)
 {
     struct vec3 d = vec_sub(b, a);
     double d2 = vec_dot(d, d), s = d2 > 0 ? vec_dot(d, vec_sub(p, a)) / d2 : 0;
-    return vec_along(a, s < 0 ? 0 : s > 1 ? 1 : s, d);
+    return s < 0 ? 0 : s > 1 ? 1 : s;
+}
+
+/* That point. */
+static inline struct vec3 vec_segment_nearest(struct vec3 a, struct vec3 b, struct vec3 p)
+{
+    return vec_mix(a, b, vec_segment_foot(a, b, p));
+}
+
+/* Its distance from p. */
+static inline double vec_segment_distance(struct vec3 a, struct vec3 b, struct vec3 p)
+{
+    return vec_distance(p, vec_segment_nearest(a, b, p));
+}
+
+/* Distance of p from the line through a and b, which are not one point. */
+static inline double vec_line_distance(struct vec3 a, struct vec3 b, struct vec3 p)
+{
+    return vec_length(vec_reject(vec_sub(p, a), vec_unit(vec_sub(b, a))));
+}
+
+/* The orientation of three points seen from above: twice the area of their triangle, positive where
+ * they go round counter-clockwise, so that c is to the left of the line from a to b. */
+static inline double vec_orient_xy(struct vec3 a, struct vec3 b, struct vec3 c)
+{
+    return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
 }
 
 /* a turned about the unit vector `axis` through an angle, said by its cosine and sine, right-handed

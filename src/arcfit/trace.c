@@ -75,16 +75,9 @@ bool trace_axis_still(const struct trace *t, size_t from, size_t to)
     return true;
 }
 
-static double segment_foot(struct vec3 q, struct vec3 a, struct vec3 b)
-{
-    struct vec3 d = vec_sub(b, a);
-    double l2 = vec_dot(d, d);
-    return l2 > 0 ? fmin(1, fmax(0, vec_dot(vec_sub(q, a), d) / l2)) : 0;
-}
-
 static double segment_distance2(struct vec3 q, struct vec3 a, struct vec3 b)
 {
-    struct vec3 d = vec_sub(q, vec_mix(a, b, segment_foot(q, a, b)));
+    struct vec3 d = vec_sub(q, vec_segment_nearest(a, b, q));
     return vec_dot(d, d);
 }
 
@@ -117,5 +110,5 @@ double trace_place(const struct trace *t, struct vec3 q, double place)
     double part;
     size_t k = trace_interval(t, place, &part);
     trace_distance(t->p, t->n, q, &k);
-    return (double)k + segment_foot(q, t->p[k], t->p[k + 1]);
+    return (double)k + vec_segment_foot(t->p[k], t->p[k + 1], q);
 }

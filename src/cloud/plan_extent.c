@@ -64,7 +64,7 @@ static bool is_wide(const struct vec3 *point, size_t n, struct vec3 a, struct ve
     const double narrow = 1e-6;
     double least = narrow * distance2(a, b);
     for (size_t i = 0; i < n; i++) {
-        double across = (b.x - a.x) * (point[i].y - a.y) - (b.y - a.y) * (point[i].x - a.x);
+        double across = vec_orient_xy(a, b, point[i]);
         if (fabs(across) > least)
             return true;
     }

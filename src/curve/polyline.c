@@ -27,9 +27,8 @@ static struct foot on_segment(struct polyline b, size_t j, struct vec3 q)
     if (b.n < 2)
         return (struct foot){0, 0, vec_distance(q, b.point[0])};
     struct vec3 d = vec_sub(b.point[j + 1], b.point[j]), e = vec_sub(q, b.point[j]);
-    double l2 = vec_dot(d, d), t = l2 > 0 ? vec_dot(e, d) / l2 : 0;
+    double t = vec_segment_foot(b.point[j], b.point[j + 1], q);
 
-    t = t < 0 ? 0 : t > 1 ? 1 : t;
     return (struct foot){j, t, vec_length(vec_along(e, -t, d))};
 }
 

@@ -46,14 +46,6 @@ struct run_point run_curve_at(const struct run_curve *c, double t, double radius
     return p;
 }
 
-static double segment_distance(struct vec3 p, struct vec3 a, struct vec3 b)
-{
-    struct vec3 d = vec_sub(b, a);
-    double l2 = vec_dot(d, d);
-    double t = l2 > 0 ? vec_dot(vec_sub(p, a), d) / l2 : 0;
-    return vec_distance(p, vec_along(a, fmin(1, fmax(0, t)), d));
-}
-
 /* Largest distance between the curve and `parts` straight pieces, at the tip and the centre. */
 static double chord_error(const struct run_curve *c, size_t parts, double radius)
 {
@@ -64,8 +56,8 @@ static double chord_error(const struct run_curve *c, size_t parts, double radius
         struct run_point to = k + 1 < parts ? run_curve_at(c, (double)(k + 1) / n, radius) : *c->b;
         for (int i = 1; i < SAMPLES; i++) {
             struct run_point p = run_curve_at(c, ((double)k + (double)i / SAMPLES) / n, radius);
-            worst = fmax(worst, segment_distance(p.ball, from.ball, to.ball));
-            worst = fmax(worst, segment_distance(p.tip, from.tip, to.tip));
+            worst = fmax(worst, vec_segment_distance(from.ball, to.ball, p.ball));
+            worst = fmax(worst, vec_segment_distance(from.tip, to.tip, p.tip));
         }
         from = to;
     }

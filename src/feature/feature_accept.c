@@ -38,11 +38,7 @@ static struct vec3s places_of(const struct feature *feature, size_t n, struct si
 /* How far a point is from a feature: at a wall from the line down it. */
 static double off_feature(const struct feature *f, struct vec3 p)
 {
-    struct vec3 way = vec_sub(f->place[1], f->place[0]);
-    double length2 = vec_dot(way, way);
-    double s = length2 > 0 ? vec_dot(vec_sub(p, f->place[0]), way) / length2 : 0;
-
-    return vec_distance(p, vec_along(f->place[0], fmin(fmax(s, 0), 1), way));
+    return vec_segment_distance(f->place[0], f->place[1], p);
 }
 
 /* The points within reach of a feature, and the nearest one to each. */

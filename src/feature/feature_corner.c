@@ -4,19 +4,13 @@
 static const double TURN = 0.14; /* sine of the angle between two planes */
 static const double ROOM = 0.01; /* from the sides of the triangle, of its heights */
 
-/* Twice the area of a triangle seen from above. */
-static double area_above(struct vec3 a, struct vec3 b, struct vec3 c)
-{
-    return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
-}
-
 static bool within(const struct vec3 t[3], struct vec3 p)
 {
-    double all = area_above(t[0], t[1], t[2]);
+    double all = vec_orient_xy(t[0], t[1], t[2]);
     bool inside = all > 0;
 
     for (int i = 0; i < 3; i++)
-        inside = inside && area_above(t[i], t[(i + 1) % 3], p) > ROOM * all;
+        inside = inside && vec_orient_xy(t[i], t[(i + 1) % 3], p) > ROOM * all;
     return inside;
 }
 

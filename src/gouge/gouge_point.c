@@ -88,11 +88,6 @@ struct gouge_point gouge_point_halfway(const struct gouge_point *a, const struct
     return gouge_point_from(&p, &touch, rule, radius);
 }
 
-static double off_line(struct vec3 p, struct vec3 a, struct vec3 b)
-{
-    return vec_length(vec_reject(vec_sub(p, a), vec_unit(vec_sub(b, a))));
-}
-
 bool gouge_point_clear(const struct run_point *a, const struct run_point *b,
                        const struct gouge_lift_options *rule)
 {
@@ -115,8 +110,8 @@ bool gouge_point_near(const struct gouge_point *a, const struct gouge_point *b,
 static bool on_line(const struct run_point *p, const struct gouge_point *a,
                     const struct gouge_point *b, const struct gouge_lift_options *rule)
 {
-    return off_line(p->ball, a->p.ball, b->p.ball) <= rule->tolerance &&
-           off_line(p->tip, a->p.tip, b->p.tip) <= rule->tolerance;
+    return vec_line_distance(a->p.ball, b->p.ball, p->ball) <= rule->tolerance &&
+           vec_line_distance(a->p.tip, b->p.tip, p->tip) <= rule->tolerance;
 }
 
 /* Where what stops the ball at both ends holds it on the line, and the line is clear, more of the

@@ -24,12 +24,6 @@ static struct vec3 ball_at(const struct walk *w, double s)
     return w->rule->centre ? pose.p : vec_along(pose.p, w->rule->radius, pose.a);
 }
 
-/* How far q is from the middle of a and b, across. */
-static double off_chord(struct vec3 a, struct vec3 b, struct vec3 q)
-{
-    return vec_length(vec_reject(vec_sub(q, a), vec_unit(vec_sub(b, a))));
-}
-
 static void halve(const struct walk *w, double s0, struct vec3 a, double s1, struct vec3 b,
                   int halvings);
 
@@ -57,9 +51,9 @@ static void halve(const struct walk *w, double s0, struct vec3 a, double s1, str
 {
     double s = (s0 + s1) / 2;
     struct vec3 m = ball_at(w, s);
-    bool straight = vec_distance(a, b) <= PIECE && off_chord(a, b, m) <= w->flat &&
-                    off_chord(a, b, ball_at(w, (s0 + s) / 2)) <= w->flat &&
-                    off_chord(a, b, ball_at(w, (s + s1) / 2)) <= w->flat;
+    bool straight = vec_distance(a, b) <= PIECE && vec_line_distance(a, b, m) <= w->flat &&
+                    vec_line_distance(a, b, ball_at(w, (s0 + s) / 2)) <= w->flat &&
+                    vec_line_distance(a, b, ball_at(w, (s + s1) / 2)) <= w->flat;
 
     if (straight || halvings == 0) {
         look(w, s0, a, s1, b, halvings);

@@ -184,9 +184,9 @@ struct vec3 facet_nearest(const struct facet *facet, struct vec3 p)
         if (a >= 0 && b >= 0 && a + b <= 1)
             return vec_along(vec_along(c[0], a, u), b, v);
     }
-    struct vec3 best = vec_nearest(c[0], c[1], p);
+    struct vec3 best = vec_segment_nearest(c[0], c[1], p);
     for (int k = 1; k < 3; k++) {
-        struct vec3 q = vec_nearest(c[k], c[(k + 1) % 3], p);
+        struct vec3 q = vec_segment_nearest(c[k], c[(k + 1) % 3], p);
         if (vec_distance(q, p) < vec_distance(best, p))
             best = q;
     }

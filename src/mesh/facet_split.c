@@ -8,12 +8,6 @@
 
 static const double FLAT = 1e-9; /* mm2: twice the area of a facet that is none from above */
 
-/* Twice the area, seen from above: positive where p is to the left of the way from a to b. */
-static double left(struct vec3 a, struct vec3 b, struct vec3 p)
-{
-    return (b.x - a.x) * (p.y - a.y) - (b.y - a.y) * (p.x - a.x);
-}
-
 static struct vec3 corner(const struct facet_split *w, int facet, int i)
 {
     return w->mesh->vertex.item[w->mesh->face.item[facet].v[i % 3]];
@@ -22,9 +16,9 @@ static struct vec3 corner(const struct facet_split *w, int facet, int i)
 bool facet_split_over(const struct facet_split *w, int facet, struct vec3 p)
 {
     for (int i = 0; i < 3; i++)
-        if (left(corner(w, facet, i), corner(w, facet, i + 1), p) < -FLAT)
+        if (vec_orient_xy(corner(w, facet, i), corner(w, facet, i + 1), p) < -FLAT)
             return false;
-    return left(corner(w, facet, 0), corner(w, facet, 1), corner(w, facet, 2)) > FLAT;
+    return vec_orient_xy(corner(w, facet, 0), corner(w, facet, 1), corner(w, facet, 2)) > FLAT;
 }
 
 static double off_facet(const struct facet_split *w, int facet, struct vec3 p)
@@ -175,9 +169,10 @@ static bool better_turned(const struct facet_split *w, int f, int g, int k)
     struct vec3 d = corner(w, g, k + 2);
     struct facet now[2] = {{{p, a, b}}, {{b, a, d}}}, then[2] = {{{p, a, d}}, {{p, d, b}}};
 
-    if (!(left(p, a, d) > FLAT) || !(left(p, d, b) > FLAT) || !(left(b, a, d) > FLAT))
+    if (!(vec_orient_xy(p, a, d) > FLAT) || !(vec_orient_xy(p, d, b) > FLAT) ||
+        !(vec_orient_xy(b, a, d) > FLAT))
         return false;
-    if (left(p, a, b) <= FLAT) /* the new vertex is on the edge */
+    if (vec_orient_xy(p, a, b) <= FLAT) /* the new vertex is on the edge */
         return true;
     return in_circle(p, a, b, d) &&
            worst_of_both(w, f, g, then) <= worst_of_both(w, f, g, now) + 1e-12;

@@ -5,11 +5,6 @@
 
 #include "math/point_grid.h"
 
-static double cross_above(struct vec3 a, struct vec3 b, struct vec3 p)
-{
-    return (b.x - a.x) * (p.y - a.y) - (b.y - a.y) * (p.x - a.x);
-}
-
 /* Marks the points over a facet that goes round the left way, seen from above. */
 static void mark(const struct point_grid *k, struct vec3 a, struct vec3 b, struct vec3 c,
                  double border, unsigned char *over)
@@ -21,9 +16,9 @@ static void mark(const struct point_grid *k, struct vec3 a, struct vec3 b, struc
 
     for (size_t r = r0; r <= r1; r++)
         for (size_t i = k->first[r * k->columns + c0]; i < k->first[r * k->columns + c1 + 1]; i++)
-            over[i] |= cross_above(a, b, k->point[i]) >= border &&
-                       cross_above(b, c, k->point[i]) >= border &&
-                       cross_above(c, a, k->point[i]) >= border;
+            over[i] |= vec_orient_xy(a, b, k->point[i]) >= border &&
+                       vec_orient_xy(b, c, k->point[i]) >= border &&
+                       vec_orient_xy(c, a, k->point[i]) >= border;
 }
 
 int mesh_coverage(const struct mesh *mesh, const struct vec3 *point, size_t n, double spacing,
@@ -45,7 +40,7 @@ int mesh_coverage(const struct mesh *mesh, const struct vec3 *point, size_t n, d
     unsigned char *over = mem_alloc(n, 1);
     for (size_t f = 0; f < mesh->face.n; f++) {
         const int *v = mesh->face.item[f].v;
-        if (cross_above(at[v[0]], at[v[1]], at[v[2]]) > 0)
+        if (vec_orient_xy(at[v[0]], at[v[1]], at[v[2]]) > 0)
             mark(&point_grid, at[v[0]], at[v[1]], at[v[2]], border, over);
     }
     for (size_t i = 0; i < n; i++)

@@ -87,11 +87,6 @@ static struct row_simplify row_at(const struct work *w, double v, double longest
     return row_simplify_make(w->point_grid, w->plan_extent, v, &w->rule, longest);
 }
 
-static double cross_above(struct vec3 a, struct vec3 b, struct vec3 p)
-{
-    return (b.x - a.x) * (p.y - a.y) - (b.y - a.y) * (p.x - a.x);
-}
-
 /* The points above and below one facet (in the scan's axes). */
 static void measure_face(struct work *w, struct strip *s, struct vec3 a, struct vec3 b,
                          struct vec3 c)
@@ -106,8 +101,8 @@ static void measure_face(struct work *w, struct strip *s, struct vec3 a, struct 
     for (size_t r = r0; r <= r1; r++)
         for (size_t i = k->first[r * k->columns + c0]; i < k->first[r * k->columns + c1 + 1]; i++) {
             struct vec3 p = k->point[i];
-            if (cross_above(a, b, p) < edge || cross_above(b, c, p) < edge ||
-                cross_above(c, a, p) < edge)
+            if (vec_orient_xy(a, b, p) < edge || vec_orient_xy(b, c, p) < edge ||
+                vec_orient_xy(c, a, p) < edge)
                 continue;
             double off = fabs(vec_dot(normal, vec_sub(p, a)));
             w->covered[i] = 1;
@@ -164,7 +159,7 @@ static void make_strip(struct work *w, size_t index)
             p[i] = turn_back(w->plan_extent, v < low->node.n ? low->node.item[v]
                                                              : high->node.item[v - low->node.n]);
         }
-        if (!(cross_above(p[0], p[1], p[2]) > nothing * w->spacing * w->spacing))
+        if (!(vec_orient_xy(p[0], p[1], p[2]) > nothing * w->spacing * w->spacing))
             continue;
         if (hangs(w, &all.item[f], low, high) || holes_bridged(w->holes, p[0], p[1], p[2])) {
             s->bridges++;

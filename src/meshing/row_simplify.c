@@ -130,13 +130,6 @@ static struct candidates find_candidates(const struct point_grid *b, const struc
     return c;
 }
 
-static double off_line(struct vec3 a, struct vec3 b, struct vec3 p)
-{
-    struct vec3 along = vec_sub(b, a), to = vec_sub(p, a);
-    double s = vec_dot(along, to) / fmax(vec_dot(along, along), 1e-300);
-    return vec_distance(p, vec_mix(a, b, fmin(fmax(s, 0), 1)));
-}
-
 /* How long a piece may be: no longer than the zone's edges where it is near them. */
 static double most_between(const struct candidates *c, const struct row_simplify_options *rule,
                            size_t from, size_t to, double longest)
@@ -158,7 +151,7 @@ static void take_between(struct candidates *c, const struct row_simplify_options
     if (to - from > 1 && p[to].x - p[from].x > most_between(c, rule, from, to, longest))
         at = from + (to - from) / 2;
     for (size_t i = from + 1; i < to; i++) {
-        double off = off_line(p[from], p[to], p[i]);
+        double off = vec_segment_distance(p[from], p[to], p[i]);
         if (off > worst) {
             worst = off;
             at = i;

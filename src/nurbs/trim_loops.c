@@ -200,14 +200,6 @@ static struct uv uv_at(struct follower *f, double t, struct uv guess)
     return at;
 }
 
-static double distance_to_chord(struct vec3 p, struct vec3 a, struct vec3 b)
-{
-    struct vec3 d = vec_sub(b, a), r = vec_sub(p, a);
-    double l = vec_dot(d, d);
-    double t = l > 0 ? fmin(fmax(vec_dot(r, d) / l, 0), 1) : 0;
-    return vec_distance(p, vec_along(a, t, d));
-}
-
 static struct uv mix(struct uv a, struct uv b, double t)
 {
     return (struct uv){a.u + (b.u - a.u) * t, a.v + (b.v - a.v) * t};
@@ -220,8 +212,8 @@ static bool is_near(struct follower *f, double t0, struct uv a, double t1, struc
     for (int i = 1; i < 4; i++) {
         struct uv m = mix(a, b, i / 4.0);
         struct vec3 on = pullback_point(&f->on, uv_at(f, t0 + (t1 - t0) * i / 4, m));
-        if (distance_to_chord(on, p, q) > f->tolerance ||
-            distance_to_chord(pullback_point(&f->on, m), p, q) > f->tolerance)
+        if (vec_segment_distance(p, q, on) > f->tolerance ||
+            vec_segment_distance(p, q, pullback_point(&f->on, m)) > f->tolerance)
             return false;
     }
     return true;

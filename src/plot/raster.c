@@ -93,12 +93,6 @@ void raster_disc(struct raster *r, struct vec3 p, double radius, size_t owner)
         }
 }
 
-/* Twice the area of the triangle a b c, positive counter-clockwise. */
-static double area(struct vec3 a, struct vec3 b, struct vec3 c)
-{
-    return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
-}
-
 /* A plane triangle over the cells: its depth in the middle of one, NAN beside it. */
 struct cover {
     struct vec3 a, b, c;
@@ -109,7 +103,7 @@ struct cover {
 static bool cover_begin(const struct raster *r, struct vec3 a, struct vec3 b, struct vec3 c,
                         struct cover *cover)
 {
-    *cover = (struct cover){.a = a, .b = b, .c = c, .all = area(a, b, c)};
+    *cover = (struct cover){.a = a, .b = b, .c = c, .all = vec_orient_xy(a, b, c)};
     cover->window = window(r, fmin(a.x, fmin(b.x, c.x)), fmin(a.y, fmin(b.y, c.y)),
                            fmax(a.x, fmax(b.x, c.x)), fmax(a.y, fmax(b.y, c.y)));
     return fabs(cover->all) > 0;
@@ -117,7 +111,8 @@ static bool cover_begin(const struct raster *r, struct vec3 a, struct vec3 b, st
 
 static double cover_depth(const struct cover *k, struct vec3 m)
 {
-    double u = area(m, k->b, k->c) / k->all, v = area(k->a, m, k->c) / k->all, t = 1 - u - v;
+    double u = vec_orient_xy(m, k->b, k->c) / k->all, v = vec_orient_xy(k->a, m, k->c) / k->all,
+           t = 1 - u - v;
     bool inside = u >= -1e-12 && v >= -1e-12 && t >= -1e-12;
     return inside ? u * k->a.z + v * k->b.z + t * k->c.z : NAN;
 }

@@ -20,25 +20,16 @@ static struct vec3 centre_at(const struct walk *w, double s)
     return vec_along(pose.p, w->height, pose.a);
 }
 
-/* How far q is from the chord at the same share of it. */
-static double stray(struct vec3 a, struct vec3 b, struct vec3 q)
-{
-    struct vec3 chord = vec_sub(b, a), to = vec_sub(q, a);
-    double l2 = vec_dot(chord, chord);
-    double t = l2 > 0 ? fmin(fmax(vec_dot(chord, to) / l2, 0), 1) : 0;
-    return vec_distance(to, vec_scale(t, chord));
-}
-
 /* Halves until three places between the ends lie on the chord. */
 static void flatten(const struct walk *w, double s0, struct vec3 a, double s1, struct vec3 b,
                     int depth)
 {
     double s = (s0 + s1) / 2;
     struct vec3 m = centre_at(w, s);
-    bool straight = stray(a, b, m) <= w->flat;
+    bool straight = vec_segment_distance(a, b, m) <= w->flat;
     for (int i = 1; straight && i <= 3; i += 2) {
         double between = s0 + (s1 - s0) * i / 4;
-        straight = stray(a, b, centre_at(w, between)) <= w->flat;
+        straight = vec_segment_distance(a, b, centre_at(w, between)) <= w->flat;
     }
     if (depth >= DEEPEST || (straight && depth >= 0)) {
         *array_push(w->path) =

@@ -94,7 +94,7 @@ static struct box_tree *tree_of(const struct centre_path *path)
 
 static struct vec3 nearest_centre(const struct centre_segment *segment, struct vec3 p)
 {
-    return vec_nearest(segment->a, segment->b, p);
+    return vec_segment_nearest(segment->a, segment->b, p);
 }
 
 static double segment_distance2(const void *items, size_t item, struct vec3 p)

@@ -100,10 +100,7 @@ static void look_at_end(struct search *s, size_t to)
 /* From the straight line between two places to a third, at right angles. */
 static struct vec3 rise(struct vec3 from, struct vec3 to, struct vec3 p)
 {
-    struct vec3 chord = vec_sub(to, from), up = vec_sub(p, from);
-    double l2 = vec_dot(chord, chord);
-    double t = l2 > 0 ? fmin(fmax(vec_dot(chord, up) / l2, 0), 1) : 0;
-    return vec_along(up, -t, chord);
+    return vec_sub(p, vec_segment_nearest(from, to, p));
 }
 
 /* A stretch of segments off the part, both ends among them. */

@@ -80,7 +80,7 @@ END_TEST
 static double segment_distance2(const void *items, size_t item, struct vec3 p)
 {
     const struct vec3 *node = items;
-    struct vec3 d = vec_sub(vec_nearest(node[item], node[item + 1], p), p);
+    struct vec3 d = vec_sub(vec_segment_nearest(node[item], node[item + 1], p), p);
     return vec_dot(d, d);
 }
 
