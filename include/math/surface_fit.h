@@ -3,6 +3,14 @@
  * where they carry none, a quadric, through as many of them as agree, outliers without weight
  * (Tukey's biweight).
  *
+ * It is the robust one of a family of local surfaces, each through given points by least squares:
+ *   plane_fit.h   a plane, distances across it; plane_normal (quadric.h) is the quick one
+ *   quadric.h     second degree, heights over a frame; and what both quadric and cubic are asked:
+ *                 normal, foot, curvature, distance
+ *   cubic.h       third degree, as a struct quadric too
+ *   side_fit.h    plane or quadric on one side of an edge, in a frame that all sides share
+ *   ridge_direction.h, neighbourhood_along.h   along a rib or a groove
+ *
  * How many points is a trade: through k points of noise sigma the foot of the place is uncertain by
  * about 2 sigma / sqrt(k) within the cloud and by more at its border, but the wider the
  * neighbourhood, the less of the surface is a cubic.  So the widest neighbourhood is taken whose
@@ -34,49 +42,21 @@ struct surface_fit {
     size_t n;         /* points */
 };
 
-enum { SURFACE_FIT_WIDEST = 1024 };
-
-/* The neighbourhood in hand, nearest first: one for each thread. */
-struct surface_fit_hood {
-    size_t n;
-    uint32_t index[SURFACE_FIT_WIDEST];
-    double distance2[SURFACE_FIT_WIDEST], weight[SURFACE_FIT_WIDEST];
-    struct vec3 point[SURFACE_FIT_WIDEST];
-};
+/* Room for a neighbourhood: one for each thread. */
+struct surface_fit_hood;
 struct surface_fit_hood *surface_fit_hood_new(void);
 void surface_fit_hood_free(struct surface_fit_hood *hood);
 
-/* From few points to many, 32 to 362: the last neighbourhood of a place that agrees with all within
- * it. `guess`: the normal there, roughly, on either side. */
-size_t surface_fit_widest(const struct surface_fit_options *rule, struct vec3 place,
-                          struct vec3 guess, struct surface_fit_hood *hood);
-
-/* What half of the places can take, of up to 200 of them. */
+/* How many points half of the places can take, told from a sample of them.  `guess`: the normal
+ * there, roughly, on either side. */
 size_t surface_fit_typical(const struct surface_fit_options *rule, const struct vec3 *place,
                            const struct vec3 *guess, size_t n, int threads);
 
 /* The surface about a place, from rule->neighbours points or, where these do not agree, fewer; from
- * up to four times as many where they tell little, as at a border, and up to 1024 where they carry
- * none.  False: there is none. */
+ * up to four times as many where they tell little, as at a border, and from more still where they
+ * carry none.  False: there is none. */
 bool surface_fit_at(const struct surface_fit_options *rule, struct vec3 place, struct vec3 guess,
                     struct surface_fit_hood *hood, struct surface_fit *fit);
-
-/* For surface_fit_at, the better surface where there is a rib or a groove. */
-void surface_fit_along(const struct surface_fit_options *rule, struct vec3 place, struct vec3 guess,
-                       struct surface_fit_hood *hood, struct surface_fit *fit);
-
-/* Its steps: the k points nearest to a place, */
-void surface_fit_gather(const struct point_grid *point_grid, struct vec3 place, size_t k,
-                        struct surface_fit_hood *hood);
-
-/* a surface through the first k of them in the frame of a normal, what is far off counting less and
- * less (-1: there is none), */
-int surface_fit_through(struct surface_fit_hood *hood, size_t k, struct vec3 place,
-                        struct vec3 normal, struct vec3 guess, double sigma,
-                        struct surface_fit *fit);
-
-/* and whether it is so uncertain that a neighbourhood that is bent tells more. */
-bool surface_fit_useless(const struct surface_fit *fit, double sigma);
 
 /* Is it noise alone that spreads the points about it? */
 bool surface_fit_holds(const struct surface_fit *fit, double sigma);

@@ -4,13 +4,25 @@
 #include <stdlib.h>
 
 #include "base/array.h"
+#include "base/parallel.h"
 #include "math/cubic.h"
+#include "math/neighbourhood_along.h"
+
+enum { WIDEST = 1024 };
+
+struct surface_fit_hood {
+    size_t n;
+    uint32_t index[WIDEST];
+    double distance2[WIDEST], weight[WIDEST];
+    struct vec3 point[WIDEST];
+};
 
 enum { LEAST = 32, FEW = 64, MOST = 362, STEPS = 8, REFITS = 2 };
 
 static const double TUKEY = 4.685; /* in standard deviations: 95 % efficient on normal noise */
 
-void surface_fit_gather(const struct point_grid *b, struct vec3 vertex, size_t k,
+/* The k points nearest to a place. */
+static void gather_hood(const struct point_grid *b, struct vec3 vertex, size_t k,
                         struct surface_fit_hood *hood)
 {
     hood->n = point_grid_nearest(b, vertex, k, hood->index, hood->distance2);
@@ -59,9 +71,10 @@ static int fit_weighted(const struct surface_fit_hood *hood, const double *weigh
     return quadric_fit_weighted(hood->point, weight, k, vertex, normal, q);
 }
 
-int surface_fit_through(struct surface_fit_hood *hood, size_t k, struct vec3 vertex,
-                        struct vec3 normal, struct vec3 guess, double sigma,
-                        struct surface_fit *fit)
+/* A surface through the first k points in the frame of a normal, what is far off counting less and
+ * less.  -1: there is none. */
+static int fit_through(struct surface_fit_hood *hood, size_t k, struct vec3 vertex,
+                       struct vec3 normal, struct vec3 guess, double sigma, struct surface_fit *fit)
 {
     const double far = 3.5; /* in sigma */
     struct quadric *q = &fit->q;
@@ -98,7 +111,7 @@ static int fit_to(struct surface_fit_hood *hood, size_t k, struct vec3 vertex, s
                 continue;
             normal = quadric_normal(&fit->q);
         }
-        fitted = surface_fit_through(hood, k, vertex, normal, guess, sigma, fit);
+        fitted = fit_through(hood, k, vertex, normal, guess, sigma, fit);
     }
     return fitted;
 }
@@ -138,20 +151,22 @@ static struct vec3 first_foot(const struct surface_fit_options *rule, struct vec
     const size_t some = 2 * (size_t)LEAST;
     const double far = 4;
     struct surface_fit fit;
-    surface_fit_gather(rule->point_grid, vertex, some, hood);
+    gather_hood(rule->point_grid, vertex, some, hood);
     if (fit_to(hood, hood->n, vertex, guess, rule->sigma, &fit) < 0 ||
         is_useless(&fit.q, rule->sigma) || fabs(fit.offset) > far * rule->sigma)
         return vertex;
     return quadric_foot(&fit.q);
 }
 
-size_t surface_fit_widest(const struct surface_fit_options *rule, struct vec3 vertex,
+/* From few points to many, LEAST to MOST: the last neighbourhood of a place that agrees with all
+ * within it.  `guess`: the normal there, roughly, on either side. */
+static size_t widest_hood(const struct surface_fit_options *rule, struct vec3 vertex,
                           struct vec3 guess, struct surface_fit_hood *hood)
 {
     struct surface_fit fit[STEPS];
     size_t widest = LEAST, n = 0;
     vertex = first_foot(rule, vertex, guess, hood);
-    surface_fit_gather(rule->point_grid, vertex, MOST, hood);
+    gather_hood(rule->point_grid, vertex, MOST, hood);
     double k = LEAST;
     for (int step = 0; step < STEPS; step++, k *= sqrt(2)) {
         size_t count = (size_t)(k + 0.5);
@@ -178,11 +193,10 @@ static bool is_settled(const struct quadric *q, double sigma)
 static size_t begin_at(const struct surface_fit_options *rule, struct vec3 vertex,
                        struct vec3 guess, struct surface_fit_hood *hood, struct surface_fit *fit)
 {
-    size_t began = 0, most = 4 * rule->neighbours < SURFACE_FIT_WIDEST ? 4 * rule->neighbours
-                                                                       : SURFACE_FIT_WIDEST;
-    for (size_t k = rule->neighbours; k <= SURFACE_FIT_WIDEST; k *= 2) {
+    size_t began = 0, most = 4 * rule->neighbours < WIDEST ? 4 * rule->neighbours : WIDEST;
+    for (size_t k = rule->neighbours; k <= WIDEST; k *= 2) {
         struct surface_fit wide;
-        surface_fit_gather(rule->point_grid, vertex, k, hood);
+        gather_hood(rule->point_grid, vertex, k, hood);
         if (fit_to(hood, hood->n, vertex, guess, rule->sigma, &wide) == 0) {
             bool useless = began == 0 || is_useless(&fit->q, rule->sigma);
             if (!useless && (k > most || !agree(&wide, fit, rule->sigma)))
@@ -217,8 +231,8 @@ static bool fit_at(const struct surface_fit_options *rule, struct vec3 vertex, s
         k = begin_at(rule, vertex, guess, hood, fit);
     }
     for (struct surface_fit part; k / 2 >= LEAST && k > rule->neighbours / 16; k /= 2) {
-        if (surface_fit_through(hood, k / 2, vertex, quadric_normal(&fit->q), guess, rule->sigma,
-                                &part) < 0 ||
+        if (fit_through(hood, k / 2, vertex, quadric_normal(&fit->q), guess, rule->sigma, &part) <
+                0 ||
             !is_better(&part, fit, rule->sigma))
             break;
         *fit = part;
@@ -234,12 +248,11 @@ static void try_other_frames(const struct surface_fit_options *rule, struct vec3
 {
     struct surface_fit other;
     struct vec3 normal[2] = {guess, vec(0, 0, 1)};
-    surface_fit_gather(rule->point_grid, vertex, rule->neighbours, hood);
+    gather_hood(rule->point_grid, vertex, rule->neighbours, hood);
     if (quadric_fit_steep(hood->point, hood->n, vertex, guess, &other.q) == 0)
         normal[0] = quadric_normal(&other.q);
     for (int i = 0; i < 2; i++)
-        if (surface_fit_through(hood, hood->n, vertex, normal[i], guess, rule->sigma, &other) ==
-                0 &&
+        if (fit_through(hood, hood->n, vertex, normal[i], guess, rule->sigma, &other) == 0 &&
             other.spread < fit->spread)
             *fit = other;
 }
@@ -254,15 +267,71 @@ void surface_fit_hood_free(struct surface_fit_hood *hood)
     free(hood);
 }
 
-bool surface_fit_useless(const struct surface_fit *fit, double sigma)
-{
-    return is_useless(&fit->q, sigma);
-}
-
 bool surface_fit_holds(const struct surface_fit *fit, double sigma)
 {
     const double bent = 2;
     return fit->spread <= bent * sigma;
+}
+
+/* ---- along ribs and grooves */
+
+/* Neighbourhoods longer one way: how much, of how many points, which ways are tried about one. */
+struct longer {
+    double aspect;
+    size_t points;
+    int tries;   /* to either side ... */
+    double step; /* ... by so much, radians */
+};
+
+/* The surface through a neighbourhood that is longer along one of the directions half a turn has,
+ * `step` apart about a middle one: the one it fits best.  False: none fits better than *fit. */
+static bool best_along(const struct surface_fit_options *rule, const struct surface_fit_hood *wide,
+                       struct vec3 vertex, struct vec3 guess, const struct longer *longer,
+                       double *angle, struct surface_fit *fit)
+{
+    struct surface_fit_hood *hood = mem_alloc(1, sizeof *hood);
+    struct vec3 normal = quadric_normal(&fit->q), u = vec_perpendicular(normal);
+    struct vec3 v = vec_cross(normal, u);
+    double middle = *angle;
+    bool better = false;
+
+    for (int i = -longer->tries; i <= longer->tries; i++) {
+        double a = middle + i * longer->step;
+        struct vec3 way = vec_along(vec_scale(cos(a), u), sin(a), v);
+        struct surface_fit along;
+        hood->n = neighbourhood_along_take(wide->point, wide->n, vertex, way, longer->aspect,
+                                           longer->points, hood->point);
+        if (fit_through(hood, hood->n, vertex, normal, guess, rule->sigma, &along) < 0 ||
+            along.spread >= fit->spread || is_useless(&along.q, rule->sigma))
+            continue;
+        *fit = along;
+        *angle = a;
+        better = true;
+    }
+    free(hood);
+    return better;
+}
+
+/* The better surface where there is a rib or a groove. */
+static void fit_along(const struct surface_fit_options *rule, struct vec3 vertex, struct vec3 guess,
+                      struct surface_fit_hood *hood, struct surface_fit *fit)
+{
+    static const struct longer rough = {3, 36, 4, PI / 9}, fine = {6, 72, 2, PI / 30};
+    const double better = 0.85, sharp = 1.6;
+    struct surface_fit along = *fit, best;
+    double angle = 0;
+
+    gather_hood(rule->point_grid, vertex, (size_t)(rough.aspect * (double)rough.points), hood);
+    if (!best_along(rule, hood, vertex, guess, &rough, &angle, &along) ||
+        along.spread > better * fit->spread || along.spread > sharp * rule->sigma)
+        return;
+    gather_hood(rule->point_grid, vertex, (size_t)(fine.aspect * (double)fine.points), hood);
+    best = along;
+    best.spread *= 1.1; /* of fewer points and more of them */
+    if (best_along(rule, hood, vertex, guess, &fine, &angle, &best))
+        along = best;
+    if (along.spread < sharp * rule->sigma) /* else it is a crease */
+        *fit = along;
 }
 
 bool surface_fit_at(const struct surface_fit_options *rule, struct vec3 place, struct vec3 guess,
@@ -275,6 +344,46 @@ bool surface_fit_at(const struct surface_fit_options *rule, struct vec3 place, s
         try_other_frames(rule, place, guess, hood, fit);
     if (rule->along && fit->spread > rough * rule->sigma && fit->spread < torn * rule->sigma &&
         fit->n <= FEW)
-        surface_fit_along(rule, place, guess, hood, fit);
+        fit_along(rule, place, guess, hood, fit);
     return true;
+}
+
+/* ---- how many points most surfaces take */
+
+enum { SAMPLE = 200, FEWEST = 32 };
+
+struct sample {
+    const struct surface_fit_options *rule;
+    const struct vec3 *place, *guess;
+    size_t places, n; /* of them, looked at */
+    size_t *widest;
+};
+
+static void choose(void *context, size_t from, size_t to)
+{
+    const struct sample *sample = context;
+    struct surface_fit_hood *hood = surface_fit_hood_new();
+    for (size_t i = from; i < to; i++) {
+        size_t at = i * sample->places / sample->n;
+        sample->widest[i] = widest_hood(sample->rule, sample->place[at], sample->guess[at], hood);
+    }
+    surface_fit_hood_free(hood);
+}
+
+static int by_size(const void *a, const void *b)
+{
+    size_t x = *(const size_t *)a, y = *(const size_t *)b;
+    return (x > y) - (x < y);
+}
+
+size_t surface_fit_typical(const struct surface_fit_options *rule, const struct vec3 *place,
+                           const struct vec3 *guess, size_t n, int threads)
+{
+    size_t some = n < SAMPLE ? n : SAMPLE;
+    struct sample sample = {rule, place, guess, n, some, mem_alloc(some, sizeof(size_t))};
+    parallel_for(threads, some, choose, &sample);
+    qsort(sample.widest, some, sizeof *sample.widest, by_size);
+    size_t typical = some > 0 ? sample.widest[some / 2] : FEWEST;
+    free(sample.widest);
+    return typical;
 }
