@@ -12,8 +12,9 @@
 #	--keep DIR    leave what they wrote in DIR/out, and what they said in DIR/log
 #
 # Prints the lines that differ, - as they were and + as they are, and what it took; exit 1 when any
-# differ.  Messages on standard error do not count, the exit status does.  What the inputs that are
-# not made here are: samples/, machines/, and the folders of `awkward` and `foreign` in jobs.sh.
+# differ.  Messages on standard error do not count, the exit status does (124: stopped after ten
+# minutes).  What it takes of the project besides the tools: samples/, machines/, and the folders that
+# jobs.sh calls awkward and foreign.
 here=$(cd "$(dirname "$0")" && pwd)
 SRC=$(cd "${SRC:-$here/../..}" && pwd)
 BIN=$(cd "${BIN:-$SRC/build/bin}" && pwd) || exit 1
@@ -29,6 +30,8 @@ export SRC BIN PATH CLOUDMILL_MACHINES LC_ALL
 if [ "${1:-}" = --job ]; then # --job FOLDER NAME: runs it; its exit status is kept, this one's is 0
 	cd "$2/out" || exit 1
 	command=$(awk -v name="$3" '$1 == name { sub(/^[^ ]+ +/, ""); print; exit }' ../jobs)
+	: >"$3"
+	echo 124 >"../log/$3.exit" # when it is stopped
 	(eval "$command") >"../new/$3" 2>"../log/$3.err" </dev/null
 	echo $? >"../log/$3.exit"
 	mv "../new/$3" "$3"
@@ -69,7 +72,7 @@ awk -v run="sh '$here/freeze.sh' --job '$tmp'" '
 		gsub(/[][<>|;&()"=]/, " ", line)
 		n = split(line, word, " ")
 		for (i = 2; i <= n; i++) if (word[i] in name) needs = needs " " word[i]
-		printf "%s:%s\n\t@%s %s\n", $1, needs, run, $1
+		printf "%s:%s\n\t@timeout 600 %s %s || :\n", $1, needs, run, $1
 	}' "$tmp/jobs" "$tmp/jobs" >"$tmp/jobs.mk"
 export only
 awk '$1 ~ ENVIRON["only"] { print $1 }' "$tmp/jobs" | sort >"$tmp/names"

@@ -21,6 +21,7 @@ shape() {
 		if (kind == "roof") return 12 - size(d) / 2
 		if (kind == "valley") return 2 + size(d) / 2
 		if (kind == "pyramid") return 10 - 0.6 * (size(d) > size(e) ? size(d) : size(e))
+		if (kind == "corner") return 9 - least(-d, least(d / 2 + 0.9 * e, d / 2 - 0.9 * e)) * -0.7
 		if (kind == "rib") return 5 - 0.005 * (x * x + y * y) + 0.8 * exp(-(d - 1) * (d - 1) / 0.36)
 		if (kind == "groove") return 5 - 0.6 * exp(-(d - 1) * (d - 1) / 0.5)
 		if (kind == "step" || kind == "wall") return d > 0 ? 6 : 0
@@ -123,7 +124,8 @@ as() {
 	}' "$2"
 }
 
-# surface KIND: NURBS text: torus, sphere, cube, frame (trimmed), disc (trimmed), meet (two with a gap)
+# surface KIND: NURBS text: torus, sphere, cube, frame (trimmed), disc (trimmed), meet (two with a
+# gap), part (a range of the parameters)
 surface() {
 	awk -v kind="$1" 'function flat(a, b, c, d, e, f, g, h, i, j, k, l) {
 		print "surface degree 1 1 poles 2 2 knots_u 0 0 1 1 knots_v 0 0 1 1 points", \
@@ -163,6 +165,10 @@ surface() {
 			print "loop"
 			for (i = 0; i < 180; i++) print 0.5 + 0.4 * cos(i * atan2(0, -1) / 90), 0.5 + 0.4 * sin(i * atan2(0, -1) / 90)
 		}
+		if (kind == "part") {
+			print "unit cm surface degree 1 1 poles 3 3 knots_u 0 1 2 3 4 knots_v 0 0 1 2 2"
+			print "range 1.2 2.7 0.1 5 points 0 0 0 1 0 1 2 0 0 0 1 1 1 1 2 2 1 1 0 2 0 1 2 1 2 2 0"
+		}
 		if (kind == "meet") {
 			print "surface degree 1 3 poles 2 9 knots_u 0 0 1 1 knots_v 0 0 0 0 1 2 3 4 5 6 6 6 6 points"
 			for (j = 0; j < 9; j++) { v = -50 + 12.5 * j; print -50, v, 0, 0, v, hill(v) }
@@ -173,12 +179,91 @@ surface() {
 	}' </dev/null
 }
 
-# path KIND: CL text: shapes (lines, arcs in all planes, a helix, B-splines), winding (the axis goes
-# round), spiral (it goes round 5 times), holes (all cycles), leaning (holes in two planes), tools
+# iges KIND: trimmed (by curves of all types, with a hole in space), bounded (143, 141), cylinder (by
+# curves in space round it and over its seam), placed (124, in inches)
+iges() {
+	awk -v kind="$1" '
+	# an entity; the n th is called 2 n - 1
+	function add(type, form, matrix, text,   first, number) {
+		first = lines + 1
+		number = 2 * entities++ + 1
+		text = type "," text ";"
+		for (; text != ""; text = substr(text, 65))
+			parameter = parameter sprintf("%-64s%8dP%7d\n", substr(text, 1, 64), number, ++lines)
+		directory = directory sprintf("%8d%8d%8d%8d%8d%8d%8d%8d%8sD%7d\n", type, first, 0, 0, 0, 0, matrix, 0,
+			"00000000", number) sprintf("%8d%8d%8d%8d%8d%16s%8s%8dD%7d\n", type, 0, 0, lines - first + 1, form,
+			"", "", 0, number + 1)
+	}
+	function patch() { # 40 x 30 mm, z = xy / 150
+		add(128, 0, 0, "1,1,1,1,0,0,1,0,0,0.,0.,1.,1.,0.,0.,1.,1.,1.,1.,1.,1.,0.,0.,0.,40.,0.,0.,0.,30.,0.,40.,30.,8.,0.,1.,0.,1.")
+	}
+	BEGIN {
+		unit = kind == "placed" ? "1,4HINCH" : "2,2HMM"
+		if (kind == "trimmed") {
+			add(144, 0, 27, "3,1,3,5,17,21,25")
+			patch()
+			add(142, 0, 0, "0,3,7,0,1")
+			add(102, 0, 0, "4,9,11,13,15")
+			add(110, 0, 0, "0.1,0.1,0.,0.9,0.1,0.")
+			add(100, 0, 0, "0.,0.9,0.5,0.9,0.1,0.9,0.9")
+			add(106, 11, 0, "1,3,0.,0.9,0.9,0.5,0.8,0.1,0.9")
+			add(126, 0, 0, "1,1,1,0,1,0,0.,0.,1.,1.,1.,1.,0.1,0.9,0.,0.1,0.1,0.,0.,1.,0.,0.,1.")
+			add(142, 0, 0, "0,3,0,19,2")
+			add(106, 12, 0, "2,5,10.,10.,0.667,15.,10.,1.,15.,15.,1.5,10.,15.,1.,10.,10.,0.667")
+			add(142, 0, 0, "0,3,0,23,2")
+			add(100, 0, 0, "3.4,25.,20.,28.,20.,28.,20.")
+			add(142, 0, 0, "0,3,0,29,2") # of a type that is not read
+			add(124, 0, 0, "0.8,-0.6,0.,100.,0.6,0.8,0.,0.,0.,0.,1.,0.")
+			add(112, 0, 0, "1.")
+		}
+		if (kind == "bounded") {
+			add(143, 0, 0, "1,3,1,5")
+			patch()
+			add(141, 0, 0, "1,1,3,2,7,1,1,9,7,1,1,11")
+			add(110, 0, 0, "0.,0.,0.,40.,0.,0.")
+			add(106, 63, 0, "1,3,0.,0.1,0.1,0.9,0.1,0.9,0.8")
+			add(106, 63, 0, "1,3,0.,0.9,0.8,0.2,0.9,0.1,0.1")
+			add(143, 0, 0, "0,15,1,17")
+			patch()
+			add(141, 0, 0, "0,0,15,2,19,1,0,21,1,0")
+			add(106, 12, 0, "2,3,5.,5.,0.167,35.,5.,1.167,35.,25.,5.833")
+			add(106, 12, 0, "2,3,35.,25.,5.833,5.,25.,0.833,5.,5.,0.167")
+		}
+		if (kind == "placed") {
+			add(128, 0, 3, "1,1,1,1,0,0,1,0,0,0.,0.,1.,1.,0.,0.,1.,1.,1.,1.,1.,1.,0.,0.,0.,4.,0.,0.,0.,3.,0.,4.,3.,1.,0.,1.,0.,1.")
+			add(124, 0, 5, "1.,0.,0.,1.,0.,1.,0.,2.,0.,0.,1.,3.")
+			add(124, 0, 0, "0.,-1.,0.,0.,1.,0.,0.,0.,0.,0.,1.,0.")
+		}
+		if (kind == "cylinder") {
+			split("1 1 0 -1 -1 -1 0 1 1", x, " ")
+			split("0 1 1 1 0 -1 -1 -1 0", y, " ")
+			for (j = 0; j < 2; j++) for (i = 1; i <= 9; i++) {
+				weights = weights (i % 2 ? "1.," : sprintf("%.15f,", sqrt(0.5)))
+				poles = poles sprintf("%d.,%d.,%d.,", 10 * x[i], 10 * y[i], 20 * j)
+			}
+			add(144, 0, 0, "3,1,2,5,9,13")
+			add(128, 0, 0, "8,1,2,1,0,0,0,0,0,0.,0.,0.,1.,1.,2.,2.,3.,3.,4.,4.,4.,0.,0.,1.,1.," weights poles "0.,4.,0.,1.")
+			add(142, 0, 0, "0,3,0,7,2")
+			add(100, 0, 0, "3.,0.,0.,10.,0.,10.,0.")
+			add(142, 0, 0, "0,3,0,11,2")
+			add(100, 0, 0, "17.,0.,0.,0.,10.,0.,10.")
+			add(142, 0, 0, "0,3,0,15,2")
+			add(106, 12, 0, "2,7,9.165,4.,8.,10.,0.,7.,9.165,-4.,8.,9.165,-4.,12.,10.,0.,13.,9.165,4.,12.,9.165,4.,8.")
+		}
+		printf "%-72sS%7d\n", "made by formulas", 1
+		text = "1H,,1H;,4Hpart,4Hfile,4Hmake,1H1,32,38,6,308,15,4Hpart,1.," unit ",1,0.01,13H261121.101010,1E-6,200.,,,11,0;"
+		for (; text != ""; text = substr(text, 73)) printf "%-72sG%7d\n", substr(text, 1, 72), ++globals
+		printf "%s%sS%7dG%7dD%7dP%7d%40sT%7d\n", directory, parameter, 1, globals, 2 * entities, lines, "", 1
+	}' </dev/null
+}
+
+# path KIND: CL text: shapes (lines, arcs in all planes, a helix, B-splines), tilted, winding (the axis
+# turns here and there), spiral (it goes round three times), steep (under the equator), holes (all
+# cycles), leaning (holes in two planes), tools, words (all others), creo, nx, catia
 path() {
 	case $1 in
 	shapes)
-		cat <<-'END'
+		cat <<-'STREAM'
 			PARTNO/SHAPES (ALL OF THEM)
 			UNITS/MM
 			MULTAX/ON
@@ -240,14 +325,14 @@ path() {
 			RAPID
 			GOTO/30,40,50,0,0,1
 			FINI
-		END
+		STREAM
 		;;
 	tilted)
 		path shapes | awk '/^CIRCLE|^MOVNRB|^54/ { next } { print }' |
 			sed 's/^\(GOTO\/[^,]*,[^,]*,[^,]*\),.*/\1,0,0.6,0.8/'
 		;;
 	tools)
-		cat <<-'END'
+		cat <<-'STREAM'
 			PARTNO/TOOLS
 			UNITS/INCHES
 			CUTTER/0.4,0.2
@@ -287,7 +372,180 @@ path() {
 			RETRCT
 			COOLNT/OFF
 			FINI
-		END
+		STREAM
+		;;
+	words)
+		cat <<-'STREAM'
+			PARTNO/WORDS
+			UNITS/CM
+			MULTAX/ON
+			CUTTER/.8,.4
+			TOOLNO/2
+			LOADTL/2
+			SPINDL/100,SMM,CLW
+			COOLNT/
+			FEDRAT/.01,MMPR
+			ORIGIN/1,2,3
+			TRANS/1,2,3
+			FROM/0,0,9
+			GODLTA/1,0,-1
+			GODLTA/2,0,-1,0,-.6,.8
+			GODLTA/-1
+			TLAXIS/0,.1,1
+			30) GOTO/1,1,1
+			1,2,1,0,0,1
+			CLEARP/XYPLAN,19
+			RETRCT
+			GOTO/2,2,1
+			CLRSRF/0,1,0,2.9
+			GOTO/2,2,1,0,1,0
+			RETRCT
+			GOTO/2,2,1,0,0,1
+			SPINDL/OFF
+			GOHOME
+			GOHOME/3,4,8
+			SPINDL/ON
+			SPINDL/ORIENT,30
+			SPINDL/RANGE,2,RPM,1000,CLW
+			DELAY/REV,10
+			FEDRAT/300,MMPM
+			FEDRAT/INVERS,AUTO
+			GOTO/3,3,3
+			FEDRAT/INVERS,OFF
+			FEDRAT/PERMIN,14
+			ROTABL/ATANGL,0
+			MULTAX/OFF
+			GOTO/0.5,0,1
+			CIRCLE/0,0,0,0,0,1,.5,.06,.5,1,0,TIMES,2
+			GOTO/0,.5,0
+			CIRCLE/0,0,0,0,0,1
+			GOTO/0,.5,.2
+			CYCLE/DRILL,DEPTH,.3,DWELL,REV,5,MMPM,9
+			GOTO/0,0,0
+			CYCLE/PECK,2,200,MMPM,.2,.5
+			GOTO/1,0,0
+			CYCLE/OFF
+			CYCLE/ON
+			GOTO/1.5,0,0
+			CYCLE/TAP,DEPTH,.3,TPI,20,RTRCTO,AUTO
+			GOTO/2,0,0
+			CYCLE/DEEP,DEPTH,2,STEP,.6,.4,.2,MMPM,90,DIAMET,1
+			GOTO/3,0,0
+			CYCLE/CSINK,DEPTH,.2,CSKDIA,1,RETURN,2
+			GOTO/4,0,0
+			CYCLE/BORE,MANUAL,DEPTH,1,MMPM,90
+			GOTO/4,1,0
+			CYCLE/OFF
+			REMARK the end
+			END
+			FINI
+		STREAM
+		;;
+	creo)
+		cat <<-'STREAM'
+			$$* Pro/CLfile 10.0
+			$$-> CUTTER / 8.000000
+			$$-> CSYS / 1, 0, 0, 0, $
+			 0, 1, 0, 0, 0, 0, 1, 0
+			LOADTL / 3, OSETNO, 4
+			SPINDL / RPM, 1000, CLW
+			RAPID
+			GOTO / 5, 0, 9
+			FEDRAT / 200, MMPM
+			GOTO / 5, 0, 0
+			CIRCLE / 0, 0, 0, 0, 0, 1, 5
+			GOTO / 3, 4, 0
+			0, 5, 0
+			-5, 0, 0
+			-9, 9, 0
+			RAPID
+			GOTO / 0, 0, 50
+			CYCLE / DRILL, DEPTH, 10, MMPM, 90, CLEAR, 5, RAPTO, 3
+			GOTO / 1, 2, 0
+			CYCLE / DRILL, DEPTH, 10, MMPM, 90, CLEAR, 5, RETURN, 0
+			GOTO / 1, 2, 0
+			GOTO / 3, 2, -4
+			CYCLE / OFF
+			FINI
+		STREAM
+		;;
+	nx)
+		cat <<-'STREAM'
+			TOOL PATH/A,TOOL,BALL_8
+			TLDATA/MILL,8.0000,4.0000,75.0000,0.0000,0.0000
+			MSYS/0.0000,0.0000,0.0000,1.0000000,0.0000000,0.0000000,0.0000000,1.0000000,0.0000000
+			PAINT/PATH
+			LOAD/TOOL,3,ADJUST,12
+			SPINDL/RPM,1800,CLW
+			RAPID
+			GOTO/5,0,25,0,0,1
+			FEDRAT/MMPM,300
+			GOTO/5,0,4
+			CIRCLE/0,0,0,0,0,1,5,.06,.5,10,0,TIMES,1
+			GOTO/0,5,0
+			NURBS/
+			KNOT/0.3,0.6,1
+			CNTRL/0,5,0
+			CNTRL/2,7,1
+			CNTRL/6,9,1
+			CNTRL/8,5,1
+			CNTRL/9,5,0
+			RAPID
+			GOTO/9,5,25
+			END-OF-PATH
+			TOOL PATH/B,TOOL,DR_8
+			TLDATA/DRILL,8.5,118,80,45
+			MSYS/10,0,5,0,1,0,-1,0,0
+			RAPID
+			GOTO/10,5,25,0,0,1
+			CYCLE/DRILL,DEEP,RAPTO,3,STEP,4,FEDTO,-20.5,RTRCTO,AUTO,MMPM,220
+			GOTO/10,5,0
+			CYCLE/OFF
+			END-OF-PATH
+		STREAM
+		;;
+	catia)
+		cat <<-'STREAM'
+			$$     CATIA APT VERSION 1.0
+			UNITS/MM
+			MULTAX/ON
+			CUTTER/8,4
+			SPINDL/9000,RPM,CLW
+			RAPID
+			GOTO/0,0,50,0,0,1
+			FEDRAT/500
+			GOTO/20,0,0,0,0,1
+			BEGIN NURBS_SIEMENS(D=3,F=4000,AXIS=0.00,0.00,1.00);
+			N0,XT= 20.000,YT=0.000,ZT=0.000,DK= 0.00,W=1.0;
+			N1,XT=20.000,YT=11.046,ZT=0.000,DK= 0.00,W=1.0;
+			N2,XT=11.046,YT=20.000,ZT=0.000,DK=30.00,W=1.0;
+			N3,XT=0.000,YT=20.000,ZT=0.000,DK= 0.00,W=1.0;
+			END NURBS;
+			RAPID
+			GOTO/0,20,50,0,0,1
+			RAPID
+			GOTO/0,0,50,0,0,1
+			GOTO/0,0,0,0,0,1
+			BEGIN NURBS_SIEMENS(D=3,F=3000,AXIS=VAR,LENGTH=100.00);
+			N0,XT= 0.000,YT=0.000,ZT=0.000,XH= 0.000, $
+			YH=0.000,ZH=100.00,DK= 0.00,W=1.0;
+			N1,XT=10.000,YT=0.000,ZT=0.000,XH=10.000, $
+			YH=0.000,ZH=100.00,DK= 0.00,W=1.0;
+			N2,XT=20.000,YT=5.000,ZT=0.000,XH=24.000, $
+			YH=5.000,ZH=99.92,DK=12.00,W=1.0;
+			N3,XT=30.000,YT=0.000,ZT=0.000,XH=40.000, $
+			YH=0.000,ZH=99.499,DK= 14.00,W=1.0;
+			N4,XT=40.000,YT=0.000,ZT=0.000,XH=60.000, $
+			YH=0.000,ZH=97.980,DK= 0.00,W=1.0;
+			END NURBS;
+			GOTO/45,0,0,0,0,1
+			INDIRV/0,1,0
+			PSIS/(PLANE/0,0,1,0)
+			TLON,GOFWD/(CIRCLE/40,0,0,5),ON,(LINE/40,0,0,40,5,0)
+			RAPID
+			GOTO/40,0,60,0.2,0,0.9798
+			FINI
+		STREAM
 		;;
 	*)
 		awk -v kind="$1" '
@@ -348,6 +606,119 @@ path() {
 				print "CYCLE/OFF\nRAPID"; place(60, 22, 100); print "FINI"
 			}
 		}' </dev/null
+		;;
+	esac
+}
+
+# program KIND: a program as a hand or another system writes it
+program() {
+	case $1 in
+	fanuc)
+		cat <<-'STREAM'
+			%
+			O7(BY HAND)
+			N10 G90 G17 G20 G40 G49 G80 G94 G54
+			N20 G53 G0 Z0.
+			N30 T1 M6
+			N40 S8000 M3
+			N50 G0 A0. C0.
+			N60 G43.4 H1
+			N70 G0 X0. Y0. Z2.
+			N80 G1 Z0.4 F20.
+			N90 G2 X0.4 Y0.4 R0.4
+			N100 G3 X0.6 Y0.2 R-0.2
+			N110 G18 G2 X0.4 Z0.6 I0. K0.2
+			N120 G19 G3 Y0.4 Z0.4 J0. K-0.2
+			N130 G17 G1 A10. C20.
+			N140 G0 Z2.
+			N150 G49
+			N160 G43.5 H1
+			N165 G0 X0. Y0. Z1. I0. J0. K1.
+			N170 G1 Z0.5 F30.
+			N180 X0.2 I0.6 J0. K0.8
+			N190 G4 P500
+			N200 G49
+			N210 G28 G91 Z0.
+			N220 G90
+			N230 M5
+			N240 M30
+			%
+		STREAM
+		;;
+	siemens)
+		cat <<-'STREAM'
+			%_N_HAND_MPF
+			N10 G90 G17 G71 G40 G94 G54
+			N20 SUPA G0 Z0 D0
+			N30 T="BALL" D1 M6
+			N40 S8000 M3
+			N50 G0 A0 C0
+			N60 TRAORI
+			N70 ORIWKS ORIVECT
+			N80 CYCLE832(0.01,11,0.1)
+			N90 G0 X0 Y0 Z40 A3=0 B3=0 C3=1
+			N100 G1 Z10 F500
+			N110 G2 X10 Y10 CR=10
+			N120 G3 X15 Y5 CR=-5
+			N130 G3 X10 Y10 I-5 J0
+			N150 MSG("there")
+			N160 G1 X20 A3=0 B3=0.6 C3=0.8
+			N170 BSPLINE X25 Y10 Z10 PW=1
+			N180 X30 Y15 Z9
+			N190 X35 Y10 Z10
+			N200 X40 Y10 Z10
+			N210 G0 Z40
+			N220 TRAFOOF
+			N230 SUPA G0 Z0 D0
+			N240 M5
+			N250 M30
+		STREAM
+		;;
+	heidenhain)
+		cat <<-'STREAM'
+			0 BEGIN PGM HAND MM
+			1 L Z+0 R0 FMAX M91
+			2 TOOL CALL 1 Z S8000
+			3 M3
+			4 L A+0 C+0 R0 FMAX
+			5 FUNCTION TCPM F TCP AXIS POS PATHCTRL AXIS
+			6 L X+0 Y+0 Z+40 FMAX
+			7 L Z+10 F500
+			8 CC X+10 Y+0
+			9 C X+10 Y+10 DR-
+			10 L A+10 C+20
+			11 LN X+20 Y+10 Z+10 TX+0 TY+0.6 TZ+0.8
+			12 L Z+40 FMAX
+			13 FUNCTION RESET TCPM
+			14 L Z+0 R0 FMAX M91
+			15 M5
+			16 M30
+			17 END PGM HAND MM
+		STREAM
+		;;
+	linuxcnc)
+		cat <<-'STREAM'
+			%
+			N10 G90 G91.1 G17 G21 G40 G49 G80 G94 G54
+			N20 G61
+			N30 G53 G0 Z0.
+			N40 T1 M6
+			N50 S8000 M3
+			N60 G0 A0. C0.
+			N70 G0 X0. Y0.
+			N80 G43 H1 Z40.
+			N90 G1 Z10. F500.
+			N100 G2 X10. Y10. I10. J0.
+			N110 G64 P0.01 Q0.01
+			N120 G4 P0.5
+			N130 G1 A10. C20.
+			N140 G0 Z40.
+			N150 G49
+			N160 G53 G0 Z0.
+			N170 M5
+			N180 M2
+			%
+		STREAM
 		;;
 	esac
 }

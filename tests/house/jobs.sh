@@ -19,6 +19,7 @@ jobs() {
 	verdicts
 	pictures
 	threads
+	manners
 	awkward_input
 }
 
@@ -40,6 +41,8 @@ clouds() {
 		roof-noise.xyz shape roof 30 24 0.4 0.02 random
 		valley.xyz shape valley 30 24 0.5
 		pyramid.xyz shape pyramid 26 26 0.4 0 random
+		corner.xyz shape corner 26 26 0.4
+		corner-noise.xyz shape corner 26 26 0.4 0.01 random
 		rib.xyz shape rib 28 28 0.3 0 random
 		rib-noise.xyz shape rib 24 24 0.25 0.02 random
 		groove.xyz shape groove 24 24 0.3 0 random
@@ -70,7 +73,7 @@ clouds() {
 # mesh LINES: a shape's name, a suffix, and options of cloud2mesh
 meshes() {
 	for cloud in panel flat wave wave-noise dome dome-random dome-noise bowl saddle roof roof-noise valley \
-		pyramid rib rib-noise groove wall wall-noise block step plateau terraces folds hole islands; do
+		pyramid corner corner-noise rib rib-noise groove wall wall-noise block step plateau terraces folds hole islands; do
 		echo "$cloud.ply cloud2mesh -q $cloud.xyz"
 		case $cloud in panel) e=0.05 ;; *) e=0.03 ;; esac
 		echo "$cloud-e.ply cloud2mesh -q -e $e $cloud.xyz"
@@ -121,13 +124,22 @@ meshes() {
 		roof-smooth.ply cloud2mesh -q --smooth roof.xyz
 		wall-smooth.ply cloud2mesh -q --smooth wall.xyz
 		face-keep.ply cloud2mesh -q -t 4 --outliers keep --normals facet face.xyz
+		corner-coarse.ply cloud2mesh -q -t 4 corner.xyz
+		block-coarse.ply cloud2mesh -q -t 3 block.xyz
+		pyramid-coarse.ply cloud2mesh -q -t 5 pyramid.xyz
 		wave-none.ply cloud2mesh -q -t 0.1 wave.xyz
 		wave-wrong.ply cloud2mesh -q --extend 2 --paper wave.xyz
 	END
 }
 
 surfaces() {
-	for kind in torus sphere cube frame disc meet; do
+	for kind in trimmed bounded placed cylinder; do
+		echo "$kind.igs iges $kind"
+		echo "$kind-n.ply nurbs2mesh -q -n 12 $kind.igs"
+		echo "$kind-e.ply nurbs2mesh -q -e 0.05 $kind.igs"
+		echo "$kind.k nurbs2mesh -q -k $kind.igs"
+	done
+	for kind in torus sphere cube frame disc meet part; do
 		echo "$kind.nurbs surface $kind"
 		echo "$kind-n.ply nurbs2mesh -q -n 12 $kind.nurbs"
 		echo "$kind-e.ply nurbs2mesh -q -e 0.1 $kind.nurbs"
@@ -145,6 +157,7 @@ surfaces() {
 		s1.k nurbs2mesh -q -k s1.igs
 		s1.grid nurbs2mesh -q --grid 20 s1.igs
 		s2.grid nurbs2mesh -q --grid 9 s2.igs
+		s1-fine.ply nurbs2mesh -q -n 110 s1.igs
 		s1-inch.ply nurbs2mesh -q -u inch -n 10 s1.igs
 		s1-down.ply nurbs2mesh -q --up 0,0,-1 -n 10 s1.igs
 		meet-gap.ply nurbs2mesh -q --gap 0.001 -n 12 meet.nurbs
@@ -218,6 +231,8 @@ paths() {
 		frame.cl planecut -q -r 2 -s 1 --gap 1 frame-n.ply
 		frame-wide.cl planecut -q -r 2 -s 1 --gap 3 --oneway frame-n.ply
 		saddle-trim.cl planecut -q -r 4 -s 2 -e 0.005 --surface saddle.nurbs saddle-n.ply
+		cylinder.cl planecut -q -r 3 -s 4 --plane 0,0,1 --avoid cylinder-e.ply
+		trimmed.cl planecut -q -r 3 -s 3 -e 0.01 --surface trimmed.igs --avoid trimmed-e.ply
 		meet.cl planecut -q -r 3 -s 5 -a 15 --avoid meet-e.ply
 		panel-cut.cl planecut -q -r 8 --scallop 0.02 -a 30 -g panel.xyz panel-4.ply
 		panel-cut3.cl planecut -q -r 8 -s 2 --fixed 0,0,1 panel-4.ply
@@ -237,7 +252,7 @@ paths() {
 }
 
 fits() {
-	for path in panel-8 wave-2 wave-5g wave-facet dome-fixed dome-lead dome-to rib bowl-g roof-g wall s1 s2 torus cube frame box; do
+	for path in wave-5g wave-facet dome-fixed dome-lead dome-to rib bowl-g roof-g wall s1 s2 torus cube frame box; do
 		echo "$path-arcs.cl figures biarcfit -q --report $path.cl"
 		echo "$path-splines.cl figures bsplfit -q --report $path.cl"
 	done
@@ -248,6 +263,7 @@ fits() {
 		wave-splines.cl bsplfit -q wave-2.cl
 		dome-arcs.cl biarcfit -q -e 0.02 dome-fixed.cl
 		dome-splines.cl bsplfit -q -e 0.02 dome-fixed.cl
+		dome-3plus2-splines.cl bsplfit -q -e 0.02 dome-3plus2.cl
 		panel-arcs-paper.cl figures biarcfit -q --paper --report panel-paper.cl
 		panel-arcs-frenet.cl biarcfit -q --paper --tilt 15 panel-paper.cl
 		panel-arcs-tilt.cl biarcfit -q --tilt 30 panel-8.cl
@@ -257,7 +273,7 @@ fits() {
 		wave-arcs-g.cl biarcfit -q -e 0.02 -g wave.xyz wave-2.cl
 		wave-arcs-noise.cl biarcfit -q -e 0.02 -g wave-noise.xyz --noise 0.02 wave-noise-2.cl
 		wave-arcs-5.cl biarcfit -q -e 0.02 -g wave.xyz wave-5.cl
-		wave-arcs-tight.cl biarcfit -q -e 0.0005 wave-2.cl
+		dome-arcs-tight.cl biarcfit -q -e 0.0005 dome-fixed.cl
 		panel-splines-paper.cl figures bsplfit -q --paper --report -e 0.05 panel-8.cl
 		panel-splines-g.cl bsplfit -q -e 0.02 -g panel.xyz panel-gs.cl
 		wave-splines-g.cl bsplfit -q -e 0.02 -g wave.xyz wave-2.cl
@@ -294,7 +310,7 @@ ending() { # CONTROL
 }
 
 programs() {
-	for kind in shapes tilted tools winding spiral steep holes leaning; do
+	for kind in shapes tilted tools words creo nx catia winding spiral steep holes leaning; do
 		echo "$kind.cl path $kind"
 	done
 	for control in $controls; do
@@ -306,8 +322,9 @@ programs() {
 			done
 			echo "self-$machine.$end ncpost -q -c $control -m $machine --self-test"
 		done
-		for path in tilted tools steep leaning panel-8 panel-arcs panel-splines wave-arcs wave-splines dome-arcs \
-			dome-splines dome-fixed dome-3plus2 wave-of-centre wave-of-contact spiral-splines winding-splines ball s1-splines; do
+		for path in tilted tools words creo nx catia steep leaning panel-8 panel-arcs panel-splines wave-arcs wave-splines dome-arcs \
+			dome-splines dome-fixed dome-3plus2 wave-of-centre wave-of-contact spiral-splines winding-splines ball s1-splines \
+			wave-degree-2 wave-degree-4 wave-degree-5; do
 			echo "$path.$end ncpost -q -c $control $path.cl"
 		done
 		for machine in table-bc head-ca table-ac-notcp nutating-head; do
@@ -318,6 +335,8 @@ programs() {
 		while read -r path options; do
 			i=$((i + 1))
 			echo "option-$i.$end ncpost -q -c $control $options $path.cl"
+			case $options in *tcp=no*) tcp='--set tcp=no' ;; *) tcp= ;; esac
+			echo "option-$i.$end.txt ncverify -q $tcp -c $control -r 4 -g flat.xyz option-$i.$end"
 		done <<-'END'
 			shapes -e 0.02
 			shapes -e 0.0001
@@ -334,6 +353,8 @@ programs() {
 			shapes --set arcs=no
 			shapes --set splines=no
 			shapes --set arcs.space=yes
+			shapes --set arcs.space=yes --vectors
+			spiral-arcs --set arcs.space=yes
 			shapes --set smooth=yes
 			shapes --set number.step=0
 			shapes --set number.step=5 --set number.max=40
@@ -404,13 +425,12 @@ programs() {
 verdicts() {
 	for control in $controls; do
 		end=$(ending "$control")
-		for path in panel-8 panel-arcs panel-splines wave-arcs wave-splines dome-arcs dome-splines dome-fixed dome-3plus2 ball s1-splines; do
+		for path in panel-8 panel-arcs panel-splines wave-arcs wave-splines dome-arcs dome-splines dome-fixed dome-3plus2 ball; do
 			case $path in
 			panel*) guard="-r 8 -g panel.xyz" ;;
 			wave*) guard="-r 2 -g wave.xyz" ;;
 			dome*) guard="-r 6 -g dome.xyz" ;;
 			ball) guard="-r 3 -g ball.xyz" ;;
-			s1*) guard="-r 4 -g s1.igs" ;;
 			esac
 			echo "verdict-$path.$end.txt ncverify -q $guard $path.$end"
 		done
@@ -423,6 +443,14 @@ verdicts() {
 				echo "verdict-$path-$machine.$end.txt ncverify -q -r 4 -g flat.xyz -m $machine $path-$machine.$end"
 			done
 		done
+		echo "verdict-plane.$end.txt ncverify -q -r 6 -g dome.xyz plane.$end"
+		echo "verdict-plane-points.$end.txt ncverify -q -r 6 -g dome.xyz plane-points.$end"
+		echo "plane-points.$end ncpost -q -c $control --plane dome-3plus2.cl"
+		echo "plane.$end ncpost -q -c $control --plane dome-3plus2-splines.cl"
+		echo "hand.$end program $control"
+		echo "verdict-hand.$end.txt ncverify -q -r 4 -g flat.xyz hand.$end"
+		echo "verdict-hand-head.$end.txt ncverify -q -m head-ca -r 4 -g flat.xyz hand.$end"
+		echo "plot-hand.$end.svg ncplot -q hand.$end"
 		echo "verdict-map.$end.txt also 'map-$end.ply page-$end.html' -- ncverify -q -r 8 -g panel.xyz --map map-$end.ply --report page-$end.html panel-arcs.$end"
 		echo "verdict-stock.$end.txt ncverify -q -r 2 -g wave.xyz --stock box,1 --cell 0.3 wave-splines.$end"
 		echo "verdict-holder.$end.txt ncverify -q -r 2 -g wave.xyz --holder 2:5+8:30 wave-splines.$end"
@@ -431,6 +459,7 @@ verdicts() {
 		verdict-e.txt ncverify -q -r 8 -g panel.xyz -e 0.001 --left 0.01 --band 1 --shank 20 panel-arcs.mpf
 		verdict-c.txt ncverify -q -c fanuc -r 8 -g panel.xyz panel-arcs.nc
 		verdict-mesh.txt ncverify -q -r 8 -g panel-4.ply panel-arcs.mpf
+		verdict-s1.txt ncverify -q -r 4 -g s1.igs s1-splines.mpf
 		verdict-nurbs.txt ncverify -q -r 4 -g saddle.nurbs s1-splines.mpf
 		verdict-centre.txt ncverify -q --centre -r 2 -g wave.xyz wave-splines.mpf
 		verdict-unit.txt ncverify -q -u inch -r 6 -g dome.inch dome-arcs.mpf
@@ -444,6 +473,8 @@ verdicts() {
 		dome-layers.mpf ncpost -q -c siemens dome-layers.cl
 		verdict-page.txt also 'stock.html stock.ply' -- ncverify -q -r 6 -g dome.xyz --stock offset,1 --holder 5:20+15:20 --report stock.html --map stock.ply dome-arcs.nc
 		verdict-deep.txt sed '/^N[0-9]*50 .*Z/s/Z/Z-/' dome-arcs.mpf >deep.mpf; ncverify -q -r 6 -g dome.xyz deep.mpf
+		verdict-leap.txt awk 'NR == 60 { sub(/Z[-0-9.]*/, "Z90") } { print }' dome-fixed.mpf >leap.mpf; ncverify -q -r 6 -g dome.xyz leap.mpf
+		verdict-leap-spline.txt awk '/BSPLINE/ { in_it = 1 } in_it && ++n == 3 { sub(/Z[-0-9.]*/, "Z190") } { print }' wave-splines.mpf >leap-s.mpf; ncverify -q -r 2 -g wave.xyz leap-s.mpf
 		verdict-cut.txt head -n 60 dome-arcs.mpf >cut.mpf; ncverify -q -r 6 -g dome.xyz cut.mpf
 	END
 }
@@ -466,9 +497,14 @@ pictures() {
 		plot-points.svg ncplot -q --points --poles --axes --normals wave-splines.cl
 		plot-normals.svg ncplot -q --normals --view iso wave-coarse.ply
 		plot-axes.svg ncplot -q --axes --cut --title 'A title & more' --width 600 winding.cl
+		plot-poles.svg ncplot -q --poles --points --axes wave-splines.nc
 		plot-machine.svg ncplot -q -m head-ca wave-splines-head-ca.nc
 		plot-units.svg ncplot -q -u inch dome.inch
 		plot-many.svg ncplot -q --cut face.xyz face.cl
+		plot-fine.svg ncplot -q --view all s1-fine.ply torus-e.ply
+		plot-stdin.svg ncplot -q - panel.xyz <shapes.cl
+		plot-stdin-program.svg cat panel-arcs.mpf | ncplot -q --compare panel-arcs.cl -
+		plot-compare-splines.svg ncplot -q --compare wave-splines.cl wave-splines.mpf wave-splines.nc
 		plot-none.svg ncplot -q nowhere.cl
 	END
 }
@@ -490,6 +526,43 @@ threads() {
 			threads-$n.svg ncplot -q -j $n --compare wave.ply wave-coarse.ply
 		END
 	done
+}
+
+# What the command line is like: exit status and streams; what is said may change
+manners() {
+	for tool in cloud2mesh nurbs2mesh meshnorm planecut biarcfit bsplfit ncpost ncverify ncplot; do
+		case $tool in
+		cloud2mesh) does='-t 2 dome.xyz' ;;
+		nurbs2mesh) does='-n 8 saddle.nurbs' ;;
+		meshnorm) does='-r 6 dome.ply' ;;
+		planecut) does='-r 6 -s 4 dome.ply' ;;
+		ncpost) does='-c fanuc shapes.cl' ;;
+		ncverify) does='-r 6 -g dome.xyz dome-arcs.nc' ;;
+		ncplot) does=shapes.cl ;;
+		*) does=dome-3plus2.cl ;;
+		esac
+		cat <<-END
+			said-$tool $tool -v $does
+			told-$tool $tool $does
+			file-$tool also file-$tool.out -- $tool -q -o file-$tool.out $does
+			folder-$tool $tool -q -o no/such/folder $does
+			help-$tool $tool -h >/dev/null
+			version-$tool $tool --version >/dev/null
+			unknown-$tool $tool --frobnicate $does
+			lacking-$tool $tool -o
+			empty-$tool $tool -q </dev/null
+			full-$tool $tool -q $does >/dev/full
+		END
+	done
+	cat <<-'END'
+		forms.cl meshnorm -qr6 --fixed=0,0,1 --one-way -- dome.ply
+		forms-stdin.cl meshnorm -r 6 -q - <dome.ply
+		forms-number.cl meshnorm -r six dome.ply
+		forms-vector.cl meshnorm -r 6 --fixed 0,1 dome.ply
+		forms-word.cl meshnorm -r 6 --coolant much dome.ply
+		forms-twice.cl meshnorm -r 6 dome.ply wave.ply
+		pipe.mpf cloud2mesh -q -t 4 panel.xyz | meshnorm -q -r 8 | biarcfit -q -e 0.01 | ncpost -q -c siemens
+	END
 }
 
 awkward_input() {
