@@ -1,49 +1,38 @@
 /*
  * ncpost - a path into an NC program for a control and a machine.
  *
- * Everything is planned and checked before the first byte is written (ncplan.h); the dialect then
- * only sets it down.
+ * Everything is planned and checked before the first byte is written (post/post.h).
  */
 #include <stdio.h>
-#include <stdlib.h>
 #include <string.h>
 
 #include "base/array.h"
 #include "base/cli.h"
-#include "post/dialect.h"
-#include "machine/machine_options.h"
-#include "post/nccutcom.h"
-#include "post/nchead.h"
-#include "post/nchole.h"
-#include "post/ncoutput.h"
-#include "post/post_setup.h"
 #include "io/path/path.h"
-#include "post/selftest.h"
+#include "machine/machine_options.h"
+#include "post/post.h"
 
 struct settings {
     struct machine_options machine;
-    double tolerance; /* of the whole ledger, 0: none */
-    double chord, axis_tolerance;
-    double feed;
-    bool vectors, rotary, strict;
-    bool inch, plane, contact_feed, self_test;
+    double tolerance;      /* of the whole ledger, 0: none */
+    double axis_tolerance; /* degrees */
+    bool vectors, rotary, strict, self_test;
     const char *split;
-    struct nc_extract extract;
-    const char *program;
+    struct post_options post;
+    struct post_extract extract;
 };
 
 static struct settings settings_default(void)
 {
-    return (struct settings){.chord = 0.005,
-                             .axis_tolerance = 0.05,
-                             .feed = 500,
+    return (struct settings){.axis_tolerance = 0.05,
+                             .post = {.chord = 0.005, .feed = 500},
                              .extract = {.from = -1, .explain = -1}};
 }
 
 static void read_limit(struct settings *s, const struct cli *cli)
 {
     struct error error;
-    if (nc_limit_read(s->split, &s->extract.limit, &error) != 0)
+    if (post_limit_read(s->split, &s->extract, &error) != 0)
         die_usage("%s", error.text);
     if (!cli->output || strcmp(cli->output, "-") == 0)
         die_usage("option --split: found no -o FILE, expected one to name the parts after");
@@ -61,11 +50,11 @@ static void read_options(struct settings *s, struct cli *cli, int argc, char **a
          "most that all stages together may spend; beyond it the exit\nstatus is 3", CLI_NUMBER,
          &s->tolerance, CLI_POSITIVE, 0, 0, NULL},
         {0, "chord", "MM", "most that blocks may be off the path, before rounding\n(default 0.005)",
-         CLI_NUMBER, &s->chord, 1e-6, 10, 0, NULL},
+         CLI_NUMBER, &s->post.chord, 1e-6, 10, 0, NULL},
         {0, "axis-tolerance", "DEG", "most that the tool axis may be off (default 0.05)",
          CLI_NUMBER, &s->axis_tolerance, 1e-5, 10, 0, NULL},
-        {0, "feed", "MM/MIN", "feed where the path gives none (default 500)", CLI_NUMBER, &s->feed,
-         0.1, 1e6, 0, NULL},
+        {0, "feed", "MM/MIN", "feed where the path gives none (default 500)", CLI_NUMBER,
+         &s->post.feed, 0.1, 1e6, 0, NULL},
         {0, "vectors", NULL, "tool axis as vectors (Fanuc G43.5; usual for Siemens)", CLI_FLAG,
          &s->vectors, 0, 0, 0, NULL},
         {0, "rotary", NULL, "tool axis as rotary words (Siemens ORIAXES; usual for Fanuc)",
@@ -73,10 +62,10 @@ static void read_options(struct settings *s, struct cli *cli, int argc, char **a
         {0, "plane", NULL,
          "a tool axis that stays as it is: turn the control's plane to it\n"
          "(G68.2, CYCLE800, PLANE SPATIAL) instead of tool-centre-point\ncontrol",
-         CLI_FLAG, &s->plane, 0, 0, 0, NULL},
+         CLI_FLAG, &s->post.plane, 0, 0, 0, NULL},
         {0, "contact-feed", NULL, "feeds of the path are those of the contact point", CLI_FLAG,
-         &s->contact_feed, 0, 0, 0, NULL},
-        {0, "inch", NULL, "write inches", CLI_FLAG, &s->inch, 0, 0, 0, NULL},
+         &s->post.contact_feed, 0, 0, 0, NULL},
+        {0, "inch", NULL, "write inches", CLI_FLAG, &s->post.inch, 0, 0, 0, NULL},
         {0, "from", "PASS", "begin with this pass", CLI_COUNT, &s->extract.from, 0, 2e9, 0, NULL},
         {0, "split", "N",
          "divide into programs of at most N blocks, or bytes: 500k, 2M;\n"
@@ -88,8 +77,8 @@ static void read_options(struct settings *s, struct cli *cli, int argc, char **a
          "instead of a path: a program that shows on the machine whether\n"
          "signs and centres of its rotary axes are right",
          CLI_FLAG, &s->self_test, 0, 0, 0, NULL},
-        {0, "program", "NAME", "number (Fanuc) or name of the program", CLI_TEXT, &s->program, 0, 0,
-         0, NULL},
+        {0, "program", "NAME", "number (Fanuc) or name of the program", CLI_TEXT, &s->post.name, 0,
+         0, 0, NULL},
         {0, "strict", NULL, "refuse post-processor words that nobody here knows", CLI_FLAG,
          &s->strict, 0, 0, 0, NULL},
         {0, NULL, NULL, NULL, CLI_FLAG, NULL, 0, 0, 0, NULL},
@@ -100,6 +89,8 @@ static void read_options(struct settings *s, struct cli *cli, int argc, char **a
         die_usage("found %d files, expected one path", cli->files);
     if (s->vectors && s->rotary)
         die_usage("found --vectors and --rotary, expected one of them");
+    s->post.axis = s->vectors ? POST_AXIS_VECTORS : s->rotary ? POST_AXIS_ROTARY : POST_AXIS_USUAL;
+    s->post.axis_tolerance = RADIANS(s->axis_tolerance);
     if (s->split)
         read_limit(s, cli);
 }
@@ -121,13 +112,9 @@ static enum control_id choose_control(const struct settings *s, const struct mac
     if (control == CONTROLS)
         die_usage("found no control, expected -c %s (machine %s names none)", control_names(),
                   machine->name);
-    const struct dialect *dialect = dialect_of(control);
-    const char *name = control_row(control)->name;
     struct error error;
-    if (s->program && dialect->check_name(s->program, &error) != 0)
+    if (post_check(control, &s->post, &error) != 0)
         die_usage("%s", error.text);
-    if (s->vectors && dialect->vectors_never)
-        die_usage("found --vectors, which %s does not know", name);
     return control;
 }
 
@@ -150,57 +137,31 @@ static void read_path(const struct settings *s, const char *file, struct path *p
 }
 
 /* What was assumed or added. */
-static void tell(const struct path *path, const struct nc_plan *plan, const struct dialect *dialect,
-                 const struct machine *machine, const struct settings *s)
+static void tell(const struct path *path, const struct post_report *r, double feed)
 {
-    const struct nc_total *total = &plan->total;
     if (path->head.track == TRACK_CENTRE)
         say("X Y Z of the program are the ball's centre: measure the tool to it");
-    if (total->feed_assumed)
-        say("the path cuts before it gives a feed: took %g mm/min (--feed)", s->feed);
-    if (total->approach_made)
+    if (r->feed_assumed)
+        say("the path cuts before it gives a feed: took %g mm/min (--feed)", feed);
+    if (r->approach_made)
         say("the path starts with a cut: came from above along the tool axis");
-    if (total->retract_made)
+    if (r->retract_made)
         say("the path ends in a cut: retracted along the tool axis");
-    if (total->holes && dialect->steps_alike && nc_hole_steps_differ(path))
+    if (r->steps_evened)
         say("a drilling cycle of this control has steps that are alike, and no dwell with them: "
             "took the smaller step and no dwell");
-    if (nc_cutcom_left_out(path, machine, &plan->ability))
+    if (r->cutcom_off)
         say("CUTCOM: X Y Z are the tool's centre, so the control's radius compensation stays off");
-    if (plan->no_vectors)
+    if (r->no_vectors)
         say("took rotary words: with vectors the control would run out of a rotary axis's travel");
-    if (total->turns)
+    if (r->turns)
         say("the travel of a rotary axis ran out: retracted, turned and returned %zu times",
-            total->turns);
-    note("passes %zu, lines %zu, arcs %zu, splines %zu, rapids %zu; curves chorded %zu",
-         total->passes, total->lines, total->arcs, total->splines, total->rapids, total->chorded);
-    double unit = plan->ability.unit;
-    note("cut %.1f mm, rapid %.1f mm, about %.1f min", total->cut * unit, total->rapid * unit,
-         total->minutes);
-    note("kept %.4f mm and %.4f deg; with the stages before %.4f mm", total->spent.point * unit,
-         total->spent.axis * 180 / PI, nc_ledger_sum(path, plan));
-}
-
-static void make_plan(struct nc_program *p, struct nc_plan *plan, struct path *path,
-                      struct machine *machine, const struct dialect *dialect,
-                      const struct settings *s)
-{
-    struct error error;
-    bool unmet = false;
-    struct nc_post_options choice = {.plane = s->plane,
-                                     .inch = s->inch,
-                                     .axis = s->vectors  ? NC_AXIS_VECTORS
-                                             : s->rotary ? NC_AXIS_ROTARY
-                                                         : NC_AXIS_USUAL};
-    if (s->plane && !dialect->plane)
-        die_usage("found --plane, which %s does not know", control_row(p->control)->name);
-    p->wish =
-        (struct nc_plan_options){s->chord, RADIANS(s->axis_tolerance), s->feed, s->contact_feed, 1};
-    if (nc_settle(p, plan, path, machine, dialect, choice, &unmet, &error) == 0)
-        return;
-    if (unmet)
-        die_unmet("%s", error.text);
-    die_error(&error);
+            r->turns);
+    note("passes %zu, lines %zu, arcs %zu, splines %zu, rapids %zu; curves chorded %zu", r->passes,
+         r->lines, r->arcs, r->splines, r->rapids, r->chorded);
+    note("cut %.1f mm, rapid %.1f mm, about %.1f min", r->cut, r->rapid, r->minutes);
+    note("kept %.4f mm and %.4f deg; with the stages before %.4f mm", r->point, DEGREES(r->axis),
+         r->ledger);
 }
 
 int main(int argc, char **argv)
@@ -214,31 +175,30 @@ int main(int argc, char **argv)
     read_options(&s, &cli, argc, argv);
     struct machine machine = read_machine(&s);
     enum control_id control = choose_control(&s, &machine);
-    const struct dialect *dialect = dialect_of(control);
     struct path path = {0};
     if (s.self_test)
-        selftest_path(&path, &machine);
+        post_selftest(&path, &machine);
     else
         read_path(&s, cli.file[0], &path);
 
-    struct nc_plan plan;
-    struct nc_program program = {
-        .control = control, .path = &path, .machine = &machine, .plan = &plan, .name = s.program};
-    make_plan(&program, &plan, &path, &machine, dialect, &s);
-    size_t files;
     struct error error;
-    if (nc_output(dialect, &program, s.extract, cli.output, &files, &error) != 0)
+    int status;
+    size_t files;
+    struct post *post = post_plan(control, &path, &machine, &s.post, &status, &error);
+    if (!post)
+        die_status(status, &error);
+    if (post_write(post, s.extract, cli.output, &files, &error) != 0)
         die_error(&error);
     if (files > 1)
         say("%zu programs", files);
 
-    tell(&path, &plan, dialect, &machine, &s);
-    double sum = nc_ledger_sum(&path, &plan);
+    struct post_report report = post_report(post);
+    tell(&path, &report, s.post.feed);
+    post_free(post);
     machine_options_free(&s.machine);
-    array_free(&program.planes);
-    nc_plan_free(&plan);
     path_free(&path);
-    if (s.tolerance > 0 && sum > s.tolerance)
-        die_unmet("all stages together spent %.4f mm, expected at most %.4f", sum, s.tolerance);
+    if (s.tolerance > 0 && report.ledger > s.tolerance)
+        die_unmet("all stages together spent %.4f mm, expected at most %.4f", report.ledger,
+                  s.tolerance);
     return EXIT_DONE;
 }

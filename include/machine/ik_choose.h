@@ -14,6 +14,9 @@ double ik_weight(const struct kinematic_chain *chain, int i);
 /* How far the axes turn from a to b, all together, by these weights. */
 double ik_travel(const struct kinematic_chain *chain, const double a[], const double b[]);
 
+/* How far the axis that turns most turns from a to b, radians. */
+double ik_most_turn(const struct kinematic_chain *chain, const double a[], const double b[]);
+
 /*
  * Of the solutions turned by whole turns into the travel, the one to go to from the angles `from`:
  * the smallest move of the master axis, then of the other, then nearest to zero.  With `smooth`

@@ -50,7 +50,7 @@ struct machine {
     bool cutcom;                /* radius compensation where the path asks for it */
     bool plane;  /* the control turns to a tilted plane where the tool axis is fixed */
     bool smooth; /* the control is to smooth the path within ncpost's tolerance */
-    struct machine_templates { /* blocks, "": the control's own (nctemplate.h) */
+    struct machine_templates { /* blocks, "": the control's own (template.h) */
         char home[120];        /* retracts Z to a safe height */
         char start[120];       /* behind the modal words at the start */
         char tool_change[120];

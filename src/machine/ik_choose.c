@@ -43,6 +43,14 @@ double ik_travel(const struct kinematic_chain *chain, const double a[], const do
     return sum;
 }
 
+double ik_most_turn(const struct kinematic_chain *chain, const double a[], const double b[])
+{
+    double most = 0;
+    for (int i = 0; i < chain->n; i++)
+        most = fmax(most, fabs(a[i] - b[i]));
+    return most;
+}
+
 static void merit(const struct kinematic_chain *chain, const double from[], const double q[],
                   bool smooth, double m[3])
 {

@@ -1,9 +1,7 @@
 /* dialect - see dialect.h. */
-#include "post/dialect.h"
+#include "dialect.h"
 
-#include "post/nccutcom.h"
-#include "post/nchead.h"
-#include "nctool.h"
+#include "post_statement.h"
 
 #define ROW(name, title, tcp_of_machine) extern const struct dialect dialect_##name;
 CONTROL_TABLE(ROW)
@@ -24,11 +22,11 @@ static int given(int digits, int usual)
 }
 
 struct nc_ability dialect_ability(enum control_id control, const struct machine *machine,
-                                  enum nc_axis_words axis, bool still, double unit)
+                                  enum post_axis_words axis, bool still, double unit)
 {
     const struct dialect *dialect = dialect_of(control);
     int finer = unit > 1; /* an inch is 25.4 mm: a digit more */
-    bool vectors = axis == NC_AXIS_USUAL ? dialect->vectors : axis == NC_AXIS_VECTORS;
+    bool vectors = axis == POST_AXIS_USUAL ? dialect->vectors : axis == POST_AXIS_VECTORS;
     const struct machine_digits *own = &machine->digits, *usual = &dialect->digits;
     struct nc_ability ability = {
         .mode = INTERPOLATE_JOINT,
@@ -61,56 +59,59 @@ struct nc_ability dialect_ability(enum control_id control, const struct machine 
     return ability;
 }
 
-void dialect_start(const struct dialect *dialect, struct nc_program *p)
+void dialect_start(struct nc_program *p)
 {
+    const struct dialect *dialect = dialect_of(p->control);
     p->hole = NULL;
     p->cutcom.asked = p->cutcom.on = CUTCOM_OFF;
     p->at_plane = 0;
     nc_tool_first(p);
     dialect->start(p);
     dialect->load(p);
-    dialect->take(p);
+    dialect->engage(p);
 }
 
-void dialect_finish(const struct dialect *dialect, struct nc_program *p)
+void dialect_finish(struct nc_program *p)
 {
+    const struct dialect *dialect = dialect_of(p->control);
     if (p->hole)
         dialect->hole_end(p);
-    dialect->leave(p);
+    dialect->disengage(p);
     dialect->finish(p);
 }
 
 /* Home, the other tool, and back to work; a tool that the program started with is there. */
-static void change_tool(const struct dialect *dialect, struct nc_program *p,
-                        const struct nc_move *move)
+static void change_tool(struct nc_program *p, const struct nc_move *move)
 {
+    const struct dialect *dialect = dialect_of(p->control);
     if (move->index < p->tooling.taken)
         return;
-    dialect->leave(p);
+    dialect->disengage(p);
     nc_block(&p->w, "M9");
     nc_block(&p->w, "M5");
     nc_tool_change(p, move);
     nc_forget(&p->w, NC_X, NC_F);
     dialect->load(p);
-    dialect->take(p);
+    dialect->engage(p);
 }
 
 /* Home and back to work in another plane; a change of tools there goes to it by itself. */
-static void change_plane(const struct dialect *dialect, struct nc_program *p,
-                         const struct nc_move *move)
+static void change_plane(struct nc_program *p, const struct nc_move *move)
 {
+    const struct dialect *dialect = dialect_of(p->control);
     if (move->index <= p->at_plane || !nc_tool_stays(p, move))
         return;
-    dialect->leave(p);
+    dialect->disengage(p);
     nc_tool_change(p, move);
     nc_forget(&p->w, NC_X, NC_F);
     p->same_tool = true;
-    dialect->take(p);
+    dialect->engage(p);
     p->same_tool = false;
 }
 
-void dialect_move(const struct dialect *dialect, struct nc_program *p, const struct nc_move *move)
+void dialect_move(struct nc_program *p, const struct nc_move *move)
 {
+    const struct dialect *dialect = dialect_of(p->control);
     if (p->hole && move->kind != NC_HOLE && move->kind != NC_PASS)
         dialect->hole_end(p);
     switch (move->kind) {
@@ -131,25 +132,25 @@ void dialect_move(const struct dialect *dialect, struct nc_program *p, const str
         nc_comment(&p->w, "Pass %u", move->index);
         break;
     case NC_TEXT:
-        nc_statement(p, dialect, p->path->text.item[move->index]);
+        nc_statement(p, p->path->text.item[move->index]);
         break;
     case NC_TOOL:
-        change_tool(dialect, p, move);
+        change_tool(p, move);
         break;
     case NC_PLANE:
-        change_plane(dialect, p, move);
+        change_plane(p, move);
         break;
     }
 }
 
-void dialect_write(const struct dialect *dialect, struct nc_program *p)
+void dialect_write(struct nc_program *p)
 {
-    dialect_start(dialect, p);
+    dialect_start(p);
     for (size_t i = 0; i < p->plan->move.n; i++) {
         bool before = *p->w.met != '\0';
-        dialect_move(dialect, p, &p->plan->move.item[i]);
+        dialect_move(p, &p->plan->move.item[i]);
         if (!before && *p->w.met)
             p->met = i;
     }
-    dialect_finish(dialect, p);
+    dialect_finish(p);
 }

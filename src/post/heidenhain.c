@@ -1,21 +1,23 @@
 /*
  * heidenhain - Klartext of the TNC 640 (Heidenhain, TNC 640 User's Manual for Conversational
- * Programming: FUNCTION TCPM, LN, CC and C, cycles 9 and 32; design/5-controls.md).
+ * Programming: FUNCTION TCPM, LN, CC and C, cycles 9 and 32).
  *
  * Rotary words turn evenly under PATHCTRL AXIS.  LN carries the tool axis as TX TY TZ; which of the
  * two ways the axis goes between them depends on the control's version, so blocks keep to both.
  * Arcs are given in the working plane alone, with the tool axis still.  There is no inverse time.
  */
 #include <ctype.h>
+#include <math.h>
 #include <stdio.h>
 #include <string.h>
 
-#include "post/dialect.h"
-#include "post/nccutcom.h"
-#include "post/nchead.h"
-#include "post/nchole.h"
-#include "nctemplate.h"
-#include "ncwords.h"
+#include "base/num.h"
+#include "dialect.h"
+#include "gcode.h"
+#include "post_head.h"
+#include "post_hole.h"
+#include "post_statement.h"
+#include "post_words.h"
 
 enum { NAME_MAX_LENGTH = 24 };
 
@@ -110,7 +112,7 @@ static void load(struct nc_program *p)
 }
 
 /* The rotary axes to the first place. */
-static void take(struct nc_program *p)
+static void engage(struct nc_program *p)
 {
     const char *smooth = "CYCL DEF 32.0 TOLERANCE|CYCL DEF 32.1 T{tolerance}|"
                          "CYCL DEF 32.2 HSC-MODE:0 TA{orientation}";
@@ -196,7 +198,7 @@ static void dwell(struct nc_program *p, double seconds)
 }
 
 /* Home, without what was switched on for the tool. */
-static void leave(struct nc_program *p)
+static void disengage(struct nc_program *p)
 {
     nc_cutcom_end(p); /* by R0 of the way home */
     if (p->machine->smooth)
@@ -219,6 +221,140 @@ static void finish(struct nc_program *p)
     program_line(p, "END");
 }
 
+/* ---- drilling cycles */
+
+enum { PARAMETERS = 16, LINE = NUM_MAX + 60, CHIP_BREAKS = 99, FASTEST = 99999 };
+
+/* One Q parameter of a cycle. */
+struct parameter {
+    int q;
+    double value;
+    const char *says;
+};
+
+/* The lines of a definition go on behind ~. */
+static void define_cycle(struct nc_program *p, const char *name, int n,
+                         const struct parameter *parameter)
+{
+    char line[LINE];
+    int digits = p->plan->ability.digits.linear;
+    nc_code(&p->w, name);
+    for (int i = 0; i < n; i++) {
+        nc_code(&p->w, "~");
+        size_t at = 4;
+        memcpy(line, "    Q", 5);
+        at += 1 + num_write(line + 5, parameter[i].q, 0);
+        line[at++] = '=';
+        if (num_round(parameter[i].value, digits) >= 0)
+            line[at++] = '+';
+        at += num_write_short(line + at, parameter[i].value, digits, false);
+        memcpy(line + at, " ;", 2);
+        memcpy(line + at + 2, parameter[i].says, strlen(parameter[i].says) + 1);
+        nc_continue(&p->w, line);
+    }
+    nc_end(&p->w);
+}
+
+static void begin_cycle(struct nc_program *p, const struct nc_hole *hole)
+{
+    const struct path_cycle *c = hole->cycle;
+    bool down = c->next > 0 && c->next < c->step;
+    double next = down ? c->next : c->step, less = down ? c->step - c->next : 0;
+    double above = hole->retract > hole->clear ? hole->retract : 0,
+           gap = PATH_PECK_GAP / p->plan->ability.unit;
+    const struct parameter clear = {200, hole->clear, "SET-UP CLEARANCE"},
+                           depth = {201, -hole->depth, "DEPTH"},
+                           feed = {206, hole->feed, "FEED RATE FOR PLNGNG"},
+                           step = {202, nc_hole_steps(hole) ? c->step : hole->depth,
+                                   "PLUNGING DEPTH"},
+                           mouth = {203, hole->mouth.z, "SURFACE COORDINATE"},
+                           second = {204, above, "2ND SET-UP CLEARANCE"},
+                           dwell = {211, c->dwell, "DWELL TIME AT DEPTH"},
+                           top = {210, 0, "DWELL TIME AT TOP"}, smaller = {212, less, "DECREMENT"},
+                           least = {205, next, "MIN. PLUNGING DEPTH"},
+                           out = {208, c->kind == CYCLE_BORE ? hole->feed : FASTEST,
+                                  "RETRACTION FEED RATE"},
+                           back = {256, gap, "DIST FOR CHIP BRKNG"};
+    if (c->kind == CYCLE_TAP)
+        define_cycle(p, "CYCL DEF 207 RIGID TAPPING", 5,
+                     (struct parameter[]){
+                         clear,
+                         depth,
+                         {239, nc_hole_pitch(p, hole) * (p->tooling.ccw ? -1 : 1), "THREAD PITCH"},
+                         mouth,
+                         second});
+    else if (c->kind == CYCLE_BORE)
+        define_cycle(p, "CYCL DEF 201 REAMING", 7,
+                     (struct parameter[]){clear, depth, feed, dwell, out, mouth, second});
+    else if (c->kind == CYCLE_DRAG)
+        define_cycle(p, "CYCL DEF 202 BORING", 9,
+                     (struct parameter[]){clear,
+                                          depth,
+                                          feed,
+                                          dwell,
+                                          out,
+                                          mouth,
+                                          second,
+                                          {214, 0, "DISENGAGING DIRECTN"},
+                                          {336, 0, "ANGLE OF SPINDLE"}});
+    else if (nc_hole_steps(hole) && c->kind == CYCLE_DEEP)
+        define_cycle(p, "CYCL DEF 205 UNIVERSAL PECKING", PARAMETERS,
+                     (struct parameter[]){clear,
+                                          depth,
+                                          feed,
+                                          step,
+                                          mouth,
+                                          second,
+                                          smaller,
+                                          least,
+                                          {258, gap, "UPPER ADV STOP DIST"},
+                                          {259, gap, "LOWER ADV STOP DIST"},
+                                          {257, 0, "DEPTH FOR CHIP BRKNG"},
+                                          back,
+                                          dwell,
+                                          {379, 0, "STARTING POINT"},
+                                          {253, FASTEST, "F PRE-POSITIONING"},
+                                          out});
+    else if (nc_hole_steps(hole))
+        define_cycle(p, "CYCL DEF 203 UNIVERSAL DRILLING", 13,
+                     (struct parameter[]){clear,
+                                          depth,
+                                          feed,
+                                          step,
+                                          top,
+                                          mouth,
+                                          second,
+                                          smaller,
+                                          {213, CHIP_BREAKS, "NR OF BREAKS"},
+                                          least,
+                                          dwell,
+                                          out,
+                                          back});
+    else
+        define_cycle(p, "CYCL DEF 200 DRILLING", 8,
+                     (struct parameter[]){clear, depth, feed, step, top, mouth, second, dwell});
+}
+
+static void hole(struct nc_program *p, const struct nc_move *move)
+{
+    const struct nc_hole *hole = nc_hole_of(p, move);
+    struct nc_writer *w = &p->w;
+    if (!nc_hole_goes_on(p, move))
+        begin_cycle(p, hole);
+    nc_code(w, "L");
+    nc_hole_place(p, hole);
+    nc_code(w, "R0 FMAX M99");
+    nc_end(w);
+    nc_hole_done(p, move);
+}
+
+static void hole_end(struct nc_program *p)
+{
+    p->hole = NULL; /* M99 calls once: nothing is on */
+}
+
+/* ---- the dialect */
+
 const struct dialect dialect_heidenhain = {
     .style = {.open = "; ", .close = "", .sign = true, .count_all = true},
     .digits = {.linear = 4, .angle = 4, .vector = 7, .knot = 3, .feed = 1},
@@ -232,13 +368,13 @@ const struct dialect dialect_heidenhain = {
     .check_name = check_name,
     .start = start,
     .load = load,
-    .take = take,
+    .engage = engage,
     .line = line,
     .arc = arc,
-    .hole = nc_hole_heidenhain,
-    .hole_end = nc_hole_heidenhain_end,
+    .hole = hole,
+    .hole_end = hole_end,
     .speed = speed,
     .dwell = dwell,
-    .leave = leave,
+    .disengage = disengage,
     .finish = finish,
 };

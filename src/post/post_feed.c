@@ -4,6 +4,7 @@
 #include <stdlib.h>
 
 #include "base/array.h"
+#include "base/num.h"
 
 enum { PIECES = 12, SPAN_PIECES = 8, MORE_DIGITS = 3, DIGITS_MAX = 9 };
 
@@ -20,12 +21,12 @@ static double rotary_minutes(const struct machine *m, const double a[], const do
     return minutes;
 }
 
-double nc_axes_minutes(const struct nc_step *step, const struct block_pose *a,
-                       const struct block_pose *b)
+double post_feed_axes_minutes(const struct nc_planner *planner, const struct block_pose *a,
+                              const struct block_pose *b)
 {
-    const struct machine *m = step->machine;
+    const struct machine *m = planner->machine;
     double minutes = rotary_minutes(m, a->q, b->q);
-    if (step->follow.mode == INTERPOLATE_JOINT)
+    if (planner->follow.mode == INTERPOLATE_JOINT)
         minutes = larger(minutes, vec_distance(a->p, b->p) / m->rapid[MACHINE_X]);
     return minutes;
 }
@@ -60,20 +61,20 @@ static struct sample sample_of_spline(const struct kinematic_chain *chain,
 }
 
 /* s of the way from where the program is; the angles come near those of the sample before. */
-static struct sample sample_at(const struct nc_step *step, const struct block_pose *to,
+static struct sample sample_at(const struct nc_planner *planner, const struct block_pose *to,
                                const struct nc_along *along, double s, const double before[])
 {
-    const struct block_pose *from = &step->state.at;
-    const struct kinematic_chain *chain = &step->machine->chain;
+    const struct block_pose *from = &planner->state.at;
+    const struct kinematic_chain *chain = &planner->machine->chain;
     int over;
     if (along && along->spline && along->spline->form == NC_NURBS && along->spline->turns)
         return sample_of_spline(chain, along->spline, s);
     struct pose at = along ? motion_at(along->motion, along->s0 + s * (along->s1 - along->s0))
-                           : interpolation_pose(&step->follow, from, to, s);
+                           : interpolation_pose(&planner->follow, from, to, s);
     struct sample sample = {.tip = at.p};
     for (int i = 0; i < chain->n; i++)
         sample.q[i] = from->q[i] + s * (to->q[i] - from->q[i]);
-    bool even_turn = step->follow.mode == INTERPOLATE_ROTARY && !(along && along->motion->curve);
+    bool even_turn = planner->follow.mode == INTERPOLATE_ROTARY && !(along && along->motion->curve);
     if (!even_turn && ik_choose(chain, at.a, before, true, -1, sample.q, &over) != 0)
         sample.q[0] = before[0], sample.q[1] = before[1];
     sample.linear = chain_linear(chain, sample.tip, sample.q);
@@ -91,54 +92,55 @@ static double piece_minutes(const struct machine *m, const struct sample *a, con
 
 /* The slides surely need no longer: a turn takes them no further than its angle times how far the
  * tip and the centres are from 0. */
-static bool slides_keep_up(const struct nc_step *step, const struct block_pose *to, double length,
-                           double turn, double minutes)
+static bool slides_keep_up(const struct nc_planner *planner, const struct block_pose *to,
+                           double length, double turn, double minutes)
 {
-    const struct kinematic_chain *chain = &step->machine->chain;
+    const struct kinematic_chain *chain = &planner->machine->chain;
     double arm = fabs(to->p.x) + fabs(to->p.y) + fabs(to->p.z) + length;
     for (int i = 0; i < chain->n; i++) {
         struct vec3 c = chain->rotary[i].centre;
         arm += 2 * (fabs(c.x) + fabs(c.y) + fabs(c.z));
     }
-    return length + turn * arm <= minutes * step->machine->rapid[MACHINE_X];
+    return length + turn * arm <= minutes * planner->machine->rapid[MACHINE_X];
 }
 
 /*
  * The rotary axes surely need no longer: rotary words turn each at one speed; a vector no axis by
  * more than about the turn of the tool axis over the sine of its angle to the first one.
  */
-static bool axes_keep_up(const struct nc_step *step, const struct block_pose *to, double minutes)
+static bool axes_keep_up(const struct nc_planner *planner, const struct block_pose *to,
+                         double minutes)
 {
-    const struct machine *m = step->machine;
+    const struct machine *m = planner->machine;
     double up = vec_dot(m->chain.rotary[0].axis, to->a), slowest = HUGE_VAL;
     for (int i = 0; i < m->chain.n; i++)
         slowest = fmin(slowest, m->rapid[m->letter[i]]);
-    double great = DEGREES(vec_distance(step->state.at.a, to->a)), sine2 = 1 - up * up;
-    return step->follow.mode == INTERPOLATE_ROTARY || m->chain.n < 2 ||
+    double great = DEGREES(vec_distance(planner->state.at.a, to->a)), sine2 = 1 - up * up;
+    return planner->follow.mode == INTERPOLATE_ROTARY || m->chain.n < 2 ||
            4 * great * great <= sine2 * minutes * minutes * slowest * slowest;
 }
 
-double nc_block_minutes(const struct nc_step *step, const struct machine_pose *to, double length,
-                        const struct nc_along *along, double least)
+double post_feed_minutes(const struct nc_planner *planner, const struct machine_pose *to,
+                         double length, const struct nc_along *along, double least)
 {
-    const struct block_pose *from = &step->state.at;
-    const struct machine *m = step->machine;
-    double minutes = larger(least, nc_axes_minutes(step, from, &to->at)), turn = 0;
+    const struct block_pose *from = &planner->state.at;
+    const struct machine *m = planner->machine;
+    double minutes = larger(least, post_feed_axes_minutes(planner, from, &to->at)), turn = 0;
     for (int i = 0; i < m->chain.n; i++)
         turn += fabs(to->at.q[i] - from->q[i]);
-    if (step->follow.mode == INTERPOLATE_JOINT || m->chain.n == 0)
+    if (planner->follow.mode == INTERPOLATE_JOINT || m->chain.n == 0)
         return minutes;
     bool curve = along && along->motion->curve;
-    if (!curve && axes_keep_up(step, &to->at, minutes) &&
-        slides_keep_up(step, &to->at, length, turn, minutes))
+    if (!curve && axes_keep_up(planner, &to->at, minutes) &&
+        slides_keep_up(planner, &to->at, length, turn, minutes))
         return minutes;
     size_t poles = !curve ? 0 : along->spline ? along->spline->curve.poles : 0;
     if (curve && along->motion->curve->poles > poles)
         poles = along->motion->curve->poles;
     int n = curve ? (int)poles * SPAN_PIECES : PIECES * (1 + (int)(3 * turn));
-    struct sample a = sample_at(step, &to->at, along, 0, from->q);
+    struct sample a = sample_at(planner, &to->at, along, 0, from->q);
     for (int i = 1; i <= n; i++) {
-        struct sample b = sample_at(step, &to->at, along, (double)i / n, a.q);
+        struct sample b = sample_at(planner, &to->at, along, (double)i / n, a.q);
         double share = length > 0 ? vec_distance(a.tip, b.tip) / length
                                   : degrees(a.q, b.q) / degrees(from->q, to->at.q);
         if (share > 0 && share < HUGE_VAL)
@@ -158,22 +160,22 @@ struct span_speeds {
     struct span_speed *item;
 };
 
-static struct span_speeds span_speeds(const struct nc_step *step, const struct motion *motion)
+static struct span_speeds span_speeds(const struct nc_planner *planner, const struct motion *motion)
 {
-    const struct block_pose *at = &step->state.at;
+    const struct block_pose *at = &planner->state.at;
     const struct nc_along along = {motion, 0, 1, NULL};
     struct span_speeds spans = {0};
-    struct sample a = sample_at(step, at, &along, 0, at->q);
+    struct sample a = sample_at(planner, at, &along, 0, at->q);
     for (double s = 0; s < 1;) {
         double from = s, to = motion_next_knot(motion, s);
-        struct span_speed span = {.rate = 1 / (step->state.feed * step->state.faster)};
+        struct span_speed span = {.rate = 1 / (planner->state.feed * planner->state.faster)};
         for (int i = 1; i <= SPAN_PIECES; i++) {
             s = from + (to - from) * i / SPAN_PIECES;
-            struct sample b = sample_at(step, at, &along, s, a.q);
+            struct sample b = sample_at(planner, at, &along, s, a.q);
             double length = vec_distance(a.tip, b.tip);
             span.length += length;
             if (length > 0)
-                span.rate = larger(span.rate, piece_minutes(step->machine, &a, &b) / length);
+                span.rate = larger(span.rate, piece_minutes(planner->machine, &a, &b) / length);
             a = b;
         }
         span.s = s = to;
@@ -208,20 +210,73 @@ static double best_part(const struct span_speeds *spans)
     return whole - minutes > larger(share * whole, least) ? best : 1;
 }
 
-double nc_curve_part(const struct nc_step *step, const struct motion *motion)
+double post_feed_divide(const struct nc_planner *planner, const struct motion *motion)
 {
-    if (step->follow.mode == INTERPOLATE_JOINT || step->machine->chain.n == 0)
+    if (planner->follow.mode == INTERPOLATE_JOINT || planner->machine->chain.n == 0)
         return 1;
-    struct span_speeds spans = span_speeds(step, motion);
+    struct span_speeds spans = span_speeds(planner, motion);
     double s = best_part(&spans);
     array_free(&spans);
     return s;
 }
 
-int nc_feed_digits(const struct nc_ability *ability, double feed)
+int post_feed_digits(const struct nc_ability *ability, double feed)
 {
     int digits = ability->digits.feed;
     if (ability->feeds == NC_FEEDS_INVERSE || feed >= 1)
         return digits;
     return digits + MORE_DIGITS < DIGITS_MAX ? digits + MORE_DIGITS : DIGITS_MAX;
+}
+
+/* The way of all axes together, mm and degrees. */
+static double joint_way(const struct nc_planner *planner, const struct block_pose *a,
+                        const struct block_pose *b)
+{
+    double way = vec_distance(a->p, b->p);
+    for (int i = 0; i < planner->machine->chain.n; i++)
+        way = hypot(way, DEGREES(b->q[i] - a->q[i]));
+    return way;
+}
+
+/* What a turn about a tip that stands counts, mm: as it has degrees, or as the ball goes. */
+static double turn_way(const struct nc_planner *planner, const struct block_pose *a,
+                       const struct block_pose *b)
+{
+    double way = 0;
+    for (int i = 0; i < planner->machine->chain.n; i++)
+        way = hypot(way, DEGREES(b->q[i] - a->q[i]));
+    return larger(way / planner->options.unit,
+                  fabs(planner->follow.ball) * vec_distance(a->a, b->a));
+}
+
+double post_feed_word(const struct nc_planner *planner, const struct machine_pose *target,
+                      double length, const struct nc_along *along, double *minutes)
+{
+    const struct nc_ability *ability = &planner->plan->ability;
+    const struct block_pose *from = &planner->state.at, *to = &target->at;
+    bool tip = ability->feeds == NC_FEEDS_TIP;
+    if (tip && !along)
+        length = vec_distance(from->p, to->p);
+    bool still = length < 1 / num_ten[ability->digits.linear], stays = tip && length == 0;
+    double feed = planner->state.feed * planner->state.faster, wished = length / feed;
+    if (still) /* else the tip alone says how fast it goes */
+        wished = larger(length, turn_way(planner, from, to)) / feed;
+    *minutes = post_feed_minutes(planner, target, length, along, wished);
+    bool slow = *minutes > wished;
+    if (ability->feeds == NC_FEEDS_INVERSE)
+        feed = 1 / larger(*minutes, 1e-9);
+    else if (!tip || stays)
+        feed = joint_way(planner, from, to) / larger(*minutes, 1e-9);
+    else if (slow || still)
+        feed = length / *minutes;
+    for (int i = 0;
+         stays && planner->follow.mode == INTERPOLATE_VECTOR && i < planner->machine->chain.n; i++)
+        feed = fmin(feed,
+                    planner->machine->rapid[planner->machine->letter[i]]); /* now one, now both */
+    double may = feed < ability->feed_max ? feed : ability->feed_max;
+    int digits = post_feed_digits(ability, may);
+    double said = num_round(may, digits), least = 1 / num_ten[digits];
+    if (said > feed * (1 + 1e-9) && slow)
+        said = num_round(said - least, digits);
+    return said > 0 ? said : least;
 }

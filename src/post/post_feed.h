@@ -8,7 +8,7 @@
 #ifndef CLOUDMILL_POST_FEED_H
 #define CLOUDMILL_POST_FEED_H
 
-#include "post/ncstep.h"
+#include "post_planner.h"
 
 /* What a block that is not straight follows: a motion from s0 to s1. */
 struct nc_along {
@@ -19,25 +19,33 @@ struct nc_along {
 
 /* The longest that an axis needs for the straight way between two stations, minutes: each axis at
  * an even speed, without tool-centre-point control the slides too. */
-double nc_axes_minutes(const struct nc_step *step, const struct block_pose *a,
-                       const struct block_pose *b);
+double post_feed_axes_minutes(const struct nc_planner *planner, const struct block_pose *a,
+                              const struct block_pose *b);
 
 /*
  * The time of the block from where the program is, minutes, at which no axis is anywhere on it
  * faster than it can be, if its tip goes at an even speed, `length` in all, or where that is 0 the
  * rotary axes do.  `along` NULL: it is straight.  `least`: a time that it takes in any case.
  */
-double nc_block_minutes(const struct nc_step *step, const struct machine_pose *to, double length,
-                        const struct nc_along *along, double least);
+double post_feed_minutes(const struct nc_planner *planner, const struct machine_pose *to,
+                         double length, const struct nc_along *along, double least);
 
 /*
  * Where to part a B-spline, from where the program is, into blocks with an F of their own, so that
  * what is slow in it does not slow the rest of it: at s in (0, 1), a knot; 1: nowhere, for it
  * would save less than a tenth of the time or a fifth of a second.
  */
-double nc_curve_part(const struct nc_step *step, const struct motion *motion);
+double post_feed_divide(const struct nc_planner *planner, const struct motion *motion);
+
+/*
+ * F of the block of that length, *minutes what it takes: never 0, never beyond the control's, and
+ * rounded down where an axis would be too fast else.  Where the tip stays, as printed, F counts
+ * degrees.
+ */
+double post_feed_word(const struct nc_planner *planner, const struct machine_pose *to,
+                      double length, const struct nc_along *along, double *minutes);
 
 /* Decimals of F: three more below 1, where the tip hardly moves; not of inverse time. */
-int nc_feed_digits(const struct nc_ability *ability, double feed);
+int post_feed_digits(const struct nc_ability *ability, double feed);
 
 #endif

@@ -3,19 +3,19 @@
 
 #include "base/num.h"
 
-static int over_travel(struct nc_step *step, struct vec3 tip, int axis, const char *what,
+static int over_travel(struct nc_planner *planner, struct vec3 tip, int axis, const char *what,
                        double value)
 {
-    const struct machine *m = step->machine;
-    step->plan->unmet = true;
-    return error_at(step->error, step->path->name, step->state.line,
+    const struct machine *m = planner->machine;
+    planner->plan->unmet = true;
+    return error_at(planner->error, planner->path->name, planner->state.line,
                     "pass %zu: axis %c of %s: found %s %.5f at the point %.3f %.3f %.3f, expected "
                     "its travel %g to %g",
-                    step->state.pass, machine_letter(axis), m->name, what, value, tip.x, tip.y,
+                    planner->state.pass, machine_letter(axis), m->name, what, value, tip.x, tip.y,
                     tip.z, m->min[axis], m->max[axis]);
 }
 
-double nc_surely_within(const struct machine *m)
+double post_ik_safe_radius(const struct machine *m)
 {
     double far = HUGE_VAL;
     for (int axis = 0; axis < 3; axis++)
@@ -33,46 +33,47 @@ static int out_of_travel(const struct machine *m, const double at[3])
     return -1;
 }
 
-int nc_linear_over(const struct nc_step *step, struct vec3 tip, const double q[])
+int post_ik_linear_over(const struct nc_planner *planner, struct vec3 tip, const double q[])
 {
-    if (vec_dot(tip, tip) < step->within * step->within)
+    if (vec_dot(tip, tip) < planner->safe_radius * planner->safe_radius)
         return -1;
-    struct vec3 p = chain_linear(&step->machine->chain, tip, q);
-    return out_of_travel(step->machine, (const double[]){p.x, p.y, p.z});
+    struct vec3 p = chain_linear(&planner->machine->chain, tip, q);
+    return out_of_travel(planner->machine, (const double[]){p.x, p.y, p.z});
 }
 
-int nc_check_linear(struct nc_step *step, const struct machine_pose *to)
+int post_ik_check_linear(struct nc_planner *planner, const struct machine_pose *to)
 {
     struct vec3 p = to->at.p;
-    if (step->follow.mode != INTERPOLATE_JOINT && vec_dot(p, p) < step->within * step->within)
+    if (planner->follow.mode != INTERPOLATE_JOINT &&
+        vec_dot(p, p) < planner->safe_radius * planner->safe_radius)
         return 0;
-    if (step->follow.mode != INTERPOLATE_JOINT)
-        p = chain_linear_of(&step->machine->chain, p, &to->turned);
+    if (planner->follow.mode != INTERPOLATE_JOINT)
+        p = chain_linear_of(&planner->machine->chain, p, &to->turned);
     const double at[3] = {p.x, p.y, p.z};
-    int axis = out_of_travel(step->machine, at);
+    int axis = out_of_travel(planner->machine, at);
     if (axis < 0)
         return 0;
-    struct vec3 tip = chain_tip_of(&step->machine->chain, p, &to->turned);
-    return over_travel(step, tip, axis, "a position of", at[axis]);
+    struct vec3 tip = chain_tip_of(&planner->machine->chain, p, &to->turned);
+    return over_travel(planner, tip, axis, "a position of", at[axis]);
 }
 
 /* How far a tool axis as it is said is off, in each way in which the control may take it. */
-static inline double axis_off(const struct nc_step *step, struct vec3 said, struct vec3 axis)
+static inline double axis_off(const struct nc_planner *planner, struct vec3 said, struct vec3 axis)
 {
     double off = vec_distance(said, axis);
-    if (step->follow.mode != INTERPOLATE_VECTOR)
+    if (planner->follow.mode != INTERPOLATE_VECTOR)
         return off;
     double unit = vec_distance(vec_unit(said), axis);
-    return step->plan->ability.doubtful && off > unit ? off : unit;
+    return planner->plan->ability.doubtful && off > unit ? off : unit;
 }
 
 /* The same, where the cosines and sines of q are known; *off: what its rounding does. */
-static void stance_of(const struct nc_step *step, const struct pose *to, const double q[],
-                      const struct turned *turned, struct machine_pose *s,
-                      struct pose_deviation *off)
+static void words_of_pose(const struct nc_planner *planner, const struct pose *to, const double q[],
+                          const struct turned *turned, struct machine_pose *s,
+                          struct pose_deviation *off)
 {
-    const struct machine_digits *digits = &step->plan->ability.digits;
-    const struct kinematic_chain *chain = &step->machine->chain;
+    const struct machine_digits *digits = &planner->plan->ability.digits;
+    const struct kinematic_chain *chain = &planner->machine->chain;
     struct vec3 p = to->p;
     double by[ROTARY_MAX];
     for (int i = 0; i < ROTARY_MAX; i++) { /* 0 where there is no axis */
@@ -80,36 +81,36 @@ static void stance_of(const struct nc_step *step, const struct pose *to, const d
         by[i] = s->at.q[i] - q[i];
     }
     s->turned = ik_turned_on(turned, by);
-    if (step->follow.mode == INTERPOLATE_VECTOR)
+    if (planner->follow.mode == INTERPOLATE_VECTOR)
         s->at.a = vec_round(to->a, digits->vector);
     else
-        s->at.a = chain->n == 2   ? ik_near_axis(&step->ways, &s->turned)
+        s->at.a = chain->n == 2   ? ik_near_axis(&planner->near, &s->turned)
                   : chain->n == 1 ? chain_axis_of(chain, &s->turned)
                                   : to->a;
-    if (step->follow.mode == INTERPOLATE_JOINT)
+    if (planner->follow.mode == INTERPOLATE_JOINT)
         p = chain_linear_of(chain, p, &s->turned);
     s->at.p = vec_round(p, digits->linear);
-    *off = (struct pose_deviation){vec_distance(s->at.p, p), axis_off(step, s->at.a, to->a)};
+    *off = (struct pose_deviation){vec_distance(s->at.p, p), axis_off(planner, s->at.a, to->a)};
 }
 
-struct machine_pose nc_station(const struct nc_step *step, struct pose to, const double q[])
+struct machine_pose post_ik_pose(const struct nc_planner *planner, struct pose to, const double q[])
 {
-    struct turned turned = chain_turned(&step->machine->chain, q);
+    struct turned turned = chain_turned(&planner->machine->chain, q);
     struct machine_pose s;
     struct pose_deviation off;
-    stance_of(step, &to, q, &turned, &s, &off);
+    words_of_pose(planner, &to, q, &turned, &s, &off);
     return s;
 }
 
 /* The first tool axis behind the current item that is not singular, NULL: none. */
-static const struct vec3 *next_tilted(struct nc_step *step)
+static const struct vec3 *next_tilted(struct nc_planner *planner)
 {
-    const struct path *path = step->path;
-    if (step->tilted < step->next)
-        step->tilted = step->next;
-    for (; step->tilted < path->item.n; step->tilted++) {
-        const struct path_item *item = &path->item.item[step->tilted];
-        if (path_moves(item) && !chain_free(&step->machine->chain, item->to.a))
+    const struct path *path = planner->path;
+    if (planner->next_tilted < planner->next)
+        planner->next_tilted = planner->next;
+    for (; planner->next_tilted < path->item.n; planner->next_tilted++) {
+        const struct path_item *item = &path->item.item[planner->next_tilted];
+        if (path_moves(item) && !chain_free(&planner->machine->chain, item->to.a))
             return &item->to.a;
     }
     return NULL;
@@ -120,31 +121,31 @@ static const struct vec3 *next_tilted(struct nc_step *step)
  * turns to where the path will need it, so that it has the way between them for its turn instead
  * of none when the tool tilts.
  */
-static void turn_ahead(struct nc_step *step, struct pose to, double q[])
+static void turn_ahead(struct nc_planner *planner, struct pose to, double q[])
 {
-    const struct kinematic_chain *chain = &step->machine->chain;
+    const struct kinematic_chain *chain = &planner->machine->chain;
     double then[ROTARY_MAX];
     int over;
     if (!chain_free(chain, to.a))
         return;
-    if (step->state.begun && !step->first && !chain_free(chain, step->state.pose.a))
+    if (planner->state.begun && !planner->off_part && !chain_free(chain, planner->state.pose.a))
         return;
-    const struct vec3 *ahead = next_tilted(step);
+    const struct vec3 *ahead = next_tilted(planner);
     if (ahead && ik_choose(chain, *ahead, q, true, -1, then, &over) == 0)
         q[0] = then[0];
 }
 
 /* The angles that a nc_motion has at s, between two of its places. */
-static void aim_at(const struct nc_course *nc_motion, double s, double q[])
+static void aim_at(const struct nc_aim *aim, double s, double q[])
 {
-    size_t low = 0, high = nc_motion->n - 1;
-    bool leap = nc_motion->n > 2 && nc_motion->place[1].passed;
+    size_t low = 0, high = aim->n - 1;
+    bool leap = aim->n > 2 && aim->place[1].passed;
     while (high > low + 1 && !leap) {
         size_t mid = (low + high) / 2;
-        *(nc_motion->s[mid] < s ? &low : &high) = mid;
+        *(aim->s[mid] < s ? &low : &high) = mid;
     }
-    const struct ik_plan_place *from = &nc_motion->place[low], *to = &nc_motion->place[high];
-    double s0 = low ? nc_motion->s[low] : 0, s1 = nc_motion->s[high];
+    const struct ik_plan_place *from = &aim->place[low], *to = &aim->place[high];
+    double s0 = low ? aim->s[low] : 0, s1 = aim->s[high];
     double t = s1 > s0 && !from->turn ? (s - s0) / (s1 - s0) : 1;
     for (int i = 0; i < ROTARY_MAX; i++)
         q[i] = from->q[i] + t * (to->q[i] - from->q[i]);
@@ -158,32 +159,32 @@ static bool angle_over(const struct rotary *r, double q)
 
 /* No angles of the machine, or none within its travel, have the direction: of the solution with
  * fewer axes out of it, one of them is told. */
-static int not_reached(struct nc_step *step, struct pose to, int over)
+static int not_reached(struct nc_planner *planner, struct pose to, int over)
 {
-    const struct machine *m = step->machine;
+    const struct machine *m = planner->machine;
     const struct rotary *r = m->chain.rotary;
     struct chain_solutions found = chain_angles(&m->chain, to.a);
     int k = found.n == 2 && angle_over(&r[0], found.q[0][0]) + angle_over(&r[1], found.q[0][1]) >
                                 angle_over(&r[0], found.q[1][0]) + angle_over(&r[1], found.q[1][1]);
     for (int i = 0; i < m->chain.n && over >= 0; i++)
         if (angle_over(&r[i], found.q[k][i]))
-            return over_travel(step, to.p, m->letter[i], "angle", DEGREES(found.q[k][i]));
-    step->plan->unmet = true;
+            return over_travel(planner, to.p, m->letter[i], "angle", DEGREES(found.q[k][i]));
+    planner->plan->unmet = true;
     return error_at(
-        step->error, step->path->name, step->state.line,
+        planner->error, planner->path->name, planner->state.line,
         "pass %zu: found tool axis %.6f %.6f %.6f at the point %.3f %.3f %.3f, which no "
         "angles of %s reach",
-        step->state.pass, to.a.x, to.a.y, to.a.z, to.p.x, to.p.y, to.p.z, m->name);
+        planner->state.pass, to.a.x, to.a.y, to.a.z, to.p.x, to.p.y, to.p.z, m->name);
 }
 
 /*
  * q is the shortest way to the axis by either solution, were there no end of travel.  Where the
  * axis nearest the work is free, it makes no odds when it turns to where it will be needed.
  */
-static bool nearest_of_both(const struct nc_step *step, struct vec3 axis, const double q[])
+static bool nearest_of_both(const struct nc_planner *planner, struct vec3 axis, const double q[])
 {
-    const struct kinematic_chain *chain = &step->machine->chain;
-    const double *from = step->state.at.q;
+    const struct kinematic_chain *chain = &planner->machine->chain;
+    const double *from = planner->state.at.q;
     struct chain_solutions found = chain_angles(chain, axis);
     for (int k = 0; k < found.n; k++) {
         for (int i = 0; i < chain->n; i++)
@@ -196,33 +197,35 @@ static bool nearest_of_both(const struct nc_step *step, struct vec3 axis, const 
     return true;
 }
 
-bool nc_reach_beside(const struct nc_step *step, const struct pose *to, struct machine_pose *stance,
-                     struct pose_deviation *off)
+bool post_ik_reach_near(const struct nc_planner *planner, const struct pose *to,
+                        struct machine_pose *target, struct pose_deviation *off)
 {
     double q[ROTARY_MAX] = {0};
     struct turned turned;
-    if (step->first || step->nc_motion.n > 0 ||
-        !ik_near(&step->ways, to->a, step->state.at.q, &step->state.turned, q, &turned))
+    if (planner->off_part || planner->aim.n > 0 ||
+        !ik_near(&planner->near, to->a, planner->state.at.q, &planner->state.turned, q, &turned))
         return false;
-    stance_of(step, to, q, &turned, stance, off);
+    words_of_pose(planner, to, q, &turned, target, off);
     return true;
 }
 
-int nc_reach(struct nc_step *step, struct pose to, double s, struct machine_pose *stance)
+int post_ik_reach(struct nc_planner *planner, struct pose to, double s, struct machine_pose *target)
 {
-    const struct kinematic_chain *chain = &step->machine->chain;
-    double q[ROTARY_MAX] = {step->state.at.q[0], step->state.at.q[1]};
+    const struct kinematic_chain *chain = &planner->machine->chain;
+    double q[ROTARY_MAX] = {planner->state.at.q[0], planner->state.at.q[1]};
     struct pose_deviation off;
     int over;
-    if (nc_reach_beside(step, &to, stance, &off))
-        return nc_check_linear(step, stance);
-    if (step->nc_motion.n)
-        aim_at(&step->nc_motion, s, q);
+    if (post_ik_reach_near(planner, &to, target, &off))
+        return post_ik_check_linear(planner, target);
+    if (planner->aim.n)
+        aim_at(&planner->aim, s, q);
     if (ik_choose(chain, to.a, q, true, -1, q, &over) != 0)
-        return not_reached(step, to, over);
-    step->doubt = step->doubt || (!step->first && !nearest_of_both(step, to.a, q));
-    if (step->nc_motion.n == 0 && (step->follow.mode != INTERPOLATE_VECTOR || !step->state.begun))
-        turn_ahead(step, to, q); /* a vector says no angle: there the axis stays */
-    *stance = nc_station(step, to, q);
-    return nc_check_linear(step, stance);
+        return not_reached(planner, to, over);
+    planner->doubtful =
+        planner->doubtful || (!planner->off_part && !nearest_of_both(planner, to.a, q));
+    if (planner->aim.n == 0 &&
+        (planner->follow.mode != INTERPOLATE_VECTOR || !planner->state.begun))
+        turn_ahead(planner, to, q); /* a vector says no angle: there the axis stays */
+    *target = post_ik_pose(planner, to, q);
+    return post_ik_check_linear(planner, target);
 }

@@ -4,35 +4,37 @@
 #ifndef CLOUDMILL_POST_IK_H
 #define CLOUDMILL_POST_IK_H
 
-#include "post/ncstep.h"
+#include "post_planner.h"
 
 /* The words that say the pose with the rotary axes at q. */
-struct machine_pose nc_station(const struct nc_step *step, struct pose to, const double q[]);
+struct machine_pose post_ik_pose(const struct nc_planner *planner, struct pose to,
+                                 const double q[]);
 
 /*
- * The station that reaches a pose from where the program is, s (0 to 1) along the step's motion: as
- * its nc_motion says, else the nearest.  -1 with the error filled and the plan unmet: the rotary or
- * the linear axes would leave their travel.
+ * The station that reaches a pose from where the program is, s (0 to 1) along the planner's motion:
+ * as its nc_motion says, else the nearest.  -1 with the error filled and the plan unmet: the rotary
+ * or the linear axes would leave their travel.
  */
-int nc_reach(struct nc_step *step, struct pose to, double s, struct machine_pose *stance);
+int post_ik_reach(struct nc_planner *planner, struct pose to, double s,
+                  struct machine_pose *target);
 
 /*
  * Its usual case: the rotary axes go on beside where they stand (ik_near).  The travel of the
  * linear axes is the caller's to check.  *off: how far the printed digits are off the pose, at the
  * tracked point and, as a chord, at the tool axis.  False: nothing is done.
  */
-bool nc_reach_beside(const struct nc_step *step, const struct pose *to, struct machine_pose *stance,
-                     struct pose_deviation *off);
+bool post_ik_reach_near(const struct nc_planner *planner, const struct pose *to,
+                        struct machine_pose *target, struct pose_deviation *off);
 
 /* How far from 0 a tip may be for the linear axes to keep their travel however the rotary axes
  * stand: a turn about c takes p no further from 0 than |p| + 2 |c|. */
-double nc_surely_within(const struct machine *m);
+double post_ik_safe_radius(const struct machine *m);
 
 /* A linear axis that is out of its travel when the tip is there; -1: none. */
-int nc_linear_over(const struct nc_step *step, struct vec3 tip, const double q[]);
+int post_ik_linear_over(const struct nc_planner *planner, struct vec3 tip, const double q[]);
 
 /* -1: the linear axes, as they stand when the tip is there (seen from the work offset), would
  * leave their travel. */
-int nc_check_linear(struct nc_step *step, const struct machine_pose *to);
+int post_ik_check_linear(struct nc_planner *planner, const struct machine_pose *to);
 
 #endif

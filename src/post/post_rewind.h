@@ -1,22 +1,25 @@
 /*
- * post_rewind - the rotary axes turned with the tool off the part.
+ * post_rewind - the tool off the part so that the rotary axes can turn: retract, turn, return.
  */
 #ifndef CLOUDMILL_POST_REWIND_H
 #define CLOUDMILL_POST_REWIND_H
 
-#include "post/ncstep.h"
+#include "post_planner.h"
 
-/* Off the part along the tool axis, above all rapids of the path where it leads up. */
-struct pose nc_pose_off(const struct nc_step *step);
+/* The pose to retract to: along the tool axis by the machine's `retract`, and where it leads up
+ * above all rapids of the path. */
+struct pose post_rewind_retracted(const struct nc_planner *planner);
 
-/* The rotary axes to q while the tip stays where it is. */
-void nc_turn_to(struct nc_step *step, const double q[]);
-
-/* Retracts along the tool axis, turns to the angles nearest to q that have the pose where the
- * program is, and returns. */
-int nc_step_turn(struct nc_step *step, const double q[]);
+/* Retracts, turns to the angles nearest to q that have the pose where the program stands, and
+ * returns. */
+int post_rewind_to(struct nc_planner *planner, const double q[]);
 
 /* The same, to angles in the middle of the travel from which the goal is in reach; -1: none. */
-int nc_turn_for(struct nc_step *step, struct pose goal);
+int post_rewind_for(struct nc_planner *planner, struct pose goal);
+
+/* At feed, straight to a pose, or along a motion that starts where the program stands: with the
+ * planner's rewinds inside of it. */
+int post_rewind_line(struct nc_planner *planner, struct pose to);
+int post_rewind_motion(struct nc_planner *planner, const struct motion *motion);
 
 #endif

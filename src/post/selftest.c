@@ -1,5 +1,5 @@
-/* selftest - see selftest.h. */
-#include "post/selftest.h"
+/* selftest - see post.h. */
+#include "post/post.h"
 
 #include <stdio.h>
 
@@ -34,7 +34,7 @@ static bool within(const struct machine *m, const double q[])
     return true;
 }
 
-void selftest_path(struct path *path, const struct machine *machine)
+void post_selftest(struct path *path, const struct machine *machine)
 {
     static const double turn[] = {0, 90};
     const struct vec3 up = {0, 0, 1};

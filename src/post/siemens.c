@@ -1,20 +1,23 @@
 /*
- * siemens - the dialect of the Sinumerik 840D sl and ONE (design/5-controls.md; Siemens,
- * Programming Manual Job Planning, for TRAORI, ORIVECT, ORICURVE, CIP, POLY and BSPLINE).
+ * siemens - the dialect of the Sinumerik 840D sl and ONE (Siemens, Programming Manual Job Planning,
+ * for TRAORI, ORIVECT, ORICURVE, CIP, POLY and BSPLINE).
  */
 #include <ctype.h>
+#include <math.h>
 #include <stdio.h>
 #include <string.h>
 
-#include "post/dialect.h"
-#include "post/nchead.h"
-#include "post/nchole.h"
-#include "nctemplate.h"
-#include "ncwords.h"
 #include "base/num.h"
-#include "siemens_curve.h"
+#include "dialect.h"
+#include "gcode.h"
+#include "post_head.h"
+#include "post_hole.h"
+#include "post_statement.h"
+#include "post_words.h"
 
 enum { NAME_MAX_LENGTH = 24 };
+
+static const char *const vector_address[] = {"A3=", "B3=", "C3="};
 
 static const char home[] = "SUPA G0 Z0 D0";
 
@@ -56,6 +59,19 @@ static void program_name(struct nc_program *p)
     nc_line(&p->w, line);
 }
 
+/*
+ * Some curve of the plan has a second one for the head.  Both are to run on one parameter, UPATH;
+ * with SPATH the head would follow the length of the way (Programming Manual Job Planning, Settable
+ * path reference; 5-axis manual, Reference section).
+ */
+static bool has_turning_curves(const struct nc_plan *plan)
+{
+    for (size_t i = 0; i < plan->spline.n; i++)
+        if (plan->spline.item[i].turns)
+            return true;
+    return false;
+}
+
 static void transform(struct nc_program *p, const struct nc_move *first)
 {
     struct nc_writer *w = &p->w;
@@ -70,7 +86,7 @@ static void transform(struct nc_program *p, const struct nc_move *first)
     nc_offset(p, "G54");
     nc_end(w);
     nc_code(w, p->plan->ability.mode == INTERPOLATE_VECTOR ? "ORIWKS ORIVECT" : "ORIWKS ORIAXES");
-    if (siemens_turning_curves(p->plan))
+    if (has_turning_curves(p->plan))
         nc_code(w, "UPATH");
     nc_end(w);
     w->motion = NULL;
@@ -96,7 +112,7 @@ static void load(struct nc_program *p)
 }
 
 /* The tool's length, off on the way home; the rotary axes to the first place. */
-static void take(struct nc_program *p)
+static void engage(struct nc_program *p)
 {
     struct nc_writer *w = &p->w;
     const struct nc_move *first = nc_first_move(p);
@@ -119,7 +135,7 @@ static void take(struct nc_program *p)
 
 static void line(struct nc_program *p, const struct nc_move *move)
 {
-    nc_straight(p, move, siemens_vector);
+    gcode_straight(p, move, vector_address);
 }
 
 /* CIP with the point on the way: I1 J1 K1, absolute. */
@@ -139,7 +155,7 @@ static void arc(struct nc_program *p, const struct nc_move *move)
         memcpy(word + n, ")", 2);
         nc_code(w, word);
     }
-    nc_axis(p, move, siemens_vector);
+    nc_axis(p, move, vector_address);
     nc_feed(p, move);
     nc_end(w);
 }
@@ -152,10 +168,10 @@ static void dwell(struct nc_program *p, double seconds)
 }
 
 /* Home, without what was switched on for the tool. */
-static void leave(struct nc_program *p)
+static void disengage(struct nc_program *p)
 {
-    nc_cutcom_off(p);
-    nc_minutes(p);
+    gcode_cutcom_off(p);
+    gcode_minutes(p);
     if (p->machine->smooth)
         nc_template(p, p->machine->blocks.smooth_off, "CYCLE832(0,0,1)");
     if (p->plan->ability.tcp)
@@ -168,12 +184,193 @@ static void leave(struct nc_program *p)
 static void finish(struct nc_program *p)
 {
     struct nc_writer *w = &p->w;
-    nc_rotary_home(p);
+    gcode_rotary_home(p);
     nc_block(w, "M9");
     nc_block(w, "M5");
     nc_template(p, p->machine->blocks.end, "");
     nc_block(w, "M30");
 }
+
+/* ---- B-splines */
+
+/* PO[X]=(end,a2,a3), to the power that the curve has. */
+static void polynomial(struct nc_program *p, const char *axis, double end, const double factor[],
+                       int n_factors, int digits)
+{
+    char word[(NC_POLY_DEGREE + 1) * NUM_MAX];
+    size_t n = strlen(axis);
+    memcpy(word, "PO[", 3);
+    memcpy(word + 3, axis, n);
+    memcpy(word + 3 + n, "]=(", 3);
+    n += 6;
+    n += num_write_short(word + n, end, p->plan->ability.digits.linear, false);
+    for (int i = 0; i < n_factors; i++) {
+        word[n++] = ',';
+        n += num_write_short(word + n, factor[i], digits, false);
+    }
+    memcpy(word + n, ")", 2);
+    nc_code(&p->w, word);
+}
+
+/* Those of X Y Z, or of XH YH ZH. */
+static void three_polynomials(struct nc_program *p, const char *const axis[3], struct vec3 end,
+                              const struct vec3 *factor, int n, int digits)
+{
+    const double to[] = {end.x, end.y, end.z};
+    double f[3][NC_POLY_DEGREE - 1];
+    for (int i = 0; i < n; i++) {
+        f[0][i] = factor[i].x;
+        f[1][i] = factor[i].y;
+        f[2][i] = factor[i].z;
+    }
+    for (int k = 0; k < 3; k++)
+        polynomial(p, axis[k], to[k], f[k], n, digits);
+}
+
+static void polynomials(struct nc_program *p, const struct nc_spline *s, const struct nc_span *n)
+{
+    static const char *const tip[] = {"X", "Y", "Z"}, *const head[] = {"XH", "YH", "ZH"};
+    int factors = nc_poly_factors(s->degree);
+    three_polynomials(p, tip, n->end, n->factor, factors, n->digits);
+    if (s->turns)
+        three_polynomials(p, head, n->head_end, n->head_factor, factors, n->digits);
+    nc_number(&p->w, "PL=", n->h, 6);
+}
+
+static void head_words(struct nc_program *p, struct vec3 head)
+{
+    int digits = p->plan->ability.digits.linear;
+    nc_number(&p->w, "XH=", head.x, digits);
+    nc_number(&p->w, "YH=", head.y, digits);
+    nc_number(&p->w, "ZH=", head.z, digits);
+}
+
+/* Where the tool stands already, with the head point as the second curve's start; it also keeps
+ * two B-splines apart. */
+static void begin_curve(struct nc_program *p, const struct nc_move *move)
+{
+    const struct nc_spline *s = &p->plan->spline.item[move->index];
+    if (!s->turns && strcmp(p->w.motion, "BSPLINE") != 0)
+        return;
+    p->w.motion = NULL;
+    nc_motion(&p->w, "G1");
+    if (s->turns) {
+        nc_code(&p->w, "ORICURVE");
+        head_words(p, s->head_start);
+    }
+    nc_feed(p, move);
+    nc_end(&p->w);
+}
+
+static void spline(struct nc_program *p, const struct nc_move *move)
+{
+    const struct nc_spline *s = &p->plan->spline.item[move->index];
+    struct nc_writer *w = &p->w;
+    begin_curve(p, move);
+    for (size_t i = 0; i < s->span.n; i++) {
+        nc_motion(w, "POLY");
+        polynomials(p, s, &s->span.item[i]);
+        nc_feed(p, move);
+        nc_end(w);
+    }
+    for (size_t i = 1; s->form == NC_BSPLINE && i < s->curve.poles; i++) {
+        if (nc_motion(w, "BSPLINE"))
+            nc_code(w, "SD=3");
+        nc_forget(w, NC_X, NC_Z);
+        nc_place(p, s->curve.pole[i]);
+        if (s->turns)
+            head_words(p, s->curve.head[i]);
+        nc_feed(p, move);
+        nc_end(w);
+    }
+    nc_remember(w, NC_X, move->p.x);
+    nc_remember(w, NC_Y, move->p.y);
+    nc_remember(w, NC_Z, move->p.z);
+    if (s->turns) {
+        nc_forget(w, NC_I, NC_K);
+        nc_motion(w, "G1");
+        nc_code(w, "ORIVECT");
+        nc_axis(p, move, vector_address);
+        nc_end(w);
+    }
+}
+
+/* ---- drilling cycles */
+
+enum { ARGUMENTS = 17, NAME_ROOM = 20 };
+
+/* A call in one block; an argument that is not a number is left out. */
+static void call_cycle(struct nc_program *p, const char *name, int n, const double argument[])
+{
+    char text[NAME_ROOM + ARGUMENTS * (NUM_MAX + 1)];
+    size_t at = strlen(name);
+    memcpy(text, name, at);
+    for (int i = 0; i < n; i++) {
+        text[at++] = i ? ',' : '(';
+        if (!isnan(argument[i]))
+            at += num_write_short(text + at, argument[i], p->plan->ability.digits.linear, false);
+    }
+    memcpy(text + at, ")", 2);
+    nc_block(&p->w, text);
+}
+
+/* The cycle that is called at each place from here on: retract plane, mouth, safety distance,
+ * bottom, and what is the kind's own. */
+static void begin_cycle(struct nc_program *p, const struct nc_hole *hole)
+{
+    const struct path_cycle *c = hole->cycle;
+    double top = nc_hole_level(hole), bottom = nc_hole_bottom(hole);
+    double dwell = c->dwell > 0 ? c->dwell : (double)NAN, feed = hole->feed;
+    double rpm = p->tooling.spindle, turns = p->tooling.ccw ? 4 : 3, none = NAN;
+    double pitch = nc_hole_pitch(p, hole) * (p->tooling.ccw ? -1 : 1);
+    double argument[ARGUMENTS] = {top, hole->mouth.z, hole->clear, bottom, none, dwell};
+    if (c->kind == CYCLE_TAP) {
+        memcpy(argument + 6, (double[]){turns, none, pitch, 0, rpm, rpm}, 6 * sizeof rpm);
+        call_cycle(p, "MCALL CYCLE84", 12, argument);
+    } else if (c->kind == CYCLE_BORE) {
+        memcpy(argument + 6, (double[]){feed, feed}, 2 * sizeof rpm);
+        call_cycle(p, "MCALL CYCLE85", 8, argument);
+    } else if (c->kind == CYCLE_DRAG) {
+        memcpy(argument + 6, (double[]){turns, 0, 0, 0, 0}, 5 * sizeof rpm);
+        call_cycle(p, "MCALL CYCLE86", 11, argument);
+    } else if (nc_hole_steps(hole)) {
+        double next = c->next > 0 && c->next < c->step ? c->next : c->step;
+        double gap = PATH_PECK_GAP / p->plan->ability.unit;
+        const double deep[] = {none, c->step, c->step - next, 0,  0, 1, c->kind == CYCLE_DEEP, none,
+                               next, gap,     dwell,          gap};
+        memcpy(argument + 5, deep, sizeof deep);
+        call_cycle(p, "MCALL CYCLE83", ARGUMENTS, argument);
+    } else {
+        call_cycle(p, c->dwell > 0 ? "MCALL CYCLE82" : "MCALL CYCLE81", c->dwell > 0 ? 6 : 4,
+                   argument);
+    }
+}
+
+static void hole_end(struct nc_program *p)
+{
+    nc_block(&p->w, "MCALL");
+    p->hole = NULL;
+    p->w.motion = NULL;
+}
+
+static void hole(struct nc_program *p, const struct nc_move *move)
+{
+    const struct nc_hole *hole = nc_hole_of(p, move);
+    struct nc_writer *w = &p->w;
+    if (!nc_hole_goes_on(p, move)) {
+        if (p->hole)
+            hole_end(p);
+        nc_feed(p, move);
+        nc_end(w);
+        begin_cycle(p, hole);
+        nc_motion(w, "G0");
+    }
+    nc_hole_place(p, hole);
+    nc_end(w);
+    nc_hole_done(p, move);
+}
+
+/* ---- the dialect */
 
 const struct dialect dialect_siemens = {
     .style = {.open = "; ", .close = ""},
@@ -187,13 +384,13 @@ const struct dialect dialect_siemens = {
     .check_name = check_name,
     .start = start,
     .load = load,
-    .take = take,
+    .engage = engage,
     .line = line,
     .arc = arc,
-    .spline = siemens_curve,
-    .hole = nc_hole_siemens,
-    .hole_end = nc_hole_siemens_end,
+    .spline = spline,
+    .hole = hole,
+    .hole_end = hole_end,
     .dwell = dwell,
-    .leave = leave,
+    .disengage = disengage,
     .finish = finish,
 };

@@ -25,7 +25,7 @@ enum path_kind {
     PATH_PASS,   /* a pass begins ($$-> PASS/number) */
     PATH_FEED,   /* from here on this feed (FEDRAT) */
     PATH_TEXT,   /* a statement that is carried along as it is */
-    PATH_PLANE   /* another tilted plane than before: ncpost's own (ncframe.h), in no stream */
+    PATH_PLANE   /* another tilted plane than before: ncpost's own (post_frame.h), in no stream */
 };
 
 /* 64 bytes, for there may be millions. */

@@ -1,6 +1,7 @@
 /*
- * ncspeed: the time of a block against the fastest of its axes, measured in a thousand small steps,
- * on machines of every kind; digits of F.  ncreach: travel of the slides with the tip far off.
+ * post_feed: the time of a block against the fastest of its axes, measured in a thousand small
+ * steps, on machines of every kind; digits of F.  post_ik: travel of the slides with the tip far
+ * off.
  */
 #include <check.h>
 #include <stdlib.h>
@@ -59,17 +60,17 @@ START_TEST(as_by_small_steps)
     seed = 300 + (uint64_t)_i;
     for (int i = 0; i < 300; i++) {
         struct machine m = any_machine(_i);
-        struct nc_step step = {.machine = &m,
-                               .follow = {.mode = INTERPOLATE_ROTARY, .chain = &m.chain}};
-        step.state.at = any_station(&m.chain, 900);
+        struct nc_planner planner = {.machine = &m,
+                                     .follow = {.mode = INTERPOLATE_ROTARY, .chain = &m.chain}};
+        planner.state.at = any_station(&m.chain, 900);
         struct machine_pose to = {.at = any_station(&m.chain, 900)};
         if (i % 3 == 0) /* close by, or where it is */
-            to.at.p = vec_along(step.state.at.p, i % 2 ? 1 : 0, random_unit());
+            to.at.p = vec_along(planner.state.at.p, i % 2 ? 1 : 0, random_unit());
         to.turned = chain_turned(&m.chain, to.at.q);
-        double length = vec_distance(step.state.at.p, to.at.p), least = 0.1 * chance();
-        double want = by_steps(&m, &step.state.at, &to.at),
-               rotary = nc_axes_minutes(&step, &step.state.at, &to.at);
-        double got = nc_block_minutes(&step, &to, length, NULL, least);
+        double length = vec_distance(planner.state.at.p, to.at.p), least = 0.1 * chance();
+        double want = by_steps(&m, &planner.state.at, &to.at),
+               rotary = post_feed_axes_minutes(&planner, &planner.state.at, &to.at);
+        double got = post_feed_minutes(&planner, &to, length, NULL, least);
         ck_assert_double_ge(got, 0.97 * fmax(want, least));
         ck_assert_double_le(got, 1.001 * fmax(want, least));
         slides += want > 1.01 * rotary && want > least;
@@ -100,10 +101,10 @@ START_TEST(slow_part_of_a_curve)
     struct error error;
     ck_assert_int_eq(machine_finish(&m, &error), 0);
     m.rapid[MACHINE_A] = m.rapid[MACHINE_C] = 1000;
-    struct nc_step step = {.machine = &m,
-                           .follow = {.mode = INTERPOLATE_ROTARY, .chain = &m.chain}};
-    step.state.feed = 1000;
-    step.state.faster = 1;
+    struct nc_planner planner = {.machine = &m,
+                                 .follow = {.mode = INTERPOLATE_ROTARY, .chain = &m.chain}};
+    planner.state.feed = 1000;
+    planner.state.faster = 1;
     struct bspline slow = leaning(60), even = leaning(0), tame = leaning(1);
     const struct bspline *curve[] = {&slow, &even, &tame};
     for (int i = 0; i < 3; i++) {
@@ -112,8 +113,8 @@ START_TEST(slow_part_of_a_curve)
         struct motion motion = motion_spline(from, from, curve[i]);
         int over;
         ck_assert_int_eq(
-            ik_choose(&m.chain, from.a, (double[]){0, 0}, false, -1, step.state.at.q, &over), 0);
-        double s = nc_curve_part(&step, &motion);
+            ik_choose(&m.chain, from.a, (double[]){0, 0}, false, -1, planner.state.at.q, &over), 0);
+        double s = post_feed_divide(&planner, &motion);
         ck_assert_double_eq_tol(12 * s, round(12 * s), 1e-9);
         if (i > 0)
             ck_assert_double_eq(s, 1);
@@ -130,16 +131,16 @@ END_TEST
 START_TEST(digits_of_feeds)
 {
     struct nc_ability ability = {.feeds = NC_FEEDS_TIP, .digits = {.feed = 1}};
-    ck_assert_int_eq(nc_feed_digits(&ability, 1), 1);
-    ck_assert_int_eq(nc_feed_digits(&ability, 0.99), 4);
+    ck_assert_int_eq(post_feed_digits(&ability, 1), 1);
+    ck_assert_int_eq(post_feed_digits(&ability, 0.99), 4);
     ability.digits.feed = 8;
-    ck_assert_int_eq(nc_feed_digits(&ability, 0.5), 9);
+    ck_assert_int_eq(post_feed_digits(&ability, 0.5), 9);
     ability.feeds = NC_FEEDS_INVERSE;
-    ck_assert_int_eq(nc_feed_digits(&ability, 0.5), 8);
+    ck_assert_int_eq(post_feed_digits(&ability, 0.5), 8);
 }
 END_TEST
 
-/* Within what nc_surely_within says no slide is over, whatever the angles; beyond it, as is. */
+/* Within what post_ik_safe_radius says no slide is over, whatever the angles; beyond it, as is. */
 START_TEST(slides_within)
 {
     int over = 0;
@@ -148,10 +149,10 @@ START_TEST(slides_within)
         struct machine m = any_machine(_i);
         m.max[MACHINE_X] = 400 + 400 * chance();
         m.min[MACHINE_Z] = -300 - 400 * chance();
-        struct nc_step step = {.machine = &m, .within = nc_surely_within(&m)};
+        struct nc_planner planner = {.machine = &m, .safe_radius = post_ik_safe_radius(&m)};
         struct block_pose at = any_station(&m.chain, 1200);
         struct vec3 linear = chain_linear(&m.chain, at.p, at.q);
-        int found = nc_linear_over(&step, at.p, at.q);
+        int found = post_ik_linear_over(&planner, at.p, at.q);
         bool x = linear.x > m.max[MACHINE_X], z = linear.z < m.min[MACHINE_Z];
         ck_assert_int_eq(found, x ? MACHINE_X : z ? MACHINE_Z : -1);
         over += found >= 0;
@@ -162,7 +163,7 @@ END_TEST
 
 int main(void)
 {
-    Suite *suite = suite_create("ncspeed");
+    Suite *suite = suite_create("post_feed");
     TCase *tests = tcase_create("blocks");
 
     tcase_add_loop_test(tests, as_by_small_steps, 0, KINDS);

@@ -1,0 +1,102 @@
+/*
+ * dialect - the writers of the controls as tables of functions, one file a control.
+ *
+ * A new control is a row in the table of control.h and a file with its `struct dialect`; one that
+ * has Fanuc's kind of G-code takes most of its functions from gcode.h.
+ */
+#ifndef CLOUDMILL_DIALECT_H
+#define CLOUDMILL_DIALECT_H
+
+#include "machine/control.h"
+#include "post/post.h"
+#include "post_frame.h"
+#include "post_plan.h"
+#include "post_writer.h"
+
+/* What is in the spindle and how it turns, as the program goes on. */
+struct nc_tooling {
+    size_t taken;   /* how many of the path's further tools came before it */
+    int number;     /* 0: none was given */
+    int offset;     /* of its length; the number where nothing else was said, 1 where none was */
+    double spindle; /* rev/min, 0: it stands */
+    bool ccw;
+    int coolant; /* as in path_head */
+    size_t next; /* where the program's first motion with it is looked for */
+};
+
+/* A program while it is written. */
+struct nc_program {
+    enum control_id control;
+    const struct path *path;
+    const struct machine *machine;
+    const struct nc_plan *plan;
+    struct nc_plan_options options;
+    bool plane; /* the path is in tilted planes, which the control turns to */
+    struct nc_planes planes;
+    size_t at_plane;    /* where the program is among them */
+    bool same_tool;     /* it goes back to work after a change of planes alone */
+    int turned;         /* rotary axes of the machine that the control turns for them */
+    size_t part, parts; /* 1 of 3; 0: the whole */
+    size_t met;         /* the move whose block is w.wanted */
+    struct nc_tooling tooling;
+    struct {
+        int asked, on;
+    } cutcom;                   /* post_statement.h */
+    const struct nc_hole *hole; /* whose drilling cycle is on, NULL: none is */
+    const char *name;           /* number or name asked for, NULL: by the dialect */
+    struct nc_writer w;
+};
+
+struct gcode;
+
+struct dialect {
+    const struct gcode *gcode; /* the words of a control of that kind (gcode.h), NULL: it is none */
+    struct nc_format_options style;
+    struct machine_digits digits; /* usual numbers of decimals */
+    bool vectors;                 /* the usual axis words under tool-centre-point control */
+    bool vectors_never;           /* it knows no vectors */
+    bool vectors_doubtful;        /* see struct nc_ability */
+    bool inverse_never;           /* it knows no inverse-time feed */
+    bool steps_alike;             /* its drilling cycles know one step, and no dwell with it */
+    bool plane;                   /* it can turn to a tilted plane */
+    bool plane_euler;             /* by Euler's angles */
+    enum nc_arcs arcs, arcs_vectors;
+    enum nc_arcs arcs_space; /* those of a machine that has the key arcs.space */
+    enum nc_splines splines, splines_vectors;
+
+    /* -1: a name or number that the control does not take */
+    int (*check_name)(const char *name, struct error *error);
+    void (*start)(struct nc_program *p);  /* the head of the program */
+    void (*load)(struct nc_program *p);   /* the tool into the spindle, which turns */
+    void (*engage)(struct nc_program *p); /* from there up to the first motion with it */
+    void (*line)(struct nc_program *p, const struct nc_move *move); /* rapids too */
+    void (*arc)(struct nc_program *p, const struct nc_move *move);
+    void (*spline)(struct nc_program *p, const struct nc_move *move);
+    void (*hole)(struct nc_program *p, const struct nc_move *move); /* post_hole.h */
+    void (*hole_end)(struct nc_program *p);
+    /* another speed than that of the tool's start; NULL: S with M3 or M4 */
+    void (*speed)(struct nc_program *p, double rpm, bool ccw);
+    void (*dwell)(struct nc_program *p, double seconds);
+    void (*disengage)(struct nc_program *p); /* from the last motion of a tool home */
+    void (*finish)(struct nc_program *p);    /* the end of the program */
+};
+
+/* The writer of a control's programs. */
+const struct dialect *dialect_of(enum control_id control);
+
+/* What a program for this control and machine may hold.  `still`: the rotary axes stay at zero, and
+ * nothing needs to be said of them. */
+struct nc_ability dialect_ability(enum control_id control, const struct machine *machine,
+                                  enum post_axis_words axis, bool still, double unit);
+
+/* The start of the program, up to its first motion; what follows its last one. */
+void dialect_start(struct nc_program *p);
+void dialect_finish(struct nc_program *p);
+
+/* One move of the program. */
+void dialect_move(struct nc_program *p, const struct nc_move *move);
+
+/* Writes the whole program. */
+void dialect_write(struct nc_program *p);
+
+#endif

@@ -1,0 +1,170 @@
+/* post - see post.h. */
+#include "post/post.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+#include "base/array.h"
+#include "base/cli.h"
+#include "base/num.h"
+#include "post_head.h"
+#include "post_hole.h"
+#include "post_output.h"
+#include "post_statement.h"
+
+struct post {
+    struct nc_program program;
+    struct nc_plan plan;
+};
+
+int post_limit_read(const char *text, struct post_extract *extract, struct error *error)
+{
+    const char *rest = text;
+    double n;
+    bool good = num_read(&rest, &n) && n >= 1 && n < 1e12;
+    double scale = strcmp(rest, "M") == 0 ? 1e6 : strcmp(rest, "k") == 0 ? 1e3 : 0;
+    if (!good || (scale == 0 && *rest))
+        return error_set(
+            error, "option --split: found `%.40s`, expected blocks, or bytes as 500k or 2M", text);
+    *(scale > 0 ? &extract->bytes : &extract->blocks) = (size_t)(n * fmax(scale, 1));
+    return 0;
+}
+
+int post_check(enum control_id control, const struct post_options *options, struct error *error)
+{
+    const struct dialect *dialect = dialect_of(control);
+    const char *name = control_row(control)->name;
+    if (options->name && dialect->check_name(options->name, error) != 0)
+        return -1;
+    if (options->axis == POST_AXIS_VECTORS && dialect->vectors_never)
+        return error_set(error, "found --vectors, which %s does not know", name);
+    if (options->plane && !dialect->plane)
+        return error_set(error, "found --plane, which %s does not know", name);
+    return 0;
+}
+
+/*
+ * Brings path and machine into the program's frame.  Holes stay drilling cycles where the tool
+ * stands upright in that frame.  *still: the rotary axes stay at zero.  0 or the exit status.
+ */
+static int set_frame(struct nc_program *p, struct path *path, struct machine *machine,
+                     const struct post_options *options, bool *still, struct error *error)
+{
+    const struct dialect *dialect = dialect_of(p->control);
+    bool planes = post_frame_planes(path, &p->planes), upright = post_frame_upright(&p->planes);
+    bool cycles = planes && machine->cycles && post_frame_holes(path);
+    int digits = machine->digits.angle < 0 ? dialect->digits.angle : machine->digits.angle;
+    if (options->plane && !planes) {
+        error_set(error,
+                  "%s: found a tool axis that turns in the cut, expected it to stay "
+                  "(--plane)",
+                  path->name);
+        return EXIT_FAILED;
+    }
+    p->plane =
+        options->plane || ((machine->plane || cycles) && dialect->plane && planes && !upright);
+    p->turned = machine->chain.n;
+    if (p->plane &&
+        post_frame_tilt(path, machine, &p->planes, dialect->plane_euler, digits, error) != 0)
+        return EXIT_UNMET;
+    if (!cycles || !(upright || p->plane))
+        path_drill(path);
+    if (options->inch)
+        post_frame_inch(path, machine, &p->options);
+    *still = upright && (cycles || !machine->tcp || (machine->cutcom && nc_cutcom_asked(path)));
+    return 0;
+}
+
+static int make_plan(struct post *post, const struct machine *machine, enum post_axis_words axis,
+                     bool still, double smoothing, struct error *error)
+{
+    const struct nc_program *p = &post->program;
+    struct nc_ability ability = dialect_ability(p->control, machine, axis, still, p->options.unit);
+    ability.smoothing = smoothing;
+    if (nc_plan_make(&post->plan, p->path, machine, ability, p->options, error) == 0)
+        return 0;
+    return post->plan.unmet ? EXIT_UNMET : EXIT_FAILED;
+}
+
+/* Where vectors, which leave the rotary axes to the control, find no way within the travel, rotary
+ * words are taken, with which the tool may turn back off the part. */
+static int plan_in_frame(struct post *post, struct path *path, struct machine *machine,
+                         const struct post_options *options, struct error *error)
+{
+    struct nc_program *p = &post->program;
+    double smoothing = machine->smooth ? p->options.chord : 0;
+    bool still = false;
+    int status = set_frame(p, path, machine, options, &still, error);
+    if (status)
+        return status;
+    status = make_plan(post, machine, options->axis, still, smoothing, error);
+    if (status == EXIT_UNMET && post->plan.ability.mode == INTERPOLATE_VECTOR) {
+        struct error again;
+        nc_plan_free(&post->plan);
+        if (make_plan(post, machine, POST_AXIS_ROTARY, still, smoothing, &again) == 0) {
+            post->plan.no_vectors = true;
+            status = 0;
+        }
+    }
+    return status;
+}
+
+struct post *post_plan(enum control_id control, struct path *path, struct machine *machine,
+                       const struct post_options *options, int *status, struct error *error)
+{
+    struct post *post = mem_alloc(1, sizeof *post);
+    *post = (struct post){.program = {.control = control,
+                                      .path = path,
+                                      .machine = machine,
+                                      .plan = &post->plan,
+                                      .name = options->name,
+                                      .options = {options->chord, options->axis_tolerance,
+                                                  options->feed, options->contact_feed, 1}}};
+    *status = plan_in_frame(post, path, machine, options, error);
+    if (*status == 0)
+        return post;
+    post_free(post);
+    return NULL;
+}
+
+int post_write(struct post *post, struct post_extract extract, const char *file, size_t *files,
+               struct error *error)
+{
+    return nc_output(&post->program, extract, file, files, error);
+}
+
+struct post_report post_report(const struct post *post)
+{
+    const struct nc_program *p = &post->program;
+    const struct nc_plan *plan = &post->plan;
+    const struct nc_total *total = &plan->total;
+    double unit = plan->ability.unit;
+    return (struct post_report){
+        .feed_assumed = total->feed_assumed,
+        .approach_made = total->approach_made,
+        .retract_made = total->retract_made,
+        .steps_evened =
+            total->holes && dialect_of(p->control)->steps_alike && nc_hole_steps_differ(p->path),
+        .cutcom_off = nc_cutcom_left_out(p->path, p->machine, &plan->ability),
+        .no_vectors = plan->no_vectors,
+        .turns = total->turns,
+        .passes = total->passes,
+        .lines = total->lines,
+        .arcs = total->arcs,
+        .splines = total->splines,
+        .rapids = total->rapids,
+        .chorded = total->chorded,
+        .cut = total->cut * unit,
+        .rapid = total->rapid * unit,
+        .minutes = total->minutes,
+        .point = total->spent.point * unit,
+        .axis = total->spent.axis,
+        .ledger = nc_ledger_sum(p->path, plan)};
+}
+
+void post_free(struct post *post)
+{
+    array_free(&post->program.planes);
+    nc_plan_free(&post->plan);
+    free(post);
+}

@@ -1,0 +1,50 @@
+/*
+ * post_frame - the frame that a program is written in: inches, or tilted planes (3+2).
+ *
+ * Path, machine and options are brought into that frame before anything is planned, so that what is
+ * checked on printed digits is checked on those that are printed.
+ */
+#ifndef CLOUDMILL_POST_FRAME_H
+#define CLOUDMILL_POST_FRAME_H
+
+#include "post_plan.h"
+
+/* Part of a path along which the tool axis stays as it is. */
+struct nc_plane {
+    size_t from;      /* its first motion among the path's items */
+    struct vec3 axis; /* in the frame of the work */
+    double a, b;      /* degrees as printed, about X and the turned Y, that bring Z onto it */
+    double i, j, k;   /* Euler's for the same: about Z, the turned X and the turned Z */
+};
+
+struct nc_planes {
+    size_t n, cap;
+    struct nc_plane *item;
+};
+
+/* There are holes of drilling cycles in it, and each has what a control must be told: of a tap its
+ * pitch, or the speed of the spindle. */
+bool post_frame_holes(const struct path *path);
+
+/*
+ * The planes of a path whose tool axis changes only where the tool is off the part: on a rapid, to
+ * a hole, with another tool.  False, and no planes: it turns elsewhere too.
+ */
+bool post_frame_planes(const struct path *path, struct nc_planes *planes);
+
+/* One plane, and its axis is the machine's Z. */
+bool post_frame_upright(const struct nc_planes *planes);
+
+/* All lengths in inches. */
+void post_frame_inch(struct path *path, struct machine *machine, struct nc_plan_options *options);
+
+/*
+ * Each part of the path in the frame whose Z is its plane's axis: the work's frame turned by the
+ * angles as they are printed with so many digits, by Euler's where `euler`, its zero point kept.  A
+ * PATH_PLANE stands before each but the first.  The machine becomes one of three axes, the others'
+ * work done by the control.  -1: the machine cannot turn there.
+ */
+int post_frame_tilt(struct path *path, struct machine *machine, struct nc_planes *planes,
+                    bool euler, int digits, struct error *error);
+
+#endif

@@ -1,0 +1,531 @@
+/* post_lookahead - see post_lookahead.h. */
+#include "post_lookahead.h"
+
+#include <stdlib.h>
+
+#include "base/array.h"
+#include "machine/ik_plan.h"
+#include "post_ik.h"
+#include "post_item.h"
+#include "post_motion.h"
+#include "post_rewind.h"
+
+/* ---- how far the rotary axes turn in a group, and at least have to */
+
+/* Where a group starts: after so many moves of the plan, the rotary axes at q. */
+struct group_start {
+    size_t moves;
+    double q[ROTARY_MAX];
+};
+
+static const double worth = 0.01; /* of the way of the rotary axes: what a second plan must save */
+
+static bool saves_travel(double way, double than)
+{
+    return way < than * (1 - worth);
+}
+
+static double travel_since(const struct nc_planner *planner, const struct group_start *since)
+{
+    const double *q = since->q;
+    double way = 0;
+    for (size_t i = since->moves; i < planner->plan->move.n; i++) {
+        const struct nc_move *move = &planner->plan->move.item[i];
+        if (!nc_moves(move))
+            continue;
+        way += ik_travel(&planner->machine->chain, q, move->q);
+        q = move->q;
+    }
+    return way;
+}
+
+/* Both solutions turn alike, whatever the way: two axes at right angles, and the tool across. */
+static bool turn_alike(const struct kinematic_chain *chain)
+{
+    const struct rotary *r = chain->rotary;
+    return fabs(vec_dot(r[0].axis, r[1].axis)) < 1e-9 &&
+           fabs(vec_dot(r[1].axis, chain->tool)) < 1e-9;
+}
+
+/* From where the rapids have led to the axis nearest the work stays as it is: then the other one
+ * turns by what the tool axis does, and no way is shorter. */
+static bool first_stays(const struct nc_planner *planner, const struct group_start *since)
+{
+    const struct nc_move *last = NULL;
+    for (size_t i = since->moves; i < planner->plan->move.n; i++) {
+        const struct nc_move *move = &planner->plan->move.item[i];
+        if (nc_moves(move) && move->kind != NC_RAPID && last && move->q[0] != last->q[0])
+            return false;
+        last = nc_moves(move) ? move : last;
+    }
+    return true;
+}
+
+/* How far the axes turn at least, from solution k at the start on, where no planner leaves doubt;
+ * 0: one does. */
+static double way_of(const struct nc_planner *planner, const struct group_start *since, size_t from,
+                     size_t to, int k)
+{
+    const struct kinematic_chain *chain = &planner->machine->chain;
+    double q[ROTARY_MAX] = {since->q[0], since->q[1]}, next[ROTARY_MAX], way = 0;
+    bool cutting = false;
+    struct turned turned = {{1, 1}, {0, 0}};
+    const struct path_item *start = NULL;
+    int over;
+    for (size_t i = from; i < to; i++) {
+        const struct path_item *item = &planner->path->item.item[i];
+        if (!path_moves(item))
+            continue;
+        if (!cutting && path_is_rapid(item)) {
+            start = item;
+            continue;
+        }
+        if (!cutting) {
+            if (ik_choose(chain, start ? start->to.a : item->to.a, q, true, k, next, &over) != 0)
+                return HUGE_VAL;
+            way = ik_travel(chain, q, next);
+            q[0] = next[0], q[1] = next[1];
+            turned = chain_turned(chain, q);
+            cutting = true;
+        }
+        if (!ik_near(&planner->near, item->to.a, q, &turned, next, &turned))
+            return 0;
+        way += ik_travel(chain, q, next);
+        q[0] = next[0], q[1] = next[1];
+    }
+    return way;
+}
+
+static bool nearest_is_least(const struct nc_planner *planner, const struct group_start *since,
+                             size_t from, size_t to)
+{
+    const struct kinematic_chain *chain = &planner->machine->chain;
+    if (planner->follow.mode == INTERPOLATE_VECTOR || chain->n < 2)
+        return true;
+    if (turn_alike(chain))
+        return !planner->doubtful || first_stays(planner, since);
+    if (planner->doubtful)
+        return false;
+    double least = fmin(way_of(planner, since, from, to, 0), way_of(planner, since, from, to, 1));
+    return !saves_travel(least, travel_since(planner, since));
+}
+
+/* ---- the look ahead: the places of a group, and the shortest way through them (ik_plan.h) */
+
+/* A straight motion that may be one block past the singular direction: it ends at that place. */
+struct nc_leap {
+    size_t end;
+    struct pose from, to;
+};
+
+struct lookahead {
+    size_t n, cap;
+    struct ik_plan_place *item; /* along the group, from where its rapids have led to */
+    struct doubles s;           /* of each place: how far along its motion, 0 to 1 */
+    struct sizes start;         /* of each item of the group: the place where it starts; then that
+                                   where the last one ends */
+    struct {
+        size_t n, cap;
+        struct nc_leap *item;
+    } leap;
+    struct chain_solutions found; /* at the last place */
+    const struct nc_planner *planner;
+    struct ik_plan_cost cost; /* of the way that was found */
+};
+
+enum { DEPTH = 12, SPAN_PIECES = 8, HALVINGS = 45, PLACES_MAX = 10000000 };
+
+static void add(struct lookahead *ahead, struct pose at, double s, bool may_turn)
+{
+    const struct nc_planner *planner = ahead->planner;
+    struct ik_plan_place place = {.axis = at.a, .may_turn = may_turn};
+    if (vec_dot(at.p, at.p) >= planner->safe_radius * planner->safe_radius) {
+        struct chain_solutions found = chain_angles(&planner->machine->chain, at.a);
+        for (int k = 0; k < found.n && !found.free; k++)
+            place.shut[k] = post_ik_linear_over(planner, at.p, found.q[k]) >= 0;
+    }
+    *array_push(ahead) = place;
+    *array_push(&ahead->s) = s;
+}
+
+/* Where between two places, by one of the solutions, an axis comes to an end of its travel; s0: it
+ * does not. */
+static double end_between(const struct kinematic_chain *chain, const struct motion *motion,
+                          double s0, double s1, const struct chain_solutions *a,
+                          const struct chain_solutions *b, int solution)
+{
+    double low = s0, high = s1, share;
+    if (!ik_branch_end(chain, a, b, solution, &share))
+        return s0;
+    for (int i = 0; i < HALVINGS; i++) { /* before the end, by less than the last digit */
+        double mid = (low + high) / 2;
+        struct chain_solutions at = chain_angles(chain, motion_at(motion, mid).a);
+        *(ik_branch_end(chain, a, &at, solution, &share) ? &high : &low) = mid;
+    }
+    return low;
+}
+
+/* A place of its own there: the tool may turn, though rather at the end of a motion. */
+static void add_ends(struct lookahead *ahead, const struct kinematic_chain *chain,
+                     const struct motion *motion, double s0, double s1)
+{
+    struct chain_solutions a = ahead->found, b = chain_angles(chain, motion_at(motion, s1).a);
+    double end[2];
+    for (int k = 0; k < 2; k++)
+        end[k] = end_between(chain, motion, s0, s1, &a, &b, k);
+    for (int i = 0; i < 2; i++) {
+        double s = i ? fmax(end[0], end[1]) : fmin(end[0], end[1]);
+        if (s <= s0)
+            continue;
+        add(ahead, motion_at(motion, s), s, true);
+        ahead->item[ahead->n - 1].inside = true;
+        s0 = s;
+    }
+    ahead->found = b;
+}
+
+/* Places of a motion behind s0, where the direction is a0, up to s1. */
+static void sample(struct lookahead *ahead, const struct kinematic_chain *chain,
+                   const struct motion *motion, double s0, struct vec3 a0, double s1, int depth)
+{
+    struct pose to = motion_at(motion, s1);
+    double close = fmin(ik_branch_step(chain, a0), ik_branch_step(chain, to.a));
+    if (vec_angle(a0, to.a) <= close || depth == DEPTH || ahead->n > PLACES_MAX) {
+        add_ends(ahead, chain, motion, s0, s1);
+        add(ahead, to, s1, false);
+        return;
+    }
+    double mid = (s0 + s1) / 2;
+    sample(ahead, chain, motion, s0, a0, mid, depth + 1);
+    sample(ahead, chain, motion, mid, motion_at(motion, mid).a, s1, depth + 1);
+}
+
+/* Within twice what the tool axis may be off, it may go past the singular direction in one block.
+ */
+static void add_leap(struct lookahead *ahead, const struct motion *motion, size_t start)
+{
+    const struct rotary *first = &ahead->planner->machine->chain.rotary[0];
+    double near = 2 * ahead->planner->allowed.axis;
+    bool past = false;
+    for (size_t i = start + 1; i + 1 < ahead->n && !past; i++) {
+        struct vec3 off = vec_cross(first->axis, ahead->item[i].axis);
+        past = vec_dot(off, off) < near * near;
+    }
+    if (!past || motion->kind != MOTION_LINE || ahead->planner->machine->chain.n != 2)
+        return;
+    ahead->item[ahead->n - 1].leap = (unsigned)(ahead->n - 1 - start);
+    *array_push(&ahead->leap) = (struct nc_leap){ahead->n - 1, motion_at(motion, 0), motion->to};
+}
+
+static void sample_motion(struct lookahead *ahead, const struct kinematic_chain *chain,
+                          const struct motion *motion)
+{
+    double s = 0;
+    struct vec3 a = motion_at(motion, 0).a;
+    size_t start = ahead->n - 1;
+    ahead->found = chain_angles(chain, a);
+    while (s < 1) {
+        double from = s, next = motion_next_knot(motion, s);
+        int pieces = motion->kind == MOTION_SPLINE ? SPAN_PIECES : 1;
+        for (int i = 1; i <= pieces; i++) {
+            double to = from + (next - from) * i / pieces;
+            sample(ahead, chain, motion, s, a, to, 0);
+            a = ahead->item[ahead->n - 1].axis;
+            s = to;
+        }
+        s = next;
+    }
+    ahead->item[ahead->n - 1].may_turn = true;
+    if (ahead->n > start + 2)
+        add_leap(ahead, motion, start);
+}
+
+/* May a block lead from one end of a leap to the other? */
+static bool leaps(const void *with, size_t from, size_t to, const double q0[], const double q1[])
+{
+    const struct lookahead *ahead = with;
+    const struct nc_planner *planner = ahead->planner;
+    size_t low = 0, high = ahead->leap.n - 1;
+    (void)from; /* told by where it leads to */
+    while (low < high) {
+        size_t mid = (low + high) / 2;
+        if (ahead->leap.item[mid].end < to)
+            low = mid + 1;
+        else
+            high = mid;
+    }
+    const struct nc_leap *leap = &ahead->leap.item[low];
+    struct motion motion = motion_line(leap->from, leap->to);
+    struct machine_pose a = post_ik_pose(planner, leap->from, q0),
+                        b = post_ik_pose(planner, leap->to, q1);
+    return pose_deviation_within(interpolation_block(&planner->follow, &a.at, &b.at, &motion, 0, 1),
+                                 planner->allowed);
+}
+
+static void sample_items(struct lookahead *ahead, size_t from, size_t to)
+{
+    const struct nc_planner *planner = ahead->planner;
+    const struct path *path = planner->path;
+    bool cutting = false, begun = planner->state.begun;
+    struct pose pose = planner->state.pose;
+    if (begun)
+        add(ahead, pose, 1, true);
+    for (size_t i = from; i < to && ahead->n < PLACES_MAX; i++) {
+        const struct path_item *item = &path->item.item[i];
+        bool moves =
+            item->kind == PATH_POINT || item->kind == PATH_ARC || item->kind == PATH_SPLINE;
+        *array_push(&ahead->start) = ahead->n ? ahead->n - 1 : 0;
+        if (!moves)
+            continue;
+        cutting = cutting || !item->rapid || item->kind != PATH_POINT;
+        if (!cutting || !begun) { /* in the clear: only where it leads to matters */
+            ahead->n = ahead->s.n = 0;
+            add(ahead, item->to, 1, true);
+        } else {
+            struct motion motion = path_item_motion(path, item, pose);
+            sample_motion(ahead, &planner->machine->chain, &motion);
+        }
+        pose = item->to;
+        begun = true;
+    }
+    *array_push(&ahead->start) = ahead->n ? ahead->n - 1 : 0;
+}
+
+static bool look_ahead_over(struct lookahead *ahead, const struct nc_planner *planner, size_t from,
+                            size_t to)
+{
+    *ahead = (struct lookahead){.planner = planner};
+    if (planner->follow.mode == INTERPOLATE_VECTOR || planner->machine->chain.n == 0)
+        return false;
+    sample_items(ahead, from, to);
+    struct ik_plan plan = {.chain = &planner->machine->chain,
+                           .cone = planner->allowed.axis / 2,
+                           .leaps = leaps,
+                           .with = ahead};
+    return ahead->n > 1 && ahead->n < PLACES_MAX &&
+           ik_plan_make(&plan, ahead->item, ahead->n, planner->state.at.q, &ahead->cost) == 0;
+}
+
+static void lookahead_free(struct lookahead *ahead)
+{
+    array_free(&ahead->leap);
+    array_free(&ahead->start);
+    array_free(&ahead->s);
+    array_free(ahead);
+}
+
+/* ---- a group: planned with each block the nearest way, or along what the look ahead found */
+
+static const double far_turn = PI / 6; /* radians: to another solution, or whole turns */
+
+/* What a group that is planned again has to take back. */
+struct mark {
+    struct nc_state state;
+    struct nc_total total;
+    struct group_start since;
+    size_t vectors, arcs, splines, holes;
+};
+
+static struct mark mark_of(const struct nc_planner *planner)
+{
+    const struct nc_plan *plan = planner->plan;
+    const double *q = planner->state.at.q;
+    return (struct mark){planner->state, plan->total, {plan->move.n, {q[0], q[1]}},
+                         plan->vector.n, plan->arc.n, plan->spline.n,
+                         plan->hole.n};
+}
+
+static void back_to(struct nc_planner *planner, const struct mark *mark)
+{
+    struct nc_plan *plan = planner->plan;
+    for (size_t i = mark->splines; i < plan->spline.n; i++)
+        nc_spline_free(&plan->spline.item[i]);
+    planner->state = mark->state;
+    plan->total = mark->total;
+    plan->unmet = false;
+    plan->move.n = mark->since.moves;
+    plan->vector.n = mark->vectors;
+    plan->arc.n = mark->arcs;
+    plan->spline.n = mark->splines;
+    plan->hole.n = mark->holes;
+}
+
+static bool begins_anew(const struct path_item *item)
+{
+    return item->kind == PATH_TOOL || item->kind == PATH_PLANE;
+}
+
+size_t post_lookahead_end(const struct path *path, size_t from)
+{
+    bool cutting = false;
+    for (size_t i = from; i < path->item.n; i++) {
+        const struct path_item *item = &path->item.item[i];
+        if ((path_is_rapid(item) && cutting) || (begins_anew(item) && i > from))
+            return i;
+        cutting = cutting || (path_moves(item) && !path_is_rapid(item));
+    }
+    return path->item.n;
+}
+
+/* The tool is in the part: the last motion was a cut. */
+static bool in_cut(const struct nc_planner *planner)
+{
+    size_t last = planner->plan->move.n;
+    while (last && !nc_moves(&planner->plan->move.item[last - 1]))
+        last--;
+    const struct nc_move *move = last ? &planner->plan->move.item[last - 1] : NULL;
+    return planner->state.begun && move && move->kind != NC_RAPID && move->kind != NC_HOLE;
+}
+
+/* The turns strictly inside of the motion between two places. */
+static void add_stops(struct nc_planner *planner, const struct lookahead *ahead, size_t from,
+                      size_t to)
+{
+    planner->rewinds.n = 0;
+    for (size_t i = from + 1; i < to; i++) {
+        const double *q = ahead->item[i + 1].q;
+        if (ahead->item[i].turn)
+            *array_push(&planner->rewinds) = (struct nc_rewind){ahead->s.item[i], {q[0], q[1]}};
+    }
+}
+
+/* The part of what was found that is the item's; where the tool turns before it, it does. */
+static int set_aim(struct nc_planner *planner, const struct lookahead *ahead, size_t from, size_t i)
+{
+    size_t place = ahead->start.item[i - from], end = ahead->start.item[i - from + 1];
+    planner->aim.n = 0;
+    if (!path_moves(&planner->path->item.item[i]))
+        return 0;
+    if (end > place && ahead->item[place].turn &&
+        post_rewind_to(planner, ahead->item[place + 1].q) != 0)
+        return -1;
+    planner->aim = (struct nc_aim){end - place + 1, ahead->item + place, ahead->s.item + place};
+    add_stops(planner, ahead, place, end);
+    return 0;
+}
+
+/* The rapid that leads out of the part keeps the angles, or follows on from them; where it cannot,
+ * the tool goes off the part first. */
+static int leave(struct nc_planner *planner, const struct path_item *item)
+{
+    struct machine_pose to;
+    int result = 0;
+    planner->off_part = false;
+    planner->aim.n = 0;
+    if (post_ik_reach(planner, item->to, 1, &to) != 0)
+        return -1;
+    double turn = ik_travel(&planner->machine->chain, planner->state.at.q, to.at.q);
+    if (turn > 2 * vec_angle(planner->state.pose.a, item->to.a) + far_turn) {
+        planner->state.why = NC_WHY_RETRACT;
+        result = post_motion_rapid(planner, post_rewind_retracted(planner));
+    }
+    result = result == 0 ? post_item(planner, item) : -1;
+    planner->off_part = true;
+    return result;
+}
+
+/*
+ * Without tool-centre-point control a rapid is many blocks: where it leads to another solution, the
+ * axes turn before it, where the tool stands off the part.
+ */
+static void turn_before(struct nc_planner *planner, const struct path_item *item)
+{
+    const struct kinematic_chain *chain = &planner->machine->chain;
+    double q[ROTARY_MAX] = {planner->state.at.q[0], planner->state.at.q[1]};
+    struct machine_pose to;
+    bool doubt = planner->doubtful;
+    int over;
+    if (planner->follow.mode == INTERPOLATE_JOINT && planner->off_part && planner->state.begun &&
+        post_ik_reach(planner, item->to, 1, &to) == 0 &&
+        ik_choose(chain, planner->state.pose.a, to.at.q, true, -1, q, &over) == 0 &&
+        ik_travel(chain, q, planner->state.at.q) > far_turn)
+        post_motion_turn(planner, q);
+    planner->off_part = true;
+    planner->doubtful = doubt;
+}
+
+/* The rapids have led to the part: there the axes turn to where the way that was found begins. */
+static void arrive(struct nc_planner *planner, const struct lookahead *ahead)
+{
+    const struct kinematic_chain *chain = &planner->machine->chain;
+    double q[ROTARY_MAX] = {0};
+    int over;
+    if (planner->off_part && ahead && planner->state.begun &&
+        ik_choose(chain, planner->state.pose.a, ahead->item[0].q, true, -1, q, &over) == 0 &&
+        ik_travel(chain, q, planner->state.at.q) > RADIANS(0.01))
+        post_motion_turn(planner, q);
+    planner->off_part = planner->off_part && !planner->state.begun;
+}
+
+/* ahead: what was found by looking ahead over the group, NULL: nothing. */
+static int plan_items(struct nc_planner *planner, const struct lookahead *ahead, size_t from,
+                      size_t to)
+{
+    bool leading = true, leaving = in_cut(planner);
+    planner->off_part = true;
+    planner->doubtful = false;
+    planner->next_tilted = from;
+    planner->aim.n = planner->rewinds.n = 0;
+    for (size_t i = from; i < to; i++) {
+        const struct path_item *item = &planner->path->item.item[i];
+        planner->next = i + 1;
+        if (leading && path_moves(item) && !path_is_rapid(item)) {
+            arrive(planner, ahead);
+            leading = false;
+        }
+        if (ahead && set_aim(planner, ahead, from, i) != 0)
+            return -1;
+        bool leaves = leaving && path_is_rapid(item);
+        if (leading && path_is_rapid(item) && !leaves)
+            turn_before(planner, item);
+        if ((leaves ? leave(planner, item) : post_item(planner, item)) != 0)
+            return -1;
+        leaving = leaving && !path_moves(item);
+    }
+    return 0;
+}
+
+/* Once more along the way that was found: 0 when it is planned and no worse. */
+static int plan_along(struct nc_planner *planner, const struct lookahead *ahead, size_t from,
+                      size_t to, const struct mark *mark, double way)
+{
+    back_to(planner, mark);
+    planner->rewind = post_rewind_for;
+    if (plan_items(planner, ahead, from, to) != 0)
+        return -1;
+    bool more = planner->plan->total.turns > mark->total.turns && way < HUGE_VAL;
+    return more || travel_since(planner, &mark->since) > way ? -1 : 0;
+}
+
+/* Where the group starts, whatever of it is planned by now. */
+static bool look_ahead(struct nc_planner *planner, struct lookahead *ahead, const struct mark *mark,
+                       size_t from, size_t to)
+{
+    struct nc_state now = planner->state;
+    planner->state = mark->state;
+    bool found = look_ahead_over(ahead, planner, from, to);
+    planner->state = now;
+    return found;
+}
+
+int post_lookahead_plan(struct nc_planner *planner, size_t from, size_t to)
+{
+    struct mark mark = mark_of(planner);
+    struct lookahead ahead;
+    planner->rewind = NULL;
+    int nearest = plan_items(planner, NULL, from, to);
+    if (nearest == 0 ? nearest_is_least(planner, &mark.since, from, to) : !planner->plan->unmet)
+        return nearest;
+    double way = nearest == 0 ? travel_since(planner, &mark.since) : HUGE_VAL;
+    bool found = look_ahead(planner, &ahead, &mark, from, to);
+    bool better =
+        found && (nearest != 0 || (ahead.cost.turns == 0 && saves_travel(ahead.cost.way, way)));
+    int result = better ? plan_along(planner, &ahead, from, to, &mark, way) : -1;
+    lookahead_free(&ahead);
+    planner->aim.n = planner->rewinds.n = 0;
+    if (result == 0 || (nearest == 0 && !better))
+        return 0;
+    back_to(planner, &mark);
+    planner->rewind = nearest != 0 ? post_rewind_for : NULL;
+    return plan_items(planner, NULL, from, to);
+}

@@ -1,0 +1,467 @@
+/* post_motion - see post_motion.h. */
+#include "post_motion.h"
+
+#include "base/array.h"
+#include "base/num.h"
+#include "post_feed.h"
+#include "post_ik.h"
+
+enum { DEPTH_MAX = 14 /* halvings of a straight motion */ };
+
+/* ---- one more block */
+
+/* fmax for what is a number, without a call. */
+static inline double larger(double a, double b)
+{
+    return a > b ? a : b;
+}
+
+struct nc_move *post_motion_append(struct nc_planner *planner, enum nc_kind kind,
+                                   const struct machine_pose *target)
+{
+    const struct block_pose *to = &target->at;
+    struct nc_plan *plan = planner->plan;
+    struct nc_state *state = &planner->state;
+    struct nc_move *move = array_push(&plan->move);
+    *move = (struct nc_move){.kind = kind,
+                             .why = state->why,
+                             .line = state->line,
+                             .p = to->p,
+                             .q = {to->q[0], to->q[1]}};
+    if (planner->follow.mode == INTERPOLATE_VECTOR) {
+        move->vector = (unsigned)plan->vector.n;
+        *array_push(&plan->vector) = to->a;
+    }
+    state->at = *to;
+    state->turned = target->turned;
+    state->off.point = state->off.axis = NAN;
+    planner->off_part = false;
+    return move;
+}
+
+static void add_move(struct nc_planner *planner, enum nc_kind kind,
+                     const struct machine_pose *target, double length, size_t index,
+                     const struct nc_along *along)
+{
+    struct nc_total *total = &planner->plan->total;
+    double minutes, feed = 0;
+    if (kind == NC_RAPID) {
+        minutes = post_feed_axes_minutes(planner, &planner->state.at, &target->at);
+        minutes = larger(minutes, length / planner->machine->rapid[MACHINE_X]);
+        total->rapid += length;
+        total->rapids++;
+    } else {
+        feed = post_feed_word(planner, target, length, along, &minutes);
+        total->cut += length;
+        total->lines += kind == NC_LINE;
+        total->arcs += kind == NC_ARC;
+        total->splines += kind == NC_SPLINE;
+    }
+    total->minutes += minutes;
+    struct nc_move *move = post_motion_append(planner, kind, target);
+    move->feed = feed;
+    move->index = (unsigned)index;
+}
+
+/* Both say the same. */
+static bool says_the_same(const struct block_pose *a, const struct block_pose *b, bool vectors)
+{
+    bool same = a->p.x == b->p.x && a->p.y == b->p.y && a->p.z == b->p.z;
+    if (vectors)
+        return same && a->a.x == b->a.x && a->a.y == b->a.y && a->a.z == b->a.z;
+    return same && a->q[0] == b->q[0] && a->q[1] == b->q[1];
+}
+
+static void add_straight(struct nc_planner *planner, enum nc_kind kind,
+                         const struct machine_pose *to, const struct pose *goal)
+{
+    struct nc_state *state = &planner->state;
+    if (!says_the_same(&state->at, &to->at, planner->follow.mode == INTERPOLATE_VECTOR))
+        add_move(planner, kind, to, vec_distance(state->pose.p, goal->p), 0, NULL);
+    state->off.point = state->off.axis = NAN;
+    state->pose = *goal;
+}
+
+enum { TURN_STEP = 2 /* degrees */ };
+
+void post_motion_turn(struct nc_planner *planner, const double q[])
+{
+    double from[ROTARY_MAX] = {planner->state.at.q[0], planner->state.at.q[1]};
+    double far = DEGREES(ik_most_turn(&planner->machine->chain, q, from));
+    int n = planner->follow.mode == INTERPOLATE_JOINT ? (int)ceil(far / TURN_STEP) : 1;
+    for (int k = 1; k <= n; k++) {
+        double part[ROTARY_MAX];
+        for (int i = 0; i < ROTARY_MAX; i++)
+            part[i] = from[i] + (q[i] - from[i]) * k / n;
+        struct machine_pose to = post_ik_pose(planner, planner->state.pose, part);
+        add_move(planner, NC_RAPID, &to, 0, 0, NULL);
+    }
+}
+
+/* ---- a straight motion as one block */
+
+/*
+ * The block is surely no further off than what blocks before it have spent: so much by the digits
+ * at its ends, and so much more between them.  False says nothing.
+ */
+static bool within_spent(const struct nc_planner *planner, const struct machine_pose *to,
+                         const struct pose *goal, struct pose_deviation off)
+{
+    const struct nc_state *state = &planner->state;
+    struct pose_deviation spent = planner->plan->total.spent, d = state->off, bend = {0, 0};
+    if (!(d.point >= 0 && off.point >= 0)) /* not known */
+        return false;
+    if (planner->follow.mode != INTERPOLATE_VECTOR || planner->plan->ability.doubtful)
+        bend = interpolation_bend(&planner->follow, &state->at, &to->at);
+    d.axis = bend.axis + larger(d.axis, off.axis);
+    d.point = bend.point + larger(d.point, off.point) + fabs(planner->follow.ball) * d.axis;
+    if (planner->follow.mode ==
+        INTERPOLATE_JOINT) { /* the tip runs ahead of the axis by so much at most */
+        double length = vec_distance(state->pose.p, goal->p);
+        d.axis += d.point / length * (1.05 * vec_distance(state->pose.a, goal->a) + bend.axis);
+    }
+    return pose_deviation_within(d, spent) && pose_deviation_within(d, planner->allowed);
+}
+
+/* A bound from a closer look, for each way in which the control may turn the axis. */
+static struct pose_deviation deviation_bound(const struct nc_planner *planner,
+                                             const struct machine_pose *to, const struct pose *goal)
+{
+    const struct nc_state *state = &planner->state;
+    const struct machine_pose from = {state->at, state->turned};
+    struct interpolation f = planner->follow;
+    struct pose_deviation d =
+        interpolation_line(&f, &from, to, state->pose, *goal, planner->allowed);
+    f.mode = INTERPOLATE_ROTARY;
+    if (planner->plan->ability.doubtful && pose_deviation_within(d, planner->allowed))
+        d = pose_deviation_worst(
+            d, interpolation_line(&f, &from, to, state->pose, *goal, planner->allowed));
+    return d;
+}
+
+/* With vectors the control may be led to turn back: see turns_back. */
+static bool turns_far(const struct nc_planner *planner, const struct machine_pose *to)
+{
+    const double *q = planner->state.at.q;
+    return planner->follow.mode == INTERPOLATE_VECTOR &&
+           (fabs(to->at.q[0] - q[0]) >= PI / 2 || fabs(to->at.q[1] - q[1]) >= PI / 2);
+}
+
+int post_motion_one_block(struct nc_planner *planner, const struct pose *to)
+{
+    struct machine_pose target;
+    struct pose_deviation off = {NAN, NAN};
+    if (post_ik_reach_near(planner, to, &target, &off)
+            ? post_ik_check_linear(planner, &target) != 0
+            : post_ik_reach(planner, *to, 1, &target) != 0)
+        return 1;
+    if (turns_far(planner, &target))
+        return 1;
+    if (!within_spent(planner, &target, to, off)) {
+        struct pose_deviation d = deviation_bound(planner, &target, to);
+        if (!pose_deviation_within(d, planner->allowed))
+            return 1;
+        planner->plan->total.spent = pose_deviation_worst(planner->plan->total.spent, d);
+    }
+    add_straight(planner, NC_LINE, &target, to);
+    planner->state.off = off;
+    return 0;
+}
+
+/* ---- a straight motion as straight blocks */
+
+/* How far the block to a target is off the motion. */
+static struct pose_deviation deviation_in_mode(const struct nc_planner *planner,
+                                               const struct interpolation *f,
+                                               const struct machine_pose *to,
+                                               const struct motion *motion, double s0, double s1,
+                                               struct pose_deviation allowed)
+{
+    const struct nc_state *state = &planner->state;
+    if (motion->kind == MOTION_LINE) {
+        struct machine_pose from = {state->at, state->turned};
+        struct pose goal = motion_at(motion, s1);
+        struct pose_deviation most = interpolation_line(f, &from, to, state->pose, goal, allowed);
+        if (pose_deviation_within(most, allowed))
+            return most;
+    }
+    return interpolation_block(f, &state->at, &to->at, motion, s0, s1);
+}
+
+/*
+ * Vectors leave the rotary axes to the control, which goes on with them as they stand: where they
+ * could only follow by way of another solution or whole turns back, the block cannot be.  Beside
+ * the singular direction they may turn far while the tool hardly does.
+ */
+static bool turns_back(const struct nc_planner *planner, const struct machine_pose *to,
+                       const struct motion *motion, double s0, double s1)
+{
+    const struct block_pose *at = &planner->state.at;
+    struct interpolation rotary = planner->follow;
+    double most = 0;
+    for (int i = 0; i < rotary.chain->n; i++)
+        most = fmax(most, fabs(to->at.q[i] - at->q[i]));
+    if (planner->follow.mode != INTERPOLATE_VECTOR || most < PI / 2)
+        return false;
+    rotary.mode = INTERPOLATE_ROTARY;
+    double great = vec_angle(motion_at(motion, s0).a, motion_at(motion, s1).a);
+    return interpolation_block(&rotary, at, &to->at, motion, s0, s1).axis > great + RADIANS(1);
+}
+
+/* The same for every way in which the control may turn the axis. */
+static struct pose_deviation deviation_of(const struct nc_planner *planner,
+                                          const struct machine_pose *to,
+                                          const struct motion *motion, double s0, double s1,
+                                          struct pose_deviation allowed)
+{
+    struct interpolation other = planner->follow;
+    if (allowed.axis < HUGE_VAL && turns_back(planner, to, motion, s0, s1))
+        return (struct pose_deviation){HUGE_VAL, HUGE_VAL};
+    struct pose_deviation d = deviation_in_mode(planner, &other, to, motion, s0, s1, allowed);
+    if (planner->plan->ability.doubtful && pose_deviation_within(d, allowed)) {
+        other.mode = INTERPOLATE_ROTARY;
+        d = pose_deviation_worst(d,
+                                 deviation_in_mode(planner, &other, to, motion, s0, s1, allowed));
+    }
+    return d;
+}
+
+/* The axis that would have to turn furthest is to blame. */
+static int no_way_on(struct nc_planner *planner, struct pose goal, const struct machine_pose *to)
+{
+    const struct machine *m = planner->machine;
+    const double *from = planner->state.at.q;
+    int i = m->chain.n > 1 && fabs(to->at.q[1] - from[1]) > fabs(to->at.q[0] - from[0]);
+    int axis = m->letter[i];
+    planner->plan->unmet = true;
+    return error_at(planner->error, planner->path->name, planner->state.line,
+                    "pass %zu: axis %c of %s: found no way on from %.3f at the point %.3f %.3f "
+                    "%.3f, expected one within its travel %g to %g and the tolerance",
+                    planner->state.pass, machine_letter(axis), m->name, DEGREES(from[i]), goal.p.x,
+                    goal.p.y, goal.p.z, m->min[axis], m->max[axis]);
+}
+
+/*
+ * The rotary axes cannot go on as they stand: the next pose is out of their travel, or it takes a
+ * turn that no block in the cut can make.  Off the part they turn where they are.
+ */
+static int go_on_turned(struct nc_planner *planner, const struct motion *motion, double s0,
+                        double s1, enum nc_kind kind, struct machine_pose *to)
+{
+    struct pose goal = motion_at(motion, s1);
+    if (kind == NC_RAPID) {
+        if (post_ik_reach(planner, goal, s1, to) != 0)
+            return -1;
+        post_motion_turn(planner, to->at.q);
+        return 0;
+    }
+    bool turned = planner->rewind && planner->rewind(planner, goal) == 0;
+    if (turned && post_ik_reach(planner, goal, s1, to) == 0 &&
+        pose_deviation_within(deviation_of(planner, to, motion, s0, s1, planner->allowed),
+                              planner->allowed))
+        return 0;
+    if (planner->plan->unmet)
+        return -1;
+    return no_way_on(planner, goal, to);
+}
+
+static void add_block(struct nc_planner *planner, const struct machine_pose *to, struct pose goal,
+                      enum nc_kind kind, struct pose_deviation d)
+{
+    struct nc_total *total = &planner->plan->total;
+    add_straight(planner, kind, to, &goal);
+    if (kind == NC_LINE)
+        total->spent = pose_deviation_worst(total->spent, d);
+}
+
+static int halve(struct nc_planner *planner, const struct motion *motion, double s0, double s1,
+                 enum nc_kind kind, struct pose_deviation allowed, int depth)
+{
+    struct pose goal = motion_at(motion, s1);
+    struct machine_pose to;
+    struct pose_deviation d = {HUGE_VAL, HUGE_VAL};
+    bool reached = post_ik_reach(planner, goal, s1, &to) == 0;
+    if (!reached && !planner->rewind)
+        return -1; /* with it: as far as it goes, then turn */
+    if (reached)
+        d = deviation_of(planner, &to, motion, s0, s1, allowed);
+    if (!pose_deviation_within(d, allowed) && depth < DEPTH_MAX) {
+        double mid = (s0 + s1) / 2;
+        if (planner->state.why == NC_WHY_PATH)
+            planner->state.why = NC_WHY_DIVIDED;
+        if (halve(planner, motion, s0, mid, kind, allowed, depth + 1) != 0)
+            return -1;
+        return halve(planner, motion, mid, s1, kind, allowed, depth + 1);
+    }
+    if (!pose_deviation_within(d, allowed)) {
+        if (go_on_turned(planner, motion, s0, s1, kind, &to) != 0)
+            return -1;
+        d = kind == NC_LINE ? deviation_of(planner, &to, motion, s0, s1, allowed) : d;
+    }
+    add_block(planner, &to, goal, kind, d);
+    return 0;
+}
+
+static int straight_blocks(struct nc_planner *planner, const struct motion *motion, double s0,
+                           double s1, enum nc_kind kind, struct pose_deviation allowed)
+{
+    return halve(planner, motion, s0, s1, kind, allowed, 0);
+}
+
+/* ---- arcs, B-splines, rapids */
+
+enum { ARC_DEPTH_MAX = 5 };
+static const double rapid_chord = 1; /* mm, where a rapid has to be split at all */
+
+int post_motion_rapid(struct nc_planner *planner, struct pose to)
+{
+    double chord =
+        planner->follow.mode == INTERPOLATE_JOINT ? rapid_chord / planner->options.unit : HUGE_VAL;
+    struct pose_deviation any = {chord, HUGE_VAL};
+    struct machine_pose target;
+    if (planner->state.begun) {
+        struct motion motion = motion_line(planner->state.pose, to);
+        return straight_blocks(planner, &motion, 0, 1, NC_RAPID, any);
+    }
+    if (post_ik_reach(planner, to, 1, &target) != 0)
+        return -1;
+    add_move(planner, NC_RAPID, &target, 0, 0, NULL);
+    planner->state.pose = to;
+    planner->state.begun = true;
+    return 0;
+}
+
+static int arc_piece(struct nc_planner *planner, const struct motion *motion, double s0, double s1,
+                     int depth)
+{
+    const struct nc_ability *ability = &planner->plan->ability;
+    struct machine_pose to;
+    struct nc_arc words;
+    struct pose_deviation d;
+    double point = 0;
+    struct pose goal = motion_at(motion, s1);
+    bool fits = post_ik_reach(planner, goal, s1, &to) == 0;
+    fits = fits &&
+           nc_arc_words(&words, ability->arcs, ability->digits.linear, ability->radius_error,
+                        &planner->follow, &planner->state.at, &to.at, motion, s0, s1, &d, &point);
+    if (fits && !pose_deviation_within(d, planner->allowed) && point <= planner->allowed.point &&
+        depth < ARC_DEPTH_MAX) { /* it is the tool axis: it may be right in halves */
+        double mid = (s0 + s1) / 2;
+        if (arc_piece(planner, motion, s0, mid, depth + 1) != 0)
+            return -1;
+        return arc_piece(planner, motion, mid, s1, depth + 1);
+    }
+    if (!fits || !pose_deviation_within(d, planner->allowed)) {
+        planner->plan->total.chorded++;
+        planner->state.why = NC_WHY_CHORD;
+        return straight_blocks(planner, motion, s0, s1, NC_LINE, planner->allowed);
+    }
+    *array_push(&planner->plan->arc) = words;
+    const struct nc_along along = {motion, s0, s1, NULL};
+    add_move(planner, NC_ARC, &to, (s1 - s0) * motion_length(motion), planner->plan->arc.n - 1,
+             &along);
+    planner->plan->total.spent = pose_deviation_worst(planner->plan->total.spent, d);
+    planner->state.pose = goal;
+    return 0;
+}
+
+/* An arc from s0 to s1, in as many pieces as the control wants. */
+static int whole_arc(struct nc_planner *planner, const struct motion *motion, double s0, double s1)
+{
+    double most = nc_arc_most(planner->plan->ability.arcs), share = s1 - s0;
+    int n = (int)fmax(1, ceil(share * motion->sweep / most - 1e-9));
+    for (int i = 0; i < n; i++)
+        if (arc_piece(planner, motion, s0 + share * i / n, s0 + share * (i + 1) / n, 0) != 0)
+            return -1;
+    return 0;
+}
+
+static int one_curve(struct nc_planner *planner, const struct motion *motion)
+{
+    const struct nc_ability *ability = &planner->plan->ability;
+    struct nc_spline_digits digits = {ability->digits.linear, ability->digits.angle,
+                                      ability->digits.knot};
+    struct nc_spline words;
+    struct machine_pose to, checked;
+    struct pose_deviation d;
+    if (nc_spline_words(&words, ability->splines, digits, &planner->follow, &planner->state.at,
+                        motion, planner->allowed, &to.at, &d)) {
+        *array_push(&planner->plan->spline) = words;
+        if (planner->follow.mode == INTERPOLATE_VECTOR &&
+            post_ik_reach(planner, motion->to, 1, &checked) == 0)
+            to.at.q[0] = checked.at.q[0], to.at.q[1] = checked.at.q[1];
+        to.turned = chain_turned(&planner->machine->chain, to.at.q);
+        if (post_ik_check_linear(planner, &to) != 0)
+            return -1;
+        const struct nc_along along = {motion, 0, 1, &words};
+        add_move(planner, NC_SPLINE, &to, motion_length(motion), planner->plan->spline.n - 1,
+                 &along);
+        planner->plan->total.spent = pose_deviation_worst(planner->plan->total.spent, d);
+        planner->state.pose = motion_at(motion, 1);
+        return 0;
+    }
+    planner->plan->total.chorded += motion->curve->degree > 1;
+    planner->state.why = NC_WHY_CHORD;
+    for (double s = 0; s < 1;) {
+        double next = motion_next_knot(motion, s);
+        if (straight_blocks(planner, motion, s, next, NC_LINE, planner->allowed) != 0)
+            return -1;
+        s = next;
+    }
+    return 0;
+}
+
+static int curve_between(struct nc_planner *planner, const struct motion *motion, double s0,
+                         double s1);
+
+/* A spline in as many curves as keep its slow places from slowing all of it. */
+static int curves(struct nc_planner *planner, const struct motion *motion)
+{
+    double s =
+        planner->plan->ability.splines == NC_SPLINES_NONE ? 1 : post_feed_divide(planner, motion);
+    if (s >= 1)
+        return one_curve(planner, motion);
+    return curve_between(planner, motion, 0, s) != 0 ? -1 : curve_between(planner, motion, s, 1);
+}
+
+/* A spline from s0 to s1 as a curve of its own, to which the look-ahead over the whole says
+ * nothing.
+ */
+static int curve_between(struct nc_planner *planner, const struct motion *motion, double s0,
+                         double s1)
+{
+    const struct bspline *b = motion->curve;
+    struct nc_aim aim = planner->aim;
+    double from = b->knot[b->degree], range = b->knot[b->poles] - from;
+    struct bspline part = bspline_part(b, from + s0 * range, from + s1 * range);
+    struct motion piece = motion_spline(motion_at(motion, s0), motion_at(motion, s1), &part);
+    planner->aim.n = 0;
+    int result = curves(planner, &piece);
+    planner->aim = aim;
+    bspline_free(&part);
+    return result;
+}
+
+static int spline_along(struct nc_planner *planner, const struct motion *motion, double s0,
+                        double s1)
+{
+    struct motion lead = motion_line(planner->state.pose, motion_at(motion, s0));
+    struct nc_aim aim = planner->aim;
+    planner->aim.n = 0;
+    if (straight_blocks(planner, &lead, 0, 1, NC_LINE, planner->allowed) != 0)
+        return -1;
+    planner->aim = aim;
+    return s0 <= 0 && s1 >= 1 ? curves(planner, motion) : curve_between(planner, motion, s0, s1);
+}
+
+int post_motion_along(struct nc_planner *planner, const struct motion *motion, double s0, double s1)
+{
+    if (motion->kind == MOTION_SPLINE)
+        return spline_along(planner, motion, s0, s1);
+    if (motion->kind == MOTION_ARC && planner->plan->ability.arcs != NC_ARCS_NONE)
+        return whole_arc(planner, motion, s0, s1);
+    planner->plan->total.chorded += motion->kind == MOTION_ARC;
+    if (motion->kind == MOTION_ARC)
+        planner->state.why = NC_WHY_CHORD;
+    return straight_blocks(planner, motion, s0, s1, NC_LINE, planner->allowed);
+}

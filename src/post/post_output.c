@@ -1,0 +1,368 @@
+/* post_output - see post_output.h. */
+#include "post_output.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "base/array.h"
+#include "base/num.h"
+#include "post_ik.h"
+
+/* How long a program is, or may be at its ends. */
+struct length {
+    size_t blocks, bytes;
+};
+
+/* ---- part of a plan as a program of its own */
+
+enum {
+    MADE = 8,  /* moves that may be added to a part: tool, plane, two statements, down, and up */
+    CYCLE = 18 /* blocks of a drilling cycle that is said anew in it */
+};
+
+/* Off the part along the tool axis from where a move ends. */
+static int retract_from(struct nc_move *up, const struct nc_program *whole,
+                        const struct nc_move *from, struct error *error)
+{
+    struct nc_plan plan = *whole->plan;
+    struct nc_planner planner = {
+        .path = whole->path, .machine = whole->machine, .plan = &plan, .error = error};
+    const struct kinematic_chain *chain = &whole->machine->chain;
+    planner.follow = (struct interpolation){.mode = plan.ability.mode, .chain = chain};
+    planner.near = ik_near_table(chain);
+    planner.state.line = from->line;
+    struct block_pose at = nc_plan_pose(&plan, chain, from);
+    struct pose pose = {at.p, vec_unit(at.a)};
+    if (plan.ability.mode == INTERPOLATE_JOINT)
+        pose.p = chain_tip(chain, at.p, at.q);
+    pose.p = vec_along(pose.p, whole->machine->retract, pose.a);
+    struct machine_pose target = post_ik_pose(&planner, pose, at.q);
+    *up = *from; /* the tool axis and the rotary axes as they are */
+    up->kind = NC_RAPID;
+    up->why = NC_WHY_PART;
+    up->p = target.at.p;
+    up->feed = 0;
+    return post_ik_check_linear(&planner, &target);
+}
+
+/* The feed with which the tool comes down again to where `to` starts. */
+static double feed_down(const struct nc_program *whole, const struct nc_move *to)
+{
+    const struct nc_ability *ability = &whole->plan->ability;
+    if (ability->feeds == NC_FEEDS_INVERSE)
+        return fmin(ability->feed_max, whole->options.feed / whole->machine->retract);
+    return ability->feeds == NC_FEEDS_TIP ? to->feed : whole->options.feed;
+}
+
+static const struct nc_move *last_motion(const struct nc_plan *plan, size_t before)
+{
+    while (before && !nc_moves(&plan->move.item[before - 1]))
+        before--;
+    return before ? &plan->move.item[before - 1] : NULL;
+}
+
+/* Tool, plane and statements before the part that last: the last of each kind. */
+static void add_lasting(struct nc_plan *part, const struct nc_program *whole, size_t from)
+{
+    static const char *const word[] = {"SPINDL", "COOLNT"};
+    static const enum nc_kind kind[] = {NC_TOOL, NC_PLANE};
+    for (size_t k = 0; k < sizeof kind / sizeof *kind; k++)
+        for (size_t i = from; i-- > 0;)
+            if (whole->plan->move.item[i].kind == kind[k]) {
+                *array_push(&part->move) = whole->plan->move.item[i];
+                break;
+            }
+    for (size_t k = 0; k < sizeof word / sizeof *word; k++)
+        for (size_t i = from; i-- > 0;) {
+            const struct nc_move *move = &whole->plan->move.item[i];
+            if (move->kind != NC_TEXT ||
+                strncmp(whole->path->text.item[move->index], word[k], strlen(word[k])) != 0)
+                continue;
+            *array_push(&part->move) = *move;
+            break;
+        }
+}
+
+static int make_part(struct nc_plan *part, const struct nc_program *whole, size_t from, size_t to,
+                     struct error *error)
+{
+    const struct nc_plan *plan = whole->plan;
+    size_t first = from;
+    *part = *plan;
+    part->move.item = NULL;
+    part->move.n = part->move.cap = 0;
+    array_reserve(&part->move, to - from + MADE);
+    while (first < to && !nc_moves(&plan->move.item[first]))
+        first++;
+    const struct nc_move *before = last_motion(plan, from);
+    add_lasting(part, whole, from);
+    if (before && first < to && plan->move.item[first].kind == NC_HOLE) {
+        struct nc_move over = plan->move.item[first];
+        over.kind = NC_RAPID;
+        over.why = NC_WHY_PART;
+        *array_push(&part->move) = over;
+    } else if (before && first < to && plan->move.item[first].kind != NC_RAPID) {
+        struct nc_move down = *before;
+        if (before->kind != NC_RAPID &&
+            retract_from(array_push(&part->move), whole, before, error) != 0)
+            return -1;
+        down.why = NC_WHY_PART;
+        if (before->kind != NC_RAPID) {
+            down.kind = NC_LINE;
+            down.feed = feed_down(whole, &plan->move.item[first]);
+        }
+        *array_push(&part->move) = down;
+    }
+    for (size_t i = from; i < to; i++)
+        *array_push(&part->move) = plan->move.item[i];
+    const struct nc_move *last = last_motion(plan, to);
+    if (last && last->kind != NC_RAPID && last->kind != NC_HOLE)
+        return retract_from(array_push(&part->move), whole, last, error);
+    return 0;
+}
+
+static void free_part(struct nc_plan *part)
+{
+    array_free(&part->move);
+}
+
+static size_t first_of_pass(const struct nc_plan *plan, size_t pass)
+{
+    size_t i = 0;
+    while (i < plan->move.n &&
+           !(plan->move.item[i].kind == NC_PASS && plan->move.item[i].index == pass))
+        i++;
+    return i;
+}
+
+/* The program written to nowhere: blocks and bytes up to each move, [0] the start's. */
+static struct length *measure(const struct nc_program *whole, struct length *ends)
+{
+    struct length *at = mem_alloc(whole->plan->move.n + 1, sizeof *at);
+    struct nc_program p = *whole;
+    p.w.line = p.w.own;
+    dialect_start(&p);
+    for (size_t i = 0; i <= whole->plan->move.n; i++) {
+        at[i] = (struct length){p.w.blocks, p.w.bytes};
+        if (i < whole->plan->move.n)
+            dialect_move(&p, &whole->plan->move.item[i]);
+    }
+    dialect_finish(&p);
+    size_t more = MADE + (whole->plan->hole.n ? CYCLE : 0), n = whole->plan->move.n;
+    *ends = (struct length){at[0].blocks + p.w.blocks - at[n].blocks + more,
+                            at[0].bytes + p.w.bytes - at[n].bytes + more * 100};
+    return at;
+}
+
+/* A part may end here: the tool is off the work, between two rapids. */
+static bool clear_of_work(const struct nc_plan *plan, size_t i)
+{
+    const struct nc_move *before = last_motion(plan, i);
+    if (!before || (before->kind != NC_RAPID && before->kind != NC_HOLE) ||
+        !nc_moves(&plan->move.item[i - 1]))
+        return false;
+    while (i < plan->move.n && !nc_moves(&plan->move.item[i]))
+        i++;
+    return i == plan->move.n || plan->move.item[i].kind == NC_RAPID ||
+           plan->move.item[i].kind == NC_HOLE;
+}
+
+static bool cuts(const struct nc_move *move)
+{
+    return nc_moves(move) && move->kind != NC_RAPID;
+}
+
+static int part_ends(struct sizes *ends, const struct nc_program *whole, struct post_extract limit,
+                     struct error *error)
+{
+    const struct nc_plan *plan = whole->plan;
+    struct length more, *at = measure(whole, &more);
+    size_t last = plan->move.n; /* behind the last cut: a part without one would be none */
+    int result = 0;
+    while (last && !cuts(&plan->move.item[last - 1]))
+        last--;
+    for (size_t from = 0; from < plan->move.n && result == 0;) {
+        size_t to = from, clear = from;
+        bool cut = false;
+        while (to < plan->move.n) {
+            size_t blocks = at[to + 1].blocks - at[from].blocks + more.blocks;
+            size_t bytes = at[to + 1].bytes - at[from].bytes + more.bytes;
+            if ((limit.blocks && blocks > limit.blocks) || (limit.bytes && bytes > limit.bytes))
+                break;
+            cut = cuts(&plan->move.item[to]) || cut;
+            to++;
+            if (to == plan->move.n || (cut && to < last && clear_of_work(plan, to)))
+                clear = to;
+        }
+        if (clear > from)
+            to = clear;
+        else if (to >= last && last > from + 1)
+            to = last - 1; /* the last cut is for the next one */
+        while (to > from && to < plan->move.n && !nc_moves(&plan->move.item[to - 1]))
+            to--; /* what is said behind a motion is for the next one */
+        if (to == from)
+            result = error_set(error,
+                               "option --split: found too little room, expected at least %zu "
+                               "blocks and %zu bytes",
+                               more.blocks + at[from + 1].blocks - at[from].blocks,
+                               more.bytes + at[from + 1].bytes - at[from].bytes);
+        *array_push(ends) = to;
+        from = to;
+    }
+    free(at);
+    return result;
+}
+
+/* ---- where a block comes from */
+
+static const char *reason_of(const struct nc_move *move)
+{
+    static const char *const why[] = {
+        [NC_WHY_PATH] = "as the path says it",
+        [NC_WHY_DIVIDED] = "one of several blocks, so that what the control makes of them keeps "
+                           "the tolerance at the ball and the tool axis",
+        [NC_WHY_CHORD] = "a straight piece of a curve that the control cannot be given within the "
+                         "tolerance",
+        [NC_WHY_TURN] = "retract, turn and return: the travel of a rotary axis ran out",
+        [NC_WHY_APPROACH] = "the path starts with a cut: from above along the tool axis",
+        [NC_WHY_RETRACT] = "the path ends in a cut: up along the tool axis",
+        [NC_WHY_PART] = "the start or end of a part of the program",
+    };
+    return why[move->why];
+}
+
+static void say_origin(struct out *out, const struct path *path, const struct nc_plan *plan,
+                       size_t index)
+{
+    static const char *const kind[] = {"rapid", "straight",  "arc",  "spline", "hole",
+                                       "pass",  "statement", "tool", "plane"};
+    const struct nc_move *move = &plan->move.item[index];
+    size_t pass = 0;
+    for (size_t i = 0; i <= index; i++)
+        if (plan->move.item[i].kind == NC_PASS)
+            pass = plan->move.item[i].index;
+    out_printf(out, "%s:%u: pass %zu, %s: %s\n", path->name, move->line, pass, kind[move->kind],
+               reason_of(move));
+    for (size_t i = 0; move->line && i < path->item.n; i++) {
+        const struct path_item *item = &path->item.item[i];
+        if (item->line != move->line || !item->touches)
+            continue;
+        struct contact at = path->contact.item[item->contact];
+        out_printf(out, "contact %.6f %.6f %.6f, normal %.6f %.6f %.6f\n", at.p.x, at.p.y, at.p.z,
+                   at.n.x, at.n.y, at.n.z);
+        return;
+    }
+}
+
+static int explain_block(const char *file, struct nc_program *program, long number,
+                         struct error *error)
+{
+    program->w.wanted = number;
+    program->met = program->plan->move.n;
+    dialect_write(program);
+    if (!*program->w.met)
+        return error_set(error, "option --explain: found no block %ld, the last one is %ld", number,
+                         program->w.number);
+    struct out *out = out_open(file);
+    out_text(out, program->w.met);
+    if (program->met < program->plan->move.n)
+        say_origin(out, program->path, program->plan, program->met);
+    else
+        out_text(out, "at the start or the end of every program for this control and machine\n");
+    out_close(out);
+    return 0;
+}
+
+/* ---- the files */
+
+static void begin_text(struct nc_program *p, struct out *out)
+{
+    nc_writer_begin(&p->w, out, dialect_of(p->control)->style, p->machine->number_step,
+                    p->machine->number_max);
+}
+
+static void write_program(struct nc_program *p, const char *file)
+{
+    struct out *out = out_open(file);
+    begin_text(p, out);
+    dialect_write(p);
+    out_close(out);
+}
+
+/* part.nc: part-2.nc */
+static char *part_name(const char *file, size_t part)
+{
+    size_t size = strlen(file) + 24;
+    const char *slash = strrchr(file, '/'), *dot = strrchr(slash ? slash : file, '.');
+    int n = dot ? (int)(dot - file) : (int)strlen(file);
+    char *name = mem_alloc(size, 1);
+    snprintf(name, size, "%.*s-%zu%s", n, file, part, dot ? dot : "");
+    return name;
+}
+
+/* Makes the i-th part and, with a file, writes it. */
+static int one_part(const struct nc_program *whole, const struct sizes *ends, size_t i,
+                    const char *file, struct error *error)
+{
+    struct nc_plan part;
+    struct nc_program p = *whole;
+    int result = make_part(&part, whole, i ? ends->item[i - 1] : 0, ends->item[i], error);
+    p.plan = &part;
+    p.part = i + 1;
+    p.parts = ends->n;
+    if (result == 0 && file) {
+        char *name = part_name(file, i + 1);
+        write_program(&p, name);
+        free(name);
+    }
+    free_part(&part);
+    return result;
+}
+
+static int write_parts(struct nc_program *whole, struct post_extract limit, const char *file,
+                       size_t *files, struct error *error)
+{
+    struct sizes ends = {0};
+    begin_text(whole, NULL);
+    int result = part_ends(&ends, whole, limit, error);
+    *files = ends.n;
+    for (size_t i = 0; i < ends.n && result == 0; i++) /* all before the first is written */
+        result = one_part(whole, &ends, i, NULL, error);
+    for (size_t i = 0; i < ends.n && result == 0; i++)
+        result = one_part(whole, &ends, i, file, error);
+    array_free(&ends);
+    return result;
+}
+
+static int explain(struct nc_program *p, long number, const char *file, struct error *error)
+{
+    begin_text(p, NULL);
+    return explain_block(file, p, number, error);
+}
+
+int nc_output(struct nc_program *p, struct post_extract extract, const char *file, size_t *files,
+              struct error *error)
+{
+    const struct nc_plan *whole = p->plan;
+    struct nc_plan later = {0};
+    int result = 0;
+    *files = 1;
+    if (extract.from >= 0) {
+        size_t first = first_of_pass(whole, (size_t)extract.from);
+        if (first == whole->move.n)
+            return error_set(error, "option --from: found no pass %d in %s", extract.from,
+                             p->path->name);
+        result = make_part(&later, p, first, whole->move.n, error);
+        p->plan = &later;
+    }
+    if (result == 0 && extract.explain >= 0)
+        result = explain(p, extract.explain, file, error);
+    else if (result == 0 && (extract.blocks || extract.bytes))
+        result = write_parts(p, extract, file, files, error);
+    else if (result == 0)
+        write_program(p, file);
+    p->plan = whole;
+    free_part(&later);
+    return result;
+}

@@ -1,0 +1,47 @@
+/*
+ * post_statement - what a path says between its motions: another tool, spindle, coolant, radius
+ * compensation (CUTCOM), stops, comments.
+ *
+ * A path holds the places of the tool's centre, so that the control's radius compensation stays
+ * off; a machine whose tool table holds only the difference from the programmed tool (wear) has the
+ * key `cutcom` and gets it, where the rotary axes stand still.  It begins and ends with a straight
+ * move in X or Y.
+ */
+#ifndef CLOUDMILL_POST_STATEMENT_H
+#define CLOUDMILL_POST_STATEMENT_H
+
+#include "dialect.h"
+
+/* The tool, spindle and coolant at the start of the program: what its first motion is made with. */
+void nc_tool_first(struct nc_program *p);
+
+/* The same at a change of tools or planes, with what is said before the next motion. */
+void nc_tool_change(struct nc_program *p, const struct nc_move *change);
+
+/* No other tool before the next motion. */
+bool nc_tool_stays(const struct nc_program *p, const struct nc_move *from);
+
+enum { CUTCOM_OFF, CUTCOM_LEFT, CUTCOM_RIGHT };
+
+/* What the block of a straight move must say, NULL: nothing.  `word`: of off, left, right. */
+const char *nc_cutcom_word(struct nc_program *p, const struct nc_move *move,
+                           const char *const word[3]);
+
+/* Off, where the tool leaves the work with it on: true when it was. */
+bool nc_cutcom_end(struct nc_program *p);
+
+/* The path asks for compensation to the left or right. */
+bool nc_cutcom_asked(const struct path *path);
+
+/* It does, and the program cannot have it or is not to. */
+bool nc_cutcom_left_out(const struct path *path, const struct machine *machine,
+                        const struct nc_ability *ability);
+
+/* S8000 M3, M8: what the tool in the spindle asks for, each a block. */
+void nc_spindle(struct nc_program *p);
+void nc_coolant(struct nc_program *p);
+
+/* A statement of the path in the middle of the program, as the control has it. */
+void nc_statement(struct nc_program *p, const char *text);
+
+#endif

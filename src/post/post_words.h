@@ -1,0 +1,37 @@
+/*
+ * post_words - the words of a block that every control has (place, tool axis, feed), and blocks
+ * that a machine file words itself (template.h).
+ */
+#ifndef CLOUDMILL_POST_WORDS_H
+#define CLOUDMILL_POST_WORDS_H
+
+#include "dialect.h"
+
+/* Writes the blocks of the machine's template or, where that is empty, of the control's own. */
+void nc_template(struct nc_program *p, const char *own, const char *usual);
+
+/* The first motion with the tool in the spindle. */
+const struct nc_move *nc_first_move(const struct nc_program *p);
+
+/* X Y Z, those that change. */
+void nc_place(struct nc_program *p, struct vec3 to);
+
+/* The rotary words at q (radians), those that change, of all axes or of the first n; the address is
+ * the axis's letter. */
+void nc_rotary(struct nc_program *p, const double q[]);
+void nc_rotary_axes(struct nc_program *p, int n, const double q[]);
+
+/* The tool to a safe height, by the machine's template or the control's own. */
+void nc_home(struct nc_program *p, const char *usual);
+
+/* The tool axis as the program has it: rotary words, or a vector with these three addresses, all
+ * of it or nothing. */
+void nc_axis(struct nc_program *p, const struct nc_move *move, const char *const address[3]);
+
+/* F, when it changes; inverse-time feeds always. */
+void nc_feed(struct nc_program *p, const struct nc_move *move);
+
+/* The work offset: the machine's or, where it says none, this one. */
+void nc_offset(struct nc_program *p, const char *usual);
+
+#endif

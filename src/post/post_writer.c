@@ -1,0 +1,216 @@
+/* post_writer - see post_writer.h. */
+#include "post_writer.h"
+
+#include <ctype.h>
+#include <math.h>
+#include <stdarg.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "base/num.h"
+
+void nc_writer_begin(struct nc_writer *w, struct out *out, struct nc_format_options style, int step,
+                     long most)
+{
+    if (style.count_all)
+        step = 1;
+    if (style.most && style.most < most)
+        most = style.most;
+    *w = (struct nc_writer){.out = out,
+                            .style = style,
+                            .step = step,
+                            .most = most,
+                            .number = style.count_all ? -1 : 0,
+                            .wanted = -1};
+    w->line = out ? out_room(out, NC_LINE_MAX) : w->own;
+}
+
+static void append(struct nc_writer *w, const char *s, size_t n)
+{
+    if (w->n + n > NC_BLOCK_MAX)
+        return;
+    memcpy(w->line + w->n, s, n);
+    w->n += n;
+}
+
+/* The first word of a block behind its number, or one without room. */
+static char *begin_block(struct nc_writer *w)
+{
+    if (w->n > NC_BLOCK_MAX)
+        w->n = NC_BLOCK_MAX;
+    if (w->n) {
+        w->line[w->n++] = ' ';
+    } else if (w->step) {
+        w->number += w->step;
+        if (w->number > w->most)
+            w->number = w->step;
+        if (!w->style.count_all)
+            w->line[w->n++] = 'N';
+        w->n += num_put_short(w->line + w->n, w->number, false, 0, false);
+        w->line[w->n++] = ' ';
+    }
+    return w->line + w->n;
+}
+
+/* Where the address of the next word goes: behind the room before it, and before the first word
+ * its block's number.  There is room for an address and a number, however long the block is. */
+static inline char *begin_word(struct nc_writer *w)
+{
+    if (w->n == 0 || w->n > NC_BLOCK_MAX)
+        return begin_block(w);
+    w->line[w->n++] = ' ';
+    return w->line + w->n;
+}
+
+void nc_code(struct nc_writer *w, const char *word)
+{
+    begin_word(w);
+    append(w, word, strlen(word));
+}
+
+static inline char *put_address(char *to, const char *address)
+{
+    while (*address)
+        *to++ = *address++;
+    return to;
+}
+
+/* A word with a number that num_scaled has made whole. */
+static inline void put_number(struct nc_writer *w, const char *address, int64_t integer,
+                              bool negative, int digits)
+{
+    char *to = put_address(begin_word(w), address);
+    bool place = *address && *address != 'F'; /* feeds and the like never have a sign */
+    if (w->style.sign && place && !(negative && integer))
+        *to++ = '+';
+    to += num_put_short(to, integer, negative, digits, w->style.point);
+    w->n = (size_t)(to - w->line);
+}
+
+void nc_number(struct nc_writer *w, const char *address, double value, int digits)
+{
+    int64_t integer;
+    if (num_scaled(value, digits, &integer)) {
+        put_number(w, address, integer, value < 0, digits);
+        return;
+    }
+    char *to = put_address(begin_word(w), address);
+    to += num_write_short(to, value, digits, w->style.point);
+    w->n = (size_t)(to - w->line);
+}
+
+void nc_count(struct nc_writer *w, const char *address, double whole)
+{
+    char *to = put_address(begin_word(w), address);
+    w->n = (size_t)(to + num_write(to, whole, 0) - w->line);
+}
+
+bool nc_motion(struct nc_writer *w, const char *code)
+{
+    if (w->motion && (w->motion == code || strcmp(w->motion, code) == 0))
+        return false;
+    w->motion = code;
+    nc_code(w, code);
+    return true;
+}
+
+bool nc_modal(struct nc_writer *w, enum nc_slot slot, const char *address, double value, int digits)
+{
+    if (w->known[slot] && w->value[slot] == value) /* most are rounded already */
+        return false;
+    int64_t integer;
+    if (!num_scaled(value, digits, &integer)) {
+        nc_remember(w, slot, value);
+        nc_number(w, address, value, digits);
+        return true;
+    }
+    double said = (double)integer / num_ten[digits];
+    said = value < 0 && integer ? -said : said;
+    if (w->known[slot] && w->value[slot] == said)
+        return false;
+    w->value[slot] = said;
+    w->known[slot] = true;
+    put_number(w, address, integer, value < 0, digits);
+    return true;
+}
+
+void nc_forget(struct nc_writer *w, enum nc_slot from, enum nc_slot to)
+{
+    for (enum nc_slot i = from; i <= to; i++)
+        w->known[i] = false;
+}
+
+void nc_remember(struct nc_writer *w, enum nc_slot slot, double value)
+{
+    w->value[slot] = value;
+    w->known[slot] = true;
+}
+
+void nc_end(struct nc_writer *w)
+{
+    if (!w->n)
+        return;
+    w->line[w->n++] = '\n';
+    w->blocks++;
+    w->bytes += w->n;
+    if (w->number == w->wanted && !*w->met)
+        memcpy(w->met, w->line, w->n);
+    if (w->out) {
+        out_take(w->out, w->n);
+        w->line = out_room(w->out, NC_LINE_MAX);
+    }
+    w->n = 0;
+}
+
+void nc_continue(struct nc_writer *w, const char *text)
+{
+    append(w, "\n", 1);
+    append(w, text, strlen(text));
+    w->blocks++;
+}
+
+void nc_drop(struct nc_writer *w)
+{
+    if (w->n && w->step)
+        w->number -= w->step;
+    w->n = 0;
+}
+
+void nc_block(struct nc_writer *w, const char *word)
+{
+    nc_code(w, word);
+    nc_end(w);
+}
+
+void nc_line(struct nc_writer *w, const char *text)
+{
+    append(w, text, strlen(text));
+    nc_end(w);
+}
+
+void nc_comment(struct nc_writer *w, const char *format, ...)
+{
+    char text[200];
+    size_t room = NC_COMMENT_MAX - strlen(w->style.open) - strlen(w->style.close);
+    va_list args;
+    va_start(args, format);
+    vsnprintf(text, sizeof text, format, args);
+    va_end(args);
+    for (size_t i = 0; text[i]; i++) {
+        unsigned char c = (unsigned char)text[i];
+        if (c < ' ' || c > '~')
+            text[i] = ' ';
+        else if (w->style.capitals)
+            text[i] = (char)(strchr("()%", c) ? '-' : toupper(c));
+        if (i == room) {
+            text[i] = '\0';
+            break;
+        }
+    }
+    if (w->style.count_all)
+        begin_word(w);
+    append(w, w->style.open, strlen(w->style.open));
+    append(w, text, strlen(text));
+    append(w, w->style.close, strlen(w->style.close));
+    nc_end(w);
+}

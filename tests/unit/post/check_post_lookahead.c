@@ -1,0 +1,159 @@
+/*
+ * post_lookahead: programs of random passes on machines of every kind turn back as seldom, and turn
+ * their axes as little, as the shortest way by trying, with tool-centre-point control and without.
+ */
+#include <check.h>
+#include <stdio.h>
+#include <stdlib.h>
+
+#include "chains.h"
+#include "post/dialect.h"
+#include "post/post_plan.h"
+#include "turnsearch.h"
+
+enum { POINTS = 60 };
+
+static const char *const kinds[] = {"table-ac",      "head-table-bc",  "head-ca",
+                                    "nutating-head", "nutating-table", "head-cb"};
+enum { KINDS_SHIPPED = sizeof kinds / sizeof *kinds };
+
+static struct machine narrow_machine(int kind, bool tcp)
+{
+    struct machine m = machine_default();
+    struct error error;
+    char text[500];
+    const char *folder = getenv("SRC");
+    snprintf(text, sizeof text, "%s/machines/%s.txt", folder ? folder : ".", kinds[kind]);
+    ck_assert_msg(machine_read(&m, text, &error) == 0, "%s", error.text);
+    m.tcp = tcp;
+    for (int k = MACHINE_A; k < MACHINE_AXES; k++) {
+        m.min[k] = floor(-20 - (k == MACHINE_C ? 300 : 100) * chance());
+        m.max[k] = ceil(20 + (k == MACHINE_C ? 300 : 100) * chance());
+        m.rapid[k] = 3000 + 9000 * chance();
+    }
+    ck_assert_int_eq(machine_finish(&m, &error), 0);
+    return m;
+}
+
+/* Once about, or back and forth, tilted more and less, and never near the pole. */
+static void random_axes(struct vec3 axis[])
+{
+    double tilt = 0.3 + 0.5 * chance(), turn = 2 * PI * chance(), wind = 0.2 * chance() - 0.1;
+    double swing = 2 * chance(), lean = 0.2 * chance();
+    for (int j = 0; j < POINTS; j++) {
+        double t = tilt + lean * sin(0.15 * j), c = turn + wind * j + swing * sin(0.07 * j);
+        axis[j] = vec(sin(t) * sin(c), -sin(t) * cos(c), cos(t));
+    }
+}
+
+static struct path path_of(const struct vec3 axis[])
+{
+    struct path path = {.name = "pass"};
+    path.head.clearance = NAN;
+    for (int j = 0; j < POINTS; j++) {
+        struct pose at = {vec(0.5 * j, 3, 0.1 * j), axis[j]}, above = at;
+        above.p = vec_along(at.p, 60, at.a);
+        if (j == 0)
+            path_add_point(&path, above, true);
+        path_add_point(&path, at, false);
+        if (j + 1 == POINTS)
+            path_add_point(&path, above, true);
+    }
+    return path;
+}
+
+static double way_of_plan(const struct kinematic_chain *chain, const struct nc_plan *plan)
+{
+    double way = 0, q[2] = {0};
+    for (size_t i = 0; i < plan->move.n; i++) {
+        way += angles_way(chain, q, plan->move.item[i].q);
+        q[0] = plan->move.item[i].q[0];
+        q[1] = plan->move.item[i].q[1];
+    }
+    return way;
+}
+
+/* One pass planned, and by trying: 1 when it can be, then *turns more of them. */
+static int try_pass(const struct machine *m, const struct vec3 axis[], int *turns)
+{
+    const double from[2] = {0};
+    const struct nc_plan_options options = {
+        .chord = 0.01, .axis_tolerance = RADIANS(0.1), .feed = 1000, .unit = 1};
+    struct nc_plan plan;
+    struct error error;
+    double way = 0;
+    struct path path = path_of(axis);
+    struct nc_ability ability = dialect_ability(CONTROL_fanuc, m, POST_AXIS_ROTARY, false, 1);
+    int least = angles_least(&m->chain, axis, POINTS, from, &way);
+    int result = nc_plan_make(&plan, &path, m, ability, options, &error);
+    ck_assert_msg(result == (least < 0 ? -1 : 0), "%d turns, %s", least, error.text);
+    if (result == 0) {
+        double got = way_of_plan(&m->chain, &plan);
+        ck_assert_uint_eq(plan.total.turns, (size_t)least);
+        ck_assert_msg(got < 1.011 * way + RADIANS(1), "way %g of %g", DEGREES(got), DEGREES(way));
+        /* a turn at the very end of the travel, between two points, may save a planner */
+        ck_assert_double_gt(got, way - RADIANS(1 + 60 * least));
+        *turns += least;
+    }
+    nc_plan_free(&plan);
+    path_free(&path);
+    return result == 0;
+}
+
+START_TEST(as_by_trying)
+{
+    int found = 0, back = 0;
+    seed = 200 + (uint64_t)_i;
+    for (int i = 0; i < 16; i++) {
+        struct machine m = narrow_machine(_i / 2, _i % 2);
+        struct vec3 axis[POINTS];
+        random_axes(axis);
+        found += try_pass(&m, axis, &back);
+    }
+    ck_assert_int_gt(found, 5);
+    ck_assert_int_gt(back, 0);
+}
+END_TEST
+
+/* A nutating axis: the tool leans more and more while it turns about, which by one solution the
+ * first axis does and by the other it hardly has to.  It begins near either. */
+START_TEST(solutions_that_differ)
+{
+    int back = 0;
+    seed = 230;
+    for (int i = 0; i < 24; i++) {
+        struct machine m = narrow_machine(i % 2 ? 3 : 4, i % 4 < 2);
+        struct vec3 axis[POINTS];
+        struct error error;
+        double start = 2 * PI * chance(), wind = (i % 8 < 4 ? 0.02 : -0.02) * chance();
+        m.min[MACHINE_B] = -185;
+        m.max[MACHINE_B] = 185;
+        m.min[MACHINE_C] = -720;
+        m.max[MACHINE_C] = 720;
+        ck_assert_int_eq(machine_finish(&m, &error), 0);
+        for (int j = 0; j < POINTS; j++) {
+            double t = 0.2 + 0.018 * j, c = start + wind * j;
+            axis[j] = vec(sin(t) * sin(c), -sin(t) * cos(c), cos(t));
+        }
+        ck_assert_int_eq(try_pass(&m, axis, &back), 1);
+    }
+    ck_assert_int_eq(back, 0);
+}
+END_TEST
+
+int main(void)
+{
+    Suite *suite = suite_create("post_lookahead");
+    TCase *tests = tcase_create("passes");
+
+    tcase_set_timeout(tests, 60);
+    tcase_add_loop_test(tests, as_by_trying, 0, 2 * KINDS_SHIPPED);
+    tcase_add_test(tests, solutions_that_differ);
+    suite_add_tcase(suite, tests);
+
+    SRunner *runner = srunner_create(suite);
+    srunner_run_all(runner, CK_NORMAL);
+    int failed = srunner_ntests_failed(runner);
+    srunner_free(runner);
+    return failed == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
+}
