@@ -220,7 +220,7 @@ static void read_operand(const char *file, const struct options *o, struct nc_mo
                          double *radius)
 {
     struct error error;
-    struct path path = {0};
+    struct cl path = {0};
     struct ncread_options setup = {
         .tcp = !o->no_tcp,
         .kinematics = verify_kinematics_trunnion(o->axes ? 'B' : 'A', o->reversed ? -1 : 1)};
@@ -237,14 +237,13 @@ static void read_operand(const char *file, const struct options *o, struct nc_mo
     }
     if (cl_read(file, &path, motion, &error) < 0)
         die_error(&error);
-    *radius = path_ball(&path);
-    path_free(&path);
+    *radius = cl_ball(&path);
 }
 
 static int run(const char *file, const struct options *o)
 {
     struct error error;
-    struct path path = {0};
+    struct cl path = {0};
     struct nc_motion motion = {0}, wanted = {0};
     double radius = -1;
     bool held = true;
@@ -254,7 +253,7 @@ static int run(const char *file, const struct options *o)
         if (cl_read(o->path, &path, &wanted, &error) < 0)
             die_error(&error);
         count_line("its path", &wanted);
-        radius = path_ball(&path);
+        radius = cl_ball(&path);
         motion.track = wanted.track;
         if (o->no_steps) {
             sweep_join_steps(&motion);
@@ -262,7 +261,6 @@ static int run(const char *file, const struct options *o)
         }
         double up = wanted.track == NC_MOTION_CENTRE ? -radius : radius;
         held = compare(&motion, &wanted, radius > 0 ? up : 0, o);
-        path_free(&path);
     }
     if (o->machine && o->control != CONTROL_NONE)
         held = drive(&motion, o) && held;
