@@ -18,7 +18,7 @@ struct guard_points_options {
     double sink;   /* how deep it may sink between points, mm */
     double noise;  /* standard deviation of what is taken out, mm (noise.h); 0: nothing */
     double vague;  /* mm: a surface between points that is off them by more is vague */
-    int effort;    /* effort.h */
+    double effort; /* effort.h */
     int threads;   /* as of parallel_for */
 };
 
@@ -36,7 +36,7 @@ struct guard_points {
 };
 
 /* No point moves by more than six standard deviations.  What there are too many points for:
- * EFFORT_GUARD_BETWEEN, EFFORT_GUARD_NEAR, EFFORT_RIBS. */
+ * EFFORT_GUARD_BETWEEN, EFFORT_GUARD_NEAR, EFFORT_ALONG. */
 struct guard_points guard_points_make(const struct point_grid *point_grid,
                                       const struct guard_points_options *rule);
 

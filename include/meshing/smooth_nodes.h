@@ -3,7 +3,7 @@
  * the scan stands for, with its normals and curvatures.
  *
  * A vertex goes to its foot on the surface that surface_fit.h has there; along ribs and grooves
- * too, unless there are too many vertices for that (EFFORT_RIBS).
+ * too, unless there are too many vertices for that (EFFORT_ALONG).
  */
 #ifndef CLOUDMILL_SMOOTH_NODES_H
 #define CLOUDMILL_SMOOTH_NODES_H
@@ -26,7 +26,7 @@ struct smooth_nodes_options {
     double sigma;      /* > 0: the noise, one standard deviation (noise.h), mm */
     size_t neighbours; /* so many points to begin with; 0: chosen, by a sample of the vertices and
                           then for each */
-    int effort;        /* effort.h */
+    double effort;     /* effort.h */
     int threads;       /* of which the result does not depend */
 };
 

@@ -22,7 +22,7 @@ struct cloudmesh_options {
     double direction; /* of the rows, degrees */
     const struct normal_estimator *normals;
     int neighbours; /* 0: chosen */
-    int effort;     /* effort.h */
+    double effort;  /* effort.h */
     bool paper;     /* as published */
     bool smooth;    /* look for no creases and no walls */
     bool subdivide; /* parts by orientation, each with a projection of its own */

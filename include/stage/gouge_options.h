@@ -12,7 +12,7 @@
 struct gouge_options {
     struct cli_list files; /* none: nothing is kept clear of */
     double noise;          /* of the scan, mm; negative: as found (guard_read.h) */
-    int effort;            /* effort.h */
+    double effort;         /* effort.h */
     struct gouge_refit_options rule;
 
     /* What came of it, over all runs. */

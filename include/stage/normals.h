@@ -20,8 +20,9 @@ struct normals_options {
     double spacing; /* mean spacing of the points, mm */
     double noise; /* of the points, one standard deviation, mm, that vertices are rid of; 0: none */
     int neighbours; /* points that a surface goes through; 0: chosen */
-    int effort, threads;
-    bool silent; /* a trial: nothing is said */
+    int threads;
+    double effort; /* effort.h */
+    bool silent;   /* a trial: nothing is said */
 };
 
 struct normal_estimator {

@@ -17,7 +17,8 @@ struct path_options {
     double tolerance, limit, depth, noise, play, rate, lean, turn; /* degrees, degrees/mm */
     struct vec3s certain, doubtful;                    /* points of the scan of -g (guard_read.h) */
     double clearance, approach, feed, plunge, spindle; /* clearance NAN: by the part */
-    int layers, tool, coolant, effort;
+    int layers, tool, coolant;
+    double effort; /* effort.h */
     bool paper, one_way, avoid;
     bool lean_given, fixed_given, to_given, from_given, circle_given;
     const char *partno, *holder;

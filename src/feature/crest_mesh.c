@@ -8,7 +8,7 @@
 #include "mesh/mesh_edges.h"
 #include "base/parallel.h"
 
-enum { LOOKS = 3, FEW_EDGES = 6000, CORNERS = 3 * (CREST_MOST + 1) };
+enum { LOOKS = 3, CORNERS = 3 * (CREST_MOST + 1) };
 
 static const double TURN = 0.99452189536827333; /* cos 6 degrees between normals */
 static const double OFF = 0.10452846326765347;  /* sin 6 degrees between an edge and the surface */
@@ -19,7 +19,10 @@ struct search {
     const struct mesh_edges *edges;
     struct feature_cloud cloud;
     size_t first, last;  /* vertices of creases and walls, and those from there on are new */
-    size_t left, many;   /* edges that may be looked at yet; that would have to be */
+    size_t most, looked; /* edges that may be looked at in all; that were */
+    size_t widest;       /* edges that the mesh had, in the look when it had most */
+    bool all;            /* edges may cut off a crest, wherever they are */
+    bool bound;          /* there were more */
     size_t fresh;        /* those from there on are of the last look: other edges were looked at */
     struct sizes edge;   /* to be looked at */
     struct crest *crest; /* of each of those */
@@ -36,8 +39,8 @@ static bool may_cross(const struct search *s, const struct mesh_edge *e)
     struct vec3 way = vec_sub(p[e->v[1]], p[e->v[0]]);
     double length = vec_length(way);
 
-    return s->edges->n < FEW_EDGES || vec_dot(n[e->v[0]], n[e->v[1]]) < TURN ||
-           length > LONG * s->cloud.spacing || fabs(vec_dot(way, n[e->v[0]])) > OFF * length ||
+    return s->all || vec_dot(n[e->v[0]], n[e->v[1]]) < TURN || length > LONG * s->cloud.spacing ||
+           fabs(vec_dot(way, n[e->v[0]])) > OFF * length ||
            fabs(vec_dot(way, n[e->v[1]])) > OFF * length;
 }
 
@@ -190,24 +193,27 @@ static size_t put_in(struct search *s)
 }
 
 /* Looks once at the edges of the vertices from `fresh` on.  The tree is made when it is needed. */
-static size_t look_once(struct search *s, size_t fresh, size_t n, struct kdtree **tree, int threads)
+static size_t look_once(struct search *s, size_t fresh, size_t n, struct kdtree **tree,
+                        const struct crest_mesh_options *options)
 {
     struct mesh_edges edges = mesh_edges_find(s->mesh);
     size_t found = 0;
 
     s->edges = &edges;
+    s->widest = edges.n > s->widest ? edges.n : s->widest;
+    s->all = effort_covers(EFFORT_CREST_EDGES, options->effort, edges.n);
     s->of = mem_alloc(edges.n, sizeof *s->of);
     s->fresh = fresh;
     s->edge.n = s->face.n = 0;
     choose_edges(s);
-    s->many = s->edge.n > s->left ? s->edge.n : 0;
-    if (s->edge.n > 0 && !s->many) {
-        s->left -= s->edge.n;
-        *tree = *tree ? *tree : kdtree_new_by(s->cloud.point, n, threads);
+    s->looked += s->edge.n;
+    s->bound = s->looked > s->most;
+    if (s->edge.n > 0 && !s->bound) {
+        *tree = *tree ? *tree : kdtree_new_by(s->cloud.point, n, options->threads);
         s->cloud.tree = *tree;
         s->crest = mem_alloc(s->edge.n, sizeof *s->crest);
         s->vertex = mem_alloc(s->edge.n, sizeof *s->vertex);
-        parallel_for(threads, s->edge.n, look, s);
+        parallel_for(options->threads, s->edge.n, look, s);
         found = put_in(s);
         free(s->crest);
         free(s->vertex);
@@ -218,26 +224,28 @@ static size_t look_once(struct search *s, size_t fresh, size_t n, struct kdtree 
 }
 
 struct crests crest_mesh_keep(struct mesh *mesh, size_t first, const struct vec3 *point, size_t n,
-                              double spacing, double noise, int threads)
+                              const struct crest_mesh_options *options)
 {
-    const size_t huge = 400000, many = 12000, few = 4000; /* points; edges, of huge clouds */
-    struct search s = {.mesh = mesh,
-                       .cloud = {.point = point, .spacing = spacing, .noise = noise},
-                       .first = first,
-                       .last = mesh->vertex.n,
-                       .left = n > huge ? few : many};
+    bool large = !effort_covers(EFFORT_CREST_POINTS, options->effort, n);
+    struct crests all = {.bound = large ? EFFORT_CRESTS_LARGE : EFFORT_CRESTS};
+    struct search s = {
+        .mesh = mesh,
+        .cloud = {.point = point, .spacing = options->spacing, .noise = options->noise},
+        .first = first,
+        .last = mesh->vertex.n,
+        .most = effort_most(all.bound, options->effort)};
     struct kdtree *tree = NULL;
-    struct crests all = {.found = 0};
     size_t fresh = 0, found = 1;
 
     /* the edges between new points may cut off the crest where one is missing */
     for (int i = 0; i < LOOKS && found > 0; i++) {
         size_t next = mesh->vertex.n;
-        found = look_once(&s, fresh, n, &tree, threads);
+        found = look_once(&s, fresh, n, &tree, options);
         all.found += found;
         fresh = next;
     }
-    all.too_many = s.many;
+    all.edges = s.widest;
+    all.wanted = s.bound ? s.looked : 0;
     if (tree)
         kdtree_free(tree);
     array_free(&s.edge);

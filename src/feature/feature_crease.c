@@ -48,7 +48,7 @@ static bool fit_planes(struct parted *p)
 
 /* Parts the points by the line where the two planes meet; a's side of it is sheet 0.  True when
  * something changed. */
-static bool mesh_for_rows_by_line(struct parted *p, struct vec3 a)
+static bool split_by_line(struct parted *p, struct vec3 a)
 {
     const double *c = p->sheet[0].q.c, *d = p->sheet[1].q.c;
     double c0 = c[0] - d[0], c1 = c[1] - d[1], c2 = c[2] - d[2];
@@ -76,7 +76,7 @@ static bool settle(struct parted *p, struct vec3 a)
     for (int i = 0; i < TURNS && moves; i++) {
         if (!fit_planes(p))
             return false;
-        moves = mesh_for_rows_by_line(p, a);
+        moves = split_by_line(p, a);
     }
     p->count[0] = p->count[1] = 0;
     for (size_t i = 0; i < p->n; i++)

@@ -1,10 +1,11 @@
-/* feature_mesh - see feature_mesh.h; feature_mesh_walls.c is the rest of it. */
+/* feature_mesh - see feature_mesh.h. */
 #include "feature/feature_mesh.h"
 
 #include <stdbool.h>
 #include <stdlib.h>
 #include <string.h>
 
+#include "base/effort.h"
 #include "feature_cut.h"
 #include "feature_link.h"
 #include "feature_accept.h"
@@ -12,7 +13,10 @@
 #include "base/parallel.h"
 #include "math/quadric.h"
 
-enum { NEAR = 30, MOST = 200, LOOKS = 4, MOST_DOUBTFUL = 12000 };
+enum { NEAR = 30, MOST = 200, LOOKS = 4 };
+
+/* So many edges in a chain are a wall; on a large mesh (EFFORT_WALLS) fewer are roughness. */
+enum { CHAIN = 6, CHAIN_LARGE = 24 };
 
 static const double TURN = 0.99452189536827333; /* cos 6 degrees between normals */
 static const double OFF = 0.10452846326765347;  /* sin 6 degrees between an edge and the surface */
@@ -22,6 +26,7 @@ static const double NOISY = 0.01;               /* spacings: less noise does not
 struct search {
     struct mesh *mesh;
     const struct mesh_edges *edges;
+    struct kdtree *tree, *walls; /* of the cloud; NULL: it has no walls */
     struct feature_cloud cloud;
     unsigned char *rough;  /* vertices where one quadric does not fit */
     unsigned char *active; /* look only at the edges of these vertices */
@@ -53,7 +58,7 @@ static bool is_rough(const struct search *s, size_t vertex)
     return quadric_rms(&q, near, n) > 1.1 * s->cloud.noise + 0.004 * s->cloud.spacing;
 }
 
-static void look_at_vertices(void *context, size_t from, size_t to)
+static void test_vertices(void *context, size_t from, size_t to)
 {
     const struct search *s = context;
 
@@ -72,7 +77,7 @@ static bool seen(const struct feature *f)
     return up;
 }
 
-static void look_at_edges(void *context, size_t from, size_t to)
+static void find_feature_of_edges(void *context, size_t from, size_t to)
 {
     const struct search *s = context;
     const struct mesh *m = s->mesh;
@@ -96,7 +101,7 @@ static void look_at_edges(void *context, size_t from, size_t to)
 }
 
 /* Edges that may cross a crease: on a rough scan of millions of points nearly all. */
-static size_t doubtful_edges(const struct search *s)
+static size_t count_doubtful(const struct search *s)
 {
     size_t found = 0;
     for (size_t e = 0; e < s->edges->n; e++) {
@@ -126,12 +131,12 @@ static struct feature_mesh sum_up(const struct search *s)
 
 /* Looks at the edges, and again at those about what was found, for there normals are better known
  * and vertices stand off by then. */
-static struct feature_mesh look(struct search *s, int threads)
+static struct feature_mesh find_features(struct search *s, int threads)
 {
     struct feature_mesh found = {0};
 
     for (int i = 0; i < LOOKS; i++) {
-        parallel_for(threads, s->edges->n, look_at_edges, s);
+        parallel_for(threads, s->edges->n, find_feature_of_edges, s);
         feature_link_close(s->mesh, s->edges, s->feature);
         found = sum_up(s);
         if (found.creases + found.walls == 0)
@@ -205,46 +210,95 @@ static void add_places(const struct search *s, struct vec3s *place)
     }
 }
 
-struct feature_mesh feature_mesh_keep(struct mesh *mesh, const struct vec3 *point, size_t n,
-                                      size_t flat, double spacing, double noise, int threads)
+/* The search on a mesh with these edges. */
+static struct search search_begin(struct mesh *mesh, const struct mesh_edges *edges,
+                                  const struct feature_scan *scan, int threads)
 {
-    struct mesh_edges edges = mesh_edges_find(mesh);
-    struct kdtree *tree = kdtree_new_by(point, flat, threads);
-    struct kdtree *walls = n > flat ? kdtree_new_by(point + flat, n - flat, threads) : NULL;
+    size_t n = scan->n - scan->flat;
     struct search s = {.mesh = mesh,
-                       .edges = &edges,
-                       .cloud = {tree, point, walls, point + flat, spacing, noise},
+                       .edges = edges,
+                       .tree = kdtree_new_by(scan->point, scan->flat, threads),
+                       .walls = n > 0 ? kdtree_new_by(scan->point + scan->flat, n, threads) : NULL,
                        .rough = mem_alloc(mesh->vertex.n, 1),
                        .active = mem_alloc(mesh->vertex.n, 1),
-                       .feature = mem_alloc(edges.n, sizeof *s.feature)};
+                       .feature = mem_alloc(edges->n, sizeof *s.feature)};
 
+    s.cloud = (struct feature_cloud){s.tree,        scan->point, s.walls, scan->point + scan->flat,
+                                     scan->spacing, scan->noise};
+    return s;
+}
+
+static void search_end(struct search *s)
+{
+    free(s->rough);
+    free(s->active);
+    free(s->feature);
+    kdtree_free(s->tree);
+    if (s->walls)
+        kdtree_free(s->walls);
+}
+
+static void find_walls(void *context, size_t from, size_t to)
+{
+    const struct search *s = context;
+    const struct vec3 *at = s->mesh->vertex.item;
+
+    for (size_t e = from; e < to; e++) {
+        const int *v = s->edges->edge[e].v;
+        if (s->edges->edge[e].facet[0] >= 0 && feature_steep(&s->cloud, at[v[0]], at[v[1]]))
+            s->feature[e] = feature_wall(&s->cloud, at[v[0]], at[v[1]]);
+    }
+}
+
+struct feature_walls feature_mesh_walls(const struct mesh *mesh, const struct feature_scan *scan,
+                                        double effort, int threads)
+{
+    struct feature_walls walls = {.found = 0};
+
+    if (scan->flat >= scan->n || mesh->face.n == 0)
+        return walls;
+    struct mesh_edges edges = mesh_edges_find(mesh);
+    struct mesh same = *mesh; /* which stays as it is */
+    struct search s = search_begin(&same, &edges, scan, threads);
+    parallel_for(threads, edges.n, find_walls, &s);
+    size_t longest = feature_link_longest(&edges, s.feature);
+    if (effort_covers(EFFORT_WALLS, effort, edges.n) || longest >= CHAIN_LARGE)
+        walls.found = longest >= CHAIN ? sum_up(&s).walls : 0;
+    else if (longest >= CHAIN)
+        walls.edges = edges.n;
+    search_end(&s);
+    mesh_edges_free(&edges);
+    return walls;
+}
+
+struct feature_mesh feature_mesh_keep(struct mesh *mesh, const struct feature_scan *scan,
+                                      double effort, int threads)
+{
+    struct mesh_edges edges = mesh_edges_find(mesh);
+    struct search s = search_begin(mesh, &edges, scan, threads);
     struct mesh before = {0};
+    struct feature_mesh found = {0};
+
     copy_places(mesh, &before);
     mark_turns(&s);
-    parallel_for(threads, mesh->vertex.n, look_at_vertices, &s);
+    parallel_for(threads, mesh->vertex.n, test_vertices, &s);
     memset(s.active, 1, mesh->vertex.n);
-    size_t doubtful = doubtful_edges(&s);
-    struct feature_mesh found = {0};
-    s.walls_only = doubtful > MOST_DOUBTFUL;
-    if (!s.walls_only || walls)
-        found = look(&s, threads);
+    size_t doubtful = count_doubtful(&s);
+    s.walls_only = !effort_covers(EFFORT_CREASES, effort, doubtful);
+    if (!s.walls_only || s.walls)
+        found = find_features(&s, threads);
     struct feature_relocate settle = settling(&s);
-    if (found.creases + found.walls > 0 && noise > NOISY * spacing)
+    if (found.creases + found.walls > 0 && scan->noise > NOISY * scan->spacing)
         feature_relocate_feet(&settle);
     if (found.creases + found.walls > 0)
-        found = keep_better(&s, &before, n, threads);
+        found = keep_better(&s, &before, scan->n, threads);
     else
         feature_relocate_back(&settle, &before);
     add_places(&s, &found.place);
-    found.too_many = s.walls_only ? doubtful : 0;
+    found.doubtful = doubtful;
     array_free(&before.vertex);
     array_free(&before.normal);
-    free(s.rough);
-    free(s.active);
-    free(s.feature);
-    kdtree_free(tree);
-    if (walls)
-        kdtree_free(walls);
+    search_end(&s);
     mesh_edges_free(&edges);
     return found;
 }

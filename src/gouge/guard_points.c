@@ -187,7 +187,7 @@ static int plan(struct job *job, bool *sparse, size_t *near)
     const struct point_grid *b = job->point_grid;
 
     job->fit = (struct surface_fit_options){b, rule->noise, 0,
-                                            effort_covers(EFFORT_RIBS, rule->effort, b->n)};
+                                            effort_covers(EFFORT_ALONG, rule->effort, b->n)};
     job->fill = (struct upsample){b, rule->radius, rule->sink, rule->noise};
     *sparse = upsample_needed(&job->fill);
     job->filled = *sparse && effort_covers(EFFORT_GUARD_BETWEEN, rule->effort, b->n);

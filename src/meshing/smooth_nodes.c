@@ -66,7 +66,7 @@ static struct smooth_nodes sum_up(const struct smoothing *s)
 }
 
 /* How many points to begin with: `wanted`, but for the effort. */
-static size_t neighbours_of(size_t wanted, size_t vertices, int effort)
+static size_t neighbours_of(size_t wanted, size_t vertices, double effort)
 {
     double most = (double)effort_most(EFFORT_NEIGHBOURS, effort) / (double)vertices;
     double affordable = fmax(most, FEWEST);
@@ -80,7 +80,7 @@ struct smooth_nodes smooth_nodes(struct mesh *mesh, const struct point_grid *poi
     size_t n = mesh->vertex.n, wanted = options->neighbours;
     struct smoothing s = {.mesh = mesh,
                           .rule = {point_grid, options->sigma, options->neighbours,
-                                   effort_covers(EFFORT_RIBS, options->effort, n)}};
+                                   effort_covers(EFFORT_ALONG, options->effort, n)}};
     mesh_normals_facet(mesh);
     array_reserve(&mesh->kmax, n);
     mesh->kmax.n = n;

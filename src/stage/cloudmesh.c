@@ -17,8 +17,8 @@ static double spacing_of_cloud(double mean)
 }
 
 /* The mean spacing, and the points of walls behind the others; the spacing of the grid. */
-static int mesh_for_rows_walls(struct cloudmesh_options *wish, struct vec3s *points, int threads,
-                               struct cloud_parts *parts, struct error *error)
+static int find_walls(struct cloudmesh_options *wish, struct vec3s *points, int threads,
+                      struct cloud_parts *parts, struct error *error)
 {
     *parts = (struct cloud_parts){0, points->n};
     if (plan_extent_check(points->item, points->n, error) < 0)
@@ -54,20 +54,22 @@ int cloudmesh_on_grid(const struct cloudmesh_options *asked, struct vec3s *point
     struct cloud_parts parts;
     struct cloudmesh walled = {.walls = 0};
     *made = walled;
-    if (mesh_for_rows_walls(&wish, points, threads, &parts, error) < 0)
+    if (find_walls(&wish, points, threads, &parts, error) < 0)
         return -1;
     struct mesh with_walls = {.origin = mesh->origin};
-    wish.silent = true;
     int status = 0;
-    if (parts.flat < points->n &&
-        cloudmesh_has_walls(&wish, &parts, points, fmax(noise, mesh->origin.noise), threads))
+    bool has_walls =
+        parts.flat < points->n &&
+        cloudmesh_has_walls(&wish, &parts, points, fmax(noise, mesh->origin.noise), threads);
+    wish.silent = true;
+    if (has_walls)
         status = mesh_of(&wish, &parts, points, noise, threads, &with_walls, &walled, error);
     parts.flat = points->n;
     wish.silent = asked->silent;
     if (status == 0)
         status = mesh_of(&wish, &parts, points, noise, threads, mesh, made, error);
     if (status == 0 && walled.walls > 0)
-        cloudmesh_closer(points, threads, &with_walls, &walled, mesh, made);
+        cloudmesh_closer(&wish, points, threads, &with_walls, &walled, mesh, made);
     cloudmesh_drop(&with_walls, &walled);
     return status;
 }

@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "base/cli.h"
+#include "base/effort.h"
 #include "feature/crest_mesh.h"
 #include "feature/feature_mesh.h"
 #include "cloud/holes.h"
@@ -86,30 +87,48 @@ int cloudmesh_normals(const struct cloudmesh_options *wish, struct vec3 *point, 
     return wish->normals->estimate(mesh, &options, error);
 }
 
+static struct feature_scan scan_of(const struct cloud_parts *parts, const struct vec3s *points,
+                                   double noise)
+{
+    return (struct feature_scan){points->item, points->n, parts->flat, parts->mean, noise};
+}
+
+static void keep_features(const struct cloudmesh_options *wish, const struct feature_scan *scan,
+                          int threads, struct mesh *mesh, struct cloudmesh *made)
+{
+    struct feature_mesh found = feature_mesh_keep(mesh, scan, wish->effort, threads);
+
+    made->creases = found.creases;
+    made->walls = found.walls;
+    array_free(&made->edge);
+    made->edge = found.place;
+    if (!wish->silent)
+        effort_say(EFFORT_CREASES, wish->effort, found.doubtful);
+}
+
+static void keep_crests(const struct cloudmesh_options *wish, const struct feature_scan *scan,
+                        size_t first, int threads, struct mesh *mesh, struct cloudmesh *made)
+{
+    struct crest_mesh_options options = {scan->spacing, scan->noise, wish->effort, threads};
+    struct crests crests = crest_mesh_keep(mesh, first, scan->point, scan->flat, &options);
+
+    made->crests = crests.found;
+    if (wish->silent)
+        return;
+    effort_say(EFFORT_CREST_EDGES, wish->effort, crests.edges);
+    effort_say(crests.bound, wish->effort, crests.wanted);
+}
+
 void cloudmesh_edges(const struct cloudmesh_options *wish, const struct cloud_parts *parts,
                      const struct vec3s *points, double noise, int threads, struct mesh *mesh,
                      struct cloudmesh *made)
 {
+    struct feature_scan scan = scan_of(parts, points, fmax(noise, mesh->origin.noise));
+    size_t first = mesh->vertex.n;
+
     if (!wish->smooth) {
-        size_t first = mesh->vertex.n;
-        struct feature_mesh found =
-            feature_mesh_keep(mesh, points->item, points->n, parts->flat, parts->mean,
-                              fmax(noise, mesh->origin.noise), threads);
-        made->creases = found.creases;
-        made->walls = found.walls;
-        array_free(&made->edge);
-        made->edge = found.place;
-        struct crests crests = crest_mesh_keep(mesh, first, points->item, parts->flat, parts->mean,
-                                               fmax(noise, mesh->origin.noise), threads);
-        made->crests = crests.found;
-        if (found.too_many > 0 && !wish->silent)
-            say("%zu edges of the mesh lie where the scan is rough: too many to look for creases "
-                "there (a wider spacing has fewer)",
-                found.too_many);
-        if (crests.too_many > 0 && !wish->silent)
-            say("%zu edges of the mesh may cut off ribs or grooves: too many to look at (a wider "
-                "spacing has fewer)",
-                crests.too_many);
+        keep_features(wish, &scan, threads, mesh, made);
+        keep_crests(wish, &scan, first, threads, mesh, made);
     }
     if (!wish->paper)
         mesh_normals_seen(mesh);
@@ -122,22 +141,27 @@ bool cloudmesh_has_walls(const struct cloudmesh_options *wish, const struct clou
     struct mesh mesh = {.origin.ledger = NAN};
     struct cloudmesh made;
     struct error error;
+    struct feature_scan scan = scan_of(parts, points, noise);
+    struct feature_walls walls = {.found = 0};
+
     if (!(grid.spacing > 0))
         grid.spacing = cloudmesh_three_spacings(parts->mean);
-    bool found = cloudmesh_by_grid(&grid, parts, points, &mesh, &made, &error) == 0 &&
-                 feature_mesh_walls(&mesh, points->item, points->n, parts->flat, parts->mean, noise,
-                                    threads) > 0;
+    if (cloudmesh_by_grid(&grid, parts, points, &mesh, &made, &error) == 0)
+        walls = feature_mesh_walls(&mesh, &scan, wish->effort, threads);
+    if (!wish->silent)
+        effort_say(EFFORT_WALLS, wish->effort, walls.edges);
     mesh_free(&mesh);
-    return found;
+    return walls.found > 0;
 }
 
 /* The sum of the squared distances of the points from the mesh, of every so many of them. */
-static double off_points(const struct mesh *mesh, const struct vec3s *points, int threads)
+static double off_points(const struct mesh *mesh, const struct vec3s *points, size_t most,
+                         int threads)
 {
-    const size_t most = 100000;
     struct vec3s some = {0};
     double sum = 0;
-    for (size_t i = 0; i < points->n; i += points->n / most + 1)
+    size_t step = most > 0 && points->n > most ? (points->n - 1) / most + 1 : 1;
+    for (size_t i = 0; i < points->n; i += step)
         *array_push(&some) = points->item[i];
     double *distance = mem_alloc(some.n, sizeof *distance);
     mesh_distance(mesh, some.item, some.n, threads, distance);
@@ -159,10 +183,15 @@ void cloudmesh_swap(struct mesh *other, struct cloudmesh *other_made, struct mes
     *other_made = swap_made;
 }
 
-void cloudmesh_closer(const struct vec3s *points, int threads, struct mesh *other,
-                      struct cloudmesh *other_made, struct mesh *mesh, struct cloudmesh *made)
+void cloudmesh_closer(const struct cloudmesh_options *wish, const struct vec3s *points, int threads,
+                      struct mesh *other, struct cloudmesh *other_made, struct mesh *mesh,
+                      struct cloudmesh *made)
 {
-    if (off_points(other, points, threads) < off_points(mesh, points, threads))
+    size_t most = effort_most(EFFORT_COMPARISON, wish->effort);
+
+    if (!wish->silent)
+        effort_say(EFFORT_COMPARISON, wish->effort, points->n);
+    if (off_points(other, points, most, threads) < off_points(mesh, points, most, threads))
         cloudmesh_swap(other, other_made, mesh, made);
 }
 

@@ -40,8 +40,9 @@ void cloudmesh_swap(struct mesh *other, struct cloudmesh *other_made, struct mes
 
 /* Puts `other` in the place of `mesh` where that is closer to the points (squares, every so many of
  * them). */
-void cloudmesh_closer(const struct vec3s *points, int threads, struct mesh *other,
-                      struct cloudmesh *other_made, struct mesh *mesh, struct cloudmesh *made);
+void cloudmesh_closer(const struct cloudmesh_options *wish, const struct vec3s *points, int threads,
+                      struct mesh *other, struct cloudmesh *other_made, struct mesh *mesh,
+                      struct cloudmesh *made);
 
 /* Of a mesh that was only tried. */
 void cloudmesh_drop(struct mesh *mesh, struct cloudmesh *made);

@@ -2,6 +2,7 @@
 #include <math.h>
 #include <stdlib.h>
 
+#include "base/effort.h"
 #include "cloudmesh_base.h"
 #include "mesh/mesh_coverage.h"
 #include "meshing/greedy_insert.h"
@@ -25,7 +26,6 @@ struct source {
 static int smooth_points(const struct cloudmesh_options *wish, struct vec3s *points, double noise,
                          int threads, double *spent, struct error *error)
 {
-    enum { ALL = 200000 };
     const double apart = 2; /* in spacings */
     struct cloudmesh_options fine = *wish;
     struct mesh mesh = {.origin.ledger = NAN};
@@ -33,9 +33,11 @@ static int smooth_points(const struct cloudmesh_options *wish, struct vec3s *poi
     struct cloud_parts parts = {cloudmesh_spacing(wish, points->item, points->n), points->n};
     fine.spacing = apart * parts.mean;
     int status = 0;
-    if (points->n > ALL)
+    bool all = effort_covers(EFFORT_SURFACE, wish->effort, points->n);
+    effort_say(EFFORT_SURFACE, wish->effort, points->n);
+    if (!all)
         status = cloudmesh_by_grid(&fine, &parts, points, &mesh, &made, error);
-    for (size_t i = 0; i < points->n && points->n <= ALL; i++)
+    for (size_t i = 0; all && i < points->n; i++)
         *array_push(&mesh.vertex) = points->item[i];
     if (status == 0)
         status = cloudmesh_normals(&fine, points->item, points->n, noise, threads, &mesh, error);
@@ -247,7 +249,7 @@ static int mesh_without_edges(const struct cloudmesh_options *asked, struct sour
     wish.smooth = wish.silent = true;
     int status = mesh_of(&wish, s, threads, &other, &other_made, error);
     if (status == 0 && other_made.rows.worst <= wish.error)
-        cloudmesh_closer(s->scan, threads, &other, &other_made, mesh, made);
+        cloudmesh_closer(asked, s->scan, threads, &other, &other_made, mesh, made);
     cloudmesh_drop(&other, &other_made);
     return status;
 }

@@ -92,7 +92,7 @@ static void say_bounded(const struct guard_points *surface, const struct guard_r
     if (surface->sparse)
         effort_say(EFFORT_GUARD_BETWEEN, rule->effort, points);
     if (rule->noise > 0)
-        effort_say(EFFORT_RIBS, rule->effort, points);
+        effort_say(EFFORT_ALONG, rule->effort, points);
     effort_say(EFFORT_GUARD_NEAR, rule->effort, surface->near);
 }
 

@@ -12,8 +12,8 @@ struct guard_read_options {
     double radius;    /* of the ball, mm */
     double tolerance; /* of the path, mm: the ball sinks between points by a fifth of it at most */
     double
-        noise;  /* of the scan, mm; negative: as found where it is above a tenth of the tolerance */
-    int effort; /* effort.h */
+        noise; /* of the scan, mm; negative: as found where it is above a tenth of the tolerance */
+    double effort; /* effort.h */
     int threads;
     struct vec3s certain, doubtful; /* what becomes of it: its points (guard_points.h) */
 };

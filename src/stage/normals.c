@@ -51,7 +51,7 @@ static double move_vertices(struct mesh *mesh, const struct normals_options *o,
         o->noise, r.moved, mesh->vertex.n, r.typical, r.error);
     if (r.kept > 0)
         say("%zu vertices not moved: no surface explains the points about them", r.kept);
-    effort_say(EFFORT_RIBS, o->effort, mesh->vertex.n);
+    effort_say(EFFORT_ALONG, o->effort, mesh->vertex.n);
     if (r.typical < r.wanted)
         effort_say(EFFORT_NEIGHBOURS, o->effort, r.wanted * mesh->vertex.n);
     struct vec3 at = mesh->vertex.item[r.at];

@@ -95,7 +95,9 @@ static void comes_back(double high, double noise)
     double sign = high < 0 ? -1 : 1, area = area_above(&m);
     size_t open = open_edges(&m), first = m.vertex.n;
     ck_assert_double_le(kept(&m, sign), 0.66);
-    size_t found = crest_mesh_keep(&m, first, p.item, p.n, 0.2, noise, 2).found;
+    size_t found =
+        crest_mesh_keep(&m, first, p.item, p.n, &(struct crest_mesh_options){0.2, noise, 1, 2})
+            .found;
     ck_assert_uint_ge(found, 20);
     ck_assert_double_ge(kept(&m, sign), 0.75);
     ck_assert_double_eq_tol(area_above(&m), area, 0.02);
@@ -122,8 +124,12 @@ START_TEST(nothing_to_do)
     struct mesh plane = mesh_over(0), rib = mesh_over(0.8);
     struct vec3s flat = rib_cloud(0, 0.02), p = rib_cloud(0.8, 0);
     size_t vertices = plane.vertex.n, faces = plane.face.n;
-    ck_assert_uint_eq(crest_mesh_keep(&plane, vertices, flat.item, flat.n, 0.2, 0.02, 2).found, 0);
-    ck_assert_uint_eq(crest_mesh_keep(&rib, 0, p.item, p.n, 0.2, 0, 2).found, 0);
+    ck_assert_uint_eq(crest_mesh_keep(&plane, vertices, flat.item, flat.n,
+                                      &(struct crest_mesh_options){0.2, 0.02, 1, 2})
+                          .found,
+                      0);
+    ck_assert_uint_eq(
+        crest_mesh_keep(&rib, 0, p.item, p.n, &(struct crest_mesh_options){0.2, 0, 1, 2}).found, 0);
     ck_assert_uint_eq(plane.face.n, faces);
     ck_assert_uint_eq(rib.vertex.n, vertices);
     mesh_free(&plane);
