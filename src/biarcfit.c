@@ -135,8 +135,8 @@ static void tell(const struct arcrun_report *r, const struct path *in, const str
     if (r->loops > 0)
         say("in %zu intervals the paper's biarc is a loop: equal legs taken", r->loops);
     bool centre = in->head.track == TRACK_CENTRE;
-    double tip = centre ? r->worst.other : r->worst.tracked;
-    double ball = centre ? r->worst.tracked : r->worst.other;
+    double tip = centre ? r->worst.other : r->worst.point;
+    double ball = centre ? r->worst.point : r->worst.other;
     message("off by at most %.6f mm at the tip and %.6f mm at the centre, axis %.4f degrees", tip,
             ball, DEGREES(r->worst.axis));
 }

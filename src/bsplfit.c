@@ -16,7 +16,7 @@
 #include "io/path/path_run.h"
 #include "stage/gouge_options.h"
 #include "stage/path_reference.h"
-#include "splinefit/spline_guard.h"
+#include "splinefit/spline_run.h"
 #include "stage/spline_report.h"
 
 static const double TOLERANCE = 0.01; /* mm, when -e is not given */

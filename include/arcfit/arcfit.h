@@ -1,50 +1,131 @@
 /*
- * arcfit - the fewest arcs and lines that follow a trace within a tolerance.
+ * arcfit - a pass as the fewest arcs and lines that follow it within a tolerance.
  *
- * What comes out is a chain of pieces from the first point of the trace to the last, each starting
- * where the one before ended, in its direction (G1: to within ARCFIT_KINK where a line is next to
- * an arc).  Only where nothing else stays within the tolerance it goes straight from point to
- * point, with a kink.
+ * In: a reference (curve/reference.h), the points of a smooth part of a cutting run, and what the
+ * arcs may be off it.  Out: a chain of pieces from the first point of the reference to the last,
+ * each an arc or a line along which the tool axis turns on a great circle (arc_piece.h).  Each
+ * starts where the one before ended, in its direction (G1: to within ARCFIT_KINK where a line is
+ * next to an arc).  Only where nothing else stays within the tolerance the chain goes straight from
+ * point to point, with a kink.
+ *
+ * The stages, each of which leaves a chain that keeps the tolerance:
+ *
+ *   1. arcfit_beam    a search from the first point on, arc by arc, with free tangents
+ *                     (arc_beam.c; where it finds no arc, a greedy biarc: arcfit.c)
+ *   2. arcfit_reduce  one arc fewer after the other, all joints moved together by least squares
+ *                     (arcspline_reduce.c over arcspline.h)
+ *   3. arcfit_reverse_*  the same two from the last point back, where that takes fewer arcs
+ *   4. arcfit_update  instead of all these: a chain mended where its reference has changed
+ *
+ * Their driver is stage/arcrun.h, which makes the reference, prints the pieces and proves the
+ * printed digits.  arcfit_each is paper 1's fit, a biarc for each interval.
+ *
+ * Sources: biarcs after Bolton (1975) and paper 1, 3.4; the chain of arcs told by its joints and
+ * the tangent at its start is an arc spline; Levenberg and Marquardt's method with p-norms rising
+ * towards the largest distance.
+ *
+ * Who spends what of the tolerance (biarcfit -e; E below):
+ *
+ *   constant           of      what for
+ *   ARC_REFERENCE_MAX  E       dense points put between sparse ones, off the smooth path; this much
+ *                              is taken from E before a fit begins
+ *   ARC_DENSE          E       points whose straight lines are this near to the smooth path are the
+ *                              reference themselves, and nothing is taken
+ *   ARC_CHORD          E       --linear-arcs: chords off their arcs; taken from E, too
+ *   ARC_PRINTED        1 mm    what rounding to the printed digits may add; left free
+ *   ARC_RETRY          what is left   each time that the printed digits do not keep E after all
+ *   ARC_ENOUGH         what is left   a chain of moved joints is near enough; ARC_ENOUGH_STEP less
+ *                              each time that its proof fails
+ *   ARC_JOINT_OFF      what is left   a joint of the search off the reference, across
+ *   ARC_AXIS_OFF       what is left   an axis at a joint turned off the reference's so that the
+ *                              other point follows better
  */
 #ifndef CLOUDMILL_ARCFIT_H
 #define CLOUDMILL_ARCFIT_H
 
 #include "arcfit/arc_piece.h"
 
-#define ARCFIT_KINK RADIANS(0.01)
+#define ARC_REFERENCE_MAX 0.02
+#define ARC_DENSE 0.25
+#define ARC_CHORD 0.25
+#define ARC_PRINTED 1e-6
+#define ARC_RETRY 0.995
+#define ARC_ENOUGH 0.995
+#define ARC_ENOUGH_STEP 0.005
+#define ARC_JOINT_OFF 0.85
+#define ARC_AXIS_OFF 0.6
 
-struct pieces {
-    size_t n, cap;
-    struct arc_piece *item;
-};
+#define ARCFIT_KINK RADIANS(0.01)
 
 /*
  * Greedy biarcs: from each joint the longest biarc within the tolerance, over 15 ratios of its legs
- * from 0.1 to 10 (design/3-geometry.md, "greedy + rho"); outer joints are points of the trace with
- * its tangents.  A single arc or a line where that reaches as far.  The length is found by doubling
- * and bisection, each try checked in full.
+ * from 0.1 to 10; outer joints are points of the reference with its tangents.  A single arc or a
+ * line where that reaches as far.  The length is found by doubling and bisection, each try checked
+ * in full.
  */
-void arcfit_biarcs(const struct trace *trace, const struct arc_deviation *within,
+void arcfit_biarcs(const struct reference *reference, const struct deviation *within,
                    struct pieces *pieces);
 
-/* Where a chain has come to: near which point of the trace, in what direction, with what axis. */
-struct reached {
+/* Where a chain has come to: near which point of the reference, in what direction, with what axis.
+ */
+struct chain_end {
     size_t at;
     struct vec3 p, tangent, axis;
 };
 
 /*
- * One step of the above from anywhere near a point of the trace, in any direction: appends one or
- * two pieces and returns the point of the trace at which they end.
+ * One step of the above from anywhere near a point of the reference, in any direction: appends one
+ * or two pieces and returns the point of the reference at which they end.
  */
-size_t arcfit_step(const struct trace *trace, const struct arc_deviation *within,
-                   const struct reached *from, struct pieces *pieces);
+size_t arcfit_step(const struct reference *reference, const struct deviation *within,
+                   const struct chain_end *from, struct pieces *pieces);
 
 /*
- * Paper 1: a biarc for each interval of the trace, the one with the least a + b, whatever its
- * deviation.  Returns in how many intervals that is none, for one of its legs is negative and its
- * arc a loop: those get equal legs (or a line where the points coincide).
+ * Paper 1: a biarc for each interval of the reference, the one with the least a + b, whatever its
+ * deviation.  Returns in how many intervals there is none because one of its legs is negative and
+ * its arc a loop: those get equal legs (or a line where the points coincide).
  */
-size_t arcfit_each(const struct trace *trace, struct pieces *pieces);
+size_t arcfit_each(const struct reference *reference, struct pieces *pieces);
+
+/*
+ * The tangent-relaxed search: appends the fewest single arcs.  Each starts at the point and in the
+ * direction where the last one ended, and ends beside a point of the reference, up to ARC_JOINT_OFF
+ * across: freeing the tangents saves a third of the arcs of any biarc fit.  The axis at a joint may
+ * be off the reference's too.  Of the chains with equally many arcs a beam is kept: those from
+ * which the next arc can reach furthest.
+ *
+ * Each piece is proven by arc_piece_deviation, with joints rounded to `digits` decimals.  Where
+ * single arcs do not do everywhere, there are never more pieces than arcfit_biarcs makes.
+ */
+void arcfit_beam(const struct reference *reference, const struct deviation *within, int digits,
+                 struct pieces *pieces);
+
+/*
+ * Replaces parts of the chain `pieces`, which keep `within` of the reference, by fewer pieces that
+ * keep it, proven by arc_piece_deviation with joints rounded to `digits` decimals.  All joints and
+ * the tangent at the start (where the tool axis turns, its directions at the joints too) move at
+ * once; one arc fewer is tried from joints spaced anew until none holds.  Kinks stay where they
+ * are. `thorough`: from many spacings of the joints also where the axis turns.  That takes several
+ * times as long for a tenth fewer arcs of smooth data, and for hardly fewer of a scan.
+ */
+void arcfit_reduce(const struct reference *reference, const struct deviation *within, int digits,
+                   bool thorough, struct pieces *pieces);
+
+/* The reference from its last point to its first; the caller frees it (reference_free). */
+struct reference arcfit_reverse_reference(const struct reference *reference);
+
+/* Turns round the pieces of a reference of `points` points that was turned round. */
+void arcfit_reverse_pieces(struct pieces *pieces, size_t points);
+
+/*
+ * `before` are the pieces of the reference `old`, `now` the reference that it has become: points in
+ * its middle are moved, and there may be more or fewer of them.  Into `pieces` go those of `before`
+ * that follow what is as it was, and between them as many arcs as there were, or a few more, proven
+ * by arc_piece_deviation.  False, and nothing of use in `pieces`, where that does not hold, where
+ * too many pieces would have to be fitted anew, or where the ends of the reference moved.
+ */
+bool arcfit_update(const struct reference *old, const struct reference *now,
+                   const struct deviation *within, int digits, const struct pieces *before,
+                   struct pieces *pieces);
 
 #endif

@@ -18,6 +18,10 @@ struct foot {
     double distance;
 };
 
+/* Distance of q from `b`, of at least 2 vertices, mm: goes downhill from piece *segment to its
+ * neighbours while these are nearer. */
+double polyline_descend(struct polyline b, struct vec3 q, size_t *segment);
+
 /*
  * The foot point on `b` of the point q, which is `step` away from a point whose foot is `from`:
  * looked for no further along `b` than it can have moved.

@@ -6,6 +6,7 @@
 
 #include "curve/motion.h"
 #include "curve/run.h"
+#include "gouge/gouge_refit.h"
 #include "splinefit/splinefit.h"
 
 struct spline_run_piece {
@@ -52,5 +53,21 @@ void spline_run_part(const struct run *run, bool centre, const struct splinefit_
                      size_t k, size_t i, struct spline_run *pieces);
 
 void spline_run_free(struct spline_run *pieces);
+
+struct spline_guard {
+    struct gouge_refit_options rule; /* without a guard, nothing is kept clear of */
+    bool paper;                      /* as published (spline_run.h) */
+    struct splinefit_options fit;
+};
+
+/*
+ * Fits the run (spline_run_fit; the ball's centre is tracked with rule.centre) and has its points
+ * lifted where the curves go too deep (gouge_refit_fit).  Where that does not help, as at an end,
+ * which stays, or where the path climbs a wall, the curve gives way to the straight line between
+ * the two points next to the place, which are what was checked before.  With `paper` what goes too
+ * deep is only told.  Frees what *pieces held.  The run's points are those that were lifted then.
+ */
+struct gouge_refit_result spline_guard_fit(const struct spline_guard *guard, struct run *run,
+                                           struct spline_run *pieces);
 
 #endif

@@ -1,24 +1,79 @@
 /*
- * splinefit - the search for the B-spline with the fewest poles that keeps a tolerance, by least
- * squares over parametrisations and knot vectors (paper 2, 2.3 and 3).
+ * splinefit - a pass as the B-spline with the fewest poles (control points) that keeps a tolerance.
  *
- * The six combinations are tried in the paper's order: parameters uniform, centripetal, by chord
- * length, each with knots uniform, then average.  Everything is judged on the printed digits.
+ * In: a reference (curve/reference.h; reference_distinct), the points of a cutting run between two
+ * corners, and what the curve may be off it.  Out: a curve as it will be printed, and its distance
+ * from the reference both ways.  Where the tool axis turns, a second curve, the head's, carries it.
+ *
+ * The stages (splinefit_search):
+ *
+ *   1. a straight line, where that serves
+ *   2. spline_lsq.h    least squares with given parameters and knots, counts of poles upwards and
+ *                      then by bisection (paper 2, 2.3 and 3; Piegl and Tiller, The NURBS
+ * Book, 9.4)
+ *   3. free_knots.h    fewer poles: knots that move
+ *        minimax.h       Gauss-Newton steps of poles and knots for p-norms rising towards the
+ *                        largest distance
+ *        footpoints.h    distances at the foot points and the normal equations' parts
+ *   4. spline_bound.h  each candidate rounded to its printed digits and proven on them, as an upper
+ *                      bound of the distance both ways
+ *   5. a polyline with a pole at each point, where nothing else serves
+ *
+ * spline_run.h drives this for a whole run: corners, dense data, the part kept clear of.
+ *
+ * Who spends what of the tolerance (bsplfit -e; E below):
+ *
+ *   constant           of   what for
+ *   SPLINE_SPARSE      E    points whose straight lines are further than this off the smooth path
+ *                           are made dense
+ *   SPLINE_DENSE       E    dense points off the smooth path; taken from E before the fit
+ *   SPLINE_RESOLUTION  what is left   of a proof by least squares: what its bound may hide
+ *   SPLINE_RESOLUTION_FREE   what is left   the same with free knots
+ *   SPLINE_MARGIN      what is left   kept by free knots for what the proof may find above it
+ *   SPLINE_FALLBACK    E    straight pieces off the curve, for controls without splines; they do
+ *                           not add to the curve's own distance in the ledger
+ *   SPLINE_CORNER      E    a turn is a corner if it is one over so many tolerances, too
  */
 #ifndef CLOUDMILL_SPLINEFIT_H
 #define CLOUDMILL_SPLINEFIT_H
 
-#include "splinefit/deviation.h"
-#include "splinefit/knots.h"
-#include "splinefit/params.h"
-#include "splinefit/spline_bound.h"
-#include "splinefit/track.h"
+#include "curve/bspline.h"
+#include "curve/reference.h"
+
+#define SPLINE_SPARSE 1.0
+#define SPLINE_DENSE 0.1
+#define SPLINE_RESOLUTION 0.005
+#define SPLINE_RESOLUTION_FREE 0.002
+#define SPLINE_MARGIN 0.001
+#define SPLINE_FALLBACK 0.99
+#define SPLINE_CORNER 10.0
+
+enum params_method {
+    PARAMS_UNIFORM,     /* equally spaced */
+    PARAMS_CENTRIPETAL, /* by the square roots of the chords */
+    PARAMS_CHORD        /* by the chords */
+};
+
+enum knots_method {
+    KNOTS_UNIFORM, /* inner knots equally spaced */
+    KNOTS_AVERAGE  /* inner knots follow the data: Piegl and Tiller eqs 9.68 and 9.69, so that each
+                      span holds data; with as many poles as points their eq 9.8 */
+};
+
+/* How far a curve is from its data, by the measures of paper 2, at the data's own parameters. */
+struct fit_error {
+    double c1;     /* eq 7: largest |Q_k - C(u_k)|, mm */
+    double c2;     /* eq 8 as it is printed: sqrt(sum |Q_k - C(u_k)|^2) / (m + 1), mm */
+    double rms;    /* the root of the mean square, sqrt(sum / (m + 1)) = c2 sqrt(m + 1), mm */
+    double middle; /* largest distance from the middle of two neighbouring points to the curve at
+                      the middle of their parameters, mm */
+};
 
 struct splinefit_options {
     int degree;       /* 1 to BSPLINE_DEGREE_MAX, as a rule 3 */
     int params;       /* one enum params_method, or -1: all */
     int knots;        /* one enum knots_method, or -1: all */
-    double tolerance; /* mm */
+    double tolerance; /* of the tracked point and the other one, mm */
     double angle;     /* of the axis, radians */
 };
 
@@ -34,36 +89,39 @@ struct splinefit {
     enum splinefit_kind kind;
     enum params_method params;
     enum knots_method knots;
-    struct deviation deviation; /* of the tracked point, by the paper's measures */
-    struct spline_bound proof;  /* distance both ways */
+    struct fit_error deviation; /* of the tracked point, by the paper's measures */
+    struct deviation proof;     /* distance both ways */
     bool within;                /* what the search promises holds */
     bool cut;                   /* it took too long: fewer poles might do */
 };
 
 /*
+ * The six combinations of parameters (uniform, centripetal, by chord length) and knots (uniform,
+ * average) are tried in the paper's order.
+ *
  * As published: 5 poles, then 5 more each time, until a combination has C1 (eq 7) <= tolerance at
- * the tracked point - and, what a paper on 3 axes leaves open, at the other end of the radius; with
+ * the tracked point - and, what a paper on 3 axes leaves open, at the other point; with
  * more poles than points, degree 1 with a pole at each.  `proof` tells what the distance both ways
- * is then; it may be more than the tolerance.  The track has at least 2 points.
+ * is then; it may be more than the tolerance.  The reference has at least 2 points.
  */
-void splinefit_paper(const struct track *track, const struct splinefit_options *options,
+void splinefit_paper(const struct reference *reference, const struct splinefit_options *options,
                      struct splinefit *fit);
 
 /*
  * The default: a straight line; else what free_knots_search finds.  Where that finds nothing, where
  * it was cut short and this is better, and when `params` or `knots` are given: 5, 10, 15 ... poles
- * (from 40 on a quarter more each time) until spline_bound_keeps holds for a combination, then the
+ * (from 40 on a quarter more each time) until a combination keeps the tolerance, then the
  * least count above the last that failed, by bisection.  Degree 1 with a pole at each point when
  * nothing else serves.
  */
-void splinefit_search(const struct track *track, const struct splinefit_options *options,
+void splinefit_search(const struct reference *reference, const struct splinefit_options *options,
                       struct splinefit *fit);
 
 /*
  * The default for data that lies only a little beside that of `before`: the same curve, moved
  * (free_knots_again); where that does not serve, as splinefit_search.
  */
-void splinefit_again(const struct track *track, const struct splinefit_options *options,
+void splinefit_again(const struct reference *reference, const struct splinefit_options *options,
                      const struct splinefit *before, struct splinefit *fit);
 
 void splinefit_free(struct splinefit *fit);

@@ -8,10 +8,10 @@
 #include "stage/arcprint.h"
 
 struct arcmemory_part {
-    struct trace trace;
+    struct reference reference;
     struct pieces pieces;
     struct printeds printed; /* none: taken out */
-    struct arc_deviation worst;
+    struct deviation worst;
 };
 
 /* Starts as all zero; owns its parts. */
@@ -22,12 +22,12 @@ struct arcmemory {
 
 /* Takes out what became of a part with these very points: its pieces in the place of those in
  * `pieces` and `printed`.  False when there was none. */
-bool arcmemory_take(struct arcmemory *memory, const struct trace *trace, struct pieces *pieces,
-                    struct printeds *printed, struct arc_deviation *worst);
+bool arcmemory_take(struct arcmemory *memory, const struct reference *reference,
+                    struct pieces *pieces, struct printeds *printed, struct deviation *worst);
 
-/* The part that begins and ends where the trace does; NULL: none. */
+/* The part that begins and ends where the reference does; NULL: none. */
 const struct arcmemory_part *arcmemory_like(const struct arcmemory *memory,
-                                            const struct trace *trace);
+                                            const struct reference *reference);
 
 void arcmemory_free(struct arcmemory *memory);
 

@@ -28,10 +28,10 @@ struct printeds {
  * than a thousandth of a millimetre, or rounding leaves nothing of its turn. */
 struct printed arcprint_piece(const struct arc_piece *piece, struct vec3 from);
 
-/* All pieces that follow a trace, beginning at its first point, in the place of what is in
+/* All pieces that follow a reference, beginning at its first point, in the place of what is in
  * `printed`.  Returns how far they stray from it: without limit when they don't lead to its end. */
-struct arc_deviation arcprint_pieces(const struct trace *trace, const struct pieces *pieces,
-                                     struct printeds *printed);
+struct deviation arcprint_pieces(const struct reference *reference, const struct pieces *pieces,
+                                 struct printeds *printed);
 
 /* How many equal chords keep within `sagitta` mm of the piece, at the tracked point and at the
  * other end of the lever: a power of two, at most 4096. */

@@ -31,7 +31,7 @@ struct arcrun_report {
     size_t kinks;   /* other places where the direction jumps */
     double length;  /* mm */
     double spent;   /* of the tolerance, mm: what is strayed and what the reference takes */
-    struct arc_deviation worst;
+    struct deviation worst;
 };
 
 /*

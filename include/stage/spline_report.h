@@ -13,8 +13,8 @@ struct spline_report {
     size_t points, splines, poles;
     size_t polylines;           /* splines that fell back to degree 1 with a pole at each point */
     size_t cut;                 /* curves whose search was cut short */
-    struct deviation deviation; /* the largest of each */
-    struct spline_bound worst;  /* the largest of each */
+    struct fit_error deviation; /* the largest of each */
+    struct deviation worst;     /* the largest of each */
     double spent;               /* of the tolerance, mm: the worst distance, and what the making
                                    dense of the data took */
 };

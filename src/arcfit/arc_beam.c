@@ -1,42 +1,165 @@
-/* arc_beam - see arc_beam.h. */
-#include "arcfit/arc_beam.h"
+/* arc_beam - see arcfit.h, arcfit_beam. */
+#include "arc_beam.h"
 
 #include <stdlib.h>
 
-#include "arc_window.h"
-#include "arc_axis.h"
+/* ---- which single arcs can follow the reference, and how far */
+
+static const double FURTHER = 1.0 / 40; /* the next point looked at is so much further away */
+
+/* Direction across t to which the reference bends: that in which it first is clearly off the line.
+ */
+static struct vec3 bend_direction(const struct reference *reference, size_t at, struct vec3 p,
+                                  struct vec3 t, double tolerance)
+{
+    struct vec3 across = {0};
+    for (size_t j = at + 1; j < reference->n && vec_length(across) < 2 * tolerance; j++)
+        across = vec_reject(vec_sub(reference->point[j], p), t);
+    across = vec_unit(across);
+    return vec_dot(across, across) > 0.5 ? across : vec_perpendicular(t);
+}
+
+static struct arc_window open_window(struct vec3 u, struct vec3 t)
+{
+    struct arc_window w = {.u = u, .v = vec_cross(t, u)};
+    for (int i = 0; i < 4; i++) {
+        w.lo[i] = -HUGE_VAL;
+        w.hi[i] = HUGE_VAL;
+    }
+    return w;
+}
+
+/* Cuts the window to a disc; false when nothing is left. */
+static bool cut_to_disc(struct arc_window *w, struct vec3 k, double radius)
+{
+    double u = vec_dot(k, w->u), v = vec_dot(k, w->v), half = sqrt(0.5);
+    double along[4] = {u, v, half * (u + v), half * (u - v)};
+    for (int i = 0; i < 4; i++) {
+        double lo = along[i] - radius, hi = along[i] + radius;
+        w->lo[i] = lo > w->lo[i] ? lo : w->lo[i];
+        w->hi[i] = hi < w->hi[i] ? hi : w->hi[i];
+        if (w->lo[i] > w->hi[i])
+            return false;
+    }
+    return true;
+}
+
+size_t arc_look_ahead(const struct reference *reference, size_t at, struct vec3 p, struct vec3 t,
+                      double tolerance, struct arc_windows *windows)
+{
+    struct arc_window w = open_window(bend_direction(reference, at, p, t, tolerance), t);
+    double start = reference->length[at], next = 0;
+    size_t last = at;
+    for (size_t j = at + 1; j < reference->n; j++) {
+        if (reference->length[j] < next && j + 1 < reference->n)
+            continue;
+        next = start + (1 + FURTHER) * (reference->length[j] - start);
+        struct vec3 e = vec_sub(reference->point[j], p);
+        double ahead = vec_dot(e, t), e2 = vec_dot(e, e);
+        if (e2 > tolerance * tolerance) {
+            struct vec3 k = vec_scale(2 / e2, vec_along(e, -ahead, t));
+            if (ahead <= 0 || !cut_to_disc(&w, k, 2 * tolerance / e2))
+                break;
+            w.point = j;
+            if (windows)
+                *array_push(windows) = w;
+        }
+        last = j;
+    }
+    return last;
+}
+
+struct vec3 arc_window_curvature(const struct arc_window *w, double across, double aside)
+{
+    struct vec3 k = vec_scale(w->lo[0] + across * (w->hi[0] - w->lo[0]), w->u);
+    return vec_along(k, w->lo[1] + aside * (w->hi[1] - w->lo[1]), w->v);
+}
+
+bool arc_window_holds_line(const struct arc_window *w)
+{
+    return w->lo[0] <= 0 && w->hi[0] >= 0 && w->lo[1] <= 0 && w->hi[1] >= 0;
+}
+
+/* ---- the axis at the end of a piece */
+
+enum { SAMPLES = 8 }; /* points looked at on a piece, at most; more on very short ones */
+
+/* Sideways at point k: across the other point's path and across the axis; only a turn of the axis
+ * in this direction takes the other point off its path. */
+static struct vec3 sideways_direction(const struct reference *t, size_t k)
+{
+    size_t before = k > 0 ? k - 1 : k, after = k + 1 < t->n ? k + 1 : k;
+    struct vec3 ahead = vec_sub(t->other[after], t->other[before]);
+    return vec_unit(vec_cross(vec_unit(ahead), t->axis[k]));
+}
+
+/* How far sideways_direction the other point is from point k when the piece is at s, mm. */
+static double sideways_error(const struct reference *t, const struct arc_piece *piece, size_t k,
+                             double s, struct vec3 side)
+{
+    struct vec3 axis = vec_mix(piece->axis, piece->axis_to, s);
+    struct vec3 other = vec_along(arc_at(&piece->arc, s), t->offset, vec_unit(axis));
+    return vec_dot(vec_sub(t->other[k], other), side);
+}
+
+static double clamp(double x, double lo, double hi)
+{
+    return x < lo ? lo : x > hi ? hi : x;
+}
+
+struct vec3 arc_axis_end(const struct reference *reference, const struct arc_piece *piece,
+                         const struct deviation *within, double part, int digits)
+{
+    size_t from = (size_t)piece->from, to = (size_t)piece->to;
+    size_t stride = (to - from) / SAMPLES + 1;
+    double sum = 0, weight = 0;
+    for (size_t k = to; k > from; k = k > from + stride ? k - stride : from) {
+        double s = arc_foot(&piece->arc, reference->point[k]);
+        sum += s * sideways_error(reference, piece, k, s, sideways_direction(reference, k));
+        weight += s * s;
+    }
+    struct vec3 side = sideways_direction(reference, to);
+    double offset = reference->offset;
+    if (weight <= 0 || offset == 0 || vec_dot(side, side) < 0.5)
+        return piece->axis_to;
+    double end = sideways_error(reference, piece, to, 1, side), room = part * within->other;
+    double shift = clamp(sum / weight, end - room, end + room) / offset;
+    shift = clamp(shift, -part * within->axis, part * within->axis);
+    struct vec3 axis = vec_unit(vec_along(piece->axis_to, shift, side));
+    return vec_unit(vec_round(axis, digits));
+}
+
+/* ---- the beam */
 
 enum {
-    BEAM = 24,   /* chains kept where the axis stands still, */
-    SWUNG = 8,   /* and where it turns: there each proof takes longer */
-    SHORTER = 6, /* ends tried, each a sixteenth of the reach shorter than the one before */
-    ACROSS = 5,  /* curvatures tried in the plane of the bend, */
-    ASIDE = 3,   /* and out of it */
-    TURNED = 3,  /* directions tried at the start, to each side */
+    BEAM = 24,        /* chains kept where the axis stands still, */
+    BEAM_TURNING = 8, /* and where it turns: there each proof takes longer */
+    SHORTER = 6,      /* ends tried, each a sixteenth of the reach shorter than the one before */
+    ACROSS = 5,       /* curvatures tried in the plane of the bend, */
+    ASIDE = 3,        /* and out of it */
+    TURNED = 3,       /* directions tried at the start, to each side */
     AXIS_DIGITS = 9
 };
 
-static const double SIDEWAYS = 0.85; /* of the tolerance: how far a joint may be off the trace */
-static const double SWING = 0.6;    /* of the tolerances: how far an axis may be set off for them */
-static const double TURN_MAX = 2.6; /* of one arc, radians */
+static const double TURN_MAX = 2.6;  /* of one arc, radians */
 static const double STRAIGHT = 1e-9; /* mm: an end this near to the line ahead is on it */
 
-/* A chain of pieces, by its last one. */
-struct link {
-    struct arc_piece piece; /* none in the links that start a chain */
-    size_t before;          /* link */
-    struct reached end;
+/* A chain of pieces, told by its last one. */
+struct node {
+    struct arc_piece piece; /* none in the nodes that start a chain */
+    size_t before;          /* node */
+    struct chain_end end;
 };
 
-struct links {
+struct nodes {
     size_t n, cap;
-    struct link *item;
+    struct node *item;
 };
 
 /* A piece to come, not proven yet. */
 struct proposal {
-    size_t before;    /* link */
-    size_t at;        /* point of the trace reached, */
+    size_t before;    /* node */
+    size_t at;        /* point of the reference reached, */
     struct vec3 p, t; /* beside which, in which direction */
     bool straight;
     size_t reach; /* point that the next piece may reach */
@@ -49,25 +172,25 @@ struct proposals {
 };
 
 struct beam {
-    const struct trace *trace;
-    const struct arc_deviation *within;
+    const struct reference *reference;
+    const struct deviation *within;
     int digits;
     size_t width;      /* chains kept */
-    struct links done; /* all that are part of chains */
+    struct nodes done; /* all that are part of chains */
     struct proposals next;
-    struct arc_windows windows; /* for use within expand */
+    struct arc_windows windows; /* for use within propose_next */
     size_t stepped;             /* pieces that are no single arcs, where these would not do */
 };
 
-static size_t reach_of(const struct beam *b, size_t at, struct vec3 p, struct vec3 t)
+static size_t reach_from(const struct beam *b, size_t at, struct vec3 p, struct vec3 t)
 {
-    return arc_window(b->trace, at, p, t, b->within->tracked, NULL);
+    return arc_look_ahead(b->reference, at, p, t, b->within->point, NULL);
 }
 
-/* An arc from link `before` to `to` beside point j. */
+/* An arc from node `before` to `to` beside point j. */
 static void propose(struct beam *b, size_t before, size_t j, struct vec3 to)
 {
-    const struct reached *from = &b->done.item[before].end;
+    const struct chain_end *from = &b->done.item[before].end;
     struct vec3 e = vec_sub(to, from->p);
     double chord = vec_length(e), ahead = vec_dot(e, from->tangent);
     if (chord <= 0 || ahead < cos(TURN_MAX / 2) * chord)
@@ -77,15 +200,15 @@ static void propose(struct beam *b, size_t before, size_t j, struct vec3 to)
     /* half its turn is between the tangent and the chord */
     next.straight = ahead > 0 && vec_length(vec_reject(e, from->tangent)) < sin(ARCFIT_KINK);
     next.t = next.straight ? e : vec_along(vec_scale(-1, from->tangent), 2 * ahead / chord, e);
-    next.reach = reach_of(b, j, to, next.t);
+    next.reach = reach_from(b, j, to, next.t);
     *array_push(&b->next) = next;
 }
 
 /* The arc of curvature k up to where it is nearest to point j. */
 static void propose_curvature(struct beam *b, size_t before, size_t j, struct vec3 k)
 {
-    const struct reached *from = &b->done.item[before].end;
-    struct vec3 aim = b->trace->p[j], e = vec_sub(aim, from->p);
+    const struct chain_end *from = &b->done.item[before].end;
+    struct vec3 aim = b->reference->point[j], e = vec_sub(aim, from->p);
     double bent = vec_length(k), x = vec_dot(e, from->tangent);
     struct vec3 to = vec_along(from->p, x, from->tangent);
     if (bent * x * x > STRAIGHT) { /* from the centre in the direction of the aim */
@@ -95,31 +218,31 @@ static void propose_curvature(struct beam *b, size_t before, size_t j, struct ve
         to = vec_along(from->p, sine / bent, from->tangent);
         to = vec_along(to, height / bent, inward);
     }
-    if (vec_distance(to, aim) > SIDEWAYS * b->within->tracked)
+    if (vec_distance(to, aim) > ARC_JOINT_OFF * b->within->point)
         return;
     propose(b, before, j, vec_round(to, b->digits));
 }
 
 static void propose_window(struct beam *b, size_t before, const struct arc_window *w)
 {
-    if (arc_window_straight(w))
+    if (arc_window_holds_line(w))
         propose_curvature(b, before, w->point, vec(0, 0, 0));
     for (int x = 0; x < ACROSS; x++) {
         for (int y = 0; y < ASIDE; y++) {
             double across = 0.02 + 0.96 * x / (ACROSS - 1), aside = 0.1 + 0.8 * y / (ASIDE - 1);
-            propose_curvature(b, before, w->point, arc_window_at(w, across, aside));
+            propose_curvature(b, before, w->point, arc_window_curvature(w, across, aside));
         }
     }
 }
 
-static void expand(struct beam *b, size_t before)
+static void propose_next(struct beam *b, size_t before)
 {
-    const struct trace *t = b->trace;
-    struct reached l = b->done.item[before].end;
+    const struct reference *t = b->reference;
+    struct chain_end l = b->done.item[before].end;
     b->windows.n = 0;
-    size_t reach = arc_window(t, l.at, l.p, l.tangent, b->within->tracked, &b->windows);
+    size_t reach = arc_look_ahead(t, l.at, l.p, l.tangent, b->within->point, &b->windows);
     if (reach + 1 == t->n)
-        propose(b, before, reach, t->p[reach]);
+        propose(b, before, reach, t->point[reach]);
     double whole = t->length[reach] - t->length[l.at];
     size_t i = b->windows.n;
     for (int k = 0; k < SHORTER; k++) {
@@ -145,44 +268,45 @@ static int by_reach(const void *a, const void *b)
 
 static bool finished(const struct beam *b)
 {
-    return b->done.item[b->done.n - 1].end.at + 1 == b->trace->n;
+    return b->done.item[b->done.n - 1].end.at + 1 == b->reference->n;
 }
 
-/* The link that a proposal comes to; false when its piece strays too far. */
-static bool prove(const struct beam *b, const struct proposal *n, struct link *link,
-                  struct arc_deviation *stray)
+/* The node that a proposal comes to; false when its piece is too far off. */
+static bool prove_piece(const struct beam *b, const struct proposal *n, struct node *node,
+                        struct deviation *stray)
 {
-    const struct trace *t = b->trace;
-    const struct reached *from = &b->done.item[n->before].end;
+    const struct reference *t = b->reference;
+    const struct chain_end *from = &b->done.item[n->before].end;
     struct arc arc = n->straight ? arc_line(from->p, n->p) : arc_to(from->p, from->tangent, n->p);
     struct arc_piece piece = arc_piece_of(t, arc, (double)from->at, (double)n->at);
     piece.axis = from->axis;
     *stray = arc_piece_deviation(t, &piece, 4, b->within);
-    if (stray->tracked <= b->within->tracked && stray->other > b->within->other &&
-        n->at + 1 < t->n) {
-        piece.axis_to = arc_axis_end(t, &piece, b->within, SWING, AXIS_DIGITS);
+    if (stray->point <= b->within->point && stray->other > b->within->other && n->at + 1 < t->n) {
+        piece.axis_to = arc_axis_end(t, &piece, b->within, ARC_AXIS_OFF, AXIS_DIGITS);
         *stray = arc_piece_deviation(t, &piece, 4, b->within);
     }
-    *link = (struct link){.piece = piece,
+    *node = (struct node){.piece = piece,
                           .before = n->before,
                           .end = {n->at, n->p, arc_tangent(&arc, 1), piece.axis_to}};
-    return arc_deviation_within(stray, b->within);
+    return deviation_within(stray, b->within);
 }
 
-/* The best of the proposals that are through: a line, else what strays least; false when none is.
+/* The best of the proposals that reach the last point: a line, else what is least off; false when
+ * none is.
  */
-static bool keep_finished(struct beam *b)
+static bool keep_best_finished(struct beam *b)
 {
-    struct link best = {0};
-    struct arc_deviation least = *b->within;
+    struct node best = {0};
+    struct deviation least = *b->within;
     bool any = false;
     for (size_t i = 0; i < b->next.n; i++) {
-        struct link l;
-        struct arc_deviation stray;
-        if (b->next.item[i].at + 1 < b->trace->n || !prove(b, &b->next.item[i], &l, &stray))
+        struct node l;
+        struct deviation stray;
+        if (b->next.item[i].at + 1 < b->reference->n ||
+            !prove_piece(b, &b->next.item[i], &l, &stray))
             continue;
         bool line = arc_straight(&l.piece.arc), had = any && arc_straight(&best.piece.arc);
-        if (!any || line > had || (line == had && stray.tracked < least.tracked)) {
+        if (!any || line > had || (line == had && stray.point < least.point)) {
             best = l;
             least = stray;
             any = true;
@@ -196,13 +320,13 @@ static bool keep_finished(struct beam *b)
 /* Moves the best of the proposals that hold into the chains; returns how many. */
 static size_t keep_best(struct beam *b)
 {
-    size_t kept = keep_finished(b);
+    size_t kept = keep_best_finished(b);
     if (b->next.n > 1)
         qsort(b->next.item, b->next.n, sizeof *b->next.item, by_reach);
     for (size_t i = 0; i < b->next.n && kept < b->width && !finished(b); i++) {
-        struct link l;
-        struct arc_deviation stray;
-        if (!prove(b, &b->next.item[i], &l, &stray))
+        struct node l;
+        struct deviation stray;
+        if (!prove_piece(b, &b->next.item[i], &l, &stray))
             continue;
         *array_push(&b->done) = l;
         kept++;
@@ -215,44 +339,44 @@ static size_t keep_best(struct beam *b)
 static void step_by_biarc(struct beam *b, size_t from)
 {
     struct pieces m = {0};
-    struct reached start = b->done.item[from].end;
-    arcfit_step(b->trace, b->within, &start, &m);
+    struct chain_end start = b->done.item[from].end;
+    arcfit_step(b->reference, b->within, &start, &m);
     for (size_t i = 0; i < m.n; i++) {
         const struct arc *arc = &m.item[i].arc;
-        struct link next = {.piece = m.item[i], .before = i ? b->done.n - 1 : from};
-        next.end = (struct reached){(size_t)ceil(m.item[i].to), arc->to, arc_tangent(arc, 1),
-                                    m.item[i].axis_to};
+        struct node next = {.piece = m.item[i], .before = i ? b->done.n - 1 : from};
+        next.end = (struct chain_end){(size_t)ceil(m.item[i].to), arc->to, arc_tangent(arc, 1),
+                                      m.item[i].axis_to};
         *array_push(&b->done) = next;
     }
-    struct reached *last = &b->done.item[b->done.n - 1].end;
-    if (vec_dot(last->tangent, b->trace->tangent[last->at]) < 0.8)
-        last->tangent = b->trace->tangent[last->at];
+    struct chain_end *last = &b->done.item[b->done.n - 1].end;
+    if (vec_dot(last->tangent, b->reference->tangent[last->at]) < 0.8)
+        last->tangent = b->reference->tangent[last->at];
     b->stepped += m.n;
     array_free(&m);
 }
 
-/* Chains start at the first point, in directions around the trace's own. */
-static void start(struct beam *b)
+/* Chains start at the first point, in directions around the reference's own. */
+static void add_starts(struct beam *b)
 {
-    const struct trace *t = b->trace;
+    const struct reference *t = b->reference;
     struct vec3 ahead = t->tangent[0];
-    double far = fmax(t->length[reach_of(b, 0, t->p[0], ahead)], b->within->tracked);
-    double turn = b->within->tracked / far;
+    double far = fmax(t->length[reach_from(b, 0, t->point[0], ahead)], b->within->point);
+    double turn = b->within->point / far;
     struct vec3 u = vec_perpendicular(ahead), v = vec_cross(ahead, u);
     for (int x = -TURNED; x <= TURNED; x++) {
         for (int y = -TURNED; y <= TURNED; y++) {
             struct vec3 turned = vec_unit(vec_along(vec_along(ahead, x * turn, u), y * turn, v));
-            *array_push(&b->done) = (struct link){.end = {0, t->p[0], turned, t->axis[0]}};
+            *array_push(&b->done) = (struct node){.end = {0, t->point[0], turned, t->axis[0]}};
         }
     }
 }
 
-/* Pieces of the chain that ends in `link`, in order. */
-static void chain_of(const struct beam *b, size_t link, size_t starts, struct pieces *pieces)
+/* Pieces of the chain that ends in `node`, in order. */
+static void collect_chain(const struct beam *b, size_t node, size_t starts, struct pieces *pieces)
 {
     struct sizes back = {0};
-    for (; link >= starts; link = b->done.item[link].before)
-        *array_push(&back) = link;
+    for (; node >= starts; node = b->done.item[node].before)
+        *array_push(&back) = node;
     while (back.n > 0)
         *array_push(pieces) = b->done.item[back.item[--back.n]].piece;
     array_free(&back);
@@ -265,7 +389,7 @@ static void search(struct beam *b)
     while (!finished(b)) {
         size_t to = b->done.n;
         for (size_t i = from; i < to; i++)
-            expand(b, i);
+            propose_next(b, i);
         if (keep_best(b) > 0) {
             from = to;
         } else {
@@ -275,20 +399,20 @@ static void search(struct beam *b)
     }
 }
 
-void arc_beam_fit(const struct trace *trace, const struct arc_deviation *within, int digits,
-                  struct pieces *pieces)
+void arcfit_beam(const struct reference *reference, const struct deviation *within, int digits,
+                 struct pieces *pieces)
 {
-    if (trace->n < 2)
+    if (reference->n < 2)
         return;
-    struct beam b = {.trace = trace, .within = within, .digits = digits};
+    struct beam b = {.reference = reference, .within = within, .digits = digits};
     struct pieces biarcs = {0}, arcs = {0};
-    b.width = trace_axis_still(trace, 0, trace->n - 1) ? BEAM : SWUNG;
-    start(&b);
+    b.width = reference_axis_still(reference, 0, reference->n - 1) ? BEAM : BEAM_TURNING;
+    add_starts(&b);
     size_t starts = b.done.n;
     search(&b);
-    chain_of(&b, b.done.n - 1, starts, &arcs);
+    collect_chain(&b, b.done.n - 1, starts, &arcs);
     if (4 * b.stepped > arcs.n)
-        arcfit_biarcs(trace, within, &biarcs);
+        arcfit_biarcs(reference, within, &biarcs);
     const struct pieces *best = biarcs.n == 0 || arcs.n <= biarcs.n ? &arcs : &biarcs;
     for (size_t i = 0; i < best->n; i++)
         *array_push(pieces) = best->item[i];

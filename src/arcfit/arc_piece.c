@@ -1,122 +1,116 @@
 /* arc_piece - see arc_piece.h. */
 #include "arcfit/arc_piece.h"
 
+#include "curve/polyline.h"
+
 enum { FINE_MAX = 64 };
 
-struct arc_piece arc_piece_of(const struct trace *trace, struct arc arc, double from, double to)
+static const double SAGITTA = 1.0 / 20; /* of the tolerance: between the places looked at */
+
+struct arc_piece arc_piece_of(const struct reference *reference, struct arc arc, double from,
+                              double to)
 {
     return (struct arc_piece){.arc = arc,
                               .from = from,
                               .to = to,
-                              .axis = trace_axis(trace, from),
-                              .axis_to = trace_axis(trace, to)};
-}
-
-bool arc_deviation_within(const struct arc_deviation *stray, const struct arc_deviation *within)
-{
-    return stray->tracked <= within->tracked && stray->other <= within->other &&
-           stray->axis <= within->axis;
-}
-
-struct arc_deviation arc_deviation_worst(struct arc_deviation a, struct arc_deviation b)
-{
-    return (struct arc_deviation){fmax(a.tracked, b.tracked), fmax(a.other, b.other),
-                                  fmax(a.axis, b.axis)};
+                              .axis = reference_axis(reference, from),
+                              .axis_to = reference_axis(reference, to)};
 }
 
 /* Distances between matching places, mm. */
-struct apart {
-    double tracked, other;
+struct distances {
+    double point, other;
 };
 
 /* A piece made ready to be asked for many places. */
 struct follower {
-    const struct trace *trace;
+    const struct reference *reference;
     const struct arc *arc;
-    struct vec3 axis, aside;    /* the axis at an angle u: axis cos u + aside sin u */
-    double swing;               /* in all, radians */
-    double length;              /* of the arc */
-    bool lone;                  /* nobody at the other end: no lever, or the axis is still */
-    struct arc_deviation stray; /* its axis: the square of the chord between the unit vectors */
-    size_t tracked, other;      /* segments of the trace last met */
-    struct apart here;          /* at the foot of the point last met */
+    struct vec3 axis, aside; /* the axis at an angle u: axis cos u + aside sin u */
+    double swing;            /* in all, radians */
+    double length;           /* of the arc */
+    bool alone; /* the other point is as far off as this one: no offset, or the axis is still */
+    struct deviation found; /* its axis: the square of the chord between the unit vectors */
+    size_t point, other;    /* segments of the reference last met */
+    struct distances here;  /* at the foot of the point last met */
 };
 
 /* Where the piece is at one place. */
-struct spot {
+struct position {
     struct vec3 p, axis, turn, other;
 };
 
-static struct spot spot_at(const struct follower *f, double s)
+static struct position position_at(const struct follower *f, double s)
 {
-    struct spot spot = {.p = arc_at(f->arc, s)};
-    if (f->lone)
-        return spot;
+    struct position position = {.p = arc_at(f->arc, s)};
+    if (f->alone)
+        return position;
     double u = s * f->swing, c = cos(u), d = sin(u);
-    spot.axis = vec_along(vec_scale(c, f->axis), d, f->aside);
-    spot.turn = vec_along(vec_scale(-d, f->axis), c, f->aside);
-    spot.other = vec_along(spot.p, f->trace->lever, spot.axis);
-    return spot;
+    position.axis = vec_along(vec_scale(c, f->axis), d, f->aside);
+    position.turn = vec_along(vec_scale(-d, f->axis), c, f->aside);
+    position.other = vec_along(position.p, f->reference->offset, position.axis);
+    return position;
 }
 
-/* From the piece at s to the trace. */
-static void meet_trace(struct follower *f, double s)
+/* From the piece at s to the reference. */
+static void measure_to_reference(struct follower *f, double s)
 {
-    const struct trace *t = f->trace;
-    struct spot spot = spot_at(f, s);
-    double d = trace_distance(t->p, t->n, spot.p, &f->tracked);
-    f->stray.tracked = fmax(f->stray.tracked, d);
-    if (f->lone)
+    const struct reference *t = f->reference;
+    struct position position = position_at(f, s);
+    double d = polyline_descend((struct polyline){t->n, t->point}, position.p, &f->point);
+    f->found.point = fmax(f->found.point, d);
+    if (f->alone)
         return;
-    d = trace_distance(t->other, t->n, spot.other, &f->other);
-    f->stray.other = fmax(f->stray.other, d);
+    d = polyline_descend((struct polyline){t->n, t->other}, position.other, &f->other);
+    f->found.other = fmax(f->found.other, d);
 }
 
-/* From the other point k of the trace to the piece: near s, by Newton steps towards its foot. */
-static void meet_other(struct follower *f, size_t k, double s, struct spot spot)
+/* From the other point k of the reference to the piece: near s, by Newton steps towards its foot.
+ */
+static void measure_from_other(struct follower *f, size_t k, double s, struct position position)
 {
-    struct vec3 off = vec_sub(f->trace->other[k], spot.other);
+    struct vec3 off = vec_sub(f->reference->other[k], position.other);
     double d = vec_length(off);
-    for (int i = 0; i < 2 && d > f->stray.other; i++) {
+    for (int i = 0; i < 2 && d > f->found.other; i++) {
         struct vec3 v = vec_scale(f->length, arc_tangent(f->arc, s));
-        v = vec_along(v, f->trace->lever * f->swing, spot.turn);
+        v = vec_along(v, f->reference->offset * f->swing, position.turn);
         double v2 = vec_dot(v, v);
         if (v2 <= 0)
             break;
         s = fmin(1, fmax(0, s + vec_dot(off, v) / v2));
-        spot = spot_at(f, s);
-        off = vec_sub(f->trace->other[k], spot.other);
+        position = position_at(f, s);
+        off = vec_sub(f->reference->other[k], position.other);
         d = fmin(d, vec_length(off));
     }
-    f->stray.other = fmax(f->stray.other, d);
+    f->found.other = fmax(f->found.other, d);
 }
 
-/* From point k of the trace, whose foot is s, to the piece. */
-static void meet_point(struct follower *f, size_t k, double s)
+/* From point k of the reference, whose foot is s, to the piece. */
+static void measure_from_point(struct follower *f, size_t k, double s)
 {
-    const struct trace *t = f->trace;
-    struct spot spot = spot_at(f, s);
-    f->here.tracked = vec_distance(t->p[k], spot.p);
-    f->stray.tracked = fmax(f->stray.tracked, f->here.tracked);
-    if (f->lone)
+    const struct reference *t = f->reference;
+    struct position position = position_at(f, s);
+    f->here.point = vec_distance(t->point[k], position.p);
+    f->found.point = fmax(f->found.point, f->here.point);
+    if (f->alone)
         return;
-    f->here.other = vec_distance(t->other[k], spot.other);
-    struct vec3 swung = vec_sub(t->axis[k], spot.axis);
-    f->stray.axis = fmax(f->stray.axis, vec_dot(swung, swung));
-    meet_other(f, k, s, spot);
+    f->here.other = vec_distance(t->other[k], position.other);
+    struct vec3 swung = vec_sub(t->axis[k], position.axis);
+    f->found.axis = fmax(f->found.axis, vec_dot(swung, swung));
+    measure_from_other(f, k, s, position);
 }
 
 /* Places between two feet that have to be looked at, by the sagitta between them. */
 static int places_between(const struct arc *arc, double s0, double s1, int fine, double limit)
 {
     double turn = (s1 - s0) * arc->angle, sagitta = arc->radius * turn * turn / 8;
-    double need = ceil(sqrt(sagitta / (limit / 20)));
+    double need = ceil(sqrt(sagitta / (limit * SAGITTA)));
     return need > fine ? need < FINE_MAX ? (int)need : FINE_MAX : fine;
 }
 
-static struct follower follow(const struct trace *trace, const struct arc_piece *m)
+static struct follower follower_of(const struct reference *reference, const struct arc_piece *m)
 {
-    struct follower f = {.trace = trace, .arc = &m->arc, .axis = m->axis};
+    struct follower f = {.reference = reference, .arc = &m->arc, .axis = m->axis};
     f.length = arc_length(&m->arc);
     f.swing = vec_angle(m->axis, m->axis_to);
     if (f.swing > 0) {
@@ -125,12 +119,12 @@ static struct follower follow(const struct trace *trace, const struct arc_piece 
             f.swing = 0;
     }
     double part;
-    f.tracked = f.other = trace_interval(trace, m->from, &part);
+    f.point = f.other = reference_interval(reference, m->from, &part);
     return f;
 }
 
-/* The axis stands still in the piece and in its part of the trace: both points stray alike. */
-static bool axis_still(const struct trace *t, const struct follower *f, size_t from, size_t to)
+/* The axis stands still in the piece and in its part of the reference: both points found alike. */
+static bool axis_still(const struct reference *t, const struct follower *f, size_t from, size_t to)
 {
     if (f->swing > 0)
         return false;
@@ -140,13 +134,13 @@ static bool axis_still(const struct trace *t, const struct follower *f, size_t f
     return true;
 }
 
-/* A look at a few points first: most pieces that won't do end here. */
-static bool glance(struct follower *f, size_t first, size_t end, const struct arc_deviation *within)
+/* A few points first: most pieces that are too far off fail here. */
+static bool check_few(struct follower *f, size_t first, size_t end, const struct deviation *within)
 {
     size_t stride = (end - first) / 8;
     for (size_t k = first + stride / 2; stride > 1 && k < end; k += stride) {
-        meet_point(f, k, arc_foot(f->arc, f->trace->p[k]));
-        if (!arc_deviation_within(&f->stray, within))
+        measure_from_point(f, k, arc_foot(f->arc, f->reference->point[k]));
+        if (!deviation_within(&f->found, within))
             return false;
     }
     return true;
@@ -154,84 +148,84 @@ static bool glance(struct follower *f, size_t first, size_t end, const struct ar
 
 /*
  * Nothing between two feet can be off by more than `within`: between the chords of the piece and
- * the straight line of the trace it is no more than at their ends, and a sagitta on top.
+ * the straight line of the reference it is no more than at their ends, and a sagitta on top.
  */
-static bool surely_near(const struct follower *f, struct apart before, double part,
-                        const struct arc_deviation *within)
+static bool must_be_within(const struct follower *f, struct distances before, double part,
+                           const struct deviation *within)
 {
     double turn = part * f->arc->angle, swing = part * f->swing;
     double sagitta = f->arc->radius * turn * turn / 8;
-    double most = fmax(before.tracked, f->here.tracked) + sagitta;
-    if (most > within->tracked)
+    double most = fmax(before.point, f->here.point) + sagitta;
+    if (most > within->point)
         return false;
-    double swung = fabs(f->trace->lever) * swing * swing / 8;
-    return f->lone || fmax(before.other, f->here.other) + sagitta + swung <= within->other;
+    double swung = fabs(f->reference->offset) * swing * swing / 8;
+    return f->alone || fmax(before.other, f->here.other) + sagitta + swung <= within->other;
 }
 
 /* From one foot to the next, at `fine` places between, or more. */
-static void step_on(struct follower *f, double from, double to, int fine, double limit)
+static void check_between(struct follower *f, double from, double to, int fine, double limit)
 {
     int parts = to > from ? places_between(f->arc, from, to, fine, limit) : 0;
     for (int i = 1; i <= parts; i++)
-        meet_trace(f, from + (to - from) * i / (parts + 1));
+        measure_to_reference(f, from + (to - from) * i / (parts + 1));
 }
 
 /* How far the start of the piece is from where it should be; unknown between two points. */
-static struct apart apart_at_start(const struct follower *f, const struct arc_piece *piece)
+static struct distances distance_at_start(const struct follower *f, const struct arc_piece *piece)
 {
     size_t k = (size_t)piece->from;
     if ((double)k < piece->from)
-        return (struct apart){HUGE_VAL, HUGE_VAL};
-    struct spot spot = spot_at(f, 0);
-    return (struct apart){vec_distance(f->trace->p[k], spot.p),
-                          f->lone ? 0 : vec_distance(f->trace->other[k], spot.other)};
+        return (struct distances){HUGE_VAL, HUGE_VAL};
+    struct position position = position_at(f, 0);
+    return (struct distances){vec_distance(f->reference->point[k], position.p),
+                              f->alone ? 0 : vec_distance(f->reference->other[k], position.other)};
 }
 
 /*
- * All points of the piece's part of the trace, and places between their feet: all of them when
- * nothing bounds the stray, else those where it could be out of bounds.
+ * All points of the piece's part of the reference, and places between their feet: all of them when
+ * nothing bounds the found, else those where it could be out of bounds.
  */
-static void walk(struct follower *f, const struct arc_piece *piece, int fine,
-                 const struct arc_deviation *within)
+static void check_all(struct follower *f, const struct arc_piece *piece, int fine,
+                      const struct deviation *within)
 {
-    double limit = fmin(within->tracked, 0.1), at = 0;
+    double limit = fmin(within->point, 0.1), at = 0;
     size_t end = (size_t)piece->to + 1;
-    bool bounded = within->tracked < HUGE_VAL;
-    meet_trace(f, 0);
-    f->here = apart_at_start(f, piece);
-    for (size_t k = (size_t)piece->from + 1; k < end && arc_deviation_within(&f->stray, within);
-         k++) {
-        double foot = fmax(at, arc_foot(f->arc, f->trace->p[k]));
-        struct apart before = f->here;
-        meet_point(f, k, foot);
-        f->tracked = f->other = k - 1;
-        if (!bounded || !surely_near(f, before, foot - at, within))
-            step_on(f, at, foot, fine, limit);
+    bool bounded = within->point < HUGE_VAL;
+    measure_to_reference(f, 0);
+    f->here = distance_at_start(f, piece);
+    for (size_t k = (size_t)piece->from + 1; k < end && deviation_within(&f->found, within); k++) {
+        double foot = fmax(at, arc_foot(f->arc, f->reference->point[k]));
+        struct distances before = f->here;
+        measure_from_point(f, k, foot);
+        f->point = f->other = k - 1;
+        if (!bounded || !must_be_within(f, before, foot - at, within))
+            check_between(f, at, foot, fine, limit);
         at = foot;
     }
-    if (arc_deviation_within(&f->stray, within))
-        step_on(f, at, 1, fine, limit);
-    meet_trace(f, 1);
+    if (deviation_within(&f->found, within))
+        check_between(f, at, 1, fine, limit);
+    measure_to_reference(f, 1);
 }
 
-struct arc_deviation arc_piece_deviation(const struct trace *trace, const struct arc_piece *piece,
-                                         int fine, const struct arc_deviation *within)
+struct deviation arc_piece_deviation(const struct reference *reference,
+                                     const struct arc_piece *piece, int fine,
+                                     const struct deviation *within)
 {
-    struct follower f = follow(trace, piece);
+    struct follower f = follower_of(reference, piece);
     size_t first = (size_t)piece->from + 1, end = (size_t)piece->to + 1;
-    f.lone = trace->lever == 0 || axis_still(trace, &f, first, end);
-    if (trace->n < 2)
-        return f.stray;
-    struct arc_deviation limit = {HUGE_VAL, HUGE_VAL, HUGE_VAL};
+    f.alone = reference->offset == 0 || axis_still(reference, &f, first, end);
+    if (reference->n < 2)
+        return f.found;
+    struct deviation limit = {HUGE_VAL, HUGE_VAL, HUGE_VAL};
     if (within) {
         double chord = 2 * sin(fmin(within->axis, PI) / 2);
         limit = *within;
         limit.axis = chord * chord;
     }
-    if (glance(&f, first, end, &limit))
-        walk(&f, piece, fine, &limit);
-    if (f.lone && trace->lever != 0)
-        f.stray.other = f.stray.tracked;
-    f.stray.axis = 2 * asin(fmin(1, sqrt(f.stray.axis) / 2));
-    return f.stray;
+    if (check_few(&f, first, end, &limit))
+        check_all(&f, piece, fine, &limit);
+    if (f.alone && reference->offset != 0)
+        f.found.other = f.found.point;
+    f.found.axis = 2 * asin(fmin(1, sqrt(f.found.axis) / 2));
+    return f.found;
 }

@@ -7,7 +7,7 @@
 
 static const double TURN_MAX = 2.6; /* of one arc, radians */
 
-/* What reaches from one point of the trace to another. */
+/* What reaches from one point of the reference to another. */
 struct reach {
     size_t to; /* point reached */
     int n;     /* pieces: 1 or 2 */
@@ -15,9 +15,9 @@ struct reach {
 };
 
 struct greedy {
-    const struct trace *trace;
-    const struct arc_deviation *within;
-    size_t at;                       /* point of the trace reached so far, */
+    const struct reference *reference;
+    const struct deviation *within;
+    size_t at;                       /* point of the reference reached so far, */
     struct vec3 from, tangent, axis; /* where and in which direction */
     int favourite;                   /* ratio that held last */
 };
@@ -25,54 +25,54 @@ struct greedy {
 /* A piece that starts where the chain has come to. */
 static struct arc_piece start_piece(const struct greedy *g, struct arc arc, double to)
 {
-    struct arc_piece piece = arc_piece_of(g->trace, arc, (double)g->at, to);
+    struct arc_piece piece = arc_piece_of(g->reference, arc, (double)g->at, to);
     piece.axis = g->axis;
     return piece;
 }
 
-static bool holds(const struct greedy *g, const struct arc_piece *m)
+static bool is_within(const struct greedy *g, const struct arc_piece *m)
 {
     if (m->arc.angle > TURN_MAX)
         return false;
-    struct arc_deviation stray = arc_piece_deviation(g->trace, m, 4, g->within);
-    return arc_deviation_within(&stray, g->within);
+    struct deviation stray = arc_piece_deviation(g->reference, m, 4, g->within);
+    return deviation_within(&stray, g->within);
 }
 
-static bool try_line(struct greedy *g, size_t to, struct reach *reach)
+static bool reach_by_line(struct greedy *g, size_t to, struct reach *reach)
 {
-    const struct trace *t = g->trace;
-    struct arc line = arc_line(g->from, t->p[to]);
+    const struct reference *t = g->reference;
+    struct arc line = arc_line(g->from, t->point[to]);
     if (vec_angle(line.tangent, g->tangent) > ARCFIT_KINK)
         return false;
     struct arc_piece m = start_piece(g, line, (double)to);
-    if (!holds(g, &m))
+    if (!is_within(g, &m))
         return false;
     *reach = (struct reach){.to = to, .n = 1, .piece = {m}};
     return true;
 }
 
-/* A single arc whose end has the trace's direction too. */
-static bool try_arc(struct greedy *g, size_t to, struct reach *reach)
+/* A single arc whose end has the reference's direction too. */
+static bool reach_by_arc(struct greedy *g, size_t to, struct reach *reach)
 {
-    const struct trace *t = g->trace;
-    struct arc arc = arc_to(g->from, g->tangent, t->p[to]);
+    const struct reference *t = g->reference;
+    struct arc arc = arc_to(g->from, g->tangent, t->point[to]);
     if (vec_angle(arc_tangent(&arc, 1), t->tangent[to]) > ARCFIT_KINK)
         return false;
     struct arc_piece m = start_piece(g, arc, (double)to);
-    if (!holds(g, &m))
+    if (!is_within(g, &m))
         return false;
     *reach = (struct reach){.to = to, .n = 1, .piece = {m}};
     return true;
 }
 
-static bool try_ratio(struct greedy *g, size_t to, double ratio, struct reach *reach)
+static bool reach_by_ratio(struct greedy *g, size_t to, double ratio, struct reach *reach)
 {
-    const struct trace *t = g->trace;
+    const struct reference *t = g->reference;
     struct biarc b;
-    if (!biarc_of_ratio(g->from, g->tangent, t->p[to], t->tangent[to], ratio, &b))
+    if (!biarc_of_ratio(g->from, g->tangent, t->point[to], t->tangent[to], ratio, &b))
         return false;
     double from = (double)g->at, end = (double)to;
-    double joint = trace_place(t, b.joint, from + (end - from) * ratio / (1 + ratio));
+    double joint = reference_place(t, b.joint, from + (end - from) * ratio / (1 + ratio));
     if (!(joint > from && joint < end))
         return false;
     struct reach r = {
@@ -80,21 +80,21 @@ static bool try_ratio(struct greedy *g, size_t to, double ratio, struct reach *r
         .n = 2,
         .piece = {start_piece(g, b.first, joint), arc_piece_of(t, b.second, joint, end)}};
     r.piece[0].biarc = true;
-    if (!holds(g, &r.piece[0]) || !holds(g, &r.piece[1]))
+    if (!is_within(g, &r.piece[0]) || !is_within(g, &r.piece[1]))
         return false;
     *reach = r;
     return true;
 }
 
 /* Ratios from 1 outward, 15 from 0.1 to 10; the one that held last goes first. */
-static bool try_biarc(struct greedy *g, size_t to, struct reach *reach)
+static bool reach_by_biarc(struct greedy *g, size_t to, struct reach *reach)
 {
     enum { SIDE = 7 };
     for (int i = -1; i <= 2 * SIDE; i++) {
         int step = i < 0 ? g->favourite : i % 2 ? -(i + 1) / 2 : i / 2;
         if (i >= 0 && step == g->favourite)
             continue;
-        if (try_ratio(g, to, pow(10, (double)step / SIDE), reach)) {
+        if (reach_by_ratio(g, to, pow(10, (double)step / SIDE), reach)) {
             g->favourite = step;
             return true;
         }
@@ -102,16 +102,17 @@ static bool try_biarc(struct greedy *g, size_t to, struct reach *reach)
     return false;
 }
 
-typedef bool attempt_fn(struct greedy *g, size_t to, struct reach *reach);
+typedef bool reach_fn(struct greedy *g, size_t to, struct reach *reach);
 
-/* The furthest point that an attempt reaches: doubles the step, then halves the interval. */
-static struct reach furthest(struct greedy *g, attempt_fn *attempt)
+/* The furthest_reach point that a kind of piece reaches: doubles the step, then halves the
+ * interval. */
+static struct reach furthest_reach(struct greedy *g, reach_fn *reach_by)
 {
     struct reach best = {.to = g->at};
-    size_t last = g->trace->n - 1, step = 1, bad = last + 1;
+    size_t last = g->reference->n - 1, step = 1, bad = last + 1;
     while (best.to < last) {
         size_t to = g->at + step < last ? g->at + step : last;
-        if (!attempt(g, to, &best)) {
+        if (!reach_by(g, to, &best)) {
             bad = to;
             break;
         }
@@ -119,20 +120,20 @@ static struct reach furthest(struct greedy *g, attempt_fn *attempt)
     }
     while (best.to + 1 < bad) {
         size_t to = best.to + (bad - best.to) / 2;
-        if (!attempt(g, to, &best))
+        if (!reach_by(g, to, &best))
             bad = to;
     }
     /* what fails at one length may hold again a little further on */
     size_t beyond = best.to + (best.to - g->at) / 4 + 1;
     for (size_t to = best.to + 1; to <= beyond && to <= last; to++)
-        attempt(g, to, &best);
+        reach_by(g, to, &best);
     return best;
 }
 
 static struct reach straight_on(struct greedy *g)
 {
-    const struct trace *t = g->trace;
-    struct arc line = arc_line(g->from, t->p[g->at + 1]);
+    const struct reference *t = g->reference;
+    struct arc line = arc_line(g->from, t->point[g->at + 1]);
     struct reach r = {.to = g->at + 1, .n = 1};
     r.piece[0] = start_piece(g, line, (double)r.to);
     return r;
@@ -140,25 +141,25 @@ static struct reach straight_on(struct greedy *g)
 
 static struct reach best_reach(struct greedy *g)
 {
-    struct reach line = furthest(g, try_line);
-    struct reach arc = furthest(g, try_arc);
-    struct reach biarc = furthest(g, try_biarc);
+    struct reach line = furthest_reach(g, reach_by_line);
+    struct reach arc = furthest_reach(g, reach_by_arc);
+    struct reach biarc = furthest_reach(g, reach_by_biarc);
     struct reach single = line.to >= arc.to ? line : arc;
     if (single.to > g->at && single.to >= biarc.to)
         return single;
     return biarc.to > g->at ? biarc : straight_on(g);
 }
 
-static struct vec3 end_direction(const struct trace *t, const struct reach *r)
+static struct vec3 end_direction(const struct reference *t, const struct reach *r)
 {
     struct vec3 ahead = arc_tangent(&r->piece[r->n - 1].arc, 1);
     return vec_dot(ahead, t->tangent[r->to]) > 0.8 ? ahead : t->tangent[r->to];
 }
 
-size_t arcfit_step(const struct trace *trace, const struct arc_deviation *within,
-                   const struct reached *from, struct pieces *pieces)
+size_t arcfit_step(const struct reference *reference, const struct deviation *within,
+                   const struct chain_end *from, struct pieces *pieces)
 {
-    struct greedy g = {.trace = trace,
+    struct greedy g = {.reference = reference,
                        .within = within,
                        .at = from->at,
                        .from = from->p,
@@ -170,38 +171,40 @@ size_t arcfit_step(const struct trace *trace, const struct arc_deviation *within
     return r.to;
 }
 
-void arcfit_biarcs(const struct trace *trace, const struct arc_deviation *within,
+void arcfit_biarcs(const struct reference *reference, const struct deviation *within,
                    struct pieces *pieces)
 {
-    if (trace->n < 2)
+    if (reference->n < 2)
         return;
-    struct greedy g = {.trace = trace,
+    struct greedy g = {.reference = reference,
                        .within = within,
-                       .from = trace->p[0],
-                       .tangent = trace->tangent[0],
-                       .axis = trace->axis[0]};
-    while (g.at + 1 < trace->n) {
+                       .from = reference->point[0],
+                       .tangent = reference->tangent[0],
+                       .axis = reference->axis[0]};
+    while (g.at + 1 < reference->n) {
         struct reach r = best_reach(&g);
         for (int i = 0; i < r.n; i++)
             *array_push(pieces) = r.piece[i];
         g.at = r.to;
-        g.from = trace->p[r.to];
-        g.tangent = end_direction(trace, &r);
-        g.axis = trace->axis[r.to];
+        g.from = reference->point[r.to];
+        g.tangent = end_direction(reference, &r);
+        g.axis = reference->axis[r.to];
     }
 }
 
-size_t arcfit_each(const struct trace *t, struct pieces *pieces)
+size_t arcfit_each(const struct reference *t, struct pieces *pieces)
 {
     size_t loops = 0;
     for (size_t i = 0; i + 1 < t->n; i++) {
         struct biarc b;
         double from = (double)i, to = (double)(i + 1);
-        bool shortest = biarc_shortest(t->p[i], t->tangent[i], t->p[i + 1], t->tangent[i + 1], &b);
+        bool shortest =
+            biarc_shortest(t->point[i], t->tangent[i], t->point[i + 1], t->tangent[i + 1], &b);
         if (!shortest) {
             loops++;
-            if (!biarc_of_ratio(t->p[i], t->tangent[i], t->p[i + 1], t->tangent[i + 1], 1, &b)) {
-                struct arc line = arc_line(t->p[i], t->p[i + 1]);
+            if (!biarc_of_ratio(t->point[i], t->tangent[i], t->point[i + 1], t->tangent[i + 1], 1,
+                                &b)) {
+                struct arc line = arc_line(t->point[i], t->point[i + 1]);
                 *array_push(pieces) = arc_piece_of(t, line, from, to);
                 continue;
             }
@@ -213,4 +216,52 @@ size_t arcfit_each(const struct trace *t, struct pieces *pieces)
         *array_push(pieces) = arc_piece_of(t, b.second, joint, to);
     }
     return loops;
+}
+
+struct reference arcfit_reverse_reference(const struct reference *r)
+{
+    size_t n = r->n;
+    struct reference back = *r;
+
+    back.point = mem_alloc(n, sizeof *back.point);
+    back.other = mem_alloc(n, sizeof *back.other);
+    back.axis = mem_alloc(n, sizeof *back.axis);
+    back.tangent = mem_alloc(n, sizeof *back.tangent);
+    back.chord = mem_alloc(n, sizeof *back.chord);
+    back.length = mem_alloc(n, sizeof *back.length);
+    for (size_t i = 0; i < n; i++) {
+        size_t k = n - 1 - i;
+        back.point[i] = r->point[k];
+        back.other[i] = r->other[k];
+        back.axis[i] = r->axis[k];
+        back.tangent[i] = vec_scale(-1, r->tangent[k]);
+        back.length[i] = r->length[n - 1] - r->length[k];
+        if (k > 0)
+            back.chord[i] = r->chord[k - 1];
+    }
+    return back;
+}
+
+static struct arc_piece reversed_piece(const struct arc_piece *p, double last)
+{
+    const struct arc *arc = &p->arc;
+    struct vec3 tangent = vec_scale(-1, arc_tangent(arc, 1));
+
+    return (struct arc_piece){.arc = arc_straight(arc) ? arc_line(arc->to, arc->from)
+                                                       : arc_to(arc->to, tangent, arc->from),
+                              .from = last - p->to,
+                              .to = last - p->from,
+                              .axis = p->axis_to,
+                              .axis_to = p->axis};
+}
+
+void arcfit_reverse_pieces(struct pieces *pieces, size_t points)
+{
+    double last = (double)points - 1;
+
+    for (size_t i = 0, k = pieces->n; i < k--; i++) {
+        struct arc_piece first = reversed_piece(&pieces->item[k], last);
+        pieces->item[k] = reversed_piece(&pieces->item[i], last);
+        pieces->item[i] = first;
+    }
 }

@@ -4,15 +4,18 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "arcfit/arcfit.h"
+#include "math/pnorm.h"
+
 struct arcspline arcspline_new(size_t arcs)
 {
     return (struct arcspline){.n = arcs, .joint = mem_alloc(arcs + 1, sizeof(struct joint))};
 }
 
-void arcspline_free(struct arcspline *chain)
+void arcspline_free(struct arcspline *spline)
 {
-    free(chain->joint);
-    *chain = (struct arcspline){0};
+    free(spline->joint);
+    *spline = (struct arcspline){0};
 }
 
 void arcspline_copy(struct arcspline *to, const struct arcspline *from)
@@ -20,10 +23,10 @@ void arcspline_copy(struct arcspline *to, const struct arcspline *from)
     memcpy(to->joint, from->joint, (from->n + 1) * sizeof *from->joint);
 }
 
-void arcspline_turn(struct arcspline *chain, size_t from)
+void arcspline_set_tangents(struct arcspline *spline, size_t from)
 {
-    for (size_t i = from; i < chain->n; i++) {
-        struct joint *a = &chain->joint[i], *b = a + 1;
+    for (size_t i = from; i < spline->n; i++) {
+        struct joint *a = &spline->joint[i], *b = a + 1;
         struct vec3 chord = vec_sub(b->p, a->p);
         double l2 = vec_dot(chord, chord), ahead = vec_dot(a->tangent, chord);
         b->tangent =
@@ -31,36 +34,381 @@ void arcspline_turn(struct arcspline *chain, size_t from)
     }
 }
 
-void arcspline_lean(struct arcspline *chain, const struct trace *trace, size_t joint)
+void arcspline_set_axis(struct arcspline *spline, const struct reference *reference, size_t joint)
 {
-    struct joint *j = &chain->joint[joint];
-    j->place = trace_place(trace, j->p, j->place);
-    j->axis = trace_axis(trace, j->place);
-    size_t k = (size_t)j->place < trace->n - 1 ? (size_t)j->place : trace->n - 2;
-    struct vec3 ahead = vec_sub(trace->other[k + 1], trace->other[k]);
+    struct joint *j = &spline->joint[joint];
+    j->place = reference_place(reference, j->p, j->place);
+    j->axis = reference_axis(reference, j->place);
+    size_t k = (size_t)j->place < reference->n - 1 ? (size_t)j->place : reference->n - 2;
+    struct vec3 ahead = vec_sub(reference->other[k + 1], reference->other[k]);
     struct vec3 side = vec_unit(vec_cross(ahead, j->axis));
-    if (trace->lever != 0)
-        j->axis = vec_unit(vec_along(j->axis, j->side / trace->lever, side));
+    if (reference->offset != 0)
+        j->axis = vec_unit(vec_along(j->axis, j->side / reference->offset, side));
 }
 
-struct arc arcspline_arc(const struct arcspline *chain, size_t i)
+struct arc arcspline_arc(const struct arcspline *spline, size_t i)
 {
-    const struct joint *j = &chain->joint[i];
+    const struct joint *j = &spline->joint[i];
     return arc_to(j->p, j->tangent, j[1].p);
 }
 
-void arcspline_pieces(const struct arcspline *chain, const struct trace *trace,
+void arcspline_pieces(const struct arcspline *spline, const struct reference *reference,
                       struct pieces *pieces)
 {
-    double place = chain->joint[0].place;
-    for (size_t i = 0; i < chain->n; i++) {
-        const struct joint *from = &chain->joint[i], *to = from + 1;
-        double next = i + 1 < chain->n ? trace_place(trace, to->p, place) : to->place;
+    double place = spline->joint[0].place;
+    for (size_t i = 0; i < spline->n; i++) {
+        const struct joint *from = &spline->joint[i], *to = from + 1;
+        double next = i + 1 < spline->n ? reference_place(reference, to->p, place) : to->place;
         next = fmax(place, next);
-        struct arc_piece piece = arc_piece_of(trace, arcspline_arc(chain, i), place, next);
+        struct arc_piece piece = arc_piece_of(reference, arcspline_arc(spline, i), place, next);
         piece.axis = from->axis;
         piece.axis_to = to->axis;
         *array_push(pieces) = piece;
         place = next;
     }
+}
+
+/* ---- residuals */
+
+static const double BLUNT = 0.05; /* cosine of half a turn: more of a turn is taken as its chord */
+
+/* Two unit vectors across the path of a row of points at point k. */
+static void unit_across(const struct vec3 *p, size_t n, size_t k, struct vec3 *u, struct vec3 *v)
+{
+    size_t before = k > 0 ? k - 1 : k, after = k + 1 < n ? k + 1 : k;
+    struct vec3 t = vec_unit(vec_sub(p[after], p[before]));
+    if (vec_dot(t, t) < 0.5)
+        t = vec(1, 0, 0);
+    *u = vec_perpendicular(t);
+    *v = vec_cross(t, *u);
+}
+
+struct arc_feet arc_feet_of(const struct reference *reference, size_t from, size_t to, size_t most)
+{
+    size_t inner = to > from + 1 ? to - from - 1 : 0, n = inner < most ? inner : most;
+    struct arc_feet feet = {.n = n, .item = mem_alloc(n, sizeof *feet.item)};
+    for (size_t i = 0; i < n; i++) {
+        size_t k = from + 1 + (2 * i + 1) * inner / (2 * n);
+        struct arc_foot *at = &feet.item[i];
+        at->p = reference->point[k];
+        at->other = reference->other[k];
+        unit_across(reference->point, reference->n, k, &at->u, &at->v);
+        unit_across(reference->other, reference->n, k, &at->s, &at->w);
+    }
+    return feet;
+}
+
+void arc_feet_free(struct arc_feet *feet)
+{
+    free(feet->item);
+    *feet = (struct arc_feet){0};
+}
+
+/* A point of the arc between two joints; see arcspline_residual_slope. */
+static struct vec3 conic_at(const struct joint *from, const struct joint *to, double b)
+{
+    struct vec3 e = vec_sub(to->p, from->p);
+    double ahead = vec_dot(e, from->tangent), l = vec_length(e), c = l > 0 ? ahead / l : 0;
+    if (c < BLUNT)
+        return vec_along(from->p, b, e);
+    double middle = 2 * b * (1 - b) * c, end = b * b, sum = (1 - b) * (1 - b) + middle + end;
+    struct vec3 p = vec_along(from->p, middle * l / (2 * c * sum), from->tangent);
+    return vec_along(p, end / sum, e);
+}
+
+/* The axis at a place between two joints: nearly on the great circle, and cheap. */
+static struct vec3 axis_between(const struct joint *from, const struct joint *to, double part)
+{
+    return vec_unit(vec_mix(from->axis, to->axis, part));
+}
+
+static bool is_after(const struct joint *joint, struct vec3 p)
+{
+    return vec_dot(vec_sub(p, joint->p), joint->tangent) > 0;
+}
+
+/* Where the arc passes the point. */
+static void set_foot(const struct arcspline *spline, const struct arc *arc, double offset,
+                     struct arc_foot *q)
+{
+    const struct joint *from = &spline->joint[q->arc], *to = from + 1;
+    q->part = arc_foot(arc, q->p);
+    double a = sin(q->part * arc->angle / 2), b = sin((1 - q->part) * arc->angle / 2);
+    q->conic = a + b > 0 ? a / (a + b) : q->part;
+    q->at = conic_at(from, to, q->conic);
+    if (offset != 0)
+        q->axis = axis_between(from, to, q->part);
+}
+
+void arcspline_residual(const struct arcspline *spline, double offset, struct arc_feet *feet,
+                        double *off)
+{
+    size_t k = 0;
+    struct arc arc = arcspline_arc(spline, k);
+    double *other = off + 2 * feet->n;
+    for (size_t i = 0; i < feet->n; i++) {
+        struct arc_foot *q = &feet->item[i];
+        size_t before = k;
+        while (k + 1 < spline->n && is_after(&spline->joint[k + 1], q->p))
+            k++;
+        if (k > before)
+            arc = arcspline_arc(spline, k);
+        q->arc = k;
+        set_foot(spline, &arc, offset, q);
+        struct vec3 at = arc_at(&arc, q->part), d = vec_sub(q->p, at);
+        off[2 * i] = vec_dot(d, q->u);
+        off[2 * i + 1] = vec_dot(d, q->v);
+        if (offset == 0)
+            continue;
+        struct vec3 axis = vec_slerp(spline->joint[k].axis, spline->joint[k + 1].axis, q->part);
+        d = vec_sub(q->other, vec_along(at, offset, axis));
+        other[2 * i] = vec_dot(d, q->s);
+        other[2 * i + 1] = vec_dot(d, q->w);
+    }
+}
+
+void arcspline_residual_slope(const struct arcspline *moved, double offset,
+                              const struct arc_feet *feet, size_t from, size_t to, double by,
+                              double *slope)
+{
+    double *other = slope + 2 * feet->n, part = -1 / by;
+    for (size_t i = from; i < to; i++) {
+        const struct arc_foot *q = &feet->item[i];
+        const struct joint *a = &moved->joint[q->arc], *b = a + 1;
+        struct vec3 d = vec_sub(conic_at(a, b, q->conic), q->at);
+        slope[2 * i] = part * vec_dot(d, q->u);
+        slope[2 * i + 1] = part * vec_dot(d, q->v);
+        if (offset == 0)
+            continue;
+        d = vec_along(d, offset, vec_sub(axis_between(a, b, q->part), q->axis));
+        other[2 * i] = part * vec_dot(d, q->s);
+        other[2 * i + 1] = part * vec_dot(d, q->w);
+    }
+}
+
+size_t arc_feet_first(const struct arc_feet *feet, size_t arc)
+{
+    size_t lo = 0, hi = feet->n;
+    while (lo < hi) {
+        size_t middle = (lo + hi) / 2;
+        if (feet->item[middle].arc < arc)
+            lo = middle + 1;
+        else
+            hi = middle;
+    }
+    return lo;
+}
+
+/* ---- optimization */
+
+enum { TRIES = 7 }; /* of a damping */
+
+static const double MOVED = 1e-6;   /* mm or radians, for differences */
+static const double SETTLED = 1e-4; /* part of the cost: a step that gains less is the last */
+
+/*
+ * Norms one after the other.  From low norms a few steps do, for what is best there is not so in
+ * high ones; but a spline held at its ends comes from farther off.  A spline above `hopeless` has
+ * not come within the tolerance in one of some hundred tries.
+ */
+static const struct stage {
+    int half;        /* of p */
+    int free, held;  /* steps at most */
+    double hopeless; /* part of a tolerance */
+    double turned;   /* radians: the end's tangent so far off counts as a tolerance */
+} STAGES[] = {{1, 3, 8, 4.5, 4e-3},    {2, 3, 8, 2.2, 1e-3},     {5, 6, 8, 1.4, 1.2e-4},
+              {12, 6, 8, 1.1, 1.2e-4}, {24, 6, 8, 1.04, 1.2e-4}, {60, 6, 8, 1, 1.2e-4}};
+
+enum { N_STAGES = sizeof STAGES / sizeof *STAGES };
+
+struct optimizer {
+    struct arcspline_fit *fit;
+    struct pnorm sum; /* of the distances in tolerances, and the end's tangent in stage->turned */
+    double *next, *step;
+    struct arcspline kept;
+    struct band factor;
+};
+
+static struct optimizer optimizer_new(struct arcspline_fit *m)
+{
+    size_t inner = m->spline.n - 1, n = (m->start_held ? 0 : 2) + (m->offset != 0 ? 4 : 3) * inner;
+    struct optimizer w = {.fit = m, .sum = pnorm_new(m->feet.n, m->offset != 0, n)};
+    w.next = mem_alloc(2 * w.sum.pairs, sizeof *w.next);
+    w.step = mem_alloc(n, sizeof *w.step);
+    w.kept = arcspline_new(m->spline.n);
+    w.factor = band_new(n, w.sum.normal.width);
+    return w;
+}
+
+static void optimizer_free(struct optimizer *w)
+{
+    pnorm_free(&w->sum);
+    free(w->next);
+    free(w->step);
+    arcspline_free(&w->kept);
+    band_free(&w->factor);
+}
+
+static void scale_by_tolerances(const struct arcspline_fit *m, size_t from, size_t to, double *off)
+{
+    double *other = off + 2 * m->feet.n;
+    for (size_t i = 2 * from; i < 2 * to; i++) {
+        off[i] /= m->tolerance;
+        if (m->offset != 0)
+            other[i] /= m->other;
+    }
+}
+
+static void set_residuals(struct arcspline_fit *m, double *off, double held[3])
+{
+    arcspline_residual(&m->spline, m->offset, &m->feet, off);
+    scale_by_tolerances(m, 0, m->feet.n, off);
+    struct vec3 d = vec_sub(m->spline.joint[m->spline.n].tangent, m->end);
+    double part = m->end_held ? 1 / STAGES[m->stage].turned : 0;
+    held[0] = part * d.x;
+    held[1] = part * d.y;
+    held[2] = part * d.z;
+}
+
+/* Moves unknown k; the arcs [from, to) change. */
+static void move_unknown(struct arcspline_fit *m, size_t k, double by, size_t *from, size_t *to)
+{
+    size_t inner = m->spline.n - 1;
+    *from = 0;
+    *to = m->spline.n;
+    if (!m->start_held) {
+        struct vec3 *t = &m->spline.joint[0].tangent, u = vec_perpendicular(*t);
+        if (k < 2) {
+            *t = vec_unit(vec_along(*t, by, k ? vec_cross(*t, u) : u));
+            return;
+        }
+        k -= 2;
+    }
+    struct joint *j = &m->spline.joint[1 + (k < 3 * inner ? k / 3 : k - 3 * inner)];
+    *from = (size_t)(j - m->spline.joint) - 1;
+    if (k >= 3 * inner) {
+        j->side += by;
+        *to = *from + 2;
+    } else {
+        *(k % 3 == 0 ? &j->p.x : k % 3 == 1 ? &j->p.y : &j->p.z) += by;
+    }
+    if (m->offset != 0)
+        arcspline_set_axis(&m->spline, m->reference, *from + 1);
+}
+
+/* The slopes of unknown k. */
+static void set_column(struct optimizer *w, size_t k)
+{
+    struct arcspline_fit *m = w->fit;
+    struct pnorm_column *c = &w->sum.column[k];
+    size_t from, to;
+    move_unknown(m, k, MOVED, &from, &to);
+    arcspline_set_tangents(&m->spline, from);
+    c->from = arc_feet_first(&m->feet, from);
+    c->to = arc_feet_first(&m->feet, to);
+    arcspline_residual_slope(&m->spline, m->offset, &m->feet, c->from, c->to, MOVED, c->slope);
+    scale_by_tolerances(m, c->from, c->to, c->slope);
+    struct vec3 turned =
+        vec_sub(m->spline.joint[m->spline.n].tangent, w->kept.joint[m->spline.n].tangent);
+    double part = m->end_held ? 1 / (STAGES[m->stage].turned * MOVED) : 0;
+    c->held[0] = part * turned.x;
+    c->held[1] = part * turned.y;
+    c->held[2] = part * turned.z;
+    arcspline_copy(&m->spline, &w->kept);
+}
+
+/* Goes by the step, or back; false when the cost has not become less. */
+static bool try_step(struct optimizer *w, const struct stage *stage, double scale, double *now)
+{
+    struct arcspline_fit *m = w->fit;
+    double held[3];
+    size_t from, to;
+    for (size_t k = 0; k < w->sum.unknowns; k++)
+        move_unknown(m, k, w->step[k], &from, &to);
+    arcspline_set_tangents(&m->spline, 0);
+    set_residuals(m, w->next, held);
+    double then = pnorm_cost(&w->sum, w->next, held, stage->half, scale);
+    if (!(then < *now)) {
+        arcspline_copy(&m->spline, &w->kept);
+        return false;
+    }
+    *now = then;
+    for (size_t i = 0; i < 2 * w->sum.pairs; i++)
+        w->sum.off[i] = w->next[i];
+    for (int i = 0; i < 3; i++)
+        w->sum.held[i] = held[i];
+    arcspline_copy(&w->kept, &m->spline);
+    return true;
+}
+
+/* One step of Levenberg and Marquardt; false when none makes the cost less. */
+static bool take_step(struct optimizer *w, const struct stage *stage, double scale, double *damping,
+                      double *now)
+{
+    set_residuals(w->fit, w->sum.off, w->sum.held);
+    for (size_t k = 0; k < w->sum.unknowns; k++)
+        set_column(w, k);
+    pnorm_equations(&w->sum, stage->half, scale);
+    bool better = false;
+    for (int i = 0; i < TRIES && !better; i++) {
+        for (size_t k = 0; k < w->sum.unknowns * w->sum.unknowns; k++)
+            w->factor.item[k] = w->sum.normal.item[k];
+        for (size_t k = 0; k < w->sum.unknowns; k++) {
+            *band_at(&w->factor, k, k) += *damping * *band_at(&w->sum.normal, k, k) + 1e-12;
+            w->step[k] = w->sum.right[k];
+        }
+        if (band_factor(&w->factor)) {
+            band_solve(&w->factor, w->step, 1);
+            better = try_step(w, stage, scale, now);
+        }
+        *damping *= better ? 0.2 : 5;
+    }
+    return better;
+}
+
+static double largest(const struct optimizer *w)
+{
+    double worst = 0;
+    for (size_t i = 0; i < w->sum.pairs; i++) {
+        double x = w->sum.off[2 * i], y = w->sum.off[2 * i + 1];
+        worst = fmax(worst, x * x + y * y);
+    }
+    return sqrt(worst);
+}
+
+/* The end is reached in another direction than it should be. */
+static bool kinked(const struct arcspline_fit *m)
+{
+    return m->end_held &&
+           vec_distance(m->spline.joint[m->spline.n].tangent, m->end) > ARCFIT_KINK / 2;
+}
+
+double arcspline_optimize(struct arcspline_fit *m, double enough)
+{
+    if (m->spline.n == 0)
+        return HUGE_VAL;
+    struct optimizer w = optimizer_new(m);
+    double damping = 1e-4, worst = HUGE_VAL;
+    arcspline_set_tangents(&m->spline, 0);
+    arcspline_copy(&w.kept, &m->spline);
+    for (;; m->stage++) {
+        const struct stage *stage = &STAGES[m->stage];
+        int steps = m->start_held || m->end_held ? stage->held : stage->free;
+        set_residuals(m, w.sum.off, w.sum.held);
+        worst = largest(&w);
+        double scale = fmax(worst, 1e-3),
+               now = pnorm_cost(&w.sum, w.sum.off, w.sum.held, stage->half, scale);
+        for (int k = 0; k < steps && w.sum.unknowns > 0 && (worst > enough || kinked(m)); k++) {
+            double before = now;
+            if (!take_step(&w, stage, scale, &damping, &now) || before - now < SETTLED * before)
+                k = steps;
+            worst = largest(&w);
+        }
+        damping = fmin(damping, 1);
+        bool settled = worst <= enough && !kinked(m);
+        if (settled || worst > stage->hopeless || m->stage + 1 == N_STAGES)
+            break;
+    }
+    optimizer_free(&w);
+    return kinked(m) ? HUGE_VAL : worst;
 }

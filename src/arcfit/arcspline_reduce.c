@@ -1,14 +1,245 @@
-/* arcspline_reduce - see arcspline_reduce.h. */
-#include "arcfit/arcspline_reduce.h"
+/* arcspline_reduce - see arcfit.h, arcfit_reduce and arcfit_update. */
+#include "arcfit/arcfit.h"
 
 #include <stdlib.h>
 
-#include "arcspline_refit.h"
+#include "arcspline.h"
 
 enum {
-    WHOLE = 32, /* arcs that are moved all together; of more a window at a time */
-    WINDOW = 6, /* of so many arcs, */
-    WIDE = 14   /* or so many where the axis stands still */
+    EACH = 8,       /* points looked at for each arc, */
+    EACH_MOST = 80, /* and where these hold */
+    RESPACED = 5,   /* times that joints are spaced anew by what the arcs are off */
+    LEFT_OUT = 6,   /* arcs tried without, or more, where the axis turns; else all of them */
+    AXIS_DIGITS = 9
+};
+
+/* Part of a chain of arcs, to be replaced by another number of arcs. */
+struct refit {
+    const struct reference *reference;
+    const struct deviation *within;
+    int digits;                  /* decimals of the joints */
+    const struct arc_piece *old; /* what there is: where the part begins and ends, */
+    size_t n;                    /* and how the reference is shared out among its pieces */
+    bool start_held, end_held;   /* the direction there stays */
+    bool thorough;               /* many spacings of the joints also where the axis turns */
+};
+
+static const double POWER = 0.5; /* of an arc's residual, when joints are spaced by it */
+
+static double length_at(const struct reference *t, double place)
+{
+    size_t i = (size_t)place < t->n - 1 ? (size_t)place : t->n - 2;
+    return t->length[i] + (place - (double)i) * (t->length[i + 1] - t->length[i]);
+}
+
+/* The place on the reference at a length from its start, looked for from point `i` on. */
+static double place_at(const struct reference *t, double length, size_t i)
+{
+    while (i + 2 < t->n && t->length[i + 1] < length)
+        i++;
+    double step = t->length[i + 1] - t->length[i];
+    return (double)i + (step > 0 ? fmin(1, fmax(0, (length - t->length[i]) / step)) : 0);
+}
+
+/* Puts an inner joint onto the reference. */
+static void set_joint(const struct refit *part, struct arcspline *spline, size_t i, double place)
+{
+    struct joint *j = &spline->joint[i];
+    *j = (struct joint){.p = reference_point(part->reference, place), .place = place};
+    arcspline_set_axis(spline, part->reference, i);
+}
+
+/* The ends of the spline: those of the old pieces. */
+static void set_ends(const struct refit *part, struct arcspline *spline)
+{
+    const struct arc_piece *first = &part->old[0], *last = &part->old[part->n - 1];
+    spline->joint[0] = (struct joint){.p = first->arc.from,
+                                      .tangent = first->arc.tangent,
+                                      .axis = first->axis,
+                                      .place = first->from};
+    spline->joint[spline->n] =
+        (struct joint){.p = last->arc.to, .axis = last->axis_to, .place = last->to};
+}
+
+/* To each arc falls the like share of the old ones. */
+static void space_evenly(const struct refit *part, struct arcspline *spline)
+{
+    const struct reference *t = part->reference;
+    set_ends(part, spline);
+    for (size_t i = 1; i < spline->n; i++) {
+        double share = (double)(i * part->n) / (double)spline->n, rest = share - floor(share);
+        const struct arc_piece *p = &part->old[(size_t)share];
+        double a = length_at(t, p->from), b = length_at(t, p->to);
+        set_joint(part, spline, i, place_at(t, a + rest * (b - a), (size_t)p->from));
+    }
+}
+
+/* The joints of the old pieces but for one of them. */
+static void space_without(const struct refit *part, size_t without, struct arcspline *spline)
+{
+    set_ends(part, spline);
+    for (size_t i = 1; i < spline->n; i++) {
+        const struct arc_piece *p = &part->old[i < without ? i : i + 1];
+        set_joint(part, spline, i, p->from);
+        spline->joint[i].p = p->arc.from;
+    }
+}
+
+/* How far off the points are that each arc passes, as a part of the largest. */
+static void relative_residuals(struct arcspline_fit *m, double *stray)
+{
+    struct arc_feet *feet = &m->feet;
+    double *off = mem_alloc(4 * feet->n + 1, sizeof *off), most = 0;
+    arcspline_residual(&m->spline, m->offset, feet, off);
+    for (size_t i = 0; i < feet->n; i++) {
+        const double *far = off + 2 * (feet->n + i);
+        double *s = &stray[feet->item[i].arc], here = hypot(off[2 * i], off[2 * i + 1]);
+        if (m->offset != 0)
+            here = fmax(here, hypot(far[0], far[1]));
+        *s = fmax(*s, here);
+        most = fmax(most, here);
+    }
+    for (size_t i = 0; i < m->spline.n; i++)
+        stray[i] = most > 0 ? stray[i] / most : 1;
+    free(off);
+}
+
+/* Gives arcs that are nearer to the reference than others more of it. */
+static void space_by_residual(const struct refit *part, struct arcspline_fit *m)
+{
+    const struct reference *t = part->reference;
+    struct arcspline *spline = &m->spline;
+    double *share = mem_alloc(spline->n, sizeof *share), old = 0, sum = 0;
+    relative_residuals(m, share);
+    double start = length_at(t, spline->joint[0].place), at = start;
+    for (size_t i = 0; i < spline->n; i++) {
+        double length = length_at(t, spline->joint[i + 1].place) - at;
+        share[i] = length / pow(fmax(share[i], 0.2), POWER);
+        at += length;
+        old += length;
+        sum += share[i];
+    }
+    set_ends(part, spline);
+    spline->joint[0].tangent =
+        part->start_held ? part->old[0].arc.tangent : t->tangent[(size_t)part->old[0].from];
+    at = start;
+    for (size_t i = 1; i < spline->n; i++) {
+        at += share[i - 1] * old / sum;
+        set_joint(part, spline, i, place_at(t, at, (size_t)part->old[0].from));
+    }
+    free(share);
+}
+
+/* The spline with rounded joints as pieces that hold; false when they don't. */
+static bool prove_rounded(const struct refit *part, const struct arcspline_fit *m,
+                          struct pieces *out)
+{
+    struct arcspline spline = arcspline_new(m->spline.n);
+    arcspline_copy(&spline, &m->spline);
+    for (size_t i = 1; i < spline.n; i++) {
+        struct joint *j = &spline.joint[i];
+        j->p = vec_round(j->p, part->digits);
+        if (m->offset != 0)
+            j->axis = vec_unit(vec_round(j->axis, AXIS_DIGITS));
+    }
+    arcspline_set_tangents(&spline, 0);
+    out->n = 0;
+    arcspline_pieces(&spline, part->reference, out);
+    struct vec3 end = spline.joint[spline.n].tangent;
+    bool good = !m->end_held || vec_angle(end, m->end) < ARCFIT_KINK;
+    for (size_t i = 0; i < out->n && good; i++) {
+        struct deviation stray =
+            arc_piece_deviation(part->reference, &out->item[i], 4, part->within);
+        good = deviation_within(&stray, part->within);
+    }
+    arcspline_free(&spline);
+    return good;
+}
+
+/* Looks at all points now, where those looked at so far hold and others don't. */
+static void use_all_points(const struct refit *part, struct arcspline_fit *m)
+{
+    size_t from = (size_t)part->old[0].from, to = (size_t)ceil(part->old[part->n - 1].to);
+    arc_feet_free(&m->feet);
+    m->feet = arc_feet_of(part->reference, from, to, EACH_MOST * part->n);
+}
+
+/* From the joints as they are spaced now. */
+static bool settle(const struct refit *part, struct arcspline_fit *m, struct pieces *out)
+{
+    m->stage = 0;
+    for (int i = 0; i < 4; i++) {
+        if (arcspline_optimize(m, ARC_ENOUGH - ARC_ENOUGH_STEP * i) > 1)
+            return false;
+        if (prove_rounded(part, m, out))
+            return true;
+        if (i == 0)
+            use_all_points(part, m);
+        m->stage = ARCSPLINE_NEARLY;
+    }
+    return false;
+}
+
+/* Other spacings of the joints one after the other, until one does. */
+static bool settle_from_other_spacings(const struct refit *part, struct arcspline_fit *m,
+                                       struct pieces *out)
+{
+    bool good = false;
+    size_t stride = m->offset == 0 ? 1 : 1 + part->n / LEFT_OUT;
+
+    for (int i = 0; i < RESPACED && !good; i++) {
+        space_by_residual(part, m);
+        good = settle(part, m, out);
+    }
+    bool held = part->start_held || part->end_held;
+    for (size_t i = (stride + 1) / 2; i < part->n && !good && !held; i += stride) {
+        space_without(part, i, &m->spline);
+        good = settle(part, m, out);
+    }
+    return good;
+}
+
+/*
+ * So many arcs in the place of the old pieces, proven by arc_piece_deviation with rounded joints;
+ * what was in `out` goes.  False when none was found that keep within.
+ *
+ * The joints begin spaced as evenly as the old pieces were.  For one arc fewer with both directions
+ * free there are more tries: spaced anew by what each arc is off, and as the old ones without one
+ * of them; where the axis turns only when `thorough`.  When that, and a direction is held, the
+ * first of these two ways too.
+ */
+static bool refit(const struct refit *part, size_t arcs, struct pieces *out)
+{
+    const struct arc_piece *last = &part->old[part->n - 1];
+    size_t from = (size_t)part->old[0].from, to = (size_t)ceil(last->to);
+    if (arcs == 0 || to > part->reference->n - 1)
+        return false;
+    struct arcspline_fit m = {
+        .reference = part->reference,
+        .spline = arcspline_new(arcs),
+        .feet = arc_feet_of(part->reference, from, to, EACH * part->n),
+        .tolerance = part->within->point,
+        .offset = reference_axis_still(part->reference, from, to) ? 0 : part->reference->offset,
+        .other = part->within->other,
+        .start_held = part->start_held,
+        .end_held = part->end_held,
+        .end = arc_tangent(&last->arc, 1)};
+    bool free = !part->start_held && !part->end_held && m.offset == 0;
+    space_evenly(part, &m.spline);
+    bool good = settle(part, &m, out);
+    if (!good && arcs + 1 == part->n && (free || part->thorough))
+        good = settle_from_other_spacings(part, &m, out);
+    arcspline_free(&m.spline);
+    arc_feet_free(&m.feet);
+    return good;
+}
+
+/* ---- fewer arcs */
+
+enum {
+    ALL_AT_ONCE = 32, /* arcs that are place_now all together; of more a window at a time */
+    WINDOW = 6,       /* of so many arcs, */
+    WIDE = 14         /* or so many where the axis stands still */
 };
 
 /* Puts `some` in the place of n pieces at `at`. */
@@ -32,16 +263,16 @@ static size_t smooth_end(const struct pieces *pieces, size_t from)
 }
 
 /* n pieces from `at` on, of the smooth part [from, end), with one fewer; false where none holds. */
-static bool relax_some(const struct arcspline_refit *like, size_t from, size_t end, size_t at,
-                       size_t n, struct pieces *pieces)
+static bool reduce_window(const struct refit *like, size_t from, size_t end, size_t at, size_t n,
+                          struct pieces *pieces)
 {
-    struct arcspline_refit part = *like;
+    struct refit part = *like;
     struct pieces some = {0};
     part.old = &pieces->item[at];
     part.n = n;
     part.start_held = at > from;
     part.end_held = at + n < end;
-    bool good = n > 1 && arcspline_refit_fit(&part, n - 1, &some);
+    bool good = n > 1 && refit(&part, n - 1, &some);
 
     if (good)
         replace(pieces, at, n, &some);
@@ -51,16 +282,16 @@ static bool relax_some(const struct arcspline_refit *like, size_t from, size_t e
 
 /* The smooth part [from, end) with fewer pieces; returns its new end.  Windows that hold no arc too
  * many come in rows (a scan's noise): the longer the row, the fewer of the next are tried. */
-static size_t relax(const struct arcspline_refit *like, size_t from, size_t end,
-                    struct pieces *pieces)
+static size_t reduce_smooth_part(const struct refit *like, size_t from, size_t end,
+                                 struct pieces *pieces)
 {
-    bool still = trace_axis_still(like->trace, (size_t)pieces->item[from].from,
-                                  (size_t)pieces->item[end - 1].to);
+    bool still = reference_axis_still(like->reference, (size_t)pieces->item[from].from,
+                                      (size_t)pieces->item[end - 1].to);
     size_t stride = 1, window = still ? WIDE : WINDOW;
 
     for (size_t i = from; end - from > window && i < end;) {
         size_t n = end - i < window ? end - i : window;
-        if (relax_some(like, from, end, i, n, pieces)) {
+        if (reduce_window(like, from, end, i, n, pieces)) {
             end--;
             stride = 1;
         } else {
@@ -68,17 +299,168 @@ static size_t relax(const struct arcspline_refit *like, size_t from, size_t end,
             stride = stride < window ? stride + 1 : window;
         }
     }
-    while (end - from <= WHOLE && relax_some(like, from, end, from, end - from, pieces))
+    while (end - from <= ALL_AT_ONCE && reduce_window(like, from, end, from, end - from, pieces))
         end--;
     return end;
 }
 
-void arcspline_reduce(const struct trace *trace, const struct arc_deviation *within, int digits,
-                      bool thorough, struct pieces *pieces)
+void arcfit_reduce(const struct reference *reference, const struct deviation *within, int digits,
+                   bool thorough, struct pieces *pieces)
 {
-    struct arcspline_refit like = {
-        .trace = trace, .within = within, .digits = digits, .thorough = thorough};
+    struct refit like = {
+        .reference = reference, .within = within, .digits = digits, .thorough = thorough};
 
     for (size_t from = 0; from < pieces->n;)
-        from = relax(&like, from, smooth_end(pieces, from), pieces);
+        from = reduce_smooth_part(&like, from, smooth_end(pieces, from), pieces);
+}
+
+/* ---- a reference that has changed in places */
+
+enum {
+    MORE_ARCS = 3, /* arcs that may come in */
+    GAP_LEAST =
+        6, /* pieces that are looked at anew: few have no room between two held directions, */
+    GAP_MOST = 14 /* and for many it is quicker to begin again */
+};
+
+/* What has changed: points [from, to) of the old reference, and [from, to + shift) of the new one.
+ */
+struct change {
+    size_t from, to;
+    double shift;
+};
+
+/* Pieces [from, to) to be put anew. */
+struct gap {
+    size_t from, to;
+};
+
+struct gaps {
+    size_t n, cap;
+    struct gap *item;
+};
+
+static bool same_point(const struct reference *a, size_t i, const struct reference *b, size_t k)
+{
+    return vec_distance(a->point[i], b->point[k]) <= 0 &&
+           vec_distance(a->other[i], b->other[k]) <= 0 && vec_distance(a->axis[i], b->axis[k]) <= 0;
+}
+
+/* The first change from point `from` on; false when there is none.  Where points came or went it
+ * goes on to the last one that is not as it was. */
+static bool next_change(const struct reference *old, const struct reference *now, size_t from,
+                        struct change *change)
+{
+    size_t least = old->n < now->n ? old->n : now->n, last = 0, end;
+
+    while (from < least && same_point(old, from, now, from))
+        from++;
+    if (from == least && old->n == now->n)
+        return false;
+    for (end = from; old->n == now->n && end < least && !same_point(old, end, now, end);)
+        end++;
+    while (last < least - from && same_point(old, old->n - 1 - last, now, now->n - 1 - last))
+        last++;
+    if (old->n != now->n)
+        end = old->n - last;
+    *change = (struct change){from, end, (double)now->n - (double)old->n};
+    return true;
+}
+
+/* Where a place of the old reference is on the new one. */
+static double place_now(const struct change *c, double place)
+{
+    double from = (double)c->from - 1, to = (double)c->to;
+
+    if (place <= from)
+        return place;
+    if (place >= to)
+        return place + c->shift;
+    return place + c->shift * (place - from) / (to - from);
+}
+
+/* The pieces to be put anew for a change; with the last ones where there is nothing between. */
+static void add_gap(const struct change *c, const struct pieces *all, struct gaps *gaps)
+{
+    size_t from = 0, to = all->n;
+
+    while (from < to && all->item[from].to <= (double)c->from - 1)
+        from++;
+    while (to > from && all->item[to - 1].from >= (double)c->to)
+        to--;
+    while (to - from < GAP_LEAST && to - from < all->n) {
+        from -= from > 0;
+        to += to < all->n;
+    }
+    while (gaps->n > 0 && gaps->item[gaps->n - 1].to >= from) { /* one with the last */
+        struct gap last = gaps->item[--gaps->n];
+        from = last.from < from ? last.from : from;
+        to = last.to > to ? last.to : to;
+    }
+    *array_push(gaps) = (struct gap){from, to};
+}
+
+/* Appends as many pieces as the gap had, or a few more. */
+static bool fill_gap(const struct gap *gap, const struct pieces *all, struct refit part,
+                     struct pieces *pieces)
+{
+    struct pieces some = {0};
+    bool good = false;
+
+    part.old = all->item + gap->from;
+    part.n = gap->to - gap->from;
+    part.start_held = gap->from > 0;
+    part.end_held = gap->to < all->n;
+    for (size_t more = 0; part.n <= GAP_MOST && more <= MORE_ARCS && !good; more++)
+        good = refit(&part, part.n + more, &some);
+    for (size_t i = 0; i < some.n; i++)
+        *array_push(pieces) = some.item[i];
+    array_free(&some);
+    return good;
+}
+
+/* All pieces as they are on the new reference, and which of them to put anew. */
+static void find_gaps(const struct reference *old, const struct reference *now,
+                      const struct pieces *before, struct pieces *all, struct gaps *gaps)
+{
+    struct change change = {.to = 0};
+
+    for (size_t i = 0; i < before->n; i++)
+        *array_push(all) = before->item[i];
+    while (next_change(old, now, change.to, &change)) {
+        add_gap(&change, before, gaps);
+        for (size_t i = 0; i < all->n && change.shift != 0; i++) {
+            all->item[i].from = place_now(&change, all->item[i].from);
+            all->item[i].to = place_now(&change, all->item[i].to);
+        }
+        if (change.shift != 0)
+            return;
+    }
+}
+
+bool arcfit_update(const struct reference *old, const struct reference *now,
+                   const struct deviation *within, int digits, const struct pieces *before,
+                   struct pieces *pieces)
+{
+    struct refit part = {.reference = now, .within = within, .digits = digits};
+    struct pieces all = {0};
+    struct gaps gaps = {0};
+    size_t at = 0;
+    bool good =
+        before->n > 0 && same_point(old, 0, now, 0) && same_point(old, old->n - 1, now, now->n - 1);
+
+    pieces->n = 0;
+    if (good)
+        find_gaps(old, now, before, &all, &gaps);
+    for (size_t k = 0; k < gaps.n && good; k++) {
+        for (; at < gaps.item[k].from; at++)
+            *array_push(pieces) = all.item[at];
+        good = fill_gap(&gaps.item[k], &all, part, pieces);
+        at = gaps.item[k].to;
+    }
+    for (; at < all.n; at++)
+        *array_push(pieces) = all.item[at];
+    array_free(&all);
+    array_free(&gaps);
+    return good;
 }

@@ -32,6 +32,34 @@ static struct foot on_segment(struct polyline b, size_t j, struct vec3 q)
     return (struct foot){j, t, vec_length(vec_along(e, -t, d))};
 }
 
+static double distance_squared(struct polyline b, size_t segment, struct vec3 q)
+{
+    struct vec3 d = vec_sub(q, vec_segment_nearest(b.point[segment], b.point[segment + 1], q));
+    return vec_dot(d, d);
+}
+
+double polyline_descend(struct polyline b, struct vec3 q, size_t *segment)
+{
+    double here = distance_squared(b, *segment, q);
+    size_t best = *segment;
+    for (size_t i = *segment + 1; i + 1 < b.n; i++) {
+        double d = distance_squared(b, i, q);
+        if (d > here)
+            break;
+        best = d < here ? i : best;
+        here = d;
+    }
+    for (size_t i = *segment; i-- > 0;) {
+        double d = distance_squared(b, i, q);
+        if (d > here)
+            break;
+        best = d < here ? i : best;
+        here = d;
+    }
+    *segment = best;
+    return sqrt(here);
+}
+
 struct foot polyline_foot(struct polyline b, struct foot from, double step, struct vec3 q)
 {
     struct foot best = on_segment(b, from.segment, q);

@@ -1,12 +1,16 @@
 /*
  * free_knots - the search for the B-spline with the fewest poles that keeps a tolerance, its knots
  * free to move.
+ *
+ * Counts of poles are tried one after the other.  Each starts from knots_init_*, is moved by
+ * minimax.h on a few places of the reference, then on more, and is proven on its printed digits
+ * (spline_bound.h).
  */
 #ifndef CLOUDMILL_FREE_KNOTS_H
 #define CLOUDMILL_FREE_KNOTS_H
 
-#include "splinefit/spline_bound.h"
-#include "splinefit/track.h"
+#include "curve/bspline.h"
+#include "curve/reference.h"
 
 struct free_knots_options {
     int degree;
@@ -15,28 +19,52 @@ struct free_knots_options {
     size_t known;     /* poles with which the tolerance is known to be kept; 0: none */
 };
 
+struct free_knots_result {
+    struct bspline curve; /* no poles: none was found */
+    struct deviation proof;
+    bool cut; /* the bound on the work was reached: fewer poles might do */
+};
+
 /*
  * Counts of poles are tried upwards from the least there is, each from several starts: a knot more
  * where the last curve was worst, knots equally spaced, spread by the fourth root of the fourth
- * derivative, their mean; from 12 poles on a quarter more each time, and then by bisection.  From
- * the curve found, each knot in turn is tried to be left out.
- * A curve serves when spline_bound_keeps holds on its printed digits; true then, with *curve and
- * its *proof.  False when none with at most 16 poles, or a pole for every fourth point, does. Where
- * a known count above 16 has fewer than twelve points for each pole, so that the curve follows the
- * noise of the data, the counts go down from there, to three fifths each time, and then by
- * bisection, from knots spread by the data alone. The work is bounded by the number of points, and
- * sooner in such a case; *cut tells that the bound was reached, so that fewer poles might do.
+ * derivative, their mean; from ONE_BY_ONE poles on a quarter more each time, and then by bisection.
+ * From the curve found, each knot in turn is tried to be left out.
+ *
+ * A curve serves when it keeps the tolerance on its printed digits.  None is found when none with
+ * at most FEW poles, or a pole for every ROUGH_POINTS points, does.  Where a known count above FEW
+ * has fewer than UNEVEN_KNOWN points for each pole, so that the curve follows the noise of the
+ * data, the counts go down from there, to three fifths each time, and then by bisection, from knots
+ * spread by the data alone.  The work is bounded by the number of points, and sooner in such a
+ * case.
  */
-bool free_knots_search(const struct track *track, const struct free_knots_options *options,
-                       struct bspline *curve, struct spline_bound *proof, bool *cut);
+struct free_knots_result free_knots_search(const struct reference *reference,
+                                           const struct free_knots_options *options);
 
 /*
  * From a curve of the same degree, with a head or without, that was found for nearly the same data:
- * it is moved to where the data is now, if need be with a few knots more where it is worst.  False
- * when that does not serve; the search is what is left then.
+ * it is moved to where the data is now, if need be with a few knots more where it is worst.  Finds
+ * nothing when that does not serve; the search is what is left then.
  */
-bool free_knots_again(const struct track *track, const struct free_knots_options *options,
-                      const struct bspline *before, struct bspline *curve,
-                      struct spline_bound *proof);
+struct free_knots_result free_knots_again(const struct reference *reference,
+                                          const struct free_knots_options *options,
+                                          const struct bspline *before);
+
+/*
+ * Where the knots of a curve may stand to begin with: from 0 to the length of the places, end knots
+ * repeated degree + 1 times; knot[] has room for poles + degree + 1.
+ *
+ * _uniform: equally spaced.  _spread: by the fourth root of the fourth derivative (of the
+ * derivative above `degree`), which is where a spline of least error has them; it is taken from a
+ * least squares curve with twice as many knots; false when there are too few places for that.
+ * _mean: moves knots half-way to the equally spaced ones.
+ */
+void knots_init_uniform(const struct reference *places, int degree, size_t poles, double *knot);
+bool knots_init_spread(const struct reference *places, int degree, size_t poles, double *knot);
+void knots_init_mean(const struct reference *places, int degree, size_t poles, double *knot);
+
+/* About how far the curve would move without its inner knot j, in no unit: by the jump of the
+ * highest derivative there and the lengths of the spans at it. */
+double knots_init_missed(const struct bspline *curve, size_t j);
 
 #endif

@@ -1,13 +1,13 @@
 /*
  * spline_bound - printed digits, and distances both ways.
  */
-#include "splinefit/spline_bound.h"
+#include "spline_bound.h"
 
 #include <stdlib.h>
 
 #include "base/array.h"
-#include "curve/flatten.h"
 #include "base/num.h"
+#include "curve/flatten.h"
 #include "curve/polyline.h"
 
 /* Length of the curve by 8 chords in each span. */
@@ -88,78 +88,63 @@ static double both_ways(struct polyline curve, struct polyline data, double limi
 }
 
 /* Largest angle between the curve's axis and the data's at the foot points. */
-static double axis_angle(const struct flat *flat, const struct track *track,
+static double axis_angle(const struct flat *flat, const struct reference *reference,
                          const struct foot *foot)
 {
     double worst = 0;
 
     for (size_t i = 0; i < flat->axis.n; i++) {
-        size_t j = foot[i].segment, next = j + 1 < track->n ? j + 1 : j;
-        struct vec3 a = vec_mix(track->axis[j], track->axis[next], foot[i].t);
+        size_t j = foot[i].segment, next = j + 1 < reference->n ? j + 1 : j;
+        struct vec3 a = vec_mix(reference->axis[j], reference->axis[next], foot[i].t);
         worst = fmax(worst, vec_angle(flat->axis.item[i], a));
     }
     return worst;
 }
 
-/* Which of the two points moves more, so that it tells better which places match. */
-static bool other_moves_more(const struct track *track)
-{
-    double point = 0, other = 0;
-
-    for (size_t k = 0; k + 1 < track->n; k++) {
-        point += vec_distance(track->point[k], track->point[k + 1]);
-        other += vec_distance(track->other[k], track->other[k + 1]);
-    }
-    return other > point;
-}
-
-bool spline_bound_keeps(const struct spline_bound *proof, double tolerance, double angle)
-{
-    return proof->point <= tolerance && proof->other <= tolerance && proof->axis <= angle;
-}
-
-static void measure_flat(const struct flat *flat, const struct track *track, double hidden,
-                         double limit, struct spline_bound *proof)
+static void measure_flat(const struct flat *flat, const struct reference *reference, double hidden,
+                         double limit, struct deviation *proof)
 {
     struct foot *foot = mem_alloc(2 * flat->u.n, sizeof *foot), *other_foot = foot + flat->u.n;
-    struct polyline mine = {flat->point.n, flat->point.item}, data = {track->n, track->point};
+    struct polyline mine = {flat->point.n, flat->point.item},
+                    data = {reference->n, reference->point};
 
     proof->point = both_ways(mine, data, limit, hidden, foot);
-    if (track->head == NULL) { /* the other point only runs beside */
+    if (!reference->turns) { /* the other point only runs beside */
         proof->other = proof->point;
         proof->axis = 0;
     } else if (proof->point <= limit) {
         struct polyline other = {flat->other.n, flat->other.item};
-        struct polyline data_other = {track->n, track->other};
+        struct polyline data_other = {reference->n, reference->other};
         proof->other = both_ways(other, data_other, limit, hidden, other_foot);
         if (proof->other <= limit)
-            proof->axis = axis_angle(flat, track, other_moves_more(track) ? other_foot : foot);
+            proof->axis = axis_angle(flat, reference, reference->other_leads ? other_foot : foot);
     }
     free(foot);
 }
 
-void spline_bound_measure(const struct bspline *curve, const struct track *track, double resolution,
-                          double limit, struct spline_bound *proof)
+void spline_bound_measure(const struct bspline *curve, const struct reference *reference,
+                          double resolution, double limit, struct deviation *proof)
 {
     struct flat flat = {0};
 
-    *proof = (struct spline_bound){INFINITY, INFINITY, INFINITY};
-    if (flatten(curve, track->offset, track->axis[0], resolution, &flat))
-        measure_flat(&flat, track, resolution, limit, proof);
+    *proof = (struct deviation){INFINITY, INFINITY, INFINITY};
+    if (flatten(curve, reference->offset, reference->axis[0], resolution, &flat))
+        measure_flat(&flat, reference, resolution, limit, proof);
     flat_free(&flat);
 }
 
-bool spline_bound_feet(const struct bspline *curve, const struct track *track, double resolution,
-                       double *u)
+bool spline_bound_feet(const struct bspline *curve, const struct reference *reference,
+                       double resolution, double *u)
 {
     struct flat flat = {0};
-    bool done = flatten(curve, track->offset, track->axis[0], resolution, &flat);
+    bool done = flatten(curve, reference->offset, reference->axis[0], resolution, &flat);
 
     if (done) {
-        struct foot *foot = mem_alloc(track->n, sizeof *foot);
-        struct polyline data = {track->n, track->point}, mine = {flat.point.n, flat.point.item};
+        struct foot *foot = mem_alloc(reference->n, sizeof *foot);
+        struct polyline data = {reference->n, reference->point},
+                        mine = {flat.point.n, flat.point.item};
         polyline_distance(data, mine, INFINITY, resolution, foot);
-        for (size_t k = 0; k < track->n; k++) {
+        for (size_t k = 0; k < reference->n; k++) {
             const double *at = &flat.u.item[foot[k].segment];
             u[k] = foot[k].segment + 1 < flat.u.n ? at[0] + foot[k].t * (at[1] - at[0]) : at[0];
         }
@@ -169,49 +154,49 @@ bool spline_bound_feet(const struct bspline *curve, const struct track *track, d
     return done;
 }
 
-/* Point k + s of the way to the next one, of the curve against the track. */
-static void compare_at(const struct bspline *curve, const struct track *track, size_t k, double s,
-                       struct spline_bound *proof)
+/* Point k + s of the way to the next one, of the curve against the reference. */
+static void compare_at(const struct bspline *curve, const struct reference *reference, size_t k,
+                       double s, struct deviation *proof)
 {
-    size_t next = k + 1 < track->n ? k + 1 : k;
-    struct vec3 p = vec_mix(curve->pole[k], curve->pole[next], s), a = track->axis[0];
+    size_t next = k + 1 < reference->n ? k + 1 : k;
+    struct vec3 p = vec_mix(curve->pole[k], curve->pole[next], s), a = reference->axis[0];
 
     if (curve->head != NULL)
         a = vec_unit(vec_sub(vec_mix(curve->head[k], curve->head[next], s), p));
-    struct vec3 other = vec_along(p, track->offset, a);
-    struct vec3 there = vec_mix(track->point[k], track->point[next], s);
-    struct vec3 other_there = vec_mix(track->other[k], track->other[next], s);
-    struct vec3 axis_there = vec_mix(track->axis[k], track->axis[next], s);
+    struct vec3 other = vec_along(p, reference->offset, a);
+    struct vec3 there = vec_mix(reference->point[k], reference->point[next], s);
+    struct vec3 other_there = vec_mix(reference->other[k], reference->other[next], s);
+    struct vec3 axis_there = vec_mix(reference->axis[k], reference->axis[next], s);
 
     proof->point = fmax(proof->point, vec_distance(p, there));
     proof->other = fmax(proof->other, vec_distance(other, other_there));
     proof->axis = fmax(proof->axis, vec_angle(a, axis_there));
 }
 
-void spline_bound_polyline(const struct bspline *curve, const struct track *track,
-                           struct spline_bound *proof)
+void spline_bound_polyline(const struct bspline *curve, const struct reference *reference,
+                           struct deviation *proof)
 {
     enum { PARTS = 4 };
 
-    *proof = (struct spline_bound){0};
-    for (size_t k = 0; k < track->n; k++)
+    *proof = (struct deviation){0};
+    for (size_t k = 0; k < reference->n; k++)
         for (int i = 0; i < PARTS; i++)
-            compare_at(curve, track, k, (double)i / PARTS, proof);
+            compare_at(curve, reference, k, (double)i / PARTS, proof);
 }
 
-bool spline_bound_hopeless(const struct bspline *curve, const struct track *track, const double *u,
-                           double tolerance)
+bool spline_bound_hopeless(const struct bspline *curve, const struct reference *reference,
+                           const double *u, double tolerance)
 {
-    struct polyline data = {track->n, track->point};
+    struct polyline data = {reference->n, reference->point};
 
     for (size_t stride = 61; stride > 0; stride /= 61) {
-        for (size_t k = stride / 2; k < track->n; k += stride) {
+        for (size_t k = stride / 2; k < reference->n; k += stride) {
             struct vec3 p = bspline_at(curve, curve->pole, u[k]);
-            double step = vec_distance(p, track->point[k]);
+            double step = vec_distance(p, reference->point[k]);
             if (step <= tolerance)
                 continue;
-            size_t segment = k + 1 < track->n ? k : k - 1;
-            struct foot at = {segment, k + 1 < track->n ? 0 : 1, 0};
+            size_t segment = k + 1 < reference->n ? k : k - 1;
+            struct foot at = {segment, k + 1 < reference->n ? 0 : 1, 0};
             if (polyline_foot(data, at, step, p).distance > tolerance)
                 return true;
         }

@@ -9,12 +9,8 @@
 #include "curve/flatten.h"
 
 static const double CORNER = PI / 3;    /* a turn above this is a corner ... */
-static const double CORNER_REACH = 10;  /* ... if it is one over so many tolerances too */
 static const double ROUGH = PI / 6;     /* a turn above this, at ... */
 static const double ROUGH_POINTS = 0.1; /* ... this part of the points: no smooth path is meant */
-static const double SPARSE = 1;         /* parts of the tolerance: straight lines further off */
-static const double DENSE = 0.1;        /* parts of the tolerance: chord error when made dense */
-static const double FALLBACK = 0.99;    /* parts of the tolerance: chord error of the fallback */
 
 static void piece_free(struct spline_run_piece *piece)
 {
@@ -31,7 +27,7 @@ void spline_run_free(struct spline_run *pieces)
 }
 
 /* From the corner to the first point before (step -1) or behind it that is `reach` mm away. */
-static struct vec3 away(const struct run *run, size_t corner, int step, double reach)
+static struct vec3 direction_to(const struct run *run, size_t corner, int step, double reach)
 {
     struct vec3 at = run->item[corner].ball, d = {0, 0, 0};
 
@@ -51,8 +47,8 @@ static struct sizes piece_ends(const struct run *run, double tolerance)
 
     run_corners(run, &corner);
     for (size_t k = 0; k < corner.n; k++) {
-        struct vec3 in = away(run, corner.item[k], -1, CORNER_REACH * tolerance);
-        struct vec3 out = away(run, corner.item[k], 1, CORNER_REACH * tolerance);
+        struct vec3 in = direction_to(run, corner.item[k], -1, SPLINE_CORNER * tolerance);
+        struct vec3 out = direction_to(run, corner.item[k], 1, SPLINE_CORNER * tolerance);
         if (PI - vec_angle(in, out) > CORNER)
             *array_push(&end) = corner.item[k];
     }
@@ -67,7 +63,7 @@ static void fill_fallback(struct spline_run_piece *piece, const struct run *run,
     const struct run_point *last = &run->item[piece->to];
     struct flat flat = {0};
 
-    flatten(&piece->fit.curve, offset, last->axis, FALLBACK * tolerance, &flat);
+    flatten(&piece->fit.curve, offset, last->axis, SPLINE_FALLBACK * tolerance, &flat);
     for (size_t i = 1; i + 1 < flat.u.n; i++)
         *array_push(&piece->fallback) = (struct pose){flat.point.item[i], flat.axis.item[i]};
     *array_push(&piece->fallback) = (struct pose){centre ? last->ball : last->tip, last->axis};
@@ -102,27 +98,27 @@ static void fit_piece(const struct run *run, bool centre, bool paper,
     const struct run *data = &part;
 
     if (!paper && !is_rough(&part) &&
-        run_densify(&part, DENSE * o.tolerance, &dense) > SPARSE * o.tolerance) {
+        run_densify(&part, SPLINE_DENSE * o.tolerance, &dense) > SPLINE_SPARSE * o.tolerance) {
         data = &dense;
-        piece->smooth = DENSE * o.tolerance;
+        piece->smooth = SPLINE_DENSE * o.tolerance;
         o.tolerance -= piece->smooth;
     }
-    struct track track = track_new(data, centre);
-    piece->still = track.n < 2;
+    struct reference reference = reference_distinct(data, centre);
+    piece->still = reference.n < 2;
     if (!piece->still) {
         if (paper)
-            splinefit_paper(&track, &o, &piece->fit);
+            splinefit_paper(&reference, &o, &piece->fit);
         else if (before)
-            splinefit_again(&track, &o, before, &piece->fit);
+            splinefit_again(&reference, &o, before, &piece->fit);
         else
-            splinefit_search(&track, &o, &piece->fit);
-        fill_fallback(piece, run, centre, track.offset, options->tolerance);
+            splinefit_search(&reference, &o, &piece->fit);
+        fill_fallback(piece, run, centre, reference.offset, options->tolerance);
     }
-    track_free(&track);
+    reference_free(&reference);
     array_free(&dense);
 }
 
-static void remember(const struct run *run, struct spline_run *pieces)
+static void keep_points(const struct run *run, struct spline_run *pieces)
 {
     pieces->fitted.n = 0;
     for (size_t i = 0; i < run->n; i++)
@@ -146,10 +142,10 @@ void spline_run_fit(const struct run *run, bool centre, bool paper,
         from = end.item[k];
     }
     array_free(&end);
-    remember(run, pieces);
+    keep_points(run, pieces);
 }
 
-static bool same(const struct run_point *a, const struct run_point *b)
+static bool same_place(const struct run_point *a, const struct run_point *b)
 {
     return vec_distance(a->ball, b->ball) == 0 && vec_distance(a->axis, b->axis) == 0;
 }
@@ -158,7 +154,7 @@ static bool moved(const struct run *run, const struct spline_run *pieces,
                   const struct spline_run_piece *piece)
 {
     for (size_t i = piece->from; i <= piece->to; i++)
-        if (!same(&run->item[i], &pieces->fitted.item[i]))
+        if (!same_place(&run->item[i], &pieces->fitted.item[i]))
             return true;
     return false;
 }
@@ -174,7 +170,7 @@ void spline_run_refit(const struct run *run, bool centre, bool paper,
         fit_piece(run, centre, paper, options, before.still ? NULL : &before.fit, piece);
         piece_free(&before);
     }
-    remember(run, pieces);
+    keep_points(run, pieces);
 }
 
 void spline_run_part(const struct run *run, bool centre, const struct splinefit_options *options,
@@ -193,4 +189,109 @@ void spline_run_part(const struct run *run, bool centre, const struct splinefit_
     memmove(&pieces->item[k + n], &pieces->item[k + 1], (pieces->n - k - 1) * sizeof *part);
     memcpy(&pieces->item[k], part, n * sizeof *part);
     pieces->n += n - 1;
+}
+
+/* ---- kept clear of the part */
+
+enum { ROUNDS = 6 }; /* of straight lines put in */
+
+struct work {
+    const struct spline_guard *guard;
+    struct spline_run *pieces;
+};
+
+static void find_gouges(const struct spline_guard *guard, const struct run *run,
+                        const struct spline_run_piece *piece, struct gouges *deeps)
+{
+    const struct run_point *from = &run->item[piece->from];
+    struct pose pose = {guard->rule.centre ? from->ball : from->tip, from->axis};
+    struct motion motion = motion_spline(pose, pose, &piece->fit.curve);
+
+    if (!piece->still)
+        gouge_refit_motion(&guard->rule, &motion, deeps);
+}
+
+static void fit_and_check(void *context, const struct run *run, struct gouges *deeps)
+{
+    struct work *work = context;
+    const struct spline_guard *g = work->guard;
+
+    if (work->pieces->n == 0)
+        spline_run_fit(run, g->rule.centre, g->paper, &g->fit, work->pieces);
+    else
+        spline_run_refit(run, g->rule.centre, g->paper, &g->fit, work->pieces);
+    for (size_t k = 0; g->rule.guard && k < work->pieces->n; k++)
+        find_gouges(g, run, &work->pieces->item[k], deeps);
+}
+
+/* The interval of the piece, told by its first point, over which the place is the least detour. */
+static size_t interval_at(const struct run *run, const struct spline_run_piece *piece,
+                          struct vec3 place)
+{
+    double least = HUGE_VAL;
+    size_t at = piece->from;
+
+    for (size_t i = piece->from; i < piece->to; i++) {
+        struct vec3 a = run->item[i].ball, b = run->item[i + 1].ball;
+        double detour = vec_distance(a, place) + vec_distance(place, b) - vec_distance(a, b);
+        if (detour < least) {
+            least = detour;
+            at = i;
+        }
+    }
+    return at;
+}
+
+/* In each piece that goes too deep, the line between the two points next to the deepest place.
+ * False when there was none. */
+static bool insert_straight_pieces(const struct work *work, const struct run *run)
+{
+    const struct spline_guard *g = work->guard;
+    struct gouges deeps = {0};
+    bool done = false;
+
+    for (size_t k = work->pieces->n; k-- > 0;) { /* what is parted, grows behind */
+        const struct spline_run_piece *piece = &work->pieces->item[k];
+        deeps.n = 0;
+        find_gouges(g, run, piece, &deeps);
+        struct gouge deepest = gouge_refit_beyond(&g->rule, &deeps);
+        if (deepest.depth == 0 || piece->to == piece->from + 1)
+            continue;
+        spline_run_part(run, g->rule.centre, &g->fit, k, interval_at(run, piece, deepest.ball),
+                        work->pieces);
+        done = true;
+    }
+    array_free(&deeps);
+    return done;
+}
+
+/* The points as they are: what is too deep is only told. */
+static struct gouge_refit_result fit_once(struct work *work, const struct run *run)
+{
+    struct gouge_refit_result result = {.lift = 0};
+    struct gouges deeps = {0};
+
+    fit_and_check(work, run, &deeps);
+    result.deepest = gouge_refit_beyond(&work->guard->rule, &deeps);
+    array_free(&deeps);
+    return result;
+}
+
+struct gouge_refit_result spline_guard_fit(const struct spline_guard *guard, struct run *run,
+                                           struct spline_run *pieces)
+{
+    struct work work = {guard, pieces};
+
+    spline_run_free(pieces);
+    if (guard->paper)
+        return fit_once(&work, run);
+    struct gouge_refit_result result = gouge_refit_fit(&guard->rule, run, fit_and_check, &work);
+    for (int round = 0; round < ROUNDS && result.deepest.depth > 0; round++) {
+        if (!insert_straight_pieces(&work, run))
+            break;
+        struct gouge_refit_result more = gouge_refit_fit(&guard->rule, run, fit_and_check, &work);
+        result.deepest = more.deepest;
+        result.lift += more.lift;
+    }
+    return result;
 }

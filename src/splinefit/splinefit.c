@@ -8,29 +8,35 @@
 
 #include "base/array.h"
 #include "free_knots.h"
-#include "lsq.h"
+#include "spline_bound.h"
+#include "spline_lsq.h"
 
 enum { PARAMS = 3, KNOTS = 2, START = 5, STEP = 5, WIDER = 40 };
-static const double RESOLUTION = 0.005; /* of a proof, in parts of the tolerance */
 
 struct search {
-    const struct track *track;
+    const struct reference *reference;
     const struct splinefit_options *options;
+    struct deviation within;
     bool paper;
+    struct vec3 *head; /* of the points; NULL: the axis is fixed */
     double *u[PARAMS]; /* the points' parameters, 0 to 1 */
     double *scaled;    /* the same in the range of a curve's knots */
 };
 
-static struct search search_new(const struct track *track, const struct splinefit_options *options,
-                                bool paper)
+static struct search search_new(const struct reference *reference,
+                                const struct splinefit_options *options, bool paper)
 {
-    struct search s = {.track = track, .options = options, .paper = paper};
+    struct search s = {.reference = reference,
+                       .options = options,
+                       .within = {options->tolerance, options->tolerance, options->angle},
+                       .paper = paper,
+                       .head = reference->turns ? spline_heads(reference) : NULL};
 
     for (int i = 0; i < PARAMS; i++) {
-        s.u[i] = mem_alloc(track->n, sizeof(double));
-        params_fill((enum params_method)i, track->chord, track->n, s.u[i]);
+        s.u[i] = mem_alloc(reference->n, sizeof(double));
+        params_fill((enum params_method)i, reference->chord, reference->n, s.u[i]);
     }
-    s.scaled = mem_alloc(track->n, sizeof(double));
+    s.scaled = mem_alloc(reference->n, sizeof(double));
     return s;
 }
 
@@ -39,6 +45,7 @@ static void search_free(struct search *s)
     for (int i = 0; i < PARAMS; i++)
         free(s->u[i]);
     free(s->scaled);
+    free(s->head);
 }
 
 void splinefit_free(struct splinefit *fit)
@@ -51,14 +58,14 @@ static void scale_params(const struct search *s, const double *u, const struct b
 {
     double range = curve->knot[curve->poles];
 
-    for (size_t k = 0; k < s->track->n; k++)
+    for (size_t k = 0; k < s->reference->n; k++)
         s->scaled[k] = fmin(u[k] * range, range);
 }
 
 /* Eq 7 at the other end of the radius. */
 static double c1_other(const struct search *s, const struct bspline *curve)
 {
-    const struct track *t = s->track;
+    const struct reference *t = s->reference;
     double worst = 0;
 
     for (size_t k = 0; curve->head != NULL && k < t->n; k++) {
@@ -70,9 +77,9 @@ static double c1_other(const struct search *s, const struct bspline *curve)
     return worst;
 }
 
-static bool accepted_by_paper(const struct search *s, const struct bspline *curve)
+static bool is_accepted_by_paper(const struct search *s, const struct bspline *curve)
 {
-    const struct track *t = s->track;
+    const struct reference *t = s->reference;
 
     for (size_t k = 0; k < t->n; k++) {
         struct vec3 p = bspline_at(curve, curve->pole, s->scaled[k]);
@@ -82,36 +89,38 @@ static bool accepted_by_paper(const struct search *s, const struct bspline *curv
     return c1_other(s, curve) <= s->options->tolerance;
 }
 
-static bool accepted(const struct search *s, const struct bspline *curve,
-                     struct spline_bound *proof)
+static bool is_accepted(const struct search *s, const struct bspline *curve,
+                        struct deviation *proof)
 {
     const struct splinefit_options *o = s->options;
 
     if (s->paper) {
-        if (!accepted_by_paper(s, curve))
+        if (!is_accepted_by_paper(s, curve))
             return false;
-        spline_bound_measure(curve, s->track, o->tolerance * RESOLUTION, INFINITY, proof);
+        spline_bound_measure(curve, s->reference, o->tolerance * SPLINE_RESOLUTION, INFINITY,
+                             proof);
         return isfinite(proof->axis); /* not so where the head passes near the point */
     }
-    if (spline_bound_hopeless(curve, s->track, s->scaled, o->tolerance))
+    if (spline_bound_hopeless(curve, s->reference, s->scaled, o->tolerance))
         return false;
-    spline_bound_measure(curve, s->track, o->tolerance * RESOLUTION, o->tolerance, proof);
-    return spline_bound_keeps(proof, o->tolerance, o->angle);
+    spline_bound_measure(curve, s->reference, o->tolerance * SPLINE_RESOLUTION, o->tolerance,
+                         proof);
+    return deviation_within(proof, &s->within);
 }
 
 /* One combination; on success *fit holds it in the place of what it held before. */
 static bool try_combination(const struct search *s, size_t poles, int params, int knots,
                             struct splinefit *fit)
 {
-    const struct track *t = s->track;
-    struct bspline curve = track_curve(t, s->options->degree, poles);
-    struct spline_bound proof = {0};
+    const struct reference *t = s->reference;
+    struct bspline curve = spline_new(t, s->options->degree, poles);
+    struct deviation proof = {0};
     const double *u = s->u[params];
 
     knots_fill((enum knots_method)knots, u, t->n, curve.degree, poles, curve.knot);
-    if (lsq_fit(&curve, u, t->point, t->head, t->n) && spline_bound_print(&curve)) {
+    if (lsq_fit(&curve, u, t->point, s->head, t->n) && spline_bound_print(&curve)) {
         scale_params(s, u, &curve);
-        if (accepted(s, &curve, &proof)) {
+        if (is_accepted(s, &curve, &proof)) {
             bspline_free(&fit->curve);
             *fit = (struct splinefit){.curve = curve,
                                       .kind = SPLINEFIT_FITTED,
@@ -126,7 +135,7 @@ static bool try_combination(const struct search *s, size_t poles, int params, in
     return false;
 }
 
-/* The first combination that is accepted, in the paper's order. */
+/* The first combination that is is_accepted, in the paper's order. */
 static bool try_count(const struct search *s, size_t poles, struct splinefit *fit)
 {
     const struct splinefit_options *o = s->options;
@@ -150,7 +159,7 @@ static size_t search_upwards(const struct search *s, size_t *failed, struct spli
     size_t least = (size_t)s->options->degree + 1;
 
     *failed = least - 1;
-    for (size_t n = START < least ? least : START; n <= s->track->n; n = next_count(s, n)) {
+    for (size_t n = START < least ? least : START; n <= s->reference->n; n = next_count(s, n)) {
         if (try_count(s, n, fit))
             return n;
         *failed = n;
@@ -158,7 +167,8 @@ static size_t search_upwards(const struct search *s, size_t *failed, struct spli
     return 0;
 }
 
-static void bisect(const struct search *s, size_t failed, size_t served, struct splinefit *fit)
+static void bisect_count(const struct search *s, size_t failed, size_t served,
+                         struct splinefit *fit)
 {
     while (served - failed > 1) {
         size_t n = failed + (served - failed) / 2;
@@ -169,57 +179,57 @@ static void bisect(const struct search *s, size_t failed, size_t served, struct 
     }
 }
 
-static bool straight_line(const struct search *s, struct splinefit *fit)
+static bool try_straight(const struct search *s, struct splinefit *fit)
 {
     const struct splinefit_options *o = s->options;
 
-    *fit = (struct splinefit){.curve = track_straight(s->track), .kind = SPLINEFIT_STRAIGHT};
+    *fit = (struct splinefit){.curve = spline_straight(s->reference), .kind = SPLINEFIT_STRAIGHT};
     if (spline_bound_print(&fit->curve)) {
-        spline_bound_measure(&fit->curve, s->track, o->tolerance * RESOLUTION, o->tolerance,
-                             &fit->proof);
-        fit->within = spline_bound_keeps(&fit->proof, o->tolerance, o->angle);
+        spline_bound_measure(&fit->curve, s->reference, o->tolerance * SPLINE_RESOLUTION,
+                             o->tolerance, &fit->proof);
+        fit->within = deviation_within(&fit->proof, &s->within);
     }
     if (!fit->within)
         splinefit_free(fit);
     return fit->within;
 }
 
-/* What always serves: the data's own polyline. */
-static void polyline(const struct search *s, struct splinefit *fit)
+/* What always serves: the data's own set_polyline. */
+static void set_polyline(const struct search *s, struct splinefit *fit)
 {
-    const struct splinefit_options *o = s->options;
-
-    *fit = (struct splinefit){.curve = track_polyline(s->track), .kind = SPLINEFIT_POLYLINE};
+    *fit = (struct splinefit){.curve = spline_polyline(s->reference), .kind = SPLINEFIT_POLYLINE};
     spline_bound_print(&fit->curve);
-    spline_bound_polyline(&fit->curve, s->track, &fit->proof);
-    fit->within = spline_bound_keeps(&fit->proof, o->tolerance, o->angle);
+    spline_bound_polyline(&fit->curve, s->reference, &fit->proof);
+    fit->within = deviation_within(&fit->proof, &s->within);
 }
 
 /* With all combinations open, the knots may as well be free.  `before`: a curve for nearly the same
  * data, or NULL. */
-static bool free_knots(const struct search *s, size_t known, const struct bspline *before,
-                       struct splinefit *fit)
+static bool fit_free_knots(const struct search *s, size_t known, const struct bspline *before,
+                           struct splinefit *fit)
 {
     const struct splinefit_options *o = s->options;
     struct free_knots_options options = {o->degree, o->tolerance, o->angle, known};
 
     *fit = (struct splinefit){.kind = SPLINEFIT_FREE, .within = true};
-    if (o->params >= 0 || o->knots >= 0)
+    if (o->params >= 0 || o->knots >= 0 || (before && before->degree != o->degree))
         return false;
-    if (before)
-        return before->degree == o->degree &&
-               free_knots_again(s->track, &options, before, &fit->curve, &fit->proof);
-    return free_knots_search(s->track, &options, &fit->curve, &fit->proof, &fit->cut);
+    struct free_knots_result found = before ? free_knots_again(s->reference, &options, before)
+                                            : free_knots_search(s->reference, &options);
+    fit->curve = found.curve;
+    fit->proof = found.proof;
+    fit->cut = found.cut;
+    return found.curve.poles > 0;
 }
 
-static void least_squares(const struct search *s, struct splinefit *fit)
+static void fit_by_least_squares(const struct search *s, struct splinefit *fit)
 {
     size_t failed, served = search_upwards(s, &failed, fit);
 
     if (served == 0)
-        polyline(s, fit);
+        set_polyline(s, fit);
     else
-        bisect(s, failed, served, fit);
+        bisect_count(s, failed, served, fit);
 }
 
 /* The one with fewer poles into *fit. */
@@ -234,68 +244,68 @@ static void keep_fewer(struct splinefit *fit, struct splinefit *other)
 }
 
 /* The paper's measures of the curve that was chosen. */
-static void measure(struct search *s, struct splinefit *fit)
+static void set_paper_error(struct search *s, struct splinefit *fit)
 {
-    const struct track *t = s->track;
+    const struct reference *t = s->reference;
 
     if (fit->kind == SPLINEFIT_POLYLINE)
         memcpy(s->scaled, fit->curve.knot + 1, t->n * sizeof *s->scaled);
     else if (fit->kind == SPLINEFIT_FREE)
-        spline_bound_feet(&fit->curve, t, s->options->tolerance * RESOLUTION, s->scaled);
+        spline_bound_feet(&fit->curve, t, s->options->tolerance * SPLINE_RESOLUTION, s->scaled);
     else if (fit->kind == SPLINEFIT_STRAIGHT)
         scale_params(s, s->u[PARAMS_CHORD], &fit->curve);
     else
         scale_params(s, s->u[fit->params], &fit->curve);
-    fit->deviation = deviation_of(&fit->curve, fit->curve.pole, t->point, s->scaled, t->n);
+    fit->deviation = fit_error_of(&fit->curve, fit->curve.pole, t->point, s->scaled, t->n);
 }
 
-void splinefit_paper(const struct track *track, const struct splinefit_options *options,
+void splinefit_paper(const struct reference *reference, const struct splinefit_options *options,
                      struct splinefit *fit)
 {
-    struct search s = search_new(track, options, true);
+    struct search s = search_new(reference, options, true);
     size_t failed;
 
     *fit = (struct splinefit){0};
     if (search_upwards(&s, &failed, fit) == 0)
-        polyline(&s, fit);
+        set_polyline(&s, fit);
     fit->within = true;
-    measure(&s, fit);
+    set_paper_error(&s, fit);
     search_free(&s);
 }
 
-void splinefit_search(const struct track *track, const struct splinefit_options *options,
+void splinefit_search(const struct reference *reference, const struct splinefit_options *options,
                       struct splinefit *fit)
 {
-    struct search s = search_new(track, options, false);
+    struct search s = search_new(reference, options, false);
 
     *fit = (struct splinefit){0};
-    if (!straight_line(&s, fit)) {
+    if (!try_straight(&s, fit)) {
         struct splinefit squares = {0};
-        bool turns = track->head != NULL; /* there the search is long: it is good to know before */
+        bool turns = reference->turns; /* there the search is long: it is good to know before */
         if (turns)
-            least_squares(&s, &squares);
-        bool found = free_knots(&s, squares.within ? squares.curve.poles : 0, NULL, fit),
+            fit_by_least_squares(&s, &squares);
+        bool found = fit_free_knots(&s, squares.within ? squares.curve.poles : 0, NULL, fit),
              cut = fit->cut;
         if (!turns && (!found || cut))
-            least_squares(&s, &squares);
+            fit_by_least_squares(&s, &squares);
         if (!found)
             *fit = squares;
         else if (turns || cut)
             keep_fewer(fit, &squares);
         fit->cut = cut;
     }
-    measure(&s, fit);
+    set_paper_error(&s, fit);
     search_free(&s);
 }
 
-void splinefit_again(const struct track *track, const struct splinefit_options *options,
+void splinefit_again(const struct reference *reference, const struct splinefit_options *options,
                      const struct splinefit *before, struct splinefit *fit)
 {
-    struct search s = search_new(track, options, false);
+    struct search s = search_new(reference, options, false);
 
-    if (free_knots(&s, 0, &before->curve, fit))
-        measure(&s, fit);
+    if (fit_free_knots(&s, 0, &before->curve, fit))
+        set_paper_error(&s, fit);
     else
-        splinefit_search(track, options, fit);
+        splinefit_search(reference, options, fit);
     search_free(&s);
 }

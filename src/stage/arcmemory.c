@@ -3,23 +3,23 @@
 
 #include <stdlib.h>
 
-static bool same_points(const struct trace *a, const struct trace *b)
+static bool same_points(const struct reference *a, const struct reference *b)
 {
     if (a->n != b->n)
         return false;
     for (size_t i = 0; i < a->n; i++)
-        if (vec_distance(a->p[i], b->p[i]) > 0 || vec_distance(a->other[i], b->other[i]) > 0 ||
-            vec_distance(a->axis[i], b->axis[i]) > 0)
+        if (vec_distance(a->point[i], b->point[i]) > 0 ||
+            vec_distance(a->other[i], b->other[i]) > 0 || vec_distance(a->axis[i], b->axis[i]) > 0)
             return false;
     return true;
 }
 
-bool arcmemory_take(struct arcmemory *memory, const struct trace *trace, struct pieces *pieces,
-                    struct printeds *printed, struct arc_deviation *worst)
+bool arcmemory_take(struct arcmemory *memory, const struct reference *reference,
+                    struct pieces *pieces, struct printeds *printed, struct deviation *worst)
 {
     for (size_t i = 0; i < memory->n; i++) {
         struct arcmemory_part *part = &memory->item[i];
-        if (part->printed.n == 0 || !same_points(&part->trace, trace))
+        if (part->printed.n == 0 || !same_points(&part->reference, reference))
             continue;
         array_free(pieces);
         array_free(printed);
@@ -34,12 +34,12 @@ bool arcmemory_take(struct arcmemory *memory, const struct trace *trace, struct 
 }
 
 const struct arcmemory_part *arcmemory_like(const struct arcmemory *memory,
-                                            const struct trace *trace)
+                                            const struct reference *reference)
 {
     for (size_t i = 0; i < memory->n; i++) {
-        const struct trace *t = &memory->item[i].trace;
-        if (vec_distance(t->p[0], trace->p[0]) <= 0 &&
-            vec_distance(t->p[t->n - 1], trace->p[trace->n - 1]) <= 0)
+        const struct reference *t = &memory->item[i].reference;
+        if (vec_distance(t->point[0], reference->point[0]) <= 0 &&
+            vec_distance(t->point[t->n - 1], reference->point[reference->n - 1]) <= 0)
             return &memory->item[i];
     }
     return NULL;
@@ -48,7 +48,7 @@ const struct arcmemory_part *arcmemory_like(const struct arcmemory *memory,
 void arcmemory_free(struct arcmemory *memory)
 {
     for (size_t i = 0; i < memory->n; i++) {
-        trace_free(&memory->item[i].trace);
+        reference_free(&memory->item[i].reference);
         array_free(&memory->item[i].pieces);
         array_free(&memory->item[i].printed);
     }

@@ -4,7 +4,7 @@
 #include <math.h>
 
 static const double SHORT = 1e-3; /* mm: nothing below this is an arc */
-static const double THERE = 1e-5; /* mm: so near to the end of the trace its digits are it */
+static const double THERE = 1e-5; /* mm: so near to the end of the reference its digits are it */
 
 static struct printed print_line(const struct arc_piece *piece, struct vec3 from, struct vec3 to)
 {
@@ -30,25 +30,26 @@ struct printed arcprint_piece(const struct arc_piece *piece, struct vec3 from)
     return p;
 }
 
-struct arc_deviation arcprint_pieces(const struct trace *trace, const struct pieces *pieces,
-                                     struct printeds *printed)
+struct deviation arcprint_pieces(const struct reference *reference, const struct pieces *pieces,
+                                 struct printeds *printed)
 {
-    struct vec3 at = vec_round(trace->p[0], PATH_COORDINATE), end = trace->p[trace->n - 1];
-    struct arc_deviation worst = {0};
+    struct vec3 at = vec_round(reference->point[0], PATH_COORDINATE),
+                end = reference->point[reference->n - 1];
+    struct deviation worst = {0};
 
     printed->n = 0;
     for (size_t i = 0; i < pieces->n; i++) {
         struct printed p = arcprint_piece(&pieces->item[i], at);
         at = p.piece.arc.to;
-        worst = arc_deviation_worst(worst, arc_piece_deviation(trace, &p.piece, 4, NULL));
+        worst = deviation_worst(worst, arc_piece_deviation(reference, &p.piece, 4, NULL));
         *array_push(printed) = p;
     }
     if (pieces->n == 0 || vec_distance(at, end) >= THERE)
-        worst.tracked = HUGE_VAL; /* what is missing strays from nothing */
+        worst.point = HUGE_VAL; /* what is missing strays from nothing */
     return worst;
 }
 
-int arcprint_chords(const struct arc_piece *piece, double lever, double sagitta)
+int arcprint_chords(const struct arc_piece *piece, double offset, double sagitta)
 {
     for (int n = 1; n < 4096; n *= 2) {
         double worst = 0;
@@ -57,7 +58,7 @@ int arcprint_chords(const struct arc_piece *piece, double lever, double sagitta)
             for (int k = 0; k < 3; k++) {
                 double s = (i + k * 0.5) / n;
                 p[k] = arc_at(&piece->arc, s);
-                q[k] = vec_along(p[k], lever, vec_slerp(piece->axis, piece->axis_to, s));
+                q[k] = vec_along(p[k], offset, vec_slerp(piece->axis, piece->axis_to, s));
             }
             worst = fmax(worst, vec_distance(p[1], vec_mix(p[0], p[2], 0.5)));
             worst = fmax(worst, vec_distance(q[1], vec_mix(q[0], q[2], 0.5)));

@@ -3,44 +3,39 @@
 
 #include <stdlib.h>
 
-#include "arcfit/arc_reverse.h"
-#include "arcfit/arc_beam.h"
-#include "arcfit/arc_update.h"
+#include "arcfit/arcfit.h"
 #include "stage/arcprint.h"
-#include "arcfit/arcspline_reduce.h"
-
-static const double REFERENCE = 0.02; /* part of the tolerance that the dense reference may take */
-static const double DENSE = 0.25; /* of it: straight lines this near to the smooth path are it */
 
 /* The work on one smooth part of a run. */
 struct fit {
     const struct arcrun_options *options;
     const struct run *dense;
-    size_t first; /* point of the dense run at which the trace begins */
-    struct trace trace;
+    size_t first; /* point of the dense run at which the reference begins */
+    struct reference reference;
     struct pieces pieces;
     struct printeds printed;
-    struct arc_deviation worst;
+    struct deviation worst;
 };
 
 static void print_pieces(struct fit *f)
 {
-    f->worst = arcprint_pieces(&f->trace, &f->pieces, &f->printed);
+    f->worst = arcprint_pieces(&f->reference, &f->pieces, &f->printed);
 }
 
-/* Straight from point to point: the trace itself. */
+/* Straight from point to point: the reference itself. */
 static void fit_points(struct fit *f)
 {
     f->pieces.n = 0;
-    for (size_t i = 0; i + 1 < f->trace.n; i++)
-        *array_push(&f->pieces) = arc_piece_of(
-            &f->trace, arc_line(f->trace.p[i], f->trace.p[i + 1]), (double)i, (double)(i + 1));
+    for (size_t i = 0; i + 1 < f->reference.n; i++)
+        *array_push(&f->pieces) =
+            arc_piece_of(&f->reference, arc_line(f->reference.point[i], f->reference.point[i + 1]),
+                         (double)i, (double)(i + 1));
 }
 
 static size_t given_points(const struct fit *f)
 {
     size_t n = 0;
-    for (size_t i = 0; i < f->trace.n; i++)
+    for (size_t i = 0; i < f->reference.n; i++)
         n += f->dense->item[f->first + i].given;
     return n;
 }
@@ -54,15 +49,15 @@ static bool smooth(const struct fit *f, bool again)
 }
 
 /* The pieces found from the other end, where they are fewer. */
-static bool fit_back(const struct fit *f, const struct arc_deviation *less, struct pieces *back)
+static bool fit_back(const struct fit *f, const struct deviation *less, struct pieces *back)
 {
-    struct trace trace = arc_reverse_trace(&f->trace);
-    arc_beam_fit(&trace, less, PATH_COORDINATE, back);
-    arcspline_reduce(&trace, less, PATH_COORDINATE, true, back);
-    arc_reverse_pieces(back, trace.n);
+    struct reference reference = arcfit_reverse_reference(&f->reference);
+    arcfit_beam(&reference, less, PATH_COORDINATE, back);
+    arcfit_reduce(&reference, less, PATH_COORDINATE, true, back);
+    arcfit_reverse_pieces(back, reference.n);
     if (back->n <= f->pieces.n)
-        arcspline_reduce(&f->trace, less, PATH_COORDINATE, true, back);
-    trace_free(&trace);
+        arcfit_reduce(&f->reference, less, PATH_COORDINATE, true, back);
+    reference_free(&reference);
     return back->n < f->pieces.n;
 }
 
@@ -74,25 +69,25 @@ static void swap(struct pieces *a, struct pieces *b)
 }
 
 /* The printed pieces keep the tolerance. */
-static bool proven(struct fit *f, const struct arc_deviation *within)
+static bool proven(struct fit *f, const struct deviation *within)
 {
     print_pieces(f);
-    return arc_deviation_within(&f->worst, within);
+    return deviation_within(&f->worst, within);
 }
 
 /* Once: from the start, and from the end where that pays. */
-static bool fit_once(struct fit *f, bool again, const struct arc_deviation *within,
-                     const struct arc_deviation *less)
+static bool fit_once(struct fit *f, bool again, const struct deviation *within,
+                     const struct deviation *less)
 {
     struct pieces back = {0};
     bool good = false;
 
     f->pieces.n = 0;
-    arc_beam_fit(&f->trace, less, PATH_COORDINATE, &f->pieces);
-    arcspline_reduce(&f->trace, less, PATH_COORDINATE, false, &f->pieces);
+    arcfit_beam(&f->reference, less, PATH_COORDINATE, &f->pieces);
+    arcfit_reduce(&f->reference, less, PATH_COORDINATE, false, &f->pieces);
     bool thorough = smooth(f, again);
     if (thorough)
-        arcspline_reduce(&f->trace, less, PATH_COORDINATE, true, &f->pieces);
+        arcfit_reduce(&f->reference, less, PATH_COORDINATE, true, &f->pieces);
     if (thorough && fit_back(f, less, &back)) {
         swap(&f->pieces, &back);
         good = proven(f, within);
@@ -104,24 +99,25 @@ static bool fit_once(struct fit *f, bool again, const struct arc_deviation *with
 }
 
 /* The pieces of the last time, where they have to change no more than in one place. */
-static bool mend(struct fit *f, const struct arcmemory *memory, const struct arc_deviation *within,
-                 const struct arc_deviation *less)
+static bool mend(struct fit *f, const struct arcmemory *memory, const struct deviation *within,
+                 const struct deviation *less)
 {
-    const struct arcmemory_part *last = memory ? arcmemory_like(memory, &f->trace) : NULL;
+    const struct arcmemory_part *last = memory ? arcmemory_like(memory, &f->reference) : NULL;
 
     return last &&
-           arc_update(&last->trace, &f->trace, less, PATH_COORDINATE, &last->pieces, &f->pieces) &&
+           arcfit_update(&last->reference, &f->reference, less, PATH_COORDINATE, &last->pieces,
+                         &f->pieces) &&
            proven(f, within);
 }
 
 /* Fits within less and less of the tolerance until the printed digits keep all of it. */
 static void fit_within(struct fit *f, const struct arcmemory *memory, double tolerance)
 {
-    struct arc_deviation within = {tolerance, tolerance, f->options->axis};
-    double part = 1 - 1e-6 / tolerance;
+    struct deviation within = {tolerance, tolerance, f->options->axis};
+    double part = 1 - ARC_PRINTED / tolerance;
 
-    for (int i = 0; i < 6; i++, part *= 0.995) {
-        struct arc_deviation less = {part * tolerance, part * tolerance, part * f->options->axis};
+    for (int i = 0; i < 6; i++, part *= ARC_RETRY) {
+        struct deviation less = {part * tolerance, part * tolerance, part * f->options->axis};
         if (i == 0 && mend(f, memory, &within, &less))
             return;
         if (fit_once(f, memory != NULL, &within, &less))
@@ -131,7 +127,7 @@ static void fit_within(struct fit *f, const struct arcmemory *memory, double tol
     print_pieces(f);
 }
 
-/* Contact at a place of the trace. */
+/* Contact at a place of the reference. */
 static bool contact_at(const struct fit *f, double place, struct contact *contact)
 {
     size_t i = f->first + (size_t)place;
@@ -157,7 +153,7 @@ static void put_chords(const struct fit *f, const struct printed *p, struct path
     arcprint_comment(&p->arc, text);
     path_add_text(out, text);
     const struct arc_piece *piece = &p->piece;
-    int n = arcprint_chords(piece, f->trace.lever, DENSE * f->options->tolerance);
+    int n = arcprint_chords(piece, f->reference.offset, ARC_CHORD * f->options->tolerance);
     for (int i = 1; i <= n; i++) {
         double s = (double)i / n, place = piece->from + s * (piece->to - piece->from);
         struct pose to = {arc_at(&piece->arc, s), vec_slerp(piece->axis, piece->axis_to, s)};
@@ -195,13 +191,13 @@ static void put_pieces(const struct fit *f, struct path *out, struct arcrun_repo
     }
 }
 
-/* A biarc for each interval between given points, its places those of the dense trace. */
+/* A biarc for each interval between given points, its places those of the dense reference. */
 static void fit_each(struct fit *f, const struct run *run, struct arcrun_report *report)
 {
-    struct trace given = trace_of(run, 0, run->n, f->options->centre, true);
+    struct reference given = reference_of(run, 0, run->n, f->options->centre, true);
     report->loops += arcfit_each(&given, &f->pieces);
-    size_t *at = mem_alloc(f->trace.n, sizeof *at), n = 0;
-    for (size_t i = 0; i < f->trace.n; i++)
+    size_t *at = mem_alloc(f->reference.n, sizeof *at), n = 0;
+    for (size_t i = 0; i < f->reference.n; i++)
         if (f->dense->item[f->first + i].given)
             at[n++] = i;
     for (size_t i = 0; i < f->pieces.n; i++) {
@@ -209,22 +205,22 @@ static void fit_each(struct fit *f, const struct run *run, struct arcrun_report 
         double from = i > 0 ? f->pieces.item[i - 1].to : 0;
         double to = (double)at[(size_t)ceil(p->to)];
         if (p->biarc)
-            to = fmin(to, fmax(from, trace_place(&f->trace, p->arc.to, (from + to) / 2)));
+            to = fmin(to, fmax(from, reference_place(&f->reference, p->arc.to, (from + to) / 2)));
         bool biarc = p->biarc;
-        *p = arc_piece_of(&f->trace, p->arc, from, to);
+        *p = arc_piece_of(&f->reference, p->arc, from, to);
         p->biarc = biarc;
     }
     free(at);
-    trace_free(&given);
+    reference_free(&given);
 }
 
 /* The dense reference as its digits will say it; returns what it takes of the tolerance. */
-static double reference_of(const struct run *run, const struct arcrun_options *options,
+static double dense_run_of(const struct run *run, const struct arcrun_options *options,
                            struct run *dense)
 {
-    double taken = REFERENCE * options->tolerance;
+    double taken = ARC_REFERENCE_MAX * options->tolerance;
     double off = run_densify(run, taken, dense);
-    if (off <= DENSE * options->tolerance) {
+    if (off <= ARC_DENSE * options->tolerance) {
         dense->n = 0;
         for (size_t i = 0; i < run->n; i++)
             *array_push(dense) = run->item[i];
@@ -262,10 +258,10 @@ static struct sizes parts_of(const struct run *dense, const struct arcrun_option
 static void keep(struct arcmemory *memory, struct fit *f)
 {
     if (!memory) {
-        trace_free(&f->trace);
+        reference_free(&f->reference);
         return;
     }
-    *array_push(memory) = (struct arcmemory_part){f->trace, f->pieces, f->printed, f->worst};
+    *array_push(memory) = (struct arcmemory_part){f->reference, f->pieces, f->printed, f->worst};
     f->pieces = (struct pieces){0};
     f->printed = (struct printeds){0};
 }
@@ -275,21 +271,23 @@ void arcrun_fit(const struct run *run, const struct arcrun_options *options,
 {
     struct arcmemory next = {0};
     struct run dense = {.radius = run->radius};
-    double taken = reference_of(run, options, &dense);
+    double taken = dense_run_of(run, options, &dense);
     if (options->chords)
-        taken += DENSE * options->tolerance;
+        taken += ARC_CHORD * options->tolerance;
     struct sizes end = parts_of(&dense, options);
     struct fit f = {.options = options, .dense = &dense};
     for (size_t i = 0; i < end.n; i++) {
-        f.trace = trace_of(&dense, f.first, end.item[i] - f.first + 1, options->centre, false);
+        f.reference =
+            reference_of(&dense, f.first, end.item[i] - f.first + 1, options->centre, false);
         if (options->paper) {
             fit_each(&f, run, report);
             print_pieces(&f);
-        } else if (!memory || !arcmemory_take(memory, &f.trace, &f.pieces, &f.printed, &f.worst)) {
+        } else if (!memory ||
+                   !arcmemory_take(memory, &f.reference, &f.pieces, &f.printed, &f.worst)) {
             fit_within(&f, memory, options->tolerance - taken);
         }
         put_pieces(&f, out, report);
-        report->worst = arc_deviation_worst(report->worst, f.worst);
+        report->worst = deviation_worst(report->worst, f.worst);
         f.first = end.item[i];
         keep(memory ? &next : NULL, &f);
     }
@@ -299,7 +297,7 @@ void arcrun_fit(const struct run *run, const struct arcrun_options *options,
     }
     report->points += run->n;
     report->corners += end.n - 1;
-    report->spent = fmax(report->worst.tracked, report->worst.other) + taken;
+    report->spent = fmax(report->worst.point, report->worst.other) + taken;
     array_free(&f.pieces);
     array_free(&f.printed);
     array_free(&end);

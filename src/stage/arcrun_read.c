@@ -36,5 +36,5 @@ void arcrun_add(struct arcrun_report *sum, const struct arcrun_report *report)
     sum->kinks += report->kinks;
     sum->length += report->length;
     sum->spent = fmax(sum->spent, report->spent);
-    sum->worst = arc_deviation_worst(sum->worst, report->worst);
+    sum->worst = deviation_worst(sum->worst, report->worst);
 }

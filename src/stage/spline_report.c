@@ -27,8 +27,8 @@ void spline_report_head(FILE *table)
             "%fewer", "C1", "C2", "rms", "middle", "tip", "ball", "axis", "parameters/knots");
 }
 
-static void write_row(FILE *table, size_t points, size_t poles, const struct deviation *d,
-                      const struct spline_bound *p, const char *end)
+static void write_row(FILE *table, size_t points, size_t poles, const struct fit_error *d,
+                      const struct deviation *p, const char *end)
 {
     fprintf(table, "%7zu %7zu %7.2f %9.6f %9.6f %9.6f %9.6f %9.6f %9.6f %8.4f  %s\n", points, poles,
             spline_report_fewer(points, poles), d->c1, d->c2, d->rms, d->middle, p->point, p->other,

@@ -27,9 +27,9 @@ static void darboux(const struct run *run, struct frame *frame)
 /* Turns the frames found so far where the curve bends; takes over the one before where not. */
 static void frenet(const struct run *run, struct frame *frame)
 {
-    struct trace trace = trace_of(run, 0, run->n, true, true);
+    struct reference reference = reference_of(run, 0, run->n, true, true);
     struct pieces pieces = {0};
-    arcfit_each(&trace, &pieces);
+    arcfit_each(&reference, &pieces);
     bool begun = false;
     for (size_t k = 0; k < pieces.n; k++) {
         const struct arc_piece *piece = &pieces.item[k];
@@ -54,7 +54,7 @@ static void frenet(const struct run *run, struct frame *frame)
         begun = true;
     }
     array_free(&pieces);
-    trace_free(&trace);
+    reference_free(&reference);
 }
 
 void tilt_run(struct run *run, double angle, bool paper, struct vec3 *side)

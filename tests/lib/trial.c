@@ -52,7 +52,7 @@ double trial_off_chain(struct vec3 q, const struct vec3 *point, size_t n)
     return best;
 }
 
-double trial_brute_force(const struct bspline *b, const struct track *t, bool other)
+double trial_brute_force(const struct bspline *b, const struct reference *t, bool other)
 {
     enum { N = 1500, PARTS = 30 };
     static struct vec3 way[N + 1];
@@ -74,7 +74,7 @@ double trial_brute_force(const struct bspline *b, const struct track *t, bool ot
     return worst;
 }
 
-struct trace trial_wave(size_t n, double step, double lean, double kink)
+struct reference trial_wave(size_t n, double step, double lean, double kink)
 {
     struct run run = {.radius = 6};
     for (size_t i = 0; i < n; i++) {
@@ -84,19 +84,19 @@ struct trace trial_wave(size_t n, double step, double lean, double kink)
         *array_push(&run) = (struct run_point){
             .tip = tip, .ball = vec_along(tip, run.radius, axis), .axis = axis, .given = true};
     }
-    struct trace t = trace_of(&run, 0, run.n, false, false);
+    struct reference t = reference_of(&run, 0, run.n, false, false);
     array_free(&run);
     return t;
 }
 
-void trial_assert_chain(const struct trace *t, const struct arc_deviation *within,
+void trial_assert_chain(const struct reference *t, const struct deviation *within,
                         const struct pieces *p)
 {
-    ck_assert_double_lt(vec_distance(p->item[0].arc.from, t->p[0]), 1e-12);
-    ck_assert_double_lt(vec_distance(p->item[p->n - 1].arc.to, t->p[t->n - 1]), 1e-12);
+    ck_assert_double_lt(vec_distance(p->item[0].arc.from, t->point[0]), 1e-12);
+    ck_assert_double_lt(vec_distance(p->item[p->n - 1].arc.to, t->point[t->n - 1]), 1e-12);
     for (size_t i = 0; i < p->n; i++) {
-        struct arc_deviation stray = arc_piece_deviation(t, &p->item[i], 8, NULL);
-        ck_assert_double_le(stray.tracked, 1.01 * within->tracked);
+        struct deviation stray = arc_piece_deviation(t, &p->item[i], 8, NULL);
+        ck_assert_double_le(stray.point, 1.01 * within->point);
         ck_assert_double_le(stray.other, 1.01 * within->other);
         ck_assert_double_le(stray.axis, within->axis);
         if (i == 0)
@@ -111,18 +111,19 @@ void trial_assert_chain(const struct trace *t, const struct arc_deviation *withi
     }
 }
 
-struct attempt trial_attempt(const struct target *t, int degree, size_t poles, double power)
+struct candidate trial_candidate(const struct reference *t, const struct deviation *within,
+                                 int degree, size_t poles, double power)
 {
     struct bspline form = {.degree = degree, .poles = poles};
-    struct attempt a = {0};
+    struct candidate a = {0};
     double knot[TRIAL_KNOTS] = {0};
 
     ck_assert(poles + (size_t)degree < TRIAL_KNOTS);
     for (size_t j = (size_t)degree + 1; j <= poles + (size_t)degree; j++) {
         double share = (double)(j - (size_t)degree) / (double)(poles - (size_t)degree);
-        knot[j] = t->at[t->n - 1] * fmin(1, pow(share, power));
+        knot[j] = t->length[t->n - 1] * fmin(1, pow(share, power));
     }
-    ck_assert(attempt_start(t, &form, knot, t->at, &a));
+    ck_assert(candidate_new(t, within, &form, knot, t->length, &a));
     return a;
 }
 
@@ -132,15 +133,15 @@ struct trial_fit trial_fit_new(size_t n, double radius, bool fixed, bool centre,
 
     for (size_t i = 0; fixed && i < fit.run.n; i++)
         fit.run.item[i].axis = vec(0, 0, 1);
-    fit.track = track_new(&fit.run, centre);
-    fit.target = target_new(&fit.track, parts, 0.01, 0.02);
+    fit.track = reference_distinct(&fit.run, centre);
+    fit.target = reference_sample(&fit.track, parts);
     return fit;
 }
 
 void trial_fit_free(struct trial_fit *fit)
 {
-    attempt_free(&fit->attempt);
-    target_free(&fit->target);
-    track_free(&fit->track);
+    candidate_free(&fit->candidate);
+    reference_free(&fit->target);
+    reference_free(&fit->track);
     array_free(&fit->run);
 }

@@ -6,8 +6,7 @@
 #include "curve/bspline.h"
 #include "splinefit/minimax.h"
 #include "curve/run.h"
-#include "arcfit/trace.h"
-#include "splinefit/track.h"
+#include "curve/reference.h"
 
 /* n points: the tip on a wave, the axis swinging; radius of the ball, mm. */
 struct run trial_motion(size_t n, double radius);
@@ -21,30 +20,31 @@ struct run trial_screw(size_t n, double step);
 
 /* n points `step` mm apart in x on a wave in space, radius 6; with `lean` the axis swings along it,
  * with `kink` there is a corner in the middle. */
-struct trace trial_wave(size_t n, double step, double lean, double kink);
+struct reference trial_wave(size_t n, double step, double lean, double kink);
 
 /* Largest distance both ways between the curve, taken at 1,501 places, and the track's polyline,
  * mm; of the tracked point or of the other one. */
-double trial_brute_force(const struct bspline *b, const struct track *t, bool other);
+double trial_brute_force(const struct bspline *b, const struct reference *t, bool other);
 
-/* The pieces lead from the trace's first point to its last, all of them joined, with no kink and
- * within the tolerances. */
-void trial_assert_chain(const struct trace *t, const struct arc_deviation *within,
+/* The pieces lead from the reference's first point to its last, all of them joined, with no kink
+ * and within the tolerances. */
+void trial_assert_chain(const struct reference *t, const struct deviation *within,
                         const struct pieces *p);
 
 /* A curve through the target by least squares, its knots spread by that power. */
-struct attempt trial_attempt(const struct target *t, int degree, size_t poles, double power);
+struct candidate trial_candidate(const struct reference *t, const struct deviation *within,
+                                 int degree, size_t poles, double power);
 
 /* A curve through trial_motion, and all that it takes. */
 struct trial_fit {
     struct run run;
-    struct track track;
-    struct target target;
-    struct attempt attempt;
+    struct reference track;
+    struct reference target;
+    struct candidate candidate;
 };
 
 /* The motion's n points, with a `fixed` axis or turning, its tip tracked or its `centre`, sampled
- * at about `parts` places; the attempt is still to be made. */
+ * at about `parts` places; the candidate is still to be made. */
 struct trial_fit trial_fit_new(size_t n, double radius, bool fixed, bool centre, size_t parts);
 
 void trial_fit_free(struct trial_fit *fit);

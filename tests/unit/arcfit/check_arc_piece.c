@@ -17,7 +17,8 @@ static double to_line(struct vec3 q, const struct vec3 *line, size_t from, size_
 }
 
 /* Both directions, by brute force. */
-static void brute(const struct trace *t, const struct arc_piece *p, double *tracked, double *other)
+static void brute(const struct reference *t, const struct arc_piece *p, double *tracked,
+                  double *other)
 {
     enum { MANY = 400 };
     size_t from = (size_t)p->from, to = (size_t)ceil(p->to);
@@ -26,12 +27,12 @@ static void brute(const struct trace *t, const struct arc_piece *p, double *trac
     for (int k = 0; k <= MANY; k++) {
         double s = (double)k / MANY;
         at[k] = arc_at(&p->arc, s);
-        far[k] = vec_along(at[k], t->lever, vec_slerp(p->axis, p->axis_to, s));
-        *tracked = fmax(*tracked, to_line(at[k], t->p, 0, t->n - 1));
+        far[k] = vec_along(at[k], t->offset, vec_slerp(p->axis, p->axis_to, s));
+        *tracked = fmax(*tracked, to_line(at[k], t->point, 0, t->n - 1));
         *other = fmax(*other, to_line(far[k], t->other, 0, t->n - 1));
     }
     for (size_t i = from + 1; i <= to; i++) {
-        *tracked = fmax(*tracked, to_line(t->p[i], at, 0, MANY));
+        *tracked = fmax(*tracked, to_line(t->point[i], at, 0, MANY));
         *other = fmax(*other, to_line(t->other[i], far, 0, MANY));
     }
 }
@@ -40,18 +41,18 @@ START_TEST(stray_is_what_brute_force_finds)
 {
     struct run run = trial_screw(60, 0.02);
     for (int centre = 0; centre < 2; centre++) {
-        struct trace t = trace_of(&run, 0, run.n, centre, false);
+        struct reference t = reference_of(&run, 0, run.n, centre, false);
         for (size_t to = 10; to < 60; to += 16) {
-            struct vec3 aim = vec_add(t.p[to], vec(0.01, 0.02, -0.03));
-            struct arc arc = arc_to(t.p[3], t.tangent[3], aim);
+            struct vec3 aim = vec_add(t.point[to], vec(0.01, 0.02, -0.03));
+            struct arc arc = arc_to(t.point[3], t.tangent[3], aim);
             struct arc_piece p = arc_piece_of(&t, arc, 3, (double)to);
-            struct arc_deviation stray = arc_piece_deviation(&t, &p, 4, NULL);
+            struct deviation stray = arc_piece_deviation(&t, &p, 4, NULL);
             double tracked, other;
             brute(&t, &p, &tracked, &other);
-            ck_assert_double_lt(fabs(stray.tracked - tracked), 0.02 * tracked + 1e-4);
+            ck_assert_double_lt(fabs(stray.point - tracked), 0.02 * tracked + 1e-4);
             ck_assert_double_lt(fabs(stray.other - other), 0.02 * other + 1e-4);
         }
-        trace_free(&t);
+        reference_free(&t);
     }
     array_free(&run);
 }
@@ -66,16 +67,16 @@ START_TEST(an_axis_out_of_step_is_seen)
         *array_push(&run) =
             (struct run_point){.tip = tip, .ball = vec_along(tip, 5, axis), .axis = axis};
     }
-    struct trace t = trace_of(&run, 0, run.n, false, false);
-    struct arc_piece p = arc_piece_of(&t, arc_line(t.p[0], t.p[10]), 0, 10);
-    struct arc_deviation stray = arc_piece_deviation(&t, &p, 1, NULL);
-    ck_assert_double_eq(stray.tracked, 0);
+    struct reference t = reference_of(&run, 0, run.n, false, false);
+    struct arc_piece p = arc_piece_of(&t, arc_line(t.point[0], t.point[10]), 0, 10);
+    struct deviation stray = arc_piece_deviation(&t, &p, 1, NULL);
+    ck_assert_double_eq(stray.point, 0);
     ck_assert_double_eq_tol(DEGREES(stray.axis), 5, 1e-9);
     ck_assert_double_gt(stray.other, 0.3);
-    struct arc_deviation within = {1, 0.1, 1};
+    struct deviation within = {1, 0.1, 1};
     stray = arc_piece_deviation(&t, &p, 1, &within);
-    ck_assert(!arc_deviation_within(&stray, &within));
-    trace_free(&t);
+    ck_assert(!deviation_within(&stray, &within));
+    reference_free(&t);
     array_free(&run);
 }
 END_TEST

@@ -1,26 +1,24 @@
-/* Tests of arcspline_reduce.h: fewer arcs than the search from left to right, as near and as
- * smooth. */
-#include "arcfit/arcspline_reduce.h"
+/* Tests of arcfit_reduce and arcfit_update: fewer arcs, and arcs that stay. */
+#include "arcfit/arcfit.h"
 
 #include <check.h>
 #include <stdlib.h>
 
-#include "arcfit/arc_beam.h"
 #include "trial.h"
 
-static const struct arc_deviation WITHIN = {0.01, 0.01, 0.02};
+static const struct deviation WITHIN = {0.01, 0.01, 0.02};
 
 static void assert_fewer(size_t n, double lean, size_t fewer)
 {
-    struct trace t = trial_wave(n, 0.25, lean, 0);
+    struct reference t = trial_wave(n, 0.25, lean, 0);
     struct pieces p = {0};
-    arc_beam_fit(&t, &WITHIN, 6, &p);
+    arcfit_beam(&t, &WITHIN, 6, &p);
     size_t before = p.n;
-    arcspline_reduce(&t, &WITHIN, 6, true, &p);
+    arcfit_reduce(&t, &WITHIN, 6, true, &p);
     trial_assert_chain(&t, &WITHIN, &p);
     ck_assert_uint_le(p.n + fewer, before);
     array_free(&p);
-    trace_free(&t);
+    reference_free(&t);
 }
 
 START_TEST(a_short_wave_saves_some)
@@ -46,14 +44,14 @@ START_TEST(from_few_to_many)
 {
     int windows = 0;
     for (size_t n = 121; n < 800; n += 120) {
-        struct trace t = trial_wave(n, 0.25, 0, 0);
+        struct reference t = trial_wave(n, 0.25, 0, 0);
         struct pieces p = {0};
-        arc_beam_fit(&t, &WITHIN, 6, &p);
+        arcfit_beam(&t, &WITHIN, 6, &p);
         windows += p.n > 32;
-        arcspline_reduce(&t, &WITHIN, 6, true, &p);
+        arcfit_reduce(&t, &WITHIN, 6, true, &p);
         trial_assert_chain(&t, &WITHIN, &p);
         array_free(&p);
-        trace_free(&t);
+        reference_free(&t);
     }
     ck_assert_int_gt(windows, 0);
 }
@@ -61,19 +59,19 @@ END_TEST
 
 START_TEST(a_kink_stays)
 {
-    struct trace t = trial_wave(201, 0.25, 0, 0.5);
+    struct reference t = trial_wave(201, 0.25, 0, 0.5);
     struct pieces p = {0}, second = {0};
-    struct trace half = t;
+    struct reference half = t;
     half.n = 101;
-    arc_beam_fit(&half, &WITHIN, 6, &p);
-    half = (struct trace){.n = 101,
-                          .p = t.p + 100,
-                          .other = t.other + 100,
-                          .axis = t.axis + 100,
-                          .tangent = t.tangent + 100,
-                          .length = t.length + 100,
-                          .lever = t.lever};
-    arc_beam_fit(&half, &WITHIN, 6, &second);
+    arcfit_beam(&half, &WITHIN, 6, &p);
+    half = (struct reference){.n = 101,
+                              .point = t.point + 100,
+                              .other = t.other + 100,
+                              .axis = t.axis + 100,
+                              .tangent = t.tangent + 100,
+                              .length = t.length + 100,
+                              .offset = t.offset};
+    arcfit_beam(&half, &WITHIN, 6, &second);
     for (size_t i = 0; i < second.n; i++) {
         struct arc_piece moved = second.item[i];
         moved.from += 100;
@@ -81,31 +79,127 @@ START_TEST(a_kink_stays)
         *array_push(&p) = moved;
     }
     size_t before = p.n, kinks = 0;
-    arcspline_reduce(&t, &WITHIN, 6, true, &p);
+    arcfit_reduce(&t, &WITHIN, 6, true, &p);
     ck_assert_uint_lt(p.n, before);
     for (size_t i = 1; i < p.n; i++) {
         double kink = vec_angle(arc_tangent(&p.item[i - 1].arc, 1), p.item[i].arc.tangent);
         kinks += kink > 2 * ARCFIT_KINK;
         if (kink > 2 * ARCFIT_KINK)
-            ck_assert_double_lt(vec_distance(p.item[i].arc.from, t.p[100]), 1e-12);
+            ck_assert_double_lt(vec_distance(p.item[i].arc.from, t.point[100]), 1e-12);
     }
     ck_assert_uint_eq(kinks, 1);
     array_free(&p);
     array_free(&second);
-    trace_free(&t);
+    reference_free(&t);
+}
+END_TEST
+
+/* Lifts the points around k, most in the middle, by `height` mm. */
+static void lift(struct reference *t, size_t k, double height)
+{
+    for (size_t i = k - 30; i <= k + 30; i++) {
+        double share = (1 + cos(((double)i - (double)k) / 30 * PI)) / 2;
+        t->point[i].z += share * height;
+        t->other[i].z += share * height;
+    }
+}
+
+/* Lifted at these points, so high; returns how many pieces are no longer there. */
+static size_t changed_by(double lean, const size_t *at, size_t n, double height)
+{
+    struct reference old = trial_wave(601, 0.25, lean, 0), now = trial_wave(601, 0.25, lean, 0);
+    struct pieces before = {0}, after = {0};
+    size_t same = 0;
+
+    arcfit_beam(&old, &WITHIN, 6, &before);
+    for (size_t i = 0; i < n; i++)
+        lift(&now, at[i], height);
+    ck_assert(arcfit_update(&old, &now, &WITHIN, 6, &before, &after));
+    trial_assert_chain(&now, &WITHIN, &after);
+    for (size_t i = 0; i < before.n; i++) {
+        for (size_t k = 0; k < after.n; k++)
+            same += vec_distance(before.item[i].arc.from, after.item[k].arc.from) <= 0 &&
+                    vec_distance(before.item[i].arc.to, after.item[k].arc.to) <= 0;
+    }
+    size_t gone = before.n - same;
+    array_free(&before);
+    array_free(&after);
+    reference_free(&old);
+    reference_free(&now);
+    return gone;
+}
+
+START_TEST(arcs_beside_stay)
+{
+    const size_t at[] = {150, 450};
+
+    for (int leaning = 0; leaning < 2; leaning++) {
+        size_t one = changed_by(0.3 * leaning, at, 1, 0.02);
+        size_t two = changed_by(0.3 * leaning, at, 2, 0.02);
+        ck_assert_uint_ge(one, 1);
+        ck_assert_uint_le(one, 12);
+        ck_assert_uint_gt(two, one);
+        ck_assert_uint_le(two, 24);
+        ck_assert_uint_eq(changed_by(0.3 * leaning, at, 0, 0), 0);
+    }
+}
+END_TEST
+
+START_TEST(a_point_more_moves_the_places)
+{
+    struct reference now = trial_wave(601, 0.25, 0, 0), old = trial_wave(601, 0.25, 0, 0);
+    struct pieces before = {0}, after = {0};
+
+    for (size_t i = 301; i < 601; i++) { /* the old one without point 300 */
+        old.point[i - 1] = now.point[i];
+        old.other[i - 1] = now.other[i];
+        old.tangent[i - 1] = now.tangent[i];
+        old.length[i - 1] = now.length[i];
+    }
+    old.n = 600;
+    arcfit_beam(&old, &WITHIN, 6, &before);
+    ck_assert(arcfit_update(&old, &now, &WITHIN, 6, &before, &after));
+    trial_assert_chain(&now, &WITHIN, &after);
+    ck_assert_double_eq(before.item[before.n - 1].to, 599);
+    ck_assert_double_eq(after.item[after.n - 1].to, 600);
+    array_free(&before);
+    array_free(&after);
+    reference_free(&old);
+    reference_free(&now);
+}
+END_TEST
+
+START_TEST(another_end_is_no_change_but_a_new_trace)
+{
+    struct reference now = trial_wave(201, 0.25, 0, 0), old = trial_wave(201, 0.25, 0, 0);
+    struct pieces before = {0}, after = {0};
+
+    arcfit_beam(&old, &WITHIN, 6, &before);
+    now.point[200].z += 1e-6;
+    ck_assert(!arcfit_update(&old, &now, &WITHIN, 6, &before, &after));
+    now.point[200] = old.point[200];
+    lift(&now, 100, 5); /* nothing goes there and back in so few arcs */
+    ck_assert(!arcfit_update(&old, &now, &WITHIN, 6, &before, &after));
+    array_free(&before);
+    array_free(&after);
+    reference_free(&old);
+    reference_free(&now);
 }
 END_TEST
 
 int main(void)
 {
-    TCase *t = tcase_create("arcrelax");
+    TCase *t = tcase_create("arcspline_reduce");
     tcase_set_timeout(t, 20);
     tcase_add_test(t, a_short_wave_saves_some);
     tcase_add_test(t, a_long_one_window_by_window);
     tcase_add_test(t, with_the_axis_swinging);
     tcase_add_test(t, from_few_to_many);
     tcase_add_test(t, a_kink_stays);
-    Suite *s = suite_create("arcrelax");
+    tcase_add_test(t, arcs_beside_stay);
+    tcase_add_test(t, a_point_more_moves_the_places);
+    tcase_add_test(t, another_end_is_no_change_but_a_new_trace);
+    Suite *s = suite_create("arcspline_reduce");
     suite_add_tcase(s, t);
     SRunner *r = srunner_create(s);
     srunner_run_all(r, CK_NORMAL);

@@ -1,13 +1,87 @@
-/*
- * free_knots: what is found keeps the tolerance by brute force and takes no more poles than are
- * known to do; curves that are hard come to an end and are never wrongly said to be within.
- */
+/* Tests of free_knots.h: knots to begin with, and searches for the fewest poles. */
+#include "splinefit/free_knots.h"
+
 #include <check.h>
 #include <stdlib.h>
 
 #include "base/array.h"
-#include "splinefit/free_knots.h"
+#include "splinefit/spline_lsq.h"
 #include "trial.h"
+
+/* Straight at first, then waves. */
+static struct reference wavy(void)
+{
+    struct run run = {0};
+
+    for (int k = 0; k <= 800; k++) {
+        double x = k * 0.1, w = x > 40 ? x - 40 : 0;
+        struct run_point p = {.tip = vec(x, 0.002 * w * w * sin(w / 2), 0), .axis = vec(0, 0, 1)};
+        p.ball = p.tip;
+        *array_push(&run) = p;
+    }
+    struct reference track = reference_distinct(&run, false);
+    struct reference target = reference_sample(&track, 400);
+    reference_free(&track);
+    array_free(&run);
+    return target;
+}
+
+static void rises(const struct reference *t, const double *knot, int degree, size_t poles)
+{
+    size_t p = (size_t)degree;
+
+    ck_assert(knot[p] == 0 && knot[poles] == t->length[t->n - 1] && knot[poles + p] == knot[poles]);
+    for (size_t j = p + 1; j <= poles; j++)
+        ck_assert_double_gt(knot[j], knot[j - 1]);
+}
+
+START_TEST(rising_from_end_to_end)
+{
+    struct reference t = wavy();
+    double knot[64];
+
+    for (int degree = 2; degree <= 5; degree++)
+        for (size_t poles = (size_t)degree + 1; poles < 40; poles += 4) {
+            knots_init_uniform(&t, degree, poles, knot);
+            rises(&t, knot, degree, poles);
+            ck_assert(knots_init_spread(&t, degree, poles, knot));
+            rises(&t, knot, degree, poles);
+            knots_init_mean(&t, degree, poles, knot);
+            rises(&t, knot, degree, poles);
+        }
+    ck_assert(!knots_init_spread(&t, 3, t.n, knot));
+    reference_free(&t);
+}
+END_TEST
+
+START_TEST(denser_where_it_bends)
+{
+    struct reference t = wavy();
+    double knot[64], half = t.length[t.n - 1] / 2;
+    int late = 0;
+
+    knots_init_spread(&t, 3, 24, knot);
+    for (int j = 4; j < 24; j++)
+        late += knot[j] > half;
+    ck_assert_int_ge(late, 15);
+    reference_free(&t);
+}
+END_TEST
+
+START_TEST(a_knot_put_in_is_not_missed)
+{
+    struct bspline b = bspline_new(3, 6, false);
+    double knot[] = {0, 0, 0, 0, 3, 7, 10, 10, 10, 10};
+
+    for (size_t i = 0; i < 10; i++)
+        b.knot[i] = knot[i];
+    for (size_t i = 0; i < 6; i++)
+        b.pole[i] = vec(2.0 * (double)i, i % 2 == 0 ? 3 : -2, 0);
+    bspline_insert(&b, 5);
+    ck_assert_double_lt(knots_init_missed(&b, 5), 1e-9 * knots_init_missed(&b, 4));
+    bspline_free(&b);
+}
+END_TEST
 
 static void add(struct run *run, double x, double y, double z)
 {
@@ -18,7 +92,7 @@ static void add(struct run *run, double x, double y, double z)
 }
 
 /* Distance both ways, from many places, by brute force. */
-static double brute_force(const struct bspline *b, const struct track *t)
+static double brute_force(const struct bspline *b, const struct reference *t)
 {
     enum { N = 4000 };
     static struct vec3 way[N + 1];
@@ -38,13 +112,13 @@ static const struct free_knots_options USUAL = {.degree = 3, .tolerance = 0.01, 
 /* Poles of a run with the usual options (0: none found); checked by brute force. */
 static size_t poles_of(struct run *run, const struct free_knots_options *options)
 {
-    struct track t = track_new(run, false);
-    struct bspline curve;
-    struct spline_bound proof;
+    struct reference t = reference_distinct(run, false);
+    struct free_knots_result found = free_knots_search(&t, options);
+    struct bspline curve = found.curve;
+    struct deviation proof = found.proof;
     size_t poles = 0;
-    bool cut;
 
-    if (free_knots_search(&t, options, &curve, &proof, &cut)) {
+    if (curve.poles > 0) {
         poles = curve.poles;
         ck_assert_int_eq(curve.degree, options->degree);
         ck_assert_double_le(proof.point, options->tolerance);
@@ -55,7 +129,7 @@ static size_t poles_of(struct run *run, const struct free_knots_options *options
             ck_assert_double_gt(curve.knot[j], curve.knot[j - 1]);
     }
     bspline_free(&curve);
-    track_free(&t);
+    reference_free(&t);
     array_free(run);
     return poles;
 }
@@ -183,25 +257,24 @@ START_TEST(a_curve_moves_with_its_data)
 {
     for (int turns = 0; turns < 2; turns++) {
         struct run run = noisy_wave(0, 0, 0.2 * turns), moved = noisy_wave(0, 0.03, 0.2 * turns);
-        struct track t = track_new(&run, true), u = track_new(&moved, true);
-        struct bspline before, curve;
-        struct spline_bound proof;
-        bool cut;
+        struct reference t = reference_distinct(&run, true), u = reference_distinct(&moved, true);
+        struct bspline before = free_knots_search(&t, &USUAL).curve;
 
-        ck_assert(free_knots_search(&t, &USUAL, &before, &proof, &cut));
+        ck_assert(before.poles > 0);
         ck_assert_double_gt(trial_brute_force(&before, &u, false), 0.02);
-        ck_assert(free_knots_again(&u, &USUAL, &before, &curve, &proof));
+        struct bspline curve = free_knots_again(&u, &USUAL, &before).curve;
+        ck_assert(curve.poles > 0);
         ck_assert_double_le(trial_brute_force(&curve, &u, false), 0.01);
         ck_assert_double_le(trial_brute_force(&curve, &u, true), 0.01);
         ck_assert_uint_ge(curve.poles, before.poles);
         ck_assert_uint_le(curve.poles, before.poles + before.poles / 16 + 2);
         bspline_free(&curve);
-        struct bspline line = track_straight(&t); /* too far off, and not of this degree */
-        ck_assert(!free_knots_again(&u, &USUAL, &line, &curve, &proof));
+        struct bspline line = spline_straight(&t); /* too far off, and not of this degree */
+        ck_assert(free_knots_again(&u, &USUAL, &line).curve.poles == 0);
         bspline_free(&line);
         bspline_free(&before);
-        track_free(&t);
-        track_free(&u);
+        reference_free(&t);
+        reference_free(&u);
         array_free(&run);
         array_free(&moved);
     }
@@ -212,44 +285,43 @@ END_TEST
 START_TEST(uneven_data_takes_fewer_than_is_known)
 {
     struct run run = noisy_wave(0.024, 0, 0.2);
-    struct track t = track_new(&run, true);
+    struct reference t = reference_distinct(&run, true);
     struct free_knots_options o = USUAL;
-    struct bspline curve;
-    struct spline_bound proof;
-    bool cut;
 
     o.known = 200;
-    ck_assert(free_knots_search(&t, &o, &curve, &proof, &cut));
+    struct bspline curve = free_knots_search(&t, &o).curve;
+    ck_assert(curve.poles > 0);
     ck_assert_uint_lt(curve.poles, 190);
     ck_assert_uint_gt(curve.poles, 20);
     ck_assert_double_le(trial_brute_force(&curve, &t, false), 0.01);
     ck_assert_double_le(trial_brute_force(&curve, &t, true), 0.01);
     bspline_free(&curve);
-    track_free(&t);
+    reference_free(&t);
     array_free(&run);
 }
 END_TEST
 
 int main(void)
 {
-    Suite *suite = suite_create("freeknots");
-    TCase *tests = tcase_create("freeknots");
-
-    tcase_set_timeout(tests, 60);
-    tcase_add_test(tests, a_spline_is_found_again);
-    tcase_add_test(tests, half_a_circle);
-    tcase_add_test(tests, closed);
-    tcase_add_test(tests, many_waves);
-    tcase_add_test(tests, a_kink);
-    tcase_add_test(tests, noise_above_the_tolerance);
-    tcase_add_test(tests, hardly_any_points);
-    tcase_add_test(tests, a_curve_moves_with_its_data);
-    tcase_add_test(tests, uneven_data_takes_fewer_than_is_known);
-    suite_add_tcase(suite, tests);
-
-    SRunner *runner = srunner_create(suite);
-    srunner_run_all(runner, CK_NORMAL);
-    int failed = srunner_ntests_failed(runner);
-    srunner_free(runner);
-    return failed == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
+    TCase *t = tcase_create("free_knots");
+    tcase_set_timeout(t, 60);
+    tcase_add_test(t, rising_from_end_to_end);
+    tcase_add_test(t, denser_where_it_bends);
+    tcase_add_test(t, a_knot_put_in_is_not_missed);
+    tcase_add_test(t, a_spline_is_found_again);
+    tcase_add_test(t, half_a_circle);
+    tcase_add_test(t, closed);
+    tcase_add_test(t, many_waves);
+    tcase_add_test(t, a_kink);
+    tcase_add_test(t, noise_above_the_tolerance);
+    tcase_add_test(t, hardly_any_points);
+    tcase_add_test(t, a_curve_moves_with_its_data);
+    tcase_add_test(t, uneven_data_takes_fewer_than_is_known);
+    Suite *s = suite_create("free_knots");
+    suite_add_tcase(s, t);
+    SRunner *r = srunner_create(s);
+    srunner_run_all(r, CK_NORMAL);
+    int failed = srunner_ntests_failed(r);
+    srunner_free(r);
+    return failed > 0;
 }

@@ -6,6 +6,7 @@
 #include <stdlib.h>
 
 #include "base/array.h"
+#include "splinefit/spline_lsq.h"
 #include "splinefit/splinefit.h"
 #include "trial.h"
 
@@ -18,7 +19,7 @@ START_TEST(within_by_brute_force)
 
     for (int turn = 0; turn < 4; turn++) {
         struct run run = trial_motion(150, 8);
-        struct track t = track_new(&run, turn % 2 == 1);
+        struct reference t = reference_distinct(&run, turn % 2 == 1);
         struct splinefit_options o = ALL;
         struct splinefit fit;
 
@@ -35,7 +36,7 @@ START_TEST(within_by_brute_force)
         ck_assert(vec_distance(fit.curve.pole[fit.curve.poles - 1], t.point[t.n - 1]) < 1e-6);
         ck_assert_uint_lt(fit.curve.poles, 14);
         splinefit_free(&fit);
-        track_free(&t);
+        reference_free(&t);
         array_free(&run);
     }
     ck_assert_int_ge(free_knots, 2);
@@ -46,7 +47,7 @@ END_TEST
 START_TEST(as_published)
 {
     struct run run = trial_motion(150, 8);
-    struct track t = track_new(&run, false);
+    struct reference t = reference_distinct(&run, false);
     struct splinefit fit, default_fit;
 
     splinefit_paper(&t, &ALL, &fit);
@@ -64,7 +65,7 @@ START_TEST(as_published)
     free(u);
     splinefit_free(&default_fit);
     splinefit_free(&fit);
-    track_free(&t);
+    reference_free(&t);
     array_free(&run);
 }
 END_TEST
@@ -72,7 +73,7 @@ END_TEST
 START_TEST(one_combination_alone)
 {
     struct run run = trial_motion(150, 8);
-    struct track t = track_new(&run, false);
+    struct reference t = reference_distinct(&run, false);
 
     for (int params = 0; params < 3; params++)
         for (int knots = 0; knots < 2; knots++) {
@@ -86,7 +87,7 @@ START_TEST(one_combination_alone)
             ck_assert_int_eq((int)fit.knots, knots);
             splinefit_free(&fit);
         }
-    track_free(&t);
+    reference_free(&t);
     array_free(&run);
 }
 END_TEST
@@ -103,14 +104,14 @@ START_TEST(a_cubic_needs_four_poles)
         p.ball = p.tip;
         *array_push(&run) = p;
     }
-    struct track t = track_new(&run, false);
+    struct reference t = reference_distinct(&run, false);
     struct splinefit fit;
     splinefit_search(&t, &ALL, &fit);
     ck_assert_uint_eq(fit.curve.poles, 4);
     ck_assert_double_lt(fit.proof.point, 1e-3);
     ck_assert(fit.curve.head == NULL);
     splinefit_free(&fit);
-    track_free(&t);
+    reference_free(&t);
     array_free(&run);
 }
 END_TEST
@@ -125,7 +126,7 @@ START_TEST(straight_and_two_points)
         *array_push(&run) = p;
     }
     for (int turn = 0; turn < 2; turn++) {
-        struct track t = track_new(&run, false);
+        struct reference t = reference_distinct(&run, false);
         struct splinefit fit;
         splinefit_search(&t, &ALL, &fit);
         ck_assert(fit.within && fit.kind == SPLINEFIT_STRAIGHT);
@@ -136,7 +137,7 @@ START_TEST(straight_and_two_points)
         ck_assert(fit.kind == (turn == 0 ? SPLINEFIT_FITTED : SPLINEFIT_POLYLINE));
         ck_assert_uint_eq(fit.curve.poles, turn == 0 ? 5 : 2);
         splinefit_free(&fit);
-        track_free(&t);
+        reference_free(&t);
         run.n = 2;
     }
     array_free(&run);
@@ -147,8 +148,8 @@ END_TEST
 START_TEST(another_kind_of_curve_is_found_again)
 {
     struct run run = trial_motion(150, 8);
-    struct track t = track_new(&run, false);
-    struct splinefit before = {.curve = track_straight(&t), .kind = SPLINEFIT_STRAIGHT};
+    struct reference t = reference_distinct(&run, false);
+    struct splinefit before = {.curve = spline_straight(&t), .kind = SPLINEFIT_STRAIGHT};
     struct splinefit fit, anew;
 
     splinefit_again(&t, &ALL, &before, &fit);
@@ -162,7 +163,7 @@ START_TEST(another_kind_of_curve_is_found_again)
     splinefit_free(&fit);
     splinefit_free(&before);
     splinefit_free(&anew);
-    track_free(&t);
+    reference_free(&t);
     array_free(&run);
 }
 END_TEST
@@ -177,7 +178,7 @@ START_TEST(what_is_rough_stays_a_polyline)
         p.ball = vec_along(p.tip, 8, p.axis);
         *array_push(&run) = p;
     }
-    struct track t = track_new(&run, false);
+    struct reference t = reference_distinct(&run, false);
     for (int paper = 0; paper < 2; paper++) {
         struct splinefit fit;
         if (paper)
@@ -193,7 +194,7 @@ START_TEST(what_is_rough_stays_a_polyline)
         ck_assert(fit.within);
         splinefit_free(&fit);
     }
-    track_free(&t);
+    reference_free(&t);
     array_free(&run);
 }
 END_TEST

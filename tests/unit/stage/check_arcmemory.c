@@ -4,7 +4,7 @@
 #include <check.h>
 #include <stdlib.h>
 
-static struct trace trace_from(double y)
+static struct reference trace_from(double y)
 {
     struct run run = {.radius = 3};
     for (int i = 0; i < 5; i++) {
@@ -12,14 +12,14 @@ static struct trace trace_from(double y)
         p.ball = vec(i, y, 3);
         *array_push(&run) = p;
     }
-    struct trace trace = trace_of(&run, 0, run.n, false, false);
+    struct reference reference = reference_of(&run, 0, run.n, false, false);
     array_free(&run);
-    return trace;
+    return reference;
 }
 
 static struct arcmemory_part mesh_for_rows_at(double y, double radius)
 {
-    struct arcmemory_part part = {.trace = trace_from(y), .worst.tracked = radius / 100};
+    struct arcmemory_part part = {.reference = trace_from(y), .worst.point = radius / 100};
     *array_push(&part.printed) = (struct printed){.arc.radius = radius};
     return part;
 }
@@ -29,20 +29,20 @@ START_TEST(parts_are_known_by_their_points)
     struct arcmemory memory = {0};
     struct printeds found = {0};
     struct pieces pieces = {0};
-    struct arc_deviation worst = {0};
+    struct deviation worst = {0};
     *array_push(&memory) = mesh_for_rows_at(1, 10);
     *array_push(&memory) = mesh_for_rows_at(2, 20);
-    struct trace second = trace_from(2), third = trace_from(2 + 1e-12);
+    struct reference second = trace_from(2), third = trace_from(2 + 1e-12);
     ck_assert_ptr_eq(arcmemory_like(&memory, &second), &memory.item[1]);
     ck_assert_ptr_null(arcmemory_like(&memory, &third));
     ck_assert(!arcmemory_take(&memory, &third, &pieces, &found, &worst));
     ck_assert(arcmemory_take(&memory, &second, &pieces, &found, &worst));
     ck_assert_uint_eq(found.n, 1);
     ck_assert_double_eq(found.item[0].arc.radius, 20);
-    ck_assert_double_eq(worst.tracked, 0.2);
+    ck_assert_double_eq(worst.point, 0.2);
     ck_assert(!arcmemory_take(&memory, &second, &pieces, &found, &worst)); /* it was taken out */
-    trace_free(&second);
-    trace_free(&third);
+    reference_free(&second);
+    reference_free(&third);
     array_free(&found);
     array_free(&pieces);
     arcmemory_free(&memory);

@@ -50,8 +50,9 @@ START_TEST(chords_keep_the_sagitta)
 }
 END_TEST
 
-/* Two arcs along a quarter of a circle of radius 20, points 0.2 mm apart, as pieces of a trace. */
-static struct trace quarter(struct pieces *pieces)
+/* Two arcs along a quarter of a circle of radius 20, points 0.2 mm apart, as pieces of a reference.
+ */
+static struct reference quarter(struct pieces *pieces)
 {
     struct run run = {.radius = 0};
     for (int i = 0; i <= 160; i++) {
@@ -59,9 +60,9 @@ static struct trace quarter(struct pieces *pieces)
         struct vec3 p = vec(20 * sin(u), 20 - 20 * cos(u), 1);
         *array_push(&run) = (struct run_point){.tip = p, .ball = p, .axis = vec(0, 0, 1)};
     }
-    struct trace t = trace_of(&run, 0, run.n, false, false);
-    struct arc first = arc_to(t.p[0], vec(1, 0, 0), t.p[80]);
-    struct arc second = arc_to(t.p[80], arc_tangent(&first, 1), t.p[160]);
+    struct reference t = reference_of(&run, 0, run.n, false, false);
+    struct arc first = arc_to(t.point[0], vec(1, 0, 0), t.point[80]);
+    struct arc second = arc_to(t.point[80], arc_tangent(&first, 1), t.point[160]);
     *array_push(pieces) = arc_piece_of(&t, first, 0, 80);
     *array_push(pieces) = arc_piece_of(&t, second, 80, 160);
     array_free(&run);
@@ -72,18 +73,18 @@ START_TEST(a_lost_end_strays_without_limit)
 {
     struct pieces pieces = {0};
     struct printeds printed = {0};
-    struct trace t = quarter(&pieces);
-    struct arc_deviation whole = arcprint_pieces(&t, &pieces, &printed);
-    ck_assert_double_lt(whole.tracked, 3e-4); /* the sagitta of the trace, 0.2^2 / (8 20) */
+    struct reference t = quarter(&pieces);
+    struct deviation whole = arcprint_pieces(&t, &pieces, &printed);
+    ck_assert_double_lt(whole.point, 3e-4); /* the sagitta of the reference, 0.2^2 / (8 20) */
     ck_assert_uint_eq(printed.n, 2);
     pieces.n = 1; /* what there is of it is as near as before */
-    ck_assert_double_gt(arcprint_pieces(&t, &pieces, &printed).tracked, 1e9);
+    ck_assert_double_gt(arcprint_pieces(&t, &pieces, &printed).point, 1e9);
     ck_assert_uint_eq(printed.n, 1);
     pieces.n = 0;
-    ck_assert_double_gt(arcprint_pieces(&t, &pieces, &printed).tracked, 1e9);
+    ck_assert_double_gt(arcprint_pieces(&t, &pieces, &printed).point, 1e9);
     array_free(&pieces);
     array_free(&printed);
-    trace_free(&t);
+    reference_free(&t);
 }
 END_TEST
 
@@ -92,13 +93,13 @@ START_TEST(an_end_beside_the_traces_strays_without_limit)
 {
     struct pieces pieces = {0};
     struct printeds printed = {0};
-    struct trace t = quarter(&pieces);
+    struct reference t = quarter(&pieces);
     struct arc_piece *last = &pieces.item[1];
-    last->arc = arc_to(last->arc.from, last->arc.tangent, t.p[159]);
-    ck_assert_double_gt(arcprint_pieces(&t, &pieces, &printed).tracked, 1e9);
+    last->arc = arc_to(last->arc.from, last->arc.tangent, t.point[159]);
+    ck_assert_double_gt(arcprint_pieces(&t, &pieces, &printed).point, 1e9);
     array_free(&pieces);
     array_free(&printed);
-    trace_free(&t);
+    reference_free(&t);
 }
 END_TEST
 

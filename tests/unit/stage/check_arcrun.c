@@ -148,13 +148,13 @@ START_TEST(what_is_remembered_is_what_would_be_fitted)
     struct arcrun_report r1 = {0}, r2 = {0}, r3 = {0};
     arcrun_fit(&before, &options, &memory, &first, &r1);
     ck_assert_uint_eq(memory.n, 3);
-    struct trace two = memory.item[1].trace;
-    memory.item[0].worst.tracked = 7; /* seen again where it is taken out */
+    struct reference two = memory.item[1].reference;
+    memory.item[0].worst.point = 7; /* seen again where it is taken out */
     arcrun_fit(&after, &options, &memory, &second, &r2);
     arcrun_fit(&after, &options, NULL, &anew, &r3);
-    ck_assert_double_eq(r2.worst.tracked, 7);
+    ck_assert_double_eq(r2.worst.point, 7);
     ck_assert_uint_eq(memory.n, 3);
-    ck_assert(memory.item[1].trace.p != two.p);
+    ck_assert(memory.item[1].reference.point != two.point);
     ck_assert_uint_eq(second.item.n, anew.item.n);
     ck_assert_uint_ne(second.item.n, first.item.n);
     for (size_t i = 0; i < anew.item.n; i++)

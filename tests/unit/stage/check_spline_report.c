@@ -16,8 +16,8 @@ START_TEST(sums_and_largest)
     FILE *table = fmemopen(text, sizeof text, "w");
 
     a.fit.curve.poles = 15;
-    a.fit.deviation = (struct deviation){.c1 = 0.5, .c2 = 0.1, .rms = 0.2, .middle = 0.6};
-    a.fit.proof = (struct spline_bound){0.008, 0.007, 0.01};
+    a.fit.deviation = (struct fit_error){.c1 = 0.5, .c2 = 0.1, .rms = 0.2, .middle = 0.6};
+    a.fit.proof = (struct deviation){0.008, 0.007, 0.01};
     b.fit = a.fit;
     b.fit.curve.poles = 6;
     b.fit.deviation.c1 = 0.7;
