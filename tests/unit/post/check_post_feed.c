@@ -7,7 +7,6 @@
 #include <stdlib.h>
 
 #include "chains.h"
-#include "post/post_ik.h"
 #include "post/post_feed.h"
 
 enum { STEPS = 1000 };
@@ -140,24 +139,53 @@ START_TEST(digits_of_feeds)
 }
 END_TEST
 
-/* Within what post_ik_safe_radius says no slide is over, whatever the angles; beyond it, as is. */
-START_TEST(slides_within)
+/* F read back as the control takes it: no axis is too fast for it, it is no slower than it need be,
+ * and never faster than the path says. */
+START_TEST(feed_words)
 {
-    int over = 0;
-    seed = 320 + (uint64_t)_i;
-    for (int i = 0; i < 3000; i++) {
+    int slow = 0;
+    seed = 340 + (uint64_t)_i;
+    for (int i = 0; i < 300; i++) {
         struct machine m = any_machine(_i);
-        m.max[MACHINE_X] = 400 + 400 * chance();
-        m.min[MACHINE_Z] = -300 - 400 * chance();
-        struct nc_planner planner = {.machine = &m, .safe_radius = post_ik_safe_radius(&m)};
-        struct block_pose at = any_station(&m.chain, 1200);
-        struct vec3 linear = chain_linear(&m.chain, at.p, at.q);
-        int found = post_ik_linear_over(&planner, at.p, at.q);
-        bool x = linear.x > m.max[MACHINE_X], z = linear.z < m.min[MACHINE_Z];
-        ck_assert_int_eq(found, x ? MACHINE_X : z ? MACHINE_Z : -1);
-        over += found >= 0;
+        struct nc_plan plan = {.ability = {.feeds = (enum nc_feeds)(i % 3),
+                                           .feed_max = 99999,
+                                           .unit = 1,
+                                           .digits = {.linear = 5, .feed = 3}}};
+        bool tip = plan.ability.feeds == NC_FEEDS_TIP;
+        struct nc_planner planner = {
+            .machine = &m,
+            .plan = &plan,
+            .options = {.unit = 1},
+            .follow = {.mode = tip ? INTERPOLATE_ROTARY : INTERPOLATE_JOINT, .chain = &m.chain}};
+        planner.state.feed = 100 + 5000 * chance();
+        planner.state.faster = 1;
+        planner.state.at = any_station(&m.chain, 600);
+        struct machine_pose to = {.at = any_station(&m.chain, 600)};
+        to.at.p = vec_along(planner.state.at.p, 1 + 300 * chance(), random_unit());
+        to.turned = chain_turned(&m.chain, to.at.q);
+        const struct block_pose *a = &planner.state.at, *b = &to.at;
+        double length = vec_distance(a->p, b->p), minutes, joint = length;
+        double turned[2] = {DEGREES(fabs(b->q[0] - a->q[0])), DEGREES(fabs(b->q[1] - a->q[1]))};
+        double least = fmax(turned[0] / m.rapid[MACHINE_C], turned[1] / m.rapid[MACHINE_A]);
+        if (tip)
+            least = fmax(least, by_steps(&m, a, b));
+        else
+            least = fmax(least, length / m.rapid[MACHINE_X]);
+        double feed = post_feed_word(&planner, &to, length, NULL, &minutes);
+        double wished = length / planner.state.feed, takes = length / feed;
+        if (plan.ability.feeds == NC_FEEDS_INVERSE)
+            takes = 1 / feed;
+        joint = sqrt(length * length + turned[0] * turned[0] + turned[1] * turned[1]);
+        if (plan.ability.feeds == NC_FEEDS_COMBINED)
+            takes = joint / feed;
+        ck_assert_double_ge(takes, 0.97 * fmax(least, wished));
+        ck_assert_double_le(takes, 1.01 * fmax(least, wished));
+        ck_assert_double_eq_tol(1000 * feed, round(1000 * feed), 1e-6); /* its digits */
+        ck_assert_double_eq_tol(minutes, takes, 0.01 * takes);
+        slow += least > 1.05 * wished;
     }
-    ck_assert_int_gt(over, 100);
+    ck_assert_int_gt(slow, 30);
+    ck_assert_int_lt(slow, 290);
 }
 END_TEST
 
@@ -169,7 +197,7 @@ int main(void)
     tcase_add_loop_test(tests, as_by_small_steps, 0, KINDS);
     tcase_add_test(tests, slow_part_of_a_curve);
     tcase_add_test(tests, digits_of_feeds);
-    tcase_add_loop_test(tests, slides_within, 0, KINDS);
+    tcase_add_loop_test(tests, feed_words, 0, KINDS);
     suite_add_tcase(suite, tests);
 
     SRunner *runner = srunner_create(suite);

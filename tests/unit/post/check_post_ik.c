@@ -1,0 +1,196 @@
+/*
+ * post_ik: the words of random poses on machines of every kind, in each way in which a control
+ * interpolates, read back by formulas of their own: the pose within the digits, within the travel,
+ * and no other angles (found by trying) are nearer.
+ */
+#include <check.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "chains.h"
+#include "planners.h"
+#include "post/post_ik.h"
+#include "turnsearch.h"
+
+enum { MODES = 3 };
+static const enum interpolation_mode mode_of[MODES] = {INTERPOLATE_VECTOR, INTERPOLATE_ROTARY,
+                                                       INTERPOLATE_JOINT};
+
+static struct vec3 any_axis(double least, double most)
+{
+    struct vec3 axis;
+    do
+        axis = random_unit();
+    while (axis.z < least || axis.z > most);
+    return axis;
+}
+
+static bool whole(double x)
+{
+    return fabs(x - round(x)) < 1e-5;
+}
+
+/* The least travel to any angles within the travel that have the axis. */
+static double least_travel(const struct bench *b, struct vec3 axis, const double from[])
+{
+    struct angles all = angles_all(&b->machine.chain, axis);
+    double least = HUGE_VAL;
+    for (int k = 0; k < all.n; k++)
+        least = fmin(least, angles_way(&b->machine.chain, from, all.q[k]));
+    return least;
+}
+
+START_TEST(read_back)
+{
+    int kind = _i / MODES;
+    enum interpolation_mode mode = mode_of[_i % MODES];
+    seed = 600 + (uint64_t)_i;
+    for (int i = 0; i < 60; i++) {
+        struct bench b;
+        struct machine_pose got;
+        const double q[2] = {4 * chance() - 2, 0.2 + 0.8 * chance()};
+        bench_begin(&b, kind, mode, vec_scale(300 * chance(), random_unit()), q);
+        struct pose to = {vec_scale(300 * chance(), random_unit()), any_axis(0.35, 0.98)};
+        ck_assert_int_eq(post_ik_reach(&b.planner, to, 1, &got), 0);
+        struct vec3 tip = got.at.p, a = bench_axis(&b, got.at.q);
+        if (mode == INTERPOLATE_JOINT)
+            tip = chain_tip(&b.machine.chain, tip, got.at.q);
+        ck_assert_double_le(vec_distance(tip, to.p), 1.5e-5);
+        ck_assert_double_le(vec_distance(a, to.a),
+                            2.1e-7); /* two axes, half of 1e-5 degrees each */
+        ck_assert(whole(1e5 * got.at.p.x) && whole(1e5 * got.at.p.y) && whole(1e5 * got.at.p.z));
+        for (int k = 0; k < 2; k++)
+            ck_assert(whole(1e5 * DEGREES(got.at.q[k])));
+        if (mode == INTERPOLATE_VECTOR) {
+            ck_assert(whole(1e8 * got.at.a.x) && whole(1e8 * got.at.a.y));
+            ck_assert_double_le(vec_distance(got.at.a, to.a), 1e-8);
+        }
+        for (int k = 0; k < 2; k++)
+            ck_assert(got.at.q[k] >= b.machine.chain.rotary[k].min - 1e-9 &&
+                      got.at.q[k] <= b.machine.chain.rotary[k].max + 1e-9);
+        if (i % 3 == 0) {
+            double least = least_travel(&b, to.a, b.planner.state.at.q);
+            double is = angles_way(&b.machine.chain, b.planner.state.at.q, got.at.q);
+            ck_assert_double_eq_tol(is, least, 1e-6);
+        }
+        bench_free(&b);
+    }
+}
+END_TEST
+
+/* The usual case says how far its rounding is off: no less than it is, and no guess. */
+START_TEST(rounding)
+{
+    int kind = _i / MODES, near = 0;
+    seed = 630 + (uint64_t)_i;
+    for (int i = 0; i < 300; i++) {
+        struct bench b;
+        struct machine_pose got;
+        struct pose_deviation off;
+        const double q[2] = {4 * chance() - 2, 0.2 + 0.8 * chance()};
+        bench_begin(&b, kind, mode_of[_i % MODES], vec_scale(300 * chance(), random_unit()), q);
+        b.plan.ability.digits = (struct machine_digits){3, 2, 5, 3, 3};
+        struct pose to = b.planner.state.pose;
+        to.p = vec_along(to.p, chance(), random_unit());
+        to.a = vec_unit(vec_along(to.a, 0.02 * chance(), random_unit()));
+        if (post_ik_reach_near(&b.planner, &to, &got, &off)) {
+            struct vec3 tip = got.at.p, a = bench_axis(&b, got.at.q);
+            if (mode_of[_i % MODES] == INTERPOLATE_VECTOR)
+                a = vec_unit(got.at.a);
+            if (mode_of[_i % MODES] == INTERPOLATE_JOINT)
+                tip = chain_tip(&b.machine.chain, tip, got.at.q);
+            ck_assert_double_eq_tol(off.point, vec_distance(tip, to.p), 1e-9);
+            ck_assert_double_eq_tol(off.axis, vec_distance(a, to.a), 1e-9);
+            near++;
+        }
+        bench_free(&b);
+    }
+    ck_assert_int_gt(near, 200);
+}
+END_TEST
+
+/* Out of the travel, of a rotary axis or a slide: the axis and where are named. */
+START_TEST(out_of_travel)
+{
+    struct bench b;
+    struct machine_pose got;
+    double q[2] = {0, 0.3};
+    bench_begin(&b, KIND_TABLE_AC, INTERPOLATE_ROTARY, vec(1, 2, 3), q);
+    b.planner.state.pass = 4;
+    b.planner.state.line = 17;
+    b.machine.chain.rotary[1].min = -0.5;
+    b.machine.chain.rotary[1].max = 0.5;
+    struct pose to = {vec(5, 6, 7), vec(sin(0.7), 0, cos(0.7))};
+    ck_assert_int_eq(post_ik_reach(&b.planner, to, 1, &got), -1);
+    ck_assert(b.plan.unmet);
+    ck_assert_msg(strstr(b.error.text, "bench:17: pass 4: axis A") != NULL, "%s", b.error.text);
+    ck_assert(strstr(b.error.text, "5.000 6.000 7.000") && strstr(b.error.text, "40.107"));
+    bench_free(&b);
+
+    bench_begin(&b, KIND_TABLE_AC, INTERPOLATE_ROTARY, vec(1, 2, 3), q);
+    b.machine.max[MACHINE_Z] = 400;
+    b.planner.safe_radius = post_ik_safe_radius(&b.machine);
+    to = (struct pose){vec(0, 0, 500), bench_axis(&b, q)};
+    ck_assert_int_eq(post_ik_reach(&b.planner, to, 1, &got), -1);
+    ck_assert_msg(strstr(b.error.text, "axis Z") != NULL, "%s", b.error.text);
+    bench_free(&b);
+}
+END_TEST
+
+/* A machine of a kind with the default travel. */
+static struct machine slides_of(int kind)
+{
+    struct machine m = machine_default();
+    struct error error;
+    ck_assert_int_eq(machine_finish(&m, &error), 0);
+    m.chain = chain_of(kind);
+    return m;
+}
+
+static struct block_pose any_place(const struct kinematic_chain *chain, double far)
+{
+    struct block_pose s = {.p = vec_scale(far * chance(), random_unit()),
+                           .q = {4 * chance() - 2, 2 * chance() - 1}};
+    s.a = chain_axis(chain, s.q);
+    return s;
+}
+
+/* Within what post_ik_safe_radius says no slide is over, whatever the angles; beyond it, as is. */
+START_TEST(slides_within)
+{
+    int over = 0;
+    seed = 320 + (uint64_t)_i;
+    for (int i = 0; i < 3000; i++) {
+        struct machine m = slides_of(_i);
+        m.max[MACHINE_X] = 400 + 400 * chance();
+        m.min[MACHINE_Z] = -300 - 400 * chance();
+        struct nc_planner planner = {.machine = &m, .safe_radius = post_ik_safe_radius(&m)};
+        struct block_pose at = any_place(&m.chain, 1200);
+        struct vec3 linear = chain_linear(&m.chain, at.p, at.q);
+        int found = post_ik_linear_over(&planner, at.p, at.q);
+        bool x = linear.x > m.max[MACHINE_X], z = linear.z < m.min[MACHINE_Z];
+        ck_assert_int_eq(found, x ? MACHINE_X : z ? MACHINE_Z : -1);
+        over += found >= 0;
+    }
+    ck_assert_int_gt(over, 100);
+}
+END_TEST
+
+int main(void)
+{
+    Suite *suite = suite_create("post_ik");
+    TCase *tests = tcase_create("poses");
+
+    tcase_set_timeout(tests, 60);
+    tcase_add_loop_test(tests, read_back, 0, KINDS * MODES);
+    tcase_add_loop_test(tests, rounding, 0, KINDS * MODES);
+    tcase_add_test(tests, out_of_travel);
+    tcase_add_loop_test(tests, slides_within, 0, KINDS);
+    suite_add_tcase(suite, tests);
+
+    SRunner *runner = srunner_create(suite);
+    srunner_run_all(runner, CK_NORMAL);
+    int failed = srunner_ntests_failed(runner);
+    srunner_free(runner);
+    return failed == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
+}

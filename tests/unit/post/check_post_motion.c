@@ -1,0 +1,250 @@
+/*
+ * post_motion: straight motions of random length and turn on machines of every kind, in each way in
+ * which a control interpolates.  What the control makes of the blocks is followed in small steps by
+ * formulas of this file: it keeps the tolerance, and where a motion was divided it had to be.
+ */
+#include <check.h>
+#include <stdlib.h>
+
+#include "chains.h"
+#include "planners.h"
+#include "post/post_motion.h"
+
+enum { STEPS = 200, MODES = 3 };
+
+static const enum interpolation_mode mode_of[MODES] = {INTERPOLATE_VECTOR, INTERPOLATE_ROTARY,
+                                                       INTERPOLATE_JOINT};
+
+/* On the great circle from a to b. */
+static struct vec3 slerp(struct vec3 a, struct vec3 b, double s)
+{
+    double angle = atan2(vec_length(vec_cross(a, b)), vec_dot(a, b));
+    if (angle < 1e-9)
+        return a;
+    return vec_unit(vec_add(vec_scale(sin((1 - s) * angle), a), vec_scale(sin(s * angle), b)));
+}
+
+/* Where tip and axis are at s of a block between two blocks' ends. */
+static struct pose by_control(const struct bench *b, const struct block_pose *from,
+                              const struct block_pose *to, double s)
+{
+    enum interpolation_mode mode = b->planner.follow.mode;
+    const double q[2] = {from->q[0] + s * (to->q[0] - from->q[0]),
+                         from->q[1] + s * (to->q[1] - from->q[1])};
+    struct vec3 p = vec_add(vec_scale(1 - s, from->p), vec_scale(s, to->p));
+    if (mode == INTERPOLATE_JOINT)
+        p = chain_tip(&b->machine.chain, p, q);
+    if (mode == INTERPOLATE_VECTOR)
+        return (struct pose){p, slerp(vec_unit(from->a), vec_unit(to->a), s)};
+    return (struct pose){p, bench_axis(b, q)};
+}
+
+/* The motion that is meant: straight, its axis on the great circle. */
+struct meant {
+    struct pose from, to;
+};
+
+/* How far the block is off it, at the tip and the ball and at the axis, each place against that of
+ * the motion beside it. */
+static struct pose_deviation off(const struct bench *b, struct meant m,
+                                 const struct block_pose *from, const struct block_pose *to)
+{
+    struct vec3 way = vec_sub(m.to.p, m.from.p);
+    double length2 = vec_dot(way, way), ball = b->planner.follow.ball;
+    struct pose_deviation most = {0, 0};
+    for (int i = 0; i <= STEPS; i++) {
+        struct pose is = by_control(b, from, to, (double)i / STEPS);
+        double t = vec_dot(vec_sub(is.p, m.from.p), way) / length2;
+        t = fmin(1, fmax(0, t));
+        struct pose want = {vec_along(m.from.p, t, way), slerp(m.from.a, m.to.a, t)};
+        most.point = fmax(most.point, vec_distance(is.p, want.p));
+        most.point = fmax(
+            most.point, vec_distance(vec_along(is.p, ball, is.a), vec_along(want.p, ball, want.a)));
+        most.axis = fmax(most.axis, vec_distance(is.a, want.a));
+    }
+    return most;
+}
+
+static struct block_pose end_of(const struct bench *b, size_t move)
+{
+    return nc_plan_pose(&b->plan, &b->machine.chain, &b->plan.move.item[move]);
+}
+
+/* Up to 60 mm and, in one of three, up to 35 degrees; well off the singular direction. */
+static struct pose any_goal(struct pose from, int i)
+{
+    double far = i % 3 ? 0.04 : 0.6;
+    struct pose to = {vec_along(from.p, 1 + 60 * chance(), random_unit()), from.a};
+    do
+        to.a = vec_unit(vec_along(from.a, far * chance(), random_unit()));
+    while (to.a.z > 0.95 || to.a.z < 0.4);
+    return to;
+}
+
+static void begin(struct bench *b, int kind, enum interpolation_mode mode)
+{
+    struct vec3 axis;
+    do
+        axis = random_unit();
+    while (axis.z > 0.9 || axis.z < 0.5);
+    bench_begin(b, kind, mode, vec_scale(200 * chance(), random_unit()), (double[]){0, 0});
+    struct chain_solutions found = chain_angles(&b->machine.chain, axis);
+    ck_assert_int_gt(found.n, 0);
+    bench_free(b);
+    bench_begin(b, kind, mode, vec_scale(200 * chance(), random_unit()), found.q[0]);
+    b->planner.follow.ball = 5;
+}
+
+/* Divided until it keeps the tolerance, and not further. */
+START_TEST(divided)
+{
+    int kind = _i / MODES, parts = 0;
+    seed = 400 + (uint64_t)_i;
+    for (int i = 0; i < 60; i++) {
+        struct bench b;
+        begin(&b, kind, mode_of[_i % MODES]);
+        struct meant m = {b.planner.state.pose, any_goal(b.planner.state.pose, i)};
+        struct motion motion = motion_line(m.from, m.to);
+        struct block_pose start = b.planner.state.at, at = start;
+        if (post_motion_along(&b.planner, &motion, 0, 1) != 0) {
+            bench_free(&b);
+            continue; /* a turn that no block can make, without a way to rewind */
+        }
+        struct pose_deviation allowed = b.planner.allowed;
+        for (size_t k = 0; k < b.plan.move.n; k++) {
+            struct block_pose to = end_of(&b, k);
+            struct pose_deviation d = off(&b, m, &at, &to);
+            ck_assert_int_eq(b.plan.move.item[k].kind, NC_LINE);
+            ck_assert_double_le(d.point, 1.02 * allowed.point);
+            ck_assert_double_le(d.axis, 1.02 * allowed.axis);
+            at = to;
+        }
+        struct pose end = by_control(&b, &at, &at, 0);
+        ck_assert_double_le(vec_distance(end.p, m.to.p), 3e-5);
+        ck_assert_double_le(vec_distance(end.a, m.to.a), 1e-6);
+        if (b.plan.move.n > 1) { /* in one block it would be off */
+            struct pose_deviation d = off(&b, m, &start, &at);
+            ck_assert(d.point > 0.9 * allowed.point || d.axis > 0.9 * allowed.axis);
+        }
+        parts += (int)b.plan.move.n;
+        bench_free(&b);
+    }
+    ck_assert_int_gt(parts, mode_of[_i % MODES] == INTERPOLATE_VECTOR ? 55 : 75);
+}
+END_TEST
+
+/* One after another, as in a pass: what the bound lets through keeps the tolerance, and it lets
+ * through nearly all that does by half. */
+START_TEST(one_block)
+{
+    int kind = _i / MODES, taken = 0, good = 0, missed = 0;
+    seed = 430 + (uint64_t)_i;
+    struct bench b;
+    begin(&b, kind, mode_of[_i % MODES]);
+    for (int i = 0; i < 600; i++) {
+        struct pose from = b.planner.state.pose;
+        struct pose to = {vec_along(from.p, 0.2 + 4 * chance(), random_unit()), from.a};
+        double far = i % 4 ? 0.004 : 0.08;
+        do
+            to.a = vec_unit(vec_along(from.a, far * chance(), random_unit()));
+        while (to.a.z > 0.93 || to.a.z < 0.45);
+        if (vec_length(to.p) > 250)
+            to.p = vec_scale(0.98, from.p);
+        struct block_pose at = b.planner.state.at;
+        size_t moves = b.plan.move.n;
+        bool one = post_motion_one_block(&b.planner, &to) == 0;
+        if (one && b.plan.move.n > moves) {
+            struct block_pose end = end_of(&b, moves);
+            struct pose_deviation d = off(&b, (struct meant){from, to}, &at, &end);
+            ck_assert_double_le(d.point, b.planner.allowed.point);
+            ck_assert_double_le(d.axis, b.planner.allowed.axis);
+            taken++;
+        } else if (!one) {
+            struct motion motion = motion_line(from, to);
+            ck_assert_int_eq(post_motion_along(&b.planner, &motion, 0, 1), 0);
+            struct block_pose end = end_of(&b, b.plan.move.n - 1);
+            struct pose_deviation d = off(&b, (struct meant){from, to}, &at, &end);
+            bool half =
+                d.point < b.planner.allowed.point / 2 && d.axis < b.planner.allowed.axis / 2;
+            missed += half;
+        }
+        good++;
+    }
+    ck_assert_int_gt(taken, 200);
+    ck_assert_int_lt(missed, good / 50);
+    bench_free(&b);
+}
+END_TEST
+
+/* The tip stands while the axes turn: without tool-centre-point control in small steps. */
+START_TEST(turned_in_place)
+{
+    seed = 470 + (uint64_t)_i;
+    for (int mode = 0; mode < MODES; mode++) {
+        struct bench b;
+        begin(&b, _i, mode_of[mode]);
+        const double *now = b.planner.state.at.q, q[2] = {now[0] + 2, now[1] - 0.3};
+        struct vec3 tip = b.planner.state.pose.p;
+        post_motion_turn(&b.planner, q);
+        size_t n = b.plan.move.n;
+        ck_assert_uint_eq(n, mode_of[mode] == INTERPOLATE_JOINT ? 58 : 1); /* 2 radians by 2 deg */
+        for (size_t k = 0; k < n; k++) {
+            const struct nc_move *move = &b.plan.move.item[k];
+            ck_assert_int_eq(move->kind, NC_RAPID);
+            ck_assert_double_le(vec_distance(bench_tip(&b, move), tip), 3e-5);
+        }
+        for (int i = 0; i < 2; i++)
+            ck_assert_double_eq_tol(b.plan.move.item[n - 1].q[i], q[i], RADIANS(6e-6));
+        bench_free(&b);
+    }
+}
+END_TEST
+
+/* A quarter of a circle in XY that a control knows stays one block; one that knows none gets
+ * chords, and the circle is never further off than the tolerance. */
+START_TEST(arc_or_chords)
+{
+    struct bench b;
+    double r = 20;
+    for (int known = 0; known < 2; known++) {
+        bench_begin(&b, KIND_TABLE_AC, INTERPOLATE_ROTARY, vec(r, 0, 0), (double[]){0, 0});
+        b.plan.ability.arcs = known ? NC_ARCS_CENTRE : NC_ARCS_NONE;
+        b.plan.ability.radius_error = 0.005;
+        struct pose from = b.planner.state.pose, to = {vec(0, r, 0), from.a};
+        struct motion motion = motion_arc(from, to, vec(0, 0, 0), vec(0, 0, 1));
+        ck_assert_int_eq(post_motion_along(&b.planner, &motion, 0, 1), 0);
+        ck_assert_uint_eq(b.plan.total.arcs, (size_t)known);
+        ck_assert_uint_eq(b.plan.total.chorded, (size_t)!known);
+        struct vec3 at = from.p;
+        for (size_t k = 0; k < b.plan.move.n && !known; k++) {
+            struct vec3 next = b.plan.move.item[k].p;
+            double sag = r - vec_length(vec_mix(at, next, 0.5));
+            ck_assert_double_le(sag, b.planner.allowed.point);
+            at = next;
+        }
+        /* sag = r (1 - cos(half the angle)): halved, the quarter needs 32 chords */
+        ck_assert_uint_eq(b.plan.move.n, known ? 1 : 32);
+        ck_assert_double_le(vec_distance(b.plan.move.item[b.plan.move.n - 1].p, to.p), 1e-5);
+        bench_free(&b);
+    }
+}
+END_TEST
+
+int main(void)
+{
+    Suite *suite = suite_create("post_motion");
+    TCase *tests = tcase_create("motions");
+
+    tcase_set_timeout(tests, 60);
+    tcase_add_loop_test(tests, divided, 0, KINDS * MODES);
+    tcase_add_loop_test(tests, one_block, 0, KINDS * MODES);
+    tcase_add_loop_test(tests, turned_in_place, 0, KINDS);
+    tcase_add_test(tests, arc_or_chords);
+    suite_add_tcase(suite, tests);
+
+    SRunner *runner = srunner_create(suite);
+    srunner_run_all(runner, CK_NORMAL);
+    int failed = srunner_ntests_failed(runner);
+    srunner_free(runner);
+    return failed == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
+}
