@@ -1,13 +1,25 @@
 /*
- * gouge - keeping the ball clear of the part: of the whole scan, or of the mesh as a smooth
- * surface.
+ * gouge - keeping ball, shank and holder of a tool clear of a part.  This is the main header of the
+ * folder; it says what the stages are, and holds the check that all of them ask.
  *
- * The part is a set of guard points, dense against the ball's radius.  A ball with its centre at c
- * is clear when no guard point is nearer to c than the radius; the depth of a gouge is the radius
- * less the distance of the nearest guard point.
+ * In come a part, as a scan or a mesh, and runs of contact points with their normals (run.h).  Out
+ * come the same runs with ball and axis where the tool is clear, points put between where straight
+ * lines would not be, and a report of what the ball can't reach.  The stages:
  *
- * Between guard points that are a gap g apart the ball sinks by up to g^2 / (6 R) (a triangle of
- * points; g^2 / (8 R) between two) into what they stand for, less what a hollow curves away.
+ *   guard points   the part as points that are dense against the ball: guard_points.h
+ *   check          how deep is the ball, or the holder, in the guard points?  Here.
+ *   raise          each centre lifted along its normal as far as it takes: gouge_lift.h
+ *   smooth         axes turned as evenly as their limits allow: axis_smooth.h
+ *   tilt away      axes leaned where shank and holder (holder.h) touch: holder_avoid.h
+ *   link           from strip to strip, low or over the clearance plane: link.h
+ *   refit          motions fitted to the points checked again, and their points lifted more where
+ *                  they go too deep: gouge_refit.h
+ *
+ * The part is a set of guard points.  A ball with its centre at c is clear when no guard point is
+ * nearer to c than the radius; the depth of a gouge is the radius less the distance of the nearest
+ * guard point.  Between guard points that are a gap g apart the ball sinks by up to g^2 / (6 R) (a
+ * triangle of points; g^2 / (8 R) between two) into what they stand for, less what a hollow curves
+ * away.
  */
 #ifndef CLOUDMILL_GOUGE_H
 #define CLOUDMILL_GOUGE_H
@@ -16,26 +28,16 @@
 
 #include "gouge/holder.h"
 #include "math/kdtree.h"
-#include "mesh/mesh.h"
 #include "math/vec.h"
 
 struct gouge_check;
 
-/* From the points of a scan, as dense as they are. */
+/* Of these guard points, which are freed as soon as they are in it; by several threads (as in
+ * parallel.h). */
+struct gouge_check *gouge_new(struct vec3s points, int threads);
+
+/* Of a copy of n points. */
 struct gouge_check *gouge_from_points(const struct vec3 *point, size_t n);
-
-/* The same, and the points are freed as soon as they are in it, by several threads (as
- * in parallel.h). */
-struct gouge_check *gouge_take(struct vec3s points, int threads);
-
-/*
- * From a mesh with vertex normals: each facet as the curved triangle that its vertices and normals
- * span (PN triangle, Vlachos et al. 2001, but with handles that make edges of a sphere circular
- * to the sixth order), sampled no coarser than `spacing` mm.  The flat facet would not do: in a
- * hollow it stands above the surface by its sagitta.  Only a facet that stands more than 30
- * degrees off one of its vertices' normals, as at a step or an edge, is sampled flat.
- */
-struct gouge_check *gouge_from_mesh(const struct mesh *mesh, double spacing);
 
 void gouge_free(struct gouge_check *guard);
 
@@ -52,12 +54,12 @@ double gouge_distance(const struct gouge_check *guard, struct vec3 p, double wit
  * much. */
 double gouge_depth(const struct gouge_check *guard, struct vec3 c, double radius);
 
-/* The same for a ball whose centre moves straight from a to b: the deepest on the way, 0 where the
- * whole way is clear. */
+/* The same for a ball whose centre moves straight from a to b: the largest depth on the segment, 0
+ * if it is clear everywhere. */
 double gouge_depth_along(const struct gouge_check *guard, struct vec3 a, struct vec3 b,
                          double radius);
 
-/* Does the ball go no deeper than `depth` on that way?  Quicker than to ask how deep. */
+/* True if the ball goes no deeper than `depth` on that segment.  Quicker than to ask how deep. */
 bool gouge_clear_along(const struct gouge_check *guard, struct vec3 a, struct vec3 b, double radius,
                        double depth);
 
@@ -66,20 +68,20 @@ bool gouge_clear_along(const struct gouge_check *guard, struct vec3 a, struct ve
  * vector) clear of the part (up to 1e-6 mm), or -1 when no lift within the limit does.  `touch` as
  * of kdtree_leave.
  */
-double gouge_lift(const struct gouge_check *guard, struct vec3 c, struct vec3 up, double radius,
-                  double limit, struct kdtree_touch *touch);
+double gouge_least_lift(const struct gouge_check *guard, struct vec3 c, struct vec3 up,
+                        double radius, double limit, struct kdtree_touch *touch);
 
 /*
  * The smallest lift h >= 0 from which on the ball stays clear all the way along `up`, out of reach
- * of every guard point: where a tool that comes from there ends.  A scan is a shell, and gouge_lift
- * may find room behind it; this does not.
+ * of every guard point: where a tool that comes from there ends.  A scan is a shell, and
+ * gouge_least_lift may find room under it; this does not.
  */
 double gouge_rise(const struct gouge_check *guard, struct vec3 c, struct vec3 up, double radius);
 
-/* Does a ball that is clear at c stay so on its way straight up? */
+/* True if a ball that is clear at c stays clear when it moves straight up. */
 bool gouge_free_above(const struct gouge_check *guard, struct vec3 c, double radius);
 
-/* True when the ball can come to c from outside, against `up`, and goes no deeper than `depth` into
+/* True if the ball can come to c from outside, against `up`, and goes no deeper than `depth` into
  * the part on the way. */
 bool gouge_open(const struct gouge_check *guard, struct vec3 c, struct vec3 up, double radius,
                 double depth);
@@ -89,7 +91,7 @@ bool gouge_open(const struct gouge_check *guard, struct vec3 c, struct vec3 up, 
 double gouge_holder(const struct gouge_check *guard, const struct holder *holder, struct vec3 c,
                     struct vec3 axis, double below);
 
-/* Are they no nearer than `least`?  Quicker than to ask how near. */
+/* True if they are no nearer than `least`.  Quicker than to ask how near. */
 bool gouge_holder_clear(const struct gouge_check *guard, const struct holder *holder, struct vec3 c,
                         struct vec3 axis, double least);
 

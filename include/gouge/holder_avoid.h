@@ -17,8 +17,8 @@ struct holder_avoid_options {
 /* True when the holder is clear on the way from one pose to the other, the ball's centre going
  * straight and the axis on the great circle: proven by how far it can move between the poses that
  * are looked at. */
-bool holder_lean_clear(const struct holder_avoid_options *rule, const struct run_point *from,
-                       const struct run_point *to);
+bool holder_clear_between(const struct holder_avoid_options *rule, const struct run_point *from,
+                          const struct run_point *to);
 
 /*
  * Leans the axes of a run, ball and contact where they are, so that the holder is clear at the

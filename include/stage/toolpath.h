@@ -2,16 +2,13 @@
  * toolpath - strips of contact points put together to a path: tool centres lifted clear of the
  * part, tips and axes, passes, links, approach and retract.
  *
- * From strip to strip the tool stays down where the way is short and the ball touches nothing on
- * it; else it goes up along its axis to the clearance plane (a flat axis: out beside the part, then
- * up), over with the new axis and down along that.  What the ball does along its own axis the shank
- * behind it has done before, so that this way is free wherever the tool fits at all; where it is
- * not, straight up in z is tried.
+ * From strip to strip the tool stays down where the link is short and clear; else it goes up to the
+ * clearance plane, over with the new axis and down along that (gouge/link.h).
  */
 #ifndef CLOUDMILL_TOOLPATH_H
 #define CLOUDMILL_TOOLPATH_H
 
-#include "gouge/gouge_strip.h"
+#include "gouge/gouge_lift.h"
 #include "io/path/path.h"
 
 struct toolpath_options {
@@ -20,8 +17,8 @@ struct toolpath_options {
     double clearance;    /* z of the tip on the clearance plane, mm */
     double approach;     /* the last bit, mm */
     double longest;      /* a link longer than this is not made with the tool down, mm */
-    bool avoid;          /* what the ball can't reach may stay standing ... */
-    bool skip;           /* ... and what the holder keeps the tool from */
+    bool avoid;          /* what the ball can't reach may stay uncut ... */
+    bool skip;           /* ... and what the holder keeps the tool from is skipped */
     double play;         /* how far axes may be off their rule to turn less, radians */
     double rate;         /* fastest turn of the axis along a strip, radians/mm; 0: any */
     double turn; /* LEAN: axes may lean up to this, radians, to whatever side, so that rotary
@@ -30,21 +27,21 @@ struct toolpath_options {
     double lean; /* how far axes may be leaned where the holder touches, radians */
 };
 
-/* A strip from when it is given until it stands in the path. */
+/* A strip from when it is given until it is in the path. */
 struct toolpath_strip {
     size_t pass;
     struct gouge_lift_options lift;
     struct contacts contact;
-    struct gouge_strip lifted;
-    double chord;        /* between the smooth curve and the straight lines, mm */
-    double leaned;       /* because of the holder, at most, radians */
-    size_t held;         /* points left out because the holder touches there */
-    struct vec3 held_at; /* the first of them */
+    struct lifted_strip lifted;
+    double chord;           /* between the smooth curve and the straight lines, mm */
+    double leaned;          /* because of the holder, at most, radians */
+    size_t skipped;         /* points left out because the holder touches there */
+    struct vec3 skipped_at; /* the first of them */
 };
 
-/* A place where material may be left, as its strip sees it. */
-struct toolpath_stand {
-    struct uncut stand;
+/* A place where material may stay uncut, as far as its strip can tell. */
+struct toolpath_uncut {
+    struct uncut place;
     size_t pass;
     double offset; /* of the centre from the part there, mm */
 };
@@ -55,18 +52,18 @@ struct toolpath {
     struct gouge_lift_options lift; /* of the strips, and what links must be clear of */
 
     /* What came of it, over all strips. */
-    struct gouge_strip_report report;
-    size_t missed_pass; /* of report.miss_at, 0: none */
-    size_t standing;    /* places where the ball does not fit and, on the whole path, does not come
-                           as near as it should */
-    double stands;      /* what stays there at most, mm */
-    struct vec3 stands_at;
-    size_t stands_pass;
-    double chord;     /* between the smooth curve and the straight lines, mm */
-    double leaned;    /* because of the holder, at most, radians */
-    size_t held;      /* points left out because the holder touches there */
-    size_t held_pass; /* of the first of them */
-    struct vec3 held_at;
+    struct gouge_lift_report report;
+    size_t unreachable_pass; /* of report.unreachable_at, 0: none */
+    size_t uncut_places;     /* where the ball does not fit and, on the whole path, does not come as
+                                near as it should */
+    double uncut_height;     /* what stays there at most, mm */
+    struct vec3 uncut_at;
+    size_t uncut_pass;
+    double chord;        /* between the smooth curve and the straight lines, mm */
+    double leaned;       /* because of the holder, at most, radians */
+    size_t skipped;      /* points left out because the holder touches there */
+    size_t skipped_pass; /* of the first of them */
+    struct vec3 skipped_at;
     size_t low, high;    /* links with the tool down, links over the clearance plane */
     size_t shank;        /* points where the tool touches with more than its ball */
     size_t blocked;      /* ways up or down on which the ball touches: made at feed, not rapid */
@@ -81,15 +78,15 @@ struct toolpath {
     const char *output;
     struct out *out;
 
-    /* Where it stands: for toolpath.c alone. */
+    /* The state, for toolpath.c alone. */
     struct {
         size_t n, cap;
         struct toolpath_strip *item;
     } strip;
     struct {
         size_t n, cap;
-        struct toolpath_stand *item;
-    } stand;
+        struct toolpath_uncut *item;
+    } uncut;
     struct vec3s ball; /* its centre at the points that are not rapid */
     struct run_point at;
     size_t pass;
@@ -112,18 +109,5 @@ void toolpath_end(struct toolpath *t);
 /* The summary with note(), and with say() what does not hold; the tool's exit status, EXIT_DONE or
  * EXIT_UNMET. */
 int toolpath_conclude(const struct toolpath *t);
-
-/* Looks from the places where a lifted ball may leave something for the nearest that it comes on
- * the whole path, which may reach them from the side, and counts those where it does not.  For
- * toolpath.c. */
-void toolpath_stand(struct toolpath *t);
-
-/* Chooses lead and tilt anew, between what they are together and rule.turn, so that rotary axes
- * turn least over the contacts of all strips (rotary_cost.h), and says which.  For toolpath.c. */
-void toolpath_turn(struct toolpath *t);
-
-/* Lifts a strip and does with its axes what the rule says: play, lean and rate.  Where the holder
- * still touches, points are left out and the strip is in more pieces.  For toolpath.c. */
-void toolpath_lift(const struct toolpath *t, struct toolpath_strip *strip);
 
 #endif

@@ -1,4 +1,4 @@
-/* gouge_points - see guard_points.h. */
+/* guard_points - see guard_points.h. */
 #include "gouge/guard_points.h"
 
 #include <stdlib.h>
@@ -6,7 +6,9 @@
 #include "base/effort.h"
 #include "base/parallel.h"
 #include "cloud/upsample.h"
+#include "curve/edge_curve.h"
 #include "math/surface_fit.h"
+#include "mesh/mesh_weld.h"
 
 enum { GUESS = 16, SAMPLE = 1500, FEWEST = 56 };
 
@@ -23,24 +25,24 @@ static const double MIDDLE = 0.4, CERTAIN = 0.35;
 static const double DOUBTFUL = 0.3, SUNK = 0.3;
 
 /* What becomes of a point. */
-struct place {
+struct point_result {
     struct vec3 point;
     bool moved, doubtful;
     struct vec3s between;
     double vague; /* how far the points are off the surface of these, mm */
 };
 
-struct job {
+struct guard_work {
     const struct guard_points_options *rule;
     const struct point_grid *point_grid;
     struct surface_fit_options fit; /* sigma: noise to take out; 0: none */
     struct upsample fill;
     bool filled;
-    struct place *place;
+    struct point_result *result;
 };
 
 /* A rough normal from the points about a place. */
-static struct vec3 guess_at(const struct point_grid *b, struct vec3 place)
+static struct vec3 guess_normal(const struct point_grid *b, struct vec3 place)
 {
     uint32_t index[GUESS];
     double distance2[GUESS];
@@ -54,9 +56,9 @@ static struct vec3 guess_at(const struct point_grid *b, struct vec3 place)
 }
 
 /* A ball put on along a normal that is off by e sinks in by e^2 / (2 (1 / R - k)). */
-static bool is_doubtful(const struct job *job, const struct surface_fit *fit)
+static bool is_doubtful(const struct guard_work *work, const struct surface_fit *fit)
 {
-    double radius = job->rule->radius, sigma = job->fit.sigma;
+    double radius = work->rule->radius, sigma = work->fit.sigma;
     double fits = fmax(1 / radius - quadric_curvature(&fit->q), 0.05 / radius);
 
     return fit->q.variance > DOUBTFUL * DOUBTFUL ||
@@ -64,21 +66,22 @@ static bool is_doubtful(const struct job *job, const struct surface_fit *fit)
 }
 
 /* Brings a point to a surface; false when noise alone does not explain where it is. */
-static bool bring(const struct job *job, const struct surface_fit *fit, size_t i)
+static bool move_to_surface(const struct guard_work *work, const struct surface_fit *fit, size_t i)
 {
-    struct vec3 p = job->point_grid->point[i], foot = quadric_nearest(&fit->q, p);
-    struct place *place = &job->place[i];
+    struct vec3 p = work->point_grid->point[i], foot = quadric_nearest(&fit->q, p);
+    struct point_result *result = &work->result[i];
 
-    if (!surface_fit_holds(fit, job->fit.sigma) || vec_distance(p, foot) > FAR * job->fit.sigma)
+    if (!surface_fit_holds(fit, work->fit.sigma) || vec_distance(p, foot) > FAR * work->fit.sigma)
         return false;
-    *place = (struct place){.point = foot, .moved = true, .doubtful = is_doubtful(job, fit)};
-    if (job->filled)
-        upsample_on(&job->fill, i, foot, &fit->q, fit->spread, &place->between);
+    *result =
+        (struct point_result){.point = foot, .moved = true, .doubtful = is_doubtful(work, fit)};
+    if (work->filled)
+        upsample_on(&work->fill, i, foot, &fit->q, fit->spread, &result->between);
     return true;
 }
 
 /* How far from its middle a surface counts. */
-static double range_of(const struct surface_fit *fit)
+static double valid_range(const struct surface_fit *fit)
 {
     double spare = CERTAIN * CERTAIN - fit->q.variance;
 
@@ -86,7 +89,7 @@ static double range_of(const struct surface_fit *fit)
 }
 
 /* The point of [from, to) nearest to the middle of those not done; `to` when all are. */
-static size_t middle_of(const struct vec3 *point, const bool *done, size_t from, size_t to)
+static size_t find_middle(const struct vec3 *point, const bool *done, size_t from, size_t to)
 {
     struct vec3 sum = vec(0, 0, 0);
     double count = 0, nearest = HUGE_VAL;
@@ -110,61 +113,61 @@ static size_t middle_of(const struct vec3 *point, const bool *done, size_t from,
 
 /* The points of a cell: a surface about the middle one of those that are left serves those near to
  * it, until none is left. */
-static void settle_cell(const struct job *job, size_t from, size_t to,
-                        struct surface_fit_hood *hood)
+static void fit_cell(const struct guard_work *work, size_t from, size_t to,
+                     struct surface_fit_hood *hood)
 {
-    const struct vec3 *point = job->point_grid->point;
+    const struct vec3 *point = work->point_grid->point;
     bool *done = mem_alloc(to - from + 1, sizeof *done);
 
     for (size_t i = from; i < to; i++)
         done[i - from] = false;
     for (;;) {
         struct surface_fit fit;
-        size_t middle = middle_of(point, done, from, to);
+        size_t middle = find_middle(point, done, from, to);
         if (middle == to)
             break;
         done[middle - from] = true;
-        bool fitted = surface_fit_at(&job->fit, point[middle],
-                                     guess_at(job->point_grid, point[middle]), hood, &fit);
-        if (!(fitted && bring(job, &fit, middle)) && job->filled)
-            upsample_about(&job->fill, middle, &job->place[middle].between);
-        double range = fitted ? range_of(&fit) : 0;
+        bool fitted = surface_fit_at(&work->fit, point[middle],
+                                     guess_normal(work->point_grid, point[middle]), hood, &fit);
+        if (!(fitted && move_to_surface(work, &fit, middle)) && work->filled)
+            upsample_about(&work->fill, middle, &work->result[middle].between);
+        double range = fitted ? valid_range(&fit) : 0;
         for (size_t i = from; i < to; i++)
             if (!done[i - from] && vec_distance(point[i], point[middle]) < range &&
-                bring(job, &fit, i))
+                move_to_surface(work, &fit, i))
                 done[i - from] = true;
     }
     free(done);
 }
 
-static void settle_cells(void *context, size_t from, size_t to)
+static void fit_cells(void *context, size_t from, size_t to)
 {
-    const struct job *job = context;
+    const struct guard_work *work = context;
     struct surface_fit_hood *hood = surface_fit_hood_new();
 
     for (size_t cell = from; cell < to; cell++)
-        settle_cell(job, job->point_grid->first[cell], job->point_grid->first[cell + 1], hood);
+        fit_cell(work, work->point_grid->first[cell], work->point_grid->first[cell + 1], hood);
     surface_fit_hood_free(hood);
 }
 
 /* How many points to begin with, from a sample of them; there is a surface for each cell.  *near:
  * as in the header. */
-static size_t neighbours_of(const struct job *job, size_t *near)
+static size_t neighbours_of(const struct guard_work *work, size_t *near)
 {
-    const struct point_grid *b = job->point_grid;
+    const struct point_grid *b = work->point_grid;
     size_t some = b->n < SAMPLE ? b->n : SAMPLE;
     struct vec3s place = {0}, guess = {0};
 
     for (size_t i = 0; i < some; i++) {
         *array_push(&place) = b->point[i * b->n / some];
-        *array_push(&guess) = guess_at(b, place.item[i]);
+        *array_push(&guess) = guess_normal(b, place.item[i]);
     }
     size_t neighbours =
-        surface_fit_typical(&job->fit, place.item, guess.item, some, job->rule->threads);
+        surface_fit_typical(&work->fit, place.item, guess.item, some, work->rule->threads);
     array_free(&place);
     array_free(&guess);
     size_t cells = b->columns * b->rows;
-    double most = (double)effort_most(EFFORT_GUARD_NEAR, job->rule->effort) / (double)cells;
+    double most = (double)effort_most(EFFORT_GUARD_NEAR, work->rule->effort) / (double)cells;
     double affordable = fmax(most, FEWEST);
     if ((double)neighbours <= affordable)
         return neighbours;
@@ -172,78 +175,259 @@ static size_t neighbours_of(const struct job *job, size_t *near)
     return (size_t)affordable;
 }
 
-static void fill_places(void *context, size_t from, size_t to)
+static void fill_gaps(void *context, size_t from, size_t to)
 {
-    const struct job *job = context;
+    const struct guard_work *work = context;
 
     for (size_t i = from; i < to; i++)
-        job->place[i].vague = upsample_about(&job->fill, i, &job->place[i].between);
+        work->result[i].vague = upsample_about(&work->fill, i, &work->result[i].between);
 }
 
-/* What there is to be done: -1 when it is nothing.  *sparse, *near: as in the header. */
-static int plan(struct job *job, bool *sparse, size_t *near)
+/* What there is to be done; false: nothing.  *sparse, *near: as in the header. */
+static bool choose_work(struct guard_work *work, bool *sparse, size_t *near)
 {
-    const struct guard_points_options *rule = job->rule;
-    const struct point_grid *b = job->point_grid;
+    const struct guard_points_options *rule = work->rule;
+    const struct point_grid *b = work->point_grid;
 
-    job->fit = (struct surface_fit_options){b, rule->noise, 0,
-                                            effort_covers(EFFORT_ALONG, rule->effort, b->n)};
-    job->fill = (struct upsample){b, rule->radius, rule->sink, rule->noise};
-    *sparse = upsample_needed(&job->fill);
-    job->filled = *sparse && effort_covers(EFFORT_GUARD_BETWEEN, rule->effort, b->n);
+    work->fit = (struct surface_fit_options){b, rule->noise, 0,
+                                             effort_covers(EFFORT_ALONG, rule->effort, b->n)};
+    work->fill = (struct upsample){b, rule->radius, rule->sink, rule->noise};
+    *sparse = upsample_needed(&work->fill);
+    work->filled = *sparse && effort_covers(EFFORT_GUARD_BETWEEN, rule->effort, b->n);
     if (rule->noise > 0)
-        job->fit.neighbours = neighbours_of(job, near);
-    return rule->noise > 0 || job->filled ? 0 : -1;
+        work->fit.neighbours = neighbours_of(work, near);
+    return rule->noise > 0 || work->filled;
 }
 
-static struct guard_points gather(struct job *job)
+static struct guard_points gather(struct guard_work *work)
 {
-    const struct point_grid *b = job->point_grid;
+    const struct point_grid *b = work->point_grid;
     struct guard_points surface = {.moved = 0};
 
     for (size_t i = 0; i < b->n; i++) {
-        struct place *place = &job->place[i];
-        *array_push(&surface.point) = place->point;
-        *array_push(place->doubtful ? &surface.doubtful : &surface.certain) = place->point;
-        surface.moved += place->moved;
-        surface.vague += place->vague > job->rule->vague;
-        if (place->vague > surface.worst) {
-            surface.worst = place->vague;
-            surface.at = place->point;
+        struct point_result *result = &work->result[i];
+        *array_push(&surface.point) = result->point;
+        *array_push(result->doubtful ? &surface.doubtful : &surface.certain) = result->point;
+        surface.moved += result->moved;
+        surface.vague += result->vague > work->rule->vague;
+        if (result->vague > surface.worst) {
+            surface.worst = result->vague;
+            surface.at = result->point;
         }
-        surface.added += place->between.n;
-        for (size_t k = 0; k < place->between.n; k++)
-            *array_push(&surface.point) = place->between.item[k];
-        array_free(&place->between);
+        surface.added += result->between.n;
+        for (size_t k = 0; k < result->between.n; k++)
+            *array_push(&surface.point) = result->between.item[k];
+        array_free(&result->between);
     }
     return surface;
 }
 
-struct guard_points guard_points_make(const struct point_grid *point_grid,
-                                      const struct guard_points_options *rule)
+struct guard_points guard_points_of_scan(const struct point_grid *point_grid,
+                                         const struct guard_points_options *rule)
 {
-    struct job job = {.rule = rule, .point_grid = point_grid};
+    struct guard_work work = {.rule = rule, .point_grid = point_grid};
     struct guard_points surface = {.moved = 0};
     bool sparse;
     size_t near = 0;
 
-    if (plan(&job, &sparse, &near) < 0) {
+    if (!choose_work(&work, &sparse, &near)) {
         surface.sparse = sparse;
         array_reserve(&surface.point, point_grid->n);
         for (size_t i = 0; i < point_grid->n; i++)
             *array_push(&surface.point) = *array_push(&surface.certain) = point_grid->point[i];
         return surface;
     }
-    job.place = mem_alloc(point_grid->n, sizeof *job.place);
+    work.result = mem_alloc(point_grid->n, sizeof *work.result);
     for (size_t i = 0; i < point_grid->n; i++)
-        job.place[i] = (struct place){.point = point_grid->point[i]};
-    if (job.fit.sigma > 0)
-        parallel_for(rule->threads, point_grid->columns * point_grid->rows, settle_cells, &job);
+        work.result[i] = (struct point_result){.point = point_grid->point[i]};
+    if (work.fit.sigma > 0)
+        parallel_for(rule->threads, point_grid->columns * point_grid->rows, fit_cells, &work);
     else
-        parallel_for(rule->threads, point_grid->n, fill_places, &job);
-    surface = gather(&job);
+        parallel_for(rule->threads, point_grid->n, fill_gaps, &work);
+    surface = gather(&work);
     surface.sparse = sparse;
     surface.near = near;
-    free(job.place);
+    free(work.result);
     return surface;
+}
+
+/* ---- the points of a mesh */
+
+/* A facet further than this off a vertex's normal spans a step, not a smooth surface. */
+static const double SMOOTH = 0.8660254037844386; /* cos 30 degrees */
+
+/* A curved triangle: control points of a cubic Bezier triangle, named after their corners. */
+struct patch {
+    struct vec3 corner[3];
+    struct vec3 edge[3][2]; /* edge[i]: from corner i to the next, nearer to i first */
+    struct vec3 middle;
+};
+
+static struct patch patch_of(const struct vec3 *p, const struct vec3 *normal, bool flat)
+{
+    struct patch patch;
+    struct vec3 corners = vec(0, 0, 0), edges = vec(0, 0, 0);
+
+    for (int i = 0; i < 3; i++) {
+        int j = (i + 1) % 3;
+        patch.corner[i] = p[i];
+        patch.edge[i][0] = flat ? vec_mix(p[i], p[j], 1 / 3.0) : edge_handle(p[i], normal[i], p[j]);
+        patch.edge[i][1] = flat ? vec_mix(p[j], p[i], 1 / 3.0) : edge_handle(p[j], normal[j], p[i]);
+        corners = vec_add(corners, p[i]);
+        edges = vec_add(edges, vec_add(patch.edge[i][0], patch.edge[i][1]));
+    }
+    /* E + (E - V) / 2: the patch holds a quadratic surface exactly. */
+    patch.middle = vec_along(vec_scale(0.25, edges), -1 / 6.0, corners);
+    return patch;
+}
+
+/* The point with barycentric coordinates b[0..2]. */
+static struct vec3 patch_at(const struct patch *patch, const double b[3])
+{
+    struct vec3 sum = vec_scale(6 * b[0] * b[1] * b[2], patch->middle);
+
+    for (int i = 0; i < 3; i++) {
+        int j = (i + 1) % 3;
+        sum = vec_along(sum, b[i] * b[i] * b[i], patch->corner[i]);
+        sum = vec_along(sum, 3 * b[i] * b[i] * b[j], patch->edge[i][0]);
+        sum = vec_along(sum, 3 * b[i] * b[j] * b[j], patch->edge[i][1]);
+    }
+    return sum;
+}
+
+/* All points of the patch but its corners, on a triangular raster no coarser than `spacing`. */
+static void patch_sample(const struct patch *patch, double spacing, struct vec3s *points)
+{
+    double longest = 0;
+
+    for (int i = 0; i < 3; i++)
+        longest = fmax(longest, vec_distance(patch->corner[i], patch->corner[(i + 1) % 3]));
+    int cells = (int)fmin(ceil(longest / spacing), 1000);
+    for (int i = 0; i <= cells; i++) {
+        for (int j = 0; j <= cells - i; j++) {
+            int k = cells - i - j;
+            if (i == cells || j == cells || k == cells)
+                continue;
+            double b[3] = {(double)i / cells, (double)j / cells, (double)k / cells};
+            *array_push(points) = patch_at(patch, b);
+        }
+    }
+}
+
+void guard_points_of_mesh(const struct mesh *mesh, double spacing, struct vec3s *points)
+{
+    bool *used = mem_alloc(mesh->vertex.n, sizeof *used);
+
+    for (size_t f = 0; f < mesh->face.n; f++) {
+        struct vec3 across = vec_unit(mesh_face_cross(mesh, f));
+        struct vec3 p[3], normal[3];
+        bool flat = false;
+        for (int i = 0; i < 3; i++) {
+            int v = mesh->face.item[f].v[i];
+            used[v] = true;
+            p[i] = mesh->vertex.item[v];
+            normal[i] = mesh->normal.item[v];
+            flat = flat || vec_dot(normal[i], across) < SMOOTH;
+        }
+        struct patch patch = patch_of(p, normal, flat);
+        patch_sample(&patch, spacing, points);
+    }
+    for (size_t v = 0; v < mesh->vertex.n; v++) {
+        if (used[v])
+            *array_push(points) = mesh->vertex.item[v];
+    }
+    free(used);
+}
+
+/* ---- the sharp edges of a mesh */
+
+/* The edge of a facet from its corner i on, by the first vertices at its ends, the smaller first.
+ */
+struct side {
+    size_t end[2];
+    size_t facet;
+    int i;
+};
+
+struct sides {
+    size_t n, cap;
+    struct side *item;
+};
+
+static int compare_sides(const void *pa, const void *pb)
+{
+    const struct side *a = pa, *b = pb;
+
+    for (int k = 0; k < 2; k++)
+        if (a->end[k] != b->end[k])
+            return a->end[k] < b->end[k] ? -1 : 1;
+    return (a->facet > b->facet) - (a->facet < b->facet);
+}
+
+static bool same_ends(const struct side *a, const struct side *b)
+{
+    return a->end[0] == b->end[0] && a->end[1] == b->end[1];
+}
+
+/* Those with an end where several vertices are, in order. */
+static struct sides find_sides(const struct mesh *mesh)
+{
+    struct sides sides = {0};
+    size_t *first = mesh_first_at_place(mesh), n = mesh->vertex.n;
+    bool *shared = mem_alloc(n, sizeof *shared);
+
+    for (size_t v = 0; v < n; v++)
+        shared[v] = false;
+    for (size_t v = 0; v < n; v++)
+        shared[first[v]] = shared[first[v]] || first[v] != v;
+    for (size_t f = 0; f < mesh->face.n; f++)
+        for (int i = 0; i < 3; i++) {
+            const int *v = mesh->face.item[f].v;
+            size_t a = first[v[i]], b = first[v[(i + 1) % 3]];
+            if (shared[a] || shared[b])
+                *array_push(&sides) = (struct side){{a < b ? a : b, a < b ? b : a}, f, i};
+        }
+    free(first);
+    free(shared);
+    if (sides.n > 0)
+        qsort(sides.item, sides.n, sizeof *sides.item, compare_sides);
+    return sides;
+}
+
+/* The two facets meet at the edge by its place alone, each with vertices of its own. */
+static bool share_no_edge(const struct mesh *mesh, const struct side *a, const struct side *b)
+{
+    const int *v = mesh->face.item[a->facet].v, *w = mesh->face.item[b->facet].v;
+    int from = v[a->i], to = v[(a->i + 1) % 3];
+
+    return from != w[(b->i + 1) % 3] || to != w[b->i];
+}
+
+/* The corner of b off the edge lies below the plane of a. */
+static bool is_convex_from(const struct mesh *mesh, const struct side *a, const struct side *b)
+{
+    const struct vec3 *p = mesh->vertex.item;
+    struct vec3 up = mesh_face_cross(mesh, a->facet);
+    struct vec3 beyond = p[mesh->face.item[b->facet].v[(b->i + 2) % 3]];
+
+    return vec_dot(up, vec_sub(beyond, p[a->end[0]])) < 0;
+}
+
+void guard_points_of_edges(const struct mesh *mesh, double spacing, struct vec3s *to)
+{
+    struct sides sides = find_sides(mesh);
+
+    for (size_t k = 0, end; k < sides.n; k = end) {
+        const struct side *a = &sides.item[k], *b = a + 1;
+        for (end = k + 1; end < sides.n && same_ends(a, &sides.item[end]);)
+            end++;
+        if (end != k + 2 || !share_no_edge(mesh, a, b) || !is_convex_from(mesh, a, b) ||
+            !is_convex_from(mesh, b, a))
+            continue;
+        struct vec3 p = mesh->vertex.item[a->end[0]], q = mesh->vertex.item[a->end[1]];
+        double parts = ceil(vec_distance(p, q) / spacing);
+        for (double i = 0; i <= parts; i++)
+            *array_push(to) = vec_mix(p, q, i / fmax(parts, 1));
+    }
+    array_free(&sides);
 }

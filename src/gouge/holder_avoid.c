@@ -24,10 +24,11 @@ static bool is_clear(const struct holder_avoid_options *rule, const struct run_p
     return gouge_holder_clear(rule->guard, rule->holder, p->ball, p->axis, least);
 }
 
-/* Between two poses no point of the holder moves farther than the centre does and its reach
- * turns: so both clearances together, if above that way, leave some of it everywhere. */
-static bool clear_between(const struct holder_avoid_options *rule, struct run_point a,
-                          double clear_a, struct run_point b, double clear_b, int halvings)
+/* Between two poses no point of the holder moves farther than the centre moves plus the reach
+ * times the turn.  So where the two clearances together are more than that, some clearance is left
+ * everywhere between. */
+static bool is_clear_between(const struct holder_avoid_options *rule, struct run_point a,
+                             double clear_a, struct run_point b, double clear_b, int halvings)
 {
     double way =
         vec_distance(a.ball, b.ball) + holder_reach(rule->holder) * vec_angle(a.axis, b.axis);
@@ -39,18 +40,18 @@ static bool clear_between(const struct holder_avoid_options *rule, struct run_po
     struct run_point m = {.ball = vec_mix(a.ball, b.ball, 0.5),
                           .axis = vec_slerp(a.axis, b.axis, 0.5)};
     double clear_m = clearance(rule, &m, way);
-    return clear_between(rule, a, clear_a, m, clear_m, halvings - 1) &&
-           clear_between(rule, m, clear_m, b, clear_b, halvings - 1);
+    return is_clear_between(rule, a, clear_a, m, clear_m, halvings - 1) &&
+           is_clear_between(rule, m, clear_m, b, clear_b, halvings - 1);
 }
 
-bool holder_lean_clear(const struct holder_avoid_options *rule, const struct run_point *from,
-                       const struct run_point *to)
+bool holder_clear_between(const struct holder_avoid_options *rule, const struct run_point *from,
+                          const struct run_point *to)
 {
     double way = vec_distance(from->ball, to->ball) +
                  holder_reach(rule->holder) * vec_angle(from->axis, to->axis) + MARGIN;
 
-    return clear_between(rule, *from, clearance(rule, from, way), *to, clearance(rule, to, way),
-                         HALVINGS);
+    return is_clear_between(rule, *from, clearance(rule, from, way), *to, clearance(rule, to, way),
+                            HALVINGS);
 }
 
 /* The least lean off `rule_axis` from `least` on that clears the point; of equal ones that nearest
@@ -79,9 +80,9 @@ static bool find_lean(const struct holder_avoid_options *rule, const struct run_
     return any;
 }
 
-/* What each point leans: what is left of the largest over the way between, and of its own what that
- * does not have. */
-static void spread(struct run *run, const struct vec3 *rule_axis, const struct vec3 *own)
+/* The lean of each point: what is left of the largest after the distance between, and of its own
+ * what that does not have. */
+static void spread_leans(struct run *run, const struct vec3 *rule_axis, const struct vec3 *own)
 {
     for (size_t i = 0; i < run->n; i++) {
         struct vec3 lean = own[i];
@@ -132,14 +133,14 @@ static bool lean_more(const struct holder_avoid_options *rule, const struct run 
 }
 
 /* Neighbouring axes brought nearer to each other where that leaves the holder clear. */
-static void smooth(const struct holder_avoid_options *rule, struct run *run, const double *margin,
-                   const struct vec3 *rule_axis)
+static void smooth_axes(const struct holder_avoid_options *rule, struct run *run,
+                        const double *margin, const struct vec3 *rule_axis)
 {
     for (int sweep = 0; sweep < SWEEPS; sweep++) {
         for (size_t i = 1; i + 1 < run->n; i++) {
             struct run_point p = run->item[i];
-            const struct run_point *before = &run->item[i - 1], *behind = &run->item[i + 1];
-            struct vec3 mean = vec_unit(vec_add(before->axis, behind->axis));
+            const struct run_point *before = &run->item[i - 1], *after = &run->item[i + 1];
+            struct vec3 mean = vec_unit(vec_add(before->axis, after->axis));
             if (vec_distance(mean, p.axis) < 1e-6 || vec_angle(mean, rule_axis[i]) > rule->limit ||
                 (vec_length(p.normal) > 0 && vec_dot(mean, p.normal) < OUTSIDE))
                 continue;
@@ -151,17 +152,17 @@ static void smooth(const struct holder_avoid_options *rule, struct run *run, con
     }
 }
 
-/* Which points the holder touches at or on the way to; ends of ways that it touches between get
- * another margin.  False when there are none of these. */
-static bool judge(const struct holder_avoid_options *rule, const struct run *run, double *margin,
-                  bool *touches)
+/* Which points the holder touches at, or on the way to; where it touches between two points, both
+ * get a wider margin.  False if there are none of these. */
+static bool find_touches(const struct holder_avoid_options *rule, const struct run *run,
+                         double *margin, bool *touches)
 {
     bool between = false;
 
     for (size_t i = 0; i < run->n; i++) {
         const struct run_point *p = &run->item[i];
         touches[i] = !is_clear(rule, p, -rule->slack);
-        if (touches[i] || i == 0 || touches[i - 1] || holder_lean_clear(rule, p - 1, p))
+        if (touches[i] || i == 0 || touches[i - 1] || holder_clear_between(rule, p - 1, p))
             continue;
         touches[i] = between = true;
         margin[i] *= WIDER;
@@ -186,12 +187,12 @@ double holder_avoid(const struct holder_avoid_options *rule, struct run *run, bo
         bool leaned = false;
         for (int round = 0; round < ROUNDS && lean_more(rule, run, margin, rule_axis, own);
              round++) {
-            spread(run, rule_axis, own);
+            spread_leans(run, rule_axis, own);
             leaned = true;
         }
         if (leaned)
-            smooth(rule, run, margin, rule_axis);
-        again = judge(rule, run, margin, touches) && rule->limit > 0;
+            smooth_axes(rule, run, margin, rule_axis);
+        again = find_touches(rule, run, margin, touches) && rule->limit > 0;
     }
     for (size_t i = 0; i < run->n; i++)
         most = fmax(most, vec_angle(run->item[i].axis, rule_axis[i]));

@@ -8,7 +8,6 @@
 #include "cloud/plan_extent.h"
 #include "cloud/noise.h"
 #include "gouge/guard_points.h"
-#include "gouge/convex_edges.h"
 #include "cloud/outliers.h"
 
 static struct vec3 place(const double m[4][4], struct vec3 p)
@@ -81,7 +80,7 @@ static void add_edges(const struct mesh *mesh, double spacing, struct vec3s *poi
 {
     size_t before = points->n;
 
-    convex_edges_sample(mesh, spacing, points);
+    guard_points_of_edges(mesh, spacing, points);
     if (points->n > before)
         note("and by %zu points on sharp edges of the mesh", points->n - before);
 }
@@ -120,7 +119,7 @@ static struct gouge_check *gouge_of(struct vec3s *points, const struct mesh *mes
                                        .vague = rule->tolerance,
                                        .effort = rule->effort,
                                        .threads = rule->threads};
-    struct guard_points surface = guard_points_make(&point_grid, &how);
+    struct guard_points surface = guard_points_of_scan(&point_grid, &how);
     say_bounded(&surface, rule, point_grid.n);
     if (rule->noise > 0)
         say("noise of %.2g mm taken out of the scan that guards (%zu of %zu points moved)",
@@ -137,7 +136,7 @@ static struct gouge_check *gouge_of(struct vec3s *points, const struct mesh *mes
     point_grid_free(&point_grid);
     rule->certain = surface.certain;
     rule->doubtful = surface.doubtful;
-    return gouge_take(surface.point, rule->threads);
+    return gouge_new(surface.point, rule->threads);
 }
 
 /* mesh: NULL where there is none. */

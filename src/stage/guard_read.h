@@ -6,6 +6,7 @@
 
 #include "base/cli.h"
 #include "gouge/gouge.h"
+#include "mesh/mesh.h"
 
 /* What is made of the points: guard_points.h. */
 struct guard_read_options {

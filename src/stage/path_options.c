@@ -6,7 +6,11 @@
 #include "base/effort.h"
 #include "stage/holder_options.h"
 #include "stage/mesh_for_rows.h"
+#include "gouge/guard_points.h"
 #include "guard_read.h"
+
+/* How deep the ball may sink between the guard points of a mesh, mm. */
+static const double SINK = 0.002;
 
 struct path_options cutting = {.tilt = 15,
                                .depth = 0.3,
@@ -139,6 +143,14 @@ int path_options_check(struct tool_axis_options *axis, struct error *error)
     return axis_rule(axis, error);
 }
 
+static struct gouge_check *guard_of_mesh(const struct mesh *mesh)
+{
+    struct vec3s points = {0};
+
+    guard_points_of_mesh(mesh, sqrt(6 * SINK * cutting.radius), &points);
+    return gouge_new(points, 1);
+}
+
 int path_options_guard(const struct mesh *mesh, double near, int threads,
                        struct gouge_check **guard, struct error *error)
 {
@@ -152,8 +164,8 @@ int path_options_guard(const struct mesh *mesh, double near, int threads,
     *guard = NULL;
     if (c->paper)
         return 0;
-    *guard = c->guards.n > 0 ? guard_read(&c->guards, mesh, near, &rule, error)
-                             : gouge_from_mesh(mesh, sqrt(6 * 0.002 * c->radius));
+    *guard =
+        c->guards.n > 0 ? guard_read(&c->guards, mesh, near, &rule, error) : guard_of_mesh(mesh);
     cutting.noise = rule.noise;
     cutting.certain = rule.certain;
     cutting.doubtful = rule.doubtful;
@@ -199,7 +211,7 @@ int path_options_rules(const struct mesh *mesh, const struct gouge_check *guard,
     t->lift.tolerance = c->tolerance > 0 ? c->tolerance : 0.01;
     t->lift.between = c->tolerance > 0;
     t->lift.step = 0.05;
-    t->lift.stands = 3 * t->lift.tolerance + 2 * fmax(c->noise, 0);
+    t->lift.uncut = 3 * t->lift.tolerance + 2 * fmax(c->noise, 0);
     return clearance_plane(mesh, guard, &t->rule.clearance, error);
 }
 

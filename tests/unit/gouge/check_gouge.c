@@ -4,6 +4,7 @@
 #include <stdlib.h>
 
 #include "gouge/gouge.h"
+#include "gouge/guard_points.h"
 
 static uint64_t state = 7;
 
@@ -77,13 +78,13 @@ START_TEST(lift_is_the_smallest_that_is_clear)
     for (int i = 0; i < 200; i++) {
         struct vec3 c = vec(uniform(-10, 10), uniform(-10, 10), uniform(-4, 4));
         struct vec3 up = direction();
-        double lift = gouge_lift(guard, c, up, 2.5, 50, NULL);
+        double lift = gouge_least_lift(guard, c, up, 2.5, 50, NULL);
         ck_assert_double_ge(lift, 0);
         ck_assert_double_le(depth(vec_along(c, lift, up), 2.5), 1.1e-6);
         for (int k = 0; lift > 0 && k < 500; k++)
             ck_assert_double_gt(depth(vec_along(c, lift * k / 500, up), 2.5), -1e-9);
         if (lift > 0.1)
-            ck_assert_double_eq(gouge_lift(guard, c, up, 2.5, 0.99 * lift, NULL), -1);
+            ck_assert_double_eq(gouge_least_lift(guard, c, up, 2.5, 0.99 * lift, NULL), -1);
     }
     gouge_free(guard);
 }
@@ -104,11 +105,11 @@ START_TEST(rise_is_the_last_place_that_is_not_clear)
         }
         double rise = gouge_rise(guard, c, up, 2.5);
         ck_assert_double_eq_tol(rise, highest, 1e-2);
-        ck_assert_double_ge(rise, gouge_lift(guard, c, up, 2.5, HUGE_VAL, NULL) - 1e-9);
+        ck_assert_double_ge(rise, gouge_least_lift(guard, c, up, 2.5, HUGE_VAL, NULL) - 1e-9);
         ck_assert(gouge_open(guard, vec_along(c, rise, up), up, 2.5, 1e-5));
         if (rise > 0.1)
             ck_assert(!gouge_open(guard, vec_along(c, rise - 0.1, up), up, 2.5, 1e-5));
-        double lift = gouge_lift(guard, c, up, 2.5, HUGE_VAL, NULL);
+        double lift = gouge_least_lift(guard, c, up, 2.5, HUGE_VAL, NULL);
         struct vec3 clear = vec_along(c, lift, up), z = vec(0, 0, 1);
         ck_assert_int_eq(gouge_free_above(guard, clear, 2.49),
                          gouge_open(guard, clear, z, 2.5, 0.01));
@@ -137,6 +138,13 @@ START_TEST(holders_are_clear_where_no_point_is_nearer)
 }
 END_TEST
 
+static struct gouge_check *guard_of_mesh(const struct mesh *mesh, double spacing)
+{
+    struct vec3s points = {0};
+    guard_points_of_mesh(mesh, spacing, &points);
+    return gouge_new(points, 1);
+}
+
 /* One facet of a sphere around the origin seen from above: its top, or hollow its bottom. */
 static struct gouge_check *facet_on_sphere(double radius, double side, double sign, double spacing)
 {
@@ -150,7 +158,7 @@ static struct gouge_check *facet_on_sphere(double radius, double side, double si
         *array_push(&mesh.normal) = vec_scale(sign / radius, p);
     }
     *array_push(&mesh.face) = (struct face){{0, 1, 2}};
-    struct gouge_check *guard = gouge_from_mesh(&mesh, spacing);
+    struct gouge_check *guard = guard_of_mesh(&mesh, spacing);
     mesh_free(&mesh);
     return guard;
 }
@@ -182,7 +190,7 @@ START_TEST(facet_over_a_step_is_flat)
     for (int i = 0; i < 3; i++)
         *array_push(&mesh.normal) = vec(0, 0, 1);
     *array_push(&mesh.face) = (struct face){{0, 1, 2}};
-    struct gouge_check *guard = gouge_from_mesh(&mesh, 0.1);
+    struct gouge_check *guard = guard_of_mesh(&mesh, 0.1);
     struct vec3 normal = vec_unit(mesh_face_cross(&mesh, 0));
     struct vec3 inner = vec(1, 1, 2);
     for (double h = 1; h < 4; h++) {
@@ -217,7 +225,7 @@ END_TEST
 START_TEST(without_points_all_is_clear)
 {
     struct gouge_check *guard = gouge_from_points(NULL, 0);
-    ck_assert_double_eq(gouge_lift(guard, vec(0, 0, 0), vec(0, 0, 1), 5, 10, NULL), 0);
+    ck_assert_double_eq(gouge_least_lift(guard, vec(0, 0, 0), vec(0, 0, 1), 5, 10, NULL), 0);
     ck_assert_double_eq(gouge_rise(guard, vec(0, 0, 0), vec(0, 0, 1), 5), 0);
     ck_assert_double_lt(gouge_depth(guard, vec(0, 0, 0), 5), 0);
     gouge_free(guard);

@@ -120,9 +120,9 @@ START_TEST(a_post_between_is_seen)
     struct run_point a = {.ball = {0, -30, BALL}, .axis = {0, 0, 1}}, b = a, c = a;
     b.ball.y = 30;
     c.ball = vec(-10, 30, BALL);
-    ck_assert(!holder_lean_clear(&rule, &a, &b));
+    ck_assert(!holder_clear_between(&rule, &a, &b));
     a.ball.x = -10;
-    ck_assert(holder_lean_clear(&rule, &a, &c));
+    ck_assert(holder_clear_between(&rule, &a, &c));
     gouge_free(guard);
 }
 END_TEST

@@ -131,7 +131,7 @@ START_TEST(a_lid_above_the_strip_is_told)
     struct toolpath t = make_toolpath(&path, guard);
     t.rule.clearance = 30;
     make_path(&t);
-    ck_assert_uint_eq(t.report.missed, 9);
+    ck_assert_uint_eq(t.report.unreachable, 9);
     ck_assert_int_eq(toolpath_conclude(&t), 3);
     t.rule.avoid = true;
     ck_assert_int_eq(toolpath_conclude(&t), 0);
@@ -166,12 +166,12 @@ START_TEST(what_stands_in_a_gutter_is_measured)
     struct path path = {0};
     struct toolpath t = make_toolpath(&path, guard);
     t.lift.between = true;
-    t.lift.stands = 0.03;
+    t.lift.uncut = 0.03;
     toolpath_strip(&t, 1, contact, 9, vec(1, 0, 0));
     toolpath_end(&t);
-    ck_assert_double_eq_tol(t.stands, sqrt(2) - 1, 0.01);
-    ck_assert_double_le(fabs(t.stands_at.x), 0.5);
-    ck_assert_uint_eq(t.stands_pass, 1);
+    ck_assert_double_eq_tol(t.uncut_height, sqrt(2) - 1, 0.01);
+    ck_assert_double_le(fabs(t.uncut_at.x), 0.5);
+    ck_assert_uint_eq(t.uncut_pass, 1);
     ck_assert_int_eq(toolpath_conclude(&t), 3);
     t.rule.avoid = true;
     ck_assert_int_eq(toolpath_conclude(&t), 0);

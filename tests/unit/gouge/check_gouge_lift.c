@@ -1,5 +1,5 @@
 /* lift over shapes where the highest clear place of a ball is known. */
-#include "gouge/gouge_strip.h"
+#include "gouge/gouge_lift.h"
 
 #include <check.h>
 #include <stdlib.h>
@@ -23,7 +23,7 @@ static struct run strip_on_plane(const struct gouge_lift_options *rule)
 {
     struct run run = {.radius = R};
     for (int i = -5; i <= 5; i++)
-        gouge_strip_add(&run, rule, vec(2 * i, 0, 0), vec(0, 0, 1));
+        gouge_lift_contact(&run, rule, vec(2 * i, 0, 0), vec(0, 0, 1));
     return run;
 }
 
@@ -33,7 +33,7 @@ START_TEST(a_point_stands_as_the_offset_says)
     struct run run = {.radius = R};
     rule.offset = R + 0.6;
     struct vec3 n = vec_unit(vec(0.3, 0.2, 1));
-    gouge_strip_add(&run, &rule, vec(1, 2, 3), n);
+    gouge_lift_contact(&run, &rule, vec(1, 2, 3), n);
     struct run_point p = run.item[0];
     ck_assert_double_lt(vec_distance(p.ball, vec_along(vec(1, 2, 3), 5.6, n)), 1e-12);
     ck_assert_double_lt(vec_distance(p.tip, vec_along(p.ball, -R, p.axis)), 1e-12);
@@ -46,15 +46,15 @@ START_TEST(without_a_guard_nothing_is_lifted)
 {
     struct gouge_lift_options rule = make_rule(NULL, false);
     struct run run = strip_on_plane(&rule);
-    struct gouge_strip lifted = {.run = {.radius = R}};
-    gouge_strip_lift(&run, &rule, &lifted);
+    struct lifted_strip lifted = {.run = {.radius = R}};
+    gouge_lift_run(&run, &rule, &lifted);
     ck_assert_uint_eq(lifted.run.n, run.n);
     ck_assert_uint_eq(lifted.end.n, 1);
     ck_assert_uint_eq(lifted.end.item[0], run.n);
     ck_assert_uint_eq(lifted.report.lifted, 0);
     for (size_t i = 0; i < run.n; i++)
         ck_assert_double_eq(vec_distance(run.item[i].ball, lifted.run.item[i].ball), 0);
-    gouge_strip_free(&lifted);
+    lifted_strip_free(&lifted);
     array_free(&run);
 }
 END_TEST
@@ -72,9 +72,9 @@ START_TEST(a_ball_rolls_over_a_pin)
     struct gouge_check *guard = gouge_from_points(&pin, 1);
     struct gouge_lift_options rule = make_rule(guard, true);
     struct run run = strip_on_plane(&rule);
-    struct gouge_strip lifted = {.run = {.radius = R}};
-    gouge_strip_lift(&run, &rule, &lifted);
-    ck_assert_uint_eq(lifted.report.missed, 0);
+    struct lifted_strip lifted = {.run = {.radius = R}};
+    gouge_lift_run(&run, &rule, &lifted);
+    ck_assert_uint_eq(lifted.report.unreachable, 0);
     ck_assert_double_eq_tol(lifted.report.highest, 1 + sqrt(R * R - 0.16) - R, 0.01);
     for (size_t i = 0; i < lifted.run.n; i++) {
         const struct run_point *p = &lifted.run.item[i];
@@ -86,7 +86,7 @@ START_TEST(a_ball_rolls_over_a_pin)
             ck_assert_double_eq_tol(c.z, over_pin(c.x), 0.015);
         }
     }
-    gouge_strip_free(&lifted);
+    lifted_strip_free(&lifted);
     array_free(&run);
     gouge_free(guard);
 }
@@ -98,12 +98,12 @@ START_TEST(only_nodes_without_between)
     struct gouge_check *guard = gouge_from_points(&pin, 1);
     struct gouge_lift_options rule = make_rule(guard, false);
     struct run run = strip_on_plane(&rule);
-    struct gouge_strip lifted = {.run = {.radius = R}};
-    gouge_strip_lift(&run, &rule, &lifted);
+    struct lifted_strip lifted = {.run = {.radius = R}};
+    gouge_lift_run(&run, &rule, &lifted);
     ck_assert_uint_eq(lifted.run.n, run.n);
     for (size_t i = 0; i < run.n; i++)
         ck_assert_double_eq_tol(lifted.run.item[i].ball.z, over_pin(run.item[i].ball.x), 2e-6);
-    gouge_strip_free(&lifted);
+    lifted_strip_free(&lifted);
     array_free(&run);
     gouge_free(guard);
 }
@@ -119,11 +119,11 @@ START_TEST(a_tower_is_passed_over_without_a_touch)
     for (int between = 0; between < 2; between++) {
         struct gouge_lift_options rule = make_rule(guard, between);
         struct run run = strip_on_plane(&rule);
-        struct gouge_strip lifted = {.run = {.radius = R}};
-        gouge_strip_lift(&run, &rule, &lifted);
-        ck_assert_uint_gt(lifted.report.missed, 0);
-        ck_assert_double_gt(lifted.report.miss, 19.5);
-        ck_assert_double_lt(lifted.report.miss, 20 + 1e-6);
+        struct lifted_strip lifted = {.run = {.radius = R}};
+        gouge_lift_run(&run, &rule, &lifted);
+        ck_assert_uint_gt(lifted.report.unreachable, 0);
+        ck_assert_double_gt(lifted.report.unreachable_by, 19.5);
+        ck_assert_double_lt(lifted.report.unreachable_by, 20 + 1e-6);
         ck_assert_uint_eq(lifted.end.n, 1);
         for (size_t i = 0; i < lifted.run.n; i++) {
             const struct run_point *p = &lifted.run.item[i];
@@ -132,7 +132,7 @@ START_TEST(a_tower_is_passed_over_without_a_touch)
             if (i > 0)
                 ck_assert_double_le(gouge_depth_along(guard, p[-1].ball, p->ball, R), 0.01);
         }
-        gouge_strip_free(&lifted);
+        lifted_strip_free(&lifted);
         array_free(&run);
     }
     gouge_free(guard);
@@ -158,11 +158,11 @@ START_TEST(a_hollow_tighter_than_the_ball_is_spanned)
     struct run run = {.radius = R};
     for (int i = -4; i <= 4; i++) {
         double u = PI / 4 * i / 4;
-        gouge_strip_add(&run, &rule, vec(4 * sin(u), 0, 4 * sqrt(2) - 4 * cos(u)),
-                        vec(-sin(u), 0, cos(u)));
+        gouge_lift_contact(&run, &rule, vec(4 * sin(u), 0, 4 * sqrt(2) - 4 * cos(u)),
+                           vec(-sin(u), 0, cos(u)));
     }
-    struct gouge_strip lifted = {.run = {.radius = R}};
-    gouge_strip_lift(&run, &rule, &lifted);
+    struct lifted_strip lifted = {.run = {.radius = R}};
+    gouge_lift_run(&run, &rule, &lifted);
     for (size_t i = 0; i < lifted.run.n; i++) {
         struct vec3 c = lifted.run.item[i].ball;
         ck_assert_double_le(gouge_depth(guard, c, R), 1e-6);
@@ -172,11 +172,11 @@ START_TEST(a_hollow_tighter_than_the_ball_is_spanned)
     }
     /* From the lowest point of the ball to the bottom of the gutter. */
     double bottom = -1;
-    for (size_t i = 0; i < lifted.stand.n; i++)
-        if (fabs(lifted.stand.item[i].contact.x) < 0.01)
-            bottom = lifted.stand.item[i].height;
+    for (size_t i = 0; i < lifted.uncut.n; i++)
+        if (fabs(lifted.uncut.item[i].contact.x) < 0.01)
+            bottom = lifted.uncut.item[i].height;
     ck_assert_double_eq_tol(bottom, (R - 4) * (sqrt(2) - 1), 0.01);
-    gouge_strip_free(&lifted);
+    lifted_strip_free(&lifted);
     array_free(&run);
     gouge_free(guard);
     array_free(&gutter);
@@ -195,24 +195,117 @@ START_TEST(what_looks_down_is_touched_from_the_side)
     struct gouge_lift_options rule = make_rule(guard, false);
     for (int down = -10; down <= 28; down += 2) {
         struct run run = {.radius = R};
-        struct gouge_strip lifted = {.run = {.radius = R}};
+        struct lifted_strip lifted = {.run = {.radius = R}};
         struct vec3 n = vec(cos(RADIANS(down)), 0, -sin(RADIANS(down)));
         rule.feed.along = vec(0, 1, 0);
         rule.feed.side = vec(0, 0, 1);
         rule.feed.up = vec(1, 0, 0);
-        gouge_strip_add(&run, &rule, vec_scale(20, n), n);
-        gouge_strip_lift(&run, &rule, &lifted);
+        gouge_lift_contact(&run, &rule, vec_scale(20, n), n);
+        gouge_lift_run(&run, &rule, &lifted);
         const struct run_point *p = &lifted.run.item[0];
-        ck_assert_uint_eq(lifted.report.missed, 0);
+        ck_assert_uint_eq(lifted.report.unreachable, 0);
         ck_assert_double_ge(p->axis.z, 0);
         ck_assert_double_ge(vec_dot(p->axis, n), cos(RADIANS(fmax(down, 12))) - 1e-9);
         ck_assert_double_le(vec_distance(p->ball, vec_scale(20 + R, n)), 0.01);
         ck_assert_double_le(vec_distance(p->tip, vec_along(p->ball, -R, p->axis)), 1e-12);
-        gouge_strip_free(&lifted);
+        lifted_strip_free(&lifted);
         array_free(&run);
     }
     gouge_free(guard);
     array_free(&ball);
+}
+END_TEST
+
+/* ---- over pins, where the height of a ball that comes down on them is known */
+
+static double uniform(double from, double to)
+{
+    static unsigned long long state = 88172645463325252ULL;
+    state ^= state << 13;
+    state ^= state >> 7;
+    state ^= state << 17;
+    return from + (to - from) * (double)(state >> 11) / 9007199254740992.0;
+}
+
+static double height_over(const struct vec3s *part, double x)
+{
+    double height = R;
+    for (size_t i = 0; i < part->n; i++) {
+        struct vec3 p = part->item[i];
+        double across2 = (p.x - x) * (p.x - x) + p.y * p.y;
+        if (across2 < R * R)
+            height = fmax(height, p.z + sqrt(R * R - across2));
+    }
+    return height;
+}
+
+/* Pins of heights below 0.4 mm, so that nothing is out of reach, over 12 mm of a strip. */
+static struct vec3s make_pins(size_t n)
+{
+    struct vec3s pins = {0};
+    while (pins.n < n)
+        *array_push(&pins) = vec(uniform(-6, 6), uniform(-1, 1), uniform(0, 0.4));
+    return pins;
+}
+
+/* A strip over the pins, `step` from contact to contact, with an upright axis. */
+static struct lifted_strip lift_over(const struct gouge_check *guard, double step, bool between)
+{
+    struct gouge_lift_options rule = make_rule(guard, between);
+    struct lifted_strip lifted = {.run = {.radius = R}};
+    struct run run = {.radius = R};
+    rule.axis = (struct tool_axis_options){.kind = AXIS_FIXED, .direction = {0, 0, 1}};
+    for (double x = -6; x < 6; x += step)
+        gouge_lift_contact(&run, &rule, vec(x, 0, 0), vec(0, 0, 1));
+    gouge_lift_run(&run, &rule, &lifted);
+    array_free(&run);
+    return lifted;
+}
+
+START_TEST(points_are_where_the_ball_comes_down)
+{
+    for (int round = 0; round < 20; round++) {
+        struct vec3s pins = make_pins(30);
+        struct gouge_check *guard = gouge_from_points(pins.item, pins.n);
+        struct lifted_strip lifted = lift_over(guard, 0.37, false);
+        ck_assert_uint_eq(lifted.report.unreachable, 0);
+        for (size_t i = 0; i < lifted.run.n; i++) {
+            const struct run_point *p = &lifted.run.item[i];
+            ck_assert_double_eq_tol(p->ball.z, height_over(&pins, p->ball.x), 1e-5);
+            ck_assert_double_eq_tol(p->ball.z - p->tip.z, R, 1e-12);
+        }
+        lifted_strip_free(&lifted);
+        gouge_free(guard);
+        array_free(&pins);
+    }
+}
+END_TEST
+
+/* The lines never go deeper than the tolerance.  Half way they are no higher than that over where
+ * the ball comes down; a kink beside the middle leaves about twice as much. */
+START_TEST(lines_follow_the_ball_and_are_clear)
+{
+    size_t put = 0, pairs = 0;
+    for (int round = 0; round < 40; round++) {
+        struct vec3s pins = make_pins(round % 4 == 0 ? 1 : 25);
+        struct gouge_check *guard = gouge_from_points(pins.item, pins.n);
+        struct lifted_strip lifted = lift_over(guard, 0.5, true);
+        pairs += 23;
+        put += lifted.run.n - 24;
+        for (size_t i = 1; i < lifted.run.n; i++) {
+            const struct run_point *a = &lifted.run.item[i - 1], *b = a + 1;
+            ck_assert_double_le(gouge_depth_along(guard, a->ball, b->ball, R), 0.01);
+            for (double t = 0.05; t < 1; t += 0.05) {
+                struct vec3 c = vec_mix(a->ball, b->ball, t);
+                ck_assert_double_le(c.z - height_over(&pins, c.x), 2.5 * 0.01);
+            }
+        }
+        lifted_strip_free(&lifted);
+        gouge_free(guard);
+        array_free(&pins);
+    }
+    ck_assert_uint_gt(put, pairs / 10);
+    ck_assert_uint_lt(put, 2 * pairs);
 }
 END_TEST
 
@@ -227,6 +320,8 @@ int main(void)
     tcase_add_test(tests, a_tower_is_passed_over_without_a_touch);
     tcase_add_test(tests, a_hollow_tighter_than_the_ball_is_spanned);
     tcase_add_test(tests, what_looks_down_is_touched_from_the_side);
+    tcase_add_test(tests, points_are_where_the_ball_comes_down);
+    tcase_add_test(tests, lines_follow_the_ball_and_are_clear);
     suite_add_tcase(suite, tests);
     SRunner *runner = srunner_create(suite);
     srunner_run_all(runner, CK_NORMAL);

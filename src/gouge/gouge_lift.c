@@ -1,0 +1,369 @@
+/*
+ * gouge_lift - see gouge_lift.h.
+ *
+ * First single points are lifted, and those between two of them that straight lines need; then the
+ * points of a run are put together with what leads over jumps of the lift.
+ */
+#include "gouge/gouge_lift.h"
+
+#include <stdlib.h>
+
+enum { HALVINGS = 20 }; /* of a jump of the lift, at most */
+
+static const struct vec3 UP = {0, 0, 1};
+
+/* A point with what became of it. */
+struct lifted_point {
+    struct run_point p;   /* its normal as it was */
+    struct vec3 touching; /* the centre before the lift */
+    bool unreachable; /* no lift within the limit clears it, or no tool from outside comes to it: it
+                         is straight up in z as far as it takes */
+    struct kdtree_touch touch; /* what stopped the ball */
+};
+
+struct lifted_points {
+    size_t n, cap;
+    struct lifted_point *item;
+};
+
+/* Puts the centre of a point there, the axis as the rule says for there, and the tip below by the
+ * ball's radius. */
+static void place_point(struct run_point *p, struct vec3 centre,
+                        const struct gouge_lift_options *rule, double radius)
+{
+    p->ball = centre;
+    p->axis = tool_axis_at(&rule->axis, &rule->feed, centre, p->normal);
+    p->tip = vec_along(centre, -radius, p->axis);
+}
+
+/* Where the surface faces down, an axis that would come from below is level instead: the ball
+ * touches the same, and its shank is beside the part. */
+static void turn_level(struct run_point *p, const struct gouge_lift_options *rule, double radius)
+{
+    const double flattest = 0.17364817766693033; /* cos 80 degrees: the ball alone touches yet */
+    struct vec3 level = vec_unit(vec(p->axis.x, p->axis.y, 0));
+
+    if (rule->axis.kind != AXIS_LEAN || p->axis.z >= 0 || vec_dot(level, p->normal) < flattest)
+        return;
+    p->axis = level;
+    p->tip = vec_along(p->ball, -radius, level);
+}
+
+static void place_lifted(struct run_point *p, struct vec3 touching, double lift,
+                         const struct gouge_lift_options *rule, double radius)
+{
+    place_point(p, vec_along(touching, lift, p->normal), rule, radius);
+    if (rule->guard)
+        turn_level(p, rule, radius);
+}
+
+/* The tool can come here, where it is clear, from above: straight down or along its axis. */
+static bool open_above(const struct run_point *p, const struct gouge_lift_options *rule)
+{
+    return gouge_free_above(rule->guard, p->ball, rule->offset - rule->tolerance) ||
+           (p->axis.z >= 0 && p->axis.z < 1 &&
+            gouge_open(rule->guard, p->ball, p->axis, rule->offset, rule->tolerance));
+}
+
+/* A contact point with its normal, lifted.  `touch`: guard points likely to be in its way. */
+static struct lifted_point lift_point(const struct run_point *p, const struct kdtree_touch *touch,
+                                      const struct gouge_lift_options *rule, double radius)
+{
+    struct lifted_point l = {
+        .p = *p, .touching = vec_along(p->contact, rule->offset, p->normal), .touch = *touch};
+    double lift = 0;
+
+    if (rule->guard)
+        lift = gouge_least_lift(rule->guard, l.touching, p->normal, rule->offset, rule->limit,
+                                &l.touch);
+    place_lifted(&l.p, l.touching, lift, rule, radius);
+    l.unreachable = rule->guard && (lift < 0 || !open_above(&l.p, rule));
+    if (l.unreachable) {
+        double rise = gouge_rise(rule->guard, l.touching, UP, rule->offset);
+        place_point(&l.p, vec_along(l.touching, rise, UP), rule, radius);
+    }
+    return l;
+}
+
+/* Half way between two points, not lifted. */
+static struct run_point halfway(const struct lifted_point *a, const struct lifted_point *b,
+                                const struct gouge_lift_options *rule)
+{
+    struct run_point p = {.normal = vec_unit(vec_add(a->p.normal, b->p.normal))};
+
+    if (vec_length(p.normal) == 0) /* there is no middle */
+        p.normal = a->p.normal;
+    p.contact = vec_along(vec_mix(a->touching, b->touching, 0.5), -rule->offset, p.normal);
+    return p;
+}
+
+/* What is likely to stop a ball between two. */
+static struct kdtree_touch touch_of(const struct lifted_point *a, const struct lifted_point *b)
+{
+    struct kdtree_touch both = a->touch;
+
+    if (b->touch.n > 0)
+        both.p[both.n++] = b->touch.p[0];
+    return both;
+}
+
+/* Half way between two, lifted itself. */
+static struct lifted_point lift_halfway(const struct lifted_point *a, const struct lifted_point *b,
+                                        const struct gouge_lift_options *rule, double radius)
+{
+    struct run_point p = halfway(a, b, rule);
+    struct kdtree_touch touch = touch_of(a, b);
+
+    return lift_point(&p, &touch, rule, radius);
+}
+
+/* True if the ball goes no deeper than the tolerance on the straight line between two points where
+ * it is clear. */
+static bool is_line_clear(const struct run_point *a, const struct run_point *b,
+                          const struct gouge_lift_options *rule)
+{
+    const double slack = 1e-5; /* what clear may mean, and rounding */
+    double within = rule->offset - rule->tolerance, clear = rule->offset - slack;
+    struct vec3 way = vec_sub(b->ball, a->ball);
+
+    /* What is in neither ball stands no deeper in one between than the sagitta of the way. */
+    return !rule->guard || vec_dot(way, way) / 4 <= clear * clear - within * within ||
+           gouge_clear_along(rule->guard, a->ball, b->ball, rule->offset, rule->tolerance);
+}
+
+/* True if nothing comes between them, for where they would touch they are nearer than two steps. */
+static bool are_close(const struct lifted_point *a, const struct lifted_point *b,
+                      const struct gouge_lift_options *rule)
+{
+    /* Told by where they would touch, for the lift may jump. */
+    return vec_distance(a->touching, b->touching) < 2 * rule->step;
+}
+
+static bool on_line(const struct run_point *p, const struct lifted_point *a,
+                    const struct lifted_point *b, const struct gouge_lift_options *rule)
+{
+    return vec_line_distance(a->p.ball, b->p.ball, p->ball) <= rule->tolerance &&
+           vec_line_distance(a->p.tip, b->p.tip, p->tip) <= rule->tolerance;
+}
+
+/* Appends the points between a and b that straight lines need, to stay within the tolerance of what
+ * is lifted half way, or under it where the ball is clear there.  Where what stops the ball at both
+ * ends holds it on the line, and the line is clear, more of the part would only lift it. */
+static void add_between(const struct lifted_point *a, const struct lifted_point *b,
+                        const struct gouge_lift_options *rule, double radius,
+                        struct lifted_points *to)
+{
+    if (are_close(a, b, rule))
+        return;
+    struct run_point between = halfway(a, b, rule), least = between;
+    struct kdtree_touch touch = touch_of(a, b);
+    struct vec3 touching = vec_along(between.contact, rule->offset, between.normal);
+    double lift = kdtree_leave_these(&touch, touching, between.normal, rule->offset);
+    place_lifted(&least, touching, lift, rule, radius);
+    bool clear = is_line_clear(&a->p, &b->p, rule);
+    if (clear && !a->unreachable && !b->unreachable && on_line(&least, a, b, rule))
+        return;
+    struct lifted_point l = lift_point(&between, &touch, rule, radius);
+    if (clear && on_line(&l.p, a, b, rule))
+        return;
+    add_between(a, &l, rule, radius, to);
+    *array_push(to) = l;
+    add_between(&l, b, rule, radius, to);
+}
+
+void gouge_lift_contact(struct run *run, const struct gouge_lift_options *rule, struct vec3 contact,
+                        struct vec3 normal)
+{
+    struct run_point p = {.contact = contact, .normal = normal, .given = true};
+
+    place_point(&p, vec_along(contact, rule->offset, normal), rule, run->radius);
+    *array_push(run) = p;
+}
+
+/* Notes what may stay uncut under a ball that touches elsewhere. */
+static void check_uncut(const struct lifted_point *l, const struct gouge_lift_options *rule,
+                        struct lifted_strip *to)
+{
+    double half = rule->offset / 2;
+    struct vec3 lower = vec_along(l->p.ball, -half, l->p.normal);
+    double height = gouge_distance(rule->guard, lower, vec_distance(lower, l->touch.p[0])) - half;
+
+    if (height > rule->uncut)
+        *array_push(&to->uncut) = (struct uncut){l->p.contact, height};
+}
+
+/* Appends a lifted point to the run, and to the report. */
+static void add_point(struct lifted_strip *to, const struct lifted_point *l,
+                      const struct gouge_lift_options *rule)
+{
+    struct gouge_lift_report *report = &to->report;
+    struct run_point p = l->p;
+    double lift = vec_distance(p.ball, l->touching);
+
+    report->points++;
+    if (l->unreachable) {
+        p.normal = vec(0, 0, 0);
+        report->unreachable++;
+        if (lift > report->unreachable_by) {
+            report->unreachable_by = lift;
+            report->unreachable_at = p.contact;
+        }
+    } else if (lift > 1e-6) {
+        report->lifted++;
+        if (lift > report->highest) {
+            report->highest = lift;
+            report->highest_at = p.contact;
+        }
+        if (lift > rule->uncut)
+            check_uncut(l, rule, to);
+    }
+    *array_push(&to->run) = p;
+}
+
+/* A jump of the lift: the centres are that much further apart than the points they belong to. */
+static bool jumps(const struct lifted_point *a, const struct lifted_point *b,
+                  const struct gouge_lift_options *rule)
+{
+    double apart = vec_distance(a->p.ball, b->p.ball);
+
+    return apart > 4 * vec_distance(a->touching, b->touching) + 2 * rule->step;
+}
+
+/* From one side of a jump to the other, over what is between; false when that is in the way too,
+ * as under an overhang. */
+static bool bridge(const struct run_point *a, const struct run_point *b, int halvings,
+                   const struct gouge_lift_options *rule, struct run *dense)
+{
+    if (halvings < HALVINGS && is_line_clear(a, b, rule))
+        return true;
+    if (halvings == 0)
+        return false;
+    struct run_point p = {.axis = vec_slerp(a->axis, b->axis, 0.5)};
+    p.ball = vec_mix(a->ball, b->ball, 0.5);
+    p.ball.z += gouge_rise(rule->guard, p.ball, UP, rule->offset);
+    p.tip = vec_along(p.ball, -dense->radius, p.axis);
+    if (!bridge(a, &p, halvings - 1, rule, dense))
+        return false;
+    *array_push(dense) = p;
+    return bridge(&p, b, halvings - 1, rule, dense);
+}
+
+/* The same, or where there is no way the end of the piece. */
+static void bridge_or_end(const struct lifted_point *a, const struct lifted_point *b,
+                          const struct gouge_lift_options *rule, struct lifted_strip *to)
+{
+    size_t n = to->run.n;
+
+    if (bridge(&a->p, &b->p, HALVINGS, rule, &to->run))
+        return;
+    to->run.n = n;
+    *array_push(&to->end) = n;
+}
+
+/* Between nodes alone only what the ball can't reach is bridged, for nobody looked between. */
+static bool needs_bridge(const struct lifted_point *a, const struct lifted_point *b,
+                         const struct gouge_lift_options *rule)
+{
+    if (!rule->guard)
+        return false;
+    if (rule->between && jumps(a, b, rule))
+        return true;
+    return (rule->between || a->unreachable || b->unreachable) &&
+           !is_line_clear(&a->p, &b->p, rule);
+}
+
+/* Puts the points into the run, with what the tool needs to get over jumps between them. */
+static void add_points(struct lifted_strip *to, const struct lifted_points *points,
+                       const struct gouge_lift_options *rule)
+{
+    for (size_t i = 0; i < points->n; i++) {
+        const struct lifted_point *l = &points->item[i];
+        if (i > 0 && needs_bridge(l - 1, l, rule))
+            bridge_or_end(l - 1, l, rule, to);
+        add_point(to, l, rule);
+    }
+    *array_push(&to->end) = to->run.n;
+}
+
+/* How far a cubic with these tangents leaves the straight line between its ends, at most. */
+static double cubic_sagitta(const struct lifted_point *a, struct vec3 ta,
+                            const struct lifted_point *b, struct vec3 tb)
+{
+    struct vec3 chord = vec_sub(b->p.ball, a->p.ball);
+    double length = vec_length(chord);
+    struct vec3 along = vec_unit(chord);
+
+    return 4 / 27.0 * length *
+           (vec_length(vec_reject(ta, along)) + vec_length(vec_reject(tb, along)));
+}
+
+/*
+ * A smooth curve through the points, as a fitter sees it, swings where long intervals meet short
+ * ones at a kink of the lift.  Appends all points of `from` to `to`, and one half way where it
+ * would leave the straight line by more than the tolerance; true when there was one.
+ */
+static bool refine(const struct lifted_points *from, const struct gouge_lift_options *rule,
+                   double radius, struct lifted_points *to)
+{
+    struct run run = {.radius = radius};
+    struct vec3 *tangent = mem_alloc(from->n, sizeof *tangent);
+
+    for (size_t i = 0; i < from->n; i++)
+        *array_push(&run) = from->item[i].p;
+    run_tangents(&run, false, tangent);
+    for (size_t i = 0; i < from->n; i++) {
+        const struct lifted_point *l = &from->item[i];
+        if (i > 0 && !are_close(l - 1, l, rule) &&
+            cubic_sagitta(l - 1, tangent[i - 1], l, tangent[i]) > rule->tolerance)
+            *array_push(to) = lift_halfway(l - 1, l, rule, radius);
+        *array_push(to) = *l;
+    }
+    array_free(&run);
+    free(tangent);
+    return to->n > from->n;
+}
+
+static void lift_smooth(const struct run *run, const struct gouge_lift_options *rule,
+                        struct lifted_points *points)
+{
+    struct run smooth = {.radius = run->radius};
+    struct lifted_point before = {.unreachable = false};
+    bool more = true;
+
+    /* Half of the tolerance for the curve, the rest for the lift. */
+    run_densify(run, rule->tolerance / 2, &smooth);
+    for (size_t i = 0; i < smooth.n; i++) {
+        struct lifted_point l = lift_point(&smooth.item[i], &before.touch, rule, run->radius);
+        if (i > 0)
+            add_between(&before, &l, rule, run->radius, points);
+        *array_push(points) = before = l;
+    }
+    array_free(&smooth);
+    while (more) {
+        struct lifted_points finer = {0};
+        more = refine(points, rule, run->radius, &finer);
+        array_free(points);
+        *points = finer;
+    }
+}
+
+void gouge_lift_run(const struct run *run, const struct gouge_lift_options *rule,
+                    struct lifted_strip *to)
+{
+    const struct kdtree_touch nothing = {.n = 0};
+    struct lifted_points points = {0};
+
+    if (rule->between)
+        lift_smooth(run, rule, &points);
+    for (size_t i = 0; !rule->between && i < run->n; i++)
+        *array_push(&points) = lift_point(&run->item[i], &nothing, rule, run->radius);
+    add_points(to, &points, rule);
+    array_free(&points);
+}
+
+void lifted_strip_free(struct lifted_strip *lifted)
+{
+    array_free(&lifted->run);
+    array_free(&lifted->end);
+    array_free(&lifted->uncut);
+}
