@@ -7,7 +7,7 @@
 #include "stage/path_options.h"
 #include "stage/mesh_for_rows.h"
 #include "stage/plane_passes.h"
-#include "toolpath/edge_roll.h"
+#include "toolpath/passes.h"
 #include "toolpath/rows.h"
 #include "meshing/mesh_join.h"
 

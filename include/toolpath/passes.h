@@ -1,6 +1,21 @@
 /*
- * passes - the chains of one plane as strips in the order they are cut, across adjoining surfaces
- * and gaps (paper 2, 2.2: "guarantees the continuity of the machining").
+ * passes - from a mesh to the passes of a ball cutter.  This is the main header of the folder: it
+ * tells the stages, and holds the one that makes passes of what a plane cuts.
+ *
+ * In comes a mesh with normals; out come strips of contact points with normals, pass by pass in the
+ * order they are cut.  There are two ways to get them:
+ *
+ *   rows of the mesh (paper 1, 3.2.1 and 3.3):
+ *     rows.h           the rows of a triangular grid as strips
+ *   parallel planes (paper 2, 2.1 and 2.2):
+ *     scallop.h        where the planes go: equal distances, or what a scallop height allows
+ *     slice.h          where a plane crosses the mesh: chains of contact points
+ *     passes.h         chains as strips across adjoining surfaces and gaps, in order ("guarantees
+ *                      the continuity of the machining"), the ball rolled over sharp edges
+ *     pass_extend.h    strips lengthened to the border of the scan, on border_surface.h
+ *
+ * What comes after: the ball is lifted clear and strips are linked (gouge/gouge.h); tilt.h sets the
+ * tool axes of a finished run anew.
  */
 #ifndef CLOUDMILL_PASSES_H
 #define CLOUDMILL_PASSES_H
@@ -41,11 +56,19 @@ void passes_reverse(struct slice_chains *strips);
  */
 struct vec3 passes_forward(const struct slice_chains *strips, size_t strip, struct vec3 normal);
 
-/* Length of all chains, mm. */
-double chains_length(const struct slice_chains *chains);
-
 /* The horizontal direction in planes of this normal that has the next plane on its left; x for
  * horizontal planes. */
 struct vec3 passes_along(struct vec3 normal);
+
+/* ---- a sharp edge: the ball rolled from the normal of its one side to that of the other */
+
+/*
+ * Appends to `to` contacts from `last` to `next`, without these, that turn the normal in so small
+ * steps that straight lines between the ball's centres sink in by no more than `tolerance`.
+ * `forward` is the way to `last` from the contact before it: in a valley, where the normal turns
+ * backwards, there are none.
+ */
+void edge_roll(struct contacts *to, struct vec3 forward, struct contact last, struct contact next,
+               double radius, double tolerance);
 
 #endif

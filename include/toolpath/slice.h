@@ -14,10 +14,10 @@
 #include "mesh/mesh.h"
 #include "curve/motion.h"
 
-/* Points [from, to) of the chains' contacts. */
+/* Points [from, to) of the contacts. */
 struct slice_chain {
     size_t from, to;
-    bool closed; /* goes back to its first point, which then stands again at its end */
+    bool closed; /* goes back to its first point, which is its last one too */
 };
 
 struct slice_chains {
@@ -29,6 +29,18 @@ struct slice_chains {
 };
 
 void slice_chains_free(struct slice_chains *chains);
+
+/* Ends the chain that begins at point `from`, or drops it if it has only one point. */
+void slice_chains_end(struct slice_chains *chains, size_t from, bool closed);
+
+/* Length of all chains, mm. */
+double slice_chains_length(const struct slice_chains *chains);
+
+void contacts_reverse(struct contact *contact, size_t n);
+
+/* How far n contacts go in the direction of the cross product of the plane's and the surface's
+ * normals, mm; negative: they go the other way. */
+double contacts_forward(const struct contact *contact, size_t n, struct vec3 normal);
 
 struct slice;
 

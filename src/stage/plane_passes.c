@@ -45,7 +45,7 @@ static double first_height(struct slice *cut, double inside)
     for (int i = 0; i < 2; i++) {
         struct slice_chains chains = {0};
         slice_at(cut, low + i * inside, &chains);
-        length[i] = chains_length(&chains);
+        length[i] = slice_chains_length(&chains);
         slice_chains_free(&chains);
     }
     return length[0] > 0.9 * length[1] ? low : low + inside;
@@ -95,7 +95,7 @@ static double length_at(const struct mesh *mesh, double angle, double radius, do
     for (size_t i = 0; i < look; i++) {
         struct slice_chains chains = {0};
         slice_at(cut, height.item[(2 * i + 1) * height.n / (2 * look)], &chains);
-        length += chains_length(&chains) * (double)height.n / (double)look;
+        length += slice_chains_length(&chains) * (double)height.n / (double)look;
         slice_chains_free(&chains);
     }
     array_free(&height);

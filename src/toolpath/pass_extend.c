@@ -6,7 +6,7 @@
 #include "toolpath/passes.h"
 
 enum { HALVINGS = 6 };
-static const double least = 0.1; /* of a step, along the plane: on walls it would go to and fro */
+static const double LEAST = 0.1; /* of a step, along the plane: on walls it would go to and fro */
 
 static const double LITTLE = 0.1; /* of a step: not worth a point */
 
@@ -22,8 +22,9 @@ static struct contact ahead(const struct border_surface_plane *plane, struct con
 }
 
 /* The last place before the border of the scan, less than a step on. */
-static void end_march(const struct border_surface *b, const struct border_surface_plane *plane,
-                      struct contact c, double way, struct contacts *run)
+static void follow_to_border(const struct border_surface *b,
+                             const struct border_surface_plane *plane, struct contact c, double way,
+                             struct contacts *run)
 {
     struct contact last = c;
     double on = 0, off = border_surface_step(b);
@@ -44,19 +45,19 @@ static void end_march(const struct border_surface *b, const struct border_surfac
 
 /* Appends what follows c, up to the border of the scan or, along the plane, to `stop`; nothing
  * where the scan goes on. */
-static void march(const struct border_surface *b, const struct border_surface_plane *plane,
-                  struct contact c, double way, double stop, struct contacts *run)
+static void follow_scan(const struct border_surface *b, const struct border_surface_plane *plane,
+                        struct contact c, double way, double stop, struct contacts *run)
 {
     size_t first = run->n;
 
     for (;;) {
         struct contact next = ahead(plane, c, way, border_surface_step(b));
         if (!border_surface_put(b, plane, &next)) {
-            end_march(b, plane, c, way, run);
+            follow_to_border(b, plane, c, way, run);
             return;
         }
         double on = vec_dot(vec_sub(next.p, c.p), plane->along) * way;
-        if (on < least * border_surface_step(b) ||
+        if (on < LEAST * border_surface_step(b) ||
             (vec_dot(next.p, plane->along) - stop) * way >= 0)
             return;
         if (!border_surface_beside(b, next.p)) {
@@ -68,22 +69,23 @@ static void march(const struct border_surface *b, const struct border_surface_pl
     }
 }
 
-/* A strip while it grows: what of it was there, and what comes before (backward) and behind. */
-struct growing {
+/* A strip while it is extended: what of it was there, and what comes before (backward) and after.
+ */
+struct extension {
     const struct contact *core;
     size_t n;
-    bool closed, guest; /* guest: of another plane */
+    bool closed, other; /* other: of another plane, only to stop at */
     double low, high;   /* along the plane */
-    struct contacts before, behind;
+    struct contacts before, after;
 };
 
-struct growings {
+struct extensions {
     size_t n, cap;
-    struct growing *item;
+    struct extension *item;
 };
 
-static void span(const struct border_surface_plane *plane, const struct contact *c, size_t n,
-                 struct growing *g)
+static void widen_range(const struct border_surface_plane *plane, const struct contact *c, size_t n,
+                        struct extension *g)
 {
     for (size_t i = 0; i < n; i++) {
         double at = vec_dot(c[i].p, plane->along);
@@ -92,69 +94,69 @@ static void span(const struct border_surface_plane *plane, const struct contact 
     }
 }
 
-static struct growing growing_of(const struct border_surface_plane *plane,
-                                 const struct slice_chains *chains, size_t k)
+static struct extension extension_of(const struct border_surface_plane *plane,
+                                     const struct slice_chains *chains, size_t k)
 {
     const struct slice_chain *chain = &chains->chain.item[k];
-    struct growing g = {.core = &chains->point.item[chain->from],
-                        .n = chain->to - chain->from,
-                        .closed = chain->closed,
-                        .low = HUGE_VAL,
-                        .high = -HUGE_VAL};
+    struct extension g = {.core = &chains->point.item[chain->from],
+                          .n = chain->to - chain->from,
+                          .closed = chain->closed,
+                          .low = HUGE_VAL,
+                          .high = -HUGE_VAL};
 
-    span(plane, g.core, g.n, &g);
+    widen_range(plane, g.core, g.n, &g);
     return g;
 }
 
 static void add_strips(const struct border_surface_plane *plane, const struct slice_chains *strips,
-                       bool guest, struct growings *all)
+                       bool other, struct extensions *all)
 {
     for (size_t k = 0; k < strips->chain.n; k++) {
-        struct growing g = growing_of(plane, strips, k);
-        g.guest = guest;
+        struct extension g = extension_of(plane, strips, k);
+        g.other = other;
         *array_push(all) = g;
     }
 }
 
 /* Both ends of strip k, up to where the others are. */
-static void grow(const struct border_surface *b, const struct border_surface_plane *plane,
-                 struct growings *all, size_t k)
+static void extend_ends(const struct border_surface *b, const struct border_surface_plane *plane,
+                        struct extensions *all, size_t k)
 {
-    struct growing *g = &all->item[k];
+    struct extension *g = &all->item[k];
     double low = -HUGE_VAL, high = HUGE_VAL;
 
     if (g->closed)
         return;
     for (size_t i = 0; i < all->n; i++) {
-        const struct growing *other = &all->item[i];
+        const struct extension *other = &all->item[i];
         if (i != k && other->low > g->high)
             high = fmin(high, other->low);
         if (i != k && other->high < g->low)
             low = fmax(low, other->high);
     }
-    march(b, plane, g->core[0], -1, low, &g->before);
-    march(b, plane, g->core[g->n - 1], 1, high, &g->behind);
-    span(plane, g->before.item, g->before.n, g);
-    span(plane, g->behind.item, g->behind.n, g);
+    follow_scan(b, plane, g->core[0], -1, low, &g->before);
+    follow_scan(b, plane, g->core[g->n - 1], 1, high, &g->after);
+    widen_range(plane, g->before.item, g->before.n, g);
+    widen_range(plane, g->after.item, g->after.n, g);
 }
 
-static int compare_growings(const void *pa, const void *pb)
+static int compare_extensions(const void *pa, const void *pb)
 {
-    const struct growing *a = pa, *b = pb;
+    const struct extension *a = pa, *b = pb;
 
     return (a->low > b->low) - (a->low < b->low);
 }
 
 /* The strips as they have become, in order; those that meet are one. */
-static struct slice_chains finish(const struct border_surface *b, struct growings *all)
+static struct slice_chains join_extended(const struct border_surface *b, struct extensions *all)
 {
     struct slice_chains to = {0};
 
     if (all->n > 1)
-        qsort(all->item, all->n, sizeof *all->item, compare_growings);
+        qsort(all->item, all->n, sizeof *all->item, compare_extensions);
     for (size_t k = 0; k < all->n; k++) {
-        struct growing *g = &all->item[k];
-        if (g->guest)
+        struct extension *g = &all->item[k];
+        if (g->other)
             continue;
         size_t from = to.point.n;
         const struct contact *start = g->before.n > 0 ? &g->before.item[g->before.n - 1] : g->core;
@@ -165,33 +167,60 @@ static struct slice_chains finish(const struct border_surface *b, struct growing
             *array_push(&to.point) = g->before.item[i];
         for (size_t i = 0; i < g->n; i++)
             *array_push(&to.point) = g->core[i];
-        for (size_t i = 0; i < g->behind.n; i++)
-            *array_push(&to.point) = g->behind.item[i];
+        for (size_t i = 0; i < g->after.n; i++)
+            *array_push(&to.point) = g->after.item[i];
         if (meets)
             to.chain.item[to.chain.n - 1].to = to.point.n;
         else
             *array_push(&to.chain) = (struct slice_chain){from, to.point.n, g->closed};
         array_free(&g->before);
-        array_free(&g->behind);
+        array_free(&g->after);
     }
     all->n = 0;
     return to;
 }
 
+size_t pass_extend_within(const struct border_surface *b, struct slice_chains *strips)
+{
+    struct slice_chains to = {0};
+    size_t left_out = 0;
+
+    for (size_t k = 0; k < strips->chain.n; k++) {
+        const struct slice_chain *chain = &strips->chain.item[k];
+        size_t from = to.point.n, before = left_out;
+        for (size_t i = chain->from; i < chain->to; i++) {
+            const struct contact *c = &strips->point.item[i];
+            if (chain->closed || border_surface_within(b, c)) {
+                *array_push(&to.point) = *c;
+                continue;
+            }
+            left_out++;
+            slice_chains_end(&to, from, false);
+            from = to.point.n;
+        }
+        slice_chains_end(&to, from, false);
+        if (left_out == before && chain->closed)
+            to.chain.item[to.chain.n - 1].closed = true;
+    }
+    slice_chains_free(strips);
+    *strips = to;
+    return left_out;
+}
+
 double pass_extend_ends(const struct border_surface *b, const struct border_surface_plane *plane,
                         struct slice_chains *strips)
 {
-    struct growings all = {0};
-    double length = chains_length(strips);
+    struct extensions all = {0};
+    double length = slice_chains_length(strips);
 
     add_strips(plane, strips, false, &all);
     for (size_t k = 0; k < all.n; k++)
-        grow(b, plane, &all, k);
-    struct slice_chains longer = finish(b, &all);
+        extend_ends(b, plane, &all, k);
+    struct slice_chains longer = join_extended(b, &all);
     slice_chains_free(strips);
     *strips = longer;
     array_free(&all);
-    return chains_length(strips) - length;
+    return slice_chains_length(strips) - length;
 }
 
 /* Does the scan end beside the mesh, going on from a place in a plane to the next planes (way 1 or
@@ -211,8 +240,8 @@ static bool ends_beyond(const struct border_surface *b, struct border_surface_pl
 }
 
 /* A place of a neighbouring plane carried over to this one. */
-static bool carry(const struct border_surface *b, const struct border_surface_plane *plane,
-                  struct contact *c)
+static bool carry_point(const struct border_surface *b, const struct border_surface_plane *plane,
+                        struct contact *c)
 {
     double way = plane->height - vec_dot(c->p, plane->normal);
     struct vec3 level = vec_reject(plane->normal, c->n);
@@ -225,7 +254,7 @@ static bool carry(const struct border_surface *b, const struct border_surface_pl
            ends_beyond(b, *plane, *c, way < 0 ? -1 : 1);
 }
 
-static bool covered(const struct growings *all, double at)
+static bool covered(const struct extensions *all, double at)
 {
     for (size_t i = 0; i < all->n; i++) {
         if (at >= all->item[i].low && at <= all->item[i].high)
@@ -234,21 +263,21 @@ static bool covered(const struct growings *all, double at)
     return false;
 }
 
-/* The pieces that follow each other of what can be carried over; chain ends where one does. */
+/* What of n contacts can be carried over, as chains: one ends where a contact can't. */
 static void carry_over(const struct border_surface *b, const struct border_surface_plane *plane,
-                       const struct contact *c, size_t n, const struct growings *all,
+                       const struct contact *c, size_t n, const struct extensions *all,
                        struct slice_chains *pieces)
 {
     size_t from = pieces->point.n;
 
     for (size_t i = 0; i < n; i++) {
-        double way = i + 1 < n ? vec_distance(c[i].p, c[i + 1].p) : 0;
-        double parts = fmax(1, ceil(way / border_surface_step(b)));
+        double length = i + 1 < n ? vec_distance(c[i].p, c[i + 1].p) : 0;
+        double parts = fmax(1, ceil(length / border_surface_step(b)));
         for (double k = 0; k < parts; k++) {
             size_t next = i + 1 < n ? i + 1 : i;
             struct contact at = {vec_mix(c[i].p, c[next].p, k / parts),
                                  vec_unit(vec_mix(c[i].n, c[next].n, k / parts))};
-            if (!covered(all, vec_dot(at.p, plane->along)) && carry(b, plane, &at)) {
+            if (!covered(all, vec_dot(at.p, plane->along)) && carry_point(b, plane, &at)) {
                 *array_push(&pieces->point) = at;
                 continue;
             }
@@ -261,26 +290,26 @@ static void carry_over(const struct border_surface *b, const struct border_surfa
         *array_push(&pieces->chain) = (struct slice_chain){from, pieces->point.n, false};
 }
 
-static void drop_last(struct growings *all)
+static void drop_last(struct extensions *all)
 {
-    struct growing *last = &all->item[--all->n];
+    struct extension *last = &all->item[--all->n];
 
     array_free(&last->before);
-    array_free(&last->behind);
+    array_free(&last->after);
 }
 
 /* The pieces as strips, each grown; returns how many of them are long enough. */
 static size_t add_pieces(const struct border_surface *b, const struct border_surface_plane *plane,
-                         const struct slice_chains *pieces, double shortest, struct growings *all)
+                         const struct slice_chains *pieces, double shortest, struct extensions *all)
 {
     size_t before = all->n;
 
     for (size_t k = 0; k < pieces->chain.n; k++) {
-        struct growing g = growing_of(plane, pieces, k);
+        struct extension g = extension_of(plane, pieces, k);
         if (covered(all, (g.low + g.high) / 2)) /* by what the last piece has become */
             continue;
         *array_push(all) = g;
-        grow(b, plane, all, all->n - 1);
+        extend_ends(b, plane, all, all->n - 1);
         if (all->item[all->n - 1].high - all->item[all->n - 1].low < shortest)
             drop_last(all);
     }
@@ -291,10 +320,10 @@ double pass_extend_beside(const struct border_surface *b, const struct border_su
                           const struct pass_extend_neighbours *beside, double shortest,
                           struct slice_chains *strips)
 {
-    struct growings all = {0};
+    struct extensions all = {0};
     struct slice_chains pieces = {0};
     const struct slice_chains *from = beside->from;
-    double length = chains_length(strips);
+    double length = slice_chains_length(strips);
 
     add_strips(plane, strips, false, &all);
     if (beside->beyond)
@@ -306,11 +335,11 @@ double pass_extend_beside(const struct border_surface *b, const struct border_su
                        &pieces);
     }
     if (add_pieces(b, plane, &pieces, shortest, &all) > 0) {
-        struct slice_chains more = finish(b, &all);
+        struct slice_chains more = join_extended(b, &all);
         slice_chains_free(strips);
         *strips = more;
     }
     array_free(&all);
     slice_chains_free(&pieces);
-    return chains_length(strips) - length;
+    return slice_chains_length(strips) - length;
 }

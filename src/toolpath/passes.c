@@ -1,33 +1,21 @@
+/* passes - see passes.h. */
 #include "toolpath/passes.h"
 
 #include <stdlib.h>
 
-#include "toolpath/edge_roll.h"
-
 /* Points nearer than this are one, mm (as in slice). */
 static const double CROWDED = 1e-3;
 
-static void put(struct slice_chains *to, struct contact c)
+void edge_roll(struct contacts *to, struct vec3 forward, struct contact last, struct contact next,
+               double radius, double tolerance)
 {
-    *array_push(&to->point) = c;
-}
-
-static void reverse_points(struct contact *c, size_t n)
-{
-    for (size_t i = 0, j = n; i + 1 < j; i++) {
-        struct contact swap = c[i];
-        c[i] = c[--j];
-        c[j] = swap;
-    }
-}
-
-/* Ends the chain that begins at point `from`, unless it is too short to be one. */
-static void end_chain(struct slice_chains *to, size_t from, bool closed)
-{
-    if (to->point.n >= from + 2)
-        *array_push(&to->chain) = (struct slice_chain){from, to->point.n, closed};
-    else
-        to->point.n = from;
+    if (vec_dot(next.n, forward) < vec_dot(last.n, forward))
+        return;
+    double step = 2 * acos(fmax(1 - tolerance / radius, 0));
+    double parts = ceil(vec_angle(last.n, next.n) / step);
+    for (double i = 1; i < parts; i++)
+        *array_push(to) = (struct contact){vec_mix(last.p, next.p, i / parts),
+                                           vec_slerp(last.n, next.n, i / parts)};
 }
 
 static bool is_away(const struct pass_options *rule, const struct contact *c)
@@ -36,7 +24,7 @@ static bool is_away(const struct pass_options *rule, const struct contact *c)
 }
 
 /* Appends what of a chain does not face away; returns how many points do. */
-static size_t leave_out(const struct contact *c, struct slice_chain chain,
+static size_t drop_away(const struct contact *c, struct slice_chain chain,
                         const struct pass_options *rule, struct slice_chains *to)
 {
     size_t n = chain.to - chain.from, begin = 0, left_out = 0, from = to->point.n;
@@ -45,8 +33,8 @@ static size_t leave_out(const struct contact *c, struct slice_chain chain,
         begin++;
     if (begin == n) {
         for (size_t i = 0; i < n; i++)
-            put(to, c[i]);
-        end_chain(to, from, chain.closed);
+            *array_push(&to->point) = c[i];
+        slice_chains_end(to, from, chain.closed);
         return 0;
     }
     /* A closed chain is walked round from there, an open one from its start. */
@@ -55,13 +43,13 @@ static size_t leave_out(const struct contact *c, struct slice_chain chain,
         const struct contact *p = &c[(first + i) % turn];
         if (is_away(rule, p)) {
             left_out++;
-            end_chain(to, from, false);
+            slice_chains_end(to, from, false);
             from = to->point.n;
         } else {
-            put(to, *p);
+            *array_push(&to->point) = *p;
         }
     }
-    end_chain(to, from, false);
+    slice_chains_end(to, from, false);
     return left_out;
 }
 
@@ -83,10 +71,10 @@ static void open_loop(struct contact *c, size_t n, const struct pass_options *ru
     /* Chains run as normal x n: on the upper side along, unless the normal has along on its left.
      */
     if (vec_dot(vec_cross(rule->normal, vec(0, 0, 1)), rule->along) < 0)
-        reverse_points(c, n);
+        contacts_reverse(c, n);
 }
 
-static void turn_chains(struct slice_chains *chains, const struct pass_options *rule)
+static void direct_chains(struct slice_chains *chains, const struct pass_options *rule)
 {
     for (size_t k = 0; k < chains->chain.n; k++) {
         const struct slice_chain *chain = &chains->chain.item[k];
@@ -95,7 +83,7 @@ static void turn_chains(struct slice_chains *chains, const struct pass_options *
         if (chain->closed)
             open_loop(c, n, rule);
         else if (vec_dot(vec_sub(c[n - 1].p, c[0].p), rule->along) < 0)
-            reverse_points(c, n);
+            contacts_reverse(c, n);
     }
 }
 
@@ -150,8 +138,8 @@ static size_t next_joined(const struct slice_chains *chains, const bool *used, s
 }
 
 /* Points that turn the normal from one side of a ridge to the other; none in a valley. */
-static void roll(struct slice_chains *to, size_t from, struct contact next,
-                 const struct pass_options *rule)
+static void roll_over_edge(struct slice_chains *to, size_t from, struct contact next,
+                           const struct pass_options *rule)
 {
     struct contact last = to->point.item[to->point.n - 1];
 
@@ -162,19 +150,19 @@ static void roll(struct slice_chains *to, size_t from, struct contact next,
 }
 
 /* Appends a chain to the strip that begins at point `from`. */
-static void go_on(struct slice_chains *to, size_t from, const struct contact *c, size_t n,
-                  bool turned, const struct pass_options *rule)
+static void append_chain(struct slice_chains *to, size_t from, const struct contact *c, size_t n,
+                         bool turned, const struct pass_options *rule)
 {
     for (size_t i = 0; i < n; i++) {
         struct contact next = c[turned ? n - 1 - i : i];
         if (i == 0 && to->point.n > from) {
             struct contact last = to->point.item[to->point.n - 1];
-            roll(to, from, next, rule);
+            roll_over_edge(to, from, next, rule);
             /* One point where the surface goes on, two where it has an edge. */
             if (vec_distance(last.p, next.p) <= CROWDED && vec_angle(last.n, next.n) < 1e-3)
                 continue;
         }
-        put(to, next);
+        *array_push(&to->point) = next;
     }
 }
 
@@ -186,9 +174,9 @@ size_t passes_make(const struct slice_chains *chains, const struct pass_options 
 
     for (size_t k = 0; k < chains->chain.n; k++) {
         const struct slice_chain *chain = &chains->chain.item[k];
-        left_out += leave_out(&chains->point.item[chain->from], *chain, rule, &kept);
+        left_out += drop_away(&chains->point.item[chain->from], *chain, rule, &kept);
     }
-    turn_chains(&kept, rule);
+    direct_chains(&kept, rule);
     bool *used = mem_alloc(kept.chain.n, sizeof *used);
     for (size_t k; (k = next_start(&kept, used, rule->along)) < kept.chain.n;) {
         size_t from = strips->point.n;
@@ -196,13 +184,13 @@ size_t passes_make(const struct slice_chains *chains, const struct pass_options 
         while (k < kept.chain.n) {
             const struct slice_chain *chain = &kept.chain.item[k];
             used[k] = true;
-            go_on(strips, from, &kept.point.item[chain->from], chain->to - chain->from, turned,
-                  rule);
+            append_chain(strips, from, &kept.point.item[chain->from], chain->to - chain->from,
+                         turned, rule);
             k = closed ? kept.chain.n
                        : next_joined(&kept, used, strips->point.item[strips->point.n - 1].p, rule,
                                      &turned);
         }
-        end_chain(strips, from, closed);
+        slice_chains_end(strips, from, closed);
     }
     free(used);
     slice_chains_free(&kept);
@@ -214,7 +202,7 @@ void passes_reverse(struct slice_chains *strips)
     size_t n = strips->point.n, chains = strips->chain.n;
     struct slice_chain *turned = mem_alloc(chains, sizeof *turned);
 
-    reverse_points(strips->point.item, n);
+    contacts_reverse(strips->point.item, n);
     for (size_t k = 0; k < chains; k++) {
         const struct slice_chain *chain = &strips->chain.item[chains - 1 - k];
         turned[k] = (struct slice_chain){n - chain->to, n - chain->from, chain->closed};
@@ -227,25 +215,10 @@ void passes_reverse(struct slice_chains *strips)
 struct vec3 passes_forward(const struct slice_chains *strips, size_t strip, struct vec3 normal)
 {
     const struct slice_chain *chain = &strips->chain.item[strip];
-    double sum = 0;
+    double sum =
+        contacts_forward(&strips->point.item[chain->from], chain->to - chain->from, normal);
 
-    for (size_t i = chain->from; i + 1 < chain->to; i++) {
-        const struct contact *c = &strips->point.item[i];
-        sum += vec_dot(vec_sub(c[1].p, c[0].p), vec_cross(normal, vec_add(c[0].n, c[1].n)));
-    }
     return vec_scale(sum < 0 ? -1 : 1, normal);
-}
-
-double chains_length(const struct slice_chains *chains)
-{
-    double sum = 0;
-
-    for (size_t k = 0; k < chains->chain.n; k++) {
-        const struct slice_chain *chain = &chains->chain.item[k];
-        for (size_t i = chain->from; i + 1 < chain->to; i++)
-            sum += vec_distance(chains->point.item[i].p, chains->point.item[i + 1].p);
-    }
-    return sum;
 }
 
 struct vec3 passes_along(struct vec3 normal)

@@ -1,3 +1,4 @@
+/* rows - see rows.h. */
 #include "toolpath/rows.h"
 
 #include <stdbool.h>
@@ -84,9 +85,9 @@ static struct places find_places(const struct mesh *mesh)
     return places;
 }
 
-/* The place p goes on from the one before: along the edge of a facet, or it is the same one, with
- * the normal of the other side of a crease. */
-static bool goes_on(const struct mesh *mesh, const struct place *p, const struct edges *edges)
+/* True if the strip goes on to place p from the one before: along the edge of a facet, or at the
+ * same point with the normal of the other side of a crease. */
+static bool is_joined(const struct mesh *mesh, const struct place *p, const struct edges *edges)
 {
     const struct vec3 *at = mesh->vertex.item;
     struct edge back = edge_between(p[-1].vertex, p->vertex);
@@ -101,7 +102,7 @@ static void find_strips(const struct mesh *mesh, const struct places *places,
 {
     for (size_t i = 0; i < places->n; i++) {
         const struct place *p = &places->item[i];
-        if (i == 0 || !goes_on(mesh, p, edges))
+        if (i == 0 || !is_joined(mesh, p, edges))
             *array_push(&rows->strip) = (struct strip){.row = p->row, .from = i, .to = i};
         *array_push(&rows->node) = (size_t)p->vertex;
         rows->strip.item[rows->strip.n - 1].to = i + 1;
@@ -123,7 +124,7 @@ static struct vec3 direction_of_strips(const struct mesh *mesh, const struct row
     return vec_length(sum) > 0 ? vec_unit(sum) : vec(1, 0, 0);
 }
 
-static struct vec3 direction(const struct mesh *mesh, const struct rows *rows)
+static struct vec3 choose_direction(const struct mesh *mesh, const struct rows *rows)
 {
     struct vec3 found = direction_of_strips(mesh, rows);
     double angle = RADIANS(mesh->origin.direction);
@@ -169,7 +170,7 @@ static size_t count_between(const struct mesh *mesh)
 }
 
 /* The part that a row belongs to; NULL: the mesh has none. */
-static const struct mesh_part *mesh_for_rows_of(const struct mesh *mesh, int row)
+static const struct mesh_part *part_of_row(const struct mesh *mesh, int row)
 {
     const struct mesh_parts *part = &mesh->origin.part;
     const struct mesh_part *found = NULL;
@@ -183,7 +184,7 @@ static void find_directions(const struct mesh *mesh, struct rows *rows)
 {
     const double slant = 0.86602540378443865; /* of the grid: sin 60 */
 
-    rows->along = direction(mesh, rows);
+    rows->along = choose_direction(mesh, rows);
     double step = step_to_left(mesh, rows);
     rows->side = vec_scale(step < 0 ? -1 : 1, vec_cross(vec(0, 0, 1), rows->along));
     rows->distance = fabs(step) > 0 ? fabs(step) : mesh->origin.spacing;
@@ -191,7 +192,7 @@ static void find_directions(const struct mesh *mesh, struct rows *rows)
         rows->distance = slant * mesh->origin.spacing;
     for (size_t i = 0; i < rows->strip.n; i++) {
         struct strip *s = &rows->strip.item[i];
-        const struct mesh_part *part = mesh_for_rows_of(mesh, s->row);
+        const struct mesh_part *part = part_of_row(mesh, s->row);
         s->along = part ? part->along : rows->along;
         s->up = part ? part->up : vec(0, 0, 1);
         s->side = part ? vec_cross(part->up, part->along) : rows->side;

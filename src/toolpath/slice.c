@@ -1,3 +1,4 @@
+/* slice - see slice.h. */
 #include "toolpath/slice.h"
 
 #include <stdlib.h>
@@ -31,14 +32,52 @@ void slice_chains_free(struct slice_chains *chains)
     array_free(&chains->chain);
 }
 
-struct by_height {
+void contacts_reverse(struct contact *c, size_t n)
+{
+    for (size_t i = 0, j = n; i + 1 < j; i++) {
+        struct contact swap = c[i];
+        c[i] = c[--j];
+        c[j] = swap;
+    }
+}
+
+double contacts_forward(const struct contact *c, size_t n, struct vec3 normal)
+{
+    double sum = 0;
+
+    for (size_t i = 0; i + 1 < n; i++)
+        sum += vec_dot(vec_sub(c[i + 1].p, c[i].p), vec_cross(normal, vec_add(c[i].n, c[i + 1].n)));
+    return sum;
+}
+
+void slice_chains_end(struct slice_chains *chains, size_t from, bool closed)
+{
+    if (chains->point.n >= from + 2)
+        *array_push(&chains->chain) = (struct slice_chain){from, chains->point.n, closed};
+    else
+        chains->point.n = from;
+}
+
+double slice_chains_length(const struct slice_chains *chains)
+{
+    double sum = 0;
+
+    for (size_t k = 0; k < chains->chain.n; k++) {
+        const struct slice_chain *chain = &chains->chain.item[k];
+        for (size_t i = chain->from; i + 1 < chain->to; i++)
+            sum += vec_distance(chains->point.item[i].p, chains->point.item[i + 1].p);
+    }
+    return sum;
+}
+
+struct facet_height {
     double lowest;
     size_t facet;
 };
 
 static int compare_heights(const void *pa, const void *pb)
 {
-    const struct by_height *a = pa, *b = pb;
+    const struct facet_height *a = pa, *b = pb;
 
     if (a->lowest != b->lowest)
         return a->lowest < b->lowest ? -1 : 1;
@@ -48,13 +87,13 @@ static int compare_heights(const void *pa, const void *pb)
 static void sort_facets(struct slice *cut)
 {
     size_t n = cut->mesh->face.n;
-    struct by_height *by = mem_alloc(n, sizeof *by);
+    struct facet_height *by = mem_alloc(n, sizeof *by);
 
     for (size_t f = 0; f < n; f++) {
         const int *v = cut->mesh->face.item[f].v;
         const double *h = cut->height;
         double low = fmin(fmin(h[v[0]], h[v[1]]), h[v[2]]);
-        by[f] = (struct by_height){low, f};
+        by[f] = (struct facet_height){low, f};
         cut->tallest = fmax(cut->tallest, fmax(fmax(h[v[0]], h[v[1]]), h[v[2]]) - low);
     }
     qsort(by, n, sizeof *by, compare_heights);
@@ -162,8 +201,9 @@ static struct contact contact_on(const struct slice *cut, int edge, double heigh
     return c;
 }
 
-/* The edge by which a chain that came in by one leaves a facet, NONE when there is none. */
-static int way_out(const struct slice *cut, int facet, int by, double height)
+/* The edge by which a chain leaves a facet that it came into by another one; NONE: there is none.
+ */
+static int next_edge(const struct slice *cut, int facet, int by, double height)
 {
     for (int i = 0; i < 3; i++) {
         int edge = cut->edges.of[facet][i];
@@ -173,48 +213,27 @@ static int way_out(const struct slice *cut, int facet, int by, double height)
     return NONE;
 }
 
-static void put(struct contacts *to, size_t from, struct contact c)
+static void add_point(struct contacts *to, size_t from, struct contact c)
 {
     if (to->n == from || vec_distance(to->item[to->n - 1].p, c.p) > CROWDED)
         *array_push(to) = c;
 }
 
-static void reverse(struct contacts *points, size_t from)
-{
-    for (size_t i = from, j = points->n; i + 1 < j; i++) {
-        struct contact c = points->item[i];
-        points->item[i] = points->item[--j];
-        points->item[j] = c;
-    }
-}
-
-/* How far a chain goes as the cross product of the normals. */
-static double forward(const struct contacts *points, size_t from, struct vec3 normal)
-{
-    double sum = 0;
-
-    for (size_t i = from; i + 1 < points->n; i++) {
-        const struct contact *c = &points->item[i];
-        sum += vec_dot(vec_sub(c[1].p, c[0].p), vec_cross(normal, vec_add(c[0].n, c[1].n)));
-    }
-    return sum;
-}
-
 /* Follows a chain that comes into a facet by an edge. */
-static void follow(struct slice *cut, int facet, int edge, double height,
-                   struct slice_chains *chains)
+static void follow_chain(struct slice *cut, int facet, int edge, double height,
+                         struct slice_chains *chains)
 {
     struct contacts *points = &chains->point;
     size_t from = points->n;
     struct contact last = contact_on(cut, edge, height);
     bool closed = mesh_edge_beyond(&cut->edges, edge, facet) >= 0;
 
-    put(points, from, last);
+    add_point(points, from, last);
     while (facet >= 0 && !cut->done[facet]) {
         cut->done[facet] = true;
-        edge = way_out(cut, facet, edge, height);
+        edge = next_edge(cut, facet, edge, height);
         last = contact_on(cut, edge, height);
-        put(points, from, last);
+        add_point(points, from, last);
         facet = mesh_edge_beyond(&cut->edges, edge, facet);
     }
     /* The end itself stays, whatever is near it. */
@@ -223,14 +242,14 @@ static void follow(struct slice *cut, int facet, int edge, double height,
         points->n = from;
         return;
     }
-    if (forward(points, from, cut->normal) < 0)
-        reverse(points, from);
+    if (contacts_forward(points->item + from, points->n - from, cut->normal) < 0)
+        contacts_reverse(points->item + from, points->n - from);
     *array_push(&chains->chain) =
         (struct slice_chain){from, points->n, closed && points->n > from + 3};
 }
 
 /* The facets that may cross the plane: [*from, *to) of the order. */
-static void candidates(const struct slice *cut, double height, size_t *from, size_t *to)
+static void find_candidates(const struct slice *cut, double height, size_t *from, size_t *to)
 {
     size_t n = cut->mesh->face.n, low = 0, high = n;
 
@@ -250,7 +269,7 @@ void slice_at(struct slice *cut, double height, struct slice_chains *chains)
 {
     size_t from, to;
 
-    candidates(cut, height, &from, &to);
+    find_candidates(cut, height, &from, &to);
     for (size_t i = from; i < to; i++)
         cut->done[cut->order[i]] = false;
     /* Chains that begin at a border first, so that what is left is closed. */
@@ -261,7 +280,7 @@ void slice_at(struct slice *cut, double height, struct slice_chains *chains)
                 int edge = cut->edges.of[facet][k];
                 if (crosses(cut, edge, height) &&
                     (round == 1 || mesh_edge_beyond(&cut->edges, edge, facet) < 0))
-                    follow(cut, facet, edge, height, chains);
+                    follow_chain(cut, facet, edge, height, chains);
             }
         }
     }

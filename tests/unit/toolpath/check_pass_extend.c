@@ -66,13 +66,13 @@ START_TEST(rows_run_out_to_the_last_points)
     struct vec3 normal;
 
     add_strip(3.2, -9, 9, &strips);
-    double length = chains_length(&strips),
+    double length = slice_chains_length(&strips),
            added = pass_extend_ends(border_surface, &plane, &strips);
     ck_assert_uint_eq(strips.chain.n, 1);
     ck_assert_double_eq_tol(first_of(&strips, 0), -10, 0.04);
     ck_assert_double_eq_tol(last_of(&strips, 0), 10, 0.04);
     ck_assert_double_eq_tol(added, 2 * hypot(1, 9.5 / 30), 0.1);
-    ck_assert_double_eq_tol(chains_length(&strips), length + added, 1e-9);
+    ck_assert_double_eq_tol(slice_chains_length(&strips), length + added, 1e-9);
     for (size_t i = 0; i < strips.point.n; i++) {
         struct vec3 p = strips.point.item[i].p;
         ck_assert(i == 0 || p.x > strips.point.item[i - 1].p.x);
