@@ -5,7 +5,7 @@
 #include <stdlib.h>
 
 #include "stage/path_options.h"
-#include "stage/mesh_for_rows.h"
+#include "stage/mesh_for_path.h"
 #include "stage/plane_passes.h"
 #include "toolpath/passes.h"
 #include "toolpath/rows.h"
@@ -18,7 +18,7 @@ static const char *way;
 static void read_options(struct cli *cli, int argc, char **argv)
 {
     const struct cli_option options[] = {
-        {'r', "radius", "R", "radius of the ball (needed)", CLI_NUMBER, &cutting.radius,
+        {'r', "radius", "R", "radius of the ball (needed)", CLI_NUMBER, &path_options.radius,
          CLI_POSITIVE, 0, 0, NULL},
         {0, "normals", normals_words(false),
          "the mesh's own (default), the mean of the facets' (eq 8) or of the\n"
@@ -64,7 +64,7 @@ static void gather(const struct mesh *mesh, const struct rows *rows, struct stri
         if (to->n > 1 && vec_distance(next.p, to->item[to->n - 1].p) < 1e-9) {
             struct contact last = to->item[to->n - 1];
             struct vec3 forward = vec_sub(last.p, to->item[to->n - 2].p);
-            edge_roll(to, forward, last, next, cutting.radius, sink);
+            edge_roll(to, forward, last, next, path_options.radius, sink);
         }
         *array_push(to) = next;
     }
@@ -74,7 +74,7 @@ static void gather(const struct mesh *mesh, const struct rows *rows, struct stri
 static size_t make_pass(const struct mesh *mesh, const struct rows *rows, size_t s, size_t pass,
                         struct toolpath *t)
 {
-    bool back = !cutting.one_way && pass % 2 == 0;
+    bool back = !path_options.one_way && pass % 2 == 0;
     size_t end = s;
     struct contacts contact = {0};
 
@@ -95,8 +95,8 @@ static void make_path(const struct mesh *mesh, const struct rows *rows, struct t
 {
     size_t pass = 1;
 
-    for (int layer = cutting.layers - 1; layer >= 0; layer--) {
-        t->lift.offset = cutting.radius + layer * cutting.depth;
+    for (int layer = path_options.layers - 1; layer >= 0; layer--) {
+        t->lift.offset = path_options.radius + layer * path_options.depth;
         for (size_t s = 0; s < rows->strip.n; pass++) {
             s = make_pass(mesh, rows, s, pass, t);
             progress("rows", s, rows->strip.n);
@@ -112,12 +112,12 @@ static void find_planes(const struct mesh *mesh, const struct mesh_part *part, d
 {
     bool upright = !part || part->up.z >= 1;
 
-    if (upright && way && !plane_passes_direction(way, mesh, cutting.radius, scallop, &angle))
+    if (upright && way && !plane_passes_direction(way, mesh, path_options.radius, scallop, &angle))
         die_usage("option --direction: found '%s', expected auto or degrees", way);
-    p->rule = upright ? plane_passes_upright(angle, cutting.radius)
-                      : plane_passes_along(part, cutting.radius);
+    p->rule = upright ? plane_passes_upright(angle, path_options.radius)
+                      : plane_passes_along(part, path_options.radius);
     /* A node that random points do not have makes no hole: where the scan guards, rows go on. */
-    if (cutting.guards.n > 0 && spacing > 0) {
+    if (path_options.guards.n > 0 && spacing > 0) {
         p->rule.gap = 2 * spacing;
         p->rule.bare = 0.6 * spacing;
     }
@@ -178,9 +178,9 @@ static void check_options(struct tool_axis_options *axis)
         die_usage("%s", error.text);
     if (way && scallop == 0)
         die_usage("found --direction without --scallop: the mesh's own rows have theirs");
-    if (scallop > 0 && cutting.paper)
+    if (scallop > 0 && path_options.paper)
         die_usage("found --paper with --scallop: the paper's rows are those of the mesh");
-    if (scallop >= cutting.radius)
+    if (scallop >= path_options.radius)
         die_usage("option --scallop: found %g, expected less than the radius", scallop);
 }
 
@@ -190,7 +190,7 @@ int main(int argc, char **argv)
                       .usage = "-r R [options] [FILE]",
                       .about = "Makes a tool path from the rows of a mesh: mesh stream in, path "
                                "stream out.",
-                      .more = path_options_options};
+                      .more = path_option_table};
     struct mesh mesh = {0};
     struct rows rows = {0};
     struct path path = {0};

@@ -4,7 +4,7 @@
  */
 #include <stdlib.h>
 
-#include "stage/mesh_for_planes.h"
+#include "stage/mesh_for_path.h"
 #include "stage/path_options.h"
 #include "stage/plane_passes.h"
 #include "toolpath/scallop.h"
@@ -23,7 +23,7 @@ static const char *way;
 /* clang-format off */
 static const struct cli_option options[] = {
     {'r', "radius", "R", "radius of the ball (needed)",
-     CLI_NUMBER, &cutting.radius, CLI_POSITIVE, 0, 0, NULL},
+     CLI_NUMBER, &path_options.radius, CLI_POSITIVE, 0, 0, NULL},
     {'s', "step", "MM", "distance of the planes; made a little smaller, so that all are equal",
      CLI_NUMBER, &step, CLI_POSITIVE, 0, 0, &step_given},
     {0, "scallop", "H", "planes as far apart as leaves no cusp higher than H between passes\n"
@@ -38,7 +38,7 @@ static const struct cli_option options[] = {
      CLI_NUMBER, &gap, 0, 1000, 0, NULL},
     {0, "surface", "FILE", "put each point on the surfaces of this file, IGES or NURBS text, which\n"
      "the mesh was made from (may be given several times)", CLI_LIST, &surfaces, 0, 0, 0, NULL},
-    {0, "oneway", NULL, "the same as --one-way", CLI_FLAG, &cutting.one_way, 0, 0, 0, NULL},
+    {0, "oneway", NULL, "the same as --one-way", CLI_FLAG, &path_options.one_way, 0, 0, 0, NULL},
     {0}};
 /* clang-format on */
 
@@ -56,34 +56,34 @@ static void check_options(struct tool_axis_options *axis)
         die_usage("found %s and --plane, expected one of them", way ? "--direction" : "-a");
     if (plane_given && vec_length(vec(plane[0], plane[1], plane[2])) == 0)
         die_usage("option --plane: found a direction of no length");
-    if (scallop >= cutting.radius)
+    if (scallop >= path_options.radius)
         die_usage("option --scallop: found %g, expected less than the radius", scallop);
     if (!step_given && !scallop_given)
-        scallop = fmin(0.01, cutting.radius / 2);
+        scallop = fmin(0.01, path_options.radius / 2);
 }
 
 /* The ball must not be larger than the smallest hollow (paper 2, 2.1), unless it is lifted there.
  */
 static void check_radius(const char *file, const struct mesh *mesh)
 {
-    struct mesh_for_planes_hollow h = mesh_for_planes_hollow(mesh, cutting.radius);
+    struct tightest_hollow h = mesh_tightest_hollow(mesh, path_options.radius);
 
-    if (!h.known && !cutting.paper)
+    if (!h.known && !path_options.paper)
         say("%s: the mesh has no curvatures (kmax), so that it can't be told whether the ball "
             "fits everywhere: it is lifted where it does not",
             file);
-    if (!h.known || h.tighter == 0 || cutting.avoid || cutting.guards.n > 0)
+    if (!h.known || h.tighter == 0 || path_options.avoid || path_options.guards.n > 0)
         return;
     die_unmet("%s: found a hollow of radius %.3f at %.3f %.3f %.3f%s%s, expected none "
               "below the ball's, %g (%zu %s too tight for it): take a smaller ball, or --avoid",
               file, h.radius, h.at.x, h.at.y, h.at.z, h.surface ? " in surface " : "",
-              h.surface ? h.surface : "", cutting.radius, h.tighter,
+              h.surface ? h.surface : "", path_options.radius, h.tighter,
               h.surface ? "surfaces" : "vertices");
 }
 
 static void find_planes(const struct mesh *mesh, struct plane_passes *p)
 {
-    double least = step_given ? step : scallop_step(scallop, cutting.radius, 0) / 10;
+    double least = step_given ? step : scallop_step(scallop, path_options.radius, 0) / 10;
     double low = HUGE_VAL, high = -HUGE_VAL;
 
     for (size_t v = 0; v < mesh->vertex.n; v++) {
@@ -103,11 +103,11 @@ static void set_rule(const struct tool_axis_options *axis, const struct mesh *me
                      struct plane_passes *p)
 {
     struct pass_options *rule = &p->rule;
-    double turn = RADIANS(angle), h = step_given ? fmin(0.01, cutting.radius / 2) : scallop;
+    double turn = RADIANS(angle), h = step_given ? fmin(0.01, path_options.radius / 2) : scallop;
 
-    if (way && !plane_passes_direction(way, mesh, cutting.radius, h, &turn))
+    if (way && !plane_passes_direction(way, mesh, path_options.radius, h, &turn))
         die_usage("option --direction: found '%s', expected auto or degrees", way);
-    *rule = plane_passes_upright(turn, cutting.radius);
+    *rule = plane_passes_upright(turn, path_options.radius);
     rule->gap = gap;
     rule->faced = closed || axis->kind == AXIS_FIXED;
     if (plane_given) {
@@ -146,7 +146,7 @@ int main(int argc, char **argv)
                       .about = "Makes a tool path from parallel planes through a mesh: mesh (PLY, "
                                "STL, OFF) in, path\nstream out.",
                       .option = options,
-                      .more = path_options_options};
+                      .more = path_option_table};
     struct mesh mesh = {0};
     struct path path = {0};
     struct patches patches = {0};
@@ -167,7 +167,7 @@ int main(int argc, char **argv)
     set_rule(&t.lift.axis, &mesh, closed, &planes);
     find_planes(&mesh, &planes);
     read_surfaces(&mesh, &patches, &planes);
-    if (path_options_guard(&mesh, fmax(planes.widest, cutting.radius), cli.threads, &guard,
+    if (path_options_guard(&mesh, fmax(planes.widest, path_options.radius), cli.threads, &guard,
                            &error) != 0)
         die_error(&error);
     if (path_options_rules(&mesh, guard, planes.widest, &t, &error) != 0)

@@ -25,8 +25,8 @@ struct path_options {
     struct cli_list guards;
 };
 
-extern struct path_options cutting;
-extern const struct cli_option path_options_options[]; /* for cli.more */
+extern struct path_options path_options;
+extern const struct cli_option path_option_table[]; /* for cli.more */
 
 /* Checks the options against each other, fills in what follows from others, and gives the rule for
  * the axis: what to do with -1 is a matter of usage. */

@@ -26,17 +26,6 @@ struct plane_passes {
     size_t beside;         /* points without a surface */
 };
 
-/* What one of them cuts: strips in order along it. */
-struct plane_cut {
-    double height;
-    struct slice_chains strips;
-};
-
-struct plane_cuts {
-    size_t n, cap;
-    struct plane_cut *item;
-};
-
 /* How the planes at `angle` radians about z run, from the lower left to the upper right; for a ball
  * of this radius. */
 struct pass_options plane_passes_upright(double angle, double radius);
@@ -67,10 +56,6 @@ bool plane_passes_direction(const char *text, const struct mesh *mesh, double ra
 /* Lets the strips of upright planes run out to the border of the scan of -g (pass_extend.h), if
  * there is one and the mesh is one that says how far apart its vertices are, without parts. */
 void plane_passes_run_out(struct plane_passes *p, const struct mesh *mesh);
-
-/* Its step once the planes, in the order of their heights, are cut: with more planes, half as far
- * apart, beyond the first and the last. */
-void plane_passes_go_beyond(const struct plane_passes *p, struct plane_cuts *cuts);
 
 /* Gives the strips of all planes of n such paths, one path after the other, to the toolpath, which
  * is then ended, in as many layers as path_options.h says.  -1: no plane crosses anything that

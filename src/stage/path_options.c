@@ -5,83 +5,82 @@
 
 #include "base/effort.h"
 #include "stage/holder_options.h"
-#include "stage/mesh_for_rows.h"
 #include "gouge/guard_points.h"
 #include "guard_read.h"
 
 /* How deep the ball may sink between the guard points of a mesh, mm. */
 static const double SINK = 0.002;
 
-struct path_options cutting = {.tilt = 15,
-                               .depth = 0.3,
-                               .noise = -1,
-                               .effort = 1,
-                               .lean = 30,
-                               .clearance = NAN,
-                               .approach = 5,
-                               .feed = 800,
-                               .spindle = 8000,
-                               .layers = 1,
-                               .tool = 1,
-                               .coolant = 1};
+struct path_options path_options = {.tilt = 15,
+                                    .depth = 0.3,
+                                    .noise = -1,
+                                    .effort = 1,
+                                    .lean = 30,
+                                    .clearance = NAN,
+                                    .approach = 5,
+                                    .feed = 800,
+                                    .spindle = 8000,
+                                    .layers = 1,
+                                    .tool = 1,
+                                    .coolant = 1};
 
 /* clang-format off */
-const struct cli_option path_options_options[] = {
+const struct cli_option path_option_table[] = {
     {'g', "guard", "FILE", "keep the ball clear of all points of this scan, not only of the mesh\n"
-     "(may be given several times)", CLI_LIST, &cutting.guards, 0, 0, 0, NULL},
+     "(may be given several times)", CLI_LIST, &path_options.guards, 0, 0, 0, NULL},
     {0, "noise", "SIGMA", "standard deviation of the noise that is taken out of the scan of -g\n"
-     "(default: as found; 0: its points as they are)", CLI_NUMBER, &cutting.noise, 0, 10, 0, NULL},
-    EFFORT_OPTION(&cutting.effort),
+     "(default: as found; 0: its points as they are)", CLI_NUMBER, &path_options.noise, 0, 10, 0, NULL},
+    EFFORT_OPTION(&path_options.effort),
     {'e', "tolerance", "E", "put points between those of the mesh: straight lines stay within E of\n"
      "the smooth curve, no deeper in the part (0.01 with -g or --holder)",
-     CLI_NUMBER, &cutting.tolerance, 0.0001, 10, 0, NULL},
+     CLI_NUMBER, &path_options.tolerance, 0.0001, 10, 0, NULL},
     {0, "paper", NULL, "as published: mesh points alone, nothing lifted, links not checked",
-     CLI_FLAG, &cutting.paper, 0, 0, 0, NULL},
+     CLI_FLAG, &path_options.paper, 0, 0, 0, NULL},
     {0, "avoid", NULL, "what the ball can't reach may stay standing (else it is told, with\n"
-     "exit status 3)", CLI_FLAG, &cutting.avoid, 0, 0, 0, NULL},
+     "exit status 3)", CLI_FLAG, &path_options.avoid, 0, 0, 0, NULL},
     {0, "limit", "H", "lift no centre by more than H: what takes more is passed over\n"
-     "(default: the radius)", CLI_NUMBER, &cutting.limit, CLI_POSITIVE, 0, 0, NULL},
+     "(default: the radius)", CLI_NUMBER, &path_options.limit, CLI_POSITIVE, 0, 0, NULL},
     {0, "tilt", "DEG", "lean the axis off the normal, sideways, positive to next pass (15)",
-     CLI_NUMBER, &cutting.tilt, -80, 80, 0, &cutting.lean_given},
+     CLI_NUMBER, &path_options.tilt, -80, 80, 0, &path_options.lean_given},
     {0, "lead", "DEG", "lean it in the direction of the feed (0)",
-     CLI_NUMBER, &cutting.lead, -80, 80, 0, &cutting.lean_given},
+     CLI_NUMBER, &path_options.lead, -80, 80, 0, &path_options.lean_given},
     {0, "fixed", "I,J,K", "the same axis everywhere, from the tip to the spindle",
-     CLI_NUMBERS, cutting.fixed, 0, 0, 3, &cutting.fixed_given},
+     CLI_NUMBERS, path_options.fixed, 0, 0, 3, &path_options.fixed_given},
     {0, "to-point", "X,Y,Z", "the spindle points to a point above the part",
-     CLI_NUMBERS, cutting.to_point, 0, 0, 3, &cutting.to_given},
+     CLI_NUMBERS, path_options.to_point, 0, 0, 3, &path_options.to_given},
     {0, "from-point", "X,Y,Z", "the spindle points away from a point below the surface",
-     CLI_NUMBERS, cutting.from_point, 0, 0, 3, &cutting.from_given},
+     CLI_NUMBERS, path_options.from_point, 0, 0, 3, &path_options.from_given},
     {0, "circle", "X,Y,Z,I,J,K,R", "the axis goes through the nearest point of a circle: centre,\n"
-     "axis, radius", CLI_NUMBERS, cutting.circle, 0, 0, 7, &cutting.circle_given},
+     "axis, radius", CLI_NUMBERS, path_options.circle, 0, 0, 7, &path_options.circle_given},
     {0, "least-turn", "DEG", "lean the axis as far as --tilt and --lead say, or up to DEG, to\n"
-     "whatever side rotary axes turn least", CLI_NUMBER, &cutting.turn, 0, 80, 0, NULL},
+     "whatever side rotary axes turn least", CLI_NUMBER, &path_options.turn, 0, 80, 0, NULL},
     {0, "axis-play", "DEG", "axes may be this far off their rule, to turn as little as they can (0)",
-     CLI_NUMBER, &cutting.play, 0, 60, 0, NULL},
+     CLI_NUMBER, &path_options.play, 0, 60, 0, NULL},
     {0, "axis-rate", "DEG", "turn axes by no more than DEG in a millimetre along a pass",
-     CLI_NUMBER, &cutting.rate, CLI_POSITIVE, 0, 0, NULL},
+     CLI_NUMBER, &path_options.rate, CLI_POSITIVE, 0, 0, NULL},
     {0, "holder", "SPEC", "keep shank and holder clear too: cones R0:R1:L or cylinders R:L from\n"
-     "the ball's centre upward, joined by +", CLI_TEXT, &cutting.holder, 0, 0, 0, NULL},
+     "the ball's centre upward, joined by +", CLI_TEXT, &path_options.holder, 0, 0, 0, NULL},
     {0, "lean-limit", "DEG", "how far axes may be leaned away where the holder touches (30)",
-     CLI_NUMBER, &cutting.lean, 0, 85, 0, NULL},
+     CLI_NUMBER, &path_options.lean, 0, 85, 0, NULL},
     {0, "one-way", NULL, "cut all passes in one direction (default: zig-zag)",
-     CLI_FLAG, &cutting.one_way, 0, 0, 0, NULL},
+     CLI_FLAG, &path_options.one_way, 0, 0, 0, NULL},
     {0, "layers", "N", "cut in N layers, the outermost first (1)",
-     CLI_COUNT, &cutting.layers, 1, 1000, 0, NULL},
+     CLI_COUNT, &path_options.layers, 1, 1000, 0, NULL},
     {0, "depth", "MM", "what a layer takes off, along the normal (0.3)",
-     CLI_NUMBER, &cutting.depth, CLI_POSITIVE, 0, 0, NULL},
+     CLI_NUMBER, &path_options.depth, CLI_POSITIVE, 0, 0, NULL},
     {0, "clearance", "Z", "height of the tip on the clearance plane (default: top of the part\n"
-     "and its layers + radius + 10)", CLI_NUMBER, &cutting.clearance, 0, 0, 0, NULL},
+     "and its layers + radius + 10)", CLI_NUMBER, &path_options.clearance, 0, 0, 0, NULL},
     {0, "approach", "MM", "last bit of the way down, at the plunge feed (5)",
-     CLI_NUMBER, &cutting.approach, CLI_POSITIVE, 0, 0, NULL},
-    {0, "feed", "F", "cutting feed, mm/min (800)", CLI_NUMBER, &cutting.feed, CLI_POSITIVE, 0, 0, NULL},
+     CLI_NUMBER, &path_options.approach, CLI_POSITIVE, 0, 0, NULL},
+    {0, "feed", "F", "cutting feed, mm/min (800)", CLI_NUMBER, &path_options.feed, CLI_POSITIVE, 0, 0, NULL},
     {0, "plunge", "F", "feed of the last bit down (default: half the cutting feed)",
-     CLI_NUMBER, &cutting.plunge, CLI_POSITIVE, 0, 0, NULL},
+     CLI_NUMBER, &path_options.plunge, CLI_POSITIVE, 0, 0, NULL},
     {0, "spindle", "RPM", "speed of the spindle (8000)",
-     CLI_NUMBER, &cutting.spindle, CLI_POSITIVE, 0, 0, NULL},
-    {0, "tool", "N", "number of the tool (1)", CLI_COUNT, &cutting.tool, 1, 99999999, 0, NULL},
-    {0, "coolant", "off|on|mist", "coolant (on)", CLI_CHOICE, &cutting.coolant, 0, 0, 0, NULL},
+     CLI_NUMBER, &path_options.spindle, CLI_POSITIVE, 0, 0, NULL},
+    {0, "tool", "N", "number of the tool (1)", CLI_COUNT, &path_options.tool, 1, 99999999, 0, NULL},
+    {0, "coolant", "off|on|mist", "coolant (on)", CLI_CHOICE, &path_options.coolant, 0, 0, 0, NULL},
     {0, "partno", "TEXT", "name of the part (default: after the mesh's source)",
-     CLI_TEXT, &cutting.partno, 0, 0, 0, NULL},
+     CLI_TEXT, &path_options.partno, 0, 0, 0, NULL},
     {0}};
 /* clang-format on */
 
@@ -92,7 +91,7 @@ static struct vec3 vec_of(const double v[3])
 
 static int axis_rule(struct tool_axis_options *rule, struct error *error)
 {
-    const struct path_options *c = &cutting;
+    const struct path_options *c = &path_options;
 
     *rule = (struct tool_axis_options){
         .kind = AXIS_LEAN, .tilt = RADIANS(c->tilt), .lead = RADIANS(c->lead)};
@@ -122,7 +121,7 @@ static int axis_rule(struct tool_axis_options *rule, struct error *error)
 
 int path_options_check(struct tool_axis_options *axis, struct error *error)
 {
-    struct path_options *c = &cutting;
+    struct path_options *c = &path_options;
 
     if (c->radius == 0)
         return error_set(error, "found no radius of the ball, expected -r R");
@@ -147,14 +146,14 @@ static struct gouge_check *guard_of_mesh(const struct mesh *mesh)
 {
     struct vec3s points = {0};
 
-    guard_points_of_mesh(mesh, sqrt(6 * SINK * cutting.radius), &points);
+    guard_points_of_mesh(mesh, sqrt(6 * SINK * path_options.radius), &points);
     return gouge_new(points, 1);
 }
 
 int path_options_guard(const struct mesh *mesh, double near, int threads,
                        struct gouge_check **guard, struct error *error)
 {
-    const struct path_options *c = &cutting;
+    const struct path_options *c = &path_options;
     struct guard_read_options rule = {.radius = c->radius,
                                       .tolerance = c->tolerance,
                                       .noise = c->noise,
@@ -166,31 +165,41 @@ int path_options_guard(const struct mesh *mesh, double near, int threads,
         return 0;
     *guard =
         c->guards.n > 0 ? guard_read(&c->guards, mesh, near, &rule, error) : guard_of_mesh(mesh);
-    cutting.noise = rule.noise;
-    cutting.certain = rule.certain;
-    cutting.doubtful = rule.doubtful;
+    path_options.noise = rule.noise;
+    path_options.certain = rule.certain;
+    path_options.doubtful = rule.doubtful;
     return *guard ? 0 : -1;
+}
+
+/* The highest z of a vertex, mm. */
+static double mesh_top(const struct mesh *mesh)
+{
+    double top = -HUGE_VAL;
+
+    for (size_t v = 0; v < mesh->vertex.n; v++)
+        top = fmax(top, mesh->vertex.item[v].z);
+    return top;
 }
 
 /* The clearance plane: what was asked for, if it is above everything, or a safe one. */
 static int clearance_plane(const struct mesh *mesh, const struct gouge_check *guard, double *z,
                            struct error *error)
 {
-    double top = fmax(mesh_for_rows_top(mesh), guard ? gouge_top(guard) : -HUGE_VAL);
+    double top = fmax(mesh_top(mesh), guard ? gouge_top(guard) : -HUGE_VAL);
 
-    top += (cutting.layers - 1) * cutting.depth;
-    if (cutting.clearance < top)
+    top += (path_options.layers - 1) * path_options.depth;
+    if (path_options.clearance < top)
         return error_set(error,
                          "option --clearance: found %g, expected more than the top of the part, %g",
-                         cutting.clearance, top);
-    *z = isnan(cutting.clearance) ? top + cutting.radius + 10 : cutting.clearance;
+                         path_options.clearance, top);
+    *z = isnan(path_options.clearance) ? top + path_options.radius + 10 : path_options.clearance;
     return 0;
 }
 
 int path_options_rules(const struct mesh *mesh, const struct gouge_check *guard, double distance,
                        struct toolpath *t, struct error *error)
 {
-    const struct path_options *c = &cutting;
+    const struct path_options *c = &path_options;
     struct error why;
 
     t->rule = (struct toolpath_options){.radius = c->radius,
@@ -215,12 +224,23 @@ int path_options_rules(const struct mesh *mesh, const struct gouge_check *guard,
     return clearance_plane(mesh, guard, &t->rule.clearance, error);
 }
 
+/* A name for the part: that of the file that its mesh was made from, or PART. */
+static const char *part_name(const struct mesh *mesh)
+{
+    const char *source = mesh->origin.source;
+
+    if (!source)
+        return "PART";
+    const char *slash = strrchr(source, '/');
+    return slash ? slash + 1 : source;
+}
+
 /* `tool` spent what straight lines spend. */
 static void fill_head(const struct mesh *mesh, const char *tool, const struct toolpath *t)
 {
-    const struct path_options *c = &cutting;
+    const struct path_options *c = &path_options;
     const struct mesh_origin *origin = &mesh->origin;
-    const char *name = c->partno ? c->partno : mesh_for_rows_name(mesh);
+    const char *name = c->partno ? c->partno : part_name(mesh);
     const double r = c->radius, cutter[7] = {2 * r, r, 0, r, 0, 0, fmax(60, 4 * r)};
     struct path_head *head = &t->path->head;
 
@@ -244,7 +264,7 @@ static void fill_head(const struct mesh *mesh, const char *tool, const struct to
 void path_options_begin(const struct mesh *mesh, const char *tool, const char *output,
                         struct toolpath *t)
 {
-    t->streams = cutting.tolerance > 0;
+    t->streams = path_options.tolerance > 0;
     t->output = output;
     if (t->streams)
         fill_head(mesh, tool, t);

@@ -8,7 +8,25 @@
 #include "stage/path_options.h"
 #include "base/num.h"
 #include "base/parallel.h"
+#include "toolpath/pass_extend.h"
 #include "toolpath/scallop.h"
+
+/* Of the tolerance and the noise: how far the ball may be off on the surface near a border. */
+static const double SURE = 0.5;
+
+/* Of the distance of two planes: shorter pieces between them are not worth their links. */
+static const double LONG = 1.5;
+
+/* What one plane cuts: strips in order along it. */
+struct plane_cut {
+    double height;
+    struct slice_chains strips;
+};
+
+struct plane_cuts {
+    size_t n, cap;
+    struct plane_cut *item;
+};
 
 enum { DIRECTIONS = 12, LOOKED_AT = 24 };
 
@@ -61,7 +79,7 @@ static void move_first(struct plane_passes *p)
 
 void plane_passes_equal(struct plane_passes *p, const struct mesh *mesh, double step)
 {
-    p->cut = slice_new(mesh, p->rule.normal, !cutting.paper);
+    p->cut = slice_new(mesh, p->rule.normal, !path_options.paper);
     scallop_equal(slice_low(p->cut), slice_high(p->cut), step, &p->height);
     p->widest = step;
     move_first(p);
@@ -69,7 +87,7 @@ void plane_passes_equal(struct plane_passes *p, const struct mesh *mesh, double 
 
 void plane_passes_scallop(struct plane_passes *p, const struct mesh *mesh, double h)
 {
-    p->cut = slice_new(mesh, p->rule.normal, !cutting.paper);
+    p->cut = slice_new(mesh, p->rule.normal, !path_options.paper);
     struct scallop_report report = scallop_heights(
         mesh, p->rule.normal, slice_low(p->cut), slice_high(p->cut), h, p->rule.radius, &p->height);
     p->widest = report.widest;
@@ -136,32 +154,195 @@ bool plane_passes_direction(const char *text, const struct mesh *mesh, double ra
     return true;
 }
 
-/* What the threads share. */
-struct putting {
+/* What the threads share that put points on surfaces. */
+struct projecting {
     const struct plane_passes *path;
     struct contact *point;
     bool *beside;
 };
 
-static void put_some(void *context, size_t from, size_t to)
+static void project_points(void *context, size_t from, size_t to)
 {
-    struct putting *p = context;
+    struct projecting *p = context;
 
     for (size_t i = from; i < to; i++)
         p->beside[i] =
             project_contact(p->path->on, p->path->rule.normal, p->path->reach, &p->point[i]) < 0;
 }
 
-static void put_on_surfaces(struct plane_passes *p, struct contacts *points)
+static void project_all(struct plane_passes *p, struct contacts *points)
 {
-    struct putting put = {p, points->item, mem_alloc(points->n + 1, sizeof *put.beside)};
+    struct projecting put = {p, points->item, mem_alloc(points->n + 1, sizeof *put.beside)};
 
     if (p->on)
-        parallel_for(p->threads, points->n, put_some, &put);
+        parallel_for(p->threads, points->n, project_points, &put);
     for (size_t i = 0; i < points->n; i++)
         p->beside += put.beside[i];
     free(put.beside);
 }
+
+/* ---- strips run out to the border of the scan */
+
+/* What the threads share that lengthen strips. */
+struct lengthening {
+    const struct plane_passes *path;
+    struct plane_cuts *cuts;
+    double *length;
+    size_t *beyond;
+};
+
+static struct border_surface_plane plane_at(const struct plane_passes *p, double height)
+{
+    return (struct border_surface_plane){p->rule.normal, p->rule.along, height};
+}
+
+static void lengthen_strips(void *context, size_t from, size_t to)
+{
+    struct lengthening *e = context;
+
+    for (size_t i = from; i < to; i++) {
+        struct plane_cut *cut = &e->cuts->item[i];
+        struct border_surface_plane plane = plane_at(e->path, cut->height);
+        e->beyond[i] =
+            e->path->extended ? 0 : pass_extend_within(e->path->border_surface, &cut->strips);
+        e->length[i] = pass_extend_ends(e->path->border_surface, &plane, &cut->strips);
+    }
+}
+
+static double lengthen_all(const struct plane_passes *p, struct plane_cuts *cuts)
+{
+    struct lengthening e = {p, cuts, mem_alloc(cuts->n + 1, sizeof(double)),
+                            mem_alloc(cuts->n + 1, sizeof(size_t))};
+    double length = 0;
+    size_t beyond = 0;
+
+    parallel_for(p->threads, cuts->n, lengthen_strips, &e);
+    for (size_t i = 0; i < cuts->n; i++)
+        length += e.length[i];
+    for (size_t i = 0; i < cuts->n; i++)
+        beyond += e.beyond[i];
+    if (beyond > 0)
+        note("%zu points of the mesh lie beyond the border of the scan and are left out", beyond);
+    free(e.length);
+    free(e.beyond);
+    return length;
+}
+
+/* What the plane has beside the strips of a neighbouring one and not beside those on its other side
+ * (NULL: none). */
+static double add_beside(const struct plane_passes *p, const struct plane_cut *from,
+                         const struct plane_cut *beyond, double shortest, struct plane_cut *cut)
+{
+    struct border_surface_plane plane = plane_at(p, cut->height);
+    struct pass_extend_neighbours beside = {&from->strips, beyond ? &beyond->strips : NULL};
+
+    return pass_extend_beside(p->border_surface, &plane, &beside, shortest, &cut->strips);
+}
+
+static double add_beside_all(const struct plane_passes *p, struct plane_cuts *cuts)
+{
+    double length = 0;
+
+    for (size_t i = 1; i < cuts->n; i++) {
+        struct plane_cut *low = &cuts->item[i - 1], *high = &cuts->item[i];
+        length += add_beside(p, low, NULL, (high->height - low->height) / 2, high);
+    }
+    for (size_t i = cuts->n - 1; i-- > 0;) {
+        struct plane_cut *low = &cuts->item[i], *high = &cuts->item[i + 1];
+        length += add_beside(p, high, NULL, (high->height - low->height) / 2, low);
+    }
+    return length;
+}
+
+/* Planes from the end on (`way` 1: beyond the last, -1: before the first), as long as the scan has
+ * something for them. */
+static double add_planes_beyond(const struct plane_passes *p, const struct plane_cut *end,
+                                double way, double step, struct plane_cuts *more)
+{
+    double length = 0;
+
+    for (struct plane_cut last = *end;; last = more->item[more->n - 1]) {
+        struct plane_cut next = {last.height + way * step, {{0}, {0}}};
+        double added = add_beside(p, &last, NULL, step / 2, &next);
+        if (added == 0)
+            return length;
+        length += added;
+        *array_push(more) = next;
+    }
+}
+
+/* Two planes, of which one ends well before the other where the border runs nearly along them: what
+ * goes between. */
+static double add_plane_between(const struct plane_passes *p, const struct plane_cut *low,
+                                const struct plane_cut *high, struct plane_cuts *to)
+{
+    double step = high->height - low->height;
+    struct plane_cut between = {low->height + step / 2, {{0}, {0}}};
+    double length = add_beside(p, low, high, LONG * step, &between) +
+                    add_beside(p, high, low, LONG * step, &between);
+
+    if (length > 0)
+        *array_push(to) = between;
+    return length;
+}
+
+/* Half the distance of the planes at an end; the one at the border may have come nearer. */
+static double end_step(const struct plane_passes *p, bool last)
+{
+    const double *h = p->height.item;
+    size_t n = p->height.n;
+
+    if (n < 4)
+        return p->widest / 2;
+    return (last ? h[n - 2] - h[n - 3] : h[2] - h[1]) / 2;
+}
+
+/* Strips run out to the border of the scan; with more planes, half as far apart, beyond the first
+ * and the last. */
+static void extend_cuts(const struct plane_passes *p, struct plane_cuts *cuts)
+{
+    struct plane_cuts before = {0}, after = {0}, all = {0};
+    double length = lengthen_all(p, cuts);
+
+    if (cuts->n == 0)
+        return;
+    length += add_beside_all(p, cuts);
+    length += add_planes_beyond(p, &cuts->item[0], -1, end_step(p, false), &before);
+    length += add_planes_beyond(p, &cuts->item[cuts->n - 1], 1, end_step(p, true), &after);
+    for (size_t i = before.n; i-- > 0;)
+        *array_push(&all) = before.item[i];
+    for (size_t i = 0; i < cuts->n; i++) {
+        if (i > 0)
+            length += add_plane_between(p, &cuts->item[i - 1], &cuts->item[i], &all);
+        *array_push(&all) = cuts->item[i];
+    }
+    for (size_t i = 0; i < after.n; i++)
+        *array_push(&all) = after.item[i];
+    note("rows run out to the border of the scan: %.1f mm more, %zu planes more", length,
+         all.n - cuts->n);
+    array_free(&before);
+    array_free(&after);
+    array_free(cuts);
+    *cuts = all;
+}
+
+void plane_passes_run_out(struct plane_passes *p, const struct mesh *mesh)
+{
+    struct border_surface_options rule = {
+        .scan = &path_options.certain,
+        .doubtful = &path_options.doubtful,
+        .spacing = mesh->origin.spacing,
+        .radius = path_options.radius,
+        .sure = SURE * (path_options.tolerance + fmax(path_options.noise, 0))};
+
+    if (rule.scan->n > 0 && rule.spacing > 0 && mesh->origin.part.n == 0 && p->rule.normal.z == 0)
+        p->border_surface = border_surface_new(&rule, mesh);
+    p->extended = mesh->origin.extended > 0;
+    array_free(&path_options.certain);
+    array_free(&path_options.doubtful);
+}
+
+/* ---- planes to passes */
 
 static struct plane_cuts cut_all(struct plane_passes *p)
 {
@@ -170,36 +351,36 @@ static struct plane_cuts cut_all(struct plane_passes *p)
     for (size_t i = 0; i < p->height.n; i++) {
         struct slice_chains chains = {0}, strips = {0};
         slice_at(p->cut, p->height.item[i], &chains);
-        put_on_surfaces(p, &chains.point);
+        project_all(p, &chains.point);
         p->left_out += passes_make(&chains, &p->rule, &strips);
         *array_push(&cuts) = (struct plane_cut){p->height.item[i], strips};
         slice_chains_free(&chains);
     }
     if (p->border_surface)
-        plane_passes_go_beyond(p, &cuts);
+        extend_cuts(p, &cuts);
     return cuts;
 }
 
 static void make_pass(const struct plane_passes *p, const struct slice_chains *strips, size_t pass,
                       struct toolpath *t)
 {
-    bool back = !cutting.one_way && pass % 2 == 0;
-    struct slice_chains way = {0};
+    bool back = !path_options.one_way && pass % 2 == 0;
+    struct slice_chains pass_strips = {0};
 
     for (size_t i = 0; i < strips->point.n; i++)
-        *array_push(&way.point) = strips->point.item[i];
+        *array_push(&pass_strips.point) = strips->point.item[i];
     for (size_t k = 0; k < strips->chain.n; k++)
-        *array_push(&way.chain) = strips->chain.item[k];
+        *array_push(&pass_strips.chain) = strips->chain.item[k];
     if (back)
-        passes_reverse(&way);
-    for (size_t k = 0; k < way.chain.n; k++) {
-        const struct slice_chain *chain = &way.chain.item[k];
+        passes_reverse(&pass_strips);
+    for (size_t k = 0; k < pass_strips.chain.n; k++) {
+        const struct slice_chain *chain = &pass_strips.chain.item[k];
         t->lift.feed.side = p->rule.normal;
-        t->lift.feed.plane = passes_forward(&way, k, p->rule.normal);
-        toolpath_strip(t, pass, &way.point.item[chain->from], chain->to - chain->from,
+        t->lift.feed.plane = passes_forward(&pass_strips, k, p->rule.normal);
+        toolpath_strip(t, pass, &pass_strips.point.item[chain->from], chain->to - chain->from,
                        vec_scale(back ? -1 : 1, p->rule.along));
     }
-    slice_chains_free(&way);
+    slice_chains_free(&pass_strips);
 }
 
 static void free_cuts(struct plane_cuts *cuts, size_t n)
@@ -219,8 +400,8 @@ int plane_passes_make(struct plane_passes *paths, size_t n, struct toolpath *t, 
 
     for (size_t k = 0; k < n; k++)
         cuts[k] = cut_all(&paths[k]);
-    for (int layer = cutting.layers - 1; layer >= 0; layer--) {
-        t->lift.offset = cutting.radius + layer * cutting.depth;
+    for (int layer = path_options.layers - 1; layer >= 0; layer--) {
+        t->lift.offset = path_options.radius + layer * path_options.depth;
         for (size_t k = 0; k < n; k++) {
             for (size_t i = 0; i < cuts[k].n; i++) {
                 make_pass(&paths[k], &cuts[k].item[i].strips, pass++, t);

@@ -76,7 +76,7 @@ START_TEST(planes_become_passes)
                                   .tolerance = 0.01,
                                   .step = 0.05,
                                   .axis = {.kind = AXIS_FIXED, .direction = {0, 0, 1}}}};
-    cutting.radius = BALL;
+    path_options.radius = BALL;
     plane_passes_equal(&p, &mesh, 4);
     ck_assert_uint_eq(p.height.n, 11); /* 40 mm, the last plane 0.04 inside */
     struct error error;

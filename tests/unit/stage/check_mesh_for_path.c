@@ -1,10 +1,10 @@
-/* mesh_for_planes: which hollow is the tightest, by surfaces or by vertices; meshes that can't be
+/* mesh_for_path: which hollow is the tightest, by surfaces or by vertices; meshes that can't be
  * cut. */
 #include <check.h>
 #include <stdlib.h>
 #include <string.h>
 
-#include "stage/mesh_for_planes.h"
+#include "stage/mesh_for_path.h"
 #include "scratch.h"
 
 static struct error error;
@@ -31,15 +31,15 @@ START_TEST(surfaces_count_where_they_are_named)
                        "property float kmax\n") "0 0 0 0 0 1 0.001\n1 0 0 0 0 1 0.1\n"
                                                 "0 1 0 0 0 1 0.2\n3 0 1 2\n"),
         0);
-    struct mesh_for_planes_hollow h = mesh_for_planes_hollow(&mesh, 5);
+    struct tightest_hollow h = mesh_tightest_hollow(&mesh, 5);
     ck_assert(h.known);
     ck_assert_double_eq(h.radius, 2.5);
     ck_assert_double_eq(h.at.y, 5);
     ck_assert_str_eq(h.surface, "b c.igs:5");
     ck_assert_uint_eq(h.tighter, 2);
-    ck_assert_uint_eq(mesh_for_planes_hollow(&mesh, 2.5).tighter, 0);
-    ck_assert_uint_eq(mesh_for_planes_hollow(&mesh, 2.50001).tighter, 1);
-    ck_assert_uint_eq(mesh_for_planes_hollow(&mesh, 100).tighter, 3);
+    ck_assert_uint_eq(mesh_tightest_hollow(&mesh, 2.5).tighter, 0);
+    ck_assert_uint_eq(mesh_tightest_hollow(&mesh, 2.50001).tighter, 1);
+    ck_assert_uint_eq(mesh_tightest_hollow(&mesh, 100).tighter, 3);
 }
 END_TEST
 
@@ -51,7 +51,7 @@ START_TEST(else_vertices_do)
                                                                       "0 1 0 0 0 1 0.125\n"
                                                                       "3 0 1 2\n"),
                      0);
-    struct mesh_for_planes_hollow h = mesh_for_planes_hollow(&mesh, 8.1);
+    struct tightest_hollow h = mesh_tightest_hollow(&mesh, 8.1);
     ck_assert(h.known);
     ck_assert_double_eq(h.radius, 4);
     ck_assert_double_eq(h.at.x, 1);
@@ -63,8 +63,8 @@ END_TEST
 START_TEST(a_bare_mesh_knows_nothing)
 {
     ck_assert_int_eq(read_text(HEAD("", "") "0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n"), 0);
-    ck_assert(!mesh_for_planes_hollow(&mesh, 1).known);
-    ck_assert(isinf(mesh_for_planes_hollow(&mesh, 1).radius));
+    ck_assert(!mesh_tightest_hollow(&mesh, 1).known);
+    ck_assert(isinf(mesh_tightest_hollow(&mesh, 1).radius));
 }
 END_TEST
 

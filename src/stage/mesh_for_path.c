@@ -1,13 +1,34 @@
-/* mesh_for_planes - see mesh_for_planes.h. */
-#include "stage/mesh_for_planes.h"
+/* mesh_for_path - see mesh_for_path.h. */
+#include "stage/mesh_for_path.h"
 
 #include "base/cli.h"
 #include "io/mesh/meshfile.h"
+#include "io/mesh/ply.h"
 #include "mesh/mesh_repair.h"
 
 static const double FITS = 1 + 1e-6;
 
-static void tell_mending(const char *file, const struct mesh_repair_report *r)
+int mesh_for_rows_read(const char *file, const struct normal_estimator *normals, struct mesh *mesh,
+                       struct error *error)
+{
+    struct error why;
+    struct normals_options options = {.silent = false};
+
+    if (ply_read(file, mesh, error) != 0)
+        return -1;
+    if (normals->estimate(mesh, &options, &why) != 0)
+        return error_at(error, file, 0, "%s", why.text);
+    for (size_t v = 0; v < mesh->vertex.n; v++) {
+        if (vec_length(mesh->normal.item[v]) < 0.5)
+            return error_at(error, file, 0,
+                            "vertex %zu: found a normal of no length, expected a "
+                            "unit vector",
+                            v);
+    }
+    return 0;
+}
+
+static void say_repairs(const char *file, const struct mesh_repair_report *r)
 {
     if (r->welded > 0)
         note("%s: %zu vertices at the places of others made one with them", file, r->welded);
@@ -45,13 +66,13 @@ int mesh_for_planes_read(const char *file, struct vec3 up, struct mesh *mesh, bo
                              "%s: vertex %d: found a normal of no length, expected a unit vector",
                              file, v);
     }
-    tell_mending(file, &report);
+    say_repairs(file, &report);
     *closed = report.closed == report.sheets;
     return 0;
 }
 
-static void look_at(struct mesh_for_planes_hollow *h, double radius, struct vec3 at,
-                    const char *surface, double ball)
+static void take_hollow(struct tightest_hollow *h, double radius, struct vec3 at,
+                        const char *surface, double ball)
 {
     h->tighter += ball > radius * FITS;
     if (radius < h->radius) {
@@ -61,20 +82,20 @@ static void look_at(struct mesh_for_planes_hollow *h, double radius, struct vec3
     }
 }
 
-struct mesh_for_planes_hollow mesh_for_planes_hollow(const struct mesh *mesh, double ball)
+struct tightest_hollow mesh_tightest_hollow(const struct mesh *mesh, double ball)
 {
     const struct mesh_surfaces *s = &mesh->origin.surface;
-    struct mesh_for_planes_hollow h = {.known = s->n > 0 || mesh->kmax.n > 0, .radius = HUGE_VAL};
+    struct tightest_hollow h = {.known = s->n > 0 || mesh->kmax.n > 0, .radius = HUGE_VAL};
 
     for (size_t i = 0; i < s->n; i++) {
         if (s->item[i].radius > 0)
-            look_at(&h, s->item[i].radius, s->item[i].at, s->item[i].name, ball);
+            take_hollow(&h, s->item[i].radius, s->item[i].at, s->item[i].name, ball);
     }
     if (s->n > 0)
         return h;
     for (size_t v = 0; v < mesh->kmax.n; v++) {
         if (mesh->kmax.item[v] > 0)
-            look_at(&h, 1 / mesh->kmax.item[v], mesh->vertex.item[v], NULL, ball);
+            take_hollow(&h, 1 / mesh->kmax.item[v], mesh->vertex.item[v], NULL, ball);
     }
     return h;
 }
