@@ -1,6 +1,6 @@
 /*
- * ik_branch - how the rotary axes can stand in a direction: by either solution, each axis some
- * whole turns on.  A state is a number, the same all along a pass.
+ * ik_branch - the states in which the rotary axes can have a direction: by either solution, each
+ * axis turned on by whole turns.  A state is a number, the same all along a pass.
  */
 #ifndef CLOUDMILL_IK_BRANCH_H
 #define CLOUDMILL_IK_BRANCH_H
@@ -16,12 +16,12 @@ struct turn_range {
 
 struct ik_branches {
     const struct kinematic_chain *chain;
-    struct turn_range winding[ROTARY_MAX];
+    struct turn_range range[ROTARY_MAX];
     int n; /* states 0 to n - 1; the lower half is the first solution's */
 };
 
-/* A direction, come to from the one before. */
-struct ik_branch_ground {
+/* A direction that the axes go to from the one before. */
+struct ik_branch_target {
     struct chain_solutions found;
     bool stays; /* the first axis is free, and stays as it is */
     bool loose; /* it may turn as far as it likes from the direction before */
@@ -41,7 +41,7 @@ bool ik_branch_within(const struct kinematic_chain *chain, const double q[]);
 int ik_branch_at(const struct ik_branches *s, int k, const double q[], const double base[]);
 
 /* The angles of a state, when those before were `from`; within the travel or not. */
-void ik_branch_angles(const struct ik_branches *s, const struct ik_branch_ground *ground, int state,
+void ik_branch_angles(const struct ik_branches *s, const struct ik_branch_target *target, int state,
                       const double from[], double q[]);
 
 /*
@@ -57,11 +57,11 @@ bool ik_branch_end(const struct kinematic_chain *chain, const struct chain_solut
 double ik_branch_step(const struct kinematic_chain *chain, struct vec3 axis);
 
 /*
- * What a direction is from the one before, `near`.  Where the first axis is free it stays as it is,
- * and along a way that stays so it turns to where it will be needed (`ahead`, NULL: nowhere); where
- * both are within `cone` radians of such a direction it is loose.
+ * The direction `axis`, gone to from `near`.  Where the first axis is free it stays as it is; while
+ * it stays free it turns to where it will be needed (`ahead`, NULL: nowhere); where both directions
+ * are within `cone` radians of the singular one it is loose.
  */
-struct ik_branch_ground ik_branch_ground(const struct kinematic_chain *chain, double cone,
+struct ik_branch_target ik_branch_target(const struct kinematic_chain *chain, double cone,
                                          struct vec3 near, struct vec3 axis,
                                          const struct vec3 *ahead);
 

@@ -1,22 +1,22 @@
 /*
- * ik_plan - the rotary axes looked at over a whole pass before any of it is programmed: which of
- * the two solutions and which whole turns to start with, and where to turn back.
+ * ik_plan - the rotary axes planned over a whole pass before any of it is programmed: which of the
+ * two solutions and which whole turns to start with, and where to turn back.
  *
- * The shortest way through a graph, by dynamic programming in time proportional to the number of
- * places.  Its nodes are the places along the pass, each in every state of the rotary axes
- * (ik_branch.h).  What a way costs is first the number of turns back
- * (retract - turn - return), and among as many of them how far the axes turn.
+ * The shortest path through a graph, by dynamic programming in time proportional to the number of
+ * places.  The nodes are the places along the pass, each in every state of the rotary axes
+ * (ik_branch.h).  The cost is first the number of turns back (retract, turn, return), and among as
+ * many of them how far the axes turn.
  */
 #ifndef CLOUDMILL_IK_PLAN_H
 #define CLOUDMILL_IK_PLAN_H
 
 #include "machine/ik_branch.h"
 
-/* One direction along the way, close enough to the one before that no angle jumps. */
+/* A direction of the tool along the pass, so close to the one before that no angle jumps. */
 struct ik_plan_place {
     struct vec3 axis;
-    unsigned leap;        /* from so many places before one block may lead here, past all between;
-                             0: no such block */
+    unsigned crossing;    /* one block may lead here from so many places before, past the singular
+                             direction and all between; 0: no such block */
     bool may_turn;        /* the tool may retract and turn here before it goes on */
     bool inside;          /* of a motion: it rather turns elsewhere */
     bool shut[2];         /* not with this solution: the linear axes would leave their travel */
@@ -28,14 +28,16 @@ struct ik_plan_place {
 struct ik_plan {
     const struct kinematic_chain *chain;
     double cone; /* radians: so near the singular direction the first axis may turn at one place */
-    /* may one block lead from one place to another, with these angles?  NULL: leaps always may */
-    bool (*leaps)(const void *with, size_t from, size_t to, const double q0[], const double q1[]);
+    /* may one block lead from one place to another, with these angles?  NULL: may_cross always may
+     */
+    bool (*may_cross)(const void *with, size_t from, size_t to, const double q0[],
+                      const double q1[]);
     const void *with;
 };
 
 struct ik_plan_cost {
     unsigned turns; /* back */
-    double way;     /* as ik_travel says it */
+    double travel;  /* as ik_travel says it */
 };
 
 /*

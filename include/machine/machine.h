@@ -1,9 +1,25 @@
 /*
- * machine - a machine tool as a text file of `key = value` lines (cloudmill-machine(5)).
+ * machine - machine tools and their rotary axes: the door of this folder.
  *
- * One key a line, `#` starts a comment, `include = NAME` takes over another machine's keys, to be
- * overruled by what follows.  A key that is not known, stands twice in one file, or has a value of
- * the wrong kind is an error with its line.
+ * A machine is a text file of `key = value` lines (cloudmill-machine(5)): a new machine is a file
+ * in machines/, best with an `include` of one that is shipped.  `#` starts a comment, `include =
+ * NAME` takes over another machine's keys, which later lines overrule.  A key that is unknown,
+ * stands twice in one file, or has a value of the wrong kind is an error with its line.  A new key
+ * is a row in machine_keys (machine.c), a field here and an item of the manual.
+ *
+ * Out of the keys comes a chain of up to two rotary axes.  What is computed from it:
+ *
+ *   kinematics.h     the chain forward and inverse: both solutions of a tool axis
+ *   ik_choose.h      of the solutions and their whole turns, the nearest within the travel
+ *   ik_near.h        the same in its usual case, for millions of places
+ *   ik_branch.h      solutions and whole turns along a pass as numbered branches
+ *   ik_plan.h        the branches over a whole pass: fewest turns back, then least travel, by
+ * dynamic programming interpolation.h  what a control makes of a block between two poses, against
+ * the motion meant rotary_spline.h  rotary angles along a B-spline as B-splines (The NURBS
+ * Book, 9.4.1) rotary_cost.h    how far any machine's axes turn between two tool axes
+ *
+ * Beside it stand control.h, the table of controls; template.h, blocks that a machine file words
+ * itself; machine_options.h, the options -m, --set and -c.
  */
 #ifndef CLOUDMILL_MACHINE_H
 #define CLOUDMILL_MACHINE_H
@@ -12,7 +28,6 @@
 
 #include "base/error.h"
 #include "machine/control.h"
-#include "machine/keys.h"
 #include "machine/kinematics.h"
 
 enum { MACHINE_X, MACHINE_Y, MACHINE_Z, MACHINE_A, MACHINE_B, MACHINE_C, MACHINE_AXES };
@@ -82,13 +97,6 @@ int machine_set(struct machine *machine, const char *setting, struct error *erro
 
 /* Checks what the keys say together and makes the chain; to be called last. */
 int machine_finish(struct machine *machine, struct error *error);
-
-/* The table of its keys, to be freed by array_free. */
-struct keys machine_keys(struct machine *machine);
-
-/* machine_finish for what reads files: the error names no machine, and `key` is the one to
- * blame. */
-int machine_assemble(struct machine *machine, char key[KEY_NAME], struct error *error);
 
 /* True if programs of this control can have tool-centre-point control on the machine. */
 bool machine_has_tcp(const struct machine *machine, enum control_id control);

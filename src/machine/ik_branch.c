@@ -2,16 +2,16 @@
 #include "machine/ik_branch.h"
 
 /* Of the first axis, which is the one that is turned round and round, and of the second. */
-static const int windings_max[ROTARY_MAX] = {257, 9};
+static const int turns_max[ROTARY_MAX] = {257, 9};
 static const double slack = 1e-9;  /* radians beyond the travel that are rounding */
 static const double jump = PI / 2; /* radians between two near directions that are none */
 
 bool ik_branch_ends(const struct kinematic_chain *chain, int i)
 {
-    return chain->rotary[i].max - chain->rotary[i].min < (windings_max[i] - 1) * 2 * PI;
+    return chain->rotary[i].max - chain->rotary[i].min < (turns_max[i] - 1) * 2 * PI;
 }
 
-static struct turn_range winding_of(const struct kinematic_chain *chain, int i)
+static struct turn_range turn_range_of(const struct kinematic_chain *chain, int i)
 {
     const struct rotary *r = &chain->rotary[i];
     if (i >= chain->n || !ik_branch_ends(chain, i))
@@ -23,8 +23,8 @@ static struct turn_range winding_of(const struct kinematic_chain *chain, int i)
 
 struct ik_branches ik_branches(const struct kinematic_chain *chain)
 {
-    struct ik_branches s = {chain, {winding_of(chain, 0), winding_of(chain, 1)}, 0};
-    s.n = 2 * s.winding[0].many * s.winding[1].many;
+    struct ik_branches s = {chain, {turn_range_of(chain, 0), turn_range_of(chain, 1)}, 0};
+    s.n = 2 * s.range[0].many * s.range[1].many;
     return s;
 }
 
@@ -42,7 +42,7 @@ int ik_branch_at(const struct ik_branches *s, int k, const double q[], const dou
     if (!ik_branch_within(s->chain, q))
         return -1;
     for (int i = 0; i < ROTARY_MAX; i++) {
-        const struct turn_range *w = &s->winding[i];
+        const struct turn_range *w = &s->range[i];
         int turns = w->endless ? 0 : (int)round((q[i] - base[i]) / (2 * PI)) - w->least;
         if (turns < 0 || turns >= w->many)
             return -1;
@@ -51,18 +51,18 @@ int ik_branch_at(const struct ik_branches *s, int k, const double q[], const dou
     return at;
 }
 
-void ik_branch_angles(const struct ik_branches *s, const struct ik_branch_ground *ground, int state,
+void ik_branch_angles(const struct ik_branches *s, const struct ik_branch_target *target, int state,
                       const double from[], double q[])
 {
     int turns[ROTARY_MAX], k = state;
-    for (int i = ROTARY_MAX; i-- > 0; k /= s->winding[i].many)
-        turns[i] = k % s->winding[i].many;
+    for (int i = ROTARY_MAX; i-- > 0; k /= s->range[i].many)
+        turns[i] = k % s->range[i].many;
     for (int i = 0; i < ROTARY_MAX; i++) {
-        double base = ground->found.q[k][i];
-        if (i == 0 && ground->stays)
+        double base = target->found.q[k][i];
+        if (i == 0 && target->stays)
             base = remainder(from[0], 2 * PI);
-        double whole = s->winding[i].endless ? round((from[i] - base) / (2 * PI))
-                                             : turns[i] + s->winding[i].least;
+        double whole =
+            s->range[i].endless ? round((from[i] - base) / (2 * PI)) : turns[i] + s->range[i].least;
         q[i] = i < s->chain->n ? base + 2 * PI * whole : 0;
     }
 }
@@ -91,11 +91,11 @@ double ik_branch_step(const struct kinematic_chain *chain, struct vec3 axis)
     return fmax(5e-4, fmin(0.035, 0.3 * fmin(off, PI - off)));
 }
 
-struct ik_branch_ground ik_branch_ground(const struct kinematic_chain *chain, double cone,
+struct ik_branch_target ik_branch_target(const struct kinematic_chain *chain, double cone,
                                          struct vec3 near, struct vec3 axis,
                                          const struct vec3 *ahead)
 {
-    struct ik_branch_ground g = {.found = chain_angles(chain, axis)};
+    struct ik_branch_target g = {.found = chain_angles(chain, axis)};
     bool free = g.found.free, was = chain->n == 2 && chain_free(chain, near);
     if (free && was && ahead) {
         struct chain_solutions then = chain_angles(chain, *ahead);

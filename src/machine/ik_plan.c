@@ -7,17 +7,17 @@
 #include "base/array.h"
 
 static const double jump = PI / 2; /* radians between two places that no block makes */
-static const double inside = 1e-3; /* radians of way that a turn inside of a motion counts */
+static const double inside = 1e-3; /* radians of travel that a turn inside of a motion counts */
 
-/* A node at one place: what the way to it has cost, and the angles there. */
+/* A node at one place: the least cost up to it, and the angles there. */
 struct state {
     unsigned turns;
-    double way; /* HUGE_VAL: not to be had */
+    double travel; /* HUGE_VAL: not reached */
     double q[ROTARY_MAX];
 };
 
-/* How a state was come by: the state before, and one of these. */
-enum { BY_BLOCK, BY_TURN, BY_LEAP, BY_BITS = 2 };
+/* How a state was reached: from the state before, by one of these. */
+enum { BY_BLOCK, BY_TURN, BY_CROSSING, BY_BITS = 2 };
 
 struct search {
     const struct ik_plan *plan;
@@ -25,24 +25,24 @@ struct search {
     double weight[ROTARY_MAX];
     struct ik_branches states; /* of each place */
     struct state *row, *last, *turned,
-        *far;     /* of this place, the one before; where a leap starts */
+        *far;     /* of this place, the one before; where a crossing starts */
     int *parent;  /* of each turned state, the one that it turned from */
     bool turns;   /* it may turn back */
     uint16_t *by; /* of each state of each place */
 };
 
-static double way(const struct search *s, const double a[], const double b[])
+static double travel_between(const struct search *s, const double a[], const double b[])
 {
     return s->weight[0] * fabs(a[0] - b[0]) + s->weight[1] * fabs(a[1] - b[1]);
 }
 
 static bool beats(unsigned turns, double cost, const struct state *than)
 {
-    return !(than->way < HUGE_VAL) || turns < than->turns ||
-           (turns == than->turns && cost < than->way);
+    return !(than->travel < HUGE_VAL) || turns < than->turns ||
+           (turns == than->turns && cost < than->travel);
 }
 
-static bool offer(struct state *state, unsigned turns, double cost, const double q[])
+static bool improve(struct state *state, unsigned turns, double cost, const double q[])
 {
     if (!beats(turns, cost, state))
         return false;
@@ -53,68 +53,70 @@ static bool offer(struct state *state, unsigned turns, double cost, const double
 static void clear(struct state row[], int n)
 {
     for (int s = 0; s < n; s++)
-        row[s].way = HUGE_VAL;
+        row[s].travel = HUGE_VAL;
 }
 
 static int best(const struct state row[], int n)
 {
     int found = -1;
     for (int s = 0; s < n; s++)
-        if (row[s].way < HUGE_VAL && (found < 0 || beats(row[s].turns, row[s].way, &row[found])))
+        if (row[s].travel < HUGE_VAL &&
+            (found < 0 || beats(row[s].turns, row[s].travel, &row[found])))
             found = s;
     return found;
 }
 
 /* Every state in which the tool can stand at a place, from one that cost so much. */
-static void offer_all(struct search *s, const struct ik_plan_place *place, const struct state *from,
-                      int parent)
+static void improve_all(struct search *s, const struct ik_plan_place *place,
+                        const struct state *from, int parent)
 {
-    struct ik_branch_ground ground = {.found = chain_angles(s->chain, place->axis)};
-    ground.stays = ground.found.free;
+    struct ik_branch_target target = {.found = chain_angles(s->chain, place->axis)};
+    target.stays = target.found.free;
     int each = s->states.n / 2;
-    for (int to = 0; to < ground.found.n * each; to++) {
+    for (int to = 0; to < target.found.n * each; to++) {
         double q[ROTARY_MAX];
         if (place->shut[to / each] ||
-            (s->last[to].way < HUGE_VAL && s->last[to].turns < from->turns))
+            (s->last[to].travel < HUGE_VAL && s->last[to].turns < from->turns))
             continue; /* it is there with fewer turns back */
-        ik_branch_angles(&s->states, &ground, to, from->q, q);
+        ik_branch_angles(&s->states, &target, to, from->q, q);
         if (ik_branch_within(s->chain, q) &&
-            offer(&s->turned[to], from->turns, from->way + way(s, from->q, q), q))
+            improve(&s->turned[to], from->turns, from->travel + travel_between(s, from->q, q), q))
             s->parent[to] = parent;
     }
 }
 
 /* From a state of the place before on to this one in a block. */
-static void go_on(struct search *s, const struct ik_plan_place *place,
-                  const struct ik_branch_ground *ground, const struct state *from, uint16_t by,
-                  uint16_t into[])
+static void extend_by_block(struct search *s, const struct ik_plan_place *place,
+                            const struct ik_branch_target *target, const struct state *from,
+                            uint16_t by, uint16_t into[])
 {
-    for (int k = 0; k < ground->found.n; k++) {
+    for (int k = 0; k < target->found.n; k++) {
         double q[ROTARY_MAX] = {0}, base[ROTARY_MAX] = {0}, most = 0;
         for (int i = 0; i < s->chain->n; i++) {
-            base[i] = ground->found.q[k][i];
+            base[i] = target->found.q[k][i];
             q[i] = base[i] + 2 * PI * round((from->q[i] - base[i]) / (2 * PI));
-            if (i == 0 && ground->stays) {
+            if (i == 0 && target->stays) {
                 q[i] = from->q[i];
                 base[i] = remainder(q[i], 2 * PI);
             }
-            if (i > 0 || !ground->loose)
+            if (i > 0 || !target->loose)
                 most = fmax(most, fabs(q[i] - from->q[i]));
         }
         int to = place->shut[k] || !(most < jump) ? -1 : ik_branch_at(&s->states, k, q, base);
-        if (to >= 0 && offer(&s->row[to], from->turns, from->way + way(s, from->q, q), q))
+        if (to >= 0 &&
+            improve(&s->row[to], from->turns, from->travel + travel_between(s, from->q, q), q))
             into[to] = by;
     }
 }
 
-static uint16_t come(int state, int how)
+static uint16_t origin_of(int state, int how)
 {
     return (uint16_t)((unsigned)state << BY_BITS | (unsigned)how);
 }
 
 /* The turns back at the place before: from the states with the fewest turns. */
 static void turn_back(struct search *s, const struct ik_plan_place *last,
-                      const struct ik_plan_place *place, const struct ik_branch_ground *ground,
+                      const struct ik_plan_place *place, const struct ik_branch_target *target,
                       uint16_t into[])
 {
     int start = best(s->last, s->states.n);
@@ -123,36 +125,38 @@ static void turn_back(struct search *s, const struct ik_plan_place *last,
     clear(s->turned, s->states.n);
     for (int k = 0; k < s->states.n; k++) {
         struct state from = s->last[k];
-        if (!(from.way < HUGE_VAL) || from.turns > s->last[start].turns)
+        if (!(from.travel < HUGE_VAL) || from.turns > s->last[start].turns)
             continue;
         from.turns++;
-        from.way += last->inside ? inside : 0;
-        offer_all(s, last, &from, k);
+        from.travel += last->inside ? inside : 0;
+        improve_all(s, last, &from, k);
     }
     for (int k = 0; k < s->states.n; k++)
-        if (s->turned[k].way < HUGE_VAL)
-            go_on(s, place, ground, &s->turned[k], come(s->parent[k], BY_TURN), into);
+        if (s->turned[k].travel < HUGE_VAL)
+            extend_by_block(s, place, target, &s->turned[k], origin_of(s->parent[k], BY_TURN),
+                            into);
 }
 
 /* One block from where a motion starts to where it ends, whatever lies between. */
-static void leap(struct search *s, const struct ik_plan_place place[], size_t j,
-                 const struct ik_branch_ground *ground, uint16_t into[])
+static void cross_singular(struct search *s, const struct ik_plan_place place[], size_t j,
+                           const struct ik_branch_target *target, uint16_t into[])
 {
     const struct ik_plan *plan = s->plan;
     int each = s->states.n / 2;
     for (int k = 0; k < s->states.n; k++)
-        for (int to = 0; to < ground->found.n * each && s->far[k].way < HUGE_VAL; to++) {
+        for (int to = 0; to < target->found.n * each && s->far[k].travel < HUGE_VAL; to++) {
             const struct state *from = &s->far[k];
             double q[ROTARY_MAX];
-            ik_branch_angles(&s->states, ground, to, from->q, q);
+            ik_branch_angles(&s->states, target, to, from->q, q);
             if (place[j].shut[to / each] || fabs(q[0] - from->q[0]) > PI ||
                 fabs(q[1] - from->q[1]) > PI ||
-                ik_branch_at(&s->states, to / each, q, ground->found.q[to / each]) != to)
+                ik_branch_at(&s->states, to / each, q, target->found.q[to / each]) != to)
                 continue;
-            if (plan->leaps && !plan->leaps(plan->with, j - place[j].leap, j, from->q, q))
+            if (plan->may_cross &&
+                !plan->may_cross(plan->with, j - place[j].crossing, j, from->q, q))
                 continue;
-            if (offer(&s->row[to], from->turns, from->way + way(s, from->q, q), q))
-                into[to] = come(k, BY_LEAP);
+            if (improve(&s->row[to], from->turns, from->travel + travel_between(s, from->q, q), q))
+                into[to] = origin_of(k, BY_CROSSING);
         }
 }
 
@@ -167,32 +171,33 @@ static const struct vec3 *next_tilted(const struct search *s, const struct ik_pl
 
 static void forward(struct search *s, const struct ik_plan_place place[], size_t n)
 {
-    size_t tilted = 0, leads = 0; /* the next place that a leap leads to */
+    size_t tilted = 0, leads = 0; /* the next place where a crossing ends */
     for (size_t j = 0; j < n; j++) {
         uint16_t *into = s->by + j * (size_t)s->states.n;
         if (j > 0) {
             const struct vec3 *ahead = next_tilted(s, place, n, j, &tilted);
-            struct ik_branch_ground ground =
-                ik_branch_ground(s->chain, s->plan->cone, place[j - 1].axis, place[j].axis, ahead);
+            struct ik_branch_target target =
+                ik_branch_target(s->chain, s->plan->cone, place[j - 1].axis, place[j].axis, ahead);
             struct state *other = s->last;
             s->last = s->row;
             s->row = other;
             clear(s->row, s->states.n);
             for (int k = 0; k < s->states.n; k++)
-                if (s->last[k].way < HUGE_VAL)
-                    go_on(s, &place[j], &ground, &s->last[k], come(k, BY_BLOCK), into);
-            turn_back(s, &place[j - 1], &place[j], &ground, into);
-            if (place[j].leap && !ground.found.free)
-                leap(s, place, j, &ground, into);
+                if (s->last[k].travel < HUGE_VAL)
+                    extend_by_block(s, &place[j], &target, &s->last[k], origin_of(k, BY_BLOCK),
+                                    into);
+            turn_back(s, &place[j - 1], &place[j], &target, into);
+            if (place[j].crossing && !target.found.free)
+                cross_singular(s, place, j, &target, into);
         }
-        while (leads < n && (leads <= j || place[leads].leap == 0))
+        while (leads < n && (leads <= j || place[leads].crossing == 0))
             leads++;
-        for (int k = 0; leads < n && leads - place[leads].leap == j && k < s->states.n; k++)
+        for (int k = 0; leads < n && leads - place[leads].crossing == j && k < s->states.n; k++)
             s->far[k] = s->row[k];
     }
 }
 
-/* Backwards from the best last state: the state at each place that no leap passes. */
+/* Backwards from the best last state: the state at each place that no crossing passes. */
 static void trace_back(const struct search *s, struct ik_plan_place place[], size_t n, int state,
                        int at[])
 {
@@ -200,7 +205,7 @@ static void trace_back(const struct search *s, struct ik_plan_place place[], siz
     place[j].turn = place[j].passed = false;
     for (at[j] = state; j > 0; at[j] = state) {
         unsigned by = s->by[j * (size_t)s->states.n + (size_t)state], how = by % (1 << BY_BITS);
-        size_t back = how == BY_LEAP ? place[j].leap : 1;
+        size_t back = how == BY_CROSSING ? place[j].crossing : 1;
         for (size_t i = 1; i <= back; i++) {
             place[j - i].turn = how == BY_TURN;
             place[j - i].passed = i < back;
@@ -210,22 +215,22 @@ static void trace_back(const struct search *s, struct ik_plan_place place[], siz
     }
 }
 
-/* The angles along the way that was found. */
-static void follow(const struct search *s, struct ik_plan_place place[], size_t n, const int at[],
-                   const double from[])
+/* The angles of the states that were found. */
+static void fill_angles(const struct search *s, struct ik_plan_place place[], size_t n,
+                        const int at[], const double from[])
 {
     double q[ROTARY_MAX] = {from[0], from[1]};
     size_t tilted = 0;
     for (size_t j = 0; j < n; j++) {
         const struct vec3 *ahead = next_tilted(s, place, n, j, &tilted);
-        struct ik_branch_ground ground = {.found = chain_angles(s->chain, place[j].axis)};
-        ground.stays = ground.found.free;
+        struct ik_branch_target target = {.found = chain_angles(s->chain, place[j].axis)};
+        target.stays = target.found.free;
         if (place[j].passed)
             continue;
         if (j > 0)
-            ground =
-                ik_branch_ground(s->chain, s->plan->cone, place[j - 1].axis, place[j].axis, ahead);
-        ik_branch_angles(&s->states, &ground, at[j], q, place[j].q);
+            target =
+                ik_branch_target(s->chain, s->plan->cone, place[j - 1].axis, place[j].axis, ahead);
+        ik_branch_angles(&s->states, &target, at[j], q, place[j].q);
         q[0] = place[j].q[0];
         q[1] = place[j].q[1];
     }
@@ -254,7 +259,7 @@ static int search(struct search *s, const struct ik_plan_place place[], size_t n
     struct state start = {.q = {from[0], from[1]}};
     clear(s->turned, s->states.n);
     clear(s->far, s->states.n);
-    offer_all(s, &place[0], &start, 0);
+    improve_all(s, &place[0], &start, 0);
     for (int k = 0; k < s->states.n; k++)
         s->row[k] = s->turned[k];
     forward(s, place, n);
@@ -273,9 +278,9 @@ int ik_plan_make(const struct ik_plan *plan, struct ik_plan_place place[], size_
     int last = search(&s, place, n, from);
     if (last >= 0) {
         int *at = mem_alloc(n, sizeof *at);
-        *cost = (struct ik_plan_cost){s.row[last].turns, s.row[last].way};
+        *cost = (struct ik_plan_cost){s.row[last].turns, s.row[last].travel};
         trace_back(&s, place, n, last, at);
-        follow(&s, place, n, at, from);
+        fill_angles(&s, place, n, at, from);
         free(at);
     }
     free(rows);

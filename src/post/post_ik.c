@@ -102,7 +102,7 @@ struct machine_pose post_ik_pose(const struct nc_planner *planner, struct pose t
     return s;
 }
 
-/* The first tool axis behind the current item that is not singular, NULL: none. */
+/* The first tool axis after the current item that is not singular, NULL: none. */
 static const struct vec3 *next_tilted(struct nc_planner *planner)
 {
     const struct path *path = planner->path;
@@ -135,12 +135,12 @@ static void turn_ahead(struct nc_planner *planner, struct pose to, double q[])
         q[0] = then[0];
 }
 
-/* The angles that a nc_motion has at s, between two of its places. */
+/* The angles that the look ahead has found at s of the motion. */
 static void aim_at(const struct nc_aim *aim, double s, double q[])
 {
     size_t low = 0, high = aim->n - 1;
-    bool leap = aim->n > 2 && aim->place[1].passed;
-    while (high > low + 1 && !leap) {
+    bool crosses = aim->n > 2 && aim->place[1].passed;
+    while (high > low + 1 && !crosses) {
         size_t mid = (low + high) / 2;
         *(aim->s[mid] < s ? &low : &high) = mid;
     }
@@ -158,7 +158,7 @@ static bool angle_over(const struct rotary *r, double q)
 }
 
 /* No angles of the machine, or none within its travel, have the direction: of the solution with
- * fewer axes out of it, one of them is told. */
+ * fewer axes out of it, one of them is named. */
 static int not_reached(struct nc_planner *planner, struct pose to, int over)
 {
     const struct machine *m = planner->machine;
@@ -179,7 +179,7 @@ static int not_reached(struct nc_planner *planner, struct pose to, int over)
 
 /*
  * q is the shortest way to the axis by either solution, were there no end of travel.  Where the
- * axis nearest the work is free, it makes no odds when it turns to where it will be needed.
+ * axis nearest the work is free, it does not matter when it turns to where it will be needed.
  */
 static bool nearest_of_both(const struct nc_planner *planner, struct vec3 axis, const double q[])
 {

@@ -6,14 +6,14 @@
 
 #include "post_planner.h"
 
-/* The words that say the pose with the rotary axes at q. */
+/* The words of a pose with the rotary axes at q (radians). */
 struct machine_pose post_ik_pose(const struct nc_planner *planner, struct pose to,
                                  const double q[]);
 
 /*
- * The station that reaches a pose from where the program is, s (0 to 1) along the planner's motion:
- * as its nc_motion says, else the nearest.  -1 with the error filled and the plan unmet: the rotary
- * or the linear axes would leave their travel.
+ * The words that reach a pose from where the program stands, s (0 to 1) along the next motion: with
+ * the angles that the planner aims at, else the nearest.  -1 with the error filled and the plan
+ * unmet: the rotary or the linear axes would leave their travel.
  */
 int post_ik_reach(struct nc_planner *planner, struct pose to, double s,
                   struct machine_pose *target);

@@ -18,11 +18,11 @@ struct group_start {
     double q[ROTARY_MAX];
 };
 
-static const double worth = 0.01; /* of the way of the rotary axes: what a second plan must save */
+static const double worth = 0.01; /* of the travel of the rotary axes: what a second plan saves */
 
-static bool saves_travel(double way, double than)
+static bool saves_travel(double travel, double than)
 {
-    return way < than * (1 - worth);
+    return travel < than * (1 - worth);
 }
 
 static double travel_since(const struct nc_planner *planner, const struct group_start *since)
@@ -40,7 +40,7 @@ static double travel_since(const struct nc_planner *planner, const struct group_
 }
 
 /* Both solutions turn alike, whatever the way: two axes at right angles, and the tool across. */
-static bool turn_alike(const struct kinematic_chain *chain)
+static bool solutions_turn_alike(const struct kinematic_chain *chain)
 {
     const struct rotary *r = chain->rotary;
     return fabs(vec_dot(r[0].axis, r[1].axis)) < 1e-9 &&
@@ -49,7 +49,7 @@ static bool turn_alike(const struct kinematic_chain *chain)
 
 /* From where the rapids have led to the axis nearest the work stays as it is: then the other one
  * turns by what the tool axis does, and no way is shorter. */
-static bool first_stays(const struct nc_planner *planner, const struct group_start *since)
+static bool first_axis_stays(const struct nc_planner *planner, const struct group_start *since)
 {
     const struct nc_move *last = NULL;
     for (size_t i = since->moves; i < planner->plan->move.n; i++) {
@@ -63,8 +63,8 @@ static bool first_stays(const struct nc_planner *planner, const struct group_sta
 
 /* How far the axes turn at least, from solution k at the start on, where no planner leaves doubt;
  * 0: one does. */
-static double way_of(const struct nc_planner *planner, const struct group_start *since, size_t from,
-                     size_t to, int k)
+static double least_travel(const struct nc_planner *planner, const struct group_start *since,
+                           size_t from, size_t to, int k)
 {
     const struct kinematic_chain *chain = &planner->machine->chain;
     double q[ROTARY_MAX] = {since->q[0], since->q[1]}, next[ROTARY_MAX], way = 0;
@@ -102,18 +102,19 @@ static bool nearest_is_least(const struct nc_planner *planner, const struct grou
     const struct kinematic_chain *chain = &planner->machine->chain;
     if (planner->follow.mode == INTERPOLATE_VECTOR || chain->n < 2)
         return true;
-    if (turn_alike(chain))
-        return !planner->doubtful || first_stays(planner, since);
+    if (solutions_turn_alike(chain))
+        return !planner->doubtful || first_axis_stays(planner, since);
     if (planner->doubtful)
         return false;
-    double least = fmin(way_of(planner, since, from, to, 0), way_of(planner, since, from, to, 1));
+    double least =
+        fmin(least_travel(planner, since, from, to, 0), least_travel(planner, since, from, to, 1));
     return !saves_travel(least, travel_since(planner, since));
 }
 
 /* ---- the look ahead: the places of a group, and the shortest way through them (ik_plan.h) */
 
 /* A straight motion that may be one block past the singular direction: it ends at that place. */
-struct nc_leap {
+struct crossing {
     size_t end;
     struct pose from, to;
 };
@@ -126,8 +127,8 @@ struct lookahead {
                                    where the last one ends */
     struct {
         size_t n, cap;
-        struct nc_leap *item;
-    } leap;
+        struct crossing *item;
+    } crossing;
     struct chain_solutions found; /* at the last place */
     const struct nc_planner *planner;
     struct ik_plan_cost cost; /* of the way that was found */
@@ -135,7 +136,7 @@ struct lookahead {
 
 enum { DEPTH = 12, SPAN_PIECES = 8, HALVINGS = 45, PLACES_MAX = 10000000 };
 
-static void add(struct lookahead *ahead, struct pose at, double s, bool may_turn)
+static void add_place(struct lookahead *ahead, struct pose at, double s, bool may_turn)
 {
     const struct nc_planner *planner = ahead->planner;
     struct ik_plan_place place = {.axis = at.a, .may_turn = may_turn};
@@ -166,8 +167,8 @@ static double end_between(const struct kinematic_chain *chain, const struct moti
 }
 
 /* A place of its own there: the tool may turn, though rather at the end of a motion. */
-static void add_ends(struct lookahead *ahead, const struct kinematic_chain *chain,
-                     const struct motion *motion, double s0, double s1)
+static void add_ends_of_travel(struct lookahead *ahead, const struct kinematic_chain *chain,
+                               const struct motion *motion, double s0, double s1)
 {
     struct chain_solutions a = ahead->found, b = chain_angles(chain, motion_at(motion, s1).a);
     double end[2];
@@ -177,7 +178,7 @@ static void add_ends(struct lookahead *ahead, const struct kinematic_chain *chai
         double s = i ? fmax(end[0], end[1]) : fmin(end[0], end[1]);
         if (s <= s0)
             continue;
-        add(ahead, motion_at(motion, s), s, true);
+        add_place(ahead, motion_at(motion, s), s, true);
         ahead->item[ahead->n - 1].inside = true;
         s0 = s;
     }
@@ -185,24 +186,24 @@ static void add_ends(struct lookahead *ahead, const struct kinematic_chain *chai
 }
 
 /* Places of a motion behind s0, where the direction is a0, up to s1. */
-static void sample(struct lookahead *ahead, const struct kinematic_chain *chain,
-                   const struct motion *motion, double s0, struct vec3 a0, double s1, int depth)
+static void add_places(struct lookahead *ahead, const struct kinematic_chain *chain,
+                       const struct motion *motion, double s0, struct vec3 a0, double s1, int depth)
 {
     struct pose to = motion_at(motion, s1);
     double close = fmin(ik_branch_step(chain, a0), ik_branch_step(chain, to.a));
     if (vec_angle(a0, to.a) <= close || depth == DEPTH || ahead->n > PLACES_MAX) {
-        add_ends(ahead, chain, motion, s0, s1);
-        add(ahead, to, s1, false);
+        add_ends_of_travel(ahead, chain, motion, s0, s1);
+        add_place(ahead, to, s1, false);
         return;
     }
     double mid = (s0 + s1) / 2;
-    sample(ahead, chain, motion, s0, a0, mid, depth + 1);
-    sample(ahead, chain, motion, mid, motion_at(motion, mid).a, s1, depth + 1);
+    add_places(ahead, chain, motion, s0, a0, mid, depth + 1);
+    add_places(ahead, chain, motion, mid, motion_at(motion, mid).a, s1, depth + 1);
 }
 
 /* Within twice what the tool axis may be off, it may go past the singular direction in one block.
  */
-static void add_leap(struct lookahead *ahead, const struct motion *motion, size_t start)
+static void add_crossing(struct lookahead *ahead, const struct motion *motion, size_t start)
 {
     const struct rotary *first = &ahead->planner->machine->chain.rotary[0];
     double near = 2 * ahead->planner->allowed.axis;
@@ -213,12 +214,13 @@ static void add_leap(struct lookahead *ahead, const struct motion *motion, size_
     }
     if (!past || motion->kind != MOTION_LINE || ahead->planner->machine->chain.n != 2)
         return;
-    ahead->item[ahead->n - 1].leap = (unsigned)(ahead->n - 1 - start);
-    *array_push(&ahead->leap) = (struct nc_leap){ahead->n - 1, motion_at(motion, 0), motion->to};
+    ahead->item[ahead->n - 1].crossing = (unsigned)(ahead->n - 1 - start);
+    *array_push(&ahead->crossing) =
+        (struct crossing){ahead->n - 1, motion_at(motion, 0), motion->to};
 }
 
-static void sample_motion(struct lookahead *ahead, const struct kinematic_chain *chain,
-                          const struct motion *motion)
+static void add_motion(struct lookahead *ahead, const struct kinematic_chain *chain,
+                       const struct motion *motion)
 {
     double s = 0;
     struct vec3 a = motion_at(motion, 0).a;
@@ -229,7 +231,7 @@ static void sample_motion(struct lookahead *ahead, const struct kinematic_chain 
         int pieces = motion->kind == MOTION_SPLINE ? SPAN_PIECES : 1;
         for (int i = 1; i <= pieces; i++) {
             double to = from + (next - from) * i / pieces;
-            sample(ahead, chain, motion, s, a, to, 0);
+            add_places(ahead, chain, motion, s, a, to, 0);
             a = ahead->item[ahead->n - 1].axis;
             s = to;
         }
@@ -237,39 +239,40 @@ static void sample_motion(struct lookahead *ahead, const struct kinematic_chain 
     }
     ahead->item[ahead->n - 1].may_turn = true;
     if (ahead->n > start + 2)
-        add_leap(ahead, motion, start);
+        add_crossing(ahead, motion, start);
 }
 
-/* May a block lead from one end of a leap to the other? */
-static bool leaps(const void *with, size_t from, size_t to, const double q0[], const double q1[])
+/* May one block lead from one end of a crossing to the other? */
+static bool may_cross(const void *with, size_t from, size_t to, const double q0[],
+                      const double q1[])
 {
     const struct lookahead *ahead = with;
     const struct nc_planner *planner = ahead->planner;
-    size_t low = 0, high = ahead->leap.n - 1;
+    size_t low = 0, high = ahead->crossing.n - 1;
     (void)from; /* told by where it leads to */
     while (low < high) {
         size_t mid = (low + high) / 2;
-        if (ahead->leap.item[mid].end < to)
+        if (ahead->crossing.item[mid].end < to)
             low = mid + 1;
         else
             high = mid;
     }
-    const struct nc_leap *leap = &ahead->leap.item[low];
-    struct motion motion = motion_line(leap->from, leap->to);
-    struct machine_pose a = post_ik_pose(planner, leap->from, q0),
-                        b = post_ik_pose(planner, leap->to, q1);
+    const struct crossing *c = &ahead->crossing.item[low];
+    struct motion motion = motion_line(c->from, c->to);
+    struct machine_pose a = post_ik_pose(planner, c->from, q0),
+                        b = post_ik_pose(planner, c->to, q1);
     return pose_deviation_within(interpolation_block(&planner->follow, &a.at, &b.at, &motion, 0, 1),
                                  planner->allowed);
 }
 
-static void sample_items(struct lookahead *ahead, size_t from, size_t to)
+static void add_items(struct lookahead *ahead, size_t from, size_t to)
 {
     const struct nc_planner *planner = ahead->planner;
     const struct path *path = planner->path;
     bool cutting = false, begun = planner->state.begun;
     struct pose pose = planner->state.pose;
     if (begun)
-        add(ahead, pose, 1, true);
+        add_place(ahead, pose, 1, true);
     for (size_t i = from; i < to && ahead->n < PLACES_MAX; i++) {
         const struct path_item *item = &path->item.item[i];
         bool moves =
@@ -280,10 +283,10 @@ static void sample_items(struct lookahead *ahead, size_t from, size_t to)
         cutting = cutting || !item->rapid || item->kind != PATH_POINT;
         if (!cutting || !begun) { /* in the clear: only where it leads to matters */
             ahead->n = ahead->s.n = 0;
-            add(ahead, item->to, 1, true);
+            add_place(ahead, item->to, 1, true);
         } else {
             struct motion motion = path_item_motion(path, item, pose);
-            sample_motion(ahead, &planner->machine->chain, &motion);
+            add_motion(ahead, &planner->machine->chain, &motion);
         }
         pose = item->to;
         begun = true;
@@ -297,10 +300,10 @@ static bool look_ahead_over(struct lookahead *ahead, const struct nc_planner *pl
     *ahead = (struct lookahead){.planner = planner};
     if (planner->follow.mode == INTERPOLATE_VECTOR || planner->machine->chain.n == 0)
         return false;
-    sample_items(ahead, from, to);
+    add_items(ahead, from, to);
     struct ik_plan plan = {.chain = &planner->machine->chain,
                            .cone = planner->allowed.axis / 2,
-                           .leaps = leaps,
+                           .may_cross = may_cross,
                            .with = ahead};
     return ahead->n > 1 && ahead->n < PLACES_MAX &&
            ik_plan_make(&plan, ahead->item, ahead->n, planner->state.at.q, &ahead->cost) == 0;
@@ -308,7 +311,7 @@ static bool look_ahead_over(struct lookahead *ahead, const struct nc_planner *pl
 
 static void lookahead_free(struct lookahead *ahead)
 {
-    array_free(&ahead->leap);
+    array_free(&ahead->crossing);
     array_free(&ahead->start);
     array_free(&ahead->s);
     array_free(ahead);
@@ -319,38 +322,38 @@ static void lookahead_free(struct lookahead *ahead)
 static const double far_turn = PI / 6; /* radians: to another solution, or whole turns */
 
 /* What a group that is planned again has to take back. */
-struct mark {
+struct checkpoint {
     struct nc_state state;
     struct nc_total total;
     struct group_start since;
     size_t vectors, arcs, splines, holes;
 };
 
-static struct mark mark_of(const struct nc_planner *planner)
+static struct checkpoint checkpoint_of(const struct nc_planner *planner)
 {
     const struct nc_plan *plan = planner->plan;
     const double *q = planner->state.at.q;
-    return (struct mark){planner->state, plan->total, {plan->move.n, {q[0], q[1]}},
-                         plan->vector.n, plan->arc.n, plan->spline.n,
-                         plan->hole.n};
+    return (struct checkpoint){planner->state, plan->total, {plan->move.n, {q[0], q[1]}},
+                               plan->vector.n, plan->arc.n, plan->spline.n,
+                               plan->hole.n};
 }
 
-static void back_to(struct nc_planner *planner, const struct mark *mark)
+static void restore(struct nc_planner *planner, const struct checkpoint *checkpoint)
 {
     struct nc_plan *plan = planner->plan;
-    for (size_t i = mark->splines; i < plan->spline.n; i++)
+    for (size_t i = checkpoint->splines; i < plan->spline.n; i++)
         nc_spline_free(&plan->spline.item[i]);
-    planner->state = mark->state;
-    plan->total = mark->total;
+    planner->state = checkpoint->state;
+    plan->total = checkpoint->total;
     plan->unmet = false;
-    plan->move.n = mark->since.moves;
-    plan->vector.n = mark->vectors;
-    plan->arc.n = mark->arcs;
-    plan->spline.n = mark->splines;
-    plan->hole.n = mark->holes;
+    plan->move.n = checkpoint->since.moves;
+    plan->vector.n = checkpoint->vectors;
+    plan->arc.n = checkpoint->arcs;
+    plan->spline.n = checkpoint->splines;
+    plan->hole.n = checkpoint->holes;
 }
 
-static bool begins_anew(const struct path_item *item)
+static bool goes_home(const struct path_item *item)
 {
     return item->kind == PATH_TOOL || item->kind == PATH_PLANE;
 }
@@ -360,7 +363,7 @@ size_t post_lookahead_end(const struct path *path, size_t from)
     bool cutting = false;
     for (size_t i = from; i < path->item.n; i++) {
         const struct path_item *item = &path->item.item[i];
-        if ((path_is_rapid(item) && cutting) || (begins_anew(item) && i > from))
+        if ((path_is_rapid(item) && cutting) || (goes_home(item) && i > from))
             return i;
         cutting = cutting || (path_moves(item) && !path_is_rapid(item));
     }
@@ -378,8 +381,8 @@ static bool in_cut(const struct nc_planner *planner)
 }
 
 /* The turns strictly inside of the motion between two places. */
-static void add_stops(struct nc_planner *planner, const struct lookahead *ahead, size_t from,
-                      size_t to)
+static void add_rewinds(struct nc_planner *planner, const struct lookahead *ahead, size_t from,
+                        size_t to)
 {
     planner->rewinds.n = 0;
     for (size_t i = from + 1; i < to; i++) {
@@ -400,13 +403,13 @@ static int set_aim(struct nc_planner *planner, const struct lookahead *ahead, si
         post_rewind_to(planner, ahead->item[place + 1].q) != 0)
         return -1;
     planner->aim = (struct nc_aim){end - place + 1, ahead->item + place, ahead->s.item + place};
-    add_stops(planner, ahead, place, end);
+    add_rewinds(planner, ahead, place, end);
     return 0;
 }
 
 /* The rapid that leads out of the part keeps the angles, or follows on from them; where it cannot,
  * the tool goes off the part first. */
-static int leave(struct nc_planner *planner, const struct path_item *item)
+static int leave_part(struct nc_planner *planner, const struct path_item *item)
 {
     struct machine_pose to;
     int result = 0;
@@ -428,7 +431,7 @@ static int leave(struct nc_planner *planner, const struct path_item *item)
  * Without tool-centre-point control a rapid is many blocks: where it leads to another solution, the
  * axes turn before it, where the tool stands off the part.
  */
-static void turn_before(struct nc_planner *planner, const struct path_item *item)
+static void turn_before_rapid(struct nc_planner *planner, const struct path_item *item)
 {
     const struct kinematic_chain *chain = &planner->machine->chain;
     double q[ROTARY_MAX] = {planner->state.at.q[0], planner->state.at.q[1]};
@@ -445,7 +448,7 @@ static void turn_before(struct nc_planner *planner, const struct path_item *item
 }
 
 /* The rapids have led to the part: there the axes turn to where the way that was found begins. */
-static void arrive(struct nc_planner *planner, const struct lookahead *ahead)
+static void turn_at_part(struct nc_planner *planner, const struct lookahead *ahead)
 {
     const struct kinematic_chain *chain = &planner->machine->chain;
     double q[ROTARY_MAX] = {0};
@@ -470,15 +473,15 @@ static int plan_items(struct nc_planner *planner, const struct lookahead *ahead,
         const struct path_item *item = &planner->path->item.item[i];
         planner->next = i + 1;
         if (leading && path_moves(item) && !path_is_rapid(item)) {
-            arrive(planner, ahead);
+            turn_at_part(planner, ahead);
             leading = false;
         }
         if (ahead && set_aim(planner, ahead, from, i) != 0)
             return -1;
         bool leaves = leaving && path_is_rapid(item);
         if (leading && path_is_rapid(item) && !leaves)
-            turn_before(planner, item);
-        if ((leaves ? leave(planner, item) : post_item(planner, item)) != 0)
+            turn_before_rapid(planner, item);
+        if ((leaves ? leave_part(planner, item) : post_item(planner, item)) != 0)
             return -1;
         leaving = leaving && !path_moves(item);
     }
@@ -487,22 +490,22 @@ static int plan_items(struct nc_planner *planner, const struct lookahead *ahead,
 
 /* Once more along the way that was found: 0 when it is planned and no worse. */
 static int plan_along(struct nc_planner *planner, const struct lookahead *ahead, size_t from,
-                      size_t to, const struct mark *mark, double way)
+                      size_t to, const struct checkpoint *checkpoint, double way)
 {
-    back_to(planner, mark);
+    restore(planner, checkpoint);
     planner->rewind = post_rewind_for;
     if (plan_items(planner, ahead, from, to) != 0)
         return -1;
-    bool more = planner->plan->total.turns > mark->total.turns && way < HUGE_VAL;
-    return more || travel_since(planner, &mark->since) > way ? -1 : 0;
+    bool more = planner->plan->total.turns > checkpoint->total.turns && way < HUGE_VAL;
+    return more || travel_since(planner, &checkpoint->since) > way ? -1 : 0;
 }
 
 /* Where the group starts, whatever of it is planned by now. */
-static bool look_ahead(struct nc_planner *planner, struct lookahead *ahead, const struct mark *mark,
-                       size_t from, size_t to)
+static bool look_ahead(struct nc_planner *planner, struct lookahead *ahead,
+                       const struct checkpoint *checkpoint, size_t from, size_t to)
 {
     struct nc_state now = planner->state;
-    planner->state = mark->state;
+    planner->state = checkpoint->state;
     bool found = look_ahead_over(ahead, planner, from, to);
     planner->state = now;
     return found;
@@ -510,22 +513,23 @@ static bool look_ahead(struct nc_planner *planner, struct lookahead *ahead, cons
 
 int post_lookahead_plan(struct nc_planner *planner, size_t from, size_t to)
 {
-    struct mark mark = mark_of(planner);
+    struct checkpoint checkpoint = checkpoint_of(planner);
     struct lookahead ahead;
     planner->rewind = NULL;
     int nearest = plan_items(planner, NULL, from, to);
-    if (nearest == 0 ? nearest_is_least(planner, &mark.since, from, to) : !planner->plan->unmet)
+    if (nearest == 0 ? nearest_is_least(planner, &checkpoint.since, from, to)
+                     : !planner->plan->unmet)
         return nearest;
-    double way = nearest == 0 ? travel_since(planner, &mark.since) : HUGE_VAL;
-    bool found = look_ahead(planner, &ahead, &mark, from, to);
+    double way = nearest == 0 ? travel_since(planner, &checkpoint.since) : HUGE_VAL;
+    bool found = look_ahead(planner, &ahead, &checkpoint, from, to);
     bool better =
-        found && (nearest != 0 || (ahead.cost.turns == 0 && saves_travel(ahead.cost.way, way)));
-    int result = better ? plan_along(planner, &ahead, from, to, &mark, way) : -1;
+        found && (nearest != 0 || (ahead.cost.turns == 0 && saves_travel(ahead.cost.travel, way)));
+    int result = better ? plan_along(planner, &ahead, from, to, &checkpoint, way) : -1;
     lookahead_free(&ahead);
     planner->aim.n = planner->rewinds.n = 0;
     if (result == 0 || (nearest == 0 && !better))
         return 0;
-    back_to(planner, &mark);
+    restore(planner, &checkpoint);
     planner->rewind = nearest != 0 ? post_rewind_for : NULL;
     return plan_items(planner, NULL, from, to);
 }

@@ -130,7 +130,7 @@ enum { PLACES = 7 };
 static void try_all(const struct kinematic_chain *chain, const struct angles all[], int j,
                     const double q[], unsigned turns, double way, struct ik_plan_cost *least)
 {
-    if (turns > least->turns || (turns == least->turns && way >= least->way))
+    if (turns > least->turns || (turns == least->turns && way >= least->travel))
         return;
     if (j + 1 == PLACES) {
         *least = (struct ik_plan_cost){turns, way};
@@ -191,7 +191,7 @@ START_TEST(as_by_trying)
         if (result != 0)
             continue;
         ck_assert_uint_eq(cost.turns, least.turns);
-        ck_assert_double_eq_tol(cost.way, least.way, 1e-6);
+        ck_assert_double_eq_tol(cost.travel, least.travel, 1e-6);
         check_places(&chain, place, PLACES, (int)cost.turns);
         found++;
         back += cost.turns > 0;
@@ -202,8 +202,8 @@ START_TEST(as_by_trying)
 END_TEST
 
 /* Half-way along the block the axis is within 0.1 degrees of where it is meant to be. */
-static bool near_half_way(const void *with, size_t from, size_t to, const double q0[],
-                          const double q1[])
+static bool near_at_the_middle(const void *with, size_t from, size_t to, const double q0[],
+                               const double q1[])
 {
     const struct kinematic_chain *chain = with;
     const double half[] = {(q0[0] + q1[0]) / 2, (q0[1] + q1[1]) / 2};
@@ -225,20 +225,20 @@ START_TEST(past_the_pole)
         struct vec3 at = vec(RADIANS(0.05 * (i - 200)), RADIANS(0.03), 1);
         place[i] = (struct ik_plan_place){.axis = vec_unit(at), .may_turn = i == 400};
     }
-    place[400].leap = 400;
-    struct ik_plan plan = {.chain = &both, .leaps = near_half_way, .with = &both};
+    place[400].crossing = 400;
+    struct ik_plan plan = {.chain = &both, .may_cross = near_at_the_middle, .with = &both};
     ck_assert_int_eq(ik_plan_make(&plan, place, 401, from, &cost), 0);
     ck_assert_uint_eq(cost.turns, 0);
-    ck_assert_double_eq_tol(DEGREES(cost.way), 10 + 90 + 20, 1);
+    ck_assert_double_eq_tol(DEGREES(cost.travel), 10 + 90 + 20, 1);
     ck_assert(place[1].passed && place[399].passed && !place[400].passed && !place[0].passed);
     ck_assert_double_eq_tol(fabs(DEGREES(place[400].q[1] - place[0].q[1])), 20, 0.3);
-    place[400].leap = 0;
+    place[400].crossing = 0;
     ck_assert_int_eq(ik_plan_make(&plan, place, 401, from, &cost), 0);
-    ck_assert_double_eq_tol(DEGREES(cost.way), 10 + 90 + 20 + 180, 1);
-    place[400].leap = 400;
+    ck_assert_double_eq_tol(DEGREES(cost.travel), 10 + 90 + 20 + 180, 1);
+    place[400].crossing = 400;
     plan.chain = &one;
     ck_assert_int_eq(ik_plan_make(&plan, place, 401, from, &cost), 0);
-    ck_assert_double_eq_tol(DEGREES(cost.way), 10 + 90 + 20 + 180, 1);
+    ck_assert_double_eq_tol(DEGREES(cost.travel), 10 + 90 + 20 + 180, 1);
     ck_assert(!place[1].passed);
 }
 END_TEST
