@@ -13,8 +13,9 @@
  *   sewing        borders of neighbours made one (nurbs/patch_mesh.h, nurbs/sew.h)
  *   orientation   all surfaces turned to one side, the outside out (nurbs/orient.h)
  *
- * Beside them: the smallest concave radius (nurbs/concave_radius.h), and contact points moved from
- * the mesh onto the surfaces (nurbs/project.h).
+ * Beside them: curves and surfaces of other kinds as NURBS (nurbs/construct.h), the smallest
+ * concave radius (nurbs/concave_radius.h), and contact points moved from the mesh onto the surfaces
+ * (nurbs/project.h).
  *
  * The formulas are those of Piegl and Tiller, The NURBS Book: basis functions eq 2.5, their
  * derivatives eq 2.7, rational derivatives eq 4.20, and of do Carmo, Differential Geometry of
@@ -91,6 +92,19 @@ struct nurbs_place nurbs_place(const struct nurbs *s, struct uv at);
 struct uv nurbs_foot(const struct nurbs *s, struct vec3 q, struct uv at);
 
 struct vec3 nurbs_curve_point(const struct nurbs_curve *c, double t);
+
+/* The same before the division by the weight. */
+struct nurbs_pole nurbs_curve_pole(const struct nurbs_curve *c, double t);
+
+/* The basis functions that are not zero at t: degree + 1 values; returns the first pole's number.
+ */
+size_t nurbs_basis(const struct nurbs_axis *axis, double t, double *value);
+
+/* The parameter of the point of the curve nearest to q, within its range. */
+double nurbs_curve_foot(const struct nurbs_curve *c, struct vec3 q);
+
+/* Turns the curve round: it runs over the same range the other way. */
+void nurbs_curve_reverse(struct nurbs_curve *c);
 
 void nurbs_free(struct nurbs *s);
 void nurbs_curve_free(struct nurbs_curve *c);

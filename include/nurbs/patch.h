@@ -7,11 +7,13 @@
 #include "nurbs/nurbs.h"
 
 /* A closed loop of curves in the plane of the parameters (x is u, y is v) or in space (mm), each
- * beginning where the one before it ends; a curve may run backwards. */
+ * beginning where the one before it ends; a curve may run backwards, unless the loop is directed.
+ */
 struct patch_loop {
     size_t n, cap;
     struct nurbs_curve *item;
     bool space;
+    bool directed; /* all curves run forwards, and what counts is on the left of the loop */
 };
 
 struct patch_loops {

@@ -177,7 +177,7 @@ struct vec3 nurbs_point(const struct nurbs *s, struct uv at)
     return d[0][0];
 }
 
-struct vec3 nurbs_curve_point(const struct nurbs_curve *c, double t)
+struct nurbs_pole nurbs_curve_pole(const struct nurbs_curve *c, double t)
 {
     struct basis b;
     struct nurbs_pole sum = {0, 0, 0, 0};
@@ -189,7 +189,83 @@ struct vec3 nurbs_curve_point(const struct nurbs_curve *c, double t)
         sum.wz += b.d[0][i] * pole->wz;
         sum.w += b.d[0][i] * pole->w;
     }
-    return vec_scale(1 / sum.w, vec(sum.wx, sum.wy, sum.wz));
+    return sum;
+}
+
+struct vec3 nurbs_curve_point(const struct nurbs_curve *c, double t)
+{
+    struct nurbs_pole p = nurbs_curve_pole(c, t);
+    return vec_scale(1 / p.w, vec(p.wx, p.wy, p.wz));
+}
+
+size_t nurbs_basis(const struct nurbs_axis *axis, double t, double *value)
+{
+    struct basis b;
+    basis_at(axis, t, 0, &b);
+    for (int i = 0; i <= axis->degree; i++)
+        value[i] = b.d[0][i];
+    return b.first;
+}
+
+void nurbs_curve_reverse(struct nurbs_curve *c)
+{
+    size_t knots = c->t.poles + (size_t)c->t.degree + 1;
+    double sum = c->t.from + c->t.to;
+    for (size_t i = 0, k = knots - 1; i <= k && k > 0; i++, k--) {
+        double low = c->t.knot[i], high = c->t.knot[k];
+        c->t.knot[i] = sum - high;
+        c->t.knot[k] = sum - low;
+    }
+    for (size_t i = 0, k = c->t.poles - 1; i < k; i++, k--) {
+        struct nurbs_pole first = c->pole[i];
+        c->pole[i] = c->pole[k];
+        c->pole[k] = first;
+    }
+}
+
+/* Samples per span, and steps of the search between the neighbours of a near one. */
+enum { FOOT_SAMPLES = 16, FOOT_STEPS = 60 };
+
+/* The root of (C - q) . C' between two parameters, by halving; a difference is the derivative. */
+static double foot_between(const struct nurbs_curve *c, struct vec3 q, double low, double high)
+{
+    double h = 1e-7 * (c->t.to - c->t.from);
+    for (int i = 0; i < FOOT_STEPS && high > low; i++) {
+        double t = (low + high) / 2;
+        struct vec3 p = nurbs_curve_point(c, fmax(t - h, c->t.from));
+        struct vec3 r = nurbs_curve_point(c, fmin(t + h, c->t.to));
+        bool beyond = vec_dot(vec_sub(vec_mix(p, r, 0.5), q), vec_sub(r, p)) > 0;
+        *(beyond ? &high : &low) = t;
+    }
+    return (low + high) / 2;
+}
+
+double nurbs_curve_foot(const struct nurbs_curve *c, struct vec3 q)
+{
+    const struct nurbs_axis *a = &c->t;
+    double t[3] = {a->from, a->from, a->from}, d[3] = {HUGE_VAL, HUGE_VAL, HUGE_VAL};
+    double best = a->from, least = vec_distance(nurbs_curve_point(c, best), q);
+    d[2] = least;
+    for (size_t i = (size_t)a->degree; i <= a->poles; i++) {
+        double from = fmax(a->knot[i], a->from);
+        double to = i < a->poles ? fmin(a->knot[i + 1], a->to) : a->to;
+        int samples = i < a->poles ? FOOT_SAMPLES : 1; /* the last one closes the range */
+        for (int k = 1; k <= samples && (to > from || i == a->poles); k++) {
+            t[0] = t[1], t[1] = t[2], d[0] = d[1], d[1] = d[2];
+            t[2] = i < a->poles ? from + (to - from) * k / samples : a->to;
+            d[2] = i < a->poles ? vec_distance(nurbs_curve_point(c, t[2]), q) : HUGE_VAL;
+            if (d[1] > d[0] || d[1] > d[2])
+                continue;
+            double foot = foot_between(c, q, t[0], t[2]);
+            double at[2] = {t[1], foot};
+            for (int m = 0; m < 2; m++) {
+                double off = vec_distance(nurbs_curve_point(c, at[m]), q);
+                best = off < least ? at[m] : best;
+                least = fmin(off, least);
+            }
+        }
+    }
+    return best;
 }
 
 void nurbs_free(struct nurbs *s)

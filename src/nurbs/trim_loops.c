@@ -179,6 +179,10 @@ struct uv pullback_seek(const struct pullback *p, struct vec3 q)
 
 enum { DEPTH_MAX = 10, SPACE_PARTS = 8 };
 
+/* Of the longer derivative: one so short is that of a pole; by a part of a span: how far from a
+ * pole a curve still tells its direction. */
+static const double POLE = 1e-7, POLE_STEP = 1e-3;
+
 /* A curve in the parameters or in space that is being followed on the surface. */
 struct follower {
     struct pullback on;
@@ -233,6 +237,30 @@ static void follow_span(struct follower *f, double t0, struct uv a, double t1, s
     follow_span(f, middle, m, t1, b, depth + 1);
 }
 
+/* At a pole a side of the range is one point, and the foot point of a curve that ends there says
+ * nothing of the parameter along that side: it is taken from a place of the curve a little way from
+ * the end, `inside`. */
+static struct uv uv_at_pole(struct follower *f, struct uv at, double inside)
+{
+    const struct nurbs *s = f->on.surface;
+    struct vec3 d[3][3];
+    struct uv base = at;
+    base.u -= turns(&s->u, f->on.closed_u, at.u) * width(&s->u);
+    base.v -= turns(&s->v, f->on.closed_v, at.v) * width(&s->v);
+    nurbs_derivatives(s, base, 1, d);
+    double du = vec_length(d[1][0]) * width(&s->u), dv = vec_length(d[0][1]) * width(&s->v);
+    if (!f->space || (du > POLE * dv && dv > POLE * du))
+        return at;
+    struct uv near = pullback_seek(&f->on, nurbs_curve_point(f->curve, inside));
+    if (du <= POLE * dv)
+        at.u = near.u +
+               (f->on.closed_u ? floor((at.u - near.u) / width(&s->u) + 0.5) : 0) * width(&s->u);
+    else
+        at.v = near.v +
+               (f->on.closed_v ? floor((at.v - near.v) / width(&s->v) + 0.5) : 0) * width(&s->v);
+    return at;
+}
+
 /* All points of a curve, span by span, with its last one; a span that bends is split first.
  * `start` is the place of its first point. */
 static void follow_curve(struct follower *f, bool backwards, struct uv start)
@@ -247,7 +275,9 @@ static void follow_curve(struct follower *f, bool backwards, struct uv start)
         int parts = f->space ? SPACE_PARTS : t->degree > 1 ? 2 : 1;
         for (int p = 0; p < parts && high > low; p++) {
             double t0 = from + step * p / parts, t1 = from + step * (p + 1) / parts;
-            struct uv b = uv_at(f, t1, a);
+            if (p == 0 && k == 0)
+                a = uv_at_pole(f, a, t0 + POLE_STEP * (t1 - t0));
+            struct uv b = uv_at_pole(f, uv_at(f, t1, a), t1 - POLE_STEP * (t1 - t0));
             follow_span(f, t0, a, t1, b, 0);
             a = b;
         }
@@ -281,6 +311,8 @@ static bool is_backwards(const struct patch *patch, const struct patch_loop *loo
                          struct vec3 at)
 {
     struct vec3 first = end_of(&loop->item[k], false), last = end_of(&loop->item[k], true);
+    if (loop->directed)
+        return false;
     if (k > 0)
         return apart(patch, loop, at, last) < apart(patch, loop, at, first);
     if (loop->n == 1)
