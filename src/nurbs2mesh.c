@@ -18,6 +18,9 @@
 
 enum { CELLS_MAX = 5000 };
 
+/* mm: a part smaller or larger than these has, likely, another unit. */
+static const double SMALL = 0.5, LARGE = 50000;
+
 /* By the size of the part: edges so near are joined, and surfaces so narrow are left out. */
 static const double GAP = 2.5e-4, NARROW = 1e-5;
 
@@ -27,7 +30,7 @@ struct settings {
     double gap;       /* 0: from the size */
     double up[3];
     int unit, grid; /* grid 0: none */
-    bool report, count_given, unit_given;
+    bool report, partial, count_given, unit_given;
 };
 
 static const char *const unit_name[] = {"mm", "cm", "m", "um", "inch", "in"};
@@ -52,6 +55,8 @@ static struct settings read_options(struct cli *cli, int argc, char **argv)
          "edges of neighbours so near are one (default: 0.00025 of the size of\nthe part, at most "
          "-e)",
          CLI_NUMBER, &s.gap, CLI_POSITIVE, 0, 0, NULL},
+        {0, "partial", NULL, "go on where surfaces or trimming curves of other kinds are left out",
+         CLI_FLAG, &s.partial, 0, 0, 0, NULL},
         {0, "grid", "N",
          "print points and normals of an N x N grid of the parameters of each\n"
          "surface, untrimmed, instead of the mesh",
@@ -76,7 +81,12 @@ static void read_files(const struct cli *cli, const struct settings *s, struct p
             die_error(&error);
         surfaces_tell_unit(cli->file[i], &unit, s->unit_given ? unit_name[s->unit] : NULL);
     }
-    surfaces_tell(patches);
+    double size = patches_size(patches);
+    if (size < SMALL || size > LARGE)
+        say("the part is %g mm large: is the unit right? (-u)", size);
+    if (!surfaces_tell(patches) && !s->partial)
+        die_unmet(
+            "what is left out is part of the model, expected to read all of it, or --partial");
 }
 
 /* What the threads share: a surface is a unit of work. */

@@ -46,6 +46,13 @@ struct nurbs construct_spline_surface(const double *u, size_t m, const double *v
 struct nurbs_curve construct_refined(const struct nurbs_curve *c, int degree, const double *inner,
                                      size_t n);
 
+/* n curves, each beginning where the one before it ends, as one over 0 to n, with a kink, or what
+ * may be one, at every joint. */
+struct nurbs_curve construct_joined(const struct nurbs_curve *c, size_t n);
+
+/* The curve over the range 0 to 1, with clamped knots. */
+struct nurbs_curve construct_unit_range(const struct nurbs_curve *c);
+
 /* The curve moved along `by`: u along the curve, v over 0 to 1. */
 struct nurbs construct_extrusion(const struct nurbs_curve *c, struct vec3 by);
 

@@ -32,12 +32,25 @@ struct patch {
     int ignored_type;        /* ... and the type of the curve */
 };
 
+/* Surfaces of one kind that were not read. */
+struct patches_left {
+    char kind[40]; /* as the file calls it */
+    char *file;
+    int entity; /* the first of them */
+    size_t count;
+};
+
 struct patches {
     size_t n, cap;
     struct patch *item;
-    size_t others;                /* surfaces of kinds that are not read ... */
-    int other_entity, other_type; /* ... and the first of them */
+    struct {
+        size_t n, cap;
+        struct patches_left *item;
+    } left;
 };
+
+/* Counts a surface that is not read. */
+void patches_leave_out(struct patches *patches, const char *file, const char *kind, int entity);
 
 /* A straight line in the parameters, as a curve of degree 1. */
 struct nurbs_curve patch_line(struct uv from, struct uv to);

@@ -308,8 +308,7 @@ struct nurbs construct_revolution(const struct nurbs_curve *c, struct vec3 at, s
     return s;
 }
 
-/* The curve over 0 to 1. */
-static struct nurbs_curve over_unit_range(const struct nurbs_curve *c)
+struct nurbs_curve construct_unit_range(const struct nurbs_curve *c)
 {
     struct nurbs_curve copy = construct_refined(c, c->t.degree, NULL, 0);
     double from = copy.t.from, width = copy.t.to - from;
@@ -320,10 +319,41 @@ static struct nurbs_curve over_unit_range(const struct nurbs_curve *c)
     return copy;
 }
 
+struct nurbs_curve construct_joined(const struct nurbs_curve *c, size_t n)
+{
+    int degree = 1;
+    size_t poles = 1, knots = 0, at = 0;
+    double weight = 1;
+    struct nurbs_curve *part = mem_alloc(n, sizeof *part);
+    for (size_t i = 0; i < n; i++)
+        degree = c[i].t.degree > degree ? c[i].t.degree : degree;
+    for (size_t i = 0; i < n; i++) {
+        struct nurbs_curve unit = construct_unit_range(&c[i]);
+        part[i] = construct_refined(&unit, degree, NULL, 0);
+        poles += part[i].t.poles - 1;
+        nurbs_curve_free(&unit);
+    }
+    struct nurbs_curve all = new_curve(new_axis(degree, poles, 0, (double)n));
+    for (size_t i = 0; i < n; i++) {
+        const struct nurbs_curve *p = &part[i];
+        size_t d = (size_t)degree, last = p->t.poles + d + (i + 1 == n);
+        weight /= p->pole[0].w;
+        for (size_t k = i == 0 ? 0 : d + 1; k < last; k++)
+            all.t.knot[knots++] = (double)i + p->t.knot[k];
+        for (size_t k = i == 0 ? 0 : 1; k < p->t.poles; k++)
+            all.pole[at++] = weighted(pole_point(p->pole[k]), weight * p->pole[k].w);
+        weight *= p->pole[p->t.poles - 1].w;
+    }
+    for (size_t i = 0; i < n; i++)
+        nurbs_curve_free(&part[i]);
+    free(part);
+    return all;
+}
+
 struct nurbs construct_ruled(const struct nurbs_curve *a, const struct nurbs_curve *b)
 {
     static const double ends[2] = {0, 1};
-    struct nurbs_curve unit[2] = {over_unit_range(a), over_unit_range(b)}, both[2];
+    struct nurbs_curve unit[2] = {construct_unit_range(a), construct_unit_range(b)}, both[2];
     int degree = a->t.degree > b->t.degree ? a->t.degree : b->t.degree;
     struct doubles knot = {0}, second = {0};
     raised_knots(&unit[0].t, degree, &knot);

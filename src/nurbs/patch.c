@@ -2,6 +2,7 @@
 #include "nurbs/patch.h"
 
 #include <stdlib.h>
+#include <string.h>
 
 #include "base/array.h"
 
@@ -40,8 +41,26 @@ void patch_free(struct patch *patch)
     *patch = (struct patch){0};
 }
 
+void patches_leave_out(struct patches *patches, const char *file, const char *kind, int entity)
+{
+    for (size_t i = 0; i < patches->left.n; i++) {
+        struct patches_left *l = &patches->left.item[i];
+        if (strcmp(l->kind, kind) == 0 && strcmp(l->file, file) == 0) {
+            l->count++;
+            return;
+        }
+    }
+    struct patches_left *l = array_push(&patches->left);
+    *l = (struct patches_left){.entity = entity, .count = 1};
+    strncpy(l->kind, kind, sizeof l->kind - 1);
+    l->file = mem_string(file, strlen(file));
+}
+
 void patches_free(struct patches *patches)
 {
+    for (size_t i = 0; i < patches->left.n; i++)
+        free(patches->left.item[i].file);
+    array_free(&patches->left);
     for (size_t i = 0; i < patches->n; i++)
         patch_free(&patches->item[i]);
     array_free(patches);

@@ -19,8 +19,9 @@ struct surfaces_unit {
 int surfaces_read(const char *file, double mm, struct patches *patches, struct surfaces_unit *unit,
                   struct error *error);
 
-/* Says what the files have that is not read: kinds of trimming curves and of surfaces. */
-void surfaces_tell(const struct patches *patches);
+/* Says what the files have that is not read: kinds of trimming curves and of surfaces.  False when
+ * there is anything. */
+bool surfaces_tell(const struct patches *patches);
 
 /* Says what a file tells of its unit; `taken`: the name of the unit asked for instead, or NULL. */
 void surfaces_tell_unit(const char *file, const struct surfaces_unit *unit, const char *taken);

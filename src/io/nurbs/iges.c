@@ -112,6 +112,11 @@ static int next_value(struct iges_cursor *c, struct iges_value *value, char *tex
                 return -1;
             return ch == c->comma ? 1 : 2;
         }
+        if (c->entity == 0 && value->kind == IGES_TEXT && ch != ' ')
+            return error_at(error, c->name, cursor_line(c),
+                            "'%c' after a text in the global section, expected '%c': its count of "
+                            "characters is wrong",
+                            isprint((unsigned char)ch) ? ch : '?', c->comma);
         if (ch == ' ' || value->kind == IGES_TEXT)
             continue;
         if (ch == 'H' && n > 0 && strspn(word, "0123456789") == n && n < 7) {
@@ -205,6 +210,26 @@ static int take_delimiter(struct iges_cursor *c, char *delimiter, struct error *
     return 0;
 }
 
+/* What the parameters of the global section are: t a text, n a number. */
+static const char global_kind[] = "ttttttnnnnntnntnntnnttnntt";
+
+/* A text where a number belongs, or a number for a text: one of the counts of characters in front
+ * of it is wrong, and all that follows is shifted. */
+static int check_kind(const struct iges_cursor *c, int number, const struct iges_value *value,
+                      struct error *error)
+{
+    char want = number <= (int)sizeof global_kind - 1 ? global_kind[number - 1] : '\0';
+    bool wrong =
+        (want == 't' && value->kind == IGES_NUMBER) || (want == 'n' && value->kind == IGES_TEXT);
+    if (!wrong)
+        return 0;
+    return error_at(error, c->name, value->line,
+                    "%s as parameter %d of the global section, expected %s: a count of characters "
+                    "before it is wrong",
+                    want == 't' ? "a number" : "a text", number,
+                    want == 't' ? "a text" : "a number");
+}
+
 /* The parameters after the delimiters. */
 static int read_rest(struct iges *iges, struct iges_cursor *c, double *flag, char *unit,
                      size_t size, struct error *error)
@@ -213,7 +238,7 @@ static int read_rest(struct iges *iges, struct iges_cursor *c, double *flag, cha
     char text[32];
     for (int number = 3, got = 1; got == 1; number++) {
         got = next_value(c, &value, text, sizeof text, error);
-        if (got < 0)
+        if (got < 0 || check_kind(c, number, &value, error) < 0)
             return -1;
         if (number == SCALE && value.kind == IGES_NUMBER)
             iges->scale = value.number;

@@ -1,12 +1,15 @@
 /* iges_surface - see iges_surface.h. */
 #include "iges_surface.h"
 
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "base/array.h"
+#include "iges_construct.h"
 #include "iges_curve.h"
 #include "iges_trim.h"
+#include "nurbs/construct.h"
 
 enum { COUNT_MAX = 2147483647, HEAD = 10 }; /* HEAD: numbers of a 128 in front of its knots */
 
@@ -66,15 +69,11 @@ static int read_axis(const struct iges *iges, const struct iges_values *v, long 
     return 0;
 }
 
-static int read_poles(const struct source *s, const struct iges_entity *e,
-                      const struct transform *outer, const struct iges_values *v,
-                      const struct layout *l, struct nurbs *surface, struct error *error)
+static int read_poles(const struct source *s, const struct transform *matrix,
+                      const struct iges_values *v, const struct layout *l, struct nurbs *surface,
+                      struct error *error)
 {
     size_t n = surface->u.poles * surface->v.poles;
-    struct transform matrix;
-    if (iges_matrix(s->iges, e->matrix, &matrix, error) < 0)
-        return -1;
-    matrix = transform_product(*outer, matrix);
     surface->pole = mem_alloc(n, sizeof *surface->pole);
     for (size_t i = 0; i < n; i++) {
         const struct iges_value *p = &v->item[l->poles + 3 * i];
@@ -83,16 +82,15 @@ static int read_poles(const struct source *s, const struct iges_entity *e,
         if (!(w > 0))
             return error_at(error, s->iges->name, weight->line,
                             "weight %g of pole %zu, expected a positive one", w, i + 1);
-        struct vec3 at = transform_point(&matrix, vec(p[0].number, p[1].number, p[2].number));
+        struct vec3 at = transform_point(matrix, vec(p[0].number, p[1].number, p[2].number));
         at = vec_scale(s->mm * w, at);
         surface->pole[i] = (struct nurbs_pole){at.x, at.y, at.z, w};
     }
     return 0;
 }
 
-static int surface_of(const struct source *s, const struct iges_entity *e,
-                      const struct transform *outer, const struct iges_values *v,
-                      struct nurbs *surface, struct error *error)
+static int spline_128(const struct source *s, const struct transform *matrix,
+                      const struct iges_values *v, struct nurbs *surface, struct error *error)
 {
     struct layout l;
     if (iges_whole(s->iges, v, 0, 128, 128, "entity type", &l.k1, error) < 0 ||
@@ -102,138 +100,178 @@ static int surface_of(const struct source *s, const struct iges_entity *e,
         read_axis(s->iges, v, l.k1, l.m1, HEAD, l.range, "u", &surface->u, error) < 0 ||
         read_axis(s->iges, v, l.k2, l.m2, l.knots_v, l.range + 2, "v", &surface->v, error) < 0)
         return -1;
-    return read_poles(s, e, outer, v, &l, surface, error);
+    return read_poles(s, matrix, v, &l, surface, error);
 }
 
-/* The 128 as a patch without loops, appended; `trim` is what trims it, or NULL. */
-static int add_patch(const struct source *s, const struct iges_entity *e,
-                     const struct iges_entity *trim, struct error *error)
-{
-    struct iges_values v;
-    struct transform outer;
-    if (iges_matrix(s->iges, trim ? trim->matrix : 0, &outer, error) < 0 ||
-        iges_values(s->iges, e, &v, error) < 0)
-        return -1;
-    struct patch *patch = array_push(s->patches);
-    *patch = (struct patch){.entity = e->number};
-    patch->file = mem_string(s->iges->name, strlen(s->iges->name));
-    int status = surface_of(s, e, &outer, &v, &patch->surface, error);
-    array_free(&v);
-    return status;
-}
+/* A surface and what trims it: an entity 144, 143 or 510, or NULL. */
+struct trimmed {
+    size_t surface; /* index among the entities */
+    const struct iges_entity *trim;
+    size_t order; /* of those with the same surface */
+};
 
-/* The loops of a 144 (outer one, then the holes) or of a 143 from parameter `at` on. */
-static int add_loops(const struct source *s, const struct iges_values *v, size_t at, size_t n,
-                     const struct transform *outer, struct error *error)
-{
-    struct patch *patch = &s->patches->item[s->patches->n - 1];
-    struct iges_trimming trimming = {s->iges, s->mm, *outer};
-    for (size_t i = 0; i < n; i++) {
-        const struct iges_entity *e;
-        if (iges_pointer(s->iges, v, at + i, &e, error) < 0 ||
-            iges_trim(&trimming, patch, e, error) < 0)
-            return -1;
-    }
-    return 0;
-}
+struct all_trimmed {
+    size_t n, cap;
+    struct trimmed *item;
+};
 
-/* What a 144 or 143 trims: parameter 1 or 2, an entity 128; NULL when it is something else. */
-static int trimmed_by(const struct source *s, const struct iges_entity *e,
-                      const struct iges_values *v, const struct iges_entity **surface,
-                      struct error *error)
+static bool is_surface(int type)
 {
-    if (iges_pointer(s->iges, v, e->type == 144 ? 1 : 2, surface, error) < 0)
-        return -1;
-    if ((*surface)->type != 128)
-        *surface = NULL;
-    return 0;
-}
-
-static int add_trimmed(const struct source *s, const struct iges_entity *e,
-                       const struct iges_entity *surface, const struct iges_values *v,
-                       struct error *error)
-{
-    long outer = 1, inner;
-    bool is_144 = e->type == 144;
-    struct transform at;
-    if (add_patch(s, surface, e, error) < 0 || iges_matrix(s->iges, e->matrix, &at, error) < 0)
-        return -1;
-    struct patch *patch = &s->patches->item[s->patches->n - 1];
-    if (is_144 && iges_whole(s->iges, v, 2, 0, 1, "flag of the outer loop", &outer, error) < 0)
-        return -1;
-    if (iges_whole(s->iges, v, 3, 0, COUNT_MAX, "count of loops", &inner, error) < 0)
-        return -1;
-    patch->open = is_144 && outer == 0;
-    if (is_144 && outer == 1 && add_loops(s, v, 4, 1, &at, error) < 0)
-        return -1;
-    if (patch->ignored > 0)
-        patch->open = true; /* without its outer loop the whole range counts */
-    return add_loops(s, v, is_144 ? 5 : 4, (size_t)inner, &at, error);
-}
-
-/* All that trim the surface, or all that trim anything but a 128 where it is NULL: how many. */
-static int add_all_trimmed(const struct source *s, const struct iges_entity *surface, int *count,
-                           struct error *error)
-{
-    *count = 0;
-    for (size_t i = 0; i < s->iges->entity.n; i++) {
-        const struct iges_entity *e = &s->iges->entity.item[i], *of;
-        struct iges_values v;
-        if (e->type != 144 && e->type != 143)
-            continue;
-        if (iges_values(s->iges, e, &v, error) < 0)
-            return -1;
-        int status = trimmed_by(s, e, &v, &of, error);
-        if (status == 0 && of == surface) {
-            (*count)++;
-            status = add_trimmed(s, e, surface, &v, error);
-        }
-        array_free(&v);
-        if (status < 0)
-            return -1;
-    }
-    return 0;
-}
-
-/* Surfaces of other kinds: plane, parametric spline, ruled, of revolution, tabulated, offset, and
- * those of solids. */
-static bool is_other_surface(int type)
-{
-    static const int other[] = {108, 114, 118, 120, 122, 140, 186, 190, 192, 194, 196, 198};
-    for (size_t i = 0; i < sizeof other / sizeof *other; i++)
-        if (type == other[i])
+    static const int known[] = {108, 114, 118, 120, 122, 128, 190, 192, 194, 196, 198};
+    for (size_t i = 0; i < sizeof known / sizeof *known; i++)
+        if (type == known[i])
             return true;
     return false;
 }
 
-static void count_others(const struct iges *iges, struct patches *patches)
+/* Surfaces and solids that are not read: offset surfaces, and the primitives of constructive solids
+ * with what they are combined by. */
+static bool is_other(int type)
 {
-    for (size_t i = 0; i < iges->entity.n; i++) {
-        const struct iges_entity *e = &iges->entity.item[i];
-        if (is_other_surface(e->type) && patches->others++ == 0) {
-            patches->other_entity = e->number;
-            patches->other_type = e->type;
+    return type == 140 || (type >= 150 && type <= 184 && type % 2 == 0);
+}
+
+static void leave_out(const struct source *s, const struct iges_entity *e)
+{
+    char kind[32];
+    snprintf(kind, sizeof kind, "type %d", e->type);
+    patches_leave_out(s->patches, s->iges->name, kind, e->number);
+}
+
+/* The surface of an entity, to mm: 0, 1 when it is not read, or -1. */
+static int read_surface(const struct source *s, const struct iges_entity *e,
+                        const struct transform *outer, struct patch *patch, struct error *error)
+{
+    struct iges_values v;
+    struct transform matrix;
+    if (iges_matrix(s->iges, e->matrix, &matrix, error) < 0)
+        return -1;
+    matrix = transform_product(*outer, matrix);
+    if (e->type != 128) {
+        struct transform place = transform_product(transform_scale(s->mm), matrix);
+        return iges_construct(s->iges, e, &place, &patch->loop, &patch->surface, error);
+    }
+    if (iges_values(s->iges, e, &v, error) < 0)
+        return -1;
+    int status = spline_128(s, &matrix, &v, &patch->surface, error);
+    array_free(&v);
+    return status;
+}
+
+/* The loops of a 144 (outer one, then the holes), of a 143 or of a 510 from parameter `at` on. */
+static int add_loops(const struct source *s, const struct iges_values *v, size_t at, size_t n,
+                     const struct iges_trimming *trimming, struct patch *patch, struct error *error)
+{
+    for (size_t i = 0; i < n; i++) {
+        const struct iges_entity *e;
+        if (iges_pointer(s->iges, v, at + i, &e, error) < 0 ||
+            iges_trim(trimming, patch, e, error) < 0)
+            return -1;
+    }
+    return 0;
+}
+
+static int read_loops(const struct source *s, const struct iges_entity *e,
+                      const struct iges_values *v, const struct iges_trimming *trimming,
+                      struct patch *patch, struct error *error)
+{
+    long outer = 1, inner;
+    bool is_144 = e->type == 144;
+    size_t count = e->type == 510 ? 2 : 3;
+    if (is_144 && iges_whole(s->iges, v, 2, 0, 1, "flag of the outer loop", &outer, error) < 0)
+        return -1;
+    if (iges_whole(s->iges, v, count, 0, COUNT_MAX, "count of loops", &inner, error) < 0)
+        return -1;
+    patch->open = is_144 && outer == 0;
+    if (is_144 && outer == 1 && add_loops(s, v, 4, 1, trimming, patch, error) < 0)
+        return -1;
+    if (patch->ignored > 0)
+        patch->open = true; /* without its outer loop the whole range counts */
+    return add_loops(s, v, is_144 ? 5 : 4, (size_t)inner, trimming, patch, error);
+}
+
+/* A surface with its loops, appended.  The loops are read first: planes reach as far as they do. */
+static int add_patch(const struct source *s, const struct trimmed *t, struct error *error)
+{
+    const struct iges_entity *e = &s->iges->entity.item[t->surface];
+    struct iges_trimming trimming = {.iges = s->iges, .mm = s->mm, .space = e->type != 128};
+    struct iges_values v;
+    struct patch patch = {.entity = e->number};
+    if (iges_matrix(s->iges, t->trim ? t->trim->matrix : 0, &trimming.outer, error) < 0)
+        return -1;
+    int status = t->trim ? iges_values(s->iges, t->trim, &v, error) : 0;
+    if (t->trim && status == 0) {
+        status = read_loops(s, t->trim, &v, &trimming, &patch, error);
+        array_free(&v);
+    }
+    if (status == 0)
+        status = read_surface(s, e, &trimming.outer, &patch, error);
+    if (status == 0) {
+        patch.file = mem_string(s->iges->name, strlen(s->iges->name));
+        *array_push(s->patches) = patch;
+        return 0;
+    }
+    bool endless = !t->trim && (e->type == 108 || e->type >= 190); /* no part of the model */
+    if (status > 0 && !endless)
+        leave_out(s, e);
+    patch_free(&patch);
+    return status < 0 ? -1 : 0;
+}
+
+static int compare_trimmed(const void *p, const void *q)
+{
+    const struct trimmed *a = p, *b = q;
+    if (a->surface != b->surface)
+        return a->surface < b->surface ? -1 : 1;
+    return a->order < b->order ? -1 : a->order > b->order;
+}
+
+/* All faces, in the order of their surfaces' directory entries: each surface once for each entity
+ * that trims it, or once as it is. */
+static int find_trimmed(const struct source *s, struct all_trimmed *all, struct error *error)
+{
+    const struct iges_entity *first = s->iges->entity.item;
+    bool *used = mem_alloc(s->iges->entity.n + 1, sizeof *used);
+    int status = 0;
+    for (size_t i = 0; i < s->iges->entity.n && status == 0; i++) {
+        const struct iges_entity *e = &first[i], *surface = NULL;
+        struct iges_values v;
+        if (is_other(e->type))
+            leave_out(s, e);
+        if (e->type != 144 && e->type != 143 && e->type != 510)
+            continue;
+        status = iges_values(s->iges, e, &v, error);
+        if (status < 0)
+            break;
+        status = iges_pointer(s->iges, &v, e->type == 143 ? 2 : 1, &surface, error);
+        array_free(&v);
+        if (status == 0 && is_surface(surface->type)) {
+            *array_push(all) = (struct trimmed){(size_t)(surface - first), e, all->n};
+            used[surface - first] = true;
         }
     }
+    for (size_t i = 0; i < s->iges->entity.n; i++)
+        if (is_surface(first[i].type) && !used[i])
+            *array_push(all) = (struct trimmed){i, NULL, all->n};
+    if (all->n > 0)
+        qsort(all->item, all->n, sizeof *all->item, compare_trimmed);
+    free(used);
+    return status;
 }
 
 int iges_surfaces(const struct iges *iges, double mm, struct patches *patches, struct error *error)
 {
     struct source s = {iges, mm > 0 ? mm : iges->unit, patches};
+    struct all_trimmed all = {0};
     size_t before = patches->n;
-    int count;
-    for (size_t i = 0; i < iges->entity.n; i++) {
-        const struct iges_entity *e = &iges->entity.item[i];
-        if (e->type != 128)
-            continue;
-        if (add_all_trimmed(&s, e, &count, error) < 0 ||
-            (count == 0 && add_patch(&s, e, NULL, error) < 0))
-            return -1;
-    }
-    count_others(iges, patches);
-    if (patches->n == before)
+    int status = find_trimmed(&s, &all, error);
+    for (size_t i = 0; i < all.n && status == 0; i++)
+        status = add_patch(&s, &all.item[i], error);
+    array_free(&all);
+    if (status == 0 && patches->n == before)
         return error_at(error, iges->name, 0,
-                        "no surface of entity type 128 among %zu entities, expected one",
+                        "no surface that is read (entity type 128 and others) among %zu entities, "
+                        "expected one",
                         iges->entity.n);
-    return 0;
+    return status;
 }

@@ -37,7 +37,8 @@ static int curve_142(const struct iges_trimming *s, const struct iges_values *v,
                      struct patch_loop *loop, const struct iges_entity **unknown,
                      struct error *error)
 {
-    bool prefers_space = v->n > 5 && v->item[5].number > 1.5 && v->item[5].number < 2.5;
+    bool prefers_space =
+        s->space || (v->n > 5 && v->item[5].number > 1.5 && v->item[5].number < 2.5);
     int got = 1;
     for (int i = 0; i < 2 && got == 1; i++) {
         patch_loop_free(loop);
@@ -57,12 +58,13 @@ static int curves_141(const struct iges_trimming *s, const struct iges_values *v
     int got = 1;
     if (iges_whole(s->iges, v, 4, 1, COUNT_MAX, "count of curves", &count, error) < 0)
         return -1;
-    for (int space = 0; space < 2 && got == 1; space++) {
+    for (int i = 0; i < 2 && got == 1; i++) {
+        int space = s->space ? 1 - i : i;
         size_t at = 5;
         patch_loop_free(loop);
         loop->space = space == 1;
         got = 0;
-        for (long i = 0; i < count && got == 0; i++, at += 3 + (size_t)parts) {
+        for (long c = 0; c < count && got == 0; c++, at += 3 + (size_t)parts) {
             if (iges_whole(s->iges, v, at + 2, 0, COUNT_MAX, "count of curves", &parts, error) < 0)
                 return -1;
             if (space == 1 || parts == 0)
@@ -70,6 +72,53 @@ static int curves_141(const struct iges_trimming *s, const struct iges_values *v
             for (size_t k = 0; space == 0 && k < (size_t)parts && got == 0; k++)
                 got = curve_at(s, v, at + 3 + k, loop, unknown, error);
         }
+    }
+    return got;
+}
+
+/* Curve `index` of a list of edges (504), turned round where the loop runs against it. */
+static int edge_504(const struct iges_trimming *s, const struct iges_entity *list, long index,
+                    bool forwards, struct patch_loop *loop, const struct iges_entity **unknown,
+                    struct error *error)
+{
+    struct iges_values v;
+    size_t first = loop->n;
+    if (iges_values(s->iges, list, &v, error) < 0)
+        return -1;
+    int got = curve_at(s, &v, 2 + 5 * (size_t)(index - 1), loop, unknown, error);
+    array_free(&v);
+    for (size_t i = first, k = loop->n; i < k && !forwards && got == 0; i++) {
+        struct nurbs_curve last = loop->item[--k];
+        loop->item[k] = loop->item[i];
+        loop->item[i] = last;
+        nurbs_curve_reverse(&loop->item[i]);
+        if (i != k)
+            nurbs_curve_reverse(&loop->item[k]);
+    }
+    return got;
+}
+
+/* A 508: edges, each with a list and its number there, and vertices, which say nothing. */
+static int edges_508(const struct iges_trimming *s, const struct iges_values *v,
+                     struct patch_loop *loop, const struct iges_entity **unknown,
+                     struct error *error)
+{
+    long count, index, parts, vertex;
+    size_t at = 2;
+    int got = 0;
+    if (iges_whole(s->iges, v, 1, 1, COUNT_MAX, "count of edges", &count, error) < 0)
+        return -1;
+    loop->space = loop->directed = true;
+    for (long i = 0; i < count && got == 0; i++, at += 5 + 2 * (size_t)parts) {
+        const struct iges_entity *list;
+        if (iges_whole(s->iges, v, at, 0, 1, "kind of edge", &vertex, error) < 0 ||
+            iges_whole(s->iges, v, at + 2, 1, COUNT_MAX, "number of an edge", &index, error) < 0 ||
+            iges_whole(s->iges, v, at + 4, 0, COUNT_MAX, "count of curves", &parts, error) < 0 ||
+            iges_pointer(s->iges, v, at + 1, &list, error) < 0)
+            return -1;
+        bool forwards = at + 3 < v->n && v->item[at + 3].number > 0.5;
+        if (vertex == 0)
+            got = edge_504(s, list, index, forwards, loop, unknown, error);
     }
     return got;
 }
@@ -96,11 +145,12 @@ int iges_trim(const struct iges_trimming *s, struct patch *patch, const struct i
         return -1;
     int got = e->type == 142   ? curve_142(s, &v, &loop, &unknown, error)
               : e->type == 141 ? curves_141(s, &v, &loop, &unknown, error)
+              : e->type == 508 ? edges_508(s, &v, &loop, &unknown, error)
                                : 1;
     array_free(&v);
     if (got == 0 && loop.space)
         place_loop(s, &loop);
-    if (got == 0)
+    if (got == 0 && loop.n > 0)
         *array_push(&patch->loop) = loop;
     else
         patch_loop_free(&loop);

@@ -1,5 +1,5 @@
 /*
- * iges_trim - what trims a surface of an IGES file: entities 142 and 141.
+ * iges_trim - what trims a surface of an IGES file: entities 142, 141 and 508.
  */
 #ifndef CLOUDMILL_IGES_TRIM_H
 #define CLOUDMILL_IGES_TRIM_H
@@ -13,12 +13,13 @@ struct iges_trimming {
     const struct iges *iges;
     double mm;
     struct transform outer;
+    bool space; /* curves in space first, whatever the file prefers */
 };
 
 /*
- * Appends the loop of an entity 142 or 141 to the patch: its curves in the parameters, or those in
- * space where the file prefers them or has no others.  One with curves that are not read is counted
- * in patch->ignored.
+ * Appends the loop of an entity 142, 141 or 508 to the patch: its curves in the parameters, or
+ * those in space where the file prefers them or has no others.  One with curves that are not read
+ * is counted in patch->ignored.
  */
 int iges_trim(const struct iges_trimming *trimming, struct patch *patch,
               const struct iges_entity *entity, struct error *error);

@@ -66,22 +66,24 @@ int surfaces_read(const char *file, double mm, struct patches *patches, struct s
     return status;
 }
 
-void surfaces_tell(const struct patches *patches)
+bool surfaces_tell(const struct patches *patches)
 {
+    bool whole = patches->left.n == 0;
     for (size_t i = 0; i < patches->n; i++) {
         const struct patch *p = &patches->item[i];
+        whole = whole && p->ignored == 0;
         if (p->ignored > 0)
             say("%s: surface %d: %d trimming curve%s ignored, the first at directory entry %d "
                 "(entity type %d is not understood there)",
                 p->file, p->entity, p->ignored, p->ignored == 1 ? "" : "s", p->ignored_entity,
                 p->ignored_type);
     }
-    if (patches->others > 0)
-        say("%zu surface%s of other types left out, the first at directory entry %d (type %d); "
-            "only "
-            "type 128 is read",
-            patches->others, patches->others == 1 ? "" : "s", patches->other_entity,
-            patches->other_type);
+    for (size_t i = 0; i < patches->left.n; i++) {
+        const struct patches_left *l = &patches->left.item[i];
+        say("%s: %zu surface%s of %s left out, the first is entity %d", l->file, l->count,
+            l->count == 1 ? "" : "s", l->kind, l->entity);
+    }
+    return whole;
 }
 
 void surfaces_tell_unit(const char *file, const struct surfaces_unit *unit, const char *taken)

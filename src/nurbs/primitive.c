@@ -1,0 +1,112 @@
+/* primitive - see primitive.h. */
+#include "nurbs/primitive.h"
+
+#include <stdlib.h>
+
+#include "base/array.h"
+#include "nurbs/construct.h"
+
+/* Samples of each span of a curve; of the extent: how much further a surface reaches. */
+enum { SAMPLES = 8 };
+static const double MARGIN = 0.01;
+
+void primitive_points(const struct patch_loops *loops, struct vec3s *points)
+{
+    for (size_t i = 0; i < loops->n; i++)
+        for (size_t k = 0; k < loops->item[i].n && loops->item[i].space; k++) {
+            const struct nurbs_curve *c = &loops->item[i].item[k];
+            size_t n = SAMPLES * (c->t.poles - (size_t)c->t.degree);
+            for (size_t m = 0; m <= n; m++) {
+                double t = c->t.from + (c->t.to - c->t.from) * (double)m / (double)n;
+                *array_push(points) = nurbs_curve_point(c, t);
+            }
+            for (size_t m = 0; m < c->t.poles; m++) /* curves may bend between samples */
+                if (c->t.degree > 1 && c->pole[m].w > 0)
+                    *array_push(points) = vec_scale(
+                        1 / c->pole[m].w, vec(c->pole[m].wx, c->pole[m].wy, c->pole[m].wz));
+        }
+}
+
+static struct vec3 axis_of(const struct transform *t, int column)
+{
+    return vec(t->m[0][column], t->m[1][column], t->m[2][column]);
+}
+
+struct extent {
+    struct vec3 low, high;
+};
+
+/* The box of the points in the place's own coordinates, with its margin. */
+static struct extent extent_of(const struct transform *t, const struct vec3s *points)
+{
+    struct extent e = {{HUGE_VAL, HUGE_VAL, HUGE_VAL}, {-HUGE_VAL, -HUGE_VAL, -HUGE_VAL}};
+    for (size_t i = 0; i < points->n; i++) {
+        struct vec3 d = vec_sub(points->item[i], axis_of(t, 3));
+        struct vec3 p = {vec_dot(d, axis_of(t, 0)), vec_dot(d, axis_of(t, 1)),
+                         vec_dot(d, axis_of(t, 2))};
+        e.low = vec(fmin(e.low.x, p.x), fmin(e.low.y, p.y), fmin(e.low.z, p.z));
+        e.high = vec(fmax(e.high.x, p.x), fmax(e.high.y, p.y), fmax(e.high.z, p.z));
+    }
+    double margin = MARGIN * vec_distance(e.low, e.high);
+    struct vec3 m = {margin, margin, margin};
+    e.low = vec_sub(e.low, m);
+    e.high = vec_add(e.high, m);
+    return e;
+}
+
+static struct vec3 at_height(const struct transform *t, double x, double z)
+{
+    return vec_along(vec_along(axis_of(t, 3), x, axis_of(t, 0)), z, axis_of(t, 2));
+}
+
+/* The straight line of a cylinder or a cone, from below to above; a cone ends at its apex. */
+static int turn_line(const struct primitive *p, struct extent e, struct nurbs *surface)
+{
+    double slope = p->kind == PRIMITIVE_CONE ? tan(p->other) : 0, r = p->radius;
+    double low = e.low.z, high = e.high.z;
+    if (fabs(slope) > 1e-12) {
+        double apex = -r / slope;
+        bool above = (r + slope * (low + high) / 2 > 0) == (slope > 0);
+        low = above ? fmax(low, apex) : low;
+        high = above ? high : fmin(high, apex);
+    }
+    if (!(low < high) || (fabs(slope) <= 1e-12 && !(r > 0)))
+        return -1;
+    struct nurbs_curve line = construct_line(at_height(&p->place, r + slope * low, low),
+                                             at_height(&p->place, r + slope * high, high));
+    *surface = construct_revolution(&line, axis_of(&p->place, 3), axis_of(&p->place, 2), 0, 2 * PI);
+    nurbs_curve_free(&line);
+    return 0;
+}
+
+/* The circle of a sphere or a torus: in the plane of x and z. */
+static int turn_circle(const struct primitive *p, struct nurbs *surface)
+{
+    bool sphere = p->kind == PRIMITIVE_SPHERE;
+    double r = sphere ? p->radius : p->other, out = sphere ? 0 : p->radius;
+    if (!(r > 0) || !(out >= 0))
+        return -1;
+    struct transform side = construct_place(
+        at_height(&p->place, out, 0), vec_scale(-1, axis_of(&p->place, 1)), axis_of(&p->place, 0));
+    struct nurbs_curve circle =
+        construct_ellipse(&side, r, r, sphere ? -PI / 2 : 0, sphere ? PI / 2 : 2 * PI);
+    *surface =
+        construct_revolution(&circle, axis_of(&p->place, 3), axis_of(&p->place, 2), 0, 2 * PI);
+    nurbs_curve_free(&circle);
+    return 0;
+}
+
+int primitive_surface(const struct primitive *p, const struct vec3s *points, struct nurbs *surface)
+{
+    if (p->kind == PRIMITIVE_SPHERE || p->kind == PRIMITIVE_TORUS)
+        return turn_circle(p, surface);
+    if (points->n == 0)
+        return -1;
+    struct extent e = extent_of(&p->place, points);
+    if (p->kind != PRIMITIVE_PLANE)
+        return turn_line(p, e, surface);
+    if (!(e.low.x < e.high.x && e.low.y < e.high.y))
+        return -1;
+    *surface = construct_plane(&p->place, e.low.x, e.high.x, e.low.y, e.high.y);
+    return 0;
+}
