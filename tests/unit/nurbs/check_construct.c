@@ -152,7 +152,7 @@ START_TEST(ruled)
             ck_assert_double_lt(vec_distance(nurbs_point(&s, (struct uv){i / 50.0, 0}), p), 1e-9);
             ck_assert_double_lt(vec_distance(nurbs_point(&s, (struct uv){i / 50.0, 1}), q), 1e-9);
             struct vec3 m = nurbs_point(&s, (struct uv){i / 50.0, 0.3});
-            ck_assert_double_lt(vec_distance(m, vec_nearest(p, q, m)), 1e-9);
+            ck_assert_double_lt(vec_segment_distance(p, q, m), 1e-9);
         }
         nurbs_free(&s);
         nurbs_curve_free(&a);
