@@ -21,6 +21,7 @@ LIBS  = -lm -pthread
 
 tool_src := $(wildcard src/*.c)
 lib_src  := $(wildcard src/*/*.c src/io/*/*.c)
+page_src := $(wildcard src/verify/page.*)
 back_src := $(wildcard tests/readback/*.c)
 unit_src := $(wildcard tests/unit/*.c tests/unit/*/*.c tests/unit/io/*/*.c)
 help_src := $(wildcard tests/lib/*.c)
@@ -33,7 +34,8 @@ machines := $(wildcard machines/*.txt)
 
 tools    := $(tool_src:src/%.c=$(BUILD)/bin/%)
 lib      := $(BUILD)/libcloudmill.a
-lib_obj  := $(lib_src:%.c=$(BUILD)/%.o)
+page_obj := $(page_src:%=$(BUILD)/%.o)
+lib_obj  := $(lib_src:%.c=$(BUILD)/%.o) $(page_obj)
 back_obj := $(back_src:%.c=$(BUILD)/%.o)
 help_obj := $(help_src:%.c=$(BUILD)/%.o)
 units    := $(unit_src:tests/%.c=$(BUILD)/tests/%)
@@ -54,6 +56,15 @@ $(BUILD)/tests/lib/%.o: FLAGS += -iquote src -iquote tests/lib
 $(BUILD)/%.o: %.c
 	@mkdir -p $(@D)
 	$(CC) $(FLAGS) $(DEFS) $(CFLAGS) $(CPPFLAGS) -MD -MP -c -o $@ $<
+
+# The files of the verdict's page as strings: page.js is `const char page_js[]`.
+$(BUILD)/src/verify/page.%.c: src/verify/page.%
+	@mkdir -p $(@D)
+	{ echo 'extern const char page_$*[];' && echo 'const char page_$*[] =' && \
+	  sed -e 's/\\/\\\\/g' -e 's/"/\\"/g' -e 's/.*/"&\\n"/' $< && echo ';'; } >$@.new && mv $@.new $@
+
+$(page_obj): $(BUILD)/src/verify/page.%.o: $(BUILD)/src/verify/page.%.c
+	$(CC) $(FLAGS) $(CFLAGS) $(CPPFLAGS) -c -o $@ $<
 
 $(lib): $(lib_obj)
 	@rm -f $@

@@ -5,11 +5,8 @@
 
 #include "base/cli.h"
 #include "io/cloud/cloud.h"
-#include "plot/layer_distance.h"
-#include "plot/layer.h"
+#include "plot/plot.h"
 #include "base/out.h"
-#include "plot/sheet.h"
-#include "plot/sheet_legend.h"
 
 static const char *const units[] = {"mm", "cm", "m", "um", "inch", "in"};
 

@@ -14,10 +14,7 @@
 #include "stage/holder_options.h"
 #include "machine/machine_options.h"
 #include "ncread/ncread.h"
-#include "verify/stock_options.h"
-#include "verify/verdict.h"
-#include "verify/verify_part.h"
-#include "verify/verify_run.h"
+#include "verify/verify.h"
 
 static const char *const unit_name[] = {"mm", "cm", "m", "um", "inch", "in"};
 
@@ -38,7 +35,7 @@ static void read_shapes(struct settings *s)
     struct error error;
     if (s->holder && holder_options_read(s->holder, &s->shape, &error) < 0)
         die_usage("option --holder: %s", error.text);
-    if (s->stock && stock_options_read(s->stock, &s->block, &error) < 0)
+    if (s->stock && verify_stock_read(s->stock, &s->block, &error) < 0)
         die_usage("option --stock: %s", error.text);
 }
 
@@ -119,8 +116,8 @@ static struct machine read_machine(const struct settings *s)
     return machine;
 }
 
-static void read_program(const struct settings *s, const struct machine *machine, const char *file,
-                         struct verdict *v, struct nc_motion *motion)
+static struct verify_program read_program(const struct settings *s, const struct machine *machine,
+                                          const char *file, struct nc_motion *motion)
 {
     struct ncread_options options = {.kinematics = ncread_kinematics(machine)};
     struct error error;
@@ -135,10 +132,10 @@ static void read_program(const struct settings *s, const struct machine *machine
     if (ncread_read(file, &options, motion, &error) < 0)
         die_error(&error);
     motion->track = s->centre ? NC_MOTION_CENTRE : NC_MOTION_TIP;
-    v->file = motion->name;
-    v->control = control_row(control)->name;
-    v->machine = machine->name;
-    v->motion = motion;
+    return (struct verify_program){.file = motion->name,
+                                   .control = control_row(control)->name,
+                                   .machine = machine->name,
+                                   .motion = motion};
 }
 
 static void read_part(const struct settings *s, struct vec3s *points)
@@ -173,24 +170,22 @@ int main(int argc, char **argv)
     struct cli cli;
     struct nc_motion motion = {0};
     struct vec3s points = {0};
-    struct verify_run run;
     read_options(&s, &cli, argc, argv);
     struct machine machine = read_machine(&s);
-    struct axis_limits limits = limits_of(&machine);
-    struct verdict v = {
-        .radius = s.radius, .tolerance = s.tolerance, .left = s.left, .band = s.band};
-    read_program(&s, &machine, cli.file[0], &v, &motion);
+    struct verify_program program = read_program(&s, &machine, cli.file[0], &motion);
     read_part(&s, &points);
-    v.point = &points;
-    const struct verify_run_options setup = {.band = s.band,
-                                             .shank = s.shank,
-                                             .holder = s.holder ? &s.shape : NULL,
-                                             .stock = s.stock ? &s.block : NULL,
-                                             .cell = s.cell,
-                                             .threads = cli.threads};
-    verify_run_do(&setup, &run, &v);
-    v.load = axis_limits_check(&motion, &limits);
-    verdict_judge(&v);
+    program.part = &points;
+    const struct verify_options options = {.radius = s.radius,
+                                           .tolerance = s.tolerance,
+                                           .left = s.left,
+                                           .band = s.band,
+                                           .shank = s.shank,
+                                           .holder = s.holder ? &s.shape : NULL,
+                                           .stock = s.stock ? &s.block : NULL,
+                                           .cell = s.cell,
+                                           .limits = limits_of(&machine),
+                                           .threads = cli.threads};
+    struct verdict v = verify_run(&program, &options);
     if (s.map)
         verdict_map(&v, s.map);
     if (s.page)
@@ -198,9 +193,8 @@ int main(int argc, char **argv)
     verdict_text(&v, cli.output);
     bool refused = verdict_refused(&v);
     for (size_t i = 0; i < v.finding.n; i++)
-        say("%s: %s", v.file, v.finding.item[i].text);
+        say("%s: %s", program.file, v.finding.item[i].text);
     verdict_free(&v);
-    verify_run_free(&run);
     array_free(&points);
     array_free(&s.part);
     machine_options_free(&s.machine);

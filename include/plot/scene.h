@@ -9,7 +9,6 @@
 #include "math/box.h"
 #include "mesh/mesh.h"
 #include "math/vec.h"
-#include "plot/view.h"
 
 enum stroke_kind { STROKE_LINE, STROKE_ARC, STROKE_SPLINE, STROKE_RAPID, STROKE_POLES, STROKES };
 
@@ -59,8 +58,5 @@ void scene_free(struct scene *scene);
 /* The box of all that the layer shows but rapid moves, ticks of this length too; of rapid moves
  * when there is nothing else. */
 struct box layer_box(const struct layer *layer, double tick);
-
-/* The box of all layers as they stand in a view, with some room for rapid moves that leave it. */
-struct box scene_box(const struct scene *scene, const struct view *view, double tick);
 
 #endif

@@ -19,15 +19,15 @@ struct excursion_options {
 };
 
 struct excursion {
-    size_t leaps;   /* how many */
+    size_t count;   /* how many */
     double height;  /* of the highest: how far the ball is off all points */
     size_t piece;   /* where that is, of the motion */
     struct vec3 at; /* the ball's centre there */
 };
 
-/* The leaps of a path that deviation_map_run has looked at, over n points of the part. */
+/* The excursions of a path that deviation_map_run has looked at, over n points of the part. */
 struct excursion excursion_find(const struct nc_motion *motion, const struct centre_path *path,
                                 const struct vec3 *point, size_t n,
-                                const struct excursion_options *setup);
+                                const struct excursion_options *options);
 
 #endif

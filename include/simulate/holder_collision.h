@@ -1,37 +1,76 @@
 /*
- * holder_collision - shank and holder followed along a motion: where do they run into something?
+ * holder_collision - shank and holder followed along a motion: where do they run into the part, or
+ * into the stock as it is then?  Lengths in mm.
  *
  * The stack is looked at where it stands; as far as it is clear, so far it may move before it has
- * to be looked at again.  Where it is not clear the piece is halved until the depth is known within
- * a tenth, or 0.005 mm, or a quarter of the tolerance; a piece that is known to hit is looked at
- * only for what is deeper than all before it.  Lengths in mm.
+ * to be looked at again.  Where it is not clear the piece is halved until the depth is known well
+ * enough (constants in the .c); a piece that is known to hit is looked at only for what is deeper
+ * than all before it.
  */
 #ifndef CLOUDMILL_HOLDER_COLLISION_H
 #define CLOUDMILL_HOLDER_COLLISION_H
 
-#include "simulate/nc_motion.h"
-#include "simulate/collision_body.h"
+#include <stdbool.h>
 
-struct holder_collision {
-    /* set by the caller */
+#include "gouge/holder.h"
+#include "math/height_pyramid.h"
+#include "simulate/nc_motion.h"
+#include "simulate/stock.h"
+
+/* What they may run into: points of the part, or the surface of a stock. */
+struct collision_body {
+    struct height_pyramid heights;
+    /* of the points of a part */
+    const struct vec3 *point;
+    size_t *order, *first; /* points of cell k: order[first[k]] to order[first[k + 1] - 1] */
+    /* of a stock, whose changes it follows */
+    struct stock *stock;
+    struct vec3 hint; /* what was nearest the last time */
+    bool hinted;
+};
+
+/* A search: where shank and holder are, and what was found so far. */
+struct holder_search {
+    const struct holder *holder;
+    struct vec3 centre, axis; /* of the ball; up the tool */
+    double distance;          /* to the nearest place; on entry: what is no nearer is ignored */
+    double enough;            /* a place nearer than this ends the search */
+    struct vec3 at;           /* that place, if the distance got smaller */
+};
+
+/* Keeps a pointer to the points. */
+struct collision_body collision_body_points(const struct vec3 *point, size_t n);
+
+/* The surface of the stock: tops of its columns, and the walls between them. */
+struct collision_body collision_body_stock(struct stock *stock);
+
+void collision_body_free(struct collision_body *body);
+
+/* What of it is nearest to the holder where it stands; below zero it is inside. */
+void collision_body_nearest(struct collision_body *body, struct holder_search *search);
+
+struct holder_collision_options {
     const struct nc_motion *motion;
     const struct holder *holder;
-    struct collision_body *obstacle;
+    struct collision_body *body;
     double radius;    /* of the ball */
-    double tolerance; /* that it may be deep without being told */
-    /* found so far */
-    double depth; /* the deepest, above tolerance; 0: clear */
+    double tolerance; /* it may be so deep and is not told */
+};
+
+/* What was found up to a piece; all zero before the first. */
+struct holder_collision {
+    double depth; /* the deepest, above the tolerance; 0: clear */
     size_t piece; /* there */
     struct vec3 at;
     size_t pieces; /* that are deeper than the tolerance */
-    /* while it goes */
+    /* between one piece and the next */
     double budget; /* how far the stack may move before it has to be looked at */
     bool known;    /* `last` holds */
     struct nc_motion_pose last;
-    bool hit; /* this piece is one of `pieces` */
 };
 
 /* Follows one piece; pieces come in their order, those between may be left out. */
-void holder_collision_piece(struct holder_collision *way, size_t piece);
+void holder_collision_piece(const struct holder_collision_options *options,
+                            struct holder_collision *found, size_t piece);
 
 #endif

@@ -91,4 +91,67 @@ double stock_volume(const struct stock *stock);
 /* How much material of a column stands above z, mm. */
 double stock_above(const struct stock *stock, const struct stock_column *column, double z);
 
+/* ---- the block that a part is cut from: a box around its points, or its surface and more */
+
+enum stock_kind {
+    STOCK_AROUND,  /* the box around the points, on its sides and its top `allowance` larger */
+    STOCK_BETWEEN, /* the box between low and high */
+    STOCK_OFFSET   /* all within `allowance` of the surface or below it */
+};
+
+struct stock_options {
+    enum stock_kind kind;
+    double allowance; /* mm */
+    struct vec3 low, high;
+};
+
+/*
+ * How far columns are apart when nobody says: a five-hundredth of the longer side, no less than a
+ * twenty-fifth of the ball's radius, mm.
+ */
+double stock_cell(const struct stock_options *options, const struct vec3 *point, size_t n,
+                  double radius);
+
+/*
+ * The block for n points, its columns `cell` mm apart.  For STOCK_OFFSET the surface's height over
+ * a column is that of the quadric through the twelve nearest points seen from above; it is offset
+ * along its normals, and by balls about it where it is hollow.  Columns further from all points,
+ * seen from above, than two of their mean distances and the allowance are empty.
+ */
+struct stock stock_new(const struct stock_options *options, const struct vec3 *point, size_t n,
+                       double cell);
+
+/* ---- what is left on the part
+
+ * Of a point the distance to the nearest place of the stock's surface, found by steps along its
+ * slope from the place above the point; the surface between columns is bilinear.  Points that have
+ * others of the part far above them lie under it, and are left out. */
+
+enum { STOCK_REST_PERCENTILES = 3, STOCK_REST_BINS = 1 << 16 }; /* 50, 95, 99 */
+
+struct stock_rest {
+    const struct vec3 *point;
+    size_t points;         /* that are asked */
+    size_t *order, *first; /* by tile of the stock: order[first[k]] to order[first[k + 1] - 1] */
+    float *thick;          /* of each in `order` */
+    double bin;            /* mm of each bin */
+    size_t *count;         /* points in each bin */
+};
+
+struct stock_rest_sum {
+    double worst;
+    struct vec3 at;                      /* the point there */
+    double part[STOCK_REST_PERCENTILES]; /* no finer than a bin: 1/65536 of the stock's height */
+};
+
+/* Keeps a pointer to the points. */
+struct stock_rest stock_rest_new(const struct vec3 *point, size_t n, const struct stock *stock);
+void stock_rest_free(struct stock_rest *rest);
+
+/* Thickness at one point. */
+double stock_rest_at(const struct stock *stock, struct vec3 p);
+
+/* Looks again at the points whose tile was cut since the last time, or lies beside such a one. */
+struct stock_rest_sum stock_rest_update(struct stock_rest *rest, struct stock *stock);
+
 #endif

@@ -9,7 +9,7 @@
 
 #include "simulate/centre_path.h"
 #include "simulate/holder_collision.h"
-#include "simulate/stock_rest.h"
+#include "simulate/stock.h"
 
 struct stock_simulate_pass {
     size_t first, last; /* pieces of the motion */
@@ -19,7 +19,7 @@ struct stock_simulate_pass {
     struct vec3 bite_at; /* ... here */
     size_t blocks, air;  /* blocks at feed, and those of them that took nothing */
     double length, air_length;  /* of the ball's way in them */
-    struct stock_rest_sum left; /* behind it */
+    struct stock_rest_sum left; /* after it */
 };
 
 struct stock_simulate {
@@ -31,20 +31,21 @@ struct stock_simulate {
     double rapid;         /* how deep a rapid move goes into it, above the tolerance; 0: none */
     size_t rapid_piece;
     struct vec3 rapid_at;
-    size_t rapids; /* rapid pieces that do */
+    size_t rapids;                  /* rapid pieces that do */
+    struct holder_collision holder; /* shank and holder */
 };
 
 struct stock_simulate_options {
     const struct nc_motion *motion;
     const struct centre_path *cut; /* its pieces at feed: centre_path_cut */
     double radius, flat, tolerance;
-    struct holder_collision *way; /* shank and holder against this stock; NULL: not looked at */
-    bool rapids_alone;            /* `way` follows rapid moves only */
+    const struct holder_collision_options *holder; /* against this stock; NULL: not looked at */
+    bool rapids_alone;                             /* the holder in rapid moves only */
 };
 
-/* Cuts the stock; `left` asks the points of the part after each pass. */
-void stock_simulate_run(const struct stock_simulate_options *setup, struct stock *stock,
-                        struct stock_rest *left, struct stock_simulate *run);
+/* Cuts the stock; `rest` measures what is left on the part after each pass. */
+void stock_simulate_run(const struct stock_simulate_options *options, struct stock *stock,
+                        struct stock_rest *rest, struct stock_simulate *run);
 
 void stock_simulate_free(struct stock_simulate *run);
 

@@ -1,5 +1,5 @@
 /* layer_distance - see layer_distance.h. */
-#include "plot/layer_distance.h"
+#include "plot/plot.h"
 
 #include <stdlib.h>
 

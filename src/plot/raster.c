@@ -1,5 +1,5 @@
 /* raster - see raster.h. */
-#include "plot/raster.h"
+#include "raster.h"
 
 #include <stdlib.h>
 

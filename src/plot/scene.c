@@ -4,6 +4,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "pane.h"
+
 void layer_free(struct layer *layer)
 {
     array_free(&layer->point);

@@ -1,5 +1,5 @@
 /* svg - see svg.h. */
-#include "plot/svg.h"
+#include "svg.h"
 
 #include <math.h>
 #include <stdio.h>

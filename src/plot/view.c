@@ -1,5 +1,5 @@
 /* view - see view.h. */
-#include "plot/view.h"
+#include "view.h"
 
 struct view view_from(enum view_name name)
 {

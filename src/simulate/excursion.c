@@ -11,13 +11,13 @@ struct search {
     const struct centre_path *path;
     const struct vec3 *point;
     size_t n;
-    const struct excursion_options *setup;
+    const struct excursion_options *options;
     struct kdtree *part; /* made when it is needed */
-    struct excursion leap;
+    struct excursion found;
 };
 
 /* Does the way go on from one segment to the next as one curve, or as straight blocks do? */
-static bool goes_on(const struct search *s, size_t from, size_t to)
+static bool continues(const struct search *s, size_t from, size_t to)
 {
     const struct nc_piece *piece = s->motion->piece.item;
     unsigned p = s->path->item[from].piece, q = s->path->item[to].piece;
@@ -29,7 +29,7 @@ static bool goes_on(const struct search *s, size_t from, size_t to)
 }
 
 /* Straight blocks from one segment to another: are they two, there and back? */
-static bool spike(const struct search *s, size_t from, size_t to)
+static bool is_spike(const struct search *s, size_t from, size_t to)
 {
     const struct centre_segment *a = &s->path->item[from], *b = &s->path->item[to];
     if (b->piece != a->piece + 1)
@@ -54,7 +54,7 @@ static struct vec3 from_part(struct search *s, struct vec3 centre)
 
 static double clearance(struct search *s, struct vec3 centre)
 {
-    return vec_length(from_part(s, centre)) - s->setup->radius;
+    return vec_length(from_part(s, centre)) - s->options->radius;
 }
 
 /* Where the ball's centre is at the end of a piece, and the axis. */
@@ -62,18 +62,18 @@ static struct nc_motion_pose end_of(const struct search *s, size_t piece)
 {
     struct nc_motion_pose pose = nc_motion_at(s->motion, &s->motion->piece.item[piece], 1);
     if (s->motion->track == NC_MOTION_TIP)
-        pose.p = vec_along(pose.p, s->setup->radius, pose.a);
+        pose.p = vec_along(pose.p, s->options->radius, pose.a);
     return pose;
 }
 
-static void found(struct search *s, size_t segment, double height)
+static void add_excursion(struct search *s, size_t segment, double height)
 {
-    s->leap.leaps++;
-    if (height <= s->leap.height)
+    s->found.count++;
+    if (height <= s->found.height)
         return;
-    s->leap.height = height;
-    s->leap.piece = s->path->item[segment].piece;
-    s->leap.at = s->path->item[segment].b;
+    s->found.height = height;
+    s->found.piece = s->path->item[segment].piece;
+    s->found.at = s->path->item[segment].b;
 }
 
 /* A curve that ends off the part: does it end over the part, and a straight block come down again?
@@ -91,10 +91,10 @@ static void look_at_end(struct search *s, size_t to)
         return;
     struct nc_motion_pose end = end_of(s, piece);
     struct vec3 up = from_part(s, end.p);
-    double height = vec_length(up) - s->setup->radius;
+    double height = vec_length(up) - s->options->radius;
     if (fmax(vec_dot(up, end.a), up.z) >= OVER * vec_length(up) &&
-        clearance(s, end_of(s, next).p) < height - s->setup->band)
-        found(s, to, height);
+        clearance(s, end_of(s, next).p) < height - s->options->band)
+        add_excursion(s, to, height);
 }
 
 /* From the straight line between two places to a third, at right angles. */
@@ -104,13 +104,13 @@ static struct vec3 rise(struct vec3 from, struct vec3 to, struct vec3 p)
 }
 
 /* A stretch of segments off the part, both ends among them. */
-static void look(struct search *s, size_t from, size_t to)
+static void look_at_stretch(struct search *s, size_t from, size_t to)
 {
     const struct centre_segment *segment = s->path->item;
     struct vec3 a = segment[from].a, b = segment[to].b;
     size_t top = from;
-    double most = 0, band = s->setup->band;
-    if (s->motion->piece.item[segment[from].piece].shape == SHAPE_LINE && !spike(s, from, to))
+    double most = 0, band = s->options->band;
+    if (s->motion->piece.item[segment[from].piece].shape == SHAPE_LINE && !is_spike(s, from, to))
         return;
     for (size_t i = from; i < to; i++) {
         double high = vec_length(rise(a, b, segment[i].b));
@@ -127,23 +127,23 @@ static void look(struct search *s, size_t from, size_t to)
     struct vec3 axis = nc_motion_at(s->motion, piece, (double)segment[top].s[1]).a;
     double height = clearance(s, segment[top].b);
     if (most > band && height > band && vec_dot(axis, rise(a, b, segment[top].b)) >= RISES * most)
-        found(s, top, height);
+        add_excursion(s, top, height);
 }
 
 struct excursion excursion_find(const struct nc_motion *motion, const struct centre_path *path,
                                 const struct vec3 *point, size_t n,
-                                const struct excursion_options *setup)
+                                const struct excursion_options *options)
 {
-    struct search s = {motion, path, point, n, setup, NULL, {0}};
+    struct search s = {motion, path, point, n, options, NULL, {0}};
     for (size_t i = 0; n > 0 && i < path->n; i++) {
         size_t from = i;
         if (path->item[i].on)
             continue;
-        while (i + 1 < path->n && !path->item[i + 1].on && goes_on(&s, i, i + 1))
+        while (i + 1 < path->n && !path->item[i + 1].on && continues(&s, i, i + 1))
             i++;
-        look(&s, from, i);
+        look_at_stretch(&s, from, i);
     }
     if (s.part)
         kdtree_free(s.part);
-    return s.leap;
+    return s.found;
 }

@@ -1,108 +1,369 @@
 /* holder_collision - see holder_collision.h. */
 #include "simulate/holder_collision.h"
 
-enum { CURVED = 8 };
+#include <stdlib.h>
 
-#define FINE 0.005  /* mm, or ... */
+#include "base/array.h"
+
+enum {
+    IN_CELL = 8,       /* points in a cell of the pyramid, about */
+    CELLS_MOST = 2048, /* along a side of it */
+    CURVED = 8         /* parts that a curved piece is followed in */
+};
+
+#define FINE 0.005  /* mm: a stretch that short is not halved further, nor one ... */
+#define SHARE 0.25  /* ... shorter than this of the tolerance */
 #define ALIKE 1.1   /* depths are told within a tenth */
-#define SHARE 0.25  /* ... this of the tolerance */
 #define ENOUGH 10   /* mm: more clearance than that is not measured */
 #define GAIN 0.0005 /* mm: deeper by less than that is not deeper */
-#define BEND 1.3    /* how much longer than its ends are apart a part of a curved way may be */
+#define BEND 1.3    /* length of a part of a curved piece, at most, to the distance of its ends */
 
-/* The ball's centre and the axis at s of a piece. */
-static struct nc_motion_pose pose_at(const struct holder_collision *w, size_t piece, double s)
+/* ---- the body */
+
+static int clamp(double x, int n)
 {
-    struct nc_motion_pose pose = nc_motion_at(w->motion, &w->motion->piece.item[piece], s);
-    if (w->motion->track == NC_MOTION_TIP)
-        pose.p = vec_along(pose.p, w->radius, pose.a);
-    return pose;
+    return x < 0 ? 0 : x >= n ? n - 1 : (int)x;
 }
 
-/* No place of the stack moves further than this, the way being straight. */
-static double moves(const struct holder_collision *w, struct nc_motion_pose a,
-                    struct nc_motion_pose b)
+static size_t index_of(const struct height_pyramid *t, struct height_cell at)
 {
-    return vec_distance(a.p, b.p) + holder_reach(w->holder) * vec_angle(a.a, b.a);
+    return (size_t)at.row * (size_t)t->level[0].columns + (size_t)at.column;
 }
 
-struct stretch {
+static size_t cell_of(const struct height_pyramid *t, struct vec3 p)
+{
+    return index_of(t, height_pyramid_cell(t, p));
+}
+
+/* Points in the order of their cells, each cell with its box. */
+static void sort_points(struct collision_body *o, size_t n)
+{
+    size_t cells = (size_t)o->heights.level[0].columns * (size_t)o->heights.level[0].rows;
+    o->order = mem_alloc(n, sizeof *o->order);
+    o->first = mem_alloc(cells + 2, sizeof *o->first);
+    for (size_t i = 0; i < n; i++)
+        o->first[cell_of(&o->heights, o->point[i]) + 2]++;
+    for (size_t k = 2; k < cells + 2; k++)
+        o->first[k] += o->first[k - 1];
+    for (size_t i = 0; i < n; i++)
+        o->order[o->first[cell_of(&o->heights, o->point[i]) + 1]++] = i;
+    for (size_t k = 0; k < cells; k++) {
+        struct height_range range = {HUGE_VAL, -HUGE_VAL};
+        for (size_t i = o->first[k]; i < o->first[k + 1]; i++) {
+            range.low = fmin(range.low, o->point[o->order[i]].z);
+            range.high = fmax(range.high, o->point[o->order[i]].z);
+        }
+        size_t nx = (size_t)o->heights.level[0].columns;
+        height_pyramid_set(&o->heights, (struct height_cell){(int)(k % nx), (int)(k / nx)}, range);
+    }
+}
+
+struct collision_body collision_body_points(const struct vec3 *point, size_t n)
+{
+    struct collision_body o = {.point = point};
+    struct vec3 low = point[0], high = point[0];
+    for (size_t i = 1; i < n; i++) {
+        low = vec(fmin(low.x, point[i].x), fmin(low.y, point[i].y), 0);
+        high = vec(fmax(high.x, point[i].x), fmax(high.y, point[i].y), 0);
+    }
+    double area = (high.x - low.x) * (high.y - low.y);
+    double side = fmax(hypot(high.x - low.x, high.y - low.y), 1e-6);
+    double cell = fmax(sqrt(area * IN_CELL / (double)n), side / CELLS_MOST);
+    int nx = (int)((high.x - low.x) / cell) + 1, ny = (int)((high.y - low.y) / cell) + 1;
+    o.heights = height_pyramid_new(low.x, low.y, cell, cell, nx, ny);
+    sort_points(&o, n);
+    return o;
+}
+
+/* Takes one place into the search; returns its distance. */
+static double search_place(struct holder_search *search, struct vec3 place)
+{
+    double distance = holder_distance(search->holder, search->centre, search->axis, place);
+    if (distance < search->distance) {
+        search->distance = distance;
+        search->at = place;
+    }
+    return distance;
+}
+
+/* What a search through the pyramid is about. */
+struct body_search {
+    const struct collision_body *body;
+    struct holder_search *holder;
+};
+
+static double visit_points(void *context, struct height_cell cell)
+{
+    const struct body_search *search = context;
+    const struct collision_body *o = search->body;
+    size_t k = index_of(&o->heights, cell);
+    for (size_t m = o->first[k]; m < o->first[k + 1]; m++)
+        search_place(search->holder, o->point[o->order[m]]);
+    return search->holder->distance;
+}
+
+/* Top of a column; where nothing is left, or beside the grid, the bottom. */
+static double top_of(const struct stock *s, int i, int j)
+{
+    if (i < 0 || j < 0 || i >= s->nx || j >= s->ny)
+        return s->bottom;
+    const struct stock_column *c = stock_at(s, i, j);
+    return c->low < c->high ? c->high : s->bottom;
+}
+
+/* The lowest top beside a column: down to it there is a wall. */
+static double wall_foot(const struct stock *s, int i, int j)
+{
+    return fmin(fmin(top_of(s, i - 1, j), top_of(s, i + 1, j)),
+                fmin(top_of(s, i, j - 1), top_of(s, i, j + 1)));
+}
+
+struct columns {
+    int i0, i1, j0, j1;
+};
+
+static struct columns columns_of(const struct stock *s, int i, int j)
+{
+    return (struct columns){i * STOCK_TILE, (int)fmin((i + 1) * STOCK_TILE, s->nx), j * STOCK_TILE,
+                            (int)fmin((j + 1) * STOCK_TILE, s->ny)};
+}
+
+static void set_heights(struct collision_body *o, int i, int j)
+{
+    const struct stock *s = o->stock;
+    struct columns at = columns_of(s, i, j);
+    struct height_range range = {HUGE_VAL, -HUGE_VAL};
+    for (int v = at.j0; v < at.j1; v++)
+        for (int u = at.i0; u < at.i1; u++) {
+            double top = top_of(s, u, v);
+            range.high = fmax(range.high, top);
+            range.low = fmin(range.low, fmin(top, wall_foot(s, u, v)));
+        }
+    height_pyramid_set(&o->heights, (struct height_cell){i, j}, range);
+}
+
+struct collision_body collision_body_stock(struct stock *s)
+{
+    struct collision_body o = {.stock = s};
+    double dx = s->dx * STOCK_TILE, dy = s->dy * STOCK_TILE;
+    o.heights =
+        height_pyramid_new(s->x - s->dx / 2, s->y - s->dy / 2, dx, dy, s->tiles_x, s->tiles_y);
+    for (int j = 0; j < s->tiles_y; j++)
+        for (int i = 0; i < s->tiles_x; i++)
+            set_heights(&o, i, j);
+    return o;
+}
+
+/* Tiles beside one that was cut have new walls. */
+static void mark_beside(struct stock *s, int tile)
+{
+    int i = tile % s->tiles_x, j = tile / s->tiles_x;
+    for (int k = 0; k < 4; k++) {
+        int u = i + (k == 0) - (k == 1), v = j + (k == 2) - (k == 3), n = v * s->tiles_x + u;
+        if (u < 0 || v < 0 || u >= s->tiles_x || v >= s->tiles_y ||
+            (s->changed[n] & STOCK_FOR_HOLDER))
+            continue;
+        s->changed[n] |= STOCK_FOR_HOLDER;
+        *array_push(&s->holder) = n;
+    }
+}
+
+static void follow_stock(struct collision_body *o)
+{
+    struct stock *s = o->stock;
+    size_t cut = s->holder.n;
+    for (size_t k = 0; k < cut; k++)
+        mark_beside(s, s->holder.item[k]);
+    for (size_t k = 0; k < s->holder.n; k++) {
+        int tile = s->holder.item[k];
+        set_heights(o, tile % s->tiles_x, tile / s->tiles_x);
+        s->changed[tile] &= (unsigned char)~STOCK_FOR_HOLDER;
+    }
+    s->holder.n = 0;
+}
+
+/* The top of a column and, where they may be nearer than what was found, places down its wall. */
+static void search_column(const struct stock *s, int i, int j, struct holder_search *search)
+{
+    double top = top_of(s, i, j), foot = wall_foot(s, i, j), step = fmin(s->dx, s->dy);
+    struct vec3 place = vec(stock_x(s, i), stock_y(s, j), top);
+    if (top <= s->bottom)
+        return;
+    double distance = search_place(search, place);
+    while (place.z - step > foot && distance - (place.z - foot) < search->distance) {
+        /* as far as nothing can be nearer than what was found already */
+        place.z -= fmax(step, distance - search->distance);
+        if (place.z > foot)
+            distance = search_place(search, place);
+    }
+}
+
+static double visit_stock(void *context, struct height_cell cell)
+{
+    const struct body_search *search = context;
+    const struct stock *s = search->body->stock;
+    struct columns at = columns_of(s, cell.column, cell.row);
+    for (int v = at.j0; v < at.j1; v++)
+        for (int u = at.i0; u < at.i1; u++)
+            search_column(s, u, v, search->holder);
+    return search->holder->distance;
+}
+
+static double bound_box(void *context, struct vec3 middle, struct vec3 half)
+{
+    const struct holder_search *s = ((const struct body_search *)context)->holder;
+    return holder_bound(s->holder, s->centre, s->axis, middle, half);
+}
+
+/* Has all cells looked at where something may be nearer. */
+static void search_cells(const struct collision_body *o, struct holder_search *holder)
+{
+    struct body_search context = {o, holder};
+    struct height_search search = {bound_box, o->stock ? visit_stock : visit_points, &context,
+                                   holder->distance, holder->enough};
+    height_pyramid_search(&o->heights, &search);
+}
+
+void collision_body_free(struct collision_body *body)
+{
+    height_pyramid_free(&body->heights);
+    free(body->order);
+    free(body->first);
+}
+
+/* What was nearest the last time is near still. */
+static void search_hint(const struct collision_body *o, struct holder_search *search)
+{
+    const struct stock *s = o->stock;
+    if (s)
+        search_column(s, clamp((o->hint.x - s->x) / s->dx + 0.5, s->nx),
+                      clamp((o->hint.y - s->y) / s->dy + 0.5, s->ny), search);
+    else
+        search_place(search, o->hint);
+}
+
+void collision_body_nearest(struct collision_body *o, struct holder_search *search)
+{
+    double before = search->distance;
+    if (o->stock)
+        follow_stock(o);
+    if (o->hinted)
+        search_hint(o, search);
+    if (search->distance >= search->enough)
+        search_cells(o, search);
+    if (search->distance < before) {
+        o->hinted = true;
+        o->hint = search->at;
+    }
+}
+
+/* ---- the motion along it */
+
+/* Shank and holder on their way along one piece. */
+struct follower {
+    const struct holder_collision_options *options;
+    struct holder_collision *found;
     size_t piece;
+    bool hit; /* the piece is one of found->pieces */
+};
+
+/* A part of the piece, from s to s. */
+struct stretch {
     double from, to;
     struct nc_motion_pose a, b;
     double bend;
 };
 
-/* What is nearest where the stack stands, and nearer than `limit`; the first nearer than `enough`.
- */
-static double nearest(struct holder_collision *w, size_t piece, struct nc_motion_pose pose,
-                      double limit, double enough)
+/* The ball's centre and the axis at s of the piece. */
+static struct nc_motion_pose pose_at(const struct follower *f, double s)
 {
-    struct holder_search search = {w->holder, pose.p, pose.a, limit, enough, {0, 0, 0}};
-    collision_body_nearest(w->obstacle, &search);
-    if (search.distance < limit && -search.distance > fmax(w->tolerance, w->depth)) {
-        w->depth = -search.distance;
-        w->piece = piece;
-        w->at = search.at;
+    const struct nc_motion *motion = f->options->motion;
+    struct nc_motion_pose pose = nc_motion_at(motion, &motion->piece.item[f->piece], s);
+    if (motion->track == NC_MOTION_TIP)
+        pose.p = vec_along(pose.p, f->options->radius, pose.a);
+    return pose;
+}
+
+/* No place of the stack moves further than this, if the ball goes straight. */
+static double largest_move(const struct follower *f, struct nc_motion_pose a,
+                           struct nc_motion_pose b)
+{
+    return vec_distance(a.p, b.p) + holder_reach(f->options->holder) * vec_angle(a.a, b.a);
+}
+
+/* How far the stack is off where it is nearer than `limit`; ends at anything nearer than `enough`.
+ * Keeps the deepest. */
+static double measure(struct follower *f, struct nc_motion_pose pose, double limit, double enough)
+{
+    const struct holder_collision_options *options = f->options;
+    struct holder_collision *found = f->found;
+    struct holder_search search = {options->holder, pose.p, pose.a, limit, enough, {0, 0, 0}};
+    collision_body_nearest(options->body, &search);
+    if (search.distance < limit && -search.distance > fmax(options->tolerance, found->depth)) {
+        found->depth = -search.distance;
+        found->piece = f->piece;
+        found->at = search.at;
     }
     return search.distance;
 }
 
 /*
- * Looks at one place; returns how far the stack is off, at most ENOUGH.  Once the piece is known to
- * hit, only what is deeper than anything before is of interest, or may become so within `half`.
+ * How far the stack is off at one place, at most ENOUGH.  Once the piece is known to hit, only what
+ * is deeper than anything before is of interest, or may become so within `half`.
  */
-static double look(struct holder_collision *w, size_t piece, struct nc_motion_pose pose,
-                   double half)
+static double clearance_at(struct follower *f, struct nc_motion_pose pose, double half)
 {
-    if (!w->hit) {
-        double clear = nearest(w, piece, pose, ENOUGH, -w->tolerance);
-        if (clear >= -w->tolerance)
+    double tolerance = f->options->tolerance, depth = f->found->depth;
+    if (!f->hit) {
+        double clear = measure(f, pose, ENOUGH, -tolerance);
+        if (clear >= -tolerance)
             return clear;
-        w->hit = true;
-        w->pieces++;
+        f->hit = true;
+        f->found->pieces++;
+        depth = f->found->depth;
     }
-    double limit = fmax(half - ALIKE * w->depth, -w->depth - GAIN);
-    return nearest(w, piece, pose, limit, -HUGE_VAL);
+    double limit = fmax(half - ALIKE * depth, -depth - GAIN);
+    return measure(f, pose, limit, -HUGE_VAL);
 }
 
-static void follow(struct holder_collision *w, struct stretch s)
+static void follow_stretch(struct follower *f, struct stretch s)
 {
-    double way = s.bend * moves(w, s.a, s.b);
-    if (way <= w->budget) {
-        w->budget -= way;
+    double tolerance = f->options->tolerance, length = s.bend * largest_move(f, s.a, s.b);
+    double *budget = &f->found->budget;
+    if (length <= *budget) {
+        *budget -= length;
         return;
     }
     double middle = (s.from + s.to) / 2;
-    struct nc_motion_pose m = pose_at(w, s.piece, middle);
-    double half = s.bend * fmax(moves(w, s.a, m), moves(w, m, s.b));
-    double distance = look(w, s.piece, m, half);
-    double deepest = half - distance; /* that it may be anywhere on the stretch */
-    w->budget = fmax(0, w->tolerance - deepest);
-    if (deepest <= w->tolerance || half < fmax(FINE, SHARE * w->tolerance) ||
-        (w->hit && deepest <= ALIKE * w->depth))
+    struct nc_motion_pose m = pose_at(f, middle);
+    double half = s.bend * fmax(largest_move(f, s.a, m), largest_move(f, m, s.b));
+    double deepest = half - clearance_at(f, m, half); /* that it may be anywhere on the stretch */
+    *budget = fmax(0, tolerance - deepest);
+    if (deepest <= tolerance || half < fmax(FINE, SHARE * tolerance) ||
+        (f->hit && deepest <= ALIKE * f->found->depth))
         return;
-    w->budget = 0;
-    follow(w, (struct stretch){s.piece, s.from, middle, s.a, m, s.bend});
-    follow(w, (struct stretch){s.piece, middle, s.to, m, s.b, s.bend});
+    *budget = 0;
+    follow_stretch(f, (struct stretch){s.from, middle, s.a, m, s.bend});
+    follow_stretch(f, (struct stretch){middle, s.to, m, s.b, s.bend});
 }
 
-void holder_collision_piece(struct holder_collision *w, size_t index)
+void holder_collision_piece(const struct holder_collision_options *options,
+                            struct holder_collision *found, size_t index)
 {
-    const struct nc_piece *piece = &w->motion->piece.item[index];
+    const struct nc_piece *piece = &options->motion->piece.item[index];
+    struct follower f = {options, found, index, false};
     bool straight = piece->shape == SHAPE_LINE && vec_distance(piece->q[0], piece->q[1]) == 0 &&
                     piece->interpolation != AXIS_BY_HEAD;
-    struct nc_motion_pose a = pose_at(w, index, 0);
+    struct nc_motion_pose a = pose_at(&f, 0);
     int parts = straight ? 1 : CURVED;
-    if (w->known)
-        w->budget = fmax(0, w->budget - moves(w, w->last, a));
-    w->hit = false;
+    if (found->known)
+        found->budget = fmax(0, found->budget - largest_move(&f, found->last, a));
     for (int i = 1; i <= parts; i++) {
-        struct nc_motion_pose b = pose_at(w, index, (double)i / parts);
-        struct stretch s = {index, (i - 1.0) / parts, (double)i / parts, a, b, straight ? 1 : BEND};
-        follow(w, s);
+        struct nc_motion_pose b = pose_at(&f, (double)i / parts);
+        struct stretch s = {(i - 1.0) / parts, (double)i / parts, a, b, straight ? 1 : BEND};
+        follow_stretch(&f, s);
         a = b;
     }
-    w->last = a;
-    w->known = true;
+    found->last = a;
+    found->known = true;
 }

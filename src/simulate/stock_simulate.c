@@ -3,75 +3,75 @@
 
 #include <stdlib.h>
 
-struct job {
-    const struct stock_simulate_options *setup;
+struct simulation {
+    const struct stock_simulate_options *options;
     struct stock *stock;
-    struct stock_rest *left;
+    struct stock_rest *rest;
     struct stock_simulate *run;
-    size_t segment;        /* the next one of setup->cut */
+    size_t segment;        /* the next one of options->cut */
     bool cut;              /* the piece before was at feed */
     size_t line;           /* the block that is being cut: it has taken ... */
     double volume, length; /* ... so much on so long a way */
 };
 
 /* The block is over: was it air? */
-static void end_block(struct job *job)
+static void end_block(struct simulation *s)
 {
-    if (job->line == 0)
+    if (s->line == 0)
         return;
-    struct stock_simulate_pass *pass = &job->run->pass.item[job->run->pass.n - 1];
+    struct stock_simulate_pass *pass = &s->run->pass.item[s->run->pass.n - 1];
     pass->blocks++;
-    pass->length += job->length;
-    if (job->volume <= 0) {
+    pass->length += s->length;
+    if (s->volume <= 0) {
         pass->air++;
-        pass->air_length += job->length;
+        pass->air_length += s->length;
     }
-    job->line = 0;
-    job->volume = job->length = 0;
+    s->line = 0;
+    s->volume = s->length = 0;
 }
 
-static void end_pass(struct job *job)
+static void end_pass(struct simulation *s)
 {
-    end_block(job);
-    if (job->cut)
-        job->run->pass.item[job->run->pass.n - 1].left = stock_rest_update(job->left, job->stock);
-    job->cut = false;
+    end_block(s);
+    if (s->cut)
+        s->run->pass.item[s->run->pass.n - 1].left = stock_rest_update(s->rest, s->stock);
+    s->cut = false;
 }
 
-static void rapid(struct job *job, size_t piece, struct centre_path *way)
+static void run_rapid(struct simulation *s, size_t piece, struct centre_path *path)
 {
-    const struct stock_simulate_options *setup = job->setup;
+    const struct stock_simulate_options *options = s->options;
     bool deep = false;
-    way->n = 0;
-    centre_path_piece(setup->motion, piece, setup->radius, 0, setup->flat, way);
-    for (size_t k = 0; k < way->n; k++) {
+    path->n = 0;
+    centre_path_piece(options->motion, piece, options->radius, 0, options->flat, path);
+    for (size_t k = 0; k < path->n; k++) {
         struct stock_bite bite =
-            stock_capsule(job->stock, way->item[k].a, way->item[k].b, setup->radius, 0);
-        deep = deep || bite.depth > setup->tolerance;
-        if (bite.depth > fmax(setup->tolerance, job->run->rapid)) {
-            job->run->rapid = bite.depth;
-            job->run->rapid_piece = piece;
-            job->run->rapid_at = bite.at;
+            stock_capsule(s->stock, path->item[k].a, path->item[k].b, options->radius, 0);
+        deep = deep || bite.depth > options->tolerance;
+        if (bite.depth > fmax(options->tolerance, s->run->rapid)) {
+            s->run->rapid = bite.depth;
+            s->run->rapid_piece = piece;
+            s->run->rapid_at = bite.at;
         }
     }
-    job->run->rapids += deep;
+    s->run->rapids += deep;
 }
 
-static void feed(struct job *job, size_t piece)
+static void run_cut(struct simulation *s, size_t piece)
 {
-    const struct centre_path *cut = job->setup->cut;
-    if (!job->cut)
-        *array_push(&job->run->pass) = (struct stock_simulate_pass){.first = piece};
-    struct stock_simulate_pass *pass = &job->run->pass.item[job->run->pass.n - 1];
-    if (job->line != job->setup->motion->piece.item[piece].line)
-        end_block(job);
-    job->line = job->setup->motion->piece.item[piece].line;
-    for (; job->segment < cut->n && cut->item[job->segment].piece == piece; job->segment++) {
-        const struct centre_segment *s = &cut->item[job->segment];
-        struct stock_bite bite =
-            stock_capsule(job->stock, s->a, s->b, job->setup->radius, (unsigned)job->run->pass.n);
-        job->volume += bite.volume;
-        job->length += vec_distance(s->a, s->b);
+    const struct centre_path *cut = s->options->cut;
+    if (!s->cut)
+        *array_push(&s->run->pass) = (struct stock_simulate_pass){.first = piece};
+    struct stock_simulate_pass *pass = &s->run->pass.item[s->run->pass.n - 1];
+    if (s->line != s->options->motion->piece.item[piece].line)
+        end_block(s);
+    s->line = s->options->motion->piece.item[piece].line;
+    for (; s->segment < cut->n && cut->item[s->segment].piece == piece; s->segment++) {
+        const struct centre_segment *segment = &cut->item[s->segment];
+        struct stock_bite bite = stock_capsule(s->stock, segment->a, segment->b, s->options->radius,
+                                               (unsigned)s->run->pass.n);
+        s->volume += bite.volume;
+        s->length += vec_distance(segment->a, segment->b);
         pass->volume += bite.volume;
         if (bite.depth > pass->bite) {
             pass->bite = bite.depth;
@@ -79,30 +79,30 @@ static void feed(struct job *job, size_t piece)
             pass->bite_at = bite.at;
         }
     }
-    job->cut = true;
+    s->cut = true;
     pass->last = piece;
 }
 
-void stock_simulate_run(const struct stock_simulate_options *setup, struct stock *stock,
-                        struct stock_rest *left, struct stock_simulate *run)
+void stock_simulate_run(const struct stock_simulate_options *options, struct stock *stock,
+                        struct stock_rest *rest, struct stock_simulate *run)
 {
-    struct job job = {.setup = setup, .stock = stock, .left = left, .run = run};
-    struct centre_path way = {0};
+    struct simulation s = {.options = options, .stock = stock, .rest = rest, .run = run};
+    struct centre_path path = {0};
     *run = (struct stock_simulate){.before = stock_volume(stock)};
-    for (size_t i = 0; i < setup->motion->piece.n; i++) {
-        bool fast = setup->motion->piece.item[i].rapid;
+    for (size_t i = 0; i < options->motion->piece.n; i++) {
+        bool fast = options->motion->piece.item[i].rapid;
         if (fast) {
-            end_pass(&job);
-            rapid(&job, i, &way);
+            end_pass(&s);
+            run_rapid(&s, i, &path);
         } else {
-            feed(&job, i);
+            run_cut(&s, i);
         }
-        if (setup->way && (fast || !setup->rapids_alone))
-            holder_collision_piece(setup->way, i);
+        if (options->holder && (fast || !options->rapids_alone))
+            holder_collision_piece(options->holder, &run->holder, i);
     }
-    end_pass(&job);
+    end_pass(&s);
     run->after = stock_volume(stock);
-    array_free(&way);
+    array_free(&path);
 }
 
 void stock_simulate_free(struct stock_simulate *run)

@@ -1,28 +1,67 @@
-/* verdict_page - one page for a browser, nothing loaded from anywhere: see verdict.h. */
+/*
+ * verdict_page - the verdict as one page for a browser, nothing loaded from anywhere: page.html
+ * with each {{name}} replaced by what stands in `fields` below (see verify.h).
+ *
+ * page.js reads `const D`: centre [x y z], points (x y z deviation inside row), nodes (x y z kind
+ * row; kind 0 begins, 1 cuts, 2 is rapid), rows (block line pass gouge left), worst (rows),
+ * tolerance and full (deviations of full colour).  Places are whole thousandths of a mm, deviations
+ * ten-thousandths.
+ */
 #include <limits.h>
 #include <math.h>
 #include <stdlib.h>
+#include <string.h>
 
+#include "base/array.h"
 #include "base/out.h"
-#include "verify/verdict.h"
-#include "verdict_script.h"
-#include "verdict_side.h"
+#include "ncread/ncread.h"
+#include "verify/verify.h"
 
-/* What a browser turns without delay. */
-enum { POINTS = 60000, NODES = 60000, WORST = 12 };
+/* The files of these names, which make builds in. */
+extern const char page_html[], page_css[], page_js[];
 
-static const char style[] =
-    "body{font:15px/1.4 system-ui,sans-serif;margin:0;color:#1c1c1c;background:#fafafa}\n"
-    "main{display:grid;grid-template-columns:minmax(0,1fr) 24rem;gap:1rem;padding:1rem}\n"
-    "h1{font-size:1.2rem;margin:.6rem 1rem 0}h2{font-size:1rem;margin:.8rem 0 .3rem}\n"
-    "#view{width:100%;height:70vh;background:#fff;border:1px solid #bbb;touch-action:none}\n"
-    "#view:focus,button:focus-visible{outline:3px solid #2864dc}\n"
-    "table{border-collapse:collapse}td,th{text-align:left;padding:.1rem .6rem .1rem 0}\n"
-    "td.n{text-align:right;font-variant-numeric:tabular-nums}\n"
-    "button{font:inherit;margin:.1rem .2rem .1rem 0;padding:.1rem .5rem;cursor:pointer}\n"
-    "button[aria-pressed=true]{background:#dce8ff}#passes{max-height:16rem;overflow:auto}\n"
-    ".bad{color:#b00020;font-weight:600}.good{color:#1b7a34;font-weight:600}\n"
-    "@media(max-width:60rem){main{grid-template-columns:1fr}}\n";
+enum {
+    POINTS = 60000,
+    NODES = 60000, /* what a browser turns without delay */
+    WORST = 12,    /* blocks with the deepest gouges, and as many with most left */
+    BARS = 41      /* of the histogram */
+};
+
+/* Rows of the table of pieces that the page knows, each once. */
+struct page_rows {
+    size_t *of; /* number of each piece's row, from 1; 0: none yet */
+    struct sizes piece;
+};
+
+struct page {
+    struct out *out;
+    const struct verdict *verdict;
+    struct page_rows rows;
+    size_t worst[2 * WORST], worst_n; /* pieces */
+};
+
+/* Number of the piece's row, from 0; a new one where it has none. */
+static long row_of(struct page_rows *rows, size_t piece)
+{
+    if (rows->of[piece] == 0) {
+        *array_push(&rows->piece) = piece;
+        rows->of[piece] = rows->piece.n;
+    }
+    return (long)rows->of[piece] - 1;
+}
+
+/* Text with what HTML has for <, > and &. */
+static void print_escaped(struct out *o, const char *s)
+{
+    for (; *s; s++) {
+        if (*s == '<' || *s == '>' || *s == '&')
+            out_text(o, *s == '<' ? "&lt;" : *s == '>' ? "&gt;" : "&amp;");
+        else
+            out_bytes(o, s, 1);
+    }
+}
+
+/* ---- the data of the script */
 
 static int thousandths(double mm)
 {
@@ -46,7 +85,7 @@ static struct vec3 middle(const struct vec3s *points)
     return vec_mix(low, high, 0.5);
 }
 
-static void place(struct out *o, struct vec3 p, struct vec3 centre)
+static void print_place(struct out *o, struct vec3 p, struct vec3 centre)
 {
     out_printf(o, "%d,%d,%d,", thousandths(p.x - centre.x), thousandths(p.y - centre.y),
                thousandths(p.z - centre.z));
@@ -55,36 +94,36 @@ static void place(struct out *o, struct vec3 p, struct vec3 centre)
 /* How much a point is worth being shown. */
 static double weight(const struct verdict *v, size_t i)
 {
-    double deviation = v->roll.deviation[i];
-    if (!v->roll.region[i])
+    double deviation = v->map.deviation[i];
+    if (!v->map.region[i])
         return -1;
     return deviation < 0 ? 1000 - deviation : deviation;
 }
 
 /* Of as many points in a row as there are too many, the one that is worst. */
-static void points(struct out *o, const struct verdict *v, struct vec3 centre,
-                   struct side_rows *rows)
+static void print_points(struct out *o, const struct verdict *v, struct vec3 centre,
+                         struct page_rows *rows)
 {
-    size_t stride = v->roll.points / POINTS + 1;
+    size_t stride = v->map.points / POINTS + 1;
     out_text(o, "points:[");
-    for (size_t from = 0; from < v->roll.points; from += stride) {
-        size_t to = from + stride < v->roll.points ? from + stride : v->roll.points, best = from;
+    for (size_t from = 0; from < v->map.points; from += stride) {
+        size_t to = from + stride < v->map.points ? from + stride : v->map.points, best = from;
         for (size_t i = from + 1; i < to; i++)
             if (weight(v, i) > weight(v, best))
                 best = i;
-        unsigned segment = v->roll.segment[best];
-        place(o, v->point->item[best], centre);
-        out_printf(o, "%d,%d,%ld,\n", fine(v->roll.deviation[best]), v->roll.region[best],
-                   segment == UINT_MAX ? -1 : side_row(rows, v->cut->item[segment].piece));
+        unsigned segment = v->map.segment[best];
+        print_place(o, v->program.part->item[best], centre);
+        out_printf(o, "%d,%d,%ld,\n", fine(v->map.deviation[best]), v->map.region[best],
+                   segment == UINT_MAX ? -1 : row_of(rows, v->cut.item[segment].piece));
     }
     out_text(o, "],\n");
 }
 
 /* The way of the tip; curves in eight steps. */
-static void nodes(struct out *o, const struct verdict *v, struct vec3 centre,
-                  struct side_rows *rows)
+static void print_nodes(struct out *o, const struct verdict *v, struct vec3 centre,
+                        struct page_rows *rows)
 {
-    const struct nc_motion *motion = v->motion;
+    const struct nc_motion *motion = v->program.motion;
     size_t stride = motion->piece.n / NODES + 1;
     out_text(o, "nodes:[");
     for (size_t i = 0; i < motion->piece.n; i++) {
@@ -92,91 +131,255 @@ static void nodes(struct out *o, const struct verdict *v, struct vec3 centre,
         bool turn = i == 0 || piece->rapid != motion->piece.item[i - 1].rapid;
         if (i % stride != 0 && !turn)
             continue;
-        long row = side_row(rows, i);
+        long row = row_of(rows, i);
         int steps = piece->shape == SHAPE_LINE ? 1 : 8;
         if (turn) {
-            place(o, nc_motion_at(motion, piece, 0).p, centre);
+            print_place(o, nc_motion_at(motion, piece, 0).p, centre);
             out_printf(o, "0,%ld,\n", row);
         }
         for (int k = 1; k <= steps; k++) {
-            place(o, nc_motion_at(motion, piece, (double)k / steps).p, centre);
+            print_place(o, nc_motion_at(motion, piece, (double)k / steps).p, centre);
             out_printf(o, "%d,%ld,\n", piece->rapid ? 2 : 1, row);
         }
     }
     out_text(o, "],\n");
 }
 
-static void data(struct out *o, const struct verdict *v, struct side_rows *rows,
-                 const size_t *worst, size_t n)
+static void print_data(struct page *page)
 {
-    struct vec3 centre = middle(v->point);
-    double full = isfinite(v->left) ? v->left : 4 * v->tolerance;
+    const struct verdict *v = page->verdict;
+    struct out *o = page->out;
+    struct page_rows *rows = &page->rows;
+    struct vec3 centre = middle(v->program.part);
+    double full = isfinite(v->options.left) ? v->options.left : 4 * v->options.tolerance;
     out_printf(o, "const D = {centre:[%d,%d,%d],tolerance:%d,full:%d,\n", thousandths(centre.x),
-               thousandths(centre.y), thousandths(centre.z), fine(v->tolerance), fine(full));
-    points(o, v, centre, rows);
-    nodes(o, v, centre, rows);
+               thousandths(centre.y), thousandths(centre.z), fine(v->options.tolerance),
+               fine(full));
+    print_points(o, v, centre, rows);
+    print_nodes(o, v, centre, rows);
     out_text(o, "worst:[");
-    for (size_t i = 0; i < n; i++)
-        out_printf(o, "%ld,", side_row(rows, worst[i]));
+    for (size_t i = 0; i < page->worst_n; i++)
+        out_printf(o, "%ld,", row_of(rows, page->worst[i]));
     out_text(o, "],\nrows:[");
     for (size_t i = 0; i < rows->piece.n; i++) {
         size_t at = rows->piece.item[i];
-        const struct nc_piece *piece = &v->motion->piece.item[at];
+        const struct nc_piece *piece = &v->program.motion->piece.item[at];
         out_printf(o, "%d,%zu,%u,%d,%d,\n", piece->block, piece->line, v->piece[at].pass,
                    fine((double)v->piece[at].gouge), fine((double)v->piece[at].over));
     }
     out_text(o, "]};\n");
 }
 
-static void body(struct out *o, const struct verdict *v, struct side_rows *rows,
-                 const size_t *worst, size_t n)
+/* ---- beside the view */
+
+static void print_row(struct out *o, const char *what, double worst, const double *part,
+                      size_t beyond)
 {
-    out_text(o, "<h1>");
-    side_text(o, v->file);
-    out_printf(o, ": %s, ball of radius %g, tolerance %g mm, machine ", v->control, v->radius,
-               v->tolerance);
-    side_text(o, v->machine);
-    out_text(o,
-             "</h1>\n<main><section>\n<canvas id=\"view\" tabindex=\"0\" role=\"img\" "
-             "aria-label=\"the part, coloured by deviation; keys are told below\"></canvas>\n"
-             "<p id=\"info\" aria-live=\"polite\">Nothing is chosen.</p>\n<p>"
-             "<button type=\"button\" id=\"points\" aria-pressed=\"true\">points</button>"
-             "<button type=\"button\" id=\"path\" aria-pressed=\"true\">path</button>"
-             "<button type=\"button\" id=\"rapid\" aria-pressed=\"true\">rapids</button> "
-             "<label>block <input id=\"find\" size=\"8\" inputmode=\"numeric\"></label></p>\n"
-             "<p>Green is cut, red gouged, blue left, grey not of the region cut. Drag turns, with "
-             "shift it moves, the wheel zooms, a click chooses. Keys: arrows turn, with shift "
-             "move, + and - zoom, 0 begins anew, t from above, f from the front, n and p the next "
-             "and the last of the worst blocks, ] and [ of the passes, Esc "
-             "nothing.</p>\n</section><section>\n");
-    side_write(o, v, rows, worst, n);
-    out_text(o, "</section></main>\n");
+    out_printf(o, "<tr><th scope=\"row\">%s</th>", what);
+    out_printf(o, "<td class=\"n\">%.4f</td><td class=\"n\">%.4f</td>", worst, part[0]);
+    out_printf(o, "<td class=\"n\">%.4f</td><td class=\"n\">%.4f</td>", part[1], part[2]);
+    out_printf(o, "<td class=\"n\">%zu</td></tr>\n", beyond);
+}
+
+static void print_figures(struct out *o, const struct verdict *v)
+{
+    static const char letter[] = "XYZABC";
+    const struct deviation_map *r = &v->map;
+    out_text(o, "<h2>Figures, mm</h2>\n<table><tr><td></td><th>worst</th><th>50%</th><th>95%</th>"
+                "<th>99%</th><th>points beyond</th></tr>\n");
+    print_row(o, "gouge", r->gouge, r->gouge_part, r->gouged);
+    print_row(o, "left", r->over, r->over_part, r->left);
+    out_printf(o, "</table>\n<p>%zu points, %zu in the region cut. %.1f mm in %u passes, ",
+               r->points, r->cut, v->axes.cut_length, v->passes);
+    out_printf(o, "%.2f min at feed; %.1f mm rapid, %.2f min.</p>\n<table>", v->axes.cut_time,
+               v->axes.rapid_length, v->axes.rapid_time);
+    for (int k = 0; k < NC_AXES; k++)
+        if (v->axes.low[k] < v->axes.high[k])
+            out_printf(o,
+                       "<tr><th scope=\"row\">travel %c</th><td class=\"n\">%.3f</td>"
+                       "<td class=\"n\">%.3f</td></tr>\n",
+                       letter[k], v->axes.low[k], v->axes.high[k]);
+    out_text(o, "</table>\n");
+}
+
+static void print_findings(struct out *o, const struct verdict *v)
+{
+    out_printf(o, "<p class=\"%s\" role=\"status\">%s</p>\n", verdict_refused(v) ? "bad" : "good",
+               verdict_refused(v) ? "refused" : "accepted");
+    out_text(o, "<ul>\n");
+    for (size_t i = 0; i < v->finding.n; i++) {
+        out_printf(o, "<li%s>", v->finding.item[i].fault ? " class=\"bad\"" : "");
+        print_escaped(o, v->finding.item[i].text);
+        out_text(o, "</li>\n");
+    }
+    out_text(o, "</ul>\n");
+}
+
+/* Bars of how many points there are at each deviation, from the worst gouge to `most`. */
+static void print_histogram(struct out *o, const struct verdict *v)
+{
+    size_t count[BARS] = {0}, highest = 1;
+    double low = -fmax(v->map.gouge, v->options.tolerance),
+           high = fmax(v->map.over_part[2] * 1.2, -low);
+    for (size_t i = 0; i < v->map.points; i++) {
+        double share = (v->map.deviation[i] - low) / (high - low);
+        if (v->map.region[i])
+            count[(int)fmin(fmax(share * BARS, 0), BARS - 1)]++;
+    }
+    for (int i = 0; i < BARS; i++)
+        highest = count[i] > highest ? count[i] : highest;
+    out_text(o, "<h2>How many points at which deviation</h2>\n<svg viewBox=\"0 0 410 130\" "
+                "width=\"100%\" role=\"img\" aria-label=\"histogram of deviations\">\n");
+    for (int i = 0; i < BARS; i++) {
+        /* by the logarithm, so that a few gouged points are seen */
+        double tall = 100 * log1p((double)count[i]) / log1p((double)highest);
+        double at = low + (high - low) * (i + 0.5) / BARS;
+        out_printf(o, "<rect x=\"%d\" y=\"%.1f\" width=\"9\" height=\"%.1f\" fill=\"%s\">", 10 * i,
+                   105 - tall, tall,
+                   at < -v->options.tolerance   ? "#dc1e1e"
+                   : at <= v->options.tolerance ? "#46aa5a"
+                                                : "#285adc");
+        out_printf(o, "<title>%.4f mm: %zu points</title></rect>\n", at, count[i]);
+    }
+    out_printf(o, "<text x=\"0\" y=\"122\" font-size=\"12\">%.4f</text>", low);
+    out_printf(o,
+               "<text x=\"410\" y=\"122\" font-size=\"12\" text-anchor=\"end\">%.4f mm</text>"
+               "</svg>\n<p>Heights by the logarithm.</p>\n",
+               high);
+}
+
+static void print_blocks(struct out *o, const struct verdict *v, struct page_rows *rows,
+                         const size_t *worst, size_t n)
+{
+    out_text(o, "<h2>Worst blocks</h2>\n<div>\n");
+    for (size_t i = 0; i < n; i++) {
+        const struct verdict_piece *at = &v->piece[worst[i]];
+        bool gouge = (double)at->gouge > v->options.tolerance || at->over <= 0;
+        char where[60];
+        ncread_place(&v->program.motion->piece.item[worst[i]], where, sizeof where);
+        out_printf(o, "<button type=\"button\" data-row=\"%ld\">%s, pass %u: %s %.4f</button>\n",
+                   row_of(rows, worst[i]), where, at->pass, gouge ? "gouge" : "left",
+                   (double)(gouge ? at->gouge : at->over));
+    }
+    out_text(o, "</div>\n");
+}
+
+/* What one pass did. */
+struct pass_sum {
+    double gouge, over, length; /* mm */
+    const struct nc_piece *first, *last;
+};
+
+static double length_of(const struct nc_motion *motion, const struct nc_piece *piece)
+{
+    enum { STEPS = 8 };
+    double length = 0;
+    for (int k = 0; k < STEPS; k++)
+        length += vec_distance(nc_motion_at(motion, piece, (double)k / STEPS).p,
+                               nc_motion_at(motion, piece, (double)(k + 1) / STEPS).p);
+    return length;
+}
+
+/* A button for each pass. */
+static void print_passes(struct out *o, const struct verdict *v)
+{
+    struct pass_sum *pass = mem_alloc((size_t)v->passes + 1, sizeof *pass);
+    for (size_t i = 0; i < v->program.motion->piece.n; i++) {
+        const struct nc_piece *piece = &v->program.motion->piece.item[i];
+        struct pass_sum *p = &pass[v->piece[i].pass];
+        if (piece->rapid || v->piece[i].pass > v->passes)
+            continue;
+        p->gouge = fmax(p->gouge, (double)v->piece[i].gouge);
+        p->over = fmax(p->over, (double)v->piece[i].over);
+        p->length += length_of(v->program.motion, piece);
+        p->first = p->first ? p->first : piece;
+        p->last = piece;
+    }
+    out_text(o, "<h2>Passes</h2>\n<div id=\"passes\">\n");
+    for (unsigned i = 0; i <= v->passes; i++) {
+        char from[60], to[60];
+        if (!pass[i].first)
+            continue;
+        ncread_place(pass[i].first, from, sizeof from);
+        ncread_place(pass[i].last, to, sizeof to);
+        out_printf(o,
+                   "<button type=\"button\" data-pass=\"%u\" aria-pressed=\"false\" "
+                   "title=\"%s to %s\">pass %u: gouge %.4f, left %.4f, %.1f mm</button>\n",
+                   i, from, to, i, pass[i].gouge, pass[i].over, pass[i].length);
+    }
+    out_text(o, "</div>\n");
+    free(pass);
+}
+
+/* ---- the fields of page.html */
+
+static void print_file(struct page *page)
+{
+    print_escaped(page->out, page->verdict->program.file);
+}
+
+static void print_program(struct page *page)
+{
+    const struct verdict *v = page->verdict;
+    out_printf(page->out, "%s, ball of radius %g, tolerance %g mm, machine ", v->program.control,
+               v->options.radius, v->options.tolerance);
+    print_escaped(page->out, v->program.machine);
+}
+
+static void print_verdict(struct page *page)
+{
+    print_findings(page->out, page->verdict);
+    print_figures(page->out, page->verdict);
+    print_histogram(page->out, page->verdict);
+    print_blocks(page->out, page->verdict, &page->rows, page->worst, page->worst_n);
+    print_passes(page->out, page->verdict);
+}
+
+static void print_css(struct page *page)
+{
+    out_text(page->out, page_css);
+}
+
+static void print_js(struct page *page)
+{
+    out_text(page->out, page_js);
+}
+
+static const struct {
+    const char *name;
+    void (*print)(struct page *page);
+} fields[] = {{"file", print_file}, {"program", print_program}, {"verdict", print_verdict},
+              {"data", print_data}, {"page.css", print_css},    {"page.js", print_js}};
+
+/* The field whose name begins at s: printed. */
+static void print_field(struct page *page, const char *s, size_t n)
+{
+    for (size_t i = 0; i < sizeof fields / sizeof *fields; i++)
+        if (strlen(fields[i].name) == n && strncmp(fields[i].name, s, n) == 0)
+            fields[i].print(page);
+}
+
+static void find_worst(struct page *page)
+{
+    const struct verdict *v = page->verdict;
+    size_t n = verdict_worst(v, true, WORST, page->worst);
+    while (n > 0 && (double)v->piece[page->worst[n - 1]].gouge <= v->options.tolerance)
+        n--; /* what is within the tolerance is no matter */
+    page->worst_n = n + verdict_worst(v, false, WORST, page->worst + n);
 }
 
 void verdict_page(const struct verdict *v, const char *file)
 {
-    struct side_rows rows = {0};
-    struct out *o = out_open(file);
-    size_t worst[2 * WORST], n = verdict_worst(v, true, WORST, worst);
-    while (n > 0 && (double)v->piece[worst[n - 1]].gouge <= v->tolerance)
-        n--; /* what is within the tolerance is no matter */
-    n += verdict_worst(v, false, WORST, worst + n);
-    rows.of = mem_alloc(v->motion->piece.n, sizeof *rows.of);
-    out_text(o, "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\">\n"
-                "<meta name=\"viewport\" content=\"width=device-width\">\n<title>ncverify: ");
-    side_text(o, v->file);
-    out_text(o, "</title>\n<style>\n");
-    out_text(o, style);
-    out_text(o, "</style></head><body>\n");
-    body(o, v, &rows, worst, n);
-    out_text(o, "<script>\n");
-    data(o, v, &rows, worst, n);
-    for (const char *const *line = verdict_script; *line; line++) {
-        out_text(o, *line);
-        out_text(o, "\n");
+    struct page page = {.out = out_open(file), .verdict = v};
+    page.rows.of = mem_alloc(v->program.motion->piece.n, sizeof *page.rows.of);
+    find_worst(&page);
+    const char *s = page_html;
+    for (const char *field; (field = strstr(s, "{{")); s = strstr(field, "}}") + 2) {
+        out_bytes(page.out, s, (size_t)(field - s));
+        print_field(&page, field + 2, (size_t)(strstr(field, "}}") - field - 2));
     }
-    out_text(o, "</script>\n</body></html>\n");
-    out_close(o);
-    free(rows.of);
-    array_free(&rows.piece);
+    out_text(page.out, s);
+    out_close(page.out);
+    free(page.rows.of);
+    array_free(&page.rows.piece);
 }

@@ -1,20 +1,20 @@
-/* verify_part - see verify_part.h. */
-#include "verify/verify_part.h"
+/* verify_part - the part as points, and the stock of an option: see verify.h. */
+#include "verify/verify.h"
 
 #include <stdlib.h>
 #include <string.h>
 #include <strings.h>
 
 #include "base/array.h"
+#include "base/num.h"
 #include "io/cloud/cloud.h"
 #include "io/mesh/meshfile.h"
 #include "io/nurbs/surfaces.h"
 #include "nurbs/tessellate.h"
 
-#define SINK 0.0005 /* mm */
-#define MOST 4e6    /* points on the faces of a mesh */
+#define MOST 4e6 /* points on the faces of a mesh */
 
-static bool ends(const char *file, const char *ending)
+static bool has_ending(const char *file, const char *ending)
 {
     size_t n = file ? strlen(file) : 0, k = strlen(ending);
     return n > k && strcasecmp(file + n - k, ending) == 0;
@@ -31,7 +31,7 @@ static double area(const struct mesh *mesh)
 }
 
 /* Points between the vertices of a face, its edges with them. */
-static void fill(const struct vec3 v[3], double spacing, struct vec3s *points)
+static void fill_face(const struct vec3 v[3], double spacing, struct vec3s *points)
 {
     double longest =
         fmax(vec_distance(v[0], v[1]), fmax(vec_distance(v[1], v[2]), vec_distance(v[2], v[0])));
@@ -48,14 +48,14 @@ static void fill(const struct vec3 v[3], double spacing, struct vec3s *points)
 static void densify(const struct mesh *mesh, double unit, double radius, struct vec3s *points,
                     double *spacing)
 {
-    *spacing = fmax(sqrt(8 * radius * SINK), sqrt(2 * unit * unit * area(mesh) / MOST));
+    *spacing = fmax(sqrt(8 * radius * VERIFY_PART_SINK), sqrt(2 * unit * unit * area(mesh) / MOST));
     for (size_t i = 0; i < mesh->vertex.n; i++)
         *array_push(points) = vec_scale(unit, mesh->vertex.item[i]);
     for (size_t i = 0; i < mesh->face.n; i++) {
         struct vec3 v[3];
         for (int k = 0; k < 3; k++)
             v[k] = vec_scale(unit, mesh->vertex.item[mesh->face.item[i].v[k]]);
-        fill(v, *spacing, points);
+        fill_face(v, *spacing, points);
     }
 }
 
@@ -91,10 +91,11 @@ int verify_part_read(const char *file, double unit, double radius, struct vec3s 
 {
     struct mesh mesh = {0};
     struct cloud_count count = {0};
-    bool solid = ends(file, ".stl") || ends(file, ".off");
-    bool surfaces = ends(file, ".igs") || ends(file, ".iges") || ends(file, ".nurbs");
+    bool solid = has_ending(file, ".stl") || has_ending(file, ".off");
+    bool surfaces =
+        has_ending(file, ".igs") || has_ending(file, ".iges") || has_ending(file, ".nurbs");
     *spacing = 0;
-    if (solid || surfaces || ends(file, ".ply")) {
+    if (solid || surfaces || has_ending(file, ".ply")) {
         int result = surfaces ? read_surfaces(file, &mesh, error) : mesh_read(file, &mesh, error);
         if (result == 0 && mesh.face.n > 0) {
             densify(&mesh, unit, radius, points, spacing);
@@ -112,5 +113,47 @@ int verify_part_read(const char *file, double unit, double radius, struct vec3s 
         return -1;
     for (size_t i = from; i < points->n; i++)
         points->item[i] = vec_scale(unit, points->item[i]);
+    return 0;
+}
+
+/* ---- the stock */
+
+#define FARTHEST 1e5 /* mm */
+
+/* Up to 6 numbers between commas; how many, -1: something else. */
+static int read_numbers(const char *s, double value[6])
+{
+    for (int n = 0; n < 6; s++) {
+        if (!num_read(&s, &value[n]) || !(fabs(value[n]) <= FARTHEST))
+            return -1;
+        n++;
+        if (!*s)
+            return n;
+        if (*s != ',')
+            return -1;
+    }
+    return -1;
+}
+
+int verify_stock_read(const char *text, struct stock_options *stock, struct error *error)
+{
+    bool box = strncmp(text, "box", 3) == 0;
+    const char *rest = text + (box ? 3 : strncmp(text, "offset", 6) == 0 ? 6 : 0);
+    double v[6];
+    int n = rest == text ? -1 : !*rest ? 0 : strchr(",:", *rest) ? read_numbers(rest + 1, v) : -1;
+    *stock = (struct stock_options){.kind = box ? STOCK_AROUND : STOCK_OFFSET};
+    if (box && n == 6) {
+        stock->kind = STOCK_BETWEEN;
+        stock->low = vec(v[0], v[1], v[2]);
+        stock->high = vec(v[3], v[4], v[5]);
+        if (v[0] < v[3] && v[1] < v[4] && v[2] < v[5])
+            return 0;
+        return error_set(error, "found `%.80s`, expected the lower corner first", text);
+    }
+    if (n == 1 && (v[0] > 0 || (box && v[0] == 0)))
+        stock->allowance = v[0];
+    else if (!(box && n == 0))
+        return error_set(
+            error, "found `%.80s`, expected box, box,MM, box:X0,Y0,Z0,X1,Y1,Z1 or offset,MM", text);
     return 0;
 }

@@ -1,84 +1,302 @@
-/* verify_run - see verify_run.h. */
-#include "verify/verify_run.h"
-
+/* verify_run - a program run over the part and the stock, and what is wrong with it: see verify.h.
+ */
+#include <stdarg.h>
+#include <stdint.h>
+#include <stdio.h>
 #include <stdlib.h>
 
-#define FLAT 0.0002 /* how straight the ball's way is between two places, mm */
+#include "base/array.h"
+#include "ncread/ncread.h"
+#include "verify/verify.h"
+
+enum { LEAN_STEPS = 4 }; /* of a piece, for its tool axis */
+
+#define FLAT 0.0002 /* mm: how straight the ball's centre goes between two places */
+#define JUMP 5.0    /* degrees: less is no jump of the tool axis */
+#define STILL 0.5   /* degrees of rotary axes, or mm of a second point, that need no look */
+#define ROLLS 1.5   /* times as fast as the ball rolls over an edge */
+
+/* ---- what the program does */
 
 /* The deepest that the ball, or the shaft over it, goes into the part in a rapid move. */
-static void roll_rapids(const struct verify_run_options *s, struct verdict *v)
+static void roll_rapids(struct verdict *v)
 {
+    const struct verify_options *o = &v->options;
+    const struct vec3s *part = v->program.part;
     struct centre_path rapid = {0};
-    struct deviation_map roll;
-    centre_path_rapid(v->motion, v->radius, s->holder ? 0 : s->shank, FLAT, &rapid);
-    struct deviation_map_options setup = {v->radius, v->tolerance, -v->tolerance, s->threads};
-    deviation_map_run(&rapid, v->point->item, v->point->n, &setup, &roll);
-    if (roll.gouged > 0) {
-        v->rapid = roll.gouge;
-        v->rapid_points = roll.gouged;
-        v->rapid_at = roll.gouge_at;
-        v->rapid_piece = rapid.item[roll.segment[roll.gouge_at]].piece;
-    }
-    deviation_map_free(&roll);
+    struct deviation_map map;
+    centre_path_rapid(v->program.motion, o->radius, o->holder ? 0 : o->shank, FLAT, &rapid);
+    struct deviation_map_options options = {o->radius, o->tolerance, -o->tolerance, o->threads};
+    deviation_map_run(&rapid, part->item, part->n, &options, &map);
+    if (map.gouged > 0)
+        v->rapid = (struct verdict_rapid){map.gouge, map.gouged, map.gouge_at,
+                                          rapid.item[map.segment[map.gouge_at]].piece};
+    deviation_map_free(&map);
     array_free(&rapid);
 }
 
-static struct holder_collision way_of(const struct verdict *v, const struct holder *holder,
-                                      struct collision_body *obstacle)
+static struct holder_collision_options
+along_program(const struct verdict *v, const struct holder *holder, struct collision_body *body)
 {
-    return (struct holder_collision){.motion = v->motion,
-                                     .holder = holder,
-                                     .obstacle = obstacle,
-                                     .radius = v->radius,
-                                     .tolerance = v->tolerance};
+    return (struct holder_collision_options){.motion = v->program.motion,
+                                             .holder = holder,
+                                             .body = body,
+                                             .radius = v->options.radius,
+                                             .tolerance = v->options.tolerance};
 }
 
-static void follow_holder(const struct verify_run_options *s, struct verify_run *run,
-                          struct verdict *v)
+static void follow_holder(struct verdict *v)
 {
-    struct collision_body part = collision_body_points(v->point->item, v->point->n);
-    run->part = way_of(v, s->holder, &part);
-    for (size_t i = 0; i < v->motion->piece.n; i++)
-        holder_collision_piece(&run->part, i);
+    struct collision_body part = collision_body_points(v->program.part->item, v->program.part->n);
+    struct holder_collision_options options = along_program(v, v->options.holder, &part);
+    for (size_t i = 0; i < v->program.motion->piece.n; i++)
+        holder_collision_piece(&options, &v->part_holder, i);
     collision_body_free(&part);
-    v->holder = &run->part;
 }
 
-static void cut_stock(const struct verify_run_options *s, struct verify_run *run, struct verdict *v)
+static void cut_stock(struct verdict *v)
 {
-    const struct vec3 *point = v->point->item;
-    size_t n = v->point->n;
-    v->cell = s->cell > 0 ? s->cell : stock_init_cell(s->stock, point, n, v->radius);
-    struct stock stock = stock_init_new(s->stock, point, n, v->cell);
-    struct stock_rest left = stock_rest_new(point, n, &stock);
+    const struct verify_options *o = &v->options;
+    const struct vec3 *point = v->program.part->item;
+    size_t n = v->program.part->n;
+    struct holder shank = {o->shank > 0, {{o->radius, o->radius, o->shank}}};
+    v->cell = o->cell > 0 ? o->cell : stock_cell(o->stock, point, n, o->radius);
+    struct stock stock = stock_new(o->stock, point, n, v->cell);
+    struct stock_rest rest = stock_rest_new(point, n, &stock);
     struct collision_body block = collision_body_stock(&stock);
-    run->stock = way_of(v, s->holder ? s->holder : &run->shape, &block);
-    const struct stock_simulate_options setup = {v->motion,    v->cut,      v->radius, FLAT,
-                                                 v->tolerance, &run->stock, !s->holder};
-    stock_simulate_run(&setup, &stock, &left, &run->run);
-    v->stock = &run->run;
-    v->stock_holder = &run->stock;
+    struct holder_collision_options holder =
+        along_program(v, o->holder ? o->holder : &shank, &block);
+    const struct stock_simulate_options options = {v->program.motion, &v->cut, o->radius, FLAT,
+                                                   o->tolerance,      &holder, !o->holder};
+    stock_simulate_run(&options, &stock, &rest, &v->stock);
+    v->has_stock = true;
     collision_body_free(&block);
-    stock_rest_free(&left);
+    stock_rest_free(&rest);
     stock_free(&stock);
 }
 
-void verify_run_do(const struct verify_run_options *s, struct verify_run *run, struct verdict *v)
+/* ---- what is wrong with it */
+
+static void find(struct verdict *v, bool fault, size_t piece, const char *format, ...)
+    __attribute__((format(printf, 4, 5)));
+
+static void find(struct verdict *v, bool fault, size_t piece, const char *format, ...)
 {
-    *run = (struct verify_run){.shape = {s->shank > 0, {{v->radius, v->radius, s->shank}}}};
-    centre_path_cut(v->motion, v->radius, FLAT, &run->cut);
-    v->cut = &run->cut;
-    struct deviation_map_options setup = {v->radius, v->tolerance, s->band, s->threads};
-    deviation_map_run(&run->cut, v->point->item, v->point->n, &setup, &v->roll);
-    roll_rapids(s, v);
-    if (s->holder)
-        follow_holder(s, run, v);
-    if (s->stock)
-        cut_stock(s, run, v);
+    struct finding *finding = array_push(&v->finding);
+    char place[60], what[FINDING_TEXT - 64];
+    va_list arguments;
+    ncread_place(&v->program.motion->piece.item[piece], place, sizeof place);
+    va_start(arguments, format);
+    vsnprintf(what, sizeof what, format, arguments);
+    va_end(arguments);
+    finding->fault = fault;
+    snprintf(finding->text, sizeof finding->text, "%s: %s", place, what);
 }
 
-void verify_run_free(struct verify_run *run)
+static void sum_pieces(struct verdict *v)
 {
-    array_free(&run->cut);
-    stock_simulate_free(&run->run);
+    const struct nc_motion *motion = v->program.motion;
+    bool cut = false;
+    v->piece = mem_alloc(motion->piece.n, sizeof *v->piece);
+    for (size_t i = 0; i < motion->piece.n; i++) {
+        if (!motion->piece.item[i].rapid && !cut)
+            v->passes++;
+        cut = !motion->piece.item[i].rapid;
+        v->piece[i].pass = v->passes;
+    }
+    for (size_t i = 0; i < v->map.points; i++) {
+        if (!v->map.region[i])
+            continue;
+        struct verdict_piece *piece = &v->piece[v->cut.item[v->map.segment[i]].piece];
+        float deviation = (float)v->map.deviation[i];
+        if (-deviation > piece->gouge)
+            piece->gouge = -deviation;
+        if (deviation > piece->over)
+            piece->over = deviation;
+    }
+}
+
+static size_t piece_at(const struct verdict *v, size_t point)
+{
+    return v->cut.item[v->map.segment[point]].piece;
+}
+
+static void judge_surface(struct verdict *v)
+{
+    const struct deviation_map *r = &v->map;
+    struct vec3 p = v->program.part->item[r->gouge_at];
+    if (r->gouge > v->options.tolerance)
+        find(v, true, piece_at(v, r->gouge_at),
+             "the ball is %.4f mm deep in the part at %.3f %.3f %.3f, tolerance %g", r->gouge, p.x,
+             p.y, p.z, v->options.tolerance);
+    p = v->program.part->item[r->over_at];
+    if (r->over > v->options.left)
+        find(v, true, piece_at(v, r->over_at),
+             "%.4f mm of material is left at %.3f %.3f %.3f, at most %g", r->over, p.x, p.y, p.z,
+             v->options.left);
+    p = v->program.part->item[v->rapid.point];
+    if (v->rapid.depth > 0)
+        find(v, true, v->rapid.piece,
+             "a rapid move goes %.3f mm deep through the part at %.3f %.3f %.3f", v->rapid.depth,
+             p.x, p.y, p.z);
+}
+
+/* Shank or holder in the part, or in the stock. */
+static void judge_holder(struct verdict *v, const struct holder_collision *found, const char *what)
+{
+    if (!(found->depth > 0))
+        return;
+    bool fast = v->program.motion->piece.item[found->piece].rapid;
+    find(v, true, found->piece,
+         "shank or holder goes %.3f mm deep into the %s at %.3f %.3f %.3f%s (blocks: %zu)",
+         found->depth, what, found->at.x, found->at.y, found->at.z, fast ? ", in a rapid move" : "",
+         found->pieces);
+}
+
+static void judge_stock(struct verdict *v)
+{
+    const struct stock_simulate *run = &v->stock;
+    if (run->rapid > 0)
+        find(v, true, run->rapid_piece,
+             "a rapid move goes %.3f mm deep into the stock at %.3f %.3f %.3f (blocks: %zu)",
+             run->rapid, run->rapid_at.x, run->rapid_at.y, run->rapid_at.z, run->rapids);
+}
+
+/* How the tool axis turns over one piece, radians, and how far the tip goes. */
+struct axis_turn {
+    struct vec3 from, to; /* the axis at its ends */
+    double most;          /* furthest from where it was */
+    double way;
+    bool on; /* the ball touches the part in it */
+};
+
+static struct axis_turn turn_of(const struct nc_motion *motion, const struct nc_piece *piece)
+{
+    struct nc_motion_pose a = nc_motion_at(motion, piece, 0), b = nc_motion_at(motion, piece, 1);
+    struct axis_turn turn = {a.a, b.a, vec_angle(a.a, b.a), vec_distance(a.p, b.p), false};
+    if (vec_distance(piece->q[0], piece->q[1]) < STILL && piece->shape == SHAPE_LINE)
+        return turn;
+    for (int i = 1; i < LEAN_STEPS; i++) {
+        struct vec3 axis = nc_motion_at(motion, piece, (double)i / LEAN_STEPS).a;
+        turn.most = fmax(turn.most, vec_angle(a.a, axis));
+    }
+    return turn;
+}
+
+/*
+ * Jumps of the tool axis with the ball on the part: it turns, in one block or two, and comes back
+ * by more than half, half as fast again as where the ball rolls over an edge, 1 / R for each mm of
+ * the tip.
+ */
+static void judge_jumps(struct verdict *v)
+{
+    const struct centre_path *cut = &v->cut;
+    size_t jumps = 0, worst = 0, last = SIZE_MAX - 1;
+    double most = 0;
+    struct axis_turn before = {0};
+    for (size_t i = 0; i < cut->n;) {
+        size_t piece = cut->item[i].piece;
+        struct axis_turn at = turn_of(v->program.motion, &v->program.motion->piece.item[piece]);
+        for (; i < cut->n && cut->item[i].piece == piece; i++)
+            at.on = at.on || cut->item[i].on;
+        bool follows = piece == last + 1;
+        double turn = follows ? fmax(at.most, before.most) : at.most;
+        double back = vec_angle(follows ? before.from : at.from, at.to);
+        double way = at.way + (follows ? before.way : 0);
+        if ((at.on || (follows && before.on)) && turn > RADIANS(JUMP) && back < turn / 2 &&
+            turn * v->options.radius > ROLLS * way) {
+            jumps++;
+            worst = turn > most ? piece : worst;
+            most = fmax(most, turn);
+        }
+        last = piece;
+        before = at;
+    }
+    if (jumps > 0)
+        find(v, true, worst,
+             "the tool axis swings out by %.3f degrees and back on the part (blocks: %zu)",
+             DEGREES(most), jumps);
+}
+
+/* Curves that leave the part and come back. */
+static void judge_excursions(struct verdict *v)
+{
+    const struct excursion_options options = {v->options.radius, v->options.band};
+    struct excursion out = excursion_find(v->program.motion, &v->cut, v->program.part->item,
+                                          v->program.part->n, &options);
+    if (out.count > 0)
+        find(v, true, out.piece,
+             "the ball leaves the part amid a cut, %.3f mm off it at %.3f %.3f %.3f (times: %zu)",
+             out.height, out.at.x, out.at.y, out.at.z, out.count);
+}
+
+static void judge_axes(struct verdict *v)
+{
+    static const char letter[] = "XYZABC";
+    const struct axis_use *use = &v->axes;
+    if (use->beyond)
+        find(v, true, use->travel.piece, "axis %c at %.3f is beyond its travel (blocks: %zu)",
+             letter[use->travel.axis], use->travel.value, use->beyond);
+    if (use->unreachable)
+        find(v, true, use->unreachable_at, "a tool axis that the machine's axes cannot reach");
+    if (use->fast)
+        find(v, use->speed.value > 0 && v->program.motion->piece.item[use->speed.piece].inverse,
+             use->speed.piece,
+             "axis %c would have to move at %.2f of its largest speed "
+             "(blocks: %zu)",
+             letter[use->speed.axis], use->speed.value, use->fast);
+}
+
+static void judge(struct verdict *v)
+{
+    sum_pieces(v);
+    if (v->map.points > 0)
+        judge_surface(v);
+    judge_holder(v, &v->part_holder, "part");
+    judge_stock(v);
+    judge_holder(v, &v->stock.holder, "stock");
+    judge_axes(v);
+    judge_jumps(v);
+    judge_excursions(v);
+    if (v->cut.n == 0 && v->program.motion->piece.n > 0)
+        find(v, v->options.left < HUGE_VAL, 0,
+             "nothing is cut, all moves are rapid"); /* a part of many */
+    else if (v->map.cut == 0 && v->program.motion->piece.n > 0)
+        find(v, true, 0, "the ball comes near no point of the part");
+}
+
+struct verdict verify_run(const struct verify_program *program,
+                          const struct verify_options *options)
+{
+    struct verdict v = {.program = *program, .options = *options};
+    const struct vec3s *part = program->part;
+    centre_path_cut(program->motion, options->radius, FLAT, &v.cut);
+    struct deviation_map_options roll = {options->radius, options->tolerance, options->band,
+                                         options->threads};
+    deviation_map_run(&v.cut, part->item, part->n, &roll, &v.map);
+    roll_rapids(&v);
+    if (options->holder)
+        follow_holder(&v);
+    if (options->stock)
+        cut_stock(&v);
+    v.axes = axis_limits_check(program->motion, &options->limits);
+    judge(&v);
+    return v;
+}
+
+bool verdict_refused(const struct verdict *v)
+{
+    for (size_t i = 0; i < v->finding.n; i++)
+        if (v->finding.item[i].fault)
+            return true;
+    return false;
+}
+
+void verdict_free(struct verdict *v)
+{
+    array_free(&v->cut);
+    deviation_map_free(&v->map);
+    stock_simulate_free(&v->stock);
+    free(v->piece);
+    array_free(&v->finding);
 }

@@ -366,7 +366,7 @@ static int read_statement(struct cl_state *s)
     if (strncmp(t->word, "BEGIN NURBS_SIEMENS", 19) == 0 ||
         (s->spline.catia && strncmp(t->word, "XT=", 3) == 0))
         return cl_read_nurbs_siemens(s);
-    if (s->spline.catia && strcmp(t->word, "END NURBS") == 0)
+    if (s->spline.catia && strncmp(t->word, "END NURBS", 9) == 0)
         return cl_nurbs_siemens_end(s);
     if (s->spline.open && s->spline.order == 0 && !t->data && *t->word &&
         strcmp(t->word, "MOVNRB") != 0 && strcmp(t->word, "KNOT") != 0 &&

@@ -31,6 +31,13 @@ has "with the name" '>panel_17036.xyz<' "$TMP/cloud.svg"
 has "the plan" '>plan \(x right, y up\)<' "$TMP/cloud.svg"
 has "the isometric view" '>isometric<' "$TMP/cloud.svg"
 has "a scale bar" '>20 mm<' "$TMP/cloud.svg"
+for size in 0.03 0.5 1.7 42 999 12345; do
+	awk -v s="$size" 'BEGIN { for (i = 0; i < 9; i++) print i * s, (i % 3) * s, 0 }' >"$TMP/size.xyz"
+	ncplot -q "$TMP/size.xyz" | sed -n 's/.*>\([0-9.e+-]*\) mm<.*/\1/p' |
+		awk -v s="$size" '{ lead = $1; while (lead < 0.999) lead *= 10; while (lead > 9.999) lead /= 10
+			print ((lead == 1 || lead == 2 || lead == 5) && $1 < 8 * s) }' >"$TMP/round"
+	ok "a round one for $size mm" test "$(cat "$TMP/round")" = 1
+done
 below "some thousand dots" 4000 "$(dots "$TMP/cloud.svg")"
 below "not more than can be seen" "$(dots "$TMP/cloud.svg")" 16000
 whole cloud.svg

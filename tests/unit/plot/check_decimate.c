@@ -92,8 +92,8 @@ END_TEST
 
 int main(void)
 {
-    Suite *suite = suite_create("thin");
-    TCase *tests = tcase_create("thin");
+    Suite *suite = suite_create("decimate");
+    TCase *tests = tcase_create("decimate");
     tcase_add_test(tests, a_circle_needs_few);
     tcase_add_test(tests, a_straight_line_needs_two);
     tcase_add_test(tests, a_way_there_and_back_keeps_its_turn);

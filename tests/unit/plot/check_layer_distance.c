@@ -1,5 +1,5 @@
 /* Tests of layer_distance.h: layers whose distance is known. */
-#include "plot/layer_distance.h"
+#include "plot/plot.h"
 
 #include <check.h>
 #include <stdlib.h>
@@ -61,10 +61,10 @@ END_TEST
 
 int main(void)
 {
-    TCase *t = tcase_create("difference");
+    TCase *t = tcase_create("layer_distance");
     tcase_add_test(t, two_circles);
     tcase_add_test(t, points_over_a_mesh);
-    Suite *s = suite_create("difference");
+    Suite *s = suite_create("layer_distance");
     suite_add_tcase(s, t);
     SRunner *r = srunner_create(s);
     srunner_run_all(r, CK_NORMAL);

@@ -1,11 +1,10 @@
-/* svg - what is written adds up to what was meant; texts are escaped; counts and bars. */
+/* svg - what is written adds up to what was meant; texts are escaped; counts are grouped. */
 #include <check.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <unistd.h>
 
-#include "plot/sheet.h"
 #include "plot/svg.h"
 
 static char written[1 << 20];
@@ -109,18 +108,6 @@ START_TEST(counts_are_grouped)
 }
 END_TEST
 
-START_TEST(bars_are_round)
-{
-    for (double most = 1e-3; most < 1e5; most *= 1.07) {
-        double bar = sheet_bar(most);
-        ck_assert_double_le(bar, most * (1 + 1e-9));
-        ck_assert_double_ge(bar, 0.39 * most);
-        double lead = bar / pow(10, floor(log10(bar) + 1e-9));
-        ck_assert(fabs(lead - 1) < 1e-9 || fabs(lead - 2) < 1e-9 || fabs(lead - 5) < 1e-9);
-    }
-}
-END_TEST
-
 int main(void)
 {
     Suite *suite = suite_create("svg");
@@ -128,7 +115,6 @@ int main(void)
     tcase_add_test(tests, steps_add_up);
     tcase_add_test(tests, texts_are_escaped);
     tcase_add_test(tests, counts_are_grouped);
-    tcase_add_test(tests, bars_are_round);
     suite_add_tcase(suite, tests);
     SRunner *runner = srunner_create(suite);
     srunner_run_all(runner, CK_NORMAL);

@@ -64,8 +64,8 @@ END_TEST
 
 int main(void)
 {
-    Suite *suite = suite_create("axisload");
-    TCase *tcase = tcase_create("axisload");
+    Suite *suite = suite_create("axis_limits");
+    TCase *tcase = tcase_create("axis_limits");
     tcase_add_test(tcase, time_is_way_by_feed);
     tcase_add_test(tcase, a_turn_takes_its_time);
     tcase_add_test(tcase, travel_is_kept);

@@ -67,11 +67,11 @@ START_TEST(a_curve_that_jumps)
 {
     const double high[PIECES + 1] = {0, 0, 3, 8, 2, 0, 0};
     struct excursion leap = over(high, level, SHAPE_POLYNOMIAL);
-    ck_assert_uint_eq(leap.leaps, 1);
+    ck_assert_uint_eq(leap.count, 1);
     ck_assert_double_eq_tol(leap.height, 8, 1e-6);
     ck_assert_double_eq_tol(leap.at.x, 0, 1e-6);
     ck_assert(leap.piece == 2 || leap.piece == 3);
-    ck_assert_uint_eq(over(level, level, SHAPE_POLYNOMIAL).leaps, 0);
+    ck_assert_uint_eq(over(level, level, SHAPE_POLYNOMIAL).count, 0);
 }
 END_TEST
 
@@ -83,25 +83,25 @@ START_TEST(a_curve_that_ends_high)
                                up[PIECES + 1] = {0, 0, 1, 8, 20, 20, 20};
     const double out[PIECES + 1] = {0, 0, 1, 8, 2, 2, 2}, side[PIECES + 1] = {0, 0, 9, 40, 9, 0, 0};
     struct excursion leap = shaped(down, level, shape);
-    ck_assert_uint_eq(leap.leaps, 1);
+    ck_assert_uint_eq(leap.count, 1);
     ck_assert_double_eq_tol(leap.height, 8, 1e-6);
     ck_assert_uint_eq(leap.piece, 2);
-    ck_assert_uint_eq(shaped(up, level, shape).leaps, 0);
-    ck_assert_uint_eq(shaped(out, side, shape).leaps, 0);
+    ck_assert_uint_eq(shaped(up, level, shape).count, 0);
+    ck_assert_uint_eq(shaped(out, side, shape).count, 0);
 }
 END_TEST
 
 START_TEST(less_than_the_band_is_none)
 {
     const double high[PIECES + 1] = {0, 0, 0.5, 1.2, 0.5, 0, 0};
-    ck_assert_uint_eq(over(high, level, SHAPE_POLYNOMIAL).leaps, 0);
+    ck_assert_uint_eq(over(high, level, SHAPE_POLYNOMIAL).count, 0);
 }
 END_TEST
 
 START_TEST(a_spike_of_two_blocks)
 {
     const double high[PIECES + 1] = {0, 0, 0, 30, 0, 0, 0};
-    ck_assert_uint_eq(over(high, level, SHAPE_LINE).leaps, 1);
+    ck_assert_uint_eq(over(high, level, SHAPE_LINE).count, 1);
     ck_assert_double_eq_tol(over(high, level, SHAPE_LINE).height, 30, 1e-6);
 }
 END_TEST
@@ -109,28 +109,28 @@ END_TEST
 START_TEST(up_across_and_down_is_a_way)
 {
     const double high[PIECES + 1] = {0, 0, 30, 30, 0, 0, 0};
-    ck_assert_uint_eq(over(high, level, SHAPE_LINE).leaps, 0);
+    ck_assert_uint_eq(over(high, level, SHAPE_LINE).count, 0);
 }
 END_TEST
 
 START_TEST(beside_the_part_is_none)
 {
     const double side[PIECES + 1] = {0, 0, 10, 30, 10, 0, 0};
-    ck_assert_uint_eq(over(level, side, SHAPE_POLYNOMIAL).leaps, 0);
+    ck_assert_uint_eq(over(level, side, SHAPE_POLYNOMIAL).count, 0);
 }
 END_TEST
 
 START_TEST(a_layer_above_the_part_is_none)
 {
     const double high[PIECES + 1] = {3, 3, 6, 9, 6, 3, 3};
-    ck_assert_uint_eq(over(high, level, SHAPE_POLYNOMIAL).leaps, 0);
+    ck_assert_uint_eq(over(high, level, SHAPE_POLYNOMIAL).count, 0);
 }
 END_TEST
 
 int main(void)
 {
-    Suite *suite = suite_create("leap");
-    TCase *tcase = tcase_create("leap");
+    Suite *suite = suite_create("excursion");
+    TCase *tcase = tcase_create("excursion");
     tcase_add_test(tcase, a_curve_that_jumps);
     tcase_add_test(tcase, a_curve_that_ends_high);
     tcase_add_test(tcase, less_than_the_band_is_none);

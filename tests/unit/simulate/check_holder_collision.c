@@ -99,17 +99,18 @@ START_TEST(depth_in_a_turn)
     go(&motion, vec(0, 0, 0), tip, up, over);
     go(&motion, tip, vec_add(tip, vec(0, 20, 0)), over, over);
     struct collision_body part = collision_body_points(&spike, 1);
-    struct holder_collision way = {
-        .motion = &motion, .holder = &stack, .obstacle = &part, .radius = 3, .tolerance = 0.05};
-    holder_collision_piece(&way, 0);
-    holder_collision_piece(&way, 1);
-    ck_assert_double_eq(way.depth, 0);
-    ck_assert_uint_eq(way.pieces, 0);
-    holder_collision_piece(&way, 2);
-    holder_collision_piece(&way, 3);
-    ck_assert_double_eq_tol(way.depth, 2, 0.2);
-    ck_assert_uint_eq(way.pieces, 2);
-    ck_assert_double_eq(way.at.z, 20);
+    struct holder_collision found = {0};
+    struct holder_collision_options options = {
+        .motion = &motion, .holder = &stack, .body = &part, .radius = 3, .tolerance = 0.05};
+    holder_collision_piece(&options, &found, 0);
+    holder_collision_piece(&options, &found, 1);
+    ck_assert_double_eq(found.depth, 0);
+    ck_assert_uint_eq(found.pieces, 0);
+    holder_collision_piece(&options, &found, 2);
+    holder_collision_piece(&options, &found, 3);
+    ck_assert_double_eq_tol(found.depth, 2, 0.2);
+    ck_assert_uint_eq(found.pieces, 2);
+    ck_assert_double_eq(found.at.z, 20);
     collision_body_free(&part);
     nc_motion_free(&motion);
 }
@@ -123,13 +124,14 @@ START_TEST(depth_in_the_middle_of_a_long_piece)
     go(&motion, vec(-500, 0, 0), vec(700, 0, 0), up, up);
     go(&motion, vec(700, 0, 0), vec(700, 0, 60), up, up);
     struct collision_body part = collision_body_points(&spike, 1);
-    struct holder_collision way = {
-        .motion = &motion, .holder = &stack, .obstacle = &part, .radius = 3, .tolerance = 0.05};
-    holder_collision_piece(&way, 0);
-    holder_collision_piece(&way, 1);
-    ck_assert_double_eq_tol(way.depth, 0.75, 0.0126);
-    ck_assert_uint_eq(way.piece, 0);
-    ck_assert_uint_eq(way.pieces, 1);
+    struct holder_collision found = {0};
+    struct holder_collision_options options = {
+        .motion = &motion, .holder = &stack, .body = &part, .radius = 3, .tolerance = 0.05};
+    holder_collision_piece(&options, &found, 0);
+    holder_collision_piece(&options, &found, 1);
+    ck_assert_double_eq_tol(found.depth, 0.75, 0.0126);
+    ck_assert_uint_eq(found.piece, 0);
+    ck_assert_uint_eq(found.pieces, 1);
     collision_body_free(&part);
     nc_motion_free(&motion);
 }
@@ -162,29 +164,30 @@ START_TEST(most_pieces_hit)
         *array_push(&points) = p;
     }
     struct collision_body part = collision_body_points(points.item, points.n);
-    struct holder_collision way = {
-        .motion = &motion, .holder = &stack, .obstacle = &part, .radius = 3, .tolerance = 0.05};
+    struct holder_collision found = {0};
+    struct holder_collision_options options = {
+        .motion = &motion, .holder = &stack, .body = &part, .radius = 3, .tolerance = 0.05};
     for (size_t i = 0; i < 100; i++) {
         struct vec3 to =
             vec(random_in(&state, -40, 40), random_in(&state, -40, 40), random_in(&state, -25, -5));
         struct vec3 turned = vec_unit(vec_along(axis, 0.1, direction(&state)));
         go(&motion, from, to, axis, turned);
-        holder_collision_piece(&way, i);
+        holder_collision_piece(&options, &found, i);
         double least = least_along(&motion, i, &points);
         hit += least < -0.05;
         close += fabs(least + 0.05) < 0.2; /* between two places looked at it may be as deep */
         depth = fmax(depth, -least);
-        ck_assert_double_ge(way.depth, depth / 1.1 - 0.01);
-        ck_assert_double_le(way.depth, depth + 0.2);
+        ck_assert_double_ge(found.depth, depth / 1.1 - 0.01);
+        ck_assert_double_le(found.depth, depth + 0.2);
         from = to;
         axis = turned;
     }
     ck_assert_uint_gt(hit, 50);
     ck_assert_uint_lt(hit, 95);
-    ck_assert_uint_ge(way.pieces, hit);
-    ck_assert_uint_le(way.pieces, hit + close);
-    struct nc_motion_pose last = nc_motion_at(&motion, &motion.piece.item[way.piece], 0.5);
-    ck_assert(vec_distance(way.at, last.p) < 100 && way.at.z >= -3 && way.at.z <= 3);
+    ck_assert_uint_ge(found.pieces, hit);
+    ck_assert_uint_le(found.pieces, hit + close);
+    struct nc_motion_pose last = nc_motion_at(&motion, &motion.piece.item[found.piece], 0.5);
+    ck_assert(vec_distance(found.at, last.p) < 100 && found.at.z >= -3 && found.at.z <= 3);
     collision_body_free(&part);
     array_free(&points);
     nc_motion_free(&motion);
@@ -200,16 +203,17 @@ START_TEST(holder_against_stock)
     struct nc_motion motion = {.track = NC_MOTION_CENTRE};
     go(&motion, vec(0, 0, 10), vec(0, 0, -24), up, up);
     go(&motion, vec(0, 0, -24), vec(0, 0, -31), up, up);
-    struct holder_collision way = {
-        .motion = &motion, .holder = &stack, .obstacle = &block, .radius = 3, .tolerance = 0.1};
+    struct holder_collision found = {0};
+    struct holder_collision_options options = {
+        .motion = &motion, .holder = &stack, .body = &block, .radius = 3, .tolerance = 0.1};
     for (size_t i = 0; i < 2; i++) {
         stock_capsule(&s, motion.piece.item[i].p[0], motion.piece.item[i].p[1], 3, 1);
-        holder_collision_piece(&way, i);
+        holder_collision_piece(&options, &found, i);
         if (i == 0)
-            ck_assert_double_eq(way.depth, 0);
+            ck_assert_double_eq(found.depth, 0);
     }
-    ck_assert_double_eq_tol(way.depth, 1, 0.1); /* its lower face, 8 wide at 30 over the centre */
-    ck_assert_uint_eq(way.piece, 1);
+    ck_assert_double_eq_tol(found.depth, 1, 0.1); /* its lower face, 8 wide at 30 over the centre */
+    ck_assert_uint_eq(found.piece, 1);
     collision_body_free(&block);
     stock_free(&s);
     nc_motion_free(&motion);
@@ -218,8 +222,8 @@ END_TEST
 
 int main(void)
 {
-    Suite *suite = suite_create("holderway");
-    TCase *tcase = tcase_create("holderway");
+    Suite *suite = suite_create("holder_collision");
+    TCase *tcase = tcase_create("holder_collision");
     tcase_set_timeout(tcase, 60);
     tcase_add_test(tcase, nearest_of_points);
     tcase_add_test(tcase, nearest_of_a_stock_that_is_cut);

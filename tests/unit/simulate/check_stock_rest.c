@@ -3,8 +3,7 @@
 #include <stdlib.h>
 
 #include "base/array.h"
-#include "simulate/stock_rest.h"
-#include "simulate/stock_init.h"
+#include "simulate/stock.h"
 
 /* Points of z = height(x, y) over a square of +-10, `gap` mm apart. */
 static struct vec3s surface(double (*height)(double x, double y), double gap)
@@ -45,7 +44,7 @@ START_TEST(offset_is_thickness)
 {
     struct vec3s points = surface(offsets[_i].height, 0.25);
     struct stock_options spec = {.kind = STOCK_OFFSET, .allowance = offsets[_i].offset};
-    struct stock s = stock_init_new(&spec, points.item, points.n, 0.1);
+    struct stock s = stock_new(&spec, points.item, points.n, 0.1);
     for (size_t i = 0; i < points.n; i++) {
         struct vec3 p = points.item[i];
         if (fmax(fabs(p.x), fabs(p.y)) < 7)
@@ -62,7 +61,7 @@ START_TEST(volume_of_an_offset)
     struct vec3s points = surface(dome, 0.25);
     struct stock_options spec = {.kind = STOCK_OFFSET, .allowance = 1};
     double want = 0, got = 0;
-    struct stock s = stock_init_new(&spec, points.item, points.n, 0.1);
+    struct stock s = stock_new(&spec, points.item, points.n, 0.1);
     for (int j = 0; j < s.ny; j++)
         for (int i = 0; i < s.nx; i++) {
             double x = stock_x(&s, i), y = stock_y(&s, j);
@@ -88,7 +87,7 @@ START_TEST(a_ridge_is_rounded)
     const double allowance[] = {1, 6};
     struct vec3s points = surface(ridge, 0.25);
     struct stock_options spec = {.kind = STOCK_OFFSET, .allowance = allowance[_i]};
-    struct stock s = stock_init_new(&spec, points.item, points.n, 0.1);
+    struct stock s = stock_new(&spec, points.item, points.n, 0.1);
     double side = sqrt(0.5) * allowance[_i]; /* from here on it is the side that is offset */
     for (int j = 0; j < s.ny; j++)
         for (int i = 0; i < s.nx; i++) {
@@ -108,17 +107,17 @@ START_TEST(boxes)
 {
     struct vec3s points = surface(plane, 1);
     struct stock_options around = {.kind = STOCK_AROUND, .allowance = 2};
-    struct stock s = stock_init_new(&around, points.item, points.n, 0.5);
+    struct stock s = stock_new(&around, points.item, points.n, 0.5);
     ck_assert_double_eq_tol(stock_volume(&s), 24 * 24 * (16 + 2), 1e-6);
     ck_assert_double_eq(s.bottom, -8);
     ck_assert_double_eq_tol(stock_x(&s, 0), -12 + 0.25, 1e-12);
     stock_free(&s);
     struct stock_options between = {.kind = STOCK_BETWEEN, .low = {1, 2, 3}, .high = {4, 6, 8}};
-    s = stock_init_new(&between, points.item, points.n, 0.5);
+    s = stock_new(&between, points.item, points.n, 0.5);
     ck_assert_double_eq_tol(stock_volume(&s), 3 * 4 * 5, 1e-6);
     stock_free(&s);
-    ck_assert_double_eq_tol(stock_init_cell(&around, points.item, points.n, 1), 24.0 / 500, 1e-12);
-    ck_assert_double_eq_tol(stock_init_cell(&around, points.item, points.n, 4), 4.0 / 25, 1e-12);
+    ck_assert_double_eq_tol(stock_cell(&around, points.item, points.n, 1), 24.0 / 500, 1e-12);
+    ck_assert_double_eq_tol(stock_cell(&around, points.item, points.n, 4), 4.0 / 25, 1e-12);
     array_free(&points);
 }
 END_TEST
@@ -195,8 +194,8 @@ END_TEST
 
 int main(void)
 {
-    Suite *suite = suite_create("stockleft");
-    TCase *tcase = tcase_create("stockleft");
+    Suite *suite = suite_create("stock_rest");
+    TCase *tcase = tcase_create("stock_rest");
     tcase_add_loop_test(tcase, offset_is_thickness, 0, (int)(sizeof offsets / sizeof *offsets));
     tcase_add_loop_test(tcase, a_ridge_is_rounded, 0, 2);
     tcase_add_test(tcase, volume_of_an_offset);

@@ -42,7 +42,7 @@ struct fixture {
     struct stock_simulate run;
 };
 
-static void run(struct fixture *f, struct holder_collision *way)
+static void run(struct fixture *f, struct holder_collision_options *holder)
 {
     for (int j = -19; j <= 19; j++)
         for (int i = -19; i <= 19; i++)
@@ -52,10 +52,10 @@ static void run(struct fixture *f, struct holder_collision *way)
     f->stock = stock_box(vec(-10, -10, -10), vec(10, 10, 0), 0.1);
     f->left = stock_rest_new(f->points.item, f->points.n, &f->stock);
     struct collision_body block = collision_body_stock(&f->stock);
-    if (way)
-        way->obstacle = &block;
-    struct stock_simulate_options setup = {&f->motion, &f->cut, R, 0.001, 0.01, way, false};
-    stock_simulate_run(&setup, &f->stock, &f->left, &f->run);
+    if (holder)
+        holder->body = &block;
+    struct stock_simulate_options options = {&f->motion, &f->cut, R, 0.001, 0.01, holder, false};
+    stock_simulate_run(&options, &f->stock, &f->left, &f->run);
     collision_body_free(&block);
 }
 
@@ -145,23 +145,23 @@ START_TEST(holder_follows_the_stock)
 {
     const struct holder stack = {2, {{2, 2, 5}, {6, 6, 30}}};
     struct fixture f = {0};
-    struct holder_collision way = {
+    struct holder_collision_options holder = {
         .motion = &f.motion, .holder = &stack, .radius = R, .tolerance = 0.02};
     pass(&f.motion, 0, -3);
     pass(&f.motion, 0, -6);
     pass(&f.motion, 0, -8.5); /* its centre at -4.5, the collar from 0.5 up: clear */
     pass(&f.motion, 0, -9.5); /* from -0.5 up */
-    run(&f, &way);
-    ck_assert_double_eq_tol(way.depth, 0.5, 0.05);
-    ck_assert_int_eq(f.motion.piece.item[way.piece].block, 21);
+    run(&f, &holder);
+    ck_assert_double_eq_tol(f.run.holder.depth, 0.5, 0.05);
+    ck_assert_int_eq(f.motion.piece.item[f.run.holder.piece].block, 21);
     end(&f);
 }
 END_TEST
 
 int main(void)
 {
-    Suite *suite = suite_create("stockrun");
-    TCase *tcase = tcase_create("stockrun");
+    Suite *suite = suite_create("stock_simulate");
+    TCase *tcase = tcase_create("stock_simulate");
     tcase_add_test(tcase, passes_layer_by_layer);
     tcase_add_test(tcase, scallops);
     tcase_add_test(tcase, rapid_through_what_is_left);

@@ -93,8 +93,8 @@ END_TEST
 int main(void)
 {
     const int n = sizeof machines / sizeof *machines;
-    Suite *suite = suite_create("rig");
-    TCase *tcase = tcase_create("rig");
+    Suite *suite = suite_create("verify_kinematics");
+    TCase *tcase = tcase_create("verify_kinematics");
     tcase_add_loop_test(tcase, matrices_agree_with_the_chain, 0, n);
     tcase_add_loop_test(tcase, angles_are_found_again, 0, n);
     tcase_add_test(tcase, an_axis_out_of_reach_is_said);

@@ -5,9 +5,10 @@
 #define CLOUDMILL_PANE_H
 
 #include "math/box.h"
-#include "plot/raster.h"
 #include "plot/scene.h"
-#include "plot/svg.h"
+#include "raster.h"
+#include "svg.h"
+#include "view.h"
 
 struct pane_options {
     bool by_pass;          /* strokes by their pass; else by their kind */
@@ -23,8 +24,8 @@ struct pane {
     struct box box; /* of the scene in the view, mm */
     double x, y;    /* left upper corner, px */
     double scale;   /* px in a mm */
-    const struct pane_options *style;
-    struct raster near; /* what is nearest to the eye: hides what is behind */
+    const struct pane_options *options;
+    struct raster near; /* what is nearest to the eye: hides what is behind it */
     bool hides;         /* there is something in it */
     double slack;       /* what is less behind is not hidden, mm */
     size_t every;       /* of the passes each so many-th is drawn */
@@ -36,16 +37,12 @@ void pane_draw(struct pane *pane, const struct scene *scene, struct svg *svg);
 /* A projected point on the picture, px; its z stays, mm. */
 struct vec3 pane_place(const struct pane *pane, struct vec3 projected);
 
-/* The parts: facets, points, strokes of all layers, then what stands on them. */
-void pane_facets(struct pane *pane, const struct scene *scene, struct svg *svg);
-void pane_points(struct pane *pane, const struct scene *scene, struct svg *svg);
-void pane_strokes(struct pane *pane, const struct scene *scene, struct svg *svg);
-void pane_ticks(struct pane *pane, const struct scene *scene, struct svg *svg);
-void pane_marks(struct pane *pane, const struct scene *scene, struct svg *svg);
-
 /* The attributes of strokes of this kind, as pane and legend have them. */
 enum { PANE_INK = 160 };
-void pane_ink(const struct pane_options *style, size_t layer, const struct stroke *stroke,
+void pane_ink(const struct pane_options *options, size_t layer, const struct stroke *stroke,
               char ink[PANE_INK]);
+
+/* The box of all layers as they stand in a view, with some room for rapid moves that leave it. */
+struct box scene_box(const struct scene *scene, const struct view *view, double tick);
 
 #endif

@@ -1,0 +1,33 @@
+/*
+ * simulate - what a program does to a part, evaluated by formulas of this folder alone.  The door.
+ *
+ * In: a motion (nc_motion.h), as programs are read into it, and points of the part.  Out: how deep
+ * the ball goes and what it leaves, what shank and holder run into, what is left of the stock, what
+ * the axes do.  It is the judge's half of the suite: nothing here is shared with what fits, guards
+ * or writes tool paths, so that a mistake made there is not made here once more.
+ *
+ * Stages:
+ *   1. nc_motion.h          pieces of a motion, evaluated anywhere: lines, arcs, polynomials,
+ * rational B-splines (de Boor), the tool axis on the great circle, by rotary axes or by a second
+ * point; verify_kinematics.h the machine's rotary axes (Paden-Kahan subproblems);
+ *   2. centre_path.h        where the ball's centre goes, as straight segments;
+ *   3. deviation_map.h      the ball rolled over the points: gouges and material left;
+ *      excursion.h          a cut that leaves the part and comes back;
+ *   4. holder_collision.h   shank and holder against points or stock, by clearance bounds;
+ *   5. stock.h              the stock as columns (dexels), cut by capsules, and what is left;
+ *      stock_simulate.h     the motion run over it, pass by pass;
+ *   6. axis_limits.h        travel, turns, speeds and time of each axis.
+ */
+#ifndef CLOUDMILL_SIMULATE_H
+#define CLOUDMILL_SIMULATE_H
+
+#include "simulate/axis_limits.h"
+#include "simulate/centre_path.h"
+#include "simulate/deviation_map.h"
+#include "simulate/excursion.h"
+#include "simulate/holder_collision.h"
+#include "simulate/nc_motion.h"
+#include "simulate/stock.h"
+#include "simulate/stock_simulate.h"
+
+#endif

@@ -1,0 +1,130 @@
+/*
+ * verify - an NC program judged against the part that it was made for.  The door of the folder.
+ *
+ * In: the motion that a program stands for (ncread/ncread.h), the part as points, what the machine
+ * may do, and what is demanded.  Out: a verdict with its figures and findings, told as text, as
+ * points with colours, or as a page for a browser.
+ *
+ * Stages, each by formulas of simulate/simulate.h, none by code that writes programs:
+ *   1. verify_part_read   the part: the points of a scan, or points on the faces of a mesh and on
+ *                         trimmed surfaces;
+ *   2. verify_run         the ball along the program over the part, rapid moves, shank and holder,
+ *                         the stock cut pass by pass, the axes; then what is wrong with them;
+ *   3. verdict_text, verdict_map, verdict_page   the verdict told.  The page's files are
+ *                         src/verify/page.html, page.css and page.js; make builds them in.
+ */
+#ifndef CLOUDMILL_VERIFY_H
+#define CLOUDMILL_VERIFY_H
+
+#include "base/error.h"
+#include "simulate/simulate.h"
+
+/* ---- the part and the stock */
+
+/*
+ * Appends the points of a file, times `unit`.  A mesh (a PLY with faces, STL, OFF by its name) or
+ * the surfaces of a .igs, .iges or .nurbs file, trimmed and as triangles, give points on their
+ * faces too, so dense that a ball of `radius` rolled over them sinks in between by less than
+ * VERIFY_PART_SINK, as long as that are no more than some millions; *spacing is what was kept, 0
+ * for a cloud.
+ */
+int verify_part_read(const char *file, double unit, double radius, struct vec3s *points,
+                     double *spacing, struct error *error);
+
+#define VERIFY_PART_SINK 0.0005 /* mm */
+
+/*
+ * Reads the stock of an option: box (around the part), box,MM (so much larger on its sides and its
+ * top), box:X0,Y0,Z0,X1,Y1,Z1 (two corners), or offset,MM (the surface and so much more).
+ * -1: what was found instead.
+ */
+int verify_stock_read(const char *text, struct stock_options *stock, struct error *error);
+
+/* ---- the run */
+
+/* What is judged; what it points at must outlive the verdict. */
+struct verify_program {
+    const char *file, *control, *machine; /* their names, for the report */
+    const struct nc_motion *motion;
+    const struct vec3s *part; /* its points, mm */
+};
+
+struct verify_options {
+    double radius;                     /* of the ball, mm */
+    double tolerance;                  /* deepest gouge, mm */
+    double left;                       /* most material left, mm; HUGE_VAL: not judged */
+    double band;                       /* as of deviation_map, mm */
+    double shank;                      /* length of a shaft as thick as the ball, which rapid moves
+                                          keep clear, mm */
+    const struct holder *holder;       /* NULL: that shaft alone */
+    const struct stock_options *stock; /* NULL: none */
+    double cell;                       /* of the stock, mm; 0: by its size */
+    struct axis_limits limits;         /* of the machine */
+    int threads;                       /* as of parallel_for */
+};
+
+enum { FINDING_TEXT = 240 };
+
+/* One thing found. */
+struct finding {
+    bool fault;              /* the program is refused for it; else it is only told */
+    char text[FINDING_TEXT]; /* with its block, without the file's name */
+};
+
+/* What one piece of the program did to the part. */
+struct verdict_piece {
+    float gouge, over; /* worst, mm, 0 at least */
+    unsigned pass;     /* number of cuts between rapid moves up to here */
+};
+
+/* A rapid move through the part. */
+struct verdict_rapid {
+    double depth;  /* the deepest, mm; 0: none goes in */
+    size_t points; /* that rapid moves go through */
+    size_t point, piece;
+};
+
+struct verdict {
+    struct verify_program program;
+    struct verify_options options;
+    struct centre_path cut;
+    struct deviation_map map;
+    struct axis_use axes;
+    struct verdict_rapid rapid;
+    struct holder_collision
+        part_holder; /* shank and holder against the part, if there is a holder */
+    bool has_stock;  /* what follows holds */
+    struct stock_simulate stock;
+    struct holder_collision stock_holder;
+    double cell; /* of the stock, mm */
+    unsigned passes;
+    struct verdict_piece *piece; /* as many as the motion has */
+    struct {
+        size_t n, cap;
+        struct finding *item;
+    } finding;
+};
+
+/* Runs the program over the part and finds what is wrong with it. */
+struct verdict verify_run(const struct verify_program *program,
+                          const struct verify_options *options);
+void verdict_free(struct verdict *verdict);
+
+bool verdict_refused(const struct verdict *verdict);
+
+/* The pieces with the deepest gouges, or with most left, worst first; returns how many. */
+size_t verdict_worst(const struct verdict *verdict, bool gouge, size_t most, size_t *piece);
+
+/* ---- the verdict told; file NULL or "-": standard output */
+
+/* A table of the figures. */
+void verdict_text(const struct verdict *verdict, const char *file);
+
+/* A PLY of all points: x y z, colour (red gouged, green cut, blue left, grey beyond the region),
+ * deviation (mm), block. */
+void verdict_map(const struct verdict *verdict, const char *file);
+
+/* A page for a browser that needs nothing else. */
+void verdict_page(const struct verdict *verdict, const char *file);
+
+#endif
