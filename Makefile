@@ -16,7 +16,7 @@ VERSION = 0.1.0
 
 WARN  = -Wall -Wextra -Wshadow -Wconversion
 FLAGS = -std=c11 -D_XOPEN_SOURCE=700 -iquote include -ffp-contract=off -pthread $(WARN)
-DEFS  = -DCLOUDMILL_DATADIR='"$(PREFIX)/share/cloudmill"'
+DATADIR = $(PREFIX)/share/cloudmill
 LIBS  = -lm -pthread
 
 tool_src := $(wildcard src/*.c)
@@ -55,7 +55,14 @@ all: $(tools)
 $(BUILD)/tests/lib/%.o: FLAGS += -iquote src -iquote tests/lib
 $(BUILD)/%.o: %.c
 	@mkdir -p $(@D)
-	$(CC) $(FLAGS) $(DEFS) $(CFLAGS) $(CPPFLAGS) -MD -MP -c -o $@ $<
+	$(CC) $(FLAGS) $(CFLAGS) $(CPPFLAGS) -MD -MP -c -o $@ $<
+
+# One object holds the place of the installed machines; another PREFIX compiles it again.
+$(BUILD)/src/machine/machine_read.o: FLAGS += -DCLOUDMILL_DATADIR='"$(DATADIR)"'
+$(BUILD)/src/machine/machine_read.o: $(BUILD)/datadir
+$(BUILD)/datadir: always
+	@mkdir -p $(@D)
+	@echo '$(DATADIR)' | cmp -s - $@ || echo '$(DATADIR)' >$@
 
 # The files of the verdict's page as strings: page.js is `const char page_js[]`.
 $(BUILD)/src/verify/page.%.c: src/verify/page.%
@@ -116,6 +123,7 @@ freeze: all
 	@BIN="$(abspath $(BUILD))/bin" sh tests/house/freeze.sh
 
 deps:
+	@echo 'The tests need some 380 Debian packages, 1.5 GB; make and make demo need none of them.'
 	apt-get update
 	DEBIAN_FRONTEND=noninteractive apt-get install -y --no-install-recommends $(packages)
 	-DEBIAN_FRONTEND=noninteractive apt-get install -y --no-install-recommends $(judge)
@@ -124,7 +132,7 @@ lint:
 	clang-format --dry-run --Werror $(c_files)
 	cppcheck --quiet --std=c11 --enable=warning,performance,portability --inline-suppr \
 	  --suppress=missingIncludeSystem --error-exitcode=1 -I include -I src -I tests/lib src tests
-	clang-tidy --quiet --warnings-as-errors='*' $(tool_src) $(lib_src) -- $(FLAGS) $(DEFS)
+	clang-tidy --quiet --warnings-as-errors='*' $(tool_src) $(lib_src) -- $(FLAGS)
 	shellcheck -S warning -x -P tests/lib tests/*.sh tests/*/*.sh tests/*/*.t tests/house/bare/* \
 	  samples/*.sh .ci/run
 
@@ -138,10 +146,10 @@ fuzz:
 	BIN="$(abspath $(BUILD))/fuzz/bin" OUT="$(abspath $(BUILD))/fuzz/out" sh tests/fuzz/fuzz.sh
 
 install: all
-	mkdir -p $(DESTDIR)$(PREFIX)/bin $(DESTDIR)$(PREFIX)/share/cloudmill/machines
+	mkdir -p $(DESTDIR)$(PREFIX)/bin $(DESTDIR)$(DATADIR)/machines
 	install -m 755 $(tools) $(DESTDIR)$(PREFIX)/bin
 	if [ -n "$(machines)" ]; then \
-	  install -m 644 $(machines) $(DESTDIR)$(PREFIX)/share/cloudmill/machines; fi
+	  install -m 644 $(machines) $(DESTDIR)$(DATADIR)/machines; fi
 	for page in $(manuals); do \
 	  dir=$(DESTDIR)$(PREFIX)/share/man/man$${page##*.}; \
 	  mkdir -p $$dir && install -m 644 $$page $$dir || exit 1; done
@@ -150,10 +158,16 @@ uninstall:
 	rm -f $(tools:$(BUILD)/bin/%=$(DESTDIR)$(PREFIX)/bin/%)
 	for page in $(notdir $(manuals)); do \
 	  rm -f $(DESTDIR)$(PREFIX)/share/man/man$${page##*.}/$$page; done
-	rm -rf $(DESTDIR)$(PREFIX)/share/cloudmill
+	rm -f $(machines:machines/%=$(DESTDIR)$(DATADIR)/machines/%)
+	-rmdir $(DESTDIR)$(DATADIR)/machines $(DESTDIR)$(DATADIR) 2>/dev/null
 
 dist:
-	git archive --prefix=cloudmill-$(VERSION)/ -o cloudmill-$(VERSION).tar.gz HEAD
+	if git rev-parse --git-dir >/dev/null 2>&1; then \
+	  git archive --prefix=cloudmill-$(VERSION)/ -o cloudmill-$(VERSION).tar.gz HEAD; \
+	else \
+	  mkdir -p $(BUILD) && tar --transform 's,^\.,cloudmill-$(VERSION),' --exclude='./$(BUILD)' --exclude=./demo \
+	    --exclude=./figures --exclude='./cloudmill-*.tar.gz' -czf $(BUILD)/dist.tar.gz . && \
+	  mv $(BUILD)/dist.tar.gz cloudmill-$(VERSION).tar.gz; fi
 
 distcheck: dist
 	rm -rf $(BUILD)/distcheck && mkdir -p $(BUILD)/distcheck
@@ -163,7 +177,7 @@ distcheck: dist
 clean:
 	rm -rf $(BUILD) demo figures cloudmill-$(VERSION).tar.gz
 
-.PHONY: all units check demo figures bench accuracy freeze deps lint sanitize fuzz \
+.PHONY: always all units check demo figures bench accuracy freeze deps lint sanitize fuzz \
   install uninstall dist distcheck clean
 .SECONDARY:
 

@@ -60,7 +60,12 @@ ok "-m table-bc finds the installed machine" \
 has "and turns its axes" '^[^(]*B[-0-9.]+' "$TMP/out"
 status 1 "-m of a machine that is not there" elsewhere ncpost -c fanuc -m no-such "$TMP/path.cl"
 
+echo 'include = table-bc' >"$prefix/share/cloudmill/machines/shop.txt"
 ok "make uninstall" build uninstall PREFIX="$prefix" DESTDIR=
+ok "a machine file of the user's is kept" test -s "$prefix/share/cloudmill/machines/shop.txt"
+rm -r "$prefix/share/cloudmill"
+ok "make install again" build install PREFIX="$prefix" DESTDIR=
+ok "and make uninstall" build uninstall PREFIX="$prefix" DESTDIR=
 files "$prefix" >"$TMP/after"
 same "uninstall leaves what was there before, and no more" "$TMP/before" "$TMP/after"
 ok "nor a folder of ours" test ! -e "$prefix/share/cloudmill"
@@ -75,8 +80,18 @@ for tool in $tools; do
 done
 files "$stage" | grep -v '^\./opt/mill/' >"$TMP/found"
 empty "nothing lies outside of PREFIX" "$TMP/found"
+status 1 "the prefix compiled in is the last one" \
+	elsewhere "$stage/opt/mill/bin/ncpost" -c fanuc -m no-such "$TMP/path.cl"
+has "not that of the build before" 'in /opt/mill/share/cloudmill/machines' "$TMP/err"
 ok "make uninstall DESTDIR=" build uninstall PREFIX=/opt/mill DESTDIR="$stage"
 files "$stage" >"$TMP/found"
 empty "uninstall leaves no file there" "$TMP/found"
+
+# ---- a tarball of a tree that git does not know
+
+cp -R "$SRC/Makefile" "$SRC/src" "$SRC/include" "$SRC/machines" "$SRC/man" "$stage"
+ok "make dist without git" env GIT_DIR="$TMP/none" "${MAKE:-make}" -C "$stage" dist
+tar -tzf "$stage"/cloudmill-*.tar.gz >"$TMP/found"
+has "the tarball holds the sources" '^cloudmill-[0-9.]*/src/ncpost.c$' "$TMP/found"
 
 done_testing
