@@ -139,7 +139,7 @@ static void write_job(const struct path *in, struct job *job, struct path *out)
         struct pose to = job->seen.lift > 0 ? motion_at(&motion, 1) : last->to;
         struct path_item *item = path_add_spline(out, to, spline);
         if (last->touches)
-            path_touch(out, item, in->contact.item[last->contact]);
+            path_set_contact(out, item, in->contact.item[last->contact]);
         piece->fit.curve = (struct bspline){0};
         piece->fallback = (struct poses){0};
     }

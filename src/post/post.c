@@ -68,7 +68,7 @@ static int set_frame(struct nc_program *p, struct path *path, struct machine *ma
         post_frame_tilt(path, machine, &p->planes, dialect->plane_euler, digits, error) != 0)
         return EXIT_UNMET;
     if (!cycles || !(upright || p->plane))
-        path_drill(path);
+        path_expand_cycles(path);
     if (options->inch)
         post_frame_inch(path, machine, &p->options);
     *still = upright && (cycles || !machine->tcp || (machine->cutcom && nc_cutcom_asked(path)));

@@ -144,7 +144,7 @@ static void touch(struct path *out, struct path_item *item, const struct fit *f,
 {
     struct contact contact;
     if (contact_at(f, place, &contact))
-        path_touch(out, item, contact);
+        path_set_contact(out, item, contact);
 }
 
 static void put_chords(const struct fit *f, const struct printed *p, struct path *out)

@@ -336,7 +336,7 @@ static void add_cut(struct toolpath *t, const struct run_point *point, size_t n)
         const struct run_point *p = &point[i];
         struct path_item *item = add_point(t, (struct pose){p->tip, p->axis}, false);
         if (vec_length(p->normal) > 0)
-            path_touch(t->path, item, (struct contact){p->contact, p->normal});
+            path_set_contact(t->path, item, (struct contact){p->contact, p->normal});
         if (vec_dot(p->axis, p->normal) < -1e-6)
             t->shank++;
     }

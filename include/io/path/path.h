@@ -205,7 +205,7 @@ void path_add_feed(struct path *path, double feed);
 void path_add_text(struct path *path, const char *text);
 
 /* Says where the tool touches at the end of an item. */
-void path_touch(struct path *path, struct path_item *item, struct contact contact);
+void path_set_contact(struct path *path, struct path_item *item, struct contact contact);
 
 /* Appends items [from, to) of another path, unchanged (deep copies of what they point at). */
 void path_add_items(struct path *path, const struct path *other, size_t from, size_t to);
@@ -219,7 +219,7 @@ struct motion path_item_motion(const struct path *path, const struct path_item *
  * mouth, down to `clear`, at feed to the bottom (in steps), out to `retract`.  A step begins at
  * rapid PATH_PECK_GAP above the bottom of the one before, or half of it.
  */
-void path_drill(struct path *path);
+void path_expand_cycles(struct path *path);
 
 #define PATH_PECK_GAP 0.254 /* mm, LinuxCNC's */
 

@@ -8,24 +8,24 @@
 
 #include "base/num.h"
 
-static bool blank(char c)
+static bool is_blank(char c)
 {
     return c == ' ' || c == '\t';
 }
 
-/* The text without blanks around, ended in place. */
+/* Trims the text in place. */
 static char *trim(char *s)
 {
-    while (blank(*s))
+    while (is_blank(*s))
         s++;
     size_t n = strlen(s);
-    while (n && blank(s[n - 1]))
+    while (n && is_blank(s[n - 1]))
         n--;
     s[n] = '\0';
     return s;
 }
 
-/* The line starts with one of the words whose text is raw. */
+/* True if the line starts with one of the words whose text is raw. */
 static bool is_raw(const char *s)
 {
     static const char *const words[] = {"PARTNO", "PPRINT", "INSERT", "TPRINT", "REMARK"};
@@ -39,8 +39,8 @@ static bool is_raw(const char *s)
     return false;
 }
 
-/* Behind a label: `N30 ,GOTO/...` of NCL, `100) GOTO/...` of APT. */
-static char *behind_label(char *s)
+/* The text after a label: `N30 ,GOTO/...` of NCL, `100) GOTO/...` of APT. */
+static char *skip_label(char *s)
 {
     char *p = s + (toupper((unsigned char)*s) == 'N');
     size_t digits = strspn(p, "0123456789");
@@ -84,7 +84,7 @@ static void append(struct apt *apt, const char *s, size_t n)
     apt->joined.item[apt->joined.n] = '\0';
 }
 
-/* Where the line's own text ends: at a comment, or at the $ that continues it (*more). */
+/* The length of the line without its comment, or up to the $ that continues it (*more). */
 static size_t text_end(const char *s, bool *more)
 {
     const char *dollar = strchr(s, '$');
@@ -92,18 +92,18 @@ static size_t text_end(const char *s, bool *more)
     return dollar ? (size_t)(dollar - s) : strlen(s);
 }
 
-/* A line that starts with $$: it goes on when its last character is a single $. */
+/* The same of a line that starts with $$: its last character continues it when it is a single $. */
 static size_t comment_end(const char *s, bool *more)
 {
     size_t n = strlen(s);
-    while (n > 2 && blank(s[n - 1]))
+    while (n > 2 && is_blank(s[n - 1]))
         n--;
     *more = n > 2 && s[n - 1] == '$' && s[n - 2] != '$';
     return *more ? n - 1 : n;
 }
 
 /* Joins the lines of one statement; 1, 0 at the end, -1. */
-static int join(struct reader *r, struct apt *apt, struct error *error)
+static int join_lines(struct reader *r, struct apt *apt, struct error *error)
 {
     bool more = true, first = true;
     apt->joined.n = 0;
@@ -121,11 +121,11 @@ static int join(struct reader *r, struct apt *apt, struct error *error)
         if (expect_text(r, line, n, error) < 0)
             return -1;
         char *s = line;
-        while (blank(*s))
+        while (is_blank(*s))
             s++;
         if (first) {
             apt->line = (unsigned)r->line;
-            s = behind_label(s);
+            s = skip_label(s);
             apt->comment = s[0] == '$' && s[1] == '$';
             first = false;
         }
@@ -142,8 +142,8 @@ static int join(struct reader *r, struct apt *apt, struct error *error)
     return 1;
 }
 
-/* Word and arguments of `s`, which is changed in place. */
-static void split(struct apt *apt, char *s)
+/* Finds the word and the arguments of `s`, which is changed in place. */
+static void split_arguments(struct apt *apt, char *s)
 {
     char *slash = strchr(s, '/');
     bool bare = !slash && is_bare(s);
@@ -171,7 +171,7 @@ static void split(struct apt *apt, char *s)
 int apt_read(struct reader *r, struct apt *apt, struct error *error)
 {
     for (;;) {
-        int got = join(r, apt, error);
+        int got = join_lines(r, apt, error);
         if (got <= 0)
             return got;
         apt->raw = trim(apt->joined.item);
@@ -197,7 +197,7 @@ int apt_read(struct reader *r, struct apt *apt, struct error *error)
         apt->word = apt->upper.item;
         return 1;
     }
-    split(apt, apt->upper.item);
+    split_arguments(apt, apt->upper.item);
     return 1;
 }
 

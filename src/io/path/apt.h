@@ -1,12 +1,12 @@
 /*
- * apt - statements of APT CL text, whatever system wrote it.
+ * apt - statements of APT CL text, of any system.
  *
- * A statement is one line, or more where a line ends in a single $ (anything behind it is a
- * comment).  It is a major word and, behind a slash, words and numbers with commas between.  $$
- * starts a comment; a line that starts with $$ is a statement of its own, for some systems (this
- * one too) carry data in it: `$$-> PASS/3`.  The text behind PARTNO, PPRINT, INSERT, TPRINT and
- * REMARK is raw.  Upper and lower case are the same.  A label in front (`N30 ,GOTO/...`) is passed
- * over; numbers alone are a statement without a word.
+ * A statement is one line, or several where each but the last ends in a single $ (text after it is
+ * a comment).  It has a major word and, after a slash, words and numbers with commas between.  $$
+ * starts a comment; a line that starts with $$ is a statement of its own, since some systems and
+ * this suite put data into it: `$$-> PASS/3`.  The text after PARTNO, PPRINT, INSERT, TPRINT and
+ * REMARK is raw.  Case does not matter.  A label before the word (`N30 ,GOTO/...`) is ignored;
+ * numbers alone are a statement without a word.
  */
 #ifndef CLOUDMILL_APT_H
 #define CLOUDMILL_APT_H
@@ -18,17 +18,17 @@
 #include "base/reader.h"
 
 struct apt_argument {
-    const char *text; /* upper case, without blanks around */
+    const char *text; /* upper case, trimmed */
     double number;
     bool is_number; /* text is one finite number */
 };
 
 struct apt {
-    const char *word; /* major word, "" for a comment that carries nothing */
-    const char *raw;  /* the statement as it stood, joined, without blanks around */
-    bool comment;  /* it stands behind $$; with `$$->` word and arguments are filled all the same */
-    bool slash;    /* there was a slash behind the word */
-    unsigned line; /* where it starts */
+    const char *word; /* major word, "" for a comment without data */
+    const char *raw;  /* the whole statement as it was written, its lines joined, trimmed */
+    bool comment;     /* it starts with $$; with `$$->` word and arguments are filled as well */
+    bool slash;       /* there was a slash after the word */
+    unsigned line;    /* where it starts */
     struct {
         size_t n, cap;
         struct apt_argument *item;
@@ -43,12 +43,12 @@ struct apt {
 int apt_read(struct reader *r, struct apt *apt, struct error *error);
 void apt_free(struct apt *apt);
 
-/* True when argument i is there and is this word. */
+/* True if argument i exists and is this word. */
 bool apt_is(const struct apt *apt, size_t i, const char *word);
 
 /*
- * Arguments from, from + 1, ... as numbers into value[0..n-1]; an argument that is missing or is no
- * finite number is an error that names it and `what`.
+ * Arguments from, from + 1, ... as numbers into value[0..n-1]; a missing argument or one that is no
+ * finite number is an error that names `what`.
  */
 int apt_numbers(const struct apt *apt, const char *name, size_t from, size_t n, double *value,
                 const char *what, struct error *error);

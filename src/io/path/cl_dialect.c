@@ -1,6 +1,6 @@
 /*
- * cl_dialect - see cl_dialect.h; the systems that need few words: Creo, SolidWorks CAM and
- * MAKINO-FF.
+ * cl_dialect - the table of CAM systems, and those with few words of their own: Creo, SolidWorks
+ * CAM and MAKINO-FF.  See cl_dialect.h.
  */
 #include "cl_dialect.h"
 
@@ -8,8 +8,6 @@
 #include <string.h>
 
 #include "curve/flatten.h"
-#include "path_feed.h"
-#include "path_tool.h"
 
 static const double fallback_chord = 0.005; /* mm */
 
@@ -21,7 +19,7 @@ static const struct cl_dialect *const dialects[] = {&cl_creo, &cl_nx, &cl_catia,
 void cl_sniff(struct path_parse *p)
 {
     for (size_t i = 0; i < sizeof dialects / sizeof *dialects; i++)
-        if (dialects[i]->shows(&p->apt)) {
+        if (dialects[i]->recognize(&p->apt)) {
             p->dialect = dialects[i];
             p->sniffed = true;
             return;
@@ -49,34 +47,35 @@ int cl_add_curve(struct path_parse *p, struct bspline c)
     if (!fine) {
         bspline_free(&c);
         array_free(&spline.fallback);
-        return error_at(AT(p), "found a NURBS too long or too bent to be cut, expected a path");
+        return error_at(AT(p),
+                        "found a NURBS too long or too bent for straight lines, expected a path");
     }
     path_tool_move(p);
     path_feed_inverse(p, length);
     path_add_spline(p->path, end, spline)->line = p->apt.line;
     p->at = end;
-    p->said = end.p;
+    p->last_point = end.p;
     p->axis = axis;
     return 0;
 }
 
 /* ---- Creo: $$* Pro/CLfile */
-static bool creo_shows(const struct apt *apt)
+static bool recognize_creo(const struct apt *apt)
 {
     return apt->comment && strncmp(apt->raw, "$$*", 3) == 0 && strstr(apt->raw, "Pro/CLfile");
 }
 
-const struct cl_dialect cl_creo = {"Creo", creo_shows, NULL, 0};
+const struct cl_dialect cl_creo = {"Creo", recognize_creo, NULL, 0};
 
-/* ---- SolidWorks CAM: coordinates are the part's, and CSYS turns the tool axis with it */
-static bool solidworks_shows(const struct apt *apt)
+/* ---- SolidWorks CAM: coordinates are the part's, CSYS gives the tool axis */
+static bool recognize_solidworks(const struct apt *apt)
 {
     return !apt->comment &&
            (strcmp(apt->word, "TRNTYP") == 0 || strncmp(apt->word, "CSI_", 4) == 0 ||
             (strcmp(apt->word, "CSYS") == 0 && apt->argument.n == 12));
 }
 
-/* CSYS/ three rows of four: its third column is the tool axis until a GOTO gives another. */
+/* CSYS/ three rows of four: the third column is the tool axis until a GOTO gives another. */
 static int read_csys(struct path_parse *p)
 {
     double v[12];
@@ -102,20 +101,20 @@ static int read_trntyp(struct path_parse *p)
 static const struct path_row solidworks_rows[] = {
     {"CSYS", read_csys},
     {"TRNTYP", read_trntyp},
-    {"CSI_SET_FLUTE_LENGTH", path_drop},
-    {"CSI_SET_EXTENSION_LENGTH", path_drop},
+    {"CSI_SET_FLUTE_LENGTH", path_ignore},
+    {"CSI_SET_EXTENSION_LENGTH", path_ignore},
 };
 
-const struct cl_dialect cl_solidworks = {"SolidWorks CAM", solidworks_shows, solidworks_rows,
+const struct cl_dialect cl_solidworks = {"SolidWorks CAM", recognize_solidworks, solidworks_rows,
                                          sizeof solidworks_rows / sizeof *solidworks_rows};
 
 /* ---- MAKINO-FF: sections in PPRINT, no FINI */
-static bool makino_shows(const struct apt *apt)
+static bool recognize_makino(const struct apt *apt)
 {
     return strcmp(apt->word, "PPRINT") == 0 && strstr(apt->raw, "MAKINO-FF");
 }
 
-/* The stream is whole when its last section has ended and none is open. */
+/* The stream is complete when its last section has ended and none is open. */
 static int read_section(struct path_parse *p)
 {
     if (strstr(p->apt.raw, "BEGIN-SECTION"))
@@ -128,4 +127,4 @@ static int read_section(struct path_parse *p)
 
 static const struct path_row makino_rows[] = {{"PPRINT", read_section}};
 
-const struct cl_dialect cl_makino = {"MAKINO-FF", makino_shows, makino_rows, 1};
+const struct cl_dialect cl_makino = {"MAKINO-FF", recognize_makino, makino_rows, 1};

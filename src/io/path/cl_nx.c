@@ -1,17 +1,16 @@
 /*
- * cl_nx - the words of Siemens NX (CLSF): several tool paths one behind the other, each from TOOL
- * PATH to END-OF-PATH, each in the coordinates of its MSYS.
+ * cl_nx - the words of Siemens NX (CLSF): several tool paths, each from TOOL PATH to END-OF-PATH,
+ * each in the coordinate system of its MSYS.
  */
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "cl_dialect.h"
-#include "path_tool.h"
 
 #define AT(p) (p)->error, (p)->path->name, (p)->apt.line
 
-static bool shows(const struct apt *apt)
+static bool recognize(const struct apt *apt)
 {
     return !apt->comment && (strcmp(apt->word, "TOOL PATH") == 0 ||
                              strcmp(apt->word, "TLDATA") == 0 || strcmp(apt->word, "MSYS") == 0);
@@ -41,8 +40,8 @@ static int read_end_of_path(struct path_parse *p)
 }
 
 /*
- * TLDATA/MILL,diameter,corner radius,length,taper,tip angle; TLDATA/DRILL,diameter,point angle,
- * length; of other tools the diameter.
+ * TLDATA/MILL,diameter,corner radius,length,taper,tip angle; of DRILL and other tools only the
+ * diameter is used.
  */
 static int read_tldata(struct path_parse *p)
 {
@@ -67,7 +66,8 @@ static int read_tldata(struct path_parse *p)
     return 0;
 }
 
-/* MSYS/origin, x axis, y axis: what follows is in it; told in the first one of the stream. */
+/* MSYS/origin, x axis, y axis: the coordinate system of what follows.  Its points are converted to
+ * the first system of the stream. */
 static int read_msys(struct path_parse *p)
 {
     double v[9];
@@ -134,7 +134,7 @@ static int read_cntrl(struct path_parse *p)
     return 0;
 }
 
-/* Knots {0, 0, 0, 0, KNOT..., 1, 1, 1}, one for each pole but three. */
+/* -1: the knots are not {0, 0, 0, 0, KNOT..., 1, 1, 1} with one KNOT for each pole but three. */
 static int expect_knots(struct path_parse *p)
 {
     const struct doubles *k = &p->nurbs.knot;
@@ -168,7 +168,7 @@ static int add_curve(struct path_parse *p)
     return cl_add_curve(p, c);
 }
 
-int cl_nurbs_end(struct path_parse *p)
+int cl_nx_nurbs_end(struct path_parse *p)
 {
     if (strcmp(p->apt.word, "KNOT") == 0 || strcmp(p->apt.word, "CNTRL") == 0)
         return 0;
@@ -178,10 +178,10 @@ int cl_nurbs_end(struct path_parse *p)
 }
 
 static const struct path_row rows[] = {
-    {"PAINT", path_drop},    {"TOOL PATH", read_tool_path},
+    {"PAINT", path_ignore},  {"TOOL PATH", read_tool_path},
     {"TLDATA", read_tldata}, {"MSYS", read_msys},
     {"NURBS", read_nurbs},   {"KNOT", read_knot},
     {"CNTRL", read_cntrl},   {"END-OF-PATH", read_end_of_path},
 };
 
-const struct cl_dialect cl_nx = {"NX", shows, rows, sizeof rows / sizeof *rows};
+const struct cl_dialect cl_nx = {"NX", recognize, rows, sizeof rows / sizeof *rows};

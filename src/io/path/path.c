@@ -136,7 +136,7 @@ void path_add_text(struct path *path, const char *text)
     *array_push(&path->text) = copy_text(text);
 }
 
-void path_touch(struct path *path, struct path_item *item, struct contact contact)
+void path_set_contact(struct path *path, struct path_item *item, struct contact contact)
 {
     item->touches = true;
     item->contact = (unsigned)path->contact.n;
@@ -160,7 +160,7 @@ void path_add_items(struct path *path, const struct path *other, size_t from, si
         struct path_item *item = array_push(&path->item);
         *item = *was;
         if (was->touches)
-            path_touch(path, item, other->contact.item[was->contact]);
+            path_set_contact(path, item, other->contact.item[was->contact]);
         if (was->kind == PATH_ARC) {
             item->index = (unsigned)path->arc.n;
             *array_push(&path->arc) = other->arc.item[was->index];

@@ -1,23 +1,259 @@
 /*
- * path_read - APT CL text to a path; see path.h and cloudmill-path(5).
+ * path_read - APT CL text to a path; see path.h, path_parse.h and cloudmill-path(5).
  *
- * One row of the table at the end for each major word; a word that is in no row is a post-processor
- * word nobody here knows (carried along and counted), or one of the geometry words that no reader
- * may pass over, for then the tool would go elsewhere.
+ * Each major word has one row in the tables below: the head and the comments that carry data, the
+ * motions, and the words of one CAM system (cl_dialect.h).  A word without a row is either a
+ * post-processor word, which is kept as text and counted, or a geometry word, which is an error:
+ * without it the tool would go to another place.
  */
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "cl_dialect.h"
-#include "path_arc.h"
-#include "path_cycle.h"
-#include "path_goto.h"
-#include "path_home.h"
-#include "path_parse.h"
-#include "path_tool.h"
 
 #define AT(p) (p)->error, (p)->path->name, (p)->apt.line
+
+/* ---- numbers, points and directions; the head; comments that carry data */
+
+int path_numbers(struct path_parse *p, size_t from, size_t n, double *value, const char *what)
+{
+    return apt_numbers(&p->apt, p->path->name, from, n, value, what, p->error);
+}
+
+/* Converts a vector from the current coordinate system to the first of the stream. */
+static struct vec3 into_first_frame(const struct path_parse *p, struct vec3 v)
+{
+    const struct frame *f = &p->frame, *g = &p->first;
+    struct vec3 z = vec_cross(f->x, f->y);
+    struct vec3 w = vec_along(vec_along(vec_scale(v.x, f->x), v.y, f->y), v.z, z);
+    return vec(vec_dot(w, g->x), vec_dot(w, g->y), vec_dot(w, vec_cross(g->x, g->y)));
+}
+
+struct vec3 path_vector_of(const struct path_parse *p, const double *v)
+{
+    struct vec3 way = vec_scale(p->unit, vec(v[0], v[1], v[2]));
+    return p->framed ? into_first_frame(p, way) : way;
+}
+
+struct vec3 path_point_of(const struct path_parse *p, const double *v)
+{
+    struct vec3 at = path_vector_of(p, v);
+    if (p->framed) {
+        struct vec3 d = vec_sub(p->frame.origin, p->first.origin);
+        const struct frame *g = &p->first;
+        at =
+            vec_add(at, vec(vec_dot(d, g->x), vec_dot(d, g->y), vec_dot(d, vec_cross(g->x, g->y))));
+    }
+    return vec_add(at, p->shift);
+}
+
+int path_direction(struct path_parse *p, const double *v, const char *what, struct vec3 *unit)
+{
+    struct vec3 a = vec(v[0], v[1], v[2]);
+    double l = vec_length(a);
+    if (!(l > 1e-9) || !isfinite(l))
+        return error_at(AT(p), "found %s of length zero, expected a unit vector", what);
+    *unit = fabs(l - 1) <= 2e-9 ? a : vec_unit(a);
+    if (p->framed)
+        *unit = into_first_frame(p, *unit);
+    return 0;
+}
+
+static int read_partno(struct path_parse *p)
+{
+    const char *text = p->apt.raw + strlen("PARTNO");
+    text += strspn(text, " \t/");
+    if (p->path->head.partno)
+        path_add_text(p->path, p->apt.raw);
+    else
+        p->path->head.partno = mem_string(text, strlen(text));
+    return 0;
+}
+
+static int read_units(struct path_parse *p)
+{
+    if (apt_is(&p->apt, 0, "MM"))
+        p->unit = 1;
+    else if (apt_is(&p->apt, 0, "INCHES") || apt_is(&p->apt, 0, "INCH"))
+        p->unit = 25.4;
+    else if (apt_is(&p->apt, 0, "CM"))
+        p->unit = 10;
+    else
+        return error_at(AT(p), "found units `%.40s`, expected MM, CM or INCHES",
+                        p->apt.argument.n ? p->apt.argument.item[0].text : "");
+    return 0;
+}
+
+static int read_multax(struct path_parse *p)
+{
+    if (!apt_is(&p->apt, 0, "OFF"))
+        p->path->head.multax = true;
+    else
+        p->axis = vec(0, 0, 1);
+    return 0;
+}
+
+static int read_coolant(struct path_parse *p)
+{
+    int coolant = apt_is(&p->apt, 0, "OFF") ? 1 : apt_is(&p->apt, 0, "MIST") ? 3 : 2;
+    if (p->path->head.coolant || p->moved)
+        path_add_text(p->path, p->apt.raw);
+    else
+        p->path->head.coolant = coolant;
+    return 0;
+}
+
+static int read_pass(struct path_parse *p)
+{
+    double n;
+    if (path_numbers(p, 0, 1, &n, "number of the pass") < 0)
+        return -1;
+    if (n < 0 || n > 1e9 || n != floor(n))
+        return error_at(AT(p), "found PASS/%g, expected a whole number", n);
+    path_add_pass(p->path, (size_t)n);
+    return 0;
+}
+
+static int read_track(struct path_parse *p)
+{
+    struct path_head *head = &p->path->head;
+    if (apt_is(&p->apt, 0, "TIP"))
+        head->track = TRACK_TIP;
+    else if (apt_is(&p->apt, 0, "CENTER") || apt_is(&p->apt, 0, "CENTRE"))
+        head->track = TRACK_CENTRE;
+    else if (apt_is(&p->apt, 0, "CONTACT"))
+        head->track = TRACK_CONTACT;
+    else
+        return error_at(AT(p), "found TRACK/%.40s, expected TIP, CENTER or CONTACT",
+                        p->apt.argument.n ? p->apt.argument.item[0].text : "");
+    return 0;
+}
+
+static int read_ledger(struct path_parse *p)
+{
+    double spent;
+    if (path_numbers(p, 1, 1, &spent, "mm spent") < 0)
+        return -1;
+    if (!(spent >= 0))
+        return error_at(AT(p), "found %g mm in LEDGER, expected 0 or more", spent);
+    /* the stage's name as it was written, not in upper case */
+    const char *name = strchr(p->apt.raw, '/') + 1;
+    name += strspn(name, " \t");
+    char *stage = mem_string(name, strcspn(name, ", \t"));
+    path_spend(p->path, stage, spent);
+    free(stage);
+    return 0;
+}
+
+static int read_chord(struct path_parse *p)
+{
+    return path_numbers(p, 0, 1, &p->path->head.chord, "mm");
+}
+
+static int read_clear(struct path_parse *p)
+{
+    return path_numbers(p, 0, 1, &p->path->head.clearance, "z of the clearance plane");
+}
+
+int path_ignore(struct path_parse *p)
+{
+    (void)p;
+    return 0;
+}
+
+/* A stream of this suite has no words of other systems. */
+static int read_own(struct path_parse *p)
+{
+    p->sniffed = true;
+    return 0;
+}
+
+/* ORIGIN: the machine's zero in the coordinates of the stream; TRANS: an offset added to them. */
+static int read_shift(struct path_parse *p, struct vec3 *shift)
+{
+    double v[3];
+    if (p->apt.argument.n != 3)
+        return error_at(AT(p), "found %zu arguments in %s, expected x, y, z", p->apt.argument.n,
+                        p->apt.word);
+    if (path_numbers(p, 0, 3, v, "x, y, z") < 0)
+        return -1;
+    *shift = vec_scale(p->unit, vec(v[0], v[1], v[2]));
+    p->shift = vec_sub(p->trans, p->origin);
+    return 0;
+}
+
+static int read_origin(struct path_parse *p)
+{
+    return read_shift(p, &p->origin);
+}
+
+static int read_trans(struct path_parse *p)
+{
+    return read_shift(p, &p->trans);
+}
+
+/* MODE/INCR, SET/MODE,INCR: incremental coordinates. */
+static int read_mode(struct path_parse *p)
+{
+    for (size_t i = 0; i < p->apt.argument.n; i++)
+        if (strncmp(p->apt.argument.item[i].text, "INCR", 4) == 0)
+            return error_at(AT(p), "found %s with incremental coordinates, expected absolute ones",
+                            p->apt.word);
+    return path_keep_text(p);
+}
+
+int path_keep_text(struct path_parse *p)
+{
+    path_add_text(p->path, p->apt.raw);
+    return 0;
+}
+
+static const struct path_row head_words[] = {
+    {"FEDRAT", path_read_feed},
+    {"PARTNO", read_partno},
+    {"UNITS", read_units},
+    {"UNIT", read_units},
+    {"MULTAX", read_multax},
+    {"CUTTER", path_read_cutter},
+    {"LOADTL", path_read_tool},
+    {"TOOLNO", path_read_tool},
+    {"TLCHG", path_read_tool},
+    {"LOAD", path_read_load},
+    {"SPINDL", path_read_spindle},
+    {"COOLNT", read_coolant},
+    {"DELAY", path_read_delay},
+    {"ORIGIN", read_origin},
+    {"TRANS", read_trans},
+    {"MODE", read_mode},
+    {"SET", read_mode},
+};
+
+static const struct path_row comments[] = {
+    {"CONTCT", path_read_contact}, {"PASS", read_pass},          {"TRACK", read_track},
+    {"LEDGER", read_ledger},       {"CHORD", read_chord},        {"CLEAR", read_clear},
+    {"CLOUDMILL", read_own},       {"CUTTER", path_read_cutter},
+};
+
+const struct path_row *path_find_row(const struct path_row *rows, size_t n, const char *word)
+{
+    for (size_t i = 0; i < n; i++)
+        if (strcmp(rows[i].word, word) == 0)
+            return &rows[i];
+    return NULL;
+}
+
+static const struct path_row *head_row(const char *word)
+{
+    return path_find_row(head_words, sizeof head_words / sizeof *head_words, word);
+}
+
+static const struct path_row *comment_row(const char *word)
+{
+    return path_find_row(comments, sizeof comments / sizeof *comments, word);
+}
+
+/* ---- motions, and the order of statements */
 
 static int read_rapid(struct path_parse *p)
 {
@@ -33,13 +269,13 @@ static int read_movnrb(struct path_parse *p)
     if (done != 1)
         return done;
     struct pose to;
-    struct path_spline spline = spline_parse_take(&p->spline, &to);
+    struct path_spline spline = spline_parse_finish(&p->spline, &to);
     if (path_expect_reach(p, to.p) < 0)
         return -1;
     path_tool_move(p);
-    path_take_contact(p, path_add_spline(p->path, to, spline));
+    path_attach_contact(p, path_add_spline(p->path, to, spline));
     p->at = to;
-    p->said = to.p;
+    p->last_point = to.p;
     p->axis = to.a;
     p->rapid = false;
     return 0;
@@ -68,8 +304,8 @@ static const struct path_row motions[] = {
     {"ROTHED", path_read_rotabl},
 };
 
-/* Post-processor words that a later stage may use. */
-static const char *const carried[] = {
+/* Post-processor words that a later stage may use, kept as text. */
+static const char *const kept[] = {
     "PPRINT", "INSERT", "TPRINT", "REMARK", "STOP",   "OPSTOP", "AUXFUN",
     "CUTCOM", "INTOL",  "OUTTOL", "TOLER",  "MACHIN", "END",    "CSYS",
     "SELECT", "SEQNO",  "DISPLY", "REWIND", "SELCTL",
@@ -113,19 +349,19 @@ void path_count_unknown(struct path_parse *p, const char *word)
         (struct path_unknown){mem_string(word, strlen(word)), 1, p->apt.line};
 }
 
-/* The row of a word: of a motion, of the system that wrote the stream, of the head. */
+/* The row of a word: among the motions, the words of the stream's system, those of the head. */
 static const struct path_row *find_row(const struct path_parse *p)
 {
     const char *word = p->apt.word;
     if (p->apt.comment)
-        return path_comment_row(word);
+        return comment_row(word);
     const struct path_row *row = path_find_row(motions, sizeof motions / sizeof *motions, word);
     if (!row && p->dialect)
         row = path_find_row(p->dialect->rows, p->dialect->n, word);
-    return row ? row : path_head_row(word);
+    return row ? row : head_row(word);
 }
 
-/* What a statement may not stand within. */
+/* -1: the statement may not come here, within an arc or a MOVNRB. */
 static int expect_place(struct path_parse *p)
 {
     static const char *const on_arc[] = {"GOTO",   "PAINT",  "FEDRAT", "PPRINT",
@@ -134,7 +370,7 @@ static int expect_place(struct path_parse *p)
     if (p->apt.comment)
         return 0;
     if (p->circle.open && !is_among(word, on_arc, sizeof on_arc / sizeof *on_arc))
-        return error_at(AT(p), "found %.40s behind CIRCLE, expected the GOTO at the arc's end",
+        return error_at(AT(p), "found %.40s after CIRCLE, expected the GOTO at the arc's end",
                         word);
     if (p->spline.stage != SPLINE_NONE && strcmp(word, "GOTO") != 0 && *word &&
         strcmp(word, "MOVNRB") != 0)
@@ -149,7 +385,7 @@ static int read_bare(struct path_parse *p, bool listing)
     if (listing && p->dialect == &cl_creo && p->circle.lasting && p->apt.argument.n == 3) {
         if (path_numbers(p, 0, 3, v, "x, y, z") < 0)
             return -1;
-        path_arc_goes_on(p, path_point_of(p, v));
+        path_arc_continues(p, path_point_of(p, v));
     }
     if (listing)
         return path_read_goto(p);
@@ -170,7 +406,7 @@ static int read_statement(struct path_parse *p)
         cl_sniff(p);
     if (p->apt.comment && strncmp(p->apt.raw, "$$*CATIA0", 9) == 0)
         p->matrix = 3;
-    if (p->nurbs.open && !p->apt.comment && cl_nurbs_end(p) < 0)
+    if (p->nurbs.open && !p->apt.comment && cl_nx_nurbs_end(p) < 0)
         return -1;
     if (!p->apt.comment && !*word && p->apt.argument.n)
         return read_bare(p, listing);
@@ -186,7 +422,7 @@ static int read_statement(struct path_parse *p)
         return row->read(p);
     if (!p->apt.comment && is_geometry(word))
         return read_geometry(p);
-    if (!p->apt.comment && !is_among(word, carried, sizeof carried / sizeof *carried))
+    if (!p->apt.comment && !is_among(word, kept, sizeof kept / sizeof *kept))
         path_count_unknown(p, word);
     return path_keep_text(p);
 }
@@ -194,7 +430,7 @@ static int read_statement(struct path_parse *p)
 static int read_all(struct path_parse *p)
 {
     while (!p->ended) {
-        if (!p->nurbs.open && path_goto_run(p) < 0)
+        if (!p->nurbs.open && path_read_plain_gotos(p) < 0)
             return -1;
         int got = apt_read(&p->reader, &p->apt, p->error);
         if (got < 0)

@@ -5,7 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Numbers behind the first argument: at least one. */
+/* -1: an argument after the first is not a number. */
 static int expect_numbers(const struct apt *apt, const char *name, struct error *error)
 {
     for (size_t i = 1; i < apt->argument.n; i++)
@@ -16,8 +16,8 @@ static int expect_numbers(const struct apt *apt, const char *name, struct error 
     return 0;
 }
 
-static int begin(struct spline_parse *s, const struct apt *apt, const char *name, double unit,
-                 struct pose at, struct error *error)
+static int begin_spline(struct spline_parse *s, const struct apt *apt, const char *name,
+                        double unit, struct pose at, struct error *error)
 {
     if (s->stage != SPLINE_NONE)
         return error_at(error, name, apt->line,
@@ -103,7 +103,7 @@ static int read_poles(struct spline_parse *s, const struct apt *apt, const char 
     return 0;
 }
 
-/* All parts are there and the curve starts where the tool is. */
+/* -1: a part is missing, or the curve does not start where the tool is. */
 static int expect_whole(const struct spline_parse *s, const struct apt *apt, const char *name,
                         struct error *error)
 {
@@ -130,7 +130,7 @@ int spline_parse(struct spline_parse *s, const struct apt *apt, const char *name
                  struct pose at, struct error *error)
 {
     if (apt_is(apt, 0, "5AXIS") || apt_is(apt, 0, "M3AXIS"))
-        return begin(s, apt, name, unit, at, error);
+        return begin_spline(s, apt, name, unit, at, error);
     if (apt_is(apt, 0, "ON") && s->stage == SPLINE_BEGUN)
         return read_sizes(s, apt, name, error);
     if (apt_is(apt, 0, "OFF") && s->stage == SPLINE_FALLBACK)
@@ -160,7 +160,7 @@ void spline_parse_point(struct spline_parse *s, struct pose pose)
     *array_push(&s->fallback) = pose;
 }
 
-struct path_spline spline_parse_take(struct spline_parse *s, struct pose *end)
+struct path_spline spline_parse_finish(struct spline_parse *s, struct pose *end)
 {
     struct bspline c = bspline_new(s->degree, s->poles, s->five_axes);
     memcpy(c.knot, s->knot.item, s->knots * sizeof *c.knot);

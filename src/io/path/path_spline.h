@@ -1,10 +1,10 @@
 /*
- * path_spline - the MOVNRB statements of a path stream, gathered into one B-spline.
+ * path_spline - the MOVNRB statements of a path stream, joined to one B-spline.
  *
  *   MOVNRB/5AXIS,LENGTH,l        or MOVNRB/M3AXIS
  *   MOVNRB/ON,order,knots,0,poles,length
  *   MOVNRB/1,knot,...            all knots, end knots repeated
- *   MOVNRB/2,x,y,z,...           poles of what the stream tracks
+ *   MOVNRB/2,x,y,z,...           poles of the tracked point
  *   MOVNRB/3,x,y,z,...           poles of the head, with 5AXIS alone
  *   MOVNRB/NEXT                  then the same motion as GOTOs
  *   MOVNRB/OFF
@@ -30,17 +30,18 @@ struct spline_parse {
 };
 
 /*
- * One MOVNRB statement.  `unit`: millimetres in the stream's unit; `at`: where the tool is.
- * 0: taken; 1: it was MOVNRB/OFF and the spline is whole and starts where the tool is; -1: error.
+ * Reads one MOVNRB statement.  `unit`: millimetres in the stream's unit; `at`: where the tool is.
+ * 1: it was MOVNRB/OFF, and the spline is complete and starts where the tool is; 0: it was another
+ * part; -1: error.
  */
 int spline_parse(struct spline_parse *s, const struct apt *apt, const char *name, double unit,
                  struct pose at, struct error *error);
 
-/* One GOTO of the fallback list. */
+/* Adds one GOTO of the fallback list. */
 void spline_parse_point(struct spline_parse *s, struct pose pose);
 
 /* The whole spline and the pose where it ends; s is empty again. */
-struct path_spline spline_parse_take(struct spline_parse *s, struct pose *end);
+struct path_spline spline_parse_finish(struct spline_parse *s, struct pose *end);
 
 void spline_parse_free(struct spline_parse *s);
 

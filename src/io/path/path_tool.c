@@ -1,10 +1,16 @@
-/* path_tool - see path_tool.h. */
-#include "path_tool.h"
-
+/*
+ * path_tool - tools, the spindle and feeds: CUTTER, LOADTL, TOOLNO, LOAD; SPINDL; FEDRAT, DELAY.
+ * See path_parse.h.
+ */
 #include <math.h>
 #include <string.h>
 
+#include "base/num.h"
+#include "path_parse.h"
+
 #define AT(p) (p)->error, (p)->path->name, (p)->apt.line
+
+/* ---- tools */
 
 static bool same_shape(const struct path_tool *a, const struct path_tool *b)
 {
@@ -17,7 +23,7 @@ static bool same_shape(const struct path_tool *a, const struct path_tool *b)
 }
 
 /* The first tool is the head's, a later one the last item's. */
-static void store(struct path_parse *p)
+static void store_tool(struct path_parse *p)
 {
     struct path *path = p->path;
     if (path->tool.n) {
@@ -37,11 +43,11 @@ void path_tool_shape(struct path_parse *p, const double *cutter, int n)
     memcpy(tool->cutter, cutter, (size_t)n * sizeof *cutter);
     tool->cutter_n = n;
     if (!p->tool_used)
-        store(p);
+        store_tool(p);
 }
 
 /* The next tool goes into the spindle. */
-static void change(struct path_parse *p)
+static void change_tool(struct path_parse *p)
 {
     p->tool = p->next_tool;
     p->next_tool = (struct path_tool){0};
@@ -50,7 +56,7 @@ static void change(struct path_parse *p)
     p->path->item.item[p->path->item.n - 1].line = p->apt.line;
 }
 
-/* A number for a tool that has none: behind the greatest so far. */
+/* A number for a tool that has none: one above the greatest so far. */
 static int free_number(const struct path *path)
 {
     int most = path->head.tool;
@@ -59,7 +65,7 @@ static int free_number(const struct path *path)
     return most + 1;
 }
 
-static void change_without_number(struct path_parse *p)
+static void change_tool_without_number(struct path_parse *p)
 {
     struct path *path = p->path;
     if (!path->head.tool) {
@@ -68,11 +74,11 @@ static void change_without_number(struct path_parse *p)
     }
     p->next_tool.number = free_number(path);
     path->tools_numbered++;
-    change(p);
+    change_tool(p);
     p->guessed = true;
 }
 
-/* The number behind OSETNO (or ADJUST, of NX) among the arguments, 0: there is none. */
+/* The number after OSETNO (or ADJUST, of NX) among the arguments, 0: there is none. */
 static int offset_number(const struct apt *apt)
 {
     for (size_t i = 0; i + 1 < apt->argument.n; i++) {
@@ -84,7 +90,7 @@ static int offset_number(const struct apt *apt)
     return 0;
 }
 
-static int take_number(struct path_parse *p, double n)
+static int set_number(struct path_parse *p, double n)
 {
     int offset = offset_number(&p->apt);
     if (n < 0 || n > 99999999 || n != floor(n))
@@ -96,11 +102,11 @@ static int take_number(struct path_parse *p, double n)
         p->guessed = false;
         p->tool.number = number;
         p->tool.offset = offset > 0 ? offset : p->tool.offset;
-        store(p);
+        store_tool(p);
     } else if (number != p->tool.number) {
         p->next_tool.number = number;
         p->next_tool.offset = offset;
-        change(p);
+        change_tool(p);
     } else {
         p->next_tool = (struct path_tool){0};
     }
@@ -114,21 +120,21 @@ void path_tool_named(struct path_parse *p, const char *name)
     memcpy(p->tool_name, name, n);
     p->tool_name[n] = '\0';
     if (other)
-        change_without_number(p);
+        change_tool_without_number(p);
 }
 
 void path_tool_move(struct path_parse *p)
 {
     if (p->tool_used && p->next_tool.cutter_n && !same_shape(&p->tool, &p->next_tool))
-        change_without_number(p);
+        change_tool_without_number(p);
     p->next_tool = (struct path_tool){0};
     if (p->rapid && !p->tool.number && !p->path->tool.n)
-        return; /* to where the first tool is taken */
+        return; /* a rapid to where the first tool is loaded */
     p->tool_used = true;
     p->guessed = false;
 }
 
-/* CUTTER/d, r, e, f, alpha, beta, h: as many as are there; the angles have no unit of length. */
+/* CUTTER/d, r, e, f, alpha, beta, h, or fewer; the angles alpha and beta keep their unit. */
 int path_read_cutter(struct path_parse *p)
 {
     size_t n = p->apt.argument.n < 7 ? p->apt.argument.n : 7;
@@ -146,7 +152,7 @@ int path_read_tool(struct path_parse *p)
     double n;
     if (!p->apt.argument.n || !p->apt.argument.item[0].is_number)
         return path_keep_text(p);
-    return path_numbers(p, 0, 1, &n, "tool number") < 0 ? -1 : take_number(p, n);
+    return path_numbers(p, 0, 1, &n, "tool number") < 0 ? -1 : set_number(p, n);
 }
 
 int path_read_load(struct path_parse *p)
@@ -154,5 +160,194 @@ int path_read_load(struct path_parse *p)
     double n;
     if (!apt_is(&p->apt, 0, "TOOL") || p->apt.argument.n < 2 || !p->apt.argument.item[1].is_number)
         return path_keep_text(p);
-    return path_numbers(p, 1, 1, &n, "tool number") < 0 ? -1 : take_number(p, n);
+    return path_numbers(p, 1, 1, &n, "tool number") < 0 ? -1 : set_number(p, n);
+}
+
+/* ---- spindle and feeds */
+
+/* The first number among the arguments; NAN: there is none. */
+static double first_number(const struct apt *apt)
+{
+    for (size_t i = 0; i < apt->argument.n; i++)
+        if (apt->argument.item[i].is_number)
+            return apt->argument.item[i].number;
+    return NAN;
+}
+
+static bool has_argument(const struct apt *apt, const char *word)
+{
+    for (size_t i = 0; i < apt->argument.n; i++)
+        if (apt_is(apt, i, word))
+            return true;
+    return false;
+}
+
+/* Rev/min from a surface speed, in metres or feet a minute; 0: no diameter is known. */
+static double surface_speed(const struct path_parse *p, double speed)
+{
+    double d = p->tool.cutter_n ? p->tool.cutter[0] : 0;
+    return d > 0 ? speed * (has_argument(&p->apt, "SFM") ? 304.8 : 1000) / (PI * d) : 0;
+}
+
+/* Words of SPINDL beside which its number is the speed in rev/min. */
+static bool is_plain(const char *word)
+{
+    static const char *const plain[] = {"RPM", "CLW", "CCLW", ""};
+    for (size_t i = 0; i < sizeof plain / sizeof *plain; i++)
+        if (strcmp(word, plain[i]) == 0)
+            return true;
+    return false;
+}
+
+/* The speed: the first number that is not a gear, a limit or an angle. */
+static double spindle_speed(const struct apt *apt)
+{
+    static const char *const others[] = {"RANGE", "GEAR", "MAXRPM", "MAX", "RADIUS", "ORIENT"};
+    bool other = false; /* the word before says what the number is */
+    for (size_t i = 0; i < apt->argument.n; i++) {
+        if (apt->argument.item[i].is_number && !other)
+            return apt->argument.item[i].number;
+        other = false;
+        for (size_t k = 0; k < sizeof others / sizeof *others; k++)
+            other = other || apt_is(apt, i, others[k]);
+    }
+    return NAN;
+}
+
+static void add_spindle(struct path_parse *p)
+{
+    char text[NUM_MAX + 20] = "SPINDL/RPM,";
+    char *end = text + strlen(text);
+    end += num_write(end, p->spindle, 6);
+    memcpy(end, p->ccw ? ",CCLW" : ",CLW", p->ccw ? 6 : 5);
+    path_add_text(p->path, text);
+}
+
+/* SPINDL without a speed: OFF; ON or a direction, at the speed before; ORIENT, which is ignored. */
+static int turn_spindle(struct path_parse *p)
+{
+    if (has_argument(&p->apt, "ORIENT"))
+        path_count_unknown(p, "SPINDL/ORIENT");
+    else if (has_argument(&p->apt, "OFF") || !(p->spindle > 0))
+        return path_keep_text(p);
+    else
+        add_spindle(p);
+    return 0;
+}
+
+/* SPINDL/RPM,8000,CLW or SPINDL/8000,RPM,CLW: the first goes into the head, later ones are items.
+ */
+int path_read_spindle(struct path_parse *p)
+{
+    struct path_head *head = &p->path->head;
+    double rpm = spindle_speed(&p->apt);
+    bool surface = has_argument(&p->apt, "SFM") || has_argument(&p->apt, "SMM"), plain = true;
+    if (has_argument(&p->apt, "CCLW") || has_argument(&p->apt, "CLW"))
+        p->ccw = has_argument(&p->apt, "CCLW");
+    else if (rpm > 0)
+        p->ccw = false;
+    if (!(rpm > 0))
+        return turn_spindle(p);
+    if (surface)
+        rpm = surface_speed(p, rpm);
+    if (!(rpm > 0))
+        return error_at(AT(p), "found a surface speed in SPINDL, expected a CUTTER before it");
+    p->spindle = rpm;
+    for (size_t i = 0; i < p->apt.argument.n; i++)
+        plain =
+            plain && (p->apt.argument.item[i].is_number || is_plain(p->apt.argument.item[i].text));
+    if (head->spindle > 0 && plain)
+        return path_keep_text(p);
+    if (head->spindle > 0) {
+        add_spindle(p);
+        return 0;
+    }
+    head->spindle = rpm;
+    head->spindle_ccw = p->ccw;
+    return 0;
+}
+
+double path_feed_unit(const struct path_parse *p, const char *word)
+{
+    static const struct {
+        const char *word;
+        double mm;    /* 0: the unit of the stream */
+        bool by_turn; /* per revolution, not per minute */
+    } units[] = {{"MMPM", 1, false},    {"IPM", 25.4, false}, {"PERMIN", 0, false},
+                 {"MMPR", 1, true},     {"IPR", 25.4, true},  {"PERREV", 0, true},
+                 {"FPM", 304.8, false}, {"FPR", 304.8, true}};
+    for (size_t i = 0; i < sizeof units / sizeof *units; i++)
+        if (strcmp(word, units[i].word) == 0) {
+            double mm = units[i].mm > 0 ? units[i].mm : p->unit;
+            return !units[i].by_turn ? mm : p->spindle > 0 ? mm * p->spindle : (double)NAN;
+        }
+    return 0;
+}
+
+static int expect_feed(struct path_parse *p, double feed)
+{
+    if (isnan(feed))
+        return error_at(AT(p),
+                        "found a feed per revolution, expected SPINDL with a speed before it");
+    if (!(feed > 0) || !isfinite(feed))
+        return error_at(AT(p), "found a feed of %g in %s, expected one above 0", feed, p->apt.word);
+    return 0;
+}
+
+/* FEDRAT/MMPM,800 or /800,MMPM; IPM likewise.  Feeds per revolution become feeds per minute. */
+int path_read_feed(struct path_parse *p)
+{
+    double value = first_number(&p->apt), unit = p->unit;
+    bool inverse = false, word = false;
+    for (size_t i = 0; i < p->apt.argument.n; i++) {
+        const struct apt_argument *a = &p->apt.argument.item[i];
+        double of_word = a->is_number ? 0 : path_feed_unit(p, a->text);
+        if (strncmp(a->text, "INVERS", 6) == 0)
+            inverse = true;
+        else if (inverse && (apt_is(&p->apt, i, "AUTO") || apt_is(&p->apt, i, "OFF")))
+            word = true;
+        else if (of_word != 0)
+            unit = of_word;
+        else if (!a->is_number && *a->text)
+            return error_at(AT(p),
+                            "found `%.40s` in FEDRAT, expected a number and MMPM, IPM, MMPR, IPR, "
+                            "PERMIN, PERREV or INVERS",
+                            a->text);
+    }
+    if (word) { /* INVERS,AUTO or OFF chooses how the program writes feeds; the feed itself stays */
+        p->inverse = 0;
+        return 0;
+    }
+    if (isnan(value))
+        return error_at(AT(p), "found no number in FEDRAT, expected a feed");
+    if (expect_feed(p, inverse ? value : value * unit) < 0)
+        return -1;
+    p->inverse = inverse ? value : 0;
+    if (inverse)
+        return 0;
+    p->feed = value * unit;
+    path_add_feed(p->path, p->feed);
+    return 0;
+}
+
+void path_feed_inverse(struct path_parse *p, double length)
+{
+    if (p->inverse > 0 && length > 0 && p->feed != p->inverse * length) {
+        p->feed = p->inverse * length;
+        path_add_feed(p->path, p->feed);
+    }
+}
+
+/* DELAY/seconds or DELAY/REV,turns, which becomes seconds. */
+int path_read_delay(struct path_parse *p)
+{
+    double n = first_number(&p->apt);
+    if (!has_argument(&p->apt, "REV") || !(n > 0))
+        return path_keep_text(p);
+    if (!(p->spindle > 0))
+        return error_at(AT(p), "found DELAY by turns, expected SPINDL with a speed before it");
+    char text[NUM_MAX + 8] = "DELAY/";
+    num_write(text + strlen(text), 60 * n / p->spindle, 6);
+    path_add_text(p->path, text);
+    return 0;
 }

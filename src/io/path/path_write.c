@@ -4,11 +4,11 @@
 
 #include "base/num.h"
 #include "io/path/path.h"
-#include "path_cycle.h"
+#include "path_parse.h"
 
 enum { COORDINATE = 6, VECTOR = 9, LINE_MAX = 72 };
 
-static void put_vec(struct out *out, struct vec3 v, int digits)
+static void write_vec(struct out *out, struct vec3 v, int digits)
 {
     out_num(out, v.x, digits);
     out_text(out, ",");
@@ -17,16 +17,16 @@ static void put_vec(struct out *out, struct vec3 v, int digits)
     out_num(out, v.z, digits);
 }
 
-static void put_goto(struct out *out, struct pose pose)
+static void write_goto(struct out *out, struct pose pose)
 {
     out_text(out, "GOTO/");
-    put_vec(out, pose.p, COORDINATE);
+    write_vec(out, pose.p, COORDINATE);
     out_text(out, ",");
-    put_vec(out, pose.a, VECTOR);
+    write_vec(out, pose.a, VECTOR);
     out_text(out, "\n");
 }
 
-static void put_cutter(struct out *out, const double *cutter, int n)
+static void write_cutter(struct out *out, const double *cutter, int n)
 {
     for (int i = 0; i < n; i++) {
         out_text(out, i ? "," : "CUTTER/");
@@ -35,7 +35,7 @@ static void put_cutter(struct out *out, const double *cutter, int n)
     out_text(out, n ? "\n" : "");
 }
 
-static void put_load(struct out *out, int number, int offset)
+static void write_load(struct out *out, int number, int offset)
 {
     out_printf(out, "LOADTL/%d", number);
     if (offset)
@@ -52,9 +52,9 @@ void path_write_head(struct out *out, const struct path_head *head)
     out_text(out, "UNITS/MM\n");
     if (head->multax)
         out_text(out, "MULTAX/ON\n");
-    put_cutter(out, head->cutter, head->cutter_n);
+    write_cutter(out, head->cutter, head->cutter_n);
     if (head->tool)
-        put_load(out, head->tool, head->offset);
+        write_load(out, head->tool, head->offset);
     if (head->spindle > 0) {
         out_text(out, "SPINDL/RPM,");
         out_num(out, head->spindle, COORDINATE);
@@ -74,13 +74,13 @@ void path_write_head(struct out *out, const struct path_head *head)
         out_printf(out, "$$-> CLEAR/%.6f\n", head->clearance);
 }
 
-/* Numbers of one long statement, broken over lines that end in ` $`. */
+/* The numbers of one long statement, over lines that end in ` $`. */
 struct list {
     struct out *out;
     int column;
 };
 
-static void put_in_list(struct list *list, double x)
+static void list_number(struct list *list, double x)
 {
     char number[NUM_MAX];
     int n = (int)num_write(number, x, COORDINATE);
@@ -100,18 +100,18 @@ static struct list begin_list(struct out *out, const char *start)
     return (struct list){out, (int)strlen(start)};
 }
 
-static void put_poles(struct out *out, const char *start, const struct vec3 *pole, size_t n)
+static void write_poles(struct out *out, const char *start, const struct vec3 *pole, size_t n)
 {
     struct list list = begin_list(out, start);
     for (size_t i = 0; i < n; i++) {
-        put_in_list(&list, pole[i].x);
-        put_in_list(&list, pole[i].y);
-        put_in_list(&list, pole[i].z);
+        list_number(&list, pole[i].x);
+        list_number(&list, pole[i].y);
+        list_number(&list, pole[i].z);
     }
     out_text(out, "\n");
 }
 
-static void put_spline(struct out *out, const struct path_spline *spline)
+static void write_spline(struct out *out, const struct path_spline *spline)
 {
     const struct bspline *c = &spline->curve;
     size_t knots = c->poles + (size_t)c->degree + 1;
@@ -128,41 +128,41 @@ static void put_spline(struct out *out, const struct path_spline *spline)
 
     struct list list = begin_list(out, "MOVNRB/1");
     for (size_t i = 0; i < knots; i++)
-        put_in_list(&list, c->knot[i]);
+        list_number(&list, c->knot[i]);
     out_text(out, "\n");
-    put_poles(out, "MOVNRB/2", c->pole, c->poles);
+    write_poles(out, "MOVNRB/2", c->pole, c->poles);
     if (c->head)
-        put_poles(out, "MOVNRB/3", c->head, c->poles);
+        write_poles(out, "MOVNRB/3", c->head, c->poles);
     out_text(out, "MOVNRB/NEXT\n");
     for (size_t i = 0; i < spline->fallback.n; i++)
-        put_goto(out, spline->fallback.item[i]);
+        write_goto(out, spline->fallback.item[i]);
     out_text(out, "MOVNRB/OFF\n");
 }
 
-static void put_arc(struct out *out, const struct path_arc *arc)
+static void write_arc(struct out *out, const struct path_arc *arc)
 {
     out_text(out, "CIRCLE/");
-    put_vec(out, arc->centre, COORDINATE);
+    write_vec(out, arc->centre, COORDINATE);
     out_text(out, ",");
-    put_vec(out, arc->axis, VECTOR);
+    write_vec(out, arc->axis, VECTOR);
     out_text(out, ",");
     out_num(out, arc->radius, COORDINATE);
     out_text(out, "\n");
 }
 
-static void put_contact(struct out *out, struct contact contact)
+static void write_contact(struct out *out, struct contact contact)
 {
     out_text(out, "$$-> CONTCT/");
-    put_vec(out, contact.p, COORDINATE);
+    write_vec(out, contact.p, COORDINATE);
     out_text(out, ",");
-    put_vec(out, contact.n, VECTOR);
+    write_vec(out, contact.n, VECTOR);
     out_text(out, "\n");
 }
 
-static void put_tool(struct out *out, const struct path_tool *tool)
+static void write_tool(struct out *out, const struct path_tool *tool)
 {
-    put_cutter(out, tool->cutter, tool->cutter_n);
-    put_load(out, tool->number, tool->offset);
+    write_cutter(out, tool->cutter, tool->cutter_n);
+    write_load(out, tool->number, tool->offset);
 }
 
 static bool is_motion(const struct path_item *item)
@@ -170,9 +170,9 @@ static bool is_motion(const struct path_item *item)
     return item->kind == PATH_POINT || item->kind == PATH_ARC || item->kind == PATH_SPLINE;
 }
 
-/* CYCLE before the first hole of each, CYCLE/OFF behind the last: *on is the one in force. */
-static void put_cycle(struct out *out, const struct path *path, const struct path_item *item,
-                      const struct path_cycle **on)
+/* Writes CYCLE before the first hole of each, CYCLE/OFF after the last; *on is the one in force. */
+static void write_cycle(struct out *out, const struct path *path, const struct path_item *item,
+                        const struct path_cycle **on)
 {
     const struct path_cycle *cycle =
         item->kind == PATH_HOLE ? &path->cycle.item[item->index] : NULL;
@@ -185,29 +185,29 @@ static void put_cycle(struct out *out, const struct path *path, const struct pat
     *on = cycle;
 }
 
-static void put_item(struct out *out, const struct path *path, const struct path_item *item)
+static void write_item(struct out *out, const struct path *path, const struct path_item *item)
 {
     if (item->touches)
-        put_contact(out, path->contact.item[item->contact]);
+        write_contact(out, path->contact.item[item->contact]);
     switch (item->kind) {
     case PATH_POINT:
         if (item->rapid)
             out_text(out, "RAPID\n");
-        put_goto(out, item->to);
+        write_goto(out, item->to);
         break;
     case PATH_ARC:
-        put_arc(out, &path->arc.item[item->index]);
-        put_goto(out, item->to);
+        write_arc(out, &path->arc.item[item->index]);
+        write_goto(out, item->to);
         break;
     case PATH_SPLINE:
-        put_spline(out, &path->spline.item[item->index]);
+        write_spline(out, &path->spline.item[item->index]);
         break;
     case PATH_PLANE:
     case PATH_HOLE:
-        put_goto(out, item->to);
+        write_goto(out, item->to);
         break;
     case PATH_TOOL:
-        put_tool(out, &path->tool.item[item->index]);
+        write_tool(out, &path->tool.item[item->index]);
         break;
     case PATH_PASS:
         out_printf(out, "$$-> PASS/%u\n", item->index);
@@ -228,8 +228,8 @@ void path_write_items(struct out *out, const struct path *path)
 {
     const struct path_cycle *on = NULL;
     for (size_t i = 0; i < path->item.n; i++) {
-        put_cycle(out, path, &path->item.item[i], &on);
-        put_item(out, path, &path->item.item[i]);
+        write_cycle(out, path, &path->item.item[i], &on);
+        write_item(out, path, &path->item.item[i]);
     }
     if (on)
         out_text(out, "CYCLE/OFF\n");

@@ -22,7 +22,7 @@ static struct path leaning(void)
         struct vec3 centre = vec_along(contact, 4, normal);
         struct path_item *item =
             path_add_point(&path, (struct pose){vec_along(centre, -4, axis), axis}, false);
-        path_touch(&path, item, (struct contact){contact, normal});
+        path_set_contact(&path, item, (struct contact){contact, normal});
     }
     return path;
 }

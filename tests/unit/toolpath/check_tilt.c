@@ -74,7 +74,7 @@ START_TEST(the_moves_beside_a_run_go_with_it)
     for (size_t i = 0; i < run.n; i++) {
         struct path_item *item =
             path_add_point(&path, (struct pose){run.item[i].tip, run.item[i].axis}, false);
-        path_touch(&path, item, (struct contact){run.item[i].contact, run.item[i].normal});
+        path_set_contact(&path, item, (struct contact){run.item[i].contact, run.item[i].normal});
     }
     struct error error;
     ck_assert_int_eq(path_set_tilt(&path, 0.2, false, &error), 0);

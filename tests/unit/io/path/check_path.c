@@ -121,7 +121,7 @@ static const struct {
     {"GOTO/1,2,nan\nFINI\n", "`NAN`"},
     {"GOTO/1,2,1e308\nFINI\n", "too large"},
     {"GOTO/1,2,3,0,0,0\nFINI\n", "length zero"},
-    {"GOTO/1,0,0\nCIRCLE/0,0,0,0,0,1,1\nFINI\n", ":3: found FINI behind CIRCLE"},
+    {"GOTO/1,0,0\nCIRCLE/0,0,0,0,0,1,1\nFINI\n", ":3: found FINI after CIRCLE"},
     {"GOTO/1,0,0\nCIRCLE/0,0,0,0,0,1,-1\nGOTO/0,1,0\nFINI\n", "radius -1"},
     {"GOTO/1,0,0\nCIRCLE/0,0,0,0,0,0,1\nGOTO/0,1,0\nFINI\n", "length zero"},
     {"GOTO/1,0,0\nCIRCLE/0,0,0,0,0,1,1\nGOTO/0,1.1,0\nFINI\n", "end of a CIRCLE 1.1000 mm"},

@@ -1,6 +1,6 @@
 /*
- * path_cycle: what each system writes behind CYCLE, against the hole it means; and (path_drill) the
- * motions that it stands for, by their depths.
+ * path_cycle: what each system writes behind CYCLE, against the hole it means; and
+ * (path_expand_cycles) the motions that it stands for, by their depths.
  */
 #include <check.h>
 #include <stdio.h>
@@ -8,7 +8,7 @@
 #include <string.h>
 
 #include "io/path/path.h"
-#include "io/path/path_cycle.h"
+#include "io/path/path_parse.h"
 #include "scratch.h"
 
 #define CREO "$$* Pro/CLfile 8.0\n"
@@ -169,7 +169,7 @@ START_TEST(as_motions)
     struct path path;
     struct error error = {""};
     ck_assert_msg(read_cycle("", written[_i].words, &path, &error) == 0, "%s", error.text);
-    path_drill(&path);
+    path_expand_cycles(&path);
     ck_assert_str_eq(motions(&path), written[_i].heights);
     path_free(&path);
 }

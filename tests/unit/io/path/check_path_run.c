@@ -18,7 +18,7 @@ static struct path two_points(enum path_track track)
     path.head.track = track;
     path_add_point(&path, (struct pose){{1, 2, 3}, axis}, false);
     struct path_item *item = path_add_point(&path, (struct pose){{4, 5, 6}, axis}, false);
-    path_touch(&path, item, (struct contact){{7, 8, 9}, {1, 0, 0}});
+    path_set_contact(&path, item, (struct contact){{7, 8, 9}, {1, 0, 0}});
     return path;
 }
 
