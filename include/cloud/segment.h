@@ -26,10 +26,10 @@ struct segments {
 /*
  * Each point goes to the direction that is nearest to its normal, of as few as serve it within 50
  * degrees: straight up first, then those of 32 directions around and 45 degrees up and down that
- * serve most of what is left.  The pieces of these (components.h) are the parts.  Points nearer
+ * serve most of what is left.  The connected pieces of these are the parts.  Points nearer
  * than `overlap` mm (0: four and a half mean spacings) to those of a part belong to it too, if they
  * face it within 70 degrees and no sharp edge is between; beyond sharp edges its surface is
- * continued instead, by two thirds of the overlap (extend_edges.h).  The rows of the part that is
+ * continued instead, by two thirds of the overlap.  The rows of the part that is
  * seen from above run `direction` degrees from x; those of others are horizontal.  Parts come from
  * the top down and round.
  */

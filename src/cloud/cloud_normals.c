@@ -1,5 +1,5 @@
-/* cloud_normals - see cloud_normals.h. */
-#include "cloud_normals.h"
+/* cloud_normals - see segment_steps.h. */
+#include "segment_steps.h"
 
 #include <stdbool.h>
 #include <stdlib.h>

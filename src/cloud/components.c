@@ -1,10 +1,8 @@
-/* components - see components.h. */
-#include "components.h"
+/* components - see segment_steps.h. */
+#include "segment_steps.h"
 
 #include <stdlib.h>
 #include <string.h>
-
-#include "cloud_normals.h"
 
 enum { VOTES = 4, FEWEST = 30 };
 

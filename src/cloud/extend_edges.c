@@ -1,9 +1,8 @@
-/* extend_edges - see extend_edges.h. */
-#include "extend_edges.h"
+/* extend_edges - see segment_steps.h. */
+#include "segment_steps.h"
 
 #include <stdlib.h>
 
-#include "cloud_normals.h"
 #include "math/side_fit.h"
 #include "math/kdtree.h"
 

@@ -4,10 +4,8 @@
 #include <stdbool.h>
 #include <stdlib.h>
 
-#include "cloud_normals.h"
-#include "components.h"
+#include "segment_steps.h"
 #include "math/kdtree.h"
-#include "extend_edges.h"
 
 enum { DIRECTIONS = 33 };
 

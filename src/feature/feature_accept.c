@@ -1,5 +1,5 @@
-/* feature_accept - see feature_accept.h. */
-#include "feature_accept.h"
+/* feature_accept - see feature_steps.h. */
+#include "feature_steps.h"
 
 #include <stdlib.h>
 

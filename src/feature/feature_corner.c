@@ -1,5 +1,5 @@
-/* feature_corner - see feature_corner.h. */
-#include "feature_corner.h"
+/* feature_corner - see feature_steps.h. */
+#include "feature_steps.h"
 
 static const double TURN = 0.14; /* sine of the angle between two planes */
 static const double ROOM = 0.01; /* from the sides of the triangle, of its heights */

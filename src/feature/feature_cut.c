@@ -1,9 +1,7 @@
-/* feature_cut - see feature_cut.h. */
-#include "feature_cut.h"
+/* feature_cut - see feature_steps.h. */
+#include "feature_steps.h"
 
 #include <stdlib.h>
-
-#include "feature_corner.h"
 
 /* The vertices put into an edge, as the side of a facet goes along it: first and last are on the
  * sheets of the side's ends, the inner ones on the wall. */

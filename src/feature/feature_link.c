@@ -1,5 +1,5 @@
-/* feature_link - see feature_link.h. */
-#include "feature_link.h"
+/* feature_link - see feature_steps.h. */
+#include "feature_steps.h"
 
 #include <stdbool.h>
 #include <stdlib.h>

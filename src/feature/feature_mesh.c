@@ -1,15 +1,12 @@
-/* feature_mesh - see feature_mesh.h. */
-#include "feature/feature_mesh.h"
+/* feature_mesh - see feature.h. */
+#include "feature/feature.h"
 
 #include <stdbool.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "base/effort.h"
-#include "feature_cut.h"
-#include "feature_link.h"
-#include "feature_accept.h"
-#include "feature_relocate.h"
+#include "feature_steps.h"
 #include "base/parallel.h"
 #include "math/quadric.h"
 

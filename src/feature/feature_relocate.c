@@ -1,10 +1,8 @@
-/* feature_relocate - see feature_relocate.h. */
-#include "feature_relocate.h"
+/* feature_relocate - see feature_steps.h. */
+#include "feature_steps.h"
 
 #include <stdlib.h>
 #include <string.h>
-
-#include "feature_corner.h"
 
 static const double CLEAR = 0.25; /* of the edge, between a vertex and the feature */
 

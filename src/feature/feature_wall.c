@@ -1,10 +1,10 @@
-/* The wall between two vertices; see feature.h. */
+/* feature_wall - the wall between two vertices; see feature_steps.h. */
 #include <stdbool.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "base/array.h"
-#include "feature.h"
+#include "feature_steps.h"
 #include "math/plane_fit.h"
 #include "math/side_fit.h"
 #include "math/neighbourhood_along.h"
@@ -15,6 +15,9 @@ enum { NEAR = 24, FEWEST = 6, TRIMS = 10, TALL = 4, SEEDS = 8, WAYS = 24 };
 enum { ENOUGH = 600 };
 
 static const double LEAN = 0.26; /* z of a wall's normal, at most: 75 degrees */
+
+/* Rise of an edge by its length, of a wall. */
+static const double SLOPE = 0.5;
 
 static const struct vec3 UP = {0, 0, 1};
 
@@ -272,6 +275,16 @@ static bool holds(const struct feature *f, const struct level level[2], struct v
     return (f->place[0].z > f->place[1].z) == (a.z > b.z) && step > 0.5 * rise &&
            step > fmax(6 * cloud->noise, cloud->spacing) && level[0].sheet.rms < smooth(cloud) &&
            level[1].sheet.rms < smooth(cloud);
+}
+
+bool feature_steep(const struct feature_cloud *cloud, struct vec3 a, struct vec3 b)
+{
+    double length = hypot(a.x - b.x, a.y - b.y), distance2;
+    size_t nearest;
+
+    return fabs(a.z - b.z) > SLOPE * length && cloud->walls &&
+           kdtree_nearest(cloud->walls, vec_mix(a, b, 0.5), 1, &nearest, &distance2) == 1 &&
+           4 * distance2 < vec_dot(vec_sub(a, b), vec_sub(a, b));
 }
 
 struct feature feature_wall(const struct feature_cloud *cloud, struct vec3 a, struct vec3 b)

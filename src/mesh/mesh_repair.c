@@ -1,11 +1,199 @@
-#include "mesh/mesh_repair.h"
-
+/* mesh_repair - see mesh_repair.h. */
+#include <stdbool.h>
 #include <stdlib.h>
 
-#include "crease_normals.h"
-#include "mesh_clean.h"
+#include "mesh_repair_steps.h"
+#include "base/array.h"
 #include "mesh/mesh_edges.h"
+#include "mesh/mesh_repair.h"
 #include "mesh/mesh_weld.h"
+
+/* Below this part of its longest edge's square, twice a facet's area is rounding. */
+static const double AREA_OF_NOTHING = 1e-12;
+
+static bool has_area(const struct mesh *mesh, size_t facet)
+{
+    const int *v = mesh->face.item[facet].v;
+    double longest = 0;
+
+    for (int i = 0; i < 3; i++) {
+        struct vec3 side = vec_sub(mesh->vertex.item[v[(i + 1) % 3]], mesh->vertex.item[v[i]]);
+        longest = fmax(longest, vec_dot(side, side));
+    }
+    return vec_length(mesh_face_cross(mesh, facet)) > AREA_OF_NOTHING * longest;
+}
+
+/* Leaves out the facets that are marked. */
+static void leave_out(struct mesh *mesh, const bool *out)
+{
+    size_t n = 0;
+
+    for (size_t f = 0; f < mesh->face.n; f++) {
+        if (!out[f])
+            mesh->face.item[n++] = mesh->face.item[f];
+    }
+    mesh->face.n = n;
+}
+
+size_t mesh_clean_no_area(struct mesh *mesh)
+{
+    bool *out = mem_alloc(mesh->face.n, sizeof *out);
+    size_t before = mesh->face.n;
+
+    for (size_t f = 0; f < mesh->face.n; f++)
+        out[f] = !has_area(mesh, f);
+    leave_out(mesh, out);
+    free(out);
+    return before - mesh->face.n;
+}
+
+/* A facet by its vertices in rising order. */
+struct corners {
+    int v[3];
+    size_t facet;
+};
+
+static struct corners corners_of(const struct mesh *mesh, size_t facet)
+{
+    const int *v = mesh->face.item[facet].v;
+    int low = v[0] < v[1] ? v[0] : v[1], high = v[0] < v[1] ? v[1] : v[0];
+
+    if (v[2] < low)
+        return (struct corners){{v[2], low, high}, facet};
+    if (v[2] < high)
+        return (struct corners){{low, v[2], high}, facet};
+    return (struct corners){{low, high, v[2]}, facet};
+}
+
+static int compare_vertices(const struct corners *a, const struct corners *b)
+{
+    for (int i = 0; i < 3; i++) {
+        if (a->v[i] != b->v[i])
+            return a->v[i] < b->v[i] ? -1 : 1;
+    }
+    return 0;
+}
+
+static int compare_corners(const void *pa, const void *pb)
+{
+    const struct corners *a = pa, *b = pb;
+    int order = compare_vertices(a, b);
+
+    return order != 0 ? order : (a->facet > b->facet) - (a->facet < b->facet);
+}
+
+size_t mesh_clean_doubled(struct mesh *mesh)
+{
+    size_t n = mesh->face.n;
+    struct corners *corners = mem_alloc(n, sizeof *corners);
+    bool *out = mem_alloc(n, sizeof *out);
+
+    for (size_t f = 0; f < n; f++)
+        corners[f] = corners_of(mesh, f);
+    qsort(corners, n, sizeof *corners, compare_corners);
+    for (size_t i = 1; i < n; i++)
+        out[corners[i].facet] = compare_vertices(&corners[i - 1], &corners[i]) == 0;
+    leave_out(mesh, out);
+    free(corners);
+    free(out);
+    return n - mesh->face.n;
+}
+
+static const double SHARP = 0.8660254037844386; /* cos 30 degrees */
+
+/* Corners of facets, number 3 * facet + corner, joined to the same vertex: a forest of parents. */
+static int root_of(int *parent, int corner)
+{
+    while (parent[corner] != corner) {
+        parent[corner] = parent[parent[corner]];
+        corner = parent[corner];
+    }
+    return corner;
+}
+
+/* The smaller number becomes the root, so that the vertices keep their order. */
+static void join(int *parent, int a, int b)
+{
+    a = root_of(parent, a);
+    b = root_of(parent, b);
+    if (a < b)
+        parent[b] = a;
+    else
+        parent[a] = b;
+}
+
+static int corner_at(const struct mesh *mesh, int facet, int vertex)
+{
+    const int *v = mesh->face.item[facet].v;
+
+    return 3 * facet + (v[0] == vertex ? 0 : v[1] == vertex ? 1 : 2);
+}
+
+static int *join_corners(const struct mesh *mesh)
+{
+    struct mesh_edges edges = mesh_edges_find(mesh);
+    int *parent = mem_alloc(3 * mesh->face.n, sizeof *parent);
+
+    for (size_t i = 0; i < 3 * mesh->face.n; i++)
+        parent[i] = (int)i;
+    for (size_t e = 0; e < edges.n; e++) {
+        const struct mesh_edge *edge = &edges.edge[e];
+        int f = edge->facet[0], g = edge->facet[1];
+        if (f < 0 || g < 0)
+            continue;
+        struct vec3 a = vec_unit(mesh_face_cross(mesh, (size_t)f));
+        struct vec3 b = vec_unit(mesh_face_cross(mesh, (size_t)g));
+        for (int i = 0; i < 2 && vec_dot(a, b) >= SHARP; i++)
+            join(parent, corner_at(mesh, f, edge->v[i]), corner_at(mesh, g, edge->v[i]));
+    }
+    mesh_edges_free(&edges);
+    return parent;
+}
+
+/* The facet's normal, as long as its angle at a corner. */
+static struct vec3 weighted_normal(const struct mesh *mesh, size_t facet, int corner)
+{
+    const int *v = mesh->face.item[facet].v;
+    const struct vec3 *p = mesh->vertex.item;
+    struct vec3 here = p[v[corner]];
+    double angle =
+        vec_angle(vec_sub(p[v[(corner + 1) % 3]], here), vec_sub(p[v[(corner + 2) % 3]], here));
+
+    return vec_scale(angle, vec_unit(mesh_face_cross(mesh, facet)));
+}
+
+void crease_normals(struct mesh *mesh)
+{
+    int *parent = join_corners(mesh);
+    int *number = mem_alloc(3 * mesh->face.n, sizeof *number);
+    struct vec3s vertex = {0}, normal = {0};
+
+    for (size_t f = 0; f < mesh->face.n; f++) {
+        for (int i = 0; i < 3; i++) {
+            int corner = 3 * (int)f + i, root = root_of(parent, corner);
+            if (root == corner) {
+                number[root] = (int)vertex.n;
+                *array_push(&vertex) = mesh->vertex.item[mesh->face.item[f].v[i]];
+                *array_push(&normal) = vec(0, 0, 0);
+            }
+            struct vec3 *sum = &normal.item[number[root]];
+            *sum = vec_add(*sum, weighted_normal(mesh, f, i));
+        }
+    }
+    for (size_t i = 0; i < 3 * mesh->face.n; i++)
+        mesh->face.item[i / 3].v[i % 3] = number[root_of(parent, (int)i)];
+    for (size_t v = 0; v < normal.n; v++)
+        normal.item[v] = vec_length(normal.item[v]) > 0 ? vec_unit(normal.item[v]) : vec(0, 0, 1);
+    free(parent);
+    free(number);
+    array_free(&mesh->row);
+    array_free(&mesh->col);
+    array_free(&mesh->kmax);
+    array_free(&mesh->vertex);
+    array_free(&mesh->normal);
+    mesh->vertex = vertex;
+    mesh->normal = normal;
+}
 
 /* Of the area, what must be left when the facets' normals are added up to say where a piece faces.
  */

@@ -4,8 +4,7 @@
 #include <stdbool.h>
 #include <stdlib.h>
 
-#include "row_simplify.h"
-#include "strip_triangulate.h"
+#include "adaptive_rows_steps.h"
 
 /* Part of the error that the rows may be off along themselves; the rest is for between them. */
 static const double ALONG = 0.4;

@@ -1,5 +1,5 @@
-/* row_simplify - see row_simplify.h. */
-#include "row_simplify.h"
+/* row_simplify - see adaptive_rows_steps.h. */
+#include "adaptive_rows_steps.h"
 
 #include <math.h>
 #include <stdlib.h>

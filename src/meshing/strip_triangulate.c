@@ -1,5 +1,5 @@
-/* strip_triangulate - see strip_triangulate.h. */
-#include "strip_triangulate.h"
+/* strip_triangulate - see adaptive_rows_steps.h. */
+#include "adaptive_rows_steps.h"
 
 #include <stdlib.h>
 

@@ -6,8 +6,7 @@
 
 #include "base/cli.h"
 #include "base/effort.h"
-#include "feature/crest_mesh.h"
-#include "feature/feature_mesh.h"
+#include "feature/feature.h"
 #include "cloud/holes.h"
 #include "mesh/mesh_distance.h"
 #include "base/num.h"

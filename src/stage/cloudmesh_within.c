@@ -4,9 +4,8 @@
 
 #include "base/effort.h"
 #include "cloudmesh_base.h"
-#include "mesh/mesh_coverage.h"
-#include "meshing/greedy_insert.h"
 #include "mesh/mesh_distance.h"
+#include "meshing/greedy_insert.h"
 #include "cloud/wall_points.h"
 
 /* What the mesh is made of: the points, or where there is noise the surface that they stand for;

@@ -2,7 +2,7 @@
 #include <check.h>
 #include <stdlib.h>
 
-#include "cloud/cloud_normals.h"
+#include "cloud/segment_steps.h"
 #include "rough.h"
 
 static void check(const struct vec3s *p, struct vec3 (*exact)(struct vec3), double degrees)

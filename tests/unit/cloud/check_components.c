@@ -3,8 +3,7 @@
 #include <check.h>
 #include <stdlib.h>
 
-#include "cloud/cloud_normals.h"
-#include "cloud/components.h"
+#include "cloud/segment_steps.h"
 #include "rough.h"
 
 static const struct vec3 directions[] = {{0, 0, 1}, {0.6, 0, 0.8}};

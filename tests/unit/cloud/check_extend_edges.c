@@ -3,8 +3,7 @@
 #include <check.h>
 #include <stdlib.h>
 
-#include "cloud/cloud_normals.h"
-#include "cloud/extend_edges.h"
+#include "cloud/segment_steps.h"
 #include "rough.h"
 
 static const double SPACING = 0.35, LENGTH = 2;

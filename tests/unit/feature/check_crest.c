@@ -2,7 +2,7 @@
 #include <check.h>
 #include <stdlib.h>
 
-#include "feature/crest.h"
+#include "feature/feature_steps.h"
 #include "ribs.h"
 
 /* Edges 0.6 mm long across the crest at several places; nearly half of the rib is off their

@@ -3,7 +3,7 @@
 #include <check.h>
 #include <stdlib.h>
 
-#include "feature/crest_mesh.h"
+#include "feature/feature.h"
 #include "mesh/mesh_edges.h"
 #include "ribs.h"
 

@@ -2,7 +2,7 @@
 #include <check.h>
 #include <stdlib.h>
 
-#include "feature/feature.h"
+#include "feature/feature_steps.h"
 #include "rough.h"
 
 static struct feature_cloud cloud_of(const struct vec3s *p, size_t flat, double noise)

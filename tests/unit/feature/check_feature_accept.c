@@ -2,7 +2,7 @@
 #include <check.h>
 #include <stdlib.h>
 
-#include "feature/feature_accept.h"
+#include "feature/feature_steps.h"
 #include "rough.h"
 
 /* A strip of squares along x, its middle row of vertices at this height up to x = 20, at `other`

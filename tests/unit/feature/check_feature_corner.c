@@ -2,7 +2,7 @@
 #include <check.h>
 #include <stdlib.h>
 
-#include "feature/feature_corner.h"
+#include "feature/feature_steps.h"
 #include "rough.h"
 
 static struct vec3 some_normal(void)

@@ -3,7 +3,7 @@
 #include <check.h>
 #include <stdlib.h>
 
-#include "feature/feature_cut.h"
+#include "feature/feature_steps.h"
 
 /* One triangle in the plane z = 0, its corners in one row and the next. */
 static struct mesh triangle(void)

@@ -4,8 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "feature/feature_link.h"
-#include "feature/feature_relocate.h"
+#include "feature/feature_steps.h"
 
 enum { COLUMNS = 7, ROWS = 12 };
 

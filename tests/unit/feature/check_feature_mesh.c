@@ -3,7 +3,7 @@
 #include <check.h>
 #include <stdlib.h>
 
-#include "feature/feature_mesh.h"
+#include "feature/feature.h"
 #include "cloud/plan_extent.h"
 #include "meshing/grid_mesh.h"
 #include "meshing/reposition.h"

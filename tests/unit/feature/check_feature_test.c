@@ -3,7 +3,7 @@
 #include <check.h>
 #include <stdlib.h>
 
-#include "feature/feature_test.h"
+#include "feature/feature_steps.h"
 #include "ribs.h"
 
 /* Planes with this slope to both sides of the y axis, meeting at the height `high`, judged at five

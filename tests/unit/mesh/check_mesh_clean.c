@@ -3,7 +3,7 @@
 #include <stdlib.h>
 
 #include "base/array.h"
-#include "mesh/mesh_clean.h"
+#include "mesh/mesh_repair_steps.h"
 
 /* Vertices of a unit square, one on its diagonal and one beside that by `off`. */
 static struct mesh square(double off)

@@ -3,7 +3,7 @@
 #include <check.h>
 #include <stdlib.h>
 
-#include "mesh/mesh_coverage.h"
+#include "mesh/mesh_distance.h"
 #include "rough.h"
 
 enum { SIDES = 6, POINTS = 5000 };

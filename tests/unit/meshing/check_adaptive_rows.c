@@ -7,7 +7,7 @@
 #include "noisy.h"
 #include "panel.h"
 #include "meshing/adaptive_rows.h"
-#include "meshing/strip_triangulate.h"
+#include "meshing/adaptive_rows_steps.h"
 
 static struct vec3s scan;
 static struct point_grid point_grid;

@@ -1,16 +1,20 @@
 /*
- * row_simplify - a row of a mesh: points of the cloud along a straight line seen from above, and
- * those of them that it takes to follow the rest within a tolerance.
+ * adaptive_rows_steps - how rows get as far apart as an error allows: the fewest points along one
+ * row, and the triangles between two.
  */
-#ifndef CLOUDMILL_ROW_SIMPLIFY_H
-#define CLOUDMILL_ROW_SIMPLIFY_H
+#ifndef CLOUDMILL_ADAPTIVE_ROWS_STEPS_H
+#define CLOUDMILL_ADAPTIVE_ROWS_STEPS_H
 
 #include <stdbool.h>
 
 #include "base/array.h"
-#include "math/point_grid.h"
-#include "meshing/feature_zone.h"
 #include "cloud/plan_extent.h"
+#include "math/point_grid.h"
+#include "mesh/mesh.h"
+#include "meshing/feature_zone.h"
+
+/* ---- row_simplify: a row of a mesh: points of the cloud along a straight line seen from above,
+ * and those of them that it takes to follow the rest within a tolerance. */
 
 struct row_simplify {
     double v;          /* the line's place across the rows, in the grid's axes, mm */
@@ -37,5 +41,19 @@ struct row_simplify row_simplify_make(const struct point_grid *point_grid,
                                       const struct plan_extent *plan_extent, double v,
                                       const struct row_simplify_options *rule, double longest);
 void row_simplify_free(struct row_simplify *row);
+
+/* ---- strip_triangulate: the strip between two rows of a mesh as triangles. */
+
+/*
+ * Appends the triangles between a row and the one above it: their corners are the numbers of the
+ * lower row's nodes, then, from lower->node.n on, of the upper row's; first those with two corners
+ * below, then the others.  Of all ways to join the rows by edges that do not cross it takes the one
+ * whose edges are least off the cloud at their middles (sum of squares, by dynamic programming), so
+ * that an edge of the part that runs across the rows is followed.  Where they are off by much less
+ * than `error` the short ones count.
+ */
+void strip_triangulate(const struct point_grid *point_grid, const struct plan_extent *plan_extent,
+                       double error, const struct row_simplify *lower,
+                       const struct row_simplify *upper, struct faces *faces);
 
 #endif
