@@ -16,7 +16,7 @@
 enum outliers { OUTLIERS_DROP, OUTLIERS_KEEP };
 
 struct settings {
-    struct cloudmesh_options wish;
+    struct cloudmesh_options meshing;
     double noise;  /* NAN: from the cloud */
     double extend; /* beyond the border, mm */
     int unit, outliers;
@@ -28,21 +28,21 @@ static const char *const unit_name[] = {"mm", "cm", "m", "um", "inch", "in"};
 
 static struct settings read_options(struct cli *cli, int argc, char **argv)
 {
-    struct settings s = {.noise = NAN, .wish.effort = 1};
+    struct settings s = {.noise = NAN, .meshing.effort = 1};
     bool normals_given = false;
     int normals = 0;
     const struct cli_option option[] = {
         {'t', "spacing", "MM",
          "spacing of the triangular grid (default: three times the mean\nspacing of the points)",
-         CLI_NUMBER, &s.wish.spacing, CLI_POSITIVE, 0, 0, NULL},
+         CLI_NUMBER, &s.meshing.spacing, CLI_POSITIVE, 0, 0, NULL},
         {'e', "tolerance", "MM",
          "rows and points on them as far apart as every point of the cloud is\n"
          "within this of the mesh (with -t: no farther than that)",
-         CLI_NUMBER, &s.wish.error, CLI_POSITIVE, 0, 0, NULL},
+         CLI_NUMBER, &s.meshing.error, CLI_POSITIVE, 0, 0, NULL},
         {'u', "units", "mm|cm|m|um|inch|in", "units of the points (default: mm)", CLI_CHOICE,
          &s.unit, 0, 0, 0, NULL},
         {'a', "direction", "DEG", "direction of the rows, from x towards y (default: 0)",
-         CLI_NUMBER, &s.wish.direction, 0, 0, 0, NULL},
+         CLI_NUMBER, &s.meshing.direction, 0, 0, 0, NULL},
         {0, "matrix", "FILE", "place the points by the 4 x 4 matrix in FILE (in mm) first",
          CLI_TEXT, &s.matrix, 0, 0, 0, NULL},
         {0, "origin", NULL, "make the lowest leftmost point the origin of x and y", CLI_FLAG,
@@ -50,7 +50,7 @@ static struct settings read_options(struct cli *cli, int argc, char **argv)
         {0, "max-gap", "MM",
          "no facet over an empty disc wider than this (default: six times the\n"
          "mean spacing of the points; with --paper: no limit)",
-         CLI_NUMBER, &s.wish.max_gap, CLI_POSITIVE, 0, 0, NULL},
+         CLI_NUMBER, &s.meshing.max_gap, CLI_POSITIVE, 0, 0, NULL},
         {0, "normals", normals_words(true),
          "normals from a quadric through the nearest points of the cloud, or\n"
          "the mean of the facets' (default: quadric; with --paper: facet)",
@@ -58,7 +58,7 @@ static struct settings read_options(struct cli *cli, int argc, char **argv)
         {0, "neighbours", "N",
          "points that a quadric is fitted to (default: 40; where there is noise,\n"
          "as many as it takes)",
-         CLI_COUNT, &s.wish.neighbours, 6, 1000, 0, NULL},
+         CLI_COUNT, &s.meshing.neighbours, 6, 1000, 0, NULL},
         {0, "outliers", "drop|keep",
          "leave out outliers and what lies under other points, or only count\n"
          "them (default: drop; with --paper or --normals facet: not looked for)",
@@ -67,28 +67,28 @@ static struct settings read_options(struct cli *cli, int argc, char **argv)
          "standard deviation of the points (default: as measured; 0: vertices\n"
          "stay points of the scan)",
          CLI_NUMBER, &s.noise, 0, 1e6, 0, NULL},
-        {0, "smooth", NULL, "look for no creases, no walls, no ribs", CLI_FLAG, &s.wish.smooth, 0,
-         0, 0, NULL},
+        {0, "smooth", NULL, "look for no creases, no walls, no ribs", CLI_FLAG, &s.meshing.smooth,
+         0, 0, 0, NULL},
         {0, "extend", "MM", "continue the surface so far beyond the outer border", CLI_NUMBER,
          &s.extend, CLI_POSITIVE, 0, 0, NULL},
         {0, "subdivide", NULL, "divide the cloud by orientation, each part with its own projection",
-         CLI_FLAG, &s.wish.subdivide, 0, 0, 0, NULL},
-        EFFORT_OPTION(&s.wish.effort),
+         CLI_FLAG, &s.meshing.subdivide, 0, 0, 0, NULL},
+        EFFORT_OPTION(&s.meshing.effort),
         {0, "paper", NULL,
          "as published: a node takes any point nearer than the spacing, holes\n"
          "are bridged, normals are the mean of the facets'",
-         CLI_FLAG, &s.wish.paper, 0, 0, 0, NULL},
+         CLI_FLAG, &s.meshing.paper, 0, 0, 0, NULL},
         {0}};
     cli->option = option;
     cli_parse(cli, argc, argv);
-    s.wish.normals =
-        s.wish.paper && !normals_given ? normals_of("facet") : normals_find(true, normals);
-    s.wish.smooth = s.wish.smooth || s.wish.paper || !s.wish.normals->of_surface;
-    if (s.extend > 0 && (s.wish.paper || s.wish.subdivide))
+    s.meshing.normals =
+        s.meshing.paper && !normals_given ? normals_of("facet") : normals_find(true, normals);
+    s.meshing.smooth = s.meshing.smooth || s.meshing.paper || !s.meshing.normals->of_surface;
+    if (s.extend > 0 && (s.meshing.paper || s.meshing.subdivide))
         die_usage("found --extend with %s, expected one of them",
-                  s.wish.paper ? "--paper" : "--subdivide");
-    s.clean = s.clean || s.wish.normals->of_surface;
-    if (s.wish.paper && s.wish.error > 0)
+                  s.meshing.paper ? "--paper" : "--subdivide");
+    s.clean = s.clean || s.meshing.normals->of_surface;
+    if (s.meshing.paper && s.meshing.error > 0)
         die_usage("--paper has a grid of one spacing: expected -t or -e");
     return s;
 }
@@ -110,11 +110,11 @@ static double clean(const char *name, const struct settings *s, struct vec3s *po
     const double least = 0.004; /* in spacings: less does not matter beside the facets */
     struct cloud_prepare cloud_prepare;
     struct error error;
-    double mean = points->n >= 3 ? cloudmesh_spacing(&s->wish, points->item, points->n) : 0;
+    double mean = points->n >= 3 ? cloudmesh_spacing(&s->meshing, points->item, points->n) : 0;
     if (!s->clean || !(mean > 0)) /* no area: the mesh will say so */
         return 0;
     enum cloud_prepare_drop drop = s->outliers == OUTLIERS_KEEP ? CLOUD_PREPARE_KEEP
-                                   : s->wish.subdivide          ? CLOUD_PREPARE_DROP_OUTLIERS
+                                   : s->meshing.subdivide       ? CLOUD_PREPARE_DROP_OUTLIERS
                                                                 : CLOUD_PREPARE_DROP;
     if (cloud_prepare_clean(points, mean, drop, threads, &cloud_prepare, &error) < 0)
         die("%s: %s", name, error.text);
@@ -132,7 +132,7 @@ static void say_left_out(const struct settings *settings, const struct grid_mesh
     if (count->folded > 0)
         say("left out %zu facet%s that would lie face down: the spacing is too fine for the points",
             count->folded, count->folded == 1 ? "" : "s");
-    if (count->alone > 0 && !settings->wish.paper)
+    if (count->alone > 0 && !settings->meshing.paper)
         say("left out %zu point%s that no facet reaches", count->alone,
             count->alone == 1 ? "" : "s");
 }
@@ -142,7 +142,7 @@ static void say_steep(const struct settings *settings, const struct mesh *mesh)
 {
     const double little = 0.005;
     double part = mesh_steep_part(mesh, vec(0, 0, 1));
-    if (part > little && !settings->wish.subdivide && !settings->wish.paper)
+    if (part > little && !settings->meshing.subdivide && !settings->meshing.paper)
         say("%.1f %% of the surface is steeper than 70 degrees, where points are far apart seen "
             "from "
             "above: --subdivide gives it projections of its own",
@@ -156,8 +156,8 @@ static void extend(const char *name, const struct settings *s, struct vec3s *poi
     size_t n = points->n;
     if (plan_extent_check(points->item, n, &error) < 0)
         die("%s: %s", name, error.text);
-    double mean = cloudmesh_spacing(&s->wish, points->item, n);
-    double gap = s->wish.max_gap > 0 ? s->wish.max_gap : 6 * mean;
+    double mean = cloudmesh_spacing(&s->meshing, points->item, n);
+    double gap = s->meshing.max_gap > 0 ? s->meshing.max_gap : 6 * mean;
     if (extend_cloud(points, mean, gap, s->extend, noise, threads, &error) < 0)
         die("%s: %s", name, error.text);
     say("continued by %g mm beyond the border, by %zu points", s->extend, points->n - n);
@@ -199,17 +199,17 @@ int main(int argc, char **argv)
     if (settings.extend > 0)
         extend(name, &settings, &points, noise, cli.threads);
     mesh.origin.extended = settings.extend;
-    bool of_surface = settings.wish.error > 0 && noise > 0;
-    struct cloudmesh made;
-    if (cloudmesh_make(&settings.wish, &points, noise, cli.threads, &mesh, &made, &error) < 0)
+    bool of_surface = settings.meshing.error > 0 && noise > 0;
+    struct cloudmesh result;
+    if (cloudmesh_make(&settings.meshing, &points, noise, cli.threads, &mesh, &result, &error) < 0)
         die("%s: %s", name, error.text);
-    say_left_out(&settings, &made.count);
+    say_left_out(&settings, &result.count);
     say_steep(&settings, &mesh);
-    if (settings.wish.error > 0)
-        say_rows(&made.rows, settings.wish.error, of_surface);
+    if (settings.meshing.error > 0)
+        say_rows(&result.rows, settings.meshing.error, of_surface);
     note("%zu points in, %zu left out; spacing %g mm, %d rows x %d columns; %zu vertices, "
          "%zu facets",
-         read, left_out, made.grid.t, made.grid.rows, made.grid.columns, mesh.vertex.n,
+         read, left_out, result.grid.t, result.grid.rows, result.grid.columns, mesh.vertex.n,
          mesh.face.n);
     mesh.origin.source = mem_string(name, strlen(name));
 
@@ -218,11 +218,11 @@ int main(int argc, char **argv)
     out_close(out);
     mesh_free(&mesh);
     array_free(&points);
-    if (settings.wish.error > 0 && made.rows.worst > settings.wish.error)
+    if (settings.meshing.error > 0 && result.rows.worst > settings.meshing.error)
         die_unmet(
             "%s: the mesh is off by %.4f mm at %.3f %.3f %.3f, expected %g mm: the points are "
             "too far apart there, or it is steep",
-            name, made.rows.worst, made.rows.at.x, made.rows.at.y, made.rows.at.z,
-            settings.wish.error);
+            name, result.rows.worst, result.rows.at.x, result.rows.at.y, result.rows.at.z,
+            settings.meshing.error);
     return EXIT_DONE;
 }

@@ -35,14 +35,14 @@ struct adaptive_rows_options {
 /*
  * Rows are never nearer than the points, but where there is a zone.  The mesh gets vertices, rows,
  * columns and facets; result.worst > error where the points are too far apart for it, or stand
- * upright, or where wish->out of them may be off (greedy_insert.h brings these in).  Points near to
- * the creases and walls of the zone are not judged, for these are put into the mesh later: it has
- * there edges no longer than the zone's, and no vertices too near to them.
+ * upright, or where options->out of them may be off (greedy_insert.h brings these in).  Points near
+ * to the creases and walls of the zone are not judged, for these are put into the mesh later: it
+ * has there edges no longer than the zone's, and no vertices too near to them.
  */
 struct adaptive_rows adaptive_rows_make(const struct point_grid *point_grid,
                                         const struct plan_extent *plan_extent,
                                         const struct holes *holes,
-                                        const struct adaptive_rows_options *wish,
+                                        const struct adaptive_rows_options *options,
                                         struct mesh *mesh);
 
 #endif

@@ -40,14 +40,15 @@ struct cloudmesh {
 };
 
 /* Mean spacing of the points, mm; 0 where they cover no area. */
-double cloudmesh_spacing(const struct cloudmesh_options *wish, const struct vec3 *point, size_t n);
+double cloudmesh_spacing(const struct cloudmesh_options *options, const struct vec3 *point,
+                         size_t n);
 
 /*
  * The mesh of the points; sorts them.  `noise` (mm) is what vertices are rid of by moving them, 0:
  * none.  The ledger and the maker go to mesh->origin.  -1 and why (without the name of a file): no
  * area, no facet, a spacing or a gap out of proportion.
  */
-int cloudmesh_make(const struct cloudmesh_options *wish, struct vec3s *points, double noise,
-                   int threads, struct mesh *mesh, struct cloudmesh *made, struct error *error);
+int cloudmesh_make(const struct cloudmesh_options *options, struct vec3s *points, double noise,
+                   int threads, struct mesh *mesh, struct cloudmesh *result, struct error *error);
 
 #endif

@@ -24,7 +24,8 @@ bool components_smooth(const struct components *c, size_t i, size_t j)
 enum voters { DIRECTED, SMOOTH, ANY };
 
 /* The label that most neighbours have, of those that have one; its own where it is among these. */
-static int vote(const struct components *c, const int *label, size_t i, enum voters voters)
+static int majority_label(const struct components *c, const int *label, size_t i,
+                          enum voters voters)
 {
     int best = voters == DIRECTED ? label[i] : COMPONENT_NONE, most = 0;
 
@@ -51,14 +52,14 @@ void components_settle(struct components *c)
     for (int turn = 0; turn < VOTES; turn++) {
         memcpy(old, c->label, c->n * sizeof *old);
         for (size_t i = 0; i < c->n; i++)
-            c->label[i] = vote(c, old, i, DIRECTED);
+            c->label[i] = majority_label(c, old, i, DIRECTED);
     }
     free(old);
 }
 
 /* All of one label that hangs together with a point: appended to `piece`, in `of` their number. */
-static void gather(const struct components *c, size_t start, int number, int *of,
-                   struct sizes *piece)
+static void gather_connected(const struct components *c, size_t start, int number, int *of,
+                             struct sizes *piece)
 {
     size_t next = piece->n;
 
@@ -78,7 +79,7 @@ static void gather(const struct components *c, size_t start, int number, int *of
 }
 
 /* Pieces too small lose their number, and take one from about them. */
-static void dissolve(const struct components *c, int *of, enum voters voters)
+static void assign_rest(const struct components *c, int *of, enum voters voters)
 {
     bool changed = true;
     int *old = mem_alloc(c->n, sizeof *old);
@@ -89,7 +90,7 @@ static void dissolve(const struct components *c, int *of, enum voters voters)
         for (size_t i = 0; i < c->n; i++) {
             if (old[i] != COMPONENT_NONE)
                 continue;
-            of[i] = vote(c, old, i, voters);
+            of[i] = majority_label(c, old, i, voters);
             changed |= of[i] != COMPONENT_NONE;
         }
     }
@@ -107,7 +108,7 @@ static void number_pieces(const struct components *c, double least, int *of, str
         if (seen[i] != COMPONENT_NONE)
             continue;
         piece.n = 0;
-        gather(c, i, 0, seen, &piece);
+        gather_connected(c, i, 0, seen, &piece);
         if ((double)piece.n < least)
             continue;
         for (size_t k = 0; k < piece.n; k++)
@@ -123,7 +124,7 @@ void components_find(const struct components *c, int *of, struct ints *label)
     for (size_t i = 0; i < c->n; i++)
         of[i] = COMPONENT_NONE;
     number_pieces(c, fmax(FEWEST, SMALL * (double)c->n), of, label);
-    dissolve(c, of, SMOOTH);
-    dissolve(c, of, ANY);
+    assign_rest(c, of, SMOOTH);
+    assign_rest(c, of, ANY);
     number_pieces(c, FEWEST, of, label); /* far from all parts: islands */
 }

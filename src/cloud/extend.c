@@ -22,7 +22,7 @@ struct plan {
     double *off;         /* of the middle of each square from the nearest point, mm */
 };
 
-struct job {
+struct continuation {
     const struct plan *plan;
     const struct vec3 *point;
     size_t near; /* points that a place is continued from */
@@ -35,7 +35,7 @@ static struct vec3 middle_of(const struct plan *p, size_t cell)
                p->y + ((double)(cell / p->columns) + 0.5) * p->cell, 0);
 }
 
-static void measure(void *context, size_t from, size_t to)
+static void measure_clearance(void *context, size_t from, size_t to)
 {
     struct plan *p = context;
 
@@ -75,7 +75,7 @@ static int make_plan(const struct vec3s *points, double spacing, double margin, 
         p->flat[i] = vec(points->item[i].x, points->item[i].y, 0);
     p->tree = kdtree_new(p->flat, p->n);
     p->off = mem_alloc(p->columns * p->rows, sizeof *p->off);
-    parallel_for(threads, p->columns * p->rows, measure, p);
+    parallel_for(threads, p->columns * p->rows, measure_clearance, p);
     return 0;
 }
 
@@ -86,7 +86,8 @@ static void free_plan(struct plan *p)
     free(p->off);
 }
 
-static void visit(const struct plan *p, size_t cell, double clear, bool *seen, struct sizes *next)
+static void reach_cell(const struct plan *p, size_t cell, double clear, bool *seen,
+                       struct sizes *next)
 {
     if (seen[cell] || p->off[cell] <= clear)
         return;
@@ -95,22 +96,22 @@ static void visit(const struct plan *p, size_t cell, double clear, bool *seen, s
 }
 
 /* The squares that a disc comes to from the outside without touching a point. */
-static struct sizes outside(const struct plan *p, double clear)
+static struct sizes find_outside(const struct plan *p, double clear)
 {
     bool *seen = mem_alloc(p->columns * p->rows, sizeof *seen);
     struct sizes next = {0};
 
-    visit(p, 0, 0, seen, &next);
+    reach_cell(p, 0, 0, seen, &next);
     for (size_t i = 0; i < next.n; i++) {
         size_t cell = next.item[i], column = cell % p->columns, row = cell / p->columns;
         if (column > 0)
-            visit(p, cell - 1, clear, seen, &next);
+            reach_cell(p, cell - 1, clear, seen, &next);
         if (column + 1 < p->columns)
-            visit(p, cell + 1, clear, seen, &next);
+            reach_cell(p, cell + 1, clear, seen, &next);
         if (row > 0)
-            visit(p, cell - p->columns, clear, seen, &next);
+            reach_cell(p, cell - p->columns, clear, seen, &next);
         if (row + 1 < p->rows)
-            visit(p, cell + p->columns, clear, seen, &next);
+            reach_cell(p, cell + p->columns, clear, seen, &next);
     }
     free(seen);
     return next;
@@ -142,16 +143,16 @@ static struct vec3s find_places(const struct plan *p, const struct sizes *out, d
 
 static void continue_surface(void *context, size_t from, size_t to)
 {
-    const struct job *job = context;
+    const struct continuation *c = context;
     size_t index[MOST];
     struct vec3 near[MOST];
 
     for (size_t i = from; i < to; i++) {
-        struct vec3 *place = &job->place[i];
+        struct vec3 *place = &c->place[i];
         struct side_fit f;
-        size_t n = kdtree_nearest(job->plan->tree, *place, job->near, index, NULL);
+        size_t n = kdtree_nearest(c->plan->tree, *place, c->near, index, NULL);
         for (size_t k = 0; k < n; k++)
-            near[k] = job->point[index[k]];
+            near[k] = c->point[index[k]];
         struct vec3 origin = vec(place->x, place->y, near[0].z);
         if (side_fit_plane(near, n, origin, vec(0, 0, 1), &f) < 0)
             place->z = near[0].z;
@@ -164,7 +165,7 @@ static void continue_surface(void *context, size_t from, size_t to)
 
 /* How many points a place is continued from: the half disc that is as wide as the strip, twice as
  * wide where there is noise. */
-static size_t neighbourhood(double spacing, double length, double noise)
+static size_t points_needed(double spacing, double length, double noise)
 {
     double wide = fmax(length / spacing, 3) * (1 + fmin(30 * noise / spacing, 1));
 
@@ -179,10 +180,11 @@ int extend_cloud(struct vec3s *points, double spacing, double gap, double length
 
     if (make_plan(points, spacing, length + gap, threads, &plan, error) < 0)
         return -1;
-    struct sizes out = outside(&plan, clear);
+    struct sizes out = find_outside(&plan, clear);
     struct vec3s places = find_places(&plan, &out, clear, length);
-    struct job job = {&plan, points->item, neighbourhood(spacing, length, noise), places.item};
-    parallel_for(threads, places.n, continue_surface, &job);
+    struct continuation c = {&plan, points->item, points_needed(spacing, length, noise),
+                             places.item};
+    parallel_for(threads, places.n, continue_surface, &c);
     for (size_t i = 0; i < places.n; i++)
         *array_push(points) = places.item[i];
     array_free(&places);

@@ -16,7 +16,7 @@ struct edges {
 };
 
 /* Which way the part ends at a point: square to its normal and to the edge.  False: no edge. */
-static bool way_over(const struct extend_edges *c, size_t i, struct vec3 *way)
+static bool find_edge(const struct extend_edges *c, size_t i, struct vec3 *way)
 {
     const int fewest = 2;
     const double sharp = 0.76604444311897804; /* cos 40 degrees */
@@ -37,7 +37,7 @@ static bool way_over(const struct extend_edges *c, size_t i, struct vec3 *way)
 }
 
 /* The surface about a point, on its side of all edges. */
-static bool surface_at(const struct edges *e, size_t i, struct side_fit *f)
+static bool fit_side(const struct edges *e, size_t i, struct side_fit *f)
 {
     const double alike = 0.9; /* cosine of 26 degrees */
     const struct extend_edges *c = e->cloud;
@@ -54,14 +54,14 @@ static bool surface_at(const struct edges *e, size_t i, struct side_fit *f)
 }
 
 /* The places beyond the edge beside a point. */
-static void go_over(const struct edges *e, size_t i, struct vec3s *place)
+static void extend_at(const struct edges *e, size_t i, struct vec3s *place)
 {
     const double clear = 0.95 * e->length;
     const struct extend_edges *c = e->cloud;
     struct vec3 way;
     struct side_fit f;
 
-    if (!c->in[i] || !way_over(c, i, &way) || !surface_at(e, i, &f))
+    if (!c->in[i] || !find_edge(c, i, &way) || !fit_side(e, i, &f))
         return;
     for (double off = e->spacing; off < e->length + e->spacing / 2; off += e->spacing) {
         struct vec3 at = side_fit_point(&f, vec_along(c->point[i], off, way));
@@ -75,7 +75,7 @@ static void go_over(const struct edges *e, size_t i, struct vec3s *place)
 }
 
 /* Of places nearer to each other than most of the spacing the first. */
-static void thin_out(const struct vec3s *place, double spacing, struct vec3s *to)
+static void drop_close(const struct vec3s *place, double spacing, struct vec3s *to)
 {
     const double apart = 0.75;
     struct kdtree *tree = kdtree_new(place->item, place->n);
@@ -108,9 +108,9 @@ void extend_edges_find(const struct extend_edges *cloud, double spacing, double 
     struct vec3s place = {0};
 
     for (size_t i = 0; i < cloud->n; i++)
-        go_over(&e, i, &place);
+        extend_at(&e, i, &place);
     if (place.n > 0)
-        thin_out(&place, spacing, beyond);
+        drop_close(&place, spacing, beyond);
     array_free(&place);
     kdtree_free(tree);
 }

@@ -16,8 +16,8 @@ enum { CELLS_A_GAP = 12, REACH = CELLS_A_GAP / 2, WORD = 64 };
 static const double MOST_CELLS = 2e9;
 
 /* The raster with a border of REACH cells around the points, so that no disc falls outside. */
-static int lay_out(const struct plan_extent *f, double gap, double rim, struct holes *h,
-                   struct error *error)
+static int make_raster(const struct plan_extent *f, double gap, double rim, struct holes *h,
+                       struct error *error)
 {
     double cell = gap / CELLS_A_GAP;
     double columns = floor((f->xmax - f->xmin) / cell) + 2 + 2 * REACH;
@@ -42,7 +42,7 @@ static size_t cells_from(double from, double x, double a_cell)
     return REACH + (cells > 0 ? (size_t)cells : 0);
 }
 
-static void mark(const struct holes *h, const struct vec3 *point, size_t n, uint64_t *taken)
+static void mark_points(const struct holes *h, const struct vec3 *point, size_t n, uint64_t *taken)
 {
     double a_cell = 1 / h->cell;
     for (size_t i = 0; i < n; i++) {
@@ -90,11 +90,11 @@ int holes_find(const struct vec3 *point, size_t n, double gap, double rim, struc
                struct error *error)
 {
     struct plan_extent f = plan_extent_of(point, n, 0);
-    if (lay_out(&f, gap, rim, holes, error) < 0)
+    if (make_raster(&f, gap, rim, holes, error) < 0)
         return -1;
     size_t words = holes->words;
     uint64_t *taken = mem_alloc(holes->rows * words, sizeof *taken);
-    mark(holes, point, n, taken);
+    mark_points(holes, point, n, taken);
     for (size_t row = REACH; row < holes->rows - REACH; row++)
         for (int k = 0; k <= 2 * REACH; k++) {
             int away = k - REACH, width = (int)sqrt(REACH * REACH - away * away);

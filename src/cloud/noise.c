@@ -18,7 +18,7 @@ static const double WHITE = 1.35; /* spread of twice the points by that of once,
 static const double EVEN = 3;     /* spread of the roughest tenth by that of the smoothest */
 static const double CELL = 3;     /* width of a cell in mean spacings of the points */
 
-struct job {
+struct measurement {
     const struct point_grid *point_grid;
     size_t places;
     double *fewer, *twice; /* variance at each place; negative: none */
@@ -33,13 +33,14 @@ static double variance_of(const struct quadric *q, const struct vec3 *near, size
     return rms * rms * (double)n / (freedom * median * median * median);
 }
 
-struct near {
+struct neighbourhood {
     uint32_t index[2 * MOST];
     double distance2[2 * MOST];
     struct vec3 point[2 * MOST];
 };
 
-static size_t gather(const struct point_grid *b, struct vec3 from, size_t k, struct near *near)
+static size_t find_neighbours(const struct point_grid *b, struct vec3 from, size_t k,
+                              struct neighbourhood *near)
 {
     size_t n = point_grid_nearest(b, from, k, near->index, near->distance2);
     for (size_t i = 0; i < n; i++)
@@ -50,16 +51,16 @@ static size_t gather(const struct point_grid *b, struct vec3 from, size_t k, str
 /* The fewest points about a place that carry a quadric, and twice as many.  They are gathered once
  * more about its foot: those nearest to a point that is off the surface are off to the same side.
  */
-static void measure_at(const struct point_grid *b, struct vec3 place, struct near *near,
+static void measure_at(const struct point_grid *b, struct vec3 place, struct neighbourhood *near,
                        double *fewer, double *twice)
 {
     for (size_t k = FEWEST; k <= MOST; k *= 2) {
         struct quadric q;
-        if (gather(b, place, 2 * k, near) < 2 * k)
+        if (find_neighbours(b, place, 2 * k, near) < 2 * k)
             return;
         if (quadric_fit_free(near->point, k, near->point[0], &q) < 0)
             continue;
-        gather(b, quadric_foot(&q), 2 * k, near);
+        find_neighbours(b, quadric_foot(&q), 2 * k, near);
         struct vec3 normal = quadric_normal(&q), origin = near->point[0];
         if (quadric_settle(near->point, k, origin, normal, &q) < 0)
             continue;
@@ -70,20 +71,20 @@ static void measure_at(const struct point_grid *b, struct vec3 place, struct nea
     }
 }
 
-static void measure(void *context, size_t from, size_t to)
+static void measure_places(void *context, size_t from, size_t to)
 {
-    const struct job *job = context;
-    const struct point_grid *b = job->point_grid;
-    struct near near;
+    const struct measurement *m = context;
+    const struct point_grid *b = m->point_grid;
+    struct neighbourhood near;
     for (size_t i = from; i < to; i++) {
-        size_t place = (size_t)(((double)i + 0.5) / (double)job->places * (double)b->n);
-        job->fewer[i] = job->twice[i] = -1;
-        measure_at(b, b->point[place], &near, &job->fewer[i], &job->twice[i]);
+        size_t place = (size_t)(((double)i + 0.5) / (double)m->places * (double)b->n);
+        m->fewer[i] = m->twice[i] = -1;
+        measure_at(b, b->point[place], &near, &m->fewer[i], &m->twice[i]);
     }
 }
 
 /* Brings those that are there to the front, in order; returns how many. */
-static size_t sort_found(double *value, size_t n)
+static size_t sort_measured(double *value, size_t n)
 {
     size_t found = 0;
     for (size_t i = 0; i < n; i++)
@@ -96,19 +97,19 @@ static size_t sort_found(double *value, size_t n)
 struct noise noise_measure(const struct point_grid *point_grid, int threads)
 {
     size_t places = point_grid->n < PLACES ? point_grid->n : PLACES;
-    struct job job = {point_grid, places, mem_alloc(places, sizeof(double)),
-                      mem_alloc(places, sizeof(double))};
+    struct measurement m = {point_grid, places, mem_alloc(places, sizeof(double)),
+                            mem_alloc(places, sizeof(double))};
     struct noise noise = {.sigma = 0};
-    parallel_for(threads, places, measure, &job);
-    size_t fewer = sort_found(job.fewer, places), twice = sort_found(job.twice, places);
+    parallel_for(threads, places, measure_places, &m);
+    size_t fewer = sort_measured(m.fewer, places), twice = sort_measured(m.twice, places);
     if (fewer > 0 && twice > 0) {
-        double narrow = job.fewer[fewer / 2], wide = job.twice[twice / 2];
+        double narrow = m.fewer[fewer / 2], wide = m.twice[twice / 2];
         noise.sigma = sqrt(fmax((GROWTH * narrow - wide) / (GROWTH - 1), 0));
         noise.alike = noise.sigma < point_grid->cell / CELL && wide <= WHITE * WHITE * narrow &&
-                      job.fewer[9 * fewer / 10] <= EVEN * EVEN * job.fewer[fewer / 10];
+                      m.fewer[9 * fewer / 10] <= EVEN * EVEN * m.fewer[fewer / 10];
     }
-    free(job.fewer);
-    free(job.twice);
+    free(m.fewer);
+    free(m.twice);
     return noise;
 }
 

@@ -15,7 +15,7 @@ enum { NEAR = 24, CLUMP = 8, MOST_BLOCK = 512, REFITS = 3 };
 
 static const double TUKEY = 4.685; /* in standard deviations */
 
-struct job {
+struct search {
     const struct point_grid *point_grid;
     double sigma, spacing;
     unsigned char *out;
@@ -44,8 +44,8 @@ static double spread_about(const struct quadric *q, const struct vec3 *point, si
 }
 
 /* Refits without what stands out; `q` is a first fit.  Returns the spread of the points. */
-static double refit(const struct vec3 *point, size_t n, double sigma, struct quadric *q,
-                    double *off)
+static double refit_robustly(const struct vec3 *point, size_t n, double sigma, struct quadric *q,
+                             double *off)
 {
     double weight[MOST_BLOCK], spread = spread_about(q, point, n, off);
     for (int i = 0; i < REFITS; i++) {
@@ -65,7 +65,7 @@ static double refit(const struct vec3 *point, size_t n, double sigma, struct qua
 }
 
 /* Distance to the eighth nearest neighbour of a point of the cloud. */
-static double reach_of(const struct point_grid *b, struct vec3 p)
+static double clump_radius(const struct point_grid *b, struct vec3 p)
 {
     uint32_t index[CLUMP + 1];
     double distance2[CLUMP + 1];
@@ -79,35 +79,35 @@ static bool is_sparse_surface(const struct point_grid *b, const uint32_t *near, 
 {
     int wider = 0;
     for (int i = 0; wider <= CLUMP && i < NEAR; i++)
-        wider += reach_of(b, b->point[near[i]]) >= reach;
+        wider += clump_radius(b, b->point[near[i]]) >= reach;
     return wider > CLUMP;
 }
 
 /* `distance2` of the point's neighbours, `near` without itself.  On a surface the 24th of them is
  * 1.7 times as far as the eighth; from a place apart both are about equally far. */
-static bool stands_alone(const struct job *job, const uint32_t *near, const double *distance2)
+static bool is_isolated(const struct search *s, const uint32_t *near, const double *distance2)
 {
     const double much = 3, apart = 1.5, far = 12;
-    const struct point_grid *b = job->point_grid;
+    const struct point_grid *b = s->point_grid;
     double reach = sqrt(distance2[CLUMP]);
-    if (reach > far * job->spacing)
+    if (reach > far * s->spacing)
         return true;
     if (distance2[NEAR] > apart * apart * distance2[CLUMP])
         return false;
     /* By the fifth of their reaches: four as far, or five nearer, decide. */
     int wider = 0, closer = 0;
     for (int i = 0; wider < CLUMP / 2 && closer <= CLUMP / 2; i++) {
-        bool far_less = reach > much * reach_of(b, b->point[near[CLUMP + i]]);
+        bool far_less = reach > much * clump_radius(b, b->point[near[CLUMP + i]]);
         closer += far_less;
         wider += !far_less;
     }
     return closer > CLUMP / 2 && !is_sparse_surface(b, near, reach / much);
 }
 
-static bool is_outlier(const struct job *job, size_t i)
+static bool is_outlier(const struct search *s, size_t i)
 {
     const double sigmas = 6, spreads = 8, spacings = 0.1;
-    const struct point_grid *b = job->point_grid;
+    const struct point_grid *b = s->point_grid;
     uint32_t index[NEAR + 1], near[NEAR];
     double distance2[NEAR + 1], off[NEAR];
     struct vec3 point[NEAR];
@@ -119,23 +119,23 @@ static bool is_outlier(const struct job *job, size_t i)
             point[n] = b->point[index[k]];
             near[n++] = index[k];
         }
-    if (stands_alone(job, near, distance2))
+    if (is_isolated(s, near, distance2))
         return true;
     double spacing = sqrt(PI * distance2[NEAR] / NEAR);
-    double least = fmax(sigmas * job->sigma, spacings * spacing);
+    double least = fmax(sigmas * s->sigma, spacings * spacing);
     struct vec3 across = plane_normal(point, NEAR);
     if (quadric_fit(point, NEAR, b->point[i], across, &q) < 0 ||
         quadric_distance(&q) < least / 3 || /* for most: far from being told apart by more turns */
         quadric_settle(point, NEAR, b->point[i], across, &q) < 0 || quadric_distance(&q) < least)
         return false;
-    double spread = refit(point, NEAR, job->sigma, &q, off);
+    double spread = refit_robustly(point, NEAR, s->sigma, &q, off);
     return quadric_distance(&q) > fmax(least, spreads * spread) * sqrt(1 + q.variance);
 }
 
 /* The points of a cell and every third of the eight around it, its own first; of very many only
  * some.  Returns how many; *own: how many of the cell. */
-static size_t gather(const struct point_grid *b, size_t row, size_t column, struct vec3 *point,
-                     size_t *own)
+static size_t gather_block(const struct point_grid *b, size_t row, size_t column,
+                           struct vec3 *point, size_t *own)
 {
     size_t n = 0;
     for (int k = 0; k < 9; k++) {
@@ -156,22 +156,22 @@ static size_t gather(const struct point_grid *b, size_t row, size_t column, stru
 
 /* Are the points of a cell on one smooth surface with those around, but for a few?  Then `q` is
  * that. */
-static bool fit_block(const struct job *job, size_t row, size_t column, double least,
+static bool fit_block(const struct search *s, size_t row, size_t column, double least,
                       struct quadric *q)
 {
     struct vec3 point[MOST_BLOCK];
     double off[MOST_BLOCK], most = 0;
-    size_t own = 0, n = gather(job->point_grid, row, column, point, &own);
+    size_t own = 0, n = gather_block(s->point_grid, row, column, point, &own);
     if (quadric_fit(point, n, point[0], vec(0, 0, 1), q) < 0)
         return false;
     for (size_t i = 0; i < own; i++)
         most = fmax(most, fabs(quadric_off(q, point[i])));
-    return most <= least || refit(point, n, job->sigma, q, off) <= least;
+    return most <= least || refit_robustly(point, n, s->sigma, q, off) <= least;
 }
 
 /* Another point of the cell is no farther from point i than the cell is wide.  The surface of a few
  * points may be so bent that it takes in one high above them. */
-static bool has_company(const struct point_grid *b, size_t cell, size_t i)
+static bool has_neighbour_in_cell(const struct point_grid *b, size_t cell, size_t i)
 {
     for (size_t k = b->first[cell]; k < b->first[cell + 1]; k++) {
         struct vec3 d = vec_sub(b->point[k], b->point[i]);
@@ -181,24 +181,25 @@ static bool has_company(const struct point_grid *b, size_t cell, size_t i)
     return false;
 }
 
-static void look_at_cells(void *context, size_t from, size_t to)
+static void mark_isolated(void *context, size_t from, size_t to)
 {
-    const struct job *job = context;
-    const struct point_grid *b = job->point_grid;
+    const struct search *s = context;
+    const struct point_grid *b = s->point_grid;
     const double sigmas = 5, spacings = 0.08;
-    const double least = fmax(sigmas * job->sigma, spacings * job->spacing);
+    const double least = fmax(sigmas * s->sigma, spacings * s->spacing);
     for (size_t cell = from; cell < to; cell++) {
         struct quadric q;
         if (b->first[cell] == b->first[cell + 1])
             continue;
-        bool smooth = fit_block(job, cell / b->columns, cell % b->columns, least, &q);
+        bool smooth = fit_block(s, cell / b->columns, cell % b->columns, least, &q);
         for (size_t i = b->first[cell]; i < b->first[cell + 1]; i++)
-            if (!smooth || fabs(quadric_off(&q, b->point[i])) > least || !has_company(b, cell, i))
-                job->out[i] |= is_outlier(job, i);
+            if (!smooth || fabs(quadric_off(&q, b->point[i])) > least ||
+                !has_neighbour_in_cell(b, cell, i))
+                s->out[i] |= is_outlier(s, i);
     }
 }
 
-static size_t count(const unsigned char *out, size_t n)
+static size_t count_marked(const unsigned char *out, size_t n)
 {
     size_t found = 0;
     for (size_t i = 0; i < n; i++)
@@ -206,19 +207,19 @@ static size_t count(const unsigned char *out, size_t n)
     return found;
 }
 
-static size_t mark(const struct point_grid *b, double sigma, int threads,
-                   void (*work)(void *, size_t, size_t), unsigned char *out)
+static size_t mark_cells(const struct point_grid *b, double sigma, int threads,
+                         void (*work)(void *, size_t, size_t), unsigned char *out)
 {
     const double spacings_a_cell = 3;
-    size_t before = count(out, b->n);
-    struct job job = {b, sigma, b->cell / spacings_a_cell, out};
-    parallel_for(threads, b->columns * b->rows, work, &job);
-    return count(out, b->n) - before;
+    size_t before = count_marked(out, b->n);
+    struct search s = {b, sigma, b->cell / spacings_a_cell, out};
+    parallel_for(threads, b->columns * b->rows, work, &s);
+    return count_marked(out, b->n) - before;
 }
 
 size_t outliers_isolated(const struct point_grid *b, double sigma, int threads, unsigned char *out)
 {
-    return mark(b, sigma, threads, look_at_cells, out);
+    return mark_cells(b, sigma, threads, mark_isolated, out);
 }
 
 /* Marks the eighths of the turn in which a point of the cell stands steeply above p.  All eight, so
@@ -237,10 +238,10 @@ static unsigned eighths_above(const struct point_grid *b, size_t cell, struct ve
     return above;
 }
 
-static void look_under(void *context, size_t from, size_t to)
+static void mark_under_roof(void *context, size_t from, size_t to)
 {
-    const struct job *job = context;
-    const struct point_grid *b = job->point_grid;
+    const struct search *s = context;
+    const struct point_grid *b = s->point_grid;
     for (size_t cell = from; cell < to; cell++) {
         size_t row = cell / b->columns, column = cell % b->columns;
         double top = -INFINITY;
@@ -256,13 +257,13 @@ static void look_under(void *context, size_t from, size_t to)
                 continue;
             for (size_t r = r0; r <= r1; r++)
                 for (size_t c = c0; c <= c1; c++)
-                    above |= eighths_above(b, r * b->columns + c, b->point[i], job->spacing / 2);
-            job->out[i] |= above == 0xFF;
+                    above |= eighths_above(b, r * b->columns + c, b->point[i], s->spacing / 2);
+            s->out[i] |= above == 0xFF;
         }
     }
 }
 
 size_t outliers_under_roof(const struct point_grid *b, int threads, unsigned char *out)
 {
-    return mark(b, 0, threads, look_under, out);
+    return mark_cells(b, 0, threads, mark_under_roof, out);
 }

@@ -113,17 +113,17 @@ static void add_cell(struct cells *c, uint64_t key)
 }
 
 /* How many cells of its width a length has: a whole number from 1 to 2e9. */
-static double parts(double length, double width)
+static double cells_along(double length, double width)
 {
     return fmin(fmax(round(length / width), 1), 2e9);
 }
 
 /* Area of the cells with points in them, the box parted evenly into cells near `width`. */
-static double occupied(const struct plan_extent *f, const struct vec3 *point, size_t n,
-                       double width)
+static double occupied_area(const struct plan_extent *f, const struct vec3 *point, size_t n,
+                            double width)
 {
     double w = f->xmax - f->xmin, h = f->ymax - f->ymin;
-    double columns = parts(w, width), rows = parts(h, width);
+    double columns = cells_along(w, width), rows = cells_along(h, width);
     double right = columns / w, up = rows / h;
     double most = fmin((double)n, columns * rows);
     size_t size = 64;
@@ -150,7 +150,7 @@ double plan_extent_spacing(const struct plan_extent *f, const struct vec3 *point
     enum { CELL = 5, ROUNDS = 20 };
     double spacing = sqrt((f->xmax - f->xmin) * (f->ymax - f->ymin) / (double)n);
     for (int i = 0; i < ROUNDS; i++) {
-        double next = sqrt(occupied(f, point, n, CELL * spacing) / (double)n);
+        double next = sqrt(occupied_area(f, point, n, CELL * spacing) / (double)n);
         bool settled = fabs(next - spacing) < 0.05 * spacing;
         spacing = next;
         if (settled)

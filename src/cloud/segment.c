@@ -39,7 +39,7 @@ static void make_directions(struct vec3 direction[DIRECTIONS])
     }
 }
 
-static bool served(const struct division *d, size_t i)
+static bool is_served(const struct division *d, size_t i)
 {
     for (int k = 0; k < d->chosen; k++)
         if (vec_dot(d->normal[i], d->direction[k]) >= SERVED)
@@ -55,7 +55,7 @@ static bool choose_direction(struct division *d)
     int best = d->chosen;
 
     for (size_t i = 0; i < d->n; i++) {
-        if (served(d, i))
+        if (is_served(d, i))
             continue;
         for (int k = d->chosen; k < DIRECTIONS; k++)
             count[k] += vec_dot(d->normal[i], d->direction[k]) >= SERVED;
@@ -93,8 +93,8 @@ static struct segment frame_of(struct vec3 up, double direction)
 }
 
 /* The points of part number k, then those of others near to them, and places beyond its edges. */
-static void fill(const struct division *d, const struct components *pieces, const int *of, int k,
-                 double overlap, struct segment *part)
+static void fill_segment(const struct division *d, const struct components *pieces, const int *of,
+                         int k, double overlap, struct segment *part)
 {
     const double beyond = 2 / 3.0;
     bool *in = mem_alloc(d->n, sizeof *in);
@@ -166,7 +166,7 @@ struct segments segments_find(const struct vec3 *point, size_t n, double overlap
     components_find(&pieces, of, &up);
     for (size_t k = 0; k < up.n; k++) {
         *array_push(&parts) = frame_of(d.direction[up.item[k]], direction);
-        fill(&d, &pieces, of, (int)k, overlap, &parts.item[k]);
+        fill_segment(&d, &pieces, of, (int)k, overlap, &parts.item[k]);
     }
     for (size_t i = 0; i < n; i++)
         parts.left_out += of[i] == COMPONENT_NONE;

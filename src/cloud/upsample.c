@@ -9,7 +9,7 @@ enum { FEWEST = 16, NEAR = 32, FEW = 24, RINGS = 8, SAMPLE = 1500, QUADRIC = 6, 
 static const double MUCH = 1.5; /* spread of a neighbourhood by the noise: more is none */
 
 /* A neighbourhood, nearest first. */
-struct near {
+struct neighbourhood {
     size_t n;
     uint32_t index[NEAR];
     double distance2[NEAR];
@@ -17,7 +17,8 @@ struct near {
 };
 
 /* Of point i; of several in one place, this one first. */
-static void find_near(const struct point_grid *b, size_t i, size_t k, struct near *near)
+static void find_neighbourhood(const struct point_grid *b, size_t i, size_t k,
+                               struct neighbourhood *near)
 {
     near->n = point_grid_nearest(b, b->point[i], k, near->index, near->distance2);
     for (size_t j = 0; j < near->n; j++)
@@ -37,8 +38,8 @@ bool upsample_needed(const struct upsample *fill)
     size_t sample = b->n < SAMPLE ? b->n : SAMPLE, wide = 0, seen = 0;
 
     for (size_t i = 0; i < sample; i++) {
-        struct near near;
-        find_near(b, i * b->n / sample, 7, &near);
+        struct neighbourhood near;
+        find_neighbourhood(b, i * b->n / sample, 7, &near);
         if (near.n < 7)
             continue;
         seen++;
@@ -49,7 +50,7 @@ bool upsample_needed(const struct upsample *fill)
 
 /* p is nearer to `from` than to the other points, and one of these lies beyond it, within 60
  * degrees. */
-static bool between(const struct near *near, struct vec3 from, struct vec3 p)
+static bool is_between(const struct neighbourhood *near, struct vec3 from, struct vec3 p)
 {
     size_t k = near->n < NEAR ? near->n : NEAR;
     struct vec3 off = vec_sub(p, from);
@@ -67,7 +68,7 @@ static bool between(const struct near *near, struct vec3 from, struct vec3 p)
 }
 
 /* The ball would sink deeper between the points than they are off the surface. */
-static bool is_worth_it(const struct upsample *fill, const struct near *near, double spread)
+static bool would_sink(const struct upsample *fill, const struct neighbourhood *near, double spread)
 {
     size_t sixth = near->n > 6 ? 6 : near->n - 1;
     double sink = near->distance2[sixth] / (6 * fill->radius);
@@ -75,8 +76,8 @@ static bool is_worth_it(const struct upsample *fill, const struct near *near, do
     return sink > fill->sink / 4 && spread <= fmax(fmax(fill->sink, sink / 2), MUCH * fill->noise);
 }
 
-static void put(const struct upsample *fill, const struct near *near, struct vec3 p,
-                const struct quadric *q, struct vec3s *to)
+static void add_between(const struct upsample *fill, const struct neighbourhood *near,
+                        struct vec3 p, const struct quadric *q, struct vec3s *to)
 {
     size_t last = near->n < FEWEST ? near->n : FEWEST;
     double pitch = 0.75 * gap_of(fill), reach = sqrt(near->distance2[last - 1]);
@@ -90,7 +91,7 @@ static void put(const struct upsample *fill, const struct near *near, struct vec
             if ((i == 0 && j == 0) || hypot(u, v) > reach)
                 continue;
             struct vec3 at = quadric_at(q, u0 + u, v0 + v);
-            if (between(near, p, at))
+            if (is_between(near, p, at))
                 *array_push(to) = at;
         }
     }
@@ -99,15 +100,16 @@ static void put(const struct upsample *fill, const struct near *near, struct vec
 void upsample_on(const struct upsample *fill, size_t i, struct vec3 p, const struct quadric *q,
                  double spread, struct vec3s *to)
 {
-    struct near near;
+    struct neighbourhood near;
 
-    find_near(fill->point_grid, i, NEAR, &near);
-    if (is_worth_it(fill, &near, spread))
-        put(fill, &near, p, q, to);
+    find_neighbourhood(fill->point_grid, i, NEAR, &near);
+    if (would_sink(fill, &near, spread))
+        add_between(fill, &near, p, q, to);
 }
 
 /* What n points leave of their freedom. */
-static double spread_of(const struct quadric *q, const struct near *near, size_t n, double terms)
+static double spread_of(const struct quadric *q, const struct neighbourhood *near, size_t n,
+                        double terms)
 {
     double count = (double)n;
 
@@ -116,7 +118,7 @@ static double spread_of(const struct quadric *q, const struct near *near, size_t
 
 /* The quadric through the fewest points that carry one: on laser lines it takes more.  HUGE_VAL:
  * there is none. */
-static double fit_quadric(const struct near *near, struct quadric *q)
+static double fit_quadric(const struct neighbourhood *near, struct quadric *q)
 {
     for (size_t k = FEWEST; k <= near->n && k <= NEAR; k += FEWEST / 2)
         if (quadric_settle(near->point, k, near->point[0], plane_normal(near->point, k), q) == 0)
@@ -127,10 +129,10 @@ static double fit_quadric(const struct near *near, struct quadric *q)
 double upsample_about(const struct upsample *fill, size_t i, struct vec3s *to)
 {
     size_t before = to->n;
-    struct near near;
+    struct neighbourhood near;
     struct quadric q, cubic;
 
-    find_near(fill->point_grid, i, NEAR, &near);
+    find_neighbourhood(fill->point_grid, i, NEAR, &near);
     double spread = fit_quadric(&near, &q);
     if (spread < HUGE_VAL && near.n >= FEW &&
         cubic_fit(near.point, NULL, FEW, near.point[0], quadric_normal(&q), &cubic) == 0) {
@@ -140,7 +142,7 @@ double upsample_about(const struct upsample *fill, size_t i, struct vec3s *to)
             spread = less;
         }
     }
-    if (spread < HUGE_VAL && is_worth_it(fill, &near, spread))
-        put(fill, &near, near.point[0], &q, to);
+    if (spread < HUGE_VAL && would_sink(fill, &near, spread))
+        add_between(fill, &near, near.point[0], &q, to);
     return to->n > before ? spread : 0;
 }

@@ -25,7 +25,7 @@ struct raster {
 
 /* Points to be looked at closely, and whether they lie on walls: by their neighbourhood, and in the
  * end. */
-struct looked {
+struct candidates {
     const struct kdtree *tree;
     const struct vec3 *point;
     double spacing;
@@ -105,9 +105,9 @@ static double plane_z(const struct vec3 *near, size_t n, struct plane_fit *plane
     return plane->normal.z;
 }
 
-static void look(void *context, size_t from, size_t to)
+static void fit_planes(void *context, size_t from, size_t to)
 {
-    const struct looked *l = context;
+    const struct candidates *l = context;
 
     for (size_t i = from; i < to; i++) {
         size_t index[NEAR];
@@ -123,7 +123,7 @@ static void look(void *context, size_t from, size_t to)
     }
 }
 
-static bool is_on(const struct looked *l, const struct plane_fit *plane, struct vec3 p)
+static bool lies_on(const struct candidates *l, const struct plane_fit *plane, struct vec3 p)
 {
     double off = fabs(vec_dot(vec_sub(p, plane->centre), plane->normal));
 
@@ -133,9 +133,9 @@ static bool is_on(const struct looked *l, const struct plane_fit *plane, struct 
 /* At the top and the foot of a wall a neighbourhood is half flat: there a point counts that lies
  * on the plane through the points of the wall next to it, or on those that some of these have for
  * themselves, for there may be two walls. */
-static void grow(void *context, size_t from, size_t to)
+static void grow_walls(void *context, size_t from, size_t to)
 {
-    const struct looked *l = context;
+    const struct candidates *l = context;
 
     for (size_t i = from; i < to; i++) {
         size_t index[WIDER], walls = 0, on = 0;
@@ -149,17 +149,18 @@ static void grow(void *context, size_t from, size_t to)
                 continue;
             if (k < NEAR)
                 near[walls++] = l->point[index[k]];
-            on += other->rms < other->width / 4 && is_on(l, other, l->point[i]);
+            on += other->rms < other->width / 4 && lies_on(l, other, l->point[i]);
         }
         if (walls >= FEWEST && plane_fit(near, walls, &plane) == 0 &&
             fabs(plane.normal.z) < STEEP && plane.rms < plane.width / 2)
-            l->wall[i] = is_on(l, &plane, l->point[i]);
+            l->wall[i] = lies_on(l, &plane, l->point[i]);
         l->wall[i] = l->wall[i] || on >= FEWEST;
     }
 }
 
 /* The wall points behind the others; `wall` says which of those in marked cells are. */
-static size_t part(struct vec3 *point, size_t n, const struct raster *r, const bool *wall)
+static size_t move_walls_last(struct vec3 *point, size_t n, const struct raster *r,
+                              const bool *wall)
 {
     struct vec3s walls = {0};
     size_t kept = 0, looked = 0;
@@ -190,15 +191,15 @@ size_t wall_points_part(struct vec3 *point, size_t n, double spacing, int thread
             if (raster.near[cell_of(&raster, point[i])])
                 *array_push(&close) = point[i];
         struct kdtree *tree = kdtree_new_by(close.item, close.n, threads);
-        struct looked looked = {tree,
-                                close.item,
-                                spacing,
-                                mem_alloc(close.n, sizeof(bool)),
-                                mem_alloc(close.n, sizeof(bool)),
-                                mem_alloc(close.n, sizeof(struct plane_fit))};
-        parallel_for(threads, close.n, look, &looked);
-        parallel_for(threads, close.n, grow, &looked);
-        flat = part(point, n, &raster, looked.wall);
+        struct candidates looked = {tree,
+                                    close.item,
+                                    spacing,
+                                    mem_alloc(close.n, sizeof(bool)),
+                                    mem_alloc(close.n, sizeof(bool)),
+                                    mem_alloc(close.n, sizeof(struct plane_fit))};
+        parallel_for(threads, close.n, fit_planes, &looked);
+        parallel_for(threads, close.n, grow_walls, &looked);
+        flat = move_walls_last(point, n, &raster, looked.wall);
         free(looked.steep);
         free(looked.wall);
         free(looked.plane);

@@ -32,7 +32,7 @@ struct profile {
 };
 
 /* Twice as many points where there is much noise, from few on. */
-static size_t enough(const struct feature_cloud *cloud, size_t few)
+static size_t points_needed(const struct feature_cloud *cloud, size_t few)
 {
     double noisy = cloud->noise / cloud->spacing / NOISY - 1;
 
@@ -40,7 +40,7 @@ static size_t enough(const struct feature_cloud *cloud, size_t few)
 }
 
 /* Over the way from a to b, at the height h. */
-static struct vec3 over(const struct profile *p, double part, double h)
+static struct vec3 place_over(const struct profile *p, double part, double h)
 {
     struct vec3 way = vec_reject(vec_sub(p->b, p->a), p->up);
 
@@ -67,11 +67,11 @@ static bool find_up(struct profile *p)
 }
 
 /* A quadric through the points nearest to a place. */
-static bool look_at(const struct profile *p, struct vec3 at, struct quadric *q)
+static bool fit_at(const struct profile *p, struct vec3 at, struct quadric *q)
 {
     size_t index[SOME];
     struct vec3 near[SOME];
-    size_t k = kdtree_nearest(p->cloud->tree, at, enough(p->cloud, FEW), index, NULL);
+    size_t k = kdtree_nearest(p->cloud->tree, at, points_needed(p->cloud, FEW), index, NULL);
 
     for (size_t i = 0; i < k; i++)
         near[i] = p->cloud->point[index[i]];
@@ -79,7 +79,7 @@ static bool look_at(const struct profile *p, struct vec3 at, struct quadric *q)
 }
 
 /* Follows the surface from a to b, each step from the height where the one before leads. */
-static bool follow(struct profile *p)
+static bool follow_surface(struct profile *p)
 {
     double slope = 0, far = 3 * p->cloud->spacing;
     int n = (int)fmin(ceil(2 * p->length / p->cloud->spacing), STEPS);
@@ -90,7 +90,7 @@ static bool follow(struct profile *p)
         struct quadric q;
         struct vec3 way = vec_scale(1.0 / p->n, vec_reject(vec_sub(p->b, p->a), p->up));
         double h = p->height[i - 1] + slope;
-        if (look_at(p, over(p, (double)i / p->n, h), &q)) {
+        if (fit_at(p, place_over(p, (double)i / p->n, h), &q)) {
             if (!(fabs(q.c[0]) < far))
                 return false;
             h += q.c[0];
@@ -125,7 +125,7 @@ static int extreme(const struct profile *p, double sign, double *over)
 }
 
 /* The way in which a surface bends least, across its w. */
-static struct vec3 straight_way(const struct quadric *q, bool *rib, double *across)
+static struct vec3 straight_direction(const struct quadric *q, bool *rib, double *across)
 {
     double xx = 2 * q->c[3], xy = q->c[4], yy = 2 * q->c[5];
     double middle = (xx + yy) / 2, half = hypot((xx - yy) / 2, xy);
@@ -139,7 +139,7 @@ static struct vec3 straight_way(const struct quadric *q, bool *rib, double *acro
 /* The surface along the rib at a place that is near to it; false: there is no rib. */
 static bool fit_along(const struct profile *p, struct vec3 at, struct quadric *q)
 {
-    size_t index[RIDGE_DIRECTION_LONGER * MANY], some = enough(p->cloud, SOME);
+    size_t index[RIDGE_DIRECTION_LONGER * MANY], some = points_needed(p->cloud, SOME);
     struct vec3 near[RIDGE_DIRECTION_LONGER * MANY];
     double across;
     bool rib;
@@ -149,7 +149,7 @@ static bool fit_along(const struct profile *p, struct vec3 at, struct quadric *q
         near[i] = p->cloud->point[index[i]];
     if (quadric_fit(near, k < some ? k : some, at, p->up, q) < 0)
         return false;
-    struct vec3 way = straight_way(q, &rib, &across);
+    struct vec3 way = straight_direction(q, &rib, &across);
     if (fabs(across) * p->length < BENT || quadric_normal(q).z < FACING)
         return false;
     if (rib) {
@@ -166,7 +166,8 @@ static bool fit_along(const struct profile *p, struct vec3 at, struct quadric *q
 }
 
 /* Along the way over the edge: first and second derivative of the surface, by mm. */
-static void derive(const struct profile *p, const struct quadric *q, double *slope, double *bend)
+static void slope_and_bend(const struct profile *p, const struct quadric *q, double *slope,
+                           double *bend)
 {
     struct vec3 way = vec_unit(vec_reject(vec_sub(p->b, p->a), p->up));
     double u = vec_dot(way, q->u), v = vec_dot(way, q->v);
@@ -192,7 +193,7 @@ static void add_point(struct crest *c, int at, double part, const struct quadric
 }
 
 /* The crest itself, from the step nearest to it. */
-static bool climb(const struct profile *p, int step, double sign, struct crest *c)
+static bool find_crest(const struct profile *p, int step, double sign, struct crest *c)
 {
     double part = (double)step / p->n, rim = fmin(0.06, 0.15 * p->cloud->spacing / p->length);
     double h = p->height[step];
@@ -200,10 +201,10 @@ static bool climb(const struct profile *p, int step, double sign, struct crest *
 
     for (int i = 0; i < TRIES; i++) {
         double slope, bend;
-        if (!fit_along(p, over(p, part, h), &q))
+        if (!fit_along(p, place_over(p, part, h), &q))
             return false;
         h += q.c[0];
-        derive(p, &q, &slope, &bend);
+        slope_and_bend(p, &q, &slope, &bend);
         if (!(sign * bend < 0))
             return false;
         double shift = -slope / bend / p->length, most = 2.0 / p->n;
@@ -239,7 +240,7 @@ static int off_chord(const struct profile *p, double from, double h0, double to,
 }
 
 /* Puts a point where the surface is farthest off the chain.  False: nowhere far enough. */
-static bool refine(const struct profile *p, struct crest *c)
+static bool add_farthest(const struct profile *p, struct crest *c)
 {
     double apart = p->cloud->spacing / p->length;
     double most = fmax(fmin(BESIDE * p->length, FAR * p->cloud->spacing), 2 * p->cloud->noise);
@@ -259,7 +260,7 @@ static bool refine(const struct profile *p, struct crest *c)
     }
     double part = (double)worst / p->n;
     struct quadric q;
-    if (worst < 0 || !fit_along(p, over(p, part, p->height[worst]), &q))
+    if (worst < 0 || !fit_along(p, place_over(p, part, p->height[worst]), &q))
         return false;
     add_point(c, at, part, &q);
     return true;
@@ -272,7 +273,7 @@ struct crest crest_find(const struct feature_cloud *cloud, struct vec3 a, struct
     double sign[2] = {1, -1}, over[2];
     int step[2];
 
-    if (!find_up(&p) || !follow(&p))
+    if (!find_up(&p) || !follow_surface(&p))
         return c;
     for (int i = 0; i < 2; i++)
         step[i] = extreme(&p, sign[i], &over[i]);
@@ -280,9 +281,9 @@ struct crest crest_find(const struct feature_cloud *cloud, struct vec3 a, struct
     for (int i = 0; i < 2 && c.n == 0; i++) {
         int k = i == 0 ? first : 1 - first;
         if (over[k] > fmax(BEND * p.length, cloud->noise))
-            climb(&p, step[k], sign[k], &c);
+            find_crest(&p, step[k], sign[k], &c);
     }
-    while (c.n < CREST_MOST && refine(&p, &c))
+    while (c.n < CREST_MOST && add_farthest(&p, &c))
         ;
     return c;
 }
@@ -349,7 +350,7 @@ static void choose_edges(struct search *s)
     }
 }
 
-static void look(void *context, size_t from, size_t to)
+static void find_crests(void *context, size_t from, size_t to)
 {
     const struct search *s = context;
     const struct vec3 *at = s->mesh->vertex.item;
@@ -453,7 +454,7 @@ static void split_facet(struct search *s, size_t facet)
     }
 }
 
-static size_t put_in(struct search *s)
+static size_t insert_crests(struct search *s)
 {
     size_t found = 0;
 
@@ -472,8 +473,8 @@ static size_t put_in(struct search *s)
 }
 
 /* Looks once at the edges of the vertices from `fresh` on.  The tree is made when it is needed. */
-static size_t look_once(struct search *s, size_t fresh, size_t n, struct kdtree **tree,
-                        const struct crest_mesh_options *options)
+static size_t search_once(struct search *s, size_t fresh, size_t n, struct kdtree **tree,
+                          const struct crest_mesh_options *options)
 {
     struct mesh_edges edges = mesh_edges_find(s->mesh);
     size_t found = 0;
@@ -492,8 +493,8 @@ static size_t look_once(struct search *s, size_t fresh, size_t n, struct kdtree 
         s->cloud.tree = *tree;
         s->crest = mem_alloc(s->edge.n, sizeof *s->crest);
         s->vertex = mem_alloc(s->edge.n, sizeof *s->vertex);
-        parallel_for(options->threads, s->edge.n, look, s);
-        found = put_in(s);
+        parallel_for(options->threads, s->edge.n, find_crests, s);
+        found = insert_crests(s);
         free(s->crest);
         free(s->vertex);
     }
@@ -519,7 +520,7 @@ struct crests crest_mesh_keep(struct mesh *mesh, size_t first, const struct vec3
     /* the edges between new points may cut off the crest where one is missing */
     for (int i = 0; i < LOOKS && found > 0; i++) {
         size_t next = mesh->vertex.n;
-        found = look_once(&s, fresh, n, &tree, options);
+        found = search_once(&s, fresh, n, &tree, options);
         all.found += found;
         fresh = next;
     }

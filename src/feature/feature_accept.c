@@ -14,7 +14,7 @@ struct sums {
     double without, with, points;
 };
 
-static bool better(const struct sums *s, double noise)
+static bool is_better(const struct sums *s, double noise)
 {
     double same = SAME * s->points * noise * noise;
 
@@ -42,9 +42,9 @@ static double off_feature(const struct feature *f, struct vec3 p)
 }
 
 /* The points within reach of a feature, and the nearest one to each. */
-static struct vec3s gather(const struct vec3 *point, size_t points, const struct feature *feature,
-                           const struct vec3s *place, const struct sizes *which, double reach,
-                           struct sizes *owner)
+static struct vec3s gather_points(const struct vec3 *point, size_t points,
+                                  const struct feature *feature, const struct vec3s *place,
+                                  const struct sizes *which, double reach, struct sizes *owner)
 {
     struct vec3s near = {0};
     struct kdtree *tree = kdtree_new(place->item, place->n);
@@ -67,8 +67,9 @@ static struct vec3s gather(const struct vec3 *point, size_t points, const struct
     return near;
 }
 
-static void measure(const struct mesh *without, const struct mesh *with, const struct vec3s *near,
-                    const struct sizes *owner, int threads, struct sums *sum)
+static void add_distances(const struct mesh *without, const struct mesh *with,
+                          const struct vec3s *near, const struct sizes *owner, int threads,
+                          struct sums *sum)
 {
     double *before = mem_alloc(near->n, sizeof *before), *after = mem_alloc(near->n, sizeof *after);
 
@@ -91,10 +92,10 @@ void feature_accept(const struct mesh *without, const struct mesh *with, const s
     struct vec3s place = places_of(feature, n, &which);
 
     if (place.n > 0) {
-        struct vec3s near = gather(point, points, feature, &place, &which, reach, &owner);
+        struct vec3s near = gather_points(point, points, feature, &place, &which, reach, &owner);
         struct sums *sum = mem_alloc(place.n, sizeof *sum);
         struct kdtree *tree = kdtree_new(place.item, place.n);
-        measure(without, with, &near, &owner, threads, sum);
+        add_distances(without, with, &near, &owner, threads, sum);
         for (size_t k = 0; k < place.n; k++) {
             struct sums all = {0, 0, 0};
             about.n = 0;
@@ -104,7 +105,7 @@ void feature_accept(const struct mesh *without, const struct mesh *with, const s
                 all.with += sum[about.item[i]].with;
                 all.points += sum[about.item[i]].points;
             }
-            if (!better(&all, noise))
+            if (!is_better(&all, noise))
                 feature[which.item[k]].kind = FEATURE_NONE;
         }
         kdtree_free(tree);

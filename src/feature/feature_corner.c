@@ -4,7 +4,7 @@
 static const double TURN = 0.14; /* sine of the angle between two planes */
 static const double ROOM = 0.01; /* from the sides of the triangle, of its heights */
 
-static bool within(const struct vec3 t[3], struct vec3 p)
+static bool is_within(const struct vec3 t[3], struct vec3 p)
 {
     double all = vec_orient_xy(t[0], t[1], t[2]);
     bool inside = all > 0;
@@ -43,5 +43,5 @@ bool feature_corner_of(const struct feature_corner_plane plane[3], struct vec3 f
 bool feature_corner(const struct feature_corner_plane plane[3], const struct vec3 triangle[3],
                     struct vec3 *corner)
 {
-    return feature_corner_of(plane, triangle[0], corner) && within(triangle, *corner);
+    return feature_corner_of(plane, triangle[0], corner) && is_within(triangle, *corner);
 }

@@ -109,7 +109,7 @@ static const double WIDE = 40;
 static const double ROUGH = 0.05;
 
 /* Points about a place, taken apart into two sheets. */
-struct parted {
+struct division {
     struct vec3 point[MOST];
     struct vec3 local[MOST];  /* the same, in the frame of the sheets */
     unsigned char side[MOST]; /* on which of the sheets each is */
@@ -119,19 +119,19 @@ struct parted {
     struct side_fit sheet[2];
 };
 
-static void take(struct parted *p, int side, struct vec3 point)
+static void add_to_side(struct division *p, int side, struct vec3 point)
 {
     p->of[side][p->count[side]++] = point;
 }
 
 /* How far sheet 0 is above sheet 1. */
-static double step_at(const struct parted *p, struct vec3 at)
+static double step_at(const struct division *p, struct vec3 at)
 {
     return side_fit_height(&p->sheet[0], at) - side_fit_height(&p->sheet[1], at);
 }
 
 /* Planes through the points as they are parted; false when one has too few. */
-static bool fit_planes(struct parted *p)
+static bool fit_planes(struct division *p)
 {
     for (unsigned char s = 0; s < 2; s++)
         if (p->count[s] < FEWEST || side_fit_plane_of(p->local, p->side, s, p->n, &p->sheet[s]) < 0)
@@ -141,7 +141,7 @@ static bool fit_planes(struct parted *p)
 
 /* Parts the points by the line where the two planes meet; a's side of it is sheet 0.  True when
  * something changed. */
-static bool split_by_line(struct parted *p, struct vec3 a)
+static bool divide_by_line(struct division *p, struct vec3 a)
 {
     const double *c = p->sheet[0].q.c, *d = p->sheet[1].q.c;
     double c0 = c[0] - d[0], c1 = c[1] - d[1], c2 = c[2] - d[2];
@@ -159,7 +159,7 @@ static bool split_by_line(struct parted *p, struct vec3 a)
 }
 
 /* Fits and parts until nothing changes, or often enough. */
-static bool settle(struct parted *p, struct vec3 a)
+static bool fit_and_divide(struct division *p, struct vec3 a)
 {
     bool moves = true;
 
@@ -169,11 +169,11 @@ static bool settle(struct parted *p, struct vec3 a)
     for (int i = 0; i < TURNS && moves; i++) {
         if (!fit_planes(p))
             return false;
-        moves = split_by_line(p, a);
+        moves = divide_by_line(p, a);
     }
     p->count[0] = p->count[1] = 0;
     for (size_t i = 0; i < p->n; i++)
-        take(p, p->side[i], p->point[i]);
+        add_to_side(p, p->side[i], p->point[i]);
     for (int s = 0; s < 2; s++)
         if (p->count[s] < FEWEST ||
             side_fit_plane(p->of[s], p->count[s], p->origin, p->w, &p->sheet[s]) < 0)
@@ -182,7 +182,7 @@ static bool settle(struct parted *p, struct vec3 a)
 }
 
 /* Where on the way from a to b the sheets meet; false when they do not. */
-static bool crossing(const struct parted *p, struct vec3 a, struct vec3 b, struct vec3 *at)
+static bool find_crossing(const struct division *p, struct vec3 a, struct vec3 b, struct vec3 *at)
 {
     double low = 0, high = 1;
     bool above = step_at(p, a) > 0;
@@ -201,7 +201,7 @@ static bool crossing(const struct parted *p, struct vec3 a, struct vec3 b, struc
 }
 
 /* What the two sheets leave to each point that they do not fix. */
-static double left_by_two(const struct parted *p)
+static double left_by_two(const struct division *p)
 {
     double sum2 = 0, fixed = 6;
 
@@ -213,7 +213,7 @@ static double left_by_two(const struct parted *p)
     return sqrt(sum2 / fmax((double)p->n - fixed, 1));
 }
 
-static bool better_than_one(const struct parted *p, const struct feature_cloud *cloud)
+static bool better_than_one(const struct division *p, const struct feature_cloud *cloud)
 {
     struct quadric one;
 
@@ -229,8 +229,8 @@ static bool better_than_one(const struct parted *p, const struct feature_cloud *
 
 /* The nearest points, parted by the plane half way between a and b, or by the sheets as they
  * are. */
-static bool gather(const struct feature_cloud *cloud, struct vec3 at, size_t k, struct vec3 a,
-                   struct vec3 b, bool parted, struct parted *p)
+static bool gather_points(const struct feature_cloud *cloud, struct vec3 at, size_t k,
+                          struct vec3 a, struct vec3 b, bool parted, struct division *p)
 {
     size_t index[MOST];
 
@@ -250,7 +250,7 @@ static bool gather(const struct feature_cloud *cloud, struct vec3 at, size_t k, 
 }
 
 /* How many points reach over the edge from end to end. */
-static size_t enough(const struct feature_cloud *cloud, struct vec3 a, struct vec3 b)
+static size_t points_needed(const struct feature_cloud *cloud, struct vec3 a, struct vec3 b)
 {
     double reach = vec_distance(a, b) / 2 / cloud->spacing + 1;
     double k = fmin(fmax(PI * reach * reach, (double)feature_reach(cloud)), MOST);
@@ -265,7 +265,8 @@ size_t feature_reach(const struct feature_cloud *cloud)
     return (size_t)fmin(fmax(PI * reach * reach, FEWEST_NEAR), FEATURE_MOST);
 }
 
-static struct feature told(const struct parted *p, struct vec3 at, struct vec3 a, struct vec3 b)
+static struct feature crease_of(const struct division *p, struct vec3 at, struct vec3 a,
+                                struct vec3 b)
 {
     struct feature f = {.kind = FEATURE_CREASE, .place = {at, at}};
 
@@ -285,17 +286,17 @@ static struct feature told(const struct parted *p, struct vec3 at, struct vec3 a
  * with, and meet at *at.
  */
 static bool find_crease(const struct feature_cloud *cloud, struct vec3 a, struct vec3 b,
-                        bool crossed, struct parted *p, struct vec3 *at)
+                        bool crossed, struct division *p, struct vec3 *at)
 {
     size_t near = feature_reach(cloud);
 
     for (int i = 0; i < ROUNDS; i++) {
-        if (!gather(cloud, crossed ? *at : p->origin, crossed ? near : enough(cloud, a, b), a, b,
-                    crossed, p) ||
-            !settle(p, a))
+        if (!gather_points(cloud, crossed ? *at : p->origin,
+                           crossed ? near : points_needed(cloud, a, b), a, b, crossed, p) ||
+            !fit_and_divide(p, a))
             return false;
         bool again = crossed;
-        crossed = crossing(p, a, b, at);
+        crossed = find_crossing(p, a, b, at);
         if (crossed && again)
             break;
         p->w = vec_unit(vec_add(side_fit_normal(&p->sheet[0], p->origin),
@@ -303,7 +304,7 @@ static bool find_crease(const struct feature_cloud *cloud, struct vec3 a, struct
     }
     for (int s = 0; s < 2; s++)
         side_fit_bend(p->of[s], p->count[s], &p->sheet[s]);
-    return crossed && crossing(p, a, b, at);
+    return crossed && find_crossing(p, a, b, at);
 }
 
 /* The sheets turn into each other, and by more than they turn on the way there. */
@@ -316,7 +317,7 @@ static bool turns(const struct feature *f)
 }
 
 /* From the planes that the vertices' normals tell. */
-static bool from_normals(struct parted *p, struct vec3 a, struct vec3 b, struct vec3 na,
+static bool from_normals(struct division *p, struct vec3 a, struct vec3 b, struct vec3 na,
                          struct vec3 nb, struct vec3 *at)
 {
     const double least = 0.1; /* cosine of a sheet's normal and the frame's */
@@ -325,14 +326,14 @@ static bool from_normals(struct parted *p, struct vec3 a, struct vec3 b, struct 
         return false;
     p->sheet[0] = side_fit_through(a, na, p->origin, p->w);
     p->sheet[1] = side_fit_through(b, nb, p->origin, p->w);
-    return crossing(p, a, b, at);
+    return find_crossing(p, a, b, at);
 }
 
 struct feature feature_crease(const struct feature_cloud *cloud, struct vec3 a, struct vec3 b,
                               struct vec3 na, struct vec3 nb)
 {
     struct feature none = {.kind = FEATURE_NONE};
-    struct parted p;
+    struct division p;
     struct vec3 at, origin = vec_mix(a, b, 0.5), sum = vec_add(na, nb);
     /* the second one across the way, for the normals may both be of one side */
     struct vec3 w[2] = {vec_unit(sum), vec_unit(vec_reject(sum, vec_unit(vec_sub(b, a))))};
@@ -343,7 +344,7 @@ struct feature feature_crease(const struct feature_cloud *cloud, struct vec3 a, 
         if (!(vec_length(w[i]) > 0) || (i == 0 && !from_normals(&p, a, b, na, nb, &at)) ||
             !find_crease(cloud, a, b, i == 0, &p, &at))
             continue;
-        struct feature f = told(&p, at, a, b);
+        struct feature f = crease_of(&p, at, a, b);
         if (turns(&f) && better_than_one(&p, cloud) &&
             feature_test_sharp(cloud, p.sheet, p.w, at, f.along))
             return f;

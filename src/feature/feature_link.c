@@ -13,12 +13,12 @@ enum { FARTHEST = 6 };
 static const double OFF = 0.15;
 
 /* A way from facet to facet, and what the edges on it would get. */
-struct way {
+struct continuation {
     int n, edge[FARTHEST];
     struct feature found[FARTHEST];
 };
 
-static double side(const struct feature *f, struct vec3 across, struct vec3 p)
+static double side_of(const struct feature *f, struct vec3 across, struct vec3 p)
 {
     return vec_dot(vec_sub(p, f->place[0]), across);
 }
@@ -49,13 +49,13 @@ static struct vec3 on_sheet(const struct feature *f, int i, struct vec3 p)
 }
 
 /* Where a feature that goes straight on crosses an edge: false when it does not. */
-static bool go_on(const struct mesh *mesh, const struct mesh_edge *edge, const struct feature *f,
-                  struct feature *next)
+static bool continue_over(const struct mesh *mesh, const struct mesh_edge *edge,
+                          const struct feature *f, struct feature *next)
 {
     const double rim = 0.001; /* not over a vertex */
     struct vec3 across = across_of(f);
     struct vec3 a = mesh->vertex.item[edge->v[0]], b = mesh->vertex.item[edge->v[1]];
-    double from = side(f, across, a), to = side(f, across, b), s = from / (from - to);
+    double from = side_of(f, across, a), to = side_of(f, across, b), s = from / (from - to);
 
     if (!(s > rim && s < 1 - rim))
         return false;
@@ -91,8 +91,9 @@ static bool at_border(const struct mesh_edges *edges, int facet, bool look_beyon
 }
 
 /* Follows a feature from the facet that it ends in. */
-static bool follow(const struct mesh *mesh, const struct mesh_edges *edges,
-                   const struct feature *feature, int facet, int edge, struct way *way)
+static bool follow_feature(const struct mesh *mesh, const struct mesh_edges *edges,
+                           const struct feature *feature, int facet, int edge,
+                           struct continuation *way)
 {
     struct feature at = feature[edge];
 
@@ -102,7 +103,7 @@ static bool follow(const struct mesh *mesh, const struct mesh_edges *edges,
         for (int i = 0; i < 3 && next < 0; i++) {
             int e = edges->of[facet][i];
             if (e != edge && way->n < FARTHEST &&
-                go_on(mesh, &edges->edge[e], &at, &way->found[way->n]))
+                continue_over(mesh, &edges->edge[e], &at, &way->found[way->n]))
                 next = e;
         }
         if (next < 0) /* through a corner: there it may end */
@@ -124,13 +125,13 @@ void feature_link_close(const struct mesh *mesh, const struct mesh_edges *edges,
 {
     for (size_t f = 0; f < mesh->face.n; f++) {
         int crossed = 0, edge = -1;
-        struct way way;
+        struct continuation way;
         for (int i = 0; i < 3; i++) {
             int e = edges->of[f][i];
             crossed += feature[e].kind != FEATURE_NONE;
             edge = feature[e].kind != FEATURE_NONE ? e : edge;
         }
-        if (crossed != 1 || !follow(mesh, edges, feature, (int)f, edge, &way))
+        if (crossed != 1 || !follow_feature(mesh, edges, feature, (int)f, edge, &way))
             continue;
         for (int i = 0; i < way.n; i++)
             feature[way.edge[i]] = way.found[i];

@@ -65,7 +65,7 @@ static void test_vertices(void *context, size_t from, size_t to)
 }
 
 /* Both sides of it face up. */
-static bool seen(const struct feature *f)
+static bool faces_up(const struct feature *f)
 {
     bool up = true;
 
@@ -74,7 +74,7 @@ static bool seen(const struct feature *f)
     return up;
 }
 
-static void find_feature_of_edges(void *context, size_t from, size_t to)
+static void classify_edges(void *context, size_t from, size_t to)
 {
     const struct search *s = context;
     const struct mesh *m = s->mesh;
@@ -92,7 +92,7 @@ static void find_feature_of_edges(void *context, size_t from, size_t to)
         bool rough = s->rough[v] || s->rough[w];
         if (f->kind == FEATURE_NONE && !s->walls_only && rough && turns(m, edge))
             *f = feature_crease(&s->cloud, a, b, m->normal.item[v], m->normal.item[w]);
-        if (f->kind != FEATURE_NONE && !seen(f))
+        if (f->kind != FEATURE_NONE && !faces_up(f))
             f->kind = FEATURE_NONE;
     }
 }
@@ -109,13 +109,13 @@ static size_t count_doubtful(const struct search *s)
     return found;
 }
 
-static struct feature_relocate settling(const struct search *s)
+static struct feature_relocate relocation_of(const struct search *s)
 {
     return (struct feature_relocate){s->mesh, s->edges, s->feature, s->cloud.spacing,
                                      s->cloud.noise};
 }
 
-static struct feature_mesh sum_up(const struct search *s)
+static struct feature_mesh count_features(const struct search *s)
 {
     struct feature_mesh found = {0};
 
@@ -133,18 +133,18 @@ static struct feature_mesh find_features(struct search *s, int threads)
     struct feature_mesh found = {0};
 
     for (int i = 0; i < LOOKS; i++) {
-        parallel_for(threads, s->edges->n, find_feature_of_edges, s);
+        parallel_for(threads, s->edges->n, classify_edges, s);
         feature_link_close(s->mesh, s->edges, s->feature);
-        found = sum_up(s);
+        found = count_features(s);
         if (found.creases + found.walls == 0)
             break;
-        struct feature_relocate settle = settling(s);
+        struct feature_relocate relocation = relocation_of(s);
         if (i + 1 < LOOKS) {
-            feature_relocate_places(&settle, s->active);
+            feature_relocate_places(&relocation, s->active);
             for (size_t v = 0; v < s->mesh->vertex.n; v++)
                 s->rough[v] |= s->active[v];
         }
-        feature_relocate_normals(&settle);
+        feature_relocate_normals(&relocation);
     }
     return found;
 }
@@ -187,10 +187,10 @@ static struct feature_mesh keep_better(struct search *s, const struct mesh *befo
     feature_accept(&whole, &trial, s->cloud.point, n, reach, s->cloud.noise, threads, s->feature,
                    s->edges->n);
     mesh_free(&trial);
-    struct feature_relocate settle = settling(s);
-    feature_relocate_back(&settle, before);
+    struct feature_relocate relocation = relocation_of(s);
+    feature_relocate_back(&relocation, before);
     feature_cut(m, s->edges, s->feature);
-    return sum_up(s);
+    return count_features(s);
 }
 
 /* In the middle of each feature, and a third of its edge along it to either side. */
@@ -260,7 +260,7 @@ struct feature_walls feature_mesh_walls(const struct mesh *mesh, const struct fe
     parallel_for(threads, edges.n, find_walls, &s);
     size_t longest = feature_link_longest(&edges, s.feature);
     if (effort_covers(EFFORT_WALLS, effort, edges.n) || longest >= CHAIN_LARGE)
-        walls.found = longest >= CHAIN ? sum_up(&s).walls : 0;
+        walls.found = longest >= CHAIN ? count_features(&s).walls : 0;
     else if (longest >= CHAIN)
         walls.edges = edges.n;
     search_end(&s);
@@ -284,13 +284,13 @@ struct feature_mesh feature_mesh_keep(struct mesh *mesh, const struct feature_sc
     s.walls_only = !effort_covers(EFFORT_CREASES, effort, doubtful);
     if (!s.walls_only || s.walls)
         found = find_features(&s, threads);
-    struct feature_relocate settle = settling(&s);
+    struct feature_relocate relocation = relocation_of(&s);
     if (found.creases + found.walls > 0 && scan->noise > NOISY * scan->spacing)
-        feature_relocate_feet(&settle);
+        feature_relocate_feet(&relocation);
     if (found.creases + found.walls > 0)
         found = keep_better(&s, &before, scan->n, threads);
     else
-        feature_relocate_back(&settle, &before);
+        feature_relocate_back(&relocation, &before);
     add_places(&s, &found.place);
     found.doubtful = doubtful;
     array_free(&before.vertex);

@@ -67,7 +67,7 @@ static bool has_corner(const struct feature_relocate *s, int facet)
 }
 
 /* The vertices of the two facets beside an edge keep away from its feature. */
-static void settle_about(const struct feature_relocate *s, size_t e, struct beside *beside)
+static void clear_edge(const struct feature_relocate *s, size_t e, struct beside *beside)
 {
     const struct mesh_edge *edge = &s->edges->edge[e];
     const struct feature *f = &s->feature[e];
@@ -120,8 +120,8 @@ static bool find_corner(const struct feature_relocate *s, const size_t e[2], int
 }
 
 /* A corner that juts out of the facet over the side from b to c: these make room for it. */
-static void move_out(const struct feature_relocate *s, const size_t e[2], int a, int b, int c,
-                     struct beside *beside)
+static void make_room(const struct feature_relocate *s, const size_t e[2], int a, int b, int c,
+                      struct beside *beside)
 {
     const struct vec3 *p = s->mesh->vertex.item;
     struct vec3 corner, side = vec_sub(p[c], p[b]);
@@ -145,7 +145,7 @@ static void move_out(const struct feature_relocate *s, const size_t e[2], int a,
 }
 
 /* The same for each facet that two features cross. */
-static void settle_corners(const struct feature_relocate *s, struct beside *beside)
+static void clear_corners(const struct feature_relocate *s, struct beside *beside)
 {
     for (size_t f = 0; f < s->mesh->face.n; f++) {
         const int *v = s->mesh->face.item[f].v, *of = s->edges->of[f];
@@ -158,7 +158,7 @@ static void settle_corners(const struct feature_relocate *s, struct beside *besi
         int a = (whole + 2) % 3, b = whole, c = (whole + 1) % 3;
         const size_t e[2] = {(size_t)of[a], (size_t)of[c]};
         if (crossed == 2)
-            move_out(s, e, v[a], v[b], v[c], beside);
+            make_room(s, e, v[a], v[b], v[c], beside);
     }
 }
 
@@ -169,8 +169,8 @@ static struct beside *find_beside(const struct feature_relocate *s)
 
     for (size_t e = 0; e < s->edges->n; e++)
         if (s->feature[e].kind != FEATURE_NONE)
-            settle_about(s, e, beside);
-    settle_corners(s, beside);
+            clear_edge(s, e, beside);
+    clear_corners(s, beside);
     return beside;
 }
 

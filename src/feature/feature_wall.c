@@ -65,7 +65,7 @@ static bool find_level(const struct feature_cloud *cloud, struct vec3 end, struc
 }
 
 /* What a surface may leave of the points on it, to be one. */
-static double smooth(const struct feature_cloud *cloud)
+static double allowed_rms(const struct feature_cloud *cloud)
 {
     return 2.5 * cloud->noise + 0.15 * cloud->spacing;
 }
@@ -91,8 +91,8 @@ static size_t near_wall(const struct feature_cloud *cloud, const struct level le
 }
 
 /* Keeps the points within `most` of the plane, or those that are not, in their order. */
-static size_t keep(struct vec3 *near, size_t n, const struct plane_fit *plane, double most,
-                   bool within)
+static size_t filter_by_plane(struct vec3 *near, size_t n, const struct plane_fit *plane,
+                              double most, bool within)
 {
     size_t kept = 0;
 
@@ -105,7 +105,8 @@ static size_t keep(struct vec3 *near, size_t n, const struct plane_fit *plane, d
 }
 
 /* The upright plane through one of the points that most of them are on, within `most`. */
-static void look_round(const struct vec3 *near, size_t n, double most, struct plane_fit *plane)
+static void find_upright_plane(const struct vec3 *near, size_t n, double most,
+                               struct plane_fit *plane)
 {
     size_t best = 0, step = n / SEEDS + 1;
 
@@ -134,11 +135,11 @@ static bool fit_plane(const struct vec3 *near, size_t n, double most, struct pla
     if (n < FEWEST)
         return false;
     if (plane_fit(near, n, plane) < 0 || !(plane->rms < most))
-        look_round(near, n, 2 * most, plane);
+        find_upright_plane(near, n, 2 * most, plane);
     for (int i = 0; i < TRIMS; i++) {
         memcpy(some, near, n * sizeof *near);
         double far = fmax(2.5 * fmin(plane->rms, most), least * most);
-        size_t kept = keep(some, n, plane, far, true);
+        size_t kept = filter_by_plane(some, n, plane, far, true);
         if (kept < FEWEST || plane_fit(some, kept, plane) < 0)
             return false;
         if (kept == left)
@@ -161,10 +162,10 @@ static bool plane_of_wall(const struct feature_cloud *cloud, const struct level 
     for (size_t most = noisy ? 8 * NEAR : NEAR; most >= NEAR; most /= 2) {
         size_t n = near_wall(cloud, level, at, most, near);
         if (but)
-            n = keep(near, n, but, smooth(cloud), false);
+            n = filter_by_plane(near, n, but, allowed_rms(cloud), false);
         /* what is rough, or rounded, last */
         if (fit_plane(near, n, most > NEAR ? 1.1 * cloud->noise : tight, plane) ||
-            (most == NEAR && fit_plane(near, n, smooth(cloud), plane)))
+            (most == NEAR && fit_plane(near, n, allowed_rms(cloud), plane)))
             return true;
     }
     return false;
@@ -172,8 +173,8 @@ static bool plane_of_wall(const struct feature_cloud *cloud, const struct level 
 
 /* The sheet of level s where the way from a to b comes to the wall, up to `over` beyond its ends.
  */
-static bool meet(const struct level *level, const struct plane_fit *plane, struct vec3 a,
-                 struct vec3 b, struct vec3 *at)
+static bool meet_wall(const struct level *level, const struct plane_fit *plane, struct vec3 a,
+                      struct vec3 b, struct vec3 *at)
 {
     const double over = 0.25;
     struct vec3 p = side_fit_point(&level->sheet, a), q = side_fit_point(&level->sheet, b);
@@ -188,9 +189,9 @@ static bool meet(const struct level *level, const struct plane_fit *plane, struc
 }
 
 /* One wall between a and b, as in plane_of_wall. */
-static bool one_wall(const struct feature_cloud *cloud, const struct level level[2], struct vec3 a,
-                     struct vec3 b, const struct plane_fit *but, struct feature *f,
-                     struct plane_fit *plane)
+static bool trace_wall(const struct feature_cloud *cloud, const struct level level[2],
+                       struct vec3 a, struct vec3 b, const struct plane_fit *but, struct feature *f,
+                       struct plane_fit *plane)
 {
     struct vec3 at = vec_mix(a, b, 0.5);
 
@@ -199,8 +200,8 @@ static bool one_wall(const struct feature_cloud *cloud, const struct level level
         if (!plane_of_wall(cloud, level, at, but, &found))
             return i > 0;
         *plane = found;
-        if (!meet(&level[0], plane, a, b, &f->place[0]) ||
-            !meet(&level[1], plane, a, b, &f->place[1]))
+        if (!meet_wall(&level[0], plane, a, b, &f->place[0]) ||
+            !meet_wall(&level[1], plane, a, b, &f->place[1]))
             return false;
         f->wall = plane->normal;
         at = vec_mix(f->place[0], f->place[1], 0.5);
@@ -216,7 +217,7 @@ static double unsupported(const struct feature_cloud *cloud, const struct level 
     double least = INFINITY;
     size_t n = near_wall(cloud, level, at, 2 * NEAR, near);
 
-    n = keep(near, n, plane, smooth(cloud), true);
+    n = filter_by_plane(near, n, plane, allowed_rms(cloud), true);
     for (size_t i = 0; i < n; i++)
         least = fmin(least, hypot(near[i].x - at.x, near[i].y - at.y));
     return least;
@@ -230,7 +231,7 @@ static bool juts_out(const struct feature_cloud *cloud, const struct level level
     struct vec3 near[4 * NEAR], sum = {0, 0, 0};
     size_t n = near_wall(cloud, level, at, 4 * NEAR, near);
 
-    n = keep(near, n, one, smooth(cloud), true);
+    n = filter_by_plane(near, n, one, allowed_rms(cloud), true);
     for (size_t i = 0; i < n; i++)
         sum = vec_add(sum, vec_sub(near[i], other->centre));
     return vec_dot(sum, out) < 0;
@@ -245,10 +246,10 @@ static bool find_wall(const struct feature_cloud *cloud, const struct level leve
     const double same = 0.94;         /* cosine between two walls */
     struct feature other = *f;
     struct plane_fit plane, second;
-    bool found = one_wall(cloud, level, a, b, NULL, f, &plane);
+    bool found = trace_wall(cloud, level, a, b, NULL, f, &plane);
     double off = found ? unsupported(cloud, level, f, &plane) : INFINITY;
 
-    if (found && one_wall(cloud, level, a, b, &plane, &other, &second) &&
+    if (found && trace_wall(cloud, level, a, b, &plane, &other, &second) &&
         fabs(vec_dot(plane.normal, second.normal)) < same) {
         double other_off = unsupported(cloud, level, &other, &second);
         struct vec3 top = a.z > b.z ? a : b, down = vec_sub(a.z > b.z ? b : a, top);
@@ -267,14 +268,14 @@ static bool find_wall(const struct feature_cloud *cloud, const struct level leve
 
 /* The step is what it was taken for: much higher than the levels are rough, and no slope that goes
  * on beyond it. */
-static bool holds(const struct feature *f, const struct level level[2], struct vec3 a,
-                  struct vec3 b, const struct feature_cloud *cloud)
+static bool is_step(const struct feature *f, const struct level level[2], struct vec3 a,
+                    struct vec3 b, const struct feature_cloud *cloud)
 {
     double step = fabs(f->place[0].z - f->place[1].z), rise = fabs(a.z - b.z);
 
     return (f->place[0].z > f->place[1].z) == (a.z > b.z) && step > 0.5 * rise &&
-           step > fmax(6 * cloud->noise, cloud->spacing) && level[0].sheet.rms < smooth(cloud) &&
-           level[1].sheet.rms < smooth(cloud);
+           step > fmax(6 * cloud->noise, cloud->spacing) &&
+           level[0].sheet.rms < allowed_rms(cloud) && level[1].sheet.rms < allowed_rms(cloud);
 }
 
 bool feature_steep(const struct feature_cloud *cloud, struct vec3 a, struct vec3 b)
@@ -294,7 +295,7 @@ struct feature feature_wall(const struct feature_cloud *cloud, struct vec3 a, st
     double reach = 1.2 * hypot(b.x - a.x, b.y - a.y) + 2.5 * cloud->spacing;
 
     if (find_level(cloud, a, b, reach, &level[0]) && find_level(cloud, b, a, reach, &level[1]) &&
-        find_wall(cloud, level, a, b, &f) && holds(&f, level, a, b, cloud)) {
+        find_wall(cloud, level, a, b, &f) && is_step(&f, level, a, b, cloud)) {
         struct vec3 down = a.z > b.z ? vec_sub(b, a) : vec_sub(a, b);
         down.z = 0;
         f.kind = FEATURE_WALL;

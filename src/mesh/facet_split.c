@@ -94,7 +94,7 @@ static int add_facet(struct facet_split *w)
 }
 
 /* An edge along a row, a crease or a wall. */
-static bool stays(const struct facet_split *w, int a, int b)
+static bool edge_is_fixed(const struct facet_split *w, int a, int b)
 {
     const int *row = w->mesh->row.item;
 
@@ -113,7 +113,8 @@ static bool in_circle(struct vec3 a, struct vec3 b, struct vec3 c, struct vec3 d
 }
 
 /* Spreads points over the facets, each to the first that it is over. */
-static void spread(struct facet_split *w, const struct ints *points, const int *facet, int facets)
+static void distribute(struct facet_split *w, const struct ints *points, const int *facet,
+                       int facets)
 {
     for (size_t k = 0; k < points->n; k++) {
         int i = points->item[k], to = facet[facets - 1];
@@ -158,7 +159,7 @@ static void turn_edge(struct facet_split *w, int f, int g, int k)
     set_facet(w, g, (int[3]){p, d, b}, (int[3]){f, beside_b, over_b});
     relink(w, beside_a, g, f);
     relink(w, over_b, f, g);
-    spread(w, &points, (int[2]){f, g}, 2);
+    distribute(w, &points, (int[2]){f, g}, 2);
     array_free(&points);
 }
 
@@ -179,21 +180,21 @@ static bool better_turned(const struct facet_split *w, int f, int g, int k)
 }
 
 /* The edge opposite to the new vertex, which is corner 0 of facet f, and those behind it. */
-static void settle(struct facet_split *w, int f)
+static void turn_opposite(struct facet_split *w, int f)
 {
     int g = w->beyond.item[3 * f + 1], k = 0;
     const int *v = w->mesh->face.item[f].v;
 
     *array_push(&w->todo) = f;
-    if (g == FACET_SPLIT_NONE || stays(w, v[1], v[2]))
+    if (g == FACET_SPLIT_NONE || edge_is_fixed(w, v[1], v[2]))
         return;
     while (k < 2 && w->beyond.item[3 * g + k] != f)
         k++;
     if (!better_turned(w, f, g, k))
         return;
     turn_edge(w, f, g, k);
-    settle(w, f);
-    settle(w, g);
+    turn_opposite(w, f);
+    turn_opposite(w, g);
 }
 
 static void add_vertex(struct facet_split *w, int facet, struct vec3 p)
@@ -229,10 +230,10 @@ void facet_split_at(struct facet_split *w, int facet, int i)
     for (size_t k = 0; k < points.n; k++)
         if (points.item[k] == i)
             points.item[k] = points.item[--points.n];
-    spread(w, &points, f, 3);
+    distribute(w, &points, f, 3);
     array_free(&points);
     for (int k = 0; k < 3; k++)
-        settle(w, f[k]);
+        turn_opposite(w, f[k]);
 }
 
 bool facet_split_apart(const struct facet_split *w, int facet, struct vec3 p)

@@ -7,19 +7,19 @@
 #include "base/parallel.h"
 #include "math/point_grid.h"
 
-struct job {
+struct query {
     const struct facets *facets;
     const struct box_tree *tree;
     const struct vec3 *point;
     double *distance;
 };
 
-static void measure(void *context, size_t from, size_t to)
+static void measure_points(void *context, size_t from, size_t to)
 {
-    const struct job *job = context;
+    const struct query *q = context;
 
     for (size_t i = from; i < to; i++)
-        job->distance[i] = facets_distance(job->tree, job->facets, job->point[i]);
+        q->distance[i] = facets_distance(q->tree, q->facets, q->point[i]);
 }
 
 void mesh_distance(const struct mesh *mesh, const struct vec3 *point, size_t n, int threads,
@@ -33,15 +33,15 @@ void mesh_distance(const struct mesh *mesh, const struct vec3 *point, size_t n, 
         *array_push(&facets) = (struct facet){{at[v[0]], at[v[1]], at[v[2]]}};
     }
     struct box_tree *tree = facets_tree(&facets);
-    struct job job = {&facets, tree, point, distance};
-    parallel_for(threads, n, measure, &job);
+    struct query q = {&facets, tree, point, distance};
+    parallel_for(threads, n, measure_points, &q);
     box_tree_free(tree);
     array_free(&facets);
 }
 
 /* Marks the points over a facet that goes round the left way, seen from above. */
-static void mark(const struct point_grid *k, struct vec3 a, struct vec3 b, struct vec3 c,
-                 double border, unsigned char *over)
+static void mark_over(const struct point_grid *k, struct vec3 a, struct vec3 b, struct vec3 c,
+                      double border, unsigned char *over)
 {
     size_t c0 = point_grid_column(k, fmin(a.x, fmin(b.x, c.x)));
     size_t c1 = point_grid_column(k, fmax(a.x, fmax(b.x, c.x)));
@@ -75,7 +75,7 @@ int mesh_coverage(const struct mesh *mesh, const struct vec3 *point, size_t n, d
     for (size_t f = 0; f < mesh->face.n; f++) {
         const int *v = mesh->face.item[f].v;
         if (vec_orient_xy(at[v[0]], at[v[1]], at[v[2]]) > 0)
-            mark(&point_grid, at[v[0]], at[v[1]], at[v[2]], border, over);
+            mark_over(&point_grid, at[v[0]], at[v[1]], at[v[2]], border, over);
     }
     for (size_t i = 0; i < n; i++)
         if (over[i])

@@ -24,7 +24,7 @@ static bool has_area(const struct mesh *mesh, size_t facet)
 }
 
 /* Leaves out the facets that are marked. */
-static void leave_out(struct mesh *mesh, const bool *out)
+static void drop_marked(struct mesh *mesh, const bool *out)
 {
     size_t n = 0;
 
@@ -42,7 +42,7 @@ size_t mesh_clean_no_area(struct mesh *mesh)
 
     for (size_t f = 0; f < mesh->face.n; f++)
         out[f] = !has_area(mesh, f);
-    leave_out(mesh, out);
+    drop_marked(mesh, out);
     free(out);
     return before - mesh->face.n;
 }
@@ -93,7 +93,7 @@ size_t mesh_clean_doubled(struct mesh *mesh)
     qsort(corners, n, sizeof *corners, compare_corners);
     for (size_t i = 1; i < n; i++)
         out[corners[i].facet] = compare_vertices(&corners[i - 1], &corners[i]) == 0;
-    leave_out(mesh, out);
+    drop_marked(mesh, out);
     free(corners);
     free(out);
     return n - mesh->face.n;
@@ -112,7 +112,7 @@ static int root_of(int *parent, int corner)
 }
 
 /* The smaller number becomes the root, so that the vertices keep their order. */
-static void join(int *parent, int a, int b)
+static void join_corners_of(int *parent, int a, int b)
 {
     a = root_of(parent, a);
     b = root_of(parent, b);
@@ -144,7 +144,7 @@ static int *join_corners(const struct mesh *mesh)
         struct vec3 a = vec_unit(mesh_face_cross(mesh, (size_t)f));
         struct vec3 b = vec_unit(mesh_face_cross(mesh, (size_t)g));
         for (int i = 0; i < 2 && vec_dot(a, b) >= SHARP; i++)
-            join(parent, corner_at(mesh, f, edge->v[i]), corner_at(mesh, g, edge->v[i]));
+            join_corners_of(parent, corner_at(mesh, f, edge->v[i]), corner_at(mesh, g, edge->v[i]));
     }
     mesh_edges_free(&edges);
     return parent;
@@ -208,7 +208,8 @@ static void flip(struct mesh *mesh, size_t facet)
 }
 
 /* True when a facet has an edge in the direction from the smaller to the larger vertex. */
-static bool goes_up(const struct mesh *mesh, const struct mesh_edges *edges, int facet, int edge)
+static bool rises_along(const struct mesh *mesh, const struct mesh_edges *edges, int facet,
+                        int edge)
 {
     for (int i = 0; i < 3; i++) {
         if (edges->of[facet][i] == edge)
@@ -224,8 +225,8 @@ struct pieces {
 };
 
 /* Finds the piece of a facet; `turned` says of each facet whether it lies against the first one. */
-static void grow(const struct mesh *mesh, const struct mesh_edges *edges, int first, bool *seen,
-                 bool *turned, struct pieces *pieces)
+static void gather_piece(const struct mesh *mesh, const struct mesh_edges *edges, int first,
+                         bool *seen, bool *turned, struct pieces *pieces)
 {
     size_t at = pieces->facet.n;
 
@@ -237,7 +238,7 @@ static void grow(const struct mesh *mesh, const struct mesh_edges *edges, int fi
             int edge = edges->of[f][i], g = mesh_edge_beyond(edges, edge, f);
             if (g < 0 || seen[g])
                 continue;
-            bool same = goes_up(mesh, edges, f, edge) == goes_up(mesh, edges, g, edge);
+            bool same = rises_along(mesh, edges, f, edge) == rises_along(mesh, edges, g, edge);
             turned[g] = turned[f] != same;
             seen[g] = true;
             *array_push(&pieces->facet) = g;
@@ -255,7 +256,7 @@ static size_t orient(struct mesh *mesh, const struct mesh_edges *edges, struct p
 
     for (size_t f = 0; f < mesh->face.n; f++) {
         if (!seen[f])
-            grow(mesh, edges, (int)f, seen, turned, pieces);
+            gather_piece(mesh, edges, (int)f, seen, turned, pieces);
     }
     for (size_t k = 0; k < pieces->end.n; begin = pieces->end.item[k++]) {
         size_t end = pieces->end.item[k], against = 0;

@@ -25,7 +25,7 @@ struct across {
     size_t point;
 };
 
-struct work {
+struct refinement {
     const struct point_grid *point_grid;
     const struct plan_extent *plan_extent;
     const struct holes *holes;
@@ -52,7 +52,7 @@ static int by_v(const void *a, const void *b)
     return (p->point > q->point) - (p->point < q->point);
 }
 
-static void sort_across(struct work *w)
+static void sort_across(struct refinement *w)
 {
     w->across = mem_alloc(w->point_grid->n, sizeof *w->across);
     for (size_t i = 0; i < w->point_grid->n; i++)
@@ -62,7 +62,7 @@ static void sort_across(struct work *w)
 }
 
 /* The first of the points that is no lower. */
-static size_t first_across(const struct work *w, double v)
+static size_t first_across(const struct refinement *w, double v)
 {
     size_t low = 0, high = w->point_grid->n;
 
@@ -81,13 +81,13 @@ static struct vec3 turn_back(const struct plan_extent *f, struct vec3 p)
     return vec(f->cosine * p.x - f->sine * p.y, f->sine * p.x + f->cosine * p.y, p.z);
 }
 
-static struct row_simplify row_at(const struct work *w, double v, double longest)
+static struct row_simplify row_at(const struct refinement *w, double v, double longest)
 {
     return row_simplify_make(w->point_grid, w->plan_extent, v, &w->rule, longest);
 }
 
 /* The points above and below one facet (in the scan's axes). */
-static void measure_face(struct work *w, struct strip *s, struct vec3 a, struct vec3 b,
+static void measure_face(struct refinement *w, struct strip *s, struct vec3 a, struct vec3 b,
                          struct vec3 c)
 {
     const double edge = -1e-9 * w->spacing * w->spacing; /* points on a border belong to it */
@@ -118,14 +118,14 @@ static void measure_face(struct work *w, struct strip *s, struct vec3 a, struct 
 }
 
 /* Along the rows, of a vertex of the strip between two. */
-static double along(const struct row_simplify *low, const struct row_simplify *high, size_t v)
+static double x_of(const struct row_simplify *low, const struct row_simplify *high, size_t v)
 {
     return v < low->node.n ? low->node.item[v].x : high->node.item[v - low->node.n].x;
 }
 
 /* Does a facet of a strip hang on the end of one row by a corner, beyond where that row goes? */
-static bool hangs(const struct work *w, const struct face *face, const struct row_simplify *low,
-                  const struct row_simplify *high)
+static bool overhangs_row(const struct refinement *w, const struct face *face,
+                          const struct row_simplify *low, const struct row_simplify *high)
 {
     size_t n = low->node.n, m = high->node.n;
 
@@ -134,14 +134,14 @@ static bool hangs(const struct work *w, const struct face *face, const struct ro
         size_t b = (size_t)face->v[(i + 2) % 3];
         if ((tip < n) == (a < n) || (tip < n) == (b < n))
             continue;
-        double x = along(low, high, tip), xa = along(low, high, a), xb = along(low, high, b);
+        double x = x_of(low, high, tip), xa = x_of(low, high, a), xb = x_of(low, high, b);
         return ((tip + 1 == n || tip + 1 == n + m) && fmin(xa, xb) > x + w->rule.gap) ||
                ((tip == 0 || tip == n) && fmax(xa, xb) < x - w->rule.gap);
     }
     return false;
 }
 
-static void make_strip(struct work *w, size_t index)
+static void make_strip(struct refinement *w, size_t index)
 {
     const double nothing = 1e-12;
     struct strip *s = &w->strip.item[index];
@@ -160,7 +160,8 @@ static void make_strip(struct work *w, size_t index)
         }
         if (!(vec_orient_xy(p[0], p[1], p[2]) > nothing * w->spacing * w->spacing))
             continue;
-        if (hangs(w, &all.item[f], low, high) || holes_bridged(w->holes, p[0], p[1], p[2])) {
+        if (overhangs_row(w, &all.item[f], low, high) ||
+            holes_bridged(w->holes, p[0], p[1], p[2])) {
             s->bridges++;
             continue;
         }
@@ -174,7 +175,7 @@ static void make_strip(struct work *w, size_t index)
 }
 
 /* A row halfway between a row and the next. */
-static void halve(struct work *w, size_t index)
+static void halve(struct refinement *w, size_t index)
 {
     double low = w->row.item[index].v, high = w->row.item[index + 1].v;
     struct row_simplify row = row_at(w, (low + high) / 2, w->row.item[index].longest);
@@ -189,7 +190,7 @@ static void halve(struct work *w, size_t index)
     w->strip.item[index] = w->strip.item[index + 1] = (struct strip){0};
 }
 
-static void first_rows(struct work *w, double widest)
+static void first_rows(struct refinement *w, double widest)
 {
     double height = w->plan_extent->ymax - w->plan_extent->ymin;
     size_t n = (size_t)fmax(ceil(height / widest), 2);
@@ -203,7 +204,7 @@ static void first_rows(struct work *w, double widest)
 }
 
 /* Makes a row's pieces no longer than that; the strips beside it are to be made again. */
-static void shorten(struct work *w, size_t index, double longest)
+static void shorten(struct refinement *w, size_t index, double longest)
 {
     struct row_simplify *row = &w->row.item[index];
     double v = row->v;
@@ -218,7 +219,7 @@ static void shorten(struct work *w, size_t index, double longest)
 }
 
 /* Is the strip wider than edges across a crease or wall may be, and is one in it? */
-static bool is_too_wide(const struct work *w, size_t index)
+static bool is_too_wide(const struct refinement *w, size_t index)
 {
     const struct feature_zone *zone = w->rule.zone;
     double low = w->row.item[index].v, high = w->row.item[index + 1].v;
@@ -234,7 +235,7 @@ static bool is_too_wide(const struct work *w, size_t index)
 /* A strip with too many points off it gets triangles no longer than it is wide, then it is halved.
  * Facets over a hole, and borders that run aslant, hide how far the rest of a strip is off: there
  * it is halved too, down to rows three spacings apart. */
-static void refine(struct work *w)
+static void refine(struct refinement *w)
 {
     const double few = 0.01, rim = 6, slender = 2, square = 1.2;
     for (size_t i = 0; i < w->strip.n;) {
@@ -263,7 +264,7 @@ static void refine(struct work *w)
     }
 }
 
-static void add_vertices(const struct work *w, struct mesh *mesh)
+static void add_vertices(const struct refinement *w, struct mesh *mesh)
 {
     for (size_t r = 0; r < w->row.n; r++)
         for (size_t i = 0; i < w->row.item[r].node.n; i++) {
@@ -273,7 +274,7 @@ static void add_vertices(const struct work *w, struct mesh *mesh)
         }
 }
 
-static struct adaptive_rows sum_up(const struct work *w, struct mesh *mesh)
+static struct adaptive_rows collect_mesh(const struct refinement *w, struct mesh *mesh)
 {
     struct adaptive_rows result = {.rows = w->row.n};
     size_t first = 0, points = 0;
@@ -308,22 +309,23 @@ static struct adaptive_rows sum_up(const struct work *w, struct mesh *mesh)
 struct adaptive_rows adaptive_rows_make(const struct point_grid *point_grid,
                                         const struct plan_extent *plan_extent,
                                         const struct holes *holes,
-                                        const struct adaptive_rows_options *wish, struct mesh *mesh)
+                                        const struct adaptive_rows_options *options,
+                                        struct mesh *mesh)
 {
     const double gaps = 6, reaches = 1.2;
-    struct work w = {.point_grid = point_grid,
-                     .plan_extent = plan_extent,
-                     .holes = holes,
-                     .error = wish->error,
-                     .spacing = wish->spacing,
-                     .out = wish->out,
-                     .rule = {wish->spacing, reaches * wish->spacing, gaps * wish->spacing,
-                              ALONG * wish->error, wish->zone},
-                     .covered = mem_alloc(point_grid->n, 1)};
+    struct refinement w = {.point_grid = point_grid,
+                           .plan_extent = plan_extent,
+                           .holes = holes,
+                           .error = options->error,
+                           .spacing = options->spacing,
+                           .out = options->out,
+                           .rule = {options->spacing, reaches * options->spacing,
+                                    gaps * options->spacing, ALONG * options->error, options->zone},
+                           .covered = mem_alloc(point_grid->n, 1)};
     sort_across(&w);
-    first_rows(&w, wish->widest);
+    first_rows(&w, options->widest);
     refine(&w);
-    struct adaptive_rows result = sum_up(&w, mesh);
+    struct adaptive_rows result = collect_mesh(&w, mesh);
     for (size_t i = 0; i < w.row.n; i++)
         row_simplify_free(&w.row.item[i]);
     for (size_t i = 0; i < w.strip.n; i++)

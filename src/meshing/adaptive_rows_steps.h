@@ -39,7 +39,7 @@ struct row_simplify_options {
  */
 struct row_simplify row_simplify_make(const struct point_grid *point_grid,
                                       const struct plan_extent *plan_extent, double v,
-                                      const struct row_simplify_options *rule, double longest);
+                                      const struct row_simplify_options *options, double longest);
 void row_simplify_free(struct row_simplify *row);
 
 /* ---- strip_triangulate: the strip between two rows of a mesh as triangles. */

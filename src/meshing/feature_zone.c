@@ -21,7 +21,7 @@ void feature_zone_free(struct feature_zone *zone)
     array_free(&zone->place);
 }
 
-static bool within(const struct feature_zone *zone, double x, double y, double reach)
+static bool is_within(const struct feature_zone *zone, double x, double y, double reach)
 {
     size_t nearest;
     double distance2;
@@ -32,10 +32,10 @@ static bool within(const struct feature_zone *zone, double x, double y, double r
 
 bool feature_zone_clear(const struct feature_zone *zone, double x, double y)
 {
-    return within(zone, x, y, CLEAR * zone->fine);
+    return is_within(zone, x, y, CLEAR * zone->fine);
 }
 
 bool feature_zone_near(const struct feature_zone *zone, double x, double y)
 {
-    return within(zone, x, y, NEAR * zone->fine);
+    return is_within(zone, x, y, NEAR * zone->fine);
 }

@@ -10,7 +10,7 @@
 #include "mesh/facet_split.h"
 
 /* Takes a point off the list of its facet. */
-static void forget(struct facet_split *w, int facet, int i)
+static void remove_from_list(struct facet_split *w, int facet, int i)
 {
     int *link = &w->first.item[facet];
 
@@ -32,7 +32,7 @@ static void insert_all(struct facet_split *w)
         for (size_t next = 0; next < w->todo.n; next++) {
             int facet = w->todo.item[next], i = FACET_SPLIT_NONE;
             while (facet_split_worst(w, facet, &i) > 0 && !facet_split_apart(w, facet, w->point[i]))
-                forget(w, facet, i);
+                remove_from_list(w, facet, i);
             if (facet_split_worst(w, facet, &i) > 0)
                 facet_split_at(w, facet, i);
         }
@@ -93,7 +93,7 @@ static void find_points(struct facet_split *w, size_t n)
 }
 
 /* Points that an upright facet, of a wall, is near enough to are nobody's concern. */
-static void leave_served(struct facet_split *w, size_t n, int threads)
+static void drop_served(struct facet_split *w, size_t n, int threads)
 {
     const double upright = 0.02; /* sine of the slope off upright */
     struct mesh walls = {.vertex = w->mesh->vertex};
@@ -110,7 +110,7 @@ static void leave_served(struct facet_split *w, size_t n, int threads)
         for (int i = w->first.item[f], next; i != FACET_SPLIT_NONE; i = next) {
             next = w->next[i];
             if (off[i] <= w->within[i])
-                forget(w, f, i);
+                remove_from_list(w, f, i);
         }
     array_free(&walls.face);
     free(off);
@@ -146,7 +146,7 @@ size_t greedy_insert(struct mesh *mesh, const struct vec3 *point, const double *
     w.next = mem_alloc(n, sizeof *w.next);
     find_beyond(&w);
     find_points(&w, n);
-    leave_served(&w, n, threads);
+    drop_served(&w, n, threads);
     insert_all(&w);
     find_normals(&w);
     array_free(&w.beyond);

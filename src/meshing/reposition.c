@@ -64,7 +64,7 @@ struct place {
     double right, up; /* along e1 and e2 */
 };
 
-static int whole(double x, int most)
+static int whole_part(double x, int most)
 {
     int i = (int)x;
     return i > most ? most : i;
@@ -75,12 +75,12 @@ static struct place place_of(const struct grid *g, struct vec3 point)
     struct vec3 p = plan_extent_turn(&g->plan_extent, point);
     double v = (p.y - g->y) / (g->t * GRID_SLANT), u = (p.x - g->x) / g->t - 0.5 * v;
     u = u > 0 ? u : 0;
-    int column = whole(u, g->columns - 2), row = whole(v, g->rows - 2);
+    int column = whole_part(u, g->columns - 2), row = whole_part(v, g->rows - 2);
     return (struct place){column, row, u - column, v - row};
 }
 
 /* |a e1 + b e2|^2 in units of t^2. */
-static double oblique2(double a, double b)
+static double oblique_length2(double a, double b)
 {
     return a * a + a * b + b * b;
 }
@@ -91,11 +91,11 @@ static void compete_nearest(const struct grid *g, struct choice *choice, const s
 {
     static const double further = 1e-9;
     struct place at = place_of(g, point[index]);
-    double least = oblique2(at.right, at.up);
+    double least = oblique_length2(at.right, at.up);
     int column = at.column, row = at.row;
     for (int corner = 1; corner < 4; corner++) {
         int right = corner & 1, up = corner >> 1;
-        double d2 = oblique2(at.right - right, at.up - up);
+        double d2 = oblique_length2(at.right - right, at.up - up);
         if (d2 < least - further) {
             least = d2;
             column = at.column + right;
@@ -114,14 +114,14 @@ static void compete_circle(const struct grid *g, struct choice *choice, const st
     for (int up = -1; up <= 2; up++)
         for (int right = -1; right <= 2; right++) {
             int column = at.column + right, row = at.row + up;
-            double d2 = oblique2(at.right - right, at.up - up);
+            double d2 = oblique_length2(at.right - right, at.up - up);
             if (d2 < inside && column >= 0 && column < g->columns && row >= 0 && row < g->rows)
                 compete(g, choice, point, index, column, row, d2);
         }
 }
 
 /* The six nodes around one, those within the grid; how many. */
-static int ring(const struct grid *g, int column, int row, size_t around[6])
+static int nodes_around(const struct grid *g, int column, int row, size_t around[6])
 {
     static const int RIGHT[6] = {1, 0, -1, -1, 0, 1}, UP[6] = {0, 1, 1, 0, -1, -1};
     int n = 0;
@@ -141,7 +141,7 @@ static size_t mark_empty(const struct grid *g, const struct choice *choice, bool
         for (int column = 0; column < g->columns; column++) {
             size_t node = (size_t)row * (size_t)g->columns + (size_t)column;
             int full = 0;
-            for (int k = ring(g, column, row, around); k-- > 0;)
+            for (int k = nodes_around(g, column, row, around); k-- > 0;)
                 full += choice[around[k]].point != NO_POINT;
             empty[node] = choice[node].point == NO_POINT && full >= 5;
             n += empty[node];
@@ -161,7 +161,7 @@ static void compete_empty(const struct grid *g, const bool *empty, struct choice
             int column = at.column + right, row = at.row + up;
             if (column < 0 || column >= g->columns || row < 0 || row >= g->rows)
                 continue;
-            double d2 = oblique2(at.right - right, at.up - up);
+            double d2 = oblique_length2(at.right - right, at.up - up);
             if (d2 < within && empty[(size_t)row * (size_t)g->columns + (size_t)column])
                 compete(g, choice, point, index, column, row, d2);
         }

@@ -21,7 +21,7 @@ static struct vec3 turn_back(const struct plan_extent *f, double x, double y)
 
 /* Puts a place at the height of the point nearest to it seen from above, the upper one of two;
  * false when that is farther than `reach`. */
-static bool drop_onto(const struct point_grid *b, struct vec3 *at, double reach)
+static bool nearest_height(const struct point_grid *b, struct vec3 *at, double reach)
 {
     double least = reach * reach;
     bool found = false;
@@ -54,7 +54,7 @@ static bool surface_at(const struct point_grid *b, const struct plan_extent *f, 
     double distance2[MOST];
     struct vec3 near[MOST], at = turn_back(f, x, y);
     struct quadric q;
-    if (!drop_onto(b, &at, reach))
+    if (!nearest_height(b, &at, reach))
         return false;
     for (int c = 0; c < COUNTS; c++) {
         size_t n = point_grid_nearest(b, at, count[c], index, distance2);
@@ -74,8 +74,8 @@ static bool surface_at(const struct point_grid *b, const struct plan_extent *f, 
 }
 
 /* Leaves out the places on creases and walls between others, where these run across. */
-static void stay_clear(const struct plan_extent *f, const struct feature_zone *zone,
-                       struct candidates *c)
+static void drop_in_zone(const struct plan_extent *f, const struct feature_zone *zone,
+                         struct candidates *c)
 {
     const double across = 2; /* so far at most, in lengths of the zone's edges */
     size_t kept = 0;
@@ -109,46 +109,47 @@ static void mark_near(const struct plan_extent *f, const struct feature_zone *zo
 }
 
 static struct candidates find_candidates(const struct point_grid *b, const struct plan_extent *f,
-                                         double v, const struct row_simplify_options *rule)
+                                         double v, const struct row_simplify_options *options)
 {
     struct candidates c = {0};
-    int cells = (int)fmax(ceil((f->xmax - f->xmin) / rule->width - 1e-9), 1);
+    int cells = (int)fmax(ceil((f->xmax - f->xmin) / options->width - 1e-9), 1);
     for (int i = 0; i <= cells; i++) {
         struct vec3 p;
         double x = f->xmin + (f->xmax - f->xmin) * i / cells;
-        if (!surface_at(b, f, x, v, rule->reach, rule->tolerance, &p))
+        if (!surface_at(b, f, x, v, options->reach, options->tolerance, &p))
             continue;
         *array_push(&c.point) = p;
         *array_push(&c.col) = i;
     }
-    if (rule->zone)
-        stay_clear(f, rule->zone, &c);
+    if (options->zone)
+        drop_in_zone(f, options->zone, &c);
     c.taken = mem_alloc(c.point.n + 1, sizeof *c.taken);
     c.near = mem_alloc(c.point.n + 1, sizeof *c.near);
-    if (rule->zone)
-        mark_near(f, rule->zone, &c);
+    if (options->zone)
+        mark_near(f, options->zone, &c);
     return c;
 }
 
 /* How long a piece may be: no longer than the zone's edges where it is near them. */
-static double most_between(const struct candidates *c, const struct row_simplify_options *rule,
-                           size_t from, size_t to, double longest)
+static double longest_between(const struct candidates *c,
+                              const struct row_simplify_options *options, size_t from, size_t to,
+                              double longest)
 {
-    for (size_t i = from; rule->zone && i <= to; i++)
+    for (size_t i = from; options->zone && i <= to; i++)
         if (c->near[i])
-            return fmin(longest, rule->zone->fine);
+            return fmin(longest, options->zone->fine);
     return longest;
 }
 
 /* Takes what it needs between two that are taken; where they are farther apart than `longest`, the
  * one in the middle at least. */
-static void take_between(struct candidates *c, const struct row_simplify_options *rule, size_t from,
-                         size_t to, double longest)
+static void choose_between(struct candidates *c, const struct row_simplify_options *options,
+                           size_t from, size_t to, double longest)
 {
     const struct vec3 *p = c->point.item;
-    double worst = rule->tolerance;
+    double worst = options->tolerance;
     size_t at = from;
-    if (to - from > 1 && p[to].x - p[from].x > most_between(c, rule, from, to, longest))
+    if (to - from > 1 && p[to].x - p[from].x > longest_between(c, options, from, to, longest))
         at = from + (to - from) / 2;
     for (size_t i = from + 1; i < to; i++) {
         double off = vec_segment_distance(p[from], p[to], p[i]);
@@ -160,22 +161,22 @@ static void take_between(struct candidates *c, const struct row_simplify_options
     if (at == from)
         return;
     c->taken[at] = true;
-    take_between(c, rule, from, at, longest);
-    take_between(c, rule, at, to, longest);
+    choose_between(c, options, from, at, longest);
+    choose_between(c, options, at, to, longest);
 }
 
 struct row_simplify row_simplify_make(const struct point_grid *point_grid,
                                       const struct plan_extent *plan_extent, double v,
-                                      const struct row_simplify_options *rule, double longest)
+                                      const struct row_simplify_options *options, double longest)
 {
     struct row_simplify row = {.v = v, .longest = longest};
-    struct candidates c = find_candidates(point_grid, plan_extent, v, rule);
+    struct candidates c = find_candidates(point_grid, plan_extent, v, options);
     for (size_t from = 0, to; from < c.point.n; from = to + 1) {
         to = from;
-        while (to + 1 < c.point.n && c.point.item[to + 1].x - c.point.item[to].x <= rule->gap)
+        while (to + 1 < c.point.n && c.point.item[to + 1].x - c.point.item[to].x <= options->gap)
             to++;
         c.taken[from] = c.taken[to] = true;
-        take_between(&c, rule, from, to, longest);
+        choose_between(&c, options, from, to, longest);
     }
     for (size_t i = 0; i < c.point.n; i++)
         if (c.taken[i]) {

@@ -9,7 +9,7 @@
 
 enum { MOST_TIMES = 32, QUADRIC = 6, CUBIC = 10 /* terms */ };
 
-struct job {
+struct estimation {
     struct mesh *mesh;
     const struct point_grid *point_grid;
     size_t neighbours;
@@ -18,7 +18,7 @@ struct job {
 
 /* What the points leave of their freedom: rms of their distances, for `terms` of n fixed by the
  * fit. */
-static double spread(const struct quadric *q, const struct vec3 *near, size_t n, double terms)
+static double spread_about(const struct quadric *q, const struct vec3 *near, size_t n, double terms)
 {
     return quadric_rms(q, near, n) * sqrt((double)n / fmax((double)n - terms, 1));
 }
@@ -31,7 +31,7 @@ static void fit_half(const struct vec3 *near, size_t n, struct vec3 origin, stru
     const size_t fewest = 12;
     struct quadric half;
     if (n / 2 >= fewest && quadric_settle(near, n / 2, origin, quadric_normal(q), &half) == 0 &&
-        spread(&half, near, n / 2, QUADRIC) < much * spread(q, near, n, QUADRIC))
+        spread_about(&half, near, n / 2, QUADRIC) < much * spread_about(q, near, n, QUADRIC))
         *q = half;
 }
 
@@ -43,26 +43,26 @@ static void fit_cubic(const struct vec3 *near, size_t n, struct vec3 origin, str
     struct quadric cubic;
     size_t some = 3 * n / 5;
     if (some >= 2 * CUBIC && cubic_fit(near, NULL, some, origin, quadric_normal(q), &cubic) == 0 &&
-        spread(&cubic, near, some, CUBIC) < much * spread(q, near, n / 2, QUADRIC))
+        spread_about(&cubic, near, some, CUBIC) < much * spread_about(q, near, n / 2, QUADRIC))
         *q = cubic;
 }
 
 /* The neighbourhood of the vertex in hand, nearest first. */
-struct hood {
+struct neighbourhood {
     uint32_t *index;
     double *distance2;
     struct vec3 *point;
 };
 
-static int fit_at(const struct job *job, struct vec3 vertex, struct vec3 guess,
-                  const struct hood *near, struct quadric *q)
+static int fit_at(const struct estimation *e, struct vec3 vertex, struct vec3 guess,
+                  const struct neighbourhood *near, struct quadric *q)
 {
-    for (size_t k = job->neighbours; k <= MOST_TIMES * job->neighbours; k *= 2) {
-        size_t n = point_grid_nearest(job->point_grid, vertex, k, near->index, near->distance2);
+    for (size_t k = e->neighbours; k <= MOST_TIMES * e->neighbours; k *= 2) {
+        size_t n = point_grid_nearest(e->point_grid, vertex, k, near->index, near->distance2);
         for (size_t i = 0; i < n; i++)
-            near->point[i] = job->point_grid->point[near->index[i]];
+            near->point[i] = e->point_grid->point[near->index[i]];
         if (quadric_fit_steep(near->point, n, vertex, guess, q) == 0) {
-            if (k == job->neighbours) {
+            if (k == e->neighbours) {
                 fit_half(near->point, n, vertex, q);
                 fit_cubic(near->point, n, vertex, q);
             }
@@ -76,22 +76,22 @@ static int fit_at(const struct job *job, struct vec3 vertex, struct vec3 guess,
 
 static void fit_vertices(void *context, size_t from, size_t to)
 {
-    const struct job *job = context;
-    struct mesh *mesh = job->mesh;
-    size_t most = MOST_TIMES * job->neighbours;
-    struct hood near = {mem_alloc(most, sizeof *near.index),
-                        mem_alloc(most, sizeof *near.distance2),
-                        mem_alloc(most, sizeof *near.point)};
+    const struct estimation *e = context;
+    struct mesh *mesh = e->mesh;
+    size_t most = MOST_TIMES * e->neighbours;
+    struct neighbourhood near = {mem_alloc(most, sizeof *near.index),
+                                 mem_alloc(most, sizeof *near.distance2),
+                                 mem_alloc(most, sizeof *near.point)};
     for (size_t i = from; i < to; i++) {
         struct quadric q;
         struct vec3 up = mesh->normal.item[i];
-        job->distance[i] = -1;
+        e->distance[i] = -1;
         mesh->kmax.item[i] = 0;
-        if (fit_at(job, mesh->vertex.item[i], up, &near, &q) < 0)
+        if (fit_at(e, mesh->vertex.item[i], up, &near, &q) < 0)
             continue;
         mesh->normal.item[i] = quadric_normal(&q);
         mesh->kmax.item[i] = quadric_curvature(&q);
-        job->distance[i] = quadric_distance(&q);
+        e->distance[i] = quadric_distance(&q);
     }
     free(near.index);
     free(near.distance2);
@@ -99,7 +99,7 @@ static void fit_vertices(void *context, size_t from, size_t to)
 }
 
 /* Gathers the distances that are there (not below 0) to the front of the array. */
-static struct scan_normals sum_up(double *distance, size_t n)
+static struct scan_normals summarize(double *distance, size_t n)
 {
     struct scan_normals s = {0};
     double sum2 = 0;
@@ -124,13 +124,13 @@ struct scan_normals scan_normals_quadric(struct mesh *mesh, const struct point_g
                                          int neighbours, int threads)
 {
     size_t vertices = mesh->vertex.n;
-    struct job job = {mesh, point_grid, (size_t)neighbours,
-                      mem_alloc(vertices, sizeof *job.distance)};
+    struct estimation e = {mesh, point_grid, (size_t)neighbours,
+                           mem_alloc(vertices, sizeof *e.distance)};
     mesh_normals_facet(mesh);
     array_reserve(&mesh->kmax, vertices);
     mesh->kmax.n = vertices;
-    parallel_for(threads, vertices, fit_vertices, &job);
-    struct scan_normals result = sum_up(job.distance, vertices);
-    free(job.distance);
+    parallel_for(threads, vertices, fit_vertices, &e);
+    struct scan_normals result = summarize(e.distance, vertices);
+    free(e.distance);
     return result;
 }

@@ -45,7 +45,7 @@ static void smooth_vertices(void *context, size_t from, size_t to)
     surface_fit_hood_free(hood);
 }
 
-static struct smooth_nodes sum_up(const struct smoothing *s)
+static struct smooth_nodes summarize(const struct smoothing *s)
 {
     struct smooth_nodes r = {.typical = s->rule.neighbours};
     double sum = 0;
@@ -92,7 +92,7 @@ struct smooth_nodes smooth_nodes(struct mesh *mesh, const struct point_grid *poi
     s.variance = mem_alloc(n, sizeof *s.variance);
     s.distance = mem_alloc(n, sizeof *s.distance);
     parallel_for(options->threads, n, smooth_vertices, &s);
-    struct smooth_nodes result = sum_up(&s);
+    struct smooth_nodes result = summarize(&s);
     result.wanted = wanted;
     free(s.variance);
     free(s.distance);

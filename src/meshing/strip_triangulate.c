@@ -5,7 +5,7 @@
 
 #include "math/quadric.h"
 
-struct zip {
+struct strip_search {
     const struct point_grid *point_grid;
     const struct plan_extent *plan_extent;
     double error;
@@ -36,7 +36,7 @@ static double off_cloud(const struct point_grid *b, struct vec3 at)
 
 /* An edge costs what the cloud is off its middle; its slant counts a little, so that on a plane the
  * shortest edges are taken. */
-static double cost_of(const struct zip *z, size_t i, size_t j)
+static double cost_of(const struct strip_search *z, size_t i, size_t j)
 {
     const double aslant =
         0.1; /* of the error, for each time that it is as long as the rows are apart */
@@ -49,7 +49,7 @@ static double cost_of(const struct zip *z, size_t i, size_t j)
 }
 
 /* Edges that are so far aslant are not looked at while others can be had. */
-static double cost_within(const struct zip *z, size_t i, size_t j)
+static double cost_within(const struct strip_search *z, size_t i, size_t j)
 {
     const double aslant = 3, cells = 4;
     double across = fabs(z->b[j].y - z->a[i].y), along = fabs(z->b[j].x - z->a[i].x);
@@ -58,7 +58,7 @@ static double cost_within(const struct zip *z, size_t i, size_t j)
     return cost_of(z, i, j);
 }
 
-static void find_costs(struct zip *z)
+static void find_costs(struct strip_search *z)
 {
     for (size_t i = 0; i < z->na; i++)
         for (size_t j = 0; j < z->nb; j++) {
@@ -74,7 +74,7 @@ void strip_triangulate(const struct point_grid *point_grid, const struct plan_ex
                        double error, const struct row_simplify *lower,
                        const struct row_simplify *upper, struct faces *faces)
 {
-    struct zip z = {
+    struct strip_search z = {
         point_grid,    plan_extent, error, lower->node.item, upper->node.item, lower->node.n,
         upper->node.n, NULL,        NULL};
     struct faces down = {0};

@@ -17,111 +17,111 @@ static double spacing_of_cloud(double mean)
 }
 
 /* The mean spacing, and the points of walls behind the others; the spacing of the grid. */
-static int find_walls(struct cloudmesh_options *wish, struct vec3s *points, int threads,
+static int find_walls(struct cloudmesh_options *options, struct vec3s *points, int threads,
                       struct cloud_parts *parts, struct error *error)
 {
     *parts = (struct cloud_parts){0, points->n};
     if (plan_extent_check(points->item, points->n, error) < 0)
         return -1;
-    bool whole = wish->paper && wish->max_gap == 0;
-    if (!wish->smooth || !(wish->spacing > 0) || !(whole || wish->max_gap > 0))
-        parts->mean = cloudmesh_spacing(wish, points->item, points->n);
-    if (!wish->smooth)
+    bool whole = options->paper && options->max_gap == 0;
+    if (!options->smooth || !(options->spacing > 0) || !(whole || options->max_gap > 0))
+        parts->mean = cloudmesh_spacing(options, points->item, points->n);
+    if (!options->smooth)
         parts->flat = wall_points_part(points->item, points->n, parts->mean, threads);
-    if (!(wish->spacing > 0))
-        wish->spacing = spacing_of_cloud(parts->mean);
+    if (!(options->spacing > 0))
+        options->spacing = spacing_of_cloud(parts->mean);
     return 0;
 }
 
-static int mesh_of(const struct cloudmesh_options *wish, const struct cloud_parts *parts,
+static int mesh_of(const struct cloudmesh_options *options, const struct cloud_parts *parts,
                    struct vec3s *points, double noise, int threads, struct mesh *mesh,
-                   struct cloudmesh *made, struct error *error)
+                   struct cloudmesh *result, struct error *error)
 {
-    if (cloudmesh_by_grid(wish, parts, points, mesh, made, error) < 0)
+    if (cloudmesh_by_grid(options, parts, points, mesh, result, error) < 0)
         return -1;
     if (mesh->face.n == 0)
         return 0;
-    if (cloudmesh_normals(wish, points->item, parts->flat, noise, threads, mesh, error) < 0)
+    if (cloudmesh_normals(options, points->item, parts->flat, noise, threads, mesh, error) < 0)
         return -1;
-    cloudmesh_edges(wish, parts, points, noise, threads, mesh, made);
+    cloudmesh_edges(options, parts, points, noise, threads, mesh, result);
     return 0;
 }
 
 int cloudmesh_on_grid(const struct cloudmesh_options *asked, struct vec3s *points, double noise,
-                      int threads, struct mesh *mesh, struct cloudmesh *made, struct error *error)
+                      int threads, struct mesh *mesh, struct cloudmesh *result, struct error *error)
 {
-    struct cloudmesh_options wish = *asked;
+    struct cloudmesh_options options = *asked;
     struct cloud_parts parts;
     struct cloudmesh walled = {.walls = 0};
-    *made = walled;
-    if (find_walls(&wish, points, threads, &parts, error) < 0)
+    *result = walled;
+    if (find_walls(&options, points, threads, &parts, error) < 0)
         return -1;
     struct mesh with_walls = {.origin = mesh->origin};
     int status = 0;
     bool has_walls =
         parts.flat < points->n &&
-        cloudmesh_has_walls(&wish, &parts, points, fmax(noise, mesh->origin.noise), threads);
-    wish.silent = true;
+        cloudmesh_has_walls(&options, &parts, points, fmax(noise, mesh->origin.noise), threads);
+    options.silent = true;
     if (has_walls)
-        status = mesh_of(&wish, &parts, points, noise, threads, &with_walls, &walled, error);
+        status = mesh_of(&options, &parts, points, noise, threads, &with_walls, &walled, error);
     parts.flat = points->n;
-    wish.silent = asked->silent;
+    options.silent = asked->silent;
     if (status == 0)
-        status = mesh_of(&wish, &parts, points, noise, threads, mesh, made, error);
+        status = mesh_of(&options, &parts, points, noise, threads, mesh, result, error);
     if (status == 0 && walled.walls > 0)
-        cloudmesh_closer(&wish, points, threads, &with_walls, &walled, mesh, made);
+        cloudmesh_closer(&options, points, threads, &with_walls, &walled, mesh, result);
     cloudmesh_drop(&with_walls, &walled);
     return status;
 }
 
 /* A cloud that one projection serves. */
-static int one_mesh(const struct cloudmesh_options *wish, struct vec3s *points, double noise,
-                    int threads, struct mesh *mesh, struct cloudmesh *made, struct error *error)
+static int one_mesh(const struct cloudmesh_options *options, struct vec3s *points, double noise,
+                    int threads, struct mesh *mesh, struct cloudmesh *result, struct error *error)
 {
-    int status = wish->error > 0
-                     ? cloudmesh_within(wish, points, noise, threads, mesh, made, error)
-                     : cloudmesh_on_grid(wish, points, noise, threads, mesh, made, error);
-    if (status == 0 && !wish->smooth)
-        note("creases cross %zu edges of the mesh, walls %zu, ribs and grooves %zu", made->creases,
-             made->walls, made->crests);
-    array_free(&made->edge);
+    int status = options->error > 0
+                     ? cloudmesh_within(options, points, noise, threads, mesh, result, error)
+                     : cloudmesh_on_grid(options, points, noise, threads, mesh, result, error);
+    if (status == 0 && !options->smooth)
+        note("creases cross %zu edges of the mesh, walls %zu, ribs and grooves %zu",
+             result->creases, result->walls, result->crests);
+    array_free(&result->edge);
     return status;
 }
 
 /* One part of a cloud that is divided, in its own projection. */
-static int add_part(const struct cloudmesh_options *wish, struct segment *part, double noise,
-                    int threads, struct mesh *mesh, struct cloudmesh *made, struct error *error)
+static int add_part(const struct cloudmesh_options *options, struct segment *part, double noise,
+                    int threads, struct mesh *mesh, struct cloudmesh *result, struct error *error)
 {
     struct mesh own = {.origin.ledger = NAN};
-    struct adaptive_rows worst = made->rows;
+    struct adaptive_rows worst = result->rows;
     for (size_t k = 0; k < part->point.n; k++)
         part->point.item[k] = segment_in(part, part->point.item[k]);
-    int status = one_mesh(wish, &part->point, noise, threads, &own, made, error);
+    int status = one_mesh(options, &part->point, noise, threads, &own, result, error);
     if (status == 0 && own.face.n > 0)
         mesh_join_add(mesh, &own, part);
-    if (worst.worst > made->rows.worst)
-        made->rows = worst;
+    if (worst.worst > result->rows.worst)
+        result->rows = worst;
     mesh_free(&own);
     return status;
 }
 
 /* The same for each part of a cloud that is divided by orientation, one after the other. */
 static int mesh_of_parts(const struct cloudmesh_options *asked, const struct vec3s *points,
-                         double noise, int threads, struct mesh *mesh, struct cloudmesh *made,
+                         double noise, int threads, struct mesh *mesh, struct cloudmesh *result,
                          struct error *error)
 {
-    struct cloudmesh_options wish = *asked;
+    struct cloudmesh_options options = *asked;
     struct segments parts =
-        segments_find(points->item, points->n, 1.5 * wish.spacing, wish.direction, threads);
+        segments_find(points->item, points->n, 1.5 * options.spacing, options.direction, threads);
     int status = 0;
-    wish.spacing = wish.spacing > 0 ? wish.spacing : spacing_of_cloud(parts.spacing);
-    wish.direction = 0;
-    mesh->origin.spacing = wish.spacing;
+    options.spacing = options.spacing > 0 ? options.spacing : spacing_of_cloud(parts.spacing);
+    options.direction = 0;
+    mesh->origin.spacing = options.spacing;
     for (size_t i = 0; i < parts.n && status == 0; i++) {
         struct segment *part = &parts.item[i];
         note("part %zu of %zu: seen along %.3f %.3f %.3f, %zu points", i + 1, parts.n, part->up.x,
              part->up.y, part->up.z, part->own);
-        status = add_part(&wish, part, noise, threads, mesh, made, error);
+        status = add_part(&options, part, noise, threads, mesh, result, error);
     }
     if (status == 0)
         say("divided into %zu part%s, each with a projection of its own", parts.n,
@@ -133,14 +133,14 @@ static int mesh_of_parts(const struct cloudmesh_options *asked, const struct vec
         return error_set(error,
                          "no part has points for three neighbouring nodes of a grid of spacing "
                          "%g mm, expected another spacing (-t)",
-                         wish.spacing);
+                         options.spacing);
     return status;
 }
 
-int cloudmesh_make(const struct cloudmesh_options *wish, struct vec3s *points, double noise,
-                   int threads, struct mesh *mesh, struct cloudmesh *made, struct error *error)
+int cloudmesh_make(const struct cloudmesh_options *options, struct vec3s *points, double noise,
+                   int threads, struct mesh *mesh, struct cloudmesh *result, struct error *error)
 {
-    *made = (struct cloudmesh){.walls = 0};
-    return wish->subdivide ? mesh_of_parts(wish, points, noise, threads, mesh, made, error)
-                           : one_mesh(wish, points, noise, threads, mesh, made, error);
+    *result = (struct cloudmesh){.walls = 0};
+    return options->subdivide ? mesh_of_parts(options, points, noise, threads, mesh, result, error)
+                              : one_mesh(options, points, noise, threads, mesh, result, error);
 }

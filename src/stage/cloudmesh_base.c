@@ -19,17 +19,18 @@ double cloudmesh_three_spacings(double mean)
     return num_round(round(3 * mean / step) * step, (int)digits);
 }
 
-double cloudmesh_spacing(const struct cloudmesh_options *wish, const struct vec3 *point, size_t n)
+double cloudmesh_spacing(const struct cloudmesh_options *options, const struct vec3 *point,
+                         size_t n)
 {
-    struct plan_extent f = plan_extent_of(point, n, wish->direction);
+    struct plan_extent f = plan_extent_of(point, n, options->direction);
     return plan_extent_spacing(&f, point, n);
 }
 
 /* A point for each node; one on a wall only where there is no other. */
-static size_t *choose(const struct cloudmesh_options *wish, const struct cloud_parts *parts,
+static size_t *choose(const struct cloudmesh_options *options, const struct cloud_parts *parts,
                       const struct grid *grid, const struct vec3s *points)
 {
-    enum reach reach = wish->paper ? REACH_CIRCLE : REACH_NEAREST;
+    enum reach reach = options->paper ? REACH_CIRCLE : REACH_NEAREST;
     size_t walls = points->n - parts->flat, nodes = grid_nodes(grid);
     size_t *chosen = reposition(grid, points->item, parts->flat, reach);
     if (walls == 0)
@@ -42,48 +43,48 @@ static size_t *choose(const struct cloudmesh_options *wish, const struct cloud_p
     return chosen;
 }
 
-int cloudmesh_by_grid(const struct cloudmesh_options *wish, const struct cloud_parts *parts,
-                      const struct vec3s *points, struct mesh *mesh, struct cloudmesh *made,
+int cloudmesh_by_grid(const struct cloudmesh_options *options, const struct cloud_parts *parts,
+                      const struct vec3s *points, struct mesh *mesh, struct cloudmesh *result,
                       struct error *error)
 {
     const struct vec3 *point = points->item;
     struct holes holes = {0};
-    struct plan_extent f = plan_extent_of(point, points->n, wish->direction);
-    bool whole = wish->paper && wish->max_gap == 0;
-    double t = wish->spacing;
-    double gap = wish->max_gap > 0 ? wish->max_gap : 6 * parts->mean;
+    struct plan_extent f = plan_extent_of(point, points->n, options->direction);
+    bool whole = options->paper && options->max_gap == 0;
+    double t = options->spacing;
+    double gap = options->max_gap > 0 ? options->max_gap : 6 * parts->mean;
     double rim = fmax(t / 2, 1.5 * parts->mean);
-    if (grid_make(&f, points->n, t, &made->grid, error) < 0 ||
+    if (grid_make(&f, points->n, t, &result->grid, error) < 0 ||
         (!whole &&
-         holes_find(point, points->n, gap, wish->paper ? gap / 2 : rim, &holes, error) < 0))
+         holes_find(point, points->n, gap, options->paper ? gap / 2 : rim, &holes, error) < 0))
         return -1;
-    size_t *chosen = choose(wish, parts, &made->grid, points);
-    made->count = grid_mesh_make(&made->grid, chosen, point, whole ? NULL : &holes, mesh);
+    size_t *chosen = choose(options, parts, &result->grid, points);
+    result->count = grid_mesh_make(&result->grid, chosen, point, whole ? NULL : &holes, mesh);
     free(chosen);
     holes_free(&holes);
-    if (mesh->face.n == 0 && !wish->subdivide)
+    if (mesh->face.n == 0 && !options->subdivide)
         return error_set(error,
                          "no three neighbouring nodes of a grid of spacing %g mm have points on an "
                          "area of %g x %g mm, expected another spacing (-t) or a wider area",
                          t, f.xmax - f.xmin, f.ymax - f.ymin);
     mesh->origin.spacing = t;
-    mesh->origin.direction = wish->direction;
+    mesh->origin.direction = options->direction;
     return 0;
 }
 
-int cloudmesh_normals(const struct cloudmesh_options *wish, struct vec3 *point, size_t n,
+int cloudmesh_normals(const struct cloudmesh_options *options, struct vec3 *point, size_t n,
                       double noise, int threads, struct mesh *mesh, struct error *error)
 {
-    struct normals_options options = {.point = point,
+    struct normals_options normals = {.point = point,
                                       .n = n,
-                                      .spacing = cloudmesh_spacing(wish, point, n),
+                                      .spacing = cloudmesh_spacing(options, point, n),
                                       .noise = noise,
-                                      .neighbours = wish->neighbours,
-                                      .effort = wish->effort,
+                                      .neighbours = options->neighbours,
+                                      .effort = options->effort,
                                       .threads = threads,
-                                      .silent = wish->silent};
+                                      .silent = options->silent};
 
-    return wish->normals->estimate(mesh, &options, error);
+    return options->normals->estimate(mesh, &normals, error);
 }
 
 static struct feature_scan scan_of(const struct cloud_parts *parts, const struct vec3s *points,
@@ -92,63 +93,63 @@ static struct feature_scan scan_of(const struct cloud_parts *parts, const struct
     return (struct feature_scan){points->item, points->n, parts->flat, parts->mean, noise};
 }
 
-static void keep_features(const struct cloudmesh_options *wish, const struct feature_scan *scan,
-                          int threads, struct mesh *mesh, struct cloudmesh *made)
+static void keep_features(const struct cloudmesh_options *options, const struct feature_scan *scan,
+                          int threads, struct mesh *mesh, struct cloudmesh *result)
 {
-    struct feature_mesh found = feature_mesh_keep(mesh, scan, wish->effort, threads);
+    struct feature_mesh found = feature_mesh_keep(mesh, scan, options->effort, threads);
 
-    made->creases = found.creases;
-    made->walls = found.walls;
-    array_free(&made->edge);
-    made->edge = found.place;
-    if (!wish->silent)
-        effort_say(EFFORT_CREASES, wish->effort, found.doubtful);
+    result->creases = found.creases;
+    result->walls = found.walls;
+    array_free(&result->edge);
+    result->edge = found.place;
+    if (!options->silent)
+        effort_say(EFFORT_CREASES, options->effort, found.doubtful);
 }
 
-static void keep_crests(const struct cloudmesh_options *wish, const struct feature_scan *scan,
-                        size_t first, int threads, struct mesh *mesh, struct cloudmesh *made)
+static void keep_crests(const struct cloudmesh_options *options, const struct feature_scan *scan,
+                        size_t first, int threads, struct mesh *mesh, struct cloudmesh *result)
 {
-    struct crest_mesh_options options = {scan->spacing, scan->noise, wish->effort, threads};
-    struct crests crests = crest_mesh_keep(mesh, first, scan->point, scan->flat, &options);
+    struct crest_mesh_options crest = {scan->spacing, scan->noise, options->effort, threads};
+    struct crests crests = crest_mesh_keep(mesh, first, scan->point, scan->flat, &crest);
 
-    made->crests = crests.found;
-    if (wish->silent)
+    result->crests = crests.found;
+    if (options->silent)
         return;
-    effort_say(EFFORT_CREST_EDGES, wish->effort, crests.edges);
-    effort_say(crests.bound, wish->effort, crests.wanted);
+    effort_say(EFFORT_CREST_EDGES, options->effort, crests.edges);
+    effort_say(crests.bound, options->effort, crests.wanted);
 }
 
-void cloudmesh_edges(const struct cloudmesh_options *wish, const struct cloud_parts *parts,
+void cloudmesh_edges(const struct cloudmesh_options *options, const struct cloud_parts *parts,
                      const struct vec3s *points, double noise, int threads, struct mesh *mesh,
-                     struct cloudmesh *made)
+                     struct cloudmesh *result)
 {
     struct feature_scan scan = scan_of(parts, points, fmax(noise, mesh->origin.noise));
     size_t first = mesh->vertex.n;
 
-    if (!wish->smooth) {
-        keep_features(wish, &scan, threads, mesh, made);
-        keep_crests(wish, &scan, first, threads, mesh, made);
+    if (!options->smooth) {
+        keep_features(options, &scan, threads, mesh, result);
+        keep_crests(options, &scan, first, threads, mesh, result);
     }
-    if (!wish->paper)
+    if (!options->paper)
         mesh_normals_seen(mesh);
 }
 
-bool cloudmesh_has_walls(const struct cloudmesh_options *wish, const struct cloud_parts *parts,
+bool cloudmesh_has_walls(const struct cloudmesh_options *options, const struct cloud_parts *parts,
                          const struct vec3s *points, double noise, int threads)
 {
-    struct cloudmesh_options grid = *wish;
+    struct cloudmesh_options grid = *options;
     struct mesh mesh = {.origin.ledger = NAN};
-    struct cloudmesh made;
+    struct cloudmesh result;
     struct error error;
     struct feature_scan scan = scan_of(parts, points, noise);
     struct feature_walls walls = {.found = 0};
 
     if (!(grid.spacing > 0))
         grid.spacing = cloudmesh_three_spacings(parts->mean);
-    if (cloudmesh_by_grid(&grid, parts, points, &mesh, &made, &error) == 0)
-        walls = feature_mesh_walls(&mesh, &scan, wish->effort, threads);
-    if (!wish->silent)
-        effort_say(EFFORT_WALLS, wish->effort, walls.edges);
+    if (cloudmesh_by_grid(&grid, parts, points, &mesh, &result, &error) == 0)
+        walls = feature_mesh_walls(&mesh, &scan, options->effort, threads);
+    if (!options->silent)
+        effort_say(EFFORT_WALLS, options->effort, walls.edges);
     mesh_free(&mesh);
     return walls.found > 0;
 }
@@ -171,31 +172,31 @@ static double off_points(const struct mesh *mesh, const struct vec3s *points, si
     return sum;
 }
 
-void cloudmesh_swap(struct mesh *other, struct cloudmesh *other_made, struct mesh *mesh,
-                    struct cloudmesh *made)
+void cloudmesh_swap(struct mesh *other, struct cloudmesh *other_result, struct mesh *mesh,
+                    struct cloudmesh *result)
 {
     struct mesh swap = *mesh;
-    struct cloudmesh swap_made = *made;
+    struct cloudmesh swap_result = *result;
     *mesh = *other;
-    *made = *other_made;
+    *result = *other_result;
     *other = swap;
-    *other_made = swap_made;
+    *other_result = swap_result;
 }
 
-void cloudmesh_closer(const struct cloudmesh_options *wish, const struct vec3s *points, int threads,
-                      struct mesh *other, struct cloudmesh *other_made, struct mesh *mesh,
-                      struct cloudmesh *made)
+void cloudmesh_closer(const struct cloudmesh_options *options, const struct vec3s *points,
+                      int threads, struct mesh *other, struct cloudmesh *other_result,
+                      struct mesh *mesh, struct cloudmesh *result)
 {
-    size_t most = effort_most(EFFORT_COMPARISON, wish->effort);
+    size_t most = effort_most(EFFORT_COMPARISON, options->effort);
 
-    if (!wish->silent)
-        effort_say(EFFORT_COMPARISON, wish->effort, points->n);
+    if (!options->silent)
+        effort_say(EFFORT_COMPARISON, options->effort, points->n);
     if (off_points(other, points, most, threads) < off_points(mesh, points, most, threads))
-        cloudmesh_swap(other, other_made, mesh, made);
+        cloudmesh_swap(other, other_result, mesh, result);
 }
 
-void cloudmesh_drop(struct mesh *mesh, struct cloudmesh *made)
+void cloudmesh_drop(struct mesh *mesh, struct cloudmesh *result)
 {
     mesh_free(mesh);
-    array_free(&made->edge);
+    array_free(&result->edge);
 }

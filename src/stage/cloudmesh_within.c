@@ -22,20 +22,20 @@ struct source {
 
 /* Noisy points moved onto the surface that they stand for, all or, of very many, those of a grid
  * twice as wide as they are apart. */
-static int smooth_points(const struct cloudmesh_options *wish, struct vec3s *points, double noise,
-                         int threads, double *spent, struct error *error)
+static int smooth_points(const struct cloudmesh_options *options, struct vec3s *points,
+                         double noise, int threads, double *spent, struct error *error)
 {
     const double apart = 2; /* in spacings */
-    struct cloudmesh_options fine = *wish;
+    struct cloudmesh_options fine = *options;
     struct mesh mesh = {.origin.ledger = NAN};
-    struct cloudmesh made;
-    struct cloud_parts parts = {cloudmesh_spacing(wish, points->item, points->n), points->n};
+    struct cloudmesh result;
+    struct cloud_parts parts = {cloudmesh_spacing(options, points->item, points->n), points->n};
     fine.spacing = apart * parts.mean;
     int status = 0;
-    bool all = effort_covers(EFFORT_SURFACE, wish->effort, points->n);
-    effort_say(EFFORT_SURFACE, wish->effort, points->n);
+    bool all = effort_covers(EFFORT_SURFACE, options->effort, points->n);
+    effort_say(EFFORT_SURFACE, options->effort, points->n);
     if (!all)
-        status = cloudmesh_by_grid(&fine, &parts, points, &mesh, &made, error);
+        status = cloudmesh_by_grid(&fine, &parts, points, &mesh, &result, error);
     for (size_t i = 0; all && i < points->n; i++)
         *array_push(&mesh.vertex) = points->item[i];
     if (status == 0)
@@ -51,15 +51,16 @@ static int smooth_points(const struct cloudmesh_options *wish, struct vec3s *poi
 }
 
 /* Rows and what is between them. */
-static int make_rows(const struct cloudmesh_options *wish, const struct source *s, int threads,
-                     struct mesh *mesh, struct cloudmesh *made, struct error *error)
+static int make_rows(const struct cloudmesh_options *options, const struct source *s, int threads,
+                     struct mesh *mesh, struct cloudmesh *result, struct error *error)
 {
     const double slant = 0.866, widest = 24, gaps = 6, rims = 2, out = 0.12; /* an eighth */
-    double mean = s->surface_parts.mean, gap = wish->max_gap > 0 ? wish->max_gap : gaps * mean;
+    double mean = s->surface_parts.mean,
+           gap = options->max_gap > 0 ? options->max_gap : gaps * mean;
     struct vec3s *points = s->surface;
     struct holes holes;
     struct point_grid point_grid;
-    struct plan_extent f = plan_extent_of(points->item, points->n, wish->direction);
+    struct plan_extent f = plan_extent_of(points->item, points->n, options->direction);
     if (holes_find(points->item, points->n, gap, rims * mean, &holes, error) < 0)
         return -1;
     if (point_grid_make(points->item, s->surface_parts.flat, mean, threads, &point_grid, error) <
@@ -67,17 +68,18 @@ static int make_rows(const struct cloudmesh_options *wish, const struct source *
         holes_free(&holes);
         return -1;
     }
-    double apart = wish->spacing > 0 ? slant * wish->spacing : widest * mean;
-    struct adaptive_rows_options rows = {wish->error, mean, apart, s->zone, out};
-    made->rows = adaptive_rows_make(&point_grid, &f, &holes, &rows, mesh);
+    double apart = options->spacing > 0 ? slant * options->spacing : widest * mean;
+    struct adaptive_rows_options rows = {options->error, mean, apart, s->zone, out};
+    result->rows = adaptive_rows_make(&point_grid, &f, &holes, &rows, mesh);
     point_grid_free(&point_grid);
     holes_free(&holes);
-    if (mesh->face.n == 0 && !wish->subdivide)
-        return error_set(error, "no mesh within %g mm of the points: too few of them", wish->error);
-    mesh->origin.spacing = (f.ymax - f.ymin) / (double)(made->rows.rows - 1) / slant;
-    mesh->origin.direction = wish->direction;
-    made->grid = (struct grid){f,      mesh->origin.spacing, f.xmin,
-                               f.ymin, made->rows.columns,   (int)made->rows.rows};
+    if (mesh->face.n == 0 && !options->subdivide)
+        return error_set(error, "no mesh within %g mm of the points: too few of them",
+                         options->error);
+    mesh->origin.spacing = (f.ymax - f.ymin) / (double)(result->rows.rows - 1) / slant;
+    mesh->origin.direction = options->direction;
+    result->grid = (struct grid){f,      mesh->origin.spacing, f.xmin,
+                                 f.ymin, result->rows.columns, (int)result->rows.rows};
     return 0;
 }
 
@@ -92,14 +94,14 @@ static double allowance(const struct source *s, struct vec3 at)
 
 /* Points that rows do not come near enough to become vertices between them.  Half a thousandth of
  * the error is for the digits of the mesh. */
-static void insert_points(const struct cloudmesh_options *wish, const struct source *s, int threads,
-                          struct mesh *mesh)
+static void insert_points(const struct cloudmesh_options *options, const struct source *s,
+                          int threads, struct mesh *mesh)
 {
     const struct vec3s *points = &s->judged;
     double *within = mem_alloc(points->n, sizeof *within);
 
     for (size_t i = 0; i < points->n; i++)
-        within[i] = 0.9995 * wish->error + allowance(s, points->item[i]);
+        within[i] = 0.9995 * options->error + allowance(s, points->item[i]);
     greedy_insert(mesh, points->item, within, points->n, threads);
     free(within);
 }
@@ -145,36 +147,36 @@ static struct vec3s mixed_surface(const struct source *s)
 }
 
 /* Normals: with a zone, vertices near to it are moved onto surfaces yet. */
-static int make_normals(const struct cloudmesh_options *wish, const struct source *s, int threads,
-                        struct mesh *mesh, struct error *error)
+static int make_normals(const struct cloudmesh_options *options, const struct source *s,
+                        int threads, struct mesh *mesh, struct error *error)
 {
     bool raw = s->zone && s->noise > 0;
     struct vec3s *points = raw ? s->scan : s->surface;
     size_t flat = raw ? s->scan_parts.flat : s->surface_parts.flat;
 
-    return cloudmesh_normals(wish, points->item, flat, raw ? s->noise : 0, threads, mesh, error);
+    return cloudmesh_normals(options, points->item, flat, raw ? s->noise : 0, threads, mesh, error);
 }
 
-static int mesh_of(const struct cloudmesh_options *wish, struct source *s, int threads,
-                   struct mesh *mesh, struct cloudmesh *made, struct error *error)
+static int mesh_of(const struct cloudmesh_options *options, struct source *s, int threads,
+                   struct mesh *mesh, struct cloudmesh *result, struct error *error)
 {
     const struct vec3s *points = s->surface;
     size_t flat = s->surface_parts.flat, walls = points->n - flat;
     double mean = s->surface_parts.mean;
-    int status = make_rows(wish, s, threads, mesh, made, error);
+    int status = make_rows(options, s, threads, mesh, result, error);
     s->judged.n = 0;
     /* the points of walls before these are there: then nothing is under them */
     if (status == 0 && mesh->face.n > 0)
         status = mesh_coverage(mesh, points->item + flat, walls, mean, &s->judged, error);
     if (status == 0 && mesh->face.n > 0)
-        status = make_normals(wish, s, threads, mesh, error);
+        status = make_normals(options, s, threads, mesh, error);
     if (status == 0 && mesh->face.n > 0) {
-        cloudmesh_edges(wish, &s->scan_parts, s->scan, s->noise, threads, mesh, made);
+        cloudmesh_edges(options, &s->scan_parts, s->scan, s->noise, threads, mesh, result);
         status = mesh_coverage(mesh, points->item, flat, mean, &s->judged, error);
         if (status == 0)
-            insert_points(wish, s, threads, mesh);
-        measure(mesh, s, threads, &made->rows);
-        made->rows.beside = points->n - s->judged.n;
+            insert_points(options, s, threads, mesh);
+        measure(mesh, s, threads, &result->rows);
+        result->rows.beside = points->n - s->judged.n;
     }
     return status;
 }
@@ -182,16 +184,16 @@ static int mesh_of(const struct cloudmesh_options *wish, struct source *s, int t
 /* Rows that leave room for the edges that a grid has found: that mesh is the one where it is within
  * the error, or closer than the other.  Both are judged alike. */
 static int mesh_in_zone(const struct cloudmesh_options *asked, const struct source *known,
-                        bool walls, int threads, struct mesh *mesh, struct cloudmesh *made,
+                        bool walls, int threads, struct mesh *mesh, struct cloudmesh *result,
                         struct error *error)
 {
-    struct cloudmesh_options wish = *asked;
+    struct cloudmesh_options options = *asked;
     struct source s = *known;
     struct vec3s mixed = mixed_surface(known);
     struct mesh other = {.origin = s.origin};
-    struct cloudmesh other_made = {.walls = 0};
+    struct cloudmesh other_result = {.walls = 0};
 
-    wish.silent = true;
+    options.silent = true;
     s.surface = &mixed;
     s.judged = (struct vec3s){0};
     s.scan_parts.flat = s.scan->n;
@@ -200,13 +202,13 @@ static int mesh_in_zone(const struct cloudmesh_options *asked, const struct sour
         s.scan_parts.flat = wall_points_part(s.scan->item, s.scan->n, s.scan_parts.mean, threads);
         s.surface_parts.flat = wall_points_part(mixed.item, mixed.n, s.surface_parts.mean, threads);
     }
-    int status = mesh_of(&wish, &s, threads, &other, &other_made, error);
+    int status = mesh_of(&options, &s, threads, &other, &other_result, error);
     if (status == 0) {
-        measure(mesh, &s, threads, &made->rows);
-        if (other_made.rows.worst <= fmax(asked->error, made->rows.worst))
-            cloudmesh_swap(&other, &other_made, mesh, made);
+        measure(mesh, &s, threads, &result->rows);
+        if (other_result.rows.worst <= fmax(asked->error, result->rows.worst))
+            cloudmesh_swap(&other, &other_result, mesh, result);
     }
-    cloudmesh_drop(&other, &other_made);
+    cloudmesh_drop(&other, &other_result);
     array_free(&s.judged);
     array_free(&mixed);
     return status;
@@ -214,81 +216,83 @@ static int mesh_in_zone(const struct cloudmesh_options *asked, const struct sour
 
 /* Creases and walls are found best by a grid. */
 static int mesh_by_zone(const struct cloudmesh_options *asked, struct source *s, int threads,
-                        struct mesh *mesh, struct cloudmesh *made, struct error *error)
+                        struct mesh *mesh, struct cloudmesh *result, struct error *error)
 {
     double fine = cloudmesh_three_spacings(s->scan_parts.mean);
-    struct cloudmesh_options wish = *asked;
+    struct cloudmesh_options options = *asked;
     struct mesh grid = {.origin = s->origin};
-    struct cloudmesh grid_made;
+    struct cloudmesh grid_result;
 
-    wish.error = 0;
-    wish.silent = true;
-    wish.spacing = asked->spacing > 0 ? fmin(asked->spacing, fine) : fine;
-    int status = cloudmesh_on_grid(&wish, s->scan, s->noise, threads, &grid, &grid_made, error);
-    if (status == 0 && grid_made.edge.n > 0) {
+    options.error = 0;
+    options.silent = true;
+    options.spacing = asked->spacing > 0 ? fmin(asked->spacing, fine) : fine;
+    int status =
+        cloudmesh_on_grid(&options, s->scan, s->noise, threads, &grid, &grid_result, error);
+    if (status == 0 && grid_result.edge.n > 0) {
         struct feature_zone zone =
-            feature_zone_make(grid_made.edge.item, grid_made.edge.n, wish.spacing);
+            feature_zone_make(grid_result.edge.item, grid_result.edge.n, options.spacing);
         s->zone = &zone;
-        status = mesh_in_zone(asked, s, grid_made.walls > 0, threads, mesh, made, error);
+        status = mesh_in_zone(asked, s, grid_result.walls > 0, threads, mesh, result, error);
         feature_zone_free(&zone);
         s->zone = NULL;
     }
-    cloudmesh_drop(&grid, &grid_made);
+    cloudmesh_drop(&grid, &grid_result);
     return status;
 }
 
 /* What is taken for an edge and is none may bring the mesh out of the error: it stays within it. */
 static int mesh_without_edges(const struct cloudmesh_options *asked, struct source *s, int threads,
-                              struct mesh *mesh, struct cloudmesh *made, struct error *error)
+                              struct mesh *mesh, struct cloudmesh *result, struct error *error)
 {
-    struct cloudmesh_options wish = *asked;
+    struct cloudmesh_options options = *asked;
     struct mesh other = {.origin = s->origin};
-    struct cloudmesh other_made = {.walls = 0};
+    struct cloudmesh other_result = {.walls = 0};
 
-    wish.smooth = wish.silent = true;
-    int status = mesh_of(&wish, s, threads, &other, &other_made, error);
-    if (status == 0 && other_made.rows.worst <= wish.error)
-        cloudmesh_closer(asked, s->scan, threads, &other, &other_made, mesh, made);
-    cloudmesh_drop(&other, &other_made);
+    options.smooth = options.silent = true;
+    int status = mesh_of(&options, s, threads, &other, &other_result, error);
+    if (status == 0 && other_result.rows.worst <= options.error)
+        cloudmesh_closer(asked, s->scan, threads, &other, &other_result, mesh, result);
+    cloudmesh_drop(&other, &other_result);
     return status;
 }
 
 /* Are there points on walls, and walls under edges of a mesh? */
-static bool has_walls(const struct cloudmesh_options *wish, struct source *s, int threads)
+static bool has_walls(const struct cloudmesh_options *options, struct source *s, int threads)
 {
     struct cloud_parts walled = s->scan_parts;
 
     walled.flat = wall_points_part(s->scan->item, s->scan->n, walled.mean, threads);
     return walled.flat < s->scan->n &&
-           cloudmesh_has_walls(wish, &walled, s->scan, fmax(s->noise, s->origin.noise), threads);
+           cloudmesh_has_walls(options, &walled, s->scan, fmax(s->noise, s->origin.noise), threads);
 }
 
-int cloudmesh_within(const struct cloudmesh_options *wish, struct vec3s *points, double noise,
-                     int threads, struct mesh *mesh, struct cloudmesh *made, struct error *error)
+int cloudmesh_within(const struct cloudmesh_options *options, struct vec3s *points, double noise,
+                     int threads, struct mesh *mesh, struct cloudmesh *result, struct error *error)
 {
     struct vec3s surface = {0};
     double spent = NAN;
 
-    *made = (struct cloudmesh){.walls = 0};
+    *result = (struct cloudmesh){.walls = 0};
     if (plan_extent_check(points->item, points->n, error) < 0)
         return -1;
     for (size_t i = 0; i < points->n; i++)
         *array_push(&surface) = points->item[i];
-    if (noise > 0 && smooth_points(wish, &surface, noise, threads, &spent, error) < 0) {
+    if (noise > 0 && smooth_points(options, &surface, noise, threads, &spent, error) < 0) {
         array_free(&surface);
         return -1;
     }
     struct source s = {&surface, points, .noise = noise, .origin = mesh->origin};
     s.surface_parts =
-        (struct cloud_parts){cloudmesh_spacing(wish, surface.item, surface.n), surface.n};
+        (struct cloud_parts){cloudmesh_spacing(options, surface.item, surface.n), surface.n};
     s.scan_parts =
-        (struct cloud_parts){cloudmesh_spacing(wish, points->item, points->n), points->n};
-    int status = mesh_of(wish, &s, threads, mesh, made, error);
-    bool edges = status == 0 && mesh->face.n > 0 && !wish->smooth;
-    if (edges && (made->creases > 0 || has_walls(wish, &s, threads)))
-        status = mesh_by_zone(wish, &s, threads, mesh, made, error);
-    if (edges && status == 0 && made->creases + made->walls > 0 && made->rows.worst > wish->error)
-        status = mesh_without_edges(wish, &s, threads, mesh, made, error);
+        (struct cloud_parts){cloudmesh_spacing(options, points->item, points->n), points->n};
+    int status = mesh_of(options, &s, threads, mesh, result, error);
+    bool edges = status == 0 && mesh->face.n > 0 && !options->smooth;
+    if (edges && (result->creases > 0 || has_walls(options, &s, threads)))
+        status = mesh_by_zone(options, &s, threads, mesh, result, error);
+    if (edges && status == 0 && result->creases + result->walls > 0 &&
+        result->rows.worst > options->error)
+        status = mesh_without_edges(options, &s, threads, mesh, result, error);
     if (noise > 0)
         mesh->origin.ledger = spent;
     array_free(&surface);
