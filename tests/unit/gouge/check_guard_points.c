@@ -1,6 +1,6 @@
 /* guard_points against a sphere: its points stay on it, the ball does not sink between them, noise
  * is found and taken out, holes and rough places stay. */
-#include "mesh/crease_normals.h"
+#include "mesh/mesh_repair_steps.h"
 #include "shapes.h"
 #include "gouge/guard_points.h"
 
