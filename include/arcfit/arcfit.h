@@ -15,7 +15,6 @@
  *   2. arcfit_reduce  one arc fewer after the other, all joints moved together by least squares
  *                     (arcspline_reduce.c over arcspline.h)
  *   3. arcfit_reverse_*  the same two from the last point back, where that takes fewer arcs
- *   4. arcfit_update  instead of all these: a chain mended where its reference has changed
  *
  * Their driver is stage/arcrun.h, which makes the reference, prints the pieces and proves the
  * printed digits.  arcfit_each is paper 1's fit, a biarc for each interval.
@@ -116,16 +115,5 @@ struct reference arcfit_reverse_reference(const struct reference *reference);
 
 /* Turns round the pieces of a reference of `points` points that was turned round. */
 void arcfit_reverse_pieces(struct pieces *pieces, size_t points);
-
-/*
- * `before` are the pieces of the reference `old`, `now` the reference that it has become: points in
- * its middle are moved, and there may be more or fewer of them.  Into `pieces` go those of `before`
- * that follow what is as it was, and between them as many arcs as there were, or a few more, proven
- * by arc_piece_deviation.  False, and nothing of use in `pieces`, where that does not hold, where
- * too many pieces would have to be fitted anew, or where the ends of the reference moved.
- */
-bool arcfit_update(const struct reference *old, const struct reference *now,
-                   const struct deviation *within, int digits, const struct pieces *before,
-                   struct pieces *pieces);
 
 #endif

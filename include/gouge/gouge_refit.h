@@ -1,22 +1,47 @@
 /*
- * gouge_refit - fitted motions looked at again: does the ball go into the part between the points,
- * and by how much must these be lifted that it does not?
+ * gouge_refit - a run fitted, checked, lifted and fitted again until the ball is clear of the part.
+ *
+ * The points of a run were checked by the tool that made them, and are clear.  A curve fitted to
+ * them may go deeper between two points.  So gouge_refit_fit, the driver of the fitters,
+ *
+ *   1. has the run fitted by the function it is given, which checks each of its motions by
+ *      gouge_refit_motion against the scan (gouge.h),
+ *   2. lifts the points of the run around the places that are too deep (gouge_refit_lift),
+ *   3. and begins again, a few rounds at most.
+ *
+ * Who spends what of the tolerance (-e of the fitters; how deep the ball may go):
+ *
+ *   constant       of            what for
+ *   GOUGE_SAFE     tolerance     deeper than this is lifted: the points of a scan are not the part
+ *   GOUGE_CHORD    tolerance     straight pieces off the motion while it is checked, ...
+ *   GOUGE_FINEST   tolerance     ... and at closest, where that decides
+ *   GOUGE_LIFTED   tolerance     depth that is left at a place when it is lifted
+ *   GOUGE_PRINTED  tolerance     above all of it: what the digits of the points leave
  */
 #ifndef CLOUDMILL_GOUGE_REFIT_H
 #define CLOUDMILL_GOUGE_REFIT_H
 
-#include "gouge/gouge.h"
 #include "curve/motion.h"
 #include "curve/run.h"
+#include "gouge/gouge.h"
+
+#define GOUGE_SAFE 0.92
+#define GOUGE_CHORD (1.0 / 20)
+#define GOUGE_FINEST 1e-3
+#define GOUGE_LIFTED 0.5
+#define GOUGE_PRINTED 1e-3
 
 struct gouge_refit_options {
-    const struct gouge_check *guard; /* NULL: nothing is looked at */
+    const struct gouge_check *guard; /* NULL: nothing is checked */
     double radius;                   /* of the ball, mm */
     double tolerance;                /* how deep it may go, mm */
     bool centre; /* the motions are those of the ball's centre, not of the tip */
 };
 
-/* A place where the ball goes deeper. */
+/* Frees the guard, for whoever owns it. */
+void gouge_refit_free(struct gouge_refit_options *options);
+
+/* A place where the ball goes too deep. */
 struct gouge {
     struct vec3 ball;
     double depth; /* mm */
@@ -29,27 +54,27 @@ struct gouges {
 
 /*
  * Appends the deepest place of each millimetre or so of the motion where the ball goes deeper than
- * 0.95 of the tolerance (the points of a scan are not quite the part), found on straight pieces
- * within a twentieth of the tolerance of its centre's way, or closer where that decides, down to a
- * thousandth.
+ * GOUGE_SAFE, found on straight pieces within GOUGE_CHORD of its centre's path, or closer where
+ * that decides, down to GOUGE_FINEST.
  */
-void gouge_refit_motion(const struct gouge_refit_options *rule, const struct motion *motion,
-                        struct gouges *deeps);
+void gouge_refit_motion(const struct gouge_refit_options *options, const struct motion *motion,
+                        struct gouges *gouges);
 
 /*
  * Lifts the points of the run around those places along their normals (without one, along the
- * axis): by the depth less half the tolerance next to the place and evenly less over three times
- * that reach.  Both ends stay, for what comes before and behind knows them.  Returns the largest
- * lift, mm.
+ * axis): by the depth less GOUGE_LIFTED next to the place and evenly less over three times that
+ * reach.  Both ends stay, for what comes before and after joins them.  Returns the largest lift,
+ * mm.
  */
-double gouge_refit_lift(const struct gouge_refit_options *rule, const struct gouges *deeps,
+double gouge_refit_lift(const struct gouge_refit_options *options, const struct gouges *gouges,
                         struct run *run);
 
 /* The deepest of them; depth 0 when there is none. */
-struct gouge gouge_refit_deepest(const struct gouges *deeps);
+struct gouge gouge_refit_deepest(const struct gouges *gouges);
 
 /* The same, depth 0 also when it is within the tolerance. */
-struct gouge gouge_refit_beyond(const struct gouge_refit_options *rule, const struct gouges *deeps);
+struct gouge gouge_refit_beyond(const struct gouge_refit_options *options,
+                                const struct gouges *gouges);
 
 struct gouge_refit_result {
     struct gouge deepest; /* that is left beyond the tolerance; depth 0: none */
@@ -57,13 +82,12 @@ struct gouge_refit_result {
 };
 
 /*
- * Has the run fitted, and again with its points lifted where the motions go too deep, up to eight
- * times.  `fit` makes the motions of the run anew and appends to `deeps` what gouge_refit_motion
- * finds of them.
+ * Has the run fitted, and again with its points lifted where the motions go too deep.  `fit` makes
+ * the motions of the run anew and appends to `gouges` what gouge_refit_motion finds of them.
  */
-struct gouge_refit_result gouge_refit_fit(const struct gouge_refit_options *rule, struct run *run,
-                                          void (*fit)(void *context, const struct run *run,
-                                                      struct gouges *deeps),
-                                          void *context);
+struct gouge_refit_result
+gouge_refit_fit(const struct gouge_refit_options *options, struct run *run,
+                void (*fit)(void *context, const struct run *run, struct gouges *gouges),
+                void *context);
 
 #endif

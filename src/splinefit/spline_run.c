@@ -87,32 +87,31 @@ static bool is_rough(const struct run *run)
 
 /* Fits one piece; `options` with the whole tolerance; `before`: as it was for nearly the same
  * points, or NULL. */
-static void fit_piece(const struct run *run, bool centre, bool paper,
-                      const struct splinefit_options *options, const struct splinefit *before,
-                      struct spline_run_piece *piece)
+static void fit_piece(const struct run *run, const struct spline_run_options *options,
+                      const struct splinefit *before, struct spline_run_piece *piece)
 {
     struct run part = {
         .n = piece->to - piece->from + 1, .item = run->item + piece->from, .radius = run->radius};
-    struct splinefit_options o = *options;
+    struct splinefit_options o = options->fit;
     struct run dense = {.radius = run->radius};
     const struct run *data = &part;
 
-    if (!paper && !is_rough(&part) &&
+    if (!options->paper && !is_rough(&part) &&
         run_densify(&part, SPLINE_DENSE * o.tolerance, &dense) > SPLINE_SPARSE * o.tolerance) {
         data = &dense;
         piece->smooth = SPLINE_DENSE * o.tolerance;
         o.tolerance -= piece->smooth;
     }
-    struct reference reference = reference_distinct(data, centre);
+    struct reference reference = reference_distinct(data, options->centre);
     piece->still = reference.n < 2;
     if (!piece->still) {
-        if (paper)
+        if (options->paper)
             splinefit_paper(&reference, &o, &piece->fit);
         else if (before)
             splinefit_again(&reference, &o, before, &piece->fit);
         else
             splinefit_search(&reference, &o, &piece->fit);
-        fill_fallback(piece, run, centre, reference.offset, options->tolerance);
+        fill_fallback(piece, run, options->centre, reference.offset, options->fit.tolerance);
     }
     reference_free(&reference);
     array_free(&dense);
@@ -125,20 +124,20 @@ static void keep_points(const struct run *run, struct spline_run *pieces)
         *array_push(&pieces->fitted) = run->item[i];
 }
 
-void spline_run_fit(const struct run *run, bool centre, bool paper,
-                    const struct splinefit_options *options, struct spline_run *pieces)
+void spline_run_fit(const struct run *run, const struct spline_run_options *options,
+                    struct spline_run *pieces)
 {
     struct sizes end = {0};
 
-    if (paper)
+    if (options->paper)
         *array_push(&end) = run->n - 1;
     else
-        end = piece_ends(run, options->tolerance);
+        end = piece_ends(run, options->fit.tolerance);
     size_t from = 0;
     for (size_t k = 0; k < end.n; k++) {
         struct spline_run_piece *piece = array_push(pieces);
         *piece = (struct spline_run_piece){.from = from, .to = end.item[k]};
-        fit_piece(run, centre, paper, options, NULL, piece);
+        fit_piece(run, options, NULL, piece);
         from = end.item[k];
     }
     array_free(&end);
@@ -150,8 +149,8 @@ static bool same_place(const struct run_point *a, const struct run_point *b)
     return vec_distance(a->ball, b->ball) == 0 && vec_distance(a->axis, b->axis) == 0;
 }
 
-static bool moved(const struct run *run, const struct spline_run *pieces,
-                  const struct spline_run_piece *piece)
+static bool has_moved(const struct run *run, const struct spline_run *pieces,
+                      const struct spline_run_piece *piece)
 {
     for (size_t i = piece->from; i <= piece->to; i++)
         if (!same_place(&run->item[i], &pieces->fitted.item[i]))
@@ -159,22 +158,22 @@ static bool moved(const struct run *run, const struct spline_run *pieces,
     return false;
 }
 
-void spline_run_refit(const struct run *run, bool centre, bool paper,
-                      const struct splinefit_options *options, struct spline_run *pieces)
+void spline_run_refit(const struct run *run, const struct spline_run_options *options,
+                      struct spline_run *pieces)
 {
     for (size_t k = 0; k < pieces->n; k++) {
         struct spline_run_piece *piece = &pieces->item[k], before = *piece;
-        if (!moved(run, pieces, piece))
+        if (!has_moved(run, pieces, piece))
             continue;
         *piece = (struct spline_run_piece){.from = before.from, .to = before.to};
-        fit_piece(run, centre, paper, options, before.still ? NULL : &before.fit, piece);
+        fit_piece(run, options, before.still ? NULL : &before.fit, piece);
         piece_free(&before);
     }
     keep_points(run, pieces);
 }
 
-void spline_run_part(const struct run *run, bool centre, const struct splinefit_options *options,
-                     size_t k, size_t i, struct spline_run *pieces)
+void spline_run_split(const struct run *run, const struct spline_run_options *options, size_t k,
+                      size_t i, struct spline_run *pieces)
 {
     struct spline_run_piece whole = pieces->item[k], part[3];
     size_t end[] = {whole.from, i, i + 1, whole.to}, n = 0;
@@ -182,7 +181,7 @@ void spline_run_part(const struct run *run, bool centre, const struct splinefit_
     for (size_t e = 0; e < 3; e++)
         if (end[e] < end[e + 1]) {
             part[n] = (struct spline_run_piece){.from = end[e], .to = end[e + 1]};
-            fit_piece(run, centre, false, options, NULL, &part[n++]);
+            fit_piece(run, options, NULL, &part[n++]);
         }
     piece_free(&whole);
     array_reserve(pieces, pieces->n + n - 1);
@@ -195,33 +194,33 @@ void spline_run_part(const struct run *run, bool centre, const struct splinefit_
 
 enum { ROUNDS = 6 }; /* of straight lines put in */
 
-struct work {
-    const struct spline_guard *guard;
+struct guarded_fit {
+    const struct spline_run_options *options;
+    const struct gouge_refit_options *gouge;
     struct spline_run *pieces;
 };
 
-static void find_gouges(const struct spline_guard *guard, const struct run *run,
-                        const struct spline_run_piece *piece, struct gouges *deeps)
+static void find_gouges(const struct guarded_fit *f, const struct run *run,
+                        const struct spline_run_piece *piece, struct gouges *gouges)
 {
     const struct run_point *from = &run->item[piece->from];
-    struct pose pose = {guard->rule.centre ? from->ball : from->tip, from->axis};
+    struct pose pose = {f->options->centre ? from->ball : from->tip, from->axis};
     struct motion motion = motion_spline(pose, pose, &piece->fit.curve);
 
     if (!piece->still)
-        gouge_refit_motion(&guard->rule, &motion, deeps);
+        gouge_refit_motion(f->gouge, &motion, gouges);
 }
 
-static void fit_and_check(void *context, const struct run *run, struct gouges *deeps)
+static void fit_and_check(void *context, const struct run *run, struct gouges *gouges)
 {
-    struct work *work = context;
-    const struct spline_guard *g = work->guard;
+    struct guarded_fit *f = context;
 
-    if (work->pieces->n == 0)
-        spline_run_fit(run, g->rule.centre, g->paper, &g->fit, work->pieces);
+    if (f->pieces->n == 0)
+        spline_run_fit(run, f->options, f->pieces);
     else
-        spline_run_refit(run, g->rule.centre, g->paper, &g->fit, work->pieces);
-    for (size_t k = 0; g->rule.guard && k < work->pieces->n; k++)
-        find_gouges(g, run, &work->pieces->item[k], deeps);
+        spline_run_refit(run, f->options, f->pieces);
+    for (size_t k = 0; f->gouge->guard && k < f->pieces->n; k++)
+        find_gouges(f, run, &f->pieces->item[k], gouges);
 }
 
 /* The interval of the piece, told by its first point, over which the place is the least detour. */
@@ -242,54 +241,54 @@ static size_t interval_at(const struct run *run, const struct spline_run_piece *
     return at;
 }
 
-/* In each piece that goes too deep, the line between the two points next to the deepest place.
- * False when there was none. */
-static bool insert_straight_pieces(const struct work *work, const struct run *run)
+/* In each piece that goes too deep, puts in the line between the two points next to the deepest
+ * place.  False when there is none. */
+static bool insert_lines(const struct guarded_fit *f, const struct run *run)
 {
-    const struct spline_guard *g = work->guard;
-    struct gouges deeps = {0};
+    struct gouges gouges = {0};
     bool done = false;
 
-    for (size_t k = work->pieces->n; k-- > 0;) { /* what is parted, grows behind */
-        const struct spline_run_piece *piece = &work->pieces->item[k];
-        deeps.n = 0;
-        find_gouges(g, run, piece, &deeps);
-        struct gouge deepest = gouge_refit_beyond(&g->rule, &deeps);
+    for (size_t k = f->pieces->n; k-- > 0;) { /* a piece that is split grows upwards */
+        const struct spline_run_piece *piece = &f->pieces->item[k];
+        gouges.n = 0;
+        find_gouges(f, run, piece, &gouges);
+        struct gouge deepest = gouge_refit_beyond(f->gouge, &gouges);
         if (deepest.depth == 0 || piece->to == piece->from + 1)
             continue;
-        spline_run_part(run, g->rule.centre, &g->fit, k, interval_at(run, piece, deepest.ball),
-                        work->pieces);
+        spline_run_split(run, f->options, k, interval_at(run, piece, deepest.ball), f->pieces);
         done = true;
     }
-    array_free(&deeps);
+    array_free(&gouges);
     return done;
 }
 
-/* The points as they are: what is too deep is only told. */
-static struct gouge_refit_result fit_once(struct work *work, const struct run *run)
+/* The points as they are: what is too deep is only reported. */
+static struct gouge_refit_result fit_once(struct guarded_fit *f, const struct run *run)
 {
     struct gouge_refit_result result = {.lift = 0};
-    struct gouges deeps = {0};
+    struct gouges gouges = {0};
 
-    fit_and_check(work, run, &deeps);
-    result.deepest = gouge_refit_beyond(&work->guard->rule, &deeps);
-    array_free(&deeps);
+    fit_and_check(f, run, &gouges);
+    result.deepest = gouge_refit_beyond(f->gouge, &gouges);
+    array_free(&gouges);
     return result;
 }
 
-struct gouge_refit_result spline_guard_fit(const struct spline_guard *guard, struct run *run,
-                                           struct spline_run *pieces)
+struct gouge_refit_result spline_run_fit_guarded(struct run *run,
+                                                 const struct spline_run_options *options,
+                                                 const struct gouge_refit_options *gouge,
+                                                 struct spline_run *pieces)
 {
-    struct work work = {guard, pieces};
+    struct guarded_fit f = {options, gouge, pieces};
 
     spline_run_free(pieces);
-    if (guard->paper)
-        return fit_once(&work, run);
-    struct gouge_refit_result result = gouge_refit_fit(&guard->rule, run, fit_and_check, &work);
+    if (options->paper)
+        return fit_once(&f, run);
+    struct gouge_refit_result result = gouge_refit_fit(gouge, run, fit_and_check, &f);
     for (int round = 0; round < ROUNDS && result.deepest.depth > 0; round++) {
-        if (!insert_straight_pieces(&work, run))
+        if (!insert_lines(&f, run))
             break;
-        struct gouge_refit_result more = gouge_refit_fit(&guard->rule, run, fit_and_check, &work);
+        struct gouge_refit_result more = gouge_refit_fit(gouge, run, fit_and_check, &f);
         result.deepest = more.deepest;
         result.lift += more.lift;
     }

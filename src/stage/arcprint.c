@@ -1,5 +1,5 @@
 /* arcprint - see arcprint.h. */
-#include "stage/arcprint.h"
+#include "arcprint.h"
 
 #include <math.h>
 

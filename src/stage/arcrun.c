@@ -4,7 +4,7 @@
 #include <stdlib.h>
 
 #include "arcfit/arcfit.h"
-#include "stage/arcprint.h"
+#include "arcprint.h"
 
 /* The work on one smooth part of a run. */
 struct fit {
@@ -23,7 +23,7 @@ static void print_pieces(struct fit *f)
 }
 
 /* Straight from point to point: the reference itself. */
-static void fit_points(struct fit *f)
+static void use_points(struct fit *f)
 {
     f->pieces.n = 0;
     for (size_t i = 0; i + 1 < f->reference.n; i++)
@@ -42,14 +42,14 @@ static size_t given_points(const struct fit *f)
 
 /* Many points that were given fall to a piece.  Where they are few, as on a scan, a longer search
  * finds hardly fewer pieces; and what is guarded may be fitted several times. */
-static bool smooth(const struct fit *f, bool again)
+static bool is_smooth(const struct fit *f)
 {
-    const size_t many = again ? 16 : 8;
+    const size_t many = f->options->guarded ? 16 : 8;
     return given_points(f) >= many * f->pieces.n;
 }
 
 /* The pieces found from the other end, where they are fewer. */
-static bool fit_back(const struct fit *f, const struct deviation *less, struct pieces *back)
+static bool fit_from_end(const struct fit *f, const struct deviation *less, struct pieces *back)
 {
     struct reference reference = arcfit_reverse_reference(&f->reference);
     arcfit_beam(&reference, less, PATH_COORDINATE, back);
@@ -61,7 +61,7 @@ static bool fit_back(const struct fit *f, const struct deviation *less, struct p
     return back->n < f->pieces.n;
 }
 
-static void swap(struct pieces *a, struct pieces *b)
+static void swap_pieces(struct pieces *a, struct pieces *b)
 {
     struct pieces c = *a;
     *a = *b;
@@ -69,15 +69,14 @@ static void swap(struct pieces *a, struct pieces *b)
 }
 
 /* The printed pieces keep the tolerance. */
-static bool proven(struct fit *f, const struct deviation *within)
+static bool is_proven(struct fit *f, const struct deviation *within)
 {
     print_pieces(f);
     return deviation_within(&f->worst, within);
 }
 
 /* Once: from the start, and from the end where that pays. */
-static bool fit_once(struct fit *f, bool again, const struct deviation *within,
-                     const struct deviation *less)
+static bool fit_once(struct fit *f, const struct deviation *within, const struct deviation *less)
 {
     struct pieces back = {0};
     bool good = false;
@@ -85,45 +84,31 @@ static bool fit_once(struct fit *f, bool again, const struct deviation *within,
     f->pieces.n = 0;
     arcfit_beam(&f->reference, less, PATH_COORDINATE, &f->pieces);
     arcfit_reduce(&f->reference, less, PATH_COORDINATE, false, &f->pieces);
-    bool thorough = smooth(f, again);
+    bool thorough = is_smooth(f);
     if (thorough)
         arcfit_reduce(&f->reference, less, PATH_COORDINATE, true, &f->pieces);
-    if (thorough && fit_back(f, less, &back)) {
-        swap(&f->pieces, &back);
-        good = proven(f, within);
+    if (thorough && fit_from_end(f, less, &back)) {
+        swap_pieces(&f->pieces, &back);
+        good = is_proven(f, within);
         if (!good)
-            swap(&f->pieces, &back);
+            swap_pieces(&f->pieces, &back);
     }
     array_free(&back);
-    return good || proven(f, within);
-}
-
-/* The pieces of the last time, where they have to change no more than in one place. */
-static bool mend(struct fit *f, const struct arcmemory *memory, const struct deviation *within,
-                 const struct deviation *less)
-{
-    const struct arcmemory_part *last = memory ? arcmemory_like(memory, &f->reference) : NULL;
-
-    return last &&
-           arcfit_update(&last->reference, &f->reference, less, PATH_COORDINATE, &last->pieces,
-                         &f->pieces) &&
-           proven(f, within);
+    return good || is_proven(f, within);
 }
 
 /* Fits within less and less of the tolerance until the printed digits keep all of it. */
-static void fit_within(struct fit *f, const struct arcmemory *memory, double tolerance)
+static void fit_within(struct fit *f, double tolerance)
 {
     struct deviation within = {tolerance, tolerance, f->options->axis};
     double part = 1 - ARC_PRINTED / tolerance;
 
     for (int i = 0; i < 6; i++, part *= ARC_RETRY) {
         struct deviation less = {part * tolerance, part * tolerance, part * f->options->axis};
-        if (i == 0 && mend(f, memory, &within, &less))
-            return;
-        if (fit_once(f, memory != NULL, &within, &less))
+        if (fit_once(f, &within, &less))
             return;
     }
-    fit_points(f);
+    use_points(f);
     print_pieces(f);
 }
 
@@ -140,14 +125,14 @@ static bool contact_at(const struct fit *f, double place, struct contact *contac
     return true;
 }
 
-static void touch(struct path *out, struct path_item *item, const struct fit *f, double place)
+static void add_contact(struct path *out, struct path_item *item, const struct fit *f, double place)
 {
     struct contact contact;
     if (contact_at(f, place, &contact))
         path_set_contact(out, item, contact);
 }
 
-static void put_chords(const struct fit *f, const struct printed *p, struct path *out)
+static void add_chords(const struct fit *f, const struct printed *p, struct path *out)
 {
     char text[ARCPRINT_MAX];
     arcprint_comment(&p->arc, text);
@@ -157,22 +142,22 @@ static void put_chords(const struct fit *f, const struct printed *p, struct path
     for (int i = 1; i <= n; i++) {
         double s = (double)i / n, place = piece->from + s * (piece->to - piece->from);
         struct pose to = {arc_at(&piece->arc, s), vec_slerp(piece->axis, piece->axis_to, s)};
-        touch(out, path_add_point(out, to, false), f, i < n ? place : piece->to);
+        add_contact(out, path_add_point(out, to, false), f, i < n ? place : piece->to);
     }
 }
 
-static void put_pieces(const struct fit *f, struct path *out, struct arcrun_report *report)
+static void add_pieces(const struct fit *f, struct path *out, struct arcrun_report *report)
 {
     const struct printed *before = NULL;
     for (size_t i = 0; i < f->printed.n; i++) {
         const struct printed *p = &f->printed.item[i];
         struct pose to = {p->piece.arc.to, p->piece.axis_to};
         if (p->arc.radius <= 0)
-            touch(out, path_add_point(out, to, false), f, p->piece.to);
+            add_contact(out, path_add_point(out, to, false), f, p->piece.to);
         else if (f->options->chords)
-            put_chords(f, p, out);
+            add_chords(f, p, out);
         else
-            touch(out, path_add_arc(out, to, p->arc), f, p->piece.to);
+            add_contact(out, path_add_arc(out, to, p->arc), f, p->piece.to);
         report->arcs += p->arc.radius > 0;
         report->lines += p->arc.radius <= 0;
         report->length += arc_length(&p->piece.arc);
@@ -254,22 +239,9 @@ static struct sizes parts_of(const struct run *dense, const struct arcrun_option
     return end;
 }
 
-/* The part goes into the memory, or away. */
-static void keep(struct arcmemory *memory, struct fit *f)
+void arcrun_fit(const struct run *run, const struct arcrun_options *options, struct path *out,
+                struct arcrun_report *report)
 {
-    if (!memory) {
-        reference_free(&f->reference);
-        return;
-    }
-    *array_push(memory) = (struct arcmemory_part){f->reference, f->pieces, f->printed, f->worst};
-    f->pieces = (struct pieces){0};
-    f->printed = (struct printeds){0};
-}
-
-void arcrun_fit(const struct run *run, const struct arcrun_options *options,
-                struct arcmemory *memory, struct path *out, struct arcrun_report *report)
-{
-    struct arcmemory next = {0};
     struct run dense = {.radius = run->radius};
     double taken = dense_run_of(run, options, &dense);
     if (options->chords)
@@ -282,18 +254,13 @@ void arcrun_fit(const struct run *run, const struct arcrun_options *options,
         if (options->paper) {
             fit_each(&f, run, report);
             print_pieces(&f);
-        } else if (!memory ||
-                   !arcmemory_take(memory, &f.reference, &f.pieces, &f.printed, &f.worst)) {
-            fit_within(&f, memory, options->tolerance - taken);
+        } else {
+            fit_within(&f, options->tolerance - taken);
         }
-        put_pieces(&f, out, report);
+        add_pieces(&f, out, report);
         report->worst = deviation_worst(report->worst, f.worst);
         f.first = end.item[i];
-        keep(memory ? &next : NULL, &f);
-    }
-    if (memory) {
-        arcmemory_free(memory);
-        *memory = next;
+        reference_free(&f.reference);
     }
     report->points += run->n;
     report->corners += end.n - 1;
@@ -302,4 +269,19 @@ void arcrun_fit(const struct run *run, const struct arcrun_options *options,
     array_free(&f.printed);
     array_free(&end);
     array_free(&dense);
+}
+
+void arcrun_add(struct arcrun_report *sum, const struct arcrun_report *report)
+{
+    sum->points += report->points;
+    sum->arcs += report->arcs;
+    sum->lines += report->lines;
+    sum->c += report->c;
+    sum->s += report->s;
+    sum->loops += report->loops;
+    sum->corners += report->corners;
+    sum->kinks += report->kinks;
+    sum->length += report->length;
+    sum->spent = fmax(sum->spent, report->spent);
+    sum->worst = deviation_worst(sum->worst, report->worst);
 }

@@ -12,8 +12,7 @@ static struct vec3s balls_of(const struct path *path)
     struct vec3s ball = {0};
 
     for (size_t from = 0, to; path_next_run(path, &from, &to); from = to) {
-        struct run run = {0};
-        path_run_take(path, from, to, &run);
+        struct run run = path_run_read(path, from, to);
         for (size_t i = 0; i < run.n; i++)
             *array_push(&ball) = run.item[i].ball;
         array_free(&run);
@@ -32,28 +31,29 @@ static double scan_tolerance(const struct path *path, double tolerance)
     return fmin(fmax(made, closest * tolerance), widest * tolerance);
 }
 
-int gouge_options_read(struct gouge_options *guard, const struct path *path, double tolerance,
-                       int threads, struct error *error)
+int gouge_options_read(const struct gouge_options *options, const struct path *path,
+                       double tolerance, int threads, struct gouge_refit_options *refit,
+                       struct error *error)
 {
-    struct guard_read_options rule = {.radius = path_ball(path),
+    struct guard_read_options scan = {.radius = path_ball(path),
                                       .tolerance = scan_tolerance(path, tolerance),
-                                      .noise = guard->noise,
-                                      .effort = guard->effort,
+                                      .noise = options->noise,
+                                      .effort = options->effort,
                                       .threads = threads};
 
-    if (guard->files.n == 0)
+    *refit = (struct gouge_refit_options){
+        .radius = scan.radius, .tolerance = tolerance, .centre = path->head.track == TRACK_CENTRE};
+    if (options->files.n == 0)
         return 0;
-    if (!(rule.radius > 0) || path->head.track == TRACK_CONTACT)
+    if (!(scan.radius > 0) || path->head.track == TRACK_CONTACT)
         return error_at(error, path->name, 0,
                         "found no path of a ball cutter, expected one to guard by a scan");
     struct vec3s ball = balls_of(path);
-    guard->rule = (struct gouge_refit_options){
-        .radius = rule.radius, .tolerance = tolerance, .centre = path->head.track == TRACK_CENTRE};
-    guard->rule.guard = guard_read_points(&guard->files, &ball, 3 * rule.radius, &rule, error);
+    refit->guard = guard_read_points(&options->files, &ball, 3 * scan.radius, &scan, error);
     array_free(&ball);
-    array_free(&rule.certain);
-    array_free(&rule.doubtful);
-    return guard->rule.guard ? 0 : -1;
+    array_free(&scan.certain);
+    array_free(&scan.doubtful);
+    return refit->guard ? 0 : -1;
 }
 
 /* The last pass that begins before the item. */
@@ -65,23 +65,23 @@ static size_t pass_of(const struct path *path, size_t item)
     return 0;
 }
 
-void gouge_options_add(struct gouge_options *guard, const struct path *path, size_t item,
+void gouge_summary_add(struct gouge_summary *summary, size_t pass,
                        const struct gouge_refit_result *result)
 {
-    guard->lift = fmax(guard->lift, result->lift);
-    guard->left += result->deepest.depth > 0;
-    if (result->deepest.depth > guard->deepest.depth) {
-        guard->deepest = result->deepest;
-        guard->pass = pass_of(path, item);
+    summary->lift = fmax(summary->lift, result->lift);
+    summary->left += result->deepest.depth > 0;
+    if (result->deepest.depth > summary->deepest.depth) {
+        summary->deepest = result->deepest;
+        summary->pass = pass;
     }
 }
 
-/* The motions that lead to the items [from, to). */
-static void look_at_carried(struct gouge_options *guard, const struct path *path, size_t from,
-                            size_t to)
+/* Adds the motions that lead to the items [from, to). */
+static void add_motions_to(struct gouge_summary *summary, const struct gouge_refit_options *refit,
+                           const struct path *path, size_t from, size_t to)
 {
     struct gouge_refit_result result = {.lift = 0};
-    struct gouges deeps = {0};
+    struct gouges gouges = {0};
 
     for (size_t i = from > 0 ? from : 1; i < to; i++) {
         const struct path_item *item = &path->item.item[i], *before = item - 1;
@@ -92,41 +92,37 @@ static void look_at_carried(struct gouge_options *guard, const struct path *path
         if (!path_moves(before))
             continue;
         struct motion line = motion_line(before->to, item->to);
-        gouge_refit_motion(&guard->rule, &line, &deeps);
+        gouge_refit_motion(refit, &line, &gouges);
     }
-    result.deepest = gouge_refit_beyond(&guard->rule, &deeps);
-    gouge_options_add(guard, path, from, &result);
-    array_free(&deeps);
+    result.deepest = gouge_refit_beyond(refit, &gouges);
+    gouge_summary_add(summary, pass_of(path, from), &result);
+    array_free(&gouges);
 }
 
-void gouge_options_carried(struct gouge_options *guard, const struct path *path)
+void gouge_summary_add_carried(struct gouge_summary *summary,
+                               const struct gouge_refit_options *refit, const struct path *path)
 {
     size_t at = 0, from = 0, to;
 
-    if (!guard->rule.guard)
+    if (!refit->guard)
         return;
     for (; path_next_run(path, &from, &to); from = at = to)
-        look_at_carried(guard, path, at, from + 1);
-    look_at_carried(guard, path, at, path->item.n);
+        add_motions_to(summary, refit, path, at, from + 1);
+    add_motions_to(summary, refit, path, at, path->item.n);
 }
 
-int gouge_options_conclude(const struct gouge_options *guard)
+int gouge_summary_conclude(const struct gouge_summary *summary,
+                           const struct gouge_refit_options *refit)
 {
-    struct vec3 at = guard->deepest.ball;
+    struct vec3 at = summary->deepest.ball;
 
-    if (guard->lift > 0)
+    if (summary->lift > 0)
         note("points lifted by at most %.4f mm where motions went too deep between them",
-             guard->lift);
-    if (guard->left == 0)
+             summary->lift);
+    if (summary->left == 0)
         return EXIT_DONE;
     say("in %zu runs the ball goes deeper than %g mm into the scan, in pass %zu %.4f mm with its "
         "centre at %.3f %.3f %.3f",
-        guard->left, guard->rule.tolerance, guard->pass, guard->deepest.depth, at.x, at.y, at.z);
+        summary->left, refit->tolerance, summary->pass, summary->deepest.depth, at.x, at.y, at.z);
     return EXIT_UNMET;
-}
-
-void gouge_options_free(struct gouge_options *guard)
-{
-    array_free(&guard->files);
-    gouge_free((struct gouge_check *)guard->rule.guard);
 }

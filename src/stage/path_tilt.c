@@ -3,7 +3,7 @@
 
 #include <stdlib.h>
 
-#include "stage/arcrun.h"
+#include "io/path/path_run.h"
 #include "toolpath/tilt.h"
 
 static const double SAME_AXIS = 1e-8;
@@ -15,7 +15,7 @@ struct change {
 };
 
 /* A move with the old axis takes the new one; both points of the tool move as at the run's end. */
-static bool carry(struct path *path, struct path_item *item, const struct change *c)
+static bool shift_move(struct path *path, struct path_item *item, const struct change *c)
 {
     if (!c->any || (item->kind != PATH_POINT && item->kind != PATH_ARC) ||
         vec_distance(item->to.a, c->was.a) > SAME_AXIS)
@@ -30,20 +30,20 @@ static bool carry(struct path *path, struct path_item *item, const struct change
     return true;
 }
 
-/* The moves between two runs: back from the run ahead, then on from the run behind. */
-static void carry_between(struct path *path, size_t from, size_t to, const struct change *behind,
-                          const struct change *ahead)
+/* The moves between two runs: back from the run after them, then on from the run before. */
+static void shift_between(struct path *path, size_t from, size_t to, const struct change *before,
+                          const struct change *next)
 {
     size_t end = to;
     while (end > from) {
         struct path_item *item = &path->item.item[end - 1];
         bool move = item->kind == PATH_POINT || item->kind == PATH_ARC;
-        if (move && !carry(path, item, ahead))
+        if (move && !shift_move(path, item, next))
             break;
         end--;
     }
     for (size_t i = from; i < end; i++)
-        carry(path, &path->item.item[i], behind);
+        shift_move(path, &path->item.item[i], before);
 }
 
 static struct pose tracked(const struct path *path, const struct run_point *p)
@@ -56,26 +56,26 @@ int path_set_tilt(struct path *path, double angle, bool frenet, struct error *er
     if (path_ball(path) < 0)
         return error_set(error, "%s: found no ball cutter, expected one to tilt", path->name);
     struct vec3 side = {0};
-    struct change behind = {0};
+    struct change before = {0};
     size_t done = 0;
     for (size_t from = 0, to; path_next_run(path, &from, &to); from = to) {
         if (!path->item.item[from].touches)
             return error_set(error, "%s: found no contact points, expected them to tilt by",
                              path->name);
         struct path_item *item = path->item.item;
-        struct change ahead = {.any = true, .was = item[from].to};
+        struct change next = {.any = true, .was = item[from].to};
         struct change after = {.any = true, .was = item[to - 1].to};
-        struct run run = arcrun_read(path, from, to);
+        struct run run = path_run_read(path, from, to);
         tilt_run(&run, angle, frenet, &side);
         for (size_t i = from; i < to; i++)
             item[i].to = tracked(path, &run.item[i - from]);
-        ahead.now = item[from].to;
+        next.now = item[from].to;
         after.now = item[to - 1].to;
         array_free(&run);
-        carry_between(path, done, from, &behind, &ahead);
-        behind = after;
+        shift_between(path, done, from, &before, &next);
+        before = after;
         done = to;
     }
-    carry_between(path, done, path->item.n, &behind, &(struct change){0});
+    shift_between(path, done, path->item.n, &before, &(struct change){0});
     return 0;
 }

@@ -6,8 +6,13 @@
 
 #include "base/array.h"
 
-static const struct splinefit_options ALL = {
-    .degree = 3, .params = -1, .knots = -1, .tolerance = 0.01, .angle = 0.02};
+#define FIT                                                                      \
+    {                                                                            \
+        .degree = 3, .params = -1, .knots = -1, .tolerance = 0.01, .angle = 0.02 \
+    }
+
+static const struct spline_run_options TIP = {.fit = FIT}, CENTRE = {.centre = true, .fit = FIT},
+                                       PAPER = {.paper = true, .fit = FIT};
 
 static void add(struct run *run, double x, double y, double z)
 {
@@ -27,7 +32,7 @@ START_TEST(a_corner_parts)
         add(&run, k, 0, 0);
     for (int k = 1; k <= 20; k++)
         add(&run, 20, k, 0);
-    spline_run_fit(&run, false, false, &ALL, &pieces);
+    spline_run_fit(&run, &TIP, &pieces);
     ck_assert_uint_eq(pieces.n, 2);
     ck_assert_uint_eq(pieces.item[0].to, 20);
     ck_assert_uint_eq(pieces.item[1].from, 20);
@@ -41,7 +46,7 @@ START_TEST(a_corner_parts)
     ck_assert(vec_distance(pieces.item[0].fit.curve.pole[1], pieces.item[1].fit.curve.pole[0]) ==
               0);
     spline_run_free(&pieces);
-    spline_run_fit(&run, false, true, &ALL, &pieces); /* the paper knows no corners */
+    spline_run_fit(&run, &PAPER, &pieces); /* the paper knows no corners */
     ck_assert_uint_eq(pieces.n, 1);
     spline_run_free(&pieces);
     array_free(&run);
@@ -56,7 +61,7 @@ START_TEST(noise_is_no_corner)
 
     for (int k = 0; k <= 2000; k++)
         add(&run, 0.004 * k, k % 2 == 0 ? 0 : 0.003, 0);
-    spline_run_fit(&run, false, false, &ALL, &pieces);
+    spline_run_fit(&run, &TIP, &pieces);
     ck_assert_uint_eq(pieces.n, 1);
     ck_assert(pieces.item[0].fit.kind == SPLINEFIT_STRAIGHT);
     spline_run_free(&pieces);
@@ -73,7 +78,7 @@ START_TEST(sparse_points_make_a_smooth_curve)
 
     for (int k = 0; k <= 18; k++)
         add(&run, 30 * cos(k * PI / 12), 30 * sin(k * PI / 12), 0);
-    spline_run_fit(&run, false, false, &ALL, &pieces);
+    spline_run_fit(&run, &TIP, &pieces);
     ck_assert_uint_eq(pieces.n, 1);
     const struct spline_run_piece *p = &pieces.item[0];
     ck_assert(p->fit.within && p->smooth > 0);
@@ -101,7 +106,7 @@ START_TEST(fallback_keeps_the_tolerance)
 
     for (int k = 0; k <= 300; k++)
         add(&run, 0.2 * k, 6 * sin(0.03 * k), 3 * cos(0.02 * k));
-    spline_run_fit(&run, true, false, &ALL, &pieces);
+    spline_run_fit(&run, &CENTRE, &pieces);
     const struct spline_run_piece *p = &pieces.item[0];
     ck_assert(p->fit.kind == SPLINEFIT_FREE && p->smooth == 0);
     ck_assert(vec_distance(p->fit.curve.pole[0], run.item[0].ball) < 1e-6);
@@ -131,7 +136,7 @@ START_TEST(one_place_has_no_curve)
 
     for (int k = 0; k < 4; k++)
         add(&run, 1, 2, 3);
-    spline_run_fit(&run, false, false, &ALL, &pieces);
+    spline_run_fit(&run, &TIP, &pieces);
     ck_assert_uint_eq(pieces.n, 1);
     ck_assert(pieces.item[0].still);
     spline_run_free(&pieces);
@@ -150,15 +155,15 @@ START_TEST(what_has_not_moved_stays)
         add(&run, 0, k - 20, 0);
     for (int k = 1; k <= 200; k++)
         add(&run, 0.2 * k, 0, 3 * sin(0.04 * k));
-    spline_run_fit(&run, true, false, &ALL, &pieces);
+    spline_run_fit(&run, &CENTRE, &pieces);
     ck_assert_uint_eq(pieces.n, 2);
     const struct vec3 *line = pieces.item[0].fit.curve.pole, *wave = pieces.item[1].fit.curve.pole;
-    spline_run_refit(&run, true, false, &ALL, &pieces);
+    spline_run_refit(&run, &CENTRE, &pieces);
     ck_assert(pieces.item[0].fit.curve.pole == line && pieces.item[1].fit.curve.pole == wave);
 
     for (size_t k = 118; k <= 122; k++)
         run.item[k].ball.y += 0.03;
-    spline_run_refit(&run, true, false, &ALL, &pieces);
+    spline_run_refit(&run, &CENTRE, &pieces);
     ck_assert_uint_eq(pieces.n, 2);
     ck_assert(pieces.item[0].fit.curve.pole == line);
     const struct spline_run_piece *p = &pieces.item[1];
@@ -178,9 +183,7 @@ END_TEST
 
 static const double BALL = 5, SPHERE = 30, STEEP = 70 * PI / 180;
 
-static const struct spline_guard USUAL = {
-    .rule = {.radius = 5, .tolerance = 0.01, .centre = true},
-    .fit = {.degree = 3, .params = -1, .knots = -1, .tolerance = 0.01, .angle = 0.02}};
+static const struct gouge_refit_options USUAL = {.radius = 5, .tolerance = 0.01, .centre = true};
 
 static void add_contact(struct run *run, struct vec3 ball, struct vec3 normal)
 {
@@ -222,7 +225,7 @@ START_TEST(points_too_low_are_lifted)
             *array_push(&points) = vec(x, y, sqrt(SPHERE * SPHERE - x * x - y * y));
         }
     for (int guarded = 0; guarded < 2; guarded++) {
-        struct spline_guard guard = USUAL;
+        struct gouge_refit_options gouge = USUAL;
         struct spline_run pieces = {0};
         struct run run = {.radius = BALL};
         for (int i = -40; i <= 40; i++) {
@@ -231,8 +234,8 @@ START_TEST(points_too_low_are_lifted)
             add_contact(&run, vec_scale(SPHERE + BALL - (abs(i) < 9 ? 0.03 : 0), n), n);
         }
         struct gouge_check *sphere = gouge_from_points(points.item, points.n);
-        guard.rule.guard = guarded ? sphere : NULL;
-        struct gouge_refit_result seen = spline_guard_fit(&guard, &run, &pieces);
+        gouge.guard = guarded ? sphere : NULL;
+        struct gouge_refit_result seen = spline_run_fit_guarded(&run, &CENTRE, &gouge, &pieces);
         ck_assert(seen.deepest.depth == 0);
         ck_assert(guarded ? seen.lift > 0.02 && seen.lift < 0.06 : seen.lift == 0);
         double worst = deepest(&pieces, in_sphere);
@@ -262,7 +265,7 @@ START_TEST(where_lifts_do_not_help_lines_do)
     struct vec3 corner = vec(-BALL * (1 - cos(STEEP)) / sin(STEEP), 0, BALL);
     struct run run = {.radius = BALL};
     struct spline_run pieces = {0};
-    struct spline_guard guard = USUAL;
+    struct gouge_refit_options gouge = USUAL;
 
     for (int i = 0; i <= 150; i++)
         for (int k = -20; k <= 20; k++) {
@@ -276,10 +279,10 @@ START_TEST(where_lifts_do_not_help_lines_do)
         add_contact(&run, vec_along(corner, 0.5 * i + 0.1, up), side);
 
     struct gouge_check *wall = gouge_from_points(points.item, points.n);
-    spline_guard_fit(&guard, &run, &pieces);
+    spline_run_fit_guarded(&run, &CENTRE, &gouge, &pieces);
     ck_assert_double_gt(deepest(&pieces, in_wall), 0.03);
-    guard.rule.guard = wall;
-    struct gouge_refit_result seen = spline_guard_fit(&guard, &run, &pieces);
+    gouge.guard = wall;
+    struct gouge_refit_result seen = spline_run_fit_guarded(&run, &CENTRE, &gouge, &pieces);
     ck_assert(seen.deepest.depth == 0);
     ck_assert_double_lt(deepest(&pieces, in_wall), 0.0105);
     ck_assert_uint_gt(pieces.n, 1);

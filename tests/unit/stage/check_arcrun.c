@@ -36,7 +36,7 @@ START_TEST(sparse_points_are_fitted_as_the_smooth_path_they_mean)
     struct arcrun_options options = {.tolerance = 0.01, .axis = 0.02};
     struct arcrun_report report = {0};
     struct path out = {0};
-    arcrun_fit(&run, &options, NULL, &out, &report);
+    arcrun_fit(&run, &options, &out, &report);
     ck_assert_uint_eq(report.points, 12);
     ck_assert_uint_eq(report.arcs, out.arc.n);
     ck_assert_uint_lt(report.arcs + report.lines, 12);
@@ -71,7 +71,7 @@ START_TEST(paper_makes_two_arcs_an_interval)
     struct arcrun_options options = {.tolerance = 0.01, .axis = 0.02, .paper = true};
     struct arcrun_report report = {0};
     struct path out = {0};
-    arcrun_fit(&run, &options, NULL, &out, &report);
+    arcrun_fit(&run, &options, &out, &report);
     ck_assert_uint_eq(report.arcs, 22);
     ck_assert_uint_eq(report.c + report.s, 11);
     path_free(&out);
@@ -90,7 +90,7 @@ START_TEST(a_corner_is_kept)
     struct arcrun_options options = {.tolerance = 0.01, .axis = 0.02};
     struct arcrun_report report = {0};
     struct path out = {0};
-    arcrun_fit(&run, &options, NULL, &out, &report);
+    arcrun_fit(&run, &options, &out, &report);
     ck_assert_uint_eq(report.corners, 1);
     ck_assert_uint_eq(report.lines, 2);
     ck_assert_uint_eq(report.arcs, 0);
@@ -106,7 +106,7 @@ START_TEST(chords_keep_the_tolerance)
     struct arcrun_options options = {.tolerance = 0.01, .axis = 0.02, .chords = true};
     struct arcrun_report report = {0};
     struct path out = {0};
-    arcrun_fit(&run, &options, NULL, &out, &report);
+    arcrun_fit(&run, &options, &out, &report);
     ck_assert_double_le(report.spent, 0.01);
     ck_assert_uint_eq(out.arc.n, 0);
     ck_assert_uint_eq(out.text.n, report.arcs);
@@ -124,50 +124,6 @@ START_TEST(chords_keep_the_tolerance)
 }
 END_TEST
 
-/* Three straight ways with corners between them; `bump`: one point of the second is moved. */
-static struct run ways(double bump)
-{
-    struct run run = {.radius = 2};
-    for (int i = 0; i <= 60; i++) {
-        double s = i % 20, x = i < 20 ? s : i < 40 ? 20 : 20 - (i < 60 ? s : 20);
-        double y = i < 20 ? 0 : i < 40 ? s : 20;
-        struct run_point p = {.axis = vec(0, 0, 1), .given = true};
-        p.tip = vec(x, y, 0.3 * sin(x / 3) * sin(y / 4 + 1) + (i == 30 ? bump : 0));
-        p.ball = vec_along(p.tip, 2, p.axis);
-        *array_push(&run) = p;
-    }
-    return run;
-}
-
-START_TEST(what_is_remembered_is_what_would_be_fitted)
-{
-    struct arcrun_options options = {.tolerance = 0.005, .axis = 0.02};
-    struct arcmemory memory = {0};
-    struct run before = ways(0), after = ways(0.1);
-    struct path first = {0}, second = {0}, anew = {0};
-    struct arcrun_report r1 = {0}, r2 = {0}, r3 = {0};
-    arcrun_fit(&before, &options, &memory, &first, &r1);
-    ck_assert_uint_eq(memory.n, 3);
-    struct reference two = memory.item[1].reference;
-    memory.item[0].worst.point = 7; /* seen again where it is taken out */
-    arcrun_fit(&after, &options, &memory, &second, &r2);
-    arcrun_fit(&after, &options, NULL, &anew, &r3);
-    ck_assert_double_eq(r2.worst.point, 7);
-    ck_assert_uint_eq(memory.n, 3);
-    ck_assert(memory.item[1].reference.point != two.point);
-    ck_assert_uint_eq(second.item.n, anew.item.n);
-    ck_assert_uint_ne(second.item.n, first.item.n);
-    for (size_t i = 0; i < anew.item.n; i++)
-        ck_assert(vec_distance(second.item.item[i].to.p, anew.item.item[i].to.p) == 0);
-    arcmemory_free(&memory);
-    array_free(&before);
-    array_free(&after);
-    path_free(&first);
-    path_free(&second);
-    path_free(&anew);
-}
-END_TEST
-
 int main(void)
 {
     TCase *t = tcase_create("arcrun");
@@ -176,7 +132,6 @@ int main(void)
     tcase_add_test(t, a_corner_is_kept);
     tcase_add_test(t, chords_keep_the_tolerance);
     Suite *s = suite_create("arcrun");
-    tcase_add_test(t, what_is_remembered_is_what_would_be_fitted);
     suite_add_tcase(s, t);
     SRunner *r = srunner_create(s);
     srunner_run_all(r, CK_NORMAL);

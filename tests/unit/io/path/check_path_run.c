@@ -28,10 +28,9 @@ START_TEST(tip_and_centre)
 
     for (int i = 0; i < 3; i++) {
         struct path path = two_points(track[i]);
-        struct run run = {0};
+        struct run run = path_run_read(&path, 0, 2);
         struct vec3 up = vec(0, 4.8, 6.4);
 
-        path_run_take(&path, 0, 2, &run);
         ck_assert_uint_eq(run.n, 2);
         ck_assert(run.radius == (track[i] == TRACK_CONTACT ? 0 : 8));
         struct run_point p = run.item[0];
@@ -50,10 +49,9 @@ END_TEST
 START_TEST(without_a_ball)
 {
     struct path path = two_points(TRACK_TIP);
-    struct run run = {0};
 
     path.head.cutter_n = 0;
-    path_run_take(&path, 0, 2, &run);
+    struct run run = path_run_read(&path, 0, 2);
     ck_assert(run.radius == 0);
     ck_assert(vec_distance(run.item[0].tip, run.item[0].ball) == 0);
     array_free(&run);

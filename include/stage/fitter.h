@@ -1,0 +1,82 @@
+/*
+ * fitter - the tools that replace the points of a path's cutting runs by curves: what they share.
+ *
+ * A new fitter is one file, src/NAME.c, with its table of options, a row `struct fitter`, and a
+ * main that calls fitter_main.  The row says how one run is fitted and what is reported; all else
+ * is here: the path is read, the scan to keep clear of too, the runs are found and fitted in
+ * parallel, what is no run is carried through, the ledger is kept, and the exit status says whether
+ * all holds.
+ *
+ * The mathematics of a fitter is a folder of its own (arcfit, splinefit), which fits a reference
+ * (curve/reference.h) and knows nothing of paths.
+ */
+#ifndef CLOUDMILL_FITTER_H
+#define CLOUDMILL_FITTER_H
+
+#include "base/cli.h"
+#include "io/path/path.h"
+#include "stage/gouge_options.h"
+
+/* The options that all fitters have; a fitter's table of options fills them. */
+struct fitter_options {
+    double tolerance; /* -e, mm: of the tip and the ball's centre */
+    bool tolerance_given;
+    double angle; /* --axis-tolerance, degrees */
+    bool paper;   /* --paper: as published */
+    bool report;  /* --report: a table on standard error */
+    struct gouge_options gouge;
+};
+
+/* As they are when none is given, with this tolerance. */
+struct fitter_options fitter_defaults(double tolerance);
+
+/* One cutting run, and what became of it. */
+struct fitted_run {
+    size_t from, to;    /* items [from, to) of the path */
+    size_t pass;        /* the pass that it is part of */
+    struct path fitted; /* the items that take the place of [from + 1, to) */
+    struct gouge_refit_result gouge;
+    void *result; /* the fitter's own, all zero before the fit */
+};
+
+struct fitted_runs {
+    size_t n, cap;
+    struct fitted_run *item;
+};
+
+/* What came of all runs. */
+struct fitter_outcome {
+    double spent; /* of the tolerance, mm */
+    int status;   /* EXIT_DONE or EXIT_UNMET */
+};
+
+struct fitter {
+    const char *name;                     /* of the tool: its entry in the ledger */
+    const struct fitter_options *options; /* as they were parsed */
+    void *settings;                       /* the fitter's own, handed to the functions below */
+
+    /* Checks and changes the path that was read.  -1: an error. */
+    int (*prepare)(void *settings, struct path *in, struct error *error);
+
+    /*
+     * Fits one run: fills its fitted, gouge and result.  The points are those of its items
+     * (path_run.h), and may be lifted.  Called in parallel.
+     */
+    void (*fit)(const void *settings, const struct gouge_refit_options *gouge,
+                const struct path *in, struct run *points, struct fitted_run *run);
+
+    /* Reports on all runs: the table where it is asked for, and the totals. */
+    struct fitter_outcome (*report)(const void *settings, const struct path *in,
+                                    const struct fitted_runs *runs);
+
+    size_t result_size;
+    void (*result_free)(void *result); /* what a result holds; NULL: nothing */
+};
+
+/*
+ * All of a fitter's work once its options are parsed: reads the path, fits its runs, writes the new
+ * path.  Returns the exit status; -1: an error, nothing is written.
+ */
+int fitter_run(const struct fitter *fitter, const struct cli *cli, struct error *error);
+
+#endif
