@@ -12,6 +12,7 @@
 
 #include <stdint.h>
 
+#include "base/array.h"
 #include "base/error.h"
 #include "math/vec.h"
 
@@ -36,6 +37,11 @@ void point_grid_free(struct point_grid *point_grid);
 /* The column and the row of a place; of one outside, of the nearest cell. */
 size_t point_grid_column(const struct point_grid *point_grid, double x);
 size_t point_grid_row(const struct point_grid *point_grid, double y);
+
+/* Appends the indices of the points over (or under) the triangle a b c, whose corners go round
+ * counter-clockwise seen from above; `border` mm2 (twice an area): how far beside it counts yet. */
+void point_grid_over(const struct point_grid *point_grid, struct vec3 a, struct vec3 b,
+                     struct vec3 c, double border, struct sizes *found);
 
 /* Takes out the points i with out[i] not 0; the others close up. */
 void point_grid_remove(struct point_grid *point_grid, const unsigned char *out);

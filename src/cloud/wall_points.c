@@ -5,6 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "math/box.h"
 #include "math/kdtree.h"
 #include "base/parallel.h"
 #include "math/plane_fit.h"
@@ -41,17 +42,11 @@ static size_t cell_of(const struct raster *r, struct vec3 p)
 /* False when there would be many more cells than points. */
 static bool make_raster(const struct vec3 *point, size_t n, double spacing, struct raster *r)
 {
-    double xmax = point[0].x, ymax = point[0].y;
+    struct box box = box_around(point, n);
 
-    *r = (struct raster){.x = xmax, .y = ymax, .width = CELL * spacing};
-    for (size_t i = 1; i < n; i++) {
-        r->x = fmin(r->x, point[i].x);
-        r->y = fmin(r->y, point[i].y);
-        xmax = fmax(xmax, point[i].x);
-        ymax = fmax(ymax, point[i].y);
-    }
-    double columns = floor((xmax - r->x) / r->width) + 1,
-           rows = floor((ymax - r->y) / r->width) + 1;
+    *r = (struct raster){.x = box.low.x, .y = box.low.y, .width = CELL * spacing};
+    double columns = floor((box.high.x - r->x) / r->width) + 1;
+    double rows = floor((box.high.y - r->y) / r->width) + 1;
     if (!(columns * rows < 20.0 * (double)n + 1000))
         return false;
     r->columns = (size_t)columns;

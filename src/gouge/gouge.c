@@ -19,9 +19,7 @@ struct gouge_check *gouge_new(struct vec3s point, int threads)
 
     guard->tree = kdtree_new_by(point.item, point.n, threads);
     guard->heights = height_pyramid_over(point.item, point.n);
-    guard->box = box_empty();
-    for (size_t i = 0; i < point.n; i++)
-        box_add(&guard->box, point.item[i]);
+    guard->box = box_around(point.item, point.n);
     array_free(&point);
     return guard;
 }

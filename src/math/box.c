@@ -6,6 +6,15 @@ struct box box_empty(void)
     return (struct box){vec(INFINITY, INFINITY, INFINITY), vec(-INFINITY, -INFINITY, -INFINITY)};
 }
 
+struct box box_around(const struct vec3 *point, size_t n)
+{
+    struct box box = box_empty();
+
+    for (size_t i = 0; i < n; i++)
+        box_add(&box, point[i]);
+    return box;
+}
+
 void box_add(struct box *box, struct vec3 p)
 {
     box->low = vec(fmin(box->low.x, p.x), fmin(box->low.y, p.y), fmin(box->low.z, p.z));

@@ -81,12 +81,10 @@ struct height_cell height_pyramid_cell(const struct height_pyramid *p, struct ve
 
 struct height_pyramid height_pyramid_over(const struct vec3 *point, size_t n)
 {
-    struct box box = box_empty();
+    struct box box = box_around(point, n);
 
     if (n == 0)
         return (struct height_pyramid){.levels = 0};
-    for (size_t i = 0; i < n; i++)
-        box_add(&box, point[i]);
     double most = (double)n / POINTS_IN_CELL + 1;
     double wide = box.high.x - box.low.x, deep = box.high.y - box.low.y;
     double cell = fmax(sqrt(wide * deep / most), fmax(wide, deep) / most);

@@ -202,6 +202,22 @@ void point_grid_remove(struct point_grid *b, const unsigned char *out)
     b->n = kept;
 }
 
+void point_grid_over(const struct point_grid *k, struct vec3 a, struct vec3 b, struct vec3 c,
+                     double border, struct sizes *found)
+{
+    size_t c0 = point_grid_column(k, fmin(a.x, fmin(b.x, c.x)));
+    size_t c1 = point_grid_column(k, fmax(a.x, fmax(b.x, c.x)));
+    size_t r0 = point_grid_row(k, fmin(a.y, fmin(b.y, c.y)));
+    size_t r1 = point_grid_row(k, fmax(a.y, fmax(b.y, c.y)));
+
+    for (size_t r = r0; r <= r1; r++)
+        for (size_t i = k->first[r * k->columns + c0]; i < k->first[r * k->columns + c1 + 1]; i++)
+            if (vec_orient_xy(a, b, k->point[i]) >= -border &&
+                vec_orient_xy(b, c, k->point[i]) >= -border &&
+                vec_orient_xy(c, a, k->point[i]) >= -border)
+                *array_push(found) = i;
+}
+
 /* ---- the nearest points
  *
  * Few points about a place are looked at all at once, and ordered by a histogram of their

@@ -39,28 +39,13 @@ void mesh_distance(const struct mesh *mesh, const struct vec3 *point, size_t n, 
     array_free(&facets);
 }
 
-/* Marks the points over a facet that goes round the left way, seen from above. */
-static void mark_over(const struct point_grid *k, struct vec3 a, struct vec3 b, struct vec3 c,
-                      double border, unsigned char *over)
-{
-    size_t c0 = point_grid_column(k, fmin(a.x, fmin(b.x, c.x)));
-    size_t c1 = point_grid_column(k, fmax(a.x, fmax(b.x, c.x)));
-    size_t r0 = point_grid_row(k, fmin(a.y, fmin(b.y, c.y)));
-    size_t r1 = point_grid_row(k, fmax(a.y, fmax(b.y, c.y)));
-
-    for (size_t r = r0; r <= r1; r++)
-        for (size_t i = k->first[r * k->columns + c0]; i < k->first[r * k->columns + c1 + 1]; i++)
-            over[i] |= vec_orient_xy(a, b, k->point[i]) >= border &&
-                       vec_orient_xy(b, c, k->point[i]) >= border &&
-                       vec_orient_xy(c, a, k->point[i]) >= border;
-}
-
 int mesh_coverage(const struct mesh *mesh, const struct vec3 *point, size_t n, double spacing,
                   struct vec3s *covered, struct error *error)
 {
-    const double border = -1e-9 * spacing * spacing; /* points on a border belong to it */
+    const double border = 1e-9 * spacing * spacing; /* points on a border belong to it */
     const struct vec3 *at = mesh->vertex.item;
     struct vec3s sorted = {0};
+    struct sizes found = {0};
     struct point_grid point_grid;
 
     if (n == 0)
@@ -74,12 +59,16 @@ int mesh_coverage(const struct mesh *mesh, const struct vec3 *point, size_t n, d
     unsigned char *over = mem_alloc(n, 1);
     for (size_t f = 0; f < mesh->face.n; f++) {
         const int *v = mesh->face.item[f].v;
+        found.n = 0;
         if (vec_orient_xy(at[v[0]], at[v[1]], at[v[2]]) > 0)
-            mark_over(&point_grid, at[v[0]], at[v[1]], at[v[2]], border, over);
+            point_grid_over(&point_grid, at[v[0]], at[v[1]], at[v[2]], border, &found);
+        for (size_t k = 0; k < found.n; k++)
+            over[found.item[k]] = 1;
     }
     for (size_t i = 0; i < n; i++)
         if (over[i])
             *array_push(covered) = point_grid.point[i];
+    array_free(&found);
     free(over);
     point_grid_free(&point_grid);
     array_free(&sorted);

@@ -90,31 +90,25 @@ static struct row_simplify row_at(const struct refinement *w, double v, double l
 static void measure_face(struct refinement *w, struct strip *s, struct vec3 a, struct vec3 b,
                          struct vec3 c)
 {
-    const double edge = -1e-9 * w->spacing * w->spacing; /* points on a border belong to it */
-    const struct point_grid *k = w->point_grid;
+    const double border = 1e-9 * w->spacing * w->spacing; /* points on a border belong to it */
     struct vec3 normal = vec_unit(vec_cross(vec_sub(b, a), vec_sub(c, a)));
-    size_t c0 = point_grid_column(k, fmin(a.x, fmin(b.x, c.x)));
-    size_t c1 = point_grid_column(k, fmax(a.x, fmax(b.x, c.x)));
-    size_t r0 = point_grid_row(k, fmin(a.y, fmin(b.y, c.y)));
-    size_t r1 = point_grid_row(k, fmax(a.y, fmax(b.y, c.y)));
-    for (size_t r = r0; r <= r1; r++)
-        for (size_t i = k->first[r * k->columns + c0]; i < k->first[r * k->columns + c1 + 1]; i++) {
-            struct vec3 p = k->point[i];
-            if (vec_orient_xy(a, b, p) < edge || vec_orient_xy(b, c, p) < edge ||
-                vec_orient_xy(c, a, p) < edge)
-                continue;
-            double off = fabs(vec_dot(normal, vec_sub(p, a)));
-            w->covered[i] = 1;
-            if (w->rule.zone && feature_zone_near(w->rule.zone, p.x, p.y))
-                continue;
-            s->points++;
-            s->out += off > w->error;
-            s->sum2 += off * off;
-            if (off > s->worst) {
-                s->worst = off;
-                s->at = p;
-            }
+    struct sizes over = {0};
+    point_grid_over(w->point_grid, a, b, c, border, &over);
+    for (size_t k = 0; k < over.n; k++) {
+        struct vec3 p = w->point_grid->point[over.item[k]];
+        double off = fabs(vec_dot(normal, vec_sub(p, a)));
+        w->covered[over.item[k]] = 1;
+        if (w->rule.zone && feature_zone_near(w->rule.zone, p.x, p.y))
+            continue;
+        s->points++;
+        s->out += off > w->error;
+        s->sum2 += off * off;
+        if (off > s->worst) {
+            s->worst = off;
+            s->at = p;
         }
+    }
+    array_free(&over);
 }
 
 /* Along the rows, of a vertex of the strip between two. */

@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "base/array.h"
+#include "math/box.h"
 
 struct nurbs_curve patch_curve(int degree, size_t poles)
 {
@@ -68,15 +69,13 @@ void patches_free(struct patches *patches)
 
 double patches_size(const struct patches *patches)
 {
-    struct vec3 low = {HUGE_VAL, HUGE_VAL, HUGE_VAL}, high = {-HUGE_VAL, -HUGE_VAL, -HUGE_VAL};
+    struct box box = box_empty();
     for (size_t i = 0; i < patches->n; i++) {
         const struct nurbs *s = &patches->item[i].surface;
         for (size_t k = 0; k < s->u.poles * s->v.poles; k++) {
             struct nurbs_pole p = s->pole[k];
-            struct vec3 at = vec_scale(1 / p.w, vec(p.wx, p.wy, p.wz));
-            low = vec(fmin(low.x, at.x), fmin(low.y, at.y), fmin(low.z, at.z));
-            high = vec(fmax(high.x, at.x), fmax(high.y, at.y), fmax(high.z, at.z));
+            box_add(&box, vec_scale(1 / p.w, vec(p.wx, p.wy, p.wz)));
         }
     }
-    return patches->n > 0 ? vec_distance(low, high) : 0;
+    return box_diagonal(&box);
 }

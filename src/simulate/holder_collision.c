@@ -4,6 +4,7 @@
 #include <stdlib.h>
 
 #include "base/array.h"
+#include "math/box.h"
 
 enum {
     IN_CELL = 8,       /* points in a cell of the pyramid, about */
@@ -61,11 +62,8 @@ static void sort_points(struct collision_body *o, size_t n)
 struct collision_body collision_body_points(const struct vec3 *point, size_t n)
 {
     struct collision_body o = {.point = point};
-    struct vec3 low = point[0], high = point[0];
-    for (size_t i = 1; i < n; i++) {
-        low = vec(fmin(low.x, point[i].x), fmin(low.y, point[i].y), 0);
-        high = vec(fmax(high.x, point[i].x), fmax(high.y, point[i].y), 0);
-    }
+    struct box box = box_around(point, n);
+    struct vec3 low = box.low, high = box.high;
     double area = (high.x - low.x) * (high.y - low.y);
     double side = fmax(hypot(high.x - low.x, high.y - low.y), 1e-6);
     double cell = fmax(sqrt(area * IN_CELL / (double)n), side / CELLS_MOST);

@@ -4,6 +4,7 @@
 #include <stdbool.h>
 #include <stdlib.h>
 
+#include "math/box.h"
 #include "math/height_pyramid.h"
 #include "math/kdtree.h"
 #include "math/quadric.h"
@@ -278,14 +279,9 @@ static struct stock_options box_of(const struct stock_options *options, const st
     double more = options->allowance;
     if (options->kind == STOCK_BETWEEN)
         return box;
-    box.low = box.high = point[0];
-    for (size_t i = 1; i < n; i++) {
-        struct vec3 p = point[i];
-        box.low = vec(fmin(box.low.x, p.x), fmin(box.low.y, p.y), fmin(box.low.z, p.z));
-        box.high = vec(fmax(box.high.x, p.x), fmax(box.high.y, p.y), fmax(box.high.z, p.z));
-    }
-    box.low = vec_add(box.low, vec(-more, -more, 0));
-    box.high = vec_add(box.high, vec(more, more, more));
+    struct box part = box_around(point, n);
+    box.low = vec_add(part.low, vec(-more, -more, 0));
+    box.high = vec_add(part.high, vec(more, more, more));
     return box;
 }
 

@@ -14,6 +14,7 @@
 
 #include "base/array.h"
 #include "base/out.h"
+#include "math/box.h"
 #include "ncread/ncread.h"
 #include "verify/verify.h"
 
@@ -76,13 +77,8 @@ static int fine(double mm)
 
 static struct vec3 middle(const struct vec3s *points)
 {
-    struct vec3 low = points->item[0], high = low;
-    for (size_t i = 1; i < points->n; i++) {
-        struct vec3 p = points->item[i];
-        low = vec(fmin(low.x, p.x), fmin(low.y, p.y), fmin(low.z, p.z));
-        high = vec(fmax(high.x, p.x), fmax(high.y, p.y), fmax(high.z, p.z));
-    }
-    return vec_mix(low, high, 0.5);
+    struct box box = box_around(points->item, points->n);
+    return vec_mix(box.low, box.high, 0.5);
 }
 
 static void print_place(struct out *o, struct vec3 p, struct vec3 centre)
