@@ -1,7 +1,7 @@
 /*
  * holder - shank and holder above the ball: a stack of truncated cones about the tool axis.
  *
- * The stack stands on the ball's centre and goes up the tool axis.  Lengths in mm.
+ * The stack begins at the ball's centre and goes up the tool axis.  Lengths in mm.
  */
 #ifndef CLOUDMILL_HOLDER_H
 #define CLOUDMILL_HOLDER_H
@@ -35,9 +35,10 @@ double holder_distance(const struct holder *holder, struct vec3 centre, struct v
                        struct vec3 p);
 
 /*
- * No place in the box about `middle` that reaches `half` along X, Y and Z has a smaller distance:
- * by that of its middle; and none is deeper than it is far from any part of the outline, which, a
- * segment being convex, is furthest at a corner.
+ * A lower bound of the distance of all places in the box about `middle` that reaches `half` along
+ * X, Y and Z: the distance of its middle less its half diagonal; and no place is deeper than it is
+ * far from any segment of the outline, which (the distance from a segment is convex) is largest at
+ * a corner of the box.
  */
 double holder_bound(const struct holder *holder, struct vec3 centre, struct vec3 axis,
                     struct vec3 middle, struct vec3 half);

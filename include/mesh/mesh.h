@@ -11,6 +11,7 @@
 #include "base/array.h"
 #include "base/error.h"
 #include "math/faces.h"
+#include "math/transform.h"
 #include "math/vec.h"
 
 /* One of the surfaces that a mesh was made from: where it is most tightly hollow. */
@@ -49,7 +50,7 @@ struct mesh_origin {
     struct mesh_surfaces surface; /* that it was made from; none: not said */
     struct mesh_parts part;       /* by rising row; none: it is one, seen from above */
     bool placed;                  /* `place` is more than the identity */
-    double place[4][4];           /* from the scan's own numbers (its units) to this mesh's mm */
+    struct transform place;       /* from the scan's own numbers (its units) to this mesh's mm */
 };
 
 struct mesh {

@@ -21,15 +21,15 @@ struct border_surface *border_surface_new(const struct border_surface_options *r
                                           const struct mesh *mesh);
 void border_surface_free(struct border_surface *border_surface);
 
-/* How far it is from place to place there, mm: a quarter of the spacing. */
+/* How far apart places there are put, mm (STEP of the spacing). */
 double border_surface_step(const struct border_surface *border_surface);
 
-/* Is a place within one and a half spacings of the border of the mesh? */
+/* True if a place is near the border of the mesh (within BESIDE spacings). */
 bool border_surface_beside(const struct border_surface *border_surface, struct vec3 p);
 
-/* Is a contact not beyond the border of the scan, which is looked for beside that of the mesh?
- * Points less than a fifth of a spacing off tell none, nor do fewer than 40, nor points more than a
- * spacing off: the mesh is of more. */
+/* False if a contact of the mesh lies beyond the border of the scan, which is looked for near that
+ * of the mesh only.  Points nearer than LITTLE spacings, fewer than NEAR points, and points more
+ * than a spacing off show no border: the mesh is of more than this scan. */
 bool border_surface_within(const struct border_surface *border_surface, const struct contact *c);
 
 /* An upright plane: what has x . normal = height; `along` is horizontal and in it. */
@@ -39,13 +39,13 @@ struct border_surface_plane {
 };
 
 /*
- * The point in the plane within a step of c on the surface of the third degree through the 40
- * nearest points of the scan, and its normal there.  False where these do not surround it, seen
- * along the normal, or leave a gap about it half as wide as they reach; where the surface runs
- * along the plane; and where that through the 24 nearest differs: a ball on a normal that is off by
- * e sinks in by e^2 / (2 (1 / R - k)), k the hollow curvature.
+ * Moves c, by a step at most, to the point in the plane on the surface of the third degree through
+ * the NEAR nearest points of the scan, with its normal there.  False where these do not surround
+ * it, seen along the normal, or leave a gap about it half as wide as they reach; where the surface
+ * runs along the plane; and where the surface through the FEWER nearest differs: a ball on a normal
+ * that is off by e sinks in by e^2 / (2 (1 / R - k)), k the hollow curvature.
  */
-bool border_surface_put(const struct border_surface *border_surface,
-                        const struct border_surface_plane *plane, struct contact *c);
+bool border_surface_move(const struct border_surface *border_surface,
+                         const struct border_surface_plane *plane, struct contact *c);
 
 #endif

@@ -31,12 +31,12 @@ struct rows {
 };
 
 /*
- * Takes a mesh apart.  A strip ends where the next node of the row is not joined to it by a facet
- * edge and is not at the same place: there is a hole, or a step too high.  Vertices of one row and
- * column follow each other as they stand in the mesh; those of a negative row are in no row.  The
- * direction is the one that the mesh says (mesh.origin.direction) where the rows bear it out within
- * 5 degrees, else that of the rows; where the mesh has parts, what it says of these. -1: the mesh
- * has no rows, or no facet.
+ * Finds the rows of a mesh.  A strip ends where the next node of the row is not joined to it by a
+ * facet edge and is not at the same place: there is a hole, or a step too high.  Vertices of one
+ * row and column follow each other in the order of the mesh; those of a negative row are in no row.
+ * The direction is the one that the mesh states (mesh.origin.direction) if the rows agree with it
+ * within AGREE, else that of the rows; where the mesh has parts, what it states of these.  -1: the
+ * mesh has no rows, or no facet.
  */
 int rows_find(const struct mesh *mesh, struct rows *rows, struct error *error);
 

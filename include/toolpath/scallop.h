@@ -1,5 +1,6 @@
 /*
- * scallop - where planes go: equal distances, or as far apart as a scallop height allows.
+ * scallop - where parallel planes go: at equal distances, or as far apart as a scallop height
+ * allows.
  */
 #ifndef CLOUDMILL_SCALLOP_H
 #define CLOUDMILL_SCALLOP_H
@@ -11,29 +12,30 @@
  * Distance between two contact points of a ball of radius `radius` that leave a cusp of height h
  * between them, mm, for the surface's curvature across the passes (1/mm, convex positive).  Exact
  * on a circle; sqrt(8 h R / (1 + R k)) to the first order in h, and never more than that.  Where
- * the ball does not fit (1 + R k near 0 or below) it is that of 1 + R k = 0.05.
+ * the ball does not fit (1 + R k near 0 or below) it is that of 1 + R k = LEAST.
  */
 double scallop_step(double h, double radius, double curvature);
 
 /*
- * Heights of planes from `low` to just below `high`, at equal distances of at most `step`: the last
- * one is a hundredth of the step inside.
+ * Heights of planes from `low` to just below `high`, at equal distances of at most `step`; the last
+ * one is a little inside (INSIDE of the step).
  */
 void scallop_equal(double low, double high, double step, struct doubles *height);
 
-/* What can't be kept. */
+/* What came of it. */
 struct scallop_report {
     double narrowest, widest; /* distance of planes, mm */
-    size_t steep;             /* facets that stand within 6 degrees of the planes */
+    size_t steep;             /* facets within STEEP of the planes: the height is not kept there */
     struct vec3 steep_at;     /* the middle of the first of them */
 };
 
 /*
  * Heights of planes of this unit normal from `low` to just below `high`, each as far from the one
  * before as the cusps between stay below h on every facet between the two.  The distance follows
- * from the curvature across the passes, which is that of the normals over a vertex's facets, and
- * from how steep the facet is towards the planes; facets across a sharp edge say nothing.  Facets
- * within 6 degrees of the planes would need planes without end: they count as 6 degrees.
+ * from the curvature across the passes, which is that of the normals over a vertex's facets (S.
+ * Rusinkiewicz, Estimating curvatures and their derivatives on triangle meshes, 2004), and from how
+ * steep the facet is towards the planes; facets across a sharp edge do not count.  Facets nearer to
+ * the planes than STEEP would need planes without end: they count as that steep.
  */
 struct scallop_report scallop_heights(const struct mesh *mesh, struct vec3 normal, double low,
                                       double high, double h, double radius, struct doubles *height);

@@ -2,7 +2,7 @@
  * slice - where planes cross a mesh: chains of contact points (paper 2, 2.2).
  *
  * Every point lies on an edge of a facet, and two that follow each other on edges of one facet.
- * A vertex on the plane, or within 2e-6 mm of it, counts as below it: each crossing is found once,
+ * A vertex on the plane, or within ON_PLANE of it, counts as below it: each crossing is found once,
  * and a border along the plane as a whole.
  */
 #ifndef CLOUDMILL_SLICE_H
@@ -60,7 +60,7 @@ double slice_high(const struct slice *cut);
 /*
  * Appends the chains of the plane with x . normal = height.  A chain runs as the cross product of
  * the plane's and the surface's normals; it ends at a border of the mesh, and at an edge that has
- * more than two facets.  Points nearer than 0.001 mm to the last one are left out, and chains of
+ * more than two facets.  Points nearer than CROWDED to the last one are left out, and chains of
  * one point.  Points lie on the plane within rounding; their normals are those of the vertices,
  * mixed, and perpendicular to the edge as it runs.
  */

@@ -23,27 +23,27 @@ static struct vec3 into_cone(struct vec3 a, struct vec3 middle, double play)
 }
 
 /* One axis towards the mean of its neighbours, the nearer one counting more. */
-static void relax(struct run *run, const struct vec3 *middle, double play, size_t before, size_t i,
-                  size_t behind)
+static void relax_axis(struct run *run, const struct vec3 *middle, double play, size_t before,
+                       size_t i, size_t after)
 {
     const struct run_point *p = run->item;
     double d0 = fmax(vec_distance(p[before].ball, p[i].ball), STILL);
-    double d1 = fmax(vec_distance(p[i].ball, p[behind].ball), STILL);
+    double d1 = fmax(vec_distance(p[i].ball, p[after].ball), STILL);
     struct vec3 mean = p[i].axis;
 
     if (before == i)
-        mean = p[behind].axis;
-    else if (behind == i)
+        mean = p[after].axis;
+    else if (after == i)
         mean = p[before].axis;
     else
-        mean = vec_mix(p[before].axis, p[behind].axis, d0 / (d0 + d1));
+        mean = vec_mix(p[before].axis, p[after].axis, d0 / (d0 + d1));
     struct vec3 to = vec_unit(vec_mix(p[i].axis, mean, OVER));
     if (vec_length(to) > 0)
         set_axis(run, i, into_cone(to, middle[i], play));
 }
 
-/* The index of the next point that counts at this stride; the last one always does. */
-static size_t next(size_t i, size_t stride, size_t n)
+/* The index of the next point at this stride; the last one always is one. */
+static size_t next_point(size_t i, size_t stride, size_t n)
 {
     return i + stride < n ? i + stride : n - 1;
 }
@@ -51,19 +51,19 @@ static size_t next(size_t i, size_t stride, size_t n)
 static void relax_all(struct run *run, const struct vec3 *middle, double play, size_t stride)
 {
     for (int sweep = 0; sweep < SWEEPS; sweep++) {
-        for (size_t i = 0, before = 0;; before = i, i = next(i, stride, run->n)) {
-            relax(run, middle, play, before, i, next(i, stride, run->n));
+        for (size_t i = 0, before = 0;; before = i, i = next_point(i, stride, run->n)) {
+            relax_axis(run, middle, play, before, i, next_point(i, stride, run->n));
             if (i + 1 == run->n)
                 break;
         }
     }
 }
 
-/* The axes between the points that count, evenly. */
-static void fill(struct run *run, const struct vec3 *middle, double play, size_t stride)
+/* The axes between the points of a stride, evenly. */
+static void interpolate_axes(struct run *run, const struct vec3 *middle, double play, size_t stride)
 {
-    for (size_t from = 0; from + 1 < run->n; from = next(from, stride, run->n)) {
-        size_t to = next(from, stride, run->n);
+    for (size_t from = 0; from + 1 < run->n; from = next_point(from, stride, run->n)) {
+        size_t to = next_point(from, stride, run->n);
         for (size_t i = from + 1; i < to; i++) {
             double s = (double)(i - from) / (double)(to - from);
             struct vec3 a = vec_slerp(run->item[from].axis, run->item[to].axis, s);
@@ -82,7 +82,7 @@ void axis_smooth_play(struct run *run, double play)
         if (stride >= run->n)
             continue;
         relax_all(run, middle, play, stride);
-        fill(run, middle, play, stride);
+        interpolate_axes(run, middle, play, stride);
     }
     free(middle);
 }
@@ -103,7 +103,7 @@ double axis_smooth_fastest(const struct run *run)
 
 /* Each axis becomes the mean of those within `half` mm along the path, by the length that each
  * stands for and less the further it is. */
-static void average(struct run *run, const struct vec3 *axis, const double *along, double half)
+static void average_axes(struct run *run, const struct vec3 *axis, const double *along, double half)
 {
     size_t low = 0, high = 0;
 
@@ -124,8 +124,8 @@ static void average(struct run *run, const struct vec3 *axis, const double *alon
     }
 }
 
-/* Where nothing less helps: one axis for all. */
-static void one_axis(struct run *run, const struct vec3 *axis)
+/* Where nothing less helps: the mean axis for all. */
+static void use_mean_axis(struct run *run, const struct vec3 *axis)
 {
     struct vec3 sum = vec(0, 0, 0);
 
@@ -148,10 +148,10 @@ double axis_smooth_rate(struct run *run, double rate)
     }
     for (double half = 0.5; run->n > 1 && axis_smooth_fastest(run) > rate; half *= 2) {
         if (half > along[run->n - 1]) {
-            one_axis(run, axis);
+            use_mean_axis(run, axis);
             break;
         }
-        average(run, axis, along, half);
+        average_axes(run, axis, along, half);
     }
     for (size_t i = 0; i < run->n; i++)
         turned = fmax(turned, vec_angle(axis[i], run->item[i].axis));

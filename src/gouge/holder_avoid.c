@@ -30,16 +30,16 @@ static bool is_clear(const struct holder_avoid_options *rule, const struct run_p
 static bool is_clear_between(const struct holder_avoid_options *rule, struct run_point a,
                              double clear_a, struct run_point b, double clear_b, int halvings)
 {
-    double way =
+    double moved =
         vec_distance(a.ball, b.ball) + holder_reach(rule->holder) * vec_angle(a.axis, b.axis);
 
     if (fmin(clear_a, clear_b) < -rule->slack)
         return false;
-    if (clear_a + clear_b + 2 * rule->slack >= way || way <= FINE || halvings == 0)
+    if (clear_a + clear_b + 2 * rule->slack >= moved || moved <= FINE || halvings == 0)
         return true;
     struct run_point m = {.ball = vec_mix(a.ball, b.ball, 0.5),
                           .axis = vec_slerp(a.axis, b.axis, 0.5)};
-    double clear_m = clearance(rule, &m, way);
+    double clear_m = clearance(rule, &m, moved);
     return is_clear_between(rule, a, clear_a, m, clear_m, halvings - 1) &&
            is_clear_between(rule, m, clear_m, b, clear_b, halvings - 1);
 }
@@ -47,11 +47,11 @@ static bool is_clear_between(const struct holder_avoid_options *rule, struct run
 bool holder_clear_between(const struct holder_avoid_options *rule, const struct run_point *from,
                           const struct run_point *to)
 {
-    double way = vec_distance(from->ball, to->ball) +
-                 holder_reach(rule->holder) * vec_angle(from->axis, to->axis) + MARGIN;
+    double moved = vec_distance(from->ball, to->ball) +
+                   holder_reach(rule->holder) * vec_angle(from->axis, to->axis) + MARGIN;
 
-    return is_clear_between(rule, *from, clearance(rule, from, way), *to, clearance(rule, to, way),
-                            HALVINGS);
+    return is_clear_between(rule, *from, clearance(rule, from, moved), *to,
+                            clearance(rule, to, moved), HALVINGS);
 }
 
 /* The least lean off `rule_axis` from `least` on that clears the point; of equal ones that nearest
@@ -87,11 +87,11 @@ static void spread_leans(struct run *run, const struct vec3 *rule_axis, const st
     for (size_t i = 0; i < run->n; i++) {
         struct vec3 lean = own[i];
         double most = vec_length(lean);
-        for (int way = -1; way <= 1; way += 2) {
+        for (int step = -1; step <= 1; step += 2) {
             double along = 0;
             size_t j = i;
-            while (way < 0 ? j > 0 : j + 1 < run->n) {
-                size_t k = way < 0 ? j - 1 : j + 1;
+            while (step < 0 ? j > 0 : j + 1 < run->n) {
+                size_t k = step < 0 ? j - 1 : j + 1;
                 along += vec_distance(run->item[j].ball, run->item[k].ball);
                 j = k;
                 if (along * RAMP > 2)

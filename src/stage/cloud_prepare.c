@@ -61,7 +61,7 @@ int cloud_prepare_place(struct vec3s *points, const char *unit, const char *matr
         total = transform_product(shift, total);
     }
     origin->placed = !transform_is_identity(&total);
-    memcpy(origin->place, total.m, sizeof total.m);
+    origin->place = total;
     return 0;
 }
 

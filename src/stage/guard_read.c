@@ -10,15 +10,8 @@
 #include "gouge/guard_points.h"
 #include "cloud/outliers.h"
 
-static struct vec3 place(const double m[4][4], struct vec3 p)
-{
-    return vec(m[0][0] * p.x + m[0][1] * p.y + m[0][2] * p.z + m[0][3],
-               m[1][0] * p.x + m[1][1] * p.y + m[1][2] * p.z + m[1][3],
-               m[2][0] * p.x + m[2][1] * p.y + m[2][2] * p.z + m[2][3]);
-}
-
 /* `placed`: how, NULL: as they are. */
-static int read_points(const struct cli_list *files, const double (*placed)[4],
+static int read_points(const struct cli_list *files, const struct transform *placed,
                        struct vec3s *points, struct error *error)
 {
     for (size_t f = 0; f < files->n; f++) {
@@ -31,8 +24,8 @@ static int read_points(const struct cli_list *files, const double (*placed)[4],
         if (count.not_finite > 0)
             say("%s: %zu rows without finite numbers left out, the first in line %zu",
                 files->item[f], count.not_finite, count.first_not_finite);
-        for (size_t i = from; placed && i < points->n; i++)
-            points->item[i] = place(placed, points->item[i]);
+        if (placed)
+            transform_points(placed, points->item + from, points->n - from);
     }
     if (placed)
         say("the scan to guard is placed as the mesh was");
@@ -144,7 +137,7 @@ static struct gouge_check *read_guard(const struct cli_list *files, const struct
                                       const struct vec3s *place_of, const char *what, double near,
                                       struct guard_read_options *rule, struct error *error)
 {
-    const double(*placed)[4] = mesh && mesh->origin.placed ? mesh->origin.place : NULL;
+    const struct transform *placed = mesh && mesh->origin.placed ? &mesh->origin.place : NULL;
     struct vec3s points = {0};
     struct gouge_check *guard = NULL;
 

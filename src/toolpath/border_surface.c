@@ -3,6 +3,7 @@
 
 #include <stdlib.h>
 
+#include "base/array.h"
 #include "math/cubic.h"
 #include "math/kdtree.h"
 #include "mesh/mesh_edges.h"
@@ -30,7 +31,7 @@ struct border_surface {
     double beside, step, radius, sure;
 };
 
-static struct kdtree *border_of(const struct mesh *mesh, double spacing)
+static struct kdtree *border_places(const struct mesh *mesh, double spacing)
 {
     struct mesh_edges edges = mesh_edges_find(mesh);
     struct vec3s place = {0};
@@ -68,7 +69,7 @@ struct border_surface *border_surface_new(const struct border_surface_options *r
 {
     struct border_surface *b = mem_alloc(1, sizeof *b);
 
-    b->border = border_of(mesh, rule->spacing);
+    b->border = border_places(mesh, rule->spacing);
     b->beside = BESIDE * rule->spacing;
     b->step = STEP * rule->spacing;
     b->radius = rule->radius;
@@ -91,15 +92,8 @@ void border_surface_free(struct border_surface *b)
     free(b);
 }
 
-static int compare_doubles(const void *pa, const void *pb)
-{
-    const double *a = pa, *b = pb;
-
-    return (*a > *b) - (*a < *b);
-}
-
 /* Seen along the normal, are there points to all sides of the place? */
-static bool surrounded(const struct vec3 *near, const struct contact *c, double open)
+static bool is_surrounded(const struct vec3 *near, const struct contact *c, double open)
 {
     struct vec3 u = vec_perpendicular(c->n), v = vec_cross(c->n, u);
     double angle[NEAR];
@@ -108,7 +102,7 @@ static bool surrounded(const struct vec3 *near, const struct contact *c, double 
         struct vec3 d = vec_sub(near[i], c->p);
         angle[i] = atan2(vec_dot(d, v), vec_dot(d, u));
     }
-    qsort(angle, NEAR, sizeof *angle, compare_doubles);
+    doubles_sort(angle, NEAR);
     double widest = angle[0] + 2 * PI - angle[NEAR - 1];
     for (int i = 0; i + 1 < NEAR; i++)
         widest = fmax(widest, angle[i + 1] - angle[i]);
@@ -116,8 +110,8 @@ static bool surrounded(const struct vec3 *near, const struct contact *c, double 
 }
 
 /* How far the ball may be off on a surface: by what one through fewer of the points differs. */
-static double unsure(const struct border_surface *b, const struct vec3 *near,
-                     const struct quadric *q)
+static double uncertainty(const struct border_surface *b, const struct vec3 *near,
+                          const struct quadric *q)
 {
     struct vec3 normal = quadric_normal(q);
     struct quadric other;
@@ -130,8 +124,8 @@ static double unsure(const struct border_surface *b, const struct vec3 *near,
 }
 
 /* Moves a contact within its plane onto the surface through the points; -1: no surface there. */
-static int settle(const struct border_surface *b, const struct vec3 *near,
-                  const struct border_surface_plane *plane, struct contact *c)
+static int fit_in_plane(const struct border_surface *b, const struct vec3 *near,
+                        const struct border_surface_plane *plane, struct contact *c)
 {
     struct quadric q;
 
@@ -147,12 +141,12 @@ static int settle(const struct border_surface *b, const struct vec3 *near,
         c->p = vec_along(c->p, plane->height - vec_dot(c->p, plane->normal), plane->normal);
         c->n = normal;
     }
-    return unsure(b, near, &q) <= b->sure ? 0 : -1;
+    return uncertainty(b, near, &q) <= b->sure ? 0 : -1;
 }
 
 /* The nearest points of a tree; false where these are too few. */
-static bool gather(const struct border_surface *b, const struct kdtree *tree, struct vec3 p,
-                   struct vec3 near[NEAR], double distance2[NEAR])
+static bool nearest_points(const struct border_surface *b, const struct kdtree *tree, struct vec3 p,
+                           struct vec3 near[NEAR], double distance2[NEAR])
 {
     size_t index[NEAR];
 
@@ -168,24 +162,24 @@ bool border_surface_within(const struct border_surface *b, const struct contact 
     double distance2[NEAR];
     struct vec3 near[NEAR];
 
-    return !border_surface_beside(b, c->p) || !gather(b, b->all, c->p, near, distance2) ||
+    return !border_surface_beside(b, c->p) || !nearest_points(b, b->all, c->p, near, distance2) ||
            sqrt(distance2[0]) > b->step / STEP || sqrt(distance2[0]) < LITTLE * b->step / STEP ||
-           surrounded(near, c, OPEN_MESH);
+           is_surrounded(near, c, OPEN_MESH);
 }
 
-bool border_surface_put(const struct border_surface *b, const struct border_surface_plane *plane,
-                        struct contact *c)
+bool border_surface_move(const struct border_surface *b, const struct border_surface_plane *plane,
+                         struct contact *c)
 {
     const double far = 0.5; /* of the reach: nearer points there are in the midst of some */
     double distance2[NEAR];
     struct vec3 near[NEAR];
     struct contact on = *c;
 
-    if (!gather(b, b->points, c->p, near, distance2) ||
+    if (!nearest_points(b, b->points, c->p, near, distance2) ||
         distance2[0] > far * far * distance2[NEAR - 1])
         return false;
-    if (settle(b, near, plane, &on) < 0 || vec_distance(on.p, c->p) > b->step ||
-        !surrounded(near, &on, OPEN))
+    if (fit_in_plane(b, near, plane, &on) < 0 || vec_distance(on.p, c->p) > b->step ||
+        !is_surrounded(near, &on, OPEN))
         return false;
     *c = on;
     return true;

@@ -32,7 +32,7 @@ static void follow_to_border(const struct border_surface *b,
     for (int i = 0; i < HALVINGS; i++) {
         double middle = (on + off) / 2;
         struct contact next = ahead(plane, c, way, middle);
-        if (border_surface_put(b, plane, &next)) {
+        if (border_surface_move(b, plane, &next)) {
             on = middle;
             last = next;
         } else {
@@ -52,7 +52,7 @@ static void follow_scan(const struct border_surface *b, const struct border_surf
 
     for (;;) {
         struct contact next = ahead(plane, c, way, border_surface_step(b));
-        if (!border_surface_put(b, plane, &next)) {
+        if (!border_surface_move(b, plane, &next)) {
             follow_to_border(b, plane, c, way, run);
             return;
         }
@@ -233,7 +233,7 @@ static bool ends_beyond(const struct border_surface *b, struct border_surface_pl
         double level2 = vec_dot(level, level), step = border_surface_step(b) * sqrt(level2);
         plane.height += way * step;
         c.p = vec_along(c.p, way * step / level2, level);
-        if (!(level2 > 0) || !border_surface_put(b, &plane, &c))
+        if (!(level2 > 0) || !border_surface_move(b, &plane, &c))
             return true;
     }
     return false;
@@ -250,7 +250,7 @@ static bool carry_point(const struct border_surface *b, const struct border_surf
     if (!(level2 > 0))
         return false;
     c->p = vec_along(c->p, way / level2, level);
-    return border_surface_put(b, plane, c) && border_surface_beside(b, c->p) &&
+    return border_surface_move(b, plane, c) && border_surface_beside(b, c->p) &&
            ends_beyond(b, *plane, *c, way < 0 ? -1 : 1);
 }
 

@@ -4,6 +4,9 @@
 #include <stdbool.h>
 #include <stdlib.h>
 
+/* Degrees: the direction that the mesh states against that of its rows. */
+static const double AGREE = 5;
+
 struct place {
     int row, col, vertex;
 };
@@ -133,7 +136,7 @@ static struct vec3 choose_direction(const struct mesh *mesh, const struct rows *
         return found;
     struct vec3 said = vec(cos(angle), sin(angle), 0);
     double agree = vec_dot(said, found);
-    if (fabs(agree) < cos(RADIANS(5)))
+    if (fabs(agree) < cos(RADIANS(AGREE)))
         return found;
     return agree > 0 ? said : vec_scale(-1, said);
 }

@@ -31,7 +31,7 @@ static int read_number(const char *key, const char *text, double *value, struct 
 static int read_place(const char *text, struct mesh_origin *origin, struct error *error)
 {
     for (int i = 0; i < 16; i++) {
-        double *to = &origin->place[i / 4][i % 4];
+        double *to = &origin->place.m[i / 4][i % 4];
         text += strspn(text, " \t");
         if (!num_read(&text, to) || !isfinite(*to) || !strchr(" \t", *text))
             return error_set(error, "comment place with %d numbers, expected 16", i);
@@ -189,7 +189,7 @@ void ply_origin_write(struct out *out, const struct mesh_origin *origin)
         out_text(out, "comment place");
         for (int i = 0; i < 16; i++) {
             out_text(out, " ");
-            write_number(out, origin->place[i / 4][i % 4]);
+            write_number(out, origin->place.m[i / 4][i % 4]);
         }
         out_text(out, "\n");
     }

@@ -50,7 +50,7 @@ static bool put(const struct border_surface *border_surface, double x, double y,
     c->p = saddle(x, y, &c->n);
     c->p.z += 0.05;
     c->n = vec_unit(vec_add(c->n, vec(0.05, 0.02, 0)));
-    return border_surface_put(border_surface, &plane, c);
+    return border_surface_move(border_surface, &plane, c);
 }
 
 START_TEST(it_is_the_surface_up_to_the_last_points)

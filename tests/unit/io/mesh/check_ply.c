@@ -45,7 +45,7 @@ static struct mesh small_mesh(void)
     *array_push(&m.face) = (struct face){{0, 1, 2}};
     *array_push(&m.face) = (struct face){{2, 1, 3}};
     for (int i = 0; i < 16; i++)
-        m.origin.place[i / 4][i % 4] = i == 5 ? 6.123233995736766e-17 : 1.0 / (i + 1) * 25.4;
+        m.origin.place.m[i / 4][i % 4] = i == 5 ? 6.123233995736766e-17 : 1.0 / (i + 1) * 25.4;
     m.origin.source = mem_string("a b\n.xyz", 8);
     m.origin.maker = mem_string("cloud2mesh", 10);
     *array_push(&m.origin.surface) =
@@ -109,7 +109,7 @@ START_TEST(origin_reads_back)
     ck_assert_str_eq(mesh.origin.maker, "cloud2mesh");
     ck_assert_str_eq(mesh.origin.source, "a b?.xyz"); /* a line end in a name ends no line */
     ck_assert(mesh.origin.placed);
-    ck_assert_mem_eq(mesh.origin.place, m.origin.place, sizeof m.origin.place);
+    ck_assert_mem_eq(&mesh.origin.place, &m.origin.place, sizeof m.origin.place);
     mesh_free(&m);
 }
 END_TEST
