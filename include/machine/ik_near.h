@@ -21,7 +21,7 @@ struct ik_near_table {
 
 struct ik_near_table ik_near_table(const struct kinematic_chain *chain);
 
-/* Component i of the tool in the frame of the ways, when the second axis is turned. */
+/* Component i of the tool in the frame of the table, when the second axis is turned. */
 static inline double ik_component(const struct ik_near_table *w, int i, double c1, double s1)
 {
     return w->still[i] + w->cosine[i] * c1 + w->sine[i] * s1;

@@ -31,7 +31,7 @@ struct block_pose {
     double q[ROTARY_MAX]; /* the rotary axes, radians */
 };
 
-/* A station, with its rotary axes' cosines and sines. */
+/* The same with the cosines and sines of the rotary axes. */
 struct machine_pose {
     struct block_pose at;
     struct turned turned;
@@ -45,20 +45,20 @@ struct pose_deviation {
 bool pose_deviation_within(struct pose_deviation d, struct pose_deviation allowed);
 struct pose_deviation pose_deviation_worst(struct pose_deviation a, struct pose_deviation b);
 
-/* The largest of n deviations taken one behind the other at equal steps, and between them: the top
- * of the parabola through the three about a peak. */
+/* The largest of n deviations at equal steps, and between them: the top of the parabola through the
+ * three about a peak. */
 struct pose_deviation interpolation_peak(const struct pose_deviation *d, int n);
 
 /* Between two poses. */
 struct pose_deviation interpolation_difference(const struct interpolation *f, struct pose a,
                                                struct pose b);
 
-/* The pose when a straight block from one station to the next is done to s, 0 to 1. */
+/* The pose when a straight block is done to s, 0 to 1. */
 struct pose interpolation_pose(const struct interpolation *f, const struct block_pose *from,
                                const struct block_pose *to, double s);
 
 /*
- * A bound of the deviation of the straight block between two stances from the straight motion
+ * A bound of the deviation of the straight block between two ends from the straight motion
  * between two poses; infinite where the block turns too far to say.
  *
  * Both move at the same time s, and e(s) is the difference of their axes (or points).  The parabola
@@ -77,14 +77,14 @@ struct pose_deviation interpolation_line(const struct interpolation *f,
  * A bound, without a look between, of what the straight block adds to the errors of its ends, at
  * the same time of block and motion (INTERPOLATE_ROTARY, INTERPOLATE_JOINT).  What moves with |e''|
  * leaves the straight line between its ends by no more than |e''| / 8: the two tool axes by turn^2
- * / 8 each; the tip that linear axes carry along a turning arm by (turn^2 arm + 2 turn way) / 8.
+ * / 8 each; the tip that linear axes carry along a turning arm by (turn^2 arm + 2 turn length) / 8.
  */
 struct pose_deviation interpolation_bend(const struct interpolation *f,
                                          const struct block_pose *from,
                                          const struct block_pose *to);
 
 /*
- * The largest deviation of the straight block between two stations from the motion between s0 and
+ * The largest deviation of the straight block between two ends from the motion between s0 and
  * s1, measured at both ends and between, closer the further the block turns, so that no peak is
  * missed between.  The time along the block is free: each place of the motion is compared with the
  * place of the block that is beside it.

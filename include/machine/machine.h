@@ -67,7 +67,7 @@ struct machine {
     bool smooth; /* the control is to smooth the path within ncpost's tolerance */
     struct machine_templates { /* blocks, "": the control's own (template.h) */
         char home[120];        /* retracts Z to a safe height */
-        char start[120];       /* behind the modal words at the start */
+        char start[120];       /* after the modal words at the start */
         char tool_change[120];
         char tcp_on[120], tcp_off[120];
         char smooth_on[120], smooth_off[120];
@@ -76,7 +76,7 @@ struct machine {
         char end[120]; /* before M30 */
     } blocks;
     int number_step; /* of block numbers, 0: none */
-    int number_max;  /* behind it they begin again */
+    int number_max;  /* after it they begin again */
     struct machine_digits digits;
 
     struct kinematic_chain chain; /* made of the above; travel in radians */

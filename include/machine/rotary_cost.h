@@ -4,7 +4,7 @@
  *
  * Whatever the machine, one of its rotary axes sets how far the tool axis leans from the machine's
  * Z and one in which direction (A or B, and C): so far does each of them turn.  Every lean has two
- * solutions, to one side and, half a turn further, to the other; the one with the shorter way
+ * solutions, to one side and, half a turn further, to the other; the one with the shorter travel
  * counts.
  */
 #ifndef CLOUDMILL_ROTARY_COST_H
@@ -12,7 +12,7 @@
 
 #include "curve/tool_axis.h"
 
-/* The way of both rotary axes together between two unit vectors, radians. */
+/* How far both rotary axes together turn between two unit vectors, radians. */
 double rotary_travel(struct vec3 from, struct vec3 to);
 
 /* How many leans rotary_lean knows from `least` to `most` radians off the normal. */

@@ -22,7 +22,7 @@ static struct vec3 ball_of(const struct interpolation *f, struct pose at)
     return vec_along(at.p, f->ball, at.a);
 }
 
-/* vec_angle, quick for the small ones: the sine's series ends behind its second term. */
+/* vec_angle, quick for the small ones: two terms of the series. */
 static double angle(struct vec3 a, struct vec3 b)
 {
     struct vec3 cross = vec_cross(a, b);
@@ -58,8 +58,8 @@ struct pose interpolation_pose(const struct interpolation *f, const struct block
     return at;
 }
 
-/* The pose at a station itself. */
-static struct pose station_pose(const struct interpolation *f, const struct block_pose *at)
+/* The pose of a block's end. */
+static struct pose end_pose(const struct interpolation *f, const struct block_pose *at)
 {
     if (f->mode == INTERPOLATE_ROTARY)
         return (struct pose){at->p, at->a};
@@ -130,8 +130,8 @@ static struct pose_deviation worse(const struct interpolation *f, const struct e
     return (struct pose_deviation){sqrt(point), angle};
 }
 
-/* The pose at a stance. */
-static struct pose stance_pose(const struct interpolation *f, const struct machine_pose *s)
+/* The same where the cosines and sines of its angles are known. */
+static struct pose known_pose(const struct interpolation *f, const struct machine_pose *s)
 {
     if (f->mode == INTERPOLATE_VECTOR)
         return (struct pose){s->at.p, vec_unit(s->at.a)};
@@ -194,8 +194,8 @@ struct pose_deviation interpolation_line(const struct interpolation *f,
 {
     static const double remainder = 0.00802; /* sqrt(3) / 216 */
     double turn = turn_of(f, from->at.q, to->at.q), ball = fabs(f->ball);
-    struct error3 e0 = error_of(f, stance_pose(f, from), start);
-    struct error3 e1 = error_of(f, stance_pose(f, to), goal);
+    struct error3 e0 = error_of(f, known_pose(f, from), start);
+    struct error3 e1 = error_of(f, known_pose(f, to), goal);
     struct pose_deviation ends = worse(f, &e0, &e1);
     if (f->mode == INTERPOLATE_VECTOR)
         return ends;
@@ -256,8 +256,8 @@ struct pose_deviation interpolation_block(const struct interpolation *f,
     int samples = motion->kind == MOTION_SPLINE ? SAMPLES_SPLINE : SAMPLES;
     samples = (int)fmin(SAMPLES_MOST, fmax(samples, ceil(turn / piece_turn)));
     struct pose_deviation d[SAMPLES_MOST + 1];
-    d[0] = interpolation_difference(f, station_pose(f, from), motion_at(motion, s0));
-    d[samples] = interpolation_difference(f, station_pose(f, to), motion_at(motion, s1));
+    d[0] = interpolation_difference(f, end_pose(f, from), motion_at(motion, s0));
+    d[samples] = interpolation_difference(f, end_pose(f, to), motion_at(motion, s1));
     for (int i = 1; i < samples; i++) {
         double s = (double)i / samples;
         struct pose wanted = motion_at(motion, s0 + s * (s1 - s0));

@@ -35,7 +35,7 @@ struct keys {
     struct key *item;
 };
 
-/* Adds a key to the table; fill in bounds, size and words behind. */
+/* Adds a key to the table; the caller fills in bounds, size and words. */
 struct key *keys_add(struct keys *keys, const char *name, enum key_kind kind, void *value);
 
 /*

@@ -92,7 +92,7 @@ void gcode_straight(struct nc_program *p, const struct nc_move *move, const char
 /* ---- drilling cycles */
 
 /* G73 steps, G74 and G84 taps (against the clock, with it), G76 none, G81 G82 (dwell) drill, G83
- * out of the hole behind each step, G85 G89 (dwell) out at feed, G86 with the spindle stopped. */
+ * out of the hole after each step, G85 G89 (dwell) out at feed, G86 with the spindle stopped. */
 static const char *cycle_code(const struct nc_program *p, const struct path_cycle *c)
 {
     switch (c->kind) {

@@ -26,7 +26,7 @@ struct gcode {
     const char *tcp_rotary, *tcp_vectors; /* tool-centre-point control on */
     const char *plane_on, *plane_off;
     const char *smooth_on, *smooth_off;
-    void (*name)(struct nc_program *p);  /* number or name of the program, behind % */
+    void (*name)(struct nc_program *p);  /* number or name of the program, after % */
     void (*modes)(struct nc_program *p); /* more modes at the start; NULL: none */
 };
 

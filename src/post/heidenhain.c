@@ -232,7 +232,7 @@ struct parameter {
     const char *says;
 };
 
-/* The lines of a definition go on behind ~. */
+/* A definition goes on in the next line after ~. */
 static void define_cycle(struct nc_program *p, const char *name, int n,
                          const struct parameter *parameter)
 {

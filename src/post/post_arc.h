@@ -26,11 +26,11 @@ struct nc_arc {
 };
 
 /*
- * Words for the piece s0 to s1 of an arc motion, between two stations as printed, with `digits`
+ * Words for the piece s0 to s1 of an arc motion, between two ends as printed, with `digits`
  * decimals.  *d: the deviation of the printed arc from the motion, *point the tracked point's part
- * of it.  False where the control cannot be given it: not in a principal plane, points too near to
- * a line or to each other to say where the centre is, the printed radius at the two ends more than
- * `radius_error` mm apart.
+ * of it.  False where the control cannot be given it: it is not in a principal plane; its points
+ * are too near to a line or to each other to say where the centre is; or the printed radii at the
+ * two ends differ by more than `radius_error` mm.
  */
 bool nc_arc_words(struct nc_arc *arc, enum nc_arcs kind, int digits, double radius_error,
                   const struct interpolation *f, const struct block_pose *from,

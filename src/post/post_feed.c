@@ -184,29 +184,29 @@ static struct span_speeds span_speeds(const struct nc_planner *planner, const st
     return spans;
 }
 
-/* Where one F before and another behind take the least time; 1 where that saves too little. */
-static double best_part(const struct span_speeds *spans)
+/* Where one F before and another after take the least time; 1 where that saves too little. */
+static double best_division(const struct span_speeds *spans)
 {
     const double share = 0.1, least = 0.2 / 60; /* of the time; minutes */
     size_t n = spans->n;
-    double *behind = mem_alloc(n + 1, sizeof *behind), length = 0, rate = 0, best = 1;
+    double *after = mem_alloc(n + 1, sizeof *after), length = 0, rate = 0, best = 1;
     double rest = 0, slowest = 0;
-    behind[n] = 0;
+    after[n] = 0;
     for (size_t i = n; i-- > 0;) {
         rest += spans->item[i].length;
         slowest = larger(slowest, spans->item[i].rate);
-        behind[i] = rest * slowest;
+        after[i] = rest * slowest;
     }
-    double whole = behind[0], minutes = whole;
+    double whole = after[0], minutes = whole;
     for (size_t i = 0; i + 1 < n; i++) {
         length += spans->item[i].length;
         rate = larger(rate, spans->item[i].rate);
-        if (length * rate + behind[i + 1] < minutes) {
-            minutes = length * rate + behind[i + 1];
+        if (length * rate + after[i + 1] < minutes) {
+            minutes = length * rate + after[i + 1];
             best = spans->item[i].s;
         }
     }
-    free(behind);
+    free(after);
     return whole - minutes > larger(share * whole, least) ? best : 1;
 }
 
@@ -215,7 +215,7 @@ double post_feed_divide(const struct nc_planner *planner, const struct motion *m
     if (planner->follow.mode == INTERPOLATE_JOINT || planner->machine->chain.n == 0)
         return 1;
     struct span_speeds spans = span_speeds(planner, motion);
-    double s = best_part(&spans);
+    double s = best_division(&spans);
     array_free(&spans);
     return s;
 }
@@ -228,9 +228,9 @@ int post_feed_digits(const struct nc_ability *ability, double feed)
     return digits + MORE_DIGITS < DIGITS_MAX ? digits + MORE_DIGITS : DIGITS_MAX;
 }
 
-/* The way of all axes together, mm and degrees. */
-static double joint_way(const struct nc_planner *planner, const struct block_pose *a,
-                        const struct block_pose *b)
+/* How far all axes together go, mm and degrees. */
+static double joint_length(const struct nc_planner *planner, const struct block_pose *a,
+                           const struct block_pose *b)
 {
     double way = vec_distance(a->p, b->p);
     for (int i = 0; i < planner->machine->chain.n; i++)
@@ -238,9 +238,10 @@ static double joint_way(const struct nc_planner *planner, const struct block_pos
     return way;
 }
 
-/* What a turn about a tip that stands counts, mm: as it has degrees, or as the ball goes. */
-static double turn_way(const struct nc_planner *planner, const struct block_pose *a,
-                       const struct block_pose *b)
+/* The length that stands for a turn about a tip at rest, mm: one for each degree, or what the ball
+ * goes. */
+static double turn_length(const struct nc_planner *planner, const struct block_pose *a,
+                          const struct block_pose *b)
 {
     double way = 0;
     for (int i = 0; i < planner->machine->chain.n; i++)
@@ -260,13 +261,13 @@ double post_feed_word(const struct nc_planner *planner, const struct machine_pos
     bool still = length < 1 / num_ten[ability->digits.linear], stays = tip && length == 0;
     double feed = planner->state.feed * planner->state.faster, wished = length / feed;
     if (still) /* else the tip alone says how fast it goes */
-        wished = larger(length, turn_way(planner, from, to)) / feed;
+        wished = larger(length, turn_length(planner, from, to)) / feed;
     *minutes = post_feed_minutes(planner, target, length, along, wished);
     bool slow = *minutes > wished;
     if (ability->feeds == NC_FEEDS_INVERSE)
         feed = 1 / larger(*minutes, 1e-9);
     else if (!tip || stays)
-        feed = joint_way(planner, from, to) / larger(*minutes, 1e-9);
+        feed = joint_length(planner, from, to) / larger(*minutes, 1e-9);
     else if (slow || still)
         feed = length / *minutes;
     for (int i = 0;

@@ -17,23 +17,22 @@ struct nc_along {
     const struct nc_spline *spline; /* whose words say it, NULL: none */
 };
 
-/* The longest that an axis needs for the straight way between two stations, minutes: each axis at
- * an even speed, without tool-centre-point control the slides too. */
+/* The longest that an axis needs from one end of a straight block to the other, minutes: each axis
+ * at an even speed; without tool-centre-point control the slides too. */
 double post_feed_axes_minutes(const struct nc_planner *planner, const struct block_pose *a,
                               const struct block_pose *b);
 
 /*
- * The time of the block from where the program is, minutes, at which no axis is anywhere on it
- * faster than it can be, if its tip goes at an even speed, `length` in all, or where that is 0 the
- * rotary axes do.  `along` NULL: it is straight.  `least`: a time that it takes in any case.
+ * The time of the next block, minutes: the least at which no axis is faster than its rapid anywhere
+ * on it, if the tip goes `length` mm at an even speed (where that is 0, the rotary axes do).
+ * `along` NULL: the block is straight.  `least`: it takes no less than that.
  */
 double post_feed_minutes(const struct nc_planner *planner, const struct machine_pose *to,
                          double length, const struct nc_along *along, double least);
 
 /*
- * Where to part a B-spline, from where the program is, into blocks with an F of their own, so that
- * what is slow in it does not slow the rest of it: at s in (0, 1), a knot; 1: nowhere, for it
- * would save less than a tenth of the time or a fifth of a second.
+ * Where to divide a B-spline into two, each with its own F, so that a slow part does not slow the
+ * rest: at s in (0, 1), a knot; 1: nowhere, because it would save too little time.
  */
 double post_feed_divide(const struct nc_planner *planner, const struct motion *motion);
 

@@ -22,8 +22,8 @@ struct nc_planes {
     struct nc_plane *item;
 };
 
-/* There are holes of drilling cycles in it, and each has what a control must be told: of a tap its
- * pitch, or the speed of the spindle. */
+/* The path has holes of drilling cycles, and each has all that a control needs: of a tap its pitch,
+ * or the speed of the spindle. */
 bool post_frame_holes(const struct path *path);
 
 /*
@@ -39,10 +39,10 @@ bool post_frame_upright(const struct nc_planes *planes);
 void post_frame_inch(struct path *path, struct machine *machine, struct nc_plan_options *options);
 
 /*
- * Each part of the path in the frame whose Z is its plane's axis: the work's frame turned by the
- * angles as they are printed with so many digits, by Euler's where `euler`, its zero point kept.  A
- * PATH_PLANE stands before each but the first.  The machine becomes one of three axes, the others'
- * work done by the control.  -1: the machine cannot turn there.
+ * Brings each part of the path into the frame whose Z is its plane's axis: the work's frame turned
+ * by the angles as they are printed with so many digits (Euler's where `euler`), about the same
+ * zero point.  A PATH_PLANE comes before each part but the first.  The machine becomes one of three
+ * axes; the control turns the others.  -1: the machine cannot turn there.
  */
 int post_frame_tilt(struct path *path, struct machine *machine, struct nc_planes *planes,
                     bool euler, int digits, struct error *error);

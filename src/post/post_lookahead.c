@@ -185,7 +185,7 @@ static void add_ends_of_travel(struct lookahead *ahead, const struct kinematic_c
     ahead->found = b;
 }
 
-/* Places of a motion behind s0, where the direction is a0, up to s1. */
+/* Places of a motion after s0, where the direction is a0, up to s1. */
 static void add_places(struct lookahead *ahead, const struct kinematic_chain *chain,
                        const struct motion *motion, double s0, struct vec3 a0, double s1, int depth)
 {
@@ -249,7 +249,7 @@ static bool may_cross(const void *with, size_t from, size_t to, const double q0[
     const struct lookahead *ahead = with;
     const struct nc_planner *planner = ahead->planner;
     size_t low = 0, high = ahead->crossing.n - 1;
-    (void)from; /* told by where it leads to */
+    (void)from; /* the end of a crossing says which it is */
     while (low < high) {
         size_t mid = (low + high) / 2;
         if (ahead->crossing.item[mid].end < to)

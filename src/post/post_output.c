@@ -178,7 +178,7 @@ static int part_ends(struct sizes *ends, const struct nc_program *whole, struct 
 {
     const struct nc_plan *plan = whole->plan;
     struct length more, *at = measure(whole, &more);
-    size_t last = plan->move.n; /* behind the last cut: a part without one would be none */
+    size_t last = plan->move.n; /* after the last cut: a part needs one */
     int result = 0;
     while (last && !cuts(&plan->move.item[last - 1]))
         last--;
@@ -200,7 +200,7 @@ static int part_ends(struct sizes *ends, const struct nc_program *whole, struct 
         else if (to >= last && last > from + 1)
             to = last - 1; /* the last cut is for the next one */
         while (to > from && to < plan->move.n && !nc_moves(&plan->move.item[to - 1]))
-            to--; /* what is said behind a motion is for the next one */
+            to--; /* what is said after a motion is for the next one */
         if (to == from)
             result = error_set(error,
                                "option --split: found too little room, expected at least %zu "

@@ -27,12 +27,13 @@ struct nc_ability {
     enum nc_feeds feeds;
     double feed_max;
     double unit;   /* mm, see struct nc_plan_options */
-    bool doubtful; /* vectors, but the control may turn its rotary axes evenly: keep to both */
+    bool doubtful; /* vectors, but the control may turn its rotary axes evenly: blocks keep to both
+                    */
     enum nc_arcs arcs;
     enum nc_splines splines;
     struct machine_digits digits; /* all given */
     double radius_error;          /* of an arc's two ends, mm */
-    double smoothing;             /* mm that the control is told it may be off, 0: it smooths not */
+    double smoothing;             /* mm that the control may be off by its own smoothing, 0: none */
 };
 
 /* What the user asks for. */
@@ -49,10 +50,10 @@ enum nc_why {
     NC_WHY_PATH,     /* the path */
     NC_WHY_DIVIDED,  /* a motion in several blocks, for the tolerance */
     NC_WHY_CHORD,    /* a curve in straight pieces */
-    NC_WHY_TURN,     /* retract - turn - return */
-    NC_WHY_APPROACH, /* the path has no way down or up */
-    NC_WHY_RETRACT,
-    NC_WHY_PART /* a program that is only a part has its own way down and up */
+    NC_WHY_TURN,     /* retract, turn, return */
+    NC_WHY_APPROACH, /* the path starts with a cut */
+    NC_WHY_RETRACT,  /* the path ends in a cut */
+    NC_WHY_PART      /* the program is a part of the whole, with its own approach and retract */
 };
 
 enum nc_kind {
@@ -91,7 +92,7 @@ struct nc_move {
 struct nc_total {
     size_t rapids, lines, arcs, splines, holes, passes;
     size_t chorded;    /* arcs and B-splines of the path that became straight blocks */
-    size_t turns;      /* retract - turn - return */
+    size_t turns;      /* retract, turn, return */
     double cut, rapid; /* length, mm */
     double minutes;
     struct pose_deviation spent; /* the worst of all blocks at feed */
@@ -126,7 +127,7 @@ struct nc_plan {
 int nc_plan_make(struct nc_plan *plan, const struct path *path, const struct machine *machine,
                  struct nc_ability ability, struct nc_plan_options options, struct error *error);
 
-/* What a move says where it ends. */
+/* Where a move ends, as it says it. */
 struct block_pose nc_plan_pose(const struct nc_plan *plan, const struct kinematic_chain *chain,
                                const struct nc_move *move);
 

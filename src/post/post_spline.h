@@ -35,8 +35,8 @@ static inline int nc_poly_factors(int degree)
     return degree > 3 ? degree - 1 : 2;
 }
 
-/* The spans of a curve, in the digits that will be printed; false: one of them is shorter than can
- * be told. */
+/* The spans of a curve, in the digits that will be printed; false: one of them is shorter than the
+ * digits can say. */
 bool nc_poly_words(struct nc_spans *spans, const struct bspline *b, int digits);
 
 /* Characters of the words of the widest span, with those of the head when it `turns`. */
@@ -74,10 +74,11 @@ struct nc_spline_digits {
 };
 
 /*
- * Words for the whole spline motion from a station as printed; *to is where it ends, as printed.  A
- * curve of a higher degree than the control knows becomes a cubic beside it (cubic_form.h).
- * False where the control cannot be given it within `allowed` (its degree, its axis, its digits);
- * nothing then needs freeing.  *d: the deviation of what is printed from the motion.
+ * Words for the whole spline motion from a block's end as printed; *to is where it ends, as
+ * printed.  A curve of a higher degree than the control knows becomes a cubic beside it
+ * (cubic_form.h). False where the control cannot be given it within `allowed` (its degree, its
+ * axis, its digits); nothing then needs freeing.  *d: the deviation of what is printed from the
+ * motion.
  */
 bool nc_spline_words(struct nc_spline *spline, enum nc_splines kind, struct nc_spline_digits digits,
                      const struct interpolation *f, const struct block_pose *from,

@@ -189,7 +189,7 @@ void nc_coolant(struct nc_program *p)
         nc_block(&p->w, code[p->tooling.coolant]);
 }
 
-/* The statement starts with this word; *rest stands behind it and a slash. */
+/* The statement starts with this word; *rest follows it and a slash. */
 static bool is_word(const char *text, const char *word, const char **rest)
 {
     size_t n = strlen(word);

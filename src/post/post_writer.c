@@ -33,7 +33,7 @@ static void append(struct nc_writer *w, const char *s, size_t n)
     w->n += n;
 }
 
-/* The first word of a block behind its number, or one without room. */
+/* The first word of a block, after its number, or one without room. */
 static char *begin_block(struct nc_writer *w)
 {
     if (w->n > NC_BLOCK_MAX)
@@ -52,8 +52,8 @@ static char *begin_block(struct nc_writer *w)
     return w->line + w->n;
 }
 
-/* Where the address of the next word goes: behind the room before it, and before the first word
- * its block's number.  There is room for an address and a number, however long the block is. */
+/* Where the address of the next word goes: after a blank, or after the block's number.  There is
+ * room for an address and a number, however long the block is. */
 static inline char *begin_word(struct nc_writer *w)
 {
     if (w->n == 0 || w->n > NC_BLOCK_MAX)

@@ -36,7 +36,7 @@ struct nc_writer {
     struct out *out; /* NULL: to nowhere */
     struct nc_format_options style;
     int step;    /* of block numbers, 0: none */
-    long most;   /* the numbers begin again behind it */
+    long most;   /* after it the numbers begin again */
     long number; /* of the last block */
     char *line;  /* the block that is put together: in the output's own memory, or in `own` */
     size_t n;
@@ -51,11 +51,11 @@ struct nc_writer {
     char own[NC_LINE_MAX];
 };
 
-/* Begins anew; nobody else writes to `out` as long as the writer does. */
+/* Starts a program; nobody else writes to `out` meanwhile. */
 void nc_writer_begin(struct nc_writer *w, struct out *out, struct nc_format_options style, int step,
                      long most);
 
-/* Adds a word to the block: as it stands; an address with a number; with a whole number. */
+/* Adds a word to the block: a text as it is; an address with a number; with a whole number. */
 void nc_code(struct nc_writer *w, const char *word);
 void nc_number(struct nc_writer *w, const char *address, double value, int digits);
 void nc_count(struct nc_writer *w, const char *address, double whole); /* no point, no sign */
@@ -74,10 +74,10 @@ void nc_remember(struct nc_writer *w, enum nc_slot slot, double value);
 /* Ends the block and writes it, with its number; a block without words is none. */
 void nc_end(struct nc_writer *w);
 
-/* Takes the block back as if it had not begun. */
+/* Takes back the block that has begun. */
 void nc_drop(struct nc_writer *w);
 
-/* Goes on with the block in a line of its own. */
+/* Goes on with the block in a new line. */
 void nc_continue(struct nc_writer *w, const char *text);
 
 /* A whole block of one word; a line without a number; a comment on its own line. */

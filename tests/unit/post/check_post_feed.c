@@ -26,7 +26,7 @@ static struct machine any_machine(int kind)
     return m;
 }
 
-static struct block_pose any_station(const struct kinematic_chain *chain, double far)
+static struct block_pose any_end(const struct kinematic_chain *chain, double far)
 {
     struct block_pose s = {.p = vec_scale(far * chance(), random_unit()),
                            .q = {4 * chance() - 2, 2 * chance() - 1}};
@@ -61,8 +61,8 @@ START_TEST(as_by_small_steps)
         struct machine m = any_machine(_i);
         struct nc_planner planner = {.machine = &m,
                                      .follow = {.mode = INTERPOLATE_ROTARY, .chain = &m.chain}};
-        planner.state.at = any_station(&m.chain, 900);
-        struct machine_pose to = {.at = any_station(&m.chain, 900)};
+        planner.state.at = any_end(&m.chain, 900);
+        struct machine_pose to = {.at = any_end(&m.chain, 900)};
         if (i % 3 == 0) /* close by, or where it is */
             to.at.p = vec_along(planner.state.at.p, i % 2 ? 1 : 0, random_unit());
         to.turned = chain_turned(&m.chain, to.at.q);
@@ -159,8 +159,8 @@ START_TEST(feed_words)
             .follow = {.mode = tip ? INTERPOLATE_ROTARY : INTERPOLATE_JOINT, .chain = &m.chain}};
         planner.state.feed = 100 + 5000 * chance();
         planner.state.faster = 1;
-        planner.state.at = any_station(&m.chain, 600);
-        struct machine_pose to = {.at = any_station(&m.chain, 600)};
+        planner.state.at = any_end(&m.chain, 600);
+        struct machine_pose to = {.at = any_end(&m.chain, 600)};
         to.at.p = vec_along(planner.state.at.p, 1 + 300 * chance(), random_unit());
         to.turned = chain_turned(&m.chain, to.at.q);
         const struct block_pose *a = &planner.state.at, *b = &to.at;
