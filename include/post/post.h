@@ -23,9 +23,9 @@
  *                     as the shortest way through a graph (machine/ik_plan.h)
  *    each use those before it.
  * 4. Text.  The dialect of the control (fanuc.c, siemens.c, heidenhain.c, linuxcnc.c; what the
- *    G-code of several shares is in gcode.h) sets the moves down in words (post_words.h), with the
- *    head for people (post_head.h) and what the path says between motions (post_statement.h), in
- *    blocks (post_writer.h); post_output.h makes the files.
+ *    G-code of several shares is in gcode.h) sets the moves down (post_program.h) in words
+ *    (post_words.h), with the head for people (post_head.h) and what the path says between motions
+ *    (post_statement.h), in blocks (post_writer.h); post_output.h makes the files.
  *
  * A new control: a row in machine/control.h and src/post/NAME.c.  A new machine: a file in
  * machines/.

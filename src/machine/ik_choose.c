@@ -51,8 +51,8 @@ double ik_most_turn(const struct kinematic_chain *chain, const double a[], const
     return most;
 }
 
-static void merit(const struct kinematic_chain *chain, const double from[], const double q[],
-                  bool smooth, double m[3])
+static void rank(const struct kinematic_chain *chain, const double from[], const double q[],
+                 bool smooth, double m[3])
 {
     double sum = 0, away = 0, master = 0;
     for (int i = 0; i < chain->n; i++) {
@@ -91,7 +91,7 @@ int ik_choose(const struct kinematic_chain *chain, struct vec3 axis, const doubl
                 inside = false;
                 *over = i;
             }
-        merit(chain, from, s.q[k], smooth, m);
+        rank(chain, from, s.q[k], smooth, m);
         if (!inside || (found >= 0 && !better(m, best)))
             continue;
         found = k;

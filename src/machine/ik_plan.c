@@ -50,13 +50,13 @@ static bool improve(struct state *state, unsigned turns, double cost, const doub
     return true;
 }
 
-static void clear(struct state row[], int n)
+static void clear_row(struct state row[], int n)
 {
     for (int s = 0; s < n; s++)
         row[s].travel = HUGE_VAL;
 }
 
-static int best(const struct state row[], int n)
+static int best_state(const struct state row[], int n)
 {
     int found = -1;
     for (int s = 0; s < n; s++)
@@ -119,10 +119,10 @@ static void turn_back(struct search *s, const struct ik_plan_place *last,
                       const struct ik_plan_place *place, const struct ik_branch_target *target,
                       uint16_t into[])
 {
-    int start = best(s->last, s->states.n);
+    int start = best_state(s->last, s->states.n);
     if (!s->turns || !last->may_turn || start < 0)
         return;
-    clear(s->turned, s->states.n);
+    clear_row(s->turned, s->states.n);
     for (int k = 0; k < s->states.n; k++) {
         struct state from = s->last[k];
         if (!(from.travel < HUGE_VAL) || from.turns > s->last[start].turns)
@@ -169,7 +169,7 @@ static const struct vec3 *next_tilted(const struct search *s, const struct ik_pl
     return *tilted < n ? &place[*tilted].axis : NULL;
 }
 
-static void forward(struct search *s, const struct ik_plan_place place[], size_t n)
+static void fill_forward(struct search *s, const struct ik_plan_place place[], size_t n)
 {
     size_t tilted = 0, leads = 0; /* the next place where a crossing ends */
     for (size_t j = 0; j < n; j++) {
@@ -181,7 +181,7 @@ static void forward(struct search *s, const struct ik_plan_place place[], size_t
             struct state *other = s->last;
             s->last = s->row;
             s->row = other;
-            clear(s->row, s->states.n);
+            clear_row(s->row, s->states.n);
             for (int k = 0; k < s->states.n; k++)
                 if (s->last[k].travel < HUGE_VAL)
                     extend_by_block(s, &place[j], &target, &s->last[k], origin_of(k, BY_BLOCK),
@@ -257,13 +257,13 @@ static int search(struct search *s, const struct ik_plan_place place[], size_t n
                   const double from[])
 {
     struct state start = {.q = {from[0], from[1]}};
-    clear(s->turned, s->states.n);
-    clear(s->far, s->states.n);
+    clear_row(s->turned, s->states.n);
+    clear_row(s->far, s->states.n);
     improve_all(s, &place[0], &start, 0);
     for (int k = 0; k < s->states.n; k++)
         s->row[k] = s->turned[k];
-    forward(s, place, n);
-    int last = best(s->row, s->states.n);
+    fill_forward(s, place, n);
+    int last = best_state(s->row, s->states.n);
     if (last >= 0 || s->turns)
         return last;
     s->turns = true;

@@ -71,8 +71,8 @@ static struct pose end_pose(const struct interpolation *f, const struct block_po
  * it; where that hardly moves, the ball counts too.  Never far from s: a block that hardly moves
  * but turns would else be taken for its ends alone.
  */
-static struct pose beside(const struct interpolation *f, const struct block_pose *from,
-                          const struct block_pose *to, struct pose wanted, double s)
+static struct pose pose_beside(const struct interpolation *f, const struct block_pose *from,
+                               const struct block_pose *to, struct pose wanted, double s)
 {
     struct pose start = interpolation_pose(f, from, to, 0),
                 end = interpolation_pose(f, from, to, 1);
@@ -119,8 +119,8 @@ static struct vec3 bend(struct vec3 start, struct vec3 middle, struct vec3 end)
 }
 
 /* The worse of two errors; of the axis the chord, made the angle. */
-static struct pose_deviation worse(const struct interpolation *f, const struct error3 *a,
-                                   const struct error3 *b)
+static struct pose_deviation worse_error(const struct interpolation *f, const struct error3 *a,
+                                         const struct error3 *b)
 {
     double point = fmax(vec_dot(a->point, a->point), vec_dot(b->point, b->point));
     double axis = fmax(vec_dot(a->axis, a->axis), vec_dot(b->axis, b->axis));
@@ -196,7 +196,7 @@ struct pose_deviation interpolation_line(const struct interpolation *f,
     double turn = turn_of(f, from->at.q, to->at.q), ball = fabs(f->ball);
     struct error3 e0 = error_of(f, known_pose(f, from), start);
     struct error3 e1 = error_of(f, known_pose(f, to), goal);
-    struct pose_deviation ends = worse(f, &e0, &e1);
+    struct pose_deviation ends = worse_error(f, &e0, &e1);
     if (f->mode == INTERPOLATE_VECTOR)
         return ends;
     /* both axes stay within turn^2 / 8 of the straight line between their ends */
@@ -228,7 +228,7 @@ struct pose_deviation interpolation_line(const struct interpolation *f,
 
 /* The top of the parabola through three samples in a row, where the middle one is the highest: the
  * deviation between samples, which the samples themselves understate by some percent. */
-static double top(double before, double here, double after)
+static double parabola_top(double before, double here, double after)
 {
     double bend = 2 * here - before - after;
     if (here < before || here < after || !(bend > 0))
@@ -240,8 +240,8 @@ struct pose_deviation interpolation_peak(const struct pose_deviation *d, int n)
 {
     struct pose_deviation worst = pose_deviation_worst(d[0], d[n - 1]);
     for (int i = 1; i + 1 < n; i++) {
-        struct pose_deviation between = {top(d[i - 1].point, d[i].point, d[i + 1].point),
-                                         top(d[i - 1].axis, d[i].axis, d[i + 1].axis)};
+        struct pose_deviation between = {parabola_top(d[i - 1].point, d[i].point, d[i + 1].point),
+                                         parabola_top(d[i - 1].axis, d[i].axis, d[i + 1].axis)};
         worst = pose_deviation_worst(worst, between);
     }
     return worst;
@@ -261,7 +261,7 @@ struct pose_deviation interpolation_block(const struct interpolation *f,
     for (int i = 1; i < samples; i++) {
         double s = (double)i / samples;
         struct pose wanted = motion_at(motion, s0 + s * (s1 - s0));
-        d[i] = interpolation_difference(f, beside(f, from, to, wanted, s), wanted);
+        d[i] = interpolation_difference(f, pose_beside(f, from, to, wanted, s), wanted);
     }
     return interpolation_peak(d, samples + 1);
 }

@@ -19,19 +19,19 @@ double rotary_travel(struct vec3 from, struct vec3 to)
     return fmin(fabs(lean1 - lean0) + turn, lean0 + lean1 + PI - turn);
 }
 
-static int steps(double least, double most)
+static int lean_steps(double least, double most)
 {
     return most > least ? (int)ceil((most - least) / STEP - 1e-9) : 0;
 }
 
 int rotary_leans(double least, double most)
 {
-    return DIRECTIONS * (1 + steps(least, most));
+    return DIRECTIONS * (1 + lean_steps(least, most));
 }
 
 struct tool_axis_options rotary_lean(double least, double most, int i)
 {
-    int n = steps(least, most);
+    int n = lean_steps(least, most);
     double part = n > 0 ? (double)(i / DIRECTIONS) / n : 0, off = least + part * (most - least);
     double direction = 2 * PI * (i % DIRECTIONS) / DIRECTIONS;
 

@@ -1,8 +1,6 @@
 /* dialect - see dialect.h. */
 #include "dialect.h"
 
-#include "post_statement.h"
-
 #define ROW(name, title, tcp_of_machine) extern const struct dialect dialect_##name;
 CONTROL_TABLE(ROW)
 #undef ROW
@@ -16,7 +14,7 @@ const struct dialect *dialect_of(enum control_id control)
     return table[control];
 }
 
-static int given(int digits, int usual)
+static int given_or_usual(int digits, int usual)
 {
     return digits < 0 ? usual : digits;
 }
@@ -30,9 +28,11 @@ struct nc_ability dialect_ability(enum control_id control, const struct machine 
     const struct machine_digits *own = &machine->digits, *usual = &dialect->digits;
     struct nc_ability ability = {
         .mode = INTERPOLATE_JOINT,
-        .digits = {given(own->linear, usual->linear + finer), given(own->angle, usual->angle),
-                   given(own->vector, usual->vector), given(own->knot, usual->knot),
-                   given(own->feed, usual->feed + 2 * finer)},
+        .digits = {given_or_usual(own->linear, usual->linear + finer),
+                   given_or_usual(own->angle, usual->angle),
+                   given_or_usual(own->vector, usual->vector),
+                   given_or_usual(own->knot, usual->knot),
+                   given_or_usual(own->feed, usual->feed + 2 * finer)},
         .radius_error = 0.005 / unit,
         .unit = unit,
         .feed_max = machine->feed_max,
@@ -54,103 +54,7 @@ struct nc_ability dialect_ability(enum control_id control, const struct machine 
         ability.feeds = NC_FEEDS_COMBINED;
     } else {
         ability.feeds = NC_FEEDS_INVERSE;
-        ability.digits.feed = given(own->feed, 3); /* 1/min: small numbers count */
+        ability.digits.feed = given_or_usual(own->feed, 3); /* 1/min: small numbers count */
     }
     return ability;
-}
-
-void dialect_start(struct nc_program *p)
-{
-    const struct dialect *dialect = dialect_of(p->control);
-    p->hole = NULL;
-    p->cutcom.asked = p->cutcom.on = CUTCOM_OFF;
-    p->at_plane = 0;
-    nc_tool_first(p);
-    dialect->start(p);
-    dialect->load(p);
-    dialect->engage(p);
-}
-
-void dialect_finish(struct nc_program *p)
-{
-    const struct dialect *dialect = dialect_of(p->control);
-    if (p->hole)
-        dialect->hole_end(p);
-    dialect->disengage(p);
-    dialect->finish(p);
-}
-
-/* Home, the other tool, and back to work; a tool that the program started with is there. */
-static void change_tool(struct nc_program *p, const struct nc_move *move)
-{
-    const struct dialect *dialect = dialect_of(p->control);
-    if (move->index < p->tooling.taken)
-        return;
-    dialect->disengage(p);
-    nc_block(&p->w, "M9");
-    nc_block(&p->w, "M5");
-    nc_tool_change(p, move);
-    nc_forget(&p->w, NC_X, NC_F);
-    dialect->load(p);
-    dialect->engage(p);
-}
-
-/* Home and back to work in another plane; a change of tools there goes to it by itself. */
-static void change_plane(struct nc_program *p, const struct nc_move *move)
-{
-    const struct dialect *dialect = dialect_of(p->control);
-    if (move->index <= p->at_plane || !nc_tool_stays(p, move))
-        return;
-    dialect->disengage(p);
-    nc_tool_change(p, move);
-    nc_forget(&p->w, NC_X, NC_F);
-    p->same_tool = true;
-    dialect->engage(p);
-    p->same_tool = false;
-}
-
-void dialect_move(struct nc_program *p, const struct nc_move *move)
-{
-    const struct dialect *dialect = dialect_of(p->control);
-    if (p->hole && move->kind != NC_HOLE && move->kind != NC_PASS)
-        dialect->hole_end(p);
-    switch (move->kind) {
-    case NC_RAPID:
-    case NC_LINE:
-        dialect->line(p, move);
-        break;
-    case NC_ARC:
-        dialect->arc(p, move);
-        break;
-    case NC_SPLINE:
-        dialect->spline(p, move);
-        break;
-    case NC_HOLE:
-        dialect->hole(p, move);
-        break;
-    case NC_PASS:
-        nc_comment(&p->w, "Pass %u", move->index);
-        break;
-    case NC_TEXT:
-        nc_statement(p, p->path->text.item[move->index]);
-        break;
-    case NC_TOOL:
-        change_tool(p, move);
-        break;
-    case NC_PLANE:
-        change_plane(p, move);
-        break;
-    }
-}
-
-void dialect_write(struct nc_program *p)
-{
-    dialect_start(p);
-    for (size_t i = 0; i < p->plan->move.n; i++) {
-        bool before = *p->w.met != '\0';
-        dialect_move(p, &p->plan->move.item[i]);
-        if (!before && *p->w.met)
-            p->met = i;
-    }
-    dialect_finish(p);
 }

@@ -89,14 +89,4 @@ const struct dialect *dialect_of(enum control_id control);
 struct nc_ability dialect_ability(enum control_id control, const struct machine *machine,
                                   enum post_axis_words axis, bool still, double unit);
 
-/* The start of the program, up to its first motion; what follows its last one. */
-void dialect_start(struct nc_program *p);
-void dialect_finish(struct nc_program *p);
-
-/* One move of the program. */
-void dialect_move(struct nc_program *p, const struct nc_move *move);
-
-/* Writes the whole program. */
-void dialect_write(struct nc_program *p);
-
 #endif

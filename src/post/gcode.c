@@ -120,7 +120,7 @@ static bool dwells(const struct nc_hole *hole)
 }
 
 /* A rapid of its own leads from the hole up to the level of G98. */
-static bool lifts(const struct gcode *g, const struct nc_hole *hole)
+static bool needs_rapid_to_level(const struct gcode *g, const struct nc_hole *hole)
 {
     return g->level_at_feed && nc_hole_slow(hole) && hole->retract > hole->clear;
 }
@@ -151,7 +151,7 @@ void gcode_hole(struct nc_program *p, const struct nc_move *move)
     if (!goes_on) {
         if (c->kind == CYCLE_TAP)
             nc_template(p, p->machine->blocks.tap, "");
-        nc_code(w, hole->retract > hole->clear && !lifts(g, hole) ? "G98" : "G99");
+        nc_code(w, hole->retract > hole->clear && !needs_rapid_to_level(g, hole) ? "G98" : "G99");
         nc_code(w, cycle_code(p, c));
     }
     nc_hole_place(p, hole);
@@ -168,7 +168,7 @@ void gcode_hole(struct nc_program *p, const struct nc_move *move)
     }
     nc_end(w);
     nc_hole_done(p, move);
-    if (lifts(g, hole))
+    if (needs_rapid_to_level(g, hole))
         rapid_to_level(p, hole);
 }
 

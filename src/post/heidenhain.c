@@ -26,7 +26,7 @@ static const char *const vector_address[] = {"TX", "TY", "TZ"};
 
 static const char home[] = "L Z+0 R0 FMAX M91";
 
-static bool allowed(unsigned char c)
+static bool allowed_in_names(unsigned char c)
 {
     return c < 128 && (isalnum(c) || c == '_' || c == '-');
 }
@@ -36,7 +36,7 @@ static int check_name(const char *name, struct error *error)
     size_t n = strlen(name);
     bool good = n >= 1 && n <= NAME_MAX_LENGTH;
     for (size_t i = 0; i < n; i++)
-        good = good && allowed((unsigned char)name[i]);
+        good = good && allowed_in_names((unsigned char)name[i]);
     if (good)
         return 0;
     return error_set(error,
@@ -51,7 +51,7 @@ static void program_line(struct nc_program *p, const char *word)
     const char *from = p->name ? p->name : p->path->head.partno;
     size_t n = 0;
     for (; from && *from && n < NAME_MAX_LENGTH; from++) {
-        bool good = allowed((unsigned char)*from);
+        bool good = allowed_in_names((unsigned char)*from);
         if (good || (n && name[n - 1] != '_'))
             name[n++] = good ? (char)toupper((unsigned char)*from) : '_';
     }
@@ -67,7 +67,7 @@ static void program_line(struct nc_program *p, const char *word)
 }
 
 /* L A+0 C+0 R0 FMAX */
-static void turn(struct nc_program *p, const double q[])
+static void rotary_rapid(struct nc_program *p, const double q[])
 {
     if (!p->machine->chain.n)
         return;
@@ -118,7 +118,7 @@ static void engage(struct nc_program *p)
                          "CYCL DEF 32.2 HSC-MODE:0 TA{orientation}";
     struct nc_writer *w = &p->w;
     const struct nc_move *first = nc_first_move(p);
-    turn(p, first->q);
+    rotary_rapid(p, first->q);
     if (p->plane)
         nc_template(p, p->machine->blocks.plane_on, "PLANE SPATIAL SPA{a} SPB{b} SPC+0 TURN FMAX");
     if (p->plan->ability.tcp)
@@ -213,7 +213,7 @@ static void disengage(struct nc_program *p)
 static void finish(struct nc_program *p)
 {
     const double zero[ROTARY_MAX] = {0};
-    turn(p, zero);
+    rotary_rapid(p, zero);
     nc_block(&p->w, "M9");
     nc_block(&p->w, "M5");
     nc_template(p, p->machine->blocks.end, "");

@@ -9,6 +9,7 @@
 #include "base/num.h"
 #include "post_head.h"
 #include "post_hole.h"
+#include "post_lookahead.h"
 #include "post_output.h"
 #include "post_statement.h"
 

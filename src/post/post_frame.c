@@ -25,7 +25,7 @@ static struct vec3 point(const struct frame *f, struct vec3 p)
     return vec_scale(1 / f->unit, direction(f, p));
 }
 
-static struct pose pose(const struct frame *f, struct pose at)
+static struct pose pose_to(const struct frame *f, struct pose at)
 {
     struct vec3 axis = f->upright ? vec(0, 0, 1) : vec_unit(direction(f, at.a));
     return (struct pose){point(f, at.p), axis};
@@ -42,7 +42,7 @@ static void spline_to(const struct frame *f, struct path_spline *s)
     for (size_t i = 0; f->unit != 1 && i < s->curve.poles + (size_t)s->curve.degree + 1; i++)
         s->curve.knot[i] /= f->unit; /* they go with the length */
     for (size_t i = 0; i < s->fallback.n; i++)
-        s->fallback.item[i] = pose(f, s->fallback.item[i]);
+        s->fallback.item[i] = pose_to(f, s->fallback.item[i]);
 }
 
 static void arc_to(const struct frame *f, struct path_arc *arc)
@@ -63,7 +63,7 @@ static void path_to(const struct frame *f, struct path *path, size_t from, size_
             item->feed /= f->unit;
         if (item->kind > PATH_HOLE)
             continue;
-        item->to = pose(f, item->to);
+        item->to = pose_to(f, item->to);
         if (item->touches) {
             struct contact *at = &path->contact.item[item->contact];
             *at = (struct contact){point(f, at->p), direction(f, at->n)};
@@ -133,7 +133,7 @@ bool post_frame_holes(const struct path *path)
     return any;
 }
 
-static bool same(struct vec3 a, struct vec3 b)
+static bool same_direction(struct vec3 a, struct vec3 b)
 {
     return (a.x == b.x && a.y == b.y && a.z == b.z) || vec_angle(a, b) < 1e-7;
 }
@@ -149,7 +149,7 @@ bool post_frame_planes(const struct path *path, struct nc_planes *planes)
         if (item->kind > PATH_HOLE)
             continue;
         bool turns = item->kind == PATH_SPLINE && path->spline.item[item->index].curve.head;
-        bool goes_on = planes->n && same(planes->item[planes->n - 1].axis, item->to.a);
+        bool goes_on = planes->n && same_direction(planes->item[planes->n - 1].axis, item->to.a);
         bool may = rapid || (home && item->kind == PATH_POINT);
         if (turns || (!goes_on && !may)) {
             array_free(planes);
@@ -165,7 +165,7 @@ bool post_frame_planes(const struct path *path, struct nc_planes *planes)
 
 bool post_frame_upright(const struct nc_planes *planes)
 {
-    return planes->n == 1 && same(planes->item[0].axis, vec(0, 0, 1));
+    return planes->n == 1 && same_direction(planes->item[0].axis, vec(0, 0, 1));
 }
 
 static struct vec3 turned(struct vec3 v, struct vec3 about, double degrees)

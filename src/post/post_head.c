@@ -45,7 +45,7 @@ static void head_tool(struct nc_program *p)
 }
 
 /* To four decimals, never too small. */
-static double shown(double mm)
+static double rounded_up(double mm)
 {
     return fmax(0, ceil(mm * 1e4 - 1e-6)) / 1e4 + 0.0;
 }
@@ -56,15 +56,16 @@ static void head_ledger(struct nc_program *p)
     const struct nc_total *total = &p->plan->total;
     for (size_t i = 0; i < head->ledger.n; i++)
         nc_comment(&p->w, "Tolerance %-12s %.4f", head->ledger.item[i].stage,
-                   shown(head->ledger.item[i].spent));
+                   rounded_up(head->ledger.item[i].spent));
     if (!isnan(head->chord))
-        nc_comment(&p->w, "Tolerance %-12s %.4f", "chord", shown(head->chord));
+        nc_comment(&p->w, "Tolerance %-12s %.4f", "chord", rounded_up(head->chord));
     nc_comment(&p->w, "Tolerance %-12s %.4f", "ncpost",
-               shown(total->spent.point * p->plan->ability.unit));
+               rounded_up(total->spent.point * p->plan->ability.unit));
     if (p->plan->ability.smoothing > 0)
-        nc_comment(&p->w, "Tolerance %-12s %.4f", "smoothing", shown(p->plan->ability.smoothing));
+        nc_comment(&p->w, "Tolerance %-12s %.4f", "smoothing",
+                   rounded_up(p->plan->ability.smoothing));
     nc_comment(&p->w, "Tolerance %-12s %.4f mm, axis %.4f deg", "sum",
-               shown(nc_ledger_sum(p->path, p->plan)), shown(DEGREES(total->spent.axis)));
+               rounded_up(nc_ledger_sum(p->path, p->plan)), rounded_up(DEGREES(total->spent.axis)));
 }
 
 void nc_head(struct nc_program *p)

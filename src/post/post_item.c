@@ -19,7 +19,7 @@ static void add_note(struct nc_planner *planner, enum nc_kind kind, const struct
 }
 
 /* A path that starts with a cut: above its first point first, along the tool axis. */
-static int approach(struct nc_planner *planner, struct pose first)
+static int approach_above(struct nc_planner *planner, struct pose first)
 {
     struct pose above = first;
     above.p = vec_along(first.p, planner->machine->retract, first.a);
@@ -42,14 +42,14 @@ static double contact_factor(const struct nc_planner *planner, const struct path
     return tip > 0 && contact > 0 ? fmin(10, fmax(0.1, tip / contact)) : 1;
 }
 
-static int cut(struct nc_planner *planner, const struct path_item *item)
+static int plan_cut(struct nc_planner *planner, const struct path_item *item)
 {
     const struct path *path = planner->path;
     if (!planner->state.begun) {
         if (item->kind != PATH_POINT)
             return error_at(planner->error, path->name, item->line,
                             "found a curve before any point, expected a GOTO first");
-        if (approach(planner, item->to) != 0)
+        if (approach_above(planner, item->to) != 0)
             return -1;
     }
     if (planner->state.feed <= 0) {
@@ -86,7 +86,7 @@ int post_item_retract(struct nc_planner *planner)
 }
 
 /* Half of the last digit of each word, at the tracked point and at the ball. */
-static struct pose_deviation rounding(const struct nc_planner *planner)
+static struct pose_deviation rounding_deviation(const struct nc_planner *planner)
 {
     const struct nc_ability *ability = &planner->plan->ability;
     double linear = sqrt(3) * 0.5 * pow(10, -ability->digits.linear);
@@ -100,7 +100,7 @@ void post_item_tool(struct nc_planner *planner, double ball)
 {
     bool centre = planner->path->head.track == TRACK_CENTRE;
     planner->follow.ball = ball > 0 ? centre ? -ball : ball : 0;
-    struct pose_deviation last = rounding(planner);
+    struct pose_deviation last = rounding_deviation(planner);
     planner->allowed =
         (struct pose_deviation){sampled * planner->options.chord + last.point,
                                 sampled * planner->options.axis_tolerance + last.axis};
@@ -108,7 +108,7 @@ void post_item_tool(struct nc_planner *planner, double ball)
 
 /* Another tool or plane: home from here, and from home to the motion that follows, if there is
  * one. */
-static int begin_anew(struct nc_planner *planner, const struct path_item *item)
+static int change_tool_or_plane(struct nc_planner *planner, const struct path_item *item)
 {
     const struct path *path = planner->path;
     const struct path_item *end = path->item.item + path->item.n, *next = item;
@@ -128,7 +128,7 @@ static int begin_anew(struct nc_planner *planner, const struct path_item *item)
 }
 
 /* The tool stands where it left a hole of the same cycle with its mouth as high. */
-static bool follows(const struct nc_planner *planner, const struct nc_hole *hole)
+static bool follows_same_cycle(const struct nc_planner *planner, const struct nc_hole *hole)
 {
     const struct nc_plan *plan = planner->plan;
     size_t last = plan->move.n;
@@ -141,7 +141,7 @@ static bool follows(const struct nc_planner *planner, const struct nc_hole *hole
 }
 
 /* Above the mouth, no lower than now and than where the tool leaves; down to there. */
-static int come(struct nc_planner *planner, struct pose above)
+static int move_above_hole(struct nc_planner *planner, struct pose above)
 {
     struct pose over = above;
     if (planner->state.begun && planner->state.pose.p.z > above.p.z)
@@ -158,7 +158,7 @@ static int come(struct nc_planner *planner, struct pose above)
 }
 
 /* Length and time of the way down and out. */
-static void count(struct nc_planner *planner, const struct nc_hole *hole, double over)
+static void count_hole(struct nc_planner *planner, const struct nc_hole *hole, double over)
 {
     const struct path_cycle *c = hole->cycle;
     struct nc_total *total = &planner->plan->total;
@@ -195,9 +195,9 @@ static int drill(struct nc_planner *planner, const struct path_item *item)
         planner->plan->total.feed_assumed = true;
     }
     hole.feed = fmin(c->feed > 0 ? c->feed : planner->state.feed, planner->plan->ability.feed_max);
-    if (follows(planner, &hole))
+    if (follows_same_cycle(planner, &hole))
         over = vec_distance(planner->state.pose.p, above.p);
-    else if (come(planner, above) != 0)
+    else if (move_above_hole(planner, above) != 0)
         return -1;
     struct machine_pose deep = post_ik_pose(planner, bottom, planner->state.at.q);
     struct machine_pose to = post_ik_pose(planner, above, planner->state.at.q);
@@ -208,7 +208,7 @@ static int drill(struct nc_planner *planner, const struct path_item *item)
     move->feed = hole.feed;
     move->index = (unsigned)planner->plan->hole.n;
     *array_push(&planner->plan->hole) = hole;
-    count(planner, &hole, over);
+    count_hole(planner, &hole, over);
     planner->state.pose = above;
     planner->state.touches = false;
     return 0;
@@ -233,7 +233,7 @@ int post_item(struct nc_planner *planner, const struct path_item *item)
         return 0;
     case PATH_POINT:
         if (!item->rapid)
-            return cut(planner, item);
+            return plan_cut(planner, item);
         planner->state.touches = false;
         return post_motion_rapid(planner, item->to);
     case PATH_ARC:
@@ -243,7 +243,7 @@ int post_item(struct nc_planner *planner, const struct path_item *item)
         return drill(planner, item);
     case PATH_TOOL:
     case PATH_PLANE:
-        return begin_anew(planner, item);
+        return change_tool_or_plane(planner, item);
     }
-    return cut(planner, item);
+    return plan_cut(planner, item);
 }

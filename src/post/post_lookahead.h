@@ -1,7 +1,9 @@
 /*
- * post_lookahead - the rotary axes over a group of motions: from a rapid, where the tool is off the
- * part and the axes may go to either solution, to before the next rapid after a cut.
+ * post_lookahead - a whole path into its plan, group by group, with a look ahead for the rotary
+ * axes.
  *
+ * A group starts with a rapid, where the tool is off the part and the axes may go to either
+ * solution, and ends before the next rapid after a cut.
  * The axes take the way with the fewest turns back (retract, turn, return) inside their travel, and
  * of these the one on which they turn least.  Mostly that is the nearest way from place to place,
  * and can be seen to be: no single step of the other solution is as short, and both solutions turn
@@ -13,10 +15,8 @@
 
 #include "post_planner.h"
 
-/* The end of the group that starts at the item `from`. */
-size_t post_lookahead_end(const struct path *path, size_t from);
-
-/* Plans the items [from, to) of the path; -1: the error is filled. */
-int post_lookahead_plan(struct nc_planner *planner, size_t from, size_t to);
+/* Fills the plan, which keeps nothing of the path; -1: the error says pass, line and axis. */
+int nc_plan_make(struct nc_plan *plan, const struct path *path, const struct machine *machine,
+                 struct nc_ability ability, struct nc_plan_options options, struct error *error);
 
 #endif

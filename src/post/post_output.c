@@ -8,6 +8,7 @@
 #include "base/array.h"
 #include "base/num.h"
 #include "post_ik.h"
+#include "post_program.h"
 
 /* How long a program is, or may be at its ends. */
 struct length {
@@ -137,18 +138,18 @@ static size_t first_of_pass(const struct nc_plan *plan, size_t pass)
 }
 
 /* The program written to nowhere: blocks and bytes up to each move, [0] the start's. */
-static struct length *measure(const struct nc_program *whole, struct length *ends)
+static struct length *lengths_up_to_moves(const struct nc_program *whole, struct length *ends)
 {
     struct length *at = mem_alloc(whole->plan->move.n + 1, sizeof *at);
     struct nc_program p = *whole;
     p.w.line = p.w.own;
-    dialect_start(&p);
+    post_program_start(&p);
     for (size_t i = 0; i <= whole->plan->move.n; i++) {
         at[i] = (struct length){p.w.blocks, p.w.bytes};
         if (i < whole->plan->move.n)
-            dialect_move(&p, &whole->plan->move.item[i]);
+            post_program_move(&p, &whole->plan->move.item[i]);
     }
-    dialect_finish(&p);
+    post_program_finish(&p);
     size_t more = MADE + (whole->plan->hole.n ? CYCLE : 0), n = whole->plan->move.n;
     *ends = (struct length){at[0].blocks + p.w.blocks - at[n].blocks + more,
                             at[0].bytes + p.w.bytes - at[n].bytes + more * 100};
@@ -168,7 +169,7 @@ static bool clear_of_work(const struct nc_plan *plan, size_t i)
            plan->move.item[i].kind == NC_HOLE;
 }
 
-static bool cuts(const struct nc_move *move)
+static bool is_cut(const struct nc_move *move)
 {
     return nc_moves(move) && move->kind != NC_RAPID;
 }
@@ -177,10 +178,10 @@ static int part_ends(struct sizes *ends, const struct nc_program *whole, struct 
                      struct error *error)
 {
     const struct nc_plan *plan = whole->plan;
-    struct length more, *at = measure(whole, &more);
+    struct length more, *at = lengths_up_to_moves(whole, &more);
     size_t last = plan->move.n; /* after the last cut: a part needs one */
     int result = 0;
-    while (last && !cuts(&plan->move.item[last - 1]))
+    while (last && !is_cut(&plan->move.item[last - 1]))
         last--;
     for (size_t from = 0; from < plan->move.n && result == 0;) {
         size_t to = from, clear = from;
@@ -190,7 +191,7 @@ static int part_ends(struct sizes *ends, const struct nc_program *whole, struct 
             size_t bytes = at[to + 1].bytes - at[from].bytes + more.bytes;
             if ((limit.blocks && blocks > limit.blocks) || (limit.bytes && bytes > limit.bytes))
                 break;
-            cut = cuts(&plan->move.item[to]) || cut;
+            cut = is_cut(&plan->move.item[to]) || cut;
             to++;
             if (to == plan->move.n || (cut && to < last && clear_of_work(plan, to)))
                 clear = to;
@@ -260,7 +261,7 @@ static int explain_block(const char *file, struct nc_program *program, long numb
 {
     program->w.wanted = number;
     program->met = program->plan->move.n;
-    dialect_write(program);
+    post_program_write(program);
     if (!*program->w.met)
         return error_set(error, "option --explain: found no block %ld, the last one is %ld", number,
                          program->w.number);
@@ -286,7 +287,7 @@ static void write_program(struct nc_program *p, const char *file)
 {
     struct out *out = out_open(file);
     begin_text(p, out);
-    dialect_write(p);
+    post_program_write(p);
     out_close(out);
 }
 

@@ -123,10 +123,6 @@ struct nc_plan {
     bool unmet;      /* nc_plan_make failed because the machine cannot get there: exit status 3 */
 };
 
-/* Fills the plan, which keeps nothing of the path; -1: the error says pass, line and axis. */
-int nc_plan_make(struct nc_plan *plan, const struct path *path, const struct machine *machine,
-                 struct nc_ability ability, struct nc_plan_options options, struct error *error);
-
 /* Where a move ends, as it says it. */
 struct block_pose nc_plan_pose(const struct nc_plan *plan, const struct kinematic_chain *chain,
                                const struct nc_move *move);

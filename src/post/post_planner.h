@@ -3,7 +3,7 @@
  *
  * Its modules, each using those before it: post_ik (a pose as words), post_feed (how fast a block
  * may be), post_motion (a motion as blocks), post_rewind (retract, turn, return), post_item (an
- * item of the path), post_lookahead (the rotary axes over a group of motions), post_plan (all).
+ * item of the path), post_lookahead (the whole path, group by group).
  */
 #ifndef CLOUDMILL_POST_PLANNER_H
 #define CLOUDMILL_POST_PLANNER_H

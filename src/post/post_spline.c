@@ -72,7 +72,8 @@ bool nc_poly_words(struct nc_spans *spans, const struct bspline *b, int digits)
 }
 
 /* PO[XH]=(end,a2,...) and the blank before it, for X, Y and Z. */
-static size_t width(struct vec3 end, const struct vec3 *factor, int n, int end_digits, int digits)
+static size_t words_width(struct vec3 end, const struct vec3 *factor, int n, int end_digits,
+                          int digits)
 {
     char word[NUM_MAX];
     size_t sum = 3 * strlen(" PO[XH]=()");
@@ -93,9 +94,9 @@ size_t nc_poly_width(const struct nc_spans *spans, int degree, bool turns, int d
     int factors = nc_poly_factors(degree);
     for (size_t i = 0; i < spans->n; i++) {
         const struct nc_span *s = &spans->item[i];
-        size_t n = width(s->end, s->factor, factors, digits, s->digits);
+        size_t n = words_width(s->end, s->factor, factors, digits, s->digits);
         if (turns)
-            n += width(s->head_end, s->head_factor, factors, digits, s->digits);
+            n += words_width(s->head_end, s->head_factor, factors, digits, s->digits);
         most = n > most ? n : most;
     }
     return most;
@@ -155,7 +156,7 @@ struct beside {
     struct doubles knots; /* more than its own */
 };
 
-static struct beside beside(const struct bspline *b, int degree)
+static struct beside curve_beside(const struct bspline *b, int degree)
 {
     struct beside c = {.lowered = b->degree > degree};
     c.curve = c.lowered ? cubic_form(b, NULL, 0) : bspline_copy(b);
@@ -191,7 +192,7 @@ static struct pose_deviation poly_words(struct nc_spline *spline, int degree, in
                                         struct pose_deviation allowed)
 {
     const struct bspline *b = motion->curve;
-    struct beside c = beside(b, degree);
+    struct beside c = curve_beside(b, degree);
     struct pose_deviation d = {HUGE_VAL, HUGE_VAL};
     spline->form = NC_POLY;
     for (int round = 0; round < ROUNDS_MAX; round++) {
@@ -346,7 +347,7 @@ static struct pose_deviation nurbs_words(struct nc_spline *spline, struct nc_spl
                                          const struct block_pose *from, const struct motion *motion,
                                          struct pose_deviation allowed)
 {
-    struct beside c = beside(motion->curve, CUBIC);
+    struct beside c = curve_beside(motion->curve, CUBIC);
     struct pose_deviation d = {HUGE_VAL, HUGE_VAL};
     for (int round = 0; round < ROUNDS_MAX; round++) {
         struct doubles more = {0};

@@ -108,14 +108,14 @@ bool nc_tool_stays(const struct nc_program *p, const struct nc_move *from)
 
 /* ---- radius compensation */
 
-static bool may(const struct machine *machine, const struct nc_ability *ability)
+static bool may_compensate(const struct machine *machine, const struct nc_ability *ability)
 {
     bool still = machine->chain.n == 0 || (!ability->tcp && ability->mode == INTERPOLATE_ROTARY);
     return machine->cutcom && still && ability->feeds == NC_FEEDS_TIP;
 }
 
 /* -1: it is no CUTCOM or says nothing of a side. */
-static int side(const char *text)
+static int cutcom_side(const char *text)
 {
     if (!nc_tool_starts(text, "CUTCOM"))
         return -1;
@@ -126,8 +126,8 @@ static int side(const char *text)
 
 static bool says_cutcom(struct nc_program *p, const char *text)
 {
-    int asked = side(text);
-    if (asked >= 0 && may(p->machine, &p->plan->ability))
+    int asked = cutcom_side(text);
+    if (asked >= 0 && may_compensate(p->machine, &p->plan->ability))
         p->cutcom.asked = asked;
     return asked >= 0;
 }
@@ -156,7 +156,7 @@ bool nc_cutcom_end(struct nc_program *p)
 bool nc_cutcom_asked(const struct path *path)
 {
     for (size_t i = 0; i < path->text.n; i++)
-        if (side(path->text.item[i]) > CUTCOM_OFF)
+        if (cutcom_side(path->text.item[i]) > CUTCOM_OFF)
             return true;
     return false;
 }
@@ -164,7 +164,7 @@ bool nc_cutcom_asked(const struct path *path)
 bool nc_cutcom_left_out(const struct path *path, const struct machine *machine,
                         const struct nc_ability *ability)
 {
-    return nc_cutcom_asked(path) && !may(machine, ability);
+    return nc_cutcom_asked(path) && !may_compensate(machine, ability);
 }
 
 /* ---- statements as blocks */

@@ -12,7 +12,7 @@
 enum { ROOM = 200 };
 
 /* 1 at 0.1 mm and above, for speed, to 10 at 0.001 mm and below, for accuracy. */
-static double level(double tolerance)
+static double smoothing_level(double tolerance)
 {
     return fmin(10, fmax(1, round(1 + 4.5 * log10(0.1 / tolerance))));
 }
@@ -37,7 +37,7 @@ static size_t template_value(const struct nc_program *p, enum template_word word
                                            [TEMPLATE_TOLERANCE] = p->options.chord,
                                            [TEMPLATE_ORIENTATION] =
                                                DEGREES(p->options.axis_tolerance),
-                                           [TEMPLATE_LEVEL] = level(p->options.chord)};
+                                           [TEMPLATE_LEVEL] = smoothing_level(p->options.chord)};
     bool angle_or_length = word == TEMPLATE_TOLERANCE || word == TEMPLATE_ORIENTATION;
     return num_write_short(text, values[word], angle_or_length ? 4 : 0, false);
 }

@@ -5,7 +5,7 @@
 
 static const double height = 100, tilt = 15, feed = 500; /* mm, degrees, mm/min */
 
-static void show(struct path *path, struct vec3 axis, const char *what)
+static void add_stop(struct path *path, struct vec3 axis, const char *what)
 {
     struct pose at = {vec(0, 0, height), axis};
     char text[80];
@@ -16,7 +16,7 @@ static void show(struct path *path, struct vec3 axis, const char *what)
 }
 
 /* Which way a direction leans, seen on the work. */
-static void lean(struct vec3 a, char text[60])
+static void say_lean(struct vec3 a, char text[60])
 {
     bool x = fabs(a.x) > fabs(a.y);
     double most = x ? a.x : a.y;
@@ -26,7 +26,7 @@ static void lean(struct vec3 a, char text[60])
                         : "Y-");
 }
 
-static bool within(const struct machine *m, const double q[])
+static bool within_travel(const struct machine *m, const double q[])
 {
     for (int i = 0; i < m->chain.n; i++)
         if (q[i] < m->chain.rotary[i].min || q[i] > m->chain.rotary[i].max)
@@ -45,7 +45,7 @@ void post_selftest(struct path *path, const struct machine *machine)
     path->head.partno = mem_string("SELF TEST", 9);
     path_add_point(path, above, true);
     path_add_feed(path, feed);
-    show(path, machine->chain.tool, "The tip stands at X0 Y0 Z100 and must stay there");
+    add_stop(path, machine->chain.tool, "The tip stands at X0 Y0 Z100 and must stay there");
     for (int side = 1; side >= -1; side -= 2)
         for (size_t k = 0; k < sizeof turn / sizeof *turn; k++) {
             double q[ROTARY_MAX] = {0};
@@ -53,14 +53,14 @@ void post_selftest(struct path *path, const struct machine *machine)
             q[machine->chain.n - 1 > 0] = RADIANS(side * tilt);
             if (machine->chain.n == 2)
                 q[0] = RADIANS(turn[k]);
-            if (!within(machine, q) || (machine->chain.n < 2 && k > 0))
+            if (!within_travel(machine, q) || (machine->chain.n < 2 && k > 0))
                 continue;
             struct vec3 axis = chain_axis(&machine->chain, q);
             if (vec_angle(axis, up) < 0.01)
                 continue;
-            lean(axis, text);
-            show(path, axis, text);
+            say_lean(axis, text);
+            add_stop(path, axis, text);
         }
-    show(path, machine->chain.tool, "Upright again: the indicator must read as at the start");
+    add_stop(path, machine->chain.tool, "Upright again: the indicator must read as at the start");
     path_add_point(path, above, true);
 }

@@ -74,6 +74,17 @@ find "$SRC/src" -name '*.h' | while read -r header; do
 done >"$TMP/found"
 empty "every private header is included" "$TMP/found"
 
+# Within a folder too: no two modules (NAME.c with NAME.h) need each other, by however many steps.
+for folder in post; do
+	for file in "$SRC/src/$folder"/*.[ch]; do
+		module=$(basename "$file" | sed 's/\.[ch]$//')
+		sed -n "s/^#include \"\([a-z_0-9]*\)\.h\"/$module \1/p" "$file" | awk '$1 != $2'
+	done >"$TMP/needs"
+	ok "the modules of $folder are found" test "$(wc -l <"$TMP/needs")" -ge 30
+	tsort "$TMP/needs" 2>"$TMP/found" >"$TMP/order"
+	empty "the modules of $folder need each other in one direction" "$TMP/found"
+done
+
 # ---- who may do what
 
 pure="math curve mesh cloud meshing feature nurbs gouge arcfit splinefit toolpath simulate"

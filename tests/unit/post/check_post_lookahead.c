@@ -8,7 +8,7 @@
 
 #include "chains.h"
 #include "post/dialect.h"
-#include "post/post_plan.h"
+#include "post/post_lookahead.h"
 #include "turnsearch.h"
 
 enum { POINTS = 60 };

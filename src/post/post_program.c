@@ -1,0 +1,100 @@
+/* post_program - see post_program.h. */
+#include "post_program.h"
+
+#include "post_statement.h"
+
+void post_program_start(struct nc_program *p)
+{
+    const struct dialect *dialect = dialect_of(p->control);
+    p->hole = NULL;
+    p->cutcom.asked = p->cutcom.on = CUTCOM_OFF;
+    p->at_plane = 0;
+    nc_tool_first(p);
+    dialect->start(p);
+    dialect->load(p);
+    dialect->engage(p);
+}
+
+void post_program_finish(struct nc_program *p)
+{
+    const struct dialect *dialect = dialect_of(p->control);
+    if (p->hole)
+        dialect->hole_end(p);
+    dialect->disengage(p);
+    dialect->finish(p);
+}
+
+/* Home, the other tool, and back to work; a tool that the program started with is there. */
+static void change_tool(struct nc_program *p, const struct nc_move *move)
+{
+    const struct dialect *dialect = dialect_of(p->control);
+    if (move->index < p->tooling.taken)
+        return;
+    dialect->disengage(p);
+    nc_block(&p->w, "M9");
+    nc_block(&p->w, "M5");
+    nc_tool_change(p, move);
+    nc_forget(&p->w, NC_X, NC_F);
+    dialect->load(p);
+    dialect->engage(p);
+}
+
+/* Home and back to work in another plane; a change of tools there goes to it by itself. */
+static void change_plane(struct nc_program *p, const struct nc_move *move)
+{
+    const struct dialect *dialect = dialect_of(p->control);
+    if (move->index <= p->at_plane || !nc_tool_stays(p, move))
+        return;
+    dialect->disengage(p);
+    nc_tool_change(p, move);
+    nc_forget(&p->w, NC_X, NC_F);
+    p->same_tool = true;
+    dialect->engage(p);
+    p->same_tool = false;
+}
+
+void post_program_move(struct nc_program *p, const struct nc_move *move)
+{
+    const struct dialect *dialect = dialect_of(p->control);
+    if (p->hole && move->kind != NC_HOLE && move->kind != NC_PASS)
+        dialect->hole_end(p);
+    switch (move->kind) {
+    case NC_RAPID:
+    case NC_LINE:
+        dialect->line(p, move);
+        break;
+    case NC_ARC:
+        dialect->arc(p, move);
+        break;
+    case NC_SPLINE:
+        dialect->spline(p, move);
+        break;
+    case NC_HOLE:
+        dialect->hole(p, move);
+        break;
+    case NC_PASS:
+        nc_comment(&p->w, "Pass %u", move->index);
+        break;
+    case NC_TEXT:
+        nc_statement(p, p->path->text.item[move->index]);
+        break;
+    case NC_TOOL:
+        change_tool(p, move);
+        break;
+    case NC_PLANE:
+        change_plane(p, move);
+        break;
+    }
+}
+
+void post_program_write(struct nc_program *p)
+{
+    post_program_start(p);
+    for (size_t i = 0; i < p->plan->move.n; i++) {
+        bool before = *p->w.met != '\0';
+        post_program_move(p, &p->plan->move.item[i]);
+        if (!before && *p->w.met)
+            p->met = i;
+    }
+    post_program_finish(p);
+}
