@@ -23,7 +23,7 @@ struct klartext {
     double vector[3];
 };
 
-static int split(struct ncread *c, const char *line, struct klartext *k, struct error *error)
+static int split_words(struct ncread *c, const char *line, struct klartext *k, struct error *error)
 {
     for (const char *s = line + strspn(line, " "); *s && *s != ';'; s += strspn(s, " ")) {
         size_t n = strcspn(s, " ;");
@@ -36,8 +36,9 @@ static int split(struct ncread *c, const char *line, struct klartext *k, struct 
     return 0;
 }
 
-/* A number behind the letters of a word; with its sign where it is a place. */
-static int number(struct ncread *c, const char *text, bool sign, double *value, struct error *error)
+/* The number after the letters of a word; with its sign where it is a place. */
+static int read_number(struct ncread *c, const char *text, bool sign, double *value,
+                       struct error *error)
 {
     bool pointed;
     struct error found;
@@ -48,10 +49,10 @@ static int number(struct ncread *c, const char *text, bool sign, double *value, 
     return *text ? ncread_error(c, error, "found letters behind a number") : 0;
 }
 
-static int m_word(struct ncread *c, const char *text, struct klartext *k, struct error *error)
+static int read_m(struct ncread *c, const char *text, struct klartext *k, struct error *error)
 {
     struct ncread_word w = {.kind = WORD_ADDRESS, .name = "M", .values = 1};
-    if (number(c, text, false, &w.value[0], error) < 0)
+    if (read_number(c, text, false, &w.value[0], error) < 0)
         return -1;
     if (w.value[0] == 128)
         c->tcp = true;
@@ -64,8 +65,9 @@ static int m_word(struct ncread *c, const char *text, struct klartext *k, struct
     return 0;
 }
 
-/* No word twice in a block: X to Z, A to C, F, T and their vectors; several M are well. */
-static int once(const struct ncread *c, const char *w, struct klartext *k, struct error *error)
+/* No word twice in a block: X to Z, A to C, F, T and their vectors; several M are allowed. */
+static int check_once(const struct ncread *c, const char *w, struct klartext *k,
+                      struct error *error)
 {
     bool vector = *w == 'T' && w[1] >= 'X' && w[1] <= 'Z';
     int place = vector ? 26 + w[1] - 'X' : *w - 'A';
@@ -77,11 +79,11 @@ static int once(const struct ncread *c, const char *w, struct klartext *k, struc
     return 0;
 }
 
-static int word(struct ncread *c, const char *w, struct klartext *k, struct error *error)
+static int read_word(struct ncread *c, const char *w, struct klartext *k, struct error *error)
 {
     double value;
     char letter[2] = {*w, '\0'};
-    if (once(c, w, k, error) < 0)
+    if (check_once(c, w, k, error) < 0)
         return -1;
     if (strcmp(w, "FMAX") == 0) {
         k->fast = true;
@@ -90,9 +92,9 @@ static int word(struct ncread *c, const char *w, struct klartext *k, struct erro
     if (strcmp(w, "R0") == 0)
         return 0;
     if (*w == 'M')
-        return m_word(c, w + 1, k, error);
+        return read_m(c, w + 1, k, error);
     if (*w == 'F') {
-        if (number(c, w + 1, false, &c->feed, error) < 0)
+        if (read_number(c, w + 1, false, &c->feed, error) < 0)
             return -1;
         if (!(c->feed > 0) || w[1] == '+')
             return ncread_error(c, error, "a feed of nothing or with a sign");
@@ -100,9 +102,9 @@ static int word(struct ncread *c, const char *w, struct klartext *k, struct erro
     }
     if (*w == 'T' && w[1] >= 'X' && w[1] <= 'Z') {
         k->vector_n++;
-        return number(c, w + 2, true, &k->vector[w[1] - 'X'], error);
+        return read_number(c, w + 2, true, &k->vector[w[1] - 'X'], error);
     }
-    if (number(c, w + 1, true, &value, error) < 0)
+    if (read_number(c, w + 1, true, &value, error) < 0)
         return -1;
     if (!ncread_axis(c, letter, value, &k->to))
         return ncread_error(c, error, "a word that this reader does not know");
@@ -118,10 +120,10 @@ static void machine_move(struct ncread *c, struct klartext *k)
 }
 
 /* L and LN. */
-static int straight(struct ncread *c, struct klartext *k, bool vectors, struct error *error)
+static int run_straight(struct ncread *c, struct klartext *k, bool vectors, struct error *error)
 {
     for (int i = 1; i < k->n; i++)
-        if (word(c, k->word[i], k, error) < 0)
+        if (read_word(c, k->word[i], k, error) < 0)
             return -1;
     if (k->machine && c->tcp)
         return ncread_error(c, error, "M91 under tool centre point control");
@@ -151,14 +153,14 @@ static int straight(struct ncread *c, struct klartext *k, bool vectors, struct e
 }
 
 /* C X Y DR+ */
-static int circle(struct ncread *c, struct klartext *k, struct error *error)
+static int run_circle(struct ncread *c, struct klartext *k, struct error *error)
 {
     int sense = 0;
     c->plane = 17;
     for (int i = 1; i < k->n; i++) {
         if (strcmp(k->word[i], "DR+") == 0 || strcmp(k->word[i], "DR-") == 0)
             sense = k->word[i][2] == '+' ? 1 : -1;
-        else if (strchr("XYF", k->word[i][0]) == NULL || word(c, k->word[i], k, error) < 0)
+        else if (strchr("XYF", k->word[i][0]) == NULL || read_word(c, k->word[i], k, error) < 0)
             return ncread_error(c, error, "C wants X, Y, DR and F alone");
     }
     if (!sense || !c->has_centre || k->fast)
@@ -175,13 +177,13 @@ static int set_centre(struct ncread *c, struct klartext *k, struct error *error)
     if (k->n != 3 || k->word[1][0] != 'X' || k->word[2][0] != 'Y')
         return ncread_error(c, error, "CC wants X and Y");
     c->has_centre = true;
-    return number(c, k->word[1] + 1, true, &c->centre.x, error) < 0 ||
-                   number(c, k->word[2] + 1, true, &c->centre.y, error) < 0
+    return read_number(c, k->word[1] + 1, true, &c->centre.x, error) < 0 ||
+                   read_number(c, k->word[2] + 1, true, &c->centre.y, error) < 0
                ? -1
                : 0;
 }
 
-static int function(struct ncread *c, const struct klartext *k, struct error *error)
+static int run_function(struct ncread *c, const struct klartext *k, struct error *error)
 {
     if (k->n == 3 && strcmp(k->word[1], "RESET") == 0 && strcmp(k->word[2], "TCPM") == 0) {
         c->tcp = false;
@@ -194,7 +196,7 @@ static int function(struct ncread *c, const struct klartext *k, struct error *er
 }
 
 /* Seconds, behind letters or alone. */
-static void dwell(struct ncread *c, const char *word)
+static void read_dwell(struct ncread *c, const char *word)
 {
     double seconds;
     word += strcspn(word, "0123456789");
@@ -202,13 +204,13 @@ static void dwell(struct ncread *c, const char *word)
         c->motion->dwell += seconds / 60;
 }
 
-static int run(struct ncread *c, struct klartext *k, struct error *error)
+static int run_block(struct ncread *c, struct klartext *k, struct error *error)
 {
     const char *first = k->n ? k->word[0] : "";
     if (strcmp(first, "CYCL") == 0) {
         ncread_hole_define(c, k->n > 2 ? k->word[2] : "");
         if (k->n > 3 && strcmp(k->word[2], "9.1") == 0)
-            dwell(c, k->word[k->n - 1]);
+            read_dwell(c, k->word[k->n - 1]);
     }
     if (!*first || strcmp(first, "CYCL") == 0)
         return 0;
@@ -221,15 +223,15 @@ static int run(struct ncread *c, struct klartext *k, struct error *error)
                    : ncread_error(c, error, "TOOL CALL without a speed");
     }
     if (strcmp(first, "L") == 0 || strcmp(first, "LN") == 0)
-        return straight(c, k, first[1] == 'N', error);
+        return run_straight(c, k, first[1] == 'N', error);
     if (strcmp(first, "CC") == 0)
         return set_centre(c, k, error);
     if (strcmp(first, "C") == 0)
-        return circle(c, k, error);
+        return run_circle(c, k, error);
     if (strcmp(first, "FUNCTION") == 0)
-        return function(c, k, error);
+        return run_function(c, k, error);
     if (*first == 'M' && k->n == 1)
-        return m_word(c, first + 1, k, error);
+        return read_m(c, first + 1, k, error);
     int plane = ncread_plane_spatial(c, error);
     if (plane != 0)
         return plane < 0 ? -1 : 0;
@@ -248,7 +250,7 @@ static int read_block(struct ncread *c, const char *line, struct error *error)
         return ncread_error(c, error, "block numbers that do not count from 0");
     if (c->closed)
         return ncread_error(c, error, "a block behind END PGM");
-    if (split(c, end, &k, error) < 0)
+    if (split_words(c, end, &k, error) < 0)
         return -1;
     bool inch = k.n == 4 && strcmp(k.word[3], "INCH") == 0;
     bool outer =
@@ -265,7 +267,7 @@ static int read_block(struct ncread *c, const char *line, struct error *error)
         c->closed = outer && strcmp(k.word[0], "END") == 0;
         return c->closed ? 0 : ncread_error(c, error, "expected END PGM behind M30");
     }
-    return run(c, &k, error);
+    return run_block(c, &k, error);
 }
 
 static int read_end(struct ncread *c, struct error *error)

@@ -10,7 +10,8 @@
 
 enum { ARGUMENTS = 20, STEPS_MOST = 10000 };
 
-static int go(struct ncread *c, double x, double y, double z, bool rapid, struct error *error)
+static int go_straight(struct ncread *c, double x, double y, double z, bool rapid,
+                       struct error *error)
 {
     struct ncread_place to = c->here;
     const double at[] = {x, y, z};
@@ -24,11 +25,12 @@ static int go(struct ncread *c, double x, double y, double z, bool rapid, struct
 }
 
 /* At this feed, or at the one that is on where the cycle says none. */
-static int feed(struct ncread *c, double feed, double x, double y, double z, struct error *error)
+static int go_at_feed(struct ncread *c, double feed, double x, double y, double z,
+                      struct error *error)
 {
     double on = c->feed;
     c->feed = feed > 0 ? feed : on;
-    int result = go(c, x, y, z, false, error);
+    int result = go_straight(c, x, y, z, false, error);
     c->feed = on;
     return result;
 }
@@ -46,13 +48,14 @@ int ncread_hole_down(struct ncread *c, const struct ncread_place *at, struct err
         return ncread_error(c, error, "a drilling cycle whose heights are not in order");
     if (c->here.at[2] < h->clear - 1e-9)
         return ncread_error(c, error, "a drilling cycle from below its clear height");
-    if (go(c, x, y, c->here.at[2], true, error) < 0 || go(c, x, y, h->clear, true, error) < 0 ||
-        feed(c, h->feed, x, y, h->bottom, error) < 0)
+    if (go_straight(c, x, y, c->here.at[2], true, error) < 0 ||
+        go_straight(c, x, y, h->clear, true, error) < 0 ||
+        go_at_feed(c, h->feed, x, y, h->bottom, error) < 0)
         return -1;
     c->motion->dwell += h->dwell / 60;
-    if (h->slow && feed(c, h->back, x, y, h->clear, error) < 0)
+    if (h->slow && go_at_feed(c, h->back, x, y, h->clear, error) < 0)
         return -1;
-    return go(c, x, y, h->level, true, error);
+    return go_straight(c, x, y, h->level, true, error);
 }
 
 bool ncread_hole_dwell(struct ncread *c, double unit)
@@ -128,7 +131,7 @@ int ncread_hole_block(struct ncread *c, struct ncread_place *to, double unit, st
 /* ---- Siemens */
 
 /* The numbers in the brackets of a call; NAN: left out.  How many. */
-static int arguments(const char *s, double value[ARGUMENTS])
+static int read_arguments(const char *s, double value[ARGUMENTS])
 {
     int n = 0;
     for (int i = 0; i < ARGUMENTS; i++)
@@ -174,7 +177,7 @@ int ncread_hole_call(struct ncread *c, const char *name, struct error *error)
     double v[ARGUMENTS];
     const char *call = strstr(c->text, name);
     struct ncread_hole *h = &c->hole;
-    int n = arguments(call ? strchr(call, '(') : NULL, v);
+    int n = read_arguments(call ? strchr(call, '(') : NULL, v);
     if (!strstr(c->text, "MCALL "))
         return ncread_error(c, error, "a drilling cycle without MCALL");
     if (n < 4 || isnan(v[0]) || isnan(v[1]) || isnan(v[2]) || isnan(v[3]))

@@ -16,7 +16,7 @@ static void forget_place(struct ncread *c)
 }
 
 /* Off: where the rotary axes stand is not known before they are told. */
-static int leave(struct ncread *c)
+static int leave_plane(struct ncread *c)
 {
     c->tilted.on = false;
     forget_place(c);
@@ -28,7 +28,7 @@ static int leave(struct ncread *c)
 }
 
 /* Turned about its own X, Y or Z (0, 1, 2), degrees. */
-static void turn(struct ncread_plane *p, int axis, double degrees)
+static void turn_frame(struct ncread_plane *p, int axis, double degrees)
 {
     struct vec3 about = axis == 0 ? p->x : axis == 1 ? p->y : p->z;
     p->x = vec_turn(p->x, about, RADIANS(degrees));
@@ -36,8 +36,8 @@ static void turn(struct ncread_plane *p, int axis, double degrees)
     p->z = vec_turn(p->z, about, RADIANS(degrees));
 }
 
-static int enter(struct ncread *c, struct vec3 origin, const int axis[3], const double degrees[3],
-                 struct error *error)
+static int enter_plane(struct ncread *c, struct vec3 origin, const int axis[3],
+                       const double degrees[3], struct error *error)
 {
     if (c->tcp || c->tilted.on)
         return ncread_error(c, error,
@@ -45,7 +45,7 @@ static int enter(struct ncread *c, struct vec3 origin, const int axis[3], const 
                             "control");
     c->tilted = (struct ncread_plane){true, origin, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
     for (int i = 0; i < 3; i++)
-        turn(&c->tilted, axis[i], degrees[i]);
+        turn_frame(&c->tilted, axis[i], degrees[i]);
     forget_place(c);
     return 1;
 }
@@ -62,7 +62,7 @@ int ncread_plane_g(struct ncread *c, struct error *error)
         begins = begins || code == 682;
         others = others || code == 531;
         if (code == 690)
-            return c->tilted.on ? leave(c) : 1;
+            return c->tilted.on ? leave_plane(c) : 1;
     }
     if (others)
         return c->tilted.on ? 1 : ncread_error(c, error, "G53.1 without G68.2");
@@ -74,7 +74,7 @@ int ncread_plane_g(struct ncread *c, struct error *error)
             return ncread_error(c, error, "G68.2 wants X Y Z I J K with decimal points");
         v[i] = w->value[0];
     }
-    return enter(c, vec(v[0], v[1], v[2]), euler, v + 3, error);
+    return enter_plane(c, vec(v[0], v[1], v[2]), euler, v + 3, error);
 }
 
 int ncread_plane_cycle800(struct ncread *c, struct error *error)
@@ -86,7 +86,7 @@ int ncread_plane_cycle800(struct ncread *c, struct error *error)
         return 0;
     s = strchr(s, '(') + 1;
     if (*s == ')')
-        return leave(c);
+        return leave_plane(c);
     for (int i = 0; i < ARGUMENTS && *s; i++) {
         num_read(&s, &v[i]);
         s += strcspn(s, ",)");
@@ -94,7 +94,7 @@ int ncread_plane_cycle800(struct ncread *c, struct error *error)
     }
     if (v[CYCLE800_MODE] != AXIS_BY_AXIS)
         return ncread_error(c, error, "CYCLE800 in another mode than 57, axis by axis");
-    return enter(c, vec(v[4], v[5], v[6]), axes, v + CYCLE800_ANGLES, error);
+    return enter_plane(c, vec(v[4], v[5], v[6]), axes, v + CYCLE800_ANGLES, error);
 }
 
 int ncread_plane_spatial(struct ncread *c, struct error *error)
@@ -104,7 +104,7 @@ int ncread_plane_spatial(struct ncread *c, struct error *error)
     const char *spatial = strstr(c->text, "PLANE SPATIAL ");
     double v[3];
     if (strstr(c->text, "PLANE RESET"))
-        return leave(c);
+        return leave_plane(c);
     if (!spatial)
         return 0;
     for (int i = 0; i < 3; i++) {
@@ -116,24 +116,24 @@ int ncread_plane_spatial(struct ncread *c, struct error *error)
     }
     if (!strstr(c->text, " TURN") && !strstr(c->text, " MOVE"))
         return ncread_error(c, error, "PLANE SPATIAL without TURN or MOVE");
-    return enter(c, vec(0, 0, 0), axes, v, error);
+    return enter_plane(c, vec(0, 0, 0), axes, v, error);
 }
 
-static struct vec3 way(const struct ncread_plane *p, struct vec3 v)
+static struct vec3 direction_in_work(const struct ncread_plane *p, struct vec3 v)
 {
     return vec_along(vec_along(vec_scale(v.x, p->x), v.y, p->y), v.z, p->z);
 }
 
-static struct vec3 point(const struct ncread_plane *p, struct vec3 v)
+static struct vec3 point_in_work(const struct ncread_plane *p, struct vec3 v)
 {
-    return vec_add(p->origin, way(p, v));
+    return vec_add(p->origin, direction_in_work(p, v));
 }
 
 static void turn_ends(const struct ncread_plane *p, struct nc_piece *piece)
 {
     for (int i = 0; i < 2; i++) {
-        piece->p[i] = point(p, piece->p[i]);
-        piece->q[i] = way(p, piece->q[i]);
+        piece->p[i] = point_in_work(p, piece->p[i]);
+        piece->q[i] = direction_in_work(p, piece->q[i]);
     }
 }
 
@@ -145,12 +145,12 @@ void ncread_plane_turn(struct ncread *c, struct nc_piece *piece)
     turn_ends(p, piece);
     if (piece->shape == SHAPE_ARC) {
         struct nc_motion_arc *arc = &c->motion->arc.item[piece->index];
-        arc->centre = point(p, arc->centre);
-        arc->normal = way(p, arc->normal);
+        arc->centre = point_in_work(p, arc->centre);
+        arc->normal = direction_in_work(p, arc->normal);
     } else if (piece->shape == SHAPE_POLYNOMIAL) {
         struct nc_motion_polynomial *sum = &c->motion->polynomial.item[piece->index];
         for (int i = 0; i < NC_MOTION_DEGREE; i++)
-            sum->p[i] = way(p, sum->p[i]);
+            sum->p[i] = direction_in_work(p, sum->p[i]);
     }
 }
 
@@ -160,8 +160,8 @@ void ncread_plane_turn_poles(struct ncread *c)
     if (!p->on)
         return;
     for (size_t i = 0; i < c->pole_p.n; i++) {
-        c->pole_p.item[i] = point(p, c->pole_p.item[i]);
-        c->pole_q.item[i] = way(p, c->pole_q.item[i]);
+        c->pole_p.item[i] = point_in_work(p, c->pole_p.item[i]);
+        c->pole_q.item[i] = direction_in_work(p, c->pole_q.item[i]);
     }
     turn_ends(p, &c->spline);
 }

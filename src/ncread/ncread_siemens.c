@@ -51,7 +51,7 @@ static const char *const known_names[] = {"ORIWKS", "ORIMKS", "SOFT",  "BRISK", 
 /* G words that do not change where the tool goes: compensation off, frames, path control. */
 static const int no_effect[] = {40, 54, 55, 56, 57, 60, 64, 641, 642, 645};
 
-static int g_word(struct ncread *c, const struct ncread_word *w, struct error *error)
+static int read_g(struct ncread *c, const struct ncread_word *w, struct error *error)
 {
     if (w->value[0] != floor(w->value[0]))
         return ncread_unknown(c, w, error);
@@ -90,7 +90,7 @@ static int g_word(struct ncread *c, const struct ncread_word *w, struct error *e
     }
 }
 
-static int name_word(struct ncread *c, const struct ncread_word *w, struct ncread_siemens_block *b,
+static int read_name(struct ncread *c, const struct ncread_word *w, struct ncread_siemens_block *b,
                      struct error *error)
 {
     if (strcmp(w->name, "CIP") == 0) {
@@ -130,8 +130,8 @@ static int name_word(struct ncread *c, const struct ncread_word *w, struct ncrea
     return 0;
 }
 
-static int polynomial(const struct ncread *c, const struct ncread_word *w,
-                      struct ncread_siemens_block *b, struct error *error)
+static int read_polynomial(const struct ncread *c, const struct ncread_word *w,
+                           struct ncread_siemens_block *b, struct error *error)
 {
     char axis = w->name[3];
     bool head = w->name[4] == 'H';
@@ -154,15 +154,15 @@ static int polynomial(const struct ncread *c, const struct ncread_word *w,
 }
 
 /* NAME=value */
-static int set_word(struct ncread *c, const struct ncread_word *w, struct ncread_siemens_block *b,
-                    struct error *error)
+static int read_setting(struct ncread *c, const struct ncread_word *w,
+                        struct ncread_siemens_block *b, struct error *error)
 {
     const char *name = w->name;
     double value = w->value[0];
     if (w->values == 0) /* T="BALL" */
         return strcmp(name, "T") == 0 ? 0 : ncread_unknown(c, w, error);
     if (strncmp(name, "PO[", 3) == 0)
-        return polynomial(c, w, b, error);
+        return read_polynomial(c, w, b, error);
     if (w->values > 1)
         return ncread_unknown(c, w, error);
     if (strlen(name) == 2 && name[0] >= 'A' && name[0] <= 'C' && name[1] == '3') {
@@ -197,8 +197,8 @@ static int set_word(struct ncread *c, const struct ncread_word *w, struct ncread
     return 0;
 }
 
-static int address(struct ncread *c, const struct ncread_word *w, struct ncread_siemens_block *b,
-                   struct error *error)
+static int read_address(struct ncread *c, const struct ncread_word *w,
+                        struct ncread_siemens_block *b, struct error *error)
 {
     double value = w->value[0], *centre;
     if (ncread_axis(c, w->name, value, &b->to)) {
@@ -208,7 +208,7 @@ static int address(struct ncread *c, const struct ncread_word *w, struct ncread_
     }
     switch (w->name[0]) {
     case 'G':
-        return g_word(c, w, error);
+        return read_g(c, w, error);
     case 'M':
         return ncread_m(c, w, error);
     case 'F':
@@ -244,11 +244,11 @@ static int read_words(struct ncread *c, struct ncread_siemens_block *b, struct e
                 return ncread_error(c, error, "a word twice in one block");
         int result = 0;
         if (w->kind == WORD_NAME)
-            result = name_word(c, w, b, error);
+            result = read_name(c, w, b, error);
         else if (w->kind == WORD_SET)
-            result = set_word(c, w, b, error);
+            result = read_setting(c, w, b, error);
         else if (w->kind == WORD_ADDRESS)
-            result = address(c, w, b, error);
+            result = read_address(c, w, b, error);
         else if (strncmp(w->name, "CYCLE8", 6) == 0 && strlen(w->name) == 7)
             result = ncread_hole_call(c, w->name, error);
         else if (strcmp(w->name, "CYCLE800") == 0)

@@ -5,9 +5,9 @@
 enum { STEPS = 6 };
 
 #define REACH 0.01  /* degrees that a tool axis may be off what the machine reaches */
-#define SHORT 0.001 /* mm: swings are told of longer ways */
-#define OVER 1.01   /* speeds are printed rounded, and so are ways */
-#define TRAVEL 1e-6
+#define SHORT 0.001 /* mm: turns a mm are told of longer moves */
+#define OVER 1.01   /* times as fast as it can: speeds and lengths are printed rounded */
+#define TRAVEL 1e-6 /* mm or degrees beyond the travel that count as within */
 
 struct state {
     double axis[NC_AXES];
@@ -15,27 +15,27 @@ struct state {
     struct vec3 tip;
 };
 
-struct run {
+struct axis_check {
     const struct nc_motion *motion;
     const struct axis_limits *limits;
-    struct axis_use *load;
+    struct axis_use *use;
     double turn[VERIFY_KINEMATICS_AXES]; /* where the rotary axes stand */
 };
 
 /* Where all axes stand at s of a piece. */
-static struct state state_at(struct run *run, size_t index, double s)
+static struct state state_at(struct axis_check *check, size_t index, double s)
 {
-    const struct verify_kinematics *kinematics = &run->motion->kinematics;
-    const struct nc_piece *piece = &run->motion->piece.item[index];
-    struct nc_motion_pose pose = nc_motion_at(run->motion, piece, s);
+    const struct verify_kinematics *kinematics = &check->motion->kinematics;
+    const struct nc_piece *piece = &check->motion->piece.item[index];
+    struct nc_motion_pose pose = nc_motion_at(check->motion, piece, s);
     struct state state = {.tip = pose.p};
     if (piece->interpolation == AXIS_ROTARY_LINEAR && piece->shape != SHAPE_SPLINE) {
         struct vec3 q = vec_mix(piece->q[0], piece->q[1], s);
         state.turn[0] = q.x;
         state.turn[1] = q.y;
-    } else if (!verify_kinematics_angles(kinematics, pose.a, run->turn, REACH, state.turn)) {
-        if (run->load->unreachable++ == 0)
-            run->load->unreachable_at = index;
+    } else if (!verify_kinematics_angles(kinematics, pose.a, check->turn, REACH, state.turn)) {
+        if (check->use->unreachable++ == 0)
+            check->use->unreachable_at = index;
     }
     struct vec3 linear = verify_kinematics_linear(kinematics, pose.p, state.turn);
     state.axis[0] = linear.x;
@@ -43,51 +43,52 @@ static struct state state_at(struct run *run, size_t index, double s)
     state.axis[2] = linear.z;
     for (int i = 0; i < kinematics->n; i++) {
         state.axis[3 + kinematics->axis[i].letter - 'A'] = state.turn[i];
-        run->turn[i] = state.turn[i];
+        check->turn[i] = state.turn[i];
     }
     return state;
 }
 
 /* Travel; true when an axis is beyond it. */
-static bool travel(struct run *run, const struct state *state, size_t index)
+static bool note_travel(struct axis_check *check, const struct state *state, size_t index)
 {
-    struct axis_use *load = run->load;
+    struct axis_use *use = check->use;
     bool beyond = false;
     for (int k = 0; k < NC_AXES; k++) {
         double at = state->axis[k];
-        load->low[k] = fmin(load->low[k], at);
-        load->high[k] = fmax(load->high[k], at);
-        if (at >= run->limits->min[k] - TRAVEL && at <= run->limits->max[k] + TRAVEL)
+        use->low[k] = fmin(use->low[k], at);
+        use->high[k] = fmax(use->high[k], at);
+        if (at >= check->limits->min[k] - TRAVEL && at <= check->limits->max[k] + TRAVEL)
             continue;
-        if (load->beyond == 0 && !beyond)
-            load->travel = (struct axis_peak){at, k, index};
+        if (use->beyond == 0 && !beyond)
+            use->travel = (struct axis_peak){at, k, index};
         beyond = true;
     }
     return beyond;
 }
 
 /* Minutes from one state to the next as programmed; rapid: as fast as the axes can. */
-static double programmed(const struct run *run, const struct nc_piece *piece, const struct state *a,
-                         const struct state *b, double share)
+static double programmed_time(const struct axis_check *check, const struct nc_piece *piece,
+                              const struct state *a, const struct state *b, double share)
 {
-    double sum = 0, way = vec_distance(a->tip, b->tip);
+    double sum = 0, length = vec_distance(a->tip, b->tip);
     if (piece->rapid || !(piece->feed > 0))
         return 0;
     if (piece->inverse)
         return share / piece->feed;
-    if (!run->limits->combined && way > 0)
-        return way / piece->feed;
-    for (int k = run->limits->combined ? 0 : 3; k < NC_AXES; k++) /* the tip stays: degrees */
+    if (!check->limits->combined && length > 0)
+        return length / piece->feed;
+    for (int k = check->limits->combined ? 0 : 3; k < NC_AXES; k++) /* the tip stays: degrees */
         sum += (b->axis[k] - a->axis[k]) * (b->axis[k] - a->axis[k]);
     return sqrt(sum) / piece->feed;
 }
 
 /* Minutes that the slowest axis needs at least. */
-static double needed(const struct run *run, const struct state *a, const struct state *b, int *axis)
+static double least_time(const struct axis_check *check, const struct state *a,
+                         const struct state *b, int *axis)
 {
     double most = 0;
     for (int k = 0; k < NC_AXES; k++) {
-        double time = fabs(b->axis[k] - a->axis[k]) / run->limits->rapid[k];
+        double time = fabs(b->axis[k] - a->axis[k]) / check->limits->rapid[k];
         if (time > most) {
             most = time;
             *axis = k;
@@ -96,64 +97,64 @@ static double needed(const struct run *run, const struct state *a, const struct 
     return most;
 }
 
-static void raise(struct axis_peak *peak, double value, int axis, size_t piece)
+static void note_peak(struct axis_peak *peak, double value, int axis, size_t piece)
 {
     if (value > peak->value)
         *peak = (struct axis_peak){value, axis, piece};
 }
 
-static void turns(struct run *run, size_t index, const struct state *a, const struct state *b,
-                  double way)
+static void note_turns(struct axis_check *check, size_t index, const struct state *a,
+                       const struct state *b, double way)
 {
     for (int k = 3; k < NC_AXES; k++) {
         double turn = fabs(b->axis[k] - a->axis[k]);
-        raise(&run->load->jump, turn, k, index);
+        note_peak(&check->use->jump, turn, k, index);
         if (way > SHORT)
-            raise(&run->load->turn_rate, turn / way, k, index);
+            note_peak(&check->use->turn_rate, turn / way, k, index);
     }
 }
 
-static void one_piece(struct run *run, size_t index)
+static void check_piece(struct axis_check *check, size_t index)
 {
-    const struct nc_piece *piece = &run->motion->piece.item[index];
-    struct axis_use *load = run->load;
+    const struct nc_piece *piece = &check->motion->piece.item[index];
+    struct axis_use *use = check->use;
     bool still = piece->shape == SHAPE_LINE && piece->interpolation != AXIS_BY_HEAD &&
                  vec_distance(piece->q[0], piece->q[1]) == 0;
     int steps = still ? 1 : STEPS;
-    struct state first = state_at(run, index, 0), a = first;
-    bool beyond = travel(run, &a, index), fast = false;
+    struct state first = state_at(check, index, 0), a = first;
+    bool beyond = note_travel(check, &a, index), fast = false;
     double way = 0;
     for (int i = 1; i <= steps; i++) {
         int axis = 0;
-        struct state b = state_at(run, index, (double)i / steps);
-        double time = programmed(run, piece, &a, &b, 1.0 / steps);
-        double least = needed(run, &a, &b, &axis);
-        beyond = travel(run, &b, index) || beyond;
+        struct state b = state_at(check, index, (double)i / steps);
+        double time = programmed_time(check, piece, &a, &b, 1.0 / steps);
+        double least = least_time(check, &a, &b, &axis);
+        beyond = note_travel(check, &b, index) || beyond;
         way += vec_distance(a.tip, b.tip);
         if (!piece->rapid && time > 0 && least > OVER * time) {
             fast = true;
-            raise(&load->speed, least / time, axis, index);
+            note_peak(&use->speed, least / time, axis, index);
         }
-        *(piece->rapid ? &load->rapid_time : &load->cut_time) += fmax(time, least);
+        *(piece->rapid ? &use->rapid_time : &use->cut_time) += fmax(time, least);
         a = b;
     }
-    *(piece->rapid ? &load->rapid_length : &load->cut_length) += way;
-    load->beyond += beyond;
-    load->fast += fast;
-    load->no_feed += !piece->rapid && !(piece->feed > 0);
+    *(piece->rapid ? &use->rapid_length : &use->cut_length) += way;
+    use->beyond += beyond;
+    use->fast += fast;
+    use->no_feed += !piece->rapid && !(piece->feed > 0);
     if (!piece->rapid)
-        turns(run, index, &first, &a, way);
+        note_turns(check, index, &first, &a, way);
 }
 
 struct axis_use axis_limits_check(const struct nc_motion *motion, const struct axis_limits *limits)
 {
-    struct axis_use load = {0};
-    struct run run = {motion, limits, &load, {0, 0}};
+    struct axis_use use = {0};
+    struct axis_check check = {motion, limits, &use, {0, 0}};
     for (int k = 0; k < NC_AXES; k++) {
-        load.low[k] = HUGE_VAL;
-        load.high[k] = -HUGE_VAL;
+        use.low[k] = HUGE_VAL;
+        use.high[k] = -HUGE_VAL;
     }
     for (size_t i = 0; i < motion->piece.n; i++)
-        one_piece(&run, i);
-    return load;
+        check_piece(&check, i);
+    return use;
 }

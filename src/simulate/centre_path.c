@@ -3,9 +3,9 @@
 
 #include "base/array.h"
 
-enum { DEEPEST = 16 };
+enum { DEEPEST = 16 }; /* halvings of a piece, at most */
 
-struct walk {
+struct piece_walk {
     const struct nc_motion *motion;
     const struct nc_piece *piece;
     size_t index;
@@ -14,15 +14,15 @@ struct walk {
 };
 
 /* The centre at a place of the piece. */
-static struct vec3 centre_at(const struct walk *w, double s)
+static struct vec3 centre_at(const struct piece_walk *w, double s)
 {
     struct nc_motion_pose pose = nc_motion_at(w->motion, w->piece, s);
     return vec_along(pose.p, w->height, pose.a);
 }
 
 /* Halves until three places between the ends lie on the chord. */
-static void flatten(const struct walk *w, double s0, struct vec3 a, double s1, struct vec3 b,
-                    int depth)
+static void add_segments(const struct piece_walk *w, double s0, struct vec3 a, double s1,
+                         struct vec3 b, int depth)
 {
     double s = (s0 + s1) / 2;
     struct vec3 m = centre_at(w, s);
@@ -36,8 +36,8 @@ static void flatten(const struct walk *w, double s0, struct vec3 a, double s1, s
             (struct centre_segment){a, b, {(float)s0, (float)s1}, (unsigned)w->index, false};
         return;
     }
-    flatten(w, s0, a, s, m, depth + 1);
-    flatten(w, s, m, s1, b, depth + 1);
+    add_segments(w, s0, a, s, m, depth + 1);
+    add_segments(w, s, m, s1, b, depth + 1);
 }
 
 void centre_path_piece(const struct nc_motion *motion, size_t piece, double radius, double up,
@@ -45,14 +45,14 @@ void centre_path_piece(const struct nc_motion *motion, size_t piece, double radi
 {
     const struct nc_piece *at = &motion->piece.item[piece];
     double height = up + (motion->track == NC_MOTION_TIP ? radius : 0);
-    struct walk w = {motion, at, piece, height, flat, path};
+    struct piece_walk w = {motion, at, piece, height, flat, path};
     struct vec3 a = centre_at(&w, 0), b = centre_at(&w, 1);
     bool still = at->shape == SHAPE_LINE && vec_distance(at->q[0], at->q[1]) == 0 &&
                  at->interpolation != AXIS_BY_HEAD;
     if (still)
         *array_push(path) = (struct centre_segment){a, b, {0, 1}, (unsigned)piece, false};
     else /* what curves is halved twice at least: a full turn ends where it begins */
-        flatten(&w, 0, a, 1, b, at->shape == SHAPE_LINE ? 0 : -2);
+        add_segments(&w, 0, a, 1, b, at->shape == SHAPE_LINE ? 0 : -2);
 }
 
 void centre_path_cut(const struct nc_motion *motion, double radius, double flat,

@@ -15,7 +15,7 @@ static struct matrix3 rotation(struct vec3 u, double degrees)
          {u.z * u.x * v - u.y * s, u.z * u.y * v + u.x * s, c + u.z * u.z * v}}};
 }
 
-static struct vec3 times(const struct matrix3 *a, struct vec3 p)
+static struct vec3 matrix_times(const struct matrix3 *a, struct vec3 p)
 {
     return vec(a->m[0][0] * p.x + a->m[0][1] * p.y + a->m[0][2] * p.z,
                a->m[1][0] * p.x + a->m[1][1] * p.y + a->m[1][2] * p.z,
@@ -23,10 +23,11 @@ static struct vec3 times(const struct matrix3 *a, struct vec3 p)
 }
 
 /* p turned about one of the axes, which goes through its centre. */
-static struct vec3 turned(const struct verify_kinematics_axis *axis, double degrees, struct vec3 p)
+static struct vec3 turn_about(const struct verify_kinematics_axis *axis, double degrees,
+                              struct vec3 p)
 {
     struct matrix3 r = rotation(axis->axis, degrees);
-    return vec_add(axis->centre, times(&r, vec_sub(p, axis->centre)));
+    return vec_add(axis->centre, matrix_times(&r, vec_sub(p, axis->centre)));
 }
 
 struct vec3 verify_kinematics_axis_at(const struct verify_kinematics *kinematics, const double q[])
@@ -34,7 +35,7 @@ struct vec3 verify_kinematics_axis_at(const struct verify_kinematics *kinematics
     struct vec3 a = kinematics->tool;
     for (int i = kinematics->n - 1; i >= 0; i--) {
         struct matrix3 r = rotation(kinematics->axis[i].axis, q[i]);
-        a = times(&r, a);
+        a = matrix_times(&r, a);
     }
     return a;
 }
@@ -45,7 +46,7 @@ static struct vec3 head_shift(const struct verify_kinematics *kinematics, const 
     struct vec3 p = {0, 0, 0};
     for (int i = kinematics->n - 1; i >= 0; i--)
         if (!kinematics->axis[i].table)
-            p = turned(&kinematics->axis[i], q[i], p);
+            p = turn_about(&kinematics->axis[i], q[i], p);
     return p;
 }
 
@@ -55,7 +56,7 @@ struct vec3 verify_kinematics_tip(const struct verify_kinematics *kinematics, st
     struct vec3 p = vec_add(linear, head_shift(kinematics, q));
     for (int i = kinematics->n - 1; i >= 0; i--)
         if (kinematics->axis[i].table)
-            p = turned(&kinematics->axis[i], q[i], p);
+            p = turn_about(&kinematics->axis[i], q[i], p);
     return p;
 }
 
@@ -64,7 +65,7 @@ struct vec3 verify_kinematics_linear(const struct verify_kinematics *kinematics,
 {
     for (int i = 0; i < kinematics->n; i++)
         if (kinematics->axis[i].table)
-            tip = turned(&kinematics->axis[i], -q[i], tip);
+            tip = turn_about(&kinematics->axis[i], -q[i], tip);
     return vec_sub(tip, head_shift(kinematics, q));
 }
 
@@ -78,8 +79,8 @@ static double angle_about(struct vec3 u, struct vec3 p, struct vec3 r, double ot
 }
 
 /* The whole turns nearest to `near` that are within the travel; *over: none is. */
-static double near_to(const struct verify_kinematics_axis *axis, double angle, double near,
-                      bool *over)
+static double nearest_turn(const struct verify_kinematics_axis *axis, double angle, double near,
+                           bool *over)
 {
     const double slack = 1e-6;
     angle += 360 * round((near - angle) / 360);
@@ -92,9 +93,10 @@ static double near_to(const struct verify_kinematics_axis *axis, double angle, d
     return *over ? angle : within;
 }
 
-/* Both vectors that lie on the cones of the tool about axis 1 and of the target about axis 0. */
-static void cones(const struct verify_kinematics *kinematics, struct vec3 target,
-                  struct vec3 found[2])
+/* Both vectors that lie on the cones of the tool about axis 1 and of the target about
+ * axis 0. */
+static void cone_intersections(const struct verify_kinematics *kinematics, struct vec3 target,
+                               struct vec3 found[2])
 {
     struct vec3 u = kinematics->axis[0].axis, v = kinematics->axis[1].axis, w = vec_cross(u, v);
     double uv = vec_dot(u, v), s = 1 - uv * uv;
@@ -113,24 +115,24 @@ bool verify_kinematics_angles(const struct verify_kinematics *kinematics, struct
     double best = HUGE_VAL;
     bool over[VERIFY_KINEMATICS_AXES];
     if (kinematics->n == 1)
-        q[0] = near_to(&kinematics->axis[0],
-                       angle_about(kinematics->axis[0].axis, kinematics->tool, axis, near[0]),
-                       near[0], over);
+        q[0] = nearest_turn(&kinematics->axis[0],
+                            angle_about(kinematics->axis[0].axis, kinematics->tool, axis, near[0]),
+                            near[0], over);
     if (kinematics->n == 2) {
         struct vec3 between[2];
-        cones(kinematics, axis, between);
+        cone_intersections(kinematics, axis, between);
         for (int i = 0; i < 2; i++) {
-            double one =
+            double inner =
                 angle_about(kinematics->axis[1].axis, kinematics->tool, between[i], near[1]);
-            double nought = angle_about(kinematics->axis[0].axis, between[i], axis, near[0]);
-            one = near_to(&kinematics->axis[1], one, near[1], &over[1]);
-            nought = near_to(&kinematics->axis[0], nought, near[0], &over[0]);
-            double move = fabs(one - near[1]) + fabs(nought - near[0]);
+            double outer = angle_about(kinematics->axis[0].axis, between[i], axis, near[0]);
+            inner = nearest_turn(&kinematics->axis[1], inner, near[1], &over[1]);
+            outer = nearest_turn(&kinematics->axis[0], outer, near[0], &over[0]);
+            double move = fabs(inner - near[1]) + fabs(outer - near[0]);
             move += over[0] || over[1] ? 1e6 : 0;
             if (move < best) {
                 best = move;
-                q[0] = nought;
-                q[1] = one;
+                q[0] = outer;
+                q[1] = inner;
             }
         }
     }
