@@ -81,7 +81,7 @@ static struct scene read_scene(const struct cli *cli, const struct settings *s)
     return scene;
 }
 
-/* Passes tell most where all is lines; arcs and B-splines are told apart first. */
+/* Colours by pass where all is lines; arcs and B-splines have colours by kind. */
 static bool by_pass(const struct scene *scene, int colour)
 {
     for (size_t i = 0; colour == COLOUR_AUTO && i < scene->n; i++)
@@ -90,7 +90,7 @@ static bool by_pass(const struct scene *scene, int colour)
     return colour != COLOUR_KIND;
 }
 
-/* The names of the files, parted by commas. */
+/* The names of the files, separated by commas. */
 static char *title_of(const struct scene *scene)
 {
     struct {

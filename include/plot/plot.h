@@ -2,7 +2,7 @@
  * plot - a picture, as SVG, of any stream of the suite or of several together.  The door of the
  * folder.
  *
- * In: files that hold a cloud, a mesh, a path or an NC program, told apart by content.  Out: a
+ * In: files that hold a cloud, a mesh, a path or an NC program, recognized by content.  Out: a
  * sheet with a title, views, a legend and a scale bar; or how far one stream is from another.
  *
  * Stages:

@@ -13,7 +13,7 @@ struct centre_segment {
     struct vec3 a, b;
     float s[2];     /* of its piece, from 0 to 1 */
     unsigned piece; /* of the motion */
-    bool on;        /* the ball touches the part half way (set by deviation_map_run) */
+    bool on;        /* the ball touches the part at its middle (set by deviation_map_run) */
 };
 
 struct centre_path {
@@ -22,8 +22,8 @@ struct centre_path {
 };
 
 /*
- * Appends the segments of one piece, no further than `flat` mm from the way of the centre, and
- * `up` mm further up the tool axis than the centre.
+ * Appends the segments of one piece, within `flat` mm of where the centre goes, `up` mm
+ * further up the tool axis than the centre.
  */
 void centre_path_piece(const struct nc_motion *motion, size_t piece, double radius, double up,
                        double flat, struct centre_path *path);

@@ -32,10 +32,10 @@ struct deviation_map {
     double gouge_part[DEVIATION_MAP_PERCENTILES], over_part[DEVIATION_MAP_PERCENTILES];
 };
 
-/* Rolls the ball along the path over n points; says of each segment if it touches the part. */
+/* Rolls the ball along the path over n points; sets `on` of each segment. */
 void deviation_map_run(struct centre_path *path, const struct vec3 *point, size_t n,
-                       const struct deviation_map_options *setup, struct deviation_map *result);
+                       const struct deviation_map_options *options, struct deviation_map *map);
 
-void deviation_map_free(struct deviation_map *result);
+void deviation_map_free(struct deviation_map *map);
 
 #endif

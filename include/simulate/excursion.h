@@ -1,12 +1,12 @@
 /*
- * excursion - a cut that leaves the part in the middle of its way and comes back: a pole or a
- * coefficient that is wrong throws the ball up where all places beside are cut.
+ * excursion - a cut that leaves the part in mid-course and comes back: a wrong pole or coefficient
+ * throws the ball up where everything beside it is cut.
  *
- * Asked are curves (B-splines, and polynomials one after the other), which are made to follow the
- * part, and two straight blocks that go up and come back at a sharp angle; of a curve also whether
- * it ends over the part, up the tool or up Z, and a straight block comes down again.  Ways from
- * pass to pass, up, across and down in blocks of their own, are none; neither is a pass that goes
- * out beside the part.  Lengths in mm.
+ * Looked at are curves (B-splines, and polynomials one after the other), which are made to follow
+ * the part, and pairs of straight blocks that go up and come back at a sharp angle.  A curve also
+ * counts if it ends over the part, up the tool or up Z, and a straight block comes down again.
+ * Links from pass to pass, up, across and down in blocks of their own, do not count, nor does a
+ * pass that goes out beside the part.  Lengths in mm.
  */
 #ifndef CLOUDMILL_EXCURSION_H
 #define CLOUDMILL_EXCURSION_H

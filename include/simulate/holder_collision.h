@@ -54,7 +54,7 @@ struct holder_collision_options {
     const struct holder *holder;
     struct collision_body *body;
     double radius;    /* of the ball */
-    double tolerance; /* it may be so deep and is not told */
+    double tolerance; /* no collision up to this depth */
 };
 
 /* What was found up to a piece; all zero before the first. */

@@ -1,7 +1,7 @@
 /*
  * nc_motion - what a tool does, as a list of pieces that can be evaluated anywhere.
  *
- * A program as the control would run it (ncread.h) ends up here.  Everything is evaluated by
+ * A program as its control runs it (ncread/ncread.h) becomes one.  Everything is evaluated by
  * formulas of this file alone, so that no mistake of the suite's own arcs and splines is made
  * twice.  Lengths in mm, rotary axes in degrees.
  */
@@ -51,7 +51,7 @@ enum { NC_MOTION_DEGREE = 5 }; /* of the polynomials that controls know */
 /* A piece of shape POLYNOMIAL: the coefficients of s, s^2 and so on of both channels. */
 struct nc_motion_polynomial {
     struct vec3 p[NC_MOTION_DEGREE], q[NC_MOTION_DEGREE];
-    bool swings; /* q holds; else the second channel is linear */
+    bool turns; /* q holds; else the second channel is linear */
 };
 
 struct nc_piece {
@@ -62,8 +62,8 @@ struct nc_piece {
     bool inverse;           /* feed is one over the minutes that it takes */
     int block;              /* its N number, -1: none */
     size_t line;            /* of the program or stream */
-    size_t index;           /* ARC, CUBIC, SPLINE: element of its array of these */
-    double feed;            /* mm/min, 0: not said */
+    size_t index;           /* ARC, POLYNOMIAL, SPLINE: of its element in the array of these */
+    double feed;            /* mm/min, 0: none given */
     double u[2];            /* SPLINE: from, to */
     struct vec3 p[2], q[2]; /* both channels at the start and the end */
 };

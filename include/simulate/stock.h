@@ -2,7 +2,7 @@
  * stock - what is left of a block while the ball cuts it: columns of material along Z.
  *
  * Columns stand on a grid in X and Y, each a list of intervals of Z (dexels), so that what a ball
- * leaves standing above itself stays.  The ball's way is a chain of straight pieces, each an exact
+ * leaves standing above itself stays.  The ball moves along straight pieces, each an exact
  * capsule; a column is cut exactly where its middle line passes through, whatever the grid.  What
  * the grid decides is how finely the block is looked at: a volume is the sum over the columns
  * (midpoint rule).  Lengths in mm.
@@ -17,7 +17,7 @@
 
 enum { STOCK_TILE = 8, STOCK_NONE = -1 };
 
-/* Marks of a tile of columns that has changed, one for each who looks. */
+/* Marks of a tile of columns that has changed, one for each part that follows the stock. */
 enum { STOCK_FOR_HOLDER = 1, STOCK_FOR_LEFT = 2 };
 
 /* The uppermost interval of one column; low >= high: nothing is left. */
@@ -71,7 +71,7 @@ static inline struct stock_column *stock_at(const struct stock *s, int i, int j)
     return &s->column[(size_t)j * (size_t)s->nx + (size_t)i];
 }
 
-/* What one straight piece of the ball's way takes off. */
+/* What one straight move of the ball takes off. */
 struct stock_bite {
     double volume; /* mm^3 */
     double depth;  /* the deepest, along the normal of the cut */
@@ -131,7 +131,7 @@ enum { STOCK_REST_PERCENTILES = 3, STOCK_REST_BINS = 1 << 16 }; /* 50, 95, 99 */
 
 struct stock_rest {
     const struct vec3 *point;
-    size_t points;         /* that are asked */
+    size_t points;         /* that are measured */
     size_t *order, *first; /* by tile of the stock: order[first[k]] to order[first[k + 1] - 1] */
     float *thick;          /* of each in `order` */
     double bin;            /* mm of each bin */

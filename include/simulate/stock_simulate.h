@@ -18,7 +18,7 @@ struct stock_simulate_pass {
     size_t bite_piece;   /* ... in this piece ... */
     struct vec3 bite_at; /* ... here */
     size_t blocks, air;  /* blocks at feed, and those of them that took nothing */
-    double length, air_length;  /* of the ball's way in them */
+    double length, air_length;  /* of the ball's path in them */
     struct stock_rest_sum left; /* after it */
 };
 

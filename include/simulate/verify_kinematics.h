@@ -1,6 +1,6 @@
 /*
- * verify_kinematics - a machine's rotary axes, as what reads programs evaluates them: by matrices,
- * with no code in common with what writes programs (kinematics.h).
+ * verify_kinematics - a machine's rotary axes as the readers of programs evaluate them: by
+ * matrices, with no code in common with the writers of programs (machine/kinematics.h).
  *
  * Axis 0 is the one nearest the work; tables come before heads.  A word of a table's axis is in
  * ISO sense (the tool against the work), so that table and head have one formula for the tool

@@ -2,7 +2,7 @@
  * verify - an NC program judged against the part that it was made for.  The door of the folder.
  *
  * In: the motion that a program stands for (ncread/ncread.h), the part as points, what the machine
- * may do, and what is demanded.  Out: a verdict with its figures and findings, told as text, as
+ * may do, and what is demanded.  Out: a verdict with its figures and findings, written as text, as
  * points with colours, or as a page for a browser.
  *
  * Stages, each by formulas of simulate/simulate.h, none by code that writes programs:
@@ -10,7 +10,7 @@
  *                         trimmed surfaces;
  *   2. verify_run         the ball along the program over the part, rapid moves, shank and holder,
  *                         the stock cut pass by pass, the axes; then what is wrong with them;
- *   3. verdict_text, verdict_map, verdict_page   the verdict told.  The page's files are
+ *   3. verdict_text, verdict_map, verdict_page   the verdict written.  The page's files are
  *                         src/verify/page.html, page.css and page.js; make builds them in.
  */
 #ifndef CLOUDMILL_VERIFY_H
@@ -67,7 +67,7 @@ enum { FINDING_TEXT = 240 };
 
 /* One thing found. */
 struct finding {
-    bool fault;              /* the program is refused for it; else it is only told */
+    bool fault;              /* the program is refused for it; else it is a notice */
     char text[FINDING_TEXT]; /* with its block, without the file's name */
 };
 
@@ -95,7 +95,6 @@ struct verdict {
         part_holder; /* shank and holder against the part, if there is a holder */
     bool has_stock;  /* what follows holds */
     struct stock_simulate stock;
-    struct holder_collision stock_holder;
     double cell; /* of the stock, mm */
     unsigned passes;
     struct verdict_piece *piece; /* as many as the motion has */
@@ -115,7 +114,7 @@ bool verdict_refused(const struct verdict *verdict);
 /* The pieces with the deepest gouges, or with most left, worst first; returns how many. */
 size_t verdict_worst(const struct verdict *verdict, bool gouge, size_t most, size_t *piece);
 
-/* ---- the verdict told; file NULL or "-": standard output */
+/* ---- the verdict written; file NULL or "-": standard output */
 
 /* A table of the figures. */
 void verdict_text(const struct verdict *verdict, const char *file);

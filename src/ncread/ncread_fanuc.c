@@ -2,7 +2,7 @@
  * ncread_fanuc - blocks of the Fanuc 30i family (operator's manual B-63944 and the design notes).
  *
  * G43.4: X Y Z are the tip in the frame of the work, rotary words and tip go in proportion.
- * G43.5: I J K is the tool axis, which swings on the great circle.  G06.2: a B-spline from the
+ * G43.5: I J K is the tool axis, which turns on the great circle.  G06.2: a B-spline from the
  * place where the tool is (its first pole), a knot in each block and the last ones alone.
  */
 #include <string.h>

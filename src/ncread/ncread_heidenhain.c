@@ -195,7 +195,7 @@ static int run_function(struct ncread *c, const struct klartext *k, struct error
     return 0;
 }
 
-/* Seconds, behind letters or alone. */
+/* Seconds, after letters or alone. */
 static void read_dwell(struct ncread *c, const char *word)
 {
     double seconds;

@@ -4,8 +4,8 @@
  * TNC 640 Cycle Programming).
  *
  * Over the hole at rapid as high as the tool is, down to the clear height at rapid, to the bottom
- * at feed, out.  Steps are not told apart: they stay on that line, and it is their dwells that
- * count; a dwell told in turns of the spindle does not.
+ * at feed, out.  Steps are not moves of their own: they stay on that line, and only their
+ * dwells count; a dwell in turns of the spindle does not.
  */
 #ifndef CLOUDMILL_NCREAD_HOLE_H
 #define CLOUDMILL_NCREAD_HOLE_H

@@ -15,7 +15,7 @@ static void forget_place(struct ncread *c)
     c->here.has_axis = false;
 }
 
-/* Off: where the rotary axes stand is not known before they are told. */
+/* Off: where the rotary axes stand is unknown until the program names them. */
 static int leave_plane(struct ncread *c)
 {
     c->tilted.on = false;

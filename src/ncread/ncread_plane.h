@@ -1,6 +1,5 @@
 /*
- * ncread_plane - a tilted plane, 3+2: what the control is told in it, told in the frame of the
- * work.
+ * ncread_plane - a tilted plane, 3+2: what a program says in it, in the frame of the work.
  *
  * Fanuc G68.2 X Y Z I J K: origin, and Euler's angles about Z, the turned X and the turned Z; G53.1
  * brings the tool there, G69 ends it.  Siemens CYCLE800 in mode 57 and Heidenhain PLANE SPATIAL:

@@ -309,13 +309,13 @@ static int poly_piece(struct ncread *c, struct ncread_siemens_block *b, struct n
 {
     if (!(b->length > 0))
         return ncread_error(c, error, "POLY with a PL that is not above zero");
-    struct nc_motion_polynomial sum = {.swings = b->head_n == 3};
+    struct nc_motion_polynomial sum = {.turns = b->head_n == 3};
     piece->shape = SHAPE_POLYNOMIAL;
     piece->index = c->motion->polynomial.n;
     coefficients(b->tip, b->length, piece->p[0], piece->p[1], sum.p);
     if (b->head_n == 3 && piece->interpolation != AXIS_BY_HEAD)
         return ncread_error(c, error, "ORICURVE from a second point that is not known");
-    if (sum.swings)
+    if (sum.turns)
         coefficients(b->second, b->length, piece->q[0], piece->q[1], sum.q);
     *array_push(&c->motion->polynomial) = sum;
     return 0;

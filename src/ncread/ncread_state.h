@@ -57,17 +57,17 @@ struct ncread {
     /* modal */
     int move;    /* the dialect's own */
     int plane;   /* 17, 18, 19 */
-    double unit; /* of the program's lengths, mm; 0: not said */
+    double unit; /* of the program's lengths, mm; 0: not set yet */
     bool absolute, inverse_time, spindle;
     bool tcp;     /* on */
     bool vectors; /* the tool axis is programmed as a vector */
     bool curve;   /* the tool axis follows a second point (ORICURVE) */
     bool length;  /* the tool's length is on (LinuxCNC) */
-    double speed; /* of the spindle, 1/min, where the dialect needs it; 0: not said */
+    double speed; /* of the spindle, 1/min, where the dialect needs it; 0: not set yet */
     double feed;
     bool feed_here;             /* F stands in this block */
     bool ended;                 /* M30 was read */
-    bool closed;                /* and the mark behind it */
+    bool closed;                /* and the mark after it */
     struct ncread_place middle; /* of G02.4 */
     bool has_middle;
     struct vec3 centre; /* CC of Klartext */
@@ -92,7 +92,7 @@ int ncread_unknown(const struct ncread *c, const struct ncread_word *w, struct e
 /* An M word: the spindle, the end, and those that move nothing. */
 int ncread_m(struct ncread *c, const struct ncread_word *w, struct error *error);
 
-/* The N number of a block must rise; behind the last of four digits or more it may begin anew. */
+/* The N number of a block must rise; after 9900 and more it may begin anew. */
 int ncread_block(struct ncread *c, double number, struct error *error);
 
 /* X Y Z, the rotary words of this machine: true when `name` is one and `to` took the value. */
@@ -102,13 +102,13 @@ bool ncread_axis(const struct ncread *c, const char *name, double value, struct 
 void ncread_turned(const struct ncread *c, struct ncread_place *to);
 void ncread_pointed(struct ncread_place *to, struct vec3 axis);
 
-/* A piece from here to there with its swing; its shape is the caller's. */
+/* A piece from here to there with the interpolation of its tool axis; its shape is the caller's. */
 struct nc_piece ncread_piece(const struct ncread *c, const struct ncread_place *to);
 
 /* The rotary axes stand at zero: the linear axes go where the tip goes. */
 bool ncread_upright(const struct ncread *c);
 
-/* What the control, or good practice, wants to be said before the tool cuts. */
+/* Checks what the control, or good practice, requires before the tool cuts. */
 int ncread_ready(const struct ncread *c, struct error *error);
 
 /* The tool goes there: checks what a move needs, adds the piece. */
@@ -127,7 +127,7 @@ int ncread_arc_radius(struct ncread *c, struct nc_piece *piece, double radius, b
 int ncread_arc_through(struct ncread *c, struct nc_piece *piece, struct vec3 middle,
                        struct error *error);
 
-/* One pole more of the spline being read; the first one takes over the piece's swing. */
+/* One pole more of the spline being read; the first sets how the tool axis is interpolated. */
 void ncread_pole(struct ncread *c, const struct nc_piece *piece, struct vec3 p, struct vec3 q);
 
 /* The spline is complete: its knots are checked and it is added. */
@@ -135,7 +135,7 @@ int ncread_spline(struct ncread *c, struct error *error);
 
 /* ---- units: words are read as they stand, what is made of them is in mm */
 
-/* The program's lengths are `mm` long from here on; once said it stays so. */
+/* The program's lengths are `mm` long from here on; once set it stays so. */
 int ncread_unit(struct ncread *c, double mm, struct error *error);
 
 /* Brings a piece, with its arc or polynomials, to mm; the poles of the spline that was read. */

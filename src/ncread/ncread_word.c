@@ -89,7 +89,7 @@ int ncread_word_fanuc(const char *line, struct ncread_words *words, struct error
     return 0;
 }
 
-/* A value behind `=`: a number, AC(number), a list in brackets or a text. */
+/* A value after `=`: a number, AC(number), a list in brackets or a text. */
 static int siemens_value(const char **s, struct ncread_word *w, struct error *error)
 {
     bool pointed;
@@ -121,7 +121,7 @@ static int siemens_value(const char **s, struct ncread_word *w, struct error *er
     return 0;
 }
 
-/* A call's arguments are passed over, but its brackets must close. */
+/* A call's arguments are skipped, but its brackets must close. */
 static int siemens_call(const char **s, struct error *error)
 {
     size_t n = strcspn(*s, ")");

@@ -34,14 +34,14 @@ struct ncread_words {
 
 /*
  * Reads one number as a control takes it: an optional sign, digits, an optional point; no exponent,
- * no -0, no more than 9 digits before and 9 behind the point.  -1 with the text otherwise.
+ * no -0, no more than 9 digits before and 9 after the point.  -1 with the text otherwise.
  */
 int ncread_word_number(const char **s, double *value, bool *pointed, struct error *error);
 
 /* The words of a Fanuc block: capital letters with a number each, comments in ( ). */
 int ncread_word_fanuc(const char *line, struct ncread_words *words, struct error *error);
 
-/* The words of a Siemens block, up to a comment behind `;`. */
+/* The words of a Siemens block, up to a comment after `;`. */
 int ncread_word_siemens(const char *line, struct ncread_words *words, struct error *error);
 
 /* The word of this name, NULL: not in the block. */

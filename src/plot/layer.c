@@ -30,7 +30,7 @@ static double visible_chord(const struct layer_options *options, const struct bo
 /* ---- a path as strokes: arcs and B-splines in pieces that stray from them by no more than the
  * chord error */
 
-/* What is known on the way through the items. */
+/* A walk through the items of a path. */
 struct path_walk {
     const struct path *path;
     const struct layer_options *options;
@@ -89,10 +89,10 @@ static void add_arc(struct path_walk *w, const struct path_item *item)
     const struct path_arc *arc = &w->path->arc.item[item->index];
     struct motion motion = motion_arc(w->at, item->to, arc->centre, arc->axis);
     double ratio = 1 - fmin(w->chord / arc->radius, 0.9);
-    double pieces = fmax(1, ceil(motion.sweep / (2 * acos(ratio))));
+    size_t pieces = (size_t)fmax(1, ceil(motion.sweep / (2 * acos(ratio))));
     struct stroke *stroke = begin_stroke(w, STROKE_ARC);
-    for (double i = 1; i <= pieces; i++)
-        *array_push(&w->layer->node) = motion_at(&motion, i / pieces).p;
+    for (size_t i = 1; i <= pieces; i++)
+        *array_push(&w->layer->node) = motion_at(&motion, (double)i / (double)pieces).p;
     end_stroke(w, stroke);
     w->layer->motions[STROKE_ARC]++;
     w->layer->cut += motion_length(&motion);
@@ -174,13 +174,13 @@ static int add_path(const struct path *path, const struct layer_options *options
 /* ---- a program as strokes, as its control and the machine run it: what it cuts between two rapid
  * moves is a pass */
 
-/* What is known on the way through the pieces. */
+/* A walk through the pieces of a program. */
 struct program_walk {
     const struct nc_motion *motion;
     const struct layer_options *options;
     struct layer *layer;
     double chord;
-    size_t run; /* of pieces at feed, behind a rapid move */
+    size_t run; /* of pieces at feed, after a rapid move */
     size_t drawn[STROKES];
 };
 
@@ -199,7 +199,8 @@ static enum stroke_kind kind_of(const struct nc_piece *piece)
     }
 }
 
-/* The stroke goes on: straight piece behind straight piece, span behind span of one spline. */
+/* True if the piece goes on with the stroke: straight after straight, span after span of a spline.
+ */
 static bool joins_stroke(const struct nc_piece *was, const struct nc_piece *piece)
 {
     enum stroke_kind kind = kind_of(piece);
@@ -214,7 +215,7 @@ static struct vec3 tip_at(const struct program_walk *w, const struct nc_piece *p
     return nc_motion_at(w->motion, piece, s).p;
 }
 
-/* Nodes behind s0 up to s1, halved until the middle is no farther off than the chord error. */
+/* Nodes after s0 up to s1, halved until the middle is no farther off than the chord error. */
 static void add_nodes(struct program_walk *w, const struct nc_piece *piece, double s0,
                       struct vec3 from, double s1, struct vec3 to, int halvings)
 {
@@ -378,7 +379,7 @@ static size_t rows_of(const struct mesh *mesh)
     for (size_t i = 0; i < mesh->row.n; i++)
         if (mesh->row.item[i] > last)
             last = mesh->row.item[i];
-    return (size_t)(last + 1);
+    return (size_t)last + 1;
 }
 
 static int read_mesh(const char *file, const struct layer_options *options, struct layer *layer,

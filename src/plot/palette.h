@@ -1,5 +1,5 @@
 /*
- * palette - the colours of pictures: told apart by readers with any colour vision, and in grey.
+ * palette - the colours of pictures: distinct to readers with any colour vision, and in grey.
  *
  * Okabe and Ito's eight (Color Universal Design, 2008) for what differs in kind, viridis (van der
  * Walt and Smith, 2015) for heights.

@@ -27,7 +27,7 @@ struct pane {
     const struct pane_options *options;
     struct raster near; /* what is nearest to the eye: hides what is behind it */
     bool hides;         /* there is something in it */
-    double slack;       /* what is less behind is not hidden, mm */
+    double slack;       /* what is less far behind is not hidden, mm */
     size_t every;       /* of the passes each so many-th is drawn */
 };
 

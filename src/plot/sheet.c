@@ -182,7 +182,7 @@ static struct legend legend_of(const struct scene *scene, const struct pane_opti
     double x = legend.bar * scale + svg_text_width(LEGEND_SIZE, false, text) + 34;
     for (size_t i = 0; i < legend.n; i++) {
         struct legend_item *item = &legend.item[i];
-        bool joined = item->text[0] == '\0'; /* the sample of the item behind it too */
+        bool joined = item->text[0] == '\0'; /* the sample of the next item too */
         double need =
             sample_width(item) + (joined ? 4 : 8 + svg_text_width(LEGEND_SIZE, false, item->text));
         if (x + need > width && x > 0) {
@@ -357,7 +357,7 @@ static struct layout lay_out(const struct scene *scene, const struct sheet_optio
     return l;
 }
 
-/* A text from y on in as many lines as it takes, broken behind commas; the next y. */
+/* A text from y on in as many lines as it takes, broken after commas; the next y. */
 static double draw_text(struct svg *svg, double y, double width, const char *text)
 {
     char line[400];

@@ -1,5 +1,5 @@
 /*
- * stream - which of the suite's streams a file is, told apart by content.
+ * stream - which of the suite's streams a file is, by its content.
  */
 #ifndef CLOUDMILL_STREAM_H
 #define CLOUDMILL_STREAM_H

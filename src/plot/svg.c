@@ -101,7 +101,7 @@ void svg_move(struct svg *svg, double x, double y)
 {
     long to_x = lround(10 * x), to_y = lround(10 * y);
     step(svg, svg->last == ' ' ? 'M' : 'm', to_x - svg->x, to_y - svg->y);
-    svg->last = '\0'; /* a further pair behind it would be a line */
+    svg->last = '\0'; /* a further pair after it would be a line */
     svg->x = svg->from_x = to_x;
     svg->y = svg->from_y = to_y;
 }

@@ -5,7 +5,7 @@
 enum { STEPS = 6 };
 
 #define REACH 0.01  /* degrees that a tool axis may be off what the machine reaches */
-#define SHORT 0.001 /* mm: turns a mm are told of longer moves */
+#define SHORT 0.001 /* mm: a turn rate is measured over longer moves */
 #define OVER 1.01   /* times as fast as it can: speeds and lengths are printed rounded */
 #define TRAVEL 1e-6 /* mm or degrees beyond the travel that count as within */
 

@@ -16,7 +16,7 @@ struct search {
     struct excursion found;
 };
 
-/* Does the way go on from one segment to the next as one curve, or as straight blocks do? */
+/* True if the two segments are of one curve, or of straight blocks one after the other. */
 static bool continues(const struct search *s, size_t from, size_t to)
 {
     const struct nc_piece *piece = s->motion->piece.item;
@@ -28,7 +28,7 @@ static bool continues(const struct search *s, size_t from, size_t to)
     return piece[p].shape != SHAPE_SPLINE || piece[p].index == piece[q].index;
 }
 
-/* Straight blocks from one segment to another: are they two, there and back? */
+/* True if the straight blocks from one segment to another are two that go up and come back. */
 static bool is_spike(const struct search *s, size_t from, size_t to)
 {
     const struct centre_segment *a = &s->path->item[from], *b = &s->path->item[to];
@@ -76,8 +76,8 @@ static void add_excursion(struct search *s, size_t segment, double height)
     s->found.at = s->path->item[segment].b;
 }
 
-/* A curve that ends off the part: does it end over the part, and a straight block come down again?
- */
+/* A curve that ends off the part counts if it ends over the part and a straight block comes down
+ * again. */
 static void look_at_end(struct search *s, size_t to)
 {
     size_t piece = s->path->item[to].piece, next = piece + 1;

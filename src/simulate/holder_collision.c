@@ -14,7 +14,7 @@ enum {
 
 #define FINE 0.005  /* mm: a stretch that short is not halved further, nor one ... */
 #define SHARE 0.25  /* ... shorter than this of the tolerance */
-#define ALIKE 1.1   /* depths are told within a tenth */
+#define ALIKE 1.1   /* depths are found within a tenth */
 #define ENOUGH 10   /* mm: more clearance than that is not measured */
 #define GAIN 0.0005 /* mm: deeper by less than that is not deeper */
 #define BEND 1.3    /* length of a part of a curved piece, at most, to the distance of its ends */
@@ -122,8 +122,10 @@ struct columns {
 
 static struct columns columns_of(const struct stock *s, int i, int j)
 {
-    return (struct columns){i * STOCK_TILE, (int)fmin((i + 1) * STOCK_TILE, s->nx), j * STOCK_TILE,
-                            (int)fmin((j + 1) * STOCK_TILE, s->ny)};
+    struct columns at = {.i0 = i * STOCK_TILE, .j0 = j * STOCK_TILE};
+    at.i1 = (i + 1) * STOCK_TILE < s->nx ? (i + 1) * STOCK_TILE : s->nx;
+    at.j1 = (j + 1) * STOCK_TILE < s->ny ? (j + 1) * STOCK_TILE : s->ny;
+    return at;
 }
 
 static void set_heights(struct collision_body *o, int i, int j)
@@ -257,7 +259,7 @@ void collision_body_nearest(struct collision_body *o, struct holder_search *sear
 
 /* ---- the motion along it */
 
-/* Shank and holder on their way along one piece. */
+/* Shank and holder following one piece. */
 struct follower {
     const struct holder_collision_options *options;
     struct holder_collision *found;

@@ -95,7 +95,7 @@ struct nc_motion_pose nc_motion_at(const struct nc_motion *m, const struct nc_pi
     } else if (piece->shape == SHAPE_POLYNOMIAL) {
         const struct nc_motion_polynomial *sum = &m->polynomial.item[piece->index];
         p = polynomial_at(piece->p[0], sum->p, s);
-        if (sum->swings)
+        if (sum->turns)
             q = polynomial_at(piece->q[0], sum->q, s);
     } else if (piece->shape == SHAPE_SPLINE) {
         const struct nc_motion_spline *b = &m->spline.item[piece->index];

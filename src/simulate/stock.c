@@ -70,7 +70,7 @@ static void take_out(struct stock *s, double *low, double *high, int *more, doub
         struct stock_interval below = {*low, a, *more};
         *more = (int)s->more.n;
         *low = b;
-        *array_push(&s->more) = below; /* may move what `more` points into: all is said before */
+        *array_push(&s->more) = below; /* may move what `more` points into, so it comes last */
     } else if (a > *low) {
         *high = a;
     } else {
@@ -94,7 +94,7 @@ static void cut_column(struct stock *s, struct stock_column *c, double a, double
     }
 }
 
-/* A piece of the ball's way. */
+/* A straight move of the ball. */
 struct capsule {
     struct vec3 a, b, e; /* e: unit vector from a to b */
     double length, radius;
@@ -536,7 +536,7 @@ static size_t column_of(const struct stock *s, struct vec3 p)
     return (size_t)j * (size_t)s->nx + (size_t)i;
 }
 
-/* Which points are asked: not those far under the highest of their column. */
+/* Which points are measured: not those far under the highest of their column. */
 static bool *points_in_sight(const struct vec3 *point, size_t n, const struct stock *s)
 {
     size_t columns = (size_t)s->nx * (size_t)s->ny;

@@ -11,7 +11,7 @@ struct simulation {
     size_t segment;        /* the next one of options->cut */
     bool cut;              /* the piece before was at feed */
     size_t line;           /* the block that is being cut: it has taken ... */
-    double volume, length; /* ... so much on so long a way */
+    double volume, length; /* ... so much over such a length */
 };
 
 /* The block is over: was it air? */

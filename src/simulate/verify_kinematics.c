@@ -40,7 +40,7 @@ struct vec3 verify_kinematics_axis_at(const struct verify_kinematics *kinematics
     return a;
 }
 
-/* How far the heads swing the tip away from where it is at zero. */
+/* How far the heads move the tip from where it is at zero. */
 static struct vec3 head_shift(const struct verify_kinematics *kinematics, const double q[])
 {
     struct vec3 p = {0, 0, 0};

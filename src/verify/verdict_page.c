@@ -69,7 +69,7 @@ static int thousandths(double mm)
     return (int)lround(fmax(fmin(mm, 2e6), -2e6) * 1000);
 }
 
-/* Deviations are told finer than places. */
+/* Deviations have a digit more than places. */
 static int fine(double mm)
 {
     return (int)lround(fmin(mm, 2e5) * 10000);
@@ -115,7 +115,7 @@ static void print_points(struct out *o, const struct verdict *v, struct vec3 cen
     out_text(o, "],\n");
 }
 
-/* The way of the tip; curves in eight steps. */
+/* The path of the tip; curves in eight steps. */
 static void print_nodes(struct out *o, const struct verdict *v, struct vec3 centre,
                         struct page_rows *rows)
 {

@@ -9,7 +9,7 @@
 #include "ncread/ncread.h"
 #include "verify/verify.h"
 
-enum { LEAN_STEPS = 4 }; /* of a piece, for its tool axis */
+enum { TURN_STEPS = 4 }; /* of a piece, for its tool axis */
 
 #define FLAT 0.0002 /* mm: how straight the ball's centre goes between two places */
 #define JUMP 5.0    /* degrees: less is no jump of the tool axis */
@@ -77,10 +77,10 @@ static void cut_stock(struct verdict *v)
 
 /* ---- what is wrong with it */
 
-static void find(struct verdict *v, bool fault, size_t piece, const char *format, ...)
+static void add_finding(struct verdict *v, bool fault, size_t piece, const char *format, ...)
     __attribute__((format(printf, 4, 5)));
 
-static void find(struct verdict *v, bool fault, size_t piece, const char *format, ...)
+static void add_finding(struct verdict *v, bool fault, size_t piece, const char *format, ...)
 {
     struct finding *finding = array_push(&v->finding);
     char place[60], what[FINDING_TEXT - 64];
@@ -126,19 +126,19 @@ static void judge_surface(struct verdict *v)
     const struct deviation_map *r = &v->map;
     struct vec3 p = v->program.part->item[r->gouge_at];
     if (r->gouge > v->options.tolerance)
-        find(v, true, piece_at(v, r->gouge_at),
-             "the ball is %.4f mm deep in the part at %.3f %.3f %.3f, tolerance %g", r->gouge, p.x,
-             p.y, p.z, v->options.tolerance);
+        add_finding(v, true, piece_at(v, r->gouge_at),
+                    "the ball is %.4f mm deep in the part at %.3f %.3f %.3f, tolerance %g",
+                    r->gouge, p.x, p.y, p.z, v->options.tolerance);
     p = v->program.part->item[r->over_at];
     if (r->over > v->options.left)
-        find(v, true, piece_at(v, r->over_at),
-             "%.4f mm of material is left at %.3f %.3f %.3f, at most %g", r->over, p.x, p.y, p.z,
-             v->options.left);
+        add_finding(v, true, piece_at(v, r->over_at),
+                    "%.4f mm of material is left at %.3f %.3f %.3f, at most %g", r->over, p.x, p.y,
+                    p.z, v->options.left);
     p = v->program.part->item[v->rapid.point];
     if (v->rapid.depth > 0)
-        find(v, true, v->rapid.piece,
-             "a rapid move goes %.3f mm deep through the part at %.3f %.3f %.3f", v->rapid.depth,
-             p.x, p.y, p.z);
+        add_finding(v, true, v->rapid.piece,
+                    "a rapid move goes %.3f mm deep through the part at %.3f %.3f %.3f",
+                    v->rapid.depth, p.x, p.y, p.z);
 }
 
 /* Shank or holder in the part, or in the stock. */
@@ -147,27 +147,27 @@ static void judge_holder(struct verdict *v, const struct holder_collision *found
     if (!(found->depth > 0))
         return;
     bool fast = v->program.motion->piece.item[found->piece].rapid;
-    find(v, true, found->piece,
-         "shank or holder goes %.3f mm deep into the %s at %.3f %.3f %.3f%s (blocks: %zu)",
-         found->depth, what, found->at.x, found->at.y, found->at.z, fast ? ", in a rapid move" : "",
-         found->pieces);
+    add_finding(v, true, found->piece,
+                "shank or holder goes %.3f mm deep into the %s at %.3f %.3f %.3f%s (blocks: %zu)",
+                found->depth, what, found->at.x, found->at.y, found->at.z,
+                fast ? ", in a rapid move" : "", found->pieces);
 }
 
 static void judge_stock(struct verdict *v)
 {
     const struct stock_simulate *run = &v->stock;
     if (run->rapid > 0)
-        find(v, true, run->rapid_piece,
-             "a rapid move goes %.3f mm deep into the stock at %.3f %.3f %.3f (blocks: %zu)",
-             run->rapid, run->rapid_at.x, run->rapid_at.y, run->rapid_at.z, run->rapids);
+        add_finding(v, true, run->rapid_piece,
+                    "a rapid move goes %.3f mm deep into the stock at %.3f %.3f %.3f (blocks: %zu)",
+                    run->rapid, run->rapid_at.x, run->rapid_at.y, run->rapid_at.z, run->rapids);
 }
 
-/* How the tool axis turns over one piece, radians, and how far the tip goes. */
+/* How the tool axis turns over one piece, radians. */
 struct axis_turn {
     struct vec3 from, to; /* the axis at its ends */
-    double most;          /* furthest from where it was */
-    double way;
-    bool on; /* the ball touches the part in it */
+    double most;          /* farthest from where it began */
+    double length;        /* of the tip's path */
+    bool on;              /* the ball touches the part in it */
 };
 
 static struct axis_turn turn_of(const struct nc_motion *motion, const struct nc_piece *piece)
@@ -176,8 +176,8 @@ static struct axis_turn turn_of(const struct nc_motion *motion, const struct nc_
     struct axis_turn turn = {a.a, b.a, vec_angle(a.a, b.a), vec_distance(a.p, b.p), false};
     if (vec_distance(piece->q[0], piece->q[1]) < STILL && piece->shape == SHAPE_LINE)
         return turn;
-    for (int i = 1; i < LEAN_STEPS; i++) {
-        struct vec3 axis = nc_motion_at(motion, piece, (double)i / LEAN_STEPS).a;
+    for (int i = 1; i < TURN_STEPS; i++) {
+        struct vec3 axis = nc_motion_at(motion, piece, (double)i / TURN_STEPS).a;
         turn.most = fmax(turn.most, vec_angle(a.a, axis));
     }
     return turn;
@@ -202,9 +202,9 @@ static void judge_jumps(struct verdict *v)
         bool follows = piece == last + 1;
         double turn = follows ? fmax(at.most, before.most) : at.most;
         double back = vec_angle(follows ? before.from : at.from, at.to);
-        double way = at.way + (follows ? before.way : 0);
+        double length = at.length + (follows ? before.length : 0);
         if ((at.on || (follows && before.on)) && turn > RADIANS(JUMP) && back < turn / 2 &&
-            turn * v->options.radius > ROLLS * way) {
+            turn * v->options.radius > ROLLS * length) {
             jumps++;
             worst = turn > most ? piece : worst;
             most = fmax(most, turn);
@@ -213,9 +213,9 @@ static void judge_jumps(struct verdict *v)
         before = at;
     }
     if (jumps > 0)
-        find(v, true, worst,
-             "the tool axis swings out by %.3f degrees and back on the part (blocks: %zu)",
-             DEGREES(most), jumps);
+        add_finding(v, true, worst,
+                    "the tool axis swings out by %.3f degrees and back on the part (blocks: %zu)",
+                    DEGREES(most), jumps);
 }
 
 /* Curves that leave the part and come back. */
@@ -225,9 +225,10 @@ static void judge_excursions(struct verdict *v)
     struct excursion out = excursion_find(v->program.motion, &v->cut, v->program.part->item,
                                           v->program.part->n, &options);
     if (out.count > 0)
-        find(v, true, out.piece,
-             "the ball leaves the part amid a cut, %.3f mm off it at %.3f %.3f %.3f (times: %zu)",
-             out.height, out.at.x, out.at.y, out.at.z, out.count);
+        add_finding(
+            v, true, out.piece,
+            "the ball leaves the part amid a cut, %.3f mm off it at %.3f %.3f %.3f (times: %zu)",
+            out.height, out.at.x, out.at.y, out.at.z, out.count);
 }
 
 static void judge_axes(struct verdict *v)
@@ -235,16 +236,19 @@ static void judge_axes(struct verdict *v)
     static const char letter[] = "XYZABC";
     const struct axis_use *use = &v->axes;
     if (use->beyond)
-        find(v, true, use->travel.piece, "axis %c at %.3f is beyond its travel (blocks: %zu)",
-             letter[use->travel.axis], use->travel.value, use->beyond);
+        add_finding(v, true, use->travel.piece,
+                    "axis %c at %.3f is beyond its travel (blocks: %zu)", letter[use->travel.axis],
+                    use->travel.value, use->beyond);
     if (use->unreachable)
-        find(v, true, use->unreachable_at, "a tool axis that the machine's axes cannot reach");
+        add_finding(v, true, use->unreachable_at,
+                    "a tool axis that the machine's axes cannot reach");
     if (use->fast)
-        find(v, use->speed.value > 0 && v->program.motion->piece.item[use->speed.piece].inverse,
-             use->speed.piece,
-             "axis %c would have to move at %.2f of its largest speed "
-             "(blocks: %zu)",
-             letter[use->speed.axis], use->speed.value, use->fast);
+        add_finding(v,
+                    use->speed.value > 0 && v->program.motion->piece.item[use->speed.piece].inverse,
+                    use->speed.piece,
+                    "axis %c would have to move at %.2f of its largest speed "
+                    "(blocks: %zu)",
+                    letter[use->speed.axis], use->speed.value, use->fast);
 }
 
 static void judge(struct verdict *v)
@@ -259,10 +263,10 @@ static void judge(struct verdict *v)
     judge_jumps(v);
     judge_excursions(v);
     if (v->cut.n == 0 && v->program.motion->piece.n > 0)
-        find(v, v->options.left < HUGE_VAL, 0,
-             "nothing is cut, all moves are rapid"); /* a part of many */
+        add_finding(v, v->options.left < HUGE_VAL, 0,
+                    "nothing is cut, all moves are rapid"); /* a part of many */
     else if (v->map.cut == 0 && v->program.motion->piece.n > 0)
-        find(v, true, 0, "the ball comes near no point of the part");
+        add_finding(v, true, 0, "the ball comes near no point of the part");
 }
 
 struct verdict verify_run(const struct verify_program *program,

@@ -1,5 +1,5 @@
 /*
- * ball - how deep the tool's ball goes into the part on its way.
+ * ball - how deep the tool's ball goes into the part along a motion.
  */
 #ifndef READBACK_BALL_H
 #define READBACK_BALL_H

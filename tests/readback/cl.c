@@ -27,7 +27,7 @@ static struct vec3 out_of_frame(const struct cl_frame *f, struct vec3 v)
     return vec(vec_dot(f->x, v), vec_dot(f->y, v), vec_dot(f->z, v));
 }
 
-/* NX: all frames are told in the first one. */
+/* NX: all frames are brought into the first one. */
 struct vec3 cl_point(const struct cl_state *s, const double v[3])
 {
     struct vec3 p = vec_add(vec_scale(s->unit, vec(v[0], v[1], v[2])), s->shift);
@@ -338,7 +338,7 @@ static const struct {
     {"END-OF-PATH", read_end},
 };
 
-/* Words that would move the tool otherwise: who passes over them is elsewhere. */
+/* Words that would move the tool otherwise: a reader that skips them ends elsewhere. */
 static const char *const refused[] = {"GOFWD",  "GOLFT",  "GORGT",  "PSIS",   "SPLINE",
                                       "HELIX",  "ARC",    "COPY",   "TRACUT", "POCKET",
                                       "ROTABL", "ROTATE", "ROTHED", "TLON"};

@@ -17,7 +17,7 @@ struct cl {
     double diameter, corner; /* of its first tool, mm */
 };
 
-/* Radius of the ball, mm; 0: the tool is none, or not said. */
+/* Radius of the ball, mm; 0: the tool has none, or is not given. */
 double cl_ball(const struct cl *cl);
 
 /* Straight moves and arcs with the axis on the great circle in proportion, splines by their poles

@@ -84,7 +84,7 @@ bool cl_arc_goes_on(struct cl_state *s, struct vec3 to)
            angle_to(s, to) < PI;
 }
 
-/* The n numbers behind `(WORD/` in the text. */
+/* The n numbers after `(WORD/` in the text. */
 static int numbers_in(struct cl_state *s, const char *word, size_t n, double *value)
 {
     const char *at = strstr(s->statement->text, word);
@@ -255,7 +255,7 @@ int cl_nurbs_end(struct cl_state *s)
     return add_spline(s, 4);
 }
 
-/* The number behind a name and its sign of equality; NAN: there is none. */
+/* The number after a name and its `=`; NAN: there is none. */
 static double value_of(const struct cl_statement *t, const char *name)
 {
     const char *at = strstr(t->text, name);

@@ -3,7 +3,7 @@
 
 #include "cl_state.h"
 
-#define USUAL_CLEAR 1  /* mm above the mouth, where nothing is said */
+#define USUAL_CLEAR 1  /* mm above the mouth, where none is given */
 #define PECK_GAP 0.254 /* mm above the last bottom, where a step begins: LinuxCNC's for G83 */
 
 static const struct {
@@ -22,7 +22,7 @@ static int kind_of(const char *word)
     return -1;
 }
 
-/* The number behind one of two names; NAN: there is none. */
+/* The number after one of two names; NAN: there is none. */
 static double named(const struct cl_statement *t, const char *name, const char *other)
 {
     double value;

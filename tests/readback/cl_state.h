@@ -22,13 +22,13 @@ struct cl_arc {
     bool open;    /* its end is missing */
     bool lasting; /* it has its end, and further points may follow on it */
     struct vec3 centre, axis;
-    double radius, turns; /* turns 0: not said */
+    double radius, turns; /* turns 0: none given */
 };
 
 /* A B-spline being read: MOVNRB, NURBS of NX, or NURBS_SIEMENS of CATIA. */
 struct cl_spline {
     bool open, fallback, catia;
-    bool five, fixed; /* 5AXIS, M3AXIS were said */
+    bool five, fixed; /* 5AXIS, M3AXIS were read */
     double length;    /* from tip to head, mm */
     size_t order, knots, poles;
     struct doubles knot;
@@ -91,14 +91,14 @@ void cl_straight(struct cl_state *s, struct vec3 to, struct vec3 axis, bool rapi
 
 int cl_read_circle(struct cl_state *s);
 int cl_arc_end(struct cl_state *s, struct vec3 to, struct vec3 axis);
-/* A point behind an arc's end that lies further on it, which makes another arc. */
+/* A point after an arc's end that lies further on it, which makes another arc. */
 bool cl_arc_goes_on(struct cl_state *s, struct vec3 to);
 int cl_read_tlon(struct cl_state *s);
 int cl_read_movnrb(struct cl_state *s);
 int cl_read_nurbs(struct cl_state *s);
 int cl_read_nurbs_siemens(struct cl_state *s);
 int cl_nurbs_siemens_end(struct cl_state *s);
-/* A statement behind those of a NURBS: the curve is complete. */
+/* At the first statement after those of a NURBS: the curve is complete. */
 int cl_nurbs_end(struct cl_state *s);
 
 /* ---- cl_hole.c */

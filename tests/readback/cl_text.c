@@ -31,7 +31,7 @@ static int read_file(const char *file, struct text *text, struct error *error)
     return 0;
 }
 
-/* The next line, its end cut off; NULL behind the last. */
+/* The next line, its end cut off; NULL after the last. */
 static char *next_line(char **at, size_t *number)
 {
     char *line = *at;
@@ -66,7 +66,7 @@ static const char *behind_label(const char *s)
     return s;
 }
 
-/* A sign, digits with or without a point, an exponent: and nothing behind it. */
+/* A sign, digits with or without a point, an exponent: and nothing after it. */
 static bool to_number(const char *s, double *value)
 {
     char *end;

@@ -25,7 +25,7 @@ struct cl_argument {
 
 struct cl_statement {
     size_t line;        /* where it begins, from 1 */
-    bool data;          /* behind $$-> */
+    bool data;          /* it begins with $$-> */
     bool bare;          /* numbers without a word */
     char *text;         /* all of it in one line, as it is written; of a comment too */
     char word[CL_WORD]; /* in capitals; empty: a comment, or bare */

@@ -1,0 +1,168 @@
+/*
+ * check_verify - motions over a plane whose faults are known: each is found with its figure, and
+ * none where there is none; the stock of an option.
+ */
+#include <check.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "base/array.h"
+#include "verify/verify.h"
+
+#define RADIUS 4.0
+
+static const struct axis_limits wide = {.min = {-1e3, -1e3, -1e3, -360, -360, -360},
+                                        .max = {1e3, 1e3, 1e3, 360, 360, 360},
+                                        .rapid = {1e5, 1e5, 1e5, 1e5, 1e5, 1e5}};
+
+/* Points of z = 0 over a square of +-10, 0.5 mm apart. */
+static struct vec3s plane(void)
+{
+    struct vec3s points = {0};
+    for (int i = -20; i <= 20; i++)
+        for (int k = -20; k <= 20; k++)
+            *array_push(&points) = vec(0.5 * i, 0.5 * k, 0);
+    return points;
+}
+
+static void move_to(struct nc_motion *motion, struct vec3 *at, struct vec3 to, bool rapid)
+{
+    struct vec3 up = vec(0, 0, 1);
+    *array_push(&motion->piece) = (struct nc_piece){.rapid = rapid,
+                                                    .block = 10 * (int)(motion->piece.n + 1),
+                                                    .line = motion->piece.n + 1,
+                                                    .feed = 1000,
+                                                    .p = {*at, to},
+                                                    .q = {up, up}};
+    *at = to;
+}
+
+/* Rows of the tip 0.25 mm apart over the plane, at `height`; a rapid from row to row at `over`. */
+static struct nc_motion rows(double height, double over)
+{
+    struct nc_motion motion = {.name = "rows", .kinematics.tool = {0, 0, 1}};
+    struct vec3 at = {-16, -11, 20};
+    for (int k = -44; k <= 44; k++) {
+        move_to(&motion, &at, vec(-16, 0.25 * k, over), true);
+        move_to(&motion, &at, vec(-16, 0.25 * k, height), false);
+        move_to(&motion, &at, vec(16, 0.25 * k, height), false);
+        move_to(&motion, &at, vec(16, 0.25 * k, over), true);
+    }
+    return motion;
+}
+
+static struct verdict judge(const struct nc_motion *motion, const struct vec3s *part,
+                            const struct stock_options *stock)
+{
+    struct verify_program program = {"rows", "by hand", "none", motion, part};
+    struct verify_options options = {.radius = RADIUS,
+                                     .tolerance = 0.01,
+                                     .left = 0.05,
+                                     .band = 1,
+                                     .shank = 10,
+                                     .stock = stock,
+                                     .cell = 0.25,
+                                     .limits = wide,
+                                     .threads = 1};
+    return verify_run(&program, &options);
+}
+
+static bool found(const struct verdict *v, const char *text)
+{
+    for (size_t i = 0; i < v->finding.n; i++)
+        if (v->finding.item[i].fault && strstr(v->finding.item[i].text, text))
+            return true;
+    return false;
+}
+
+static const struct {
+    double height, over;
+    const char *fault; /* NULL: none */
+    double gouge, most;
+} cases[] = {{0.002, 5, NULL, 0, 0.004},
+             {-0.2, 5, "mm deep in the part", 0.2, 0},
+             {0.06, 5, "of material is left", 0, 0.062},
+             {0.002, -0.5, "rapid move goes 0.5", 0, 0.004}};
+
+START_TEST(faults_of_the_surface)
+{
+    struct vec3s part = plane();
+    struct nc_motion motion = rows(cases[_i].height, cases[_i].over);
+    /* a rapid move straight through the part where rows are left for the next */
+    struct vec3 at = {16, 11, cases[_i].over};
+    move_to(&motion, &at, vec(-16, -11, cases[_i].over), true);
+    struct verdict v = judge(&motion, &part, NULL);
+    ck_assert_int_eq(verdict_refused(&v), cases[_i].fault != NULL);
+    if (cases[_i].fault)
+        ck_assert_msg(found(&v, cases[_i].fault), "%s", v.finding.item[0].text);
+    ck_assert_double_eq_tol(v.map.gouge, cases[_i].gouge, 0.003);
+    ck_assert_double_le(v.map.over, fmax(cases[_i].most, 0) + 0.003);
+    ck_assert_uint_eq(v.map.cut, part.n);
+    verdict_free(&v);
+    nc_motion_free(&motion);
+    array_free(&part);
+}
+END_TEST
+
+/* 1 mm off all of a block: what is cut is what is gone. */
+START_TEST(stock_is_cut_down_to_the_plane)
+{
+    struct vec3s part = plane();
+    struct stock_options stock = {
+        .kind = STOCK_BETWEEN, .low = {-10, -10, -3}, .high = {10, 10, 1}};
+    struct nc_motion motion = rows(0, 5);
+    struct verdict v = judge(&motion, &part, &stock);
+    ck_assert(v.has_stock);
+    ck_assert_double_eq_tol(v.stock.before, 1600, 1e-6);
+    ck_assert_double_eq_tol(v.stock.after, 1200, 3);
+    ck_assert_uint_eq(v.passes, 89);
+    ck_assert(!verdict_refused(&v));
+    verdict_free(&v);
+    nc_motion_free(&motion);
+    array_free(&part);
+}
+END_TEST
+
+static const struct {
+    const char *text;
+    bool good;
+    enum stock_kind kind;
+    double allowance;
+} stocks[] = {{"box", true, STOCK_AROUND, 0},
+              {"box,1.5", true, STOCK_AROUND, 1.5},
+              {"offset,2", true, STOCK_OFFSET, 2},
+              {"box:0,0,0,1,2,3", true, STOCK_BETWEEN, 0},
+              {"box:1,0,0,0,2,3", false, 0, 0},
+              {"offset", false, 0, 0},
+              {"offset,-1", false, 0, 0},
+              {"box,1,2", false, 0, 0},
+              {"boxes", false, 0, 0},
+              {"", false, 0, 0}};
+
+START_TEST(stock_of_an_option)
+{
+    struct stock_options stock;
+    struct error error;
+    int result = verify_stock_read(stocks[_i].text, &stock, &error);
+    ck_assert_int_eq(result, stocks[_i].good ? 0 : -1);
+    if (stocks[_i].good) {
+        ck_assert_int_eq(stock.kind, stocks[_i].kind);
+        ck_assert_double_eq_tol(stock.allowance, stocks[_i].allowance, 1e-12);
+    }
+}
+END_TEST
+
+int main(void)
+{
+    Suite *suite = suite_create("verify");
+    TCase *tcase = tcase_create("verify");
+    tcase_add_loop_test(tcase, faults_of_the_surface, 0, (int)(sizeof cases / sizeof *cases));
+    tcase_add_test(tcase, stock_is_cut_down_to_the_plane);
+    tcase_add_loop_test(tcase, stock_of_an_option, 0, (int)(sizeof stocks / sizeof *stocks));
+    suite_add_tcase(suite, tcase);
+    SRunner *runner = srunner_create(suite);
+    srunner_run_all(runner, CK_ENV);
+    int failed = srunner_ntests_failed(runner);
+    srunner_free(runner);
+    return failed ? EXIT_FAILURE : EXIT_SUCCESS;
+}
