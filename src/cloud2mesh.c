@@ -9,7 +9,7 @@
 #include "base/cli.h"
 #include "base/effort.h"
 #include "stage/cloudmesh.h"
-#include "cloud/extend.h"
+#include "cloud/cloud.h"
 #include "stage/cloud_prepare.h"
 #include "io/mesh/ply.h"
 

@@ -15,7 +15,7 @@ size_t outliers_twice(const struct point_grid *point_grid, unsigned char *out);
 
 /*
  * Outliers, `sigma` being the noise of the scan (mm, noise.h): points that
- *   - stand alone: the eighth nearest neighbour is more than three times as far as that of the
+ *   - are isolated: the eighth nearest neighbour is more than three times as far as that of the
  * points next to them (the local outlier factor's idea: Breunig, Kriegel, Ng, Sander 2000), but for
  *     a sparse surface beside a dense one, as a wall's: more than eight of the 24 are as far, or
  *     more than twelve mean spacings, where no facet would reach them, or

@@ -9,7 +9,7 @@
 #include "math/vec.h"
 
 /*
- * Puts the points that lie on walls behind the others, both in the order they had, and returns how
+ * Puts the points that lie on walls after the others, both in the order they had, and returns how
  * many the others are.  A point lies on a wall when the plane through the sixteen points nearest to
  * it is steeper than 75 degrees, or on five such planes of points next to it; only points where the
  * cloud rises by more than twice the width of a cell (two mean spacings wide) are looked at so

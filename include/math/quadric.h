@@ -76,4 +76,8 @@ struct vec3 quadric_nearest(const struct quadric *quadric, struct vec3 point);
 /* Root mean square of the distances of n points from the surface, to first order. */
 double quadric_rms(const struct quadric *quadric, const struct vec3 *point, size_t n);
 
+/* The same for the freedom that the fit leaves to them, when it has so many terms. */
+double quadric_spread(const struct quadric *quadric, const struct vec3 *point, size_t n,
+                      double terms);
+
 #endif

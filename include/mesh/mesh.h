@@ -1,7 +1,13 @@
 /*
  * mesh - a triangulated surface with normals and, when it came from a triangular grid, its rows.
  *
- * Lengths in mm.  Normals are unit vectors out of the material.
+ * Lengths in mm.  Normals are unit vectors out of the material.  Beside it:
+ *
+ *   mesh_edges.h      edges, and the facets beside them
+ *   mesh_weld.h       vertices at one place become one
+ *   mesh_repair.h     a mesh from elsewhere made fit to be cut: cleaned, oriented, with normals
+ *   mesh_distance.h   how far points are from it, and which are above or below it
+ *   facet_split.h     facets split at points, with edges turned (Lawson 1977)
  */
 #ifndef CLOUDMILL_MESH_H
 #define CLOUDMILL_MESH_H
@@ -72,7 +78,7 @@ double mesh_steep_part(const struct mesh *mesh, struct vec3 up);
 
 /*
  * Paper 1, eq 8: at each vertex the mean of the unit normals of its facets, made a unit vector;
- * facets without area are passed over, a vertex without a facet, or whose normals cancel, gets
+ * facets without area do not count, a vertex without a facet, or whose normals cancel, gets
  * (0, 0, 1).  Fills mesh->normal.
  */
 void mesh_normals_facet(struct mesh *mesh);
@@ -82,7 +88,7 @@ void mesh_normals_facet(struct mesh *mesh);
 size_t mesh_normals_seen(struct mesh *mesh);
 
 /* Paper 1, eq 7 (Gouraud): the mean of the normals of the vertices that share an edge with it,
- * made a unit vector.  Takes the normals that stand in the mesh and replaces them; a vertex without
+ * made a unit vector.  Replaces the normals of the mesh; a vertex without
  * neighbours, or where they cancel, keeps its own. */
 void mesh_normals_gouraud(struct mesh *mesh);
 

@@ -7,7 +7,7 @@
 #include "mesh/mesh.h"
 #include "cloud/segment.h"
 
-/* Appends the mesh of a part, which is in the part's own axes: turned back, its rows behind those
+/* Appends the mesh of a part, which is in the part's own axes: turned back, its rows after those
  * that are there, and its frame to to->origin.part. */
 void mesh_join_add(struct mesh *to, const struct mesh *mesh, const struct segment *part);
 

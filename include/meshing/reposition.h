@@ -1,5 +1,5 @@
 /*
- * reposition - nodal point reposition: which point of the cloud stands for each grid node
+ * reposition - nodal point reposition: which point of the cloud each node of the grid takes
  * (paper 1, 3.2.2).
  *
  * The node takes the point nearest to it, seen from above.  Among points equally near (their
@@ -19,7 +19,7 @@
 enum reach {
     REACH_NEAREST, /* a point competes for its nearest node only: no two nodes share a point; a node
                       inside the cloud (at least five full ones around it) that is left empty takes
-                      the nearest point that stands for no node and is nearer than 0.7 t */
+                      the nearest point that no other node has and that is nearer than 0.7 t */
     REACH_CIRCLE   /* for every node that it is nearer to than t: the paper's circle */
 };
 

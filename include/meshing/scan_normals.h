@@ -8,7 +8,7 @@
 #include "math/point_grid.h"
 #include "mesh/mesh.h"
 
-/* How far the vertices stand off their quadrics. */
+/* How far the vertices are off their quadrics. */
 struct scan_normals {
     size_t fitted, thin; /* vertices with a quadric; without one, they keep the facets' normal */
     size_t at;           /* the vertex with the largest distance */

@@ -1,6 +1,6 @@
 /*
  * cloud_prepare - scanned points as files give them, made ready for a mesh: read, placed, cleaned;
- * and what was passed over or taken out, told.
+ * and what was skipped or taken out is said.
  */
 #ifndef CLOUDMILL_CLOUD_PREPARE_H
 #define CLOUDMILL_CLOUD_PREPARE_H
@@ -12,7 +12,7 @@
 #include "mesh/mesh.h"
 #include "math/vec.h"
 
-/* Reads all files as one cloud, in their own units, and says what was passed over.  Returns 0, and
+/* Reads all files as one cloud, in their own units, and says what was skipped.  Returns 0, and
  * in *left_out how many rows were no points; -1: an error with its place. */
 int cloud_prepare_read(char **file, int files, struct vec3s *points, size_t *left_out,
                        struct error *error);

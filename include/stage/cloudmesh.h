@@ -8,10 +8,8 @@
 #include <stdbool.h>
 
 #include "base/error.h"
-#include "meshing/grid.h"
-#include "meshing/grid_mesh.h"
+#include "meshing/meshing.h"
 #include "mesh/mesh.h"
-#include "meshing/adaptive_rows.h"
 #include "stage/normals.h"
 
 /* What is asked for. */

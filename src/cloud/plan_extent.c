@@ -118,7 +118,7 @@ static double cells_along(double length, double width)
     return fmin(fmax(round(length / width), 1), 2e9);
 }
 
-/* Area of the cells with points in them, the box parted evenly into cells near `width`. */
+/* Area of the cells with points in them, the box divided evenly into cells near `width`. */
 static double occupied_area(const struct plan_extent *f, const struct vec3 *point, size_t n,
                             double width)
 {

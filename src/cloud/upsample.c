@@ -107,22 +107,13 @@ void upsample_on(const struct upsample *fill, size_t i, struct vec3 p, const str
         add_between(fill, &near, p, q, to);
 }
 
-/* What n points leave of their freedom. */
-static double spread_of(const struct quadric *q, const struct neighbourhood *near, size_t n,
-                        double terms)
-{
-    double count = (double)n;
-
-    return quadric_rms(q, near->point, n) * sqrt(count / fmax(count - terms, 1));
-}
-
 /* The quadric through the fewest points that carry one: on laser lines it takes more.  HUGE_VAL:
  * there is none. */
 static double fit_quadric(const struct neighbourhood *near, struct quadric *q)
 {
     for (size_t k = FEWEST; k <= near->n && k <= NEAR; k += FEWEST / 2)
         if (quadric_settle(near->point, k, near->point[0], plane_normal(near->point, k), q) == 0)
-            return spread_of(q, near, k, QUADRIC);
+            return quadric_spread(q, near->point, k, QUADRIC);
     return HUGE_VAL;
 }
 
@@ -136,7 +127,7 @@ double upsample_about(const struct upsample *fill, size_t i, struct vec3s *to)
     double spread = fit_quadric(&near, &q);
     if (spread < HUGE_VAL && near.n >= FEW &&
         cubic_fit(near.point, NULL, FEW, near.point[0], quadric_normal(&q), &cubic) == 0) {
-        double less = spread_of(&cubic, &near, FEW, CUBIC);
+        double less = quadric_spread(&cubic, near.point, FEW, CUBIC);
         if (less < spread) {
             q = cubic;
             spread = less;

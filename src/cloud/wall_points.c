@@ -153,7 +153,7 @@ static void grow_walls(void *context, size_t from, size_t to)
     }
 }
 
-/* The wall points behind the others; `wall` says which of those in marked cells are. */
+/* The wall points after the others; `wall` says which of those in marked cells are. */
 static size_t move_walls_last(struct vec3 *point, size_t n, const struct raster *r,
                               const bool *wall)
 {

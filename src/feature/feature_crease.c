@@ -98,7 +98,15 @@ bool feature_test_sharp(const struct feature_cloud *cloud, const struct side_fit
            !is_rib(&p, cloud, near, n, STRIP, at, along);
 }
 
-enum { MOST = FEATURE_MOST, TURNS = 20, ROUNDS = 4, FEWEST = 8, FEWEST_NEAR = 72, HALVINGS = 40 };
+enum {
+    MOST = FEATURE_MOST,
+    TURNS = 20,
+    ROUNDS = 4,
+    FEWEST = 8,
+    FEWEST_NEAR = 72,
+    HALVINGS = 40,
+    QUADRIC = 6
+};
 
 static const double FLAT = 0.99026806874157036; /* cos 8 degrees */
 
@@ -108,7 +116,7 @@ static const double WIDE = 40;
 /* What two sheets may leave, in mean spacings, beside the noise. */
 static const double ROUGH = 0.05;
 
-/* Points about a place, taken apart into two sheets. */
+/* Points about a place, divided between two sheets. */
 struct division {
     struct vec3 point[MOST];
     struct vec3 local[MOST];  /* the same, in the frame of the sheets */
@@ -130,7 +138,7 @@ static double step_at(const struct division *p, struct vec3 at)
     return side_fit_height(&p->sheet[0], at) - side_fit_height(&p->sheet[1], at);
 }
 
-/* Planes through the points as they are parted; false when one has too few. */
+/* Planes through the points as they are divided; false when one has too few. */
 static bool fit_planes(struct division *p)
 {
     for (unsigned char s = 0; s < 2; s++)
@@ -139,7 +147,7 @@ static bool fit_planes(struct division *p)
     return true;
 }
 
-/* Parts the points by the line where the two planes meet; a's side of it is sheet 0.  True when
+/* Divides the points by the line where the two planes meet; a's side of it is sheet 0.  True when
  * something changed. */
 static bool divide_by_line(struct division *p, struct vec3 a)
 {
@@ -158,7 +166,7 @@ static bool divide_by_line(struct division *p, struct vec3 a)
     return changed;
 }
 
-/* Fits and parts until nothing changes, or often enough. */
+/* Fits and divides until nothing changes, or often enough. */
 static bool fit_and_divide(struct division *p, struct vec3 a)
 {
     bool moves = true;
@@ -219,7 +227,7 @@ static bool better_than_one(const struct division *p, const struct feature_cloud
 
     if (quadric_fit(p->point, p->n, p->origin, p->w, &one) < 0)
         return false;
-    double left = quadric_rms(&one, p->point, p->n) * sqrt((double)p->n / (double)(p->n - 6));
+    double left = quadric_spread(&one, p->point, p->n, QUADRIC);
     double two = left_by_two(p);
     /* by more than what two fits to the same noise may differ */
     double better = 1 - 2 / sqrt((double)p->n);
@@ -227,10 +235,10 @@ static bool better_than_one(const struct division *p, const struct feature_cloud
            two < 2 * cloud->noise + ROUGH * cloud->spacing;
 }
 
-/* The nearest points, parted by the plane half way between a and b, or by the sheets as they
+/* The nearest points, divided by the plane half way between a and b, or by the sheets as they
  * are. */
 static bool gather_points(const struct feature_cloud *cloud, struct vec3 at, size_t k,
-                          struct vec3 a, struct vec3 b, bool parted, struct division *p)
+                          struct vec3 a, struct vec3 b, bool divided, struct division *p)
 {
     size_t index[MOST];
 
@@ -238,11 +246,11 @@ static bool gather_points(const struct feature_cloud *cloud, struct vec3 at, siz
     p->count[0] = p->count[1] = 0;
     if (p->n < 2 * FEWEST)
         return false;
-    bool a_above = parted && step_at(p, a) > 0;
+    bool a_above = divided && step_at(p, a) > 0;
     struct vec3 way = vec_sub(b, a);
     for (size_t i = 0; i < p->n; i++) {
         struct vec3 q = p->point[i] = cloud->point[index[i]];
-        bool first = parted ? (step_at(p, q) > 0) == a_above : vec_dot(vec_sub(q, at), way) <= 0;
+        bool first = divided ? (step_at(p, q) > 0) == a_above : vec_dot(vec_sub(q, at), way) <= 0;
         p->side[i] = first ? 0 : 1;
         p->count[p->side[i]]++;
     }

@@ -73,7 +73,7 @@ static void add_facet(struct splitting *s, int a, int b, int c)
     *array_push(&s->face) = (struct face){{a, b, c}};
 }
 
-/* Two facets a b c d, parted by the shorter diagonal. */
+/* Two facets a b c d, divided by the shorter diagonal. */
 static void add_four(struct splitting *s, int a, int b, int c, int d)
 {
     const struct vec3 *p = s->mesh->vertex.item;
@@ -199,8 +199,8 @@ static bool creases_meet(struct splitting *s, const struct between *t)
     return true;
 }
 
-/* The feature parts corner i from the other two; `out` is on the side that begins at it, `in` on
- * the one that ends there. */
+/* The feature separates corner i from the other two; `out` is on the side that begins at it, `in`
+ * on the one that ends there. */
 static void split_two(struct splitting *s, const int v[3], int i, const struct chain *out,
                       const struct chain *in)
 {

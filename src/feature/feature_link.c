@@ -30,7 +30,8 @@ static struct vec3 across_of(const struct feature *f)
     struct vec3 up = f->kind == FEATURE_WALL ? vec(0, 0, 1) : vec_add(f->normal[0], f->normal[1]);
     struct vec3 across = vec_unit(vec_cross(f->along, up));
 
-    /* at a crease the foot of end 0 is on its side; so is the upper one of a wall behind it */
+    /* at a crease the foot of end 0 is on its side; the upper end of a wall lies on the other side
+     * of it */
     if (f->kind == FEATURE_WALL) {
         bool upper = f->place[0].z > f->place[1].z;
         return (vec_dot(across, f->wall) > 0) == upper ? vec_scale(-1, across) : across;

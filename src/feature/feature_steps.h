@@ -17,7 +17,7 @@
 /* ---- feature: what lies between two neighbouring vertices of a mesh: a crease, a wall, or
  * nothing.
  *
- * The points of the cloud between them are taken apart into those of the surface that the one
+ * The points of the cloud between them are divided into those of the surface that the one
  * vertex is on and those of the other's; where two such sheets fit the points better than one
  * surface does, they meet in a crease, or stand one above the other at a wall. */
 

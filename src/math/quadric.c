@@ -336,3 +336,9 @@ struct vec3 quadric_nearest(const struct quadric *q, struct vec3 point)
     }
     return quadric_at(q, u, v);
 }
+
+double quadric_spread(const struct quadric *quadric, const struct vec3 *point, size_t n,
+                      double terms)
+{
+    return quadric_rms(quadric, point, n) * sqrt((double)n / fmax((double)n - terms, 1));
+}

@@ -143,7 +143,7 @@ static double worst_of_both(const struct facet_split *w, int f, int g, const str
 }
 
 /* Turns the edge of facet f opposite to the new vertex, which is its corner 0, and edge k of facet
- * g behind it: the two have the new vertex in common then. */
+ * g beyond it: the two have the new vertex in common then. */
 static void turn_edge(struct facet_split *w, int f, int g, int k)
 {
     const int *v = w->mesh->face.item[f].v;
@@ -179,7 +179,7 @@ static bool better_turned(const struct facet_split *w, int f, int g, int k)
            worst_of_both(w, f, g, then) <= worst_of_both(w, f, g, now) + 1e-12;
 }
 
-/* The edge opposite to the new vertex, which is corner 0 of facet f, and those behind it. */
+/* The edge opposite to the new vertex, which is corner 0 of facet f, and those beyond it. */
 static void turn_opposite(struct facet_split *w, int f)
 {
     int g = w->beyond.item[3 * f + 1], k = 0;

@@ -205,7 +205,7 @@ static const struct vec3 *node_at(const struct mesh *mesh, const struct node *no
     return &mesh->vertex.item[node[from].vertex];
 }
 
-/* The difference of the two neighbours one step (row, col) before and behind a vertex, one-sided
+/* The difference of the two neighbours one step (row, col) before and after a vertex, one-sided
  * where one of them is missing; false when both are. */
 static bool difference(const struct mesh *mesh, const struct node *node, size_t vertex, int row,
                        int col, struct vec3 *d)
@@ -213,9 +213,9 @@ static bool difference(const struct mesh *mesh, const struct node *node, size_t 
     long long r = mesh->row.item[vertex], c = mesh->col.item[vertex];
     const struct vec3 *here = &mesh->vertex.item[vertex];
     const struct vec3 *before = node_at(mesh, node, r - row, c - col);
-    const struct vec3 *behind = node_at(mesh, node, r + row, c + col);
-    *d = vec_sub(behind ? *behind : *here, before ? *before : *here);
-    return before || behind;
+    const struct vec3 *after = node_at(mesh, node, r + row, c + col);
+    *d = vec_sub(after ? *after : *here, before ? *before : *here);
+    return before || after;
 }
 
 int mesh_normals_central(struct mesh *mesh, struct error *error)

@@ -218,7 +218,7 @@ static bool rises_along(const struct mesh *mesh, const struct mesh_edges *edges,
     return false;
 }
 
-/* The connected pieces: their facets one piece behind the other. */
+/* The connected pieces: their facets one piece after the other. */
 struct pieces {
     struct ints facet;
     struct sizes end;

@@ -30,7 +30,7 @@ void mesh_join_add(struct mesh *to, const struct mesh *mesh, const struct segmen
     }
 }
 
-/* The first vertex whose row is in part k or behind it: the parts stand one after the other. */
+/* The first vertex whose row is in part k or a later one: the parts follow each other. */
 static int first_of(const struct mesh *mesh, size_t k)
 {
     int v = 0, n = (int)mesh->vertex.n;

@@ -5,7 +5,7 @@
 #include <stdint.h>
 #include <stdlib.h>
 
-/* What stands in a node: how near its point is, in steps of 1e-9 t^2, and which it is. */
+/* What a node has: how near its point is, in steps of 1e-9 t^2, and which it is. */
 struct choice {
     int64_t nearness;
     size_t point;
@@ -149,7 +149,7 @@ static size_t mark_empty(const struct grid *g, const struct choice *choice, bool
     return n;
 }
 
-/* Lets a point that stands for no node compete for the empty ones nearer than 0.7 t: from further
+/* Lets a point that no node has taken compete for the empty ones nearer than 0.7 t: from further
  * off facets might fold. */
 static void compete_empty(const struct grid *g, const bool *empty, struct choice *choice,
                           const struct vec3 *point, size_t index)

@@ -16,13 +16,6 @@ struct estimation {
     double *distance; /* of each vertex from its quadric; negative: it has none */
 };
 
-/* What the points leave of their freedom: rms of their distances, for `terms` of n fixed by the
- * fit. */
-static double spread_about(const struct quadric *q, const struct vec3 *near, size_t n, double terms)
-{
-    return quadric_rms(q, near, n) * sqrt((double)n / fmax((double)n - terms, 1));
-}
-
 /* Noise spreads the nearer half about its quadric as much as the whole; where it is spread much
  * less, the surface bends too much for one quadric over the whole, and the half counts. */
 static void fit_half(const struct vec3 *near, size_t n, struct vec3 origin, struct quadric *q)
@@ -31,7 +24,7 @@ static void fit_half(const struct vec3 *near, size_t n, struct vec3 origin, stru
     const size_t fewest = 12;
     struct quadric half;
     if (n / 2 >= fewest && quadric_settle(near, n / 2, origin, quadric_normal(q), &half) == 0 &&
-        spread_about(&half, near, n / 2, QUADRIC) < much * spread_about(q, near, n, QUADRIC))
+        quadric_spread(&half, near, n / 2, QUADRIC) < much * quadric_spread(q, near, n, QUADRIC))
         *q = half;
 }
 
@@ -43,7 +36,7 @@ static void fit_cubic(const struct vec3 *near, size_t n, struct vec3 origin, str
     struct quadric cubic;
     size_t some = 3 * n / 5;
     if (some >= 2 * CUBIC && cubic_fit(near, NULL, some, origin, quadric_normal(q), &cubic) == 0 &&
-        spread_about(&cubic, near, some, CUBIC) < much * spread_about(q, near, n / 2, QUADRIC))
+        quadric_spread(&cubic, near, some, CUBIC) < much * quadric_spread(q, near, n / 2, QUADRIC))
         *q = cubic;
 }
 

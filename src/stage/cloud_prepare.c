@@ -6,10 +6,8 @@
 
 #include "base/cli.h"
 #include "io/cloud/cloud.h"
-#include "cloud/plan_extent.h"
+#include "cloud/cloud.h"
 #include "io/cloud/matrix.h"
-#include "cloud/noise.h"
-#include "cloud/outliers.h"
 
 static void say_skipped(const char *file, const struct cloud_count *c)
 {

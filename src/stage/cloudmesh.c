@@ -5,9 +5,8 @@
 
 #include "base/cli.h"
 #include "cloudmesh_base.h"
-#include "cloud/segment.h"
-#include "meshing/mesh_join.h"
-#include "cloud/wall_points.h"
+#include "cloud/cloud.h"
+#include "meshing/meshing.h"
 
 static double spacing_of_cloud(double mean)
 {
@@ -16,7 +15,7 @@ static double spacing_of_cloud(double mean)
     return spacing;
 }
 
-/* The mean spacing, and the points of walls behind the others; the spacing of the grid. */
+/* The mean spacing, and the points of walls after the others; the spacing of the grid. */
 static int find_walls(struct cloudmesh_options *options, struct vec3s *points, int threads,
                       struct cloud_parts *parts, struct error *error)
 {

@@ -7,10 +7,10 @@
 #include "base/cli.h"
 #include "base/effort.h"
 #include "feature/feature.h"
-#include "cloud/holes.h"
+#include "cloud/cloud.h"
 #include "mesh/mesh_distance.h"
 #include "base/num.h"
-#include "meshing/reposition.h"
+#include "meshing/meshing.h"
 
 double cloudmesh_three_spacings(double mean)
 {

@@ -5,11 +5,11 @@
 #include "base/effort.h"
 #include "cloudmesh_base.h"
 #include "mesh/mesh_distance.h"
-#include "meshing/greedy_insert.h"
-#include "cloud/wall_points.h"
+#include "meshing/meshing.h"
+#include "cloud/cloud.h"
 
 /* What the mesh is made of: the points, or where there is noise the surface that they stand for;
- * and the scan itself, which creases and walls are found in.  Both with the points of walls behind
+ * and the scan itself, which creases and walls are found in.  Both with the points of walls after
  * the others, where there are walls. */
 struct source {
     struct vec3s *surface, *scan;

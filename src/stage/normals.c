@@ -5,8 +5,7 @@
 
 #include "base/cli.h"
 #include "base/effort.h"
-#include "meshing/scan_normals.h"
-#include "meshing/smooth_nodes.h"
+#include "meshing/meshing.h"
 
 enum { NEIGHBOURS = 40 };
 

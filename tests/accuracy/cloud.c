@@ -6,8 +6,8 @@
  *
  * panel: 74 x 54 x 15 mm, smallest hollow radius 8.8; dome: a cap of radius 60, 60 x 60; saddle:
  * (x^2 - y^2) / 40, 50 x 50; bowl: (x^2 + y^2) / 20, 24 x 24; wave: 4 sin sin over 40 x 40, hollow
- * radius 2.5.  A laser's lines are four steps apart; a point strays by 0.6 of a step along its
- * line and 0.4 across.
+ * radius 2.5; rib, groove: 28 x 28, for what a mesh cuts off.  A laser's lines are four steps
+ *apart; a point strays by 0.6 of a step along its line and 0.4 across.
  */
 #include <math.h>
 #include <stdbool.h>
@@ -40,15 +40,31 @@ static double wave(double x, double y)
     return 4 * sin(2 * PI * x / 20) * cos(2 * PI * y / 30) + 4;
 }
 
+/* A rib 0.8 mm high, a groove 0.6 mm deep, both about 1 mm wide, along a line 25 degrees off y. */
+static double off_line(double x, double y)
+{
+    return x * cos(25 * PI / 180) + y * sin(25 * PI / 180) - 1;
+}
+
+static double rib(double x, double y)
+{
+    double d = off_line(x, y) / 0.6;
+    return 5 - 0.005 * (x * x + y * y) + 0.8 * exp(-d * d);
+}
+
+static double groove(double x, double y)
+{
+    double d = off_line(x, y);
+    return 5 - 0.6 * exp(-2 * d * d);
+}
+
 static const struct shape {
     const char *name;
     height *z;
     double wide, high; /* mm in x and y */
-} shapes[] = {{"panel", panel_height, 74, 54},
-              {"dome", dome, 60, 60},
-              {"saddle", saddle, 50, 50},
-              {"bowl", bowl, 24, 24},
-              {"wave", wave, 40, 40}};
+} shapes[] = {{"panel", panel_height, 74, 54}, {"dome", dome, 60, 60}, {"saddle", saddle, 50, 50},
+              {"bowl", bowl, 24, 24},          {"wave", wave, 40, 40}, {"rib", rib, 28, 28},
+              {"groove", groove, 28, 28}};
 
 /* A uniform number, -1 to 1: splitmix64. */
 static double uniform(uint64_t *seed)
@@ -124,7 +140,7 @@ int main(int argc, char *argv[])
             break;
         return 0;
     }
-    fprintf(stderr, "usage: cloud panel|dome|saddle|bowl|wave grid|lines|random N SIGMA SEED\n"
-                    "       cloud panel|dome|saddle|bowl|wave truth STEP MARGIN\n");
+    fprintf(stderr, "usage: cloud SHAPE grid|lines|random N SIGMA SEED\n"
+                    "       cloud SHAPE truth STEP MARGIN\n");
     return 2;
 }
