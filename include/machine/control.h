@@ -1,8 +1,8 @@
 /*
  * control - the table of the controls that programs are written for and read from.
  *
- * A new control is a row here, a writer src/post/NAME.c with `dialect_NAME` (post/dialect.h), and a
- * reader src/ncread/ncread_NAME.c with `ncread_NAME` (ncread/ncread.h), written from the control's
+ * A new control is a row here, a writer src/post/NAME.c with `dialect_NAME` (dialect.h), and a
+ * reader src/ncread/ncread_NAME.c with `ncread_NAME` (ncread_state.h), written from the control's
  * manual and not from the writer.  Options, messages, machine files and both lists of dialects
  * follow the table.
  */

@@ -27,7 +27,11 @@ struct ik_branch_target {
     bool loose; /* it may turn as far as it likes from the direction before */
 };
 
-/* An axis whose travel is 256 turns or more, the second one 8, is taken to have no end. */
+/* The most whole turns that are told apart, of the first axis and of the second; one with a longer
+ * travel is taken to have no end. */
+enum { IK_BRANCH_TURNS_FIRST = 257, IK_BRANCH_TURNS_SECOND = 9 };
+
+/* The states of a chain. */
 struct ik_branches ik_branches(const struct kinematic_chain *chain);
 
 /* The i-th axis has an end. */

@@ -1,24 +1,24 @@
 /*
  * machine - machine tools and their rotary axes: the door of this folder.
  *
- * A machine is a text file of `key = value` lines (cloudmill-machine(5)): a new machine is a file
- * in machines/, best with an `include` of one that is shipped.  `#` starts a comment, `include =
- * NAME` takes over another machine's keys, which later lines overrule.  A key that is unknown,
- * stands twice in one file, or has a value of the wrong kind is an error with its line.  A new key
- * is a row in machine_keys (machine.c), a field here and an item of the manual.
+ * A machine is a text file of `key = value` lines (cloudmill-machine(5)).  A new machine is a file
+ * in machines/, best with an `include` of one that is shipped.  `#` starts a comment;
+ * `include = NAME` takes over another machine's keys, which later lines overrule.  A key that is
+ * unknown, stands twice in one file, or has a value of the wrong kind is an error with its line.
+ * A new key is a row in machine_keys (machine.c), a field here and an item of the manual.
  *
- * Out of the keys comes a chain of up to two rotary axes.  What is computed from it:
+ * The keys make a chain of up to two rotary axes (machine_finish).  What is computed from it:
  *
- *   kinematics.h     the chain forward and inverse: both solutions of a tool axis
- *   ik_choose.h      of the solutions and their whole turns, the nearest within the travel
- *   ik_near.h        the same in its usual case, for millions of places
- *   ik_branch.h      solutions and whole turns along a pass as numbered branches
- *   ik_plan.h        the branches over a whole pass: fewest turns back, then least travel, by
- * dynamic programming interpolation.h  what a control makes of a block between two poses, against
- * the motion meant rotary_spline.h  rotary angles along a B-spline as B-splines (The NURBS
- * Book, 9.4.1) rotary_cost.h    how far any machine's axes turn between two tool axes
+ * - kinematics.h: the chain forward and inverse, both solutions of a tool axis.
+ * - ik_choose.h: of the solutions and their whole turns, the nearest within the travel.
+ * - ik_near.h: the same in its usual case, for millions of places.
+ * - ik_branch.h: solutions and whole turns along a pass as numbered states.
+ * - ik_plan.h: the states over a whole pass by dynamic programming, fewest turns back first.
+ * - interpolation.h: what a control makes of a block, against the motion that is meant.
+ * - rotary_spline.h: rotary angles along a B-spline as B-splines (The NURBS Book, 9.4.1).
+ * - rotary_cost.h: how far the axes of any machine turn between two tool axes.
  *
- * Beside it stand control.h, the table of controls; template.h, blocks that a machine file words
+ * Beside them stand control.h, the table of controls; template.h, blocks that a machine file words
  * itself; machine_options.h, the options -m, --set and -c.
  */
 #ifndef CLOUDMILL_MACHINE_H

@@ -15,11 +15,13 @@
 /* How far both rotary axes together turn between two unit vectors, radians. */
 double rotary_travel(struct vec3 from, struct vec3 to);
 
+enum { ROTARY_LEAN_DIRECTIONS = 24 };
+
 /* How many leans rotary_lean knows from `least` to `most` radians off the normal. */
 int rotary_leans(double least, double most);
 
 /* Number i of them, 0 <= i < rotary_leans(): lead and tilt of the rule, so that the axis is off the
- * normal by least, or in even steps of about 5 degrees up to most, in each of 24 directions. */
+ * normal by least, or in even steps up to most, in each of ROTARY_LEAN_DIRECTIONS. */
 struct tool_axis_options rotary_lean(double least, double most, int i);
 
 #endif

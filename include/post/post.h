@@ -5,30 +5,32 @@
  * of a control (control.h) and a machine (machine.h); out goes the program's file.  All of it is
  * planned and checked on printed digits before the first byte is written.  The stages:
  *
- * 1. Frame (post_frame.h).  Path, machine and tolerances are brought into the frame that the
- * program is written in: tilted planes (3+2), inches.  Holes stay drilling cycles where the tool
- * stands upright in that frame; else they become motions.
- * 2. Ability (dialect.h).  What the program may hold, from control, machine and options:
- * tool-centre- point control or solved kinematics, vectors or rotary words, arcs, splines, digits,
- * meaning of F.
- * 3. Plan (post_plan.h).  The path as moves, each with its numbers as they will be printed.  A
- * curve that the control cannot be given goes down the ladder: B-spline (post_spline.h), arc
- *    (post_arc.h), straight blocks within the tolerance.  The planner stands in post_planner.h;
- *      post_ik        a pose as words: which angles, within the travel
- *      post_feed      F of a block, from the time that the slowest axis needs
- *      post_motion    a motion as blocks, halved until the control's own way keeps the tolerance
- *      post_rewind    retract, turn, return, where a rotary axis comes to the end of its travel
- *      post_item      an item of the path: the way down before a cut, a hole, another tool
- *      post_lookahead the rotary axes over a whole group: fewest turns back, then least travel,
- *                     as the shortest way through a graph (machine/ik_plan.h)
- *    each use those before it.
- * 4. Text.  The dialect of the control (fanuc.c, siemens.c, heidenhain.c, linuxcnc.c; what the
- *    G-code of several shares is in gcode.h) sets the moves down (post_program.h) in words
- *    (post_words.h), with the head for people (post_head.h) and what the path says between motions
- *    (post_statement.h), in blocks (post_writer.h); post_output.h makes the files.
+ * 1. Frame (post_frame.h).  Path, machine and tolerances are brought into the frame of the program:
+ * tilted planes (3+2), inches.  Holes stay drilling cycles where the tool stands upright in that
+ * frame; else they become motions.
  *
- * A new control: a row in machine/control.h and src/post/NAME.c.  A new machine: a file in
- * machines/.
+ * 2. Ability (dialect.h).  Control, machine and options say what the program may hold: tool-centre-
+ * point control or solved kinematics, vectors or rotary words, arcs, splines, digits, kind of F.
+ *
+ * 3. Plan (post_plan.h).  The path becomes moves, each with its numbers as they will be printed.  A
+ * curve that the control cannot be given goes down the ladder: B-spline (post_spline.h), arc
+ * (post_arc.h), straight blocks within the tolerance.  The planner (post_planner.h) has these
+ * modules, each using those before it:
+ *
+ * - post_ik: a pose as words, by the angles that are nearest and within the travel.
+ * - post_feed: F of a block, from the time that the slowest axis needs.
+ * - post_motion: a motion as blocks, halved until the control's own way keeps the tolerance.
+ * - post_rewind: retract, turn, return, where a rotary axis comes to the end of its travel.
+ * - post_item: an item of the path, as a hole or another tool; the way down before a cut.
+ * - post_lookahead: the path group by group; the rotary axes of a group with the fewest turns back
+ *   and then the least travel, as the shortest path through a graph (machine/ik_plan.h).
+ *
+ * 4. Text (post_program.h).  The control's dialect (fanuc.c, siemens.c, heidenhain.c, linuxcnc.c;
+ * gcode.h is what the G-code of several shares) sets the moves down in words (post_words.h), with a
+ * head for people (post_head.h), what the path says between motions (post_statement.h) and drilling
+ * cycles (post_hole.h), in blocks (post_writer.h); post_output.h makes the files.
+ *
+ * A new control is a row in machine/control.h and src/post/NAME.c.
  */
 #ifndef CLOUDMILL_POST_H
 #define CLOUDMILL_POST_H

@@ -1,8 +1,7 @@
 /* ik_branch - see ik_branch.h. */
 #include "machine/ik_branch.h"
 
-/* Of the first axis, which is the one that is turned round and round, and of the second. */
-static const int turns_max[ROTARY_MAX] = {257, 9};
+static const int turns_max[ROTARY_MAX] = {IK_BRANCH_TURNS_FIRST, IK_BRANCH_TURNS_SECOND};
 static const double slack = 1e-9;  /* radians beyond the travel that are rounding */
 static const double jump = PI / 2; /* radians between two near directions that are none */
 

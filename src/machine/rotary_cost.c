@@ -3,8 +3,6 @@
 
 #include <math.h>
 
-enum { DIRECTIONS = 24 };
-
 static const double STEP = 5 * PI / 180;
 static const double UPRIGHT = 1e-6; /* radians: an axis that leans less has no direction */
 
@@ -26,14 +24,15 @@ static int lean_steps(double least, double most)
 
 int rotary_leans(double least, double most)
 {
-    return DIRECTIONS * (1 + lean_steps(least, most));
+    return ROTARY_LEAN_DIRECTIONS * (1 + lean_steps(least, most));
 }
 
 struct tool_axis_options rotary_lean(double least, double most, int i)
 {
     int n = lean_steps(least, most);
-    double part = n > 0 ? (double)(i / DIRECTIONS) / n : 0, off = least + part * (most - least);
-    double direction = 2 * PI * (i % DIRECTIONS) / DIRECTIONS;
+    double part = n > 0 ? (double)(i / ROTARY_LEAN_DIRECTIONS) / n : 0,
+           off = least + part * (most - least);
+    double direction = 2 * PI * (i % ROTARY_LEAN_DIRECTIONS) / ROTARY_LEAN_DIRECTIONS;
 
     return (struct tool_axis_options){.kind = AXIS_LEAN,
                                       .lead = atan(tan(off) * cos(direction)),
