@@ -47,6 +47,9 @@ const key = (name, shift) => {
   draw();
 };
 const tell = what => said.push(what + ': ' + info.textContent);
+// The window may take its size late: what is drawn must not hang on that.
+canvas.style.cssText = 'width: 855px; height: 532px; flex: none';
+draw();
 tell('start');
 const first = canvasSum();
 said.push('green ' + first.green + ', red ' + first.red);
