@@ -71,7 +71,7 @@ $(BUILD)/src/verify/page.%.c: src/verify/page.%
 	  sed -e 's/\\/\\\\/g' -e 's/"/\\"/g' -e 's/.*/"&\\n"/' $< && echo ';'; } >$@.new && mv $@.new $@
 
 $(page_obj): $(BUILD)/src/verify/page.%.o: $(BUILD)/src/verify/page.%.c
-	$(CC) $(FLAGS) $(CFLAGS) $(CPPFLAGS) -c -o $@ $<
+	$(CC) $(FLAGS) $(CFLAGS) $(CPPFLAGS) -MD -MP -c -o $@ $<
 
 $(lib): $(lib_obj)
 	@rm -f $@
