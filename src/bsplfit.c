@@ -5,7 +5,7 @@
 #include "base/effort.h"
 #include "splinefit/spline_run.h"
 #include "stage/fitter.h"
-#include "stage/path_reference.h"
+#include "stage/path_track.h"
 #include "stage/spline_report.h"
 
 struct settings {
@@ -26,7 +26,7 @@ static int prepare(void *settings, struct path *in, struct error *error)
     struct settings *s = settings;
     if (!s->common.tolerance_given)
         say("tolerance %g mm (-e)", s->common.tolerance);
-    if (s->points > 0 && path_set_reference(in, (enum path_track)(s->points - 1), error) != 0)
+    if (s->points > 0 && path_set_track(in, (enum path_track)(s->points - 1), error) != 0)
         return -1;
     s->run = (struct spline_run_options){.centre = in->head.track == TRACK_CENTRE,
                                          .paper = s->common.paper,

@@ -2,9 +2,9 @@
  * arc - circular arcs in space that start with a given tangent.
  *
  * Through A with the unit tangent t and on to B there is one arc: e = B - A, p = e - (e . t) t,
- * R = e^2 / (2 |p|), its centre A + R p / |p|, its turn 2 atan2(|p|, e . t)
- * (design/3-geometry.md).  One whose sagitta is below 1e-6 mm is a straight line.  A place on an
- * arc is s, from 0 at its start to 1 at its end, in proportion to its length.
+ * R = e^2 / (2 |p|), its centre A + R p / |p|, its turn 2 atan2(|p|, e . t).
+ * One whose sagitta is below 1e-6 mm is a straight line.  A place on an arc is s, from 0 at its
+ * start to 1 at its end, in proportion to its length.
  */
 #ifndef CLOUDMILL_ARC_H
 #define CLOUDMILL_ARC_H

@@ -1,8 +1,22 @@
 /*
- * motion - one piece of a path as it is meant: straight, on an arc or on a B-spline.
+ * motion - one piece of a path: straight, on an arc or on a B-spline.  The main header of curve/,
+ * which holds the curves that a tool moves along and knows nothing of files or machines:
+ *
+ *   run.h         a cutting run: the points that one pass of the ball goes through, their tangents
+ *                 and corners, and the smooth path between them
+ *   reference.h   part of a run as the polyline that a fitted curve has to follow, and how far a
+ *                 curve is off it
+ *   motion.h      a fitted piece as it is driven: pose by parameter, length
+ *   arc.h         circular arcs by a point, a tangent and an end; biarc.h: two of them, joined
+ *   bspline.h     B-splines; cubic_form.h: any as a cubic one
+ *   flatten.h     a B-spline as straight pieces within a chord error
+ *   polyline.h    feet on a polyline, and the distance between two of them
+ *   edge_curve.h  the edge of a facet as the surface runs there
+ *   tool_axis.h   the tool axis at a contact point
  *
  * Along a straight line and an arc the tool axis turns on the great circle between the two end
- * axes, in proportion to the way; along a B-spline it is the direction from the curve to its head.
+ * axes, in proportion to the length; along a B-spline it is the direction from the curve to its
+ * head.
  */
 #ifndef CLOUDMILL_MOTION_H
 #define CLOUDMILL_MOTION_H
@@ -52,10 +66,10 @@ struct motion motion_spline(struct pose from, struct pose to, const struct bspli
  * B-spline. */
 struct pose motion_at(const struct motion *motion, double s);
 
-/* Length of the tracked point's way, mm (a B-spline's within about 1e-4 of it). */
+/* Length of the tracked point's path, mm (a B-spline's within about 1e-4 of it). */
 double motion_length(const struct motion *motion);
 
-/* The parameter s of the next end of a knot span behind s; 1 on lines and arcs. */
+/* The parameter s of the next end of a knot span after s; 1 on lines and arcs. */
 double motion_next_knot(const struct motion *motion, double s);
 
 #endif

@@ -1,6 +1,5 @@
 /*
- * tool_axis - the direction of the tool axis at a contact point (paper 1, 1 and fig. 2, 3.5;
- * design/3-geometry.md).
+ * tool_axis - the direction of the tool axis at a contact point (paper 1, 1 and fig. 2, 3.5).
  *
  * The frame is that of the surface (Darboux), not of the curve: n the surface normal, T the feed
  * direction perpendicular to n, B = +-(n x T).  T comes from the direction of the whole row (or

@@ -2,7 +2,7 @@
  * fitter - the tools that replace the points of a path's cutting runs by curves: what they share.
  *
  * A new fitter is one file, src/NAME.c, with its table of options, a row `struct fitter`, and a
- * main that calls fitter_main.  The row says how one run is fitted and what is reported; all else
+ * main that calls fitter_run.  The row says how one run is fitted and what is reported; all else
  * is here: the path is read, the scan to keep clear of too, the runs are found and fitted in
  * parallel, what is no run is carried through, the ledger is kept, and the exit status says whether
  * all holds.

@@ -2,7 +2,7 @@
  * flatten - pieces by bounds of the second derivative in each span.
  *
  * With w = head - point, the axis a = w / |w| has |a"| <= |w"| / |w| + 3 |w'|^2 / |w|^2, which
- * bounds the way of the other point, point + offset a.
+ * bounds the path of the other point, point + offset a.
  */
 #include "curve/flatten.h"
 

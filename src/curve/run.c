@@ -8,13 +8,14 @@
 
 #include <stdlib.h>
 
-#include "run_curve.h"
+static const double SAME = 1e-7;          /* mm: centres nearer than this are one station */
+static const double CORNER = PI / 3;      /* a turn above this in one point is a corner */
+static const double AXIS_SMOOTH = PI / 3; /* axes further apart than this: great circle */
+static const double STEEP = 0.7;          /* slope of the centres against the surface: no tangent */
 
-static const double SAME = 1e-7;     /* mm: centres nearer than this are one station */
-static const double CORNER = PI / 3; /* a turn above this in one point is a corner */
-static const double STEEP = 0.7;     /* slope of the centres against the surface: no tangent */
+enum { PARTS_MAX = 10000 }; /* pieces of one interval */
 
-struct block_pose {
+struct station {
     size_t first, last;  /* of its points */
     struct vec3 tangent; /* unit */
     struct vec3 turn;    /* derivative of the axis by the length of the centre's path, 1/mm */
@@ -22,7 +23,7 @@ struct block_pose {
 
 struct stations {
     size_t n, cap;
-    struct block_pose *item;
+    struct station *item;
 };
 
 static struct stations find_stations(const struct run *run)
@@ -31,7 +32,7 @@ static struct stations find_stations(const struct run *run)
     for (size_t i = 0; i < run->n; i++) {
         const struct run_point *p = &run->item[i];
         if (i == 0 || vec_distance(p->ball, run->item[s.item[s.n - 1].first].ball) > SAME)
-            *array_push(&s) = (struct block_pose){.first = i};
+            *array_push(&s) = (struct station){.first = i};
         s.item[s.n - 1].last = i;
     }
     return s;
@@ -60,7 +61,7 @@ static struct vec3 along_surface(struct vec3 tangent, struct vec3 normal, double
 }
 
 /* Derivative at the middle one of three values on a parabola; h: the lengths between them. */
-static double bessel(double before, double h0, double here, double h1, double after)
+static double parabola_slope(double before, double h0, double here, double h1, double after)
 {
     return (h1 * (here - before) / h0 + h0 * (after - here) / h1) / (h0 + h1);
 }
@@ -78,7 +79,7 @@ static struct vec3 bessel_tangent(const struct run *run, const struct stations *
         return t;
     return along_surface(
         t, b->normal,
-        bessel(run_point_height(a), h0, run_point_height(b), h1, run_point_height(c)));
+        parabola_slope(run_point_height(a), h0, run_point_height(b), h1, run_point_height(c)));
 }
 
 /* At an end: the tangent of the circle that the end chord and the tangent beyond it make. */
@@ -97,7 +98,7 @@ static struct vec3 end_tangent(const struct run *run, const struct stations *s, 
     return along_surface(t, a->normal, next > end ? slope : -slope);
 }
 
-static void bessel_tangents(const struct run *run, struct stations *s)
+static void set_bessel_tangents(const struct run *run, struct stations *s)
 {
     for (size_t k = 1; k + 1 < s->n; k++)
         s->item[k].tangent = bessel_tangent(run, s, k);
@@ -110,7 +111,7 @@ static void bessel_tangents(const struct run *run, struct stations *s)
 }
 
 /* Paper 1, 3.4: ti = ni x (PiPi+1 x ni); the last point takes the chord before it. */
-static void forward_tangents(const struct run *run, struct stations *s)
+static void set_forward_tangents(const struct run *run, struct stations *s)
 {
     for (size_t k = 0; s->n > 1 && k < s->n; k++) {
         struct vec3 v = chord_of(run, s, k + 1 < s->n ? k : k - 1);
@@ -124,9 +125,9 @@ void run_tangents(const struct run *run, bool forward, struct vec3 *tangent)
 {
     struct stations s = find_stations(run);
     if (forward)
-        forward_tangents(run, &s);
+        set_forward_tangents(run, &s);
     else
-        bessel_tangents(run, &s);
+        set_bessel_tangents(run, &s);
     for (size_t k = 0; k < s.n; k++) {
         for (size_t i = s.item[k].first; i <= s.item[k].last; i++)
             tangent[i] = s.item[k].tangent;
@@ -143,6 +144,107 @@ void run_corners(const struct run *run, struct sizes *corner)
     array_free(&s);
 }
 
+/* ---- the smooth curve from one point to the next: the cubic Hermite curve of the centre and of
+ * the axis, and the tip that follows from both */
+
+/* What it starts or ends with. */
+struct run_curve_end {
+    const struct run_point *point;
+    struct vec3 tangent; /* of the ball's path, unit */
+    struct vec3 turn;    /* derivative of the axis by the length of that path, 1/mm */
+};
+
+struct run_curve {
+    const struct run_point *a, *b;
+    struct vec3 va, vb; /* derivatives of the centre at its ends, mm */
+    struct vec3 wa, wb; /* derivatives of the axis */
+    bool great_circle;  /* that has the axis instead of these: its ends are more than 60 degrees
+                           apart */
+};
+
+/*
+ * The speed at the ends is that at which a cubic is nearest to a circle with these tangents:
+ * 2 d / (1 + cos(turn / 2)) for a chord of length d.
+ */
+static struct run_curve run_curve_between(struct run_curve_end a, struct run_curve_end b)
+{
+    double length = vec_distance(a.point->ball, b.point->ball);
+    double half = sqrt(fmax(0, (1 + vec_dot(a.tangent, b.tangent)) / 2));
+    double speed = 2 * length / (1 + half);
+    return (struct run_curve){
+        .a = a.point,
+        .b = b.point,
+        .va = vec_scale(speed, a.tangent),
+        .vb = vec_scale(speed, b.tangent),
+        .wa = vec_scale(speed, a.turn),
+        .wb = vec_scale(speed, b.turn),
+        .great_circle = vec_angle(a.point->axis, b.point->axis) > AXIS_SMOOTH,
+    };
+}
+
+static struct vec3 hermite(struct vec3 p, struct vec3 v, struct vec3 q, struct vec3 w, double t)
+{
+    struct vec3 d = vec_sub(q, p);
+    double s = 1 - t;
+    struct vec3 r = vec_along(p, t * t * (3 - 2 * t), d);
+    return vec_along(vec_along(r, t * s * s, v), -t * t * s, w);
+}
+
+/* At t in [0, 1]; with normal and contact where both ends have them.  `radius` of the ball, mm. */
+static struct run_point run_curve_at(const struct run_curve *c, double t, double radius)
+{
+    struct run_point p = {.ball = hermite(c->a->ball, c->va, c->b->ball, c->vb, t)};
+    p.axis = c->great_circle ? vec_slerp(c->a->axis, c->b->axis, t)
+                             : vec_unit(hermite(c->a->axis, c->wa, c->b->axis, c->wb, t));
+    p.tip = vec_along(p.ball, -radius, p.axis);
+    if (run_point_touches(c->a) && run_point_touches(c->b)) {
+        p.normal = vec_slerp(c->a->normal, c->b->normal, t);
+        double h = (1 - t) * run_point_height(c->a) + t * run_point_height(c->b);
+        p.contact = vec_along(p.ball, -h, p.normal);
+    }
+    return p;
+}
+
+/* Largest distance between the curve and `parts` straight pieces, at the tip and the centre. */
+static double chord_error(const struct run_curve *c, size_t parts, double radius)
+{
+    enum { SAMPLES = 4 };
+    double worst = 0, n = (double)parts;
+    struct run_point from = *c->a;
+    for (size_t k = 0; k < parts; k++) {
+        struct run_point to = k + 1 < parts ? run_curve_at(c, (double)(k + 1) / n, radius) : *c->b;
+        for (int i = 1; i < SAMPLES; i++) {
+            struct run_point p = run_curve_at(c, ((double)k + (double)i / SAMPLES) / n, radius);
+            worst = fmax(worst, vec_segment_distance(from.ball, to.ball, p.ball));
+            worst = fmax(worst, vec_segment_distance(from.tip, to.tip, p.tip));
+        }
+        from = to;
+    }
+    return worst;
+}
+
+/*
+ * Appends as many points, and its end, that straight lines from its start on stay within `chord` mm
+ * of it at the tip and the centre.  Returns how far the straight line from its start to its end is
+ * off.
+ */
+static double run_curve_densify(const struct run_curve *c, double chord, struct run *dense)
+{
+    size_t parts = 1;
+    double whole = chord_error(c, 1, dense->radius), off = whole;
+    while (off > chord && parts < PARTS_MAX) {
+        double more = 1.01 * (double)parts * sqrt(off / chord);
+        parts = more < PARTS_MAX ? (size_t)more + 1 : PARTS_MAX;
+        off = chord_error(c, parts, dense->radius);
+    }
+    for (size_t k = 1; k < parts; k++)
+        *array_push(dense) = run_curve_at(c, (double)k / (double)parts, dense->radius);
+    *array_push(dense) = *c->b;
+    return whole;
+}
+
+/* ---- the smooth curve of a run */
+
 /* The axis' turn from station k to the next, by the length between them. */
 static struct vec3 turn_after(const struct run *run, const struct stations *s, size_t k)
 {
@@ -155,10 +257,10 @@ static struct vec3 turn_after(const struct run *run, const struct stations *s, s
  * three times as fast as in the slower of the two intervals, so that it does not overshoot; not at
  * all where the axis turns while the centre stands still.
  */
-static void axis_turns(const struct run *run, struct stations *s)
+static void set_axis_turns(const struct run *run, struct stations *s)
 {
     for (size_t k = 0; s->n > 1 && k < s->n; k++) {
-        struct block_pose *here = &s->item[k];
+        struct station *here = &s->item[k];
         if (vec_distance(run->item[here->first].axis, run->item[here->last].axis) > 0)
             continue;
         size_t i = k > 0 ? k - 1 : 0, j = k + 1 < s->n ? k : k - 1;
@@ -174,15 +276,15 @@ static void axis_turns(const struct run *run, struct stations *s)
 static double densify_piece(const struct run *piece, double chord, struct run *dense)
 {
     struct stations s = find_stations(piece);
-    bessel_tangents(piece, &s);
-    axis_turns(piece, &s);
+    set_bessel_tangents(piece, &s);
+    set_axis_turns(piece, &s);
     double worst = 0;
     size_t at = 0; /* station of point i */
     for (size_t i = 0; i + 1 < piece->n; i++) {
-        const struct block_pose *here = &s.item[at];
+        const struct station *here = &s.item[at];
         if (at + 1 < s.n && s.item[at + 1].first == i + 1)
             at++;
-        const struct block_pose *next = &s.item[at];
+        const struct station *next = &s.item[at];
         struct run_curve c = run_curve_between(
             (struct run_curve_end){&piece->item[i], here->tangent, here->turn},
             (struct run_curve_end){&piece->item[i + 1], next->tangent, next->turn});

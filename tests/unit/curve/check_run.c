@@ -157,6 +157,24 @@ START_TEST(an_axis_that_turns_in_place_goes_on_the_great_circle)
 }
 END_TEST
 
+/* Axes 90 degrees apart go over on the great circle, evenly, whatever the centres do. */
+START_TEST(axes_far_apart_go_on_the_great_circle)
+{
+    struct run run = {.radius = 4}, dense = {.radius = 4};
+    *array_push(&run) = pose(vec(0, 0, 0), vec(0, 0, 1), 4);
+    *array_push(&run) = pose(vec(1, 0, 0), vec(0, 1, 0), 4);
+    run_densify(&run, 1e-3, &dense);
+    ck_assert_uint_gt(dense.n, 10);
+    for (size_t i = 0; i < dense.n; i++) {
+        double turn = (double)i / (double)(dense.n - 1) * PI / 2;
+        ck_assert_double_eq_tol(vec_angle(run.item[0].axis, dense.item[i].axis), turn, 1e-12);
+        ck_assert_double_lt(fabs(dense.item[i].axis.x), 1e-12);
+    }
+    array_free(&run);
+    array_free(&dense);
+}
+END_TEST
+
 START_TEST(any_input_gives_finite_numbers)
 {
     unsigned seed = 12345;
@@ -195,6 +213,7 @@ int main(void)
     tcase_add_test(t, the_reference_of_a_circle_stays_on_it);
     tcase_add_test(t, corners_stay_corners);
     tcase_add_test(t, an_axis_that_turns_in_place_goes_on_the_great_circle);
+    tcase_add_test(t, axes_far_apart_go_on_the_great_circle);
     tcase_add_test(t, any_input_gives_finite_numbers);
     Suite *s = suite_create("run");
     suite_add_tcase(s, t);

@@ -1,5 +1,5 @@
-/* path_reference - see path_reference.h. */
-#include "stage/path_reference.h"
+/* path_track - see path_track.h. */
+#include "stage/path_track.h"
 
 static int refuse(const struct path *path, enum path_track track, struct error *error)
 {
@@ -25,7 +25,7 @@ static int refuse(const struct path *path, enum path_track track, struct error *
     return 0;
 }
 
-int path_set_reference(struct path *path, enum path_track track, struct error *error)
+int path_set_track(struct path *path, enum path_track track, struct error *error)
 {
     if (path->head.track == track)
         return 0;

@@ -5,7 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "stage/path_reference.h"
+#include "stage/path_track.h"
 
 /* One rapid without contact, three points on a plane that leans, ball 4. */
 static struct path leaning(void)
@@ -32,17 +32,17 @@ START_TEST(there_and_back)
     struct path path = leaning();
     struct error error;
 
-    ck_assert_int_eq(path_set_reference(&path, TRACK_CENTRE, &error), 0);
+    ck_assert_int_eq(path_set_track(&path, TRACK_CENTRE, &error), 0);
     ck_assert(path.head.track == TRACK_CENTRE);
     ck_assert_double_eq_tol(path.item.item[0].to.p.z, 54, 1e-12);
     ck_assert_double_eq_tol(path.item.item[2].to.p.y, 8 + 4 * 0.6, 1e-12);
     ck_assert_double_eq_tol(path.item.item[2].to.p.z, -6 + 4 * 0.8, 1e-12);
-    ck_assert_int_eq(path_set_reference(&path, TRACK_TIP, &error), 0);
+    ck_assert_int_eq(path_set_track(&path, TRACK_TIP, &error), 0);
     ck_assert_double_eq_tol(path.item.item[2].to.p.z, -6 + 4 * 0.8 - 4, 1e-12);
-    ck_assert_int_eq(path_set_reference(&path, TRACK_CONTACT, &error), 0);
+    ck_assert_int_eq(path_set_track(&path, TRACK_CONTACT, &error), 0);
     ck_assert_double_eq_tol(path.item.item[0].to.p.z, 50, 1e-12);
     ck_assert(path.item.item[3].to.p.y == 16 && path.item.item[3].to.p.z == -12);
-    ck_assert_int_eq(path_set_reference(&path, TRACK_TIP, &error), -1);
+    ck_assert_int_eq(path_set_track(&path, TRACK_TIP, &error), -1);
     ck_assert(strstr(error.text, "a path of contact points") != NULL);
     path_free(&path);
 }
@@ -54,15 +54,15 @@ START_TEST(refused)
     struct error error;
 
     path.head.cutter[1] = 1;
-    ck_assert_int_eq(path_set_reference(&path, TRACK_CENTRE, &error), -1);
+    ck_assert_int_eq(path_set_track(&path, TRACK_CENTRE, &error), -1);
     ck_assert(strstr(error.text, "no ball cutter") != NULL);
     path.head.cutter[1] = 4;
     for (size_t i = 0; i < path.item.n; i++)
         path.item.item[i].touches = false;
-    ck_assert_int_eq(path_set_reference(&path, TRACK_CONTACT, &error), -1);
+    ck_assert_int_eq(path_set_track(&path, TRACK_CONTACT, &error), -1);
     ck_assert(strstr(error.text, "no contact points") != NULL);
     path_add_arc(&path, (struct pose){vec(1, 0, 0), vec(0, 0, 1)}, (struct path_arc){.radius = 1});
-    ck_assert_int_eq(path_set_reference(&path, TRACK_CENTRE, &error), -1);
+    ck_assert_int_eq(path_set_track(&path, TRACK_CENTRE, &error), -1);
     ck_assert(strstr(error.text, "expected points alone") != NULL);
     path_free(&path);
 }
