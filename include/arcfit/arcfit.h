@@ -19,7 +19,7 @@
  * Their driver is stage/arcrun.h, which makes the reference, prints the pieces and proves the
  * printed digits.  arcfit_each is paper 1's fit, a biarc for each interval.
  *
- * Sources: biarcs after Bolton (1975) and paper 1, 3.4; the chain of arcs told by its joints and
+ * Sources: biarcs after Bolton (1975) and paper 1, 3.4; a chain of arcs given by its joints and
  * the tangent at its start is an arc spline; Levenberg and Marquardt's method with p-norms rising
  * towards the largest distance.
  *

@@ -1,5 +1,6 @@
 /*
- * polyline - how far a chain of straight pieces strays from another one that goes the same way.
+ * polyline - feet on a chain of straight pieces, and its distance from another one that goes the
+ * same way.
  */
 #ifndef CLOUDMILL_POLYLINE_H
 #define CLOUDMILL_POLYLINE_H

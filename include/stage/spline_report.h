@@ -1,6 +1,6 @@
 /*
- * spline_report - what became of the points of a path, as the tables of paper 2 tell it: points,
- * control points, percentage of reduction, C1 and C2; and as it is proven, the distance both ways.
+ * spline_report - the report of bsplfit, with the columns of the tables of paper 2: points,
+ * control points, percentage of reduction, C1 and C2; and the proven distance both ways.
  */
 #ifndef CLOUDMILL_SPLINE_REPORT_H
 #define CLOUDMILL_SPLINE_REPORT_H
@@ -15,8 +15,8 @@ struct spline_report {
     size_t cut;                 /* curves whose search was cut short */
     struct fit_error deviation; /* the largest of each */
     struct deviation worst;     /* the largest of each */
-    double spent;               /* of the tolerance, mm: the worst distance, and what the making
-                                   dense of the data took */
+    double spent;               /* of the tolerance, mm: the worst distance, and what dense
+                                   data took */
 };
 
 /* Counts one piece; unless `table` is NULL, writes its row. */

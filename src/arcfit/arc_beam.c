@@ -144,7 +144,7 @@ enum {
 static const double TURN_MAX = 2.6;  /* of one arc, radians */
 static const double STRAIGHT = 1e-9; /* mm: an end this near to the line ahead is on it */
 
-/* A chain of pieces, told by its last one. */
+/* A chain of pieces: its last one, and the chain before that. */
 struct node {
     struct arc_piece piece; /* none in the nodes that start a chain */
     size_t before;          /* node */
@@ -273,22 +273,22 @@ static bool finished(const struct beam *b)
 
 /* The node that a proposal comes to; false when its piece is too far off. */
 static bool prove_piece(const struct beam *b, const struct proposal *n, struct node *node,
-                        struct deviation *stray)
+                        struct deviation *found)
 {
     const struct reference *t = b->reference;
     const struct chain_end *from = &b->done.item[n->before].end;
     struct arc arc = n->straight ? arc_line(from->p, n->p) : arc_to(from->p, from->tangent, n->p);
     struct arc_piece piece = arc_piece_of(t, arc, (double)from->at, (double)n->at);
     piece.axis = from->axis;
-    *stray = arc_piece_deviation(t, &piece, 4, b->within);
-    if (stray->point <= b->within->point && stray->other > b->within->other && n->at + 1 < t->n) {
+    *found = arc_piece_deviation(t, &piece, 4, b->within);
+    if (found->point <= b->within->point && found->other > b->within->other && n->at + 1 < t->n) {
         piece.axis_to = arc_axis_end(t, &piece, b->within, ARC_AXIS_OFF, AXIS_DIGITS);
-        *stray = arc_piece_deviation(t, &piece, 4, b->within);
+        *found = arc_piece_deviation(t, &piece, 4, b->within);
     }
     *node = (struct node){.piece = piece,
                           .before = n->before,
                           .end = {n->at, n->p, arc_tangent(&arc, 1), piece.axis_to}};
-    return deviation_within(stray, b->within);
+    return deviation_within(found, b->within);
 }
 
 /* The best of the proposals that reach the last point: a line, else what is least off; false when
@@ -301,14 +301,14 @@ static bool keep_best_finished(struct beam *b)
     bool any = false;
     for (size_t i = 0; i < b->next.n; i++) {
         struct node l;
-        struct deviation stray;
+        struct deviation found;
         if (b->next.item[i].at + 1 < b->reference->n ||
-            !prove_piece(b, &b->next.item[i], &l, &stray))
+            !prove_piece(b, &b->next.item[i], &l, &found))
             continue;
         bool line = arc_straight(&l.piece.arc), had = any && arc_straight(&best.piece.arc);
-        if (!any || line > had || (line == had && stray.point < least.point)) {
+        if (!any || line > had || (line == had && found.point < least.point)) {
             best = l;
-            least = stray;
+            least = found;
             any = true;
         }
     }
@@ -325,8 +325,8 @@ static size_t keep_best(struct beam *b)
         qsort(b->next.item, b->next.n, sizeof *b->next.item, by_reach);
     for (size_t i = 0; i < b->next.n && kept < b->width && !finished(b); i++) {
         struct node l;
-        struct deviation stray;
-        if (!prove_piece(b, &b->next.item[i], &l, &stray))
+        struct deviation found;
+        if (!prove_piece(b, &b->next.item[i], &l, &found))
             continue;
         *array_push(&b->done) = l;
         kept++;

@@ -10,11 +10,12 @@
 /*
  * The curvatures that an arc may have to follow a reference up to a point of it.
  *
- * An arc from a point in a direction is told by its curvature, a vector across the direction, 1/mm.
- * To meet point V it is 2 p / e^2, with e the way to V and p its part across; to pass V at most d
- * away it lies within 2 d / e^2 of that (to first order in d / |e|).  The arcs that can follow a
- * row of points are the intersection of these discs; here it is enclosed by an octagon.  So a
- * window is a guess, on the hopeful side: what it proposes has to be proven (arc_piece_deviation).
+ * An arc from a point in a direction is given by its curvature, a vector across the direction,
+ * 1/mm. To meet point V it is 2 p / e^2, with e the way to V and p its part across; to pass V at
+ * most d away it lies within 2 d / e^2 of that (to first order in d / |e|).  The arcs that can
+ * follow a row of points are the intersection of these discs; here it is enclosed by an octagon. So
+ * a window is a guess, on the hopeful side: what it proposes has to be proven
+ * (arc_piece_deviation).
  */
 struct arc_window {
     size_t point;

@@ -22,17 +22,17 @@ struct distances {
     double point, other;
 };
 
-/* A piece made ready to be asked for many places. */
-struct follower {
+/* The measurement of one piece, from its start to its end. */
+struct measurement {
     const struct reference *reference;
     const struct arc *arc;
     struct vec3 axis, aside; /* the axis at an angle u: axis cos u + aside sin u */
-    double swing;            /* in all, radians */
+    double turn;             /* in all, radians */
     double length;           /* of the arc */
     bool alone; /* the other point is as far off as this one: no offset, or the axis is still */
     struct deviation found; /* its axis: the square of the chord between the unit vectors */
-    size_t point, other;    /* segments of the reference last met */
-    struct distances here;  /* at the foot of the point last met */
+    size_t point, other;    /* segments of the reference where the last feet were */
+    struct distances here;  /* at the foot of the last point */
 };
 
 /* Where the piece is at one place. */
@@ -40,12 +40,12 @@ struct position {
     struct vec3 p, axis, turn, other;
 };
 
-static struct position position_at(const struct follower *f, double s)
+static struct position position_at(const struct measurement *f, double s)
 {
     struct position position = {.p = arc_at(f->arc, s)};
     if (f->alone)
         return position;
-    double u = s * f->swing, c = cos(u), d = sin(u);
+    double u = s * f->turn, c = cos(u), d = sin(u);
     position.axis = vec_along(vec_scale(c, f->axis), d, f->aside);
     position.turn = vec_along(vec_scale(-d, f->axis), c, f->aside);
     position.other = vec_along(position.p, f->reference->offset, position.axis);
@@ -53,7 +53,7 @@ static struct position position_at(const struct follower *f, double s)
 }
 
 /* From the piece at s to the reference. */
-static void measure_to_reference(struct follower *f, double s)
+static void measure_to_reference(struct measurement *f, double s)
 {
     const struct reference *t = f->reference;
     struct position position = position_at(f, s);
@@ -67,13 +67,13 @@ static void measure_to_reference(struct follower *f, double s)
 
 /* From the other point k of the reference to the piece: near s, by Newton steps towards its foot.
  */
-static void measure_from_other(struct follower *f, size_t k, double s, struct position position)
+static void measure_from_other(struct measurement *f, size_t k, double s, struct position position)
 {
     struct vec3 off = vec_sub(f->reference->other[k], position.other);
     double d = vec_length(off);
     for (int i = 0; i < 2 && d > f->found.other; i++) {
         struct vec3 v = vec_scale(f->length, arc_tangent(f->arc, s));
-        v = vec_along(v, f->reference->offset * f->swing, position.turn);
+        v = vec_along(v, f->reference->offset * f->turn, position.turn);
         double v2 = vec_dot(v, v);
         if (v2 <= 0)
             break;
@@ -86,7 +86,7 @@ static void measure_from_other(struct follower *f, size_t k, double s, struct po
 }
 
 /* From point k of the reference, whose foot is s, to the piece. */
-static void measure_from_point(struct follower *f, size_t k, double s)
+static void measure_from_point(struct measurement *f, size_t k, double s)
 {
     const struct reference *t = f->reference;
     struct position position = position_at(f, s);
@@ -95,8 +95,8 @@ static void measure_from_point(struct follower *f, size_t k, double s)
     if (f->alone)
         return;
     f->here.other = vec_distance(t->other[k], position.other);
-    struct vec3 swung = vec_sub(t->axis[k], position.axis);
-    f->found.axis = fmax(f->found.axis, vec_dot(swung, swung));
+    struct vec3 turned = vec_sub(t->axis[k], position.axis);
+    f->found.axis = fmax(f->found.axis, vec_dot(turned, turned));
     measure_from_other(f, k, s, position);
 }
 
@@ -108,15 +108,16 @@ static int places_between(const struct arc *arc, double s0, double s1, int fine,
     return need > fine ? need < FINE_MAX ? (int)need : FINE_MAX : fine;
 }
 
-static struct follower follower_of(const struct reference *reference, const struct arc_piece *m)
+static struct measurement measurement_of(const struct reference *reference,
+                                         const struct arc_piece *m)
 {
-    struct follower f = {.reference = reference, .arc = &m->arc, .axis = m->axis};
+    struct measurement f = {.reference = reference, .arc = &m->arc, .axis = m->axis};
     f.length = arc_length(&m->arc);
-    f.swing = vec_angle(m->axis, m->axis_to);
-    if (f.swing > 0) {
+    f.turn = vec_angle(m->axis, m->axis_to);
+    if (f.turn > 0) {
         f.aside = vec_unit(vec_reject(m->axis_to, m->axis));
         if (vec_dot(f.aside, f.aside) < 0.5)
-            f.swing = 0;
+            f.turn = 0;
     }
     double part;
     f.point = f.other = reference_interval(reference, m->from, &part);
@@ -124,9 +125,10 @@ static struct follower follower_of(const struct reference *reference, const stru
 }
 
 /* The axis stands still in the piece and in its part of the reference: both points found alike. */
-static bool axis_still(const struct reference *t, const struct follower *f, size_t from, size_t to)
+static bool axis_still(const struct reference *t, const struct measurement *f, size_t from,
+                       size_t to)
 {
-    if (f->swing > 0)
+    if (f->turn > 0)
         return false;
     for (size_t k = from; k < to; k++)
         if (vec_distance(t->axis[k], f->axis) > 0)
@@ -135,7 +137,8 @@ static bool axis_still(const struct reference *t, const struct follower *f, size
 }
 
 /* A few points first: most pieces that are too far off fail here. */
-static bool check_few(struct follower *f, size_t first, size_t end, const struct deviation *within)
+static bool check_few(struct measurement *f, size_t first, size_t end,
+                      const struct deviation *within)
 {
     size_t stride = (end - first) / 8;
     for (size_t k = first + stride / 2; stride > 1 && k < end; k += stride) {
@@ -150,20 +153,20 @@ static bool check_few(struct follower *f, size_t first, size_t end, const struct
  * Nothing between two feet can be off by more than `within`: between the chords of the piece and
  * the straight line of the reference it is no more than at their ends, and a sagitta on top.
  */
-static bool must_be_within(const struct follower *f, struct distances before, double part,
+static bool must_be_within(const struct measurement *f, struct distances before, double part,
                            const struct deviation *within)
 {
-    double turn = part * f->arc->angle, swing = part * f->swing;
+    double turn = part * f->arc->angle, turn_of_axis = part * f->turn;
     double sagitta = f->arc->radius * turn * turn / 8;
     double most = fmax(before.point, f->here.point) + sagitta;
     if (most > within->point)
         return false;
-    double swung = fabs(f->reference->offset) * swing * swing / 8;
-    return f->alone || fmax(before.other, f->here.other) + sagitta + swung <= within->other;
+    double turned = fabs(f->reference->offset) * turn_of_axis * turn_of_axis / 8;
+    return f->alone || fmax(before.other, f->here.other) + sagitta + turned <= within->other;
 }
 
 /* From one foot to the next, at `fine` places between, or more. */
-static void check_between(struct follower *f, double from, double to, int fine, double limit)
+static void check_between(struct measurement *f, double from, double to, int fine, double limit)
 {
     int parts = to > from ? places_between(f->arc, from, to, fine, limit) : 0;
     for (int i = 1; i <= parts; i++)
@@ -171,7 +174,8 @@ static void check_between(struct follower *f, double from, double to, int fine, 
 }
 
 /* How far the start of the piece is from where it should be; unknown between two points. */
-static struct distances distance_at_start(const struct follower *f, const struct arc_piece *piece)
+static struct distances distance_at_start(const struct measurement *f,
+                                          const struct arc_piece *piece)
 {
     size_t k = (size_t)piece->from;
     if ((double)k < piece->from)
@@ -185,7 +189,7 @@ static struct distances distance_at_start(const struct follower *f, const struct
  * All points of the piece's part of the reference, and places between their feet: all of them when
  * nothing bounds the found, else those where it could be out of bounds.
  */
-static void check_all(struct follower *f, const struct arc_piece *piece, int fine,
+static void check_all(struct measurement *f, const struct arc_piece *piece, int fine,
                       const struct deviation *within)
 {
     double limit = fmin(within->point, 0.1), at = 0;
@@ -211,7 +215,7 @@ struct deviation arc_piece_deviation(const struct reference *reference,
                                      const struct arc_piece *piece, int fine,
                                      const struct deviation *within)
 {
-    struct follower f = follower_of(reference, piece);
+    struct measurement f = measurement_of(reference, piece);
     size_t first = (size_t)piece->from + 1, end = (size_t)piece->to + 1;
     f.alone = reference->offset == 0 || axis_still(reference, &f, first, end);
     if (reference->n < 2)

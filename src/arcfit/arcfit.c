@@ -34,8 +34,8 @@ static bool is_within(const struct greedy *g, const struct arc_piece *m)
 {
     if (m->arc.angle > TURN_MAX)
         return false;
-    struct deviation stray = arc_piece_deviation(g->reference, m, 4, g->within);
-    return deviation_within(&stray, g->within);
+    struct deviation off = arc_piece_deviation(g->reference, m, 4, g->within);
+    return deviation_within(&off, g->within);
 }
 
 static bool reach_by_line(struct greedy *g, size_t to, struct reach *reach)

@@ -1,9 +1,9 @@
 /*
- * arcspline - arcs joined with common tangents, told by their joints; how far the points of a
+ * arcspline - arcs joined with common tangents, given by their joints; how far the points of a
  * reference are off them; and the joints moved until that is little.
  *
- * The joints and the tangent at the start say all: the tangent at the end of an arc is the one at
- * its start, mirrored in the arc's chord.  So a joint that moves turns every arc after it.
+ * The joints and the tangent at the start determine all: the tangent at the end of an arc is the
+ * one at its start, mirrored in the arc's chord.  So a joint that moves turns every arc after it.
  */
 #ifndef CLOUDMILL_ARCSPLINE_H
 #define CLOUDMILL_ARCSPLINE_H

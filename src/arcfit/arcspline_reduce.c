@@ -86,21 +86,21 @@ static void space_without(const struct refit *part, size_t without, struct arcsp
 }
 
 /* How far off the points are that each arc passes, as a part of the largest. */
-static void relative_residuals(struct arcspline_fit *m, double *stray)
+static void relative_residuals(struct arcspline_fit *m, double *part_of_worst)
 {
     struct arc_feet *feet = &m->feet;
     double *off = mem_alloc(4 * feet->n + 1, sizeof *off), most = 0;
     arcspline_residual(&m->spline, m->offset, feet, off);
     for (size_t i = 0; i < feet->n; i++) {
         const double *far = off + 2 * (feet->n + i);
-        double *s = &stray[feet->item[i].arc], here = hypot(off[2 * i], off[2 * i + 1]);
+        double *s = &part_of_worst[feet->item[i].arc], here = hypot(off[2 * i], off[2 * i + 1]);
         if (m->offset != 0)
             here = fmax(here, hypot(far[0], far[1]));
         *s = fmax(*s, here);
         most = fmax(most, here);
     }
     for (size_t i = 0; i < m->spline.n; i++)
-        stray[i] = most > 0 ? stray[i] / most : 1;
+        part_of_worst[i] = most > 0 ? part_of_worst[i] / most : 1;
     free(off);
 }
 
@@ -148,9 +148,9 @@ static bool prove_rounded(const struct refit *part, const struct arcspline_fit *
     struct vec3 end = spline.joint[spline.n].tangent;
     bool good = !m->end_held || vec_angle(end, m->end) < ARCFIT_KINK;
     for (size_t i = 0; i < out->n && good; i++) {
-        struct deviation stray =
+        struct deviation found =
             arc_piece_deviation(part->reference, &out->item[i], 4, part->within);
-        good = deviation_within(&stray, part->within);
+        good = deviation_within(&found, part->within);
     }
     arcspline_free(&spline);
     return good;

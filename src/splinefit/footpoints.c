@@ -262,7 +262,7 @@ void footpoints_copy(struct footpoints *to, const struct footpoints *from,
     to->where = from->where;
 }
 
-/* The curve at u, of the point that is followed: the tracked one, or the other end of the radius.
+/* The curve at u, of the point that is followed: the tracked one or the other one.
  */
 struct place {
     struct vec3 off, speed, bend; /* bend: of the tracked point only */
@@ -270,27 +270,27 @@ struct place {
     double reach;
 };
 
-static struct vec3 vec_of(const double *value)
+static struct vec3 first_vec(const double *value)
 {
     return vec(value[0], value[1], value[2]);
 }
 
-static void evaluate(const struct ppform *form, const struct reference *places, size_t k,
-                     bool other, const struct footpoint *at, struct place *p)
+static void evaluate_place(const struct ppform *form, const struct reference *places, size_t k,
+                           bool other, const struct footpoint *at, struct place *p)
 {
     double value[6], first[6], second[6];
 
     ppform_at(form, at->span, at->u, value, first, second);
-    struct vec3 point = vec_of(value);
-    p->speed = vec_of(first);
-    p->bend = vec_of(second);
+    struct vec3 point = first_vec(value);
+    p->speed = first_vec(first);
+    p->bend = first_vec(second);
     if (places->turns) {
-        struct vec3 reach = vec_sub(vec_of(value + 3), point);
+        struct vec3 reach = vec_sub(first_vec(value + 3), point);
         p->reach = vec_length(reach);
         p->axis = vec_scale(1 / p->reach, reach);
     }
     if (other) {
-        struct vec3 turn = vec_sub(vec_of(first + 3), p->speed);
+        struct vec3 turn = vec_sub(first_vec(first + 3), p->speed);
         point = vec_along(point, places->offset, p->axis);
         p->speed = vec_along(p->speed, places->offset / p->reach, vec_reject(turn, p->axis));
         p->bend = vec(0, 0, 0);
@@ -299,7 +299,7 @@ static void evaluate(const struct ppform *form, const struct reference *places, 
 }
 
 /* u with a step of Newton's, inside the curve and not over half a span. */
-static double stepped(const struct ppform *form, const struct footpoint *at, double step)
+static double newton_step(const struct ppform *form, const struct footpoint *at, double step)
 {
     double most = ppform_half(form, at->span);
     double from = form->knot[0], to = form->knot[(size_t)form->degree + form->spans];
@@ -317,12 +317,12 @@ static double follow(const struct ppform *form, const struct reference *places, 
 
     for (int i = 0;; i++) {
         at->span = ppform_span(form, at->span, at->u);
-        evaluate(form, places, k, other, at, &p);
+        evaluate_place(form, places, k, other, at, &p);
         double square = vec_dot(p.speed, p.speed), slope = square + vec_dot(p.off, p.bend);
         if (i == STEPS || !(square > 0))
             break;
         slope = slope > 0.25 * square ? slope : 0.25 * square;
-        double u = stepped(form, at, -vec_dot(p.off, p.speed) / slope), step = u - at->u;
+        double u = newton_step(form, at, -vec_dot(p.off, p.speed) / slope), step = u - at->u;
         at->u = u;
         if (step * step * square <= SMALL * SMALL * vec_dot(p.off, p.off) + tiny * tiny) {
             p.off = vec_along(vec_along(p.off, step, p.speed), step * step / 2, p.bend);
@@ -379,7 +379,7 @@ void footpoints_follow(const struct ppform *form, const struct reference *places
 
 static const double HOLD = 1e-6; /* weight of the head's distance, which nothing else holds */
 
-/* r^(power / 2 - 1), the weight of a place whose square is r times the largest. */
+/* r^(power / 2 - 1), the weight of a place whose square is r moments_times the largest. */
 static double weight_of(double r, int power)
 {
     double w = 1;
@@ -479,66 +479,67 @@ static void add_axis(const struct footpoint *s, struct vec3 axis, double scale, 
 }
 
 void residual_of(const struct reference *places, const struct footpoints *feet, size_t k,
-                 bool other, int power, struct residual *pull)
+                 bool other, int power, struct residual *residual)
 {
     const struct footpoint *s = other ? &feet->other[k] : &feet->point[k];
     const double *off = &feet->off[k * footpoints_kinds(places)];
     struct norm n = norm_of(s->off, s->along, off[other] / feet->worst, power);
 
-    memset(pull, 0, sizeof *pull);
+    memset(residual, 0, sizeof *residual);
     if (other)
-        add_turned(&n, 1, places->offset / s->reach, s->axis, pull);
+        add_turned(&n, 1, places->offset / s->reach, s->axis, residual);
     else
-        add_plain(&n, pull);
+        add_plain(&n, residual);
     if (places->turns && other == places->other_leads)
         add_axis(s, places->axis[k], feet->within.point / feet->within.axis, off[2] / feet->worst,
-                 power, pull);
+                 power, residual);
 }
 
 /* ---- moments: sums and products, with the widths known to the compiler */
 
-static inline int size_of(int width)
+static inline int triangle_size(int width)
 {
     return width * (width + 1) / 2;
 }
 
 size_t span_moments_size(int degree, int width)
 {
-    return (size_t)((2 * degree + 1) * size_of(width) + (degree + 1) * width);
+    return (size_t)((2 * degree + 1) * triangle_size(width) + (degree + 1) * width);
 }
 
 const double *span_moments_right(const double *moments, int degree, int width)
 {
-    return moments + (2 * degree + 1) * size_of(width);
+    return moments + (2 * degree + 1) * triangle_size(width);
 }
 
-static inline void add(double *restrict moments, int degree, int width, double s,
-                       const struct residual *restrict pull)
+static inline void add_moments(double *restrict moments, int degree, int width, double s,
+                               const struct residual *restrict residual)
 {
-    int size = size_of(width);
+    int size = triangle_size(width);
     double power = 1, *g = moments + (2 * degree + 1) * size;
 
     for (int k = 0; k <= 2 * degree; k++) {
         for (int e = 0; e < size; e++)
-            moments[k * size + e] += power * pull->w[e];
+            moments[k * size + e] += power * residual->w[e];
         for (int i = 0; k <= degree && i < width; i++)
-            g[k * width + i] += power * pull->g[i];
+            g[k * width + i] += power * residual->g[i];
         power *= s;
     }
 }
 
-void span_moments_add(double *moments, int degree, int width, double s, const struct residual *pull)
+void span_moments_add(double *moments, int degree, int width, double s,
+                      const struct residual *residual)
 {
     if (width == 3)
-        add(moments, degree, 3, s, pull);
+        add_moments(moments, degree, 3, s, residual);
     else
-        add(moments, degree, 6, s, pull);
+        add_moments(moments, degree, 6, s, residual);
 }
 
-static inline void times(const double *moments, int degree, int width, const double *c,
-                         double *restrict y)
+static inline void moments_times(const double *moments, int degree, int width, const double *c,
+                                 double *restrict y)
 {
-    int size = size_of(width);
+    int size = triangle_size(width);
 
     for (int k = 0; k <= degree; k++)
         for (int i = 0; i < width; i++) {
@@ -553,15 +554,15 @@ static inline void times(const double *moments, int degree, int width, const dou
 void span_moments_times(const double *moments, int degree, int width, const double *c, double *y)
 {
     if (width == 3)
-        times(moments, degree, 3, c, y);
+        moments_times(moments, degree, 3, c, y);
     else
-        times(moments, degree, 6, c, y);
+        moments_times(moments, degree, 6, c, y);
 }
 
-static inline void of_basis(const double *moments, int degree, int width, const double *b,
-                            double *t)
+static inline void moments_of_basis(const double *moments, int degree, int width, const double *b,
+                                    double *t)
 {
-    int size = size_of(width);
+    int size = triangle_size(width);
 
     for (int l = 0; l <= degree; l++) {
         double sum[RESIDUAL_SIZE] = {0};
@@ -577,7 +578,7 @@ static inline void of_basis(const double *moments, int degree, int width, const 
 void span_moments_of_basis(const double *moments, int degree, int width, const double *b, double *t)
 {
     if (width == 3)
-        of_basis(moments, degree, 3, b, t);
+        moments_of_basis(moments, degree, 3, b, t);
     else
-        of_basis(moments, degree, 6, b, t);
+        moments_of_basis(moments, degree, 6, b, t);
 }

@@ -70,9 +70,9 @@ struct footpoints {
     struct deviation within; /* what may be off: with a turning axis its angle counts as its
                                 distance */
     double *u;               /* of the tracked point */
-    double *v;               /* of the other end of the radius; NULL with a fixed axis */
+    double *v;               /* of the other point; NULL with a fixed axis */
     double *off; /* for each place, FOOTPOINT_KINDS (with a fixed axis 1) in turn: distance of the
-                    point, distance of the other end, angle of the axis in the measure of `within`,
+                    point, distance of the other one, angle of the axis in the measure of `within`,
                     mm */
     struct footpoint *point, *other; /* at u and v, as they were last followed to */
     double worst;                    /* the largest of `off`, mm */
@@ -118,11 +118,11 @@ static inline int residual_at(int i, int j)
 }
 
 /*
- * Of place k at the foot of the tracked point, or with `other` at that of the other end of the
- * radius; the axis counts at the one that leads.  Distances count in parts of the worst one.
+ * Of place k at the foot of the tracked point, or with `other` at that of the other point; the axis
+ * counts at the one that leads (reference.h).  Distances count in parts of the worst one.
  */
 void residual_of(const struct reference *places, const struct footpoints *feet, size_t k,
-                 bool other, int power, struct residual *pull);
+                 bool other, int power, struct residual *residual);
 
 /*
  * In a span all that acts is a polynomial in s: the curve moves with an unknown by sum_k c_k s^k.
@@ -134,9 +134,9 @@ void residual_of(const struct reference *places, const struct footpoints *feet, 
 /* How many numbers the moments of a span are, for a curve of this degree and width (3 or 6). */
 size_t span_moments_size(int degree, int width);
 
-/* Adds a pull at the place s of the span. */
+/* Adds a residual at the place s of the span. */
 void span_moments_add(double *moments, int degree, int width, double s,
-                      const struct residual *pull);
+                      const struct residual *residual);
 
 /* The polynomial  y_k = sum_l S_(k+l) c_l;  c and y by [power][component]. */
 void span_moments_times(const double *moments, int degree, int width, const double *c, double *y);

@@ -22,7 +22,7 @@ static void end_knots(const struct reference *places, int degree, size_t poles, 
 }
 
 /* Place of inner knot j of equally spaced ones. */
-static double uniform(const struct reference *places, int degree, size_t poles, size_t j)
+static double uniform_knot(const struct reference *places, int degree, size_t poles, size_t j)
 {
     size_t p = (size_t)degree;
     return places->length[places->n - 1] * (double)(j - p) / (double)(poles - p);
@@ -32,13 +32,13 @@ void knots_init_uniform(const struct reference *places, int degree, size_t poles
 {
     end_knots(places, degree, poles, knot);
     for (size_t j = (size_t)degree + 1; j < poles; j++)
-        knot[j] = uniform(places, degree, poles, j);
+        knot[j] = uniform_knot(places, degree, poles, j);
 }
 
 void knots_init_mean(const struct reference *places, int degree, size_t poles, double *knot)
 {
     for (size_t j = (size_t)degree + 1; j < poles; j++)
-        knot[j] = (knot[j] + uniform(places, degree, poles, j)) / 2;
+        knot[j] = (knot[j] + uniform_knot(places, degree, poles, j)) / 2;
 }
 
 /* The jump of the highest derivative at an inner knot. */
@@ -81,9 +81,9 @@ static void sum_density(const struct bspline *fine, size_t spans, double *sum)
     }
 }
 
-/* As much of the density in each span. */
-static void spread(const struct reference *places, const struct bspline *fine, size_t poles,
-                   double *knot)
+/* Knots with an equal share of the density in each span. */
+static void spread_knots(const struct reference *places, const struct bspline *fine, size_t poles,
+                         double *knot)
 {
     size_t p = (size_t)fine->degree, spans = fine->poles - p, at = 0;
     double *sum = mem_alloc(spans + 1, sizeof *sum);
@@ -110,29 +110,27 @@ bool knots_init_spread(const struct reference *places, int degree, size_t poles,
     knots_init_uniform(places, degree, more, fine.knot);
     bool done = lsq_fit(&fine, places->length, places->point, NULL, places->n);
     if (done)
-        spread(places, &fine, poles, knot);
+        spread_knots(places, &fine, poles, knot);
     bspline_free(&fine);
     return done;
 }
 
-/* ---- trials: from knots to a proven curve */
+/* ---- tries: from knots to a proven curve */
 
-/* What the trials on one track share, and the best of what they came to. */
+/* What the tries on one reference share, and the best that they found. */
 struct knots_tries {
     const struct reference *reference;
     const struct free_knots_options *options;
     struct deviation within;
-    struct reference rough; /* few places: most trials fail on them already */
-    struct reference fine;  /* and more, to be nearly sure before a proof */
-    struct candidate
-        failed; /* of the last count that did not serve the nearest to it, on `rough` */
-    struct candidate served; /* the least count that did, as it was before printing, on `rough` */
+    struct reference rough;  /* few places: most tries fail on them already */
+    struct reference fine;   /* and more, to be nearly sure before a proof */
+    struct candidate failed; /* the nearest with the last count that did not serve, on `rough` */
+    struct candidate served; /* with the least count that did, before printing, on `rough` */
     struct bspline curve;    /* and as printed; no poles as long as none did */
     struct deviation proof;
     double *knot;  /* room for those of a start */
     size_t parts;  /* places of `rough`, about */
-    bool coarse;   /* a curve that kept the tolerance at the places did not replace_candidate it
-                      between */
+    bool coarse;   /* a curve that kept the tolerance at the places did not keep it between */
     int patience;  /* of minimax_fit */
     double effort; /* distances times steps that may still be spent */
 };
@@ -166,7 +164,7 @@ static void knots_try_on_places(struct knots_tries *t, size_t parts, size_t pole
     set_places(t, parts, FINER);
 }
 
-/* Before any trial: as few places as tell for curves of at most so many poles. */
+/* Before any try: as few places as tell for curves of at most so many poles. */
 static void knots_try_on_few_places(struct knots_tries *t, size_t poles)
 {
     size_t parts = FEW_PER_POLE * poles;
@@ -204,7 +202,7 @@ static double speed_at(const struct bspline *curve, const struct reference *plac
     return vec_length(vec_mix(point[1], head[1], places->offset / HEAD_LENGTH));
 }
 
-/* True when the curve nowhere comes near to a stop, which a control would have to brake for. */
+/* True if the parameter speed never falls near zero, which a control would have to brake for. */
 static bool never_stops(const struct bspline *curve, const struct reference *places)
 {
     enum { PARTS_OF_SPAN = 8 };
@@ -382,8 +380,8 @@ static bool serves_spread(struct knots_tries *t, size_t poles)
            knots_try_from_knots(t, poles, t->rough.length);
 }
 
-/* The starts that know nothing of other candidates. */
-static bool serves_anew(struct knots_tries *t, size_t poles)
+/* From knots that depend on no earlier candidate. */
+static bool serves_from_scratch(struct knots_tries *t, size_t poles)
 {
     int degree = t->options->degree;
 
@@ -425,7 +423,7 @@ static bool serves_with_one_less(struct knots_tries *t, const struct candidate *
 }
 
 /* How many knots are worth a try to be left out. */
-static int tries(const struct knots_tries *t)
+static int left_out_tries(const struct knots_tries *t)
 {
     return t->curve.poles <= FEW ? LEFT_OUT : t->curve.poles <= MANY ? LEFT_OUT / 2 : 1;
 }
@@ -445,7 +443,7 @@ static bool serves_by_exchange(struct knots_tries *t)
             break;
         struct candidate more = knots_try_one_more(t, &t->failed);
         minimax_fit(&t->rough, t->options->tolerance, 1, &more, &t->effort);
-        bool done = serves_with_one_less(t, &more, tries(t));
+        bool done = serves_with_one_less(t, &more, left_out_tries(t));
         candidate_free(&more);
         if (done)
             return true;
@@ -483,7 +481,8 @@ static size_t search_upwards(struct knots_tries *t, size_t parts, size_t least)
         if (is_rough(t, n, UNEVEN_POINTS))
             t->effort = fmin(t->effort, EFFORT_UNEVEN * (double)t->reference->n);
         knots_try_on_places(t, parts, n);
-        if (!(t->failed.curve.poles + 1 == n && serves_with_one_more(t)) && !serves_anew(t, n))
+        if (!(t->failed.curve.poles + 1 == n && serves_with_one_more(t)) &&
+            !serves_from_scratch(t, n))
             failed = n;
     }
     return failed;
@@ -493,12 +492,12 @@ static void bisect(struct knots_tries *t, size_t failed)
 {
     while (t->curve.poles > failed + 1 && t->effort > 0) {
         size_t n = failed + (t->curve.poles - failed) / 2;
-        if (!serves_anew(t, n))
+        if (!serves_from_scratch(t, n))
             failed = n;
     }
 }
 
-/* The nearest that failed, with more patience. */
+/* The nearest candidate that failed, with more steps. */
 static bool serves_by_patience(struct knots_tries *t)
 {
     bool done = false;
@@ -515,8 +514,8 @@ static bool serves_by_patience(struct knots_tries *t)
 
 /*
  * Of uneven data, where a curve that serves is found soon, but one that does not is long in
- * failing: down from the count that is known, and none gets much of the effort.  Only knots spread
- * by the data are a start that comes near.
+ * failing: down from the count that is known, and none gets much of the effort.  Only knots
+ * spread_knots by the data are a start that comes near.
  */
 static void search_uneven(struct knots_tries *t, size_t least)
 {
@@ -551,7 +550,7 @@ static void search_counts(struct knots_tries *t, size_t parts)
             bisect(t, failed);
     }
     while (t->curve.poles > least && t->effort > 0 && !is_rough(t, t->curve.poles, UNEVEN_POINTS) &&
-           (serves_with_one_less(t, &t->served, tries(t)) || serves_by_patience(t) ||
+           (serves_with_one_less(t, &t->served, left_out_tries(t)) || serves_by_patience(t) ||
             serves_by_exchange(t)))
         ;
 }

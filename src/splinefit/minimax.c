@@ -15,20 +15,20 @@ static const double APPROACH = 0.4; /* of the way to its neighbour, at most, for
 
 /*
  * How far apart the unknowns of a span are at most: in it act the poles i .. i + p and 2 p knots,
- * of which the first stands behind pole i + 1 - early and the last behind i + 2 p - early.
+ * of which the first comes after pole i + 1 - early and the last after i + 2 p - early.
  */
 static size_t band_of(size_t p, size_t width, size_t early)
 {
-    size_t knots = (2 * p - 1) * (width + 1), behind = (2 * p - early) * (width + 1) + width;
+    size_t knots = (2 * p - 1) * (width + 1), after = (2 * p - early) * (width + 1) + width;
 
-    return knots > behind ? knots : behind;
+    return knots > after ? knots : after;
 }
 
 struct knots_step knots_step_new(const struct bspline *curve)
 {
     struct knots_step s = {0};
     size_t p = (size_t)curve->degree, width = curve->head != NULL ? 6 : 3, at = 0;
-    size_t early = (p + 1) / 2; /* a knot stands among the poles behind the one in its middle */
+    size_t early = (p + 1) / 2; /* a knot stands among the poles after the one in its middle */
 
     s.pole = mem_alloc(curve->poles, sizeof *s.pole);
     s.knot = mem_alloc(curve->poles, sizeof *s.knot);
@@ -64,21 +64,21 @@ void knots_step_free(struct knots_step *s)
     *s = (struct knots_step){0};
 }
 
-/* All places' pulls, each into its span. */
+/* The residuals of all places, each into its span. */
 static void sum_moments(struct knots_step *s, const struct ppform *form,
                         const struct reference *places, const struct footpoints *feet, int power)
 {
     int degree = form->degree, width = form->width;
     size_t size = span_moments_size(degree, width);
-    struct residual pull;
+    struct residual residual;
 
     memset(s->moments, 0, form->spans * size * sizeof *s->moments);
     for (size_t k = 1; k + 1 < places->n; k++)
         for (int other = 0; other <= (places->turns); other++) {
             const struct footpoint *at = other ? &feet->other[k] : &feet->point[k];
-            residual_of(places, feet, k, other, power, &pull);
+            residual_of(places, feet, k, other, power, &residual);
             span_moments_add(&s->moments[at->span * size], degree, width,
-                             ppform_place(form, at->span, at->u), &pull);
+                             ppform_place(form, at->span, at->u), &residual);
         }
 }
 
@@ -94,7 +94,7 @@ static bool is_inner(const struct part *part, size_t i)
     return part->span + i > 0 && part->span + i + 1 < part->poles;
 }
 
-static double product(int n, const double *a, const double *b)
+static double dot_product(int n, const double *a, const double *b)
 {
     double sum = 0;
 
@@ -124,7 +124,7 @@ static void add_poles(struct knots_step *s, const struct part *part, size_t i, c
     }
 }
 
-/* An element, wherever of the two is the later. */
+/* The element of a symmetric matrix, in its lower triangle. */
 static void add_element(struct band *band, size_t i, size_t j, double value)
 {
     *(i >= j ? band_at(band, i, j) : band_at(band, j, i)) += value;
@@ -163,7 +163,7 @@ static void add_pole_knots(struct knots_step *s, const struct part *part, size_t
         double sum[RESIDUAL_WIDTH] = {0};
         for (int l = 0; l < order; l++)
             for (int v = 0; v < width; v++)
-                sum[v] += product(width, &t[(l * width + v) * width], &slopes->c[q][l * width]);
+                sum[v] += dot_product(width, &t[(l * width + v) * width], &slopes->c[q][l * width]);
         for (int v = 0; v < width; v++)
             add_element(&s->normal, first + (size_t)v, slopes->unknown[q], sum[v]);
     }
@@ -178,9 +178,9 @@ static void add_knots(struct knots_step *s, const struct part *part, const struc
         span_moments_times(part->moments, degree, width, slopes->c[q], y);
         for (int r = 0; r <= q; r++)
             add_element(&s->normal, slopes->unknown[q], slopes->unknown[r],
-                        product(room, slopes->c[r], y));
+                        dot_product(room, slopes->c[r], y));
         s->right[slopes->unknown[q]] -=
-            product(room, slopes->c[q], span_moments_right(part->moments, degree, width));
+            dot_product(room, slopes->c[q], span_moments_right(part->moments, degree, width));
     }
 }
 
@@ -207,7 +207,7 @@ static void add_span(struct knots_step *s, const struct part *part)
 }
 
 /* A pole is damped by the mean of its diagonal elements: none of them may be near zero. */
-static void fill_scale(struct knots_step *s, const struct ppform *form, size_t poles)
+static void set_damping_scale(struct knots_step *s, const struct ppform *form, size_t poles)
 {
     size_t width = (size_t)form->width;
 
@@ -220,7 +220,7 @@ static void fill_scale(struct knots_step *s, const struct ppform *form, size_t p
         }
 }
 
-static void clear(struct knots_step *s)
+static void clear_equations(struct knots_step *s)
 {
     memset(s->normal.item, 0, s->unknowns * (s->normal.width + 1) * sizeof(double));
     memset(s->right, 0, s->unknowns * sizeof(double));
@@ -232,16 +232,16 @@ void knots_step_equations(struct knots_step *s, const struct ppform *form,
     size_t poles = form->spans + (size_t)form->degree;
     size_t size = span_moments_size(form->degree, form->width);
 
-    clear(s);
+    clear_equations(s);
     sum_moments(s, form, places, feet, power);
     for (size_t span = 0; span < form->spans; span++) {
         struct part part = {form, &s->moments[span * size], span, poles};
         add_span(s, &part);
     }
-    fill_scale(s, form, poles);
+    set_damping_scale(s, form, poles);
 }
 
-static bool solve(struct knots_step *s, double damping)
+static bool solve_damped(struct knots_step *s, double damping)
 {
     memcpy(s->factor.item, s->normal.item, s->unknowns * (s->normal.width + 1) * sizeof(double));
     for (size_t i = 0; i < s->unknowns; i++)
@@ -253,7 +253,7 @@ static bool solve(struct knots_step *s, double damping)
     return true;
 }
 
-static struct vec3 moved(struct vec3 p, const double *step)
+static struct vec3 moved_point(struct vec3 p, const double *step)
 {
     return vec_add(p, vec(step[0], step[1], step[2]));
 }
@@ -263,7 +263,7 @@ bool knots_step_move(struct knots_step *s, double damping, double nearest,
 {
     size_t p = (size_t)from->degree;
 
-    if (!solve(s, damping))
+    if (!solve_damped(s, damping))
         return false;
     for (size_t j = p + 1; j < from->poles; j++) {
         double before = from->knot[j] - from->knot[j - 1],
@@ -276,9 +276,9 @@ bool knots_step_move(struct knots_step *s, double damping, double nearest,
         to->knot[j] = from->knot[j] + step;
     }
     for (size_t i = 1; i + 1 < from->poles; i++) {
-        to->pole[i] = moved(from->pole[i], &s->step[s->pole[i]]);
+        to->pole[i] = moved_point(from->pole[i], &s->step[s->pole[i]]);
         if (from->head != NULL)
-            to->head[i] = moved(from->head[i], &s->step[s->pole[i] + 3]);
+            to->head[i] = moved_point(from->head[i], &s->step[s->pole[i] + 3]);
     }
     return true;
 }
@@ -289,7 +289,7 @@ enum { POWER_MAX = 64, TRIES = 6, AHEAD = 100 };
 static const double SETTLED = 0.002; /* a step that gains less than this is the last of its power */
 static const double NEAREST = 0.02;  /* knots, in parts of the mean span */
 
-struct work {
+struct minimax {
     const struct reference *places;
     struct candidate *best;
     struct candidate trial;
@@ -326,8 +326,8 @@ void candidate_free(struct candidate *candidate)
 }
 
 /* The mean of the distances by the norm, in parts of `reference`: (mean of r^power)^(1 / power). */
-static double mean_of(const struct reference *places, const struct footpoints *feet, int power,
-                      double reference)
+static double power_mean(const struct reference *places, const struct footpoints *feet, int power,
+                         double reference)
 {
     size_t n = places->n * footpoints_kinds(places);
     double sum = 0;
@@ -344,7 +344,7 @@ static double mean_of(const struct reference *places, const struct footpoints *f
     return sum;
 }
 
-static void swap(struct candidate *a, struct candidate *b)
+static void swap_candidates(struct candidate *a, struct candidate *b)
 {
     struct candidate c = *a;
     *a = *b;
@@ -359,9 +359,9 @@ struct candidate candidate_copy(const struct candidate *a, const struct referenc
     return copy;
 }
 
-/* v at the places `to` of values at the places `from`, straight between them. */
-static void spread(const struct reference *from, const double *value, const struct reference *to,
-                   double *v)
+/* Values at the places `from`, interpolated linearly at the places `to`. */
+static void interpolate(const struct reference *from, const double *value,
+                        const struct reference *to, double *v)
 {
     size_t at = 0;
 
@@ -384,18 +384,18 @@ struct candidate candidate_onto(const struct candidate *a, const struct referenc
     while (moved.feet.where + 1 < to->n && to->length[moved.feet.where] < where)
         moved.feet.where++;
 
-    spread(from, a->feet.u, to, moved.feet.u);
+    interpolate(from, a->feet.u, to, moved.feet.u);
     if (to->turns)
-        spread(from, a->feet.v, to, moved.feet.v);
+        interpolate(from, a->feet.v, to, moved.feet.v);
     return moved;
 }
 
 /* One step that makes the mean smaller, with as much damping as it takes.  Returns what part of it
  * was gained, 0: none could be found. */
-static double improve(struct work *w, int power)
+static double take_step(struct minimax *w, int power)
 {
     double reference = w->best->feet.worst;
-    double before = mean_of(w->places, &w->best->feet, power, reference);
+    double before = power_mean(w->places, &w->best->feet, power, reference);
 
     ppform_curve(&w->form, &w->best->curve);
     ppform_slopes(&w->form, &w->best->curve);
@@ -407,12 +407,12 @@ static double improve(struct work *w, int power)
         footpoints_copy(&w->trial.feet, &w->best->feet, w->places);
         footpoints_follow(&w->form, w->places, &w->trial.feet);
         *w->effort -= (double)(w->places->n * footpoints_kinds(w->places));
-        double after = mean_of(w->places, &w->trial.feet, power, reference);
+        double after = power_mean(w->places, &w->trial.feet, power, reference);
         if (!(after < before))
             continue;
         if (i == 0)
             w->damping = fmax(w->damping / 4, 1e-7);
-        swap(w->best, &w->trial);
+        swap_candidates(w->best, &w->trial);
         return 1 - after / before;
     }
     w->damping = 1e-3;
@@ -421,14 +421,14 @@ static double improve(struct work *w, int power)
 
 /* True when the mean would stay above the goal even if the next steps gained as much as the last.
  */
-static bool hopeless(double mean, double gain, double goal, int patience)
+static bool is_out_of_reach(double mean, double gain, double goal, int patience)
 {
     for (int i = 0; i < AHEAD * patience && mean > goal; i++)
         mean *= 1 - gain;
     return mean > goal;
 }
 
-static bool climb(struct work *w, double goal)
+static bool raise_powers(struct minimax *w, double goal)
 {
     const struct footpoints *feet = &w->best->feet;
 
@@ -439,9 +439,9 @@ static bool climb(struct work *w, double goal)
         for (int i = 0; i < most && gain > settled; i++) {
             if (feet->worst <= goal)
                 return true;
-            gain = improve(w, power);
+            gain = take_step(w, power);
             if (*w->effort < 0 ||
-                hopeless(mean_of(w->places, feet, power, 1), gain, goal, w->patience))
+                is_out_of_reach(power_mean(w->places, feet, power, 1), gain, goal, w->patience))
                 return false;
         }
         if (!(feet->worst > goal))
@@ -453,11 +453,11 @@ static bool climb(struct work *w, double goal)
 bool minimax_fit(const struct reference *places, double goal, int patience,
                  struct candidate *candidate, double *effort)
 {
-    struct work w = {.places = places,
-                     .best = candidate,
-                     .damping = 1e-3,
-                     .patience = patience,
-                     .effort = effort};
+    struct minimax w = {.places = places,
+                        .best = candidate,
+                        .damping = 1e-3,
+                        .patience = patience,
+                        .effort = effort};
 
     w.form = ppform_new(&candidate->curve);
     ppform_curve(&w.form, &candidate->curve);
@@ -465,7 +465,7 @@ bool minimax_fit(const struct reference *places, double goal, int patience,
     w.trial = candidate_copy(candidate, places);
     w.step = knots_step_new(&candidate->curve);
     w.nearest = NEAREST * places->length[places->n - 1] / (double)w.form.spans;
-    bool reached = climb(&w, goal);
+    bool reached = raise_powers(&w, goal);
     knots_step_free(&w.step);
     candidate_free(&w.trial);
     ppform_free(&w.form);

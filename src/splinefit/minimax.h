@@ -39,15 +39,15 @@ void knots_step_equations(struct knots_step *s, const struct ppform *form,
 bool knots_step_move(struct knots_step *s, double damping, double nearest,
                      const struct bspline *from, struct bspline *to);
 
-/* A curve and the feet of a target on it. */
+/* A curve and the feet of places of a reference on it. */
 struct candidate {
     struct bspline curve;
     struct footpoints feet;
 };
 
-/* Least squares on these knots (0 to the target's length, of which the candidate gets a copy), with
- * the places at the parameters u; `within` is what they may be off.  False when the places do not
- * determine the poles. */
+/* Least squares on these knots (0 to the length of the places, of which the candidate gets a copy),
+ * with the places at the parameters u; `within` is what they may be off.  False when the places do
+ * not determine the poles. */
 bool candidate_new(const struct reference *places, const struct deviation *within,
                    const struct bspline *form, const double *knot, const double *u,
                    struct candidate *candidate);
@@ -55,14 +55,14 @@ bool candidate_new(const struct reference *places, const struct deviation *withi
 struct candidate candidate_copy(const struct candidate *candidate, const struct reference *places);
 void candidate_free(struct candidate *candidate);
 
-/* The same curve with the feet of another target of the same reference, still to be followed; the
+/* The same curve with the feet of other places of the same reference, still to be followed; the
  * worst place stays.*/
 struct candidate candidate_onto(const struct candidate *candidate, const struct reference *from,
                                 const struct reference *to);
 
 /*
  * Levenberg's and Marquardt's steps for the sum of the distances to the power 2, 4, 8 ... 64, until
- * no place asks for more than `goal` mm (true).  False as soon as that is out of reach: the
+ * no place is off by more than `goal` mm (true).  False as soon as that is out of reach: the
  * distances' mean by the norm is never above the largest one, so that a minimum of it above `goal`
  * is the end of it.  Each step takes its number of distances from *effort; false when that is used
  * up. More patience than 1 takes that many times the steps.

@@ -18,8 +18,8 @@ bool spline_bound_print(struct bspline *curve);
 
 /*
  * Fills *proof with upper bounds of the distances both ways between the curve and the reference.
- * They exceed the truth by at most 2.2 times `resolution` mm; when the
- * distance of a point is found to be above `limit` (INFINITY: never), the search stops there: that
+ * They exceed the truth by at most 2.2 times `resolution` mm; when the distance of a point is found
+ * to be above `limit` (INFINITY: never), the search stops there: that
  * distance is then only known to be above the limit, and what comes later is INFINITY.
  */
 void spline_bound_measure(const struct bspline *curve, const struct reference *reference,
@@ -31,14 +31,14 @@ void spline_bound_polyline(const struct bspline *curve, const struct reference *
 
 /*
  * Fills u[reference->n], rising, with the parameters of the places of the curve that are nearest to
- * the reference's points.  False when the curve can not be made straight pieces of (see flatten).
+ * the reference's points.  False when the curve cannot be flattened (flatten.h).
  */
 bool spline_bound_feet(const struct bspline *curve, const struct reference *reference,
                        double resolution, double *u);
 
 /*
  * A quick look first: true when the curve at the parameters u of some of the data is further than
- * `tolerance` from the data's polyline, so that it can not keep it.
+ * `tolerance` from the data's polyline, so that it cannot keep it.
  */
 bool spline_bound_hopeless(const struct bspline *curve, const struct reference *reference,
                            const double *u, double tolerance);

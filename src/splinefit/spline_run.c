@@ -26,7 +26,7 @@ void spline_run_free(struct spline_run *pieces)
     array_free(pieces);
 }
 
-/* From the corner to the first point before (step -1) or behind it that is `reach` mm away. */
+/* From the corner to the first point before (step -1) or after it that is `reach` mm away. */
 static struct vec3 direction_to(const struct run *run, size_t corner, int step, double reach)
 {
     struct vec3 at = run->item[corner].ball, d = {0, 0, 0};
@@ -223,7 +223,7 @@ static void fit_and_check(void *context, const struct run *run, struct gouges *g
         find_gouges(f, run, &f->pieces->item[k], gouges);
 }
 
-/* The interval of the piece, told by its first point, over which the place is the least detour. */
+/* The interval of the piece, by its first point, over which the place is the least detour. */
 static size_t interval_at(const struct run *run, const struct spline_run_piece *piece,
                           struct vec3 place)
 {

@@ -62,7 +62,7 @@ static void scale_params(const struct search *s, const double *u, const struct b
         s->scaled[k] = fmin(u[k] * range, range);
 }
 
-/* Eq 7 at the other end of the radius. */
+/* Eq 7 at the other point. */
 static double c1_other(const struct search *s, const struct bspline *curve)
 {
     const struct reference *t = s->reference;
@@ -135,7 +135,7 @@ static bool try_combination(const struct search *s, size_t poles, int params, in
     return false;
 }
 
-/* The first combination that is is_accepted, in the paper's order. */
+/* The first combination that is accepted, in the paper's order. */
 static bool try_count(const struct search *s, size_t poles, struct splinefit *fit)
 {
     const struct splinefit_options *o = s->options;
@@ -194,7 +194,7 @@ static bool try_straight(const struct search *s, struct splinefit *fit)
     return fit->within;
 }
 
-/* What always serves: the data's own set_polyline. */
+/* What always serves: the data's own polyline. */
 static void set_polyline(const struct search *s, struct splinefit *fit)
 {
     *fit = (struct splinefit){.curve = spline_polyline(s->reference), .kind = SPLINEFIT_POLYLINE};

@@ -45,7 +45,7 @@ struct deviation arcprint_pieces(const struct reference *reference, const struct
         *array_push(printed) = p;
     }
     if (pieces->n == 0 || vec_distance(at, end) >= THERE)
-        worst.point = HUGE_VAL; /* what is missing strays from nothing */
+        worst.point = HUGE_VAL; /* what is missing is off by nothing */
     return worst;
 }
 

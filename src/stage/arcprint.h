@@ -1,5 +1,5 @@
 /*
- * arcprint - a piece of a fitted motion as its digits in the path stream say it.
+ * arcprint - a piece of a fitted motion with the digits of the path stream.
  */
 #ifndef CLOUDMILL_ARCPRINT_H
 #define CLOUDMILL_ARCPRINT_H
@@ -29,13 +29,13 @@ struct printeds {
 struct printed arcprint_piece(const struct arc_piece *piece, struct vec3 from);
 
 /* All pieces that follow a reference, beginning at its first point, in the place of what is in
- * `printed`.  Returns how far they stray from it: without limit when they don't lead to its end. */
+ * `printed`.  Returns how far they are off it: infinitely where they do not lead to its end. */
 struct deviation arcprint_pieces(const struct reference *reference, const struct pieces *pieces,
                                  struct printeds *printed);
 
 /* How many equal chords keep within `sagitta` mm of the piece, at the tracked point and at the
- * other end of the lever: a power of two, at most 4096. */
-int arcprint_chords(const struct arc_piece *piece, double lever, double sagitta);
+ * other one, `offset` mm along the axis: a power of two, at most 4096. */
+int arcprint_chords(const struct arc_piece *piece, double offset, double sagitta);
 
 /* The arc as a comment, "$$ CIRCLE/...", in at most ARCPRINT_MAX bytes. */
 void arcprint_comment(const struct path_arc *arc, char *text);

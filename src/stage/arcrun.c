@@ -225,17 +225,17 @@ static double dense_run_of(const struct run *run, const struct arcrun_options *o
 /* Where the smooth parts of what is programmed end: at its corners, and at the end of the run. */
 static struct sizes parts_of(const struct run *dense, const struct arcrun_options *options)
 {
-    struct run track = {.radius = dense->radius};
+    struct run programmed = {.radius = dense->radius};
     for (size_t i = 0; i < dense->n; i++) {
-        struct run_point *p = array_push(&track);
+        struct run_point *p = array_push(&programmed);
         *p = dense->item[i];
         p->ball = options->centre ? p->ball : p->tip;
     }
     struct sizes end = {0};
     if (!options->paper)
-        run_corners(&track, &end);
+        run_corners(&programmed, &end);
     *array_push(&end) = dense->n - 1;
-    array_free(&track);
+    array_free(&programmed);
     return end;
 }
 
