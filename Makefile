@@ -45,7 +45,7 @@ readback := $(if $(back_src),$(BUILD)/tests/readback/readback)
 started := $(shell date +%s)
 
 # What `make deps` installs: for the tests, and for lint and fuzz.
-packages = check pkg-config mandoc python3 chromium locales clang clang-format clang-tidy cppcheck \
+packages = check pkg-config mandoc python3 chromium locales clang clang-format clang-tidy libclang-rt-dev cppcheck \
   shellcheck gcovr parallel
 # Its interpreter rs274 judges our programs where it is there; else those tests are skipped.
 judge = linuxcnc-uspace
@@ -130,6 +130,7 @@ deps:
 
 lint:
 	clang-format --dry-run --Werror $(c_files)
+	! grep -nE '^.{101}' $(c_files)
 	cppcheck --quiet --std=c11 --enable=warning,performance,portability --inline-suppr \
 	  --suppress=missingIncludeSystem --error-exitcode=1 -I include -I src -I tests/lib src tests
 	clang-tidy --quiet --warnings-as-errors='*' $(tool_src) $(lib_src) -- $(FLAGS)
