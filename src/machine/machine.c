@@ -66,22 +66,26 @@ static void add_text(struct keys *keys, const char *name, char *value, size_t si
     keys_add(keys, name, KEY_TEXT, value)->size = size;
 }
 
-/* The keys of one axis: x.min x.max, a.rapid axis.A centre.A */
+/* The keys of an axis that slides or turns: x.min x.max */
 static void add_axis(struct keys *keys, struct machine *m, int axis)
 {
-    char name[20], large = letters[axis], small = (char)(large - 'A' + 'a');
+    char name[20], small = (char)(letters[axis] - 'A' + 'a');
     snprintf(name, sizeof name, "%c.min", small);
     add_bounded(keys, name, KEY_NUMBER, &m->min[axis], 0, 0);
     snprintf(name, sizeof name, "%c.max", small);
     add_bounded(keys, name, KEY_NUMBER, &m->max[axis], 0, 0);
-    if (axis < MACHINE_A)
-        return;
+}
+
+/* Those that a rotary axis, A B or C, has besides: a.rapid axis.A centre.A */
+static void add_rotary(struct keys *keys, struct machine *m, int i)
+{
+    char name[20], large = (char)('A' + i), small = (char)('a' + i);
     snprintf(name, sizeof name, "%c.rapid", small);
-    add_bounded(keys, name, KEY_NUMBER, &m->rapid[axis], 1, 1e7);
+    add_bounded(keys, name, KEY_NUMBER, &m->rapid[MACHINE_A + i], 1, 1e7);
     snprintf(name, sizeof name, "axis.%c", large);
-    keys_add(keys, name, KEY_VECTOR, &m->axis[axis - MACHINE_A]);
+    keys_add(keys, name, KEY_VECTOR, &m->axis[i]);
     snprintf(name, sizeof name, "centre.%c", large);
-    keys_add(keys, name, KEY_VECTOR, &m->centre[axis - MACHINE_A]);
+    keys_add(keys, name, KEY_VECTOR, &m->centre[i]);
 }
 
 /* ---- the keys */
@@ -96,6 +100,8 @@ static struct keys machine_keys(struct machine *m)
     add_text(&keys, "axes", m->axes, sizeof m->axes);
     for (int axis = 0; axis < MACHINE_AXES; axis++)
         add_axis(&keys, m, axis);
+    for (int i = 0; i < MACHINE_AXES - MACHINE_A; i++)
+        add_rotary(&keys, m, i);
     keys_add(&keys, "tcp", KEY_YES, &m->tcp);
     keys_add(&keys, "arcs", KEY_YES, &m->arcs);
     keys_add(&keys, "arcs.space", KEY_YES, &m->arcs_space);
