@@ -239,6 +239,43 @@ START_TEST(templates_know_their_words)
 }
 END_TEST
 
+/* The table of controls: each name is found again, and all stand in the choice in its order. */
+START_TEST(controls)
+{
+    char all[200] = "";
+    for (int id = 0; id < CONTROLS; id++) {
+        const struct control *row = control_row((enum control_id)id);
+        ck_assert_int_eq(control_find(row->name), id);
+        snprintf(all + strlen(all), sizeof all - strlen(all), "%s%s", id ? "|" : "", row->name);
+    }
+    ck_assert_str_eq(control_names(), all);
+    ck_assert_int_eq(control_find("fan"), CONTROLS);
+    ck_assert_int_eq(control_find(""), CONTROLS);
+}
+END_TEST
+
+/* Tool-centre-point control: the machine's, and of LinuxCNC only where the file names it. */
+START_TEST(tcp_of_controls)
+{
+    static const struct {
+        const char *setting;
+        bool fanuc, siemens, linuxcnc;
+    } row[] = {{"name=any", true, true, false},
+               {"control=fanuc", true, true, false},
+               {"control=linuxcnc", true, true, true},
+               {"tcp=no", false, false, false}};
+    for (size_t i = 0; i < sizeof row / sizeof *row; i++) {
+        struct machine m = machine_default();
+        struct error e;
+        ck_assert_int_eq(machine_set(&m, row[i].setting, &e), 0);
+        ck_assert_int_eq(machine_finish(&m, &e), 0);
+        ck_assert_int_eq(machine_has_tcp(&m, CONTROL_fanuc), row[i].fanuc);
+        ck_assert_int_eq(machine_has_tcp(&m, CONTROL_siemens), row[i].siemens);
+        ck_assert_int_eq(machine_has_tcp(&m, CONTROL_linuxcnc), row[i].linuxcnc);
+    }
+}
+END_TEST
+
 int main(void)
 {
     Suite *suite = suite_create("machine");
@@ -246,6 +283,8 @@ int main(void)
 
     tcase_add_checked_fixture(tests, enter, leave);
     tcase_add_test(tests, keys_into_the_chain);
+    tcase_add_test(tests, controls);
+    tcase_add_test(tests, tcp_of_controls);
     tcase_add_test(tests, include_comes_first);
     tcase_add_test(tests, orders_of_the_chain);
     tcase_add_loop_test(tests, refused_with_its_line, 0, (int)(sizeof bad / sizeof *bad));
