@@ -1,6 +1,18 @@
 /*
- * cloudmesh - from the points of a cloud, cleaned, to its mesh: grid or rows, normals, edges and
- * walls, parts with projections of their own; and what is to be said of it.
+ * cloudmesh - from the points of a cloud to its mesh, and what is to be said of it.
+ *
+ * In: points that cloud_prepare.h has cleaned.  Out: a mesh with normals.  The stages:
+ *
+ *   1. --subdivide: the cloud in parts, each in its own projection (cloud/segment.h)
+ *   2. nodes by a grid, or with -e rows and points between them (meshing/meshing.h); with -e of the
+ *      surface that noisy points lie about, and clear of the creases and walls that a grid has
+ * found
+ *   3. normals, and noise taken out of the vertices (normals.h)
+ *   4. creases, walls, ribs (feature/feature.h); twice where there are walls, with and without
+ *      vertices on them: the mesh closer to the points is the result
+ *   5. the parts joined (meshing/mesh_join.h)
+ *
+ * What a large cloud is looked at less for, and by how much, is said (base/effort.h).
  */
 #ifndef CLOUDMILL_CLOUDMESH_H
 #define CLOUDMILL_CLOUDMESH_H
@@ -22,9 +34,9 @@ struct cloudmesh_options {
     int neighbours; /* 0: chosen */
     double effort;  /* effort.h */
     bool paper;     /* as published */
-    bool smooth;    /* look for no creases and no walls */
+    bool smooth;    /* look for no creases, walls and ribs */
     bool subdivide; /* parts by orientation, each with a projection of its own */
-    bool silent;    /* of what became of the vertices: a trial */
+    bool silent;    /* a trial: nothing is said */
 };
 
 /* What came of it. */

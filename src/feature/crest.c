@@ -50,15 +50,12 @@ static struct vec3 place_over(const struct profile *p, double part, double h)
 /* The plane that the neighbourhood lies about. */
 static bool find_up(struct profile *p)
 {
-    size_t index[WIDEST];
     struct vec3 near[WIDEST];
     struct plane_fit plane;
     double reach = 2 * vec_distance(p->a, p->b) / p->cloud->spacing;
     size_t k = (size_t)fmin(fmax(PI * reach * reach, 60), WIDEST);
 
-    k = kdtree_nearest(p->cloud->tree, vec_mix(p->a, p->b, 0.5), k, index, NULL);
-    for (size_t i = 0; i < k; i++)
-        near[i] = p->cloud->point[index[i]];
+    k = feature_near(p->cloud, vec_mix(p->a, p->b, 0.5), k, near);
     if (plane_fit(near, k, &plane) < 0)
         return false;
     p->up = plane.normal.z < 0 ? vec_scale(-1, plane.normal) : plane.normal;
@@ -69,12 +66,9 @@ static bool find_up(struct profile *p)
 /* A quadric through the points nearest to a place. */
 static bool fit_at(const struct profile *p, struct vec3 at, struct quadric *q)
 {
-    size_t index[SOME];
     struct vec3 near[SOME];
-    size_t k = kdtree_nearest(p->cloud->tree, at, points_needed(p->cloud, FEW), index, NULL);
+    size_t k = feature_near(p->cloud, at, points_needed(p->cloud, FEW), near);
 
-    for (size_t i = 0; i < k; i++)
-        near[i] = p->cloud->point[index[i]];
     return quadric_fit(near, k, at, p->up, q) == 0;
 }
 
@@ -139,14 +133,12 @@ static struct vec3 straight_direction(const struct quadric *q, bool *rib, double
 /* The surface along the rib at a place that is near to it; false: there is no rib. */
 static bool fit_along(const struct profile *p, struct vec3 at, struct quadric *q)
 {
-    size_t index[RIDGE_DIRECTION_LONGER * MANY], some = points_needed(p->cloud, SOME);
+    size_t some = points_needed(p->cloud, SOME);
     struct vec3 near[RIDGE_DIRECTION_LONGER * MANY];
     double across;
     bool rib;
-    size_t k = kdtree_nearest(p->cloud->tree, at, RIDGE_DIRECTION_LONGER * some, index, NULL);
+    size_t k = feature_near(p->cloud, at, RIDGE_DIRECTION_LONGER * some, near);
 
-    for (size_t i = 0; i < k; i++)
-        near[i] = p->cloud->point[index[i]];
     if (quadric_fit(near, k < some ? k : some, at, p->up, q) < 0)
         return false;
     struct vec3 way = straight_direction(q, &rib, &across);

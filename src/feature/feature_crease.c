@@ -82,15 +82,12 @@ bool feature_test_sharp(const struct feature_cloud *cloud, const struct side_fit
                         struct vec3 up, struct vec3 at, struct vec3 along)
 {
     struct pair p = {sheet, up};
-    size_t index[RIDGE_DIRECTION_LONGER * STRIP];
     struct vec3 near[RIDGE_DIRECTION_LONGER * STRIP];
     struct quadric one;
-    size_t n = kdtree_nearest(cloud->tree, at, RIDGE_DIRECTION_LONGER * STRIP, index, NULL);
+    size_t n = feature_near(cloud, at, RIDGE_DIRECTION_LONGER * STRIP, near);
 
     if (n < CLOSE)
         return false;
-    for (size_t i = 0; i < n; i++)
-        near[i] = cloud->point[index[i]];
     if (quadric_fit(near, CLOSE, at, up, &one) == 0 &&
         leaves_more(&p, cloud, near, CLOSE, quadric_rms(&one, near, CLOSE)))
         return false;
@@ -271,6 +268,15 @@ size_t feature_reach(const struct feature_cloud *cloud)
     double reach = WIDE * cloud->noise / cloud->spacing;
 
     return (size_t)fmin(fmax(PI * reach * reach, FEWEST_NEAR), FEATURE_MOST);
+}
+
+size_t feature_near(const struct feature_cloud *cloud, struct vec3 at, size_t k, struct vec3 *near)
+{
+    size_t index[FEATURE_MOST], n = kdtree_nearest(cloud->tree, at, k, index, NULL);
+
+    for (size_t i = 0; i < n; i++)
+        near[i] = cloud->point[index[i]];
+    return n;
 }
 
 static struct feature crease_of(const struct division *p, struct vec3 at, struct vec3 a,

@@ -43,13 +43,11 @@ static bool turns(const struct mesh *mesh, const struct mesh_edge *e)
 /* At a crease a quadric leaves much more than the noise. */
 static bool is_rough(const struct search *s, size_t vertex)
 {
-    size_t index[MOST], k = feature_reach(&s->cloud) / 2;
+    size_t k = feature_reach(&s->cloud) / 2;
     struct vec3 near[MOST], at = s->mesh->vertex.item[vertex];
     struct quadric q;
-    size_t n = kdtree_nearest(s->cloud.tree, at, k < NEAR ? NEAR : k, index, NULL);
+    size_t n = feature_near(&s->cloud, at, k < NEAR ? NEAR : k, near);
 
-    for (size_t i = 0; i < n; i++)
-        near[i] = s->cloud.point[index[i]];
     if (quadric_fit(near, n, at, s->mesh->normal.item[vertex], &q) < 0)
         return true;
     return quadric_rms(&q, near, n) > 1.1 * s->cloud.noise + 0.004 * s->cloud.spacing;

@@ -50,6 +50,9 @@ enum { FEATURE_MOST = 400 };
 /* How many points about a place it takes to see a crease in the noise, 72 to FEATURE_MOST. */
 size_t feature_reach(const struct feature_cloud *cloud);
 
+/* The k points (at most FEATURE_MOST) nearest to a place, nearest first; returns how many. */
+size_t feature_near(const struct feature_cloud *cloud, struct vec3 at, size_t k, struct vec3 *near);
+
 /* May there be a wall: is the way from a to b steep, with a point of a wall over or under it? */
 bool feature_steep(const struct feature_cloud *cloud, struct vec3 a, struct vec3 b);
 

@@ -1,16 +1,229 @@
-/* cloudmesh - see cloudmesh.h. */
+/*
+ * cloudmesh - see cloudmesh.h.  Nodes by a grid, normals, creases and walls; then the mesh by a
+ * grid (mesh_on_grid) or within an error (mesh_within); then that of each part of a divided cloud.
+ */
 #include "stage/cloudmesh.h"
 
+#include <math.h>
 #include <stdlib.h>
+#include <string.h>
 
 #include "base/cli.h"
-#include "cloudmesh_base.h"
+#include "base/effort.h"
+#include "base/num.h"
 #include "cloud/cloud.h"
+#include "feature/feature.h"
+#include "mesh/mesh_distance.h"
 #include "meshing/meshing.h"
+
+/* The cloud as wall_points_part put it in order. */
+struct cloud_parts {
+    double mean; /* spacing of the points, mm */
+    size_t flat; /* so many of them lie on no wall */
+};
+
+/* Three times the mean spacing, to three digits: so that -t can say the same. */
+static double three_spacings(double mean)
+{
+    double step = pow(10, floor(log10(3 * mean)) - 2);
+    double digits = step >= 1 ? 0 : fmin(-floor(log10(step)), 9);
+    return num_round(round(3 * mean / step) * step, (int)digits);
+}
+
+double cloudmesh_spacing(const struct cloudmesh_options *options, const struct vec3 *point,
+                         size_t n)
+{
+    struct plan_extent f = plan_extent_of(point, n, options->direction);
+    return plan_extent_spacing(&f, point, n);
+}
+
+/* A point for each node; one on a wall only where there is no other. */
+static size_t *choose_points(const struct cloudmesh_options *options,
+                             const struct cloud_parts *parts, const struct grid *grid,
+                             const struct vec3s *points)
+{
+    enum reach reach = options->paper ? REACH_CIRCLE : REACH_NEAREST;
+    size_t walls = points->n - parts->flat, nodes = grid_nodes(grid);
+    size_t *chosen = reposition(grid, points->item, parts->flat, reach);
+    if (walls == 0)
+        return chosen;
+    size_t *on_wall = reposition(grid, points->item + parts->flat, walls, reach);
+    for (size_t i = 0; i < nodes; i++)
+        if (chosen[i] == NO_POINT && on_wall[i] != NO_POINT)
+            chosen[i] = parts->flat + on_wall[i];
+    free(on_wall);
+    return chosen;
+}
+
+/* The grid's mesh of the points, without normals.  -1: as cloudmesh_make. */
+static int place_nodes(const struct cloudmesh_options *options, const struct cloud_parts *parts,
+                       const struct vec3s *points, struct mesh *mesh, struct cloudmesh *result,
+                       struct error *error)
+{
+    const struct vec3 *point = points->item;
+    struct holes holes = {0};
+    struct plan_extent f = plan_extent_of(point, points->n, options->direction);
+    bool whole = options->paper && options->max_gap == 0;
+    double t = options->spacing;
+    double gap = options->max_gap > 0 ? options->max_gap : 6 * parts->mean;
+    double rim = fmax(t / 2, 1.5 * parts->mean);
+    if (grid_make(&f, points->n, t, &result->grid, error) < 0 ||
+        (!whole &&
+         holes_find(point, points->n, gap, options->paper ? gap / 2 : rim, &holes, error) < 0))
+        return -1;
+    size_t *chosen = choose_points(options, parts, &result->grid, points);
+    result->count = grid_mesh_make(&result->grid, chosen, point, whole ? NULL : &holes, mesh);
+    free(chosen);
+    holes_free(&holes);
+    if (mesh->face.n == 0 && !options->subdivide)
+        return error_set(error,
+                         "no three neighbouring nodes of a grid of spacing %g mm have points on an "
+                         "area of %g x %g mm, expected another spacing (-t) or a wider area",
+                         t, f.xmax - f.xmin, f.ymax - f.ymin);
+    mesh->origin.spacing = t;
+    mesh->origin.direction = options->direction;
+    return 0;
+}
+
+/* Normals, and vertices moved where there is noise, from n points, which it sorts. */
+static int estimate_normals(const struct cloudmesh_options *options, struct vec3 *point, size_t n,
+                            double noise, int threads, struct mesh *mesh, struct error *error)
+{
+    struct normals_options normals = {.point = point,
+                                      .n = n,
+                                      .spacing = cloudmesh_spacing(options, point, n),
+                                      .noise = noise,
+                                      .neighbours = options->neighbours,
+                                      .effort = options->effort,
+                                      .threads = threads,
+                                      .silent = options->silent};
+
+    return options->normals->estimate(mesh, &normals, error);
+}
+
+static struct feature_scan scan_of(const struct cloud_parts *parts, const struct vec3s *points,
+                                   double noise)
+{
+    return (struct feature_scan){points->item, points->n, parts->flat, parts->mean, noise};
+}
+
+static void keep_features(const struct cloudmesh_options *options, const struct feature_scan *scan,
+                          int threads, struct mesh *mesh, struct cloudmesh *result)
+{
+    struct feature_mesh found = feature_mesh_keep(mesh, scan, options->effort, threads);
+
+    result->creases = found.creases;
+    result->walls = found.walls;
+    array_free(&result->edge);
+    result->edge = found.place;
+    if (!options->silent)
+        effort_say(EFFORT_CREASES, options->effort, found.doubtful);
+}
+
+static void keep_crests(const struct cloudmesh_options *options, const struct feature_scan *scan,
+                        size_t first, int threads, struct mesh *mesh, struct cloudmesh *result)
+{
+    struct crest_mesh_options crest = {scan->spacing, scan->noise, options->effort, threads};
+    struct crests crests = crest_mesh_keep(mesh, first, scan->point, scan->flat, &crest);
+
+    result->crests = crests.found;
+    if (options->silent)
+        return;
+    effort_say(EFFORT_CREST_EDGES, options->effort, crests.edges);
+    effort_say(crests.bound, options->effort, crests.wanted);
+}
+
+/* Creases and walls put into the mesh, and its normals to the side that is seen. */
+static void add_features(const struct cloudmesh_options *options, const struct cloud_parts *parts,
+                         const struct vec3s *points, double noise, int threads, struct mesh *mesh,
+                         struct cloudmesh *result)
+{
+    struct feature_scan scan = scan_of(parts, points, fmax(noise, mesh->origin.noise));
+    size_t first = mesh->vertex.n;
+
+    if (!options->smooth) {
+        keep_features(options, &scan, threads, mesh, result);
+        keep_crests(options, &scan, first, threads, mesh, result);
+    }
+    if (!options->paper)
+        mesh_normals_seen(mesh);
+}
+
+/* Is there a wall between two nodes of a grid? */
+static bool grid_has_walls(const struct cloudmesh_options *options, const struct cloud_parts *parts,
+                           const struct vec3s *points, double noise, int threads)
+{
+    struct cloudmesh_options grid = *options;
+    struct mesh mesh = {.origin.ledger = NAN};
+    struct cloudmesh result;
+    struct error error;
+    struct feature_scan scan = scan_of(parts, points, noise);
+    struct feature_walls walls = {.found = 0};
+
+    if (!(grid.spacing > 0))
+        grid.spacing = three_spacings(parts->mean);
+    if (place_nodes(&grid, parts, points, &mesh, &result, &error) == 0)
+        walls = feature_mesh_walls(&mesh, &scan, options->effort, threads);
+    if (!options->silent)
+        effort_say(EFFORT_WALLS, options->effort, walls.edges);
+    mesh_free(&mesh);
+    return walls.found > 0;
+}
+
+/* The sum of the squared distances of the points from the mesh, of every so many of them. */
+static double off_points(const struct mesh *mesh, const struct vec3s *points, size_t most,
+                         int threads)
+{
+    struct vec3s some = {0};
+    double sum = 0;
+    size_t step = most > 0 && points->n > most ? (points->n - 1) / most + 1 : 1;
+    for (size_t i = 0; i < points->n; i += step)
+        *array_push(&some) = points->item[i];
+    double *distance = mem_alloc(some.n, sizeof *distance);
+    mesh_distance(mesh, some.item, some.n, threads, distance);
+    for (size_t i = 0; i < some.n; i++)
+        sum += distance[i] * distance[i];
+    free(distance);
+    array_free(&some);
+    return sum;
+}
+
+/* Two meshes, and what came of them, change places. */
+static void swap_meshes(struct mesh *other, struct cloudmesh *other_result, struct mesh *mesh,
+                        struct cloudmesh *result)
+{
+    struct mesh swap = *mesh;
+    struct cloudmesh swap_result = *result;
+    *mesh = *other;
+    *result = *other_result;
+    *other = swap;
+    *other_result = swap_result;
+}
+
+/* Puts `other` in the place of `mesh` where that is closer to the points (squares, every so many of
+ * them). */
+static void keep_closer(const struct cloudmesh_options *options, const struct vec3s *points,
+                        int threads, struct mesh *other, struct cloudmesh *other_result,
+                        struct mesh *mesh, struct cloudmesh *result)
+{
+    size_t most = effort_most(EFFORT_COMPARISON, options->effort);
+
+    if (!options->silent)
+        effort_say(EFFORT_COMPARISON, options->effort, points->n);
+    if (off_points(other, points, most, threads) < off_points(mesh, points, most, threads))
+        swap_meshes(other, other_result, mesh, result);
+}
+
+/* Of a mesh that was only tried. */
+static void drop_mesh(struct mesh *mesh, struct cloudmesh *result)
+{
+    mesh_free(mesh);
+    array_free(&result->edge);
+}
 
 static double spacing_of_cloud(double mean)
 {
-    double spacing = cloudmesh_three_spacings(mean);
+    double spacing = three_spacings(mean);
     say("spacing %g mm, three times the mean spacing of the points", spacing);
     return spacing;
 }
@@ -32,22 +245,25 @@ static int find_walls(struct cloudmesh_options *options, struct vec3s *points, i
     return 0;
 }
 
-static int mesh_of(const struct cloudmesh_options *options, const struct cloud_parts *parts,
-                   struct vec3s *points, double noise, int threads, struct mesh *mesh,
-                   struct cloudmesh *result, struct error *error)
+static int mesh_of_nodes(const struct cloudmesh_options *options, const struct cloud_parts *parts,
+                         struct vec3s *points, double noise, int threads, struct mesh *mesh,
+                         struct cloudmesh *result, struct error *error)
 {
-    if (cloudmesh_by_grid(options, parts, points, mesh, result, error) < 0)
+    if (place_nodes(options, parts, points, mesh, result, error) < 0)
         return -1;
     if (mesh->face.n == 0)
         return 0;
-    if (cloudmesh_normals(options, points->item, parts->flat, noise, threads, mesh, error) < 0)
+    if (estimate_normals(options, points->item, parts->flat, noise, threads, mesh, error) < 0)
         return -1;
-    cloudmesh_edges(options, parts, points, noise, threads, mesh, result);
+    add_features(options, parts, points, noise, threads, mesh, result);
     return 0;
 }
 
-int cloudmesh_on_grid(const struct cloudmesh_options *asked, struct vec3s *points, double noise,
-                      int threads, struct mesh *mesh, struct cloudmesh *result, struct error *error)
+/* The mesh by a grid: vertices are chosen from the points of walls, unless it is closer to all
+ * points without: steep flanks are no walls.  result->edge is for the caller to free. */
+static int mesh_on_grid(const struct cloudmesh_options *asked, struct vec3s *points, double noise,
+                        int threads, struct mesh *mesh, struct cloudmesh *result,
+                        struct error *error)
 {
     struct cloudmesh_options options = *asked;
     struct cloud_parts parts;
@@ -59,17 +275,311 @@ int cloudmesh_on_grid(const struct cloudmesh_options *asked, struct vec3s *point
     int status = 0;
     bool has_walls =
         parts.flat < points->n &&
-        cloudmesh_has_walls(&options, &parts, points, fmax(noise, mesh->origin.noise), threads);
+        grid_has_walls(&options, &parts, points, fmax(noise, mesh->origin.noise), threads);
     options.silent = true;
     if (has_walls)
-        status = mesh_of(&options, &parts, points, noise, threads, &with_walls, &walled, error);
+        status =
+            mesh_of_nodes(&options, &parts, points, noise, threads, &with_walls, &walled, error);
     parts.flat = points->n;
     options.silent = asked->silent;
     if (status == 0)
-        status = mesh_of(&options, &parts, points, noise, threads, mesh, result, error);
+        status = mesh_of_nodes(&options, &parts, points, noise, threads, mesh, result, error);
     if (status == 0 && walled.walls > 0)
-        cloudmesh_closer(&options, points, threads, &with_walls, &walled, mesh, result);
-    cloudmesh_drop(&with_walls, &walled);
+        keep_closer(&options, points, threads, &with_walls, &walled, mesh, result);
+    drop_mesh(&with_walls, &walled);
+    return status;
+}
+
+/* What the mesh is made of: the points, or where there is noise the surface that they stand for;
+ * and the scan itself, which creases and walls are found in.  Both with the points of walls after
+ * the others, where there are walls. */
+struct source {
+    struct vec3s *surface, *scan;
+    struct cloud_parts surface_parts, scan_parts;
+    double noise;
+    struct mesh_origin origin;       /* as it is before a mesh is made */
+    const struct feature_zone *zone; /* NULL: not known yet */
+    struct vec3s judged;             /* what the last mesh was judged by */
+};
+
+/* Noisy points moved onto the surface that they stand for, all or, of very many, those of a grid
+ * twice as wide as they are apart. */
+static int smooth_points(const struct cloudmesh_options *options, struct vec3s *points,
+                         double noise, int threads, double *spent, struct error *error)
+{
+    const double apart = 2; /* in spacings */
+    struct cloudmesh_options fine = *options;
+    struct mesh mesh = {.origin.ledger = NAN};
+    struct cloudmesh result;
+    struct cloud_parts parts = {cloudmesh_spacing(options, points->item, points->n), points->n};
+    fine.spacing = apart * parts.mean;
+    int status = 0;
+    bool all = effort_covers(EFFORT_SURFACE, options->effort, points->n);
+    effort_say(EFFORT_SURFACE, options->effort, points->n);
+    if (!all)
+        status = place_nodes(&fine, &parts, points, &mesh, &result, error);
+    for (size_t i = 0; all && i < points->n; i++)
+        *array_push(&mesh.vertex) = points->item[i];
+    if (status == 0)
+        status = estimate_normals(&fine, points->item, points->n, noise, threads, &mesh, error);
+    if (status == 0) {
+        array_free(points);
+        *points = mesh.vertex;
+        mesh.vertex = (struct vec3s){0};
+        *spent = mesh.origin.ledger;
+    }
+    mesh_free(&mesh);
+    return status;
+}
+
+/* Rows and what is between them. */
+static int make_rows(const struct cloudmesh_options *options, const struct source *s, int threads,
+                     struct mesh *mesh, struct cloudmesh *result, struct error *error)
+{
+    const double slant = 0.866, widest = 24, gaps = 6, rims = 2, out = 0.12; /* an eighth */
+    double mean = s->surface_parts.mean,
+           gap = options->max_gap > 0 ? options->max_gap : gaps * mean;
+    struct vec3s *points = s->surface;
+    struct holes holes;
+    struct point_grid point_grid;
+    struct plan_extent f = plan_extent_of(points->item, points->n, options->direction);
+    if (holes_find(points->item, points->n, gap, rims * mean, &holes, error) < 0)
+        return -1;
+    if (point_grid_make(points->item, s->surface_parts.flat, mean, threads, &point_grid, error) <
+        0) {
+        holes_free(&holes);
+        return -1;
+    }
+    double apart = options->spacing > 0 ? slant * options->spacing : widest * mean;
+    struct adaptive_rows_options rows = {options->error, mean, apart, s->zone, out};
+    result->rows = adaptive_rows_make(&point_grid, &f, &holes, &rows, mesh);
+    point_grid_free(&point_grid);
+    holes_free(&holes);
+    if (mesh->face.n == 0 && !options->subdivide)
+        return error_set(error, "no mesh within %g mm of the points: too few of them",
+                         options->error);
+    mesh->origin.spacing = (f.ymax - f.ymin) / (double)(result->rows.rows - 1) / slant;
+    mesh->origin.direction = options->direction;
+    result->grid = (struct grid){f,      mesh->origin.spacing, f.xmin,
+                                 f.ymin, result->rows.columns, (int)result->rows.rows};
+    return 0;
+}
+
+/* What a point may be off besides: near a crease or wall it has its noise. */
+static double allowance(const struct source *s, struct vec3 at)
+{
+    const double sigmas = 3.5;
+
+    return s->noise > 0 && s->zone && feature_zone_near(s->zone, at.x, at.y) ? sigmas * s->noise
+                                                                             : 0;
+}
+
+/* Points that rows do not come near enough to become vertices between them.  Half a thousandth of
+ * the error is for the digits of the mesh. */
+static void insert_points(const struct cloudmesh_options *options, const struct source *s,
+                          int threads, struct mesh *mesh)
+{
+    const struct vec3s *points = &s->judged;
+    double *within = mem_alloc(points->n, sizeof *within);
+
+    for (size_t i = 0; i < points->n; i++)
+        within[i] = 0.9995 * options->error + allowance(s, points->item[i]);
+    greedy_insert(mesh, points->item, within, points->n, threads);
+    free(within);
+}
+
+/* How far the points over and under the mesh are from it as it is in the end, in space. */
+static void measure_distances(const struct mesh *mesh, const struct source *s, int threads,
+                              struct adaptive_rows *rows)
+{
+    const struct vec3s *points = &s->judged;
+    double *distance = mem_alloc(points->n, sizeof *distance), sum2 = 0;
+
+    mesh_distance(mesh, points->item, points->n, threads, distance);
+    rows->worst = 0;
+    for (size_t i = 0; i < points->n; i++) {
+        double off = fmax(distance[i] - allowance(s, points->item[i]), 0);
+        sum2 += off * off;
+        if (off > rows->worst) {
+            rows->worst = off;
+            rows->at = points->item[i];
+        }
+    }
+    rows->rms = points->n > 0 ? sqrt(sum2 / (double)points->n) : 0;
+    free(distance);
+}
+
+/* The surface that the points stand for, and near creases and walls, which that is too smooth for,
+ * the points themselves. */
+static struct vec3s mixed_surface(const struct source *s)
+{
+    struct vec3s mixed = {0};
+
+    for (size_t i = 0; i < s->surface->n; i++) {
+        struct vec3 p = s->surface->item[i];
+        if (!feature_zone_near(s->zone, p.x, p.y))
+            *array_push(&mixed) = p;
+    }
+    for (size_t i = 0; i < s->scan->n; i++) {
+        struct vec3 p = s->scan->item[i];
+        if (feature_zone_near(s->zone, p.x, p.y))
+            *array_push(&mixed) = p;
+    }
+    return mixed;
+}
+
+/* Normals: with a zone, vertices near to it are moved onto surfaces yet. */
+static int make_normals(const struct cloudmesh_options *options, const struct source *s,
+                        int threads, struct mesh *mesh, struct error *error)
+{
+    bool raw = s->zone && s->noise > 0;
+    struct vec3s *points = raw ? s->scan : s->surface;
+    size_t flat = raw ? s->scan_parts.flat : s->surface_parts.flat;
+
+    return estimate_normals(options, points->item, flat, raw ? s->noise : 0, threads, mesh, error);
+}
+
+static int mesh_of_source(const struct cloudmesh_options *options, struct source *s, int threads,
+                          struct mesh *mesh, struct cloudmesh *result, struct error *error)
+{
+    const struct vec3s *points = s->surface;
+    size_t flat = s->surface_parts.flat, walls = points->n - flat;
+    double mean = s->surface_parts.mean;
+    int status = make_rows(options, s, threads, mesh, result, error);
+    s->judged.n = 0;
+    /* the points of walls before these are there: then nothing is under them */
+    if (status == 0 && mesh->face.n > 0)
+        status = mesh_coverage(mesh, points->item + flat, walls, mean, &s->judged, error);
+    if (status == 0 && mesh->face.n > 0)
+        status = make_normals(options, s, threads, mesh, error);
+    if (status == 0 && mesh->face.n > 0) {
+        add_features(options, &s->scan_parts, s->scan, s->noise, threads, mesh, result);
+        status = mesh_coverage(mesh, points->item, flat, mean, &s->judged, error);
+        if (status == 0)
+            insert_points(options, s, threads, mesh);
+        measure_distances(mesh, s, threads, &result->rows);
+        result->rows.beside = points->n - s->judged.n;
+    }
+    return status;
+}
+
+/* Rows that leave room for the edges that a grid has found: that mesh is the one where it is within
+ * the error, or closer than the other.  Both are judged alike. */
+static int mesh_in_zone(const struct cloudmesh_options *asked, const struct source *known,
+                        bool walls, int threads, struct mesh *mesh, struct cloudmesh *result,
+                        struct error *error)
+{
+    struct cloudmesh_options options = *asked;
+    struct source s = *known;
+    struct vec3s mixed = mixed_surface(known);
+    struct mesh other = {.origin = s.origin};
+    struct cloudmesh other_result = {.walls = 0};
+
+    options.silent = true;
+    s.surface = &mixed;
+    s.judged = (struct vec3s){0};
+    s.scan_parts.flat = s.scan->n;
+    s.surface_parts.flat = mixed.n;
+    if (walls) {
+        s.scan_parts.flat = wall_points_part(s.scan->item, s.scan->n, s.scan_parts.mean, threads);
+        s.surface_parts.flat = wall_points_part(mixed.item, mixed.n, s.surface_parts.mean, threads);
+    }
+    int status = mesh_of_source(&options, &s, threads, &other, &other_result, error);
+    if (status == 0) {
+        measure_distances(mesh, &s, threads, &result->rows);
+        if (other_result.rows.worst <= fmax(asked->error, result->rows.worst))
+            swap_meshes(&other, &other_result, mesh, result);
+    }
+    drop_mesh(&other, &other_result);
+    array_free(&s.judged);
+    array_free(&mixed);
+    return status;
+}
+
+/* Creases and walls are found best by a grid. */
+static int mesh_by_zone(const struct cloudmesh_options *asked, struct source *s, int threads,
+                        struct mesh *mesh, struct cloudmesh *result, struct error *error)
+{
+    double fine = three_spacings(s->scan_parts.mean);
+    struct cloudmesh_options options = *asked;
+    struct mesh grid = {.origin = s->origin};
+    struct cloudmesh grid_result;
+
+    options.error = 0;
+    options.silent = true;
+    options.spacing = asked->spacing > 0 ? fmin(asked->spacing, fine) : fine;
+    int status = mesh_on_grid(&options, s->scan, s->noise, threads, &grid, &grid_result, error);
+    if (status == 0 && grid_result.edge.n > 0) {
+        struct feature_zone zone =
+            feature_zone_make(grid_result.edge.item, grid_result.edge.n, options.spacing);
+        s->zone = &zone;
+        status = mesh_in_zone(asked, s, grid_result.walls > 0, threads, mesh, result, error);
+        feature_zone_free(&zone);
+        s->zone = NULL;
+    }
+    drop_mesh(&grid, &grid_result);
+    return status;
+}
+
+/* A false edge may take the mesh out of the error; then the mesh without edges is the result. */
+static int mesh_without_edges(const struct cloudmesh_options *asked, struct source *s, int threads,
+                              struct mesh *mesh, struct cloudmesh *result, struct error *error)
+{
+    struct cloudmesh_options options = *asked;
+    struct mesh other = {.origin = s->origin};
+    struct cloudmesh other_result = {.walls = 0};
+
+    options.smooth = options.silent = true;
+    int status = mesh_of_source(&options, s, threads, &other, &other_result, error);
+    if (status == 0 && other_result.rows.worst <= options.error)
+        keep_closer(asked, s->scan, threads, &other, &other_result, mesh, result);
+    drop_mesh(&other, &other_result);
+    return status;
+}
+
+/* Are there points on walls, and walls under edges of a mesh? */
+static bool has_walls(const struct cloudmesh_options *options, struct source *s, int threads)
+{
+    struct cloud_parts walled = s->scan_parts;
+
+    walled.flat = wall_points_part(s->scan->item, s->scan->n, walled.mean, threads);
+    return walled.flat < s->scan->n &&
+           grid_has_walls(options, &walled, s->scan, fmax(s->noise, s->origin.noise), threads);
+}
+
+/* The mesh within an error; the same. */
+static int mesh_within(const struct cloudmesh_options *options, struct vec3s *points, double noise,
+                       int threads, struct mesh *mesh, struct cloudmesh *result,
+                       struct error *error)
+{
+    struct vec3s surface = {0};
+    double spent = NAN;
+
+    *result = (struct cloudmesh){.walls = 0};
+    if (plan_extent_check(points->item, points->n, error) < 0)
+        return -1;
+    for (size_t i = 0; i < points->n; i++)
+        *array_push(&surface) = points->item[i];
+    if (noise > 0 && smooth_points(options, &surface, noise, threads, &spent, error) < 0) {
+        array_free(&surface);
+        return -1;
+    }
+    struct source s = {&surface, points, .noise = noise, .origin = mesh->origin};
+    s.surface_parts =
+        (struct cloud_parts){cloudmesh_spacing(options, surface.item, surface.n), surface.n};
+    s.scan_parts =
+        (struct cloud_parts){cloudmesh_spacing(options, points->item, points->n), points->n};
+    int status = mesh_of_source(options, &s, threads, mesh, result, error);
+    bool edges = status == 0 && mesh->face.n > 0 && !options->smooth;
+    if (edges && (result->creases > 0 || has_walls(options, &s, threads)))
+        status = mesh_by_zone(options, &s, threads, mesh, result, error);
+    if (edges && status == 0 && result->creases + result->walls > 0 &&
+        result->rows.worst > options->error)
+        status = mesh_without_edges(options, &s, threads, mesh, result, error);
+    if (noise > 0)
+        mesh->origin.ledger = spent;
+    array_free(&surface);
+    array_free(&s.judged);
     return status;
 }
 
@@ -78,8 +588,8 @@ static int one_mesh(const struct cloudmesh_options *options, struct vec3s *point
                     int threads, struct mesh *mesh, struct cloudmesh *result, struct error *error)
 {
     int status = options->error > 0
-                     ? cloudmesh_within(options, points, noise, threads, mesh, result, error)
-                     : cloudmesh_on_grid(options, points, noise, threads, mesh, result, error);
+                     ? mesh_within(options, points, noise, threads, mesh, result, error)
+                     : mesh_on_grid(options, points, noise, threads, mesh, result, error);
     if (status == 0 && !options->smooth)
         note("creases cross %zu edges of the mesh, walls %zu, ribs and grooves %zu",
              result->creases, result->walls, result->crests);
