@@ -81,7 +81,7 @@ static int check_once(const struct ncread *c, const char *w, struct klartext *k,
 
 static int read_word(struct ncread *c, const char *w, struct klartext *k, struct error *error)
 {
-    double value;
+    double value = 0;
     char letter[2] = {*w, '\0'};
     if (check_once(c, w, k, error) < 0)
         return -1;

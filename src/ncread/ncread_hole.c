@@ -15,11 +15,13 @@ static int go_straight(struct ncread *c, double x, double y, double z, bool rapi
 {
     struct ncread_place to = c->here;
     const double at[] = {x, y, z};
+    bool moves = false;
     for (int i = 0; i < 3; i++) {
         to.known[i] = true;
         to.at[i] = at[i];
+        moves = moves || at[i] < c->here.at[i] || at[i] > c->here.at[i];
     }
-    if (memcmp(to.at, c->here.at, sizeof at) == 0)
+    if (!moves)
         return 0;
     return ncread_go(c, &to, ncread_piece(c, &to), rapid, error);
 }
@@ -147,7 +149,7 @@ static int read_arguments(const char *s, double value[ARGUMENTS])
 }
 
 /* What is said and above zero, else `other`. */
-static double said(double value, double other)
+static double or_else(double value, double other)
 {
     return value > 0 ? value : other;
 }
@@ -155,9 +157,11 @@ static double said(double value, double other)
 /* Steps to this depth, each shorter than the one before by `less` down to `least`. */
 static double steps(double depth, double first, double less, double least)
 {
-    double n = 1;
-    for (double step = first, at = first; step > 0 && at < depth - 1e-9 && n < STEPS_MOST; n++) {
-        step = fmax(step - said(less, 0), fmin(said(least, 0), first));
+    int n = 1;
+    double step = first, at = first;
+    while (step > 0 && at < depth - 1e-9 && n < STEPS_MOST) {
+        n++;
+        step = fmax(step - or_else(less, 0), fmin(or_else(least, 0), first));
         at += step;
     }
     return n;
@@ -167,9 +171,9 @@ static double steps(double depth, double first, double less, double least)
 static double deep_dwell(const double *v)
 {
     double depth = v[1] - v[3], first = isnan(v[5]) ? v[6] : v[1] - v[5];
-    double between = steps(depth, first, v[7], v[13]) - 1, each = said(v[8], 0);
-    double above = v[11] > 0 ? said(v[9], 0) : 0;
-    return between * (each + above) + said(v[15], each);
+    double between = steps(depth, first, v[7], v[13]) - 1, each = or_else(v[8], 0);
+    double above = v[11] > 0 ? or_else(v[9], 0) : 0;
+    return between * (each + above) + or_else(v[15], each);
 }
 
 int ncread_hole_call(struct ncread *c, const char *name, struct error *error)
@@ -187,9 +191,9 @@ int ncread_hole_call(struct ncread *c, const char *name, struct error *error)
     h->clear = v[1] + v[2];
     h->bottom = v[3];
     h->slow = name[6] == '4' || name[6] == '5';
-    h->dwell = name[6] == '3' ? deep_dwell(v) : name[6] == '1' ? 0 : said(v[5], 0);
-    h->feed = name[6] == '4' ? fabs(v[8]) * v[10] : name[6] == '5' ? said(v[6], 0) : 0;
-    h->back = name[6] == '5' ? said(v[7], 0) : h->feed;
+    h->dwell = name[6] == '3' ? deep_dwell(v) : name[6] == '1' ? 0 : or_else(v[5], 0);
+    h->feed = name[6] == '4' ? fabs(v[8]) * v[10] : name[6] == '5' ? or_else(v[6], 0) : 0;
+    h->back = name[6] == '5' ? or_else(v[7], 0) : h->feed;
     if (name[6] == '3' && isnan(v[5]) && !(v[6] > 0))
         return ncread_error(c, error, "CYCLE83 without its first step");
     if (name[6] == '4' && (isnan(v[8]) || v[8] == 0 || !(v[10] > 0)))
@@ -200,10 +204,10 @@ int ncread_hole_call(struct ncread *c, const char *name, struct error *error)
 /* ---- Heidenhain */
 void ncread_hole_define(struct ncread *c, const char *number)
 {
-    int n = atoi(number);
+    long n = strtol(number, NULL, 10);
     if (n < 200 || n > 207)
         return;
-    c->hole.cycle = n;
+    c->hole.cycle = (int)n;
     for (int i = 0; i < NCREAD_Q; i++)
         c->hole.q[i] = NAN;
 }
@@ -235,8 +239,8 @@ int ncread_hole_m99(struct ncread *c, const struct ncread_place *to, struct erro
     h->level = q[204] > q[200] ? q[203] + q[204] : h->clear;
     h->slow = h->cycle == 201 || h->cycle == 207;
     h->feed = h->cycle == 207 ? fabs(q[239]) * c->speed : q[206];
-    h->back = h->cycle == 201 ? said(q[208], h->feed) : h->feed;
+    h->back = h->cycle == 201 ? or_else(q[208], h->feed) : h->feed;
     double above = steps(-q[201], q[202], q[212], q[205]) - 1; /* as often the tool is drawn up */
-    h->dwell = said(q[211], 0) + floor(above / (said(q[213], 0) + 1)) * said(q[210], 0);
+    h->dwell = or_else(q[211], 0) + floor(above / (or_else(q[213], 0) + 1)) * or_else(q[210], 0);
     return ncread_hole_down(c, to, error);
 }

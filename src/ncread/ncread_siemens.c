@@ -48,6 +48,15 @@ static const char *const known_names[] = {"ORIWKS", "ORIMKS", "SOFT",  "BRISK", 
                                           "COMPOF", "UPATH",  "SPATH", "STOPRE", "BNAT",  "ENAT",
                                           "BTAN",   "ETAN",   "G642",  "CFC",    "CFTCP", "CFIN"};
 
+static bool is_idle_call(const char *name)
+{
+    static const char *const idle[] = {"CYCLE832", "FGROUP", "MSG", "TRAORI"};
+    for (size_t i = 0; i < sizeof idle / sizeof *idle; i++)
+        if (strcmp(name, idle[i]) == 0)
+            return true;
+    return false;
+}
+
 /* G words that do not change where the tool goes: compensation off, frames, path control. */
 static const int no_effect[] = {40, 54, 55, 56, 57, 60, 64, 641, 642, 645};
 
@@ -253,8 +262,7 @@ static int read_words(struct ncread *c, struct ncread_siemens_block *b, struct e
             result = ncread_hole_call(c, w->name, error);
         else if (strcmp(w->name, "CYCLE800") == 0)
             result = ncread_plane_cycle800(c, error) < 0 ? -1 : 0;
-        else if (strcmp(w->name, "CYCLE832") && strcmp(w->name, "FGROUP") &&
-                 strcmp(w->name, "MSG") && strcmp(w->name, "TRAORI"))
+        else if (!is_idle_call(w->name))
             result = ncread_unknown(c, w, error);
         if (result < 0)
             return -1;

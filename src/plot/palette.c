@@ -2,6 +2,7 @@
 #include "palette.h"
 
 #include <stdio.h>
+#include <stdlib.h>
 
 static const char *const cycle[PALETTE_CYCLE] = {"#0072B2", "#D55E00", "#009E73",
                                                  "#CC79A7", "#E69F00", "#56B4E9"};
@@ -39,8 +40,9 @@ void palette_shade(char colour[PALETTE_COLOUR], size_t level)
 void palette_tint(char colour[PALETTE_COLOUR], size_t i, size_t level)
 {
     unsigned c[3], dark[3], light[3];
-    sscanf(palette_cycle(i), "#%2x%2x%2x", &c[0], &c[1], &c[2]);
+    unsigned long rgb = strtoul(palette_cycle(i) + 1, NULL, 16);
     for (int k = 0; k < 3; k++) {
+        c[k] = (unsigned)(rgb >> (16 - 8 * k)) & 0xFF;
         dark[k] = c[k] / 2;
         light[k] = (c[k] + 3 * 255) / 4;
     }

@@ -152,7 +152,8 @@ static void draw_facets(const struct pane *pane, struct facets *facets, size_t l
         struct facet *f = &facets->item[i];
         f->hidden = raster_hides(&pane->near, f->p[0], f->p[1], f->p[2], pane->near.cell);
     }
-    qsort(facets->item, facets->n, sizeof *facets->item, by_depth);
+    if (facets->n > 0)
+        qsort(facets->item, facets->n, sizeof *facets->item, by_depth);
     draw_in_order(pane, facets, svg);
     for (size_t layer = 0; layer < layers; layer++)
         for (size_t shade = 0; shade < PALETTE_SHADES; shade++)
@@ -187,15 +188,14 @@ static size_t look_at(const struct pane *pane, const size_t *look_of, double x, 
     return isinf(pane->near.depth[cell]) ? (size_t)-1 : look_of[pane->near.owner[cell]];
 }
 
-/* Runs of cells of one look_at, along the rows. */
-static void draw_runs(const struct pane *pane, const size_t *look_of, size_t want, double cell,
-                      struct svg *svg)
+/* Runs of cells of one shade and layer, along a row. */
+static void draw_row(const struct pane *pane, const size_t *look_of, size_t want, double cell,
+                     double y, struct svg *svg)
 {
     const struct box *b = &pane->box;
-    for (double y = b->high.y - cell / 2; y > b->low.y; y -= cell) {
-        for (double x = b->low.x + cell / 2; x < b->high.x; x += cell) {
-            if (look_at(pane, look_of, x, y) != want)
-                continue;
+    double x = b->low.x + cell / 2;
+    while (x < b->high.x) {
+        if (look_at(pane, look_of, x, y) == want) {
             struct vec3 from = pane_place(pane, vec(x - cell / 2, y, 0));
             while (x < b->high.x && look_at(pane, look_of, x, y) == want)
                 x += cell;
@@ -203,6 +203,7 @@ static void draw_runs(const struct pane *pane, const size_t *look_of, size_t wan
             svg_move(svg, from.x, from.y);
             svg_line(svg, to.x, to.y);
         }
+        x += cell;
     }
 }
 
@@ -222,7 +223,11 @@ static void draw_cells(const struct pane *pane, const struct facets *facets, siz
                  "shape-rendering=\"crispEdges\"",
                  fill);
         svg_path(svg, ink);
-        draw_runs(pane, look_of, want, cell, svg);
+        double y = pane->box.high.y - cell / 2;
+        while (y > pane->box.low.y) {
+            draw_row(pane, look_of, want, cell, y, svg);
+            y -= cell;
+        }
         svg_path_end(svg);
     }
     free(look_of);
@@ -458,10 +463,10 @@ static size_t draw_stroke(const struct pane *pane, const struct layer *layer,
     for (size_t i = stroke->from; i < stroke->to; i++) {
         struct vec3 p = view_point(&pane->view, layer->node.item[i]);
         double apart = i > stroke->from ? hypot(p.x - last.x, p.y - last.y) * pane->scale : 0;
-        double steps =
-            pane->hides || stroke->kind == STROKE_RAPID ? fmin(fmax(1, ceil(apart / 2)), 2000) : 1;
-        for (double k = i > stroke->from ? 1 : steps; k <= steps; k++) {
-            struct vec3 q = i > stroke->from ? vec_mix(last, p, k / steps) : p;
+        bool hidden = pane->hides || stroke->kind == STROKE_RAPID;
+        int steps = hidden ? (int)fmin(fmax(1, ceil(apart / 2)), 2000) : 1;
+        for (int k = i > stroke->from ? 1 : steps; k <= steps; k++) {
+            struct vec3 q = i > stroke->from ? vec_mix(last, p, (double)k / steps) : p;
             if (is_inside(&pane->box, q) && raster_visible(&pane->near, q, pane->slack))
                 *array_push(chain) = pane_place(pane, q);
             else if (chain->n)

@@ -323,8 +323,11 @@ static bool surface_at(const struct seen *seen, double x, double y, double reach
     struct quadric q;
     if (n == 0 || distance2[0] > reach * reach)
         return false;
+    const struct vec3 *of = seen->point.item;
+    if (!of)
+        return false;
     for (size_t i = 0; i < n; i++)
-        point[i] = seen->point.item[near[i]];
+        point[i] = of[near[i]];
     *foot = vec(x, y, point[0].z);
     *normal = vec(0, 0, 1);
     if (quadric_fit(point, n, *foot, *normal, &q) == 0) {
@@ -526,7 +529,7 @@ static size_t tile_of(const struct stock *s, struct vec3 p)
 {
     double i = fmin(fmax((p.x - s->x) / s->dx + 0.5, 0), s->nx - 1);
     double j = fmin(fmax((p.y - s->y) / s->dy + 0.5, 0), s->ny - 1);
-    return (size_t)((int)j / STOCK_TILE * s->tiles_x + (int)i / STOCK_TILE);
+    return (size_t)j / STOCK_TILE * (size_t)s->tiles_x + (size_t)i / STOCK_TILE;
 }
 
 static size_t column_of(const struct stock *s, struct vec3 p)
@@ -640,7 +643,7 @@ struct stock_rest_sum stock_rest_update(struct stock_rest *rest, struct stock *s
     for (int j = 0; j < s->tiles_y; j++)
         for (int i = 0; i < s->tiles_x; i++)
             if (cut_near(s, i, j))
-                measure_tile(rest, s, (size_t)(j * s->tiles_x + i));
+                measure_tile(rest, s, (size_t)j * (size_t)s->tiles_x + (size_t)i);
     for (int k = 0; k < s->tiles_x * s->tiles_y; k++)
         s->changed[k] &= (unsigned char)~STOCK_FOR_LEFT;
     return sum_up(rest);
