@@ -19,9 +19,9 @@
  * Their driver is stage/arcrun.h, which makes the reference, prints the pieces and proves the
  * printed digits.  arcfit_each is paper 1's fit, a biarc for each interval.
  *
- * Sources: biarcs after Bolton (1975) and paper 1, 3.4; a chain of arcs given by its joints and
- * the tangent at its start is an arc spline; Levenberg and Marquardt's method with p-norms rising
- * towards the largest distance.
+ * Sources: biarcs of paper 1, 3.4 (curve/biarc.h); an arc spline, given by its joints and the
+ * tangent at its start; Levenberg and Marquardt's method with p-norms rising towards the largest
+ * distance.
  *
  * Who spends what of the tolerance (biarcfit -e; E below):
  *
