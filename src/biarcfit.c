@@ -118,26 +118,26 @@ int main(int argc, char **argv)
 {
     static struct settings s;
     static const struct cli_option option[] = {
-        {'e', "tolerance", "MM", "how far tip and ball centre may be off the path (0.01)",
+        {'e', "tolerance", "MM", "largest distance of tip and ball centre from the path (0.01)",
          CLI_NUMBER, &s.common.tolerance, 1e-4, 100, 0, &s.common.tolerance_given},
         {'g', "guard", "FILE",
-         "keep the ball clear of this scan, within the tolerance, along all that\n"
-         "is fitted, too (may be given several times)",
+         "keep the ball clear of this scan, within the tolerance, also along the\n"
+         "fitted arcs and lines (may be given several times)",
          CLI_LIST, &s.common.gouge.files, 0, 0, 0, NULL},
-        {0, "noise", "SIGMA", "standard deviation of the scan's noise (default: as found)",
+        {0, "noise", "SIGMA", "standard deviation of the scan's noise (default: measured)",
          CLI_NUMBER, &s.common.gouge.noise, 0, 10, 0, NULL},
         EFFORT_OPTION(&s.common.gouge.effort),
-        {0, "axis-tolerance", "DEG", "how far the tool axis may be off (1)", CLI_NUMBER,
+        {0, "axis-tolerance", "DEG", "largest deviation of the tool axis (1)", CLI_NUMBER,
          &s.common.angle, CLI_POSITIVE, 90, 0, NULL},
         {0, "tilt", "DEG",
-         "set the tool axis anew: this far from the normal, to the side of the\n"
-         "path (with --paper by the Frenet frame of the centres' biarcs)",
+         "set a new tool axis: tilted this far from the normal, to the side of\n"
+         "the path (with --paper by the Frenet frame of the centres' biarcs)",
          CLI_NUMBER, &s.tilt, -89, 89, 0, &s.tilted},
-        {0, "paper", NULL, "a biarc for each interval between points, as paper 1 has it", CLI_FLAG,
+        {0, "paper", NULL, "one biarc for each interval between points, as in paper 1", CLI_FLAG,
          &s.common.paper, 0, 0, 0, NULL},
         {0, "linear-arcs", NULL,
          "straight chords within the tolerance, the arcs as comments,\n"
-         "for readers that know no CIRCLE",
+         "for readers without CIRCLE",
          CLI_FLAG, &s.chords, 0, 0, 0, NULL},
         {0, "report", NULL, "a table of the runs on standard error", CLI_FLAG, &s.common.report, 0,
          0, 0, NULL},
@@ -152,7 +152,8 @@ int main(int argc, char **argv)
                                   .result_size = sizeof(struct arcrun_report)};
     struct cli cli = {.tool = "biarcfit",
                       .usage = "[options] [FILE]",
-                      .about = "fits arcs and lines to the points of a path",
+                      .about =
+                          "Replaces the points of a path by arcs and lines within a tolerance.",
                       .option = option};
     struct error error;
 

@@ -118,7 +118,8 @@ static struct fitter_outcome report(const void *settings, const struct path *in,
          r.points, runs->n, r.splines, r.poles, spline_report_fewer(r.points, r.poles),
          r.worst.point, r.worst.other, DEGREES(r.worst.axis));
     if (r.cut > 0)
-        note("%zu curves took too long: with more time fewer control points might do", r.cut);
+        note("%zu curves reached the bound of work: they might do with fewer control points",
+             r.cut);
     return (struct fitter_outcome){r.spent, conclude(in, runs)};
 }
 
@@ -129,28 +130,28 @@ int main(int argc, char **argv)
         {'e', "tolerance", "MM", "largest distance of tip and ball centre from the path (0.01)",
          CLI_NUMBER, &s.common.tolerance, 1e-5, 10, 0, &s.common.tolerance_given},
         {'g', "guard", "FILE",
-         "keep the ball clear of this scan, within the tolerance, along all\n"
-         "curves, too (may be given several times)",
+         "keep the ball clear of this scan, within the tolerance, also along the\n"
+         "curves (may be given several times)",
          CLI_LIST, &s.common.gouge.files, 0, 0, 0, NULL},
-        {0, "noise", "SIGMA", "standard deviation of the scan's noise (default: as found)",
+        {0, "noise", "SIGMA", "standard deviation of the scan's noise (default: measured)",
          CLI_NUMBER, &s.common.gouge.noise, 0, 10, 0, NULL},
         EFFORT_OPTION(&s.common.gouge.effort),
-        {0, "axis-tolerance", "DEG", "largest error of the tool axis, degrees (1)", CLI_NUMBER,
+        {0, "axis-tolerance", "DEG", "largest deviation of the tool axis, degrees (1)", CLI_NUMBER,
          &s.common.angle, 0.001, 45, 0, NULL},
         {0, "degree", "P", "degree of the curves, 2 to 5 (3); a straight line has 1", CLI_COUNT,
          &s.degree, 2, 5, 0, NULL},
         {0, "points", "same|tip|centre|contact",
-         "what the control points stand for: the tip, the ball's centre, or\n"
-         "the contact points, to study (the same as in the path)",
+         "curve to fit: that of the tip, of the ball's centre, or of the contact\n"
+         "points, for study (default: the one that the path tracks)",
          CLI_CHOICE, &s.points, 0, 0, 0, NULL},
         {0, "params", "all|uniform|centripetal|chord", "parameters of the points (all)", CLI_CHOICE,
          &s.params, 0, 0, 0, NULL},
         {0, "knots", "all|uniform|average|free",
-         "knots of the curves (all: free, or what serves where they don't)", CLI_CHOICE, &s.knots,
-         0, 0, 0, NULL},
+         "knots of the curves (all: free, the others where these find nothing)", CLI_CHOICE,
+         &s.knots, 0, 0, 0, NULL},
         {0, "paper", NULL,
-         "as published: the points as they are, 5 control points and 5 more\n"
-         "each time, judged at the points alone",
+         "as published: the given points, 5 control points and 5 more each time,\n"
+         "with the error at the points only",
          CLI_FLAG, &s.common.paper, 0, 0, 0, NULL},
         {0, "report", NULL, "a table of all curves on standard error", CLI_FLAG, &s.common.report,
          0, 0, 0, NULL},

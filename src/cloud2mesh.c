@@ -36,17 +36,17 @@ static struct settings read_options(struct cli *cli, int argc, char **argv)
          "spacing of the triangular grid (default: three times the mean\nspacing of the points)",
          CLI_NUMBER, &s.meshing.spacing, CLI_POSITIVE, 0, 0, NULL},
         {'e', "tolerance", "MM",
-         "rows and points on them as far apart as every point of the cloud is\n"
-         "within this of the mesh (with -t: no farther than that)",
+         "rows, and points on them, as far apart as possible with every point of\n"
+         "the cloud within this of the mesh (with -t: no farther than that)",
          CLI_NUMBER, &s.meshing.error, CLI_POSITIVE, 0, 0, NULL},
         {'u', "units", "mm|cm|m|um|inch|in", "units of the points (default: mm)", CLI_CHOICE,
          &s.unit, 0, 0, 0, NULL},
         {'a', "direction", "DEG", "direction of the rows, from x towards y (default: 0)",
          CLI_NUMBER, &s.meshing.direction, 0, 0, 0, NULL},
-        {0, "matrix", "FILE", "place the points by the 4 x 4 matrix in FILE (in mm) first",
+        {0, "matrix", "FILE", "transform the points by the 4 x 4 matrix in FILE (in mm) first",
          CLI_TEXT, &s.matrix, 0, 0, 0, NULL},
-        {0, "origin", NULL, "make the lowest leftmost point the origin of x and y", CLI_FLAG,
-         &s.origin, 0, 0, 0, NULL},
+        {0, "origin", NULL, "move the smallest x and the smallest y to 0", CLI_FLAG, &s.origin, 0,
+         0, 0, NULL},
         {0, "max-gap", "MM",
          "no facet over an empty disc wider than this (default: six times the\n"
          "mean spacing of the points; with --paper: no limit)",
@@ -56,26 +56,26 @@ static struct settings read_options(struct cli *cli, int argc, char **argv)
          "the mean of the facets' (default: quadric; with --paper: facet)",
          CLI_CHOICE, &normals, 0, 0, 0, &normals_given},
         {0, "neighbours", "N",
-         "points that a quadric is fitted to (default: 40; where there is noise,\n"
-         "as many as it takes)",
+         "points that a quadric is fitted to (default: 40; under noise as many as\n"
+         "needed)",
          CLI_COUNT, &s.meshing.neighbours, 6, 1000, 0, NULL},
         {0, "outliers", "drop|keep",
-         "leave out outliers and what lies under other points, or only count\n"
-         "them (default: drop; with --paper or --normals facet: not looked for)",
+         "drop outliers and points below others, or only count them\n"
+         "(default: drop; with --paper or --normals facet: not detected)",
          CLI_CHOICE, &s.outliers, 0, 0, 0, &s.clean},
         {0, "noise", "MM",
-         "standard deviation of the points (default: as measured; 0: vertices\n"
+         "standard deviation of the points (default: measured; 0: vertices\n"
          "stay points of the scan)",
          CLI_NUMBER, &s.noise, 0, 1e6, 0, NULL},
-        {0, "smooth", NULL, "look for no creases, no walls, no ribs", CLI_FLAG, &s.meshing.smooth,
-         0, 0, 0, NULL},
-        {0, "extend", "MM", "continue the surface so far beyond the outer border", CLI_NUMBER,
+        {0, "smooth", NULL, "do not detect creases, walls and ribs", CLI_FLAG, &s.meshing.smooth, 0,
+         0, 0, NULL},
+        {0, "extend", "MM", "extend the surface by this beyond the outer border", CLI_NUMBER,
          &s.extend, CLI_POSITIVE, 0, 0, NULL},
         {0, "subdivide", NULL, "divide the cloud by orientation, each part with its own projection",
          CLI_FLAG, &s.meshing.subdivide, 0, 0, 0, NULL},
         EFFORT_OPTION(&s.meshing.effort),
         {0, "paper", NULL,
-         "as published: a node takes any point nearer than the spacing, holes\n"
+         "as published: a node may move to any point nearer than the spacing, holes\n"
          "are bridged, normals are the mean of the facets'",
          CLI_FLAG, &s.meshing.paper, 0, 0, 0, NULL},
         {0}};
@@ -130,7 +130,7 @@ static void say_left_out(const struct settings *settings, const struct grid_mesh
     if (count->no_area > 0)
         note("left out %zu facet%s without area", count->no_area, count->no_area == 1 ? "" : "s");
     if (count->folded > 0)
-        say("left out %zu facet%s that would lie face down: the spacing is too fine for the points",
+        say("left out %zu facet%s that would face down: the spacing is too fine for the points",
             count->folded, count->folded == 1 ? "" : "s");
     if (count->alone > 0 && !settings->meshing.paper)
         say("left out %zu point%s that no facet reaches", count->alone,
@@ -160,14 +160,14 @@ static void extend(const char *name, const struct settings *s, struct vec3s *poi
     double gap = s->meshing.max_gap > 0 ? s->meshing.max_gap : 6 * mean;
     if (extend_cloud(points, mean, gap, s->extend, noise, threads, &error) < 0)
         die("%s: %s", name, error.text);
-    say("continued by %g mm beyond the border, by %zu points", s->extend, points->n - n);
+    say("extended by %g mm beyond the border, by %zu points", s->extend, points->n - n);
 }
 
 static void say_rows(const struct adaptive_rows *r, double error, bool of_surface)
 {
     say("%s within %.4f mm of the mesh at worst (at %.3f %.3f %.3f), %.4f mm rms; %zu rows",
-        of_surface ? "the surface that the points stand for is" : "the points are", r->worst,
-        r->at.x, r->at.y, r->at.z, r->rms, r->rows);
+        of_surface ? "the surface below the noise is" : "the points are", r->worst, r->at.x,
+        r->at.y, r->at.z, r->rms, r->rows);
     if (r->beside > 0)
         note("%zu points beside the mesh, at its borders", r->beside);
     if (r->bridges > 0)
@@ -180,7 +180,7 @@ int main(int argc, char **argv)
 {
     struct cli cli = {.tool = "cloud2mesh",
                       .usage = "[options] [FILE...]",
-                      .about = "Make a mesh of scanned points (several files are one cloud)."};
+                      .about = "Makes a mesh from scanned points (several files are one cloud)."};
     struct settings settings = read_options(&cli, argc, argv);
     struct vec3s points = {0};
     struct mesh mesh = {.origin.ledger = NAN};

@@ -18,19 +18,19 @@ static const char *way;
 static void read_options(struct cli *cli, int argc, char **argv)
 {
     const struct cli_option options[] = {
-        {'r', "radius", "R", "radius of the ball (needed)", CLI_NUMBER, &path_options.radius,
+        {'r', "radius", "R", "radius of the ball (required)", CLI_NUMBER, &path_options.radius,
          CLI_POSITIVE, 0, 0, NULL},
         {0, "normals", normals_words(false),
          "the mesh's own (default), the mean of the facets' (eq 8) or of the\n"
          "neighbours' (eq 7), central differences on a regular grid",
          CLI_CHOICE, &normals, 0, 0, 0, NULL},
         {0, "scallop", "H",
-         "rows as far apart as leaves no cusp higher than H between them,\n"
-         "straight over the surface of the mesh, instead of the mesh's own",
+         "plane rows so close that no scallop between them is higher than H,\n"
+         "instead of the rows of the mesh",
          CLI_NUMBER, &scallop, CLI_POSITIVE, 0, 0, NULL},
         {0, "direction", "auto|DEG",
-         "of those rows: that with the fewest millimetres of cut, or about z\n"
-         "from x towards y (default: that of the mesh's rows)",
+         "direction of those rows: the one with the shortest cut, or about z from\n"
+         "x towards y (default: that of the mesh's rows)",
          CLI_TEXT, &way, 0, 0, 0, NULL},
         {0}};
 

@@ -40,10 +40,10 @@ static struct settings read_settings(struct cli *cli, int argc, char **argv)
         {0, "normals", NULL, "show the normals of a mesh or of contact points", CLI_FLAG,
          &s.normals, 0, 0, 0, NULL},
         {0, "axes", NULL, "show the tool axis", CLI_FLAG, &s.axes, 0, 0, 0, NULL},
-        {0, "cut", NULL, "leave rapid moves out", CLI_FLAG, &s.cut, 0, 0, 0, NULL},
-        {0, "title", "TEXT", "what stands above (default: the names of the files)", CLI_TEXT,
-         &s.title, 0, 0, 0, NULL},
-        {0, "width", "PX", "width of the picture, at most (1000)", CLI_COUNT, &s.width, 300, 10000,
+        {0, "cut", NULL, "do not draw rapid moves", CLI_FLAG, &s.cut, 0, 0, 0, NULL},
+        {0, "title", "TEXT", "title (default: the names of the files)", CLI_TEXT, &s.title, 0, 0, 0,
+         NULL},
+        {0, "width", "PX", "largest width of the picture (1000)", CLI_COUNT, &s.width, 300, 10000,
          0, NULL},
         {'m', "machine", "MACHINE", "machine that a program is for (default: table-ac)", CLI_TEXT,
          &s.machine, 0, 0, 0, NULL},
@@ -140,7 +140,7 @@ int main(int argc, char **argv)
 {
     struct cli cli = {.tool = "ncplot",
                       .usage = "[options] [STREAM...]",
-                      .about = "draws a cloud, a mesh, a path or a program as SVG"};
+                      .about = "Draws a cloud, a mesh, a path or a program as SVG."};
     struct settings s = read_settings(&cli, argc, argv);
     struct scene scene = read_scene(&cli, &s);
     char *names = title_of(&scene);

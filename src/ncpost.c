@@ -47,23 +47,25 @@ static void read_options(struct settings *s, struct cli *cli, int argc, char **a
         machine_option_name(&s->machine),
         machine_option_set(&s->machine),
         {'e', "tolerance", "MM",
-         "most that all stages together may spend; beyond it the exit\nstatus is 3", CLI_NUMBER,
+         "largest sum that all stages may spend; beyond it the exit\nstatus is 3", CLI_NUMBER,
          &s->tolerance, CLI_POSITIVE, 0, 0, NULL},
-        {0, "chord", "MM", "most that blocks may be off the path, before rounding\n(default 0.005)",
-         CLI_NUMBER, &s->post.chord, 1e-6, 10, 0, NULL},
-        {0, "axis-tolerance", "DEG", "most that the tool axis may be off (default 0.05)",
+        {0, "chord", "MM",
+         "largest deviation of blocks from the path, before rounding\n(default 0.005)", CLI_NUMBER,
+         &s->post.chord, 1e-6, 10, 0, NULL},
+        {0, "axis-tolerance", "DEG", "largest deviation of the tool axis (default 0.05)",
          CLI_NUMBER, &s->axis_tolerance, 1e-5, 10, 0, NULL},
         {0, "feed", "MM/MIN", "feed where the path gives none (default 500)", CLI_NUMBER,
          &s->post.feed, 0.1, 1e6, 0, NULL},
-        {0, "vectors", NULL, "tool axis as vectors (Fanuc G43.5; usual for Siemens)", CLI_FLAG,
+        {0, "vectors", NULL,
+         "tool axis as vectors (Fanuc G43.5, Heidenhain LN; default for Siemens)", CLI_FLAG,
          &s->vectors, 0, 0, 0, NULL},
-        {0, "rotary", NULL, "tool axis as rotary words (Siemens ORIAXES; usual for Fanuc)",
+        {0, "rotary", NULL, "tool axis as rotary words (Siemens ORIAXES; default for the others)",
          CLI_FLAG, &s->rotary, 0, 0, 0, NULL},
         {0, "plane", NULL,
-         "a tool axis that stays as it is: turn the control's plane to it\n"
-         "(G68.2, CYCLE800, PLANE SPATIAL) instead of tool-centre-point\ncontrol",
+         "for a fixed tool axis: tilt the control's plane to it (G68.2, CYCLE800,\n"
+         "PLANE SPATIAL) instead of tool-centre-point control",
          CLI_FLAG, &s->post.plane, 0, 0, 0, NULL},
-        {0, "contact-feed", NULL, "feeds of the path are those of the contact point", CLI_FLAG,
+        {0, "contact-feed", NULL, "apply the feeds of the path to the contact point", CLI_FLAG,
          &s->post.contact_feed, 0, 0, 0, NULL},
         {0, "inch", NULL, "write inches", CLI_FLAG, &s->post.inch, 0, 0, 0, NULL},
         {0, "from", "PASS", "begin with this pass", CLI_COUNT, &s->extract.from, 0, 2e9, 0, NULL},
@@ -71,16 +73,16 @@ static void read_options(struct settings *s, struct cli *cli, int argc, char **a
          "divide into programs of at most N blocks, or bytes: 500k, 2M;\n"
          "their files are -o's with -1, -2 ... in the name",
          CLI_TEXT, &s->split, 0, 0, 0, NULL},
-        {0, "explain", "N", "say where block number N comes from, and write no program", CLI_COUNT,
-         &s->extract.explain, 0, 2e9, 0, NULL},
+        {0, "explain", "N", "explain the origin of block number N instead of writing a program",
+         CLI_COUNT, &s->extract.explain, 0, 2e9, 0, NULL},
         {0, "self-test", NULL,
-         "instead of a path: a program that shows on the machine whether\n"
-         "signs and centres of its rotary axes are right",
+         "write a test program that shows on the machine whether the signs and\n"
+         "centres of its rotary axes are right; reads no path",
          CLI_FLAG, &s->self_test, 0, 0, 0, NULL},
         {0, "program", "NAME", "number (Fanuc) or name of the program", CLI_TEXT, &s->post.name, 0,
          0, 0, NULL},
-        {0, "strict", NULL, "refuse post-processor words that nobody here knows", CLI_FLAG,
-         &s->strict, 0, 0, 0, NULL},
+        {0, "strict", NULL, "refuse unknown post-processor words", CLI_FLAG, &s->strict, 0, 0, 0,
+         NULL},
         {0, NULL, NULL, NULL, CLI_FLAG, NULL, 0, 0, 0, NULL},
     };
     cli->option = option;
@@ -126,14 +128,13 @@ static void read_path(const struct settings *s, const char *file, struct path *p
     for (size_t i = 0; i < path->unknown.n; i++) {
         const struct path_unknown *u = &path->unknown.item[i];
         if (s->strict)
-            die("%s:%u: found the word %.40s, which nobody here knows (--strict)", path->name,
-                u->line, u->word);
-        say("%s:%u: passed over %.40s, which nobody here knows (%zu times)", path->name, u->line,
-            u->word, u->times);
+            die("%s:%u: found the unknown word %.40s (--strict)", path->name, u->line, u->word);
+        say("%s:%u: ignored the unknown word %.40s (%zu times)", path->name, u->line, u->word,
+            u->times);
     }
     if (path->tools_numbered)
-        say("%s: gave numbers to the %zu tools that have none, in the order of the path",
-            path->name, path->tools_numbered);
+        say("%s: numbered the %zu tools without a number in the order of the path", path->name,
+            path->tools_numbered);
 }
 
 /* What was assumed or added. */
@@ -142,20 +143,20 @@ static void tell(const struct path *path, const struct post_report *r, double fe
     if (path->head.track == TRACK_CENTRE)
         say("X Y Z of the program are the ball's centre: measure the tool to it");
     if (r->feed_assumed)
-        say("the path cuts before it gives a feed: took %g mm/min (--feed)", feed);
+        say("the path cuts before it gives a feed: used %g mm/min (--feed)", feed);
     if (r->approach_made)
-        say("the path starts with a cut: came from above along the tool axis");
+        say("the path starts with a cut: added an approach along the tool axis");
     if (r->retract_made)
-        say("the path ends in a cut: retracted along the tool axis");
+        say("the path ends in a cut: added a retract along the tool axis");
     if (r->steps_evened)
-        say("a drilling cycle of this control has steps that are alike, and no dwell with them: "
-            "took the smaller step and no dwell");
+        say("a drilling cycle of this control has equal steps and no dwell with them: "
+            "used the smaller step and no dwell");
     if (r->cutcom_off)
         say("CUTCOM: X Y Z are the tool's centre, so the control's radius compensation stays off");
     if (r->no_vectors)
-        say("took rotary words: with vectors the control would run out of a rotary axis's travel");
+        say("used rotary words: with vectors a rotary axis would reach the end of its travel");
     if (r->turns)
-        say("the travel of a rotary axis ran out: retracted, turned and returned %zu times",
+        say("a rotary axis reached the end of its travel: retracted, turned and returned %zu times",
             r->turns);
     note("passes %zu, lines %zu, arcs %zu, splines %zu, rapids %zu; curves chorded %zu", r->passes,
          r->lines, r->arcs, r->splines, r->rapids, r->chorded);
@@ -171,7 +172,7 @@ int main(int argc, char **argv)
     snprintf(usage, sizeof usage, "-c %s [-m MACHINE] [options] [FILE]", control_names());
     struct cli cli = {.tool = "ncpost",
                       .usage = usage,
-                      .about = "Write the NC program of a path for a control and a machine."};
+                      .about = "Writes an NC program from a path, for a control and a machine."};
     read_options(&s, &cli, argc, argv);
     struct machine machine = read_machine(&s);
     enum control_id control = choose_control(&s, &machine);

@@ -43,42 +43,42 @@ static void read_options(struct settings *s, struct cli *cli, int argc, char **a
 {
     const struct cli_option option[] = {
         {'g', "guard", "FILE",
-         "what the program is judged against, again and again: points, a mesh\n"
-         "(.ply, .stl, .off), or surfaces (.igs, .iges, .nurbs)",
+         "what the program is checked against: points, a mesh (.ply, .stl, .off)\n"
+         "or surfaces (.igs, .iges, .nurbs); may be given several times",
          CLI_LIST, &s->part, 0, 0, 0, NULL},
         {'r', "radius", "MM", "radius of the ball", CLI_NUMBER, &s->radius, CLI_POSITIVE, 1e4, 0,
          &s->radius_given},
         machine_option_control(&s->machine,
-                               "control of the program (default: told from its first lines)"),
+                               "control of the program (default: recognized by its first lines)"),
         machine_option_name(&s->machine),
         machine_option_set(&s->machine),
         {'e', "tolerance", "MM", "deepest gouge; beyond it the exit status is 3 (default 0.05)",
          CLI_NUMBER, &s->tolerance, CLI_POSITIVE, 100, 0, NULL},
         {0, "left", "MM",
-         "most material left on the region cut; beyond it the exit\n"
-         "status is 3 (default: told, not judged)",
+         "most material left in the region cut; beyond it the exit status is 3\n"
+         "(default: no limit)",
          CLI_NUMBER, &s->left, 0, 1e4, 0, &s->left_given},
         {0, "band", "MM",
-         "what lies more than this under the ball is not of the region cut\n"
+         "points more than this below the ball are outside of the region cut\n"
          "(default: a quarter of the radius)",
          CLI_NUMBER, &s->band, CLI_POSITIVE, 1e4, 0, &s->band_given},
         {0, "shank", "MM",
-         "length of the shaft above the ball's centre, as thick as the ball,\n"
-         "that rapid moves keep clear too (default: four radii)",
+         "length of the shaft above the ball's centre, of the ball's diameter,\n"
+         "checked in rapid moves (default: four radii)",
          CLI_NUMBER, &s->shank, 0, 1e4, 0, &s->shank_given},
         {0, "holder", "SPEC",
          "shank and holder from the ball's centre upward, as cylinders R:L and\n"
-         "cones R0:R1:L joined by +: they keep clear of the part in all moves",
+         "cones R0:R1:L joined by +, checked in all moves",
          CLI_TEXT, &s->holder, 0, 0, 0, NULL},
         {0, "stock", "SPEC",
-         "what is cut: box (around the part), box,MM (so much larger),\n"
-         "box:X0,Y0,Z0,X1,Y1,Z1, or offset,MM (the surface and so much more)",
+         "stock: box (around the part), box,MM (larger by MM),\n"
+         "box:X0,Y0,Z0,X1,Y1,Z1, or offset,MM (up to MM above the surface)",
          CLI_TEXT, &s->stock, 0, 0, 0, NULL},
-        {0, "cell", "MM", "how finely the stock is looked at (default: by its size)", CLI_NUMBER,
+        {0, "cell", "MM", "distance of the columns of the stock (default: by its size)", CLI_NUMBER,
          &s->cell, 1e-4, 1e3, 0, NULL},
-        {0, "centre", NULL, "the program moves the centre of the ball, not its tip", CLI_FLAG,
-         &s->centre, 0, 0, 0, NULL},
-        {'u', "units", "mm|cm|m|um|inch|in", "units of what -g names (default: mm)", CLI_CHOICE,
+        {0, "centre", NULL, "coordinates of the program are the centre of the ball, not the tip",
+         CLI_FLAG, &s->centre, 0, 0, 0, NULL},
+        {'u', "units", "mm|cm|m|um|inch|in", "units of the files of -g (default: mm)", CLI_CHOICE,
          &s->unit, 0, 0, 0, NULL},
         {0, "map", "FILE", "write the points with their deviations as a PLY", CLI_TEXT, &s->map, 0,
          0, 0, NULL},
@@ -90,7 +90,7 @@ static void read_options(struct settings *s, struct cli *cli, int argc, char **a
     };
     *cli = (struct cli){.tool = "ncverify",
                         .usage = "-g FILE -r MM [options] [PROGRAM]",
-                        .about = "judge an NC program by the scan or mesh that it was made for",
+                        .about = "Checks an NC program against the scan or mesh it was made for.",
                         .option = option};
     cli_parse(cli, argc, argv);
     if (!s->radius_given || s->part.n == 0)
@@ -122,7 +122,7 @@ static struct verify_program read_program(const struct settings *s, const struct
     struct ncread_options options = {.kinematics = ncread_kinematics(machine)};
     struct error error;
     if (!s->machine.control_given && (!file || strcmp(file, "-") == 0))
-        die_usage("the program is read from standard input: say its control by -c");
+        die_usage("the program is read from standard input: give its control by -c");
     enum control_id control =
         s->machine.control_given ? (enum control_id)s->machine.control : ncread_tell(file, &error);
     if (control == CONTROLS)
@@ -150,7 +150,7 @@ static void read_part(const struct settings *s, struct vec3s *points)
             note("%s: points %.3f mm apart on its faces", s->part.item[i], spacing);
     }
     if (points->n == 0)
-        die("%s: no points to judge by", s->part.item[0]);
+        die("%s: found no points to check against", s->part.item[0]);
 }
 
 static struct axis_limits limits_of(const struct machine *machine)

@@ -42,20 +42,20 @@ static struct settings read_options(struct cli *cli, int argc, char **argv)
         {'n', "count", "N", "triangles in each direction of a surface (default: 200)", CLI_COUNT,
          &s.n, 1, CELLS_MAX, 0, &s.count_given},
         {'e', "tolerance", "MM",
-         "instead: as many as keep each triangle and each trimmed edge so near\nto the surface",
+         "instead of -n: largest deviation of triangles and trimmed edges from\nthe surface",
          CLI_NUMBER, &s.tolerance, CLI_POSITIVE, 0, 0, NULL},
-        {'u', "units", "mm|cm|m|um|inch|in", "units of the files, whatever they say themselves",
-         CLI_CHOICE, &s.unit, 0, 0, 0, &s.unit_given},
+        {'u', "units", "mm|cm|m|um|inch|in", "units of the files, whatever they state", CLI_CHOICE,
+         &s.unit, 0, 0, 0, &s.unit_given},
         {'k', "curvature", NULL,
-         "print the smallest hollow radius of each surface and where it is,\ninstead of the mesh",
+         "print the smallest concave radius of each surface and its place\ninstead of the mesh",
          CLI_FLAG, &s.report, 0, 0, 0, NULL},
-        {0, "up", "I,J,K", "where the tool comes from, for which side is outside (default: 0,0,1)",
+        {0, "up", "I,J,K", "direction towards the tool, for the outer side (default: 0,0,1)",
          CLI_NUMBERS, s.up, 0, 0, 3, NULL},
         {0, "gap", "MM",
-         "edges of neighbours so near are one (default: 0.00025 of the size of\nthe part, at most "
+         "join edges of neighbours within this (default: 0.00025 of the size of\nthe part, at most "
          "-e)",
          CLI_NUMBER, &s.gap, CLI_POSITIVE, 0, 0, NULL},
-        {0, "partial", NULL, "go on where surfaces or trimming curves of other kinds are left out",
+        {0, "partial", NULL, "continue without surfaces and trimming curves of unsupported types",
          CLI_FLAG, &s.partial, 0, 0, 0, NULL},
         {0, "grid", "N",
          "print points and normals of an N x N grid of the parameters of each\n"
@@ -86,7 +86,7 @@ static void read_files(const struct cli *cli, const struct settings *s, struct p
         say("the part is %g mm large: is the unit right? (-u)", size);
     if (!surfaces_tell(patches) && !s->partial)
         die_unmet(
-            "what is left out is part of the model, expected to read all of it, or --partial");
+            "part of the model would be left out, expected only supported entities, or --partial");
 }
 
 /* What the threads share: a surface is a unit of work. */
@@ -167,7 +167,7 @@ static double make_patch_mesh(const struct cli *cli, const struct settings *s,
         error = tessellate_and_sew(cli, s, patches, size, fine, sheet, patch_mesh, &sewn);
     }
     if (s->tolerance > 0 && error > s->tolerance)
-        die_unmet("neighbours lie %g mm and more apart, expected %g mm (-e): take a smaller --gap",
+        die_unmet("neighbours lie %g mm and more apart, expected %g mm (-e): use a smaller --gap",
                   sewn.moved, s->tolerance);
     struct orient_count out = orient_outward(patch_mesh, vec(s->up[0], s->up[1], s->up[2]));
     note("%zu border vertices joined and %zu inserted, moved by at most %g mm; %zu %s; %zu open "
@@ -177,10 +177,10 @@ static double make_patch_mesh(const struct cli *cli, const struct settings *s,
     if (patch_mesh->narrow > 0)
         say("%zu surfaces narrower than %g mm left out", patch_mesh->narrow, NARROW * size);
     if (out.unclear > 0)
-        say("%zu of %zu bodies stand upright: --up does not say which side is outside", out.unclear,
+        say("%zu of %zu bodies are upright: --up does not determine the outer side", out.unclear,
             out.bodies);
     if (out.conflicts > 0)
-        say("%zu neighbours cannot be turned to the same side", out.conflicts);
+        say("%zu neighbours cannot be oriented alike", out.conflicts);
     return error;
 }
 
@@ -234,7 +234,7 @@ int main(int argc, char **argv)
 {
     struct cli cli = {.tool = "nurbs2mesh",
                       .usage = "[options] [FILE...]",
-                      .about = "Make a mesh of NURBS surfaces (IGES, or NURBS text)."};
+                      .about = "Makes a mesh from NURBS surfaces (IGES, or NURBS text)."};
     struct settings settings = read_options(&cli, argc, argv);
     struct patches patches = {0};
     struct patch_mesh patch_mesh = {0};

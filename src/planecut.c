@@ -22,21 +22,21 @@ static const char *way;
 
 /* clang-format off */
 static const struct cli_option options[] = {
-    {'r', "radius", "R", "radius of the ball (needed)",
+    {'r', "radius", "R", "radius of the ball (required)",
      CLI_NUMBER, &path_options.radius, CLI_POSITIVE, 0, 0, NULL},
-    {'s', "step", "MM", "distance of the planes; made a little smaller, so that all are equal",
+    {'s', "step", "MM", "distance of the planes; reduced slightly so that all are equal",
      CLI_NUMBER, &step, CLI_POSITIVE, 0, 0, &step_given},
-    {0, "scallop", "H", "planes as far apart as leaves no cusp higher than H between passes\n"
+    {0, "scallop", "H", "planes so close that no scallop between passes is higher than H\n"
      "(0.01 without -s)", CLI_NUMBER, &scallop, CLI_POSITIVE, 0, 0, &scallop_given},
-    {'a', "angle", "DEG", "direction of upright planes, about z from x towards y (0)",
+    {'a', "angle", "DEG", "direction of vertical planes, about z from x towards y (0)",
      CLI_NUMBER, &angle, 0, 0, 0, &angle_given},
-    {0, "direction", "auto|DEG", "the same, or the direction with the fewest millimetres of cut",
+    {0, "direction", "auto|DEG", "the same, or the direction with the shortest cut",
      CLI_TEXT, &way, 0, 0, 0, NULL},
     {0, "plane", "I,J,K", "the planes' normal, instead of -a: 0,0,1 cuts at constant height",
      CLI_NUMBERS, plane, 0, 0, 3, &plane_given},
-    {0, "gap", "MM", "go on with the tool down over gaps of at most this in the part (0.1)",
+    {0, "gap", "MM", "cut on across gaps in the part of at most this width (0.1)",
      CLI_NUMBER, &gap, 0, 1000, 0, NULL},
-    {0, "surface", "FILE", "put each point on the surfaces of this file, IGES or NURBS text, which\n"
+    {0, "surface", "FILE", "project each point onto the surfaces of this file, IGES or NURBS text, which\n"
      "the mesh was made from (may be given several times)", CLI_LIST, &surfaces, 0, 0, 0, NULL},
     {0, "oneway", NULL, "the same as --one-way", CLI_FLAG, &path_options.one_way, 0, 0, 0, NULL},
     {0}};

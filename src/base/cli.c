@@ -31,8 +31,8 @@ static struct table merge(struct cli *cli)
         {'j', "threads", "N", "use N threads (default: one a processor); the result is the same",
          CLI_COUNT, &cli->threads, 1, 1024, 0, NULL},
         {'q', "quiet", NULL, "say nothing but errors", CLI_FLAG, &quiet, 0, 0, 0, NULL},
-        {'v', "verbose", NULL, "sum up what went in, what came out, what tolerance was kept",
-         CLI_FLAG, &verbose, 0, 0, 0, NULL},
+        {'v', "verbose", NULL, "print a summary of input, output and tolerance kept", CLI_FLAG,
+         &verbose, 0, 0, 0, NULL},
         {'h', "help", NULL, "print this and exit", CLI_FLAG, &help, 0, 0, 0, NULL},
         {'V', "version", NULL, "print the version and exit", CLI_FLAG, &version, 0, 0, 0, NULL},
     };

@@ -5,25 +5,26 @@
 
 #include "base/cli.h"
 
-/* How many are looked at, what they are, and what becomes of more of them. */
+/* How many are covered, what they are, and what happens beyond. */
 static const struct {
     double most;
     const char *what, *beyond;
 } bounds[] = {
-    [EFFORT_CREASES] = {12000, "edges that may cross a crease", "none is looked at"},
-    [EFFORT_WALLS] = {200000, "edges of the mesh", "short walls are taken for roughness"},
-    [EFFORT_CRESTS] = {12000, "edges that may cut off a rib", "the last of them are not looked at"},
+    [EFFORT_CREASES] = {12000, "edges that may cross a crease", "they are not checked"},
+    [EFFORT_WALLS] = {200000, "edges of the mesh", "short walls count as roughness"},
+    [EFFORT_CRESTS] = {12000, "edges that may cut off a rib", "the last of them are not checked"},
     [EFFORT_CRESTS_LARGE] = {4000, "edges that may cut off a rib",
-                             "the last of them are not looked at"},
-    [EFFORT_CREST_POINTS] = {400000, "points", "fewer edges are looked at for ribs"},
-    [EFFORT_CREST_EDGES] = {6000, "edges of the mesh", "ribs are looked for only where it bends"},
-    [EFFORT_ALONG] = {71000, "places on the surface", "none is fitted along ribs and grooves"},
+                             "the last of them are not checked"},
+    [EFFORT_CREST_POINTS] = {400000, "points", "fewer edges are checked for ribs"},
+    [EFFORT_CREST_EDGES] = {6000, "edges of the mesh", "ribs are detected only where it bends"},
+    [EFFORT_ALONG] = {71000, "places on the surface",
+                      "no surface is fitted along ribs and grooves"},
     [EFFORT_SURFACE] = {200000, "points with noise", "only those of a grid are moved"},
-    [EFFORT_COMPARISON] = {100000, "points", "some of them choose between two meshes"},
-    [EFFORT_NEIGHBOURS] = {4e6, "neighbours of all vertices", "surfaces go through fewer"},
-    [EFFORT_GUARD_NOISE] = {400000, "points of the scan", "their noise stays in"},
-    [EFFORT_GUARD_BETWEEN] = {400000, "points of the scan", "none is put between them"},
-    [EFFORT_GUARD_NEAR] = {16e6, "neighbours of all places", "surfaces go through fewer"},
+    [EFFORT_COMPARISON] = {100000, "points", "two meshes are compared by some of them"},
+    [EFFORT_NEIGHBOURS] = {4e6, "neighbours of all vertices", "surfaces are fitted to fewer"},
+    [EFFORT_GUARD_NOISE] = {400000, "points of the scan", "their noise is not removed"},
+    [EFFORT_GUARD_BETWEEN] = {400000, "points of the scan", "none is inserted between them"},
+    [EFFORT_GUARD_NEAR] = {16e6, "neighbours of all places", "surfaces are fitted to fewer"},
 };
 
 size_t effort_most(enum effort_bound bound, double effort)
@@ -49,6 +50,6 @@ double effort_for(enum effort_bound bound, size_t n)
 void effort_say(enum effort_bound bound, double effort, size_t n)
 {
     if (!effort_covers(bound, effort, n))
-        say("%zu %s, more than %zu: %s; --effort %g takes all", n, bounds[bound].what,
+        say("%zu %s, more than %zu: %s; --effort %g covers all", n, bounds[bound].what,
             effort_most(bound, effort), bounds[bound].beyond, effort_for(bound, n));
 }

@@ -98,7 +98,7 @@ static int read_words(struct ncread *c, struct gcode_block *b, struct error *err
         const struct ncread_word *w = &c->words.item[i];
         unsigned bit = 1u << (w->name[0] - 'A');
         if (w->name[0] == 'N' && i > 0)
-            return ncread_error(c, error, "N behind other words");
+            return ncread_error(c, error, "N after other words");
         if (w->name[0] == 'G'   ? read_g(c, w, b, error) < 0
             : w->name[0] == 'M' ? ncread_m(c, w, error) < 0
                                 : false)
@@ -122,7 +122,8 @@ static int machine_move(struct ncread *c, struct gcode_block *b, struct error *e
     if (c->tcp)
         return ncread_error(c, error, "G28 or G53 under tool centre point control");
     if (b->home && c->absolute)
-        return ncread_error(c, error, "G28 without G91: the way leads over a place of the work");
+        return ncread_error(c, error,
+                            "G28 without G91: the move leads over a point of the workpiece");
     ncread_gcode_forget(c);
     c->here.has_axis = c->here.has_axis && c->here.turned[0] && c->here.turned[1];
     return 0;
@@ -147,12 +148,12 @@ static int spline_block(struct ncread *c, struct gcode_block *b, struct error *e
         if (ncread_ready(c, error) < 0)
             return -1;
     } else if (c->pole_p.n == 0) {
-        return ncread_error(c, error, "a block of G06.2 behind its spline's end");
+        return ncread_error(c, error, "a block of G06.2 after the end of its spline");
     }
     *array_push(&c->knot) = b->centre[2];
     if (b->named || b->spline_begins) {
         if (c->knot.n != c->pole_p.n + 1)
-            return ncread_error(c, error, "a pole behind knots that stand alone");
+            return ncread_error(c, error, "a pole after knots without poles");
         ncread_pole(c, &piece, piece.p[1], piece.q[1]);
         *array_push(&c->weight) = b->radius_named ? b->radius : 1;
         c->here = b->to;
@@ -255,7 +256,7 @@ static int read_block(struct ncread *c, const char *line, struct error *error)
     }
     if (c->ended) { /* M30 was read: % alone, once */
         if (strcmp(line, "%") != 0 || c->closed)
-            return ncread_error(c, error, "expected % behind M30 and nothing behind it");
+            return ncread_error(c, error, "expected % after M30 and nothing after it");
         c->closed = true;
         return 0;
     }

@@ -46,7 +46,7 @@ static int read_number(struct ncread *c, const char *text, bool sign, double *va
         return ncread_error(c, error, "a place or angle without its sign");
     if (ncread_word_number(&text, value, &pointed, &found) < 0)
         return ncread_error(c, error, found.text);
-    return *text ? ncread_error(c, error, "found letters behind a number") : 0;
+    return *text ? ncread_error(c, error, "found letters after a number") : 0;
 }
 
 static int read_m(struct ncread *c, const char *text, struct klartext *k, struct error *error)
@@ -249,7 +249,7 @@ static int read_block(struct ncread *c, const char *line, struct error *error)
     if (end == line || *end != ' ' || c->block != (long)(c->line - 1 - c->hole.lines))
         return ncread_error(c, error, "block numbers that do not count from 0");
     if (c->closed)
-        return ncread_error(c, error, "a block behind END PGM");
+        return ncread_error(c, error, "a block after END PGM");
     if (split_words(c, end, &k, error) < 0)
         return -1;
     bool inch = k.n == 4 && strcmp(k.word[3], "INCH") == 0;
@@ -265,7 +265,7 @@ static int read_block(struct ncread *c, const char *line, struct error *error)
     }
     if (c->ended) {
         c->closed = outer && strcmp(k.word[0], "END") == 0;
-        return c->closed ? 0 : ncread_error(c, error, "expected END PGM behind M30");
+        return c->closed ? 0 : ncread_error(c, error, "expected END PGM after M30");
     }
     return run_block(c, &k, error);
 }

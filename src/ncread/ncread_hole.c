@@ -220,7 +220,7 @@ int ncread_hole_parameter(struct ncread *c, const char *line, struct error *erro
     long q = *s == 'Q' ? strtol(s + 1, &end, 10) : -1;
     c->hole.lines++;
     if (q < 200 || q >= NCREAD_Q || *end != '=')
-        return ncread_error(c, error, "a line that goes on without a Q parameter");
+        return ncread_error(c, error, "a continuation line without a Q parameter");
     s = end + 1;
     if (!num_read(&s, &value))
         return ncread_error(c, error, "a Q parameter without a number");

@@ -130,7 +130,7 @@ static int read_block(struct ncread *c, const char *line, struct error *error)
     }
     if (c->ended) { /* M2 or M30 was read: % alone, once */
         if (strcmp(line, "%") != 0 || c->closed)
-            return ncread_error(c, error, "expected % behind M2 and nothing behind it");
+            return ncread_error(c, error, "expected % after M2 and nothing after it");
         c->closed = true;
         return 0;
     }

@@ -276,7 +276,7 @@ static int block_axis(struct ncread *c, struct ncread_siemens_block *b, struct e
     if ((b->vector_n != 0 && b->vector_n != 3) || (b->head_n != 0 && b->head_n != 3))
         return ncread_error(c, error, "a tool vector or second point wants all three words");
     if ((b->vector_n == 3) + (b->head_n == 3) + b->turns > 1)
-        return ncread_error(c, error, "the tool axis is said twice");
+        return ncread_error(c, error, "the tool axis is given twice");
     if (b->head_n == 3) {
         if (!c->curve)
             return ncread_error(c, error, "a second point without ORICURVE");
@@ -427,7 +427,7 @@ static int read_block(struct ncread *c, const char *line, struct error *error)
         return named ? 0 : ncread_error(c, error, "expected %_N_NAME_MPF");
     }
     if (c->ended)
-        return ncread_error(c, error, "a block behind M30");
+        return ncread_error(c, error, "a block after M30");
     if (strlen(line) > 512)
         return ncread_error(c, error, "a block of more than 512 characters");
     struct error found;

@@ -135,7 +135,7 @@ int ncread_ready(const struct ncread *c, struct error *error)
     if (!(c->unit > 0) || !c->absolute)
         return ncread_error(c, error, "cuts before its unit and absolute words are set");
     if (!c->spindle)
-        return ncread_error(c, error, "cuts while the spindle stands");
+        return ncread_error(c, error, "cuts while the spindle is off");
     if (c->options->tcp && !c->tcp && !c->tilted.on && !ncread_upright(c))
         return ncread_error(c, error, "cuts without tool centre point control");
     if (!(c->feed > 0))
@@ -223,7 +223,7 @@ int ncread_arc_radius(struct ncread *c, struct nc_piece *piece, double radius, b
     struct vec3 chord = vec_reject(vec_sub(piece->p[1], piece->p[0]), n);
     double length = vec_length(chord), r = fabs(radius);
     if (length < 1e-9)
-        return ncread_error(c, error, "an arc by its radius with no way between its ends");
+        return ncread_error(c, error, "an arc by its radius whose ends coincide");
     if (length / 2 > r + slack(c))
         return ncread_error(c, error, "an arc whose ends are further apart than its diameter");
     double high = sqrt(fmax(0, r * r - length * length / 4));

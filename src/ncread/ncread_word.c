@@ -165,7 +165,7 @@ int ncread_word_siemens(const char *line, struct ncread_words *words, struct err
         else if (siemens_word(&s, words, error) < 0)
             return -1;
         else if (*s && *s != ' ' && *s != ';' && !capital(*s))
-            return error_set(error, "found `%.10s` behind a word", s);
+            return error_set(error, "found `%.10s` after a word", s);
     }
     return 0;
 }

@@ -12,11 +12,11 @@
 static void say_skipped(const char *file, const struct cloud_count *c)
 {
     if (c->heads > 0)
-        say("%s: passed over %zu line%s of heading", file, c->heads, c->heads == 1 ? "" : "s");
+        say("%s: ignored %zu heading line%s", file, c->heads, c->heads == 1 ? "" : "s");
     if (c->comments > 0)
-        say("%s: passed over %zu comment%s", file, c->comments, c->comments == 1 ? "" : "s");
+        say("%s: ignored %zu comment%s", file, c->comments, c->comments == 1 ? "" : "s");
     if (c->columns > 3)
-        say("%s: passed over the columns behind the third (up to %zu)", file, c->columns);
+        say("%s: ignored the columns after the third (up to %zu)", file, c->columns);
     if (c->not_finite > 0)
         say("%s:%zu: left out %zu row%s with nan, inf or a number out of range, this is the first",
             file, c->first_not_finite, c->not_finite, c->not_finite == 1 ? "" : "s");

@@ -83,7 +83,7 @@ static int read_path(const struct fitter *fitter, const char *file, struct path 
     if (path_read(file, in, error) < 0)
         return -1;
     for (size_t i = 0; i < in->unknown.n; i++)
-        say("%s:%u: %s is no word known here, carried along", in->name, in->unknown.item[i].line,
+        say("%s:%u: unknown word %s, copied", in->name, in->unknown.item[i].line,
             in->unknown.item[i].word);
     if (fitter->prepare(fitter->settings, in, error) < 0)
         return -1;

@@ -123,7 +123,8 @@ static struct gouge_check *gouge_of(struct vec3s *points, const struct mesh *mes
             "uncertain, at worst by %.3f mm at %.3f %.3f %.3f",
             surface.vague, rule->tolerance, surface.worst, surface.at.x, surface.at.y,
             surface.at.z);
-    note("guarded by %zu points of the scan and %zu put between", point_grid.n, surface.added);
+    note("guarded by %zu points of the scan and %zu inserted between them", point_grid.n,
+         surface.added);
     if (mesh)
         add_edges(mesh, sqrt(8 * rule->radius * how.sink), &surface.point);
     point_grid_free(&point_grid);

@@ -39,10 +39,10 @@ static void say_repairs(const char *file, const struct mesh_repair_report *r)
     if (r->many > 0)
         say("%s: %zu edges have more than two facets: passes end there", file, r->many);
     if (r->flipped > 0)
-        say("%s: %zu facets were the other way round than their neighbours or normals: turned",
+        say("%s: %zu facets had the opposite orientation to their neighbours or normals: flipped",
             file, r->flipped);
     if (r->turned > 0)
-        say("%s: normals pointed down, or into a closed part: %zu of %zu sheets turned", file,
+        say("%s: normals pointed down, or into a closed part: %zu of %zu sheets flipped", file,
             r->turned, r->sheets);
     if (r->normals > 0)
         say("%s: %zu normals pointed away from their facets: turned to their side", file,

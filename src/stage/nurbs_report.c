@@ -84,7 +84,7 @@ void nurbs_report_trimming(const struct patches *patches, const struct sheet *sh
             say("%s: surface %d: its trimming crosses itself in %zu cells, kept or cut away whole",
                 p->file, p->entity, sheet[i].unclear);
         if (sheet[i].lost > 0)
-            say("%s: surface %d: %zu trimming loops that go round it more than once ignored",
+            say("%s: surface %d: %zu trimming loops that go around it more than once ignored",
                 p->file, p->entity, sheet[i].lost);
         if (sheet[i].off > fine)
             say("%s: surface %d: its trimming curves in space lie up to %g mm off it", p->file,

@@ -28,58 +28,58 @@ struct path_options path_options = {.tilt = 15,
 const struct cli_option path_option_table[] = {
     {'g', "guard", "FILE", "keep the ball clear of all points of this scan, not only of the mesh\n"
      "(may be given several times)", CLI_LIST, &path_options.guards, 0, 0, 0, NULL},
-    {0, "noise", "SIGMA", "standard deviation of the noise that is taken out of the scan of -g\n"
-     "(default: as found; 0: its points as they are)", CLI_NUMBER, &path_options.noise, 0, 10, 0, NULL},
+    {0, "noise", "SIGMA", "standard deviation of the noise to remove from the scan of -g\n"
+     "(default: measured; 0: the points as they are)", CLI_NUMBER, &path_options.noise, 0, 10, 0, NULL},
     EFFORT_OPTION(&path_options.effort),
-    {'e', "tolerance", "E", "put points between those of the mesh: straight lines stay within E of\n"
+    {'e', "tolerance", "E", "insert points between those of the mesh: straight lines stay within E of\n"
      "the smooth curve, no deeper in the part (0.01 with -g or --holder)",
      CLI_NUMBER, &path_options.tolerance, 0.0001, 10, 0, NULL},
-    {0, "paper", NULL, "as published: mesh points alone, nothing lifted, links not checked",
+    {0, "paper", NULL, "as published: only the points of the mesh, no lifting, links not checked",
      CLI_FLAG, &path_options.paper, 0, 0, 0, NULL},
-    {0, "avoid", NULL, "what the ball can't reach may stay standing (else it is told, with\n"
-     "exit status 3)", CLI_FLAG, &path_options.avoid, 0, 0, 0, NULL},
-    {0, "limit", "H", "lift no centre by more than H: what takes more is passed over\n"
+    {0, "avoid", NULL, "accept material left where the ball does not fit (otherwise the exit\n"
+     "status is 3)", CLI_FLAG, &path_options.avoid, 0, 0, 0, NULL},
+    {0, "limit", "H", "lift no centre by more than H; places that need more are skipped\n"
      "(default: the radius)", CLI_NUMBER, &path_options.limit, CLI_POSITIVE, 0, 0, NULL},
-    {0, "tilt", "DEG", "lean the axis off the normal, sideways, positive to next pass (15)",
+    {0, "tilt", "DEG", "tilt the axis sideways from the normal, positive to the next pass (15)",
      CLI_NUMBER, &path_options.tilt, -80, 80, 0, &path_options.lean_given},
-    {0, "lead", "DEG", "lean it in the direction of the feed (0)",
+    {0, "lead", "DEG", "tilt it in the direction of the feed (0)",
      CLI_NUMBER, &path_options.lead, -80, 80, 0, &path_options.lean_given},
-    {0, "fixed", "I,J,K", "the same axis everywhere, from the tip to the spindle",
+    {0, "fixed", "I,J,K", "fixed axis, from the tip to the spindle",
      CLI_NUMBERS, path_options.fixed, 0, 0, 3, &path_options.fixed_given},
-    {0, "to-point", "X,Y,Z", "the spindle points to a point above the part",
+    {0, "to-point", "X,Y,Z", "the axis passes through this point above the part",
      CLI_NUMBERS, path_options.to_point, 0, 0, 3, &path_options.to_given},
-    {0, "from-point", "X,Y,Z", "the spindle points away from a point below the surface",
+    {0, "from-point", "X,Y,Z", "the axis points away from this point below the surface",
      CLI_NUMBERS, path_options.from_point, 0, 0, 3, &path_options.from_given},
-    {0, "circle", "X,Y,Z,I,J,K,R", "the axis goes through the nearest point of a circle: centre,\n"
+    {0, "circle", "X,Y,Z,I,J,K,R", "the axis passes through the nearest point of a circle: centre,\n"
      "axis, radius", CLI_NUMBERS, path_options.circle, 0, 0, 7, &path_options.circle_given},
-    {0, "least-turn", "DEG", "lean the axis as far as --tilt and --lead say, or up to DEG, to\n"
-     "whatever side rotary axes turn least", CLI_NUMBER, &path_options.turn, 0, 80, 0, NULL},
-    {0, "axis-play", "DEG", "axes may be this far off their rule, to turn as little as they can (0)",
+    {0, "least-turn", "DEG", "tilt the axis by the angle of --tilt and --lead, or up to DEG, in the\n"
+     "direction in which rotary axes turn least", CLI_NUMBER, &path_options.turn, 0, 80, 0, NULL},
+    {0, "axis-play", "DEG", "largest deviation of axes from their rule, to turn less (0)",
      CLI_NUMBER, &path_options.play, 0, 60, 0, NULL},
-    {0, "axis-rate", "DEG", "turn axes by no more than DEG in a millimetre along a pass",
+    {0, "axis-rate", "DEG", "turn axes by no more than DEG per millimetre along a pass",
      CLI_NUMBER, &path_options.rate, CLI_POSITIVE, 0, 0, NULL},
     {0, "holder", "SPEC", "keep shank and holder clear too: cones R0:R1:L or cylinders R:L from\n"
      "the ball's centre upward, joined by +", CLI_TEXT, &path_options.holder, 0, 0, 0, NULL},
-    {0, "lean-limit", "DEG", "how far axes may be leaned away where the holder touches (30)",
+    {0, "lean-limit", "DEG", "largest angle by which axes are tilted away where the holder touches (30)",
      CLI_NUMBER, &path_options.lean, 0, 85, 0, NULL},
     {0, "one-way", NULL, "cut all passes in one direction (default: zig-zag)",
      CLI_FLAG, &path_options.one_way, 0, 0, 0, NULL},
     {0, "layers", "N", "cut in N layers, the outermost first (1)",
      CLI_COUNT, &path_options.layers, 1, 1000, 0, NULL},
-    {0, "depth", "MM", "what a layer takes off, along the normal (0.3)",
+    {0, "depth", "MM", "thickness of a layer, along the normal (0.3)",
      CLI_NUMBER, &path_options.depth, CLI_POSITIVE, 0, 0, NULL},
     {0, "clearance", "Z", "height of the tip on the clearance plane (default: top of the part\n"
      "and its layers + radius + 10)", CLI_NUMBER, &path_options.clearance, 0, 0, 0, NULL},
-    {0, "approach", "MM", "last bit of the way down, at the plunge feed (5)",
+    {0, "approach", "MM", "height above the part from which the tool descends at the plunge feed (5)",
      CLI_NUMBER, &path_options.approach, CLI_POSITIVE, 0, 0, NULL},
     {0, "feed", "F", "cutting feed, mm/min (800)", CLI_NUMBER, &path_options.feed, CLI_POSITIVE, 0, 0, NULL},
-    {0, "plunge", "F", "feed of the last bit down (default: half the cutting feed)",
+    {0, "plunge", "F", "feed of that descent (default: half the cutting feed)",
      CLI_NUMBER, &path_options.plunge, CLI_POSITIVE, 0, 0, NULL},
     {0, "spindle", "RPM", "speed of the spindle (8000)",
      CLI_NUMBER, &path_options.spindle, CLI_POSITIVE, 0, 0, NULL},
     {0, "tool", "N", "number of the tool (1)", CLI_COUNT, &path_options.tool, 1, 99999999, 0, NULL},
     {0, "coolant", "off|on|mist", "coolant (on)", CLI_CHOICE, &path_options.coolant, 0, 0, 0, NULL},
-    {0, "partno", "TEXT", "name of the part (default: after the mesh's source)",
+    {0, "partno", "TEXT", "name of the part (default: that of the mesh's source)",
      CLI_TEXT, &path_options.partno, 0, 0, 0, NULL},
     {0}};
 /* clang-format on */

@@ -222,7 +222,7 @@ static double lengthen_all(const struct plane_passes *p, struct plane_cuts *cuts
     for (size_t i = 0; i < cuts->n; i++)
         beyond += e.beyond[i];
     if (beyond > 0)
-        note("%zu points of the mesh lie beyond the border of the scan and are left out", beyond);
+        note("%zu points of the mesh beyond the border of the scan left out", beyond);
     free(e.length);
     free(e.beyond);
     return length;

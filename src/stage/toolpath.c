@@ -514,30 +514,31 @@ static void say_unmet(const struct toolpath *t)
     struct vec3 at = r->unreachable_at;
 
     if (r->unreachable > 0)
-        say("the ball can't reach %zu points with a lift of at most %g mm and passes over them, in "
+        say("the ball cannot reach %zu points with a lift of at most %g mm and skips them, worst "
+            "in "
             "pass %zu by %.3f mm at %.3f %.3f %.3f",
             r->unreachable, t->lift.limit, t->unreachable_pass, r->unreachable_by, at.x, at.y,
             at.z);
     at = t->uncut_at;
     if (t->uncut_places > 0)
-        say("the ball does not fit at %zu points and leaves material standing there, in pass %zu "
+        say("the ball does not fit at %zu points and leaves material there, worst in pass %zu "
             "%.3f mm at %.3f %.3f %.3f",
             t->uncut_places, t->uncut_pass, t->uncut_height, at.x, at.y, at.z);
     if ((r->unreachable > 0 || t->uncut_places > 0) && !t->rule.avoid)
-        say("that is what a smaller ball has to take; --avoid accepts it");
+        say("a smaller ball must remove it; --avoid accepts it");
     at = t->blocked_at;
     if (t->blocked > 0)
-        say("pass %zu: the ball touches the part on %zu ways to or from the clearance plane, the "
+        say("pass %zu: the ball touches the part on %zu moves to or from the clearance plane, the "
             "first at %.3f %.3f %.3f",
             t->blocked_pass, t->blocked, at.x, at.y, at.z);
     at = t->skipped_at;
     if (t->skipped > 0)
-        say("shank or holder touches at %zu points whatever the axis is leaned within the limit: "
+        say("shank or holder touches at %zu points for every tilt within the limit: "
             "left out, the first in pass %zu at %.3f %.3f %.3f",
             t->skipped, t->skipped_pass, at.x, at.y, at.z);
     if (t->shank > 0)
-        say("at %zu points the normal is more than 90 degrees off the axis: not the ball touches "
-            "there, but the shank",
+        say("at %zu points the normal is more than 90 degrees off the axis: the shank touches "
+            "there, not the ball",
             t->shank);
 }
 
@@ -550,11 +551,11 @@ int toolpath_conclude(const struct toolpath *t)
     note("%zu points lifted, at most by %.4f mm at %.3f %.3f %.3f", r->lifted, r->highest,
          r->highest_at.x, r->highest_at.y, r->highest_at.z);
     if (t->rule.holder.n > 0)
-        note("axes leaned by at most %.2f degrees for shank and holder", DEGREES(t->leaned));
+        note("axes tilted by at most %.2f degrees for shank and holder", DEGREES(t->leaned));
     if (t->lift.between)
         note("straight lines within %g mm of the lifted path", t->lift.tolerance);
     else
-        note("straight lines up to %.4f mm off the smooth path", t->chord);
+        note("straight lines up to %.4f mm from the smooth path", t->chord);
     say_unmet(t);
     bool left = (r->unreachable > 0 || t->uncut_places > 0) && !t->rule.avoid;
     left = left || (t->skipped > 0 && !t->rule.skip);

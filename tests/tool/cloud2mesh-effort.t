@@ -29,7 +29,7 @@ enough() {
 	shift
 	for turn in 1 2 3 4 5 6; do
 		cloud2mesh --effort "$effort" "$@" -o "$TMP/enough.ply" 2>"$TMP/err"
-		next=$(sed -n 's/.*--effort \([0-9.e-]*\) takes all.*/\1/p' "$TMP/err" | sort -g | tail -n 1)
+		next=$(sed -n 's/.*--effort \([0-9.e-]*\) covers all.*/\1/p' "$TMP/err" | sort -g | tail -n 1)
 		[ -n "$next" ] || return
 		effort=$next
 	done
@@ -41,21 +41,21 @@ for noise in 0 0.02; do
 	cloud2mesh -q --effort 1000000 -o "$TMP/all.ply" "$scan"
 	ok "noise $noise: with little effort" cloud2mesh --effort 0.0001 -o "$TMP/little.ply" "$scan"
 	cp "$TMP/err" "$TMP/said$noise"
-	has "it says what it leaves out" 'edges that may cross a crease, more than 1: none is looked at; --effort [0-9.]* takes all' "$TMP/err"
-	has "and of ribs" 'ribs are looked for only where it bends; --effort' "$TMP/err"
+	has "it says what it leaves out" 'edges that may cross a crease, more than 1: they are not checked; --effort [0-9.]* covers all' "$TMP/err"
+	has "and of ribs" 'ribs are detected only where it bends; --effort' "$TMP/err"
 	ok "and the mesh is another one" test "$(cksum <"$TMP/little.ply")" != "$(cksum <"$TMP/all.ply")"
 	enough 0.0001 "$scan"
 	below "the effort it asks for is not without bounds" "$effort" 100
-	hasnt "with it nothing is left out" 'takes all' "$TMP/err"
+	hasnt "with it nothing is left out" 'covers all' "$TMP/err"
 	same "and the mesh is that of a search without bounds" "$TMP/all.ply" "$TMP/enough.ply"
 done
 has "where there is noise, of what is fitted along ribs" 'none is fitted along ribs and grooves; --effort' "$TMP/said0.02"
-has "and of how many points surfaces go through" 'surfaces go through fewer; --effort' "$TMP/said0.02"
+has "and of how many points surfaces go through" 'surfaces are fitted to fewer; --effort' "$TMP/said0.02"
 
 # A scan that guards: its noise stays in, and points that are far apart get none between.
 awk '$1 < 8' "$TMP/scan0.02.xyz" >"$TMP/rib.xyz"
 cloud2mesh -q -o "$TMP/mesh.ply" "$TMP/rib.xyz"
 ok "meshnorm says that too" meshnorm -r 2 --avoid --effort 0.001 -g "$TMP/rib.xyz" -o "$TMP/path.cl" "$TMP/mesh.ply"
-has "of the noise" 'points of the scan, more than 400: their noise stays in; --effort 0.0[0-9]* takes all' "$TMP/err"
+has "of the noise" 'points of the scan, more than 400: their noise is not removed; --effort 0.0[0-9]* covers all' "$TMP/err"
 status 2 "an effort of nothing" cloud2mesh --effort 0 "$TMP/scan0.xyz"
 done_testing

@@ -24,7 +24,7 @@ figures() {
 
 ok "a mesh with its border extended by 2 mm" cloud2mesh --extend 2 "$TMP/cap.xyz" -o "$TMP/cap.ply"
 has "which the mesh says" "^comment extended 2" "$TMP/cap.ply"
-has "what was added is said" 'continued by 2 mm beyond the border, by [1-9][0-9]* points' "$TMP/err"
+has "what was added is said" 'extended by 2 mm beyond the border, by [1-9][0-9]* points' "$TMP/err"
 figures "$TMP/cap.ply" >"$TMP/figures"
 below "rows run out" 1.2 "$(cut -d' ' -f1 "$TMP/figures")"
 below "no further than asked for" "$(cut -d' ' -f1 "$TMP/figures")" 2

@@ -50,7 +50,7 @@ judge "beyond the equator" 2 0.03 0.05
 ball 5 -2.5 12000 0 >"$TMP/deep.xyz"
 cloud2mesh -q --subdivide "$TMP/deep.xyz" -o "$TMP/deep.ply"
 ok "30 degrees under the equator: a path" meshnorm -r 2 -g "$TMP/deep.xyz" "$TMP/deep.ply" -o "$TMP/deep.cl"
-hasnt "nothing out of reach" "can't reach" "$TMP/err"
+hasnt "nothing out of reach" "cannot reach" "$TMP/err"
 ncpost -q -c siemens -m table-ac "$TMP/deep.cl" -o "$TMP/ball.mpf"
 run ncverify -r 2 -m table-ac -g "$TMP/deep.xyz" "$TMP/ball.mpf"
 figures "$TMP/out" >"$TMP/figures"

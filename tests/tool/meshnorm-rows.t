@@ -137,10 +137,10 @@ status 0 "the face, guarded by its scan" meshnorm -v -r 10 --avoid -g "$face" -o
 has "lifts" '[1-9][0-9]* points lifted' "$TMP/err"
 below "and does not, anywhere on its way" "$(deepest way "$TMP/f1.cl" --scan "$face")" 0.012
 status 3 "what it leaves standing is not accepted" meshnorm -r 10 -j 1 -g "$face" -o "$TMP/f2.cl" "$TMP/face.ply"
-has "and told with its pass, depth and place" "leaves material standing there, in pass [0-9]+ [0-9.]+ mm at" "$TMP/err"
+has "and told with its pass, depth and place" "leaves material there, worst in pass [0-9]+ [0-9.]+ mm at" "$TMP/err"
 same "but the path is the same, on one thread as on all" "$TMP/f1.cl" "$TMP/f2.cl"
 status 3 "a lift that is not allowed" meshnorm -r 10 --limit 0.5 -g "$face" -o "$TMP/f3.cl" "$TMP/face.ply"
-has "is told with its pass and place" "can't reach [0-9]+ points.* in pass [0-9]+ by [0-9.]+ mm at" "$TMP/err"
+has "is told with its pass and place" "cannot reach [0-9]+ points.* in pass [0-9]+ by [0-9.]+ mm at" "$TMP/err"
 has "and the path is complete" '^FINI$' "$TMP/f3.cl"
 
 # a scan in inches, turned
@@ -256,7 +256,7 @@ head -n 3321 "$TMP/post.xyz" | cloud2mesh -q -t 2 -o "$TMP/floor.ply" -
 status 0 "a path beside the post" meshnorm -q -r 4 --tilt 0 -g "$TMP/post.xyz" -o "$TMP/none.cl" "$TMP/floor.ply"
 status 0 "its holder leans away" meshnorm -v -r 4 --tilt 0 --holder 4:25+15:30 --lean-limit 45 \
 	-g "$TMP/post.xyz" -o "$TMP/lean.cl" "$TMP/floor.ply"
-has "by so much" 'leaned by at most [1-9][0-9.]* degrees' "$TMP/err"
+has "by so much" 'tilted by at most [1-9][0-9.]* degrees' "$TMP/err"
 # pierced PATH: how deep points of the post are in a cylinder of radius 15 from 25 to 55 mm above
 # the ball's centre
 pierced() {

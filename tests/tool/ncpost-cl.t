@@ -229,7 +229,7 @@ posts "RETRCT: along the tool axis to the clearance plane" 'G0 Y1\.5 Z19\.' 'CLE
 posts "to a plane in space" 'G0 Y29\.' 'CLRSRF/0,1,0,29' 'GOTO/9,9,9,0,1,0' RETRCT 'GOTO/9,9,9' FINI
 printf '%s\n' 'GOTO/0,0,9' RETRCT 'GOTO/5,0,9' FINI >trap.cl
 status 0 "RETRCT without a plane" ncpost -c fanuc trap.cl
-has "is passed over and said" 'passed over RETRCT' err
+has "is ignored and reported" 'ignored the unknown word RETRCT' err
 posts "ROTABL by nothing" 'X5\.' 'GOTO/0,0,9' ROTABL/ATANGL,0 'GOTO/5,0,9' FINI
 posts "OSETNO: the offset's number" ' G43\.4 H12$' 'LOADTL/3,OSETNO,12' 'GOTO/0,0,9' 'GOTO/5,0,9' FINI
 posts "NX: ADJUST" ' G43\.4 H12$' 'TOOL PATH/A,TOOL,B' 'LOAD/TOOL,3,ADJUST,12' 'GOTO/0,0,9' 'GOTO/5,0,9' \

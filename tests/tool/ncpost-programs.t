@@ -313,7 +313,7 @@ ok "not even part of one" test ! -e half.nc
 # ---- manners
 printf 'UNITS/MM\nGOTO/0,0,9\nGOTO/5,0,9\nFINI\n' >bare.cl
 status 0 "a path without feed, rapid or tool" ncpost -c siemens bare.cl
-has "says the feed it took" 'took 500 mm/min' err
+has "says the feed it took" 'used 500 mm/min' err
 has "comes from above" 'G0 X0 Y0 Z59' out
 ncpost -q -c fanuc "$golden/shapes.cl" >a.nc
 ncpost -q -c fanuc -m table-ac -j 3 "$golden/shapes.cl" >b.nc

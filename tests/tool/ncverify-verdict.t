@@ -120,7 +120,7 @@ broken "an arc of wrong radius" '/^N12030 /s/G1\(.*\)A.*/G2\1I1. J1. F800./' 'N1
 broken "a cut-off file" '2000,$d' 'the program ends without M30'
 broken "cut off in a word" '/^N12030 /s/Y.*/Y/;/^N12030 /q' 'N12030: found'
 broken "no % at the end" '$d' 'the program ends without %'
-broken "no spindle" '/M3$/d' 'N[0-9]*: cuts while the spindle stands'
+broken "no spindle" '/M3$/d' 'N[0-9]*: cuts while the spindle is off'
 broken "no tool centre point control" '/G43/d' 'N[0-9]*: cuts without tool centre point'
 broken "no feed" 's/ F800\.//' 'N[0-9]*: cuts without a feed'
 broken "an unknown word" '/^N12030 /s/$/ Q1. U5./' 'N12030: found U5'
@@ -238,7 +238,7 @@ for control in fanuc siemens heidenhain linuxcnc; do
 	edit 345 cut; judge 1 "cut off within a word" "$N: "
 	sed 400q good.$control >bad.$control; judge 1 "cut off" 'ends without'
 	whole "no feed at all" "s/$dec\$//" 1 'N[0-9]+: cuts without a feed'
-	whole "no spindle" '/ M3$/d' 1 'N[0-9]+: cuts while the spindle stands'
+	whole "no spindle" '/ M3$/d' 1 'N[0-9]+: cuts while the spindle is off'
 	whole "another unit" "$unit" 3 'N[0-9]+ .*(beyond its travel|near no point)'
 	whole "no call of the tool's length or its point" "$tcp" 1 'N[0-9]+: cuts (without|from|with)'
 	whole "nor its end" "$off" 1 'bad'

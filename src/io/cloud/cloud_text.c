@@ -303,7 +303,7 @@ static int take_row(struct text *t, const struct cloud_row *row, struct error *e
 {
     if (t->promised && t->rows == t->promised)
         return cloud_error(t->source, error,
-                           "a row more than the %zu that line %zu says, expected the end or a "
+                           "a row more than the %zu of line %zu, expected the end or a "
                            "count",
                            t->promised, t->promised_at);
     if (!t->source->reader->ended && row->columns < t->columns)
@@ -437,7 +437,7 @@ static int at_end(const struct text *t, struct error *error)
 {
     const char *name = t->source->reader->name;
     if (t->promised && t->rows < t->promised)
-        return error_at(error, name, 0, "%zu rows, expected the %zu that line %zu says", t->rows,
+        return error_at(error, name, 0, "%zu rows, expected the %zu of line %zu", t->rows,
                         t->promised, t->promised_at);
     if (!t->begun)
         return error_at(error, name, 0, "no points, expected rows of x y z");

@@ -96,7 +96,7 @@ static int read_face(struct reader *r, struct mesh *mesh, struct error *error)
         return expected(r, error, "a face: the number of its corners, 3 or more, and the corners");
     for (double i = 0; i < corners; i++) {
         if (read_numbers(&s, &index, 1) < 1)
-            return expected(r, error, "as many corners as the face says");
+            return expected(r, error, "the number of corners of the face");
         if (!(index >= 0 && index < (double)mesh->vertex.n && index == floor(index)))
             return error_at(error, r->name, r->line, "vertex index %.17g, expected 0 to %zu", index,
                             mesh->vertex.n - 1);

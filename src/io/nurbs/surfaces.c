@@ -91,7 +91,7 @@ void surfaces_tell_unit(const char *file, const struct surfaces_unit *unit, cons
     if (unit->flag[0] && !taken)
         note("%s: unit %s", file, unit->flag);
     if (unit->other[0])
-        say("%s: the unit flag says %s, the name beside it %s: took %s", file, unit->flag,
+        say("%s: the unit flag is %s, the name beside it %s: used %s", file, unit->flag,
             unit->other, taken ? taken : unit->flag);
     if ((unit->scale < 1 || unit->scale > 1) && !taken)
         say("%s: model scale %g worked in", file, unit->scale);

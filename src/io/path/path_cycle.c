@@ -315,7 +315,7 @@ int path_read_cycle(struct path_parse *p)
     }
     return error_at(AT(p),
                     "found CYCLE/%.40s, expected DRILL, FACE, CSINK, DEEP, PECK, BRKCHP, TAP, "
-                    "BORE, REAM or OFF: passing over it would send the tool elsewhere",
+                    "BORE, REAM or OFF: ignoring it would send the tool to the wrong place",
                     word);
 }
 

@@ -349,7 +349,7 @@ int path_read_godlta(struct path_parse *p)
     if (n != 1 && n != 3 && n != 6)
         return error_at(AT(p),
                         "found %zu numbers in GODLTA, expected dx, dy, dz, with the tool axis or "
-                        "without, or a way along it",
+                        "without, or a distance along it",
                         n);
     if (path_numbers(p, 0, n, v, "dx, dy, dz") < 0 ||
         (n == 6 && path_direction(p, v + 3, "a tool axis", &p->axis) < 0))
@@ -475,6 +475,6 @@ int path_read_rotabl(struct path_parse *p)
         return 0;
     return error_at(AT(p),
                     "found %.20s, which turns the table by itself, expected the tool axis in GOTO: "
-                    "passing over it would send the tool elsewhere",
+                    "ignoring it would send the tool to the wrong place",
                     p->apt.word);
 }

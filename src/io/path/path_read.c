@@ -290,8 +290,8 @@ static int read_fini(struct path_parse *p)
 static int read_geometry(struct path_parse *p)
 {
     return error_at(AT(p),
-                    "found the geometry word %.40s, expected GOTO, CIRCLE or MOVNRB: passing "
-                    "over it would send the tool elsewhere",
+                    "found the geometry word %.40s, expected GOTO, CIRCLE or MOVNRB: ignoring "
+                    "it would send the tool to the wrong place",
                     p->apt.word);
 }
 

@@ -166,9 +166,9 @@ START_TEST(counts)
     ck_assert_uint_eq(clouds.count.heads, 1);
     clouds_three("# PTS\n2\n1.5 -2.25 3000 -100 1 2 3\n0.5 0.25 -4 5 1 2 3\n1\n7 8 9 5 1 2 3\n");
     clouds_three("7\nx y z\n1.5 -2.25 3000\n0.5 0.25 -4\n7 8 9\n"); /* no count of what follows */
-    clouds_refused("4\n1 2 3\n4 5 6\n7 8 9\n", "3 rows, expected the 4 that line 1 says");
-    clouds_refused("2\n1 2 3\n4 5 6\n7 8 9\n", ":4: a row more than the 2 that line 1 says");
-    clouds_refused("2\n1 2 3\n4 5 6\n2\n7 8 9\n", "1 rows, expected the 2 that line 4 says");
+    clouds_refused("4\n1 2 3\n4 5 6\n7 8 9\n", "3 rows, expected the 4 of line 1");
+    clouds_refused("2\n1 2 3\n4 5 6\n7 8 9\n", ":4: a row more than the 2 of line 1");
+    clouds_refused("2\n1 2 3\n4 5 6\n2\n7 8 9\n", "1 rows, expected the 2 of line 4");
     clouds_refused("3\n1 2 3\n4 5 6\n2\n7 8 9\n", ":4: 1 column in the row");
     clouds_refused("99999999999999999999\n1 2 3\n", ":1: ");
     clouds_refused("-3\n1 2 3\n", ":1: ");
