@@ -1,7 +1,7 @@
 #!/bin/sh
-# demo.sh OUTDIR - the main job on a real scan: a face, to a Siemens program of arcs and a Fanuc
-# program of B-splines, each judged by ncverify against the whole scan, and drawn.  Every command is
-# shown, run as shown, and followed by some of what it says; all of that is in OUTDIR/log.
+# demo.sh OUTDIR - the main task on a real scan: from a face to a Siemens program of arcs and a Fanuc
+# program of B-splines, each checked by ncverify against the whole scan, and drawn.  Every command is
+# shown, run as shown, and followed by some of its messages; all of them are in OUTDIR/log.
 # `make demo` calls it with BIN (the tools) set.
 set -eu
 cd "$(dirname "$0")/.."
@@ -14,7 +14,7 @@ mkdir -p "$out"
 : >"$out/log"
 worst=0
 
-# run SOME COMMAND...: of what it says, the lines like SOME.  Exit status 3 is a verdict: go on.
+# run SOME COMMAND...: shows its messages that match SOME.  Exit status 3 is a verdict: continue.
 run() {
 	some=$1 code=0
 	shift

@@ -1,6 +1,6 @@
 #!/bin/sh
 # paper2.sh - Tables 1 to 4 of Bey, Boudjouad and Tafat-Bouzid (2007): the paper's own figures for
-# its surfaces, and for the two that stand in for them here as published (--paper) and by default.
+# its surfaces, and those of the two substitutes here as published (--paper) and by default.
 # BIN: where the tools are.
 dir=$(cd "$(dirname "$0")" && pwd) || exit 1
 BIN=${BIN:-$dir/../build/bin}

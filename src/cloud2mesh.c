@@ -56,8 +56,8 @@ static struct settings read_options(struct cli *cli, int argc, char **argv)
          "the mean of the facets' (default: quadric; with --paper: facet)",
          CLI_CHOICE, &normals, 0, 0, 0, &normals_given},
         {0, "neighbours", "N",
-         "points that a quadric is fitted to (default: 40; under noise as many as\n"
-         "needed)",
+         "points that a quadric is fitted to (default: 40; under noise as\n"
+         "many as needed)",
          CLI_COUNT, &s.meshing.neighbours, 6, 1000, 0, NULL},
         {0, "outliers", "drop|keep",
          "drop outliers and points below others, or only count them\n"
@@ -75,8 +75,8 @@ static struct settings read_options(struct cli *cli, int argc, char **argv)
          CLI_FLAG, &s.meshing.subdivide, 0, 0, 0, NULL},
         EFFORT_OPTION(&s.meshing.effort),
         {0, "paper", NULL,
-         "as published: a node may move to any point nearer than the spacing, holes\n"
-         "are bridged, normals are the mean of the facets'",
+         "as published: a node may move to any point nearer than the spacing,\n"
+         "holes are bridged, normals are the mean of the facets'",
          CLI_FLAG, &s.meshing.paper, 0, 0, 0, NULL},
         {0}};
     cli->option = option;

@@ -29,8 +29,8 @@ static void read_options(struct cli *cli, int argc, char **argv)
          "instead of the rows of the mesh",
          CLI_NUMBER, &scallop, CLI_POSITIVE, 0, 0, NULL},
         {0, "direction", "auto|DEG",
-         "direction of those rows: the one with the shortest cut, or about z from\n"
-         "x towards y (default: that of the mesh's rows)",
+         "direction of those rows: the one with the shortest cut, or about z\n"
+         "from x towards y (default: that of the mesh's rows)",
          CLI_TEXT, &way, 0, 0, 0, NULL},
         {0}};
 

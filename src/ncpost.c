@@ -62,8 +62,8 @@ static void read_options(struct settings *s, struct cli *cli, int argc, char **a
         {0, "rotary", NULL, "tool axis as rotary words (Siemens ORIAXES; default for the others)",
          CLI_FLAG, &s->rotary, 0, 0, 0, NULL},
         {0, "plane", NULL,
-         "for a fixed tool axis: tilt the control's plane to it (G68.2, CYCLE800,\n"
-         "PLANE SPATIAL) instead of tool-centre-point control",
+         "for a fixed tool axis: tilt the control's plane to it (G68.2,\n"
+         "CYCLE800, PLANE SPATIAL) instead of tool-centre-point control",
          CLI_FLAG, &s->post.plane, 0, 0, 0, NULL},
         {0, "contact-feed", NULL, "apply the feeds of the path to the contact point", CLI_FLAG,
          &s->post.contact_feed, 0, 0, 0, NULL},

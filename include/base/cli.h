@@ -1,9 +1,14 @@
 /*
- * cli - what every tool does the same way: options, help, messages, exit status, progress.
+ * cli - what every tool does the same way: options, help, messages, exit status, progress; the main
+ * header of base, the only folder that ends the process.
  *
  * A tool declares its options as a table; -h -V -q -v -o and -j are added here.  Exit status:
  * 0 done, 1 input, output or memory failed, 2 wrong usage, 3 done but a stated requirement is
  * not met.
+ *
+ * Beside it: array.h memory and growing arrays, error.h failures as values, num.h numbers as text,
+ * reader.h input by lines, out.h output that is complete or absent, parallel.h threads, effort.h
+ * bounds of the work on a large scan, program_dir.h the program's own folder.
  */
 #ifndef CLOUDMILL_CLI_H
 #define CLOUDMILL_CLI_H
@@ -25,7 +30,7 @@ enum cli_kind {
     CLI_TEXT,    /* const char ** */
     CLI_CHOICE,  /* int *: index of the word among `arg`, written "one|two|three" */
     CLI_NUMBERS, /* double[count]: exactly `count` numbers, commas between */
-    CLI_LIST     /* struct cli_list *: may be given again and again */
+    CLI_LIST     /* struct cli_list *: may be given several times */
 };
 
 #define CLI_POSITIVE DBL_MIN /* as min: above zero */
@@ -41,10 +46,10 @@ struct cli_option {
     const char *arg;  /* name of the value in the help, NULL for a flag */
     const char *help; /* one line, or more with '\n' between */
     enum cli_kind kind;
-    void *value;     /* where it goes; what stands there is the default */
+    void *value;     /* where it goes; its contents are the default */
     double min, max; /* both 0: no bounds */
     int count;       /* of CLI_NUMBERS */
-    bool *given;     /* set to true when the option was there; may be NULL */
+    bool *given;     /* set to true if the option is used; may be NULL */
 };
 
 struct cli {
@@ -55,14 +60,14 @@ struct cli {
     const struct cli_option *more;   /* a second such table, of options that tools share; or NULL */
     const char *output;              /* -o, NULL: standard output */
     int threads;                     /* -j, 0: as many as there are processors */
-    int files;                       /* how many operands there were ... */
-    char **file;                     /* ... and they; none: one, "-" */
+    int files;                       /* number of operands */
+    char **file;                     /* the operands; without any: one, "-" */
 };
 
 /* Reads the options.  -h and -V end the process with 0, a mistake with 2. */
 void cli_parse(struct cli *cli, int argc, char **argv);
 
-/* One line on standard error behind `tool: `.  say: unless -q; note: only with -v. */
+/* One line on standard error after `tool: `.  say: unless -q; note: only with -v. */
 void say(const char *format, ...) __attribute__((format(printf, 1, 2)));
 void note(const char *format, ...) __attribute__((format(printf, 1, 2)));
 
@@ -75,7 +80,8 @@ _Noreturn void die_unmet(const char *format, ...) __attribute__((format(printf, 
 /* The same with the status as a value: EXIT_FAILED, EXIT_USAGE or EXIT_UNMET. */
 _Noreturn void die_status(int status, const struct error *error);
 
-/* Percent on standard error when that is a terminal and -q was not given; done == of clears it. */
+/* Prints a percentage on standard error if that is a terminal and without -q; done == of clears it.
+ */
 void progress(const char *what, size_t done, size_t of);
 
 #endif

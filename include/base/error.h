@@ -1,9 +1,9 @@
 /*
  * error - a failure as a value.
  *
- * A function that can fail returns 0 when all is well and -1 when not, and then fills the
- * struct error that the caller handed in with one line: `place: what was found, what was
- * expected`.  Only the tools turn it into a message and an exit status (cli.h: die_error).
+ * A function that can fail returns 0 on success and -1 on failure; it then fills the caller's
+ * struct error with one line: `place: what was found, what was expected`.  Only the tools turn it
+ * into a message and an exit status (cli.h: die_error).
  */
 #ifndef CLOUDMILL_ERROR_H
 #define CLOUDMILL_ERROR_H
@@ -17,7 +17,7 @@ struct error {
 /* Fills *error as printf would and returns -1, so that a caller can `return error_set(...)`. */
 int error_set(struct error *error, const char *format, ...) __attribute__((format(printf, 2, 3)));
 
-/* The same with the place `name:line: ` (line 0: `name: `) in front. */
+/* The same with the place `name:line: ` (line 0: `name: `) before the text. */
 int error_at(struct error *error, const char *name, size_t line, const char *format, ...)
     __attribute__((format(printf, 4, 5)));
 

@@ -15,14 +15,14 @@ extern const double num_ten[23];
 
 /*
  * Reads one decimal number at *s: sign, digits with or without a point (`5`, `5.`, `.5`),
- * exponent by e, E, d or D.  The value is the nearest double, as strtod's would be.  True when a
- * number was there, and *s then stands behind it; false leaves *s.  The text must end in '\0'
- * (any character that can't be part of a number will do).  nan, inf and hexadecimal are no numbers;
+ * exponent by e, E, d or D.  The value is the nearest double, as strtod's would be.  True if there
+ * is one; *s is then advanced to its end; false leaves *s.  The text must end in '\0' or any
+ * other character that cannot be part of a number.  nan, inf and hexadecimal are no numbers;
  * a number too large for a double gives +-HUGE_VAL: check with isfinite where it matters.
  */
 bool num_read(const char **s, double *value);
 
-/* The first eight characters, the first one lowest, whatever the processor's order of bytes. */
+/* The first eight characters, the first one lowest, on any processor. */
 static inline uint64_t num_eight(const char *p)
 {
     const unsigned char *u = (const unsigned char *)p;
@@ -31,15 +31,14 @@ static inline uint64_t num_eight(const char *p)
            (uint64_t)u[7] << 56;
 }
 
-/* How many of them are digits before the first that is none; and the number that these are, 0
- * where there are none. */
+/* The number of leading digits among them, and their value, 0 if there are none. */
 static inline int num_digits(uint64_t eight, uint64_t *value)
 {
     static const uint64_t each = 0x0101010101010101;
     uint64_t digit = eight ^ (0x30 * each);
     uint64_t other = ((digit + 0x76 * each) | digit) & (0x80 * each);
     int bits = other ? __builtin_ctzll(other) & 56 : 64;
-    digit = bits ? digit << (64 - bits) : 0; /* noughts in front */
+    digit = bits ? digit << (64 - bits) : 0; /* leading zeros */
     digit = (digit * 10 + (digit >> 8)) & 0x00ff00ff00ff00ff;
     digit = (digit * 100 + (digit >> 16)) & 0x0000ffff0000ffff;
     *value = (digit * 10000 + (digit >> 32)) & 0xffffffff;
@@ -47,10 +46,9 @@ static inline int num_digits(uint64_t eight, uint64_t *value)
 }
 
 /*
- * num_read for the numbers that files are full of, at most 15 digits without an exponent, where it
- * is called for each of millions: what stands behind the number, NULL when it is not as plain as
- * that.  Decimals are taken eight at a time, so that so many characters behind the number are
- * looked at too.
+ * A faster num_read for plain numbers, at most 15 digits without an exponent, of which files have
+ * millions.  Returns the end of the number, or NULL if it is not plain.  It reads eight decimals at
+ * a time, and so up to eight characters after the number.
  */
 static inline const char *num_plain(const char *p, double *value)
 {
@@ -82,13 +80,13 @@ static inline const char *num_plain(const char *p, double *value)
 }
 
 /*
- * Passes over a word that programs print for what is no finite number: nan, inf and infinity in any
- * case, with a sign and with brackets behind (`-nan(ind)`), 1.#IND, 1.#QNAN, -1.#INF.  False leaves
+ * Skips a word that programs print for a value that is not finite: nan, inf and infinity in any
+ * case, with a sign and followed by brackets (`-nan(ind)`), 1.#IND, 1.#QNAN, -1.#INF.  False leaves
  * *s.
  */
 bool num_not_finite(const char **s);
 
-/* The whole of text is one finite number (blanks around it allowed). */
+/* True if the whole text is one finite number, with or without blanks around it. */
 bool num_whole(const char *text, double *value);
 
 enum { NUM_MAX = 352 }; /* room for any number that num_write writes, and its '\0' */
@@ -102,16 +100,16 @@ size_t num_write(char *buf, double x, int digits);
 /* num_write of a number that num_scaled has made whole. */
 size_t num_put(char *buf, int64_t integer, bool negative, int digits);
 
-/* Takes the trailing zeros from the n characters that num_write wrote; the length that is left.
- * A whole number then has its point where `point` is set: 12. */
+/* Removes the trailing zeros from the n characters that num_write wrote; returns the length that is
+ * left.  A whole number keeps its point if `point` is set: 12. */
 size_t num_shorten(char *buf, size_t n, int digits, bool point);
 
-/* The same without trailing zeros, but with its point where `point` is set: 12. 0.5 -3.25 */
+/* num_write without trailing zeros; a whole number keeps its point if `point` is set: 12. 0.5 */
 size_t num_write_short(char *buf, double x, int digits, bool point);
 
 /*
- * The eight digits of n, below 10^8, a byte each, the first one lowest: fours of them, pairs and
- * single ones by multiplying with 1 / 100 and 1 / 10, so close that what is cut off is right.
+ * The eight digits of n, below 10^8, a byte each, the first one lowest.  n is split into fours,
+ * pairs and single digits by multiplication with 1 / 100 and 1 / 10, accurate enough to truncate.
  */
 static inline uint64_t num_eight_digits(uint32_t n)
 {
@@ -122,7 +120,7 @@ static inline uint64_t num_eight_digits(uint32_t n)
     return tens | (pairs - 10 * tens) << 8;
 }
 
-/* The lowest byte first, whatever the processor's order of bytes. */
+/* Stores eight bytes, the lowest first, on any processor. */
 static inline void num_put_eight(char *to, uint64_t bytes)
 {
     const char text[] = {(char)bytes,         (char)(bytes >> 8),  (char)(bytes >> 16),
@@ -134,7 +132,7 @@ static inline void num_put_eight(char *to, uint64_t bytes)
 /* num_put and num_shorten at once, without '\0'. */
 size_t num_put_long(char *buf, int64_t integer, bool negative, int digits, bool point);
 
-/* The same where it is called for each of millions; up to NUM_MAX characters may be written to. */
+/* The same, but faster; up to NUM_MAX characters may be overwritten. */
 static inline size_t num_put_short(char *buf, int64_t integer, bool negative, int digits,
                                    bool point)
 {
@@ -144,16 +142,16 @@ static inline size_t num_put_short(char *buf, int64_t integer, bool negative, in
     uint64_t digit = num_eight_digits((uint32_t)integer);
     unsigned ones = 8 * (7 - (unsigned)digits); /* bits before the last digit before the point */
     unsigned first = (unsigned)__builtin_ctzll(digit | UINT64_C(1) << ones) & 56;
-    unsigned noughts = (unsigned)__builtin_clzll(digit | 1) / 8; /* at the end */
+    unsigned zeros = (unsigned)__builtin_clzll(digit | 1) / 8; /* at the end */
     char *to = buf;
     *to = '-';
     to += negative && integer != 0;
     num_put_eight(to, (digit + character) >> first);
     to += (ones - first) / 8 + 1;
     *to = '.';
-    if (noughts < (unsigned)digits) {
+    if (zeros < (unsigned)digits) {
         num_put_eight(to + 1, (digit + character) >> (ones + 8));
-        to += 1 + (unsigned)digits - noughts;
+        to += 1 + (unsigned)digits - zeros;
     } else {
         to += point;
     }

@@ -1,10 +1,10 @@
 /*
- * out - checked output to standard output or, complete or not at all, to a file.
+ * out - checked output to standard output, or to a file that is complete or absent.
  *
- * A file is written beside its place and renamed when out_close finds everything written; a
- * process that ends before (die, a signal) leaves an older file as it was and nothing beside it.
- * What is no regular file (a FIFO, /dev/null) is written directly.  Any failure to write ends
- * the process with exit status 1.  One output at a time.
+ * A file is written under a temporary name beside its place and renamed by out_close.  A process
+ * that ends before that (die, a signal) leaves an older file unchanged and no temporary file.
+ * Anything but a regular file (a FIFO, /dev/null) is written directly.  A failure to write ends the
+ * process with exit status 1.  One output at a time.
  */
 #ifndef CLOUDMILL_OUT_H
 #define CLOUDMILL_OUT_H
@@ -20,8 +20,8 @@ void out_text(struct out *o, const char *s);
 void out_bytes(struct out *o, const void *p, size_t n);
 void out_printf(struct out *o, const char *format, ...) __attribute__((format(printf, 2, 3)));
 
-/* Room for n bytes, at most 4096, to put them down without a copy; out_take then takes the first n
- * of them.  Nothing else is written between. */
+/* Room for n bytes, at most 4096, to be filled without a copy; out_take then writes the first n of
+ * them.  No other output comes between. */
 char *out_room(struct out *o, size_t n);
 void out_take(struct out *o, size_t n);
 
@@ -32,7 +32,7 @@ void out_int(struct out *o, long long i);
 /* Writes what is left, checks it and gives the file its name. */
 void out_close(struct out *o);
 
-/* Takes away an unfinished file; for die and the signal handler. */
+/* Removes an unfinished file; for die and the signal handler. */
 void out_abandon(void);
 
 #endif

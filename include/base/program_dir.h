@@ -1,14 +1,12 @@
 /*
- * program_dir - where the running program lies, so that what was installed or built beside it is
- * found.
+ * program_dir - the folder of the running program, to find the files installed or built with it.
  */
 #ifndef CLOUDMILL_PROGRAM_DIR_H
 #define CLOUDMILL_PROGRAM_DIR_H
 
 #include <stddef.h>
 
-/* The folder of the running program, without a slash at its end; "" where the system does not say.
- */
+/* The folder of the running program, without a slash at its end; "" if unknown. */
 void program_dir(char *folder, size_t size);
 
 #endif

@@ -2,7 +2,7 @@
  * reader - input line by line, or byte by byte, from a file or standard input.
  *
  * Lines may end in LF, CRLF or a bare CR, the last one in nothing; a UTF-8 byte order mark at the
- * very start is passed over.  Lines may be of any length.
+ * start is skipped.  Lines may be of any length.
  */
 #ifndef CLOUDMILL_READER_H
 #define CLOUDMILL_READER_H
@@ -18,10 +18,10 @@ struct reader {
     size_t line;      /* number of the line last read, from 1 */
     size_t size;      /* of a regular file, bytes; 0: not known */
     size_t got;       /* bytes read so far */
-    bool ended;       /* it had a line end: false only for what the file ends with */
-    char *buf;        /* from here on for reader.c alone */
+    bool ended;       /* the line had a line end: false only for the last one */
+    char *buf;        /* from here on private to reader.c */
     size_t cap, from, to;
-    size_t whole; /* behind the last LF of the buffer */
+    size_t whole; /* end of the last LF in the buffer */
     size_t last, last_end;
     char last_char;
     bool end, begun;
@@ -37,22 +37,21 @@ int reader_open(struct reader *r, const char *file, struct error *error);
  */
 int reader_line(struct reader *r, char **line, size_t *n, struct error *error);
 
-/* Puts the line last read back: the next reader_line returns it again.  Once, and unchanged. */
+/* Unreads the last line, once, if it was not changed: the next reader_line returns it again. */
 void reader_unread(struct reader *r);
 
 /*
- * For a parser that walks over the text itself: the whole lines, each with its LF, that wait in the
- * buffer, and how many bytes they are; 0 says nothing of the end of the input.  Eight bytes behind
- * them may be looked at.  reader_take then
- * takes the first n bytes of them, which are so many lines.
+ * For a parser that scans the text itself: the complete lines in the buffer, each with its LF, and
+ * their length; 0 does not mean the end of the input.  Eight bytes after them may be read too.
+ * reader_take then consumes the first n bytes, which are `lines` lines.
  */
 size_t reader_ahead(const struct reader *r, const char **text);
 void reader_take(struct reader *r, size_t n, size_t lines);
 
-/* Up to n bytes to p; returns how many there were (fewer only at the end), -1 on failure. */
+/* Reads n bytes to p; returns their number (fewer only at the end), -1 on failure. */
 long reader_bytes(struct reader *r, void *p, size_t n, struct error *error);
 
-/* The next bytes without taking them: *p, at most `want` (<= 4096); returns how many. */
+/* The next bytes without consuming them: *p, at most `want` (<= 4096); returns their number. */
 long reader_peek(struct reader *r, const char **p, size_t want, struct error *error);
 
 void reader_close(struct reader *r);

@@ -4,20 +4,143 @@
 #include <fcntl.h>
 #include <getopt.h>
 #include <math.h>
+#include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <time.h>
 #include <unistd.h>
 
 #include "base/array.h"
-#include "message.h"
 #include "base/num.h"
+#include "base/out.h"
+
+/* ---- messages, and the end of the process */
+
+static struct {
+    const char *tool;
+    bool quiet, verbose, progress_shown;
+} state = {.tool = "cloudmill"};
+
+/* The name before every message. */
+static void message_begin(const char *tool)
+{
+    state.tool = tool;
+}
+
+/* quiet: errors only; verbose: summaries too.  Quiet wins. */
+static void message_level(bool quiet, bool verbose)
+{
+    state.quiet = quiet;
+    state.verbose = verbose && !quiet;
+}
+
+/* Prints one line; control characters, which may come from a hostile file, become `?`. */
+static void print(const char *format, va_list args)
+{
+    char line[512];
+    int n = snprintf(line, sizeof line, "%.40s: ", state.tool);
+    vsnprintf(line + n, 395 - (size_t)n, format, args);
+    for (char *p = line; *p; p++)
+        if ((unsigned char)*p < ' ' || *p == 127)
+            *p = '?';
+    if (state.progress_shown)
+        fputs("\r\033[K", stderr);
+    state.progress_shown = false;
+    fprintf(stderr, "%s\n", line);
+}
+
+void say(const char *format, ...)
+{
+    if (state.quiet)
+        return;
+    va_list args;
+    va_start(args, format);
+    print(format, args);
+    va_end(args);
+}
+
+void note(const char *format, ...)
+{
+    if (!state.verbose)
+        return;
+    va_list args;
+    va_start(args, format);
+    print(format, args);
+    va_end(args);
+}
+
+void die(const char *format, ...)
+{
+    va_list args;
+    va_start(args, format);
+    out_abandon();
+    print(format, args);
+    va_end(args);
+    exit(EXIT_FAILED);
+}
+
+void die_error(const struct error *error)
+{
+    die("%s", error->text);
+}
+
+void die_usage(const char *format, ...)
+{
+    va_list args;
+    va_start(args, format);
+    out_abandon();
+    print(format, args);
+    va_end(args);
+    if (!state.quiet)
+        fprintf(stderr, "try `%s --help`\n", state.tool);
+    exit(EXIT_USAGE);
+}
+
+void die_unmet(const char *format, ...)
+{
+    va_list args;
+    va_start(args, format);
+    out_abandon();
+    print(format, args);
+    va_end(args);
+    exit(EXIT_UNMET);
+}
+
+void die_status(int status, const struct error *error)
+{
+    if (status == EXIT_USAGE)
+        die_usage("%s", error->text);
+    if (status == EXIT_UNMET)
+        die_unmet("%s", error->text);
+    die_error(error);
+}
+
+void progress(const char *what, size_t done, size_t of)
+{
+    static time_t last;
+    if (state.quiet || !isatty(2))
+        return;
+    time_t now = time(NULL);
+    if (done < of && now == last) /* at most once a second */
+        return;
+    last = now;
+    if (done < of)
+        fprintf(stderr, "\r%s: %s %d%% (%zu of %zu)\033[K", state.tool, what,
+                (int)(100.0 * (double)done / (double)of), done, of);
+    else
+        fputs("\r\033[K", stderr);
+    fflush(stderr);
+    state.progress_shown = done < of;
+}
+
+/* ---- options */
 
 static bool help, version, quiet, verbose;
 
 enum { COMMON_HELP = 256 }; /* getopt's value for option i of the merged table: this + i */
 
-/* The tool's options and, behind them, those that every tool has. */
+/* The tool's options, followed by those that every tool has. */
 struct table {
     size_t n, cap;
     struct cli_option *item;
@@ -187,7 +310,7 @@ static void set(const struct cli_option *o, const char *text)
 }
 
 /*
- * A standard file that was closed is opened the wrong way round: no file opened later takes its
+ * A standard file that was closed is opened the wrong way round: no file opened later gets its
  * place, and whoever reads or writes it finds the failure.
  */
 static void hold_standard_files(void)

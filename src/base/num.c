@@ -40,7 +40,7 @@ static double read_exactly(const char *from, const char *to)
     return value;
 }
 
-/* An exponent at p (`e-3`, `D+05`): its value, *end behind it; 0 and p when there is none. */
+/* The value of an exponent at p (`e-3`, `D+05`), and its end; 0 and p if there is none. */
 static int read_exponent(const char *p, const char **end)
 {
     *end = p;
@@ -150,7 +150,7 @@ static inline char *put_digits(char *end, uint64_t n, int least)
 size_t num_put(char *buf, int64_t integer, bool negative, int digits)
 {
     char text[2 * DIGITS_MAX],
-        *end = text + DIGITS_MAX; /* behind: so that copies have one length */
+        *end = text + DIGITS_MAX; /* at the end, so that copies have one length */
     const char *p = put_digits(end, (uint64_t)integer, digits + 1);
     char *to = buf;
     *to = '-';

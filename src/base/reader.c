@@ -1,7 +1,7 @@
 /*
  * reader - see reader.h.
  *
- * One buffer, refilled at its end and moved to its front when a line does not fit behind; a line
+ * One buffer, refilled at its end and moved to its front when a line does not fit; a line
  * is ended in place with '\0' and handed out without a copy.
  */
 #include "base/reader.h"
@@ -47,7 +47,7 @@ void reader_close(struct reader *r)
     r->buf = NULL;
 }
 
-/* One read behind what is there; bytes beyond `to` always stay free for a '\0', and are all '\0'.
+/* Appends one read to the buffer; bytes beyond `to` always stay free for a '\0', and are all '\0'.
  */
 static int fill_once(struct reader *r, struct error *error)
 {
@@ -72,7 +72,7 @@ static int fill_once(struct reader *r, struct error *error)
     return 0;
 }
 
-/* Reads more; the first time until a byte order mark would be seen, which is passed over. */
+/* Reads more; the first time until a byte order mark would be seen, which is skipped. */
 static int fill(struct reader *r, struct error *error)
 {
     if (r->from > 0) {

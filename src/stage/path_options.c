@@ -31,10 +31,10 @@ const struct cli_option path_option_table[] = {
     {0, "noise", "SIGMA", "standard deviation of the noise to remove from the scan of -g\n"
      "(default: measured; 0: the points as they are)", CLI_NUMBER, &path_options.noise, 0, 10, 0, NULL},
     EFFORT_OPTION(&path_options.effort),
-    {'e', "tolerance", "E", "insert points between those of the mesh: straight lines stay within E of\n"
-     "the smooth curve, no deeper in the part (0.01 with -g or --holder)",
+    {'e', "tolerance", "E", "insert points between those of the mesh: straight lines stay within E\n"
+     "of the smooth curve, no deeper in the part (0.01 with -g or --holder)",
      CLI_NUMBER, &path_options.tolerance, 0.0001, 10, 0, NULL},
-    {0, "paper", NULL, "as published: only the points of the mesh, no lifting, links not checked",
+    {0, "paper", NULL, "as published: only the mesh points, no lifting, links not checked",
      CLI_FLAG, &path_options.paper, 0, 0, 0, NULL},
     {0, "avoid", NULL, "accept material left where the ball does not fit (otherwise the exit\n"
      "status is 3)", CLI_FLAG, &path_options.avoid, 0, 0, 0, NULL},
@@ -60,7 +60,7 @@ const struct cli_option path_option_table[] = {
      CLI_NUMBER, &path_options.rate, CLI_POSITIVE, 0, 0, NULL},
     {0, "holder", "SPEC", "keep shank and holder clear too: cones R0:R1:L or cylinders R:L from\n"
      "the ball's centre upward, joined by +", CLI_TEXT, &path_options.holder, 0, 0, 0, NULL},
-    {0, "lean-limit", "DEG", "largest angle by which axes are tilted away where the holder touches (30)",
+    {0, "lean-limit", "DEG", "largest tilt of the axis away from where the holder touches (30)",
      CLI_NUMBER, &path_options.lean, 0, 85, 0, NULL},
     {0, "one-way", NULL, "cut all passes in one direction (default: zig-zag)",
      CLI_FLAG, &path_options.one_way, 0, 0, 0, NULL},
@@ -70,10 +70,10 @@ const struct cli_option path_option_table[] = {
      CLI_NUMBER, &path_options.depth, CLI_POSITIVE, 0, 0, NULL},
     {0, "clearance", "Z", "height of the tip on the clearance plane (default: top of the part\n"
      "and its layers + radius + 10)", CLI_NUMBER, &path_options.clearance, 0, 0, 0, NULL},
-    {0, "approach", "MM", "height above the part from which the tool descends at the plunge feed (5)",
+    {0, "approach", "MM", "distance above the part where the plunge feed begins (5)",
      CLI_NUMBER, &path_options.approach, CLI_POSITIVE, 0, 0, NULL},
     {0, "feed", "F", "cutting feed, mm/min (800)", CLI_NUMBER, &path_options.feed, CLI_POSITIVE, 0, 0, NULL},
-    {0, "plunge", "F", "feed of that descent (default: half the cutting feed)",
+    {0, "plunge", "F", "feed of the descent from there (default: half the cutting feed)",
      CLI_NUMBER, &path_options.plunge, CLI_POSITIVE, 0, 0, NULL},
     {0, "spindle", "RPM", "speed of the spindle (8000)",
      CLI_NUMBER, &path_options.spindle, CLI_POSITIVE, 0, 0, NULL},

@@ -49,7 +49,7 @@ for noise in 0 0.02; do
 	hasnt "with it nothing is left out" 'covers all' "$TMP/err"
 	same "and the mesh is that of a search without bounds" "$TMP/all.ply" "$TMP/enough.ply"
 done
-has "where there is noise, of what is fitted along ribs" 'none is fitted along ribs and grooves; --effort' "$TMP/said0.02"
+has "where there is noise, of what is fitted along ribs" 'no surface is fitted along ribs and grooves; --effort' "$TMP/said0.02"
 has "and of how many points surfaces go through" 'surfaces are fitted to fewer; --effort' "$TMP/said0.02"
 
 # A scan that guards: its noise stays in, and points that are far apart get none between.
