@@ -10,7 +10,7 @@
 #include "machine/machine.h"
 #include "ncread/ncread.h"
 
-/* design/5-controls.md: a = (sin C sin A, -cos C sin A, cos A) and (sin B cos C, sin B sin C,
+/* a = (sin C sin A, -cos C sin A, cos A) and (sin B cos C, sin B sin C,
  * cos B), written out. */
 START_TEST(published_axis)
 {
