@@ -232,9 +232,10 @@ static void write_mesh(const struct cli *cli, const struct patches *patches,
 
 int main(int argc, char **argv)
 {
-    struct cli cli = {.tool = "nurbs2mesh",
-                      .usage = "[options] [FILE...]",
-                      .about = "Makes a mesh from NURBS surfaces (IGES, or NURBS text)."};
+    struct cli cli = {
+        .tool = "nurbs2mesh",
+        .usage = "[options] [FILE...]",
+        .about = "Makes a mesh of the surfaces of a CAD model (IGES, STEP, or NURBS text)."};
     struct settings settings = read_options(&cli, argc, argv);
     struct patches patches = {0};
     struct patch_mesh patch_mesh = {0};

@@ -13,7 +13,11 @@ struct ring {
     size_t n;
     size_t *next, *last;
     double *quality;
+    double room; /* twice the area that is left, but for a trifle */
 };
+
+/* Of the area of the polygon. */
+static const double TRIFLE = 1e-9;
 
 static double area_of(struct uv a, struct uv b, struct uv c)
 {
@@ -65,10 +69,24 @@ static struct ring ring_of(const struct uv *at, size_t n)
     return r;
 }
 
-/* The corner with the best ear; the flattest one where there is no ear. */
+static double ear_area(const struct ring *r, size_t i)
+{
+    return area_of(r->at[r->last[i]], r->at[i], r->at[r->next[i]]);
+}
+
+/* The corner with the best ear of those that leave some area: without the last of it the corners
+ * left lie on one line.  The flattest corner where there is no ear. */
 static size_t best_of(const struct ring *r, size_t from)
 {
     size_t best = from;
+    double quality = -1;
+    for (size_t k = 0, i = from; k == 0 || i != from; k++, i = r->next[i])
+        if (r->quality[i] > quality && ear_area(r, i) < r->room) {
+            best = i;
+            quality = r->quality[i];
+        }
+    if (quality > 0)
+        return best;
     for (size_t i = r->next[from]; i != from; i = r->next[i])
         if (r->quality[i] > r->quality[best])
             best = i;
@@ -76,7 +94,7 @@ static size_t best_of(const struct ring *r, size_t from)
         return best;
     double least = HUGE_VAL;
     for (size_t k = 0, i = from; k == 0 || i != from; k++, i = r->next[i]) {
-        double area = fabs(area_of(r->at[r->last[i]], r->at[i], r->at[r->next[i]]));
+        double area = fabs(ear_area(r, i));
         if (area < least) {
             least = area;
             best = i;
@@ -91,8 +109,11 @@ void earclip(const struct uv *at, const int *corner, size_t n, struct faces *fac
         return;
     struct ring r = ring_of(at, n);
     size_t from = 0;
+    for (size_t k = 1; k + 1 < n; k++)
+        r.room += (1 - TRIFLE) * area_of(at[0], at[k], at[k + 1]);
     for (size_t left = n; left >= 3; left--) {
         size_t i = best_of(&r, from), a = r.last[i], b = r.next[i];
+        r.room = left > 4 ? r.room - ear_area(&r, i) : HUGE_VAL; /* the last one takes all */
         *array_push(face) = (struct face){{corner[a], corner[i], corner[b]}};
         r.next[a] = b;
         r.last[b] = a;

@@ -9,6 +9,8 @@
 
 /* Grids that are tried, and of them those that hardly help before it is given up. */
 enum { ROUNDS = 8, IDLE = 2 };
+static const double POLE = 1e-9; /* of the longer derivative */
+static const double FAR_ABOVE = 4;
 static const double LITTLE = 0.3; /* of the gain that a finer grid should bring */
 
 /* Pieces are numbered row by row: those of u first. */
@@ -132,6 +134,31 @@ static double off_at(const struct nurbs *part, struct uv at, struct vec3 p, doub
     return fmin(sqrt(all), fabs(across) + bend / 2 * (all - across * across));
 }
 
+/* Is a side of the range, at this place, one point? */
+static bool is_pole(const struct nurbs *part, struct uv at)
+{
+    struct vec3 d[3][3];
+    nurbs_derivatives(part, at, 1, d);
+    double u = vec_length(d[1][0]) * (part->u.to - part->u.from);
+    double v = vec_length(d[0][1]) * (part->v.to - part->v.from);
+    return fmin(u, v) <= POLE * fmax(u, v);
+}
+
+/* The largest curvature at the corners of a triangle.  That of a pole does not count where it is
+ * far above the others: at the apex of a cone it has no bound. */
+static double largest_curvature(const struct sheet *s, const struct nurbs *part, const int *v)
+{
+    double bend[3], most = 0;
+    for (int k = 0; k < 3; k++)
+        bend[k] = fmax(fabs(s->k1.item[v[k]]), fabs(s->k2.item[v[k]]));
+    for (int k = 0; k < 3; k++) {
+        double others = fmax(bend[(k + 1) % 3], bend[(k + 2) % 3]);
+        if (!(bend[k] > FAR_ABOVE * others && is_pole(part, s->at.item[v[k]])))
+            most = fmax(most, bend[k]);
+    }
+    return most;
+}
+
 static void measure_faces(void *context, size_t from, size_t to)
 {
     struct evaluation *l = context;
@@ -139,9 +166,7 @@ static void measure_faces(void *context, size_t from, size_t to)
     for (size_t i = from; i < to; i++) {
         const int *v = s->face.item[i].v;
         const struct nurbs *part = &l->part[s->piece.item[v[0]]];
-        double bend = 0;
-        for (int k = 0; k < 3; k++)
-            bend = fmax(bend, fmax(fabs(s->k1.item[v[k]]), fabs(s->k2.item[v[k]])));
+        double bend = largest_curvature(s, part, v);
         for (int m = 0; m < l->places; m++) {
             struct uv at = {0, 0};
             struct vec3 p = {0, 0, 0}, on;

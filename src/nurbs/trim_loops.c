@@ -37,13 +37,19 @@ static double loop_area(const struct uvs *loop)
     return area / 2;
 }
 
+/* Corners of a loop that say whether it lies in another: one alone may be on the border of that. */
+enum { ASKED = 7 };
+
 bool uv_polygon_backwards(const struct uv_polygon *loops, size_t index, bool open)
 {
     const struct uvs *loop = &loops->item[index];
     bool hole = open;
-    for (size_t i = 0; i < loops->n; i++)
-        if (i != index && goes_round(&loops->item[i], loop->item[0]))
-            hole = !hole;
+    for (size_t i = 0; i < loops->n; i++) {
+        int inside = 0;
+        for (size_t k = 0; k < ASKED && i != index; k++)
+            inside += goes_round(&loops->item[i], loop->item[k * loop->n / ASKED]);
+        hole = hole != (inside > ASKED / 2);
+    }
     return (loop_area(loop) > 0) == hole;
 }
 

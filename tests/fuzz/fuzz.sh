@@ -38,6 +38,7 @@ fuzz cloud-ply 'cloud*.ply' cloud2mesh -t 5 @@
 fuzz mesh 'mesh*.ply' meshnorm -r 8 @@
 fuzz mesh-planes 'mesh*.ply mesh*.stl mesh.off' planecut -r 4 -s 5 -a 90 @@
 fuzz iges '*.igs' nurbs2mesh -n 4 @@
+fuzz step '../box.step' nurbs2mesh --partial -n 4 @@
 fuzz nurbs-text '../../samples/saddle.nurbs' nurbs2mesh -n 4 @@
 fuzz path 'path*.cl' ncpost -c fanuc @@
 fuzz path-arcs 'path*.cl' biarcfit -e 0.1 @@

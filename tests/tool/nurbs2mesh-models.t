@@ -64,7 +64,7 @@ axis 110 0 0,0,-5,0,0,9
 line 110 0 10,0,0,10,0,20
 face 120 0 {axis},{line},0.,1.5707963267948966
 END
-model "120: a quarter of a cylinder" "$(calc 'p / 2 * 10 * 20')" - -e 0.0005 "$TMP/quarter.igs"
+model "120: a quarter of a cylinder" "$(calc 'p / 2 * 10 * 20')" - -e 0.004 "$TMP/quarter.igs"
 
 iges ruled <<'END'
 a 110 0 0,0,0,10,0,0
@@ -78,13 +78,13 @@ a 100 0 0,0,0,10,0,-10,0
 b 100 0 7,0,0,10,0,-10,0
 face 118 1 {a},{b},0,0
 END
-model "118: between two half circles" "$(calc 'p * 10 * 7')" - -e 0.0005 "$TMP/ruled2.igs"
+model "118: between two half circles" "$(calc 'p * 10 * 7')" - -e 0.004 "$TMP/ruled2.igs"
 
 iges tabulated <<'END'
 c 100 0 0,0,0,10,0,0,10
 face 122 0 {c},10,0,15
 END
-model "122: a quarter circle moved along" "$(calc 'p / 2 * 10 * 15')" - -e 0.0005 "$TMP/tabulated.igs"
+model "122: a quarter circle moved along" "$(calc 'p / 2 * 10 * 15')" - -e 0.004 "$TMP/tabulated.igs"
 
 # x = u, y = v, z = u v / 20 over 0..10 x 0..10 as 2 x 1 patches; one unused patch a column, of which the
 # last is left out.
@@ -110,7 +110,7 @@ out 142 0 0,{plane},0,{outer},2
 in 142 0 0,{plane},0,{hole},2
 face 144 0 {plane},1,1,{out},{in}
 END
-model "108: a square with a round hole" "$(calc '100 - 4 * p')" - -e 0.0002 "$TMP/plane.igs"
+model "108: a square with a round hole" "$(calc '100 - 4 * p')" - -e 0.001 "$TMP/plane.igs"
 
 # ---- IGES: solids
 
@@ -138,9 +138,9 @@ solid 186 0 {shell},1,0
 END
 }
 cylinder_solid | iges solid
-model "186: a cylinder" "$(calc '2 * p * 10 * 40')" "$(calc 'p * 100 * 30')" -e 0.0005 "$TMP/solid.igs"
+model "186: a cylinder" "$(calc '2 * p * 10 * 40')" "$(calc 'p * 100 * 30')" -e 0.003 "$TMP/solid.igs"
 cylinder_solid | iges inches -v unit=1
-model "in inches" "$(calc '2 * p * 10 * 40 * 25.4 * 25.4')" "$(calc 'p * 100 * 30 * 25.4 ^ 3')" -e 0.01 "$TMP/inches.igs"
+model "in inches" "$(calc '2 * p * 10 * 40 * 25.4 * 25.4')" "$(calc 'p * 100 * 30 * 25.4 ^ 3')" -e 0.06 "$TMP/inches.igs"
 
 iges cone <<'END'
 origin 116 0 0,0,0,0
@@ -163,7 +163,250 @@ f3 510 1 {lid},1,1,{l3}
 shell 514 1 3,{f1},1,{f2},0,{f3},1
 solid 186 0 {shell},1,0
 END
-model "186: a cone cut off" "$(calc 'p * (14 * 10 + 100 + 16)')" "$(calc 'p * 8 / 3 * (100 + 40 + 16)')" -e 0.0003 "$TMP/cone.igs"
+model "186: a cone cut off" "$(calc 'p * (14 * 10 + 100 + 16)')" "$(calc 'p * 8 / 3 * (100 + 40 + 16)')" -e 0.002 "$TMP/cone.igs"
+
+# ---- STEP
+
+step() { # NAME [-v ...]: from standard input, in which SOLID is the solid
+	name=$1
+	shift
+	{ cat; echo "REP ADVANCED_BREP_SHAPE_REPRESENTATION('',({SOLID}),{CONTEXT})"; } |
+		awk -f "$SRC/tests/lib/step.awk" "$@" >"$TMP/$name.step"
+}
+
+# side SURFACE: a solid of revolution between a circle of radius A at z 0 and one of B at z H, with a
+# seam between them
+turned() { # SURFACE A B H
+	cat <<END
+va VERTEX_POINT('',{p $2 0 0})
+vb VERTEX_POINT('',{p $3 0 $4})
+ca CIRCLE('',{a 0,0,0 0,0,1 1,0,0},$2)
+cb CIRCLE('',{a 0,0,$4 0,0,1 1,0,0},$3)
+li LINE('',{p $2 0 0},{ve})
+ve VECTOR('',{d $(($3 - $2)) 0 $4},1.)
+ea EDGE_CURVE('',{va},{va},{ca},.T.)
+eb EDGE_CURVE('',{vb},{vb},{cb},.T.)
+es EDGE_CURVE('',{va},{vb},{li},.T.)
+oa ORIENTED_EDGE('',*,*,{ea},.T.)
+os ORIENTED_EDGE('',*,*,{es},.T.)
+ob ORIENTED_EDGE('',*,*,{eb},.F.)
+ot ORIENTED_EDGE('',*,*,{es},.F.)
+oc ORIENTED_EDGE('',*,*,{ea},.F.)
+od ORIENTED_EDGE('',*,*,{eb},.T.)
+l1 EDGE_LOOP('',({oa},{os},{ob},{ot}))
+l2 EDGE_LOOP('',({oc}))
+l3 EDGE_LOOP('',({od}))
+b1 FACE_OUTER_BOUND('',{l1},.T.)
+b2 FACE_OUTER_BOUND('',{l2},.T.)
+b3 FACE_OUTER_BOUND('',{l3},.T.)
+s1 $1
+s2 PLANE('',{a 0,0,0 0,0,1 1,0,0})
+s3 PLANE('',{a 0,0,$4 0,0,1 1,0,0})
+f1 ADVANCED_FACE('',({b1}),{s1},.T.)
+f2 ADVANCED_FACE('',({b2}),{s2},.F.)
+f3 ADVANCED_FACE('',({b3}),{s3},.T.)
+shell CLOSED_SHELL('',({f1},{f2},{f3}))
+SOLID MANIFOLD_SOLID_BREP('',{shell})
+END
+}
+turned "CYLINDRICAL_SURFACE('',{a 0,0,0 0,0,1 1,0,0},10.)" 10 10 30 | step solid
+model "STEP: a cylinder" "$(calc '2 * p * 10 * 40')" "$(calc 'p * 100 * 30')" -e 0.003 "$TMP/solid.step"
+turned "CYLINDRICAL_SURFACE('',{a 0,0,0 0,0,1 1,0,0},10.)" 10 10 30 | step inches -v unit=INCH
+model "STEP: in inches" "$(calc '2 * p * 10 * 40 * 25.4 * 25.4')" "$(calc 'p * 100 * 30 * 25.4 ^ 3')" -e 0.06 "$TMP/inches.step"
+turned "CONICAL_SURFACE('',{a 0,0,0 0,0,1 1,0,0},10.,-0.64350110879328438680)" 10 4 8 | step cone
+model "STEP: a cone cut off" "$(calc 'p * (14 * 10 + 100 + 16)')" "$(calc 'p * 8 / 3 * (100 + 40 + 16)')" -e 0.002 "$TMP/cone.step"
+turned "SURFACE_OF_REVOLUTION('',{li},{ax})
+ax AXIS1_PLACEMENT('',{p 0 0 0},{d 0 0 1})" 10 4 8 | step revolved
+model "STEP: the same by revolution" "$(calc 'p * (14 * 10 + 100 + 16)')" "$(calc 'p * 8 / 3 * (100 + 40 + 16)')" -e 0.002 "$TMP/revolved.step"
+turned "SURFACE_OF_LINEAR_EXTRUSION('',{ca},{vz})
+vz VECTOR('',{d 0 0 1},1.)" 10 10 30 | step extruded
+model "STEP: a cylinder by extrusion" "$(calc '2 * p * 10 * 40')" "$(calc 'p * 100 * 30')" -e 0.003 "$TMP/extruded.step"
+
+# whole: one face, bounded by a vertex or by its seams
+whole() { # SURFACE BOUNDS
+	echo "s1 $1"
+	echo "f1 ADVANCED_FACE('',($2),{s1},.T.)"
+	echo "shell CLOSED_SHELL('',({f1}))"
+	echo "SOLID MANIFOLD_SOLID_BREP('',{shell})"
+}
+{
+	whole "SPHERICAL_SURFACE('',{a 1,2,3 0,0,1 1,0,0},10.)" "{b1}"
+	echo "b1 FACE_BOUND('',{l1},.T.)"
+	echo "l1 VERTEX_LOOP('',{v 1 2 -7})"
+} | step sphere
+model "STEP: a sphere" "$(calc '4 * p * 100')" "$(calc '4 / 3 * p * 1000')" -e 0.0005 "$TMP/sphere.step"
+{
+	whole "TOROIDAL_SURFACE('',{a 1,2,3 0,0,1 1,0,0},20.,5.)" "{b1}"
+	cat <<'END'
+v1 VERTEX_POINT('',{p 26 2 3})
+c1 CIRCLE('',{a 1,2,3 0,0,1 1,0,0},25.)
+c2 CIRCLE('',{a 21,2,3 0,-1,0 1,0,0},5.)
+e1 EDGE_CURVE('',{v1},{v1},{c1},.T.)
+e2 EDGE_CURVE('',{v1},{v1},{c2},.T.)
+o1 ORIENTED_EDGE('',*,*,{e1},.T.)
+o2 ORIENTED_EDGE('',*,*,{e2},.T.)
+o3 ORIENTED_EDGE('',*,*,{e1},.F.)
+o4 ORIENTED_EDGE('',*,*,{e2},.F.)
+l1 EDGE_LOOP('',({o1},{o2},{o3},{o4}))
+b1 FACE_OUTER_BOUND('',{l1},.T.)
+END
+} | step torus
+model "STEP: a torus" "$(calc '4 * p * p * 100')" "$(calc '2 * p * p * 20 * 25')" -e 0.0005 "$TMP/torus.step"
+
+# Half a ball and a cone with its apex: circles that go once round, poles.
+cat <<'END' | step ball
+v1 VERTEX_POINT('',{p 10 0 0})
+c1 CIRCLE('',{a 0,0,0 0,0,1 1,0,0},10.)
+e1 EDGE_CURVE('',{v1},{v1},{c1},.T.)
+o1 ORIENTED_EDGE('',*,*,{e1},.T.)
+o2 ORIENTED_EDGE('',*,*,{e1},.F.)
+l1 EDGE_LOOP('',({o1}))
+l2 EDGE_LOOP('',({o2}))
+l3 VERTEX_LOOP('',{v 0 0 -20})
+b1 FACE_OUTER_BOUND('',{l1},.T.)
+b2 FACE_OUTER_BOUND('',{l2},.T.)
+b3 FACE_BOUND('',{l3},.T.)
+s1 SPHERICAL_SURFACE('',{a 0,0,0 0,0,1 1,0,0},10.)
+s2 CONICAL_SURFACE('',{a 0,0,0 0,0,1 1,0,0},10.,0.46364760900080611621)
+f1 ADVANCED_FACE('',({b1}),{s1},.T.)
+f2 ADVANCED_FACE('',({b2},{b3}),{s2},.T.)
+shell CLOSED_SHELL('',({f1},{f2}))
+SOLID MANIFOLD_SOLID_BREP('',{shell})
+END
+model "STEP: half a ball on a cone" "$(calc '200 * p + p * 10 * sqrt(500)')" "$(calc 'p * 2000 / 3 + p * 2000 / 3')" -e 0.001 "$TMP/ball.step"
+
+# A box 30 x 20 x 10 with a round hole of radius 4 through it.
+box() {
+	awk 'BEGIN {
+		split("0 30 30 0 0 30 30 0", x); split("0 0 20 20 0 0 20 20", y); split("0 0 0 0 10 10 10 10", z)
+		for (i = 1; i <= 8; i++) printf "v%d VERTEX_POINT(\047\047,{p %d %d %d})\n", i, x[i], y[i], z[i]
+		n = split("1 2 2 3 3 4 4 1 5 6 6 7 7 8 8 5 1 5 2 6 3 7 4 8", e)
+		for (i = 1; i < n; i += 2) { a = e[i]; b = e[i + 1]; k = (i + 1) / 2; key[a " " b] = k
+			printf "g%d LINE(\047\047,{p %d %d %d},{h%d})\n", k, x[a], y[a], z[a], k
+			printf "h%d VECTOR(\047\047,{d %d %d %d},1.)\n", k, x[b] - x[a], y[b] - y[a], z[b] - z[a]
+			printf "e%d EDGE_CURVE(\047\047,{v%d},{v%d},{g%d},.T.)\n", k, a, b, k }
+		split("1 4 3 2|5 6 7 8|1 2 6 5|2 3 7 6|3 4 8 7|4 1 5 8", f, "|")
+		split("0,0,0 0,0,-1 1,0,0|0,0,10 0,0,1 1,0,0|0,0,0 0,-1,0 1,0,0|30,0,0 1,0,0 0,1,0|0,20,0 0,1,0 1,0,0|0,0,0 -1,0,0 0,1,0", s, "|")
+		for (i = 1; i <= 6; i++) { split(f[i], c, " "); loop = ""
+			for (k = 1; k <= 4; k++) { a = c[k]; b = c[k % 4 + 1]; on = (a " " b) in key
+				printf "o%d%d ORIENTED_EDGE(\047\047,*,*,{e%d},.%s.)\n", i, k, on ? key[a " " b] : key[b " " a], on ? "T" : "F"
+				loop = loop (k > 1 ? "," : "") "{o" i k "}" }
+			printf "l%d EDGE_LOOP(\047\047,(%s))\nb%d FACE_OUTER_BOUND(\047\047,{l%d},.T.)\n", i, loop, i, i
+			printf "s%d PLANE(\047\047,{a %s})\n", i, s[i]
+			printf "f%d ADVANCED_FACE(\047\047,({b%d}%s),{s%d},.T.)\n", i, i, i < 3 ? ",{w" i "}" : "", i } }'
+	cat <<'END'
+vp VERTEX_POINT('',{p 19 10 0})
+vq VERTEX_POINT('',{p 19 10 10})
+cp CIRCLE('',{a 15,10,0 0,0,1 1,0,0},4.)
+cq CIRCLE('',{a 15,10,10 0,0,1 1,0,0},4.)
+ep EDGE_CURVE('',{vp},{vp},{cp},.T.)
+eq EDGE_CURVE('',{vq},{vq},{cq},.T.)
+op ORIENTED_EDGE('',*,*,{ep},.T.)
+oq ORIENTED_EDGE('',*,*,{eq},.F.)
+or ORIENTED_EDGE('',*,*,{ep},.F.)
+ot ORIENTED_EDGE('',*,*,{eq},.T.)
+lp EDGE_LOOP('',({op}))
+lq EDGE_LOOP('',({oq}))
+lr EDGE_LOOP('',({or}))
+lt EDGE_LOOP('',({ot}))
+w1 FACE_BOUND('',{lp},.T.)
+w2 FACE_BOUND('',{lq},.T.)
+w3 FACE_BOUND('',{lr},.T.)
+w4 FACE_BOUND('',{lt},.T.)
+s7 CYLINDRICAL_SURFACE('',{a 15,10,0 0,0,1 1,0,0},4.)
+f7 ADVANCED_FACE('',({w3},{w4}),{s7},.F.)
+shell CLOSED_SHELL('',({f1},{f2},{f3},{f4},{f5},{f6},{f7}))
+SOLID MANIFOLD_SOLID_BREP('',{shell})
+END
+}
+box | step box
+box_area=$(calc '2 * (600 - 16 * p) + 2 * 10 * 50 + 2 * p * 4 * 10')
+box_volume=$(calc '6000 - 160 * p')
+model "STEP: a box with a hole" "$box_area" "$box_volume" -e 0.003 "$TMP/box.step"
+
+# The same twice in an assembly, one turned and moved; the sum is twice the box.
+{
+	box
+	cat <<'END'
+A SHAPE_REPRESENTATION('',({a1},{a2}),{CONTEXT})
+P SHAPE_REPRESENTATION('',({a0}),{CONTEXT})
+a0 AXIS2_PLACEMENT_3D('',{p 0 0 0},{d 0 0 1},{d 1 0 0})
+a1 AXIS2_PLACEMENT_3D('',{p 100 0 0},{d 0 1 0},{d 1 0 0})
+a2 AXIS2_PLACEMENT_3D('',{p -100 5 5},{d 0 0 1},{d 0 1 0})
+same SHAPE_REPRESENTATION_RELATIONSHIP('','',{P},{REP})
+r1 (REPRESENTATION_RELATIONSHIP('','',{P},{A})REPRESENTATION_RELATIONSHIP_WITH_TRANSFORMATION({t1})SHAPE_REPRESENTATION_RELATIONSHIP())
+r2 (REPRESENTATION_RELATIONSHIP('','',{P},{A})REPRESENTATION_RELATIONSHIP_WITH_TRANSFORMATION({t2})SHAPE_REPRESENTATION_RELATIONSHIP())
+t1 ITEM_DEFINED_TRANSFORMATION('','',{a0},{a1})
+t2 ITEM_DEFINED_TRANSFORMATION('','',{a0},{a2})
+END
+} | step assembly
+model "STEP: an assembly of two" "$(calc "2 * $box_area")" "$(calc "2 * $box_volume")" -e 0.003 "$TMP/assembly.step"
+ok "placed where it says" test "$(awk '/end_header/ { on = 1; next } on && NF == 7 { if ($1 > m) m = $1; if ($1 < l) l = $1 }
+	END { printf "%.3f %.3f", l, m }' "$TMP/model.ply")" = "-120.000 130.000"
+
+# A rational B-spline face (a quarter of a cylinder) as a shell, its edges splines too.
+cat <<'END' | step shell
+c1 (BOUNDED_CURVE()B_SPLINE_CURVE(2,({q1},{q2},{q3}),.UNSPECIFIED.,.F.,.F.)B_SPLINE_CURVE_WITH_KNOTS((3,3),(0.,1.),.UNSPECIFIED.)CURVE()GEOMETRIC_REPRESENTATION_ITEM()RATIONAL_B_SPLINE_CURVE((1.,0.70710678118654757,1.))REPRESENTATION_ITEM(''))
+c3 (BOUNDED_CURVE()B_SPLINE_CURVE(2,({q4},{q5},{q6}),.UNSPECIFIED.,.F.,.F.)B_SPLINE_CURVE_WITH_KNOTS((3,3),(0.,1.),.UNSPECIFIED.)CURVE()GEOMETRIC_REPRESENTATION_ITEM()RATIONAL_B_SPLINE_CURVE((1.,0.70710678118654757,1.))REPRESENTATION_ITEM(''))
+q1 CARTESIAN_POINT('',(10.,0.,0.))
+q2 CARTESIAN_POINT('',(10.,10.,0.))
+q3 CARTESIAN_POINT('',(0.,10.,0.))
+q4 CARTESIAN_POINT('',(10.,0.,15.))
+q5 CARTESIAN_POINT('',(10.,10.,15.))
+q6 CARTESIAN_POINT('',(0.,10.,15.))
+c2 B_SPLINE_CURVE_WITH_KNOTS('',1,({q3},{q6}),.UNSPECIFIED.,.F.,.F.,(2,2),(0.,1.),.UNSPECIFIED.)
+c4 LINE('',{q1},{up})
+up VECTOR('',{d 0 0 1},1.)
+k1 VERTEX_POINT('',{q1})
+k2 VERTEX_POINT('',{q3})
+k3 VERTEX_POINT('',{q6})
+k4 VERTEX_POINT('',{q4})
+e1 EDGE_CURVE('',{k1},{k2},{c1},.T.)
+e2 EDGE_CURVE('',{k2},{k3},{c2},.T.)
+e3 EDGE_CURVE('',{k4},{k3},{c3},.T.)
+e4 EDGE_CURVE('',{k1},{k4},{c4},.T.)
+o1 ORIENTED_EDGE('',*,*,{e1},.T.)
+o2 ORIENTED_EDGE('',*,*,{e2},.T.)
+o3 ORIENTED_EDGE('',*,*,{e3},.F.)
+o4 ORIENTED_EDGE('',*,*,{e4},.F.)
+l1 EDGE_LOOP('',({o1},{o2},{o3},{o4}))
+b1 FACE_OUTER_BOUND('',{l1},.T.)
+s1 (BOUNDED_SURFACE()B_SPLINE_SURFACE(2,1,(({q1},{q4}),({q2},{q5}),({q3},{q6})),.UNSPECIFIED.,.F.,.F.,.F.)B_SPLINE_SURFACE_WITH_KNOTS((3,3),(2,2),(0.,1.),(0.,1.),.UNSPECIFIED.)GEOMETRIC_REPRESENTATION_ITEM()RATIONAL_B_SPLINE_SURFACE(((1.,1.),(0.70710678118654757,0.70710678118654757),(1.,1.)))REPRESENTATION_ITEM('')SURFACE())
+f1 ADVANCED_FACE('',({b1}),{s1},.T.)
+open OPEN_SHELL('',({f1}))
+SOLID SHELL_BASED_SURFACE_MODEL('',({open}))
+END
+model "STEP: a rational B-spline face" "$(calc 'p / 2 * 10 * 15')" - -e 0.004 "$TMP/shell.step"
+
+# The same model as IGES and as STEP: no vertex of one mesh is farther than the tolerance from the other's
+# surface (here: a cylinder of radius 10 and height 30).
+for kind in igs step; do
+	nurbs2mesh -e 0.01 "$TMP/solid.$kind" 2>/dev/null | awk '/end_header/ { on = 1; next } on && NF == 7 {
+		r = sqrt($1 * $1 + $2 * $2); d = r - 10; e = $3 * ($3 - 30)
+		if (!(d * d < 1e-11 || (r < 10 && e * e < 1e-9))) far++ } END { print far + 0 }' >"$TMP/far"
+	ok "$kind: every vertex is on the cylinder" test "$(cat "$TMP/far")" -eq 0
+done
+
+# ---- broken STEP: one line with the line of the file
+
+bad_step() { # DESC WORDS SED: the box, edited
+	sed "$3" "$TMP/box.step" >"$TMP/bad.step"
+	status 1 "$1" nurbs2mesh -n 2 "$TMP/bad.step"
+	has "$1: says why" "bad.step:[0-9]*: .*$2" "$TMP/err"
+	ok "$1: in one line" test "$(wc -l <"$TMP/err")" -eq 1
+}
+bad_step "cut short" "cut short" '60,$d'
+bad_step "a number that is none" "expected a number" 's/,4\.)/,4.4.4)/'
+bad_step "a list without its end" "expected" 's/))/)/'
+bad_step "a text without its end" "cut short" "40s/'/x/"
+bad_step "an instance twice" "a second time" '30s/.*/#1=PLANE();/'
+bad_step "a reference to nothing" "expected an instance that there is" 's/ORIENTED_EDGE(\(.*\)#[0-9]*,/ORIENTED_EDGE(\1#99999,/'
+bad_step "a point instead of a plane's axes" "no axis placement" 's/PLANE(.*,#[0-9]*)/PLANE(0,#1)/;1,/^#2=/s/^#1=.*/#1=CARTESIAN_POINT(0,(0,0,0));/'
+bad_step "a radius of nothing" "radius" 's/\(CIRCLE.*\),4\.)/\1,0.)/'
+bad_step "a number beyond all bounds" "too large" 's/CARTESIAN_POINT(\(.*\)(30,/CARTESIAN_POINT(\1(1e300,/'
+bad_step "an instance without a name" "the name of an entity" '25s/=[A-Z_0-9]*/=/'
+bad_step "an instance number of nothing" "number of an instance" '25s/#[0-9]*=/#=/'
+bad_step "no sections" "cut short" '2,$d'
 
 # ---- what is left out
 

@@ -1,6 +1,6 @@
 /*
- * surfaces - NURBS surfaces from any file that holds them, recognised by content: IGES, or our own
- * text form.
+ * surfaces - NURBS surfaces from any file that holds them, recognised by content: IGES, STEP, or our
+ * own text form.
  */
 #ifndef CLOUDMILL_SURFACES_H
 #define CLOUDMILL_SURFACES_H

@@ -8,6 +8,7 @@
 #include "iges.h"
 #include "iges_surface.h"
 #include "nurbs_text.h"
+#include "step_model.h"
 
 enum { LETTER = 72 }; /* column 73 of an IGES line says its section */
 
@@ -27,6 +28,16 @@ static int read_iges(struct reader *r, double mm, struct patches *patches,
     return status;
 }
 
+static int read_step(struct reader *r, double mm, struct patches *patches, struct error *error)
+{
+    struct step step;
+    if (step_read(r, &step, error) < 0)
+        return -1;
+    int status = step_surfaces(&step, mm, patches, error);
+    step_free(&step);
+    return status;
+}
+
 /* The first line that is not blank decides. */
 static int read_any(struct reader *r, double mm, struct patches *patches,
                     struct surfaces_unit *unit, struct error *error)
@@ -39,19 +50,22 @@ static int read_any(struct reader *r, double mm, struct patches *patches,
     if (got < 0)
         return -1;
     if (got == 0)
-        return error_at(error, r->name, 0, "an empty file, expected IGES or NURBS text");
+        return error_at(error, r->name, 0, "an empty file, expected IGES, STEP or NURBS text");
     bool iges = n > LETTER && strchr("SCB", line[LETTER]) && line[LETTER] != '\0';
     const char *word = line + strspn(line, " \t");
     bool text = *word == '#' || (strncmp(word, "nurbs", 5) == 0 && strspn(word + 5, " \t") > 0);
+    bool step = strncmp(word, "ISO-10303-21", 12) == 0;
     reader_unread(r);
+    if (step)
+        return read_step(r, mm, patches, error);
     if (iges)
         return read_iges(r, mm, patches, unit, error);
     if (text)
         return nurbs_text_read(r, mm, patches, error);
-    return error_at(
-        error, r->name, r->line + 1,
-        "neither IGES (a section letter in column 73) nor NURBS text (nurbs 1), expected "
-        "one of them");
+    return error_at(error, r->name, r->line + 1,
+                    "neither IGES (a section letter in column 73) nor STEP (ISO-10303-21) nor "
+                    "NURBS text (nurbs "
+                    "1), expected one of them");
 }
 
 int surfaces_read(const char *file, double mm, struct patches *patches, struct surfaces_unit *unit,

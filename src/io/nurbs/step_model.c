@@ -1,0 +1,659 @@
+/* step_model - see step_model.h. */
+#include "step_model.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+#include "base/array.h"
+#include "nurbs/construct.h"
+#include "nurbs/primitive.h"
+#include "step_geometry.h"
+
+enum { DEPTH_MAX = 60, FACES_MAX = 1000000, VISITS_MAX = 4000000 };
+
+/* A representation that is placed in another one. */
+struct component {
+    long parent, child;
+    struct transform to; /* from the child's lengths to the parent's, without units */
+    struct transform at; /* the place in the parent, and in the child */
+};
+
+struct components {
+    size_t n, cap;
+    struct component *item;
+};
+
+/* Representations that are one: by a relation without a transformation. */
+struct alias {
+    long id, same;
+};
+
+struct model {
+    const struct step *step;
+    struct patches *patches;
+    double mm; /* of the command line, or 0 */
+    struct components component;
+    struct {
+        size_t n, cap;
+        struct alias *item; /* by id; each points towards the one that stands for all */
+    } alias;
+    long visits;
+};
+
+static int follow(const struct model *m, const struct step_values *from,
+                  const struct step_value *reference, struct step_values *to, struct error *error)
+{
+    return step_follow(m->step, from, reference, to, error);
+}
+
+static long reference_of(const struct step_value *value)
+{
+    return value && value->kind == STEP_REFERENCE ? (long)value->number : 0;
+}
+
+/* Every step of the walk through the model counts: one that refers to itself ends. */
+static int visit(struct model *m, int depth, const struct step_values *at, struct error *error)
+{
+    if (m->visits++ < VISITS_MAX && depth < DEPTH_MAX && m->patches->n < FACES_MAX)
+        return 0;
+    return error_at(error, m->step->name, at->instance->line,
+                    "#%ld: parts within parts without end, expected a model of at most %d faces",
+                    at->instance->id, FACES_MAX);
+}
+
+/* ---- units */
+
+/* Metres or radians in an SI_UNIT with its prefix. */
+static double si_factor(const struct step_value *unit)
+{
+    static const struct {
+        const char *name;
+        double factor;
+    } prefix[] = {{"EXA", 1e18},  {"PETA", 1e15},  {"TERA", 1e12},  {"GIGA", 1e9},
+                  {"MEGA", 1e6},  {"KILO", 1e3},   {"HECTO", 100},  {"DECA", 10},
+                  {"DECI", 0.1},  {"CENTI", 0.01}, {"MILLI", 1e-3}, {"MICRO", 1e-6},
+                  {"NANO", 1e-9}, {"PICO", 1e-12}, {"FEMTO", 1e-15}};
+    for (size_t i = 0; i < sizeof prefix / sizeof *prefix; i++)
+        if (step_is(step_item(unit, 0), prefix[i].name))
+            return prefix[i].factor;
+    return 1;
+}
+
+/* The factor of a unit to metres or radians; a unit by conversion is some of another one. */
+static int unit_factor(const struct model *m, const struct step_values *v, int depth,
+                       double *factor, struct error *error)
+{
+    const struct step_value *si = step_record(v, "SI_UNIT");
+    const struct step_value *converted = step_record(v, "CONVERSION_BASED_UNIT");
+    struct step_values measure, unit;
+    *factor = si ? si_factor(si) : 1;
+    if (si || !converted || depth > 4)
+        return 0;
+    if (follow(m, v, step_item(converted, 1), &measure, error) < 0)
+        return -1;
+    const struct step_value *with = step_item(measure.item, 0);
+    for (const struct step_value *r = with; r; r = step_next(measure.item, r))
+        with = step_item(r, 1) ? r : with; /* the one that holds value and unit */
+    const struct step_value *value = step_item(with, 0);
+    value = value && value->kind == STEP_RECORD ? step_item(value, 0) : value;
+    int status = follow(m, &measure, step_item(with, 1), &unit, error);
+    if (status == 0) {
+        status = unit_factor(m, &unit, depth + 1, factor, error);
+        if (value && value->kind == STEP_NUMBER && value->number > 0)
+            *factor *= value->number;
+        array_free(&unit);
+    }
+    array_free(&measure);
+    return status;
+}
+
+/* The units of a representation's context: mm, and radians of an angle. */
+static int read_units(const struct model *m, const struct step_values *from,
+                      const struct step_value *context, double *mm, double *angle,
+                      struct error *error)
+{
+    struct step_values v, unit;
+    *mm = m->mm > 0 ? m->mm : 1;
+    *angle = 1;
+    if (reference_of(context) == 0)
+        return 0;
+    if (follow(m, from, context, &v, error) < 0)
+        return -1;
+    const struct step_value *list = step_item(step_record(&v, "GLOBAL_UNIT_ASSIGNED_CONTEXT"), 0);
+    int status = 0;
+    for (const struct step_value *i = step_item(list, 0); i && status == 0;
+         i = step_next(list, i)) {
+        double factor;
+        status = follow(m, &v, i, &unit, error);
+        if (status < 0)
+            break;
+        status = unit_factor(m, &unit, 0, &factor, error);
+        if (step_record(&unit, "LENGTH_UNIT"))
+            *mm = 1000 * factor;
+        if (step_record(&unit, "PLANE_ANGLE_UNIT"))
+            *angle = factor;
+        array_free(&unit);
+    }
+    array_free(&v);
+    if (m->mm > 0)
+        *mm = m->mm;
+    return status;
+}
+
+/* ---- faces */
+
+static void reverse_curves(struct patch_loop *loop, size_t first)
+{
+    for (size_t i = first; i < loop->n; i++)
+        nurbs_curve_reverse(&loop->item[i]);
+    for (size_t i = first, k = loop->n; i + 1 < k; i++) {
+        struct nurbs_curve last = loop->item[--k];
+        loop->item[k] = loop->item[i];
+        loop->item[i] = last;
+    }
+}
+
+/* An ORIENTED_EDGE: the curve of its edge between the edge's vertices.  `edge` gets the number of
+ * the EDGE_CURVE.  0, 1 when the curve is not read, or -1. */
+static int add_edge(const struct step_place *place, const struct step_values *from,
+                    const struct step_value *reference, struct patch_loop *loop, long *edge,
+                    struct error *error)
+{
+    struct step_values oriented, v;
+    struct vec3 ends[2];
+    size_t first = loop->n;
+    if (step_follow(place->step, from, reference, &oriented, error) < 0)
+        return -1;
+    const struct step_value *r = step_record(&oriented, "ORIENTED_EDGE");
+    bool forwards = step_is(step_item(r, 4), "T");
+    *edge = reference_of(step_item(r, 3));
+    int got = step_follow(place->step, &oriented, step_item(r, 3), &v, error);
+    array_free(&oriented);
+    if (got < 0)
+        return -1;
+    const struct step_value *c = step_record(&v, "EDGE_CURVE");
+    bool same = step_is(step_item(c, 4), "T");
+    got = step_vertex(place, &v, step_item(c, same ? 1 : 2), &ends[0], error);
+    if (got == 0)
+        got = step_vertex(place, &v, step_item(c, same ? 2 : 1), &ends[1], error);
+    if (got == 0)
+        got = step_curve(place, &v, step_item(c, 3), ends, loop, error);
+    if (got == 0 && same != forwards)
+        reverse_curves(loop, first);
+    array_free(&v);
+    return got;
+}
+
+/* Does every edge occur twice?  Then the loop runs along seams alone and bounds nothing. */
+static bool is_all_seams(const long *edge, size_t n)
+{
+    for (size_t i = 0; i < n; i++) {
+        size_t times = 0;
+        for (size_t k = 0; k < n && n <= 8; k++)
+            times += edge[k] == edge[i];
+        if (times != 2)
+            return false;
+    }
+    return n > 0;
+}
+
+/* The straight lines between the corners of a POLY_LOOP. */
+static int read_polygon(const struct step_place *place, const struct step_values *v,
+                        const struct step_value *corners, struct patch_loop *loop,
+                        struct error *error)
+{
+    struct vec3s corner = {0};
+    int status = 0;
+    for (const struct step_value *i = step_item(corners, 0); i && status == 0;
+         i = step_next(corners, i))
+        status = step_vertex(place, v, i, array_push(&corner), error);
+    for (size_t i = 0; i < corner.n && status == 0 && corner.n > 2; i++)
+        *array_push(loop) = construct_line(corner.item[i], corner.item[(i + 1) % corner.n]);
+    array_free(&corner);
+    return status;
+}
+
+/* The edges of an EDGE_LOOP, or the points of a POLY_LOOP or a VERTEX_LOOP. */
+static int read_loop(const struct step_place *place, const struct step_values *v,
+                     struct patch_loop *loop, struct vec3s *points, struct error *error)
+{
+    struct {
+        size_t n, cap;
+        long *item;
+    } edge = {0};
+    const struct step_value *list = step_item(step_record(v, "EDGE_LOOP"), 1);
+    const struct step_value *vertex = step_record(v, "VERTEX_LOOP");
+    const struct step_value *corners = step_item(step_record(v, "POLY_LOOP"), 1);
+    int got = 0;
+    for (const struct step_value *i = step_item(list, 0); i && got == 0; i = step_next(list, i))
+        got = add_edge(place, v, i, loop, array_push(&edge), error);
+    if (corners)
+        got = read_polygon(place, v, corners, loop, error);
+    else if (vertex)
+        got = step_vertex(place, v, step_item(vertex, 1), array_push(points), error);
+    else if (!list)
+        got = 1;
+    struct patch_loops one = {1, 1, loop};
+    if (got == 0)
+        primitive_points(&one, points);
+    if (got == 0 && is_all_seams(edge.item, edge.n))
+        patch_loop_free(loop);
+    array_free(&edge);
+    return got;
+}
+
+/* A FACE_BOUND or FACE_OUTER_BOUND, so that what counts is on its left as the surface has it. */
+static int add_bound(const struct step_place *place, const struct step_values *from,
+                     const struct step_value *reference, bool same_sense, struct patch *patch,
+                     struct vec3s *points, struct error *error)
+{
+    struct step_values bound, v;
+    if (step_follow(place->step, from, reference, &bound, error) < 0)
+        return -1;
+    const struct step_value *r = step_record(&bound, "FACE_OUTER_BOUND");
+    r = r ? r : step_record(&bound, "FACE_BOUND");
+    bool forwards = step_is(step_item(r, 2), "T");
+    int got = step_follow(place->step, &bound, step_item(r, 1), &v, error);
+    array_free(&bound);
+    if (got < 0)
+        return -1;
+    struct patch_loop loop = {.space = true, .directed = true};
+    got = read_loop(place, &v, &loop, points, error);
+    if (got > 0 && patch->ignored++ == 0)
+        patch->ignored_entity = (int)v.instance->id;
+    array_free(&v);
+    if (forwards != same_sense)
+        reverse_curves(&loop, 0);
+    if (got == 0 && loop.n > 0)
+        *array_push(&patch->loop) = loop;
+    else
+        patch_loop_free(&loop);
+    return got < 0 ? -1 : 0;
+}
+
+static int add_face(struct model *m, const struct step_place *place, const struct step_values *v,
+                    const struct step_value *face, struct error *error)
+{
+    struct patch patch = {.entity = (int)v->instance->id};
+    struct vec3s points = {0};
+    char kind[40] = "";
+    const struct step_value *list = step_item(face, 1);
+    bool same = step_is(step_item(face, 3), "T");
+    int got = 0;
+    for (const struct step_value *i = step_item(list, 0); i && got == 0; i = step_next(list, i))
+        got = add_bound(place, v, i, same, &patch, &points, error);
+    if (got == 0)
+        got = step_surface(place, v, step_item(face, 2), &points, &patch.surface, kind, error);
+    array_free(&points);
+    if (got == 0) {
+        patch.file = mem_string(m->step->name, strlen(m->step->name));
+        patch.open = patch.ignored > 0;
+        *array_push(&m->patches[0]) = patch;
+        return 0;
+    }
+    if (got > 0)
+        patches_leave_out(m->patches, m->step->name, kind, patch.entity);
+    patch_free(&patch);
+    return got < 0 ? -1 : 0;
+}
+
+/* What holds faces: solids, shells, sets; all that they refer to is looked through. */
+static bool holds_faces(const struct step_values *v)
+{
+    static const char *const kind[] = {"MANIFOLD_SOLID_BREP",
+                                       "BREP_WITH_VOIDS",
+                                       "FACETED_BREP",
+                                       "SHELL_BASED_SURFACE_MODEL",
+                                       "FACE_BASED_SURFACE_MODEL",
+                                       "CLOSED_SHELL",
+                                       "OPEN_SHELL",
+                                       "ORIENTED_CLOSED_SHELL",
+                                       "ORIENTED_OPEN_SHELL",
+                                       "CONNECTED_FACE_SET",
+                                       "ORIENTED_FACE"};
+    for (size_t i = 0; i < sizeof kind / sizeof *kind; i++)
+        if (step_record(v, kind[i]))
+            return true;
+    return false;
+}
+
+/* Solids and surfaces of other kinds, which are left out by name. */
+static bool is_other(const struct step_value *record)
+{
+    static const char *const kind[] = {"GEOMETRIC_SET",       "CSG_SOLID",
+                                       "EXTRUDED_AREA_SOLID", "REVOLVED_AREA_SOLID",
+                                       "TESSELLATED_SOLID",   "TESSELLATED_SHELL",
+                                       "TRIANGULATED_FACE",   "COMPLEX_TRIANGULATED_FACE",
+                                       "BOOLEAN_RESULT"};
+    for (size_t i = 0; i < sizeof kind / sizeof *kind; i++)
+        if (step_is(record, kind[i]))
+            return true;
+    return false;
+}
+
+static int add_item(struct model *m, const struct step_place *place, const struct step_values *from,
+                    const struct step_value *reference, int depth, struct error *error);
+
+/* All that the values of an instance refer to. */
+static int add_items(struct model *m, const struct step_place *place, const struct step_values *v,
+                     int depth, struct error *error)
+{
+    for (size_t i = 0; i < v->n; i++)
+        if (v->item[i].kind == STEP_REFERENCE &&
+            add_item(m, place, v, &v->item[i], depth + 1, error) < 0)
+            return -1;
+    return 0;
+}
+
+static int add_item(struct model *m, const struct step_place *place, const struct step_values *from,
+                    const struct step_value *reference, int depth, struct error *error)
+{
+    struct step_values v;
+    if (follow(m, from, reference, &v, error) < 0)
+        return -1;
+    const struct step_value *face = step_record(&v, "ADVANCED_FACE");
+    face = face ? face : step_record(&v, "FACE_SURFACE");
+    const struct step_value *first = step_item(v.item, 0);
+    int status = visit(m, depth, &v, error);
+    if (status == 0 && face)
+        status = add_face(m, place, &v, face, error);
+    else if (status == 0 && holds_faces(&v))
+        status = add_items(m, place, &v, depth, error);
+    else if (status == 0 && is_other(first)) {
+        char kind[40] = "";
+        memcpy(kind, first->text, first->length < 39 ? first->length : 39);
+        patches_leave_out(m->patches, m->step->name, kind, (int)v.instance->id);
+    }
+    array_free(&v);
+    return status;
+}
+
+/* ---- representations and assemblies */
+
+static int compare_aliases(const void *p, const void *q)
+{
+    const struct alias *a = p, *b = q;
+    return (a->id > b->id) - (a->id < b->id);
+}
+
+static struct alias *find_alias(const struct model *m, long id)
+{
+    struct alias key = {.id = id};
+    return m->alias.n > 0 ? bsearch(&key, m->alias.item, m->alias.n, sizeof key, compare_aliases)
+                          : NULL;
+}
+
+/* The representation that stands for this one and all that are the same. */
+static long leader(const struct model *m, long id)
+{
+    struct alias *a = find_alias(m, id);
+    while (a && a->same != a->id) {
+        struct alias *up = find_alias(m, a->same);
+        a->same = up->same;
+        a = up;
+    }
+    return a ? a->id : id;
+}
+
+static struct transform inverse(const struct transform *t)
+{
+    struct transform r = transform_identity();
+    for (int i = 0; i < 3; i++) {
+        for (int k = 0; k < 3; k++)
+            r.m[i][k] = t->m[k][i];
+        r.m[i][3] = -(t->m[0][i] * t->m[0][3] + t->m[1][i] * t->m[1][3] + t->m[2][i] * t->m[2][3]);
+    }
+    return r;
+}
+
+static bool is_representation(const struct step_value *record)
+{
+    static const char end[] = "REPRESENTATION";
+    size_t n = sizeof end - 1;
+    return record && record->length >= n && memcmp(record->text + record->length - n, end, n) == 0;
+}
+
+/* A relation with a transformation: the first representation is a component of the second. */
+static int add_component(struct model *m, const struct step_values *v,
+                         const struct step_value *pair, const struct step_value *with,
+                         struct error *error)
+{
+    struct step_values t;
+    struct component c = {.child = reference_of(step_item(pair, 2)),
+                          .parent = reference_of(step_item(pair, 3))};
+    if (follow(m, v, step_item(with, 0), &t, error) < 0)
+        return -1;
+    const struct step_value *item = step_record(&t, "ITEM_DEFINED_TRANSFORMATION");
+    int status = item && step_axes(m->step, &t, step_item(item, 2), &c.to, error) == 0 &&
+                         step_axes(m->step, &t, step_item(item, 3), &c.at, error) == 0
+                     ? 0
+                     : -1;
+    if (!item)
+        status = error_at(error, m->step->name, t.instance->line,
+                          "#%ld: no ITEM_DEFINED_TRANSFORMATION, expected one", t.instance->id);
+    array_free(&t);
+    if (status == 0) {
+        c.to = inverse(&c.to);
+        *array_push(&m->component) = c;
+    }
+    return status;
+}
+
+/* All relations between representations. */
+static int find_relations(struct model *m, struct error *error)
+{
+    int status = 0;
+    for (size_t i = 0; i < m->step->instance.n && status == 0; i++) {
+        struct step_values v;
+        status = step_values(m->step, &m->step->instance.item[i], &v, error);
+        if (status < 0)
+            return -1;
+        const struct step_value *pair = step_record(&v, "REPRESENTATION_RELATIONSHIP");
+        const struct step_value *with =
+            step_record(&v, "REPRESENTATION_RELATIONSHIP_WITH_TRANSFORMATION");
+        const struct step_value *same = step_record(&v, "SHAPE_REPRESENTATION_RELATIONSHIP");
+        same = same && step_item(same, 3) ? same : pair;
+        if (pair && with) {
+            status = add_component(m, &v, pair, with, error);
+        } else if (same) {
+            for (size_t k = 2; k < 4; k++)
+                *array_push(&m->alias) =
+                    (struct alias){reference_of(step_item(same, k)),
+                                   reference_of(step_item(same, k == 2 ? 3 : 2))};
+        }
+        array_free(&v);
+    }
+    return status;
+}
+
+/* From pairs of relations to one that stands for each group. */
+static void join_aliases(struct model *m)
+{
+    struct alias *all = m->alias.item;
+    size_t n = m->alias.n, kept = 0;
+    struct alias *pair = mem_alloc(n + 1, sizeof *pair);
+    for (size_t i = 0; i < n; i++) {
+        pair[i] = all[i];
+        all[i].same = all[i].id;
+    }
+    if (n > 0)
+        qsort(all, n, sizeof *all, compare_aliases);
+    for (size_t i = 0; i < n; i++)
+        if (i == 0 || all[i].id != all[kept - 1].id)
+            all[kept++] = all[i];
+    m->alias.n = kept;
+    for (size_t i = 0; i < n; i++) {
+        long a = leader(m, pair[i].id), b = leader(m, pair[i].same);
+        if (a != b)
+            find_alias(m, a > b ? a : b)->same = a > b ? b : a;
+    }
+    free(pair);
+}
+
+static int add_group(struct model *m, long group, const struct transform *to, int depth,
+                     struct error *error);
+
+/* A representation is used in a place of another: `source` is its own axes, `target` those there.
+ */
+static int add_mapped(struct model *m, const struct step_place *place,
+                      const struct step_values *mapped, int depth, struct error *error)
+{
+    const struct step_value *r = step_record(mapped, "MAPPED_ITEM");
+    struct step_values map;
+    struct transform source, target;
+    if (follow(m, mapped, step_item(r, 1), &map, error) < 0)
+        return -1;
+    const struct step_value *from = step_record(&map, "REPRESENTATION_MAP");
+    long child = reference_of(step_item(from, 1));
+    int status = step_axes(m->step, &map, step_item(from, 0), &source, error);
+    array_free(&map);
+    if (status < 0 || step_axes(m->step, mapped, step_item(r, 2), &target, error) < 0)
+        return -1;
+    target = transform_product(place->to, transform_product(target, inverse(&source)));
+    /* the child's own unit comes with its items */
+    target = transform_product(target, transform_scale(1 / place->mm));
+    return add_group(m, leader(m, child), &target, depth + 1, error);
+}
+
+/* The items of one representation, placed; `to` takes mm to mm. */
+static int add_representation(struct model *m, const struct step_values *v,
+                              const struct step_value *record, const struct transform *to,
+                              int depth, struct error *error)
+{
+    struct step_place place = {.step = m->step};
+    const struct step_value *list = step_item(record, 1);
+    if (read_units(m, v, step_item(record, 2), &place.mm, &place.angle, error) < 0)
+        return -1;
+    place.to = transform_product(*to, transform_scale(place.mm));
+    for (const struct step_value *i = step_item(list, 0); i; i = step_next(list, i)) {
+        struct step_values item;
+        if (i->kind != STEP_REFERENCE)
+            continue;
+        if (follow(m, v, i, &item, error) < 0)
+            return -1;
+        int status = visit(m, depth, &item, error);
+        if (status == 0)
+            status = step_record(&item, "MAPPED_ITEM") ? add_mapped(m, &place, &item, depth, error)
+                                                       : add_item(m, &place, v, i, depth, error);
+        array_free(&item);
+        if (status < 0)
+            return -1;
+    }
+    return 0;
+}
+
+/* The unit of one of the representations of a group. */
+static int unit_of(struct model *m, long id, double *mm, struct error *error)
+{
+    const struct step_instance *i = step_find(m->step, id);
+    struct step_values v;
+    double angle;
+    *mm = 1;
+    if (!i || step_values(m->step, i, &v, error) < 0)
+        return i ? -1 : 0;
+    const struct step_value *r = step_item(v.item, 0);
+    int status = is_representation(r) ? read_units(m, &v, step_item(r, 2), mm, &angle, error) : 0;
+    array_free(&v);
+    return status;
+}
+
+static int add_component_group(struct model *m, const struct component *c,
+                               const struct transform *to, int depth, struct error *error)
+{
+    double parent, child;
+    if (unit_of(m, c->parent, &parent, error) < 0 || unit_of(m, c->child, &child, error) < 0)
+        return -1;
+    struct transform t = transform_product(transform_scale(parent), c->at);
+    t = transform_product(t, transform_scale(1 / parent)); /* rotation, shift in mm */
+    struct transform back = transform_product(transform_scale(child), c->to);
+    back = transform_product(back, transform_scale(1 / child));
+    t = transform_product(*to, transform_product(t, back));
+    return add_group(m, leader(m, c->child), &t, depth + 1, error);
+}
+
+/* All representations that are one, and their components. */
+static int add_group(struct model *m, long group, const struct transform *to, int depth,
+                     struct error *error)
+{
+    struct alias self = {group, group};
+    size_t n = find_alias(m, group) ? m->alias.n : 1;
+    const struct alias *all = n == 1 && !find_alias(m, group) ? &self : m->alias.item;
+    for (size_t i = 0; i < n; i++) {
+        const struct step_instance *instance = step_find(m->step, all[i].id);
+        struct step_values v;
+        if (leader(m, all[i].id) != group || !instance)
+            continue;
+        if (step_values(m->step, instance, &v, error) < 0)
+            return -1;
+        const struct step_value *r = step_item(v.item, 0);
+        int status = visit(m, depth, &v, error);
+        if (status == 0 && is_representation(r))
+            status = add_representation(m, &v, r, to, depth, error);
+        array_free(&v);
+        if (status < 0)
+            return -1;
+    }
+    for (size_t i = 0; i < m->component.n; i++)
+        if (leader(m, m->component.item[i].parent) == group &&
+            add_component_group(m, &m->component.item[i], to, depth, error) < 0)
+            return -1;
+    return 0;
+}
+
+/* Is the group a component of another, or mapped into one? */
+static bool is_component(const struct model *m, const struct sizes *mapped, long group)
+{
+    for (size_t i = 0; i < m->component.n; i++)
+        if (leader(m, m->component.item[i].child) == group)
+            return true;
+    for (size_t i = 0; i < mapped->n; i++)
+        if (leader(m, (long)mapped->item[i]) == group)
+            return true;
+    return false;
+}
+
+/* All groups of representations that are part of no other. */
+static int add_roots(struct model *m, struct error *error)
+{
+    struct transform to = transform_identity();
+    struct sizes mapped = {0}, root = {0};
+    int status = 0;
+    for (size_t i = 0; i < m->step->instance.n && status == 0; i++) {
+        struct step_values v;
+        status = step_values(m->step, &m->step->instance.item[i], &v, error);
+        if (status < 0)
+            break;
+        const struct step_value *r = step_item(v.item, 0);
+        const struct step_value *map = step_record(&v, "REPRESENTATION_MAP");
+        if (map)
+            *array_push(&mapped) = (size_t)reference_of(step_item(map, 1));
+        long id = m->step->instance.item[i].id;
+        if (is_representation(r) && leader(m, id) == id)
+            *array_push(&root) = (size_t)id;
+        array_free(&v);
+    }
+    for (size_t i = 0; i < root.n && status == 0; i++)
+        if (!is_component(m, &mapped, (long)root.item[i]))
+            status = add_group(m, (long)root.item[i], &to, 0, error);
+    array_free(&mapped);
+    array_free(&root);
+    return status;
+}
+
+int step_surfaces(const struct step *step, double mm, struct patches *patches, struct error *error)
+{
+    struct model m = {.step = step, .patches = patches, .mm = mm};
+    size_t before = patches->n, left = patches->left.n;
+    int status = find_relations(&m, error);
+    if (status == 0)
+        join_aliases(&m);
+    if (status == 0)
+        status = add_roots(&m, error);
+    array_free(&m.component);
+    array_free(&m.alias);
+    if (status == 0 && patches->n == before && patches->left.n == left)
+        return error_at(error, step->name, 0,
+                        "no face of a solid or a shell among %zu instances, expected one",
+                        step->instance.n);
+    return status;
+}
