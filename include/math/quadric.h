@@ -19,6 +19,13 @@ struct quadric {
         tilt; /* of c0; of c1 and c2 together, 1/mm^2: where each point's w has 1 mm^2 */
 };
 
+/* p in the frame: x along u, y along v, z along w. */
+static inline struct vec3 quadric_local(const struct quadric *q, struct vec3 p)
+{
+    struct vec3 d = vec_sub(p, q->origin);
+    return vec(vec_dot(d, q->u), vec_dot(d, q->v), vec_dot(d, q->w));
+}
+
 /*
  * The quadric nearest to n points, its w axis along `guess` (unit).  -1 when the points do not
  * carry one: fewer than 6, spread over a strip ten times as long as wide, or so (on two lines) that

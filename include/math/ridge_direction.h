@@ -1,12 +1,22 @@
 /*
- * ridge_direction - which way a rib or a groove runs, and the surface along it.
+ * ridge_direction - along a rib or a groove, where a surface bends across and not along:
+ * neighbourhoods that are longer that way, and which way it runs.
  */
 #ifndef CLOUDMILL_RIDGE_DIRECTION_H
 #define CLOUDMILL_RIDGE_DIRECTION_H
 
 #include <stdbool.h>
+#include <stddef.h>
 
 #include "math/quadric.h"
+
+/*
+ * Of n points the k (at most; k > 0) that are nearest to `at` if lengths along `way` (unit) count
+ * only 1 / `aspect`: found[], the farthest in space of them last.  Equal ones by their order in
+ * point[].  Returns how many.
+ */
+size_t neighbourhood_along(const struct vec3 *point, size_t n, struct vec3 at, struct vec3 way,
+                           double aspect, size_t k, struct vec3 *found);
 
 /* Neighbourhoods are so much longer along a rib, of no more points than that. */
 enum { RIDGE_DIRECTION_LONGER = 4, RIDGE_DIRECTION_MOST = 64 };
@@ -18,8 +28,8 @@ struct ridge_direction {
 };
 
 /*
- * Of the ways within 20 degrees of `way` (unit, across `up`), the one along which `some` of the n
- * points about a place fit a quadric best.  False: none carries one.
+ * Of the directions near `way` (unit, across `up`; TRIES times STEP to either side), the one along
+ * which `some` of the n points about a place fit a quadric best.  False: none carries one.
  */
 bool ridge_direction_find(const struct vec3 *point, size_t n, struct vec3 at, struct vec3 up,
                           struct vec3 way, size_t some, struct ridge_direction *rib);

@@ -1,6 +1,6 @@
 /*
- * side_fit - the surface on one side of an edge: a plane, or where that does not do a quadric, as
- * heights over a plane that all sheets of a neighbourhood share.
+ * side_fit - the surface on one side of an edge: a plane or, where that does not do, a quadric, as
+ * heights over a plane that all sides of a neighbourhood share.
  */
 #ifndef CLOUDMILL_SIDE_FIT_H
 #define CLOUDMILL_SIDE_FIT_H
@@ -16,7 +16,7 @@ struct side_fit {
 /* Heights along w (unit) over the plane through the origin.  -1 when the points carry no plane
  * there: fewer than 4, or nearly on a line. */
 int side_fit_plane(const struct vec3 *point, size_t n, struct vec3 origin, struct vec3 w,
-                   struct side_fit *sheet);
+                   struct side_fit *fit);
 
 /* A frame: u and v across w, all coefficients 0. */
 struct quadric side_fit_frame(struct vec3 origin, struct vec3 w);
@@ -26,29 +26,29 @@ void side_fit_local(const struct quadric *q, const struct vec3 *point, size_t n,
                     struct vec3 *local);
 
 /* The plane of side_fit_plane through those of n points, as side_fit_local gives them, whose side
- * is `which` (`side` NULL: all): the first three coefficients of sheet->q, nothing else; the others
- * and the frame stand there already. */
+ * is `which` (`side` NULL: all): sets the first three coefficients of fit->q, nothing else; the
+ * others and the frame are set already. */
 int side_fit_plane_of(const struct vec3 *local, const unsigned char *side, unsigned char which,
-                      size_t n, struct side_fit *sheet);
+                      size_t n, struct side_fit *fit);
 
 /* The plane through a place with this unit normal, which is not across w. */
 struct side_fit side_fit_through(struct vec3 place, struct vec3 normal, struct vec3 origin,
                                  struct vec3 w);
 
-/* The quadric through the same points in place of the plane, where it leaves less than 0.6 of what
- * the plane leaves. */
-void side_fit_bend(const struct vec3 *point, size_t n, struct side_fit *sheet);
+/* The quadric through the same points in place of the plane, where it leaves less than BETTER of
+ * what the plane leaves. */
+void side_fit_bend(const struct vec3 *point, size_t n, struct side_fit *fit);
 
-/* Height of the sheet, along w, over (or under) the place of p. */
-double side_fit_height(const struct side_fit *sheet, struct vec3 p);
+/* Height of the surface, along w, over (or under) the place of p. */
+double side_fit_height(const struct side_fit *fit, struct vec3 p);
 
-/* Height of p above the sheet, along w. */
-double side_fit_above(const struct side_fit *sheet, struct vec3 p);
+/* Height of p above the surface, along w. */
+double side_fit_above(const struct side_fit *fit, struct vec3 p);
 
-/* The place of p brought onto the sheet, along w. */
-struct vec3 side_fit_point(const struct side_fit *sheet, struct vec3 p);
+/* p moved onto the surface, along w. */
+struct vec3 side_fit_point(const struct side_fit *fit, struct vec3 p);
 
 /* Unit normal at the place of p, on the side of w. */
-struct vec3 side_fit_normal(const struct side_fit *sheet, struct vec3 p);
+struct vec3 side_fit_normal(const struct side_fit *fit, struct vec3 p);
 
 #endif

@@ -9,7 +9,7 @@
  *                 normal, foot, curvature, distance
  *   cubic.h       third degree, as a struct quadric too
  *   side_fit.h    plane or quadric on one side of an edge, in a frame that all sides share
- *   ridge_direction.h, neighbourhood_along.h   along a rib or a groove
+ *   ridge_direction.h   along a rib or a groove
  *
  * How many points is a trade: through k points of noise sigma the foot of the place is uncertain by
  * about 2 sigma / sqrt(k) within the cloud and by more at its border, but the wider the

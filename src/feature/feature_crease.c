@@ -5,7 +5,6 @@
 #include <string.h>
 
 #include "feature_steps.h"
-#include "math/neighbourhood_along.h"
 #include "math/ridge_direction.h"
 #include "base/array.h"
 #include "math/side_fit.h"
@@ -70,11 +69,11 @@ static bool is_rib(const struct pair *p, const struct feature_cloud *cloud, cons
     if (!ridge_direction_find(near, n, at, p->up, along, some, &rib))
         return false;
     size_t all =
-        neighbourhood_along_take(near, n, at, rib.way, RIDGE_DIRECTION_LONGER, some, found);
+        neighbourhood_along(near, n, at, rib.way, RIDGE_DIRECTION_LONGER, some, found);
     if (leaves_more(p, cloud, found, all, rib.rms))
         return true;
     size_t third =
-        neighbourhood_along_take(near, n, at, along, RIDGE_DIRECTION_LONGER, some / 3, found);
+        neighbourhood_along(near, n, at, along, RIDGE_DIRECTION_LONGER, some / 3, found);
     return gapes(p, cloud, found, third);
 }
 

@@ -7,7 +7,7 @@
 #include "feature_steps.h"
 #include "math/plane_fit.h"
 #include "math/side_fit.h"
-#include "math/neighbourhood_along.h"
+#include "math/ridge_direction.h"
 
 enum { NEAR = 24, FEWEST = 6, TRIMS = 10, TALL = 4, SEEDS = 8, WAYS = 24 };
 
@@ -87,7 +87,7 @@ static size_t near_wall(const struct feature_cloud *cloud, const struct level le
         if (part > 0.02 && part < 0.98 && hypot(p.x - at.x, p.y - at.y) < 6 * cloud->spacing)
             found[n++] = p;
     }
-    return n > 0 ? neighbourhood_along_take(found, n, at, UP, TALL, most, near) : 0;
+    return n > 0 ? neighbourhood_along(found, n, at, UP, TALL, most, near) : 0;
 }
 
 /* Keeps the points within `most` of the plane, or those that are not, in their order. */

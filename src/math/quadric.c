@@ -18,27 +18,18 @@ struct span {
     double width; /* of the neighbourhood as part of its length */
 };
 
-static void local(const struct quadric *q, struct vec3 p, double *u, double *v, double *w)
-{
-    struct vec3 d = vec_sub(p, q->origin);
-    *u = vec_dot(d, q->u);
-    *v = vec_dot(d, q->v);
-    *w = vec_dot(d, q->w);
-}
-
 /* The middle of the neighbourhood and its size. */
 static struct span span_of(const struct quadric *q, const struct vec3 *point, const double *weight,
                            size_t n)
 {
-    double count = 0, uu = 0, uv = 0, vv = 0, su = 0, sv = 0, u, v, w, u1, v1;
+    double count = 0, uu = 0, uv = 0, vv = 0, su = 0, sv = 0;
     if (n == 0)
         return (struct span){0, 0, 0, 0};
-    local(q, point[0], &u1, &v1, &w); /* near the middle: no digits are lost */
+    struct vec3 first = quadric_local(q, point[0]); /* near the middle: no digits are lost */
     for (size_t i = 0; i < n; i++) {
         double part = weight ? weight[i] : 1;
-        local(q, point[i], &u, &v, &w);
-        u -= u1;
-        v -= v1;
+        struct vec3 at = quadric_local(q, point[i]);
+        double u = at.x - first.x, v = at.y - first.y;
         count += part;
         su += part * u;
         sv += part * v;
@@ -53,7 +44,7 @@ static struct span span_of(const struct quadric *q, const struct vec3 *point, co
     vv -= count * sv * sv;
     /* the eigenvalues of the sums are the squares of length and width */
     double mean = (uu + vv) / 2, half = hypot((uu - vv) / 2, uv);
-    return (struct span){u1 + su, v1 + sv, sqrt((uu + vv) / count),
+    return (struct span){first.x + su, first.y + sv, sqrt((uu + vv) / count),
                          mean + half > 0 ? sqrt(fmax(mean - half, 0) / (mean + half)) : 0};
 }
 
@@ -64,10 +55,9 @@ static void add_up(const struct quadric *q, struct span s, const struct vec3 *po
 {
     double m[5][5] = {{0}}, mw[TERMS] = {0}, shrink = 1 / s.size;
     for (size_t k = 0; k < n; k++) {
-        double u, v, w, part = weight ? weight[k] : 1;
-        local(q, point[k], &u, &v, &w);
-        u = (u - s.u0) * shrink;
-        v = (v - s.v0) * shrink;
+        struct vec3 at = quadric_local(q, point[k]);
+        double part = weight ? weight[k] : 1, w = at.z;
+        double u = (at.x - s.u0) * shrink, v = (at.y - s.v0) * shrink;
         double uu = part * u * u, uv = part * u * v, vv = part * v * v, u2 = u * u, v2 = v * v;
         m[0][0] += part;
         m[1][0] += part * u;
@@ -284,8 +274,8 @@ double quadric_curvature(const struct quadric *q)
 double quadric_off(const struct quadric *q, struct vec3 point)
 {
     const double *c = q->c;
-    struct vec3 d = vec_sub(point, q->origin);
-    double u = vec_dot(d, q->u), v = vec_dot(d, q->v), w = vec_dot(d, q->w);
+    struct vec3 at = quadric_local(q, point);
+    double u = at.x, v = at.y, w = at.z;
     double off = w - (c[0] + u * (c[1] + c[3] * u + c[4] * v) + v * (c[2] + c[5] * v));
     double wu = c[1] + 2 * c[3] * u + c[4] * v, wv = c[2] + 2 * c[5] * v + c[4] * u;
     off -= u * u * (c[6] * u + c[7] * v) + v * v * (c[8] * u + c[9] * v);
@@ -316,8 +306,8 @@ struct vec3 quadric_at(const struct quadric *q, double u, double v)
 struct vec3 quadric_nearest(const struct quadric *q, struct vec3 point)
 {
     const double still = 1e-9; /* mm */
-    struct vec3 d = vec_sub(point, q->origin);
-    double u = vec_dot(d, q->u), v = vec_dot(d, q->v);
+    struct vec3 at = quadric_local(q, point);
+    double u = at.x, v = at.y;
 
     for (int turn = 0; turn < 8; turn++) {
         const double *c = q->c;

@@ -13,15 +13,6 @@ static const double NARROW = 0.05;
 /* What a quadric may leave of what a plane leaves, to be worth its freedom. */
 static const double BETTER = 0.6;
 
-static void place(const struct quadric *q, struct vec3 p, double *u, double *v, double *w)
-{
-    struct vec3 d = vec_sub(p, q->origin);
-
-    *u = vec_dot(d, q->u);
-    *v = vec_dot(d, q->v);
-    *w = vec_dot(d, q->w);
-}
-
 /* What the fit leaves to each of the points that it does not fix. */
 static double left_over(const struct quadric *q, const struct vec3 *point, size_t n, size_t fixed)
 {
@@ -39,13 +30,13 @@ struct quadric side_fit_frame(struct vec3 origin, struct vec3 w)
 void side_fit_local(const struct quadric *q, const struct vec3 *point, size_t n, struct vec3 *local)
 {
     for (size_t i = 0; i < n; i++)
-        place(q, point[i], &local[i].x, &local[i].y, &local[i].z);
+        local[i] = quadric_local(q, point[i]);
 }
 
 int side_fit_plane_of(const struct vec3 *local, const unsigned char *side, unsigned char which,
-                      size_t n, struct side_fit *sheet)
+                      size_t n, struct side_fit *fit)
 {
-    double mu = 0, mv = 0, mh = 0, uu = 0, uv = 0, vv = 0, uh = 0, vh = 0, *c = sheet->q.c;
+    double mu = 0, mv = 0, mh = 0, uu = 0, uv = 0, vv = 0, uh = 0, vh = 0, *c = fit->q.c;
     size_t count = 0;
 
     for (size_t i = 0; i < n; i++) {
@@ -82,7 +73,7 @@ int side_fit_plane_of(const struct vec3 *local, const unsigned char *side, unsig
 }
 
 int side_fit_plane(const struct vec3 *point, size_t n, struct vec3 origin, struct vec3 w,
-                   struct side_fit *sheet)
+                   struct side_fit *fit)
 {
     struct side_fit plane = {.q = side_fit_frame(origin, w)};
     struct vec3 local[SOME], *all = n > SOME ? mem_alloc(n, sizeof *all) : local;
@@ -94,7 +85,7 @@ int side_fit_plane(const struct vec3 *point, size_t n, struct vec3 origin, struc
     if (status < 0)
         return -1;
     plane.rms = left_over(&plane.q, point, n, PLANE);
-    *sheet = plane;
+    *fit = plane;
     return 0;
 }
 
@@ -110,43 +101,40 @@ struct side_fit side_fit_through(struct vec3 place, struct vec3 normal, struct v
     return f;
 }
 
-void side_fit_bend(const struct vec3 *point, size_t n, struct side_fit *sheet)
+void side_fit_bend(const struct vec3 *point, size_t n, struct side_fit *fit)
 {
     struct side_fit bent;
 
-    if (n < 3 * QUADRIC || quadric_fit(point, n, sheet->q.origin, sheet->q.w, &bent.q) < 0)
+    if (n < 3 * QUADRIC || quadric_fit(point, n, fit->q.origin, fit->q.w, &bent.q) < 0)
         return;
     bent.rms = left_over(&bent.q, point, n, QUADRIC);
-    if (bent.rms < BETTER * sheet->rms)
-        *sheet = bent;
+    if (bent.rms < BETTER * fit->rms)
+        *fit = bent;
 }
 
-double side_fit_height(const struct side_fit *sheet, struct vec3 p)
+double side_fit_height(const struct side_fit *fit, struct vec3 p)
 {
-    const double *c = sheet->q.c;
-    double u, v, w;
+    const double *c = fit->q.c;
+    struct vec3 at = quadric_local(&fit->q, p);
 
-    place(&sheet->q, p, &u, &v, &w);
-    return c[0] + u * (c[1] + c[3] * u + c[4] * v) + v * (c[2] + c[5] * v);
+    return c[0] + at.x * (c[1] + c[3] * at.x + c[4] * at.y) + at.y * (c[2] + c[5] * at.y);
 }
 
-double side_fit_above(const struct side_fit *sheet, struct vec3 p)
+double side_fit_above(const struct side_fit *fit, struct vec3 p)
 {
-    return vec_dot(vec_sub(p, sheet->q.origin), sheet->q.w) - side_fit_height(sheet, p);
+    return vec_dot(vec_sub(p, fit->q.origin), fit->q.w) - side_fit_height(fit, p);
 }
 
-struct vec3 side_fit_point(const struct side_fit *sheet, struct vec3 p)
+struct vec3 side_fit_point(const struct side_fit *fit, struct vec3 p)
 {
-    return vec_along(p, -side_fit_above(sheet, p), sheet->q.w);
+    return vec_along(p, -side_fit_above(fit, p), fit->q.w);
 }
 
-struct vec3 side_fit_normal(const struct side_fit *sheet, struct vec3 p)
+struct vec3 side_fit_normal(const struct side_fit *fit, struct vec3 p)
 {
-    const struct quadric *q = &sheet->q;
-    double u, v, w;
-
-    place(q, p, &u, &v, &w);
-    double du = q->c[1] + 2 * q->c[3] * u + q->c[4] * v;
-    double dv = q->c[2] + 2 * q->c[5] * v + q->c[4] * u;
+    const struct quadric *q = &fit->q;
+    struct vec3 at = quadric_local(q, p);
+    double du = q->c[1] + 2 * q->c[3] * at.x + q->c[4] * at.y;
+    double dv = q->c[2] + 2 * q->c[5] * at.y + q->c[4] * at.x;
     return vec_unit(vec_along(vec_along(q->w, -du, q->u), -dv, q->v));
 }

@@ -6,7 +6,7 @@
 #include "base/array.h"
 #include "base/parallel.h"
 #include "math/cubic.h"
-#include "math/neighbourhood_along.h"
+#include "math/ridge_direction.h"
 
 enum { WIDEST = 1024 };
 
@@ -299,8 +299,8 @@ static bool best_along(const struct surface_fit_options *rule, const struct surf
         double a = middle + i * longer->step;
         struct vec3 way = vec_along(vec_scale(cos(a), u), sin(a), v);
         struct surface_fit along;
-        hood->n = neighbourhood_along_take(wide->point, wide->n, vertex, way, longer->aspect,
-                                           longer->points, hood->point);
+        hood->n = neighbourhood_along(wide->point, wide->n, vertex, way, longer->aspect,
+                                      longer->points, hood->point);
         if (fit_through(hood, hood->n, vertex, normal, guess, rule->sigma, &along) < 0 ||
             along.spread >= fit->spread || is_useless(&along.q, rule->sigma))
             continue;

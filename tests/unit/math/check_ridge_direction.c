@@ -59,14 +59,47 @@ START_TEST(too_few_points)
 }
 END_TEST
 
+/* ---- which points a neighbourhood along a line has, against an exhaustive count */
+
+enum { POINTS = 400, TAKEN = 40 };
+
+/* As lengths count: along `way` a third of them. */
+static double counted(struct vec3 p, struct vec3 at, struct vec3 way)
+{
+    struct vec3 off = vec_sub(p, at);
+    double along = vec_dot(off, way);
+    return hypot(vec_length(vec_along(off, -along, way)), along / 3);
+}
+
+START_TEST(taken)
+{
+    struct vec3 p[POINTS], found[TAKEN], at = vec(5, 5, 1), way = vec_unit(vec(2, -1, 0.5));
+    double farthest = 0, last = 0;
+    size_t nearer = 0;
+    for (int i = 0; i < POINTS; i++)
+        p[i] = vec(10 * uniform(), 10 * uniform(), 2 * uniform());
+    ck_assert_uint_eq(neighbourhood_along(p, POINTS, at, way, 3, TAKEN, found), TAKEN);
+    for (int i = 0; i < TAKEN; i++) {
+        farthest = fmax(farthest, counted(found[i], at, way));
+        last = fmax(last, vec_distance(found[i], at));
+    }
+    for (int i = 0; i < POINTS; i++)
+        nearer += counted(p[i], at, way) <= farthest * (1 + 1e-12);
+    ck_assert_uint_eq(nearer, TAKEN);
+    ck_assert(vec_distance(found[TAKEN - 1], at) == last);
+    ck_assert_uint_eq(neighbourhood_along(p, 7, at, way, 3, TAKEN, found), 7);
+}
+END_TEST
+
 int main(void)
 {
-    Suite *suite = suite_create("ribway");
-    TCase *tests = tcase_create("ribway");
+    Suite *suite = suite_create("ridge_direction");
+    TCase *tests = tcase_create("ridge_direction");
     SRunner *runner = srunner_create(suite);
     tcase_add_test(tests, way_of_a_rib);
     tcase_add_test(tests, noisy_rib);
     tcase_add_test(tests, too_few_points);
+    tcase_add_test(tests, taken);
     suite_add_tcase(suite, tests);
     srunner_run_all(runner, CK_ENV);
     int failed = srunner_ntests_failed(runner);
