@@ -13,7 +13,7 @@
 
 static int normals;
 static double scallop;
-static const char *way;
+static const char *direction; /* as text: auto or degrees */
 
 static void read_options(struct cli *cli, int argc, char **argv)
 {
@@ -31,7 +31,7 @@ static void read_options(struct cli *cli, int argc, char **argv)
         {0, "direction", "auto|DEG",
          "direction of those rows: the one with the shortest cut, or about z\n"
          "from x towards y (default: that of the mesh's rows)",
-         CLI_TEXT, &way, 0, 0, 0, NULL},
+         CLI_TEXT, &direction, 0, 0, 0, NULL},
         {0}};
 
     cli->option = options;
@@ -51,8 +51,8 @@ static void read_mesh(const char *file, struct mesh *mesh, struct rows *rows)
 }
 
 /* The contacts of a strip in the order they are cut, the ball rolled over its sharp edges. */
-static void gather(const struct mesh *mesh, const struct rows *rows, struct strip strip, bool back,
-                   struct contacts *to)
+static void strip_contacts(const struct mesh *mesh, const struct rows *rows, struct strip strip,
+                           bool back, struct contacts *to)
 {
     const double sink = 0.002; /* of the ball into an edge between two of the points, mm */
     size_t n = strip.to - strip.from;
@@ -82,7 +82,7 @@ static size_t make_pass(const struct mesh *mesh, const struct rows *rows, size_t
         end++;
     for (size_t i = s; i < end; i++) {
         struct strip strip = rows->strip.item[back ? end - 1 - (i - s) : i];
-        gather(mesh, rows, strip, back, &contact);
+        strip_contacts(mesh, rows, strip, back, &contact);
         t->lift.feed.side = strip.side;
         t->lift.feed.up = strip.up;
         toolpath_strip(t, pass, contact.item, contact.n, vec_scale(back ? -1 : 1, strip.along));
@@ -105,15 +105,16 @@ static void make_path(const struct mesh *mesh, const struct rows *rows, struct t
     toolpath_end(t);
 }
 
-/* Planes along the rows, or as --direction says; through a part with a projection of its own along
- * its rows. */
+/* Planes along the rows, or in the direction of --direction; through a part with a projection of
+ * its own along its rows. */
 static void find_planes(const struct mesh *mesh, const struct mesh_part *part, double spacing,
                         double angle, struct plane_passes *p)
 {
     bool upright = !part || part->up.z >= 1;
 
-    if (upright && way && !plane_passes_direction(way, mesh, path_options.radius, scallop, &angle))
-        die_usage("option --direction: found '%s', expected auto or degrees", way);
+    if (upright && direction &&
+        !plane_passes_direction(direction, mesh, path_options.radius, scallop, &angle))
+        die_usage("option --direction: found '%s', expected auto or degrees", direction);
     p->rule = upright ? plane_passes_upright(angle, path_options.radius)
                       : plane_passes_along(part, path_options.radius);
     /* A node that random points do not have makes no hole: where the scan guards, rows go on. */
@@ -128,7 +129,7 @@ static void find_planes(const struct mesh *mesh, const struct mesh_part *part, d
 struct planes {
     size_t n;
     struct mesh *part; /* NULL: the mesh is one */
-    struct plane_passes *path;
+    struct plane_passes *passes;
     double widest;
     bool steep;
 };
@@ -140,33 +141,33 @@ static void find_all_planes(const struct mesh *mesh, const struct rows *rows, st
 
     all->n = parts->n > 1 ? parts->n : 1;
     all->part = parts->n > 1 ? mem_alloc(parts->n, sizeof *all->part) : NULL;
-    all->path = mem_alloc(all->n, sizeof *all->path);
+    all->passes = mem_alloc(all->n, sizeof *all->passes);
     for (size_t k = 0; k < all->n; k++) {
-        all->path[k] = (struct plane_passes){.threads = 0};
+        all->passes[k] = (struct plane_passes){.threads = 0};
         if (all->part)
             all->part[k] = mesh_join_of(mesh, k);
         find_planes(all->part ? &all->part[k] : mesh, all->part ? &parts->item[k] : NULL, spacing,
-                    angle, &all->path[k]);
-        all->widest = fmax(all->widest, all->path[k].widest);
-        all->steep = all->steep || all->path[k].steep;
+                    angle, &all->passes[k]);
+        all->widest = fmax(all->widest, all->passes[k].widest);
+        all->steep = all->steep || all->passes[k].steep;
     }
 }
 
-/* Rows do not go on over holes of the scan. */
-static void mind_holes(struct planes *all, const struct gouge_check *scan)
+/* Passes end at holes of the scan. */
+static void stop_at_holes(struct planes *all, const struct gouge_check *scan)
 {
     for (size_t k = 0; k < all->n; k++)
-        all->path[k].rule.guard = all->path[k].rule.bare > 0 ? scan : NULL;
+        all->passes[k].rule.guard = all->passes[k].rule.bare > 0 ? scan : NULL;
 }
 
 static void free_planes(struct planes *all)
 {
     for (size_t k = 0; k < all->n; k++) {
-        plane_passes_free(&all->path[k]);
+        plane_passes_free(&all->passes[k]);
         if (all->part)
             mesh_free(&all->part[k]);
     }
-    free(all->path);
+    free(all->passes);
     free(all->part);
 }
 
@@ -176,7 +177,7 @@ static void check_options(struct tool_axis_options *axis)
 
     if (path_options_check(axis, &error) != 0)
         die_usage("%s", error.text);
-    if (way && scallop == 0)
+    if (direction && scallop == 0)
         die_usage("found --direction without --scallop: the mesh's own rows have theirs");
     if (scallop > 0 && path_options.paper)
         die_usage("found --paper with --scallop: the paper's rows are those of the mesh");
@@ -210,16 +211,16 @@ int main(int argc, char **argv)
     double distance = scallop > 0 ? planes.widest : rows.distance;
     if (path_options_guard(&mesh, rows.distance, cli.threads, &guard, &error) != 0)
         die_error(&error);
-    mind_holes(&planes, guard);
+    stop_at_holes(&planes, guard);
     if (path_options_rules(&mesh, guard, distance, &t, &error) != 0)
         die_usage("%s", error.text);
 
     path_options_begin(&mesh, "meshnorm", cli.output, &t);
     if (scallop > 0 && !planes.part)
-        plane_passes_run_out(&planes.path[0], &mesh);
+        plane_passes_run_out(&planes.passes[0], &mesh);
     if (scallop == 0)
         make_path(&mesh, &rows, &t);
-    else if (plane_passes_make(planes.path, planes.n, &t, &error) != 0)
+    else if (plane_passes_make(planes.passes, planes.n, &t, &error) != 0)
         die_error(&error);
     path_options_end(&mesh, "meshnorm", &t);
     note("%zu nodes in %zu strips", rows.node.n, rows.strip.n);

@@ -18,7 +18,7 @@ static const double BESIDE = 0.002;
 static double step, scallop, angle, plane[3], gap = 0.1;
 static struct cli_list surfaces;
 static bool step_given, scallop_given, angle_given, plane_given;
-static const char *way;
+static const char *direction; /* as text: auto or degrees */
 
 /* clang-format off */
 static const struct cli_option options[] = {
@@ -31,7 +31,7 @@ static const struct cli_option options[] = {
     {'a', "angle", "DEG", "direction of vertical planes, about z from x towards y (0)",
      CLI_NUMBER, &angle, 0, 0, 0, &angle_given},
     {0, "direction", "auto|DEG", "the same, or the direction with the shortest cut",
-     CLI_TEXT, &way, 0, 0, 0, NULL},
+     CLI_TEXT, &direction, 0, 0, 0, NULL},
     {0, "plane", "I,J,K", "the planes' normal, instead of -a: 0,0,1 cuts at constant height",
      CLI_NUMBERS, plane, 0, 0, 3, &plane_given},
     {0, "gap", "MM", "cut on across gaps in the part of at most this width (0.1)",
@@ -50,10 +50,10 @@ static void check_options(struct tool_axis_options *axis)
         die_usage("%s", error.text);
     if (step_given && scallop_given)
         die_usage("found -s and --scallop, expected one of them");
-    if (way && angle_given)
+    if (direction && angle_given)
         die_usage("found -a and --direction, expected one of them");
-    if ((angle_given || way) && plane_given)
-        die_usage("found %s and --plane, expected one of them", way ? "--direction" : "-a");
+    if ((angle_given || direction) && plane_given)
+        die_usage("found %s and --plane, expected one of them", direction ? "--direction" : "-a");
     if (plane_given && vec_length(vec(plane[0], plane[1], plane[2])) == 0)
         die_usage("option --plane: found a direction of no length");
     if (scallop >= path_options.radius)
@@ -99,14 +99,14 @@ static void find_planes(const struct mesh *mesh, struct plane_passes *p)
         plane_passes_scallop(p, mesh, scallop);
 }
 
-static void set_rule(const struct tool_axis_options *axis, const struct mesh *mesh, bool closed,
-                     struct plane_passes *p)
+static void set_pass_options(const struct tool_axis_options *axis, const struct mesh *mesh,
+                             bool closed, struct plane_passes *p)
 {
     struct pass_options *rule = &p->rule;
     double turn = RADIANS(angle), h = step_given ? fmin(0.01, path_options.radius / 2) : scallop;
 
-    if (way && !plane_passes_direction(way, mesh, path_options.radius, h, &turn))
-        die_usage("option --direction: found '%s', expected auto or degrees", way);
+    if (direction && !plane_passes_direction(direction, mesh, path_options.radius, h, &turn))
+        die_usage("option --direction: found '%s', expected auto or degrees", direction);
     *rule = plane_passes_upright(turn, path_options.radius);
     rule->gap = gap;
     rule->faced = closed || axis->kind == AXIS_FIXED;
@@ -164,7 +164,7 @@ int main(int argc, char **argv)
     if (mesh_for_planes_read(cli.file[0], vec(0, 0, 1), &mesh, &closed, &error) != 0)
         die_error(&error);
     check_radius(cli.file[0], &mesh);
-    set_rule(&t.lift.axis, &mesh, closed, &planes);
+    set_pass_options(&t.lift.axis, &mesh, closed, &planes);
     find_planes(&mesh, &planes);
     read_surfaces(&mesh, &patches, &planes);
     if (path_options_guard(&mesh, fmax(planes.widest, path_options.radius), cli.threads, &guard,

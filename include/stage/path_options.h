@@ -1,6 +1,6 @@
 /*
- * path_options - what all makers of tool paths are told alike: ball, guard, tool axis, feeds,
- * links, tool.
+ * path_options - the options that all makers of tool paths (meshnorm, planecut) share: ball, guard,
+ * tool axis, feeds, links, tool.
  */
 #ifndef CLOUDMILL_PATH_OPTIONS_H
 #define CLOUDMILL_PATH_OPTIONS_H
@@ -29,13 +29,13 @@ extern struct path_options path_options;
 extern const struct cli_option path_option_table[]; /* for cli.more */
 
 /* Checks the options against each other, fills in what follows from others, and gives the rule for
- * the axis: what to do with -1 is a matter of usage. */
+ * the axis.  -1: an error of usage. */
 int path_options_check(struct tool_axis_options *axis, struct error *error);
 
 /*
- * What the ball is kept clear of: the scans of -g, which are told from the wrong ones by vertices
- * further than `near` from them, or the mesh so finely that the ball sinks in by less than 0.002
- * mm. *guard is NULL with --paper.
+ * What the ball is kept clear of: the scans of -g, or the mesh sampled so finely that the ball
+ * sinks in by less than SINK.  A scan is refused if most vertices are further than `near` mm from
+ * it. *guard is NULL with --paper.
  */
 int path_options_guard(const struct mesh *mesh, double near, int threads,
                        struct gouge_check **guard, struct error *error);
@@ -45,13 +45,13 @@ int path_options_guard(const struct mesh *mesh, double near, int threads,
 int path_options_rules(const struct mesh *mesh, const struct gouge_check *guard, double distance,
                        struct toolpath *t, struct error *error);
 
-/* Before the path is made: with a tolerance all that its head says is known, and it goes to
- * `output` (NULL: standard output) while it is made.  `tool`: the stage that spends what straight
- * lines spend. */
+/* Before the path is made: with a tolerance all that its head says is known, and it is written to
+ * `output` (NULL: standard output) while it is made.  `tool`: the maker that the ledger names for
+ * what straight lines spend. */
 void path_options_begin(const struct mesh *mesh, const char *tool, const char *output,
                         struct toolpath *t);
 
-/* When it is made: what is left of it to be written, or all. */
+/* After it is made: writes what is left of it, or all. */
 void path_options_end(const struct mesh *mesh, const char *tool, struct toolpath *t);
 
 #endif

@@ -16,7 +16,7 @@ struct plane_passes {
     double reach;             /* of a point to its surface, mm */
     struct border_surface
         *border_surface; /* strips run out to the border of this scan; NULL: to the mesh's */
-    bool extended;       /* the mesh goes beyond the scan because it was asked to */
+    bool extended;       /* the mesh goes beyond the scan on purpose */
 
     struct slice *cut;
     struct doubles height; /* of the planes, along their normal, mm */
@@ -26,18 +26,18 @@ struct plane_passes {
     size_t beside;         /* points without a surface */
 };
 
-/* How the planes at `angle` radians about z run, from the lower left to the upper right; for a ball
- * of this radius. */
+/* Upright planes at `angle` radians about z, the next one always towards the upper right; for a
+ * ball of this radius. */
 struct pass_options plane_passes_upright(double angle, double radius);
 
-/* How those of a part with a projection of its own run: along its rows, square to the plane that
- * these lie in. */
+/* The planes of a part with a projection of its own: along its rows, perpendicular to the plane
+ * that these lie in. */
 struct pass_options plane_passes_along(const struct mesh_part *part, double radius);
 
 /* Planes at equal distances of at most `step` mm. */
 void plane_passes_equal(struct plane_passes *p, const struct mesh *mesh, double step);
 
-/* Planes so far apart that the ball leaves no cusp higher than h mm; says where it can't be kept
+/* Planes so far apart that the ball leaves no cusp higher than h mm; says where that can't be kept
  * (scallop.h). */
 void plane_passes_scallop(struct plane_passes *p, const struct mesh *mesh, double h);
 
@@ -48,19 +48,18 @@ void plane_passes_scallop(struct plane_passes *p, const struct mesh *mesh, doubl
  */
 double plane_passes_best(const struct mesh *mesh, double radius, double h, double *length);
 
-/* What --direction asks for, radians: degrees as text, or `auto` for plane_passes_best, which is
- * then told.  False: neither. */
+/* The angle that --direction asks for, radians: degrees as text, or `auto` for plane_passes_best,
+ * which is then said.  False: neither. */
 bool plane_passes_direction(const char *text, const struct mesh *mesh, double radius, double h,
                             double *angle);
 
-/* Lets the strips of upright planes run out to the border of the scan of -g (pass_extend.h), if
- * there is one and the mesh is one that says how far apart its vertices are, without parts. */
+/* Has the strips of upright planes lengthened to the border of the scan of -g (pass_extend.h), if
+ * there is one and the mesh states how far apart its vertices are and has no parts. */
 void plane_passes_run_out(struct plane_passes *p, const struct mesh *mesh);
 
-/* Gives the strips of all planes of n such paths, one path after the other, to the toolpath, which
- * is then ended, in as many layers as path_options.h says.  -1: no plane crosses anything that
- * faces the tool. */
-int plane_passes_make(struct plane_passes *paths, size_t n, struct toolpath *t,
+/* Gives the strips of n sets of planes, one after the other, to the toolpath, in as many layers as
+ * the options say, and ends it.  -1: no plane crosses anything that faces the tool. */
+int plane_passes_make(struct plane_passes *set, size_t n, struct toolpath *t,
                       struct error *error);
 
 void plane_passes_free(struct plane_passes *p);

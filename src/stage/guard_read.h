@@ -1,5 +1,6 @@
 /*
- * guard_read - the scan that a path is guarded against, brought to where the mesh is.
+ * guard_read - the scan that the ball is kept clear of: read, placed as the mesh is, and made into
+ * a gouge check.
  */
 #ifndef CLOUDMILL_GUARD_READ_H
 #define CLOUDMILL_GUARD_READ_H
@@ -20,16 +21,16 @@ struct guard_read_options {
 };
 
 /*
- * A guard of the points of all files and of the mesh's sharp edges, in the mesh's mm: placed as the
- * mesh was, when its stream says that it was placed (turned, shifted, or from other units), else as
- * they are.  NULL when a file can't be read, has no points, or when the mesh is clearly elsewhere:
- * more than half of its vertices further than `near` mm from every point of the scan.  rule->noise
- * becomes what was taken out.
+ * The gouge check of the points of all files and of the mesh's sharp edges, in the mesh's mm:
+ * placed as the mesh was, if its stream says that it was placed (turned, shifted, or from other
+ * units), else as they are.  NULL if a file can't be read or has no points, or if the mesh is
+ * clearly elsewhere: more than half of its vertices further than `near` mm from every point of the
+ * scan.  rule->noise becomes what was taken out.
  */
 struct gouge_check *guard_read(const struct cli_list *files, const struct mesh *mesh, double near,
                                struct guard_read_options *rule, struct error *error);
 
-/* The same with the places of a path for vertices, and the scan as it is. */
+/* The same for the points of a path, with the scan as it is. */
 struct gouge_check *guard_read_points(const struct cli_list *files, const struct vec3s *place,
                                       double near, struct guard_read_options *rule,
                                       struct error *error);

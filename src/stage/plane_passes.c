@@ -393,18 +393,18 @@ static void free_cuts(struct plane_cuts *cuts, size_t n)
     free(cuts);
 }
 
-int plane_passes_make(struct plane_passes *paths, size_t n, struct toolpath *t, struct error *error)
+int plane_passes_make(struct plane_passes *set, size_t n, struct toolpath *t, struct error *error)
 {
     size_t pass = 1, beside = 0, left_out = 0;
     struct plane_cuts *cuts = mem_alloc(n, sizeof *cuts);
 
     for (size_t k = 0; k < n; k++)
-        cuts[k] = cut_all(&paths[k]);
+        cuts[k] = cut_all(&set[k]);
     for (int layer = path_options.layers - 1; layer >= 0; layer--) {
         t->lift.offset = path_options.radius + layer * path_options.depth;
         for (size_t k = 0; k < n; k++) {
             for (size_t i = 0; i < cuts[k].n; i++) {
-                make_pass(&paths[k], &cuts[k].item[i].strips, pass++, t);
+                make_pass(&set[k], &cuts[k].item[i].strips, pass++, t);
                 progress("planes", i + 1, cuts[k].n);
             }
         }
@@ -414,8 +414,8 @@ int plane_passes_make(struct plane_passes *paths, size_t n, struct toolpath *t, 
     if (t->pass == 0)
         return error_set(error, "found nothing that the planes cross and that faces the tool");
     for (size_t k = 0; k < n; k++) {
-        beside += paths[k].beside;
-        left_out += paths[k].left_out;
+        beside += set[k].beside;
+        left_out += set[k].left_out;
     }
     if (beside > 0)
         say("%zu points have no surface near them and stay on the mesh", beside);
