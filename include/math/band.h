@@ -8,7 +8,7 @@
 #include <stdbool.h>
 #include <stddef.h>
 
-/* The lower half: element (i, j), i - width <= j <= i, stands at item[i * (width + 1) + i - j]. */
+/* The lower half: element (i, j), i - width <= j <= i, is item[i * (width + 1) + i - j]. */
 struct band {
     size_t n, width;
     double *item;
@@ -25,8 +25,8 @@ static inline double *band_at(const struct band *band, size_t i, size_t j)
 }
 
 /*
- * Replaces the matrix by its Cholesky factor.  False when it is not positive definite, or so near
- * to it that a pivot has lost 12 digits against its diagonal element; the matrix is then spoiled.
+ * Replaces the matrix by its Cholesky factor.  False if it is not positive definite, or so nearly
+ * singular that a pivot has lost 12 digits against its diagonal element; the matrix is then lost.
  */
 bool band_factor(struct band *band);
 

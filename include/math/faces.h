@@ -1,5 +1,5 @@
 /*
- * faces - triangles told by the numbers of their corners.
+ * faces - triangles by the indices of their corners.
  */
 #ifndef CLOUDMILL_FACES_H
 #define CLOUDMILL_FACES_H

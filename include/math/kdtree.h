@@ -17,7 +17,7 @@ struct kdtree;
 
 struct kdtree *kdtree_new(const struct vec3 *point, size_t n);
 
-/* The same, and the same tree, by several threads (as in parallel.h). */
+/* The same tree, made by several threads (as in parallel.h). */
 struct kdtree *kdtree_new_by(const struct vec3 *point, size_t n, int threads);
 
 void kdtree_free(struct kdtree *tree);
@@ -32,14 +32,13 @@ size_t kdtree_nearest(const struct kdtree *tree, struct vec3 q, size_t k, size_t
 void kdtree_within(const struct kdtree *tree, struct vec3 q, double radius, struct sizes *found);
 
 /*
- * The distance of the straight way from a to b (which may be one place) to the nearest point, and
- * that point in *index; where none is as near as `within`, `within` itself, and *index stays as it
- * was.
+ * The distance of the segment from a to b (which may be one place) to the nearest point, and that
+ * point in *index; if none is as near as `within`, `within` itself, and *index stays as it was.
  */
 double kdtree_nearest_segment(const struct kdtree *tree, struct vec3 a, struct vec3 b,
                               double within, size_t *index);
 
-/* Is there a point nearer than `within` to the straight way from a to b?  Ends at the first. */
+/* True if a point is nearer than `within` to the segment from a to b.  Ends at the first. */
 bool kdtree_any_beside(const struct kdtree *tree, struct vec3 a, struct vec3 b, double within);
 
 /*
@@ -50,7 +49,7 @@ bool kdtree_any_beside(const struct kdtree *tree, struct vec3 a, struct vec3 b, 
 double kdtree_lowest(const struct kdtree *tree, double (*value)(const void *context, struct vec3 p),
                      const void *context, double below, size_t *index);
 
-/* Is it lower than `below` at any point?  Ends at the first. */
+/* True if it is lower than `below` at any point.  Ends at the first. */
 bool kdtree_any_lower(const struct kdtree *tree,
                       double (*value)(const void *context, struct vec3 p), const void *context,
                       double below);
@@ -63,9 +62,9 @@ struct kdtree_touch {
 
 /*
  * The smallest h >= 0 that brings a ball of this radius with its centre at c + h * up (a unit
- * vector) clear of all points, up to 1e-6 mm; where that is above `limit`, something above it.
- * `touch`: points of the tree that are likely in its way, to be tried first (NULL: none); then the
- * one that it left last, if it left any.
+ * vector) clear of all points, up to SLACK; if that is above `limit`, something above it.  `touch`:
+ * points of the tree that are likely in its way, to be tried first (NULL: none); afterwards the one
+ * that the ball left last, if it left any.
  */
 double kdtree_leave(const struct kdtree *tree, struct vec3 c, struct vec3 up, double radius,
                     double limit, struct kdtree_touch *touch);
@@ -74,10 +73,10 @@ double kdtree_leave(const struct kdtree *tree, struct vec3 c, struct vec3 up, do
 double kdtree_leave_these(const struct kdtree_touch *these, struct vec3 c, struct vec3 up,
                           double radius);
 
-/* The smallest h >= 0 from which on it is clear of all points, however far it goes. */
+/* The smallest h >= 0 from which on the ball is clear of all points, however far it goes. */
 double kdtree_rise(const struct kdtree *tree, struct vec3 c, struct vec3 up, double radius);
 
-/* Is there a point higher in z than c and nearer than `radius` to the upright line through it? */
+/* True if a point is higher in z than c and nearer than `radius` to the upright line through it. */
 bool kdtree_any_above(const struct kdtree *tree, struct vec3 c, double radius);
 
 #endif

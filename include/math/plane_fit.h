@@ -14,7 +14,7 @@ struct plane_fit {
     double width, length;       /* rms along the plane, across and along the points' spread, mm */
 };
 
-/* The eigenvectors of the points' covariance by Jacobi's rotations.  -1 when the points carry no
+/* The eigenvectors of the points' covariance by Jacobi's rotations.  -1 if the points determine no
  * plane: fewer than 3, or all on a line. */
 int plane_fit(const struct vec3 *point, size_t n, struct plane_fit *plane);
 

@@ -1,9 +1,10 @@
 /*
- * pnorm - the sum of a high power of many distances, and what makes it less.
+ * pnorm - the sum of a high power of many distances, and the step of the unknowns that makes it
+ * less.
  *
- * A distance is a pair (x, y) of numbers, d^2 = x^2 + y^2; a point has one pair or two.  Minimized
- * is the sum of (d / scale)^(2 half), and of the squares of three numbers `held` on top, as least
- * squares of the vectors (d / scale)^half in the direction of the pair (Gauss and Newton).
+ * A distance is a pair (x, y) of numbers, d^2 = x^2 + y^2; a point has one pair or two.  The sum of
+ * (d / scale)^(2 half), plus the squares of three numbers `held`, is minimized as least squares of
+ * the vectors (d / scale)^half in the direction of the pair (Gauss and Newton).
  */
 #ifndef CLOUDMILL_PNORM_H
 #define CLOUDMILL_PNORM_H
@@ -28,7 +29,7 @@ struct pnorm {
     double *right;
 };
 
-/* `twice`: two pairs a point.  What off, held and the columns hold is the caller's to set. */
+/* `twice`: two pairs a point.  The caller sets off, held and the columns. */
 struct pnorm pnorm_new(size_t points, bool twice, size_t unknowns);
 void pnorm_free(struct pnorm *sum);
 

@@ -1,10 +1,10 @@
 /*
- * point_grid - a cloud sorted, where it lies, into square cells seen from above: what is near, and
- * what lies over a place.
+ * point_grid - a cloud sorted in place into square cells seen from above: what is near, and what
+ * lies over a place.
  *
- * The points are put in order within their own array, with room for a copy meanwhile: row by row of
+ * The points are sorted within their own array, with room for a copy meanwhile: row by row of
  * cells, in each cell by x, y, z.  So their order, and whatever is computed in it, does not depend
- * on the order of the file; points twice stand side by side.  Beside the points there are four
+ * on the order of the file, and equal points are neighbours.  Besides the points there are four
  * bytes a cell.
  */
 #ifndef CLOUDMILL_POINT_GRID_H
@@ -26,9 +26,9 @@ struct point_grid {
 };
 
 /*
- * Sorts n points, whose mean spacing is about `spacing` mm, into cells three times as wide.  A few
- * points far off do not widen the cells: they go to those at the border.  -1 (no points, or 2^32
- * and more): why.
+ * Sorts n points, whose mean spacing is about `spacing` mm, into cells CELLS_WIDE times as wide.  A
+ * few points far off do not widen the grid: they go to the cells at its border.  -1: no points, or
+ * 2^32 and more; says why.
  */
 int point_grid_make(struct vec3 *point, size_t n, double spacing, int threads,
                     struct point_grid *point_grid, struct error *error);
@@ -43,7 +43,7 @@ size_t point_grid_row(const struct point_grid *point_grid, double y);
 void point_grid_over(const struct point_grid *point_grid, struct vec3 a, struct vec3 b,
                      struct vec3 c, double border, struct sizes *found);
 
-/* Takes out the points i with out[i] not 0; the others close up. */
+/* Removes the points i with out[i] not 0; the others close up. */
 void point_grid_remove(struct point_grid *point_grid, const unsigned char *out);
 
 /* The k points nearest to q in space, nearest first (fewer when there are fewer); of points equally

@@ -27,34 +27,35 @@ static inline struct vec3 quadric_local(const struct quadric *q, struct vec3 p)
 }
 
 /*
- * The quadric nearest to n points, its w axis along `guess` (unit).  -1 when the points do not
- * carry one: fewer than 6, spread over a strip ten times as long as wide, or so (on two lines) that
- * a term is the sum of the others up to a fiftieth.
+ * The quadric nearest to n points, its w axis along `guess` (unit).  -1 if the points do not
+ * determine one: fewer than 6, spread over a strip narrower than NARROW of its length, or so (on
+ * two lines) that a term is the sum of the others up to INDEPENDENT.
  */
 int quadric_fit(const struct vec3 *point, size_t n, struct vec3 origin, struct vec3 guess,
                 struct quadric *quadric);
 
-/* The same with the w axis along the quadric's own normal at the origin, found in some turns from a
+/* The same with the w axis along the quadric's own normal at the origin, found by iteration from a
  * guess: on a slope the frame of the guess would fit heights above a skew plane. */
 int quadric_settle(const struct vec3 *point, size_t n, struct vec3 origin, struct vec3 guess,
                    struct quadric *quadric);
 
 /* A unit normal of the plane nearest to n points, on either side: along the axis that serves best
- * to tell heights by (exact where they lie in a plane); (0, 0, 1) for points that span none. */
+ * for heights (exact where they lie in a plane); (0, 0, 1) for points that span none. */
 struct vec3 plane_normal(const struct vec3 *point, size_t n);
 
-/* The same, each point with its weight (0: it does not count); the points that count must carry the
- * quadric. */
+/* quadric_fit, each point with its weight (0: it does not count); the points that count must
+ * determine the quadric. */
 int quadric_fit_weighted(const struct vec3 *point, const double *weight, size_t n,
                          struct vec3 origin, struct vec3 guess, struct quadric *quadric);
 
-/* The same where the guess is the normal of facets: where that is steep, from straight up too, for
- * slivers between scan lines and facets across a step have normals that mean nothing.  The better
- * fit counts. */
+/* quadric_settle if the guess is the normal of facets: where that is steep, from straight up too,
+ * for slivers between scan lines and facets across a step have normals that mean nothing.  The
+ * better fit is taken. */
 int quadric_fit_steep(const struct vec3 *point, size_t n, struct vec3 origin, struct vec3 guess,
                       struct quadric *quadric);
 
-/* The same where nothing is known of the normal: from that of the plane nearest to the points. */
+/* quadric_settle if nothing is known of the normal: from that of the plane nearest to the points.
+ */
 int quadric_fit_free(const struct vec3 *point, size_t n, struct vec3 origin,
                      struct quadric *quadric);
 

@@ -13,7 +13,7 @@ struct side_fit {
     double rms;       /* of the points' distances, for those that the fit leaves free, mm */
 };
 
-/* Heights along w (unit) over the plane through the origin.  -1 when the points carry no plane
+/* Heights along w (unit) over the plane through the origin.  -1 if the points determine no plane
  * there: fewer than 4, or nearly on a line. */
 int side_fit_plane(const struct vec3 *point, size_t n, struct vec3 origin, struct vec3 w,
                    struct side_fit *fit);

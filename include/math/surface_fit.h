@@ -1,7 +1,7 @@
 /*
- * surface_fit - the surface that the noisy points of a scan stand for about one place: a cubic or,
- * where they carry none, a quadric, through as many of them as agree, outliers without weight
- * (Tukey's biweight).
+ * surface_fit - the surface that the noisy points of a scan are samples of, about one place: a
+ * cubic or, where they determine none, a quadric, through as many of them as agree, outliers
+ * without weight (Tukey's biweight).
  *
  * It is the robust one of a family of local surfaces, each through given points by least squares:
  *   plane_fit.h   a plane, distances across it; plane_normal (quadric.h) is the quick one
@@ -15,9 +15,9 @@
  * about 2 sigma / sqrt(k) within the cloud and by more at its border, but the wider the
  * neighbourhood, the less of the surface is a cubic.  So the widest neighbourhood is taken whose
  * foot and normal agree with those of its nearer halves within what noise explains (O. Lepski's
- * rule, Theory of Probability and its Applications 35, 1991).  Where even few points are bent too
- * much, as on a rib or in a groove, they are taken from a neighbourhood that is six times as long
- * the way it runs; that way is the one in which such a neighbourhood is fitted best.
+ * rule, Theory of Probability and its Applications 35, 1991).  Where even few points are curved too
+ * much, as on a rib or in a groove, they are taken from a neighbourhood that is longer the way it
+ * runs; that way is the one in which such a neighbourhood is fitted best.
  */
 #ifndef CLOUDMILL_SURFACE_FIT_H
 #define CLOUDMILL_SURFACE_FIT_H
@@ -58,7 +58,7 @@ size_t surface_fit_typical(const struct surface_fit_options *rule, const struct 
 bool surface_fit_at(const struct surface_fit_options *rule, struct vec3 place, struct vec3 guess,
                     struct surface_fit_hood *hood, struct surface_fit *fit);
 
-/* Is it noise alone that spreads the points about it? */
+/* True if noise alone explains how the points are spread about it. */
 bool surface_fit_holds(const struct surface_fit *fit, double sigma);
 
 #endif

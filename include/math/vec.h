@@ -1,5 +1,15 @@
 /*
- * vec - points and vectors in space, by value.
+ * vec - points and vectors in space, by value.  This is the main header of math, which knows
+ * nothing of machining.  Lengths are in mm, angles in radians.  What else there is:
+ *
+ *   in space         box.h, transform.h (affine maps), faces.h (triangles), uv.h (two parameters)
+ *   what is nearest  kdtree.h (points in space, and a ball that leaves them), point_grid.h (a cloud
+ *                    in cells seen from above), box_tree.h (items of any kind), height_pyramid.h
+ *                    (heights seen from above)
+ *   local surfaces   surface_fit.h, which tells the family: planes, quadrics, cubics, along ridges
+ *   equations        band.h (banded, symmetric, positive definite), pnorm.h (sums of high powers of
+ *                    distances, and steps that make them less)
+ *   polygons         earclip.h
  */
 #ifndef CLOUDMILL_VEC_H
 #define CLOUDMILL_VEC_H

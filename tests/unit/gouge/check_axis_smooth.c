@@ -1,4 +1,4 @@
-/* calm: turns that are known, before and after. */
+/* axis_smooth: turns that are known, before and after. */
 #include "gouge/axis_smooth.h"
 
 #include <check.h>
@@ -128,8 +128,8 @@ END_TEST
 
 int main(void)
 {
-    Suite *suite = suite_create("calm");
-    TCase *tcase = tcase_create("calm");
+    Suite *suite = suite_create("axis_smooth");
+    TCase *tcase = tcase_create("axis_smooth");
     tcase_add_test(tcase, a_wiggle_within_the_play_goes);
     tcase_add_test(tcase, a_step_is_as_large_as_it_must_be);
     tcase_add_test(tcase, no_turn_is_faster_than_it_may_be);

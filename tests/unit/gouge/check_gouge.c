@@ -1,4 +1,4 @@
-/* guard against a search through all points one by one, and curved facets against a sphere. */
+/* gouge against a search through all points one by one, and curved facets against a sphere. */
 #include <check.h>
 #include <stdint.h>
 #include <stdlib.h>
@@ -234,8 +234,8 @@ END_TEST
 
 int main(void)
 {
-    Suite *suite = suite_create("guard");
-    TCase *tests = tcase_create("guard");
+    Suite *suite = suite_create("gouge");
+    TCase *tests = tcase_create("gouge");
     tcase_add_test(tests, depth_is_that_of_the_nearest_point);
     tcase_add_test(tests, depth_along_is_the_deepest_of_the_way);
     tcase_add_test(tests, lift_is_the_smallest_that_is_clear);

@@ -1,4 +1,4 @@
-/* lift over shapes where the highest clear place of a ball is known. */
+/* gouge_lift over shapes where the highest clear place of a ball is known. */
 #include "gouge/gouge_lift.h"
 
 #include <check.h>
@@ -311,8 +311,8 @@ END_TEST
 
 int main(void)
 {
-    Suite *suite = suite_create("lift");
-    TCase *tests = tcase_create("lift");
+    Suite *suite = suite_create("gouge_lift");
+    TCase *tests = tcase_create("gouge_lift");
     tcase_add_test(tests, a_point_stands_as_the_offset_says);
     tcase_add_test(tests, without_a_guard_nothing_is_lifted);
     tcase_add_test(tests, a_ball_rolls_over_a_pin);

@@ -130,8 +130,8 @@ END_TEST
 
 int main(void)
 {
-    Suite *suite = suite_create("recheck");
-    TCase *tcase = tcase_create("recheck");
+    Suite *suite = suite_create("gouge_refit");
+    TCase *tcase = tcase_create("gouge_refit");
     tcase_add_test(tcase, a_chord_is_as_deep_as_its_sagitta);
     tcase_add_test(tcase, an_arc_is_followed_round);
     tcase_add_test(tcase, points_are_lifted_out);

@@ -279,8 +279,8 @@ END_TEST
 
 int main(void)
 {
-    Suite *suite = suite_create("scansurface");
-    TCase *tcase = tcase_create("scansurface");
+    Suite *suite = suite_create("guard_points");
+    TCase *tcase = tcase_create("guard_points");
     tcase_set_timeout(tcase, 60);
     tcase_add_test(tcase, what_is_sparse_is_filled);
     tcase_add_test(tcase, what_is_too_sparse_is_told);

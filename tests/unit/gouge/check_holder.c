@@ -146,7 +146,7 @@ END_TEST
 int main(void)
 {
     Suite *s = suite_create("holder");
-    TCase *t = tcase_create("all");
+    TCase *t = tcase_create("holder");
     tcase_set_timeout(t, 60);
     tcase_add_test(t, distances_known_by_hand);
     tcase_add_test(t, distance_is_the_largest_ball);

@@ -1,4 +1,4 @@
-/* leanaway: a tool along the foot of a wall, its holder judged point by point. */
+/* holder_avoid: a tool along the foot of a wall, its holder checked point by point. */
 #include "gouge/holder_avoid.h"
 
 #include <check.h>
@@ -129,8 +129,8 @@ END_TEST
 
 int main(void)
 {
-    Suite *suite = suite_create("leanaway");
-    TCase *tcase = tcase_create("leanaway");
+    Suite *suite = suite_create("holder_avoid");
+    TCase *tcase = tcase_create("holder_avoid");
     tcase_set_timeout(tcase, 60);
     tcase_add_test(tcase, the_axis_leans_off_the_wall);
     tcase_add_test(tcase, what_a_limit_does_not_clear_touches);

@@ -92,10 +92,10 @@ END_TEST
 
 int main(void)
 {
-    TCase *t = tcase_create("powersum");
+    TCase *t = tcase_create("pnorm");
     tcase_add_test(t, the_right_side_is_the_slope);
     tcase_add_test(t, squares_are_least_after_one_step);
-    Suite *s = suite_create("powersum");
+    Suite *s = suite_create("pnorm");
     suite_add_tcase(s, t);
     SRunner *r = srunner_create(s);
     srunner_run_all(r, CK_NORMAL);

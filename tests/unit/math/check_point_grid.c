@@ -151,8 +151,8 @@ END_TEST
 
 int main(void)
 {
-    Suite *suite = suite_create("buckets");
-    TCase *tests = tcase_create("buckets");
+    Suite *suite = suite_create("point_grid");
+    TCase *tests = tcase_create("point_grid");
     SRunner *runner = srunner_create(suite);
     tcase_add_checked_fixture(tests, NULL, free_all);
     tcase_add_loop_test(tests, nearest, 0, 5);

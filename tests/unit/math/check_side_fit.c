@@ -63,8 +63,8 @@ END_TEST
 
 int main(void)
 {
-    Suite *suite = suite_create("flank");
-    TCase *tests = tcase_create("flank");
+    Suite *suite = suite_create("side_fit");
+    TCase *tests = tcase_create("side_fit");
     SRunner *runner = srunner_create(suite);
     tcase_add_test(tests, plane_through_its_points);
     tcase_add_test(tests, bends_where_it_must);

@@ -126,8 +126,8 @@ END_TEST
 
 int main(void)
 {
-    Suite *suite = suite_create("surfacefit");
-    TCase *tests = tcase_create("surfacefit");
+    Suite *suite = suite_create("surface_fit");
+    TCase *tests = tcase_create("surface_fit");
     SRunner *runner = srunner_create(suite);
     tcase_add_checked_fixture(tests, NULL, free_all);
     tcase_add_loop_test(tests, smooth_surfaces, 0, 6);

@@ -118,8 +118,8 @@ END_TEST
 
 int main(void)
 {
-    Suite *suite = suite_create("brink");
-    TCase *tests = tcase_create("brink");
+    Suite *suite = suite_create("border_surface");
+    TCase *tests = tcase_create("border_surface");
     tcase_add_test(tests, it_is_the_surface_up_to_the_last_points);
     tcase_add_test(tests, there_is_none_in_a_hole);
     tcase_add_test(tests, there_is_none_where_it_is_uncertain);

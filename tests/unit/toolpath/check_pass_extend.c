@@ -187,8 +187,8 @@ END_TEST
 
 int main(void)
 {
-    Suite *suite = suite_create("runout");
-    TCase *tests = tcase_create("runout");
+    Suite *suite = suite_create("pass_extend");
+    TCase *tests = tcase_create("pass_extend");
     tcase_add_test(tests, rows_run_out_to_the_last_points);
     tcase_add_test(tests, what_lies_beyond_the_scan_is_left_out);
     tcase_add_test(tests, a_few_points_have_no_border);

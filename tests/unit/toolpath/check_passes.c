@@ -1,4 +1,4 @@
-/* passes: chains put in order, joined, turned round, rolled over ridges. */
+/* passes: chains put in order, joined, turned round, rolled over edges. */
 #include <check.h>
 #include <stdlib.h>
 

@@ -285,8 +285,8 @@ END_TEST
 
 int main(void)
 {
-    Suite *suite = suite_create("meshcut");
-    TCase *tests = tcase_create("meshcut");
+    Suite *suite = suite_create("slice");
+    TCase *tests = tcase_create("slice");
     tcase_add_test(tests, points_are_on_the_sphere_and_on_the_plane);
     tcase_add_test(tests, the_error_is_of_the_fourth_order);
     tcase_add_test(tests, neighbours_lie_in_one_facet);
