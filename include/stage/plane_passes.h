@@ -59,8 +59,7 @@ void plane_passes_run_out(struct plane_passes *p, const struct mesh *mesh);
 
 /* Gives the strips of n sets of planes, one after the other, to the toolpath, in as many layers as
  * the options say, and ends it.  -1: no plane crosses anything that faces the tool. */
-int plane_passes_make(struct plane_passes *set, size_t n, struct toolpath *t,
-                      struct error *error);
+int plane_passes_make(struct plane_passes *set, size_t n, struct toolpath *t, struct error *error);
 
 void plane_passes_free(struct plane_passes *p);
 

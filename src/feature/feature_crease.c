@@ -68,12 +68,10 @@ static bool is_rib(const struct pair *p, const struct feature_cloud *cloud, cons
 
     if (!ridge_direction_find(near, n, at, p->up, along, some, &rib))
         return false;
-    size_t all =
-        neighbourhood_along(near, n, at, rib.way, RIDGE_DIRECTION_LONGER, some, found);
+    size_t all = neighbourhood_along(near, n, at, rib.way, RIDGE_DIRECTION_LONGER, some, found);
     if (leaves_more(p, cloud, found, all, rib.rms))
         return true;
-    size_t third =
-        neighbourhood_along(near, n, at, along, RIDGE_DIRECTION_LONGER, some / 3, found);
+    size_t third = neighbourhood_along(near, n, at, along, RIDGE_DIRECTION_LONGER, some / 3, found);
     return gapes(p, cloud, found, third);
 }
 
