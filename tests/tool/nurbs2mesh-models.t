@@ -408,6 +408,20 @@ bad_step "an instance without a name" "the name of an entity" '25s/=[A-Z_0-9]*/=
 bad_step "an instance number of nothing" "number of an instance" '25s/#[0-9]*=/#=/'
 bad_step "no sections" "cut short" '2,$d'
 
+# An assembly whose part is part of itself, and one that doubles at every level.
+{
+	box
+	echo "t0 ITEM_DEFINED_TRANSFORMATION('','',{a0},{a0})"
+	echo "a0 AXIS2_PLACEMENT_3D('',{p 0 0 0},{d 0 0 1},{d 1 0 0})"
+	for k in 1 2 3 4 5 6 7 8 9; do for twice in a b; do
+		echo "r$k$twice (REPRESENTATION_RELATIONSHIP('','',{R$((k + 1))},{R$k})REPRESENTATION_RELATIONSHIP_WITH_TRANSFORMATION({t0})SHAPE_REPRESENTATION_RELATIONSHIP())"
+	done; done
+	echo "r10 (REPRESENTATION_RELATIONSHIP('','',{R10},{R10})REPRESENTATION_RELATIONSHIP_WITH_TRANSFORMATION({t0})SHAPE_REPRESENTATION_RELATIONSHIP())"
+	for k in 1 2 3 4 5 6 7 8 9 10; do echo "R$k SHAPE_REPRESENTATION('',({a0}),{CONTEXT})"; done
+} | step endless
+status 1 "an assembly that is part of itself" nurbs2mesh "$TMP/endless.step"
+has "is named" "parts within parts without end" "$TMP/err"
+
 # ---- what is left out
 
 iges offset <<'END'

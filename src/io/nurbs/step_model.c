@@ -576,6 +576,12 @@ static int add_group(struct model *m, long group, const struct transform *to, in
                      struct error *error)
 {
     struct alias self = {group, group};
+    m->visits += 1 + (long)((m->alias.n + m->component.n) / 64); /* all of them are gone through */
+    if (m->visits > VISITS_MAX || depth > DEPTH_MAX)
+        return error_at(error, m->step->name, 0,
+                        "representation #%ld is part of itself, or used too often, expected an "
+                        "assembly that ends",
+                        group);
     size_t n = find_alias(m, group) ? m->alias.n : 1;
     const struct alias *all = n == 1 && !find_alias(m, group) ? &self : m->alias.item;
     for (size_t i = 0; i < n; i++) {
