@@ -1,6 +1,14 @@
 /*
- * toolpath - strips of contact points put together to a path: tool centres lifted clear of the
- * part, tips and axes, passes, links, approach and retract.
+ * toolpath - strips of contact points made a path: tool centres lifted clear of the part, tips and
+ * axes, passes, links, approach and retract.  The main header of stage: what a tool does between
+ * reading and writing, with its messages.
+ *
+ *   cloud2mesh            cloud_prepare.h, cloudmesh.h, normals.h
+ *   nurbs2mesh            nurbs_report.h
+ *   meshnorm, planecut    path_options.h, mesh_for_path.h, plane_passes.h, this
+ *   biarcfit, bsplfit     fitter.h, gouge_options.h; arcrun.h, path_tilt.h; path_reference.h,
+ *                         spline_report.h
+ *   ncverify              holder_options.h
  *
  * From strip to strip the tool stays down where the link is short and clear; else it goes up to the
  * clearance plane, over with the new axis and down along that (gouge/link.h).

@@ -1,8 +1,11 @@
 /*
- * path - the path stream (cloudmill-path(5)): APT CL text in, APT CL text out.
+ * path - the path stream (cloudmill-path(5)): APT CL text in, APT CL text out.  The door of this
+ * folder.
  *
- * In memory a path is a head and a list of items in the order of the stream.  Lengths are mm,
- * feeds mm/min, whatever units the stream was in.
+ * In memory a path is a head and a list of items in the order of the stream.  Lengths are mm and
+ * feeds mm/min, for any units of the stream.  path_read reads streams of this suite and CL files of
+ * CAM systems (the stages: path_parse.h), path_write writes them; path_run.h makes a run of a path a
+ * run for the fitters.
  */
 #ifndef CLOUDMILL_PATH_H
 #define CLOUDMILL_PATH_H
@@ -20,20 +23,20 @@ enum path_kind {
     PATH_POINT,  /* straight to a pose (GOTO) */
     PATH_ARC,    /* on an arc to a pose (CIRCLE, GOTO) */
     PATH_SPLINE, /* on a B-spline to a pose (MOVNRB/ON ... MOVNRB/OFF) */
-    PATH_HOLE,   /* a hole of a drilling cycle at a pose (GOTO behind CYCLE) */
-    PATH_TOOL,   /* another tool than before (LOADTL) */
+    PATH_HOLE,   /* a hole of a drilling cycle at a pose (GOTO after CYCLE) */
+    PATH_TOOL,   /* a change of tools (LOADTL) */
     PATH_PASS,   /* a pass begins ($$-> PASS/number) */
-    PATH_FEED,   /* from here on this feed (FEDRAT) */
-    PATH_TEXT,   /* a statement that is carried along as it is */
-    PATH_PLANE   /* another tilted plane than before: ncpost's own (post_frame.h), in no stream */
+    PATH_FEED,   /* the feed from here on (FEDRAT) */
+    PATH_TEXT,   /* a statement that is kept as text */
+    PATH_PLANE   /* a new tilted plane: ncpost's own (post_frame.h), in no stream */
 };
 
-/* 64 bytes, for there may be millions. */
+/* 64 bytes, since there may be millions. */
 struct path_item {
     enum path_kind kind : 8;
-    bool rapid : 1;   /* POINT: at the machine's rapid */
+    bool rapid : 1;   /* POINT: at rapid */
     bool touches : 1; /* POINT, ARC, SPLINE: the contact where it ends is known */
-    unsigned line;    /* of the input, 0: made here */
+    unsigned line;    /* of the input, 0: not read */
     unsigned index;   /* ARC, SPLINE, HOLE, TOOL, TEXT: element of path.arc, .spline, .cycle, .tool,
                          .text; PASS: number */
     unsigned contact; /* when it touches: element of path.contact */
@@ -58,24 +61,24 @@ struct path_spline {
 
 enum path_cycle_kind {
     CYCLE_DRILL, /* down at feed, out at rapid */
-    CYCLE_DEEP,  /* in steps, out of the hole behind each */
-    CYCLE_BREAK, /* in steps, a little back behind each, to break the chip */
-    CYCLE_TAP,   /* down at feed, the spindle turns back, out at feed */
+    CYCLE_DEEP,  /* in steps, with a retract out of the hole after each */
+    CYCLE_BREAK, /* in steps, with a short retract after each, to break the chip */
+    CYCLE_TAP,   /* down at feed, the spindle reverses, out at feed */
     CYCLE_BORE,  /* down and out at feed: boring, reaming */
     CYCLE_DRAG,  /* down at feed, the spindle stops, out at rapid: boring */
     CYCLE_MANUAL /* down at feed, spindle and program stop, out at rapid: boring; written out */
 };
 
-/* A drilling cycle.  Heights are against the mouth of the hole, along the tool axis, mm. */
+/* A drilling cycle.  Heights are relative to the mouth of the hole, along the tool axis, mm. */
 struct path_cycle {
     enum path_cycle_kind kind;
     double depth;      /* of the bottom below the mouth, above 0 */
-    double clear;      /* the feed begins so far above it */
-    double retract;    /* and the tool leaves it so far above, no less than clear */
+    double clear;      /* the feed begins at this height above it */
+    double retract;    /* and the tool retracts to this height, no less than clear */
     double step, next; /* DEEP, BREAK: the first step and each that follows; 0: all at once */
     double dwell;      /* at the bottom, seconds */
     double feed;       /* mm/min, 0: the one in force */
-    double pitch;      /* TAP: mm a turn, 0: not said */
+    double pitch;      /* TAP: mm per revolution, 0: not given */
 };
 
 struct path_tool {
@@ -85,7 +88,7 @@ struct path_tool {
     int cutter_n;
 };
 
-/* What a stage spent of the tolerance, mm ($$-> LEDGER/stage,spent). */
+/* The part of the tolerance that a stage spent, mm ($$-> LEDGER/stage,spent). */
 struct ledger_entry {
     char *stage;
     double spent;
@@ -94,7 +97,7 @@ struct ledger_entry {
 enum path_track { TRACK_TIP, TRACK_CENTRE, TRACK_CONTACT };
 
 struct path_head {
-    char *partno;     /* text behind PARTNO/, NULL: none */
+    char *partno;     /* text after PARTNO/, NULL: none */
     bool multax;      /* MULTAX/ON */
     double cutter[7]; /* CUTTER/ d, r, e, f, alpha, beta, h (mm, degrees) */
     int cutter_n;     /* how many of them were given, 0: no CUTTER */
@@ -102,11 +105,11 @@ struct path_head {
     int offset;       /* as in path_tool */
     double spindle;   /* rev/min, 0: none */
     bool spindle_ccw; /* CCLW */
-    int coolant;      /* 0 not said, 1 off, 2 on (flood), 3 mist */
+    int coolant;      /* 0 not given, 1 off, 2 on (flood), 3 mist */
     enum path_track track;
-    double chord;     /* $$-> CHORD/: how far the smooth path stands off the straight lines
-                         between its points, mm; a fitter takes it out; NAN: not said */
-    double clearance; /* $$-> CLEAR/: z of the clearance plane, mm; NAN: not said */
+    double chord;     /* $$-> CHORD/: distance of the smooth path from the straight lines
+                         between its points, mm; a fitter removes it; NAN: not given */
+    double clearance; /* $$-> CLEAR/: z of the clearance plane, mm; NAN: not given */
     struct {
         size_t n, cap;
         struct ledger_entry *item;
@@ -114,8 +117,8 @@ struct path_head {
 };
 
 struct path {
-    const char *name;   /* of the file, for messages */
-    const char *system; /* that wrote it, "NX", as its words show; NULL: this suite or not known */
+    const char *name;      /* of the file, for messages */
+    const char *system;    /* that wrote it, as its words show, "NX"; NULL: this suite or unknown */
     struct path_head head; /* with its first tool */
     struct {
         size_t n, cap;
@@ -138,7 +141,7 @@ struct path {
         size_t n, cap;
         struct path_tool *item;
     } tool;
-    size_t tools_numbered; /* tools without a number that were given one here, in their order */
+    size_t tools_numbered; /* tools without a number that got one, in their order */
     struct {
         size_t n, cap;
         char **item;
@@ -150,7 +153,7 @@ struct path {
             size_t times;
             unsigned line;
         } * item;
-    } unknown; /* post-processor words that nobody here knows, for one warning each */
+    } unknown; /* unknown post-processor words, for one warning each */
 };
 
 /*
@@ -170,7 +173,7 @@ void path_write_end(struct out *out);
 
 void path_free(struct path *path);
 
-/* The item takes the tool elsewhere. */
+/* True if the item moves the tool. */
 static inline bool path_moves(const struct path_item *item)
 {
     return item->kind <= PATH_HOLE;
@@ -184,7 +187,7 @@ static inline bool path_is_rapid(const struct path_item *item)
 /* Takes over the head of another path (copies its strings), for a stage that writes a new one. */
 void path_head_copy(struct path_head *to, const struct path_head *from);
 
-/* Adds what a stage spent to the ledger. */
+/* Adds a stage and what it spent to the ledger. */
 void path_spend(struct path *path, const char *stage, double spent);
 
 /* Sum of the ledger, mm. */
@@ -204,7 +207,7 @@ void path_add_pass(struct path *path, size_t number);
 void path_add_feed(struct path *path, double feed);
 void path_add_text(struct path *path, const char *text);
 
-/* Says where the tool touches at the end of an item. */
+/* Sets the contact at the end of an item. */
 void path_set_contact(struct path *path, struct path_item *item, struct contact contact);
 
 /* Appends items [from, to) of another path, unchanged (deep copies of what they point at). */
@@ -215,8 +218,7 @@ struct motion path_item_motion(const struct path *path, const struct path_item *
                                struct pose from);
 
 /*
- * Holes of drilling cycles become the straight motions that they stand for: at rapid above the
- * mouth, down to `clear`, at feed to the bottom (in steps), out to `retract`.  A step begins at
+ * Replaces the holes of drilling cycles by straight motions: at rapid above the mouth, down to `clear`, at feed to the bottom (in steps), out to `retract`.  A step begins at
  * rapid PATH_PECK_GAP above the bottom of the one before, or half of it.
  */
 void path_expand_cycles(struct path *path);
@@ -225,10 +227,10 @@ void path_expand_cycles(struct path *path);
 
 /*
  * The cutting runs of a path, for fitters: the first run at or after item *from as [*from, *to).
- * A run is a longest row of PATH_POINT items at feed, with nothing else between, that all carry a
- * contact (in a path without any contact: of all points at feed).  The pose where a run starts is
- * that of its first item: the motion *to* it is no part of the run.  False when there is none
- * left.  Runs of one item are passed over.
+ * A run is a longest sequence of PATH_POINT items at feed, with nothing else between, that all carry a
+ * contact (in a path without any contact: of all points at feed).  A run starts at the pose of its
+ * first item: the motion *to* it is not part of the run.  Runs of one item are skipped.  False if
+ * there is none left.
  */
 bool path_next_run(const struct path *path, size_t *from, size_t *to);
 
