@@ -81,6 +81,8 @@ static int make_plan(struct post *post, const struct machine *machine, enum post
 {
     const struct nc_program *p = &post->program;
     struct nc_ability ability = dialect_ability(p->control, machine, axis, still, p->options.unit);
+    if (p->plane && ability.splines == NC_SPLINES_ROTARY) /* they need tool-centre-point control */
+        ability.splines = NC_SPLINES_NONE;
     ability.smoothing = smoothing;
     if (nc_plan_make(&post->plan, p->path, machine, ability, p->options, error) == 0)
         return 0;

@@ -410,6 +410,33 @@ for control in fanuc siemens heidenhain; do
 	hasnt "no words of tool-centre-point control" 'G43\.[45]|TRAORI|TCPM' out
 done
 has "an arc in the plane is an arc" ' C X.* DR\+' out
+
+# A B-spline in the tilted plane, where Fanuc has no tool-centre-point control: chords.
+cat >tilted-spline.cl <<'END'
+UNITS/MM
+CUTTER/10,5
+SPINDL/RPM,8000,CLW
+RAPID
+GOTO/0,0,50,0,.6,.8
+FEDRAT/MMPM,500
+GOTO/0,0,0,0,.6,.8
+MOVNRB/M3AXIS
+MOVNRB/ON,4,8,0,4,30
+MOVNRB/1,0,0,0,0,30,30,30,30
+MOVNRB/2,0,0,0,10,5,0,20,5,0,30,0,0
+MOVNRB/NEXT
+GOTO/30,0,0
+MOVNRB/OFF
+RAPID
+GOTO/30,0,50
+FINI
+END
+status 0 "a B-spline under --plane" ncpost -c fanuc --plane tilted-spline.cl
+has "its chords end on it" ' X30\. Y0\. Z0\.$' out
+hasnt "and no G06.2 under G68.2" 'G06' out
+status 0 "on the spot with tool-centre-point control" ncpost -c fanuc tilted-spline.cl
+has "it is G06.2" 'G06\.2' out
+
 status 0 "by a key of the machine" ncpost -c fanuc --set plane=yes plane.cl
 has "where the axis stays" 'G68\.2 X0\. Y0\. Z0\. I' out
 has "and is cancelled" ' G69$' out
