@@ -63,6 +63,7 @@ done
 shape saddle "" 0.1 10 >inner.true
 # ball, depth allowed: the tolerance and one and a half sigma; a ball of 12 does not fit the bowl
 for what in saddle:8:0 bowl:12:3; do
+	# shellcheck disable=SC2046 # three words
 	set -- $(echo $what | tr : ' ')
 	ok "$1: a mesh" cloud2mesh -q -t 1.5 -o shape.ply "$1.xyz"
 	status "$3" "$1, a ball of $2" meshnorm -q -r "$2" --scallop 0.02 -g "$1.xyz" -o shape.cl shape.ply

@@ -27,7 +27,7 @@ shape() {
 enough() {
 	effort=$1
 	shift
-	for turn in 1 2 3 4 5 6; do
+	for _ in 1 2 3 4 5 6; do
 		cloud2mesh --effort "$effort" "$@" -o "$TMP/enough.ply" 2>"$TMP/err"
 		next=$(sed -n 's/.*--effort \([0-9.e-]*\) covers all.*/\1/p' "$TMP/err" | sort -g | tail -n 1)
 		[ -n "$next" ] || return

@@ -55,7 +55,7 @@ random_path() { # SEED
 }
 
 # Every rule that a program breaks, the control in c
-cat >rules.awk <<'END'
+cat >rules.awk <<'RULES'
 function say(what) { print FILENAME ":" FNR ": " what ": " $0 }
 function value(w) { return substr(w, 2) + 0 }
 function distance(a, b, c) { return sqrt(a * a + b * b + c * c) }
@@ -118,7 +118,7 @@ c == "siemens" {
 	if ($0 ~ /XH=|YH=|ZH=/ && !($0 ~ /XH=.*YH=.*ZH=/)) say("part of a head point")
 }
 END { print arcs + 0, curves + 0 >"seen" }
-END
+RULES
 
 for seed in 11 12 13; do
 	random_path $seed >path.cl

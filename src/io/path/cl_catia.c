@@ -38,22 +38,28 @@ static int read_indirv(struct path_parse *p)
                : path_direction(p, v, "an arc's direction", &p->tangent);
 }
 
+/* Reads n numbers with commas between, from the character before the first to a `)`. */
+static bool read_list(const char *s, size_t n, double *value)
+{
+    for (size_t i = 0; i < n; i++) {
+        s++;
+        s += strspn(s, " \t");
+        if (!num_read(&s, &value[i]) || !isfinite(value[i]))
+            return false;
+        s += strspn(s, " \t");
+        if (*s != (i + 1 == n ? ')' : ','))
+            return false;
+    }
+    return true;
+}
+
 /* Reads the n numbers after `(WORD/` in the statement. */
 static int numbers_in(struct path_parse *p, const char *word, size_t n, double *value)
 {
     const char *s = strstr(p->apt.raw, word);
     s = s ? strchr(s, '/') : NULL;
-    for (size_t i = 0; s && i < n; i++) {
-        s++;
-        s += strspn(s, " \t");
-        if (!num_read(&s, &value[i]) || !isfinite(value[i]))
-            break;
-        s += strspn(s, " \t");
-        if (i + 1 == n && *s == ')')
-            return 0;
-        if (*s != ',')
-            break;
-    }
+    if (s && read_list(s, n, value))
+        return 0;
     return error_at(AT(p), "found TLON,GOFWD without (%s/ and %zu numbers), expected them", word,
                     n);
 }
