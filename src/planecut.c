@@ -69,7 +69,7 @@ static void check_radius(const char *file, const struct mesh *mesh)
     struct tightest_hollow h = mesh_tightest_hollow(mesh, path_options.radius);
 
     if (!h.known && !path_options.paper)
-        say("%s: the mesh has no curvatures (kmax), so that it can't be told whether the ball "
+        say("%s: the mesh has no curvatures (kmax), so that it is not known whether the ball "
             "fits everywhere: it is lifted where it does not",
             file);
     if (!h.known || h.tighter == 0 || path_options.avoid || path_options.guards.n > 0)

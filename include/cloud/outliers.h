@@ -16,9 +16,9 @@ size_t outliers_twice(const struct point_grid *point_grid, unsigned char *out);
 /*
  * Outliers, `sigma` being the noise of the scan (mm, noise.h): points that
  *   - are isolated: the eighth nearest neighbour is more than three times as far as that of the
- * points next to them (the local outlier factor's idea: Breunig, Kriegel, Ng, Sander 2000), but for
- *     a sparse surface beside a dense one, as a wall's: more than eight of the 24 are as far, or
- *     more than twelve mean spacings, where no facet would reach them, or
+ *     points next to them (after the local outlier factor: Breunig, Kriegel, Ng, Sander 2000), but
+ *     for a sparse surface beside a dense one, as a wall's: more than eight of the 24 are as far,
+ *     or more than twelve mean spacings, where no facet would reach them, or
  *   - are off a quadric through their 24 nearest neighbours, fitted by Tukey's biweight, by more
  *     than six sigma, eight times what the neighbours are off, and a tenth of their spacing.
  * So a clump of up to eight points floating anywhere is found, an edge or a wall is none.  Asked of

@@ -15,7 +15,7 @@
  *      figures 45 and 46), with a vertex where they meet within a facet (feature_corner.c).
  *   5. Only features that bring the mesh closer to the scan are kept (feature_accept.c).
  *   6. Ribs and grooves: the surface over an edge is followed from end to end, and the mesh gets
- * the places on its crest (crest.c).
+ *      the places on its crest (crest.c).
  */
 #ifndef CLOUDMILL_FEATURE_H
 #define CLOUDMILL_FEATURE_H

@@ -37,7 +37,7 @@ struct gouge_lift_report {
 };
 
 /*
- * A place where a lifted ball may leave material uncut, as far as can be told from there: so much
+ * A place where a lifted ball may leave material uncut, as far as can be seen from there: so much
  * farther down goes a ball of half the radius with the same lowest point.  Where the contact point
  * alone was too low it is nothing.
  */

@@ -27,8 +27,8 @@ struct ik_branch_target {
     bool loose; /* it may turn as far as it likes from the direction before */
 };
 
-/* The most whole turns that are told apart, of the first axis and of the second; one with a longer
- * travel is taken to have no end. */
+/* The most whole turns that are distinguished, of the first axis and of the second; one with a
+ * longer travel is taken to have no end. */
 enum { IK_BRANCH_TURNS_FIRST = 257, IK_BRANCH_TURNS_SECOND = 9 };
 
 /* The states of a chain. */

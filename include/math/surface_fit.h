@@ -47,7 +47,7 @@ struct surface_fit_hood;
 struct surface_fit_hood *surface_fit_hood_new(void);
 void surface_fit_hood_free(struct surface_fit_hood *hood);
 
-/* How many points half of the places can take, told from a sample of them.  `guess`: the normal
+/* How many points half of the places can take, by a sample of them.  `guess`: the normal
  * there, roughly, on either side. */
 size_t surface_fit_typical(const struct surface_fit_options *rule, const struct vec3 *place,
                            const struct vec3 *guess, size_t n, int threads);

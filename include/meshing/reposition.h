@@ -7,7 +7,8 @@
  * so that the order of the points in the file does not matter:
  *   A  above the node, or level with it, before below
  *   B  in the middle one of the three triangles of that side before the outer two
- *   C  larger x
+ *   C  larger x,
+ *
  * then larger z, larger y, and the smaller index.
  */
 #ifndef CLOUDMILL_REPOSITION_H

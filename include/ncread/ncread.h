@@ -12,10 +12,10 @@
  * Stages, all private to the folder:
  *   1. ncread_word.h: a line as words, as strictly as the control reads them;
  *   2. ncread_fanuc.c, ncread_siemens.c, ncread_heidenhain.c, ncread_linuxcnc.c: a block's words
- * into the control's modal state and one move.  G code that Fanuc and LinuxCNC share is in
+ *      into the control's modal state and one move.  G code that Fanuc and LinuxCNC share is in
  *      ncread_gcode.h, drilling cycles in ncread_hole.h, tilted planes (3+2) in ncread_plane.h;
  *   3. ncread_state.h: the state of a control while it runs; a move as a piece of the motion,
- * turned out of a tilted plane and brought to mm.
+ *      turned out of a tilted plane and brought to mm.
  *
  * Sources: Fanuc 30i operator's manual B-63944 and B-64484EN, Siemens 840D sl NC Programming and
  * Cycles, Heidenhain TNC 640 Klartext and Cycle Programming, LinuxCNC G-Codes.

@@ -10,7 +10,7 @@
  *   trimming      curves as polygons in the parameters (trim_loops), and the grid cut along them
  *                 (trim_grid; Weiler and Atherton 1977, Sutherland and Hodgman 1974)
  *   tessellation  a surface as triangles, to a tolerance or a count (nurbs/tessellate.h)
- *   sewing        borders of neighbours made one (nurbs/patch_mesh.h, nurbs/sew.h)
+ *   sewing        boundaries of neighbours made one (nurbs/patch_mesh.h, nurbs/sew.h)
  *   orientation   all surfaces turned to one side, the outside out (nurbs/orient.h)
  *
  * Beside them: curves and surfaces of other kinds as NURBS (nurbs/construct.h), the smallest

@@ -38,7 +38,7 @@ struct patch_mesh {
     struct patch_mesh_vertices vertex;
     struct faces face;
     struct ints sheet;            /* of each face */
-    struct patch_mesh_edges edge; /* the borders */
+    struct patch_mesh_edges edge; /* the boundary */
     size_t sheets;
     size_t narrow; /* sheets left out */
     bool *flipped; /* [sheet] its outside is the side away from dS/du x dS/dv */

@@ -1,5 +1,5 @@
 /*
- * sew - patches joined along their common edges.
+ * sew - patches joined along their common boundaries.
  */
 #ifndef CLOUDMILL_SEW_H
 #define CLOUDMILL_SEW_H

@@ -11,8 +11,8 @@
  *   3. sheet_write       the layout of views at one scale and the legend.  Private: pane.h one view
  *                        and its order of drawing, raster.h what hides what (a depth buffer),
  *                        decimate.h chains with no more points than can be seen (Williams 1978,
- * Zhao and Saalfeld 1997), palette.h colours (Okabe and Ito; viridis), view.h projections, svg.h
- * the text of the picture.
+ *                        Zhao and Saalfeld 1997), palette.h colours (Okabe and Ito; viridis),
+ *                        view.h projections, svg.h the text of the picture.
  */
 #ifndef CLOUDMILL_PLOT_H
 #define CLOUDMILL_PLOT_H

@@ -1,34 +1,37 @@
 /*
  * post - a path as an NC program for a control and a machine: the door of this folder.
  *
- * In comes a path (path.h: cutter locations, arcs, B-splines, with tool, feeds and ledger), the row
- * of a control (control.h) and a machine (machine.h); out goes the program's file.  All of it is
- * planned and checked on printed digits before the first byte is written.  The stages:
+ * In comes a path (io/path/path.h: cutter locations, arcs, B-splines, with tool, feeds and ledger),
+ * the row of a control (control.h) and a machine (machine.h); out goes the program's file.  All of
+ * it is planned and checked on printed digits before the first byte is written.  The stages:
  *
  * 1. Frame (post_frame.h).  Path, machine and tolerances are brought into the frame of the program:
- * tilted planes (3+2), inches.  Holes stay drilling cycles where the tool stands upright in that
- * frame; else they become motions.
+ *    tilted planes (3+2), inches.  Holes stay drilling cycles where the tool stands upright in that
+ *    frame; else they become motions.
  *
- * 2. Ability (dialect.h).  Control, machine and options say what the program may hold: tool-centre-
- * point control or solved kinematics, vectors or rotary words, arcs, splines, digits, kind of F.
+ * 2. Ability (dialect.h).  Control, machine and options say what the program may hold: tool centre
+ *    point control or solved kinematics, vectors or rotary words, arcs, splines, digits, the kind
+ *    of F.
  *
  * 3. Plan (post_plan.h).  The path becomes moves, each with its numbers as they will be printed.  A
- * curve that the control cannot be given goes down the ladder: B-spline (post_spline.h), arc
- * (post_arc.h), straight blocks within the tolerance.  The planner (post_planner.h) has these
- * modules, each using those before it:
+ *    curve that the control cannot be given goes down the ladder: B-spline (post_spline.h), arc
+ *    (post_arc.h), straight blocks within the tolerance.  The planner (post_planner.h) has these
+ *    modules, each using those before it:
  *
- * - post_ik: a pose as words, by the angles that are nearest and within the travel.
- * - post_feed: F of a block, from the time that the slowest axis needs.
- * - post_motion: a motion as blocks, halved until the control's own way keeps the tolerance.
- * - post_rewind: retract, turn, return, where a rotary axis comes to the end of its travel.
- * - post_item: an item of the path, as a hole or another tool; the way down before a cut.
- * - post_lookahead: the path group by group; the rotary axes of a group with the fewest turns back
- *   and then the least travel, as the shortest path through a graph (machine/ik_plan.h).
+ *    - post_ik: a pose as words, by the angles that are nearest and within the travel.
+ *    - post_feed: F of a block, from the time that the slowest axis needs.
+ *    - post_motion: a motion as blocks, halved until the control's own way keeps the tolerance.
+ *    - post_rewind: retract, turn, return, where a rotary axis comes to the end of its travel.
+ *    - post_item: an item of the path, as a hole or another tool; the approach before a cut and the
+ *      retract after it, where the path has none.
+ *    - post_lookahead: the path group by group; the rotary axes of a group with the fewest turns
+ *      back and then the least travel, as the shortest path through a graph (machine/ik_plan.h).
  *
  * 4. Text (post_program.h).  The control's dialect (fanuc.c, siemens.c, heidenhain.c, linuxcnc.c;
- * gcode.h is what the G-code of several shares) sets the moves down in words (post_words.h), with a
- * head for people (post_head.h), what the path says between motions (post_statement.h) and drilling
- * cycles (post_hole.h), in blocks (post_writer.h); post_output.h makes the files.
+ *    gcode.h is the G-code that several share: head of the program, tool, blocks, end) sets the
+ *    moves down in words (post_words.h), with a comment for people at the top (post_head.h), what
+ *    the path says between motions (post_statement.h) and drilling cycles (post_hole.h), in blocks
+ *    (post_writer.h); post_output.h makes the files.
  *
  * A new control is a row in machine/control.h and src/post/NAME.c.
  */
@@ -57,7 +60,7 @@ struct post_options {
 /* Which part of the program is written; how long a file may be, 0: no limit. */
 struct post_extract {
     int from;    /* the pass to begin with, -1: the start */
-    int explain; /* number of a block whose origin is told instead, -1: none */
+    int explain; /* number of a block whose origin is explained instead, -1: none */
     size_t blocks, bytes;
 };
 

@@ -8,8 +8,9 @@
  *
  * Stages:
  *   1. nc_motion.h          pieces of a motion, evaluated anywhere: lines, arcs, polynomials,
- * rational B-splines (de Boor), the tool axis on the great circle, by rotary axes or by a second
- * point; verify_kinematics.h the machine's rotary axes (Paden-Kahan subproblems);
+ *                           rational B-splines (de Boor), the tool axis on the great circle, by
+ *                           rotary axes or by a second point;
+ *      verify_kinematics.h  the machine's rotary axes (Paden-Kahan subproblems);
  *   2. centre_path.h        where the ball's centre goes, as straight segments;
  *   3. deviation_map.h      the ball rolled over the points: gouges and material left;
  *      excursion.h          a cut that leaves the part and comes back;

@@ -80,7 +80,7 @@ struct stock_bite {
 
 /*
  * The ball goes straight from a to b.  With `pass` above 0 it cuts, and a bite's depth is all that
- * pieces of that pass took at the place; with 0 nothing is cut, only looked for.
+ * pieces of that pass took at the place; with 0 nothing is cut, only found.
  */
 struct stock_bite stock_capsule(struct stock *stock, struct vec3 a, struct vec3 b, double radius,
                                 unsigned pass);

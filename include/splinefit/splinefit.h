@@ -9,8 +9,7 @@
  *
  *   1. a straight line, where that serves
  *   2. spline_lsq.h    least squares with given parameters and knots, counts of poles upwards and
- *                      then by bisection (paper 2, 2.3 and 3; Piegl and Tiller, The NURBS
- * Book, 9.4)
+ *                      then by bisection (paper 2, 2.3 and 3; The NURBS Book, 9.4)
  *   3. free_knots.h    fewer poles: knots that move
  *        minimax.h       Gauss-Newton steps of poles and knots for p-norms rising towards the
  *                        largest distance

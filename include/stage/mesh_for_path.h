@@ -14,7 +14,7 @@
 int mesh_for_rows_read(const char *file, const struct normal_estimator *normals, struct mesh *mesh,
                        struct error *error);
 
-/* Reads a mesh (meshfile.h) and repairs it (mesh_repair.h), with what was done told by note() and
+/* Reads a mesh (meshfile.h) and repairs it (mesh_repair.h), and reports it by note() and
  * say().  *closed: all its components are.  -1 also when no facet has an area, or a vertex of a
  * facet no normal. */
 int mesh_for_planes_read(const char *file, struct vec3 up, struct mesh *mesh, bool *closed,

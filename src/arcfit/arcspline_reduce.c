@@ -32,7 +32,7 @@ static double length_at(const struct reference *t, double place)
     return t->length[i] + (place - (double)i) * (t->length[i + 1] - t->length[i]);
 }
 
-/* The place on the reference at a length from its start, looked for from point `i` on. */
+/* The place on the reference at a length from its start, searched from point `i` on. */
 static double place_at(const struct reference *t, double length, size_t i)
 {
     while (i + 2 < t->n && t->length[i + 1] < length)

@@ -125,7 +125,7 @@ static bool is_outlier(const struct search *s, size_t i)
     double least = fmax(sigmas * s->sigma, spacings * spacing);
     struct vec3 across = plane_normal(point, NEAR);
     if (quadric_fit(point, NEAR, b->point[i], across, &q) < 0 ||
-        quadric_distance(&q) < least / 3 || /* for most: far from being told apart by more turns */
+        quadric_distance(&q) < least / 3 || /* for most: more turns would change nothing */
         quadric_settle(point, NEAR, b->point[i], across, &q) < 0 || quadric_distance(&q) < least)
         return false;
     double spread = refit_robustly(point, NEAR, s->sigma, &q, off);

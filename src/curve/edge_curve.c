@@ -1,3 +1,4 @@
+/* edge_curve - see edge_curve.h. */
 #include "curve/edge_curve.h"
 
 static const double STEP = 0.5; /* sin 30 degrees */

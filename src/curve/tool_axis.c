@@ -1,3 +1,4 @@
+/* tool_axis - see tool_axis.h. */
 #include "curve/tool_axis.h"
 
 /* Feed direction perpendicular to the normal; where the surface faces the feed, straight up it. */

@@ -223,7 +223,7 @@ static double unsupported(const struct feature_cloud *cloud, const struct level 
     return least;
 }
 
-/* Is the material within both walls, not within either: are the points of the one behind the
+/* Is the material within both walls, not within either: are the points of the one beyond the
  * other?  `out`: out of that other one. */
 static bool juts_out(const struct feature_cloud *cloud, const struct level level[2], struct vec3 at,
                      const struct plane_fit *one, const struct plane_fit *other, struct vec3 out)

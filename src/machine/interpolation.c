@@ -67,7 +67,7 @@ static struct pose end_pose(const struct interpolation *f, const struct block_po
 }
 
 /*
- * The pose of the block beside `wanted`, first looked for at s: where the tracked point is beside
+ * The pose of the block beside `wanted`, first searched at s: where the tracked point is beside
  * it; where that hardly moves, the ball counts too.  Never far from s: a block that hardly moves
  * but turns would else be taken for its ends alone.
  */

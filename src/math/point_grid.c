@@ -223,7 +223,7 @@ void point_grid_over(const struct point_grid *k, struct vec3 a, struct vec3 b, s
  * Few points about a place are looked at all at once, and ordered by a histogram of their
  * distances: on a surface that fills it evenly.  A heap takes over where that does not serve. */
 
-/* Points looked at at once; parts of their distance; so many in one part are not told apart. */
+/* Points looked at at once; parts of their distance; so many in one part are not distinguished. */
 enum { AT_ONCE = 512, BINS = 64, CROWD = 48, RINGS = 4 };
 
 static const double ROUNDING = 1e-9; /* of a cell */
@@ -288,7 +288,7 @@ static void gather(const struct point_grid *b, struct vec3 q, const struct aroun
     }
 }
 
-/* Puts a point behind those before it that are no farther. */
+/* Puts a point after those before it that are no farther. */
 static void insert(struct some *s, size_t at)
 {
     uint32_t index = s->index[at];
@@ -363,7 +363,7 @@ struct heap {
     double *distance2;
 };
 
-/* Of two equally far points the one behind in the array is the farther. */
+/* Of two equally far points the later one in the array is the farther. */
 static int farther(const struct heap *h, size_t a, size_t b)
 {
     if (h->distance2[a] != h->distance2[b])

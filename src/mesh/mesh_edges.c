@@ -1,3 +1,4 @@
+/* mesh_edges - see mesh_edges.h. */
 #include "mesh/mesh_edges.h"
 
 #include <stdlib.h>

@@ -1,3 +1,4 @@
+/* mesh_weld - see mesh_weld.h. */
 #include "mesh/mesh_weld.h"
 
 #include <stdlib.h>

@@ -1,3 +1,4 @@
+/* project - see project.h. */
 #include "nurbs/project.h"
 
 #include <stdlib.h>

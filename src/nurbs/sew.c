@@ -6,7 +6,7 @@
  * 2. T-vertices are found: border vertices that lie on a border edge of another patch
  *    (find_t_vertices);
  * 3. borders that run side by side are distinguished from those that only touch or cross
- * (match_boundaries);
+ *    (match_boundaries);
  * 4. vertices of matched borders get one place (join_pairs);
  * 5. T-vertices are put into the edges that they lie on (insert_t_vertices).
  * At the end the vertices of each place are moved to the middle of them (move_to_middles).

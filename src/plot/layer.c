@@ -27,7 +27,7 @@ static double visible_chord(const struct layer_options *options, const struct bo
     return fmax(options->chord > 0 ? fmin(options->chord, seen) : seen, 1e-6);
 }
 
-/* ---- a path as strokes: arcs and B-splines in pieces that stray from them by no more than the
+/* ---- a path as strokes: arcs and B-splines in pieces that deviate from them by no more than the
  * chord error */
 
 /* A walk through the items of a path. */

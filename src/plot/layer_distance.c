@@ -1,4 +1,4 @@
-/* layer_distance - see layer_distance.h. */
+/* layer_distance - see plot/plot.h. */
 #include "plot/plot.h"
 
 #include <stdlib.h>

@@ -19,7 +19,7 @@ struct vec3 pane_place(const struct pane *pane, struct vec3 p)
  *
  * What is partly hidden comes first, from the far to the near; what is not hidden anywhere lies
  * over it and not over its like, so that it is drawn shade by shade.  Facets that are more than can
- * be told apart become cells of one shade. */
+ * be distinguished become cells of one shade. */
 
 struct facet {
     struct vec3 p[3]; /* projected */
@@ -328,7 +328,7 @@ static void draw_scene_points(struct pane *pane, const struct scene *scene, stru
     }
 }
 
-/* As many as can be told apart, this far from one another, px. */
+/* As many as can be distinguished, this far from one another, px. */
 static void draw_ticks(const struct pane *pane, const struct ticks *ticks, double apart,
                        const char *ink, struct svg *svg)
 {
@@ -350,7 +350,7 @@ static void draw_ticks(const struct pane *pane, const struct ticks *ticks, doubl
     raster_free(&r);
 }
 
-/* Dots at points that stand on strokes, as many as can be told apart. */
+/* Dots at points that stand on strokes, as many as can be distinguished. */
 static void draw_dots(const struct pane *pane, const struct vec3s *joint, const char *ink,
                       struct svg *svg)
 {

@@ -21,7 +21,7 @@ struct nc_tooling {
     double spindle; /* rev/min, 0: it stands */
     bool ccw;
     int coolant; /* as in path_head */
-    size_t next; /* where the program's first motion with it is looked for */
+    size_t next; /* where the search for the program's first motion with it starts */
 };
 
 /* A program while it is written. */

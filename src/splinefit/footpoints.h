@@ -43,7 +43,7 @@ void ppform_curve(struct ppform *form, const struct bspline *b);
  */
 void ppform_slopes(struct ppform *form, const struct bspline *b);
 
-/* The span of u, looked for from the span `near`. */
+/* The span of u, searched from the span `near`. */
 size_t ppform_span(const struct ppform *form, size_t near, double u);
 
 /* Half of its length, and the s of u in it. */

@@ -1,3 +1,4 @@
+/* guard_read - see guard_read.h. */
 #include "guard_read.h"
 
 #include <stdlib.h>

@@ -1,3 +1,4 @@
+/* path_options - see path_options.h. */
 #include "stage/path_options.h"
 
 #include <stdlib.h>

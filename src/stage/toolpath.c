@@ -1,6 +1,6 @@
 /*
  * toolpath - see toolpath.h.  A strip is lifted and its axes are shaped; strips, linked, become
- * items of the path; at the end is what stays uncut, and what is told.
+ * items of the path; at the end is what stays uncut, and what is reported.
  */
 #include "stage/toolpath.h"
 

@@ -1,3 +1,4 @@
+/* scallop - see scallop.h. */
 #include "toolpath/scallop.h"
 
 #include <stdlib.h>

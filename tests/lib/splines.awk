@@ -4,7 +4,7 @@
 #
 # A reader of its own: de Boor's algorithm on the printed numbers at 8 places of each span, the
 # distance both ways to the polyline of the points; some 60 points a run, at their nearest places of the
-# curves, found by golden sections.  Both files hold the same runs, parted by RAPID.  Prints the
+# curves, found by golden sections.  Both files hold the same runs, separated by RAPID.  Prints the
 # largest distance, mm.
 
 /^\$\$/ { next }

@@ -1,6 +1,6 @@
 #!/bin/sh
-# accuracy.t - a part of the table of `make accuracy` that takes seconds: no gouge and nothing left
-# beyond what tolerance, scallop and noise allow, on surfaces known exactly.
+# all-accuracy.t - a part of the table of `make accuracy` that takes seconds: no gouge and nothing
+# left beyond what tolerance, scallop and noise allow, on surfaces known exactly.
 . "${SRC:-$(dirname "$0")/../..}/tests/lib/lib.sh"
 CLOUD=${CLOUD:-$SRC/build/tests/accuracy/cloud}
 export CLOUD

@@ -1,6 +1,6 @@
 #!/bin/sh
-# awkward.t - what users really feed to the tools (tests/data/awkward/README.md): each run in its
-# expected.csv comes out as that says.
+# all-awkward.t - what users really feed to the tools (tests/data/awkward/README.md): each run in
+# its expected.csv comes out as that says.
 . "${SRC:-$(dirname "$0")/../..}/tests/lib/lib.sh"
 awkward=$SRC/tests/data/awkward
 make=$awkward/make_awkward.py

@@ -1,6 +1,6 @@
 #!/bin/sh
-# bad.t - bad machine files and bad CL files, the pages in bad/: each is refused with one line that
-# says where, what was found and what was expected, and nothing is written.
+# all-bad.t - bad machine files and bad CL files, the pages in bad/: each is refused with one line
+# that says where, what was found and what was expected, and nothing is written.
 . "${SRC:-$(dirname "$0")/../..}/tests/lib/lib.sh"
 cd "$TMP" || exit 1
 

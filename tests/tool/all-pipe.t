@@ -1,5 +1,5 @@
 #!/bin/sh
-# pipe.t - every pipe from the face scan to a program, read back by the tests' own reader: the
+# all-pipe.t - every pipe from the face scan to a program, read back by the tests' own reader: the
 # program does what the path says, within what ncpost states; and no broken input, at whatever
 # stage, gives anything that looks complete.
 . "${SRC:-$(dirname "$0")/../..}/tests/lib/lib.sh"

@@ -1,5 +1,5 @@
 #!/bin/sh
-# truth.t - the panel of paper 1, whose surface is known exactly: how deep does the ball go?
+# all-truth.t - the panel of paper 1, whose surface is known exactly: how deep does the ball go?
 . "${SRC:-$(dirname "$0")/../..}/tests/lib/lib.sh"
 panel=$SRC/samples/panel_17036.xyz
 cd "$TMP" || exit 1

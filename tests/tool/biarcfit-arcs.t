@@ -1,5 +1,5 @@
 #!/bin/sh
-# biarcfit: counts of arcs on dense passes, what is carried through, refusals.
+# biarcfit-arcs.t - counts of arcs on dense passes, what is carried through, refusals.
 . "${SRC:-$(dirname "$0")/../..}/tests/lib/lib.sh"
 
 passes=$SRC/tests/data/panel_passes.cl

@@ -1,6 +1,6 @@
 #!/bin/sh
-# pathguard: the option -g of both fitters on a plane, z = 0, and a ball of 5 mm: what is carried
-# through is looked at, too, and what is published is only told.
+# biarcfit-guard.t - the option -g of both fitters on a plane, z = 0, and a ball of 5 mm: what is
+# carried through is looked at, too, and what is published is only told.
 . "${SRC:-$(dirname "$0")/../..}/tests/lib/lib.sh"
 
 awk 'BEGIN { for (i = 0; i <= 100; i++) for (j = 0; j <= 40; j++) print i / 4, j / 4 - 5, 0 }' \

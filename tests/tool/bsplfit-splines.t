@@ -1,5 +1,6 @@
 #!/bin/sh
-# bsplfit: counts of control points, the tolerance by a reader of its own, odd runs, refusals.
+# bsplfit-splines.t - counts of control points, the tolerance by a reader of its own, odd runs,
+# refusals.
 . "${SRC:-$(dirname "$0")/../..}/tests/lib/lib.sh"
 
 passes=$SRC/tests/data/panel_passes.cl

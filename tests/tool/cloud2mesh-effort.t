@@ -1,5 +1,5 @@
 #!/bin/sh
-# cloud2mesh, meshnorm: --effort, what is left out of a large scan: told where it binds, with the
+# cloud2mesh-effort.t - --effort, what is left out of a large scan: told where it binds, with the
 # effort that leaves nothing out; and with that effort the result of a search without bounds.
 . "${SRC:-$(dirname "$0")/../..}/tests/lib/lib.sh"
 

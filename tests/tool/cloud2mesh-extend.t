@@ -1,5 +1,5 @@
 #!/bin/sh
-# cloud2mesh --extend: rows run out over the border along the surface, and the ball stays clear.
+# cloud2mesh-extend.t - rows run out over the border along the surface, and the ball stays clear.
 . "${SRC:-$(dirname "$0")/../..}/tests/lib/lib.sh"
 
 # A square cap of a sphere of 60 mm, 40 mm wide, 7,000 points, with a hole of 6 mm radius.

@@ -1,5 +1,6 @@
 #!/bin/sh
-# cloud2mesh.t - from scanned points to the mesh stream: counts, order, placing, normals, refusals.
+# cloud2mesh-mesh.t - from scanned points to the mesh stream: counts, order, placing, normals,
+# refusals.
 . "${SRC:-$(dirname "$0")/../..}/tests/lib/lib.sh"
 
 panel=$SRC/samples/panel_17036.xyz

@@ -1,5 +1,6 @@
 #!/bin/sh
-# cloud2mesh --subdivide: the whole of a half-ball in 5 axes, judged by the program that comes of it.
+# cloud2mesh-subdivide.t - the whole of a half-ball in 5 axes, judged by the program that comes of
+# it.
 . "${SRC:-$(dirname "$0")/../..}/tests/lib/lib.sh"
 
 panel=$SRC/samples/panel_17036.xyz

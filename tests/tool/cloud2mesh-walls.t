@@ -1,5 +1,5 @@
 #!/bin/sh
-# cloud2mesh, meshnorm: walls and creases of a scan, from outside, against the exact shapes.
+# cloud2mesh-walls.t - walls and creases of a scan, from outside, against the exact shapes.
 . "${SRC:-$(dirname "$0")/../..}/tests/lib/lib.sh"
 
 panel=$SRC/samples/panel_17036.xyz

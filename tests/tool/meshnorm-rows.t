@@ -1,5 +1,5 @@
 #!/bin/sh
-# meshnorm: figures on the panel and the face, the axis, order and links, refusals.
+# meshnorm-rows.t - figures on the panel and the face, the axis, order and links, refusals.
 . "${SRC:-$(dirname "$0")/../..}/tests/lib/lib.sh"
 
 panel=$SRC/samples/panel_17036.xyz

@@ -1,5 +1,6 @@
 #!/bin/sh
-# ncplot: every stream becomes a well-formed picture of what is in it, small whatever goes in.
+# ncplot-pictures.t - every stream becomes a well-formed picture of what is in it, small whatever
+# goes in.
 . "${SRC:-$(dirname "$0")/../..}/tests/lib/lib.sh"
 
 scan=$SRC/samples/panel_17036.xyz

@@ -1,6 +1,6 @@
 #!/bin/sh
-# cl.t - CL files of CAM systems: every one is posted for every control and read back equal, what is
-# cut off is refused, and each trap of their dialects has its say.
+# ncpost-cl.t - CL files of CAM systems: every one is posted for every control and read back equal,
+# what is cut off is refused, and each trap of their dialects has its say.
 . "${SRC:-$(dirname "$0")/../..}/tests/lib/lib.sh"
 data=$SRC/tests/data/cl
 cd "$TMP" || exit 1

@@ -1,6 +1,6 @@
 #!/bin/sh
-# cycles.t - drilling cycles: as the control's own where the tool stands still, written out where it
-# turns; the holes that come of them, read back by rule and by LinuxCNC's interpreter.
+# ncpost-cycles.t - drilling cycles: as the control's own where the tool stands still, written out
+# where it turns; the holes that come of them, read back by rule and by LinuxCNC's interpreter.
 . "${SRC:-$(dirname "$0")/../..}/tests/lib/lib.sh"
 cd "$TMP" || exit 1
 

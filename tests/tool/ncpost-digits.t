@@ -1,6 +1,7 @@
 #!/bin/sh
-# digits.t - what each control asks of the printed digits, on paths at random: straight, on arcs in
-# any plane and on B-splines, the tool turning; numbers next to zero, and texts of all kinds.
+# ncpost-digits.t - what each control asks of the printed digits, on paths at random: straight, on
+# arcs in any plane and on B-splines, the tool turning; numbers next to zero, and texts of all
+# kinds.
 . "${SRC:-$(dirname "$0")/../..}/tests/lib/lib.sh"
 cd "$TMP" || exit 1
 

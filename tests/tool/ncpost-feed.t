@@ -1,6 +1,6 @@
 #!/bin/sh
-# feed.t - the time that a program takes by its feeds, block by block, against the length of the path
-# over its feed; and that no axis is asked for more than it can.
+# ncpost-feed.t - the time that a program takes by its feeds, block by block, against the length of
+# the path over its feed; and that no axis is asked for more than it can.
 . "${SRC:-$(dirname "$0")/../..}/tests/lib/lib.sh"
 cd "$TMP" || exit 1
 

@@ -1,6 +1,7 @@
 #!/bin/sh
-# parts.t - programs in parts and from a pass on: each part has the tool, speed, coolant and plane
-# that the whole has at the same place, starts and ends in the clear, and together they cut all.
+# ncpost-parts.t - programs in parts and from a pass on: each part has the tool, speed, coolant and
+# plane that the whole has at the same place, starts and ends in the clear, and together they cut
+# all.
 . "${SRC:-$(dirname "$0")/../..}/tests/lib/lib.sh"
 cd "$TMP" || exit 1
 

@@ -1,5 +1,6 @@
 #!/bin/sh
-# ncpost.t - golden programs, programs read back against their paths, travel, refusals, manners.
+# ncpost-programs.t - golden programs, programs read back against their paths, travel, refusals,
+# manners.
 . "${SRC:-$(dirname "$0")/../..}/tests/lib/lib.sh"
 golden=$SRC/tests/data/golden
 cd "$TMP" || exit 1

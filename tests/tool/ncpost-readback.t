@@ -1,6 +1,6 @@
 #!/bin/sh
-# readback.t - the tests' own reader, tested: programs written by hand that follow a path written by
-# hand are found to follow it, and every kind of fault in them is found.
+# ncpost-readback.t - the tests' own reader, tested: programs written by hand that follow a path
+# written by hand are found to follow it, and every kind of fault in them is found.
 . "${SRC:-$(dirname "$0")/../..}/tests/lib/lib.sh"
 cd "$TMP" || exit 1
 

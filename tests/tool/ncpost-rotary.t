@@ -1,5 +1,5 @@
 #!/bin/sh
-# Rotary motion of ncpost: what it makes of paths whose tool axis turns.
+# ncpost-rotary.t - rotary motion: what it makes of paths whose tool axis turns.
 # shellcheck disable=SC2016 # $ of CL files
 . "${SRC:-$(dirname "$0")/../..}/tests/lib/lib.sh"
 

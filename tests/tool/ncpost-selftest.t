@@ -1,6 +1,6 @@
 #!/bin/sh
-# selftest.t - the program that shows whether signs and centres of a machine are right: for every
-# machine and control the tip stays where it is, and it starts and ends safely.
+# ncpost-selftest.t - the program that shows whether signs and centres of a machine are right: for
+# every machine and control the tip stays where it is, and it starts and ends safely.
 . "${SRC:-$(dirname "$0")/../..}/tests/lib/lib.sh"
 cd "$TMP" || exit 1
 

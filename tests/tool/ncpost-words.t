@@ -1,6 +1,6 @@
 #!/bin/sh
-# words.t - every word of every kind of program, against what the controls take: numbers, comments,
-# block numbers, lengths, and that nothing is said twice.
+# ncpost-words.t - every word of every kind of program, against what the controls take: numbers,
+# comments, block numbers, lengths, and that nothing is said twice.
 . "${SRC:-$(dirname "$0")/../..}/tests/lib/lib.sh"
 cd "$TMP" || exit 1
 

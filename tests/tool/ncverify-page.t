@@ -1,6 +1,6 @@
 #!/bin/sh
-# page.t - ncverify's page in a browser: drawn, turned and searched by the keyboard and the pointer,
-# nothing loaded from elsewhere.  Needs chromium (`make deps`).
+# ncverify-page.t - ncverify's page in a browser: drawn, turned and searched by the keyboard and the
+# pointer, nothing loaded from elsewhere.  Needs chromium (`make deps`).
 . "${SRC:-$(dirname "$0")/../..}/tests/lib/lib.sh"
 cd "$TMP" || exit 1
 browser=$(command -v chromium || command -v chromium-browser || command -v google-chrome)

@@ -1,6 +1,6 @@
 #!/bin/sh
-# ncverify.t - good programs are accepted, each kind of fault is found in its block; the figures are
-# those of surfaces known exactly; map and page hold what they say.
+# ncverify-verdict.t - good programs are accepted, each kind of fault is found in its block; the
+# figures are those of surfaces known exactly; map and page hold what they say.
 . "${SRC:-$(dirname "$0")/../..}/tests/lib/lib.sh"
 cd "$TMP" || exit 1
 

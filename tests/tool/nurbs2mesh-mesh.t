@@ -1,6 +1,6 @@
 #!/bin/sh
-# nurbs2mesh.t - surfaces to a mesh: counts, trimming, joined edges, the side that is outside, the
-# hollow radii that are known, refusals.
+# nurbs2mesh-mesh.t - surfaces to a mesh: counts, trimming, joined edges, the side that is outside,
+# the hollow radii that are known, refusals.
 . "${SRC:-$(dirname "$0")/../..}/tests/lib/lib.sh"
 s1=$SRC/samples/paper2_s1_a.igs
 s2=$SRC/samples/paper2_s2_a.igs

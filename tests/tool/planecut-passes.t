@@ -1,6 +1,6 @@
 #!/bin/sh
-# planecut: counts and places on known surfaces, planes of any direction, foreign meshes, what does
-# not fit, and the panel all the way to programs.
+# planecut-passes.t - counts and places on known surfaces, planes of any direction, foreign meshes,
+# what does not fit, and the panel all the way to programs.
 . "${SRC:-$(dirname "$0")/../..}/tests/lib/lib.sh"
 cd "$TMP" || exit 1
 

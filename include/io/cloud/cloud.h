@@ -23,9 +23,9 @@ struct cloud_count {
  * Appends the points of one file (NULL or "-": standard input) to `points`, in the file's own
  * units, and fills *count anew.  Accepts, recognised by content, not by the file's name:
  *   - rows of x y z and any further columns, separated by blanks, tabs, commas or semicolons, with
- * a decimal comma where semicolons or blanks separate the columns; comments after # // or ; and
- *     heading lines before the first row (names, prose, a count of points alone on its line); where
- *     a heading names as many columns as there are, x y z are those that it calls so
+ *     a decimal comma where semicolons or blanks separate the columns; comments after # // or ;
+ *     and heading lines before the first row (names, prose, a count of points alone on its line);
+ *     where a heading names as many columns as there are, x y z are those that it calls so
  *   - PTS, PTX (its 4 x 4 matrix applied), ASCII PCD, OBJ (its v lines)
  *   - PLY, ASCII or binary (its vertices)
  * A row that is no row in the middle of the data is an error with its line; so are binary and

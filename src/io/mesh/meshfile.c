@@ -1,3 +1,4 @@
+/* meshfile - see meshfile.h. */
 #include "io/mesh/meshfile.h"
 
 #include <string.h>

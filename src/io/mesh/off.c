@@ -1,3 +1,4 @@
+/* off - see off.h. */
 #include "off.h"
 
 #include <limits.h>

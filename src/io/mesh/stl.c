@@ -1,3 +1,4 @@
+/* stl - see stl.h. */
 #include "io/mesh/stl.h"
 
 #include <limits.h>

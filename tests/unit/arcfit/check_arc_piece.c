@@ -1,4 +1,4 @@
-/* Tests of arc_piece.h: strayed distances against ones measured by sampling without any cleverness.
+/* Tests of arc_piece.h: deviations against ones measured by sampling without any cleverness.
  */
 #include "arcfit/arc_piece.h"
 
@@ -83,10 +83,10 @@ END_TEST
 
 int main(void)
 {
-    TCase *t = tcase_create("piece");
+    TCase *t = tcase_create("arc_piece");
     tcase_add_test(t, stray_is_what_brute_force_finds);
     tcase_add_test(t, an_axis_out_of_step_is_seen);
-    Suite *s = suite_create("piece");
+    Suite *s = suite_create("arc_piece");
     suite_add_tcase(s, t);
     SRunner *r = srunner_create(s);
     srunner_run_all(r, CK_NORMAL);

@@ -1,4 +1,4 @@
-/* cloudnormals: on a half-ball and a torus all normals point out, close to the exact ones. */
+/* cloud_normals: on a half-ball and a torus all normals point out, close to the exact ones. */
 #include <check.h>
 #include <stdlib.h>
 
@@ -125,8 +125,8 @@ END_TEST
 
 int main(void)
 {
-    Suite *suite = suite_create("cloudnormals");
-    TCase *tests = tcase_create("cloudnormals");
+    Suite *suite = suite_create("cloud_normals");
+    TCase *tests = tcase_create("cloud_normals");
     SRunner *runner = srunner_create(suite);
     tcase_add_test(tests, half_ball);
     tcase_add_test(tests, torus);

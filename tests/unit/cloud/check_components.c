@@ -1,4 +1,4 @@
-/* cloudpieces: pieces end at sharp edges and gaps; small ones go to those about them, but islands
+/* components: pieces end at sharp edges and gaps; small ones go to those about them, but islands
  * stay. */
 #include <check.h>
 #include <stdlib.h>
@@ -70,8 +70,8 @@ END_TEST
 
 int main(void)
 {
-    Suite *suite = suite_create("cloudpieces");
-    TCase *tests = tcase_create("cloudpieces");
+    Suite *suite = suite_create("components");
+    TCase *tests = tcase_create("components");
     SRunner *runner = srunner_create(suite);
     tcase_add_test(tests, a_sharp_edge_parts);
     tcase_add_test(tests, small_ones);

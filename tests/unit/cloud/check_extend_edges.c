@@ -102,8 +102,8 @@ END_TEST
 
 int main(void)
 {
-    Suite *suite = suite_create("overedge");
-    TCase *tests = tcase_create("overedge");
+    Suite *suite = suite_create("extend_edges");
+    TCase *tests = tcase_create("extend_edges");
     SRunner *runner = srunner_create(suite);
     tcase_add_test(tests, over_convex_edges);
     tcase_add_test(tests, not_into_rising_walls_nor_over_smooth_borders);

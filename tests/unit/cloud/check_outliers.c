@@ -1,4 +1,4 @@
-/* stray: what was put into known clouds is found, and nothing else is. */
+/* outliers: what was put into known clouds is found, and nothing else is. */
 #include <check.h>
 #include <stdbool.h>
 #include <stdlib.h>
@@ -175,8 +175,8 @@ END_TEST
 
 int main(void)
 {
-    Suite *suite = suite_create("stray");
-    TCase *tests = tcase_create("stray");
+    Suite *suite = suite_create("outliers");
+    TCase *tests = tcase_create("outliers");
     SRunner *runner = srunner_create(suite);
     tcase_add_checked_fixture(tests, NULL, free_all);
     tcase_add_loop_test(tests, outliers, 0, 6);

@@ -118,8 +118,8 @@ static void empty_cloud(void)
 
 int main(void)
 {
-    Suite *suite = suite_create("footprint");
-    TCase *tests = tcase_create("footprint");
+    Suite *suite = suite_create("plan_extent");
+    TCase *tests = tcase_create("plan_extent");
     SRunner *runner = srunner_create(suite);
     tcase_add_checked_fixture(tests, empty_cloud, empty_cloud);
     tcase_add_test(tests, box);

@@ -1,4 +1,4 @@
-/* subcloud: a half-ball in parts that face their directions and hold all points; a cloud that one
+/* segment: a half-ball in parts that face their directions and hold all points; a cloud that one
  * projection serves stays whole. */
 #include <check.h>
 #include <stdlib.h>
@@ -75,8 +75,8 @@ END_TEST
 
 int main(void)
 {
-    Suite *suite = suite_create("subcloud");
-    TCase *tests = tcase_create("subcloud");
+    Suite *suite = suite_create("segment");
+    TCase *tests = tcase_create("segment");
     SRunner *runner = srunner_create(suite);
     tcase_add_test(tests, half_ball);
     tcase_add_test(tests, one_part);

@@ -90,8 +90,8 @@ END_TEST
 
 int main(void)
 {
-    Suite *suite = suite_create("scanfill");
-    TCase *tests = tcase_create("scanfill");
+    Suite *suite = suite_create("upsample");
+    TCase *tests = tcase_create("upsample");
     SRunner *runner = srunner_create(suite);
     tcase_add_checked_fixture(tests, NULL, free_all);
     tcase_add_test(tests, on_the_surface);

@@ -64,8 +64,8 @@ END_TEST
 
 int main(void)
 {
-    Suite *suite = suite_create("wallpoints");
-    TCase *tests = tcase_create("wallpoints");
+    Suite *suite = suite_create("wall_points");
+    TCase *tests = tcase_create("wall_points");
     SRunner *runner = srunner_create(suite);
     tcase_add_test(tests, a_step);
     tcase_add_test(tests, same_for_any_threads);

@@ -106,7 +106,7 @@ END_TEST
 
 int main(void)
 {
-    Suite *suite = suite_create("cubicform");
+    Suite *suite = suite_create("cubic_form");
     TCase *tests = tcase_create("curves");
     tcase_add_test(tests, cubics_stay);
     tcase_add_test(tests, others_come_near);

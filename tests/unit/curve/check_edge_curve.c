@@ -1,4 +1,4 @@
-/* edgecurve against a circle, and its own derivative. */
+/* edge_curve: against a circle, and its own derivative. */
 #include <check.h>
 
 #include "curve/edge_curve.h"
@@ -53,8 +53,8 @@ END_TEST
 
 int main(void)
 {
-    Suite *suite = suite_create("edgecurve");
-    TCase *tests = tcase_create("edgecurve");
+    Suite *suite = suite_create("edge_curve");
+    TCase *tests = tcase_create("edge_curve");
     tcase_add_test(tests, an_edge_of_a_circle_is_round);
     tcase_add_test(tests, ends_are_vertices_and_slopes_are_in_tangent_planes);
     tcase_add_test(tests, a_step_stays_straight);

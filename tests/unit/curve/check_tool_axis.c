@@ -1,4 +1,4 @@
-/* axis against the formula of the design and against plain geometry. */
+/* tool_axis: against the formula of the design and against plain geometry. */
 #include <check.h>
 #include <stdint.h>
 
@@ -143,8 +143,8 @@ END_TEST
 
 int main(void)
 {
-    Suite *suite = suite_create("axis");
-    TCase *tests = tcase_create("axis");
+    Suite *suite = suite_create("tool_axis");
+    TCase *tests = tcase_create("tool_axis");
     tcase_add_test(tests, tilt_is_the_angle_off_the_normal_across_the_feed);
     tcase_add_test(tests, lean_is_the_formula_of_the_design);
     tcase_add_test(tests, tool_leans_to_the_same_side_on_the_way_back);

@@ -1,5 +1,5 @@
-/* featuregap, featuresettle: a roof's ridge and a wall over a grid of facets, with some of what
- * crosses it forgotten: it comes back where it was, and only between its ends. */
+/* feature_link, feature_relocate: a roof's ridge and a wall over a grid of facets, with some of
+ * what crosses it forgotten: it comes back where it was, and only between its ends. */
 #include <check.h>
 #include <stdlib.h>
 #include <string.h>
@@ -182,8 +182,8 @@ END_TEST
 
 int main(void)
 {
-    Suite *suite = suite_create("featuregap");
-    TCase *tests = tcase_create("featuregap");
+    Suite *suite = suite_create("feature_link");
+    TCase *tests = tcase_create("feature_link");
     SRunner *runner = srunner_create(suite);
     tcase_add_test(tests, gaps);
     tcase_add_test(tests, ends);

@@ -162,8 +162,8 @@ END_TEST
 
 int main(void)
 {
-    Suite *suite = suite_create("featuremesh");
-    TCase *tests = tcase_create("featuremesh");
+    Suite *suite = suite_create("feature_mesh");
+    TCase *tests = tcase_create("feature_mesh");
     SRunner *runner = srunner_create(suite);
     tcase_add_test(tests, roof);
     tcase_add_test(tests, a_step);

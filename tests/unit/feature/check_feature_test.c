@@ -1,4 +1,4 @@
-/* feature_test_sharp: a roof is sharp, with noise and without; a rib is not, though two planes lie
+/* feature_test: a roof is sharp, with noise and without; a rib is not, though two planes lie
  * along its flanks. */
 #include <check.h>
 #include <stdlib.h>
@@ -64,8 +64,8 @@ END_TEST
 
 int main(void)
 {
-    Suite *suite = suite_create("feature_test_sharp");
-    TCase *tests = tcase_create("feature_test_sharp");
+    Suite *suite = suite_create("feature_test");
+    TCase *tests = tcase_create("feature_test");
     SRunner *runner = srunner_create(suite);
     tcase_add_test(tests, roofs);
     tcase_add_test(tests, ribs);

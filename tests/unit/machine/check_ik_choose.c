@@ -1,4 +1,4 @@
-/* turnchoice: travel and the choice of a solution. */
+/* ik_choose: travel and the choice of a solution. */
 #include <check.h>
 #include <stdlib.h>
 
@@ -83,7 +83,7 @@ END_TEST
 
 int main(void)
 {
-    Suite *suite = suite_create("turnchoice");
+    Suite *suite = suite_create("ik_choose");
     TCase *tests = tcase_create("choices");
 
     tcase_add_test(tests, travel_and_choice);

@@ -1,4 +1,4 @@
-/* turnbeside: the quick way to the next angles, against the angles themselves. */
+/* ik_near: the quick way to the next angles, against the angles themselves. */
 #include <check.h>
 #include <stdlib.h>
 
@@ -47,7 +47,7 @@ END_TEST
 
 int main(void)
 {
-    Suite *suite = suite_create("turnbeside");
+    Suite *suite = suite_create("ik_near");
     TCase *tests = tcase_create("places");
 
     tcase_add_test(tests, beside_the_last);

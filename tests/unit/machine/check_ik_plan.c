@@ -245,7 +245,7 @@ END_TEST
 
 int main(void)
 {
-    Suite *suite = suite_create("turnplan");
+    Suite *suite = suite_create("ik_plan");
     TCase *tests = tcase_create("plans");
 
     tcase_set_timeout(tests, 60);

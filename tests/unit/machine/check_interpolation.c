@@ -1,5 +1,5 @@
 /*
- * follow: deviations that can be worked out by hand, against the ones that are measured; bounds and
+ * interpolation: deviations that can be worked out by hand, against the measured ones; bounds and
  * measures of random blocks against a look at a thousand places.
  */
 #include <check.h>
@@ -276,7 +276,7 @@ END_TEST
 
 int main(void)
 {
-    Suite *suite = suite_create("follow");
+    Suite *suite = suite_create("interpolation");
     TCase *tests = tcase_create("blocks");
 
     tcase_add_test(tests, vectors_are_exact);

@@ -1,4 +1,4 @@
-/* rotary against angles that are known. */
+/* rotary_cost: against angles that are known. */
 #include "machine/rotary_cost.h"
 
 #include <check.h>
@@ -53,8 +53,8 @@ END_TEST
 
 int main(void)
 {
-    Suite *suite = suite_create("rotary");
-    TCase *tests = tcase_create("rotary");
+    Suite *suite = suite_create("rotary_cost");
+    TCase *tests = tcase_create("rotary_cost");
     SRunner *runner = srunner_create(suite);
     tcase_add_test(tests, ways_are_those_of_lean_and_direction);
     tcase_add_test(tests, leans_are_off_the_normal_by_what_was_asked);

@@ -1,4 +1,4 @@
-/* rotary_spline_fit: angles that are polynomials come back exactly; others within what the knots
+/* rotary_spline: angles that are polynomials come back exactly; others within what the knots
  * allow. */
 #include <check.h>
 #include <stdlib.h>
@@ -95,7 +95,7 @@ END_TEST
 
 int main(void)
 {
-    Suite *suite = suite_create("rotary_spline_fit");
+    Suite *suite = suite_create("rotary_spline");
     TCase *tests = tcase_create("angles");
 
     tcase_add_test(tests, constant_angles);

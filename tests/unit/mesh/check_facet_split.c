@@ -97,8 +97,8 @@ END_TEST
 
 int main(void)
 {
-    Suite *suite = suite_create("meshsplit");
-    TCase *tests = tcase_create("meshsplit");
+    Suite *suite = suite_create("facet_split");
+    TCase *tests = tcase_create("facet_split");
     SRunner *runner = srunner_create(suite);
     tcase_add_test(tests, edges_turn_or_stay);
     suite_add_tcase(suite, tests);

@@ -123,8 +123,8 @@ END_TEST
 
 int main(void)
 {
-    Suite *suite = suite_create("meshnear");
-    TCase *tests = tcase_create("meshnear");
+    Suite *suite = suite_create("mesh_distance");
+    TCase *tests = tcase_create("mesh_distance");
     SRunner *runner = srunner_create(suite);
     tcase_add_test(tests, by_brute_force);
     tcase_add_test(tests, flat_mesh);

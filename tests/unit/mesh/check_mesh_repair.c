@@ -1,4 +1,4 @@
-/* meshmend, creases, meshedges, meshweld: a cube and a sheet, damaged in every way. */
+/* mesh_repair, mesh_edges, mesh_weld: a cube and a sheet, damaged in every way. */
 #include <check.h>
 #include <stdlib.h>
 
@@ -270,8 +270,8 @@ END_TEST
 
 int main(void)
 {
-    Suite *suite = suite_create("meshmend");
-    TCase *tests = tcase_create("meshmend");
+    Suite *suite = suite_create("mesh_repair");
+    TCase *tests = tcase_create("mesh_repair");
     tcase_add_test(tests, a_cube_keeps_its_edges);
     tcase_add_test(tests, a_cube_inside_out_is_turned);
     tcase_add_test(tests, facets_of_their_own_are_joined);

@@ -219,8 +219,8 @@ END_TEST
 
 int main(void)
 {
-    Suite *suite = suite_create("rowmesh");
-    TCase *tests = tcase_create("rowmesh");
+    Suite *suite = suite_create("adaptive_rows");
+    TCase *tests = tcase_create("adaptive_rows");
     SRunner *runner = srunner_create(suite);
     tcase_set_timeout(tests, 60);
     tcase_add_checked_fixture(tests, NULL, free_all);

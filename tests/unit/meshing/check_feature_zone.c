@@ -24,8 +24,8 @@ END_TEST
 
 int main(void)
 {
-    Suite *suite = suite_create("edgezone");
-    TCase *tests = tcase_create("edgezone");
+    Suite *suite = suite_create("feature_zone");
+    TCase *tests = tcase_create("feature_zone");
     SRunner *runner = srunner_create(suite);
     tcase_add_test(tests, line);
     suite_add_tcase(suite, tests);

@@ -146,8 +146,8 @@ END_TEST
 
 int main(void)
 {
-    Suite *suite = suite_create("meshinsert");
-    TCase *tests = tcase_create("meshinsert");
+    Suite *suite = suite_create("greedy_insert");
+    TCase *tests = tcase_create("greedy_insert");
     SRunner *runner = srunner_create(suite);
     tcase_add_test(tests, smooth_and_rough);
     tcase_add_test(tests, single_points);

@@ -119,8 +119,8 @@ END_TEST
 
 int main(void)
 {
-    Suite *suite = suite_create("gridmesh");
-    TCase *tests = tcase_create("gridmesh");
+    Suite *suite = suite_create("grid_mesh");
+    TCase *tests = tcase_create("grid_mesh");
     SRunner *runner = srunner_create(suite);
     tcase_add_checked_fixture(tests, make_cloud, free_all);
     tcase_add_test(tests, rows_of_triangles);

@@ -1,4 +1,4 @@
-/* submesh: two parts turned back into place, rows one behind the other, their frames; and apart
+/* mesh_join: two parts turned back into place, rows one behind the other, their frames; and apart
  * again. */
 #include <check.h>
 #include <stdlib.h>
@@ -69,8 +69,8 @@ END_TEST
 
 int main(void)
 {
-    Suite *suite = suite_create("submesh");
-    TCase *tests = tcase_create("submesh");
+    Suite *suite = suite_create("mesh_join");
+    TCase *tests = tcase_create("mesh_join");
     SRunner *runner = srunner_create(suite);
     tcase_add_test(tests, two_parts);
     suite_add_tcase(suite, tests);

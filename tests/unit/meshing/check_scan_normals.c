@@ -270,8 +270,8 @@ END_TEST
 
 int main(void)
 {
-    Suite *suite = suite_create("scannormals");
-    TCase *tests = tcase_create("scannormals");
+    Suite *suite = suite_create("scan_normals");
+    TCase *tests = tcase_create("scan_normals");
     SRunner *runner = srunner_create(suite);
     tcase_add_checked_fixture(tests, NULL, free_all);
     tcase_add_test(tests, random_points);

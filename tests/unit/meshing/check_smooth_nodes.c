@@ -143,8 +143,8 @@ END_TEST
 
 int main(void)
 {
-    Suite *suite = suite_create("scansmooth");
-    TCase *tests = tcase_create("scansmooth");
+    Suite *suite = suite_create("smooth_nodes");
+    TCase *tests = tcase_create("smooth_nodes");
     SRunner *runner = srunner_create(suite);
     tcase_set_timeout(tests, 60);
     tcase_add_checked_fixture(tests, NULL, free_all);

@@ -1,4 +1,4 @@
-/* onsurface on the surface z = x y / 25, whose points and normals are known. */
+/* project: on the surface z = x y / 25, whose points and normals are known. */
 #include <check.h>
 #include <stdint.h>
 #include <stdlib.h>
@@ -100,8 +100,8 @@ END_TEST
 
 int main(void)
 {
-    Suite *suite = suite_create("onsurface");
-    TCase *tests = tcase_create("onsurface");
+    Suite *suite = suite_create("project");
+    TCase *tests = tcase_create("project");
     tcase_add_test(tests, points_go_to_the_surface_and_stay_in_their_plane);
     tcase_add_test(tests, what_is_elsewhere_stays);
     tcase_add_test(tests, what_is_trimmed_away_is_none);

@@ -160,8 +160,8 @@ END_TEST
 
 int main(void)
 {
-    Suite *suite = suite_create("proof");
-    TCase *tests = tcase_create("proof");
+    Suite *suite = suite_create("spline_bound");
+    TCase *tests = tcase_create("spline_bound");
 
     tcase_set_timeout(tests, 60);
 

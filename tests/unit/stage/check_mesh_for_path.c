@@ -85,7 +85,7 @@ END_TEST
 
 int main(void)
 {
-    Suite *suite = suite_create("cutpart");
+    Suite *suite = suite_create("mesh_for_path");
     TCase *all = tcase_create("all");
     tcase_add_test(all, surfaces_count_where_they_are_named);
     tcase_add_test(all, else_vertices_do);

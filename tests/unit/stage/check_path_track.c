@@ -1,5 +1,5 @@
 /*
- * retrack: tip, centre and contact of one path of points, there and back; what is refused.
+ * path_track: tip, centre and contact of one path of points, there and back; what is refused.
  */
 #include <check.h>
 #include <stdlib.h>
@@ -70,8 +70,8 @@ END_TEST
 
 int main(void)
 {
-    Suite *suite = suite_create("retrack");
-    TCase *tests = tcase_create("retrack");
+    Suite *suite = suite_create("path_track");
+    TCase *tests = tcase_create("path_track");
 
     tcase_add_test(tests, there_and_back);
     tcase_add_test(tests, refused);

@@ -103,8 +103,8 @@ END_TEST
 
 int main(void)
 {
-    Suite *suite = suite_create("planepath");
-    TCase *tcase = tcase_create("planepath");
+    Suite *suite = suite_create("plane_passes");
+    TCase *tcase = tcase_create("plane_passes");
     tcase_add_test(tcase, the_shortest_direction_is_along_a_gutter);
     tcase_add_test(tcase, directions_are_read);
     tcase_add_test(tcase, planes_become_passes);

@@ -48,8 +48,8 @@ END_TEST
 
 int main(void)
 {
-    Suite *suite = suite_create("splinereport");
-    TCase *tests = tcase_create("splinereport");
+    Suite *suite = suite_create("spline_report");
+    TCase *tests = tcase_create("spline_report");
 
     tcase_add_test(tests, sums_and_largest);
     tcase_add_test(tests, percentages_of_table_1);
