@@ -56,8 +56,8 @@ static void fit_and_check(void *context, const struct run *run, struct gouges *g
     }
 }
 
-static void fit(const void *settings, const struct gouge_refit_options *gouge,
-                const struct path *in, struct run *points, struct fitted_run *run)
+static void fit_run(const void *settings, const struct gouge_refit_options *gouge,
+                    const struct path *in, struct run *points, struct fitted_run *run)
 {
     const struct settings *s = settings;
     struct run_fit f = {.gouge = gouge,
@@ -147,7 +147,7 @@ int main(int argc, char **argv)
                                   .options = &s.common,
                                   .settings = &s,
                                   .prepare = prepare,
-                                  .fit = fit,
+                                  .fit = fit_run,
                                   .report = report,
                                   .result_size = sizeof(struct arcrun_report)};
     struct cli cli = {.tool = "biarcfit",

@@ -62,8 +62,8 @@ static void add_pieces(const struct path *in, const struct spline_run *pieces,
     }
 }
 
-static void fit(const void *settings, const struct gouge_refit_options *gouge,
-                const struct path *in, struct run *points, struct fitted_run *run)
+static void fit_run(const void *settings, const struct gouge_refit_options *gouge,
+                    const struct path *in, struct run *points, struct fitted_run *run)
 {
     const struct settings *s = settings;
     struct result *result = run->result;
@@ -77,7 +77,7 @@ static void result_free(void *result)
 }
 
 /* Says the first place where the tolerance is not kept; the exit status. */
-static int conclude(const struct path *in, const struct fitted_runs *runs)
+static int say_unmet(const struct path *in, const struct fitted_runs *runs)
 {
     for (size_t i = 0; i < runs->n; i++) {
         const struct fitted_run *run = &runs->item[i];
@@ -120,7 +120,7 @@ static struct fitter_outcome report(const void *settings, const struct path *in,
     if (r.cut > 0)
         note("%zu curves reached the bound of work: they might do with fewer control points",
              r.cut);
-    return (struct fitter_outcome){r.spent, conclude(in, runs)};
+    return (struct fitter_outcome){r.spent, say_unmet(in, runs)};
 }
 
 int main(int argc, char **argv)
@@ -160,7 +160,7 @@ int main(int argc, char **argv)
                                   .options = &s.common,
                                   .settings = &s,
                                   .prepare = prepare,
-                                  .fit = fit,
+                                  .fit = fit_run,
                                   .report = report,
                                   .result_size = sizeof(struct result),
                                   .result_free = result_free};

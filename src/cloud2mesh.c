@@ -104,8 +104,8 @@ static const char *name_of(const struct cli *cli)
 }
 
 /* Takes out what is no part of the surface; returns the noise that vertices are to be rid of. */
-static double clean(const char *name, const struct settings *s, struct vec3s *points, int threads,
-                    struct mesh_origin *origin)
+static double clean_cloud(const char *name, const struct settings *s, struct vec3s *points,
+                          int threads, struct mesh_origin *origin)
 {
     const double least = 0.004; /* in spacings: less does not matter beside the facets */
     struct cloud_prepare cloud_prepare;
@@ -149,8 +149,8 @@ static void say_steep(const struct settings *settings, const struct mesh *mesh)
             100 * part);
 }
 
-static void extend(const char *name, const struct settings *s, struct vec3s *points, double noise,
-                   int threads)
+static void extend_over_border(const char *name, const struct settings *s, struct vec3s *points,
+                               double noise, int threads)
 {
     struct error error;
     size_t n = points->n;
@@ -194,10 +194,10 @@ int main(int argc, char **argv)
                             &mesh.origin, &error) < 0)
         die_error(&error);
     size_t read = points.n;
-    double noise = clean(name, &settings, &points, cli.threads, &mesh.origin);
+    double noise = clean_cloud(name, &settings, &points, cli.threads, &mesh.origin);
     left_out += read - points.n;
     if (settings.extend > 0)
-        extend(name, &settings, &points, noise, cli.threads);
+        extend_over_border(name, &settings, &points, noise, cli.threads);
     mesh.origin.extended = settings.extend;
     bool of_surface = settings.meshing.error > 0 && noise > 0;
     struct cloudmesh result;

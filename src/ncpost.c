@@ -138,7 +138,7 @@ static void read_path(const struct settings *s, const char *file, struct path *p
 }
 
 /* What was assumed or added. */
-static void tell(const struct path *path, const struct post_report *r, double feed)
+static void say_report(const struct path *path, const struct post_report *r, double feed)
 {
     if (path->head.track == TRACK_CENTRE)
         say("X Y Z of the program are the ball's centre: measure the tool to it");
@@ -194,7 +194,7 @@ int main(int argc, char **argv)
         say("%zu programs", files);
 
     struct post_report report = post_report(post);
-    tell(&path, &report, s.post.feed);
+    say_report(&path, &report, s.post.feed);
     post_free(post);
     machine_options_free(&s.machine);
     path_free(&path);

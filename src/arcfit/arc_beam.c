@@ -188,7 +188,7 @@ static size_t reach_from(const struct beam *b, size_t at, struct vec3 p, struct 
 }
 
 /* An arc from node `before` to `to` beside point j. */
-static void propose(struct beam *b, size_t before, size_t j, struct vec3 to)
+static void propose_arc(struct beam *b, size_t before, size_t j, struct vec3 to)
 {
     const struct chain_end *from = &b->done.item[before].end;
     struct vec3 e = vec_sub(to, from->p);
@@ -220,7 +220,7 @@ static void propose_curvature(struct beam *b, size_t before, size_t j, struct ve
     }
     if (vec_distance(to, aim) > ARC_JOINT_OFF * b->within->point)
         return;
-    propose(b, before, j, vec_round(to, b->digits));
+    propose_arc(b, before, j, vec_round(to, b->digits));
 }
 
 static void propose_window(struct beam *b, size_t before, const struct arc_window *w)
@@ -242,7 +242,7 @@ static void propose_next(struct beam *b, size_t before)
     b->windows.n = 0;
     size_t reach = arc_look_ahead(t, l.at, l.p, l.tangent, b->within->point, &b->windows);
     if (reach + 1 == t->n)
-        propose(b, before, reach, t->point[reach]);
+        propose_arc(b, before, reach, t->point[reach]);
     double whole = t->length[reach] - t->length[l.at];
     size_t i = b->windows.n;
     for (int k = 0; k < SHORTER; k++) {
@@ -266,7 +266,7 @@ static int by_reach(const void *a, const void *b)
     return l->order < m->order ? -1 : l->order > m->order;
 }
 
-static bool finished(const struct beam *b)
+static bool beam_finished(const struct beam *b)
 {
     return b->done.item[b->done.n - 1].end.at + 1 == b->reference->n;
 }
@@ -323,7 +323,7 @@ static size_t keep_best(struct beam *b)
     size_t kept = keep_best_finished(b);
     if (b->next.n > 1)
         qsort(b->next.item, b->next.n, sizeof *b->next.item, by_reach);
-    for (size_t i = 0; i < b->next.n && kept < b->width && !finished(b); i++) {
+    for (size_t i = 0; i < b->next.n && kept < b->width && !beam_finished(b); i++) {
         struct node l;
         struct deviation found;
         if (!prove_piece(b, &b->next.item[i], &l, &found))
@@ -383,10 +383,10 @@ static void collect_chain(const struct beam *b, size_t node, size_t starts, stru
 }
 
 /* Grows the chains until one is through. */
-static void search(struct beam *b)
+static void grow_chains(struct beam *b)
 {
     size_t from = 0;
-    while (!finished(b)) {
+    while (!beam_finished(b)) {
         size_t to = b->done.n;
         for (size_t i = from; i < to; i++)
             propose_next(b, i);
@@ -409,7 +409,7 @@ void arcfit_beam(const struct reference *reference, const struct deviation *with
     b.width = reference_axis_still(reference, 0, reference->n - 1) ? BEAM : BEAM_TURNING;
     add_starts(&b);
     size_t starts = b.done.n;
-    search(&b);
+    grow_chains(&b);
     collect_chain(&b, b.done.n - 1, starts, &arcs);
     if (4 * b.stepped > arcs.n)
         arcfit_biarcs(reference, within, &biarcs);

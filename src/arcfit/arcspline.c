@@ -377,7 +377,7 @@ static double largest(const struct optimizer *w)
 }
 
 /* The end is reached in another direction than it should be. */
-static bool kinked(const struct arcspline_fit *m)
+static bool ends_kinked(const struct arcspline_fit *m)
 {
     return m->end_held &&
            vec_distance(m->spline.joint[m->spline.n].tangent, m->end) > ARCFIT_KINK / 2;
@@ -398,17 +398,18 @@ double arcspline_optimize(struct arcspline_fit *m, double enough)
         worst = largest(&w);
         double scale = fmax(worst, 1e-3),
                now = pnorm_cost(&w.sum, w.sum.off, w.sum.held, stage->half, scale);
-        for (int k = 0; k < steps && w.sum.unknowns > 0 && (worst > enough || kinked(m)); k++) {
+        for (int k = 0; k < steps && w.sum.unknowns > 0 && (worst > enough || ends_kinked(m));
+             k++) {
             double before = now;
             if (!take_step(&w, stage, scale, &damping, &now) || before - now < SETTLED * before)
                 k = steps;
             worst = largest(&w);
         }
         damping = fmin(damping, 1);
-        bool settled = worst <= enough && !kinked(m);
+        bool settled = worst <= enough && !ends_kinked(m);
         if (settled || worst > stage->hopeless || m->stage + 1 == N_STAGES)
             break;
     }
     optimizer_free(&w);
-    return kinked(m) ? HUGE_VAL : worst;
+    return ends_kinked(m) ? HUGE_VAL : worst;
 }

@@ -165,7 +165,7 @@ static void use_all_points(const struct refit *part, struct arcspline_fit *m)
 }
 
 /* From the joints as they are spaced now. */
-static bool settle(const struct refit *part, struct arcspline_fit *m, struct pieces *out)
+static bool fit_and_prove(const struct refit *part, struct arcspline_fit *m, struct pieces *out)
 {
     m->stage = 0;
     for (int i = 0; i < 4; i++) {
@@ -189,12 +189,12 @@ static bool settle_from_other_spacings(const struct refit *part, struct arcsplin
 
     for (int i = 0; i < RESPACED && !good; i++) {
         space_by_residual(part, m);
-        good = settle(part, m, out);
+        good = fit_and_prove(part, m, out);
     }
     bool held = part->start_held || part->end_held;
     for (size_t i = (stride + 1) / 2; i < part->n && !good && !held; i += stride) {
         space_without(part, i, &m->spline);
-        good = settle(part, m, out);
+        good = fit_and_prove(part, m, out);
     }
     return good;
 }
@@ -208,7 +208,7 @@ static bool settle_from_other_spacings(const struct refit *part, struct arcsplin
  * of them; where the axis turns only when `thorough`.  When that, and a direction is held, the
  * first of these two ways too.
  */
-static bool refit(const struct refit *part, size_t arcs, struct pieces *out)
+static bool refit_with(const struct refit *part, size_t arcs, struct pieces *out)
 {
     const struct arc_piece *last = &part->old[part->n - 1];
     size_t from = (size_t)part->old[0].from, to = (size_t)ceil(last->to);
@@ -226,7 +226,7 @@ static bool refit(const struct refit *part, size_t arcs, struct pieces *out)
         .end = arc_tangent(&last->arc, 1)};
     bool free = !part->start_held && !part->end_held && m.offset == 0;
     space_evenly(part, &m.spline);
-    bool good = settle(part, &m, out);
+    bool good = fit_and_prove(part, &m, out);
     if (!good && arcs + 1 == part->n && (free || part->thorough))
         good = settle_from_other_spacings(part, &m, out);
     arcspline_free(&m.spline);
@@ -243,7 +243,7 @@ enum {
 };
 
 /* Puts `some` in the place of n pieces at `at`. */
-static void replace(struct pieces *pieces, size_t at, size_t n, const struct pieces *some)
+static void replace_pieces(struct pieces *pieces, size_t at, size_t n, const struct pieces *some)
 {
     for (size_t i = 0; i < some->n; i++)
         pieces->item[at + i] = some->item[i];
@@ -272,10 +272,10 @@ static bool reduce_window(const struct refit *like, size_t from, size_t end, siz
     part.n = n;
     part.start_held = at > from;
     part.end_held = at + n < end;
-    bool good = n > 1 && refit(&part, n - 1, &some);
+    bool good = n > 1 && refit_with(&part, n - 1, &some);
 
     if (good)
-        replace(pieces, at, n, &some);
+        replace_pieces(pieces, at, n, &some);
     array_free(&some);
     return good;
 }

@@ -36,7 +36,7 @@ static void message_level(bool quiet, bool verbose)
 }
 
 /* Prints one line; control characters, which may come from a hostile file, become `?`. */
-static void print(const char *format, va_list args)
+static void print_line(const char *format, va_list args)
 {
     char line[512];
     int n = snprintf(line, sizeof line, "%.40s: ", state.tool);
@@ -56,7 +56,7 @@ void say(const char *format, ...)
         return;
     va_list args;
     va_start(args, format);
-    print(format, args);
+    print_line(format, args);
     va_end(args);
 }
 
@@ -66,7 +66,7 @@ void note(const char *format, ...)
         return;
     va_list args;
     va_start(args, format);
-    print(format, args);
+    print_line(format, args);
     va_end(args);
 }
 
@@ -75,7 +75,7 @@ void die(const char *format, ...)
     va_list args;
     va_start(args, format);
     out_abandon();
-    print(format, args);
+    print_line(format, args);
     va_end(args);
     exit(EXIT_FAILED);
 }
@@ -90,7 +90,7 @@ void die_usage(const char *format, ...)
     va_list args;
     va_start(args, format);
     out_abandon();
-    print(format, args);
+    print_line(format, args);
     va_end(args);
     if (!state.quiet)
         fprintf(stderr, "try `%s --help`\n", state.tool);
@@ -102,7 +102,7 @@ void die_unmet(const char *format, ...)
     va_list args;
     va_start(args, format);
     out_abandon();
-    print(format, args);
+    print_line(format, args);
     va_end(args);
     exit(EXIT_UNMET);
 }
@@ -146,7 +146,7 @@ struct table {
     struct cli_option *item;
 };
 
-static struct table merge(struct cli *cli)
+static struct table merge_tables(struct cli *cli)
 {
     const struct cli_option common[] = {
         {'o', "output", "FILE", "write to FILE, whole or not at all, instead of standard output",
@@ -205,7 +205,7 @@ static void print_help(const struct cli *cli, const struct table *t)
 }
 
 /* How the option was meant: `-r` or `--radius`. */
-static const char *shown(const struct cli_option *o, char buf[64])
+static const char *option_name(const struct cli_option *o, char buf[64])
 {
     if (o->letter)
         snprintf(buf, 64, "-%c/--%s", o->letter, o->name);
@@ -217,7 +217,7 @@ static const char *shown(const struct cli_option *o, char buf[64])
 static _Noreturn void refuse(const struct cli_option *o, const char *text, const char *expected)
 {
     char name[64];
-    die_usage("option %s: found `%.60s`, expected %s", shown(o, name), text, expected);
+    die_usage("option %s: found `%.60s`, expected %s", option_name(o, name), text, expected);
 }
 
 static void expect_range(const struct cli_option *o, double value, const char *text)
@@ -271,7 +271,7 @@ static void read_numbers(const struct cli_option *o, const char *text)
     }
 }
 
-static void set(const struct cli_option *o, const char *text)
+static void set_value(const struct cli_option *o, const char *text)
 {
     double number = 0;
     switch (o->kind) {
@@ -346,7 +346,7 @@ static void run_getopt(const struct table *t, int argc, char **argv)
         }
         for (size_t i = 0; i < t->n; i++)
             if (c == COMMON_HELP + (int)i || c == t->item[i].letter)
-                set(&t->item[i], optarg ? optarg : "");
+                set_value(&t->item[i], optarg ? optarg : "");
     }
     free(longs);
     free(shorts);
@@ -367,7 +367,7 @@ void cli_parse(struct cli *cli, int argc, char **argv)
 
     hold_standard_files();
     message_begin(cli->tool);
-    struct table t = merge(cli);
+    struct table t = merge_tables(cli);
     run_getopt(&t, argc, argv);
     message_level(quiet, verbose);
     if (help) {

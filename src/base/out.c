@@ -53,7 +53,7 @@ static void watch_signals(void)
 }
 
 /* The file that `file` leads to through symbolic links, so that a rename keeps the link. */
-static char *resolve(const char *file)
+static char *resolve_links(const char *file)
 {
     char *real = realpath(file, NULL);
     return real ? real : mem_string(file, strlen(file));
@@ -100,12 +100,12 @@ struct out *out_open(const char *file)
     }
     if (there && access(file, W_OK) < 0)
         die("%s: cannot write: %s", file, strerror(errno));
-    o->target = resolve(file);
+    o->target = resolve_links(file);
     o->fd = create_beside(o, there ? &st : NULL);
     return o;
 }
 
-static void put(struct out *o, const char *p, size_t n)
+static void put_bytes(struct out *o, const char *p, size_t n)
 {
     while (n) {
         ssize_t done = write(o->fd, p, n);
@@ -120,7 +120,7 @@ static void put(struct out *o, const char *p, size_t n)
 
 static void flush(struct out *o)
 {
-    put(o, o->buf, o->n);
+    put_bytes(o, o->buf, o->n);
     o->n = 0;
 }
 
@@ -129,7 +129,7 @@ void out_bytes(struct out *o, const void *p, size_t n)
     if (n > BUFFER - o->n)
         flush(o);
     if (n > BUFFER) {
-        put(o, p, n);
+        put_bytes(o, p, n);
         return;
     }
     memcpy(o->buf + o->n, p, n);

@@ -32,7 +32,7 @@ static void take_pieces(struct share *s, const char *what)
     }
 }
 
-static void *run(void *argument)
+static void *run_worker(void *argument)
 {
     take_pieces(argument, NULL);
     return NULL;
@@ -56,7 +56,7 @@ void parallel_shown(const char *what, int threads, size_t n,
     /* this thread works too; where no other can be had it does all of it */
     while (started < MOST_THREADS && started + 1 < wanted &&
            (size_t)(started + 1) * share.piece < n &&
-           pthread_create(&thread[started], NULL, run, &share) == 0)
+           pthread_create(&thread[started], NULL, run_worker, &share) == 0)
         started++;
     take_pieces(&share, what);
     for (int i = 0; i < started; i++)

@@ -73,7 +73,7 @@ static int fill_once(struct reader *r, struct error *error)
 }
 
 /* Reads more; the first time until a byte order mark would be seen, which is skipped. */
-static int fill(struct reader *r, struct error *error)
+static int fill_buffer(struct reader *r, struct error *error)
 {
     if (r->from > 0) {
         memmove(r->buf, r->buf + r->from, r->to - r->from);
@@ -97,7 +97,7 @@ static int fill(struct reader *r, struct error *error)
 int reader_line(struct reader *r, char **line, size_t *n, struct error *error)
 {
     size_t seen = 0;
-    if (!r->begun && fill(r, error) < 0)
+    if (!r->begun && fill_buffer(r, error) < 0)
         return -1;
     for (;;) {
         char *from = r->buf + r->from;
@@ -118,7 +118,7 @@ int reader_line(struct reader *r, char **line, size_t *n, struct error *error)
             r->from = r->to;
         } else {
             seen = cr ? (size_t)(cr - from) : have;
-            if (fill(r, error) < 0)
+            if (fill_buffer(r, error) < 0)
                 return -1;
             continue;
         }
@@ -161,7 +161,7 @@ long reader_bytes(struct reader *r, void *p, size_t n, struct error *error)
         if (have == 0) {
             if (r->end)
                 break;
-            if (fill(r, error) < 0)
+            if (fill_buffer(r, error) < 0)
                 return -1;
             continue;
         }
@@ -176,7 +176,7 @@ long reader_bytes(struct reader *r, void *p, size_t n, struct error *error)
 long reader_peek(struct reader *r, const char **p, size_t want, struct error *error)
 {
     while (r->to - r->from < want && !r->end)
-        if (fill(r, error) < 0)
+        if (fill_buffer(r, error) < 0)
             return -1;
     size_t have = r->to - r->from;
     *p = r->buf + r->from;

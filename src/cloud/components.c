@@ -10,7 +10,7 @@ static const double SHARP = 0.64278760968653936;  /* cos 50 degrees */
 static const double FACING = 0.34202014332566873; /* cos 70 degrees */
 static const double SMALL = 0.01;                 /* of the cloud, that are no part */
 
-static bool faces(const struct components *c, size_t i, int direction)
+static bool faces_direction(const struct components *c, size_t i, int direction)
 {
     return vec_dot(c->normal[i], c->direction[direction]) > FACING;
 }
@@ -32,7 +32,8 @@ static int majority_label(const struct components *c, const int *label, size_t i
     for (size_t k = 0; k < CLOUD_NEAR; k++) {
         size_t j = c->neighbour[i * CLOUD_NEAR + k];
         int candidate = label[j], count = 0;
-        if (candidate == COMPONENT_NONE || (voters == DIRECTED && !faces(c, i, candidate)) ||
+        if (candidate == COMPONENT_NONE ||
+            (voters == DIRECTED && !faces_direction(c, i, candidate)) ||
             (voters == SMOOTH && !components_smooth(c, i, j)))
             continue;
         for (size_t m = 0; m < CLOUD_NEAR; m++)

@@ -34,7 +34,7 @@ static double distance2(struct vec3 a, struct vec3 b)
 }
 
 /* The point farthest from p, seen from above. */
-static struct vec3 farthest(const struct vec3 *point, size_t n, struct vec3 p)
+static struct vec3 farthest_point(const struct vec3 *point, size_t n, struct vec3 p)
 {
     struct vec3 far = p;
     double most = -1;
@@ -77,7 +77,7 @@ int plan_extent_check(const struct vec3 *point, size_t n, struct error *error)
         return error_set(error, "no points");
     if (n < 3)
         return error_set(error, "found %zu point%s, expected at least 3", n, n == 1 ? "" : "s");
-    struct vec3 a = point[0], b = farthest(point, n, a);
+    struct vec3 a = point[0], b = farthest_point(point, n, a);
     if (distance2(a, b) == 0)
         return error_set(error,
                          "all %zu points are in one place seen from above (%g, %g), expected "
@@ -90,7 +90,7 @@ int plan_extent_check(const struct vec3 *point, size_t n, struct error *error)
                          sqrt(distance2(a, b)), a.x, a.y, b.x, b.y);
     if (is_wide(point, n, a, b))
         return 0;
-    a = farthest(point, n, b); /* b is one end, this the other */
+    a = farthest_point(point, n, b); /* b is one end, this the other */
     return error_set(error,
                      "all %zu points are on one line seen from above, from (%g, %g) to (%g, %g), "
                      "expected points over an area",

@@ -4,8 +4,8 @@
 static const double PARALLEL = 1e-12; /* w below this: the tangents are parallel */
 
 /* The rest of the biarc, when its ends, tangents and legs are known. */
-static bool complete(struct vec3 from, struct vec3 t1, struct vec3 to, struct vec3 t3, double a,
-                     double b, struct biarc *biarc)
+static bool complete_biarc(struct vec3 from, struct vec3 t1, struct vec3 to, struct vec3 t3,
+                           double a, double b, struct biarc *biarc)
 {
     if (!(a > 0 && b > 0 && isfinite(a + b)))
         return false;
@@ -31,7 +31,7 @@ bool biarc_of_ratio(struct vec3 from, struct vec3 t1, struct vec3 to, struct vec
     double s2 = vec_dot(s, s), w = vec_dot(dt, dt) / 2;
     double q = vec_dot(s, t3) + ratio * vec_dot(s, t1);
     double b = s2 / (q + sqrt(q * q + 2 * ratio * w * s2));
-    return complete(from, t1, to, t3, ratio * b, b, biarc);
+    return complete_biarc(from, t1, to, t3, ratio * b, b, biarc);
 }
 
 bool biarc_shortest(struct vec3 from, struct vec3 t1, struct vec3 to, struct vec3 t3,
@@ -43,7 +43,7 @@ bool biarc_shortest(struct vec3 from, struct vec3 t1, struct vec3 to, struct vec
     if (w < PARALLEL)
         return biarc_of_ratio(from, t1, to, t3, 1, biarc);
     double u = sqrt(st1 * st3 + w * vec_dot(s, s) / 2);
-    return complete(from, t1, to, t3, (u - st3) / w, (u - st1) / w, biarc);
+    return complete_biarc(from, t1, to, t3, (u - st3) / w, (u - st1) / w, biarc);
 }
 
 void biarc_curvatures(const struct biarc *biarc, struct vec3 t3, double *first, double *second)

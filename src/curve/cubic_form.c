@@ -7,7 +7,7 @@
 
 enum { CUBIC = 3 };
 
-static void repeat(struct doubles *knots, double u, int times)
+static void repeat_knot(struct doubles *knots, double u, int times)
 {
     for (int i = 0; i < times; i++)
         *array_push(knots) = u;
@@ -21,12 +21,12 @@ static void own_knots(const struct bspline *b, struct doubles *knots)
         while (end < b->poles && b->knot[end] == b->knot[i])
             end++;
         int whole = b->degree - (int)(end - i);
-        repeat(knots, b->knot[i], whole >= CUBIC - 1 ? 1 : whole >= 0 ? CUBIC - whole : CUBIC);
+        repeat_knot(knots, b->knot[i], whole >= CUBIC - 1 ? 1 : whole >= 0 ? CUBIC - whole : CUBIC);
         i = end;
     }
 }
 
-static void sort(struct doubles *knots)
+static void sort_knots(struct doubles *knots)
 {
     for (size_t i = 1; i < knots->n; i++) {
         double u = knots->item[i];
@@ -53,8 +53,8 @@ struct bspline cubic_form(const struct bspline *b, const double *more, size_t n)
     double from = b->knot[0], to = b->knot[b->poles];
     own_knots(b, &knots);
     for (size_t i = 0; i < n; i++)
-        repeat(&knots, more[i], 1);
-    sort(&knots);
+        repeat_knot(&knots, more[i], 1);
+    sort_knots(&knots);
     struct bspline c = bspline_new(CUBIC, knots.n + CUBIC + 1, b->head != NULL);
     for (size_t i = 0; i < c.poles + CUBIC + 1; i++)
         c.knot[i] = i <= CUBIC ? from : i < c.poles ? knots.item[i - CUBIC - 1] : to;

@@ -83,8 +83,8 @@ static double pieces_in_span(const struct bspline *c, double offset, double chor
 }
 
 /* Adds the vertex at u; false when the head is too near. */
-static bool add(const struct bspline *c, double offset, struct vec3 axis, double u,
-                struct flat *flat)
+static bool add_vertex(const struct bspline *c, double offset, struct vec3 axis, double u,
+                       struct flat *flat)
 {
     struct vec3 p = bspline_at(c, c->pole, u);
 
@@ -104,7 +104,7 @@ static bool add(const struct bspline *c, double offset, struct vec3 axis, double
 bool flatten(const struct bspline *curve, double offset, struct vec3 axis, double chord,
              struct flat *flat)
 {
-    if (!usable(curve) || !add(curve, offset, axis, curve->knot[0], flat))
+    if (!usable(curve) || !add_vertex(curve, offset, axis, curve->knot[0], flat))
         return false;
     for (size_t span = (size_t)curve->degree; span < curve->poles; span++) {
         double from = curve->knot[span], to = curve->knot[span + 1];
@@ -116,7 +116,7 @@ bool flatten(const struct bspline *curve, double offset, struct vec3 axis, doubl
         int last = (int)pieces;
         for (int k = 1; k <= last; k++) {
             double u = k < last ? from + (to - from) * k / pieces : to;
-            if (!add(curve, offset, axis, u, flat))
+            if (!add_vertex(curve, offset, axis, u, flat))
                 return false;
         }
     }

@@ -88,14 +88,15 @@ struct foot polyline_foot(struct polyline b, struct foot from, double step, stru
     return best;
 }
 
-static void reach(struct walk *w, double distance)
+static void record_distance(struct walk *w, double distance)
 {
     w->reached = fmax(w->reached, distance);
     w->bound = fmax(w->bound, distance);
 }
 
 /* Takes into account the piece from p to q, whose ends have been. */
-static void between(struct walk *w, struct vec3 p, struct foot fp, struct vec3 q, struct foot fq)
+static void measure_between(struct walk *w, struct vec3 p, struct foot fp, struct vec3 q,
+                            struct foot fq)
 {
     if (fp.segment == fq.segment || w->reached > w->limit)
         return;
@@ -109,9 +110,9 @@ static void between(struct walk *w, struct vec3 p, struct foot fp, struct vec3 q
     }
     struct vec3 middle = vec_mix(p, q, 0.5);
     struct foot fm = polyline_foot(w->b, fp, length / 2, middle);
-    reach(w, fm.distance);
-    between(w, p, fp, middle, fm);
-    between(w, middle, fm, q, fq);
+    record_distance(w, fm.distance);
+    measure_between(w, p, fp, middle, fm);
+    measure_between(w, middle, fm, q, fq);
 }
 
 double polyline_distance(struct polyline a, struct polyline b, double limit, double slack,
@@ -121,14 +122,14 @@ double polyline_distance(struct polyline a, struct polyline b, double limit, dou
     struct foot before = {0, 0, vec_distance(a.point[0], b.point[0])};
 
     before = polyline_foot(b, before, 0, a.point[0]);
-    reach(&w, before.distance);
+    record_distance(&w, before.distance);
     if (foot != NULL)
         foot[0] = before;
     for (size_t i = 1; i < a.n && w.reached <= limit; i++) {
         double step = vec_distance(a.point[i - 1], a.point[i]);
         struct foot here = polyline_foot(b, before, step, a.point[i]);
-        reach(&w, here.distance);
-        between(&w, a.point[i - 1], before, a.point[i], here);
+        record_distance(&w, here.distance);
+        measure_between(&w, a.point[i - 1], before, a.point[i], here);
         before = here;
         if (foot != NULL)
             foot[i] = here;

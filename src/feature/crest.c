@@ -103,7 +103,7 @@ static double over_chord(const struct profile *p, double part, double height)
 }
 
 /* The step that is highest over the chord, or deepest under it where sign is -1; 0: none is. */
-static int extreme(const struct profile *p, double sign, double *over)
+static int extreme_step(const struct profile *p, double sign, double *over)
 {
     int top = 0;
 
@@ -268,7 +268,7 @@ struct crest crest_find(const struct feature_cloud *cloud, struct vec3 a, struct
     if (!find_up(&p) || !follow_surface(&p))
         return c;
     for (int i = 0; i < 2; i++)
-        step[i] = extreme(&p, sign[i], &over[i]);
+        step[i] = extreme_step(&p, sign[i], &over[i]);
     int first = over[0] > over[1] ? 0 : 1;
     for (int i = 0; i < 2 && c.n == 0; i++) {
         int k = i == 0 ? first : 1 - first;

@@ -50,8 +50,8 @@ static bool leaves_more(const struct pair *p, const struct feature_cloud *cloud,
 }
 
 /* The points nearest to the crease are all on one side of the sheets. */
-static bool gapes(const struct pair *p, const struct feature_cloud *cloud, const struct vec3 *near,
-                  size_t n)
+static bool crease_gapes(const struct pair *p, const struct feature_cloud *cloud,
+                         const struct vec3 *near, size_t n)
 {
     double mean, rms;
 
@@ -72,7 +72,7 @@ static bool is_rib(const struct pair *p, const struct feature_cloud *cloud, cons
     if (leaves_more(p, cloud, found, all, rib.rms))
         return true;
     size_t third = neighbourhood_along(near, n, at, along, RIDGE_DIRECTION_LONGER, some / 3, found);
-    return gapes(p, cloud, found, third);
+    return crease_gapes(p, cloud, found, third);
 }
 
 bool feature_test_sharp(const struct feature_cloud *cloud, const struct side_fit sheet[2],
@@ -88,7 +88,8 @@ bool feature_test_sharp(const struct feature_cloud *cloud, const struct side_fit
     if (quadric_fit(near, CLOSE, at, up, &one) == 0 &&
         leaves_more(&p, cloud, near, CLOSE, quadric_rms(&one, near, CLOSE)))
         return false;
-    return !gapes(&p, cloud, near, CLOSE / 2) && !is_rib(&p, cloud, near, n, CLOSE, at, along) &&
+    return !crease_gapes(&p, cloud, near, CLOSE / 2) &&
+           !is_rib(&p, cloud, near, n, CLOSE, at, along) &&
            !is_rib(&p, cloud, near, n, STRIP, at, along);
 }
 
@@ -319,7 +320,7 @@ static bool find_crease(const struct feature_cloud *cloud, struct vec3 a, struct
 }
 
 /* The sheets turn into each other, and by more than they turn on the way there. */
-static bool turns(const struct feature *f)
+static bool sheets_turn(const struct feature *f)
 {
     double bend = vec_angle(f->normal[0], f->end[0]) + vec_angle(f->normal[1], f->end[1]);
 
@@ -356,7 +357,7 @@ struct feature feature_crease(const struct feature_cloud *cloud, struct vec3 a, 
             !find_crease(cloud, a, b, i == 0, &p, &at))
             continue;
         struct feature f = crease_of(&p, at, a, b);
-        if (turns(&f) && better_than_one(&p, cloud) &&
+        if (sheets_turn(&f) && better_than_one(&p, cloud) &&
             feature_test_sharp(cloud, p.sheet, p.w, at, f.along))
             return f;
     }

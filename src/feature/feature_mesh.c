@@ -32,7 +32,7 @@ struct search {
 };
 
 /* The normals at the ends of an edge differ, or it leaves one of the surfaces that they are of. */
-static bool turns(const struct mesh *mesh, const struct mesh_edge *e)
+static bool surface_turns(const struct mesh *mesh, const struct mesh_edge *e)
 {
     struct vec3 m = mesh->normal.item[e->v[0]], n = mesh->normal.item[e->v[1]];
     struct vec3 way = vec_unit(vec_sub(mesh->vertex.item[e->v[1]], mesh->vertex.item[e->v[0]]));
@@ -88,7 +88,7 @@ static void classify_edges(void *context, size_t from, size_t to)
         if (feature_steep(&s->cloud, a, b))
             *f = feature_wall(&s->cloud, a, b);
         bool rough = s->rough[v] || s->rough[w];
-        if (f->kind == FEATURE_NONE && !s->walls_only && rough && turns(m, edge))
+        if (f->kind == FEATURE_NONE && !s->walls_only && rough && surface_turns(m, edge))
             *f = feature_crease(&s->cloud, a, b, m->normal.item[v], m->normal.item[w]);
         if (f->kind != FEATURE_NONE && !faces_up(f))
             f->kind = FEATURE_NONE;
@@ -102,7 +102,7 @@ static size_t count_doubtful(const struct search *s)
     for (size_t e = 0; e < s->edges->n; e++) {
         const struct mesh_edge *edge = &s->edges->edge[e];
         found += edge->facet[0] >= 0 && (s->rough[edge->v[0]] || s->rough[edge->v[1]]) &&
-                 turns(s->mesh, edge);
+                 surface_turns(s->mesh, edge);
     }
     return found;
 }
@@ -152,7 +152,7 @@ static void mark_turns(struct search *s)
 {
     for (size_t e = 0; e < s->edges->n; e++) {
         const struct mesh_edge *edge = &s->edges->edge[e];
-        if (turns(s->mesh, edge))
+        if (surface_turns(s->mesh, edge))
             s->rough[edge->v[0]] = s->rough[edge->v[1]] = 1;
     }
 }

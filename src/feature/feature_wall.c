@@ -210,8 +210,8 @@ static bool trace_wall(const struct feature_cloud *cloud, const struct level lev
 }
 
 /* How far the points of a wall are from where it was found, seen from above. */
-static double unsupported(const struct feature_cloud *cloud, const struct level level[2],
-                          const struct feature *f, const struct plane_fit *plane)
+static double unsupported_distance(const struct feature_cloud *cloud, const struct level level[2],
+                                   const struct feature *f, const struct plane_fit *plane)
 {
     struct vec3 near[2 * NEAR], at = vec_mix(f->place[0], f->place[1], 0.5);
     double least = INFINITY;
@@ -247,11 +247,11 @@ static bool find_wall(const struct feature_cloud *cloud, const struct level leve
     struct feature other = *f;
     struct plane_fit plane, second;
     bool found = trace_wall(cloud, level, a, b, NULL, f, &plane);
-    double off = found ? unsupported(cloud, level, f, &plane) : INFINITY;
+    double off = found ? unsupported_distance(cloud, level, f, &plane) : INFINITY;
 
     if (found && trace_wall(cloud, level, a, b, &plane, &other, &second) &&
         fabs(vec_dot(plane.normal, second.normal)) < same) {
-        double other_off = unsupported(cloud, level, &other, &second);
+        double other_off = unsupported_distance(cloud, level, &other, &second);
         struct vec3 top = a.z > b.z ? a : b, down = vec_sub(a.z > b.z ? b : a, top);
         struct vec3 out =
             vec_dot(second.normal, down) < 0 ? vec_scale(-1, second.normal) : second.normal;

@@ -86,8 +86,8 @@ static struct lifted_point lift_point(const struct run_point *p, const struct kd
 }
 
 /* Half way between two points, not lifted. */
-static struct run_point halfway(const struct lifted_point *a, const struct lifted_point *b,
-                                const struct gouge_lift_options *rule)
+static struct run_point halfway_point(const struct lifted_point *a, const struct lifted_point *b,
+                                      const struct gouge_lift_options *rule)
 {
     struct run_point p = {.normal = vec_unit(vec_add(a->p.normal, b->p.normal))};
 
@@ -111,7 +111,7 @@ static struct kdtree_touch touch_of(const struct lifted_point *a, const struct l
 static struct lifted_point lift_halfway(const struct lifted_point *a, const struct lifted_point *b,
                                         const struct gouge_lift_options *rule, double radius)
 {
-    struct run_point p = halfway(a, b, rule);
+    struct run_point p = halfway_point(a, b, rule);
     struct kdtree_touch touch = touch_of(a, b);
 
     return lift_point(&p, &touch, rule, radius);
@@ -155,7 +155,7 @@ static void add_between(const struct lifted_point *a, const struct lifted_point 
 {
     if (are_close(a, b, rule))
         return;
-    struct run_point between = halfway(a, b, rule), least = between;
+    struct run_point between = halfway_point(a, b, rule), least = between;
     struct kdtree_touch touch = touch_of(a, b);
     struct vec3 touching = vec_along(between.contact, rule->offset, between.normal);
     double lift = kdtree_leave_these(&touch, touching, between.normal, rule->offset);
@@ -221,8 +221,8 @@ static void add_point(struct lifted_strip *to, const struct lifted_point *l,
 }
 
 /* A jump of the lift: the centres are that much further apart than the points they belong to. */
-static bool jumps(const struct lifted_point *a, const struct lifted_point *b,
-                  const struct gouge_lift_options *rule)
+static bool lift_jumps(const struct lifted_point *a, const struct lifted_point *b,
+                       const struct gouge_lift_options *rule)
 {
     double apart = vec_distance(a->p.ball, b->p.ball);
 
@@ -266,7 +266,7 @@ static bool needs_bridge(const struct lifted_point *a, const struct lifted_point
 {
     if (!rule->guard)
         return false;
-    if (rule->between && jumps(a, b, rule))
+    if (rule->between && lift_jumps(a, b, rule))
         return true;
     return (rule->between || a->unreachable || b->unreachable) &&
            !is_line_clear(&a->p, &b->p, rule);

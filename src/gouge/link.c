@@ -12,7 +12,7 @@ static const double FLAT = 0.17364817766693033;
 static const double ARCH = 0.4; /* times s (1 - s), of the length: a tenth in the middle */
 
 /* The direction out of the material, as far as the point knows. */
-static struct vec3 outwards(const struct run_point *p)
+static struct vec3 outward_direction(const struct run_point *p)
 {
     return vec_length(p->normal) > 0 ? p->normal : p->axis;
 }
@@ -26,7 +26,7 @@ static bool try_arch(const struct gouge_lift_options *lift, const struct run_poi
 
     for (size_t i = 1; i <= parts; i++) {
         double s = (double)i / (double)parts, arch = ARCH * s * (1 - s) * length;
-        struct vec3 up = vec_slerp(outwards(from), outwards(to), s);
+        struct vec3 up = vec_slerp(outward_direction(from), outward_direction(to), s);
         struct run_point p = {.axis = vec_slerp(from->axis, to->axis, s)};
         p.ball = vec_along(vec_mix(from->ball, to->ball, s), arch, up);
         double rise = gouge_least_lift(lift->guard, p.ball, up, lift->offset, limit, NULL);

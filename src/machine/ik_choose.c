@@ -19,7 +19,7 @@ static bool within_travel(const struct rotary *rotary, double from, double *q)
 }
 
 /* a and b in order of merit, the first that differs: true when a is the better. */
-static bool better(const double a[3], const double b[3])
+static bool is_better(const double a[3], const double b[3])
 {
     for (int i = 0; i < 3; i++)
         if (fabs(a[i] - b[i]) > 1e-9)
@@ -51,8 +51,8 @@ double ik_most_turn(const struct kinematic_chain *chain, const double a[], const
     return most;
 }
 
-static void rank(const struct kinematic_chain *chain, const double from[], const double q[],
-                 bool smooth, double m[3])
+static void rank_solution(const struct kinematic_chain *chain, const double from[],
+                          const double q[], bool smooth, double m[3])
 {
     double sum = 0, away = 0, master = 0;
     for (int i = 0; i < chain->n; i++) {
@@ -91,8 +91,8 @@ int ik_choose(const struct kinematic_chain *chain, struct vec3 axis, const doubl
                 inside = false;
                 *over = i;
             }
-        rank(chain, from, s.q[k], smooth, m);
-        if (!inside || (found >= 0 && !better(m, best)))
+        rank_solution(chain, from, s.q[k], smooth, m);
+        if (!inside || (found >= 0 && !is_better(m, best)))
             continue;
         found = k;
         for (int i = 0; i < 3; i++)

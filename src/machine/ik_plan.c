@@ -36,7 +36,7 @@ static double travel_between(const struct search *s, const double a[], const dou
     return s->weight[0] * fabs(a[0] - b[0]) + s->weight[1] * fabs(a[1] - b[1]);
 }
 
-static bool beats(unsigned turns, double cost, const struct state *than)
+static bool is_cheaper(unsigned turns, double cost, const struct state *than)
 {
     return !(than->travel < HUGE_VAL) || turns < than->turns ||
            (turns == than->turns && cost < than->travel);
@@ -44,7 +44,7 @@ static bool beats(unsigned turns, double cost, const struct state *than)
 
 static bool improve(struct state *state, unsigned turns, double cost, const double q[])
 {
-    if (!beats(turns, cost, state))
+    if (!is_cheaper(turns, cost, state))
         return false;
     *state = (struct state){turns, cost, {q[0], q[1]}};
     return true;
@@ -61,7 +61,7 @@ static int best_state(const struct state row[], int n)
     int found = -1;
     for (int s = 0; s < n; s++)
         if (row[s].travel < HUGE_VAL &&
-            (found < 0 || beats(row[s].turns, row[s].travel, &row[found])))
+            (found < 0 || is_cheaper(row[s].turns, row[s].travel, &row[found])))
             found = s;
     return found;
 }
@@ -253,8 +253,8 @@ static struct search search_of(const struct ik_plan *plan, size_t n)
 }
 
 /* The best of the last states, without turns back where that can be; -1: none. */
-static int search(struct search *s, const struct ik_plan_place place[], size_t n,
-                  const double from[])
+static int best_last_state(struct search *s, const struct ik_plan_place place[], size_t n,
+                           const double from[])
 {
     struct state start = {.q = {from[0], from[1]}};
     clear_row(s->turned, s->states.n);
@@ -267,7 +267,7 @@ static int search(struct search *s, const struct ik_plan_place place[], size_t n
     if (last >= 0 || s->turns)
         return last;
     s->turns = true;
-    return search(s, place, n, from);
+    return best_last_state(s, place, n, from);
 }
 
 int ik_plan_make(const struct ik_plan *plan, struct ik_plan_place place[], size_t n,
@@ -275,7 +275,7 @@ int ik_plan_make(const struct ik_plan *plan, struct ik_plan_place place[], size_
 {
     struct search s = search_of(plan, n);
     struct state *rows = s.row;
-    int last = search(&s, place, n, from);
+    int last = best_last_state(&s, place, n, from);
     if (last >= 0) {
         int *at = mem_alloc(n, sizeof *at);
         *cost = (struct ik_plan_cost){s.row[last].turns, s.row[last].travel};

@@ -23,7 +23,7 @@ static struct vec3 ball_of(const struct interpolation *f, struct pose at)
 }
 
 /* vec_angle, quick for the small ones: two terms of the series. */
-static double angle(struct vec3 a, struct vec3 b)
+static double quick_angle(struct vec3 a, struct vec3 b)
 {
     struct vec3 cross = vec_cross(a, b);
     double sine2 = vec_dot(cross, cross), cosine = vec_dot(a, b);
@@ -38,7 +38,7 @@ struct pose_deviation interpolation_difference(const struct interpolation *f, st
     double point = vec_distance(a.p, b.p);
     if (f->ball != 0)
         point = fmax(point, vec_distance(ball_of(f, a), ball_of(f, b)));
-    return (struct pose_deviation){point, angle(a.a, b.a)};
+    return (struct pose_deviation){point, quick_angle(a.a, b.a)};
 }
 
 struct pose interpolation_pose(const struct interpolation *f, const struct block_pose *from,

@@ -8,17 +8,17 @@
 #include "base/num.h"
 #include "math/vec.h"
 
-static bool blank(char c)
+static bool is_blank(char c)
 {
     return c == ' ' || c == '\t' || c == '\r' || c == '\f';
 }
 
 char *keys_trim(char *text)
 {
-    while (blank(*text))
+    while (is_blank(*text))
         text++;
     size_t n = strcspn(text, "#");
-    while (n && blank(text[n - 1]))
+    while (n && is_blank(text[n - 1]))
         n--;
     text[n] = '\0';
     return text;
@@ -66,9 +66,9 @@ static int set_vector(const struct key *key, const char *text, const char *name,
     double v[3];
     const char *s = text;
     for (int i = 0; i < 3; i++) {
-        while (blank(*s))
+        while (is_blank(*s))
             s++;
-        if (!num_read(&s, &v[i]) || !isfinite(v[i]) || (*s && !blank(*s)))
+        if (!num_read(&s, &v[i]) || !isfinite(v[i]) || (*s && !is_blank(*s)))
             return error_at(error, name, line, "%s: found `%.40s`, expected three numbers",
                             key->name, text);
     }

@@ -34,15 +34,15 @@ double box_diagonal(const struct box *box)
     return box->low.x <= box->high.x ? vec_distance(box->low, box->high) : 0;
 }
 
-static double outside(double low, double x, double high)
+static double distance_outside(double low, double x, double high)
 {
     return x < low ? low - x : x > high ? x - high : 0;
 }
 
 double box_distance2(const struct box *box, struct vec3 p)
 {
-    double x = outside(box->low.x, p.x, box->high.x);
-    double y = outside(box->low.y, p.y, box->high.y);
-    double z = outside(box->low.z, p.z, box->high.z);
+    double x = distance_outside(box->low.x, p.x, box->high.x);
+    double y = distance_outside(box->low.y, p.y, box->high.y);
+    double z = distance_outside(box->low.z, p.z, box->high.z);
     return x * x + y * y + z * z;
 }

@@ -60,7 +60,7 @@ static int factor(const struct moments *m, double a[TERMS][TERMS])
 }
 
 /* U' y = b */
-static void forward(double a[TERMS][TERMS], const double b[TERMS], double y[TERMS])
+static void solve_forward(double a[TERMS][TERMS], const double b[TERMS], double y[TERMS])
 {
     for (int i = 0; i < TERMS; i++) {
         y[i] = b[i];
@@ -75,7 +75,7 @@ static double variance_of(double a[TERMS][TERMS], int term)
 {
     double pick[TERMS] = {0}, y[TERMS], sum2 = 0;
     pick[term] = 1;
-    forward(a, pick, y);
+    solve_forward(a, pick, y);
     for (int i = term; i < TERMS; i++)
         sum2 += y[i] * y[i];
     return sum2;
@@ -110,7 +110,7 @@ int cubic_fit(const struct vec3 *point, const double *weight, size_t n, struct v
     }
     if (count < TERMS || factor(&m, a) < 0)
         return -1;
-    forward(a, m.w, x);
+    solve_forward(a, m.w, x);
     for (int i = TERMS - 1; i >= 0; i--) {
         for (int j = i + 1; j < TERMS; j++)
             x[i] -= a[i][j] * x[j];

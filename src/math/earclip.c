@@ -29,12 +29,12 @@ static double square(struct uv a, struct uv b)
     return (b.u - a.u) * (b.u - a.u) + (b.v - a.v) * (b.v - a.v);
 }
 
-static bool holds(struct uv a, struct uv b, struct uv c, struct uv p)
+static bool triangle_holds(struct uv a, struct uv b, struct uv c, struct uv p)
 {
     return area_of(a, b, p) >= 0 && area_of(b, c, p) >= 0 && area_of(c, a, p) >= 0;
 }
 
-static bool same(struct uv a, struct uv b)
+static bool same_place(struct uv a, struct uv b)
 {
     return square(a, b) <= 0;
 }
@@ -48,7 +48,8 @@ static double quality_of(const struct ring *r, size_t i)
         return -1;
     for (size_t k = r->next[r->next[i]]; k != r->last[i]; k = r->next[k]) {
         struct uv p = r->at[k];
-        if (holds(a, b, c, p) && !same(p, a) && !same(p, b) && !same(p, c))
+        if (triangle_holds(a, b, c, p) && !same_place(p, a) && !same_place(p, b) &&
+            !same_place(p, c))
             return -1;
     }
     return area / (square(a, b) + square(b, c) + square(c, a));

@@ -256,7 +256,7 @@ struct nearest {
 
 /* Puts a point where `at` is free, among the first n, those under it nearer; among equals the
  * larger index is the farther. */
-static void settle(struct nearest *s, size_t at, size_t n, size_t index, double distance2)
+static void sift_down(struct nearest *s, size_t at, size_t n, size_t index, double distance2)
 {
     size_t *all = s->index;
     double *d2 = s->distance2;
@@ -274,7 +274,7 @@ static void settle(struct nearest *s, size_t at, size_t n, size_t index, double 
     d2[at] = distance2;
 }
 
-static void offer(struct nearest *s, const struct kd_point *p)
+static void offer_point(struct nearest *s, const struct kd_point *p)
 {
     double d2 = kd_distance2(p->c, s->q);
 
@@ -282,11 +282,11 @@ static void offer(struct nearest *s, const struct kd_point *p)
         s->index[s->n] = p->index;
         s->distance2[s->n++] = d2;
         for (size_t at = s->n == s->k ? s->k / 2 : 0; at-- > 0;)
-            settle(s, at, s->k, s->index[at], s->distance2[at]);
+            sift_down(s, at, s->k, s->index[at], s->distance2[at]);
         return;
     }
     if (d2 < s->distance2[0] || (d2 == s->distance2[0] && p->index < s->index[0]))
-        settle(s, 0, s->n, p->index, d2);
+        sift_down(s, 0, s->n, p->index, d2);
 }
 
 /* `box2` is the squared distance from q to the box of [from, to). */
@@ -294,7 +294,7 @@ static void search_nearest(struct nearest *s, size_t from, size_t to, double box
 {
     if (to - from <= KD_LEAF) {
         for (size_t i = from; i < to; i++)
-            offer(s, &s->tree->point[i]);
+            offer_point(s, &s->tree->point[i]);
         return;
     }
     size_t middle = from + (to - from) / 2;
@@ -306,7 +306,7 @@ static void search_nearest(struct nearest *s, size_t from, size_t to, double box
         search_nearest(s, from, middle, box2);
     else
         search_nearest(s, middle + 1, to, box2);
-    offer(s, &s->tree->point[middle]);
+    offer_point(s, &s->tree->point[middle]);
     double far2 = box2 - square(before) + square(beyond);
     if (s->n < s->k || far2 * (1 - 1e-12) <= s->distance2[0]) {
         s->off[axis] = beyond;
@@ -326,7 +326,7 @@ static void sort_heap(struct nearest *s)
         double distance2 = s->distance2[last];
         s->index[last] = s->index[0];
         s->distance2[last] = s->distance2[0];
-        settle(s, 0, last, index, distance2);
+        sift_down(s, 0, last, index, distance2);
     }
 }
 
@@ -679,7 +679,7 @@ struct leaving {
  * A point p keeps the centre c + h * up out of an interval of h: those with |c + h up - p| < R. Its
  * upper end, a root of a quadratic.
  */
-static double leaves(const double p[3], struct vec3 c, struct vec3 up, double radius)
+static double height_of_leaving(const double p[3], struct vec3 c, struct vec3 up, double radius)
 {
     struct vec3 d = vec_sub(vec(p[0], p[1], p[2]), c);
     double along = vec_dot(d, up);
@@ -698,10 +698,10 @@ static void rise_to(struct leaving *l, double h)
     l->at[2] = at.z;
 }
 
-static void meet(struct leaving *l, const struct kd_point *p)
+static void meet_point(struct leaving *l, const struct kd_point *p)
 {
     if (kd_distance2(p->c, l->at) < l->inside2) {
-        rise_to(l, fmax(l->h, leaves(p->c, l->c, l->up, l->radius)));
+        rise_to(l, fmax(l->h, height_of_leaving(p->c, l->c, l->up, l->radius)));
         l->last = (struct kdtree_touch){1, {{p->c[0], p->c[1], p->c[2]}}};
     }
 }
@@ -711,7 +711,7 @@ static void leave(struct leaving *l, size_t from, size_t to, size_t number)
     if (to - from <= KD_LEAF) {
         for (size_t i = from; i < to; i++)
             if (kd_distance2(l->tree->point[i].c, l->at) < l->inside2)
-                meet(l, &l->tree->point[i]);
+                meet_point(l, &l->tree->point[i]);
         return;
     }
     size_t middle = from + (to - from) / 2;
@@ -725,7 +725,7 @@ static void leave(struct leaving *l, size_t from, size_t to, size_t number)
         else
             leave(l, middle + 1, to, 2 * number + 1);
     }
-    meet(l, &l->tree->point[middle]);
+    meet_point(l, &l->tree->point[middle]);
     /* It may have risen since. */
     if (l->h > l->limit || kd_gap2(&half[left], l->at) >= l->inside2)
         return;
@@ -749,7 +749,7 @@ static void leave_these(struct leaving *l, const struct kdtree_touch *these)
 {
     for (size_t i = 0; these->n > 0 && i <= these->n; i++) {
         struct vec3 p = these->p[i < these->n ? i : 0];
-        meet(l, &(struct kd_point){{p.x, p.y, p.z}, 0});
+        meet_point(l, &(struct kd_point){{p.x, p.y, p.z}, 0});
     }
 }
 
@@ -802,7 +802,7 @@ struct last {
 };
 
 /* How far the line up through c passes by a box, at least. */
-static double passes(const struct last *l, const struct kd_box *box)
+static double line_distance(const struct last *l, const struct kd_box *box)
 {
     struct vec3 half =
         vec(box->high[0] - box->low[0], box->high[1] - box->low[1], box->high[2] - box->low[2]);
@@ -814,12 +814,12 @@ static double passes(const struct last *l, const struct kd_box *box)
 }
 
 /* No point in the box is left later than this. */
-static double latest(const struct last *l, const struct kd_box *box)
+static double latest_leaving(const struct last *l, const struct kd_box *box)
 {
     struct vec3 far =
         vec(l->up.x > 0 ? box->high[0] : box->low[0], l->up.y > 0 ? box->high[1] : box->low[1],
             l->up.z > 0 ? box->high[2] : box->low[2]);
-    double across = fmax(0, passes(l, box));
+    double across = fmax(0, line_distance(l, box));
 
     if (across * (1 - 1e-12) >= l->inside)
         return -INFINITY;
@@ -832,7 +832,7 @@ static void meet_last(struct last *l, const struct kd_point *p)
     struct vec3 d = vec_sub(vec(p->c[0], p->c[1], p->c[2]), l->c);
 
     if (vec_length(vec_reject(d, l->up)) < l->inside)
-        l->h = fmax(l->h, leaves(p->c, l->c, l->up, l->radius));
+        l->h = fmax(l->h, height_of_leaving(p->c, l->c, l->up, l->radius));
 }
 
 static void find_last(struct last *l, size_t from, size_t to, size_t number)
@@ -844,7 +844,7 @@ static void find_last(struct last *l, size_t from, size_t to, size_t number)
     }
     size_t middle = from + (to - from) / 2;
     const struct kd_box *half = &l->tree->box[2 * number];
-    double first = latest(l, &half[0]), second = latest(l, &half[1]);
+    double first = latest_leaving(l, &half[0]), second = latest_leaving(l, &half[1]);
     bool left = first >= second;
 
     meet_last(l, &l->tree->point[middle]);

@@ -54,7 +54,7 @@ double pnorm_cost(const struct pnorm *s, const double *off, const double held[3]
 }
 
 /* Pair i of the distances and their slopes become those of (d / scale)^half. */
-static void weigh(struct pnorm *s, size_t i, int half, double scale)
+static void weigh_pair(struct pnorm *s, size_t i, int half, double scale)
 {
     double x = s->off[2 * i], y = s->off[2 * i + 1], d = sqrt(x * x + y * y);
     double f = power(d / scale, half - 1) / scale;
@@ -83,7 +83,8 @@ static double dot(const double *a, const double *b, size_t from, size_t to)
 }
 
 /* Sum over the points [from, to), both ends of the lever. */
-static double dots(const struct pnorm *s, const double *a, const double *b, size_t from, size_t to)
+static double sum_of_products(const struct pnorm *s, const double *a, const double *b, size_t from,
+                              size_t to)
 {
     size_t n = s->points;
     double sum = dot(a, b, from, to);
@@ -93,19 +94,19 @@ static double dots(const struct pnorm *s, const double *a, const double *b, size
 void pnorm_equations(struct pnorm *s, int half, double scale)
 {
     for (size_t i = 0; i < s->pairs; i++)
-        weigh(s, i, half, scale);
+        weigh_pair(s, i, half, scale);
     for (size_t k = 0; k < s->unknowns; k++) {
         const struct pnorm_column *c = &s->column[k];
         const double *h = c->held, *g = s->held;
         s->right[k] = -(h[0] * g[0] + h[1] * g[1] + h[2] * g[2]) -
-                      dots(s, c->slope, s->weighed, c->from, c->to);
+                      sum_of_products(s, c->slope, s->weighed, c->from, c->to);
         for (size_t l = 0; l <= k; l++) {
             const struct pnorm_column *d = &s->column[l];
             size_t from = c->from > d->from ? c->from : d->from;
             size_t to = c->to < d->to ? c->to : d->to;
             g = d->held;
-            *band_at(&s->normal, k, l) =
-                h[0] * g[0] + h[1] * g[1] + h[2] * g[2] + dots(s, c->slope, d->slope, from, to);
+            *band_at(&s->normal, k, l) = h[0] * g[0] + h[1] * g[1] + h[2] * g[2] +
+                                         sum_of_products(s, c->slope, d->slope, from, to);
         }
     }
 }

@@ -13,16 +13,16 @@ enum { PARTS = 4 }; /* of the cells, for threads to fill */
 
 static const double CELLS_WIDE = 3; /* a cell, in spacings */
 
-static double along(struct vec3 p, int axis)
+static double coordinate(struct vec3 p, int axis)
 {
     return axis == 0 ? p.x : p.y;
 }
 
 static void range_of(const struct vec3 *point, size_t n, int axis, double *low, double *high)
 {
-    *low = *high = along(point[0], axis);
+    *low = *high = coordinate(point[0], axis);
     for (size_t i = 1; i < n; i++) {
-        double v = along(point[i], axis);
+        double v = coordinate(point[i], axis);
         *low = v < *low ? v : *low;
         *high = v > *high ? v : *high;
     }
@@ -37,7 +37,7 @@ static void core_of(const struct vec3 *point, size_t n, int axis, double *low, d
         size_t bin[BINS] = {0}, cut[2] = {0, 0};
         double width = (*high - *low) / BINS;
         for (size_t i = 0; i < n; i++) {
-            double v = (along(point[i], axis) - *low) / width;
+            double v = (coordinate(point[i], axis) - *low) / width;
             bin[v > 0 ? (v < BINS - 1 ? (size_t)v : BINS - 1) : 0]++;
         }
         size_t from = 0, to = BINS;
@@ -364,7 +364,7 @@ struct heap {
 };
 
 /* Of two equally far points the later one in the array is the farther. */
-static int farther(const struct heap *h, size_t a, size_t b)
+static int is_farther(const struct heap *h, size_t a, size_t b)
 {
     if (h->distance2[a] != h->distance2[b])
         return h->distance2[a] > h->distance2[b];
@@ -372,10 +372,10 @@ static int farther(const struct heap *h, size_t a, size_t b)
 }
 
 /* Puts a point where `at` is free, among the first n, its children nearer. */
-static void settle(struct heap *h, size_t at, size_t n, uint32_t index, double distance2)
+static void sift_down(struct heap *h, size_t at, size_t n, uint32_t index, double distance2)
 {
     for (size_t child; (child = 2 * at + 1) < n; at = child) {
-        child += child + 1 < n && farther(h, child + 1, child);
+        child += child + 1 < n && is_farther(h, child + 1, child);
         if (h->distance2[child] < distance2 ||
             (h->distance2[child] == distance2 && h->index[child] < index))
             break;
@@ -398,9 +398,9 @@ static void offer_cells(const struct point_grid *b, struct vec3 q, size_t row, s
             h->distance2[h->n++] = d2;
             if (h->n == h->k)
                 for (size_t at = h->k / 2; at-- > 0;)
-                    settle(h, at, h->k, h->index[at], h->distance2[at]);
+                    sift_down(h, at, h->k, h->index[at], h->distance2[at]);
         } else if (d2 < h->distance2[0] || (d2 == h->distance2[0] && i < h->index[0])) {
-            settle(h, 0, h->k, i, d2);
+            sift_down(h, 0, h->k, i, d2);
         }
     }
 }
@@ -410,13 +410,13 @@ static void sort_heap(struct heap *h)
 {
     if (h->n < h->k)
         for (size_t at = h->n / 2; at-- > 0;)
-            settle(h, at, h->n, h->index[at], h->distance2[at]);
+            sift_down(h, at, h->n, h->index[at], h->distance2[at]);
     for (size_t last = h->n; last-- > 1;) {
         uint32_t index = h->index[last];
         double distance2 = h->distance2[last];
         h->index[last] = h->index[0];
         h->distance2[last] = h->distance2[0];
-        settle(h, 0, last, index, distance2);
+        sift_down(h, 0, last, index, distance2);
     }
 }
 

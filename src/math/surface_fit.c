@@ -32,8 +32,8 @@ static void gather_hood(const struct point_grid *b, struct vec3 vertex, size_t k
 
 /* Weights of the first k points; returns their spread about the quadric.  Where it passes a good
  * part of them by it is not theirs: infinite. *farthest: the largest of their distances. */
-static double weigh(const struct quadric *q, struct surface_fit_hood *hood, size_t k, double sigma,
-                    double *farthest)
+static double weigh_points(const struct quadric *q, struct surface_fit_hood *hood, size_t k,
+                           double sigma, double *farthest)
 {
     const double terms = 6, most = 0.6;
     double sum = 0, sum2 = 0;
@@ -82,14 +82,14 @@ static int fit_through(struct surface_fit_hood *hood, size_t k, struct vec3 vert
     if (fit_weighted(hood, NULL, k, vertex, normal, sigma, q) < 0)
         return -1;
     fit->n = k;
-    fit->spread = weigh(q, hood, k, INFINITY, &farthest);
+    fit->spread = weigh_points(q, hood, k, INFINITY, &farthest);
     for (int i = 0; i < REFITS && farthest > far * sigma; i++) {
         struct quadric next;
-        fit->spread = weigh(q, hood, k, fmax(sigma, fit->spread), &farthest);
+        fit->spread = weigh_points(q, hood, k, fmax(sigma, fit->spread), &farthest);
         if (fit_weighted(hood, hood->weight, k, vertex, quadric_normal(q), sigma, &next) < 0)
             break;
         *q = next;
-        fit->spread = weigh(q, hood, k, fmax(sigma, fit->spread), &farthest);
+        fit->spread = weigh_points(q, hood, k, fmax(sigma, fit->spread), &farthest);
     }
     fit->offset = vec_dot(vec_sub(quadric_foot(q), vertex), guess);
     fit->reach = vec_distance(hood->point[k - 1], vertex);
@@ -138,7 +138,8 @@ static bool same_spread(const struct surface_fit *wide, const struct surface_fit
     return wide->spread <= bent * fmax(part->spread, sigma);
 }
 
-static bool agree(const struct surface_fit *wide, const struct surface_fit *part, double sigma)
+static bool surfaces_agree(const struct surface_fit *wide, const struct surface_fit *part,
+                           double sigma)
 {
     return same_foot(wide, part, sigma, 1) && same_spread(wide, part, sigma);
 }
@@ -174,7 +175,7 @@ static size_t widest_hood(const struct surface_fit_options *rule, struct vec3 ve
             is_useless(&fit[n].q, rule->sigma))
             continue;
         for (size_t i = 0; i < n; i++)
-            if (!agree(&fit[n], &fit[i], rule->sigma))
+            if (!surfaces_agree(&fit[n], &fit[i], rule->sigma))
                 return widest;
         widest = count;
         n++;
@@ -199,7 +200,7 @@ static size_t begin_at(const struct surface_fit_options *rule, struct vec3 verte
         gather_hood(rule->point_grid, vertex, k, hood);
         if (fit_to(hood, hood->n, vertex, guess, rule->sigma, &wide) == 0) {
             bool useless = began == 0 || is_useless(&fit->q, rule->sigma);
-            if (!useless && (k > most || !agree(&wide, fit, rule->sigma)))
+            if (!useless && (k > most || !surfaces_agree(&wide, fit, rule->sigma)))
                 return began;
             *fit = wide;
             began = hood->n;

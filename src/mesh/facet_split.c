@@ -69,7 +69,7 @@ double facet_split_worst(const struct facet_split *w, int facet, int *at)
 }
 
 /* Where an edge of a facet led to `from` it leads to `to`. */
-static void relink(struct facet_split *w, int facet, int from, int to)
+static void relink_facet(struct facet_split *w, int facet, int from, int to)
 {
     for (int k = 0; facet != FACET_SPLIT_NONE && k < 3; k++)
         if (w->beyond.item[3 * facet + k] == from)
@@ -113,8 +113,8 @@ static bool in_circle(struct vec3 a, struct vec3 b, struct vec3 c, struct vec3 d
 }
 
 /* Spreads points over the facets, each to the first that it is over. */
-static void distribute(struct facet_split *w, const struct ints *points, const int *facet,
-                       int facets)
+static void distribute_points(struct facet_split *w, const struct ints *points, const int *facet,
+                              int facets)
 {
     for (size_t k = 0; k < points->n; k++) {
         int i = points->item[k], to = facet[facets - 1];
@@ -157,9 +157,9 @@ static void turn_edge(struct facet_split *w, int f, int g, int k)
     take_points(w, g, &points);
     set_facet(w, f, (int[3]){p, a, d}, (int[3]){over_a, beside_a, g});
     set_facet(w, g, (int[3]){p, d, b}, (int[3]){f, beside_b, over_b});
-    relink(w, beside_a, g, f);
-    relink(w, over_b, f, g);
-    distribute(w, &points, (int[2]){f, g}, 2);
+    relink_facet(w, beside_a, g, f);
+    relink_facet(w, over_b, f, g);
+    distribute_points(w, &points, (int[2]){f, g}, 2);
     array_free(&points);
 }
 
@@ -225,12 +225,12 @@ void facet_split_at(struct facet_split *w, int facet, int i)
     for (int k = 0; k < 3; k++) {
         set_facet(w, f[k], (int[3]){p, old.v[k], old.v[(k + 1) % 3]},
                   (int[3]){f[(k + 2) % 3], beyond[k], f[(k + 1) % 3]});
-        relink(w, beyond[k], facet, f[k]);
+        relink_facet(w, beyond[k], facet, f[k]);
     }
     for (size_t k = 0; k < points.n; k++)
         if (points.item[k] == i)
             points.item[k] = points.item[--points.n];
-    distribute(w, &points, f, 3);
+    distribute_points(w, &points, f, 3);
     array_free(&points);
     for (int k = 0; k < 3; k++)
         turn_opposite(w, f[k]);

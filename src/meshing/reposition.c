@@ -46,8 +46,8 @@ static bool comes_first(const struct grid *g, const struct vec3 *point, int colu
     return a < b;
 }
 
-static void compete(const struct grid *g, struct choice *choice, const struct vec3 *point,
-                    size_t index, int column, int row, double distance2)
+static void compete_for_node(const struct grid *g, struct choice *choice, const struct vec3 *point,
+                             size_t index, int column, int row, double distance2)
 {
     int64_t nearness = (int64_t)(distance2 * STEPS + 0.5);
     struct choice *c = &choice[(size_t)row * (size_t)g->columns + (size_t)column];
@@ -102,7 +102,7 @@ static void compete_nearest(const struct grid *g, struct choice *choice, const s
             row = at.row + up;
         }
     }
-    compete(g, choice, point, index, column, row, least);
+    compete_for_node(g, choice, point, index, column, row, least);
 }
 
 /* Nodes nearer than t are corners of the rhombus, or of one of the rhombi around it. */
@@ -116,7 +116,7 @@ static void compete_circle(const struct grid *g, struct choice *choice, const st
             int column = at.column + right, row = at.row + up;
             double d2 = oblique_length2(at.right - right, at.up - up);
             if (d2 < inside && column >= 0 && column < g->columns && row >= 0 && row < g->rows)
-                compete(g, choice, point, index, column, row, d2);
+                compete_for_node(g, choice, point, index, column, row, d2);
         }
 }
 
@@ -163,7 +163,7 @@ static void compete_empty(const struct grid *g, const bool *empty, struct choice
                 continue;
             double d2 = oblique_length2(at.right - right, at.up - up);
             if (d2 < within && empty[(size_t)row * (size_t)g->columns + (size_t)column])
-                compete(g, choice, point, index, column, row, d2);
+                compete_for_node(g, choice, point, index, column, row, d2);
         }
 }
 

@@ -290,9 +290,9 @@ static int read_end(struct ncread *c, struct error *error)
     return 0;
 }
 
-static bool begins(const char *first, const char *second)
+static bool program_begins(const char *first, const char *second)
 {
     return strcmp(first, "%") == 0 && second && *second == 'O';
 }
 
-const struct ncread_dialect ncread_fanuc = {"fanuc", begins, read_block, read_end};
+const struct ncread_dialect ncread_fanuc = {"fanuc", program_begins, read_block, read_end};

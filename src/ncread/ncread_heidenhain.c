@@ -279,10 +279,11 @@ static int read_end(struct ncread *c, struct error *error)
     return 0;
 }
 
-static bool begins(const char *first, const char *second)
+static bool program_begins(const char *first, const char *second)
 {
     (void)second;
     return strncmp(first, "0 BEGIN PGM ", 12) == 0;
 }
 
-const struct ncread_dialect ncread_heidenhain = {"heidenhain", begins, read_block, read_end};
+const struct ncread_dialect ncread_heidenhain = {"heidenhain", program_begins, read_block,
+                                                 read_end};

@@ -155,7 +155,7 @@ static double or_else(double value, double other)
 }
 
 /* Steps to this depth, each shorter than the one before by `less` down to `least`. */
-static double steps(double depth, double first, double less, double least)
+static double step_count(double depth, double first, double less, double least)
 {
     int n = 1;
     double step = first, at = first;
@@ -171,7 +171,7 @@ static double steps(double depth, double first, double less, double least)
 static double deep_dwell(const double *v)
 {
     double depth = v[1] - v[3], first = isnan(v[5]) ? v[6] : v[1] - v[5];
-    double between = steps(depth, first, v[7], v[13]) - 1, each = or_else(v[8], 0);
+    double between = step_count(depth, first, v[7], v[13]) - 1, each = or_else(v[8], 0);
     double above = v[11] > 0 ? or_else(v[9], 0) : 0;
     return between * (each + above) + or_else(v[15], each);
 }
@@ -240,7 +240,8 @@ int ncread_hole_m99(struct ncread *c, const struct ncread_place *to, struct erro
     h->slow = h->cycle == 201 || h->cycle == 207;
     h->feed = h->cycle == 207 ? fabs(q[239]) * c->speed : q[206];
     h->back = h->cycle == 201 ? or_else(q[208], h->feed) : h->feed;
-    double above = steps(-q[201], q[202], q[212], q[205]) - 1; /* as often the tool is drawn up */
+    double above =
+        step_count(-q[201], q[202], q[212], q[205]) - 1; /* as often the tool is drawn up */
     h->dwell = or_else(q[211], 0) + floor(above / (or_else(q[213], 0) + 1)) * or_else(q[210], 0);
     return ncread_hole_down(c, to, error);
 }

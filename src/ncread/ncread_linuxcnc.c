@@ -157,9 +157,9 @@ static int read_end(struct ncread *c, struct error *error)
     return 0;
 }
 
-static bool begins(const char *first, const char *second)
+static bool program_begins(const char *first, const char *second)
 {
     return strcmp(first, "%") == 0 && second && *second != 'O';
 }
 
-const struct ncread_dialect ncread_linuxcnc = {"linuxcnc", begins, read_block, read_end};
+const struct ncread_dialect ncread_linuxcnc = {"linuxcnc", program_begins, read_block, read_end};

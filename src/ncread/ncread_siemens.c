@@ -454,10 +454,10 @@ static int read_end(struct ncread *c, struct error *error)
     return 0;
 }
 
-static bool begins(const char *first, const char *second)
+static bool program_begins(const char *first, const char *second)
 {
     (void)second;
     return strncmp(first, "%_N_", 4) == 0;
 }
 
-const struct ncread_dialect ncread_siemens = {"siemens", begins, read_block, read_end};
+const struct ncread_dialect ncread_siemens = {"siemens", program_begins, read_block, read_end};

@@ -179,7 +179,7 @@ int ncread_go(struct ncread *c, const struct ncread_place *to, struct nc_piece p
 /* ---- arcs and splines */
 
 /* Largest difference of an arc's radius at its start and its end, mm, in the program's unit. */
-static double slack(const struct ncread *c)
+static double radius_slack(const struct ncread *c)
 {
     return 0.005 / (c->unit > 0 ? c->unit : 1);
 }
@@ -204,7 +204,7 @@ int ncread_arc(struct ncread *c, struct nc_piece *piece, struct vec3 centre, boo
     struct vec3 v = vec_reject(vec_sub(piece->p[1], centre), n);
     if (c->inverse_time)
         return ncread_error(c, error, "an arc under inverse time feed");
-    if (vec_length(u) < 1e-6 || fabs(vec_length(u) - vec_length(v)) > slack(c))
+    if (vec_length(u) < 1e-6 || fabs(vec_length(u) - vec_length(v)) > radius_slack(c))
         return ncread_error(c, error, "an arc whose ends are not at one distance from its centre");
     double angle = atan2(vec_dot(vec_cross(u, v), n), vec_dot(u, v));
     bool full = vec_distance(u, v) < 1e-9;
@@ -224,7 +224,7 @@ int ncread_arc_radius(struct ncread *c, struct nc_piece *piece, double radius, b
     double length = vec_length(chord), r = fabs(radius);
     if (length < 1e-9)
         return ncread_error(c, error, "an arc by its radius whose ends coincide");
-    if (length / 2 > r + slack(c))
+    if (length / 2 > r + radius_slack(c))
         return ncread_error(c, error, "an arc whose ends are further apart than its diameter");
     double high = sqrt(fmax(0, r * r - length * length / 4));
     /* the centre lies left of the chord for a short counter-clockwise arc */

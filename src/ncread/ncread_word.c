@@ -8,12 +8,12 @@
 #include "base/array.h"
 #include "base/num.h"
 
-static bool digit(char c)
+static bool is_digit(char c)
 {
     return c >= '0' && c <= '9';
 }
 
-static bool capital(char c)
+static bool is_capital(char c)
 {
     return c >= 'A' && c <= 'Z';
 }
@@ -24,12 +24,12 @@ int ncread_word_number(const char **s, double *value, bool *pointed, struct erro
     int before = 0, behind = 0;
     if (*p == '-' || *p == '+')
         p++;
-    while (digit(*p))
+    while (is_digit(*p))
         p++, before++;
     *pointed = *p == '.';
     if (*pointed)
         p++;
-    while (*pointed && digit(*p))
+    while (*pointed && is_digit(*p))
         p++, behind++;
     int shown = (int)(p - *s) < 24 ? (int)(p - *s) : 24;
     if (before + behind == 0)
@@ -37,7 +37,7 @@ int ncread_word_number(const char **s, double *value, bool *pointed, struct erro
     if (before > 9 || behind > 9)
         return error_set(error, "too many digits in `%.*s`", shown, *s);
     if (isalpha((unsigned char)*p) && (*p == 'E' || *p == 'e' || *p == 'D' || *p == 'd') &&
-        (digit(p[1]) || p[1] == '-' || p[1] == '+'))
+        (is_digit(p[1]) || p[1] == '-' || p[1] == '+'))
         return error_set(error, "an exponent in `%.20s`", *s);
     const char *q = *s;
     char text[32];
@@ -77,7 +77,7 @@ int ncread_word_fanuc(const char *line, struct ncread_words *words, struct error
                 if (*c < ' ' || *c > '~' || islower((unsigned char)*c))
                     return error_set(error, "found `%c` in a comment, expected capital ASCII", *c);
             s += n + 2;
-        } else if (capital(*s)) {
+        } else if (is_capital(*s)) {
             struct ncread_word *w = new_word(words, WORD_ADDRESS, s++, 1);
             w->values = 1;
             if (ncread_word_number(&s, &w->value[0], &w->pointed, error) < 0)
@@ -143,7 +143,7 @@ static int siemens_word(const char **at, struct ncread_words *words, struct erro
         *at = s + n + index + 1;
         return siemens_value(at, w, error);
     }
-    if (letters == 1 && (digit(s[1]) || s[1] == '-' || s[1] == '+' || s[1] == '.')) {
+    if (letters == 1 && (is_digit(s[1]) || s[1] == '-' || s[1] == '+' || s[1] == '.')) {
         w = new_word(words, WORD_ADDRESS, s, 1);
         w->values = 1;
         *at = s + 1;
@@ -160,11 +160,11 @@ int ncread_word_siemens(const char *line, struct ncread_words *words, struct err
     for (const char *s = line; *s && *s != ';';) {
         if (*s == ' ')
             s++;
-        else if (!capital(*s))
+        else if (!is_capital(*s))
             return error_set(error, "found `%.10s`, expected a word", s);
         else if (siemens_word(&s, words, error) < 0)
             return -1;
-        else if (*s && *s != ' ' && *s != ';' && !capital(*s))
+        else if (*s && *s != ' ' && *s != ';' && !is_capital(*s))
             return error_set(error, "found `%.10s` after a word", s);
     }
     return 0;

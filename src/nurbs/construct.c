@@ -5,7 +5,7 @@
 
 #include "base/array.h"
 
-static struct nurbs_pole weighted(struct vec3 p, double w)
+static struct nurbs_pole weighted_pole(struct vec3 p, double w)
 {
     return (struct nurbs_pole){w * p.x, w * p.y, w * p.z, w};
 }
@@ -53,7 +53,7 @@ struct nurbs_curve construct_polyline(const struct vec3 *point, size_t n)
         at[i] = (double)i / (double)(n - 1);
     struct nurbs_curve c = new_curve(bezier_axis(1, at, n - 1));
     for (size_t i = 0; i < n; i++)
-        c.pole[i] = weighted(point[i], 1);
+        c.pole[i] = weighted_pole(point[i], 1);
     free(at);
     return c;
 }
@@ -79,7 +79,7 @@ static struct nurbs_axis arc_axis(double from, double to)
 static struct nurbs_pole arc_pole(const struct nurbs_axis *a, size_t i)
 {
     if (i % 2 == 0)
-        return weighted(vec(cos(a->knot[i + 1]), sin(a->knot[i + 1]), 0), 1);
+        return weighted_pole(vec(cos(a->knot[i + 1]), sin(a->knot[i + 1]), 0), 1);
     double middle = (a->knot[i] + a->knot[i + 2]) / 2, w = cos((a->knot[i + 2] - a->knot[i]) / 2);
     return (struct nurbs_pole){cos(middle), sin(middle), 0, w};
 }
@@ -87,7 +87,7 @@ static struct nurbs_pole arc_pole(const struct nurbs_axis *a, size_t i)
 void construct_move(const struct transform *t, struct nurbs_pole *pole, size_t n)
 {
     for (size_t i = 0; i < n; i++)
-        pole[i] = weighted(transform_point(t, pole_point(pole[i])), pole[i].w);
+        pole[i] = weighted_pole(transform_point(t, pole_point(pole[i])), pole[i].w);
 }
 
 struct nurbs_curve construct_ellipse(const struct transform *place, double a, double b, double from,
@@ -109,9 +109,9 @@ static struct nurbs_curve one_conic(const struct transform *place, struct vec3 f
 {
     const double at[2] = {from, to};
     struct nurbs_curve c = new_curve(bezier_axis(2, at, 1));
-    c.pole[0] = weighted(first, 1);
-    c.pole[1] = weighted(middle, w);
-    c.pole[2] = weighted(last, 1);
+    c.pole[0] = weighted_pole(first, 1);
+    c.pole[1] = weighted_pole(middle, w);
+    c.pole[2] = weighted_pole(last, 1);
     construct_move(place, c.pole, 3);
     return c;
 }
@@ -152,7 +152,7 @@ struct nurbs_curve construct_spline(const double *at, size_t n, const double *c)
         for (size_t k = 0; k < 3; k++)
             to_bernstein(c + 4 * (3 * i + k), 1, at[i + 1] - at[i], b[k]);
         for (size_t p = 0; p < 4; p++)
-            curve.pole[3 * i + p] = weighted(vec(b[0][p], b[1][p], b[2][p]), 1);
+            curve.pole[3 * i + p] = weighted_pole(vec(b[0][p], b[1][p], b[2][p]), 1);
     }
     return curve;
 }
@@ -178,7 +178,7 @@ struct nurbs construct_spline_surface(const double *u, size_t m, const double *v
         for (size_t q = 0; q < 4; q++)
             for (size_t p = 0; p < 4; p++)
                 s.pole[(3 * j + q) * s.u.poles + 3 * i + p] =
-                    weighted(vec(b[0][q][p], b[1][q][p], b[2][q][p]), 1);
+                    weighted_pole(vec(b[0][q][p], b[1][q][p], b[2][q][p]), 1);
     }
     return s;
 }
@@ -284,7 +284,7 @@ struct nurbs construct_extrusion(const struct nurbs_curve *c, struct vec3 by)
     s.pole = mem_alloc(2 * s.u.poles, sizeof *s.pole);
     for (size_t i = 0; i < s.u.poles; i++) {
         s.pole[i] = c->pole[i];
-        s.pole[s.u.poles + i] = weighted(vec_add(pole_point(c->pole[i]), by), c->pole[i].w);
+        s.pole[s.u.poles + i] = weighted_pole(vec_add(pole_point(c->pole[i]), by), c->pole[i].w);
     }
     return s;
 }
@@ -302,7 +302,7 @@ struct nurbs construct_revolution(const struct nurbs_curve *c, struct vec3 at, s
         for (size_t i = 0; i < s.u.poles; i++) {
             struct nurbs_pole a = arc_pole(&s.u, i);
             struct vec3 q = vec_along(vec_along(foot, a.wx / a.w, x), a.wy / a.w, y);
-            s.pole[j * s.u.poles + i] = weighted(q, a.w * c->pole[j].w);
+            s.pole[j * s.u.poles + i] = weighted_pole(q, a.w * c->pole[j].w);
         }
     }
     return s;
@@ -341,7 +341,7 @@ struct nurbs_curve construct_joined(const struct nurbs_curve *c, size_t n)
         for (size_t k = i == 0 ? 0 : d + 1; k < last; k++)
             all.t.knot[knots++] = (double)i + p->t.knot[k];
         for (size_t k = i == 0 ? 0 : 1; k < p->t.poles; k++)
-            all.pole[at++] = weighted(pole_point(p->pole[k]), weight * p->pole[k].w);
+            all.pole[at++] = weighted_pole(pole_point(p->pole[k]), weight * p->pole[k].w);
         weight *= p->pole[p->t.poles - 1].w;
     }
     for (size_t i = 0; i < n; i++)
@@ -384,7 +384,7 @@ struct nurbs construct_plane(const struct transform *place, double x0, double x1
     struct nurbs s = {.u = bezier_axis(1, x, 1), .v = bezier_axis(1, y, 1)};
     s.pole = mem_alloc(4, sizeof *s.pole);
     for (size_t i = 0; i < 4; i++)
-        s.pole[i] = weighted(vec(x[i % 2], y[i / 2], 0), 1);
+        s.pole[i] = weighted_pole(vec(x[i % 2], y[i / 2], 0), 1);
     construct_move(place, s.pole, 4);
     return s;
 }

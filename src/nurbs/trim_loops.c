@@ -99,7 +99,7 @@ struct pullback pullback_new(const struct nurbs *surface)
 }
 
 /* Whole turns that bring x into the range. */
-static double turns(const struct nurbs_axis *a, bool closed, double x)
+static double turns_into_range(const struct nurbs_axis *a, bool closed, double x)
 {
     return closed ? floor((x - a->from) / width(a)) : 0;
 }
@@ -107,8 +107,8 @@ static double turns(const struct nurbs_axis *a, bool closed, double x)
 struct vec3 pullback_point(const struct pullback *p, struct uv at)
 {
     const struct nurbs *s = p->surface;
-    at.u -= width(&s->u) * turns(&s->u, p->closed_u, at.u);
-    at.v -= width(&s->v) * turns(&s->v, p->closed_v, at.v);
+    at.u -= width(&s->u) * turns_into_range(&s->u, p->closed_u, at.u);
+    at.v -= width(&s->v) * turns_into_range(&s->v, p->closed_v, at.v);
     at.u = fmin(fmax(at.u, s->u.from), s->u.to);
     at.v = fmin(fmax(at.v, s->v.from), s->v.to);
     return nurbs_point(s, at);
@@ -122,7 +122,8 @@ static double distance(const struct pullback *p, struct vec3 q, struct uv at)
 struct uv pullback_foot(const struct pullback *p, struct vec3 q, struct uv guess)
 {
     const struct nurbs *s = p->surface;
-    double ku = turns(&s->u, p->closed_u, guess.u), kv = turns(&s->v, p->closed_v, guess.v);
+    double ku = turns_into_range(&s->u, p->closed_u, guess.u),
+           kv = turns_into_range(&s->v, p->closed_v, guess.v);
     struct uv base = {guess.u - ku * width(&s->u), guess.v - kv * width(&s->v)};
     struct uv best = nurbs_foot(s, q, base);
     double least = vec_distance(q, nurbs_point(s, best));
@@ -210,7 +211,7 @@ static struct uv uv_at(struct follower *f, double t, struct uv guess)
     return at;
 }
 
-static struct uv mix(struct uv a, struct uv b, double t)
+static struct uv uv_between(struct uv a, struct uv b, double t)
 {
     return (struct uv){a.u + (b.u - a.u) * t, a.v + (b.v - a.v) * t};
 }
@@ -220,7 +221,7 @@ static bool is_near(struct follower *f, double t0, struct uv a, double t1, struc
 {
     struct vec3 p = pullback_point(&f->on, a), q = pullback_point(&f->on, b);
     for (int i = 1; i < 4; i++) {
-        struct uv m = mix(a, b, i / 4.0);
+        struct uv m = uv_between(a, b, i / 4.0);
         struct vec3 on = pullback_point(&f->on, uv_at(f, t0 + (t1 - t0) * i / 4, m));
         if (vec_segment_distance(p, q, on) > f->tolerance ||
             vec_segment_distance(p, q, pullback_point(&f->on, m)) > f->tolerance)
@@ -238,7 +239,7 @@ static void follow_span(struct follower *f, double t0, struct uv a, double t1, s
         return;
     }
     double middle = t0 + (t1 - t0) / 2;
-    struct uv m = uv_at(f, middle, mix(a, b, 0.5));
+    struct uv m = uv_at(f, middle, uv_between(a, b, 0.5));
     follow_span(f, t0, a, middle, m, depth + 1);
     follow_span(f, middle, m, t1, b, depth + 1);
 }
@@ -251,8 +252,8 @@ static struct uv uv_at_pole(struct follower *f, struct uv at, double inside)
     const struct nurbs *s = f->on.surface;
     struct vec3 d[3][3];
     struct uv base = at;
-    base.u -= turns(&s->u, f->on.closed_u, at.u) * width(&s->u);
-    base.v -= turns(&s->v, f->on.closed_v, at.v) * width(&s->v);
+    base.u -= turns_into_range(&s->u, f->on.closed_u, at.u) * width(&s->u);
+    base.v -= turns_into_range(&s->v, f->on.closed_v, at.v) * width(&s->v);
     nurbs_derivatives(s, base, 1, d);
     double du = vec_length(d[1][0]) * width(&s->u), dv = vec_length(d[0][1]) * width(&s->v);
     if (!f->space || (du > POLE * dv && dv > POLE * du))
@@ -303,8 +304,8 @@ static struct vec3 end_of(const struct nurbs_curve *c, bool last)
 }
 
 /* The squared distance of two points of the loop's curves: in parts of the range, or in space. */
-static double apart(const struct patch *patch, const struct patch_loop *loop, struct vec3 a,
-                    struct vec3 b)
+static double loop_distance2(const struct patch *patch, const struct patch_loop *loop,
+                             struct vec3 a, struct vec3 b)
 {
     if (loop->space)
         return vec_dot(vec_sub(a, b), vec_sub(a, b));
@@ -320,12 +321,12 @@ static bool is_backwards(const struct patch *patch, const struct patch_loop *loo
     if (loop->directed)
         return false;
     if (k > 0)
-        return apart(patch, loop, at, last) < apart(patch, loop, at, first);
+        return loop_distance2(patch, loop, at, last) < loop_distance2(patch, loop, at, first);
     if (loop->n == 1)
         return false;
     struct vec3 p = end_of(&loop->item[1], false), q = end_of(&loop->item[1], true);
-    return fmin(apart(patch, loop, first, p), apart(patch, loop, first, q)) <
-           fmin(apart(patch, loop, last, p), apart(patch, loop, last, q));
+    return fmin(loop_distance2(patch, loop, first, p), loop_distance2(patch, loop, first, q)) <
+           fmin(loop_distance2(patch, loop, last, p), loop_distance2(patch, loop, last, q));
 }
 
 /* All curves of a loop in order, without repeated points: from its first place to its last one,
@@ -362,7 +363,7 @@ static double coordinate(struct uv at, bool u)
     return u ? at.u : at.v;
 }
 
-static struct uv moved(struct uv at, bool u, double by)
+static struct uv uv_moved(struct uv at, bool u, double by)
 {
     return u ? (struct uv){at.u + by, at.v} : (struct uv){at.u, at.v + by};
 }
@@ -373,7 +374,7 @@ static const struct nurbs_axis *axis_of(const struct pullback *s, bool u)
 }
 
 /* How often a loop goes round before it comes back to its start. */
-static int rounds(const struct pullback *s, const struct uvs *loop, bool u)
+static int loop_rounds(const struct pullback *s, const struct uvs *loop, bool u)
 {
     const struct nurbs_axis *a = axis_of(s, u);
     if (!(u ? s->closed_u : s->closed_v) || loop->n < 2)
@@ -429,7 +430,7 @@ static void wrap_loop(const struct pullback *s, struct uvs *loop, bool u, struct
     for (double k = first; k <= last; k++) {
         struct uvs copy = {0};
         for (size_t i = 0; i < loop->n; i++)
-            *array_push(&copy) = moved(loop->item[i], u, -k * width);
+            *array_push(&copy) = uv_moved(loop->item[i], u, -k * width);
         if (last > first) {
             clip_loop(&copy, u, a->from, 1);
             clip_loop(&copy, u, a->to, -1);
@@ -466,11 +467,11 @@ static void trim_seam(const struct pullback *s, const struct uv_polygon *from,
     *to = (struct uv_polygon){0};
     for (size_t i = 0; i < from->n; i++)
         for (int u = 0; u < 2; u++)
-            round[u] += rounds(s, &from->item[i], u == 1) != 0;
+            round[u] += loop_rounds(s, &from->item[i], u == 1) != 0;
     for (size_t i = 0; i < from->n; i++) {
         struct uvs loop = {0};
         struct uv_polygon once = {0};
-        int n[2] = {rounds(s, &from->item[i], false), rounds(s, &from->item[i], true)};
+        int n[2] = {loop_rounds(s, &from->item[i], false), loop_rounds(s, &from->item[i], true)};
         if (abs(n[0]) + abs(n[1]) > 1) {
             to->lost++;
             continue;

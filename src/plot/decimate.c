@@ -19,14 +19,14 @@ static double cross(struct vec3 a, struct vec3 b)
 }
 
 /* d turned by the angle whose sine is s. */
-static struct vec3 turned(struct vec3 d, double s)
+static struct vec3 turned_direction(struct vec3 d, double s)
 {
     double c = sqrt(1 - s * s);
     return vec(c * d.x - s * d.y, s * d.x + c * d.y, 0);
 }
 
 /* True when a line from the anchor to p serves all points since; the sector then takes p in. */
-static bool take(struct sector *sector, struct vec3 p, double tolerance)
+static bool sector_take(struct sector *sector, struct vec3 p, double tolerance)
 {
     struct vec3 d = vec(p.x - sector->anchor.x, p.y - sector->anchor.y, 0);
     double distance = hypot(d.x, d.y);
@@ -34,7 +34,8 @@ static bool take(struct sector *sector, struct vec3 p, double tolerance)
         return sector->reach <= tolerance;
     if (distance < sector->reach - tolerance)
         return false;
-    struct vec3 right = turned(d, -tolerance / distance), left = turned(d, tolerance / distance);
+    struct vec3 right = turned_direction(d, -tolerance / distance),
+                left = turned_direction(d, tolerance / distance);
     if (!sector->open) {
         if (vec_dot(d, sector->right) <= 0 || cross(sector->right, d) < 0 ||
             cross(d, sector->left) < 0)
@@ -58,11 +59,11 @@ void decimate_chain(const struct vec3 *point, size_t n, double tolerance, struct
     *array_push(out) = point[0];
     struct sector sector = {.anchor = point[0], .open = true};
     for (size_t i = 1; i < n; i++) {
-        if (take(&sector, point[i], tolerance))
+        if (sector_take(&sector, point[i], tolerance))
             continue;
         *array_push(out) = point[i - 1];
         sector = (struct sector){.anchor = point[i - 1], .open = true};
-        take(&sector, point[i], tolerance);
+        sector_take(&sector, point[i], tolerance);
     }
     if (n > 1)
         *array_push(out) = point[n - 1];

@@ -22,8 +22,8 @@ const char *palette_height(size_t level)
 }
 
 /* Between two colours of red, green and blue. */
-static void mix(char colour[PALETTE_COLOUR], const unsigned dark[3], const unsigned light[3],
-                size_t level)
+static void mix_colours(char colour[PALETTE_COLOUR], const unsigned dark[3],
+                        const unsigned light[3], size_t level)
 {
     unsigned c[3];
     for (int i = 0; i < 3; i++)
@@ -34,7 +34,7 @@ static void mix(char colour[PALETTE_COLOUR], const unsigned dark[3], const unsig
 
 void palette_shade(char colour[PALETTE_COLOUR], size_t level)
 {
-    mix(colour, (const unsigned[]){92, 104, 118}, (const unsigned[]){240, 243, 246}, level);
+    mix_colours(colour, (const unsigned[]){92, 104, 118}, (const unsigned[]){240, 243, 246}, level);
 }
 
 void palette_tint(char colour[PALETTE_COLOUR], size_t i, size_t level)
@@ -46,5 +46,5 @@ void palette_tint(char colour[PALETTE_COLOUR], size_t i, size_t level)
         dark[k] = c[k] / 2;
         light[k] = (c[k] + 3 * 255) / 4;
     }
-    mix(colour, dark, light, level);
+    mix_colours(colour, dark, light, level);
 }

@@ -263,8 +263,8 @@ static double off_middle(const struct raster *r, struct vec3 p)
 
 /* The points that are not hidden, one in each cell: the nearest to its middle, so that they stand
  * evenly. */
-static struct raster occupied(const struct pane *pane, const struct vec3s *point, double cell,
-                              size_t *marks)
+static struct raster occupied_cells(const struct pane *pane, const struct vec3s *point, double cell,
+                                    size_t *marks)
 {
     const struct box *b = &pane->box;
     struct raster r = raster_new(b->low.x, b->low.y, b->high.x, b->high.y, cell);
@@ -290,11 +290,11 @@ static void draw_points(const struct pane *pane, const struct layer *layer, size
     const struct pane_options *options = pane->options;
     size_t marks, limit = options->marks;
     double cell = least;
-    struct raster r = occupied(pane, &layer->point, cell, &marks);
+    struct raster r = occupied_cells(pane, &layer->point, cell, &marks);
     while (marks > limit) {
         raster_free(&r);
         cell *= fmax(1.05, 0.95 * sqrt((double)marks / (double)limit));
-        r = occupied(pane, &layer->point, cell, &marks);
+        r = occupied_cells(pane, &layer->point, cell, &marks);
     }
     double area = (pane->box.high.x - pane->box.low.x) * (pane->box.high.y - pane->box.low.y);
     double apart = sqrt(area / (double)(marks ? marks : 1)) * pane->scale;
@@ -355,7 +355,7 @@ static void draw_dots(const struct pane *pane, const struct vec3s *joint, const 
                       struct svg *svg)
 {
     size_t marks;
-    struct raster r = occupied(pane, joint, 1.2 / pane->scale, &marks);
+    struct raster r = occupied_cells(pane, joint, 1.2 / pane->scale, &marks);
     svg_path(svg, ink);
     for (size_t i = 0; i < r.rows * r.columns; i++) {
         if (isinf(r.depth[i]))

@@ -5,7 +5,7 @@
 
 #include "base/array.h"
 
-static size_t count(double from, double to, double cell)
+static size_t cell_count(double from, double to, double cell)
 {
     double n = ceil((to - from) / cell);
     return n >= 1 ? (size_t)n : 1;
@@ -14,8 +14,8 @@ static size_t count(double from, double to, double cell)
 struct raster raster_new(double left, double bottom, double right, double top, double cell)
 {
     struct raster r = {.left = left, .bottom = bottom, .cell = cell};
-    r.columns = count(left, right, cell);
-    r.rows = count(bottom, top, cell);
+    r.columns = cell_count(left, right, cell);
+    r.rows = cell_count(bottom, top, cell);
     size_t n = r.columns * r.rows;
     r.depth = mem_alloc(n, sizeof *r.depth);
     r.owner = mem_alloc(n, sizeof *r.owner);
@@ -33,7 +33,7 @@ void raster_free(struct raster *raster)
 }
 
 /* The cell along one direction, within 0 to n - 1. */
-static size_t along(double from, double x, double cell, size_t n)
+static size_t cell_along(double from, double x, double cell, size_t n)
 {
     double i = floor((x - from) / cell);
     if (!(i > 0))
@@ -43,8 +43,8 @@ static size_t along(double from, double x, double cell, size_t n)
 
 size_t raster_cell(const struct raster *r, double x, double y)
 {
-    return along(r->bottom, y, r->cell, r->rows) * r->columns +
-           along(r->left, x, r->cell, r->columns);
+    return cell_along(r->bottom, y, r->cell, r->rows) * r->columns +
+           cell_along(r->left, x, r->cell, r->columns);
 }
 
 static void draw(struct raster *r, size_t cell, double depth, size_t owner)
@@ -71,12 +71,13 @@ struct arc_window {
 static struct arc_window window(const struct raster *r, double left, double bottom, double right,
                                 double top)
 {
-    return (struct arc_window){
-        along(r->left, left, r->cell, r->columns), along(r->left, right, r->cell, r->columns),
-        along(r->bottom, bottom, r->cell, r->rows), along(r->bottom, top, r->cell, r->rows)};
+    return (struct arc_window){cell_along(r->left, left, r->cell, r->columns),
+                               cell_along(r->left, right, r->cell, r->columns),
+                               cell_along(r->bottom, bottom, r->cell, r->rows),
+                               cell_along(r->bottom, top, r->cell, r->rows)};
 }
 
-static struct vec3 middle(const struct raster *r, size_t column, size_t row)
+static struct vec3 cell_middle(const struct raster *r, size_t column, size_t row)
 {
     return vec(r->left + ((double)column + 0.5) * r->cell,
                r->bottom + ((double)row + 0.5) * r->cell, 0);
@@ -87,7 +88,7 @@ void raster_disc(struct raster *r, struct vec3 p, double radius, size_t owner)
     struct arc_window w = window(r, p.x - radius, p.y - radius, p.x + radius, p.y + radius);
     for (size_t row = w.r0; row <= w.r1; row++)
         for (size_t column = w.c0; column <= w.c1; column++) {
-            struct vec3 m = middle(r, column, row);
+            struct vec3 m = cell_middle(r, column, row);
             if (hypot(m.x - p.x, m.y - p.y) <= radius)
                 draw(r, row * r->columns + column, p.z, owner);
         }
@@ -124,7 +125,7 @@ void raster_triangle(struct raster *r, struct vec3 a, struct vec3 b, struct vec3
         return;
     for (size_t row = k.window.r0; row <= k.window.r1; row++)
         for (size_t column = k.window.c0; column <= k.window.c1; column++)
-            draw(r, row * r->columns + column, cover_depth(&k, middle(r, column, row)), owner);
+            draw(r, row * r->columns + column, cover_depth(&k, cell_middle(r, column, row)), owner);
 }
 
 bool raster_hides(const struct raster *r, struct vec3 a, struct vec3 b, struct vec3 c, double slack)
@@ -134,7 +135,7 @@ bool raster_hides(const struct raster *r, struct vec3 a, struct vec3 b, struct v
         return false;
     for (size_t row = k.window.r0; row <= k.window.r1; row++)
         for (size_t column = k.window.c0; column <= k.window.c1; column++)
-            if (cover_depth(&k, middle(r, column, row)) + slack <
+            if (cover_depth(&k, cell_middle(r, column, row)) + slack <
                 r->depth[row * r->columns + column])
                 return true;
     return false;

@@ -13,12 +13,12 @@
 
 enum { HEAD = 4096, CHUNK = 1 << 16 }; /* HEAD: bytes that tell what a file is */
 
-static bool begins(const char *line, size_t n, const char *word)
+static bool line_begins(const char *line, size_t n, const char *word)
 {
     return n >= strlen(word) && strncmp(line, word, strlen(word)) == 0;
 }
 
-static bool holds(const char *head, size_t n, const char *words)
+static bool head_holds(const char *head, size_t n, const char *words)
 {
     size_t length = strlen(words);
     for (size_t i = 0; i + length <= n; i++)
@@ -32,7 +32,7 @@ static bool is_apt(const char *line, size_t n)
 {
     static const char *const words[] = {"$$", "PARTNO", "PPRINT", "TOOL PATH/", "MULTAX", "FINI"};
     for (size_t i = 0; i < sizeof words / sizeof *words; i++)
-        if (begins(line, n, words[i]))
+        if (line_begins(line, n, words[i]))
             return true;
     size_t letters = 0;
     while (letters < n && isupper((unsigned char)line[letters]))
@@ -48,26 +48,26 @@ static bool is_block(const char *line, size_t n)
 {
     static const char *const words[] = {"%", "BEGIN PGM", "TRAORI", "CYCLE832", "WORKPIECE"};
     for (size_t i = 0; i < sizeof words / sizeof *words; i++)
-        if (begins(line, n, words[i]))
+        if (line_begins(line, n, words[i]))
             return true;
     return (n >= 2 && strchr("NGOTM:", line[0]) && isdigit((unsigned char)line[1])) ||
-           (n > 0 && isdigit((unsigned char)line[0]) && holds(line, n, " BEGIN PGM "));
+           (n > 0 && isdigit((unsigned char)line[0]) && head_holds(line, n, " BEGIN PGM "));
 }
 
 static bool is_remark(const char *line, size_t n)
 {
-    return n == 0 || strchr("#;(", line[0]) || begins(line, n, "//");
+    return n == 0 || strchr("#;(", line[0]) || line_begins(line, n, "//");
 }
 
 enum stream_kind stream_tell(const char *head, size_t n)
 {
     static const char *const meshes[] = {"solid", "OFF", "COFF", "NOFF"};
-    if (begins(head, n, "ply"))
-        return holds(head, n, "element face ") && !holds(head, n, "element face 0\n")
+    if (line_begins(head, n, "ply"))
+        return head_holds(head, n, "element face ") && !head_holds(head, n, "element face 0\n")
                    ? STREAM_MESH
                    : STREAM_CLOUD;
     for (size_t i = 0; i < sizeof meshes / sizeof *meshes; i++)
-        if (begins(head, n, meshes[i]))
+        if (line_begins(head, n, meshes[i]))
             return STREAM_MESH;
     for (size_t from = 0, to; from < n; from = to + 1) {
         while (from < n && strchr(" \t\r\n", head[from]))
@@ -86,7 +86,7 @@ enum stream_kind stream_tell(const char *head, size_t n)
 }
 
 /* Copies all that waits in the reader to a file without a name, and makes that standard input. */
-static int keep(struct reader *r, struct error *error)
+static int keep_input(struct reader *r, struct error *error)
 {
     static char chunk[CHUNK];
     FILE *copy = tmpfile();
@@ -120,7 +120,7 @@ int stream_find(const char *file, enum stream_kind *kind, const char **name, str
         if (*kind == STREAM_CLOUD && stl_is_binary(&r, head, (size_t)n))
             *kind = STREAM_MESH;
         if (start < 0) {
-            status = keep(&r, error);
+            status = keep_input(&r, error);
             *name = "-";
         } else if (r.fd == 0 && lseek(0, start, SEEK_SET) != start) {
             status = error_at(error, r.name, 0, "cannot go back to its start");

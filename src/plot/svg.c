@@ -11,7 +11,7 @@
 enum { COLUMNS = 100 }; /* lines of a path break about here */
 
 /* & < > " by name; control characters, which XML has none of, and bytes that are no UTF-8 as ?. */
-static void escaped(struct svg *svg, const char *text)
+static void write_escaped(struct svg *svg, const char *text)
 {
     for (const unsigned char *p = (const unsigned char *)text; *p;) {
         size_t n = *p < 0x80 ? 1 : *p >= 0xF0 && *p < 0xF5 ? 4 : *p >= 0xE0 ? 3 : 2;
@@ -48,9 +48,9 @@ void svg_begin(struct svg *svg, struct out *out, double width, double height, co
                "viewBox=\"0 0 %.0f %.0f\" role=\"img\"\n"
                " font-family=\"DejaVu Sans, Verdana, Arial, sans-serif\" fill=\"#222\">\n<title>",
                width, height, width, height);
-    escaped(svg, title);
+    write_escaped(svg, title);
     out_text(out, "</title>\n<desc>");
-    escaped(svg, description);
+    write_escaped(svg, description);
     out_text(out, "</desc>\n<path fill=\"#fff\" d=\"M0 0");
     out_printf(out, "H%.0fV%.0fH0z\"/>\n", width, height);
 }
@@ -79,7 +79,7 @@ void svg_path(struct svg *svg, const char *attributes)
 }
 
 /* A command and its two numbers; a command that goes on is left out, as SVG has it. */
-static void step(struct svg *svg, char command, long x, long y)
+static void write_command(struct svg *svg, char command, long x, long y)
 {
     char text[60];
     int n = 0;
@@ -100,7 +100,7 @@ static void step(struct svg *svg, char command, long x, long y)
 void svg_move(struct svg *svg, double x, double y)
 {
     long to_x = lround(10 * x), to_y = lround(10 * y);
-    step(svg, svg->last == ' ' ? 'M' : 'm', to_x - svg->x, to_y - svg->y);
+    write_command(svg, svg->last == ' ' ? 'M' : 'm', to_x - svg->x, to_y - svg->y);
     svg->last = '\0'; /* a further pair after it would be a line */
     svg->x = svg->from_x = to_x;
     svg->y = svg->from_y = to_y;
@@ -111,7 +111,7 @@ void svg_line(struct svg *svg, double x, double y)
     long to_x = lround(10 * x), to_y = lround(10 * y);
     if (to_x == svg->x && to_y == svg->y)
         return;
-    step(svg, 'l', to_x - svg->x, to_y - svg->y);
+    write_command(svg, 'l', to_x - svg->x, to_y - svg->y);
     svg->x = to_x;
     svg->y = to_y;
 }
@@ -143,7 +143,7 @@ void svg_text(struct svg *svg, double x, double y, const char *anchor, double si
     if (strcmp(anchor, "start") != 0)
         out_printf(svg->out, " text-anchor=\"%s\"", anchor);
     out_text(svg->out, bold ? " font-weight=\"bold\">" : ">");
-    escaped(svg, text);
+    write_escaped(svg, text);
     out_text(svg->out, "</text>\n");
 }
 

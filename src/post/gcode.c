@@ -114,7 +114,7 @@ static const char *cycle_code(const struct nc_program *p, const struct path_cycl
 }
 
 /* G82 and G89 wait, and G86, which may want its P in any case; G73 and G83 know no P. */
-static bool dwells(const struct nc_hole *hole)
+static bool hole_dwells(const struct nc_hole *hole)
 {
     return hole->cycle->kind == CYCLE_DRAG || (hole->cycle->dwell > 0 && !nc_hole_steps(hole));
 }
@@ -160,9 +160,9 @@ void gcode_hole(struct nc_program *p, const struct nc_move *move)
         nc_number(w, "R", nc_hole_clear(hole), digits);
         if (nc_hole_steps(hole))
             nc_number(w, "Q", fmin(c->step, c->next > 0 ? c->next : c->step), digits);
-        if (dwells(hole) && g->dwell_seconds)
+        if (hole_dwells(hole) && g->dwell_seconds)
             nc_number(w, "P", c->dwell, 3);
-        else if (dwells(hole) && c->dwell > 0)
+        else if (hole_dwells(hole) && c->dwell > 0)
             nc_count(w, "P", round(1000 * c->dwell));
         nc_feed(p, move);
     }
@@ -222,7 +222,7 @@ static void compensate_length(struct nc_program *p, const struct nc_move *first)
 }
 
 /* Where no word of the control switches it on, the machine's kinematics does it always. */
-static void compensate(struct nc_program *p, const struct nc_move *first)
+static void compensate_radius(struct nc_program *p, const struct nc_move *first)
 {
     const struct gcode *g = dialect_of(p->control)->gcode;
     bool tcp = p->plan->ability.tcp, vectors = p->plan->ability.mode == INTERPOLATE_VECTOR;
@@ -246,7 +246,7 @@ void gcode_engage(struct nc_program *p)
     nc_rotary(p, first->q);
     if (p->machine->chain.n)
         nc_end(&p->w);
-    compensate(p, first);
+    compensate_radius(p, first);
     nc_coolant(p);
     if (p->machine->smooth && g->smooth_on)
         nc_template(p, p->machine->blocks.smooth_on, g->smooth_on);

@@ -13,7 +13,7 @@ double nc_arc_most(enum nc_arcs kind)
 }
 
 /* The principal direction nearest to the arc's axis, pointing the same way; its plane. */
-static struct vec3 principal(struct vec3 axis, struct nc_arc *arc)
+static struct vec3 principal_direction(struct vec3 axis, struct nc_arc *arc)
 {
     double x = fabs(axis.x), y = fabs(axis.y), z = fabs(axis.z);
     struct vec3 e = z >= x && z >= y ? vec(0, 0, 1) : y >= x ? vec(0, 1, 0) : vec(1, 0, 0);
@@ -94,7 +94,7 @@ static bool words_of(struct nc_arc *arc, enum nc_arcs kind, int digits, double r
         if (!circle_of(from->p, arc->middle, to->p, digits, &arc->centre, &axis))
             return false;
     } else {
-        axis = principal(motion->axis, arc);
+        axis = principal_direction(motion->axis, arc);
         if (sweep < 1 && vec_distance(from->p, to->p) < short_arc * pow(10, -digits))
             return false;
         arc->full = vec_distance(from->p, to->p) == 0;

@@ -168,7 +168,7 @@ bool post_frame_upright(const struct nc_planes *planes)
     return planes->n == 1 && same_direction(planes->item[0].axis, vec(0, 0, 1));
 }
 
-static struct vec3 turned(struct vec3 v, struct vec3 about, double degrees)
+static struct vec3 turned_about(struct vec3 v, struct vec3 about, double degrees)
 {
     return vec_turn(v, about, RADIANS(degrees));
 }
@@ -180,18 +180,18 @@ static struct frame plane_frame(struct nc_plane *p, bool euler, int digits)
     struct vec3 a = p->axis, x, y, z;
     p->a = num_round(DEGREES(atan2(-a.y, a.z)), digits);
     p->b = num_round(DEGREES(atan2(a.x, hypot(a.y, a.z))), digits);
-    y = turned(y0, x0, p->a);
-    x = turned(x0, y, p->b);
+    y = turned_about(y0, x0, p->a);
+    x = turned_about(x0, y, p->b);
     bool upright = hypot(a.x, a.y) < 1e-9;
     p->i = upright ? 0 : num_round(DEGREES(atan2(a.x, -a.y)), digits);
     p->j = num_round(DEGREES(atan2(hypot(a.x, a.y), a.z)), digits);
     p->k = num_round(DEGREES(upright ? atan2(x.y, x.x) : atan2(x.z, y.z)), digits);
     if (euler) {
-        struct vec3 node = turned(x0, z0, p->i);
-        z = turned(z0, node, p->j);
-        x = turned(node, z, p->k);
+        struct vec3 node = turned_about(x0, z0, p->i);
+        z = turned_about(z0, node, p->j);
+        x = turned_about(node, z, p->k);
     } else {
-        z = turned(turned(z0, y0, p->b), x0, p->a);
+        z = turned_about(turned_about(z0, y0, p->b), x0, p->a);
     }
     return (struct frame){x, vec_cross(z, x), z, 1, true};
 }

@@ -172,16 +172,16 @@ static void count_hole(struct nc_planner *planner, const struct nc_hole *hole, d
                       rapid / planner->machine->rapid[MACHINE_X];
 }
 
-static struct vec3 printed(const struct nc_planner *planner, struct vec3 p)
+static struct vec3 printed_point(const struct nc_planner *planner, struct vec3 p)
 {
     return vec_round(p, planner->plan->ability.digits.linear);
 }
 
-static int drill(struct nc_planner *planner, const struct path_item *item)
+static int drill_hole(struct nc_planner *planner, const struct path_item *item)
 {
     const struct path_cycle *c = &planner->path->cycle.item[item->index];
     int digits = planner->plan->ability.digits.linear;
-    struct nc_hole hole = {.mouth = printed(planner, item->to.p),
+    struct nc_hole hole = {.mouth = printed_point(planner, item->to.p),
                            .cycle = c,
                            .depth = num_round(c->depth, digits),
                            .clear = num_round(c->clear, digits),
@@ -240,7 +240,7 @@ int post_item(struct nc_planner *planner, const struct path_item *item)
     case PATH_SPLINE:
         break;
     case PATH_HOLE:
-        return drill(planner, item);
+        return drill_hole(planner, item);
     case PATH_TOOL:
     case PATH_PLANE:
         return change_tool_or_plane(planner, item);

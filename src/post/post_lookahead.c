@@ -339,7 +339,7 @@ static struct checkpoint checkpoint_of(const struct nc_planner *planner)
                                plan->hole.n};
 }
 
-static void restore(struct nc_planner *planner, const struct checkpoint *checkpoint)
+static void restore_checkpoint(struct nc_planner *planner, const struct checkpoint *checkpoint)
 {
     struct nc_plan *plan = planner->plan;
     for (size_t i = checkpoint->splines; i < plan->spline.n; i++)
@@ -494,7 +494,7 @@ static int plan_items(struct nc_planner *planner, const struct lookahead *ahead,
 static int plan_along(struct nc_planner *planner, const struct lookahead *ahead, size_t from,
                       size_t to, const struct checkpoint *checkpoint, double way)
 {
-    restore(planner, checkpoint);
+    restore_checkpoint(planner, checkpoint);
     planner->rewind = post_rewind_for;
     if (plan_items(planner, ahead, from, to) != 0)
         return -1;
@@ -532,7 +532,7 @@ static int plan_group(struct nc_planner *planner, size_t from, size_t to)
     planner->aim.n = planner->rewinds.n = 0;
     if (result == 0 || (nearest == 0 && !better))
         return 0;
-    restore(planner, &checkpoint);
+    restore_checkpoint(planner, &checkpoint);
     planner->rewind = nearest != 0 ? post_rewind_for : NULL;
     return plan_items(planner, NULL, from, to);
 }

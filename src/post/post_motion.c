@@ -415,7 +415,7 @@ static int curve_between(struct nc_planner *planner, const struct motion *motion
                          double s1);
 
 /* A spline in as many curves as keep its slow places from slowing all of it. */
-static int curves(struct nc_planner *planner, const struct motion *motion)
+static int add_curves(struct nc_planner *planner, const struct motion *motion)
 {
     double s =
         planner->plan->ability.splines == NC_SPLINES_NONE ? 1 : post_feed_divide(planner, motion);
@@ -436,7 +436,7 @@ static int curve_between(struct nc_planner *planner, const struct motion *motion
     struct bspline part = bspline_part(b, from + s0 * range, from + s1 * range);
     struct motion piece = motion_spline(motion_at(motion, s0), motion_at(motion, s1), &part);
     planner->aim.n = 0;
-    int result = curves(planner, &piece);
+    int result = add_curves(planner, &piece);
     planner->aim = aim;
     bspline_free(&part);
     return result;
@@ -451,7 +451,8 @@ static int spline_along(struct nc_planner *planner, const struct motion *motion,
     if (straight_blocks(planner, &lead, 0, 1, NC_LINE, planner->allowed) != 0)
         return -1;
     planner->aim = aim;
-    return s0 <= 0 && s1 >= 1 ? curves(planner, motion) : curve_between(planner, motion, s0, s1);
+    return s0 <= 0 && s1 >= 1 ? add_curves(planner, motion)
+                              : curve_between(planner, motion, s0, s1);
 }
 
 int post_motion_along(struct nc_planner *planner, const struct motion *motion, double s0, double s1)

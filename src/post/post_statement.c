@@ -218,7 +218,7 @@ static void change_tooling(struct nc_program *p, const struct nc_tooling *said)
 }
 
 /* AUXFUN/n: the M word as it is. */
-static void auxiliary(struct nc_program *p, double number)
+static void auxiliary_word(struct nc_program *p, double number)
 {
     nc_count(&p->w, "M", number);
     nc_end(&p->w);
@@ -240,7 +240,7 @@ void nc_statement(struct nc_program *p, const char *text)
         nc_block(&p->w, "M1");
     else if (is_word(text, "AUXFUN", &rest) && num_read(&rest, &number) && number >= 0 &&
              number <= 9999 && number == floor(number))
-        auxiliary(p, number);
+        auxiliary_word(p, number);
     else if (is_word(text, "DELAY", &rest) && num_read(&rest, &seconds) && seconds > 0)
         dialect->dwell(p, seconds);
     else if (is_word(text, "PPRINT", &rest) || is_word(text, "REMARK", &rest))

@@ -25,7 +25,7 @@ void nc_writer_begin(struct nc_writer *w, struct out *out, struct nc_format_opti
     w->line = out ? out_room(out, NC_LINE_MAX) : w->own;
 }
 
-static void append(struct nc_writer *w, const char *s, size_t n)
+static void append_text(struct nc_writer *w, const char *s, size_t n)
 {
     if (w->n + n > NC_BLOCK_MAX)
         return;
@@ -65,7 +65,7 @@ static inline char *begin_word(struct nc_writer *w)
 void nc_code(struct nc_writer *w, const char *word)
 {
     begin_word(w);
-    append(w, word, strlen(word));
+    append_text(w, word, strlen(word));
 }
 
 static inline char *put_address(char *to, const char *address)
@@ -164,8 +164,8 @@ void nc_end(struct nc_writer *w)
 
 void nc_continue(struct nc_writer *w, const char *text)
 {
-    append(w, "\n", 1);
-    append(w, text, strlen(text));
+    append_text(w, "\n", 1);
+    append_text(w, text, strlen(text));
     w->blocks++;
 }
 
@@ -184,7 +184,7 @@ void nc_block(struct nc_writer *w, const char *word)
 
 void nc_line(struct nc_writer *w, const char *text)
 {
-    append(w, text, strlen(text));
+    append_text(w, text, strlen(text));
     nc_end(w);
 }
 
@@ -209,8 +209,8 @@ void nc_comment(struct nc_writer *w, const char *format, ...)
     }
     if (w->style.count_all)
         begin_word(w);
-    append(w, w->style.open, strlen(w->style.open));
-    append(w, text, strlen(text));
-    append(w, w->style.close, strlen(w->style.close));
+    append_text(w, w->style.open, strlen(w->style.open));
+    append_text(w, text, strlen(text));
+    append_text(w, w->style.close, strlen(w->style.close));
     nc_end(w);
 }

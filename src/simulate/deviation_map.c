@@ -34,7 +34,7 @@ struct rolling {
 /* ---- which segments of the path touch the part */
 
 /* How far points are apart: a sample's mean distance to the fourth neighbour. */
-static double spacing(const struct kdtree *part, const struct vec3 *point, size_t n)
+static double point_spacing(const struct kdtree *part, const struct vec3 *point, size_t n)
 {
     size_t index[BESIDE], step = n / SAMPLES + 1, samples = 0;
     double distance2[BESIDE], sum = 0;
@@ -49,12 +49,12 @@ static double spacing(const struct kdtree *part, const struct vec3 *point, size_
 static double touching_distance(const struct rolling *r, size_t n)
 {
     const struct deviation_map_options *options = r->options;
-    double hole = HOLE * spacing(r->part, r->point, n);
+    double hole = HOLE * point_spacing(r->part, r->point, n);
     double off = fmax(HUG * options->tolerance, hole * hole / (2 * options->radius));
     return options->radius + fmin(options->band, off);
 }
 
-static bool touches(const struct rolling *r, struct vec3 centre)
+static bool ball_touches(const struct rolling *r, struct vec3 centre)
 {
     size_t index;
     double distance2;
@@ -72,7 +72,7 @@ static void mark_touching(void *context, size_t from, size_t to)
         struct centre_segment *segment = &r->path->item[i];
         struct vec3 middle = vec_mix(segment->a, segment->b, 0.5);
         bool close = i % GROUP > 0 && vec_distance(middle, looked) < CLOSE * r->options->radius;
-        segment->on = close ? segment[-1].on : touches(r, middle);
+        segment->on = close ? segment[-1].on : ball_touches(r, middle);
         looked = close ? looked : middle;
     }
 }

@@ -17,7 +17,7 @@ struct search {
 };
 
 /* True if the two segments are of one curve, or of straight blocks one after the other. */
-static bool continues(const struct search *s, size_t from, size_t to)
+static bool continues_curve(const struct search *s, size_t from, size_t to)
 {
     const struct nc_piece *piece = s->motion->piece.item;
     unsigned p = s->path->item[from].piece, q = s->path->item[to].piece;
@@ -98,7 +98,7 @@ static void look_at_end(struct search *s, size_t to)
 }
 
 /* From the straight line between two places to a third, at right angles. */
-static struct vec3 rise(struct vec3 from, struct vec3 to, struct vec3 p)
+static struct vec3 rise_over_line(struct vec3 from, struct vec3 to, struct vec3 p)
 {
     return vec_sub(p, vec_segment_nearest(from, to, p));
 }
@@ -113,7 +113,7 @@ static void look_at_stretch(struct search *s, size_t from, size_t to)
     if (s->motion->piece.item[segment[from].piece].shape == SHAPE_LINE && !is_spike(s, from, to))
         return;
     for (size_t i = from; i < to; i++) {
-        double high = vec_length(rise(a, b, segment[i].b));
+        double high = vec_length(rise_over_line(a, b, segment[i].b));
         top = high > most ? i : top;
         most = fmax(most, high);
     }
@@ -126,7 +126,8 @@ static void look_at_stretch(struct search *s, size_t from, size_t to)
     const struct nc_piece *piece = &s->motion->piece.item[segment[top].piece];
     struct vec3 axis = nc_motion_at(s->motion, piece, (double)segment[top].s[1]).a;
     double height = clearance(s, segment[top].b);
-    if (most > band && height > band && vec_dot(axis, rise(a, b, segment[top].b)) >= RISES * most)
+    if (most > band && height > band &&
+        vec_dot(axis, rise_over_line(a, b, segment[top].b)) >= RISES * most)
         add_excursion(s, top, height);
 }
 
@@ -139,7 +140,7 @@ struct excursion excursion_find(const struct nc_motion *motion, const struct cen
         size_t from = i;
         if (path->item[i].on)
             continue;
-        while (i + 1 < path->n && !path->item[i + 1].on && continues(&s, i, i + 1))
+        while (i + 1 < path->n && !path->item[i + 1].on && continues_curve(&s, i, i + 1))
             i++;
         look_at_stretch(&s, from, i);
     }

@@ -149,7 +149,7 @@ static struct chord chord_at(const struct capsule *c, double x, double y)
 }
 
 /* The share of Z in the normal of the capsule at a place on it, seen from a. */
-static double upright(const struct capsule *c, struct vec3 p)
+static double upright_share(const struct capsule *c, struct vec3 p)
 {
     double s = fmin(fmax(vec_dot(p, c->e), 0), c->length);
     return fmin(1, fabs(p.z - s * c->e.z) / c->radius);
@@ -188,7 +188,7 @@ static void cut_by_capsule(struct stock *s, int i, int j, const struct capsule *
         cut_column(s, column, low, high);
         stock_changed(s, j / STOCK_TILE * s->tiles_x + i / STOCK_TILE);
     }
-    depth *= upright(c, vec(top.x, top.y, chord.low));
+    depth *= upright_share(c, vec(top.x, top.y, chord.low));
     sum->volume += taken * s->dx * s->dy;
     if (depth > sum->depth) {
         sum->depth = depth;
@@ -373,7 +373,7 @@ struct highest {
 };
 
 /* How far x is beyond the middles of the columns from `first` on, n of them. */
-static double beyond(double x, double corner, double step, int first, int n)
+static double distance_beyond(double x, double corner, double step, int first, int n)
 {
     double low = corner + (first + 0.5) * step;
     return fmax(0, fmax(low - x, x - low - (n - 1) * step));
@@ -386,8 +386,8 @@ static void find_highest(const struct balls *b, int level, int i, int j, struct 
     if (i >= l->columns || j >= l->rows)
         return;
     double z = l->cell[(size_t)j * (size_t)l->columns + (size_t)i].high;
-    double x = beyond(top->x, t->x, t->dx, i << level, 1 << level);
-    double y = beyond(top->y, t->y, t->dy, j << level, 1 << level);
+    double x = distance_beyond(top->x, t->x, t->dx, i << level, 1 << level);
+    double y = distance_beyond(top->y, t->y, t->dy, j << level, 1 << level);
     double w2 = b->radius * b->radius - x * x - y * y;
     if (w2 < 0 || (z < top->z && w2 <= (top->z - z) * (top->z - z)))
         return;

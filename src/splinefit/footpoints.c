@@ -309,8 +309,8 @@ static double newton_step(const struct ppform *form, const struct footpoint *at,
 }
 
 /* Follows the foot of place k from at->u.  Returns the distance there. */
-static double follow(const struct ppform *form, const struct reference *places, double tolerance,
-                     size_t k, bool other, struct footpoint *at)
+static double follow_foot(const struct ppform *form, const struct reference *places,
+                          double tolerance, size_t k, bool other, struct footpoint *at)
 {
     double tiny = SMALL * tolerance;
     struct place p = {0};
@@ -345,7 +345,7 @@ static void follow_other(const struct ppform *form, const struct reference *plac
 
     other->u = feet->v[k];
     other->span = point->span;
-    off[1] = follow(form, places, feet->within.point, k, true, other);
+    off[1] = follow_foot(form, places, feet->within.point, k, true, other);
     feet->v[k] = other->u;
     struct vec3 axis = places->other_leads ? other->axis : point->axis;
     off[2] = vec_distance(axis, places->axis[k]) * feet->within.point / feet->within.axis;
@@ -362,7 +362,7 @@ void footpoints_follow(const struct ppform *form, const struct reference *places
         struct footpoint *point = &feet->point[k];
         point->u = feet->u[k];
         point->span = near;
-        feet->off[k * kinds] = follow(form, places, feet->within.point, k, false, point);
+        feet->off[k * kinds] = follow_foot(form, places, feet->within.point, k, false, point);
         feet->u[k] = point->u;
         near = point->span;
         if (places->turns)

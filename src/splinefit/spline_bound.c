@@ -28,7 +28,7 @@ static double length_of(const struct bspline *curve)
     return length;
 }
 
-static struct vec3 printed(struct vec3 p)
+static struct vec3 printed_point(struct vec3 p)
 {
     return vec_round(p, SPLINE_BOUND_DIGITS);
 }
@@ -68,9 +68,9 @@ bool spline_bound_print(struct bspline *curve)
     if (!print_knots(curve))
         return false;
     for (size_t i = 0; i < curve->poles; i++) {
-        curve->pole[i] = printed(curve->pole[i]);
+        curve->pole[i] = printed_point(curve->pole[i]);
         if (curve->head != NULL)
-            curve->head[i] = printed(curve->head[i]);
+            curve->head[i] = printed_point(curve->head[i]);
     }
     return true;
 }

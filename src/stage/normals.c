@@ -111,7 +111,7 @@ static const struct normal_estimator estimators[] = {
 
 enum { ESTIMATORS = sizeof estimators / sizeof *estimators };
 
-static bool has(const struct normal_estimator *e, bool of_scan)
+static bool tool_has(const struct normal_estimator *e, bool of_scan)
 {
     return of_scan ? e->of_scan : e->of_mesh;
 }
@@ -123,7 +123,7 @@ const char *normals_words(bool of_scan)
 
     to[0] = '\0';
     for (int i = 0; i < ESTIMATORS; i++)
-        if (has(&estimators[i], of_scan))
+        if (tool_has(&estimators[i], of_scan))
             strcat(strcat(to, to[0] ? "|" : ""), estimators[i].name);
     return to;
 }
@@ -131,7 +131,7 @@ const char *normals_words(bool of_scan)
 const struct normal_estimator *normals_find(bool of_scan, int k)
 {
     for (int i = 0; i < ESTIMATORS; i++)
-        if (has(&estimators[i], of_scan) && k-- == 0)
+        if (tool_has(&estimators[i], of_scan) && k-- == 0)
             return &estimators[i];
     return NULL;
 }

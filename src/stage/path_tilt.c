@@ -46,7 +46,7 @@ static void shift_between(struct path *path, size_t from, size_t to, const struc
         shift_move(path, &path->item.item[i], before);
 }
 
-static struct pose tracked(const struct path *path, const struct run_point *p)
+static struct pose tracked_pose(const struct path *path, const struct run_point *p)
 {
     return (struct pose){path->head.track == TRACK_CENTRE ? p->ball : p->tip, p->axis};
 }
@@ -68,7 +68,7 @@ int path_set_tilt(struct path *path, double angle, bool frenet, struct error *er
         struct run run = path_run_read(path, from, to);
         tilt_run(&run, angle, frenet, &side);
         for (size_t i = from; i < to; i++)
-            item[i].to = tracked(path, &run.item[i - from]);
+            item[i].to = tracked_pose(path, &run.item[i - from]);
         next.now = item[from].to;
         after.now = item[to - 1].to;
         array_free(&run);

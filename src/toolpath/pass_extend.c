@@ -11,8 +11,8 @@ static const double LEAST = 0.1; /* of a step, along the plane: on walls it woul
 static const double LITTLE = 0.1; /* of a step: not worth a point */
 
 /* A contact so far on in its plane, up (way 1) or down (-1) along. */
-static struct contact ahead(const struct border_surface_plane *plane, struct contact c, double way,
-                            double distance)
+static struct contact contact_ahead(const struct border_surface_plane *plane, struct contact c,
+                                    double way, double distance)
 {
     struct vec3 forward = vec_unit(vec_cross(plane->normal, c.n));
 
@@ -31,7 +31,7 @@ static void follow_to_border(const struct border_surface *b,
 
     for (int i = 0; i < HALVINGS; i++) {
         double middle = (on + off) / 2;
-        struct contact next = ahead(plane, c, way, middle);
+        struct contact next = contact_ahead(plane, c, way, middle);
         if (border_surface_move(b, plane, &next)) {
             on = middle;
             last = next;
@@ -51,7 +51,7 @@ static void follow_scan(const struct border_surface *b, const struct border_surf
     size_t first = run->n;
 
     for (;;) {
-        struct contact next = ahead(plane, c, way, border_surface_step(b));
+        struct contact next = contact_ahead(plane, c, way, border_surface_step(b));
         if (!border_surface_move(b, plane, &next)) {
             follow_to_border(b, plane, c, way, run);
             return;
@@ -254,7 +254,7 @@ static bool carry_point(const struct border_surface *b, const struct border_surf
            ends_beyond(b, *plane, *c, way < 0 ? -1 : 1);
 }
 
-static bool covered(const struct extensions *all, double at)
+static bool is_covered(const struct extensions *all, double at)
 {
     for (size_t i = 0; i < all->n; i++) {
         if (at >= all->item[i].low && at <= all->item[i].high)
@@ -277,7 +277,7 @@ static void carry_over(const struct border_surface *b, const struct border_surfa
             size_t next = i + 1 < n ? i + 1 : i;
             struct contact at = {vec_mix(c[i].p, c[next].p, k / parts),
                                  vec_unit(vec_mix(c[i].n, c[next].n, k / parts))};
-            if (!covered(all, vec_dot(at.p, plane->along)) && carry_point(b, plane, &at)) {
+            if (!is_covered(all, vec_dot(at.p, plane->along)) && carry_point(b, plane, &at)) {
                 *array_push(&pieces->point) = at;
                 continue;
             }
@@ -306,7 +306,7 @@ static size_t add_pieces(const struct border_surface *b, const struct border_sur
 
     for (size_t k = 0; k < pieces->chain.n; k++) {
         struct extension g = extension_of(plane, pieces, k);
-        if (covered(all, (g.low + g.high) / 2)) /* by what the last piece has become */
+        if (is_covered(all, (g.low + g.high) / 2)) /* by what the last piece has become */
             continue;
         *array_push(all) = g;
         extend_ends(b, plane, all, all->n - 1);

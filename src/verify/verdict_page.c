@@ -75,7 +75,7 @@ static int fine(double mm)
     return (int)lround(fmin(mm, 2e5) * 10000);
 }
 
-static struct vec3 middle(const struct vec3s *points)
+static struct vec3 middle_of(const struct vec3s *points)
 {
     struct box box = box_around(points->item, points->n);
     return vec_mix(box.low, box.high, 0.5);
@@ -146,7 +146,7 @@ static void print_data(struct page *page)
     const struct verdict *v = page->verdict;
     struct out *o = page->out;
     struct page_rows *rows = &page->rows;
-    struct vec3 centre = middle(v->program.part);
+    struct vec3 centre = middle_of(v->program.part);
     double full = isfinite(v->options.left) ? v->options.left : 4 * v->options.tolerance;
     out_printf(o, "const D = {centre:[%d,%d,%d],tolerance:%d,full:%d,\n", thousandths(centre.x),
                thousandths(centre.y), thousandths(centre.z), fine(v->options.tolerance),

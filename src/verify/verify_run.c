@@ -251,7 +251,7 @@ static void judge_axes(struct verdict *v)
                     letter[use->speed.axis], use->speed.value, use->fast);
 }
 
-static void judge(struct verdict *v)
+static void find_faults(struct verdict *v)
 {
     sum_pieces(v);
     if (v->map.points > 0)
@@ -284,7 +284,7 @@ struct verdict verify_run(const struct verify_program *program,
     if (options->stock)
         cut_stock(&v);
     v.axes = axis_limits_check(program->motion, &options->limits);
-    judge(&v);
+    find_faults(&v);
     return v;
 }
 

@@ -136,7 +136,7 @@ static bool next_line(const char **s, const char *end, const char **line, size_t
     return false;
 }
 
-static bool begins(const char *line, size_t n, const char *word)
+static bool line_begins(const char *line, size_t n, const char *word)
 {
     size_t length = strlen(word);
     return n >= length && memcmp(line, word, length) == 0 &&
@@ -163,7 +163,7 @@ static bool is_obj(const char *head, const char *end)
     while (next_line(&head, end, &line, &n) && (head < end || !vertex)) {
         if (!continued && !cloud_obj_statement(line, n))
             return false;
-        vertex = vertex || begins(line, n, "v");
+        vertex = vertex || line_begins(line, n, "v");
         continued = line[n - 1] == '\\';
     }
     return vertex;
@@ -175,9 +175,9 @@ static enum format find_format(const char *head, size_t n)
     size_t length;
     if (!next_line(&s, end, &line, &length))
         return FORMAT_TEXT;
-    if (begins(line, length, "ply"))
+    if (line_begins(line, length, "ply"))
         return FORMAT_PLY;
-    if (begins(line, length, "VERSION") || begins(line, length, "FIELDS"))
+    if (line_begins(line, length, "VERSION") || line_begins(line, length, "FIELDS"))
         return FORMAT_PCD;
     if (is_whole_number(line, length) && next_line(&s, end, &line, &length) &&
         is_whole_number(line, length))

@@ -105,7 +105,7 @@ static int read_ptx_head(struct cloud_source *s, double *rows, double matrix[4][
     return 0;
 }
 
-static struct vec3 placed(struct vec3 p, double m[4][4])
+static struct vec3 place_point(struct vec3 p, double m[4][4])
 {
     return vec(p.x * m[0][0] + p.y * m[1][0] + p.z * m[2][0] + m[3][0],
                p.x * m[0][1] + p.y * m[1][1] + p.z * m[2][1] + m[3][1],
@@ -132,7 +132,7 @@ static int read_cells(struct cloud_source *s, size_t cells, double matrix[4][4],
             s->count->not_measured++;
             continue;
         }
-        row.p = placed(row.p, matrix);
+        row.p = place_point(row.p, matrix);
         if (cloud_take(s, &row, error) < 0)
             return -1;
     }

@@ -419,7 +419,7 @@ static void reserve(struct text *t, size_t rows, size_t bytes)
 }
 
 /* Rows straight from the reader's buffer, as many as there are whole and plain. */
-static void run(struct text *t)
+static void read_plain_rows(struct text *t)
 {
     const char *ahead;
     size_t rows, n = reader_ahead(t->source->reader, &ahead);
@@ -456,7 +456,7 @@ int cloud_text_read(struct cloud_source *source, struct error *error)
             break;
         }
         if (t.begun && !t.doubtful)
-            run(&t);
+            read_plain_rows(&t);
     }
     free(t.heading);
     return got < 0 ? -1 : at_end(&t, error);

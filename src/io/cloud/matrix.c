@@ -24,7 +24,7 @@ static int read_line(const struct reader *r, const char *line, double value[16],
     }
 }
 
-static int check(const char *name, const struct transform *t, struct error *error)
+static int check_transform(const char *name, const struct transform *t, struct error *error)
 {
     const double *last = t->m[3];
     if (last[0] != 0 || last[1] != 0 || last[2] != 0 || last[3] != 1)
@@ -58,7 +58,7 @@ int matrix_read(const char *file, struct transform *matrix, struct error *error)
             error_set(error, "%s: found %d numbers, expected the 16 of a 4 x 4 matrix", r.name, n);
     if (got == 0) {
         memcpy(matrix->m, value, sizeof matrix->m);
-        got = check(r.name, matrix, error);
+        got = check_transform(r.name, matrix, error);
     }
     reader_close(&r);
     return got;

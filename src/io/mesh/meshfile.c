@@ -10,7 +10,7 @@
 
 enum { HEAD = 4096 }; /* bytes that tell what a file is */
 
-static bool begins(const char *head, size_t n, const char *word)
+static bool head_begins(const char *head, size_t n, const char *word)
 {
     return n >= strlen(word) && memcmp(head, word, strlen(word)) == 0;
 }
@@ -34,13 +34,13 @@ static int read_from(struct reader *r, struct mesh *mesh, struct error *error)
     bool text = is_text(head, n);
 
     *mesh = (struct mesh){.origin = ply_origin_none()};
-    if (begins(head, n, "ply"))
+    if (head_begins(head, n, "ply"))
         return ply_read_mesh(r, mesh, error);
-    if (begins(head, n, "OFF") || begins(head, n, "COFF") || begins(head, n, "NOFF"))
+    if (head_begins(head, n, "OFF") || head_begins(head, n, "COFF") || head_begins(head, n, "NOFF"))
         return off_read(r, mesh, error);
     if (n > 0 && (!text || stl_is_binary(r, head, n)))
         return stl_read_binary(r, mesh, error);
-    if (begins(head, n, "solid"))
+    if (head_begins(head, n, "solid"))
         return stl_read_text(r, mesh, error);
     return ply_read_mesh(r, mesh, error);
 }

@@ -23,7 +23,7 @@ static int next_line(struct reader *r, const char **line, struct error *error)
     return got;
 }
 
-static int expected(const struct reader *r, struct error *error, const char *what)
+static int error_expected(const struct reader *r, struct error *error, const char *what)
 {
     return error_at(error, r->name, r->line, "not enough finite numbers, expected %s", what);
 }
@@ -47,14 +47,14 @@ static int read_head(struct reader *r, double count[2], bool *normals, struct er
     const char *s;
 
     if (next_line(r, &s, error) <= 0)
-        return expected(r, error, "an OFF file");
+        return error_expected(r, error, "an OFF file");
     *normals = *s == 'N';
     s += strcspn(s, " \t");
     s += strspn(s, " \t");
     if (!*s && next_line(r, &s, error) <= 0)
-        return expected(r, error, "the counts of an OFF file: vertices, faces, edges");
+        return error_expected(r, error, "the counts of an OFF file: vertices, faces, edges");
     if (read_numbers(&s, count, 2) < 2)
-        return expected(r, error, "the counts of an OFF file: vertices, faces, edges");
+        return error_expected(r, error, "the counts of an OFF file: vertices, faces, edges");
     for (int i = 0; i < 2; i++) {
         if (!(count[i] >= 1 && count[i] <= INT_MAX && count[i] == floor(count[i])))
             return error_at(error, r->name, r->line, "a count of %.17g %s, expected 1 to %d",
@@ -75,7 +75,7 @@ static int read_vertex(struct reader *r, bool normals, struct mesh *mesh, struct
         return error_at(error, r->name, 0, "the OFF file ends after %zu vertices, expected more",
                         mesh->vertex.n);
     if (read_numbers(&s, v, n) < n)
-        return expected(r, error, normals ? "x y z nx ny nz" : "x y z");
+        return error_expected(r, error, normals ? "x y z nx ny nz" : "x y z");
     *array_push(&mesh->vertex) = vec(v[0], v[1], v[2]);
     if (normals)
         *array_push(&mesh->normal) = vec_unit(vec(v[3], v[4], v[5]));
@@ -94,10 +94,11 @@ static int read_face(struct reader *r, struct mesh *mesh, struct error *error)
         return error_at(error, r->name, 0, "the OFF file ends after %zu facets, expected more",
                         mesh->face.n);
     if (read_numbers(&s, &corners, 1) < 1 || !(corners >= 3))
-        return expected(r, error, "a face: the number of its corners, 3 or more, and the corners");
+        return error_expected(r, error,
+                              "a face: the number of its corners, 3 or more, and the corners");
     for (double i = 0; i < corners; i++) {
         if (read_numbers(&s, &index, 1) < 1)
-            return expected(r, error, "the number of corners of the face");
+            return error_expected(r, error, "the number of corners of the face");
         if (!(index >= 0 && index < (double)mesh->vertex.n && index == floor(index)))
             return error_at(error, r->name, r->line, "vertex index %.17g, expected 0 to %zu", index,
                             mesh->vertex.n - 1);

@@ -15,7 +15,7 @@
 enum { WORDS = 6 };
 
 /* Cuts a line into its words in place; those beyond WORDS stay in the last one. */
-static int split(char *line, char *word[WORDS])
+static int split_words(char *line, char *word[WORDS])
 {
     int n = 0;
     for (char *p = line; n < WORDS; n++) {
@@ -135,7 +135,7 @@ static int read_statement(struct ply_head *head, char *line, struct mesh_origin 
     char *word[WORDS];
     if (strncmp(line, "comment", 7) == 0 && (line[7] == ' ' || line[7] == '\t' || !line[7]))
         return read_comment(origin, line + 7, r, error);
-    int n = split(line, word);
+    int n = split_words(line, word);
     if (n == 0 || strcmp(word[0], "obj_info") == 0)
         return 0;
     if (strcmp(word[0], "end_header") == 0)
@@ -217,7 +217,7 @@ int ply_error(const struct ply_source *s, struct error *error, const char *forma
 }
 
 /* Letters of the word at s that a message shows. */
-static int shown(const char *s)
+static int shown_length(const char *s)
 {
     size_t n = strcspn(s, blanks);
     return n < 40 ? (int)n : 40;
@@ -260,7 +260,7 @@ int ply_row_end(struct ply_source *s, struct error *error)
     if (s->at == s->end)
         return 0;
     return ply_error(s, error, "'%.*s' after the last property of element %s, expected a line end",
-                     shown(s->at), s->at, s->element->name);
+                     shown_length(s->at), s->at, s->element->name);
 }
 
 static int ascii_value(struct ply_source *s, double *value, struct error *error)
@@ -274,7 +274,7 @@ static int ascii_value(struct ply_source *s, double *value, struct error *error)
     if (!finite && num_not_finite(&p))
         *value = NAN;
     if (p == s->at || (p != s->end && *p != ' ' && *p != '\t'))
-        return ply_error(s, error, "'%.*s' is no number, expected one", shown(s->at), s->at);
+        return ply_error(s, error, "'%.*s' is no number, expected one", shown_length(s->at), s->at);
     s->at = p;
     return 0;
 }

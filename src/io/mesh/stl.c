@@ -56,7 +56,7 @@ static int add_facet(const struct reader *r, size_t line, const struct vec3 corn
     return 0;
 }
 
-static int finish(const struct reader *r, struct mesh *mesh, struct error *error)
+static int check_end(const struct reader *r, struct mesh *mesh, struct error *error)
 {
     if (mesh->face.n == 0)
         return error_at(error, r->name, 0, "an STL file without facets, expected some");
@@ -92,7 +92,7 @@ int stl_read_binary(struct reader *r, struct mesh *mesh, struct error *error)
         if (add_facet(r, 0, corner, mesh, error) < 0)
             return -1;
     }
-    return finish(r, mesh, error);
+    return check_end(r, mesh, error);
 }
 
 /* The word at *s in any case; *s then points after it. */
@@ -166,5 +166,5 @@ int stl_read_text(struct reader *r, struct mesh *mesh, struct error *error)
         return error_at(error, r->name, 0,
                         "the STL file ends after %zu facets without endsolid, expected the rest",
                         mesh->face.n);
-    return finish(r, mesh, error);
+    return check_end(r, mesh, error);
 }

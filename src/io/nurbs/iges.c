@@ -41,7 +41,7 @@ static size_t cursor_line(const struct iges_cursor *c)
 }
 
 /* The next character without taking it, '\0' at the end of the records. */
-static char peek(struct iges_cursor *c)
+static char peek_char(struct iges_cursor *c)
 {
     while (c->records > 0 && c->column >= width_of(c)) {
         c->record++;
@@ -51,9 +51,9 @@ static char peek(struct iges_cursor *c)
     return c->records > 0 ? c->record->text[c->column] : '\0';
 }
 
-static char take(struct iges_cursor *c)
+static char take_char(struct iges_cursor *c)
 {
-    char ch = peek(c);
+    char ch = peek_char(c);
     if (ch != '\0')
         c->column++;
     return ch;
@@ -63,7 +63,7 @@ static int copy_text(struct iges_cursor *c, long length, char *text, size_t size
                      struct error *error)
 {
     for (long i = 0; i < length; i++) {
-        char ch = take(c);
+        char ch = take_char(c);
         if (ch == '\0')
             return error_at(error, c->name, cursor_line(c),
                             "a text of %ld characters that the file does not hold, expected them",
@@ -99,7 +99,7 @@ static int next_value(struct iges_cursor *c, struct iges_value *value, char *tex
     *value = (struct iges_value){.kind = IGES_DEFAULT};
     text[0] = '\0';
     for (;;) {
-        char ch = take(c);
+        char ch = take_char(c);
         if (n == 0 && value->kind == IGES_DEFAULT)
             value->line = cursor_line(c);
         if (ch == '\0')
@@ -179,9 +179,9 @@ static int take_unit(struct iges *iges, double flag, const char *name, struct er
 
 static char peek_text(struct iges_cursor *c)
 {
-    while (peek(c) == ' ')
-        take(c);
-    return peek(c);
+    while (peek_char(c) == ' ')
+        take_char(c);
+    return peek_char(c);
 }
 
 /* One of the two delimiters, as 1Hx or as nothing, which means the default; then the one of
@@ -191,10 +191,10 @@ static int take_delimiter(struct iges_cursor *c, char *delimiter, struct error *
     char next = peek_text(c);
     if (next == ';' || next == c->comma) {
         if (next == c->comma)
-            take(c);
+            take_char(c);
         return 0;
     }
-    char one = take(c), h = take(c), ch = take(c);
+    char one = take_char(c), h = take_char(c), ch = take_char(c);
     if (one != '1' || h != 'H' || ch <= ' ' || strchr("+-.0123456789DEH", ch))
         return error_at(error, c->name, cursor_line(c),
                         "a global section that begins '%c%c', expected 1H and a delimiter",
@@ -202,7 +202,7 @@ static int take_delimiter(struct iges_cursor *c, char *delimiter, struct error *
     *delimiter = ch;
     next = peek_text(c);
     if (next == c->comma)
-        take(c);
+        take_char(c);
     else if (next != c->semicolon)
         return error_at(error, c->name, cursor_line(c),
                         "'%c' after a delimiter in the global section, expected '%c'",
@@ -291,7 +291,7 @@ static int bad_line(const struct scan *s, size_t line, struct error *error, size
 }
 
 /* The number in columns from..to (from 0); blank is 0. */
-static int field(const char *text, size_t from, size_t to, long *number)
+static int read_field(const char *text, size_t from, size_t to, long *number)
 {
     char word[24] = {0};
     memcpy(word, text + from, to - from);
@@ -317,7 +317,8 @@ static int take_record(struct scan *s, const char *text, size_t line, struct err
                         *letter, section_letter[s->section]);
     s->section = section;
     s->count[section]++;
-    if (field(record.text, LETTER + 1, COLUMNS, &number) < 0 || (size_t)number != s->count[section])
+    if (read_field(record.text, LETTER + 1, COLUMNS, &number) < 0 ||
+        (size_t)number != s->count[section])
         return error_at(error, s->iges->name, line,
                         "sequence number '%.7s' in section %c, expected %zu",
                         record.text + LETTER + 1, *letter, s->count[section]);
@@ -372,7 +373,7 @@ static int check_terminate(const struct scan *s, struct error *error)
         const char *text = s->terminate.text + 8 * i;
         long number;
         if (text[0] == section_letter[i] &&
-            (field(text, 1, 8, &number) < 0 || (size_t)number != s->count[i]))
+            (read_field(text, 1, 8, &number) < 0 || (size_t)number != s->count[i]))
             return error_at(error, s->iges->name, s->terminate.line,
                             "%zu lines of section %c, expected the %.7s of the T section",
                             s->count[i], section_letter[i], text + 1);
@@ -390,7 +391,7 @@ static int take_entity(struct iges *iges, const struct iges_record *a, const str
     for (size_t i = 0; i < 5; i++) {
         const struct iges_record *r = i < 3 ? a : b;
         size_t at = i < 3 ? column[i] : second[i - 3];
-        if (field(r->text, at, at + 8, &v[i]) < 0 || labs(v[i]) > 99999999)
+        if (read_field(r->text, at, at + 8, &v[i]) < 0 || labs(v[i]) > 99999999)
             return error_at(error, iges->name, r->line, "'%.8s' as %s, expected a whole number",
                             r->text + at, what[i]);
     }
@@ -465,7 +466,8 @@ int iges_values(const struct iges *iges, const struct iges_entity *entity,
     for (size_t i = 0; i < entity->lines; i++) {
         const struct iges_record *r = &c.record[i];
         long back;
-        if (field(r->text, POINTER + 1, LETTER, &back) == 0 && back != 0 && back != entity->number)
+        if (read_field(r->text, POINTER + 1, LETTER, &back) == 0 && back != 0 &&
+            back != entity->number)
             return error_at(error, iges->name, r->line,
                             "a parameter line of directory entry %ld, expected one of %d", back,
                             entity->number);

@@ -178,7 +178,7 @@ static int vec_of(const struct source *s, size_t index, int type, struct vec3 *t
 }
 
 /* The unit direction that a local one is turned to. */
-static struct vec3 turned(const struct transform *t, struct vec3 d)
+static struct vec3 turned_direction(const struct transform *t, struct vec3 d)
 {
     struct vec3 zero = {0, 0, 0};
     return vec_unit(vec_sub(transform_point(t, d), transform_point(t, zero)));
@@ -191,8 +191,8 @@ static int add_primitive(const struct source *s, struct primitive p, struct vec3
     double scale = cbrt(fabs(transform_determinant(s->place)));
     p.radius *= scale;
     p.other *= p.kind == PRIMITIVE_TORUS ? scale : RADIANS(1);
-    p.place = construct_place(transform_point(s->place, at), turned(s->place, z),
-                              vec_length(x) > 0 ? turned(s->place, x) : x);
+    p.place = construct_place(transform_point(s->place, at), turned_direction(s->place, z),
+                              vec_length(x) > 0 ? turned_direction(s->place, x) : x);
     primitive_points(s->loops, &points);
     int status = primitive_surface(&p, &points, s->surface);
     array_free(&points);

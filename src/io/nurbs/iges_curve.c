@@ -34,7 +34,7 @@ static struct nurbs_pole pole_at(const struct source *s, struct vec3 p, double w
     return (struct nurbs_pole){w * p.x, w * p.y, w * p.z, w};
 }
 
-static int few(const struct source *s, size_t need, struct error *error)
+static int too_few_values(const struct source *s, size_t need, struct error *error)
 {
     return error_at(error, s->iges->name, s->values->line,
                     "entity %d with %zu numbers, expected %zu", s->entity->type, s->values->n,
@@ -72,7 +72,7 @@ int iges_matrix(const struct iges *iges, int number, struct transform *matrix, s
 static int line_110(const struct source *s, struct patch_loop *loop, struct error *error)
 {
     if (s->values->n < 7)
-        return few(s, 7, error);
+        return too_few_values(s, 7, error);
     struct nurbs_curve c = patch_curve(1, 2);
     for (size_t i = 0; i < 2; i++)
         c.pole[i] = pole_at(
@@ -85,7 +85,7 @@ static int line_110(const struct source *s, struct patch_loop *loop, struct erro
 static int arc_100(const struct source *s, struct patch_loop *loop, struct error *error)
 {
     if (s->values->n < 8)
-        return few(s, 8, error);
+        return too_few_values(s, 8, error);
     double z = value_at(s, 1), x = value_at(s, 2), y = value_at(s, 3);
     double x0 = value_at(s, 4) - x, y0 = value_at(s, 5) - y;
     double x1 = value_at(s, 6) - x, y1 = value_at(s, 7) - y, r = hypot(x0, y0);
@@ -114,7 +114,7 @@ static int polyline_106(const struct source *s, struct patch_loop *loop, struct 
         return -1;
     size_t n = (size_t)count, step = kind == 1 ? 2 : kind == 2 ? 3 : 6, first = kind == 1 ? 4 : 3;
     if (s->values->n < first + step * n)
-        return few(s, first + step * n, error);
+        return too_few_values(s, first + step * n, error);
     struct nurbs_curve c = patch_curve(1, n);
     for (size_t i = 0; i < n; i++) {
         double z = kind == 1 ? value_at(s, 3) : value_at(s, first + step * i + 2);
@@ -135,7 +135,7 @@ static int spline_126(const struct source *s, struct patch_loop *loop, struct er
         return -1;
     size_t n = (size_t)k + 1, knots = n + (size_t)m + 1, need = 7 + knots + 4 * n;
     if (s->values->n < need)
-        return few(s, need, error);
+        return too_few_values(s, need, error);
     struct nurbs_curve c = patch_curve((int)m, n);
     struct error why;
     for (size_t i = 0; i < knots; i++)
@@ -172,7 +172,7 @@ static int composite_102(const struct source *s, struct walk *walk, struct patch
     if (iges_whole(s->iges, s->values, 1, 1, COUNT_MAX, "count of curves", &count, error) < 0)
         return -1;
     if (s->values->n < 2 + (size_t)count)
-        return few(s, 2 + (size_t)count, error);
+        return too_few_values(s, 2 + (size_t)count, error);
     struct transform outer = walk->outer;
     int got = 0;
     walk->outer = s->matrix;

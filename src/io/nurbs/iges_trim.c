@@ -8,8 +8,8 @@
 
 enum { COUNT_MAX = 2147483647 };
 
-static void ignore(struct patch *patch, const struct iges_entity *loop,
-                   const struct iges_entity *unknown)
+static void ignore_loop(struct patch *patch, const struct iges_entity *loop,
+                        const struct iges_entity *unknown)
 {
     if (patch->ignored++ == 0) {
         patch->ignored_entity = loop->number;
@@ -155,6 +155,6 @@ int iges_trim(const struct iges_trimming *s, struct patch *patch, const struct i
     else
         patch_loop_free(&loop);
     if (got > 0)
-        ignore(patch, e, unknown);
+        ignore_loop(patch, e, unknown);
     return got < 0 ? -1 : 0;
 }

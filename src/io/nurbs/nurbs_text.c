@@ -28,7 +28,7 @@ struct draft {
     size_t line;
 };
 
-static int complain(const struct source *s, const char *expected)
+static int error_expected(const struct source *s, const char *expected)
 {
     return error_at(s->error, s->reader->name, s->reader->line, "%s%.40s%s, expected %s",
                     s->word ? "'" : "", s->word ? s->word : "the end of the text",
@@ -63,7 +63,7 @@ static bool is_word(const struct source *s, const char *word)
 }
 
 /* `n` finite numbers; none of them is made room for before it is there. */
-static int numbers(struct source *s, size_t n, struct doubles *to, const char *expected)
+static int read_finite(struct source *s, size_t n, struct doubles *to, const char *expected)
 {
     to->n = 0;
     for (size_t i = 0; i < n; i++) {
@@ -71,19 +71,20 @@ static int numbers(struct source *s, size_t n, struct doubles *to, const char *e
         if (next_word(s) < 0)
             return -1;
         if (!s->word || !num_whole(s->word, &x))
-            return complain(s, expected);
+            return error_expected(s, expected);
         *array_push(to) = x;
     }
     return 0;
 }
 
-static int counts(struct source *s, double least, double most, int two[2], const char *expected)
+static int read_counts(struct source *s, double least, double most, int two[2],
+                       const char *expected)
 {
     struct doubles v = {0};
-    int status = numbers(s, 2, &v, expected);
+    int status = read_finite(s, 2, &v, expected);
     for (size_t i = 0; i < 2 && status == 0; i++)
         if (!(v.item[i] >= least && v.item[i] <= most) || v.item[i] > floor(v.item[i]))
-            status = complain(s, expected);
+            status = error_expected(s, expected);
         else
             two[i] = (int)v.item[i];
     array_free(&v);
@@ -94,8 +95,8 @@ static int read_knots(struct source *s, struct nurbs_axis *axis)
 {
     struct doubles v = {0};
     if (axis->poles == 0 || axis->degree == 0 || axis->knot)
-        return complain(s, "degree and poles before the knots, and these once");
-    if (numbers(s, axis->poles + (size_t)axis->degree + 1, &v, "a knot, a finite number") < 0) {
+        return error_expected(s, "degree and poles before the knots, and these once");
+    if (read_finite(s, axis->poles + (size_t)axis->degree + 1, &v, "a knot, a finite number") < 0) {
         array_free(&v);
         return -1;
     }
@@ -108,8 +109,8 @@ static int read_points(struct source *s, struct nurbs *surface)
     struct doubles v = {0};
     size_t n = surface->u.poles * surface->v.poles;
     if (n == 0 || surface->pole)
-        return complain(s, "poles before the points, and these once");
-    int status = numbers(s, 3 * n, &v, "a coordinate, a finite number");
+        return error_expected(s, "poles before the points, and these once");
+    int status = read_finite(s, 3 * n, &v, "a coordinate, a finite number");
     surface->pole = status == 0 ? mem_alloc(n, sizeof *surface->pole) : NULL;
     for (size_t i = 0; i < n && status == 0; i++) {
         const double *p = v.item + 3 * i;
@@ -122,7 +123,7 @@ static int read_points(struct source *s, struct nurbs *surface)
 static int read_range(struct source *s, struct draft *d)
 {
     struct doubles v = {0};
-    int status = numbers(s, 4, &v, "four finite numbers for the range");
+    int status = read_finite(s, 4, &v, "four finite numbers for the range");
     if (status == 0) {
         d->s.u.from = v.item[0];
         d->s.u.to = v.item[1];
@@ -157,7 +158,7 @@ static int read_loop(struct source *s, struct draft *d)
     }
     array_free(&v);
     if (!sound)
-        return complain(s, "pairs u v of a loop, three at least");
+        return error_expected(s, "pairs u v of a loop, three at least");
     *array_push(&d->loop) = loop;
     return 0;
 }
@@ -169,15 +170,15 @@ static int read_part(struct source *s, struct draft *d)
     if (is_word(s, "loop"))
         return read_loop(s, d);
     if (is_word(s, "degree")) {
-        status = counts(s, 1, NURBS_DEGREE_MAX, two, "two degrees, 1 to 25");
+        status = read_counts(s, 1, NURBS_DEGREE_MAX, two, "two degrees, 1 to 25");
         if (status == 0) {
             d->s.u.degree = two[0];
             d->s.v.degree = two[1];
         }
     } else if (is_word(s, "poles")) {
-        status = counts(s, 2, 1e6, two, "two counts of poles, 2 to 1000000");
+        status = read_counts(s, 2, 1e6, two, "two counts of poles, 2 to 1000000");
         if (status == 0 && d->s.u.poles > 0)
-            return complain(s, "poles once");
+            return error_expected(s, "poles once");
         if (status == 0) {
             d->s.u.poles = (size_t)two[0];
             d->s.v.poles = (size_t)two[1];
@@ -189,14 +190,15 @@ static int read_part(struct source *s, struct draft *d)
     } else if (is_word(s, "points")) {
         status = read_points(s, &d->s);
     } else if (is_word(s, "weights")) {
-        status = d->s.u.poles == 0 ? complain(s, "poles before the weights")
-                                   : numbers(s, d->s.u.poles * d->s.v.poles, &d->weight,
-                                             "a weight, a finite number");
+        status = d->s.u.poles == 0 ? error_expected(s, "poles before the weights")
+                                   : read_finite(s, d->s.u.poles * d->s.v.poles, &d->weight,
+                                                 "a weight, a finite number");
     } else if (is_word(s, "range")) {
         status = read_range(s, d);
     } else {
-        return complain(s, "degree, poles, knots_u, knots_v, points, weights, range, loop, surface "
-                           "or end");
+        return error_expected(
+            s, "degree, poles, knots_u, knots_v, points, weights, range, loop, surface "
+               "or end");
     }
     return status < 0 ? -1 : next_word(s);
 }
@@ -246,7 +248,7 @@ static int read_unit(struct source *s)
         return -1;
     double mm = s->word ? cloud_unit(s->word) : 0;
     if (!(mm > 0))
-        return complain(s, "a unit: mm, cm, m, um or inch");
+        return error_expected(s, "a unit: mm, cm, m, um or inch");
     if (!s->unit_given)
         s->mm = mm;
     return next_word(s);
@@ -263,11 +265,11 @@ int nurbs_text_read(struct reader *r, double mm, struct patches *patches, struct
     if (next_word(&s) < 0)
         return -1;
     if (!is_word(&s, "nurbs"))
-        return complain(&s, "nurbs 1");
+        return error_expected(&s, "nurbs 1");
     if (next_word(&s) < 0)
         return -1;
     if (!is_word(&s, "1"))
-        return complain(&s, "1, the version of the text");
+        return error_expected(&s, "1, the version of the text");
     if (next_word(&s) < 0 || (is_word(&s, "unit") && read_unit(&s) < 0))
         return -1;
     for (int number = 1; is_word(&s, "surface"); number++) {
@@ -278,6 +280,6 @@ int nurbs_text_read(struct reader *r, double mm, struct patches *patches, struct
         patch->file = mem_string(r->name, strlen(r->name));
     }
     if (!is_word(&s, "end") || patches->n == before)
-        return complain(&s, patches->n == before ? "surface" : "surface or end");
+        return error_expected(&s, patches->n == before ? "surface" : "surface or end");
     return 0;
 }

@@ -18,19 +18,19 @@ struct cursor {
     size_t at, line;
 };
 
-static char here(const struct cursor *c)
+static char char_here(const struct cursor *c)
 {
     return c->at < c->step->text.n ? c->step->text.item[c->at] : '\0';
 }
 
-static char ahead(const struct cursor *c)
+static char char_ahead(const struct cursor *c)
 {
     return c->at + 1 < c->step->text.n ? c->step->text.item[c->at + 1] : '\0';
 }
 
-static char take(struct cursor *c)
+static char take_char(struct cursor *c)
 {
-    char ch = here(c);
+    char ch = char_here(c);
     c->line += ch == '\n';
     c->at += c->at < c->step->text.n;
     return ch;
@@ -43,7 +43,7 @@ static bool at_end(const struct cursor *c)
 
 static int unexpected(const struct cursor *c, const char *expected, struct error *error)
 {
-    char ch = here(c);
+    char ch = char_here(c);
     if (at_end(c))
         return error_at(error, c->step->name, c->line,
                         "the file ends, expected %s: it is cut short", expected);
@@ -55,30 +55,30 @@ static int unexpected(const struct cursor *c, const char *expected, struct error
 static int skip_blanks(struct cursor *c, struct error *error)
 {
     for (;;) {
-        while (!at_end(c) && strchr(" \t\r\n\f\v", here(c)) && here(c) != '\0')
-            take(c);
-        if (here(c) != '/' || ahead(c) != '*')
+        while (!at_end(c) && strchr(" \t\r\n\f\v", char_here(c)) && char_here(c) != '\0')
+            take_char(c);
+        if (char_here(c) != '/' || char_ahead(c) != '*')
             return 0;
-        while (!at_end(c) && !(here(c) == '*' && ahead(c) == '/'))
-            take(c);
+        while (!at_end(c) && !(char_here(c) == '*' && char_ahead(c) == '/'))
+            take_char(c);
         if (at_end(c))
             return unexpected(c, "the end of a comment", error);
-        take(c);
-        take(c);
+        take_char(c);
+        take_char(c);
     }
 }
 
 /* From the quote on; a quote inside is doubled. */
 static int skip_text(struct cursor *c, struct error *error)
 {
-    char quote = take(c);
+    char quote = take_char(c);
     for (;;) {
         if (at_end(c))
             return unexpected(c, "the quote that ends a text", error);
-        if (take(c) == quote) {
-            if (here(c) != quote)
+        if (take_char(c) == quote) {
+            if (char_here(c) != quote)
                 return 0;
-            take(c);
+            take_char(c);
         }
     }
 }
@@ -86,10 +86,10 @@ static int skip_text(struct cursor *c, struct error *error)
 static int read_id(struct cursor *c, double *id, struct error *error)
 {
     *id = 0;
-    if (!isdigit((unsigned char)here(c)))
+    if (!isdigit((unsigned char)char_here(c)))
         return unexpected(c, "the number of an instance after #", error);
-    while (isdigit((unsigned char)here(c)) && *id <= (double)ID_MAX)
-        *id = 10 * *id + (take(c) - '0');
+    while (isdigit((unsigned char)char_here(c)) && *id <= (double)ID_MAX)
+        *id = 10 * *id + (take_char(c) - '0');
     if (!(*id > 0 && *id <= (double)ID_MAX))
         return error_at(error, c->step->name, c->line,
                         "an instance number of %.0f, expected 1 to %ld", *id, ID_MAX);
@@ -99,20 +99,21 @@ static int read_id(struct cursor *c, double *id, struct error *error)
 /* To the `;` that ends a statement. */
 static int skip_statement(struct cursor *c, struct error *error)
 {
-    while (here(c) != ';') {
-        int got = here(c) == '\'' || here(c) == '"' ? skip_text(c, error) : skip_blanks(c, error);
+    while (char_here(c) != ';') {
+        int got = char_here(c) == '\'' || char_here(c) == '"' ? skip_text(c, error)
+                                                              : skip_blanks(c, error);
         if (got < 0)
             return -1;
         if (at_end(c))
             return unexpected(c, "';'", error);
-        if (here(c) != ';' && here(c) != '\'' && here(c) != '"')
-            take(c);
+        if (char_here(c) != ';' && char_here(c) != '\'' && char_here(c) != '"')
+            take_char(c);
     }
-    take(c);
+    take_char(c);
     return 0;
 }
 
-static bool begins(const struct cursor *c, const char *word)
+static bool word_begins(const struct cursor *c, const char *word)
 {
     size_t n = strlen(word);
     return c->step->text.n - c->at >= n && memcmp(c->step->text.item + c->at, word, n) == 0;
@@ -133,21 +134,21 @@ static int index_instances(struct step *step, struct error *error)
             return -1;
         if (at_end(&c))
             return unexpected(&c, "END-ISO-10303-21", error);
-        if (data && here(&c) == '#') {
+        if (data && char_here(&c) == '#') {
             double id;
             size_t line = c.line;
-            take(&c);
+            take_char(&c);
             if (read_id(&c, &id, error) < 0 || skip_blanks(&c, error) < 0)
                 return -1;
-            if (here(&c) != '=')
+            if (char_here(&c) != '=')
                 return unexpected(&c, "'=' after the number of an instance", error);
-            take(&c);
+            take_char(&c);
             *array_push(&step->instance) = (struct step_instance){(long)id, c.at, line};
-        } else if (begins(&c, "DATA")) {
+        } else if (word_begins(&c, "DATA")) {
             data = true;
-        } else if (begins(&c, "ENDSEC")) {
+        } else if (word_begins(&c, "ENDSEC")) {
             data = false;
-        } else if (begins(&c, "END-ISO-10303-21")) {
+        } else if (word_begins(&c, "END-ISO-10303-21")) {
             end = true;
         } else if (data) {
             return unexpected(&c, "'#' and the number of an instance", error);
@@ -206,18 +207,18 @@ static int read_value(struct cursor *c, struct step_values *v, int depth, struct
 /* The values between parentheses; the list or record itself was pushed before. */
 static int read_items(struct cursor *c, struct step_values *v, int depth, struct error *error)
 {
-    take(c);
+    take_char(c);
     if (skip_blanks(c, error) < 0)
         return -1;
-    for (bool first = true; here(c) != ')'; first = false) {
-        if (!first && here(c) != ',')
+    for (bool first = true; char_here(c) != ')'; first = false) {
+        if (!first && char_here(c) != ',')
             return unexpected(c, "',' or ')'", error);
         if (!first)
-            take(c);
+            take_char(c);
         if (read_value(c, v, depth + 1, error) < 0 || skip_blanks(c, error) < 0)
             return -1;
     }
-    take(c);
+    take_char(c);
     return 0;
 }
 
@@ -225,8 +226,8 @@ static int read_number(struct cursor *c, struct step_value *value, struct error 
 {
     char word[WORD_MAX + 1];
     size_t n = 0;
-    while (n < WORD_MAX && here(c) != '\0' && strchr("+-.0123456789eE", here(c)))
-        word[n++] = take(c);
+    while (n < WORD_MAX && char_here(c) != '\0' && strchr("+-.0123456789eE", char_here(c)))
+        word[n++] = take_char(c);
     word[n] = '\0';
     const char *p = word;
     if (!num_read(&p, &value->number) || *p != '\0' || !isfinite(value->number))
@@ -244,13 +245,13 @@ static bool is_name(char ch)
 static int read_record(struct cursor *c, struct step_values *v, int depth, struct error *error)
 {
     size_t at = v->n, from = c->at;
-    while (is_name(here(c)) || here(c) == '!')
-        take(c);
+    while (is_name(char_here(c)) || char_here(c) == '!')
+        take_char(c);
     *array_push(v) = (struct step_value){
         .kind = STEP_RECORD, .text = c->step->text.item + from, .length = c->at - from};
     if (skip_blanks(c, error) < 0)
         return -1;
-    if (here(c) != '(')
+    if (char_here(c) != '(')
         return unexpected(c, "'(' after the name of an entity", error);
     if (read_items(c, v, depth, error) < 0)
         return -1;
@@ -265,7 +266,7 @@ static int read_value(struct cursor *c, struct step_values *v, int depth, struct
                         "lists within lists more than %d deep, expected fewer", DEPTH_MAX);
     if (skip_blanks(c, error) < 0)
         return -1;
-    char ch = here(c);
+    char ch = char_here(c);
     if (isalpha((unsigned char)ch) || ch == '!')
         return read_record(c, v, depth, error);
     size_t at = v->n, from = c->at + 1;
@@ -280,23 +281,23 @@ static int read_value(struct cursor *c, struct step_values *v, int depth, struct
     }
     if (ch == '#') {
         value.kind = STEP_REFERENCE;
-        take(c);
+        take_char(c);
         status = read_id(c, &value.number, error);
     } else if (ch == '\'' || ch == '"') {
         value.kind = STEP_TEXT;
         status = skip_text(c, error);
         value.length = c->at - from - 1;
-    } else if (ch == '.' && isalpha((unsigned char)ahead(c))) {
+    } else if (ch == '.' && isalpha((unsigned char)char_ahead(c))) {
         value.kind = STEP_ENUM;
-        take(c);
-        while (is_name(here(c)))
-            take(c);
+        take_char(c);
+        while (is_name(char_here(c)))
+            take_char(c);
         value.length = c->at - from;
-        if (here(c) != '.')
+        if (char_here(c) != '.')
             return unexpected(c, "'.' at the end of an enumeration", error);
-        take(c);
+        take_char(c);
     } else if (ch == '$' || ch == '*') {
-        take(c);
+        take_char(c);
     } else if (ch == '+' || ch == '-' || ch == '.' || isdigit((unsigned char)ch)) {
         status = read_number(c, &value, error);
     } else {
@@ -314,23 +315,23 @@ int step_values(const struct step *step, const struct step_instance *instance,
     *v = (struct step_values){.instance = instance};
     *array_push(v) = (struct step_value){.kind = STEP_LIST};
     int status = skip_blanks(&c, error);
-    bool complex = status == 0 && here(&c) == '(';
+    bool complex = status == 0 && char_here(&c) == '(';
     if (complex)
-        take(&c);
+        take_char(&c);
     do {
         status = status < 0 ? -1 : skip_blanks(&c, error);
-        if (status == 0 && !isalpha((unsigned char)here(&c)) && here(&c) != '!')
+        if (status == 0 && !isalpha((unsigned char)char_here(&c)) && char_here(&c) != '!')
             status = unexpected(&c, "the name of an entity", error);
         if (status == 0)
             status = read_record(&c, v, 1, error);
         if (status == 0)
             status = skip_blanks(&c, error);
-    } while (complex && status == 0 && here(&c) != ')');
+    } while (complex && status == 0 && char_here(&c) != ')');
     if (complex && status == 0)
-        take(&c);
+        take_char(&c);
     if (status == 0)
         status = skip_blanks(&c, error);
-    if (status == 0 && here(&c) != ';')
+    if (status == 0 && char_here(&c) != ';')
         status = unexpected(&c, "';' after an instance", error);
     if (status < 0) {
         array_free(v);

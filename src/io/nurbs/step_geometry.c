@@ -61,9 +61,9 @@ static int number_of(const struct step *step, const struct step_values *v,
 }
 
 /* The coordinates of a CARTESIAN_POINT or the ratios of a DIRECTION. */
-static int coordinates(const struct step *step, const struct step_values *from,
-                       const struct step_value *reference, const char *name, struct vec3 *to,
-                       struct error *error)
+static int read_coordinates(const struct step *step, const struct step_values *from,
+                            const struct step_value *reference, const char *name, struct vec3 *to,
+                            struct error *error)
 {
     struct step_values v;
     double x[3] = {0, 0, 0};
@@ -93,12 +93,12 @@ int step_axes(const struct step *step, const struct step_values *from,
     if (!r)
         r = step_record(&v, "AXIS1_PLACEMENT");
     const struct step_value *axis = step_item(r, 2), *ref = step_item(r, 3);
-    int status = r ? coordinates(step, &v, step_item(r, 1), "CARTESIAN_POINT", &at, error)
+    int status = r ? read_coordinates(step, &v, step_item(r, 1), "CARTESIAN_POINT", &at, error)
                    : refuse(step, &v, "no axis placement, expected one", error);
     if (status == 0 && axis && axis->kind == STEP_REFERENCE)
-        status = coordinates(step, &v, axis, "DIRECTION", &z, error);
+        status = read_coordinates(step, &v, axis, "DIRECTION", &z, error);
     if (status == 0 && ref && ref->kind == STEP_REFERENCE)
-        status = coordinates(step, &v, ref, "DIRECTION", &x, error);
+        status = read_coordinates(step, &v, ref, "DIRECTION", &x, error);
     array_free(&v);
     *axes = construct_place(at, z, x);
     return status;
@@ -123,7 +123,7 @@ static int placed_axes(const struct source *s, const struct step_value *referenc
 static int point_at(const struct source *s, const struct step_value *reference, struct vec3 *point,
                     struct error *error)
 {
-    if (coordinates(s->place->step, s->v, reference, "CARTESIAN_POINT", point, error) < 0)
+    if (read_coordinates(s->place->step, s->v, reference, "CARTESIAN_POINT", point, error) < 0)
         return -1;
     *point = transform_point(&s->place->to, *point);
     return 0;
@@ -152,7 +152,7 @@ static int vector_at(const struct source *s, const struct step_value *reference,
     if (step_follow(s->place->step, s->v, reference, &v, error) < 0)
         return -1;
     const struct step_value *r = step_record(&v, "VECTOR");
-    int status = r ? coordinates(s->place->step, &v, step_item(r, 1), "DIRECTION", to, error)
+    int status = r ? read_coordinates(s->place->step, &v, step_item(r, 1), "DIRECTION", to, error)
                    : refuse(s->place->step, &v, "no VECTOR, expected one", error);
     array_free(&v);
     struct vec3 zero = transform_point(&s->place->to, vec(0, 0, 0));
@@ -171,7 +171,7 @@ struct spline {
     bool uniform, bezier;
 };
 
-static size_t count(const struct step_value *list)
+static size_t list_length(const struct step_value *list)
 {
     size_t n = 0;
     for (const struct step_value *i = step_item(list, 0); i; i = step_next(list, i))
@@ -288,7 +288,7 @@ static int read_poles(const struct source *s, const struct step_value *list,
 static int spline_curve(const struct source *s, const struct spline *sp, struct nurbs_curve *c,
                         struct error *error)
 {
-    size_t n = count(sp->poles);
+    size_t n = list_length(sp->poles);
     if (spline_axis(s, sp, 0, n, &c->t, error) < 0)
         return -1;
     c->pole = mem_alloc(n, sizeof *c->pole);
@@ -301,13 +301,13 @@ static int spline_surface(const struct source *s, const struct spline *sp, struc
     struct nurbs *surface = s->surface;
     const struct step_value *row = step_item(sp->poles, 0);
     const struct step_value *w = sp->weights ? step_item(sp->weights, 0) : NULL;
-    size_t nu = count(sp->poles), nv = count(row), i = 0;
+    size_t nu = list_length(sp->poles), nv = list_length(row), i = 0;
     if (spline_axis(s, sp, 0, nu, &surface->u, error) < 0 ||
         spline_axis(s, sp, 1, nv, &surface->v, error) < 0)
         return -1;
     surface->pole = mem_alloc(nu * nv, sizeof *surface->pole);
     for (; row; row = step_next(sp->poles, row), i++) {
-        if (count(row) != nv)
+        if (list_length(row) != nv)
             return refuse(s->place->step, s->v, "rows of poles of different lengths", error);
         if (read_poles(s, row, sp->weights ? w : NULL, surface->pole + i, nu, nv, error) < 0)
             return -1;
@@ -352,14 +352,14 @@ static void push_part(const struct source *s, struct nurbs_curve c)
     *array_push(s->loop) = c;
 }
 
-static struct vec3 local(const struct transform *t, struct vec3 p)
+static struct vec3 to_local(const struct transform *t, struct vec3 p)
 {
     struct vec3 d = vec_sub(p, column(t, 3));
     return vec(vec_dot(d, column(t, 0)), vec_dot(d, column(t, 1)), vec_dot(d, column(t, 2)));
 }
 
 /* CIRCLE, ELLIPSE, HYPERBOLA, PARABOLA: axes, then one or two lengths. */
-static int conic(const struct source *s, const char *kind, struct error *error)
+static int read_conic(const struct source *s, const char *kind, struct error *error)
 {
     struct transform t;
     double a, b = 0, from = 0, to = 2 * PI, t0[2] = {0, 0};
@@ -376,7 +376,7 @@ static int conic(const struct source *s, const char *kind, struct error *error)
     if (open && !s->ends)
         return 1;
     for (int i = 0; i < 2 && s->ends; i++) {
-        struct vec3 p = local(&t, s->ends[i]);
+        struct vec3 p = to_local(&t, s->ends[i]);
         t0[i] = kind[0] == 'H'   ? asinh(p.y / b)
                 : kind[0] == 'P' ? p.y / (2 * a)
                                  : atan2(p.y / b, p.x / a);
@@ -398,7 +398,7 @@ static int conic(const struct source *s, const char *kind, struct error *error)
     return 0;
 }
 
-static int polyline(const struct source *s, struct error *error)
+static int read_polyline(const struct source *s, struct error *error)
 {
     const struct step_value *list = step_item(s->record, 1), *i = step_item(list, 0);
     struct vec3s point = {0};
@@ -427,13 +427,13 @@ static int known_curve(const struct source *from, struct error *error)
     }
     for (size_t i = 0; i < 4; i++)
         if ((s.record = step_record(s.v, conics[i])))
-            return conic(&s, conics[i], error);
+            return read_conic(&s, conics[i], error);
     for (size_t i = 0; i < 4; i++)
         if ((s.record = step_record(s.v, others[i])))
             return curve_of(s.place, s.v, step_item(s.record, 1), s.ends, s.depth + 1, s.loop,
                             error);
     if ((s.record = step_record(s.v, "POLYLINE")))
-        return polyline(&s, error);
+        return read_polyline(&s, error);
     if (find_spline(s.v, false, &sp)) {
         struct nurbs_curve c = {{0}, NULL};
         if (spline_curve(&s, &sp, &c, error) < 0) {
@@ -472,7 +472,7 @@ int step_curve(const struct step_place *place, const struct step_values *from,
 /* ---- surfaces */
 
 /* PLANE and the surfaces about an axis: axes, then none, one or two numbers. */
-static int primitive(const struct source *s, enum primitive_kind kind, struct error *error)
+static int read_primitive(const struct source *s, enum primitive_kind kind, struct error *error)
 {
     struct primitive p = {.kind = kind};
     const struct step *step = s->place->step;
@@ -489,7 +489,7 @@ static int primitive(const struct source *s, enum primitive_kind kind, struct er
 }
 
 /* A whole curve, or a line that reaches from one parameter to another. */
-static int profile(const struct source *s, struct nurbs_curve *c, struct error *error)
+static int read_profile(const struct source *s, struct nurbs_curve *c, struct error *error)
 {
     struct patch_loop loop = {0};
     int got = curve_of(s->place, s->v, step_item(s->record, 1), NULL, 0, &loop, error);
@@ -516,7 +516,7 @@ static bool line_profile(const struct source *s, struct vec3 *at, struct vec3 *a
 }
 
 /* How far points reach along a unit direction. */
-static void reach(const struct vec3s *points, struct vec3 along, double *low, double *high)
+static void extent_along(const struct vec3s *points, struct vec3 along, double *low, double *high)
 {
     *low = HUGE_VAL;
     *high = -HUGE_VAL;
@@ -527,7 +527,7 @@ static void reach(const struct vec3s *points, struct vec3 along, double *low, do
     }
 }
 
-static int extrusion(const struct source *s, struct error *error)
+static int read_extrusion(const struct source *s, struct error *error)
 {
     struct vec3 along, at, line;
     struct nurbs_curve c = {{0}, NULL};
@@ -539,7 +539,7 @@ static int extrusion(const struct source *s, struct error *error)
         p.place = construct_place(at, vec_cross(line, along), line);
         return primitive_surface(&p, s->points, s->surface) < 0 ? 1 : 0;
     }
-    int got = profile(s, &c, error);
+    int got = read_profile(s, &c, error);
     if (got != 0 || s->points->n == 0) {
         nurbs_curve_free(&c);
         return got != 0 ? got : 1;
@@ -548,8 +548,8 @@ static int extrusion(const struct source *s, struct error *error)
     for (size_t i = 0; i < c.t.poles; i++)
         *array_push(&poles) =
             vec_scale(1 / c.pole[i].w, vec(c.pole[i].wx, c.pole[i].wy, c.pole[i].wz));
-    reach(s->points, along, &low, &high);
-    reach(&poles, along, &first, &last);
+    extent_along(s->points, along, &low, &high);
+    extent_along(&poles, along, &first, &last);
     double margin = 0.01 * (high - low + last - first);
     low -= last + margin;
     high += margin - first;
@@ -561,7 +561,7 @@ static int extrusion(const struct source *s, struct error *error)
     return 0;
 }
 
-static int revolution(const struct source *s, struct error *error)
+static int read_revolution(const struct source *s, struct error *error)
 {
     struct transform axes;
     struct vec3 at, line;
@@ -572,14 +572,14 @@ static int revolution(const struct source *s, struct error *error)
     int got = 0;
     if (line_profile(s, &at, &line)) {
         double low, high, up = vec_dot(line, axis), height = vec_dot(at, axis);
-        reach(s->points, axis, &low, &high);
+        extent_along(s->points, axis, &low, &high);
         if (fabs(up) < 1e-6 || s->points->n == 0)
             return 1;
         double margin = 0.01 * (high - low);
         double a = (low - margin - height) / up, b = (high + margin - height) / up;
         c = construct_line(vec_along(at, fmin(a, b), line), vec_along(at, fmax(a, b), line));
     } else {
-        got = profile(s, &c, error);
+        got = read_profile(s, &c, error);
     }
     if (got == 0)
         *s->surface = construct_revolution(&c, middle, axis, 0, 2 * PI);
@@ -595,11 +595,11 @@ static int known_surface(const struct source *from, struct error *error)
     struct spline sp;
     for (size_t i = 0; i < 5; i++)
         if ((s.record = step_record(s.v, primitives[i])))
-            return primitive(&s, (enum primitive_kind)i, error);
+            return read_primitive(&s, (enum primitive_kind)i, error);
     if ((s.record = step_record(s.v, "SURFACE_OF_LINEAR_EXTRUSION")))
-        return extrusion(&s, error);
+        return read_extrusion(&s, error);
     if ((s.record = step_record(s.v, "SURFACE_OF_REVOLUTION")))
-        return revolution(&s, error);
+        return read_revolution(&s, error);
     if ((s.record = step_record(s.v, "RECTANGULAR_TRIMMED_SURFACE")) && s.depth < DEPTH_MAX) {
         struct step_values v;
         if (step_follow(s.place->step, s.v, step_item(s.record, 1), &v, error) < 0)

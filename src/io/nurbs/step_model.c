@@ -40,8 +40,9 @@ struct model {
     long visits;
 };
 
-static int follow(const struct model *m, const struct step_values *from,
-                  const struct step_value *reference, struct step_values *to, struct error *error)
+static int follow_reference(const struct model *m, const struct step_values *from,
+                            const struct step_value *reference, struct step_values *to,
+                            struct error *error)
 {
     return step_follow(m->step, from, reference, to, error);
 }
@@ -52,7 +53,8 @@ static long reference_of(const struct step_value *value)
 }
 
 /* Every step of the walk through the model counts: one that refers to itself ends. */
-static int visit(struct model *m, int depth, const struct step_values *at, struct error *error)
+static int count_visit(struct model *m, int depth, const struct step_values *at,
+                       struct error *error)
 {
     if (m->visits++ < VISITS_MAX && depth < DEPTH_MAX && m->patches->n < FACES_MAX)
         return 0;
@@ -89,14 +91,14 @@ static int unit_factor(const struct model *m, const struct step_values *v, int d
     *factor = si ? si_factor(si) : 1;
     if (si || !converted || depth > 4)
         return 0;
-    if (follow(m, v, step_item(converted, 1), &measure, error) < 0)
+    if (follow_reference(m, v, step_item(converted, 1), &measure, error) < 0)
         return -1;
     const struct step_value *with = step_item(measure.item, 0);
     for (const struct step_value *r = with; r; r = step_next(measure.item, r))
         with = step_item(r, 1) ? r : with; /* the one that holds value and unit */
     const struct step_value *value = step_item(with, 0);
     value = value && value->kind == STEP_RECORD ? step_item(value, 0) : value;
-    int status = follow(m, &measure, step_item(with, 1), &unit, error);
+    int status = follow_reference(m, &measure, step_item(with, 1), &unit, error);
     if (status == 0) {
         status = unit_factor(m, &unit, depth + 1, factor, error);
         if (value && value->kind == STEP_NUMBER && value->number > 0)
@@ -117,14 +119,14 @@ static int read_units(const struct model *m, const struct step_values *from,
     *angle = 1;
     if (reference_of(context) == 0)
         return 0;
-    if (follow(m, from, context, &v, error) < 0)
+    if (follow_reference(m, from, context, &v, error) < 0)
         return -1;
     const struct step_value *list = step_item(step_record(&v, "GLOBAL_UNIT_ASSIGNED_CONTEXT"), 0);
     int status = 0;
     for (const struct step_value *i = step_item(list, 0); i && status == 0;
          i = step_next(list, i)) {
         double factor;
-        status = follow(m, &v, i, &unit, error);
+        status = follow_reference(m, &v, i, &unit, error);
         if (status < 0)
             break;
         status = unit_factor(m, &unit, 0, &factor, error);
@@ -349,12 +351,12 @@ static int add_item(struct model *m, const struct step_place *place, const struc
                     const struct step_value *reference, int depth, struct error *error)
 {
     struct step_values v;
-    if (follow(m, from, reference, &v, error) < 0)
+    if (follow_reference(m, from, reference, &v, error) < 0)
         return -1;
     const struct step_value *face = step_record(&v, "ADVANCED_FACE");
     face = face ? face : step_record(&v, "FACE_SURFACE");
     const struct step_value *first = step_item(v.item, 0);
-    int status = visit(m, depth, &v, error);
+    int status = count_visit(m, depth, &v, error);
     if (status == 0 && face)
         status = add_face(m, place, &v, face, error);
     else if (status == 0 && holds_faces(&v))
@@ -421,7 +423,7 @@ static int add_component(struct model *m, const struct step_values *v,
     struct step_values t;
     struct component c = {.child = reference_of(step_item(pair, 2)),
                           .parent = reference_of(step_item(pair, 3))};
-    if (follow(m, v, step_item(with, 0), &t, error) < 0)
+    if (follow_reference(m, v, step_item(with, 0), &t, error) < 0)
         return -1;
     const struct step_value *item = step_record(&t, "ITEM_DEFINED_TRANSFORMATION");
     int status = item && step_axes(m->step, &t, step_item(item, 2), &c.to, error) == 0 &&
@@ -501,7 +503,7 @@ static int add_mapped(struct model *m, const struct step_place *place,
     const struct step_value *r = step_record(mapped, "MAPPED_ITEM");
     struct step_values map;
     struct transform source, target;
-    if (follow(m, mapped, step_item(r, 1), &map, error) < 0)
+    if (follow_reference(m, mapped, step_item(r, 1), &map, error) < 0)
         return -1;
     const struct step_value *from = step_record(&map, "REPRESENTATION_MAP");
     long child = reference_of(step_item(from, 1));
@@ -529,9 +531,9 @@ static int add_representation(struct model *m, const struct step_values *v,
         struct step_values item;
         if (i->kind != STEP_REFERENCE)
             continue;
-        if (follow(m, v, i, &item, error) < 0)
+        if (follow_reference(m, v, i, &item, error) < 0)
             return -1;
-        int status = visit(m, depth, &item, error);
+        int status = count_visit(m, depth, &item, error);
         if (status == 0)
             status = step_record(&item, "MAPPED_ITEM") ? add_mapped(m, &place, &item, depth, error)
                                                        : add_item(m, &place, v, i, depth, error);
@@ -592,7 +594,7 @@ static int add_group(struct model *m, long group, const struct transform *to, in
         if (step_values(m->step, instance, &v, error) < 0)
             return -1;
         const struct step_value *r = step_item(v.item, 0);
-        int status = visit(m, depth, &v, error);
+        int status = count_visit(m, depth, &v, error);
         if (status == 0 && is_representation(r))
             status = add_representation(m, &v, r, to, depth, error);
         array_free(&v);

@@ -76,7 +76,7 @@ static int expect_text(const struct reader *r, const char *line, size_t n, struc
     return 0;
 }
 
-static void append(struct apt *apt, const char *s, size_t n)
+static void append_text(struct apt *apt, const char *s, size_t n)
 {
     array_reserve(&apt->joined, apt->joined.n + n + 1);
     memcpy(apt->joined.item + apt->joined.n, s, n);
@@ -137,7 +137,7 @@ static int join_lines(struct reader *r, struct apt *apt, struct error *error)
             end = strlen(s);
         else
             end = text_end(s, &more);
-        append(apt, s, end);
+        append_text(apt, s, end);
     }
     return 1;
 }

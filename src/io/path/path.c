@@ -74,7 +74,7 @@ double path_tool_ball(const struct path_tool *tool)
     return ball_of(tool->cutter, tool->cutter_n);
 }
 
-static struct path_item *add(struct path *path, enum path_kind kind)
+static struct path_item *add_item(struct path *path, enum path_kind kind)
 {
     struct path_item *item = array_push(&path->item);
     *item = (struct path_item){.kind = kind};
@@ -83,7 +83,7 @@ static struct path_item *add(struct path *path, enum path_kind kind)
 
 struct path_item *path_add_point(struct path *path, struct pose to, bool rapid)
 {
-    struct path_item *item = add(path, PATH_POINT);
+    struct path_item *item = add_item(path, PATH_POINT);
     item->to = to;
     item->rapid = rapid;
     return item;
@@ -91,7 +91,7 @@ struct path_item *path_add_point(struct path *path, struct pose to, bool rapid)
 
 struct path_item *path_add_arc(struct path *path, struct pose to, struct path_arc arc)
 {
-    struct path_item *item = add(path, PATH_ARC);
+    struct path_item *item = add_item(path, PATH_ARC);
     item->to = to;
     item->index = (unsigned)path->arc.n;
     *array_push(&path->arc) = arc;
@@ -100,7 +100,7 @@ struct path_item *path_add_arc(struct path *path, struct pose to, struct path_ar
 
 struct path_item *path_add_spline(struct path *path, struct pose to, struct path_spline spline)
 {
-    struct path_item *item = add(path, PATH_SPLINE);
+    struct path_item *item = add_item(path, PATH_SPLINE);
     item->to = to;
     item->index = (unsigned)path->spline.n;
     *array_push(&path->spline) = spline;
@@ -109,30 +109,30 @@ struct path_item *path_add_spline(struct path *path, struct pose to, struct path
 
 void path_add_hole(struct path *path, struct pose mouth, size_t cycle)
 {
-    struct path_item *item = add(path, PATH_HOLE);
+    struct path_item *item = add_item(path, PATH_HOLE);
     item->to = mouth;
     item->index = (unsigned)cycle;
 }
 
 void path_add_tool(struct path *path, struct path_tool tool)
 {
-    add(path, PATH_TOOL)->index = (unsigned)path->tool.n;
+    add_item(path, PATH_TOOL)->index = (unsigned)path->tool.n;
     *array_push(&path->tool) = tool;
 }
 
 void path_add_pass(struct path *path, size_t number)
 {
-    add(path, PATH_PASS)->index = (unsigned)number;
+    add_item(path, PATH_PASS)->index = (unsigned)number;
 }
 
 void path_add_feed(struct path *path, double feed)
 {
-    add(path, PATH_FEED)->feed = feed;
+    add_item(path, PATH_FEED)->feed = feed;
 }
 
 void path_add_text(struct path *path, const char *text)
 {
-    add(path, PATH_TEXT)->index = (unsigned)path->text.n;
+    add_item(path, PATH_TEXT)->index = (unsigned)path->text.n;
     *array_push(&path->text) = copy_text(text);
 }
 

@@ -105,7 +105,7 @@ static double next_number(const struct path_parse *p, size_t *i)
 }
 
 /* Seconds of n turns; -1: the spindle is off. */
-static double seconds(const struct path_parse *p, double turns)
+static double seconds_of_turns(const struct path_parse *p, double turns)
 {
     return p->spindle > 0 ? 60 * turns / p->spindle : -1;
 }
@@ -117,7 +117,7 @@ static void read_named(struct path_parse *p, struct cycle_words *w, enum cycle_n
     double value = next_number(p, i);
     if (number == CYCLE_DWELL && isnan(value) && apt_is(&p->apt, *i + 1, "REV")) {
         ++*i;
-        value = seconds(p, next_number(p, i));
+        value = seconds_of_turns(p, next_number(p, i));
     }
     if (number == CYCLE_RETRACT && isnan(value) && apt_is(&p->apt, *i + 1, "AUTO"))
         w->home = true;
@@ -156,7 +156,7 @@ static int read_word(struct path_parse *p, struct cycle_words *w, size_t *i)
     const char *word = p->apt.argument.item[*i].text;
     double ignored;
     if (strcmp(word, "REV") == 0) {
-        w->value[CYCLE_DWELL] = seconds(p, next_number(p, i));
+        w->value[CYCLE_DWELL] = seconds_of_turns(p, next_number(p, i));
     } else if (strcmp(word, "DIAMET") == 0) {
         next_number(p, i); /* of a countersink: its depth is said */
     } else if (cycle_kind(word) >= 0) {
@@ -350,7 +350,7 @@ int path_add_cycle_hole(struct path_parse *p, struct pose mouth)
     return 0;
 }
 
-static char *append(char *end, const char *word, double value)
+static char *append_word(char *end, const char *word, double value)
 {
     size_t n = strlen(word);
     memcpy(end, word, n);
@@ -362,20 +362,20 @@ void path_cycle_text(const struct path_cycle *c, char *text)
     static const char *const word[] = {"DRILL", "DEEP",      "BRKCHP",     "TAP",
                                        "BORE",  "BORE,DRAG", "BORE,MANUAL"};
     char *end = text + sprintf(text, "CYCLE/%s", word[c->kind]);
-    end = append(end, ",DEPTH,", c->depth);
+    end = append_word(end, ",DEPTH,", c->depth);
     if (c->step > 0)
-        end = append(end, ",STEP,", c->step);
+        end = append_word(end, ",STEP,", c->step);
     if (c->next != c->step)
-        end = append(end, ",SUBPECK,", c->next);
+        end = append_word(end, ",SUBPECK,", c->next);
     if (c->feed > 0)
-        end = append(end, ",MMPM,", c->feed);
-    end = append(end, ",CLEAR,", c->clear);
+        end = append_word(end, ",MMPM,", c->feed);
+    end = append_word(end, ",CLEAR,", c->clear);
     if (c->retract > c->clear)
-        end = append(end, ",RTRCTO,", c->retract);
+        end = append_word(end, ",RTRCTO,", c->retract);
     if (c->pitch > 0)
-        end = append(end, ",PITCH,", c->pitch);
+        end = append_word(end, ",PITCH,", c->pitch);
     if (c->dwell > 0)
-        append(end, ",DWELL,", c->dwell);
+        append_word(end, ",DWELL,", c->dwell);
 }
 
 /* ---- holes as straight motions */
