@@ -31,14 +31,4 @@ bool biarc_of_ratio(struct vec3 from, struct vec3 t1, struct vec3 to, struct vec
 bool biarc_shortest(struct vec3 from, struct vec3 t1, struct vec3 to, struct vec3 t3,
                     struct biarc *biarc);
 
-/*
- * The curvatures of its arcs by the formulas of paper 1, 3.4, 1/mm:
- * k1 = |t1 x s - b t1 x t3| / (s^2 / 2 - b s . t3), k2 = |s x t3 - a t1 x t3| / (s^2 / 2 - a s .
- * t1).
- */
-void biarc_curvatures(const struct biarc *biarc, struct vec3 t3, double *first, double *second);
-
-/* S type: it turns one way and then the other; else C type. */
-bool biarc_is_s(const struct biarc *biarc);
-
 #endif

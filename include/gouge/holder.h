@@ -21,8 +21,6 @@ struct holder {
     struct holder_part part[HOLDER_PARTS];
 };
 
-double holder_length(const struct holder *holder);
-
 /* Radius of the sphere about the ball's centre that holds the whole stack. */
 double holder_reach(const struct holder *holder);
 

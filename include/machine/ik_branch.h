@@ -34,9 +34,6 @@ enum { IK_BRANCH_TURNS_FIRST = 257, IK_BRANCH_TURNS_SECOND = 9 };
 /* The states of a chain. */
 struct ik_branches ik_branches(const struct kinematic_chain *chain);
 
-/* The i-th axis has an end. */
-bool ik_branch_ends(const struct kinematic_chain *chain, int i);
-
 /* The angles are within the travel, but for rounding. */
 bool ik_branch_within(const struct kinematic_chain *chain, const double q[]);
 

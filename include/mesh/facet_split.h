@@ -28,9 +28,6 @@ bool facet_split_over(const struct facet_split *w, int facet, struct vec3 p);
 /* Point i is over the facet. */
 void facet_split_put(struct facet_split *w, int facet, int i);
 
-/* How far point i is off a facet or those beside it, mm. */
-double facet_split_off(const struct facet_split *w, int facet, int i);
-
 /* How far the worst of the points over a facet is out of it and of those beside it, mm, and which
  * it is; 0: none is out. */
 double facet_split_worst(const struct facet_split *w, int facet, int *at);

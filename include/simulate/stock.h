@@ -48,9 +48,6 @@ struct stock {
     struct ints holder; /* the tiles marked STOCK_FOR_HOLDER */
 };
 
-/* Marks the tile with all marks. */
-void stock_changed(struct stock *stock, int tile);
-
 /* A box between two corners, its columns no further than `cell` mm apart, at least 2 x 2. */
 struct stock stock_box(struct vec3 low, struct vec3 high, double cell);
 void stock_free(struct stock *stock);

@@ -51,13 +51,6 @@ void spline_run_refit(const struct run *run, const struct spline_run_options *op
                       struct spline_run *pieces);
 
 /*
- * Splits piece k, of more than two points, so that the interval of the run from point i of it to
- * the next one is a piece by itself, and fits what is new.
- */
-void spline_run_split(const struct run *run, const struct spline_run_options *options, size_t k,
-                      size_t i, struct spline_run *pieces);
-
-/*
  * Fits the run and has its points lifted where the curves go too deep (gouge_refit_fit).  Where
  * that does not help, as at an end, which stays, or where the path climbs a wall, the curve gives
  * way to the straight line between the two points next to the place, which are what was checked

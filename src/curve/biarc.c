@@ -45,22 +45,3 @@ bool biarc_shortest(struct vec3 from, struct vec3 t1, struct vec3 to, struct vec
     double u = sqrt(st1 * st3 + w * vec_dot(s, s) / 2);
     return complete_biarc(from, t1, to, t3, (u - st3) / w, (u - st1) / w, biarc);
 }
-
-void biarc_curvatures(const struct biarc *biarc, struct vec3 t3, double *first, double *second)
-{
-    struct vec3 t1 = biarc->first.tangent, s = vec_sub(biarc->second.to, biarc->first.from);
-    struct vec3 across = vec_cross(t1, t3);
-    double half = vec_dot(s, s) / 2;
-    *first = vec_length(vec_along(vec_cross(t1, s), -biarc->b, across)) /
-             (half - biarc->b * vec_dot(s, t3));
-    *second = vec_length(vec_along(vec_cross(s, t3), -biarc->a, across)) /
-              (half - biarc->a * vec_dot(s, t1));
-}
-
-bool biarc_is_s(const struct biarc *biarc)
-{
-    if (arc_straight(&biarc->first) || arc_straight(&biarc->second))
-        return false;
-    struct vec3 end = vec_sub(arc_centre(&biarc->first), biarc->joint);
-    return vec_dot(end, biarc->second.inward) < 0;
-}

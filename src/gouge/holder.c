@@ -3,14 +3,6 @@
 
 #include <stdbool.h>
 
-double holder_length(const struct holder *holder)
-{
-    double length = 0;
-    for (int i = 0; i < holder->n; i++)
-        length += holder->part[i].length;
-    return length;
-}
-
 double holder_reach(const struct holder *holder)
 {
     double reach = 0, height = 0;

@@ -5,7 +5,8 @@ static const int turns_max[ROTARY_MAX] = {IK_BRANCH_TURNS_FIRST, IK_BRANCH_TURNS
 static const double slack = 1e-9;  /* radians beyond the travel that are rounding */
 static const double jump = PI / 2; /* radians between two near directions that are none */
 
-bool ik_branch_ends(const struct kinematic_chain *chain, int i)
+/* The i-th axis has an end. */
+static bool has_end(const struct kinematic_chain *chain, int i)
 {
     return chain->rotary[i].max - chain->rotary[i].min < (turns_max[i] - 1) * 2 * PI;
 }
@@ -13,7 +14,7 @@ bool ik_branch_ends(const struct kinematic_chain *chain, int i)
 static struct turn_range turn_range_of(const struct kinematic_chain *chain, int i)
 {
     const struct rotary *r = &chain->rotary[i];
-    if (i >= chain->n || !ik_branch_ends(chain, i))
+    if (i >= chain->n || !has_end(chain, i))
         return (struct turn_range){1, 0, true};
     int least = (int)ceil((r->min - PI) / (2 * PI) - slack);
     int most = (int)floor((r->max + PI) / (2 * PI) + slack);
@@ -77,8 +78,7 @@ bool ik_branch_end(const struct kinematic_chain *chain, const struct chain_solut
         double here = from->q[solution][i / 2];
         double turn = remainder(to->q[solution][i / 2] - here, 2 * PI);
         double far = remainder((i % 2 ? r->max : r->min) - here, 2 * PI);
-        if (ik_branch_ends(chain, i / 2) && fabs(turn) < jump && far / turn > 0 &&
-            far / turn < *share)
+        if (has_end(chain, i / 2) && fabs(turn) < jump && far / turn > 0 && far / turn < *share)
             *share = far / turn;
     }
     return *share < 1;

@@ -42,7 +42,8 @@ static void take_points(struct facet_split *w, int facet, struct ints *points)
     w->first.item[facet] = FACET_SPLIT_NONE;
 }
 
-double facet_split_off(const struct facet_split *w, int facet, int i)
+/* How far point i is off a facet or those beside it, mm. */
+static double distance_off(const struct facet_split *w, int facet, int i)
 {
     double off = off_facet(w, facet, w->point[i]);
 
@@ -59,7 +60,7 @@ double facet_split_worst(const struct facet_split *w, int facet, int *at)
     double worst = 0;
 
     for (int i = w->first.item[facet]; i != FACET_SPLIT_NONE; i = w->next[i]) {
-        double out = facet_split_off(w, facet, i) - w->within[i];
+        double out = distance_off(w, facet, i) - w->within[i];
         if (out > worst) {
             worst = out;
             *at = i;

@@ -9,7 +9,8 @@
 
 enum { PASSES = 160 }; /* more in a view would run together */
 
-struct vec3 pane_place(const struct pane *pane, struct vec3 p)
+/* A projected point on the picture, px; its z stays, mm. */
+static struct vec3 place_on_picture(const struct pane *pane, struct vec3 p)
 {
     return vec(pane->x + (p.x - pane->box.low.x) * pane->scale,
                pane->y + (pane->box.high.y - p.y) * pane->scale, p.z);
@@ -84,7 +85,7 @@ static bool *seen_facets(const struct pane *pane, size_t n)
 static void draw_facet(const struct pane *pane, const struct facet *f, struct svg *svg)
 {
     for (int k = 0; k < 3; k++) {
-        struct vec3 at = pane_place(pane, f->p[k]);
+        struct vec3 at = place_on_picture(pane, f->p[k]);
         if (k == 0)
             svg_move(svg, at.x, at.y);
         else
@@ -196,10 +197,10 @@ static void draw_row(const struct pane *pane, const size_t *look_of, size_t want
     double x = b->low.x + cell / 2;
     while (x < b->high.x) {
         if (look_at(pane, look_of, x, y) == want) {
-            struct vec3 from = pane_place(pane, vec(x - cell / 2, y, 0));
+            struct vec3 from = place_on_picture(pane, vec(x - cell / 2, y, 0));
             while (x < b->high.x && look_at(pane, look_of, x, y) == want)
                 x += cell;
-            struct vec3 to = pane_place(pane, vec(fmin(x - cell / 2, b->high.x), y, 0));
+            struct vec3 to = place_on_picture(pane, vec(fmin(x - cell / 2, b->high.x), y, 0));
             svg_move(svg, from.x, from.y);
             svg_line(svg, to.x, to.y);
         }
@@ -308,7 +309,7 @@ static void draw_points(const struct pane *pane, const struct layer *layer, size
             struct vec3 p = layer->point.item[r.owner[i]];
             if (isinf(r.depth[i]) || (!options->by_layer && level_of(options, p) != level))
                 continue;
-            struct vec3 at = pane_place(pane, view_point(&pane->view, p));
+            struct vec3 at = place_on_picture(pane, view_point(&pane->view, p));
             svg_dot(svg, at.x, at.y);
         }
         svg_path_end(svg);
@@ -342,7 +343,7 @@ static void draw_ticks(const struct pane *pane, const struct ticks *ticks, doubl
             view_point(&pane->view, vec_along(t->from, pane->options->tick, t->direction));
         if (!raster_visible(&pane->near, p, pane->slack) || !raster_point(&r, p, i))
             continue;
-        struct vec3 from = pane_place(pane, p), to = pane_place(pane, q);
+        struct vec3 from = place_on_picture(pane, p), to = place_on_picture(pane, q);
         svg_dot(svg, from.x, from.y);
         svg_line(svg, to.x, to.y);
     }
@@ -360,7 +361,7 @@ static void draw_dots(const struct pane *pane, const struct vec3s *joint, const 
     for (size_t i = 0; i < r.rows * r.columns; i++) {
         if (isinf(r.depth[i]))
             continue;
-        struct vec3 at = pane_place(pane, view_point(&pane->view, joint->item[r.owner[i]]));
+        struct vec3 at = place_on_picture(pane, view_point(&pane->view, joint->item[r.owner[i]]));
         svg_dot(svg, at.x, at.y);
     }
     svg_path_end(svg);
@@ -468,7 +469,7 @@ static size_t draw_stroke(const struct pane *pane, const struct layer *layer,
         for (int k = i > stroke->from ? 1 : steps; k <= steps; k++) {
             struct vec3 q = i > stroke->from ? vec_mix(last, p, (double)k / steps) : p;
             if (is_inside(&pane->box, q) && raster_visible(&pane->near, q, pane->slack))
-                *array_push(chain) = pane_place(pane, q);
+                *array_push(chain) = place_on_picture(pane, q);
             else if (chain->n)
                 marks += draw_chain(chain, grain, svg);
         }
@@ -583,7 +584,7 @@ static void draw_scene_marks(struct pane *pane, const struct scene *scene, struc
         return;
     svg_path(svg, "fill=\"none\" stroke=\"#d00000\" stroke-width=\"20\"");
     for (size_t i = 0; i < scene->mark.n; i++) {
-        struct vec3 p = pane_place(pane, view_point(&pane->view, scene->mark.item[i]));
+        struct vec3 p = place_on_picture(pane, view_point(&pane->view, scene->mark.item[i]));
         for (int k = 0; k < SIDES; k++) {
             double x = p.x + RADIUS * cos(2 * PI * k / SIDES);
             double y = p.y + RADIUS * sin(2 * PI * k / SIDES);

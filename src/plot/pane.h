@@ -34,9 +34,6 @@ struct pane {
 /* Draws the scene; sets `every`. */
 void pane_draw(struct pane *pane, const struct scene *scene, struct svg *svg);
 
-/* A projected point on the picture, px; its z stays, mm. */
-struct vec3 pane_place(const struct pane *pane, struct vec3 projected);
-
 /* The attributes of strokes of this kind, as pane and legend have them. */
 enum { PANE_INK = 160 };
 void pane_ink(const struct pane_options *options, size_t layer, const struct stroke *stroke,

@@ -22,7 +22,8 @@ static bool holds_word(const char *text, const char *word)
     return false;
 }
 
-bool nc_tool_starts(const char *text, const char *word)
+/* The text starts with the word, in capitals or not. */
+static bool starts_with(const char *text, const char *word)
 {
     size_t n = strlen(word);
     for (size_t i = 0; i < n; i++)
@@ -49,9 +50,9 @@ static bool says_spindle(const char *text, struct nc_tooling *said)
 
 static bool says_tooling(const char *text, struct nc_tooling *said)
 {
-    if (nc_tool_starts(text, "SPINDL"))
+    if (starts_with(text, "SPINDL"))
         return says_spindle(text, said);
-    if (!nc_tool_starts(text, "COOLNT"))
+    if (!starts_with(text, "COOLNT"))
         return false;
     said->coolant = holds_word(text, "OFF") ? 1 : holds_word(text, "MIST") ? 3 : 2;
     return true;
@@ -117,7 +118,7 @@ static bool may_compensate(const struct machine *machine, const struct nc_abilit
 /* -1: it is no CUTCOM or says nothing of a side. */
 static int cutcom_side(const char *text)
 {
-    if (!nc_tool_starts(text, "CUTCOM"))
+    if (!starts_with(text, "CUTCOM"))
         return -1;
     if (holds_word(text, "OFF"))
         return CUTCOM_OFF;

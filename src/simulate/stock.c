@@ -37,7 +37,8 @@ void stock_free(struct stock *stock)
     array_free(&stock->holder);
 }
 
-void stock_changed(struct stock *stock, int tile)
+/* Marks the tile with all marks. */
+static void mark_changed(struct stock *stock, int tile)
 {
     if (!(stock->changed[tile] & STOCK_FOR_HOLDER))
         *array_push(&stock->holder) = tile;
@@ -186,7 +187,7 @@ static void cut_by_capsule(struct stock *s, int i, int j, const struct capsule *
         column->pass = pass;
         depth = (double)column->taken;
         cut_column(s, column, low, high);
-        stock_changed(s, j / STOCK_TILE * s->tiles_x + i / STOCK_TILE);
+        mark_changed(s, j / STOCK_TILE * s->tiles_x + i / STOCK_TILE);
     }
     depth *= upright_share(c, vec(top.x, top.y, chord.low));
     sum->volume += taken * s->dx * s->dy;

@@ -172,8 +172,12 @@ void spline_run_refit(const struct run *run, const struct spline_run_options *op
     keep_points(run, pieces);
 }
 
-void spline_run_split(const struct run *run, const struct spline_run_options *options, size_t k,
-                      size_t i, struct spline_run *pieces)
+/*
+ * Splits piece k, of more than two points, so that the interval of the run from point i of it to
+ * the next one is a piece by itself, and fits what is new.
+ */
+static void split_piece(const struct run *run, const struct spline_run_options *options, size_t k,
+                        size_t i, struct spline_run *pieces)
 {
     struct spline_run_piece whole = pieces->item[k], part[3];
     size_t end[] = {whole.from, i, i + 1, whole.to}, n = 0;
@@ -255,7 +259,7 @@ static bool insert_lines(const struct guarded_fit *f, const struct run *run)
         struct gouge deepest = gouge_refit_beyond(f->gouge, &gouges);
         if (deepest.depth == 0 || piece->to == piece->from + 1)
             continue;
-        spline_run_split(run, f->options, k, interval_at(run, piece, deepest.ball), f->pieces);
+        split_piece(run, f->options, k, interval_at(run, piece, deepest.ball), f->pieces);
         done = true;
     }
     array_free(&gouges);

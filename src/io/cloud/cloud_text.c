@@ -154,8 +154,14 @@ static bool named_columns(const char *heading, struct cloud_options *style, size
     return times[0] == 1 && times[1] == 1 && times[2] == 1;
 }
 
-bool cloud_row_sniff(const char *heading, char *line, size_t n, struct cloud_options *style,
-                     struct cloud_row *row)
+/*
+ * Finds the style in which a line is a row with a point; `heading`, where not NULL, is the line
+ * before it: when it names columns x, y and z, and as many columns as the row has, it says which
+ * they are; else they are the first three.  False when there is no such style; *row is then what
+ * comes closest.
+ */
+static bool sniff_row(const char *heading, char *line, size_t n, struct cloud_options *style,
+                      struct cloud_row *row)
 {
     struct cloud_row closest = {0};
     for (const char *delimiter = ";, "; *delimiter; delimiter++) {
@@ -249,8 +255,14 @@ static inline const char *rows_of(const char *p, const char *end, char delimiter
     return p;
 }
 
-size_t cloud_run(const struct cloud_options *style, const char *text, const char *end, size_t most,
-                 struct vec3s *points, size_t *rows)
+/*
+ * Reads whole lines from [text, end), where the last byte is a LF, as long as they are three
+ * numbers of this style in the first three columns, and any columns after them.  Appends up
+ * to `most` points; *rows says how many.  Returns how many bytes they took; the line after them,
+ * if there is one, is for cloud_row_read.
+ */
+static size_t parse_plain_rows(const struct cloud_options *style, const char *text, const char *end,
+                               size_t most, struct vec3s *points, size_t *rows)
 {
     enum { SHORTEST_ROW = 6 }; /* `0 0 0` and its line end */
     const size_t *column = style->column;
@@ -353,7 +365,7 @@ static int heading_line(struct text *t, const char *line, size_t n, const struct
 static int first_line(struct text *t, char *line, size_t n, struct error *error)
 {
     struct cloud_row row;
-    if (cloud_row_sniff(t->heading, line, n, &t->style, &row)) {
+    if (sniff_row(t->heading, line, n, &t->style, &row)) {
         t->begun = true;
         t->doubtful = row.numbers < row.columns;
         return take_row(t, &row, error);
@@ -371,7 +383,7 @@ static void settle_doubt(struct text *t, char *line, size_t n)
     struct cloud_options style;
     struct cloud_row row;
     t->doubtful = false;
-    if (!cloud_row_sniff(NULL, line, n, &style, &row) || row.numbers < row.columns)
+    if (!sniff_row(NULL, line, n, &style, &row) || row.numbers < row.columns)
         return;
     struct cloud_count *count = t->source->count;
     if (count->not_finite > 0)
@@ -424,7 +436,7 @@ static void read_plain_rows(struct text *t)
     const char *ahead;
     size_t rows, n = reader_ahead(t->source->reader, &ahead);
     size_t most = t->promised ? t->promised - t->rows : n;
-    size_t taken = cloud_run(&t->style, ahead, ahead + n, most, t->source->points, &rows);
+    size_t taken = parse_plain_rows(&t->style, ahead, ahead + n, most, t->source->points, &rows);
     if (!t->style.point && memchr(ahead, '.', taken))
         t->style.point = '.';
     reader_take(t->source->reader, taken, rows);

@@ -43,22 +43,4 @@ struct cloud_row {
 /* Reads the n bytes at line (with a '\0' after them) as a row.  May change the line meanwhile. */
 struct cloud_row cloud_row_read(const struct cloud_options *style, char *line, size_t n);
 
-/*
- * Finds the style in which a line is a row with a point; `heading`, where not NULL, is the line
- * before it: when it names columns x, y and z, and as many columns as the row has, it says which
- * they are; else they are the first three.  False when there is no such style; *row is then what
- * comes closest.
- */
-bool cloud_row_sniff(const char *heading, char *line, size_t n, struct cloud_options *style,
-                     struct cloud_row *row);
-
-/*
- * Reads whole lines from [text, end), where the last byte is a LF, as long as they are three
- * numbers of this style in the first three columns, and any columns after them.  Appends up
- * to `most` points; *rows says how many.  Returns how many bytes they took; the line after them,
- * if there is one, is for cloud_row_read.
- */
-size_t cloud_run(const struct cloud_options *style, const char *text, const char *end, size_t most,
-                 struct vec3s *points, size_t *rows);
-
 #endif

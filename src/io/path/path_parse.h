@@ -116,9 +116,6 @@ struct path_row {
 
 /* ---- path_read.c */
 
-/* The row of a table for a word; NULL: none. */
-const struct path_row *path_find_row(const struct path_row *rows, size_t n, const char *word);
-
 /* Rows: adds the statement to the path as text; ignores it. */
 int path_keep_text(struct path_parse *p);
 int path_ignore(struct path_parse *p);

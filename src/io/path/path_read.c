@@ -235,7 +235,8 @@ static const struct path_row comments[] = {
     {"CLOUDMILL", read_own},       {"CUTTER", path_read_cutter},
 };
 
-const struct path_row *path_find_row(const struct path_row *rows, size_t n, const char *word)
+/* The row of a table for a word; NULL: none. */
+static const struct path_row *row_of_word(const struct path_row *rows, size_t n, const char *word)
 {
     for (size_t i = 0; i < n; i++)
         if (strcmp(rows[i].word, word) == 0)
@@ -245,12 +246,12 @@ const struct path_row *path_find_row(const struct path_row *rows, size_t n, cons
 
 static const struct path_row *head_row(const char *word)
 {
-    return path_find_row(head_words, sizeof head_words / sizeof *head_words, word);
+    return row_of_word(head_words, sizeof head_words / sizeof *head_words, word);
 }
 
 static const struct path_row *comment_row(const char *word)
 {
-    return path_find_row(comments, sizeof comments / sizeof *comments, word);
+    return row_of_word(comments, sizeof comments / sizeof *comments, word);
 }
 
 /* ---- motions, and the order of statements */
@@ -355,9 +356,9 @@ static const struct path_row *find_row(const struct path_parse *p)
     const char *word = p->apt.word;
     if (p->apt.comment)
         return comment_row(word);
-    const struct path_row *row = path_find_row(motions, sizeof motions / sizeof *motions, word);
+    const struct path_row *row = row_of_word(motions, sizeof motions / sizeof *motions, word);
     if (!row && p->dialect)
-        row = path_find_row(p->dialect->rows, p->dialect->n, word);
+        row = row_of_word(p->dialect->rows, p->dialect->n, word);
     return row ? row : head_row(word);
 }
 
