@@ -4,10 +4,10 @@
  * Noise is said in one standard deviation everywhere, in mm; who needs a bound multiplies it by a
  * constant that has a name.
  *
- * At up to 2000 places over the cloud a quadric is fitted to the fewest nearest points that carry
+ * At up to PLACES places over the cloud a quadric is fitted to the fewest nearest points that carry
  * one and to twice as many.  What the fits leave, for their degrees of freedom, is noise and what
  * of the surface is no quadric: the latter grows with the width as its third power or faster, so
- * that its variance is eight times as large over twice the points, and the former does not grow.
+ * that its variance is GROWTH times as large over twice the points, and the former does not grow.
  * Medians over the places, so that edges, outliers and the few tight bends do not count.
  */
 #ifndef CLOUDMILL_NOISE_H

@@ -10,26 +10,43 @@
 
 #include "math/point_grid.h"
 
+/* Neighbours that a quadric goes through; points of the largest clump that may be an outlier. */
+enum { OUTLIERS_NEAR = 24, OUTLIERS_CLUMP = 8 };
+
+/* So many times as far from its neighbours as these are from theirs, a point is isolated; so many
+ * mean spacings from them it is, too, as no facet reaches so far. */
+#define OUTLIERS_ISOLATED 3.0
+#define OUTLIERS_FAR 12.0
+
+/* A point is an outlier off a surface by more than so many sigma, so many times what the neighbours
+ * are off it, and such a part of their spacing. */
+#define OUTLIERS_SIGMAS 6.0
+#define OUTLIERS_SPREADS 8.0
+#define OUTLIERS_SPACINGS 0.1
+
+/* A roof is so many times as high above a point as it is away, at least. */
+#define OUTLIERS_ROOF 4.0
+
 /* Points equal in x, y and z to one that is kept. */
 size_t outliers_twice(const struct point_grid *point_grid, unsigned char *out);
 
 /*
  * Outliers, `sigma` being the noise of the scan (mm, noise.h): points that
- *   - are isolated: the eighth nearest neighbour is more than three times as far as that of the
- *     points next to them (after the local outlier factor: Breunig, Kriegel, Ng, Sander 2000), but
- *     for a sparse surface beside a dense one, as a wall's: more than eight of the 24 are as far,
- *     or more than twelve mean spacings, where no facet would reach them, or
- *   - are off a quadric through their 24 nearest neighbours, fitted by Tukey's biweight, by more
- *     than six sigma, eight times what the neighbours are off, and a tenth of their spacing.
- * So a clump of up to eight points floating anywhere is found, an edge or a wall is none.  Asked of
- * those points only that are off a robust quadric over their cell and the eight around it, or have
- * no other point of their cell near them.
+ *   - are isolated: the nearest neighbour number OUTLIERS_CLUMP is more than OUTLIERS_ISOLATED
+ *     times as far as that of the points next to them (after the local outlier factor: Breunig,
+ *     Kriegel, Ng, Sander 2000), except a sparse surface beside a dense one, as a wall's: more than
+ *     OUTLIERS_CLUMP of the OUTLIERS_NEAR are as far; or more than OUTLIERS_FAR spacings away, or
+ *   - are off a quadric through their OUTLIERS_NEAR nearest neighbours, fitted by Tukey's biweight,
+ *     by more than OUTLIERS_SIGMAS, OUTLIERS_SPREADS and OUTLIERS_SPACINGS allow.
+ * So a clump of up to OUTLIERS_CLUMP points floating anywhere is found, an edge or a wall is none.
+ * Only points that are off a robust quadric over their cell and the eight around it, or have no
+ * other point of their cell near them, are tested.
  */
 size_t outliers_isolated(const struct point_grid *point_grid, double sigma, int threads,
                          unsigned char *out);
 
 /* Points that a tool from above cannot reach: within the cells about them, in every eighth of the
- * turn, points stand above them more than four times as high as they are away. */
+ * turn, there are points above them, OUTLIERS_ROOF times as high as they are away. */
 size_t outliers_under_roof(const struct point_grid *point_grid, int threads, unsigned char *out);
 
 #endif

@@ -29,9 +29,9 @@ bool upsample_needed(const struct upsample *fill);
 void upsample_on(const struct upsample *fill, size_t i, struct vec3 p, const struct quadric *q,
                  double spread, struct vec3s *to);
 
-/* The same on a surface through the nearest points as they are: of the second degree through 16 to
- * 32, or of the third through 24 where that leaves less.  Returns how far these are off it (one
- * standard deviation, mm), 0 where nothing was appended. */
+/* The same on a surface through the nearest points as they are: of the second degree through FEWEST
+ * to NEAR, or of the third through FEW where that leaves less.  Returns how far these are off it
+ * (one standard deviation, mm), 0 where nothing was appended. */
 double upsample_about(const struct upsample *fill, size_t i, struct vec3s *to);
 
 #endif

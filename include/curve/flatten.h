@@ -23,7 +23,7 @@ struct flat {
  * pieces follows from bounds of the second derivatives, |C - chord| <= h^2 / 8 max |C"|, taken from
  * the derivatives' own poles, for the point and for the other one.  `axis`: of a curve without
  * head.  False when a pole or knot is not finite, when the head comes nearer to the tracked point
- * than half its length, or when a span needs more than 5000 pieces.
+ * than half its length, or when a span needs more than PIECES_MAX pieces.
  */
 bool flatten(const struct bspline *curve, double offset, struct vec3 axis, double chord,
              struct flat *flat);

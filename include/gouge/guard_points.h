@@ -35,7 +35,7 @@ struct guard_points {
                     effort allows; else 0 */
 };
 
-/* Of a scan.  No point moves by more than six standard deviations.  What there are too many points
+/* Of a scan.  No point moves by more than FAR standard deviations.  What there are too many points
  * for: EFFORT_GUARD_BETWEEN, EFFORT_GUARD_NEAR, EFFORT_ALONG. */
 struct guard_points guard_points_of_scan(const struct point_grid *point_grid,
                                          const struct guard_points_options *rule);

@@ -20,10 +20,10 @@ struct feature_zone {
 struct feature_zone feature_zone_make(const struct vec3 *place, size_t n, double fine);
 void feature_zone_free(struct feature_zone *zone);
 
-/* Is (x, y) so near to a crease or wall that no vertex is to be there: 0.3 of `fine`? */
+/* Is (x, y) so near to a crease or wall that no vertex is to be there: CLEAR of `fine`? */
 bool feature_zone_clear(const struct feature_zone *zone, double x, double y);
 
-/* Is it so near that the mesh there is not what it will be: 1.5 of `fine`? */
+/* Is it so near that the mesh there is not what it will be: NEAR of `fine`? */
 bool feature_zone_near(const struct feature_zone *zone, double x, double y);
 
 #endif

@@ -21,7 +21,7 @@ struct scan_normals {
 /*
  * A quadric through the `neighbours` points of the scan nearest to each vertex, or the nearer half
  * of them where these lie at least twice as close to theirs (a tight bend); where they do not
- * carry one (points on one or two laser lines), through twice, four times ... thirty-two times as
+ * carry one (points on one or two laser lines), through twice, four times ... MOST_TIMES as
  * many.  Where a surface of the third degree through the points leaves less than half of what the
  * quadric leaves, it counts: without noise that is wherever the surface is smooth.
  * The normal at the vertex, on the side of the facets' normals or, where these are steep and

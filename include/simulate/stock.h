@@ -111,7 +111,7 @@ double stock_cell(const struct stock_options *options, const struct vec3 *point,
 
 /*
  * The block for n points, its columns `cell` mm apart.  For STOCK_OFFSET the surface's height over
- * a column is that of the quadric through the twelve nearest points seen from above; it is offset
+ * a column is that of the quadric through the NEAR nearest points seen from above; it is offset
  * along its normals, and by balls about it where it is hollow.  Columns further from all points,
  * seen from above, than two of their mean distances and the allowance are empty.
  */

@@ -42,9 +42,9 @@ void plane_passes_equal(struct plane_passes *p, const struct mesh *mesh, double 
 void plane_passes_scallop(struct plane_passes *p, const struct mesh *mesh, double h);
 
 /*
- * The angle of upright planes, of twelve 15 degrees apart, at which the tool cuts the fewest
- * millimetres for cusps of at most h mm: lengths of the chains of up to 24 planes, for all. *length
- * becomes about how many.
+ * The angle of upright planes, of DIRECTIONS over half a turn, at which the tool cuts the fewest
+ * millimetres for cusps of at most h mm: the chains of up to LOOKED_AT planes are measured, for
+ * all.  *length is their length, about.
  */
 double plane_passes_best(const struct mesh *mesh, double radius, double h, double *length);
 

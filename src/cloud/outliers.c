@@ -10,8 +10,8 @@
 #include "cloud/noise.h"
 #include "math/quadric.h"
 
-/* Neighbours for the quadric, for the density; points that a cell's quadric is fitted to. */
-enum { NEAR = 24, CLUMP = 8, MOST_BLOCK = 512, REFITS = 3 };
+/* Points that a cell's quadric is fitted to; how often it is fitted again. */
+enum { NEAR = OUTLIERS_NEAR, CLUMP = OUTLIERS_CLUMP, MOST_BLOCK = 512, REFITS = 3 };
 
 static const double TUKEY = 4.685; /* in standard deviations */
 
@@ -83,18 +83,18 @@ static bool is_sparse_surface(const struct point_grid *b, const uint32_t *near, 
     return wider > CLUMP;
 }
 
-/* `distance2` of the point's neighbours, `near` without itself.  On a surface the 24th of them is
- * 1.7 times as far as the eighth; from a place apart both are about equally far. */
+/* `distance2` of the point's neighbours, `near` without itself.  On a surface the last of them is
+ * 1.7 times as far as number CLUMP; from a place apart both are about equally far. */
 static bool is_isolated(const struct search *s, const uint32_t *near, const double *distance2)
 {
-    const double much = 3, apart = 1.5, far = 12;
+    const double much = OUTLIERS_ISOLATED, apart = 1.5, far = OUTLIERS_FAR;
     const struct point_grid *b = s->point_grid;
     double reach = sqrt(distance2[CLUMP]);
     if (reach > far * s->spacing)
         return true;
     if (distance2[NEAR] > apart * apart * distance2[CLUMP])
         return false;
-    /* By the fifth of their reaches: four as far, or five nearer, decide. */
+    /* By the middle one of their reaches. */
     int wider = 0, closer = 0;
     for (int i = 0; wider < CLUMP / 2 && closer <= CLUMP / 2; i++) {
         bool far_less = reach > much * clump_radius(b, b->point[near[CLUMP + i]]);
@@ -106,7 +106,7 @@ static bool is_isolated(const struct search *s, const uint32_t *near, const doub
 
 static bool is_outlier(const struct search *s, size_t i)
 {
-    const double sigmas = 6, spreads = 8, spacings = 0.1;
+    const double spreads = OUTLIERS_SPREADS;
     const struct point_grid *b = s->point_grid;
     uint32_t index[NEAR + 1], near[NEAR];
     double distance2[NEAR + 1], off[NEAR];
@@ -122,7 +122,7 @@ static bool is_outlier(const struct search *s, size_t i)
     if (is_isolated(s, near, distance2))
         return true;
     double spacing = sqrt(PI * distance2[NEAR] / NEAR);
-    double least = fmax(sigmas * s->sigma, spacings * spacing);
+    double least = fmax(OUTLIERS_SIGMAS * s->sigma, OUTLIERS_SPACINGS * spacing);
     struct vec3 across = plane_normal(point, NEAR);
     if (quadric_fit(point, NEAR, b->point[i], across, &q) < 0 ||
         quadric_distance(&q) < least / 3 || /* for most: more turns would change nothing */
@@ -227,7 +227,7 @@ size_t outliers_isolated(const struct point_grid *b, double sigma, int threads, 
 static unsigned eighths_above(const struct point_grid *b, size_t cell, struct vec3 p,
                               double nearest)
 {
-    const double steep = 4;
+    const double steep = OUTLIERS_ROOF;
     unsigned above = 0;
     for (size_t i = b->first[cell]; i < b->first[cell + 1]; i++) {
         struct vec3 d = vec_sub(b->point[i], p);

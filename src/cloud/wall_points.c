@@ -10,11 +10,11 @@
 #include "base/parallel.h"
 #include "math/plane_fit.h"
 
-enum { NEAR = 16, WIDER = 48, FEWEST = 5 };
+enum { NEAR = WALL_POINTS_NEAR, WIDER = 48, FEWEST = WALL_POINTS_FEWEST };
 
 static const double CELL = 2;                    /* width of a cell, mean spacings */
 static const double RISE = 2;                    /* of the cloud within one, by its width */
-static const double STEEP = 0.25881904510252074; /* cos 75 degrees: z of a wall's normal */
+static const double STEEP = 0.25881904510252074; /* z of the normal: cos WALL_POINTS_STEEP */
 
 /* What the cloud does in each cell of a raster. */
 struct raster {

@@ -3,7 +3,7 @@
 
 #include <stdlib.h>
 
-static const double CLEAR = 0.3, NEAR = 1.5;
+static const double CLEAR = 0.3, NEAR = 1.5; /* distances, of `fine` */
 
 struct feature_zone feature_zone_make(const struct vec3 *place, size_t n, double fine)
 {
