@@ -1,5 +1,5 @@
 /*
- * path_cycle: what each system writes behind CYCLE, against the hole it means; and
+ * path_cycle: what each system writes after CYCLE, against the hole it means; and
  * (path_expand_cycles) the motions that it stands for, by their depths.
  */
 #include <check.h>

@@ -1,4 +1,4 @@
-/* path_feed, path_home: feeds and speeds in all their words; where GOHOME and RETRCT lead. */
+/* path_tool, path_motion: feeds and speeds in all their words; where GOHOME and RETRCT lead. */
 #include <check.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -163,7 +163,7 @@ END_TEST
 
 int main(void)
 {
-    Suite *suite = suite_create("path_feed");
+    Suite *suite = suite_create("path_tool");
     TCase *tests = tcase_create("words");
     tcase_add_loop_test(tests, feeds_in_all_units, 0, sizeof feeds / sizeof *feeds);
     tcase_add_loop_test(tests, speeds_in_all_words, 0, sizeof speeds / sizeof *speeds);

@@ -1,5 +1,5 @@
 /*
- * path_arc: random arcs and helices in the words of Creo and of NX, against the circle they were
+ * path_motion: random arcs and helices in the words of Creo and of NX, against the circle they were
  * made on: where each motion goes, point by point, which way round and how many turns.
  */
 #include <check.h>
@@ -141,7 +141,7 @@ END_TEST
 
 int main(void)
 {
-    Suite *suite = suite_create("path_arc");
+    Suite *suite = suite_create("path_motion");
     TCase *tests = tcase_create("arcs");
     tcase_add_test(tests, right_handed);
     tcase_add_test(tests, clockwise_turns);

@@ -64,8 +64,8 @@ END_TEST
 
 int main(void)
 {
-    Suite *suite = suite_create("feature_test");
-    TCase *tests = tcase_create("feature_test");
+    Suite *suite = suite_create("feature_crease");
+    TCase *tests = tcase_create("feature_crease");
     SRunner *runner = srunner_create(suite);
     tcase_add_test(tests, roofs);
     tcase_add_test(tests, ribs);
