@@ -8,7 +8,7 @@
 
 /* The grid, and what following the polygons adds to it. */
 struct trim_traverse {
-    struct trim_lattice u, v;
+    struct trim_snap u, v;
     const double *u_line, *v_line;
     struct uvmesh *mesh;      /* its vertices: the nodes, row by row, then those of the polygons */
     struct ints id;           /* vertices of all chains */
@@ -21,17 +21,16 @@ struct trim_traverse {
 /* Steps over the whole grid, and how near to a line a place is taken to lie on it. */
 enum { STEPS = 1 << 28, NEAR = 32 };
 
-struct trim_lattice trim_snap_new(const struct doubles *x)
+struct trim_snap trim_snap_new(const struct doubles *x)
 {
-    struct trim_lattice a = {
-        .from = x->item[0], .width = x->item[x->n - 1] - x->item[0], .n = x->n};
+    struct trim_snap a = {.from = x->item[0], .width = x->item[x->n - 1] - x->item[0], .n = x->n};
     a.line = mem_alloc(a.n, sizeof *a.line);
     for (size_t i = 0; i < a.n; i++)
         a.line[i] = 2 * (int64_t)floor((x->item[i] - a.from) / a.width * STEPS + 0.5);
     return a;
 }
 
-size_t trim_snap_below(const struct trim_lattice *a, int64_t x)
+size_t trim_snap_below(const struct trim_snap *a, int64_t x)
 {
     size_t low = 0, high = a->n;
     while (low < high) {
@@ -44,7 +43,7 @@ size_t trim_snap_below(const struct trim_lattice *a, int64_t x)
     return low;
 }
 
-int64_t trim_snap_place(const struct trim_lattice *a, double x, double inwards)
+int64_t trim_snap_place(const struct trim_snap *a, double x, double inwards)
 {
     double part = fmin(fmax((x - a->from) / a->width, -0.01), 1.01);
     int64_t at = 2 * (int64_t)floor(part * STEPS) + 1;
@@ -61,26 +60,26 @@ int64_t trim_snap_place(const struct trim_lattice *a, double x, double inwards)
     return at;
 }
 
-void trim_snap_free(struct trim_lattice *a)
+void trim_snap_free(struct trim_snap *a)
 {
     free(a->line);
-    *a = (struct trim_lattice){0};
+    *a = (struct trim_snap){0};
 }
 
-struct lattice_point {
+struct snapped_point {
     int64_t u, v;
 };
 
-/* The loop's corners in order, on the lattice, without repetitions; `at` gets the exact ones. */
-static size_t loop_on_lattice(const struct trim_traverse *c, const struct uvs *loop, bool backwards,
-                              struct lattice_point *point, struct uv *at)
+/* The loop's corners in order, snapped, without repetitions; `at` gets the exact ones. */
+static size_t snap_loop(const struct trim_traverse *c, const struct uvs *loop, bool backwards,
+                        struct snapped_point *point, struct uv *at)
 {
     size_t n = loop->n, count = 0;
     for (size_t i = 0; i < n; i++) {
         struct uv before = loop->item[backwards ? (n - i) % n : (i + n - 1) % n];
         struct uv here = loop->item[backwards ? n - 1 - i : i];
         struct uv after = loop->item[backwards ? (2 * n - 2 - i) % n : (i + 1) % n];
-        struct lattice_point p = {trim_snap_place(&c->u, here.u, before.v - after.v),
+        struct snapped_point p = {trim_snap_place(&c->u, here.u, before.v - after.v),
                                   trim_snap_place(&c->v, here.v, after.u - before.u)};
         if (count > 0 && point[count - 1].u == p.u && point[count - 1].v == p.v)
             continue;
@@ -115,7 +114,7 @@ static bool in_grid(const struct trim_traverse *c, size_t column, size_t row)
 
 /* The next line that the segment from a to b crosses in one direction, and how far along it is, as
  * the numerator of a fraction. */
-static bool next_line(const struct trim_lattice *x, size_t below, int64_t a, int64_t b,
+static bool next_line(const struct trim_snap *x, size_t below, int64_t a, int64_t b,
                       int64_t *numerator, size_t *line)
 {
     if (b > a && below < x->n && x->line[below] < b) {
@@ -167,9 +166,9 @@ static int crossing(struct trim_traverse *c, int64_t done, int64_t whole, struct
     return done == 1 ? id[0] : done == whole - 1 ? id[1] : add_vertex(c, at);
 }
 
-/* Goes along a segment, given by the lattice points, the exact places and the vertices of its ends,
+/* Goes along a segment, given by the snapped and the exact places and the vertices of its ends,
  * over one line after the other; returns how many. */
-static size_t cross_lines(struct trim_traverse *c, struct walk *w, const struct lattice_point p[2],
+static size_t cross_lines(struct trim_traverse *c, struct walk *w, const struct snapped_point p[2],
                           const struct uv at[2], const int id[2])
 {
     size_t crossings = 0;
@@ -200,7 +199,7 @@ static size_t cross_lines(struct trim_traverse *c, struct walk *w, const struct 
 }
 
 /* Follows one loop.  What comes before its first crossing belongs to its last chain. */
-static void traverse_loop(struct trim_traverse *c, const struct lattice_point *point,
+static void traverse_loop(struct trim_traverse *c, const struct snapped_point *point,
                           const struct uv *at, size_t n)
 {
     struct walk w = {.column = trim_snap_below(&c->u, point[0].u),
@@ -213,7 +212,7 @@ static void traverse_loop(struct trim_traverse *c, const struct lattice_point *p
         add_vertex(c, at[i]);
     w.chain = (struct trim_chain){.first = begin};
     for (size_t i = 0; i < n; i++) {
-        struct lattice_point p[2] = {point[i], point[(i + 1) % n]};
+        struct snapped_point p[2] = {point[i], point[(i + 1) % n]};
         struct uv place[2] = {at[i], at[(i + 1) % n]};
         int id[2] = {first_id + (int)i, first_id + (int)((i + 1) % n)};
         *array_push(&c->id) = id[0];
@@ -252,9 +251,9 @@ static void traverse_loops(struct trim_traverse *c, const struct uv_polygon *loo
 {
     for (size_t i = 0; i < loops->n; i++) {
         const struct uvs *loop = &loops->item[i];
-        struct lattice_point *point = mem_alloc(loop->n, sizeof *point);
+        struct snapped_point *point = mem_alloc(loop->n, sizeof *point);
         struct uv *at = mem_alloc(loop->n, sizeof *at);
-        size_t n = loop_on_lattice(c, loop, uv_polygon_backwards(loops, i, c->open), point, at);
+        size_t n = snap_loop(c, loop, uv_polygon_backwards(loops, i, c->open), point, at);
         if (n >= 3)
             traverse_loop(c, point, at, n);
         free(point);

@@ -38,26 +38,26 @@ void uvmesh_free(struct uvmesh *mesh);
  * One parameter as whole numbers, so that the side of a grid line on which a place lies is decided
  * without rounding: the lines are even numbers, all other places odd ones.
  */
-struct trim_lattice {
+struct trim_snap {
     double from, width; /* of the grid, in the parameter */
     size_t n;
     int64_t *line; /* rising */
 };
 
-/* The lattice of these lines, at least two, no two of them within 1e-6 of the whole width. */
-struct trim_lattice trim_snap_new(const struct doubles *line);
+/* Of these lines, at least two, no two of them within 1e-6 of the whole width. */
+struct trim_snap trim_snap_new(const struct doubles *line);
 
 /* How many lines lie below x; the column that x lies in is one less. */
-size_t trim_snap_below(const struct trim_lattice *lattice, int64_t x);
+size_t trim_snap_below(const struct trim_snap *snap, int64_t x);
 
 /*
  * The whole number of the place x, odd.  A place within rounding of a line (6e-8 of the whole
  * width) goes to the number beside the line: outside the grid for the first and the last line, else
  * to the side of the sign of `inwards`, so that a polygon along the line leaves no sliver.
  */
-int64_t trim_snap_place(const struct trim_lattice *lattice, double x, double inwards);
+int64_t trim_snap_place(const struct trim_snap *snap, double x, double inwards);
 
-void trim_snap_free(struct trim_lattice *lattice);
+void trim_snap_free(struct trim_snap *snap);
 
 /* The part of a polygon in one cell, from border to border: vertices first..first + n - 1 of a list
  * of ids. */

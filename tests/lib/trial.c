@@ -95,10 +95,10 @@ void trial_assert_chain(const struct reference *t, const struct deviation *withi
     ck_assert_double_lt(vec_distance(p->item[0].arc.from, t->point[0]), 1e-12);
     ck_assert_double_lt(vec_distance(p->item[p->n - 1].arc.to, t->point[t->n - 1]), 1e-12);
     for (size_t i = 0; i < p->n; i++) {
-        struct deviation stray = arc_piece_deviation(t, &p->item[i], 8, NULL);
-        ck_assert_double_le(stray.point, 1.01 * within->point);
-        ck_assert_double_le(stray.other, 1.01 * within->other);
-        ck_assert_double_le(stray.axis, within->axis);
+        struct deviation off = arc_piece_deviation(t, &p->item[i], 8, NULL);
+        ck_assert_double_le(off.point, 1.01 * within->point);
+        ck_assert_double_le(off.other, 1.01 * within->other);
+        ck_assert_double_le(off.axis, within->axis);
         if (i == 0)
             continue;
         const struct arc_piece *before = &p->item[i - 1], *here = &p->item[i];

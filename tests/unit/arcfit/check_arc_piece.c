@@ -46,11 +46,11 @@ START_TEST(stray_is_what_brute_force_finds)
             struct vec3 aim = vec_add(t.point[to], vec(0.01, 0.02, -0.03));
             struct arc arc = arc_to(t.point[3], t.tangent[3], aim);
             struct arc_piece p = arc_piece_of(&t, arc, 3, (double)to);
-            struct deviation stray = arc_piece_deviation(&t, &p, 4, NULL);
+            struct deviation off = arc_piece_deviation(&t, &p, 4, NULL);
             double tracked, other;
             brute(&t, &p, &tracked, &other);
-            ck_assert_double_lt(fabs(stray.point - tracked), 0.02 * tracked + 1e-4);
-            ck_assert_double_lt(fabs(stray.other - other), 0.02 * other + 1e-4);
+            ck_assert_double_lt(fabs(off.point - tracked), 0.02 * tracked + 1e-4);
+            ck_assert_double_lt(fabs(off.other - other), 0.02 * other + 1e-4);
         }
         reference_free(&t);
     }
@@ -69,13 +69,13 @@ START_TEST(an_axis_out_of_step_is_seen)
     }
     struct reference t = reference_of(&run, 0, run.n, false, false);
     struct arc_piece p = arc_piece_of(&t, arc_line(t.point[0], t.point[10]), 0, 10);
-    struct deviation stray = arc_piece_deviation(&t, &p, 1, NULL);
-    ck_assert_double_eq(stray.point, 0);
-    ck_assert_double_eq_tol(DEGREES(stray.axis), 5, 1e-9);
-    ck_assert_double_gt(stray.other, 0.3);
+    struct deviation off = arc_piece_deviation(&t, &p, 1, NULL);
+    ck_assert_double_eq(off.point, 0);
+    ck_assert_double_eq_tol(DEGREES(off.axis), 5, 1e-9);
+    ck_assert_double_gt(off.other, 0.3);
     struct deviation within = {1, 0.1, 1};
-    stray = arc_piece_deviation(&t, &p, 1, &within);
-    ck_assert(!deviation_within(&stray, &within));
+    off = arc_piece_deviation(&t, &p, 1, &within);
+    ck_assert(!deviation_within(&off, &within));
     reference_free(&t);
     array_free(&run);
 }

@@ -20,8 +20,8 @@ static void assert_chain(const struct reference *t, const struct pieces *p)
     ck_assert_double_eq(p->item[0].from, 0);
     ck_assert_double_eq(p->item[p->n - 1].to, (double)(t->n - 1));
     for (size_t i = 0; i < p->n; i++) {
-        struct deviation stray = arc_piece_deviation(t, &p->item[i], 4, NULL);
-        ck_assert_double_le(stray.point, 1.01 * WITHIN.point);
+        struct deviation off = arc_piece_deviation(t, &p->item[i], 4, NULL);
+        ck_assert_double_le(off.point, 1.01 * WITHIN.point);
         if (i == 0)
             continue;
         const struct arc *before = &p->item[i - 1].arc, *here = &p->item[i].arc;
@@ -117,8 +117,8 @@ START_TEST(what_nothing_fits_goes_from_point_to_point)
     arcfit_biarcs(&t, &WITHIN, &p);
     ck_assert_double_eq(p.item[p.n - 1].to, (double)(t.n - 1));
     for (size_t i = 0; i < p.n; i++) {
-        struct deviation stray = arc_piece_deviation(&t, &p.item[i], 4, NULL);
-        ck_assert_double_le(stray.point, 1.01 * WITHIN.point);
+        struct deviation off = arc_piece_deviation(&t, &p.item[i], 4, NULL);
+        ck_assert_double_le(off.point, 1.01 * WITHIN.point);
     }
     array_free(&p);
     reference_free(&t);
@@ -172,8 +172,8 @@ START_TEST(pieces_from_the_end_follow_the_trace)
     ck_assert_double_eq(pieces.item[0].from, 0);
     ck_assert_double_eq(pieces.item[pieces.n - 1].to, (double)(t.n - 1));
     for (size_t i = 0; i < pieces.n; i++) {
-        struct deviation stray = arc_piece_deviation(&t, &pieces.item[i], 8, NULL);
-        ck_assert(stray.point < 0.010001 && stray.other < 0.010001 && stray.axis < 0.020001);
+        struct deviation off = arc_piece_deviation(&t, &pieces.item[i], 8, NULL);
+        ck_assert(off.point < 0.010001 && off.other < 0.010001 && off.axis < 0.020001);
         if (i == 0)
             continue;
         const struct arc_piece *a = &pieces.item[i - 1], *b = &pieces.item[i];

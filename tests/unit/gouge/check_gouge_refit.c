@@ -1,5 +1,5 @@
-/* recheck: a chord across the hump of a sphere and an arc below it are found, as deep as they are,
- * and lifted; what stays outside is not. */
+/* gouge_refit: a chord across the hump of a sphere and an arc below it are found, as deep as they
+ * are, and lifted; what stays outside is not. */
 #include "gouge/gouge_refit.h"
 
 #include <check.h>

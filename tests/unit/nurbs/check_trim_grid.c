@@ -184,7 +184,7 @@ START_TEST(inside)
 }
 END_TEST
 
-/* The lattice: lines are even and rise, places odd and on the side of each line that they are on.
+/* The snap: lines are even and rise, places odd and on the side of each line that they are on.
  */
 START_TEST(sides_of_lines)
 {
@@ -196,7 +196,7 @@ START_TEST(sides_of_lines)
             x += uniform(0.001, 0.2);
         }
         *array_push(&line) = from + width;
-        struct trim_lattice a = trim_snap_new(&line);
+        struct trim_snap a = trim_snap_new(&line);
         ck_assert_uint_eq(a.n, line.n);
         for (size_t i = 0; i < a.n; i++) {
             ck_assert_int_eq(a.line[i] % 2, 0);
@@ -225,7 +225,7 @@ START_TEST(on_a_line)
 {
     double lines[] = {2, 3, 5};
     struct doubles line = {.n = 3, .item = lines};
-    struct trim_lattice a = trim_snap_new(&line);
+    struct trim_snap a = trim_snap_new(&line);
     for (int k = -1; k <= 1; k++) { /* on it and within rounding */
         double off = k * 1e-8;
         ck_assert_int_eq(trim_snap_place(&a, 3 + off, 1), a.line[1] + 1);
