@@ -29,14 +29,9 @@ struct nurbs_curve construct_parabola(const struct transform *place, double a, d
                                       double to);
 
 /*
- * A piecewise polynomial curve of degree 3 over n segments with breakpoints at[0..n]: coordinate k
- * of segment i is the sum of c[4 * (3 * i + k) + p] s^p with s = t - at[i].
- */
-struct nurbs_curve construct_spline(const double *at, size_t n, const double *c);
-
-/*
- * The same for a surface over m x n patches, breakpoints u[0..m] and v[0..n]: coordinate k of patch
- * (i, j) is the sum of c[48 * (i * n + j) + 16 * k + 4 * q + p] s^p t^q.
+ * A piecewise polynomial surface of degree 3 over m x n patches, breakpoints u[0..m] and v[0..n]:
+ * coordinate k of patch (i, j) is the sum of c[48 * (i * n + j) + 16 * k + 4 * q + p] s^p t^q, with
+ * s = u - u[i] and t = v - v[j].
  */
 struct nurbs construct_spline_surface(const double *u, size_t m, const double *v, size_t n,
                                       const double *c);

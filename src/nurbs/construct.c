@@ -144,19 +144,6 @@ static void to_bernstein(const double *c, size_t step, double width, double b[4]
     b[3] = p[0] + p[1] + p[2] + p[3];
 }
 
-struct nurbs_curve construct_spline(const double *at, size_t n, const double *c)
-{
-    struct nurbs_curve curve = new_curve(bezier_axis(3, at, n));
-    for (size_t i = 0; i < n; i++) {
-        double b[3][4];
-        for (size_t k = 0; k < 3; k++)
-            to_bernstein(c + 4 * (3 * i + k), 1, at[i + 1] - at[i], b[k]);
-        for (size_t p = 0; p < 4; p++)
-            curve.pole[3 * i + p] = weighted_pole(vec(b[0][p], b[1][p], b[2][p]), 1);
-    }
-    return curve;
-}
-
 struct nurbs construct_spline_surface(const double *u, size_t m, const double *v, size_t n,
                                       const double *c)
 {

@@ -1,6 +1,11 @@
 /*
  * cloud - reading scanned points from text as scanners write it, and from the point formats of
- * other programs.
+ * other programs.  The door of this folder.
+ *
+ * In: a file.  Out: its points in the file's own units, and counts of what was left out.  The
+ * stages: the format by its first lines (cloud.c); the rows, read by what the formats share
+ * (cloud_source.h): free text and PTS (cloud_text.h), OBJ, PTX and PCD (cloud_formats.c), PLY
+ * (io/mesh/ply.h).  Beside it matrix.h, the file that places a cloud.
  */
 #ifndef CLOUDMILL_CLOUD_H
 #define CLOUDMILL_CLOUD_H

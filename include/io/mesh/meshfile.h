@@ -1,6 +1,10 @@
 /*
  * meshfile - a mesh from any file that holds one, recognised by content: PLY (cloudmill-mesh(5)),
- * STL, OFF.
+ * STL, OFF.  The door of this folder.
+ *
+ * In: a file.  Out: a mesh in mm.  The format decides the reader: ply.h, of any PLY and of the mesh
+ * stream, which it writes too (ply_source.h the rows, ply_origin.h what the stream says of itself);
+ * stl.h; off.h.
  */
 #ifndef CLOUDMILL_MESHFILE_H
 #define CLOUDMILL_MESHFILE_H

@@ -1,6 +1,13 @@
 /*
- * surfaces - NURBS surfaces from any file that holds them, recognised by content: IGES, STEP, or our
- * own text form.
+ * surfaces - NURBS surfaces from any file that holds them, recognised by content: IGES, STEP, or
+ * plain text.  The door of this folder.
+ *
+ * In: a file.  Out: trimmed patches (nurbs/patch.h) in mm, and counts of what was not read.  Two
+ * stages, what the file is made of and what that means:
+ *
+ *   IGES 5.3             iges.h; iges_curve.h, iges_surface.h, iges_construct.h, iges_trim.h
+ *   STEP, ISO 10303-21   step.h; step_geometry.h, step_model.h (ISO 10303-42)
+ *   text                 nurbs_text.h, cloudmill-nurbs(5)
  */
 #ifndef CLOUDMILL_SURFACES_H
 #define CLOUDMILL_SURFACES_H
