@@ -58,8 +58,8 @@ $(BUILD)/%.o: %.c
 	$(CC) $(FLAGS) $(CFLAGS) $(CPPFLAGS) -MD -MP -c -o $@ $<
 
 # One object holds the place of the installed machines; another PREFIX compiles it again.
-$(BUILD)/src/machine/machine_read.o: FLAGS += -DCLOUDMILL_DATADIR='"$(DATADIR)"'
-$(BUILD)/src/machine/machine_read.o: $(BUILD)/datadir
+$(BUILD)/src/machine/machine.o: FLAGS += -DCLOUDMILL_DATADIR='"$(DATADIR)"'
+$(BUILD)/src/machine/machine.o: $(BUILD)/datadir
 $(BUILD)/datadir: always
 	@mkdir -p $(@D)
 	@echo '$(DATADIR)' | cmp -s - $@ || echo '$(DATADIR)' >$@

@@ -134,10 +134,12 @@ meshes() {
 
 surfaces() {
 	for kind in trimmed bounded placed cylinder; do
+		partial=
+		[ $kind = trimmed ] && partial=--partial # a trimming curve of type 112
 		echo "$kind.igs iges $kind"
-		echo "$kind-n.ply nurbs2mesh -q -n 12 $kind.igs"
-		echo "$kind-e.ply nurbs2mesh -q -e 0.05 $kind.igs"
-		echo "$kind.k nurbs2mesh -q -k $kind.igs"
+		echo "$kind-n.ply nurbs2mesh -q -n 12 $partial $kind.igs"
+		echo "$kind-e.ply nurbs2mesh -q -e 0.05 $partial $kind.igs"
+		echo "$kind.k nurbs2mesh -q -k $partial $kind.igs"
 	done
 	for kind in torus sphere cube frame disc meet part; do
 		echo "$kind.nurbs surface $kind"
