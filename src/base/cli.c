@@ -239,7 +239,7 @@ static void expect_range(const struct cli_option *o, double value, const char *t
 
 static int read_choice(const struct cli_option *o, const char *text)
 {
-    const char *word = o->arg;
+    const char *word = o->arg ? o->arg : "";
     for (int i = 0;; i++) {
         size_t n = strcspn(word, "|");
         if (strlen(text) == n && strncmp(word, text, n) == 0)
@@ -264,7 +264,7 @@ static void read_numbers(const struct cli_option *o, const char *text)
             break;
         p++;
     }
-    if (n != o->count || *p || p[-1] == ',') {
+    if (n != o->count || *p || (p > text && p[-1] == ',')) {
         char expected[64];
         snprintf(expected, sizeof expected, "%d numbers with commas between", o->count);
         refuse(o, text, expected);

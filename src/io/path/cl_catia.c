@@ -77,7 +77,7 @@ static void square_to_tool(struct vec3 tool, struct vec3 spoke, struct vec3 chor
 
 static int read_tlon(struct path_parse *p)
 {
-    double c[4], l[6];
+    double c[4] = {0}, l[6] = {0};
     if (numbers_in(p, "CIRCLE", 4, c) < 0 || numbers_in(p, "LINE", 6, l) < 0)
         return -1;
     if (vec_length(p->tangent) == 0)

@@ -66,6 +66,17 @@ static int read_tldata(struct path_parse *p)
     return 0;
 }
 
+static bool vectors_equal(struct vec3 a, struct vec3 b)
+{
+    return a.x == b.x && a.y == b.y && a.z == b.z;
+}
+
+static bool frames_equal(const struct frame *a, const struct frame *b)
+{
+    return vectors_equal(a->origin, b->origin) && vectors_equal(a->x, b->x) &&
+           vectors_equal(a->y, b->y);
+}
+
 /* MSYS/origin, x axis, y axis: the coordinate system of what follows.  Its points are converted to
  * the first system of the stream. */
 static int read_msys(struct path_parse *p)
@@ -84,7 +95,7 @@ static int read_msys(struct path_parse *p)
     if (p->frames++ == 0)
         p->first = f;
     p->frame = f;
-    p->framed = memcmp(&p->first, &f, sizeof f) != 0;
+    p->framed = !frames_equal(&p->first, &f);
     return 0;
 }
 
