@@ -6,7 +6,7 @@
  *   cloud2mesh            cloud_prepare.h, cloudmesh.h, normals.h
  *   nurbs2mesh            nurbs_report.h
  *   meshnorm, planecut    path_options.h, mesh_for_path.h, plane_passes.h, this
- *   biarcfit, bsplfit     fitter.h, gouge_options.h; arcrun.h, path_tilt.h; path_reference.h,
+ *   biarcfit, bsplfit     fitter.h, gouge_options.h; arcrun.h, path_tilt.h; path_track.h,
  *                         spline_report.h
  *   ncverify              holder_options.h
  *

@@ -174,7 +174,7 @@ void feature_accept(const struct mesh *without, const struct mesh *with, const s
  * A rounded rib is no crease, but where it is narrow against the edges of a mesh these cut off its
  * top.  The surface over the edge is followed in steps of half the spacing of the points; its
  * highest or lowest place against the plane of the neighbourhood is the crest, and it is looked at
- * again with a neighbourhood that is long the way the rib runs (neighbourhood_along.h). */
+ * again with a neighbourhood that is long the way the rib runs (math/ridge_direction.h). */
 
 enum { CREST_MOST = 7 };
 

@@ -232,7 +232,7 @@ same "has the same path" block.cl stl.cl
 status 0 "on five axes too" planecut -q -r 3 -s 2 -o block5.cl block.off
 for mesh in one-flipped all-flipped doubled degenerate; do
 	ok "mesh-$mesh.ply is mended" planecut -r 4 -s 2 "$SRC/tests/data/awkward/mesh-$mesh.ply"
-	has "which is said" 'turned|twice|without area' err
+	has "which is said" 'flipped|twice|without area' err
 done
 
 # ---- vertices on planes, facets in them, twice, three on an edge, none: a plane z = x / 2 of 10 x 10

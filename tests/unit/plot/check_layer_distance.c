@@ -1,4 +1,4 @@
-/* Tests of layer_distance.h: layers whose distance is known. */
+/* Tests of layer_distance_of: layers whose distance is known. */
 #include "plot/plot.h"
 
 #include <check.h>
