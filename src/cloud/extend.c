@@ -31,8 +31,8 @@ struct continuation {
 
 static struct vec3 middle_of(const struct plan *p, size_t cell)
 {
-    return vec(p->x + ((double)(cell % p->columns) + 0.5) * p->cell,
-               p->y + ((double)(cell / p->columns) + 0.5) * p->cell, 0);
+    size_t row = cell / p->columns, column = cell % p->columns;
+    return vec(p->x + ((double)column + 0.5) * p->cell, p->y + ((double)row + 0.5) * p->cell, 0);
 }
 
 static void measure_clearance(void *context, size_t from, size_t to)
@@ -145,7 +145,7 @@ static void continue_surface(void *context, size_t from, size_t to)
 {
     const struct continuation *c = context;
     size_t index[MOST];
-    struct vec3 near[MOST];
+    struct vec3 near[MOST] = {{0}};
 
     for (size_t i = from; i < to; i++) {
         struct vec3 *place = &c->place[i];

@@ -42,7 +42,7 @@ static struct vec3 slope_pole(const struct bspline *c, const struct vec3 *pole, 
 {
     if (order == 0)
         return pole[i];
-    size_t degree = (size_t)(c->degree - order + 1);
+    size_t degree = (size_t)c->degree + 1 - (size_t)order;
     double width = c->knot[i + (size_t)order + degree] - c->knot[i + (size_t)order];
     if (!(width > 0))
         return vec(0, 0, 0); /* goes with a basis function that is zero */

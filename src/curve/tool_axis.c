@@ -45,7 +45,7 @@ static struct vec3 nearest_on_circle(const struct tool_axis_options *rule, struc
 struct vec3 tool_axis_at(const struct tool_axis_options *rule, const struct tool_axis_feed *feed,
                          struct vec3 centre, struct vec3 normal)
 {
-    struct vec3 a = normal;
+    struct vec3 a;
 
     switch (rule->kind) {
     case AXIS_LEAN:

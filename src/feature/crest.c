@@ -492,6 +492,7 @@ static size_t search_once(struct search *s, size_t fresh, size_t n, struct kdtre
     }
     free(s->of);
     mesh_edges_free(&edges);
+    s->edges = NULL;
     return found;
 }
 

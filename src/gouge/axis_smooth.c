@@ -29,7 +29,7 @@ static void relax_axis(struct run *run, const struct vec3 *middle, double play, 
     const struct run_point *p = run->item;
     double d0 = fmax(vec_distance(p[before].ball, p[i].ball), STILL);
     double d1 = fmax(vec_distance(p[i].ball, p[after].ball), STILL);
-    struct vec3 mean = p[i].axis;
+    struct vec3 mean;
 
     if (before == i)
         mean = p[after].axis;

@@ -29,9 +29,8 @@ int rotary_leans(double least, double most)
 
 struct tool_axis_options rotary_lean(double least, double most, int i)
 {
-    int n = lean_steps(least, most);
-    double part = n > 0 ? (double)(i / ROTARY_LEAN_DIRECTIONS) / n : 0,
-           off = least + part * (most - least);
+    int n = lean_steps(least, most), step = i / ROTARY_LEAN_DIRECTIONS;
+    double part = n > 0 ? (double)step / n : 0, off = least + part * (most - least);
     double direction = 2 * PI * (i % ROTARY_LEAN_DIRECTIONS) / ROTARY_LEAN_DIRECTIONS;
 
     return (struct tool_axis_options){.kind = AXIS_LEAN,

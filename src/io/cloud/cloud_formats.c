@@ -146,7 +146,7 @@ static bool is_count(double x)
 
 int cloud_ptx_read(struct cloud_source *s, struct error *error)
 {
-    double columns, rows, matrix[4][4];
+    double columns = 0, rows = 0, matrix[4][4];
     int got;
     while ((got = read_numbers(s, 1, &columns, error)) > 0) {
         if (read_ptx_head(s, &rows, matrix, error) < 0)

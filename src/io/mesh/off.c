@@ -114,7 +114,7 @@ static int read_face(struct reader *r, struct mesh *mesh, struct error *error)
 
 int off_read(struct reader *r, struct mesh *mesh, struct error *error)
 {
-    double count[2];
+    double count[2] = {0, 0};
     bool normals = false;
     int status = read_head(r, count, &normals, error);
 

@@ -332,7 +332,7 @@ int ply_value(struct ply_source *s, enum ply_type type, double *value, struct er
 
 int ply_length(struct ply_source *s, enum ply_type type, size_t *length, struct error *error)
 {
-    double value;
+    double value = 0;
     if (ply_value(s, type, &value, error) < 0)
         return -1;
     if (!(value >= 0 && value <= UINT32_MAX && value == floor(value)))

@@ -32,7 +32,9 @@ static size_t width_of(const struct iges_cursor *c)
         return c->width;
     char pointer[9] = {0};
     memcpy(pointer, c->record->text + c->width, 8);
-    return atoi(pointer) != c->entity && atoi(pointer + 1) == c->entity ? c->width + 1 : c->width;
+    bool later =
+        strtol(pointer, NULL, 10) != c->entity && strtol(pointer + 1, NULL, 10) == c->entity;
+    return later ? c->width + 1 : c->width;
 }
 
 static size_t cursor_line(const struct iges_cursor *c)
@@ -121,7 +123,7 @@ static int next_value(struct iges_cursor *c, struct iges_value *value, char *tex
             continue;
         if (ch == 'H' && n > 0 && strspn(word, "0123456789") == n && n < 7) {
             value->kind = IGES_TEXT;
-            if (copy_text(c, atol(word), text, size, error) < 0)
+            if (copy_text(c, strtol(word, NULL, 10), text, size, error) < 0)
                 return -1;
             continue;
         }

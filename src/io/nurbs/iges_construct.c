@@ -216,7 +216,7 @@ static int solid_surface(const struct source *s, struct error *error)
                                                PRIMITIVE_SPHERE, PRIMITIVE_TORUS};
     int type = s->entity->type;
     bool sphere = type == 196;
-    struct vec3 at, z = {0, 0, 1}, x = {0, 0, 0};
+    struct vec3 at = {0, 0, 0}, z = {0, 0, 1}, x = {0, 0, 0};
     size_t numbers = type == 190 ? 0 : type == 192 || sphere ? 1 : 2, first = sphere ? 2 : 3;
     if (vec_of(s, 1, 116, &at, error) < 0)
         return -1;

@@ -166,7 +166,7 @@ static int read_loop(struct source *s, struct draft *d)
 /* One keyword of a surface and what follows it; at its end the next word is taken. */
 static int read_part(struct source *s, struct draft *d)
 {
-    int two[2], status;
+    int two[2] = {0, 0}, status;
     if (is_word(s, "loop"))
         return read_loop(s, d);
     if (is_word(s, "degree")) {

@@ -65,7 +65,7 @@ static int read_coordinates(const struct step *step, const struct step_values *f
                             const struct step_value *reference, const char *name, struct vec3 *to,
                             struct error *error)
 {
-    struct step_values v;
+    struct step_values v = {0};
     double x[3] = {0, 0, 0};
     if (step_follow(step, from, reference, &v, error) < 0)
         return -1;
@@ -85,7 +85,7 @@ static int read_coordinates(const struct step *step, const struct step_values *f
 int step_axes(const struct step *step, const struct step_values *from,
               const struct step_value *reference, struct transform *axes, struct error *error)
 {
-    struct step_values v;
+    struct step_values v = {0};
     struct vec3 at = {0, 0, 0}, z = {0, 0, 1}, x = {1, 0, 0};
     if (step_follow(step, from, reference, &v, error) < 0)
         return -1;
@@ -132,7 +132,7 @@ static int point_at(const struct source *s, const struct step_value *reference, 
 int step_vertex(const struct step_place *place, const struct step_values *from,
                 const struct step_value *reference, struct vec3 *point, struct error *error)
 {
-    struct step_values v;
+    struct step_values v = {0};
     if (step_follow(place->step, from, reference, &v, error) < 0)
         return -1;
     struct source s = {.place = place, .v = &v};
@@ -148,16 +148,18 @@ int step_vertex(const struct step_place *place, const struct step_values *from,
 static int vector_at(const struct source *s, const struct step_value *reference, struct vec3 *to,
                      struct error *error)
 {
-    struct step_values v;
+    struct step_values v = {0};
     if (step_follow(s->place->step, s->v, reference, &v, error) < 0)
         return -1;
     const struct step_value *r = step_record(&v, "VECTOR");
     int status = r ? read_coordinates(s->place->step, &v, step_item(r, 1), "DIRECTION", to, error)
                    : refuse(s->place->step, &v, "no VECTOR, expected one", error);
     array_free(&v);
+    if (status < 0)
+        return status;
     struct vec3 zero = transform_point(&s->place->to, vec(0, 0, 0));
     *to = vec_unit(vec_sub(transform_point(&s->place->to, *to), zero));
-    if (status == 0 && !(vec_length(*to) > 0))
+    if (!(vec_length(*to) > 0))
         status = refuse(s->place->step, s->v, "a direction of no length, expected one", error);
     return status;
 }
@@ -229,7 +231,7 @@ static int spline_axis(const struct source *s, const struct spline *sp, int k, s
                        struct nurbs_axis *a, struct error *error)
 {
     const struct step *step = s->place->step;
-    double degree, times, knot;
+    double degree = 0, times = 0, knot = 0;
     struct error why;
     if (number_of(step, s->v, sp->degree[k], 1e6, &degree, error) < 0)
         return -1;
@@ -450,7 +452,7 @@ static int curve_of(const struct step_place *place, const struct step_values *fr
                     const struct step_value *reference, const struct vec3 *ends, int depth,
                     struct patch_loop *loop, struct error *error)
 {
-    struct step_values v;
+    struct step_values v = {0};
     if (depth > DEPTH_MAX)
         return refuse(place->step, from, "curves of curves without end, expected simple ones",
                       error);
@@ -504,7 +506,7 @@ static int read_profile(const struct source *s, struct nurbs_curve *c, struct er
 /* A line as a profile: its point and unit direction; false when it is no line. */
 static bool line_profile(const struct source *s, struct vec3 *at, struct vec3 *along)
 {
-    struct step_values v;
+    struct step_values v = {0};
     struct error ignored;
     if (step_follow(s->place->step, s->v, step_item(s->record, 1), &v, &ignored) < 0)
         return false;
@@ -601,7 +603,7 @@ static int known_surface(const struct source *from, struct error *error)
     if ((s.record = step_record(s.v, "SURFACE_OF_REVOLUTION")))
         return read_revolution(&s, error);
     if ((s.record = step_record(s.v, "RECTANGULAR_TRIMMED_SURFACE")) && s.depth < DEPTH_MAX) {
-        struct step_values v;
+        struct step_values v = {0};
         if (step_follow(s.place->step, s.v, step_item(s.record, 1), &v, error) < 0)
             return -1;
         struct source basis = s;
@@ -618,7 +620,7 @@ int step_surface(const struct step_place *place, const struct step_values *from,
                  const struct step_value *reference, const struct vec3s *points,
                  struct nurbs *surface, char kind[40], struct error *error)
 {
-    struct step_values v;
+    struct step_values v = {0};
     if (step_follow(place->step, from, reference, &v, error) < 0)
         return -1;
     struct source s = {.place = place, .v = &v, .points = points, .surface = surface};
