@@ -37,7 +37,8 @@ static const struct cli_option options[] = {
     {0, "gap", "MM", "cut on across gaps in the part of at most this width (0.1)",
      CLI_NUMBER, &gap, 0, 1000, 0, NULL},
     {0, "surface", "FILE", "project each point onto the surfaces of this file, IGES or NURBS\n"
-     "text, that the mesh was made from (may be given several times)", CLI_LIST, &surfaces, 0, 0, 0, NULL},
+     "text, that the mesh was made from (may be given several times)",
+     CLI_LIST, &surfaces, 0, 0, 0, NULL},
     {0, "oneway", NULL, "the same as --one-way", CLI_FLAG, &path_options.one_way, 0, 0, 0, NULL},
     {0}};
 /* clang-format on */

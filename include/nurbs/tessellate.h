@@ -16,7 +16,7 @@ struct sheet {
     struct ints piece;          /* of each vertex (tessellate_piece) */
     struct faces face;          /* counter-clockwise seen from where the normals point */
     double error;               /* how far a triangle is off at most, mm: at its middle and those of
-                                   its sides; where the options ask for a tolerance, at nine places more */
+                                   its sides; with a tolerance, at nine places more */
     struct vec3 error_at;       /* where */
     bool too_fine;              /* the tolerance needs more than TESSELLATE_CELLS_MAX: not made */
     double off;                 /* how far trimming curves in space lie off the surface, mm */

@@ -30,9 +30,11 @@ const struct cli_option path_option_table[] = {
     {'g', "guard", "FILE", "keep the ball clear of all points of this scan, not only of the mesh\n"
      "(may be given several times)", CLI_LIST, &path_options.guards, 0, 0, 0, NULL},
     {0, "noise", "SIGMA", "standard deviation of the noise to remove from the scan of -g\n"
-     "(default: measured; 0: the points as they are)", CLI_NUMBER, &path_options.noise, 0, 10, 0, NULL},
+     "(default: measured; 0: the points as they are)",
+     CLI_NUMBER, &path_options.noise, 0, 10, 0, NULL},
     EFFORT_OPTION(&path_options.effort),
-    {'e', "tolerance", "E", "insert points between those of the mesh: straight lines stay within E\n"
+    {'e', "tolerance", "E",
+     "insert points between those of the mesh: straight lines stay within E\n"
      "of the smooth curve, no deeper in the part (0.01 with -g or --holder)",
      CLI_NUMBER, &path_options.tolerance, 0.0001, 10, 0, NULL},
     {0, "paper", NULL, "as published: only the mesh points, no lifting, links not checked",
@@ -51,9 +53,11 @@ const struct cli_option path_option_table[] = {
      CLI_NUMBERS, path_options.to_point, 0, 0, 3, &path_options.to_given},
     {0, "from-point", "X,Y,Z", "the axis points away from this point below the surface",
      CLI_NUMBERS, path_options.from_point, 0, 0, 3, &path_options.from_given},
-    {0, "circle", "X,Y,Z,I,J,K,R", "the axis passes through the nearest point of a circle: centre,\n"
+    {0, "circle", "X,Y,Z,I,J,K,R",
+     "the axis passes through the nearest point of a circle: centre,\n"
      "axis, radius", CLI_NUMBERS, path_options.circle, 0, 0, 7, &path_options.circle_given},
-    {0, "least-turn", "DEG", "tilt the axis by the angle of --tilt and --lead, or up to DEG, in the\n"
+    {0, "least-turn", "DEG",
+     "tilt the axis by the angle of --tilt and --lead, or up to DEG, in the\n"
      "direction in which rotary axes turn least", CLI_NUMBER, &path_options.turn, 0, 80, 0, NULL},
     {0, "axis-play", "DEG", "largest deviation of axes from their rule, to turn less (0)",
      CLI_NUMBER, &path_options.play, 0, 60, 0, NULL},
@@ -73,7 +77,8 @@ const struct cli_option path_option_table[] = {
      "and its layers + radius + 10)", CLI_NUMBER, &path_options.clearance, 0, 0, 0, NULL},
     {0, "approach", "MM", "distance above the part where the plunge feed begins (5)",
      CLI_NUMBER, &path_options.approach, CLI_POSITIVE, 0, 0, NULL},
-    {0, "feed", "F", "cutting feed, mm/min (800)", CLI_NUMBER, &path_options.feed, CLI_POSITIVE, 0, 0, NULL},
+    {0, "feed", "F", "cutting feed, mm/min (800)",
+     CLI_NUMBER, &path_options.feed, CLI_POSITIVE, 0, 0, NULL},
     {0, "plunge", "F", "feed of the descent from there (default: half the cutting feed)",
      CLI_NUMBER, &path_options.plunge, CLI_POSITIVE, 0, 0, NULL},
     {0, "spindle", "RPM", "speed of the spindle (8000)",

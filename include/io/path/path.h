@@ -4,8 +4,8 @@
  *
  * In memory a path is a head and a list of items in the order of the stream.  Lengths are mm and
  * feeds mm/min, for any units of the stream.  path_read reads streams of this suite and CL files of
- * CAM systems (the stages: path_parse.h), path_write writes them; path_run.h makes a run of a path a
- * run for the fitters.
+ * CAM systems (the stages: path_parse.h), path_write writes them; path_run.h makes a run of a path
+ * a run for the fitters.
  */
 #ifndef CLOUDMILL_PATH_H
 #define CLOUDMILL_PATH_H
@@ -218,8 +218,9 @@ struct motion path_item_motion(const struct path *path, const struct path_item *
                                struct pose from);
 
 /*
- * Replaces the holes of drilling cycles by straight motions: at rapid above the mouth, down to `clear`, at feed to the bottom (in steps), out to `retract`.  A step begins at
- * rapid PATH_PECK_GAP above the bottom of the one before, or half of it.
+ * Replaces the holes of drilling cycles by straight motions: at rapid above the mouth, down to
+ * `clear`, at feed to the bottom (in steps), out to `retract`.  A step begins at rapid
+ * PATH_PECK_GAP above the bottom of the one before, or half of it.
  */
 void path_expand_cycles(struct path *path);
 
@@ -227,10 +228,10 @@ void path_expand_cycles(struct path *path);
 
 /*
  * The cutting runs of a path, for fitters: the first run at or after item *from as [*from, *to).
- * A run is a longest sequence of PATH_POINT items at feed, with nothing else between, that all carry a
- * contact (in a path without any contact: of all points at feed).  A run starts at the pose of its
- * first item: the motion *to* it is not part of the run.  Runs of one item are skipped.  False if
- * there is none left.
+ * A run is a longest sequence of PATH_POINT items at feed, with nothing else between, that all
+ * carry a contact (in a path without any contact: of all points at feed).  A run starts at the pose
+ * of its first item: the motion *to* it is not part of the run.  Runs of one item are skipped.
+ * False if there is none left.
  */
 bool path_next_run(const struct path *path, size_t *from, size_t *to);
 
