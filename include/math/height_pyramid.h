@@ -47,8 +47,8 @@ void height_pyramid_free(struct height_pyramid *pyramid);
 void height_pyramid_set(struct height_pyramid *pyramid, struct height_cell at,
                         struct height_range range);
 
-/* The cell over which p lies, or the nearest one of the border. */
-struct height_cell height_pyramid_cell(const struct height_pyramid *pyramid, struct vec3 p);
+/* The cell that `at` lies over, or the nearest one of the border. */
+struct height_cell height_pyramid_cell(const struct height_pyramid *p, struct vec3 at);
 
 /* Nothing that is nearer than `radius` to the segment from a to b, seen from above, is higher than
  * this: mm; -INFINITY where there is nothing.  Looked up in cells an eighth as wide as the area

@@ -337,7 +337,7 @@ static void follow_loop(const struct patch *patch, const struct patch_loop *loop
     struct uvs all = {0};
     struct vec3 at = {0, 0, 0};
     struct uv guess = {0, 0};
-    f->to = &all;
+    f->to = &all; // cppcheck-suppress autoVariables
     f->space = loop->space;
     for (size_t k = 0; k < loop->n; k++) {
         bool backwards = is_backwards(patch, loop, k, at);

@@ -122,7 +122,7 @@ static void knot_slope(const struct ppform *form, const struct bspline *b, size_
 {
     int order = form->degree + 1;
     size_t p = (size_t)form->degree;
-    double doubled[KNOTS_MAX], c[ORDER_MAX * ORDER_MAX];
+    double doubled[KNOTS_MAX] = {0}, c[ORDER_MAX * ORDER_MAX];
     size_t first = at - p, last = at + p + 1; /* knots that matter here */
     size_t n = 0;
 

@@ -74,7 +74,7 @@ static void sum_moments(struct knots_step *s, const struct ppform *form,
 
     memset(s->moments, 0, form->spans * size * sizeof *s->moments);
     for (size_t k = 1; k + 1 < places->n; k++)
-        for (int other = 0; other <= (places->turns); other++) {
+        for (int other = 0; other < (places->turns ? 2 : 1); other++) {
             const struct footpoint *at = other ? &feet->other[k] : &feet->point[k];
             residual_of(places, feet, k, other, power, &residual);
             span_moments_add(&s->moments[at->span * size], degree, width,

@@ -179,7 +179,7 @@ void spline_run_refit(const struct run *run, const struct spline_run_options *op
 static void split_piece(const struct run *run, const struct spline_run_options *options, size_t k,
                         size_t i, struct spline_run *pieces)
 {
-    struct spline_run_piece whole = pieces->item[k], part[3];
+    struct spline_run_piece whole = pieces->item[k], part[3] = {{0}};
     size_t end[] = {whole.from, i, i + 1, whole.to}, n = 0;
 
     for (size_t e = 0; e < 3; e++)

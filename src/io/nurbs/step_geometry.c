@@ -149,6 +149,7 @@ static int vector_at(const struct source *s, const struct step_value *reference,
                      struct error *error)
 {
     struct step_values v = {0};
+    *to = vec(0, 0, 0);
     if (step_follow(s->place->step, s->v, reference, &v, error) < 0)
         return -1;
     const struct step_value *r = step_record(&v, "VECTOR");

@@ -391,6 +391,8 @@ static long leader(const struct model *m, long id)
     struct alias *a = find_alias(m, id);
     while (a && a->same != a->id) {
         struct alias *up = find_alias(m, a->same);
+        if (!up)
+            break;
         a->same = up->same;
         a = up;
     }
