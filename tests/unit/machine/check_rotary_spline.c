@@ -35,7 +35,7 @@ static double angle_at(const struct bspline *c, const double *pole, double u)
     size_t span = bspline_span(3, c->poles, c->knot, u);
     bspline_basis(3, c->knot, span, u, basis);
     for (size_t i = 0; i < 4; i++)
-        q += basis[i] * pole[span - 3 + i];
+        q += basis[i] * pole[span - 3 + i]; // cppcheck-suppress uninitvar
     return q;
 }
 

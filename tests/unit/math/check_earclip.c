@@ -50,7 +50,8 @@ START_TEST(stars)
         size_t n = 3 + (size_t)(150 * chance());
         for (size_t i = 0; i < n; i++) {
             double a = 2 * PI * (double)i / (double)n, r = 0.1 + chance();
-            at[i] = (struct uv){r * cos(a), r * sin(a)};
+            at[i].u = r * cos(a);
+            at[i].v = r * sin(a);
         }
         check_polygon(at, n);
     }

@@ -71,7 +71,7 @@ static void compare(int kind, size_t n, size_t k)
             struct vec3 d = vec_sub(point[i], q);
             all[i] = (struct hit){vec_dot(d, d), i};
         }
-        qsort(all, n, sizeof *all, by_distance);
+        qsort(all, n, sizeof *all, by_distance); // cppcheck-suppress uninitvar
         size_t got = kdtree_nearest(tree, q, k, index, distance2);
         ck_assert_uint_eq(got, k < n ? k : n);
         for (size_t i = 0; i < got; i++) {

@@ -53,7 +53,7 @@ static void run(struct fixture *f, struct holder_collision_options *holder)
     f->left = stock_rest_new(f->points.item, f->points.n, &f->stock);
     struct collision_body block = collision_body_stock(&f->stock);
     if (holder)
-        holder->body = &block;
+        holder->body = &block; // cppcheck-suppress autoVariables
     struct stock_simulate_options options = {&f->motion, &f->cut, R, 0.001, 0.01, holder, false};
     stock_simulate_run(&options, &f->stock, &f->left, &f->run);
     collision_body_free(&block);
