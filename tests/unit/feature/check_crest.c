@@ -162,7 +162,7 @@ static void rows_rise(const struct mesh *m)
                 if (m->row.item[v] != row)
                     continue;
                 double x = m->vertex.item[v].x;
-                if (m->col.item[v] == col + 1 && v < (size_t)ROWS * COLUMNS)
+                if (v < (size_t)ROWS * COLUMNS && m->col.item[v] == col + 1)
                     next = x;
                 if (m->col.item[v] != col)
                     continue;
