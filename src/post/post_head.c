@@ -28,6 +28,63 @@ static void tool_line(struct nc_program *p, int number, const double *cutter, in
                r);
 }
 
+/* The text after `$$-> WORD` in the path's comments, NULL: it has no such comment. */
+static const char *path_says(const struct path *path, const char *word)
+{
+    size_t n = strlen(word);
+    for (size_t i = 0; i < path->text.n; i++) {
+        const char *text = path->text.item[i];
+        if (strncmp(text, "$$->", 4) != 0)
+            continue;
+        text += 4 + strspn(text + 4, " \t");
+        if (strncmp(text, word, n) == 0 && strchr(" \t/", text[n]))
+            return text + n + strspn(text + n, " \t/");
+    }
+    return NULL;
+}
+
+/* KEY: text, in further lines KEY+: where it is too long for one; a line ends before a blank, which
+ * is left out, or where it is full. */
+static void key_line(struct nc_program *p, const char *key, const char *text)
+{
+    size_t frame = strlen(p->w.style.open) + strlen(p->w.style.close) + strlen(key) + 3;
+    size_t room = NC_COMMENT_MAX - frame;
+    for (const char *more = ""; *text; more = "+") {
+        size_t n = strlen(text);
+        if (n > room) {
+            n = room;
+            while (n > room / 2 && text[n] != ' ')
+                n--;
+            n = text[n] == ' ' ? n : room;
+        }
+        nc_comment(&p->w, "%s%s: %.*s", key, more, (int)n, text);
+        text += n;
+        text += strspn(text, " ");
+    }
+}
+
+/* What ncverify reads back of the tool, of the first one: TOOL: BALL R5 FLUTE 20 HOLDER 5:60. */
+static void tool_key(struct nc_program *p)
+{
+    const struct path_head *head = &p->path->head;
+    const char *more = path_says(p->path, "TOOL");
+    double unit = p->plan->ability.unit, ball = path_ball(p->path);
+    char text[600], d[NUM_MAX], r[NUM_MAX];
+    if (!head->cutter_n)
+        return;
+    num_write_short(d, unit * head->cutter[0], 4, false);
+    num_write_short(r,
+                    unit * (ball > 0             ? ball
+                            : head->cutter_n > 1 ? head->cutter[1]
+                                                 : 0),
+                    4, false);
+    if (ball > 0)
+        snprintf(text, sizeof text, "BALL R%.20s%s%.500s", r, more ? " " : "", more ? more : "");
+    else
+        snprintf(text, sizeof text, "CUTTER D%.20s R%.20s", d, r);
+    key_line(p, "TOOL", text);
+}
+
 static void head_tool(struct nc_program *p)
 {
     const struct path *path = p->path;
@@ -42,6 +99,7 @@ static void head_tool(struct nc_program *p)
     } else {
         nc_comment(&p->w, "X Y Z are the tool tip");
     }
+    tool_key(p);
 }
 
 /* To four decimals, never too small. */
@@ -68,6 +126,23 @@ static void head_ledger(struct nc_program *p)
                rounded_up(nc_ledger_sum(p->path, p->plan)), rounded_up(DEGREES(total->spent.axis)));
 }
 
+/* SCALLOP: 0.02 TOLERANCE: 0.01, and the scans by which the path was guarded; mm. */
+static void surface_keys(struct nc_program *p)
+{
+    const char *scallop = path_says(p->path, "SCALLOP"), *scan = path_says(p->path, "SCAN");
+    char said[NUM_MAX], sum[NUM_MAX];
+    double high;
+    num_write_short(sum, rounded_up(nc_ledger_sum(p->path, p->plan)), 4, false);
+    if (scallop && num_read(&scallop, &high) && high > 0) {
+        num_write_short(said, high, 4, false);
+        nc_comment(&p->w, "SCALLOP: %.20s TOLERANCE: %.20s", said, sum);
+    } else {
+        nc_comment(&p->w, "TOLERANCE: %.20s", sum);
+    }
+    if (scan)
+        key_line(p, "SCAN", scan);
+}
+
 void nc_head(struct nc_program *p)
 {
     const struct nc_total *total = &p->plan->total;
@@ -88,6 +163,7 @@ void nc_head(struct nc_program *p)
                    p->planes.item[i].axis.y, p->planes.item[i].axis.z);
     head_tool(p);
     head_ledger(p);
+    surface_keys(p);
     double unit = p->plan->ability.unit;
     nc_comment(&p->w, "Cut %.1f mm, rapid %.1f mm, %.1f min", total->cut * unit,
                total->rapid * unit, total->minutes);

@@ -1,0 +1,47 @@
+#!/bin/sh
+# ncpost-head.t - what a program says at its head, in the comments of each control: the tool as
+# ncverify reads it back, scallop and tolerance, the scans, and what was assumed.
+. "${SRC:-$(dirname "$0")/../..}/tests/lib/lib.sh"
+cd "$TMP" || exit 1
+
+long="a scan with a name so long that no line of a program can hold it whole, however.xyz"
+cat >tool.cl <<END
+UNITS/MM
+CUTTER/10,5
+LOADTL/1
+SPINDL/RPM,8000,CLW
+\$\$-> CLOUDMILL/1
+\$\$-> TOOL FLUTE 20 HOLDER 5:60
+\$\$-> LEDGER/meshnorm,0.004
+\$\$-> SCALLOP/0.02
+\$\$-> SCAN/26493,0123456789abcdef,$long
+FEDRAT/MMPM,800
+GOTO/0,0,0
+GOTO/10,0,0
+FINI
+END
+sed 's/^CUTTER.*/CUTTER\/10,2/; /\$\$->/d' tool.cl >flat.cl
+sed 's/TOOL FLUTE.*/TOOL BALL-ONLY/; /SCALLOP\|SCAN/d' tool.cl >ball.cl
+head_of() { # CONTROL PATH: its comments without numbers and signs around
+	ncpost -q -c "$1" "$2" >program
+	sed -n 's/^[0-9 ]*\(;\|(\) *\([A-Z+]*:\)/\2/p' program | sed 's/)$//'
+}
+for control in fanuc siemens heidenhain linuxcnc; do
+	head_of $control tool.cl >head
+	has "$control: the tool with flute and holder" '^TOOL: BALL R5 FLUTE 20 HOLDER 5:60$' head
+	has "$control: scallop and tolerance" '^SCALLOP: 0\.02 TOLERANCE: 0\.00[4-9][0-9]?$' head
+	printf '26493,0123456789abcdef,%s\n' "$long" | tr a-z A-Z >want
+	sed -n 's/^SCAN+*: //p' head | tr a-z A-Z | tr '\n' ' ' | sed 's/ $//' >got
+	echo >>got
+	same "$control: the scan, in as many lines as it needs" want got
+	awk '/^[0-9 ]*[;(]/ && length > 84 { exit 1 }' program
+	result $? "$control: no line of the head is longer than a control takes"
+	head_of $control flat.cl >head
+	has "$control: a tool that is no ball" '^TOOL: CUTTER D10 R2$' head
+	hasnt "$control: no scallop is said where there is none" SCALLOP head
+	has "$control: the tolerance alone" '^TOLERANCE: [0-9.]+$' head
+	head_of $control ball.cl >head
+	has "$control: the ball alone" '^TOOL: BALL R5 BALL-ONLY$' head
+done
+
+done_testing
