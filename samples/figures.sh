@@ -60,7 +60,7 @@ panel=samples/panel_17036.xyz
 cloud2mesh -q --paper -t 4 -o "$work/panel.ply" $panel
 points "$work/panel.ply" >"$work/points.xyz"
 grid "$work/panel.ply" >"$work/grid.cl"
-meshnorm -q -r 8 -o "$work/panel.cl" "$work/panel.ply"
+meshnorm -q -r 8 --rows mesh -o "$work/panel.cl" "$work/panel.ply"
 biarcfit -q -e 0.01 --tilt 15 -o "$work/arcs.cl" "$work/panel.cl"
 ncpost -q -c siemens -o "$work/panel.mpf" "$work/arcs.cl"
 
@@ -78,7 +78,7 @@ figure paper1-40-program "The Siemens program, read back, over the mesh" "$work/
 
 face=samples/face_nefertiti_26493.xyz
 cloud2mesh -q -t 3 -o "$work/face.ply" $face
-meshnorm -q -r 5 -o "$work/face.cl" "$work/face.ply"
+meshnorm -q -r 5 --rows mesh -o "$work/face.cl" "$work/face.ply"
 biarcfit -q -e 0.02 -o "$work/face-arcs.cl" "$work/face.cl"
 ncpost -q -c siemens -o "$work/face.mpf" "$work/face-arcs.cl"
 

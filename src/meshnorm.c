@@ -11,8 +11,13 @@
 #include "toolpath/rows.h"
 #include "meshing/mesh_join.h"
 
-static int normals;
-static double scallop;
+enum { ROWS_SCALLOP, ROWS_MESH };
+
+static const double SCALLOP = 0.02; /* of --scallop, mm, where the radius allows it */
+
+static int normals, row_kind;
+static double scallop; /* 0: the rows are the mesh's */
+static bool rows_given;
 static const char *direction; /* as text: auto or degrees */
 
 static void read_options(struct cli *cli, int argc, char **argv)
@@ -24,12 +29,16 @@ static void read_options(struct cli *cli, int argc, char **argv)
          "the mesh's own (default), the mean of the facets' (eq 8) or of the\n"
          "neighbours' (eq 7), central differences on a regular grid",
          CLI_CHOICE, &normals, 0, 0, 0, NULL},
+        {0, "rows", "scallop|mesh",
+         "planes so close that the ball leaves no scallop above --scallop (the\n"
+         "default), or the rows of the mesh",
+         CLI_CHOICE, &row_kind, 0, 0, 0, &rows_given},
         {0, "scallop", "H",
-         "plane rows so close that no scallop between them is higher than H,\n"
-         "instead of the rows of the mesh",
+         "height of the scallops between rows (default: 0.02, or a twentieth of\n"
+         "the radius if that is less)",
          CLI_NUMBER, &scallop, CLI_POSITIVE, 0, 0, NULL},
         {0, "direction", "auto|DEG",
-         "direction of those rows: the one with the shortest cut, or about z\n"
+         "direction of the planes: the one with the shortest cut, or about z\n"
          "from x towards y (default: that of the mesh's rows)",
          CLI_TEXT, &direction, 0, 0, 0, NULL},
         {0}};
@@ -171,18 +180,35 @@ static void free_planes(struct planes *all)
     free(all->part);
 }
 
+/* The rows of the mesh have no scallop of their own, and no direction but theirs. */
+static void check_rows(void)
+{
+    bool mesh_rows = path_options.paper || row_kind == ROWS_MESH;
+
+    if (path_options.paper && (scallop > 0 || (rows_given && row_kind != ROWS_MESH)))
+        die_usage("found --paper with %s: the paper's rows are those of the mesh",
+                  scallop > 0 ? "--scallop" : "--rows scallop");
+    if (mesh_rows && (direction || scallop > 0))
+        die_usage("found %s with the rows of the mesh, expected --rows scallop",
+                  direction ? "--direction" : "--scallop");
+    if (scallop >= path_options.radius && path_options.radius > 0)
+        die_usage("option --scallop: found %g, expected less than the radius", scallop);
+    if (mesh_rows || scallop > 0)
+        return;
+    scallop = fmin(SCALLOP, path_options.radius / 20);
+    say("rows so close that scallops are no higher than %g mm (--scallop)", scallop);
+}
+
 static void check_options(struct tool_axis_options *axis)
 {
     struct error error;
 
     if (path_options_check(axis, &error) != 0)
         die_usage("%s", error.text);
-    if (direction && scallop == 0)
-        die_usage("found --direction without --scallop: the mesh's own rows have theirs");
-    if (scallop > 0 && path_options.paper)
-        die_usage("found --paper with --scallop: the paper's rows are those of the mesh");
-    if (scallop >= path_options.radius)
-        die_usage("option --scallop: found %g, expected less than the radius", scallop);
+    check_rows();
+    path_options.scallop = scallop;
+    if (scallop > 0 && path_options.tolerance == 0)
+        path_options.tolerance = 0.01;
 }
 
 int main(int argc, char **argv)

@@ -61,6 +61,7 @@ static void check_options(struct tool_axis_options *axis)
         die_usage("option --scallop: found %g, expected less than the radius", scallop);
     if (!step_given && !scallop_given)
         scallop = fmin(0.01, path_options.radius / 2);
+    path_options.scallop = scallop;
 }
 
 /* The ball must not be larger than the smallest hollow (paper 2, 2.1), unless it is lifted there.

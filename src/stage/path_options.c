@@ -258,6 +258,7 @@ static void fill_head(const struct mesh *mesh, const char *tool, const struct to
     head->spindle = c->spindle;
     head->coolant = c->coolant + 1;
     head->clearance = t->rule.clearance;
+    head->scallop = c->scallop;
     if (origin->maker && isfinite(origin->ledger))
         path_spend(t->path, origin->maker, origin->ledger);
     /* Between points of the mesh the straight lines are what was checked; without points put

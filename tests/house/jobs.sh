@@ -170,54 +170,54 @@ surfaces() {
 
 paths() {
 	for mesh in panel wave wave-noise dome dome-noise bowl saddle roof pyramid rib wall block plateau terraces hole; do
-		echo "$mesh.cl meshnorm -q -r 3 --avoid $mesh.ply"
-		echo "$mesh-g.cl meshnorm -q -r 3 --avoid -g $mesh.xyz $mesh.ply"
+		echo "$mesh.cl meshnorm --rows mesh -q -r 3 --avoid $mesh.ply"
+		echo "$mesh-g.cl meshnorm --rows mesh -q -r 3 --avoid -g $mesh.xyz $mesh.ply"
 		echo "$mesh-p.cl planecut -q -r 3 -s 2 --avoid $mesh.ply"
 	done
 	cat <<-'END'
-		panel-8.cl meshnorm -q -r 8 panel-4.ply
+		panel-8.cl meshnorm --rows mesh -q -r 8 panel-4.ply
 		panel-paper.cl meshnorm -q --paper -r 8 panel-paper.ply
 		panel-gs.cl meshnorm -q -r 8 --scallop 0.02 -e 0.01 -g panel.xyz panel-4.ply
 		panel-auto.cl meshnorm -q -r 8 --scallop 0.05 --direction auto panel-4.ply
 		panel-30.cl meshnorm -q -r 8 --scallop 0.05 --direction 30 panel-4.ply
-		wave-2.cl meshnorm -q -r 2 wave.ply
-		wave-5.cl meshnorm -q -r 5 wave.ply
-		wave-5g.cl meshnorm -q -r 5 -g wave.xyz wave.ply
-		wave-limit.cl meshnorm -q -r 5 --avoid --limit 0.3 wave.ply
-		wave-e.cl meshnorm -q -r 2 -e 0.005 wave-coarse.ply
-		wave-noise-0.cl meshnorm -q -r 2 -g wave-noise.xyz --noise 0 wave-noise.ply
-		wave-noise-2.cl meshnorm -q -r 2 -g wave-noise.xyz --noise 0.02 wave-noise.ply
-		wave-facet.cl meshnorm -q -r 2 --normals facet wave.ply
-		wave-gouraud.cl meshnorm -q -r 2 --normals gouraud wave.ply
-		wave-central.cl meshnorm -q -r 2 --normals central wave.ply
-		wave-mesh.cl meshnorm -q -r 2 --normals mesh wave.ply
-		dome-lead.cl meshnorm -q -r 6 --tilt -10 --lead 5 dome.ply
-		dome-fixed.cl meshnorm -q -r 6 --fixed 0,0,1 dome.ply
-		dome-3plus2.cl meshnorm -q -r 6 --fixed 0.3,0.2,0.9 dome.ply
-		dome-to.cl meshnorm -q -r 6 --to-point 0,0,120 dome.ply
-		dome-from.cl meshnorm -q -r 6 --from-point 0,0,-90 dome.ply
-		dome-circle.cl meshnorm -q -r 6 --circle 0,0,90,0,0,1,20 dome.ply
-		dome-turn.cl meshnorm -q -r 6 --least-turn 25 dome.ply
-		dome-play.cl meshnorm -q -r 6 --axis-play 5 dome.ply
-		wave-rate.cl meshnorm -q -r 2 --axis-rate 3 wave.ply
-		wave-holder.cl meshnorm -q -r 2 -g wave.xyz --holder 1.5:6+4:20 --lean-limit 40 wave.ply
-		valley-holder.cl meshnorm -q -r 2 --tilt 50 --holder 2:5+2:12:8+12:20 valley.ply
-		block-holder.cl meshnorm -q -r 1.5 --avoid -g block.xyz --holder 1.5:3+6:20 block.ply
-		dome-oneway.cl meshnorm -q -r 6 --one-way --clearance 60 --approach 2 --feed 1200 --plunge 100 --spindle 12000 --tool 7 --coolant mist --partno 'A part' dome.ply
-		dome-layers.cl meshnorm -q -r 6 --layers 3 --depth 0.5 --coolant off dome.ply
-		dome-layers-g.cl meshnorm -q -r 6 --layers 2 -g dome.xyz dome-extend.ply
-		ball.cl meshnorm -q -r 3 -g ball.xyz ball-parts.ply
+		wave-2.cl meshnorm --rows mesh -q -r 2 wave.ply
+		wave-5.cl meshnorm --rows mesh -q -r 5 wave.ply
+		wave-5g.cl meshnorm --rows mesh -q -r 5 -g wave.xyz wave.ply
+		wave-limit.cl meshnorm --rows mesh -q -r 5 --avoid --limit 0.3 wave.ply
+		wave-e.cl meshnorm --rows mesh -q -r 2 -e 0.005 wave-coarse.ply
+		wave-noise-0.cl meshnorm --rows mesh -q -r 2 -g wave-noise.xyz --noise 0 wave-noise.ply
+		wave-noise-2.cl meshnorm --rows mesh -q -r 2 -g wave-noise.xyz --noise 0.02 wave-noise.ply
+		wave-facet.cl meshnorm --rows mesh -q -r 2 --normals facet wave.ply
+		wave-gouraud.cl meshnorm --rows mesh -q -r 2 --normals gouraud wave.ply
+		wave-central.cl meshnorm --rows mesh -q -r 2 --normals central wave.ply
+		wave-mesh.cl meshnorm --rows mesh -q -r 2 --normals mesh wave.ply
+		dome-lead.cl meshnorm --rows mesh -q -r 6 --tilt -10 --lead 5 dome.ply
+		dome-fixed.cl meshnorm --rows mesh -q -r 6 --fixed 0,0,1 dome.ply
+		dome-3plus2.cl meshnorm --rows mesh -q -r 6 --fixed 0.3,0.2,0.9 dome.ply
+		dome-to.cl meshnorm --rows mesh -q -r 6 --to-point 0,0,120 dome.ply
+		dome-from.cl meshnorm --rows mesh -q -r 6 --from-point 0,0,-90 dome.ply
+		dome-circle.cl meshnorm --rows mesh -q -r 6 --circle 0,0,90,0,0,1,20 dome.ply
+		dome-turn.cl meshnorm --rows mesh -q -r 6 --least-turn 25 dome.ply
+		dome-play.cl meshnorm --rows mesh -q -r 6 --axis-play 5 dome.ply
+		wave-rate.cl meshnorm --rows mesh -q -r 2 --axis-rate 3 wave.ply
+		wave-holder.cl meshnorm --rows mesh -q -r 2 -g wave.xyz --holder 1.5:6+4:20 --lean-limit 40 wave.ply
+		valley-holder.cl meshnorm --rows mesh -q -r 2 --tilt 50 --holder 2:5+2:12:8+12:20 valley.ply
+		block-holder.cl meshnorm --rows mesh -q -r 1.5 --avoid -g block.xyz --holder 1.5:3+6:20 block.ply
+		dome-oneway.cl meshnorm --rows mesh -q -r 6 --one-way --clearance 60 --approach 2 --feed 1200 --plunge 100 --spindle 12000 --tool 7 --coolant mist --partno 'A part' dome.ply
+		dome-layers.cl meshnorm --rows mesh -q -r 6 --layers 3 --depth 0.5 --coolant off dome.ply
+		dome-layers-g.cl meshnorm --rows mesh -q -r 6 --layers 2 -g dome.xyz dome-extend.ply
+		ball.cl meshnorm --rows mesh -q -r 3 -g ball.xyz ball-parts.ply
 		ball-scallop.cl meshnorm -q -r 3 -g ball.xyz --scallop 0.02 ball-parts.ply
-		ball-deep.cl meshnorm -q -r 2 -g ball-deep.xyz deep-parts.ply
-		box.cl meshnorm -q -r 3 --avoid -g box.xyz box-parts.ply
-		box-holder.cl meshnorm -q -r 3 --avoid --holder 3:10+10:20 box-parts.ply
-		hole-extend.cl meshnorm -q -r 4 -g hole.xyz hole-extend.ply
+		ball-deep.cl meshnorm --rows mesh -q -r 2 -g ball-deep.xyz deep-parts.ply
+		box.cl meshnorm --rows mesh -q -r 3 --avoid -g box.xyz box-parts.ply
+		box-holder.cl meshnorm --rows mesh -q -r 3 --avoid --holder 3:10+10:20 box-parts.ply
+		hole-extend.cl meshnorm --rows mesh -q -r 4 -g hole.xyz hole-extend.ply
 		islands.cl meshnorm -q -r 4 --scallop 0.02 islands-extend.ply
-		face.cl meshnorm -q -r 5 --avoid --axis-rate 20 face-2.ply
-		turned.cl meshnorm -q -r 2 -g wave.xyz wave-turned.ply
-		origin.cl meshnorm -q -r 2 --avoid -g wave.xyz wave-paper.ply
-		roof-steep.cl meshnorm -q -r 3 --tilt 80 roof.ply
-		none.cl meshnorm -q -r 3 s1.ply
+		face.cl meshnorm --rows mesh -q -r 5 --avoid --axis-rate 20 face-2.ply
+		turned.cl meshnorm --rows mesh -q -r 2 -g wave.xyz wave-turned.ply
+		origin.cl meshnorm --rows mesh -q -r 2 --avoid -g wave.xyz wave-paper.ply
+		roof-steep.cl meshnorm --rows mesh -q -r 3 --tilt 80 roof.ply
+		none.cl meshnorm --rows mesh -q -r 3 s1.ply
 		s1.cl planecut -q -r 4 -s 4 -a 90 s1.ply
 		s1-paper.cl planecut -q --paper --fixed 0,0,1 -r 4 -s 4 -a 90 s1.ply
 		s1-on.cl planecut -q -r 4 -s 4 --surface s1.igs s1.ply
@@ -519,7 +519,7 @@ threads() {
 			threads-$n-grid.ply cloud2mesh -q -j $n -t 2 face.xyz
 			threads-$n-parts.ply cloud2mesh -q -j $n --subdivide box.xyz
 			threads-$n-nurbs.ply nurbs2mesh -q -j $n -e 0.05 torus.nurbs
-			threads-$n.cl meshnorm -q -j $n -r 3 --avoid --holder 3:5+8:20 -g wave-noise.xyz wave-noise.ply
+			threads-$n.cl meshnorm --rows mesh -q -j $n -r 3 --avoid --holder 3:5+8:20 -g wave-noise.xyz wave-noise.ply
 			threads-$n-cut.cl planecut -q -j $n -r 5 --avoid -s 1 -g wave.xyz wave.ply
 			threads-$n-arcs.cl biarcfit -q -j $n -e 0.02 -g wave.xyz wave-5g.cl
 			threads-$n-splines.cl bsplfit -q -j $n -e 0.02 -g wave.xyz wave-5g.cl
@@ -558,12 +558,12 @@ manners() {
 	done
 	cat <<-'END'
 		forms.cl meshnorm -qr6 --fixed=0,0,1 --one-way -- dome.ply
-		forms-stdin.cl meshnorm -r 6 -q - <dome.ply
-		forms-number.cl meshnorm -r six dome.ply
-		forms-vector.cl meshnorm -r 6 --fixed 0,1 dome.ply
-		forms-word.cl meshnorm -r 6 --coolant much dome.ply
-		forms-twice.cl meshnorm -r 6 dome.ply wave.ply
-		pipe.mpf cloud2mesh -q -t 4 panel.xyz | meshnorm -q -r 8 | biarcfit -q -e 0.01 | ncpost -q -c siemens
+		forms-stdin.cl meshnorm --rows mesh -r 6 -q - <dome.ply
+		forms-number.cl meshnorm --rows mesh -r six dome.ply
+		forms-vector.cl meshnorm --rows mesh -r 6 --fixed 0,1 dome.ply
+		forms-word.cl meshnorm --rows mesh -r 6 --coolant much dome.ply
+		forms-twice.cl meshnorm --rows mesh -r 6 dome.ply wave.ply
+		pipe.mpf cloud2mesh -q -t 4 panel.xyz | meshnorm --rows mesh -q -r 8 | biarcfit -q -e 0.01 | ncpost -q -c siemens
 	END
 }
 

@@ -22,7 +22,7 @@ input() { # TOOL
 	esac
 }
 cloud2mesh -q -t 4 cloud.xyz >mesh.ply
-meshnorm -q -r 4 mesh.ply >path.cl
+meshnorm -q -r 4 --rows mesh mesh.ply >path.cl
 biarcfit -q path.cl >arcs.cl
 
 # The same by the shell, where redirections matter.

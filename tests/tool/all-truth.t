@@ -5,7 +5,7 @@ panel=$SRC/samples/panel_17036.xyz
 cd "$TMP" || exit 1
 
 ok "the panel's mesh" cloud2mesh -q -t 4 -o mesh.ply "$panel"
-ok "its path" meshnorm -q -r 8 -o path.cl mesh.ply
+ok "its path" meshnorm -q -r 8 --rows mesh -o path.cl mesh.ply
 ok "arcs" biarcfit -q -e 0.01 -o biarcfit.cl path.cl
 ok "B-splines" bsplfit -q -e 0.01 -o bsplfit.cl path.cl
 
@@ -29,7 +29,7 @@ awk 'BEGIN { seed = 7 } { s = 0
 	for (i = 0; i < 12; i++) { seed = (seed * 16807) % 2147483647; s += seed / 2147483647 }
 	printf "%.4f %.4f %.4f\n", $1, $2, $3 + 0.02 * (s - 6) }' "$panel" >noise.xyz
 ok "a noisy scan: a mesh" cloud2mesh -q -t 4 -o guarded.ply noise.xyz
-status 0 "a path clear of it" meshnorm -q -r 8 -g noise.xyz -o guarded.cl guarded.ply
+status 0 "a path clear of it" meshnorm -q -r 8 --rows mesh -g noise.xyz -o guarded.cl guarded.ply
 for fitter in biarcfit bsplfit; do
 	status 0 "$fitter: clear of it too" $fitter -v -e 0.01 -g noise.xyz -o fitted.cl guarded.cl
 	has "looked at again" 'guarded by 17036 points' err

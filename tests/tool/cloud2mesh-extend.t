@@ -31,7 +31,7 @@ below "no further than asked for" "$(cut -d' ' -f1 "$TMP/figures")" 2
 below "along the sphere" "$(cut -d' ' -f2 "$TMP/figures")" 0.03
 has "the hole stays open" ' 0$' "$TMP/figures"
 
-ok "a path" meshnorm -q -r 5 -g "$TMP/cap.xyz" "$TMP/cap.ply" -o "$TMP/cap.cl"
+ok "a path" meshnorm -q -r 5 --rows mesh -g "$TMP/cap.xyz" "$TMP/cap.ply" -o "$TMP/cap.cl"
 ncpost -q -c siemens "$TMP/cap.cl" -o "$TMP/cap.mpf"
 ok "no gouge" ncverify -r 5 -g "$TMP/cap.xyz" "$TMP/cap.mpf"
 

@@ -229,7 +229,7 @@ for e in 0.2 0.05; do
 done
 below "-e 0.05: with 1300 vertices" "$(number vertex "$TMP/e0.05.ply")" 1300
 result "$([ "$(number vertex "$TMP/e0.2.ply")" -lt "$(number vertex "$TMP/e0.05.ply")" ]; echo $?)" "-e 0.2: with fewer"
-status 0 "-e: meshnorm cuts along its rows" meshnorm -r 8 "$TMP/e0.05.ply"
+status 0 "-e: meshnorm cuts along its rows" meshnorm -r 8 --rows mesh "$TMP/e0.05.ply"
 mesh "ecoarse" -e 5 -t 2 "$panel"
 has "-e and -t: no farther apart than -t" ' 3[2-9] rows$' "$TMP/ecoarse.err"
 status 0 "-e on a noisy scan" cloud2mesh -e 0.05 "$noisy"

@@ -37,7 +37,7 @@ ball 4 0 9000 0 >"$TMP/ball.xyz"
 ok "half-ball: a mesh" cloud2mesh --subdivide "$TMP/ball.xyz" -o "$TMP/ball.ply"
 has "it is divided" 'divided into [5-9] parts' "$TMP/err"
 has "its parts are in the head" '^comment part [1-9][0-9]* ' "$TMP/ball.ply"
-ok "half-ball: a path" meshnorm -r 3 -g "$TMP/ball.xyz" "$TMP/ball.ply" -o "$TMP/ball.cl"
+ok "half-ball: a path" meshnorm -r 3 --rows mesh -g "$TMP/ball.xyz" "$TMP/ball.ply" -o "$TMP/ball.cl"
 judge "half-ball" 3 0.015 0.03
 ok "rows by a scallop in each of the parts" meshnorm -r 3 -g "$TMP/ball.xyz" --scallop 0.01 \
 	"$TMP/ball.ply" -o "$TMP/ball.cl"
@@ -45,12 +45,12 @@ judge "half-ball by a scallop" 3 0.012 0.05
 
 ball 5 -1 9000 0.005 >"$TMP/ball.xyz"
 cloud2mesh -q --subdivide "$TMP/ball.xyz" -o "$TMP/ball.ply"
-ok "beyond the equator, noise: a path" meshnorm -r 2 -g "$TMP/ball.xyz" "$TMP/ball.ply" -o "$TMP/ball.cl"
+ok "beyond the equator, noise: a path" meshnorm -r 2 --rows mesh -g "$TMP/ball.xyz" "$TMP/ball.ply" -o "$TMP/ball.cl"
 judge "beyond the equator" 2 0.03 0.05
 
 ball 5 -2.5 12000 0 >"$TMP/deep.xyz"
 cloud2mesh -q --subdivide "$TMP/deep.xyz" -o "$TMP/deep.ply"
-ok "30 degrees under the equator: a path" meshnorm -r 2 -g "$TMP/deep.xyz" "$TMP/deep.ply" -o "$TMP/deep.cl"
+ok "30 degrees under the equator: a path" meshnorm -r 2 --rows mesh -g "$TMP/deep.xyz" "$TMP/deep.ply" -o "$TMP/deep.cl"
 hasnt "nothing out of reach" "cannot reach" "$TMP/err"
 ncpost -q -c siemens -m table-ac "$TMP/deep.cl" -o "$TMP/ball.mpf"
 run ncverify -r 2 -m table-ac -g "$TMP/deep.xyz" "$TMP/ball.mpf"
@@ -75,7 +75,7 @@ LC_ALL=C awk 'function u() { s = (s * 16807) % 2147483647; return s / 2147483647
 	}' >"$TMP/box.xyz"
 ok "a box: a mesh" cloud2mesh --subdivide -t 1 "$TMP/box.xyz" -o "$TMP/box.ply"
 has "a part for each of its sides" 'divided into 5 parts' "$TMP/err"
-ok "the box: a path" meshnorm -r 3 -g "$TMP/box.xyz" "$TMP/box.ply" -o "$TMP/ball.cl" --avoid
+ok "the box: a path" meshnorm -r 3 --rows mesh -g "$TMP/box.xyz" "$TMP/box.ply" -o "$TMP/ball.cl" --avoid
 ncpost -q -c siemens -m table-ac "$TMP/ball.cl" -o "$TMP/box.mpf"
 # judged by points on its edges too, which the scan has none of
 LC_ALL=C awk 'BEGIN {

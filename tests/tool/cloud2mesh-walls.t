@@ -100,7 +100,7 @@ done
 for kind in roof wall; do
 	shape $kind 0 >"$TMP/$kind.xyz"
 	cloud2mesh -q "$TMP/$kind.xyz" -o "$TMP/$kind.ply"
-	ok "$kind: a path" meshnorm -q -r 3 --avoid -g "$TMP/$kind.xyz" "$TMP/$kind.ply" -o "$TMP/$kind.cl"
+	ok "$kind: a path" meshnorm -q -r 3 --rows mesh --avoid -g "$TMP/$kind.xyz" "$TMP/$kind.ply" -o "$TMP/$kind.cl"
 	ncpost -q -c siemens "$TMP/$kind.cl" -o "$TMP/$kind.mpf"
 	ok "$kind: no gouge" ncverify -r 3 -g "$TMP/$kind.xyz" "$TMP/$kind.mpf"
 done
@@ -158,7 +158,7 @@ cloud2mesh -q -t 2 --smooth "$face" -o "$TMP/smooth.ply"
 below "face: normals that point aside or down" "$(down "$TMP/face.ply")" "$(down "$TMP/smooth.ply")"
 below "face: none points down" "$(awk '/^element vertex/ { n = $3 } /^end_header/ { from = NR }
 	from && NR > from && NR <= from + n && $6 < 0 { d++ } END { print d + 0 }' "$TMP/face.ply")" 0
-ok "face: a path" meshnorm -q -r 5 --avoid -g "$face" "$TMP/face.ply" -o "$TMP/face.cl"
+ok "face: a path" meshnorm -q -r 5 --rows mesh --avoid -g "$face" "$TMP/face.ply" -o "$TMP/face.cl"
 for control in fanuc siemens; do
 	ok "face: a program for $control" ncpost -q -c $control "$TMP/face.cl" -o "$TMP/face.nc"
 done

@@ -47,7 +47,7 @@ dome >"$TMP/dome.ply"
 
 # ---- offsets and axes, on the dome where they are known
 
-status 0 "a path from the dome" meshnorm -q -r 5 -o "$TMP/dome.cl" "$TMP/dome.ply"
+status 0 "a path from the dome" meshnorm -q -r 5 --rows mesh -o "$TMP/dome.cl" "$TMP/dome.ply"
 cuts "$TMP/dome.cl" >"$TMP/cuts"
 ok "every node is a contact point" test "$(wc -l <"$TMP/cuts")" = "$(sed -n 's/^element vertex //p' "$TMP/dome.ply")"
 awk '{ x = $2 + 5 * $5; y = $3 + 5 * $6; z = $4 + 5 * $7
@@ -68,31 +68,31 @@ has "and the clearance plane" 'CLEAR/75.000000$' "$TMP/dome.cl"
 has "and what straight lines leave" 'CHORD/0\.[0-9]*[1-9]' "$TMP/dome.cl"
 has "the end mark is there" '^FINI$' "$TMP/dome.cl"
 
-status 0 "one way" meshnorm -q -r 5 --one-way -o "$TMP/one.cl" "$TMP/dome.ply"
+status 0 "one way" meshnorm -q -r 5 --rows mesh --one-way -o "$TMP/one.cl" "$TMP/dome.ply"
 cuts "$TMP/one.cl" | awk '{ if ($1 == last && $8 <= x) bad++; last = $1; x = $8 } END { print bad + 0 }' >"$TMP/figures"
 below "all passes go up the columns" "$(cat "$TMP/figures")" 0
 cuts "$TMP/one.cl" | cut -d' ' -f8- | sort >"$TMP/one.points"
 cut -d' ' -f8- "$TMP/cuts" | sort >"$TMP/zigzag.points"
 same "on the same points" "$TMP/one.points" "$TMP/zigzag.points"
 
-meshnorm -q -r 5 --tilt 0 --lead 20 "$TMP/dome.ply" >"$TMP/lead.cl"
+meshnorm -q -r 5 --rows mesh --tilt 0 --lead 20 "$TMP/dome.ply" >"$TMP/lead.cl"
 cuts "$TMP/lead.cl" | awk '{ ahead = ($5 - $11) * ($1 % 2 ? 1 : -1); if (ahead <= 0) bad++ } END { print bad + 0 }' >"$TMP/figures"
 below "a lead leans the way the tool feeds" "$(cat "$TMP/figures")" 0
-meshnorm -q -r 5 --fixed 0,0,2 "$TMP/dome.ply" >"$TMP/fixed.cl"
+meshnorm -q -r 5 --rows mesh --fixed 0,0,2 "$TMP/dome.ply" >"$TMP/fixed.cl"
 has "a fixed axis is the same everywhere" '^GOTO/.*,0.000000000,0.000000000,1.000000000$' "$TMP/fixed.cl"
 hasnt "and needs no five axes" "^MULTAX/ON$" "$TMP/fixed.cl"
-meshnorm -q -r 5 --to-point 10,0,400 "$TMP/dome.ply" >"$TMP/point.cl"
+meshnorm -q -r 5 --rows mesh --to-point 10,0,400 "$TMP/dome.ply" >"$TMP/point.cl"
 cuts "$TMP/point.cl" | awk '{ s = (400 - $4) / $7; x = $2 + s * $5 - 10; y = $3 + s * $6
 	d = sqrt(x * x + y * y); if (d > w) w = d } END { printf "%.6f\n", w }' >"$TMP/figures"
 below "the axis goes through a point" "$(cat "$TMP/figures")" 0.00001
-status 0 "through a circle" meshnorm -q -r 5 --circle 0,0,300,0,0,1,50 -o "$TMP/circle.cl" "$TMP/dome.ply"
-status 0 "away from a point" meshnorm -q -r 5 --from-point 0,0,0 -o "$TMP/from.cl" "$TMP/dome.ply"
-status 3 "a shank that touches is told" meshnorm -r 5 --fixed 1,0,0 -o "$TMP/shank.cl" "$TMP/dome.ply"
+status 0 "through a circle" meshnorm -q -r 5 --rows mesh --circle 0,0,300,0,0,1,50 -o "$TMP/circle.cl" "$TMP/dome.ply"
+status 0 "away from a point" meshnorm -q -r 5 --rows mesh --from-point 0,0,0 -o "$TMP/from.cl" "$TMP/dome.ply"
+status 3 "a shank that touches is told" meshnorm -r 5 --rows mesh --fixed 1,0,0 -o "$TMP/shank.cl" "$TMP/dome.ply"
 has "by its angle" 'more than 90 degrees off the axis' "$TMP/err"
 
 # ---- layers, holes, links
 
-meshnorm -q -r 5 --layers 3 --depth 0.5 "$TMP/dome.ply" >"$TMP/layers.cl"
+meshnorm -q -r 5 --rows mesh --layers 3 --depth 0.5 "$TMP/dome.ply" >"$TMP/layers.cl"
 cuts "$TMP/layers.cl" | awk '{ x = $2 + 5 * $5; y = $3 + 5 * $6; z = $4 + 5 * $7
 	d = sqrt(x * x + y * y + z * z) - 65; layer = $1 <= 13 ? 1 : $1 <= 26 ? 0.5 : 0
 	e = d - layer; if (e < 0) e = -e; if (e > w) w = e } END { printf "%.9f %d\n", w, $1 }' >"$TMP/figures"
@@ -100,7 +100,7 @@ read -r off last <"$TMP/figures"
 below "layers stand off by their depth, the outermost first" "$off" 0.000002
 ok "passes go on counting" test "$last" = 39
 dome 0 >"$TMP/hole.ply"
-meshnorm -q -r 5 "$TMP/hole.ply" >"$TMP/hole.cl"
+meshnorm -q -r 5 --rows mesh "$TMP/hole.ply" >"$TMP/hole.cl"
 ok "a hole breaks a row but not its pass" test "$(grep -c PASS/ "$TMP/hole.cl")" = 13
 # rapid moves: the ball stays clear of the dome
 awk -F'[/,]' '/^RAPID/ { rapid = 1 } /^GOTO\// { x = $2 + 5 * $5; y = $3 + 5 * $6; z = $4 + 5 * $7
@@ -113,7 +113,7 @@ below "no rapid move comes near the part" "$(cat "$TMP/figures")" 0
 # ---- the panel: nodes against the exact surface
 
 cloud2mesh -q -t 4 -o "$TMP/panel.ply" "$panel"
-status 0 "the panel" meshnorm -v -r 8 -o "$TMP/panel.cl" "$TMP/panel.ply"
+status 0 "the panel" meshnorm -v -r 8 --rows mesh -o "$TMP/panel.cl" "$TMP/panel.ply"
 has "none of its nodes is lifted" ' 0 points lifted' "$TMP/err"
 status 0 "with facet normals as in the paper" meshnorm -q -r 8 --paper --normals facet -o "$TMP/paper.cl" "$TMP/panel.ply"
 
@@ -128,25 +128,25 @@ deepest() {
 below "nodes of the panel" "$(deepest nodes "$TMP/panel.cl" --panel)" 0.005
 below "as published they gouge" 0.01 "$(deepest nodes "$TMP/paper.cl" --panel)"
 below "but no more than that" "$(deepest nodes "$TMP/paper.cl" --panel)" 0.025
-status 0 "the panel with points between" meshnorm -q -r 8 -e 0.01 -o "$TMP/dense.cl" "$TMP/panel.ply"
+status 0 "the panel with points between" meshnorm -q -r 8 --rows mesh -e 0.01 -o "$TMP/dense.cl" "$TMP/panel.ply"
 below "its straight lines" "$(deepest way "$TMP/dense.cl" --panel)" 0.01
 cloud2mesh -q -t 4 -o "$TMP/face.ply" "$face"
 status 0 "the face as in the paper" meshnorm -q -r 10 --paper -o "$TMP/f0.cl" "$TMP/face.ply"
 below "gouges by more than a millimetre" 1 "$(deepest nodes "$TMP/f0.cl" --scan "$face")"
-status 0 "the face, guarded by its scan" meshnorm -v -r 10 --avoid -g "$face" -o "$TMP/f1.cl" "$TMP/face.ply"
+status 0 "the face, guarded by its scan" meshnorm -v -r 10 --rows mesh --avoid -g "$face" -o "$TMP/f1.cl" "$TMP/face.ply"
 has "lifts" '[1-9][0-9]* points lifted' "$TMP/err"
 below "and does not, anywhere on its way" "$(deepest way "$TMP/f1.cl" --scan "$face")" 0.012
-status 3 "what it leaves standing is not accepted" meshnorm -r 10 -j 1 -g "$face" -o "$TMP/f2.cl" "$TMP/face.ply"
+status 3 "what it leaves standing is not accepted" meshnorm -r 10 --rows mesh -j 1 -g "$face" -o "$TMP/f2.cl" "$TMP/face.ply"
 has "and told with its pass, depth and place" "leaves material there, worst in pass [0-9]+ [0-9.]+ mm at" "$TMP/err"
 same "but the path is the same, on one thread as on all" "$TMP/f1.cl" "$TMP/f2.cl"
-status 3 "a lift that is not allowed" meshnorm -r 10 --limit 0.5 -g "$face" -o "$TMP/f3.cl" "$TMP/face.ply"
+status 3 "a lift that is not allowed" meshnorm -r 10 --rows mesh --limit 0.5 -g "$face" -o "$TMP/f3.cl" "$TMP/face.ply"
 has "is told with its pass and place" "cannot reach [0-9]+ points.* in pass [0-9]+ by [0-9.]+ mm at" "$TMP/err"
 has "and the path is complete" '^FINI$' "$TMP/f3.cl"
 
 # a scan in inches, turned
 awk '{ printf "%.6f %.6f %.6f\n", $1 / 25.4, $2 / 25.4, $3 / 25.4 }' "$panel" >"$TMP/inch.xyz"
 cloud2mesh -q -u inch -t 4 -o "$TMP/inch.ply" "$TMP/inch.xyz"
-status 0 "a scan in inches guards its mesh" meshnorm -r 8 -g "$TMP/inch.xyz" -o "$TMP/inch.cl" "$TMP/inch.ply"
+status 0 "a scan in inches guards its mesh" meshnorm -r 8 --rows mesh -g "$TMP/inch.xyz" -o "$TMP/inch.cl" "$TMP/inch.ply"
 has "and that is said" 'placed as the mesh was' "$TMP/err"
 status 1 "a scan that lies elsewhere" meshnorm -r 8 -g "$TMP/inch.xyz" "$TMP/panel.ply"
 has "is refused" 'further than .* mm from the scan' "$TMP/err"
@@ -204,7 +204,17 @@ length() {
 }
 below "which is shorter than across" "$(length "$TMP/o.cl")" "$(length "$TMP/q.cl")"
 status 2 "a direction that is none" meshnorm -r 5 --scallop 0.02 --direction up "$TMP/dome.ply"
-status 2 "a direction without a scallop" meshnorm -r 5 --direction auto "$TMP/dome.ply"
+status 2 "a direction of the mesh's own rows" meshnorm -r 5 --rows mesh --direction auto "$TMP/dome.ply"
+status 2 "a scallop of them" meshnorm -r 5 --rows mesh --scallop 0.02 "$TMP/dome.ply"
+status 2 "planes as published" meshnorm -r 5 --rows scallop --paper "$TMP/dome.ply"
+status 0 "rows by default" meshnorm -r 5 -o "$TMP/default.cl" "$TMP/dome.ply"
+has "are as close as scallops of 0.02 mm ask" 'no higher than 0.02 mm' "$TMP/err"
+has "which the head says" '^\$\$-> SCALLOP/0.020000$' "$TMP/default.cl"
+meshnorm -q -r 5 --scallop 0.02 -o "$TMP/asked.cl" "$TMP/dome.ply"
+same "as if they had been asked for" "$TMP/default.cl" "$TMP/asked.cl"
+biarcfit -q -e 0.01 -o "$TMP/arcs.cl" "$TMP/default.cl"
+has "and fitters carry it on" '^\$\$-> SCALLOP/0.020000$' "$TMP/arcs.cl"
+hasnt "rows of the mesh promise none" 'SCALLOP' "$TMP/dome.cl"
 status 2 "a scallop higher than the ball" meshnorm -r 5 --scallop 6 "$TMP/dome.ply"
 
 # ---- calm axes
@@ -221,10 +231,10 @@ fastest() {
 fastest "$TMP/panel.cl" >"$TMP/figures"
 read -r fast turned <"$TMP/figures"
 below "by the normals, axes turn faster than 1.5 degrees a mm" 1.5 "$fast"
-status 0 "no faster than 0.8" meshnorm -q -r 8 --axis-rate 0.8 -o "$TMP/rate.cl" "$TMP/panel.ply"
+status 0 "no faster than 0.8" meshnorm -q -r 8 --rows mesh --axis-rate 0.8 -o "$TMP/rate.cl" "$TMP/panel.ply"
 below "and they don't, on the digits that are printed" "$(fastest "$TMP/rate.cl" | cut -d' ' -f1)" 0.8
 below "the ball is where it was" "$(deepest nodes "$TMP/rate.cl" --panel)" 0.005
-status 0 "with a play of 10 degrees" meshnorm -q -r 8 --axis-play 10 -o "$TMP/play.cl" "$TMP/panel.ply"
+status 0 "with a play of 10 degrees" meshnorm -q -r 8 --rows mesh --axis-play 10 -o "$TMP/play.cl" "$TMP/panel.ply"
 below "axes turn less than half as much" "$(fastest "$TMP/play.cl" | cut -d' ' -f2)" \
 	"$(awk -v t="$turned" 'BEGIN { print t / 2 }')"
 cuts "$TMP/play.cl" | awk '{ c = $5 * $11 + $6 * $12 + $7 * $13; a = atan2(sqrt(1 - c * c), c) * 45 / atan2(1, 1)
@@ -240,7 +250,7 @@ rotary() {
 			sum += d + e < f ? d + e : f }
 		last = c; lean = a } END { printf "%.1f\n", sum * 180 / 3.14159265 }' "$1"
 }
-status 0 "lead and tilt that turn least" meshnorm -r 8 --least-turn 25 -o "$TMP/turn.cl" "$TMP/panel.ply"
+status 0 "lead and tilt that turn least" meshnorm -r 8 --rows mesh --least-turn 25 -o "$TMP/turn.cl" "$TMP/panel.ply"
 has "are told" 'lead .* tilt .*rotary axes turn' "$TMP/err"
 below "rotary axes turn a quarter less" "$(rotary "$TMP/turn.cl")" \
 	"$(rotary "$TMP/panel.cl" | awk '{ print 0.75 * $1 }')"
@@ -253,8 +263,8 @@ awk 'BEGIN { for (i = 0; i <= 80; i++) for (j = 0; j <= 40; j++) print i / 2, j 
 	for (k = 0; k <= 100; k++) for (a = 0; a < 12; a++) print 20 + cos(a * 0.5236), 25 + sin(a * 0.5236), k / 2 }' \
 	>"$TMP/post.xyz"
 head -n 3321 "$TMP/post.xyz" | cloud2mesh -q -t 2 -o "$TMP/floor.ply" -
-status 0 "a path beside the post" meshnorm -q -r 4 --tilt 0 -g "$TMP/post.xyz" -o "$TMP/none.cl" "$TMP/floor.ply"
-status 0 "its holder leans away" meshnorm -v -r 4 --tilt 0 --holder 4:25+15:30 --lean-limit 45 \
+status 0 "a path beside the post" meshnorm -q -r 4 --rows mesh --tilt 0 -g "$TMP/post.xyz" -o "$TMP/none.cl" "$TMP/floor.ply"
+status 0 "its holder leans away" meshnorm -v -r 4 --rows mesh --tilt 0 --holder 4:25+15:30 --lean-limit 45 \
 	-g "$TMP/post.xyz" -o "$TMP/lean.cl" "$TMP/floor.ply"
 has "by so much" 'tilted by at most [1-9][0-9.]* degrees' "$TMP/err"
 # pierced PATH: how deep points of the post are in a cylinder of radius 15 from 25 to 55 mm above
@@ -270,11 +280,11 @@ pierced() {
 }
 below "upright it would go through the post" 5 "$(pierced "$TMP/none.cl")"
 below "leaned it does not" "$(pierced "$TMP/lean.cl")" 0.0101
-status 3 "where it may not lean it is told" meshnorm -r 4 --tilt 0 --holder 4:25+15:30 --lean-limit 0 \
+status 3 "where it may not lean it is told" meshnorm -r 4 --rows mesh --tilt 0 --holder 4:25+15:30 --lean-limit 0 \
 	-g "$TMP/post.xyz" -o "$TMP/held.cl" "$TMP/floor.ply"
 has "with its pass and place" 'shank or holder touches at [0-9]+ points.*in pass [0-9]+ at' "$TMP/err"
 below "and these points are left out" "$(pierced "$TMP/held.cl")" 0.0101
-status 0 "or accepted" meshnorm -q -r 4 --tilt 0 --holder 4:25+15:30 --lean-limit 0 --avoid \
+status 0 "or accepted" meshnorm -q -r 4 --rows mesh --tilt 0 --holder 4:25+15:30 --lean-limit 0 --avoid \
 	-g "$TMP/post.xyz" -o "$TMP/avoid.cl" "$TMP/floor.ply"
 status 0 "the same in planecut" planecut -q -r 4 --tilt 0 -s 2 --holder 4:25+15:30 --lean-limit 45 \
 	-g "$TMP/post.xyz" -o "$TMP/plane.cl" "$TMP/floor.ply"
@@ -293,14 +303,14 @@ status 2 "two meshes" meshnorm -r 5 "$TMP/dome.ply" "$TMP/dome.ply"
 status 2 "a clearance plane inside the part" meshnorm -r 5 --clearance 50 "$TMP/dome.ply"
 empty "and nothing is written" "$TMP/out"
 dome -1 no >"$TMP/norows.ply"
-status 1 "a mesh without rows" meshnorm -r 5 "$TMP/norows.ply"
+status 1 "a mesh without rows" meshnorm -r 5 --rows mesh "$TMP/norows.ply"
 has "is sent to planecut" 'use planecut' "$TMP/err"
 head -c 4000 "$TMP/dome.ply" >"$TMP/half.ply"
 status 1 "half a mesh" meshnorm -r 5 "$TMP/half.ply"
 empty "and nothing is written" "$TMP/out"
 status 1 "a guard that is not there" meshnorm -r 5 -g "$TMP/none.xyz" "$TMP/dome.ply"
 if [ -w /dev/full ]; then
-	fails "a full disk" sh -c 'meshnorm -q -r 5 "$1" >/dev/full' sh "$TMP/dome.ply"
+	fails "a full disk" sh -c 'meshnorm -q -r 5 --rows mesh "$1" >/dev/full' sh "$TMP/dome.ply"
 else
 	skip "a full disk" "no /dev/full"
 fi

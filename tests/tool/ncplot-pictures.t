@@ -19,7 +19,7 @@ size() { wc -c <"$1" | tr -d ' '; }
 dots() { grep -o 'h0' "$1" | wc -l | tr -d ' '; }
 
 cloud2mesh -q -t 5 -o "$TMP/mesh.ply" "$scan"
-meshnorm -q -r 8 -o "$TMP/lines.cl" "$TMP/mesh.ply"
+meshnorm -q -r 8 --rows mesh -o "$TMP/lines.cl" "$TMP/mesh.ply"
 biarcfit -q -e 0.01 -o "$TMP/arcs.cl" "$TMP/lines.cl"
 bsplfit -q -e 0.01 -o "$TMP/splines.cl" "$TMP/lines.cl"
 

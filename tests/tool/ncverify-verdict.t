@@ -135,7 +135,7 @@ broken "letters for digits" '/^N12030 /s/X/XO/' 'N12030: found'
 
 # Good programs in inches and in a tilted plane.
 cloud2mesh -q -t 2 dome.xyz -o dome.ply
-meshnorm -q -r 6 --fixed 0.3,0.2,0.9 dome.ply >tilt.cl
+meshnorm -q -r 6 --rows mesh --fixed 0.3,0.2,0.9 dome.ply >tilt.cl
 bsplfit -q -e 0.01 tilt.cl >tilt-s.cl
 for control in fanuc siemens heidenhain; do
 	ncpost -q -c $control --plane tilt.cl >tilt.$control
@@ -252,7 +252,7 @@ for control in fanuc siemens heidenhain linuxcnc; do
 done
 
 # ---- splines: a pole too deep is named by its block; knots that fall, a curve that is torn
-meshnorm -q -r 6 dome.ply | bsplfit -q -e 0.01 >spline.cl
+meshnorm -q -r 6 --rows mesh dome.ply | bsplfit -q -e 0.01 >spline.cl
 for control in fanuc siemens; do
 	ncpost -q -c $control spline.cl >spline.$control
 	status 0 "$control: a good spline" ncverify -q -g dome.xyz -r 6 -e 0.03 spline.$control

@@ -110,6 +110,7 @@ struct path_head {
     double chord;     /* $$-> CHORD/: distance of the smooth path from the straight lines
                          between its points, mm; a fitter removes it; NAN: not given */
     double clearance; /* $$-> CLEAR/: z of the clearance plane, mm; NAN: not given */
+    double scallop;   /* $$-> SCALLOP/: what passes leave between them at most, mm; 0: not said */
     struct {
         size_t n, cap;
         struct ledger_entry *item;

@@ -156,6 +156,11 @@ static int read_clear(struct path_parse *p)
     return path_numbers(p, 0, 1, &p->path->head.clearance, "z of the clearance plane");
 }
 
+static int read_scallop(struct path_parse *p)
+{
+    return path_numbers(p, 0, 1, &p->path->head.scallop, "mm");
+}
+
 int path_ignore(struct path_parse *p)
 {
     (void)p;
@@ -232,7 +237,7 @@ static const struct path_row head_words[] = {
 static const struct path_row comments[] = {
     {"CONTCT", path_read_contact}, {"PASS", read_pass},          {"TRACK", read_track},
     {"LEDGER", read_ledger},       {"CHORD", read_chord},        {"CLEAR", read_clear},
-    {"CLOUDMILL", read_own},       {"CUTTER", path_read_cutter},
+    {"CLOUDMILL", read_own},       {"CUTTER", path_read_cutter}, {"SCALLOP", read_scallop},
 };
 
 /* The row of a table for a word; NULL: none. */

@@ -72,6 +72,8 @@ void path_write_head(struct out *out, const struct path_head *head)
         out_printf(out, "$$-> CHORD/%.6f\n", head->chord);
     if (!isnan(head->clearance))
         out_printf(out, "$$-> CLEAR/%.6f\n", head->clearance);
+    if (head->scallop > 0)
+        out_printf(out, "$$-> SCALLOP/%.6f\n", head->scallop);
 }
 
 /* The numbers of one long statement, over lines that end in ` $`. */
