@@ -11,7 +11,7 @@
 #include "base/array.h"
 #include "base/cli.h"
 #include "io/cloud/cloud.h"
-#include "stage/holder_options.h"
+#include "gouge/holder_text.h"
 #include "machine/machine_options.h"
 #include "ncread/ncread.h"
 #include "verify/verify.h"
@@ -33,7 +33,7 @@ struct settings {
 static void read_shapes(struct settings *s)
 {
     struct error error;
-    if (s->holder && holder_options_read(s->holder, &s->shape, &error) < 0)
+    if (s->holder && holder_text_read(s->holder, &s->shape, &error) < 0)
         die_usage("option --holder: %s", error.text);
     if (s->stock && verify_stock_read(s->stock, &s->block, &error) < 0)
         die_usage("option --stock: %s", error.text);

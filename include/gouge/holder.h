@@ -6,9 +6,12 @@
 #ifndef CLOUDMILL_HOLDER_H
 #define CLOUDMILL_HOLDER_H
 
+#include <stdbool.h>
+
 #include "math/vec.h"
 
-enum { HOLDER_PARTS = 16 };
+/* Of a stack that is given; the union of one with a cylinder has up to HOLDER_MOST. */
+enum { HOLDER_PARTS = 16, HOLDER_MOST = 3 * HOLDER_PARTS };
 
 /* One truncated cone; a cylinder where both radii are equal. */
 struct holder_part {
@@ -18,8 +21,27 @@ struct holder_part {
 
 struct holder {
     int n; /* parts, from the ball's centre upward; 0: no holder */
-    struct holder_part part[HOLDER_PARTS];
+    struct holder_part part[HOLDER_MOST];
 };
+
+/* What a tool is above its ball: a cylinder of the ball's radius as long as it cuts, and what is
+ * given above, both from the ball's centre upward. */
+struct tool_body {
+    bool ball_only;      /* neither is looked at */
+    double flute;        /* length of the cylinder, mm; 0: none */
+    struct holder above; /* shank and holder; n = 0: none given */
+};
+
+/* The usual one, when nothing is given: TOOL_FLUTE radii of flute, no holder. */
+enum { TOOL_FLUTE = 4 };
+struct tool_body tool_body_usual(double radius);
+
+/* The stack that is kept clear: at each height the larger of both radii; empty with ball_only. */
+struct holder tool_body_profile(const struct tool_body *body, double radius);
+
+/* The stack wider by `margin` mm and, for each mm of height, by `slope` mm, and as much longer at
+ * its upper end. */
+struct holder holder_widened(const struct holder *holder, double margin, double slope);
 
 /* Radius of the sphere about the ball's centre that holds the whole stack. */
 double holder_reach(const struct holder *holder);

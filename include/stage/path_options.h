@@ -8,6 +8,7 @@
 #include "base/cli.h"
 #include "gouge/gouge.h"
 #include "mesh/mesh.h"
+#include "stage/tool_options.h"
 #include "stage/toolpath.h"
 
 /* The values of the options, before cli_parse their defaults. */
@@ -22,7 +23,8 @@ struct path_options {
     double effort; /* effort.h */
     bool paper, one_way, avoid;
     bool lean_given, fixed_given, to_given, from_given, circle_given;
-    const char *partno, *holder;
+    const char *partno;
+    struct tool_options body;
     struct cli_list guards;
 };
 

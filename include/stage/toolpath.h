@@ -8,7 +8,7 @@
  *   meshnorm, planecut    path_options.h, mesh_for_path.h, plane_passes.h, this
  *   biarcfit, bsplfit     fitter.h, gouge_options.h; arcrun.h, path_tilt.h; path_track.h,
  *                         spline_report.h
- *   ncverify              holder_options.h
+ *   ncverify              holder_text.h
  *
  * From strip to strip the tool stays down where the link is short and clear; else it goes up to the
  * clearance plane, over with the new axis and down along that (gouge/link.h).

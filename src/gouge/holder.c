@@ -1,8 +1,6 @@
 /* holder - see holder.h. */
 #include "gouge/holder.h"
 
-#include <stdbool.h>
-
 double holder_reach(const struct holder *holder)
 {
     double reach = 0, height = 0;
@@ -96,4 +94,76 @@ double holder_bound(const struct holder *holder, struct vec3 centre, struct vec3
     }
     depth2 = smaller(depth2, to_corners2(last, (struct place){0, last.h}, at, reach));
     return fmax(bound, -sqrt(depth2));
+}
+
+struct tool_body tool_body_usual(double radius)
+{
+    return (struct tool_body){.flute = TOOL_FLUTE * radius};
+}
+
+/* Adds a part, as one with the last where that goes on straight. */
+static void add_part(struct holder *holder, double low, double high, double length)
+{
+    struct holder_part *last = &holder->part[holder->n > 0 ? holder->n - 1 : 0];
+    if (length <= 0)
+        return;
+    if (holder->n > 0 && fabs(last->high - low) < 1e-9 &&
+        fabs((last->high - last->low) * length - (high - low) * last->length) < 1e-9) {
+        last->high = high;
+        last->length += length;
+    } else {
+        holder->part[holder->n++] = (struct holder_part){low, high, length};
+    }
+}
+
+/* The part between two heights of it, no thinner than `radius`. */
+static void add_thickened(struct holder *holder, const struct holder_part *part, double from,
+                          double to, double radius)
+{
+    double slope = (part->high - part->low) / part->length;
+    double low = part->low + slope * from, high = part->low + slope * to;
+    double cross = slope != 0 ? (radius - part->low) / slope : from;
+    if (to <= from)
+        return;
+    if (cross <= from || cross >= to) {
+        bool over = low + high > 2 * radius;
+        add_part(holder, over ? low : radius, over ? high : radius, to - from);
+        return;
+    }
+    add_part(holder, fmax(low, radius), radius, cross - from);
+    add_part(holder, radius, fmax(high, radius), to - cross);
+}
+
+struct holder tool_body_profile(const struct tool_body *body, double radius)
+{
+    struct holder both = {0};
+    double height = 0;
+    if (body->ball_only)
+        return both;
+    for (int i = 0; i < body->above.n; i++) {
+        const struct holder_part *part = &body->above.part[i];
+        double beside = fmin(fmax(body->flute - height, 0), part->length);
+        add_thickened(&both, part, 0, beside, radius);
+        add_thickened(&both, part, beside, part->length, 0);
+        height += part->length;
+    }
+    add_part(&both, radius, radius, body->flute - height);
+    return both;
+}
+
+struct holder holder_widened(const struct holder *holder, double margin, double slope)
+{
+    struct holder wide = *holder;
+    double height = 0;
+    for (int i = 0; i < wide.n; i++) {
+        struct holder_part *part = &wide.part[i];
+        part->low += margin + slope * height;
+        height += part->length;
+        part->high += margin + slope * height;
+    }
+    if (wide.n > 0 && wide.n < HOLDER_MOST && margin > 0) {
+        double radius = wide.part[wide.n - 1].high;
+        wide.part[wide.n++] = (struct holder_part){radius, radius, margin};
+    }
+    return wide;
 }

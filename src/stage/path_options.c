@@ -5,7 +5,6 @@
 #include <string.h>
 
 #include "base/effort.h"
-#include "stage/holder_options.h"
 #include "gouge/guard_points.h"
 #include "guard_read.h"
 
@@ -63,8 +62,7 @@ const struct cli_option path_option_table[] = {
      CLI_NUMBER, &path_options.play, 0, 60, 0, NULL},
     {0, "axis-rate", "DEG", "turn axes by no more than DEG per millimetre along a pass",
      CLI_NUMBER, &path_options.rate, CLI_POSITIVE, 0, 0, NULL},
-    {0, "holder", "SPEC", "keep shank and holder clear too: cones R0:R1:L or cylinders R:L from\n"
-     "the ball's centre upward, joined by +", CLI_TEXT, &path_options.holder, 0, 0, 0, NULL},
+    TOOL_OPTIONS(&path_options.body),
     {0, "lean-limit", "DEG", "largest tilt of the axis away from where the holder touches (30)",
      CLI_NUMBER, &path_options.lean, 0, 85, 0, NULL},
     {0, "one-way", NULL, "cut all passes in one direction (default: zig-zag)",
@@ -133,7 +131,7 @@ int path_options_check(struct tool_axis_options *axis, struct error *error)
         return error_set(error, "found no radius of the ball, expected -r R");
     if (c->paper && (c->guards.n > 0 || c->tolerance > 0))
         return error_set(error, "found --paper with -g or -e: the papers have neither");
-    if (c->paper && (c->holder || c->play > 0 || c->rate > 0))
+    if (c->paper && (c->body.holder || c->play > 0 || c->rate > 0))
         return error_set(error,
                          "found --paper with --holder, --axis-play or --axis-rate: the papers "
                          "have none of them");
@@ -143,7 +141,7 @@ int path_options_check(struct tool_axis_options *axis, struct error *error)
                          c->paper ? "--paper" : "another rule for the axis");
     if (c->plunge == 0)
         c->plunge = c->feed / 2;
-    if (c->tolerance == 0 && (c->guards.n > 0 || c->holder))
+    if (c->tolerance == 0 && (c->guards.n > 0 || c->body.holder))
         c->tolerance = 0.01;
     return axis_rule(axis, error);
 }
@@ -202,11 +200,21 @@ static int clearance_plane(const struct mesh *mesh, const struct gouge_check *gu
     return 0;
 }
 
+/* The tool above its ball, into the head of the path. */
+static int read_body(struct path_head *head, struct error *error)
+{
+    const struct path_options *c = &path_options;
+    struct tool_options options = c->body;
+
+    options.ball_only = options.ball_only || c->paper || !(options.flute_given || options.holder);
+    head->body_given = true;
+    return tool_options_read(&options, c->radius, &head->body, error);
+}
+
 int path_options_rules(const struct mesh *mesh, const struct gouge_check *guard, double distance,
                        struct toolpath *t, struct error *error)
 {
     const struct path_options *c = &path_options;
-    struct error why;
 
     t->rule = (struct toolpath_options){.radius = c->radius,
                                         .feed = c->feed,
@@ -219,8 +227,9 @@ int path_options_rules(const struct mesh *mesh, const struct gouge_check *guard,
     t->rule.rate = RADIANS(c->rate);
     t->rule.lean = RADIANS(c->lean);
     t->rule.turn = RADIANS(c->turn);
-    if (c->holder && holder_options_read(c->holder, &t->rule.holder, &why) != 0)
-        return error_set(error, "option --holder: %s", why.text);
+    if (read_body(&t->path->head, error) != 0)
+        return -1;
+    t->rule.holder = tool_body_profile(&t->path->head.body, c->radius);
     t->lift.guard = guard;
     t->lift.limit = c->limit > 0 ? c->limit : c->radius;
     t->lift.tolerance = c->tolerance > 0 ? c->tolerance : 0.01;

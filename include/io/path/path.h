@@ -17,6 +17,7 @@
 #include "base/error.h"
 #include "curve/motion.h"
 #include "base/out.h"
+#include "gouge/holder.h"
 #include "math/vec.h"
 
 enum path_kind {
@@ -97,15 +98,17 @@ struct ledger_entry {
 enum path_track { TRACK_TIP, TRACK_CENTRE, TRACK_CONTACT };
 
 struct path_head {
-    char *partno;     /* text after PARTNO/, NULL: none */
-    bool multax;      /* MULTAX/ON */
-    double cutter[7]; /* CUTTER/ d, r, e, f, alpha, beta, h (mm, degrees) */
-    int cutter_n;     /* how many of them were given, 0: no CUTTER */
-    int tool;         /* LOADTL/, 0: none */
-    int offset;       /* as in path_tool */
-    double spindle;   /* rev/min, 0: none */
-    bool spindle_ccw; /* CCLW */
-    int coolant;      /* 0 not given, 1 off, 2 on (flood), 3 mist */
+    char *partno;          /* text after PARTNO/, NULL: none */
+    bool multax;           /* MULTAX/ON */
+    double cutter[7];      /* CUTTER/ d, r, e, f, alpha, beta, h (mm, degrees) */
+    int cutter_n;          /* how many of them were given, 0: no CUTTER */
+    int tool;              /* LOADTL/, 0: none */
+    int offset;            /* as in path_tool */
+    double spindle;        /* rev/min, 0: none */
+    bool spindle_ccw;      /* CCLW */
+    int coolant;           /* 0 not given, 1 off, 2 on (flood), 3 mist */
+    bool body_given;       /* $$-> TOOL/ ... */
+    struct tool_body body; /* ... what the tool is above its ball */
     enum path_track track;
     double chord;     /* $$-> CHORD/: distance of the smooth path from the straight lines
                          between its points, mm; a fitter removes it; NAN: not given */
@@ -197,6 +200,10 @@ double path_spent(const struct path *path);
 /* Radius of the ball, mm: CUTTER's d/2 when its corner radius says ball nose; else -1. */
 double path_ball(const struct path *path);
 double path_tool_ball(const struct path_tool *tool);
+
+/* The stack above the ball that the path's maker kept clear (TOOL), or the usual one of its ball;
+ * empty for BALL-ONLY and without a ball. */
+struct holder path_holder(const struct path *path);
 
 /* Each appends one item. */
 struct path_item *path_add_point(struct path *path, struct pose to, bool rapid);

@@ -69,6 +69,16 @@ double path_ball(const struct path *path)
     return ball_of(path->head.cutter, path->head.cutter_n);
 }
 
+struct holder path_holder(const struct path *path)
+{
+    double radius = path_ball(path);
+    struct tool_body usual = tool_body_usual(radius);
+
+    if (!(radius > 0))
+        return (struct holder){0};
+    return tool_body_profile(path->head.body_given ? &path->head.body : &usual, radius);
+}
+
 double path_tool_ball(const struct path_tool *tool)
 {
     return ball_of(tool->cutter, tool->cutter_n);

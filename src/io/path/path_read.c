@@ -11,6 +11,7 @@
 #include <string.h>
 
 #include "cl_dialect.h"
+#include "gouge/holder_text.h"
 
 #define AT(p) (p)->error, (p)->path->name, (p)->apt.line
 
@@ -161,6 +162,30 @@ static int read_scallop(struct path_parse *p)
     return path_numbers(p, 0, 1, &p->path->head.scallop, "mm");
 }
 
+/* TOOL/BALL-ONLY; TOOL/FLUTE,length,HOLDER,cones: what the tool is above its ball. */
+static int read_body(struct path_parse *p)
+{
+    struct tool_body body = {.ball_only = apt_is(&p->apt, 0, "BALL-ONLY")};
+    size_t n = p->apt.argument.n;
+    struct error why;
+    if (body.ball_only
+            ? n != 1
+            : !apt_is(&p->apt, 0, "FLUTE") || (n != 2 && (n != 4 || !apt_is(&p->apt, 2, "HOLDER"))))
+        return error_at(AT(p),
+                        "found `%.60s`, expected TOOL/BALL-ONLY or "
+                        "TOOL/FLUTE,length,HOLDER,cones",
+                        p->apt.raw);
+    if (!body.ball_only && path_numbers(p, 1, 1, &body.flute, "length of the flute") < 0)
+        return -1;
+    if (!(body.flute >= 0 && body.flute <= 1e4))
+        return error_at(AT(p), "found a flute of %g mm, expected 0 to 10000", body.flute);
+    if (n == 4 && holder_text_read(p->apt.argument.item[3].text, &body.above, &why) < 0)
+        return error_at(AT(p), "TOOL: %s", why.text);
+    p->path->head.body = body;
+    p->path->head.body_given = true;
+    return 0;
+}
+
 int path_ignore(struct path_parse *p)
 {
     (void)p;
@@ -238,6 +263,7 @@ static const struct path_row comments[] = {
     {"CONTCT", path_read_contact}, {"PASS", read_pass},          {"TRACK", read_track},
     {"LEDGER", read_ledger},       {"CHORD", read_chord},        {"CLEAR", read_clear},
     {"CLOUDMILL", read_own},       {"CUTTER", path_read_cutter}, {"SCALLOP", read_scallop},
+    {"TOOL", read_body},
 };
 
 /* The row of a table for a word; NULL: none. */

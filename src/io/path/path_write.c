@@ -3,6 +3,7 @@
 #include <string.h>
 
 #include "base/num.h"
+#include "gouge/holder_text.h"
 #include "io/path/path.h"
 #include "path_parse.h"
 
@@ -43,6 +44,21 @@ static void write_load(struct out *out, int number, int offset)
     out_text(out, "\n");
 }
 
+static void write_body(struct out *out, const struct tool_body *body)
+{
+    char text[HOLDER_TEXT];
+    if (body->ball_only) {
+        out_text(out, "$$-> TOOL/BALL-ONLY\n");
+        return;
+    }
+    out_text(out, "$$-> TOOL/FLUTE,");
+    out_num(out, body->flute, COORDINATE);
+    holder_text_write(&body->above, text);
+    if (body->above.n > 0)
+        out_printf(out, ",HOLDER,%s", text);
+    out_text(out, "\n");
+}
+
 void path_write_head(struct out *out, const struct path_head *head)
 {
     static const char *const coolant[] = {NULL, "OFF", "ON", "MIST"};
@@ -65,6 +81,8 @@ void path_write_head(struct out *out, const struct path_head *head)
     out_text(out, "$$-> CLOUDMILL/1\n");
     if (head->track != TRACK_TIP)
         out_printf(out, "$$-> TRACK/%s\n", track[head->track]);
+    if (head->body_given)
+        write_body(out, &head->body);
     for (size_t i = 0; i < head->ledger.n; i++)
         out_printf(out, "$$-> LEDGER/%s,%.6f\n", head->ledger.item[i].stage,
                    head->ledger.item[i].spent);

@@ -5,7 +5,7 @@
 #include <string.h>
 
 #include "gouge/holder.h"
-#include "stage/holder_options.h"
+#include "gouge/holder_text.h"
 
 static const struct holder stack = {3, {{3, 3, 40}, {10, 25, 20}, {25, 25, 60}}};
 
@@ -100,18 +100,83 @@ START_TEST(bound_of_a_box)
 }
 END_TEST
 
+/* The radius of a stack at a height, the larger one where two parts meet; 0 beyond its ends. */
+static double radius_at(const struct holder *stack_of, double h)
+{
+    double from = 0, most = 0;
+    for (int i = 0; i < stack_of->n; i++) {
+        const struct holder_part *part = &stack_of->part[i];
+        double s = (h - from) / part->length;
+        if (s >= 0 && s <= 1)
+            most = fmax(most, part->low + s * (part->high - part->low));
+        from += part->length;
+    }
+    return most;
+}
+
+/* At each height the profile is the larger of both, whatever the shapes. */
+START_TEST(profile_is_the_union)
+{
+    unsigned state = 9;
+    for (int trial = 0; trial < 500; trial++) {
+        struct tool_body body = {.flute = random_in(&state, 0, 60)};
+        double radius = random_in(&state, 1, 12);
+        body.above.n = (int)random_in(&state, 0, HOLDER_PARTS + 0.99);
+        for (int i = 0; i < body.above.n; i++)
+            body.above.part[i] = (struct holder_part){
+                random_in(&state, 0, 20), random_in(&state, 0, 20), random_in(&state, 0.1, 15)};
+        struct holder both = tool_body_profile(&body, radius);
+        ck_assert_int_le(both.n, HOLDER_MOST);
+        for (int k = 0; k < 200; k++) {
+            double h = random_in(&state, 0, 200);
+            double expected = fmax(radius_at(&body.above, h), h <= body.flute ? radius : 0);
+            ck_assert_double_eq_tol(radius_at(&both, h), expected, 1e-6);
+        }
+    }
+    ck_assert_int_eq(tool_body_profile(&(struct tool_body){.ball_only = true, .flute = 5}, 3).n, 0);
+    struct tool_body plain = tool_body_usual(5);
+    ck_assert_int_eq(tool_body_profile(&plain, 5).n, 1);
+    ck_assert_double_eq(tool_body_profile(&plain, 5).part[0].length, 20);
+}
+END_TEST
+
+START_TEST(widened_with_the_height)
+{
+    struct holder wide = holder_widened(&stack, 0.5, 0.01);
+    for (double h = 0.25; h < 120; h += 0.5)
+        ck_assert_double_eq_tol(radius_at(&wide, h), radius_at(&stack, h) + 0.5 + 0.01 * h, 1e-9);
+    ck_assert_double_eq_tol(radius_at(&wide, 120.4), 26.7, 1e-9);
+}
+END_TEST
+
+START_TEST(texts_are_written)
+{
+    struct holder h;
+    struct error error;
+    char text[HOLDER_TEXT];
+    holder_text_write(&stack, text);
+    ck_assert_str_eq(text, "3:40+10:25:20+25:60");
+    ck_assert_int_eq(holder_text_read("0.125:9999.5:0.25", &h, &error), 0);
+    holder_text_write(&h, text);
+    ck_assert_str_eq(text, "0.125:9999.5:0.25");
+    h.n = 0;
+    holder_text_write(&h, text);
+    ck_assert_str_eq(text, "");
+}
+END_TEST
+
 START_TEST(texts_are_read)
 {
     struct holder h;
     struct error error;
-    ck_assert_int_eq(holder_options_read("3:40+10:25:20+25:60", &h, &error), 0);
+    ck_assert_int_eq(holder_text_read("3:40+10:25:20+25:60", &h, &error), 0);
     ck_assert_int_eq(h.n, 3);
     for (int i = 0; i < 3; i++) {
         ck_assert_double_eq(h.part[i].low, stack.part[i].low);
         ck_assert_double_eq(h.part[i].high, stack.part[i].high);
         ck_assert_double_eq(h.part[i].length, stack.part[i].length);
     }
-    ck_assert_int_eq(holder_options_read("0:4:2.5", &h, &error), 0);
+    ck_assert_int_eq(holder_text_read("0:4:2.5", &h, &error), 0);
     ck_assert_double_eq(h.part[0].low, 0);
 }
 END_TEST
@@ -124,7 +189,7 @@ START_TEST(other_texts_are_not)
 {
     struct holder h;
     struct error error = {""};
-    ck_assert_msg(holder_options_read(wrong[_i], &h, &error) < 0, "%s", wrong[_i]);
+    ck_assert_msg(holder_text_read(wrong[_i], &h, &error) < 0, "%s", wrong[_i]);
     ck_assert_ptr_nonnull(strstr(error.text, "found"));
 }
 END_TEST
@@ -136,9 +201,9 @@ START_TEST(no_more_parts_than_there_is_room_for)
     char text[HOLDER_PARTS * 4 + 8] = "1:1";
     for (int i = 1; i < HOLDER_PARTS; i++)
         strcat(text, "+1:1");
-    ck_assert_int_eq(holder_options_read(text, &h, &error), 0);
+    ck_assert_int_eq(holder_text_read(text, &h, &error), 0);
     strcat(text, "+1:1");
-    ck_assert_int_lt(holder_options_read(text, &h, &error), 0);
+    ck_assert_int_lt(holder_text_read(text, &h, &error), 0);
 }
 END_TEST
 
@@ -150,6 +215,9 @@ int main(void)
     tcase_add_test(t, distances_known_by_hand);
     tcase_add_test(t, distance_is_the_largest_ball);
     tcase_add_test(t, bound_of_a_box);
+    tcase_add_test(t, profile_is_the_union);
+    tcase_add_test(t, widened_with_the_height);
+    tcase_add_test(t, texts_are_written);
     tcase_add_test(t, texts_are_read);
     tcase_add_loop_test(t, other_texts_are_not, 0, (int)(sizeof wrong / sizeof *wrong));
     tcase_add_test(t, no_more_parts_than_there_is_room_for);

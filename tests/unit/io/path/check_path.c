@@ -39,6 +39,7 @@ static char *written(const struct path *path)
     "LOADTL/3\nSPINDL/RPM,8000.000000,CLW\nCOOLNT/ON\n$$-> CLOUDMILL/1\n"
 
 static const char whole[] = HEAD
+    "$$-> TOOL/FLUTE,20.000000,HOLDER,3:40+10:25.5:20\n"
     "$$-> LEDGER/cloud2mesh,0.012000\n$$-> CHORD/0.090000\n$$-> CLEAR/40.000000\n"
     "$$-> PASS/1\nRAPID\nGOTO/0.000000,0.000000,40.000000,0.000000000,0.000000000,1.000000000\n"
     "FEDRAT/MMPM,800.000000\n"
@@ -68,12 +69,51 @@ START_TEST(what_is_read_is_written_back)
     ck_assert_int_eq(path.item.item[5].kind, PATH_SPLINE);
     ck_assert_double_eq_tol(path.item.item[5].to.a.y, 0.6, 1e-12);
 
+    struct holder holder = path_holder(&path); /* the flute, R 8, is wider than the shank */
+    ck_assert_int_eq(holder.n, 3);
+    ck_assert_double_eq(holder.part[0].high, 8);
+    ck_assert_double_eq(holder.part[0].length, 20);
+    ck_assert_double_eq(holder.part[1].low, 3);
+    ck_assert_double_eq(holder.part[2].high, 25.5);
+
     struct path copy = {0};
     path_head_copy(&copy.head, &path.head);
     path_add_items(&copy, &path, 0, path.item.n);
     path_free(&path);
     ck_assert_str_eq(written(&copy), whole);
     path_free(&copy);
+}
+END_TEST
+
+START_TEST(the_tool_above_its_ball)
+{
+    static const struct {
+        const char *word;
+        int parts;
+        const char *wrong;
+    } cases[] = {{"", 1, NULL},
+                 {"$$-> TOOL/BALL-ONLY\n", 0, NULL},
+                 {"$$-> TOOL/FLUTE,0\n", 0, NULL},
+                 {"$$-> tool / flute,0,holder,3:40 + 9:9\n", 0, "found `3:40 + 9:9`"},
+                 {"$$-> TOOL/FLUTE,5,HOLDER,3:40\n", 2, NULL},
+                 {"$$-> TOOL/FLUTE,-5\n", 0, "found a flute of -5"},
+                 {"$$-> TOOL/FLUTE\n", 0, "found `$$-> TOOL/FLUTE`"},
+                 {"$$-> TOOL/BALL-ONLY,5\n", 0, "expected TOOL/BALL-ONLY or"},
+                 {"$$-> TOOL/FLUTE,5,HOLDER\n", 0, "expected TOOL/BALL-ONLY or"}};
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        struct path path;
+        struct error error = {""};
+        char text[400];
+        snprintf(text, sizeof text, "CUTTER/16,8\n%sGOTO/1,2,3\nFINI\n", cases[i].word);
+        int result = read_text(text, &path, &error);
+        ck_assert_msg((result < 0) == (cases[i].wrong != NULL), "%zu: %s", i, error.text);
+        if (cases[i].wrong) {
+            ck_assert_msg(strstr(error.text, cases[i].wrong), "%zu: %s", i, error.text);
+            continue;
+        }
+        ck_assert_int_eq(path_holder(&path).n, cases[i].parts);
+        path_free(&path);
+    }
 }
 END_TEST
 
@@ -198,6 +238,7 @@ int main(void)
     Suite *suite = suite_create("path");
     TCase *tests = tcase_create("path");
     tcase_add_test(tests, what_is_read_is_written_back);
+    tcase_add_test(tests, the_tool_above_its_ball);
     tcase_add_test(tests, units_labels_and_continuations);
     tcase_add_test(tests, from_is_carried_in_millimetres);
     tcase_add_loop_test(tests, what_is_refused, 0, (int)(sizeof refused / sizeof *refused));

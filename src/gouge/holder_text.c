@@ -1,5 +1,5 @@
-/* holder_options - see holder_options.h. */
-#include "stage/holder_options.h"
+/* holder_text - see holder_text.h. */
+#include "gouge/holder_text.h"
 
 #include <stdbool.h>
 #include <string.h>
@@ -7,6 +7,29 @@
 #include "base/num.h"
 
 #define LONGEST 1e4 /* mm */
+
+static char *write_number(char *end, char before, double value)
+{
+    char number[NUM_MAX];
+    size_t n = num_write_short(number, value, 6, false);
+    if (before)
+        *end++ = before;
+    memcpy(end, number, n + 1);
+    return end + n;
+}
+
+void holder_text_write(const struct holder *holder, char text[HOLDER_TEXT])
+{
+    char *end = text;
+    *end = '\0';
+    for (int i = 0; i < holder->n && i < HOLDER_PARTS; i++) {
+        const struct holder_part *part = &holder->part[i];
+        end = write_number(end, i > 0 ? '+' : '\0', part->low);
+        if (part->high != part->low)
+            end = write_number(end, ':', part->high);
+        end = write_number(end, ':', part->length);
+    }
+}
 
 /* One cone, up to `+` or the end of the text. */
 static bool read_part(const char **s, struct holder_part *part)
@@ -26,7 +49,7 @@ static bool read_part(const char **s, struct holder_part *part)
     return part->length > 0 && part->low + part->high > 0;
 }
 
-int holder_options_read(const char *text, struct holder *holder, struct error *error)
+int holder_text_read(const char *text, struct holder *holder, struct error *error)
 {
     const char *s = text;
     holder->n = 0;

@@ -1,0 +1,36 @@
+/*
+ * tool_options - the tool above its ball as the options of a maker of paths say it: --flute,
+ * --holder, --ball-only.
+ */
+#ifndef CLOUDMILL_TOOL_OPTIONS_H
+#define CLOUDMILL_TOOL_OPTIONS_H
+
+#include "base/cli.h"
+#include "gouge/holder.h"
+
+struct tool_options {
+    double flute; /* mm, where flute_given; else TOOL_FLUTE radii */
+    bool flute_given, ball_only;
+    const char *holder; /* text as in holder_text.h; NULL: none */
+};
+
+/* The rows of a tool's table of options. */
+/* clang-format off */
+#define TOOL_OPTIONS(options) \
+    {0, "flute", "MM", "length of the cylinder of the ball's radius above its centre, kept clear\n" \
+     "like the ball (default: 4 radii; 0: none)", \
+     CLI_NUMBER, &(options)->flute, 0, 10000, 0, &(options)->flute_given}, \
+    {0, "holder", "SPEC", "shank and holder, kept clear too: cones R0:R1:L or cylinders R:L from\n" \
+     "the ball's centre upward, joined by +", CLI_TEXT, &(options)->holder, 0, 0, 0, NULL}, \
+    {0, "ball-only", NULL, "keep nothing clear but the ball", \
+     CLI_FLAG, &(options)->ball_only, 0, 0, 0, NULL}
+/* clang-format on */
+
+/* The tool that they say for a ball of this radius; -1: an error of usage. */
+int tool_options_read(const struct tool_options *options, double radius, struct tool_body *body,
+                      struct error *error);
+
+/* Says what it is in one line. */
+void tool_options_say(const struct tool_body *body, double radius);
+
+#endif
