@@ -20,21 +20,37 @@ static const char *const unit_name[] = {"mm", "cm", "m", "um", "inch", "in"};
 
 struct settings {
     int unit;
-    bool radius_given, shank_given, band_given, left_given, centre;
+    bool radius_given, flute_given, band_given, left_given, ball_only, centre;
     struct machine_options machine;
     const char *map, *page, *holder, *stock;
     struct cli_list part;
-    double radius, tolerance, left, band, shank, cell;
-    struct holder shape;
+    double radius, tolerance, left, band, flute, cell;
+    struct tool_shape tool;
     struct stock_options block;
 };
 
-/* Shank, holder and stock. */
+static void add_cone(struct settings *s, double low, struct holder_part part)
+{
+    if (!tool_shape_add(&s->tool, (struct tool_span){low, low + part.length, part.low, part.high}))
+        die_usage("option --holder: found an outline of more than %d parts", TOOL_SPANS);
+}
+
+/* The tool above its ball, and the stock. */
 static void read_shapes(struct settings *s)
 {
     struct error error;
-    if (s->holder && holder_text_read(s->holder, &s->shape, &error) < 0)
+    struct holder holder = {0};
+    double height = 0;
+    if (s->holder && holder_text_read(s->holder, &holder, &error) < 0)
         die_usage("option --holder: %s", error.text);
+    if (s->ball_only && (s->holder || s->flute_given))
+        die_usage("found --ball-only with --flute or --holder, expected one of them");
+    if (!s->ball_only && s->flute > 0)
+        add_cone(s, 0, (struct holder_part){s->radius, s->radius, s->flute});
+    for (int i = 0; i < holder.n; i++) {
+        add_cone(s, height, holder.part[i]);
+        height += holder.part[i].length;
+    }
     if (s->stock && verify_stock_read(s->stock, &s->block, &error) < 0)
         die_usage("option --stock: %s", error.text);
 }
@@ -62,14 +78,18 @@ static void read_options(struct settings *s, struct cli *cli, int argc, char **a
          "points more than this below the ball are outside of the region cut\n"
          "(default: a quarter of the radius)",
          CLI_NUMBER, &s->band, CLI_POSITIVE, 1e4, 0, &s->band_given},
-        {0, "shank", "MM",
-         "length of the shaft above the ball's centre, of the ball's diameter,\n"
-         "checked in rapid moves (default: four radii)",
-         CLI_NUMBER, &s->shank, 0, 1e4, 0, &s->shank_given},
+        {0, "flute", "MM",
+         "length of the shaft of the ball's diameter above the ball's centre,\n"
+         "checked in all moves (default: four radii)",
+         CLI_NUMBER, &s->flute, 0, 1e4, 0, &s->flute_given},
+        {0, "shank", "MM", "the same by its former name", CLI_NUMBER, &s->flute, 0, 1e4, 0,
+         &s->flute_given},
         {0, "holder", "SPEC",
          "shank and holder from the ball's centre upward, as cylinders R:L and\n"
-         "cones R0:R1:L joined by +, checked in all moves",
+         "cones R0:R1:L joined by +, besides the shaft",
          CLI_TEXT, &s->holder, 0, 0, 0, NULL},
+        {0, "ball-only", NULL, "check the ball alone, without shaft and holder", CLI_FLAG,
+         &s->ball_only, 0, 0, 0, NULL},
         {0, "stock", "SPEC",
          "stock: box (around the part), box,MM (larger by MM),\n"
          "box:X0,Y0,Z0,X1,Y1,Z1, or offset,MM (up to MM above the surface)",
@@ -98,7 +118,7 @@ static void read_options(struct settings *s, struct cli *cli, int argc, char **a
     if (cli->files != 1)
         die_usage("found %d programs, expected one", cli->files);
     s->band = s->band_given ? s->band : s->radius / 4;
-    s->shank = s->shank_given ? s->shank : 4 * s->radius;
+    s->flute = s->flute_given ? s->flute : 4 * s->radius;
     read_shapes(s);
     s->left = s->left_given ? s->left : HUGE_VAL;
     if (s->band < s->tolerance)
@@ -179,8 +199,7 @@ int main(int argc, char **argv)
                                            .tolerance = s.tolerance,
                                            .left = s.left,
                                            .band = s.band,
-                                           .shank = s.shank,
-                                           .holder = s.holder ? &s.shape : NULL,
+                                           .tool = s.tool,
                                            .stock = s.stock ? &s.block : NULL,
                                            .cell = s.cell,
                                            .limits = limits_of(&machine),

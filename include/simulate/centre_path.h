@@ -21,20 +21,16 @@ struct centre_path {
     struct centre_segment *item;
 };
 
-/*
- * Appends the segments of one piece, within `flat` mm of where the centre goes, `up` mm
- * further up the tool axis than the centre.
- */
-void centre_path_piece(const struct nc_motion *motion, size_t piece, double radius, double up,
-                       double flat, struct centre_path *path);
+/* Appends the segments of one piece, within `flat` mm of where the centre goes. */
+void centre_path_piece(const struct nc_motion *motion, size_t piece, double radius, double flat,
+                       struct centre_path *path);
 
 /* All pieces at feed. */
 void centre_path_cut(const struct nc_motion *motion, double radius, double flat,
                      struct centre_path *path);
 
-/* All rapid pieces, with further balls of the same radius, half a radius apart, over `shank` mm:
- * a shaft as thick as the ball. */
-void centre_path_rapid(const struct nc_motion *motion, double radius, double shank, double flat,
+/* All rapid pieces. */
+void centre_path_rapid(const struct nc_motion *motion, double radius, double flat,
                        struct centre_path *path);
 
 #endif

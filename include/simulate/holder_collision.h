@@ -1,6 +1,6 @@
 /*
- * holder_collision - shank and holder followed along a motion: where do they run into the part, or
- * into the stock as it is then?  Lengths in mm.
+ * holder_collision - the tool above its ball, flute, shank and holder, followed along a motion:
+ * where does it run into the part, or into the stock as it is then?  Lengths in mm.
  *
  * The stack is looked at where it stands; as far as it is clear, so far it may move before it has
  * to be looked at again.  Where it is not clear the piece is halved until the depth is known well
@@ -12,10 +12,10 @@
 
 #include <stdbool.h>
 
-#include "gouge/holder.h"
 #include "math/height_pyramid.h"
 #include "simulate/nc_motion.h"
 #include "simulate/stock.h"
+#include "simulate/tool_shape.h"
 
 /* What they may run into: points of the part, or the surface of a stock. */
 struct collision_body {
@@ -29,9 +29,9 @@ struct collision_body {
     bool hinted;
 };
 
-/* A search: where shank and holder are, and what was found so far. */
+/* A search: where the tool is, and what was found so far. */
 struct holder_search {
-    const struct holder *holder;
+    const struct tool_shape *tool;
     struct vec3 centre, axis; /* of the ball; up the tool */
     double distance;          /* to the nearest place; on entry: what is no nearer is ignored */
     double enough;            /* a place nearer than this ends the search */
@@ -46,12 +46,12 @@ struct collision_body collision_body_stock(struct stock *stock);
 
 void collision_body_free(struct collision_body *body);
 
-/* What of it is nearest to the holder where it stands; below zero it is inside. */
+/* What of it is nearest to the tool where it stands; below zero it is inside. */
 void collision_body_nearest(struct collision_body *body, struct holder_search *search);
 
 struct holder_collision_options {
     const struct nc_motion *motion;
-    const struct holder *holder;
+    const struct tool_shape *tool;
     struct collision_body *body;
     double radius;    /* of the ball */
     double tolerance; /* no collision up to this depth */
@@ -62,6 +62,8 @@ struct holder_collision {
     double depth; /* the deepest, above the tolerance; 0: clear */
     size_t piece; /* there */
     struct vec3 at;
+    double height; /* of `at`, above the ball's centre up the tool */
+    double width;  /* radius of the tool at that height */
     size_t pieces; /* that are deeper than the tolerance */
     /* between one piece and the next */
     double budget; /* how far the stack may move before it has to be looked at */
@@ -72,5 +74,9 @@ struct holder_collision {
 /* Follows one piece; pieces come in their order, those between may be left out. */
 void holder_collision_piece(const struct holder_collision_options *options,
                             struct holder_collision *found, size_t piece);
+
+/* All pieces of the motion against points, by several threads (as of parallel_for). */
+struct holder_collision holder_collision_all(const struct holder_collision_options *options,
+                                             int threads);
 
 #endif

@@ -2,7 +2,7 @@
  * simulate - what a program does to a part, evaluated by formulas of this folder alone.  The door.
  *
  * In: a motion (nc_motion.h), as programs are read into it, and points of the part.  Out: how deep
- * the ball goes and what it leaves, what shank and holder run into, what is left of the stock, what
+ * the ball goes and what it leaves, what shaft and holder run into, what is left of the stock, what
  * the axes do.  It is the judge's half of the suite: nothing here is shared with what fits, guards
  * or writes tool paths, so that a mistake made there is not made here once more.
  *
@@ -14,7 +14,8 @@
  *   2. centre_path.h        where the ball's centre goes, as straight segments;
  *   3. deviation_map.h      the ball rolled over the points: gouges and material left;
  *      excursion.h          a cut that leaves the part and comes back;
- *   4. holder_collision.h   shank and holder against points or stock, by clearance bounds;
+ *   4. tool_shape.h         flute, shank and holder as a body of revolution;
+ *      holder_collision.h   that body against points or stock, by clearance bounds;
  *   5. stock.h              the stock as columns (dexels), cut by capsules, and what is left;
  *      stock_simulate.h     the motion run over it, pass by pass;
  *   6. axis_limits.h        travel, turns, speeds and time of each axis.

@@ -1,6 +1,6 @@
 /*
  * stock_simulate - a motion run over a stock: what each pass takes off and leaves, which moves
- * cut air, what rapid moves, shank and holder run into.
+ * cut air, what rapid moves, shaft and holder run into.
  *
  * A pass is what is cut between two rapid moves.  Lengths in mm, volumes in mm^3.
  */
@@ -32,15 +32,15 @@ struct stock_simulate {
     size_t rapid_piece;
     struct vec3 rapid_at;
     size_t rapids;                  /* rapid pieces that do */
-    struct holder_collision holder; /* shank and holder */
+    struct holder_collision holder; /* the tool above its ball */
 };
 
 struct stock_simulate_options {
     const struct nc_motion *motion;
     const struct centre_path *cut; /* its pieces at feed: centre_path_cut */
     double radius, flat, tolerance;
-    const struct holder_collision_options *holder; /* against this stock; NULL: not looked at */
-    bool rapids_alone;                             /* the holder in rapid moves only */
+    const struct holder_collision_options *tool; /* above the ball, against this stock; NULL: not
+                                                    looked at */
 };
 
 /* Cuts the stock; `rest` measures what is left on the part after each pass. */

@@ -8,8 +8,8 @@
  * Stages, each by formulas of simulate/simulate.h, none by code that writes programs:
  *   1. verify_part_read   the part: the points of a scan, or points on the faces of a mesh and on
  *                         trimmed surfaces;
- *   2. verify_run         the ball along the program over the part, rapid moves, shank and holder,
- *                         the stock cut pass by pass, the axes; then what is wrong with them;
+ *   2. verify_run         the ball along the program over the part, rapid moves, flute, shank and
+ *                         holder, the stock cut pass by pass, the axes; then what is wrong with them;
  *   3. verdict_text, verdict_map, verdict_page   the verdict written.  The page's files are
  *                         src/verify/page.html, page.css and page.js; make builds them in.
  */
@@ -54,9 +54,7 @@ struct verify_options {
     double tolerance;                  /* deepest gouge, mm */
     double left;                       /* most material left, mm; HUGE_VAL: not judged */
     double band;                       /* as of deviation_map, mm */
-    double shank;                      /* length of a shaft as thick as the ball, which rapid moves
-                                          keep clear, mm */
-    const struct holder *holder;       /* NULL: that shaft alone */
+    struct tool_shape tool;            /* above the ball; no spans: the ball alone is judged */
     const struct stock_options *stock; /* NULL: none */
     double cell;                       /* of the stock, mm; 0: by its size */
     struct axis_limits limits;         /* of the machine */
@@ -91,9 +89,8 @@ struct verdict {
     struct deviation_map map;
     struct axis_use axes;
     struct verdict_rapid rapid;
-    struct holder_collision
-        part_holder; /* shank and holder against the part, if there is a holder */
-    bool has_stock;  /* what follows holds */
+    struct holder_collision part_holder; /* the tool above its ball against the part */
+    bool has_stock;                      /* what follows holds */
     struct stock_simulate stock;
     double cell; /* of the stock, mm */
     unsigned passes;

@@ -40,11 +40,11 @@ static void add_segments(const struct piece_walk *w, double s0, struct vec3 a, d
     add_segments(w, s, m, s1, b, depth + 1);
 }
 
-void centre_path_piece(const struct nc_motion *motion, size_t piece, double radius, double up,
-                       double flat, struct centre_path *path)
+void centre_path_piece(const struct nc_motion *motion, size_t piece, double radius, double flat,
+                       struct centre_path *path)
 {
     const struct nc_piece *at = &motion->piece.item[piece];
-    double height = up + (motion->track == NC_MOTION_TIP ? radius : 0);
+    double height = motion->track == NC_MOTION_TIP ? radius : 0;
     struct piece_walk w = {motion, at, piece, height, flat, path};
     struct vec3 a = centre_at(&w, 0), b = centre_at(&w, 1);
     bool still = at->shape == SHAPE_LINE && vec_distance(at->q[0], at->q[1]) == 0 &&
@@ -60,14 +60,13 @@ void centre_path_cut(const struct nc_motion *motion, double radius, double flat,
 {
     for (size_t i = 0; i < motion->piece.n; i++)
         if (!motion->piece.item[i].rapid)
-            centre_path_piece(motion, i, radius, 0, flat, path);
+            centre_path_piece(motion, i, radius, flat, path);
 }
 
-void centre_path_rapid(const struct nc_motion *motion, double radius, double shank, double flat,
+void centre_path_rapid(const struct nc_motion *motion, double radius, double flat,
                        struct centre_path *path)
 {
     for (size_t i = 0; i < motion->piece.n; i++)
         if (motion->piece.item[i].rapid)
-            for (int k = 0; k * radius / 2 <= shank; k++)
-                centre_path_piece(motion, i, radius, k * radius / 2, flat, path);
+            centre_path_piece(motion, i, radius, flat, path);
 }

@@ -4,12 +4,14 @@
 #include <stdlib.h>
 
 #include "base/array.h"
+#include "base/parallel.h"
 #include "math/box.h"
 
 enum {
     IN_CELL = 8,       /* points in a cell of the pyramid, about */
     CELLS_MOST = 2048, /* along a side of it */
-    CURVED = 8         /* parts that a curved piece is followed in */
+    CURVED = 8,        /* parts that a curved piece is followed in */
+    GROUP = 128        /* pieces that one thread follows at a time */
 };
 
 #define FINE 0.005  /* mm: a stretch that short is not halved further, nor one ... */
@@ -76,7 +78,7 @@ struct collision_body collision_body_points(const struct vec3 *point, size_t n)
 /* Takes one place into the search; returns its distance. */
 static double search_place(struct holder_search *search, struct vec3 place)
 {
-    double distance = holder_distance(search->holder, search->centre, search->axis, place);
+    double distance = tool_shape_distance(search->tool, search->centre, search->axis, place);
     if (distance < search->distance) {
         search->distance = distance;
         search->at = place;
@@ -212,7 +214,7 @@ static double visit_stock(void *context, struct height_cell cell)
 static double bound_box(void *context, struct vec3 middle, struct vec3 half)
 {
     const struct holder_search *s = ((const struct body_search *)context)->holder;
-    return holder_bound(s->holder, s->centre, s->axis, middle, half);
+    return tool_shape_bound(s->tool, s->centre, s->axis, middle, half);
 }
 
 /* Has all cells looked at where something may be nearer. */
@@ -259,7 +261,7 @@ void collision_body_nearest(struct collision_body *o, struct holder_search *sear
 
 /* ---- the motion along it */
 
-/* Shank and holder following one piece. */
+/* The tool following one piece. */
 struct follower {
     const struct holder_collision_options *options;
     struct holder_collision *found;
@@ -288,7 +290,7 @@ static struct nc_motion_pose pose_at(const struct follower *f, double s)
 static double largest_move(const struct follower *f, struct nc_motion_pose a,
                            struct nc_motion_pose b)
 {
-    return vec_distance(a.p, b.p) + holder_reach(f->options->holder) * vec_angle(a.a, b.a);
+    return vec_distance(a.p, b.p) + tool_shape_reach(f->options->tool) * vec_angle(a.a, b.a);
 }
 
 /* How far the stack is off where it is nearer than `limit`; ends at anything nearer than `enough`.
@@ -297,12 +299,14 @@ static double measure(struct follower *f, struct nc_motion_pose pose, double lim
 {
     const struct holder_collision_options *options = f->options;
     struct holder_collision *found = f->found;
-    struct holder_search search = {options->holder, pose.p, pose.a, limit, enough, {0, 0, 0}};
+    struct holder_search search = {options->tool, pose.p, pose.a, limit, enough, {0, 0, 0}};
     collision_body_nearest(options->body, &search);
     if (search.distance < limit && -search.distance > fmax(options->tolerance, found->depth)) {
         found->depth = -search.distance;
         found->piece = f->piece;
         found->at = search.at;
+        found->height = vec_dot(vec_sub(search.at, pose.p), pose.a);
+        found->width = tool_shape_radius(options->tool, found->height);
     }
     return search.distance;
 }
@@ -366,4 +370,41 @@ void holder_collision_piece(const struct holder_collision_options *options,
     }
     found->last = a;
     found->known = true;
+}
+
+/* What each group of pieces found, the groups being the same however many threads there are. */
+struct group_run {
+    const struct holder_collision_options *options;
+    struct holder_collision *found;
+};
+
+static void follow_groups(void *context, size_t from, size_t to)
+{
+    const struct group_run *run = context;
+    size_t n = run->options->motion->piece.n;
+    for (size_t g = from; g < to; g++) {
+        struct collision_body body = *run->options->body; /* with a hint of its own */
+        struct holder_collision_options options = *run->options;
+        options.body = &body;
+        body.hinted = false;
+        for (size_t i = g * GROUP; i < (g + 1) * GROUP && i < n; i++)
+            holder_collision_piece(&options, &run->found[g], i);
+    }
+}
+
+struct holder_collision holder_collision_all(const struct holder_collision_options *options,
+                                             int threads)
+{
+    size_t groups = (options->motion->piece.n + GROUP - 1) / GROUP, pieces = 0;
+    struct group_run run = {options, mem_alloc(groups, sizeof *run.found)};
+    struct holder_collision worst = {0};
+    parallel_for(threads, groups, follow_groups, &run);
+    for (size_t g = 0; g < groups; g++) {
+        pieces += run.found[g].pieces;
+        if (run.found[g].depth > worst.depth)
+            worst = run.found[g];
+    }
+    free(run.found);
+    worst.pieces = pieces;
+    return worst;
 }

@@ -43,7 +43,7 @@ static void run_rapid(struct simulation *s, size_t piece, struct centre_path *pa
     const struct stock_simulate_options *options = s->options;
     bool deep = false;
     path->n = 0;
-    centre_path_piece(options->motion, piece, options->radius, 0, options->flat, path);
+    centre_path_piece(options->motion, piece, options->radius, options->flat, path);
     for (size_t k = 0; k < path->n; k++) {
         struct stock_bite bite =
             stock_capsule(s->stock, path->item[k].a, path->item[k].b, options->radius, 0);
@@ -97,8 +97,8 @@ void stock_simulate_run(const struct stock_simulate_options *options, struct sto
         } else {
             run_cut(&s, i);
         }
-        if (options->holder && (fast || !options->rapids_alone))
-            holder_collision_piece(options->holder, &run->holder, i);
+        if (options->tool)
+            holder_collision_piece(options->tool, &run->holder, i);
     }
     end_pass(&s);
     run->after = stock_volume(stock);

@@ -11,21 +11,22 @@
 
 enum { TURN_STEPS = 4 }; /* of a piece, for its tool axis */
 
-#define FLAT 0.0002 /* mm: how straight the ball's centre goes between two places */
-#define JUMP 5.0    /* degrees: less is no jump of the tool axis */
-#define STILL 0.5   /* degrees of rotary axes, or mm of a second point, that need no look */
-#define ROLLS 1.5   /* times as fast as the ball rolls over an edge */
+#define FLAT 0.0002  /* mm: how straight the ball's centre goes between two places */
+#define JUMP 5.0     /* degrees: less is no jump of the tool axis */
+#define STILL 0.5    /* degrees of rotary axes, or mm of a second point, that need no look */
+#define ROLLS 1.5    /* times as fast as the ball rolls over an edge */
+#define THICKER 0.01 /* of the ball's radius: so much thicker than it, a tool is a holder */
 
 /* ---- what the program does */
 
-/* The deepest that the ball, or the shaft over it, goes into the part in a rapid move. */
+/* The deepest that the ball goes into the part in a rapid move. */
 static void roll_rapids(struct verdict *v)
 {
     const struct verify_options *o = &v->options;
     const struct vec3s *part = v->program.part;
     struct centre_path rapid = {0};
     struct deviation_map map;
-    centre_path_rapid(v->program.motion, o->radius, o->holder ? 0 : o->shank, FLAT, &rapid);
+    centre_path_rapid(v->program.motion, o->radius, FLAT, &rapid);
     struct deviation_map_options options = {o->radius, o->tolerance, -o->tolerance, o->threads};
     deviation_map_run(&rapid, part->item, part->n, &options, &map);
     if (map.gouged > 0)
@@ -35,22 +36,21 @@ static void roll_rapids(struct verdict *v)
     array_free(&rapid);
 }
 
-static struct holder_collision_options
-along_program(const struct verdict *v, const struct holder *holder, struct collision_body *body)
+static struct holder_collision_options along_program(const struct verdict *v,
+                                                     struct collision_body *body)
 {
     return (struct holder_collision_options){.motion = v->program.motion,
-                                             .holder = holder,
+                                             .tool = &v->options.tool,
                                              .body = body,
                                              .radius = v->options.radius,
                                              .tolerance = v->options.tolerance};
 }
 
-static void follow_holder(struct verdict *v)
+static void follow_tool(struct verdict *v)
 {
     struct collision_body part = collision_body_points(v->program.part->item, v->program.part->n);
-    struct holder_collision_options options = along_program(v, v->options.holder, &part);
-    for (size_t i = 0; i < v->program.motion->piece.n; i++)
-        holder_collision_piece(&options, &v->part_holder, i);
+    struct holder_collision_options options = along_program(v, &part);
+    v->part_holder = holder_collision_all(&options, v->options.threads);
     collision_body_free(&part);
 }
 
@@ -59,15 +59,13 @@ static void cut_stock(struct verdict *v)
     const struct verify_options *o = &v->options;
     const struct vec3 *point = v->program.part->item;
     size_t n = v->program.part->n;
-    struct holder shank = {o->shank > 0, {{o->radius, o->radius, o->shank}}};
     v->cell = o->cell > 0 ? o->cell : stock_cell(o->stock, point, n, o->radius);
     struct stock stock = stock_new(o->stock, point, n, v->cell);
     struct stock_rest rest = stock_rest_new(point, n, &stock);
     struct collision_body block = collision_body_stock(&stock);
-    struct holder_collision_options holder =
-        along_program(v, o->holder ? o->holder : &shank, &block);
-    const struct stock_simulate_options options = {v->program.motion, &v->cut, o->radius, FLAT,
-                                                   o->tolerance,      &holder, !o->holder};
+    struct holder_collision_options tool = along_program(v, &block);
+    const struct stock_simulate_options options = {
+        v->program.motion, &v->cut, o->radius, FLAT, o->tolerance, o->tool.n > 0 ? &tool : NULL};
     stock_simulate_run(&options, &stock, &rest, &v->stock);
     v->has_stock = true;
     collision_body_free(&block);
@@ -141,16 +139,18 @@ static void judge_surface(struct verdict *v)
                     v->rapid.depth, p.x, p.y, p.z);
 }
 
-/* Shank or holder in the part, or in the stock. */
+/* Shaft (what is no thicker than the ball) or holder in the part, or in the stock. */
 static void judge_holder(struct verdict *v, const struct holder_collision *found, const char *what)
 {
     if (!(found->depth > 0))
         return;
     bool fast = v->program.motion->piece.item[found->piece].rapid;
     add_finding(v, true, found->piece,
-                "shank or holder goes %.3f mm deep into the %s at %.3f %.3f %.3f%s (blocks: %zu)",
-                found->depth, what, found->at.x, found->at.y, found->at.z,
-                fast ? ", in a rapid move" : "", found->pieces);
+                "the %s goes %.3f mm deep into the %s at %.3f %.3f %.3f%s, %.1f mm up the tool "
+                "(blocks: %zu)",
+                found->width > v->options.radius * (1 + THICKER) ? "holder" : "shaft", found->depth,
+                what, found->at.x, found->at.y, found->at.z, fast ? ", in a rapid move" : "",
+                found->height, found->pieces);
 }
 
 static void judge_stock(struct verdict *v)
@@ -279,8 +279,8 @@ struct verdict verify_run(const struct verify_program *program,
                                          options->threads};
     deviation_map_run(&v.cut, part->item, part->n, &roll, &v.map);
     roll_rapids(&v);
-    if (options->holder)
-        follow_holder(&v);
+    if (options->tool.n > 0)
+        follow_tool(&v);
     if (options->stock)
         cut_stock(&v);
     v.axes = axis_limits_check(program->motion, &options->limits);

@@ -14,7 +14,6 @@ judge="simulate ncread verify"
 judge_uses="base math $judge"
 judge_data="ncread machine/machine.h
 ncread machine/control.h
-simulate gouge/holder.h
 verify io/cloud/cloud.h
 verify io/mesh/
 verify io/nurbs/

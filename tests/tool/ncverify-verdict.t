@@ -385,11 +385,11 @@ for control in fanuc siemens heidenhain linuxcnc; do
 	status 3 "$control: a holder that leans into the part" \
 		ncverify -g dome.xyz -r 6 -e 0.005 -m $machine --holder 6:2+20:30 lean.$control
 	has "$control: is named with its depth" \
-		'^ncverify: .*N120[234]0? .*: shank or holder goes [0-9.]+ mm deep into the part at' err
+		'^ncverify: .*N120[234]0? .*: the holder goes [0-9.]+ mm deep into the part at' err
 done
 sed '/^N12470 /s/Z.*/Z30. A85./' dome.fanuc >lean.nc
 status 3 "a holder in a rapid move" ncverify -g dome.xyz -r 6 -e 0.005 --holder 3:10+25:30 lean.nc
-has "is named" 'N124[78]0 .*shank or holder goes .*in a rapid move' err
+has "is named" 'N124[78]0 .*the holder goes .*in a rapid move' err
 status 2 "a holder of nothing" ncverify -g dome.xyz -r 6 --holder 3:0 dome.fanuc
 
 # ---- the stock: passes, layers, bites, what is left, by the formulas of a sphere and of planes
@@ -440,7 +440,7 @@ status 3 "a rapid move through the stock" ncverify -g dome.xyz -r 6 --stock box,
 has "is named" 'N[0-9]+ .*a rapid move goes [0-9.]+ mm deep into the stock at' err
 status 3 "a holder that runs into the stock" \
 	ncverify -g dome.xyz -r 6 --stock offset,8 --cell 0.4 --holder 6:2+12:20 dome.fanuc
-has "is named too" 'N[0-9]+ .*shank or holder goes [0-9.]+ mm deep into the stock at' err
+has "is named too" 'N[0-9]+ .*the holder goes [0-9.]+ mm deep into the stock at' err
 status 2 "a stock that is none" ncverify -g dome.xyz -r 6 --stock sphere dome.fanuc
 
 # ---- what it is judged by: a mesh, surfaces; the map and the page

@@ -8,7 +8,7 @@
 #include "base/array.h"
 #include "simulate/holder_collision.h"
 
-static const struct holder stack = {2, {{2, 2, 30}, {8, 15, 20}}};
+static const struct tool_shape stack = {2, {{0, 30, 2, 2}, {30, 50, 8, 15}}};
 
 static double random_in(unsigned *state, double low, double high)
 {
@@ -37,11 +37,11 @@ START_TEST(nearest_of_points)
         struct holder_search search = {&stack, c, direction(&state), 12, -HUGE_VAL, {0, 0, 0}};
         double want = 12;
         for (size_t i = 0; i < points.n; i++)
-            want = fmin(want, holder_distance(&stack, c, search.axis, points.item[i]));
+            want = fmin(want, tool_shape_distance(&stack, c, search.axis, points.item[i]));
         collision_body_nearest(&part, &search);
         ck_assert_double_eq(search.distance, want);
         if (want < 12)
-            ck_assert_double_eq(holder_distance(&stack, c, search.axis, search.at), want);
+            ck_assert_double_eq(tool_shape_distance(&stack, c, search.axis, search.at), want);
     }
     collision_body_free(&part);
     array_free(&points);
@@ -101,7 +101,7 @@ START_TEST(depth_in_a_turn)
     struct collision_body part = collision_body_points(&spike, 1);
     struct holder_collision found = {0};
     struct holder_collision_options options = {
-        .motion = &motion, .holder = &stack, .body = &part, .radius = 3, .tolerance = 0.05};
+        .motion = &motion, .tool = &stack, .body = &part, .radius = 3, .tolerance = 0.05};
     holder_collision_piece(&options, &found, 0);
     holder_collision_piece(&options, &found, 1);
     ck_assert_double_eq(found.depth, 0);
@@ -126,7 +126,7 @@ START_TEST(depth_in_the_middle_of_a_long_piece)
     struct collision_body part = collision_body_points(&spike, 1);
     struct holder_collision found = {0};
     struct holder_collision_options options = {
-        .motion = &motion, .holder = &stack, .body = &part, .radius = 3, .tolerance = 0.05};
+        .motion = &motion, .tool = &stack, .body = &part, .radius = 3, .tolerance = 0.05};
     holder_collision_piece(&options, &found, 0);
     holder_collision_piece(&options, &found, 1);
     ck_assert_double_eq_tol(found.depth, 0.75, 0.0126);
@@ -144,7 +144,7 @@ static double least_along(const struct nc_motion *motion, size_t piece, const st
     for (int k = 0; k <= 300; k++) {
         struct nc_motion_pose at = nc_motion_at(motion, &motion->piece.item[piece], k / 300.0);
         for (size_t i = 0; i < points->n; i++)
-            least = fmin(least, holder_distance(&stack, at.p, at.a, points->item[i]));
+            least = fmin(least, tool_shape_distance(&stack, at.p, at.a, points->item[i]));
     }
     return least;
 }
@@ -166,7 +166,7 @@ START_TEST(most_pieces_hit)
     struct collision_body part = collision_body_points(points.item, points.n);
     struct holder_collision found = {0};
     struct holder_collision_options options = {
-        .motion = &motion, .holder = &stack, .body = &part, .radius = 3, .tolerance = 0.05};
+        .motion = &motion, .tool = &stack, .body = &part, .radius = 3, .tolerance = 0.05};
     for (size_t i = 0; i < 100; i++) {
         struct vec3 to =
             vec(random_in(&state, -40, 40), random_in(&state, -40, 40), random_in(&state, -25, -5));
@@ -205,7 +205,7 @@ START_TEST(holder_against_stock)
     go(&motion, vec(0, 0, -24), vec(0, 0, -31), up, up);
     struct holder_collision found = {0};
     struct holder_collision_options options = {
-        .motion = &motion, .holder = &stack, .body = &block, .radius = 3, .tolerance = 0.1};
+        .motion = &motion, .tool = &stack, .body = &block, .radius = 3, .tolerance = 0.1};
     for (size_t i = 0; i < 2; i++) {
         stock_capsule(&s, motion.piece.item[i].p[0], motion.piece.item[i].p[1], 3, 1);
         holder_collision_piece(&options, &found, i);

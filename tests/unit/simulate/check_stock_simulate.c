@@ -54,7 +54,7 @@ static void run(struct fixture *f, struct holder_collision_options *holder)
     struct collision_body block = collision_body_stock(&f->stock);
     if (holder)
         holder->body = &block; // cppcheck-suppress autoVariables
-    struct stock_simulate_options options = {&f->motion, &f->cut, R, 0.001, 0.01, holder, false};
+    struct stock_simulate_options options = {&f->motion, &f->cut, R, 0.001, 0.01, holder};
     stock_simulate_run(&options, &f->stock, &f->left, &f->run);
     collision_body_free(&block);
 }
@@ -143,10 +143,10 @@ END_TEST
 /* The collar clears the groove that the pass before has cut, and not the wall beside it. */
 START_TEST(holder_follows_the_stock)
 {
-    const struct holder stack = {2, {{2, 2, 5}, {6, 6, 30}}};
+    const struct tool_shape stack = {2, {{0, 5, 2, 2}, {5, 35, 6, 6}}};
     struct fixture f = {0};
     struct holder_collision_options holder = {
-        .motion = &f.motion, .holder = &stack, .radius = R, .tolerance = 0.02};
+        .motion = &f.motion, .tool = &stack, .radius = R, .tolerance = 0.02};
     pass(&f.motion, 0, -3);
     pass(&f.motion, 0, -6);
     pass(&f.motion, 0, -8.5); /* its centre at -4.5, the collar from 0.5 up: clear */

@@ -59,7 +59,7 @@ static struct verdict judge(const struct nc_motion *motion, const struct vec3s *
                                      .tolerance = 0.01,
                                      .left = 0.05,
                                      .band = 1,
-                                     .shank = 10,
+                                     .tool = {1, {{0, 10, RADIUS, RADIUS}}},
                                      .stock = stock,
                                      .cell = 0.25,
                                      .limits = wide,
