@@ -4,7 +4,10 @@
  *
  * A run holds where the ball of the tool touches, strip by strip: contact, normal, centre, axis and
  * tip (run.h).  The centre is off the contact point by an offset, the radius of the ball and what a
- * layer leaves on the part, and by the lift: the least that clears the guard points (gouge.h).
+ * layer leaves on the part, and by the lift: the least that clears the guard points (gouge.h).  The
+ * contacts of a coarse mesh may float above the scan that it was made from, by its sagitta: with
+ * `sink` the ball is let down from there until it touches.  So where it fits it touches, and where
+ * it does not it runs on the envelope of the balls that do.
  */
 #ifndef CLOUDMILL_GOUGE_LIFT_H
 #define CLOUDMILL_GOUGE_LIFT_H
@@ -17,10 +20,13 @@ struct gouge_lift_options {
     const struct gouge_check *guard; /* NULL: nothing is lifted */
     double offset;                   /* of the centre from the part, mm */
     double limit;                    /* highest lift, mm */
-    bool between;                    /* put points between those that are given */
-    double tolerance;                /* of straight lines against the curve and the part, mm */
-    double step;                     /* no points nearer than this are put between, mm */
-    double uncut;                    /* what may stay uncut under a ball that was lifted, mm */
+    double sink;  /* contacts may float above what the guard points stand for by so much, mm: the
+                    ball is let down on that where it is no farther; 0: contacts are taken as they
+                    are */
+    bool between; /* put points between those that are given */
+    double tolerance; /* of straight lines against the curve and the part, mm */
+    double step;      /* no points nearer than this are put between, mm */
+    double uncut;     /* what may stay uncut under a ball that was lifted, mm */
     struct tool_axis_options axis;
     struct tool_axis_feed feed;
 };

@@ -65,6 +65,30 @@ static bool open_above(const struct run_point *p, const struct gouge_lift_option
             gouge_open(rule->guard, p->ball, p->axis, rule->offset, rule->tolerance));
 }
 
+/* How far the ball goes from `touching` along the normal until it touches, from above: negative,
+ * down by at most rule->sink, where the points that the contact stands for lie under it.  Below the
+ * sink nothing is known: there it stays.  Negative and unclear: -HUGE_VAL, no lift within the limit
+ * clears it. */
+static double find_lift(struct vec3 touching, struct vec3 normal,
+                        const struct gouge_lift_options *rule, struct kdtree_touch *touch)
+{
+    const struct gouge_check *guard = rule->guard;
+    struct kdtree_touch likely = *touch;
+    struct vec3 sunk = vec_along(touching, -rule->sink, normal);
+    double limit = rule->sink + rule->limit;
+
+    if (rule->sink > 0) {
+        double h = gouge_least_lift(guard, sunk, normal, rule->offset, limit, touch);
+        struct vec3 at = vec_along(sunk, h, normal);
+        if (h >= rule->sink ||
+            (h > 0 && gouge_clear_along(guard, at, touching, rule->offset, 2e-6)))
+            return h - rule->sink;
+        *touch = likely;
+    }
+    double lift = gouge_least_lift(guard, touching, normal, rule->offset, rule->limit, touch);
+    return lift < 0 ? -HUGE_VAL : lift;
+}
+
 /* A contact point with its normal, lifted.  `touch`: guard points likely to be in its way. */
 static struct lifted_point lift_point(const struct run_point *p, const struct kdtree_touch *touch,
                                       const struct gouge_lift_options *rule, double radius)
@@ -74,10 +98,12 @@ static struct lifted_point lift_point(const struct run_point *p, const struct kd
     double lift = 0;
 
     if (rule->guard)
-        lift = gouge_least_lift(rule->guard, l.touching, p->normal, rule->offset, rule->limit,
-                                &l.touch);
-    place_lifted(&l.p, l.touching, lift, rule, radius);
-    l.unreachable = rule->guard && (lift < 0 || !open_above(&l.p, rule));
+        lift = find_lift(l.touching, p->normal, rule, &l.touch);
+    bool blocked = lift == -HUGE_VAL;
+    place_lifted(&l.p, l.touching, blocked ? 0 : lift, rule, radius);
+    if (lift < 0 && !blocked)
+        l.p.contact = vec_along(l.p.contact, lift, l.p.normal);
+    l.unreachable = rule->guard && (blocked || !open_above(&l.p, rule));
     if (l.unreachable) {
         double rise = gouge_rise(rule->guard, l.touching, UP, rule->offset);
         place_point(&l.p, vec_along(l.touching, rise, UP), rule, radius);
@@ -158,7 +184,9 @@ static void add_between(const struct lifted_point *a, const struct lifted_point 
     struct run_point between = halfway_point(a, b, rule), least = between;
     struct kdtree_touch touch = touch_of(a, b);
     struct vec3 touching = vec_along(between.contact, rule->offset, between.normal);
-    double lift = kdtree_leave_these(&touch, touching, between.normal, rule->offset);
+    struct vec3 sunk = vec_along(touching, touch.n > 0 ? -rule->sink : 0, between.normal);
+    double lift = kdtree_leave_these(&touch, sunk, between.normal, rule->offset) -
+                  vec_distance(sunk, touching);
     place_lifted(&least, touching, lift, rule, radius);
     bool clear = is_line_clear(&a->p, &b->p, rule);
     if (clear && !a->unreachable && !b->unreachable && on_line(&least, a, b, rule))
@@ -198,7 +226,8 @@ static void add_point(struct lifted_strip *to, const struct lifted_point *l,
 {
     struct gouge_lift_report *report = &to->report;
     struct run_point p = l->p;
-    double lift = vec_distance(p.ball, l->touching);
+    double lift = l->unreachable ? vec_distance(p.ball, l->touching)
+                                 : vec_dot(vec_sub(p.ball, l->touching), p.normal);
 
     report->points++;
     if (l->unreachable) {

@@ -7,6 +7,7 @@
 #include "base/effort.h"
 #include "gouge/guard_points.h"
 #include "guard_read.h"
+#include "mesh/mesh_distance.h"
 
 /* How deep the ball may sink between the guard points of a mesh, mm. */
 static const double SINK = 0.002;
@@ -175,6 +176,35 @@ int path_options_guard(const struct mesh *mesh, double near, int threads,
     return *guard ? 0 : -1;
 }
 
+static void add_some(const struct vec3s *from, size_t step, struct vec3s *to)
+{
+    for (size_t i = 0; i < from->n; i += step)
+        *array_push(to) = from->item[i];
+}
+
+/* How far a contact of the mesh may float above the scan that guards: as far as nearly all of its
+ * points are off the mesh, and not so far that the ball would miss them. */
+static double sink_of(const struct mesh *mesh, int threads)
+{
+    const double nearly = 0.995, most = 0.25; /* of the points; of the radius */
+    enum { ENOUGH = 20000 };
+    const struct path_options *c = &path_options;
+    size_t n = c->certain.n + c->doubtful.n, step = n / ENOUGH + 1;
+    struct vec3s some = {0};
+
+    if (n == 0)
+        return 0;
+    add_some(&c->certain, step, &some);
+    add_some(&c->doubtful, step, &some);
+    double *distance = mem_alloc(some.n, sizeof *distance);
+    mesh_distance(mesh, some.item, some.n, threads, distance);
+    doubles_sort(distance, some.n);
+    double sink = distance[(size_t)(nearly * (double)(some.n - 1))];
+    free(distance);
+    array_free(&some);
+    return fmin(sink, most * c->radius);
+}
+
 /* The highest z of a vertex, mm. */
 static double mesh_top(const struct mesh *mesh)
 {
@@ -234,6 +264,7 @@ int path_options_rules(const struct mesh *mesh, const struct gouge_check *guard,
     t->lift.limit = c->limit > 0 ? c->limit : c->radius;
     t->lift.tolerance = c->tolerance > 0 ? c->tolerance : 0.01;
     t->lift.between = c->tolerance > 0;
+    t->lift.sink = guard ? sink_of(mesh, t->threads) : 0;
     t->lift.step = 0.05;
     t->lift.uncut = 3 * t->lift.tolerance + 2 * fmax(c->noise, 0);
     return clearance_plane(mesh, guard, &t->rule.clearance, error);

@@ -309,6 +309,62 @@ START_TEST(lines_follow_the_ball_and_are_clear)
 }
 END_TEST
 
+/* Contacts of a coarse mesh over the bottom of a hollow cylinder about x, radius 12. */
+START_TEST(a_contact_that_floats_is_let_down_until_the_ball_touches)
+{
+    struct vec3s shape = {0};
+    for (double x = -6; x <= 6; x += 0.1)
+        for (double a = -0.6; a <= 0.6; a += 0.005)
+            *array_push(&shape) = vec(x, 12 * sin(a), 12 - 12 * cos(a));
+    struct gouge_check *guard = gouge_new(shape, 1);
+    struct gouge_lift_options rule = make_rule(guard, true);
+    struct run run = {.radius = R};
+    struct lifted_strip lifted = {.run = {.radius = R}};
+
+    rule.sink = 0.5;
+    for (int i = -4; i <= 4; i++)
+        gouge_lift_contact(&run, &rule, vec(i, 0, 0.3 + 0.02 * i), vec(0, 0, 1));
+    gouge_lift_run(&run, &rule, &lifted);
+    ck_assert_uint_eq(lifted.report.lifted, 0);
+    for (size_t i = 0; i < lifted.run.n; i++) {
+        ck_assert_double_eq_tol(lifted.run.item[i].ball.z, R, 0.001);
+        ck_assert_double_eq_tol(run_point_height(&lifted.run.item[i]), R, 1e-9);
+    }
+    lifted_strip_free(&lifted);
+    lifted = (struct lifted_strip){.run = {.radius = R}};
+    rule.sink = 0.1; /* nothing is known so near: they stay */
+    gouge_lift_run(&run, &rule, &lifted);
+    for (size_t i = 0; i < lifted.run.n; i++)
+        ck_assert_double_gt(lifted.run.item[i].ball.z, R + 0.21);
+    lifted_strip_free(&lifted);
+    array_free(&run);
+    gouge_free(guard);
+}
+END_TEST
+
+START_TEST(where_the_ball_does_not_fit_it_runs_on_the_envelope)
+{
+    struct vec3s groove = {0}; /* a V of 90 degrees: the ball touches both sides */
+    for (double x = -6; x <= 6; x += 0.05)
+        for (double y = -6; y <= 6; y += 0.05)
+            *array_push(&groove) = vec(x, y, fabs(y));
+    struct gouge_check *guard = gouge_new(groove, 1);
+    struct gouge_lift_options rule = make_rule(guard, true);
+    struct run run = {.radius = R};
+    struct lifted_strip lifted = {.run = {.radius = R}};
+
+    rule.sink = 0.4; /* contacts of a chord over the groove's bottom, or below it */
+    for (int i = -4; i <= 4; i++)
+        gouge_lift_contact(&run, &rule, vec(i, 0, 0.3 * sin(i)), vec(0, 0, 1));
+    gouge_lift_run(&run, &rule, &lifted);
+    for (size_t i = 0; i < lifted.run.n; i++)
+        ck_assert_double_eq_tol(lifted.run.item[i].ball.z, R * sqrt(2), 0.001);
+    lifted_strip_free(&lifted);
+    array_free(&run);
+    gouge_free(guard);
+}
+END_TEST
+
 int main(void)
 {
     Suite *suite = suite_create("gouge_lift");
@@ -322,6 +378,8 @@ int main(void)
     tcase_add_test(tests, what_looks_down_is_touched_from_the_side);
     tcase_add_test(tests, points_are_where_the_ball_comes_down);
     tcase_add_test(tests, lines_follow_the_ball_and_are_clear);
+    tcase_add_test(tests, a_contact_that_floats_is_let_down_until_the_ball_touches);
+    tcase_add_test(tests, where_the_ball_does_not_fit_it_runs_on_the_envelope);
     suite_add_tcase(suite, tests);
     SRunner *runner = srunner_create(suite);
     srunner_run_all(runner, CK_NORMAL);
