@@ -15,6 +15,7 @@
  *   GOUGE_SAFE     tolerance     deeper than this is lifted: the points of a scan are not the part
  *   GOUGE_CHORD    tolerance     straight pieces off the motion while it is checked, ...
  *   GOUGE_FINEST   tolerance     ... and at closest, where that decides
+ *   GOUGE_SWEPT    tolerance     what shank and holder move between two poses that are looked at
  *   GOUGE_LIFTED   tolerance     depth that is left at a place when it is lifted
  *   GOUGE_PRINTED  tolerance     above all of it: what the digits of the points leave
  */
@@ -28,6 +29,7 @@
 #define GOUGE_SAFE 0.92
 #define GOUGE_CHORD (1.0 / 20)
 #define GOUGE_FINEST 1e-3
+#define GOUGE_SWEPT 0.25
 #define GOUGE_LIFTED 0.5
 #define GOUGE_PRINTED 1e-3
 
@@ -35,16 +37,24 @@ struct gouge_refit_options {
     const struct gouge_check *guard; /* NULL: nothing is checked */
     double radius;                   /* of the ball, mm */
     double tolerance;                /* how deep it may go, mm */
-    bool centre; /* the motions are those of the ball's centre, not of the tip */
+    bool centre;          /* the motions are those of the ball's centre, not of the tip */
+    struct holder holder; /* what of the tool is above the ball; without parts: the ball alone */
 };
 
 /* Frees the guard, for whoever owns it. */
 void gouge_refit_free(struct gouge_refit_options *options);
 
-/* A place where the ball goes too deep. */
+/* What of a tool is in the part: the ball, what is above it and no wider, or wider. */
+enum tool_part { TOOL_BALL, TOOL_SHAFT, TOOL_HOLDER };
+
+/* Its name in a message. */
+const char *tool_part_name(enum tool_part part);
+
+/* A place where the tool goes too deep. */
 struct gouge {
-    struct vec3 ball;
-    double depth; /* mm */
+    struct vec3 ball; /* its centre there */
+    double depth;     /* mm */
+    enum tool_part part;
 };
 
 struct gouges {
@@ -53,9 +63,11 @@ struct gouges {
 };
 
 /*
- * Appends the deepest place of each millimetre or so of the motion where the ball goes deeper than
- * GOUGE_SAFE, found on straight pieces within GOUGE_CHORD of its centre's path, or closer where
- * that decides, down to GOUGE_FINEST.
+ * Appends the deepest place of each millimetre or so of the motion where the tool goes deeper than
+ * GOUGE_SAFE.  The ball: found on straight pieces within GOUGE_CHORD of its centre's path, or closer
+ * where that decides, down to GOUGE_FINEST.  What is above it: the motion is halved until what it
+ * is clear by at both ends is more than any place of it can move between them, or that is less
+ * than GOUGE_SWEPT.
  */
 void gouge_refit_motion(const struct gouge_refit_options *options, const struct motion *motion,
                         struct gouges *gouges);

@@ -3,11 +3,12 @@
 
 #include <stdlib.h>
 
-enum { HALVINGS = 16, ROUNDS = 8 };
+enum { HALVINGS = 16, SWEPT_HALVINGS = 24, ROUNDS = 8 };
 
 static const double PIECE = 1;       /* mm: of a motion, looked at as one place */
 static const double FINER = 1.0 / 8; /* of the chord error, where that decides */
 static const double USELESS = 0.95;  /* of the depth before: it did not help */
+static const double ROUGHLY = 0.1;   /* of its depth, a holder may move at a deep place unseen */
 static const double NEAR = 0.5;      /* mm: points this near to a place are lifted all the way */
 
 struct walk {
@@ -38,7 +39,7 @@ static void check_piece(const struct walk *w, double s0, struct vec3 a, double s
     if (deeper <= 0)
         return;
     if (deeper > 2 * w->chord_error || w->chord_error < GOUGE_FINEST * tolerance || halvings == 0) {
-        *array_push(w->gouges) = (struct gouge){vec_mix(a, b, 0.5), deeper + may};
+        *array_push(w->gouges) = (struct gouge){vec_mix(a, b, 0.5), deeper + may, TOOL_BALL};
         return;
     }
     struct walk closer = *w;
@@ -63,14 +64,12 @@ static void check_halves(const struct walk *w, double s0, struct vec3 a, double 
     check_halves(w, s, m, s1, b, halvings - 1);
 }
 
-void gouge_refit_motion(const struct gouge_refit_options *options, const struct motion *motion,
-                        struct gouges *gouges)
+static void check_ball(const struct gouge_refit_options *options, const struct motion *motion,
+                       struct gouges *gouges)
 {
     struct walk w = {options, motion, options->tolerance * GOUGE_CHORD, gouges};
     double s0 = 0;
 
-    if (!options->guard)
-        return;
     while (s0 < 1) {
         double s1 = motion_next_knot(motion, s0), middle = (s0 + s1) / 2;
         struct vec3 m = ball_at(&w, middle);
@@ -79,6 +78,124 @@ void gouge_refit_motion(const struct gouge_refit_options *options, const struct 
         check_halves(&w, middle, m, s1, ball_at(&w, s1), HALVINGS);
         s0 = s1;
     }
+}
+
+/* ---- shank and holder */
+
+/* A pose of the motion, and how far the holder is from the guard there, as far as it matters. */
+struct station {
+    double s;
+    struct vec3 ball, axis;
+    double clear;
+};
+
+static struct station station_at(const struct gouge_refit_options *options,
+                                 const struct motion *motion, double s)
+{
+    struct pose pose = motion_at(motion, s);
+    double up = options->centre ? 0 : options->radius;
+
+    return (struct station){s, vec_along(pose.p, up, pose.a), pose.a, 0};
+}
+
+static void measure(const struct gouge_refit_options *options, double below, struct station *at)
+{
+    at->clear = gouge_holder(options->guard, &options->holder, at->ball, at->axis, below);
+}
+
+/* No place of the holder moves farther than this between two poses.  A curve is looked at between
+ * them too. */
+static double most_moved(const struct gouge_refit_options *options, const struct motion *motion,
+                         const struct station *a, const struct station *b)
+{
+    const double longer = 1.12; /* than its chord is a quarter turn, as long as it is halved */
+    const int parts = motion->kind == MOTION_LINE ? 1 : 4;
+    double lever = holder_reach(&options->holder) + (options->centre ? 0 : 2 * options->radius);
+    double moved = 0;
+    struct station last = *a;
+
+    for (int i = 1; i <= parts; i++) {
+        struct station next =
+            i == parts ? *b : station_at(options, motion, a->s + i * (b->s - a->s) / parts);
+        moved += vec_distance(last.ball, next.ball) + lever * vec_angle(last.axis, next.axis);
+        last = next;
+    }
+    return parts > 1 ? longer * moved : moved;
+}
+
+/* Is it the shank, no wider than the ball, that is so deep? */
+static enum tool_part part_at(const struct gouge_refit_options *options, const struct station *at)
+{
+    struct holder shaft = options->holder;
+
+    for (shaft.n = 0; shaft.n < options->holder.n; shaft.n++)
+        if (options->holder.part[shaft.n].high > options->radius * (1 + 1e-6))
+            break;
+    double clear = gouge_holder(options->guard, &shaft, at->ball, at->axis, 0);
+    return clear <= at->clear + 1e-9 ? TOOL_SHAFT : TOOL_HOLDER;
+}
+
+static void add_station(const struct gouge_refit_options *options, const struct station *at,
+                        struct gouges *gouges)
+{
+    if (-at->clear > GOUGE_SAFE * options->tolerance)
+        *array_push(gouges) = (struct gouge){at->ball, -at->clear, part_at(options, at)};
+}
+
+static void check_between(const struct gouge_refit_options *options, const struct motion *motion,
+                          const struct station *a, const struct station *b, int halvings,
+                          struct gouges *gouges)
+{
+    double moved = most_moved(options, motion, a, b), may = GOUGE_SAFE * options->tolerance;
+
+    if (fmin(a->clear, moved) + fmin(b->clear, moved) + 2 * may >= moved)
+        return;
+    double deep = -fmin(a->clear, b->clear), enough = GOUGE_SWEPT * options->tolerance;
+    if (moved <= fmax(enough, deep > may ? ROUGHLY * deep : 0) || halvings == 0) {
+        add_station(options, a->clear < b->clear ? a : b, gouges);
+        return;
+    }
+    struct station m = station_at(options, motion, (a->s + b->s) / 2);
+    measure(options, moved, &m);
+    check_between(options, motion, a, &m, halvings - 1, gouges);
+    check_between(options, motion, &m, b, halvings - 1, gouges);
+}
+
+static void check_holder(const struct gouge_refit_options *options, const struct motion *motion,
+                         struct gouges *gouges)
+{
+    double s0 = 0;
+
+    while (s0 < 1) {
+        double s1 = motion_next_knot(motion, s0);
+        struct station a = station_at(options, motion, s0),
+                       m = station_at(options, motion, (s0 + s1) / 2),
+                       b = station_at(options, motion, s1);
+        double below = most_moved(options, motion, &a, &m) + most_moved(options, motion, &m, &b);
+        measure(options, below, &a);
+        measure(options, below, &m);
+        measure(options, below, &b);
+        check_between(options, motion, &a, &m, SWEPT_HALVINGS, gouges);
+        check_between(options, motion, &m, &b, SWEPT_HALVINGS, gouges);
+        s0 = s1;
+    }
+}
+
+const char *tool_part_name(enum tool_part part)
+{
+    static const char *const name[] = {"ball", "shaft", "holder"};
+
+    return name[part];
+}
+
+void gouge_refit_motion(const struct gouge_refit_options *options, const struct motion *motion,
+                        struct gouges *gouges)
+{
+    if (!options->guard)
+        return;
+    check_ball(options, motion, gouges);
+    if (options->holder.n > 0)
+        check_holder(options, motion, gouges);
 }
 
 /* So far from a place there are points on both sides of it. */

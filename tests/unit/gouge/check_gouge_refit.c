@@ -47,7 +47,8 @@ START_TEST(a_chord_is_as_deep_as_its_sagitta)
     struct run_point a = on_arc(-0.1, SPHERE + BALL), b = on_arc(0.1, SPHERE + BALL);
     double sagitta = (SPHERE + BALL) * (1 - cos(0.1));
     for (int centre = 0; centre < 2; centre++) {
-        struct gouge_refit_options rule = {guard, BALL, 0.01, centre};
+        struct gouge_refit_options rule = {
+            .guard = guard, .radius = BALL, .tolerance = 0.01, .centre = centre};
         struct motion line = centre ? motion_line(centre_of(&a), centre_of(&b))
                                     : motion_line(tip_of(&a), tip_of(&b));
         struct gouges deeps = {0};
@@ -65,10 +66,91 @@ START_TEST(a_chord_is_as_deep_as_its_sagitta)
 }
 END_TEST
 
+/* A wall at x = 0 that reaches from z = 0 up to 40, points 0.25 mm apart. */
+static struct gouge_check *make_wall(void)
+{
+    struct vec3s points = {0};
+    for (int i = -80; i <= 80; i++)
+        for (int k = 0; k <= 160; k++)
+            *array_push(&points) = vec(0, 0.25 * i, 0.25 * k);
+    struct gouge_check *guard = gouge_from_points(points.item, points.n);
+    array_free(&points);
+    return guard;
+}
+
+/* A tool that stands upright, with a holder that begins 10 mm above its centre. */
+static struct gouge_refit_options tool_at_wall(const struct gouge_check *guard, bool centre)
+{
+    return (struct gouge_refit_options){.guard = guard,
+                                        .radius = BALL,
+                                        .tolerance = 0.01,
+                                        .centre = centre,
+                                        .holder = {2, {{BALL, BALL, 20}, {12, 12, 30}}}};
+}
+
+/* The tool leans towards the wall and away again while its ball passes: how deep its shaft is in
+ * the middle. */
+START_TEST(a_shaft_that_leans_into_a_wall_is_found)
+{
+    struct gouge_check *guard = make_wall();
+    for (int centre = 0; centre < 2; centre++) {
+        struct gouge_refit_options rule = tool_at_wall(guard, centre);
+        for (int k = 0; k < 2; k++) {
+            /* upright past the wall, and leaned: the place of the wall that is as far from the
+             * flank as from the upper end is the deepest */
+            double lean = k * RADIANS(10), x = BALL + 0.5, top = 20;
+            double high = (top - BALL + x / cos(lean)) / (1 + tan(lean)), deep = top - high;
+            struct vec3 axis = vec(-sin(lean), 0, cos(lean)), from = vec(x, -15, 5),
+                        to = vec(x, 15, 5);
+            double up = centre ? 0 : BALL;
+            struct motion line = motion_line((struct pose){vec_along(from, -up, axis), axis},
+                                             (struct pose){vec_along(to, -up, axis), axis});
+            struct gouges deeps = {0};
+            rule.holder.n = 1;
+            gouge_refit_motion(&rule, &line, &deeps);
+            struct gouge deepest = gouge_refit_deepest(&deeps);
+            if (k == 0)
+                ck_assert_uint_eq(deeps.n, 0);
+            else
+                ck_assert_double_eq_tol(deepest.depth, deep, 0.1 * deep);
+            ck_assert(k == 0 || deepest.part == TOOL_SHAFT);
+            array_free(&deeps);
+        }
+    }
+    gouge_free(guard);
+}
+END_TEST
+
+/* The axis swings over the wall's upright edge between two poses that are both clear. */
+START_TEST(a_holder_that_swings_through_is_found_between_its_ends)
+{
+    struct gouge_check *guard = make_wall();
+    struct gouge_refit_options rule = tool_at_wall(guard, true);
+    struct vec3 c = vec(16, 0, 5);
+    struct pose a = {c, vec_unit(vec(-0.2, -2, 1))}, b = {c, vec_unit(vec(-0.2, 2, 1))};
+    struct motion turn = motion_line(a, b);
+    struct gouges deeps = {0};
+    double deepest = 0;
+    for (int i = 0; i <= 4000; i++) { /* by many poses */
+        struct pose p = motion_at(&turn, i / 4000.0);
+        deepest = fmax(deepest, -gouge_holder(guard, &rule.holder, p.p, p.a, 100));
+    }
+    gouge_refit_motion(&rule, &turn, &deeps);
+    struct gouge found = gouge_refit_deepest(&deeps);
+    ck_assert_double_eq_tol(found.depth, deepest, 0.1 * deepest + 0.01);
+    ck_assert_int_eq(found.part, TOOL_HOLDER);
+    ck_assert_double_gt(gouge_holder(guard, &rule.holder, a.p, a.a, 1), 0);
+    ck_assert_double_gt(deepest, 0.1);
+    array_free(&deeps);
+    gouge_free(guard);
+}
+END_TEST
+
 START_TEST(an_arc_is_followed_round)
 {
     struct gouge_check *guard = make_sphere();
-    struct gouge_refit_options rule = {guard, BALL, 0.01, true};
+    struct gouge_refit_options rule = {
+        .guard = guard, .radius = BALL, .tolerance = 0.01, .centre = true};
     for (int k = -1; k <= 1; k++) {
         double off = 0.03 * k, radius = SPHERE + BALL + off;
         struct run_point a = on_arc(-0.3, radius), b = on_arc(0.3, radius);
@@ -88,7 +170,7 @@ END_TEST
 START_TEST(points_are_lifted_out)
 {
     struct gouge_check *guard = make_sphere();
-    struct gouge_refit_options rule = {guard, BALL, 0.01, false};
+    struct gouge_refit_options rule = {.guard = guard, .radius = BALL, .tolerance = 0.01};
     struct run run = {.radius = BALL};
     struct gouges deeps = {0};
     for (int i = -10; i <= 10; i++)
@@ -119,7 +201,7 @@ END_TEST
 
 START_TEST(without_a_guard_nothing_is_deep)
 {
-    struct gouge_refit_options rule = {NULL, BALL, 0.01, false};
+    struct gouge_refit_options rule = {.radius = BALL, .tolerance = 0.01};
     struct run_point a = on_arc(-0.1, 1), b = on_arc(0.1, 1);
     struct motion line = motion_line(tip_of(&a), tip_of(&b));
     struct gouges deeps = {0};
@@ -133,6 +215,8 @@ int main(void)
     Suite *suite = suite_create("gouge_refit");
     TCase *tcase = tcase_create("gouge_refit");
     tcase_add_test(tcase, a_chord_is_as_deep_as_its_sagitta);
+    tcase_add_test(tcase, a_shaft_that_leans_into_a_wall_is_found);
+    tcase_add_test(tcase, a_holder_that_swings_through_is_found_between_its_ends);
     tcase_add_test(tcase, an_arc_is_followed_round);
     tcase_add_test(tcase, points_are_lifted_out);
     tcase_add_test(tcase, without_a_guard_nothing_is_deep);
