@@ -1,6 +1,6 @@
 /*
  * gouge_options - the scan that the motions fitted to a path are kept clear of: the options -g,
- * --noise and --effort of the fitters, and what they report.
+ * --noise and --effort of the fitters.
  */
 #ifndef CLOUDMILL_GOUGE_OPTIONS_H
 #define CLOUDMILL_GOUGE_OPTIONS_H
@@ -24,25 +24,5 @@ struct gouge_options {
 int gouge_options_read(const struct gouge_options *options, const struct path *path,
                        double tolerance, int threads, struct gouge_refit_options *refit,
                        struct error *error);
-
-/* What came of it, over all runs. */
-struct gouge_summary {
-    double lift; /* of points, at most, mm */
-    size_t left; /* runs that still go too deep */
-    struct gouge deepest;
-    size_t pass; /* in which */
-};
-
-/* Adds what became of a run of this pass. */
-void gouge_summary_add(struct gouge_summary *summary, size_t pass,
-                       const struct gouge_refit_result *result);
-
-/* Adds the straight motions at feed that belong to no run and are carried through as they are. */
-void gouge_summary_add_carried(struct gouge_summary *summary,
-                               const struct gouge_refit_options *refit, const struct path *path);
-
-/* Says what does not hold; the tool's exit status, EXIT_DONE or EXIT_UNMET. */
-int gouge_summary_conclude(const struct gouge_summary *summary,
-                           const struct gouge_refit_options *refit);
 
 #endif

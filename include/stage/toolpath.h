@@ -6,6 +6,7 @@
  *   cloud2mesh            cloud_prepare.h, cloudmesh.h, normals.h
  *   nurbs2mesh            nurbs_report.h
  *   meshnorm, planecut    path_options.h, mesh_for_path.h, plane_passes.h, this
+ *   all of these          path_check.h: the path as printed, checked once more
  *   biarcfit, bsplfit     fitter.h, gouge_options.h; arcrun.h, path_tilt.h; path_track.h,
  *                         spline_report.h
  *   ncverify              holder_text.h
@@ -18,6 +19,7 @@
 
 #include "gouge/gouge_lift.h"
 #include "io/path/path.h"
+#include "stage/path_check.h"
 
 struct toolpath_options {
     double radius;       /* of the ball, mm */
@@ -77,6 +79,8 @@ struct toolpath {
     size_t blocked;      /* ways up or down on which the ball touches: made at feed, not rapid */
     size_t blocked_pass; /* the first of them */
     struct vec3 blocked_at;
+
+    struct path_check check; /* of the path as it is written */
 
     int threads; /* as of parallel_for */
 

@@ -7,6 +7,7 @@
 #include "base/out.h"
 #include "base/parallel.h"
 #include "io/path/path_run.h"
+#include "stage/path_check.h"
 
 struct fitter_options fitter_defaults(double tolerance)
 {
@@ -114,17 +115,20 @@ int fitter_run(const struct fitter *fitter, const struct cli *cli, struct error 
     struct fitted_runs runs = find_runs(fitter, &in);
     struct workload workload = {fitter, &in, &gouge, &runs};
     parallel_shown("fitting", cli->threads, runs.n, fit_runs, &workload);
-    struct gouge_summary summary = {0};
+    double lift = 0;
     for (size_t i = 0; i < runs.n; i++)
-        gouge_summary_add(&summary, runs.item[i].pass, &runs.item[i].gouge);
-    gouge_summary_add_carried(&summary, &gouge, &in);
+        lift = fmax(lift, runs.item[i].gouge.lift);
 
     struct path out = assemble(&in, &runs);
     struct fitter_outcome outcome = fitter->report(fitter->settings, &in, &runs);
     if (runs.n > 0)
-        path_spend(&out, fitter->name, outcome.spent + summary.lift);
+        path_spend(&out, fitter->name, outcome.spent + lift);
     write_path(cli->output, &out);
-    int status = gouge_summary_conclude(&summary, &gouge);
+    struct path_check check = {.tool = gouge, .threads = cli->threads};
+    path_check_items(&check, &out, 0, out.item.n);
+    if (lift > 0)
+        note("points lifted by at most %.4f mm where motions went too deep between them", lift);
+    int status = path_check_conclude(&check);
     gouge_refit_free(&gouge);
     free_runs(fitter, &runs);
     path_free(&in);

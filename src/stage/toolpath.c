@@ -179,36 +179,39 @@ static void add_strip(struct toolpath *t, const struct toolpath_strip *strip)
             (struct toolpath_uncut){lifted->uncut.item[i], strip->pass, strip->lift.offset};
 }
 
-/* Strips to be lifted while those before them are put into the path. */
+/* Strips to be lifted at a time. */
 struct batch {
     struct toolpath *t;
-    size_t done, from; /* strips [done, from) are lifted, those after are not */
+    size_t from;
 };
 
-/* Writes what there is of the path, and uses its room for what follows. */
+/* Checks what there is of the path, writes it, and uses its room for what follows. */
 static void write_items(struct toolpath *t)
 {
     if (!t->out)
         return;
+    path_check_items(&t->check, t->path, 0, t->path->item.n);
     path_write_items(t->out, t->path);
     t->path->item.n = t->path->contact.n = 0;
 }
 
-static void lift_and_add(void *context, size_t first, size_t last)
+static void lift_strips(void *context, size_t first, size_t last)
 {
     const struct batch *b = context;
 
-    for (size_t i = first; i < last; i++) {
-        if (i > 0)
-            toolpath_lift_strip(b->t, &b->t->strip.item[b->from + i - 1]);
-        for (size_t k = b->done; i == 0 && k < b->from; k++) {
-            struct toolpath_strip *strip = &b->t->strip.item[k];
-            add_strip(b->t, strip);
-            array_free(&strip->contact);
-            lifted_strip_free(&strip->lifted);
-            write_items(b->t);
-        }
+    for (size_t i = first; i < last; i++)
+        toolpath_lift_strip(b->t, &b->t->strip.item[b->from + i]);
+}
+
+static void add_strips(struct toolpath *t, size_t from, size_t to)
+{
+    for (size_t k = from; k < to; k++) {
+        struct toolpath_strip *strip = &t->strip.item[k];
+        add_strip(t, strip);
+        array_free(&strip->contact);
+        lifted_strip_free(&strip->lifted);
     }
+    write_items(t);
 }
 
 /* ---- what the path leaves uncut */
@@ -270,28 +273,42 @@ static void find_uncut(struct toolpath *t)
     array_free(&t->uncut);
 }
 
+/* What the path is checked with when it is done. */
+static struct path_check path_check_of(const struct toolpath *t)
+{
+    return (struct path_check){.tool = {.guard = t->lift.guard,
+                                        .radius = t->rule.radius,
+                                        .tolerance = t->lift.tolerance,
+                                        .holder = t->rule.holder},
+                               .threads = t->threads};
+}
+
 void toolpath_end(struct toolpath *t)
 {
-    enum { BATCH = 16 };
-    struct batch b = {t, 0, 0};
+    const size_t batch = 16;
 
     if (t->rule.turn > 0)
         toolpath_choose_lean(t);
+    t->check = path_check_of(t);
     if (t->streams) {
         t->out = out_open(t->output);
         path_write_head(t->out, &t->path->head);
     }
-    while (b.done < t->strip.n) {
-        size_t left = t->strip.n - b.from, more = left < BATCH ? left : BATCH;
-        parallel_for(t->threads, 1 + more, lift_and_add, &b);
-        progress("lifting", b.from + more, t->strip.n);
-        b.done = b.from;
-        b.from += more;
+    for (size_t from = 0, to; from < t->strip.n; from = to) {
+        struct batch b = {t, from};
+        to = t->strip.n - from < batch ? t->strip.n : from + batch;
+        parallel_for(t->threads, to - from, lift_strips, &b);
+        progress("lifting", to, t->strip.n);
+        add_strips(t, from, to);
     }
     array_free(&t->strip);
     if (t->down)
         retract(t);
     write_items(t);
+    if (!t->out) {
+        t->check.chord = t->chord;
+        path_check_items(&t->check, t->path, 0, t->path->item.n);
+    }
     find_uncut(t);
 }
 
@@ -349,5 +366,6 @@ int toolpath_conclude(const struct toolpath *t)
     say_unmet(t);
     bool left = (r->unreachable > 0 || t->uncut_places > 0) && !t->rule.avoid;
     left = left || (t->skipped > 0 && !t->rule.skip);
+    left = left || path_check_conclude(&t->check) != EXIT_DONE;
     return left || t->blocked > 0 || t->shank > 0 ? EXIT_UNMET : EXIT_DONE;
 }

@@ -174,7 +174,7 @@ status 0 "strays: no more than 0.06 mm is left" \
 awk '{ print $1, $2, $3 + 0.1 }' "$panel" >higher.xyz
 for fitter in biarcfit bsplfit; do
 	status 3 "$fitter: ends in the scan are told" $fitter -e 0.01 -g higher.xyz -o fitted.cl guarded.cl
-	has "with pass, depth and place" 'goes deeper than 0.01 mm into the scan, in pass [0-9]+ 0\.[0-9]+ mm with' err
+	has "with pass, depth and place" 'goes deeper than 0.01 mm into the part, worst in pass [0-9]+ the ball by 0\.[0-9]+ mm with' err
 	awk '{ print $1 + 300, $2, $3 }' "$panel" >elsewhere.xyz
 	status 1 "$fitter: a scan that lies elsewhere" $fitter -q -g elsewhere.xyz guarded.cl
 	has "is refused" 'points of the path further than' err

@@ -1,0 +1,131 @@
+/* path_check - see path_check.h. */
+#include "stage/path_check.h"
+
+#include <stdlib.h>
+
+#include "base/cli.h"
+#include "base/parallel.h"
+
+/* A motion of the path, and what is too deep on it. */
+struct checked_motion {
+    struct motion motion;
+    enum path_motion kind;
+    size_t pass;
+    struct gouge deepest;
+};
+
+struct checked_motions {
+    size_t n, cap;
+    struct checked_motion *item;
+};
+
+struct sweep {
+    const struct path_check *check;
+    struct checked_motions *motions;
+};
+
+static void sweep_motions(void *context, size_t from, size_t to)
+{
+    const struct sweep *s = context;
+    struct gouges gouges = {0};
+
+    for (size_t i = from; i < to; i++) {
+        struct checked_motion *m = &s->motions->item[i];
+        struct gouge_refit_options tool = s->check->tool;
+        if (m->kind == MOTION_CUT)
+            tool.tolerance += s->check->chord;
+        gouges.n = 0;
+        gouge_refit_motion(&tool, &m->motion, &gouges);
+        m->deepest = gouge_refit_beyond(&tool, &gouges);
+    }
+    array_free(&gouges);
+}
+
+static void keep_worst(struct path_check *check, const struct checked_motions *motions)
+{
+    for (size_t i = 0; i < motions->n; i++) {
+        const struct checked_motion *m = &motions->item[i];
+        struct path_check_deep *deep = &check->deep[m->kind];
+        deep->n += m->deepest.depth > 0;
+        if (m->deepest.depth > deep->deepest.depth) {
+            deep->deepest = m->deepest;
+            deep->pass = m->pass;
+        }
+    }
+}
+
+static void look_at_feed(struct path_check *check)
+{
+    if (!(check->feed > 0) || check->feed >= PATH_CHECK_SLOWEST)
+        return;
+    if (check->slow++ == 0 || check->feed < check->slowest) {
+        check->slowest = check->feed;
+        check->slow_pass = check->pass;
+    }
+}
+
+/* A cut is what leads from a contact to a contact; in a path without any, all at feed. */
+static enum path_motion kind_of(const struct path_check *check, const struct path_item *item)
+{
+    if (path_is_rapid(item))
+        return MOTION_RAPID;
+    return !check->contacts || (item->touches && check->touched) ? MOTION_CUT : MOTION_LINK;
+}
+
+static void follow_item(struct path_check *check, const struct path *path,
+                        const struct path_item *item, struct checked_motions *motions)
+{
+    if (item->kind == PATH_PASS)
+        check->pass = item->index;
+    if (item->kind == PATH_FEED)
+        check->feed = item->feed;
+    if (item->kind == PATH_TOOL || item->kind == PATH_HOLE)
+        check->begun = false; /* another tool, or a cycle: not this one's way */
+    if (item->kind != PATH_POINT && item->kind != PATH_ARC && item->kind != PATH_SPLINE)
+        return;
+    if (!path_is_rapid(item))
+        look_at_feed(check);
+    if (check->begun && check->tool.guard)
+        *array_push(motions) =
+            (struct checked_motion){.motion = path_item_motion(path, item, check->at),
+                                    .kind = kind_of(check, item),
+                                    .pass = check->pass};
+    check->at = item->to;
+    check->begun = true;
+    check->touched = item->touches;
+}
+
+void path_check_items(struct path_check *check, const struct path *path, size_t from, size_t to)
+{
+    struct checked_motions motions = {0};
+    struct sweep sweep = {check, &motions};
+
+    check->contacts = check->contacts || path->contact.n > 0;
+    for (size_t i = from; i < to; i++)
+        follow_item(check, path, &path->item.item[i], &motions);
+    parallel_for(check->threads, motions.n, sweep_motions, &sweep);
+    keep_worst(check, &motions);
+    array_free(&motions);
+}
+
+int path_check_conclude(const struct path_check *check)
+{
+    static const char *const name[] = {"cutting motions", "links at feed", "rapids"};
+    bool kept = check->slow == 0;
+
+    for (int k = 0; k < 3; k++) {
+        const struct path_check_deep *d = &check->deep[k];
+        struct vec3 at = d->deepest.ball;
+        if (d->n == 0)
+            continue;
+        kept = false;
+        say("in %zu %s the tool goes deeper than %g mm into the part, worst in pass %zu the %s by "
+            "%.4f mm with the ball's centre at %.3f %.3f %.3f",
+            d->n, name[k], check->tool.tolerance + (k == MOTION_CUT ? check->chord : 0), d->pass,
+            tool_part_name(d->deepest.part), d->deepest.depth, at.x, at.y, at.z);
+    }
+    if (check->slow > 0)
+        say("%zu motions have a feed below %g mm/min, the slowest in pass %zu: %g", check->slow,
+            PATH_CHECK_SLOWEST, check->slow_pass, check->slowest);
+    return kept ? EXIT_DONE : EXIT_UNMET;
+}
