@@ -183,9 +183,7 @@ static void check_holder(const struct gouge_refit_options *options, const struct
 
 const char *tool_part_name(enum tool_part part)
 {
-    static const char *const name[] = {"ball", "shaft", "holder"};
-
-    return name[part];
+    return part == TOOL_BALL ? "ball" : part == TOOL_SHAFT ? "shaft" : "holder";
 }
 
 void gouge_refit_motion(const struct gouge_refit_options *options, const struct motion *motion,
