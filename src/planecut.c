@@ -10,7 +10,8 @@
 #include "toolpath/scallop.h"
 #include "io/nurbs/surfaces.h"
 
-static const double MOST_PLANES = 100000;
+/* Of a path; a point takes some 300 bytes while it is made. */
+static const double MOST_PLANES = 100000, MOST_CROSSINGS = 2e7;
 
 /* By the longest edge of the mesh: how far beyond its trimming a surface counts. */
 static const double BESIDE = 0.002;
@@ -83,9 +84,24 @@ static void check_radius(const char *file, const struct mesh *mesh)
               h.surface ? "surfaces" : "vertices");
 }
 
+/* What the planes would cost is known before they are made: each crosses every facet between its
+ * neighbours. */
+static void check_cost(double planes, double crossings)
+{
+    if (planes > MOST_PLANES)
+        die("would make %.0f planes, expected at most %.0f: is the unit of the part right? A "
+            "larger "
+            "-s or --scallop makes fewer",
+            planes, MOST_PLANES);
+    if (crossings > MOST_CROSSINGS)
+        die("would make about %.0f million points on %.0f planes, expected at most %.0f million: a "
+            "larger -s or --scallop, or a coarser mesh, makes fewer",
+            crossings / 1e6, planes, MOST_CROSSINGS / 1e6);
+}
+
 static void find_planes(const struct mesh *mesh, struct plane_passes *p)
 {
-    double least = step_given ? step : scallop_step(scallop, path_options.radius, 0) / 10;
+    double least = step_given ? step : scallop_step(scallop, path_options.radius, 0);
     double low = HUGE_VAL, high = -HUGE_VAL;
 
     for (size_t v = 0; v < mesh->vertex.n; v++) {
@@ -93,12 +109,13 @@ static void find_planes(const struct mesh *mesh, struct plane_passes *p)
         low = fmin(low, at);
         high = fmax(high, at);
     }
-    if ((high - low) / least > MOST_PLANES)
-        die_usage("found a distance of planes for more than %g of them", MOST_PLANES);
+    check_cost(ceil((high - low) / least), 0);
     if (step_given)
         plane_passes_equal(p, mesh, step);
     else
         plane_passes_scallop(p, mesh, scallop);
+    double planes = (double)p->height.n;
+    check_cost(planes, slice_crossings(p->cut, (high - low) / fmax(planes, 1)));
 }
 
 static void set_pass_options(const struct tool_axis_options *axis, const struct mesh *mesh,

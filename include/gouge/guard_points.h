@@ -45,9 +45,11 @@ struct guard_points guard_points_of_scan(const struct point_grid *point_grid,
  * and normals span (PN triangle, Vlachos et al. 2001, but with handles that make edges of a sphere
  * circular to the sixth order), sampled no coarser than `spacing` mm.  The flat facet would not do:
  * in a hollow it is above the surface by its sagitta.  Only a facet that is more than 30 degrees
- * off one of its vertices' normals, as at a step or an edge, is sampled flat.
+ * off one of its vertices' normals, as at a step or an edge, is sampled flat.  Where that would be
+ * more than `most` points beside the vertices, they are further apart.  Returns how far, mm.
  */
-void guard_points_of_mesh(const struct mesh *mesh, double spacing, struct vec3s *points);
+double guard_points_of_mesh(const struct mesh *mesh, double spacing, double most,
+                            struct vec3s *points);
 
 /*
  * Appends points no further than `spacing` mm apart on the convex edges of a mesh: those between

@@ -7,6 +7,7 @@
 #include "base/parallel.h"
 #include "cloud/upsample.h"
 #include "curve/edge_curve.h"
+#include "mesh/mesh_edges.h"
 #include "math/surface_fit.h"
 #include "mesh/mesh_weld.h"
 
@@ -261,11 +262,13 @@ struct patch {
     struct vec3 corner[3];
     struct vec3 edge[3][2]; /* edge[i]: from corner i to the next, nearer to i first */
     struct vec3 middle;
+    bool flat;
+    bool shared[3]; /* the edge is sampled with the patch on its other side */
 };
 
 static struct patch patch_of(const struct vec3 *p, const struct vec3 *normal, bool flat)
 {
-    struct patch patch;
+    struct patch patch = {.flat = flat};
     struct vec3 corners = vec(0, 0, 0), edges = vec(0, 0, 0);
 
     for (int i = 0; i < 3; i++) {
@@ -295,48 +298,168 @@ static struct vec3 patch_at(const struct patch *patch, const double b[3])
     return sum;
 }
 
-/* All points of the patch but its corners, on a triangular raster no coarser than `spacing`. */
-static void patch_sample(const struct patch *patch, double spacing, struct vec3s *points)
-{
-    double longest = 0;
+/* How a patch is sampled: on a triangular raster; a slender one on rows along its longest edge, each
+ * with points of its own number. */
+struct raster {
+    int cells;   /* along the longest edge */
+    int rows;    /* 0: as many as cells */
+    int longest; /* edge from this corner on */
+    double length, spacing;
+};
 
-    for (int i = 0; i < 3; i++)
-        longest = fmax(longest, vec_distance(patch->corner[i], patch->corner[(i + 1) % 3]));
-    int cells = (int)fmin(ceil(longest / spacing), 1000);
+static struct raster raster_of(const struct patch *patch, double spacing)
+{
+    const double most = 100000, slender = 0.25;
+    struct raster r = {.spacing = spacing};
+
+    for (int i = 0; i < 3; i++) {
+        double length = vec_distance(patch->corner[i], patch->corner[(i + 1) % 3]);
+        if (length > r.length) {
+            r.length = length;
+            r.longest = i;
+        }
+    }
+    r.cells = (int)fmin(ceil(r.length / spacing), most);
+    double height = vec_line_distance(patch->corner[r.longest], patch->corner[(r.longest + 1) % 3],
+                                      patch->corner[(r.longest + 2) % 3]);
+    if (height < slender * r.length)
+        r.rows = (int)fmax(1, fmin(ceil(height / spacing), most));
+    return r;
+}
+
+/* Cells of one row of a slender patch, of those from 0 on its longest edge. */
+static int cells_of_row(const struct raster *r, int row)
+{
+    double length = r->length * (1 - (double)row / r->rows);
+
+    return (int)fmax(1, fmin(ceil(length / r->spacing), r->cells));
+}
+
+static double raster_count(const struct raster *r)
+{
+    double sum = 0;
+
+    if (r->rows == 0)
+        return (r->cells + 1.0) * (r->cells + 2.0) / 2 - 3;
+    for (int i = 0; i < r->rows; i++)
+        sum += cells_of_row(r, i) + 1.0;
+    return sum - 2;
+}
+
+/* The place with these barycentric coordinates, unless another patch has it. */
+static void sample_at(const struct patch *patch, const double b[3], struct vec3s *points)
+{
+    for (int i = 0; i < 3; i++) {
+        if (b[i] <= 0 && patch->shared[(i + 1) % 3])
+            return;
+    }
+    *array_push(points) = patch_at(patch, b);
+}
+
+static void sample_rows(const struct patch *patch, const struct raster *r, struct vec3s *points)
+{
+    for (int i = 0; i < r->rows; i++) {
+        int cells = cells_of_row(r, i);
+        double up = (double)i / r->rows;
+        for (int j = i == 0; j <= cells - (i == 0); j++) {
+            double b[3], along = (double)j / cells;
+            b[r->longest] = (1 - up) * (1 - along);
+            b[(r->longest + 1) % 3] = (1 - up) * along;
+            b[(r->longest + 2) % 3] = up;
+            sample_at(patch, b, points);
+        }
+    }
+}
+
+/* All points of the patch but its corners and shared edges, no further apart than the raster says.
+ */
+static void patch_sample(const struct patch *patch, const struct raster *r, struct vec3s *points)
+{
+    int cells = r->cells;
+
+    if (r->rows > 0) {
+        sample_rows(patch, r, points);
+        return;
+    }
     for (int i = 0; i <= cells; i++) {
         for (int j = 0; j <= cells - i; j++) {
             int k = cells - i - j;
             if (i == cells || j == cells || k == cells)
                 continue;
             double b[3] = {(double)i / cells, (double)j / cells, (double)k / cells};
-            *array_push(points) = patch_at(patch, b);
+            sample_at(patch, b, points);
         }
     }
 }
 
-void guard_points_of_mesh(const struct mesh *mesh, double spacing, struct vec3s *points)
+static bool is_flat(const struct mesh *mesh, size_t facet)
 {
-    bool *used = mem_alloc(mesh->vertex.n, sizeof *used);
+    struct vec3 across = vec_unit(mesh_face_cross(mesh, facet));
+    bool flat = false;
+
+    for (int i = 0; i < 3; i++)
+        flat = flat || vec_dot(mesh->normal.item[mesh->face.item[facet].v[i]], across) < SMOOTH;
+    return flat;
+}
+
+static struct patch patch_of_facet(const struct mesh *mesh, size_t facet)
+{
+    struct vec3 p[3], normal[3];
+
+    for (int i = 0; i < 3; i++) {
+        int v = mesh->face.item[facet].v[i];
+        p[i] = mesh->vertex.item[v];
+        normal[i] = mesh->normal.item[v];
+    }
+    return patch_of(p, normal, is_flat(mesh, facet));
+}
+
+/* How many points the facets have beside their corners. */
+static double count_of_mesh(const struct mesh *mesh, double spacing)
+{
+    double sum = 0;
 
     for (size_t f = 0; f < mesh->face.n; f++) {
-        struct vec3 across = vec_unit(mesh_face_cross(mesh, f));
-        struct vec3 p[3], normal[3];
-        bool flat = false;
+        struct patch patch = {.edge = {{{0}}}};
+        for (int i = 0; i < 3; i++)
+            patch.corner[i] = mesh->vertex.item[mesh->face.item[f].v[i]];
+        struct raster raster = raster_of(&patch, spacing);
+        sum += raster_count(&raster);
+    }
+    return sum;
+}
+
+double guard_points_of_mesh(const struct mesh *mesh, double spacing, double most,
+                            struct vec3s *points)
+{
+    bool *used = mem_alloc(mesh->vertex.n, sizeof *used);
+    double count = count_of_mesh(mesh, spacing);
+
+    /* A few points a facet are left, however far apart. */
+    for (int i = 0; i < 20 && count > most; i++) {
+        spacing *= 1.05 * sqrt(count / most);
+        count = count_of_mesh(mesh, spacing);
+    }
+    struct mesh_edges edges = mesh_edges_find(mesh);
+    for (size_t f = 0; f < mesh->face.n; f++) {
+        struct patch patch = patch_of_facet(mesh, f);
+        struct raster raster = raster_of(&patch, spacing);
         for (int i = 0; i < 3; i++) {
-            int v = mesh->face.item[f].v[i];
-            used[v] = true;
-            p[i] = mesh->vertex.item[v];
-            normal[i] = mesh->normal.item[v];
-            flat = flat || vec_dot(normal[i], across) < SMOOTH;
+            int beyond = mesh_edge_beyond(&edges, edges.of[f][i], (int)f);
+            /* One that is sampled flat has its own edge. */
+            patch.shared[i] =
+                !patch.flat && beyond >= 0 && beyond < (int)f && !is_flat(mesh, (size_t)beyond);
+            used[mesh->face.item[f].v[i]] = true;
         }
-        struct patch patch = patch_of(p, normal, flat);
-        patch_sample(&patch, spacing, points);
+        patch_sample(&patch, &raster, points);
     }
     for (size_t v = 0; v < mesh->vertex.n; v++) {
         if (used[v])
             *array_push(points) = mesh->vertex.item[v];
     }
+    mesh_edges_free(&edges);
     free(used);
+    return spacing;
 }
 
 /* ---- the sharp edges of a mesh */

@@ -9,8 +9,12 @@
 #include "guard_read.h"
 #include "mesh/mesh_distance.h"
 
-/* How deep the ball may sink between the guard points of a mesh, mm. */
-static const double SINK = 0.002;
+/* How deep the ball may sink between the guard points of a mesh, mm, and how many of them there may
+ * be: about 100 bytes each. */
+static const double SINK = 0.002, MOST_GUARD_POINTS = 8e6;
+
+/* It is no guard where the ball may sink deeper than this, mm. */
+static const double DEEP = 0.05;
 
 struct path_options path_options = {.tilt = 15,
                                     .depth = 0.3,
@@ -147,12 +151,28 @@ int path_options_check(struct tool_axis_options *axis, struct error *error)
     return axis_rule(axis, error);
 }
 
-static struct gouge_check *guard_of_mesh(const struct mesh *mesh)
+/* NULL: so many points would be needed that it is no guard. */
+static struct gouge_check *guard_of_mesh(const struct mesh *mesh, int threads, struct error *error)
 {
     struct vec3s points = {0};
+    double wanted = sqrt(6 * SINK * path_options.radius);
+    double spacing = guard_points_of_mesh(mesh, wanted, MOST_GUARD_POINTS, &points);
+    double sink = spacing * spacing / (6 * path_options.radius);
 
-    guard_points_of_mesh(mesh, sqrt(6 * SINK * path_options.radius), &points);
-    return gouge_new(points, 1);
+    if (spacing > wanted && sink > DEEP) {
+        array_free(&points);
+        error_set(error,
+                  "the part is too large for a ball of radius %g to be kept clear of it: guard "
+                  "points %.3f mm apart would be more than %g million: is the unit right? take a "
+                  "larger ball, or a part of the mesh",
+                  path_options.radius, wanted, MOST_GUARD_POINTS / 1e6);
+        return NULL;
+    }
+    if (spacing > wanted)
+        say("the part is large for this ball, which may sink by up to %.3f mm between guard points "
+            "that are %.3f mm apart (%g million of them)",
+            sink, spacing, MOST_GUARD_POINTS / 1e6);
+    return gouge_new(points, threads);
 }
 
 int path_options_guard(const struct mesh *mesh, double near, int threads,
@@ -168,8 +188,8 @@ int path_options_guard(const struct mesh *mesh, double near, int threads,
     *guard = NULL;
     if (c->paper)
         return 0;
-    *guard =
-        c->guards.n > 0 ? guard_read(&c->guards, mesh, near, &rule, error) : guard_of_mesh(mesh);
+    *guard = c->guards.n > 0 ? guard_read(&c->guards, mesh, near, &rule, error)
+                             : guard_of_mesh(mesh, threads, error);
     path_options.noise = rule.noise;
     path_options.certain = rule.certain;
     path_options.doubtful = rule.doubtful;

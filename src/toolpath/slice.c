@@ -12,18 +12,19 @@ static const double CROWDED = 1e-3;
 /* A vertex within this of a plane is on it, mm: coordinates of a mesh stream have 6 decimals. */
 static const double ON_PLANE = 2e-6;
 
-enum { NONE = -1 };
+enum { NONE = -1, LEAF = 8 };
 
 struct slice {
     const struct mesh *mesh;
     struct vec3 normal;
     bool smooth;
     struct mesh_edges edges;
-    double *height; /* of each vertex along the normal */
-    size_t *order;  /* facets by their lowest vertex */
-    double *lowest; /* of the facets in that order */
-    double tallest; /* of any facet */
-    bool *done;     /* facets of the plane at hand */
+    double *height;  /* of each vertex along the normal */
+    size_t *order;   /* facets by their lowest vertex */
+    double *lowest;  /* of the facets in that order */
+    double *highest; /* the highest vertex under each node of a tree over that order */
+    bool *done;      /* facets of the plane at hand */
+    struct sizes at; /* which these are */
 };
 
 void slice_chains_free(struct slice_chains *chains)
@@ -94,7 +95,6 @@ static void sort_facets(struct slice *cut)
         const double *h = cut->height;
         double low = fmin(fmin(h[v[0]], h[v[1]]), h[v[2]]);
         by[f] = (struct facet_height){low, f};
-        cut->tallest = fmax(cut->tallest, fmax(fmax(h[v[0]], h[v[1]]), h[v[2]]) - low);
     }
     qsort(by, n, sizeof *by, compare_heights);
     cut->order = mem_alloc(n, sizeof *cut->order);
@@ -104,6 +104,39 @@ static void sort_facets(struct slice *cut)
         cut->lowest[i] = by[i].lowest;
     }
     free(by);
+}
+
+static double facet_high(const struct slice *cut, size_t place)
+{
+    const int *v = cut->mesh->face.item[cut->order[place]].v;
+
+    return fmax(fmax(cut->height[v[0]], cut->height[v[1]]), cut->height[v[2]]);
+}
+
+/* Node `number` stands for the places [from, to), those under it for their halves (de Berg et al.,
+ * Computational Geometry, 10.2: a priority search tree, here halved at the middle). */
+static double fill_highest(struct slice *cut, size_t from, size_t to, size_t number)
+{
+    double high = -HUGE_VAL;
+
+    if (to - from <= LEAF) {
+        for (size_t i = from; i < to; i++)
+            high = fmax(high, facet_high(cut, i));
+    } else {
+        size_t middle = from + (to - from) / 2;
+        high = fill_highest(cut, from, middle, 2 * number);
+        high = fmax(high, fill_highest(cut, middle, to, 2 * number + 1));
+    }
+    return cut->highest[number] = high;
+}
+
+static size_t count_nodes(size_t n)
+{
+    size_t nodes = 2;
+
+    for (; n > LEAF; n = (n + 1) / 2)
+        nodes *= 2;
+    return nodes;
 }
 
 struct slice *slice_new(const struct mesh *mesh, struct vec3 normal, bool smooth)
@@ -119,6 +152,8 @@ struct slice *slice_new(const struct mesh *mesh, struct vec3 normal, bool smooth
     cut->done = mem_alloc(mesh->face.n, sizeof *cut->done);
     cut->edges = mesh_edges_find(mesh);
     sort_facets(cut);
+    cut->highest = mem_alloc(count_nodes(mesh->face.n), sizeof *cut->highest);
+    fill_highest(cut, 0, mesh->face.n, 1);
     return cut;
 }
 
@@ -130,6 +165,8 @@ void slice_free(struct slice *cut)
     mesh_edges_free(&cut->edges);
     free(cut->order);
     free(cut->lowest);
+    free(cut->highest);
+    array_free(&cut->at);
     free(cut->done);
     free(cut);
 }
@@ -141,13 +178,16 @@ double slice_low(const struct slice *cut)
 
 double slice_high(const struct slice *cut)
 {
-    double high = -HUGE_VAL;
+    return cut->highest[1];
+}
 
-    for (size_t f = 0; f < cut->mesh->face.n; f++) {
-        for (int i = 0; i < 3; i++)
-            high = fmax(high, cut->height[cut->mesh->face.item[f].v[i]]);
-    }
-    return high;
+double slice_crossings(const struct slice *cut, double step)
+{
+    double sum = 0;
+
+    for (size_t i = 0; i < cut->mesh->face.n; i++)
+        sum += facet_high(cut, i) - cut->lowest[i];
+    return sum / step;
 }
 
 static bool is_below(const struct slice *cut, int vertex, double height)
@@ -162,20 +202,33 @@ static bool crosses(const struct slice *cut, int edge, double height)
     return is_below(cut, v[0], height) != is_below(cut, v[1], height);
 }
 
-/* Where the curve from below (s = 0) to above crosses the plane: bisection, for it need not rise
- * all the way. */
+/* Where the curve from below (s = 0) to above crosses the plane: its height is a cubic in Bernstein
+ * form.  Newton's method, and bisection where that leaves the bracket, for the curve need not rise
+ * all the way (Press et al., Numerical Recipes, 9.4). */
 static double crossing(const struct edge_curve *curve, struct vec3 normal, double height)
 {
-    double low = 0, high = 1;
+    double low = 0, high = 1, s, h[4];
 
-    for (int i = 0; i < 60; i++) {
-        double middle = (low + high) / 2;
-        if (vec_dot(edge_curve_at(curve, middle), normal) <= height)
-            low = middle;
+    for (int i = 0; i < 4; i++)
+        h[i] = vec_dot(curve->p[i], normal) - height;
+    s = h[3] > h[0] ? fmin(fmax(-h[0] / (h[3] - h[0]), 0), 1) : 0.5;
+    for (int i = 0; i < 60 && high - low > 1e-15; i++) {
+        double t = 1 - s;
+        double at = t * t * (t * h[0] + 3 * s * h[1]) + s * s * (3 * t * h[2] + s * h[3]);
+        double slope =
+            3 * (t * t * (h[1] - h[0]) + 2 * t * s * (h[2] - h[1]) + s * s * (h[3] - h[2]));
+        if (at <= 0)
+            low = s;
         else
-            high = middle;
+            high = s;
+        double next = slope > 0 ? s - at / slope : -1;
+        if (!(next >= low && next <= high))
+            next = (low + high) / 2;
+        if (fabs(next - s) < 1e-14)
+            return next;
+        s = next;
     }
-    return low;
+    return s;
 }
 
 static struct contact contact_on(const struct slice *cut, int edge, double height)
@@ -248,34 +301,35 @@ static void follow_chain(struct slice *cut, int facet, int edge, double height,
         (struct slice_chain){from, points->n, closed && points->n > from + 3};
 }
 
-/* The facets that may cross the plane: [*from, *to) of the order. */
-static void find_candidates(const struct slice *cut, double height, size_t *from, size_t *to)
+/* The facets that cross the plane, among the places [from, to): those that are lowest under it, and
+ * highest above it. */
+static void find_crossed(struct slice *cut, double height, size_t from, size_t to, size_t number)
 {
-    size_t n = cut->mesh->face.n, low = 0, high = n;
-
-    while (low < high) {
-        size_t middle = low + (high - low) / 2;
-        if (cut->lowest[middle] <= height + ON_PLANE)
-            low = middle + 1;
-        else
-            high = middle;
+    if (from == to || cut->lowest[from] > height + ON_PLANE ||
+        cut->highest[number] <= height + ON_PLANE)
+        return;
+    if (to - from > LEAF) {
+        size_t middle = from + (to - from) / 2;
+        find_crossed(cut, height, from, middle, 2 * number);
+        find_crossed(cut, height, middle, to, 2 * number + 1);
+        return;
     }
-    *from = *to = low;
-    while (*from > 0 && cut->lowest[*from - 1] >= height - ON_PLANE - cut->tallest)
-        --*from;
+    for (size_t i = from; i < to && cut->lowest[i] <= height + ON_PLANE; i++) {
+        if (facet_high(cut, i) > height + ON_PLANE)
+            *array_push(&cut->at) = cut->order[i];
+    }
 }
 
 void slice_at(struct slice *cut, double height, struct slice_chains *chains)
 {
-    size_t from, to;
-
-    find_candidates(cut, height, &from, &to);
-    for (size_t i = from; i < to; i++)
-        cut->done[cut->order[i]] = false;
+    cut->at.n = 0;
+    find_crossed(cut, height, 0, cut->mesh->face.n, 1);
+    for (size_t i = 0; i < cut->at.n; i++)
+        cut->done[cut->at.item[i]] = false;
     /* Chains that begin at a border first, so that what is left is closed. */
     for (int round = 0; round < 2; round++) {
-        for (size_t i = from; i < to; i++) {
-            int facet = (int)cut->order[i];
+        for (size_t i = 0; i < cut->at.n; i++) {
+            int facet = (int)cut->at.item[i];
             for (int k = 0; k < 3 && !cut->done[facet]; k++) {
                 int edge = cut->edges.of[facet][k];
                 if (crosses(cut, edge, height) &&

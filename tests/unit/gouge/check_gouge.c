@@ -141,7 +141,7 @@ END_TEST
 static struct gouge_check *guard_of_mesh(const struct mesh *mesh, double spacing)
 {
     struct vec3s points = {0};
-    guard_points_of_mesh(mesh, spacing, &points);
+    guard_points_of_mesh(mesh, spacing, HUGE_VAL, &points);
     return gouge_new(points, 1);
 }
 
