@@ -36,6 +36,17 @@ enum { MACHINE_X, MACHINE_Y, MACHINE_Z, MACHINE_A, MACHINE_B, MACHINE_C, MACHINE
  * all axes together, the square root of the sum of the squares of their ways. */
 enum machine_feeds { FEEDS_INVERSE, FEEDS_COMBINED };
 
+/* Where the rotary axes stand when tool-centre-point control is switched on: at zero, so that the
+ * frame is that of the work whatever it is fixed to, or where the first motion has them. */
+enum machine_tcp_frame { TCP_FRAME_ZERO, TCP_FRAME_STANDS };
+
+/* How G49 leaves the tool's length: in the block that goes home, alone, or with a height. */
+enum machine_length_off { LENGTH_OFF_HOME, LENGTH_OFF_ALONE, LENGTH_OFF_Z };
+
+/* How rotary words are written: the angle as it is; within 0 to 360; the same as DC(), which takes
+ * the shortest way; absolute in 0 to 360 with the sign of the turn. */
+enum machine_rotary_words { ROTARY_PLAIN, ROTARY_WITHIN, ROTARY_DC, ROTARY_SIGNED };
+
 enum machine_type { TABLE_TABLE, HEAD_TABLE, HEAD_HEAD, ONE_TABLE, ONE_HEAD, NO_ROTARY };
 
 /* How many decimals the control is given; -1: the control's usual number. */
@@ -58,6 +69,10 @@ struct machine {
     double max[MACHINE_AXES];
     double rapid[MACHINE_AXES]; /* mm/min and degrees/min; X Y Z have one */
     double retract;             /* mm along the tool axis, where the path has no approach */
+    int tcp_frame;              /* enum machine_tcp_frame */
+    int length_off;             /* enum machine_length_off */
+    double length_z;            /* of LENGTH_OFF_Z: where the spindle goes, mm */
+    int rotary_words;           /* enum machine_rotary_words */
     char offset[60];            /* work offset; "": the control's own, G54 */
     int feeds;                  /* enum machine_feeds */
     double feed_max;            /* largest F that the control takes */
@@ -67,6 +82,7 @@ struct machine {
     bool smooth; /* the control is to smooth the path within ncpost's tolerance */
     struct machine_templates { /* blocks, "": the control's own (template.h) */
         char home[120];        /* retracts Z to a safe height */
+        char safe[120];        /* before it: what may still be on is switched off */
         char start[120];       /* after the modal words at the start */
         char tool_change[120];
         char tcp_on[120], tcp_off[120];

@@ -110,6 +110,11 @@ static struct keys machine_keys(struct machine *m)
     keys_add(&keys, "cutcom", KEY_YES, &m->cutcom);
     add_bounded(&keys, "rapid", KEY_NUMBER, &m->rapid[MACHINE_X], 1, 1e7);
     add_bounded(&keys, "retract", KEY_NUMBER, &m->retract, 0.1, 1e5);
+    keys_add(&keys, "tcp.frame", KEY_CHOICE, &m->tcp_frame)->words = "zero|stands";
+    keys_add(&keys, "length.off", KEY_CHOICE, &m->length_off)->words = "home|alone|z";
+    add_bounded(&keys, "length.off.z", KEY_NUMBER, &m->length_z, -1e5, 1e5);
+    keys_add(&keys, "rotary.words", KEY_CHOICE, &m->rotary_words)->words = "plain|0-360|dc|signed";
+    add_text(&keys, "safe", m->blocks.safe, sizeof m->blocks.safe);
     add_text(&keys, "offset", m->offset, sizeof m->offset);
     add_text(&keys, "home", m->blocks.home, sizeof m->blocks.home);
     add_text(&keys, "start", m->blocks.start, sizeof m->blocks.start);
@@ -167,6 +172,7 @@ static int check_templates(const struct machine *m, char key[KEY_NAME], struct e
     const struct {
         const char *key, *text;
     } all[] = {{"home", b->home},
+               {"safe", b->safe},
                {"start", b->start},
                {"end", b->end},
                {"tool.change", b->tool_change},

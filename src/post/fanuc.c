@@ -89,6 +89,8 @@ static void spline(struct nc_program *p, const struct nc_move *move)
 static const struct gcode words = {
     .modal_mm = "G90 G17 G21 G40 G49 G80 G94",
     .modal_inch = "G90 G17 G20 G40 G49 G80 G94",
+    .safe = "G69",
+    .length_moves = true,
     .home = "G91 G28 Z0.|G90",
     .end = "M30",
     .dwell = "X",

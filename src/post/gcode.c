@@ -194,6 +194,7 @@ void gcode_start(struct nc_program *p)
     w->plane = 17;
     if (g->modes)
         g->modes(p);
+    nc_template(p, p->machine->blocks.safe, g->safe);
     nc_template(p, p->machine->blocks.start, "");
     nc_home(p, g->home);
 }
@@ -205,15 +206,23 @@ void gcode_load(struct nc_program *p)
     nc_spindle(p);
 }
 
+/* X Y at rapid, at the height where the tool is. */
+static void go_across(struct nc_program *p, struct vec3 to)
+{
+    int digits = p->plan->ability.digits.linear;
+    nc_motion(&p->w, "G0");
+    nc_modal(&p->w, NC_X, "X", to.x, digits);
+    nc_modal(&p->w, NC_Y, "Y", to.y, digits);
+    nc_end(&p->w);
+}
+
 /* The tool's length, and the first place: above it before down to it. */
 static void compensate_length(struct nc_program *p, const struct nc_move *first)
 {
     const struct gcode *g = dialect_of(p->control)->gcode;
     int digits = p->plan->ability.digits.linear;
     struct nc_writer *w = &p->w;
-    nc_modal(w, NC_X, "X", first->p.x, digits);
-    nc_modal(w, NC_Y, "Y", first->p.y, digits);
-    nc_end(w);
+    go_across(p, first->p);
     nc_code(w, "G43");
     if (p->tooling.number || !g->tool_at_hand)
         nc_count(w, "H", p->tooling.offset);
@@ -229,24 +238,43 @@ static void compensate_radius(struct nc_program *p, const struct nc_move *first)
     const char *usual = vectors ? g->tcp_vectors : g->tcp_rotary;
     if (tcp)
         nc_template(p, p->machine->blocks.tcp_on, usual ? usual : "");
-    if (tcp && usual)
-        p->w.motion = NULL;
-    else
+    if (!tcp || !usual) {
         compensate_length(p, first);
+        return;
+    }
+    p->w.motion = NULL;
+    go_across(p, first->p);
+    nc_motion(&p->w, "G0");
+    nc_modal(&p->w, NC_Z, "Z", first->p.z, p->plan->ability.digits.linear);
+    nc_end(&p->w);
 }
 
-/* The rotary axes to the first place, before the tool goes there. */
+/*
+ * From home to the first place, which is above the work: the rotary axes where nothing is near, X
+ * and Y, then down.  With the rotary axes at zero until then X Y Z are those of the work, and no
+ * way of the tool depends on where it started.
+ */
 void gcode_engage(struct nc_program *p)
 {
     const struct gcode *g = dialect_of(p->control)->gcode;
     const struct nc_move *first = nc_first_move(p);
-    if (p->plane)
+    if (p->plane) {
+        go_across(p, nc_above_plane(p, first));
         nc_template(p, p->machine->blocks.plane_on, g->plane_on);
-    nc_motion(&p->w, "G0");
-    nc_rotary(p, first->q);
-    if (p->machine->chain.n)
+        nc_forget(&p->w, NC_X, NC_Z);
+        p->w.motion = NULL;
+    }
+    if (p->machine->chain.n) {
+        nc_motion(&p->w, "G0");
+        nc_rotary_start(p, first);
         nc_end(&p->w);
+    }
     compensate_radius(p, first);
+    if (nc_zero_first(p)) {
+        nc_motion(&p->w, "G0");
+        nc_axis(p, first, vector_address);
+        nc_end(&p->w);
+    }
     nc_coolant(p);
     if (p->machine->smooth && g->smooth_on)
         nc_template(p, p->machine->blocks.smooth_on, g->smooth_on);
@@ -264,7 +292,25 @@ void gcode_dwell(struct nc_program *p, double seconds)
     nc_end(&p->w);
 }
 
-/* G49 ends the tool-centre-point control that a word has switched on. */
+/* G49, which ends the tool-centre-point control that a word has switched on too, by the key
+ * length.off of the machine; true: it is to stand in the block that goes home. */
+static bool leave_length(struct nc_program *p, const char *own)
+{
+    const struct gcode *g = dialect_of(p->control)->gcode;
+    const struct machine *m = p->machine;
+    if (*own || p->plane || !g->length_moves || m->length_off == LENGTH_OFF_ALONE) {
+        nc_template(p, own, "G49");
+        return false;
+    }
+    if (m->length_off == LENGTH_OFF_HOME)
+        return true;
+    nc_motion(&p->w, "G0");
+    nc_code(&p->w, "G49");
+    nc_number(&p->w, "Z", m->length_z / p->plan->ability.unit, p->plan->ability.digits.linear);
+    nc_end(&p->w);
+    return false;
+}
+
 void gcode_disengage(struct nc_program *p)
 {
     const struct gcode *g = dialect_of(p->control)->gcode;
@@ -277,7 +323,8 @@ void gcode_disengage(struct nc_program *p)
         nc_template(p, own, "");
         own = "";
     }
-    nc_template(p, own, "G49");
+    if (leave_length(p, own))
+        nc_code(&p->w, "G49"); /* the block goes on */
     if (p->plane)
         nc_template(p, p->machine->blocks.plane_off, g->plane_off);
     nc_home(p, g->home);

@@ -13,6 +13,8 @@
 /* The words that one control has and another has not. */
 struct gcode {
     const char *modal_mm, *modal_inch; /* the modal words at the start */
+    const char *safe;                  /* what may still be on is switched off; "": nothing */
+    bool length_moves;                 /* G49 alone may move Z, by a parameter */
     const char *home;                  /* the tool to a safe height */
     const char *end;                   /* of the program: M30 */
     const char *dwell;                 /* address of the seconds of G4 */

@@ -78,6 +78,17 @@ static void rotary_rapid(struct nc_program *p, const double q[])
     nc_end(&p->w);
 }
 
+/* L X Y R0 FMAX, at the height where the tool is. */
+static void go_across(struct nc_program *p, struct vec3 to)
+{
+    int digits = p->plan->ability.digits.linear;
+    nc_code(&p->w, "L");
+    nc_modal(&p->w, NC_X, "X", to.x, digits);
+    nc_modal(&p->w, NC_Y, "Y", to.y, digits);
+    nc_code(&p->w, "R0 FMAX");
+    nc_end(&p->w);
+}
+
 static void call_tool(struct nc_program *p)
 {
     if (*p->machine->blocks.tool_change) {
@@ -100,6 +111,10 @@ static void start(struct nc_program *p)
     nc_head(p);
     nc_offset(p, "");
     nc_end(w);
+    nc_template(p, p->machine->blocks.safe,
+                !p->turned        ? ""
+                : p->machine->tcp ? "FUNCTION RESET TCPM|PLANE RESET STAY"
+                                  : "PLANE RESET STAY");
     nc_template(p, p->machine->blocks.start, "");
     nc_home(p, home);
 }
@@ -111,16 +126,44 @@ static void load(struct nc_program *p)
         nc_block(&p->w, p->tooling.ccw ? "M4" : "M3");
 }
 
-/* The rotary axes to the first place. */
+/* The rotary axes where nothing is near. */
+static void turn_at_home(struct nc_program *p, const struct nc_move *first)
+{
+    if (!p->machine->chain.n)
+        return;
+    nc_forget(&p->w, NC_Q0, NC_Q1);
+    nc_code(&p->w, "L");
+    nc_rotary_start(p, first);
+    nc_code(&p->w, "R0 FMAX");
+    nc_end(&p->w);
+}
+
+/* L C+90 R0 FMAX, where an axis is not there yet. */
+static void turn_above(struct nc_program *p, const struct nc_move *first)
+{
+    nc_code(&p->w, "L");
+    size_t bare = p->w.n;
+    nc_rotary(p, first->q);
+    if (p->w.n == bare)
+        nc_drop(&p->w);
+    else
+        nc_code(&p->w, "R0 FMAX");
+    nc_end(&p->w);
+}
+
+/* From home to the first place, as gcode_engage. */
 static void engage(struct nc_program *p)
 {
     const char *smooth = "CYCL DEF 32.0 TOLERANCE|CYCL DEF 32.1 T{tolerance}|"
                          "CYCL DEF 32.2 HSC-MODE:0 TA{orientation}";
     struct nc_writer *w = &p->w;
     const struct nc_move *first = nc_first_move(p);
-    rotary_rapid(p, first->q);
-    if (p->plane)
+    turn_at_home(p, first);
+    if (p->plane) {
+        go_across(p, nc_above_plane(p, first));
         nc_template(p, p->machine->blocks.plane_on, "PLANE SPATIAL SPA{a} SPB{b} SPC+0 TURN FMAX");
+        nc_forget(w, NC_X, NC_Z);
+    }
     if (p->plan->ability.tcp)
         nc_template(p, p->machine->blocks.tcp_on,
                     p->plan->ability.mode == INTERPOLATE_VECTOR
@@ -129,13 +172,13 @@ static void engage(struct nc_program *p)
     nc_coolant(p);
     if (p->machine->smooth)
         nc_template(p, p->machine->blocks.smooth_on, smooth);
-    if (!p->plan->ability.tcp) {
-        nc_code(w, "L");
-        nc_modal(w, NC_X, "X", first->p.x, p->plan->ability.digits.linear);
-        nc_modal(w, NC_Y, "Y", first->p.y, p->plan->ability.digits.linear);
-        nc_code(w, "R0 FMAX");
-        nc_end(w);
-    }
+    go_across(p, first->p);
+    nc_code(w, "L");
+    nc_modal(w, NC_Z, "Z", first->p.z, p->plan->ability.digits.linear);
+    nc_code(w, "R0 FMAX");
+    nc_end(w);
+    if (nc_zero_first(p))
+        turn_above(p, first);
 }
 
 /* L X Y Z A C F, or LN X Y Z TX TY TZ F; a block without a place or axis says nothing. */

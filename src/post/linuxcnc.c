@@ -38,6 +38,7 @@ static void program_name(struct nc_program *p)
 static const struct gcode words = {
     .modal_mm = "G90 G91.1 G17 G21 G40 G49 G80 G94",
     .modal_inch = "G90 G91.1 G17 G20 G40 G49 G80 G94",
+    .safe = "",
     .home = "G53 G0 Z0.",
     .end = "M2",
     .dwell = "P",

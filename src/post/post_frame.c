@@ -196,6 +196,12 @@ static struct frame plane_frame(struct nc_plane *p, bool euler, int digits)
     return (struct frame){x, vec_cross(z, x), z, 1, true};
 }
 
+struct vec3 post_frame_work(struct nc_plane plane, bool euler, int digits, struct vec3 p)
+{
+    struct frame f = plane_frame(&plane, euler, digits);
+    return vec_add(vec_add(vec_scale(p.x, f.x), vec_scale(p.y, f.y)), vec_scale(p.z, f.z));
+}
+
 static int expect_reach(const struct path *path, const struct machine *machine, struct vec3 axis,
                         struct error *error)
 {

@@ -47,4 +47,7 @@ void post_frame_inch(struct path *path, struct machine *machine, struct nc_plan_
 int post_frame_tilt(struct path *path, struct machine *machine, struct nc_planes *planes,
                     bool euler, int digits, struct error *error);
 
+/* A point of a tilted plane in the frame of the work; euler, digits: as for post_frame_tilt. */
+struct vec3 post_frame_work(struct nc_plane plane, bool euler, int digits, struct vec3 p);
+
 #endif

@@ -18,12 +18,29 @@ static void add_note(struct nc_planner *planner, enum nc_kind kind, const struct
     *move = (struct nc_move){.kind = kind, .line = item->line, .index = item->index};
 }
 
+/* The first motion of a tool: at the top of the path, from where it goes down along its axis.  A
+ * top out of the machine's travel is left out: then the way down is straight from home. */
+static void start_above(struct nc_planner *planner, struct pose first)
+{
+    struct pose above = post_rewind_above(planner, first);
+    struct error *error = planner->error, unheard;
+    if (above.p.z <= first.p.z)
+        return;
+    planner->state.why = NC_WHY_APPROACH;
+    planner->error = &unheard;
+    if (post_motion_rapid(planner, above) != 0)
+        planner->plan->unmet = false;
+    planner->error = error;
+    planner->state.why = NC_WHY_PATH;
+}
+
 /* A path that starts with a cut: above its first point first, along the tool axis. */
 static int approach_above(struct nc_planner *planner, struct pose first)
 {
     struct pose above = first;
     above.p = vec_along(first.p, planner->machine->retract, first.a);
     planner->plan->total.approach_made = true;
+    start_above(planner, above);
     planner->state.why = NC_WHY_APPROACH;
     return post_motion_rapid(planner, above);
 }
@@ -144,6 +161,8 @@ static bool follows_same_cycle(const struct nc_planner *planner, const struct nc
 static int move_above_hole(struct nc_planner *planner, struct pose above)
 {
     struct pose over = above;
+    if (!planner->state.begun)
+        start_above(planner, above);
     if (planner->state.begun && planner->state.pose.p.z > above.p.z)
         over.p.z = planner->state.pose.p.z;
     if (planner->state.begun && planner->state.pose.p.z < above.p.z) {
@@ -235,6 +254,8 @@ int post_item(struct nc_planner *planner, const struct path_item *item)
         if (!item->rapid)
             return plan_cut(planner, item);
         planner->state.touches = false;
+        if (!planner->state.begun)
+            start_above(planner, item->to);
         return post_motion_rapid(planner, item->to);
     case PATH_ARC:
     case PATH_SPLINE:

@@ -462,6 +462,12 @@ static void turn_at_part(struct nc_planner *planner, const struct lookahead *ahe
     planner->off_part = planner->off_part && !planner->state.begun;
 }
 
+/* The tool is above all that is cut. */
+static bool is_at_top(const struct nc_planner *planner)
+{
+    return planner->state.begun && planner->state.pose.p.z > planner->plan->top - 1e-6;
+}
+
 /* ahead: what was found by looking ahead over the group, NULL: nothing. */
 static int plan_items(struct nc_planner *planner, const struct lookahead *ahead, size_t from,
                       size_t to)
@@ -485,6 +491,8 @@ static int plan_items(struct nc_planner *planner, const struct lookahead *ahead,
             turn_before_rapid(planner, item);
         if ((leaves ? leave_part(planner, item) : post_item(planner, item)) != 0)
             return -1;
+        if (leading && path_is_rapid(item) && !leaves && is_at_top(planner))
+            turn_at_part(planner, ahead);
         leaving = leaving && !path_moves(item);
     }
     return 0;
@@ -549,6 +557,21 @@ static double clear_height(const struct path *path)
     return z;
 }
 
+/* The height of the first rapid of a program: the clearance plane or the highest rapid, but above
+ * all that is cut, and above that by the machine's `retract` where the path has no rapid. */
+static double top_of(const struct path *path, const struct machine *machine)
+{
+    double cut = -HUGE_VAL, clear = clear_height(path);
+    for (size_t i = 0; i < path->item.n; i++) {
+        const struct path_item *item = &path->item.item[i];
+        if (item->kind == PATH_PLANE)
+            return NAN; /* heights of several frames */
+        if (path_moves(item) && !path_is_rapid(item))
+            cut = fmax(cut, item->to.p.z);
+    }
+    return isnan(clear) ? cut + machine->retract : fmax(clear, cut);
+}
+
 /* The travel to the last digit within it, so that no angle is beyond it once it is rounded. */
 static void trim_travel(struct kinematic_chain *chain, int digits)
 {
@@ -579,6 +602,7 @@ int nc_plan_make(struct nc_plan *plan, const struct path *path, const struct mac
     planner.machine = &own;
     planner.follow = (struct interpolation){.mode = ability.mode, .chain = &own.chain};
     planner.clearance = clear_height(path);
+    plan->top = top_of(path, machine);
     array_reserve(&plan->move, path->item.n + path->item.n / 16); /* most are blocks as they are */
     planner.near = ik_near_table(&own.chain);
     planner.safe_radius = post_ik_safe_radius(machine);

@@ -9,6 +9,7 @@
 #include "base/num.h"
 #include "post_ik.h"
 #include "post_program.h"
+#include "post_rewind.h"
 
 /* How long a program is, or may be at its ends. */
 struct length {
@@ -18,13 +19,16 @@ struct length {
 /* ---- part of a plan as a program of its own */
 
 enum {
-    MADE = 8,  /* moves that may be added to a part: tool, plane, two statements, down, and up */
+    MADE =
+        9, /* moves that may be added to a part: tool, plane, two statements, over the part, down,
+                  and up */
     CYCLE = 18 /* blocks of a drilling cycle that is said anew in it */
 };
 
-/* Off the part along the tool axis from where a move ends. */
+/* Off the part along the tool axis from where a move ends, as far as the machine's `retract` and up
+ * to the plan's top; `high`: up to there alone, and no further than it goes. */
 static int retract_from(struct nc_move *up, const struct nc_program *whole,
-                        const struct nc_move *from, struct error *error)
+                        const struct nc_move *from, bool high, struct error *error)
 {
     struct nc_plan plan = *whole->plan;
     struct nc_planner planner = {
@@ -37,7 +41,9 @@ static int retract_from(struct nc_move *up, const struct nc_program *whole,
     struct pose pose = {at.p, vec_unit(at.a)};
     if (plan.ability.mode == INTERPOLATE_JOINT)
         pose.p = chain_tip(chain, at.p, at.q);
-    pose.p = vec_along(pose.p, whole->machine->retract, pose.a);
+    if (!high)
+        pose.p = vec_along(pose.p, whole->machine->retract, pose.a);
+    pose = post_rewind_above(&planner, pose);
     struct machine_pose target = post_ik_pose(&planner, pose, at.q);
     *up = *from; /* the tool axis and the rotary axes as they are */
     up->kind = NC_RAPID;
@@ -45,6 +51,19 @@ static int retract_from(struct nc_move *up, const struct nc_program *whole,
     up->p = target.at.p;
     up->feed = 0;
     return post_ik_check_linear(&planner, &target);
+}
+
+/* The part begins with this move, or above it where the path still rises above it. */
+static void begin_above(struct nc_plan *part, const struct nc_program *whole,
+                        const struct nc_move *first)
+{
+    struct error unheard;
+    struct nc_move over;
+    struct block_pose at = nc_plan_pose(whole->plan, &whole->machine->chain, first);
+    if (whole->plan->ability.mode == INTERPOLATE_JOINT)
+        at.p = chain_tip(&whole->machine->chain, at.p, at.q);
+    if (at.p.z < whole->plan->top - 1e-6 && retract_from(&over, whole, first, true, &unheard) == 0)
+        *array_push(&part->move) = over;
 }
 
 /* The feed with which the tool comes down again to where `to` starts. */
@@ -102,12 +121,17 @@ static int make_part(struct nc_plan *part, const struct nc_program *whole, size_
         struct nc_move over = plan->move.item[first];
         over.kind = NC_RAPID;
         over.why = NC_WHY_PART;
+        begin_above(part, whole, &over);
         *array_push(&part->move) = over;
-    } else if (before && first < to && plan->move.item[first].kind != NC_RAPID) {
-        struct nc_move down = *before;
-        if (before->kind != NC_RAPID &&
-            retract_from(array_push(&part->move), whole, before, error) != 0)
+    } else if (before && first < to && plan->move.item[first].kind == NC_RAPID) {
+        begin_above(part, whole, &plan->move.item[first]);
+    } else if (before && first < to) {
+        struct nc_move down = *before, up;
+        if (before->kind != NC_RAPID && retract_from(&up, whole, before, false, error) != 0)
             return -1;
+        begin_above(part, whole, before->kind != NC_RAPID ? &up : before);
+        if (before->kind != NC_RAPID)
+            *array_push(&part->move) = up;
         down.why = NC_WHY_PART;
         if (before->kind != NC_RAPID) {
             down.kind = NC_LINE;
@@ -119,7 +143,7 @@ static int make_part(struct nc_plan *part, const struct nc_program *whole, size_
         *array_push(&part->move) = plan->move.item[i];
     const struct nc_move *last = last_motion(plan, to);
     if (last && last->kind != NC_RAPID && last->kind != NC_HOLE)
-        return retract_from(array_push(&part->move), whole, last, error);
+        return retract_from(array_push(&part->move), whole, last, false, error);
     return 0;
 }
 

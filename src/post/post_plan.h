@@ -119,6 +119,7 @@ struct nc_plan {
         struct nc_hole *item;
     } hole;
     struct nc_total total;
+    double top;      /* z above which the path never cuts, NAN: not known */
     bool no_vectors; /* rotary words instead: with vectors the control would find no way */
     bool unmet;      /* nc_plan_make failed because the machine cannot get there: exit status 3 */
 };

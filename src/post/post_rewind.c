@@ -37,6 +37,17 @@ struct pose post_rewind_retracted(const struct nc_planner *planner)
     return off;
 }
 
+struct pose post_rewind_above(const struct nc_planner *planner, struct pose pose)
+{
+    double rise = planner->plan->top - pose.p.z;
+    if (!(rise > 1e-6))
+        return pose;
+    bool leads_up = pose.a.z > 0.2;
+    struct vec3 way = leads_up ? pose.a : vec(0, 0, 1);
+    pose.p = vec_along(pose.p, leads_up ? rise / pose.a.z : rise, way);
+    return pose;
+}
+
 /* Retract, turn, return. */
 static int retract_turn_return(struct nc_planner *planner, const double q[])
 {

@@ -10,6 +10,10 @@
  * above all rapids of the path. */
 struct pose post_rewind_retracted(const struct nc_planner *planner);
 
+/* The pose above this one at the plan's top: along the tool axis where that leads up, else along z.
+ * The pose itself where it is as high. */
+struct pose post_rewind_above(const struct nc_planner *planner, struct pose pose);
+
 /* Retracts, turns to the angles nearest to q that have the pose where the program stands, and
  * returns. */
 int post_rewind_to(struct nc_planner *planner, const double q[]);

@@ -42,8 +42,11 @@ static size_t template_value(const struct nc_program *p, enum template_word word
     return num_write_short(text, values[word], angle_or_length ? 4 : 0, false);
 }
 
+/* A key whose value is `none` words no block. */
 void nc_template(struct nc_program *p, const char *own, const char *usual)
 {
+    if (strcmp(own, "none") == 0)
+        return;
     char block[ROOM + NUM_MAX];
     size_t n = 0;
     for (const char *s = *own ? own : usual;; s++) {
@@ -70,6 +73,33 @@ void nc_template(struct nc_program *p, const char *own, const char *usual)
 }
 
 /* ---- words */
+
+struct vec3 nc_above_plane(const struct nc_program *p, const struct nc_move *first)
+{
+    return post_frame_work(p->planes.item[p->at_plane], dialect_of(p->control)->plane_euler,
+                           p->plan->ability.digits.angle, first->p);
+}
+
+bool nc_zero_first(const struct nc_program *p)
+{
+    return p->plan->ability.tcp && p->machine->tcp_frame == TCP_FRAME_ZERO && p->machine->chain.n;
+}
+
+/* The rotary axes at zero, or as near as their travel lets them be. */
+static void zero_angles(const struct nc_program *p, double q[])
+{
+    for (int i = 0; i < ROTARY_MAX; i++) {
+        const struct rotary *r = &p->machine->chain.rotary[i];
+        q[i] = i < p->machine->chain.n ? fmin(fmax(0, r->min), r->max) : 0;
+    }
+}
+
+void nc_rotary_start(struct nc_program *p, const struct nc_move *first)
+{
+    double zero[ROTARY_MAX];
+    zero_angles(p, zero);
+    nc_rotary(p, nc_zero_first(p) ? zero : first->q);
+}
 
 const struct nc_move *nc_first_move(const struct nc_program *p)
 {

@@ -21,6 +21,17 @@ void nc_place(struct nc_program *p, struct vec3 to);
 void nc_rotary(struct nc_program *p, const double q[]);
 void nc_rotary_axes(struct nc_program *p, int n, const double q[]);
 
+/* Tool-centre-point control is switched on with the rotary axes at zero; they turn to the first place
+ * when the tool is above it. */
+bool nc_zero_first(const struct nc_program *p);
+
+/* The rotary words with which the tool leaves home: at zero, or as at the first motion. */
+void nc_rotary_start(struct nc_program *p, const struct nc_move *first);
+
+/* Above the first place in the frame of the work, before the control tilts its plane: there X and Y
+ * of the plane lead nowhere but to that place. */
+struct vec3 nc_above_plane(const struct nc_program *p, const struct nc_move *first);
+
 /* The tool to a safe height, by the machine's template or the control's own. */
 void nc_home(struct nc_program *p, const char *usual);
 

@@ -72,24 +72,48 @@ static bool has_turning_curves(const struct nc_plan *plan)
     return false;
 }
 
-static void transform(struct nc_program *p, const struct nc_move *first)
+/* X Y at rapid, at the height where the tool is. */
+static void go_across(struct nc_program *p, struct vec3 to)
+{
+    int digits = p->plan->ability.digits.linear;
+    nc_motion(&p->w, "G0");
+    nc_modal(&p->w, NC_X, "X", to.x, digits);
+    nc_modal(&p->w, NC_Y, "Y", to.y, digits);
+    nc_end(&p->w);
+}
+
+/* The frame of the work, and how the tool axis is said until it stands as at the first place: by
+ * rotary words, which leave the control no choice between their solutions. */
+static void transform(struct nc_program *p)
 {
     struct nc_writer *w = &p->w;
-    if (!p->plan->ability.tcp) {
-        int digits = p->plan->ability.digits.linear;
-        nc_modal(w, NC_X, "X", first->p.x, digits);
-        nc_modal(w, NC_Y, "Y", first->p.y, digits);
-        nc_end(w);
+    bool vectors = p->plan->ability.mode == INTERPOLATE_VECTOR && !nc_zero_first(p);
+    if (!p->plan->ability.tcp)
         return;
-    }
     nc_template(p, p->machine->blocks.tcp_on, "TRAORI");
     nc_offset(p, "G54");
     nc_end(w);
-    nc_code(w, p->plan->ability.mode == INTERPOLATE_VECTOR ? "ORIWKS ORIVECT" : "ORIWKS ORIAXES");
+    nc_code(w, vectors ? "ORIWKS ORIVECT" : "ORIWKS ORIAXES");
     if (has_turning_curves(p->plan))
         nc_code(w, "UPATH");
     nc_end(w);
     w->motion = NULL;
+}
+
+/* Down to the height of the first place, and there the rotary axes turn. */
+static void go_down(struct nc_program *p, const struct nc_move *first)
+{
+    struct nc_writer *w = &p->w;
+    nc_motion(w, "G0");
+    nc_modal(w, NC_Z, "Z", first->p.z, p->plan->ability.digits.linear);
+    nc_end(w);
+    if (!nc_zero_first(p))
+        return;
+    nc_motion(w, "G0");
+    nc_rotary(p, first->q);
+    nc_end(w);
+    if (p->plan->ability.mode == INTERPOLATE_VECTOR)
+        nc_block(w, "ORIVECT");
 }
 
 static void start(struct nc_program *p)
@@ -100,6 +124,7 @@ static void start(struct nc_program *p)
     nc_code(w, p->plan->ability.unit > 1 ? "G90 G17 G700 G40 G94" : "G90 G17 G71 G40 G94");
     nc_offset(p, "G54");
     nc_end(w);
+    nc_template(p, p->machine->blocks.safe, p->turned ? "TRAFOOF|CYCLE800()" : "TRAFOOF");
     nc_template(p, p->machine->blocks.start, "");
     nc_home(p, home);
 }
@@ -111,21 +136,28 @@ static void load(struct nc_program *p)
     nc_spindle(p);
 }
 
-/* The tool's length, off on the way home; the rotary axes to the first place. */
+/* The tool's length, off on the way home; then as gcode_engage. */
 static void engage(struct nc_program *p)
 {
     struct nc_writer *w = &p->w;
     const struct nc_move *first = nc_first_move(p);
     if (!p->tooling.number || p->same_tool)
         nc_block(w, "D1");
-    if (p->plane)
+    if (p->plane) {
+        go_across(p, nc_above_plane(p, first));
         nc_template(p, p->machine->blocks.plane_on,
                     "CYCLE800(0,\"\",100000,57,0,0,0,{a},{b},0,0,0,0,1,0,1)");
-    nc_motion(w, "G0");
-    nc_rotary(p, first->q);
-    if (p->machine->chain.n)
+        nc_forget(w, NC_X, NC_Z);
+        w->motion = NULL;
+    }
+    if (p->machine->chain.n) {
+        nc_motion(w, "G0");
+        nc_rotary_start(p, first);
         nc_end(w);
-    transform(p, first);
+    }
+    transform(p);
+    go_across(p, first->p);
+    go_down(p, first);
     nc_coolant(p);
     if (p->machine->smooth)
         nc_template(p, p->machine->blocks.smooth_on, "CYCLE832({tolerance},11,{orientation})");

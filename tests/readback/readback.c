@@ -200,8 +200,9 @@ static bool drive(const struct nc_motion *motion, const struct options *o)
         double turn = turn_on_the_spot(motion, i);
         if (turned == 0)
             first = i;
-        if (turned < 30 && turned + turn >= 30) {
-            least = fmin(least, off_cut(motion, first));
+        double off = turned < 30 && turned + turn >= 30 ? off_cut(motion, first) : HUGE_VAL;
+        if (off < HUGE_VAL) { /* before the first cut the axes have to turn somewhere */
+            least = fmin(least, off);
             turns++;
         }
         turned = turn > 0 ? turned + turn : 0;

@@ -104,7 +104,7 @@ posts "IPR" 'F5080\.' 'SPINDL/2000,RPM' 'FEDRAT/.1,IPR' 'GOTO/0,0,9' 'GOTO/5,0,9
 posts "MMPR" 'F200\.' 'SPINDL/2000,RPM' 'FEDRAT/MMPR,.1' 'GOTO/0,0,9' 'GOTO/5,0,9' FINI
 posts "PERMIN" 'F141\.' 'FEDRAT/PERMIN,141' 'GOTO/0,0,9' 'GOTO/5,0,9' FINI
 posts "INVERS: 4 a minute over 5 mm" 'F20\.' 'GOTO/0,0,9' 'FEDRAT/INVERS,4' 'GOTO/5,0,9' FINI
-posts "FROM and GODLTA" 'X7\. Y2\. Z58\.' 'FROM/5,2,9' 'GODLTA/2,0,-1' 'GOTO/9,9,9' FINI
+posts "FROM and GODLTA" 'Z58\.' 'FROM/5,2,9' 'GODLTA/2,0,-1' 'GOTO/9,9,9' FINI
 posts "ORIGIN is taken away" 'X4\. Y3\.' 'ORIGIN/1,2,3' 'GOTO/0,0,9' 'GOTO/5,5,9' FINI
 posts "TRANS is added" 'X6\. Y7\.' 'TRANS/1,2,3' 'GOTO/0,0,9' 'GOTO/5,5,9' FINI
 posts "DELAY" 'G4 X1\.5' 'GOTO/0,0,9' 'DELAY/1.5' 'GOTO/5,5,9' FINI

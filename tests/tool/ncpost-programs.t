@@ -127,7 +127,7 @@ ok "as they are" "$READBACK" -c siemens --path "$TMP/steep-5.cl" -e 0.0001 --axi
 ncpost -q -c fanuc "$TMP/steep-5.cl" >f.nc
 has "Fanuc: a cubic beside it" 'G06\.2 P4 ' f.nc
 ncpost -q -c siemens "$TMP/wave-arcs.cl" >a.mpf
-has "Siemens: the head on the curve's parameter" 'ORIWKS ORIVECT UPATH$' s.mpf
+has "Siemens: the head on the curve's parameter" 'ORIWKS ORIAXES UPATH$' s.mpf
 has "the compressor off" '^N[0-9]+ COMPOF$' s.mpf
 hasnt "not without curves" 'UPATH|COMPOF' a.mpf
 has "Siemens: arcs in space" 'CIP X.*I1=AC\(.*A3=' a.mpf
@@ -164,7 +164,7 @@ for file in n.nc n.ngc; do
 done
 hasnt "inverse time: never F0" ' F0?\.?0*$' n.nc
 hasnt "inverse time: no arcs" ' G[23] ' n.nc
-awk '/G43\.4/ { on = 1 } /G49$/ { on = 0 } on && /G28|G53/ { print }' f.nc >bad
+awk '/G43\.4/ { on = 1 } /G49/ { on = 0 } on && /G28|G53/ { print }' f.nc >bad
 empty "no retract by G28 under G43.4" bad
 has "M30 comes before the last line" '^N[0-9]+ M30$' f.nc
 has "the ledger stands in the head" '^\(TOLERANCE SUM +0\.0[0-9]+ MM' f.nc
@@ -315,7 +315,7 @@ ok "not even part of one" test ! -e half.nc
 printf 'UNITS/MM\nGOTO/0,0,9\nGOTO/5,0,9\nFINI\n' >bare.cl
 status 0 "a path without feed, rapid or tool" ncpost -c siemens bare.cl
 has "says the feed it took" 'used 500 mm/min' err
-has "comes from above" 'G0 X0 Y0 Z59' out
+has "comes from above" ' Z59$' out
 ncpost -q -c fanuc "$golden/shapes.cl" >a.nc
 ncpost -q -c fanuc -m table-ac -j 3 "$golden/shapes.cl" >b.nc
 same "table-ac is the default machine" a.nc b.nc
@@ -408,7 +408,7 @@ for control in fanuc siemens heidenhain; do
 	status 0 "$control: 3+2" ncpost -c $control --plane plane.cl
 	plane_back out
 	has "the places in the plane are those of the path" '^5 of 5$' found
-	hasnt "no words of tool-centre-point control" 'G43\.[45]|TRAORI|TCPM' out
+	hasnt "no words of tool-centre-point control" 'G43\.[45]|TRAORI|FUNCTION TCPM' out
 done
 has "an arc in the plane is an arc" ' C X.* DR\+' out
 
@@ -541,13 +541,13 @@ ok "a whole program" "$READBACK" -c fanuc three.nc
 status 1 "--from a pass that is not there" ncpost -c fanuc --from 9 "$golden/shapes.cl"
 
 # ---- where a block comes from
-status 0 "--explain" ncpost -c fanuc --explain 140 "$golden/shapes.cl"
-has "the block" '^N140 G3 X20\.98 ' out
+status 0 "--explain" ncpost -c fanuc --explain 170 "$golden/shapes.cl"
+has "the block" '^N170 G3 X20\.98 ' out
 has "its line of the path, pass and rule" 'shapes\.cl:21: pass 2, arc: as the path says it' out
 status 0 "--explain with a contact point" ncpost -c fanuc --explain 120 hollow.cl
 has "names it" '^contact [0-9.]+ 0\.000000 [0-9.]+, normal' out
 status 1 "--explain a block that is not there" ncpost -c fanuc --explain 5000 "$golden/shapes.cl"
-has "names the last" 'the last one is 940' err
+has "names the last" 'the last one is 960' err
 
 # ---- the self-test of every machine: the tip stays where it is
 for machine in "$SRC"/machines/*.txt; do
