@@ -63,13 +63,29 @@ static void key_line(struct nc_program *p, const char *key, const char *text)
     }
 }
 
+/* " FLUTE 20 HOLDER 5:60" */
+static void body_text(const struct tool_body *body, char *text, size_t size)
+{
+    char r0[NUM_MAX], r1[NUM_MAX], length[NUM_MAX];
+    num_write_short(length, body->flute, 4, false);
+    size_t n = (size_t)snprintf(text, size, body->ball_only ? " BALL-ONLY" : " FLUTE %s", length);
+    for (int i = 0; i < body->above.n && !body->ball_only && n < size; i++) {
+        const struct holder_part *part = &body->above.part[i];
+        bool cone = part->low != part->high;
+        num_write_short(r0, part->low, 4, false);
+        num_write_short(r1, part->high, 4, false);
+        num_write_short(length, part->length, 4, false);
+        n += (size_t)snprintf(text + n, size - n, "%s%s%s%s:%s", i ? "+" : " HOLDER ", r0,
+                              cone ? ":" : "", cone ? r1 : "", length);
+    }
+}
+
 /* What ncverify reads back of the tool, of the first one: TOOL: BALL R5 FLUTE 20 HOLDER 5:60. */
 static void tool_key(struct nc_program *p)
 {
     const struct path_head *head = &p->path->head;
-    const char *more = path_says(p->path, "TOOL");
     double unit = p->plan->ability.unit, ball = path_ball(p->path);
-    char text[600], d[NUM_MAX], r[NUM_MAX];
+    char text[1200], body[1000] = "", d[NUM_MAX], r[NUM_MAX];
     if (!head->cutter_n)
         return;
     num_write_short(d, unit * head->cutter[0], 4, false);
@@ -78,8 +94,10 @@ static void tool_key(struct nc_program *p)
                             : head->cutter_n > 1 ? head->cutter[1]
                                                  : 0),
                     4, false);
+    if (head->body_given)
+        body_text(&head->body, body, sizeof body);
     if (ball > 0)
-        snprintf(text, sizeof text, "BALL R%.20s%s%.500s", r, more ? " " : "", more ? more : "");
+        snprintf(text, sizeof text, "BALL R%.20s%s", r, body);
     else
         snprintf(text, sizeof text, "CUTTER D%.20s R%.20s", d, r);
     key_line(p, "TOOL", text);
@@ -129,12 +147,12 @@ static void head_ledger(struct nc_program *p)
 /* SCALLOP: 0.02 TOLERANCE: 0.01, and the scans by which the path was guarded; mm. */
 static void surface_keys(struct nc_program *p)
 {
-    const char *scallop = path_says(p->path, "SCALLOP"), *scan = path_says(p->path, "SCAN");
+    double scallop = p->path->head.scallop;
+    const char *scan = path_says(p->path, "SCAN");
     char said[NUM_MAX], sum[NUM_MAX];
-    double high;
     num_write_short(sum, rounded_up(nc_ledger_sum(p->path, p->plan)), 4, false);
-    if (scallop && num_read(&scallop, &high) && high > 0) {
-        num_write_short(said, high, 4, false);
+    if (scallop > 0) {
+        num_write_short(said, scallop, 4, false);
         nc_comment(&p->w, "SCALLOP: %.20s TOLERANCE: %.20s", said, sum);
     } else {
         nc_comment(&p->w, "TOLERANCE: %.20s", sum);

@@ -11,7 +11,7 @@ CUTTER/10,5
 LOADTL/1
 SPINDL/RPM,8000,CLW
 \$\$-> CLOUDMILL/1
-\$\$-> TOOL FLUTE 20 HOLDER 5:60
+\$\$-> TOOL/FLUTE,20,HOLDER,5:60
 \$\$-> LEDGER/meshnorm,0.004
 \$\$-> SCALLOP/0.02
 \$\$-> SCAN/26493,0123456789abcdef,$long
@@ -21,7 +21,7 @@ GOTO/10,0,0
 FINI
 END
 sed 's/^CUTTER.*/CUTTER\/10,2/; /\$\$->/d' tool.cl >flat.cl
-sed 's/TOOL FLUTE.*/TOOL BALL-ONLY/; /SCALLOP\|SCAN/d' tool.cl >ball.cl
+sed 's/TOOL\/.*/TOOL\/BALL-ONLY/; /SCALLOP\|SCAN/d' tool.cl >ball.cl
 head_of() { # CONTROL PATH: its comments without numbers and signs around
 	ncpost -q -c "$1" "$2" >program
 	sed -n 's/^[0-9 ]*\(;\|(\) *\([A-Z+]*:\)/\2/p' program | sed 's/)$//'
