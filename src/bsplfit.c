@@ -130,9 +130,11 @@ int main(int argc, char **argv)
         {'e', "tolerance", "MM", "largest distance of tip and ball centre from the path (0.01)",
          CLI_NUMBER, &s.common.tolerance, 1e-5, 10, 0, &s.common.tolerance_given},
         {'g', "guard", "FILE",
-         "keep the ball clear of this scan, within the tolerance, also along the\n"
-         "curves (may be given several times)",
-         CLI_LIST, &s.common.gouge.files, 0, 0, 0, NULL},
+         "keep the tool clear of this scan, within the tolerance, also along the\n"
+         "curves (default: the one that the path names)",
+         CLI_LIST, &s.common.gouge.scan.files, 0, 0, 0, NULL},
+        {0, "no-guard", NULL, "by no scan, not even the one that the path names", CLI_FLAG,
+         &s.common.gouge.scan.none, 0, 0, 0, NULL},
         {0, "noise", "SIGMA", "standard deviation of the scan's noise (default: measured)",
          CLI_NUMBER, &s.common.gouge.noise, 0, 10, 0, NULL},
         EFFORT_OPTION(&s.common.gouge.effort),

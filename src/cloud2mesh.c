@@ -184,12 +184,13 @@ int main(int argc, char **argv)
     struct settings settings = read_options(&cli, argc, argv);
     struct vec3s points = {0};
     struct mesh mesh = {.origin.ledger = NAN};
+    struct scan_sources scan = {0};
 
     struct error error;
     size_t left_out;
 
     const char *name = name_of(&cli);
-    if (cloud_prepare_read(cli.file, cli.files, &points, &left_out, &error) < 0 ||
+    if (cloud_prepare_read(cli.file, cli.files, &points, &scan, &left_out, &error) < 0 ||
         cloud_prepare_place(&points, unit_name[settings.unit], settings.matrix, settings.origin,
                             &mesh.origin, &error) < 0)
         die_error(&error);
@@ -211,6 +212,7 @@ int main(int argc, char **argv)
          "%zu facets",
          read, left_out, result.grid.t, result.grid.rows, result.grid.columns, mesh.vertex.n,
          mesh.face.n);
+    mesh.origin.scan = scan;
     mesh.origin.source = mem_string(name, strlen(name));
 
     struct out *out = out_open(cli.output);

@@ -127,7 +127,7 @@ static void find_planes(const struct mesh *mesh, const struct mesh_part *part, d
     p->rule = upright ? plane_passes_upright(angle, path_options.radius)
                       : plane_passes_along(part, path_options.radius);
     /* A node that random points do not have makes no hole: where the scan guards, rows go on. */
-    if (path_options.guards.n > 0 && spacing > 0) {
+    if (path_options.guarded && spacing > 0) {
         p->rule.gap = 2 * spacing;
         p->rule.bare = 0.6 * spacing;
     }
@@ -232,6 +232,8 @@ int main(int argc, char **argv)
     if (cli.files > 1)
         die_usage("found %d files, expected one mesh", cli.files);
     read_mesh(cli.file[0], &mesh, &rows);
+    if (path_options_scan(&mesh, &error) != 0)
+        die_error(&error);
     if (scallop > 0)
         find_all_planes(&mesh, &rows, &planes);
     double distance = scallop > 0 ? planes.widest : rows.distance;

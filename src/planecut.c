@@ -75,7 +75,7 @@ static void check_radius(const char *file, const struct mesh *mesh)
         say("%s: the mesh has no curvatures (kmax), so that it is not known whether the ball "
             "fits everywhere: it is lifted where it does not",
             file);
-    if (!h.known || h.tighter == 0 || path_options.avoid || path_options.guards.n > 0)
+    if (!h.known || h.tighter == 0 || path_options.avoid || path_options.guarded)
         return;
     die_unmet("%s: found a hollow of radius %.3f at %.3f %.3f %.3f%s%s, expected none "
               "below the ball's, %g (%zu %s too tight for it): take a smaller ball, or --avoid",
@@ -181,6 +181,8 @@ int main(int argc, char **argv)
     if (cli.files > 1)
         die_usage("found %d files, expected one mesh", cli.files);
     if (mesh_for_planes_read(cli.file[0], vec(0, 0, 1), &mesh, &closed, &error) != 0)
+        die_error(&error);
+    if (path_options_scan(&mesh, &error) != 0)
         die_error(&error);
     check_radius(cli.file[0], &mesh);
     set_pass_options(&t.lift.axis, &mesh, closed, &planes);

@@ -27,6 +27,8 @@ void out_take(struct out *o, size_t n);
 
 /* x with `digits` decimals as num_write writes it. */
 void out_num(struct out *o, double x, int digits);
+/* x with the fewest digits that read back as the same number. */
+void out_exact(struct out *o, double x);
 void out_int(struct out *o, long long i);
 
 /* Writes what is left, checks it and gives the file its name. */

@@ -19,6 +19,7 @@
 #include "math/faces.h"
 #include "math/transform.h"
 #include "math/vec.h"
+#include "mesh/scan_source.h"
 
 /* One of the surfaces that a mesh was made from: where it is most tightly hollow. */
 struct mesh_surface {
@@ -57,6 +58,7 @@ struct mesh_origin {
     struct mesh_parts part;       /* by rising row; none: it is one, seen from above */
     bool placed;                  /* `place` is more than the identity */
     struct transform place;       /* from the scan's own numbers (its units) to this mesh's mm */
+    struct scan_sources scan;     /* the files it was made from; placed as `place` says */
 };
 
 struct mesh {

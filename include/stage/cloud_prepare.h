@@ -12,10 +12,11 @@
 #include "mesh/mesh.h"
 #include "math/vec.h"
 
-/* Reads all files as one cloud, in their own units, and says what was skipped.  Returns 0, and
- * in *left_out how many rows were no points; -1: an error with its place. */
-int cloud_prepare_read(char **file, int files, struct vec3s *points, size_t *left_out,
-                       struct error *error);
+/* Reads all files as one cloud, in their own units, and says what was skipped.  Returns 0, in
+ * *scan what the files are, and in *left_out how many rows were no points; -1: an error with its
+ * place. */
+int cloud_prepare_read(char **file, int files, struct vec3s *points, struct scan_sources *scan,
+                       size_t *left_out, struct error *error);
 
 /* Unit, matrix (a file, or NULL), lowest leftmost point as origin (paper 1, 3.1), in this order,
  * into the points and the mesh's record of its place.  -1: the matrix cannot be read. */

@@ -9,19 +9,26 @@
 #include "gouge/gouge_refit.h"
 #include "io/path/path.h"
 
+/* Which scan: the files of -g, or the one that the stream names, or with --no-guard none. */
+struct guard_choice {
+    struct cli_list files;
+    bool none;
+};
+
 struct gouge_options {
-    struct cli_list files; /* none: nothing is kept clear of */
-    double noise;          /* of the scan, mm; negative: as found (guard_read.h) */
-    double effort;         /* base/effort.h */
+    struct guard_choice scan;
+    double noise;  /* of the scan, mm; negative: as found (guard_read.h) */
+    double effort; /* base/effort.h */
 };
 
 /*
  * Reads the scan, in the coordinates of the path, for a ball that may go `tolerance` mm deep, as
  * densely as the path's maker did (by the last entry of its ledger, within a tenth and four times
- * that tolerance).  *refit owns it: gouge_refit_free.  -1 also when the path has no ball cutter, or
- * is clearly elsewhere.
+ * that tolerance).  *refit owns it: gouge_refit_free; without a scan it has no guard.  The path's
+ * head then names the scan that guards.  With `paper` only -g does.  -1 also when the path has no ball cutter, or is clearly
+ * elsewhere.
  */
-int gouge_options_read(const struct gouge_options *options, const struct path *path,
+int gouge_options_read(const struct gouge_options *options, struct path *path, bool paper,
                        double tolerance, int threads, struct gouge_refit_options *refit,
                        struct error *error);
 

@@ -9,6 +9,7 @@
 #include "gouge/gouge.h"
 #include "mesh/mesh.h"
 #include "stage/tool_options.h"
+#include "stage/gouge_options.h"
 #include "stage/toolpath.h"
 
 /* The values of the options, before cli_parse their defaults. */
@@ -25,7 +26,8 @@ struct path_options {
     bool lean_given, fixed_given, to_given, from_given, circle_given;
     const char *partno;
     struct tool_options body;
-    struct cli_list guards;
+    struct guard_choice guard;
+    bool guarded; /* by a scan: path_options_scan */
 };
 
 extern struct path_options path_options;
@@ -35,8 +37,12 @@ extern const struct cli_option path_option_table[]; /* for cli.more */
  * the axis.  -1: an error of usage. */
 int path_options_check(struct tool_axis_options *axis, struct error *error);
 
+/* Reads the scan that is to guard: that of -g, or the one that the mesh names.  -1: one of -g can't
+ * be read. */
+int path_options_scan(const struct mesh *mesh, struct error *error);
+
 /*
- * What the ball is kept clear of: the scans of -g, or the mesh sampled so finely that the ball
+ * What the ball is kept clear of: that scan, or the mesh sampled so finely that the ball
  * sinks in by less than SINK.  A scan is refused if most vertices are further than `near` mm from
  * it. *guard is NULL with --paper.
  */

@@ -179,6 +179,19 @@ void out_num(struct out *o, double x, int digits)
     o->n += num_write(o->buf + o->n, x, digits);
 }
 
+void out_exact(struct out *o, double x)
+{
+    char text[40];
+    double back;
+
+    for (int digits = 15; digits <= 17; digits++) {
+        snprintf(text, sizeof text, "%.*g", digits, x == 0 ? 0 : x);
+        if (num_whole(text, &back) && !(back < x) && !(back > x))
+            break;
+    }
+    out_text(o, text);
+}
+
 void out_int(struct out *o, long long i)
 {
     char digit[24], *first = digit + sizeof digit;

@@ -21,6 +21,7 @@ void mesh_free(struct mesh *mesh)
         free(mesh->origin.surface.item[i].name);
     array_free(&mesh->origin.surface);
     array_free(&mesh->origin.part);
+    scan_sources_free(&mesh->origin.scan);
 }
 
 struct vec3 mesh_face_cross(const struct mesh *mesh, size_t face)

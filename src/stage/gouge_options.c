@@ -31,27 +31,51 @@ static double scan_tolerance(const struct path *path, double tolerance)
     return fmin(fmax(made, closest * tolerance), widest * tolerance);
 }
 
-int gouge_options_read(const struct gouge_options *options, const struct path *path,
+/* The scan that guards; with --paper only that of -g. */
+static int find_scan(const struct gouge_options *options, struct path *path, bool paper,
+                     struct guard_scan *scan, struct error *error)
+{
+    const struct scan_sources none = {.placed = path->head.scan.placed,
+                                      .place = path->head.scan.place};
+
+    if (guard_scan_read(&options->scan, paper ? &none : &path->head.scan, "the path",
+                        "what is fitted is not checked", scan, error) != 0)
+        return -1;
+    scan_sources_free(&path->head.scan);
+    path->head.scan = scan_sources_copy(&scan->source);
+    return 0;
+}
+
+int gouge_options_read(const struct gouge_options *options, struct path *path, bool paper,
                        double tolerance, int threads, struct gouge_refit_options *refit,
                        struct error *error)
 {
-    struct guard_read_options scan = {.radius = path_ball(path),
+    struct guard_read_options rule = {.radius = path_ball(path),
                                       .tolerance = scan_tolerance(path, tolerance),
                                       .noise = options->noise,
                                       .effort = options->effort,
                                       .threads = threads};
+    bool ball = rule.radius > 0 && path->head.track != TRACK_CONTACT;
+    struct guard_scan scan;
 
     *refit = (struct gouge_refit_options){
-        .radius = scan.radius, .tolerance = tolerance, .centre = path->head.track == TRACK_CENTRE};
-    if (options->files.n == 0)
-        return 0;
-    if (!(scan.radius > 0) || path->head.track == TRACK_CONTACT)
+        .radius = rule.radius, .tolerance = tolerance, .centre = path->head.track == TRACK_CENTRE};
+    if (!ball && options->scan.files.n > 0)
         return error_at(error, path->name, 0,
                         "found no path of a ball cutter, expected one to guard by a scan");
-    struct vec3s ball = balls_of(path);
-    refit->guard = guard_read_points(&options->files, &ball, 3 * scan.radius, &scan, error);
-    array_free(&ball);
-    array_free(&scan.certain);
-    array_free(&scan.doubtful);
-    return refit->guard ? 0 : -1;
+    if (!ball)
+        return 0;
+    if (find_scan(options, path, paper, &scan, error) != 0)
+        return -1;
+    if (scan.point.n > 0) {
+        struct vec3s place = balls_of(path);
+        refit->guard = guard_read_points(&scan, &place, 3 * rule.radius, &rule, error);
+        array_free(&place);
+        array_free(&rule.certain);
+        array_free(&rule.doubtful);
+        if (!refit->guard)
+            return -1;
+    }
+    guard_scan_free(&scan);
+    return 0;
 }

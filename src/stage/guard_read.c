@@ -11,26 +11,93 @@
 #include "gouge/guard_points.h"
 #include "cloud/outliers.h"
 
-/* `placed`: how, NULL: as they are. */
-static int read_points(const struct cli_list *files, const struct transform *placed,
-                       struct vec3s *points, struct error *error)
+/* Appends a file's points; says what was left out of them. */
+static int read_file(const char *name, struct vec3s *points, struct error *error)
+{
+    struct cloud_count count = {0};
+    size_t from = points->n;
+
+    if (cloud_read(name, points, &count, error) != 0)
+        return -1;
+    if (points->n == from)
+        return error_at(error, name, 0, "found no points");
+    if (count.not_finite > 0)
+        say("%s: %zu rows without finite numbers left out, the first in line %zu", name,
+            count.not_finite, count.first_not_finite);
+    return 0;
+}
+
+/* The files of -g. */
+static int read_given(const struct cli_list *files, struct guard_scan *scan, struct error *error)
 {
     for (size_t f = 0; f < files->n; f++) {
-        struct cloud_count count = {0};
-        size_t from = points->n;
-        if (cloud_read(files->item[f], points, &count, error) != 0)
+        size_t from = scan->point.n;
+        if (read_file(files->item[f], &scan->point, error) != 0)
             return -1;
-        if (points->n == from)
-            return error_at(error, files->item[f], 0, "found no points");
-        if (count.not_finite > 0)
-            say("%s: %zu rows without finite numbers left out, the first in line %zu",
-                files->item[f], count.not_finite, count.first_not_finite);
-        if (placed)
-            transform_points(placed, points->item + from, points->n - from);
+        scan_sources_add(&scan->source, files->item[f], scan->point.item + from,
+                         scan->point.n - from);
     }
-    if (placed)
-        say("the scan to guard is placed as the mesh was");
     return 0;
+}
+
+/* The file that a stream names, if it is still what it was; -1, and why not. */
+static int read_named(const struct scan_source *source, struct vec3s *points, struct error *why)
+{
+    size_t from = points->n;
+
+    if (strcmp(source->name, "-") == 0)
+        return error_set(why, "it was read from standard input");
+    if (read_file(source->name, points, why) != 0)
+        return -1;
+    size_t n = points->n - from;
+    if (n != source->points)
+        return error_at(why, source->name, 0, "found %zu points, expected %llu: it has changed", n,
+                        (unsigned long long)source->points);
+    if (scan_source_hash(points->item + from, n) != source->hash)
+        return error_at(why, source->name, 0, "found other points, as many: it has changed");
+    return 0;
+}
+
+/* The files that a stream names, all of them or none. */
+static void read_all_named(const struct scan_sources *named, const char *stream,
+                           const char *instead, struct guard_scan *scan)
+{
+    struct error why;
+
+    for (size_t f = 0; f < named->n; f++)
+        if (read_named(&named->item[f], &scan->point, &why) != 0) {
+            array_free(&scan->point);
+            say("the scan that %s names does not guard: %s; %s (-g FILE names it)", stream,
+                why.text, instead);
+            break;
+        }
+    scan->source = scan_sources_copy(named);
+}
+
+int guard_scan_read(const struct guard_choice *choice, const struct scan_sources *named,
+                    const char *stream, const char *instead, struct guard_scan *scan,
+                    struct error *error)
+{
+    *scan = (struct guard_scan){.point = {0}};
+    if (choice->none)
+        return 0;
+    if (choice->files.n == 0)
+        read_all_named(named, stream, instead, scan);
+    else if (read_given(&choice->files, scan, error) != 0)
+        return -1;
+    scan->source.placed = named->placed;
+    scan->source.place = named->place;
+    if (scan->point.n > 0 && named->placed) {
+        transform_points(&named->place, scan->point.item, scan->point.n);
+        say("the scan to guard is placed as the mesh was");
+    }
+    return 0;
+}
+
+void guard_scan_free(struct guard_scan *scan)
+{
+    array_free(&scan->point);
+    scan_sources_free(&scan->source);
 }
 
 /* How many places have no guard point within `near`. */
@@ -135,37 +202,33 @@ static struct gouge_check *gouge_of(struct vec3s *points, const struct mesh *mes
 }
 
 /* mesh: NULL where there is none. */
-static struct gouge_check *read_guard(const struct cli_list *files, const struct mesh *mesh,
+static struct gouge_check *read_guard(struct guard_scan *scan, const struct mesh *mesh,
                                       const struct vec3s *place_of, const char *what, double near,
                                       struct guard_read_options *rule, struct error *error)
 {
-    const struct transform *placed = mesh && mesh->origin.placed ? &mesh->origin.place : NULL;
-    struct vec3s points = {0};
-    struct gouge_check *guard = NULL;
+    struct gouge_check *guard = gouge_of(&scan->point, mesh, rule, error);
 
-    if (read_points(files, placed, &points, error) == 0)
-        guard = gouge_of(&points, mesh, rule, error);
-    array_free(&points);
+    array_free(&scan->point);
     size_t far = guard ? far_places(place_of, guard, near) : 0;
     if (!guard || 2 * far <= place_of->n)
         return guard;
     gouge_free(guard);
-    error_at(error, files->item[0], 0,
+    error_at(error, scan->source.item[0].name, 0,
              "found %zu of %zu %s further than %.3g mm from the scan, expected the scan that the "
              "mesh was made from",
              far, place_of->n, what, near);
     return NULL;
 }
 
-struct gouge_check *guard_read(const struct cli_list *files, const struct mesh *mesh, double near,
+struct gouge_check *guard_read(struct guard_scan *scan, const struct mesh *mesh, double near,
                                struct guard_read_options *rule, struct error *error)
 {
-    return read_guard(files, mesh, &mesh->vertex, "mesh vertices", near, rule, error);
+    return read_guard(scan, mesh, &mesh->vertex, "mesh vertices", near, rule, error);
 }
 
-struct gouge_check *guard_read_points(const struct cli_list *files, const struct vec3s *place,
+struct gouge_check *guard_read_points(struct guard_scan *scan, const struct vec3s *place,
                                       double near, struct guard_read_options *rule,
                                       struct error *error)
 {
-    return read_guard(files, NULL, place, "points of the path", near, rule, error);
+    return read_guard(scan, NULL, place, "points of the path", near, rule, error);
 }

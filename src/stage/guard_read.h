@@ -8,6 +8,25 @@
 #include "base/cli.h"
 #include "gouge/gouge.h"
 #include "mesh/mesh.h"
+#include "stage/gouge_options.h"
+
+/* The scan that guards. */
+struct guard_scan {
+    struct vec3s point;         /* of all its files, placed, mm; none: no scan guards */
+    struct scan_sources source; /* what a stream is to name: also where it can't be had */
+};
+
+/*
+ * Reads it.  Files are placed as `named` says that the mesh was (turned, shifted, or from other
+ * units), those of -g too.  If the scan that `stream` ("the mesh") names was piped in, can't be
+ * read, or is not what it was (number and hash of its points), this is said, with what guards
+ * `instead`, and there are no points.  -1: a file of -g can't be read or has no points.
+ */
+int guard_scan_read(const struct guard_choice *choice, const struct scan_sources *named,
+                    const char *stream, const char *instead, struct guard_scan *scan,
+                    struct error *error);
+
+void guard_scan_free(struct guard_scan *scan);
 
 /* What is made of the points: guard_points.h. */
 struct guard_read_options {
@@ -21,17 +40,15 @@ struct guard_read_options {
 };
 
 /*
- * The gouge check of the points of all files and of the mesh's sharp edges, in the mesh's mm:
- * placed as the mesh was, if its stream says that it was placed (turned, shifted, or from other
- * units), else as they are.  NULL if a file can't be read or has no points, or if the mesh is
- * clearly elsewhere: more than half of its vertices further than `near` mm from every point of the
- * scan.  rule->noise becomes what was taken out.
+ * The gouge check of the scan's points, which are freed, and of the mesh's sharp edges.  NULL if
+ * there are too many points, or if the mesh is clearly elsewhere: more than half of its vertices
+ * further than `near` mm from every point of the scan.  rule->noise becomes what was taken out.
  */
-struct gouge_check *guard_read(const struct cli_list *files, const struct mesh *mesh, double near,
+struct gouge_check *guard_read(struct guard_scan *scan, const struct mesh *mesh, double near,
                                struct guard_read_options *rule, struct error *error);
 
-/* The same for the points of a path, with the scan as it is. */
-struct gouge_check *guard_read_points(const struct cli_list *files, const struct vec3s *place,
+/* The same for the points of a path. */
+struct gouge_check *guard_read_points(struct guard_scan *scan, const struct vec3s *place,
                                       double near, struct guard_read_options *rule,
                                       struct error *error);
 

@@ -31,8 +31,10 @@ struct path_options path_options = {.tilt = 15,
 
 /* clang-format off */
 const struct cli_option path_option_table[] = {
-    {'g', "guard", "FILE", "keep the ball clear of all points of this scan, not only of the mesh\n"
-     "(may be given several times)", CLI_LIST, &path_options.guards, 0, 0, 0, NULL},
+    {'g', "guard", "FILE", "keep the tool clear of all points of this scan (default: the one that\n"
+     "the mesh was made from; may be given several times)", CLI_LIST, &path_options.guard.files, 0, 0, 0, NULL},
+    {0, "no-guard", NULL, "by no scan, not even the one that the mesh was made from",
+     CLI_FLAG, &path_options.guard.none, 0, 0, 0, NULL},
     {0, "noise", "SIGMA", "standard deviation of the noise to remove from the scan of -g\n"
      "(default: measured; 0: the points as they are)",
      CLI_NUMBER, &path_options.noise, 0, 10, 0, NULL},
@@ -134,8 +136,10 @@ int path_options_check(struct tool_axis_options *axis, struct error *error)
 
     if (c->radius == 0)
         return error_set(error, "found no radius of the ball, expected -r R");
-    if (c->paper && (c->guards.n > 0 || c->tolerance > 0))
+    if (c->paper && (c->guard.files.n > 0 || c->tolerance > 0))
         return error_set(error, "found --paper with -g or -e: the papers have neither");
+    if (c->guard.none && c->guard.files.n > 0)
+        return error_set(error, "found -g and --no-guard, expected one of them");
     if (c->paper && (c->body.holder || c->play > 0 || c->rate > 0))
         return error_set(error,
                          "found --paper with --holder, --axis-play or --axis-rate: the papers "
@@ -146,9 +150,30 @@ int path_options_check(struct tool_axis_options *axis, struct error *error)
                          c->paper ? "--paper" : "another rule for the axis");
     if (c->plunge == 0)
         c->plunge = c->feed / 2;
-    if (c->tolerance == 0 && (c->guards.n > 0 || c->body.holder))
+    if (c->tolerance == 0 && (c->guard.files.n > 0 || c->body.holder))
         c->tolerance = 0.01;
     return axis_rule(axis, error);
+}
+
+/* The scan that guards, until path_options_guard. */
+static struct guard_scan guard_scan;
+
+int path_options_scan(const struct mesh *mesh, struct error *error)
+{
+    struct path_options *c = &path_options;
+    struct scan_sources named = mesh->origin.scan;
+
+    named.placed = mesh->origin.placed;
+    named.place = mesh->origin.place;
+    if (c->paper || (named.n == 0 && c->guard.files.n == 0))
+        return 0;
+    if (guard_scan_read(&c->guard, &named, "the mesh", "guarded by the mesh alone", &guard_scan,
+                        error) != 0)
+        return -1;
+    c->guarded = guard_scan.point.n > 0;
+    if (c->tolerance == 0 && c->guarded)
+        c->tolerance = 0.01;
+    return 0;
 }
 
 /* NULL: so many points would be needed that it is no guard. */
@@ -188,8 +213,8 @@ int path_options_guard(const struct mesh *mesh, double near, int threads,
     *guard = NULL;
     if (c->paper)
         return 0;
-    *guard = c->guards.n > 0 ? guard_read(&c->guards, mesh, near, &rule, error)
-                             : guard_of_mesh(mesh, threads, error);
+    *guard = c->guarded ? guard_read(&guard_scan, mesh, near, &rule, error)
+                        : guard_of_mesh(mesh, threads, error);
     path_options.noise = rule.noise;
     path_options.certain = rule.certain;
     path_options.doubtful = rule.doubtful;
@@ -271,7 +296,7 @@ int path_options_rules(const struct mesh *mesh, const struct gouge_check *guard,
                                         .plunge = c->plunge,
                                         .approach = c->approach,
                                         .longest = 3 * distance,
-                                        .avoid = c->avoid || c->guards.n == 0};
+                                        .avoid = c->avoid || !c->guarded};
     t->rule.skip = c->avoid;
     t->rule.play = RADIANS(c->play);
     t->rule.rate = RADIANS(c->rate);
@@ -326,6 +351,7 @@ static void fill_head(const struct mesh *mesh, const char *tool, const struct to
     if (c->tolerance > 0)
         path_spend(t->path, tool, c->tolerance);
     head->chord = c->tolerance > 0 ? NAN : t->chord;
+    head->scan = scan_sources_copy(&guard_scan.source);
 }
 
 void path_options_begin(const struct mesh *mesh, const char *tool, const char *output,

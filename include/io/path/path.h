@@ -19,6 +19,7 @@
 #include "base/out.h"
 #include "gouge/holder.h"
 #include "math/vec.h"
+#include "mesh/scan_source.h"
 
 enum path_kind {
     PATH_POINT,  /* straight to a pose (GOTO) */
@@ -118,6 +119,7 @@ struct path_head {
         size_t n, cap;
         struct ledger_entry *item;
     } ledger;
+    struct scan_sources scan; /* $$-> SCAN/, PLACE/: that it is guarded by */
 };
 
 struct path {

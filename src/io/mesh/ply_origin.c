@@ -1,6 +1,7 @@
 /* ply_origin - see ply_origin.h. */
 #include "ply_origin.h"
 
+#include <inttypes.h>
 #include <limits.h>
 #include <math.h>
 #include <stdio.h>
@@ -72,6 +73,14 @@ static int read_surface(const char *text, struct mesh_origin *origin, struct err
     return 0;
 }
 
+/* How many points, their hash, the name. */
+static int read_scan(const char *text, struct mesh_origin *origin, struct error *error)
+{
+    if (scan_sources_read(&origin->scan, text, ' '))
+        return 0;
+    return error_set(error, "comment scan with '%.40s', expected points, hash and name", text);
+}
+
 /* The first row, along and up. */
 static int read_part(const char *text, struct mesh_origin *origin, struct error *error)
 {
@@ -111,6 +120,8 @@ int ply_origin_read(struct mesh_origin *origin, const char *comment, struct erro
         return read_ledger(text, origin, error);
     } else if ((text = text_after(comment, "part"))) {
         return read_part(text, origin, error);
+    } else if ((text = text_after(comment, "scan"))) {
+        return read_scan(text, origin, error);
     } else if ((text = text_after(comment, "surface"))) {
         return read_surface(text, origin, error);
     } else if ((text = text_after(comment, "source"))) {
@@ -120,23 +131,10 @@ int ply_origin_read(struct mesh_origin *origin, const char *comment, struct erro
     return 0;
 }
 
-/* The fewest digits that read back as x. */
-static void write_number(struct out *out, double x)
-{
-    char text[40];
-    double back;
-    for (int digits = 15; digits <= 17; digits++) {
-        snprintf(text, sizeof text, "%.*g", digits, x == 0 ? 0 : x);
-        if (num_whole(text, &back) && !(back < x) && !(back > x))
-            break;
-    }
-    out_text(out, text);
-}
-
 static void write_said(struct out *out, const char *key, double x)
 {
     out_printf(out, "comment %s ", key);
-    write_number(out, x);
+    out_exact(out, x);
     out_text(out, "\n");
 }
 
@@ -173,6 +171,11 @@ void ply_origin_write(struct out *out, const struct mesh_origin *origin)
         out_text(out, "comment source ");
         write_name(out, origin->source);
     }
+    for (size_t i = 0; i < origin->scan.n; i++) {
+        const struct scan_source *s = &origin->scan.item[i];
+        out_printf(out, "comment scan %" PRIu64 " %016" PRIx64 " ", s->points, s->hash);
+        write_name(out, s->name);
+    }
     for (size_t i = 0; i < origin->surface.n; i++)
         write_surface(out, &origin->surface.item[i]);
     for (size_t i = 0; i < origin->part.n; i++) {
@@ -189,7 +192,7 @@ void ply_origin_write(struct out *out, const struct mesh_origin *origin)
         out_text(out, "comment place");
         for (int i = 0; i < 16; i++) {
             out_text(out, " ");
-            write_number(out, origin->place.m[i / 4][i % 4]);
+            out_exact(out, origin->place.m[i / 4][i % 4]);
         }
         out_text(out, "\n");
     }

@@ -5,6 +5,7 @@
  *     comment spacing 4
  *     comment direction 12.5
  *     comment source scan.xyz
+ *     comment scan 26493 0123456789abcdef scan.xyz    points, hash, name: scan_source.h
  *     comment place 1 0 0 -5 ...       16 numbers, row by row
  *     comment extended 2.0000
  *     comment noise 0.0197

@@ -24,6 +24,7 @@ void path_free(struct path *path)
     for (size_t i = 0; i < path->unknown.n; i++)
         free(path->unknown.item[i].word);
     array_free(&path->head.ledger);
+    scan_sources_free(&path->head.scan);
     array_free(&path->item);
     array_free(&path->contact);
     array_free(&path->arc);
@@ -40,6 +41,7 @@ void path_head_copy(struct path_head *to, const struct path_head *from)
     *to = *from;
     to->partno = copy_text(from->partno);
     memset(&to->ledger, 0, sizeof to->ledger);
+    to->scan = scan_sources_copy(&from->scan);
     for (size_t i = 0; i < from->ledger.n; i++)
         *array_push(&to->ledger) = (struct ledger_entry){copy_text(from->ledger.item[i].stage),
                                                          from->ledger.item[i].spent};

@@ -186,6 +186,37 @@ static int read_body(struct path_parse *p)
     return 0;
 }
 
+/* SCAN/points, hash, name: as it was written, to the end of the line. */
+static int read_scan(struct path_parse *p)
+{
+    struct scan_sources *scan = &p->path->head.scan;
+    const char *text = strchr(p->apt.raw, '/');
+    if (!text || !scan_sources_read(scan, text + 1, ','))
+        return error_at(AT(p), "found `%.60s`, expected SCAN/points, hash, name of the scan",
+                        p->apt.raw);
+    char *name = scan->item[scan->n - 1].name;
+    size_t n = strlen(name);
+    if (n > 2 && strcmp(name + n - 2, "$$") == 0) /* doubled, so that it continues nothing */
+        name[n - 1] = '\0';
+    return 0;
+}
+
+/* PLACE/row, and its four numbers; the rows come in order. */
+static int read_place(struct path_parse *p)
+{
+    struct scan_sources *scan = &p->path->head.scan;
+    double v[5];
+    if (path_numbers(p, 0, 5, v, "a row of the matrix that placed the scan") < 0)
+        return -1;
+    if (!(v[0] >= 1 && v[0] <= 3) || v[0] != floor(v[0]))
+        return error_at(AT(p), "found row %g in PLACE, expected 1, 2 or 3", v[0]);
+    if (!scan->placed)
+        scan->place = transform_identity();
+    scan->placed = true;
+    memcpy(scan->place.m[(int)v[0] - 1], v + 1, 4 * sizeof *v);
+    return 0;
+}
+
 int path_ignore(struct path_parse *p)
 {
     (void)p;
@@ -263,7 +294,7 @@ static const struct path_row comments[] = {
     {"CONTCT", path_read_contact}, {"PASS", read_pass},          {"TRACK", read_track},
     {"LEDGER", read_ledger},       {"CHORD", read_chord},        {"CLEAR", read_clear},
     {"CLOUDMILL", read_own},       {"CUTTER", path_read_cutter}, {"SCALLOP", read_scallop},
-    {"TOOL", read_body},
+    {"TOOL", read_body},           {"SCAN", read_scan},          {"PLACE", read_place},
 };
 
 /* The row of a table for a word; NULL: none. */

@@ -1,4 +1,5 @@
 /* path_write - a path as APT CL text; see path.h and cloudmill-path(5). */
+#include <inttypes.h>
 #include <math.h>
 #include <string.h>
 
@@ -59,6 +60,27 @@ static void write_body(struct out *out, const struct tool_body *body)
     out_text(out, "\n");
 }
 
+/* The place has a line for each row, since other readers of CL know no continued comments. */
+static void write_scan(struct out *out, const struct scan_sources *scan)
+{
+    for (size_t i = 0; i < scan->n; i++) {
+        const struct scan_source *s = &scan->item[i];
+        out_printf(out, "$$-> SCAN/%" PRIu64 ",%016" PRIx64 ",", s->points, s->hash);
+        for (const char *p = s->name; *p; p++)
+            out_bytes(out, (unsigned char)*p < ' ' ? "?" : p, 1);
+        /* A single $ at the end of a line would continue it. */
+        out_text(out, *s->name && s->name[strlen(s->name) - 1] == '$' ? "$\n" : "\n");
+    }
+    for (int row = 0; row < 3 && scan->n > 0 && scan->placed; row++) {
+        out_printf(out, "$$-> PLACE/%d", row + 1);
+        for (int k = 0; k < 4; k++) {
+            out_text(out, ",");
+            out_exact(out, scan->place.m[row][k]);
+        }
+        out_text(out, "\n");
+    }
+}
+
 void path_write_head(struct out *out, const struct path_head *head)
 {
     static const char *const coolant[] = {NULL, "OFF", "ON", "MIST"};
@@ -92,6 +114,7 @@ void path_write_head(struct out *out, const struct path_head *head)
         out_printf(out, "$$-> CLEAR/%.6f\n", head->clearance);
     if (head->scallop > 0)
         out_printf(out, "$$-> SCALLOP/%.6f\n", head->scallop);
+    write_scan(out, &head->scan);
 }
 
 /* The numbers of one long statement, over lines that end in ` $`. */

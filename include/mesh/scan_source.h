@@ -1,0 +1,46 @@
+/*
+ * scan_source - the scan that a mesh was made from and a path is guarded by, as streams name it: so
+ * that a later tool reads the same points again, and knows when they are others.
+ */
+#ifndef CLOUDMILL_SCAN_SOURCE_H
+#define CLOUDMILL_SCAN_SOURCE_H
+
+#include <stdint.h>
+
+#include "math/transform.h"
+#include "math/vec.h"
+
+/* One file of a scan. */
+struct scan_source {
+    char *name;      /* as it was given, relative to the folder it was read in; "-": was piped in */
+    uint64_t points; /* how many it has */
+    uint64_t hash;   /* of their coordinates, in order: scan_source_hash */
+};
+
+/* All files of a scan; none: no scan is named. */
+struct scan_sources {
+    size_t n, cap;
+    struct scan_source *item;
+    bool placed;            /* `place` is more than the identity */
+    struct transform place; /* from the numbers of the files to mm of the mesh or path */
+};
+
+/*
+ * 64 bits that change when a coordinate changes, a point is missing or two are exchanged: each
+ * double's bits are mixed in by a multiplication (FNV-1a's steps, 64 bits at a time, and a turn).
+ * No defence against intent.  -0 counts as 0.
+ */
+uint64_t scan_source_hash(const struct vec3 *point, size_t n);
+
+/* Adds a file with these points, as they were read. */
+void scan_sources_add(struct scan_sources *scan, const char *name, const struct vec3 *point,
+                      size_t n);
+
+/* Adds a file as a stream names it: points, hash (16 digits) and name, with this separator between
+ * them.  False if the text is no such thing. */
+bool scan_sources_read(struct scan_sources *scan, const char *text, char separator);
+
+struct scan_sources scan_sources_copy(const struct scan_sources *scan);
+void scan_sources_free(struct scan_sources *scan);
+
+#endif

@@ -1,0 +1,88 @@
+#!/bin/sh
+# meshnorm-guard.t - the scan that a mesh and a path name: all later tools guard by it unless told
+# otherwise, placed as it was, and tell when it is gone or another.
+. "${SRC:-$(dirname "$0")/../..}/tests/lib/lib.sh"
+cd "$TMP" || exit 1
+
+# A hill.
+awk 'BEGIN { for (i = 0; i <= 60; i++) for (j = 0; j <= 40; j++) {
+	x = i / 2; y = j / 2; printf "%.4f %.4f %.4f\n", x, y, 3 + sin(x / 5) * cos(y / 6) } }' >hill.xyz
+cloud2mesh -q -t 2 hill.xyz >hill.ply 2>/dev/null
+has "the mesh names its scan" '^comment scan 2501 [0-9a-f]{16} hill.xyz$' hill.ply
+
+# What is guarded is seen in the path: its lines are checked against the scan, or it has a CHORD.
+meshnorm -q -r 2 hill.ply >default.cl
+meshnorm -q -r 2 -g hill.xyz hill.ply >given.cl
+meshnorm -q -r 2 --no-guard hill.ply >none.cl
+same "the scan guards as if it were given" default.cl given.cl
+has "the path names it" '^\$\$-> SCAN/2501,[0-9a-f]{16},hill.xyz$' default.cl
+has "--no-guard: only the mesh" '^\$\$-> CHORD' none.cl
+hasnt "--no-guard: no scan is named" 'SCAN' none.cl
+status 2 "-g and --no-guard" meshnorm -r 2 -g hill.xyz --no-guard hill.ply
+planecut -q -r 2 -s 2 hill.ply >cut.cl
+has "planecut names it" '^\$\$-> SCAN/2501,[0-9a-f]{16},hill.xyz$' cut.cl
+planecut -q -r 2 -s 2 --no-guard hill.ply >cut.cl
+hasnt "planecut --no-guard" 'SCAN' cut.cl
+
+# A path that goes 0.2 mm too deep, with the scan in its head.
+awk '/CONTCT/ { n++ } /^GOTO/ && n > 20 && n < 40 { split($0, v, ","); v[3] -= 0.2
+	printf "%s,%s,%.6f,%s,%s,%s\n", v[1], v[2], v[3], v[4], v[5], v[6]; next } { print }' default.cl >deep.cl
+for fit in biarcfit bsplfit; do
+	$fit -v -o out.cl deep.cl 2>log
+	has "$fit guards by the scan of the path" 'points lifted by at most 0\.|too deep|deeper than' log
+	has "$fit carries it on" '^\$\$-> SCAN/2501,[0-9a-f]{16},hill.xyz$' out.cl
+	$fit -v --no-guard -o out.cl deep.cl 2>log
+	hasnt "$fit --no-guard" 'lifted by|deeper than|guard' log
+	hasnt "$fit --no-guard: names none" 'SCAN' out.cl
+	$fit -v --paper -o out.cl deep.cl 2>log
+	hasnt "$fit --paper: as published" 'lifted by|deeper than' log
+	status 2 "$fit: -g and --no-guard" $fit -g hill.xyz --no-guard deep.cl
+done
+
+# Turned and in inches: the scan follows.
+printf '0 -1 0 50\n1 0 0 -20\n0 0 1 7\n0 0 0 1\n' >turn.txt
+cloud2mesh -q -u inch --matrix turn.txt -t 50 hill.xyz 2>/dev/null >inch.ply
+meshnorm -q -r 50 -e 0.1 --avoid inch.ply >inch.cl 2>log
+has "a placed mesh" '^\$\$-> PLACE/1,0,-25.4,0,50$' inch.cl
+has "its third row" '^\$\$-> PLACE/3,0,0,25.4,7$' inch.cl
+for fit in biarcfit bsplfit; do
+	status 0 "$fit places the scan as the mesh was" $fit -v -e 0.1 -o out.cl inch.cl
+	has "$fit says so" 'placed as' "$TMP/err"
+	has "$fit has looked at it" 'guarded by' "$TMP/err"
+	has "$fit hands the place on" '^\$\$-> PLACE/2,25.4,0,0,-20$' out.cl
+	status 0 "$fit places -g likewise" $fit -q -e 0.1 -g hill.xyz -o other.cl inch.cl
+	same "$fit: with the same result" out.cl other.cl
+done
+
+# Gone, changed, piped in; and several files.
+mkdir elsewhere
+for tool in "meshnorm -r 2 ../hill.ply" "biarcfit ../default.cl" "bsplfit ../default.cl" \
+	"planecut -r 2 -s 3 ../hill.ply"; do
+	(cd elsewhere && $tool -o /dev/null 2>../log)
+	has "${tool%% *}: a scan that is gone" "hill.xyz: cannot open" log
+done
+sed '7s/3\./3.1/;8s/3\./2.9/' hill.xyz >elsewhere/hill.xyz
+(cd elsewhere && meshnorm -r 2 ../hill.ply -o gone.cl 2>../log)
+has "other points" 'hill.xyz: found other points, as many: it has changed; guarded by the mesh alone' log
+has "the path names it nevertheless" '^\$\$-> SCAN/2501,[0-9a-f]{16},hill.xyz$' elsewhere/gone.cl
+head -n 2000 hill.xyz >elsewhere/hill.xyz
+(cd elsewhere && biarcfit ../default.cl -o /dev/null 2>../log)
+has "fewer points" 'hill.xyz: found 2000 points, expected 2501: it has changed; what is fitted is not checked' log
+cloud2mesh -q -t 2 <hill.xyz 2>/dev/null | meshnorm -r 2 -o piped.cl 2>log
+has "a scan that was piped in" 'read from standard input; guarded by the mesh alone' log
+has "its name is a hyphen" '^\$\$-> SCAN/2501,[0-9a-f]{16},-$' piped.cl
+head -n 1200 hill.xyz >'one half$'
+tail -n +1201 hill.xyz >'other, half'
+cloud2mesh -q -t 2 'one half$' 'other, half' 2>/dev/null | meshnorm -q -r 2 -o halves.cl
+bsplfit -q halves.cl -o halves.fit 2>log
+empty "two files with odd names" log
+has "a dollar at the end is doubled" '^\$\$-> SCAN/1200,[0-9a-f]{16},one half\$\$$' halves.fit
+grep -v 'SCAN\|PARTNO' halves.cl >a
+grep -v 'SCAN\|PARTNO' default.cl >b
+same "the same points, the same path" a b
+sed 's/SCAN.2501,/SCAN\/many,/' default.cl >bad.cl
+status 1 "no count" biarcfit bad.cl
+has "is told with its line" 'bad.cl:[0-9]+: found .*SCAN/many' "$TMP/err"
+sed 's/^comment scan 2501 /comment scan /' hill.ply >bad.ply
+status 1 "no count in the mesh" meshnorm -r 2 bad.ply
+done_testing
