@@ -1,6 +1,7 @@
 /* post_head - see post_head.h. */
 #include "post_head.h"
 
+#include <inttypes.h>
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
@@ -26,21 +27,6 @@ static void tool_line(struct nc_program *p, int number, const double *cutter, in
     num_write_short(r, n > 1 ? unit * cutter[1] : 0, 3, false);
     nc_comment(&p->w, "Tool %d: %s D %.20s R %.20s", number, ball > 0 ? "ball nose" : "cutter", d,
                r);
-}
-
-/* The text after `$$-> WORD` in the path's comments, NULL: it has no such comment. */
-static const char *path_says(const struct path *path, const char *word)
-{
-    size_t n = strlen(word);
-    for (size_t i = 0; i < path->text.n; i++) {
-        const char *text = path->text.item[i];
-        if (strncmp(text, "$$->", 4) != 0)
-            continue;
-        text += 4 + strspn(text + 4, " \t");
-        if (strncmp(text, word, n) == 0 && strchr(" \t/", text[n]))
-            return text + n + strspn(text + n, " \t/");
-    }
-    return NULL;
 }
 
 /* KEY: text, in further lines KEY+: where it is too long for one; a line ends before a blank, which
@@ -148,7 +134,7 @@ static void head_ledger(struct nc_program *p)
 static void surface_keys(struct nc_program *p)
 {
     double scallop = p->path->head.scallop;
-    const char *scan = path_says(p->path, "SCAN");
+    const struct scan_sources *scan = &p->path->head.scan;
     char said[NUM_MAX], sum[NUM_MAX];
     num_write_short(sum, rounded_up(nc_ledger_sum(p->path, p->plan)), 4, false);
     if (scallop > 0) {
@@ -157,8 +143,13 @@ static void surface_keys(struct nc_program *p)
     } else {
         nc_comment(&p->w, "TOLERANCE: %.20s", sum);
     }
-    if (scan)
-        key_line(p, "SCAN", scan);
+    for (size_t i = 0; i < scan->n; i++) {
+        const struct scan_source *s = &scan->item[i];
+        char text[400];
+        snprintf(text, sizeof text, "%" PRIu64 " %016" PRIx64 " %.300s", s->points, s->hash,
+                 s->name);
+        key_line(p, "SCAN", text);
+    }
 }
 
 void nc_head(struct nc_program *p)

@@ -11,9 +11,9 @@ cloud2mesh -q -t 2 hill.xyz >hill.ply 2>/dev/null
 has "the mesh names its scan" '^comment scan 2501 [0-9a-f]{16} hill.xyz$' hill.ply
 
 # What is guarded is seen in the path: its lines are checked against the scan, or it has a CHORD.
-meshnorm -q -r 2 hill.ply >default.cl
-meshnorm -q -r 2 -g hill.xyz hill.ply >given.cl
-meshnorm -q -r 2 --no-guard hill.ply >none.cl
+meshnorm -q --rows mesh -r 2 hill.ply >default.cl
+meshnorm -q --rows mesh -r 2 -g hill.xyz hill.ply >given.cl
+meshnorm -q --rows mesh -r 2 --no-guard hill.ply >none.cl
 same "the scan guards as if it were given" default.cl given.cl
 has "the path names it" '^\$\$-> SCAN/2501,[0-9a-f]{16},hill.xyz$' default.cl
 has "--no-guard: only the mesh" '^\$\$-> CHORD' none.cl
@@ -42,7 +42,7 @@ done
 # Turned and in inches: the scan follows.
 printf '0 -1 0 50\n1 0 0 -20\n0 0 1 7\n0 0 0 1\n' >turn.txt
 cloud2mesh -q -u inch --matrix turn.txt -t 50 hill.xyz 2>/dev/null >inch.ply
-meshnorm -q -r 50 -e 0.1 --avoid inch.ply >inch.cl 2>log
+meshnorm -q --rows mesh -r 50 -e 0.1 --avoid inch.ply >inch.cl 2>log
 has "a placed mesh" '^\$\$-> PLACE/1,0,-25.4,0,50$' inch.cl
 has "its third row" '^\$\$-> PLACE/3,0,0,25.4,7$' inch.cl
 for fit in biarcfit bsplfit; do
@@ -56,24 +56,24 @@ done
 
 # Gone, changed, piped in; and several files.
 mkdir elsewhere
-for tool in "meshnorm -r 2 ../hill.ply" "biarcfit ../default.cl" "bsplfit ../default.cl" \
+for tool in "meshnorm --rows mesh -r 2 ../hill.ply" "biarcfit ../default.cl" "bsplfit ../default.cl" \
 	"planecut -r 2 -s 3 ../hill.ply"; do
 	(cd elsewhere && $tool -o /dev/null 2>../log)
 	has "${tool%% *}: a scan that is gone" "hill.xyz: cannot open" log
 done
 sed '7s/3\./3.1/;8s/3\./2.9/' hill.xyz >elsewhere/hill.xyz
-(cd elsewhere && meshnorm -r 2 ../hill.ply -o gone.cl 2>../log)
+(cd elsewhere && meshnorm --rows mesh -r 2 ../hill.ply -o gone.cl 2>../log)
 has "other points" 'hill.xyz: found other points, as many: it has changed; guarded by the mesh alone' log
 has "the path names it nevertheless" '^\$\$-> SCAN/2501,[0-9a-f]{16},hill.xyz$' elsewhere/gone.cl
 head -n 2000 hill.xyz >elsewhere/hill.xyz
 (cd elsewhere && biarcfit ../default.cl -o /dev/null 2>../log)
 has "fewer points" 'hill.xyz: found 2000 points, expected 2501: it has changed; what is fitted is not checked' log
-cloud2mesh -q -t 2 <hill.xyz 2>/dev/null | meshnorm -r 2 -o piped.cl 2>log
+cloud2mesh -q -t 2 <hill.xyz 2>/dev/null | meshnorm --rows mesh -r 2 -o piped.cl 2>log
 has "a scan that was piped in" 'read from standard input; guarded by the mesh alone' log
 has "its name is a hyphen" '^\$\$-> SCAN/2501,[0-9a-f]{16},-$' piped.cl
 head -n 1200 hill.xyz >'one half$'
 tail -n +1201 hill.xyz >'other, half'
-cloud2mesh -q -t 2 'one half$' 'other, half' 2>/dev/null | meshnorm -q -r 2 -o halves.cl
+cloud2mesh -q -t 2 'one half$' 'other, half' 2>/dev/null | meshnorm -q --rows mesh -r 2 -o halves.cl
 bsplfit -q halves.cl -o halves.fit 2>log
 empty "two files with odd names" log
 has "a dollar at the end is doubled" '^\$\$-> SCAN/1200,[0-9a-f]{16},one half\$\$$' halves.fit
