@@ -163,6 +163,8 @@ int main(int argc, char **argv)
     cli_parse(&cli, argc, argv);
     if (cli.files > 1)
         die_usage("found %d files, expected one path", cli.files);
+    if (s.common.gouge.scan.none && s.common.gouge.scan.files.n > 0)
+        die_usage("found -g and --no-guard, expected one of them");
     int status = fitter_run(&fitter, &cli, &error);
     if (status < 0)
         die_error(&error);

@@ -146,7 +146,7 @@ static void surface_keys(struct nc_program *p)
     for (size_t i = 0; i < scan->n; i++) {
         const struct scan_source *s = &scan->item[i];
         char text[400];
-        snprintf(text, sizeof text, "%" PRIu64 " %016" PRIx64 " %.300s", s->points, s->hash,
+        snprintf(text, sizeof text, "%" PRIu64 ",%016" PRIx64 ",%.300s", s->points, s->hash,
                  s->name);
         key_line(p, "SCAN", text);
     }

@@ -106,8 +106,6 @@ int fitter_run(const struct fitter *fitter, const struct cli *cli, struct error 
     struct gouge_refit_options gouge = {0};
     struct path in = {0};
 
-    if (options->gouge.scan.none && options->gouge.scan.files.n > 0)
-        die_usage("found -g and --no-guard, expected one of them");
     if (read_path(fitter, cli->file[0], &in, error) < 0 ||
         gouge_options_read(&options->gouge, &in, options->paper, options->tolerance, cli->threads,
                            &gouge, error) < 0) {
