@@ -5,6 +5,7 @@
 #include <stdlib.h>
 
 #include "stage/mesh_for_path.h"
+#include "stage/mesh_region.h"
 #include "stage/path_options.h"
 #include "stage/plane_passes.h"
 #include "toolpath/scallop.h"
@@ -18,6 +19,9 @@ static const double BESIDE = 0.002;
 
 static double step, scallop, angle, plane[3], gap = 0.1;
 static struct cli_list surfaces;
+static double up[3] = {0, 0, 1}, box[6];
+static const char *faces, *steep;
+static bool box_given;
 static bool step_given, scallop_given, angle_given, plane_given;
 static const char *direction; /* as text: auto or degrees */
 
@@ -35,6 +39,14 @@ static const struct cli_option options[] = {
      CLI_TEXT, &direction, 0, 0, 0, NULL},
     {0, "plane", "I,J,K", "the planes' normal, instead of -a: 0,0,1 cuts at constant height",
      CLI_NUMBERS, plane, 0, 0, 3, &plane_given},
+    {0, "up", "I,J,K", "the side that the tool comes from: what faces away is left out (0,0,1)",
+     CLI_NUMBERS, up, 0, 0, 3, NULL},
+    {0, "box", "X0,Y0,Z0,X1,Y1,Z1", "cut what is inside this box",
+     CLI_NUMBERS, box, 0, 0, 6, &box_given},
+    {0, "faces", "N,N-M,...", "cut these surfaces, by their numbers in the file of the model",
+     CLI_TEXT, &faces, 0, 0, 0, NULL},
+    {0, "steep", "A:B", "cut what is inclined by A to B degrees against --up: 0:45",
+     CLI_TEXT, &steep, 0, 0, 0, NULL},
     {0, "gap", "MM", "cut on across gaps in the part of at most this width (0.1)",
      CLI_NUMBER, &gap, 0, 1000, 0, NULL},
     {0, "surface", "FILE", "project each point onto the surfaces of this file, IGES or NURBS\n"
@@ -58,6 +70,8 @@ static void check_options(struct tool_axis_options *axis)
         die_usage("found %s and --plane, expected one of them", direction ? "--direction" : "-a");
     if (plane_given && vec_length(vec(plane[0], plane[1], plane[2])) == 0)
         die_usage("option --plane: found a direction of no length");
+    if (vec_length(vec(up[0], up[1], up[2])) == 0)
+        die_usage("option --up: found a direction of no length");
     if (scallop >= path_options.radius)
         die_usage("option --scallop: found %g, expected less than the radius", scallop);
     if (!step_given && !scallop_given)
@@ -75,6 +89,11 @@ static void check_radius(const char *file, const struct mesh *mesh)
         say("%s: the mesh has no curvatures (kmax), so that it is not known whether the ball "
             "fits everywhere: it is lifted where it does not",
             file);
+    if (h.known && isfinite(h.radius))
+        note("the largest ball that fits all hollows: radius %.4f (%.3f %.3f %.3f%s%s)", h.radius,
+             h.at.x, h.at.y, h.at.z, h.surface ? ", " : "", h.surface ? h.surface : "");
+    else if (h.known)
+        note("nothing is hollow: a ball of any radius fits every surface");
     if (!h.known || h.tighter == 0 || path_options.avoid || path_options.guarded)
         return;
     die_unmet("%s: found a hollow of radius %.3f at %.3f %.3f %.3f%s%s, expected none "
@@ -128,7 +147,8 @@ static void set_pass_options(const struct tool_axis_options *axis, const struct 
         die_usage("option --direction: found '%s', expected auto or degrees", direction);
     *rule = plane_passes_upright(turn, path_options.radius);
     rule->gap = gap;
-    rule->faced = closed || axis->kind == AXIS_FIXED;
+    rule->faced = closed || axis->kind == AXIS_FIXED || !path_options.paper;
+    rule->facing = vec_unit(vec(up[0], up[1], up[2]));
     if (plane_given) {
         rule->normal = vec_unit(vec(plane[0], plane[1], plane[2]));
         rule->along = passes_along(rule->normal);
@@ -158,6 +178,23 @@ static void read_surfaces(struct mesh *mesh, struct patches *patches, struct pla
     mesh->origin.ledger = NAN; /* points leave the mesh: what it was off is not spent */
 }
 
+/* The part of the mesh that is cut; the mesh itself, when all of it is. */
+static const struct mesh *take_region(const struct mesh *mesh, struct mesh *part)
+{
+    struct mesh_region_options region = {box_given ? box : NULL, faces, steep,
+                                         vec_unit(vec(up[0], up[1], up[2]))};
+    struct error error;
+
+    if (!mesh_region_given(&region))
+        return mesh;
+    if (mesh_region_take(&region, mesh, part, &error) != 0)
+        die_usage("%s", error.text);
+    if (part->face.n == 0)
+        die("nothing of the mesh is in the region asked for (--box, --faces, --steep)");
+    note("region: %zu facets of the mesh's %zu", part->face.n, mesh->face.n);
+    return part;
+}
+
 int main(int argc, char **argv)
 {
     struct cli cli = {.tool = "planecut",
@@ -166,7 +203,7 @@ int main(int argc, char **argv)
                                "STL, OFF) in, path\nstream out.",
                       .option = options,
                       .more = path_option_table};
-    struct mesh mesh = {0};
+    struct mesh mesh = {0}, part = {0};
     struct path path = {0};
     struct patches patches = {0};
     struct plane_passes planes = {0};
@@ -180,13 +217,15 @@ int main(int argc, char **argv)
     check_options(&t.lift.axis);
     if (cli.files > 1)
         die_usage("found %d files, expected one mesh", cli.files);
-    if (mesh_for_planes_read(cli.file[0], vec(0, 0, 1), &mesh, &closed, &error) != 0)
+    if (mesh_for_planes_read(cli.file[0], vec_unit(vec(up[0], up[1], up[2])), &mesh, &closed,
+                             &error) != 0)
         die_error(&error);
     if (path_options_scan(&mesh, &error) != 0)
         die_error(&error);
-    check_radius(cli.file[0], &mesh);
-    set_pass_options(&t.lift.axis, &mesh, closed, &planes);
-    find_planes(&mesh, &planes);
+    const struct mesh *region = take_region(&mesh, &part);
+    check_radius(cli.file[0], region);
+    set_pass_options(&t.lift.axis, region, closed, &planes);
+    find_planes(region, &planes);
     read_surfaces(&mesh, &patches, &planes);
     if (path_options_guard(&mesh, fmax(planes.widest, path_options.radius), cli.threads, &guard,
                            &error) != 0)
@@ -207,5 +246,6 @@ int main(int argc, char **argv)
     path_free(&path);
     gouge_free(guard);
     mesh_free(&mesh);
+    mesh_free(&part);
     return planes.steep && scallop_given ? EXIT_UNMET : status;
 }

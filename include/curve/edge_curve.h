@@ -32,4 +32,8 @@ struct edge_curve edge_curve(struct vec3 p, struct vec3 p_normal, struct vec3 q,
 struct vec3 edge_curve_at(const struct edge_curve *curve, double s);
 struct vec3 edge_curve_slope(const struct edge_curve *curve, double s);
 
+/* Where a curve that begins (s = 0) not above the plane x . normal = height and ends above it
+ * crosses it; it need not rise all the way. */
+double edge_curve_crossing(const struct edge_curve *curve, struct vec3 normal, double height);
+
 #endif

@@ -7,6 +7,7 @@
  *   mesh_weld.h       vertices at one place become one
  *   mesh_repair.h     a mesh from elsewhere made fit to be cut: cleaned, oriented, with normals
  *   mesh_distance.h   how far points are from it, and which are above or below it
+ *   mesh_clip.h       the part of it inside a box, of some surfaces, of some steepness
  *   facet_split.h     facets split at points, with edges turned (Lawson 1977)
  */
 #ifndef CLOUDMILL_MESH_H
@@ -67,6 +68,7 @@ struct mesh {
     struct ints row, col; /* of the triangular grid, from 0: as many as vertices, or none */
     struct doubles kmax;  /* largest concave curvature, 1/mm: as many as vertices, or none */
     struct faces face;    /* row by row, in each row the triangles that point up first */
+    struct ints surface;  /* of each face: which of origin.surface; as many as faces, or none */
     struct mesh_origin origin;
 };
 

@@ -57,7 +57,8 @@ void patch_mesh_unite(struct patch_mesh *patch_mesh, size_t a, size_t b);
 
 /* Appends all triangles, each sheet turned to the side that `flipped` says.  Vertices of one place
  * whose normals are within PATCH_MESH_SMOOTH become one; the others of a place, along a sharp edge,
- * keep their normals and get the same coordinates.  Triangles without area are left out. */
+ * keep their normals and get the same coordinates.  Triangles without area are left out.
+ * mesh->surface has the sheets. */
 void patch_mesh_mesh(const struct patch_mesh *patch_mesh, struct mesh *mesh);
 
 void patch_mesh_free(struct patch_mesh *patch_mesh);

@@ -42,3 +42,31 @@ struct vec3 edge_curve_slope(const struct edge_curve *curve, double s)
     return vec_along(vec_along(first, 6 * t * s, vec_sub(p[2], p[1])), 3 * s * s,
                      vec_sub(p[3], p[2]));
 }
+
+/* The height above the plane is a cubic in Bernstein form: Newton's method, and bisection where
+ * that leaves the bracket (Press et al., Numerical Recipes, 9.4). */
+double edge_curve_crossing(const struct edge_curve *curve, struct vec3 normal, double height)
+{
+    double low = 0, high = 1, s, h[4];
+
+    for (int i = 0; i < 4; i++)
+        h[i] = vec_dot(curve->p[i], normal) - height;
+    s = h[3] > h[0] ? fmin(fmax(-h[0] / (h[3] - h[0]), 0), 1) : 0.5;
+    for (int i = 0; i < 60 && high - low > 1e-15; i++) {
+        double t = 1 - s;
+        double at = t * t * (t * h[0] + 3 * s * h[1]) + s * s * (3 * t * h[2] + s * h[3]);
+        double slope =
+            3 * (t * t * (h[1] - h[0]) + 2 * t * s * (h[2] - h[1]) + s * s * (h[3] - h[2]));
+        if (at <= 0)
+            low = s;
+        else
+            high = s;
+        double next = slope > 0 ? s - at / slope : -1;
+        if (!(next >= low && next <= high))
+            next = (low + high) / 2;
+        if (fabs(next - s) < 1e-14)
+            return next;
+        s = next;
+    }
+    return s;
+}

@@ -14,6 +14,7 @@ void mesh_free(struct mesh *mesh)
     array_free(&mesh->col);
     array_free(&mesh->kmax);
     array_free(&mesh->face);
+    array_free(&mesh->surface);
     free(mesh->origin.source);
     free(mesh->origin.maker);
     mesh->origin.source = mesh->origin.maker = NULL;

@@ -28,11 +28,17 @@ static void drop_marked(struct mesh *mesh, const bool *out)
 {
     size_t n = 0;
 
+    bool surfaces = mesh->surface.n == mesh->face.n;
+
     for (size_t f = 0; f < mesh->face.n; f++) {
-        if (!out[f])
-            mesh->face.item[n++] = mesh->face.item[f];
+        if (out[f])
+            continue;
+        if (surfaces)
+            mesh->surface.item[n] = mesh->surface.item[f];
+        mesh->face.item[n++] = mesh->face.item[f];
     }
     mesh->face.n = n;
+    mesh->surface.n = surfaces ? n : 0;
 }
 
 size_t mesh_clean_no_area(struct mesh *mesh)

@@ -175,6 +175,7 @@ void patch_mesh_mesh(const struct patch_mesh *q, struct mesh *mesh)
         bool flip = q->flipped[q->sheet.item[i]];
         if (a == b || b == c || c == a)
             continue;
+        *array_push(&mesh->surface) = q->sheet.item[i];
         *array_push(&mesh->face) =
             (struct face){{name[f.v[0]], name[f.v[flip ? 2 : 1]], name[f.v[flip ? 1 : 2]]}};
     }

@@ -202,35 +202,6 @@ static bool crosses(const struct slice *cut, int edge, double height)
     return is_below(cut, v[0], height) != is_below(cut, v[1], height);
 }
 
-/* Where the curve from below (s = 0) to above crosses the plane: its height is a cubic in Bernstein
- * form.  Newton's method, and bisection where that leaves the bracket, for the curve need not rise
- * all the way (Press et al., Numerical Recipes, 9.4). */
-static double crossing(const struct edge_curve *curve, struct vec3 normal, double height)
-{
-    double low = 0, high = 1, s, h[4];
-
-    for (int i = 0; i < 4; i++)
-        h[i] = vec_dot(curve->p[i], normal) - height;
-    s = h[3] > h[0] ? fmin(fmax(-h[0] / (h[3] - h[0]), 0), 1) : 0.5;
-    for (int i = 0; i < 60 && high - low > 1e-15; i++) {
-        double t = 1 - s;
-        double at = t * t * (t * h[0] + 3 * s * h[1]) + s * s * (3 * t * h[2] + s * h[3]);
-        double slope =
-            3 * (t * t * (h[1] - h[0]) + 2 * t * s * (h[2] - h[1]) + s * s * (h[3] - h[2]));
-        if (at <= 0)
-            low = s;
-        else
-            high = s;
-        double next = slope > 0 ? s - at / slope : -1;
-        if (!(next >= low && next <= high))
-            next = (low + high) / 2;
-        if (fabs(next - s) < 1e-14)
-            return next;
-        s = next;
-    }
-    return s;
-}
-
 static struct contact contact_on(const struct slice *cut, int edge, double height)
 {
     const int *v = cut->edges.edge[edge].v;
@@ -244,7 +215,7 @@ static struct contact contact_on(const struct slice *cut, int edge, double heigh
 
     if (cut->smooth) {
         struct edge_curve curve = edge_curve(p, pn, q, qn);
-        s = crossing(&curve, cut->normal, height);
+        s = edge_curve_crossing(&curve, cut->normal, height);
         c.p = edge_curve_at(&curve, s);
         struct vec3 along = vec_unit(edge_curve_slope(&curve, s));
         struct vec3 mixed = vec_unit(vec_mix(pn, qn, s)), across = vec_reject(mixed, along);

@@ -155,6 +155,26 @@ static int read_corners(struct ply_source *s, const struct ply_property *p, stru
     return 0;
 }
 
+/* Which surface the triangles of a face are of; the corners come before it. */
+static int read_surface(struct ply_source *s, const struct ply_property *p, struct mesh *mesh,
+                        struct error *error)
+{
+    double value, n = (double)mesh->origin.surface.n;
+    if (ply_value(s, p->type, &value, error) < 0)
+        return -1;
+    if (!(value >= 0 && value < n && value == floor(value)))
+        return ply_error(s, error, "face %zu is of surface %.17g, expected 0 to %g", s->row, value,
+                         n - 1);
+    while (mesh->surface.n < mesh->face.n)
+        *array_push(&mesh->surface) = (int)value;
+    return 0;
+}
+
+static bool is_surface(const struct ply_property *p, const struct mesh *mesh)
+{
+    return !p->list && mesh->origin.surface.n > 0 && strcmp(p->name, "surface") == 0;
+}
+
 static bool is_corners(const struct ply_property *p)
 {
     return p->list &&
@@ -172,7 +192,9 @@ static int read_faces(struct ply_source *s, struct mesh *mesh, struct error *err
             return -1;
         for (size_t i = 0; i < s->element->property.n; i++) {
             const struct ply_property *p = &s->element->property.item[i];
-            if ((is_corners(p) ? read_corners(s, p, mesh, error) : ply_skip(s, p, error)) < 0)
+            if ((is_corners(p)         ? read_corners(s, p, mesh, error)
+                 : is_surface(p, mesh) ? read_surface(s, p, mesh, error)
+                                       : ply_skip(s, p, error)) < 0)
                 return -1;
         }
         if (ply_row_end(s, error) < 0)
@@ -282,6 +304,7 @@ void ply_write(struct out *out, const struct mesh *mesh)
     size_t n = mesh->vertex.n;
     bool normals = n && mesh->normal.n == n, kmax = n && mesh->kmax.n == n;
     bool rows = n && mesh->row.n == n && mesh->col.n == n;
+    bool surfaces = mesh->origin.surface.n > 1 && mesh->surface.n == mesh->face.n;
 
     out_text(out, "ply\nformat ascii 1.0\n");
     ply_origin_write(out, &mesh->origin);
@@ -290,7 +313,9 @@ void ply_write(struct out *out, const struct mesh *mesh)
     write_properties(out, "int", rows ? "row col" : "");
     write_properties(out, "double", kmax ? "kmax" : "");
     out_printf(out, "element face %zu\n", mesh->face.n);
-    out_text(out, "property list uchar int vertex_indices\nend_header\n");
+    out_text(out, "property list uchar int vertex_indices\n");
+    write_properties(out, "int", surfaces ? "surface" : "");
+    out_text(out, "end_header\n");
 
     for (size_t i = 0; i < n; i++) {
         write_vec(out, mesh->vertex.item[i], 6);
@@ -315,6 +340,10 @@ void ply_write(struct out *out, const struct mesh *mesh)
         for (int k = 0; k < 3; k++) {
             out_bytes(out, " ", 1);
             out_int(out, mesh->face.item[i].v[k]);
+        }
+        if (surfaces) {
+            out_bytes(out, " ", 1);
+            out_int(out, mesh->surface.item[i]);
         }
         out_bytes(out, "\n", 1);
     }

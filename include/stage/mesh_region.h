@@ -1,0 +1,29 @@
+/*
+ * mesh_region - the part of a mesh that is to be cut: inside a box, of some of its surfaces, of some
+ * steepness.  The rest stays what the tool is kept clear of.
+ */
+#ifndef CLOUDMILL_MESH_REGION_H
+#define CLOUDMILL_MESH_REGION_H
+
+#include "base/error.h"
+#include "mesh/mesh.h"
+
+struct mesh_region_options {
+    const double *box; /* X0,Y0,Z0,X1,Y1,Z1, mm; NULL: all of it */
+    const char *faces; /* numbers of surfaces as messages name them: 5,7-12; NULL: all */
+    const char *steep; /* angles between the normal and `up`, degrees: 0:45; NULL: all */
+    struct vec3 up;    /* unit */
+};
+
+/* Is anything asked for? */
+bool mesh_region_given(const struct mesh_region_options *options);
+
+/*
+ * The part of a mesh with normals, as a mesh of its own; of its surfaces those that are left, where
+ * they are whole ones.  It may be left without facets.  -1 and why: an option that can't be read, a
+ * mesh that does not say which surface a facet is of.
+ */
+int mesh_region_take(const struct mesh_region_options *options, const struct mesh *mesh,
+                     struct mesh *part, struct error *error);
+
+#endif

@@ -1,0 +1,183 @@
+/* mesh_clip - see mesh_clip.h. */
+#include "mesh/mesh_clip.h"
+
+#include <stdlib.h>
+
+#include "curve/edge_curve.h"
+#include "mesh/mesh_edges.h"
+
+enum { NONE = -1 };
+
+/* One cut: what is kept has a value of 0 and above. */
+struct clip {
+    struct mesh *mesh;
+    struct mesh_edges edges;
+    double *value;                /* of each vertex */
+    int *on;                      /* of each edge: the vertex where the value is 0, or NONE */
+    const struct vec3 *direction; /* of a plane ... */
+    double at;                    /* ... and its height; NULL: the value is mixed */
+};
+
+static void add_vertex(struct mesh *mesh, struct vec3 p, struct vec3 normal, double kmax)
+{
+    bool has_kmax = mesh->kmax.n == mesh->vertex.n;
+
+    *array_push(&mesh->vertex) = p;
+    *array_push(&mesh->normal) = normal;
+    if (has_kmax)
+        *array_push(&mesh->kmax) = kmax;
+}
+
+/* The vertex on an edge with one end on either side. */
+static int vertex_on(struct clip *c, int edge)
+{
+    struct mesh *mesh = c->mesh;
+    const int *v = c->edges.edge[edge].v;
+
+    if (c->on[edge] != NONE)
+        return c->on[edge];
+    bool rises = c->value[v[0]] < c->value[v[1]];
+    int low = rises ? v[0] : v[1], high = rises ? v[1] : v[0];
+    struct vec3 n = mesh->normal.item[low], m = mesh->normal.item[high];
+    struct edge_curve curve = edge_curve(mesh->vertex.item[low], n, mesh->vertex.item[high], m);
+    double s = c->value[low] / (c->value[low] - c->value[high]);
+    if (c->direction)
+        s = edge_curve_crossing(&curve, *c->direction, c->at);
+    struct vec3 p = edge_curve_at(&curve, s);
+    if (c->direction)
+        p = vec_along(p, c->at - vec_dot(p, *c->direction), *c->direction);
+    double kmax = 0;
+    if (mesh->kmax.n == mesh->vertex.n)
+        kmax = (1 - s) * mesh->kmax.item[low] + s * mesh->kmax.item[high];
+    add_vertex(mesh, p, vec_unit(vec_mix(n, m, s)), kmax);
+    return c->on[edge] = (int)mesh->vertex.n - 1;
+}
+
+/* The corners of what is kept of a facet: none, three or four. */
+static int clip_facet(struct clip *c, size_t facet, int corner[4])
+{
+    struct face f = c->mesh->face.item[facet];
+    int n = 0;
+
+    for (int i = 0; i < 3; i++) {
+        bool in = c->value[f.v[i]] >= 0, next_in = c->value[f.v[(i + 1) % 3]] >= 0;
+        if (in)
+            corner[n++] = f.v[i];
+        if (in != next_in)
+            corner[n++] = vertex_on(c, c->edges.of[facet][i]);
+    }
+    return n;
+}
+
+static void clip_all(struct clip *c)
+{
+    struct mesh *mesh = c->mesh;
+    struct faces face = {0};
+    struct ints surface = {0};
+    bool surfaces = mesh->surface.n == mesh->face.n;
+    int corner[4];
+
+    c->edges = mesh_edges_find(mesh);
+    c->on = mem_alloc(c->edges.n + 1, sizeof *c->on);
+    for (size_t e = 0; e < c->edges.n; e++)
+        c->on[e] = NONE;
+    for (size_t f = 0; f < mesh->face.n; f++) {
+        int n = clip_facet(c, f, corner);
+        for (int i = 2; i < n; i++) {
+            *array_push(&face) = (struct face){{corner[0], corner[i - 1], corner[i]}};
+            if (surfaces)
+                *array_push(&surface) = mesh->surface.item[f];
+        }
+    }
+    array_free(&mesh->face);
+    array_free(&mesh->surface);
+    mesh->face = face;
+    mesh->surface = surface;
+    mesh_edges_free(&c->edges);
+    free(c->on);
+    free(c->value);
+}
+
+void mesh_clip_plane(struct mesh *mesh, struct vec3 direction, double at)
+{
+    struct clip c = {.mesh = mesh, .direction = &direction, .at = at};
+
+    c.value = mem_alloc(mesh->vertex.n + 1, sizeof *c.value);
+    for (size_t v = 0; v < mesh->vertex.n; v++)
+        c.value[v] = vec_dot(mesh->vertex.item[v], direction) - at;
+    clip_all(&c);
+}
+
+/* Where the cosine is on this side of a limit: `way` 1 not below, -1 not above. */
+static void clip_cosine(struct mesh *mesh, struct vec3 up, double limit, double way)
+{
+    const double slack = 1e-9; /* of a cosine: level is level */
+    struct clip c = {.mesh = mesh};
+
+    c.value = mem_alloc(mesh->vertex.n + 1, sizeof *c.value);
+    for (size_t v = 0; v < mesh->vertex.n; v++)
+        c.value[v] = way * (vec_dot(mesh->normal.item[v], up) - limit) + slack;
+    clip_all(&c);
+}
+
+void mesh_clip_steep(struct mesh *mesh, struct vec3 up, double least, double most)
+{
+    if (least > 0)
+        clip_cosine(mesh, up, cos(least), -1);
+    clip_cosine(mesh, up, cos(most), 1);
+}
+
+void mesh_clip_surfaces(struct mesh *mesh, const bool *keep)
+{
+    size_t n = 0;
+
+    for (size_t f = 0; f < mesh->face.n; f++) {
+        if (!keep[mesh->surface.item[f]])
+            continue;
+        mesh->surface.item[n] = mesh->surface.item[f];
+        mesh->face.item[n++] = mesh->face.item[f];
+    }
+    mesh->face.n = mesh->surface.n = n;
+}
+
+void mesh_clip_unused(struct mesh *mesh)
+{
+    int *name = mem_alloc(mesh->vertex.n + 1, sizeof *name), n = 0;
+    bool kmax = mesh->kmax.n == mesh->vertex.n;
+
+    for (size_t i = 0; i < 3 * mesh->face.n; i++)
+        name[mesh->face.item[i / 3].v[i % 3]] = 1;
+    for (size_t v = 0; v < mesh->vertex.n; v++) {
+        if (name[v] == 0)
+            continue;
+        mesh->vertex.item[n] = mesh->vertex.item[v];
+        mesh->normal.item[n] = mesh->normal.item[v];
+        if (kmax)
+            mesh->kmax.item[n] = mesh->kmax.item[v];
+        name[v] = n++;
+    }
+    for (size_t i = 0; i < 3 * mesh->face.n; i++)
+        mesh->face.item[i / 3].v[i % 3] = name[mesh->face.item[i / 3].v[i % 3]];
+    mesh->vertex.n = mesh->normal.n = (size_t)n;
+    mesh->kmax.n = kmax ? (size_t)n : 0;
+    free(name);
+}
+
+struct mesh mesh_clip_copy(const struct mesh *mesh)
+{
+    struct mesh copy = {.origin = {.ledger = NAN}};
+    bool surfaces = mesh->surface.n == mesh->face.n, kmax = mesh->kmax.n == mesh->vertex.n;
+
+    for (size_t v = 0; v < mesh->vertex.n; v++) {
+        *array_push(&copy.vertex) = mesh->vertex.item[v];
+        *array_push(&copy.normal) = mesh->normal.item[v];
+        if (kmax)
+            *array_push(&copy.kmax) = mesh->kmax.item[v];
+    }
+    for (size_t f = 0; f < mesh->face.n; f++) {
+        *array_push(&copy.face) = mesh->face.item[f];
+        if (surfaces)
+            *array_push(&copy.surface) = mesh->surface.item[f];
+    }
+    return copy;
+}

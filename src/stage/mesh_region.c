@@ -1,0 +1,144 @@
+/* mesh_region - see mesh_region.h. */
+#include "stage/mesh_region.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+#include "base/num.h"
+#include "mesh/mesh_clip.h"
+
+bool mesh_region_given(const struct mesh_region_options *options)
+{
+    return options->box || options->faces || options->steep;
+}
+
+/* The number that a surface has in its file: what stands behind the last colon of its name. */
+static long number_of(const struct mesh_surface *surface)
+{
+    const char *colon = strrchr(surface->name, ':');
+
+    return colon ? strtol(colon + 1, NULL, 10) : -1;
+}
+
+/* One number, or two joined by a hyphen; *text moves on. */
+static bool read_range(const char **text, long *from, long *to)
+{
+    char *end;
+
+    if (**text < '0' || **text > '9')
+        return false;
+    *from = *to = strtol(*text, &end, 10);
+    if (*end == '-' && end[1] >= '0' && end[1] <= '9')
+        *to = strtol(end + 1, &end, 10);
+    *text = end;
+    return *from <= *to;
+}
+
+static int mark_range(const struct mesh_surfaces *surfaces, long from, long to, bool *keep,
+                      struct error *error)
+{
+    size_t found = 0;
+
+    for (size_t i = 0; i < surfaces->n; i++) {
+        long number = number_of(&surfaces->item[i]);
+        if (number < from || number > to)
+            continue;
+        keep[i] = true;
+        found++;
+    }
+    if (found > 0)
+        return 0;
+    return error_set(error,
+                     "option --faces: found %ld, expected the number of a surface of the mesh, of "
+                     "which it has %zu, from %ld to %ld",
+                     from, surfaces->n, number_of(&surfaces->item[0]),
+                     number_of(&surfaces->item[surfaces->n - 1]));
+}
+
+static int take_faces(const char *text, const struct mesh *mesh, struct mesh *part,
+                      struct error *error)
+{
+    const struct mesh_surfaces *surfaces = &mesh->origin.surface;
+    bool *keep = mem_alloc(surfaces->n + 1, sizeof *keep);
+    const char *p = text;
+    int status = 0;
+
+    if (surfaces->n != 1 && mesh->surface.n != mesh->face.n)
+        status = error_set(error, "option --faces: the mesh does not say which surfaces its facets "
+                                  "are of, expected one of nurbs2mesh");
+    for (bool more = true; more && status == 0; p += *p == ',') {
+        long from, to;
+        if (!read_range(&p, &from, &to) || (*p && *p != ','))
+            status = error_set(error, "option --faces: found '%s', expected numbers such as 5,7-12",
+                               text);
+        else
+            status = mark_range(surfaces, from, to, keep, error);
+        more = *p == ',';
+    }
+    if (status == 0 && surfaces->n > 1)
+        mesh_clip_surfaces(part, keep);
+    for (size_t i = 0; status == 0 && i < surfaces->n; i++) {
+        const struct mesh_surface *s = &surfaces->item[i];
+        if (keep[i])
+            *array_push(&part->origin.surface) =
+                (struct mesh_surface){mem_string(s->name, strlen(s->name)), s->radius, s->at};
+    }
+    free(keep);
+    return status;
+}
+
+static int take_steep(const char *text, struct vec3 up, struct mesh *part, struct error *error)
+{
+    const char *p = text;
+    double least, most;
+
+    if (!num_read(&p, &least) || *p++ != ':' || !num_read(&p, &most) || *p || !(least >= 0) ||
+        !(least < most) || !(most <= 180))
+        return error_set(
+            error,
+            "option --steep: found '%s', expected two angles within 0 and 180 degrees, "
+            "such as 0:45",
+            text);
+    mesh_clip_steep(part, up, RADIANS(least), RADIANS(most));
+    return 0;
+}
+
+static int take_box(const double *box, struct mesh *part, struct error *error)
+{
+    const struct vec3 axis[3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+
+    for (int i = 0; i < 3; i++) {
+        if (!(box[i] < box[i + 3]))
+            return error_set(error,
+                             "option --box: found %g to %g in %c, expected the lower bound first",
+                             box[i], box[i + 3], 'x' + i);
+        mesh_clip_plane(part, axis[i], box[i]);
+        mesh_clip_plane(part, vec_scale(-1, axis[i]), -box[i + 3]);
+    }
+    return 0;
+}
+
+/* What is said of whole surfaces does not hold of a part of them: kmax does. */
+static void forget_surfaces(struct mesh *part)
+{
+    for (size_t i = 0; i < part->origin.surface.n; i++)
+        free(part->origin.surface.item[i].name);
+    array_free(&part->origin.surface);
+}
+
+int mesh_region_take(const struct mesh_region_options *options, const struct mesh *mesh,
+                     struct mesh *part, struct error *error)
+{
+    *part = mesh_clip_copy(mesh);
+    if (options->faces && take_faces(options->faces, mesh, part, error) != 0)
+        return -1;
+    if (options->steep && take_steep(options->steep, options->up, part, error) != 0)
+        return -1;
+    if (options->box && take_box(options->box, part, error) != 0)
+        return -1;
+    if (options->steep || options->box)
+        forget_surfaces(part);
+    array_free(&part->surface);
+    mesh_clip_unused(part);
+    return 0;
+}

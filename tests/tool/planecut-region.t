@@ -1,0 +1,75 @@
+#!/bin/sh
+# planecut-region.t - what of a mesh is cut: the side of the tool, a box, some surfaces, some
+# steepness; and what planes may cost.
+. "${SRC:-$(dirname "$0")/../..}/tests/lib/lib.sh"
+
+# A box 30 x 20 x 10 with a round hole of radius 4 through it.
+nurbs2mesh -e 0.005 "$SRC/tests/data/box.step" >"$TMP/box.ply" 2>/dev/null
+surface() { # K: the number of surface K of the mesh
+	sed -n 's/^comment surface .*:\([0-9]*\)$/\1/p' "$TMP/box.ply" | sed -n "$1p"
+}
+
+# Contact points of a path: where they are and where they face.
+contacts() { # NAME ARGS...
+	name=$1
+	shift
+	planecut -r 1 -s 1 --avoid --paper --up 0,0,1 "$@" "$TMP/box.ply" >"$TMP/$name.cl" 2>"$TMP/$name.err" &&
+		sed -n 's/^\$\$-> CONTCT\///p' "$TMP/$name.cl" | tr , ' ' >"$TMP/$name"
+}
+every() { # DESC NAME CONDITION: there are contacts, and all of them are so
+	ok "$1" awk "!($3) { bad++ } END { exit !(NR > 0 && bad == 0) }" "$TMP/$2"
+}
+
+planecut -r 1 -s 1 --avoid "$TMP/box.ply" >"$TMP/all.cl" 2>"$TMP/err"
+sed -n 's/^\$\$-> CONTCT\///p' "$TMP/all.cl" | tr , ' ' >"$TMP/all"
+every "nothing that faces away from above is cut" all '$6 >= -1e-6'
+planecut -r 1 -s 1 --avoid --up 0,-1,0 "$TMP/box.ply" 2>/dev/null |
+	sed -n 's/^\$\$-> CONTCT\///p' | tr , ' ' >"$TMP/side"
+every "nor from another side" side '$5 <= 1e-6'
+ok "the wall on that side is" awk '$2 < 1e-6 { n++ } END { exit !(n > 10) }' "$TMP/side"
+
+contacts box --box 5,5,8,12.5,15,11
+every "--box: inside it" box '$1 > 5 - 1e-6 && $1 < 12.5 + 1e-6 && $2 > 5 - 1e-6 && $2 < 15 + 1e-6 && $3 > 8 - 1e-6'
+ok "up to its sides" awk '$1 < 5 + 1e-5 { a++ } $1 > 12.5 - 1e-5 { b++ } END { exit !(a > 5 && b > 3) }' "$TMP/box"
+contacts top --faces "$(surface 2)"
+every "--faces: one, the top" top '$3 > 10 - 1e-6 && $6 > 1 - 1e-6'
+contacts two --faces "$(surface 2),$(surface 7)-$(surface 7)"
+every "two, the top and the hole" two '$6 > 1 - 1e-6 || ($1 - 15) ^ 2 + ($2 - 10) ^ 2 < 16 + 1e-4'
+ok "and both" awk '$6 < 0.5 { a++ } $6 > 0.5 { b++ } END { exit !(a > 5 && b > 5) }' "$TMP/two"
+contacts flat --steep 0:45
+every "--steep 0:45: the top" flat '$6 > 0.707'
+contacts steep --steep 45:90
+every "--steep 45:90: the walls" steep '$6 < 0.707 && $6 > -1e-6'
+
+# The exact border of a slope: a ball, of which 30 to 60 degrees are cut, on a cone.
+cat <<'END2' | { cat; echo "REP ADVANCED_BREP_SHAPE_REPRESENTATION('',({SOLID}),{CONTEXT})"; } |
+s1 SPHERICAL_SURFACE('',{a 0,0,0 0,0,1 1,0,0},10.)
+b1 FACE_BOUND('',{l1},.T.)
+l1 VERTEX_LOOP('',{v 0 0 -10})
+f1 ADVANCED_FACE('',({b1}),{s1},.T.)
+shell CLOSED_SHELL('',({f1}))
+SOLID MANIFOLD_SOLID_BREP('',{shell})
+END2
+	awk -f "$SRC/tests/lib/step.awk" >"$TMP/ball.step"
+nurbs2mesh -e 0.002 "$TMP/ball.step" >"$TMP/box.ply" 2>/dev/null
+contacts slope --steep 30:60
+every "a ball's slope of 30 to 60 degrees" slope '$6 < 0.8664 && $6 > 0.4998'
+ok "all of it" awk '$6 > 0.8650 { a++ } $6 < 0.5010 { b++ } END { exit !(a > 10 && b > 10) }' "$TMP/slope"
+planecut -v -r 1 -s 1 "$TMP/box.ply" >/dev/null 2>"$TMP/v"
+has "the largest ball that fits is told" "a ball of any radius fits" "$TMP/v"
+
+# ---- what is refused
+
+box() {
+	status "$1" "$2" planecut -r 1 "$3" "$4" "$5" "$6" "$TMP/box.ply"
+	has "$2: says why" "$7" "$TMP/err"
+	empty "$2: nothing is written" "$TMP/out"
+}
+box 2 "a box without inside" -s 1 --box 0,0,0,0,1,1 "lower bound first"
+box 2 "no angles" -s 1 --steep 45 "expected two angles"
+box 2 "a surface that there is not" -s 1 --faces 1 "expected the number of a surface"
+box 2 "no number" -s 1 --faces top "expected numbers"
+box 1 "nothing in the box" -s 1 --box 50,50,50,60,60,60 "nothing of the mesh"
+box 1 "too many planes" -s 0.0001 --up 0,0,1 "would make [0-9]* planes, expected at most"
+
+done_testing
