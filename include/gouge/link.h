@@ -1,6 +1,7 @@
 /*
- * link - from the end of one strip to the start of the next: with the tool down, on a low arch, or
- * over the clearance plane, by a retract and an approach.
+ * link - from the end of one cut to the start of the next: with the tool down over the surface, or
+ * over the clearance plane, by a retract and an approach.  The whole tool is clear on all of it:
+ * the ball, and what is above it (holder.h).
  */
 #ifndef CLOUDMILL_LINK_H
 #define CLOUDMILL_LINK_H
@@ -10,38 +11,53 @@
 #include "gouge/gouge_lift.h"
 
 struct link_options {
-    const struct gouge_lift_options *lift; /* the guard, and how clear of it the ball must be */
+    const struct gouge_lift_options *lift; /* the guard, and how clear of it the tool must be */
     const struct holder *holder;           /* kept clear too, where it has parts */
     double radius;                         /* of the ball, mm */
     double limit;                          /* highest lift of a low link, mm */
+    double longest;                        /* a low link may be as long as this, mm */
     double rate;      /* fastest turn of the axis on a low link, radians/mm; 0: any */
-    double clearance; /* z of the tip on the clearance plane, mm */
+    double clearance; /* least z of the tip on the clearance plane, mm */
     double approach;  /* last bit of the way down, mm */
 };
 
 /*
- * Appends the points between two to `link`: a low arch from centre to centre (a tenth of its length
- * high, for there may be material just outside the border of the guard), lifted further where that
- * is not clear.  They touch nothing; the ends themselves are not appended.  Without a guard it is a
- * straight line.  False if a lift above the limit would be needed, if the lines between are not
- * clear within the tolerance, if the holder touches, or if the axis would turn too fast.
+ * Appends the points between two to `link`: an arch from centre to centre (a tenth of its length
+ * high, for there may be material just outside the border of the guard), lifted where that is not
+ * clear, so that the ball rolls over what is between; then with a higher arch, and lifted along the
+ * axis instead of the normal.  They touch nothing; the ends themselves are not appended.  Without a
+ * guard it is a straight line.  False if all of them need a lift above the limit, come out longer
+ * than `longest`, are not clear for the whole tool within the tolerance, or turn the axis too fast.
  */
 bool link_low(const struct link_options *options, const struct run_point *from,
               const struct run_point *to, struct run *link);
 
-/* The centre of the ball from a point to the clearance plane; an approach is the same reversed. */
+enum { LINK_LEGS = 4 };
+
+/* A way of the ball's centre from a point to the clearance plane, with the point's own axis; an
+ * approach is the same reversed. */
 struct retract {
-    struct vec3 near; /* the approach distance off the point */
-    struct vec3 out;  /* straight on, on the clearance plane or beside the part */
-    struct vec3 top;  /* with the tip on the clearance plane */
-    bool clear;       /* ball, shank and holder touch nothing */
+    bool clear;                /* it leads there, and the whole tool touches nothing */
+    bool rapid;                /* from at[0] on it is so far from everything that it may be rapid */
+    size_t n;                  /* of at */
+    struct vec3 at[LINK_LEGS]; /* at[0]: the approach distance off the point; corners; and last with
+                                  the tip on the clearance plane */
 };
 
 /*
- * Along the tool axis; a flat axis: out beside the part, then up.  What the ball does along its own
- * axis the shank above it has done before, so that this is free wherever the tool fits at all.
- * Where it is not clear, straight up in z; where neither is, along the axis and not `clear`.
+ * Along the tool axis, if that leads up; what the ball does along its own axis the shank above it
+ * has done before, so that this is free wherever the tool fits at all.  Where it is not clear:
+ * straight up in z, along the normal, between these; then bent ways, first to any side (out beside
+ * the part if it is flat), from there up or along the axis.  The first that is clear at rapid; if
+ * there is none, the first that is clear at feed; else not `clear`.  Without a guard along the
+ * axis.
  */
 struct retract link_retract(const struct link_options *options, const struct run_point *p);
+
+/*
+ * The least z of the tip, no less than options.clearance, at which no part of the tool reaches down
+ * to the guard's top while its axis has any angle from `least` to `most` (radians) off z.
+ */
+double link_height(const struct link_options *options, double least, double most);
 
 #endif

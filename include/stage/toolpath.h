@@ -18,6 +18,7 @@
 #define CLOUDMILL_TOOLPATH_H
 
 #include "gouge/gouge_lift.h"
+#include "gouge/link.h"
 #include "io/path/path.h"
 #include "stage/path_check.h"
 
@@ -26,7 +27,9 @@ struct toolpath_options {
     double feed, plunge; /* mm/min: cutting, and going down the last bit */
     double clearance;    /* z of the tip on the clearance plane, mm */
     double approach;     /* the last bit, mm */
-    double longest;      /* a link longer than this is not made with the tool down, mm */
+    double longest;      /* three rows: so near are neighbours, mm */
+    double scallop;      /* between rows, mm; 0: nothing is promised of it */
+    bool one_way;        /* no strip is turned round */
     bool avoid;          /* what the ball can't reach may stay uncut ... */
     bool skip;           /* ... and what the holder keeps the tool from is skipped */
     double play;         /* how far axes may be off their rule to turn less, radians */
@@ -47,6 +50,19 @@ struct toolpath_strip {
     double leaned;          /* because of the holder, at most, radians */
     size_t skipped;         /* points left out because the holder touches there */
     struct vec3 skipped_at; /* the first of them */
+};
+
+/* A way between a part and the clearance plane, at a point of the part. */
+struct toolpath_way {
+    size_t at; /* the point; n: there is none */
+    struct retract retract;
+};
+
+/* A part of a lifted strip, cut from end to end with the tool down. */
+struct toolpath_part {
+    size_t strip, from, to; /* points [from, to) of its lifted run */
+    bool dropped;           /* a sliver */
+    struct toolpath_way in, out;
 };
 
 /* A place where material may stay uncut, as far as its strip can tell. */
@@ -76,9 +92,12 @@ struct toolpath {
     struct vec3 skipped_at;
     size_t low, high;    /* links with the tool down, links over the clearance plane */
     size_t shank;        /* points where the tool touches with more than its ball */
-    size_t blocked;      /* ways up or down on which the ball touches: made at feed, not rapid */
+    size_t slivers;      /* parts left out because their neighbours cut all of them */
+    size_t blocked;      /* parts left out because no way to them or from them is clear */
+    double blocked_area; /* of their rows, mm^2 */
     size_t blocked_pass; /* the first of them */
     struct vec3 blocked_at;
+    double plane; /* z of the tip on the clearance plane, for all axes of the path, mm */
 
     struct path_check check; /* of the path as it is written */
 
@@ -101,6 +120,8 @@ struct toolpath {
     } uncut;
     struct vec3s ball; /* its centre at the points that are not rapid */
     struct run_point at;
+    struct toolpath_part last; /* that it is at the end of */
+    double height;             /* z of the tip over the clearance plane */
     size_t pass;
     bool down;
     double feed_now;

@@ -1,15 +1,23 @@
 /* link - see link.h. */
 #include "gouge/link.h"
 
-#include "gouge/axis_smooth.h"
-#include "gouge/holder_avoid.h"
+#include <stdlib.h>
 
-enum { FEWEST_PARTS = 4, MOST_PARTS = 64 };
+#include "gouge/axis_smooth.h"
+#include "gouge/gouge_refit.h"
+
+enum { FEWEST_PARTS = 4, MOST_PARTS = 256, SIDES = 8 };
 
 /* A direction flatter than this does not lead to the clearance plane: sin 10 degrees. */
 static const double FLAT = 0.17364817766693033;
 
-static const double ARCH = 0.4; /* times s (1 - s), of the length: a tenth in the middle */
+static const double ARCH = 0.4;      /* times s (1 - s), of the length: a tenth in the middle */
+static const double FEED = 0.95;     /* of the tolerance: what a way at feed may be in the part */
+static const double RAPID = 0.2;     /* mm: what a rapid leaves free */
+static const double SHORTEST = 0.02; /* mm: a holder that is followed moves no less at a time */
+static const double ABOVE = 1;       /* mm: of the whole tool over the guard's top */
+
+/* ---- with the tool down */
 
 /* The direction out of the material, as far as the point knows. */
 static struct vec3 outward_direction(const struct run_point *p)
@@ -17,23 +25,35 @@ static struct vec3 outward_direction(const struct run_point *p)
     return vec_length(p->normal) > 0 ? p->normal : p->axis;
 }
 
-/* The arch in `parts` equal parts; false if it is not clear. */
-static bool try_arch(const struct gouge_lift_options *lift, const struct run_point *from,
-                     const struct run_point *to, size_t parts, double limit, struct run *link)
+/* One way to go: an arch of this height, times its length, lifted along normals or axes. */
+struct arch {
+    double height;
+    bool along_axis;
+};
+
+/* The arch in `parts` equal parts; false if its ball is not clear. */
+static bool try_arch(const struct link_options *options, const struct run_point *from,
+                     const struct run_point *to, const struct arch *arch, size_t parts,
+                     struct run *link)
 {
-    double length = vec_distance(from->ball, to->ball);
+    const struct gouge_lift_options *lift = options->lift;
+    struct vec3 up0 = arch->along_axis ? from->axis : outward_direction(from);
+    struct vec3 up1 = arch->along_axis ? to->axis : outward_direction(to);
+    double length = vec_distance(from->ball, to->ball), gone = 0;
     struct run_point before = *from;
 
     for (size_t i = 1; i <= parts; i++) {
-        double s = (double)i / (double)parts, arch = ARCH * s * (1 - s) * length;
-        struct vec3 up = vec_slerp(outward_direction(from), outward_direction(to), s);
+        double s = (double)i / (double)parts, high = arch->height * s * (1 - s) * length;
+        struct vec3 up = vec_slerp(up0, up1, s);
         struct run_point p = {.axis = vec_slerp(from->axis, to->axis, s)};
-        p.ball = vec_along(vec_mix(from->ball, to->ball, s), arch, up);
-        double rise = gouge_least_lift(lift->guard, p.ball, up, lift->offset, limit, NULL);
+        p.ball = vec_along(vec_mix(from->ball, to->ball, s), high, up);
+        double rise = i < parts ? gouge_rise(lift->guard, p.ball, up, lift->offset) : 0;
         p.ball = vec_along(p.ball, rise, up);
         p.tip = vec_along(p.ball, -link->radius, p.axis);
-        if (rise < 0 ||
-            gouge_depth_along(lift->guard, before.ball, p.ball, lift->offset) > lift->tolerance)
+        gone += vec_distance(before.ball, p.ball);
+        if (rise > options->limit || (options->longest > 0 && gone > options->longest) ||
+            gouge_depth_along(lift->guard, before.ball, p.ball, lift->offset) >
+                FEED * lift->tolerance)
             return false;
         before = p;
         if (i < parts)
@@ -42,107 +62,251 @@ static bool try_arch(const struct gouge_lift_options *lift, const struct run_poi
     return true;
 }
 
-static bool find_arch(const struct link_options *options, const struct run_point *from,
-                      const struct run_point *to, struct run *link)
+static struct pose tip_of(const struct run_point *p, double radius)
 {
-    size_t n = link->n;
-
-    if (!options->lift->guard)
-        return true;
-    for (size_t parts = FEWEST_PARTS; parts <= MOST_PARTS; parts *= 2) {
-        link->n = n;
-        if (try_arch(options->lift, from, to, parts, options->limit, link))
-            return true;
-    }
-    link->n = n;
-    return false;
+    return (struct pose){vec_along(p->ball, -radius, p->axis), p->axis};
 }
 
-/* Shank and holder go clear from one pose to the other. */
-static bool is_holder_clear(const struct link_options *options, const struct run_point *from,
-                            const struct run_point *to)
-{
-    const struct gouge_lift_options *lift = options->lift;
-    struct holder_avoid_options rule = {lift->guard, options->holder, 0, 2 * lift->tolerance};
-
-    return options->holder->n == 0 || !lift->guard || holder_clear_between(&rule, from, to);
-}
-
-/* The axis turns no faster than it may, and shank and holder are clear, on the link from point
- * `first` of it on. */
+/* The axis turns no faster than it may, and the whole tool is clear on the straight motions of its
+ * tip, on the link from point `first` of it on. */
 static bool is_link_free(const struct link_options *options, const struct run_point *from,
                          const struct run_point *to, const struct run *link, size_t first)
 {
+    struct gouge_refit_options tool = {.guard = options->lift->guard,
+                                       .radius = options->radius,
+                                       .tolerance = options->lift->tolerance,
+                                       .holder = *options->holder};
     struct run_point before = *from;
+    struct gouges gouges = {0};
+    bool is_free = true;
 
-    for (size_t i = first; i <= link->n; i++) {
+    for (size_t i = first; i <= link->n && is_free; i++) {
         struct run_point ends[2] = {before, i < link->n ? link->item[i] : *to};
         struct run both = {.n = 2, .item = ends, .radius = options->radius};
-        if ((options->rate > 0 && axis_smooth_fastest(&both) > options->rate) ||
-            !is_holder_clear(options, &ends[0], &ends[1]))
-            return false;
+        struct motion line =
+            motion_line(tip_of(&ends[0], options->radius), tip_of(&ends[1], options->radius));
+        gouge_refit_motion(&tool, &line, &gouges);
+        is_free =
+            gouges.n == 0 && !(options->rate > 0 && axis_smooth_fastest(&both) > options->rate);
         before = ends[1];
     }
-    return true;
+    array_free(&gouges);
+    return is_free;
 }
 
 bool link_low(const struct link_options *options, const struct run_point *from,
               const struct run_point *to, struct run *link)
 {
+    static const struct arch arch[] = {
+        {ARCH, false}, {ARCH, true}, {3 * ARCH, false}, {3 * ARCH, true}};
     size_t n = link->n;
 
-    return find_arch(options, from, to, link) && is_link_free(options, from, to, link, n);
+    if (!options->lift->guard)
+        return is_link_free(options, from, to, link, n);
+    for (size_t k = 0; k < sizeof arch / sizeof *arch; k++) {
+        for (size_t parts = FEWEST_PARTS; parts <= MOST_PARTS; parts *= 4) {
+            link->n = n;
+            if (try_arch(options, from, to, &arch[k], parts, link) &&
+                is_link_free(options, from, to, link, n))
+                return true;
+        }
+    }
+    link->n = n;
+    return false;
 }
 
-/* How far to go in a direction: to the clearance plane, which is `rise` above, or where that is
- * too flat to where the part ends. */
+/* ---- over the clearance plane */
+
+double link_height(const struct link_options *options, double least, double most)
+{
+    const struct gouge_check *guard = options->lift->guard;
+    const struct holder *holder = options->holder;
+    double lowest = 0, up = options->radius; /* below the tip; of an outline's corner over it */
+
+    if (!guard)
+        return options->clearance;
+    for (int i = 0; i < 2 * holder->n; i++) {
+        const struct holder_part *part = &holder->part[i / 2];
+        double r = i % 2 ? part->high : part->low;
+        up += i % 2 ? part->length : 0;
+        /* up cos(tilt) - r sin(tilt) is least at an end, or where it is -hypot(up, r) */
+        double deepest = PI - atan2(r, up);
+        if (deepest > least && deepest < most)
+            lowest = fmin(lowest, -hypot(up, r));
+        lowest = fmin(lowest, up * cos(least) - r * sin(least));
+        lowest = fmin(lowest, up * cos(most) - r * sin(most));
+    }
+    /* the ball, below the tip of a tool that leans */
+    lowest = fmin(lowest, options->radius * (cos(most) - 1));
+    return fmax(options->clearance, gouge_top(guard) + ABOVE - lowest);
+}
+
+/* A tool with one axis, and what it leaves free on its way (below 0: how deep it may be). */
+struct follower {
+    const struct link_options *options;
+    struct vec3 axis;
+    double ball, holder;
+};
+
+/* Follows a straight way step by step, each no longer than what the holder is clear by. */
+static bool is_leg_clear(const struct follower *f, struct vec3 from, struct vec3 to)
+{
+    const double far = 10; /* mm: more clearance than that is not measured */
+    const struct gouge_check *guard = f->options->lift->guard;
+    double length = vec_distance(from, to), at = 0;
+
+    if (!gouge_clear_along(guard, from, to, f->options->lift->offset + f->ball, 0))
+        return false;
+    while (f->options->holder->n > 0 && at <= length) {
+        struct vec3 c = vec_mix(from, to, length > 0 ? at / length : 0);
+        double clear = gouge_holder(guard, f->options->holder, c, f->axis, f->holder + far);
+        if (clear < f->holder)
+            return false;
+        at += fmax(clear - f->holder, SHORTEST);
+    }
+    return true;
+}
+
+/* The way from near (at[0]) on. */
+static bool is_way_clear(const struct follower *f, const struct retract *r)
+{
+    for (size_t i = 1; i < r->n; i++)
+        if (!is_leg_clear(f, r->at[i - 1], r->at[i]))
+            return false;
+    return true;
+}
+
+/* How far it is in a direction to the plane that is `rise` above, or where that is too flat to
+ * where the part and the tool beside it end. */
 static double length_out(const struct link_options *options, struct vec3 from,
                          struct vec3 direction, double rise)
 {
     if (direction.z > FLAT)
-        return rise / direction.z;
+        return fmax(0, rise) / direction.z;
     if (!options->lift->guard)
         return 0;
     return fmax(0, gouge_extent(options->lift->guard, from, direction) + options->lift->offset);
 }
 
-/* Shank and holder go clear from one place to the other with the axis of p. */
-static bool is_move_clear(const struct link_options *options, const struct run_point *p,
-                          struct vec3 from, struct vec3 to)
-{
-    struct run_point a = {.ball = from, .axis = p->axis}, b = {.ball = to, .axis = p->axis};
+/* What becomes of ways that are tried for a point. */
+struct search {
+    const struct link_options *options;
+    const struct run_point *p;
+    struct follower feed, rapid;
+    double plane;        /* z of the ball's centre at the end */
+    struct retract best; /* the first that is clear at feed */
+    bool done;           /* it is clear at rapid, too */
+};
 
-    return is_holder_clear(options, &a, &b);
+/* Tries a way whose corners are known: near, and up from the last of them to the plane. */
+static void try_way(struct search *s, struct retract r)
+{
+    struct vec3 last = r.at[r.n - 1];
+
+    if (s->plane > last.z + 1e-6)
+        r.at[r.n++] = vec(last.x, last.y, s->plane);
+    if (s->done || (s->best.clear && r.n == 0) || !is_leg_clear(&s->feed, s->p->ball, r.at[0]))
+        return;
+    r.rapid = is_way_clear(&s->rapid, &r);
+    r.clear = r.rapid || (!s->best.clear && is_way_clear(&s->feed, &r));
+    if (r.rapid || (r.clear && !s->best.clear))
+        s->best = r;
+    s->done = r.rapid;
 }
 
-static struct retract retract_along(const struct link_options *options, const struct run_point *p,
-                                    struct vec3 direction)
+/* Straight in one direction. */
+static void try_straight(struct search *s, struct vec3 direction)
 {
-    const struct gouge_check *guard = options->lift->guard;
-    double offset = options->lift->offset, tolerance = options->lift->tolerance;
-    double plane = options->clearance + options->radius * p->axis.z;
-    struct retract r = {.near = vec_along(p->ball, options->approach, direction), .clear = true};
-    double out = length_out(options, r.near, direction, fmax(0, plane - r.near.z));
+    struct retract r = {.n = 1};
+    double length = vec_length(direction);
 
-    r.out = vec_along(r.near, out, direction);
-    r.top = r.out;
-    if (plane > r.out.z + 1e-6)
-        r.top.z = plane;
-    if (guard) {
-        double depth = fmax(gouge_depth_along(guard, p->ball, r.out, offset),
-                            gouge_depth_along(guard, r.out, r.top, offset));
-        r.clear = depth <= fmax(gouge_depth(guard, p->ball, offset), 0) + tolerance &&
-                  is_move_clear(options, p, p->ball, r.out) &&
-                  is_move_clear(options, p, r.out, r.top);
+    if (length < 1e-6 || s->done)
+        return;
+    direction = vec_scale(1 / length, direction);
+    r.at[0] = vec_along(s->p->ball, s->options->approach, direction);
+    double out = length_out(s->options, r.at[0], direction, s->plane - r.at[0].z);
+    if (out > 0)
+        r.at[r.n++] = vec_along(r.at[0], out, direction);
+    try_way(s, r);
+}
+
+/* First in one direction as far as `first`, then along the axis or straight up. */
+static void try_bent(struct search *s, struct vec3 direction, double first)
+{
+    struct vec3 axis = s->p->axis;
+    double near = fmin(s->options->approach, first);
+    struct retract r = {.n = 1, .at = {vec_along(s->p->ball, near, direction)}};
+
+    if (first > near)
+        r.at[r.n++] = vec_along(s->p->ball, first, direction);
+    try_way(s, r);
+    struct vec3 corner = r.at[r.n - 1];
+    double out = length_out(s->options, corner, axis, s->plane - corner.z);
+    if (s->done || out <= 0)
+        return;
+    r.at[r.n++] = vec_along(corner, out, axis);
+    try_way(s, r);
+}
+
+/* To all sides of `about`, leaned by `lean` from it. */
+static void try_around(struct search *s, struct vec3 about, double lean)
+{
+    const double reach[] = {0.5, 1, 2, 4, 8}; /* radii */
+    struct vec3 side = vec_perpendicular(about);
+
+    for (int k = 0; k < SIDES && !s->done; k++) {
+        struct vec3 d = vec_turn(about, vec_turn(side, about, 2 * PI * k / SIDES), lean);
+        if (d.z > FLAT)
+            try_straight(s, d);
+        for (size_t i = 0; i < sizeof reach / sizeof *reach && !s->done; i++) {
+            double first = reach[i] * s->options->radius;
+            if (!is_leg_clear(&s->feed, s->p->ball, vec_along(s->p->ball, first, d)))
+                break;
+            try_bent(s, d, first);
+        }
+        if (d.z <= FLAT && d.z > -FLAT)
+            try_straight(s, d);
     }
-    return r;
+}
+
+static void search_all(struct search *s)
+{
+    const struct vec3 z = vec(0, 0, 1), axis = s->p->axis, normal = outward_direction(s->p);
+
+    try_straight(s, z);
+    try_straight(s, vec_add(axis, z));
+    try_straight(s, vec_add(axis, normal));
+    try_straight(s, normal);
+    try_straight(s, vec_add(normal, z));
+    try_around(s, axis, RADIANS(30));
+    try_around(s, normal, RADIANS(30));
+    try_around(s, axis, RADIANS(60));
+    try_around(s, z, RADIANS(60));
+    try_around(s, z, RADIANS(85));
 }
 
 struct retract link_retract(const struct link_options *options, const struct run_point *p)
 {
-    struct retract along_axis = retract_along(options, p, p->axis);
-    if (along_axis.clear)
-        return along_axis;
-    struct retract straight_up = retract_along(options, p, vec(0, 0, 1));
-    return straight_up.clear ? straight_up : along_axis;
+    const struct gouge_lift_options *lift = options->lift;
+    double tilt = vec_angle(p->axis, vec(0, 0, 1));
+    double may = FEED * lift->tolerance;
+    struct search s = {.options = options,
+                       .p = p,
+                       .feed = {options, p->axis, -may, -may},
+                       .rapid = {options, p->axis, RAPID, RAPID},
+                       .plane = link_height(options, tilt, tilt) + options->radius * p->axis.z};
+
+    if (!lift->guard) {
+        struct vec3 near = vec_along(p->ball, options->approach, p->axis);
+        double out = length_out(options, near, p->axis, s.plane - near.z);
+        struct retract r = {.clear = true, .rapid = true, .n = 2, .at = {near}};
+        r.at[1] = vec_along(near, out, p->axis);
+        if (s.plane > r.at[1].z + 1e-6)
+            r.at[r.n++] = vec(r.at[1].x, r.at[1].y, s.plane);
+        return r;
+    }
+    try_straight(&s, p->axis);
+    if (!s.done)
+        search_all(&s);
+    return s.best;
 }

@@ -298,6 +298,9 @@ int path_options_rules(const struct mesh *mesh, const struct gouge_check *guard,
                                         .longest = 3 * distance,
                                         .avoid = c->avoid || !c->guarded};
     t->rule.skip = c->avoid;
+    t->rule.scallop = c->scallop;
+    t->rule.one_way = c->one_way;
+    t->plane = -HUGE_VAL;
     t->rule.play = RADIANS(c->play);
     t->rule.rate = RADIANS(c->rate);
     t->rule.lean = RADIANS(c->lean);
@@ -342,7 +345,7 @@ static void fill_head(const struct mesh *mesh, const char *tool, const struct to
     head->tool = c->tool;
     head->spindle = c->spindle;
     head->coolant = c->coolant + 1;
-    head->clearance = t->rule.clearance;
+    head->clearance = fmax(t->rule.clearance, t->plane);
     head->scallop = c->scallop;
     if (origin->maker && isfinite(origin->ledger))
         path_spend(t->path, origin->maker, origin->ledger);

@@ -8,9 +8,11 @@
 
 #include "base/cli.h"
 #include "base/parallel.h"
-#include "gouge/link.h"
 #include "math/kdtree.h"
 #include "toolpath_parts.h"
+
+/* Radii of the ball: a link with the tool down is no longer; a retract takes less time. */
+static const double LONGEST = 6;
 
 void toolpath_strip(struct toolpath *t, size_t pass, const struct contact *contact, size_t n,
                     struct vec3 along)
@@ -23,8 +25,6 @@ void toolpath_strip(struct toolpath *t, size_t pass, const struct contact *conta
         *array_push(&strip.contact) = contact[i];
     *array_push(&t->strip) = strip;
 }
-
-/* ---- strips and links put into the path */
 
 /* A point of the path, and of what is looked at when it is done. */
 static struct path_item *add_point(struct toolpath *t, struct pose pose, bool rapid)
@@ -51,60 +51,132 @@ static struct link_options link_options(const struct toolpath *t)
     return (struct link_options){.lift = &t->lift,
                                  .holder = &t->rule.holder,
                                  .radius = t->rule.radius,
-                                 .limit = t->rule.radius,
+                                 .limit = fmax(t->rule.radius, t->rule.longest),
+                                 .longest = fmax(t->rule.longest, LONGEST * t->rule.radius),
                                  .rate = t->rule.rate,
                                  .clearance = t->rule.clearance,
                                  .approach = t->rule.approach};
 }
 
-static struct retract find_retract(struct toolpath *t, const struct run_point *p)
+/* ---- ways between parts and the clearance plane */
+
+/* The point of the run nearest to its end (or start) from which a way leads up: looked for at
+ * distances along the run that are doubled. */
+static struct toolpath_way find_way(const struct toolpath *t, const struct run *run, bool from_end)
 {
     struct link_options options = link_options(t);
-    struct retract r = link_retract(&options, p);
+    double along = 0, next = 0;
 
-    if (!r.clear && t->blocked++ == 0) {
-        t->blocked_pass = t->pass;
-        t->blocked_at = p->contact;
+    for (size_t i = 0; i < run->n; i++) {
+        size_t k = from_end ? run->n - 1 - i : i;
+        if (i > 0)
+            along += vec_distance(run->item[k].ball, run->item[from_end ? k + 1 : k - 1].ball);
+        if (along < next && i + 1 < run->n)
+            continue;
+        struct toolpath_way way = {k, link_retract(&options, &run->item[k])};
+        if (way.retract.clear)
+            return way;
+        next = fmax(t->rule.radius / 2, 2 * along);
     }
-    return r;
+    return (struct toolpath_way){.at = run->n};
 }
 
-static void retract(struct toolpath *t)
-{
-    struct retract r = find_retract(t, &t->at);
+struct way_finder {
+    const struct toolpath *t;
+    struct toolpath_parts *parts;
+};
 
-    add_move(t, r.near, t->at.axis, false);
-    if (r.top.z > r.out.z)
-        add_move(t, r.out, t->at.axis, r.clear);
-    add_move(t, r.top, t->at.axis, r.clear);
+static void find_ways(void *context, size_t from, size_t to)
+{
+    const struct way_finder *f = context;
+
+    for (size_t i = from; i < to; i++) {
+        struct toolpath_part *part = &f->parts->item[i];
+        struct toolpath t = *f->t;
+        struct run run = toolpath_part_run(&t, part);
+        t.lift = t.strip.item[part->strip].lift;
+        part->in = find_way(&t, &run, false);
+        part->out = part->in.at < run.n ? find_way(&t, &run, true) : part->in;
+    }
+}
+
+/* ---- parts and links put into the path */
+
+static double tilt_of(struct vec3 axis)
+{
+    return vec_angle(axis, vec(0, 0, 1));
+}
+
+/* z of the tip at which the tool may turn from one axis to another. */
+static double turning_height(const struct toolpath *t, struct vec3 a, struct vec3 b)
+{
+    struct link_options options = link_options(t);
+
+    return link_height(&options, 0, fmax(tilt_of(a), tilt_of(b)));
+}
+
+/* The tip straight up from a place of the ball, at this height. */
+static struct vec3 over(const struct toolpath *t, struct vec3 ball, struct vec3 axis, double height)
+{
+    return vec(ball.x, ball.y, height + t->rule.radius * axis.z);
+}
+
+/* Back along the part that the tool is at the end of, and up to the height at which it may turn to
+ * an axis. */
+static void retract(struct toolpath *t, struct vec3 next_axis)
+{
+    const struct toolpath_way *way = &t->last.out;
+    struct run run = toolpath_part_run(t, &t->last);
+    const struct run_point *p = &run.item[way->at];
+    double height = turning_height(t, p->axis, next_axis);
+
+    for (size_t i = run.n - 1; i > way->at; i--)
+        add_move(t, run.item[i - 1].ball, run.item[i - 1].axis, false);
+    for (size_t i = 0; i < way->retract.n; i++)
+        add_move(t, way->retract.at[i], p->axis, i > 0 && way->retract.rapid);
+    struct vec3 top = way->retract.at[way->retract.n - 1], up = over(t, top, p->axis, height);
+    if (up.z > top.z + 1e-6)
+        add_move(t, up, p->axis, true);
+    t->height = fmax(height, top.z - t->rule.radius * p->axis.z);
     t->down = false;
 }
 
-static void approach(struct toolpath *t, const struct run_point *p)
+/* From over the part down to where its way in begins, and along it to its start. */
+static void approach(struct toolpath *t, const struct toolpath_part *part)
 {
-    struct retract r = find_retract(t, p);
+    const struct toolpath_way *way = &part->in;
+    struct run run = toolpath_part_run(t, part);
+    const struct run_point *p = &run.item[way->at];
+    struct vec3 top = way->retract.at[way->retract.n - 1];
+    double height = fmax(t->height, turning_height(t, p->axis, p->axis));
+    struct vec3 up = over(t, top, p->axis, height);
 
-    add_move(t, r.top, p->axis, true);
-    if (!r.clear)
+    if (up.z > top.z + 1e-6)
+        add_move(t, up, p->axis, true);
+    add_move(t, top, p->axis, true);
+    if (!way->retract.rapid)
         set_feed(t, t->rule.plunge);
-    if (r.top.z > r.out.z)
-        add_move(t, r.out, p->axis, r.clear);
-    add_move(t, r.near, p->axis, r.clear);
+    for (size_t i = way->retract.n - 1; i-- > 0;)
+        add_move(t, way->retract.at[i], p->axis, way->retract.rapid);
     set_feed(t, t->rule.plunge);
     add_move(t, p->ball, p->axis, false);
     set_feed(t, t->rule.feed);
+    for (size_t i = way->at; i-- > 0;)
+        add_move(t, run.item[i].ball, run.item[i].axis, false);
 }
 
-/* From where the tool is to the first point of a strip, and the word that begins a pass. */
-static void link_to(struct toolpath *t, size_t pass, const struct run_point *p)
+/* From where the tool is to the first point of a part, and the word that begins a pass. */
+static void link_to(struct toolpath *t, size_t pass, const struct toolpath_part *part)
 {
     struct link_options options = link_options(t);
-    struct run link = {.radius = t->rule.radius};
-    bool low = t->down && vec_distance(t->at.ball, p->ball) <= t->rule.longest &&
+    struct run run = toolpath_part_run(t, part), link = {.radius = t->rule.radius};
+    const struct run_point *p = &run.item[0];
+    double longest = t->lift.guard ? options.longest : t->rule.longest;
+    bool low = t->down && vec_distance(t->at.ball, p->ball) <= longest &&
                link_low(&options, &t->at, p, &link);
 
     if (t->down && !low)
-        retract(t);
+        retract(t, run.item[part->in.at].axis);
     if (pass != t->pass)
         path_add_pass(t->path, pass);
     t->pass = pass;
@@ -114,7 +186,7 @@ static void link_to(struct toolpath *t, size_t pass, const struct run_point *p)
         add_move(t, p->ball, p->axis, false);
         t->low++;
     } else {
-        approach(t, p);
+        approach(t, part);
         t->high++;
     }
     array_free(&link);
@@ -152,12 +224,11 @@ static void add_report(struct toolpath *t, size_t pass, const struct gouge_lift_
     }
 }
 
+/* What the lift of a strip tells of it. */
 static void add_strip(struct toolpath *t, const struct toolpath_strip *strip)
 {
     const struct lifted_strip *lifted = &strip->lifted;
-    size_t from = 0;
 
-    t->lift = strip->lift;
     t->chord = fmax(t->chord, strip->chord);
     add_report(t, strip->pass, &lifted->report);
     t->leaned = fmax(t->leaned, strip->leaned);
@@ -166,17 +237,36 @@ static void add_strip(struct toolpath *t, const struct toolpath_strip *strip)
         t->skipped_at = strip->skipped_at;
     }
     t->skipped += strip->skipped;
-    for (size_t i = 0; i < lifted->end.n; i++) {
-        size_t end = lifted->end.item[i];
-        if (end > from) {
-            link_to(t, strip->pass, &lifted->run.item[from]);
-            add_cut(t, &lifted->run.item[from], end - from);
-        }
-        from = end;
-    }
     for (size_t i = 0; i < lifted->uncut.n; i++)
         *array_push(&t->uncut) =
             (struct toolpath_uncut){lifted->uncut.item[i], strip->pass, strip->lift.offset};
+}
+
+/* A part that no way leads to. */
+static void add_blocked(struct toolpath *t, size_t pass, const struct run *run)
+{
+    if (t->blocked++ == 0) {
+        t->blocked_pass = pass;
+        t->blocked_at = run->item[0].ball;
+    }
+    for (size_t i = 1; i < run->n; i++)
+        t->blocked_area +=
+            t->rule.longest / 3 * vec_distance(run->item[i - 1].ball, run->item[i].ball);
+}
+
+static void add_part(struct toolpath *t, const struct toolpath_part *part)
+{
+    const struct toolpath_strip *strip = &t->strip.item[part->strip];
+    struct run run = toolpath_part_run(t, part);
+
+    t->lift = strip->lift;
+    if (part->in.at >= run.n || part->out.at >= run.n) {
+        add_blocked(t, strip->pass, &run);
+        return;
+    }
+    link_to(t, strip->pass, part);
+    add_cut(t, run.item, run.n);
+    t->last = *part;
 }
 
 /* Strips to be lifted at a time. */
@@ -203,15 +293,35 @@ static void lift_strips(void *context, size_t first, size_t last)
         toolpath_lift_strip(b->t, &b->t->strip.item[b->from + i]);
 }
 
-static void add_strips(struct toolpath *t, size_t from, size_t to)
+/* Lifts all strips, several at a time. */
+static void lift_all(struct toolpath *t)
 {
-    for (size_t k = from; k < to; k++) {
-        struct toolpath_strip *strip = &t->strip.item[k];
-        add_strip(t, strip);
-        array_free(&strip->contact);
-        lifted_strip_free(&strip->lifted);
+    const size_t batch = 16;
+
+    for (size_t from = 0, to; from < t->strip.n; from = to) {
+        struct batch b = {t, from};
+        to = t->strip.n - from < batch ? t->strip.n : from + batch;
+        parallel_for(t->threads, to - from, lift_strips, &b);
+        progress("lifting", to, t->strip.n);
+        for (size_t k = from; k < to; k++) {
+            add_strip(t, &t->strip.item[k]);
+            array_free(&t->strip.item[k].contact);
+        }
     }
-    write_items(t);
+}
+
+/* The clearance plane for the axis of the path that leans most. */
+static double plane_of(const struct toolpath *t)
+{
+    struct link_options options = link_options(t);
+    double most = 0;
+
+    for (size_t k = 0; k < t->strip.n; k++) {
+        const struct run *run = &t->strip.item[k].lifted.run;
+        for (size_t i = 0; i < run->n; i++)
+            most = fmax(most, tilt_of(run->item[i].axis));
+    }
+    return link_height(&options, 0, most);
 }
 
 /* ---- what the path leaves uncut */
@@ -283,32 +393,58 @@ static struct path_check path_check_of(const struct toolpath *t)
                                .threads = t->threads};
 }
 
+static void free_strips(struct toolpath *t)
+{
+    for (size_t k = 0; k < t->strip.n; k++) {
+        array_free(&t->strip.item[k].contact);
+        lifted_strip_free(&t->strip.item[k].lifted);
+    }
+    array_free(&t->strip);
+}
+
+/* The parts of all strips in their order, each with its ways in and out. */
+static struct toolpath_parts plan_parts(struct toolpath *t)
+{
+    struct toolpath_parts parts = toolpath_parts_of(t);
+    struct way_finder finder = {t, &parts};
+
+    if (t->lift.guard) {
+        t->slivers = toolpath_drop_slivers(t, &parts);
+        toolpath_order(t, &parts);
+    }
+    parallel_for(t->threads, parts.n, find_ways, &finder);
+    return parts;
+}
+
 void toolpath_end(struct toolpath *t)
 {
-    const size_t batch = 16;
+    const size_t at_once = 64; /* parts that are checked and written together */
 
     if (t->rule.turn > 0)
         toolpath_choose_lean(t);
+    lift_all(t);
+    struct toolpath_parts parts = plan_parts(t);
+    t->plane = plane_of(t);
     t->check = path_check_of(t);
     if (t->streams) {
+        t->path->head.clearance = t->plane;
         t->out = out_open(t->output);
         path_write_head(t->out, &t->path->head);
     }
-    for (size_t from = 0, to; from < t->strip.n; from = to) {
-        struct batch b = {t, from};
-        to = t->strip.n - from < batch ? t->strip.n : from + batch;
-        parallel_for(t->threads, to - from, lift_strips, &b);
-        progress("lifting", to, t->strip.n);
-        add_strips(t, from, to);
+    for (size_t i = 0; i < parts.n; i++) {
+        add_part(t, &parts.item[i]);
+        if (i % at_once == at_once - 1)
+            write_items(t);
     }
-    array_free(&t->strip);
     if (t->down)
-        retract(t);
+        retract(t, vec(0, 0, 1));
     write_items(t);
     if (!t->out) {
         t->check.chord = t->chord;
         path_check_items(&t->check, t->path, 0, t->path->item.n);
     }
+    array_free(&parts);
+    free_strips(t);
     find_uncut(t);
 }
 
@@ -335,9 +471,10 @@ static void say_unmet(const struct toolpath *t)
         say("a smaller ball must remove it; --avoid accepts it");
     at = t->blocked_at;
     if (t->blocked > 0)
-        say("pass %zu: the ball touches the part on %zu moves to or from the clearance plane, the "
-            "first at %.3f %.3f %.3f",
-            t->blocked_pass, t->blocked, at.x, at.y, at.z);
+        say("no way between the clearance plane and %zu runs is clear for the whole tool: left "
+            "out, "
+            "%.1f mm2, the first in pass %zu at %.3f %.3f %.3f",
+            t->blocked, t->blocked_area, t->blocked_pass, at.x, at.y, at.z);
     at = t->skipped_at;
     if (t->skipped > 0)
         say("shank or holder touches at %zu points for every tilt within the limit: "
@@ -355,6 +492,9 @@ int toolpath_conclude(const struct toolpath *t)
 
     note("%zu points in %zu passes, %zu links with the tool down, %zu over the clearance plane",
          r->points, t->pass, t->low, t->high);
+    if (t->slivers > 0)
+        note("%zu runs shorter than the radius left out: their neighbours cut all of them",
+             t->slivers);
     note("%zu points lifted, at most by %.4f mm at %.3f %.3f %.3f", r->lifted, r->highest,
          r->highest_at.x, r->highest_at.y, r->highest_at.z);
     if (t->rule.holder.n > 0)
@@ -365,7 +505,7 @@ int toolpath_conclude(const struct toolpath *t)
         note("straight lines up to %.4f mm from the smooth path", t->chord);
     say_unmet(t);
     bool left = (r->unreachable > 0 || t->uncut_places > 0) && !t->rule.avoid;
-    left = left || (t->skipped > 0 && !t->rule.skip);
+    left = left || ((t->skipped > 0 || t->blocked > 0) && !t->rule.skip);
     left = left || path_check_conclude(&t->check) != EXIT_DONE;
-    return left || t->blocked > 0 || t->shank > 0 ? EXIT_UNMET : EXIT_DONE;
+    return left || t->shank > 0 ? EXIT_UNMET : EXIT_DONE;
 }

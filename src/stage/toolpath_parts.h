@@ -1,6 +1,7 @@
 /*
  * toolpath_parts - what the files of toolpath.h share: strips lifted and their axes shaped
- * (toolpath_axes.c) before they are linked and put into the path (toolpath.c).
+ * (toolpath_axes.c), their parts put in order (toolpath_order.c), linked and put into the path
+ * (toolpath.c).
  */
 #ifndef CLOUDMILL_TOOLPATH_PARTS_H
 #define CLOUDMILL_TOOLPATH_PARTS_H
@@ -14,5 +15,28 @@ void toolpath_choose_lean(struct toolpath *t);
 /* Lifts a strip and does with its axes what the rule says: play, lean and rate.  Where the holder
  * still touches, points are left out and the strip is in more parts. */
 void toolpath_lift_strip(const struct toolpath *t, struct toolpath_strip *strip);
+
+struct toolpath_parts {
+    size_t n, cap;
+    struct toolpath_part *item;
+};
+
+struct toolpath_parts toolpath_parts_of(const struct toolpath *t);
+
+/* Its points; they stay the strip's. */
+struct run toolpath_part_run(const struct toolpath *t, const struct toolpath_part *part);
+
+/* Drops parts shorter than the ball's radius at all of whose contacts other parts leave no more
+ * than the scallop between rows; returns how many. */
+size_t toolpath_drop_slivers(const struct toolpath *t, struct toolpath_parts *parts);
+
+/*
+ * Puts the parts that are not dropped in the order in which they are cut: after each the one that
+ * begins nearest, or turned round ends nearest, among those of neighbouring passes that are as near
+ * as three rows, so that the rows on one side of a gap are cut before those on the other; where
+ * there is none, the first that is left.  Parts are turned round unless they are to be cut one way
+ * or the axis leads.  With rows that have no gaps this is the order of the strips.
+ */
+void toolpath_order(const struct toolpath *t, struct toolpath_parts *parts);
 
 #endif

@@ -79,7 +79,7 @@ START_TEST(no_low_link_over_a_high_wall)
     struct run link = {.radius = R};
     ck_assert(!find_link(9, R, &link));
     ck_assert_uint_eq(link.n, 0);
-    ck_assert(!find_link(3, 0.5, &link));
+    ck_assert(!find_link(6, 0.5, &link));
     array_free(&link);
 }
 END_TEST
@@ -106,10 +106,11 @@ START_TEST(a_retract_goes_up_the_axis)
     struct run_point p = point_at(-6, R);
     p.axis = vec(0, -0.6, 0.8);
     struct retract r = link_retract(&options, &p);
-    ck_assert(r.clear);
-    ck_assert_double_eq_tol(vec_distance(r.near, p.ball), 2, 1e-12);
-    ck_assert_double_eq_tol(vec_angle(vec_sub(r.top, p.ball), p.axis), 0, 1e-9);
-    ck_assert_double_eq_tol(r.top.z - R * p.axis.z, 20, 1e-9);
+    ck_assert(r.clear && r.rapid);
+    ck_assert_uint_eq(r.n, 2);
+    ck_assert_double_eq_tol(vec_distance(r.at[0], p.ball), 2, 1e-12);
+    ck_assert_double_eq_tol(vec_angle(vec_sub(r.at[1], p.ball), p.axis), 0, 1e-9);
+    ck_assert_double_eq_tol(r.at[1].z - R * p.axis.z, 20, 1e-9);
     gouge_free(guard);
 }
 END_TEST
@@ -125,14 +126,16 @@ START_TEST(a_retract_goes_straight_up_where_the_axis_leads_into_the_part)
     p.axis = vec(0, 0.6, 0.8);
     struct retract r = link_retract(&options, &p);
     ck_assert(r.clear);
-    ck_assert_double_eq_tol(vec_angle(vec_sub(r.top, p.ball), vec(0, 0, 1)), 0, 1e-9);
+    ck_assert_double_eq_tol(vec_angle(vec_sub(r.at[r.n - 1], p.ball), vec(0, 0, 1)), 0, 1e-9);
     gouge_free(guard);
-    /* in a slit nothing is clear */
+    /* in a shaft that is too narrow nothing is clear */
     struct vec3s slit = {0};
-    for (double z = 0; z < 30; z += 0.5)
+    for (double z = -6; z < 36; z += 0.5)
         for (double x = -8; x <= 8; x += 0.5) {
-            *array_push(&slit) = vec(x, 1, z + 6);
-            *array_push(&slit) = vec(x, -9, z + 6);
+            *array_push(&slit) = vec(x, 1, z);
+            *array_push(&slit) = vec(x, -9, z);
+            *array_push(&slit) = vec(-8, (x + 8) * 10 / 16 - 9, z);
+            *array_push(&slit) = vec(8, (x + 8) * 10 / 16 - 9, z);
         }
     guard = gouge_from_points(slit.item, slit.n);
     rule.guard = guard;
@@ -142,6 +145,107 @@ START_TEST(a_retract_goes_straight_up_where_the_axis_leads_into_the_part)
     r = link_retract(&options, &p);
     ck_assert(!r.clear);
     array_free(&slit);
+    gouge_free(guard);
+}
+END_TEST
+
+/* The place of the tool that reaches lowest, below its tip, at this tilt. */
+static double reach_below(const struct holder *holder, double tilt)
+{
+    double lowest = R * (cos(tilt) - 1), up = R;
+    for (int i = 0; i < holder->n; i++) {
+        lowest = fmin(lowest, up * cos(tilt) - holder->part[i].low * sin(tilt));
+        up += holder->part[i].length;
+        lowest = fmin(lowest, up * cos(tilt) - holder->part[i].high * sin(tilt));
+    }
+    return lowest;
+}
+
+START_TEST(the_tool_turns_above_the_guard)
+{
+    struct gouge_check *guard = floor_with_wall(9);
+    struct gouge_lift_options rule = {.guard = guard, .offset = R, .tolerance = 0.01};
+    const struct holder holder = {2, {{R, R, 20}, {25, 30, 40}}};
+    struct link_options options = {
+        .lift = &rule, .holder = &holder, .radius = R, .clearance = 12, .approach = 2};
+    for (int most = 0; most <= 130; most += 10) {
+        double z = link_height(&options, 0, RADIANS(most)), lowest = HUGE_VAL;
+        for (double tilt = 0; tilt <= most; tilt += 0.25)
+            lowest = fmin(lowest, z + reach_below(&holder, RADIANS(tilt)));
+        ck_assert_double_ge(lowest, 9.99); /* the top of the wall, and 1 mm */
+        ck_assert_double_ge(z, 12);
+        ck_assert(z == 12 || lowest < 10.01); /* no higher than it must */
+    }
+    gouge_free(guard);
+}
+END_TEST
+
+/* Under a roof at z = 12 that covers x < 3: up, along the axis and along the normal the shaft is in
+ * it. */
+START_TEST(a_way_out_is_bent_where_a_roof_is_over_the_point)
+{
+    struct vec3s points = {0};
+    for (double x = -30; x <= 30; x += 0.5)
+        for (double y = -30; y <= 30; y += 0.5) {
+            *array_push(&points) = vec(x, y, 0);
+            if (x <= 3)
+                *array_push(&points) = vec(x, y, 12);
+        }
+    struct gouge_check *guard = gouge_from_points(points.item, points.n);
+    struct gouge_lift_options rule = {.guard = guard, .offset = 2, .tolerance = 0.01};
+    const struct holder shaft = {1, {{2, 2, 40}}};
+    struct link_options options = {
+        .lift = &rule, .holder = &shaft, .radius = 2, .clearance = 30, .approach = 3};
+    /* the axis leads out past the edge of the roof, but the way along it is not the only one */
+    struct run_point p = {
+        .ball = vec(-3, 0, 2), .axis = vec_unit(vec(1.4, 0, 1)), .normal = vec(0, 0, 1)};
+    struct retract r = link_retract(&options, &p);
+    ck_assert(r.clear);
+    struct vec3 last = p.ball;
+    for (size_t i = 0; i < r.n; i++) {
+        for (int k = 0; k <= 400; k++) { /* pose by pose */
+            struct vec3 c = vec_mix(last, r.at[i], k / 400.0);
+            ck_assert_double_le(gouge_depth(guard, c, 2), 0.01);
+            ck_assert_double_ge(gouge_holder(guard, &shaft, c, p.axis, 1), -0.01);
+        }
+        last = r.at[i];
+    }
+    ck_assert_double_ge(last.z - 2 * p.axis.z, 30 - 1e-9);
+    /* upright under the roof the shaft is in it already: no way */
+    p.axis = vec(0, 0, 1);
+    ck_assert(!link_retract(&options, &p).clear);
+    array_free(&points);
+    gouge_free(guard);
+}
+END_TEST
+
+/* The shaft stands beside a wall; the low link to its other side would drive it through. */
+START_TEST(a_low_link_keeps_the_shaft_clear)
+{
+    struct vec3s points = {0};
+    for (double x = -20; x <= 20; x += 0.5) {
+        for (double y = -20; y <= 20; y += 0.5)
+            *array_push(&points) = vec(x, y, 0);
+        for (double z = 8; z <= 30; z += 0.5)
+            *array_push(&points) = vec(x, 0, z); /* a curtain over the floor, above the ball */
+    }
+    struct gouge_check *guard = gouge_from_points(points.item, points.n);
+    struct gouge_lift_options rule = {.guard = guard, .offset = 2, .tolerance = 0.01};
+    const struct holder shaft = {1, {{2, 2, 20}}};
+    struct link_options options = {
+        .lift = &rule, .holder = &shaft, .radius = 2, .limit = 4, .longest = 40};
+    struct run_point from = {.ball = vec(0, -6, 2), .axis = vec(0, 0, 1), .normal = vec(0, 0, 1)};
+    struct run_point to = from;
+    struct run link = {.radius = 2};
+    to.ball.y = 6;
+    ck_assert(!link_low(&options, &from, &to, &link));
+    to.ball = vec(10, -6, 2); /* along the curtain, 4 mm off it */
+    ck_assert(link_low(&options, &from, &to, &link));
+    for (size_t i = 0; i < link.n; i++)
+        ck_assert_double_ge(gouge_holder(guard, &shaft, link.item[i].ball, link.item[i].axis, 1),
+                            0);
+    array_free(&link);
+    array_free(&points);
     gouge_free(guard);
 }
 END_TEST
@@ -156,6 +260,9 @@ int main(void)
     tcase_add_test(tests, without_a_guard_it_is_straight);
     tcase_add_test(tests, a_retract_goes_up_the_axis);
     tcase_add_test(tests, a_retract_goes_straight_up_where_the_axis_leads_into_the_part);
+    tcase_add_test(tests, the_tool_turns_above_the_guard);
+    tcase_add_test(tests, a_way_out_is_bent_where_a_roof_is_over_the_point);
+    tcase_add_test(tests, a_low_link_keeps_the_shaft_clear);
     suite_add_tcase(suite, tests);
     SRunner *runner = srunner_create(suite);
     srunner_run_all(runner, CK_NORMAL);

@@ -1,0 +1,206 @@
+/* toolpath_order - see toolpath_parts.h: parts of strips, slivers left out, one after the other. */
+#include <stdlib.h>
+
+#include "gouge/gouge.h"
+#include "math/kdtree.h"
+#include "toolpath_parts.h"
+
+struct run toolpath_part_run(const struct toolpath *t, const struct toolpath_part *part)
+{
+    const struct run *all = &t->strip.item[part->strip].lifted.run;
+
+    return (struct run){
+        .n = part->to - part->from, .item = all->item + part->from, .radius = all->radius};
+}
+
+struct toolpath_parts toolpath_parts_of(const struct toolpath *t)
+{
+    struct toolpath_parts parts = {0};
+
+    for (size_t k = 0; k < t->strip.n; k++) {
+        const struct sizes *end = &t->strip.item[k].lifted.end;
+        for (size_t i = 0, from = 0; i < end->n; from = end->item[i++])
+            if (end->item[i] > from)
+                *array_push(&parts) =
+                    (struct toolpath_part){.strip = k, .from = from, .to = end->item[i]};
+    }
+    return parts;
+}
+
+/* ---- slivers */
+
+static double length_of(const struct run *run)
+{
+    double length = 0;
+
+    for (size_t i = 1; i < run->n; i++)
+        length += vec_distance(run->item[i - 1].ball, run->item[i].ball);
+    return length;
+}
+
+/* The ball's centre on all parts, close together, and whose it is. */
+struct centres {
+    struct vec3s at;
+    struct sizes part;
+};
+
+static void add_centres(const struct run *run, size_t part, struct centres *centres)
+{
+    const double most = 0.5; /* mm apart */
+
+    for (size_t i = 0; i < run->n; i++) {
+        struct vec3 b = run->item[i].ball, a = i > 0 ? run->item[i - 1].ball : b;
+        double n = fmax(1, ceil(vec_distance(a, b) / most));
+        for (double k = 1; k <= n; k++) {
+            *array_push(&centres->at) = vec_mix(a, b, k / n);
+            *array_push(&centres->part) = part;
+        }
+    }
+}
+
+/* Another part that stays comes within `near` of the place. */
+static bool is_cut_by_others(const struct toolpath_parts *parts, size_t part,
+                             const struct centres *centres, const struct kdtree *tree,
+                             struct vec3 place, double near, struct sizes *found)
+{
+    found->n = 0;
+    kdtree_within(tree, place, near, found);
+    for (size_t i = 0; i < found->n; i++) {
+        size_t other = centres->part.item[found->item[i]];
+        if (other != part && !parts->item[other].dropped)
+            return true;
+    }
+    return false;
+}
+
+static bool is_sliver(const struct toolpath *t, const struct toolpath_parts *parts, size_t k,
+                      const struct centres *centres, const struct kdtree *tree, struct sizes *found)
+{
+    const struct toolpath_part *part = &parts->item[k];
+    struct run run = toolpath_part_run(t, part);
+    double near = t->strip.item[part->strip].lift.offset + t->rule.scallop;
+
+    if (length_of(&run) >= t->rule.radius)
+        return false;
+    for (size_t i = 0; i < run.n; i++)
+        if (run_point_touches(&run.item[i]) &&
+            !is_cut_by_others(parts, k, centres, tree, run.item[i].contact, near, found))
+            return false;
+    return true;
+}
+
+size_t toolpath_drop_slivers(const struct toolpath *t, struct toolpath_parts *parts)
+{
+    struct centres centres = {0};
+    struct sizes found = {0};
+    size_t dropped = 0;
+
+    if (t->rule.scallop <= 0 || parts->n < 2)
+        return 0;
+    for (size_t k = 0; k < parts->n; k++) {
+        struct run run = toolpath_part_run(t, &parts->item[k]);
+        add_centres(&run, k, &centres);
+    }
+    struct kdtree *tree = kdtree_new_by(centres.at.item, centres.at.n, t->threads);
+    for (size_t k = 0; k < parts->n; k++) {
+        parts->item[k].dropped = is_sliver(t, parts, k, &centres, tree, &found);
+        dropped += parts->item[k].dropped;
+    }
+    kdtree_free(tree);
+    array_free(&centres.at);
+    array_free(&centres.part);
+    array_free(&found);
+    return dropped;
+}
+
+/* ---- one after the other */
+
+enum { PASSES_AWAY = 3 }; /* a neighbour's pass is no further from the last one's */
+
+struct orderer {
+    const struct toolpath *t;
+    const struct toolpath_parts *parts;
+    bool *done;
+    size_t first; /* none before it is left */
+};
+
+static size_t pass_of(const struct orderer *o, size_t k)
+{
+    return o->t->strip.item[o->parts->item[k].strip].pass;
+}
+
+static double offset_of(const struct orderer *o, size_t k)
+{
+    return o->t->strip.item[o->parts->item[k].strip].lift.offset;
+}
+
+static struct vec3 end_of(const struct orderer *o, size_t k, bool last)
+{
+    struct run run = toolpath_part_run(o->t, &o->parts->item[k]);
+
+    return run.item[last ? run.n - 1 : 0].ball;
+}
+
+/* The part, of this layer and a pass near by, that begins (or, turned round, ends) nearest to a
+ * place within `reach`; parts->n if there is none. */
+static size_t nearest_part(const struct orderer *o, size_t after, struct vec3 place, double reach,
+                           bool *turned)
+{
+    size_t best = o->parts->n, pass = pass_of(o, after);
+    bool may_turn = !o->t->rule.one_way && o->t->lift.axis.lead == 0;
+
+    for (size_t k = o->first; k < o->parts->n; k++) {
+        size_t other = pass_of(o, k);
+        if (other > pass + PASSES_AWAY)
+            break;
+        if (o->done[k] || other + PASSES_AWAY < pass || offset_of(o, k) != offset_of(o, after))
+            continue;
+        for (int last = 0; last < (may_turn ? 2 : 1); last++) {
+            double away = vec_distance(place, end_of(o, k, last));
+            if (away >= reach)
+                continue;
+            reach = away;
+            best = k;
+            *turned = last;
+        }
+    }
+    return best;
+}
+
+static void turn_round(struct run run)
+{
+    for (size_t i = 0, k = run.n; i + 1 < k; i++) {
+        struct run_point p = run.item[i];
+        run.item[i] = run.item[--k];
+        run.item[k] = p;
+    }
+}
+
+void toolpath_order(const struct toolpath *t, struct toolpath_parts *parts)
+{
+    struct orderer o = {.t = t, .parts = parts, .done = mem_alloc(parts->n + 1, sizeof(bool))};
+    struct toolpath_parts ordered = {0};
+    double reach = fmax(t->rule.longest, 2 * t->rule.radius);
+    size_t next = parts->n;
+
+    for (size_t k = 0; k < parts->n; k++)
+        o.done[k] = parts->item[k].dropped;
+    for (;;) {
+        bool turned = false;
+        while (o.first < parts->n && o.done[o.first])
+            o.first++;
+        if (o.first == parts->n)
+            break;
+        if (next < parts->n)
+            next = nearest_part(&o, next, end_of(&o, next, true), reach, &turned);
+        if (next == parts->n)
+            next = o.first;
+        if (turned)
+            turn_round(toolpath_part_run(t, &parts->item[next]));
+        *array_push(&ordered) = parts->item[next];
+        o.done[next] = true;
+    }
+    free(o.done);
+    array_free(parts);
+    *parts = ordered;
+}
