@@ -28,8 +28,9 @@ struct path_check_deep {
 struct path_check {
     struct gouge_refit_options tool; /* the guard (NULL: nothing is swept), the tool, and how deep
                                         it may be */
-    double chord; /* so much more the ball may be in a cut, mm: what a fitter takes out */
-    int threads;  /* as of parallel_for */
+    bool coarse; /* cuts are not looked at: straight lines between their points are not what will be
+                    driven, but a curve that a fitter puts there */
+    int threads; /* as of parallel_for */
 
     /* What was found. */
     struct path_check_deep deep[3]; /* by enum path_motion */

@@ -31,12 +31,10 @@ static void sweep_motions(void *context, size_t from, size_t to)
 
     for (size_t i = from; i < to; i++) {
         struct checked_motion *m = &s->motions->item[i];
-        struct gouge_refit_options tool = s->check->tool;
-        if (m->kind == MOTION_CUT)
-            tool.tolerance += s->check->chord;
+        const struct gouge_refit_options *tool = &s->check->tool;
         gouges.n = 0;
-        gouge_refit_motion(&tool, &m->motion, &gouges);
-        m->deepest = gouge_refit_beyond(&tool, &gouges);
+        gouge_refit_motion(tool, &m->motion, &gouges);
+        m->deepest = gouge_refit_beyond(tool, &gouges);
     }
     array_free(&gouges);
 }
@@ -85,11 +83,10 @@ static void follow_item(struct path_check *check, const struct path *path,
         return;
     if (!path_is_rapid(item))
         look_at_feed(check);
-    if (check->begun && check->tool.guard)
-        *array_push(motions) =
-            (struct checked_motion){.motion = path_item_motion(path, item, check->at),
-                                    .kind = kind_of(check, item),
-                                    .pass = check->pass};
+    enum path_motion kind = kind_of(check, item);
+    if (check->begun && check->tool.guard && !(kind == MOTION_CUT && check->coarse))
+        *array_push(motions) = (struct checked_motion){
+            .motion = path_item_motion(path, item, check->at), .kind = kind, .pass = check->pass};
     check->at = item->to;
     check->begun = true;
     check->touched = item->touches;
@@ -121,8 +118,8 @@ int path_check_conclude(const struct path_check *check)
         kept = false;
         say("in %zu %s the tool goes deeper than %g mm into the part, worst in pass %zu the %s by "
             "%.4f mm with the ball's centre at %.3f %.3f %.3f",
-            d->n, name[k], check->tool.tolerance + (k == MOTION_CUT ? check->chord : 0), d->pass,
-            tool_part_name(d->deepest.part), d->deepest.depth, at.x, at.y, at.z);
+            d->n, name[k], check->tool.tolerance, d->pass, tool_part_name(d->deepest.part),
+            d->deepest.depth, at.x, at.y, at.z);
     }
     if (check->slow > 0)
         say("%zu motions have a feed below %g mm/min, the slowest in pass %zu: %g", check->slow,

@@ -390,6 +390,7 @@ static struct path_check path_check_of(const struct toolpath *t)
                                         .radius = t->rule.radius,
                                         .tolerance = t->lift.tolerance,
                                         .holder = t->rule.holder},
+                               .coarse = !t->lift.between,
                                .threads = t->threads};
 }
 
@@ -439,10 +440,8 @@ void toolpath_end(struct toolpath *t)
     if (t->down)
         retract(t, vec(0, 0, 1));
     write_items(t);
-    if (!t->out) {
-        t->check.chord = t->chord;
+    if (!t->out)
         path_check_items(&t->check, t->path, 0, t->path->item.n);
-    }
     array_free(&parts);
     free_strips(t);
     find_uncut(t);

@@ -28,13 +28,13 @@ path "$TMP/low.cl" 1 0.03
 for fit in bsplfit biarcfit; do
 	status 0 "$fit: clear" $fit -q -e 0.01 -g "$TMP/plane.xyz" -o "$TMP/out.cl" "$TMP/clear.cl"
 	status 3 "$fit: a motion between runs" $fit -e 0.01 -g "$TMP/plane.xyz" -o "$TMP/out.cl" "$TMP/link.cl"
-	has "$fit: how deep, and where" 'in pass 1 0\.05[0-9]* mm with its centre at 1[123]\.' "$TMP/err"
+	has "$fit: how deep, and where" 'in pass 1 the ball by 0\.05[0-9]* mm with the ball.s centre at 1[123]\.' "$TMP/err"
 	status 0 "$fit: within what is asked for" $fit -q -e 0.06 -g "$TMP/plane.xyz" -o "$TMP/out.cl" "$TMP/link.cl"
 	status 0 "$fit: points too low" $fit -v -e 0.01 -g "$TMP/plane.xyz" -o "$TMP/out.cl" "$TMP/low.cl"
 	has "$fit: are lifted" 'points lifted by at most 0\.0[2-6]' "$TMP/err"
 done
 status 3 "as published" bsplfit -v --paper -e 0.01 -g "$TMP/plane.xyz" -o "$TMP/out.cl" "$TMP/low.cl"
 hasnt "nothing is lifted" 'lifted' "$TMP/err"
-has "what is too deep is told" 'in pass 1 0\.0[2-9]' "$TMP/err"
+has "what is too deep is told" 'in pass 1 the ball by 0\.0[2-9]' "$TMP/err"
 
 done_testing

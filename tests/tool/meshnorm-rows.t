@@ -155,7 +155,7 @@ empty "and nothing is written" "$TMP/out"
 # ---- rows by the scallop, and their direction
 
 status 0 "rows for cusps of 0.05 mm" meshnorm -v -r 5 --scallop 0.05 -o "$TMP/cusp.cl" "$TMP/dome.ply"
-cuts "$TMP/cusp.cl" >"$TMP/cuts"
+cuts "$TMP/cusp.cl" | sort -s -k1,1n >"$TMP/cuts"
 # on the dome all rows are circles in planes y = constant; the cusp between two of them on the dome
 # at a distance d of their contact points: 8 h R / (1 + R / 60) = d^2
 awk '{ x = $2 + 5 * $5; y = $3 + 5 * $6; z = $4 + 5 * $7

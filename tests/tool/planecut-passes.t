@@ -174,7 +174,7 @@ runs() { # how many rows of contact points without another move between
 }
 HOLE=6 grid dome -20 -20 20 20 40 40 >hole.ply
 planecut -q -r 5 -s 4 --fixed 0,0,1 hole.ply >hole.cl
-ok "11 passes" test "$(grep -c PASS/ hole.cl)" = 11
+ok "11 passes" test "$(grep PASS/ hole.cl | sort -u | wc -l)" = 11
 ok "a hole breaks those three that meet it" test "$(runs hole.cl)" = 14
 # two sheets, 0.05 apart, in one PLY
 sheets() { # GAP
