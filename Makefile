@@ -31,11 +31,14 @@ c_files  := $(filter-out tests/data/%,$(wildcard $(foreach top,src include tests
 cloud    := $(BUILD)/tests/accuracy/cloud
 manuals  := $(wildcard man/*.[157])
 machines := $(wildcard machines/*.txt)
+controls := $(wildcard controls/*.txt)
+built_in := fanuc siemens heidenhain linuxcnc
 
 tools    := $(tool_src:src/%.c=$(BUILD)/bin/%)
 lib      := $(BUILD)/libcloudmill.a
 page_obj := $(page_src:%=$(BUILD)/%.o)
-lib_obj  := $(lib_src:%.c=$(BUILD)/%.o) $(page_obj)
+control_obj := $(built_in:%=$(BUILD)/controls/%.o)
+lib_obj  := $(lib_src:%.c=$(BUILD)/%.o) $(page_obj) $(control_obj)
 back_obj := $(back_src:%.c=$(BUILD)/%.o)
 help_obj := $(help_src:%.c=$(BUILD)/%.o)
 units    := $(unit_src:tests/%.c=$(BUILD)/tests/%)
@@ -63,6 +66,15 @@ $(BUILD)/src/machine/machine.o: $(BUILD)/datadir
 $(BUILD)/datadir: always
 	@mkdir -p $(@D)
 	@echo '$(DATADIR)' | cmp -s - $@ || echo '$(DATADIR)' >$@
+
+# The controls that are built in, as strings: controls/fanuc.txt is `const char control_text_fanuc[]`.
+$(BUILD)/controls/%.c: controls/%.txt
+	@mkdir -p $(@D)
+	{ echo 'extern const char control_text_$*[];' && echo 'const char control_text_$*[] =' && \
+	  sed -e 's/\\/\\\\/g' -e 's/"/\\"/g' -e 's/.*/"&\\n"/' $< && echo ';'; } >$@.new && mv $@.new $@
+
+$(control_obj): $(BUILD)/controls/%.o: $(BUILD)/controls/%.c
+	$(CC) $(FLAGS) $(CFLAGS) $(CPPFLAGS) -MD -MP -c -o $@ $<
 
 # The files of the verdict's page as strings: page.js is `const char page_js[]`.
 $(BUILD)/src/verify/page.%.c: src/verify/page.%
@@ -147,10 +159,11 @@ fuzz:
 	BIN="$(abspath $(BUILD))/fuzz/bin" OUT="$(abspath $(BUILD))/fuzz/out" sh tests/fuzz/fuzz.sh
 
 install: all
-	mkdir -p $(DESTDIR)$(PREFIX)/bin $(DESTDIR)$(DATADIR)/machines
+	mkdir -p $(DESTDIR)$(PREFIX)/bin $(DESTDIR)$(DATADIR)/machines $(DESTDIR)$(DATADIR)/controls
 	install -m 755 $(tools) $(DESTDIR)$(PREFIX)/bin
 	if [ -n "$(machines)" ]; then \
 	  install -m 644 $(machines) $(DESTDIR)$(DATADIR)/machines; fi
+	install -m 644 $(controls) $(DESTDIR)$(DATADIR)/controls
 	for page in $(manuals); do \
 	  dir=$(DESTDIR)$(PREFIX)/share/man/man$${page##*.}; \
 	  mkdir -p $$dir && install -m 644 $$page $$dir || exit 1; done
@@ -160,7 +173,8 @@ uninstall:
 	for page in $(notdir $(manuals)); do \
 	  rm -f $(DESTDIR)$(PREFIX)/share/man/man$${page##*.}/$$page; done
 	rm -f $(machines:machines/%=$(DESTDIR)$(DATADIR)/machines/%)
-	-rmdir $(DESTDIR)$(DATADIR)/machines $(DESTDIR)$(DATADIR) 2>/dev/null
+	rm -f $(controls:controls/%=$(DESTDIR)$(DATADIR)/controls/%)
+	-rmdir $(DESTDIR)$(DATADIR)/machines $(DESTDIR)$(DATADIR)/controls $(DESTDIR)$(DATADIR) 2>/dev/null
 
 dist:
 	if git rev-parse --git-dir >/dev/null 2>&1; then \

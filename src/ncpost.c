@@ -43,7 +43,9 @@ static void read_limit(struct settings *s, const struct cli *cli)
 static void read_options(struct settings *s, struct cli *cli, int argc, char **argv)
 {
     const struct cli_option option[] = {
-        machine_option_control(&s->machine, "control to write for (default: the machine's own)"),
+        machine_option_control(
+            &s->machine, "control to write for: fanuc, siemens, heidenhain, linuxcnc, one of\n"
+                         "the installed control files, or a file (default: the machine's own)"),
         machine_option_name(&s->machine),
         machine_option_set(&s->machine),
         {'e', "tolerance", "MM",
@@ -109,11 +111,10 @@ static struct machine read_machine(const struct settings *s)
 
 static enum control_id choose_control(const struct settings *s, const struct machine *machine)
 {
-    enum control_id control = s->machine.control_given ? (enum control_id)s->machine.control
-                                                       : control_find(machine->control);
+    enum control_id control = (enum control_id)machine->text.dialect;
     if (control == CONTROLS)
-        die_usage("found no control, expected -c %s (machine %s names none)", control_names(),
-                  machine->name);
+        die_usage("found no control, expected -c %s or another (machine %s names none)",
+                  control_names(), machine->name);
     struct error error;
     if (post_check(control, &s->post, &error) != 0)
         die_usage("%s", error.text);
@@ -168,10 +169,8 @@ static void say_report(const struct path *path, const struct post_report *r, dou
 int main(int argc, char **argv)
 {
     struct settings s = settings_default();
-    char usage[200];
-    snprintf(usage, sizeof usage, "-c %s [-m MACHINE] [options] [FILE]", control_names());
     struct cli cli = {.tool = "ncpost",
-                      .usage = usage,
+                      .usage = "-c CONTROL [-m MACHINE] [options] [FILE]",
                       .about = "Writes an NC program from a path, for a control and a machine."};
     read_options(&s, &cli, argc, argv);
     struct machine machine = read_machine(&s);

@@ -64,8 +64,9 @@ static void read_options(struct settings *s, struct cli *cli, int argc, char **a
          CLI_LIST, &s->part, 0, 0, 0, NULL},
         {'r', "radius", "MM", "radius of the ball", CLI_NUMBER, &s->radius, CLI_POSITIVE, 1e4, 0,
          &s->radius_given},
-        machine_option_control(&s->machine,
-                               "control of the program (default: recognized by its first lines)"),
+        machine_option_control(
+            &s->machine, "control of the program, as with ncpost (default: the machine's own, or\n"
+                         "recognized by its first lines)"),
         machine_option_name(&s->machine),
         machine_option_set(&s->machine),
         {'e', "tolerance", "MM", "deepest gouge; beyond it the exit status is 3 (default 0.05)",
@@ -141,10 +142,13 @@ static struct verify_program read_program(const struct settings *s, const struct
 {
     struct ncread_options options = {.kinematics = ncread_kinematics(machine)};
     struct error error;
-    if (!s->machine.control_given && (!file || strcmp(file, "-") == 0))
+    enum control_id control = (enum control_id)machine->text.dialect, told;
+    if (control == CONTROLS && (!file || strcmp(file, "-") == 0))
         die_usage("the program is read from standard input: give its control by -c");
-    enum control_id control =
-        s->machine.control_given ? (enum control_id)s->machine.control : ncread_tell(file, &error);
+    if (!s->machine.control && file && strcmp(file, "-") != 0) {
+        told = ncread_tell(file, &error);
+        control = told == CONTROLS ? control : told;
+    }
     if (control == CONTROLS)
         die_error(&error);
     options.dialect = ncread_of(control);

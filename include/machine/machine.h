@@ -18,8 +18,8 @@
  * - rotary_spline.h: rotary angles along a B-spline as B-splines (The NURBS Book, 9.4.1).
  * - rotary_cost.h: how far the axes of any machine turn between two tool axes.
  *
- * Beside them stand control.h, the table of controls; template.h, blocks that a machine file words
- * itself; machine_options.h, the options -m, --set and -c.
+ * Beside them stand control.h, the table of controls; control_text.h, a control as a text file;
+ * template.h, text with fields; machine_options.h, the options -m, --set and -c.
  */
 #ifndef CLOUDMILL_MACHINE_H
 #define CLOUDMILL_MACHINE_H
@@ -28,6 +28,7 @@
 
 #include "base/error.h"
 #include "machine/control.h"
+#include "machine/control_text.h"
 #include "machine/kinematics.h"
 
 enum { MACHINE_X, MACHINE_Y, MACHINE_Z, MACHINE_A, MACHINE_B, MACHINE_C, MACHINE_AXES };
@@ -47,6 +48,8 @@ enum machine_length_off { LENGTH_OFF_HOME, LENGTH_OFF_ALONE, LENGTH_OFF_Z };
  * the shortest way; absolute in 0 to 360 with the sign of the turn. */
 enum machine_rotary_words { ROTARY_PLAIN, ROTARY_WITHIN, ROTARY_DC, ROTARY_SIGNED };
 
+enum { MACHINE_BLOCKS = 300 };
+
 enum machine_type { TABLE_TABLE, HEAD_TABLE, HEAD_HEAD, ONE_TABLE, ONE_HEAD, NO_ROTARY };
 
 /* How many decimals the control is given; -1: the control's usual number. */
@@ -56,7 +59,9 @@ struct machine_digits {
 
 struct machine {
     char name[100];
-    char control[20];         /* "": any */
+    char control[60];         /* a name or file, "": any */
+    char used[60];            /* the control that was asked for or read, "": none */
+    struct control_text text; /* its programs as text */
     int type;                 /* enum machine_type */
     char axes[20];            /* letters of the rotary axes, the outer (master) first: "A C" */
     struct vec3 axis[3];      /* directions of A, B, C at zero */
@@ -80,16 +85,16 @@ struct machine {
     bool cutcom;                /* radius compensation where the path asks for it */
     bool plane;  /* the control turns to a tilted plane where the tool axis is fixed */
     bool smooth; /* the control is to smooth the path within ncpost's tolerance */
-    struct machine_templates { /* blocks, "": the control's own (template.h) */
-        char home[120];        /* retracts Z to a safe height */
-        char safe[120];        /* before it: what may still be on is switched off */
-        char start[120];       /* after the modal words at the start */
-        char tool_change[120];
-        char tcp_on[120], tcp_off[120];
-        char smooth_on[120], smooth_off[120];
-        char plane_on[120], plane_off[120];
-        char tap[120]; /* before a tapping cycle: M29 S{rpm} */
-        char end[120]; /* before M30 */
+    struct machine_templates {      /* blocks, "": none (template.h) */
+        char home[MACHINE_BLOCKS];  /* retracts Z to a safe height */
+        char safe[MACHINE_BLOCKS];  /* before it: what may still be on is switched off */
+        char start[MACHINE_BLOCKS]; /* after the modal words at the start */
+        char tool_change[MACHINE_BLOCKS];
+        char tcp_on[MACHINE_BLOCKS], tcp_off[MACHINE_BLOCKS];
+        char smooth_on[MACHINE_BLOCKS], smooth_off[MACHINE_BLOCKS];
+        char plane_on[MACHINE_BLOCKS], plane_off[MACHINE_BLOCKS];
+        char tap[MACHINE_BLOCKS]; /* before a tapping cycle: M29 S{rpm} */
+        char end[MACHINE_BLOCKS]; /* before M30 */
     } blocks;
     int number_step; /* of block numbers, 0: none */
     int number_max;  /* after it they begin again */
@@ -107,6 +112,16 @@ struct machine machine_default(void);
  * $CLOUDMILL_MACHINES, then among the machines installed, or built, with the running program.
  */
 int machine_read(struct machine *machine, const char *name, struct error *error);
+
+/*
+ * The control's keys and sections over those of the machine, so that it is called before
+ * machine_read: one of control.h, which is built in, or NAME.txt as with machine_read, in
+ * $CLOUDMILL_CONTROLS and the folders `controls`, or a file.
+ */
+int machine_control(struct machine *machine, const char *name, struct error *error);
+
+/* There is such a control; false with the error. */
+bool machine_control_exists(const char *name, struct error *error);
 
 /* One more `key=value`, as the command line has it. */
 int machine_set(struct machine *machine, const char *setting, struct error *error);

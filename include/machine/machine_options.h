@@ -11,8 +11,7 @@
 struct machine_options {
     const char *name;    /* -m, NULL: machine_default */
     struct cli_list set; /* --set */
-    int control;         /* -c: an enum control_id, where control_given */
-    bool control_given;
+    const char *control; /* -c, NULL: the machine's own */
 };
 
 /* The rows of a tool's table of options (cli.h); `help` says what -c is for. */
@@ -21,9 +20,10 @@ struct cli_option machine_option_set(struct machine_options *options);
 struct cli_option machine_option_control(struct machine_options *options, const char *help);
 
 /*
- * Makes the machine: that of -m, or the default one, with the keys of --set.  0, or the exit status
- * that the error deserves: EXIT_FAILED, the machine file is missing or wrong; EXIT_USAGE, the keys
- * of --set are.
+ * Makes the machine: the control of -c, or the machine's own, then that of -m, or the default one,
+ * then the keys of --set.  The control is machine->text.dialect; CONTROLS: none was named.  0, or
+ * the exit status that the error deserves: EXIT_FAILED, a file is missing or wrong; EXIT_USAGE, the
+ * keys of --set are, or there is no such control.
  */
 int machine_options_read(const struct machine_options *options, struct machine *machine,
                          struct error *error);

@@ -26,8 +26,9 @@ char machine_letter(int axis)
 
 bool machine_has_tcp(const struct machine *machine, enum control_id control)
 {
-    return machine->tcp &&
-           (!control_row(control)->tcp_of_machine || control_find(machine->control) == control);
+    bool its_own = control_find(machine->control) == control ||
+                   (*machine->control && strcmp(machine->control, machine->used) == 0);
+    return machine->tcp && (!control_row(control)->tcp_of_machine || its_own);
 }
 
 struct machine machine_default(void)
@@ -49,6 +50,7 @@ struct machine machine_default(void)
         .number_step = 10,
         .number_max = 99999999,
         .digits = {-1, -1, -1, -1, -1},
+        .text = {.dialect = CONTROLS, .comment = "({text})", .comment_width = 80, .number = "N{n}"},
     };
     return m;
 }
@@ -88,6 +90,20 @@ static void add_rotary(struct keys *keys, struct machine *m, int i)
     keys_add(keys, name, KEY_VECTOR, &m->centre[i]);
 }
 
+/* How the control's programs look. */
+static void add_control(struct keys *keys, struct control_text *text)
+{
+    add_text(keys, "title", text->title, sizeof text->title);
+    keys_add(keys, "dialect", KEY_CHOICE, &text->dialect)->words = control_names();
+    add_text(keys, "comment", text->comment, sizeof text->comment);
+    keys_add(keys, "comment.capitals", KEY_YES, &text->comment_capitals);
+    add_bounded(keys, "comment.width", KEY_COUNT, &text->comment_width, 40, 132);
+    add_text(keys, "number", text->number, sizeof text->number);
+    keys_add(keys, "number.all", KEY_YES, &text->number_all);
+    keys_add(keys, "point", KEY_YES, &text->point);
+    keys_add(keys, "sign", KEY_YES, &text->sign);
+}
+
 /* ---- the keys */
 
 static struct keys machine_keys(struct machine *m)
@@ -95,6 +111,7 @@ static struct keys machine_keys(struct machine *m)
     struct keys keys = {0};
     add_text(&keys, "name", m->name, sizeof m->name);
     add_text(&keys, "control", m->control, sizeof m->control);
+    add_control(&keys, &m->text);
     keys_add(&keys, "type", KEY_CHOICE, &m->type)->words =
         "table-table|head-table|head-head|table|head|none";
     add_text(&keys, "axes", m->axes, sizeof m->axes);
@@ -166,26 +183,30 @@ static int read_letters(const char *axes, int letter[ROTARY_MAX])
     return n == 2 && letter[0] == letter[1] ? -1 : n;
 }
 
+/* Those that hold templates; -1: `key` is the one to blame. */
 static int check_templates(const struct machine *m, char key[KEY_NAME], struct error *error)
 {
     const struct machine_templates *b = &m->blocks;
     const struct {
         const char *key, *text;
-    } all[] = {{"home", b->home},
-               {"safe", b->safe},
-               {"start", b->start},
-               {"end", b->end},
-               {"tool.change", b->tool_change},
-               {"tap", b->tap},
-               {"tcp.on", b->tcp_on},
-               {"tcp.off", b->tcp_off},
-               {"smooth.on", b->smooth_on},
-               {"smooth.off", b->smooth_off},
-               {"plane.on", b->plane_on},
-               {"plane.off", b->plane_off}};
+        enum template_place place;
+    } all[] = {{"comment", m->text.comment, TEMPLATE_IN_COMMENT},
+               {"number", m->text.number, TEMPLATE_IN_NUMBER},
+               {"home", b->home, TEMPLATE_IN_KEY},
+               {"safe", b->safe, TEMPLATE_IN_KEY},
+               {"start", b->start, TEMPLATE_IN_KEY},
+               {"end", b->end, TEMPLATE_IN_KEY},
+               {"tool.change", b->tool_change, TEMPLATE_IN_KEY},
+               {"tap", b->tap, TEMPLATE_IN_KEY},
+               {"tcp.on", b->tcp_on, TEMPLATE_IN_KEY},
+               {"tcp.off", b->tcp_off, TEMPLATE_IN_KEY},
+               {"smooth.on", b->smooth_on, TEMPLATE_IN_KEY},
+               {"smooth.off", b->smooth_off, TEMPLATE_IN_KEY},
+               {"plane.on", b->plane_on, TEMPLATE_IN_KEY},
+               {"plane.off", b->plane_off, TEMPLATE_IN_KEY}};
     for (size_t i = 0; i < sizeof all / sizeof *all; i++) {
         snprintf(key, KEY_NAME, "%s", all[i].key);
-        if (template_check(all[i].text, error) != 0)
+        if (template_check(all[i].text, all[i].place, error) != 0)
             return -1;
     }
     return 0;
@@ -231,14 +252,79 @@ static int make_chain(struct machine *m, const int letter[], int n, char key[KEY
     return 0;
 }
 
+/* ---- files */
+
+enum { INCLUDES_MAX = 8, FILE_MAX = 1024 };
+
+static bool is_file(const char *name)
+{
+    return name[strcspn(name, "/.")] != '\0';
+}
+
+static bool is_folder(const char *file)
+{
+    struct stat status;
+    return stat(file, &status) == 0 && S_ISDIR(status.st_mode);
+}
+
+/* Files of machines and of controls: what a message calls one, where they are. */
+static const struct kind {
+    const char *title, *folder, *variable;
+} machines = {"machine", "machines", "CLOUDMILL_MACHINES"},
+  controls = {"control", "controls", "CLOUDMILL_CONTROLS"};
+
+/* Where the file called `name` is; `beside` is the file that includes it, or NULL. */
+static int find_file(const struct kind *kind, const char *name, const char *beside,
+                     char file[FILE_MAX], struct error *error)
+{
+    const char *slash = beside ? strrchr(beside, '/') : NULL;
+    int folder = slash && *name != '/' ? (int)(slash - beside + 1) : 0;
+    const char *own = getenv(kind->variable);
+    if (is_file(name)) {
+        int n = snprintf(file, FILE_MAX, "%.*s%s", folder, folder ? beside : "", name);
+        if (n >= FILE_MAX)
+            return error_set(error, "%.40s...: file name too long", name);
+        return 0;
+    }
+    char self[FILE_MAX], beside_installed[FILE_MAX + 32], beside_built[FILE_MAX + 32];
+    char installed[FILE_MAX];
+    program_dir(self, sizeof self);
+    snprintf(beside_installed, sizeof beside_installed, "%s/../share/cloudmill/%s", self,
+             kind->folder);
+    snprintf(beside_built, sizeof beside_built, "%s/../../%s", self, kind->folder);
+    snprintf(installed, sizeof installed, CLOUDMILL_DATADIR "/%s", kind->folder);
+    const char *const places[] = {".", own && *own ? own : ".", beside_installed, beside_built,
+                                  installed};
+    int n = snprintf(file, FILE_MAX, "%.*s%s.txt", folder, folder ? beside : "", name);
+    for (size_t i = 0; i < sizeof places / sizeof *places; i++) {
+        if (n < FILE_MAX && access(file, R_OK) == 0)
+            return 0;
+        n = snprintf(file, FILE_MAX, "%s/%s.txt", places[i], name);
+    }
+    if (n < FILE_MAX && access(file, R_OK) == 0)
+        return 0;
+    return error_set(error, "%s %.100s: not found in this folder, in $%s or in %s", kind->title,
+                     name, kind->variable, installed);
+}
+
+bool machine_control_exists(const char *name, struct error *error)
+{
+    char file[FILE_MAX];
+    struct error inner;
+    if (control_find(name) != CONTROLS || find_file(&controls, name, NULL, file, &inner) == 0)
+        return true;
+    return error_set(error, "control: found `%.60s`, expected %s or a control file (%.200s)", name,
+                     control_names(), inner.text) == 0;
+}
+
 /* What the keys say together, and the chain; -1: `key` is the one to blame. */
 static int assemble(struct machine *m, char key[KEY_NAME], struct error *error)
 {
     static const int axes_of_type[] = {2, 2, 2, 1, 1, 0};
     int letter[ROTARY_MAX] = {0, 0}, n = axes_of_type[m->type];
     snprintf(key, KEY_NAME, "control");
-    if (*m->control && control_find(m->control) == CONTROLS)
-        return error_set(error, "control: found `%s`, expected %s", m->control, control_names());
+    if (*m->control && !machine_control_exists(m->control, error))
+        return -1;
     if (check_templates(m, key, error) != 0 || check_travel(m, key, error) != 0)
         return -1;
     snprintf(key, KEY_NAME, "axes");
@@ -258,100 +344,118 @@ int machine_finish(struct machine *m, struct error *error)
     return error_set(error, "machine %.100s: %s", m->name, found.text);
 }
 
-/* ---- machine files */
+/* ---- reading */
 
-enum { INCLUDES_MAX = 8, FILE_MAX = 1024 };
-
-static bool is_file(const char *name)
-{
-    return name[strcspn(name, "/.")] != '\0';
-}
-
-static bool is_folder(const char *file)
-{
-    struct stat status;
-    return stat(file, &status) == 0 && S_ISDIR(status.st_mode);
-}
-
-/* Where the machine called `name` is; `beside` is the file that includes it, or NULL. */
-static int find_file(const char *name, const char *beside, char file[FILE_MAX], struct error *error)
-{
-    const char *slash = beside ? strrchr(beside, '/') : NULL;
-    int folder = slash && *name != '/' ? (int)(slash - beside + 1) : 0;
-    const char *own = getenv("CLOUDMILL_MACHINES");
-    if (is_file(name)) {
-        int n = snprintf(file, FILE_MAX, "%.*s%s", folder, folder ? beside : "", name);
-        if (n >= FILE_MAX)
-            return error_set(error, "%.40s...: file name too long", name);
-        return 0;
-    }
-    char self[FILE_MAX], beside_installed[FILE_MAX + 32], beside_built[FILE_MAX + 32];
-    program_dir(self, sizeof self);
-    snprintf(beside_installed, sizeof beside_installed, "%s/../share/cloudmill/machines", self);
-    snprintf(beside_built, sizeof beside_built, "%s/../../machines", self);
-    const char *const places[] = {".", own && *own ? own : ".", beside_installed, beside_built,
-                                  CLOUDMILL_DATADIR "/machines"};
-    int n = snprintf(file, FILE_MAX, "%.*s%s.txt", folder, folder ? beside : "", name);
-    for (size_t i = 0; i < sizeof places / sizeof *places; i++) {
-        if (n < FILE_MAX && access(file, R_OK) == 0)
-            return 0;
-        n = snprintf(file, FILE_MAX, "%s/%s.txt", places[i], name);
-    }
-    if (n < FILE_MAX && access(file, R_OK) == 0)
-        return 0;
-    return error_set(error,
-                     "machine %.100s: not found in this folder, in $CLOUDMILL_MACHINES or in %s",
-                     name, CLOUDMILL_DATADIR "/machines");
-}
+/* A file while it is read. */
+struct machine_file {
+    struct machine *machine;
+    struct keys keys;
+    const char *name; /* for messages */
+    size_t line;
+    int depth;                    /* of files within files */
+    enum control_section section; /* whose lines these are, CONTROL_SECTIONS: keys */
+    bool begun[CONTROL_SECTIONS]; /* in this file */
+};
 
 static int read_file(struct machine *m, const char *file, int depth, struct error *error);
+static int read_built_in(struct machine *m, const char *name, struct error *error);
 
-/* `include = NAME` in the line: 1 and it was read, 0: another line, -1: error. */
-static int read_include(struct machine *m, char *line, const struct reader *r, int depth,
-                        struct error *error)
+/* The value where the line is `WORD = value`, NULL: it is another. */
+static char *value_of(char *line, const char *word)
 {
-    char file[FILE_MAX];
-    size_t n = strcspn(line, " \t=");
-    if (n != 7 || strncmp(line, "include", n) != 0)
+    size_t n = strlen(word);
+    if (strcspn(line, " \t=") != n || strncmp(line, word, n) != 0)
+        return NULL;
+    char *value = keys_trim(line + n);
+    return *value == '=' ? keys_trim(value + 1) : NULL;
+}
+
+/* `include = NAME` or `base = NAME` in the line: 1 and it was read, 0: another line, -1: error. */
+static int read_include(struct machine_file *f, char *line, struct error *error)
+{
+    char file[FILE_MAX], *name = value_of(line, "include");
+    const char *word = name ? "include" : "base";
+    if (!name)
+        name = value_of(line, "base");
+    if (!name)
         return 0;
-    char *name = keys_trim(line + n);
-    if (*name != '=')
-        return 0;
-    name = keys_trim(name + 1);
     if (!*name)
-        return error_at(error, r->name, r->line, "found no name, expected include = NAME");
-    if (depth + 1 >= INCLUDES_MAX)
-        return error_at(error, r->name, r->line,
-                        "found include within include %d deep, expected no file to include itself",
-                        INCLUDES_MAX);
+        return error_at(error, f->name, f->line, "found no name, expected %s = NAME", word);
+    if (f->depth + 1 >= INCLUDES_MAX)
+        return error_at(error, f->name, f->line,
+                        "found %s within %s %d deep, expected no file to include itself", word,
+                        word, INCLUDES_MAX);
     struct error inner;
-    if (find_file(name, r->name, file, &inner) != 0)
-        return error_at(error, r->name, r->line, "include: %.300s", inner.text);
+    if (*word == 'b' && control_text_built_in(name))
+        return read_built_in(f->machine, name, error) == 0 ? 1 : -1;
+    if (find_file(*word == 'b' ? &controls : &machines, name, f->name, file, &inner) != 0)
+        return error_at(error, f->name, f->line, "%s: %.300s", word, inner.text);
     if (access(file, R_OK) != 0)
-        return error_at(error, r->name, r->line, "include: cannot open %.200s", name);
+        return error_at(error, f->name, f->line, "%s: cannot open %.200s", word, name);
     if (is_folder(file))
-        return error_at(error, r->name, r->line,
-                        "include: found the folder %.200s, expected a file", name);
-    if (read_file(m, file, depth + 1, &inner) != 0)
+        return error_at(error, f->name, f->line, "%s: found the folder %.200s, expected a file",
+                        word, name);
+    if (read_file(f->machine, file, f->depth + 1, &inner) != 0)
         return *error = inner, -1;
     return 1;
 }
 
-static int read_line(struct machine *m, struct keys *keys, char *line, size_t n,
-                     const struct reader *r, int depth, struct error *error)
+/* A line `[name]`: those of a base are replaced. */
+static int begin_section(struct machine_file *f, const char *line, struct error *error)
 {
+    f->section = control_section_find(line);
+    if (f->section == CONTROL_SECTIONS)
+        return error_at(error, f->name, f->line,
+                        "found `%.40s`, expected [start], [tool], [approach], [retract], [change] "
+                        "or [end]",
+                        line);
+    if (f->begun[f->section])
+        return error_at(error, f->name, f->line, "found %s again, expected it once", line);
+    f->begun[f->section] = true;
+    *f->machine->text.section[f->section] = '\0';
+    return 0;
+}
+
+static int read_line(struct machine_file *f, char *line, size_t n, struct error *error)
+{
+    struct error wrong;
     for (size_t i = 0; i < n; i++)
         if (((unsigned char)line[i] < ' ' && !strchr("\t\r\f", line[i])) || !line[i])
-            return error_at(error, r->name, r->line,
+            return error_at(error, f->name, f->line,
                             "found a binary character (code %d), expected key = value",
                             (unsigned char)line[i]);
     char *text = keys_trim(line);
     if (!*text)
         return 0;
-    int included = read_include(m, text, r, depth, error);
+    if (*text == '[')
+        return begin_section(f, text, error);
+    if (f->section != CONTROL_SECTIONS) {
+        if (control_section_add(&f->machine->text, f->section, text, &wrong) == 0)
+            return 0;
+        return error_at(error, f->name, f->line, "%s", wrong.text);
+    }
+    int included = read_include(f, text, error);
     if (included)
         return included < 0 ? -1 : 0;
-    return keys_set(keys, text, r->name, r->line, error);
+    return keys_set(&f->keys, text, f->name, f->line, error);
+}
+
+/* A control that is built in, from its text. */
+static int read_built_in(struct machine *m, const char *name, struct error *error)
+{
+    struct machine_file f = {.machine = m, .name = name, .section = CONTROL_SECTIONS};
+    int result = 0;
+    f.keys = machine_keys(m);
+    for (const char *s = control_text_built_in(name); *s && result == 0; s++) {
+        size_t n = strcspn(s, "\n");
+        char *line = mem_string(s, n);
+        f.line++;
+        result = read_line(&f, line, n, error);
+        free(line);
+        s += n;
+    }
+    array_free(&f.keys);
+    return result;
 }
 
 /* What the keys say together; the place is that of the key to blame or, where it stands in another
@@ -382,25 +486,45 @@ static int check_together(const struct machine *m, const struct keys *keys, cons
 static int read_file(struct machine *m, const char *file, int depth, struct error *error)
 {
     struct reader r;
+    struct machine_file f = {
+        .machine = m, .name = file, .depth = depth, .section = CONTROL_SECTIONS};
     if (reader_open(&r, file, error) != 0)
         return -1;
-    struct keys keys = machine_keys(m);
+    f.keys = machine_keys(m);
     char *line;
     size_t n;
     int got, result = 0;
-    while (result == 0 && (got = reader_line(&r, &line, &n, error)) != 0)
-        result = got < 0 ? -1 : read_line(m, &keys, line, n, &r, depth, error);
+    while (result == 0 && (got = reader_line(&r, &line, &n, error)) != 0) {
+        f.line = r.line;
+        result = got < 0 ? -1 : read_line(&f, line, n, error);
+    }
     if (result == 0 && depth == 0)
-        result = check_together(m, &keys, r.name, error);
-    array_free(&keys);
+        result = check_together(m, &f.keys, f.name, error);
+    array_free(&f.keys);
     reader_close(&r);
     return result;
+}
+
+int machine_control(struct machine *machine, const char *name, struct error *error)
+{
+    char file[FILE_MAX];
+    struct control_text *text = &machine->text;
+    snprintf(machine->used, sizeof machine->used, "%s", name);
+    if (control_text_built_in(name))
+        return read_built_in(machine, name, error);
+    if (find_file(&controls, name, NULL, file, error) != 0 ||
+        read_file(machine, file, 0, error) != 0)
+        return -1;
+    if (text->dialect == CONTROLS)
+        return error_at(error, file, 0, "found no base, expected base = %s or another control",
+                        control_names());
+    return 0;
 }
 
 int machine_read(struct machine *machine, const char *name, struct error *error)
 {
     char file[FILE_MAX];
-    if (find_file(name, NULL, file, error) != 0)
+    if (find_file(&machines, name, NULL, file, error) != 0)
         return -1;
     return read_file(machine, file, 0, error);
 }

@@ -30,22 +30,42 @@ struct cli_option machine_option_control(struct machine_options *options, const 
 {
     return (struct cli_option){.letter = 'c',
                                .name = "control",
-                               .arg = control_names(),
+                               .arg = "CONTROL",
                                .help = help,
-                               .kind = CLI_CHOICE,
-                               .value = &options->control,
-                               .given = &options->control_given};
+                               .kind = CLI_TEXT,
+                               .value = &options->control};
 }
 
-int machine_options_read(const struct machine_options *options, struct machine *machine,
-                         struct error *error)
+/* The machine's keys and those of --set over what there is. */
+static int read_over(const struct machine_options *options, struct machine *machine,
+                     struct error *error)
 {
-    *machine = machine_default();
     if (options->name && machine_read(machine, options->name, error) != 0)
         return EXIT_FAILED;
     for (size_t i = 0; i < options->set.n; i++)
         if (machine_set(machine, options->set.item[i], error) != 0)
             return EXIT_USAGE;
+    return 0;
+}
+
+int machine_options_read(const struct machine_options *options, struct machine *machine,
+                         struct error *error)
+{
+    const char *control = options->control;
+    struct machine first = machine_default();
+    int status = 0;
+    if (!control && (status = read_over(options, &first, error)) != 0)
+        return status;
+    if (!control)
+        control = first.control;
+    *machine = machine_default();
+    if (*control && !machine_control_exists(control, error))
+        return EXIT_USAGE;
+    if (*control && machine_control(machine, control, error) != 0)
+        return EXIT_FAILED;
+    status = read_over(options, machine, error);
+    if (status)
+        return status;
     /* a file is checked as it is read: what does not go together now was set */
     return machine_finish(machine, error) == 0 ? 0 : EXIT_USAGE;
 }

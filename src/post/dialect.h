@@ -1,8 +1,9 @@
 /*
  * dialect - the writers of the controls as tables of functions, one file a control.
  *
- * A new control is a row in the table of control.h and a file with its `struct dialect`; one that
- * has Fanuc's kind of G-code takes most of its functions from gcode.h.
+ * A dialect writes the motions; the blocks around them are text, the sections of the control's file
+ * (post_template.h).  A new one is a row in the table of control.h and a file with its
+ * `struct dialect`; one that has Fanuc's kind of G-code takes most of its functions from gcode.h.
  */
 #ifndef CLOUDMILL_DIALECT_H
 #define CLOUDMILL_DIALECT_H
@@ -49,9 +50,10 @@ struct nc_program {
 
 struct gcode;
 
+enum { NC_NAME_MAX = 100 };
+
 struct dialect {
     const struct gcode *gcode; /* the words of a control of that kind (gcode.h), NULL: it is none */
-    struct nc_format_options style;
     struct machine_digits digits; /* usual numbers of decimals */
     bool vectors;                 /* the usual axis words under tool-centre-point control */
     bool vectors_never;           /* it knows no vectors */
@@ -66,9 +68,8 @@ struct dialect {
 
     /* -1: a name or number that the control does not take */
     int (*check_name)(const char *name, struct error *error);
-    void (*start)(struct nc_program *p);  /* the head of the program */
-    void (*load)(struct nc_program *p);   /* the tool into the spindle, which turns */
-    void (*engage)(struct nc_program *p); /* from there up to the first motion with it */
+    /* of this program, NC_NAME_MAX long with its end: what is asked for, or follows from the path */
+    void (*name)(const struct nc_program *p, char *name);
     void (*line)(struct nc_program *p, const struct nc_move *move); /* rapids too */
     void (*arc)(struct nc_program *p, const struct nc_move *move);
     void (*spline)(struct nc_program *p, const struct nc_move *move);
@@ -77,8 +78,6 @@ struct dialect {
     /* another speed than that of the tool's start; NULL: S with M3 or M4 */
     void (*speed)(struct nc_program *p, double rpm, bool ccw);
     void (*dwell)(struct nc_program *p, double seconds);
-    void (*disengage)(struct nc_program *p); /* from the last motion of a tool home */
-    void (*finish)(struct nc_program *p);    /* the end of the program */
 };
 
 /* The writer of a control's programs. */

@@ -3,7 +3,6 @@
  * G43.5, G02.4 and G06.2): the common G-code (gcode.h), arcs in space and NURBS.
  */
 #include <stdio.h>
-#include <stdlib.h>
 #include <string.h>
 
 #include "gcode.h"
@@ -18,16 +17,10 @@ static int check_name(const char *name, struct error *error)
                      name);
 }
 
-/* O0001(TITLE) */
-static void program_number(struct nc_program *p)
+/* Its number. */
+static void name(const struct nc_program *p, char *text)
 {
-    char name[16], line[32] = "O";
-    snprintf(name, sizeof name, "%ld",
-             (p->name ? atol(p->name) : 1) + (p->parts ? (long)p->part - 1 : 0));
-    size_t n = strlen(name), zeros = n < 4 ? 4 - n : 0;
-    memset(line + 1, '0', zeros);
-    memcpy(line + 1 + zeros, name, n + 1);
-    nc_line(&p->w, line);
+    snprintf(text, NC_NAME_MAX, "%s", p->name ? p->name : "1");
 }
 
 /* G02.4: a block with a point on the way, the rotary axes half way, and one with the end. */
@@ -87,25 +80,11 @@ static void spline(struct nc_program *p, const struct nc_move *move)
 }
 
 static const struct gcode words = {
-    .modal_mm = "G90 G17 G21 G40 G49 G80 G94",
-    .modal_inch = "G90 G17 G20 G40 G49 G80 G94",
-    .safe = "G69",
-    .length_moves = true,
-    .home = "G91 G28 Z0.|G90",
-    .end = "M30",
     .dwell = "X",
-    .tcp_rotary = "G43.4 H{offset}",
-    .tcp_vectors = "G43.5 H{offset}",
-    .plane_on = "G68.2 X0. Y0. Z0. I{i} J{j} K{k}|G53.1",
-    .plane_off = "G69",
-    .smooth_on = "G05.1 Q1 R{level}",
-    .smooth_off = "G05.1 Q0",
-    .name = program_number,
 };
 
 const struct dialect dialect_fanuc = {
     .gcode = &words,
-    .style = {.open = "(", .close = ")", .capitals = true, .point = true},
     .digits = {.linear = 3, .angle = 3, .vector = 6, .knot = 3, .feed = 1},
     .vectors_doubtful = true,
     .plane = true,
@@ -117,15 +96,11 @@ const struct dialect dialect_fanuc = {
     .splines_vectors = NC_SPLINES_NONE,
     .steps_alike = true,
     .check_name = check_name,
-    .start = gcode_start,
-    .load = gcode_load,
-    .engage = gcode_engage,
+    .name = name,
     .line = gcode_line,
     .arc = arc,
     .spline = spline,
     .hole = gcode_hole,
     .hole_end = gcode_hole_end,
     .dwell = gcode_dwell,
-    .disengage = gcode_disengage,
-    .finish = gcode_finish,
 };

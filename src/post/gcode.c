@@ -3,33 +3,14 @@
 
 #include <math.h>
 
-#include "post_head.h"
 #include "post_hole.h"
 #include "post_statement.h"
+#include "post_template.h"
 #include "post_words.h"
 
 static const char *const vector_address[] = {"I", "J", "K"};
 
 /* ---- blocks of ISO 6983 */
-
-void gcode_minutes(struct nc_program *p)
-{
-    if (p->w.inverse)
-        nc_block(&p->w, "G94");
-    p->w.inverse = false;
-}
-
-void gcode_rotary_home(struct nc_program *p)
-{
-    const double zero[ROTARY_MAX] = {0};
-    int n = p->plane ? p->turned : p->machine->chain.n;
-    if (!n)
-        return;
-    nc_forget(&p->w, NC_Q0, NC_Q1);
-    nc_motion(&p->w, "G0");
-    nc_rotary_axes(p, n, zero);
-    nc_end(&p->w);
-}
 
 static void select_plane(struct nc_writer *w, int number)
 {
@@ -62,12 +43,6 @@ void gcode_arc(struct nc_program *p, const struct nc_move *move)
 }
 
 static const char *const g_cutcom[] = {"G40", "G41", "G42"};
-
-void gcode_cutcom_off(struct nc_program *p)
-{
-    if (nc_cutcom_end(p))
-        nc_block(&p->w, g_cutcom[CUTCOM_OFF]);
-}
 
 void gcode_straight(struct nc_program *p, const struct nc_move *move, const char *const address[3])
 {
@@ -150,7 +125,7 @@ void gcode_hole(struct nc_program *p, const struct nc_move *move)
     }
     if (!goes_on) {
         if (c->kind == CYCLE_TAP)
-            nc_template(p, p->machine->blocks.tap, "");
+            nc_template(p, p->machine->blocks.tap);
         nc_code(w, hole->retract > hole->clear && !needs_rapid_to_level(g, hole) ? "G98" : "G99");
         nc_code(w, cycle_code(p, c));
     }
@@ -179,107 +154,6 @@ void gcode_hole_end(struct nc_program *p)
     p->w.motion = NULL;
 }
 
-/* ---- a program */
-
-void gcode_start(struct nc_program *p)
-{
-    const struct gcode *g = dialect_of(p->control)->gcode;
-    struct nc_writer *w = &p->w;
-    nc_line(w, "%");
-    g->name(p);
-    nc_head(p);
-    nc_code(w, p->plan->ability.unit > 1 ? g->modal_inch : g->modal_mm);
-    nc_offset(p, "G54");
-    nc_end(w);
-    w->plane = 17;
-    if (g->modes)
-        g->modes(p);
-    nc_template(p, p->machine->blocks.safe, g->safe);
-    nc_template(p, p->machine->blocks.start, "");
-    nc_home(p, g->home);
-}
-
-void gcode_load(struct nc_program *p)
-{
-    if (p->tooling.number)
-        nc_template(p, p->machine->blocks.tool_change, "T{tool} M6");
-    nc_spindle(p);
-}
-
-/* X Y at rapid, at the height where the tool is. */
-static void go_across(struct nc_program *p, struct vec3 to)
-{
-    int digits = p->plan->ability.digits.linear;
-    nc_motion(&p->w, "G0");
-    nc_modal(&p->w, NC_X, "X", to.x, digits);
-    nc_modal(&p->w, NC_Y, "Y", to.y, digits);
-    nc_end(&p->w);
-}
-
-/* The tool's length, and the first place: above it before down to it. */
-static void compensate_length(struct nc_program *p, const struct nc_move *first)
-{
-    const struct gcode *g = dialect_of(p->control)->gcode;
-    int digits = p->plan->ability.digits.linear;
-    struct nc_writer *w = &p->w;
-    go_across(p, first->p);
-    nc_code(w, "G43");
-    if (p->tooling.number || !g->tool_at_hand)
-        nc_count(w, "H", p->tooling.offset);
-    nc_modal(w, NC_Z, "Z", first->p.z, digits);
-    nc_end(w);
-}
-
-/* Where no word of the control switches it on, the machine's kinematics does it always. */
-static void compensate_radius(struct nc_program *p, const struct nc_move *first)
-{
-    const struct gcode *g = dialect_of(p->control)->gcode;
-    bool tcp = p->plan->ability.tcp, vectors = p->plan->ability.mode == INTERPOLATE_VECTOR;
-    const char *usual = vectors ? g->tcp_vectors : g->tcp_rotary;
-    if (tcp)
-        nc_template(p, p->machine->blocks.tcp_on, usual ? usual : "");
-    if (!tcp || !usual) {
-        compensate_length(p, first);
-        return;
-    }
-    p->w.motion = NULL;
-    go_across(p, first->p);
-    nc_motion(&p->w, "G0");
-    nc_modal(&p->w, NC_Z, "Z", first->p.z, p->plan->ability.digits.linear);
-    nc_end(&p->w);
-}
-
-/*
- * From home to the first place, which is above the work: the rotary axes where nothing is near, X
- * and Y, then down.  With the rotary axes at zero until then X Y Z are those of the work, and no
- * way of the tool depends on where it started.
- */
-void gcode_engage(struct nc_program *p)
-{
-    const struct gcode *g = dialect_of(p->control)->gcode;
-    const struct nc_move *first = nc_first_move(p);
-    if (p->plane) {
-        go_across(p, nc_above_plane(p, first));
-        nc_template(p, p->machine->blocks.plane_on, g->plane_on);
-        nc_forget(&p->w, NC_X, NC_Z);
-        p->w.motion = NULL;
-    }
-    if (p->machine->chain.n) {
-        nc_motion(&p->w, "G0");
-        nc_rotary_start(p, first);
-        nc_end(&p->w);
-    }
-    compensate_radius(p, first);
-    if (nc_zero_first(p)) {
-        nc_motion(&p->w, "G0");
-        nc_axis(p, first, vector_address);
-        nc_end(&p->w);
-    }
-    nc_coolant(p);
-    if (p->machine->smooth && g->smooth_on)
-        nc_template(p, p->machine->blocks.smooth_on, g->smooth_on);
-}
-
 void gcode_line(struct nc_program *p, const struct nc_move *move)
 {
     gcode_straight(p, move, vector_address);
@@ -290,55 +164,4 @@ void gcode_dwell(struct nc_program *p, double seconds)
     nc_code(&p->w, "G4");
     nc_number(&p->w, dialect_of(p->control)->gcode->dwell, seconds, 3);
     nc_end(&p->w);
-}
-
-/* G49, which ends the tool-centre-point control that a word has switched on too, by the key
- * length.off of the machine; true: it is to stand in the block that goes home. */
-static bool leave_length(struct nc_program *p, const char *own)
-{
-    const struct gcode *g = dialect_of(p->control)->gcode;
-    const struct machine *m = p->machine;
-    if (*own || p->plane || !g->length_moves || m->length_off == LENGTH_OFF_ALONE) {
-        nc_template(p, own, "G49");
-        return false;
-    }
-    if (m->length_off == LENGTH_OFF_HOME)
-        return true;
-    nc_motion(&p->w, "G0");
-    nc_code(&p->w, "G49");
-    nc_number(&p->w, "Z", m->length_z / p->plan->ability.unit, p->plan->ability.digits.linear);
-    nc_end(&p->w);
-    return false;
-}
-
-void gcode_disengage(struct nc_program *p)
-{
-    const struct gcode *g = dialect_of(p->control)->gcode;
-    const char *own = p->plan->ability.tcp ? p->machine->blocks.tcp_off : "";
-    gcode_cutcom_off(p);
-    gcode_minutes(p);
-    if (p->machine->smooth && g->smooth_off)
-        nc_template(p, p->machine->blocks.smooth_off, g->smooth_off);
-    if (!g->tcp_rotary) {
-        nc_template(p, own, "");
-        own = "";
-    }
-    if (leave_length(p, own))
-        nc_code(&p->w, "G49"); /* the block goes on */
-    if (p->plane)
-        nc_template(p, p->machine->blocks.plane_off, g->plane_off);
-    nc_home(p, g->home);
-}
-
-void gcode_finish(struct nc_program *p)
-{
-    struct nc_writer *w = &p->w;
-    gcode_rotary_home(p);
-    if (w->plane != 17)
-        nc_block(w, "G17");
-    nc_block(w, "M9");
-    nc_block(w, "M5");
-    nc_template(p, p->machine->blocks.end, "");
-    nc_block(w, dialect_of(p->control)->gcode->end);
-    nc_line(w, "%");
 }

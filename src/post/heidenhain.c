@@ -14,7 +14,6 @@
 #include "base/num.h"
 #include "dialect.h"
 #include "gcode.h"
-#include "post_head.h"
 #include "post_hole.h"
 #include "post_statement.h"
 #include "post_words.h"
@@ -23,8 +22,6 @@ enum { NAME_MAX_LENGTH = 24 };
 
 static const char *const cutcom_word[] = {"R0", "RL", "RR"};
 static const char *const vector_address[] = {"TX", "TY", "TZ"};
-
-static const char home[] = "L Z+0 R0 FMAX M91";
 
 static bool allowed_in_names(unsigned char c)
 {
@@ -44,141 +41,23 @@ static int check_name(const char *name, struct error *error)
                      name, NAME_MAX_LENGTH);
 }
 
-/* BEGIN PGM NAME MM: the name asked for, else what of PARTNO is allowed. */
-static void program_line(struct nc_program *p, const char *word)
+/* The name asked for, else what of PARTNO is allowed. */
+static void name(const struct nc_program *p, char *text)
 {
-    char name[NAME_MAX_LENGTH + 1] = "", line[NAME_MAX_LENGTH + 60];
     const char *from = p->name ? p->name : p->path->head.partno;
     size_t n = 0;
     for (; from && *from && n < NAME_MAX_LENGTH; from++) {
         bool good = allowed_in_names((unsigned char)*from);
-        if (good || (n && name[n - 1] != '_'))
-            name[n++] = good ? (char)toupper((unsigned char)*from) : '_';
+        if (good || (n && text[n - 1] != '_'))
+            text[n++] = good ? (char)toupper((unsigned char)*from) : '_';
     }
-    while (n && name[n - 1] == '_')
+    while (n && text[n - 1] == '_')
         n--;
-    name[n] = '\0';
-    char part[24] = "";
+    if (!n)
+        n = (size_t)snprintf(text, NC_NAME_MAX, "PART");
+    text[n] = '\0';
     if (p->parts)
-        snprintf(part, sizeof part, "_%zu", p->part);
-    snprintf(line, sizeof line, "%s PGM %s%s %s", word, n ? name : "PART", part,
-             p->plan->ability.unit > 1 ? "INCH" : "MM");
-    nc_block(&p->w, line);
-}
-
-/* L A+0 C+0 R0 FMAX */
-static void rotary_rapid(struct nc_program *p, const double q[])
-{
-    if (!p->machine->chain.n)
-        return;
-    nc_forget(&p->w, NC_Q0, NC_Q1);
-    nc_code(&p->w, "L");
-    nc_rotary(p, q);
-    nc_code(&p->w, "R0 FMAX");
-    nc_end(&p->w);
-}
-
-/* L X Y R0 FMAX, at the height where the tool is. */
-static void go_across(struct nc_program *p, struct vec3 to)
-{
-    int digits = p->plan->ability.digits.linear;
-    nc_code(&p->w, "L");
-    nc_modal(&p->w, NC_X, "X", to.x, digits);
-    nc_modal(&p->w, NC_Y, "Y", to.y, digits);
-    nc_code(&p->w, "R0 FMAX");
-    nc_end(&p->w);
-}
-
-static void call_tool(struct nc_program *p)
-{
-    if (*p->machine->blocks.tool_change) {
-        nc_template(p, p->machine->blocks.tool_change, "");
-        return;
-    }
-    nc_code(&p->w, "TOOL CALL");
-    if (p->tooling.number)
-        nc_count(&p->w, "", p->tooling.number);
-    nc_code(&p->w, "Z");
-    if (p->tooling.spindle > 0)
-        nc_count(&p->w, "S", p->tooling.spindle);
-    nc_end(&p->w);
-}
-
-static void start(struct nc_program *p)
-{
-    struct nc_writer *w = &p->w;
-    program_line(p, "BEGIN");
-    nc_head(p);
-    nc_offset(p, "");
-    nc_end(w);
-    nc_template(p, p->machine->blocks.safe,
-                !p->turned        ? ""
-                : p->machine->tcp ? "FUNCTION RESET TCPM|PLANE RESET STAY"
-                                  : "PLANE RESET STAY");
-    nc_template(p, p->machine->blocks.start, "");
-    nc_home(p, home);
-}
-
-static void load(struct nc_program *p)
-{
-    call_tool(p);
-    if (p->tooling.spindle > 0)
-        nc_block(&p->w, p->tooling.ccw ? "M4" : "M3");
-}
-
-/* The rotary axes where nothing is near. */
-static void turn_at_home(struct nc_program *p, const struct nc_move *first)
-{
-    if (!p->machine->chain.n)
-        return;
-    nc_forget(&p->w, NC_Q0, NC_Q1);
-    nc_code(&p->w, "L");
-    nc_rotary_start(p, first);
-    nc_code(&p->w, "R0 FMAX");
-    nc_end(&p->w);
-}
-
-/* L C+90 R0 FMAX, where an axis is not there yet. */
-static void turn_above(struct nc_program *p, const struct nc_move *first)
-{
-    nc_code(&p->w, "L");
-    size_t bare = p->w.n;
-    nc_rotary(p, first->q);
-    if (p->w.n == bare)
-        nc_drop(&p->w);
-    else
-        nc_code(&p->w, "R0 FMAX");
-    nc_end(&p->w);
-}
-
-/* From home to the first place, as gcode_engage. */
-static void engage(struct nc_program *p)
-{
-    const char *smooth = "CYCL DEF 32.0 TOLERANCE|CYCL DEF 32.1 T{tolerance}|"
-                         "CYCL DEF 32.2 HSC-MODE:0 TA{orientation}";
-    struct nc_writer *w = &p->w;
-    const struct nc_move *first = nc_first_move(p);
-    turn_at_home(p, first);
-    if (p->plane) {
-        go_across(p, nc_above_plane(p, first));
-        nc_template(p, p->machine->blocks.plane_on, "PLANE SPATIAL SPA{a} SPB{b} SPC+0 TURN FMAX");
-        nc_forget(w, NC_X, NC_Z);
-    }
-    if (p->plan->ability.tcp)
-        nc_template(p, p->machine->blocks.tcp_on,
-                    p->plan->ability.mode == INTERPOLATE_VECTOR
-                        ? "FUNCTION TCPM F TCP AXIS POS PATHCTRL VECTOR"
-                        : "FUNCTION TCPM F TCP AXIS POS PATHCTRL AXIS");
-    nc_coolant(p);
-    if (p->machine->smooth)
-        nc_template(p, p->machine->blocks.smooth_on, smooth);
-    go_across(p, first->p);
-    nc_code(w, "L");
-    nc_modal(w, NC_Z, "Z", first->p.z, p->plan->ability.digits.linear);
-    nc_code(w, "R0 FMAX");
-    nc_end(w);
-    if (nc_zero_first(p))
-        turn_above(p, first);
+        snprintf(text + n, NC_NAME_MAX - n, "_%zu", p->part);
 }
 
 /* L X Y Z A C F, or LN X Y Z TX TY TZ F; a block without a place or axis says nothing. */
@@ -238,30 +117,6 @@ static void dwell(struct nc_program *p, double seconds)
     nc_code(&p->w, "CYCL DEF 9.1 DWELL");
     nc_number(&p->w, "", seconds, 3);
     nc_end(&p->w);
-}
-
-/* Home, without what was switched on for the tool. */
-static void disengage(struct nc_program *p)
-{
-    nc_cutcom_end(p); /* by R0 of the way home */
-    if (p->machine->smooth)
-        nc_template(p, p->machine->blocks.smooth_off, "CYCL DEF 32.0 TOLERANCE|CYCL DEF 32.1");
-    if (p->plan->ability.tcp)
-        nc_template(p, p->machine->blocks.tcp_off, "FUNCTION RESET TCPM");
-    if (p->plane)
-        nc_template(p, p->machine->blocks.plane_off, "PLANE RESET TURN FMAX");
-    nc_home(p, home);
-}
-
-static void finish(struct nc_program *p)
-{
-    const double zero[ROTARY_MAX] = {0};
-    rotary_rapid(p, zero);
-    nc_block(&p->w, "M9");
-    nc_block(&p->w, "M5");
-    nc_template(p, p->machine->blocks.end, "");
-    nc_block(&p->w, "M30");
-    program_line(p, "END");
 }
 
 /* ---- drilling cycles */
@@ -399,7 +254,6 @@ static void hole_end(struct nc_program *p)
 /* ---- the dialect */
 
 const struct dialect dialect_heidenhain = {
-    .style = {.open = "; ", .close = "", .sign = true, .count_all = true},
     .digits = {.linear = 4, .angle = 4, .vector = 7, .knot = 3, .feed = 1},
     .vectors_doubtful = true,
     .inverse_never = true,
@@ -409,15 +263,11 @@ const struct dialect dialect_heidenhain = {
     .splines = NC_SPLINES_NONE,
     .splines_vectors = NC_SPLINES_NONE,
     .check_name = check_name,
-    .start = start,
-    .load = load,
-    .engage = engage,
+    .name = name,
     .line = line,
     .arc = arc,
     .hole = hole,
     .hole_end = hole_end,
     .speed = speed,
     .dwell = dwell,
-    .disengage = disengage,
-    .finish = finish,
 };

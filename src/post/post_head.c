@@ -34,7 +34,7 @@ static void tool_line(struct nc_program *p, int number, const double *cutter, in
 static void key_line(struct nc_program *p, const char *key, const char *text)
 {
     size_t frame = strlen(p->w.style.open) + strlen(p->w.style.close) + strlen(key) + 3;
-    size_t room = NC_COMMENT_MAX - frame;
+    size_t room = p->w.style.comment_width - frame;
     for (const char *more = ""; *text; more = "+") {
         size_t n = strlen(text);
         if (n > room) {
@@ -158,8 +158,7 @@ void nc_head(struct nc_program *p)
     const char *partno = p->path->head.partno;
     if (partno && *partno)
         nc_comment(&p->w, "%.70s", partno);
-    nc_comment(&p->w, "cloudmill ncpost for %s, %.50s", control_row(p->control)->title,
-               p->machine->name);
+    nc_comment(&p->w, "cloudmill ncpost for %s, %.50s", p->machine->text.title, p->machine->name);
     if (p->parts)
         nc_comment(&p->w, "Part %zu of %zu; figures below are those of the whole", p->part,
                    p->parts);

@@ -10,6 +10,7 @@
 #include "post_ik.h"
 #include "post_program.h"
 #include "post_rewind.h"
+#include "post_template.h"
 
 /* How long a program is, or may be at its ends. */
 struct length {
@@ -303,7 +304,7 @@ static int explain_block(const char *file, struct nc_program *program, long numb
 
 static void begin_text(struct nc_program *p, struct out *out)
 {
-    nc_writer_begin(&p->w, out, dialect_of(p->control)->style, p->machine->number_step,
+    nc_writer_begin(&p->w, out, nc_format_of(p->machine), p->machine->number_step,
                     p->machine->number_max);
 }
 

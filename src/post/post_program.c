@@ -2,17 +2,24 @@
 #include "post_program.h"
 
 #include "post_statement.h"
+#include "post_template.h"
 
 void post_program_start(struct nc_program *p)
 {
-    const struct dialect *dialect = dialect_of(p->control);
     p->hole = NULL;
     p->cutcom.asked = p->cutcom.on = CUTCOM_OFF;
     p->at_plane = 0;
     nc_tool_first(p);
-    dialect->start(p);
-    dialect->load(p);
-    dialect->engage(p);
+    nc_section(p, SECTION_START);
+    nc_section(p, SECTION_TOOL);
+    nc_section(p, SECTION_APPROACH);
+}
+
+/* From the last motion of a tool. */
+static void go_home(struct nc_program *p)
+{
+    nc_section(p, SECTION_RETRACT);
+    nc_cutcom_end(p);
 }
 
 void post_program_finish(struct nc_program *p)
@@ -20,36 +27,33 @@ void post_program_finish(struct nc_program *p)
     const struct dialect *dialect = dialect_of(p->control);
     if (p->hole)
         dialect->hole_end(p);
-    dialect->disengage(p);
-    dialect->finish(p);
+    go_home(p);
+    nc_section(p, SECTION_END);
 }
 
 /* Home, the other tool, and back to work; a tool that the program started with is there. */
 static void change_tool(struct nc_program *p, const struct nc_move *move)
 {
-    const struct dialect *dialect = dialect_of(p->control);
     if (move->index < p->tooling.taken)
         return;
-    dialect->disengage(p);
-    nc_block(&p->w, "M9");
-    nc_block(&p->w, "M5");
+    go_home(p);
+    nc_section(p, SECTION_CHANGE);
     nc_tool_change(p, move);
     nc_forget(&p->w, NC_X, NC_F);
-    dialect->load(p);
-    dialect->engage(p);
+    nc_section(p, SECTION_TOOL);
+    nc_section(p, SECTION_APPROACH);
 }
 
 /* Home and back to work in another plane; a change of tools there goes to it by itself. */
 static void change_plane(struct nc_program *p, const struct nc_move *move)
 {
-    const struct dialect *dialect = dialect_of(p->control);
     if (move->index <= p->at_plane || !nc_tool_stays(p, move))
         return;
-    dialect->disengage(p);
+    go_home(p);
     nc_tool_change(p, move);
     nc_forget(&p->w, NC_X, NC_F);
     p->same_tool = true;
-    dialect->engage(p);
+    nc_section(p, SECTION_APPROACH);
     p->same_tool = false;
 }
 

@@ -4,75 +4,7 @@
 #include <string.h>
 
 #include "base/num.h"
-#include "machine/template.h"
 #include "post_feed.h"
-
-/* ---- blocks that a machine file words itself */
-
-enum { ROOM = 200 };
-
-/* 1 at 0.1 mm and above, for speed, to 10 at 0.001 mm and below, for accuracy. */
-static double smoothing_level(double tolerance)
-{
-    return fmin(10, fmax(1, round(1 + 4.5 * log10(0.1 / tolerance))));
-}
-
-static size_t template_value(const struct nc_program *p, enum template_word word, char *text)
-{
-    const struct nc_tooling *t = &p->tooling;
-    if (word >= TEMPLATE_PLANE) {
-        struct nc_plane plane = {0};
-        if (p->at_plane < p->planes.n)
-            plane = p->planes.item[p->at_plane];
-        const double angle[] = {plane.a, plane.b, plane.i, plane.j, plane.k};
-        int i = (int)word - TEMPLATE_PLANE;
-        bool sign = p->w.style.sign && angle[i] >= 0;
-        *text = '+';
-        return sign + num_write_short(text + sign, angle[i], p->plan->ability.digits.angle,
-                                      p->w.style.point);
-    }
-    const double values[TEMPLATE_PLANE] = {[TEMPLATE_TOOL] = t->number ? t->number : 1,
-                                           [TEMPLATE_OFFSET] = t->offset,
-                                           [TEMPLATE_RPM] = t->spindle,
-                                           [TEMPLATE_TOLERANCE] = p->options.chord,
-                                           [TEMPLATE_ORIENTATION] =
-                                               DEGREES(p->options.axis_tolerance),
-                                           [TEMPLATE_LEVEL] = smoothing_level(p->options.chord)};
-    bool angle_or_length = word == TEMPLATE_TOLERANCE || word == TEMPLATE_ORIENTATION;
-    return num_write_short(text, values[word], angle_or_length ? 4 : 0, false);
-}
-
-/* A key whose value is `none` words no block. */
-void nc_template(struct nc_program *p, const char *own, const char *usual)
-{
-    if (strcmp(own, "none") == 0)
-        return;
-    char block[ROOM + NUM_MAX];
-    size_t n = 0;
-    for (const char *s = *own ? own : usual;; s++) {
-        size_t length;
-        enum template_word word = template_word(s, &length);
-        if (word != TEMPLATE_NONE) {
-            n += template_value(p, word, block + n);
-            s += length - 1;
-        } else if (*s && *s != '|') {
-            block[n++] = *s;
-        } else {
-            block[n] = '\0';
-            while (n && block[n - 1] == ' ')
-                block[--n] = '\0';
-            if (n)
-                nc_block(&p->w, block + strspn(block, " "));
-            n = 0;
-        }
-        if (!*s)
-            return;
-        if (n > ROOM)
-            n = ROOM;
-    }
-}
-
-/* ---- words */
 
 struct vec3 nc_above_plane(const struct nc_program *p, const struct nc_move *first)
 {
@@ -142,13 +74,6 @@ void nc_rotary(struct nc_program *p, const double q[])
     nc_rotary_axes(p, p->machine->chain.n, q);
 }
 
-void nc_home(struct nc_program *p, const char *usual)
-{
-    nc_template(p, p->machine->blocks.home, usual);
-    nc_forget(&p->w, NC_X, NC_Z);
-    p->w.motion = NULL;
-}
-
 void nc_axis(struct nc_program *p, const struct nc_move *move, const char *const address[3])
 {
     if (p->plan->ability.mode == INTERPOLATE_VECTOR)
@@ -164,10 +89,4 @@ void nc_feed(struct nc_program *p, const struct nc_move *move)
     if (p->w.inverse)
         nc_forget(&p->w, NC_F, NC_F);
     nc_modal(&p->w, NC_F, "F", move->feed, post_feed_digits(&p->plan->ability, move->feed));
-}
-
-void nc_offset(struct nc_program *p, const char *usual)
-{
-    if (*p->machine->offset || *usual)
-        nc_code(&p->w, *p->machine->offset ? p->machine->offset : usual);
 }

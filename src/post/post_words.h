@@ -1,14 +1,10 @@
 /*
- * post_words - the words of a block that every control has (place, tool axis, feed), and blocks
- * that a machine file words itself (template.h).
+ * post_words - the words of a block that every control has: place, tool axis, feed.
  */
 #ifndef CLOUDMILL_POST_WORDS_H
 #define CLOUDMILL_POST_WORDS_H
 
 #include "dialect.h"
-
-/* Writes the blocks of the machine's template or, where that is empty, of the control's own. */
-void nc_template(struct nc_program *p, const char *own, const char *usual);
 
 /* The first motion with the tool in the spindle. */
 const struct nc_move *nc_first_move(const struct nc_program *p);
@@ -32,17 +28,11 @@ void nc_rotary_start(struct nc_program *p, const struct nc_move *first);
  * of the plane lead nowhere but to that place. */
 struct vec3 nc_above_plane(const struct nc_program *p, const struct nc_move *first);
 
-/* The tool to a safe height, by the machine's template or the control's own. */
-void nc_home(struct nc_program *p, const char *usual);
-
 /* The tool axis as the program has it: rotary words, or a vector with these three addresses, all
  * of it or nothing. */
 void nc_axis(struct nc_program *p, const struct nc_move *move, const char *const address[3]);
 
 /* F, when it changes; inverse-time feeds always. */
 void nc_feed(struct nc_program *p, const struct nc_move *move);
-
-/* The work offset: the machine's or, where it says none, this one. */
-void nc_offset(struct nc_program *p, const char *usual);
 
 #endif

@@ -14,8 +14,6 @@ void nc_writer_begin(struct nc_writer *w, struct out *out, struct nc_format_opti
 {
     if (style.count_all)
         step = 1;
-    if (style.most && style.most < most)
-        most = style.most;
     *w = (struct nc_writer){.out = out,
                             .style = style,
                             .step = step,
@@ -33,6 +31,13 @@ static void append_text(struct nc_writer *w, const char *s, size_t n)
     w->n += n;
 }
 
+static inline char *put_address(char *to, const char *address)
+{
+    while (*address)
+        *to++ = *address++;
+    return to;
+}
+
 /* The first word of a block, after its number, or one without room. */
 static char *begin_block(struct nc_writer *w)
 {
@@ -44,9 +49,13 @@ static char *begin_block(struct nc_writer *w)
         w->number += w->step;
         if (w->number > w->most)
             w->number = w->step;
-        if (!w->style.count_all)
-            w->line[w->n++] = 'N';
-        w->n += num_put_short(w->line + w->n, w->number, false, 0, false);
+        w->n += (size_t)(put_address(w->line, w->style.number) - w->line);
+        char digits[NUM_MAX];
+        size_t n = num_put_short(digits, w->number, false, 0, false);
+        for (size_t zeros = n; zeros < (size_t)w->style.number_width; zeros++)
+            w->line[w->n++] = '0';
+        memcpy(w->line + w->n, digits, n);
+        w->n += n;
         w->line[w->n++] = ' ';
     }
     return w->line + w->n;
@@ -66,13 +75,6 @@ void nc_code(struct nc_writer *w, const char *word)
 {
     begin_word(w);
     append_text(w, word, strlen(word));
-}
-
-static inline char *put_address(char *to, const char *address)
-{
-    while (*address)
-        *to++ = *address++;
-    return to;
 }
 
 /* A word with a number that num_scaled has made whole. */
@@ -191,7 +193,7 @@ void nc_line(struct nc_writer *w, const char *text)
 void nc_comment(struct nc_writer *w, const char *format, ...)
 {
     char text[200];
-    size_t room = NC_COMMENT_MAX - strlen(w->style.open) - strlen(w->style.close);
+    size_t room = w->style.comment_width - strlen(w->style.open) - strlen(w->style.close);
     va_list args;
     va_start(args, format);
     vsnprintf(text, sizeof text, format, args);

@@ -14,12 +14,14 @@
 
 /* How a control wants its text. */
 struct nc_format_options {
-    const char *open, *close; /* around a comment */
+    char open[24], close[24]; /* around a comment */
+    size_t comment_width;     /* with them */
     bool capitals;            /* in comments, and no brackets in them */
     bool point;               /* a whole number has its decimal point: X12. */
     bool sign;                /* a + before numbers that are not negative: X+12 */
-    long most;                /* the largest block number that it knows, 0: any */
-    bool count_all;           /* numbers of blocks 0, 1, 2 ... without N, comments too */
+    char number[24];          /* before a block's number: N */
+    int number_width;         /* of that, with zeros in front */
+    bool count_all;           /* numbers 0, 1, 2 ..., of comments too */
 };
 
 /* Modal values. */
@@ -27,9 +29,7 @@ enum nc_slot { NC_X, NC_Y, NC_Z, NC_Q0, NC_Q1, NC_I, NC_J, NC_K, NC_F, NC_SLOTS 
 
 enum {
     NC_BLOCK_MAX = 1000,
-    NC_LINE_MAX =
-        NC_BLOCK_MAX + 2 * NUM_MAX, /* with the word that goes beyond it, and its number */
-    NC_COMMENT_MAX = 80
+    NC_LINE_MAX = NC_BLOCK_MAX + 2 * NUM_MAX /* with the word that goes beyond it, and its number */
 };
 
 struct nc_writer {

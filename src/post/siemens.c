@@ -10,16 +10,12 @@
 #include "base/num.h"
 #include "dialect.h"
 #include "gcode.h"
-#include "post_head.h"
 #include "post_hole.h"
-#include "post_statement.h"
 #include "post_words.h"
 
 enum { NAME_MAX_LENGTH = 24 };
 
 static const char *const vector_address[] = {"A3=", "B3=", "C3="};
-
-static const char home[] = "SUPA G0 Z0 D0";
 
 static int check_name(const char *name, struct error *error)
 {
@@ -37,132 +33,24 @@ static int check_name(const char *name, struct error *error)
                      name, NAME_MAX_LENGTH);
 }
 
-/* %_N_NAME_MPF: the name asked for, else what of PARTNO is allowed. */
-static void program_name(struct nc_program *p)
+/* The name asked for, else what of PARTNO is allowed. */
+static void name(const struct nc_program *p, char *text)
 {
-    char name[NAME_MAX_LENGTH + 1] = "", line[NAME_MAX_LENGTH + 40];
     const char *from = p->name ? p->name : p->path->head.partno;
     size_t n = 0;
     for (; from && *from && n < NAME_MAX_LENGTH; from++) {
         unsigned char c = (unsigned char)*from;
         bool good = c < 128 && isalnum(c) && (n > 1 || !isdigit(c));
-        if (good || (n && name[n - 1] != '_'))
-            name[n++] = good ? (char)toupper(c) : '_';
+        if (good || (n && text[n - 1] != '_'))
+            text[n++] = good ? (char)toupper(c) : '_';
     }
-    while (n && name[n - 1] == '_')
+    while (n && text[n - 1] == '_')
         n--;
-    name[n] = '\0';
-    char part[24] = "";
+    if (n < 2)
+        n = (size_t)snprintf(text, NC_NAME_MAX, "PART");
+    text[n] = '\0';
     if (p->parts)
-        snprintf(part, sizeof part, "_%zu", p->part);
-    snprintf(line, sizeof line, "%%_N_%s%s_MPF", n >= 2 ? name : "PART", part);
-    nc_line(&p->w, line);
-}
-
-/*
- * Some curve of the plan has a second one for the head.  Both are to run on one parameter, UPATH;
- * with SPATH the head would follow the length of the way (Programming Manual Job Planning, Settable
- * path reference; 5-axis manual, Reference section).
- */
-static bool has_turning_curves(const struct nc_plan *plan)
-{
-    for (size_t i = 0; i < plan->spline.n; i++)
-        if (plan->spline.item[i].turns)
-            return true;
-    return false;
-}
-
-/* X Y at rapid, at the height where the tool is. */
-static void go_across(struct nc_program *p, struct vec3 to)
-{
-    int digits = p->plan->ability.digits.linear;
-    nc_motion(&p->w, "G0");
-    nc_modal(&p->w, NC_X, "X", to.x, digits);
-    nc_modal(&p->w, NC_Y, "Y", to.y, digits);
-    nc_end(&p->w);
-}
-
-/* The frame of the work, and how the tool axis is said until it stands as at the first place: by
- * rotary words, which leave the control no choice between their solutions. */
-static void transform(struct nc_program *p)
-{
-    struct nc_writer *w = &p->w;
-    bool vectors = p->plan->ability.mode == INTERPOLATE_VECTOR && !nc_zero_first(p);
-    if (!p->plan->ability.tcp)
-        return;
-    nc_template(p, p->machine->blocks.tcp_on, "TRAORI");
-    nc_offset(p, "G54");
-    nc_end(w);
-    nc_code(w, vectors ? "ORIWKS ORIVECT" : "ORIWKS ORIAXES");
-    if (has_turning_curves(p->plan))
-        nc_code(w, "UPATH");
-    nc_end(w);
-    w->motion = NULL;
-}
-
-/* Down to the height of the first place, and there the rotary axes turn. */
-static void go_down(struct nc_program *p, const struct nc_move *first)
-{
-    struct nc_writer *w = &p->w;
-    nc_motion(w, "G0");
-    nc_modal(w, NC_Z, "Z", first->p.z, p->plan->ability.digits.linear);
-    nc_end(w);
-    if (!nc_zero_first(p))
-        return;
-    nc_motion(w, "G0");
-    nc_rotary(p, first->q);
-    nc_end(w);
-    if (p->plan->ability.mode == INTERPOLATE_VECTOR)
-        nc_block(w, "ORIVECT");
-}
-
-static void start(struct nc_program *p)
-{
-    struct nc_writer *w = &p->w;
-    program_name(p);
-    nc_head(p);
-    nc_code(w, p->plan->ability.unit > 1 ? "G90 G17 G700 G40 G94" : "G90 G17 G71 G40 G94");
-    nc_offset(p, "G54");
-    nc_end(w);
-    nc_template(p, p->machine->blocks.safe, p->turned ? "TRAFOOF|CYCLE800()" : "TRAFOOF");
-    nc_template(p, p->machine->blocks.start, "");
-    nc_home(p, home);
-}
-
-static void load(struct nc_program *p)
-{
-    if (p->tooling.number)
-        nc_template(p, p->machine->blocks.tool_change, "T{tool} D1 M6");
-    nc_spindle(p);
-}
-
-/* The tool's length, off on the way home; then as gcode_engage. */
-static void engage(struct nc_program *p)
-{
-    struct nc_writer *w = &p->w;
-    const struct nc_move *first = nc_first_move(p);
-    if (!p->tooling.number || p->same_tool)
-        nc_block(w, "D1");
-    if (p->plane) {
-        go_across(p, nc_above_plane(p, first));
-        nc_template(p, p->machine->blocks.plane_on,
-                    "CYCLE800(0,\"\",100000,57,0,0,0,{a},{b},0,0,0,0,1,0,1)");
-        nc_forget(w, NC_X, NC_Z);
-        w->motion = NULL;
-    }
-    if (p->machine->chain.n) {
-        nc_motion(w, "G0");
-        nc_rotary_start(p, first);
-        nc_end(w);
-    }
-    transform(p);
-    go_across(p, first->p);
-    go_down(p, first);
-    nc_coolant(p);
-    if (p->machine->smooth)
-        nc_template(p, p->machine->blocks.smooth_on, "CYCLE832({tolerance},11,{orientation})");
-    if (p->plan->spline.n)
-        nc_block(&p->w, "COMPOF"); /* what CYCLE832 may have switched on is for straight blocks */
+        snprintf(text + n, NC_NAME_MAX - n, "_%zu", p->part);
 }
 
 static void line(struct nc_program *p, const struct nc_move *move)
@@ -197,30 +85,6 @@ static void dwell(struct nc_program *p, double seconds)
     nc_code(&p->w, "G4");
     nc_number(&p->w, "F", seconds, 3);
     nc_end(&p->w);
-}
-
-/* Home, without what was switched on for the tool. */
-static void disengage(struct nc_program *p)
-{
-    gcode_cutcom_off(p);
-    gcode_minutes(p);
-    if (p->machine->smooth)
-        nc_template(p, p->machine->blocks.smooth_off, "CYCLE832(0,0,1)");
-    if (p->plan->ability.tcp)
-        nc_template(p, p->machine->blocks.tcp_off, "TRAFOOF");
-    if (p->plane)
-        nc_template(p, p->machine->blocks.plane_off, "CYCLE800()");
-    nc_home(p, home);
-}
-
-static void finish(struct nc_program *p)
-{
-    struct nc_writer *w = &p->w;
-    gcode_rotary_home(p);
-    nc_block(w, "M9");
-    nc_block(w, "M5");
-    nc_template(p, p->machine->blocks.end, "");
-    nc_block(w, "M30");
 }
 
 /* ---- B-splines */
@@ -405,7 +269,6 @@ static void hole(struct nc_program *p, const struct nc_move *move)
 /* ---- the dialect */
 
 const struct dialect dialect_siemens = {
-    .style = {.open = "; ", .close = ""},
     .digits = {.linear = 5, .angle = 5, .vector = 8, .knot = 5, .feed = 2},
     .vectors = true,
     .plane = true,
@@ -414,15 +277,11 @@ const struct dialect dialect_siemens = {
     .splines = NC_SPLINES_NONE,
     .splines_vectors = NC_SPLINES_HEAD,
     .check_name = check_name,
-    .start = start,
-    .load = load,
-    .engage = engage,
+    .name = name,
     .line = line,
     .arc = arc,
     .spline = spline,
     .hole = hole,
     .hole_end = hole_end,
     .dwell = dwell,
-    .disengage = disengage,
-    .finish = finish,
 };

@@ -31,6 +31,10 @@ for page in "$SRC"/man/*.[57]; do
 	name=$(basename "$page")
 	ok "$name is installed" test -s "$prefix/share/man/man${name##*.}/$name"
 done
+for control in "$SRC"/controls/*.txt; do
+	ok "$(basename "$control") is installed" \
+		test -s "$prefix/share/cloudmill/controls/$(basename "$control")"
+done
 for machine in "$SRC"/machines/*.txt; do
 	ok "machine $(basename "$machine") is installed" \
 		test -s "$prefix/share/cloudmill/machines/$(basename "$machine")"
@@ -89,7 +93,7 @@ empty "uninstall leaves no file there" "$TMP/found"
 
 # ---- a tarball of a tree that git does not know
 
-cp -R "$SRC/Makefile" "$SRC/src" "$SRC/include" "$SRC/machines" "$SRC/man" "$stage"
+cp -R "$SRC/Makefile" "$SRC/src" "$SRC/include" "$SRC/machines" "$SRC/controls" "$SRC/man" "$stage"
 ok "make dist without git" env GIT_DIR="$TMP/none" "${MAKE:-make}" -C "$stage" dist
 tar -tzf "$stage"/cloudmill-*.tar.gz >"$TMP/found"
 has "the tarball holds the sources" '^cloudmill-[0-9.]*/src/ncpost.c$' "$TMP/found"

@@ -21,7 +21,7 @@ for page in "$pages"/*.1; do
 done >"$TMP/found"
 empty "every page of section 1 is of a tool" "$TMP/found"
 
-for name in cloudmill.7 cloudmill-mesh.5 cloudmill-path.5 cloudmill-machine.5; do
+for name in cloudmill.7 cloudmill-mesh.5 cloudmill-path.5 cloudmill-machine.5 cloudmill-control.5; do
 	ok "$name is there" test -s "$pages/$name"
 done
 
@@ -137,19 +137,20 @@ keys_of_source() {
 		esac
 	done
 	echo include
+	echo base
 }
 
 keys_of_page() {
 	awk '/^\.Sh / { on = $2 == "KEYS" } on && /^\.It Cm / {
 		for (i = 3; i <= NF && $i != "="; i++) if ($i != "," && $i != "Cm") print $i }' \
-		"$pages/cloudmill-machine.5"
+		"$pages/cloudmill-machine.5" "$pages/cloudmill-control.5"
 }
 
 keys_of_source | sort >"$TMP/source"
 keys_of_page | sort >"$TMP/page"
 ok "the key table is found" test "$(wc -l <"$TMP/source")" -ge 20
 diff "$TMP/source" "$TMP/page" >"$TMP/found"
-empty "cloudmill-machine.5: the keys are those of machine.c" "$TMP/found"
+empty "cloudmill-machine.5 and -control.5: the keys are those of machine.c" "$TMP/found"
 
 # ---- examples: each as printed, from the root of the project
 

@@ -9,6 +9,7 @@
 
 #include "chains.h"
 #include "post/gcode.h"
+#include "post/post_template.h"
 
 static const char *const vector[] = {"I", "J", "K"};
 
@@ -50,10 +51,11 @@ static void begin(struct nc_program *p, enum control_id control, struct machine 
 {
     struct error error;
     *m = machine_default();
+    ck_assert_int_eq(machine_control(m, control_row(control)->name, &error), 0);
     ck_assert_int_eq(machine_finish(m, &error), 0);
     *plan = (struct nc_plan){.ability = {.mode = mode, .unit = 1, .digits = {3, 3, 6, 3, 1}}};
     *p = (struct nc_program){.control = control, .machine = m, .plan = plan};
-    nc_writer_begin(&p->w, NULL, dialect_of(control)->style, 0, 99999);
+    nc_writer_begin(&p->w, NULL, nc_format_of(m), 0, 99999);
 }
 
 static double rounded(double x, double unit)
@@ -101,7 +103,7 @@ START_TEST(straight)
     }
     ck_assert_int_gt(shorter, 500);
     if (plan.ability.feeds == NC_FEEDS_INVERSE) {
-        gcode_minutes(&p);
+        nc_template(&p, "{?inverse}G94");
         read_block(&s, p.w.own);
         ck_assert(!s.inverse);
     }

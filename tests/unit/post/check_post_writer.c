@@ -11,7 +11,8 @@
 #include "chains.h"
 #include "post/post_writer.h"
 
-static const struct nc_format_options plain = {.open = "; ", .close = ""};
+static const struct nc_format_options plain = {
+    .open = "; ", .close = "", .comment_width = 80, .number = "N"};
 
 /* What the writer has put into its block so far. */
 static const char *text_of(struct nc_writer *w)
@@ -130,6 +131,7 @@ START_TEST(block_numbers)
     ck_assert_uint_eq(w.blocks, 13);
     struct nc_format_options all = plain;
     all.count_all = true;
+    *all.number = '\0';
     nc_writer_begin(&w, NULL, all, 10, 9999);
     for (int i = 0; i < 3; i++) {
         char want[40];
@@ -144,7 +146,8 @@ END_TEST
 /* In capitals and without brackets for a control that wants it so; never longer than 80. */
 START_TEST(comments)
 {
-    struct nc_format_options brackets = {.open = "(", .close = ")", .capitals = true};
+    struct nc_format_options brackets = {
+        .open = "(", .close = ")", .capitals = true, .comment_width = 80};
     struct nc_writer w;
     nc_writer_begin(&w, NULL, brackets, 0, 99999);
     nc_comment(&w, "Tool (%s) 50%% \t\xc3\xa9", "ball");
@@ -153,8 +156,8 @@ START_TEST(comments)
     memset(many, 'x', sizeof many - 1);
     many[sizeof many - 1] = '\0';
     nc_comment(&w, "%s", many);
-    ck_assert_uint_eq(strcspn(w.own, "\n"), NC_COMMENT_MAX);
-    ck_assert_int_eq(w.own[NC_COMMENT_MAX - 1], ')');
+    ck_assert_uint_eq(strcspn(w.own, "\n"), brackets.comment_width);
+    ck_assert_int_eq(w.own[brackets.comment_width - 1], ')');
 }
 END_TEST
 
