@@ -116,7 +116,8 @@ static double clean_cloud(const char *name, const struct settings *s, struct vec
     enum cloud_prepare_drop drop = s->outliers == OUTLIERS_KEEP ? CLOUD_PREPARE_KEEP
                                    : s->meshing.subdivide       ? CLOUD_PREPARE_DROP_OUTLIERS
                                                                 : CLOUD_PREPARE_DROP;
-    if (cloud_prepare_clean(points, mean, drop, threads, &cloud_prepare, &error) < 0)
+    if (cloud_prepare_clean(points, mean, isnan(s->noise) ? -1 : s->noise, drop, threads,
+                            &cloud_prepare, &error) < 0)
         die("%s: %s", name, error.text);
     origin->noise = isnan(s->noise) ? cloud_prepare.noise : s->noise;
     note("noise of the scan %.4f mm (one standard deviation)", cloud_prepare.noise);

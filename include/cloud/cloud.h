@@ -7,7 +7,8 @@
  *   1. Extent and mean spacing of the points, seen from above: plan_extent.h.
  *   2. Points twice, outliers and points under others go: outliers.h (the local outlier factor of
  *      Breunig, Kriegel, Ng, Sander 2000; Tukey's biweight).
- *   3. The noise of the scan, one standard deviation: noise.h.
+ *   3. The noise of the scan, one standard deviation: noise.h; whether scans lie over each other:
+ *      sheets.h.  Who decides by 2 and 3 what is believed of a scan: believed.h.
  *   4. Where one projection does not serve, the cloud is divided by orientation (Chui, Chiu, Yu
  *      2007, section 7): segment.h; how, segment_steps.h: normals on one side of the surface (Hoppe
  *      et al. 1992), connected components, surfaces continued beyond sharp edges.
@@ -21,6 +22,7 @@
 #ifndef CLOUDMILL_CLOUD_CLOUD_H
 #define CLOUDMILL_CLOUD_CLOUD_H
 
+#include "cloud/believed.h"
 #include "cloud/extend.h"
 #include "cloud/holes.h"
 #include "cloud/noise.h"

@@ -14,7 +14,7 @@
 struct scan_source {
     char *name;      /* as it was given, relative to the folder it was read in; "-": was piped in */
     uint64_t points; /* how many it has */
-    uint64_t hash;   /* of their coordinates, in order: scan_source_hash */
+    uint64_t hash;   /* of their coordinates: scan_source_hash */
 };
 
 /* All files of a scan; none: no scan is named. */
@@ -26,9 +26,9 @@ struct scan_sources {
 };
 
 /*
- * 64 bits that change when a coordinate changes, a point is missing or two are exchanged: each
- * double's bits are mixed in by a multiplication (FNV-1a's steps, 64 bits at a time, and a turn).
- * No defence against intent.  -0 counts as 0.
+ * 64 bits that change when a coordinate changes or a point is missing, and not with the order of
+ * the points: the sum of a hash of each (steps as FNV-1a's, 64 bits at a time, with a shift after
+ * each).  No defence against intent.  -0 counts as 0.
  */
 uint64_t scan_source_hash(const struct vec3 *point, size_t n);
 

@@ -7,6 +7,7 @@
 
 #include <stdbool.h>
 
+#include "cloud/sheets.h"
 #include "math/point_grid.h"
 #include "base/error.h"
 #include "mesh/mesh.h"
@@ -33,10 +34,15 @@ enum cloud_prepare_drop { CLOUD_PREPARE_KEEP, CLOUD_PREPARE_DROP_OUTLIERS, CLOUD
 
 /*
  * Takes out points that are there twice and, as `drop` says, outliers or these and points under a
- * roof, and measures the noise; says what it found.  `spacing` is the mean spacing, mm.  The points
+ * roof, and measures the noise; says what it found.  `spacing` is the mean spacing, mm, `noise` what the user says of it
+ * (believed.h); with 0 all points are believed.  The points
  * are in the order of point_grid.h afterwards, whatever it was.  -1: too many of them.
  */
-int cloud_prepare_clean(struct vec3s *points, double spacing, enum cloud_prepare_drop drop,
-                        int threads, struct cloud_prepare *cloud_prepare, struct error *error);
+int cloud_prepare_clean(struct vec3s *points, double spacing, double noise,
+                        enum cloud_prepare_drop drop, int threads,
+                        struct cloud_prepare *cloud_prepare, struct error *error);
+
+/* Says where, and how far apart, if there are two sheets. */
+void say_sheets(const struct sheets *sheets);
 
 #endif

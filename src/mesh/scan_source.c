@@ -8,22 +8,25 @@
 
 static uint64_t mix(uint64_t hash, double x)
 {
-    const uint64_t prime = 0x100000001b3, spread = 0x9e3779b97f4a7c15;
+    const uint64_t prime = 0xd6e8feb86659fd93, spread = 0x9e3779b97f4a7c15;
     double plain = x + 0.0; /* -0 becomes 0 */
     uint64_t bits;
 
     memcpy(&bits, &plain, sizeof bits);
     hash = (hash ^ bits * spread) * prime;
-    return hash << 29 | hash >> 35;
+    return hash ^ hash >> 31;
 }
 
 uint64_t scan_source_hash(const struct vec3 *point, size_t n)
 {
-    uint64_t hash = 0xcbf29ce484222325;
+    const uint64_t basis = 0xcbf29ce484222325;
+    uint64_t sum = basis * n;
 
-    for (size_t i = 0; i < n; i++)
-        hash = mix(mix(mix(hash, point[i].x), point[i].y), point[i].z);
-    return hash;
+    for (size_t i = 0; i < n; i++) {
+        uint64_t hash = mix(mix(mix(basis, point[i].x), point[i].y), point[i].z);
+        sum += hash * hash + hash; /* no sum of coordinates is left in the sum */
+    }
+    return sum;
 }
 
 void scan_sources_add(struct scan_sources *scan, const char *name, const struct vec3 *point,

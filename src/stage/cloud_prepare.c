@@ -65,6 +65,15 @@ int cloud_prepare_place(struct vec3s *points, const char *unit, const char *matr
     return 0;
 }
 
+void say_sheets(const struct sheets *sheets)
+{
+    if (sheets->places > 0)
+        say("two sheets of points lie over each other, %.3f mm apart (at %zu of %zu places looked "
+            "at, at most %.3f mm at %.3f %.3f %.3f): scans that do not meet",
+            sheets->distance, sheets->places, sheets->looked, sheets->widest, sheets->at.x,
+            sheets->at.y, sheets->at.z);
+}
+
 static void say_cleaned(const struct cloud_prepare *c, bool drop)
 {
     const char *left = drop ? "left out" : "found, and kept,";
@@ -78,8 +87,9 @@ static void say_cleaned(const struct cloud_prepare *c, bool drop)
             c->under == 1 ? "" : "s");
 }
 
-int cloud_prepare_clean(struct vec3s *points, double spacing, enum cloud_prepare_drop drop,
-                        int threads, struct cloud_prepare *cloud_prepare, struct error *error)
+int cloud_prepare_clean(struct vec3s *points, double spacing, double noise,
+                        enum cloud_prepare_drop drop, int threads,
+                        struct cloud_prepare *cloud_prepare, struct error *error)
 {
     struct point_grid point_grid;
     *cloud_prepare = (struct cloud_prepare){0};
@@ -88,14 +98,17 @@ int cloud_prepare_clean(struct vec3s *points, double spacing, enum cloud_prepare
     unsigned char *out = mem_alloc(points->n, 1);
     cloud_prepare->twice = outliers_twice(&point_grid, out);
     point_grid_remove(&point_grid, out);
-    cloud_prepare->noise = noise_sigma(&point_grid, threads);
     memset(out, 0, points->n);
-    cloud_prepare->outliers = outliers_isolated(&point_grid, cloud_prepare->noise, threads, out);
+    const struct believed_options believe = {.noise = noise, .threads = threads};
+    struct believed believed = believed_in_grid(&point_grid, &believe, out);
+    cloud_prepare->noise = believed.noise.sigma;
+    cloud_prepare->outliers = believed.outliers;
     if (drop != CLOUD_PREPARE_DROP_OUTLIERS)
         cloud_prepare->under = outliers_under_roof(&point_grid, threads, out);
     if (drop != CLOUD_PREPARE_KEEP)
         point_grid_remove(&point_grid, out);
     points->n = point_grid.n;
+    say_sheets(&believed.sheets);
     say_cleaned(cloud_prepare, drop != CLOUD_PREPARE_KEEP);
     free(out);
     point_grid_free(&point_grid);

@@ -7,7 +7,8 @@
 #include "base/effort.h"
 #include "io/cloud/cloud.h"
 #include "cloud/plan_extent.h"
-#include "cloud/noise.h"
+#include "cloud/believed.h"
+#include "stage/cloud_prepare.h"
 #include "gouge/guard_points.h"
 #include "cloud/outliers.h"
 
@@ -110,22 +111,24 @@ static size_t far_places(const struct vec3s *place, const struct gouge_check *gu
     return far;
 }
 
-/* Takes out points that are not on the surface, where it is certain that noise does not put them
- * there: it is known, or there is none. */
-static void drop_outliers(struct point_grid *point_grid, struct noise noise, double spacing,
-                          int threads)
+/* What the scan is to be taken as; its outliers go. */
+static struct believed believe(struct point_grid *point_grid, double noise, int threads)
 {
-    const double none = 0.002; /* in spacings */
-
-    if (!noise.alike && noise.sigma >= none * spacing)
-        return;
+    const struct believed_options options = {.noise = noise, .threads = threads};
     unsigned char *out = mem_alloc(point_grid->n, 1);
+
     memset(out, 0, point_grid->n);
-    size_t outliers = outliers_isolated(point_grid, noise.sigma, threads, out);
-    if (outliers > 0)
-        say("left out %zu outlier%s of the scan that guards", outliers, outliers == 1 ? "" : "s");
+    outliers_twice(point_grid, out);
+    point_grid_remove(point_grid, out);
+    memset(out, 0, point_grid->n);
+    struct believed believed = believed_in_grid(point_grid, &options, out);
+    if (believed.outliers > 0)
+        say("left out %zu outlier%s of the scan that guards", believed.outliers,
+            believed.outliers == 1 ? "" : "s");
     point_grid_remove(point_grid, out);
     free(out);
+    say_sheets(&believed.sheets);
+    return believed;
 }
 
 static double spacing_of(const struct vec3s *points)
@@ -166,9 +169,8 @@ static struct gouge_check *gouge_of(struct vec3s *points, const struct mesh *mes
 
     if (point_grid_make(points->item, points->n, spacing, rule->threads, &point_grid, error) < 0)
         return NULL;
-    struct noise found = noise_measure(&point_grid, rule->threads);
-    drop_outliers(&point_grid, found, spacing, rule->threads);
-    bool noisy = found.alike && found.sigma > little * rule->tolerance;
+    struct believed found = believe(&point_grid, rule->noise, rule->threads);
+    bool noisy = found.sigma > little * rule->tolerance;
     if (rule->noise < 0 && noisy)
         effort_say(EFFORT_GUARD_NOISE, rule->effort, points->n);
     if (rule->noise < 0)

@@ -14,6 +14,7 @@ judge="simulate ncread verify"
 judge_uses="base math $judge"
 judge_data="ncread machine/machine.h
 ncread machine/control.h
+verify cloud/believed.h
 verify io/cloud/cloud.h
 verify io/mesh/
 verify io/nurbs/

@@ -31,13 +31,20 @@ START_TEST(any_change)
             ck_assert_uint_ne(hash, scan_source_hash(p, N));
             *x = old;
         }
-    for (int i = 1; i < N; i++) {
+    for (int i = 1; i < N; i++) { /* a point instead of another; two that exchange their z */
         struct vec3 q = p[i];
         p[i] = p[i - 1];
-        p[i - 1] = q;
         ck_assert_uint_ne(hash, scan_source_hash(p, N));
-        p[i - 1] = p[i];
+        p[i] = vec(q.x, q.y, p[i - 1].z);
+        p[i - 1].z = q.z;
+        ck_assert_uint_ne(hash, scan_source_hash(p, N));
+        p[i - 1].z = p[i].z;
         p[i] = q;
+    }
+    for (int i = 0; i < N / 2; i++) { /* the order does not matter */
+        struct vec3 q = p[i];
+        p[i] = p[N - 1 - i];
+        p[N - 1 - i] = q;
     }
     ck_assert_uint_eq(hash, scan_source_hash(p, N));
 }

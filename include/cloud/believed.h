@@ -1,0 +1,43 @@
+/*
+ * believed - which points of a scan are believed, and how noisy they are: the one decision that a
+ * mesh is made by, a ball is kept clear by, and a program is judged by.
+ *
+ *   noise      noise.h: one standard deviation, and whether it is the scanner's
+ *   outliers   outliers.h: points that nothing else of the scan bears out
+ *   sheets     sheets.h: scans over each other that do not meet
+ */
+#ifndef CLOUDMILL_BELIEVED_H
+#define CLOUDMILL_BELIEVED_H
+
+#include "base/error.h"
+#include "cloud/noise.h"
+#include "cloud/sheets.h"
+#include "math/point_grid.h"
+
+struct believed_options {
+    double noise; /* standard deviation that the user says, mm; negative: measured; 0: every point
+                     is believed as it is */
+    int threads;  /* as of parallel_for */
+};
+
+struct believed {
+    struct noise noise; /* as measured, of the points that are there once */
+    double sigma;       /* what points may be off their surface by: what the user says, or the noise
+                           measured where it is the scanner's and there are no two sheets; else 0 */
+    size_t outliers;
+    struct sheets sheets;
+};
+
+/* Marks outliers with 1 in out[], in the order of the grid, beside what is marked; no point of the
+ * grid may be there twice. */
+struct believed believed_in_grid(const struct point_grid *point_grid,
+                                 const struct believed_options *options, unsigned char *out);
+
+/*
+ * The same of n points in any order, which stay in it: out[i] becomes 1 for an outlier (and each
+ * that is equal to one), else 0.  -1: too many points.
+ */
+int believed_find(const struct vec3 *point, size_t n, const struct believed_options *options,
+                  unsigned char *out, struct believed *believed, struct error *error);
+
+#endif

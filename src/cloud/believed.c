@@ -1,0 +1,78 @@
+/* believed - see believed.h. */
+#include "cloud/believed.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+#include "base/array.h"
+#include "cloud/outliers.h"
+#include "cloud/plan_extent.h"
+
+struct believed believed_in_grid(const struct point_grid *point_grid,
+                                 const struct believed_options *options, unsigned char *out)
+{
+    struct believed b = {.noise = noise_measure(point_grid, options->threads)};
+    bool measured = options->noise < 0;
+
+    b.sheets = sheets_find(point_grid, options->threads);
+    if (!measured)
+        b.sigma = options->noise;
+    else if (b.noise.alike && b.sheets.places == 0)
+        b.sigma = b.noise.sigma;
+    if (measured || options->noise > 0)
+        b.outliers = outliers_isolated(point_grid, measured ? b.noise.sigma : options->noise,
+                                       options->threads, out);
+    return b;
+}
+
+static int compare_points(const void *pa, const void *pb)
+{
+    const struct vec3 *a = pa, *b = pb;
+
+    if (a->x != b->x)
+        return a->x < b->x ? -1 : 1;
+    if (a->y != b->y)
+        return a->y < b->y ? -1 : 1;
+    return (a->z > b->z) - (a->z < b->z);
+}
+
+/* The points marked, in order, at the start of the grid's. */
+static size_t gather_marked(struct point_grid *point_grid, const unsigned char *out)
+{
+    size_t found = 0;
+
+    for (size_t i = 0; i < point_grid->n; i++)
+        if (out[i])
+            point_grid->point[found++] = point_grid->point[i];
+    if (found > 0)
+        qsort(point_grid->point, found, sizeof *point_grid->point, compare_points);
+    return found;
+}
+
+int believed_find(const struct vec3 *point, size_t n, const struct believed_options *options,
+                  unsigned char *out, struct believed *believed, struct error *error)
+{
+    struct plan_extent f = plan_extent_of(point, n, 0);
+    double spacing = plan_extent_spacing(&f, point, n);
+    struct vec3 *copy = mem_alloc(n, sizeof *copy);
+    struct point_grid point_grid;
+
+    memset(out, 0, n);
+    *believed = (struct believed){.sigma = 0};
+    memcpy(copy, point, n * sizeof *copy);
+    if (point_grid_make(copy, n, spacing > 0 ? spacing : 1, options->threads, &point_grid, error) <
+        0) {
+        free(copy);
+        return -1;
+    }
+    outliers_twice(&point_grid, out);
+    point_grid_remove(&point_grid, out);
+    memset(out, 0, n);
+    *believed = believed_in_grid(&point_grid, options, out);
+    size_t marked = gather_marked(&point_grid, out);
+    for (size_t i = 0; i < n; i++)
+        out[i] = marked > 0 && bsearch(&point[i], copy, marked, sizeof *copy, compare_points);
+    point_grid_free(&point_grid);
+    free(copy);
+    return 0;
+}

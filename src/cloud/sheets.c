@@ -1,0 +1,152 @@
+/* sheets - see sheets.h. */
+#include "cloud/sheets.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+#include "base/array.h"
+#include "base/parallel.h"
+#include "math/quadric.h"
+
+enum { PLACES = 2000, NEAR = 48, FEWEST_PLACES = 3 };
+
+static const double APART = 4.5;    /* spreads of a group */
+static const double PART = 0.25;    /* of the points in each group */
+static const double MIXED = 0.75;   /* of the neighbours that would be across by chance */
+static const double LEAST = 0.001;  /* of the neighbourhood's radius: less is in printed digits */
+static const double UPRIGHT = 0.35; /* least z of the normal */
+
+struct search {
+    const struct point_grid *point_grid;
+    size_t places;
+    double *distance; /* at each place; 0: one sheet */
+};
+
+/* The split of sorted values whose groups are spread least; returns how many are in the first. */
+static size_t best_split(const double *value, size_t n)
+{
+    double sum = 0, all = 0, best = -1;
+    size_t split = 0;
+
+    for (size_t i = 0; i < n; i++)
+        all += value[i];
+    for (size_t i = 1; i < n; i++) {
+        sum += value[i - 1];
+        double d = sum / (double)i - (all - sum) / (double)(n - i);
+        double between = (double)i * (double)(n - i) * d * d;
+        if (between > best) {
+            best = between;
+            split = i;
+        }
+    }
+    return split;
+}
+
+static double mean_of(const double *value, size_t n)
+{
+    double sum = 0;
+    for (size_t i = 0; i < n; i++)
+        sum += value[i];
+    return sum / (double)n;
+}
+
+static double squares_of(const double *value, size_t n)
+{
+    double mean = mean_of(value, n), sum = 0;
+    for (size_t i = 0; i < n; i++)
+        sum += (value[i] - mean) * (value[i] - mean);
+    return sum;
+}
+
+/* Part of the points whose nearest neighbour along the surface is of the other group. */
+static double mixed_part(const struct vec3 *point, const bool *upper, size_t n, struct vec3 normal)
+{
+    size_t mixed = 0;
+
+    for (size_t i = 0; i < n; i++) {
+        double nearest = HUGE_VAL;
+        bool other = false;
+        for (size_t k = 0; k < n; k++) {
+            struct vec3 d = vec_sub(point[k], point[i]);
+            double along = vec_dot(d, d) - vec_dot(d, normal) * vec_dot(d, normal);
+            if (k != i && along < nearest) {
+                nearest = along;
+                other = upper[k] != upper[i];
+            }
+        }
+        mixed += other;
+    }
+    return (double)mixed / (double)n;
+}
+
+/* Distance of the two sheets at a place, 0: there is one. */
+static double look_at(const struct point_grid *b, struct vec3 place)
+{
+    uint32_t index[NEAR];
+    double distance2[NEAR], off[NEAR], sorted[NEAR];
+    struct vec3 point[NEAR];
+    bool upper[NEAR];
+    struct quadric q;
+
+    if (point_grid_nearest(b, place, NEAR, index, distance2) < NEAR)
+        return 0;
+    for (size_t i = 0; i < NEAR; i++)
+        point[i] = b->point[index[i]];
+    if (quadric_fit_free(point, NEAR, place, &q) < 0)
+        return 0;
+    struct vec3 normal = quadric_normal(&q);
+    if (fabs(normal.z) < UPRIGHT)
+        return 0;
+    for (size_t i = 0; i < NEAR; i++)
+        off[i] = sorted[i] = quadric_off(&q, point[i]);
+    doubles_sort(sorted, NEAR);
+    size_t n = best_split(sorted, NEAR), rest = NEAR - n;
+    if ((double)n < PART * NEAR || (double)rest < PART * NEAR)
+        return 0;
+    double apart = mean_of(sorted + n, rest) - mean_of(sorted, n);
+    double spread = sqrt((squares_of(sorted, n) + squares_of(sorted + n, rest)) / (NEAR - 2));
+    if (!(apart > fmax(APART * spread, LEAST * sqrt(distance2[NEAR - 1]))))
+        return 0;
+    for (size_t i = 0; i < NEAR; i++)
+        upper[i] = off[i] >= sorted[n];
+    double chance = 2 * (double)n * (double)rest / (double)(NEAR * NEAR);
+    return mixed_part(point, upper, NEAR, normal) < MIXED * chance ? 0 : apart;
+}
+
+static struct vec3 place_of(const struct search *s, size_t i)
+{
+    const struct point_grid *b = s->point_grid;
+    return b->point[(size_t)(((double)i + 0.5) / (double)s->places * (double)b->n)];
+}
+
+static void look_at_places(void *context, size_t from, size_t to)
+{
+    const struct search *s = context;
+    for (size_t i = from; i < to; i++)
+        s->distance[i] = look_at(s->point_grid, place_of(s, i));
+}
+
+struct sheets sheets_find(const struct point_grid *point_grid, int threads)
+{
+    size_t places = point_grid->n < PLACES ? point_grid->n : PLACES;
+    struct search s = {point_grid, places, mem_alloc(places, sizeof(double))};
+    struct sheets sheets = {.looked = places};
+
+    parallel_for(threads, places, look_at_places, &s);
+    for (size_t i = 0; i < places; i++)
+        if (s.distance[i] > 0) {
+            if (s.distance[i] > sheets.widest) {
+                sheets.widest = s.distance[i];
+                sheets.at = place_of(&s, i);
+            }
+            s.distance[sheets.places++] = s.distance[i];
+        }
+    if (sheets.places < FEWEST_PLACES)
+        sheets = (struct sheets){.looked = places};
+    if (sheets.places > 0) {
+        doubles_sort(s.distance, sheets.places);
+        sheets.distance = s.distance[sheets.places / 2];
+    }
+    free(s.distance);
+    return sheets;
+}

@@ -1,0 +1,123 @@
+/* believed: flags in the order of the points, what the user says of noise, two sheets. */
+#include <check.h>
+#include <stdlib.h>
+
+#include "cloud/believed.h"
+#include "noisy.h"
+#include "panel.h"
+
+enum { POINTS = 17000, STRAYS = 40 };
+
+static struct vec3s scan;
+static unsigned char *out;
+static struct believed found;
+
+static void believe(double noise)
+{
+    struct believed_options options = {noise, 2};
+    struct error error;
+
+    free(out);
+    out = mem_alloc(scan.n, 1);
+    ck_assert_int_eq(believed_find(scan.item, scan.n, &options, out, &found, &error), 0);
+}
+
+static void free_all(void)
+{
+    array_free(&scan);
+    free(out);
+    out = NULL;
+}
+
+/* Strays 1 to 9 mm above or below, at known indices. */
+START_TEST(strays)
+{
+    const double sigma = 0.02 * _i;
+    noisy_seed(7);
+    noisy_scan(&scan, panel_height, POINTS, NOISY_RANDOM, sigma);
+    for (size_t i = 0; i < STRAYS; i++)
+        scan.item[i * scan.n / STRAYS].z += (i % 2 ? 1 : -1) * (1 + 8 * noisy_uniform());
+    struct vec3 stray = scan.item[0];
+    *array_push(&scan) = stray; /* twice */
+    size_t n = scan.n - 1, right = 0, all = 0;
+    believe(-1);
+    for (size_t i = 0; i < STRAYS; i++)
+        right += out[i * n / STRAYS];
+    for (size_t i = 0; i < n; i++)
+        all += out[i];
+    ck_assert_uint_ge(right, STRAYS - 1);
+    ck_assert_uint_le(all - right, 1);
+    ck_assert_uint_eq(out[n], out[0]);
+    ck_assert_uint_eq(found.outliers, all);
+    ck_assert_double_eq_tol(found.sigma, sigma, 0.002);
+    ck_assert_uint_eq(found.sheets.places, 0);
+    believe(0);
+    ck_assert_uint_eq(found.outliers, 0);
+    for (size_t i = 0; i < scan.n; i++)
+        ck_assert(!out[i]);
+    ck_assert_double_eq(found.sigma, 0);
+    believe(0.05);
+    ck_assert_double_eq(found.sigma, 0.05);
+}
+END_TEST
+
+static double roof(double x, double y)
+{
+    return 12 - 0.5 * fabs(x + 0.2 * y);
+}
+
+/* A step of 0.1 mm: two groups of distances, but side by side. */
+static double low_step(double x, double y)
+{
+    return 0.1 * (floor((x + 0.3 * y) / 6) - 2 * floor((x + 0.3 * y) / 12));
+}
+
+static double (*const shape[])(double, double) = {panel_height, roof, low_step};
+
+START_TEST(one_sheet)
+{
+    static const double sigma[] = {0, 0.01, 0.1};
+    noisy_seed(9 + (unsigned)_i);
+    noisy_scan(&scan, shape[_i % 3], POINTS, (enum noisy_pattern)(_i / 3 % 3), sigma[_i / 9]);
+    believe(-1);
+    ck_assert_uint_eq(found.sheets.places, 0);
+}
+END_TEST
+
+/* A second scan of a part of it, 0.05 or 0.2 mm higher. */
+START_TEST(two_sheets)
+{
+    const double apart = _i % 2 ? 0.05 : 0.2, sigma = _i / 2 % 2 ? 0.008 : 0;
+    noisy_seed(5 + (unsigned)_i);
+    noisy_scan(&scan, panel_height, POINTS, NOISY_RANDOM, sigma);
+    struct vec3s second = {0};
+    noisy_scan(&second, panel_height, POINTS, _i / 4 ? NOISY_GRID : NOISY_RANDOM, sigma);
+    for (size_t i = 0; i < second.n; i++)
+        if (second.item[i].x > 10) {
+            second.item[i].z += apart;
+            *array_push(&scan) = second.item[i];
+        }
+    array_free(&second);
+    believe(-1);
+    ck_assert_uint_gt(found.sheets.places, 100);
+    ck_assert_double_eq_tol(found.sheets.distance, apart, 0.25 * apart);
+    ck_assert_double_gt(found.sheets.at.x, 9.5);
+    ck_assert_double_eq(found.sigma, 0);
+}
+END_TEST
+
+int main(void)
+{
+    Suite *suite = suite_create("believed");
+    TCase *tests = tcase_create("believed");
+    SRunner *runner = srunner_create(suite);
+    tcase_add_checked_fixture(tests, NULL, free_all);
+    tcase_add_loop_test(tests, strays, 0, 2);
+    tcase_add_loop_test(tests, one_sheet, 0, 27);
+    tcase_add_loop_test(tests, two_sheets, 0, 8);
+    suite_add_tcase(suite, tests);
+    srunner_run_all(runner, CK_ENV);
+    int failed = srunner_ntests_failed(runner);
+    srunner_free(runner);
+    return failed > 0;
+}
