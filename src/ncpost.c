@@ -17,6 +17,8 @@ struct settings {
     double tolerance;      /* of the whole ledger, 0: none */
     double axis_tolerance; /* degrees */
     bool vectors, rotary, strict, self_test;
+    int unit, insert;      /* -u; --insert: enum post_insert */
+    bool unit_given;
     const char *split;
     struct post_options post;
     struct post_extract extract;
@@ -83,6 +85,18 @@ static void read_options(struct settings *s, struct cli *cli, int argc, char **a
          CLI_FLAG, &s->self_test, 0, 0, 0, NULL},
         {0, "program", "NAME", "number (Fanuc) or name of the program", CLI_TEXT, &s->post.name, 0,
          0, 0, NULL},
+        {'u', "units", "inch|mm",
+         "unit of the lengths in the path where it does not say it (default:\n"
+         "mm; inch where it has feeds in IPM or IPR)",
+         CLI_CHOICE, &s->unit, 0, 0, 0, &s->unit_given},
+        {0, "insert", "pass|comment|refuse",
+         "what INSERT of the path becomes: a block as it stands (default), a\n"
+         "comment, or an error",
+         CLI_CHOICE, &s->insert, 0, 0, 0, NULL},
+        {0, "no-spindle", NULL,
+         "a path may cut without a speed of the spindle or a tool's number;\n"
+         "otherwise the exit status is 3",
+         CLI_FLAG, &s->post.no_spindle, 0, 0, 0, NULL},
         {0, "strict", NULL, "refuse unknown post-processor words", CLI_FLAG, &s->strict, 0, 0, 0,
          NULL},
         {0, NULL, NULL, NULL, CLI_FLAG, NULL, 0, 0, 0, NULL},
@@ -93,6 +107,7 @@ static void read_options(struct settings *s, struct cli *cli, int argc, char **a
         die_usage("found %d files, expected one path", cli->files);
     if (s->vectors && s->rotary)
         die_usage("found --vectors and --rotary, expected one of them");
+    s->post.insert = (enum post_insert)s->insert;
     s->post.axis = s->vectors ? POST_AXIS_VECTORS : s->rotary ? POST_AXIS_ROTARY : POST_AXIS_USUAL;
     s->post.axis_tolerance = RADIANS(s->axis_tolerance);
     if (s->split)
@@ -124,8 +139,14 @@ static enum control_id choose_control(const struct settings *s, const struct mac
 static void read_path(const struct settings *s, const char *file, struct path *path)
 {
     struct error error;
-    if (path_read(file, path, &error) != 0)
+    enum path_unit unit = !s->unit_given ? PATH_UNIT_SAID
+                          : s->unit == 0 ? PATH_UNIT_INCH
+                                         : PATH_UNIT_MM;
+    if (path_read_as(file, unit, path, &error) != 0)
         die_error(&error);
+    if (path->inches_taken)
+        say("%s: found feeds in inches and no UNITS: took inches (-u inch; else -u mm)",
+            path->name);
     for (size_t i = 0; i < path->unknown.n; i++) {
         const struct path_unknown *u = &path->unknown.item[i];
         if (s->strict)

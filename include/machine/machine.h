@@ -44,9 +44,26 @@ enum machine_tcp_frame { TCP_FRAME_ZERO, TCP_FRAME_STANDS };
 /* How G49 leaves the tool's length: in the block that goes home, alone, or with a height. */
 enum machine_length_off { LENGTH_OFF_HOME, LENGTH_OFF_ALONE, LENGTH_OFF_Z };
 
-/* How rotary words are written: the angle as it is; within 0 to 360; the same as DC(), which takes
- * the shortest way; absolute in 0 to 360 with the sign of the turn. */
-enum machine_rotary_words { ROTARY_PLAIN, ROTARY_WITHIN, ROTARY_DC, ROTARY_SIGNED };
+/* How rotary words are written: as is usual for the control (Siemens: of an axis that turns without
+ * end DC()); the angle as it is; within 0 to 360, the control taking the shortest way; the same as
+ * DC(); the same with the sign of the turn; the control's words for the shortest way. */
+enum machine_rotary_words {
+    ROTARY_OWN,
+    ROTARY_PLAIN,
+    ROTARY_WITHIN,
+    ROTARY_DC,
+    ROTARY_SIGNED,
+    ROTARY_SHORTEST
+};
+
+/* A tool that the machine file or its table of tools describes. */
+struct machine_tool {
+    int number;
+    double length; /* mm; NAN: not said */
+    char name[40]; /* "": none */
+};
+
+enum { MACHINE_TOOLS = 100, MACHINE_OFFSETS = 20, MACHINE_AUX = 30 };
 
 enum { MACHINE_BLOCKS = 300 };
 
@@ -93,11 +110,28 @@ struct machine {
         char tcp_on[MACHINE_BLOCKS], tcp_off[MACHINE_BLOCKS];
         char smooth_on[MACHINE_BLOCKS], smooth_off[MACHINE_BLOCKS];
         char plane_on[MACHINE_BLOCKS], plane_off[MACHINE_BLOCKS];
+        char clamp_on[MACHINE_BLOCKS]; /* of the rotary axes, around a tilted plane's turn */
+        char clamp_off[MACHINE_BLOCKS];
+        char coolant_on[60], coolant_mist[60], coolant_off[60]; /* "": M8, M7, M9 */
+        char coolant_thru[60], coolant_air[60];                 /* "": the machine has none */
+        char spindle_cw[60], spindle_ccw[60], spindle_off[60];  /* after S, "": M3, M4; M5 */
+        char stop[60], stop_optional[60];                       /* "": M0, M1 */
         char tap[MACHINE_BLOCKS]; /* before a tapping cycle: M29 S{rpm} */
         char end[MACHINE_BLOCKS]; /* before M30 */
     } blocks;
-    int number_step; /* of block numbers, 0: none */
-    int number_max;  /* after it they begin again */
+    bool tool_names; /* tools are called by their names, where they have one */
+    bool tool_next;  /* the next tool is selected when one has been taken */
+    bool tool_stop;  /* an optional stop before each tool */
+    bool block_skip; /* OPSKIP of the path marks blocks */
+    size_t tools;    /* how many are described */
+    struct machine_tool tool[MACHINE_TOOLS];
+    char tool_offset[MACHINE_OFFSETS][20]; /* work offset of the n-th tool's work, "": offset */
+    struct machine_aux {
+        int number;
+        char blocks[60];
+    } aux[MACHINE_AUX]; /* what AUXFUN/number becomes; number -1: unused */
+    int number_step;    /* of block numbers, 0: none */
+    int number_max;     /* after it they begin again */
     struct machine_digits digits;
 
     struct kinematic_chain chain; /* made of the above; travel in radians */
@@ -128,6 +162,12 @@ int machine_set(struct machine *machine, const char *setting, struct error *erro
 
 /* Checks what the keys say together and makes the chain; to be called last. */
 int machine_finish(struct machine *machine, struct error *error);
+
+/* The tool of that number, NULL: it is not described. */
+const struct machine_tool *machine_tool(const struct machine *machine, int number);
+
+/* Tool lengths are described, so that centres of heads are seen from the spindle's nose. */
+bool machine_has_lengths(const struct machine *machine);
 
 /* True if programs of this control can have tool-centre-point control on the machine. */
 bool machine_has_tcp(const struct machine *machine, enum control_id control);

@@ -45,6 +45,9 @@
 /* How the tool axis is to be programmed: as usual for the control, or as asked. */
 enum post_axis_words { POST_AXIS_USUAL, POST_AXIS_VECTORS, POST_AXIS_ROTARY };
 
+/* What INSERT becomes: a block as it stands, a comment, an error. */
+enum post_insert { POST_INSERT_PASS, POST_INSERT_COMMENT, POST_INSERT_REFUSE };
+
 /* What the user chose. */
 struct post_options {
     double chord;          /* ncpost's own share of the tolerance, mm */
@@ -54,6 +57,8 @@ struct post_options {
     bool plane;            /* a tilted plane instead of tool-centre-point control */
     bool inch;
     enum post_axis_words axis;
+    enum post_insert insert;
+    bool no_spindle; /* no complaint where the path has no speed or no tool's number */
     const char *name; /* number or name of the program, NULL: as usual for the control */
 };
 
@@ -69,6 +74,9 @@ struct post_report {
     bool feed_assumed, approach_made, retract_made;
     bool steps_evened; /* drilling cycles took the smaller step and no dwell */
     bool cutcom_off;   /* the path asks for radius compensation, and the program has none */
+    bool no_spindle_on; /* it cuts before the spindle has a speed, and that was not asked for */
+    bool no_tool;       /* a tool without a number, the same */
+    bool no_coolant;    /* a kind of coolant for which the machine has no word */
     bool no_vectors;   /* took rotary words: with vectors an axis would run out of its travel */
     size_t turns;      /* retract, turn, return */
     size_t passes, lines, arcs, splines, rapids;

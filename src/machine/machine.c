@@ -11,6 +11,7 @@
 #include "base/program_dir.h"
 #include "base/reader.h"
 #include "keys.h"
+#include "machine_tables.h"
 #include "machine/template.h"
 
 #ifndef CLOUDMILL_DATADIR
@@ -44,6 +45,7 @@ struct machine machine_default(void)
         .cycles = true,
         .min = {-2000, -2000, -2000, -120, -120, -99999},
         .max = {2000, 2000, 2000, 120, 120, 99999},
+        .block_skip = true,
         .rapid = {30000, 30000, 30000, 7200, 7200, 7200},
         .retract = 50,
         .feed_max = 99999,
@@ -130,7 +132,8 @@ static struct keys machine_keys(struct machine *m)
     keys_add(&keys, "tcp.frame", KEY_CHOICE, &m->tcp_frame)->words = "zero|stands";
     keys_add(&keys, "length.off", KEY_CHOICE, &m->length_off)->words = "home|alone|z";
     add_bounded(&keys, "length.off.z", KEY_NUMBER, &m->length_z, -1e5, 1e5);
-    keys_add(&keys, "rotary.words", KEY_CHOICE, &m->rotary_words)->words = "plain|0-360|dc|signed";
+    keys_add(&keys, "rotary.words", KEY_CHOICE, &m->rotary_words)->words =
+        "own|plain|0-360|dc|signed|shortest";
     add_text(&keys, "safe", m->blocks.safe, sizeof m->blocks.safe);
     add_text(&keys, "offset", m->offset, sizeof m->offset);
     add_text(&keys, "home", m->blocks.home, sizeof m->blocks.home);
@@ -140,6 +143,22 @@ static struct keys machine_keys(struct machine *m)
     add_text(&keys, "tap", m->blocks.tap, sizeof m->blocks.tap);
     add_text(&keys, "tcp.on", m->blocks.tcp_on, sizeof m->blocks.tcp_on);
     add_text(&keys, "tcp.off", m->blocks.tcp_off, sizeof m->blocks.tcp_off);
+    add_text(&keys, "clamp.on", m->blocks.clamp_on, sizeof m->blocks.clamp_on);
+    add_text(&keys, "clamp.off", m->blocks.clamp_off, sizeof m->blocks.clamp_off);
+    add_text(&keys, "coolant.on", m->blocks.coolant_on, sizeof m->blocks.coolant_on);
+    add_text(&keys, "coolant.mist", m->blocks.coolant_mist, sizeof m->blocks.coolant_mist);
+    add_text(&keys, "coolant.thru", m->blocks.coolant_thru, sizeof m->blocks.coolant_thru);
+    add_text(&keys, "coolant.air", m->blocks.coolant_air, sizeof m->blocks.coolant_air);
+    add_text(&keys, "coolant.off", m->blocks.coolant_off, sizeof m->blocks.coolant_off);
+    add_text(&keys, "spindle.cw", m->blocks.spindle_cw, sizeof m->blocks.spindle_cw);
+    add_text(&keys, "spindle.ccw", m->blocks.spindle_ccw, sizeof m->blocks.spindle_ccw);
+    add_text(&keys, "spindle.off", m->blocks.spindle_off, sizeof m->blocks.spindle_off);
+    add_text(&keys, "stop", m->blocks.stop, sizeof m->blocks.stop);
+    add_text(&keys, "stop.optional", m->blocks.stop_optional, sizeof m->blocks.stop_optional);
+    keys_add(&keys, "tool.names", KEY_YES, &m->tool_names);
+    keys_add(&keys, "tool.next", KEY_YES, &m->tool_next);
+    keys_add(&keys, "tool.stop", KEY_YES, &m->tool_stop);
+    keys_add(&keys, "block.skip", KEY_YES, &m->block_skip);
     keys_add(&keys, "smooth", KEY_YES, &m->smooth);
     add_text(&keys, "smooth.on", m->blocks.smooth_on, sizeof m->blocks.smooth_on);
     add_text(&keys, "smooth.off", m->blocks.smooth_off, sizeof m->blocks.smooth_off);
@@ -162,7 +181,8 @@ int machine_set(struct machine *machine, const char *setting, struct error *erro
 {
     struct keys keys = machine_keys(machine);
     char *text = mem_string(setting, strlen(setting));
-    int result = keys_set(&keys, text, "--set", 0, error);
+    int result = machine_tables_set(machine, text, "--set", 0, error);
+    result = result == 1 ? keys_set(&keys, text, "--set", 0, error) : result;
     free(text);
     array_free(&keys);
     return result;
@@ -195,6 +215,18 @@ static int check_templates(const struct machine *m, char key[KEY_NAME], struct e
                {"home", b->home, TEMPLATE_IN_KEY},
                {"safe", b->safe, TEMPLATE_IN_KEY},
                {"start", b->start, TEMPLATE_IN_KEY},
+               {"clamp.on", b->clamp_on, TEMPLATE_IN_KEY},
+               {"clamp.off", b->clamp_off, TEMPLATE_IN_KEY},
+               {"coolant.on", b->coolant_on, TEMPLATE_IN_KEY},
+               {"coolant.mist", b->coolant_mist, TEMPLATE_IN_KEY},
+               {"coolant.thru", b->coolant_thru, TEMPLATE_IN_KEY},
+               {"coolant.air", b->coolant_air, TEMPLATE_IN_KEY},
+               {"coolant.off", b->coolant_off, TEMPLATE_IN_KEY},
+               {"spindle.cw", b->spindle_cw, TEMPLATE_IN_KEY},
+               {"spindle.ccw", b->spindle_ccw, TEMPLATE_IN_KEY},
+               {"spindle.off", b->spindle_off, TEMPLATE_IN_KEY},
+               {"stop", b->stop, TEMPLATE_IN_KEY},
+               {"stop.optional", b->stop_optional, TEMPLATE_IN_KEY},
                {"end", b->end, TEMPLATE_IN_KEY},
                {"tool.change", b->tool_change, TEMPLATE_IN_KEY},
                {"tap", b->tap, TEMPLATE_IN_KEY},
@@ -437,6 +469,9 @@ static int read_line(struct machine_file *f, char *line, size_t n, struct error 
     int included = read_include(f, text, error);
     if (included)
         return included < 0 ? -1 : 0;
+    int numbered = machine_tables_set(f->machine, text, f->name, f->line, error);
+    if (numbered != 1)
+        return numbered;
     return keys_set(&f->keys, text, f->name, f->line, error);
 }
 

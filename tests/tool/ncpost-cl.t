@@ -183,7 +183,7 @@ posts "inches: IPM in a cycle" 'Z-19\.05 R2\.54 Q6\.35 F101\.6' UNITS/INCHES 'GO
 posts "Creo, cycle_format fixed: depth, feed, unit, clearance, step" 'G83 X1\. Y2\. Z-20\. R2\. Q5\. F200' \
 	'GOTO/0,0,9' 'CYCLE/DEEP,20,200,MMPM,2,5' 'GOTO/1,2,0' CYCLE/OFF FINI
 posts "of a tap the turns an inch" 'G84 X1\. Y2\. Z-10\. R2\. F1270\.' \
-	'SPINDL/RPM,1000' 'GOTO/0,0,9' 'CYCLE/TAP,10,1,IPM,20,2' 'GOTO/1,2,0' CYCLE/OFF FINI
+	UNITS/MM 'SPINDL/RPM,1000' 'GOTO/0,0,9' 'CYCLE/TAP,10,1,IPM,20,2' 'GOTO/1,2,0' CYCLE/OFF FINI
 posts "Creo: RAPTO goes on from CLEAR" 'G98 G81 X1\. Y2\. Z-10\. R2\. F90' \
 	"\$\$* Pro/CLfile 10.0" 'GOTO / 0, 0, 50' \
 	'CYCLE / DRILL, DEPTH, 10, MMPM, 90, CLEAR, 5, RAPTO, 3' 'GOTO / 1, 2, 0' 'CYCLE / OFF' FINI

@@ -83,10 +83,13 @@ struct path_cycle {
     double pitch;      /* TAP: mm per revolution, 0: not given */
 };
 
+enum { PATH_TOOL_NAME = 40 };
+
 struct path_tool {
-    int number;       /* 0: none was given */
-    int offset;       /* number of its length's offset (OSETNO), 0: that of the tool */
-    double cutter[7]; /* as in path_head */
+    int number;                /* 0: none was given */
+    int offset;                /* number of its length's offset (OSETNO), 0: that of the tool */
+    char name[PATH_TOOL_NAME]; /* "": none was given */
+    double cutter[7];          /* as in path_head */
     int cutter_n;
 };
 
@@ -98,16 +101,26 @@ struct ledger_entry {
 
 enum path_track { TRACK_TIP, TRACK_CENTRE, TRACK_CONTACT };
 
+enum path_coolant {
+    COOLANT_NOT_GIVEN,
+    COOLANT_OFF,
+    COOLANT_ON, /* flood */
+    COOLANT_MIST,
+    COOLANT_THRU, /* through the tool */
+    COOLANT_AIR
+};
+
 struct path_head {
-    char *partno;          /* text after PARTNO/, NULL: none */
-    bool multax;           /* MULTAX/ON */
-    double cutter[7];      /* CUTTER/ d, r, e, f, alpha, beta, h (mm, degrees) */
-    int cutter_n;          /* how many of them were given, 0: no CUTTER */
-    int tool;              /* LOADTL/, 0: none */
-    int offset;            /* as in path_tool */
+    char *partno;     /* text after PARTNO/, NULL: none */
+    bool multax;      /* MULTAX/ON */
+    double cutter[7]; /* CUTTER/ d, r, e, f, alpha, beta, h (mm, degrees) */
+    int cutter_n;     /* how many of them were given, 0: no CUTTER */
+    int tool;         /* LOADTL/, 0: none */
+    int offset;       /* as in path_tool */
+    char tool_name[PATH_TOOL_NAME];
     double spindle;        /* rev/min, 0: none */
     bool spindle_ccw;      /* CCLW */
-    int coolant;           /* 0 not given, 1 off, 2 on (flood), 3 mist */
+    int coolant;           /* enum path_coolant */
     bool body_given;       /* $$-> TOOL/ ... */
     struct tool_body body; /* ... what the tool is above its ball */
     enum path_track track;
@@ -147,6 +160,7 @@ struct path {
         size_t n, cap;
         struct path_tool *item;
     } tool;
+    bool inches_taken;     /* the stream does not say its unit, but feeds in inches */
     size_t tools_numbered; /* tools without a number that got one, in their order */
     struct {
         size_t n, cap;
@@ -168,6 +182,12 @@ struct path {
  * axis of no length, an arc whose ends are off its circle by more than 0.01 mm: -1.
  */
 int path_read(const char *file, struct path *path, struct error *error);
+
+/* The same for lengths in this unit where the stream does not say it: -1 too where it says another.
+ * PATH_UNIT_SAID: millimetres, or inches where feeds are in IPM or IPR (path.inches_taken), -1 where
+ * feeds are in both. */
+enum path_unit { PATH_UNIT_SAID, PATH_UNIT_MM, PATH_UNIT_INCH };
+int path_read_as(const char *file, enum path_unit unit, struct path *path, struct error *error);
 
 /* Writes the stream with its head and FINI.  Coordinates with 6 decimals, vectors with 9. */
 void path_write(struct out *out, const struct path *path);
@@ -192,6 +212,10 @@ static inline bool path_is_rapid(const struct path_item *item)
 
 /* Takes over the head of another path (copies its strings), for a stage that writes a new one. */
 void path_head_copy(struct path_head *to, const struct path_head *from);
+
+/* The coolant that a COOLNT statement's argument names: ON, FLOOD, TAPKUL, MIST, THRU, AIR, OFF, or
+ * nothing (ON); COOLANT_NOT_GIVEN: another word. */
+enum path_coolant path_coolant_of(const char *word);
 
 /* Adds a stage and what it spent to the ledger. */
 void path_spend(struct path *path, const char *stage, double spent);

@@ -149,6 +149,7 @@ static int begin_nurbs(struct path_parse *p)
     }
     if (value_of(p, "F=", &feed) && feed > 0) {
         p->feed = feed * p->unit;
+        p->by_turn = 0;
         path_add_feed(p->path, p->feed);
     }
     c->interval.n = c->pole.n = c->head.n = 0;

@@ -44,6 +44,11 @@ int cl_add_curve(struct path_parse *p, struct bspline c)
         *array_push(&spline.fallback) =
             (struct pose){flat.point.item[i], c.head ? flat.axis.item[i] : axis};
     flat_free(&flat);
+    if (fine && path_expect_speed(p) < 0) {
+        bspline_free(&c);
+        array_free(&spline.fallback);
+        return -1;
+    }
     if (!fine) {
         bspline_free(&c);
         array_free(&spline.fallback);

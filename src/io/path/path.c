@@ -47,6 +47,21 @@ void path_head_copy(struct path_head *to, const struct path_head *from)
                                                          from->ledger.item[i].spent};
 }
 
+enum path_coolant path_coolant_of(const char *word)
+{
+    static const struct {
+        const char *word;
+        enum path_coolant coolant;
+    } words[] = {{"", COOLANT_ON},       {"ON", COOLANT_ON},        {"FLOOD", COOLANT_ON},
+                 {"TAPKUL", COOLANT_ON}, {"MIST", COOLANT_MIST},    {"OFF", COOLANT_OFF},
+                 {"THRU", COOLANT_THRU}, {"THROUGH", COOLANT_THRU}, {"THRUTL", COOLANT_THRU},
+                 {"AIR", COOLANT_AIR}};
+    for (size_t i = 0; i < sizeof words / sizeof *words; i++)
+        if (strcmp(words[i].word, word) == 0)
+            return words[i].coolant;
+    return COOLANT_NOT_GIVEN;
+}
+
 void path_spend(struct path *path, const char *stage, double spent)
 {
     *array_push(&path->head.ledger) = (struct ledger_entry){copy_text(stage), spent};

@@ -74,6 +74,17 @@ static void add_turns(struct path_parse *p, struct pose to, double angle)
     add_arc(p, to);
 }
 
+/* -1: MOVARC says another angle than the one at the arc's end, by more than its digits may make. */
+static int expect_sweep(struct path_parse *p, double angle)
+{
+    double said = fmod(RADIANS(p->circle.sweep), 2 * PI), off = fabs(angle - said);
+    off = fmin(off, fabs(off - 2 * PI));
+    if (off * p->circle.arc.radius <= arc_tolerance || off < 1e-3)
+        return 0;
+    return error_at(AT(p), "found a MOVARC of %g degrees that ends after %.4f, expected the same",
+                    p->circle.sweep, DEGREES(angle));
+}
+
 /* Adds the open arc, to its end; -1: its ends are off its circle. */
 static int end_arc(struct path_parse *p, struct pose to)
 {
@@ -84,6 +95,8 @@ static int end_arc(struct path_parse *p, struct pose to)
         return -1;
     if (closed) /* start = end: a full turn */
         to.p = fabs(rise) > arc_tolerance ? vec_along(p->at.p, rise, axis) : p->at.p;
+    if (p->circle.sweep > 0 && expect_sweep(p, closed ? 2 * PI : angle_to(p, to.p)) < 0)
+        return -1;
     double whole = 2 * PI * (p->circle.turns ? (double)p->circle.turns : 1);
     if (closed && (p->circle.turns || fabs(rise) > arc_tolerance))
         add_turns(p, to, whole);
@@ -160,6 +173,36 @@ int path_read_circle(struct path_parse *p)
     return 0;
 }
 
+int path_read_movarc(struct path_parse *p)
+{
+    double v[7], sweep = 0;
+    struct path_arc arc;
+    size_t n = p->apt.argument.n;
+    bool turns = n == 9 && apt_is(&p->apt, 7, "ANGLE");
+    if (n != 7 && !turns)
+        return error_at(AT(p),
+                        "found %zu arguments in MOVARC, expected centre, axis, radius, ANGLE and "
+                        "degrees",
+                        n);
+    if (path_numbers(p, 0, 7, v, "centre, axis, radius") < 0 ||
+        (turns && path_numbers(p, 8, 1, &sweep, "degrees") < 0) ||
+        path_direction(p, v + 3, "a MOVARC's axis", &arc.axis) < 0)
+        return -1;
+    if (turns && (sweep == 0 || fabs(sweep) > 36000))
+        return error_at(AT(p), "found a MOVARC of %g degrees, expected an angle", sweep);
+    if (sweep < 0)
+        arc.axis = vec_scale(-1, arc.axis);
+    arc.centre = path_point_of(p, v);
+    double height = vec_dot(vec_sub(p->at.p, arc.centre), arc.axis);
+    arc.centre = vec_along(arc.centre, height, arc.axis);
+    arc.radius = p->unit * v[6];
+    if (path_begin_arc(p, arc) < 0)
+        return -1;
+    p->circle.sweep = fabs(sweep);
+    p->circle.turns = fabs(sweep) > 360 ? (size_t)ceil(fabs(sweep) / 360 - 1e-9) : 0;
+    return 0;
+}
+
 /* ---- points */
 
 int path_expect_reach(struct path_parse *p, struct vec3 v)
@@ -181,6 +224,8 @@ void path_attach_contact(struct path_parse *p, struct path_item *item)
 int path_move_to(struct path_parse *p, struct pose to)
 {
     if (path_expect_reach(p, to.p) < 0)
+        return -1;
+    if (!p->rapid && path_expect_speed(p) < 0)
         return -1;
     path_tool_move(p);
     p->last_point = to.p;
@@ -282,7 +327,7 @@ static void make_room(struct path_parse *p)
 static bool only_position_changes(const struct path_parse *p)
 {
     return !p->rapid && !p->circle.open && !p->cycling && !p->framed && p->inverse <= 0 &&
-           p->spline.stage != SPLINE_FALLBACK;
+           p->spline.stage != SPLINE_FALLBACK && !(p->by_turn > 0);
 }
 
 /* move_to_numbers for one more point at feed, with nothing last_point since the last one. */

@@ -28,6 +28,7 @@ struct frame {
 struct arc_parse {
     bool open;
     struct path_arc arc;
+    double sweep; /* of MOVARC, degrees; 0: not given */
     size_t turns; /* of a helix, the last one perhaps not whole; 0: not given */
     bool lasting; /* the arc has ended; points without a word (Creo) may still lie on it */
 };
@@ -65,9 +66,10 @@ struct path_parse {
     const struct cl_dialect *dialect; /* NULL: none recognized */
     bool sniffed;                     /* it will not change any more */
 
-    double unit;   /* millimetres */
-    bool framed;   /* coordinates are in `frame` and are converted to `first` */
-    size_t frames; /* MSYS statements */
+    double unit;                /* millimetres */
+    bool unit_said, unit_asked; /* by UNITS, by the caller */
+    bool framed;                /* coordinates are in `frame` and are converted to `first` */
+    size_t frames;              /* MSYS statements */
     struct frame frame, first;
     struct vec3 shift; /* TRANS less ORIGIN, mm */
     struct vec3 origin, trans;
@@ -91,6 +93,7 @@ struct path_parse {
     bool ccw;           /* it turns counterclockwise */
     double inverse;     /* feed as 1/min, 0: none */
     double feed;        /* mm/min, the last one that was added; 0: none */
+    double by_turn;     /* the same as mm per revolution, 0: it is none */
     bool cycling;       /* points are holes of the last cycle */
     bool to_start;      /* the tool leaves them at the height of `before` */
     bool drilled;       /* the last cycle has a hole */
@@ -164,6 +167,9 @@ int path_move_to(struct path_parse *p, struct pose to);
  */
 int path_read_circle(struct path_parse *p);
 
+/* Row of MOVARC/centre, axis, radius[, ANGLE, degrees]: the same, and the arc must turn so far. */
+int path_read_movarc(struct path_parse *p);
+
 /* Opens an arc, for the next motion to end. */
 int path_begin_arc(struct path_parse *p, struct path_arc arc);
 
@@ -187,6 +193,11 @@ int path_read_clearp(struct path_parse *p);
 
 /* Row of ROTABL, ROTATE, ROTHED: ignored when the angle is 0, else an error. */
 int path_read_rotabl(struct path_parse *p);
+
+/* ---- path_refuse.c */
+
+/* -1: a statement without a row that may move the tool: ignoring it would lose the motion. */
+int path_refuse_motion(struct path_parse *p);
 
 /* ---- path_cycle.c */
 
@@ -230,6 +241,9 @@ int path_read_delay(struct path_parse *p);
  * mm/min; 0: the word is no unit; NAN: per revolution, and the spindle's speed is not known.
  */
 double path_feed_unit(const struct path_parse *p, const char *word);
+
+/* -1: the feed in force is per revolution, and no speed was given. */
+int path_expect_speed(struct path_parse *p);
 
 /* Adds the feed at which this motion takes 1 / inverse minutes, under FEDRAT/INVERS. */
 void path_feed_inverse(struct path_parse *p, double length);

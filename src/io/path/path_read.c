@@ -6,7 +6,9 @@
  * post-processor word, which is kept as text and counted, or a geometry word, which is an error:
  * without it the tool would go to another place.
  */
+#include <ctype.h>
 #include <math.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -72,18 +74,27 @@ static int read_partno(struct path_parse *p)
     return 0;
 }
 
+/* -1: the unit is another than the one that was asked for. */
+static int set_unit(struct path_parse *p, double unit)
+{
+    if (p->unit_asked && p->unit != unit)
+        return error_at(AT(p), "found UNITS/%.20s, expected %s, as asked for",
+                        p->apt.argument.item[0].text, p->unit > 1 ? "INCHES" : "MM");
+    p->unit = unit;
+    p->unit_said = true;
+    return 0;
+}
+
 static int read_units(struct path_parse *p)
 {
     if (apt_is(&p->apt, 0, "MM"))
-        p->unit = 1;
-    else if (apt_is(&p->apt, 0, "INCHES") || apt_is(&p->apt, 0, "INCH"))
-        p->unit = 25.4;
-    else if (apt_is(&p->apt, 0, "CM"))
-        p->unit = 10;
-    else
-        return error_at(AT(p), "found units `%.40s`, expected MM, CM or INCHES",
-                        p->apt.argument.n ? p->apt.argument.item[0].text : "");
-    return 0;
+        return set_unit(p, 1);
+    if (apt_is(&p->apt, 0, "INCHES") || apt_is(&p->apt, 0, "INCH"))
+        return set_unit(p, 25.4);
+    if (apt_is(&p->apt, 0, "CM"))
+        return set_unit(p, 10);
+    return error_at(AT(p), "found units `%.40s`, expected MM, CM or INCHES",
+                    p->apt.argument.n ? p->apt.argument.item[0].text : "");
 }
 
 static int read_multax(struct path_parse *p)
@@ -97,11 +108,17 @@ static int read_multax(struct path_parse *p)
 
 static int read_coolant(struct path_parse *p)
 {
-    int coolant = apt_is(&p->apt, 0, "OFF") ? 1 : apt_is(&p->apt, 0, "MIST") ? 3 : 2;
-    if (p->path->head.coolant || p->moved)
+    const char *word = p->apt.argument.n ? p->apt.argument.item[0].text : "";
+    enum path_coolant coolant = path_coolant_of(word);
+    if (coolant == COOLANT_NOT_GIVEN) {
+        char said[60];
+        snprintf(said, sizeof said, "COOLNT/%.40s", word);
+        path_count_unknown(p, said);
+    } else if (p->path->head.coolant || p->moved) {
         path_add_text(p->path, p->apt.raw);
-    else
+    } else {
         p->path->head.coolant = coolant;
+    }
     return 0;
 }
 
@@ -350,6 +367,13 @@ static int read_fini(struct path_parse *p)
     return 0;
 }
 
+/* END, which some posts of CATIA write instead of FINI: the path is complete if nothing follows. */
+static int read_end(struct path_parse *p)
+{
+    p->whole = true;
+    return path_keep_text(p);
+}
+
 static int read_geometry(struct path_parse *p)
 {
     return error_at(AT(p),
@@ -359,18 +383,30 @@ static int read_geometry(struct path_parse *p)
 }
 
 static const struct path_row motions[] = {
-    {"GOTO", path_read_goto},     {"CIRCLE", path_read_circle}, {"RAPID", read_rapid},
-    {"MOVNRB", read_movnrb},      {"GODLTA", path_read_godlta}, {"FROM", path_read_from},
-    {"TLAXIS", path_read_tlaxis}, {"CYCLE", path_read_cycle},   {"FINI", read_fini},
-    {"GOHOME", path_read_gohome}, {"RETRCT", path_read_retrct}, {"CLEARP", path_read_clearp},
-    {"CLRSRF", path_read_clearp}, {"ROTABL", path_read_rotabl}, {"ROTATE", path_read_rotabl},
+    {"GOTO", path_read_goto},
+    {"CIRCLE", path_read_circle},
+    {"RAPID", read_rapid},
+    {"MOVARC", path_read_movarc},
+    {"END", read_end},
+    {"MOVNRB", read_movnrb},
+    {"GODLTA", path_read_godlta},
+    {"FROM", path_read_from},
+    {"TLAXIS", path_read_tlaxis},
+    {"CYCLE", path_read_cycle},
+    {"FINI", read_fini},
+    {"GOHOME", path_read_gohome},
+    {"RETRCT", path_read_retrct},
+    {"CLEARP", path_read_clearp},
+    {"CLRSRF", path_read_clearp},
+    {"ROTABL", path_read_rotabl},
+    {"ROTATE", path_read_rotabl},
     {"ROTHED", path_read_rotabl},
 };
 
 /* Post-processor words that a later stage may use, kept as text. */
 static const char *const kept[] = {
     "PPRINT", "INSERT", "TPRINT", "REMARK", "STOP",   "OPSTOP", "AUXFUN",
-    "CUTCOM", "INTOL",  "OUTTOL", "TOLER",  "MACHIN", "END",    "CSYS",
+    "CUTCOM", "INTOL",  "OUTTOL", "TOLER",  "MACHIN", "CSYS",   "OPSKIP",
     "SELECT", "SEQNO",  "DISPLY", "REWIND", "SELCTL",
 };
 
@@ -485,8 +521,11 @@ static int read_statement(struct path_parse *p)
         return row->read(p);
     if (!p->apt.comment && is_geometry(word))
         return read_geometry(p);
-    if (!p->apt.comment && !is_among(word, kept, sizeof kept / sizeof *kept))
+    if (!p->apt.comment && !is_among(word, kept, sizeof kept / sizeof *kept)) {
+        if (path_refuse_motion(p) < 0)
+            return -1;
         path_count_unknown(p, word);
+    }
     return path_keep_text(p);
 }
 
@@ -511,15 +550,95 @@ static int read_all(struct path_parse *p)
     return 0;
 }
 
+/* ---- the unit of a stream that does not say it */
+
+enum { PEEK = 1 << 16, PEEK_MOST = 1 << 22 };
+
+static bool is_letter(char c)
+{
+    return (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9');
+}
+
+/* The word is in the line, in capitals or not, with no letter or digit beside it. */
+static bool line_has(const char *line, size_t n, const char *word)
+{
+    size_t m = strlen(word);
+    for (size_t i = 0; i + m <= n; i++) {
+        size_t k = 0;
+        while (k < m && toupper((unsigned char)line[i + k]) == word[k])
+            k++;
+        if (k == m && (i == 0 || !is_letter(line[i - 1])) &&
+            (i + m == n || !is_letter(line[i + m])))
+            return true;
+    }
+    return false;
+}
+
+/* What the lines say of units; each is set where it is found. */
+struct unit_signs {
+    bool units, inch, mm;
+};
+
+static void look_for_units(const char *text, size_t n, struct unit_signs *found)
+{
+    const char *end = text + n;
+    while (text < end && !found->units) {
+        const char *stop = memchr(text, '\n', (size_t)(end - text));
+        size_t length = (size_t)((stop ? stop : end) - text);
+        bool feed = line_has(text, length, "FEDRAT") || line_has(text, length, "CYCLE");
+        found->units = line_has(text, length, "UNITS") || line_has(text, length, "UNIT");
+        found->inch = found->inch ||
+                      (feed && (line_has(text, length, "IPM") || line_has(text, length, "IPR")));
+        found->mm = found->mm ||
+                    (feed && (line_has(text, length, "MMPM") || line_has(text, length, "MMPR")));
+        text += length + 1;
+    }
+}
+
+/* Before the first statement: inches, where nothing says the unit and feeds are in them. */
+static int guess_unit(struct path_parse *p)
+{
+    struct unit_signs found = {0};
+    size_t all = p->reader.size > 0 ? p->reader.size : PEEK_MOST;
+    const char *text;
+    for (size_t want = PEEK;; want = all) {
+        long got = reader_peek(&p->reader, &text, want, p->error);
+        if (got < 0)
+            return -1;
+        found = (struct unit_signs){0};
+        look_for_units(text, (size_t)got, &found);
+        if (found.units || want >= all || (size_t)got < want)
+            break;
+    }
+    if (found.units || !found.inch)
+        return 0;
+    if (found.mm)
+        return error_set(p->error,
+                         "%s: found feeds in inches and in mm and no UNITS, expected UNITS/MM, "
+                         "UNITS/INCHES or option -u",
+                         p->path->name);
+    p->unit = 25.4;
+    p->path->inches_taken = true;
+    return 0;
+}
+
 int path_read(const char *file, struct path *path, struct error *error)
+{
+    return path_read_as(file, PATH_UNIT_SAID, path, error);
+}
+
+int path_read_as(const char *file, enum path_unit unit, struct path *path, struct error *error)
 {
     memset(path, 0, sizeof *path);
     path->head.chord = path->head.clearance = NAN;
     struct path_parse p = {.path = path, .error = error, .unit = 1, .axis = {0, 0, 1}};
+    p.unit_asked = unit != PATH_UNIT_SAID;
+    p.unit = unit == PATH_UNIT_INCH ? 25.4 : 1;
     if (reader_open(&p.reader, file, error) < 0)
         return -1;
     path->name = p.reader.name;
-    int result = read_all(&p);
+    int result = p.unit_asked ? 0 : guess_unit(&p);
+    result = result < 0 ? -1 : read_all(&p);
     path->system = p.dialect ? p.dialect->name : NULL;
     spline_parse_free(&p.spline);
     array_free(&p.nurbs.knot);

@@ -3,12 +3,24 @@
  * See path_parse.h.
  */
 #include <math.h>
+#include <stdio.h>
 #include <string.h>
 
 #include "base/num.h"
 #include "path_parse.h"
 
 #define AT(p) (p)->error, (p)->path->name, (p)->apt.line
+
+static bool has_argument(const struct apt *apt, const char *word)
+{
+    for (size_t i = 0; i < apt->argument.n; i++)
+        if (apt_is(apt, i, word))
+            return true;
+    return false;
+}
+
+/* The speed of the spindle from here on: the first is the head's, later ones are items. */
+static int path_set_speed(struct path_parse *p, double rpm, bool ccw);
 
 /* ---- tools */
 
@@ -32,6 +44,7 @@ static void store_tool(struct path_parse *p)
     }
     path->head.tool = p->tool.number;
     path->head.offset = p->tool.offset;
+    memcpy(path->head.tool_name, p->tool.name, sizeof path->head.tool_name);
     path->head.cutter_n = p->tool.cutter_n;
     memcpy(path->head.cutter, p->tool.cutter, sizeof path->head.cutter);
 }
@@ -115,12 +128,18 @@ static int set_number(struct path_parse *p, double n)
 
 void path_tool_named(struct path_parse *p, const char *name)
 {
+    if (!p->tool_used && !*p->tool.name) {
+        snprintf(p->tool.name, sizeof p->tool.name, "%s", name);
+        store_tool(p);
+    }
     bool other = p->tool_used && strncmp(p->tool_name, name, sizeof p->tool_name - 1) != 0;
     size_t n = strlen(name) < sizeof p->tool_name ? strlen(name) : sizeof p->tool_name - 1;
     memcpy(p->tool_name, name, n);
     p->tool_name[n] = '\0';
-    if (other)
+    if (other) {
+        snprintf(p->next_tool.name, sizeof p->next_tool.name, "%s", name);
         change_tool_without_number(p);
+    }
 }
 
 void path_tool_move(struct path_parse *p)
@@ -147,19 +166,49 @@ int path_read_cutter(struct path_parse *p)
     return 0;
 }
 
+/* A speed among the arguments of LOADTL (CATIA): SPINDL,1500,CLW or RPM,1500. */
+static int speed_in_load(struct path_parse *p)
+{
+    for (size_t i = 1; i + 1 < p->apt.argument.n; i++) {
+        const struct apt_argument *a = &p->apt.argument.item[i + 1];
+        bool named = apt_is(&p->apt, i, "SPINDL") || apt_is(&p->apt, i, "RPM") ||
+                     apt_is(&p->apt, i, "SPEED");
+        if (named && a->is_number)
+            return path_set_speed(p, a->number, has_argument(&p->apt, "CCLW"));
+    }
+    return 0;
+}
+
+/* LOADTL/number or LOADTL/name, which gets a number. */
 int path_read_tool(struct path_parse *p)
 {
     double n;
-    if (!p->apt.argument.n || !p->apt.argument.item[0].is_number)
-        return path_keep_text(p);
-    return path_numbers(p, 0, 1, &n, "tool number") < 0 ? -1 : set_number(p, n);
+    if (!p->apt.argument.n)
+        return error_at(AT(p), "found %.20s without a tool, expected its number", p->apt.word);
+    if (p->apt.argument.item[0].is_number) {
+        if (path_numbers(p, 0, 1, &n, "tool number") < 0 || set_number(p, n) < 0)
+            return -1;
+        return speed_in_load(p);
+    }
+    if (!*p->apt.argument.item[0].text)
+        return error_at(AT(p), "found %.20s without a tool, expected its number", p->apt.word);
+    path_tool_named(p, p->apt.argument.item[0].text);
+    if (!p->tool.number) {
+        p->tool.number = 1;
+        p->path->tools_numbered++;
+        store_tool(p);
+    }
+    return speed_in_load(p);
 }
 
 int path_read_load(struct path_parse *p)
 {
     double n;
-    if (!apt_is(&p->apt, 0, "TOOL") || p->apt.argument.n < 2 || !p->apt.argument.item[1].is_number)
+    if (!apt_is(&p->apt, 0, "TOOL") || p->apt.argument.n < 2 ||
+        !p->apt.argument.item[1].is_number) {
+        path_count_unknown(p, "LOAD");
         return path_keep_text(p);
+    }
     return path_numbers(p, 1, 1, &n, "tool number") < 0 ? -1 : set_number(p, n);
 }
 
@@ -172,14 +221,6 @@ static double first_number(const struct apt *apt)
         if (apt->argument.item[i].is_number)
             return apt->argument.item[i].number;
     return NAN;
-}
-
-static bool has_argument(const struct apt *apt, const char *word)
-{
-    for (size_t i = 0; i < apt->argument.n; i++)
-        if (apt_is(apt, i, word))
-            return true;
-    return false;
 }
 
 /* Rev/min from a surface speed, in metres or feet a minute; 0: no diameter is known. */
@@ -226,12 +267,51 @@ static void add_spindle(struct path_parse *p)
 /* SPINDL without a speed: OFF; ON or a direction, at the speed before; ORIENT, which is ignored. */
 static int turn_spindle(struct path_parse *p)
 {
-    if (has_argument(&p->apt, "ORIENT"))
+    static const char *const known[] = {"OFF",  "ON",     "CLW",  "CCLW", "RPM",    "RANGE",  "LOW",
+                                        "HIGH", "MEDIUM", "AUTO", "LOCK", "UNLOCK", "NEUTRL", ""};
+    if (has_argument(&p->apt, "ORIENT")) {
         path_count_unknown(p, "SPINDL/ORIENT");
-    else if (has_argument(&p->apt, "OFF") || !(p->spindle > 0))
+        return 0;
+    }
+    for (size_t i = 0; i < p->apt.argument.n; i++) {
+        const struct apt_argument *a = &p->apt.argument.item[i];
+        bool found = a->is_number;
+        for (size_t k = 0; k < sizeof known / sizeof *known; k++)
+            found = found || strcmp(a->text, known[k]) == 0;
+        if (!found)
+            return error_at(
+                AT(p), "found `%.40s` in SPINDL, expected a speed, ON, OFF, CLW or CCLW", a->text);
+    }
+    if (has_argument(&p->apt, "OFF") || !(p->spindle > 0))
         return path_keep_text(p);
-    else
+    add_spindle(p);
+    return 0;
+}
+
+/* A feed per revolution goes with the speed. */
+static void follow_speed(struct path_parse *p)
+{
+    if (!(p->by_turn > 0) || p->feed == p->by_turn * p->spindle)
+        return;
+    p->feed = p->by_turn * p->spindle;
+    path_add_feed(p->path, p->feed);
+}
+
+static int path_set_speed(struct path_parse *p, double rpm, bool ccw)
+{
+    struct path_head *head = &p->path->head;
+    if (!(rpm >= 1 && rpm <= 1e6))
+        return error_at(AT(p), "found a speed of %g rev/min in %.20s, expected 1 to 1e6", rpm,
+                        p->apt.word);
+    p->spindle = rpm;
+    p->ccw = ccw;
+    if (head->spindle > 0) {
         add_spindle(p);
+    } else {
+        head->spindle = rpm;
+        head->spindle_ccw = ccw;
+    }
+    follow_speed(p);
     return 0;
 }
 
@@ -239,9 +319,10 @@ static int turn_spindle(struct path_parse *p)
  */
 int path_read_spindle(struct path_parse *p)
 {
-    struct path_head *head = &p->path->head;
     double rpm = spindle_speed(&p->apt);
     bool surface = has_argument(&p->apt, "SFM") || has_argument(&p->apt, "SMM"), plain = true;
+    if (rpm < 0)
+        return error_at(AT(p), "found a speed of %g in SPINDL, expected one above 0", rpm);
     if (has_argument(&p->apt, "CCLW") || has_argument(&p->apt, "CLW"))
         p->ccw = has_argument(&p->apt, "CCLW");
     else if (rpm > 0)
@@ -252,43 +333,63 @@ int path_read_spindle(struct path_parse *p)
         rpm = surface_speed(p, rpm);
     if (!(rpm > 0))
         return error_at(AT(p), "found a surface speed in SPINDL, expected a CUTTER before it");
-    p->spindle = rpm;
     for (size_t i = 0; i < p->apt.argument.n; i++)
         plain =
             plain && (p->apt.argument.item[i].is_number || is_plain(p->apt.argument.item[i].text));
-    if (head->spindle > 0 && plain)
-        return path_keep_text(p);
-    if (head->spindle > 0) {
-        add_spindle(p);
-        return 0;
-    }
-    head->spindle = rpm;
-    head->spindle_ccw = p->ccw;
+    if (!(p->path->head.spindle > 0 && plain))
+        return path_set_speed(p, rpm, p->ccw);
+    if (!(rpm >= 1 && rpm <= 1e6))
+        return error_at(AT(p), "found a speed of %g rev/min in SPINDL, expected 1 to 1e6", rpm);
+    p->spindle = rpm;
+    path_keep_text(p);
+    follow_speed(p);
     return 0;
+}
+
+/* A word that says the unit of a feed. */
+struct feed_unit {
+    const char *word;
+    double mm;    /* 0: the unit of the stream */
+    bool by_turn; /* per revolution, not per minute */
+};
+
+static const struct feed_unit *feed_unit(const char *word)
+{
+    static const struct feed_unit units[] = {
+        {"MMPM", 1, false},  {"IPM", 25.4, false}, {"PERMIN", 0, false},  {"MMPR", 1, true},
+        {"IPR", 25.4, true}, {"PERREV", 0, true},  {"FPM", 304.8, false}, {"FPR", 304.8, true}};
+    for (size_t i = 0; i < sizeof units / sizeof *units; i++)
+        if (strcmp(word, units[i].word) == 0)
+            return &units[i];
+    return NULL;
 }
 
 double path_feed_unit(const struct path_parse *p, const char *word)
 {
-    static const struct {
-        const char *word;
-        double mm;    /* 0: the unit of the stream */
-        bool by_turn; /* per revolution, not per minute */
-    } units[] = {{"MMPM", 1, false},    {"IPM", 25.4, false}, {"PERMIN", 0, false},
-                 {"MMPR", 1, true},     {"IPR", 25.4, true},  {"PERREV", 0, true},
-                 {"FPM", 304.8, false}, {"FPR", 304.8, true}};
-    for (size_t i = 0; i < sizeof units / sizeof *units; i++)
-        if (strcmp(word, units[i].word) == 0) {
-            double mm = units[i].mm > 0 ? units[i].mm : p->unit;
-            return !units[i].by_turn ? mm : p->spindle > 0 ? mm * p->spindle : (double)NAN;
-        }
-    return 0;
+    const struct feed_unit *unit = feed_unit(word);
+    if (!unit)
+        return 0;
+    double mm = unit->mm > 0 ? unit->mm : p->unit;
+    return !unit->by_turn ? mm : p->spindle > 0 ? mm * p->spindle : (double)NAN;
+}
+
+/* mm per unit of a feed per revolution; 0: the word is none. */
+static double unit_by_turn(const struct path_parse *p, const char *word)
+{
+    const struct feed_unit *unit = feed_unit(word);
+    return !unit || !unit->by_turn ? 0 : unit->mm > 0 ? unit->mm : p->unit;
+}
+
+int path_expect_speed(struct path_parse *p)
+{
+    if (!(p->by_turn > 0) || p->spindle > 0)
+        return 0;
+    return error_at(AT(p), "found a motion at a feed per revolution, expected SPINDL with a speed "
+                           "before it");
 }
 
 static int expect_feed(struct path_parse *p, double feed)
 {
-    if (isnan(feed))
-        return error_at(AT(p),
-                        "found a feed per revolution, expected SPINDL with a speed before it");
     if (!(feed > 0) || !isfinite(feed))
         return error_at(AT(p), "found a feed of %g in %s, expected one above 0", feed, p->apt.word);
     return 0;
@@ -298,6 +399,7 @@ static int expect_feed(struct path_parse *p, double feed)
 int path_read_feed(struct path_parse *p)
 {
     double value = first_number(&p->apt), unit = p->unit;
+    double by_turn = 0;
     bool inverse = false, word = false;
     for (size_t i = 0; i < p->apt.argument.n; i++) {
         const struct apt_argument *a = &p->apt.argument.item[i];
@@ -306,9 +408,10 @@ int path_read_feed(struct path_parse *p)
             inverse = true;
         else if (inverse && (apt_is(&p->apt, i, "AUTO") || apt_is(&p->apt, i, "OFF")))
             word = true;
-        else if (of_word != 0)
+        else if (of_word != 0) {
             unit = of_word;
-        else if (!a->is_number && *a->text)
+            by_turn = unit_by_turn(p, a->text);
+        } else if (!a->is_number && *a->text)
             return error_at(AT(p),
                             "found `%.40s` in FEDRAT, expected a number and MMPM, IPM, MMPR, IPR, "
                             "PERMIN, PERREV or INVERS",
@@ -320,10 +423,11 @@ int path_read_feed(struct path_parse *p)
     }
     if (isnan(value))
         return error_at(AT(p), "found no number in FEDRAT, expected a feed");
-    if (expect_feed(p, inverse ? value : value * unit) < 0)
+    if (expect_feed(p, inverse ? value : fabs(value * (isnan(unit) ? 1 : unit)) * (value > 0)) < 0)
         return -1;
     p->inverse = inverse ? value : 0;
-    if (inverse)
+    p->by_turn = by_turn && !inverse ? value * by_turn : 0;
+    if (inverse || isnan(unit)) /* with the speed, that is to come (CATIA) */
         return 0;
     p->feed = value * unit;
     path_add_feed(p->path, p->feed);
@@ -342,6 +446,8 @@ void path_feed_inverse(struct path_parse *p, double length)
 int path_read_delay(struct path_parse *p)
 {
     double n = first_number(&p->apt);
+    if (!(n >= 0))
+        return error_at(AT(p), "found `%.40s`, expected DELAY/ and seconds", p->apt.raw);
     if (!has_argument(&p->apt, "REV") || !(n > 0))
         return path_keep_text(p);
     if (!(p->spindle > 0))

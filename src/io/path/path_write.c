@@ -83,7 +83,7 @@ static void write_scan(struct out *out, const struct scan_sources *scan)
 
 void path_write_head(struct out *out, const struct path_head *head)
 {
-    static const char *const coolant[] = {NULL, "OFF", "ON", "MIST"};
+    static const char *const coolant[] = {NULL, "OFF", "ON", "MIST", "THRU", "AIR"};
     static const char *const track[] = {NULL, "CENTER", "CONTACT"};
     if (head->partno)
         out_printf(out, "PARTNO/%s\n", head->partno);

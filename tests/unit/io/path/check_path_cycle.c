@@ -29,7 +29,7 @@ static const struct {
     double depth, clear, retract, step, next, dwell, feed, pitch;
 } means[] = {
     {"", "DRILL,DEPTH,10,MMPM,200,CLEAR,2", CYCLE_DRILL, 10, 2, 2, 0, 0, 0, 200, 0},
-    {"", "DRILL,RAPTO,3,FEDTO,-10,RTRCTO,5,IPM,10", CYCLE_DRILL, 10, 3, 5, 0, 0, 0, 254, 0},
+    {"UNITS/MM\n", "DRILL,RAPTO,3,FEDTO,-10,RTRCTO,5,IPM,10", CYCLE_DRILL, 10, 3, 5, 0, 0, 0, 254, 0},
     {"", "DRILL,10,200,MMPM,2", CYCLE_DRILL, 10, 2, 2, 0, 0, 0, 200, 0},
     {"", "DRILL,DEPTH,10", CYCLE_DRILL, 10, 1, 1, 0, 0, 0, 0, 0},
     {"UNITS/INCHES\n", "DRILL,1,8,IPM,.1", CYCLE_DRILL, 25.4, 2.54, 2.54, 0, 0, 0, 203.2, 0},
@@ -47,9 +47,9 @@ static const struct {
     {"", "TAP,DEPTH,10,PITCH,1.5", CYCLE_TAP, 10, 1, 1, 0, 0, 0, 1500, 1.5},
     {"", "TAP,RIGID,DEPTH,10,MMPR,1.5", CYCLE_TAP, 10, 1, 1, 0, 0, 0, 1500, 0},
     {"", "TAP,DEPTH,10,TPI,20", CYCLE_TAP, 10, 1, 1, 0, 0, 0, 1270, 1.27},
-    {"", "TAP,10,1,IPM,20,2", CYCLE_TAP, 10, 2, 2, 0, 0, 0, 1270, 1.27},
+    {"UNITS/MM\n", "TAP,10,1,IPM,20,2", CYCLE_TAP, 10, 2, 2, 0, 0, 0, 1270, 1.27},
     {"", "TAP,10,1.5,MMPR,2", CYCLE_TAP, 10, 2, 2, 0, 0, 0, 1500, 0},
-    {"", "BORE,DEPTH,10,IPR,.01", CYCLE_BORE, 10, 1, 1, 0, 0, 0, 254, 0},
+    {"UNITS/MM\n", "BORE,DEPTH,10,IPR,.01", CYCLE_BORE, 10, 1, 1, 0, 0, 0, 254, 0},
     {"", "BORE,DRAG,DEPTH,10", CYCLE_DRAG, 10, 1, 1, 0, 0, 0, 0, 0},
     {"", "BORE,MANUAL,DEPTH,10", CYCLE_MANUAL, 10, 1, 1, 0, 0, 0, 0, 0},
     {"", "DRILL,CLEAR,5,RAPTO,3,DEPTH,10", CYCLE_DRILL, 10, 3, 5, 0, 0, 0, 0, 0},
