@@ -17,7 +17,7 @@ struct settings {
     double tolerance;      /* of the whole ledger, 0: none */
     double axis_tolerance; /* degrees */
     bool vectors, rotary, strict, self_test;
-    int unit, insert;      /* -u; --insert: enum post_insert */
+    int unit, insert; /* -u; --insert: enum post_insert */
     bool unit_given;
     const char *split;
     struct post_options post;

@@ -58,7 +58,7 @@ struct post_options {
     bool inch;
     enum post_axis_words axis;
     enum post_insert insert;
-    bool no_spindle; /* no complaint where the path has no speed or no tool's number */
+    bool no_spindle;  /* no complaint where the path has no speed or no tool's number */
     const char *name; /* number or name of the program, NULL: as usual for the control */
 };
 
@@ -72,13 +72,13 @@ struct post_extract {
 /* What was assumed, added, and kept; lengths in mm. */
 struct post_report {
     bool feed_assumed, approach_made, retract_made;
-    bool steps_evened; /* drilling cycles took the smaller step and no dwell */
-    bool cutcom_off;   /* the path asks for radius compensation, and the program has none */
+    bool steps_evened;  /* drilling cycles took the smaller step and no dwell */
+    bool cutcom_off;    /* the path asks for radius compensation, and the program has none */
     bool no_spindle_on; /* it cuts before the spindle has a speed, and that was not asked for */
     bool no_tool;       /* a tool without a number, the same */
     bool no_coolant;    /* a kind of coolant for which the machine has no word */
-    bool no_vectors;   /* took rotary words: with vectors an axis would run out of its travel */
-    size_t turns;      /* retract, turn, return */
+    bool no_vectors;    /* took rotary words: with vectors an axis would run out of its travel */
+    size_t turns;       /* retract, turn, return */
     size_t passes, lines, arcs, splines, rapids;
     size_t chorded; /* curves of the path that became straight blocks */
     double cut, rapid, minutes;
