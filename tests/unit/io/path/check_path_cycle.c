@@ -29,7 +29,8 @@ static const struct {
     double depth, clear, retract, step, next, dwell, feed, pitch;
 } means[] = {
     {"", "DRILL,DEPTH,10,MMPM,200,CLEAR,2", CYCLE_DRILL, 10, 2, 2, 0, 0, 0, 200, 0},
-    {"UNITS/MM\n", "DRILL,RAPTO,3,FEDTO,-10,RTRCTO,5,IPM,10", CYCLE_DRILL, 10, 3, 5, 0, 0, 0, 254, 0},
+    {"UNITS/MM\n", "DRILL,RAPTO,3,FEDTO,-10,RTRCTO,5,IPM,10", CYCLE_DRILL, 10, 3, 5, 0, 0, 0, 254,
+     0},
     {"", "DRILL,10,200,MMPM,2", CYCLE_DRILL, 10, 2, 2, 0, 0, 0, 200, 0},
     {"", "DRILL,DEPTH,10", CYCLE_DRILL, 10, 1, 1, 0, 0, 0, 0, 0},
     {"UNITS/INCHES\n", "DRILL,1,8,IPM,.1", CYCLE_DRILL, 25.4, 2.54, 2.54, 0, 0, 0, 203.2, 0},
