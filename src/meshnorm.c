@@ -4,6 +4,7 @@
  */
 #include <stdlib.h>
 
+#include "stage/path_coverage.h"
 #include "stage/path_options.h"
 #include "stage/mesh_for_path.h"
 #include "stage/plane_passes.h"
@@ -14,6 +15,10 @@
 enum { ROWS_SCALLOP, ROWS_MESH };
 
 static const double SCALLOP = 0.02; /* of --scallop, mm, where the radius allows it */
+
+/* Planes are no denser than facets of this sine ask for, and a share of the area may ask for more:
+ * rest passes cut what these leave. */
+static const double STEEPEST = 0.5, BEYOND = 0.1;
 
 static int normals, row_kind;
 static double scallop; /* 0: the rows are the mesh's */
@@ -111,7 +116,7 @@ static void make_path(const struct mesh *mesh, const struct rows *rows, struct t
             progress("rows", s, rows->strip.n);
         }
     }
-    toolpath_end(t);
+    toolpath_cut(t);
 }
 
 /* Planes along the rows, or in the direction of --direction; through a part with a projection of
@@ -131,6 +136,8 @@ static void find_planes(const struct mesh *mesh, const struct mesh_part *part, d
         p->rule.gap = 2 * spacing;
         p->rule.bare = 0.6 * spacing;
     }
+    p->steepest = STEEPEST;
+    p->beyond = BEYOND;
     plane_passes_scallop(p, mesh, scallop);
 }
 
@@ -243,6 +250,7 @@ int main(int argc, char **argv)
     if (path_options_rules(&mesh, guard, distance, &t, &error) != 0)
         die_usage("%s", error.text);
 
+    struct path_coverage coverage = path_coverage_new(&mesh, &t);
     path_options_begin(&mesh, "meshnorm", cli.output, &t);
     if (scallop > 0 && !planes.part)
         plane_passes_run_out(&planes.passes[0], &mesh);
@@ -250,14 +258,21 @@ int main(int argc, char **argv)
         make_path(&mesh, &rows, &t);
     else if (plane_passes_make(planes.passes, planes.n, &t, &error) != 0)
         die_error(&error);
+    path_coverage_rest(&coverage, scallop > 0 ? planes.passes[0].rule.normal : vec(0, 0, 0), &t);
+    toolpath_end(&t);
+    path_coverage_measure(&coverage, &t);
     path_options_end(&mesh, "meshnorm", &t);
     note("%zu nodes in %zu strips", rows.node.n, rows.strip.n);
     int status = toolpath_conclude(&t);
+    if (path_coverage_conclude(&coverage) != EXIT_DONE)
+        status = EXIT_UNMET;
 
+    path_coverage_free(&coverage);
     free_planes(&planes);
+    toolpath_free(&t);
     path_free(&path);
     gouge_free(guard);
     rows_free(&rows);
     mesh_free(&mesh);
-    return planes.steep ? EXIT_UNMET : status;
+    return status;
 }

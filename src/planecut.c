@@ -237,12 +237,14 @@ int main(int argc, char **argv)
     plane_passes_run_out(&planes, &mesh);
     if (plane_passes_make(&planes, 1, &t, &error) != 0)
         die_error(&error);
+    toolpath_end(&t);
     path_options_end(&mesh, "planecut", &t);
     note("%zu planes", planes.height.n);
     int status = toolpath_conclude(&t);
 
     plane_passes_free(&planes);
     patches_free(&patches);
+    toolpath_free(&t);
     path_free(&path);
     gouge_free(guard);
     mesh_free(&mesh);

@@ -50,6 +50,10 @@ double gouge_extent(const struct gouge_check *guard, struct vec3 c, struct vec3 
 /* Distance from p to the nearest guard point, mm; `within` when none is nearer than that. */
 double gouge_distance(const struct gouge_check *guard, struct vec3 p, double within);
 
+/* The same, and that point in *nearest, which stays as it was where there is none. */
+double gouge_nearest(const struct gouge_check *guard, struct vec3 p, double within,
+                     struct vec3 *nearest);
+
 /* How deep a ball of this radius, its centre at c, is in the part, mm; negative: clear by so
  * much. */
 double gouge_depth(const struct gouge_check *guard, struct vec3 c, double radius);

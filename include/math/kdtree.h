@@ -38,6 +38,10 @@ void kdtree_within(const struct kdtree *tree, struct vec3 q, double radius, stru
 double kdtree_nearest_segment(const struct kdtree *tree, struct vec3 a, struct vec3 b,
                               double within, size_t *index);
 
+/* The same of a place p, with the point itself: it stays as it was if none is as near. */
+double kdtree_nearest_place(const struct kdtree *tree, struct vec3 p, double within,
+                            struct vec3 *place);
+
 /* True if a point is nearer than `within` to the segment from a to b.  Ends at the first. */
 bool kdtree_any_beside(const struct kdtree *tree, struct vec3 a, struct vec3 b, double within);
 

@@ -15,8 +15,9 @@ struct plane_passes {
     struct projection *on;    /* contact points are put on these surfaces; NULL: stay on the mesh */
     double reach;             /* of a point to its surface, mm */
     struct border_surface
-        *border_surface; /* strips run out to the border of this scan; NULL: to the mesh's */
-    bool extended;       /* the mesh goes beyond the scan on purpose */
+        *border_surface;     /* strips run out to the border of this scan; NULL: to the mesh's */
+    double steepest, beyond; /* as of struct scallop_options */
+    bool extended;           /* the mesh goes beyond the scan on purpose */
 
     struct slice *cut;
     struct doubles height; /* of the planes, along their normal, mm */
@@ -58,7 +59,7 @@ bool plane_passes_direction(const char *text, const struct mesh *mesh, double ra
 void plane_passes_run_out(struct plane_passes *p, const struct mesh *mesh);
 
 /* Gives the strips of n sets of planes, one after the other, to the toolpath, in as many layers as
- * the options say, and ends it.  -1: no plane crosses anything that faces the tool. */
+ * the options say, and has them cut.  -1: no plane crosses anything that faces the tool. */
 int plane_passes_make(struct plane_passes *set, size_t n, struct toolpath *t, struct error *error);
 
 void plane_passes_free(struct plane_passes *p);

@@ -118,7 +118,11 @@ struct toolpath {
         size_t n, cap;
         struct toolpath_uncut *item;
     } uncut;
-    struct vec3s ball; /* its centre at the points that are not rapid */
+    size_t lifted;          /* of these strips */
+    struct vec3s swept;     /* the ball's centre on them, before they are put into the path, ... */
+    struct sizes swept_end; /* ... and where their parts end */
+    struct vec3s ball;      /* its centre at the points that are not rapid, ... */
+    struct sizes ball_end;  /* ... and where a rapid one is between them */
     struct run_point at;
     struct toolpath_part last; /* that it is at the end of */
     double height;             /* z of the tip over the clearance plane */
@@ -135,9 +139,15 @@ struct toolpath {
 void toolpath_strip(struct toolpath *t, size_t pass, const struct contact *contact, size_t n,
                     struct vec3 along);
 
-/* Lifts all strips and puts them into the path, with what leads from one to the next and, at the
- * end, up from the last. */
+/* Lifts the strips that wait; more of them may follow.  Where they take the ball's centre is in
+ * t->swept. */
+void toolpath_cut(struct toolpath *t);
+
+/* The same, and puts all of them into the path, with what leads from one to the next and, at the
+ * end, up from the last.  Where the ball's centre has been is in t->ball. */
 void toolpath_end(struct toolpath *t);
+
+void toolpath_free(struct toolpath *t);
 
 /* The summary with note(), and with say() what does not hold; the tool's exit status, EXIT_DONE or
  * EXIT_UNMET. */

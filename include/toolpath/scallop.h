@@ -29,15 +29,25 @@ struct scallop_report {
     struct vec3 steep_at;     /* the middle of the first of them */
 };
 
+struct scallop_options {
+    struct vec3 normal; /* of the planes, unit */
+    double h, radius;   /* height of the cusps, and of the ball, mm */
+    double steepest; /* sine: facets nearer to the planes than that count as so steep (0: STEEP) */
+    double beyond;   /* part of the area between two planes where cusps may be higher, for what is
+                      left is cut otherwise; 0: nowhere */
+};
+
 /*
- * Heights of planes of this unit normal from `low` to just below `high`, each as far from the one
- * before as the cusps between stay below h on every facet between the two.  The distance follows
+ * Heights of planes from `low` to just below `high`, each as far from the one
+ * before as the cusps between stay below h on every facet between the two, or all but a share of
+ * their area.  The distance follows
  * from the curvature across the passes, which is that of the normals over a vertex's facets (S.
  * Rusinkiewicz, Estimating curvatures and their derivatives on triangle meshes, 2004), and from how
  * steep the facet is towards the planes; facets across a sharp edge do not count.  Facets nearer to
  * the planes than STEEP would need planes without end: they count as that steep.
  */
-struct scallop_report scallop_heights(const struct mesh *mesh, struct vec3 normal, double low,
-                                      double high, double h, double radius, struct doubles *height);
+struct scallop_report scallop_heights(const struct mesh *mesh,
+                                      const struct scallop_options *options, double low,
+                                      double high, struct doubles *height);
 
 #endif

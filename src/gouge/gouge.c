@@ -63,6 +63,12 @@ double gouge_distance(const struct gouge_check *guard, struct vec3 p, double wit
     return kdtree_nearest_segment(guard->tree, p, p, within, &nearest);
 }
 
+double gouge_nearest(const struct gouge_check *guard, struct vec3 p, double within,
+                     struct vec3 *nearest)
+{
+    return kdtree_nearest_place(guard->tree, p, within, nearest);
+}
+
 double gouge_depth(const struct gouge_check *guard, struct vec3 c, double radius)
 {
     return radius - gouge_distance(guard, c, HUGE_VAL);

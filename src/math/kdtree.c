@@ -431,7 +431,8 @@ struct beside {
     double length2;
     double low[3], high[3]; /* the segment's box */
     double best, best2;
-    size_t index; /* as in the caller's array */
+    size_t index;      /* as in the caller's array */
+    struct vec3 place; /* of that point */
 };
 
 static double distance2_beside(const struct beside *s, struct vec3 p)
@@ -451,6 +452,7 @@ static void offer_beside(struct beside *s, const struct kd_point *p)
         s->best2 = d2;
         s->best = sqrt(d2);
         s->index = p->index;
+        s->place = vec(p->c[0], p->c[1], p->c[2]);
     }
 }
 
@@ -518,6 +520,19 @@ double kdtree_nearest_segment(const struct kdtree *tree, struct vec3 a, struct v
     if (s.index == SIZE_MAX)
         return within;
     *index = s.index;
+    return s.best;
+}
+
+double kdtree_nearest_place(const struct kdtree *tree, struct vec3 p, double within,
+                            struct vec3 *place)
+{
+    struct beside s = beside_of(tree, p, p, within);
+
+    if (tree->n > 0)
+        search_beside(&s, 0, tree->n, 1);
+    if (s.index == SIZE_MAX)
+        return within;
+    *place = s.place;
     return s.best;
 }
 

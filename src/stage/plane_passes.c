@@ -87,11 +87,13 @@ void plane_passes_equal(struct plane_passes *p, const struct mesh *mesh, double 
 
 void plane_passes_scallop(struct plane_passes *p, const struct mesh *mesh, double h)
 {
+    struct scallop_options options = {p->rule.normal, h, p->rule.radius, p->steepest, p->beyond};
+
     p->cut = slice_new(mesh, p->rule.normal, !path_options.paper);
-    struct scallop_report report = scallop_heights(
-        mesh, p->rule.normal, slice_low(p->cut), slice_high(p->cut), h, p->rule.radius, &p->height);
+    struct scallop_report report =
+        scallop_heights(mesh, &options, slice_low(p->cut), slice_high(p->cut), &p->height);
     p->widest = report.widest;
-    p->steep = report.steep > 0;
+    p->steep = report.steep > 0 && p->beyond == 0;
     note("planes %.4f to %.4f mm apart", report.narrowest, report.widest);
     if (p->steep)
         say("%zu facets stand within 6 degrees of the planes, the first at %.3f %.3f %.3f: there "
@@ -105,10 +107,11 @@ static double length_at(const struct mesh *mesh, double angle, double radius, do
 {
     struct pass_options rule = plane_passes_upright(angle, radius);
     struct slice *cut = slice_new(mesh, rule.normal, true);
+    struct scallop_options options = {.normal = rule.normal, .h = h, .radius = radius};
     struct doubles height = {0};
     double length = 0;
 
-    scallop_heights(mesh, rule.normal, slice_low(cut), slice_high(cut), h, radius, &height);
+    scallop_heights(mesh, &options, slice_low(cut), slice_high(cut), &height);
     size_t look = height.n < LOOKED_AT ? height.n : LOOKED_AT;
     for (size_t i = 0; i < look; i++) {
         struct slice_chains chains = {0};
@@ -410,8 +413,9 @@ int plane_passes_make(struct plane_passes *set, size_t n, struct toolpath *t, st
         }
     }
     free_cuts(cuts, n);
-    toolpath_end(t);
-    if (t->pass == 0)
+    toolpath_cut(t);
+    t->lift.feed.plane = vec(0, 0, 0);
+    if (t->swept.n == 0)
         return error_set(error, "found nothing that the planes cross and that faces the tool");
     for (size_t k = 0; k < n; k++) {
         beside += set[k].beside;

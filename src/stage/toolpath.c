@@ -31,6 +31,8 @@ static struct path_item *add_point(struct toolpath *t, struct pose pose, bool ra
 {
     if (t->lift.guard && !rapid)
         *array_push(&t->ball) = vec_along(pose.p, t->rule.radius, pose.a);
+    else if (t->lift.guard)
+        *array_push(&t->ball_end) = t->ball.n;
     return path_add_point(t->path, pose, rapid);
 }
 
@@ -293,20 +295,34 @@ static void lift_strips(void *context, size_t first, size_t last)
         toolpath_lift_strip(b->t, &b->t->strip.item[b->from + i]);
 }
 
-/* Lifts all strips, several at a time. */
-static void lift_all(struct toolpath *t)
+/* Where the ball's centre is on a lifted strip. */
+static void add_swept(struct toolpath *t, const struct lifted_strip *lifted)
+{
+    for (size_t i = 0, k = 0; i < lifted->run.n; i++) {
+        for (; k < lifted->end.n && i == lifted->end.item[k]; k++)
+            *array_push(&t->swept_end) = t->swept.n;
+        *array_push(&t->swept) = lifted->run.item[i].ball;
+    }
+    *array_push(&t->swept_end) = t->swept.n;
+}
+
+void toolpath_cut(struct toolpath *t)
 {
     const size_t batch = 16;
 
-    for (size_t from = 0, to; from < t->strip.n; from = to) {
+    if (t->lifted == 0 && t->rule.turn > 0)
+        toolpath_choose_lean(t);
+    for (size_t from = t->lifted, to; from < t->strip.n; from = to) {
         struct batch b = {t, from};
         to = t->strip.n - from < batch ? t->strip.n : from + batch;
         parallel_for(t->threads, to - from, lift_strips, &b);
         progress("lifting", to, t->strip.n);
         for (size_t k = from; k < to; k++) {
             add_strip(t, &t->strip.item[k]);
+            add_swept(t, &t->strip.item[k].lifted);
             array_free(&t->strip.item[k].contact);
         }
+        t->lifted = to;
     }
 }
 
@@ -374,7 +390,6 @@ static void find_uncut(struct toolpath *t)
     if (t->uncut.n == 0)
         return;
     check.ball = kdtree_new_by(t->ball.item, t->ball.n, t->threads);
-    array_free(&t->ball);
     check.uncut = mem_alloc(t->uncut.n, sizeof *check.uncut);
     parallel_for(t->threads, t->uncut.n, check_places, &check);
     find_highest_uncut(t, &check);
@@ -421,9 +436,9 @@ void toolpath_end(struct toolpath *t)
 {
     const size_t at_once = 64; /* parts that are checked and written together */
 
-    if (t->rule.turn > 0)
-        toolpath_choose_lean(t);
-    lift_all(t);
+    toolpath_cut(t);
+    array_free(&t->swept);
+    array_free(&t->swept_end);
     struct toolpath_parts parts = plan_parts(t);
     t->plane = plane_of(t);
     t->check = path_check_of(t);
@@ -445,6 +460,12 @@ void toolpath_end(struct toolpath *t)
     array_free(&parts);
     free_strips(t);
     find_uncut(t);
+}
+
+void toolpath_free(struct toolpath *t)
+{
+    array_free(&t->ball);
+    array_free(&t->ball_end);
 }
 
 /* ---- what came of it */

@@ -98,10 +98,15 @@ static double *curvatures(const struct mesh *mesh, struct vec3 normal)
     return sum;
 }
 
-/* A facet's reach along the planes' normal, and how far apart planes may be on it. */
+/* A facet's reach along the planes' normal, how far apart planes may be on it, and its area. */
 struct slab {
-    double low, high, step;
+    double low, high, step, area;
     size_t facet;
+};
+
+struct slabs {
+    size_t n, cap;
+    struct slab *item;
 };
 
 static int compare_slabs(const void *pa, const void *pb)
@@ -113,22 +118,31 @@ static int compare_slabs(const void *pa, const void *pb)
     return (a->facet > b->facet) - (a->facet < b->facet);
 }
 
-static struct slab slab_of(const struct mesh *mesh, size_t facet, struct vec3 normal,
-                           const double *curvature, double h, double radius,
-                           struct scallop_report *report)
+static int compare_steps(const void *pa, const void *pb)
+{
+    const struct slab *a = pa, *b = pb;
+
+    if (a->step != b->step)
+        return a->step < b->step ? -1 : 1;
+    return (a->facet > b->facet) - (a->facet < b->facet);
+}
+
+static struct slab slab_of(const struct mesh *mesh, size_t facet, const double *curvature,
+                           const struct scallop_options *o, struct scallop_report *report)
 {
     const int *corner = mesh->face.item[facet].v;
-    struct slab slab = {HUGE_VAL, -HUGE_VAL, radius, facet};
-    double facing = fabs(vec_dot(vec_unit(mesh_face_cross(mesh, facet)), normal));
-    double level = sqrt(fmax(1 - facing * facing, 0));
+    struct vec3 cross = mesh_face_cross(mesh, facet);
+    struct slab slab = {HUGE_VAL, -HUGE_VAL, o->radius, vec_length(cross) / 2, facet};
+    double facing = fabs(vec_dot(vec_unit(cross), o->normal));
+    double level = sqrt(fmax(1 - facing * facing, 0)), least = fmax(o->steepest, STEEP);
 
     if (level < STEEP && report->steep++ == 0)
         report->steep_at = vec_scale(
             1 / 3.0, vec_add(mesh->vertex.item[corner[0]],
                              vec_add(mesh->vertex.item[corner[1]], mesh->vertex.item[corner[2]])));
     for (int i = 0; i < 3; i++) {
-        double at = vec_dot(mesh->vertex.item[corner[i]], normal);
-        double step = scallop_step(h, radius, curvature[corner[i]]) * fmax(level, STEEP);
+        double at = vec_dot(mesh->vertex.item[corner[i]], o->normal);
+        double step = scallop_step(o->h, o->radius, curvature[corner[i]]) * fmax(level, least);
         slab.low = fmin(slab.low, at);
         slab.high = fmax(slab.high, at);
         slab.step = fmin(slab.step, step);
@@ -136,42 +150,70 @@ static struct slab slab_of(const struct mesh *mesh, size_t facet, struct vec3 no
     return slab;
 }
 
+/* The step that serves all of these slabs but a share of their area. */
+static double step_of(struct slabs *near, double beyond, double most)
+{
+    double area = 0, before = 0;
+
+    for (size_t i = 0; i < near->n; i++)
+        area += near->item[i].area;
+    if (near->n > 1)
+        qsort(near->item, near->n, sizeof *near->item, compare_steps);
+    for (size_t i = 0; i < near->n; i++) {
+        before += near->item[i].area;
+        if (before > beyond * area)
+            return fmin(near->item[i].step, most);
+    }
+    return most;
+}
+
 /* How far the next plane may be from the one at `at`; slabs by their lower ends, none of them
  * wider than `widest`. */
-static double next_step(const struct slab *slab, size_t n, double widest, double at, double most)
+static double next_step(const struct slabs *slab, double widest, double at,
+                        const struct scallop_options *o)
 {
-    size_t low = 0, high = n;
-    double step = most;
+    size_t low = 0, high = slab->n;
+    double most = o->radius, step = most;
+    struct slabs near = {0};
 
     while (low < high) {
         size_t middle = low + (high - low) / 2;
-        if (slab[middle].low < at - widest)
+        if (slab->item[middle].low < at - widest)
             low = middle + 1;
         else
             high = middle;
     }
-    for (size_t i = low; i < n && slab[i].low < at + step; i++) {
-        if (slab[i].high >= at)
-            step = fmin(step, slab[i].step);
+    for (size_t i = low; i < slab->n && slab->item[i].low < at + step; i++) {
+        if (slab->item[i].high < at)
+            continue;
+        if (o->beyond > 0)
+            *array_push(&near) = slab->item[i];
+        else
+            step = fmin(step, slab->item[i].step);
     }
+    if (o->beyond > 0)
+        step = step_of(&near, o->beyond, most);
+    array_free(&near);
     return step;
 }
 
-struct scallop_report scallop_heights(const struct mesh *mesh, struct vec3 normal, double low,
-                                      double high, double h, double radius, struct doubles *height)
+struct scallop_report scallop_heights(const struct mesh *mesh, const struct scallop_options *o,
+                                      double low, double high, struct doubles *height)
 {
     struct scallop_report report = {.narrowest = HUGE_VAL};
-    double *curvature = curvatures(mesh, normal), widest = 0;
-    struct slab *slab = mem_alloc(mesh->face.n, sizeof *slab);
+    double *curvature = curvatures(mesh, o->normal), widest = 0;
+    struct slabs slab = {0};
 
     for (size_t f = 0; f < mesh->face.n; f++) {
-        slab[f] = slab_of(mesh, f, normal, curvature, h, radius, &report);
-        widest = fmax(widest, slab[f].high - slab[f].low);
+        struct slab s = slab_of(mesh, f, curvature, o, &report);
+        widest = fmax(widest, s.high - s.low);
+        *array_push(&slab) = s;
     }
-    qsort(slab, mesh->face.n, sizeof *slab, compare_slabs);
+    if (slab.n > 0)
+        qsort(slab.item, slab.n, sizeof *slab.item, compare_slabs);
     for (double at = low, step = 0;; at += step) {
         *array_push(height) = at;
-        step = next_step(slab, mesh->face.n, widest, at, radius);
+        step = next_step(&slab, widest, at, o);
         double left = high - INSIDE * step - at;
         if (left <= 0)
             break;
@@ -183,7 +225,7 @@ struct scallop_report scallop_heights(const struct mesh *mesh, struct vec3 norma
             break;
         }
     }
-    free(slab);
+    array_free(&slab);
     free(curvature);
     return report;
 }

@@ -158,16 +158,61 @@ status 0 "rows for cusps of 0.05 mm" meshnorm -v -r 5 --scallop 0.05 -o "$TMP/cu
 cuts "$TMP/cusp.cl" | sort -s -k1,1n >"$TMP/cuts"
 # on the dome all rows are circles in planes y = constant; the cusp between two of them on the dome
 # at a distance d of their contact points: 8 h R / (1 + R / 60) = d^2
+# (the rest passes after them run otherwise)
 awk '{ x = $2 + 5 * $5; y = $3 + 5 * $6; z = $4 + 5 * $7
 	d = sqrt(x * x + y * y + z * z) - 65; if (d < 0) d = -d; if (d > w) w = d
-	if ($1 != last) { if (n++ && n > 4) { s = 60 * ($9 - at) / sqrt(3600 - $9 * $9)
+	if ($1 == last && ($9 - at > 0.01 || at - $9 > 0.01)) rest = 1
+	if ($1 != last && !rest && (n == 0 || $9 > at)) { if (n++ && n > 4) { s = 60 * ($9 - at) / sqrt(3600 - $9 * $9)
 		if (s > widest) widest = s; if ($9 * $9 < 400 && (narrow == "" || s < narrow)) narrow = s }
 		at = $9; last = $1 } }
 	END { printf "%.6f %.4f %.4f\n", w, widest, narrow }' "$TMP/cuts" >"$TMP/figures"
 read -r off widest narrow <"$TMP/figures"
-below "the ball's centre is one radius off the dome" "$off" 0.002
+below "the ball's centre is one radius off the dome" "$off" 0.01
 below "rows no further apart than 1.36 mm" "$widest" 1.37
 below "and not much nearer" 1.1 "$narrow"
+
+# ---- coverage: what rows leave is cut by rest passes; what they can't is told
+
+# left PATH SCAN R: the most that stays on a point of the scan: its distance from the ball's centre
+# on the straight moves at feed, less the radius, mm; and how many points have more than `limit`
+left() {
+	awk -F'[/, ]' -v r="$3" -v limit="$4" 'NR == FNR { if (/^RAPID/) rapid = 1
+			if (/^GOTO/) { x = $2 + r * $5; y = $3 + r * $6; z = $4 + r * $7
+				if (n && !rapid) { d = sqrt((x - a) ^ 2 + (y - b) ^ 2 + (z - c) ^ 2); m = int(d / 0.25) + 1
+					for (k = 1; k <= m; k++) { u = a + (x - a) * k / m; v = b + (y - b) * k / m
+						i = int(u + 500) * 1000 + int(v + 500); p[i, h[i]++] = u " " v " " c + (z - c) * k / m } }
+				n++; rapid = 0; a = x; b = y; c = z } next }
+		{ best = 1e9; for (i = -r - 1; i <= r + 1; i++) for (j = -r - 1; j <= r + 1; j++) {
+				q = (int($1 + 500) + i) * 1000 + int($2 + 500) + j
+				for (k = 0; k < h[q]; k++) { split(p[q, k], e, " ")
+					d = (e[1] - $1) ^ 2 + (e[2] - $2) ^ 2 + (e[3] - $3) ^ 2; if (d < best) best = d } }
+			d = sqrt(best) - r; if (d > worst) worst = d; many += d > limit }
+		END { printf "%.4f %d\n", worst, many }' "$1" "$2"
+}
+# a hill with a flank along x that stands at up to 80 degrees, too steep for rows along x
+awk 'BEGIN { for (x = -8; x <= 8; x += 0.25) for (y = -8; y <= 8; y += 0.25)
+	printf "%.4f %.4f %.6f\n", x, y, 6 * atan2(y + sin(x / 4), 1) }' >"$TMP/hill.xyz"
+cloud2mesh -q -t 2 -o "$TMP/hill.ply" "$TMP/hill.xyz"
+status 0 "a steep flank along the rows" meshnorm -v -r 3 -g "$TMP/hill.xyz" -o "$TMP/hill.cl" "$TMP/hill.ply"
+has "gets rest passes" 'rest passes: [1-9]' "$TMP/err"
+left "$TMP/hill.cl" "$TMP/hill.xyz" 3 0.03 >"$TMP/figures"
+below "and is cut everywhere, to scallop and tolerance" "$(cut -d' ' -f1 "$TMP/figures")" 0.032
+status 0 "with the rows of the mesh, which promise nothing" meshnorm -r 3 --rows mesh -g "$TMP/hill.xyz" \
+	-o "$TMP/hill0.cl" "$TMP/hill.ply"
+has "what they leave is told" 'left though within reach: [0-9]+ of [0-9]+ points, [0-9.]+ mm2' "$TMP/err"
+left "$TMP/hill0.cl" "$TMP/hill.xyz" 3 0.03 >"$TMP/figures"
+below "and is a lot" 500 "$(cut -d' ' -f2 "$TMP/figures")"
+# a slot 3 mm wide in a plane: a ball of 3 sinks in by 3 - sqrt(9 - 2.25) and no more
+awk 'BEGIN { for (x = -8; x <= 8; x += 0.25) for (y = -8; y <= 8; y += 0.25)
+	print x, y, (y > -1.5 && y < 1.5 && x > -5 && x < 5 ? -2 : 0) }' >"$TMP/slot.xyz"
+cloud2mesh -q -o "$TMP/slot.ply" "$TMP/slot.xyz"
+status 0 "a slot narrower than the ball" meshnorm -r 3 --avoid -g "$TMP/slot.xyz" -o "$TMP/slot.cl" "$TMP/slot.ply"
+has "is out of its reach, with the area" 'out of reach of ball and tool: [0-9]+ of 4225 points, [0-9.]+ mm2' "$TMP/err"
+sed -n 's/.*points, \([0-9.]*\) mm2, where up to \([0-9.]*\) mm.*/\1 \2/p' "$TMP/err" >"$TMP/figures"
+below "of 3 by 10 mm" 22 "$(cut -d' ' -f1 "$TMP/figures")"
+below "or so" "$(cut -d' ' -f1 "$TMP/figures")" 45
+below "where all but the sag of the ball stays" "$(cut -d' ' -f2 "$TMP/figures")" 2
+below "or so" 1.59 "$(cut -d' ' -f2 "$TMP/figures")"
 
 # tube BEND: a quarter of a cylinder about x, hollow (-1) or convex (1), radius 20
 tube() {

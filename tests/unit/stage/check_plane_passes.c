@@ -81,6 +81,7 @@ START_TEST(planes_become_passes)
     ck_assert_uint_eq(p.height.n, 11); /* 40 mm, the last plane 0.04 inside */
     struct error error;
     ck_assert_int_eq(plane_passes_make(&p, 1, &t, &error), 0);
+    toolpath_end(&t);
     size_t passes = 0;
     double x = HUGE_VAL;
     for (size_t i = 0; i < path.item.n; i++) {

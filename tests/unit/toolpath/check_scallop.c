@@ -65,13 +65,22 @@ START_TEST(equal_distances_from_border_to_border)
 }
 END_TEST
 
+static struct scallop_report heights_of(const struct mesh *mesh, struct vec3 normal, double low,
+                                        double high, double h, double radius,
+                                        struct doubles *height)
+{
+    struct scallop_options options = {.normal = normal, .h = h, .radius = radius};
+
+    return scallop_heights(mesh, &options, low, high, height);
+}
+
 /* Worst cusp over a cylinder of radius 30 between neighbouring planes y = height. */
 START_TEST(cusps_on_a_cylinder)
 {
     struct mesh mesh = shape_grid(shape_cylinder, -10, -22, 10, 22, 10, 80);
     double h = 0.01, R = 6, worst = 0, least = 1;
     struct doubles height = {0};
-    struct scallop_report report = scallop_heights(&mesh, vec(0, 1, 0), -22, 22, h, R, &height);
+    struct scallop_report report = heights_of(&mesh, vec(0, 1, 0), -22, 22, h, R, &height);
 
     ck_assert_uint_eq(report.steep, 0);
     ck_assert_double_eq(height.item[0], -22);
@@ -88,7 +97,7 @@ START_TEST(cusps_on_a_cylinder)
     ck_assert_double_gt(height.item[height.n - 1], 21.9);
     /* Across the cylinder's axis it is straight: planes are further apart, and equal. */
     height.n = 0;
-    report = scallop_heights(&mesh, vec(1, 0, 0), -10, 10, h, R, &height);
+    report = heights_of(&mesh, vec(1, 0, 0), -10, 10, h, R, &height);
     ck_assert_double_eq_tol(report.widest, sqrt(8 * h * R), 0.01);
     array_free(&height);
     mesh_free(&mesh);
@@ -101,7 +110,7 @@ START_TEST(a_hollow_has_fewer_planes)
     struct mesh mesh = shape_grid(shape_cylinder, -10, -10, 10, 10, 10, 40);
     struct doubles hump = {0}, hollow = {0};
 
-    scallop_heights(&mesh, vec(0, 1, 0), -10, 10, 0.01, 6, &hump);
+    heights_of(&mesh, vec(0, 1, 0), -10, 10, 0.01, 6, &hump);
     for (size_t f = 0; f < mesh.face.n; f++) {
         int v = mesh.face.item[f].v[1];
         mesh.face.item[f].v[1] = mesh.face.item[f].v[2];
@@ -109,11 +118,35 @@ START_TEST(a_hollow_has_fewer_planes)
     }
     for (size_t v = 0; v < mesh.normal.n; v++)
         mesh.normal.item[v] = vec_scale(-1, mesh.normal.item[v]);
-    scallop_heights(&mesh, vec(0, 1, 0), -10, 10, 0.01, 6, &hollow);
+    heights_of(&mesh, vec(0, 1, 0), -10, 10, 0.01, 6, &hollow);
     /* sqrt((1 + 6/30) / (1 - 6/30)) = 1.22 */
     ck_assert_double_eq_tol((double)hump.n / (double)hollow.n, 1.22, 0.06);
     array_free(&hump);
     array_free(&hollow);
+    mesh_free(&mesh);
+}
+END_TEST
+
+/* Four facets of a cube's 12 stand along the planes: for the others planes may be far apart. */
+START_TEST(a_share_of_the_area_may_have_higher_cusps)
+{
+    struct mesh mesh = shape_cube(10);
+    struct doubles all = {0}, most = {0}, some = {0};
+    struct scallop_options options = {.normal = vec(0, 1, 0), .h = 0.01, .radius = 4};
+
+    mesh_normals_facet(&mesh);
+    scallop_heights(&mesh, &options, 0, 10, &all);
+    options.steepest = 0.5; /* two times as near as on the level, no nearer */
+    scallop_heights(&mesh, &options, 0, 10, &most);
+    options.beyond = 0.5;
+    scallop_heights(&mesh, &options, 0, 10, &some);
+    ck_assert_double_le((double)most.n, 2.1 * 10 / scallop_step(0.01, 4, 0));
+    ck_assert_uint_gt(all.n, some.n);
+    ck_assert_uint_le(some.n, most.n);
+    ck_assert_double_ge((double)some.n, 10 / scallop_step(0.01, 4, 0));
+    array_free(&all);
+    array_free(&most);
+    array_free(&some);
     mesh_free(&mesh);
 }
 END_TEST
@@ -124,7 +157,7 @@ START_TEST(a_wall_along_the_planes_is_told)
     struct doubles height = {0};
 
     mesh_normals_facet(&mesh);
-    struct scallop_report report = scallop_heights(&mesh, vec(0, 1, 0), 0, 10, 0.01, 4, &height);
+    struct scallop_report report = heights_of(&mesh, vec(0, 1, 0), 0, 10, 0.01, 4, &height);
     ck_assert_uint_eq(report.steep, 4);
     ck_assert_double_eq(fabs(report.steep_at.y - 5), 5);
     ck_assert_uint_lt(height.n, 1000);
@@ -141,6 +174,7 @@ int main(void)
     tcase_add_test(tests, equal_distances_from_border_to_border);
     tcase_add_test(tests, cusps_on_a_cylinder);
     tcase_add_test(tests, a_hollow_has_fewer_planes);
+    tcase_add_test(tests, a_share_of_the_area_may_have_higher_cusps);
     tcase_add_test(tests, a_wall_along_the_planes_is_told);
     suite_add_tcase(suite, tests);
     SRunner *runner = srunner_create(suite);

@@ -1,0 +1,38 @@
+/*
+ * path_coverage - what a path leaves of the scan or mesh it was made for: measured on the whole
+ * path, cut in rest passes, and told (toolpath/coverage.h, toolpath/rest_passes.h).
+ */
+#ifndef CLOUDMILL_PATH_COVERAGE_H
+#define CLOUDMILL_PATH_COVERAGE_H
+
+#include "mesh/mesh.h"
+#include "stage/toolpath.h"
+#include "toolpath/coverage.h"
+
+struct path_coverage {
+    struct coverage *coverage; /* NULL: nothing is measured */
+    struct coverage_options options;
+    struct kdtree *vertex;
+    double
+        scallop; /* of the rows, mm; 0: none was asked for, and nothing that is left is a fault */
+    size_t rounds, strips; /* of rest passes */
+};
+
+/* Of the points of the scan that guards or, without one, of points on the mesh.  Mesh and path must
+ * outlive it; when the rules of the path are known and path_options has the scan. */
+struct path_coverage path_coverage_new(const struct mesh *mesh, const struct toolpath *t);
+
+/* Measures what has been cut, and has what is left cut in passes across those of planes of this
+ * normal (zero: in none), in ROUNDS rounds at most, as long as they take something off. */
+void path_coverage_rest(struct path_coverage *c, struct vec3 planes, struct toolpath *t);
+
+/* Measures the path as it is in the end. */
+void path_coverage_measure(struct path_coverage *c, const struct toolpath *t);
+
+/* Tells what is out of reach and what is left.  EXIT_UNMET where something is left that rows of a
+ * scallop should have cut, or without path_options.avoid out of reach. */
+int path_coverage_conclude(const struct path_coverage *c);
+
+void path_coverage_free(struct path_coverage *c);
+
+#endif

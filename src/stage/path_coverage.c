@@ -1,0 +1,153 @@
+/* path_coverage - see path_coverage.h. */
+#include "stage/path_coverage.h"
+
+#include <stdlib.h>
+
+#include "base/cli.h"
+#include "gouge/guard_points.h"
+#include "math/kdtree.h"
+#include "stage/path_options.h"
+#include "toolpath/rest_passes.h"
+#include "toolpath/scallop.h"
+
+enum { ROUNDS = 6 };
+
+/* What rows of the mesh are measured by, which promise nothing, mm. */
+static const double USUAL = 0.02;
+
+/* Noises by which the surface that the points stand for may be off them. */
+static const double SIGMAS = 1.5;
+
+/* Points on a mesh that are looked at, at most. */
+static const double MOST = 300000;
+
+/* The points that are to be cut: those of the scan, or points on the mesh half a row apart. */
+static void add_points(const struct mesh *mesh, double spacing, struct vec3s *to)
+{
+    const struct path_options *c = &path_options;
+
+    for (size_t i = 0; i < c->certain.n; i++)
+        *array_push(to) = c->certain.item[i];
+    for (size_t i = 0; i < c->doubtful.n; i++)
+        *array_push(to) = c->doubtful.item[i];
+    if (to->n == 0)
+        guard_points_of_mesh(mesh, spacing, MOST, to);
+}
+
+struct path_coverage path_coverage_new(const struct mesh *mesh, const struct toolpath *t)
+{
+    const struct path_options *o = &path_options;
+    struct path_coverage c = {.scallop = o->scallop};
+    double noise = fmax(o->noise, 0), h = c.scallop > 0 ? c.scallop : USUAL;
+    struct vec3s points = {0};
+
+    if (!t->lift.guard)
+        return c;
+    add_points(mesh, scallop_step(h, o->radius, 0) / 2, &points);
+    c.coverage = coverage_new(points.item, points.n, t->threads);
+    c.vertex = kdtree_new_by(mesh->vertex.item, mesh->vertex.n, t->threads);
+    array_free(&points);
+    c.options =
+        (struct coverage_options){.guard = t->lift.guard,
+                                  .holder = &t->rule.holder,
+                                  .upright = o->body.ball_only && t->lift.axis.kind == AXIS_FIXED,
+                                  .axis = t->lift.axis.direction,
+                                  .radius = o->radius,
+                                  .limit = h + t->lift.tolerance + SIGMAS * noise,
+                                  .tolerance = t->lift.tolerance + noise / 2,
+                                  .vertex = c.vertex,
+                                  .normal = mesh->normal.item,
+                                  .threads = t->threads};
+    return c;
+}
+
+void path_coverage_free(struct path_coverage *c)
+{
+    coverage_free(c->coverage);
+    kdtree_free(c->vertex);
+}
+
+/* Strips over what is left become passes of the path. */
+static void add_strips(const struct rest_strips *strips, struct toolpath *t)
+{
+    size_t pass = t->strip.n > 0 ? t->strip.item[t->strip.n - 1].pass : 0;
+
+    for (size_t i = 0; i < strips->n; i++) {
+        const struct rest_strip *strip = &strips->item[i];
+        const struct contacts *c = &strip->contact;
+        struct vec3 way = vec_sub(c->item[c->n - 1].p, c->item[0].p);
+        struct vec3 along = vec_unit(vec(way.x, way.y, 0));
+        bool forward = contacts_forward(c->item, c->n, strip->planes) >= 0;
+        t->lift.feed.side = strip->planes;
+        t->lift.feed.plane = vec_scale(forward ? 1 : -1, strip->planes);
+        toolpath_strip(t, ++pass, c->item, c->n, vec_length(along) > 0 ? along : vec(1, 0, 0));
+    }
+}
+
+/* Planes closer from round to round, across those of the passes and along them by turns. */
+static struct rest_options options_of(const struct path_coverage *c, size_t round,
+                                      struct vec3 planes)
+{
+    static const double part[ROUNDS] = {0.9, 0.7, 0.6, 0.5, 0.4, 0.3};
+    double step = part[round] * scallop_step(c->scallop, c->options.radius, 0);
+
+    return (struct rest_options){.planes = planes,
+                                 .turned = round % 2 == 1,
+                                 .rough = round > 1,
+                                 .step = step,
+                                 .gap = fmax(c->options.radius / 2, 2 * step)};
+}
+
+void path_coverage_rest(struct path_coverage *c, struct vec3 planes, struct toolpath *t)
+{
+    if (!c->coverage || c->scallop == 0 || vec_length(planes) == 0)
+        return;
+    coverage_cut(c->coverage, &c->options, &t->swept, &t->swept_end);
+    t->lift.offset = c->options.radius;
+    size_t left = coverage_report(c->coverage).left.n;
+    for (size_t round = 0; round < ROUNDS && left > 0; round++) {
+        size_t n;
+        const struct coverage_point *point = coverage_points(c->coverage, &n);
+        struct rest_options options = options_of(c, round, planes);
+        struct rest_strips strips = rest_passes_find(point, n, &options);
+        add_strips(&strips, t);
+        toolpath_cut(t);
+        coverage_cut(c->coverage, &c->options, &t->swept, &t->swept_end);
+        note("rest passes: %zu strips for %zu points", strips.n, left);
+        left = coverage_report(c->coverage).left.n;
+        c->strips += strips.n;
+        c->rounds++;
+        rest_strips_free(&strips);
+    }
+}
+
+void path_coverage_measure(struct path_coverage *c, const struct toolpath *t)
+{
+    if (!c->coverage)
+        return;
+    coverage_restart(c->coverage);
+    coverage_cut(c->coverage, &c->options, &t->ball, &t->ball_end);
+}
+
+int path_coverage_conclude(const struct path_coverage *c)
+{
+    if (!c->coverage)
+        return EXIT_DONE;
+    struct coverage_report r = coverage_report(c->coverage);
+    struct vec3 at = r.out.at;
+
+    if (r.out.n > 0)
+        say("out of reach of ball and tool: %zu of %zu points, %.1f mm2, where up to %.3f mm "
+            "stays, "
+            "worst at %.3f %.3f %.3f",
+            r.out.n, r.points, r.out.area, r.out.highest, at.x, at.y, at.z);
+    at = r.left.at;
+    if (r.left.n > 0)
+        say("left though within reach: %zu of %zu points, %.1f mm2, more than %.3f mm and up to "
+            "%.3f mm, worst at %.3f %.3f %.3f",
+            r.left.n, r.points, r.left.area, c->options.limit, r.left.highest, at.x, at.y, at.z);
+    if (r.left.n == 0)
+        note("all of %zu points within reach are cut to %.3f mm; %zu rest passes in %zu rounds",
+             r.points, c->options.limit, c->strips, c->rounds);
+    return r.left.n > 0 && c->scallop > 0 ? EXIT_UNMET : EXIT_DONE;
+}

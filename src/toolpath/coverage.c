@@ -1,0 +1,283 @@
+/* coverage - see coverage.h. */
+#include "toolpath/coverage.h"
+
+#include <stdlib.h>
+
+#include "base/parallel.h"
+#include "math/quadric.h"
+
+enum { ABOUT = 12, TURNS = 60, AXES = 120 };
+
+/* By how much the centre may be nearer between two samples of the path than at them, mm. */
+static const double SAGITTA = 0.001;
+
+/* Of the radius: guard points that are nearer to the point itself say nothing of a direction. */
+static const double NEAREST = 1e-6;
+
+struct coverage {
+    size_t n;
+    struct coverage_point *point;
+    bool *known;   /* has been found: ... */
+    double *reach; /* ... how near the ball can come to the point, mm */
+    size_t done;   /* centres of the path that have been looked at */
+    struct kdtree *tree;
+};
+
+struct coverage *coverage_new(const struct vec3 *point, size_t n, int threads)
+{
+    struct coverage *coverage = mem_alloc(1, sizeof *coverage);
+
+    coverage->n = n;
+    coverage->point = mem_alloc(n + 1, sizeof *coverage->point);
+    coverage->known = mem_alloc(n + 1, sizeof *coverage->known);
+    coverage->reach = mem_alloc(n + 1, sizeof *coverage->reach);
+    coverage->tree = kdtree_new_by(point, n, threads);
+    for (size_t i = 0; i < n; i++)
+        coverage->point[i] =
+            (struct coverage_point){.p = point[i], .state = COVERAGE_LEFT, .height = HUGE_VAL};
+    return coverage;
+}
+
+void coverage_free(struct coverage *coverage)
+{
+    if (!coverage)
+        return;
+    kdtree_free(coverage->tree);
+    free(coverage->point);
+    free(coverage->known);
+    free(coverage->reach);
+    free(coverage);
+}
+
+void coverage_restart(struct coverage *coverage)
+{
+    coverage->done = 0;
+    for (size_t i = 0; i < coverage->n; i++) {
+        coverage->point[i].state = COVERAGE_LEFT;
+        coverage->point[i].height = HUGE_VAL;
+    }
+}
+
+const struct coverage_point *coverage_points(const struct coverage *coverage, size_t *n)
+{
+    *n = coverage->n;
+    return coverage->point;
+}
+
+/* ---- what is cut */
+
+/* Places along the path no further apart than that; points that are crowded count once. */
+static void sample_path(const struct vec3s *centre, size_t from, const struct sizes *end,
+                        double apart, struct vec3s *sample)
+{
+    for (size_t k = 0; k <= end->n; k++) {
+        size_t to = k < end->n ? end->item[k] : centre->n;
+        struct vec3 last = {0, 0, 0};
+        for (size_t i = from; i < to; i++) {
+            struct vec3 c = centre->item[i];
+            double far = i > from ? vec_distance(last, c) : 0, parts = ceil(far / apart);
+            if (i > from && i + 1 < to && far < apart / 2)
+                continue;
+            for (double s = 1; s <= parts; s++)
+                *array_push(sample) = vec_mix(last, c, s / parts);
+            if (i == from)
+                *array_push(sample) = c;
+            last = c;
+        }
+        from = to > from ? to : from;
+    }
+}
+
+/* ---- what can be reached */
+
+/* What the threads share. */
+struct covering {
+    struct coverage *coverage;
+    const struct coverage_options *options;
+    const struct kdtree *path;
+};
+
+/* The normal of the points about p, on the side of the mesh's or, without one, upward. */
+static struct vec3 guess_normal(const struct covering *w, struct vec3 p)
+{
+    const struct coverage_options *o = w->options;
+    size_t index[ABOUT], n = kdtree_nearest(w->coverage->tree, p, ABOUT, index, NULL), vertex;
+    struct vec3 near[ABOUT], side = vec(0, 0, 1);
+
+    for (size_t i = 0; i < n; i++)
+        near[i] = w->coverage->point[index[i]].p;
+    struct vec3 normal = plane_normal(near, n);
+    if (o->vertex && kdtree_nearest(o->vertex, p, 1, &vertex, NULL) == 1)
+        side = o->normal[vertex];
+    return vec_dot(normal, side) < 0 ? vec_scale(-1, normal) : normal;
+}
+
+/* Turns d until the ball that touches p along it is clear, or nearly so; how far off p along d the
+ * ball is then clear, mm. */
+static double find_touch(const struct coverage_options *o, struct vec3 p, struct vec3 *d)
+{
+    struct vec3 turning = *d;
+    double best = HUGE_VAL, before = HUGE_VAL;
+
+    for (int turn = 0; turn < TURNS && best > o->tolerance / 2; turn++) {
+        struct vec3 q, c = vec_along(p, o->radius, turning);
+        double depth = o->radius - gouge_nearest(o->guard, c, o->radius, &q);
+        if (depth < best) {
+            best = depth;
+            *d = turning;
+        }
+        if (turn % 12 == 11 && best > 0.8 * before)
+            break;
+        before = turn % 12 == 11 ? best : before;
+        struct vec3 v = vec_sub(q, p);
+        double v2 = vec_dot(v, v);
+        if (best <= o->tolerance / 2 || v2 < NEAREST * o->radius * o->radius)
+            break;
+        turning = vec_along(turning, -(vec_dot(turning, v) - v2 / (2 * o->radius)) / v2, v);
+        if (vec_length(turning) < 0.1)
+            break;
+        turning = vec_unit(turning);
+    }
+    if (best <= o->tolerance)
+        return 0;
+    double lift =
+        gouge_least_lift(o->guard, vec_along(p, o->radius, *d), *d, o->radius, o->radius, NULL);
+    return lift < 0 ? HUGE_VAL : lift;
+}
+
+/* Direction k of AXES, evenly over the upper half of the sphere. */
+static struct vec3 axis_of(int k)
+{
+    double z = 1 - (k + 0.5) / AXES, r = sqrt(1 - z * z), turn = 2.399963229728653 * k;
+
+    return vec(r * cos(turn), r * sin(turn), z);
+}
+
+static bool comes_along(const struct coverage_options *o, struct vec3 c, struct vec3 axis)
+{
+    return o->holder && o->holder->n > 0
+               ? gouge_holder_clear(o->guard, o->holder, c, axis, -o->tolerance)
+               : gouge_open(o->guard, c, axis, o->radius, o->tolerance);
+}
+
+/* True if the tool can stand at a ball that touches along d: on its only axis, or on any of many
+ * that come from above and from the ball's side. */
+static bool has_axis(const struct coverage_options *o, struct vec3 c, struct vec3 d)
+{
+    const double flattest = 0.05; /* cosine */
+
+    if (o->upright)
+        return comes_along(o, c, o->axis);
+    if (d.z >= 0 && comes_along(o, c, d))
+        return true;
+    for (int k = 0; k < AXES; k++) {
+        struct vec3 axis = axis_of(k);
+        if (vec_dot(axis, d) > flattest && comes_along(o, c, axis))
+            return true;
+    }
+    return false;
+}
+
+/* How near a ball and its tool come to p, mm, from some directions to begin with; HUGE_VAL: nothing
+ * comes as near as what is there is worth. */
+static double find_reach(const struct covering *w, struct coverage_point *point)
+{
+    const struct coverage_options *o = w->options;
+    struct vec3 normal = guess_normal(w, point->p), up = vec(0, 0, 1);
+    struct vec3 begin[3] = {normal, vec_unit(vec_add(normal, up)), up};
+    double nearest = HUGE_VAL;
+
+    point->normal = normal;
+    for (int k = 0; k < 3 && nearest > 0; k++) {
+        struct vec3 d = begin[k];
+        if (vec_length(d) < 0.5)
+            continue;
+        double lift = o->guard ? find_touch(o, point->p, &d) : 0;
+        if (lift >= fmin(nearest, point->height - o->limit))
+            continue;
+        if (!o->guard || has_axis(o, vec_along(point->p, o->radius + lift, d), d)) {
+            point->normal = d;
+            nearest = lift;
+        }
+    }
+    return nearest;
+}
+
+static void cover_points(void *context, size_t from, size_t to)
+{
+    const struct covering *w = context;
+    const struct coverage_options *o = w->options;
+    double within = o->radius + o->limit;
+
+    for (size_t i = from; i < to; i++) {
+        struct coverage_point *point = &w->coverage->point[i];
+        size_t nearest;
+        if (point->state == COVERAGE_CUT)
+            continue;
+        if (kdtree_any_beside(w->path, point->p, point->p, within)) {
+            point->state = COVERAGE_CUT;
+            continue;
+        }
+        double far = point->height + o->radius;
+        far = kdtree_nearest_segment(w->path, point->p, point->p, far, &nearest);
+        point->height = far - o->radius;
+        if (!w->coverage->known[i] && point->height > o->limit)
+            w->coverage->reach[i] = find_reach(w, point);
+        w->coverage->known[i] = true;
+        point->state =
+            point->height > w->coverage->reach[i] + o->limit ? COVERAGE_LEFT : COVERAGE_OUT;
+    }
+}
+
+void coverage_cut(struct coverage *coverage, const struct coverage_options *options,
+                  const struct vec3s *centre, const struct sizes *end)
+{
+    struct vec3s sample = {0};
+
+    sample_path(centre, coverage->done, end, sqrt(8 * options->radius * SAGITTA), &sample);
+    struct kdtree *path = kdtree_new_by(sample.item, sample.n, options->threads);
+    struct covering work = {coverage, options, path};
+    array_free(&sample);
+    parallel_for(options->threads, coverage->n, cover_points, &work);
+    coverage->done = centre->n;
+    kdtree_free(path);
+}
+
+/* ---- the report */
+
+/* The area that a point stands for: that of the disc with its nearest neighbours, by their number.
+ */
+static double area_of(const struct coverage *coverage, struct vec3 p)
+{
+    size_t index[ABOUT];
+    double distance2[ABOUT];
+    size_t n = kdtree_nearest(coverage->tree, p, ABOUT, index, distance2);
+
+    return n > 1 ? PI * distance2[n - 1] / (double)(n - 1) : 0;
+}
+
+struct coverage_report coverage_report(const struct coverage *coverage)
+{
+    struct coverage_report report = {.points = coverage->n};
+
+    for (size_t i = 0; i < coverage->n; i++) {
+        const struct coverage_point *p = &coverage->point[i];
+        double area = p->state == COVERAGE_CUT ? 0 : area_of(coverage, p->p);
+        if (p->state == COVERAGE_LEFT) {
+            report.left.n++;
+            report.left.area += area;
+            if (p->height > report.left.highest) {
+                report.left.highest = p->height;
+                report.left.at = p->p;
+            }
+        } else if (p->state == COVERAGE_OUT) {
+            report.out.n++;
+            report.out.area += area;
+            if (p->height > report.out.highest) {
+                report.out.highest = p->height;
+                report.out.at = p->p;
+            }
+        }
+    }
+    return report;
+}
