@@ -306,11 +306,35 @@ static void add_swept(struct toolpath *t, const struct lifted_strip *lifted)
     *array_push(&t->swept_end) = t->swept.n;
 }
 
+/* Takes the points [from, to) out of a strip; the part that they were is empty. */
+static void remove_points(struct lifted_strip *lifted, size_t from, size_t to)
+{
+    for (size_t i = to; i < lifted->run.n; i++)
+        lifted->run.item[from + i - to] = lifted->run.item[i];
+    lifted->run.n -= to - from;
+    for (size_t k = 0; k < lifted->end.n; k++)
+        if (lifted->end.item[k] > from)
+            lifted->end.item[k] -= (lifted->end.item[k] < to ? lifted->end.item[k] : to) - from;
+}
+
+/* Slivers go at once: what is cut later may rest on what is kept now. */
+static void remove_slivers(struct toolpath *t)
+{
+    struct toolpath_parts parts = toolpath_parts_of(t);
+
+    t->slivers = toolpath_drop_slivers(t, &parts);
+    for (size_t k = parts.n; k-- > 0;)
+        if (parts.item[k].dropped)
+            remove_points(&t->strip.item[parts.item[k].strip].lifted, parts.item[k].from,
+                          parts.item[k].to);
+    array_free(&parts);
+}
+
 void toolpath_cut(struct toolpath *t)
 {
-    const size_t batch = 16;
+    const size_t batch = 16, first = t->lifted;
 
-    if (t->lifted == 0 && t->rule.turn > 0)
+    if (first == 0 && t->rule.turn > 0)
         toolpath_choose_lean(t);
     for (size_t from = t->lifted, to; from < t->strip.n; from = to) {
         struct batch b = {t, from};
@@ -319,11 +343,14 @@ void toolpath_cut(struct toolpath *t)
         progress("lifting", to, t->strip.n);
         for (size_t k = from; k < to; k++) {
             add_strip(t, &t->strip.item[k]);
-            add_swept(t, &t->strip.item[k].lifted);
             array_free(&t->strip.item[k].contact);
         }
         t->lifted = to;
     }
+    if (first == 0 && t->lift.guard)
+        remove_slivers(t);
+    for (size_t k = first; k < t->lifted; k++)
+        add_swept(t, &t->strip.item[k].lifted);
 }
 
 /* The clearance plane for the axis of the path that leans most. */
@@ -424,10 +451,8 @@ static struct toolpath_parts plan_parts(struct toolpath *t)
     struct toolpath_parts parts = toolpath_parts_of(t);
     struct way_finder finder = {t, &parts};
 
-    if (t->lift.guard) {
-        t->slivers = toolpath_drop_slivers(t, &parts);
+    if (t->lift.guard)
         toolpath_order(t, &parts);
-    }
     parallel_for(t->threads, parts.n, find_ways, &finder);
     return parts;
 }
