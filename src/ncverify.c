@@ -20,14 +20,24 @@ static const char *const unit_name[] = {"mm", "cm", "m", "um", "inch", "in"};
 
 struct settings {
     int unit;
-    bool radius_given, flute_given, band_given, left_given, ball_only, centre;
+    bool radius_given, flute_given, band_given, left_given, tolerance_given, scallop_given;
+    bool ball_only, partial, centre;
     struct machine_options machine;
     const char *map, *page, *holder, *stock;
     struct cli_list part;
-    double radius, tolerance, left, band, flute, cell;
+    double radius, tolerance, left, scallop, band, noise, flute, cell;
     struct tool_shape tool;
     struct stock_options block;
 };
+
+static void read_stock(struct settings *s)
+{
+    struct error error;
+    if (s->stock && verify_stock_read(s->stock, &s->block, &error) < 0)
+        die_usage("option --stock: %s", error.text);
+}
+
+/* ---- what options say, or else the program's head */
 
 static void add_cone(struct settings *s, double low, struct holder_part part)
 {
@@ -35,24 +45,44 @@ static void add_cone(struct settings *s, double low, struct holder_part part)
         die_usage("option --holder: found an outline of more than %d parts", TOOL_SPANS);
 }
 
-/* The tool above its ball, and the stock. */
-static void read_shapes(struct settings *s)
+/* The tool above its ball. */
+static void find_tool(struct settings *s, const struct ncread_head *head)
 {
-    struct error error;
-    struct holder holder = {0};
+    const char *text = s->holder ? s->holder : *head->holder ? head->holder : NULL;
+    bool said = head->flute_given && !s->flute_given;
+    double flute = s->flute_given ? s->flute : said ? head->flute : TOOL_FLUTE * s->radius;
     double height = 0;
-    if (s->holder && holder_text_read(s->holder, &holder, &error) < 0)
-        die_usage("option --holder: %s", error.text);
-    if (s->ball_only && (s->holder || s->flute_given))
-        die_usage("found --ball-only with --flute or --holder, expected one of them");
-    if (!s->ball_only && s->flute > 0)
-        add_cone(s, 0, (struct holder_part){s->radius, s->radius, s->flute});
-    for (int i = 0; i < holder.n; i++) {
-        add_cone(s, height, holder.part[i]);
-        height += holder.part[i].length;
+    struct holder above = {0};
+    struct error error;
+    if (text && !s->ball_only && holder_text_read(text, &above, &error) < 0)
+        die_usage("%s: %s", s->holder ? "option --holder" : "the holder of the program's head",
+                  error.text);
+    if (!s->ball_only && flute > 0)
+        add_cone(s, 0, (struct holder_part){s->radius, s->radius, flute});
+    for (int i = 0; i < above.n; i++) {
+        add_cone(s, height, above.part[i]);
+        height += above.part[i].length;
     }
-    if (s->stock && verify_stock_read(s->stock, &s->block, &error) < 0)
-        die_usage("option --stock: %s", error.text);
+    if (s->ball_only)
+        say("tool: the ball alone, R %g", s->radius);
+    else
+        note("tool: ball R %g, flute %g%s, holder %s", s->radius, flute,
+             said ? " (as the program's head says)" : "", text ? text : "none");
+}
+
+/* How much may be left. */
+static void find_limit(struct settings *s, const struct ncread_head *head)
+{
+    double tolerance = s->tolerance_given || head->tolerance == 0 ? s->tolerance : head->tolerance;
+    double scallop = s->scallop_given ? s->scallop : head->scallop;
+    if (s->left_given)
+        return;
+    s->left = scallop > 0 || s->scallop_given ? scallop + tolerance : HUGE_VAL;
+    if (isfinite(s->left))
+        note("at most %g mm may be left: a scallop of %g and a tolerance of %g", s->left, scallop,
+             tolerance);
+    else if (!s->partial)
+        note("the scallop is not known (--scallop, --left): what is left is told, not judged");
 }
 
 static void read_options(struct settings *s, struct cli *cli, int argc, char **argv)
@@ -70,15 +100,26 @@ static void read_options(struct settings *s, struct cli *cli, int argc, char **a
         machine_option_name(&s->machine),
         machine_option_set(&s->machine),
         {'e', "tolerance", "MM", "deepest gouge; beyond it the exit status is 3 (default 0.05)",
-         CLI_NUMBER, &s->tolerance, CLI_POSITIVE, 100, 0, NULL},
-        {0, "left", "MM",
-         "most material left in the region cut; beyond it the exit status is 3\n"
-         "(default: no limit)",
-         CLI_NUMBER, &s->left, 0, 1e4, 0, &s->left_given},
+         CLI_NUMBER, &s->tolerance, CLI_POSITIVE, 100, 0, &s->tolerance_given},
+        {0, "scallop", "MM",
+         "height of the scallops between passes: material left beyond it and the\n"
+         "tolerance, where the tool could cut it, gives exit status 3 (default:\n"
+         "what the program's head says)",
+         CLI_NUMBER, &s->scallop, 0, 1e4, 0, &s->scallop_given},
+        {0, "left", "MM", "most material left, scallop and tolerance together", CLI_NUMBER,
+         &s->left, 0, 1e4, 0, &s->left_given},
+        {0, "partial", NULL,
+         "the program cuts a part of the scan: what is left is judged in the\n"
+         "region cut alone",
+         CLI_FLAG, &s->partial, 0, 0, 0, NULL},
         {0, "band", "MM",
-         "points more than this below the ball are outside of the region cut\n"
-         "(default: a quarter of the radius)",
+         "with --partial: points more than this below the ball are outside of\n"
+         "the region cut (default: a quarter of the radius)",
          CLI_NUMBER, &s->band, CLI_POSITIVE, 1e4, 0, &s->band_given},
+        {0, "noise", "MM",
+         "noise of the scan, one standard deviation, that is taken out of it (default:\n"
+         "measured); 0: every point is believed as it is",
+         CLI_NUMBER, &s->noise, 0, 100, 0, NULL},
         {0, "flute", "MM",
          "length of the shaft of the ball's diameter above the ball's centre,\n"
          "checked in all moves (default: four radii)",
@@ -119,9 +160,11 @@ static void read_options(struct settings *s, struct cli *cli, int argc, char **a
     if (cli->files != 1)
         die_usage("found %d programs, expected one", cli->files);
     s->band = s->band_given ? s->band : s->radius / 4;
-    s->flute = s->flute_given ? s->flute : 4 * s->radius;
-    read_shapes(s);
-    s->left = s->left_given ? s->left : HUGE_VAL;
+    if (s->left_given && s->scallop_given)
+        die_usage("found --left and --scallop, expected one of them");
+    if (s->ball_only && (s->holder || s->flute_given))
+        die_usage("found --ball-only with --flute or --holder, expected one of them");
+    read_stock(s);
     if (s->band < s->tolerance)
         die_usage("option --band: found %g, expected more than the tolerance %g", s->band,
                   s->tolerance);
@@ -138,9 +181,10 @@ static struct machine read_machine(const struct settings *s)
 }
 
 static struct verify_program read_program(const struct settings *s, const struct machine *machine,
-                                          const char *file, struct nc_motion *motion)
+                                          const char *file, struct nc_motion *motion,
+                                          struct ncread_head *head)
 {
-    struct ncread_options options = {.kinematics = ncread_kinematics(machine)};
+    struct ncread_options options = {.kinematics = ncread_kinematics(machine), .head = head};
     struct error error;
     enum control_id control = (enum control_id)machine->text.dialect, told;
     if (control == CONTROLS && (!file || strcmp(file, "-") == 0))
@@ -159,22 +203,44 @@ static struct verify_program read_program(const struct settings *s, const struct
     return (struct verify_program){.file = motion->name,
                                    .control = control_row(control)->name,
                                    .machine = machine->name,
-                                   .motion = motion};
+                                   .motion = motion,
+                                   .ball = head->ball};
 }
 
-static void read_part(const struct settings *s, struct vec3s *points)
+/* True if all of it are scans. */
+static bool read_part(const struct settings *s, struct vec3s *points)
 {
     struct error error;
     double spacing;
+    bool scans = true;
     for (size_t i = 0; i < s->part.n; i++) {
         if (verify_part_read(s->part.item[i], cloud_unit(unit_name[s->unit]), s->radius, points,
                              &spacing, &error) < 0)
             die_error(&error);
         if (spacing > 0)
             note("%s: points %.3f mm apart on its faces", s->part.item[i], spacing);
+        scans = scans && spacing == 0;
     }
     if (points->n == 0)
         die("%s: found no points to check against", s->part.item[0]);
+    return scans;
+}
+
+/* The surface that the points of a scan stand for. */
+static void find_surface(const struct settings *s, int threads, struct vec3s *points,
+                         struct verify_surface *surface)
+{
+    const char *file = s->part.item[0];
+    struct error error;
+    if (verify_surface_find(points, s->noise, threads, surface, &error) < 0)
+        die("%s: %s", file, error.text);
+    if (surface->noise > 0)
+        note("%s: noise of %.3g mm taken out", file, surface->noise);
+    if (surface->outliers.n > 0)
+        note("%s: %zu outliers", file, surface->outliers.n);
+    if (surface->sheets > 0)
+        say("%s: two sheets %.3g mm apart, as at %.3f %.3f %.3f", file, surface->sheets,
+            surface->sheets_at.x, surface->sheets_at.y, surface->sheets_at.z);
 }
 
 static struct axis_limits limits_of(const struct machine *machine)
@@ -190,18 +256,26 @@ static struct axis_limits limits_of(const struct machine *machine)
 
 int main(int argc, char **argv)
 {
-    struct settings s = {.tolerance = 0.05};
+    struct settings s = {.tolerance = 0.05, .noise = -1};
     struct cli cli;
     struct nc_motion motion = {0};
+    struct ncread_head head = {0};
     struct vec3s points = {0};
+    struct verify_surface surface = {0};
     read_options(&s, &cli, argc, argv);
     struct machine machine = read_machine(&s);
-    struct verify_program program = read_program(&s, &machine, cli.file[0], &motion);
-    read_part(&s, &points);
+    struct verify_program program = read_program(&s, &machine, cli.file[0], &motion, &head);
+    find_tool(&s, &head);
+    find_limit(&s, &head);
+    if (read_part(&s, &points)) {
+        find_surface(&s, cli.threads, &points, &surface);
+        program.surface = &surface;
+    }
     program.part = &points;
     const struct verify_options options = {.radius = s.radius,
                                            .tolerance = s.tolerance,
                                            .left = s.left,
+                                           .partial = s.partial,
                                            .band = s.band,
                                            .tool = s.tool,
                                            .stock = s.stock ? &s.block : NULL,
@@ -219,6 +293,7 @@ int main(int argc, char **argv)
         say("%s: %s", program.file, v.finding.item[i].text);
     verdict_free(&v);
     array_free(&points);
+    verify_surface_free(&surface);
     array_free(&s.part);
     machine_options_free(&s.machine);
     nc_motion_free(&motion);

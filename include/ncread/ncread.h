@@ -31,10 +31,22 @@
 /* How one control reads (ncread_state.h). */
 struct ncread_dialect;
 
+/* What the comments before the first move say, in mm: ncread_head.h. */
+enum { NCREAD_HEAD_TEXT = 1200 };
+struct ncread_head {
+    char tool[NCREAD_HEAD_TEXT];   /* all of it; "": nothing */
+    double ball;                   /* radius; 0: not said */
+    bool flute_given;              /* its length: */
+    double flute;                  /* 0: none */
+    char holder[NCREAD_HEAD_TEXT]; /* cones R0:R1:L or cylinders R:L joined by +; "": none */
+    double scallop, tolerance;     /* 0: not said */
+};
+
 struct ncread_options {
     const struct ncread_dialect *dialect;
     bool tcp; /* the machine has tool centre point control */
     struct verify_kinematics kinematics;
+    struct ncread_head *head; /* is filled; NULL: not wanted */
 };
 
 /*

@@ -13,6 +13,7 @@
  *      verify_kinematics.h  the machine's rotary axes (Paden-Kahan subproblems);
  *   2. centre_path.h        where the ball's centre goes, as straight segments;
  *   3. deviation_map.h      the ball rolled over the points: gouges and material left;
+ *      part_coverage.h      each point cut, out of the tool's reach, or left;
  *      excursion.h          a cut that leaves the part and comes back;
  *   4. tool_shape.h         flute, shank and holder as a body of revolution;
  *      holder_collision.h   that body against points or stock, by clearance bounds;
@@ -25,6 +26,7 @@
 
 #include "simulate/axis_limits.h"
 #include "simulate/centre_path.h"
+#include "simulate/part_coverage.h"
 #include "simulate/deviation_map.h"
 #include "simulate/excursion.h"
 #include "simulate/holder_collision.h"

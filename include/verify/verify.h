@@ -33,6 +33,26 @@ int verify_part_read(const char *file, double unit, double radius, struct vec3s 
 
 #define VERIFY_PART_SINK 0.0005 /* mm */
 
+/* What the points of a scan stand for (verify_surface_find). */
+struct verify_surface {
+    double noise;          /* one standard deviation, mm, taken out of the points; 0: none */
+    struct vec3s outliers; /* taken out */
+    unsigned char *under;  /* of each point that is left: 1 under a roof, out of reach from above */
+    double sheets;         /* distance of scans that do not meet, mm; 0: they meet ... */
+    struct vec3 sheets_at; /* ... where it is largest */
+};
+
+/*
+ * The surface of n points that were read from scans: outliers are taken out, and where the noise is
+ * alike everywhere each point moves onto the quadric through as many of its neighbours as lie about
+ * one within it; where even the fewest do not, at an edge, it stays.  The points are sorted.
+ * `noise`: of the scan, mm; below zero: measured; 0: every point is believed as it is.  -1: more
+ * points than can be sorted.
+ */
+int verify_surface_find(struct vec3s *point, double noise, int threads,
+                        struct verify_surface *surface, struct error *error);
+void verify_surface_free(struct verify_surface *surface);
+
 /*
  * Reads the stock of an option: box (around the part), box,MM (so much larger on its sides and its
  * top), box:X0,Y0,Z0,X1,Y1,Z1 (two corners), or offset,MM (the surface and so much more).
@@ -46,13 +66,16 @@ int verify_stock_read(const char *text, struct stock_options *stock, struct erro
 struct verify_program {
     const char *file, *control, *machine; /* their names, for the report */
     const struct nc_motion *motion;
-    const struct vec3s *part; /* its points, mm */
+    const struct vec3s *part;             /* its points, mm */
+    const struct verify_surface *surface; /* of a scan, what more is known; NULL: not a scan */
+    double ball;                          /* the radius that its head says, mm; 0: none */
 };
 
 struct verify_options {
     double radius;                     /* of the ball, mm */
     double tolerance;                  /* deepest gouge, mm */
     double left;                       /* most material left, mm; HUGE_VAL: not judged */
+    bool partial;                      /* it cuts a part of the scan: the region cut is judged */
     double band;                       /* as of deviation_map, mm */
     struct tool_shape tool;            /* above the ball; no spans: the ball alone is judged */
     const struct stock_options *stock; /* NULL: none */
@@ -82,11 +105,22 @@ struct verdict_rapid {
     size_t point, piece;
 };
 
+/* The points that were taken for outliers. */
+struct verdict_outliers {
+    size_t points, gouged; /* all; those in which the ball is deeper than the tolerance */
+    double depth;          /* deepest, mm */
+    struct vec3 at;
+};
+
 struct verdict {
     struct verify_program program;
     struct verify_options options;
     struct centre_path cut;
     struct deviation_map map;
+    struct part_coverage coverage;
+    double limit; /* of what counts as left, mm */
+    double noise; /* so much more than the tolerance is allowed for noise, mm */
+    struct verdict_outliers outliers;
     struct axis_use axes;
     struct verdict_rapid rapid;
     struct holder_collision part_holder; /* the tool above its ball against the part */
@@ -111,13 +145,19 @@ bool verdict_refused(const struct verdict *verdict);
 /* The pieces with the deepest gouges, or with most left, worst first; returns how many. */
 size_t verdict_worst(const struct verdict *verdict, bool gouge, size_t most, size_t *piece);
 
+/* enum part_class of a point; with --partial a point beyond the region cut is out of reach. */
+int verdict_class_of(const struct verdict *verdict, size_t point);
+
+/* A class in words. */
+const char *verdict_class(int class);
+
 /* ---- the verdict written; file NULL or "-": standard output */
 
 /* A table of the figures. */
 void verdict_text(const struct verdict *verdict, const char *file);
 
-/* A PLY of all points: x y z, colour (red gouged, green cut, blue left, grey beyond the region),
- * deviation (mm), block. */
+/* A PLY of all points: x y z, colour (red gouged, green cut, blue left, grey out of reach),
+ * deviation (mm), block, class. */
 void verdict_map(const struct verdict *verdict, const char *file);
 
 /* A page for a browser that needs nothing else. */

@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "base/reader.h"
+#include "ncread_head.h"
 #include "ncread_state.h"
 
 static void add_axis(struct verify_kinematics *kinematics, const struct machine *machine,
@@ -114,6 +115,8 @@ static int read_lines(struct ncread *c, struct reader *r, struct error *error)
         c->feed_here = false;
         if (strlen(line) != n)
             return ncread_error(c, error, "a byte that no program holds");
+        if (c->options->head && c->motion->piece.n == 0)
+            ncread_head_line(c->options->head, line);
         if (c->options->dialect->block(c, line, error) < 0)
             return -1;
     }

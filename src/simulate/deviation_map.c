@@ -182,12 +182,13 @@ static void roll_points(void *context, size_t from, size_t to)
     for (size_t i = from; i < to; i++) {
         struct vec3 p = r->point[i];
         double within = options->radius + options->band;
+        double most = options->gouges ? options->radius - options->tolerance : HUGE_VAL;
         double distance =
-            box_tree_nearest(r->tree, r->path->item, segment_distance2, p, within, &nearest);
-        bool reached = distance < within;
+            box_tree_nearest(r->tree, r->path->item, segment_distance2, p, most, &nearest);
         double deviation = distance - options->radius;
-        r->map->deviation[i] = deviation;
-        r->map->segment[i] = reached ? (unsigned)nearest : UINT_MAX;
+        bool found = distance < most, reached = found && distance < within;
+        r->map->deviation[i] = found ? deviation : HUGE_VAL;
+        r->map->segment[i] = found ? (unsigned)nearest : UINT_MAX;
         if (reached && deviation > options->tolerance) {
             struct vec3 centre = nearest_centre(&r->path->item[nearest], p);
             reached = is_surrounded(r, p, vec_unit(vec_sub(centre, p)), within);
@@ -206,9 +207,11 @@ static void set_percentiles(const double *sorted, size_t n, struct deviation_map
     }
 }
 
-static void sum_up(const struct deviation_map_options *options, struct deviation_map *map)
+void deviation_map_sum(const struct deviation_map_options *options, struct deviation_map *map)
 {
     double *sorted = mem_alloc(map->points, sizeof *sorted);
+    map->cut = map->gouged = map->left = map->gouge_at = map->over_at = 0;
+    map->gouge = map->over = 0;
     for (size_t i = 0; i < map->points; i++) {
         double deviation = map->deviation[i];
         if (!map->region[i])
@@ -239,7 +242,7 @@ void deviation_map_run(struct centre_path *path, const struct vec3 *point, size_
     map->segment = mem_alloc(n, sizeof *map->segment);
     map->region = mem_alloc(n, sizeof *map->region);
     struct rolling r = {path, tree, NULL, point, options, 0, map};
-    if (options->band > options->tolerance && n > 0) {
+    if (!options->gouges && n > 0) {
         struct kdtree *part = kdtree_new(point, n);
         r.part = part;
         r.near = touching_distance(&r, n);
@@ -248,7 +251,7 @@ void deviation_map_run(struct centre_path *path, const struct vec3 *point, size_
     }
     parallel_for(options->threads, n, roll_points, &r);
     box_tree_free(tree);
-    sum_up(options, map);
+    deviation_map_sum(options, map);
 }
 
 void deviation_map_free(struct deviation_map *map)

@@ -185,8 +185,8 @@ static void print_figures(struct out *o, const struct verdict *v)
                 "<th>99%</th><th>points beyond</th></tr>\n");
     print_row(o, "gouge", r->gouge, r->gouge_part, r->gouged);
     print_row(o, "left", r->over, r->over_part, r->left);
-    out_printf(o, "</table>\n<p>%zu points, %zu in the region cut. %.1f mm in %u passes, ",
-               r->points, r->cut, v->axes.cut_length, v->passes);
+    out_printf(o, "</table>\n<p>%zu points, %zu of them judged. %.1f mm in %u passes, ", r->points,
+               r->cut, v->axes.cut_length, v->passes);
     out_printf(o, "%.2f min at feed; %.1f mm rapid, %.2f min.</p>\n<table>", v->axes.cut_time,
                v->axes.rapid_length, v->axes.rapid_time);
     for (int k = 0; k < NC_AXES; k++)
@@ -195,6 +195,23 @@ static void print_figures(struct out *o, const struct verdict *v)
                        "<tr><th scope=\"row\">travel %c</th><td class=\"n\">%.3f</td>"
                        "<td class=\"n\">%.3f</td></tr>\n",
                        letter[k], v->axes.low[k], v->axes.high[k]);
+    out_text(o, "</table>\n");
+}
+
+/* Points and area of each class. */
+static void print_coverage(struct out *o, const struct verdict *v)
+{
+    if (!v->coverage.of)
+        return;
+    out_text(o, "<h2>Coverage</h2>\n<table><tr><td></td><th>points</th><th>mm2</th>"
+                "<th>most left, mm</th></tr>\n");
+    for (int k = 0; k < COVERAGE_CLASSES; k++) {
+        const struct part_coverage_sum *sum = &v->coverage.sum[k];
+        out_printf(o, "<tr><th scope=\"row\">%s</th><td class=\"n\">%zu</td>", verdict_class(k),
+                   sum->points);
+        out_printf(o, "<td class=\"n\">%.1f</td><td class=\"n\">%.4f</td></tr>\n", sum->area,
+                   fmax(0, sum->worst));
+    }
     out_text(o, "</table>\n");
 }
 
@@ -326,6 +343,7 @@ static void print_verdict(struct page *page)
 {
     print_findings(page->out, page->verdict);
     print_figures(page->out, page->verdict);
+    print_coverage(page->out, page->verdict);
     print_histogram(page->out, page->verdict);
     print_blocks(page->out, page->verdict, &page->rows, page->worst, page->worst_n);
     print_passes(page->out, page->verdict);

@@ -11,6 +11,8 @@
 
 enum { WORST_BLOCKS = 5 };
 
+#define FARTHEST 1e6 /* mm: a deviation as a map has it, at most */
+
 static double worst_of(const struct verdict *v, bool gouge, size_t piece)
 {
     return gouge ? v->piece[piece].gouge : v->piece[piece].over;
@@ -135,13 +137,58 @@ static void print_stock(const struct verdict *v, struct out *o)
     out_printf(o, " at %.3f %.3f %.3f\n", sum.left.at.x, sum.left.at.y, sum.left.at.z);
 }
 
+static void print_part(const struct verdict *v, struct out *o)
+{
+    const struct verify_surface *surface = v->program.surface;
+    out_printf(o, "part         %zu points", v->map.points);
+    if (v->options.partial || v->cut.n == 0)
+        out_printf(o, ", %zu of them in the region cut", v->map.cut);
+    if (surface && surface->noise > 0)
+        out_printf(o, ", noise %.4f mm", surface->noise);
+    if (surface && surface->outliers.n > 0)
+        out_printf(o, ", %zu outliers", surface->outliers.n);
+    out_text(o, "\n");
+}
+
+const char *verdict_class(int class)
+{
+    static const char *const name[] = {"cut", "out of reach", "left"};
+    return name[class];
+}
+
+static void print_coverage(const struct verdict *v, struct out *o)
+{
+    for (int k = 0; k < COVERAGE_CLASSES; k++) {
+        const struct part_coverage_sum *sum = &v->coverage.sum[k];
+        out_printf(o, "coverage     %s %zu points, %.1f mm2", verdict_class(k), sum->points,
+                   sum->area);
+        if (k != COVERAGE_CUT && sum->points > 0) {
+            struct vec3 p = v->program.part->item[sum->at];
+            out_printf(o, ", most %.4f mm at %.3f %.3f %.3f", sum->worst, p.x, p.y, p.z);
+        }
+        if (k == COVERAGE_CUT)
+            out_printf(o, " (within %.4g mm)", v->limit);
+        out_text(o, "\n");
+    }
+}
+
+int verdict_class_of(const struct verdict *v, size_t point)
+{
+    if (v->coverage.of)
+        return v->coverage.of[point];
+    if (!v->map.region[point])
+        return COVERAGE_OUT_OF_REACH;
+    return v->map.deviation[point] > v->limit ? COVERAGE_LEFT : COVERAGE_CUT;
+}
+
 void verdict_text(const struct verdict *v, const char *file)
 {
     struct out *o = out_open(file);
     print_program(v, o);
     print_axes(v, o);
-    out_printf(o, "part         %zu points, %zu of them in the region cut\n", v->map.points,
-               v->map.cut);
+    print_part(v, o);
+    if (v->coverage.of)
+        print_coverage(v, o);
     if (v->map.cut > 0) {
         print_deviation(v, o, true);
         print_deviation(v, o, false);
@@ -166,14 +213,14 @@ static int mixed(int from, int to, double share)
     return (int)lround(from + share * (to - from));
 }
 
-/* Red gouges, green is cut, blue is left; beyond the region grey. */
+/* Red gouges, green is cut, blue is left; out of reach, or beyond the region, grey. */
 static struct colour colour_of(const struct verdict *v, size_t point)
 {
     static const struct colour good = {70, 170, 90}, deep = {220, 30, 30}, high = {40, 90, 220};
     double full = isfinite(v->options.left) ? v->options.left : 4 * v->options.tolerance;
     double deviation = v->map.deviation[point];
     const struct colour *to = deviation < 0 ? &deep : &high;
-    if (!v->map.region[point])
+    if (!v->map.region[point] || !isfinite(deviation))
         return (struct colour){130, 130, 130};
     double share = fmin(1, deviation < 0 ? -deviation / v->options.tolerance : deviation / full);
     return (struct colour){mixed(good.red, to->red, share), mixed(good.green, to->green, share),
@@ -192,23 +239,25 @@ static void print_point(struct out *o, const struct verdict *v, size_t i)
     out_num(o, p.z, 6);
     out_printf(o, " %d %d %d ", c.red, c.green, c.blue);
     char deviation[NUM_MAX];
-    num_write(deviation, v->map.deviation[i], 6);
+    num_write(deviation, fmin(v->map.deviation[i], FARTHEST), 6);
     out_printf(
-        o, "%s %d %s %s\n", deviation,
+        o, "%s %d %s %s %d\n", deviation,
         segment == UINT_MAX ? -1 : v->program.motion->piece.item[v->cut.item[segment].piece].block,
-        deviation, deviation);
+        deviation, deviation, verdict_class_of(v, i));
 }
 
 void verdict_map(const struct verdict *v, const char *file)
 {
     struct out *o = out_open(file);
-    out_text(o, "ply\nformat ascii 1.0\ncomment deviation: mm, below zero the ball gouged\n");
+    out_text(o, "ply\nformat ascii 1.0\ncomment deviation: mm, below zero the ball gouged\n"
+                "comment coverage: 0 cut, 1 out of reach or beyond the region, 2 left\n");
     out_printf(o, "element vertex %zu\n", v->map.points);
     out_text(o, "property double x\nproperty double y\nproperty double z\n");
     out_text(o, "property uchar red\nproperty uchar green\nproperty uchar blue\n");
     out_text(o, "property float deviation\nproperty int block\n");
     /* the deviation once more, by the names that MeshLab and CloudCompare take for a scalar */
-    out_text(o, "property float quality\nproperty float scalar_deviation\nend_header\n");
+    out_text(o, "property float quality\nproperty float scalar_deviation\n");
+    out_text(o, "property uchar coverage\nend_header\n");
     for (size_t i = 0; i < v->map.points; i++)
         print_point(o, v, i);
     out_close(o);

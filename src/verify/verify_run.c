@@ -1,5 +1,6 @@
 /* verify_run - a program run over the part and the stock, and what is wrong with it: see verify.h.
  */
+#include <math.h>
 #include <stdarg.h>
 #include <stdint.h>
 #include <stdio.h>
@@ -11,13 +12,53 @@
 
 enum { TURN_STEPS = 4 }; /* of a piece, for its tool axis */
 
-#define FLAT 0.0002  /* mm: how straight the ball's centre goes between two places */
-#define JUMP 5.0     /* degrees: less is no jump of the tool axis */
-#define STILL 0.5    /* degrees of rotary axes, or mm of a second point, that need no look */
-#define ROLLS 1.5    /* times as fast as the ball rolls over an edge */
-#define THICKER 0.01 /* of the ball's radius: so much thicker than it, a tool is a holder */
+#define FLAT 0.0002 /* mm: how straight the ball's centre goes between two places */
+#define SIGMAS 1.5  /* of the noise, that are allowed besides the tolerance and what may be left */
+#define ROUNDED 0.001 /* mm: what places and radii printed may be off */
+#define JUMP 5.0      /* degrees: less is no jump of the tool axis */
+#define STILL 0.5     /* degrees of rotary axes, or mm of a second point, that need no look */
+#define ROLLS 1.5     /* times as fast as the ball rolls over an edge */
+#define THICKER 0.01  /* of the ball's radius: so much thicker than it, a tool is a holder */
 
 /* ---- what the program does */
+
+/* Outliers, beside the verdict. */
+static void roll_outliers(struct verdict *v)
+{
+    const struct verify_options *o = &v->options;
+    const struct vec3s *outliers = &v->program.surface->outliers;
+    struct deviation_map_options options = {o->radius, o->tolerance + v->noise, 0, o->threads,
+                                            true};
+    struct deviation_map map;
+    deviation_map_run(&v->cut, outliers->item, outliers->n, &options, &map);
+    v->outliers = (struct verdict_outliers){outliers->n, map.gouged, map.gouge, {0, 0, 0}};
+    if (map.gouged > 0)
+        v->outliers.at = outliers->item[map.gouge_at];
+    deviation_map_free(&map);
+}
+
+/* The ball over all points; which of them are cut, out of reach, or left. */
+static void roll_cuts(struct verdict *v)
+{
+    const struct verify_options *o = &v->options;
+    const struct vec3s *part = v->program.part;
+    const struct verify_surface *surface = v->program.surface;
+    struct deviation_map_options roll = {o->radius, o->tolerance + v->noise, o->band, o->threads,
+                                         false};
+    deviation_map_run(&v->cut, part->item, part->n, &roll, &v->map);
+    if (surface)
+        roll_outliers(v);
+    if (o->partial || v->cut.n == 0)
+        return;
+    struct vec3s axis = part_coverage_axes(&v->program.motion->kinematics);
+    const struct part_coverage_options reach = {o->radius, v->limit, &o->tool, &axis, o->threads};
+    part_coverage_run(part->item, v->map.deviation, surface ? surface->under : NULL, part->n,
+                      &reach, &v->coverage);
+    for (size_t i = 0; i < part->n; i++)
+        v->map.region[i] = v->coverage.of[i] != COVERAGE_OUT_OF_REACH;
+    deviation_map_sum(&roll, &v->map);
+    array_free(&axis);
+}
 
 /* The deepest that the ball goes into the part in a rapid move. */
 static void roll_rapids(struct verdict *v)
@@ -27,7 +68,8 @@ static void roll_rapids(struct verdict *v)
     struct centre_path rapid = {0};
     struct deviation_map map;
     centre_path_rapid(v->program.motion, o->radius, FLAT, &rapid);
-    struct deviation_map_options options = {o->radius, o->tolerance, -o->tolerance, o->threads};
+    struct deviation_map_options options = {o->radius, o->tolerance + v->noise, 0, o->threads,
+                                            true};
     deviation_map_run(&rapid, part->item, part->n, &options, &map);
     if (map.gouged > 0)
         v->rapid = (struct verdict_rapid){map.gouge, map.gouged, map.gouge_at,
@@ -43,7 +85,7 @@ static struct holder_collision_options along_program(const struct verdict *v,
                                              .tool = &v->options.tool,
                                              .body = body,
                                              .radius = v->options.radius,
-                                             .tolerance = v->options.tolerance};
+                                             .tolerance = v->options.tolerance + v->noise};
 }
 
 static void follow_tool(struct verdict *v)
@@ -91,6 +133,20 @@ static void add_finding(struct verdict *v, bool fault, size_t piece, const char 
     snprintf(finding->text, sizeof finding->text, "%s: %s", place, what);
 }
 
+/* About the program as a whole. */
+static void add_remark(struct verdict *v, bool fault, const char *format, ...)
+    __attribute__((format(printf, 3, 4)));
+
+static void add_remark(struct verdict *v, bool fault, const char *format, ...)
+{
+    struct finding *finding = array_push(&v->finding);
+    va_list arguments;
+    va_start(arguments, format);
+    vsnprintf(finding->text, sizeof finding->text, format, arguments);
+    va_end(arguments);
+    finding->fault = fault;
+}
+
 static void sum_pieces(struct verdict *v)
 {
     const struct nc_motion *motion = v->program.motion;
@@ -119,24 +175,71 @@ static size_t piece_at(const struct verdict *v, size_t point)
     return v->cut.item[v->map.segment[point]].piece;
 }
 
+/* True if the ball is at the part anywhere. */
+static bool comes_near(const struct verdict *v)
+{
+    for (size_t i = 0; i < v->map.points; i++)
+        if (v->map.region[i] && v->map.deviation[i] <= v->options.band)
+            return true;
+    return false;
+}
+
+/* What is left beyond the limit, where the tool could have cut. */
+static void judge_left(struct verdict *v)
+{
+    const struct deviation_map *r = &v->map;
+    const struct part_coverage_sum *left = &v->coverage.sum[COVERAGE_LEFT];
+    bool whole = !v->options.partial;
+    double worst = whole ? left->worst : r->over;
+    size_t at = whole ? left->at : r->over_at;
+    struct vec3 p = v->program.part->item[at];
+    if (whole ? left->points == 0 || !isfinite(v->options.left) || !comes_near(v)
+              : r->over <= v->options.left + v->noise)
+        return;
+    if (whole)
+        add_finding(v, true, piece_at(v, at),
+                    "%.4f mm of material is left at %.3f %.3f %.3f, at most %.4g (%zu points, %.1f "
+                    "mm2 that the tool reaches)",
+                    worst, p.x, p.y, p.z, v->limit, left->points, left->area);
+    else
+        add_finding(v, true, piece_at(v, at),
+                    "%.4f mm of material is left at %.3f %.3f %.3f, at most %g", worst, p.x, p.y,
+                    p.z, v->options.left);
+}
+
 static void judge_surface(struct verdict *v)
 {
     const struct deviation_map *r = &v->map;
     struct vec3 p = v->program.part->item[r->gouge_at];
-    if (r->gouge > v->options.tolerance)
+    if (r->gouge > v->options.tolerance + v->noise)
         add_finding(v, true, piece_at(v, r->gouge_at),
                     "the ball is %.4f mm deep in the part at %.3f %.3f %.3f, tolerance %g",
                     r->gouge, p.x, p.y, p.z, v->options.tolerance);
-    p = v->program.part->item[r->over_at];
-    if (r->over > v->options.left)
-        add_finding(v, true, piece_at(v, r->over_at),
-                    "%.4f mm of material is left at %.3f %.3f %.3f, at most %g", r->over, p.x, p.y,
-                    p.z, v->options.left);
+    judge_left(v);
     p = v->program.part->item[v->rapid.point];
     if (v->rapid.depth > 0)
         add_finding(v, true, v->rapid.piece,
                     "a rapid move goes %.3f mm deep through the part at %.3f %.3f %.3f",
                     v->rapid.depth, p.x, p.y, p.z);
+}
+
+static void judge_outliers(struct verdict *v)
+{
+    const struct verdict_outliers *o = &v->outliers;
+    if (o->gouged > 0)
+        add_remark(v, false,
+                   "the ball is up to %.3f mm deep in %zu of %zu points taken for outliers, as at "
+                   "%.3f %.3f %.3f; they are not judged",
+                   o->depth, o->gouged, o->points, o->at.x, o->at.y, o->at.z);
+}
+
+/* The ball that the program's head says. */
+static void judge_ball(struct verdict *v)
+{
+    double said = v->program.ball;
+    if (said > 0 && fabs(said - v->options.radius) > ROUNDED)
+        add_remark(v, true, "the program's head says a ball of radius %g, it is judged with %g",
+                   said, v->options.radius);
 }
 
 /* Shaft (what is no thicker than the ball) or holder in the part, or in the stock. */
@@ -256,6 +359,8 @@ static void find_faults(struct verdict *v)
     sum_pieces(v);
     if (v->map.points > 0)
         judge_surface(v);
+    judge_outliers(v);
+    judge_ball(v);
     judge_holder(v, &v->part_holder, "part");
     judge_stock(v);
     judge_holder(v, &v->stock.holder, "stock");
@@ -265,7 +370,7 @@ static void find_faults(struct verdict *v)
     if (v->cut.n == 0 && v->program.motion->piece.n > 0)
         add_finding(v, v->options.left < HUGE_VAL, 0,
                     "nothing is cut, all moves are rapid"); /* a part of many */
-    else if (v->map.cut == 0 && v->program.motion->piece.n > 0)
+    else if (!comes_near(v) && v->program.motion->piece.n > 0)
         add_finding(v, true, 0, "the ball comes near no point of the part");
 }
 
@@ -273,11 +378,10 @@ struct verdict verify_run(const struct verify_program *program,
                           const struct verify_options *options)
 {
     struct verdict v = {.program = *program, .options = *options};
-    const struct vec3s *part = program->part;
+    v.noise = program->surface ? SIGMAS * program->surface->noise : 0;
+    v.limit = ROUNDED + v.noise + (isfinite(options->left) ? options->left : options->tolerance);
     centre_path_cut(program->motion, options->radius, FLAT, &v.cut);
-    struct deviation_map_options roll = {options->radius, options->tolerance, options->band,
-                                         options->threads};
-    deviation_map_run(&v.cut, part->item, part->n, &roll, &v.map);
+    roll_cuts(&v);
     roll_rapids(&v);
     if (options->tool.n > 0)
         follow_tool(&v);
@@ -300,6 +404,7 @@ void verdict_free(struct verdict *v)
 {
     array_free(&v->cut);
     deviation_map_free(&v->map);
+    part_coverage_free(&v->coverage);
     stock_simulate_free(&v->stock);
     free(v->piece);
     array_free(&v->finding);

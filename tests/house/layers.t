@@ -9,12 +9,15 @@ export LC_ALL
 order="base math curve mesh cloud meshing feature nurbs machine gouge arcfit splinefit toolpath \
 simulate io stage post ncread verify plot"
 # What judges a program, and what it may use: mathematics, itself, and of other folders data alone,
-# FOLDER HEADER: what a machine file says, the shape of a holder, points, meshes and surfaces as read.
+# FOLDER HEADER: what a machine file says, points, meshes and surfaces as read, and what of a scan is
+# noise and outliers, about which all stages agree.
 judge="simulate ncread verify"
 judge_uses="base math $judge"
 judge_data="ncread machine/machine.h
 ncread machine/control.h
 verify cloud/believed.h
+verify cloud/outliers.h
+verify cloud/plan_extent.h
 verify io/cloud/cloud.h
 verify io/mesh/
 verify io/nurbs/

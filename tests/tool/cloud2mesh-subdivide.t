@@ -18,9 +18,9 @@ ball() { # R LOW N NOISE
 	}'
 }
 
-# What the verdict says: worst gouge, worst left, points in the region.
+# What the verdict says: worst gouge, worst left, whether all points are cut or out of reach.
 figures() {
-	awk '/^part/ { whole = $2 == $4 ? "whole" : "part" } /^gouge +worst/ { g = $3 }
+	awk '/^coverage +left/ { whole = $3 == 0 ? "whole" : "part" } /^gouge +worst/ { g = $3 }
 		/^left +worst/ { l = $3 } END { print g, l, whole }' "$1"
 }
 
@@ -85,7 +85,7 @@ LC_ALL=C awk 'BEGIN {
 	for (z = 1; z < 10; z += 0.25) for (a = -1; a < 2; a += 2) for (b = -1; b < 2; b += 2)
 		print a * (10 + (10 - z) * k), b * (8 + (10 - z) * k), z
 	}' >"$TMP/edges.xyz"
-run ncverify -r 3 -m table-ac -g "$TMP/box.xyz" "$TMP/box.mpf"
+run ncverify -r 3 -m table-ac --left 0.1 -g "$TMP/box.xyz" "$TMP/box.mpf"
 figures "$TMP/out" >"$TMP/figures"
 has "the box: all of it is judged" 'whole$' "$TMP/figures"
 below "the box: no gouge" "$(awk '{ print $1 }' "$TMP/figures")" 0.012

@@ -63,7 +63,7 @@ static struct vec3s points_on(struct place (*surface)(double, double), double ha
 
 static struct deviation_map roll(struct centre_path *path, const struct vec3s *points, int threads)
 {
-    struct deviation_map_options setup = {RADIUS, 0.01, 1.5, threads};
+    struct deviation_map_options setup = {RADIUS, 0.01, 1.5, threads, false};
     struct deviation_map result;
     deviation_map_run(path, points->item, points->n, &setup, &result);
     return result;
@@ -265,7 +265,7 @@ START_TEST(figures_are_those_of_the_truth)
         *array_push(&points) = p;
         truth[i] = truth_of(kind, radius, p) - radius;
     }
-    struct deviation_map_options setup = {radius, 0.02, 1.2, 1};
+    struct deviation_map_options setup = {radius, 0.02, 1.2, 1, false};
     struct deviation_map r;
     deviation_map_run(&path, points.item, points.n, &setup, &r);
     for (int i = 0; i < SCATTERED; i++)
@@ -290,7 +290,7 @@ END_TEST
 START_TEST(among_passes_and_beside_them)
 {
     double turn = _i * 0.37, c = cos(turn), s = sin(turn);
-    struct deviation_map_options options = {4.9, 0.05, 0.6, 1};
+    struct deviation_map_options options = {4.9, 0.05, 0.6, 1, false};
     struct centre_path path = {0};
     struct vec3s points = {0};
     struct deviation_map map;

@@ -43,7 +43,7 @@ static struct excursion shaped(const double high[PIECES + 1], const double side[
                 (unsigned)i,
                 false};
     }
-    const struct deviation_map_options setup = {RADIUS, 0.02, 1.25, 1};
+    const struct deviation_map_options setup = {RADIUS, 0.02, 1.25, 1, false};
     deviation_map_run(&path, points.item, points.n, &setup, &roll);
     struct excursion leap = excursion_find(&motion, &path, points.item, points.n,
                                            &(struct excursion_options){RADIUS, setup.band});

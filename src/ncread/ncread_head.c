@@ -1,0 +1,94 @@
+/* ncread_head - see ncread_head.h. */
+#include "ncread_head.h"
+
+#include <ctype.h>
+#include <string.h>
+
+#include "base/num.h"
+
+/* Takes the number at *s; 0 where there is none. */
+static double number_at(const char **s)
+{
+    double value;
+    *s += strspn(*s, " ");
+    return num_read(s, &value) && value > 0 ? value : 0;
+}
+
+/* The next word of the text, at most size - 1 of its characters. */
+static const char *next_word(const char *s, char *word, size_t size)
+{
+    s += strspn(s, " ");
+    size_t n = strcspn(s, " )");
+    size_t kept = n < size ? n : size - 1;
+    memcpy(word, s, kept);
+    word[kept] = '\0';
+    return s + n;
+}
+
+/* The words of a tool so far: all of them again, for a word may go on in the next line. */
+static void read_tool(struct ncread_head *head)
+{
+    char word[NCREAD_HEAD_TEXT];
+    const char *s = head->tool;
+    head->ball = head->flute = 0;
+    head->flute_given = false;
+    *head->holder = '\0';
+    for (s = next_word(s, word, sizeof word); *word; s = next_word(s, word, sizeof word)) {
+        const char *value = word + 1;
+        if (*word == 'R' && isdigit((unsigned char)word[1])) {
+            head->ball = number_at(&value);
+        } else if (strcmp(word, "FLUTE") == 0) {
+            head->flute = number_at(&s);
+            head->flute_given = true;
+        } else if (strcmp(word, "HOLDER") == 0) {
+            s = next_word(s, head->holder, sizeof head->holder);
+        } else if (strcmp(word, "CUTTER") == 0) {
+            return; /* no ball */
+        }
+    }
+}
+
+/* More of the tool; a line was ended before a blank, which it lacks, or within a word. */
+static void add_tool(struct ncread_head *head, const char *text)
+{
+    size_t n = strlen(head->tool), more = strcspn(text, ")");
+    bool letters =
+        n > 0 && (isupper((unsigned char)head->tool[n - 1]) || isupper((unsigned char)*text));
+    if (n + letters + more + 1 > sizeof head->tool)
+        return;
+    if (letters)
+        head->tool[n++] = ' ';
+    memcpy(head->tool + n, text, more);
+    head->tool[n + more] = '\0';
+    read_tool(head);
+}
+
+/* True if the comment begins with the key; *s then stands behind it. */
+static bool has_key(const char **s, const char *key)
+{
+    size_t n = strlen(key);
+    if (strncmp(*s, key, n) != 0)
+        return false;
+    *s += n + strspn(*s + n, " ");
+    return true;
+}
+
+void ncread_head_line(struct ncread_head *head, const char *line)
+{
+    const char *s = line + strcspn(line, "(;");
+    if (!*s)
+        return;
+    s += 1 + strspn(s + 1, " ");
+    if (has_key(&s, "TOOL: ")) {
+        *head->tool = '\0';
+        add_tool(head, s);
+    } else if (has_key(&s, "TOOL+: ")) {
+        add_tool(head, s);
+    } else {
+        if (has_key(&s, "SCALLOP: "))
+            head->scallop = number_at(&s);
+        s += strspn(s, " ");
+        if (has_key(&s, "TOLERANCE: "))
+            head->tolerance = number_at(&s);
+    }
+}

@@ -1,0 +1,16 @@
+/*
+ * ncread_head - what the comments at a program's head say, in the form of every control's comments:
+ *
+ *   TOOL: BALL R5 FLUTE 20 HOLDER 5:60      SCALLOP: 0.02 TOLERANCE: 0.01
+ *
+ * and TOOL+: for more of it.  What is not understood is as if it were not there.
+ */
+#ifndef CLOUDMILL_NCREAD_HEAD_H
+#define CLOUDMILL_NCREAD_HEAD_H
+
+#include "ncread/ncread.h"
+
+/* Looks at one line. */
+void ncread_head_line(struct ncread_head *head, const char *line);
+
+#endif

@@ -1,0 +1,365 @@
+/* part_coverage - see part_coverage.h. */
+#include "simulate/part_coverage.h"
+
+#include <stdbool.h>
+#include <stdint.h>
+#include <stdlib.h>
+
+#include "base/parallel.h"
+#include "math/box.h"
+#include "math/kdtree.h"
+#include "math/quadric.h"
+#include "simulate/holder_collision.h"
+
+enum {
+    AXES = 500,   /* over the whole sphere, of which the upper half counts */
+    BALLS = 160,  /* directions of the ball's centre from a point, over the whole sphere */
+    TRIES = 12,   /* balls that are clear, for which the tool is looked at */
+    NEAR = 13,    /* points that the normal is from, ... */
+    BESIDE = 7,   /* ... and the area, the point itself the first */
+    FAILURES = 2, /* points of a cell out of reach, after which the others are taken as alike */
+    GROUP = 16    /* cells that one thread looks at, at a time */
+};
+
+#define GOLDEN 2.39996322972865332 /* radians: the golden angle */
+#define CELL 0.25                  /* of the radius: width of a cell */
+#define SPARSE 0.34 /* of the radius: the points that stand for all are so far apart */
+#define STEEP 0.3   /* a normal is upright with less than this of Z */
+#define AHEAD 0.1   /* cosine between the normal and the ball's direction, at least */
+#define TOUCH 0.01  /* mm: less deep the tool only touches, as a shaft does along a wall */
+#define LINE 0.5    /* of the radius: thickness of the middle line that has to come from outside */
+
+/* ---- directions */
+
+/* The k-th of n directions spread evenly over the sphere, from the top down. */
+static struct vec3 spread(int k, int n)
+{
+    double z = 1 - (2 * k + 1.0) / n, r = sqrt(1 - z * z);
+    return vec(r * cos(GOLDEN * k), r * sin(GOLDEN * k), z);
+}
+
+static bool machine_reaches(const struct verify_kinematics *kinematics, struct vec3 axis)
+{
+    const double at_zero[VERIFY_KINEMATICS_AXES] = {0};
+    double q[VERIFY_KINEMATICS_AXES] = {0};
+    if (!verify_kinematics_angles(kinematics, axis, at_zero, 0.01, q))
+        return false;
+    for (int i = 0; i < kinematics->n; i++)
+        if (q[i] < kinematics->axis[i].min - 1e-6 || q[i] > kinematics->axis[i].max + 1e-6)
+            return false;
+    return true;
+}
+
+/* A single rotary axis: the directions of all its angles. */
+static void add_turns(const struct verify_kinematics *kinematics, struct vec3s *axes)
+{
+    const struct verify_kinematics_axis *rotary = &kinematics->axis[0];
+    for (double angle = -180; angle < 180; angle += 5) {
+        const double q[VERIFY_KINEMATICS_AXES] = {angle};
+        struct vec3 axis = verify_kinematics_axis_at(kinematics, q);
+        if (angle >= rotary->min && angle <= rotary->max && axis.z >= 0)
+            *array_push(axes) = axis;
+    }
+}
+
+struct vec3s part_coverage_axes(const struct verify_kinematics *kinematics)
+{
+    struct vec3s axes = {0};
+    *array_push(&axes) = kinematics->tool;
+    if (kinematics->n == 1)
+        add_turns(kinematics, &axes);
+    for (int k = 0; k < AXES / 2 && kinematics->n == 2; k++)
+        if (machine_reaches(kinematics, spread(k, AXES)))
+            *array_push(&axes) = spread(k, AXES);
+    return axes;
+}
+
+/* ---- the points, in several orders */
+
+struct reach {
+    const struct vec3 *point;
+    const double *deviation;
+    const unsigned char *under;
+    size_t n;
+    const struct part_coverage_options *options;
+    struct kdtree *tree;
+    struct vec3s sparse; /* few of the points, one of each small cell ... */
+    struct kdtree *sparse_tree;
+    struct collision_body body;
+    double far;         /* further away than that is outside */
+    struct sizes order; /* points with more than the limit, by cell */
+    struct sizes first; /* cell k: order[first[k]] up to first[k + 1] */
+    unsigned char *of;
+    double *area;
+};
+
+/* Which cell of a grid of this width a point is in, as a number to sort by. */
+static uint64_t cell_of(const struct reach *r, struct vec3 low, double width, size_t i)
+{
+    const struct vec3 p = r->point[i];
+    uint64_t x = (uint64_t)((p.x - low.x) / width), y = (uint64_t)((p.y - low.y) / width),
+             z = (uint64_t)((p.z - low.z) / width);
+    return (x << 42) | (y << 21) | z;
+}
+
+struct keyed {
+    uint64_t key;
+    size_t index;
+};
+
+static int by_key(const void *a, const void *b)
+{
+    const struct keyed *p = a, *q = b;
+    if (p->key != q->key)
+        return p->key < q->key ? -1 : 1;
+    return p->index < q->index ? -1 : p->index > q->index;
+}
+
+/* All points by their cells. */
+static struct keyed *sort_points(const struct reach *r, double width)
+{
+    struct keyed *keyed = mem_alloc(r->n, sizeof *keyed);
+    struct box box = box_around(r->point, r->n);
+    for (size_t i = 0; i < r->n; i++)
+        keyed[i] = (struct keyed){cell_of(r, box.low, width, i), i};
+    qsort(keyed, r->n, sizeof *keyed, by_key);
+    return keyed;
+}
+
+static void thin_points(struct reach *r)
+{
+    struct keyed *keyed = sort_points(r, SPARSE * r->options->radius);
+    for (size_t i = 0; i < r->n; i++)
+        if (i == 0 || keyed[i].key != keyed[i - 1].key)
+            *array_push(&r->sparse) = r->point[keyed[i].index];
+    free(keyed);
+}
+
+static void sort_into_cells(struct reach *r)
+{
+    struct keyed *keyed = sort_points(r, CELL * r->options->radius);
+    uint64_t last = 0;
+    for (size_t i = 0; i < r->n; i++) {
+        if (r->deviation[keyed[i].index] <= r->options->limit)
+            continue;
+        if (r->order.n == 0 || keyed[i].key != last)
+            *array_push(&r->first) = r->order.n;
+        last = keyed[i].key;
+        *array_push(&r->order) = keyed[i].index;
+    }
+    *array_push(&r->first) = r->order.n;
+    free(keyed);
+}
+
+/* ---- one point */
+
+/* A direction of the ball from its point and one of the tool that were clear. */
+struct access {
+    bool known;
+    struct vec3 ball, axis;
+};
+
+/* What the search at one point needs. */
+struct look {
+    const struct reach *r;
+    struct collision_body body; /* with a hint of its own */
+    struct sizes near;          /* of the sparse points */
+    double *share;              /* of each axis: cosine to the ball's direction; blocked: -2 */
+};
+
+/* The ball's centre, as little out along `d` as leaves it clear; false: not within `budget`. */
+static bool ball_clears(const struct reach *r, struct vec3 p, struct vec3 d, double budget,
+                        struct vec3 *centre)
+{
+    struct vec3 at = vec_along(p, r->options->radius, d);
+    double out = kdtree_leave(r->tree, at, d, r->options->radius, budget, NULL);
+    *centre = vec_along(at, out, d);
+    return out <= budget;
+}
+
+static bool tool_clears(struct look *l, struct vec3 centre, struct vec3 axis)
+{
+    const struct reach *r = l->r;
+    struct holder_search search = {r->options->tool, centre, axis, -TOUCH, -TOUCH, {0, 0, 0}};
+    double clear = r->options->radius;
+    if (r->options->tool->n > 0) {
+        collision_body_nearest(&l->body, &search);
+        if (search.distance < -TOUCH)
+            return false;
+    }
+    return !kdtree_any_beside(r->tree, vec_along(centre, 2 * clear, axis),
+                              vec_along(centre, r->far, axis), LINE * clear);
+}
+
+/* Marks the axes that lead the tool into one of the sparse points. */
+static void block_axes(struct look *l, struct vec3 centre)
+{
+    const struct reach *r = l->r;
+    const struct tool_shape *tool = r->options->tool;
+    const struct vec3s *axis = r->options->axis;
+    double widest = tool_shape_widest(tool);
+    l->near.n = 0;
+    if (tool->n > 0)
+        kdtree_within(r->sparse_tree, centre, tool_shape_reach(tool), &l->near);
+    for (size_t i = 0; i < l->near.n; i++) {
+        struct vec3 d = vec_sub(r->sparse.item[l->near.item[i]], centre);
+        double far2 = vec_dot(d, d);
+        for (size_t k = 0; k < axis->n; k++) {
+            double h = vec_dot(d, axis->item[k]), off2 = far2 - h * h;
+            if (h <= 0 || l->share[k] < -1 || off2 >= widest * widest)
+                continue;
+            double thick = tool_shape_radius(tool, h) - TOUCH;
+            if (thick > 0 && off2 < thick * thick && h > TOUCH)
+                l->share[k] = -2;
+        }
+    }
+}
+
+/* An axis for the ball at `centre`, of those that are free the nearest to `d` first. */
+static bool find_axis(struct look *l, struct vec3 centre, struct vec3 d, struct vec3 *found)
+{
+    const struct vec3s *axis = l->r->options->axis;
+    for (size_t k = 0; k < axis->n; k++)
+        l->share[k] = vec_dot(axis->item[k], d);
+    block_axes(l, centre);
+    for (int tries = 0; tries < TRIES; tries++) {
+        size_t best = 0;
+        for (size_t k = 1; k < axis->n; k++)
+            if (l->share[k] > l->share[best])
+                best = k;
+        if (l->share[best] < -1)
+            return false;
+        *found = axis->item[best];
+        if (tool_clears(l, centre, *found))
+            return true;
+        l->share[best] = -2;
+    }
+    return false;
+}
+
+/* Balls on one side of the surface, straight up from it first. */
+static bool find_on_side(struct look *l, size_t i, struct vec3 normal, struct access *access)
+{
+    const struct reach *r = l->r;
+    double budget = r->deviation[i] - r->options->limit;
+    int tries = 0;
+    for (int k = -1; k < BALLS && tries < TRIES; k++) {
+        struct vec3 d = k < 0 ? normal : spread(k, BALLS), centre;
+        if (vec_dot(d, normal) < AHEAD || !ball_clears(r, r->point[i], d, budget, &centre))
+            continue;
+        tries++;
+        if (find_axis(l, centre, d, &access->axis)) {
+            access->ball = d;
+            access->known = true;
+            return true;
+        }
+    }
+    return false;
+}
+
+static struct vec3 normal_at(const struct reach *r, size_t i)
+{
+    size_t index[NEAR];
+    struct vec3 near[NEAR];
+    size_t n = kdtree_nearest(r->tree, r->point[i], NEAR, index, NULL);
+    for (size_t k = 0; k < n; k++)
+        near[k] = r->point[index[k]];
+    struct vec3 normal = plane_normal(near, n);
+    return normal.z < 0 ? vec_scale(-1, normal) : normal;
+}
+
+static bool can_be_reached(struct look *l, size_t i, struct access *access)
+{
+    const struct reach *r = l->r;
+    struct vec3 centre;
+    if (access->known &&
+        ball_clears(r, r->point[i], access->ball, r->deviation[i] - r->options->limit, &centre) &&
+        tool_clears(l, centre, access->axis))
+        return true;
+    struct vec3 normal = normal_at(r, i);
+    return find_on_side(l, i, normal, access) ||
+           (normal.z < STEEP && find_on_side(l, i, vec_scale(-1, normal), access));
+}
+
+static void look_at_cells(void *context, size_t from, size_t to)
+{
+    struct reach *r = context;
+    struct look l = {.r = r, .body = r->body};
+    l.share = mem_alloc(r->options->axis->n, sizeof *l.share);
+    for (size_t cell = from * GROUP; cell < to * GROUP && cell + 1 < r->first.n; cell++) {
+        struct access access = {0};
+        int failures = 0;
+        l.body.hinted = false;
+        for (size_t k = r->first.item[cell]; k < r->first.item[cell + 1]; k++) {
+            size_t i = r->order.item[k];
+            bool under = r->under && r->under[i];
+            bool reached = !under && failures < FAILURES && can_be_reached(&l, i, &access);
+            failures += !under && !reached && !access.known;
+            r->of[i] = reached ? COVERAGE_LEFT : COVERAGE_OUT_OF_REACH;
+        }
+    }
+    array_free(&l.near);
+    free(l.share);
+}
+
+/* ---- all */
+
+/* The area that a point stands for: its neighbours share the circle that they reach. */
+static void measure_areas(void *context, size_t from, size_t to)
+{
+    struct reach *r = context;
+    for (size_t i = from; i < to; i++) {
+        size_t index[BESIDE];
+        double distance2[BESIDE];
+        size_t n = kdtree_nearest(r->tree, r->point[i], BESIDE, index, distance2);
+        r->area[i] = n > 1 ? PI * distance2[n - 1] / ((double)n - 1) : 0;
+    }
+}
+
+static void sum_up(const struct reach *r, struct part_coverage *coverage)
+{
+    for (size_t i = 0; i < r->n; i++) {
+        struct part_coverage_sum *sum = &coverage->sum[r->of[i]];
+        sum->points++;
+        sum->area += r->area[i];
+        if (sum->points == 1 || r->deviation[i] > sum->worst) {
+            sum->worst = r->deviation[i];
+            sum->at = i;
+        }
+    }
+}
+
+void part_coverage_run(const struct vec3 *point, const double *deviation,
+                       const unsigned char *under, size_t n,
+                       const struct part_coverage_options *options, struct part_coverage *coverage)
+{
+    struct reach r = {point, deviation, under, n, options, .tree = NULL};
+    *coverage = (struct part_coverage){.of = mem_alloc(n, 1)};
+    if (n == 0)
+        return;
+    struct box box = box_around(point, n);
+    r.of = coverage->of;
+    r.area = mem_alloc(n, sizeof *r.area);
+    r.tree = kdtree_new(point, n);
+    r.far = vec_distance(box.low, box.high) + 4 * options->radius;
+    thin_points(&r);
+    r.sparse_tree = kdtree_new(r.sparse.item, r.sparse.n);
+    r.body = collision_body_points(point, n);
+    sort_into_cells(&r);
+    parallel_for(options->threads, n, measure_areas, &r);
+    parallel_for(options->threads, (r.first.n + GROUP - 1) / GROUP, look_at_cells, &r);
+    sum_up(&r, coverage);
+    kdtree_free(r.tree);
+    kdtree_free(r.sparse_tree);
+    collision_body_free(&r.body);
+    array_free(&r.sparse);
+    array_free(&r.order);
+    array_free(&r.first);
+    free(r.area);
+}
+
+void part_coverage_free(struct part_coverage *coverage)
+{
+    free(coverage->of);
+    *coverage = (struct part_coverage){0};
+}

@@ -1,0 +1,108 @@
+/* verify_surface - the surface that the points of a scan stand for: see verify.h. */
+#include <stdint.h>
+#include <stdlib.h>
+
+#include "base/array.h"
+#include "base/parallel.h"
+#include "cloud/believed.h"
+#include "cloud/outliers.h"
+#include "cloud/plan_extent.h"
+#include "math/point_grid.h"
+#include "math/quadric.h"
+#include "verify/verify.h"
+
+enum { MOST = 48, FEWEST = 12, TERMS = 6 }; /* points of a quadric: halved until they lie on it */
+
+#define ALIKE 1.35 /* times the noise that points may be spread about their quadric */
+#define MOVES 6    /* times the noise that a point may move, at most */
+
+struct settle {
+    const struct point_grid *grid;
+    double sigma;
+    struct vec3 *to;
+};
+
+/* The place of a point on the surface, by its neighbours. */
+static struct vec3 settled(const struct settle *s, struct vec3 p)
+{
+    uint32_t index[MOST];
+    double distance2[MOST];
+    struct vec3 near[MOST];
+    size_t most = point_grid_nearest(s->grid, p, MOST, index, distance2);
+    for (size_t i = 0; i < most; i++)
+        near[i] = s->grid->point[index[i]];
+    for (size_t n = most; n >= FEWEST; n /= 2) {
+        struct quadric q;
+        if (quadric_fit_free(near, n, p, &q) < 0 ||
+            quadric_spread(&q, near, n, TERMS) > ALIKE * s->sigma)
+            continue;
+        struct vec3 foot = quadric_nearest(&q, p);
+        return vec_distance(foot, p) <= MOVES * s->sigma ? foot : p;
+    }
+    return p;
+}
+
+static void settle_points(void *context, size_t from, size_t to)
+{
+    const struct settle *s = context;
+    for (size_t i = from; i < to; i++)
+        s->to[i] = settled(s, s->grid->point[i]);
+}
+
+static void settle_all(struct point_grid *grid, double sigma, int threads)
+{
+    struct settle s = {grid, sigma, mem_alloc(grid->n, sizeof *s.to)};
+    parallel_for(threads, grid->n, settle_points, &s);
+    for (size_t i = 0; i < grid->n; i++)
+        grid->point[i] = s.to[i];
+    free(s.to);
+}
+
+/* Outliers go to `outliers`, the others stay in their order. */
+static void part_outliers(struct vec3s *point, const unsigned char *out, struct vec3s *outliers)
+{
+    size_t kept = 0;
+    for (size_t i = 0; i < point->n; i++) {
+        if (out[i])
+            *array_push(outliers) = point->item[i];
+        else
+            point->item[kept++] = point->item[i];
+    }
+    point->n = kept;
+}
+
+int verify_surface_find(struct vec3s *point, double noise, int threads,
+                        struct verify_surface *surface, struct error *error)
+{
+    const struct believed_options options = {noise, threads};
+    struct believed believed;
+    struct point_grid grid;
+    unsigned char *out = mem_alloc(point->n, 1);
+    int result = believed_find(point->item, point->n, &options, out, &believed, error);
+    if (result == 0)
+        part_outliers(point, out, &surface->outliers);
+    free(out);
+    if (result < 0 || point->n == 0)
+        return result;
+    struct plan_extent extent = plan_extent_of(point->item, point->n, 0);
+    double spacing = plan_extent_spacing(&extent, point->item, point->n);
+    if (point_grid_make(point->item, point->n, spacing > 0 ? spacing : 1, threads, &grid, error) <
+        0)
+        return -1;
+    surface->noise = believed.sigma;
+    surface->sheets = believed.sheets.places > 0 ? believed.sheets.distance : 0;
+    surface->sheets_at = believed.sheets.at;
+    surface->under = mem_alloc(point->n, 1);
+    outliers_under_roof(&grid, threads, surface->under);
+    if (surface->noise > 0)
+        settle_all(&grid, surface->noise, threads);
+    point_grid_free(&grid);
+    return 0;
+}
+
+void verify_surface_free(struct verify_surface *surface)
+{
+    array_free(&surface->outliers);
+    free(surface->under);
+    *surface = (struct verify_surface){0};
+}
