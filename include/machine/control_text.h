@@ -32,6 +32,7 @@ struct control_text {
     bool comment_capitals;
     int comment_width;
     char number[40];  /* "N{n}" */
+    bool tcp;         /* it can have tool-centre-point control */
     bool number_all;  /* every line has one, comments too, from 0 by 1 */
     bool point, sign; /* X12. and X+12 */
     char section[CONTROL_SECTIONS][CONTROL_SECTION_SIZE]; /* lines, each with its '\n' */

@@ -85,6 +85,7 @@ struct machine {
     struct vec3 centre[3];    /* a point on each: of a table's axis in the work frame, of a head's
                                  from the tool tip at zero (so the tool's length is in it), mm */
     bool tcp;                 /* tool-centre-point control: G43.4, TRAORI */
+    bool arcs_tcp;            /* arcs also while tool-centre-point control is on */
     bool arcs_space;          /* Fanuc: G02.4 for arcs in no principal plane */
     bool arcs, splines;       /* the control has them: 3-D and planar arcs, NURBS or polynomials */
     double min[MACHINE_AXES]; /* travel, mm and degrees */
@@ -116,6 +117,7 @@ struct machine {
         char coolant_thru[60], coolant_air[60];                 /* "": the machine has none */
         char spindle_cw[60], spindle_ccw[60], spindle_off[60];  /* after S, "": M3, M4; M5 */
         char stop[60], stop_optional[60];                       /* "": M0, M1 */
+        char dwell[MACHINE_BLOCKS];
         char tap[MACHINE_BLOCKS]; /* before a tapping cycle: M29 S{rpm} */
         char end[MACHINE_BLOCKS]; /* before M30 */
     } blocks;

@@ -32,6 +32,7 @@ enum template_word {
     TEMPLATE_PROGRAM,  /* its number */
     TEMPLATE_NAME,     /* its name, as the control takes it */
     TEMPLATE_WORK,     /* the work offset */
+    TEMPLATE_SECONDS,  /* of a dwell */
     TEMPLATE_LENGTH_Z, /* key length.off.z */
     TEMPLATE_HASH,     /* # itself, which starts a comment in these files */
     TEMPLATE_N,        /* of the key `number` alone: the number of the block */

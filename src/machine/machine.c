@@ -29,7 +29,7 @@ bool machine_has_tcp(const struct machine *machine, enum control_id control)
 {
     bool its_own = control_find(machine->control) == control ||
                    (*machine->control && strcmp(machine->control, machine->used) == 0);
-    return machine->tcp && (!control_row(control)->tcp_of_machine || its_own);
+    return machine->tcp && machine->text.tcp && (!control_row(control)->tcp_of_machine || its_own);
 }
 
 struct machine machine_default(void)
@@ -41,6 +41,7 @@ struct machine machine_default(void)
         .axis = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}},
         .tcp = true,
         .arcs = true,
+        .arcs_tcp = true,
         .splines = true,
         .cycles = true,
         .min = {-2000, -2000, -2000, -120, -120, -99999},
@@ -52,7 +53,11 @@ struct machine machine_default(void)
         .number_step = 10,
         .number_max = 99999999,
         .digits = {-1, -1, -1, -1, -1},
-        .text = {.dialect = CONTROLS, .comment = "({text})", .comment_width = 80, .number = "N{n}"},
+        .text = {.dialect = CONTROLS,
+                 .comment = "({text})",
+                 .tcp = true,
+                 .comment_width = 80,
+                 .number = "N{n}"},
     };
     return m;
 }
@@ -101,6 +106,7 @@ static void add_control(struct keys *keys, struct control_text *text)
     keys_add(keys, "comment.capitals", KEY_YES, &text->comment_capitals);
     add_bounded(keys, "comment.width", KEY_COUNT, &text->comment_width, 40, 132);
     add_text(keys, "number", text->number, sizeof text->number);
+    keys_add(keys, "control.tcp", KEY_YES, &text->tcp);
     keys_add(keys, "number.all", KEY_YES, &text->number_all);
     keys_add(keys, "point", KEY_YES, &text->point);
     keys_add(keys, "sign", KEY_YES, &text->sign);
@@ -123,6 +129,7 @@ static struct keys machine_keys(struct machine *m)
         add_rotary(&keys, m, i);
     keys_add(&keys, "tcp", KEY_YES, &m->tcp);
     keys_add(&keys, "arcs", KEY_YES, &m->arcs);
+    keys_add(&keys, "arcs.tcp", KEY_YES, &m->arcs_tcp);
     keys_add(&keys, "arcs.space", KEY_YES, &m->arcs_space);
     keys_add(&keys, "splines", KEY_YES, &m->splines);
     keys_add(&keys, "cycles", KEY_YES, &m->cycles);
@@ -140,6 +147,7 @@ static struct keys machine_keys(struct machine *m)
     add_text(&keys, "start", m->blocks.start, sizeof m->blocks.start);
     add_text(&keys, "end", m->blocks.end, sizeof m->blocks.end);
     add_text(&keys, "tool.change", m->blocks.tool_change, sizeof m->blocks.tool_change);
+    add_text(&keys, "dwell", m->blocks.dwell, sizeof m->blocks.dwell);
     add_text(&keys, "tap", m->blocks.tap, sizeof m->blocks.tap);
     add_text(&keys, "tcp.on", m->blocks.tcp_on, sizeof m->blocks.tcp_on);
     add_text(&keys, "tcp.off", m->blocks.tcp_off, sizeof m->blocks.tcp_off);
@@ -229,6 +237,7 @@ static int check_templates(const struct machine *m, char key[KEY_NAME], struct e
                {"stop.optional", b->stop_optional, TEMPLATE_IN_KEY},
                {"end", b->end, TEMPLATE_IN_KEY},
                {"tool.change", b->tool_change, TEMPLATE_IN_KEY},
+               {"dwell", b->dwell, TEMPLATE_IN_KEY},
                {"tap", b->tap, TEMPLATE_IN_KEY},
                {"tcp.on", b->tcp_on, TEMPLATE_IN_KEY},
                {"tcp.off", b->tcp_off, TEMPLATE_IN_KEY},

@@ -19,8 +19,9 @@ static const char *const words[TEMPLATE_NONE] = {
     [TEMPLATE_PROGRAM] = "program",
     [TEMPLATE_NAME] = "name",
     [TEMPLATE_WORK] = "work",
+    [TEMPLATE_SECONDS] = "seconds",
     [TEMPLATE_LENGTH_Z] = "length.off.z",
-    [TEMPLATE_HASH] = "#",
+    [TEMPLATE_HASH] = "hash",
     [TEMPLATE_N] = "n",
     [TEMPLATE_TEXT] = "text",
     [TEMPLATE_LINE] = "line",
@@ -134,9 +135,10 @@ static bool may_stand(enum template_word word, enum template_place place)
 static int no_field(const char *text, enum template_place place, struct error *error)
 {
     static const char *const expected[] = {
-        [TEMPLATE_IN_KEY] = "{tool}, {offset}, {rpm}, {tolerance}, {orientation}, {level}, {a}, "
-                            "{b}, {i}, {j}, {k}, {program}, {name}, {work}, {#} or a condition "
-                            "{?...}",
+        [TEMPLATE_IN_KEY] =
+            "{tool}, {offset}, {rpm}, {tolerance}, {orientation}, {level}, {a}, "
+            "{b}, {i}, {j}, {k}, {program}, {name}, {work}, {hash}, {seconds} or a condition "
+            "{?...}",
         [TEMPLATE_IN_SECTION] = "a field of cloudmill-control(5)",
         [TEMPLATE_IN_NUMBER] = "{n}",
         [TEMPLATE_IN_COMMENT] = "{text}"};

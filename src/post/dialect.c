@@ -44,9 +44,10 @@ struct nc_ability dialect_ability(enum control_id control, const struct machine 
         vectors = vectors && ability.tcp;
         ability.mode = vectors ? INTERPOLATE_VECTOR : INTERPOLATE_ROTARY;
         ability.doubtful = vectors && dialect->vectors_doubtful;
-        if (machine->arcs)
+        bool arcs = machine->arcs && (machine->arcs_tcp || !ability.tcp);
+        if (arcs)
             ability.arcs = vectors ? dialect->arcs_vectors : dialect->arcs;
-        if (machine->arcs && machine->arcs_space && dialect->arcs_space && !vectors)
+        if (arcs && machine->arcs_space && dialect->arcs_space && !vectors)
             ability.arcs = dialect->arcs_space;
         if (machine->splines)
             ability.splines = vectors ? dialect->splines_vectors : dialect->splines;

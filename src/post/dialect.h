@@ -44,6 +44,7 @@ struct nc_program {
         int asked, on;
     } cutcom;                   /* post_statement.h */
     const struct nc_hole *hole; /* whose drilling cycle is on, NULL: none is */
+    double seconds;             /* of the dwell that is written */
     const char *name;           /* number or name asked for, NULL: by the dialect */
     struct nc_writer w;
 };
@@ -77,7 +78,6 @@ struct dialect {
     void (*hole_end)(struct nc_program *p);
     /* another speed than that of the tool's start; NULL: S with M3 or M4 */
     void (*speed)(struct nc_program *p, double rpm, bool ccw);
-    void (*dwell)(struct nc_program *p, double seconds);
 };
 
 /* The writer of a control's programs. */

@@ -79,9 +79,7 @@ static void spline(struct nc_program *p, const struct nc_move *move)
     }
 }
 
-static const struct gcode words = {
-    .dwell = "X",
-};
+static const struct gcode words = {};
 
 const struct dialect dialect_fanuc = {
     .gcode = &words,
@@ -102,5 +100,4 @@ const struct dialect dialect_fanuc = {
     .spline = spline,
     .hole = gcode_hole,
     .hole_end = gcode_hole_end,
-    .dwell = gcode_dwell,
 };

@@ -158,10 +158,3 @@ void gcode_line(struct nc_program *p, const struct nc_move *move)
 {
     gcode_straight(p, move, vector_address);
 }
-
-void gcode_dwell(struct nc_program *p, double seconds)
-{
-    nc_code(&p->w, "G4");
-    nc_number(&p->w, dialect_of(p->control)->gcode->dwell, seconds, 3);
-    nc_end(&p->w);
-}

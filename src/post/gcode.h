@@ -12,7 +12,6 @@
 
 /* The words that one control has and another has not. */
 struct gcode {
-    const char *dwell;  /* address of the seconds of G4 */
     bool dwell_seconds; /* P of a drilling cycle is seconds, and G86 wants it; else
                                           milliseconds */
     bool level_at_feed; /* what leaves a hole at feed (G84, G85) goes on so up to the
@@ -24,7 +23,6 @@ void gcode_line(struct nc_program *p, const struct nc_move *move);
 void gcode_arc(struct nc_program *p, const struct nc_move *move);
 void gcode_hole(struct nc_program *p, const struct nc_move *move);
 void gcode_hole_end(struct nc_program *p);
-void gcode_dwell(struct nc_program *p, double seconds);
 
 /* ---- single blocks, for any control that has G-code */
 

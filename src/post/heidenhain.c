@@ -111,14 +111,6 @@ static void speed(struct nc_program *p, double rpm, bool ccw)
     nc_block(&p->w, ccw ? "M4" : "M3");
 }
 
-static void dwell(struct nc_program *p, double seconds)
-{
-    nc_block(&p->w, "CYCL DEF 9.0 DWELL TIME");
-    nc_code(&p->w, "CYCL DEF 9.1 DWELL");
-    nc_number(&p->w, "", seconds, 3);
-    nc_end(&p->w);
-}
-
 /* ---- drilling cycles */
 
 enum { PARAMETERS = 16, LINE = NUM_MAX + 60, CHIP_BREAKS = 99, FASTEST = 99999 };
@@ -269,5 +261,4 @@ const struct dialect dialect_heidenhain = {
     .hole = hole,
     .hole_end = hole_end,
     .speed = speed,
-    .dwell = dwell,
 };

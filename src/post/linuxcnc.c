@@ -30,7 +30,6 @@ static void name(const struct nc_program *p, char *text)
 }
 
 static const struct gcode words = {
-    .dwell = "P",
     .dwell_seconds = true,
     .level_at_feed = true,
 };
@@ -48,5 +47,4 @@ const struct dialect dialect_linuxcnc = {
     .arc = gcode_arc,
     .hole = gcode_hole,
     .hole_end = gcode_hole_end,
-    .dwell = gcode_dwell,
 };

@@ -52,9 +52,15 @@ static int set_frame(struct nc_program *p, struct path *path, struct machine *ma
                      const struct post_options *options, bool *still, struct error *error)
 {
     const struct dialect *dialect = dialect_of(p->control);
+    const char *tilt = machine->blocks.plane_on;
+    bool tilts = dialect->plane && *tilt && strcmp(tilt, "none") != 0;
     bool planes = post_frame_planes(path, &p->planes), upright = post_frame_upright(&p->planes);
     bool cycles = planes && machine->cycles && post_frame_holes(path);
     int digits = machine->digits.angle < 0 ? dialect->digits.angle : machine->digits.angle;
+    if (options->plane && !tilts) {
+        error_set(error, "found --plane, which %s does not know", machine->text.title);
+        return EXIT_USAGE;
+    }
     if (options->plane && !planes) {
         error_set(error,
                   "%s: found a tool axis that turns in the cut, expected it to stay "
@@ -62,8 +68,7 @@ static int set_frame(struct nc_program *p, struct path *path, struct machine *ma
                   path->name);
         return EXIT_FAILED;
     }
-    p->plane =
-        options->plane || ((machine->plane || cycles) && dialect->plane && planes && !upright);
+    p->plane = options->plane || ((machine->plane || cycles) && tilts && planes && !upright);
     p->turned = machine->chain.n;
     if (p->plane &&
         post_frame_tilt(path, machine, &p->planes, dialect->plane_euler, digits, error) != 0)

@@ -80,7 +80,9 @@ void post_program_move(struct nc_program *p, const struct nc_move *move)
         nc_comment(&p->w, "Pass %u", move->index);
         break;
     case NC_TEXT:
-        nc_statement(p, p->path->text.item[move->index]);
+        p->seconds = nc_statement(p, p->path->text.item[move->index]);
+        if (p->seconds > 0)
+            nc_template(p, p->machine->blocks.dwell);
         break;
     case NC_TOOL:
         change_tool(p, move);

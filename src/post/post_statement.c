@@ -225,14 +225,13 @@ static void auxiliary_word(struct nc_program *p, double number)
     nc_end(&p->w);
 }
 
-void nc_statement(struct nc_program *p, const char *text)
+double nc_statement(struct nc_program *p, const char *text)
 {
-    const struct dialect *dialect = dialect_of(p->control);
     struct nc_tooling said = p->tooling;
     const char *rest;
     double seconds, number;
     if (says_cutcom(p, text))
-        return;
+        return 0;
     if (says_tooling(text, &said))
         change_tooling(p, &said);
     else if (is_word(text, "STOP", &rest))
@@ -243,7 +242,8 @@ void nc_statement(struct nc_program *p, const char *text)
              number <= 9999 && number == floor(number))
         auxiliary_word(p, number);
     else if (is_word(text, "DELAY", &rest) && num_read(&rest, &seconds) && seconds > 0)
-        dialect->dwell(p, seconds);
+        return seconds;
     else if (is_word(text, "PPRINT", &rest) || is_word(text, "REMARK", &rest))
         nc_comment(&p->w, "%.150s", rest);
+    return 0;
 }

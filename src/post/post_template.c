@@ -62,7 +62,7 @@ static bool holds(const struct nc_program *p, enum template_condition condition)
         [WHEN_INCH] = ability->unit > 1,
         [WHEN_TCP] = ability->tcp,
         [WHEN_ZERO] = nc_zero_first(p),
-        [WHEN_HAS_TCP] = p->machine->tcp,
+        [WHEN_HAS_TCP] = machine_has_tcp(p->machine, p->control),
         [WHEN_OFF_HOME] = off == LENGTH_OFF_HOME,
         [WHEN_OFF_ALONE] = off == LENGTH_OFF_ALONE,
         [WHEN_OFF_Z] = off == LENGTH_OFF_Z,
@@ -148,6 +148,8 @@ static size_t write_value(const struct nc_program *p, enum template_word word, c
         return strlen(text);
     case TEMPLATE_WORK:
         return (size_t)snprintf(text, ROOM, "%s", p->machine->offset);
+    case TEMPLATE_SECONDS:
+        return num_write_short(text, p->seconds, 3, p->w.style.point);
     case TEMPLATE_LENGTH_Z:
         return num_write_short(text, p->machine->length_z / p->plan->ability.unit,
                                p->plan->ability.digits.linear, p->w.style.point);
@@ -174,14 +176,14 @@ static size_t fill_zeros(char *text, size_t n, int width)
 /* Words that leave the modal motion as it is, and what others do to what the writer remembers. */
 static void follow_words(struct nc_writer *w, const char *text)
 {
-    static const double idle[] = {5.1, 17, 18, 19, 20, 21, 40, 43, 49,
-                                  54,  55, 56, 57, 58, 59, 90, 93, 94};
+    static const double idle[] = {4,  5.1, 17, 18, 19, 20, 21, 40, 43, 49,
+                                  54, 55,  56, 57, 58, 59, 90, 93, 94};
     for (const char *s = text; *s;) {
         size_t n = strcspn(s, " ");
         char *end;
         double value = strtod(s + 1, &end);
         bool word = n > 1 && isupper((unsigned char)*s) && (size_t)(end - s) == n;
-        bool keeps = (word && strchr("MTSHDNOPQR", *s)) || strncmp(s, "ORI", 3) == 0 ||
+        bool keeps = (word && *s != 'G') || strncmp(s, "ORI", 3) == 0 ||
                      strncmp(s, "COMPOF", 6) == 0 || strncmp(s, "CYCLE832", 8) == 0;
         if (word && *s == 'G') {
             for (size_t i = 0; i < sizeof idle / sizeof *idle; i++)

@@ -80,13 +80,6 @@ static void arc(struct nc_program *p, const struct nc_move *move)
     nc_end(w);
 }
 
-static void dwell(struct nc_program *p, double seconds)
-{
-    nc_code(&p->w, "G4");
-    nc_number(&p->w, "F", seconds, 3);
-    nc_end(&p->w);
-}
-
 /* ---- B-splines */
 
 /* PO[X]=(end,a2,a3), to the power that the curve has. */
@@ -283,5 +276,4 @@ const struct dialect dialect_siemens = {
     .spline = spline,
     .hole = hole,
     .hole_end = hole_end,
-    .dwell = dwell,
 };

@@ -186,10 +186,12 @@ START_TEST(dwell)
     struct nc_plan plan;
     struct nc_program p;
     begin(&p, CONTROL_fanuc, &m, &plan, INTERPOLATE_ROTARY);
-    gcode_dwell(&p, 2.5);
+    p.seconds = 2.5;
+    nc_template(&p, m.blocks.dwell);
     ck_assert_int_eq(strncmp(p.w.own, "G4 X2.5\n", 8), 0);
     begin(&p, CONTROL_linuxcnc, &m, &plan, INTERPOLATE_ROTARY);
-    gcode_dwell(&p, 2.5);
+    p.seconds = 2.5;
+    nc_template(&p, m.blocks.dwell);
     ck_assert_int_eq(strncmp(p.w.own, "G4 P2.5\n", 8), 0);
 }
 END_TEST
