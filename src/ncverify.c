@@ -243,9 +243,21 @@ static void find_surface(const struct settings *s, int threads, struct vec3s *po
             surface->sheets_at.x, surface->sheets_at.y, surface->sheets_at.z);
 }
 
+/* Little more than half of the last digit that a program for the machine is printed with. */
+static double printed_slack(const struct machine *machine)
+{
+    int usual = 3, digits = usual;
+    if (machine->digits.angle >= 0 && machine->digits.angle < digits)
+        digits = machine->digits.angle;
+    if (machine->digits.linear >= 0 && machine->digits.linear < digits)
+        digits = machine->digits.linear;
+    return 0.51 * pow(10, -digits);
+}
+
 static struct axis_limits limits_of(const struct machine *machine)
 {
-    struct axis_limits limits = {.combined = !machine->tcp && machine->feeds == FEEDS_COMBINED};
+    struct axis_limits limits = {.slack = printed_slack(machine),
+                                 .combined = !machine->tcp && machine->feeds == FEEDS_COMBINED};
     for (int k = 0; k < NC_AXES; k++) {
         limits.min[k] = machine->min[k];
         limits.max[k] = machine->max[k];

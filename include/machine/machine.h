@@ -90,17 +90,20 @@ struct machine {
     bool arcs, splines;       /* the control has them: 3-D and planar arcs, NURBS or polynomials */
     double min[MACHINE_AXES]; /* travel, mm and degrees */
     double max[MACHINE_AXES];
-    double rapid[MACHINE_AXES]; /* mm/min and degrees/min; X Y Z have one */
-    double retract;             /* mm along the tool axis, where the path has no approach */
-    int tcp_frame;              /* enum machine_tcp_frame */
-    int length_off;             /* enum machine_length_off */
-    double length_z;            /* of LENGTH_OFF_Z: where the spindle goes, mm */
-    int rotary_words;           /* enum machine_rotary_words */
-    char offset[60];            /* work offset; "": the control's own, G54 */
-    int feeds;                  /* enum machine_feeds */
-    double feed_max;            /* largest F that the control takes */
-    bool cycles;                /* the control has drilling cycles */
-    bool cutcom;                /* radius compensation where the path asks for it */
+    double rapid[MACHINE_AXES];        /* mm/min and degrees/min; X Y Z have one */
+    double acceleration[MACHINE_AXES]; /* mm/s^2 and degrees/s^2, at most */
+    double jerk[MACHINE_AXES];         /* mm/s^3 and degrees/s^3, at most */
+    double smoothing;                  /* mm of the path over which the control rounds a corner */
+    double retract;                    /* mm along the tool axis, where the path has no approach */
+    int tcp_frame;                     /* enum machine_tcp_frame */
+    int length_off;                    /* enum machine_length_off */
+    double length_z;                   /* of LENGTH_OFF_Z: where the spindle goes, mm */
+    int rotary_words;                  /* enum machine_rotary_words */
+    char offset[60];                   /* work offset; "": the control's own, G54 */
+    int feeds;                         /* enum machine_feeds */
+    double feed_max;                   /* largest F that the control takes */
+    bool cycles;                       /* the control has drilling cycles */
+    bool cutcom;                       /* radius compensation where the path asks for it */
     bool plane;  /* the control turns to a tilted plane where the tool axis is fixed */
     bool smooth; /* the control is to smooth the path within ncpost's tolerance */
     struct machine_templates {      /* blocks, "": none (template.h) */

@@ -14,6 +14,7 @@ enum { NC_AXES = 6 };
 
 struct axis_limits {
     double min[NC_AXES], max[NC_AXES]; /* travel */
+    double slack;                      /* beyond it that counts as within: places are rounded */
     double rapid[NC_AXES];             /* largest speed, a minute */
     bool combined; /* F counts mm and degrees of all axes alike (no tool centre point control) */
 };

@@ -48,6 +48,9 @@ struct machine machine_default(void)
         .max = {2000, 2000, 2000, 120, 120, 99999},
         .block_skip = true,
         .rapid = {30000, 30000, 30000, 7200, 7200, 7200},
+        .acceleration = {3000, 3000, 3000, 1000, 1000, 1000},
+        .jerk = {50000, 50000, 50000, 20000, 20000, 20000},
+        .smoothing = 0.2,
         .retract = 50,
         .feed_max = 99999,
         .number_step = 10,
@@ -75,7 +78,7 @@ static void add_text(struct keys *keys, const char *name, char *value, size_t si
     keys_add(keys, name, KEY_TEXT, value)->size = size;
 }
 
-/* The keys of an axis that slides or turns: x.min x.max */
+/* The keys of an axis that slides or turns: x.min x.max x.acceleration x.jerk */
 static void add_axis(struct keys *keys, struct machine *m, int axis)
 {
     char name[20], small = (char)(letters[axis] - 'A' + 'a');
@@ -83,6 +86,10 @@ static void add_axis(struct keys *keys, struct machine *m, int axis)
     add_bounded(keys, name, KEY_NUMBER, &m->min[axis], 0, 0);
     snprintf(name, sizeof name, "%c.max", small);
     add_bounded(keys, name, KEY_NUMBER, &m->max[axis], 0, 0);
+    snprintf(name, sizeof name, "%c.acceleration", small);
+    add_bounded(keys, name, KEY_NUMBER, &m->acceleration[axis], 1e-3, 1e9);
+    snprintf(name, sizeof name, "%c.jerk", small);
+    add_bounded(keys, name, KEY_NUMBER, &m->jerk[axis], 1e-3, 1e12);
 }
 
 /* Those that a rotary axis, A B or C, has besides: a.rapid axis.A centre.A */
@@ -135,6 +142,7 @@ static struct keys machine_keys(struct machine *m)
     keys_add(&keys, "cycles", KEY_YES, &m->cycles);
     keys_add(&keys, "cutcom", KEY_YES, &m->cutcom);
     add_bounded(&keys, "rapid", KEY_NUMBER, &m->rapid[MACHINE_X], 1, 1e7);
+    add_bounded(&keys, "smoothing", KEY_NUMBER, &m->smoothing, 0, 100);
     add_bounded(&keys, "retract", KEY_NUMBER, &m->retract, 0.1, 1e5);
     keys_add(&keys, "tcp.frame", KEY_CHOICE, &m->tcp_frame)->words = "zero|stands";
     keys_add(&keys, "length.off", KEY_CHOICE, &m->length_off)->words = "home|alone|z";

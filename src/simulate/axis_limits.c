@@ -7,7 +7,6 @@ enum { STEPS = 6 };
 #define REACH 0.01  /* degrees that a tool axis may be off what the machine reaches */
 #define SHORT 0.001 /* mm: a turn rate is measured over longer moves */
 #define OVER 1.01   /* times as fast as it can: speeds and lengths are printed rounded */
-#define TRAVEL 1e-6 /* mm or degrees beyond the travel that count as within */
 
 struct state {
     double axis[NC_AXES];
@@ -57,7 +56,8 @@ static bool note_travel(struct axis_check *check, const struct state *state, siz
         double at = state->axis[k];
         use->low[k] = fmin(use->low[k], at);
         use->high[k] = fmax(use->high[k], at);
-        if (at >= check->limits->min[k] - TRAVEL && at <= check->limits->max[k] + TRAVEL)
+        double slack = check->limits->slack;
+        if (at >= check->limits->min[k] - slack && at <= check->limits->max[k] + slack)
             continue;
         if (use->beyond == 0 && !beyond)
             use->travel = (struct axis_peak){at, k, index};

@@ -130,7 +130,7 @@ keys_of_source() {
 	grep -oE '(add_[a-z]+|keys_add)\(&?keys, "[a-z.]+"|sizeof name, "[^"]+"' \
 		"$SRC/src/machine/machine.c" | sed 's/.*"\(.*\)"/\1/' | while read -r key; do
 		case $key in
-		%c.m*) for axis in x y z a b c; do echo "$axis${key#%c}"; done ;;
+		%c.m* | %c.acceleration | %c.jerk) for axis in x y z a b c; do echo "$axis${key#%c}"; done ;;
 		%c.*) for axis in a b c; do echo "$axis${key#%c}"; done ;;
 		*%c) for axis in A B C; do echo "${key%?c}$axis"; done ;;
 		*) echo "$key" ;;

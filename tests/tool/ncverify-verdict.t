@@ -115,6 +115,10 @@ fault "a pass left out" '/^N11170 /,/^N12400 /d' 'N.*of material is left'
 fault "passes 2 mm apart" '/^N11170 /,/^N12400 /d;/^N13650 /,/^N14880 /d' 'N.*of material is left'
 fault "a limit of an axis passed" '/^N12400 /s/Y[-0-9.]*/Y2500./' 'N12400 .*axis . at .* beyond its travel'
 fault "a limit of A passed" '/^N12420 /s/A[-0-9.]*/A130./' 'N124[0-9]0 .*axis A at 130.000 is beyond'
+sed '/^N12420 /s/A[-0-9.]*/A120.0004/' dome.fanuc >bad.nc
+ncverify -q -g dome.xyz -r 6 -e 0.005 --partial bad.nc >out 2>err
+hasnt "a limit is met within the digits that are printed" 'beyond its travel' err
+fault "and not by a digit more" "/^N12420 /s/A[-0-9.]*/A120.001/" 'N124[0-9]0 .*axis A at 120.001 is beyond'
 fault "an arc that is none" '/^N12030 /s/G1\(.*\)A.*/G2\1R3. F800./' 'N12030 .*'
 broken "an arc of wrong radius" '/^N12030 /s/G1\(.*\)A.*/G2\1I1. J1. F800./' 'N12030: an arc whose ends'
 broken "a cut-off file" '2000,$d' 'the program ends without M30'
