@@ -30,7 +30,7 @@ static struct settings read_options(struct cli *cli, int argc, char **argv)
 {
     struct settings s = {.noise = NAN, .meshing.effort = 1};
     bool normals_given = false;
-    int normals = 0;
+    int normals = 0, nodes = 0;
     const struct cli_option option[] = {
         {'t', "spacing", "MM",
          "spacing of the triangular grid (default: three times the mean\nspacing of the points)",
@@ -51,6 +51,11 @@ static struct settings read_options(struct cli *cli, int argc, char **argv)
          "no facet over an empty disc wider than this (default: six times the\n"
          "mean spacing of the points; with --paper: no limit)",
          CLI_NUMBER, &s.meshing.max_gap, CLI_POSITIVE, 0, 0, NULL},
+        {0, "nodes", "grid|scan",
+         "vertices stand at the nodes of the grid, at the height of the surface\n"
+         "there, but on edges, walls, ribs and borders; or at points of the scan\n"
+         "(default: grid; with --paper or --normals facet: scan)",
+         CLI_CHOICE, &nodes, 0, 0, 0, NULL},
         {0, "normals", normals_words(true),
          "normals from a quadric through the nearest points of the cloud, or\n"
          "the mean of the facets' (default: quadric; with --paper: facet)",
@@ -83,6 +88,7 @@ static struct settings read_options(struct cli *cli, int argc, char **argv)
     cli_parse(cli, argc, argv);
     s.meshing.normals =
         s.meshing.paper && !normals_given ? normals_of("facet") : normals_find(true, normals);
+    s.meshing.scan_nodes = nodes == 1;
     s.meshing.smooth = s.meshing.smooth || s.meshing.paper || !s.meshing.normals->of_surface;
     if (s.extend > 0 && (s.meshing.paper || s.meshing.subdivide))
         die_usage("found --extend with %s, expected one of them",

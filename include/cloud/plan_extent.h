@@ -26,6 +26,12 @@ static inline struct vec3 plan_extent_turn(const struct plan_extent *f, struct v
     return vec(f->cosine * p.x + f->sine * p.y, f->cosine * p.y - f->sine * p.x, p.z);
 }
 
+/* The way back from them. */
+static inline struct vec3 plan_extent_turn_back(const struct plan_extent *f, struct vec3 p)
+{
+    return vec(f->cosine * p.x - f->sine * p.y, f->sine * p.x + f->cosine * p.y, p.z);
+}
+
 /* Points that carry no surface: fewer than 3, all in one place, all on one line or in two clumps
  * far apart seen from above: -1 and why (without the name of a file). */
 int plan_extent_check(const struct vec3 *point, size_t n, struct error *error);

@@ -30,12 +30,13 @@ struct cloudmesh_options {
     double max_gap;   /* mm, 0: from the cloud */
     double direction; /* of the rows, degrees */
     const struct normal_estimator *normals;
-    int neighbours; /* 0: chosen */
-    double effort;  /* effort.h */
-    bool paper;     /* as published */
-    bool smooth;    /* look for no creases, walls and ribs */
-    bool subdivide; /* parts by orientation, each with a projection of its own */
-    bool silent;    /* a trial: nothing is said */
+    int neighbours;  /* 0: chosen */
+    double effort;   /* effort.h */
+    bool paper;      /* as published */
+    bool scan_nodes; /* vertices are points of the scan, as published */
+    bool smooth;     /* look for no creases, walls and ribs */
+    bool subdivide;  /* parts by orientation, each with a projection of its own */
+    bool silent;     /* a trial: nothing is said */
 };
 
 /* What came of it. */

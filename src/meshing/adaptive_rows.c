@@ -76,11 +76,6 @@ static size_t first_across(const struct refinement *w, double v)
     return low;
 }
 
-static struct vec3 turn_back(const struct plan_extent *f, struct vec3 p)
-{
-    return vec(f->cosine * p.x - f->sine * p.y, f->sine * p.x + f->cosine * p.y, p.z);
-}
-
 static struct row_simplify row_at(const struct refinement *w, double v, double longest)
 {
     return row_simplify_make(w->point_grid, w->plan_extent, v, &w->rule, longest);
@@ -149,7 +144,8 @@ static void make_strip(struct refinement *w, size_t index)
         struct vec3 p[3];
         for (int i = 0; i < 3; i++) {
             size_t v = (size_t)all.item[f].v[i];
-            p[i] = turn_back(w->plan_extent, v < low->node.n ? low->node.item[v]
+            p[i] = plan_extent_turn_back(w->plan_extent, v < low->node.n
+                                                             ? low->node.item[v]
                                                              : high->node.item[v - low->node.n]);
         }
         if (!(vec_orient_xy(p[0], p[1], p[2]) > nothing * w->spacing * w->spacing))
@@ -262,7 +258,8 @@ static void add_vertices(const struct refinement *w, struct mesh *mesh)
 {
     for (size_t r = 0; r < w->row.n; r++)
         for (size_t i = 0; i < w->row.item[r].node.n; i++) {
-            *array_push(&mesh->vertex) = turn_back(w->plan_extent, w->row.item[r].node.item[i]);
+            *array_push(&mesh->vertex) =
+                plan_extent_turn_back(w->plan_extent, w->row.item[r].node.item[i]);
             *array_push(&mesh->row) = (int)r;
             *array_push(&mesh->col) = w->row.item[r].col.item[i];
         }

@@ -14,6 +14,7 @@
 #include "cloud/cloud.h"
 #include "feature/feature.h"
 #include "mesh/mesh_distance.h"
+#include "meshing/node_heights.h"
 #include "meshing/meshing.h"
 
 /* The cloud as wall_points_part put it in order. */
@@ -82,6 +83,27 @@ static int place_nodes(const struct cloudmesh_options *options, const struct clo
                          t, f.xmax - f.xmin, f.ymax - f.ymin);
     mesh->origin.spacing = t;
     mesh->origin.direction = options->direction;
+    return 0;
+}
+
+/* Puts vertices at their nodes, where the scan says how high these are; sorts the points. */
+static int stand_at_nodes(const struct cloudmesh_options *options, const struct cloud_parts *parts,
+                          struct vec3s *points, double noise, int threads, struct mesh *mesh,
+                          const struct cloudmesh *result, struct error *error)
+{
+    double mean = cloudmesh_spacing(options, points->item, parts->flat);
+    struct node_heights_options how = {mean, fmax(noise, mesh->origin.noise), threads};
+    struct point_grid scan;
+
+    if (options->paper || options->scan_nodes || !options->normals->of_surface)
+        return 0;
+    if (point_grid_make(points->item, parts->flat, mean, threads, &scan, error) < 0)
+        return -1;
+    size_t moved = node_heights(mesh, &result->grid, &scan, &how);
+    if (!options->silent)
+        note("%zu of %zu vertices stand at nodes of the grid, the others at points of the scan",
+             moved, mesh->vertex.n);
+    point_grid_free(&scan);
     return 0;
 }
 
@@ -253,6 +275,8 @@ static int mesh_of_nodes(const struct cloudmesh_options *options, const struct c
         return -1;
     if (mesh->face.n == 0)
         return 0;
+    if (stand_at_nodes(options, parts, points, noise, threads, mesh, result, error) < 0)
+        return -1;
     if (estimate_normals(options, points->item, parts->flat, noise, threads, mesh, error) < 0)
         return -1;
     add_features(options, parts, points, noise, threads, mesh, result);
