@@ -90,6 +90,11 @@ bool gouge_free_above(const struct gouge_check *guard, struct vec3 c, double rad
 bool gouge_open(const struct gouge_check *guard, struct vec3 c, struct vec3 up, double radius,
                 double depth);
 
+/* The same along any of some ways: up, `normal` (where the ball touches) and the middle of both, and
+ * DIRECTIONS more, over the upper half of the sphere, on the normal's side. */
+bool gouge_open_anyhow(const struct gouge_check *guard, struct vec3 c, struct vec3 normal,
+                       double radius, double depth);
+
 /* How far shank and holder above a ball at c are from the nearest guard point, mm: negative by how
  * deep it is in them; `below` where none is as near. */
 double gouge_holder(const struct gouge_check *guard, const struct holder *holder, struct vec3 c,

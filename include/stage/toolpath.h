@@ -43,6 +43,7 @@ struct toolpath_options {
 /* A strip from when it is given until it is in the path. */
 struct toolpath_strip {
     size_t pass;
+    bool rest; /* only where it touches */
     struct gouge_lift_options lift;
     struct contacts contact;
     struct lifted_strip lifted;
@@ -118,6 +119,8 @@ struct toolpath {
         size_t n, cap;
         struct toolpath_uncut *item;
     } uncut;
+    bool rest;              /* strips given now are rest passes: ways over what they can't touch
+                               are left out */
     size_t lifted;          /* of these strips */
     struct vec3s swept;     /* the ball's centre on them, before they are put into the path, ... */
     struct sizes swept_end; /* ... and where their parts end */

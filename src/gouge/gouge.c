@@ -142,6 +142,32 @@ bool gouge_open(const struct gouge_check *guard, struct vec3 c, struct vec3 up, 
     return gouge_clear_along(guard, c, vec_along(c, end, up), radius, depth);
 }
 
+/* Direction k of n, evenly over the upper half of the sphere. */
+static struct vec3 direction_of(int k, int n)
+{
+    double z = 1 - (k + 0.5) / n, r = sqrt(1 - z * z), turn = 2.399963229728653 * k;
+
+    return vec(r * cos(turn), r * sin(turn), z);
+}
+
+bool gouge_open_anyhow(const struct gouge_check *guard, struct vec3 c, struct vec3 normal,
+                       double radius, double depth)
+{
+    enum { DIRECTIONS = 32 };
+    struct vec3 half = vec_unit(vec_add(normal, vec(0, 0, 1)));
+
+    if (gouge_free_above(guard, c, radius - depth) ||
+        (normal.z >= 0 && gouge_open(guard, c, normal, radius, depth)) ||
+        gouge_open(guard, c, half, radius, depth))
+        return true;
+    for (int k = 0; k < DIRECTIONS; k++) {
+        struct vec3 way = direction_of(k, DIRECTIONS);
+        if (vec_dot(way, normal) > 0 && gouge_open(guard, c, way, radius, depth))
+            return true;
+    }
+    return false;
+}
+
 /* Shank and holder in one pose. */
 struct holder_pose {
     const struct holder *holder;

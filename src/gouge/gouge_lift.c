@@ -57,12 +57,18 @@ static void place_lifted(struct run_point *p, struct vec3 touching, double lift,
         turn_level(p, rule, radius);
 }
 
-/* The tool can come here, where it is clear, from above: straight down or along its axis. */
-static bool open_above(const struct run_point *p, const struct gouge_lift_options *rule)
+/* The tool can come here, where it is clear, from outside: straight down, along its axis or, where
+ * that may be another, anyhow. */
+static bool is_open(const struct run_point *p, const struct gouge_lift_options *rule)
 {
-    return gouge_free_above(rule->guard, p->ball, rule->offset - rule->tolerance) ||
-           (p->axis.z >= 0 && p->axis.z < 1 &&
-            gouge_open(rule->guard, p->ball, p->axis, rule->offset, rule->tolerance));
+    double within = rule->offset - rule->tolerance;
+
+    if (gouge_free_above(rule->guard, p->ball, within) ||
+        (p->axis.z >= 0 && p->axis.z < 1 &&
+         gouge_open(rule->guard, p->ball, p->axis, rule->offset, rule->tolerance)))
+        return true;
+    return rule->axis.kind != AXIS_FIXED &&
+           gouge_open_anyhow(rule->guard, p->ball, p->normal, rule->offset, rule->tolerance);
 }
 
 /* How far the ball goes from `touching` along the normal until it touches, from above: negative,
@@ -103,7 +109,7 @@ static struct lifted_point lift_point(const struct run_point *p, const struct kd
     place_lifted(&l.p, l.touching, blocked ? 0 : lift, rule, radius);
     if (lift < 0 && !blocked)
         l.p.contact = vec_along(l.p.contact, lift, l.p.normal);
-    l.unreachable = rule->guard && (blocked || !open_above(&l.p, rule));
+    l.unreachable = rule->guard && (blocked || !is_open(&l.p, rule));
     if (l.unreachable) {
         double rise = gouge_rise(rule->guard, l.touching, UP, rule->offset);
         place_point(&l.p, vec_along(l.touching, rise, UP), rule, radius);

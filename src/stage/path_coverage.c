@@ -12,6 +12,9 @@
 
 enum { ROUNDS = 6 };
 
+/* Of the points that are left: no round follows one that leaves so many of them. */
+static const double STUCK = 0.9;
+
 /* What rows of the mesh are measured by, which promise nothing, mm. */
 static const double USUAL = 0.02;
 
@@ -104,9 +107,12 @@ void path_coverage_rest(struct path_coverage *c, struct vec3 planes, struct tool
         return;
     coverage_cut(c->coverage, &c->options, &t->swept, &t->swept_end);
     t->lift.offset = c->options.radius;
-    size_t left = coverage_report(c->coverage).left.n;
-    for (size_t round = 0; round < ROUNDS && left > 0; round++) {
+    t->rest = true;
+    size_t left = coverage_report(c->coverage).left.n, before = SIZE_MAX;
+    for (size_t round = 0; round < ROUNDS && left > 0 && (double)left < STUCK * (double)before;
+         round++) {
         size_t n;
+        before = round > 0 ? left : before; /* the first turn of planes need not be the right one */
         const struct coverage_point *point = coverage_points(c->coverage, &n);
         struct rest_options options = options_of(c, round, planes);
         struct rest_strips strips = rest_passes_find(point, n, &options);

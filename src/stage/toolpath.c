@@ -17,7 +17,7 @@ static const double LONGEST = 6;
 void toolpath_strip(struct toolpath *t, size_t pass, const struct contact *contact, size_t n,
                     struct vec3 along)
 {
-    struct toolpath_strip strip = {.pass = pass, .lift = t->lift};
+    struct toolpath_strip strip = {.pass = pass, .rest = t->rest, .lift = t->lift};
 
     strip.lift.feed.along = along;
     array_reserve(&strip.contact, n);
@@ -317,6 +317,36 @@ static void remove_points(struct lifted_strip *lifted, size_t from, size_t to)
             lifted->end.item[k] -= (lifted->end.item[k] < to ? lifted->end.item[k] : to) - from;
 }
 
+/* Leaves out of a strip where the ball touches nothing, but for short ways between; there its parts
+ * end. */
+static void remove_idle(struct lifted_strip *lifted, double longest)
+{
+    struct run kept = {.radius = lifted->run.radius};
+    struct sizes end = {0};
+
+    for (size_t k = 0, from = 0; k < lifted->end.n; from = lifted->end.item[k++]) {
+        size_t last = SIZE_MAX; /* that touches */
+        for (size_t i = from; i < lifted->end.item[k]; i++) {
+            const struct run_point *p = &lifted->run.item[i];
+            if (!run_point_touches(p))
+                continue;
+            bool near =
+                last != SIZE_MAX && vec_distance(lifted->run.item[last].ball, p->ball) <= longest;
+            if (last != SIZE_MAX && last + 1 < i && !near)
+                *array_push(&end) = kept.n;
+            for (size_t b = last + 1; near && b < i; b++)
+                *array_push(&kept) = lifted->run.item[b];
+            *array_push(&kept) = *p;
+            last = i;
+        }
+        *array_push(&end) = kept.n;
+    }
+    array_free(&lifted->run);
+    array_free(&lifted->end);
+    lifted->run = kept;
+    lifted->end = end;
+}
+
 /* Slivers go at once: what is cut later may rest on what is kept now. */
 static void remove_slivers(struct toolpath *t)
 {
@@ -342,7 +372,10 @@ void toolpath_cut(struct toolpath *t)
         parallel_for(t->threads, to - from, lift_strips, &b);
         progress("lifting", to, t->strip.n);
         for (size_t k = from; k < to; k++) {
-            add_strip(t, &t->strip.item[k]);
+            if (t->strip.item[k].rest)
+                remove_idle(&t->strip.item[k].lifted, t->rule.radius);
+            else
+                add_strip(t, &t->strip.item[k]);
             array_free(&t->strip.item[k].contact);
         }
         t->lifted = to;

@@ -155,9 +155,7 @@ static struct vec3 axis_of(int k)
 
 static bool comes_along(const struct coverage_options *o, struct vec3 c, struct vec3 axis)
 {
-    return o->holder && o->holder->n > 0
-               ? gouge_holder_clear(o->guard, o->holder, c, axis, -o->tolerance)
-               : gouge_open(o->guard, c, axis, o->radius, o->tolerance);
+    return gouge_holder_clear(o->guard, o->holder, c, axis, -o->tolerance);
 }
 
 /* True if the tool can stand at a ball that touches along d: on its only axis, or on any of many
@@ -167,7 +165,11 @@ static bool has_axis(const struct coverage_options *o, struct vec3 c, struct vec
     const double flattest = 0.05; /* cosine */
 
     if (o->upright)
-        return comes_along(o, c, o->axis);
+        return gouge_open(o->guard, c, o->axis, o->radius, o->tolerance);
+    if (!gouge_open_anyhow(o->guard, c, d, o->radius, o->tolerance))
+        return false;
+    if (!o->holder || o->holder->n == 0)
+        return true;
     if (d.z >= 0 && comes_along(o, c, d))
         return true;
     for (int k = 0; k < AXES; k++) {

@@ -74,60 +74,60 @@ clouds() {
 meshes() {
 	for cloud in panel flat wave wave-noise dome dome-random dome-noise bowl saddle roof roof-noise valley \
 		pyramid corner corner-noise rib rib-noise groove wall wall-noise block step plateau terraces folds hole islands; do
-		echo "$cloud.ply cloud2mesh -q $cloud.xyz"
+		echo "$cloud.ply cloud2mesh --nodes scan -q $cloud.xyz"
 		case $cloud in panel) e=0.05 ;; *) e=0.03 ;; esac
-		echo "$cloud-e.ply cloud2mesh -q -e $e $cloud.xyz"
+		echo "$cloud-e.ply cloud2mesh --nodes scan -q -e $e $cloud.xyz"
 	done
 	for format in pts ptx pcd obj csv; do
-		echo "dome-$format.ply cloud2mesh -q dome.$format"
+		echo "dome-$format.ply cloud2mesh --nodes scan -q dome.$format"
 	done
 	for unit in cm m um in; do
-		echo "dome-$unit.ply cloud2mesh -q -u $unit dome.xyz"
+		echo "dome-$unit.ply cloud2mesh --nodes scan -q -u $unit dome.xyz"
 	done
 	cat <<-'END'
-		dome-ply.ply cloud2mesh -q dome-points.ply
-		dome-inch.ply cloud2mesh -q -u inch dome.inch
-		panel-4.ply cloud2mesh -q -t 4 panel.xyz
+		dome-ply.ply cloud2mesh --nodes scan -q dome-points.ply
+		dome-inch.ply cloud2mesh --nodes scan -q -u inch dome.inch
+		panel-4.ply cloud2mesh --nodes scan -q -t 4 panel.xyz
 		panel-paper.ply cloud2mesh -q --paper -t 4 panel.xyz
 		face-paper.ply cloud2mesh -q --paper -t 3.8 face.xyz
-		face-2.ply cloud2mesh -q -t 2 face.xyz
-		face-smooth.ply cloud2mesh -q -t 2 --smooth face.xyz
-		half-e.ply cloud2mesh -q -e 0.3 half.xyz
-		panel-20.ply cloud2mesh -q -a 20 -t 3 panel.xyz
-		panel-et.ply cloud2mesh -q -e 0.02 -t 2 little.xyz
+		face-2.ply cloud2mesh --nodes scan -q -t 2 face.xyz
+		face-smooth.ply cloud2mesh --nodes scan -q -t 2 --smooth face.xyz
+		half-e.ply cloud2mesh --nodes scan -q -e 0.3 half.xyz
+		panel-20.ply cloud2mesh --nodes scan -q -a 20 -t 3 panel.xyz
+		panel-et.ply cloud2mesh --nodes scan -q -e 0.02 -t 2 little.xyz
 		wave-paper-e.ply cloud2mesh -q --paper -e 0.1 wave.xyz
 		wave-paper.ply cloud2mesh -q --paper -t 1 --origin -a 30 wave.xyz
-		wave-facet.ply cloud2mesh -q --normals facet wave.xyz
+		wave-facet.ply cloud2mesh --nodes scan -q --normals facet wave.xyz
 		wave-paper-quadric.ply cloud2mesh -q --paper --normals quadric wave.xyz
-		wave-12.ply cloud2mesh -q --neighbours 12 -t 0.8 wave.xyz
-		wave-coarse.ply cloud2mesh -q -t 5 wave.xyz
-		wave-smooth.ply cloud2mesh -q --smooth -t 1.5 wave-noise.xyz
-		wave-known.ply cloud2mesh -q --noise 0.02 wave-noise.xyz
-		wave-rough.ply cloud2mesh -q --noise 0 wave-noise.xyz
-		wave-e-smooth.ply cloud2mesh -q --smooth -e 0.05 wave-noise.xyz
-		wave-tight.ply cloud2mesh -q -e 0.001 wave.xyz
-		wave-turned.ply cloud2mesh -q --matrix turn.matrix -t 1.5 wave.xyz
-		hole-gap.ply cloud2mesh -q --max-gap 20 hole.xyz
-		hole-extend.ply cloud2mesh -q --extend 2 hole.xyz
-		dome-extend.ply cloud2mesh -q --extend 3 -e 0.02 dome-noise.xyz
-		islands-extend.ply cloud2mesh -q --extend 1 islands.xyz
-		islands-two.ply cloud2mesh -q dome.xyz islands.xyz
-		outliers.ply cloud2mesh -q outliers.xyz
-		outliers-keep.ply cloud2mesh -q --outliers keep outliers.xyz
+		wave-12.ply cloud2mesh --nodes scan -q --neighbours 12 -t 0.8 wave.xyz
+		wave-coarse.ply cloud2mesh --nodes scan -q -t 5 wave.xyz
+		wave-smooth.ply cloud2mesh --nodes scan -q --smooth -t 1.5 wave-noise.xyz
+		wave-known.ply cloud2mesh --nodes scan -q --noise 0.02 wave-noise.xyz
+		wave-rough.ply cloud2mesh --nodes scan -q --noise 0 wave-noise.xyz
+		wave-e-smooth.ply cloud2mesh --nodes scan -q --smooth -e 0.05 wave-noise.xyz
+		wave-tight.ply cloud2mesh --nodes scan -q -e 0.001 wave.xyz
+		wave-turned.ply cloud2mesh --nodes scan -q --matrix turn.matrix -t 1.5 wave.xyz
+		hole-gap.ply cloud2mesh --nodes scan -q --max-gap 20 hole.xyz
+		hole-extend.ply cloud2mesh --nodes scan -q --extend 2 hole.xyz
+		dome-extend.ply cloud2mesh --nodes scan -q --extend 3 -e 0.02 dome-noise.xyz
+		islands-extend.ply cloud2mesh --nodes scan -q --extend 1 islands.xyz
+		islands-two.ply cloud2mesh --nodes scan -q dome.xyz islands.xyz
+		outliers.ply cloud2mesh --nodes scan -q outliers.xyz
+		outliers-keep.ply cloud2mesh --nodes scan -q --outliers keep outliers.xyz
 		outliers-paper.ply cloud2mesh -q --paper --outliers drop outliers.xyz
-		ball-parts.ply cloud2mesh -q --subdivide ball.xyz
-		ball-flat.ply cloud2mesh -q ball.xyz
-		deep-parts.ply cloud2mesh -q --subdivide ball-deep.xyz
-		box-parts.ply cloud2mesh -q --subdivide -t 1 box.xyz
-		box-parts-e.ply cloud2mesh -q --subdivide -e 0.1 box.xyz
-		panel-parts.ply cloud2mesh -q --subdivide -t 4 panel.xyz
-		roof-smooth.ply cloud2mesh -q --smooth roof.xyz
-		wall-smooth.ply cloud2mesh -q --smooth wall.xyz
-		face-keep.ply cloud2mesh -q -t 4 --outliers keep --normals facet face.xyz
-		corner-coarse.ply cloud2mesh -q -t 4 corner.xyz
-		block-coarse.ply cloud2mesh -q -t 3 block.xyz
-		pyramid-coarse.ply cloud2mesh -q -t 5 pyramid.xyz
-		wave-none.ply cloud2mesh -q -t 0.1 wave.xyz
+		ball-parts.ply cloud2mesh --nodes scan -q --subdivide ball.xyz
+		ball-flat.ply cloud2mesh --nodes scan -q ball.xyz
+		deep-parts.ply cloud2mesh --nodes scan -q --subdivide ball-deep.xyz
+		box-parts.ply cloud2mesh --nodes scan -q --subdivide -t 1 box.xyz
+		box-parts-e.ply cloud2mesh --nodes scan -q --subdivide -e 0.1 box.xyz
+		panel-parts.ply cloud2mesh --nodes scan -q --subdivide -t 4 panel.xyz
+		roof-smooth.ply cloud2mesh --nodes scan -q --smooth roof.xyz
+		wall-smooth.ply cloud2mesh --nodes scan -q --smooth wall.xyz
+		face-keep.ply cloud2mesh --nodes scan -q -t 4 --outliers keep --normals facet face.xyz
+		corner-coarse.ply cloud2mesh --nodes scan -q -t 4 corner.xyz
+		block-coarse.ply cloud2mesh --nodes scan -q -t 3 block.xyz
+		pyramid-coarse.ply cloud2mesh --nodes scan -q -t 5 pyramid.xyz
+		wave-none.ply cloud2mesh --nodes scan -q -t 0.1 wave.xyz
 		wave-wrong.ply cloud2mesh -q --extend 2 --paper wave.xyz
 	END
 }
@@ -515,9 +515,9 @@ pictures() {
 threads() {
 	for n in 1 8; do
 		cat <<-END
-			threads-$n.ply cloud2mesh -q -j $n -e 0.03 wall.xyz
-			threads-$n-grid.ply cloud2mesh -q -j $n -t 2 face.xyz
-			threads-$n-parts.ply cloud2mesh -q -j $n --subdivide box.xyz
+			threads-$n.ply cloud2mesh --nodes scan -q -j $n -e 0.03 wall.xyz
+			threads-$n-grid.ply cloud2mesh --nodes scan -q -j $n -t 2 face.xyz
+			threads-$n-parts.ply cloud2mesh --nodes scan -q -j $n --subdivide box.xyz
 			threads-$n-nurbs.ply nurbs2mesh -q -j $n -e 0.05 torus.nurbs
 			threads-$n.cl meshnorm --rows mesh -q -j $n -r 3 --avoid --holder 3:5+8:20 -g wave-noise.xyz wave-noise.ply
 			threads-$n-cut.cl planecut -q -j $n -r 5 --avoid -s 1 -g wave.xyz wave.ply
@@ -563,7 +563,7 @@ manners() {
 		forms-vector.cl meshnorm --rows mesh -r 6 --fixed 0,1 dome.ply
 		forms-word.cl meshnorm --rows mesh -r 6 --coolant much dome.ply
 		forms-twice.cl meshnorm --rows mesh -r 6 dome.ply wave.ply
-		pipe.mpf cloud2mesh -q -t 4 panel.xyz | meshnorm --rows mesh -q -r 8 | biarcfit -q -e 0.01 | ncpost -q -c siemens
+		pipe.mpf cloud2mesh --nodes scan -q -t 4 panel.xyz | meshnorm --rows mesh -q -r 8 | biarcfit -q -e 0.01 | ncpost -q -c siemens
 	END
 }
 

@@ -38,7 +38,7 @@ enough() {
 for noise in 0 0.02; do
 	scan=$TMP/scan$noise.xyz
 	shape $noise >"$scan"
-	cloud2mesh -q --effort 1000000 -o "$TMP/all.ply" "$scan"
+	cloud2mesh --nodes scan -q --effort 1000000 -o "$TMP/all.ply" "$scan"
 	ok "noise $noise: with little effort" cloud2mesh --effort 0.0001 -o "$TMP/little.ply" "$scan"
 	cp "$TMP/err" "$TMP/said$noise"
 	has "it says what it leaves out" 'edges that may cross a crease, more than 1: they are not checked; --effort [0-9.]* covers all' "$TMP/err"
@@ -54,7 +54,7 @@ has "and of how many points surfaces go through" 'surfaces are fitted to fewer; 
 
 # A scan that guards: its noise stays in, and points that are far apart get none between.
 awk '$1 < 8' "$TMP/scan0.02.xyz" >"$TMP/rib.xyz"
-cloud2mesh -q -o "$TMP/mesh.ply" "$TMP/rib.xyz"
+cloud2mesh --nodes scan -q -o "$TMP/mesh.ply" "$TMP/rib.xyz"
 ok "meshnorm says that too" meshnorm -r 2 --rows mesh --avoid --effort 0.001 -g "$TMP/rib.xyz" -o "$TMP/path.cl" "$TMP/mesh.ply"
 has "of the noise" 'points of the scan, more than 400: their noise is not removed; --effort 0.0[0-9]* covers all' "$TMP/err"
 status 2 "an effort of nothing" cloud2mesh --effort 0 "$TMP/scan0.xyz"

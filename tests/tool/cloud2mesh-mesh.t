@@ -73,24 +73,24 @@ body "$TMP/plain.ply" | awk '
 empty "facets stand row by row, up before down" "$TMP/disorder"
 
 # the same mesh whatever the order of the points, the number of threads, the number of files
-cloud2mesh -t 4 <"$panel" >"$TMP/stdin.ply" 2>/dev/null
+cloud2mesh --nodes scan -t 4 <"$panel" >"$TMP/stdin.ply" 2>/dev/null
 for order in 'sort -n' 'sort -k3' 'sort -rn -k2'; do
-	$order "$panel" | cloud2mesh -t 4 >"$TMP/other.ply"
+	$order "$panel" | cloud2mesh --nodes scan -t 4 >"$TMP/other.ply"
 	same "the same mesh after $order" "$TMP/stdin.ply" "$TMP/other.ply"
 done
-cloud2mesh -t 4 -j 1 <"$panel" >"$TMP/other.ply"
+cloud2mesh --nodes scan -t 4 -j 1 <"$panel" >"$TMP/other.ply"
 same "the same mesh by one thread" "$TMP/stdin.ply" "$TMP/other.ply"
-cloud2mesh -t 4 -j 7 <"$panel" >"$TMP/other.ply"
+cloud2mesh --nodes scan -t 4 -j 7 <"$panel" >"$TMP/other.ply"
 same "the same mesh by seven threads" "$TMP/stdin.ply" "$TMP/other.ply"
 head -n 5000 "$panel" >"$TMP/a.xyz"
 tail -n +5001 "$panel" >"$TMP/b.xyz"
-cloud2mesh -t 4 "$TMP/a.xyz" "$TMP/b.xyz" >"$TMP/two.ply"
+cloud2mesh --nodes scan -t 4 "$TMP/a.xyz" "$TMP/b.xyz" >"$TMP/two.ply"
 body "$TMP/two.ply" >"$TMP/two.body"
 body "$TMP/stdin.ply" >"$TMP/one.body"
 same "two files are one cloud" "$TMP/one.body" "$TMP/two.body"
 has "the stream names the files" '^comment source .*a\.xyz and 1 more$' "$TMP/two.ply"
 if has_locale de_DE.UTF-8; then
-	LC_ALL=de_DE.UTF-8 cloud2mesh -t 4 <"$panel" >"$TMP/other.ply"
+	LC_ALL=de_DE.UTF-8 cloud2mesh --nodes scan -t 4 <"$panel" >"$TMP/other.ply"
 	same "the same mesh in another locale" "$TMP/stdin.ply" "$TMP/other.ply"
 else
 	skip "the same mesh in another locale" "no locale de_DE.UTF-8"
@@ -99,13 +99,13 @@ fi
 # the spacing is taken from the cloud, and -t with it gives the same
 mesh auto "$panel"
 has "without -t it says the spacing" '^cloud2mesh: spacing 1\.45 mm' "$TMP/auto.err"
-cloud2mesh -t 1.45 "$panel" >"$TMP/other.ply"
+cloud2mesh --nodes scan -t 1.45 "$panel" >"$TMP/other.ply"
 same "-t with that spacing gives the same" "$TMP/auto.ply" "$TMP/other.ply"
 mesh hush -q "$panel"
 empty "-q: not a word" "$TMP/hush.err"
 
 # placing
-cloud2mesh -u m -t 4000 <"$panel" >"$TMP/metre.ply"
+cloud2mesh --nodes scan -u m -t 4000 <"$panel" >"$TMP/metre.ply"
 has "-u m: as many vertices" '^element vertex 325$' "$TMP/metre.ply"
 result "$([ "$(box "$TMP/metre.ply" | awk '{ print $1 / 1000, $2 / 1000, $3 / 1000, $4 / 1000 }')" = \
 	"$(box "$TMP/stdin.ply" | awk '{ print $1 * 1, $2 * 1, $3 * 1, $4 * 1 }')" ]; echo $?)" "-u m: a thousand times as large"
@@ -122,7 +122,7 @@ body "$TMP/turned.ply" | head -n 325 | awk '{ printf "%.4f %.4f %.4f\n", $2 - 20
 sed 's/-0\.0000/0.0000/g' "$TMP/vertices" | sort -u >"$TMP/there"
 same "a quarter turn with the rows turned too: the same points" "$TMP/there" "$TMP/back"
 has "--matrix: the stream says how the scan was placed" '^comment place 0 -1 0 10 1 0 0 20 0 0 1 -5 0 0 0 1$' "$TMP/turned.ply"
-cloud2mesh -a 30 -t 4 <"$panel" >"$TMP/a30.ply"
+cloud2mesh --nodes scan -a 30 -t 4 <"$panel" >"$TMP/a30.ply"
 has "-a: the stream says the direction" '^comment direction 30$' "$TMP/a30.ply"
 body "$TMP/a30.ply" | head -n "$(number vertex "$TMP/a30.ply")" | awk '{ printf "%.4f %.4f %.4f\n", $1, $2, $3 }' | sort -u >"$TMP/vertices30"
 sort -u "$panel" | comm -13 - "$TMP/vertices30" >"$TMP/strangers"
@@ -131,7 +131,7 @@ empty "-a: the points stay in the scan's frame" "$TMP/strangers"
 # a sphere of radius 60 from the outside, and from the inside
 awk 'BEGIN { for (y = -30; y <= 30; y += 0.75) for (x = -30; x <= 30; x += 0.6)
 	printf "%.6f %.6f %.6f\n", x, y, sqrt(3600 - x * x - y * y) }' >"$TMP/dome.xyz"
-cloud2mesh -t 4 "$TMP/dome.xyz" >"$TMP/dome.ply"
+cloud2mesh --nodes scan -t 4 "$TMP/dome.xyz" >"$TMP/dome.ply"
 sphere() { # FILE SIGN: largest difference of normals and of curvature from the sphere's
 	awk -v sign="$2" '/^element vertex/ { n = $3 } /^end_header/ { body = 1; next }
 		body && k++ < n {
@@ -144,22 +144,22 @@ sphere() { # FILE SIGN: largest difference of normals and of curvature from the 
 }
 below "normals on a sphere" "$(sphere "$TMP/dome.ply" 1 | cut -d' ' -f1)" 0.0002
 below "curvature on a sphere: 1/60, not hollow" "$(sphere "$TMP/dome.ply" 1 | cut -d' ' -f2)" 0.02
-awk '{ printf "%.6f %.6f %.6f\n", $1, $2, -$3 }' "$TMP/dome.xyz" | cloud2mesh -t 4 >"$TMP/bowl.ply"
+awk '{ printf "%.6f %.6f %.6f\n", $1, $2, -$3 }' "$TMP/dome.xyz" | cloud2mesh --nodes scan -t 4 >"$TMP/bowl.ply"
 below "normals in a bowl" "$(sphere "$TMP/bowl.ply" -1 | cut -d' ' -f1)" 0.0002
 below "curvature in a bowl: 1/60, hollow" "$(sphere "$TMP/bowl.ply" -1 | cut -d' ' -f2)" 0.02
-cloud2mesh -t 4 --normals facet "$TMP/dome.xyz" >"$TMP/facet.ply"
+cloud2mesh --nodes scan -t 4 --normals facet "$TMP/dome.xyz" >"$TMP/facet.ply"
 result "$(sphere "$TMP/facet.ply" 1 | awk '{ print !($1 > 0.001 && $1 < 0.05) }')" "facet normals are coarser"
 
 # a hole 3 mm wide, on a cloud with points every 0.5 mm
 awk 'BEGIN { for (y = 0; y <= 40; y += 0.5) for (x = 0; x <= 40; x += 0.5)
 	if ((x - 20) ^ 2 + (y - 20) ^ 2 > 16) print x, y, 0 }' >"$TMP/hole.xyz"
-cloud2mesh -v -t 5 "$TMP/hole.xyz" >"$TMP/hole.ply" 2>"$TMP/hole.err"
+cloud2mesh --nodes scan -v -t 5 "$TMP/hole.xyz" >"$TMP/hole.ply" 2>"$TMP/hole.err"
 has "no facet over a hole" 'left out [0-9]* facets over a hole' "$TMP/hole.err"
-cloud2mesh -v -t 5 --max-gap 12 "$TMP/hole.xyz" >"$TMP/whole.ply" 2>"$TMP/whole.err"
+cloud2mesh --nodes scan -v -t 5 --max-gap 12 "$TMP/hole.xyz" >"$TMP/whole.ply" 2>"$TMP/whole.err"
 hasnt "--max-gap: unless it is allowed" 'over a hole' "$TMP/whole.err"
 for cloud in "$panel" "$face"; do
 	for t in 1.5 2 3 4; do
-		cloud2mesh -v -t $t --normals facet "$cloud" 2>&1 >/dev/null | grep -E 'over a hole|face down'
+		cloud2mesh --nodes scan -v -t $t --normals facet "$cloud" 2>&1 >/dev/null | grep -E 'over a hole|face down'
 	done
 done >"$TMP/found"
 empty "no facet of the samples is taken for one over a hole" "$TMP/found"
@@ -182,14 +182,14 @@ off_clean() {
 		END { printf "%.5f\n", sqrt(s / m) }' "$TMP/plain.ply" "$1"
 }
 below "its vertices are off by less than half of it" "$(off_clean "$TMP/noisy.ply")" 0.008
-cloud2mesh -q -t 4 --noise 0 "$noisy" >"$TMP/raw.ply"
+cloud2mesh --nodes scan -q -t 4 --noise 0 "$noisy" >"$TMP/raw.ply"
 result "$(off_clean "$TMP/raw.ply" | awk '{ print !($1 > 0.015) }')" "--noise 0: vertices stay points of the scan"
-cloud2mesh -q -t 4 --noise 0.03 "$noisy" | sed -n 's/^comment noise //p' >"$TMP/found"
+cloud2mesh --nodes scan -q -t 4 --noise 0.03 "$noisy" | sed -n 's/^comment noise //p' >"$TMP/found"
 result "$(grep -qx 0.0300 "$TMP/found"; echo $?)" "--noise: is taken as given"
-cloud2mesh -q -t 4 -j 1 "$noisy" >"$TMP/other.ply"
+cloud2mesh --nodes scan -q -t 4 -j 1 "$noisy" >"$TMP/other.ply"
 same "noise: the same mesh by one thread" "$TMP/noisy.ply" "$TMP/other.ply"
 sort -rn -k2 "$noisy" >"$TMP/turned.xyz"
-cloud2mesh -q -t 4 "$TMP/turned.xyz" | sed '/^comment source/d' >"$TMP/other.ply"
+cloud2mesh --nodes scan -q -t 4 "$TMP/turned.xyz" | sed '/^comment source/d' >"$TMP/other.ply"
 sed '/^comment source/d' "$TMP/noisy.ply" >"$TMP/first.ply"
 same "noise: the same mesh whatever the order" "$TMP/first.ply" "$TMP/other.ply"
 
@@ -232,10 +232,10 @@ result "$([ "$(number vertex "$TMP/e0.2.ply")" -lt "$(number vertex "$TMP/e0.05.
 status 0 "-e: meshnorm cuts along its rows" meshnorm -r 8 --rows mesh "$TMP/e0.05.ply"
 mesh "ecoarse" -e 5 -t 2 "$panel"
 has "-e and -t: no farther apart than -t" ' 3[2-9] rows$' "$TMP/ecoarse.err"
-status 0 "-e on a noisy scan" cloud2mesh -e 0.05 "$noisy"
+status 0 "-e on a noisy scan" cloud2mesh --nodes scan -e 0.05 "$noisy"
 has "-e on a noisy scan: of the surface" '^cloud2mesh: the surface below the noise is within 0\.0[0-4][0-9]* mm of the mesh' "$TMP/err"
 awk 'BEGIN { for (y = 0; y <= 40; y += 0.5) for (x = 0; x <= 40; x += 0.5) print x, y, (x > 20) * 6 }' >"$TMP/step.xyz"
-status 3 "-e: a wall that no facet follows" cloud2mesh -e 0.05 --smooth "$TMP/step.xyz"
+status 3 "-e: a wall that no facet follows" cloud2mesh --nodes scan -e 0.05 --smooth "$TMP/step.xyz"
 has "-e: a wall that no facet follows: where" 'step\.xyz: the mesh is off by [0-9.]* mm at [12][09]' "$TMP/err"
 has "and the mesh is written" '^end_header' "$TMP/out"
 status 2 "--paper and -e" cloud2mesh --paper -e 0.1 "$panel"

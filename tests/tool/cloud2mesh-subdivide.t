@@ -44,12 +44,12 @@ ok "rows by a scallop in each of the parts" meshnorm -r 3 -g "$TMP/ball.xyz" --s
 judge "half-ball by a scallop" 3 0.012 0.05
 
 ball 5 -1 9000 0.005 >"$TMP/ball.xyz"
-cloud2mesh -q --subdivide "$TMP/ball.xyz" -o "$TMP/ball.ply"
+cloud2mesh --nodes scan -q --subdivide "$TMP/ball.xyz" -o "$TMP/ball.ply"
 ok "beyond the equator, noise: a path" meshnorm -r 2 --rows mesh -g "$TMP/ball.xyz" "$TMP/ball.ply" -o "$TMP/ball.cl"
 judge "beyond the equator" 2 0.03 0.05
 
 ball 5 -2.5 12000 0 >"$TMP/deep.xyz"
-cloud2mesh -q --subdivide "$TMP/deep.xyz" -o "$TMP/deep.ply"
+cloud2mesh --nodes scan -q --subdivide "$TMP/deep.xyz" -o "$TMP/deep.ply"
 ok "30 degrees under the equator: a path" meshnorm -r 2 --rows mesh -g "$TMP/deep.xyz" "$TMP/deep.ply" -o "$TMP/deep.cl"
 hasnt "nothing out of reach" "cannot reach" "$TMP/err"
 ncpost -q -c siemens -m table-ac "$TMP/deep.cl" -o "$TMP/ball.mpf"
@@ -94,14 +94,14 @@ figures "$TMP/out" >"$TMP/figures"
 below "the edges of the box: no gouge" "$(awk '{ print $1 }' "$TMP/figures")" 0.04
 below "the edges of the box: nothing left standing" "$(awk '{ print $2 }' "$TMP/figures")" 0.1
 
-cloud2mesh -q -j 1 --subdivide "$TMP/ball.xyz" -o "$TMP/one.ply"
+cloud2mesh --nodes scan -q -j 1 --subdivide "$TMP/ball.xyz" -o "$TMP/one.ply"
 same "the same for any number of threads" "$TMP/one.ply" "$TMP/ball.ply"
 
 ok "without it" cloud2mesh "$TMP/ball.xyz" -o "$TMP/flat.ply"
 has "steep parts are said" '% of the surface is steeper than 70 degrees' "$TMP/err"
 cloud2mesh "$panel" -o "$TMP/flat.ply" 2>"$TMP/err"
 hasnt "but not on the panel" 'steeper' "$TMP/err"
-cloud2mesh -q --subdivide -t 4 "$panel" -o "$TMP/parts.ply"
+cloud2mesh --nodes scan -q --subdivide -t 4 "$panel" -o "$TMP/parts.ply"
 has "and one part serves it" '^comment part 0 1' "$TMP/parts.ply"
 hasnt "alone" '^comment part [1-9]' "$TMP/parts.ply"
 

@@ -74,11 +74,11 @@ measure() {
 for kind in roof wall; do
 	for noise in 0 0.02; do
 		shape $kind $noise >"$TMP/$kind.xyz"
-		ok "$kind, noise $noise: a mesh" cloud2mesh -v "$TMP/$kind.xyz" -o "$TMP/$kind.ply"
+		ok "$kind, noise $noise: a mesh" cloud2mesh --nodes scan -v "$TMP/$kind.xyz" -o "$TMP/$kind.ply"
 		measure $kind "$TMP/$kind.ply" >"$TMP/off"
 		below "$kind, noise $noise: within 0.1 mm" "$(awk '{ print $2 }' "$TMP/off")" 0.1
 		has "$kind, noise $noise: its edges are there from end to end" 'gaps 0$' "$TMP/off"
-		cloud2mesh -q --smooth "$TMP/$kind.xyz" -o "$TMP/smooth.ply"
+		cloud2mesh --nodes scan -q --smooth "$TMP/$kind.xyz" -o "$TMP/smooth.ply"
 		below "$kind: --smooth leaves more" 0.2 "$(measure $kind "$TMP/smooth.ply" | awk '{ print $2 }')"
 	done
 done
@@ -88,7 +88,7 @@ done
 for kind in roof wall; do
 	for noise in 0 0.02; do
 		shape $kind $noise >"$TMP/$kind.xyz"
-		ok "$kind, noise $noise: within 0.05 mm" cloud2mesh -v -e 0.05 "$TMP/$kind.xyz" -o "$TMP/$kind.ply"
+		ok "$kind, noise $noise: within 0.05 mm" cloud2mesh --nodes scan -v -e 0.05 "$TMP/$kind.xyz" -o "$TMP/$kind.ply"
 		has "it has said so" 'within 0\.0[0-4][0-9]* mm of the mesh' "$TMP/err"
 		measure $kind "$TMP/$kind.ply" >"$TMP/off"
 		below "$kind, noise $noise: within 0.1 mm of the shape" "$(awk '{ print $2 }' "$TMP/off")" 0.1
@@ -99,7 +99,7 @@ done
 # The rows go over it, and the ball stays clear of all points.
 for kind in roof wall; do
 	shape $kind 0 >"$TMP/$kind.xyz"
-	cloud2mesh -q "$TMP/$kind.xyz" -o "$TMP/$kind.ply"
+	cloud2mesh --nodes scan -q "$TMP/$kind.xyz" -o "$TMP/$kind.ply"
 	ok "$kind: a path" meshnorm -q -r 3 --rows mesh --avoid -g "$TMP/$kind.xyz" "$TMP/$kind.ply" -o "$TMP/$kind.cl"
 	ncpost -q -c siemens "$TMP/$kind.cl" -o "$TMP/$kind.mpf"
 	ok "$kind: no gouge" ncverify --ball-only -r 3 -g "$TMP/$kind.xyz" "$TMP/$kind.mpf"
@@ -140,9 +140,9 @@ kept() {
 }
 for noise in 0 0.02; do
 	rib $noise >"$TMP/rib.xyz"
-	ok "rib, noise $noise: within 0.05 mm" cloud2mesh -v -e 0.05 "$TMP/rib.xyz" -o "$TMP/rib.ply"
+	ok "rib, noise $noise: within 0.05 mm" cloud2mesh --nodes scan -v -e 0.05 "$TMP/rib.xyz" -o "$TMP/rib.ply"
 	below "rib, noise $noise: all of it is kept" 0.74 "$(kept "$TMP/rib.ply")"
-	cloud2mesh -q "$TMP/rib.xyz" -o "$TMP/rib.ply"
+	cloud2mesh --nodes scan -q "$TMP/rib.xyz" -o "$TMP/rib.ply"
 	below "rib, noise $noise: by a grid too" 0.74 "$(kept "$TMP/rib.ply")"
 done
 
@@ -153,8 +153,8 @@ down() {
 	awk '/^element vertex/ { n = $3 } /^end_header/ { from = NR }
 		from && NR > from && NR <= from + n && $6 < 0.1 { down++ } END { print down + 0 }' "$1"
 }
-cloud2mesh -q -t 2 "$face" -o "$TMP/face.ply"
-cloud2mesh -q -t 2 --smooth "$face" -o "$TMP/smooth.ply"
+cloud2mesh --nodes scan -q -t 2 "$face" -o "$TMP/face.ply"
+cloud2mesh --nodes scan -q -t 2 --smooth "$face" -o "$TMP/smooth.ply"
 below "face: normals that point aside or down" "$(down "$TMP/face.ply")" "$(down "$TMP/smooth.ply")"
 below "face: none points down" "$(awk '/^element vertex/ { n = $3 } /^end_header/ { from = NR }
 	from && NR > from && NR <= from + n && $6 < 0 { d++ } END { print d + 0 }' "$TMP/face.ply")" 0
@@ -164,12 +164,12 @@ for control in fanuc siemens; do
 done
 
 # Nothing is found where there is nothing, and the same whatever the threads.
-cloud2mesh -v -t 4 "$panel" -o "$TMP/panel.ply" 2>"$TMP/err"
+cloud2mesh --nodes scan -v -t 4 "$panel" -o "$TMP/panel.ply" 2>"$TMP/err"
 has "panel: no creases" 'creases cross 0 edges of the mesh, walls 0' "$TMP/err"
-cloud2mesh -q --smooth -t 4 "$panel" -o "$TMP/smooth.ply"
+cloud2mesh --nodes scan -q --smooth -t 4 "$panel" -o "$TMP/smooth.ply"
 same "panel: as with --smooth" "$TMP/smooth.ply" "$TMP/panel.ply"
-cloud2mesh -q -j 1 "$TMP/wall.xyz" -o "$TMP/one.ply"
-cloud2mesh -q -j 5 "$TMP/wall.xyz" -o "$TMP/five.ply"
+cloud2mesh --nodes scan -q -j 1 "$TMP/wall.xyz" -o "$TMP/one.ply"
+cloud2mesh --nodes scan -q -j 5 "$TMP/wall.xyz" -o "$TMP/five.ply"
 same "wall: the same for any number of threads" "$TMP/one.ply" "$TMP/five.ply"
 
 done_testing

@@ -18,7 +18,7 @@ whole() {
 size() { wc -c <"$1" | tr -d ' '; }
 dots() { grep -o 'h0' "$1" | wc -l | tr -d ' '; }
 
-cloud2mesh -q -t 5 -o "$TMP/mesh.ply" "$scan"
+cloud2mesh --nodes scan -q -t 5 -o "$TMP/mesh.ply" "$scan"
 meshnorm -q -r 8 --rows mesh -o "$TMP/lines.cl" "$TMP/mesh.ply"
 biarcfit -q -e 0.01 -o "$TMP/arcs.cl" "$TMP/lines.cl"
 bsplfit -q -e 0.01 -o "$TMP/splines.cl" "$TMP/lines.cl"

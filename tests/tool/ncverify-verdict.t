@@ -138,7 +138,7 @@ broken "a retract home under tool centre point control" '/^N26[0-9]* G49/d' 'N[0
 broken "letters for digits" '/^N12030 /s/X/XO/' 'N12030: found'
 
 # Good programs in inches and in a tilted plane.
-cloud2mesh -q -t 2 dome.xyz -o dome.ply
+cloud2mesh --nodes scan -q -t 2 dome.xyz -o dome.ply
 meshnorm -q -r 6 --rows mesh --fixed 0.3,0.2,0.9 dome.ply >tilt.cl
 bsplfit -q -e 0.01 tilt.cl >tilt-s.cl
 for control in fanuc siemens heidenhain; do

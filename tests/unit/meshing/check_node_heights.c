@@ -1,0 +1,133 @@
+/* node_heights on a known surface: vertices go to their nodes, at its height, and stay where it is
+ * not certain. */
+#include "meshing/node_heights.h"
+
+#include <check.h>
+#include <stdlib.h>
+
+#include "meshing/grid_mesh.h"
+#include "meshing/reposition.h"
+
+static double wave(double x, double y)
+{
+    return 2 * sin(x / 6) * cos(y / 7) + 0.3 * x;
+}
+
+static double step(double x, double y)
+{
+    return wave(x, y) + (x + 0.3 * y > 1 ? 4 : 0);
+}
+
+/* Points about 0.5 mm apart, not on a raster, over 24 x 24 mm. */
+static struct vec3s scan_of(double (*z)(double x, double y))
+{
+    struct vec3s points = {0};
+    unsigned state = 7;
+
+    for (double x = -12; x <= 12; x += 0.5)
+        for (double y = -12; y <= 12; y += 0.5) {
+            state = state * 1664525u + 1013904223u;
+            double dx = (state >> 16) / 65536.0 - 0.5;
+            state = state * 1664525u + 1013904223u;
+            double dy = (state >> 16) / 65536.0 - 0.5;
+            double px = x + 0.4 * dx, py = y + 0.4 * dy;
+            *array_push(&points) = vec(px, py, z(px, py));
+        }
+    return points;
+}
+
+struct case_of {
+    struct vec3s points;
+    struct point_grid scan;
+    struct grid grid;
+    struct mesh mesh;
+    size_t moved;
+};
+
+static struct case_of run_case(double (*z)(double x, double y), double direction)
+{
+    struct case_of c = {.points = scan_of(z)};
+    struct node_heights_options options = {0.5, 0, 1};
+    struct error error;
+    struct plan_extent extent = plan_extent_of(c.points.item, c.points.n, direction);
+
+    ck_assert_int_eq(point_grid_make(c.points.item, c.points.n, 0.5, 1, &c.scan, &error), 0);
+    ck_assert_int_eq(grid_make(&extent, c.points.n, 2, &c.grid, &error), 0);
+    size_t *chosen = reposition(&c.grid, c.points.item, c.points.n, REACH_NEAREST);
+    grid_mesh_make(&c.grid, chosen, c.points.item, NULL, &c.mesh);
+    free(chosen);
+    c.moved = node_heights(&c.mesh, &c.grid, &c.scan, &options);
+    return c;
+}
+
+static void free_case(struct case_of *c)
+{
+    mesh_free(&c->mesh);
+    point_grid_free(&c->scan);
+    array_free(&c->points);
+}
+
+static struct vec3 node_of(const struct case_of *c, size_t v)
+{
+    return plan_extent_turn_back(&c->grid.plan_extent,
+                                 grid_node(&c->grid, c->mesh.col.item[v], c->mesh.row.item[v]));
+}
+
+static bool is_point(const struct case_of *c, struct vec3 p)
+{
+    uint32_t index;
+    double distance2;
+
+    return point_grid_nearest(&c->scan, p, 1, &index, &distance2) == 1 && distance2 == 0;
+}
+
+START_TEST(vertices_stand_at_their_nodes_on_the_surface)
+{
+    struct case_of c = run_case(wave, _i);
+    size_t at_node = 0;
+
+    for (size_t v = 0; v < c.mesh.vertex.n; v++) {
+        struct vec3 p = c.mesh.vertex.item[v], node = node_of(&c, v);
+        ck_assert_double_eq_tol(p.z, wave(p.x, p.y), 0.003);
+        if (hypot(p.x - node.x, p.y - node.y) < 1e-6)
+            at_node++;
+        else
+            ck_assert(is_point(&c, p)); /* at the border */
+        if (hypot(node.x, node.y) < 10)
+            ck_assert_double_lt(hypot(p.x - node.x, p.y - node.y), 1e-6);
+    }
+    ck_assert_uint_eq(at_node, c.moved);
+    ck_assert_uint_gt(10 * c.moved, 8 * c.mesh.vertex.n);
+    free_case(&c);
+}
+END_TEST
+
+START_TEST(beside_a_step_none_is_off_the_surface)
+{
+    struct case_of c = run_case(step, 0);
+    size_t beside = 0;
+
+    for (size_t v = 0; v < c.mesh.vertex.n; v++) {
+        struct vec3 p = c.mesh.vertex.item[v], node = node_of(&c, v);
+        double off = (node.x + 0.3 * node.y - 1) / hypot(1, 0.3);
+        ck_assert_double_eq_tol(p.z, step(p.x, p.y), 0.03);
+        beside += fabs(off) < 0.8 && hypot(node.x, node.y) < 10 && is_point(&c, p);
+    }
+    ck_assert_uint_gt(beside, 3);
+    free_case(&c);
+}
+END_TEST
+
+int main(void)
+{
+    Suite *suite = suite_create("node_heights");
+    TCase *tests = tcase_create("node_heights");
+    tcase_add_loop_test(tests, vertices_stand_at_their_nodes_on_the_surface, 0, 3);
+    tcase_add_test(tests, beside_a_step_none_is_off_the_surface);
+    suite_add_tcase(suite, tests);
+    SRunner *runner = srunner_create(suite);
+    srunner_run_all(runner, CK_NORMAL);
+    int failed = srunner_ntests_failed(runner);
+    srunner_free(runner);
+    return failed > 0;
+}
