@@ -5,6 +5,7 @@
 
 #include "base/effort.h"
 #include "base/parallel.h"
+#include "cloud/edge_points.h"
 #include "cloud/upsample.h"
 #include "curve/edge_curve.h"
 #include "mesh/mesh_edges.h"
@@ -223,6 +224,18 @@ static struct guard_points gather(struct guard_work *work)
     return surface;
 }
 
+/* Sharp edges that the scan has no points on. */
+static void add_edges(const struct guard_work *work, struct guard_points *surface)
+{
+    const struct guard_points_options *rule = work->rule;
+    struct edge_points_options edges = {.point_grid = work->point_grid,
+                                        .noise = rule->noise,
+                                        .along = sqrt(8 * rule->radius * rule->sink),
+                                        .threads = rule->threads};
+
+    surface->edges = edge_points(&edges, &surface->point);
+}
+
 struct guard_points guard_points_of_scan(const struct point_grid *point_grid,
                                          const struct guard_points_options *rule)
 {
@@ -232,6 +245,7 @@ struct guard_points guard_points_of_scan(const struct point_grid *point_grid,
     size_t near = 0;
 
     if (!choose_work(&work, &sparse, &near)) {
+        add_edges(&work, &surface);
         surface.sparse = sparse;
         array_reserve(&surface.point, point_grid->n);
         for (size_t i = 0; i < point_grid->n; i++)
@@ -246,6 +260,7 @@ struct guard_points guard_points_of_scan(const struct point_grid *point_grid,
     else
         parallel_for(rule->threads, point_grid->n, fill_gaps, &work);
     surface = gather(&work);
+    add_edges(&work, &surface);
     surface.sparse = sparse;
     surface.near = near;
     free(work.result);

@@ -303,6 +303,24 @@ struct vec3 quadric_at(const struct quadric *q, double u, double v)
     return vec_along(vec_along(vec_along(q->origin, u, q->u), v, q->v), w, q->w);
 }
 
+/* Slopes of the height w along u and v. */
+static void slopes_at(const struct quadric *q, double u, double v, double *wu, double *wv)
+{
+    const double *c = q->c;
+
+    *wu = c[1] + 2 * c[3] * u + c[4] * v + u * (3 * c[6] * u + 2 * c[7] * v) + c[8] * v * v;
+    *wv = c[2] + 2 * c[5] * v + c[4] * u + v * (3 * c[9] * v + 2 * c[8] * u) + c[7] * u * u;
+}
+
+struct vec3 quadric_normal_at(const struct quadric *q, struct vec3 point)
+{
+    struct vec3 at = quadric_local(q, point);
+    double wu, wv;
+
+    slopes_at(q, at.x, at.y, &wu, &wv);
+    return vec_unit(vec_along(vec_along(q->w, -wu, q->u), -wv, q->v));
+}
+
 struct vec3 quadric_nearest(const struct quadric *q, struct vec3 point)
 {
     const double still = 1e-9; /* mm */
@@ -310,11 +328,8 @@ struct vec3 quadric_nearest(const struct quadric *q, struct vec3 point)
     double u = at.x, v = at.y;
 
     for (int turn = 0; turn < 8; turn++) {
-        const double *c = q->c;
-        double wu =
-            c[1] + 2 * c[3] * u + c[4] * v + u * (3 * c[6] * u + 2 * c[7] * v) + c[8] * v * v;
-        double wv =
-            c[2] + 2 * c[5] * v + c[4] * u + v * (3 * c[9] * v + 2 * c[8] * u) + c[7] * u * u;
+        double wu, wv;
+        slopes_at(q, u, v, &wu, &wv);
         struct vec3 off = vec_sub(point, quadric_at(q, u, v));
         double height = vec_dot(off, q->w), slope2 = 1 + wu * wu + wv * wv;
         double su = vec_dot(off, q->u) + height * wu, sv = vec_dot(off, q->v) + height * wv;

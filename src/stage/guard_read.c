@@ -195,6 +195,8 @@ static struct gouge_check *gouge_of(struct vec3s *points, const struct mesh *mes
             surface.at.z);
     note("guarded by %zu points of the scan and %zu inserted between them", point_grid.n,
          surface.added);
+    if (surface.edges > 0)
+        note("and by %zu points on sharp edges that its surfaces meet in", surface.edges);
     if (mesh)
         add_edges(mesh, sqrt(8 * rule->radius * how.sink), &surface.point);
     point_grid_free(&point_grid);

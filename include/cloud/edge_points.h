@@ -1,0 +1,32 @@
+/*
+ * edge_points - the sharp convex edges and tips of a scan that has no points on them: where the
+ * surfaces on both sides, continued, meet.
+ *
+ * Between points on two sides of an edge a chord lies inside the part, and a ball that follows it
+ * cuts the edge off.  So:
+ *   1. A point whose neighbourhood is no one quadric gets the surface of its own side, its flank:
+ *      of the planes through it and two of its neighbours the one that most neighbours lie on
+ *      (RANSAC, Fischler and Bolles 1981, but all of them), fitted to these, and bent where that is
+ *      better (side_fit.h).  It counts if the flanks of the points on it agree.
+ *   2. Where the flanks of two neighbours are no continuation of each other and each of the two lies
+ *      below the flank of the other, points are put on the curve in which these intersect, and at a
+ *      tip where they meet a third flank; no further than REACH spacings from a point of the scan.
+ * No edge is put where points near to it lie off both flanks, and on no flank of their own: there the
+ * scan knows a rounding.  Flanks are seen from above: their normals point up.
+ */
+#ifndef CLOUDMILL_EDGE_POINTS_H
+#define CLOUDMILL_EDGE_POINTS_H
+
+#include "math/point_grid.h"
+
+struct edge_points_options {
+    const struct point_grid *point_grid; /* the scan, without outliers */
+    double noise;                        /* standard deviation of its points, mm */
+    double along;                        /* distance of points along an edge, mm */
+    int threads;
+};
+
+/* Appends the points; returns how many. */
+size_t edge_points(const struct edge_points_options *options, struct vec3s *to);
+
+#endif

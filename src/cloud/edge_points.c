@@ -1,0 +1,458 @@
+/* edge_points - see edge_points.h. */
+#include "cloud/edge_points.h"
+
+#include <stdbool.h>
+#include <stdlib.h>
+
+#include "base/array.h"
+#include "base/parallel.h"
+#include "math/plane_fit.h"
+#include "math/side_fit.h"
+
+/* Neighbours; those that a smooth surface goes through; those that planes are tried through; those
+ * whose flanks may meet the point's. */
+enum { NEAR = 40, SMOOTH = 24, TRIED = 12, MEETING = 16, FEWEST = 6, ABOUT = 8, STEPS = 6 };
+
+/* In spacings: a surface off its points by less is smooth or a flank; so far beyond the points an
+ * edge may be; so narrow a flank is none. */
+static const double EVEN = 0.012, FLAT = 0.02, BENT = 0.015, REACH = 2.8, NARROW = 0.25;
+
+static const double SIGMAS = 3;
+static const double SHARP = 0.94; /* cosine of two flanks' normals: 20 degrees */
+static const double UPRIGHT = 0.02;
+
+/* The surface of a point's own side. */
+struct flank {
+    bool rough, valid; /* the neighbourhood is no one quadric; it has a flank */
+    bool confirmed;    /* by those of its neighbours */
+    double spacing, rms;
+    struct quadric q; /* if valid, or of the neighbourhood */
+};
+
+struct edge_work {
+    const struct edge_points_options *options;
+    struct flank *flank, *chosen;
+    struct vec3s *found; /* of each point */
+};
+
+struct hood {
+    size_t n;
+    uint32_t index[NEAR];
+    double distance2[NEAR];
+    struct vec3 point[NEAR];
+};
+
+static void find_hood(const struct point_grid *b, size_t i, struct hood *near)
+{
+    near->n = point_grid_nearest(b, b->point[i], NEAR, near->index, near->distance2);
+    for (size_t k = 0; k < near->n; k++)
+        near->point[k] = b->point[near->index[k]];
+}
+
+/* The normal of a flank below or above a place, and how far that is above the flank. */
+static double above(const struct flank *flank, struct vec3 p, struct vec3 *normal)
+{
+    struct vec3 foot = quadric_nearest(&flank->q, p);
+
+    *normal = quadric_normal_at(&flank->q, foot);
+    return vec_dot(*normal, vec_sub(p, foot));
+}
+
+/* Points of a surface may be off it by this. */
+static double within(const struct edge_work *work, double spacing)
+{
+    return SIGMAS * work->options->noise + FLAT * spacing;
+}
+
+/* ---- flanks */
+
+static bool is_smooth(const struct edge_work *work, const struct hood *near, double spacing,
+                      struct quadric *q)
+{
+    double least = fmax(1.4 * work->options->noise, EVEN * spacing);
+
+    return quadric_fit_free(near->point, SMOOTH, near->point[0], q) == 0 &&
+           quadric_spread(q, near->point, SMOOTH, 6) <= least;
+}
+
+/* How far a point so far away may be off a plane that its flank touches. */
+static double allowed(const struct edge_work *work, double spacing, double distance2)
+{
+    return SIGMAS * work->options->noise + FLAT * spacing + BENT * distance2 / spacing;
+}
+
+/* How many neighbours lie on the plane, each the less the further off it is (Torr and Zisserman's
+ * MSAC, 2000). */
+static double weigh_plane(const struct edge_work *work, const struct hood *near, double spacing,
+                          struct vec3 normal)
+{
+    double on = 0;
+
+    for (size_t k = 0; k < near->n; k++) {
+        double off = vec_dot(normal, vec_sub(near->point[k], near->point[0]));
+        double part = off / allowed(work, spacing, near->distance2[k]);
+        on += fmax(0, 1 - part * part);
+    }
+    return on;
+}
+
+/* The plane through the point and two neighbours that most of them lie on; false: there is none. */
+static bool find_plane(const struct edge_work *work, const struct hood *near, double spacing,
+                       struct vec3 *normal)
+{
+    const double skew = 0.3; /* sine of the angle between the two */
+    double most = 0;
+
+    for (size_t a = 1; a < TRIED; a++)
+        for (size_t b = a + 1; b < TRIED; b++) {
+            struct vec3 to_a = vec_sub(near->point[a], near->point[0]);
+            struct vec3 to_b = vec_sub(near->point[b], near->point[0]);
+            struct vec3 across = vec_cross(to_a, to_b);
+            double l = vec_length(across);
+            if (!(l > skew * sqrt(near->distance2[a] * near->distance2[b])))
+                continue;
+            double on = weigh_plane(work, near, spacing, vec_scale(1 / l, across));
+            if (on > most) {
+                most = on;
+                *normal = vec_scale(1 / l, across);
+            }
+        }
+    return most >= FEWEST;
+}
+
+/* Gathers the neighbours on the surface, `bend` by how much more with their distance. */
+static size_t gather_on(const struct edge_work *work, const struct hood *near, double spacing,
+                        const struct quadric *q, double bend, struct vec3 *on)
+{
+    size_t n = 0;
+
+    for (size_t k = 0; k < near->n; k++) {
+        double least =
+            SIGMAS * work->options->noise + FLAT * spacing + bend * near->distance2[k] / spacing;
+        if (fabs(quadric_off(q, near->point[k])) <= least)
+            on[n++] = near->point[k];
+    }
+    return n;
+}
+
+static bool fit_side(const struct vec3 *on, size_t n, struct vec3 origin, double spacing,
+                     struct side_fit *fit)
+{
+    struct plane_fit plane;
+
+    if (n < FEWEST || plane_fit(on, n, &plane) < 0 || plane.width < NARROW * spacing ||
+        side_fit_plane(on, n, origin, plane.normal, fit) < 0)
+        return false;
+    if (n >= 2 * FEWEST)
+        side_fit_bend(on, n, fit);
+    return true;
+}
+
+/* Turns the surface over if it faces down. */
+static void face_up(struct quadric *q)
+{
+    if (quadric_normal(q).z >= 0)
+        return;
+    q->w = vec_scale(-1, q->w);
+    q->v = vec_scale(-1, q->v);
+    for (int k = 0; k < 10; k++)
+        q->c[k] = -q->c[k];
+    /* v and w both turned: terms with an odd power of v keep their sign. */
+    q->c[2] = -q->c[2];
+    q->c[4] = -q->c[4];
+    q->c[7] = -q->c[7];
+    q->c[9] = -q->c[9];
+}
+
+static void find_flank(const struct edge_work *work, const struct hood *near, struct flank *flank)
+{
+    struct vec3 on[NEAR], normal;
+    struct side_fit fit;
+    double spacing = flank->spacing, noise = work->options->noise;
+
+    if (!find_plane(work, near, spacing, &normal))
+        return;
+    struct quadric q = side_fit_frame(near->point[0], normal);
+    size_t n = gather_on(work, near, spacing, &q, BENT, on);
+    if (!fit_side(on, n, near->point[0], spacing, &fit))
+        return;
+    n = gather_on(work, near, spacing, &fit.q, 0, on);
+    if (!fit_side(on, n, near->point[0], spacing, &fit) || fit.rms > 1.5 * noise + FLAT * spacing ||
+        fabs(quadric_off(&fit.q, near->point[0])) > SIGMAS * noise + FLAT * spacing)
+        return;
+    flank->q = fit.q;
+    flank->rms = fit.rms;
+    face_up(&flank->q);
+    flank->valid = quadric_normal(&flank->q).z > UPRIGHT;
+}
+
+static void find_flanks(void *context, size_t from, size_t to)
+{
+    const struct edge_work *work = context;
+    struct hood near;
+
+    for (size_t i = from; i < to; i++) {
+        struct flank *flank = &work->flank[i];
+        find_hood(work->options->point_grid, i, &near);
+        if (near.n < NEAR)
+            continue;
+        flank->spacing = sqrt(PI * near.distance2[NEAR - 1] / NEAR);
+        flank->rough = !is_smooth(work, &near, flank->spacing, &flank->q);
+        if (flank->rough)
+            find_flank(work, &near, flank);
+        else
+            face_up(&flank->q);
+    }
+}
+
+/* A plane through points of several sides is on none of them: their own flanks run across it. */
+static bool is_confirmed(const struct edge_work *work, const struct hood *near,
+                         const struct flank *flank)
+{
+    const double alike = 0.992, part = 0.7; /* cosine of 7 degrees */
+    double least = within(work, flank->spacing);
+    size_t on = 0, same = 0;
+    struct vec3 normal;
+
+    for (size_t k = 1; k < near->n; k++) {
+        const struct flank *other = &work->flank[near->index[k]];
+        bool known = other->valid || (!other->rough && other->spacing > 0);
+        if (!known || fabs(above(flank, near->point[k], &normal)) > least)
+            continue;
+        on++;
+        same += fabs(vec_dot(normal, quadric_normal_at(&other->q, near->point[k]))) > alike;
+    }
+    return same >= FEWEST / 2 && (double)same >= part * (double)on;
+}
+
+/* The flank that a rough point takes: its own, if its neighbours confirm it; but that of a neighbour,
+ * if it lies on it too and that is fitted much better, or it has none. */
+static struct flank choose_flank(const struct edge_work *work, const struct hood *near, size_t i)
+{
+    const double better = 0.6;
+    struct flank own = work->flank[i];
+    double least = within(work, own.spacing);
+    struct vec3 normal;
+
+    own.valid = own.confirmed;
+    for (size_t k = 1; k < MEETING; k++) {
+        const struct flank *other = &work->flank[near->index[k]];
+        if (!other->confirmed || (own.valid && !(other->rms < better * own.rms)) ||
+            fabs(above(other, near->point[0], &normal)) > least)
+            continue;
+        own.q = other->q;
+        own.rms = other->rms;
+        own.valid = true;
+    }
+    return own;
+}
+
+static void choose_flanks(void *context, size_t from, size_t to)
+{
+    const struct edge_work *work = context;
+    struct hood near;
+
+    for (size_t i = from; i < to; i++) {
+        work->chosen[i] = work->flank[i];
+        if (!work->flank[i].rough)
+            continue;
+        find_hood(work->options->point_grid, i, &near);
+        if (near.n == NEAR)
+            work->chosen[i] = choose_flank(work, &near, i);
+    }
+}
+
+static void confirm_flanks(void *context, size_t from, size_t to)
+{
+    const struct edge_work *work = context;
+    struct hood near;
+
+    for (size_t i = from; i < to; i++)
+        if (work->flank[i].valid) {
+            find_hood(work->options->point_grid, i, &near);
+            work->flank[i].confirmed = is_confirmed(work, &near, &work->flank[i]);
+        }
+}
+
+/* ---- where they meet */
+
+/* Moves a place to where n flanks meet, n 2 or 3, by Newton's steps of least length; false: they do
+ * not meet near to it. */
+static bool move_to_meeting(const struct flank *const *flank, int n, double reach, struct vec3 *p)
+{
+    struct vec3 start = *p, normal[3];
+    double h[3], most = 0;
+
+    for (int step = 0; step < STEPS; step++) {
+        most = 0;
+        for (int k = 0; k < n; k++) {
+            h[k] = above(flank[k], *p, &normal[k]);
+            most = fmax(most, fabs(h[k]));
+        }
+        if (most < 1e-7)
+            return true;
+        if (n == 2) { /* the least move with normal[k] * d = -h[k] */
+            double c = vec_dot(normal[0], normal[1]), s2 = 1 - c * c;
+            if (s2 < 0.01)
+                return false;
+            *p = vec_along(*p, (-h[0] + c * h[1]) / s2, normal[0]);
+            *p = vec_along(*p, (-h[1] + c * h[0]) / s2, normal[1]);
+        } else {
+            struct vec3 a = vec_cross(normal[1], normal[2]), b = vec_cross(normal[2], normal[0]),
+                        c = vec_cross(normal[0], normal[1]);
+            double volume = vec_dot(normal[0], a);
+            if (fabs(volume) < 0.02)
+                return false;
+            struct vec3 d = vec_add(vec_scale(h[0], a), vec_scale(h[1], b));
+            *p = vec_along(*p, -1 / volume, vec_along(d, h[2], c));
+        }
+        if (vec_distance(*p, start) > reach)
+            return false;
+    }
+    return most < 1e-3 * reach;
+}
+
+/* Two neighbours on two sides of a convex edge. */
+static bool is_edge_between(const struct edge_work *work, size_t i, size_t k)
+{
+    const struct vec3 *point = work->options->point_grid->point;
+    const struct flank *a = &work->flank[i], *b = &work->flank[k];
+    double least = within(work, fmax(a->spacing, b->spacing));
+    struct vec3 na, nb;
+
+    if (!b->valid || above(a, point[k], &na) > -least || above(b, point[i], &nb) > -least)
+        return false;
+    above(a, point[i], &na);
+    above(b, point[k], &nb);
+    return vec_dot(na, nb) < SHARP;
+}
+
+/* The points of the scan about a place of an edge bear it out: one of them is near, none is above
+ * the edge, and each is on one of the two flanks or on a flank of its own. */
+static bool is_borne_out(const struct edge_work *work, const struct flank *const *pair,
+                         double spacing, struct vec3 at)
+{
+    const struct point_grid *b = work->options->point_grid;
+    uint32_t index[ABOUT];
+    double distance2[ABOUT], least = within(work, spacing);
+    size_t n = point_grid_nearest(b, at, ABOUT, index, distance2);
+    struct vec3 normal;
+
+    if (n < ABOUT || distance2[0] > REACH * REACH * spacing * spacing)
+        return false;
+    for (size_t k = 0; k < n; k++) {
+        const struct flank *own = &work->flank[index[k]];
+        double h0 = above(pair[0], b->point[index[k]], &normal);
+        double h1 = above(pair[1], b->point[index[k]], &normal);
+        bool on = fabs(h0) <= 2 * least || fabs(h1) <= 2 * least;
+        if (fmax(h0, h1) > 2 * least && distance2[k] < spacing * spacing)
+            return false;
+        if (!on && !own->valid)
+            return false;
+    }
+    return true;
+}
+
+/* A third flank among those of the neighbours that the place is above; NULL: none. */
+static const struct flank *flank_below(const struct edge_work *work, const struct hood *near,
+                                       struct vec3 at, double least)
+{
+    const struct flank *worst = NULL;
+    double most = least;
+    struct vec3 normal;
+
+    for (size_t k = 0; k < MEETING; k++) {
+        const struct flank *other = &work->flank[near->index[k]];
+        double h = other->valid ? above(other, at, &normal) : 0;
+        if (h > most) {
+            most = h;
+            worst = other;
+        }
+    }
+    return worst;
+}
+
+/* Adds a place of the edge of a pair, or the tip where it ends if the place is beyond that. */
+static void add_place(const struct edge_work *work, const struct hood *near,
+                      const struct flank *const *pair, double spacing, struct vec3 at,
+                      struct vec3s *to)
+{
+    const struct flank *meeting[3] = {pair[0], pair[1], NULL};
+    double least = within(work, spacing) / 2;
+
+    if (!move_to_meeting(meeting, 2, REACH * spacing, &at))
+        return;
+    meeting[2] = flank_below(work, near, at, least);
+    if (meeting[2] && !move_to_meeting(meeting, 3, REACH * spacing, &at))
+        return;
+    if (meeting[2] && flank_below(work, near, at, 2 * least))
+        return;
+    for (size_t k = 0; k < to->n; k++)
+        if (vec_distance(at, to->item[k]) < work->options->along / 3)
+            return;
+    if (is_borne_out(work, pair, spacing, at))
+        *array_push(to) = at;
+}
+
+/* The edge between point i and one of its neighbours, a spacing to both sides. */
+static void add_edge(const struct edge_work *work, const struct hood *near, size_t i, size_t k,
+                     struct vec3s *to)
+{
+    const struct vec3 *point = work->options->point_grid->point;
+    const struct flank *pair[2] = {&work->flank[i], &work->flank[k]};
+    double spacing = fmax(pair[0]->spacing, pair[1]->spacing);
+    struct vec3 at = vec_mix(point[i], point[k], 0.5), normal[2];
+
+    if (!move_to_meeting(pair, 2, REACH * spacing, &at) ||
+        vec_distance(at, point[i]) > REACH * spacing ||
+        vec_distance(at, point[k]) > REACH * spacing)
+        return;
+    above(pair[0], at, &normal[0]);
+    above(pair[1], at, &normal[1]);
+    struct vec3 way = vec_unit(vec_cross(normal[0], normal[1]));
+    int steps = (int)ceil(0.75 * spacing / work->options->along);
+    for (int s = -steps; s <= steps; s++)
+        add_place(work, near, pair, spacing, vec_along(at, 0.75 * spacing * s / steps, way), to);
+}
+
+static void find_edges(void *context, size_t from, size_t to)
+{
+    const struct edge_work *work = context;
+    struct hood near;
+
+    for (size_t i = from; i < to; i++) {
+        if (!work->flank[i].valid)
+            continue;
+        find_hood(work->options->point_grid, i, &near);
+        for (size_t k = 1; k < MEETING; k++)
+            if (near.index[k] > i && is_edge_between(work, i, near.index[k]))
+                add_edge(work, &near, i, near.index[k], &work->found[i]);
+    }
+}
+
+size_t edge_points(const struct edge_points_options *options, struct vec3s *to)
+{
+    size_t n = options->point_grid->n, edges = 0;
+    struct edge_work work = {options, mem_alloc(n, sizeof *work.flank),
+                             mem_alloc(n, sizeof *work.chosen), mem_alloc(n, sizeof *work.found)};
+
+    for (size_t i = 0; i < n; i++) {
+        work.flank[i] = (struct flank){.valid = false};
+        work.found[i] = (struct vec3s){0};
+    }
+    parallel_for(options->threads, n, find_flanks, &work);
+    parallel_for(options->threads, n, confirm_flanks, &work);
+    parallel_for(options->threads, n, choose_flanks, &work);
+    free(work.flank);
+    work.flank = work.chosen;
+    parallel_for(options->threads, n, find_edges, &work);
+    for (size_t i = 0; i < n; i++) {
+        for (size_t k = 0; k < work.found[i].n; k++)
+            *array_push(to) = work.found[i].item[k];
+        edges += work.found[i].n;
+        array_free(&work.found[i]);
+    }
+    free(work.flank);
+    free(work.found);
+    return edges;
+}

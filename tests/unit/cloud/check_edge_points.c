@@ -1,0 +1,239 @@
+/*
+ * edge_points: how deep a ball can go into a part with sharp edges and tips, whose scan has no points
+ * on them, when it is kept clear of the guard points; and how far these stand off the part.
+ *
+ * At places of the true surface the ball comes from all sides from which it touches nothing else:
+ * its depth is what the true surface (sampled far more closely) reaches into it.
+ */
+#include <check.h>
+#include <stdlib.h>
+
+#include "cloud/edge_points.h"
+#include "gouge/gouge.h"
+#include "gouge/guard_points.h"
+#include "noisy.h"
+
+static const double RADIUS = 3, TOLERANCE = 0.01;
+static double turn; /* of the shapes about z, radians */
+
+static void turned(double *x, double *y)
+{
+    double u = *x * cos(turn) + *y * sin(turn), v = *y * cos(turn) - *x * sin(turn);
+    *x = u;
+    *y = v;
+}
+
+static double pyramid(double x, double y)
+{
+    turned(&x, &y);
+    return 20 - fmax(fabs(x + 0.13), fabs(y - 0.07));
+}
+
+static double plateau(double x, double y)
+{
+    turned(&x, &y);
+    return fmax(0, fmin(6, 6 - 1.7 * (fmax(fabs(x) - 14, fabs(y) - 9))));
+}
+
+/* A blade of 44 degrees, both sides bent, its edge curved. */
+static double blade(double x, double y)
+{
+    turned(&x, &y);
+    double d = fabs(x - 0.02 * y * y / 2);
+    return 20 - 2.5 * d - 0.02 * d * d - 0.01 * y * y;
+}
+
+static double lens(double x, double y)
+{
+    turned(&x, &y);
+    double a = x - 18, b = x + 18;
+    return fmin(sqrt(fmax(0, 55 * 55 - a * a - y * y)), sqrt(fmax(0, 50 * 50 - b * b - y * y)) + 4);
+}
+
+/* Ridges 30 degrees flat, a row of them. */
+static double saw(double x, double y)
+{
+    turned(&x, &y);
+    return 0.6 * fabs(x - 7 * floor(x / 7 + 0.5)) * -1;
+}
+
+static double (*const shape[])(double, double) = {pyramid, plateau, blade, lens, saw};
+static const char *const name[] = {"pyramid", "plateau", "blade", "lens", "saw"};
+enum { SHAPES = sizeof shape / sizeof *shape };
+
+/* Places of the true surface over a square, `step` apart. */
+static struct vec3s sample(double (*height)(double, double), double x, double y, double half,
+                           double step)
+{
+    struct vec3s to = {0};
+    for (double u = x - half; u <= x + half; u += step)
+        for (double v = y - half; v <= y + half; v += step)
+            *array_push(&to) = vec(u, v, height(u, v));
+    return to;
+}
+
+/* How deep a ball that touches the true surface at p from direction d may be pushed on, until it
+ * touches a guard point; 0 where it would touch the surface elsewhere. */
+static double push(const struct gouge_check *guard, const struct gouge_check *truth, struct vec3 p,
+                   struct vec3 d)
+{
+    const double deepest = 0.4;
+    double low = 0, high = deepest;
+
+    if (gouge_depth(truth, vec_along(p, RADIUS, d), RADIUS) > 1e-3)
+        return 0;
+    if (gouge_depth(guard, vec_along(p, RADIUS, d), RADIUS) > 0)
+        return 0;
+    for (int i = 0; i < 12; i++) {
+        double h = (low + high) / 2;
+        if (gouge_depth(guard, vec_along(p, RADIUS - h, d), RADIUS) > 0)
+            high = h;
+        else
+            low = h;
+    }
+    return low;
+}
+
+struct result {
+    double deepest;
+    struct vec3 at;
+};
+
+/* The most that a point stands above the surface. */
+static double highest_over(double (*height)(double, double), const struct vec3s *points)
+{
+    double over = 0;
+
+    for (size_t i = 0; i < points->n; i++) {
+        struct vec3 p = points->item[i];
+        double off = p.z - height(p.x, p.y);
+        if (fabs(p.x) > 30 || fabs(p.y) > 20 || off <= over)
+            continue;
+        struct vec3s near = sample(height, p.x, p.y, 0.3, 0.06);
+        for (size_t k = 0; k < near.n; k++)
+            off = fmin(off, vec_distance(p, near.item[k]));
+        array_free(&near);
+        over = fmax(over, off);
+    }
+    return over;
+}
+
+static struct result measure(double (*height)(double, double), const struct vec3s *points)
+{
+    struct result r = {.deepest = 0};
+    struct gouge_check *guard = gouge_from_points(points->item, points->n);
+
+    for (int i = 0; i < 60; i++) {
+        double x = 44 * noisy_uniform() - 22, y = 30 * noisy_uniform() - 15;
+        /* near to where it is sharp: the highest of places about it off their mean */
+        double best = -1, bx = x, by = y;
+        for (int k = 0; k < 200; k++) {
+            double u = x + 4 * noisy_uniform() - 2, v = y + 4 * noisy_uniform() - 2;
+            double bump = height(u, v) - (height(u + 0.02, v) + height(u - 0.02, v) +
+                                          height(u, v + 0.02) + height(u, v - 0.02)) /
+                                             4;
+            if (bump > best) {
+                best = bump;
+                bx = u;
+                by = v;
+            }
+        }
+        struct vec3 p = vec(bx, by, height(bx, by));
+        struct vec3s near = sample(height, bx, by, 1.5 * RADIUS, 0.15);
+        struct gouge_check *truth = gouge_from_points(near.item, near.n);
+        array_free(&near);
+        for (int k = 0; k < 40; k++) {
+            double t = 2 * PI * noisy_uniform(), z = noisy_uniform(), s = sqrt(1 - z * z);
+            double depth = push(guard, truth, p, vec(s * cos(t), s * sin(t), z));
+            if (depth > r.deepest) {
+                r.deepest = depth;
+                r.at = p;
+            }
+        }
+        gouge_free(truth);
+    }
+    gouge_free(guard);
+    return r;
+}
+
+/* The guard of a scan of it; *over: how far what was put on edges is off. */
+static struct result guard_scan(double (*height)(double, double), enum noisy_pattern pattern,
+                                double sigma, double *over)
+{
+    enum { POINTS = 17000 };
+    struct vec3s scan = {0};
+    struct point_grid grid;
+    struct error error;
+
+    noisy_scan(&scan, height, POINTS, pattern, sigma);
+    ck_assert_int_eq(point_grid_make(scan.item, scan.n, 0.48, 2, &grid, &error), 0);
+    struct guard_points_options options = {.radius = RADIUS,
+                                           .sink = TOLERANCE / 5,
+                                           .noise = sigma,
+                                           .vague = TOLERANCE,
+                                           .effort = 1,
+                                           .threads = 2};
+    struct guard_points guard = guard_points_of_scan(&grid, &options);
+    struct result r = measure(height, &guard.point);
+    struct vec3s edges = {guard.edges, 0, guard.point.item + guard.point.n - guard.edges};
+    *over = highest_over(height, &edges);
+    array_free(&guard.point);
+    array_free(&guard.certain);
+    array_free(&guard.doubtful);
+    point_grid_free(&grid);
+    array_free(&scan);
+    return r;
+}
+
+START_TEST(no_gouge)
+{
+    static const double sigma[] = {0, 0, 0, 0.02};
+    int s = _i % SHAPES, p = _i / SHAPES;
+    double over;
+
+    noisy_seed(3 + (unsigned)_i);
+    turn = 0.35 * s + 0.1 * p;
+    struct result r = guard_scan(shape[s], (enum noisy_pattern)(p % 3), sigma[p], &over);
+    ck_assert_msg(r.deepest <= 1.5 * (TOLERANCE + sigma[p]), "%s %d: %.4f mm at %.2f %.2f %.2f",
+                  name[s], p, r.deepest, r.at.x, r.at.y, r.at.z);
+    ck_assert_msg(over <= 0.15 + 2 * sigma[p], "%s %d: %.4f mm above", name[s], p, over);
+}
+END_TEST
+
+/* A roof rounded with half the spacing and more: the scan knows that it is round. */
+static double bend;
+
+static double rounded(double x, double y)
+{
+    turned(&x, &y);
+    return -sqrt(x * x + bend * bend) * 0.8;
+}
+
+START_TEST(rounded_edges)
+{
+    static const double radius[] = {0.5, 1, 2, 4};
+    double over;
+
+    bend = 0.8 * radius[_i % 4]; /* of the hyperbola, whose radius is bend / slope */
+    turn = 0.3 * _i;
+    noisy_seed(8);
+    struct result r = guard_scan(rounded, _i / 4 ? NOISY_RANDOM : NOISY_GRID, 0, &over);
+    ck_assert_double_le(r.deepest, 1.5 * TOLERANCE);
+    ck_assert_double_le(over, _i % 4 < 2 ? 0.1 : 0.03);
+}
+END_TEST
+
+int main(void)
+{
+    Suite *suite = suite_create("edge_points");
+    TCase *tests = tcase_create("edge_points");
+    SRunner *runner = srunner_create(suite);
+    tcase_add_loop_test(tests, no_gouge, 0, 4 * SHAPES);
+    tcase_add_loop_test(tests, rounded_edges, 0, 8);
+    suite_add_tcase(suite, tests);
+    tcase_set_timeout(tests, 60);
+    srunner_run_all(runner, CK_ENV);
+    int failed = srunner_ntests_failed(runner);
+    srunner_free(runner);
+    return failed > 0;
+}
