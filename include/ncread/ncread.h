@@ -17,6 +17,9 @@
  *   3. ncread_state.h: the state of a control while it runs; a move as a piece of the motion,
  *      turned out of a tilted plane and brought to mm.
  *
+ * Programs of others are read as far as they use words that are known; what a word of a control's
+ * own means may be said in its file (ncread_meaning.h).
+ *
  * Sources: Fanuc 30i operator's manual B-63944 and B-64484EN, Siemens 840D sl NC Programming and
  * Cycles, Heidenhain TNC 640 Klartext and Cycle Programming, LinuxCNC G-Codes.
  */
@@ -46,6 +49,7 @@ struct ncread_options {
     const struct ncread_dialect *dialect;
     bool tcp; /* the machine has tool centre point control */
     struct verify_kinematics kinematics;
+    const char *words;        /* what the control's file says of words, "": nothing */
     struct ncread_head *head; /* is filled; NULL: not wanted */
 };
 

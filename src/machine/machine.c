@@ -113,6 +113,7 @@ static void add_control(struct keys *keys, struct control_text *text)
     keys_add(keys, "comment.capitals", KEY_YES, &text->comment_capitals);
     add_bounded(keys, "comment.width", KEY_COUNT, &text->comment_width, 40, 132);
     add_text(keys, "number", text->number, sizeof text->number);
+    add_text(keys, "words", text->words, sizeof text->words);
     keys_add(keys, "control.tcp", KEY_YES, &text->tcp);
     keys_add(keys, "number.all", KEY_YES, &text->number_all);
     keys_add(keys, "point", KEY_YES, &text->point);

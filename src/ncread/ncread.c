@@ -112,7 +112,7 @@ static int read_lines(struct ncread *c, struct reader *r, struct error *error)
         c->line = r->line;
         c->text = line;
         c->block = -1;
-        c->feed_here = false;
+        c->feed_here = c->setting = false;
         if (strlen(line) != n)
             return ncread_error(c, error, "a byte that no program holds");
         if (c->options->head && c->motion->piece.n == 0)
@@ -130,15 +130,21 @@ int ncread_read(const char *file, const struct ncread_options *options, struct n
     struct reader r;
     if (reader_open(&r, file, error) < 0)
         return -1;
+    if (options->words && ncread_meaning_check(options->words, error) < 0) {
+        reader_close(&r);
+        return -1;
+    }
     motion->name = file;
     motion->kinematics = options->kinematics;
     c.here.axis = options->kinematics.tool;
     c.here.has_axis = options->kinematics.n == 0;
+    c.length = ncread_meaning_of(&c, "G43") == MEANS_NEVER;
     int result = read_lines(&c, &r, error);
     c.block = -1;
     if (result == 0)
         result = options->dialect->end(&c, error);
     reader_close(&r);
+    ncread_meaning_tell(&c);
     array_free(&c.words);
     array_free(&c.knot);
     array_free(&c.weight);

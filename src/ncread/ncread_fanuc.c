@@ -28,11 +28,22 @@ static int read_g(struct ncread *c, const struct ncread_word *w, struct gcode_bl
                   struct error *error)
 {
     int code = (int)lround(w->value[0] * 10);
+    enum ncread_meaning meaning = ncread_meaning_of_word(c, w);
+    if (meaning != MEANS_NOTHING_KNOWN) {
+        if (ncread_meaning_apply(c, meaning, error) < 0)
+            return -1;
+        b->to = c->here;
+        b->machine = b->machine || meaning == MEANS_HOME;
+        return 0;
+    }
     int taken = ncread_hole_code(c, code) ? 1 : ncread_gcode_g(c, code, error);
     if (taken != 0)
         return taken < 0 ? -1 : 0;
     switch (code) {
-    case 51:  /* smoothing */
+    case 50: /* smoothing, look-ahead */
+    case 51:
+        c->setting = true;
+        return 0;
     case 690: /* no tilted plane: ncread_plane */
         return 0;
     case 24:
@@ -71,7 +82,9 @@ static int read_address(struct ncread *c, const struct ncread_word *w, struct gc
                         struct error *error)
 {
     char letter = w->name[0];
-    if (strchr("XYZABCIJKRFQ", letter) && !w->pointed)
+    if (letter == 'O')
+        return 0;
+    if (strchr("XYZABCIJKRQ", letter) && !w->pointed)
         return ncread_error(c, error, "a length, angle or feed without a decimal point");
     if (ncread_gcode_address(c, w, b))
         return 0;
@@ -109,7 +122,7 @@ static int read_words(struct ncread *c, struct gcode_block *b, struct error *err
             return ncread_error(c, error, "a word twice in one block");
         seen |= bit;
     }
-    for (size_t i = 0; i < c->words.n; i++)
+    for (size_t i = 0; i < c->words.n && !c->setting; i++)
         if (!strchr("GMN", c->words.item[i].name[0]) &&
             read_address(c, &c->words.item[i], b, error) < 0)
             return -1;
@@ -209,7 +222,7 @@ static int shape_arc(struct ncread *c, struct gcode_block *b, struct nc_piece *p
 
 static int run_block(struct ncread *c, struct gcode_block *b, struct error *error)
 {
-    if (b->machine || b->home)
+    if (b->machine || b->home || c->machine_frame)
         return machine_move(c, b, error);
     if (b->tool && c->vectors) {
         if (ncread_gcode_centred(b))
@@ -252,8 +265,12 @@ static int read_block(struct ncread *c, const char *line, struct error *error)
     if (c->line == 1) {
         c->move = MOVE_NONE;
         c->plane = 17;
-        return strcmp(line, "%") == 0 ? 0 : ncread_error(c, error, "expected % alone");
+        c->framed = strcmp(line, "%") == 0;
+        if (*line == '%')
+            return 0;
     }
+    if (!*line)
+        return 0;
     if (c->ended) { /* M30 was read: % alone, once */
         if (strcmp(line, "%") != 0 || c->closed)
             return ncread_error(c, error, "expected % after M30 and nothing after it");
@@ -261,11 +278,10 @@ static int read_block(struct ncread *c, const char *line, struct error *error)
         return 0;
     }
     struct error found;
+    int statement = ncread_gcode_statement(c, line, error);
+    if (statement != 0)
+        return statement < 0 ? -1 : 0;
     int lexed = ncread_word_fanuc(line, &c->words, &found);
-    if (c->line == 2) {
-        bool number = lexed == 0 && c->words.n == 1 && c->words.item[0].name[0] == 'O';
-        return number ? 0 : ncread_error(c, error, "expected the program's number O");
-    }
     const struct ncread_word *n = ncread_word_find(&c->words, "N");
     if (n && ncread_block(c, n->value[0], error) < 0)
         return -1;
@@ -281,7 +297,7 @@ static int read_end(struct ncread *c, struct error *error)
 {
     if (!c->ended)
         return ncread_error(c, error, "the program ends without M30");
-    if (!c->closed)
+    if (c->framed && !c->closed)
         return ncread_error(c, error, "the program ends without %");
     if (c->tcp || c->spindle)
         return ncread_error(c, error,
@@ -292,7 +308,7 @@ static int read_end(struct ncread *c, struct error *error)
 
 static bool program_begins(const char *first, const char *second)
 {
-    return strcmp(first, "%") == 0 && second && *second == 'O';
+    return *first == 'O' || (strcmp(first, "%") == 0 && second && *second == 'O');
 }
 
 const struct ncread_dialect ncread_fanuc = {"fanuc", program_begins, read_block, read_end};

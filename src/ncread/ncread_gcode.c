@@ -1,9 +1,16 @@
 /* ncread_gcode - see ncread_gcode.h. */
 #include "ncread_gcode.h"
 
+#include <string.h>
+
 /* Tenths of those that do not change where the tool goes: cutter compensation off, work frames,
- * path control, cycles off. */
-static const int no_effect[] = {400, 540, 550, 560, 570, 580, 590, 640, 800};
+ * path control, cycles off; polar coordinates, scaling, macros and turned frames off, speeds of the
+ * spindle, look-ahead. */
+static const int no_effect[] = {90,  150, 400, 501, 540, 541, 550, 560, 570, 580,  590,  591, 592,
+                                593, 610, 611, 630, 640, 670, 690, 800, 970, 1030, 1540, 1870};
+
+/* Of them those whose other words are numbers of their own: G54.1 P3, G187 P3 E0.01. */
+static const int with_settings[] = {541, 1030, 1540, 1870};
 
 int ncread_gcode_g(struct ncread *c, int tenths, struct error *error)
 {
@@ -32,8 +39,11 @@ int ncread_gcode_g(struct ncread *c, int tenths, struct error *error)
         return 1;
     default:
         for (size_t i = 0; i < sizeof no_effect / sizeof *no_effect; i++)
-            if (tenths == no_effect[i])
+            if (tenths == no_effect[i]) {
+                for (size_t k = 0; k < sizeof with_settings / sizeof *with_settings; k++)
+                    c->setting = c->setting || tenths == with_settings[k];
                 return 1;
+            }
         return 0;
     }
 }
@@ -56,6 +66,26 @@ bool ncread_gcode_address(struct ncread *c, const struct ncread_word *w, struct 
         return false;
     }
     return true;
+}
+
+int ncread_gcode_statement(struct ncread *c, const char *line, struct error *error)
+{
+    char text[WORD_TEXT];
+    const char *s = line;
+    if (*s == 'N')
+        s += 1 + strspn(s + 1, "0123456789");
+    s += strspn(s, " ");
+    size_t n = strcspn(s, "(;");
+    while (n && s[n - 1] == ' ')
+        n--;
+    if (*s != '#' || n >= sizeof text)
+        return 0;
+    memcpy(text, s, n);
+    text[n] = '\0';
+    enum ncread_meaning meaning = ncread_meaning_of(c, text);
+    if (meaning == MEANS_NOTHING_KNOWN)
+        return 0;
+    return ncread_meaning_apply(c, meaning, error) < 0 ? -1 : 1;
 }
 
 void ncread_gcode_forget(struct ncread *c)

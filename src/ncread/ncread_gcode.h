@@ -39,6 +39,10 @@ int ncread_gcode_g(struct ncread *c, int tenths, struct error *error);
 /* X Y Z A B C, I J K, R and F of a block: true when the word is one of them. */
 bool ncread_gcode_address(struct ncread *c, const struct ncread_word *w, struct gcode_block *b);
 
+/* A block that is no words but a statement which the control's file gives a meaning,
+ * #RTCP ON: 1; another: 0. */
+int ncread_gcode_statement(struct ncread *c, const char *line, struct error *error);
+
 /* After a move to a place of the machine: the axes that the block names are not known any more. */
 void ncread_gcode_forget(struct ncread *c);
 

@@ -54,8 +54,13 @@ static int read_m(struct ncread *c, const char *text, struct klartext *k, struct
     struct ncread_word w = {.kind = WORD_ADDRESS, .name = "M", .values = 1};
     if (read_number(c, text, false, &w.value[0], error) < 0)
         return -1;
-    if (w.value[0] == 128)
-        c->tcp = true;
+    enum ncread_meaning meaning = ncread_meaning_of_word(c, &w);
+    if (meaning != MEANS_NOTHING_KNOWN)
+        return ncread_meaning_apply(c, meaning, error);
+    if (w.value[0] == 128 || w.value[0] == 129)
+        c->tcp = w.value[0] == 128;
+    else if (w.value[0] == 126 || w.value[0] == 127)
+        return 0; /* the way of rotary axes over 360 degrees */
     else if (w.value[0] == 91)
         k->machine = true;
     else if (w.value[0] == 99)
@@ -204,6 +209,27 @@ static void read_dwell(struct ncread *c, const char *word)
         c->motion->dwell += seconds / 60;
 }
 
+/* A definition that is no drilling cycle: those that change where the tool goes are refused. */
+static int check_cycle(struct ncread *c, const struct klartext *k, struct error *error)
+{
+    static const long moving[] = {7, 8, 10, 11, 12, 14, 19, 26, 27, 28, 39};
+    long number = k->n > 2 ? strtol(k->word[2], NULL, 10) : 0;
+    for (size_t i = 0; i < sizeof moving / sizeof *moving; i++)
+        if (number == moving[i])
+            return ncread_error(
+                c, error, "a cycle that moves or turns the frame, which this reader does not read");
+    if (number >= 208 && number != 247)
+        return ncread_error(c, error, "a cycle which this reader does not read");
+    return 0;
+}
+
+/* A block that moves nothing: the blank, a heading, a stop, the tool that comes next. */
+static bool is_idle(struct ncread *c, const char *first)
+{
+    return strcmp(first, "BLK") == 0 || strcmp(first, "STOP") == 0 || *first == '*' ||
+           ncread_meaning_of(c, first) == MEANS_IDLE;
+}
+
 static int run_block(struct ncread *c, struct klartext *k, struct error *error)
 {
     const char *first = k->n ? k->word[0] : "";
@@ -212,15 +238,17 @@ static int run_block(struct ncread *c, struct klartext *k, struct error *error)
         if (k->n > 3 && strcmp(k->word[2], "9.1") == 0)
             read_dwell(c, k->word[k->n - 1]);
     }
-    if (!*first || strcmp(first, "CYCL") == 0)
+    if (strcmp(first, "CYCL") == 0)
+        return check_cycle(c, k, error);
+    if (!*first || is_idle(c, first))
         return 0;
     if (strcmp(first, "TOOL") == 0) {
         const char *speed = k->n > 2 ? k->word[k->n - 1] : "";
         bool said = *speed == 'S';
         speed += said;
-        return said && num_read(&speed, &c->speed)
-                   ? 0
-                   : ncread_error(c, error, "TOOL CALL without a speed");
+        if (said && !num_read(&speed, &c->speed))
+            return ncread_error(c, error, "TOOL CALL with a speed that is no number");
+        return 0;
     }
     if (strcmp(first, "L") == 0 || strcmp(first, "LN") == 0)
         return run_straight(c, k, first[1] == 'N', error);

@@ -13,6 +13,13 @@ static int read_g(struct ncread *c, const struct ncread_word *w, struct gcode_bl
                   struct error *error)
 {
     int code = (int)lround(w->value[0] * 10);
+    enum ncread_meaning meaning = ncread_meaning_of_word(c, w);
+    if (meaning != MEANS_NOTHING_KNOWN) {
+        if (ncread_meaning_apply(c, meaning, error) < 0)
+            return -1;
+        b->to = c->here;
+        return 0;
+    }
     int taken = ncread_hole_code(c, code) ? 1 : ncread_gcode_g(c, code, error);
     if (code == 930)
         c->feed = 0;
@@ -25,7 +32,7 @@ static int read_g(struct ncread *c, const struct ncread_word *w, struct gcode_bl
         c->length = true;
         return 0;
     case 490:
-        c->length = false;
+        c->length = ncread_meaning_of(c, "G43") == MEANS_NEVER;
         c->here.known[2] = b->to.known[2] = false;
         return 0;
     case 530:
@@ -69,7 +76,7 @@ static int read_words(struct ncread *c, struct gcode_block *b, struct error *err
             return -1;
         seen |= bit;
     }
-    for (size_t i = 0; i < c->words.n; i++)
+    for (size_t i = 0; i < c->words.n && !c->setting; i++)
         if (!strchr("GM", c->words.item[i].name[0]) &&
             read_address(c, &c->words.item[i], b, error) < 0)
             return -1;
@@ -126,8 +133,12 @@ static int read_block(struct ncread *c, const char *line, struct error *error)
         c->move = MOVE_NONE;
         c->plane = 17;
         c->tcp = c->options->tcp;
-        return strcmp(line, "%") == 0 ? 0 : ncread_error(c, error, "expected % alone");
+        c->framed = strcmp(line, "%") == 0;
+        if (c->framed)
+            return 0;
     }
+    if (!*line)
+        return 0;
     if (c->ended) { /* M2 or M30 was read: % alone, once */
         if (strcmp(line, "%") != 0 || c->closed)
             return ncread_error(c, error, "expected % after M2 and nothing after it");
@@ -150,9 +161,10 @@ static int read_block(struct ncread *c, const char *line, struct error *error)
 
 static int read_end(struct ncread *c, struct error *error)
 {
-    if (!c->ended || !c->closed)
+    bool never = ncread_meaning_of(c, "G43") == MEANS_NEVER;
+    if (!c->ended || (c->framed && !c->closed))
         return ncread_error(c, error, "the program ends without M2 and %");
-    if (c->length || c->spindle)
+    if ((c->length && !never) || c->spindle)
         return ncread_error(c, error, "ends with the spindle turning or with the tool's length on");
     return 0;
 }

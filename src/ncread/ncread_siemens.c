@@ -44,9 +44,12 @@ struct ncread_siemens_block {
 };
 
 /* Names that do not change where the tool goes. */
-static const char *const known_names[] = {"ORIWKS", "ORIMKS", "SOFT",  "BRISK",  "FFWON", "FFWOF",
-                                          "COMPOF", "UPATH",  "SPATH", "STOPRE", "BNAT",  "ENAT",
-                                          "BTAN",   "ETAN",   "G642",  "CFC",    "CFTCP", "CFIN"};
+static const char *const known_names[] = {
+    "ORIWKS",   "ORIMKS", "SOFT",   "BRISK",    "FFWON",     "FFWOF",    "COMPOF",
+    "UPATH",    "SPATH",  "STOPRE", "BNAT",     "ENAT",      "BTAN",     "ETAN",
+    "G642",     "CFC",    "CFTCP",  "CFIN",     "COMPON",    "COMPCURV", "COMPCAD",
+    "DRIVE",    "SOFTA",  "BRISKA", "FIFOCTRL", "STARTFIFO", "STOPFIFO", "ORIRESET",
+    "CYCLE832", "DIAMOF", "KONT",   "NORM",     "ADISPOS",   "WALIMOF",  "WALIMON"};
 
 static bool is_idle_call(const char *name)
 {
@@ -58,7 +61,8 @@ static bool is_idle_call(const char *name)
 }
 
 /* G words that do not change where the tool goes: compensation off, frames, path control. */
-static const int no_effect[] = {40, 54, 55, 56, 57, 60, 64, 641, 642, 645};
+static const int no_effect[] = {9,   40,  54,  55,  56,  57,  60,  64,  97,  500, 505, 506,
+                                507, 508, 509, 601, 602, 603, 641, 642, 643, 644, 645};
 
 static int read_g(struct ncread *c, const struct ncread_word *w, struct error *error)
 {
@@ -139,7 +143,7 @@ static int read_name(struct ncread *c, const struct ncread_word *w, struct ncrea
     return 0;
 }
 
-static int read_polynomial(const struct ncread *c, const struct ncread_word *w,
+static int read_polynomial(struct ncread *c, const struct ncread_word *w,
                            struct ncread_siemens_block *b, struct error *error)
 {
     char axis = w->name[3];
@@ -197,6 +201,10 @@ static int read_setting(struct ncread *c, const struct ncread_word *w,
     } else if (strcmp(name, "CR") == 0) {
         b->radius = value;
         b->radius_named = true;
+    } else if (w->shortest) {
+        if (strchr("ABC", *name) == NULL || name[1] || !ncread_nearest(c, *name, value, &b->to))
+            return ncread_error(c, error, "DC() where no rotary axis is, or one not known yet");
+        b->named = b->turns = true;
     } else if (ncread_axis(c, name, value, &b->to)) {
         b->named = true;
         b->turns = b->turns || *name < 'X';
@@ -424,8 +432,11 @@ static int read_block(struct ncread *c, const char *line, struct error *error)
         c->plane = 17;
         c->vectors = true;
         bool named = n > 8 && strncmp(line, "%_N_", 4) == 0 && strcmp(line + n - 4, "_MPF") == 0;
-        return named ? 0 : ncread_error(c, error, "expected %_N_NAME_MPF");
+        if (*line == '%')
+            return named ? 0 : ncread_error(c, error, "expected %_N_NAME_MPF");
     }
+    if (!*line)
+        return 0;
     if (c->ended)
         return ncread_error(c, error, "a block after M30");
     if (strlen(line) > 512)

@@ -11,26 +11,57 @@ int ncread_error(const struct ncread *c, struct error *error, const char *what)
     return error_at(error, c->name, c->line, "%s", what);
 }
 
-int ncread_unknown(const struct ncread *c, const struct ncread_word *w, struct error *error)
+/* Words of axes that are not this machine's, and of repeated calls. */
+static bool letter_moves(char letter)
 {
-    char text[120];
-    if (w->kind == WORD_ADDRESS)
-        snprintf(text, sizeof text, "found %s%.15g, which this reader does not know", w->name,
-                 w->value[0]);
+    return strchr("ABCUVWXYZIJKRL", letter) != NULL;
+}
+
+int ncread_unknown(struct ncread *c, const struct ncread_word *w, struct error *error)
+{
+    char text[160], word[WORD_TEXT + 24];
+    bool address = w->kind == WORD_ADDRESS, number = address && strchr("GM", *w->name);
+    if (address)
+        snprintf(word, sizeof word, "%s%.15g", w->name, w->value[0]);
     else
-        snprintf(text, sizeof text, "found %s, which this reader does not know", w->name);
+        snprintf(word, sizeof word, "%s", w->name);
+    const char *what =
+        number ? ncread_meaning_moves(*w->name, (int)lround(10 * w->value[0])) : NULL;
+    bool places = false;
+    for (size_t i = 0; number && i < c->words.n; i++)
+        places = places || (c->words.item[i].kind == WORD_ADDRESS &&
+                            strchr("XYZABC", *c->words.item[i].name));
+    if (what)
+        snprintf(text, sizeof text, "found %s, %s, which this reader does not read", word, what);
+    else if (places && *w->name == 'G')
+        snprintf(text, sizeof text, "found %s with a place, which this reader does not know", word);
+    else if (address ? number || !letter_moves(*w->name) : w->kind == WORD_SET) {
+        if (number && *w->name == 'G')
+            c->setting = true;
+        ncread_meaning_note(c, number ? word : w->name);
+        return 0;
+    } else
+        snprintf(text, sizeof text, "found %s, which this reader does not know", word);
     return ncread_error(c, error, text);
 }
 
 int ncread_m(struct ncread *c, const struct ncread_word *w, struct error *error)
 {
+    static const int idle[] = {0, 1, 6, 7, 8, 9, 10, 11, 12, 13, 19, 29, 48, 49, 60, 88, 89};
     int code = (int)w->value[0];
+    enum ncread_meaning meaning = ncread_meaning_of_word(c, w);
+    if (meaning != MEANS_NOTHING_KNOWN)
+        return ncread_meaning_apply(c, meaning, error);
     if (code == 3 || code == 4 || code == 5)
         c->spindle = code != 5;
-    else if (code == 30)
+    else if (code == 30 || code == 2)
         c->ended = true;
-    else if (!(code == 0 || code == 1 || (code >= 6 && code <= 9)))
+    else {
+        for (size_t i = 0; i < sizeof idle / sizeof *idle; i++)
+            if (code == idle[i])
+                return 0;
         return ncread_unknown(c, w, error);
+    }
     return 0;
 }
 
@@ -55,6 +86,19 @@ bool ncread_axis(const struct ncread *c, const char *name, double value, struct 
     }
     for (int i = 0; i < c->options->kinematics.n; i++)
         if (*name == c->options->kinematics.axis[i].letter) {
+            to->turn[i] = value;
+            to->turned[i] = true;
+            return true;
+        }
+    return false;
+}
+
+bool ncread_nearest(const struct ncread *c, char name, double value, struct ncread_place *to)
+{
+    for (int i = 0; i < c->options->kinematics.n; i++)
+        if (name == c->options->kinematics.axis[i].letter) {
+            if (c->here.turned[i])
+                value += 360 * round((c->here.turn[i] - value) / 360);
             to->turn[i] = value;
             to->turned[i] = true;
             return true;

@@ -12,6 +12,7 @@
 #include "base/array.h"
 #include "ncread/ncread.h"
 #include "ncread_hole.h"
+#include "ncread_meaning.h"
 #include "ncread_plane.h"
 #include "ncread_word.h"
 
@@ -43,6 +44,14 @@ struct ncread_place {
     struct vec3 head; /* second point on the tool axis */
 };
 
+enum { NCREAD_UNKNOWN = 64 };
+
+/* A word that was passed over. */
+struct ncread_unknown_word {
+    char word[40];
+    size_t line, times;
+};
+
 /* The state. */
 struct ncread {
     const struct ncread_options *options;
@@ -65,9 +74,14 @@ struct ncread {
     bool length;  /* the tool's length is on (LinuxCNC) */
     double speed; /* of the spindle, 1/min, where the dialect needs it; 0: not set yet */
     double feed;
-    bool feed_here;             /* F stands in this block */
-    bool ended;                 /* M30 was read */
-    bool closed;                /* and the mark after it */
+    bool feed_here;     /* F stands in this block */
+    bool ended;         /* M30 was read */
+    bool closed;        /* and the mark after it */
+    bool framed;        /* the program began with %, and so ends with it */
+    bool machine_frame; /* X Y Z are those of the machine (#MCS ON) */
+    bool setting;       /* the words of this block belong to a G that moves nothing */
+    struct ncread_unknown_word unknown[NCREAD_UNKNOWN];
+    size_t unknown_n;
     struct ncread_place middle; /* of G02.4 */
     bool has_middle;
     struct vec3 centre; /* CC of Klartext */
@@ -86,8 +100,8 @@ struct ncread {
 /* Error with the place of the block. */
 int ncread_error(const struct ncread *c, struct error *error, const char *what);
 
-/* A word that is not known here. */
-int ncread_unknown(const struct ncread *c, const struct ncread_word *w, struct error *error);
+/* A word that is not known here: an error where it may move the tool, else it is noted. */
+int ncread_unknown(struct ncread *c, const struct ncread_word *w, struct error *error);
 
 /* An M word: the spindle, the end, and those that move nothing. */
 int ncread_m(struct ncread *c, const struct ncread_word *w, struct error *error);
@@ -97,6 +111,9 @@ int ncread_block(struct ncread *c, double number, struct error *error);
 
 /* X Y Z, the rotary words of this machine: true when `name` is one and `to` took the value. */
 bool ncread_axis(const struct ncread *c, const char *name, double value, struct ncread_place *to);
+
+/* A rotary word within 0 to 360 that is gone to by the shortest way: true when there is that axis. */
+bool ncread_nearest(const struct ncread *c, char name, double value, struct ncread_place *to);
 
 /* After rotary words the axis follows from them; after a vector they are not known. */
 void ncread_turned(const struct ncread *c, struct ncread_place *to);

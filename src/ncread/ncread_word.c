@@ -64,24 +64,28 @@ static struct ncread_word *new_word(struct ncread_words *words, enum word_kind k
 int ncread_word_fanuc(const char *line, struct ncread_words *words, struct error *error)
 {
     words->n = 0;
-    for (const char *s = line; *s;) {
-        if (*s == ' ') {
+    const char *s = line + (*line == '/'); /* a block that may be skipped is run */
+    while (*s && *s != ';') {
+        if (*s == ' ' || *s == '\t') {
             s++;
         } else if (*s == '(') {
             size_t n = strcspn(s + 1, "()");
             if (s[n + 1] != ')')
                 return error_set(error, "a comment that does not end, or one inside another");
-            if (n > 80)
-                return error_set(error, "a comment of %zu characters, at most 80", n);
-            for (const char *c = s; c < s + n; c++)
-                if (*c < ' ' || *c > '~' || islower((unsigned char)*c))
-                    return error_set(error, "found `%c` in a comment, expected capital ASCII", *c);
             s += n + 2;
-        } else if (is_capital(*s)) {
-            struct ncread_word *w = new_word(words, WORD_ADDRESS, s++, 1);
+        } else if (isalpha((unsigned char)*s)) {
+            char letter = (char)toupper((unsigned char)*s++);
+            struct ncread_word *w = new_word(words, WORD_ADDRESS, &letter, 1);
             w->values = 1;
+            s += strspn(s, " ");
+            if (*s == '#' || *s == '[')
+                return error_set(error,
+                                 "found `%.10s`, a variable, which this reader does not read", s);
             if (ncread_word_number(&s, &w->value[0], &w->pointed, error) < 0)
                 return -1;
+        } else if (*s == '#' || *s == '[') {
+            return error_set(
+                error, "found `%.20s`, a variable or macro, which this reader does not read", s);
         } else {
             return error_set(error, "found `%.10s`, expected a word", s);
         }
@@ -102,6 +106,9 @@ static int siemens_value(const char **s, struct ncread_word *w, struct error *er
     }
     if (strncmp(*s, "AC(", 3) == 0) {
         w->absolute = true;
+        *s += 2;
+    } else if (strncmp(*s, "DC(", 3) == 0) {
+        w->shortest = true;
         *s += 2;
     }
     if (**s != '(') {

@@ -22,6 +22,7 @@ struct ncread_word {
     enum word_kind kind;
     char name[WORD_TEXT]; /* X  A3  PO[X]  TRAORI */
     bool absolute;        /* AC() */
+    bool shortest;        /* DC() */
     bool pointed;         /* its number has a decimal point */
     int values;           /* 0: a text or nothing */
     double value[WORD_VALUES];
@@ -38,7 +39,8 @@ struct ncread_words {
  */
 int ncread_word_number(const char **s, double *value, bool *pointed, struct error *error);
 
-/* The words of a Fanuc block: capital letters with a number each, comments in ( ). */
+/* The words of a Fanuc block: letters with a number each, comments in ( ) and after `;`; a block
+ * that begins with `/` is read as any other. */
 int ncread_word_fanuc(const char *line, struct ncread_words *words, struct error *error);
 
 /* The words of a Siemens block, up to a comment after `;`. */
