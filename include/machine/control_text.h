@@ -35,7 +35,7 @@ struct control_text {
     bool tcp;         /* it can have tool-centre-point control */
     bool number_all;  /* every line has one, comments too, from 0 by 1 */
     bool point, sign; /* X12. and X+12 */
-    char words[600]; /* what words of its own mean to ncverify */
+    char words[600];  /* what words of its own mean to ncverify */
     char section[CONTROL_SECTIONS][CONTROL_SECTION_SIZE]; /* lines, each with its '\n' */
 };
 
