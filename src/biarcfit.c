@@ -8,6 +8,9 @@
 #include "stage/fitter.h"
 #include "stage/path_tilt.h"
 
+/* With less than this share of the usual work a run is fitted in a hurry. */
+static const double HURRIED = 0.25;
+
 struct settings {
     struct fitter_options common;
     double tilt; /* degrees */
@@ -32,12 +35,13 @@ struct run_fit {
     struct arcrun_options options;
     struct path *fitted;
     struct arcrun_report *report;
+    struct arcrun_memo memo; /* of the fit before */
 };
 
 /* Fits the run anew, and appends to `gouges` where the ball then goes too deep. */
 static void fit_and_check(void *context, const struct run *run, struct gouges *gouges)
 {
-    const struct run_fit *f = context;
+    struct run_fit *f = context;
     struct path *fitted = f->fitted;
     struct vec3 start = f->options.centre ? run->item[0].ball : run->item[0].tip;
     struct pose at = {start, run->item[0].axis};
@@ -45,7 +49,7 @@ static void fit_and_check(void *context, const struct run *run, struct gouges *g
     path_free(fitted);
     *fitted = (struct path){0};
     *f->report = (struct arcrun_report){0};
-    arcrun_fit(run, &f->options, fitted, f->report);
+    arcrun_fit(run, &f->options, &f->memo, fitted, f->report);
     for (size_t i = 0; f->gouge->guard && i < fitted->item.n; i++) {
         const struct path_item *item = &fitted->item.item[i];
         if (item->kind != PATH_POINT && item->kind != PATH_ARC)
@@ -56,20 +60,23 @@ static void fit_and_check(void *context, const struct run *run, struct gouges *g
     }
 }
 
-static void fit_run(const void *settings, const struct gouge_refit_options *gouge,
-                    const struct path *in, struct run *points, struct fitted_run *run)
+static void fit_run(const void *settings, const struct fit_request *request, struct run *points,
+                    struct fitted_run *run)
 {
     const struct settings *s = settings;
+    const struct gouge_refit_options *gouge = request->gouge;
     struct run_fit f = {.gouge = gouge,
                         .options = {.tolerance = s->common.tolerance,
-                                    .axis = RADIANS(s->common.angle),
-                                    .centre = in->head.track == TRACK_CENTRE,
+                                    .axis = request->axis_share * RADIANS(s->common.angle),
+                                    .centre = request->in->head.track == TRACK_CENTRE,
                                     .paper = s->common.paper,
                                     .chords = s->chords,
+                                    .hurried = request->work < HURRIED,
                                     .guarded = gouge->guard != NULL},
                         .fitted = &run->fitted,
                         .report = run->result};
     run->gouge = gouge_refit_fit(gouge, points, fit_and_check, &f);
+    arcrun_memo_free(&f.memo);
 }
 
 static void report_run(const struct arcrun_report *r, size_t number)

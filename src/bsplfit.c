@@ -62,13 +62,16 @@ static void add_pieces(const struct path *in, const struct spline_run *pieces,
     }
 }
 
-static void fit_run(const void *settings, const struct gouge_refit_options *gouge,
-                    const struct path *in, struct run *points, struct fitted_run *run)
+static void fit_run(const void *settings, const struct fit_request *request, struct run *points,
+                    struct fitted_run *run)
 {
     const struct settings *s = settings;
+    struct spline_run_options options = s->run;
     struct result *result = run->result;
-    run->gouge = spline_run_fit_guarded(points, &s->run, gouge, &result->pieces);
-    add_pieces(in, &result->pieces, run);
+    options.fit.angle *= request->axis_share;
+    options.fit.work = request->work;
+    run->gouge = spline_run_fit_guarded(points, &options, request->gouge, &result->pieces);
+    add_pieces(request->in, &result->pieces, run);
 }
 
 static void result_free(void *result)

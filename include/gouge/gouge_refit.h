@@ -73,8 +73,8 @@ void gouge_refit_motion(const struct gouge_refit_options *options, const struct 
                         struct gouges *gouges);
 
 /*
- * Lifts the points of the run around those places along their normals (without one, along the
- * axis): by the depth less GOUGE_LIFTED next to the place and evenly less over three times that
+ * Lifts the points of the run around those places where the ball is too deep along their normals
+ * (without one, along the axis): by the depth less GOUGE_LIFTED next to the place and evenly less over three times that
  * reach.  Both ends stay, for what comes before and after joins them.  Returns the largest lift,
  * mm.
  */
@@ -91,6 +91,8 @@ struct gouge gouge_refit_beyond(const struct gouge_refit_options *options,
 struct gouge_refit_result {
     struct gouge deepest; /* that is left beyond the tolerance; depth 0: none */
     double lift;          /* of the points, all rounds together at most, mm */
+    struct gouges left;   /* all places where it is too deep at the end, if the deepest is beyond the
+                             tolerance; the caller frees it (array_free) */
 };
 
 /*

@@ -14,6 +14,7 @@ struct arcrun_options {
     bool centre;      /* what is programmed is the ball's centre, not the tip */
     bool paper;       /* a biarc for each interval, however far it is off */
     bool guarded;     /* the run may be fitted several times: less is searched for a last arc */
+    bool hurried;     /* arcs as the search finds them: half the time, a seventh more of them */
     bool chords;      /* arcs as comments, with straight chords for them */
 };
 
@@ -30,15 +31,29 @@ struct arcrun_report {
     struct deviation worst;
 };
 
+/* The smooth parts of a run as they were fitted, for when some of its points have moved: a part that
+ * comes again as it was is not fitted again.  Starts as all zero. */
+struct arcrun_memo {
+    size_t n, cap;
+    struct arcrun_part {
+        struct run points;
+        struct path fitted;
+        struct arcrun_report report;
+    } * item;
+};
+
+void arcrun_memo_free(struct arcrun_memo *memo);
+
 /*
  * Appends the run to `out`, but for its first point, which has to be there already.  The tolerance
  * is kept, on the printed digits, by both the tip and the centre and on both sides, against the
  * smooth reference of the run (run_densify) where its points are sparse, against the straight lines
  * between them where they are dense (arcfit.h: ARC_DENSE); not with `paper`.  Contacts are carried
- * to the new ends.
+ * to the new ends.  `memo` (NULL: none) is of the fit before with the same options, and becomes that
+ * of this one.
  */
-void arcrun_fit(const struct run *run, const struct arcrun_options *options, struct path *out,
-                struct arcrun_report *report);
+void arcrun_fit(const struct run *run, const struct arcrun_options *options,
+                struct arcrun_memo *memo, struct path *out, struct arcrun_report *report);
 
 /* Adds the second report to the first. */
 void arcrun_add(struct arcrun_report *sum, const struct arcrun_report *report);

@@ -34,6 +34,7 @@ struct fitter_options fitter_defaults(double tolerance);
 struct fitted_run {
     size_t from, to;    /* items [from, to) of the path */
     size_t pass;        /* the pass that it is part of */
+    size_t number;      /* of the run, for the driver */
     struct path fitted; /* the items that take the place of [from + 1, to) */
     struct gouge_refit_result gouge;
     void *result; /* the fitter's own, all zero before the fit */
@@ -50,6 +51,14 @@ struct fitter_outcome {
     int status;   /* EXIT_DONE or EXIT_UNMET */
 };
 
+/* What a fit of one run is asked for. */
+struct fit_request {
+    const struct gouge_refit_options *gouge;
+    const struct path *in;
+    double axis_share; /* of the axis tolerance that may be used */
+    double work;       /* share of the usual work: less where there are very many points */
+};
+
 struct fitter {
     const char *name;                     /* of the tool: its entry in the ledger */
     const struct fitter_options *options; /* as they were parsed */
@@ -60,10 +69,12 @@ struct fitter {
 
     /*
      * Fits one run: fills its fitted, gouge and result.  The points are those of its items
-     * (path_run.h), and may be lifted.  Called in parallel.
+     * (path_run.h), and may be lifted.  Called in parallel.  A run that stays too deep is fitted
+     * again with less of the axis tolerance, then in parts, without the motions next to the places
+     * that are too deep: these stay as they came.
      */
-    void (*fit)(const void *settings, const struct gouge_refit_options *gouge,
-                const struct path *in, struct run *points, struct fitted_run *run);
+    void (*fit)(const void *settings, const struct fit_request *request, struct run *points,
+                struct fitted_run *run);
 
     /* Reports on all runs: the table where it is asked for, and the totals. */
     struct fitter_outcome (*report)(const void *settings, const struct path *in,

@@ -224,6 +224,8 @@ double gouge_refit_lift(const struct gouge_refit_options *options, const struct 
         lift[i] = 0;
     for (size_t k = 0; k < gouges->n; k++) {
         const struct gouge *gouge = &gouges->item[k];
+        if (gouge->part != TOOL_BALL)
+            continue;
         double reach = reach_around(run, gouge->ball),
                whole = gouge->depth - GOUGE_LIFTED * options->tolerance;
         for (size_t i = 1; i + 1 < run->n; i++) {
@@ -275,14 +277,20 @@ gouge_refit_fit(const struct gouge_refit_options *options, struct run *run,
     for (int round = 1; round < ROUNDS && gouges.n > 0; round++) {
         size_t before = gouges.n;
         double depth = gouge_refit_deepest(&gouges).depth;
-        result.lift += gouge_refit_lift(options, &gouges, run);
+        double lift = gouge_refit_lift(options, &gouges, run);
+        if (lift == 0)
+            break;
+        result.lift += lift;
         gouges.n = 0;
         fit(context, run, &gouges);
         if (gouges.n >= before && gouge_refit_deepest(&gouges).depth > USELESS * depth && round > 2)
             break; /* as at an end */
     }
     result.deepest = gouge_refit_beyond(options, &gouges);
-    array_free(&gouges);
+    if (result.deepest.depth > 0)
+        result.left = gouges;
+    else
+        array_free(&gouges);
     return result;
 }
 

@@ -470,6 +470,11 @@ static bool is_rough(const struct knots_tries *t, size_t poles, size_t points)
     return poles > FEW && poles * points > t->reference->n;
 }
 
+static double uneven_effort(const struct free_knots_options *options)
+{
+    return EFFORT_UNEVEN * (options->work > 0 ? options->work : 1);
+}
+
 /* Upwards until a count serves.  Returns the last one that did not. */
 static size_t search_upwards(struct knots_tries *t, size_t parts, size_t least)
 {
@@ -479,7 +484,7 @@ static size_t search_upwards(struct knots_tries *t, size_t parts, size_t least)
                            t->curve.poles == 0 && t->effort > 0 && !is_rough(t, n, ROUGH_POINTS);
          n = next_count(n)) {
         if (is_rough(t, n, UNEVEN_POINTS))
-            t->effort = fmin(t->effort, EFFORT_UNEVEN * (double)t->reference->n);
+            t->effort = fmin(t->effort, uneven_effort(t->options) * (double)t->reference->n);
         knots_try_on_places(t, parts, n);
         if (!(t->failed.curve.poles + 1 == n && serves_with_one_more(t)) &&
             !serves_from_scratch(t, n))
@@ -520,7 +525,8 @@ static bool serves_by_patience(struct knots_tries *t)
 static void search_uneven(struct knots_tries *t, size_t least)
 {
     size_t serves = t->options->known, failed = least - 1;
-    double most = EFFORT_UNEVEN * fmax((double)t->reference->n, PLACES * (double)serves);
+    double most =
+        uneven_effort(t->options) * fmax((double)t->reference->n, PLACES * (double)serves);
     double left = fmin(t->effort, most), each = left / TRIALS;
 
     knots_try_on_few_places(t, serves);
@@ -596,7 +602,7 @@ struct free_knots_result free_knots_again(const struct reference *reference,
                                           const struct bspline *before)
 {
     struct free_knots_result found = {.cut = false};
-    double effort = EFFORT_UNEVEN * (double)reference->n;
+    double effort = uneven_effort(options) * (double)reference->n;
     struct knots_tries t = knots_tries_new(reference, options, effort);
     size_t most = before->poles + before->poles / MORE_AGAIN + 2;
 

@@ -196,7 +196,9 @@ static void split_piece(const struct run *run, const struct spline_run_options *
 
 /* ---- kept clear of the part */
 
-enum { ROUNDS = 6 }; /* of straight lines put in */
+enum { ROUNDS = 3 }; /* of straight lines put in */
+
+static const double SHORTEST = 0.05; /* mm: no shorter piece is made by it */
 
 struct guarded_fit {
     const struct spline_run_options *options;
@@ -245,6 +247,17 @@ static size_t interval_at(const struct run *run, const struct spline_run_piece *
     return at;
 }
 
+/* The tracked point hardly moves from one point to the other: a control would creep there. */
+static bool is_too_short(const struct guarded_fit *f, const struct run *run, size_t from, size_t to)
+{
+    double length = 0;
+
+    for (size_t i = from; i < to; i++)
+        length += f->options->centre ? vec_distance(run->item[i].ball, run->item[i + 1].ball)
+                                     : vec_distance(run->item[i].tip, run->item[i + 1].tip);
+    return from < to && length < SHORTEST;
+}
+
 /* In each piece that goes too deep, puts in the line between the two points next to the deepest
  * place.  False when there is none. */
 static bool insert_lines(const struct guarded_fit *f, const struct run *run)
@@ -259,7 +272,11 @@ static bool insert_lines(const struct guarded_fit *f, const struct run *run)
         struct gouge deepest = gouge_refit_beyond(f->gouge, &gouges);
         if (deepest.depth == 0 || piece->to == piece->from + 1)
             continue;
-        split_piece(run, f->options, k, interval_at(run, piece, deepest.ball), f->pieces);
+        size_t i = interval_at(run, piece, deepest.ball);
+        if (is_too_short(f, run, piece->from, i) || is_too_short(f, run, i, i + 1) ||
+            is_too_short(f, run, i + 1, piece->to))
+            continue;
+        split_piece(run, f->options, k, i, f->pieces);
         done = true;
     }
     array_free(&gouges);
@@ -274,7 +291,7 @@ static struct gouge_refit_result fit_once(struct guarded_fit *f, const struct ru
 
     fit_and_check(f, run, &gouges);
     result.deepest = gouge_refit_beyond(f->gouge, &gouges);
-    array_free(&gouges);
+    result.left = gouges;
     return result;
 }
 
@@ -293,6 +310,8 @@ struct gouge_refit_result spline_run_fit_guarded(struct run *run,
         if (!insert_lines(&f, run))
             break;
         struct gouge_refit_result more = gouge_refit_fit(gouge, run, fit_and_check, &f);
+        array_free(&result.left);
+        result.left = more.left;
         result.deepest = more.deepest;
         result.lift += more.lift;
     }

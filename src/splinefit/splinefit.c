@@ -209,7 +209,7 @@ static bool fit_free_knots(const struct search *s, size_t known, const struct bs
                            struct splinefit *fit)
 {
     const struct splinefit_options *o = s->options;
-    struct free_knots_options options = {o->degree, o->tolerance, o->angle, known};
+    struct free_knots_options options = {o->degree, o->tolerance, o->angle, known, o->work};
 
     *fit = (struct splinefit){.kind = SPLINEFIT_FREE, .within = true};
     if (o->params >= 0 || o->knots >= 0 || (before && before->degree != o->degree))

@@ -83,7 +83,8 @@ static bool fit_once(struct fit *f, const struct deviation *within, const struct
 
     f->pieces.n = 0;
     arcfit_beam(&f->reference, less, PATH_COORDINATE, &f->pieces);
-    arcfit_reduce(&f->reference, less, PATH_COORDINATE, false, &f->pieces);
+    if (!f->options->hurried)
+        arcfit_reduce(&f->reference, less, PATH_COORDINATE, false, &f->pieces);
     bool thorough = is_smooth(f);
     if (thorough)
         arcfit_reduce(&f->reference, less, PATH_COORDINATE, true, &f->pieces);
@@ -239,9 +240,73 @@ static struct sizes parts_of(const struct run *dense, const struct arcrun_option
     return end;
 }
 
-void arcrun_fit(const struct run *run, const struct arcrun_options *options, struct path *out,
-                struct arcrun_report *report)
+/* ---- what was fitted before */
+
+static void part_free(struct arcrun_part *part)
 {
+    array_free(&part->points);
+    path_free(&part->fitted);
+}
+
+void arcrun_memo_free(struct arcrun_memo *memo)
+{
+    for (size_t i = 0; i < memo->n; i++)
+        part_free(&memo->item[i]);
+    array_free(memo);
+}
+
+static bool vec_same(struct vec3 a, struct vec3 b)
+{
+    return a.x == b.x && a.y == b.y && a.z == b.z;
+}
+
+static bool is_same_point(const struct run_point *a, const struct run_point *b)
+{
+    return vec_same(a->tip, b->tip) && vec_same(a->ball, b->ball) && vec_same(a->axis, b->axis) &&
+           vec_same(a->contact, b->contact) && vec_same(a->normal, b->normal) &&
+           a->given == b->given;
+}
+
+/* The part of the memo with these points, NULL: there is none. */
+static const struct arcrun_part *find_part(const struct arcrun_memo *memo,
+                                           const struct run_point *point, size_t n)
+{
+    for (size_t k = 0; memo && k < memo->n; k++) {
+        const struct run *old = &memo->item[k].points;
+        size_t same = 0;
+        while (old->n == n && same < n && is_same_point(&old->item[same], &point[same]))
+            same++;
+        if (n > 0 && same == n)
+            return &memo->item[k];
+    }
+    return NULL;
+}
+
+/* The reference's part of the dense run, fitted now or before. */
+static void fit_smooth_part(struct fit *f, size_t n, const struct arcrun_memo *memo, double within,
+                            struct arcrun_part *part)
+{
+    const struct run_point *point = &f->dense->item[f->first];
+    const struct arcrun_part *before = find_part(memo, point, n);
+
+    for (size_t i = 0; i < n; i++)
+        *array_push(&part->points) = point[i];
+    if (before) {
+        path_add_items(&part->fitted, &before->fitted, 0, before->fitted.item.n);
+        part->report = before->report;
+        return;
+    }
+    f->reference = reference_of(f->dense, f->first, n, f->options->centre, false);
+    fit_within(f, within);
+    add_pieces(f, &part->fitted, &part->report);
+    part->report.worst = f->worst;
+    reference_free(&f->reference);
+}
+
+void arcrun_fit(const struct run *run, const struct arcrun_options *options,
+                struct arcrun_memo *memo, struct path *out, struct arcrun_report *report)
+{
+    struct arcrun_memo now = {0};
     struct run dense = {.radius = run->radius};
     double taken = dense_run_of(run, options, &dense);
     if (options->chords)
@@ -249,18 +314,28 @@ void arcrun_fit(const struct run *run, const struct arcrun_options *options, str
     struct sizes end = parts_of(&dense, options);
     struct fit f = {.options = options, .dense = &dense};
     for (size_t i = 0; i < end.n; i++) {
-        f.reference =
-            reference_of(&dense, f.first, end.item[i] - f.first + 1, options->centre, false);
+        size_t n = end.item[i] - f.first + 1;
         if (options->paper) {
+            f.reference = reference_of(&dense, f.first, n, options->centre, false);
             fit_each(&f, run, report);
             print_pieces(&f);
+            add_pieces(&f, out, report);
+            report->worst = deviation_worst(report->worst, f.worst);
+            reference_free(&f.reference);
         } else {
-            fit_within(&f, options->tolerance - taken);
+            struct arcrun_part part = {.points = {.radius = run->radius}};
+            fit_smooth_part(&f, n, memo, options->tolerance - taken, &part);
+            path_add_items(out, &part.fitted, 0, part.fitted.item.n);
+            arcrun_add(report, &part.report);
+            *array_push(&now) = part;
         }
-        add_pieces(&f, out, report);
-        report->worst = deviation_worst(report->worst, f.worst);
         f.first = end.item[i];
-        reference_free(&f.reference);
+    }
+    if (memo) {
+        arcrun_memo_free(memo);
+        *memo = now;
+    } else {
+        arcrun_memo_free(&now);
     }
     report->points += run->n;
     report->corners += end.n - 1;

@@ -15,15 +15,23 @@ struct fitter_options fitter_defaults(double tolerance)
         .tolerance = tolerance, .angle = 1, .gouge = {.noise = -1, .effort = 1}};
 }
 
+/* So many points get the usual work each, more share it. */
+static const double USUAL_POINTS = 12000;
+
+enum { TIMES = 5 }; /* a run is fitted, with other parts each time */
+
+static const double LESS_AXIS = 0.3; /* of the axis tolerance, each time */
+static const double SHORTEST = 0.05; /* mm: of the tracked point, to be fitted at all */
+
 /* What the threads share. */
 struct workload {
     const struct fitter *fitter;
-    const struct path *in;
-    const struct gouge_refit_options *gouge;
-    struct fitted_runs *runs;
+    struct fit_request request;
+    const struct fitted_runs *runs; /* as they were found */
+    struct fitted_runs *fitted;     /* by run: its parts, fitted */
 };
 
-static struct fitted_runs find_runs(const struct fitter *fitter, const struct path *in)
+static struct fitted_runs find_runs(const struct path *in)
 {
     struct fitted_runs runs = {0};
     size_t at = 0, pass = 0;
@@ -32,21 +40,159 @@ static struct fitted_runs find_runs(const struct fitter *fitter, const struct pa
         for (; at < from; at++)
             if (in->item.item[at].kind == PATH_PASS)
                 pass = in->item.item[at].index;
-        *array_push(&runs) = (struct fitted_run){
-            .from = from, .to = to, .pass = pass, .result = mem_alloc(1, fitter->result_size)};
+        *array_push(&runs) =
+            (struct fitted_run){.from = from, .to = to, .pass = pass, .number = runs.n};
     }
     return runs;
+}
+
+static void free_run(const struct fitter *fitter, struct fitted_run *run)
+{
+    path_free(&run->fitted);
+    array_free(&run->gouge.left);
+    if (fitter->result_free && run->result)
+        fitter->result_free(run->result);
+    free(run->result);
+}
+
+static double length_of(const struct path *in, size_t from, size_t to)
+{
+    double length = 0;
+
+    for (size_t i = from + 1; i < to; i++)
+        length += vec_distance(in->item.item[i - 1].to.p, in->item.item[i].to.p);
+    return length;
+}
+
+/* The motion of the run over which a place is the least detour, by its first point. */
+static size_t motion_at_place(const struct run *points, struct vec3 place)
+{
+    double least = HUGE_VAL;
+    size_t at = 0;
+
+    for (size_t i = 0; i + 1 < points->n; i++) {
+        struct vec3 a = points->item[i].ball, b = points->item[i + 1].ball;
+        double detour = vec_distance(a, place) + vec_distance(place, b) - vec_distance(a, b);
+        if (detour < least) {
+            least = detour;
+            at = i;
+        }
+    }
+    return at;
+}
+
+/* Marks the motions next to the places that are too deep, `wide` more on both sides; n motions. */
+static void mark_motions(const struct run *points, const struct gouges *gouges, size_t wide,
+                         bool *stays)
+{
+    size_t n = points->n - 1;
+
+    for (size_t k = 0; k < gouges->n; k++) {
+        size_t at = motion_at_place(points, gouges->item[k].ball);
+        for (size_t i = at > wide ? at - wide : 0; i < n && i <= at + wide; i++)
+            stays[i] = true;
+    }
+}
+
+static void fit_part(const struct workload *w, struct fitted_run run, int time);
+
+/* The run without the motions next to where it is too deep, part by part. */
+static void fit_around(const struct workload *w, const struct fitted_run *run, int time)
+{
+    struct run points = path_run_read(w->request.in, run->from, run->to);
+    size_t n = points.n - 1, from = 0;
+    bool *stays = mem_alloc(n + 1, sizeof *stays);
+
+    for (size_t i = 0; i <= n; i++)
+        stays[i] = i == n;
+    mark_motions(&points, &run->gouge.left, (size_t)time * (size_t)time, stays);
+    for (size_t i = 0; i <= n; i++) {
+        if (!stays[i])
+            continue;
+        if (i > from)
+            fit_part(w,
+                     (struct fitted_run){.from = run->from + from,
+                                         .to = run->from + i + 1,
+                                         .pass = run->pass,
+                                         .number = run->number},
+                     time);
+        from = i + 1;
+    }
+    free(stays);
+    array_free(&points);
+}
+
+/* Only the shaft or the holder is too deep: not by the ball's way, but by the axis. */
+static bool is_by_axis(const struct gouges *gouges)
+{
+    for (size_t i = 0; i < gouges->n; i++)
+        if (gouges->item[i].part == TOOL_BALL)
+            return false;
+    return true;
+}
+
+/* Fits a run, or a part of one, and what it takes for it to be clear, into the parts of its run. */
+static void fit_part(const struct workload *w, struct fitted_run run, int time)
+{
+    struct fit_request request = w->request;
+
+    if (time > 0 && (run.to - run.from < 3 || length_of(request.in, run.from, run.to) < SHORTEST ||
+                     time == TIMES))
+        return; /* as it came */
+    for (;;) {
+        struct run points = path_run_read(request.in, run.from, run.to);
+        run.result = mem_alloc(1, w->fitter->result_size);
+        w->fitter->fit(w->fitter->settings, &request, &points, &run);
+        array_free(&points);
+        bool again = run.gouge.deepest.depth > 0 && !w->fitter->options->paper && time < TIMES;
+        if (!again) {
+            *array_push(&w->fitted[run.number]) = run;
+            return;
+        }
+        bool by_axis = is_by_axis(&run.gouge.left) && request.axis_share > LESS_AXIS / 2;
+        request.axis_share *= LESS_AXIS;
+        if (!by_axis)
+            fit_around(w, &run, time + 1);
+        free_run(w->fitter, &run);
+        if (!by_axis)
+            return;
+        run = (struct fitted_run){
+            .from = run.from, .to = run.to, .pass = run.pass, .number = run.number};
+    }
 }
 
 static void fit_runs(void *context, size_t from, size_t to)
 {
     const struct workload *w = context;
-    for (size_t i = from; i < to; i++) {
-        struct fitted_run *run = &w->runs->item[i];
-        struct run points = path_run_read(w->in, run->from, run->to);
-        w->fitter->fit(w->fitter->settings, w->gouge, w->in, &points, run);
-        array_free(&points);
+
+    for (size_t i = from; i < to; i++)
+        fit_part(w, w->runs->item[i], 0);
+}
+
+/* All runs fitted, in parts where it takes that. */
+static struct fitted_runs fit_all(const struct fitter *fitter, const struct path *in,
+                                  const struct gouge_refit_options *gouge, int threads)
+{
+    struct fitted_runs runs = find_runs(in), all = {0};
+    double points = 1;
+
+    for (size_t i = 0; i < runs.n; i++)
+        points += (double)(runs.item[i].to - runs.item[i].from);
+    struct fit_request request = {
+        .gouge = gouge, .in = in, .axis_share = 1, .work = fmin(1, USUAL_POINTS / points)};
+    struct workload workload = {fitter, request, &runs,
+                                mem_alloc(runs.n + 1, sizeof(struct fitted_runs))};
+    for (size_t i = 0; i < runs.n; i++)
+        workload.fitted[i] = (struct fitted_runs){0};
+    parallel_shown("fitting", threads, runs.n, fit_runs, &workload);
+    for (size_t i = 0; i < runs.n; i++) {
+        for (size_t k = 0; k < workload.fitted[i].n; k++)
+            *array_push(&all) = workload.fitted[i].item[k];
+        array_free(&workload.fitted[i]);
     }
+    free(workload.fitted);
+    array_free(&runs);
+    return all;
 }
 
 /* The path with the fitted items in the place of the runs; all else goes over as it is. */
@@ -69,12 +215,8 @@ static struct path assemble(const struct path *in, const struct fitted_runs *run
 
 static void free_runs(const struct fitter *fitter, struct fitted_runs *runs)
 {
-    for (size_t i = 0; i < runs->n; i++) {
-        path_free(&runs->item[i].fitted);
-        if (fitter->result_free)
-            fitter->result_free(runs->item[i].result);
-        free(runs->item[i].result);
-    }
+    for (size_t i = 0; i < runs->n; i++)
+        free_run(fitter, &runs->item[i]);
     array_free(runs);
 }
 
@@ -112,9 +254,7 @@ int fitter_run(const struct fitter *fitter, const struct cli *cli, struct error 
         path_free(&in);
         return -1;
     }
-    struct fitted_runs runs = find_runs(fitter, &in);
-    struct workload workload = {fitter, &in, &gouge, &runs};
-    parallel_shown("fitting", cli->threads, runs.n, fit_runs, &workload);
+    struct fitted_runs runs = fit_all(fitter, &in, &gouge, cli->threads);
     double lift = 0;
     for (size_t i = 0; i < runs.n; i++)
         lift = fmax(lift, runs.item[i].gouge.lift);

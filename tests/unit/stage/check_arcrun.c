@@ -36,7 +36,7 @@ START_TEST(sparse_points_are_fitted_as_the_smooth_path_they_mean)
     struct arcrun_options options = {.tolerance = 0.01, .axis = 0.02};
     struct arcrun_report report = {0};
     struct path out = {0};
-    arcrun_fit(&run, &options, &out, &report);
+    arcrun_fit(&run, &options, NULL, &out, &report);
     ck_assert_uint_eq(report.points, 12);
     ck_assert_uint_eq(report.arcs, out.arc.n);
     ck_assert_uint_lt(report.arcs + report.lines, 12);
@@ -71,7 +71,7 @@ START_TEST(paper_makes_two_arcs_an_interval)
     struct arcrun_options options = {.tolerance = 0.01, .axis = 0.02, .paper = true};
     struct arcrun_report report = {0};
     struct path out = {0};
-    arcrun_fit(&run, &options, &out, &report);
+    arcrun_fit(&run, &options, NULL, &out, &report);
     ck_assert_uint_eq(report.arcs, 22);
     ck_assert_uint_eq(report.c + report.s, 11);
     path_free(&out);
@@ -90,7 +90,7 @@ START_TEST(a_corner_is_kept)
     struct arcrun_options options = {.tolerance = 0.01, .axis = 0.02};
     struct arcrun_report report = {0};
     struct path out = {0};
-    arcrun_fit(&run, &options, &out, &report);
+    arcrun_fit(&run, &options, NULL, &out, &report);
     ck_assert_uint_eq(report.corners, 1);
     ck_assert_uint_eq(report.lines, 2);
     ck_assert_uint_eq(report.arcs, 0);
@@ -106,7 +106,7 @@ START_TEST(chords_keep_the_tolerance)
     struct arcrun_options options = {.tolerance = 0.01, .axis = 0.02, .chords = true};
     struct arcrun_report report = {0};
     struct path out = {0};
-    arcrun_fit(&run, &options, &out, &report);
+    arcrun_fit(&run, &options, NULL, &out, &report);
     ck_assert_double_le(report.spent, 0.01);
     ck_assert_uint_eq(out.arc.n, 0);
     ck_assert_uint_eq(out.text.n, report.arcs);
