@@ -91,7 +91,7 @@ struct gouge gouge_refit_beyond(const struct gouge_refit_options *options,
 struct gouge_refit_result {
     struct gouge deepest; /* that is left beyond the tolerance; depth 0: none */
     double lift;          /* of the points, all rounds together at most, mm */
-    struct gouges left;   /* all places where it is too deep at the end, if the deepest is beyond the
+    struct gouges left; /* all places where it is too deep at the end, if the deepest is beyond the
                              tolerance; the caller frees it (array_free) */
 };
 

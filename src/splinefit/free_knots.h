@@ -17,7 +17,7 @@ struct free_knots_options {
     double tolerance; /* mm */
     double angle;     /* of the axis, radians */
     size_t known;     /* poles with which the tolerance is known to be kept; 0: none */
-    double work; /* share of the work that uneven data may take; 0: all of it */
+    double work;      /* share of the work that uneven data may take; 0: all of it */
 };
 
 struct free_knots_result {

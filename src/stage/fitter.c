@@ -40,8 +40,8 @@ static struct fitted_runs find_runs(const struct path *in)
         for (; at < from; at++)
             if (in->item.item[at].kind == PATH_PASS)
                 pass = in->item.item[at].index;
-        *array_push(&runs) =
-            (struct fitted_run){.from = from, .to = to, .pass = pass, .number = runs.n};
+        struct fitted_run run = {.from = from, .to = to, .pass = pass, .number = runs.n};
+        *array_push(&runs) = run;
     }
     return runs;
 }
