@@ -91,7 +91,7 @@ bool gouge_open(const struct gouge_check *guard, struct vec3 c, struct vec3 up, 
                 double depth);
 
 /* The same along any of some ways: up, `normal` (where the ball touches) and the middle of both, and
- * DIRECTIONS more, over the upper half of the sphere, on the normal's side. */
+ * DIRECTIONS more, ten degrees and more above the level, on the normal's side. */
 bool gouge_open_anyhow(const struct gouge_check *guard, struct vec3 c, struct vec3 normal,
                        double radius, double depth);
 
