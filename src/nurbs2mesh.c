@@ -14,6 +14,8 @@
 #include "io/nurbs/surfaces.h"
 #include "nurbs/orient.h"
 #include "nurbs/sew.h"
+#include "nurbs/skin.h"
+#include "nurbs/skin_close.h"
 #include "stage/nurbs_report.h"
 
 enum { CELLS_MAX = 5000 };
@@ -128,6 +130,14 @@ static double check_error(const struct settings *s, const struct patches *patche
     return sheet[worst].error;
 }
 
+/* Edges of neighbours are joined within this, mm. */
+static double gap_of(const struct settings *s, double size)
+{
+    if (s->gap > 0)
+        return s->gap;
+    return s->tolerance > 0 ? fmin(GAP * size, s->tolerance) : GAP * size;
+}
+
 /* Tessellates and sews; returns how far triangles are off, with what sewing moved their corners. */
 static double tessellate_and_sew(const struct cli *cli, const struct settings *s,
                                  const struct patches *patches, double size, double fine,
@@ -138,9 +148,7 @@ static double tessellate_and_sew(const struct cli *cli, const struct settings *s
     bool few = patches->n < 8;
     struct tessellate_all all = {
         patches, {s->tolerance > 0 ? 0 : s->n, fine, few ? cli->threads : 1}, sheet};
-    double gap = s->gap > 0 ? s->gap : GAP * size;
-    if (s->gap == 0 && s->tolerance > 0)
-        gap = fmin(gap, s->tolerance);
+    double gap = gap_of(s, size);
     for (size_t i = 0; i < patches->n; i++)
         sheet_free(&sheet[i]);
     patch_mesh_free(patch_mesh);
@@ -181,6 +189,13 @@ static double make_patch_mesh(const struct cli *cli, const struct settings *s,
             out.bodies);
     if (out.conflicts > 0)
         say("%zu neighbours cannot be oriented alike", out.conflicts);
+    struct skin_close_count closed = skin_close(patch_mesh, gap_of(s, size));
+    if (closed.folded + closed.filled > 0)
+        note("%zu slits filled with %zu facets, %zu folds taken out", closed.filled, closed.facets,
+             closed.folded);
+    struct skin skin = skin_of(patch_mesh);
+    nurbs_report_skin(patches, &skin);
+    skin_free(&skin);
     return error;
 }
 

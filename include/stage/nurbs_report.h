@@ -6,6 +6,7 @@
 
 #include "nurbs/concave_radius.h"
 #include "nurbs/patch.h"
+#include "nurbs/skin.h"
 #include "nurbs/tessellate.h"
 
 /* A table `entity,u,v,x,y,z,nx,ny,nz` with n x n places of each surface, v fastest, over its range
@@ -21,5 +22,9 @@ void nurbs_report_radii(const char *file, const struct patches *patches,
 /* Says what the trimming of each surface left unclear, and which curves in space lie further than
  * `fine` mm off their surface. */
 void nurbs_report_trimming(const struct patches *patches, const struct sheet *sheet, double fine);
+
+/* Tells of each body whether it is closed, its genus, area and volume, and of open edges the loops
+ * they form, with note(); what is no skin, with say(). */
+void nurbs_report_skin(const struct patches *patches, const struct skin *skin);
 
 #endif

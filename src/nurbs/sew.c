@@ -8,7 +8,8 @@
  * 3. borders that run side by side are distinguished from those that only touch or cross
  *    (match_boundaries);
  * 4. vertices of matched borders get one place (join_pairs);
- * 5. T-vertices are put into the edges that they lie on (insert_t_vertices).
+ * 5. T-vertices are put into the edges that they lie on (insert_t_vertices);
+ * 6. slits that are left, between an edge and others from one of its ends, are closed (close_slits).
  * At the end the vertices of each place are moved to the middle of them (move_to_middles).
  */
 #include "nurbs/sew.h"
@@ -18,6 +19,8 @@
 #include "math/earclip.h"
 #include "math/kdtree.h"
 #include "nurbs/tessellate.h"
+
+static const size_t NOWHERE = SIZE_MAX;
 
 /* By the size of the whole: vertices so near are the same, even on one piece (at a pole, along a
  * seam). */
@@ -72,6 +75,10 @@ struct sewing {
     double gap;   /* mm: what is nearer meets */
     double slack; /* mm: how far border edges of trimmed patches may be off the true border */
     double same;  /* mm: vertices so near are one */
+    bool slits;   /* T-vertices are those that an open edge joins to an end of their edge */
+    size_t
+        *next; /* of each place, when it is about slits: a place beside it along an open edge ... */
+    size_t *last; /* ... and another one; NOWHERE: there is none, or there are more than two */
 };
 
 struct place_edge {
@@ -195,6 +202,12 @@ static bool has_place(const struct sewing *s, const struct t_vertices *on_edge, 
     return false;
 }
 
+/* Does an open edge lead from the place to one of these? */
+static bool joins_end(const struct sewing *s, size_t place, size_t a, size_t b)
+{
+    return s->next[place] == a || s->next[place] == b || s->last[place] == a || s->last[place] == b;
+}
+
 /* The vertices, in the order of the edge, that lie between its ends, near its chord as far as the
  * surface and the slack allow, and within the gap of the edge's surface `part`. */
 static void find_t_vertices(const struct sewing *s, const struct nurbs *part,
@@ -210,7 +223,8 @@ static void find_t_vertices(const struct sewing *s, const struct nurbs *part,
         size_t i = s->border.vertex.item[found.item[k]];
         const struct patch_mesh_vertex *p = vertex_at(s, i);
         if (p->place == a->place || p->place == b->place || is_place_beside(s, i, a) ||
-            has_place(s, on_edge, p->place))
+            has_place(s, on_edge, p->place) ||
+            (s->slits && !joins_end(s, p->place, a->place, b->place)))
             continue;
         if (bulge < 0)
             bulge = vec_distance(middle, nurbs_point(part, uv_mix(a->at, b->at, 0.5)));
@@ -444,7 +458,10 @@ static void insert_t_vertices(struct sewing *s, struct insertions *to)
             part = tessellate_piece(&s->patches->item[sheet].surface, piece);
         }
         find_t_vertices(s, &part, &e, &on_edge);
-        keep_matched(s, a->sheet, &on_edge);
+        if (!s->slits)
+            keep_matched(s, a->sheet, &on_edge);
+        else if (on_edge.n > 1)
+            on_edge.n = 1; /* one at a time: the others may have found their own */
         if (on_edge.n > 0)
             split_edge(s, &part, edge, &on_edge, to);
     }
@@ -624,6 +641,52 @@ static size_t join_pairs(const struct sewing *s)
     return joined;
 }
 
+/* The places beside each one along the open edges. */
+static void find_beside(struct sewing *s)
+{
+    const struct patch_mesh *q = s->mesh;
+    unsigned char *n = mem_alloc(q->vertex.n + 1, sizeof *n);
+
+    s->next = mem_alloc(q->vertex.n + 1, sizeof *s->next);
+    s->last = mem_alloc(q->vertex.n + 1, sizeof *s->last);
+    for (size_t i = 0; i < q->vertex.n; i++)
+        s->next[i] = s->last[i] = NOWHERE;
+    for (size_t i = 0; i < s->border.edge.n; i++) {
+        const struct patch_mesh_edge *e = &q->edge.item[s->border.edge.item[i]];
+        size_t place[2] = {vertex_at(s, e->from)->place, vertex_at(s, e->to)->place};
+        for (int k = 0; k < 2; k++) {
+            size_t of = place[k];
+            n[of] = (unsigned char)(n[of] < 3 ? n[of] + 1 : 3);
+            *(n[of] == 1 ? &s->next[of] : &s->last[of]) = place[1 - k];
+        }
+    }
+    for (size_t i = 0; i < q->vertex.n; i++)
+        if (n[i] > 2)
+            s->next[i] = s->last[i] = NOWHERE;
+    free(n);
+}
+
+/* What two borders within the gap have left open is short: no run tells that they belong together,
+ * but where an edge and the next one from its end lie side by side there is nothing between. */
+static size_t close_slits(struct sewing *s)
+{
+    enum { ROUNDS = 12 };
+    size_t first = s->mesh->vertex.n, before = first + 1;
+
+    s->slits = true;
+    for (int i = 0; i < ROUNDS && s->mesh->vertex.n != before; i++) {
+        before = s->mesh->vertex.n;
+        boundary_find(s->mesh, &s->border);
+        find_beside(s);
+        insert_and_split(s);
+        boundary_free(&s->border);
+        free(s->next);
+        free(s->last);
+    }
+    s->slits = false;
+    return s->mesh->vertex.n - first;
+}
+
 /* Moves all vertices of a place to their middle; returns the largest move, mm. */
 static double move_to_middles(struct patch_mesh *q, double same)
 {
@@ -675,6 +738,7 @@ struct sew_count sew(struct patch_mesh *q, const struct patches *patches, double
         count.inserted += q->vertex.n - before;
         boundary_free(&s.border);
         array_free(&s.match);
+        count.inserted += close_slits(&s);
         if (s.gap >= gap)
             break;
     }

@@ -3,6 +3,7 @@
 
 #include "base/cli.h"
 #include "base/out.h"
+#include "nurbs/skin.h"
 
 /* 15 digits, never -0. */
 static void write_number(struct out *out, double x)
@@ -92,4 +93,44 @@ void nurbs_report_trimming(const struct patches *patches, const struct sheet *sh
         if (sheet[i].face.n == 0)
             say("%s: surface %d: nothing is left of it by its trimming", p->file, p->entity);
     }
+}
+
+/* Loops that are named one by one. */
+enum { NAMED = 8 };
+
+static void tell_loops(const struct patches *patches, const struct skin *skin)
+{
+    for (size_t i = 0; i < skin->loop.n && i < NAMED; i++) {
+        const struct skin_loop *l = &skin->loop.item[i];
+        const struct patch *p = &patches->item[l->sheet];
+        if (isfinite(l->gap))
+            note("open: %zu edges, %.4f mm long, gap up to %.4f mm at %.3f %.3f %.3f (surface %d)",
+                 l->edges, l->length, l->gap, l->at.x, l->at.y, l->at.z, p->entity);
+        else
+            note("open: %zu edges, %.4f mm long, at %.3f %.3f %.3f (surface %d)", l->edges,
+                 l->length, l->at.x, l->at.y, l->at.z, p->entity);
+    }
+    if (skin->loop.n > NAMED)
+        note("open: %zu loops more, the longest %.4f mm", skin->loop.n - NAMED,
+             skin->loop.item[NAMED].length);
+}
+
+void nurbs_report_skin(const struct patches *patches, const struct skin *skin)
+{
+    for (size_t i = 0; i < skin->body.n && i < NAMED; i++) {
+        const struct skin_body *b = &skin->body.item[i];
+        if (skin_body_closed(b))
+            note("body %zu: closed, genus %ld, area %.6f mm2, volume %.6f mm3, %zu facets", i + 1,
+                 b->genus, b->area, b->volume, b->facets);
+        else
+            note("body %zu: open at %zu edges, area %.6f mm2, %zu facets", i + 1, b->open, b->area,
+                 b->facets);
+    }
+    if (skin->body.n > NAMED)
+        note("%zu bodies more", skin->body.n - NAMED);
+    tell_loops(patches, skin);
+    if (skin->many > 0)
+        say("%zu edges have more than two facets", skin->many);
+    if (skin->unlike > 0)
+        say("%zu edges have facets that are turned differently", skin->unlike);
 }

@@ -324,6 +324,16 @@ box_area=$(calc '2 * (600 - 16 * p) + 2 * 10 * 50 + 2 * p * 4 * 10')
 box_volume=$(calc '6000 - 160 * p')
 model "STEP: a box with a hole" "$box_area" "$box_volume" -e 0.003 "$TMP/box.step"
 
+nurbs2mesh -v -e 0.003 "$TMP/box.step" 2>"$TMP/report" >/dev/null
+has "the hole is a handle, and the body closed" 'body 1: closed, genus 1, area 2350\.8[0-9]* mm2, volume 5497\.4' "$TMP/report"
+hasnt "nothing is open" '^nurbs2mesh: open: ' "$TMP/report"
+grep -v '^l5 \|^b5 \|^s5 \|^f5 ' <<END | { cat; echo "REP ADVANCED_BREP_SHAPE_REPRESENTATION('',({SOLID}),{CONTEXT})"; } |
+$(box | sed 's/,{f5}//')
+END
+	awk -f "$SRC/tests/lib/step.awk" >"$TMP/lidless.step"
+nurbs2mesh -v -e 0.003 "$TMP/lidless.step" 2>"$TMP/report" >/dev/null
+has "a side taken out is a loop" 'open: 4 edges, 80\.0000 mm long' "$TMP/report"
+
 # The same twice in an assembly, one turned and moved; the sum is twice the box.
 {
 	box

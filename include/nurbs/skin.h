@@ -1,0 +1,55 @@
+/*
+ * skin - what the joined patches are as a whole: bodies, closed or with borders, and their borders
+ * as loops.
+ */
+#ifndef CLOUDMILL_SKIN_H
+#define CLOUDMILL_SKIN_H
+
+#include "nurbs/patch_mesh.h"
+
+/* Open edges that hang together: a hole, a slit, or the border of an open surface. */
+struct skin_loop {
+    size_t edges;
+    double length; /* mm */
+    double gap; /* mm: how far a place of it is, at most, from the open edges that do not begin or
+                       end near it; HUGE_VAL: there are none */
+    struct vec3 at; /* there, or somewhere on it */
+    int sheet;      /* of its longest edge */
+};
+
+struct skin_loops {
+    size_t n, cap;
+    struct skin_loop *item; /* the longest first */
+};
+
+/* Facets that hang together by their edges. */
+struct skin_body {
+    size_t facets, edges, places;
+    size_t open;         /* edges of one facet alone */
+    size_t many;         /* edges of more than two */
+    size_t unlike;       /* edges whose two facets are turned differently */
+    double area, volume; /* mm^2; mm^3, of what is enclosed: only of a closed one */
+    long genus;          /* handles, of a closed one */
+};
+
+struct skin_bodies {
+    size_t n, cap;
+    struct skin_body *item; /* the largest area first */
+};
+
+struct skin {
+    struct skin_loops loop;
+    struct skin_bodies body;
+    size_t open, many, unlike; /* edges, of all bodies */
+};
+
+/* Closed: no open edge, none with more than two facets, all facets turned alike. */
+bool skin_body_closed(const struct skin_body *body);
+
+/* Of the patches as they are joined and turned.  Facets whose corners have less than three places
+ * do not count. */
+struct skin skin_of(const struct patch_mesh *mesh);
+
+void skin_free(struct skin *skin);
+
+#endif

@@ -1,0 +1,226 @@
+/* skin - see skin.h. */
+#include "nurbs/skin.h"
+
+#include <stdlib.h>
+
+#include "math/kdtree.h"
+#include "skin_sides.h"
+
+static size_t place_of(const struct patch_mesh *q, int vertex)
+{
+    return q->vertex.item[vertex].place;
+}
+
+static struct vec3 point_of(const struct patch_mesh *q, size_t place)
+{
+    return q->vertex.item[place].point;
+}
+
+static size_t root(size_t *parent, size_t i)
+{
+    while (parent[i] != i)
+        i = parent[i] = parent[parent[i]];
+    return i;
+}
+
+static void unite(size_t *parent, size_t a, size_t b)
+{
+    a = root(parent, a);
+    b = root(parent, b);
+    parent[a > b ? a : b] = a > b ? b : a;
+}
+
+static int compare_loops(const void *p, const void *q)
+{
+    const struct skin_loop *a = p, *b = q;
+
+    if (a->length < b->length || a->length > b->length)
+        return a->length > b->length ? -1 : 1;
+    return (a->sheet > b->sheet) - (a->sheet < b->sheet);
+}
+
+static int compare_bodies(const void *p, const void *q)
+{
+    const struct skin_body *a = p, *b = q;
+
+    if (a->area < b->area || a->area > b->area)
+        return a->area > b->area ? -1 : 1;
+    return (a->facets < b->facets) - (a->facets > b->facets);
+}
+
+/* How far a place is from the nearest open edge that does not begin or end at its neighbours: found
+ * among the edges whose middles are nearest. */
+static double gap_at(const struct patch_mesh *q, const struct skin_sides *open,
+                     const struct kdtree *middles, size_t place)
+{
+    enum { NEAREST = 12 };
+    size_t index[NEAREST];
+    struct vec3 p = point_of(q, place);
+    size_t beside[2 * NEAREST], n = 0, found = kdtree_nearest(middles, p, NEAREST, index, NULL);
+    double gap = HUGE_VAL;
+
+    for (size_t i = 0; i < found; i++) {
+        const struct skin_side *s = &open->item[index[i]];
+        if (s->low == place || s->high == place)
+            beside[n++] = s->low == place ? s->high : s->low;
+    }
+    for (size_t i = 0; i < found; i++) {
+        const struct skin_side *s = &open->item[index[i]];
+        bool near = s->low == place || s->high == place;
+        for (size_t k = 0; k < n; k++)
+            near = near || s->low == beside[k] || s->high == beside[k];
+        if (!near)
+            gap = fmin(gap, vec_segment_distance(point_of(q, s->low), point_of(q, s->high), p));
+    }
+    return gap;
+}
+
+static void find_loops(const struct patch_mesh *q, const struct skin_sides *open, struct skin *skin)
+{
+    size_t *parent = mem_alloc(q->vertex.n + 1, sizeof *parent);
+    size_t *loop = mem_alloc(q->vertex.n + 1, sizeof *loop);
+    struct doubles longest = {0};
+    struct vec3s middle = {0};
+
+    for (size_t i = 0; i < q->vertex.n; i++)
+        parent[i] = i;
+    for (size_t i = 0; i < open->n; i++) {
+        const struct skin_side *s = &open->item[i];
+        unite(parent, s->low, s->high);
+        *array_push(&middle) = vec_mix(point_of(q, s->low), point_of(q, s->high), 0.5);
+    }
+    struct kdtree *tree = kdtree_new(middle.item, middle.n);
+    for (size_t i = 0; i < open->n; i++) {
+        const struct skin_side *s = &open->item[i];
+        size_t *number = &loop[root(parent, s->low)];
+        double length = vec_distance(point_of(q, s->low), point_of(q, s->high));
+        if (*number == 0) {
+            *array_push(&skin->loop) = (struct skin_loop){.at = point_of(q, s->low)};
+            *array_push(&longest) = 0;
+            *number = skin->loop.n;
+        }
+        struct skin_loop *l = &skin->loop.item[*number - 1];
+        l->edges++;
+        l->length += length;
+        if (length > longest.item[*number - 1]) {
+            longest.item[*number - 1] = length;
+            l->sheet = q->sheet.item[s->facet];
+        }
+        double gap = gap_at(q, open, tree, s->low);
+        if (gap > l->gap) {
+            l->gap = gap;
+            l->at = point_of(q, s->low);
+        }
+    }
+    if (skin->loop.n > 1)
+        qsort(skin->loop.item, skin->loop.n, sizeof *skin->loop.item, compare_loops);
+    kdtree_free(tree);
+    array_free(&middle);
+    array_free(&longest);
+    free(parent);
+    free(loop);
+}
+
+/* Area, and volume against the point `from`, of a facet as it is turned. */
+static void add_facet(const struct patch_mesh *q, size_t facet, struct vec3 from,
+                      struct skin_body *body)
+{
+    const int *v = q->face.item[facet].v;
+    struct vec3 a = vec_sub(point_of(q, place_of(q, v[0])), from);
+    struct vec3 b = vec_sub(point_of(q, place_of(q, v[1])), from);
+    struct vec3 c = vec_sub(point_of(q, place_of(q, v[2])), from);
+    struct vec3 cross = vec_scale(0.5, vec_cross(vec_sub(b, a), vec_sub(c, a)));
+
+    body->facets++;
+    body->area += vec_length(cross);
+    body->volume += (q->flipped[q->sheet.item[facet]] ? -1 : 1) * vec_dot(a, cross) / 3;
+}
+
+/* A body for each set of facets that hang together; its number, from 1, in body[] by facet. */
+static void find_bodies(const struct patch_mesh *q, size_t *parent, size_t *body, struct skin *skin)
+{
+    struct vec3 from = q->vertex.n > 0 ? q->vertex.item[0].point : vec(0, 0, 0);
+
+    for (size_t f = 0; f < q->face.n; f++) {
+        if (!skin_facet_counts(q, f))
+            continue;
+        size_t first = root(parent, f);
+        if (body[first] == 0) {
+            *array_push(&skin->body) = (struct skin_body){0};
+            body[first] = skin->body.n;
+        }
+        body[f] = body[first];
+        add_facet(q, f, from, &skin->body.item[body[f] - 1]);
+    }
+}
+
+static void count_places(const struct patch_mesh *q, const size_t *body, struct skin *skin)
+{
+    size_t *seen = mem_alloc(q->vertex.n + 1, sizeof *seen);
+
+    /* A place where bodies touch counts in each of them; one after the other in facet order. */
+    for (size_t f = 0; f < q->face.n; f++) {
+        for (int k = 0; k < 3 && body[f] > 0; k++) {
+            size_t place = place_of(q, q->face.item[f].v[k]);
+            skin->body.item[body[f] - 1].places += seen[place] != body[f];
+            seen[place] = body[f];
+        }
+    }
+    free(seen);
+}
+
+bool skin_body_closed(const struct skin_body *body)
+{
+    return body->open == 0 && body->many == 0 && body->unlike == 0;
+}
+
+struct skin skin_of(const struct patch_mesh *q)
+{
+    struct skin skin = {.open = 0};
+    struct skin_sides open = {0};
+    size_t n, *parent = mem_alloc(q->face.n + 1, sizeof *parent);
+    size_t *body = mem_alloc(q->face.n + 1, sizeof *body);
+    struct skin_side *side = skin_sides_find(q, &n);
+
+    for (size_t f = 0; f < q->face.n; f++)
+        parent[f] = f;
+    for (size_t i = 0, k; i < n; i += k) {
+        k = skin_sides_same(side, n, i);
+        for (size_t j = 1; j < k; j++)
+            unite(parent, side[i].facet, side[i + j].facet);
+    }
+    find_bodies(q, parent, body, &skin);
+    count_places(q, body, &skin);
+    for (size_t i = 0, k; i < n; i += k) {
+        k = skin_sides_same(side, n, i);
+        struct skin_body *b = &skin.body.item[body[side[i].facet] - 1];
+        b->edges++;
+        b->open += k == 1;
+        b->many += k > 2;
+        b->unlike += k == 2 && side[i].forward == side[i + 1].forward;
+        if (k == 1)
+            *array_push(&open) = side[i];
+    }
+    for (size_t i = 0; i < skin.body.n; i++) {
+        struct skin_body *b = &skin.body.item[i];
+        skin.open += b->open;
+        skin.many += b->many;
+        skin.unlike += b->unlike;
+        /* Euler: places - edges + facets = 2 - 2 genus */
+        b->genus = (2 - ((long)b->places - (long)b->edges + (long)b->facets)) / 2;
+    }
+    find_loops(q, &open, &skin);
+    if (skin.body.n > 1)
+        qsort(skin.body.item, skin.body.n, sizeof *skin.body.item, compare_bodies);
+    array_free(&open);
+    free(side);
+    free(parent);
+    free(body);
+    return skin;
+}
+
+void skin_free(struct skin *skin)
+{
+    array_free(&skin->loop);
+    array_free(&skin->body);
+}

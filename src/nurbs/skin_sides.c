@@ -1,0 +1,65 @@
+/* skin_sides - see skin_sides.h. */
+#include "skin_sides.h"
+
+#include <stdlib.h>
+
+static size_t place_of(const struct patch_mesh *q, int vertex)
+{
+    return q->vertex.item[vertex].place;
+}
+
+bool skin_facet_counts(const struct patch_mesh *q, size_t facet)
+{
+    const int *v = q->face.item[facet].v;
+    size_t a = place_of(q, v[0]), b = place_of(q, v[1]), c = place_of(q, v[2]);
+
+    return a != b && b != c && c != a;
+}
+
+static int compare_sides(const void *p, const void *q)
+{
+    const struct skin_side *a = p, *b = q;
+
+    if (a->high != b->high)
+        return a->high < b->high ? -1 : 1;
+    return (a->facet > b->facet) - (a->facet < b->facet);
+}
+
+/* A counting sort by the lower place; the few sides of one place are compared. */
+struct skin_side *skin_sides_find(const struct patch_mesh *q, size_t *n)
+{
+    size_t *from = mem_alloc(q->vertex.n + 2, sizeof *from);
+    struct skin_side *side = mem_alloc(3 * q->face.n + 1, sizeof *side);
+
+    for (int round = 0; round < 2; round++) {
+        for (size_t f = 0; f < q->face.n; f++) {
+            bool flip = q->flipped[q->sheet.item[f]];
+            for (int k = 0; k < 3 && skin_facet_counts(q, f); k++) {
+                size_t a = place_of(q, q->face.item[f].v[k]);
+                size_t b = place_of(q, q->face.item[f].v[(k + 1) % 3]);
+                size_t low = a < b ? a : b, high = a < b ? b : a;
+                if (round == 0)
+                    from[low + 2]++;
+                else
+                    side[from[low + 1]++] = (struct skin_side){low, high, f, (a < b) != flip, k};
+            }
+        }
+        for (size_t i = 0; round == 0 && i < q->vertex.n; i++)
+            from[i + 2] += from[i + 1];
+    }
+    for (size_t i = 0; i < q->vertex.n; i++)
+        if (from[i + 1] > from[i])
+            qsort(side + from[i], from[i + 1] - from[i], sizeof *side, compare_sides);
+    *n = from[q->vertex.n];
+    free(from);
+    return side;
+}
+
+size_t skin_sides_same(const struct skin_side *side, size_t n, size_t i)
+{
+    size_t k = 1;
+
+    while (i + k < n && side[i + k].low == side[i].low && side[i + k].high == side[i].high)
+        k++;
+    return k;
+}
