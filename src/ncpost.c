@@ -197,6 +197,7 @@ int main(int argc, char **argv)
     struct machine machine = read_machine(&s);
     enum control_id control = choose_control(&s, &machine);
     struct path path = {0};
+    s.post.no_spindle = s.post.no_spindle || s.self_test;
     if (s.self_test)
         post_selftest(&path, &machine);
     else
@@ -215,11 +216,22 @@ int main(int argc, char **argv)
 
     struct post_report report = post_report(post);
     say_report(&path, &report, s.post.feed);
+    bool missing = report.no_spindle_on || report.no_tool || report.no_coolant;
     post_free(post);
     machine_options_free(&s.machine);
     path_free(&path);
     if (s.tolerance > 0 && report.ledger > s.tolerance)
         die_unmet("all stages together spent %.4f mm, expected at most %.4f", report.ledger,
                   s.tolerance);
+    if (missing)
+        die_unmet("%s%s%s%s%s; the program says it where it happens",
+                  report.no_spindle_on ? "it cuts without a speed of the spindle (--no-spindle)"
+                                       : "",
+                  report.no_spindle_on && report.no_tool ? ", " : "",
+                  report.no_tool ? "a tool has no number (--no-spindle)" : "",
+                  (report.no_spindle_on || report.no_tool) && report.no_coolant ? ", " : "",
+                  report.no_coolant ? "the machine file has no word for a coolant (coolant.thru, "
+                                      "coolant.air)"
+                                    : "");
     return EXIT_DONE;
 }

@@ -21,6 +21,7 @@ enum template_word {
     TEMPLATE_TOOL,
     TEMPLATE_OFFSET,
     TEMPLATE_RPM,
+    TEMPLATE_NEXT,        /* the number of the tool that comes next */
     TEMPLATE_TOLERANCE,   /* ncpost's share, mm */
     TEMPLATE_ORIENTATION, /* that of the tool axis, degrees */
     TEMPLATE_LEVEL,       /* the tolerance as 1 (0.1 mm, for speed) to 10 (0.001 mm) */
@@ -50,8 +51,13 @@ enum template_word {
     TEMPLATE_AXIS,         /* the same, or the vector, as the program says the tool axis */
     TEMPLATE_ROTARY_ZERO,  /* all at zero */
     /* blocks in a section */
-    TEMPLATE_HEAD,    /* the comments that say what the program is */
-    TEMPLATE_SPINDLE, /* S and M3 or M4 */
+    TEMPLATE_HEAD,       /* the comments that say what the program is */
+    TEMPLATE_SPINDLE,    /* S and M3 or M4 */
+    TEMPLATE_SPINDLE_ON, /* M3 or M4, M5, M9, M1, or the machine's keys of these names */
+    TEMPLATE_SPINDLE_OFF,
+    TEMPLATE_COOLANT_OFF,
+    TEMPLATE_STOP_OPTIONAL,
+    TEMPLATE_NO_TOOL, /* a comment, where the path names no tool */
     TEMPLATE_COOLANT,
     TEMPLATE_HOME, /* the machine's keys of these names; text before them begins their first block */
     TEMPLATE_SAFE,
@@ -64,6 +70,8 @@ enum template_word {
     TEMPLATE_PLANE_OFF,
     TEMPLATE_SMOOTH_ON,
     TEMPLATE_SMOOTH_OFF,
+    TEMPLATE_CLAMP_ON,
+    TEMPLATE_CLAMP_OFF,
     TEMPLATE_NONE,
     TEMPLATE_PLANE = TEMPLATE_A,
     TEMPLATE_FIRST_WORD = TEMPLATE_LINE,
@@ -96,6 +104,9 @@ enum template_condition {
     WHEN_NAMED,   /* a name was asked for */
     WHEN_SPLINES, /* the program has B-splines or polynomials */
     WHEN_CURVES,  /* and some of them turn the tool */
+    WHEN_NEXT,    /* a tool comes next, and the key tool.next */
+    WHEN_STOP,    /* key tool.stop */
+    WHEN_WORK,    /* another work offset than the one that was said */
     WHEN_NONE
 };
 

@@ -8,6 +8,7 @@ static const char *const words[TEMPLATE_NONE] = {
     [TEMPLATE_TOOL] = "tool",
     [TEMPLATE_OFFSET] = "offset",
     [TEMPLATE_RPM] = "rpm",
+    [TEMPLATE_NEXT] = "tool.next",
     [TEMPLATE_TOLERANCE] = "tolerance",
     [TEMPLATE_ORIENTATION] = "orientation",
     [TEMPLATE_LEVEL] = "level",
@@ -49,6 +50,13 @@ static const char *const words[TEMPLATE_NONE] = {
     [TEMPLATE_SMOOTH_OFF] = "smooth.off",
     [TEMPLATE_SPINDLE] = "spindle",
     [TEMPLATE_COOLANT] = "coolant",
+    [TEMPLATE_SPINDLE_ON] = "spindle.on",
+    [TEMPLATE_SPINDLE_OFF] = "spindle.off",
+    [TEMPLATE_COOLANT_OFF] = "coolant.off",
+    [TEMPLATE_STOP_OPTIONAL] = "stop.optional",
+    [TEMPLATE_NO_TOOL] = "no.tool",
+    [TEMPLATE_CLAMP_ON] = "clamp.on",
+    [TEMPLATE_CLAMP_OFF] = "clamp.off",
 };
 
 static const char *const conditions[WHEN_NONE] = {
@@ -76,6 +84,9 @@ static const char *const conditions[WHEN_NONE] = {
     [WHEN_NAMED] = "named",
     [WHEN_SPLINES] = "splines",
     [WHEN_CURVES] = "curves",
+    [WHEN_NEXT] = "next",
+    [WHEN_STOP] = "stop",
+    [WHEN_WORK] = "other.work",
 };
 
 /* The name among n: its number, n: none. */

@@ -45,7 +45,10 @@ struct nc_program {
     } cutcom;                   /* post_statement.h */
     const struct nc_hole *hole; /* whose drilling cycle is on, NULL: none is */
     double seconds;             /* of the dwell that is written */
-    const char *name;           /* number or name asked for, NULL: by the dialect */
+    struct post_options asked;
+    bool warned;        /* of a spindle that stands */
+    size_t offset_said; /* number of the operation whose work offset is on, from 1 */
+    const char *name;   /* number or name asked for, NULL: by the dialect */
     struct nc_writer w;
 };
 
@@ -66,6 +69,8 @@ struct dialect {
     enum nc_arcs arcs, arcs_vectors;
     enum nc_arcs arcs_space; /* those of a machine that has the key arcs.space */
     enum nc_splines splines, splines_vectors;
+
+    const char *tool_named; /* how a tool is called by its name, for printf; NULL: it is not */
 
     /* -1: a name or number that the control does not take */
     int (*check_name)(const char *name, struct error *error);

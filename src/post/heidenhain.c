@@ -248,6 +248,7 @@ static void hole_end(struct nc_program *p)
 const struct dialect dialect_heidenhain = {
     .digits = {.linear = 4, .angle = 4, .vector = 7, .knot = 3, .feed = 1},
     .vectors_doubtful = true,
+    .tool_named = "\"%s\"",
     .inverse_never = true,
     .plane = true,
     .arcs = NC_ARCS_FLAT,

@@ -117,6 +117,22 @@ static int plan_in_frame(struct post *post, struct path *path, struct machine *m
     return status;
 }
 
+/* Blocks of a path that is not trusted. */
+static int refuse_insert(const struct path *path, const struct post_options *options,
+                         struct error *error)
+{
+    for (size_t i = 0; i < path->item.n && options->insert == POST_INSERT_REFUSE; i++) {
+        const struct path_item *item = &path->item.item[i];
+        if (item->kind == PATH_TEXT && strncmp(path->text.item[item->index], "INSERT", 6) == 0) {
+            error_at(error, path->name, item->line,
+                     "found `%.60s`, expected no INSERT (--insert refuse)",
+                     path->text.item[item->index]);
+            return EXIT_FAILED;
+        }
+    }
+    return 0;
+}
+
 struct post *post_plan(enum control_id control, struct path *path, struct machine *machine,
                        const struct post_options *options, int *status, struct error *error)
 {
@@ -126,9 +142,12 @@ struct post *post_plan(enum control_id control, struct path *path, struct machin
                                       .machine = machine,
                                       .plan = &post->plan,
                                       .name = options->name,
+                                      .asked = *options,
                                       .options = {options->chord, options->axis_tolerance,
                                                   options->feed, options->contact_feed, 1}}};
-    *status = plan_in_frame(post, path, machine, options, error);
+    *status = refuse_insert(path, options, error);
+    if (*status == 0)
+        *status = plan_in_frame(post, path, machine, options, error);
     if (*status == 0)
         return post;
     post_free(post);
@@ -147,6 +166,7 @@ struct post_report post_report(const struct post *post)
     const struct nc_plan *plan = &post->plan;
     const struct nc_total *total = &plan->total;
     double unit = plan->ability.unit;
+    struct nc_missing missing = nc_missing(p);
     return (struct post_report){
         .feed_assumed = total->feed_assumed,
         .approach_made = total->approach_made,
@@ -154,6 +174,9 @@ struct post_report post_report(const struct post *post)
         .steps_evened =
             total->holes && dialect_of(p->control)->steps_alike && nc_hole_steps_differ(p->path),
         .cutcom_off = nc_cutcom_left_out(p->path, p->machine, &plan->ability),
+        .no_spindle_on = missing.spindle,
+        .no_tool = missing.tool,
+        .no_coolant = missing.coolant,
         .no_vectors = plan->no_vectors,
         .turns = total->turns,
         .passes = total->passes,

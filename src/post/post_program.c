@@ -4,15 +4,24 @@
 #include "post_statement.h"
 #include "post_template.h"
 
+/* To the first place; what the work offset was is said there. */
+static void approach(struct nc_program *p)
+{
+    nc_section(p, SECTION_APPROACH);
+    p->offset_said = p->tooling.taken + 1;
+}
+
 void post_program_start(struct nc_program *p)
 {
     p->hole = NULL;
     p->cutcom.asked = p->cutcom.on = CUTCOM_OFF;
     p->at_plane = 0;
     nc_tool_first(p);
+    p->warned = false;
+    p->offset_said = p->tooling.taken + 1;
     nc_section(p, SECTION_START);
     nc_section(p, SECTION_TOOL);
-    nc_section(p, SECTION_APPROACH);
+    approach(p);
 }
 
 /* From the last motion of a tool. */
@@ -41,7 +50,7 @@ static void change_tool(struct nc_program *p, const struct nc_move *move)
     nc_tool_change(p, move);
     nc_forget(&p->w, NC_X, NC_F);
     nc_section(p, SECTION_TOOL);
-    nc_section(p, SECTION_APPROACH);
+    approach(p);
 }
 
 /* Home and back to work in another plane; a change of tools there goes to it by itself. */
@@ -53,7 +62,7 @@ static void change_plane(struct nc_program *p, const struct nc_move *move)
     nc_tool_change(p, move);
     nc_forget(&p->w, NC_X, NC_F);
     p->same_tool = true;
-    nc_section(p, SECTION_APPROACH);
+    approach(p);
     p->same_tool = false;
 }
 
@@ -62,6 +71,7 @@ void post_program_move(struct nc_program *p, const struct nc_move *move)
     const struct dialect *dialect = dialect_of(p->control);
     if (p->hole && move->kind != NC_HOLE && move->kind != NC_PASS)
         dialect->hole_end(p);
+    nc_warn_standing(p, move);
     switch (move->kind) {
     case NC_RAPID:
     case NC_LINE:

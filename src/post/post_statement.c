@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "base/num.h"
+#include "post_template.h"
 
 /* ---- the tool in the spindle */
 
@@ -54,7 +55,14 @@ static bool says_tooling(const char *text, struct nc_tooling *said)
         return says_spindle(text, said);
     if (!starts_with(text, "COOLNT"))
         return false;
-    said->coolant = holds_word(text, "OFF") ? 1 : holds_word(text, "MIST") ? 3 : 2;
+    char word[20] = "";
+    const char *at = text + strcspn(text, "/");
+    at += strspn(at, "/ \t");
+    size_t n = strcspn(at, ", \t");
+    for (size_t i = 0; i < n && i + 1 < sizeof word; i++)
+        word[i] = (char)toupper((unsigned char)at[i]);
+    enum path_coolant coolant = path_coolant_of(word);
+    said->coolant = coolant == COOLANT_NOT_GIVEN ? COOLANT_ON : (int)coolant;
     return true;
 }
 
@@ -170,10 +178,26 @@ bool nc_cutcom_left_out(const struct path *path, const struct machine *machine,
 
 /* ---- statements as blocks */
 
+/* The machine's blocks or, where it has none, the usual word. */
+static void own_or_usual(struct nc_program *p, const char *own, const char *usual)
+{
+    if (*own)
+        nc_template(p, own);
+    else
+        nc_block(&p->w, usual);
+}
+
+static const char *spindle_word(const struct nc_program *p, bool ccw)
+{
+    const struct machine_templates *b = &p->machine->blocks;
+    const char *own = ccw ? b->spindle_ccw : b->spindle_cw;
+    return *own ? own : ccw ? "M4" : "M3";
+}
+
 static void spindle_block(struct nc_program *p, double rpm, bool ccw)
 {
     nc_count(&p->w, "S", rpm);
-    nc_code(&p->w, ccw ? "M4" : "M3");
+    nc_code(&p->w, spindle_word(p, ccw));
     nc_end(&p->w);
 }
 
@@ -183,12 +207,89 @@ void nc_spindle(struct nc_program *p)
         spindle_block(p, p->tooling.spindle, p->tooling.ccw);
 }
 
+void nc_spindle_on(struct nc_program *p)
+{
+    nc_block(&p->w, spindle_word(p, p->tooling.ccw));
+}
+
+void nc_spindle_off(struct nc_program *p)
+{
+    own_or_usual(p, p->machine->blocks.spindle_off, "M5");
+}
+
+void nc_coolant_off(struct nc_program *p)
+{
+    own_or_usual(p, p->machine->blocks.coolant_off, "M9");
+}
+
+/* The machine's blocks for a kind of coolant, or the usual word; NULL: it has none. */
+static const char *coolant_blocks(const struct machine *machine, int coolant)
+{
+    const struct machine_templates *b = &machine->blocks;
+    const char *const own[] = {
+        "", b->coolant_off, b->coolant_on, b->coolant_mist, b->coolant_thru, b->coolant_air};
+    static const char *const usual[] = {NULL, "M9", "M8", "M7", NULL, NULL};
+    return *own[coolant] ? own[coolant] : usual[coolant];
+}
+
+static void start_coolant(struct nc_program *p, int coolant)
+{
+    const char *blocks = coolant_blocks(p->machine, coolant);
+    if (blocks)
+        nc_template(p, blocks);
+    else if (coolant > COOLANT_OFF)
+        nc_comment(&p->w, "*** COOLNT/%s: the machine file has no word for it ***",
+                   coolant == COOLANT_AIR ? "AIR" : "THRU");
+}
+
 void nc_coolant(struct nc_program *p)
 {
-    static const char *const code[] = {NULL, NULL, "M8", "M7"};
-    if (code[p->tooling.coolant])
-        nc_block(&p->w, code[p->tooling.coolant]);
+    if (p->tooling.coolant > COOLANT_OFF)
+        start_coolant(p, p->tooling.coolant);
 }
+
+/* ---- what is missing */
+
+void nc_warn_standing(struct nc_program *p, const struct nc_move *move)
+{
+    if (move->kind == NC_RAPID || !nc_moves(move) || p->tooling.spindle > 0 ||
+        p->asked.no_spindle || p->warned)
+        return;
+    nc_comment(&p->w, "*** NO SPEED OF THE SPINDLE: IT MAY STAND STILL HERE ***");
+    p->warned = true;
+}
+
+void nc_warn_no_tool(struct nc_program *p)
+{
+    if (p->tooling.number == 0 && !p->asked.no_spindle)
+        nc_comment(&p->w, "*** NO TOOL IN THE PATH: THE ONE IN THE SPINDLE IS TAKEN ***");
+}
+
+struct nc_missing nc_missing(const struct nc_program *p)
+{
+    const struct path_head *head = &p->path->head;
+    struct nc_tooling now = {
+        .number = head->tool, .spindle = head->spindle, .coolant = head->coolant};
+    struct nc_missing missing = {0};
+    for (size_t i = 0; i < p->plan->move.n; i++) {
+        const struct nc_move *move = &p->plan->move.item[i];
+        if (move->kind == NC_TOOL)
+            now.number = p->path->tool.item[move->index].number;
+        if (move->kind == NC_TEXT)
+            says_tooling(p->path->text.item[move->index], &now);
+        missing.coolant = missing.coolant ||
+                          (now.coolant > COOLANT_OFF && !coolant_blocks(p->machine, now.coolant));
+        if (!nc_moves(move))
+            continue;
+        missing.tool = missing.tool || now.number == 0;
+        missing.spindle = missing.spindle || (move->kind != NC_RAPID && !(now.spindle > 0));
+    }
+    missing.tool = missing.tool && !p->asked.no_spindle;
+    missing.spindle = missing.spindle && !p->asked.no_spindle;
+    return missing;
+}
+
+/* ---- statements as blocks */
 
 /* The statement starts with this word; *rest follows it and a slash. */
 static bool is_word(const char *text, const char *word, const char **rest)
@@ -207,22 +308,71 @@ static bool is_word(const char *text, const char *word, const char **rest)
 static void change_tooling(struct nc_program *p, const struct nc_tooling *said)
 {
     const struct dialect *dialect = dialect_of(p->control);
-    static const char *const coolant[] = {NULL, "M9", "M8", "M7"};
     struct nc_tooling was = p->tooling;
     p->tooling = *said;
     if (said->coolant != was.coolant)
-        nc_block(&p->w, coolant[said->coolant]);
+        start_coolant(p, said->coolant);
     if (said->spindle > 0 && (said->spindle != was.spindle || said->ccw != was.ccw))
         (dialect->speed ? dialect->speed : spindle_block)(p, said->spindle, said->ccw);
     else if (said->spindle <= 0 && was.spindle > 0)
-        nc_block(&p->w, "M5");
+        nc_spindle_off(p);
 }
 
-/* AUXFUN/n: the M word as it is. */
+/* AUXFUN/n: the machine's blocks for it (aux.n), else the M word as it is. */
 static void auxiliary_word(struct nc_program *p, double number)
 {
+    const struct machine *m = p->machine;
+    for (size_t i = 0; i < MACHINE_AUX && *m->aux[i].blocks; i++)
+        if (m->aux[i].number == (int)number) {
+            nc_template(p, m->aux[i].blocks);
+            return;
+        }
     nc_count(&p->w, "M", number);
     nc_end(&p->w);
+}
+
+void nc_stop_optional(struct nc_program *p)
+{
+    own_or_usual(p, p->machine->blocks.stop_optional, "M1");
+}
+
+/* A text as comments, as many as it needs. */
+static void comment_lines(struct nc_program *p, const char *text)
+{
+    size_t room = 70;
+    for (; strlen(text) > room; text += strspn(text, " ")) {
+        size_t n = room;
+        while (n > room / 2 && text[n] != ' ')
+            n--;
+        n = text[n] == ' ' ? n : room;
+        nc_comment(&p->w, "%.*s", (int)n, text);
+        text += n;
+    }
+    nc_comment(&p->w, "%s", text);
+}
+
+/* INSERT: a block as it stands, whose words the program does not follow. */
+static void insert_block(struct nc_program *p, const char *text)
+{
+    struct nc_writer *w = &p->w;
+    if (!*text)
+        return;
+    if (p->asked.insert == POST_INSERT_COMMENT) {
+        comment_lines(p, text);
+        return;
+    }
+    if (toupper((unsigned char)*text) == 'N' && isdigit((unsigned char)text[1]))
+        nc_line(w, text);
+    else
+        nc_block(w, text);
+    nc_forget(w, NC_X, NC_F);
+    w->motion = NULL;
+}
+
+/* OPSKIP/ON, OFF: the blocks between are marked, to be skipped by a switch of the control. */
+static void skip_blocks(struct nc_program *p, const char *rest)
+{
+    p->w.skip = p->machine->block_skip && !starts_with(rest, "OFF");
 }
 
 double nc_statement(struct nc_program *p, const char *text)
@@ -235,15 +385,20 @@ double nc_statement(struct nc_program *p, const char *text)
     if (says_tooling(text, &said))
         change_tooling(p, &said);
     else if (is_word(text, "STOP", &rest))
-        nc_block(&p->w, "M0");
+        own_or_usual(p, p->machine->blocks.stop, "M0");
     else if (is_word(text, "OPSTOP", &rest))
-        nc_block(&p->w, "M1");
+        nc_stop_optional(p);
+    else if (is_word(text, "INSERT", &rest))
+        insert_block(p, rest);
+    else if (is_word(text, "OPSKIP", &rest))
+        skip_blocks(p, rest);
     else if (is_word(text, "AUXFUN", &rest) && num_read(&rest, &number) && number >= 0 &&
              number <= 9999 && number == floor(number))
         auxiliary_word(p, number);
     else if (is_word(text, "DELAY", &rest) && num_read(&rest, &seconds) && seconds > 0)
         return seconds;
-    else if (is_word(text, "PPRINT", &rest) || is_word(text, "REMARK", &rest))
-        nc_comment(&p->w, "%.150s", rest);
+    else if (is_word(text, "PPRINT", &rest) || is_word(text, "TPRINT", &rest) ||
+             is_word(text, "REMARK", &rest))
+        comment_lines(p, rest);
     return 0;
 }

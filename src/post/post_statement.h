@@ -45,4 +45,21 @@ void nc_coolant(struct nc_program *p);
  * which is left to the caller to word, 0: none. */
 double nc_statement(struct nc_program *p, const char *text);
 
+/* M3 or M4, M5, M9, M1, or what the machine has for them. */
+void nc_spindle_on(struct nc_program *p);
+void nc_spindle_off(struct nc_program *p);
+void nc_coolant_off(struct nc_program *p);
+void nc_stop_optional(struct nc_program *p);
+
+/* A comment before the first cut that has no speed of the spindle; where a tool without a number
+ * is to be taken. */
+void nc_warn_standing(struct nc_program *p, const struct nc_move *move);
+void nc_warn_no_tool(struct nc_program *p);
+
+/* What the whole plan lacks and was not said to be left out. */
+struct nc_missing {
+    bool spindle, tool, coolant;
+};
+struct nc_missing nc_missing(const struct nc_program *p);
+
 #endif

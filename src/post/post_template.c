@@ -81,6 +81,10 @@ static bool holds(const struct nc_program *p, enum template_condition condition)
         [WHEN_G17] = p->w.plane == 17,
         [WHEN_NAMED] = p->name != NULL,
         [WHEN_SPLINES] = p->plan->spline.n > 0,
+        [WHEN_NEXT] = p->machine->tool_next && nc_tool_after(p) > 0,
+        [WHEN_STOP] = p->machine->tool_stop,
+        [WHEN_WORK] =
+            strcmp(nc_work_offset(p, p->tooling.taken + 1), nc_work_offset(p, p->offset_said)) != 0,
         [WHEN_CURVES] = has_splines_that_turn(p->plan),
     };
     return value[condition];
@@ -120,7 +124,13 @@ static size_t write_value(const struct nc_program *p, enum template_word word, c
     double value = 0;
     int digits = 0;
     switch (word) {
+    case TEMPLATE_NEXT:
+        value = nc_tool_after(p);
+        break;
     case TEMPLATE_TOOL:
+        if (nc_tool_name(p))
+            return (size_t)snprintf(text, ROOM, dialect_of(p->control)->tool_named,
+                                    nc_tool_name(p));
         value = t->number ? t->number : 1;
         break;
     case TEMPLATE_OFFSET:
@@ -147,7 +157,7 @@ static size_t write_value(const struct nc_program *p, enum template_word word, c
         dialect_of(p->control)->name(p, text);
         return strlen(text);
     case TEMPLATE_WORK:
-        return (size_t)snprintf(text, ROOM, "%s", p->machine->offset);
+        return (size_t)snprintf(text, ROOM, "%s", nc_work_offset(p, p->tooling.taken + 1));
     case TEMPLATE_SECONDS:
         return num_write_short(text, p->seconds, 3, p->w.style.point);
     case TEMPLATE_LENGTH_Z:
@@ -302,6 +312,27 @@ static void write_blocks(struct nc_program *p, enum template_word word)
         break;
     case TEMPLATE_SPINDLE:
         nc_spindle(p);
+        break;
+    case TEMPLATE_SPINDLE_ON:
+        nc_spindle_on(p);
+        break;
+    case TEMPLATE_SPINDLE_OFF:
+        nc_spindle_off(p);
+        break;
+    case TEMPLATE_COOLANT_OFF:
+        nc_coolant_off(p);
+        break;
+    case TEMPLATE_STOP_OPTIONAL:
+        nc_stop_optional(p);
+        break;
+    case TEMPLATE_NO_TOOL:
+        nc_warn_no_tool(p);
+        break;
+    case TEMPLATE_CLAMP_ON:
+        nc_template(p, b->clamp_on);
+        break;
+    case TEMPLATE_CLAMP_OFF:
+        nc_template(p, b->clamp_off);
         break;
     default:
         nc_coolant(p);

@@ -90,3 +90,37 @@ void nc_feed(struct nc_program *p, const struct nc_move *move)
         nc_forget(&p->w, NC_F, NC_F);
     nc_modal(&p->w, NC_F, "F", move->feed, post_feed_digits(&p->plan->ability, move->feed));
 }
+
+/* ---- tools and work offsets */
+
+const char *nc_work_offset(const struct nc_program *p, size_t n)
+{
+    const struct machine *m = p->machine;
+    for (size_t i = n < MACHINE_OFFSETS ? n : MACHINE_OFFSETS; i-- > 0;)
+        if (*m->tool_offset[i])
+            return m->tool_offset[i];
+    return n ? m->offset : "";
+}
+
+int nc_tool_after(const struct nc_program *p)
+{
+    size_t next = p->tooling.taken;
+    const struct nc_plan *plan = p->plan;
+    for (size_t i = 0; i < plan->move.n; i++)
+        if (plan->move.item[i].kind == NC_TOOL && plan->move.item[i].index >= next)
+            return p->path->tool.item[plan->move.item[i].index].number;
+    return 0;
+}
+
+const char *nc_tool_name(const struct nc_program *p)
+{
+    const struct machine_tool *tool = machine_tool(p->machine, p->tooling.number);
+    const struct path *path = p->path;
+    if (!p->machine->tool_names || !dialect_of(p->control)->tool_named)
+        return NULL;
+    if (tool && *tool->name)
+        return tool->name;
+    const char *name =
+        p->tooling.taken ? path->tool.item[p->tooling.taken - 1].name : path->head.tool_name;
+    return *name ? name : NULL;
+}

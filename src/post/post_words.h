@@ -35,4 +35,14 @@ void nc_axis(struct nc_program *p, const struct nc_move *move, const char *const
 /* F, when it changes; inverse-time feeds always. */
 void nc_feed(struct nc_program *p, const struct nc_move *move);
 
+/* The work offset of the n-th tool's work, from 1 (0: none yet): offset.n of the machine, or that of
+ * the largest number below it, or its `offset`. */
+const char *nc_work_offset(const struct nc_program *p, size_t n);
+
+/* The number of the tool that comes after the one in the spindle, 0: none, or it has no number. */
+int nc_tool_after(const struct nc_program *p);
+
+/* The name by which the tool is called (key tool.names), NULL: by its number. */
+const char *nc_tool_name(const struct nc_program *p);
+
 #endif

@@ -45,11 +45,15 @@ static char *begin_block(struct nc_writer *w)
         w->n = NC_BLOCK_MAX;
     if (w->n) {
         w->line[w->n++] = ' ';
-    } else if (w->step) {
+        return w->line + w->n;
+    }
+    if (w->skip && !w->style.count_all)
+        w->line[w->n++] = '/';
+    if (w->step) {
         w->number += w->step;
         if (w->number > w->most)
             w->number = w->step;
-        w->n += (size_t)(put_address(w->line, w->style.number) - w->line);
+        w->n = (size_t)(put_address(w->line + w->n, w->style.number) - w->line);
         char digits[NUM_MAX];
         size_t n = num_put_short(digits, w->number, false, 0, false);
         for (size_t zeros = n; zeros < (size_t)w->style.number_width; zeros++)
@@ -57,6 +61,8 @@ static char *begin_block(struct nc_writer *w)
         memcpy(w->line + w->n, digits, n);
         w->n += n;
         w->line[w->n++] = ' ';
+        if (w->skip && w->style.count_all)
+            w->line[w->n++] = '/';
     }
     return w->line + w->n;
 }

@@ -44,6 +44,7 @@ struct nc_writer {
     bool known[NC_SLOTS];
     const char *motion;   /* modal G code of motion, NULL: not said */
     int plane;            /* 17 18 19, 0: not said */
+    bool skip;            /* blocks begin with a slash */
     bool inverse;         /* feeds are inverse time: G93 */
     size_t blocks, bytes; /* written */
     long wanted;          /* number of a block to be kept in `met`, -1: none */

@@ -56,7 +56,7 @@ misread() {
 }
 
 misread "CIRCLE the wrong way round" 'if (clockwise) {' 's/if (clockwise) {/if (!clockwise) {/'
-misread "inches taken as millimetres" 'unit = 25.4' 's/unit = 25\.4/unit = 1/'
+misread "inches taken as millimetres" 'set_unit(p, 25.4)' 's/set_unit(p, 25\.4)/set_unit(p, 1)/'
 misread "GODLTA taken away" 'v[0], p->axis) : path_vector_of(p, v)' \
 	'/path_read_godlta/,/^}/s/vec_add(/vec_sub(/'
 

@@ -16,12 +16,22 @@ static const double fallback_chord = 0.005; /* mm */
 static const struct cl_dialect *const dialects[] = {&cl_creo, &cl_nx, &cl_catia, &cl_solidworks,
                                                     &cl_makino};
 
+/* SolidWorks CAM: INSERT says what a tool is called: a comment, no block for the control. */
+static void comment_inserts(struct path *path)
+{
+    for (size_t i = 0; i < path->text.n; i++)
+        if (strncmp(path->text.item[i], "INSERT", 6) == 0)
+            memcpy(path->text.item[i], "PPRINT", 6);
+}
+
 void cl_sniff(struct path_parse *p)
 {
     for (size_t i = 0; i < sizeof dialects / sizeof *dialects; i++)
         if (dialects[i]->recognize(&p->apt)) {
             p->dialect = dialects[i];
             p->sniffed = true;
+            if (p->dialect == &cl_solidworks)
+                comment_inserts(p->path);
             return;
         }
 }
@@ -103,7 +113,17 @@ static int read_trntyp(struct path_parse *p)
     return 0;
 }
 
+static int read_insert(struct path_parse *p)
+{
+    char *text = mem_string(p->apt.raw, strlen(p->apt.raw));
+    memcpy(text, "PPRINT", 6);
+    path_add_text(p->path, text);
+    free(text);
+    return 0;
+}
+
 static const struct path_row solidworks_rows[] = {
+    {"INSERT", read_insert},
     {"CSYS", read_csys},
     {"TRNTYP", read_trntyp},
     {"CSI_SET_FLUTE_LENGTH", path_ignore},

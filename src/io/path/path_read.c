@@ -284,6 +284,7 @@ static int read_mode(struct path_parse *p)
 int path_keep_text(struct path_parse *p)
 {
     path_add_text(p->path, p->apt.raw);
+    p->path->item.item[p->path->item.n - 1].line = p->apt.line;
     return 0;
 }
 

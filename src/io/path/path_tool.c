@@ -130,6 +130,11 @@ void path_tool_named(struct path_parse *p, const char *name)
 {
     if (!p->tool_used && !*p->tool.name) {
         snprintf(p->tool.name, sizeof p->tool.name, "%s", name);
+        if (!p->tool.number) { /* a number may still come: LOAD/TOOL */
+            p->tool.number = free_number(p->path);
+            p->path->tools_numbered++;
+            p->guessed = true;
+        }
         store_tool(p);
     }
     bool other = p->tool_used && strncmp(p->tool_name, name, sizeof p->tool_name - 1) != 0;
@@ -193,11 +198,6 @@ int path_read_tool(struct path_parse *p)
     if (!*p->apt.argument.item[0].text)
         return error_at(AT(p), "found %.20s without a tool, expected its number", p->apt.word);
     path_tool_named(p, p->apt.argument.item[0].text);
-    if (!p->tool.number) {
-        p->tool.number = 1;
-        p->path->tools_numbered++;
-        store_tool(p);
-    }
     return speed_in_load(p);
 }
 
