@@ -221,12 +221,15 @@ static int read_letters(const char *axes, int letter[ROTARY_MAX])
 }
 
 /* Those that hold templates; -1: `key` is the one to blame. */
+/* Where no field may stand. */
+enum { WORDS_ALONE = TEMPLATE_IN_COMMENT + 1 };
+
 static int check_templates(const struct machine *m, char key[KEY_NAME], struct error *error)
 {
     const struct machine_templates *b = &m->blocks;
     const struct {
         const char *key, *text;
-        enum template_place place;
+        int place; /* enum template_place, WORDS_ALONE */
     } all[] = {{"comment", m->text.comment, TEMPLATE_IN_COMMENT},
                {"number", m->text.number, TEMPLATE_IN_NUMBER},
                {"home", b->home, TEMPLATE_IN_KEY},
@@ -234,16 +237,16 @@ static int check_templates(const struct machine *m, char key[KEY_NAME], struct e
                {"start", b->start, TEMPLATE_IN_KEY},
                {"clamp.on", b->clamp_on, TEMPLATE_IN_KEY},
                {"clamp.off", b->clamp_off, TEMPLATE_IN_KEY},
-               {"coolant.on", b->coolant_on, TEMPLATE_IN_KEY},
-               {"coolant.mist", b->coolant_mist, TEMPLATE_IN_KEY},
-               {"coolant.thru", b->coolant_thru, TEMPLATE_IN_KEY},
-               {"coolant.air", b->coolant_air, TEMPLATE_IN_KEY},
-               {"coolant.off", b->coolant_off, TEMPLATE_IN_KEY},
-               {"spindle.cw", b->spindle_cw, TEMPLATE_IN_KEY},
-               {"spindle.ccw", b->spindle_ccw, TEMPLATE_IN_KEY},
-               {"spindle.off", b->spindle_off, TEMPLATE_IN_KEY},
-               {"stop", b->stop, TEMPLATE_IN_KEY},
-               {"stop.optional", b->stop_optional, TEMPLATE_IN_KEY},
+               {"coolant.on", b->coolant_on, WORDS_ALONE},
+               {"coolant.mist", b->coolant_mist, WORDS_ALONE},
+               {"coolant.thru", b->coolant_thru, WORDS_ALONE},
+               {"coolant.air", b->coolant_air, WORDS_ALONE},
+               {"coolant.off", b->coolant_off, WORDS_ALONE},
+               {"spindle.cw", b->spindle_cw, WORDS_ALONE},
+               {"spindle.ccw", b->spindle_ccw, WORDS_ALONE},
+               {"spindle.off", b->spindle_off, WORDS_ALONE},
+               {"stop", b->stop, WORDS_ALONE},
+               {"stop.optional", b->stop_optional, WORDS_ALONE},
                {"end", b->end, TEMPLATE_IN_KEY},
                {"tool.change", b->tool_change, TEMPLATE_IN_KEY},
                {"dwell", b->dwell, TEMPLATE_IN_KEY},
@@ -256,7 +259,11 @@ static int check_templates(const struct machine *m, char key[KEY_NAME], struct e
                {"plane.off", b->plane_off, TEMPLATE_IN_KEY}};
     for (size_t i = 0; i < sizeof all / sizeof *all; i++) {
         snprintf(key, KEY_NAME, "%s", all[i].key);
-        if (template_check(all[i].text, all[i].place, error) != 0)
+        if (all[i].place == WORDS_ALONE && strchr(all[i].text, '{'))
+            return error_set(error, "%s: found `%.40s`, expected words without fields", key,
+                             all[i].text);
+        if (all[i].place != WORDS_ALONE &&
+            template_check(all[i].text, (enum template_place)all[i].place, error) != 0)
             return -1;
     }
     return 0;

@@ -3,10 +3,10 @@
 
 #include <ctype.h>
 #include <math.h>
+#include <stdio.h>
 #include <string.h>
 
 #include "base/num.h"
-#include "post_template.h"
 
 /* ---- the tool in the spindle */
 
@@ -178,13 +178,28 @@ bool nc_cutcom_left_out(const struct path *path, const struct machine *machine,
 
 /* ---- statements as blocks */
 
+/* Blocks without fields, `|` between; `none`: none. */
+static void write_blocks(struct nc_program *p, const char *text)
+{
+    char block[MACHINE_BLOCKS];
+    while (strcmp(text, "none") != 0) {
+        text += strspn(text, " ");
+        size_t n = strcspn(text, "|");
+        snprintf(block, sizeof block, "%.*s", (int)n, text);
+        for (size_t k = strlen(block); k && block[k - 1] == ' '; k--)
+            block[k - 1] = '\0';
+        if (*block)
+            nc_block(&p->w, block);
+        if (!text[n])
+            return;
+        text += n + 1;
+    }
+}
+
 /* The machine's blocks or, where it has none, the usual word. */
 static void own_or_usual(struct nc_program *p, const char *own, const char *usual)
 {
-    if (*own)
-        nc_template(p, own);
-    else
-        nc_block(&p->w, usual);
+    write_blocks(p, *own ? own : usual);
 }
 
 static const char *spindle_word(const struct nc_program *p, bool ccw)
@@ -236,7 +251,7 @@ static void start_coolant(struct nc_program *p, int coolant)
 {
     const char *blocks = coolant_blocks(p->machine, coolant);
     if (blocks)
-        nc_template(p, blocks);
+        write_blocks(p, blocks);
     else if (coolant > COOLANT_OFF)
         nc_comment(&p->w, "*** COOLNT/%s: the machine file has no word for it ***",
                    coolant == COOLANT_AIR ? "AIR" : "THRU");
@@ -324,7 +339,7 @@ static void auxiliary_word(struct nc_program *p, double number)
     const struct machine *m = p->machine;
     for (size_t i = 0; i < MACHINE_AUX && *m->aux[i].blocks; i++)
         if (m->aux[i].number == (int)number) {
-            nc_template(p, m->aux[i].blocks);
+            write_blocks(p, m->aux[i].blocks);
             return;
         }
     nc_count(&p->w, "M", number);
