@@ -33,8 +33,7 @@ static struct settings read_options(struct cli *cli, int argc, char **argv)
     int normals = 0, nodes = 0;
     const struct cli_option option[] = {
         {'t', "spacing", "MM",
-         "spacing of the triangular grid (default: as wide as the surface allows,\nat least twice "
-         "the spacing of the points; with --paper: three times)",
+         "spacing of the triangular grid (default: three times the mean\nspacing of the points)",
          CLI_NUMBER, &s.meshing.spacing, CLI_POSITIVE, 0, 0, NULL},
         {'e', "tolerance", "MM",
          "rows, and points on them, as far apart as possible with every point of\n"

@@ -10,7 +10,8 @@
  *   check          how deep is the ball, or the holder, in the guard points?  Here.
  *   raise          each centre lifted along its normal as far as it takes: gouge_lift.h
  *   smooth         axes turned as evenly as their limits allow: axis_smooth.h
- *   tilt away      axes leaned where shank and holder (holder.h) touch: holder_avoid.h
+ *   access         from which directions flute, shank and holder (holder.h) are clear: access.h
+ *   plan           the axis of each point chosen over the run as a whole: axis_plan.h
  *   link           from strip to strip, low or over the clearance plane: link.h
  *   refit          motions fitted to the points checked again, and their points lifted more where
  *                  they go too deep: gouge_refit.h
@@ -91,7 +92,7 @@ bool gouge_open(const struct gouge_check *guard, struct vec3 c, struct vec3 up, 
                 double depth);
 
 /* The same along any of some ways: up, `normal` (where the ball touches) and the middle of both, and
- * DIRECTIONS more, ten degrees and more above the level, on the normal's side. */
+ * DIRECTIONS more, over the upper half of the sphere, on the normal's side. */
 bool gouge_open_anyhow(const struct gouge_check *guard, struct vec3 c, struct vec3 normal,
                        double radius, double depth);
 
@@ -103,5 +104,8 @@ double gouge_holder(const struct gouge_check *guard, const struct holder *holder
 /* True if they are no nearer than `least`.  Quicker than to ask how near. */
 bool gouge_holder_clear(const struct gouge_check *guard, const struct holder *holder, struct vec3 c,
                         struct vec3 axis, double least);
+
+/* Appends so many of the guard points that each of the others has one of them within `gap` mm. */
+void gouge_thinned(const struct gouge_check *guard, double gap, struct vec3s *points);
 
 #endif

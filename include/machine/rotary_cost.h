@@ -11,9 +11,35 @@
 #define CLOUDMILL_ROTARY_COST_H
 
 #include "curve/tool_axis.h"
+#include "machine/kinematics.h"
 
 /* How far both rotary axes together turn between two unit vectors, radians. */
 double rotary_travel(struct vec3 from, struct vec3 to);
+
+/* The same for a chain of two axes whose one nearest the work turns about `pole`: there it has no
+ * direction.  `both`: its travel has both solutions, so that a way through the pole turns
+ * nothing. */
+struct rotary_frame {
+    struct vec3 x, y, pole;
+    bool both;
+};
+
+/* Z and both for fewer than two axes. */
+struct rotary_frame rotary_frame_of(const struct kinematic_chain *chain);
+
+/* The angle off the pole, and the direction there, radians. */
+struct rotary_angles {
+    double lean, turn;
+};
+
+/* The angles of an axis that are nearest to others: of either solution, if there are both, and any
+ * whole turn.  At the pole the turn stays. */
+struct rotary_angles rotary_angles_near(const struct rotary_frame *frame, struct vec3 axis,
+                                        struct rotary_angles to);
+struct vec3 rotary_axis(const struct rotary_frame *frame, struct rotary_angles angles);
+
+/* True if the chain has the direction within its travel. */
+bool rotary_reaches(const struct kinematic_chain *chain, struct vec3 axis);
 
 enum { ROTARY_LEAN_DIRECTIONS = 24 };
 

@@ -58,6 +58,22 @@ bool kdtree_any_lower(const struct kdtree *tree,
                       double (*value)(const void *context, struct vec3 p), const void *context,
                       double below);
 
+/*
+ * Shows points to `point`, those of nearer boxes first, and leaves out the boxes of points, from
+ * `middle` no further than `half` along each axis, that `box` says no to.  `depth`: how many boxes
+ * this one or the point is in; all of these `box` has said yes to, the outer ones first.
+ */
+enum { KDTREE_DEPTH = 32 };
+
+struct kdtree_visitor {
+    bool (*box)(void *context, int depth, struct vec3 middle, struct vec3 half);
+    void (*point)(void *context, int depth, struct vec3 p);
+    void *context;
+};
+
+void kdtree_visit(const struct kdtree *tree, struct vec3 from,
+                  const struct kdtree_visitor *visitor);
+
 /* Points of a tree that a ball touched. */
 struct kdtree_touch {
     size_t n;

@@ -23,8 +23,8 @@ struct path_options {
     int layers, tool, coolant;
     double effort; /* effort.h */
     bool paper, one_way, avoid;
-    bool lean_given, fixed_given, to_given, from_given, circle_given;
-    const char *partno;
+    bool lean_given, play_given, fixed_given, to_given, from_given, circle_given;
+    const char *partno, *machine;
     struct tool_options body;
     struct guard_choice guard;
     bool guarded; /* by a scan: path_options_scan */

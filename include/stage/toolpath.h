@@ -20,6 +20,7 @@
 #include "gouge/gouge_lift.h"
 #include "gouge/link.h"
 #include "io/path/path.h"
+#include "machine/kinematics.h"
 #include "stage/path_check.h"
 
 struct toolpath_options {
@@ -36,8 +37,10 @@ struct toolpath_options {
     double rate;         /* fastest turn of the axis along a strip, radians/mm; 0: any */
     double turn; /* LEAN: axes may lean up to this, radians, to whatever side, so that rotary
                     axes turn least; 0: as the rule of the axis says */
-    struct holder holder;
-    double lean; /* how far axes may be leaned where the holder touches, radians */
+    struct holder holder; /* flute, shank and holder */
+    double lean;          /* how far axes may be off their rule for these to be clear, radians */
+    double spacing;       /* of the passes, mm */
+    struct kinematic_chain chain; /* of the machine whose rotary axes are to move least */
 };
 
 /* A strip from when it is given until it is in the path. */
@@ -48,8 +51,9 @@ struct toolpath_strip {
     struct contacts contact;
     struct lifted_strip lifted;
     double chord;           /* between the smooth curve and the straight lines, mm */
-    double leaned;          /* because of the holder, at most, radians */
-    size_t skipped;         /* points left out because the holder touches there */
+    double leaned;          /* how far an axis is off its rule at most, radians */
+    size_t skipped;         /* points left out because no axis reaches them */
+    double skipped_length;  /* of the way past them, mm */
     struct vec3 skipped_at; /* the first of them */
 };
 
@@ -87,8 +91,9 @@ struct toolpath {
     struct vec3 uncut_at;
     size_t uncut_pass;
     double chord;        /* between the smooth curve and the straight lines, mm */
-    double leaned;       /* because of the holder, at most, radians */
-    size_t skipped;      /* points left out because the holder touches there */
+    double leaned;       /* how far an axis is off its rule at most, radians */
+    size_t skipped;      /* points left out because no axis reaches them */
+    double skipped_area; /* about so much of the part, mm^2 */
     size_t skipped_pass; /* of the first of them */
     struct vec3 skipped_at;
     size_t low, high;    /* links with the tool down, links over the clearance plane */
@@ -102,7 +107,8 @@ struct toolpath {
 
     struct path_check check; /* of the path as it is written */
 
-    int threads; /* as of parallel_for */
+    struct axis_planner *planner; /* NULL: axes stay as their rule says */
+    int threads;                  /* as of parallel_for */
 
     /* The path, whose head is known, is written as it is made, and not kept: to this file, NULL:
      * standard output.  What is open of it at the end. */

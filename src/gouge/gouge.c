@@ -142,11 +142,10 @@ bool gouge_open(const struct gouge_check *guard, struct vec3 c, struct vec3 up, 
     return gouge_clear_along(guard, c, vec_along(c, end, up), radius, depth);
 }
 
-/* Direction k of n, evenly over the sphere down to ten degrees above the level. */
+/* Direction k of n, evenly over the upper half of the sphere. */
 static struct vec3 direction_of(int k, int n)
 {
-    double z = 1 - (1 - sin(PI / 18)) * (k + 0.5) / n, r = sqrt(1 - z * z),
-           turn = 2.399963229728653 * k;
+    double z = 1 - (k + 0.5) / n, r = sqrt(1 - z * z), turn = 2.399963229728653 * k;
 
     return vec(r * cos(turn), r * sin(turn), z);
 }
@@ -197,4 +196,43 @@ bool gouge_holder_clear(const struct gouge_check *guard, const struct holder *ho
     struct holder_pose pose = {holder, c, axis};
 
     return holder->n == 0 || !kdtree_any_lower(guard->tree, from_holder, &pose, least);
+}
+
+/* One point of each box that is small enough. */
+struct thinning {
+    double gap;
+    int within; /* the depth of the box that a point is wanted of, or that has given one */
+    bool wanted;
+    struct vec3s *points;
+};
+
+static bool look_into(void *context, int depth, struct vec3 middle, struct vec3 half)
+{
+    struct thinning *t = context;
+
+    (void)middle;
+    if (t->within >= 0 && depth > t->within)
+        return false;
+    t->within = 2 * vec_length(half) <= t->gap ? depth : -1;
+    t->wanted = true;
+    return true;
+}
+
+static void take_point(void *context, int depth, struct vec3 p)
+{
+    struct thinning *t = context;
+
+    if (t->within >= 0 && depth > t->within)
+        return;
+    if (t->within < 0 || depth < t->within || t->wanted)
+        *array_push(t->points) = p;
+    t->wanted = t->wanted && depth != t->within;
+}
+
+void gouge_thinned(const struct gouge_check *guard, double gap, struct vec3s *points)
+{
+    struct thinning t = {gap, -1, false, points};
+    struct kdtree_visitor visitor = {look_into, take_point, &t};
+
+    kdtree_visit(guard->tree, guard->box.low, &visitor);
 }

@@ -17,6 +17,73 @@ double rotary_travel(struct vec3 from, struct vec3 to)
     return fmin(fabs(lean1 - lean0) + turn, lean0 + lean1 + PI - turn);
 }
 
+/* Is the angle, or one a whole turn away, within the travel? */
+static bool within_travel(const struct rotary *rotary, double q)
+{
+    double low = q + 2 * PI * ceil((rotary->min - q) / (2 * PI) - 1e-12);
+
+    return low <= rotary->max + 1e-9;
+}
+
+static int solutions_within(const struct kinematic_chain *chain, struct vec3 axis)
+{
+    struct chain_solutions s = chain_angles(chain, axis);
+    int n = 0;
+
+    for (int k = 0; k < s.n; k++) {
+        bool in = true;
+        for (int i = 0; i < chain->n; i++)
+            in = in && ((i == 0 && s.free) || within_travel(&chain->rotary[i], s.q[k][i]));
+        n += in;
+    }
+    return n;
+}
+
+bool rotary_reaches(const struct kinematic_chain *chain, struct vec3 axis)
+{
+    return solutions_within(chain, axis) > 0;
+}
+
+struct rotary_frame rotary_frame_of(const struct kinematic_chain *chain)
+{
+    const double beside = RADIANS(10);
+    struct rotary_frame f = {.pole = chain->n == 2 ? chain->rotary[0].axis : vec(0, 0, 1)};
+
+    if (vec_dot(f.pole, chain->tool) < 0)
+        f.pole = vec_scale(-1, f.pole);
+    f.x = vec_unit(vec_reject(fabs(f.pole.z) > 0.9 ? vec(1, 0, 0) : vec(0, 0, 1), f.pole));
+    f.y = vec_cross(f.pole, f.x);
+    f.both = chain->n < 2 || solutions_within(chain, vec_along(vec_scale(cos(beside), f.pole),
+                                                               sin(beside), f.x)) > 1;
+    return f;
+}
+
+static double off_by(struct rotary_angles a, struct rotary_angles b)
+{
+    return fabs(a.lean - b.lean) + fabs(a.turn - b.turn);
+}
+
+struct rotary_angles rotary_angles_near(const struct rotary_frame *f, struct vec3 axis,
+                                        struct rotary_angles to)
+{
+    double x = vec_dot(axis, f->x), y = vec_dot(axis, f->y), z = vec_dot(axis, f->pole);
+    struct rotary_angles plus = {atan2(hypot(x, y), z), atan2(y, x)}, minus;
+
+    if (plus.lean < UPRIGHT)
+        return (struct rotary_angles){0, to.turn};
+    minus = (struct rotary_angles){-plus.lean, plus.turn + PI};
+    plus.turn += 2 * PI * round((to.turn - plus.turn) / (2 * PI));
+    minus.turn += 2 * PI * round((to.turn - minus.turn) / (2 * PI));
+    return f->both && off_by(minus, to) < off_by(plus, to) ? minus : plus;
+}
+
+struct vec3 rotary_axis(const struct rotary_frame *f, struct rotary_angles at)
+{
+    struct vec3 side = vec_along(vec_scale(cos(at.turn), f->x), sin(at.turn), f->y);
+
+    return vec_along(vec_scale(cos(at.lean), f->pole), sin(at.lean), side);
+}
+
 static int lean_steps(double least, double most)
 {
     return most > least ? (int)ceil((most - least) / STEP - 1e-9) : 0;

@@ -8,7 +8,7 @@
  * points have no nodes under them.
  *
  * In this file, in this order: the tree is built; nearest points and neighbourhoods; the point
- * nearest to a segment, or lowest; a ball that leaves the points.
+ * nearest to a segment, or lowest; a visit; a ball that leaves the points.
  */
 #include "math/kdtree.h"
 
@@ -673,6 +673,45 @@ bool kdtree_any_lower(const struct kdtree *tree,
     struct lowest s = {tree, value, context, below, SIZE_MAX};
 
     return tree->n > 0 && any_lower(&s, 0, tree->n, 1);
+}
+
+/* ---- a visit */
+
+static void visit_node(const struct kdtree *tree, const double from[3],
+                       const struct kdtree_visitor *v, size_t first, size_t last, size_t number,
+                       int depth)
+{
+    const struct kd_box *box = &tree->box[number];
+    struct vec3 low = vec(box->low[0], box->low[1], box->low[2]);
+    struct vec3 half = vec_scale(0.5, vec_sub(vec(box->high[0], box->high[1], box->high[2]), low));
+    size_t middle = first + (last - first) / 2;
+
+    if (!v->box(v->context, depth, vec_add(low, half), half))
+        return;
+    if (last - first <= KD_LEAF) {
+        for (size_t i = first; i < last; i++) {
+            const double *c = tree->point[i].c;
+            v->point(v->context, depth, vec(c[0], c[1], c[2]));
+        }
+        return;
+    }
+    const double *c = tree->point[middle].c;
+    v->point(v->context, depth, vec(c[0], c[1], c[2]));
+    bool left = kd_gap2(&tree->box[2 * number], from) <= kd_gap2(&tree->box[2 * number + 1], from);
+    for (int turn = 0; turn < 2; turn++, left = !left) {
+        if (left)
+            visit_node(tree, from, v, first, middle, 2 * number, depth + 1);
+        else
+            visit_node(tree, from, v, middle + 1, last, 2 * number + 1, depth + 1);
+    }
+}
+
+void kdtree_visit(const struct kdtree *tree, struct vec3 from, const struct kdtree_visitor *visitor)
+{
+    const double c[3] = {from.x, from.y, from.z};
+
+    if (tree->n > 0)
+        visit_node(tree, c, visitor, 0, tree->n, 1, 0);
 }
 
 /* ---- a ball that leaves the points */

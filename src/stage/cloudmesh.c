@@ -14,7 +14,6 @@
 #include "cloud/cloud.h"
 #include "feature/feature.h"
 #include "mesh/mesh_distance.h"
-#include "meshing/grid_spacing.h"
 #include "meshing/node_heights.h"
 #include "meshing/meshing.h"
 
@@ -244,26 +243,16 @@ static void drop_mesh(struct mesh *mesh, struct cloudmesh *result)
     array_free(&result->edge);
 }
 
-static double spacing_of_cloud(const struct cloudmesh_options *options, double mean, double noise,
-                               const struct vec3 *point, size_t n, int threads)
+static double spacing_of_cloud(double mean)
 {
-    struct plan_extent f = plan_extent_of(point, n, options->direction);
-    double width = fmin(f.xmax - f.xmin, f.ymax - f.ymin);
-    struct grid_spacing_options how = {mean, width, noise, threads};
-
-    if (options->paper) {
-        double spacing = three_spacings(mean);
-        say("spacing %g mm, three times the mean spacing of the points", spacing);
-        return spacing;
-    }
-    double spacing = grid_spacing_needed(point, n, &how);
-    say("spacing %g mm, as the surface needs; the points are %.3g mm apart", spacing, mean);
+    double spacing = three_spacings(mean);
+    say("spacing %g mm, three times the mean spacing of the points", spacing);
     return spacing;
 }
 
 /* The mean spacing, and the points of walls after the others; the spacing of the grid. */
-static int find_walls(struct cloudmesh_options *options, struct vec3s *points, double noise,
-                      int threads, struct cloud_parts *parts, struct error *error)
+static int find_walls(struct cloudmesh_options *options, struct vec3s *points, int threads,
+                      struct cloud_parts *parts, struct error *error)
 {
     *parts = (struct cloud_parts){0, points->n};
     if (plan_extent_check(points->item, points->n, error) < 0)
@@ -274,8 +263,7 @@ static int find_walls(struct cloudmesh_options *options, struct vec3s *points, d
     if (!options->smooth)
         parts->flat = wall_points_part(points->item, points->n, parts->mean, threads);
     if (!(options->spacing > 0))
-        options->spacing =
-            spacing_of_cloud(options, parts->mean, noise, points->item, points->n, threads);
+        options->spacing = spacing_of_cloud(parts->mean);
     return 0;
 }
 
@@ -305,7 +293,7 @@ static int mesh_on_grid(const struct cloudmesh_options *asked, struct vec3s *poi
     struct cloud_parts parts;
     struct cloudmesh walled = {.walls = 0};
     *result = walled;
-    if (find_walls(&options, points, fmax(noise, mesh->origin.noise), threads, &parts, error) < 0)
+    if (find_walls(&options, points, threads, &parts, error) < 0)
         return -1;
     struct mesh with_walls = {.origin = mesh->origin};
     int status = 0;
@@ -659,10 +647,7 @@ static int mesh_of_parts(const struct cloudmesh_options *asked, const struct vec
     struct segments parts =
         segments_find(points->item, points->n, 1.5 * options.spacing, options.direction, threads);
     int status = 0;
-    options.spacing = options.spacing > 0 ? options.spacing
-                                          : spacing_of_cloud(&options, parts.spacing,
-                                                             fmax(noise, mesh->origin.noise),
-                                                             points->item, points->n, threads);
+    options.spacing = options.spacing > 0 ? options.spacing : spacing_of_cloud(parts.spacing);
     options.direction = 0;
     mesh->origin.spacing = options.spacing;
     for (size_t i = 0; i < parts.n && status == 0; i++) {

@@ -7,6 +7,7 @@
 #include "base/effort.h"
 #include "gouge/guard_points.h"
 #include "guard_read.h"
+#include "machine/machine_options.h"
 #include "mesh/mesh_distance.h"
 
 /* How deep the ball may sink between the guard points of a mesh, mm, and how many of them there may
@@ -20,7 +21,8 @@ struct path_options path_options = {.tilt = 15,
                                     .depth = 0.3,
                                     .noise = -1,
                                     .effort = 1,
-                                    .lean = 30,
+                                    .lean = 85,
+                                    .play = 15,
                                     .clearance = NAN,
                                     .approach = 5,
                                     .feed = 800,
@@ -65,12 +67,16 @@ const struct cli_option path_option_table[] = {
     {0, "least-turn", "DEG",
      "tilt the axis by the angle of --tilt and --lead, or up to DEG, in the\n"
      "direction in which rotary axes turn least", CLI_NUMBER, &path_options.turn, 0, 80, 0, NULL},
-    {0, "axis-play", "DEG", "largest deviation of axes from their rule, to turn less (0)",
-     CLI_NUMBER, &path_options.play, 0, 60, 0, NULL},
+    {0, "axis-play", "DEG", "largest deviation of axes from their rule, to turn less (15)",
+     CLI_NUMBER, &path_options.play, 0, 60, 0, &path_options.play_given},
+    {'m', "machine", "NAME",
+     "machine whose rotary axes are to turn little: a name or a file as for\n"
+     "ncpost (default: table-ac)",
+     CLI_TEXT, &path_options.machine, 0, 0, 0, NULL},
     {0, "axis-rate", "DEG", "turn axes by no more than DEG per millimetre along a pass",
      CLI_NUMBER, &path_options.rate, CLI_POSITIVE, 0, 0, NULL},
     TOOL_OPTIONS(&path_options.body),
-    {0, "lean-limit", "DEG", "largest tilt of the axis away from where the holder touches (30)",
+    {0, "lean-limit", "DEG", "largest tilt of the axis away from its rule for the tool to be clear\n(85)",
      CLI_NUMBER, &path_options.lean, 0, 85, 0, NULL},
     {0, "one-way", NULL, "cut all passes in one direction (default: zig-zag)",
      CLI_FLAG, &path_options.one_way, 0, 0, 0, NULL},
@@ -140,7 +146,7 @@ int path_options_check(struct tool_axis_options *axis, struct error *error)
         return error_set(error, "found --paper with -g or -e: the papers have neither");
     if (c->guard.none && c->guard.files.n > 0)
         return error_set(error, "found -g and --no-guard, expected one of them");
-    if (c->paper && (c->body.holder || c->play > 0 || c->rate > 0))
+    if (c->paper && (c->body.holder || c->play_given || c->rate > 0))
         return error_set(error,
                          "found --paper with --holder, --axis-play or --axis-rate: the papers "
                          "have none of them");
@@ -148,6 +154,8 @@ int path_options_check(struct tool_axis_options *axis, struct error *error)
         (c->paper || c->fixed_given || c->to_given || c->from_given || c->circle_given))
         return error_set(error, "found --least-turn with %s, expected it with --tilt and --lead",
                          c->paper ? "--paper" : "another rule for the axis");
+    if (c->paper)
+        c->play = 0;
     if (c->plunge == 0)
         c->plunge = c->feed / 2;
     if (c->tolerance == 0 && (c->guard.files.n > 0 || c->body.holder))
@@ -281,9 +289,21 @@ static int read_body(struct path_head *head, struct error *error)
     const struct path_options *c = &path_options;
     struct tool_options options = c->body;
 
-    options.ball_only = options.ball_only || c->paper || !(options.flute_given || options.holder);
+    options.ball_only = options.ball_only || c->paper;
     head->body_given = true;
     return tool_options_read(&options, c->radius, &head->body, error);
+}
+
+/* The machine whose rotary axes are to move least. */
+static int read_machine(struct kinematic_chain *chain, struct error *error)
+{
+    const struct machine_options options = {.name = path_options.machine};
+    struct machine machine;
+
+    if (machine_options_read(&options, &machine, error) != 0)
+        return -1;
+    *chain = machine.chain;
+    return 0;
 }
 
 int path_options_rules(const struct mesh *mesh, const struct gouge_check *guard, double distance,
@@ -305,6 +325,9 @@ int path_options_rules(const struct mesh *mesh, const struct gouge_check *guard,
     t->rule.rate = RADIANS(c->rate);
     t->rule.lean = RADIANS(c->lean);
     t->rule.turn = RADIANS(c->turn);
+    t->rule.spacing = distance;
+    if (read_machine(&t->rule.chain, error) != 0)
+        return -1;
     if (read_body(&t->path->head, error) != 0)
         return -1;
     t->rule.holder = tool_body_profile(&t->path->head.body, c->radius);
@@ -339,7 +362,7 @@ static void fill_head(const struct mesh *mesh, const char *tool, const struct to
     struct path_head *head = &t->path->head;
 
     head->partno = mem_string(name, strlen(name));
-    head->multax = t->lift.axis.kind != AXIS_FIXED || t->lift.axis.direction.z < 1;
+    head->multax = t->lift.axis.kind != AXIS_FIXED || t->lift.axis.direction.z < 1 || t->leaned > 0;
     memcpy(head->cutter, cutter, sizeof cutter);
     head->cutter_n = 7;
     head->tool = c->tool;

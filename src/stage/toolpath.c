@@ -8,6 +8,7 @@
 
 #include "base/cli.h"
 #include "base/parallel.h"
+#include "gouge/axis_plan.h"
 #include "math/kdtree.h"
 #include "toolpath_parts.h"
 
@@ -239,6 +240,7 @@ static void add_strip(struct toolpath *t, const struct toolpath_strip *strip)
         t->skipped_at = strip->skipped_at;
     }
     t->skipped += strip->skipped;
+    t->skipped_area += strip->skipped_length * t->rule.spacing;
     for (size_t i = 0; i < lifted->uncut.n; i++)
         *array_push(&t->uncut) =
             (struct toolpath_uncut){lifted->uncut.item[i], strip->pass, strip->lift.offset};
@@ -366,6 +368,8 @@ void toolpath_cut(struct toolpath *t)
 
     if (first == 0 && t->rule.turn > 0)
         toolpath_choose_lean(t);
+    if (!t->planner)
+        t->planner = toolpath_new_planner(t);
     for (size_t from = t->lifted, to; from < t->strip.n; from = to) {
         struct batch b = {t, from};
         to = t->strip.n - from < batch ? t->strip.n : from + batch;
@@ -495,11 +499,14 @@ void toolpath_end(struct toolpath *t)
     const size_t at_once = 64; /* parts that are checked and written together */
 
     toolpath_cut(t);
+    axis_planner_free(t->planner);
+    t->planner = NULL;
     array_free(&t->swept);
     array_free(&t->swept_end);
     struct toolpath_parts parts = plan_parts(t);
     t->plane = plane_of(t);
     t->check = path_check_of(t);
+    t->path->head.multax = t->path->head.multax || t->leaned > 0;
     if (t->streams) {
         t->path->head.clearance = t->plane;
         t->out = out_open(t->output);
@@ -555,9 +562,9 @@ static void say_unmet(const struct toolpath *t)
             t->blocked, t->blocked_area, t->blocked_pass, at.x, at.y, at.z);
     at = t->skipped_at;
     if (t->skipped > 0)
-        say("shank or holder touches at %zu points for every tilt within the limit: "
-            "left out, the first in pass %zu at %.3f %.3f %.3f",
-            t->skipped, t->skipped_pass, at.x, at.y, at.z);
+        say("no direction of the axis keeps flute, shank and holder clear at %zu points, about "
+            "%.1f mm2: left out, the first in pass %zu at %.3f %.3f %.3f",
+            t->skipped, t->skipped_area, t->skipped_pass, at.x, at.y, at.z);
     if (t->shank > 0)
         say("at %zu points the normal is more than 90 degrees off the axis: the shank touches "
             "there, not the ball",
@@ -576,7 +583,7 @@ int toolpath_conclude(const struct toolpath *t)
     note("%zu points lifted, at most by %.4f mm at %.3f %.3f %.3f", r->lifted, r->highest,
          r->highest_at.x, r->highest_at.y, r->highest_at.z);
     if (t->rule.holder.n > 0)
-        note("axes tilted by at most %.2f degrees for shank and holder", DEGREES(t->leaned));
+        note("axes at most %.2f degrees off their rule", DEGREES(t->leaned));
     if (t->lift.between)
         note("straight lines within %g mm of the lifted path", t->lift.tolerance);
     else

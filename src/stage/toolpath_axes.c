@@ -7,7 +7,8 @@
 #include "base/cli.h"
 #include "base/parallel.h"
 #include "gouge/axis_smooth.h"
-#include "gouge/holder_avoid.h"
+#include "gouge/axis_plan.h"
+#include "gouge/holder_sweep.h"
 #include "machine/rotary_cost.h"
 #include "toolpath_parts.h"
 
@@ -74,107 +75,87 @@ void toolpath_choose_lean(struct toolpath *t)
         DEGREES(before));
 }
 
-/* ---- a strip lifted, its axes smoothed and leaned away from the part */
+/* ---- a strip lifted, its axes planned */
 
-static const double SLACK = 0.01;    /* mm: guard points may be in the holder by so much */
 static const double ROUNDED = 0.999; /* of the rate: the rest goes to the printed digits */
 
-/* Axes of the points [from, to), smoothed and leaned; touches[] becomes true where the holder keeps
- * the tool out. */
-static void shape_axes(const struct toolpath *t, struct toolpath_strip *strip, size_t from,
-                       size_t to, bool *touches)
+/* Averages the axes of a run until none turns faster than may be; a point where the tool is not
+ * clear any more is skipped. */
+static void limit_rate(const struct toolpath *t, struct run *run, int *state)
 {
-    const struct run *all = &strip->lifted.run;
-    struct run run = {.n = to - from, .item = all->item + from, .radius = all->radius};
-    struct holder_avoid_options rule = {strip->lift.guard, &t->rule.holder, t->rule.lean, SLACK};
-    bool has_holder = rule.guard && rule.holder->n > 0;
+    const struct gouge_check *guard = t->lift.guard;
+    const double slack = t->lift.tolerance / 2;
+    const struct holder_sweep sweep = {guard, &t->rule.holder, slack};
 
-    if (t->rule.play > 0)
-        axis_smooth_play(&run, t->rule.play);
-    if (has_holder)
-        strip->leaned = fmax(strip->leaned, holder_avoid(&rule, &run, touches + from));
-    if (t->rule.rate > 0 && axis_smooth_rate(&run, ROUNDED * t->rule.rate) > 0 && has_holder) {
-        rule.limit = 0; /* looks again, leans no more */
-        holder_avoid(&rule, &run, touches + from);
+    if (!(t->rule.rate > 0) || axis_smooth_rate(run, ROUNDED * t->rule.rate) == 0 || !guard)
+        return;
+    for (size_t i = 0; i < run->n; i++) {
+        const struct run_point *p = &run->item[i];
+        if (!gouge_holder_clear(guard, &t->rule.holder, p->ball, p->axis, -slack))
+            state[i] = AXIS_PLAN_SKIP;
+        else if (i > 0 && state[i] == AXIS_PLAN_CUT && !holder_sweep_clear(&sweep, p - 1, p))
+            state[i] = AXIS_PLAN_BREAK;
     }
 }
 
-/* The parts of the strip without the points that touch; a part ends before them. */
-static void skip_points(struct toolpath_strip *strip, const bool *touches)
+/* The same over the parts of a plan that are cut in one go. */
+static void limit_rates(const struct toolpath *t, struct axis_plan *plan)
 {
-    struct lifted_strip *lifted = &strip->lifted;
-    struct sizes end = {0};
-    size_t kept = 0, part = 0;
+    for (size_t from = 0, to; from < plan->run.n; from = to) {
+        for (to = from + 1; to < plan->run.n && plan->state.item[to] == AXIS_PLAN_CUT &&
+                            plan->state.item[to - 1] != AXIS_PLAN_SKIP;
+             to++)
+            ;
+        struct run part = {
+            .n = to - from, .item = plan->run.item + from, .radius = plan->run.radius};
+        if (plan->state.item[from] != AXIS_PLAN_SKIP)
+            limit_rate(t, &part, plan->state.item + from);
+    }
+}
 
-    for (size_t i = 0; i < lifted->run.n; i++) {
-        if (i == lifted->end.item[part]) {
-            *array_push(&end) = kept;
-            part++;
-        }
-        if (touches[i]) {
-            if (strip->skipped++ == 0)
-                strip->skipped_at = lifted->run.item[i].contact;
-            *array_push(&end) = kept;
+/* Appends what is cut of a plan to the strip, in as many parts as it is. */
+static void take_plan(struct toolpath_strip *strip, const struct axis_plan *plan,
+                      struct lifted_strip *to)
+{
+    for (size_t i = 0; i < plan->run.n; i++) {
+        const struct run_point *p = &plan->run.item[i];
+        int state = plan->state.item[i];
+        size_t begin = to->end.n > 0 ? to->end.item[to->end.n - 1] : 0;
+        if (state != AXIS_PLAN_CUT && to->run.n > begin)
+            *array_push(&to->end) = to->run.n;
+        if (state != AXIS_PLAN_SKIP) {
+            *array_push(&to->run) = *p;
             continue;
         }
-        lifted->run.item[kept++] = lifted->run.item[i];
+        if (i > 0)
+            strip->skipped_length += vec_distance(p->ball, plan->run.item[i - 1].ball);
+        if (strip->skipped++ == 0)
+            strip->skipped_at = run_point_touches(p) ? p->contact : p->ball;
     }
-    *array_push(&end) = kept;
-    lifted->run.n = kept;
-    array_free(&lifted->end);
-    lifted->end = end;
+    if (to->run.n > (to->end.n > 0 ? to->end.item[to->end.n - 1] : 0))
+        *array_push(&to->end) = to->run.n;
+    strip->leaned = fmax(strip->leaned, plan->leaned);
 }
 
-/* Puts points on the straight lines between those further apart than this, for the axes to lean. */
-static void refine_for_lean(struct lifted_strip *lifted)
+/* The axes of all parts of the strip. */
+static void plan_strip(const struct toolpath *t, struct toolpath_strip *strip)
 {
-    const double most = 0.5; /* mm */
-    struct run fine = {.radius = lifted->run.radius};
-    size_t part = 0;
+    struct lifted_strip *lifted = &strip->lifted, planned = {.run.radius = lifted->run.radius};
 
-    for (size_t i = 0; i < lifted->run.n; i++) {
-        const struct run_point *b = &lifted->run.item[i], *a = b - 1;
-        bool begins = i == 0 || i == lifted->end.item[part];
-        for (; i > 0 && i == lifted->end.item[part]; part++)
-            lifted->end.item[part] = fine.n;
-        double parts = begins ? 1 : ceil(vec_distance(a->ball, b->ball) / most);
-        for (double k = 1; k < parts; k++) {
-            struct run_point p = {.ball = vec_mix(a->ball, b->ball, k / parts),
-                                  .axis = vec_slerp(a->axis, b->axis, k / parts)};
-            if (vec_length(a->normal) > 0 && vec_length(b->normal) > 0) {
-                p.normal = vec_slerp(a->normal, b->normal, k / parts);
-                p.contact = vec_mix(a->contact, b->contact, k / parts);
-            }
-            p.tip = vec_along(p.ball, -fine.radius, p.axis);
-            *array_push(&fine) = p;
-        }
-        *array_push(&fine) = *b;
+    for (size_t k = 0, from = 0; k < lifted->end.n; from = lifted->end.item[k++]) {
+        struct run part = {.n = lifted->end.item[k] - from,
+                           .item = lifted->run.item + from,
+                           .radius = lifted->run.radius};
+        struct axis_plan plan = {.leaned = 0};
+        axis_plan_run(t->planner, &part, &plan);
+        limit_rates(t, &plan);
+        take_plan(strip, &plan, &planned);
+        axis_plan_free(&plan);
     }
-    for (; part < lifted->end.n; part++)
-        lifted->end.item[part] = fine.n;
     array_free(&lifted->run);
-    lifted->run = fine;
-}
-
-static void shape_strip(const struct toolpath *t, struct toolpath_strip *strip)
-{
-    const struct sizes *end = &strip->lifted.end;
-    bool any = false;
-
-    if (t->rule.holder.n > 0)
-        refine_for_lean(&strip->lifted);
-    size_t n = strip->lifted.run.n;
-    bool *touches = mem_alloc(n + 1, sizeof *touches);
-
-    for (size_t i = 0; i < n; i++)
-        touches[i] = false;
-    for (size_t k = 0, from = 0; k < end->n; from = end->item[k++])
-        shape_axes(t, strip, from, end->item[k], touches);
-    for (size_t i = 0; i < n; i++)
-        any = any || touches[i];
-    if (any)
-        skip_points(strip, touches);
-    free(touches);
+    array_free(&lifted->end);
+    lifted->run = planned.run;
+    lifted->end = planned.end;
 }
 
 /* The largest distance between straight lines and the smooth curve, over the parts of [from, to)
@@ -195,6 +176,23 @@ static double chord_of(const struct run *run, size_t from, size_t to)
     return chord;
 }
 
+struct axis_planner *toolpath_new_planner(const struct toolpath *t)
+{
+    const struct axis_planner_options options = {.guard = t->lift.guard,
+                                                 .radius = t->rule.radius,
+                                                 .holder = t->rule.holder,
+                                                 .chain = t->rule.chain,
+                                                 .tolerance = t->lift.tolerance,
+                                                 .between = t->lift.between,
+                                                 .fixed = t->lift.axis.kind == AXIS_FIXED,
+                                                 .play = t->rule.play,
+                                                 .limit = t->rule.lean};
+
+    if (!t->lift.guard || (t->rule.holder.n == 0 && t->rule.play == 0 && t->rule.rate == 0))
+        return NULL;
+    return axis_planner_new(&options);
+}
+
 void toolpath_lift_strip(const struct toolpath *t, struct toolpath_strip *strip)
 {
     struct lifted_strip *lifted = &strip->lifted;
@@ -207,7 +205,8 @@ void toolpath_lift_strip(const struct toolpath *t, struct toolpath_strip *strip)
     lifted->run.radius = nodes.radius;
     gouge_lift_run(&nodes, &strip->lift, lifted);
     array_free(&nodes);
-    shape_strip(t, strip);
+    if (t->planner)
+        plan_strip(t, strip);
     /* Points put between them lie on the smooth path. */
     for (size_t k = 0; !strip->lift.between && k < lifted->end.n; k++) {
         strip->chord = fmax(strip->chord, chord_of(&lifted->run, from, lifted->end.item[k]));

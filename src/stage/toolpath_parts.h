@@ -12,8 +12,11 @@
  * turn least over the contacts of all strips (rotary_cost.h), and says which. */
 void toolpath_choose_lean(struct toolpath *t);
 
-/* Lifts a strip and does with its axes what the rule says: play, lean and rate.  Where the holder
- * still touches, points are left out and the strip is in more parts. */
+/* What plans the axes of all strips; NULL: they stay as their rule says. */
+struct axis_planner *toolpath_new_planner(const struct toolpath *t);
+
+/* Lifts a strip and plans its axes (axis_plan.h).  Where the tool can't come to, points are left
+ * out and the strip is in more parts. */
 void toolpath_lift_strip(const struct toolpath *t, struct toolpath_strip *strip);
 
 struct toolpath_parts {

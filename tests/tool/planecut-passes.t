@@ -96,7 +96,7 @@ for view in "-a 0 0 1 0" "-a 30 -0.5 0.866025404 0" "-a 90 1 0 0" "--plane 0,0,1
 	"--plane 1,2,2 0.333333333 0.666666667 0.666666667"; do
 	# shellcheck disable=SC2086 # words
 	set -- $view
-	status 0 "the dome, $1 $2" planecut -q -r 5 -s 3 "$1" "$2" -o dome.cl dome.ply
+	status 0 "the dome, $1 $2" planecut -q -r 5 -s 3 --axis-play 0 "$1" "$2" -o dome.cl dome.ply
 	off_dome dome.cl 5 "$3" "$4" "$5"
 	below "$1 $2: contact on the sphere" "$contact" 0.00001
 	below "$1 $2: centre one radius off" "$centre" 0.00001

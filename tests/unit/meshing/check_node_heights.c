@@ -105,11 +105,15 @@ END_TEST
 START_TEST(beside_a_step_none_is_off_the_surface)
 {
     struct case_of c = run_case(step, 0);
+    size_t beside = 0;
 
     for (size_t v = 0; v < c.mesh.vertex.n; v++) {
-        struct vec3 p = c.mesh.vertex.item[v];
+        struct vec3 p = c.mesh.vertex.item[v], node = node_of(&c, v);
+        double off = (node.x + 0.3 * node.y - 1) / hypot(1, 0.3);
         ck_assert_double_eq_tol(p.z, step(p.x, p.y), 0.03);
+        beside += fabs(off) < 0.8 && hypot(node.x, node.y) < 10 && is_point(&c, p);
     }
+    ck_assert_uint_gt(beside, 3);
     free_case(&c);
 }
 END_TEST

@@ -1,0 +1,257 @@
+/* access - see access.h. */
+#include "access.h"
+
+#include <stdlib.h>
+
+enum { BINS = 256, LEVELS = 9 };
+
+/* The cap that a stack blocks, by the distance of a guard point. */
+struct caps {
+    struct holder holder;
+    double reach;              /* points further away block nothing, mm */
+    double most[LEVELS][BINS]; /* the largest angle within 2^level bins from each, radians */
+};
+
+struct access {
+    struct access_options options;
+    struct kdtree *near;     /* of the guard, thinned: NULL: no guard */
+    struct caps open, clear; /* with margin and slope; with neither */
+};
+
+/* ---- the cap of a point */
+
+/* The largest angle at which the part's slanted side, a to b as (r, h), is d from the centre. */
+static double angle_at(double r0, double h0, double r1, double h1, double d)
+{
+    double dr = r1 - r0, dh = h1 - h0, a = dr * dr + dh * dh, b = r0 * dr + h0 * dh;
+    double c = r0 * r0 + h0 * h0 - d * d, root = b * b - a * c, angle = 0;
+
+    if (a == 0 || root < 0)
+        return 0;
+    for (int sign = -1; sign <= 1; sign += 2) {
+        double s = (-b + sign * sqrt(root)) / a;
+        if (s >= 0 && s <= 1)
+            angle = fmax(angle, atan2(r0 + s * dr, h0 + s * dh));
+    }
+    return angle;
+}
+
+/* How far from a point's direction axes are blocked, if it is d from the ball's centre. */
+static double cap_angle(const struct holder *holder, double d)
+{
+    double angle = 0, r = 0, h = 0;
+
+    for (int i = 0; i < holder->n; i++) {
+        const struct holder_part *part = &holder->part[i];
+        angle = fmax(angle, angle_at(r, h, part->low, h, d));
+        angle = fmax(angle, angle_at(part->low, h, part->high, h + part->length, d));
+        h += part->length;
+        r = part->high;
+    }
+    return fmax(angle, angle_at(r, h, 0, h, d));
+}
+
+/* The outline is piecewise smooth, and between its corners the angle has at most one extreme: a
+ * bin gets the largest of some places in it and what neighbours have, rounded up. */
+static void fill_caps(struct caps *caps, struct holder holder)
+{
+    enum { FINE = 8 };
+
+    caps->holder = holder;
+    caps->reach = holder_reach(&holder);
+    for (int i = 0; i < BINS; i++) {
+        double most = 0;
+        for (int k = -1; k <= FINE + 1; k++)
+            most = fmax(most, cap_angle(&holder, caps->reach * (i + (double)k / FINE) / BINS));
+        caps->most[0][i] = most + 0.01;
+    }
+    for (int level = 1; level < LEVELS; level++)
+        for (int i = 0; i < BINS; i++) {
+            int other = i + (1 << (level - 1));
+            double here = caps->most[level - 1][i];
+            caps->most[level][i] = other < BINS ? fmax(here, caps->most[level - 1][other]) : here;
+        }
+}
+
+/* No smaller than the angle at any distance between the two. */
+static double widest_cap(const struct caps *caps, double near, double far)
+{
+    int i = (int)(near / caps->reach * BINS), j = (int)(far / caps->reach * BINS), level = 0;
+
+    i = i < 0 ? 0 : i < BINS ? i : BINS - 1;
+    j = j < i ? i : j < BINS ? j : BINS - 1;
+    while (level + 1 < LEVELS && 2 << level <= j - i + 1)
+        level++;
+    return fmax(caps->most[level][i], caps->most[level][j - (1 << level) + 1]);
+}
+
+struct access *access_new(const struct access_options *options)
+{
+    struct access *access = mem_alloc(1, sizeof *access);
+
+    access->options = *options;
+    if (options->guard) {
+        struct vec3s points = {0};
+        gouge_thinned(options->guard, options->gap, &points);
+        access->near = kdtree_new(points.item, points.n);
+        array_free(&points);
+    }
+    if (options->holder->n > 0) {
+        fill_caps(&access->clear, holder_widened(options->holder, -options->slack, 0));
+        fill_caps(&access->open, holder_widened(options->holder, options->margin, options->slope));
+    }
+    return access;
+}
+
+void access_free(struct access *access)
+{
+    if (access)
+        kdtree_free(access->near);
+    free(access);
+}
+
+/* ---- the open directions at a place */
+
+/* Directions by their numbers, and for each box that is looked into those that its points may
+ * block: a box in another has some of the other's. */
+struct search {
+    const struct caps *caps;
+    struct vec3 centre;
+    const struct vec3 *at; /* the directions */
+    bool *blocked;
+    int open;                /* how many are not */
+    int n[KDTREE_DEPTH + 1]; /* by the depth of the box, from 1 */
+    short *some[KDTREE_DEPTH + 1];
+};
+
+/* Of the directions at the depth those, not blocked, that are nearer than the angle to `to`, a
+ * unit vector, into the depth below. */
+static int find_within(struct search *s, int depth, struct vec3 to, double angle)
+{
+    double cosine = angle < PI ? cos(angle) : -2;
+    const short *from = s->some[depth];
+    short *near = s->some[depth + 1];
+    int n = 0;
+
+    for (int i = 0; i < s->n[depth]; i++) {
+        near[n] = from[i];
+        n += vec_dot(s->at[from[i]], to) > cosine && !s->blocked[from[i]];
+    }
+    s->n[depth + 1] = n;
+    return n;
+}
+
+static bool may_block(void *context, int depth, struct vec3 middle, struct vec3 half)
+{
+    struct search *s = context;
+    struct vec3 to = vec_sub(middle, s->centre);
+    double d = vec_length(to), around = vec_length(half);
+
+    if (s->open == 0 || d - around >= s->caps->reach || depth >= KDTREE_DEPTH)
+        return false;
+    if (around >= d)
+        return find_within(s, depth, vec(0, 0, 1), PI) > 0;
+    double angle = widest_cap(s->caps, d - around, d + around) + asin(around / d);
+    return find_within(s, depth, vec_scale(1 / d, to), angle) > 0;
+}
+
+static void block_by(void *context, int depth, struct vec3 p)
+{
+    struct search *s = context;
+    struct vec3 to = vec_sub(p, s->centre);
+    double d = vec_length(to);
+    const short *some = s->some[depth + 1];
+
+    if (d >= s->caps->reach || d == 0)
+        return;
+    double angle = cap_angle(&s->caps->holder, d), least = d * cos(angle);
+    for (int i = 0; angle > 0 && i < s->n[depth + 1]; i++) {
+        int k = some[i];
+        if (!s->blocked[k] && vec_dot(s->at[k], to) > least) {
+            s->blocked[k] = true;
+            s->open--;
+        }
+    }
+}
+
+/* Room for n directions. */
+static struct search new_search(struct vec3 centre, const struct vec3 *at, int n)
+{
+    struct search s = {.centre = centre, .at = at};
+    short *room = mem_alloc((size_t)n * (KDTREE_DEPTH + 1), sizeof *room);
+
+    s.blocked = mem_alloc((size_t)n, sizeof *s.blocked);
+    for (int i = 0; i <= KDTREE_DEPTH; i++)
+        s.some[i] = room + (size_t)n * (size_t)i;
+    return s;
+}
+
+static void free_search(struct search *s)
+{
+    free(s->blocked);
+    free(s->some[0]);
+}
+
+/* Blocks what there is in some[0]. */
+static void block(const struct access *access, const struct caps *caps, struct search *s)
+{
+    struct kdtree_visitor visitor = {may_block, block_by, s};
+
+    s->caps = caps;
+    s->open = s->n[0];
+    for (int i = 0; i < s->n[0]; i++)
+        s->blocked[s->some[0][i]] = false;
+    if (access->near && access->options.holder->n > 0 && s->open > 0)
+        kdtree_visit(access->near, s->centre, &visitor);
+}
+
+int access_find(const struct access *access, struct vec3 centre, struct vec3 normal,
+                struct vec3 rule, double within, unsigned char *state)
+{
+    const struct sphere_grid *grid = access->options.grid;
+    struct search s = new_search(centre, grid->at, grid->n);
+    double least = vec_length(normal) == 0 ? -1 : cos(ACCESS_STEEPEST);
+    double nearest = within < PI ? cos(within) : -2;
+    enum access_state as = ACCESS_OPEN;
+
+    for (int i = 0; i < grid->n; i++) {
+        state[i] = ACCESS_BLOCKED;
+        if (vec_dot(grid->at[i], normal) >= least && vec_dot(grid->at[i], rule) >= nearest)
+            s.some[0][s.n[0]++] = (short)i;
+    }
+    block(access, &access->open, &s);
+    if (s.open == 0) {
+        as = ACCESS_TIGHT;
+        block(access, &access->clear, &s);
+    }
+    for (int i = 0; i < s.n[0]; i++)
+        if (!s.blocked[s.some[0][i]])
+            state[s.some[0][i]] = (unsigned char)as;
+    free_search(&s);
+    return s.open;
+}
+
+static bool is_free(const struct access *access, const struct caps *caps, struct vec3 centre,
+                    struct vec3 axis)
+{
+    bool blocked = false;
+    short first = 0, some = 0;
+    struct search s = {.centre = centre, .at = &axis, .blocked = &blocked};
+
+    for (int i = 1; i <= KDTREE_DEPTH; i++)
+        s.some[i] = &some;
+    s.some[0] = &first;
+    s.n[0] = 1;
+    block(access, caps, &s);
+    return s.open > 0;
+}
+
+bool access_is_open(const struct access *access, struct vec3 centre, struct vec3 axis)
+{
+    return is_free(access, &access->open, centre, axis);
+}
+
+bool access_is_clear(const struct access *access, struct vec3 centre, struct vec3 axis)
+{
+    return is_free(access, &access->clear, centre, axis);
+}
