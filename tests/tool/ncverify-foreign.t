@@ -1,0 +1,104 @@
+#!/bin/sh
+# ncverify-foreign.t - every shipped control's programs are read and accepted; programs in the style
+# of other systems are read as far as their words are known, unknown words are told once, and what
+# moves and is not read is refused with its line.
+. "${SRC:-$(dirname "$0")/../..}/tests/lib/lib.sh"
+cd "$TMP" || exit 1
+
+# ---- all controls: a pass over a dome, on five axes and on three
+
+awk 'BEGIN { for (y = -8; y <= 8.001; y += 0.8) for (x = -12; x <= 12.001; x += 0.8)
+	printf "%.5f %.5f %.5f\n", x, y, 20 - (x * x + y * y) / 80 }' >dome.xyz
+cloud2mesh -q -t 1 -o dome.ply dome.xyz
+meshnorm -q -r 6 -o five.cl dome.ply
+meshnorm -q -r 6 --fixed 0,0,1 -o three.cl dome.ply
+for file in "$SRC"/controls/*.txt; do
+	control=$(basename "$file" .txt)
+	while read -r machine path options; do
+		# shellcheck disable=SC2086
+		ok "$control, $machine $options: is written" \
+			ncpost -q -c "$control" -m "$machine" $options -o part.nc "$path"
+		status 0 "$control, $machine $options: is accepted" \
+			ncverify -q -c "$control" -m "$machine" -g dome.xyz -r 6 -e 0.1 part.nc
+		empty "$control, $machine $options: with no word passed over" err
+	done <<-END
+		table-ac five.cl --set smooth=yes
+		head-ca five.cl
+		three-axis three.cl
+	END
+done
+
+# ---- words of a machine file: clamps, smoothing, offsets, a user's own M
+
+reads() { # DESC CONTROL "SED": the program of that control, changed, is still accepted
+	ncpost -q -c "$2" -m table-ac -o good.nc five.cl
+	sed "$3" good.nc >changed.nc
+	if cmp -s good.nc changed.nc; then result 1 "$1 (nothing is changed)"; return; fi
+	status 0 "$1" ncverify -c "$2" -m table-ac -g dome.xyz -r 6 -e 0.1 changed.nc
+}
+reads "G05.1 Q1 R7" fanuc 's/^\(N[0-9]*\) M8$/\1 G05.1 Q1 R7/'
+reads "M10 and M88 of clamps" fanuc 's/^\(N[0-9]*\) M8$/\1 M10 M88/'
+reads "G54.1 P3" fanuc 's/ G54$/ G54.1 P3/'
+reads "G187 P3 E0.01" haas 's/^\(N[0-9]*\) M8$/\1 G187 P3 E0.01/'
+reads "G15" fanuc 's/ G80 / G80 G15 /'
+reads "M126" heidenhain 's/^\([0-9]*\) M8$/\1 M126/'
+reads "BLK FORM" heidenhain 's/^\([0-9]*\) M8$/\1 BLK FORM 0.1 Z X-20 Y-20 Z-5/'
+reads "a block that may be skipped" fanuc 's/^\(N[0-9]* M8\)$/\/\1/'
+reads "comments in small letters" haas 's/^(TOOL 1.*/(tool 1, ball nose)/'
+reads "no O and no block numbers" fanuc 's/^N[0-9]* //;/^O/d'
+reads "neither % nor O" fanuc '/^%/d;/^O/d'
+reads "an M that is not known" fanuc 's/^\(N[0-9]*\) M8$/\1 M253/'
+has "is told, with its line and how often" '^ncverify: changed.nc:[0-9]*: found M253, .* no effect \(1 times\)$' err
+reads "each once" fanuc 's/^\(N[0-9]*\) \(M8\|M9\)$/\1 M253/'
+has "and is counted" '\(2 times\)' err
+ok "though it stands twice" test "$(grep -c M253 err)" -eq 1
+printf 'base = fanuc\nwords = M253: idle\n' >own.txt
+status 0 "a control's file says what it means" ncverify -c own -g dome.xyz -r 6 -e 0.1 changed.nc
+empty "then nothing is told" err
+
+# ---- what moves and is not read: refused at its line
+
+refuses() { # DESC CONTROL "SED" REGEX
+	ncpost -q -c "$2" -m table-ac -o good.nc five.cl
+	sed "$3" good.nc >changed.nc
+	if cmp -s good.nc changed.nc; then result 1 "$1 (nothing is changed)"; return; fi
+	line=$(cmp good.nc changed.nc | sed 's/.*line //')
+	status 1 "$1: refused" ncverify -q -c "$2" -m table-ac -g dome.xyz -r 6 changed.nc
+	has "$1: at its line" "^ncverify: changed.nc:$line: .*$4" err
+	ok "$1: by one line" test "$(wc -l <err)" -eq 1
+}
+refuses "a subprogram" fanuc 's/^\(N[0-9]*\) M8$/\1 M98 P1000/' 'M98, a subprogram'
+refuses "a macro" fanuc 's/^\(N[0-9]*\) M8$/\1 G65 P9810 Z10./' 'G65, a macro'
+refuses "a variable" fanuc 's/^\(N[0-9]*\) M8$/\1 #100=5./' 'variable'
+refuses "a word by a variable" fanuc 's/^\(N[0-9]*\) M8$/\1 G0 Z#100/' 'variable'
+refuses "a condition" fanuc 's/^\(N[0-9]*\) M8$/\1 IF [#1 EQ 0] GOTO 5/' '.'
+refuses "scaling" fanuc 's/^\(N[0-9]*\) M8$/\1 G51 X0. Y0. Z0. P2/' 'G51, scaling'
+refuses "mirroring" haas 's/^\(N[0-9]*\) M8$/\1 G101 X0./' 'G101, mirroring'
+refuses "a turned frame" fanuc 's/^\(N[0-9]*\) M8$/\1 G68 X0. Y0. R45./' 'G68, a turned frame'
+refuses "a shift" fanuc 's/^\(N[0-9]*\) M8$/\1 G52 X10./' 'G52, .*shift'
+refuses "a change of offsets" fanuc 's/^\(N[0-9]*\) M8$/\1 G10 L2 P1 X5./' 'G10, a change of offsets'
+refuses "radius compensation" fanuc 's/^\(N[0-9]*\) M8$/\1 G41 D1/' 'G41, radius'
+refuses "a cycle" fanuc 's/^\(N[0-9]*\) M8$/\1 G76 X1. Y1. Z1. R5./' 'G76, a cycle'
+refuses "a pocket" haas 's/^\(N[0-9]*\) M8$/\1 G150 P100/' 'G150, a pocket'
+refuses "a G with a place" fanuc 's/^\(N[0-9]*\) M8$/\1 G333 X1./' 'G333 with a place'
+refuses "an axis that is not there" fanuc 's/^\(N[0-9]*\) M8$/\1 G0 W10./' 'W10'
+refuses "a subprogram by its name" siemens 's/^\(N[0-9]*\) M8$/\1 POCKET_7/' 'POCKET_7'
+refuses "a cycle of Siemens" siemens 's/^\(N[0-9]*\) M8$/\1 POCKET3(10,0,2,-5)/' 'POCKET3'
+refuses "a label called" heidenhain 's/^\([0-9]*\) M8$/\1 CALL LBL 1/' '.'
+refuses "a datum shift" heidenhain 's/^\([0-9]*\) M8$/\1 CYCL DEF 7.0 DATUM SHIFT/' 'frame'
+refuses "a rounded corner" heidenhain 's/^\([0-9]*\) M8$/\1 RND R5/' '.'
+
+# ---- programs in the style of other systems (own data): five of them, each cuts a plane at z = 0
+
+awk 'BEGIN { for (y = 1; y <= 19; y++) for (x = 1; x <= 39; x++) print x, y, 0 }' >plane.xyz
+for file in "$SRC"/tests/data/foreign/*; do
+	name=$(basename "$file")
+	control=${name%%-*}
+	status 0 "$name: is read and accepted" ncverify -c "$control" -m three-axis \
+		-g plane.xyz -r 5 --left 0.06 "$file"
+	has "$name: it cut the plane" '^verdict +accepted' out
+	sed 's/Z+*0\.* F300/Z-0.2 F300/;s/z0 f/z-0.2 f/' "$file" >deep.nc
+	status 3 "$name: deeper it is refused" ncverify -c "$control" -m three-axis -g plane.xyz -r 5 deep.nc
+done
+
+done_testing
