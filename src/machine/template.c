@@ -174,7 +174,7 @@ int template_check(const char *text, enum template_place place, struct error *er
                              words[alone]);
         field.length = 1;
         if (*s != '{') {
-            words_before = words_before || *s != ' ';
+            words_before = words_before || (*s != ' ' && place == TEMPLATE_IN_SECTION);
             continue;
         }
         if (!template_field(s, &field))
@@ -195,5 +195,8 @@ int template_check(const char *text, enum template_place place, struct error *er
         }
         words_before = words_before || field.word != TEMPLATE_LINE;
     }
+    if ((place == TEMPLATE_IN_NUMBER || place == TEMPLATE_IN_COMMENT) && !words_before)
+        return error_set(error, "found `%.30s`, expected %s in it", text,
+                         place == TEMPLATE_IN_NUMBER ? "{n}" : "{text}");
     return 0;
 }
