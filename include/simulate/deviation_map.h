@@ -24,12 +24,13 @@ struct deviation_map_options {
 enum { DEVIATION_MAP_PERCENTILES = 3 }; /* 50, 95, 99 */
 
 struct deviation_map {
-    size_t points, cut;       /* all, and those of the region cut */
-    size_t gouged, left;      /* of these beyond the tolerance */
-    double *deviation;        /* of each point, HUGE_VAL: no path, or gouges alone are looked for */
-    unsigned *segment;        /* of each point, the nearest of the path; UINT_MAX: none */
-    unsigned char *region;    /* of each point: 1 when it is of the region that is judged */
-    double gouge, over;       /* worst, mm, 0 at least */
+    double touch;          /* the ball is on the part where it is no further off all points, mm */
+    size_t points, cut;    /* all, and those of the region cut */
+    size_t gouged, left;   /* of these beyond the tolerance */
+    double *deviation;     /* of each point, HUGE_VAL: no path, or gouges alone are looked for */
+    unsigned *segment;     /* of each point, the nearest of the path; UINT_MAX: none */
+    unsigned char *region; /* of each point: 1 when it is of the region that is judged */
+    double gouge, over;    /* worst, mm, 0 at least */
     size_t gouge_at, over_at; /* points there */
     double gouge_part[DEVIATION_MAP_PERCENTILES], over_part[DEVIATION_MAP_PERCENTILES];
 };

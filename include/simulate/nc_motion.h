@@ -71,6 +71,13 @@ struct nc_piece {
 /* What the first channel is: the tool's tip, or the ball's centre. */
 enum nc_motion_track { NC_MOTION_TIP, NC_MOTION_CENTRE, NC_MOTION_CONTACT };
 
+/* What a reader finds wrong with a program that can be run all the same. */
+struct nc_remark {
+    size_t line;
+    int block; /* -1: none */
+    char text[120];
+};
+
 struct nc_motion {
     const char *name; /* of the file */
     struct verify_kinematics kinematics;
@@ -91,6 +98,10 @@ struct nc_motion {
         size_t n, cap;
         struct nc_motion_spline *item;
     } spline;
+    struct {
+        size_t n, cap;
+        struct nc_remark *item;
+    } remark;
     size_t blocks;                     /* lines with something in them */
     double dwell;                      /* minutes that the tool stands still */
     size_t passes;                     /* the path stream's */

@@ -290,6 +290,7 @@ static int read_block(struct ncread *c, const char *line, struct error *error)
     struct gcode_block b = {.to = c->has_middle ? c->middle : c->here};
     if (read_words(c, &b, error) < 0)
         return -1;
+    ncread_watch_words(c);
     return run_block(c, &b, error);
 }
 
@@ -311,4 +312,4 @@ static bool program_begins(const char *first, const char *second)
     return *first == 'O' || (strcmp(first, "%") == 0 && second && *second == 'O');
 }
 
-const struct ncread_dialect ncread_fanuc = {"fanuc", program_begins, read_block, read_end};
+const struct ncread_dialect ncread_fanuc = {"fanuc", program_begins, read_block, read_end, true};

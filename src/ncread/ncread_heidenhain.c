@@ -230,8 +230,17 @@ static bool is_idle(struct ncread *c, const char *first)
            ncread_meaning_of(c, first) == MEANS_IDLE;
 }
 
+static void watch_block(struct ncread *c, const struct klartext *k)
+{
+    const char *word[TOKENS];
+    for (int i = 0; i < k->n; i++)
+        word[i] = k->word[i];
+    ncread_watch_text(c, k->n, word);
+}
+
 static int run_block(struct ncread *c, struct klartext *k, struct error *error)
 {
+    watch_block(c, k);
     const char *first = k->n ? k->word[0] : "";
     if (strcmp(first, "CYCL") == 0) {
         ncread_hole_define(c, k->n > 2 ? k->word[2] : "");
@@ -313,5 +322,5 @@ static bool program_begins(const char *first, const char *second)
     return strncmp(first, "0 BEGIN PGM ", 12) == 0;
 }
 
-const struct ncread_dialect ncread_heidenhain = {"heidenhain", program_begins, read_block,
-                                                 read_end};
+const struct ncread_dialect ncread_heidenhain = {"heidenhain", program_begins, read_block, read_end,
+                                                 false};

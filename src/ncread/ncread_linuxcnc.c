@@ -156,6 +156,7 @@ static int read_block(struct ncread *c, const char *line, struct error *error)
     b.to = c->here;
     if (read_words(c, &b, error) < 0)
         return -1;
+    ncread_watch_words(c);
     return run_block(c, &b, error);
 }
 
@@ -174,4 +175,5 @@ static bool program_begins(const char *first, const char *second)
     return strcmp(first, "%") == 0 && second && *second != 'O';
 }
 
-const struct ncread_dialect ncread_linuxcnc = {"linuxcnc", program_begins, read_block, read_end};
+const struct ncread_dialect ncread_linuxcnc = {"linuxcnc", program_begins, read_block, read_end,
+                                               true};

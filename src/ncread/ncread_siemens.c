@@ -45,11 +45,11 @@ struct ncread_siemens_block {
 
 /* Names that do not change where the tool goes. */
 static const char *const known_names[] = {
-    "ORIWKS",   "ORIMKS", "SOFT",   "BRISK",    "FFWON",     "FFWOF",    "COMPOF",
-    "UPATH",    "SPATH",  "STOPRE", "BNAT",     "ENAT",      "BTAN",     "ETAN",
-    "G642",     "CFC",    "CFTCP",  "CFIN",     "COMPON",    "COMPCURV", "COMPCAD",
-    "DRIVE",    "SOFTA",  "BRISKA", "FIFOCTRL", "STARTFIFO", "STOPFIFO", "ORIRESET",
-    "CYCLE832", "DIAMOF", "KONT",   "NORM",     "ADISPOS",   "WALIMOF",  "WALIMON"};
+    "ORIWKS", "SOFT",   "BRISK",    "FFWON",     "FFWOF",    "COMPOF",   "UPATH",
+    "SPATH",  "STOPRE", "BNAT",     "ENAT",      "BTAN",     "ETAN",     "G642",
+    "CFC",    "CFTCP",  "CFIN",     "COMPON",    "COMPCURV", "COMPCAD",  "DRIVE",
+    "SOFTA",  "BRISKA", "FIFOCTRL", "STARTFIFO", "STOPFIFO", "ORIRESET", "CYCLE832",
+    "DIAMOF", "KONT",   "NORM",     "ADISPOS",   "WALIMOF",  "WALIMON"};
 
 static bool is_idle_call(const char *name)
 {
@@ -130,6 +130,9 @@ static int read_name(struct ncread *c, const struct ncread_word *w, struct ncrea
     } else if (strcmp(w->name, "ORICURVE") == 0) {
         c->vectors = c->curve = true;
         b->to.has_head = c->here.has_head = false;
+    } else if (strcmp(w->name, "ORIMKS") == 0) {
+        return ncread_error(c, error,
+                            "ORIMKS: the tool axis would follow the machine, not the work");
     } else if (strcmp(w->name, "SUPA") == 0) {
         b->machine = true;
     } else if (strcmp(w->name, "MCALL") == 0) {
@@ -294,6 +297,8 @@ static int block_axis(struct ncread *c, struct ncread_siemens_block *b, struct e
         ncread_pointed(&b->to, vec_sub(b->to.head, tip));
     } else if (b->vector_n == 3) {
         struct vec3 axis = vec(b->vector[0], b->vector[1], b->vector[2]);
+        if (c->curve)
+            return ncread_error(c, error, "a tool vector under ORICURVE");
         if (!c->tcp || fabs(vec_length(axis) - 1) > 1e-3)
             return ncread_error(c, error, "a tool vector wants TRAORI and length 1");
         ncread_pointed(&b->to, axis);
@@ -451,6 +456,7 @@ static int read_block(struct ncread *c, const char *line, struct error *error)
     struct ncread_siemens_block b = {.to = c->here, .length = 1, .weight = 1};
     if (read_words(c, &b, error) < 0)
         return -1;
+    ncread_watch_words(c);
     return run_block(c, &b, error);
 }
 
@@ -471,4 +477,5 @@ static bool program_begins(const char *first, const char *second)
     return strncmp(first, "%_N_", 4) == 0;
 }
 
-const struct ncread_dialect ncread_siemens = {"siemens", program_begins, read_block, read_end};
+const struct ncread_dialect ncread_siemens = {"siemens", program_begins, read_block, read_end,
+                                              true};

@@ -174,7 +174,7 @@ bool ncread_upright(const struct ncread *c)
     return true;
 }
 
-int ncread_ready(const struct ncread *c, struct error *error)
+int ncread_ready(struct ncread *c, struct error *error)
 {
     if (!(c->unit > 0) || !c->absolute)
         return ncread_error(c, error, "cuts before its unit and absolute words are set");
@@ -188,6 +188,7 @@ int ncread_ready(const struct ncread *c, struct error *error)
         return ncread_error(c, error, "no F in a block under inverse time feed");
     if (!all_known(&c->here) || !(c->here.has_axis || c->tilted.on))
         return ncread_error(c, error, "cuts from a place or with an axis that is not known");
+    ncread_watch_cut(c);
     return 0;
 }
 

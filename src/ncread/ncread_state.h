@@ -14,6 +14,7 @@
 #include "ncread_hole.h"
 #include "ncread_meaning.h"
 #include "ncread_plane.h"
+#include "ncread_watch.h"
 #include "ncread_word.h"
 
 #define INCH 25.4 /* mm */
@@ -24,6 +25,7 @@ struct ncread_dialect {
     bool (*begins)(const char *first, const char *second); /* second NULL: there is none */
     int (*block)(struct ncread *c, const char *line, struct error *error);
     int (*end)(struct ncread *c, struct error *error);
+    bool offsets; /* it has words for the work offset, of which one is expected */
 };
 
 /* The controls, each by the name that its row in machine/control.h has. */
@@ -88,6 +90,7 @@ struct ncread {
     bool has_centre;
     struct ncread_plane tilted; /* the plane that X Y Z are in */
     struct ncread_hole hole;    /* the drilling cycle that is on */
+    struct ncread_watch watch;
     /* a B-spline being read */
     int order;
     struct doubles knot, weight;
@@ -126,7 +129,7 @@ struct nc_piece ncread_piece(const struct ncread *c, const struct ncread_place *
 bool ncread_upright(const struct ncread *c);
 
 /* Checks what the control, or good practice, requires before the tool cuts. */
-int ncread_ready(const struct ncread *c, struct error *error);
+int ncread_ready(struct ncread *c, struct error *error);
 
 /* The tool goes there: checks what a move needs, adds the piece. */
 int ncread_go(struct ncread *c, const struct ncread_place *to, struct nc_piece piece, bool rapid,

@@ -246,6 +246,7 @@ void deviation_map_run(struct centre_path *path, const struct vec3 *point, size_
         struct kdtree *part = kdtree_new(point, n);
         r.part = part;
         r.near = touching_distance(&r, n);
+        map->touch = r.near - options->radius;
         parallel_for(options->threads, (path->n + GROUP - 1) / GROUP, mark_touching, &r);
         kdtree_free(part);
     }

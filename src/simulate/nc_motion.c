@@ -17,6 +17,7 @@ void nc_motion_free(struct nc_motion *m)
     array_free(&m->arc);
     array_free(&m->polynomial);
     array_free(&m->piece);
+    array_free(&m->remark);
 }
 
 /* Last knot index whose span holds u. */

@@ -7,6 +7,7 @@
 #include <stdlib.h>
 
 #include "base/array.h"
+#include "math/kdtree.h"
 #include "ncread/ncread.h"
 #include "verify/verify.h"
 
@@ -354,9 +355,64 @@ static void judge_axes(struct verdict *v)
                     letter[use->speed.axis], use->speed.value, use->fast);
 }
 
+/* What the reader remarked. */
+static void judge_remarks(struct verdict *v)
+{
+    const struct nc_motion *motion = v->program.motion;
+    for (size_t i = 0; i < motion->remark.n; i++) {
+        const struct nc_remark *remark = &motion->remark.item[i];
+        struct nc_piece at = {.line = remark->line, .block = remark->block};
+        char place[60];
+        ncread_place(&at, place, sizeof place);
+        add_remark(v, true, "%s: %s", place, remark->text);
+    }
+}
+
+/* How far the ball is off the part at s of a piece. */
+static double off_part(const struct verdict *v, const struct kdtree *part, size_t piece, double s)
+{
+    const struct nc_motion *motion = v->program.motion;
+    struct nc_motion_pose pose = nc_motion_at(motion, &motion->piece.item[piece], s);
+    double up = motion->track == NC_MOTION_TIP ? v->options.radius : 0;
+    struct vec3 centre = vec_along(pose.p, up, pose.a);
+    size_t index;
+    double distance2;
+    kdtree_nearest(part, centre, 1, &index, &distance2);
+    return sqrt(distance2) - v->options.radius;
+}
+
+/*
+ * Rapid moves that reach the part or go along it: where the ball was not on it already and leaves
+ * it.  The last move has to leave the part, too.
+ */
+static void judge_touches(struct verdict *v)
+{
+    const struct nc_motion *motion = v->program.motion;
+    struct kdtree *part = kdtree_new(v->program.part->item, v->program.part->n);
+    size_t n = motion->piece.n, touches = 0, first = 0;
+    double on = v->map.touch;
+    for (size_t i = 0; i < n; i++) {
+        if (!motion->piece.item[i].rapid)
+            continue;
+        bool still = vec_distance(motion->piece.item[i].p[0], motion->piece.item[i].p[1]) == 0;
+        bool begins = i > 0 && off_part(v, part, i, 0) <= on;
+        if (off_part(v, part, i, 1) > on || (still && begins))
+            continue;
+        first = touches++ == 0 ? i : first;
+    }
+    if (touches > 0)
+        add_finding(v, true, first, "a rapid move ends on the part (blocks: %zu)", touches);
+    if (n > 0 && v->cut.n > 0 && off_part(v, part, n - 1, 1) <= on)
+        add_finding(v, true, n - 1, "the program ends on the part: no retract follows");
+    kdtree_free(part);
+}
+
 static void find_faults(struct verdict *v)
 {
     sum_pieces(v);
+    judge_remarks(v);
+    if (v->map.points > 0)
+        judge_touches(v);
     if (v->map.points > 0)
         judge_surface(v);
     judge_outliers(v);

@@ -1,0 +1,128 @@
+/* ncread_watch - see ncread_watch.h. */
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "ncread_state.h"
+
+enum watched { WORK_OFFSET, TOOL, EDGE, LENGTH, COOLANT };
+
+static void set_value(struct ncread *c, enum watched what, double value)
+{
+    struct ncread_watch *w = &c->watch;
+    if (!w->cuts) {
+        w->known[what] = true;
+        w->value[what] = value;
+        return;
+    }
+    w->changed[what] = !w->known[what] || w->value[what] != value;
+    w->now[what] = value;
+    w->line[what] = c->line;
+    w->block[what] = c->block;
+}
+
+static void watch_g(struct ncread *c, double code)
+{
+    double offset = code;
+    const struct ncread_word *p = ncread_word_find(&c->words, "P");
+    if (fabs(code - 54.1) < 1e-6 && p)
+        offset += p->value[0];
+    if ((code >= 54 && code < 59.95) || (code >= 500 && code <= 599))
+        set_value(c, WORK_OFFSET, offset);
+}
+
+static void watch_m(struct ncread *c, double code)
+{
+    if (code == 7 || code == 8 || code == 13 || code == 14)
+        set_value(c, COOLANT, 1);
+    else if (code == 9)
+        set_value(c, COOLANT, 0);
+}
+
+void ncread_watch_words(struct ncread *c)
+{
+    for (size_t i = 0; i < c->words.n; i++) {
+        const struct ncread_word *w = &c->words.item[i];
+        if (w->values != 1 || w->name[1])
+            continue;
+        switch (w->name[0]) {
+        case 'G':
+            watch_g(c, w->value[0]);
+            break;
+        case 'M':
+            watch_m(c, w->value[0]);
+            break;
+        case 'T':
+            set_value(c, TOOL, w->value[0]);
+            break;
+        case 'D':
+            if (c->options->dialect == &ncread_siemens) /* elsewhere radius compensation */
+                set_value(c, EDGE, w->value[0]);
+            break;
+        case 'H':
+            set_value(c, LENGTH, w->value[0]);
+            break;
+        default:
+            break;
+        }
+    }
+}
+
+void ncread_watch_text(struct ncread *c, int n, const char *const word[])
+{
+    if (n > 2 && strcmp(word[0], "TOOL") == 0 && strcmp(word[1], "CALL") == 0)
+        set_value(c, TOOL, atof(word[2]));
+    if (n > 2 && strcmp(word[0], "CYCL") == 0 &&
+        (strncmp(word[2], "7.", 2) == 0 || strcmp(word[2], "247") == 0))
+        set_value(c, WORK_OFFSET, (double)c->line);
+    if (n > 0 && strcmp(word[0], "TRANS") == 0)
+        set_value(c, WORK_OFFSET, (double)c->line);
+    for (int i = 0; i < n; i++)
+        if (word[i][0] == 'M')
+            watch_m(c, atof(word[i] + 1));
+}
+
+static void add_remark(struct ncread *c, size_t line, long block, const char *text)
+{
+    struct nc_remark *remark = array_push(&c->motion->remark);
+    *remark = (struct nc_remark){line, (int)block, ""};
+    snprintf(remark->text, sizeof remark->text, "%s", text);
+}
+
+static void tell_change(struct ncread *c, enum watched what)
+{
+    static const char *const name[] = {"the work offset", "the tool", "the tool's offset D",
+                                       "the tool's offset H"};
+    const struct ncread_watch *w = &c->watch;
+    char text[120];
+    if (what == COOLANT && w->now[what] != 0)
+        return;
+    if (what == COOLANT)
+        snprintf(text, sizeof text, "the coolant goes off, and cuts follow");
+    else if (what == WORK_OFFSET && w->now[what] > 1000)
+        snprintf(text, sizeof text, "the work offset changes amid the program, and cuts follow");
+    else if (w->known[what])
+        snprintf(text, sizeof text, "%s changes from %g to %g amid the program, and cuts follow",
+                 name[what], w->value[what], w->now[what]);
+    else
+        snprintf(text, sizeof text, "%s becomes %g amid the program, and cuts follow", name[what],
+                 w->now[what]);
+    add_remark(c, w->line[what], w->block[what], text);
+}
+
+void ncread_watch_cut(struct ncread *c)
+{
+    struct ncread_watch *w = &c->watch;
+    for (int k = 0; k < NCREAD_WATCHED && w->cuts; k++) {
+        if (w->changed[k])
+            tell_change(c, (enum watched)k);
+        if (w->changed[k]) {
+            w->known[k] = true;
+            w->value[k] = w->now[k];
+        }
+        w->changed[k] = false;
+    }
+    if (!w->cuts && !w->known[WORK_OFFSET] && c->options->dialect->offsets)
+        add_remark(c, c->line, c->block, "cuts without a work offset, G54 or another");
+    w->cuts = true;
+}

@@ -1,0 +1,31 @@
+/*
+ * ncread_watch - what must not change while a program cuts: the work offset, the tool, its offsets,
+ * the coolant.  What does is remarked in the motion, by its block, once a cut follows.
+ */
+#ifndef CLOUDMILL_NCREAD_WATCH_H
+#define CLOUDMILL_NCREAD_WATCH_H
+
+#include "simulate/nc_motion.h"
+
+struct ncread;
+
+enum { NCREAD_WATCHED = 5 };
+
+struct ncread_watch {
+    bool cuts;                    /* a cut was seen */
+    bool known[NCREAD_WATCHED];   /* a word stood before it, */
+    double value[NCREAD_WATCHED]; /* this */
+    bool changed[NCREAD_WATCHED]; /* another one since, not told yet, in ... */
+    double now[NCREAD_WATCHED];
+    size_t line[NCREAD_WATCHED];
+    long block[NCREAD_WATCHED];
+};
+
+/* The words of the block just read, for controls with G code; for Klartext its words as text. */
+void ncread_watch_words(struct ncread *c);
+void ncread_watch_text(struct ncread *c, int n, const char *const word[]);
+
+/* A cut begins or goes on in this block. */
+void ncread_watch_cut(struct ncread *c);
+
+#endif
