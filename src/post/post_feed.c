@@ -8,6 +8,8 @@
 
 enum { PIECES = 12, SPAN_PIECES = 8, MORE_DIGITS = 3, DIGITS_MAX = 9 };
 
+static const double NOTHING = 1e-6; /* mm and degrees */
+
 static inline double larger(double a, double b)
 {
     return a > b ? a : b;
@@ -266,9 +268,10 @@ double post_feed_word(const struct nc_planner *planner, const struct machine_pos
     bool slow = *minutes > wished;
     if (ability->feeds == NC_FEEDS_INVERSE)
         feed = 1 / larger(*minutes, 1e-9);
-    else if (!tip || stays)
-        feed = joint_length(planner, from, to) / larger(*minutes, 1e-9);
-    else if (slow || still)
+    else if (!tip || stays) {
+        double way = joint_length(planner, from, to); /* nothing moves: the feed stays as it is */
+        feed = way > NOTHING ? way / larger(*minutes, 1e-9) : feed;
+    } else if (slow || still)
         feed = length / *minutes;
     for (int i = 0;
          stays && planner->follow.mode == INTERPOLATE_VECTOR && i < planner->machine->chain.n; i++)

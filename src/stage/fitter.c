@@ -20,8 +20,10 @@ static const double USUAL_POINTS = 12000;
 
 enum { TIMES = 5 }; /* a run is fitted, with other parts each time */
 
-static const double LESS_AXIS = 0.3; /* of the axis tolerance, each time */
-static const double SHORTEST = 0.05; /* mm: of the tracked point, to be fitted at all */
+static const double LESS_AXIS = 0.3;      /* of the axis tolerance, each time */
+static const double SHORTEST = 0.05;      /* mm: of the tracked point, to be fitted at all */
+static const double STANDING_TURN = 0.01; /* radians: a turn of the axis, ... */
+static const double STANDING = 0.3;       /* mm for a radian of it: the tracked point stands */
 
 /* What the threads share. */
 struct workload {
@@ -96,16 +98,13 @@ static void mark_motions(const struct run *points, const struct gouges *gouges, 
 
 static void fit_part(const struct workload *w, struct fitted_run run, int time);
 
-/* The run without the motions next to where it is too deep, part by part. */
-static void fit_around(const struct workload *w, const struct fitted_run *run, int time)
+/* The run without the motions that stay as they came, part by part; n motions. */
+static void fit_others(const struct workload *w, const struct fitted_run *run, bool *stays,
+                       size_t n, int time)
 {
-    struct run points = path_run_read(w->request.in, run->from, run->to);
-    size_t n = points.n - 1, from = 0;
-    bool *stays = mem_alloc(n + 1, sizeof *stays);
+    size_t from = 0;
 
-    for (size_t i = 0; i <= n; i++)
-        stays[i] = i == n;
-    mark_motions(&points, &run->gouge.left, (size_t)time * (size_t)time, stays);
+    stays[n] = true;
     for (size_t i = 0; i <= n; i++) {
         if (!stays[i])
             continue;
@@ -118,8 +117,43 @@ static void fit_around(const struct workload *w, const struct fitted_run *run, i
                      time);
         from = i + 1;
     }
+}
+
+static bool *no_motions(size_t n)
+{
+    bool *stays = mem_alloc(n + 1, sizeof *stays);
+
+    for (size_t i = 0; i <= n; i++)
+        stays[i] = false;
+    return stays;
+}
+
+/* The run without the motions next to where it is too deep, part by part. */
+static void fit_around(const struct workload *w, const struct fitted_run *run, int time)
+{
+    struct run points = path_run_read(w->request.in, run->from, run->to);
+    bool *stays = no_motions(points.n - 1);
+
+    mark_motions(&points, &run->gouge.left, (size_t)time * (size_t)time, stays);
+    fit_others(w, run, stays, points.n - 1, time);
     free(stays);
     array_free(&points);
+}
+
+/* Marks the motions on which the axis turns while the tracked point stands: a curve that wavers
+ * within the tolerance there would tell a control to creep.  False if there are none. */
+static bool mark_standing(const struct path *in, const struct fitted_run *run, bool *stays)
+{
+    bool any = false;
+
+    for (size_t i = run->from; i + 1 < run->to; i++) {
+        struct pose a = in->item.item[i].to, b = in->item.item[i + 1].to;
+        double turn = vec_angle(a.a, b.a);
+        bool stands = turn > STANDING_TURN && vec_distance(a.p, b.p) < STANDING * turn;
+        stays[i - run->from] = stands;
+        any = any || stands;
+    }
+    return any;
 }
 
 /* Only the shaft or the holder is too deep: not by the ball's way, but by the axis. */
@@ -165,8 +199,16 @@ static void fit_runs(void *context, size_t from, size_t to)
 {
     const struct workload *w = context;
 
-    for (size_t i = from; i < to; i++)
-        fit_part(w, w->runs->item[i], 0);
+    for (size_t i = from; i < to; i++) {
+        const struct fitted_run *run = &w->runs->item[i];
+        size_t n = run->to - run->from - 1;
+        bool *stays = no_motions(n);
+        if (!w->fitter->options->paper && mark_standing(w->request.in, run, stays))
+            fit_others(w, run, stays, n, 1);
+        else
+            fit_part(w, *run, 0);
+        free(stays);
+    }
 }
 
 /* All runs fitted, in parts where it takes that. */
