@@ -198,6 +198,7 @@ static struct verify_program read_program(const struct settings *s, const struct
     options.words = machine->text.words;
     options.dialect = ncread_of(control);
     options.tcp = machine_has_tcp(machine, control);
+    ncread_wraps(machine, &options.kinematics, options.wraps);
     if (ncread_read(file, &options, motion, &error) < 0)
         die_error(&error);
     motion->track = s->centre ? NC_MOTION_CENTRE : NC_MOTION_TIP;

@@ -49,6 +49,8 @@ struct ncread_options {
     const struct ncread_dialect *dialect;
     bool tcp; /* the machine has tool centre point control */
     struct verify_kinematics kinematics;
+    bool
+        wraps[2]; /* that axis's words are within 0 to 360, and the shortest way is taken to them */
     const char *words;        /* what the control's file says of words, "": nothing */
     struct ncread_head *head; /* is filled; NULL: not wanted */
 };
@@ -68,6 +70,10 @@ enum control_id ncread_tell(const char *file, struct error *error);
 
 /* The rotary axes of a machine file, from its keys type, axes, axis.* and centre.* alone. */
 struct verify_kinematics ncread_kinematics(const struct machine *machine);
+
+/* Which of its axes have words within 0 to 360: those without end, by its key rotary.words. */
+void ncread_wraps(const struct machine *machine, const struct verify_kinematics *kinematics,
+                  bool wraps[2]);
 
 /* A text like `N120 (line 14)` for messages, at least 40 characters. */
 void ncread_place(const struct nc_piece *piece, char *text, size_t size);

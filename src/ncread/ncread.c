@@ -22,6 +22,18 @@ static void add_axis(struct verify_kinematics *kinematics, const struct machine 
                                         .max = machine->max[MACHINE_A + k]};
 }
 
+void ncread_wraps(const struct machine *machine, const struct verify_kinematics *kinematics,
+                  bool wraps[2])
+{
+    enum { ENDLESS = 3600 /* degrees of travel */ };
+    int words = machine->rotary_words;
+    for (int i = 0; i < kinematics->n && i < 2; i++) {
+        int axis = MACHINE_A + (kinematics->axis[i].letter - 'A');
+        wraps[i] = words != ROTARY_OWN && words != ROTARY_PLAIN && words != ROTARY_DC &&
+                   machine->max[axis] - machine->min[axis] > ENDLESS;
+    }
+}
+
 struct verify_kinematics ncread_kinematics(const struct machine *machine)
 {
     struct verify_kinematics kinematics = {.tool = vec(0, 0, 1)};

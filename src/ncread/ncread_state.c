@@ -86,6 +86,8 @@ bool ncread_axis(const struct ncread *c, const char *name, double value, struct 
     }
     for (int i = 0; i < c->options->kinematics.n; i++)
         if (*name == c->options->kinematics.axis[i].letter) {
+            if (c->options->wraps[i])
+                return ncread_nearest(c, *name, fabs(value), to);
             to->turn[i] = value;
             to->turned[i] = true;
             return true;

@@ -25,10 +25,13 @@ double post_ik_safe_radius(const struct machine *m)
     return fmax(far, 0);
 }
 
-static int out_of_travel(const struct machine *m, const double at[3])
+/* Beyond by more than half of the last digit that is printed. */
+static int out_of_travel(const struct nc_planner *planner, const double at[3])
 {
+    const struct machine *m = planner->machine;
+    double half = 0.5 / num_ten[planner->plan->ability.digits.linear];
     for (int axis = 0; axis < 3; axis++)
-        if (!(at[axis] >= m->min[axis] && at[axis] <= m->max[axis]))
+        if (!(at[axis] >= m->min[axis] - half && at[axis] <= m->max[axis] + half))
             return axis;
     return -1;
 }
@@ -38,7 +41,7 @@ int post_ik_linear_over(const struct nc_planner *planner, struct vec3 tip, const
     if (vec_dot(tip, tip) < planner->safe_radius * planner->safe_radius)
         return -1;
     struct vec3 p = chain_linear(&planner->machine->chain, tip, q);
-    return out_of_travel(planner->machine, (const double[]){p.x, p.y, p.z});
+    return out_of_travel(planner, (const double[]){p.x, p.y, p.z});
 }
 
 int post_ik_check_linear(struct nc_planner *planner, const struct machine_pose *to)
@@ -50,7 +53,7 @@ int post_ik_check_linear(struct nc_planner *planner, const struct machine_pose *
     if (planner->follow.mode != INTERPOLATE_JOINT)
         p = chain_linear_of(&planner->machine->chain, p, &to->turned);
     const double at[3] = {p.x, p.y, p.z};
-    int axis = out_of_travel(planner->machine, at);
+    int axis = out_of_travel(planner, at);
     if (axis < 0)
         return 0;
     struct vec3 tip = chain_tip_of(&planner->machine->chain, p, &to->turned);

@@ -572,16 +572,17 @@ static double top_of(const struct path *path, const struct machine *machine)
     return isnan(clear) ? cut + machine->retract : fmax(clear, cut);
 }
 
-/* The travel to the last digit within it, so that no angle is beyond it once it is rounded. */
+/* The travel to the last digit within it, and what is rounded to that: no angle is beyond it once it
+ * is printed, and none is refused for what no digit shows. */
 static void trim_travel(struct kinematic_chain *chain, int digits)
 {
-    const double slack = 1e-9;
+    const double slack = 1e-9, half = 0.5 - 1e-6;
     for (int i = 0; i < chain->n; i++) {
         struct rotary *r = &chain->rotary[i];
         double min = DEGREES(r->min) * num_ten[digits], max = DEGREES(r->max) * num_ten[digits];
         if (fabs(min) < 1e12 && fabs(max) < 1e12 && ceil(min - slack) <= floor(max + slack)) {
-            r->min = RADIANS(ceil(min - slack) / num_ten[digits]);
-            r->max = RADIANS(floor(max + slack) / num_ten[digits]);
+            r->min = RADIANS((ceil(min - slack) - half) / num_ten[digits]);
+            r->max = RADIANS((floor(max + slack) + half) / num_ten[digits]);
         }
     }
 }

@@ -1,6 +1,7 @@
 /* post_words - see post_words.h. */
 #include "post_words.h"
 
+#include <stdio.h>
 #include <string.h>
 
 #include "base/num.h"
@@ -60,13 +61,63 @@ static void vector_words(struct nc_program *p, const char *const address[3], str
     nc_modal(w, NC_K, address[2], a.z, p->plan->ability.digits.vector);
 }
 
+enum { ENDLESS = 3600 /* degrees: an axis with more travel turns without end */ };
+
+static enum machine_rotary_words rotary_words(const struct nc_program *p, int i)
+{
+    const struct rotary *r = &p->machine->chain.rotary[i];
+    enum machine_rotary_words words = (enum machine_rotary_words)p->machine->rotary_words;
+    bool dc = dialect_of(p->control)->knows_dc, endless = DEGREES(r->max - r->min) > ENDLESS;
+    if (!endless || words == ROTARY_PLAIN)
+        return ROTARY_PLAIN;
+    if (words == ROTARY_OWN)
+        return dc ? ROTARY_DC : ROTARY_PLAIN;
+    if (words == ROTARY_SHORTEST)
+        return dc ? ROTARY_DC : ROTARY_WITHIN;
+    return words;
+}
+
+/* The angle within 0 to 360, as it is printed. */
+static double within_turn(double degrees, int digits)
+{
+    double within = num_round(degrees - 360 * floor(degrees / 360), digits);
+    return within >= 360 ? 0 : within;
+}
+
+/* The word of one axis where it is not what the last one said. */
+static void rotary_word(struct nc_program *p, int i, double degrees)
+{
+    struct nc_writer *w = &p->w;
+    enum nc_slot slot = i ? NC_Q1 : NC_Q0;
+    int digits = p->plan->ability.digits.angle;
+    enum machine_rotary_words words = rotary_words(p, i);
+    char address[8] = {machine_letter(p->machine->letter[i]), '\0'}, text[NUM_MAX + 12];
+    if (words == ROTARY_PLAIN) {
+        nc_modal(w, slot, address, degrees, digits);
+        return;
+    }
+    double said = num_round(degrees, digits), before = w->value[slot];
+    if (w->known[slot] && before == said)
+        return;
+    bool back = w->known[slot] && said < before;
+    nc_remember(w, slot, said);
+    double within = within_turn(said, digits);
+    if (words == ROTARY_DC) {
+        size_t n = (size_t)snprintf(text, sizeof text, "%s=DC(", address);
+        n += num_write_short(text + n, within, digits, false);
+        memcpy(text + n, ")", 2);
+        nc_code(w, text);
+    } else if (words == ROTARY_SIGNED && back) {
+        nc_number(w, address, within > 0 ? -within : -360, digits);
+    } else {
+        nc_number(w, address, within, digits);
+    }
+}
+
 void nc_rotary_axes(struct nc_program *p, int n, const double q[])
 {
-    const struct machine *m = p->machine;
-    for (int i = n - 1; i >= 0; i--) { /* the tilting axis first, as people write it */
-        const char address[2] = {machine_letter(m->letter[i]), '\0'};
-        nc_modal(&p->w, i ? NC_Q1 : NC_Q0, address, DEGREES(q[i]), p->plan->ability.digits.angle);
-    }
+    for (int i = n - 1; i >= 0; i--) /* the tilting axis first, as people write it */
+        rotary_word(p, i, DEGREES(q[i]));
 }
 
 void nc_rotary(struct nc_program *p, const double q[])

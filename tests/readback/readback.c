@@ -229,6 +229,7 @@ static void read_operand(const char *file, const struct options *o, struct nc_mo
         struct machine machine = read_machine(o);
         setup.kinematics = ncread_kinematics(&machine);
         setup.tcp = machine.tcp && !o->no_tcp;
+        ncread_wraps(&machine, &setup.kinematics, setup.wraps);
     }
     if (o->control != CONTROL_NONE) {
         setup.dialect = dialects[o->control];
