@@ -21,7 +21,7 @@ for page in "$pages"/*.1; do
 done >"$TMP/found"
 empty "every page of section 1 is of a tool" "$TMP/found"
 
-for name in cloudmill.7 cloudmill-mesh.5 cloudmill-path.5 cloudmill-machine.5 cloudmill-control.5; do
+for name in cloudmill.7 cloudmill-mesh.5 cloudmill-path.5 cloudmill-machine.5 cloudmill-control.5 cloudmill-controls.7; do
 	ok "$name is there" test -s "$pages/$name"
 done
 
