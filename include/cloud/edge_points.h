@@ -17,6 +17,8 @@
 #ifndef CLOUDMILL_EDGE_POINTS_H
 #define CLOUDMILL_EDGE_POINTS_H
 
+#include <stdbool.h>
+
 #include "math/point_grid.h"
 
 struct edge_points_options {
@@ -25,6 +27,10 @@ struct edge_points_options {
     double along;                        /* distance of points along an edge, mm */
     int threads;
 };
+
+/* True if point i lies on such a flank of its neighbours, which make one without it, and is not apart
+ * from them. */
+bool edge_flank_holds(const struct point_grid *point_grid, double noise, size_t i);
 
 /* Appends the points; returns how many. */
 size_t edge_points(const struct edge_points_options *options, struct vec3s *to);

@@ -19,9 +19,11 @@ struct believed believed_in_grid(const struct point_grid *point_grid,
         b.sigma = options->noise;
     else if (b.noise.alike && b.sheets.places == 0)
         b.sigma = b.noise.sigma;
-    if (measured || options->noise > 0)
-        b.outliers = outliers_isolated(point_grid, measured ? b.noise.sigma : options->noise,
-                                       options->threads, out);
+    double sigma = measured ? b.noise.sigma : options->noise;
+    if (measured && !b.noise.alike && sigma > 0)
+        b.outliers = outliers_floating(point_grid, sigma, options->threads, out);
+    else if (measured || sigma > 0)
+        b.outliers = outliers_isolated(point_grid, sigma, options->threads, out);
     return b;
 }
 

@@ -14,8 +14,9 @@
 enum { NEAR = 40, SMOOTH = 24, TRIED = 12, MEETING = 16, FEWEST = 6, ABOUT = 8, STEPS = 6 };
 
 /* In spacings: a surface off its points by less is smooth or a flank; so far beyond the points an
- * edge may be; so narrow a flank is none. */
-static const double EVEN = 0.012, FLAT = 0.02, BENT = 0.015, REACH = 2.8, NARROW = 0.25;
+ * edge may be; so narrow a flank is none; a point so far from all others is on none of theirs. */
+static const double EVEN = 0.012, FLAT = 0.02, BENT = 0.015, REACH = 2.8, NARROW = 0.25, APART = 2,
+                    LONE = 1; /* in cells of the grid */
 
 static const double SIGMAS = 3;
 static const double SHARP = 0.94; /* cosine of two flanks' normals: 20 degrees */
@@ -164,21 +165,39 @@ static void face_up(struct quadric *q)
     q->c[9] = -q->c[9];
 }
 
-static void find_flank(const struct edge_work *work, const struct hood *near, struct flank *flank)
+/* The surface of most neighbours on one plane through the point: `own`, and the point itself. */
+static bool fit_flank(const struct edge_work *work, const struct hood *near, double spacing,
+                      bool own, struct side_fit *fit)
 {
+    const size_t many = 9;
     struct vec3 on[NEAR], normal;
-    struct side_fit fit;
-    double spacing = flank->spacing, noise = work->options->noise;
+    double noise = work->options->noise;
 
     if (!find_plane(work, near, spacing, &normal))
-        return;
+        return false;
     struct quadric q = side_fit_frame(near->point[0], normal);
-    size_t n = gather_on(work, near, spacing, &q, BENT, on);
-    if (!fit_side(on, n, near->point[0], spacing, &fit))
-        return;
-    n = gather_on(work, near, spacing, &fit.q, 0, on);
-    if (!fit_side(on, n, near->point[0], spacing, &fit) || fit.rms > 1.5 * noise + FLAT * spacing ||
-        fabs(quadric_off(&fit.q, near->point[0])) > SIGMAS * noise + FLAT * spacing)
+    size_t n = gather_on(work, near, spacing, &q, 0, on);
+    if (n < many)
+        n = gather_on(work, near, spacing, &q, BENT, on);
+    if (!fit_side(on, n, near->point[0], spacing, fit))
+        return false;
+    n = gather_on(work, near, spacing, &fit->q, 0, on);
+    for (size_t k = 0, others = 0; !own && k < near->n; k++) {
+        if (k < n && vec_distance(on[k], near->point[0]) > 0)
+            on[others++] = on[k];
+        if (k + 1 == near->n)
+            n = others;
+    }
+    return fit_side(on, n, near->point[0], spacing, fit) &&
+           fit->rms <= 1.5 * noise + FLAT * spacing &&
+           fabs(quadric_off(&fit->q, near->point[0])) <= SIGMAS * noise + FLAT * spacing;
+}
+
+static void find_flank(const struct edge_work *work, const struct hood *near, struct flank *flank)
+{
+    struct side_fit fit;
+
+    if (!fit_flank(work, near, flank->spacing, true, &fit))
         return;
     flank->q = fit.q;
     flank->rms = fit.rms;
@@ -428,6 +447,21 @@ static void find_edges(void *context, size_t from, size_t to)
             if (near.index[k] > i && is_edge_between(work, i, near.index[k]))
                 add_edge(work, &near, i, near.index[k], &work->found[i]);
     }
+}
+
+bool edge_flank_holds(const struct point_grid *point_grid, double noise, size_t i)
+{
+    const struct edge_points_options options = {.point_grid = point_grid, .noise = noise};
+    const struct edge_work work = {.options = &options};
+    struct side_fit fit;
+    struct hood near;
+
+    find_hood(point_grid, i, &near);
+    if (near.n < NEAR)
+        return false;
+    double spacing = sqrt(PI * near.distance2[NEAR - 1] / NEAR);
+    double apart = fmin(APART * spacing, LONE * point_grid->cell);
+    return near.distance2[1] <= apart * apart && fit_flank(&work, &near, spacing, false, &fit);
 }
 
 size_t edge_points(const struct edge_points_options *options, struct vec3s *to)

@@ -7,11 +7,15 @@
 
 #include "base/array.h"
 #include "base/parallel.h"
+#include "cloud/edge_points.h"
 #include "cloud/noise.h"
 #include "math/quadric.h"
 
 /* Points that a cell's quadric is fitted to; how often it is fitted again. */
 enum { NEAR = OUTLIERS_NEAR, CLUMP = OUTLIERS_CLUMP, MOST_BLOCK = 512, REFITS = 3 };
+
+/* Points that make a feature together; what out[] says while these are looked for. */
+enum { FEATURE = OUTLIERS_FEATURE, FEW = 4, MARKED = 1, GROUPED, DONE };
 
 static const double TUKEY = 4.685; /* in standard deviations */
 
@@ -19,7 +23,14 @@ struct search {
     const struct point_grid *point_grid;
     double sigma, spacing;
     unsigned char *out;
+    bool floating; /* only what is apart from the rest */
 };
+
+static double spacing_of(const struct point_grid *b)
+{
+    const double spacings_a_cell = 3;
+    return b->cell / spacings_a_cell;
+}
 
 size_t outliers_twice(const struct point_grid *b, unsigned char *out)
 {
@@ -104,6 +115,17 @@ static bool is_isolated(const struct search *s, const uint32_t *near, const doub
     return closer > CLUMP / 2 && !is_sparse_surface(b, near, reach / much);
 }
 
+/* How many of the neighbours are off their own surface by more than that: where several are, there
+ * are several surfaces, as at the root of a blade, and nothing is told by one more point off. */
+static size_t stand_out(const double *off, double least)
+{
+    size_t n = 0;
+
+    for (size_t k = 0; k < NEAR; k++)
+        n += off[k] > least;
+    return n;
+}
+
 static bool is_outlier(const struct search *s, size_t i)
 {
     const double spreads = OUTLIERS_SPREADS;
@@ -121,6 +143,8 @@ static bool is_outlier(const struct search *s, size_t i)
         }
     if (is_isolated(s, near, distance2))
         return true;
+    if (s->floating)
+        return false;
     double spacing = sqrt(PI * distance2[NEAR] / NEAR);
     double least = fmax(OUTLIERS_SIGMAS * s->sigma, OUTLIERS_SPACINGS * spacing);
     struct vec3 across = plane_normal(point, NEAR);
@@ -129,6 +153,8 @@ static bool is_outlier(const struct search *s, size_t i)
         quadric_settle(point, NEAR, b->point[i], across, &q) < 0 || quadric_distance(&q) < least)
         return false;
     double spread = refit_robustly(point, NEAR, s->sigma, &q, off);
+    if (stand_out(off, fmax(least, spreads * spread)) >= FEW)
+        return false;
     return quadric_distance(&q) > fmax(least, spreads * spread) * sqrt(1 + q.variance);
 }
 
@@ -208,18 +234,124 @@ static size_t count_marked(const unsigned char *out, size_t n)
 }
 
 static size_t mark_cells(const struct point_grid *b, double sigma, int threads,
-                         void (*work)(void *, size_t, size_t), unsigned char *out)
+                         void (*work)(void *, size_t, size_t), bool floating, unsigned char *out)
 {
-    const double spacings_a_cell = 3;
     size_t before = count_marked(out, b->n);
-    struct search s = {b, sigma, b->cell / spacings_a_cell, out};
+    struct search s = {b, sigma, spacing_of(b), out, floating};
     parallel_for(threads, b->columns * b->rows, work, &s);
     return count_marked(out, b->n) - before;
 }
 
+/* ---- what bears a point out */
+
+/* A feature that the marked points make: those within reach of each other. */
+struct group {
+    struct sizes member;
+    bool attached; /* to points that are not marked */
+};
+
+/* The points within reach of point i: those marked go to the group, and are unmarked. */
+static void spread_group(const struct point_grid *b, double reach, size_t i, unsigned char *out,
+                         struct group *group)
+{
+    uint32_t index[NEAR];
+    double distance2[NEAR];
+    size_t n = point_grid_nearest(b, b->point[i], NEAR, index, distance2);
+
+    for (size_t k = 0; k < n && distance2[k] <= reach * reach; k++) {
+        if (index[k] == i)
+            continue;
+        if (out[index[k]] == MARKED) {
+            out[index[k]] = GROUPED;
+            *array_push(&group->member) = index[k];
+        } else if (!out[index[k]]) {
+            group->attached = true;
+        }
+    }
+}
+
+/* The point goes on the way of its two nearest, which no point off a surface does: the second is
+ * half as far again and more, in the same direction. */
+static bool is_on_needle(const struct point_grid *b, double reach, size_t i)
+{
+    enum { SOME = 8 };
+    const double further = 1.5, furthest = 3, straight = 0.9; /* cosine of 26 degrees */
+    uint32_t index[SOME];
+    double distance2[SOME];
+    size_t n = point_grid_nearest(b, b->point[i], SOME, index, distance2);
+
+    if (n < 3 || distance2[1] > reach * reach)
+        return false;
+    struct vec3 first = vec_sub(b->point[index[1]], b->point[i]);
+    for (size_t k = 2; k < n; k++) {
+        struct vec3 next = vec_sub(b->point[index[k]], b->point[i]);
+        double part = sqrt(distance2[k] / distance2[1]);
+        if (part > further && part < furthest &&
+            vec_dot(first, next) > straight * vec_length(first) * vec_length(next))
+            return true;
+        if (part <= further)
+            return false;
+    }
+    return false;
+}
+
+/* Unmarks points that others bear out: several in a row from the surface on, as on a needle; and
+ * points on the surface that others make, as on one side of a thin edge. */
+static void keep_borne_out(const struct point_grid *b, double sigma, unsigned char *out)
+{
+    const double reach = 1.5 * spacing_of(b);
+    struct group group = {.attached = false};
+    bool *kept = mem_alloc(b->n + 1, sizeof *kept);
+
+    for (size_t i = 0; i < b->n; i++)
+        kept[i] = out[i] == MARKED && edge_flank_holds(b, sigma, i);
+    for (size_t i = 0; i < b->n; i++)
+        if (kept[i])
+            out[i] = 0;
+    for (size_t i = 0; i < b->n; i++) {
+        if (out[i] != MARKED)
+            continue;
+        group.member.n = 0;
+        group.attached = false;
+        out[i] = GROUPED;
+        *array_push(&group.member) = i;
+        for (size_t k = 0; k < group.member.n; k++)
+            spread_group(b, reach, group.member.item[k], out, &group);
+        bool feature = group.member.n >= FEATURE || is_on_needle(b, reach, i);
+        for (size_t k = 0; k < group.member.n; k++)
+            out[group.member.item[k]] = group.attached && feature ? 0 : DONE;
+    }
+    for (size_t i = 0; i < b->n; i++)
+        out[i] = out[i] != 0;
+    array_free(&group.member);
+    free(kept);
+}
+
+static size_t mark_and_keep(const struct point_grid *b, double sigma, int threads, bool floating,
+                            unsigned char *out)
+{
+    unsigned char *own = mem_alloc(b->n + 1, 1);
+    size_t found = 0;
+
+    memset(own, 0, b->n);
+    mark_cells(b, sigma, threads, mark_isolated, floating, own);
+    keep_borne_out(b, sigma, own);
+    for (size_t i = 0; i < b->n; i++) {
+        found += own[i] && !out[i];
+        out[i] |= own[i];
+    }
+    free(own);
+    return found;
+}
+
 size_t outliers_isolated(const struct point_grid *b, double sigma, int threads, unsigned char *out)
 {
-    return mark_cells(b, sigma, threads, mark_isolated, out);
+    return mark_and_keep(b, sigma, threads, false, out);
+}
+
+size_t outliers_floating(const struct point_grid *b, double sigma, int threads, unsigned char *out)
+{
+    return mark_and_keep(b, sigma, threads, true, out);
 }
 
 /* Marks the eighths of the turn in which a point of the cell stands steeply above p.  All eight, so
@@ -265,5 +397,5 @@ static void mark_under_roof(void *context, size_t from, size_t to)
 
 size_t outliers_under_roof(const struct point_grid *b, int threads, unsigned char *out)
 {
-    return mark_cells(b, 0, threads, mark_under_roof, out);
+    return mark_cells(b, 0, threads, mark_under_roof, false, out);
 }

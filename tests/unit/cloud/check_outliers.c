@@ -114,6 +114,56 @@ START_TEST(sparse_walls)
     ck_assert_uint_le(found - right, WALL / 8);
 }
 END_TEST
+
+/* A blade that stands on a floor, 0.3 mm thick at its edge and 0.7 at its root, points on both of its
+ * sides: they are all believed, at its edge and at its root, turned anyhow, dense and sparse. */
+START_TEST(thin_blade)
+{
+    const double sigma = _i % 2 * 0.005, step = _i / 2 % 2 ? 0.4 : 0.8, turn = 0.4 * _i;
+    noisy_seed(11 + (unsigned)_i);
+    for (double x = -12; x <= 12; x += step)
+        for (double y = -12; y <= 12; y += step) {
+            double u = x + 0.5 * step * noisy_uniform(), v = y + 0.5 * step * noisy_uniform();
+            double z = 8 * noisy_uniform();
+            double half = 0.15 + 0.2 * (1 - z / 8), side = noisy_uniform() < 0.5 ? -1 : 1;
+            if (fabs(u) > 0.4)
+                *array_push(&scan) = vec(u, v, sigma * noisy_normal());
+            if (fabs(x) < 5) /* as many as on the floor */
+                *array_push(&scan) = vec(side * (half + sigma * noisy_normal()), v, z);
+        }
+    for (size_t i = 0; i < scan.n; i++) {
+        struct vec3 p = scan.item[i];
+        scan.item[i] =
+            vec(p.x * cos(turn) - p.y * sin(turn), p.x * sin(turn) + p.y * cos(turn), p.z);
+    }
+    sort();
+    ck_assert_uint_le(outliers_isolated(&point_grid, sigma, 2, out), 1); /* at its border */
+    ck_assert_uint_eq(outliers_floating(&point_grid, sigma, 2, out), 0);
+}
+END_TEST
+
+/* Needles of three to six points on the panel are real, single points as high are not. */
+START_TEST(needles)
+{
+    enum { NEEDLES = 12 };
+    const double sigma = _i * 0.01, step = 0.45;
+    noisy_seed(21);
+    noisy_scan(&scan, panel_height, 17000, NOISY_RANDOM, sigma);
+    for (int i = 0; i < NEEDLES; i++) {
+        double x = -30 + 5 * i, z = panel_height(x, 3), w = panel_height(x, -11);
+        for (int k = 1; k <= 3 + i % 4; k++)
+            *array_push(&scan) = vec(x + 0.02 * k, 3, z + step * k);
+        *array_push(&scan) = vec(x, -11, w + step * (3 + i % 4));
+    }
+    sort();
+    size_t found = outliers_isolated(&point_grid, sigma, 2, out), right = 0;
+    for (size_t i = 0; i < point_grid.n; i++)
+        right += out[i] && fabs(point_grid.point[i].y + 11) < 1e-9;
+    ck_assert_uint_eq(right, NEEDLES);
+    ck_assert_uint_le(found - right, 3); /* of the 54 of needles */
+}
+END_TEST
+
 START_TEST(points_twice)
 {
     noisy_seed(4);
@@ -183,6 +233,8 @@ int main(void)
     tcase_add_test(tests, clumps_in_the_air);
     tcase_add_loop_test(tests, sparse_walls, 0, 4);
     tcase_add_loop_test(tests, edges, 0, 4);
+    tcase_add_loop_test(tests, thin_blade, 0, 8);
+    tcase_add_loop_test(tests, needles, 0, 2);
     tcase_add_test(tests, points_twice);
     tcase_add_test(tests, under_a_roof);
     tcase_add_test(tests, a_pocket);
