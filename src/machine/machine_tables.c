@@ -100,7 +100,9 @@ static int read_tool_line(struct machine *m, char *text, const char *file, size_
     if (toupper((unsigned char)*text) == 'T') {
         good = read_linuxcnc_line(text, &number, &length) == 0;
     } else {
-        good = num_read(&s, &value) && value >= 0 && value == floor(value) && num_read(&s, &length);
+        good = num_read(&s, &value) && value >= 0 && value == floor(value);
+        s += strspn(s, " \t");
+        good = good && num_read(&s, &length);
         number = good ? (int)value : -1;
         s += strspn(s, " \t");
         tool_name = good && *s ? s : tool_name;

@@ -89,6 +89,58 @@ static void tool_key(struct nc_program *p)
     key_line(p, "TOOL", text);
 }
 
+/* The kinematics is solved here, so that it must be the machine's. */
+static bool solved(const struct nc_program *p)
+{
+    return p->plan->ability.mode == INTERPOLATE_JOINT && p->machine->chain.n > 0;
+}
+
+/* Centres and tool lengths with which the linear axes were computed, mm. */
+static void assumed_kinematics(struct nc_program *p)
+{
+    const struct machine *m = p->machine;
+    double unit = p->plan->ability.unit;
+    bool lengths = machine_has_lengths(m);
+    for (int i = 0; i < m->chain.n; i++) {
+        const struct rotary *r = &m->chain.rotary[i];
+        char x[NUM_MAX], y[NUM_MAX], z[NUM_MAX];
+        num_write_short(x, unit * r->centre.x, 4, false);
+        num_write_short(y, unit * r->centre.y, 4, false);
+        num_write_short(z, unit * r->centre.z, 4, false);
+        nc_comment(&p->w, "ASSUMED: CENTRE %c %.15s %.15s %.15s from the %s",
+                   machine_letter(m->letter[i]), x, y, z,
+                   r->table  ? "work offset"
+                   : lengths ? "spindle's nose"
+                             : "tip of every tool");
+    }
+    for (size_t i = 0; i < m->tools && lengths; i++) {
+        char length[NUM_MAX];
+        if (isnan(m->tool[i].length))
+            continue;
+        num_write_short(length, m->tool[i].length, 4, false);
+        nc_comment(&p->w, "ASSUMED: LENGTH OF TOOL %d %.20s", m->tool[i].number, length);
+    }
+}
+
+/* What the path or the machine does not say and the program rests on. */
+static void assumptions(struct nc_program *p)
+{
+    const struct nc_total *total = &p->plan->total;
+    char feed[NUM_MAX], top[NUM_MAX];
+    if (solved(p))
+        assumed_kinematics(p);
+    if (p->path->inches_taken)
+        nc_comment(&p->w, "ASSUMED: THE PATH IS IN INCHES, as its feeds are");
+    if (total->feed_assumed) {
+        num_write_short(feed, p->options.feed, 3, false);
+        nc_comment(&p->w, "ASSUMED: FEED %.20s where the path gives none", feed);
+    }
+    if (isfinite(p->plan->top)) {
+        num_write_short(top, p->plan->top, p->plan->ability.digits.linear, false);
+        nc_comment(&p->w, "ASSUMED: HOME IS ABOVE Z%.20s, and all that stands there is below", top);
+    }
+}
+
 static void head_tool(struct nc_program *p)
 {
     const struct path *path = p->path;
@@ -100,6 +152,8 @@ static void head_tool(struct nc_program *p)
     if (path->head.track == TRACK_CENTRE) {
         nc_comment(&p->w, "*** ATTENTION: X Y Z ARE THE CENTRE OF THE BALL, NOT THE TIP ***");
         nc_comment(&p->w, "*** the tool's length must be measured to the ball's centre ***");
+    } else if (solved(p)) {
+        nc_comment(&p->w, "X Y Z are the linear axes, not the tip: no tool-centre-point control");
     } else {
         nc_comment(&p->w, "X Y Z are the tool tip");
     }
@@ -172,6 +226,7 @@ void nc_head(struct nc_program *p)
     head_tool(p);
     head_ledger(p);
     surface_keys(p);
+    assumptions(p);
     double unit = p->plan->ability.unit;
     nc_comment(&p->w, "Cut %.1f mm, rapid %.1f mm, %.1f min", total->cut * unit,
                total->rapid * unit, total->minutes);

@@ -15,6 +15,20 @@ static int over_travel(struct nc_planner *planner, struct vec3 tip, int axis, co
                     tip.z, m->min[axis], m->max[axis]);
 }
 
+bool post_ik_chain(const struct machine *machine, int tool, double unit,
+                   struct kinematic_chain *chain)
+{
+    const struct machine_tool *said = machine_tool(machine, tool);
+    bool known = said && !isnan(said->length);
+    for (int i = 0; i < machine->chain.n; i++) {
+        struct rotary *r = &chain->rotary[i];
+        r->centre = machine->chain.rotary[i].centre;
+        if (known && !r->table)
+            r->centre = vec_along(r->centre, said->length / unit, chain->tool);
+    }
+    return known || !machine_has_lengths(machine);
+}
+
 double post_ik_safe_radius(const struct machine *m)
 {
     double far = HUGE_VAL;

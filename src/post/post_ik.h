@@ -37,4 +37,12 @@ int post_ik_linear_over(const struct nc_planner *planner, struct vec3 tip, const
  * leave their travel. */
 int post_ik_check_linear(struct nc_planner *planner, const struct machine_pose *to);
 
+/*
+ * The chain with the tool of this number: where the machine file has lengths of tools, the centres
+ * of heads are seen from the spindle's nose, and the tool's length (mm; the chain's unit is `unit`
+ * mm) is added along the tool.  False: it has lengths, but not of this tool.
+ */
+bool post_ik_chain(const struct machine *machine, int tool, double unit,
+                   struct kinematic_chain *chain);
+
 #endif

@@ -113,6 +113,27 @@ static struct pose_deviation rounding_deviation(const struct nc_planner *planner
     return (struct pose_deviation){linear + fabs(planner->follow.ball) * axis, axis};
 }
 
+static bool has_head(const struct machine *machine)
+{
+    for (int i = 0; i < machine->chain.n; i++)
+        if (!machine->chain.rotary[i].table)
+            return true;
+    return false;
+}
+
+int post_item_length(struct nc_planner *planner)
+{
+    bool known = post_ik_chain(planner->base, planner->state.tool, planner->options.unit,
+                               &planner->own->chain);
+    planner->safe_radius = post_ik_safe_radius(planner->own);
+    if (known || planner->follow.mode != INTERPOLATE_JOINT || !has_head(planner->base))
+        return 0;
+    return error_set(planner->error,
+                     "%s: found no length of tool %d in the machine file, expected tool.%d.length "
+                     "or a table of tools",
+                     planner->path->name, planner->state.tool, planner->state.tool);
+}
+
 void post_item_tool(struct nc_planner *planner, double ball)
 {
     bool centre = planner->path->head.track == TRACK_CENTRE;
@@ -138,8 +159,12 @@ static int change_tool_or_plane(struct nc_planner *planner, const struct path_it
         return -1;
     planner->state.begun = false;
     planner->state.touches = false;
-    if (tool)
+    if (tool) {
         post_item_tool(planner, path_tool_ball(&path->tool.item[item->index]));
+        planner->state.tool = path->tool.item[item->index].number;
+        if (post_item_length(planner) != 0)
+            return -1;
+    }
     add_note(planner, tool ? NC_TOOL : NC_PLANE, item);
     return 0;
 }

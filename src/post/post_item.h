@@ -16,4 +16,8 @@ int post_item_retract(struct nc_planner *planner);
 /* The radius of the ball in the spindle, and what rounding leaves of the tolerance with it. */
 void post_item_tool(struct nc_planner *planner, double ball);
 
+/* The machine's chain for the tool in the spindle (post_ik_chain).  -1: without tool-centre-point
+ * control, and its length is not known. */
+int post_item_length(struct nc_planner *planner);
+
 #endif

@@ -352,6 +352,7 @@ static void restore_checkpoint(struct nc_planner *planner, const struct checkpoi
     plan->arc.n = checkpoint->arcs;
     plan->spline.n = checkpoint->splines;
     plan->hole.n = checkpoint->holes;
+    post_item_length(planner); /* it was known before */
 }
 
 static bool goes_home(const struct path_item *item)
@@ -600,7 +601,8 @@ int nc_plan_make(struct nc_plan *plan, const struct path *path, const struct mac
                          path->name);
     struct machine own = *machine;
     trim_travel(&own.chain, ability.digits.angle);
-    planner.machine = &own;
+    planner.machine = planner.own = &own;
+    planner.base = machine;
     planner.follow = (struct interpolation){.mode = ability.mode, .chain = &own.chain};
     planner.clearance = clear_height(path);
     plan->top = top_of(path, machine);
@@ -613,7 +615,8 @@ int nc_plan_make(struct nc_plan *plan, const struct path *path, const struct mac
         planner.state.at.q[i] = fmin(fmax(0, own.chain.rotary[i].min), own.chain.rotary[i].max);
     planner.state.turned = chain_turned(&machine->chain, planner.state.at.q);
     post_item_tool(&planner, path_ball(path));
-    int result = 0;
+    planner.state.tool = path->head.tool;
+    int result = post_item_length(&planner);
     for (size_t from = 0; from < path->item.n && result == 0;) {
         size_t to = end_of_group(path, from);
         result = plan_group(&planner, from, to);

@@ -26,6 +26,19 @@ enum {
     CYCLE = 18 /* blocks of a drilling cycle that is said anew in it */
 };
 
+/* The machine with the tool that makes a move of the whole program, or of a copy at its line. */
+static struct machine machine_with_tool(const struct nc_program *whole, const struct nc_move *move)
+{
+    struct machine own = *whole->machine;
+    const struct nc_plan *plan = whole->plan;
+    int number = whole->path->head.tool;
+    for (size_t i = 0; i < plan->move.n && plan->move.item[i].line <= move->line; i++)
+        if (plan->move.item[i].kind == NC_TOOL)
+            number = whole->path->tool.item[plan->move.item[i].index].number;
+    post_ik_chain(whole->machine, number, whole->options.unit, &own.chain);
+    return own;
+}
+
 /* Off the part along the tool axis from where a move ends, as far as the machine's `retract` and up
  * to the plan's top; `high`: up to there alone, and no further than it goes. */
 static int retract_from(struct nc_move *up, const struct nc_program *whole,
@@ -34,7 +47,9 @@ static int retract_from(struct nc_move *up, const struct nc_program *whole,
     struct nc_plan plan = *whole->plan;
     struct nc_planner planner = {
         .path = whole->path, .machine = whole->machine, .plan = &plan, .error = error};
-    const struct kinematic_chain *chain = &whole->machine->chain;
+    struct machine own = machine_with_tool(whole, from);
+    const struct kinematic_chain *chain = &own.chain;
+    planner.machine = &own;
     planner.follow = (struct interpolation){.mode = plan.ability.mode, .chain = chain};
     planner.near = ik_near_table(chain);
     planner.state.line = from->line;
@@ -60,9 +75,10 @@ static void begin_above(struct nc_plan *part, const struct nc_program *whole,
 {
     struct error unheard;
     struct nc_move over;
-    struct block_pose at = nc_plan_pose(whole->plan, &whole->machine->chain, first);
+    struct machine own = machine_with_tool(whole, first);
+    struct block_pose at = nc_plan_pose(whole->plan, &own.chain, first);
     if (whole->plan->ability.mode == INTERPOLATE_JOINT)
-        at.p = chain_tip(&whole->machine->chain, at.p, at.q);
+        at.p = chain_tip(&own.chain, at.p, at.q);
     if (at.p.z < whole->plan->top - 1e-6 && retract_from(&over, whole, first, true, &unheard) == 0)
         *array_push(&part->move) = over;
 }

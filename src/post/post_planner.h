@@ -27,6 +27,7 @@ struct nc_state {
     enum nc_why why; /* of the blocks that are made now */
     size_t pass;
     unsigned line;
+    int tool; /* number of the one in the spindle */
 };
 
 /* The angles that the look ahead has found for a motion. */
@@ -49,7 +50,9 @@ struct nc_rewinds {
 
 struct nc_planner {
     const struct path *path;
-    const struct machine *machine;
+    const struct machine *machine; /* own, of the tool in the spindle */
+    const struct machine *base;    /* as its file has it */
+    struct machine *own;
     struct nc_plan *plan;
     struct interpolation follow;
     struct nc_plan_options options;
