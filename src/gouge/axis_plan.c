@@ -14,13 +14,15 @@ static const double NODES = 0.4;         /* of the radius: between nodes, at mos
 static const double STEP = 0.23;         /* radians: neighbouring directions are no further apart */
 static const double ROUND = RADIANS(45); /* about the rule: further off only where none is open */
 static const double MARGIN = 0.05;       /* mm: kept free of the tool, ... */
-static const double SLOPE = 0.0087;  /* ... and so much more for each mm of height: 0.5 degrees */
-static const double NEAR = 0.004;    /* cost per mm of an axis that is off by all of `play` */
-static const double FAR = 20;        /* cost per mm and radian beyond */
-static const double ALIKE = 0.1;     /* radians: directions so much further off are as good */
-static const double JUMP = 12;       /* cost of an axis that can't be come to from the last */
-static const double WIDEST = 16;     /* mm: first half length of averages, halved each time */
-static const double NARROWEST = 1.5; /* mm: and the last */
+static const double SLOPE = 0.0087; /* ... and so much more for each mm of height: 0.5 degrees */
+static const double NEAR = 0.004;   /* cost per mm of an axis that is off by all of `play` */
+static const double OVER = 1.0; /* of the radius: rules are averaged over so much to both sides */
+static const double AIR = RADIANS(60); /* how far axes in the air are off their rule for little */
+static const double FAR = 20;          /* cost per mm and radian beyond */
+static const double ALIKE = 0.1;       /* radians: directions so much further off are as good */
+static const double JUMP = 12;         /* cost of an axis that can't be come to from the last */
+static const double WIDEST = 16;       /* mm: first half length of averages, halved each time */
+static const double NARROWEST = 1.5;   /* mm: and the last */
 static const double BENT = RADIANS(0.15); /* an axis further off the straight line gets a point */
 static const double SUDDEN = 0.6; /* radians between nodes beyond the rule's: lift instead */
 
@@ -224,6 +226,8 @@ static double free_zone(const struct axis_planner *p, const struct node *node)
 {
     double nearest = -1;
 
+    if (vec_length(node->normal) == 0 && p->options.play > 0)
+        return AIR;
     if (node->rule_open)
         return p->options.play;
     for (int j = 0; j < p->grid.n; j++)
@@ -416,6 +420,8 @@ static void set_allowances(const struct work *w, size_t from, size_t to)
 
     for (size_t i = from; i < to; i++) {
         double off = vec_angle(node[i].axis, node[i].rule), play = w->planner->options.play;
+        if (vec_length(node[i].normal) == 0 && play > 0)
+            play = AIR;
         node[i].allow = off > play + 1e-6 ? off + 0.05 : play;
     }
     for (size_t i = from + 1; i < to; i++)
@@ -679,6 +685,38 @@ static void measure(struct work *w)
             w->along[i - 1] + vec_distance(w->run->item[i - 1].ball, w->run->item[i].ball);
 }
 
+/* The rule's axes as they are over the ball's radius: what turns back within it is of single contact
+ * points and not of the surface.  Points in the air have no say. */
+static void average_rule(struct work *w, struct run *averaged)
+{
+    const struct run *run = w->run;
+    double half = OVER * w->planner->options.radius;
+    struct vec3 sum = {0, 0, 0};
+    struct vec3 *until = mem_alloc(run->n + 1, sizeof *until);
+
+    for (size_t i = 0; i < run->n; i++) {
+        double before = i > 0 ? w->along[i] - w->along[i - 1] : 0;
+        double after = i + 1 < run->n ? w->along[i + 1] - w->along[i] : 0;
+        if (run_point_touches(&run->item[i]))
+            sum = vec_along(sum, 1e-6 + (before + after) / 2, run->item[i].axis);
+        until[i + 1] = sum;
+    }
+    averaged->radius = run->radius;
+    for (size_t i = 0, low = 0, high = 0; i < run->n; i++) {
+        struct run_point p = run->item[i];
+        double reach = fmin(half, fmin(w->along[i], w->along[run->n - 1] - w->along[i]));
+        while (w->along[i] - w->along[low] > reach + 1e-9)
+            low++;
+        while (high < i || (high + 1 < run->n && w->along[high + 1] - w->along[i] <= reach + 1e-9))
+            high++;
+        struct vec3 mean = vec_unit(vec_sub(until[high + 1], until[low]));
+        if (vec_length(mean) > 0 && vec_angle(mean, p.axis) > 1e-7)
+            p.axis = mean;
+        *array_push(averaged) = p;
+    }
+    free(until);
+}
+
 static void append(struct axis_plan *plan, const struct run *from, const int *state,
                    const struct work *w)
 {
@@ -696,7 +734,7 @@ void axis_plan_run(const struct axis_planner *planner, const struct run *run,
                    struct axis_plan *plan)
 {
     struct work w = {.planner = planner, .run = run};
-    struct run points = {.radius = run->radius};
+    struct run points = {.radius = run->radius}, averaged = {0};
     struct doubles along = {0};
     struct ints state = {0};
     bool again = run->n > 0;
@@ -705,6 +743,10 @@ void axis_plan_run(const struct axis_planner *planner, const struct run *run,
     if (run->n == 0)
         return;
     measure(&w);
+    if (planner->options.play > 0) {
+        average_rule(&w, &averaged);
+        w.run = &averaged;
+    }
     first_nodes(&w);
     for (int round = 1; again; round++) {
         sort_nodes(&w.nodes);
@@ -721,6 +763,7 @@ void axis_plan_run(const struct axis_planner *planner, const struct run *run,
         free(w.nodes.item[i].state);
     array_free(&w.nodes);
     array_free(&points);
+    array_free(&averaged);
     array_free(&along);
     array_free(&state);
     free(w.along);
