@@ -14,6 +14,7 @@
 #include "gouge/holder_text.h"
 #include "machine/machine_options.h"
 #include "ncread/ncread.h"
+#include "stage/path_motion.h"
 #include "verify/verify.h"
 
 static const char *const unit_name[] = {"mm", "cm", "m", "um", "inch", "in"};
@@ -23,7 +24,7 @@ struct settings {
     bool radius_given, flute_given, band_given, left_given, tolerance_given, scallop_given;
     bool ball_only, partial, centre;
     struct machine_options machine;
-    const char *map, *page, *holder, *stock;
+    const char *map, *path, *page, *holder, *stock;
     struct cli_list part;
     double radius, tolerance, left, scallop, band, noise, flute, cell;
     struct tool_shape tool;
@@ -92,6 +93,10 @@ static void read_options(struct settings *s, struct cli *cli, int argc, char **a
          "what the program is checked against: points, a mesh (.ply, .stl, .off)\n"
          "or surfaces (.igs, .iges, .nurbs); may be given several times",
          CLI_LIST, &s->part, 0, 0, 0, NULL},
+        {'p', "path", "FILE",
+         "the path that the program was made from: tip, tool axis and feed are\n"
+         "compared with it",
+         CLI_TEXT, &s->path, 0, 0, 0, NULL},
         {'r', "radius", "MM", "radius of the ball", CLI_NUMBER, &s->radius, CLI_POSITIVE, 1e4, 0,
          &s->radius_given},
         machine_option_control(
@@ -256,6 +261,17 @@ static double printed_slack(const struct machine *machine)
     return 0.51 * pow(10, -digits);
 }
 
+static void read_path(const char *file, struct nc_motion *motion)
+{
+    struct path path = {0};
+    struct error error;
+    if (path_read(file, &path, &error) < 0 || path_motion_of(&path, motion, &error) < 0)
+        die_error(&error);
+    motion->name = file;
+    motion->coolant = path.head.coolant > COOLANT_OFF;
+    path_free(&path);
+}
+
 static struct axis_limits limits_of(const struct machine *machine)
 {
     struct axis_limits limits = {.slack = printed_slack(machine),
@@ -274,6 +290,7 @@ int main(int argc, char **argv)
     struct cli cli;
     struct nc_motion motion = {0};
     struct ncread_head head = {0};
+    struct nc_motion path = {0};
     struct vec3s points = {0};
     struct verify_surface surface = {0};
     read_options(&s, &cli, argc, argv);
@@ -286,6 +303,10 @@ int main(int argc, char **argv)
         program.surface = &surface;
     }
     program.part = &points;
+    if (s.path) {
+        read_path(s.path, &path);
+        program.path = &path;
+    }
     const struct verify_options options = {.radius = s.radius,
                                            .tolerance = s.tolerance,
                                            .left = s.left,
@@ -311,5 +332,6 @@ int main(int argc, char **argv)
     array_free(&s.part);
     machine_options_free(&s.machine);
     nc_motion_free(&motion);
+    nc_motion_free(&path);
     return refused ? EXIT_UNMET : EXIT_DONE;
 }

@@ -102,6 +102,7 @@ struct nc_motion {
         size_t n, cap;
         struct nc_remark *item;
     } remark;
+    bool coolant;                      /* is on at the first cut */
     size_t blocks;                     /* lines with something in them */
     double dwell;                      /* minutes that the tool stands still */
     size_t passes;                     /* the path stream's */

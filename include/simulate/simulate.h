@@ -15,6 +15,7 @@
  *   3. deviation_map.h      the ball rolled over the points: gouges and material left;
  *      part_coverage.h      each point cut, out of the tool's reach, or left;
  *      excursion.h          a cut that leaves the part and comes back;
+ *      path_compare.h       a program against the path that it was made from;
  *   4. tool_shape.h         flute, shank and holder as a body of revolution;
  *      holder_collision.h   that body against points or stock, by clearance bounds;
  *   5. stock.h              the stock as columns (dexels), cut by capsules, and what is left;
@@ -31,6 +32,7 @@
 #include "simulate/excursion.h"
 #include "simulate/holder_collision.h"
 #include "simulate/nc_motion.h"
+#include "simulate/path_compare.h"
 #include "simulate/stock.h"
 #include "simulate/stock_simulate.h"
 

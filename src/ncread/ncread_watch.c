@@ -124,5 +124,7 @@ void ncread_watch_cut(struct ncread *c)
     }
     if (!w->cuts && !w->known[WORK_OFFSET] && c->options->dialect->offsets)
         add_remark(c, c->line, c->block, "cuts without a work offset, G54 or another");
+    if (!w->cuts)
+        c->motion->coolant = w->known[COOLANT] && w->value[COOLANT] != 0;
     w->cuts = true;
 }

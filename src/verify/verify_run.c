@@ -15,6 +15,10 @@ enum { TURN_STEPS = 4 }; /* of a piece, for its tool axis */
 
 #define FLAT 0.0002 /* mm: how straight the ball's centre goes between two places */
 #define SIGMAS 1.5  /* of the noise, that are allowed besides the tolerance and what may be left */
+#define PATH_TIP 0.008 /* mm that the tip may be off the path: what ncpost spends, and digits */
+#define PATH_AXIS 0.25 /* degrees that the tool axis may be off the path's */
+#define PATH_FAST 1.5  /* times the path's feed; more slowly it may go where the axes turn */
+#define PATH_SLOW 200
 #define ROUNDED 0.001 /* mm: what places and radii printed may be off */
 #define JUMP 5.0      /* degrees: less is no jump of the tool axis */
 #define STILL 0.5     /* degrees of rotary axes, or mm of a second point, that need no look */
@@ -381,6 +385,37 @@ static double off_part(const struct verdict *v, const struct kdtree *part, size_
     return sqrt(distance2) - v->options.radius;
 }
 
+/* A program against its path. */
+static void judge_path(struct verdict *v)
+{
+    const struct nc_motion *path = v->program.path;
+    const struct path_compare_options options = {v->options.radius,  PATH_TIP,
+                                                 RADIANS(PATH_AXIS), PATH_FAST,
+                                                 PATH_SLOW,          !v->options.limits.combined};
+    struct path_compare found = path_compare_run(v->program.motion, path, &options);
+    if (found.off.count > 0)
+        add_finding(v, true, found.off.piece, "the tip is %.4f mm off the path at %.3f %.3f %.3f",
+                    found.off.value, found.off.at.x, found.off.at.y, found.off.at.z);
+    if (found.turned.count > 0)
+        add_finding(v, true, found.turned.piece,
+                    "the tool axis is %.3f degrees off the path's at %.3f %.3f %.3f",
+                    DEGREES(found.turned.value), found.turned.at.x, found.turned.at.y,
+                    found.turned.at.z);
+    if (found.missed.count > 0)
+        add_remark(v, true,
+                   "the program leaves out line %zu of the path, %.3f mm off it at %.3f %.3f %.3f",
+                   path->piece.item[found.missed.piece].line, found.missed.value, found.missed.at.x,
+                   found.missed.at.y, found.missed.at.z);
+    if (found.fast.count > 0)
+        add_finding(v, true, found.fast.piece, "the feed is %.4g times the path's",
+                    found.fast.value);
+    if (found.slow.count > 0)
+        add_finding(v, true, found.slow.piece, "the feed is 1/%.4g of the path's",
+                    found.slow.value);
+    if (path->coolant && !v->program.motion->coolant)
+        add_remark(v, true, "the path has coolant on, the program cuts without");
+}
+
 /*
  * Rapid moves that reach the part or go along it: where the ball was not on it already and leaves
  * it.  The last move has to leave the part, too.
@@ -411,6 +446,8 @@ static void find_faults(struct verdict *v)
 {
     sum_pieces(v);
     judge_remarks(v);
+    if (v->program.path)
+        judge_path(v);
     if (v->map.points > 0)
         judge_touches(v);
     if (v->map.points > 0)

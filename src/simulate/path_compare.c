@@ -1,0 +1,250 @@
+/* path_compare - see path_compare.h. */
+#include "simulate/path_compare.h"
+
+#include <stdlib.h>
+
+#include "base/array.h"
+#include "math/box_tree.h"
+
+enum { LINE_STEPS = 4, CURVE_STEPS = 16, DEEPEST = 10 };
+
+#define FLAT 0.0005  /* mm: how straight a piece is followed */
+#define STEADY 0.005 /* radians that the axis turns in a step, at most */
+#define SHORT 0.05   /* mm: feeds are looked at over longer pieces */
+
+/* A straight bit of a motion at feed, with the tool axis at its ends. */
+struct stretch {
+    struct nc_motion_pose a, b;
+    size_t piece;
+    double feed;
+};
+
+struct stretches {
+    size_t n, cap;
+    struct stretch *item;
+};
+
+static struct nc_motion_pose tip_at(const struct nc_motion *m, size_t piece, double s,
+                                    double radius)
+{
+    struct nc_motion_pose pose = nc_motion_at(m, &m->piece.item[piece], s);
+    if (m->track == NC_MOTION_CENTRE)
+        pose.p = vec_along(pose.p, -radius, pose.a);
+    return pose;
+}
+
+struct walk {
+    const struct nc_motion *motion;
+    size_t piece;
+    double radius, feed;
+    struct stretches *to;
+};
+
+static void add_stretches(const struct walk *w, double s0, struct nc_motion_pose a, double s1,
+                          struct nc_motion_pose b, int depth)
+{
+    struct nc_motion_pose m = tip_at(w->motion, w->piece, (s0 + s1) / 2, w->radius);
+    bool fine = vec_segment_distance(a.p, b.p, m.p) <= FLAT && vec_angle(a.a, b.a) <= STEADY &&
+                vec_angle(a.a, m.a) <= STEADY;
+    if (depth >= DEEPEST || fine) {
+        *array_push(w->to) = (struct stretch){a, b, w->piece, w->feed};
+        return;
+    }
+    add_stretches(w, s0, a, (s0 + s1) / 2, m, depth + 1);
+    add_stretches(w, (s0 + s1) / 2, m, s1, b, depth + 1);
+}
+
+/* Feed of the tip, mm/min; 0: not known. */
+static double tip_feed(const struct nc_motion *m, size_t piece, double length)
+{
+    const struct nc_piece *p = &m->piece.item[piece];
+    if (length <= SHORT)
+        return 0;
+    return p->inverse ? p->feed * length : p->feed;
+}
+
+static void follow(const struct nc_motion *m, double radius, struct stretches *to)
+{
+    for (size_t i = 0; i < m->piece.n; i++) {
+        struct walk w = {m, i, radius, 0, to};
+        size_t first = to->n;
+        double length = 0;
+        if (m->piece.item[i].rapid)
+            continue;
+        int parts = m->piece.item[i].shape == SHAPE_LINE ? LINE_STEPS : CURVE_STEPS;
+        for (int k = 0; k < parts; k++) {
+            double s0 = (double)k / parts, s1 = (k + 1.0) / parts;
+            add_stretches(&w, s0, tip_at(m, i, s0, radius), s1, tip_at(m, i, s1, radius), 0);
+        }
+        for (size_t k = first; k < to->n; k++)
+            length += vec_distance(to->item[k].a.p, to->item[k].b.p);
+        for (size_t k = first; k < to->n; k++)
+            to->item[k].feed = tip_feed(m, i, length);
+    }
+}
+
+/* ---- one place beside the other motion */
+
+struct beside {
+    const struct stretches *on;
+    struct nc_motion_pose pose;
+    double tolerance;
+    double turn;             /* least of the axis among the stretches within the tolerance */
+    size_t least;            /* that one */
+    double slowest, fastest; /* feeds of these */
+};
+
+static double stretch_distance2(const void *items, size_t item, struct vec3 p)
+{
+    const struct stretch *s = (const struct stretch *)items + item;
+    double d = vec_segment_distance(s->a.p, s->b.p, p);
+    return d * d;
+}
+
+static bool visit_stretch(void *context, size_t item)
+{
+    struct beside *b = context;
+    const struct stretch *s = &b->on->item[item];
+    double foot = vec_segment_foot(s->a.p, s->b.p, b->pose.p);
+    if (vec_distance(vec_mix(s->a.p, s->b.p, foot), b->pose.p) > b->tolerance)
+        return false;
+    /* where the tip stands still the axis is anywhere between both */
+    double turn = vec_angle(vec_unit(vec_mix(s->a.a, s->b.a, foot)), b->pose.a);
+    if (vec_distance(s->a.p, s->b.p) < b->tolerance)
+        turn = fmin(turn, fmin(vec_angle(s->a.a, b->pose.a), vec_angle(s->b.a, b->pose.a)));
+    b->slowest = fmin(b->slowest, s->feed);
+    b->fastest = fmax(b->fastest, s->feed);
+    if (turn < b->turn) {
+        b->turn = turn;
+        b->least = item;
+    }
+    return false;
+}
+
+static struct box_tree *tree_of(const struct stretches *s)
+{
+    struct box *box = mem_alloc(s->n, sizeof *box);
+    for (size_t i = 0; i < s->n; i++) {
+        box[i] = box_empty();
+        box_add(&box[i], s->item[i].a.p);
+        box_add(&box[i], s->item[i].b.p);
+    }
+    struct box_tree *tree = box_tree_new(box, s->n);
+    free(box);
+    return tree;
+}
+
+static void note_fault(struct path_fault *fault, double value, size_t piece, struct vec3 at)
+{
+    if (fault->count++ == 0 || value > fault->value) {
+        fault->value = value;
+        fault->piece = piece;
+        fault->at = at;
+    }
+}
+
+/* ---- both ways */
+
+struct compare {
+    const struct path_compare_options *options;
+    struct stretches program, path;
+    struct box_tree *program_tree, *path_tree;
+    struct path_compare found;
+};
+
+/* How far off the other motion; within the tolerance by how much the axis is turned. */
+static double look_beside(const struct compare *c, bool path, struct nc_motion_pose pose,
+                          struct beside *b)
+{
+    const struct stretches *on = path ? &c->path : &c->program;
+    const struct box_tree *tree = path ? c->path_tree : c->program_tree;
+    size_t nearest = SIZE_MAX;
+    *b = (struct beside){on, pose, c->options->tolerance, PI, 0, HUGE_VAL, 0};
+    double off = box_tree_nearest(tree, on->item, stretch_distance2, pose.p, HUGE_VAL, &nearest);
+    if (off <= c->options->tolerance)
+        box_tree_each(tree, pose.p, c->options->tolerance, visit_stretch, b);
+    return off;
+}
+
+static void compare_feed(struct compare *c, const struct stretch *s, const struct beside *path)
+{
+    const struct path_compare_options *o = c->options;
+    if (!o->feeds || !(path->slowest > 0) || !(s->feed > 0))
+        return;
+    if (s->feed > o->fast * path->fastest)
+        note_fault(&c->found.fast, s->feed / path->fastest, s->piece, s->b.p);
+    if (s->feed * o->slow < path->slowest)
+        note_fault(&c->found.slow, path->slowest / s->feed, s->piece, s->b.p);
+}
+
+/* The stretches of the program from one rapid move to the next: what is off the path before the
+ * first that is on it, and after the last, is approach and retract. */
+static void compare_run(struct compare *c, size_t from, size_t to)
+{
+    size_t first = to, last = from;
+    double *off = mem_alloc(to - from, sizeof *off);
+    for (size_t i = from; i < to; i++) {
+        struct beside b;
+        const struct stretch *s = &c->program.item[i];
+        off[i - from] = look_beside(c, true, s->b, &b);
+        if (off[i - from] > c->options->tolerance)
+            continue;
+        first = first == to ? i : first;
+        last = i;
+        if (b.turn > c->options->axis)
+            note_fault(&c->found.turned, b.turn, s->piece, s->b.p);
+        compare_feed(c, s, &b);
+    }
+    for (size_t i = first; i < last; i++)
+        if (off[i - from] > c->options->tolerance)
+            note_fault(&c->found.off, off[i - from], c->program.item[i].piece,
+                       c->program.item[i].b.p);
+    free(off);
+}
+
+static void compare_program(struct compare *c, const struct nc_motion *program)
+{
+    for (size_t i = 0; i < c->program.n;) {
+        size_t from = i++;
+        while (i < c->program.n) {
+            size_t a = c->program.item[i - 1].piece, b = c->program.item[i].piece;
+            bool apart = false;
+            for (size_t k = a + 1; k < b && !apart; k++)
+                apart = program->piece.item[k].rapid;
+            if (apart)
+                break;
+            i++;
+        }
+        compare_run(c, from, i);
+    }
+}
+
+static void compare_path(struct compare *c)
+{
+    for (size_t i = 0; i < c->path.n; i++) {
+        struct beside b;
+        const struct stretch *s = &c->path.item[i];
+        double off = look_beside(c, false, s->b, &b);
+        if (off > c->options->tolerance)
+            note_fault(&c->found.missed, off, s->piece, s->b.p);
+        else if (b.turn > c->options->axis)
+            note_fault(&c->found.turned, b.turn, c->program.item[b.least].piece, s->b.p);
+    }
+}
+
+struct path_compare path_compare_run(const struct nc_motion *program, const struct nc_motion *path,
+                                     const struct path_compare_options *options)
+{
+    struct compare c = {.options = options};
+    follow(program, options->radius, &c.program);
+    follow(path, options->radius, &c.path);
+    c.program_tree = tree_of(&c.program);
+    c.path_tree = tree_of(&c.path);
+    compare_program(&c, program);
+    compare_path(&c);
+    box_tree_free(c.program_tree);
+    box_tree_free(c.path_tree);
+    array_free(&c.program);
+    array_free(&c.path);
+    return c.found;
+}

@@ -1,0 +1,112 @@
+#!/bin/sh
+# ncverify-path.t - a program against the path that it was made from, and what must not change amid
+# it: good programs of lines, arcs and splines are accepted on every control, each kind of fault is
+# found and named by its block.
+. "${SRC:-$(dirname "$0")/../..}/tests/lib/lib.sh"
+cd "$TMP" || exit 1
+
+awk 'BEGIN { for (y = -8; y <= 8.001; y += 0.5) for (x = -12; x <= 12.001; x += 0.5)
+	printf "%.5f %.5f %.5f\n", x, y, 20 - (x * x + y * y) / 80 }' >dome.xyz
+cloud2mesh -q -t 2 dome.xyz -o dome.ply
+meshnorm -q -r 6 --tilt 12 --rows mesh --no-guard --ball-only dome.ply >line.cl
+biarcfit -q -e 0.01 --no-guard line.cl >arc.cl
+bsplfit -q -e 0.01 --no-guard line.cl >curve.cl
+
+judge() { # PROGRAM PATH: status in $got, findings in err
+	run ncverify -g dome.xyz -r 6 --partial --ball-only -m "$machine" -c "$control" -p "$2" "$1"
+}
+
+for control in fanuc siemens heidenhain linuxcnc; do
+	machine=table-ac
+	[ $control = linuxcnc ] && machine=linuxcnc-xyzac
+	for kind in line arc curve; do
+		ncpost -q -c $control -m $machine $kind.cl >$kind.$control
+		judge $kind.$control $kind.cl
+		result "$got" "$control: $kind: the good program is accepted"
+	done
+	for path in line.cl; do
+		judge arc.$control $path
+		grep -q 'off the path' err || result 0 "$control: arcs are within the fitter's tolerance of the lines"
+	done
+done
+
+# edit OP K [WORD VALUE]: the K-th block of line.$control that goes straight at feed, changed; a G1
+# or F that stands in it alone is kept.  N is its number.
+edit() {
+	awk -v op="$1" -v k="$2" -v word="$3" -v value="$4" -v control=$control '
+	function digits(v,   s) { s = sprintf("%.4f", v); return control == "heidenhain" && v >= 0 ? "+" s : s }
+	/ G1 | F[0-9]/ { feed = 1 } / G0 |FMAX/ { feed = 0 }
+	/ [XYZ][-+0-9.]/ && feed && !/M91|G53|SUPA/ { n++; mine = n == k } !/ [XYZ]/ || !feed { mine = 0 }
+	!mine { print; next }
+	{ print $1 >"named" }
+	op == "rapid" { if (control == "heidenhain") { sub(/ F[0-9.]+/, ""); $0 = $0 " FMAX" } else {
+		sub(/ G1/, ""); sub(/ F[0-9.]+/, ""); sub(/^N[0-9]+/, "& G0") } print; next }
+	op == "before" { if (control == "heidenhain") print "0 " word; else
+		print "N" (substr($1, 2) - 1) " " word; print; next }
+	{ hit = 0; for (i = 2; i <= NF; i++) if (substr($i, 1, length(word)) == word && $i ~ /[0-9]/) {
+		old = substr($i, length(word) + 1); hit = 1
+		$i = word digits(op == "add" ? old + value : op == "turn" ? -old : value) }
+	  print }' line.$control >bad.$control
+	N=$(cat named)
+	[ $control != heidenhain ] || { awk '{ $1 = NR - 1; print }' bad.$control >again && mv again bad.$control; }
+}
+
+# found KIND PATTERN: the fault is in, refused or not run, and named
+found() {
+	if cmp -s bad.$control line.$control; then result 1 "$control: $1 (the fault is not in)"; return; fi
+	judge bad.$control line.cl
+	case $got in 1 | 3) result 0 "$control: $1: found" ;; *) result 1 "$control: $1: found (exit $got)" ;; esac
+	has "$control: $1: named" "$2" err
+	if [ "$got" -eq 0 ]; then table="$table -"; else table="$table +"; fi
+}
+
+for control in fanuc siemens heidenhain linuxcnc; do
+	machine=table-ac
+	[ $control = linuxcnc ] && machine=linuxcnc-xyzac
+	table=
+	axis=A
+	[ $control = siemens ] && axis=A3=
+	edit rapid 45; found "G0 in place of G1" "$N .*a rapid move ends on the part"
+	edit add 45 Z -0.03; found "a place 0.03 off" "N?[0-9]+ .*the tip is 0\.0[23][0-9]* mm off the path"
+	if [ $control = siemens ]; then edit add 45 $axis 0.02; else edit add 45 $axis 5; fi
+	found "the axis off" "N?[0-9]+ .*(the tool axis is [0-9.]+ degrees off|off the path)|N[0-9]+: a tool vector wants"
+	edit turn 45 $axis; found "the sign of one word" "N?[0-9]+.*(the tool axis is [0-9.]+ degrees off|off the path)"
+	case $control in
+	heidenhain)
+		edit before 45 M9; found "the coolant off" ': N?[0-9]+ .*the coolant goes off'
+		edit before 45 "TOOL CALL 2 Z S8000"; found "another tool" ': N?[0-9]+ .*the tool changes from 1 to 2' ;;
+	*)
+		edit before 45 M9; found "the coolant off" ': N[0-9]+ .*the coolant goes off'
+		edit before 45 T2; found "another tool" ': N[0-9]+ .*the tool changes from 1 to 2'
+		edit before 45 G55; found "another work offset" ': N[0-9]+ .*the work offset changes from 54 to 55'
+		sed 's/ G54//;s/^\(N[0-9]*\) *G54$/\1/' line.$control >bad.$control
+		found "no work offset" ': N[0-9]+ .*cuts without a work offset' ;;
+	esac
+	[ $control = siemens ] && { edit before 45 D0; found "the edge off" ': N[0-9]+ .*offset D changes from 1 to 0'; }
+	[ $control = fanuc ] && { edit before 45 H2; found "another length" ': N[0-9]+ .*offset H changes from 1 to 2'; }
+	if [ $control != linuxcnc ]; then
+		sed 's/ F800\(\.*\)/ F8000\1/' line.$control >bad.$control; found "ten times the feed" 'N?[0-9]+ .*the feed is 10 times the path'
+		sed 's/ F800\(\.*\)/ F0.8/' line.$control >bad.$control; found "a thousandth of the feed" 'N?[0-9]+ .*the feed is 1/1000 of the path'
+	fi
+	echo "# $control:$table"
+done
+sed 's/ORIWKS/ORIMKS/' line.siemens >bad.siemens
+control=siemens machine=table-ac
+found "ORIMKS" 'bad.siemens:[0-9]+: N[0-9]+: ORIMKS'
+
+# a polynomial whose coefficients are 1 % too large
+awk '/POLY|PO\[/ { while (match($0, /,-?[0-9.]+[,)]/)) { v = substr($0, RSTART + 1, RLENGTH - 2)
+	line = line substr($0, 1, RSTART) sprintf("%.6f", v * 1.01); $0 = substr($0, RSTART + RLENGTH - 1) }
+	print line $0; line = ""; next } { print }' curve.siemens >bad.siemens
+if grep -q 'PO\[' curve.siemens; then
+	judge bad.siemens curve.cl
+	case $got in 1 | 3) result 0 "siemens: coefficients 1 % off: found" ;; *) result 1 "siemens: coefficients 1 % off: found (exit $got)" ;; esac
+fi
+
+# a pass left out
+awk '/\(PASS 3\)/ { skip = 1 } /\(PASS 4\)/ { skip = 0 } !skip' line.fanuc >bad.fanuc
+control=fanuc
+found "a pass left out" 'leaves out line [0-9]+ of the path'
+status 1 "a path that is none" ncverify -g dome.xyz -r 6 -p dome.xyz line.fanuc
+
+done_testing

@@ -1,0 +1,83 @@
+/*
+ * check_path_compare - a program against its path: the same is the same, approach and retract apart;
+ * a place, an axis, a feed that is off is told with how much, and what is left out.
+ */
+#include <check.h>
+#include <stdlib.h>
+
+#include "base/array.h"
+#include "simulate/path_compare.h"
+
+static const struct path_compare_options options = {5, 0.01, 0.005, 1.5, 200, true};
+
+/* Ten straight pieces of 2 mm along x, the axis leaning over more and more. */
+static struct nc_motion row(double y, bool links)
+{
+    struct nc_motion motion = {.kinematics = {.tool = {0, 0, 1}}};
+    struct vec3 a = {0, 0, 1}, up = vec(0, y, 30);
+    if (links) {
+        *array_push(&motion.piece) = (struct nc_piece){.rapid = true, .p = {up, up}, .q = {a, a}};
+        *array_push(&motion.piece) =
+            (struct nc_piece){.feed = 200, .p = {up, vec(0, y, 0)}, .q = {a, a}};
+    }
+    for (int i = 0; i < 10; i++) {
+        struct vec3 b = vec_unit(vec(0.02 * (i + 1), 0, 1));
+        *array_push(&motion.piece) = (struct nc_piece){
+            .feed = 800, .p = {vec(2 * i, y, 0), vec(2 * i + 2, y, 0)}, .q = {a, b}};
+        a = b;
+    }
+    return motion;
+}
+
+START_TEST(the_same_is_the_same)
+{
+    struct nc_motion path = row(0, false), program = row(0, true);
+    struct path_compare found = path_compare_run(&program, &path, &options);
+    ck_assert_uint_eq(found.off.count + found.turned.count + found.missed.count, 0);
+    ck_assert_uint_eq(found.fast.count + found.slow.count, 0);
+    nc_motion_free(&path);
+    nc_motion_free(&program);
+}
+END_TEST
+
+START_TEST(what_is_off_is_told)
+{
+    struct nc_motion path = row(0, false), program = row(0, true);
+    program.piece.item[6].p[1].z = program.piece.item[7].p[0].z = 0.02;
+    struct path_compare found = path_compare_run(&program, &path, &options);
+    ck_assert_double_eq_tol(found.off.value, 0.02, 1e-9);
+    ck_assert_uint_eq(found.off.piece, 6);
+    program.piece.item[6].p[1].z = program.piece.item[7].p[0].z = 0;
+    struct vec3 turned = vec_unit(vec(0.1, 0.02, 1));
+    program.piece.item[6].q[1] = program.piece.item[7].q[0] = turned;
+    found = path_compare_run(&program, &path, &options);
+    ck_assert_uint_eq(found.off.count, 0);
+    ck_assert_double_eq_tol(found.turned.value, 0.02 / sqrt(1.01), 1e-4);
+    program.piece.item[6].feed = 8000;
+    found = path_compare_run(&program, &path, &options);
+    ck_assert_double_eq_tol(found.fast.value, 10, 1e-9);
+    ck_assert_uint_eq(found.fast.piece, 6);
+    program.piece.item[6].feed = 0.8;
+    found = path_compare_run(&program, &path, &options);
+    ck_assert_double_eq_tol(found.slow.value, 1000, 1e-6);
+    program.piece.n = 8; /* the last pieces are left out */
+    found = path_compare_run(&program, &path, &options);
+    ck_assert_double_eq_tol(found.missed.value, 8, 0.6);
+    nc_motion_free(&path);
+    nc_motion_free(&program);
+}
+END_TEST
+
+int main(void)
+{
+    Suite *suite = suite_create("path_compare");
+    TCase *tcase = tcase_create("path_compare");
+    tcase_add_test(tcase, the_same_is_the_same);
+    tcase_add_test(tcase, what_is_off_is_told);
+    suite_add_tcase(suite, tcase);
+    SRunner *runner = srunner_create(suite);
+    srunner_run_all(runner, CK_NORMAL);
+    int failed = srunner_ntests_failed(runner);
+    srunner_free(runner);
+    return failed == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
+}
