@@ -200,6 +200,7 @@ static struct verify_program read_program(const struct settings *s, const struct
     }
     if (control == CONTROLS)
         die_error(&error);
+    options.cutcom = machine->cutcom;
     options.words = machine->text.words;
     options.dialect = ncread_of(control);
     options.tcp = machine_has_tcp(machine, control);

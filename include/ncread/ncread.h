@@ -51,6 +51,7 @@ struct ncread_options {
     struct verify_kinematics kinematics;
     bool
         wraps[2]; /* that axis's words are within 0 to 360, and the shortest way is taken to them */
+    bool cutcom;  /* radius compensation is wear alone: the path is the tool's centre */
     const char *words;        /* what the control's file says of words, "": nothing */
     struct ncread_head *head; /* is filled; NULL: not wanted */
 };

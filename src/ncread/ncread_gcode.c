@@ -29,6 +29,9 @@ int ncread_gcode_g(struct ncread *c, int tenths, struct error *error)
     case 200:
     case 210:
         return ncread_unit(c, tenths == 200 ? INCH : 1, error) < 0 ? -1 : 1;
+    case 410: /* a path of the centre, whatever the side */
+    case 420:
+        return c->options->cutcom;
     case 900:
     case 910:
         c->absolute = tenths == 900;

@@ -96,6 +96,10 @@ static int read_word(struct ncread *c, const char *w, struct klartext *k, struct
     }
     if (strcmp(w, "R0") == 0)
         return 0;
+    if (strcmp(w, "RL") == 0 || strcmp(w, "RR") == 0)
+        return c->options->cutcom
+                   ? 0
+                   : ncread_error(c, error, "radius compensation, which this reader does not read");
     if (*w == 'M')
         return read_m(c, w + 1, k, error);
     if (*w == 'F') {

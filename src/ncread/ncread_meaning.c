@@ -62,11 +62,12 @@ int ncread_meaning_check(const char *words, struct error *error)
     char word[WORD_TEXT], meaning[WORD_TEXT];
     for (const char *s = words; (s = next_entry(s, word, meaning)) != NULL;)
         if (!*word || find_meaning(meaning) == MEANS_NOTHING_KNOWN)
-            return error_set(error,
-                             "words: found `%s: %s`, expected WORD: idle, tcp, tcp.vectors, "
-                             "tcp.off, length, length.off, never, home, machine, machine.off, "
-                             "mm, inch or end",
-                             word, meaning);
+            return error_set(
+                error,
+                "words: found `%s: %s`, expected WORD: idle, offset, tcp, tcp.vectors, "
+                "tcp.off, length, length.off, never, home, machine, machine.off, "
+                "mm, inch or end",
+                word, meaning);
     return 0;
 }
 

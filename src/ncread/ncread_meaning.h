@@ -17,6 +17,7 @@ struct ncread;
 
 enum ncread_meaning {
     MEANS_IDLE,        /* moves nothing */
+    MEANS_OFFSET,      /* the work offset, with its number H */
     MEANS_TCP,         /* tool-centre-point control on, with the tool's length */
     MEANS_TCP_VECTORS, /* the same, the tool axis as I J K */
     MEANS_TCP_OFF,

@@ -81,6 +81,9 @@ static int read_g(struct ncread *c, const struct ncread_word *w, struct error *e
     case 19:
         c->plane = code;
         return 0;
+    case 41: /* a path of the centre, whatever the side */
+    case 42:
+        return c->options->cutcom ? 0 : ncread_unknown(c, w, error);
     case 70:
     case 700:
         return ncread_unit(c, INCH, error);

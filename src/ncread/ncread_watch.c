@@ -21,10 +21,16 @@ static void set_value(struct ncread *c, enum watched what, double value)
     w->block[what] = c->block;
 }
 
-static void watch_g(struct ncread *c, double code)
+static void watch_g(struct ncread *c, const struct ncread_word *g)
 {
-    double offset = code;
+    double code = g->value[0], offset = code;
     const struct ncread_word *p = ncread_word_find(&c->words, "P");
+    const struct ncread_word *h = ncread_word_find(&c->words, "H");
+    enum ncread_meaning meaning = ncread_meaning_of_word(c, g);
+    if (meaning == MEANS_OFFSET)
+        set_value(c, WORK_OFFSET, 1000 * code + (h ? h->value[0] : 0));
+    if (meaning != MEANS_NOTHING_KNOWN)
+        return;
     if (fabs(code - 54.1) < 1e-6 && p)
         offset += p->value[0];
     if ((code >= 54 && code < 59.95) || (code >= 500 && code <= 599))
@@ -47,7 +53,7 @@ void ncread_watch_words(struct ncread *c)
             continue;
         switch (w->name[0]) {
         case 'G':
-            watch_g(c, w->value[0]);
+            watch_g(c, w);
             break;
         case 'M':
             watch_m(c, w->value[0]);

@@ -88,6 +88,18 @@ refuses "a label called" heidenhain 's/^\([0-9]*\) M8$/\1 CALL LBL 1/' '.'
 refuses "a datum shift" heidenhain 's/^\([0-9]*\) M8$/\1 CYCL DEF 7.0 DATUM SHIFT/' 'frame'
 refuses "a rounded corner" heidenhain 's/^\([0-9]*\) M8$/\1 RND R5/' '.'
 
+# ---- radius compensation: wear alone, where the machine says that the path is the tool's centre
+
+{ sed -n '1,/^FEDRAT/p' three.cl && printf 'CUTCOM/LEFT\n' && sed '1,/^FEDRAT/d' three.cl; } >side.cl
+for control in fanuc siemens heidenhain linuxcnc; do
+	ncpost -q -c "$control" -m three-axis --set cutcom=yes -o side.nc side.cl
+	has "$control: compensation is on" ' (G41|RL)( |$)' side.nc
+	status 0 "$control: it is read" ncverify -q -c "$control" -m three-axis --set cutcom=yes \
+		-g dome.xyz -r 6 -e 0.1 side.nc
+	status 1 "$control: else refused" ncverify -q -c "$control" -m three-axis -g dome.xyz -r 6 side.nc
+	has "$control: and told" 'radius compensation, which this reader does not read' err
+done
+
 # ---- programs in the style of other systems (own data): five of them, each cuts a plane at z = 0
 
 awk 'BEGIN { for (y = 1; y <= 19; y++) for (x = 1; x <= 39; x++) print x, y, 0 }' >plane.xyz
