@@ -6,6 +6,7 @@
 
 #include "stage/mesh_for_path.h"
 #include "stage/mesh_region.h"
+#include "stage/path_coverage.h"
 #include "stage/path_options.h"
 #include "stage/plane_passes.h"
 #include "toolpath/scallop.h"
@@ -233,14 +234,22 @@ int main(int argc, char **argv)
     if (path_options_rules(&mesh, guard, planes.widest, &t, &error) != 0)
         die_usage("%s", error.text);
 
+    bool whole = region == &mesh && path_options.certain.n + path_options.doubtful.n > 0;
+    struct path_coverage coverage =
+        whole ? path_coverage_new(&mesh, &t) : (struct path_coverage){.scallop = 0};
     path_options_begin(&mesh, "planecut", cli.output, &t);
     plane_passes_run_out(&planes, &mesh);
     if (plane_passes_make(&planes, 1, &t, &error) != 0)
         die_error(&error);
+    path_coverage_rest(&coverage, planes.rule.normal, &t);
     toolpath_end(&t);
+    path_coverage_measure(&coverage, &t);
     path_options_end(&mesh, "planecut", &t);
     note("%zu planes", planes.height.n);
     int status = toolpath_conclude(&t);
+    if (path_coverage_conclude(&coverage) != EXIT_DONE)
+        status = EXIT_UNMET;
+    path_coverage_free(&coverage);
 
     plane_passes_free(&planes);
     patches_free(&patches);

@@ -142,10 +142,11 @@ bool gouge_open(const struct gouge_check *guard, struct vec3 c, struct vec3 up, 
     return gouge_clear_along(guard, c, vec_along(c, end, up), radius, depth);
 }
 
-/* Direction k of n, evenly over the upper half of the sphere. */
+/* Direction k of n, evenly over the sphere down to ten degrees above the level. */
 static struct vec3 direction_of(int k, int n)
 {
-    double z = 1 - (k + 0.5) / n, r = sqrt(1 - z * z), turn = 2.399963229728653 * k;
+    double z = 1 - (1 - sin(PI / 18)) * (k + 0.5) / n, r = sqrt(1 - z * z),
+           turn = 2.399963229728653 * k;
 
     return vec(r * cos(turn), r * sin(turn), z);
 }
@@ -158,7 +159,7 @@ bool gouge_open_anyhow(const struct gouge_check *guard, struct vec3 c, struct ve
 
     if (gouge_free_above(guard, c, radius - depth) ||
         (normal.z >= 0 && gouge_open(guard, c, normal, radius, depth)) ||
-        gouge_open(guard, c, half, radius, depth))
+        (half.z > 0 && gouge_open(guard, c, half, radius, depth)))
         return true;
     for (int k = 0; k < DIRECTIONS; k++) {
         struct vec3 way = direction_of(k, DIRECTIONS);

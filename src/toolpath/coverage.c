@@ -6,7 +6,7 @@
 #include "base/parallel.h"
 #include "math/quadric.h"
 
-enum { ABOUT = 12, TURNS = 60, AXES = 120 };
+enum { ABOUT = 12, WIDE = 30, TURNS = 60, AXES = 120 };
 
 /* By how much the centre may be nearer between two samples of the path than at them, mm. */
 static const double SAGITTA = 0.001;
@@ -101,12 +101,15 @@ struct covering {
 static struct vec3 guess_normal(const struct covering *w, struct vec3 p)
 {
     const struct coverage_options *o = w->options;
-    size_t index[ABOUT], n = kdtree_nearest(w->coverage->tree, p, ABOUT, index, NULL), vertex;
-    struct vec3 near[ABOUT], side = vec(0, 0, 1);
+    size_t index[WIDE], n = kdtree_nearest(w->coverage->tree, p, WIDE, index, NULL), vertex;
+    struct vec3 near[WIDE], side = vec(0, 0, 1);
+    struct quadric q;
 
     for (size_t i = 0; i < n; i++)
         near[i] = w->coverage->point[index[i]].p;
-    struct vec3 normal = plane_normal(near, n);
+    struct vec3 normal = plane_normal(near, n < ABOUT ? n : ABOUT);
+    if (quadric_settle(near, n, p, normal, &q) == 0) /* exact at a border too */
+        normal = quadric_normal(&q);
     if (o->vertex && kdtree_nearest(o->vertex, p, 1, &vertex, NULL) == 1)
         side = o->normal[vertex];
     return vec_dot(normal, side) < 0 ? vec_scale(-1, normal) : normal;
