@@ -21,7 +21,8 @@ struct settings {
     double extend; /* beyond the border, mm */
     int unit, outliers;
     bool origin, clean;
-    const char *matrix; /* file, NULL: none */
+    const char *matrix;     /* file, NULL: none */
+    const char *clean_file; /* the scan that is believed, NULL: not asked for */
 };
 
 static const char *const unit_name[] = {"mm", "cm", "m", "um", "inch", "in"};
@@ -68,6 +69,10 @@ static struct settings read_options(struct cli *cli, int argc, char **argv)
          "drop outliers and points below others, or only count them\n"
          "(default: drop; with --paper or --normals facet: not detected)",
          CLI_CHOICE, &s.outliers, 0, 0, 0, &s.clean},
+        {0, "clean", "FILE",
+         "write the points that are believed, as they were read; outliers go to\n"
+         "FILE.outliers",
+         CLI_TEXT, &s.clean_file, 0, 0, 0, NULL},
         {0, "noise", "MM",
          "standard deviation of the points (default: measured; 0: vertices\n"
          "stay points of the scan)",
@@ -94,6 +99,8 @@ static struct settings read_options(struct cli *cli, int argc, char **argv)
         die_usage("found --extend with %s, expected one of them",
                   s.meshing.paper ? "--paper" : "--subdivide");
     s.clean = s.clean || s.meshing.normals->of_surface;
+    if (s.clean_file && strcmp(s.clean_file, "-") == 0)
+        die_usage("option --clean: found -, expected a file: standard output is for the mesh");
     if (s.meshing.paper && s.meshing.error > 0)
         die_usage("--paper has a grid of one spacing: expected -t or -e");
     return s;
@@ -183,6 +190,27 @@ static void say_rows(const struct adaptive_rows *r, double error, bool of_surfac
         note("%g mm would take points closer to each other", error);
 }
 
+/* Writes what is believed of the points and, apart, what is not; a scan from standard input is named
+ * by what is believed of it. */
+static void write_clean(const struct settings *s, const char *name, const struct vec3s *raw,
+                        const struct vec3s *placed, int threads, struct scan_sources *scan)
+{
+    struct error error;
+    struct vec3s kept = {0};
+
+    if (cloud_prepare_write_clean(s->clean_file, name, raw, placed, isnan(s->noise) ? -1 : s->noise,
+                                  threads, &kept, &error) < 0)
+        die_error(&error);
+    bool piped = false;
+    for (size_t i = 0; i < scan->n; i++)
+        piped = piped || strcmp(scan->item[i].name, "-") == 0;
+    if (piped) {
+        scan_sources_free(scan);
+        scan_sources_add(scan, s->clean_file, kept.item, kept.n);
+    }
+    array_free(&kept);
+}
+
 int main(int argc, char **argv)
 {
     struct cli cli = {.tool = "cloud2mesh",
@@ -197,10 +225,17 @@ int main(int argc, char **argv)
     size_t left_out;
 
     const char *name = name_of(&cli);
-    if (cloud_prepare_read(cli.file, cli.files, &points, &scan, &left_out, &error) < 0 ||
-        cloud_prepare_place(&points, unit_name[settings.unit], settings.matrix, settings.origin,
+    if (cloud_prepare_read(cli.file, cli.files, &points, &scan, &left_out, &error) < 0)
+        die_error(&error);
+    struct vec3s raw = {0};
+    for (size_t i = 0; settings.clean_file && i < points.n; i++)
+        *array_push(&raw) = points.item[i];
+    if (cloud_prepare_place(&points, unit_name[settings.unit], settings.matrix, settings.origin,
                             &mesh.origin, &error) < 0)
         die_error(&error);
+    if (settings.clean_file)
+        write_clean(&settings, name, &raw, &points, cli.threads, &scan);
+    array_free(&raw);
     size_t read = points.n;
     double noise = clean_cloud(name, &settings, &points, cli.threads, &mesh.origin);
     left_out += read - points.n;

@@ -42,6 +42,15 @@ int cloud_prepare_clean(struct vec3s *points, double spacing, double noise,
                         enum cloud_prepare_drop drop, int threads,
                         struct cloud_prepare *cloud_prepare, struct error *error);
 
+/*
+ * Writes the points that are believed, as they were read (`raw`), to a file, and those that are not to
+ * FILE.outliers; it is decided on them as placed, in the same order.  `name`: of the scan, for the
+ * comment at the head of both.  *kept gets the points of the first.  -1: too many points.
+ */
+int cloud_prepare_write_clean(const char *file, const char *name, const struct vec3s *raw,
+                              const struct vec3s *placed, double noise, int threads,
+                              struct vec3s *kept, struct error *error);
+
 /* Says where, and how far apart, if there are two sheets. */
 void say_sheets(const struct sheets *sheets);
 

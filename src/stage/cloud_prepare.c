@@ -4,7 +4,9 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "base/array.h"
 #include "base/cli.h"
+#include "base/out.h"
 #include "io/cloud/cloud.h"
 #include "cloud/cloud.h"
 #include "io/cloud/matrix.h"
@@ -112,5 +114,57 @@ int cloud_prepare_clean(struct vec3s *points, double spacing, double noise,
     say_cleaned(cloud_prepare, drop != CLOUD_PREPARE_KEEP);
     free(out);
     point_grid_free(&point_grid);
+    return 0;
+}
+
+static void write_points(const char *file, const char *what, const char *name,
+                         const struct vec3s *raw, const unsigned char *out, unsigned char which)
+{
+    struct out *o = out_open(file);
+    size_t n = 0;
+
+    for (size_t i = 0; i < raw->n; i++)
+        n += out[i] == which;
+    out_printf(o, "# %zu %s of ", n, what);
+    for (const char *p = name; *p; p++)
+        out_bytes(o, (unsigned char)*p < ' ' ? "?" : p, 1);
+    out_text(o, "\n");
+    for (size_t i = 0; i < raw->n; i++) {
+        if (out[i] != which)
+            continue;
+        out_exact(o, raw->item[i].x);
+        out_text(o, " ");
+        out_exact(o, raw->item[i].y);
+        out_text(o, " ");
+        out_exact(o, raw->item[i].z);
+        out_text(o, "\n");
+    }
+    out_close(o);
+}
+
+int cloud_prepare_write_clean(const char *file, const char *name, const struct vec3s *raw,
+                              const struct vec3s *placed, double noise, int threads,
+                              struct vec3s *kept, struct error *error)
+{
+    const struct believed_options options = {.noise = noise, .threads = threads};
+    const char *suffix = ".outliers";
+    unsigned char *out = mem_alloc(raw->n, 1);
+    size_t length = strlen(file);
+    struct believed believed;
+
+    if (believed_find(placed->item, placed->n, &options, out, &believed, error) < 0) {
+        free(out);
+        return -1;
+    }
+    for (size_t i = 0; i < raw->n; i++)
+        if (!out[i])
+            *array_push(kept) = raw->item[i];
+    write_points(file, "points believed", name, raw, out, 0);
+    char *other = mem_alloc(length + strlen(suffix) + 1, 1);
+    memcpy(other, file, length);
+    memcpy(other + length, suffix, strlen(suffix) + 1);
+    write_points(other, "outliers", name, raw, out, 1);
+    free(other);
+    free(out);
     return 0;
 }
