@@ -11,6 +11,7 @@
 #include "ncread_state.h"
 
 static const char *const meanings[MEANS_NOTHING_KNOWN] = {[MEANS_IDLE] = "idle",
+                                                          [MEANS_OFFSET] = "offset",
                                                           [MEANS_TCP] = "tcp",
                                                           [MEANS_TCP_VECTORS] = "tcp.vectors",
                                                           [MEANS_TCP_OFF] = "tcp.off",
