@@ -58,8 +58,10 @@ int gouge_options_read(const struct gouge_options *options, struct path *path, b
     bool ball = rule.radius > 0 && path->head.track != TRACK_CONTACT;
     struct guard_scan scan;
 
-    *refit = (struct gouge_refit_options){
-        .radius = rule.radius, .tolerance = tolerance, .centre = path->head.track == TRACK_CENTRE};
+    *refit = (struct gouge_refit_options){.radius = rule.radius,
+                                          .tolerance = tolerance,
+                                          .centre = path->head.track == TRACK_CENTRE,
+                                          .holder = path_holder(path)};
     if (!ball && options->scan.files.n > 0)
         return error_at(error, path->name, 0,
                         "found no path of a ball cutter, expected one to guard by a scan");

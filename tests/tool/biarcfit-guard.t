@@ -37,4 +37,25 @@ status 3 "as published" bsplfit -v --paper -e 0.01 -g "$TMP/plane.xyz" -o "$TMP/
 hasnt "nothing is lifted" 'lifted' "$TMP/err"
 has "what is too deep is told" 'in pass 1 the ball by 0\.0[2-9]' "$TMP/err"
 
+# A wall beside the path, 20 mm high: the ball is 0.2 mm clear of it, the tool leans into it.
+awk 'BEGIN { for (i = 0; i <= 100; i++) for (j = 0; j <= 60; j++) { print i / 4, 5.2, j / 3
+		if (j < 40) print i / 4, 5.2 - j / 4, 0 } }' >"$TMP/wall.xyz"
+leaned() { # FILE LEAN: along x with the axis leaned to the wall in the middle
+	awk -v lean="$2" 'BEGIN { print "PARTNO/A\nUNITS/MM\nCUTTER/10,5,0,5,0,0,60\n$$-> CLOUDMILL/1"
+		print "$$-> TOOL/FLUTE,20.000000\nFEDRAT/800,MMPM"
+		for (x = 3; x <= 22; x += 0.5) { b = lean * (1 - ((x - 12.5) / 9.5) ^ 2)
+			printf "$$-> CONTCT/%.6f,0,0,0,0,1\n", x
+			printf "GOTO/%.6f,%.6f,%.6f,0,%.9f,%.9f\n", x, -5 * sin(b), 5 - 5 * cos(b), sin(b), cos(b) }
+		print "FINI" }' >"$1"
+}
+leaned "$TMP/upright.cl" 0
+leaned "$TMP/leaned.cl" 0.1
+for fit in bsplfit biarcfit; do
+	status 0 "$fit: the shaft beside a wall" $fit -q -g "$TMP/wall.xyz" -o "$TMP/out.cl" "$TMP/upright.cl"
+	status 3 "$fit: the shaft in it" $fit -g "$TMP/wall.xyz" -o "$TMP/out.cl" "$TMP/leaned.cl"
+	has "$fit: is told, with its depth" 'the shaft by 1\.[0-9]* mm' "$TMP/err"
+	status 0 "$fit: the ball alone" sh -c "sed 's/TOOL.*/TOOL\/BALL-ONLY/' '$TMP/leaned.cl' |
+		$fit -q -g '$TMP/wall.xyz' -o '$TMP/out.cl'"
+done
+
 done_testing
