@@ -285,6 +285,16 @@ static struct axis_limits limits_of(const struct machine *machine)
     return limits;
 }
 
+static struct machine_time_options time_options_of(const struct machine *machine)
+{
+    struct machine_time_options options = {.smoothing = machine->smoothing};
+    for (int k = 0; k < NC_AXES; k++) {
+        options.acceleration[k] = machine->acceleration[k];
+        options.jerk[k] = machine->jerk[k];
+    }
+    return options;
+}
+
 int main(int argc, char **argv)
 {
     struct settings s = {.tolerance = 0.05, .noise = -1};
@@ -317,6 +327,7 @@ int main(int argc, char **argv)
                                            .stock = s.stock ? &s.block : NULL,
                                            .cell = s.cell,
                                            .limits = limits_of(&machine),
+                                           .time = time_options_of(&machine),
                                            .threads = cli.threads};
     struct verdict v = verify_run(&program, &options);
     if (s.map)

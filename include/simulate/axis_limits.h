@@ -40,6 +40,19 @@ struct axis_use {
     size_t no_feed;                  /* pieces at feed without a feed */
 };
 
+/* Where all axes stand; `turn` goes with it from place to place. */
+struct axis_place {
+    double axis[NC_AXES];
+    struct vec3 tip;
+};
+struct axis_follow {
+    const struct nc_motion *motion;
+    double turn[VERIFY_KINEMATICS_AXES];
+};
+
+/* At s of a piece, the rotary axes by the nearer of their solutions. */
+struct axis_place axis_limits_place(struct axis_follow *follow, size_t piece, double s);
+
 struct axis_use axis_limits_check(const struct nc_motion *motion, const struct axis_limits *limits);
 
 #endif

@@ -31,6 +31,7 @@
 #include "simulate/deviation_map.h"
 #include "simulate/excursion.h"
 #include "simulate/holder_collision.h"
+#include "simulate/machine_time.h"
 #include "simulate/nc_motion.h"
 #include "simulate/path_compare.h"
 #include "simulate/stock.h"

@@ -82,6 +82,7 @@ struct verify_options {
     const struct stock_options *stock; /* NULL: none */
     double cell;                       /* of the stock, mm; 0: by its size */
     struct axis_limits limits;         /* of the machine */
+    struct machine_time_options time;  /* of it; its limits are those */
     int threads;                       /* as of parallel_for */
 };
 
@@ -123,6 +124,7 @@ struct verdict {
     double noise; /* so much more than the tolerance is allowed for noise, mm */
     struct verdict_outliers outliers;
     struct axis_use axes;
+    struct machine_time time;
     struct verdict_rapid rapid;
     struct holder_collision part_holder; /* the tool above its ball against the part */
     bool has_stock;                      /* what follows holds */

@@ -146,6 +146,19 @@ static void check_piece(struct axis_check *check, size_t index)
         note_turns(check, index, &first, &a, way);
 }
 
+struct axis_place axis_limits_place(struct axis_follow *follow, size_t piece, double s)
+{
+    struct axis_use use = {0};
+    struct axis_check check = {follow->motion, NULL, &use, {follow->turn[0], follow->turn[1]}};
+    struct state state = state_at(&check, piece, s);
+    struct axis_place place = {.tip = state.tip};
+    for (int k = 0; k < NC_AXES; k++)
+        place.axis[k] = state.axis[k];
+    follow->turn[0] = check.turn[0];
+    follow->turn[1] = check.turn[1];
+    return place;
+}
+
 struct axis_use axis_limits_check(const struct nc_motion *motion, const struct axis_limits *limits)
 {
     struct axis_use use = {0};

@@ -48,6 +48,27 @@ static void print_program(const struct verdict *v, struct out *o)
     out_text(o, "\n");
 }
 
+/* The least time, where it is lost, and how much the rotary axes turn. */
+static void print_time(const struct verdict *v, struct out *o)
+{
+    const struct machine_time *time = &v->time;
+    if (!(time->programmed > 0))
+        return;
+    out_printf(o,
+               "least time   %.2f min at feed, %.2f times length by feed (%.2f min); %.1f %% of "
+               "the way below half the feed; %.2f min rapid\n",
+               time->least, time->least / time->programmed, time->programmed, 100 * time->slow,
+               time->rapid);
+    for (int k = 3; k < NC_AXES; k++)
+        if (time->turn[k] > 0)
+            out_printf(o, "turned       %c %.0f degrees in all\n", "XYZABC"[k], time -> turn[k]);
+    for (int k = 0; k < MACHINE_TIME_WORST && time->lost[k] > 0; k++) {
+        char place[60];
+        ncread_place(&v->program.motion->piece.item[time->worst[k]], place, sizeof place);
+        out_printf(o, "slow         %.2f s lost in %s\n", time->lost[k], place);
+    }
+}
+
 static void print_axes(const struct verdict *v, struct out *o)
 {
     static const char letter[] = "XYZABC";
@@ -185,6 +206,7 @@ void verdict_text(const struct verdict *v, const char *file)
 {
     struct out *o = out_open(file);
     print_program(v, o);
+    print_time(v, o);
     print_axes(v, o);
     print_part(v, o);
     if (v->coverage.of)

@@ -481,6 +481,10 @@ struct verdict verify_run(const struct verify_program *program,
     if (options->stock)
         cut_stock(&v);
     v.axes = axis_limits_check(program->motion, &options->limits);
+    struct machine_time_options time = options->time;
+    time.limits = &options->limits;
+    if (time.acceleration[0] > 0)
+        v.time = machine_time_of(program->motion, &time);
     find_faults(&v);
     return v;
 }
@@ -498,6 +502,7 @@ void verdict_free(struct verdict *v)
     array_free(&v->cut);
     deviation_map_free(&v->map);
     part_coverage_free(&v->coverage);
+    machine_time_free(&v->time);
     stock_simulate_free(&v->stock);
     free(v->piece);
     array_free(&v->finding);

@@ -132,4 +132,4 @@ static int read_end(struct ncread *c, struct error *error)
     return 0;
 }
 
-const struct ncread_dialect canon = {"canon", NULL, read_block, read_end};
+const struct ncread_dialect canon = {"canon", NULL, read_block, read_end, false};
