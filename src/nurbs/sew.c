@@ -723,12 +723,24 @@ static double size_of(const struct patch_mesh *q)
     return size;
 }
 
+/* The vertices of a side that is one point, as a pole, are one: else each of them would be compared
+ * with all others. */
+static void join_poles(struct sewing *s)
+{
+    for (size_t i = 0; i < s->mesh->edge.n; i++) {
+        const struct patch_mesh_edge *e = &s->mesh->edge.item[i];
+        if (vec_distance(vertex_at(s, e->from)->point, vertex_at(s, e->to)->point) <= s->same)
+            patch_mesh_unite(s->mesh, e->from, e->to);
+    }
+}
+
 struct sew_count sew(struct patch_mesh *q, const struct patches *patches, double gap, double slack)
 {
     struct sew_count count = {0};
     double size = size_of(q);
     struct sewing s = {
         .mesh = q, .patches = patches, .slack = slack, .same = fmin(SAME * size, gap)};
+    join_poles(&s);
     for (s.gap = fmin(fmax(FIRST * size, LEAST * gap), gap);; s.gap = fmin(WIDER * s.gap, gap)) {
         size_t before = q->vertex.n;
         boundary_find(q, &s.border);
