@@ -153,6 +153,11 @@ static double tessellate_and_sew(const struct cli *cli, const struct settings *s
         sheet_free(&sheet[i]);
     patch_mesh_free(patch_mesh);
     parallel_shown("tessellating", few ? 1 : cli->threads, patches->n, tessellate_some, &all);
+    struct error why;
+    if (nurbs_report_refused(patches, sheet, fmax(gap, s->tolerance), s->partial ? NULL : &why) >
+            0 &&
+        !s->partial)
+        die_error(&why);
     nurbs_report_trimming(patches, sheet, fine);
     double error = check_error(s, patches, sheet);
     patch_mesh_make(sheet, patches->n, fmin(NARROW * size, gap), patch_mesh);
@@ -269,10 +274,13 @@ int main(int argc, char **argv)
             write_mesh(&cli, &patches, concave, &patch_mesh, error);
         free(concave);
     }
-    for (size_t i = 0; i < patches.n; i++)
+    int status = EXIT_DONE;
+    for (size_t i = 0; i < patches.n; i++) {
+        status = sheet[i].refused ? EXIT_UNMET : status;
         sheet_free(&sheet[i]);
+    }
     free(sheet);
     patch_mesh_free(&patch_mesh);
     patches_free(&patches);
-    return EXIT_DONE;
+    return status;
 }

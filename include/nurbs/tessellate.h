@@ -21,7 +21,8 @@ struct sheet {
     bool too_fine;              /* the tolerance needs more than TESSELLATE_CELLS_MAX: not made */
     double off;                 /* how far trimming curves in space lie off the surface, mm */
     size_t lost;                /* of these, loops that do not close on the surface: left out */
-    size_t unclear;             /* cells in which the trimming crosses itself */
+    size_t unclear;             /* places in which the trimming crosses itself */
+    bool refused;               /* for one of these, and emptied (nurbs_report.h) */
     size_t lines_u, lines_v;    /* of the grid */
 };
 
@@ -36,7 +37,7 @@ struct tessellate_options {
 /*
  * The cells of a grid of parameter lines, two triangles each, cut off along the trimming.  To a
  * tolerance the grid is made finer until every triangle keeps it, or until finer grids hardly help:
- * sheet->error tells.
+ * sheet->error tells.  Trimming that crosses itself is followed more closely, to see whether it does.
  */
 void tessellate(const struct patch *patch, struct tessellate_options how, struct sheet *sheet);
 

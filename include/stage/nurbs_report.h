@@ -19,6 +19,14 @@ void nurbs_report_grid(const char *file, const struct patches *patches, int n);
 void nurbs_report_radii(const char *file, const struct patches *patches,
                         const struct concave_radius *concave);
 
+/*
+ * Surfaces are refused whose curves in space lie further than `limit` mm off them, or whose trimming
+ * crosses itself: with `error` the first of them goes there; with NULL each is said, emptied and
+ * marked.  Returns how many.
+ */
+size_t nurbs_report_refused(const struct patches *patches, struct sheet *sheet, double limit,
+                            struct error *error);
+
 /* Says what the trimming of each surface left unclear, and which curves in space lie further than
  * `fine` mm off their surface. */
 void nurbs_report_trimming(const struct patches *patches, const struct sheet *sheet, double fine);

@@ -9,6 +9,9 @@
 
 /* Grids that are tried, and of them those that hardly help before it is given up. */
 enum { ROUNDS = 8, IDLE = 2 };
+
+/* Chords of the trimming, each time so much finer, till it does not cross itself. */
+enum { TRIM_ROUNDS = 4, TRIM_FINER = 6 };
 static const double POLE = 1e-9; /* of the longer derivative */
 static const double FAR_ABOVE = 4;
 static const double LITTLE = 0.3; /* of the gain that a finer grid should bring */
@@ -264,7 +267,7 @@ static void make_sheet(const struct patch *patch, const struct uv_polygon *loops
     bool open = patch->open || loops->n == 0;
     trim_grid(u, v, loops, open, &mesh);
     sheet_free(sheet);
-    sheet->unclear = mesh.unclear;
+    sheet->unclear = mesh.unclear + uv_polygon_crossings(loops);
     sheet->off = loops->off;
     sheet->lost = loops->lost;
     sheet->lines_u = u->n;
@@ -273,13 +276,14 @@ static void make_sheet(const struct patch *patch, const struct uv_polygon *loops
     uvmesh_free(&mesh);
 }
 
-void tessellate(const struct patch *patch, struct tessellate_options how, struct sheet *sheet)
+static void tessellate_once(const struct patch *patch, struct tessellate_options how,
+                            double trimming, struct sheet *sheet)
 {
     struct uv_polygon loops;
     struct doubles u = {0}, v = {0};
     double finer = 1;
     *sheet = (struct sheet){0};
-    trim_loops(patch, how.tolerance, &loops);
+    trim_loops(patch, trimming, &loops);
     if (how.n > 0) {
         isolines_equal(&patch->surface.u, how.n, &u);
         isolines_equal(&patch->surface.v, how.n, &v);
@@ -303,6 +307,18 @@ void tessellate(const struct patch *patch, struct tessellate_options how, struct
     array_free(&u);
     array_free(&v);
     uv_polygon_free(&loops);
+}
+
+/* Chords of curves that run close beside each other may cross where the curves do not. */
+void tessellate(const struct patch *patch, struct tessellate_options how, struct sheet *sheet)
+{
+    double trimming = how.tolerance;
+    tessellate_once(patch, how, trimming, sheet);
+    for (int round = 1; round < TRIM_ROUNDS && sheet->unclear > 0; round++) {
+        sheet_free(sheet);
+        trimming /= TRIM_FINER;
+        tessellate_once(patch, how, trimming, sheet);
+    }
 }
 
 void sheet_free(struct sheet *sheet)

@@ -53,6 +53,67 @@ bool uv_polygon_backwards(const struct uv_polygon *loops, size_t index, bool ope
     return (loop_area(loop) > 0) == hole;
 }
 
+/* A side of a loop, by its lowest u. */
+struct side {
+    double low, high;
+    size_t i;
+};
+
+static int compare_sides(const void *p, const void *q)
+{
+    const struct side *a = p, *b = q;
+    if (a->low < b->low || a->low > b->low)
+        return a->low < b->low ? -1 : 1;
+    return (a->i > b->i) - (a->i < b->i);
+}
+
+/* Twice the area on the left of a triangle. */
+static double turn(struct uv a, struct uv b, struct uv c)
+{
+    return (b.u - a.u) * (c.v - a.v) - (b.v - a.v) * (c.u - a.u);
+}
+
+/* Do the sides that begin at i and k cross, and part areas that count? */
+static bool crosses(const struct uvs *loop, size_t i, size_t k)
+{
+    const double least = 1e-3;
+    struct uv a = loop->item[i], b = loop->item[(i + 1) % loop->n];
+    struct uv c = loop->item[k], d = loop->item[(k + 1) % loop->n];
+    double ta = turn(c, d, a), tb = turn(c, d, b), area = 0;
+    size_t apart = i < k ? k - i : i - k;
+    /* A corner on the other side counts as left of it: curves may cross at their corners. */
+    if (apart < 2 || apart + 1 >= loop->n || (ta >= 0) == (tb >= 0) ||
+        (turn(a, b, c) >= 0) == (turn(a, b, d) >= 0))
+        return false;
+    double t = ta / (ta - tb);
+    struct uv at = {a.u + t * (b.u - a.u), a.v + t * (b.v - a.v)};
+    size_t from = i < k ? i : k, to = i < k ? k : i;
+    for (size_t m = from + 1; m < to; m++)
+        area += turn(at, loop->item[m], loop->item[m + 1]) / 2;
+    double rest = loop_area(loop) - area;
+    return fmin(fabs(area), fabs(rest)) > least * fmax(fabs(area), fabs(rest));
+}
+
+size_t uv_polygon_crossings(const struct uv_polygon *loops)
+{
+    size_t count = 0;
+    for (size_t k = 0; k < loops->n; k++) {
+        const struct uvs *loop = &loops->item[k];
+        struct side *side = mem_alloc(loop->n + 1, sizeof *side);
+        for (size_t i = 0; i < loop->n; i++) {
+            double u = loop->item[i].u, next = loop->item[(i + 1) % loop->n].u;
+            side[i] = (struct side){fmin(u, next), fmax(u, next), i};
+        }
+        if (loop->n > 0)
+            qsort(side, loop->n, sizeof *side, compare_sides);
+        for (size_t i = 0; i < loop->n; i++)
+            for (size_t m = i + 1; m < loop->n && side[m].low <= side[i].high; m++)
+                count += crosses(loop, side[i].i, side[m].i);
+        free(side);
+    }
+    return count;
+}
+
 void uv_polygon_free(struct uv_polygon *loops)
 {
     for (size_t i = 0; i < loops->n; i++)

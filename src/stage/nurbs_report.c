@@ -77,20 +77,55 @@ void nurbs_report_radii(const char *file, const struct patches *patches,
     out_close(out);
 }
 
+/* Why a surface is refused; false: it is not. */
+static bool refuse(const struct patch *p, const struct sheet *sheet, double limit,
+                   struct error *error)
+{
+    if (sheet->off > limit)
+        error_set(error,
+                  "%s: surface %d: its trimming curves in space lie up to %g mm off it, expected "
+                  "%g mm at most",
+                  p->file, p->entity, sheet->off, limit);
+    else if (sheet->unclear > 0)
+        error_set(error,
+                  "%s: surface %d: its trimming crosses itself, in %zu places, expected loops that "
+                  "do not",
+                  p->file, p->entity, sheet->unclear);
+    return sheet->off > limit || sheet->unclear > 0;
+}
+
+size_t nurbs_report_refused(const struct patches *patches, struct sheet *sheet, double limit,
+                            struct error *error)
+{
+    size_t refused = 0;
+    for (size_t i = 0; i < patches->n; i++) {
+        struct error why;
+        if (!refuse(&patches->item[i], &sheet[i], limit, &why))
+            continue;
+        if (error && refused++ == 0)
+            *error = why;
+        if (error)
+            continue;
+        say("%s: left out", why.text);
+        sheet_free(&sheet[i]);
+        sheet[i].refused = true;
+        refused++;
+    }
+    return refused;
+}
+
 void nurbs_report_trimming(const struct patches *patches, const struct sheet *sheet, double fine)
 {
     for (size_t i = 0; i < patches->n; i++) {
         const struct patch *p = &patches->item[i];
-        if (sheet[i].unclear > 0)
-            say("%s: surface %d: its trimming crosses itself in %zu cells, kept or cut away whole",
-                p->file, p->entity, sheet[i].unclear);
         if (sheet[i].lost > 0)
             say("%s: surface %d: %zu trimming loops that go around it more than once ignored",
                 p->file, p->entity, sheet[i].lost);
         if (sheet[i].off > fine)
-            say("%s: surface %d: its trimming curves in space lie up to %g mm off it", p->file,
-                p->entity, sheet[i].off);
-        if (sheet[i].face.n == 0)
+            note("%s: surface %d: its trimming curves in space lie up to %g mm off it and were put "
+                 "onto it",
+                 p->file, p->entity, sheet[i].off);
+        if (sheet[i].face.n == 0 && !sheet[i].refused)
             say("%s: surface %d: nothing is left of it by its trimming", p->file, p->entity);
     }
 }

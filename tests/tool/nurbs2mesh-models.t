@@ -445,6 +445,45 @@ has "named with its count" "1 surface of type 140 left out, the first is entity 
 empty "writes nothing" "$TMP/out"
 model "--partial goes on" 80 - --partial -e 0.01 "$TMP/offset.igs"
 
+# ---- trims that are not on their surface, or cross themselves
+
+# A disc of radius 10 in the plane z = 0, its edge OFF above it, beside a square with the corners given.
+disc_and_square() { # OFF X1,Y1 X2,Y2 X3,Y3 X4,Y4
+	cat <<END
+v1 VERTEX_POINT('',{p 10 0 $1})
+c1 CIRCLE('',{a 0,0,$1 0,0,1 1,0,0},10.)
+e1 EDGE_CURVE('',{v1},{v1},{c1},.T.)
+o1 ORIENTED_EDGE('',*,*,{e1},.T.)
+l1 EDGE_LOOP('',({o1}))
+q1 CARTESIAN_POINT('',($2,0.))
+q2 CARTESIAN_POINT('',($3,0.))
+q3 CARTESIAN_POINT('',($4,0.))
+q4 CARTESIAN_POINT('',($5,0.))
+l2 POLY_LOOP('',({q1},{q2},{q3},{q4}))
+b1 FACE_OUTER_BOUND('',{l1},.T.)
+b2 FACE_OUTER_BOUND('',{l2},.T.)
+s1 PLANE('',{a 0,0,0 0,0,1 1,0,0})
+f1 ADVANCED_FACE('',({b1}),{s1},.T.)
+f2 ADVANCED_FACE('',({b2}),{s1},.T.)
+shell OPEN_SHELL('',({f1},{f2}))
+SOLID SHELL_BASED_SURFACE_MODEL('',({shell}))
+END
+}
+disc_and_square 0.02 20.,0. 30.,0. 30.,10. 20.,10. | step near
+model "a trim 0.02 off its surface, put onto it" "$(calc '100 * p + 100')" - -n 200 --gap 0.05 "$TMP/near.step"
+nurbs2mesh -v --gap 0.05 "$TMP/near.step" >/dev/null 2>"$TMP/err"
+has "and told" "lie up to 0.02 mm off it and were put" "$TMP/err"
+status 1 "too far for a finer tolerance" nurbs2mesh -e 0.01 "$TMP/near.step"
+has "the face is named" "near.step: surface [0-9]*: its trimming curves in space lie up to 0.02 mm off it" "$TMP/err"
+empty "and nothing is written" "$TMP/out"
+status 3 "--partial leaves it out" nurbs2mesh --partial -e 0.01 "$TMP/near.step"
+cp "$TMP/out" "$TMP/partial.ply"
+below "the square is left" "$(measure "$TMP/partial.ply" | awk '{ print ($1 - 100) ^ 2 }')" 1e-12
+disc_and_square 0 20.,0. 30.,10. 30.,0. 20.,10. | step bow
+status 1 "a loop that crosses itself" nurbs2mesh -e 0.01 "$TMP/bow.step"
+has "the face is named" "bow.step: surface [0-9]*: its trimming crosses itself" "$TMP/err"
+status 3 "--partial leaves it out" nurbs2mesh --partial -e 0.01 "$TMP/bow.step"
+
 # ---- headers
 
 quarter='axis 110 0 0,0,-5,0,0,9
