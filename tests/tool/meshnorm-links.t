@@ -32,7 +32,7 @@ judged() { # PATH FITTER: fitted, a program, judged
 		'(ball|shaft|flute|holder) (goes|is|touches)|deeper|gouge' "$TMP/verdict"
 	awk 'match($0, / F[0-9.]+/) { f = substr($0, RSTART + 2, RLENGTH - 2) + 0
 			if (least == "" || f < least) least = f } END { print least }' "$TMP/$1.mpf" >"$TMP/least"
-	below "$1, $2: no feed below 0.5 mm/min" 0.5 "$(cat "$TMP/least")"
+	below "$1, $2: no feed below 0.05 mm/min" 0.05 "$(cat "$TMP/least")"
 }
 judged mesa biarcfit
 judged held bsplfit
