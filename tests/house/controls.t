@@ -24,10 +24,10 @@ sed 's/^GOTO\/\(.*\)$/GOTO\/\1,0,0.6,0.8/;/CIRCLE/d;/CUTCOM/d' upright.cl >tilte
 # words PROGRAM: those that are fixed by the control, one a line, 0 before a figure left out
 words_of() { # DIALECT PROGRAM
 	case $1 in
-	heidenhain) sed 's/^[0-9]* *//;s/;.*//' "$2" | tr ' ~' '\n\n' |
+	heidenhain) sed 's/^[0-9]* *//;s/;.*//' "$2" | tr ' ~' '\n' |
 		sed -n 's/^\(CYCL\|DEF\|TOOL\|CALL\|BEGIN\|END\|PGM\|MM\|INCH\|FUNCTION\|RESET\|TCPM\|TCP\|AXIS\|POS\|PATHCTRL\|VECTOR\|PLANE\|SPATIAL\|STAY\|TURN\|TOLERANCE\|DWELL\|L\|LN\|CC\|C\|FMAX\|R0\|RL\|RR\|DR\)[-+]*$/\1/p
 			s/^\(M[0-9]*\)$/\1/p;s/^\([0-9][0-9]*\)\.[012]$/\1/p;s/^\(2[0-9][0-9]\)$/\1/p' ;;
-	siemens) sed 's/;.*//' "$2" | tr ' ' '\n' | sed -n 's/^\([GM][0-9]*\)$/\1/p;s/^\([A-Z][A-Z0-9]*\)\(\[[A-Z]*\]\)*[=(].*/\1/p;s/^\([A-Z][A-Z][A-Z0-9]*\)$/\1/p' ;;
+	siemens) sed 's/;.*//' "$2" | tr ' ' '\n' | sed -n 's/^\([GM][0-9]*\)$/\1/p;s/^[ABC]=\(DC\)(.*/\1/p;s/^\([A-Z][A-Z0-9][A-Z0-9]*\)\(\[[A-Z]*\]\)*[=(].*/\1/p;s/^\([A-Z][A-Z][A-Z0-9]*\)$/\1/p' ;;
 	*) sed 's/([^)]*)//g' "$2" | tr ' ' '\n' |
 		sed -n 's/^\([GM]\)0*\([0-9][0-9]*\)\.*\([0-9]*\)$/\1\2.\3/p;s/^\(#[A-Z]*\)$/\1/p' | sed 's/\.$//' ;;
 	esac | sort -u
@@ -36,7 +36,7 @@ words_of() { # DIALECT PROGRAM
 # the same of a section of the page
 words_of_page() { # SECTION
 	awk -v want=".Ss $1" '/^\.S[sh] / { on = $0 == want } on && /^\.It / { sub(/^\.It /, ""); print }' "$page" |
-		tr ' ,' '\n\n' | grep -vE '^(Cm|Ar|)$' | sort -u
+		tr ' ,' '\n' | grep -vE '^(Cm|Ar|)$' | sort -u
 }
 
 for file in "$SRC"/controls/*.txt; do

@@ -1,6 +1,7 @@
 #!/bin/sh
 # ncpost-template.t - control files: found like machine files, the built-in ones among them, each
 # maker's first and last blocks as its file has them, wrong files refused with their line.
+# shellcheck disable=SC2016 # backquotes of messages
 . "${SRC:-$(dirname "$0")/../..}/tests/lib/lib.sh"
 cd "$TMP" || exit 1
 
