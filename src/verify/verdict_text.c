@@ -263,23 +263,26 @@ static void print_point(struct out *o, const struct verdict *v, size_t i)
     char deviation[NUM_MAX];
     num_write(deviation, fmin(v->map.deviation[i], FARTHEST), 6);
     out_printf(
-        o, "%s %d %s %s %d\n", deviation,
+        o, "%s %d %s %s %d %.3f\n", deviation,
         segment == UINT_MAX ? -1 : v->program.motion->piece.item[v->cut.item[segment].piece].block,
-        deviation, deviation, verdict_class_of(v, i));
+        deviation, deviation, verdict_class_of(v, i),
+        segment == UINT_MAX || !v->time.share ? 1
+                                              : (double)v->time.share[v->cut.item[segment].piece]);
 }
 
 void verdict_map(const struct verdict *v, const char *file)
 {
     struct out *o = out_open(file);
     out_text(o, "ply\nformat ascii 1.0\ncomment deviation: mm, below zero the ball gouged\n"
-                "comment coverage: 0 cut, 1 out of reach or beyond the region, 2 left\n");
+                "comment coverage: 0 cut, 1 out of reach or beyond the region, 2 left\n"
+                "comment speed: mean speed of the block there, by its feed\n");
     out_printf(o, "element vertex %zu\n", v->map.points);
     out_text(o, "property double x\nproperty double y\nproperty double z\n");
     out_text(o, "property uchar red\nproperty uchar green\nproperty uchar blue\n");
     out_text(o, "property float deviation\nproperty int block\n");
     /* the deviation once more, by the names that MeshLab and CloudCompare take for a scalar */
     out_text(o, "property float quality\nproperty float scalar_deviation\n");
-    out_text(o, "property uchar coverage\nend_header\n");
+    out_text(o, "property uchar coverage\nproperty float speed\nend_header\n");
     for (size_t i = 0; i < v->map.points; i++)
         print_point(o, v, i);
     out_close(o);
