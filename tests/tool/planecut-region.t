@@ -72,4 +72,9 @@ box 2 "no number" -s 1 --faces top "expected numbers"
 box 1 "nothing in the box" -s 1 --box 50,50,50,60,60,60 "nothing of the mesh"
 box 1 "too many planes" -s 0.0001 --up 0,0,1 "would make [0-9]* planes, expected at most"
 
+# ---- from a STEP file to a program that is checked
+
+status 0 "samples/step.sh" sh "$SRC/samples/step.sh"
+has "its program is accepted" "^verdict *accepted" "$TMP/out"
+
 done_testing
