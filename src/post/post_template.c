@@ -229,7 +229,7 @@ static void first_place(struct nc_program *p, enum template_word word)
     static const char *const address[] = {"X", "Y", "Z"};
     bool above = word >= TEMPLATE_X_ABOVE;
     struct vec3 to = nc_first_move(p)->p;
-    if (above)
+    if (above && p->plane && p->at_plane < p->planes.n)
         to = nc_above_plane(p, nc_first_move(p));
     const double at[] = {to.x, to.y, to.z};
     int i = (int)word - (above ? TEMPLATE_X_ABOVE : TEMPLATE_X);

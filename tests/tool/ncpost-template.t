@@ -125,6 +125,10 @@ has "counter-clockwise" 'SPIN -8000' all.nc
 has "without tool-centre-point control" 'TIP NONE' all.nc
 hasnt "and no word of it" 'TIP O' all.nc
 
+printf 'base = fanuc\n[approach]\n{rapid} {X.above} {Y.above}\nG43 H1 {Z}\n' >above.txt
+status 0 "the place above a plane is the first place where there is none" ncpost -q -c above -o all.nc five.cl
+has "as it is" '^N[0-9]* G0 X0\. Y0\.$' all.nc
+
 # ---- the makers: first and last blocks, length, dwell
 
 maker() { # CONTROL MACHINE CL "BLOCKS THAT STAND IN IT IN THIS ORDER, | BETWEEN"
