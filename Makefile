@@ -31,6 +31,7 @@ c_files  := $(filter-out tests/data/%,$(wildcard $(foreach top,src include tests
 cloud    := $(BUILD)/tests/accuracy/cloud
 manuals  := $(wildcard man/*.[157])
 machines := $(wildcard machines/*.txt)
+tool_files := $(wildcard tools/*.txt)
 controls := $(wildcard controls/*.txt)
 built_in := fanuc siemens heidenhain linuxcnc
 
@@ -60,9 +61,9 @@ $(BUILD)/%.o: %.c
 	@mkdir -p $(@D)
 	$(CC) $(FLAGS) $(CFLAGS) $(CPPFLAGS) -MD -MP -c -o $@ $<
 
-# One object holds the place of the installed machines; another PREFIX compiles it again.
-$(BUILD)/src/machine/machine.o: FLAGS += -DCLOUDMILL_DATADIR='"$(DATADIR)"'
-$(BUILD)/src/machine/machine.o: $(BUILD)/datadir
+# One object holds the place of what is installed; another PREFIX compiles it again.
+$(BUILD)/src/base/library_file.o: FLAGS += -DCLOUDMILL_DATADIR='"$(DATADIR)"'
+$(BUILD)/src/base/library_file.o: $(BUILD)/datadir
 $(BUILD)/datadir: always
 	@mkdir -p $(@D)
 	@echo '$(DATADIR)' | cmp -s - $@ || echo '$(DATADIR)' >$@
@@ -159,11 +160,13 @@ fuzz:
 	BIN="$(abspath $(BUILD))/fuzz/bin" OUT="$(abspath $(BUILD))/fuzz/out" sh tests/fuzz/fuzz.sh
 
 install: all
-	mkdir -p $(DESTDIR)$(PREFIX)/bin $(DESTDIR)$(DATADIR)/machines $(DESTDIR)$(DATADIR)/controls
+	mkdir -p $(DESTDIR)$(PREFIX)/bin $(DESTDIR)$(DATADIR)/machines $(DESTDIR)$(DATADIR)/controls \
+	  $(DESTDIR)$(DATADIR)/tools
 	install -m 755 $(tools) $(DESTDIR)$(PREFIX)/bin
 	if [ -n "$(machines)" ]; then \
 	  install -m 644 $(machines) $(DESTDIR)$(DATADIR)/machines; fi
 	install -m 644 $(controls) $(DESTDIR)$(DATADIR)/controls
+	install -m 644 $(tool_files) $(DESTDIR)$(DATADIR)/tools
 	for page in $(manuals); do \
 	  dir=$(DESTDIR)$(PREFIX)/share/man/man$${page##*.}; \
 	  mkdir -p $$dir && install -m 644 $$page $$dir || exit 1; done
@@ -174,7 +177,9 @@ uninstall:
 	  rm -f $(DESTDIR)$(PREFIX)/share/man/man$${page##*.}/$$page; done
 	rm -f $(machines:machines/%=$(DESTDIR)$(DATADIR)/machines/%)
 	rm -f $(controls:controls/%=$(DESTDIR)$(DATADIR)/controls/%)
-	-rmdir $(DESTDIR)$(DATADIR)/machines $(DESTDIR)$(DATADIR)/controls $(DESTDIR)$(DATADIR) 2>/dev/null
+	rm -f $(tool_files:tools/%=$(DESTDIR)$(DATADIR)/tools/%)
+	-rmdir $(DESTDIR)$(DATADIR)/machines $(DESTDIR)$(DATADIR)/controls \
+	  $(DESTDIR)$(DATADIR)/tools $(DESTDIR)$(DATADIR) 2>/dev/null
 
 dist:
 	if git rev-parse --git-dir >/dev/null 2>&1; then \

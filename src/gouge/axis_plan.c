@@ -553,7 +553,8 @@ static struct vec3 axis_between(const struct work *w, size_t at, const struct ru
 
     if (!has_axis(a) || !has_axis(b))
         return has_axis(a) ? a->axis : has_axis(b) ? b->axis : p->axis;
-    if (a->by_rule && b->by_rule)
+    const struct kinematic_chain *chain = &w->planner->options.chain;
+    if (a->by_rule && b->by_rule && (chain->n < 2 || rotary_reaches(chain, p->axis)))
         return p->axis;
     double length = b->along - a->along, s = length > 0 ? (along - a->along) / length : 0;
     if (b->begins)
@@ -563,17 +564,24 @@ static struct vec3 axis_between(const struct work *w, size_t at, const struct ru
                                a->angles.turn + s * (b->angles.turn - a->angles.turn)};
     struct vec3 axis = rotary_axis(&w->planner->frame, to);
     double off = vec_angle(axis, p->axis), most = fmax(a->allow, b->allow);
-    return off > most ? vec_slerp(p->axis, axis, most / off) : axis;
+    /* by a little, for the angles go straight between nodes; by more the rule itself jumps */
+    return off > most && off < most + 0.02 ? vec_slerp(p->axis, axis, most / off) : axis;
 }
 
-/* Appends a point, and before it as many on the straight line of the ball's centre that a tip that
- * goes straight does not swing the ball off it by more than the slack. */
+/* Neither the node `at` nor the one after it, among the first n, has an axis. */
+static bool is_without(const struct work *w, size_t n, size_t at)
+{
+    return !has_axis(&w->nodes.item[at]) && !has_axis(&w->nodes.item[at + 1 < n ? at + 1 : at]);
+}
+
+/* Appends a point, and before it, if it is joined to the last, as many on the straight line of the
+ * ball's centre that a tip that goes straight does not swing the ball off it by more than may be. */
 static void put_point(const struct work *w, size_t after, struct run_point end, double at,
-                      struct run *to, struct doubles *along)
+                      bool joined, struct run *to, struct doubles *along)
 {
     const struct axis_planner_options *o = &w->planner->options;
 
-    if (to->n > 0 && o->between) {
+    if (to->n > 0 && joined && o->between) {
         const struct run_point last = to->item[to->n - 1];
         double from = along->item[along->n - 1];
         double parts = ceil(vec_angle(last.axis, end.axis) / sqrt(0.8 * o->tolerance / o->radius));
@@ -594,6 +602,7 @@ static void put_points(const struct work *w, struct run *to, struct doubles *alo
 {
     const struct nodes *nodes = &w->nodes;
     size_t at = 0;
+    bool joined = false; /* the last point has an axis to go on from */
 
     for (size_t i = 0; i < w->run->n; i++) {
         struct run_point end = w->run->item[i];
@@ -612,9 +621,12 @@ static void put_points(const struct work *w, struct run *to, struct doubles *alo
                 continue;
             struct run_point p = point_at(w, i, node->along);
             set_axis(&p, to->radius, node->axis);
-            put_point(w, i, p, node->along, to, along);
+            put_point(w, i, p, node->along, joined, to, along);
+            joined = true;
         }
-        put_point(w, i, end, w->along[i], to, along);
+        bool none = is_without(w, nodes->n, at);
+        put_point(w, i, end, w->along[i], joined && !none, to, along);
+        joined = !none;
     }
 }
 
@@ -637,12 +649,19 @@ static bool check_points(struct work *w, const struct run *run, const struct dou
     const double slack = p->options.tolerance / 2;
     const struct holder_sweep sweep = {p->options.guard, &p->options.holder, slack};
     double before = -1, now = 0;
-    size_t after = 0;
+    size_t after = 0, at = 0, nodes = w->nodes.n;
     bool any = false;
 
     for (size_t i = 0; i < run->n; i++, before = now) {
         const struct run_point *b = &run->item[i];
         now = sweep.guard ? holder_sweep_clearance(&sweep, b, far) : far;
+        while (at + 1 < nodes && w->nodes.item[at + 1].along <= along->item[i])
+            at++;
+        if (is_without(w, nodes, at)) {
+            state[i] = AXIS_PLAN_SKIP;
+            now = -1;
+            continue;
+        }
         state[i] = now >= -slack ? AXIS_PLAN_CUT : AXIS_PLAN_SKIP;
         if (i > 0 && fmin(before, now) >= -slack && sweep.guard &&
             !holder_sweep_clear_between(&sweep, b - 1, before, b, now))

@@ -1,5 +1,5 @@
 /* keys - see keys.h. */
-#include "keys.h"
+#include "machine/keys.h"
 
 #include <stdio.h>
 #include <string.h>

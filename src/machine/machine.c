@@ -8,15 +8,11 @@
 #include <unistd.h>
 
 #include "base/array.h"
-#include "base/program_dir.h"
+#include "base/library_file.h"
 #include "base/reader.h"
-#include "keys.h"
+#include "machine/keys.h"
 #include "machine_tables.h"
 #include "machine/template.h"
-
-#ifndef CLOUDMILL_DATADIR
-#define CLOUDMILL_DATADIR "/usr/local/share/cloudmill"
-#endif
 
 static const char letters[] = "XYZABC";
 
@@ -311,12 +307,7 @@ static int make_chain(struct machine *m, const int letter[], int n, char key[KEY
 
 /* ---- files */
 
-enum { INCLUDES_MAX = 8, FILE_MAX = 1024 };
-
-static bool is_file(const char *name)
-{
-    return name[strcspn(name, "/.")] != '\0';
-}
+enum { INCLUDES_MAX = 8, FILE_MAX = LIBRARY_FILE };
 
 static bool is_folder(const char *file)
 {
@@ -324,51 +315,15 @@ static bool is_folder(const char *file)
     return stat(file, &status) == 0 && S_ISDIR(status.st_mode);
 }
 
-/* Files of machines and of controls: what a message calls one, where they are. */
-static const struct kind {
-    const char *title, *folder, *variable;
-} machines = {"machine", "machines", "CLOUDMILL_MACHINES"},
-  controls = {"control", "controls", "CLOUDMILL_CONTROLS"};
-
-/* Where the file called `name` is; `beside` is the file that includes it, or NULL. */
-static int find_file(const struct kind *kind, const char *name, const char *beside,
-                     char file[FILE_MAX], struct error *error)
-{
-    const char *slash = beside ? strrchr(beside, '/') : NULL;
-    int folder = slash && *name != '/' ? (int)(slash - beside + 1) : 0;
-    const char *own = getenv(kind->variable);
-    if (is_file(name)) {
-        int n = snprintf(file, FILE_MAX, "%.*s%s", folder, folder ? beside : "", name);
-        if (n >= FILE_MAX)
-            return error_set(error, "%.40s...: file name too long", name);
-        return 0;
-    }
-    char self[FILE_MAX], beside_installed[FILE_MAX + 32], beside_built[FILE_MAX + 32];
-    char installed[FILE_MAX];
-    program_dir(self, sizeof self);
-    snprintf(beside_installed, sizeof beside_installed, "%s/../share/cloudmill/%s", self,
-             kind->folder);
-    snprintf(beside_built, sizeof beside_built, "%s/../../%s", self, kind->folder);
-    snprintf(installed, sizeof installed, CLOUDMILL_DATADIR "/%s", kind->folder);
-    const char *const places[] = {".", own && *own ? own : ".", beside_installed, beside_built,
-                                  installed};
-    int n = snprintf(file, FILE_MAX, "%.*s%s.txt", folder, folder ? beside : "", name);
-    for (size_t i = 0; i < sizeof places / sizeof *places; i++) {
-        if (n < FILE_MAX && access(file, R_OK) == 0)
-            return 0;
-        n = snprintf(file, FILE_MAX, "%s/%s.txt", places[i], name);
-    }
-    if (n < FILE_MAX && access(file, R_OK) == 0)
-        return 0;
-    return error_set(error, "%s %.100s: not found in this folder, in $%s or in %s", kind->title,
-                     name, kind->variable, installed);
-}
+static const struct library machines = {"machine", "machines", "CLOUDMILL_MACHINES"};
+static const struct library controls = {"control", "controls", "CLOUDMILL_CONTROLS"};
 
 bool machine_control_exists(const char *name, struct error *error)
 {
     char file[FILE_MAX];
     struct error inner;
-    if (control_find(name) != CONTROLS || find_file(&controls, name, NULL, file, &inner) == 0)
+    if (control_find(name) != CONTROLS ||
+        library_file_find(&controls, name, NULL, file, &inner) == 0)
         return true;
     return error_set(error, "control: found `%.60s`, expected %s or a control file (%.200s)", name,
                      control_names(), inner.text) == 0;
@@ -445,7 +400,7 @@ static int read_include(struct machine_file *f, char *line, struct error *error)
     struct error inner;
     if (*word == 'b' && control_text_built_in(name))
         return read_built_in(f->machine, name, error) == 0 ? 1 : -1;
-    if (find_file(*word == 'b' ? &controls : &machines, name, f->name, file, &inner) != 0)
+    if (library_file_find(*word == 'b' ? &controls : &machines, name, f->name, file, &inner) != 0)
         return error_at(error, f->name, f->line, "%s: %.300s", word, inner.text);
     if (access(file, R_OK) != 0)
         return error_at(error, f->name, f->line, "%s: cannot open %.200s", word, name);
@@ -572,7 +527,7 @@ int machine_control(struct machine *machine, const char *name, struct error *err
     snprintf(machine->used, sizeof machine->used, "%s", name);
     if (control_text_built_in(name))
         return read_built_in(machine, name, error);
-    if (find_file(&controls, name, NULL, file, error) != 0 ||
+    if (library_file_find(&controls, name, NULL, file, error) != 0 ||
         read_file(machine, file, 0, error) != 0)
         return -1;
     if (text->dialect == CONTROLS)
@@ -584,7 +539,7 @@ int machine_control(struct machine *machine, const char *name, struct error *err
 int machine_read(struct machine *machine, const char *name, struct error *error)
 {
     char file[FILE_MAX];
-    if (find_file(&machines, name, NULL, file, error) != 0)
+    if (library_file_find(&machines, name, NULL, file, error) != 0)
         return -1;
     return read_file(machine, file, 0, error);
 }

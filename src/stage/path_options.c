@@ -140,6 +140,8 @@ int path_options_check(struct tool_axis_options *axis, struct error *error)
 {
     struct path_options *c = &path_options;
 
+    if (tool_options_files(&c->body, &c->radius, error) != 0)
+        return -1;
     if (c->radius == 0)
         return error_set(error, "found no radius of the ball, expected -r R");
     if (c->paper && (c->guard.files.n > 0 || c->tolerance > 0))
@@ -330,6 +332,8 @@ int path_options_rules(const struct mesh *mesh, const struct gouge_check *guard,
         return -1;
     if (read_body(&t->path->head, error) != 0)
         return -1;
+    if (!c->paper)
+        tool_options_say(&t->path->head.body, c->radius);
     t->rule.holder = tool_body_profile(&t->path->head.body, c->radius);
     t->lift.guard = guard;
     t->lift.limit = c->limit > 0 ? c->limit : c->radius;

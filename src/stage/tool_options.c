@@ -3,12 +3,28 @@
 
 #include "gouge/holder_text.h"
 
+int tool_options_files(struct tool_options *options, double *radius, struct error *error)
+{
+    double said;
+
+    for (size_t i = 0; i < options->files.n; i++)
+        if (tool_file_read(&options->file, options->files.item[i], error) != 0)
+            return -1;
+    said = options->file.radius;
+    if (*radius > 0 && said > 0 && fabs(*radius - said) > 1e-9)
+        return error_set(error, "found -r %g with --tool-file of a ball of %g, expected one radius",
+                         *radius, said);
+    *radius = *radius > 0 ? *radius : said;
+    return 0;
+}
+
 int tool_options_read(const struct tool_options *options, double radius, struct tool_body *body,
                       struct error *error)
 {
     struct error why;
 
-    *body = tool_body_usual(radius);
+    if (tool_file_body(&options->file, radius, body, error) != 0)
+        return -1;
     if (options->ball_only && (options->flute_given || options->holder))
         return error_set(error, "found --ball-only with --%s, expected one of them",
                          options->holder ? "holder" : "flute");
@@ -29,7 +45,7 @@ void tool_options_say(const struct tool_body *body, double radius)
     if (body->ball_only)
         say("tool: ball R %g only, the rest of the tool is not looked at", radius);
     else if (body->above.n > 0)
-        say("tool: ball R %g, flute %g, holder %s", radius, body->flute, text);
+        note("tool: ball R %g, flute %g, holder %s", radius, body->flute, text);
     else
-        say("tool: ball R %g, flute %g, no holder given", radius, body->flute);
+        note("tool: ball R %g, flute %g, no holder given", radius, body->flute);
 }
