@@ -8,7 +8,7 @@
  *
  * Beside it: array.h memory and growing arrays, error.h failures as values, num.h numbers as text,
  * reader.h input by lines, out.h output that is complete or absent, parallel.h threads, effort.h
- * bounds of the work on a large scan, program_dir.h the program's own folder.
+ * bounds of the work on a large scan, library_file.h files installed with the program.
  */
 #ifndef CLOUDMILL_CLI_H
 #define CLOUDMILL_CLI_H

@@ -7,7 +7,7 @@
 #include <string.h>
 #include <unistd.h>
 
-#include "base/program_dir.h"
+#include "program_dir.h"
 
 #ifndef CLOUDMILL_DATADIR
 #define CLOUDMILL_DATADIR "/usr/local/share/cloudmill"

@@ -1,5 +1,5 @@
 /* program_dir - see program_dir.h. */
-#include "base/program_dir.h"
+#include "program_dir.h"
 
 #include <string.h>
 #include <unistd.h>
