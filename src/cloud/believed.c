@@ -8,6 +8,9 @@
 #include "cloud/outliers.h"
 #include "cloud/plan_extent.h"
 
+/* Of a cell's width: a scan without noise. */
+static const double NONE = 0.0007;
+
 struct believed believed_in_grid(const struct point_grid *point_grid,
                                  const struct believed_options *options, unsigned char *out)
 {
@@ -20,7 +23,7 @@ struct believed believed_in_grid(const struct point_grid *point_grid,
     else if (b.noise.alike && b.sheets.places == 0)
         b.sigma = b.noise.sigma;
     double sigma = measured ? b.noise.sigma : options->noise;
-    if (measured && !b.noise.alike && sigma > 0)
+    if (measured && !b.noise.alike && sigma >= NONE * point_grid->cell)
         b.outliers = outliers_floating(point_grid, sigma, options->threads, out);
     else if (measured || sigma > 0)
         b.outliers = outliers_isolated(point_grid, sigma, options->threads, out);
