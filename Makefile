@@ -166,7 +166,8 @@ install: all
 	if [ -n "$(machines)" ]; then \
 	  install -m 644 $(machines) $(DESTDIR)$(DATADIR)/machines; fi
 	install -m 644 $(controls) $(DESTDIR)$(DATADIR)/controls
-	install -m 644 $(tool_files) $(DESTDIR)$(DATADIR)/tools
+	if [ -n "$(tool_files)" ]; then \
+	  install -m 644 $(tool_files) $(DESTDIR)$(DATADIR)/tools; fi
 	for page in $(manuals); do \
 	  dir=$(DESTDIR)$(PREFIX)/share/man/man$${page##*.}; \
 	  mkdir -p $$dir && install -m 644 $$page $$dir || exit 1; done
