@@ -1,11 +1,11 @@
 /*
  * part_coverage - of every point of a part: is it cut, out of the tool's reach, or left?
  *
- * Cut is a point on which no more than `limit` is left.  Of the others, out of reach is one on which
- * no ball could have left `limit` less than was left, clear of all points, with the tool above it
- * clear in one of the directions that the machine has; and all the rest is left.  The directions of
- * the ball from the point and of the tool are samples (constants in the .c), so that a narrow
- * access may count as none.
+ * Cut is a point on which no more than `limit` is left.  Of the others, out of reach is one that no
+ * ball touches (up to half the limit) that is clear of all points, with the tool above it clear, by
+ * a tenth of a millimetre, in one of the directions that the machine has; and all the rest is left.
+ * The directions of the ball from the point and of the tool are samples (constants in the .c), so
+ * that a narrow access may count as none.
  *
  * The tool comes from outside: the middle line of the axis, half a radius thick, has to leave the
  * part, and where the part does not stand upright the ball is on its upper side.  Lengths in mm.

@@ -26,7 +26,8 @@ enum {
 #define SPARSE 0.34 /* of the radius: the points that stand for all are so far apart */
 #define STEEP 0.3   /* a normal is upright with less than this of Z */
 #define AHEAD 0.1   /* cosine between the normal and the ball's direction, at least */
-#define TOUCH 0.01  /* mm: less deep the tool only touches, as a shaft does along a wall */
+#define FREE 0.1    /* mm: the tool has to be so far from the part, else its way in is too narrow */
+#define SURE 0.5    /* of the limit: nearer than that a ball has to come that could cut a point */
 #define LINE 0.5    /* of the radius: thickness of the middle line that has to come from outside */
 
 /* ---- directions */
@@ -167,10 +168,11 @@ struct look {
     double *share;              /* of each axis: cosine to the ball's direction; blocked: -2 */
 };
 
-/* The ball's centre, as little out along `d` as leaves it clear; false: not within `budget`. */
-static bool ball_clears(const struct reach *r, struct vec3 p, struct vec3 d, double budget,
-                        struct vec3 *centre)
+/* The ball's centre, as little out along `d` as leaves it clear; false: so far that it would leave
+ * more on its point than SURE of the limit. */
+static bool ball_clears(const struct reach *r, struct vec3 p, struct vec3 d, struct vec3 *centre)
 {
+    double budget = SURE * r->options->limit;
     struct vec3 at = vec_along(p, r->options->radius, d);
     double out = kdtree_leave(r->tree, at, d, r->options->radius, budget, NULL);
     *centre = vec_along(at, out, d);
@@ -180,11 +182,11 @@ static bool ball_clears(const struct reach *r, struct vec3 p, struct vec3 d, dou
 static bool tool_clears(struct look *l, struct vec3 centre, struct vec3 axis)
 {
     const struct reach *r = l->r;
-    struct holder_search search = {r->options->tool, centre, axis, -TOUCH, -TOUCH, {0, 0, 0}};
+    struct holder_search search = {r->options->tool, centre, axis, FREE, FREE, {0, 0, 0}};
     double clear = r->options->radius;
     if (r->options->tool->n > 0) {
         collision_body_nearest(&l->body, &search);
-        if (search.distance < -TOUCH)
+        if (search.distance < FREE)
             return false;
     }
     return !kdtree_any_beside(r->tree, vec_along(centre, 2 * clear, axis),
@@ -208,8 +210,8 @@ static void block_axes(struct look *l, struct vec3 centre)
             double h = vec_dot(d, axis->item[k]), off2 = far2 - h * h;
             if (h <= 0 || l->share[k] < -1 || off2 >= widest * widest)
                 continue;
-            double thick = tool_shape_radius(tool, h) - TOUCH;
-            if (thick > 0 && off2 < thick * thick && h > TOUCH)
+            double thick = tool_shape_radius(tool, h) + FREE;
+            if (thick > FREE && off2 < thick * thick)
                 l->share[k] = -2;
         }
     }
@@ -241,11 +243,10 @@ static bool find_axis(struct look *l, struct vec3 centre, struct vec3 d, struct 
 static bool find_on_side(struct look *l, size_t i, struct vec3 normal, struct access *access)
 {
     const struct reach *r = l->r;
-    double budget = r->deviation[i] - r->options->limit;
     int tries = 0;
     for (int k = -1; k < BALLS && tries < TRIES; k++) {
         struct vec3 d = k < 0 ? normal : spread(k, BALLS), centre;
-        if (vec_dot(d, normal) < AHEAD || !ball_clears(r, r->point[i], d, budget, &centre))
+        if (vec_dot(d, normal) < AHEAD || !ball_clears(r, r->point[i], d, &centre))
             continue;
         tries++;
         if (find_axis(l, centre, d, &access->axis)) {
@@ -272,8 +273,7 @@ static bool can_be_reached(struct look *l, size_t i, struct access *access)
 {
     const struct reach *r = l->r;
     struct vec3 centre;
-    if (access->known &&
-        ball_clears(r, r->point[i], access->ball, r->deviation[i] - r->options->limit, &centre) &&
+    if (access->known && ball_clears(r, r->point[i], access->ball, &centre) &&
         tool_clears(l, centre, access->axis))
         return true;
     struct vec3 normal = normal_at(r, i);

@@ -1,6 +1,6 @@
 /*
- * check_part_coverage - points cut, out of reach, left: a groove too narrow for the ball, of which it is
- * known how far the ball gets; a well too narrow for the holder; a floor under a roof.
+ * check_part_coverage - points cut, out of reach, left: a groove too narrow for the ball, whose bottom
+ * it never touches; a well too narrow for the holder; a floor under a roof.
  */
 #include <check.h>
 #include <stdlib.h>
@@ -50,16 +50,15 @@ static struct vec3s groove(void)
     return points;
 }
 
-START_TEST(as_far_as_the_ball_gets)
+START_TEST(where_the_ball_gets)
 {
     struct vec3s points = groove();
     const struct tool_shape alone = {0};
-    double best = sqrt(5) - 1;
+    double best = sqrt(5) - 1; /* is left when the ball stands on both edges */
     struct vec3 bottom = vec(0, 0, -2), flat = vec(6, 1, 0);
     ck_assert_int_eq(class_at(&points, bottom, best + LIMIT - 0.01, &alone, &upright),
                      COVERAGE_OUT_OF_REACH);
-    ck_assert_int_eq(class_at(&points, bottom, best + LIMIT + 0.1, &alone, &upright),
-                     COVERAGE_LEFT);
+    ck_assert_int_eq(class_at(&points, bottom, best + 1, &alone, &upright), COVERAGE_OUT_OF_REACH);
     ck_assert_int_eq(class_at(&points, bottom, LIMIT - 0.01, &alone, &upright), COVERAGE_CUT);
     ck_assert_int_eq(class_at(&points, flat, LIMIT + 0.001, &alone, &upright), COVERAGE_LEFT);
     ck_assert_int_eq(class_at(&points, flat, 50, &alone, &upright), COVERAGE_LEFT);
@@ -151,7 +150,7 @@ int main(void)
 {
     Suite *suite = suite_create("part_coverage");
     TCase *tcase = tcase_create("coverage");
-    tcase_add_test(tcase, as_far_as_the_ball_gets);
+    tcase_add_test(tcase, where_the_ball_gets);
     tcase_add_test(tcase, as_deep_as_the_holder_lets);
     tcase_add_test(tcase, as_far_as_the_axes_turn);
     tcase_add_test(tcase, areas_and_threads);
