@@ -14,7 +14,8 @@
 enum {
     AXES = 500,   /* over the whole sphere, of which the upper half counts */
     BALLS = 160,  /* directions of the ball's centre from a point, over the whole sphere */
-    TRIES = 12,   /* balls that are clear, for which the tool is looked at */
+    TRIES = 12,   /* balls that are clear, for which the tool is looked at ... */
+    LEANS = 48,   /* ... in so many directions that are clear close by */
     NEAR = 13,    /* points that the normal is from, ... */
     BESIDE = 7,   /* ... and the area, the point itself the first */
     FAILURES = 2, /* points of a cell out of reach, after which the others are taken as alike */
@@ -26,7 +27,7 @@ enum {
 #define SPARSE 0.34 /* of the radius: the points that stand for all are so far apart */
 #define STEEP 0.3   /* a normal is upright with less than this of Z */
 #define AHEAD 0.1   /* cosine between the normal and the ball's direction, at least */
-#define FREE 0.1    /* mm: the tool has to be so far from the part, else its way in is too narrow */
+#define FREE 0.1    /* mm: less play has no way in for the tool that would be looked for */
 #define SURE 0.5    /* of the limit: nearer than that a ball has to come that could cut a point */
 #define LINE 0.5    /* of the radius: thickness of the middle line that has to come from outside */
 
@@ -179,14 +180,18 @@ static bool ball_clears(const struct reach *r, struct vec3 p, struct vec3 d, str
     return out <= budget;
 }
 
-static bool tool_clears(struct look *l, struct vec3 centre, struct vec3 axis)
+/* The tool over a ball at `centre`, moved out along `d` by what has to be free: along a wall that the
+ * ball touches the shaft may go. */
+static bool tool_clears(struct look *l, struct vec3 centre, struct vec3 d, struct vec3 axis)
 {
     const struct reach *r = l->r;
-    struct holder_search search = {r->options->tool, centre, axis, FREE, FREE, {0, 0, 0}};
+    const double least = 0.9 * FREE;
+    struct holder_search search = {r->options->tool, vec_along(centre, FREE, d), axis, least, least,
+                                   {0, 0, 0}};
     double clear = r->options->radius;
     if (r->options->tool->n > 0) {
         collision_body_nearest(&l->body, &search);
-        if (search.distance < FREE)
+        if (search.distance < least)
             return false;
     }
     return !kdtree_any_beside(r->tree, vec_along(centre, 2 * clear, axis),
@@ -210,8 +215,8 @@ static void block_axes(struct look *l, struct vec3 centre)
             double h = vec_dot(d, axis->item[k]), off2 = far2 - h * h;
             if (h <= 0 || l->share[k] < -1 || off2 >= widest * widest)
                 continue;
-            double thick = tool_shape_radius(tool, h) + FREE;
-            if (thick > FREE && off2 < thick * thick)
+            double thick = tool_shape_radius(tool, h);
+            if (thick > 0 && off2 < thick * thick)
                 l->share[k] = -2;
         }
     }
@@ -223,8 +228,8 @@ static bool find_axis(struct look *l, struct vec3 centre, struct vec3 d, struct 
     const struct vec3s *axis = l->r->options->axis;
     for (size_t k = 0; k < axis->n; k++)
         l->share[k] = vec_dot(axis->item[k], d);
-    block_axes(l, centre);
-    for (int tries = 0; tries < TRIES; tries++) {
+    block_axes(l, vec_along(centre, FREE, d));
+    for (int tries = 0; tries < LEANS; tries++) {
         size_t best = 0;
         for (size_t k = 1; k < axis->n; k++)
             if (l->share[k] > l->share[best])
@@ -232,7 +237,7 @@ static bool find_axis(struct look *l, struct vec3 centre, struct vec3 d, struct 
         if (l->share[best] < -1)
             return false;
         *found = axis->item[best];
-        if (tool_clears(l, centre, *found))
+        if (tool_clears(l, centre, d, *found))
             return true;
         l->share[best] = -2;
     }
@@ -274,7 +279,7 @@ static bool can_be_reached(struct look *l, size_t i, struct access *access)
     const struct reach *r = l->r;
     struct vec3 centre;
     if (access->known && ball_clears(r, r->point[i], access->ball, &centre) &&
-        tool_clears(l, centre, access->axis))
+        tool_clears(l, centre, access->ball, access->axis))
         return true;
     struct vec3 normal = normal_at(r, i);
     return find_on_side(l, i, normal, access) ||
