@@ -7,7 +7,7 @@
  * The directions of the ball from the point and of the tool are samples (constants in the .c), so
  * that a narrow access may count as none.
  *
- * The tool comes from outside: the middle line of the axis, half a radius thick, has to leave the
+ * The tool comes from outside: the middle line of the axis, nine tenths of a radius thick, has to leave the
  * part, and where the part does not stand upright the ball is on its upper side.  Lengths in mm.
  */
 #ifndef CLOUDMILL_PART_COVERAGE_H

@@ -26,10 +26,10 @@ enum {
 #define CELL 0.25                  /* of the radius: width of a cell */
 #define SPARSE 0.34 /* of the radius: the points that stand for all are so far apart */
 #define STEEP 0.3   /* a normal is upright with less than this of Z */
-#define AHEAD 0.1   /* cosine between the normal and the ball's direction, at least */
+#define AHEAD 0.75  /* cosine between the normal and the ball's direction, at least */
 #define FREE 0.1    /* mm: less play has no way in for the tool that would be looked for */
 #define SURE 0.5    /* of the limit: nearer than that a ball has to come that could cut a point */
-#define LINE 0.5    /* of the radius: thickness of the middle line that has to come from outside */
+#define LINE 0.9    /* of the radius: thickness of the middle line that has to come from outside */
 
 /* ---- directions */
 
