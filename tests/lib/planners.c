@@ -55,6 +55,8 @@ void bench_begin(struct bench *bench, int kind, enum interpolation_mode mode, st
                             .feeds = mode == INTERPOLATE_JOINT ? NC_FEEDS_INVERSE : NC_FEEDS_TIP};
     *planner = (struct nc_planner){.path = &bench->path,
                                    .machine = m,
+                                   .base = m,
+                                   .own = m,
                                    .plan = &bench->plan,
                                    .follow = {.mode = mode, .chain = &m->chain},
                                    .options = {.feed = 1000, .unit = 1},

@@ -27,8 +27,12 @@ static void read_block(struct state *s, const char *text)
     while (*text != '\n') {
         char address = *text++, *end;
         ck_assert_msg(isupper((unsigned char)address), "%.40s", text - 1);
-        double value = strtod(text, &end);
+        bool direct = strncmp(text, "=DC(", 4) == 0; /* within a turn, the shortest way there */
+        double value = strtod(text += direct ? 4 : 0, &end);
         ck_assert_ptr_ne(text, end);
+        ck_assert(!direct || (value >= 0 && value < 360 && *end++ == ')'));
+        if (direct) /* the shortest way from where the axis stands */
+            value = s->word[(int)address] + remainder(value - s->word[(int)address], 360);
         text = end + strspn(end, " ");
         if (address == 'G' && value <= 3)
             s->motion = (int)value;
