@@ -7,7 +7,7 @@ browser=$(command -v chromium || command -v chromium-browser || command -v googl
 face=$SRC/samples/face_nefertiti_26493.xyz
 nc=$TMP/face.mpf
 
-sh -c "cloud2mesh --nodes scan -q -t 5 '$face' | meshnorm -q -r 5 --rows mesh --avoid -g '$face' | ncpost -q -c siemens" >"$nc"
+sh -c "cloud2mesh --nodes scan -q -t 5 '$face' | meshnorm -q -r 5 --rows mesh --one-way --avoid -g '$face' | ncpost -q -c siemens" >"$nc"
 # A gouge of 0.5 mm in one block: the 200th with the tool upright goes deeper than its neighbours.
 awk '/^N[0-9]+ .*Z-?[0-9.]+/ && /C3=0\.9[5-9]/ && ++n == 200 {
 	match($0, /Z-?[0-9.]+/)
