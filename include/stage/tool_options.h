@@ -19,13 +19,13 @@ struct tool_options {
 /* The rows of a tool's table of options. */
 /* clang-format off */
 #define TOOL_OPTIONS(options) \
-    {0, "flute", "MM", "length of the cylinder of the ball's radius above its centre, kept clear\n" \
-     "like the ball (default: 4 radii; 0: none)", \
+    {0, "flute", "MM", "length of the cylinder of the ball's radius above its centre, kept\n" \
+     "clear like the ball (default: four radii; 0: none)", \
      CLI_NUMBER, &(options)->flute, 0, 10000, 0, &(options)->flute_given}, \
     {0, "holder", "SPEC", "shank and holder, kept clear too: cones R0:R1:L or cylinders R:L from\n" \
      "the ball's centre upward, joined by +", CLI_TEXT, &(options)->holder, 0, 0, 0, NULL}, \
-    {0, "tool-file", "NAME", "cutter or holder: NAME.txt in this folder, in $CLOUDMILL_TOOLS or among\n" \
-     "the installed ones, or a file; may be given for each of them", \
+    {0, "tool-file", "NAME", "cutter or holder: NAME.txt in this folder, in $CLOUDMILL_TOOLS or\n" \
+     "among the installed ones, or a file; may be given for each of them", \
      CLI_LIST, &(options)->files, 0, 0, 0, NULL}, \
     {0, "ball-only", NULL, "keep nothing clear but the ball", \
      CLI_FLAG, &(options)->ball_only, 0, 0, 0, NULL}

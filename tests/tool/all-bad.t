@@ -113,9 +113,51 @@ digits.angle = 4
 digits.vector = 7
 digits.knot = 4
 digits.feed = 2
+arcs.tcp = no
+dwell = G4 P{seconds}
+x.acceleration = 2000
+y.acceleration = 2000
+z.acceleration = 2000
+a.acceleration = 500
+b.acceleration = 500
+c.acceleration = 500
+x.jerk = 30000
+y.jerk = 30000
+z.jerk = 30000
+a.jerk = 9000
+b.jerk = 9000
+c.jerk = 9000
+smoothing = 0.1
+tcp.frame = stands
+length.off = z
+length.off.z = 300
+rotary.words = 0-360
+tool.names = yes
+tool.next = yes
+tool.stop = yes
+tool.1.length = 90
+tool.1.name = BALL8
+tools = lengths.tbl
+offset.1 = G56
+aux.1 = M88
+safe = G69
+clamp.on = M10
+clamp.off = M11
+coolant.on = M50
+coolant.mist = M52
+coolant.off = M59
+coolant.thru = M51
+coolant.air = M53
+spindle.cw = M13
+spindle.ccw = M14
+spindle.off = M15
+stop = M0
+stop.optional = M1
+block.skip = yes
 END
-sed -n 's/^\.It Cm \([a-z.A-Z ,]*\)= .*/\1/p' "$SRC/man/cloudmill-machine.5" | tr -d ' ' | tr , '\n' |
-	grep -v '^include$' | sort >told
+sed -n 's/^\.It Cm \([a-z.A-Z ,]*\)= .*/\1/p' "$SRC/man/cloudmill-machine.5" | tr -d ' ' |
+	sed 's/NsArn/1/; s/NsCm//' | tr , '\n' | grep -v '^include$' | sort >told
+printf '1 90\n' >lengths.tbl
 sed 's/ =.*//' keys | sort >known
 same "every key of the manual is tried" told known
 path=$SRC/tests/data/golden/shapes.cl
@@ -130,7 +172,8 @@ while read -r line; do
 	[ $file -eq 0 ] || [ $file -eq 3 ] || echo "$line: exit $file"
 	key=${line%% *}
 	case $key in
-	name | offset | home | start | end | tap | tool.change | *.on | *.off) bad= ;;
+	name | offset | home | start | end | tap | dwell | tool.change | tool.1.name | offset.1 | aux.1 | safe | coolant.* | spindle.* | stop* | *.on | *.off) bad= ;;
+	tool.1.length | tools) continue ;;
 	control | axes) continue ;;
 	*) bad=x ;;
 	esac
