@@ -47,7 +47,7 @@ result "$(body "$TMP/face4.ply" | head -n 974 | cut -d' ' -f1-3 | sort -u | wc -
 	"face, --paper, t 4: on 971 different points"
 mesh face38 -t 3.8 --paper "$face"
 has "face, --paper, t 3.8: 1085 vertices" '^element vertex 1085$' "$TMP/face38.ply"
-mesh plain -v -t 4 "$panel"
+mesh plain -v --nodes scan -t 4 "$panel"
 has "panel, t 4: 325 vertices" '^element vertex 325$' "$TMP/plain.ply"
 has "the stream names itself" '^comment cloudmill mesh 1$' "$TMP/plain.ply"
 has "the stream says its spacing" '^comment spacing 4$' "$TMP/plain.ply"
@@ -96,8 +96,16 @@ else
 	skip "the same mesh in another locale" "no locale de_DE.UTF-8"
 fi
 
+# so too where the vertices stand at the nodes of the grid
+cloud2mesh -q -t 4 <"$panel" >"$TMP/grid.ply"
+cloud2mesh -q -t 4 -j 1 <"$panel" >"$TMP/other.ply"
+same "vertices at the nodes: the same mesh by one thread" "$TMP/grid.ply" "$TMP/other.ply"
+sort -rn -k2 "$panel" | cloud2mesh -q -t 4 >"$TMP/other.ply"
+same "vertices at the nodes: the same mesh whatever the order" "$TMP/grid.ply" "$TMP/other.ply"
+result "$(cmp -s "$TMP/grid.ply" "$TMP/stdin.ply" && echo 1 || echo 0)" "vertices at the nodes: another mesh than of points of the scan"
+
 # the spacing is taken from the cloud, and -t with it gives the same
-mesh auto "$panel"
+mesh auto --nodes scan "$panel"
 has "without -t it says the spacing" '^cloud2mesh: spacing 1\.45 mm' "$TMP/auto.err"
 cloud2mesh --nodes scan -t 1.45 "$panel" >"$TMP/other.ply"
 same "-t with that spacing gives the same" "$TMP/auto.ply" "$TMP/other.ply"
@@ -116,7 +124,7 @@ has "--origin: the lowest leftmost point is the origin" '^comment place 1 0 0 37
 result "$(box "$TMP/origin.ply" | awk '{ print !($1 >= 0 && $1 < 0.1 && $3 >= 0 && $3 < 0.1) }')" "--origin: x and y start at 0"
 has "--origin: as many vertices" '^element vertex 325$' "$TMP/origin.ply"
 printf '0 -1 0 10\n1 0 0 20\n0 0 1 -5\n0 0 0 1\n' >"$TMP/matrix"
-cloud2mesh --matrix "$TMP/matrix" -a 90 -t 4 <"$panel" >"$TMP/turned.ply"
+cloud2mesh --nodes scan --matrix "$TMP/matrix" -a 90 -t 4 <"$panel" >"$TMP/turned.ply"
 has "a quarter turn with the rows turned too: as many vertices" '^element vertex 325$' "$TMP/turned.ply"
 body "$TMP/turned.ply" | head -n 325 | awk '{ printf "%.4f %.4f %.4f\n", $2 - 20, 10 - $1, $3 + 5 }' | sed 's/-0\.0000/0.0000/g' | sort -u >"$TMP/back"
 sed 's/-0\.0000/0.0000/g' "$TMP/vertices" | sort -u >"$TMP/there"
@@ -171,7 +179,7 @@ awk 'function noise() { # normal, sigma 0.02
 	function uniform() { seed = (seed * 16807) % 2147483647; return seed / 2147483647 }
 	BEGIN { seed = 77 }
 	{ printf "%.4f %.4f %.4f\n", $1, $2, $3 + noise() }' "$panel" >"$noisy"
-mesh noisy -v -t 4 "$noisy"
+mesh noisy -v --nodes scan -t 4 "$noisy"
 has "noise is said" '^cloud2mesh: noise 0\.0[12][0-9]* mm .*vertices moved' "$TMP/noisy.err"
 result "$(sed -n 's/^comment noise //p' "$TMP/noisy.ply" | awk '{ print !($1 > 0.016 && $1 < 0.0225) }')" "the stream says the noise"
 # off_clean FILE: rms of its vertices' heights against the clean mesh of the same nodes
@@ -189,13 +197,16 @@ result "$(grep -qx 0.0300 "$TMP/found"; echo $?)" "--noise: is taken as given"
 cloud2mesh --nodes scan -q -t 4 -j 1 "$noisy" >"$TMP/other.ply"
 same "noise: the same mesh by one thread" "$TMP/noisy.ply" "$TMP/other.ply"
 sort -rn -k2 "$noisy" >"$TMP/turned.xyz"
-cloud2mesh --nodes scan -q -t 4 "$TMP/turned.xyz" | sed '/^comment source/d' >"$TMP/other.ply"
-sed '/^comment source/d' "$TMP/noisy.ply" >"$TMP/first.ply"
+cloud2mesh --nodes scan -q -t 4 <"$noisy" >"$TMP/first.ply"
+cloud2mesh --nodes scan -q -t 4 <"$TMP/turned.xyz" >"$TMP/other.ply"
 same "noise: the same mesh whatever the order" "$TMP/first.ply" "$TMP/other.ply"
+cloud2mesh -q -t 4 <"$noisy" >"$TMP/first.ply"
+cloud2mesh -q -t 4 -j 1 <"$TMP/turned.xyz" >"$TMP/other.ply"
+same "noise, vertices at the nodes: the same mesh by one thread in another order" "$TMP/first.ply" "$TMP/other.ply"
 
 # outliers and points twice
 awk '{ print } NR % 500 == 7 { print $1 + 0.01, $2, $3 + 3 + NR % 7 } NR % 3 == 0' "$panel" >"$TMP/dirty.xyz"
-mesh dirty -t 4 "$TMP/dirty.xyz"
+mesh dirty --nodes scan -t 4 "$TMP/dirty.xyz"
 has "points twice are left out" '^cloud2mesh: left out 5678 points that were there already$' "$TMP/dirty.err"
 has "outliers are left out" '^cloud2mesh: left out 35 outliers$' "$TMP/dirty.err"
 body "$TMP/dirty.ply" >"$TMP/dirty.body"
@@ -204,7 +215,7 @@ same "the mesh is that of the clean scan" "$TMP/clean.body" "$TMP/dirty.body"
 mesh kept -t 4 --outliers keep "$TMP/dirty.xyz"
 has "--outliers keep: they are counted" '^cloud2mesh: found, and kept, 35 outliers$' "$TMP/kept.err"
 (cat "$panel" && echo 9e8 -9e8 0) >"$TMP/far.xyz"
-mesh far -t 4 "$TMP/far.xyz"
+mesh far --nodes scan -t 4 "$TMP/far.xyz"
 has "an outlier far off is one" '^cloud2mesh: left out 1 outlier$' "$TMP/far.err"
 body "$TMP/far.ply" >"$TMP/far.body"
 same "and changes nothing" "$TMP/clean.body" "$TMP/far.body"
@@ -215,7 +226,7 @@ has "points under a roof are left out" '^cloud2mesh: left out [0-9]* points unde
 
 # a hole with an outlier in it stays one
 awk '{ print } END { print 20, 20, 1; print 19, 20.5, -4 }' "$TMP/hole.xyz" >"$TMP/spoilt.xyz"
-mesh spoilt -t 5 "$TMP/spoilt.xyz"
+mesh spoilt --nodes scan -t 5 "$TMP/spoilt.xyz"
 body "$TMP/spoilt.ply" >"$TMP/spoilt.body"
 body "$TMP/hole.ply" >"$TMP/hole.body"
 same "outliers in a hole do not close it" "$TMP/hole.body" "$TMP/spoilt.body"

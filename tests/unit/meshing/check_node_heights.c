@@ -18,6 +18,11 @@ static double step(double x, double y)
     return wave(x, y) + (x + 0.3 * y > 1 ? 4 : 0);
 }
 
+static double roof(double x, double y)
+{
+    return wave(x, y) + 1.2 * fabs(x + 0.3 * y - 1);
+}
+
 /* Points about 0.5 mm apart, not on a raster, over 24 x 24 mm. */
 static struct vec3s scan_of(double (*z)(double x, double y))
 {
@@ -105,12 +110,24 @@ END_TEST
 START_TEST(beside_a_step_none_is_off_the_surface)
 {
     struct case_of c = run_case(step, 0);
+
+    for (size_t v = 0; v < c.mesh.vertex.n; v++) {
+        struct vec3 p = c.mesh.vertex.item[v];
+        ck_assert_double_eq_tol(p.z, step(p.x, p.y), 0.03);
+    }
+    free_case(&c);
+}
+END_TEST
+
+START_TEST(on_a_crease_vertices_stay_points_of_the_scan)
+{
+    struct case_of c = run_case(roof, 0);
     size_t beside = 0;
 
     for (size_t v = 0; v < c.mesh.vertex.n; v++) {
         struct vec3 p = c.mesh.vertex.item[v], node = node_of(&c, v);
         double off = (node.x + 0.3 * node.y - 1) / hypot(1, 0.3);
-        ck_assert_double_eq_tol(p.z, step(p.x, p.y), 0.03);
+        ck_assert_double_eq_tol(p.z, roof(p.x, p.y), 0.1);
         beside += fabs(off) < 0.8 && hypot(node.x, node.y) < 10 && is_point(&c, p);
     }
     ck_assert_uint_gt(beside, 3);
@@ -124,6 +141,7 @@ int main(void)
     TCase *tests = tcase_create("node_heights");
     tcase_add_loop_test(tests, vertices_stand_at_their_nodes_on_the_surface, 0, 3);
     tcase_add_test(tests, beside_a_step_none_is_off_the_surface);
+    tcase_add_test(tests, on_a_crease_vertices_stay_points_of_the_scan);
     suite_add_tcase(suite, tests);
     SRunner *runner = srunner_create(suite);
     srunner_run_all(runner, CK_NORMAL);
