@@ -27,7 +27,7 @@ struct settings {
 static struct settings settings_default(void)
 {
     return (struct settings){.axis_tolerance = 0.05,
-                             .post = {.chord = 0.005, .feed = 500},
+                             .post = {.chord = 0.002, .feed = 500},
                              .extract = {.from = -1, .explain = -1}};
 }
 
@@ -54,7 +54,7 @@ static void read_options(struct settings *s, struct cli *cli, int argc, char **a
          "largest sum that all stages may spend; beyond it the exit\nstatus is 3", CLI_NUMBER,
          &s->tolerance, CLI_POSITIVE, 0, 0, NULL},
         {0, "chord", "MM",
-         "largest deviation of blocks from the path, before rounding\n(default 0.005)", CLI_NUMBER,
+         "largest deviation of blocks from the path, before rounding\n(default 0.002)", CLI_NUMBER,
          &s->post.chord, 1e-6, 10, 0, NULL},
         {0, "axis-tolerance", "DEG", "largest deviation of the tool axis (default 0.05)",
          CLI_NUMBER, &s->axis_tolerance, 1e-5, 10, 0, NULL},

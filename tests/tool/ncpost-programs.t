@@ -29,7 +29,7 @@ back() { # PATH NCPOST-OPTIONS READBACK-OPTIONS
 	# shellcheck disable=SC2086
 	ncpost -q $2 "$1" >"$TMP/back.nc" 2>"$TMP/err" &&
 		ok "$(basename "$1"): ncpost $2, read back" \
-			"$READBACK" $3 --path "$1" -e 0.0062 --axis 0.052 "$TMP/back.nc" && return
+			"$READBACK" $3 --path "$1" -e 0.0029 --axis 0.052 "$TMP/back.nc" && return
 	result 1 "$(basename "$1"): ncpost $2"
 }
 
@@ -43,7 +43,7 @@ linuxcnc() { # PATH NCPOST-OPTIONS READBACK-OPTIONS
 	fi
 	canon back.ngc >back.canon || { cat canon.err >"$TMP/err"; result 1 "$desc"; return; }
 	# shellcheck disable=SC2086
-	ok "$desc" "$READBACK" -c canon $3 --path "$1" -e 0.0062 --axis 0.052 back.canon
+	ok "$desc" "$READBACK" -c canon $3 --path "$1" -e 0.0029 --axis 0.052 back.canon
 }
 
 # A wave with four passes, the tool leaning by 15 degrees: height of the wave, path file
@@ -356,8 +356,8 @@ for control in fanuc siemens heidenhain linuxcnc; do
 		"$golden/shapes.cl" >$control.smooth
 done
 has "its tolerance is in the ledger" '^\(TOLERANCE SMOOTHING +0\.0080\)$' fanuc.smooth
-status 3 "and counts" ncpost -q -c fanuc --set smooth=yes -e 0.0095 "$golden/shapes.cl"
-status 0 "as it does not without" ncpost -q -c fanuc -e 0.0095 "$golden/shapes.cl"
+status 3 "and counts" ncpost -q -c fanuc --set smooth=yes -e 0.0065 "$golden/shapes.cl"
+status 0 "as it does not without" ncpost -q -c fanuc -e 0.0065 "$golden/shapes.cl"
 has "smoothing: Fanuc" ' G05\.1 Q1 R6$' fanuc.smooth
 has "and off again" ' G05\.1 Q0$' fanuc.smooth
 has "smoothing: Siemens, with the axis" 'CYCLE832\(0\.008,11,0\.2\)' siemens.smooth
@@ -549,7 +549,7 @@ has "its line of the path, pass and rule" 'shapes\.cl:21: pass 2, arc: as the pa
 status 0 "--explain with a contact point" ncpost -c fanuc --explain 120 hollow.cl
 has "names it" '^contact [0-9.]+ 0\.000000 [0-9.]+, normal' out
 status 1 "--explain a block that is not there" ncpost -c fanuc --explain 5000 "$golden/shapes.cl"
-has "names the last" 'the last one is 960' err
+has "names the last" 'the last one is 1270' err
 
 # ---- the self-test of every machine: the tip stays where it is
 for machine in "$SRC"/machines/*.txt; do

@@ -105,7 +105,7 @@ blocks all.nc | grep -v '^<' >got
 cat >want <<'END'
 PROGRAM 000042 42
 UNITS MM
-SMOOTH 7 0.005 0.05
+SMOOTH 9 0.002 0.05
 G54 HASH#1
 T007 M6 (H07)
 SPIN 8000
