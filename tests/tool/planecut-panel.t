@@ -1,0 +1,58 @@
+#!/bin/sh
+# planecut-panel.t - the panel all the way to programs; points put on the surfaces of a model.
+. "${SRC:-$(dirname "$0")/../..}/tests/lib/lib.sh"
+cd "$TMP" || exit 1
+
+panel=$SRC/samples/panel_17036.xyz
+
+# The cutting points of a path, one a line: pass, tip, axis, contact, normal.
+cuts() {
+	awk -F'[/,]' '/PASS\// { pass = $2 }
+		/CONTCT\// { c = $2; for (i = 3; i <= 7; i++) c = c " " $i }
+		/^GOTO\// && c != "" { print pass, $2, $3, $4, $5, $6, $7, c; c = "" }' "$1"
+}
+
+# ---- the panel, all the way: two fitters, two controls, three and five axes
+
+cloud2mesh -q -t 2 -o panel.ply "$panel"
+for axis in "--fixed 0,0,1" "--tilt 15"; do
+	# shellcheck disable=SC2086 # words
+	status 0 "the panel, $axis" planecut -q -r 8 -s 6 -a 0 -e 0.005 $axis -o none.cl panel.ply
+	"$READBACK" -c none none.cl --panel >out
+	below "$axis: the ball goes no deeper than" "$(sed -n '/^ball:/s/.*deepest \([-0-9.]*\) mm.*/\1/p' out)" 0.005
+	biarcfit -q -e 0.01 -o biarcfit.cl none.cl
+	bsplfit -q -e 0.01 -o bsplfit.cl none.cl
+	for fitter in biarcfit bsplfit; do
+		for control in fanuc siemens; do
+			status 0 "$axis, $fitter: $control" ncpost -q -c $control -o program $fitter.cl
+			status 0 "$axis, $fitter: $control, read back" "$READBACK" -c $control -e 0.006 --axis 0.0505 \
+				--path $fitter.cl --panel program
+			below "$axis, $fitter: $control, gouge in the panel" \
+				"$(sed -n '/^ball:/s/.*deepest \([-0-9.]*\) mm.*/\1/p' out)" 0.02
+		done
+	done
+done
+planecut -q -r 8 -s 2 -j 1 panel.ply >one.cl
+planecut -q -r 8 -s 2 -j 4 panel.ply >four.cl
+same "threads change nothing" one.cl four.cl
+planecut -q -r 8 -s 2 <panel.ply >stdin.cl
+same "nor does standard input" one.cl stdin.cl
+
+# ---- put on the surfaces that a coarse mesh was made from
+
+surface=$SRC/tests/data/awkward/surface.igs
+nurbs2mesh -q -n 12 -o coarse.ply "$surface"
+planecut -q -r 1 -s 3.1 -a 20 --fixed 0,0,1 coarse.ply -o off.cl
+status 0 "on the surface itself" planecut -q -r 1 -s 3.1 -a 20 --fixed 0,0,1 --surface "$surface" \
+	-o on.cl coarse.ply
+empty "all points have one" err
+has "what the mesh was off counts without it" 'LEDGER/nurbs2mesh' off.cl
+hasnt "and no more with it" 'LEDGER/nurbs2mesh' on.cl
+cuts off.cl >off
+cuts on.cl | paste -d' ' - off | awk '{ d = sqrt(($8 - $21) ^ 2 + ($9 - $22) ^ 2 + ($10 - $23) ^ 2)
+	if (d > w) w = d; n++ } END { printf "%.6f %.6f\n", w, n ? w : 0 }' >figures
+read -r most least <figures
+below "points move by less than the mesh is off" "$most" 0.2
+below "but move" 0.000001 "$least"
+
+done_testing
