@@ -41,7 +41,9 @@ size_t outliers_twice(const struct point_grid *point_grid, unsigned char *out);
  *     by more than OUTLIERS_SIGMAS, OUTLIERS_SPREADS and OUTLIERS_SPACINGS allow.
  * But no outlier is a point that lies on a surface that others make (edge_flank_holds: one side of a
  * thin edge), nor one of OUTLIERS_FEATURE that follow each other from the surface on, each within one
- * and a half spacings of the next (a needle).  So a clump of up to OUTLIERS_CLUMP points floating
+ * and a half spacings of the next (a needle), nor one of a step or a cliff: two points and more
+ * within two and a half spacings, seen from above, are over it, two and more under it, and these go
+ * up a cliff or are about as little on one smooth surface as it is.  So a clump of up to OUTLIERS_CLUMP points floating
  * anywhere is found, an edge or a wall is none.
  * Only points that are off a robust quadric over their cell and the eight around it, or have no
  * other point of their cell near them, are tested.

@@ -295,8 +295,66 @@ static bool is_on_needle(const struct point_grid *b, double reach, size_t i)
     return false;
 }
 
-/* Unmarks points that others bear out: several in a row from the surface on, as on a needle; and
- * points on the surface that others make, as on one side of a thin edge. */
+/* The points not marked that are near point i seen from above, of very many only some, and how many
+ * of them are above and below it. */
+static size_t gather_seen_from_above(const struct point_grid *b, const unsigned char *out, size_t i,
+                                     struct vec3 *near, size_t *above, size_t *below)
+{
+    const double within = 2.5 * spacing_of(b);
+    const struct vec3 p = b->point[i];
+    size_t column = point_grid_column(b, p.x), row = point_grid_row(b, p.y), n = 0;
+    size_t r0 = row > 0 ? row - 1 : 0, r1 = row + 1 < b->rows ? row + 1 : row;
+    size_t c0 = column > 0 ? column - 1 : 0, c1 = column + 1 < b->columns ? column + 1 : column;
+    for (size_t r = r0; r <= r1; r++)
+        for (size_t k = b->first[r * b->columns + c0]; k < b->first[r * b->columns + c1 + 1]; k++) {
+            struct vec3 q = b->point[k];
+            if (k == i || out[k] || n == MOST_BLOCK || hypot(q.x - p.x, q.y - p.y) > within)
+                continue;
+            near[n++] = q;
+            *above += q.z > p.z;
+            *below += q.z < p.z;
+        }
+    return n;
+}
+
+/* Their heights differ by so much that they go up or down a cliff. */
+static bool is_cliff(const struct point_grid *b, const struct vec3 *near, size_t n)
+{
+    const double steep = 10 * spacing_of(b); /* over five spacings at most: 63 degrees */
+    double low = INFINITY, high = -INFINITY;
+
+    for (size_t k = 0; k < n; k++) {
+        low = fmin(low, near[k].z);
+        high = fmax(high, near[k].z);
+    }
+    return high - low > steep;
+}
+
+/* A point of a step or a cliff that was seen from above has few others on the wall near to it: but
+ * the surface comes from below it and goes on above it, and those points go up a cliff, or are about
+ * as little on one smooth surface as it is. */
+static bool is_on_step(const struct point_grid *b, const unsigned char *out, size_t i)
+{
+    enum { EACH_SIDE = 2 };
+    const double much = 6;
+    struct vec3 near[MOST_BLOCK];
+    struct quadric q;
+    size_t above = 0, below = 0, n = gather_seen_from_above(b, out, i, near, &above, &below);
+    double squares = 0;
+
+    if (above < EACH_SIDE || below < EACH_SIDE)
+        return false;
+    if (is_cliff(b, near, n) || quadric_fit(near, n, b->point[i], vec(0, 0, 1), &q) < 0)
+        return true;
+    for (size_t k = 0; k < n; k++) {
+        double off = quadric_off(&q, near[k]);
+        squares += off * off;
+    }
+    return fabs(quadric_off(&q, b->point[i])) <= much * sqrt(squares / (double)n);
+}
+
+/* Unmarks points that others bear out: several in a row from the surface on, as on a needle;
+ * points on the surface that others make, as on one side of a thin edge; and points of a step. */
 static void keep_borne_out(const struct point_grid *b, double sigma, unsigned char *out)
 {
     const double reach = 1.5 * spacing_of(b);
@@ -304,7 +362,7 @@ static void keep_borne_out(const struct point_grid *b, double sigma, unsigned ch
     bool *kept = mem_alloc(b->n + 1, sizeof *kept);
 
     for (size_t i = 0; i < b->n; i++)
-        kept[i] = out[i] == MARKED && edge_flank_holds(b, sigma, i);
+        kept[i] = out[i] == MARKED && (edge_flank_holds(b, sigma, i) || is_on_step(b, out, i));
     for (size_t i = 0; i < b->n; i++)
         if (kept[i])
             out[i] = 0;

@@ -115,6 +115,41 @@ START_TEST(sparse_walls)
 }
 END_TEST
 
+/* A plateau with an elliptic rim, its wall nearly upright. */
+static double bluff(double x, double y)
+{
+    double beyond = 1 - hypot(x / 22, y / 30);
+    return 8 * fmin(fmax(beyond / 0.02, 0), 1) + 0.03 * x + 0.002 * y * y;
+}
+
+/* Points of a wall seen from above are few and far apart on it: they are all believed, whatever the
+ * scan is measured or said to be; strays above the rim and below the foot are not. */
+START_TEST(walls_seen_from_above)
+{
+    enum { POINTS = 25000, STRAYS = 40 };
+    size_t (*find)(const struct point_grid *, double, int, unsigned char *) =
+        _i % 2 ? outliers_floating : outliers_isolated;
+    size_t right = 0;
+
+    noisy_seed(11 + (unsigned)_i / 2);
+    for (int i = 0; i < POINTS; i++) {
+        double x = 64 * noisy_uniform() - 32, y = 72 * noisy_uniform() - 36;
+        *array_push(&scan) = vec(x, y, bluff(x, y));
+    }
+    for (int i = 0; i < STRAYS; i++) {
+        double turn = 2 * PI * i / STRAYS, part = i % 4 < 2 ? 0.7 + 0.02 * i / STRAYS : 0.99;
+        double x = 22 * part * cos(turn), y = 30 * part * sin(turn);
+        *array_push(&scan) = vec(x, y, i % 2 ? 20 + 10 * noisy_uniform() : -6 - noisy_uniform());
+    }
+    sort();
+    size_t found = find(&point_grid, 0, 2, out);
+    ck_assert_uint_eq(found, STRAYS);
+    for (size_t i = 0; i < point_grid.n; i++)
+        right += out[i] && fabs(point_grid.point[i].z - 5.5) > 9;
+    ck_assert_uint_eq(right, STRAYS);
+}
+END_TEST
+
 /* A blade that stands on a floor, 0.3 mm thick at its edge and 0.7 at its root, points on both of its
  * sides: they are all believed, at its edge and at its root, turned anyhow, dense and sparse. */
 START_TEST(thin_blade)
@@ -232,6 +267,7 @@ int main(void)
     tcase_add_loop_test(tests, outliers, 0, 6);
     tcase_add_test(tests, clumps_in_the_air);
     tcase_add_loop_test(tests, sparse_walls, 0, 4);
+    tcase_add_loop_test(tests, walls_seen_from_above, 0, 6);
     tcase_add_loop_test(tests, edges, 0, 4);
     tcase_add_loop_test(tests, thin_blade, 0, 8);
     tcase_add_loop_test(tests, needles, 0, 2);
