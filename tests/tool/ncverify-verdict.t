@@ -266,9 +266,10 @@ for control in fanuc siemens; do
 	status 3 "$control: a pole too deep" ncverify -g dome.xyz -r 6 -e 0.03 -c $control bad.nc
 	N=$(sed 's/N//' named) # or the one beside it, whose span it shapes as much
 	has "$control: is named by its block" "^ncverify: bad.nc: N($N|$((N + 10))|$((N - 10))) .*deep" err
-	# 100 mm up: the passes beside leave little on its place, but the curve leaves the part
+	# 100 mm up: the passes beside leave little on its place, but the curve leaves the part;
+	# not the first pole of Fanuc, which has to be where the tool is
 	awk '/G0?6.2|BSPLINE/ { inside = 1 } / G1 | K[0-9.]+$/ { inside = 0 }
-		inside && ++n == 41 { for (i = 1; i <= NF; i++) if ($i ~ /^Z[0-9]/) $i = sprintf("Z%.3f", substr($i, 2) + 100)
+		inside && ++n > 40 && !done && !/G0?6.2/ { done = 1; for (i = 1; i <= NF; i++) if ($i ~ /^Z[0-9]/) $i = sprintf("Z%.3f", substr($i, 2) + 100)
 			print $1 >"named" } { print }' spline.$control >bad.nc
 	status 3 "$control: a pole far too high" ncverify -g dome.xyz -r 6 -e 0.03 -c $control bad.nc
 	N=$(sed 's/N//' named)
