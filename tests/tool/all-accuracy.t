@@ -14,8 +14,7 @@ rows() {
 	[ "$(grep -c "^[a-z]* *[0-9]" out)" = "$1" ]
 	result $? "$1 rows of it"
 }
-rows 1 bowl:8 random 0.05 biarcfit
-rows 1 bowl:6 lines 0.01 bsplfit
+rows 1 bowl:8 lines 0.05 biarcfit
 rows 1 saddle:8 grid 0.02 bsplfit
 
 status 1 "what is deeper is told" env SHAPES=bowl:8 PATTERNS=grid NOISE=0 FITTERS=none SCANS= DEPTH=0.0001 \
