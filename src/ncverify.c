@@ -26,7 +26,7 @@ struct settings {
     struct machine_options machine;
     const char *map, *path, *page, *holder, *stock;
     struct cli_list part;
-    double radius, tolerance, left, scallop, band, noise, flute, cell;
+    double radius, tolerance, left, left_share, scallop, band, noise, flute, cell;
     struct tool_shape tool;
     struct stock_options block;
 };
@@ -113,6 +113,10 @@ static void read_options(struct settings *s, struct cli *cli, int argc, char **a
          CLI_NUMBER, &s->scallop, 0, 1e4, 0, &s->scallop_given},
         {0, "left", "MM", "most material left, scallop and tolerance together", CLI_NUMBER,
          &s->left, 0, 1e4, 0, &s->left_given},
+        {0, "left-share", "PERCENT",
+         "share of the points that may have more than that left, since what the\n"
+         "tool reaches is found by samples (default: 0.5)",
+         CLI_NUMBER, &s->left_share, 0, 100, 0, NULL},
         {0, "partial", NULL,
          "the program cuts a part of the scan: what is left is judged in the\n"
          "region cut alone",
@@ -297,7 +301,7 @@ static struct machine_time_options time_options_of(const struct machine *machine
 
 int main(int argc, char **argv)
 {
-    struct settings s = {.tolerance = 0.05, .noise = -1};
+    struct settings s = {.tolerance = 0.05, .left_share = 0.5, .noise = -1};
     struct cli cli;
     struct nc_motion motion = {0};
     struct ncread_head head = {0};
@@ -321,6 +325,7 @@ int main(int argc, char **argv)
     const struct verify_options options = {.radius = s.radius,
                                            .tolerance = s.tolerance,
                                            .left = s.left,
+                                           .share = s.left_share / 100,
                                            .partial = s.partial,
                                            .band = s.band,
                                            .tool = s.tool,

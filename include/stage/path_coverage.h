@@ -13,6 +13,8 @@ struct path_coverage {
     struct coverage *coverage; /* NULL: nothing is measured */
     struct coverage_options options;
     struct kdtree *vertex;
+    struct gouge_check *bare; /* the points of the scan and none between them: what is in the way of
+                                 a ball that could cut more (NULL: the guard is) */
     double
         scallop; /* of the rows, mm; 0: none was asked for, and nothing that is left is a fault */
     size_t rounds, strips; /* of rest passes */
@@ -29,8 +31,8 @@ void path_coverage_rest(struct path_coverage *c, struct vec3 planes, struct tool
 /* Measures the path as it is in the end. */
 void path_coverage_measure(struct path_coverage *c, const struct toolpath *t);
 
-/* Tells what is out of reach and what is left.  EXIT_UNMET where something is left that rows of a
- * scallop should have cut, or without path_options.avoid out of reach. */
+/* Tells what is out of reach and what is left.  EXIT_UNMET where more than path_options.left_share of
+ * the points is left that rows of a scallop should have cut. */
 int path_coverage_conclude(const struct path_coverage *c);
 
 void path_coverage_free(struct path_coverage *c);

@@ -2,9 +2,9 @@
  * coverage - what a ball on its whole way leaves of a scan: each point is cut, left or out of reach.
  *
  * A point is cut where the ball on the straight lines between the centres of the path comes within
- * the radius and a limit of it.  Of the others those are left to which a ball could come nearer by
- * more than the limit that is clear of the part, and on some axis the rest of its tool too; the rest
- * is out of reach.
+ * the radius and a limit of it.  Of the others those are left that a ball touches (up to half the
+ * limit) that is clear of the part, and on some axis the rest of its tool too; the rest is out of
+ * reach.
  *
  * A ball that touches p has its centre at p + R d, d a unit vector, and is clear of a guard point q
  * where |p + R d - q| >= R, that is d . v <= v . v / 2R with v = q - p: half-spaces that all hold

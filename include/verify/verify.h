@@ -75,6 +75,7 @@ struct verify_program {
 struct verify_options {
     double radius;                     /* of the ball, mm */
     double tolerance;                  /* deepest gouge, mm */
+    double share;                      /* of the points that may have more than that, 0 to 1 */
     double left;                       /* most material left, mm; HUGE_VAL: not judged */
     bool partial;                      /* it cuts a part of the scan: the region cut is judged */
     double band;                       /* as of deviation_map, mm */

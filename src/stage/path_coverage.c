@@ -24,8 +24,9 @@ static const double SIGMAS = 1.5;
 /* Points on a mesh that are looked at, at most. */
 static const double MOST = 300000;
 
-/* The points that are to be cut: those of the scan, or points on the mesh half a row apart. */
-static void add_points(const struct mesh *mesh, double spacing, struct vec3s *to)
+/* The points that are to be cut: those of the scan, or points on the mesh half a row apart.  False for
+ * these. */
+static bool add_points(const struct mesh *mesh, double spacing, struct vec3s *to)
 {
     const struct path_options *c = &path_options;
 
@@ -33,8 +34,10 @@ static void add_points(const struct mesh *mesh, double spacing, struct vec3s *to
         *array_push(to) = c->certain.item[i];
     for (size_t i = 0; i < c->doubtful.n; i++)
         *array_push(to) = c->doubtful.item[i];
-    if (to->n == 0)
-        guard_points_of_mesh(mesh, spacing, MOST, to);
+    if (to->n > 0)
+        return true;
+    guard_points_of_mesh(mesh, spacing, MOST, to);
+    return false;
 }
 
 struct path_coverage path_coverage_new(const struct mesh *mesh, const struct toolpath *t)
@@ -46,12 +49,13 @@ struct path_coverage path_coverage_new(const struct mesh *mesh, const struct too
 
     if (!t->lift.guard)
         return c;
-    add_points(mesh, scallop_step(h, o->radius, 0) / 2, &points);
+    if (add_points(mesh, scallop_step(h, o->radius, 0) / 2, &points))
+        c.bare = gouge_from_points(points.item, points.n);
     c.coverage = coverage_new(points.item, points.n, t->threads);
     c.vertex = kdtree_new_by(mesh->vertex.item, mesh->vertex.n, t->threads);
     array_free(&points);
     c.options =
-        (struct coverage_options){.guard = t->lift.guard,
+        (struct coverage_options){.guard = c.bare ? c.bare : t->lift.guard,
                                   .holder = &t->rule.holder,
                                   .upright = o->body.ball_only && t->lift.axis.kind == AXIS_FIXED,
                                   .axis = t->lift.axis.direction,
@@ -67,6 +71,7 @@ struct path_coverage path_coverage_new(const struct mesh *mesh, const struct too
 void path_coverage_free(struct path_coverage *c)
 {
     coverage_free(c->coverage);
+    gouge_free(c->bare);
     kdtree_free(c->vertex);
 }
 
@@ -141,6 +146,7 @@ int path_coverage_conclude(const struct path_coverage *c)
         return EXIT_DONE;
     struct coverage_report r = coverage_report(c->coverage);
     struct vec3 at = r.out.at;
+    double share = 100.0 * (double)r.left.n / (double)(r.points > 0 ? r.points : 1);
 
     if (r.out.n > 0)
         say("out of reach of ball and tool: %zu of %zu points, %.1f mm2, where up to %.3f mm "
@@ -149,11 +155,13 @@ int path_coverage_conclude(const struct path_coverage *c)
             r.out.n, r.points, r.out.area, r.out.highest, at.x, at.y, at.z);
     at = r.left.at;
     if (r.left.n > 0)
-        say("left though within reach: %zu of %zu points, %.1f mm2, more than %.3f mm and up to "
-            "%.3f mm, worst at %.3f %.3f %.3f",
-            r.left.n, r.points, r.left.area, c->options.limit, r.left.highest, at.x, at.y, at.z);
+        say("left though within reach: %zu of %zu points (%.2f %%, at most %g), %.1f mm2, more "
+            "than "
+            "%.3f mm and up to %.3f mm, worst at %.3f %.3f %.3f",
+            r.left.n, r.points, share, path_options.left_share, r.left.area, c->options.limit,
+            r.left.highest, at.x, at.y, at.z);
     if (r.left.n == 0)
         note("all of %zu points within reach are cut to %.3f mm; %zu rest passes in %zu rounds",
              r.points, c->options.limit, c->strips, c->rounds);
-    return r.left.n > 0 && c->scallop > 0 ? EXIT_UNMET : EXIT_DONE;
+    return share > path_options.left_share && c->scallop > 0 ? EXIT_UNMET : EXIT_DONE;
 }

@@ -21,6 +21,7 @@ struct path_options path_options = {.tilt = 15,
                                     .depth = 0.3,
                                     .noise = -1,
                                     .effort = 1,
+                                    .left_share = 0.5,
                                     .lean = 85,
                                     .play = 15,
                                     .clearance = NAN,
@@ -51,6 +52,8 @@ const struct cli_option path_option_table[] = {
      "status is 3)", CLI_FLAG, &path_options.avoid, 0, 0, 0, NULL},
     {0, "limit", "H", "lift no centre by more than H; places that need more are skipped\n"
      "(default: the radius)", CLI_NUMBER, &path_options.limit, CLI_POSITIVE, 0, 0, NULL},
+    {0, "left-share", "PERCENT", "share of the scan's points that may stay uncut within reach of the\n"
+     "tool (0.5); more gives exit status 3", CLI_NUMBER, &path_options.left_share, 0, 100, 0, NULL},
     {0, "tilt", "DEG", "tilt the axis sideways from the normal, positive to the next pass (15)",
      CLI_NUMBER, &path_options.tilt, -80, 80, 0, &path_options.lean_given},
     {0, "lead", "DEG", "tilt it in the direction of the feed (0)",

@@ -11,6 +11,9 @@ enum { ABOUT = 12, WIDE = 30, TURNS = 60, AXES = 120 };
 /* By how much the centre may be nearer between two samples of the path than at them, mm. */
 static const double SAGITTA = 0.001;
 
+/* Of the limit: a ball that comes so near to a point cuts it. */
+static const double TOUCHED = 0.5;
+
 /* Of the radius: guard points that are nearer to the point itself say nothing of a direction. */
 static const double NEAREST = 1e-6;
 
@@ -198,7 +201,7 @@ static double find_reach(const struct covering *w, struct coverage_point *point)
         if (vec_length(d) < 0.5)
             continue;
         double lift = o->guard ? find_touch(o, point->p, &d) : 0;
-        if (lift >= fmin(nearest, point->height - o->limit))
+        if (lift > TOUCHED * o->limit || lift >= nearest)
             continue;
         if (!o->guard || has_axis(o, vec_along(point->p, o->radius + lift, d), d)) {
             point->normal = d;
@@ -229,8 +232,8 @@ static void cover_points(void *context, size_t from, size_t to)
         if (!w->coverage->known[i] && point->height > o->limit)
             w->coverage->reach[i] = find_reach(w, point);
         w->coverage->known[i] = true;
-        point->state =
-            point->height > w->coverage->reach[i] + o->limit ? COVERAGE_LEFT : COVERAGE_OUT;
+        bool left = point->height > o->limit && w->coverage->reach[i] <= TOUCHED * o->limit;
+        point->state = left ? COVERAGE_LEFT : COVERAGE_OUT;
     }
 }
 

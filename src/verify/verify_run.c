@@ -202,10 +202,12 @@ static void judge_left(struct verdict *v)
               : r->over <= v->options.left + v->noise)
         return;
     if (whole)
-        add_finding(v, true, piece_at(v, at),
+        add_finding(v, (double)left->points > v->options.share * (double)v->program.part->n,
+                    piece_at(v, at),
                     "%.4f mm of material is left at %.3f %.3f %.3f, at most %.4g (%zu points, %.1f "
-                    "mm2 that the tool reaches)",
-                    worst, p.x, p.y, p.z, v->limit, left->points, left->area);
+                    "mm2 that the tool reaches; %zu points may be)",
+                    worst, p.x, p.y, p.z, v->limit, left->points, left->area,
+                    (size_t)(v->options.share * (double)v->program.part->n));
     else
         add_finding(v, true, piece_at(v, at),
                     "%.4f mm of material is left at %.3f %.3f %.3f, at most %g", worst, p.x, p.y,
