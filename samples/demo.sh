@@ -31,7 +31,7 @@ run() {
 }
 
 run 'noise of|points in' cloud2mesh -v -t 2 $scan -o "$out/face.ply"
-run 'passes|not fit' meshnorm -v -r 5 --scallop 0.1 --avoid --left-share 1 "$out/face.ply" -o "$out/face.cl"
+run 'passes|not fit' meshnorm -v -r 5 --scallop 0.1 --avoid "$out/face.ply" -o "$out/face.cl"
 
 run . biarcfit -v -e 0.01 "$out/face.cl" -o "$out/face-arcs.cl"
 run . ncpost -v -c siemens "$out/face-arcs.cl" -o "$out/face.mpf"
@@ -39,8 +39,8 @@ run 'points in' bsplfit -v -e 0.01 "$out/face.cl" -o "$out/face-splines.cl"
 run . ncpost -v -c fanuc "$out/face-splines.cl" -o "$out/face.nc"
 
 some='^(time|gouge *(worst|50%)|left *50%|verdict)'
-run "$some" ncverify -g $scan -r 5 -e 0.02 --left-share 1 --report "$out/face-nc.html" "$out/face.nc"
-run "$some" ncverify -g $scan -r 5 -e 0.02 --left-share 1 --report "$out/face-mpf.html" "$out/face.mpf"
+run "$some" ncverify -g $scan -r 5 -e 0.02 --report "$out/face-nc.html" "$out/face.nc"
+run "$some" ncverify -g $scan -r 5 -e 0.02 --report "$out/face-mpf.html" "$out/face.mpf"
 run . ncplot -v --cut -o "$out/face.svg" "$out/face.ply" "$out/face.mpf"
 echo "The picture is $out/face.svg; to turn and zoom in a browser: $out/face-mpf.html"
 exit $worst
