@@ -7,7 +7,7 @@
 #include "decimate.h"
 #include "palette.h"
 
-enum { PASSES = 160 }; /* more in a view would run together */
+static const double COARSEST = 4; /* px: a chain is never drawn off its places by more */
 
 /* A projected point on the picture, px; its z stays, mm. */
 static struct vec3 place_on_picture(const struct pane *pane, struct vec3 p)
@@ -399,10 +399,9 @@ static void draw_scene_ticks(struct pane *pane, const struct scene *scene, struc
 
 /* ---- the motions of a path */
 
-/* How finely they are is_drawn. */
+/* How finely they are drawn; none is left out. */
 struct grain {
     double tolerance; /* px */
-    size_t every;     /* of the passes */
 };
 
 void pane_ink(const struct pane_options *options, size_t layer, const struct stroke *stroke,
@@ -422,11 +421,6 @@ void pane_ink(const struct pane_options *options, size_t layer, const struct str
     int w = options->by_layer && moves ? (layer == 0 ? 44 : 11) : width[stroke->kind];
     snprintf(ink, PANE_INK, "stroke=\"%s\" stroke-width=\"%d\"%s", used, w,
              stroke->kind == STROKE_RAPID ? " stroke-dasharray=\"50 35\"" : "");
-}
-
-static bool is_drawn(const struct stroke *stroke, const struct grain *grain)
-{
-    return stroke->pass % grain->every == (grain->every > 1 ? 1 : 0);
 }
 
 /* Appends a chain that is seen, with few points, to `out`; or counts them when there is no svg. */
@@ -494,7 +488,7 @@ static size_t draw_look(const struct pane *pane, const struct scene *scene, size
     bool open = false;
     for (size_t i = 0; i < layer->stroke.n; i++) {
         const struct stroke *stroke = &layer->stroke.item[i];
-        if (look_of_stroke(pane->options, stroke) != want || !is_drawn(stroke, grain))
+        if (look_of_stroke(pane->options, stroke) != want)
             continue;
         if (svg && !open) {
             char ink[PANE_INK];
@@ -527,25 +521,15 @@ static size_t draw_strokes(const struct pane *pane, const struct scene *scene,
 
 static void draw_scene_strokes(struct pane *pane, const struct scene *scene, struct svg *svg)
 {
-    struct grain grain = {.tolerance = 0.1, .every = 1};
-    size_t strokes = 0, passes = 0;
-    for (size_t i = 0; i < scene->n; i++) {
+    struct grain grain = {.tolerance = 0.1};
+    size_t strokes = 0;
+    for (size_t i = 0; i < scene->n; i++)
         strokes += scene->item[i].stroke.n;
-        passes = scene->item[i].passes > passes ? scene->item[i].passes : passes;
-    }
-    pane->every = 1;
     if (strokes == 0)
         return;
-    while (passes / grain.every > PASSES)
-        grain.every *= 2;
     while (draw_strokes(pane, scene, &grain, NULL) > 2 * pane->options->marks &&
-           grain.tolerance < 2) {
-        if (grain.tolerance < 0.4 || passes / grain.every < 40)
-            grain.tolerance *= 2;
-        else
-            grain.every *= 2;
-    }
-    pane->every = grain.every;
+           grain.tolerance < COARSEST)
+        grain.tolerance *= 2;
     svg_group(svg, "fill=\"none\" stroke-linecap=\"round\" stroke-linejoin=\"round\"");
     draw_strokes(pane, scene, &grain, svg);
     svg_group_end(svg);

@@ -28,10 +28,9 @@ struct pane {
     struct raster near; /* what is nearest to the eye: hides what is behind it */
     bool hides;         /* there is something in it */
     double slack;       /* what is less far behind is not hidden, mm */
-    size_t every;       /* of the passes each so many-th is drawn */
 };
 
-/* Draws the scene; sets `every`. */
+/* Draws the scene. */
 void pane_draw(struct pane *pane, const struct scene *scene, struct svg *svg);
 
 /* The attributes of strokes of this kind, as pane and legend have them. */

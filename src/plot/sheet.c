@@ -408,11 +408,8 @@ static double draw_head(struct svg *svg, const struct scene *scene,
 
 static void draw_caption(struct svg *svg, const struct placed_pane *p, double bottom)
 {
-    char text[120], times[24];
-    const size_t every = p->pane.every;
-    snprintf(times, sizeof times, every == 2 ? "2nd" : "%zuth", every);
-    snprintf(text, sizeof text, every > 1 ? "%s, every %s pass" : "%s", caption[p->name], times);
-    svg_text(svg, p->pane.x + p->wide * p->pane.scale / 2, bottom, "middle", 12, false, text);
+    svg_text(svg, p->pane.x + p->wide * p->pane.scale / 2, bottom, "middle", 12, false,
+             caption[p->name]);
 }
 
 static void draw_panes(struct layout *l, const struct scene *scene, struct svg *svg)
