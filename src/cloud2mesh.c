@@ -190,8 +190,8 @@ static void say_rows(const struct adaptive_rows *r, double error, bool of_surfac
         note("%g mm would take points closer to each other", error);
 }
 
-/* Writes what is believed of the points and, apart, what is not; a scan from standard input is named
- * by what is believed of it. */
+/* Writes what is believed of the points and, apart, what is not; a scan from standard input is
+ * named by what is believed of it. */
 static void write_clean(const struct settings *s, const char *name, const struct vec3s *raw,
                         const struct vec3s *placed, int threads, struct scan_sources *scan)
 {

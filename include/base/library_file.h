@@ -16,9 +16,10 @@ struct library {
 };
 
 /*
- * Where the file called `name` is.  With a slash or an ending that file itself, seen from the folder
- * of `beside`, the file that names it (NULL: none); else NAME.txt beside that, in the current
- * folder, in the variable's, then among those installed, or built, with the running program.
+ * Where the file called `name` is.  With a slash or an ending that file itself, seen from the
+ * folder of `beside`, the file that names it (NULL: none); else NAME.txt beside that, in the
+ * current folder, in the variable's, then among those installed, or built, with the running
+ * program.
  */
 int library_file_find(const struct library *library, const char *name, const char *beside,
                       char file[LIBRARY_FILE], struct error *error);

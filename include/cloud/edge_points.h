@@ -8,11 +8,12 @@
  *      of the planes through it and two of its neighbours the one that most neighbours lie on
  *      (RANSAC, Fischler and Bolles 1981, but all of them), fitted to these, and bent where that is
  *      better (side_fit.h).  It counts if the flanks of the points on it agree.
- *   2. Where the flanks of two neighbours are no continuation of each other and each of the two lies
- *      below the flank of the other, points are put on the curve in which these intersect, and at a
- *      tip where they meet a third flank; no further than REACH spacings from a point of the scan.
- * No edge is put where points near to it lie off both flanks, and on no flank of their own: there the
- * scan knows a rounding.  Flanks are seen from above: their normals point up.
+ *   2. Where the flanks of two neighbours are no continuation of each other and each of the two
+ *      lies below the flank of the other, points are put on the curve in which these intersect, and
+ *      at a tip where they meet a third flank; no further than REACH spacings from a point of the
+ *      scan.
+ * No edge is put where points near to it lie off both flanks, and on no flank of their own: there
+ * the scan knows a rounding.  Flanks are seen from above: their normals point up.
  */
 #ifndef CLOUDMILL_EDGE_POINTS_H
 #define CLOUDMILL_EDGE_POINTS_H
@@ -28,8 +29,8 @@ struct edge_points_options {
     int threads;
 };
 
-/* True if point i lies on such a flank of its neighbours, which make one without it, and is not apart
- * from them. */
+/* True if point i lies on such a flank of its neighbours, which make one without it, and is not
+ * apart from them. */
 bool edge_flank_holds(const struct point_grid *point_grid, double noise, size_t i);
 
 /* Appends the points; returns how many. */

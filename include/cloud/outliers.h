@@ -10,8 +10,8 @@
 
 #include "math/point_grid.h"
 
-/* Neighbours that a quadric goes through; points of the largest clump that may be an outlier; points
- * of the smallest feature that is none. */
+/* Neighbours that a quadric goes through; points of the largest clump that may be an outlier;
+ * points of the smallest feature that is none. */
 enum { OUTLIERS_NEAR = 24, OUTLIERS_CLUMP = 8, OUTLIERS_FEATURE = 2 };
 
 /* So many times as far from its neighbours as these are from theirs, a point is isolated; so many
@@ -39,20 +39,20 @@ size_t outliers_twice(const struct point_grid *point_grid, unsigned char *out);
  *     OUTLIERS_CLUMP of the OUTLIERS_NEAR are as far; or more than OUTLIERS_FAR spacings away, or
  *   - are off a quadric through their OUTLIERS_NEAR nearest neighbours, fitted by Tukey's biweight,
  *     by more than OUTLIERS_SIGMAS, OUTLIERS_SPREADS and OUTLIERS_SPACINGS allow.
- * But no outlier is a point that lies on a surface that others make (edge_flank_holds: one side of a
- * thin edge), nor one of OUTLIERS_FEATURE that follow each other from the surface on, each within one
- * and a half spacings of the next (a needle), nor one of a step or a cliff: two points and more
+ * But no outlier is a point that lies on a surface that others make (edge_flank_holds: one side of
+ * a thin edge), nor one of OUTLIERS_FEATURE that follow each other from the surface on, each within
+ * one and a half spacings of the next (a needle), nor one of a step or a cliff: two points and more
  * within two and a half spacings, seen from above, are over it, two and more under it, and these go
- * up a cliff or are about as little on one smooth surface as it is.  So a clump of up to OUTLIERS_CLUMP points floating
- * anywhere is found, an edge or a wall is none.
+ * up a cliff or are about as little on one smooth surface as it is.  So a clump of up to
+ * OUTLIERS_CLUMP points floating anywhere is found, an edge or a wall is none.
  * Only points that are off a robust quadric over their cell and the eight around it, or have no
  * other point of their cell near them, are tested.
  */
 size_t outliers_isolated(const struct point_grid *point_grid, double sigma, int threads,
                          unsigned char *out);
 
-/* Of these only the first kind, isolated: where the points of a rough part, or one with much detail,
- * are off any quadric, nothing is told by that. */
+/* Of these only the first kind, isolated: where the points of a rough part, or one with much
+ * detail, are off any quadric, nothing is told by that. */
 size_t outliers_floating(const struct point_grid *point_grid, double sigma, int threads,
                          unsigned char *out);
 

@@ -91,8 +91,8 @@ bool gouge_free_above(const struct gouge_check *guard, struct vec3 c, double rad
 bool gouge_open(const struct gouge_check *guard, struct vec3 c, struct vec3 up, double radius,
                 double depth);
 
-/* The same along any of some ways: up, `normal` (where the ball touches) and the middle of both, and
- * DIRECTIONS more, over the upper half of the sphere, on the normal's side. */
+/* The same along any of some ways: up, `normal` (where the ball touches) and the middle of both,
+ * and DIRECTIONS more, over the upper half of the sphere, on the normal's side. */
 bool gouge_open_anyhow(const struct gouge_check *guard, struct vec3 c, struct vec3 normal,
                        double radius, double depth);
 

@@ -64,19 +64,19 @@ struct gouges {
 
 /*
  * Appends the deepest place of each millimetre or so of the motion where the tool goes deeper than
- * GOUGE_SAFE.  The ball: found on straight pieces within GOUGE_CHORD of its centre's path, or closer
- * where that decides, down to GOUGE_FINEST.  What is above it: the motion is halved until what it
- * is clear by at both ends is more than any place of it can move between them, or that is less
- * than GOUGE_SWEPT.
+ * GOUGE_SAFE.  The ball: found on straight pieces within GOUGE_CHORD of its centre's path, or
+ * closer where that decides, down to GOUGE_FINEST.  What is above it: the motion is halved until
+ * what it is clear by at both ends is more than any place of it can move between them, or that is
+ * less than GOUGE_SWEPT.
  */
 void gouge_refit_motion(const struct gouge_refit_options *options, const struct motion *motion,
                         struct gouges *gouges);
 
 /*
  * Lifts the points of the run around those places where the ball is too deep along their normals
- * (without one, along the axis): by the depth less GOUGE_LIFTED next to the place and evenly less over three times that
- * reach.  Both ends stay, for what comes before and after joins them.  Returns the largest lift,
- * mm.
+ * (without one, along the axis): by the depth less GOUGE_LIFTED next to the place and evenly less
+ * over three times that reach.  Both ends stay, for what comes before and after joins them.
+ * Returns the largest lift, mm.
  */
 double gouge_refit_lift(const struct gouge_refit_options *options, const struct gouges *gouges,
                         struct run *run);

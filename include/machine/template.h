@@ -59,7 +59,7 @@ enum template_word {
     TEMPLATE_STOP_OPTIONAL,
     TEMPLATE_NO_TOOL, /* a comment, where the path names no tool */
     TEMPLATE_COOLANT,
-    TEMPLATE_HOME, /* the machine's keys of these names; text before them begins their first block */
+    TEMPLATE_HOME, /* the machine's keys of these names; text before them begins their block */
     TEMPLATE_SAFE,
     TEMPLATE_START,
     TEMPLATE_END,

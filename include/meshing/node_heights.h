@@ -1,6 +1,6 @@
 /*
- * node_heights - the vertices of a grid's mesh put at their nodes, at the height of the surface that
- * the scan stands for there; so that the rows of the grid are straight seen from above.
+ * node_heights - the vertices of a grid's mesh put at their nodes, at the height of the surface
+ * that the scan stands for there; so that the rows of the grid are straight seen from above.
  *
  * Paper 1 moves each node to the point of the scan nearest to it (reposition.h): its rows wander by
  * up to half the spacing.  Here a vertex goes back to its node on the cubic through the NEAR points

@@ -37,7 +37,8 @@ struct tessellate_options {
 /*
  * The cells of a grid of parameter lines, two triangles each, cut off along the trimming.  To a
  * tolerance the grid is made finer until every triangle keeps it, or until finer grids hardly help:
- * sheet->error tells.  Trimming that crosses itself is followed more closely, to see whether it does.
+ * sheet->error tells.  Trimming that crosses itself is followed more closely, to see whether it
+ * does.
  */
 void tessellate(const struct patch *patch, struct tessellate_options how, struct sheet *sheet);
 

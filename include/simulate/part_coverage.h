@@ -7,8 +7,9 @@
  * The directions of the ball from the point and of the tool are samples (constants in the .c), so
  * that a narrow access may count as none.
  *
- * The tool comes from outside: the middle line of the axis, nine tenths of a radius thick, has to leave the
- * part, and where the part does not stand upright the ball is on its upper side.  Lengths in mm.
+ * The tool comes from outside: the middle line of the axis, nine tenths of a radius thick, has to
+ * leave the part, and where the part does not stand upright the ball is on its upper side.  Lengths
+ * in mm.
  */
 #ifndef CLOUDMILL_PART_COVERAGE_H
 #define CLOUDMILL_PART_COVERAGE_H
@@ -39,8 +40,8 @@ struct part_coverage {
     struct part_coverage_sum sum[COVERAGE_CLASSES];
 };
 
-/* `deviation` of each of n points: what is left on it, below zero where it is gouged.  `under`: 1 of
- * each point that is known to be out of reach (NULL: none). */
+/* `deviation` of each of n points: what is left on it, below zero where it is gouged.  `under`: 1
+ * of each point that is known to be out of reach (NULL: none). */
 void part_coverage_run(const struct vec3 *point, const double *deviation,
                        const unsigned char *under, size_t n,
                        const struct part_coverage_options *options, struct part_coverage *coverage);

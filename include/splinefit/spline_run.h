@@ -54,8 +54,8 @@ void spline_run_refit(const struct run *run, const struct spline_run_options *op
  * Fits the run and has its points lifted where the curves go too deep (gouge_refit_fit).  Where
  * that does not help, as at an end, which stays, or where the path climbs a wall, the curve gives
  * way to the straight line between the two points next to the place, which are what was checked
- * before, as long as no piece gets too short for a control by it.  With `paper` what goes too deep is only reported.  Frees what *pieces held; the run's
- * points are those that were lifted then.
+ * before, as long as no piece gets too short for a control by it.  With `paper` what goes too deep
+ * is only reported.  Frees what *pieces held; the run's points are those that were lifted then.
  */
 struct gouge_refit_result spline_run_fit_guarded(struct run *run,
                                                  const struct spline_run_options *options,

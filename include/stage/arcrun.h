@@ -31,8 +31,8 @@ struct arcrun_report {
     struct deviation worst;
 };
 
-/* The smooth parts of a run as they were fitted, for when some of its points have moved: a part that
- * comes again as it was is not fitted again.  Starts as all zero. */
+/* The smooth parts of a run as they were fitted, for when some of its points have moved: a part
+ * that comes again as it was is not fitted again.  Starts as all zero. */
 struct arcrun_memo {
     size_t n, cap;
     struct arcrun_part {
@@ -49,8 +49,8 @@ void arcrun_memo_free(struct arcrun_memo *memo);
  * is kept, on the printed digits, by both the tip and the centre and on both sides, against the
  * smooth reference of the run (run_densify) where its points are sparse, against the straight lines
  * between them where they are dense (arcfit.h: ARC_DENSE); not with `paper`.  Contacts are carried
- * to the new ends.  `memo` (NULL: none) is of the fit before with the same options, and becomes that
- * of this one.
+ * to the new ends.  `memo` (NULL: none) is of the fit before with the same options, and becomes
+ * that of this one.
  */
 void arcrun_fit(const struct run *run, const struct arcrun_options *options,
                 struct arcrun_memo *memo, struct path *out, struct arcrun_report *report);

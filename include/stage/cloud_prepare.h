@@ -34,8 +34,8 @@ enum cloud_prepare_drop { CLOUD_PREPARE_KEEP, CLOUD_PREPARE_DROP_OUTLIERS, CLOUD
 
 /*
  * Takes out points that are there twice and, as `drop` says, outliers or these and points under a
- * roof, and measures the noise; says what it found.  `spacing` is the mean spacing, mm, `noise` what the user says of it
- * (believed.h); with 0 all points are believed.  The points
+ * roof, and measures the noise; says what it found.  `spacing` is the mean spacing, mm, `noise`
+ * what the user says of it (believed.h); with 0 all points are believed.  The points
  * are in the order of point_grid.h afterwards, whatever it was.  -1: too many of them.
  */
 int cloud_prepare_clean(struct vec3s *points, double spacing, double noise,
@@ -43,9 +43,9 @@ int cloud_prepare_clean(struct vec3s *points, double spacing, double noise,
                         struct cloud_prepare *cloud_prepare, struct error *error);
 
 /*
- * Writes the points that are believed, as they were read (`raw`), to a file, and those that are not to
- * FILE.outliers; it is decided on them as placed, in the same order.  `name`: of the scan, for the
- * comment at the head of both.  *kept gets the points of the first.  -1: too many points.
+ * Writes the points that are believed, as they were read (`raw`), to a file, and those that are not
+ * to FILE.outliers; it is decided on them as placed, in the same order.  `name`: of the scan, for
+ * the comment at the head of both.  *kept gets the points of the first.  -1: too many points.
  */
 int cloud_prepare_write_clean(const char *file, const char *name, const struct vec3s *raw,
                               const struct vec3s *placed, double noise, int threads,

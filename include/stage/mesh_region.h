@@ -1,6 +1,6 @@
 /*
- * mesh_region - the part of a mesh that is to be cut: inside a box, of some of its surfaces, of some
- * steepness.  The rest stays what the tool is kept clear of.
+ * mesh_region - the part of a mesh that is to be cut: inside a box, of some of its surfaces, of
+ * some steepness.  The rest stays what the tool is kept clear of.
  */
 #ifndef CLOUDMILL_MESH_REGION_H
 #define CLOUDMILL_MESH_REGION_H

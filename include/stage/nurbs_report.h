@@ -20,9 +20,9 @@ void nurbs_report_radii(const char *file, const struct patches *patches,
                         const struct concave_radius *concave);
 
 /*
- * Surfaces are refused whose curves in space lie further than `limit` mm off them, or whose trimming
- * crosses itself: with `error` the first of them goes there; with NULL each is said, emptied and
- * marked.  Returns how many.
+ * Surfaces are refused whose curves in space lie further than `limit` mm off them, or whose
+ * trimming crosses itself: with `error` the first of them goes there; with NULL each is said,
+ * emptied and marked.  Returns how many.
  */
 size_t nurbs_report_refused(const struct patches *patches, struct sheet *sheet, double limit,
                             struct error *error);

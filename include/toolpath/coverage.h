@@ -1,5 +1,6 @@
 /*
- * coverage - what a ball on its whole way leaves of a scan: each point is cut, left or out of reach.
+ * coverage - what a ball on its whole way leaves of a scan: each point is cut, left or out of
+ * reach.
  *
  * A point is cut where the ball on the straight lines between the centres of the path comes within
  * the radius and a limit of it.  Of the others those are left that a ball touches (up to half the
@@ -9,8 +10,8 @@
  * A ball that touches p has its centre at p + R d, d a unit vector, and is clear of a guard point q
  * where |p + R d - q| >= R, that is d . v <= v . v / 2R with v = q - p: half-spaces that all hold
  * d = 0.  From the normal of the points about p, d is put on the one that it breaks most, again and
- * again (Kaczmarz), and back to length 1.  Where no d serves, the ball that is the least in is moved
- * out along its d: so near it comes.
+ * again (Kaczmarz), and back to length 1.  Where no d serves, the ball that is the least in is
+ * moved out along its d: so near it comes.
  */
 #ifndef CLOUDMILL_COVERAGE_H
 #define CLOUDMILL_COVERAGE_H

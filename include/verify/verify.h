@@ -9,7 +9,8 @@
  *   1. verify_part_read   the part: the points of a scan, or points on the faces of a mesh and on
  *                         trimmed surfaces;
  *   2. verify_run         the ball along the program over the part, rapid moves, flute, shank and
- *                         holder, the stock cut pass by pass, the axes; then what is wrong with them;
+ *                         holder, the stock cut pass by pass, the axes; then what is wrong with
+ *                         them;
  *   3. verdict_text, verdict_map, verdict_page   the verdict written.  The page's files are
  *                         src/verify/page.html, page.css and page.js; make builds them in.
  */

@@ -244,8 +244,8 @@ static bool is_confirmed(const struct edge_work *work, const struct hood *near,
     return same >= FEWEST / 2 && (double)same >= part * (double)on;
 }
 
-/* The flank that a rough point takes: its own, if its neighbours confirm it; but that of a neighbour,
- * if it lies on it too and that is fitted much better, or it has none. */
+/* The flank that a rough point takes: its own, if its neighbours confirm it; but that of a
+ * neighbour, if it lies on it too and that is fitted much better, or it has none. */
 static struct flank choose_flank(const struct edge_work *work, const struct hood *near, size_t i)
 {
     const double better = 0.6;

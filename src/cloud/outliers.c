@@ -331,8 +331,8 @@ static bool is_cliff(const struct point_grid *b, const struct vec3 *near, size_t
 }
 
 /* A point of a step or a cliff that was seen from above has few others on the wall near to it: but
- * the surface comes from below it and goes on above it, and those points go up a cliff, or are about
- * as little on one smooth surface as it is. */
+ * the surface comes from below it and goes on above it, and those points go up a cliff, or are
+ * about as little on one smooth surface as it is. */
 static bool is_on_step(const struct point_grid *b, const unsigned char *out, size_t i)
 {
     enum { EACH_SIDE = 2 };

@@ -575,7 +575,8 @@ static bool is_without(const struct work *w, size_t n, size_t at)
 }
 
 /* Appends a point, and before it, if it is joined to the last, as many on the straight line of the
- * ball's centre that a tip that goes straight does not swing the ball off it by more than may be. */
+ * ball's centre that a tip that goes straight does not swing the ball off it by more than may be.
+ * */
 static void put_point(const struct work *w, size_t after, struct run_point end, double at,
                       bool joined, struct run *to, struct doubles *along)
 {
@@ -704,8 +705,8 @@ static void measure(struct work *w)
             w->along[i - 1] + vec_distance(w->run->item[i - 1].ball, w->run->item[i].ball);
 }
 
-/* The rule's axes as they are over the ball's radius: what turns back within it is of single contact
- * points and not of the surface.  Points in the air have no say. */
+/* The rule's axes as they are over the ball's radius: what turns back within it is of single
+ * contact points and not of the surface.  Points in the air have no say. */
 static void average_rule(struct work *w, struct run *averaged)
 {
     const struct run *run = w->run;

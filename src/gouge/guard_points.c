@@ -313,8 +313,8 @@ static struct vec3 patch_at(const struct patch *patch, const double b[3])
     return sum;
 }
 
-/* How a patch is sampled: on a triangular raster; a slender one on rows along its longest edge, each
- * with points of its own number. */
+/* How a patch is sampled: on a triangular raster; a slender one on rows along its longest edge,
+ * each with points of its own number. */
 struct raster {
     int cells;   /* along the longest edge */
     int rows;    /* 0: as many as cells */

@@ -36,8 +36,8 @@ static bool is_surrounded(const struct vec3 *near, struct vec3 place)
     return widest < WIDEST;
 }
 
-/* Where the upright line through `place` meets the surface, up or down from its foot; false where it
- * does not, or where the surface is too steep. */
+/* Where the upright line through `place` meets the surface, up or down from its foot; false where
+ * it does not, or where the surface is too steep. */
 static bool meet_upright(const struct quadric *q, struct vec3 *place)
 {
     struct vec3 n = quadric_normal(q), p = quadric_foot(q);

@@ -46,8 +46,8 @@ int ncread_meaning_check(const char *words, struct error *error);
 /* A word of which nothing is known but that it moves nothing: remembered, to be told once. */
 void ncread_meaning_note(struct ncread *c, const char *word);
 
-/* A G or M number, in tenths, whose words move the tool or change where it goes, and that is not read:
- * cycles, subprograms, scaling and the like; what it is, NULL: none of these. */
+/* A G or M number, in tenths, whose words move the tool or change where it goes, and that is not
+ * read: cycles, subprograms, scaling and the like; what it is, NULL: none of these. */
 const char *ncread_meaning_moves(char letter, int tenths);
 
 /* Tells the words that were noted. */

@@ -9,8 +9,9 @@
  *    (match_boundaries);
  * 4. vertices of matched borders get one place (join_pairs);
  * 5. T-vertices are put into the edges that they lie on (insert_t_vertices);
- * 6. slits that are left, between an edge and others from one of its ends, are closed (close_slits).
- * At the end the vertices of each place are moved to the middle of them (move_to_middles).
+ * 6. slits that are left, between an edge and others from one of its ends, are closed
+ * (close_slits). At the end the vertices of each place are moved to the middle of them
+ * (move_to_middles).
  */
 #include "nurbs/sew.h"
 

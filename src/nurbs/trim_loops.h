@@ -36,8 +36,8 @@ bool uv_polygon_inside(const struct uv_polygon *loops, bool open, struct uv at);
 /* True when the inside, by the same rule, lies to the right of a loop. */
 bool uv_polygon_backwards(const struct uv_polygon *loops, size_t index, bool open);
 
-/* How often a loop crosses itself and so bounds two areas; one of less than a thousandth of the other
- * is the end of a curve that reaches a little too far. */
+/* How often a loop crosses itself and so bounds two areas; one of less than a thousandth of the
+ * other is the end of a curve that reaches a little too far. */
 size_t uv_polygon_crossings(const struct uv_polygon *loops);
 
 void uv_polygon_free(struct uv_polygon *loops);

@@ -573,8 +573,8 @@ static double top_of(const struct path *path, const struct machine *machine)
     return isnan(clear) ? cut + machine->retract : fmax(clear, cut);
 }
 
-/* The travel to the last digit within it, and what is rounded to that: no angle is beyond it once it
- * is printed, and none is refused for what no digit shows. */
+/* The travel to the last digit within it, and what is rounded to that: no angle is beyond it once
+ * it is printed, and none is refused for what no digit shows. */
 static void trim_travel(struct kinematic_chain *chain, int digits)
 {
     const double slack = 1e-9, half = 0.5 - 1e-6;

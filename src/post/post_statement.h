@@ -41,8 +41,8 @@ bool nc_cutcom_left_out(const struct path *path, const struct machine *machine,
 void nc_spindle(struct nc_program *p);
 void nc_coolant(struct nc_program *p);
 
-/* A statement of the path in the middle of the program, as the control has it; the seconds of a dwell,
- * which is left to the caller to word, 0: none. */
+/* A statement of the path in the middle of the program, as the control has it; the seconds of a
+ * dwell, which is left to the caller to word, 0: none. */
 double nc_statement(struct nc_program *p, const char *text);
 
 /* M3 or M4, M5, M9, M1, or what the machine has for them. */

@@ -17,8 +17,8 @@ void nc_place(struct nc_program *p, struct vec3 to);
 void nc_rotary(struct nc_program *p, const double q[]);
 void nc_rotary_axes(struct nc_program *p, int n, const double q[]);
 
-/* Tool-centre-point control is switched on with the rotary axes at zero; they turn to the first place
- * when the tool is above it. */
+/* Tool-centre-point control is switched on with the rotary axes at zero; they turn to the first
+ * place when the tool is above it. */
 bool nc_zero_first(const struct nc_program *p);
 
 /* The rotary words with which the tool leaves home: at zero, or as at the first motion. */
@@ -35,8 +35,8 @@ void nc_axis(struct nc_program *p, const struct nc_move *move, const char *const
 /* F, when it changes; inverse-time feeds always. */
 void nc_feed(struct nc_program *p, const struct nc_move *move);
 
-/* The work offset of the n-th tool's work, from 1 (0: none yet): offset.n of the machine, or that of
- * the largest number below it, or its `offset`. */
+/* The work offset of the n-th tool's work, from 1 (0: none yet): offset.n of the machine, or that
+ * of the largest number below it, or its `offset`. */
 const char *nc_work_offset(const struct nc_program *p, size_t n);
 
 /* The number of the tool that comes after the one in the spindle, 0: none, or it has no number. */

@@ -180,8 +180,8 @@ static bool ball_clears(const struct reach *r, struct vec3 p, struct vec3 d, str
     return out <= budget;
 }
 
-/* The tool over a ball at `centre`, moved out along `d` by what has to be free: along a wall that the
- * ball touches the shaft may go. */
+/* The tool over a ball at `centre`, moved out along `d` by what has to be free: along a wall that
+ * the ball touches the shaft may go. */
 static bool tool_clears(struct look *l, struct vec3 centre, struct vec3 d, struct vec3 axis)
 {
     const struct reach *r = l->r;

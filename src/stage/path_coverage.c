@@ -24,8 +24,8 @@ static const double SIGMAS = 1.5;
 /* Points on a mesh that are looked at, at most. */
 static const double MOST = 300000;
 
-/* The points that are to be cut: those of the scan, or points on the mesh half a row apart.  False for
- * these. */
+/* The points that are to be cut: those of the scan, or points on the mesh half a row apart.  False
+ * for these. */
 static bool add_points(const struct mesh *mesh, double spacing, struct vec3s *to)
 {
     const struct path_options *c = &path_options;

@@ -35,7 +35,8 @@ struct path_options path_options = {.tilt = 15,
 /* clang-format off */
 const struct cli_option path_option_table[] = {
     {'g', "guard", "FILE", "keep the tool clear of all points of this scan (default: the one that\n"
-     "the mesh was made from; may be given several times)", CLI_LIST, &path_options.guard.files, 0, 0, 0, NULL},
+     "the mesh was made from; may be given several times)", CLI_LIST,
+     &path_options.guard.files, 0, 0, 0, NULL},
     {0, "no-guard", NULL, "by no scan, not even the one that the mesh was made from",
      CLI_FLAG, &path_options.guard.none, 0, 0, 0, NULL},
     {0, "noise", "SIGMA", "standard deviation of the noise to remove from the scan of -g\n"
@@ -52,7 +53,8 @@ const struct cli_option path_option_table[] = {
      "status is 3)", CLI_FLAG, &path_options.avoid, 0, 0, 0, NULL},
     {0, "limit", "H", "lift no centre by more than H; places that need more are skipped\n"
      "(default: the radius)", CLI_NUMBER, &path_options.limit, CLI_POSITIVE, 0, 0, NULL},
-    {0, "left-share", "PERCENT", "share of the scan's points that may stay uncut within reach of the\n"
+    {0, "left-share", "PERCENT",
+     "share of the scan's points that may stay uncut within reach of the\n"
      "tool (0.5); more gives exit status 3", CLI_NUMBER, &path_options.left_share, 0, 100, 0, NULL},
     {0, "tilt", "DEG", "tilt the axis sideways from the normal, positive to the next pass (15)",
      CLI_NUMBER, &path_options.tilt, -80, 80, 0, &path_options.lean_given},
@@ -79,7 +81,8 @@ const struct cli_option path_option_table[] = {
     {0, "axis-rate", "DEG", "turn axes by no more than DEG per millimetre along a pass",
      CLI_NUMBER, &path_options.rate, CLI_POSITIVE, 0, 0, NULL},
     TOOL_OPTIONS(&path_options.body),
-    {0, "lean-limit", "DEG", "largest tilt of the axis away from its rule for the tool to be clear\n(85)",
+    {0, "lean-limit", "DEG",
+     "largest tilt of the axis away from its rule for the tool to be clear\n(85)",
      CLI_NUMBER, &path_options.lean, 0, 85, 0, NULL},
     {0, "one-way", NULL, "cut all passes in one direction (default: zig-zag)",
      CLI_FLAG, &path_options.one_way, 0, 0, 0, NULL},

@@ -184,8 +184,8 @@ struct path {
 int path_read(const char *file, struct path *path, struct error *error);
 
 /* The same for lengths in this unit where the stream does not say it: -1 too where it says another.
- * PATH_UNIT_SAID: millimetres, or inches where feeds are in IPM or IPR (path.inches_taken), -1 where
- * feeds are in both. */
+ * PATH_UNIT_SAID: millimetres, or inches where feeds are in IPM or IPR (path.inches_taken), -1
+ * where feeds are in both. */
 enum path_unit { PATH_UNIT_SAID, PATH_UNIT_MM, PATH_UNIT_INCH };
 int path_read_as(const char *file, enum path_unit unit, struct path *path, struct error *error);
 

@@ -1,6 +1,6 @@
 /*
- * edge_points: how deep a ball can go into a part with sharp edges and tips, whose scan has no points
- * on them, when it is kept clear of the guard points; and how far these stand off the part.
+ * edge_points: how deep a ball can go into a part with sharp edges and tips, whose scan has no
+ * points on them, when it is kept clear of the guard points; and how far these stand off the part.
  *
  * At places of the true surface the ball comes from all sides from which it touches nothing else:
  * its depth is what the true surface (sampled far more closely) reaches into it.

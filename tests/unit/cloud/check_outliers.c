@@ -150,8 +150,9 @@ START_TEST(walls_seen_from_above)
 }
 END_TEST
 
-/* A blade that stands on a floor, 0.3 mm thick at its edge and 0.7 at its root, points on both of its
- * sides: they are all believed, at its edge and at its root, turned anyhow, dense and sparse. */
+/* A blade that stands on a floor, 0.3 mm thick at its edge and 0.7 at its root, points on both of
+ * its sides: they are all believed, at its edge and at its root, turned anyhow, dense and sparse.
+ * */
 START_TEST(thin_blade)
 {
     const double sigma = _i % 2 * 0.005, step = _i / 2 % 2 ? 0.4 : 0.8, turn = 0.4 * _i;

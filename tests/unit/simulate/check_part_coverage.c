@@ -1,6 +1,6 @@
 /*
- * check_part_coverage - points cut, out of reach, left: a groove too narrow for the ball, whose bottom
- * it never touches; a well too narrow for the holder; a floor under a roof.
+ * check_part_coverage - points cut, out of reach, left: a groove too narrow for the ball, whose
+ * bottom it never touches; a well too narrow for the holder; a floor under a roof.
  */
 #include <check.h>
 #include <stdlib.h>
@@ -96,8 +96,8 @@ START_TEST(as_deep_as_the_holder_lets)
 }
 END_TEST
 
-/* A floor and a roof 30 over it that reaches from x = 0 to the right: upright the tool gets under it
- * nowhere, leaning it does, near the roof's edge. */
+/* A floor and a roof 30 over it that reaches from x = 0 to the right: upright the tool gets under
+ * it nowhere, leaning it does, near the roof's edge. */
 START_TEST(as_far_as_the_axes_turn)
 {
     struct vec3s points = {0};

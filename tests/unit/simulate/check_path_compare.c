@@ -1,6 +1,6 @@
 /*
- * check_path_compare - a program against its path: the same is the same, approach and retract apart;
- * a place, an axis, a feed that is off is told with how much, and what is left out.
+ * check_path_compare - a program against its path: the same is the same, approach and retract
+ * apart; a place, an axis, a feed that is off is told with how much, and what is left out.
  */
 #include <check.h>
 #include <stdlib.h>

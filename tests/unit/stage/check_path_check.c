@@ -1,5 +1,5 @@
-/* path_check: a path over a block with a slot, whose rapid, link, cut or holder goes into it, against
- * depths known from the shapes; and a feed of nothing. */
+/* path_check: a path over a block with a slot, whose rapid, link, cut or holder goes into it,
+ * against depths known from the shapes; and a feed of nothing. */
 #include "stage/path_check.h"
 
 #include <check.h>

@@ -71,7 +71,8 @@ START_TEST(rows_over_a_plane_leave_their_cusps)
 }
 END_TEST
 
-/* A path that comes nowhere leaves all, with the distance as height; one that grows takes it off. */
+/* A path that comes nowhere leaves all, with the distance as height; one that grows takes it off.
+ * */
 START_TEST(a_path_may_grow)
 {
     struct vec3s points = points_on(flat, 4), centre = {0};
