@@ -48,6 +48,10 @@ static inline double run_point_height(const struct run_point *p)
  */
 void run_tangents(const struct run *run, bool forward, struct vec3 *tangent);
 
+/* The motion of the ball over which a place is the least detour, of those that begin at the points
+ * [from, to); by its first point. */
+size_t run_motion_at(const struct run *run, size_t from, size_t to, struct vec3 place);
+
 /*
  * Appends the indices of the inner points where the ball's path turns by more than 60 degrees: the
  * corners.  Tangents on the two sides of a corner are those of the two pieces that it parts.

@@ -160,4 +160,7 @@ struct vec3 vec_slerp(struct vec3 a, struct vec3 b, double s);
 /* Any unit vector perpendicular to the unit vector a. */
 struct vec3 vec_perpendicular(struct vec3 a);
 
+/* The order of two struct vec3 by x, then y, then z, as qsort and bsearch want it. */
+int vec_compare(const void *a, const void *b);
+
 #endif

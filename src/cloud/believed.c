@@ -30,17 +30,6 @@ struct believed believed_in_grid(const struct point_grid *point_grid,
     return b;
 }
 
-static int compare_points(const void *pa, const void *pb)
-{
-    const struct vec3 *a = pa, *b = pb;
-
-    if (a->x != b->x)
-        return a->x < b->x ? -1 : 1;
-    if (a->y != b->y)
-        return a->y < b->y ? -1 : 1;
-    return (a->z > b->z) - (a->z < b->z);
-}
-
 /* The points marked, in order, at the start of the grid's. */
 static size_t gather_marked(struct point_grid *point_grid, const unsigned char *out)
 {
@@ -50,7 +39,7 @@ static size_t gather_marked(struct point_grid *point_grid, const unsigned char *
         if (out[i])
             point_grid->point[found++] = point_grid->point[i];
     if (found > 0)
-        qsort(point_grid->point, found, sizeof *point_grid->point, compare_points);
+        qsort(point_grid->point, found, sizeof *point_grid->point, vec_compare);
     return found;
 }
 
@@ -76,7 +65,7 @@ int believed_find(const struct vec3 *point, size_t n, const struct believed_opti
     *believed = believed_in_grid(&point_grid, options, out);
     size_t marked = gather_marked(&point_grid, out);
     for (size_t i = 0; i < n; i++)
-        out[i] = marked > 0 && bsearch(&point[i], copy, marked, sizeof *copy, compare_points);
+        out[i] = marked > 0 && bsearch(&point[i], copy, marked, sizeof *copy, vec_compare);
     point_grid_free(&point_grid);
     free(copy);
     return 0;

@@ -314,3 +314,19 @@ double run_densify(const struct run *run, double chord, struct run *dense)
     array_free(&corner);
     return worst;
 }
+
+size_t run_motion_at(const struct run *run, size_t from, size_t to, struct vec3 place)
+{
+    double least = HUGE_VAL;
+    size_t at = from;
+
+    for (size_t i = from; i < to; i++) {
+        struct vec3 a = run->item[i].ball, b = run->item[i + 1].ball;
+        double detour = vec_distance(a, place) + vec_distance(place, b) - vec_distance(a, b);
+        if (detour < least) {
+            least = detour;
+            at = i;
+        }
+    }
+    return at;
+}

@@ -138,16 +138,6 @@ static void sort_into_cells(struct point_grid *b, int threads)
     free(s.sorted);
 }
 
-static int by_value(const void *a, const void *b)
-{
-    const struct vec3 *p = a, *q = b;
-    if (p->x != q->x)
-        return p->x < q->x ? -1 : 1;
-    if (p->y != q->y)
-        return p->y < q->y ? -1 : 1;
-    return (p->z > q->z) - (p->z < q->z);
-}
-
 static void sort_cells(void *context, size_t from, size_t to)
 {
     enum { FEW = 24 };
@@ -156,13 +146,13 @@ static void sort_cells(void *context, size_t from, size_t to)
         struct vec3 *p = b->point + b->first[c];
         size_t n = b->first[c + 1] - b->first[c];
         if (n > FEW) {
-            qsort(p, n, sizeof *p, by_value);
+            qsort(p, n, sizeof *p, vec_compare);
             continue;
         }
         for (size_t i = 1; i < n; i++) {
             struct vec3 v = p[i];
             size_t k = i;
-            for (; k > 0 && by_value(&v, &p[k - 1]) < 0; k--)
+            for (; k > 0 && vec_compare(&v, &p[k - 1]) < 0; k--)
                 p[k] = p[k - 1];
             p[k] = v;
         }

@@ -23,3 +23,14 @@ struct vec3 vec_perpendicular(struct vec3 a)
     struct vec3 other = x <= y && x <= z ? vec(1, 0, 0) : y <= z ? vec(0, 1, 0) : vec(0, 0, 1);
     return vec_unit(vec_cross(a, other));
 }
+
+int vec_compare(const void *a, const void *b)
+{
+    const struct vec3 *p = a, *q = b;
+
+    if (p->x != q->x)
+        return p->x < q->x ? -1 : 1;
+    if (p->y != q->y)
+        return p->y < q->y ? -1 : 1;
+    return (p->z > q->z) - (p->z < q->z);
+}

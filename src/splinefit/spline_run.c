@@ -229,24 +229,6 @@ static void fit_and_check(void *context, const struct run *run, struct gouges *g
         find_gouges(f, run, &f->pieces->item[k], gouges);
 }
 
-/* The interval of the piece, by its first point, over which the place is the least detour. */
-static size_t interval_at(const struct run *run, const struct spline_run_piece *piece,
-                          struct vec3 place)
-{
-    double least = HUGE_VAL;
-    size_t at = piece->from;
-
-    for (size_t i = piece->from; i < piece->to; i++) {
-        struct vec3 a = run->item[i].ball, b = run->item[i + 1].ball;
-        double detour = vec_distance(a, place) + vec_distance(place, b) - vec_distance(a, b);
-        if (detour < least) {
-            least = detour;
-            at = i;
-        }
-    }
-    return at;
-}
-
 /* The tracked point hardly moves from one point to the other: a control would creep there. */
 static bool is_too_short(const struct guarded_fit *f, const struct run *run, size_t from, size_t to)
 {
@@ -272,7 +254,7 @@ static bool insert_lines(const struct guarded_fit *f, const struct run *run)
         struct gouge deepest = gouge_refit_beyond(f->gouge, &gouges);
         if (deepest.depth == 0 || piece->to == piece->from + 1)
             continue;
-        size_t i = interval_at(run, piece, deepest.ball);
+        size_t i = run_motion_at(run, piece->from, piece->to, deepest.ball);
         if (is_too_short(f, run, piece->from, i) || is_too_short(f, run, i, i + 1) ||
             is_too_short(f, run, i + 1, piece->to))
             continue;

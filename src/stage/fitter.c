@@ -66,23 +66,6 @@ static double length_of(const struct path *in, size_t from, size_t to)
     return length;
 }
 
-/* The motion of the run over which a place is the least detour, by its first point. */
-static size_t motion_at_place(const struct run *points, struct vec3 place)
-{
-    double least = HUGE_VAL;
-    size_t at = 0;
-
-    for (size_t i = 0; i + 1 < points->n; i++) {
-        struct vec3 a = points->item[i].ball, b = points->item[i + 1].ball;
-        double detour = vec_distance(a, place) + vec_distance(place, b) - vec_distance(a, b);
-        if (detour < least) {
-            least = detour;
-            at = i;
-        }
-    }
-    return at;
-}
-
 /* Marks the motions next to the places that are too deep, `wide` more on both sides; n motions. */
 static void mark_motions(const struct run *points, const struct gouges *gouges, size_t wide,
                          bool *stays)
@@ -90,7 +73,7 @@ static void mark_motions(const struct run *points, const struct gouges *gouges, 
     size_t n = points->n - 1;
 
     for (size_t k = 0; k < gouges->n; k++) {
-        size_t at = motion_at_place(points, gouges->item[k].ball);
+        size_t at = run_motion_at(points, 0, n, gouges->item[k].ball);
         for (size_t i = at > wide ? at - wide : 0; i < n && i <= at + wide; i++)
             stays[i] = true;
     }

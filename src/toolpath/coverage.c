@@ -146,8 +146,8 @@ static double find_touch(const struct coverage_options *o, struct vec3 p, struct
     }
     if (best <= o->tolerance)
         return 0;
-    double lift =
-        gouge_least_lift(o->guard, vec_along(p, o->radius, *d), *d, o->radius, o->radius, NULL);
+    double lift = gouge_least_lift(o->guard, vec_along(p, o->radius, *d), *d, o->radius,
+                                   TOUCHED * o->limit, NULL);
     return lift < 0 ? HUGE_VAL : lift;
 }
 
@@ -201,7 +201,7 @@ static double find_reach(const struct covering *w, struct coverage_point *point)
         if (vec_length(d) < 0.5)
             continue;
         double lift = o->guard ? find_touch(o, point->p, &d) : 0;
-        if (lift > TOUCHED * o->limit || lift >= nearest)
+        if (lift >= nearest)
             continue;
         if (!o->guard || has_axis(o, vec_along(point->p, o->radius + lift, d), d)) {
             point->normal = d;
