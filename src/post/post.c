@@ -77,7 +77,8 @@ static int set_frame(struct nc_program *p, struct path *path, struct machine *ma
         path_expand_cycles(path);
     if (options->inch)
         post_frame_inch(path, machine, &p->options);
-    *still = upright && (cycles || !machine->tcp || (machine->cutcom && nc_cutcom_asked(path)));
+    *still = upright && (cycles || !machine_has_tcp(machine, p->control) ||
+                         (machine->cutcom && nc_cutcom_asked(path)));
     return 0;
 }
 

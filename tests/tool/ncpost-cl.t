@@ -34,6 +34,21 @@ for file in "$data"/*.ncl "$data"/*.cls "$data"/*.cldata "$data"/*.apt; do
 	done
 done
 
+# ---- LinuxCNC without kinematics of its own: an upright job keeps its arcs, and rounds within G64 P
+for file in "$data/creo_schruppen_1.ncl" "$data/nx_coremill.cls"; do
+	name=$(basename "$file")
+	ncpost -q -c linuxcnc -o upright.ngc "$file"
+	ncpost -q -c linuxcnc -m linuxcnc-xyzac -o always.ngc "$file"
+	for program in upright always; do grep -Ec '^N[0-9]+ .*G0?[23] |^N[0-9]+ .*I.* J' $program.ngc >$program.arcs; done
+	result "$([ "$(cat upright.arcs)" -gt 100 ]; echo $?)" "$name upright: arcs stay"
+	same "$name upright: as many as with the kinematics of a trunnion" always.arcs upright.arcs
+	hasnt "$name upright: no inverse time" 'G93' upright.ngc
+	has "$name upright: G64 P" ' G64 P0\.' upright.ngc
+done
+printf '%s\n' 'GOTO/0,0,9,0,0.6,0.8' 'GOTO/5,0,0,0,0.6,0.8' FINI >lean.cl
+ncpost -q -c linuxcnc -o lean.ngc lean.cl
+has "a job that leans: inverse time" 'G93' lean.ngc
+
 # ---- cut off anywhere: refused, and nothing written
 for file in "$data"/*.ncl "$data"/*.cls "$data"/*.cldata "$data"/*.apt; do
 	size=$(wc -c <"$file")
