@@ -79,8 +79,8 @@ static void result_free(void *result)
     spline_run_free(&((struct result *)result)->pieces);
 }
 
-/* Says the first place where the tolerance is not kept; the exit status. */
-static int say_unmet(const struct path *in, const struct fitted_runs *runs)
+/* Says the first place where the tolerance is not kept. */
+static void say_unmet(const struct path *in, const struct fitted_runs *runs, struct unmets *unmet)
 {
     for (size_t i = 0; i < runs->n; i++) {
         const struct fitted_run *run = &runs->item[i];
@@ -89,18 +89,18 @@ static int say_unmet(const struct path *in, const struct fitted_runs *runs)
             const struct splinefit *f = &pieces->item[k].fit;
             if (pieces->item[k].still || f->within)
                 continue;
-            say("%s:%u: pass %zu: %.6f mm at the tip, %.6f mm at the ball, %.4f degrees: "
-                "the tolerance is not kept",
-                in->name, in->item.item[run->from].line, run->pass, f->proof.point, f->proof.other,
-                DEGREES(f->proof.axis));
-            return EXIT_UNMET;
+            unmet_say(unmet,
+                      "%s:%u: pass %zu: %.6f mm at the tip, %.6f mm at the ball, %.4f degrees: "
+                      "the tolerance is not kept",
+                      in->name, in->item.item[run->from].line, run->pass, f->proof.point,
+                      f->proof.other, DEGREES(f->proof.axis));
+            return;
         }
     }
-    return EXIT_DONE;
 }
 
-static struct fitter_outcome report(const void *settings, const struct path *in,
-                                    const struct fitted_runs *runs)
+static double report(const void *settings, const struct path *in, const struct fitted_runs *runs,
+                     struct unmets *unmet)
 {
     const struct settings *s = settings;
     FILE *table = s->common.report ? stderr : NULL;
@@ -123,7 +123,8 @@ static struct fitter_outcome report(const void *settings, const struct path *in,
     if (r.cut > 0)
         note("%zu curves reached the bound of work: they might do with fewer control points",
              r.cut);
-    return (struct fitter_outcome){r.spent, say_unmet(in, runs)};
+    say_unmet(in, runs, unmet);
+    return r.spent;
 }
 
 int main(int argc, char **argv)

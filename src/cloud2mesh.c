@@ -257,16 +257,18 @@ int main(int argc, char **argv)
     mesh.origin.scan = scan;
     mesh.origin.source = mem_string(name, strlen(name));
 
+    if (settings.meshing.error > 0 && result.rows.worst > settings.meshing.error)
+        unmet_say(
+            &mesh.origin.unmet,
+            "%s: the mesh is off by %.4f mm at %.3f %.3f %.3f, expected %g mm: the points are "
+            "too far apart there, or it is steep",
+            name, result.rows.worst, result.rows.at.x, result.rows.at.y, result.rows.at.z,
+            settings.meshing.error);
+    int status = unmets_status(&mesh.origin.unmet);
     struct out *out = out_open(cli.output);
     ply_write(out, &mesh);
     out_close(out);
     mesh_free(&mesh);
     array_free(&points);
-    if (settings.meshing.error > 0 && result.rows.worst > settings.meshing.error)
-        die_unmet(
-            "%s: the mesh is off by %.4f mm at %.3f %.3f %.3f, expected %g mm: the points are "
-            "too far apart there, or it is steep",
-            name, result.rows.worst, result.rows.at.x, result.rows.at.y, result.rows.at.z,
-            settings.meshing.error);
-    return EXIT_DONE;
+    return status;
 }

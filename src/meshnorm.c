@@ -261,11 +261,11 @@ int main(int argc, char **argv)
     path_coverage_rest(&coverage, scallop > 0 ? planes.passes[0].rule.normal : vec(0, 0, 0), &t);
     toolpath_end(&t);
     path_coverage_measure(&coverage, &t);
-    path_options_end(&mesh, "meshnorm", &t);
     note("%zu nodes in %zu strips", rows.node.n, rows.strip.n);
     int status = toolpath_conclude(&t);
-    if (path_coverage_conclude(&coverage) != EXIT_DONE)
+    if (path_coverage_conclude(&coverage, &path.head.unmet) != EXIT_DONE)
         status = EXIT_UNMET;
+    path_options_end(&mesh, "meshnorm", &t);
 
     path_coverage_free(&coverage);
     free_planes(&planes);

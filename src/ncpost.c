@@ -16,7 +16,7 @@ struct settings {
     struct machine_options machine;
     double tolerance;      /* of the whole ledger, 0: none */
     double axis_tolerance; /* degrees */
-    bool vectors, rotary, strict, self_test;
+    bool vectors, rotary, strict, self_test, accept;
     int unit, insert; /* -u; --insert: enum post_insert */
     bool unit_given;
     const char *split;
@@ -97,6 +97,10 @@ static void read_options(struct settings *s, struct cli *cli, int argc, char **a
          "a path may cut without a speed of the spindle or a tool's number;\n"
          "otherwise the exit status is 3",
          CLI_FLAG, &s->post.no_spindle, 0, 0, 0, NULL},
+        {0, "accept", NULL,
+         "end with 0 though an earlier stage could not keep what was asked\n"
+         "of it; otherwise the exit status is 3",
+         CLI_FLAG, &s->accept, 0, 0, 0, NULL},
         {0, "strict", NULL, "refuse unknown post-processor words", CLI_FLAG, &s->strict, 0, 0, 0,
          NULL},
         {0, NULL, NULL, NULL, CLI_FLAG, NULL, 0, 0, 0, NULL},
@@ -187,6 +191,17 @@ static void say_report(const struct path *path, const struct post_report *r, dou
          r->ledger);
 }
 
+/* What earlier stages could not keep; true where it is not accepted. */
+static bool say_unmet(const struct settings *s, const struct unmets *unmet)
+{
+    for (size_t i = 0; i < unmet->n; i++)
+        say("unmet, %s: %s", unmet->item[i].stage, unmet->item[i].text);
+    if (unmet->n > 0 && !s->accept)
+        say("an earlier stage could not keep what was asked of it; the program is written, and its "
+            "head says so (--accept ends with 0)");
+    return unmet->n > 0 && !s->accept;
+}
+
 int main(int argc, char **argv)
 {
     struct settings s = settings_default();
@@ -216,6 +231,7 @@ int main(int argc, char **argv)
 
     struct post_report report = post_report(post);
     say_report(&path, &report, s.post.feed);
+    bool unmet = say_unmet(&s, &path.head.unmet);
     bool missing = report.no_spindle_on || report.no_tool || report.no_coolant;
     post_free(post);
     machine_options_free(&s.machine);
@@ -233,5 +249,5 @@ int main(int argc, char **argv)
                   report.no_coolant ? "the machine file has no word for a coolant (coolant.thru, "
                                       "coolant.air)"
                                     : "");
-    return EXIT_DONE;
+    return unmet ? EXIT_UNMET : EXIT_DONE;
 }

@@ -244,11 +244,18 @@ int main(int argc, char **argv)
     path_coverage_rest(&coverage, planes.rule.normal, &t);
     toolpath_end(&t);
     path_coverage_measure(&coverage, &t);
-    path_options_end(&mesh, "planecut", &t);
     note("%zu planes", planes.height.n);
     int status = toolpath_conclude(&t);
-    if (path_coverage_conclude(&coverage) != EXIT_DONE)
+    if (path_coverage_conclude(&coverage, &path.head.unmet) != EXIT_DONE)
         status = EXIT_UNMET;
+    if (planes.steep && scallop_given) {
+        unmet_say(&path.head.unmet,
+                  "on slopes steeper than the planes can follow, scallops are "
+                  "higher than %g mm (--scallop)",
+                  path_options.scallop);
+        status = EXIT_UNMET;
+    }
+    path_options_end(&mesh, "planecut", &t);
     path_coverage_free(&coverage);
 
     plane_passes_free(&planes);
@@ -258,5 +265,5 @@ int main(int argc, char **argv)
     gouge_free(guard);
     mesh_free(&mesh);
     mesh_free(&part);
-    return planes.steep && scallop_given ? EXIT_UNMET : status;
+    return status;
 }

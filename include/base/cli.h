@@ -8,7 +8,7 @@
  *
  * Beside it: array.h memory and growing arrays, error.h failures as values, num.h numbers as text,
  * reader.h input by lines, out.h output that is complete or absent, parallel.h threads, effort.h
- * bounds of the work on a large scan, library_file.h files installed with the program.
+ * bounds of the work on a large scan, unmet.h what a stage could not keep, library_file.h files installed with the program.
  */
 #ifndef CLOUDMILL_CLI_H
 #define CLOUDMILL_CLI_H
@@ -66,6 +66,9 @@ struct cli {
 
 /* Reads the options.  -h and -V end the process with 0, a mistake with 2. */
 void cli_parse(struct cli *cli, int argc, char **argv);
+
+/* The name of this tool: "cloudmill" before cli_parse. */
+const char *cli_tool(void);
 
 /* One line on standard error after `tool: `.  say: unless -q; note: only with -v. */
 void say(const char *format, ...) __attribute__((format(printf, 1, 2)));

@@ -17,6 +17,7 @@
 
 #include "base/array.h"
 #include "base/error.h"
+#include "base/unmet.h"
 #include "math/faces.h"
 #include "math/transform.h"
 #include "math/vec.h"
@@ -60,6 +61,7 @@ struct mesh_origin {
     bool placed;                  /* `place` is more than the identity */
     struct transform place;       /* from the scan's own numbers (its units) to this mesh's mm */
     struct scan_sources scan;     /* the files it was made from; placed as `place` says */
+    struct unmets unmet;          /* what the stages so far could not keep */
 };
 
 struct mesh {

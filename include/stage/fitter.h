@@ -45,12 +45,6 @@ struct fitted_runs {
     struct fitted_run *item;
 };
 
-/* What came of all runs. */
-struct fitter_outcome {
-    double spent; /* of the tolerance, mm */
-    int status;   /* EXIT_DONE or EXIT_UNMET */
-};
-
 /* What a fit of one run is asked for. */
 struct fit_request {
     const struct gouge_refit_options *gouge;
@@ -76,9 +70,10 @@ struct fitter {
     void (*fit)(const void *settings, const struct fit_request *request, struct run *points,
                 struct fitted_run *run);
 
-    /* Reports on all runs: the table where it is asked for, and the totals. */
-    struct fitter_outcome (*report)(const void *settings, const struct path *in,
-                                    const struct fitted_runs *runs);
+    /* Reports on all runs: the table where it is asked for, the totals, and what is unmet.  Returns
+     * what was spent of the tolerance, mm. */
+    double (*report)(const void *settings, const struct path *in, const struct fitted_runs *runs,
+                     struct unmets *unmet);
 
     size_t result_size;
     void (*result_free)(void *result); /* what a result holds; NULL: nothing */

@@ -50,7 +50,7 @@ struct path_check {
 void path_check_items(struct path_check *check, const struct path *path, size_t from, size_t to);
 
 /* Says with say() what is too deep and too slow, kind by kind: how many motions, the deepest with
- * place, pass, depth and part of the tool.  EXIT_DONE or EXIT_UNMET. */
-int path_check_conclude(const struct path_check *check);
+ * place, pass, depth and part of the tool; they are added to `unmet`.  EXIT_DONE or EXIT_UNMET. */
+int path_check_conclude(const struct path_check *check, struct unmets *unmet);
 
 #endif

@@ -33,7 +33,7 @@ void path_coverage_measure(struct path_coverage *c, const struct toolpath *t);
 
 /* Tells what is out of reach and what is left.  EXIT_UNMET where more than path_options.left_share
  * of the points is left that rows of a scallop should have cut. */
-int path_coverage_conclude(const struct path_coverage *c);
+int path_coverage_conclude(const struct path_coverage *c, struct unmets *unmet);
 
 void path_coverage_free(struct path_coverage *c);
 

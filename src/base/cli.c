@@ -28,6 +28,11 @@ static void message_begin(const char *tool)
     state.tool = tool;
 }
 
+const char *cli_tool(void)
+{
+    return state.tool;
+}
+
 /* quiet: errors only; verbose: summaries too.  Quiet wins. */
 static void message_level(bool quiet, bool verbose)
 {

@@ -23,6 +23,7 @@ void mesh_free(struct mesh *mesh)
     array_free(&mesh->origin.surface);
     array_free(&mesh->origin.part);
     scan_sources_free(&mesh->origin.scan);
+    unmets_free(&mesh->origin.unmet);
 }
 
 struct vec3 mesh_face_cross(const struct mesh *mesh, size_t face)

@@ -206,6 +206,17 @@ static void surface_keys(struct nc_program *p)
     }
 }
 
+/* What the stages before could not keep: nobody who reads the program alone shall miss it. */
+static void unmet_lines(struct nc_program *p)
+{
+    const struct unmets *unmet = &p->path->head.unmet;
+    for (size_t i = 0; i < unmet->n; i++) {
+        char text[500];
+        snprintf(text, sizeof text, "%.40s: %.400s", unmet->item[i].stage, unmet->item[i].text);
+        key_line(p, "UNMET", text);
+    }
+}
+
 void nc_head(struct nc_program *p)
 {
     const struct nc_total *total = &p->plan->total;
@@ -226,6 +237,7 @@ void nc_head(struct nc_program *p)
     head_tool(p);
     head_ledger(p);
     surface_keys(p);
+    unmet_lines(p);
     assumptions(p);
     double unit = p->plan->ability.unit;
     nc_comment(&p->w, "Cut %.1f mm, rapid %.1f mm, %.1f min", total->cut * unit,

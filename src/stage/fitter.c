@@ -285,18 +285,22 @@ int fitter_run(const struct fitter *fitter, const struct cli *cli, struct error 
         lift = fmax(lift, runs.item[i].gouge.lift);
 
     struct path out = assemble(&in, &runs);
-    struct fitter_outcome outcome = fitter->report(fitter->settings, &in, &runs);
+    struct unmets unmet = {0};
+    double spent = fitter->report(fitter->settings, &in, &runs, &unmet);
     if (runs.n > 0)
-        path_spend(&out, fitter->name, outcome.spent + lift);
-    write_path(cli->output, &out);
+        path_spend(&out, fitter->name, spent + lift);
     struct path_check check = {.tool = gouge, .threads = cli->threads};
     path_check_items(&check, &out, 0, out.item.n);
     if (lift > 0)
         note("points lifted by at most %.4f mm where motions went too deep between them", lift);
-    int status = path_check_conclude(&check);
+    path_check_conclude(&check, &unmet);
+    int status = unmets_status(&unmet);
+    unmets_add_all(&out.head.unmet, &unmet);
+    write_path(cli->output, &out);
+    unmets_free(&unmet);
     gouge_refit_free(&gouge);
     free_runs(fitter, &runs);
     path_free(&in);
     path_free(&out);
-    return outcome.status == EXIT_DONE ? status : outcome.status;
+    return status;
 }

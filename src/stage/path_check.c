@@ -105,7 +105,7 @@ void path_check_items(struct path_check *check, const struct path *path, size_t 
     array_free(&motions);
 }
 
-int path_check_conclude(const struct path_check *check)
+int path_check_conclude(const struct path_check *check, struct unmets *unmet)
 {
     static const char *const name[] = {"cutting motions", "links at feed", "rapids"};
     bool kept = check->slow == 0;
@@ -116,13 +116,14 @@ int path_check_conclude(const struct path_check *check)
         if (d->n == 0)
             continue;
         kept = false;
-        say("in %zu %s the tool goes deeper than %g mm into the part, worst in pass %zu the %s by "
-            "%.4f mm with the ball's centre at %.3f %.3f %.3f",
-            d->n, name[k], check->tool.tolerance, d->pass, tool_part_name(d->deepest.part),
-            d->deepest.depth, at.x, at.y, at.z);
+        unmet_say(unmet,
+                  "in %zu %s the tool goes deeper than %g mm into the part, worst in pass %zu the "
+                  "%s by %.4f mm with the ball's centre at %.3f %.3f %.3f",
+                  d->n, name[k], check->tool.tolerance, d->pass, tool_part_name(d->deepest.part),
+                  d->deepest.depth, at.x, at.y, at.z);
     }
     if (check->slow > 0)
-        say("%zu motions have a feed below %g mm/min, the slowest in pass %zu: %g", check->slow,
-            PATH_CHECK_SLOWEST, check->slow_pass, check->slowest);
+        unmet_say(unmet, "%zu motions have a feed below %g mm/min, the slowest in pass %zu: %g",
+                  check->slow, PATH_CHECK_SLOWEST, check->slow_pass, check->slowest);
     return kept ? EXIT_DONE : EXIT_UNMET;
 }

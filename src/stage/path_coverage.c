@@ -140,7 +140,7 @@ void path_coverage_measure(struct path_coverage *c, const struct toolpath *t)
     coverage_cut(c->coverage, &c->options, &t->ball, &t->ball_end);
 }
 
-int path_coverage_conclude(const struct path_coverage *c)
+int path_coverage_conclude(const struct path_coverage *c, struct unmets *unmet)
 {
     if (!c->coverage)
         return EXIT_DONE;
@@ -153,9 +153,12 @@ int path_coverage_conclude(const struct path_coverage *c)
             "stays, "
             "worst at %.3f %.3f %.3f",
             r.out.n, r.points, r.out.area, r.out.highest, at.x, at.y, at.z);
+    bool unmet_left = share > path_options.left_share && c->scallop > 0;
     at = r.left.at;
     if (r.left.n > 0)
-        say("left though within reach: %zu of %zu points (%.2f %%, at most %g), %.1f mm2, more "
+        unmet_say(
+            unmet_left ? unmet : NULL,
+            "left though within reach: %zu of %zu points (%.2f %%, at most %g), %.1f mm2, more "
             "than "
             "%.3f mm and up to %.3f mm, worst at %.3f %.3f %.3f",
             r.left.n, r.points, share, path_options.left_share, r.left.area, c->options.limit,
@@ -163,5 +166,5 @@ int path_coverage_conclude(const struct path_coverage *c)
     if (r.left.n == 0)
         note("all of %zu points within reach are cut to %.3f mm; %zu rest passes in %zu rounds",
              r.points, c->options.limit, c->strips, c->rounds);
-    return share > path_options.left_share && c->scallop > 0 ? EXIT_UNMET : EXIT_DONE;
+    return unmet_left ? EXIT_UNMET : EXIT_DONE;
 }

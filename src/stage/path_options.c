@@ -388,6 +388,7 @@ static void fill_head(const struct mesh *mesh, const char *tool, const struct to
         path_spend(t->path, tool, c->tolerance);
     head->chord = c->tolerance > 0 ? NAN : t->chord;
     head->scan = scan_sources_copy(&guard_scan.source);
+    unmets_add_all(&head->unmet, &origin->unmet);
 }
 
 void path_options_begin(const struct mesh *mesh, const char *tool, const char *output,
@@ -402,7 +403,7 @@ void path_options_begin(const struct mesh *mesh, const char *tool, const char *o
 void path_options_end(const struct mesh *mesh, const char *tool, struct toolpath *t)
 {
     if (t->streams) {
-        path_write_end(t->out);
+        path_write_end(t->out, &t->path->head);
     } else {
         fill_head(mesh, tool, t);
         t->out = out_open(t->output);

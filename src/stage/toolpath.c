@@ -539,34 +539,46 @@ void toolpath_free(struct toolpath *t)
 static void say_unmet(const struct toolpath *t)
 {
     const struct gouge_lift_report *r = &t->report;
+    struct unmets *unmet = &t->path->head.unmet;
+    struct unmets *uncut = t->rule.avoid ? NULL : unmet, *out = t->rule.skip ? NULL : unmet;
     struct vec3 at = r->unreachable_at;
 
     if (r->unreachable > 0)
-        say("the ball cannot reach %zu points with a lift of at most %g mm and skips them, worst "
+        unmet_say(
+            uncut,
+            "the ball cannot reach %zu points with a lift of at most %g mm and skips them, worst "
             "in "
             "pass %zu by %.3f mm at %.3f %.3f %.3f",
             r->unreachable, t->lift.limit, t->unreachable_pass, r->unreachable_by, at.x, at.y,
             at.z);
     at = t->uncut_at;
     if (t->uncut_places > 0)
-        say("the ball does not fit at %zu points and leaves material there, worst in pass %zu "
+        unmet_say(
+            uncut,
+            "the ball does not fit at %zu points and leaves material there, worst in pass %zu "
             "%.3f mm at %.3f %.3f %.3f",
             t->uncut_places, t->uncut_pass, t->uncut_height, at.x, at.y, at.z);
     if ((r->unreachable > 0 || t->uncut_places > 0) && !t->rule.avoid)
         say("a smaller ball must remove it; --avoid accepts it");
     at = t->blocked_at;
     if (t->blocked > 0)
-        say("no way between the clearance plane and %zu runs is clear for the whole tool: left "
+        unmet_say(
+            out,
+            "no way between the clearance plane and %zu runs is clear for the whole tool: left "
             "out, "
             "%.1f mm2, the first in pass %zu at %.3f %.3f %.3f",
             t->blocked, t->blocked_area, t->blocked_pass, at.x, at.y, at.z);
     at = t->skipped_at;
     if (t->skipped > 0)
-        say("no direction of the axis keeps flute, shank and holder clear at %zu points, about "
+        unmet_say(
+            out,
+            "no direction of the axis keeps flute, shank and holder clear at %zu points, about "
             "%.1f mm2: left out, the first in pass %zu at %.3f %.3f %.3f",
             t->skipped, t->skipped_area, t->skipped_pass, at.x, at.y, at.z);
     if (t->shank > 0)
-        say("at %zu points the normal is more than 90 degrees off the axis: the shank touches "
+        unmet_say(
+            unmet,
+            "at %zu points the normal is more than 90 degrees off the axis: the shank touches "
             "there, not the ball",
             t->shank);
 }
@@ -591,6 +603,6 @@ int toolpath_conclude(const struct toolpath *t)
     say_unmet(t);
     bool left = (r->unreachable > 0 || t->uncut_places > 0) && !t->rule.avoid;
     left = left || ((t->skipped > 0 || t->blocked > 0) && !t->rule.skip);
-    left = left || path_check_conclude(&t->check) != EXIT_DONE;
+    left = path_check_conclude(&t->check, &t->path->head.unmet) != EXIT_DONE || left;
     return left || t->shank > 0 ? EXIT_UNMET : EXIT_DONE;
 }

@@ -17,6 +17,7 @@
 #include "base/error.h"
 #include "curve/motion.h"
 #include "base/out.h"
+#include "base/unmet.h"
 #include "gouge/holder.h"
 #include "math/vec.h"
 #include "mesh/scan_source.h"
@@ -133,6 +134,7 @@ struct path_head {
         struct ledger_entry *item;
     } ledger;
     struct scan_sources scan; /* $$-> SCAN/, PLACE/: that it is guarded by */
+    struct unmets unmet;      /* $$-> UNMET/: what the stages so far could not keep */
 };
 
 struct path {
@@ -192,10 +194,11 @@ int path_read_as(const char *file, enum path_unit unit, struct path *path, struc
 /* Writes the stream with its head and FINI.  Coordinates with 6 decimals, vectors with 9. */
 void path_write(struct out *out, const struct path *path);
 
-/* The same in pieces: the head, items as often as there are more, the end. */
+/* The same in pieces: the head, items as often as there are more, the end: with
+ * what is unmet, which is known only then. */
 void path_write_head(struct out *out, const struct path_head *head);
 void path_write_items(struct out *out, const struct path *path);
-void path_write_end(struct out *out);
+void path_write_end(struct out *out, const struct path_head *head);
 
 void path_free(struct path *path);
 

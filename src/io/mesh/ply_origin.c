@@ -81,6 +81,18 @@ static int read_scan(const char *text, struct mesh_origin *origin, struct error 
     return error_set(error, "comment scan with '%.40s', expected points, hash and name", text);
 }
 
+/* The stage, and what it could not keep. */
+static int read_unmet(const char *text, struct mesh_origin *origin, struct error *error)
+{
+    size_t n = strcspn(text, " ");
+    if (n == 0 || text[n] != ' ')
+        return error_set(error, "comment unmet with '%.40s', expected a stage and a text", text);
+    char *stage = mem_string(text, n);
+    unmets_add(&origin->unmet, stage, text + n + 1);
+    free(stage);
+    return 0;
+}
+
 /* The first row, along and up. */
 static int read_part(const char *text, struct mesh_origin *origin, struct error *error)
 {
@@ -122,6 +134,8 @@ int ply_origin_read(struct mesh_origin *origin, const char *comment, struct erro
         return read_part(text, origin, error);
     } else if ((text = text_after(comment, "scan"))) {
         return read_scan(text, origin, error);
+    } else if ((text = text_after(comment, "unmet"))) {
+        return read_unmet(text, origin, error);
     } else if ((text = text_after(comment, "surface"))) {
         return read_surface(text, origin, error);
     } else if ((text = text_after(comment, "source"))) {
@@ -210,5 +224,9 @@ void ply_origin_write(struct out *out, const struct mesh_origin *origin)
         out_printf(out, "comment ledger %s ", origin->maker);
         out_num(out, ceil(origin->ledger * 1e4 - 1e-6) / 1e4, 4);
         out_text(out, "\n");
+    }
+    for (size_t i = 0; i < origin->unmet.n; i++) {
+        out_printf(out, "comment unmet %s ", origin->unmet.item[i].stage);
+        write_name(out, origin->unmet.item[i].text);
     }
 }

@@ -25,6 +25,7 @@ void path_free(struct path *path)
         free(path->unknown.item[i].word);
     array_free(&path->head.ledger);
     scan_sources_free(&path->head.scan);
+    unmets_free(&path->head.unmet);
     array_free(&path->item);
     array_free(&path->contact);
     array_free(&path->arc);
@@ -42,6 +43,8 @@ void path_head_copy(struct path_head *to, const struct path_head *from)
     to->partno = copy_text(from->partno);
     memset(&to->ledger, 0, sizeof to->ledger);
     to->scan = scan_sources_copy(&from->scan);
+    memset(&to->unmet, 0, sizeof to->unmet);
+    unmets_add_all(&to->unmet, &from->unmet);
     for (size_t i = 0; i < from->ledger.n; i++)
         *array_push(&to->ledger) = (struct ledger_entry){copy_text(from->ledger.item[i].stage),
                                                          from->ledger.item[i].spent};

@@ -164,6 +164,20 @@ static int read_ledger(struct path_parse *p)
     return 0;
 }
 
+/* UNMET/stage, text: as it was written, to the end of the line. */
+static int read_unmet(struct path_parse *p)
+{
+    const char *name = strchr(p->apt.raw, '/');
+    size_t n = name ? strcspn(++name, ",") : 0;
+    if (n == 0 || name[n] != ',')
+        return error_at(AT(p), "found `%.60s`, expected UNMET/stage, what it could not keep",
+                        p->apt.raw);
+    char *stage = mem_string(name, n);
+    unmets_add(&p->path->head.unmet, stage, name + n + 1);
+    free(stage);
+    return 0;
+}
+
 static int read_chord(struct path_parse *p)
 {
     return path_numbers(p, 0, 1, &p->path->head.chord, "mm");
@@ -313,6 +327,7 @@ static const struct path_row comments[] = {
     {"LEDGER", read_ledger},       {"CHORD", read_chord},        {"CLEAR", read_clear},
     {"CLOUDMILL", read_own},       {"CUTTER", path_read_cutter}, {"SCALLOP", read_scallop},
     {"TOOL", read_body},           {"SCAN", read_scan},          {"PLACE", read_place},
+    {"UNMET", read_unmet},
 };
 
 /* The row of a table for a word; NULL: none. */

@@ -278,8 +278,19 @@ void path_write_items(struct out *out, const struct path *path)
         out_text(out, "CYCLE/OFF\n");
 }
 
-void path_write_end(struct out *out)
+/* A $ at the end of a line would continue it: it becomes a `?` anywhere. */
+static void write_unmet(struct out *out, const struct unmet *unmet)
 {
+    out_printf(out, "$$-> UNMET/%s,", unmet->stage);
+    for (const char *p = unmet->text; *p; p++)
+        out_bytes(out, *p == '$' ? "?" : p, 1);
+    out_text(out, "\n");
+}
+
+void path_write_end(struct out *out, const struct path_head *head)
+{
+    for (size_t i = 0; i < head->unmet.n; i++)
+        write_unmet(out, &head->unmet.item[i]);
     out_text(out, "FINI\n");
 }
 
@@ -287,5 +298,5 @@ void path_write(struct out *out, const struct path *path)
 {
     path_write_head(out, &path->head);
     path_write_items(out, path);
-    path_write_end(out);
+    path_write_end(out, &path->head);
 }

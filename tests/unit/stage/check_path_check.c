@@ -66,7 +66,7 @@ START_TEST(a_clear_pass_is_clear)
     path_check_items(&check, &path, 0, path.item.n);
     for (int k = 0; k < 3; k++)
         ck_assert_uint_eq(check.deep[k].n, 0);
-    ck_assert_int_eq(path_check_conclude(&check), EXIT_DONE);
+    ck_assert_int_eq(path_check_conclude(&check, NULL), EXIT_DONE);
     path_free(&path);
     gouge_free(guard);
 }
@@ -91,7 +91,7 @@ START_TEST(ball_and_holder_in_a_cut_are_told_apart)
         ck_assert_uint_eq(holder.deep[MOTION_CUT].n, 1);
         ck_assert_double_eq_tol(holder.deep[MOTION_CUT].deepest.depth, 0.3, 0.03);
         ck_assert_int_eq(holder.deep[MOTION_CUT].deepest.part, TOOL_HOLDER);
-        ck_assert_int_eq(path_check_conclude(&holder), EXIT_UNMET);
+        ck_assert_int_eq(path_check_conclude(&holder, NULL), EXIT_UNMET);
     }
     path_free(&low);
     path_free(&near);
@@ -134,7 +134,7 @@ START_TEST(a_feed_of_nothing_is_told)
     path_check_items(&check, &path, 0, path.item.n);
     ck_assert_uint_eq(check.slow, 1);
     ck_assert_double_eq(check.slowest, 0.0001);
-    ck_assert_int_eq(path_check_conclude(&check), EXIT_UNMET);
+    ck_assert_int_eq(path_check_conclude(&check, NULL), EXIT_UNMET);
     path_free(&path);
 }
 END_TEST

@@ -220,7 +220,7 @@ START_TEST(a_path_written_as_it_is_made_is_the_same)
     t.streams = true;
     t.output = name;
     make_path(&t);
-    path_write_end(t.out);
+    path_write_end(t.out, &t.path->head);
     out_close(t.out);
     ck_assert_uint_gt(n, 1000);
     ck_assert_uint_eq(read_away(name, streamed, sizeof streamed), n);

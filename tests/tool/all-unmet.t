@@ -1,0 +1,45 @@
+#!/bin/sh
+# What a stage could not keep is in its stream, in every later one and in the head of the program,
+# and a pipe of which the shell sees the last status alone ends with 3.
+. "${SRC:-$(dirname "$0")/../..}/tests/lib/lib.sh"
+cd "$TMP" || exit 1
+
+# A trough of radius 4 for a ball of 6, 40 x 20 mm.
+awk 'BEGIN { for (x = -10; x <= 10; x += 0.5) for (y = 0; y <= 40; y += 0.5) {
+	r = 16 - x * x; printf "%.3f %.3f %.4f\n", x, y, (r > 0 ? -sqrt(r) : 0) } }' >trough.xyz
+ok "a mesh of a trough" cloud2mesh -q -t 1 -o trough.ply trough.xyz
+status 3 "a ball that does not fit" meshnorm -r 6 --spindle 9000 --tool 1 -o trough.cl trough.ply
+has "the path says it before its end" '^\$\$-> UNMET/meshnorm,the ball ' trough.cl
+ok "FINI is the last line still" test "$(tail -n 1 trough.cl)" = FINI
+for fitter in biarcfit bsplfit; do
+	$fitter -q -e 0.01 -o fitted.cl trough.cl
+	ok "$fitter carries it" test "$(grep -c UNMET/meshnorm fitted.cl)" = "$(grep -c UNMET trough.cl)"
+	for control in fanuc siemens heidenhain linuxcnc; do
+		status 3 "$fitter, $control: the last of the pipe ends with 3" \
+			ncpost -c $control -o p.nc fitted.cl
+		has "it is said again" 'unmet, meshnorm: the ball' err
+		has "it is in the head" '(UNMET|unmet): (MESHNORM|meshnorm): (THE BALL|the ball)' p.nc
+	done
+done
+status 0 "unless it is accepted" ncpost --accept -c siemens -o q.nc fitted.cl
+ncpost -q -c siemens -o p.nc fitted.cl
+same "which changes nothing else" p.nc q.nc
+status 0 "accepted in meshnorm: nothing is unmet" \
+	meshnorm -q -r 6 --avoid --left-share 100 --spindle 9000 --tool 1 -o trough.cl trough.ply
+hasnt "in the path" UNMET trough.cl
+status 0 "or in the program" ncpost -q -c siemens -o p.nc trough.cl
+
+# The mesh's too.
+status 3 "a mesh that can't be as fine" cloud2mesh -q -e 0.001 -o trough.ply trough.xyz
+has "says so" '^comment unmet cloud2mesh trough.xyz: the mesh is off by' trough.ply
+meshnorm -q -r 3 --spindle 9000 --tool 1 -o trough.cl trough.ply
+has "and the path of it" '^\$\$-> UNMET/cloud2mesh,trough.xyz: the mesh is off by' trough.cl
+
+# Hostile text in the place of a stage's.
+sed 's/^\$\$-> UNMET.*/$$-> UNMET\/nothing/' trough.cl >bad.cl
+status 1 "a line without its stage" ncpost -q -c siemens bad.cl
+has "is refused with its line" 'bad.cl:[0-9]+: found .*expected UNMET/stage' err
+sed 's/^\$\$-> UNMET.*/$$-> UNMET\/x,) M30 (%/' trough.cl >bad.cl
+ncpost -q -c fanuc -o p.nc bad.cl
+hasnt "no text of a stream leaves its comment" '^[^(]*M30.*UNMET|UNMET[^)]*\).*M30' p.nc
+done_testing
