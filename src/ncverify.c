@@ -206,6 +206,8 @@ static struct verify_program read_program(const struct settings *s, const struct
         die_error(&error);
     options.cutcom = machine->cutcom;
     options.words = machine->text.words;
+    options.tool = machine->tool;
+    options.tools = machine->tools;
     options.dialect = ncread_of(control);
     options.tcp = machine_has_tcp(machine, control);
     ncread_wraps(machine, &options.kinematics, options.wraps);

@@ -52,7 +52,9 @@ struct ncread_options {
     bool
         wraps[2]; /* that axis's words are within 0 to 360, and the shortest way is taken to them */
     bool cutcom;  /* radius compensation is wear alone: the path is the tool's centre */
-    const char *words;        /* what the control's file says of words, "": nothing */
+    const char *words;               /* what the control's file says of words, "": nothing */
+    const struct machine_tool *tool; /* the machine's, with their lengths */
+    size_t tools;
     struct ncread_head *head; /* is filled; NULL: not wanted */
 };
 

@@ -57,14 +57,16 @@ struct nc_motion_polynomial {
 struct nc_piece {
     unsigned char shape, interpolation; /* enum shape, enum axis_interpolation */
     bool rapid;
-    bool table;             /* p is the place of the linear axes: verify_kinematics_tip */
-    bool touches;           /* a contact point was given for its end */
-    bool inverse;           /* feed is one over the minutes that it takes */
-    int block;              /* its N number, -1: none */
-    size_t line;            /* of the program or stream */
-    size_t index;           /* ARC, POLYNOMIAL, SPLINE: of its element in the array of these */
-    double feed;            /* mm/min, 0: none given */
-    double u[2];            /* SPLINE: from, to */
+    bool table;    /* p is the place of the linear axes: verify_kinematics_tip */
+    bool touches;  /* a contact point was given for its end */
+    bool inverse;  /* feed is one over the minutes that it takes */
+    int block;     /* its N number, -1: none */
+    size_t line;   /* of the program or stream */
+    size_t index;  /* ARC, POLYNOMIAL, SPLINE: of its element in the array of these */
+    double feed;   /* mm/min, 0: none given */
+    double length; /* of the tool, from the spindle's nose; 0: centres are seen from the tip */
+    double beyond; /* the length that the control reckons with is greater by so much */
+    double u[2];   /* SPLINE: from, to */
     struct vec3 p[2], q[2]; /* both channels at the start and the end */
 };
 
@@ -114,6 +116,10 @@ void nc_motion_free(struct nc_motion *m);
 /* Where the tool is at s from 0 to 1 of a piece. */
 struct nc_motion_pose nc_motion_at(const struct nc_motion *m, const struct nc_piece *piece,
                                    double s);
+
+/* The machine with the tool that makes the piece. */
+struct verify_kinematics nc_motion_kinematics(const struct nc_motion *m,
+                                              const struct nc_piece *piece);
 
 /* Adds a piece for each knot span of the spline, which the motion takes over. */
 void nc_motion_add_spline(struct nc_motion *m, struct nc_motion_spline spline,

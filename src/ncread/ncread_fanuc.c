@@ -291,6 +291,7 @@ static int read_block(struct ncread *c, const char *line, struct error *error)
     if (read_words(c, &b, error) < 0)
         return -1;
     ncread_watch_words(c);
+    ncread_tool_words(c);
     return run_block(c, &b, error);
 }
 

@@ -240,6 +240,7 @@ static void watch_block(struct ncread *c, const struct klartext *k)
     for (int i = 0; i < k->n; i++)
         word[i] = k->word[i];
     ncread_watch_text(c, k->n, word);
+    ncread_tool_text(c, k->n, word);
 }
 
 static int run_block(struct ncread *c, struct klartext *k, struct error *error)

@@ -212,6 +212,8 @@ int ncread_go(struct ncread *c, const struct ncread_place *to, struct nc_piece p
         }
         ncread_plane_turn(c, &piece);
         ncread_unit_piece(c, &piece);
+        if (ncread_tool_piece(c, &piece, error) < 0)
+            return -1;
         *array_push(&c->motion->piece) = piece;
         c->motion->lines += piece.shape == SHAPE_LINE && !rapid;
         c->motion->arcs += piece.shape == SHAPE_ARC;
@@ -343,6 +345,8 @@ int ncread_spline(struct ncread *c, struct error *error)
     for (size_t i = 0; i < c->weight.n; i++)
         if (!(c->weight.item[i] > 0))
             return ncread_error(c, error, "a spline with a weight that is not above zero");
+    if (ncread_tool_piece(c, &c->spline, error) < 0)
+        return -1;
     ncread_plane_turn_poles(c);
     ncread_unit_poles(c);
     struct nc_motion_spline b = {.order = c->order, .n = n};

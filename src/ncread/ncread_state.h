@@ -14,6 +14,7 @@
 #include "ncread_hole.h"
 #include "ncread_meaning.h"
 #include "ncread_plane.h"
+#include "ncread_tool.h"
 #include "ncread_watch.h"
 #include "ncread_word.h"
 
@@ -91,6 +92,7 @@ struct ncread {
     struct ncread_plane tilted; /* the plane that X Y Z are in */
     struct ncread_hole hole;    /* the drilling cycle that is on */
     struct ncread_watch watch;
+    struct ncread_tool tool;
     /* a B-spline being read */
     int order;
     struct doubles knot, weight;

@@ -314,6 +314,8 @@ static int run_program(const char *file, const struct layer_options *options, st
     struct ncread_options run = {.dialect = ncread_of(control),
                                  .tcp = machine_has_tcp(&machine, control),
                                  .kinematics = ncread_kinematics(&machine)};
+    run.tool = machine.tool;
+    run.tools = machine.tools;
     ncread_wraps(&machine, &run.kinematics, run.wraps);
     struct nc_motion motion = {0};
     if (ncread_read(file, &run, &motion, error) < 0) {

@@ -36,7 +36,8 @@ static struct state state_at(struct axis_check *check, size_t index, double s)
         if (check->use->unreachable++ == 0)
             check->use->unreachable_at = index;
     }
-    struct vec3 linear = verify_kinematics_linear(kinematics, pose.p, state.turn);
+    const struct verify_kinematics with_tool = nc_motion_kinematics(check->motion, piece);
+    struct vec3 linear = verify_kinematics_linear(&with_tool, pose.p, state.turn);
     state.axis[0] = linear.x;
     state.axis[1] = linear.y;
     state.axis[2] = linear.z;

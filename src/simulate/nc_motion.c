@@ -84,6 +84,30 @@ static struct vec3 great_circle(struct vec3 a, struct vec3 b, double s)
     return vec_add(vec_scale(cos(s * angle), a), vec_scale(sin(s * angle), side));
 }
 
+struct verify_kinematics nc_motion_kinematics(const struct nc_motion *m,
+                                              const struct nc_piece *piece)
+{
+    struct verify_kinematics k = m->kinematics;
+    for (int i = 0; i < k.n && piece->length != 0; i++)
+        if (!k.axis[i].table)
+            k.axis[i].centre = vec_along(k.axis[i].centre, piece->length, k.tool);
+    return k;
+}
+
+/* With rotary axes at q: a length that is on shifts the linear axes, or under tool-centre-point
+ * control the tip along the tool. */
+static struct nc_motion_pose turned_pose(const struct nc_motion *m, const struct nc_piece *piece,
+                                         struct vec3 p, struct vec3 q)
+{
+    const double turn[VERIFY_KINEMATICS_AXES] = {q.x, q.y};
+    struct vec3 a = verify_kinematics_axis_at(&m->kinematics, turn);
+    if (!piece->table)
+        return (struct nc_motion_pose){vec_along(p, piece->beyond, a), a};
+    struct verify_kinematics k = nc_motion_kinematics(m, piece);
+    p = vec_along(p, piece->beyond, k.tool);
+    return (struct nc_motion_pose){verify_kinematics_tip(&k, p, turn), a};
+}
+
 struct nc_motion_pose nc_motion_at(const struct nc_motion *m, const struct nc_piece *piece,
                                    double s)
 {
@@ -104,13 +128,12 @@ struct nc_motion_pose nc_motion_at(const struct nc_motion *m, const struct nc_pi
         spline_at(b, span_of(b, middle), piece->u[0] + s * (piece->u[1] - piece->u[0]), &p, &q);
     }
     if (piece->interpolation == AXIS_GREAT_CIRCLE)
-        return (struct nc_motion_pose){p, q};
-    if (piece->interpolation == AXIS_BY_HEAD)
-        return (struct nc_motion_pose){p, vec_unit(vec_sub(q, p))};
-    const double turn[VERIFY_KINEMATICS_AXES] = {q.x, q.y};
-    if (piece->table)
-        p = verify_kinematics_tip(&m->kinematics, p, turn);
-    return (struct nc_motion_pose){p, verify_kinematics_axis_at(&m->kinematics, turn)};
+        return (struct nc_motion_pose){vec_along(p, piece->beyond, q), q};
+    if (piece->interpolation == AXIS_BY_HEAD) {
+        struct vec3 a = vec_unit(vec_sub(q, p));
+        return (struct nc_motion_pose){vec_along(p, piece->beyond, a), a};
+    }
+    return turned_pose(m, piece, p, q);
 }
 
 void nc_motion_add_spline(struct nc_motion *m, struct nc_motion_spline spline,

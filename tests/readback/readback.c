@@ -222,13 +222,16 @@ static void read_operand(const char *file, const struct options *o, struct nc_mo
 {
     struct error error;
     struct cl path = {0};
+    struct machine machine;
     struct ncread_options setup = {
         .tcp = !o->no_tcp,
         .kinematics = verify_kinematics_trunnion(o->axes ? 'B' : 'A', o->reversed ? -1 : 1)};
     if (o->machine) {
-        struct machine machine = read_machine(o);
+        machine = read_machine(o);
         setup.kinematics = ncread_kinematics(&machine);
         setup.tcp = machine.tcp && !o->no_tcp;
+        setup.tool = machine.tool;
+        setup.tools = machine.tools;
         ncread_wraps(&machine, &setup.kinematics, setup.wraps);
     }
     if (o->control != CONTROL_NONE) {
