@@ -25,7 +25,7 @@ struct search {
 static double curvature_at(const struct search *s, const struct nurbs *part, struct uv at,
                            struct vec3 *point)
 {
-    bool open = s->patch->open || s->loops->n == 0;
+    bool open = s->patch->open || s->loops->open || s->loops->n == 0;
     if (s->loops->n > 0 && !uv_polygon_inside(s->loops, open, at))
         return -HUGE_VAL;
     struct nurbs_place p = nurbs_place(part, at);

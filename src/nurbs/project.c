@@ -112,7 +112,7 @@ static double distance_outside(const struct projection *on, int k, struct uv at)
     struct vec3 d[3][3];
     double least = HUGE_VAL;
 
-    if (loops->n == 0 || uv_polygon_inside(loops, on->patches->item[k].open, at))
+    if (loops->n == 0 || uv_polygon_inside(loops, on->patches->item[k].open || loops->open, at))
         return 0;
     nurbs_derivatives(&on->patches->item[k].surface, at, 1, d);
     for (size_t i = 0; i < loops->n; i++) {

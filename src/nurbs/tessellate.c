@@ -264,7 +264,7 @@ static void make_sheet(const struct patch *patch, const struct uv_polygon *loops
                        struct sheet *sheet)
 {
     struct uvmesh mesh;
-    bool open = patch->open || loops->n == 0;
+    bool open = patch->open || loops->open || loops->n == 0;
     trim_grid(u, v, loops, open, &mesh);
     sheet_free(sheet);
     sheet->unclear = mesh.unclear + uv_polygon_crossings(loops);

@@ -4,6 +4,7 @@
 #include <stdlib.h>
 
 #include "base/array.h"
+#include "pullback.h"
 
 /* Does the loop go round the place?  Crossings of the ray to the right. */
 static bool goes_round(const struct uvs *loop, struct uv p)
@@ -123,152 +124,45 @@ void uv_polygon_free(struct uv_polygon *loops)
     loops->lost = 0;
 }
 
-/* Samples of the whole range in each direction, of which the best are starts of a search; samples
- * along a side of the range. */
-enum { ACROSS = 40, STARTS = 6, SIDE_SAMPLES = 9 };
+enum { DEPTH_MAX = 10, SPACE_PARTS = 8, SEEKS = 64 };
 
-/* By their length: two sides of the range so near each other are one. */
-static const double CLOSED = 1e-6;
-
-static double width(const struct nurbs_axis *a)
-{
-    return a->to - a->from;
-}
-
-/* Are the two sides of the range where u (or else v) ends one line? */
-static bool is_closed(const struct nurbs *s, bool u)
-{
-    double apart = 0, length = 0;
-    struct vec3 last = {0, 0, 0};
-    for (int i = 0; i <= SIDE_SAMPLES; i++) {
-        double along_v = s->v.from + width(&s->v) * i / SIDE_SAMPLES;
-        double along_u = s->u.from + width(&s->u) * i / SIDE_SAMPLES;
-        struct vec3 a =
-            nurbs_point(s, u ? (struct uv){s->u.from, along_v} : (struct uv){along_u, s->v.from});
-        struct vec3 b =
-            nurbs_point(s, u ? (struct uv){s->u.to, along_v} : (struct uv){along_u, s->v.to});
-        apart = fmax(apart, vec_distance(a, b));
-        length += i > 0 ? vec_distance(a, last) : 0;
-        last = a;
-    }
-    return apart <= CLOSED * length;
-}
-
-struct pullback pullback_new(const struct nurbs *surface)
-{
-    return (struct pullback){surface, is_closed(surface, true), is_closed(surface, false)};
-}
-
-/* Whole turns that bring x into the range. */
-static double turns_into_range(const struct nurbs_axis *a, bool closed, double x)
-{
-    return closed ? floor((x - a->from) / width(a)) : 0;
-}
-
-struct vec3 pullback_point(const struct pullback *p, struct uv at)
-{
-    const struct nurbs *s = p->surface;
-    at.u -= width(&s->u) * turns_into_range(&s->u, p->closed_u, at.u);
-    at.v -= width(&s->v) * turns_into_range(&s->v, p->closed_v, at.v);
-    at.u = fmin(fmax(at.u, s->u.from), s->u.to);
-    at.v = fmin(fmax(at.v, s->v.from), s->v.to);
-    return nurbs_point(s, at);
-}
-
-static double distance(const struct pullback *p, struct vec3 q, struct uv at)
-{
-    return vec_distance(q, pullback_point(p, at));
-}
-
-struct uv pullback_foot(const struct pullback *p, struct vec3 q, struct uv guess)
-{
-    const struct nurbs *s = p->surface;
-    double ku = turns_into_range(&s->u, p->closed_u, guess.u),
-           kv = turns_into_range(&s->v, p->closed_v, guess.v);
-    struct uv base = {guess.u - ku * width(&s->u), guess.v - kv * width(&s->v)};
-    struct uv best = nurbs_foot(s, q, base);
-    double least = vec_distance(q, nurbs_point(s, best));
-    best.u += ku * width(&s->u);
-    best.v += kv * width(&s->v);
-    /* A search that ends at the seam goes on beyond it. */
-    for (int i = 0; i < 4; i++) {
-        bool along_u = i < 2;
-        double sign = i % 2 == 0 ? 1 : -1;
-        const struct nurbs_axis *a = along_u ? &s->u : &s->v;
-        double at = along_u ? best.u - ku * width(a) : best.v - kv * width(a);
-        if (!(along_u ? p->closed_u : p->closed_v) || (sign > 0 ? at < a->to : at > a->from))
-            continue;
-        struct uv t = {best.u - ku * width(&s->u), best.v - kv * width(&s->v)};
-        *(along_u ? &t.u : &t.v) = sign > 0 ? a->from : a->to;
-        t = nurbs_foot(s, q, t);
-        double d = vec_distance(q, nurbs_point(s, t));
-        if (d < least) {
-            least = d;
-            ku += along_u ? sign : 0;
-            kv += along_u ? 0 : sign;
-            best = (struct uv){t.u + ku * width(&s->u), t.v + kv * width(&s->v)};
-        }
-    }
-    return best;
-}
-
-struct uv pullback_seek(const struct pullback *p, struct vec3 q)
-{
-    const struct nurbs *s = p->surface;
-    struct uv start[STARTS] = {{0, 0}}, best = {0, 0};
-    double near[STARTS], least = HUGE_VAL;
-    for (int i = 0; i < STARTS; i++)
-        near[i] = HUGE_VAL;
-    for (int k = 0; k < (ACROSS + 1) * (ACROSS + 1); k++) {
-        struct uv at = {s->u.from + width(&s->u) * (k % (ACROSS + 1)) / ACROSS,
-                        s->v.from + width(&s->v) * (k / (ACROSS + 1)) / ACROSS};
-        double d = distance(p, q, at);
-        int i = STARTS;
-        for (; i > 0 && d < near[i - 1]; i--)
-            if (i < STARTS) {
-                near[i] = near[i - 1];
-                start[i] = start[i - 1];
-            }
-        if (i < STARTS) {
-            near[i] = d;
-            start[i] = at;
-        }
-    }
-    for (int i = 0; i < STARTS; i++) {
-        struct uv at = pullback_foot(p, q, start[i]);
-        double d = distance(p, q, at);
-        if (d < least) {
-            least = d;
-            best = at;
-        }
-    }
-    return best;
-}
-
-enum { DEPTH_MAX = 10, SPACE_PARTS = 8 };
-
-/* Of the longer derivative: one so short is that of a pole; by a part of a span: how far from a
- * pole a curve still tells its direction. */
-static const double POLE = 1e-7, POLE_STEP = 1e-3;
+/* How far from a pole, by a piece of a curve, its direction is still told; by the size of the
+ * surface: how near to a pole a curve runs through it; by the width of the range: what is
+ * rounding. */
+static const double POLE_STEP = 1e-4, POLE_NEAR = 1e-6, POLE = 1e-9, ROUNDING = 1e-6;
 
 /* A curve in the parameters or in space that is being followed on the surface. */
 struct follower {
     struct pullback on;
     const struct nurbs_curve *curve;
     double tolerance;
-    bool space;
+    bool space, directed;
     double off; /* the farthest that the curve was off the surface */
+    int seeks;  /* searches of the whole surface that may still fail */
     struct uvs *to;
 };
 
-/* The curve's place; near the guess where the curve is in space. */
+static double width(const struct nurbs_axis *a)
+{
+    return a->to - a->from;
+}
+
+/* The curve's place; near the guess where the curve is in space, unless it is far from there. */
 static struct uv uv_at(struct follower *f, double t, struct uv guess)
 {
     struct vec3 p = nurbs_curve_point(f->curve, t);
     if (!f->space)
         return (struct uv){p.x, p.y};
     struct uv at = pullback_foot(&f->on, p, guess);
-    f->off = fmax(f->off, vec_distance(p, pullback_point(&f->on, at)));
+    double off = vec_distance(p, pullback_point(&f->on, at));
+    if (off > f->tolerance / 2 && f->seeks > 0) {
+        struct uv other = pullback_seek_near(&f->on, p, guess);
+        double least = vec_distance(p, pullback_point(&f->on, other));
+        f->seeks -= !(least < off / 2);
+        at = least < off / 2 ? other : at;
+        off = fmin(off, least);
+    }
+    f->off = fmax(f->off, off);
     return at;
 }
 
@@ -305,52 +199,133 @@ static void follow_span(struct follower *f, double t0, struct uv a, double t1, s
     follow_span(f, middle, m, t1, b, depth + 1);
 }
 
-/* At a pole a side of the range is one point, and the foot point of a curve that ends there says
- * nothing of the parameter along that side: it is taken from a place of the curve a little way from
- * the end, `inside`. */
-static struct uv uv_at_pole(struct follower *f, struct uv at, double inside)
+/* The pole that the curve is at, or -1. */
+static int pole_at(const struct follower *f, double t)
+{
+    return f->space ? pullback_pole(&f->on, nurbs_curve_point(f->curve, t), POLE_NEAR * f->on.size)
+                    : -1;
+}
+
+/* The place on the side of a pole where a curve meets it, told by a place `inside` of the curve. */
+static struct uv uv_on_pole(struct follower *f, int pole, double inside, struct uv guess)
 {
     const struct nurbs *s = f->on.surface;
-    struct vec3 d[3][3];
-    struct uv base = at;
-    base.u -= turns_into_range(&s->u, f->on.closed_u, at.u) * width(&s->u);
-    base.v -= turns_into_range(&s->v, f->on.closed_v, at.v) * width(&s->v);
-    nurbs_derivatives(s, base, 1, d);
-    double du = vec_length(d[1][0]) * width(&s->u), dv = vec_length(d[0][1]) * width(&s->v);
-    if (!f->space || (du > POLE * dv && dv > POLE * du))
-        return at;
-    struct uv near = pullback_seek(&f->on, nurbs_curve_point(f->curve, inside));
-    if (du <= POLE * dv)
-        at.u = near.u +
-               (f->on.closed_u ? floor((at.u - near.u) / width(&s->u) + 0.5) : 0) * width(&s->u);
-    else
-        at.v = near.v +
-               (f->on.closed_v ? floor((at.v - near.v) / width(&s->v) + 0.5) : 0) * width(&s->v);
+    struct uv at = pullback_seek_near(&f->on, nurbs_curve_point(f->curve, inside), guess);
+    switch (pole) {
+    case PULLBACK_U_LOW:
+        at.u = s->u.from;
+        break;
+    case PULLBACK_U_HIGH:
+        at.u = s->u.to;
+        break;
+    case PULLBACK_V_LOW:
+        at.v = s->v.from;
+        break;
+    default:
+        at.v = s->v.to;
+    }
     return at;
 }
 
-/* All points of a curve, span by span, with its last one; a span that bends is split first.
- * `start` is the place of its first point. */
-static void follow_curve(struct follower *f, bool backwards, struct uv start)
+/*
+ * Where a loop goes on from a pole that it came to: by whole turns so that the side of the range in
+ * between is one that bounds what is on the loop's left; by the shorter way where it is not
+ * directed.
+ */
+static struct uv uv_past_pole(const struct follower *f, int pole, struct uv from, struct uv to)
+{
+    bool along_u = pole == PULLBACK_V_LOW || pole == PULLBACK_V_HIGH;
+    double sign = pole == PULLBACK_V_LOW || pole == PULLBACK_U_HIGH ? 1 : -1;
+    double turn = along_u ? width(&f->on.surface->u) : width(&f->on.surface->v);
+    double by = along_u ? to.u - from.u : to.v - from.v;
+    if (!(along_u ? f->on.closed_u : f->on.closed_v))
+        return to;
+    if (f->directed) {
+        by *= sign;
+        by -= turn * floor(by / turn);
+        by = sign * (by < ROUNDING * turn ? turn : by);
+    } else {
+        by -= turn * floor(by / turn + 0.5);
+    }
+    return along_u ? (struct uv){from.u + by, to.v} : (struct uv){to.u, from.v + by};
+}
+
+/* All points from t0 to t1, span by span, with the last one; a span that bends is split first.  The
+ * curve runs through no pole in between.  `last` and `pole` are where the loop came to, and change;
+ * pole -2: this is its beginning. */
+static void follow_piece(struct follower *f, double t0, double t1, struct uv *last, int *pole)
 {
     const struct nurbs_axis *t = &f->curve->t;
     size_t spans = t->poles - (size_t)t->degree;
-    struct uv a = start;
+    int first_pole = pole_at(f, t0), last_pole = pole_at(f, t1);
+    bool backwards = t1 < t0;
+    double step = POLE_STEP * (t1 - t0);
+    struct uv a;
+    if (first_pole < 0)
+        a = uv_at(f, t0, *last);
+    else
+        a = uv_on_pole(f, first_pole, t0 + step, *last);
+    if (first_pole >= 0 && first_pole == *pole)
+        a = uv_past_pole(f, first_pole, *last, a);
     for (size_t k = 0; k < spans; k++) {
         size_t i = (size_t)t->degree + (backwards ? spans - 1 - k : k);
-        double low = fmax(t->knot[i], t->from), high = fmin(t->knot[i + 1], t->to);
-        double from = backwards ? high : low, step = backwards ? low - high : high - low;
+        double low = fmax(t->knot[i], fmin(t0, t1)), high = fmin(t->knot[i + 1], fmax(t0, t1));
+        double from = backwards ? high : low, across = backwards ? low - high : high - low;
         int parts = f->space ? SPACE_PARTS : t->degree > 1 ? 2 : 1;
         for (int p = 0; p < parts && high > low; p++) {
-            double t0 = from + step * p / parts, t1 = from + step * (p + 1) / parts;
-            if (p == 0 && k == 0)
-                a = uv_at_pole(f, a, t0 + POLE_STEP * (t1 - t0));
-            struct uv b = uv_at_pole(f, uv_at(f, t1, a), t1 - POLE_STEP * (t1 - t0));
-            follow_span(f, t0, a, t1, b, 0);
+            double s0 = from + across * p / parts, s1 = from + across * (p + 1) / parts;
+            bool end = p + 1 == parts && (backwards ? low <= t1 : high >= t1);
+            struct uv b =
+                end && last_pole >= 0 ? uv_on_pole(f, last_pole, t1 - step, a) : uv_at(f, s1, a);
+            follow_span(f, s0, a, s1, b, 0);
             a = b;
         }
     }
     *array_push(f->to) = a;
+    *last = a;
+    *pole = last_pole;
+}
+
+/* The places where the curve runs through a pole between its ends, in its direction. */
+static void poles_between(const struct follower *f, double t0, double t1, struct doubles *at)
+{
+    double least = 1e-6 * fabs(t1 - t0);
+    for (int side = 0; side < 4 && f->space; side++) {
+        if (!f->on.is_pole[side])
+            continue;
+        double t = nurbs_curve_foot(f->curve, f->on.pole[side]);
+        size_t k = at->n;
+        if (fabs(t - t0) < least || fabs(t - t1) < least || pole_at(f, t) != side)
+            continue;
+        array_push(at);
+        for (; k > 0 && (at->item[k - 1] - t) * (t1 - t0) > 0; k--)
+            at->item[k] = at->item[k - 1];
+        at->item[k] = t;
+    }
+}
+
+static void follow_curve(struct follower *f, bool backwards, struct uv *last, int *pole)
+{
+    const struct nurbs_axis *t = &f->curve->t;
+    double t0 = backwards ? t->to : t->from, t1 = backwards ? t->from : t->to;
+    struct doubles at = {0};
+    poles_between(f, t0, t1, &at);
+    for (size_t i = 0; i < at.n; i++) {
+        follow_piece(f, t0, at.item[i], last, pole);
+        t0 = at.item[i];
+    }
+    follow_piece(f, t0, t1, last, pole);
+    array_free(&at);
+}
+
+/* Is the curve one point in space? */
+static bool is_point(const struct nurbs_curve *c, double near)
+{
+    struct vec3 p = nurbs_curve_point(c, c->t.from);
+    for (int i = 1; i <= 4; i++)
+        if (vec_distance(p, nurbs_curve_point(c, c->t.from + width(&c->t) * i / 4)) > near)
+            return false;
+    return true;
 }
 
 static double square(struct uv a, struct uv b, const struct nurbs *s)
@@ -397,27 +372,32 @@ static void follow_loop(const struct patch *patch, const struct patch_loop *loop
 {
     struct uvs all = {0};
     struct vec3 at = {0, 0, 0};
-    struct uv guess = {0, 0};
+    struct uv last = {0, 0};
+    int pole = -2, first_pole = -1;
     f->to = &all; // cppcheck-suppress autoVariables
     f->space = loop->space;
+    f->directed = loop->directed;
     for (size_t k = 0; k < loop->n; k++) {
         bool backwards = is_backwards(patch, loop, k, at);
         f->curve = &loop->item[k];
-        at = end_of(f->curve, backwards);
-        if (k == 0 && loop->space)
-            guess = pullback_seek(&f->on, at);
-        follow_curve(f, backwards, uv_at(f, backwards ? f->curve->t.to : f->curve->t.from, guess));
-        guess = all.item[all.n - 1];
         at = end_of(f->curve, !backwards);
+        if (loop->space && loop->n > 1 && is_point(f->curve, POLE * f->on.size))
+            continue;
+        if (pole == -2) {
+            first_pole = pole_at(f, backwards ? f->curve->t.to : f->curve->t.from);
+            last = loop->space ? pullback_seek(&f->on, end_of(f->curve, backwards)) : last;
+        }
+        follow_curve(f, backwards, &last, &pole);
+    }
+    if (all.n > 0 && pole >= 0 && pole == first_pole) {
+        struct uv end = uv_past_pole(f, pole, last, all.item[0]);
+        *array_push(&all) = end;
     }
     for (size_t i = 0; i < all.n; i++)
         if (to->n == 0 || square(to->item[to->n - 1], all.item[i], &patch->surface) > 1e-18)
             *array_push(to) = all.item[i];
     array_free(&all);
 }
-
-/* By the width of the range: what is rounding. */
-static const double ROUNDING = 1e-6;
 
 static double coordinate(struct uv at, bool u)
 {
@@ -501,6 +481,37 @@ static void wrap_loop(const struct pullback *s, struct uvs *loop, bool u, struct
     array_free(loop);
 }
 
+/* Lets a loop that goes round begin, and end, where it crosses the seam. */
+static void begin_at_seam(const struct pullback *s, struct uvs *loop, bool u, int rounds)
+{
+    const struct nurbs_axis *a = axis_of(s, u);
+    struct uvs turned = {0};
+    size_t i = 0;
+    double k = 0, wide = width(a);
+    for (; i + 1 < loop->n; i++) {
+        double x = (coordinate(loop->item[i], u) - a->from) / wide;
+        double y = (coordinate(loop->item[i + 1], u) - a->from) / wide;
+        k = rounds > 0 ? floor(y) : ceil(y);
+        if (rounds > 0 ? x < k && y >= k : x > k && y <= k)
+            break;
+    }
+    if (i + 1 >= loop->n)
+        return;
+    struct uv p = loop->item[i], q = loop->item[i + 1];
+    double limit = a->from + k * wide;
+    double t = (limit - coordinate(p, u)) / (coordinate(q, u) - coordinate(p, u));
+    struct uv first = uv_between(p, q, t);
+    *(u ? &first.u : &first.v) = limit;
+    *array_push(&turned) = first;
+    for (size_t m = i + 1; m < loop->n; m++)
+        *array_push(&turned) = loop->item[m];
+    for (size_t m = 1; m <= i; m++)
+        *array_push(&turned) = uv_moved(loop->item[m], u, rounds * wide);
+    *array_push(&turned) = uv_moved(first, u, rounds * wide);
+    array_free(loop);
+    *loop = turned;
+}
+
 /* Closes a loop that goes round over one of the ends of the other parameter. */
 static void close_round(const struct pullback *s, struct uvs *loop, bool u, bool high)
 {
@@ -543,8 +554,10 @@ static void trim_seam(const struct pullback *s, const struct uv_polygon *from,
         while (!is_round && loop.n > 1 && is_same_place(s, loop.item[0], loop.item[loop.n - 1]))
             loop.n--;
         /* The left of a loop along u is at higher v, of one along v at lower u. */
-        if (is_round)
+        if (is_round) {
+            begin_at_seam(s, &loop, u, n[u]);
             close_round(s, &loop, u, round[u] % 2 == 0 || (n[u] > 0) == u);
+        }
         wrap_loop(s, &loop, true, &once);
         for (size_t k = 0; k < once.n; k++)
             wrap_loop(s, &once.item[k], false, to);
@@ -552,10 +565,30 @@ static void trim_seam(const struct pullback *s, const struct uv_polygon *from,
     }
 }
 
+/* Are the directed loops all holes?  Then the largest polygon runs clockwise; the surface itself has
+ * no border that could bound the rest. */
+static bool are_holes(const struct patch *patch, const struct pullback *on,
+                      const struct uv_polygon *loops)
+{
+    const bool *pole = on->is_pole;
+    bool u = on->closed_u || (pole[PULLBACK_U_LOW] && pole[PULLBACK_U_HIGH]);
+    bool v = on->closed_v || (pole[PULLBACK_V_LOW] && pole[PULLBACK_V_HIGH]);
+    double most = 0;
+    for (size_t i = 0; i < patch->loop.n; i++)
+        if (!patch->loop.item[i].directed)
+            return false;
+    for (size_t i = 0; i < loops->n; i++) {
+        double area = loop_area(&loops->item[i]);
+        most = fabs(area) > fabs(most) ? area : most;
+    }
+    return u && v && most < 0;
+}
+
 void trim_loops(const struct patch *patch, double tolerance, struct uv_polygon *loops)
 {
     struct uv_polygon raw = {0};
-    struct follower f = {.on = pullback_new(&patch->surface), .tolerance = tolerance};
+    struct follower f = {
+        .on = pullback_new(&patch->surface), .tolerance = tolerance, .seeks = SEEKS};
     for (size_t i = 0; i < patch->loop.n; i++) {
         struct uvs loop = {0};
         follow_loop(patch, &patch->loop.item[i], &f, &loop);
@@ -563,5 +596,7 @@ void trim_loops(const struct patch *patch, double tolerance, struct uv_polygon *
     }
     trim_seam(&f.on, &raw, loops);
     loops->off = f.off;
+    loops->open = are_holes(patch, &f.on, loops);
     uv_polygon_free(&raw);
+    pullback_free(&f.on);
 }

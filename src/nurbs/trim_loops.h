@@ -2,8 +2,9 @@
  * trim_loops - the curves that trim a patch as polygons in its parameters.
  *
  * Stages: each curve is followed span by span, halved until its chords are near enough (curves in
- * space by their foot points on the surface: pullback); on a surface that closes on itself the
- * loops are moved into the range and split at the seam (Sutherland and Hodgman 1974).
+ * space by their foot points on the surface: pullback.h; at a pole a loop runs along the side of the
+ * range that the pole is); on a surface that closes on itself the loops are moved into the range and
+ * split at the seam (Sutherland and Hodgman 1974).
  */
 #ifndef CLOUDMILL_TRIM_LOOPS_H
 #define CLOUDMILL_TRIM_LOOPS_H
@@ -17,6 +18,7 @@ struct uv_polygon {
     struct uvs *item;
     double off;  /* how far curves in space lie off the surface at most, mm */
     size_t lost; /* loops that do not close on the surface: left out */
+    bool open;   /* directed loops on a surface without borders that are all holes in it */
 };
 
 /*
@@ -41,23 +43,5 @@ bool uv_polygon_backwards(const struct uv_polygon *loops, size_t index, bool ope
 size_t uv_polygon_crossings(const struct uv_polygon *loops);
 
 void uv_polygon_free(struct uv_polygon *loops);
-
-/* A surface for foot points.  On one that closes on itself the parameters go on over its seam,
- * beyond the range. */
-struct pullback {
-    const struct nurbs *surface;
-    bool closed_u, closed_v; /* both sides of the range are one line in space */
-};
-
-struct pullback pullback_new(const struct nurbs *surface);
-
-/* The parameters of the point nearest to q on the whole surface. */
-struct uv pullback_seek(const struct pullback *p, struct vec3 q);
-
-/* The foot point of q near the guess. */
-struct uv pullback_foot(const struct pullback *p, struct vec3 q, struct uv guess);
-
-/* The surface's point at parameters that may be beyond its seam. */
-struct vec3 pullback_point(const struct pullback *p, struct uv at);
 
 #endif

@@ -10,6 +10,7 @@
 
 #include "base/array.h"
 #include "known.h"
+#include "nurbs/pullback.h"
 #include "nurbs/trim_loops.h"
 
 static const double TOLERANCE = 1e-4;
