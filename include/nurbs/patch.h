@@ -27,6 +27,7 @@ struct patch {
     bool open;               /* the border of the range bounds it too: all loops are holes */
     char *file;              /* where it was read from ... */
     int entity;              /* ... and its number there: in IGES its directory entry */
+    int body;                /* closed shell of the file that it is a face of, from 1; 0: none */
     int ignored;             /* loops of curves that are not read ... */
     int ignored_entity;      /* ... the first of them ... */
     int ignored_type;        /* ... and the type of the curve */
@@ -43,6 +44,7 @@ struct patches_left {
 struct patches {
     size_t n, cap;
     struct patch *item;
+    int bodies; /* closed shells so far: faces of two of them are not joined where they touch */
     struct {
         size_t n, cap;
         struct patches_left *item;

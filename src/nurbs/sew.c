@@ -209,6 +209,22 @@ static bool joins_end(const struct sewing *s, size_t place, size_t a, size_t b)
     return s->next[place] == a || s->next[place] == b || s->last[place] == a || s->last[place] == b;
 }
 
+/* The border vertices within `far` of a point that a sheet may be joined to: those of its own closed
+ * shell; bodies that touch stay apart.  Places in border.vertex. */
+static void find_near(const struct sewing *s, struct vec3 p, double far, int sheet,
+                      struct sizes *found)
+{
+    size_t kept = 0;
+    found->n = 0;
+    kdtree_within(s->border.tree, p, far, found);
+    for (size_t k = 0; k < found->n; k++) {
+        int other = vertex_at(s, s->border.vertex.item[found->item[k]])->sheet;
+        if (s->patches->item[other].body == s->patches->item[sheet].body)
+            found->item[kept++] = found->item[k];
+    }
+    found->n = kept;
+}
+
 /* The vertices, in the order of the edge, that lie between its ends, near its chord as far as the
  * surface and the slack allow, and within the gap of the edge's surface `part`. */
 static void find_t_vertices(const struct sewing *s, const struct nurbs *part,
@@ -219,7 +235,7 @@ static void find_t_vertices(const struct sewing *s, const struct nurbs *part,
     struct sizes found = {0};
     double length = vec_length(d), bulge = -1;
     on_edge->n = 0;
-    kdtree_within(s->border.tree, middle, length / 2 + s->gap, &found);
+    find_near(s, middle, length / 2 + s->gap, a->sheet, &found);
     for (size_t k = 0; k < found.n; k++) {
         size_t i = s->border.vertex.item[found.item[k]];
         const struct patch_mesh_vertex *p = vertex_at(s, i);
@@ -266,8 +282,7 @@ static void add_pairs(const struct sewing *s, struct boundary_match *c)
         for (size_t j = v[i].next; j != i; j = v[j].next)
             if (!are_beside(s->patches, &v[i], &v[j]))
                 add_pair(c, i, v[j].sheet);
-        found.n = 0;
-        kdtree_within(s->border.tree, v[i].point, s->gap, &found);
+        find_near(s, v[i].point, s->gap, v[i].sheet, &found);
         for (size_t f = 0; f < found.n; f++) {
             size_t j = s->border.vertex.item[found.item[f]];
             if (j != i && !are_beside(s->patches, &v[i], &v[j]))
@@ -588,8 +603,7 @@ static void find_pairs(const struct sewing *s, struct pairs *pairs)
     for (size_t k = 0; k < s->border.vertex.n; k++) {
         size_t i = s->border.vertex.item[k], lowest = i;
         const struct patch_mesh_vertex *a = vertex_at(s, i);
-        found.n = 0;
-        kdtree_within(s->border.tree, a->point, s->gap, &found);
+        find_near(s, a->point, s->gap, a->sheet, &found);
         for (size_t m = 0; m < found.n; m++) {
             size_t j = s->border.vertex.item[found.item[m]];
             double d = vec_distance(a->point, vertex_at(s, j)->point);

@@ -38,6 +38,7 @@ struct model {
         struct alias *item; /* by id; each points towards the one that stands for all */
     } alias;
     long visits;
+    int body; /* closed shell whose faces are read, 0: none */
 };
 
 static int follow_reference(const struct model *m, const struct step_values *from,
@@ -276,7 +277,7 @@ static int add_bound(const struct step_place *place, const struct step_values *f
 static int add_face(struct model *m, const struct step_place *place, const struct step_values *v,
                     const struct step_value *face, struct error *error)
 {
-    struct patch patch = {.entity = (int)v->instance->id};
+    struct patch patch = {.entity = (int)v->instance->id, .body = m->body};
     struct vec3s points = {0};
     char kind[40] = "";
     const struct step_value *list = step_item(face, 1);
@@ -322,10 +323,13 @@ static bool holds_faces(const struct step_values *v)
 /* Solids and surfaces of other kinds, which are left out by name. */
 static bool is_other(const struct step_value *record)
 {
-    static const char *const kind[] = {"GEOMETRIC_SET",       "CSG_SOLID",
-                                       "EXTRUDED_AREA_SOLID", "REVOLVED_AREA_SOLID",
-                                       "TESSELLATED_SOLID",   "TESSELLATED_SHELL",
-                                       "TRIANGULATED_FACE",   "COMPLEX_TRIANGULATED_FACE",
+    static const char *const kind[] = {"CSG_SOLID",
+                                       "EXTRUDED_AREA_SOLID",
+                                       "REVOLVED_AREA_SOLID",
+                                       "TESSELLATED_SOLID",
+                                       "TESSELLATED_SHELL",
+                                       "TRIANGULATED_FACE",
+                                       "COMPLEX_TRIANGULATED_FACE",
                                        "BOOLEAN_RESULT"};
     for (size_t i = 0; i < sizeof kind / sizeof *kind; i++)
         if (step_is(record, kind[i]))
@@ -356,7 +360,9 @@ static int add_item(struct model *m, const struct step_place *place, const struc
     const struct step_value *face = step_record(&v, "ADVANCED_FACE");
     face = face ? face : step_record(&v, "FACE_SURFACE");
     const struct step_value *first = step_item(v.item, 0);
-    int status = count_visit(m, depth, &v, error);
+    int status = count_visit(m, depth, &v, error), body = m->body;
+    if (step_record(&v, "CLOSED_SHELL"))
+        m->body = ++m->patches->bodies;
     if (status == 0 && face)
         status = add_face(m, place, &v, face, error);
     else if (status == 0 && holds_faces(&v))
@@ -366,6 +372,7 @@ static int add_item(struct model *m, const struct step_place *place, const struc
         memcpy(kind, first->text, first->length < 39 ? first->length : 39);
         patches_leave_out(m->patches, m->step->name, kind, (int)v.instance->id);
     }
+    m->body = body;
     array_free(&v);
     return status;
 }
