@@ -97,11 +97,11 @@ static void check_radius(const char *file, const struct mesh *mesh)
         note("nothing is hollow: a ball of any radius fits every surface");
     if (!h.known || h.tighter == 0 || path_options.avoid || path_options.guarded)
         return;
-    die_unmet("%s: found a hollow of radius %.3f at %.3f %.3f %.3f%s%s, expected none "
-              "below the ball's, %g (%zu %s too tight for it): take a smaller ball, or --avoid",
-              file, h.radius, h.at.x, h.at.y, h.at.z, h.surface ? " in surface " : "",
-              h.surface ? h.surface : "", path_options.radius, h.tighter,
-              h.surface ? "surfaces" : "vertices");
+    die("%s: found a hollow of radius %.3f at %.3f %.3f %.3f%s%s, expected none "
+        "below the ball's, %g (%zu %s too tight for it): take a smaller ball, or --avoid",
+        file, h.radius, h.at.x, h.at.y, h.at.z, h.surface ? " in surface " : "",
+        h.surface ? h.surface : "", path_options.radius, h.tighter,
+        h.surface ? "surfaces" : "vertices");
 }
 
 /* What the planes would cost is known before they are made: each crosses every facet between its

@@ -97,8 +97,8 @@ int post_check(enum control_id control, const struct post_options *options, stru
 
 /*
  * Plans the program.  Path and machine are brought into the program's frame; they and the options'
- * name must outlive it.  NULL: *status is the exit status that the error deserves, EXIT_FAILED or,
- * where the machine cannot get there, EXIT_UNMET.
+ * name must outlive it.  NULL: *status is the exit status that the error deserves, EXIT_FAILED
+ * (also where the machine cannot get there) or EXIT_USAGE.
  */
 struct post *post_plan(enum control_id control, struct path *path, struct machine *machine,
                        const struct post_options *options, int *status, struct error *error);

@@ -152,6 +152,8 @@ struct post *post_plan(enum control_id control, struct path *path, struct machin
     if (*status == 0)
         return post;
     post_free(post);
+    if (*status == EXIT_UNMET) /* there is no program of which it would be told */
+        *status = EXIT_FAILED;
     return NULL;
 }
 

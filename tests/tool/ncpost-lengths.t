@@ -70,12 +70,12 @@ for c in fanuc heidenhain; do
 		has "is 120" ' A\+?120\.? ' out
 	done
 	# shellcheck disable=SC2086
-	status 3 "$c: beyond it" ncpost -c $c $turn --set digits.angle=3 out.cl
+	status 1 "$c: beyond it" ncpost -c $c $turn --set digits.angle=3 out.cl
 done
 printf 'UNITS/MM\nLOADTL/1\nSPINDL/900\nRAPID\nGOTO/0,0,50\nFEDRAT/100\nGOTO/120.00004,0,0\nFINI\n' >x.cl
 status 0 "X 120.00004 is 120" ncpost -c fanuc --set x.max=120 x.cl
 sed 's/120.00004/120.002/' x.cl >y.cl
-status 3 "120.002 is not" ncpost -c fanuc --set x.max=120 y.cl
+status 1 "120.002 is not" ncpost -c fanuc --set x.max=120 y.cl
 
 # ---- rotary words: two turns about Z at A 30
 awk 'BEGIN { print "UNITS/MM\nMULTAX/ON\nLOADTL/1\nSPINDL/900\nRAPID\nGOTO/0,0,60,0,-0.5,0.866025404\nFEDRAT/MMPM,500"

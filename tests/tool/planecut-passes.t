@@ -135,10 +135,10 @@ same "0.01 is the default" default.cl scallop.cl
 
 KMAX=0.083333333 grid bowl -6 -6 6 6 30 30 >bowl.ply
 status 0 "a ball of 11.9 fits a hollow of 12" planecut -q -r 11.9 -s 1 -o bowl.cl bowl.ply
-status 3 "one of 13 does not" planecut -r 13 -s 1 bowl.ply
+status 1 "one of 13 does not" planecut -r 13 -s 1 bowl.ply
 has "that is told with radius and place" 'hollow of radius 12\.000 at -?[0-9.]+ -?[0-9.]+ -?[0-9.]+,.*13' err
 empty "and nothing is written" out
-status 3 "nor with -o" planecut -r 13 -s 1 -o bowl13.cl bowl.ply
+status 1 "nor with -o" planecut -r 13 -s 1 -o bowl13.cl bowl.ply
 fails "no file appears" test -e bowl13.cl
 status 0 "--avoid lifts it" planecut -v -r 13 -s 1 --avoid -o bowl13.cl bowl.ply
 has "and says so" '[1-9][0-9]* points lifted' err
@@ -153,14 +153,14 @@ has "and that is said" 'no curvatures \(kmax\)' err
 # two surfaces in one mesh: the tighter one is named, with the radius that it was made for
 s1=$SRC/samples/paper2_s1_a.igs s2=$SRC/samples/paper2_s2_a.igs
 nurbs2mesh -q -n 9 -o both.ply "$s2" "$s1"
-status 3 "a ball of 4.6341 for a surface of 4.634" planecut -r 4.6341 -s 5 both.ply
+status 1 "a ball of 4.6341 for a surface of 4.634" planecut -r 4.6341 -s 5 both.ply
 has "surface, place and radius, though no vertex is there" \
 	'radius 4\.634 at 4\.103 3\.987 4\.730 in surface [^ ]*paper2_s1_a.igs:1,.*\(1 surface' err
 empty "and nothing is written" out
-status 3 "a ball of 13" planecut -r 13 -s 5 both.ply
+status 1 "a ball of 13" planecut -r 13 -s 5 both.ply
 has "is too large for both" 'paper2_s1_a.igs:1,.*\(2 surfaces too tight' err
 status 0 "4.634 itself fits" planecut -q -r 4.634 -s 5 -e 0.01 -o both.cl both.ply
-status 3 "the face, with a ball of 10" sh -c "cloud2mesh -q -t 4 '$face' | planecut -r 10 -s 4"
+status 1 "the face, with a ball of 10" sh -c "cloud2mesh -q -t 4 '$face' | planecut -r 10 -s 4"
 status 0 "guarded by its scan, every point of it" sh -c \
 	"cloud2mesh -q -t 4 '$face' | planecut -q -r 10 -s 6 -a 30 --avoid -g '$face' --noise 0 -o face.cl"
 "$READBACK" -c none face.cl --scan "$face" >out
