@@ -5,6 +5,7 @@
 # make check        all tests                            make deps     what the tests need (Debian)
 # make accuracy     gouges and material left, on surfaces known exactly
 # make install      PREFIX=/usr/local DESTDIR=           make bench    speed, beside bare C floors
+# make faults       every call of the C library fails in turn
 # make lint sanitize fuzz dist distcheck clean uninstall
 
 PREFIX  = /usr/local
@@ -132,6 +133,9 @@ accuracy: all $(readback) $(cloud)
 	@BIN="$(abspath $(BUILD))/bin" READBACK="$(abspath $(BUILD))/tests/readback/readback" \
 	  CLOUD="$(abspath $(cloud))" sh tests/accuracy/accuracy.sh
 
+faults: all
+	@BIN="$(abspath $(BUILD))/bin" CC="$(CC)" FAULTS=0 sh tests/house/faults.t
+
 freeze: all
 	@BIN="$(abspath $(BUILD))/bin" sh tests/house/freeze.sh
 
@@ -198,7 +202,7 @@ distcheck: dist
 clean:
 	rm -rf $(BUILD) demo figures cloudmill-$(VERSION).tar.gz
 
-.PHONY: always all units check demo figures bench accuracy freeze deps lint sanitize fuzz \
+.PHONY: always all units check demo figures bench accuracy freeze deps lint sanitize fuzz faults \
   install uninstall dist distcheck clean
 .SECONDARY:
 

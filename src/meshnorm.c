@@ -211,7 +211,7 @@ static void check_options(struct tool_axis_options *axis)
     struct error error;
 
     if (path_options_check(axis, &error) != 0)
-        die_usage("%s", error.text);
+        die_given(&error);
     check_rows();
     path_options.scallop = scallop;
     if (scallop > 0 && path_options.tolerance == 0)
@@ -248,7 +248,7 @@ int main(int argc, char **argv)
         die_error(&error);
     stop_at_holes(&planes, guard);
     if (path_options_rules(&mesh, guard, distance, &t, &error) != 0)
-        die_usage("%s", error.text);
+        die_given(&error);
 
     struct path_coverage coverage = path_coverage_new(&mesh, &t);
     path_options_begin(&mesh, "meshnorm", cli.output, &t);

@@ -35,7 +35,7 @@ static void read_limit(struct settings *s, const struct cli *cli)
 {
     struct error error;
     if (post_limit_read(s->split, &s->extract, &error) != 0)
-        die_usage("%s", error.text);
+        die_given(&error);
     if (!cli->output || strcmp(cli->output, "-") == 0)
         die_usage("option --split: found no -o FILE, expected one to name the parts after");
     if (s->extract.explain >= 0)
@@ -136,7 +136,7 @@ static enum control_id choose_control(const struct settings *s, const struct mac
                   control_names(), machine->name);
     struct error error;
     if (post_check(control, &s->post, &error) != 0)
-        die_usage("%s", error.text);
+        die_given(&error);
     return control;
 }
 

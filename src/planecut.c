@@ -62,7 +62,7 @@ static void check_options(struct tool_axis_options *axis)
     struct error error;
 
     if (path_options_check(axis, &error) != 0)
-        die_usage("%s", error.text);
+        die_given(&error);
     if (step_given && scallop_given)
         die_usage("found -s and --scallop, expected one of them");
     if (direction && angle_given)
@@ -189,7 +189,7 @@ static const struct mesh *take_region(const struct mesh *mesh, struct mesh *part
     if (!mesh_region_given(&region))
         return mesh;
     if (mesh_region_take(&region, mesh, part, &error) != 0)
-        die_usage("%s", error.text);
+        die_given(&error);
     if (part->face.n == 0)
         die("nothing of the mesh is in the region asked for (--box, --faces, --steep)");
     note("region: %zu facets of the mesh's %zu", part->face.n, mesh->face.n);
@@ -232,7 +232,7 @@ int main(int argc, char **argv)
                            &error) != 0)
         die_error(&error);
     if (path_options_rules(&mesh, guard, planes.widest, &t, &error) != 0)
-        die_usage("%s", error.text);
+        die_given(&error);
 
     bool whole = region == &mesh && path_options.certain.n + path_options.doubtful.n > 0;
     struct path_coverage coverage =

@@ -80,6 +80,9 @@ _Noreturn void die_error(const struct error *error);
 _Noreturn void die_usage(const char *format, ...) __attribute__((format(printf, 1, 2)));
 _Noreturn void die_unmet(const char *format, ...) __attribute__((format(printf, 1, 2)));
 
+/* Of what was given with an option: exit 1 where a file is at fault, else exit 2. */
+_Noreturn void die_given(const struct error *error);
+
 /* The same with the status as a value: EXIT_FAILED, EXIT_USAGE or EXIT_UNMET. */
 _Noreturn void die_status(int status, const struct error *error);
 

@@ -2,7 +2,8 @@
  * reader - input line by line, or byte by byte, from a file or standard input.
  *
  * Lines may end in LF, CRLF or a bare CR, the last one in nothing; a UTF-8 byte order mark at the
- * start is skipped.  Lines may be of any length.
+ * start is skipped.  Lines may be of any length.  A regular file that ends before the length it had
+ * when it was opened is an error.
  */
 #ifndef CLOUDMILL_READER_H
 #define CLOUDMILL_READER_H
@@ -16,7 +17,7 @@ struct reader {
     int fd;
     const char *name; /* for messages: the file's name, or "-" for standard input */
     size_t line;      /* number of the line last read, from 1 */
-    size_t size;      /* of a regular file, bytes; 0: not known */
+    size_t size;      /* of a regular file from where reading begins, bytes; 0: not known */
     size_t got;       /* bytes read so far */
     bool ended;       /* the line had a line end: false only for the last one */
     char *buf;        /* from here on private to reader.c */

@@ -112,6 +112,11 @@ void die_unmet(const char *format, ...)
     exit(EXIT_UNMET);
 }
 
+void die_given(const struct error *error)
+{
+    die_status(error->file ? EXIT_FAILED : EXIT_USAGE, error);
+}
+
 void die_status(int status, const struct error *error)
 {
     if (status == EXIT_USAGE)

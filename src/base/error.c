@@ -10,6 +10,7 @@ int error_set(struct error *error, const char *format, ...)
     va_start(args, format);
     vsnprintf(error->text, sizeof error->text, format, args);
     va_end(args);
+    error->file = error->system = false;
     return -1;
 }
 
@@ -21,5 +22,7 @@ int error_at(struct error *error, const char *name, size_t line, const char *for
     va_start(args, format);
     vsnprintf(error->text + n, sizeof error->text - (size_t)n, format, args);
     va_end(args);
+    error->file = true;
+    error->system = false;
     return -1;
 }

@@ -47,6 +47,8 @@ int library_file_find(const struct library *library, const char *name, const cha
     }
     if (n < LIBRARY_FILE && access(file, R_OK) == 0)
         return 0;
-    return error_set(error, "%s %.100s: not found in this folder, in $%s or in %s", library->what,
-                     name, library->variable, installed);
+    error_set(error, "%s %.100s: not found in this folder, in $%s or in %s", library->what, name,
+              library->variable, installed);
+    error->file = true;
+    return -1;
 }

@@ -43,9 +43,10 @@ static void on_signal(int signal_number)
     raise(signal_number);
 }
 
+static const int ending[] = {SIGINT, SIGTERM, SIGHUP, SIGPIPE};
+
 static void watch_signals(void)
 {
-    static const int ending[] = {SIGINT, SIGTERM, SIGHUP, SIGPIPE};
     struct sigaction action = {.sa_handler = on_signal}, was;
     for (size_t i = 0; i < sizeof ending / sizeof *ending; i++)
         if (sigaction(ending[i], NULL, &was) == 0 && was.sa_handler == SIG_DFL)
@@ -59,6 +60,24 @@ static char *resolve_links(const char *file)
     return real ? real : mem_string(file, strlen(file));
 }
 
+/* A signal between the two would leave the file: it waits.  -1: as mkstemp. */
+static int create_watched(char *name)
+{
+    sigset_t held, before;
+    sigemptyset(&held);
+    for (size_t i = 0; i < sizeof ending / sizeof *ending; i++)
+        sigaddset(&held, ending[i]);
+    sigprocmask(SIG_BLOCK, &held, &before);
+    int fd = mkstemp(name), why = errno;
+    if (fd >= 0) {
+        unfinished = name;
+        watch_signals();
+    }
+    sigprocmask(SIG_SETMASK, &before, NULL);
+    errno = why;
+    return fd;
+}
+
 /* A new file beside the target, with the permissions that the target has or the umask gives. */
 static int create_beside(struct out *o, const struct stat *older)
 {
@@ -67,15 +86,13 @@ static int create_beside(struct out *o, const struct stat *older)
     char *name = mem_alloc(n + sizeof suffix, 1);
     memcpy(name, o->target, n);
     memcpy(name + n, suffix, sizeof suffix);
-    int fd = mkstemp(name);
+    int fd = create_watched(name);
     if (fd < 0)
         die("%s: cannot write: %s", o->name, strerror(errno));
     mode_t mask = umask(0);
     umask(mask);
     if (fchmod(fd, older ? older->st_mode & 07777 : 0666 & ~mask) < 0)
         die("%s: cannot set permissions: %s", o->name, strerror(errno));
-    unfinished = name;
-    watch_signals();
     return fd;
 }
 

@@ -18,23 +18,34 @@
 
 enum { CHUNK = 1 << 16, LARGE = 1 << 22, BEHIND = 8 /* bytes that may be looked at */ };
 
+/* The system is at fault. */
+static int system_error(struct error *error)
+{
+    error->file = error->system = true;
+    return -1;
+}
+
 int reader_open(struct reader *r, const char *file, struct error *error)
 {
     memset(r, 0, sizeof *r);
     bool standard = !file || strcmp(file, "-") == 0;
     r->name = standard ? "-" : file;
     r->fd = standard ? 0 : open(file, O_RDONLY | O_CLOEXEC);
-    if (r->fd < 0)
-        return error_set(error, "%s: cannot open: %s", r->name, strerror(errno));
+    if (r->fd < 0) {
+        bool absent = errno == ENOENT || errno == ENOTDIR || errno == EACCES;
+        error_at(error, r->name, 0, "cannot open: %s", strerror(errno));
+        return absent ? -1 : system_error(error);
+    }
     struct stat st;
     if (fstat(r->fd, &st) != 0)
         return 0;
     if (S_ISDIR(st.st_mode)) {
         reader_close(r);
-        return error_set(error, "%s: is a directory, expected a file", r->name);
+        return error_at(error, r->name, 0, "is a directory, expected a file");
     }
-    if (S_ISREG(st.st_mode))
-        r->size = (size_t)st.st_size;
+    off_t at = S_ISREG(st.st_mode) ? lseek(r->fd, 0, SEEK_CUR) : -1;
+    if (at >= 0 && st.st_size > at)
+        r->size = (size_t)(st.st_size - at);
     return 0;
 }
 
@@ -56,9 +67,15 @@ static int fill_once(struct reader *r, struct error *error)
     do
         n = read(r->fd, r->buf + r->to, r->cap - r->to - BEHIND);
     while (n < 0 && errno == EINTR);
-    if (n < 0)
-        return error_at(error, r->name, r->line, "cannot read: %s", strerror(errno));
+    if (n < 0) {
+        error_at(error, r->name, r->line, "cannot read: %s", strerror(errno));
+        return system_error(error);
+    }
     r->end = n == 0;
+    if (r->end && r->got < r->size) { /* cut off while it is read, or a disk that fails quietly */
+        error_at(error, r->name, r->line, "ends after %zu bytes, expected %zu", r->got, r->size);
+        return system_error(error);
+    }
     r->to += (size_t)n;
     memset(r->buf + r->to, 0, BEHIND);
     r->got += (size_t)n;

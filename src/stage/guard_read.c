@@ -59,20 +59,21 @@ static int read_named(const struct scan_source *source, struct vec3s *points, st
     return 0;
 }
 
-/* The files that a stream names, all of them or none. */
-static void read_all_named(const struct scan_sources *named, const char *stream,
-                           const char *instead, struct guard_scan *scan)
+/* The files that a stream names, all of them or none; -1: one is there and cannot be read. */
+static int read_all_named(const struct scan_sources *named, const char *stream, const char *instead,
+                          struct guard_scan *scan, struct error *why)
 {
-    struct error why;
-
     for (size_t f = 0; f < named->n; f++)
-        if (read_named(&named->item[f], &scan->point, &why) != 0) {
+        if (read_named(&named->item[f], &scan->point, why) != 0) {
             array_free(&scan->point);
+            if (why->system)
+                return -1;
             say("the scan that %s names does not guard: %s; %s (-g FILE names it)", stream,
-                why.text, instead);
+                why->text, instead);
             break;
         }
     scan->source = scan_sources_copy(named);
+    return 0;
 }
 
 int guard_scan_read(const struct guard_choice *choice, const struct scan_sources *named,
@@ -82,9 +83,8 @@ int guard_scan_read(const struct guard_choice *choice, const struct scan_sources
     *scan = (struct guard_scan){.point = {0}};
     if (choice->none)
         return 0;
-    if (choice->files.n == 0)
-        read_all_named(named, stream, instead, scan);
-    else if (read_given(&choice->files, scan, error) != 0)
+    if ((choice->files.n == 0 ? read_all_named(named, stream, instead, scan, error)
+                              : read_given(&choice->files, scan, error)) != 0)
         return -1;
     scan->source.placed = named->placed;
     scan->source.place = named->place;

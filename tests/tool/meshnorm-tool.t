@@ -52,11 +52,11 @@ for file in "$SRC"/tools/*.txt; do
 done
 empty "all that are installed are read" "$TMP/bad"
 echo 'stickout = -3' >"$TMP/bad.txt"
-status 2 "a tool with a length below nothing" meshnorm --tool-file "$TMP/bad.txt" -r 3 "$TMP/walls.ply"
+status 1 "a tool with a length below nothing" meshnorm --tool-file "$TMP/bad.txt" -r 3 "$TMP/walls.ply"
 has "is told with its line" 'bad.txt:1: ' "$TMP/err"
 status 2 "a ball of another radius" meshnorm -r 4 --tool-file ball-6 "$TMP/walls.ply"
 status 2 "a holder without its place" meshnorm -r 4 --tool-file hsk-a63-er16 "$TMP/walls.ply"
-status 2 "a tool that is not there" meshnorm -r 4 --tool-file ball-999 "$TMP/walls.ply"
+status 1 "a tool that is not there" meshnorm -r 4 --tool-file ball-999 "$TMP/walls.ply"
 status 2 "the ball alone with a holder" meshnorm -r 4 --ball-only --holder 5:60 "$TMP/walls.ply"
 status 0 "the ball alone" meshnorm -r 3 --rows mesh --avoid --ball-only -o "$TMP/only.cl" "$TMP/walls.ply"
 has "is said" 'tool: ball R 3 only' "$TMP/err"
@@ -75,5 +75,5 @@ status 0 "one that leans little" meshnorm -q -r 3 --rows mesh --avoid -m "$TMP/n
 awk -F '[/,]' '/CONTCT/ { t = 1; next } /^GOTO/ { if (t && $7 < 0.9396 - 1e-6) bad++; t = 0 } END { print bad + 0 }' \
 	"$TMP/narrow.cl" >"$TMP/figures"
 below "axes stay within its travel" "$(cat "$TMP/figures")" 0
-status 2 "a machine that is not there" meshnorm -r 3 -m nowhere "$TMP/walls.ply"
+status 1 "a machine that is not there" meshnorm -r 3 -m nowhere "$TMP/walls.ply"
 done_testing

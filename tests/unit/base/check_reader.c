@@ -1,9 +1,11 @@
 /* reader: lines with every end and of any length, bytes, peeking, and the whole lines ahead. */
 #include <check.h>
+#include <fcntl.h>
 #include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <unistd.h>
 
 #include "base/reader.h"
 #include "scratch.h"
@@ -131,6 +133,35 @@ START_TEST(random_lines)
 }
 END_TEST
 
+/* A file cut off after it was opened is not taken for a shorter one; from the middle on it is. */
+START_TEST(ends_before_its_length)
+{
+    static const char text[] = "a\nb\nc\n";
+    char *line;
+    size_t n;
+    const char *file = scratch_bytes(text, 6);
+    reader_close(&r);
+    ck_assert_int_eq(reader_open(&r, file, &error), 0);
+    ck_assert_int_eq(truncate(file, 3), 0);
+    ck_assert_int_eq(reader_line(&r, &line, &n, &error), 1);
+    ck_assert_int_eq(reader_line(&r, &line, &n, &error), -1);
+    ck_assert_ptr_nonnull(strstr(error.text, "ends after 3 bytes, expected 6"));
+    ck_assert(error.file && error.system);
+
+    int standard = dup(0), fd = open(scratch_bytes(text, 6), O_RDONLY);
+    ck_assert_int_eq(lseek(fd, 2, SEEK_SET), 2);
+    dup2(fd, 0);
+    ck_assert_int_eq(reader_open(&r, "-", &error), 0);
+    ck_assert_uint_eq(r.size, 4);
+    next_is("b", 1);
+    next_is("c", 2);
+    at_end();
+    dup2(standard, 0);
+    close(standard);
+    close(fd);
+}
+END_TEST
+
 /* Lines taken from the buffer and lines read, in turn, are all lines in order. */
 START_TEST(ahead_and_lines_in_turn)
 {
@@ -226,6 +257,7 @@ int main(void)
     tcase_add_test(tests, ended_says_how_the_last_line_ends);
     tcase_add_test(tests, unread_gives_it_again);
     tcase_add_test(tests, random_lines);
+    tcase_add_test(tests, ends_before_its_length);
     tcase_add_test(tests, ahead_and_lines_in_turn);
     tcase_add_test(tests, bytes_behind_lines);
     tcase_add_test(tests, nul_is_counted);

@@ -188,7 +188,7 @@ static const char *const wrong[] = {"",         "3",       "3:",        "3:0",  
 START_TEST(other_texts_are_not)
 {
     struct holder h;
-    struct error error = {""};
+    struct error error = {.text = ""};
     ck_assert_msg(holder_text_read(wrong[_i], &h, &error) < 0, "%s", wrong[_i]);
     ck_assert_ptr_nonnull(strstr(error.text, "found"));
 }

@@ -208,7 +208,7 @@ START_TEST(shipped_machines_there_and_back)
     for (struct dirent *entry; (entry = readdir(folder_of));) {
         char file[2000];
         struct machine m = machine_default();
-        struct error e = {""};
+        struct error e = {.text = ""};
         double axis = 0, point = 0;
         if (!strstr(entry->d_name, ".txt"))
             continue;

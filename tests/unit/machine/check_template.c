@@ -79,7 +79,7 @@ static const struct {
 
 START_TEST(text)
 {
-    struct error error = {""};
+    struct error error = {.text = ""};
     int result = template_check(text_case[_i].text, text_case[_i].place, &error);
     ck_assert_int_eq(result, *text_case[_i].found ? -1 : 0);
     if (*text_case[_i].found)
@@ -162,7 +162,7 @@ static const struct {
 START_TEST(bad_files)
 {
     struct machine m = machine_default();
-    struct error error = {""};
+    struct error error = {.text = ""};
     const char *file = scratch_text(file_case[_i].text);
     int result = machine_control(&m, file, &error);
     if (file_case[_i].line == 0) {
@@ -184,7 +184,7 @@ END_TEST
 START_TEST(base_of_itself)
 {
     struct machine m = machine_default();
-    struct error error = {""};
+    struct error error = {.text = ""};
     char own[500];
     const char *file = scratch_text("base = fanuc\n");
     snprintf(own, sizeof own, "base = %s\n", file);
@@ -198,7 +198,7 @@ END_TEST
 START_TEST(layers)
 {
     struct machine m = machine_default(), fanuc = machine_default();
-    struct error error = {""};
+    struct error error = {.text = ""};
     const char *file = scratch_text("base = fanuc\ntitle = Own\nsplines = no\n[end]\nM2 # last\n");
     ck_assert_int_eq(machine_control(&fanuc, "fanuc", &error), 0);
     ck_assert_msg(machine_control(&m, file, &error) == 0, "%s", error.text);

@@ -235,7 +235,7 @@ static const struct {
 START_TEST(refused_with_its_line)
 {
     struct nc_motion motion;
-    struct error error = {""};
+    struct error error = {.text = ""};
     ck_assert_int_lt(read_cut(refused[_i].control, refused[_i].cut, &motion, &error), 0);
     ck_assert_msg(strstr(error.text, refused[_i].found) != NULL, "%s", error.text);
     ck_assert_msg(strncmp(error.text, scratch_name(), strlen(scratch_name())) == 0 &&

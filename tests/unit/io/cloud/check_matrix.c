@@ -29,7 +29,7 @@ START_TEST(reads)
     static const double want[16] = {1, 2, 3, 4, 0, 5, 6, 7, 0, 0, 8, 9, 0, 0, 0, 1};
     for (size_t i = 0; i < sizeof text / sizeof *text; i++) {
         struct transform t;
-        struct error error = {""};
+        struct error error = {.text = ""};
         ck_assert_msg(read_text(text[i], &t, &error) == 0, "%s", error.text);
         for (int k = 0; k < 16; k++)
             ck_assert(t.m[k / 4][k % 4] == want[k]);

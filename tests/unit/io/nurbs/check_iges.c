@@ -86,7 +86,7 @@ static int read_file(const struct file *f, struct patches *patches, struct error
 static void expect(const struct file *f, double scale, struct vec3 shift)
 {
     struct patches patches;
-    struct error error = {""};
+    struct error error = {.text = ""};
     ck_assert_msg(read_file(f, &patches, &error) == 0, "%s", error.text);
     ck_assert_uint_eq(patches.n, 1);
     const struct nurbs *s = &patches.item[0].surface;
@@ -189,7 +189,7 @@ START_TEST(transformations)
 {
     struct file f = new_file(MM);
     struct patches patches;
-    struct error error = {""};
+    struct error error = {.text = ""};
     add(&f, 128, 0, 5, 64, PATCH);
     add(&f, 124, 0, 0, 64, "124,1.,0.,0.,1.,0.,1.,0.,2.,0.,0.,1.,3.;");
     add(&f, 124, 0, 3, 64, "124,0.,-1.,0.,0.,1.,0.,0.,0.,0.,0.,1.,0.;");
@@ -211,7 +211,7 @@ START_TEST(trimming)
 {
     struct file f = new_file(MM);
     struct patches patches;
-    struct error error = {""};
+    struct error error = {.text = ""};
     add(&f, 144, 0, 25, 64, "144,3,1,3,5,17,19,23;");
     add(&f, 128, 0, 0, 64, PATCH);
     add(&f, 142, 0, 0, 64, "142,0,3,7,0,1;");
@@ -260,7 +260,7 @@ static void refused(int type, const char *parameters, const char *words)
 {
     struct file f = new_file(MM);
     struct patches patches;
-    struct error error = {""};
+    struct error error = {.text = ""};
     add(&f, type, 0, 0, 64, parameters);
     ck_assert_int_eq(read_file(&f, &patches, &error), -1);
     ck_assert_msg(strstr(error.text, words) != NULL, "%s: no '%s'", error.text, words);

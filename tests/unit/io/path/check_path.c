@@ -59,7 +59,7 @@ static const char whole[] = HEAD
 START_TEST(what_is_read_is_written_back)
 {
     struct path path;
-    struct error error = {""};
+    struct error error = {.text = ""};
     ck_assert_msg(read_text(whole, &path, &error) == 0, "%s", error.text);
     ck_assert_str_eq(written(&path), whole);
     ck_assert_uint_eq(path.item.n, 7);
@@ -102,7 +102,7 @@ START_TEST(the_tool_above_its_ball)
                  {"$$-> TOOL/FLUTE,5,HOLDER\n", 0, "expected TOOL/BALL-ONLY or"}};
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
         struct path path;
-        struct error error = {""};
+        struct error error = {.text = ""};
         char text[400];
         snprintf(text, sizeof text, "CUTTER/16,8\n%sGOTO/1,2,3\nFINI\n", cases[i].word);
         int result = read_text(text, &path, &error);
@@ -120,7 +120,7 @@ END_TEST
 START_TEST(units_labels_and_continuations)
 {
     struct path path;
-    struct error error = {""};
+    struct error error = {.text = ""};
     const char *text = "partno part 5 $ no continuation\r\nUnits / Inches\r\n"
                        "GOTO/ 1.0, 2.0, $ $$ half of it\n  .5, 0, $\n0, 1\n"
                        "FEDRAT/10.,IPM\nGODLTA/0,0,-.5\nFINI\nnot read\n";
@@ -137,7 +137,7 @@ END_TEST
 START_TEST(from_is_carried_in_millimetres)
 {
     struct path path;
-    struct error error = {""};
+    struct error error = {.text = ""};
     const char *text =
         "UNITS/INCHES\nFROM/1,2,-3,0,0.6,0.8\nCIRCLE/1,3,-3,0,0,1\nGOTO/2,3,-3\nFINI\n";
     ck_assert_msg(read_text(text, &path, &error) == 0, "%s", error.text);
@@ -182,7 +182,7 @@ static const struct {
 START_TEST(what_is_refused)
 {
     struct path path;
-    struct error error = {""};
+    struct error error = {.text = ""};
     ck_assert_msg(read_text(refused[_i].text, &path, &error) < 0, "taken: %s", refused[_i].text);
     ck_assert_msg(strstr(error.text, refused[_i].message) != NULL, "%s", error.text);
     ck_assert_msg(strncmp(error.text, in_name, strlen(in_name)) == 0, "%s", error.text);
@@ -192,7 +192,7 @@ END_TEST
 START_TEST(unknown_words_are_counted_and_carried)
 {
     struct path path;
-    struct error error = {""};
+    struct error error = {.text = ""};
     ck_assert_int_eq(read_text("FROBNI/1\nFROBNI/2\nGRONK\nFINI\n", &path, &error), 0);
     ck_assert_uint_eq(path.unknown.n, 2);
     ck_assert_uint_eq(path.unknown.item[0].times, 2);

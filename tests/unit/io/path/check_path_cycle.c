@@ -67,7 +67,7 @@ static const struct {
 START_TEST(what_it_means)
 {
     struct path path;
-    struct error error = {""};
+    struct error error = {.text = ""};
     ck_assert_msg(read_cycle(means[_i].head, means[_i].words, &path, &error) == 0, "%s",
                   error.text);
     const struct path_cycle *c = &path.cycle.item[0];
@@ -104,7 +104,7 @@ static const char *const wrong[] = {
 START_TEST(what_is_refused)
 {
     struct path path;
-    struct error error = {""};
+    struct error error = {.text = ""};
     ck_assert_msg(read_cycle("", wrong[_i], &path, &error) < 0, "taken: %s", wrong[_i]);
     ck_assert_msg(strstr(error.text, "found ") && strstr(error.text, ":4: "), "%s", error.text);
 }
@@ -114,7 +114,7 @@ END_TEST
 START_TEST(home_from_each)
 {
     struct path path;
-    struct error error = {""};
+    struct error error = {.text = ""};
     ck_assert_int_eq(read_cycle("", "DRILL,RAPTO,3,FEDTO,-10,RTRCTO,AUTO", &path, &error), 0);
     for (size_t i = 0; i < path.item.n; i++)
         if (path.item.item[i].kind == PATH_HOLE) {
@@ -168,7 +168,7 @@ static const struct {
 START_TEST(as_motions)
 {
     struct path path;
-    struct error error = {""};
+    struct error error = {.text = ""};
     ck_assert_msg(read_cycle("", written[_i].words, &path, &error) == 0, "%s", error.text);
     path_expand_cycles(&path);
     ck_assert_str_eq(motions(&path), written[_i].heights);
@@ -180,7 +180,7 @@ END_TEST
 START_TEST(written_back)
 {
     struct path path, again;
-    struct error error = {""};
+    struct error error = {.text = ""};
     char text[CYCLE_TEXT];
     ck_assert_int_eq(read_cycle(means[_i].head, means[_i].words, &path, &error), 0);
     struct path_cycle c = path.cycle.item[0];

@@ -22,7 +22,7 @@ static double chance(void)
 static struct path read_text(const char *text)
 {
     struct path path;
-    struct error error = {""};
+    struct error error = {.text = ""};
     ck_assert_msg(path_read(scratch_text(text), &path, &error) == 0, "%s", error.text);
     return path;
 }

@@ -49,7 +49,7 @@ static const struct {
 START_TEST(feeds_in_all_units)
 {
     struct path path;
-    struct error error = {""};
+    struct error error = {.text = ""};
     char text[400];
     const char *places = *feeds[_i].head == 0           ? "GOTO/5,0,0"
                          : strstr(feeds[_i].head, "CM") ? "GOTO/.5,0,0"
@@ -81,7 +81,7 @@ static const struct {
 START_TEST(speeds_in_all_words)
 {
     struct path path;
-    struct error error = {""};
+    struct error error = {.text = ""};
     char text[400];
     snprintf(text, sizeof text, "CUTTER/10\n%s\nGOTO/0,0,0\nFINI\n", speeds[_i].words);
     ck_assert_msg(read_text(text, &path, &error) == 0, "%s", error.text);
@@ -107,7 +107,7 @@ static const struct {
 START_TEST(speeds_that_follow)
 {
     struct path path;
-    struct error error = {""};
+    struct error error = {.text = ""};
     char text[400];
     snprintf(text, sizeof text, "SPINDL/RPM,900,CCLW\nGOTO/0,0,0\n%s\nGOTO/1,0,0\nFINI\n",
              later[_i].words);
@@ -143,7 +143,7 @@ static const struct {
 START_TEST(home_and_clear)
 {
     struct path path;
-    struct error error = {""};
+    struct error error = {.text = ""};
     char text[400];
     snprintf(text, sizeof text, "%s\nGOTO/50,50,50,0,0,1\nFINI\n", homes[_i].text);
     ck_assert_msg(read_text(text, &path, &error) == 0, "%s", error.text);

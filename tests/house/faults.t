@@ -1,0 +1,104 @@
+#!/bin/sh
+# faults.t - calls of the C library that fail, one after another, in every tool with every kind of
+# input: nothing half done, nothing silently other.  FAULTS calls of each kind are tried, evenly
+# spread (default 2; 0, which `make faults` sets: every one).
+. "${SRC:-$(dirname "$0")/../..}/tests/lib/lib.sh"
+cd "$TMP" || exit 1
+MOST=${FAULTS:-2}
+kinds=malloc,calloc,realloc,aligned,read,end,bytes,write,full,some,open,close,fsync,rename,kill,term
+
+house=$SRC/tests/house
+# shellcheck disable=SC2086 # CC may have options
+if ! ${CC:-cc} -std=c11 -D_XOPEN_SOURCE=700 -O1 -shared -fPIC -o fault_lib.so "$house/fault_lib.c" \
+	-ldl 2>cc.err || ! LD_PRELOAD=$TMP/fault_lib.so ncpost -V >cc.out 2>&1; then
+	skip "calls that fail" "no library can be put before libc here"
+	done_testing
+fi
+# shellcheck disable=SC2086
+ok "the runner compiles" ${CC:-cc} -std=c11 -D_XOPEN_SOURCE=700 -O1 -o fault_run "$house/fault_run.c"
+
+awk 'BEGIN { for (i = 0; i <= 16; i++) for (k = 0; k <= 12; k++) {
+	x = 2.5 * i - 20; y = 2.5 * k - 15; print x, y, 10 - (x * x + y * y) / 120 } }' >cloud.xyz
+cloud2mesh -q -t 4 cloud.xyz >mesh.ply
+meshnorm -q -r 4 --rows mesh --fixed 0.1,0,1 mesh.ply >path.cl
+biarcfit -q path.cl >arcs.cl
+for control in fanuc siemens heidenhain linuxcnc; do
+	ncpost -q -c $control arcs.cl >program.$control
+done
+printf '1 0 0 5\n0 1 0 0\n0 0 1 0\n0 0 0 1\n' >matrix.txt
+printf 'include = own-base.txt\nx.max = 900\ntools = tools.tbl\n' >own.txt
+cp "$SRC/machines/table-ac.txt" own-base.txt
+printf '1 120.5 BALL\n' >tools.tbl
+printf 'base = fanuc\nnumber.step = 5\n' >own-control.txt
+cp "$SRC/tools/ball-8.txt" "$SRC/tools/hsk-a63-er20.txt" "$SRC/samples/saddle.nurbs" \
+	"$SRC/tests/data/box.step" .
+cp "$SRC/tests/data/awkward/mesh.off" "$SRC/tests/data/awkward/mesh-binary.stl" \
+	"$SRC/tests/data/awkward/mesh-be.ply" "$SRC/tests/data/awkward/cloud.ptx" \
+	"$SRC/tests/data/awkward/cloud.pcd" "$SRC/tests/data/awkward/cloud.obj" \
+	"$SRC/tests/data/awkward/cloud-le.ply" .
+awk 'BEGIN { for (i = 0; i < 20000; i++) print "(A REMARK AS LONG AS THIS ONE)" }' >remarks
+sed '2r remarks' program.fanuc >long.nc
+rm remarks
+
+# faults DESC KINDS "FILES" COMMAND...: with these files in the folder, and `older` as the outputs
+faults() {
+	desc=$1 which=$2 files=$3
+	shift 3
+	rm -rf before work
+	mkdir before
+	for file in $files; do cp "$file" before; done
+	for file in out other page.html; do echo older >before/$file; done
+	if ./fault_run "$TMP/fault_lib.so" "$which" "$MOST" "$@" >faults.out 2>err; then
+		result 0 "$desc: $(awk '/ calls, / { n += $2 } END { print n }' faults.out) calls that fail"
+	else
+		grep '^bad' faults.out >>err
+		result 1 "$desc"
+	fi
+}
+
+meshnormal='meshnorm -j 1 -r 4 --rows mesh -o out'
+path="path.cl cloud.xyz"
+faults "cloud2mesh" $kinds "cloud.xyz" cloud2mesh -j 1 -t 4 -o out cloud.xyz
+faults "cloud2mesh to standard output" $kinds "cloud.xyz" cloud2mesh -j 1 -t 4 cloud.xyz
+faults "cloud2mesh, a matrix, two clouds, what is believed" $kinds "cloud.xyz matrix.txt" \
+	cloud2mesh -j 1 -t 4 --matrix matrix.txt --clean other -o out cloud.xyz cloud.xyz
+for file in cloud.ptx cloud.pcd cloud.obj cloud-le.ply; do
+	faults "cloud2mesh, $file" malloc,calloc,realloc,read,end,bytes "$file" \
+		cloud2mesh -j 1 -t 3 -o out $file
+done
+# shellcheck disable=SC2086 # words
+faults "meshnorm, the scan" $kinds "mesh.ply cloud.xyz" $meshnormal mesh.ply
+# shellcheck disable=SC2086
+faults "meshnorm, tool files, a machine" $kinds \
+	"mesh.ply ball-8.txt hsk-a63-er20.txt own.txt own-base.txt tools.tbl" \
+	$meshnormal --no-guard --tool-file ball-8.txt --tool-file hsk-a63-er20.txt --machine own.txt mesh.ply
+for file in mesh.ply mesh-binary.stl mesh.off mesh-be.ply; do
+	faults "planecut, $file" $kinds "$file" planecut -j 1 -r 4 -s 4 --no-guard -o out $file
+done
+faults "biarcfit" $kinds "$path" biarcfit -j 1 -o out path.cl
+faults "bsplfit" $kinds "$path" bsplfit -j 1 --no-guard -o out path.cl
+for control in fanuc siemens heidenhain linuxcnc own-control.txt; do
+	faults "ncpost, $control" $kinds "arcs.cl own-control.txt own.txt own-base.txt tools.tbl" \
+		ncpost -j 1 -c $control -m own.txt -o out arcs.cl
+done
+for control in fanuc siemens heidenhain linuxcnc; do
+	faults "ncverify, $control" malloc,calloc,realloc,read,end,bytes \
+		"cloud.xyz program.$control own.txt own-base.txt tools.tbl own-control.txt" \
+		ncverify -j 1 -r 4 -c $control -m own.txt -g cloud.xyz -o out program.$control
+done
+faults "ncverify, a long program, told by its head" read,end,bytes,some "cloud.xyz long.nc" \
+	ncverify -j 1 -r 4 -g cloud.xyz -o out long.nc
+faults "ncverify, a path, a map, a page" $kinds "cloud.xyz program.fanuc arcs.cl own-control.txt" \
+	ncverify -j 1 -r 4 -c own-control.txt -g cloud.xyz -p arcs.cl --map other --report page.html \
+	-o out program.fanuc
+for file in cloud.xyz mesh.ply arcs.cl program.siemens; do
+	faults "ncplot, $file" $kinds "$file" ncplot -o out $file
+done
+for file in saddle.nurbs box.step; do
+	faults "nurbs2mesh, $file" $kinds "$file" nurbs2mesh -j 1 -n 6 -o out $file
+done
+faults "cloud2mesh, threads" thread,kill-mem,term-mem "cloud.xyz" cloud2mesh -j 3 -t 4 -o out cloud.xyz
+faults "planecut, threads" thread,kill-mem,term-mem "mesh.ply" \
+	planecut -j 3 -r 4 -s 4 --no-guard -o out mesh.ply
+faults "biarcfit, threads" thread,kill-mem,term-mem "$path" biarcfit -j 3 -o out path.cl
+done_testing
