@@ -152,20 +152,25 @@ static void turn_ahead(struct nc_planner *planner, struct pose to, double q[])
         q[0] = then[0];
 }
 
-/* The angles that the look ahead has found at s of the motion. */
-static void aim_at(const struct nc_aim *aim, double s, double q[])
+/* The angles that the look ahead has found at s of the motion.  True: on the way past the singular
+ * direction, and so they are, whatever the tool axis. */
+static bool aim_at(const struct nc_aim *aim, double s, double q[])
 {
     size_t low = 0, high = aim->n - 1;
-    bool crosses = aim->n > 2 && aim->place[1].passed;
-    while (high > low + 1 && !crosses) {
+    while (high > low + 1) {
         size_t mid = (low + high) / 2;
         *(aim->s[mid] < s ? &low : &high) = mid;
     }
+    while (low > 0 && aim->place[low].passed)
+        low--;
+    while (high + 1 < aim->n && aim->place[high].passed)
+        high++;
     const struct ik_plan_place *from = &aim->place[low], *to = &aim->place[high];
     double s0 = low ? aim->s[low] : 0, s1 = aim->s[high];
     double t = s1 > s0 && !from->turn ? (s - s0) / (s1 - s0) : 1;
     for (int i = 0; i < ROTARY_MAX; i++)
         q[i] = from->q[i] + t * (to->q[i] - from->q[i]);
+    return high > low + 1 && t < 1;
 }
 
 /* No whole turns bring the angle into the travel. */
@@ -214,6 +219,16 @@ static bool nearest_of_both(const struct nc_planner *planner, struct vec3 axis, 
     return true;
 }
 
+/* So near the singular direction that one block may lead past it (post_lookahead.h): a way to the
+ * other solution is shorter than the nearest one by far. */
+static bool may_be_crossed(const struct nc_planner *planner, struct vec3 axis)
+{
+    const struct kinematic_chain *chain = &planner->machine->chain;
+    double near = 2 * planner->allowed.axis;
+    struct vec3 off = vec_cross(chain->rotary[0].axis, axis);
+    return chain->n == 2 && vec_dot(off, off) < near * near && !chain_free(chain, axis);
+}
+
 bool post_ik_reach_near(const struct nc_planner *planner, const struct pose *to,
                         struct machine_pose *target, struct pose_deviation *off)
 {
@@ -234,12 +249,15 @@ int post_ik_reach(struct nc_planner *planner, struct pose to, double s, struct m
     int over;
     if (post_ik_reach_near(planner, &to, target, &off))
         return post_ik_check_linear(planner, target);
-    if (planner->aim.n)
-        aim_at(&planner->aim, s, q);
+    if (planner->aim.n && aim_at(&planner->aim, s, q)) {
+        *target = post_ik_pose(planner, to, q);
+        return post_ik_check_linear(planner, target);
+    }
     if (ik_choose(chain, to.a, q, true, -1, q, &over) != 0)
         return not_reached(planner, to, over);
-    planner->doubtful =
-        planner->doubtful || (!planner->off_part && !nearest_of_both(planner, to.a, q));
+    planner->doubtful = planner->doubtful ||
+                        (!planner->off_part &&
+                         (!nearest_of_both(planner, to.a, q) || may_be_crossed(planner, to.a)));
     if (planner->aim.n == 0 &&
         (planner->follow.mode != INTERPOLATE_VECTOR || !planner->state.begun))
         turn_ahead(planner, to, q); /* a vector says no angle: there the axis stays */

@@ -114,10 +114,12 @@ static bool nearest_is_least(const struct nc_planner *planner, const struct grou
 
 /* ---- the look ahead: the places of a group, and the shortest way through them (ik_plan.h) */
 
-/* A straight motion that may be one block past the singular direction: it ends at that place. */
+/* A part of a motion, from s0 to s1, that may be one block past the singular direction: it ends at
+ * that place. */
 struct crossing {
     size_t end;
-    struct pose from, to;
+    struct motion motion;
+    double s0, s1;
 };
 
 struct lookahead {
@@ -134,6 +136,8 @@ struct lookahead {
     const struct nc_planner *planner;
     struct ik_plan_cost cost; /* of the way that was found */
 };
+
+static const double CROSSING_SHARE = 0.7; /* of what is allowed; the rest is for the chords */
 
 enum { DEPTH = 12, SPAN_PIECES = 8, HALVINGS = 45, PLACES_MAX = 10000000 };
 
@@ -202,22 +206,116 @@ static void add_places(struct lookahead *ahead, const struct kinematic_chain *ch
     add_places(ahead, chain, motion, mid, motion_at(motion, mid).a, s1, depth + 1);
 }
 
+/* The motion is, or may be, straight blocks of any length. */
+static bool is_in_blocks(const struct lookahead *ahead, const struct motion *motion)
+{
+    const struct nc_ability *ability = &ahead->planner->plan->ability;
+    return motion->kind == MOTION_LINE ||
+           (motion->kind == MOTION_ARC && ability->arcs == NC_ARCS_NONE) ||
+           (motion->kind == MOTION_SPLINE && ability->splines == NC_SPLINES_NONE);
+}
+
+/* How far a place is off the singular direction: the sine. */
+static double off_singular(const struct lookahead *ahead, size_t i)
+{
+    return vec_length(
+        vec_cross(ahead->planner->machine->chain.rotary[0].axis, ahead->item[i].axis));
+}
+
+/* The end of a block at s of the motion, the tip as a control with tool-centre-point control has it.
+ */
+static struct block_pose turned_at(const struct kinematic_chain *chain, const struct motion *motion,
+                                   double s, const double q[])
+{
+    struct block_pose at = {.p = motion_at(motion, s).p, .a = chain_axis(chain, q)};
+    for (int i = 0; i < ROTARY_MAX; i++)
+        at.q[i] = q[i];
+    return at;
+}
+
+/*
+ * From the angles q0 to q1 in one block it is near enough to the motion; without tool-centre-point
+ * control in a row of blocks, in which the angles turn evenly, with room for the chords.
+ */
+static bool crosses_within(const struct lookahead *ahead, const struct crossing *c,
+                           const double q0[], const double q1[])
+{
+    const struct nc_planner *planner = ahead->planner;
+    struct interpolation follow = planner->follow;
+    struct pose_deviation allowed = planner->allowed;
+    if (follow.mode == INTERPOLATE_JOINT) {
+        follow.mode = INTERPOLATE_ROTARY;
+        allowed.point *= CROSSING_SHARE;
+        allowed.axis *= CROSSING_SHARE;
+    }
+    struct block_pose from = turned_at(follow.chain, &c->motion, c->s0, q0),
+                      to = turned_at(follow.chain, &c->motion, c->s1, q1);
+    return pose_deviation_within(interpolation_block(&follow, &from, &to, &c->motion, c->s0, c->s1),
+                                 allowed);
+}
+
+/* The same from one solution to the other. */
+static bool changes_within(const struct lookahead *ahead, const struct crossing *c)
+{
+    const struct kinematic_chain *chain = &ahead->planner->machine->chain;
+    struct chain_solutions from = chain_angles(chain, motion_at(&c->motion, c->s0).a),
+                           to = chain_angles(chain, motion_at(&c->motion, c->s1).a);
+    double q[ROTARY_MAX];
+    if (from.n < 2 || to.n < 2)
+        return false;
+    for (int i = 0; i < ROTARY_MAX; i++)
+        q[i] = to.q[1][i] + 2 * PI * round((from.q[0][i] - to.q[1][i]) / (2 * PI));
+    return crosses_within(ahead, c, from.q[0], q);
+}
+
+/*
+ * The widest part of the motion about its place `nearest`, of its places from `first` to `last`,
+ * that is one block: the whole, or as many places to both sides as may be.  None: the whole of a
+ * straight motion, and else false.
+ */
+static bool widest_crossing(const struct lookahead *ahead, const struct motion *motion,
+                            size_t first, size_t nearest, size_t last, struct crossing *crossing)
+{
+    struct crossing c = {.end = last, .motion = *motion, .s1 = 1};
+    bool straight = motion->kind == MOTION_LINE, any = false;
+    *crossing = c;
+    if (straight && changes_within(ahead, &c))
+        return true;
+    for (size_t by = 1; first + by <= nearest || nearest + by <= last; by++) {
+        size_t from = nearest > first + by ? nearest - by : first;
+        c.end = nearest + by < last ? nearest + by : last;
+        c.s0 = from > first ? ahead->s.item[from] : 0;
+        c.s1 = ahead->s.item[c.end];
+        if (changes_within(ahead, &c)) {
+            *crossing = c;
+            any = true;
+        } else if (any) {
+            break;
+        }
+    }
+    return any || straight;
+}
+
 /* Within twice what the tool axis may be off, it may go past the singular direction in one block.
  */
 static void add_crossing(struct lookahead *ahead, const struct motion *motion, size_t start)
 {
-    const struct rotary *first = &ahead->planner->machine->chain.rotary[0];
     double near = 2 * ahead->planner->allowed.axis;
-    bool past = false;
-    for (size_t i = start + 1; i + 1 < ahead->n && !past; i++) {
-        struct vec3 off = vec_cross(first->axis, ahead->item[i].axis);
-        past = vec_dot(off, off) < near * near;
-    }
-    if (!past || motion->kind != MOTION_LINE || ahead->planner->machine->chain.n != 2)
+    size_t nearest = start, last = ahead->n - 1;
+    struct crossing crossing;
+    if (ahead->planner->machine->chain.n != 2 || !is_in_blocks(ahead, motion))
         return;
-    ahead->item[ahead->n - 1].crossing = (unsigned)(ahead->n - 1 - start);
-    *array_push(&ahead->crossing) =
-        (struct crossing){ahead->n - 1, motion_at(motion, 0), motion->to};
+    for (size_t i = start + 1; i < last; i++)
+        if (off_singular(ahead, i) < near &&
+            (nearest == start || off_singular(ahead, i) < off_singular(ahead, nearest)))
+            nearest = i;
+    if (nearest == start || !widest_crossing(ahead, motion, start, nearest, last, &crossing))
+        return;
+    size_t first = start;
+    while (crossing.s0 > 0 && ahead->s.item[first + 1] <= crossing.s0)
+        first++;
+    ahead->item[crossing.end].crossing = (unsigned)(crossing.end - first);
+    *array_push(&ahead->crossing) = crossing;
 }
 
 static void add_motion(struct lookahead *ahead, const struct kinematic_chain *chain,
@@ -248,7 +346,6 @@ static bool may_cross(const void *with, size_t from, size_t to, const double q0[
                       const double q1[])
 {
     const struct lookahead *ahead = with;
-    const struct nc_planner *planner = ahead->planner;
     size_t low = 0, high = ahead->crossing.n - 1;
     (void)from; /* the end of a crossing says which it is */
     while (low < high) {
@@ -259,11 +356,7 @@ static bool may_cross(const void *with, size_t from, size_t to, const double q0[
             high = mid;
     }
     const struct crossing *c = &ahead->crossing.item[low];
-    struct motion motion = motion_line(c->from, c->to);
-    struct machine_pose a = post_ik_pose(planner, c->from, q0),
-                        b = post_ik_pose(planner, c->to, q1);
-    return pose_deviation_within(interpolation_block(&planner->follow, &a.at, &b.at, &motion, 0, 1),
-                                 planner->allowed);
+    return crosses_within(ahead, c, q0, q1);
 }
 
 static void add_items(struct lookahead *ahead, size_t from, size_t to)

@@ -6,7 +6,7 @@
 #include "post_feed.h"
 #include "post_ik.h"
 
-enum { DEPTH_MAX = 14 /* halvings of a straight motion */ };
+enum { DEPTH_MAX = 22 /* halvings of a straight motion: beside the singular direction */ };
 
 /* ---- one more block */
 
@@ -302,10 +302,25 @@ static int halve(struct nc_planner *planner, const struct motion *motion, double
     return 0;
 }
 
+/* The first end, between s0 and s1, of a block past the singular direction that was planned. */
+static double crossing_end(const struct nc_aim *aim, double s0, double s1)
+{
+    for (size_t i = 1; i + 1 < aim->n; i++)
+        if (!aim->place[i].passed && (aim->place[i - 1].passed || aim->place[i + 1].passed) &&
+            aim->s[i] > s0 && aim->s[i] < s1)
+            return aim->s[i];
+    return s1;
+}
+
 static int straight_blocks(struct nc_planner *planner, const struct motion *motion, double s0,
                            double s1, enum nc_kind kind, struct pose_deviation allowed)
 {
-    return halve(planner, motion, s0, s1, kind, allowed, 0);
+    for (double s = s0, next; s < s1; s = next) {
+        next = crossing_end(&planner->aim, s, s1);
+        if (halve(planner, motion, s, next, kind, allowed, 0) != 0)
+            return -1;
+    }
+    return 0;
 }
 
 /* ---- arcs, B-splines, rapids */

@@ -141,6 +141,79 @@ START_TEST(solutions_that_differ)
 }
 END_TEST
 
+/* A line on which the tool leans from one side of the singular direction to the other, `miss`
+ * radians beside it, far from the centre of the table. */
+static struct path path_past_pole(double miss)
+{
+    double lean = 0.0126, far = -0.2;
+    struct path path = {.name = "past"};
+    struct pose from = {vec(2.1, -75.9, 13.6), vec_unit(vec(lean, miss, 1))};
+    struct pose to = {vec(-3.3, -75.7, 11.9), vec_unit(vec(far, miss, 1))}, above = from;
+    path.head.clearance = NAN;
+    above.p.z = 60;
+    path_add_point(&path, above, true);
+    path_add_point(&path, from, false);
+    path_add_point(&path, to, false);
+    above = to;
+    above.p.z = 60;
+    path_add_point(&path, above, true);
+    return path;
+}
+
+/* The pose of the machine after a block. */
+static struct pose pose_of(const struct machine *m, const struct nc_move *move)
+{
+    struct pose pose = {move->p, chain_axis(&m->chain, move->q)};
+    if (!m->tcp)
+        pose.p = chain_tip(&m->chain, move->p, move->q);
+    return pose;
+}
+
+/* How far a pose is off a straight motion: the tip, and where it is beside it the axis. */
+static void check_beside(struct pose at, struct pose from, struct pose to, double chord)
+{
+    struct vec3 way = vec_sub(to.p, from.p);
+    double s = vec_dot(vec_sub(at.p, from.p), way) / vec_dot(way, way);
+    s = fmin(fmax(s, 0), 1);
+    ck_assert_double_lt(vec_distance(at.p, vec_mix(from.p, to.p, s)), chord);
+    ck_assert_double_lt(vec_angle(at.a, vec_slerp(from.a, to.a, s)), RADIANS(0.06));
+}
+
+/* Whatever passes beside the singular direction goes on: by a turn of the first axis there, or, as
+ * near as the tolerance, past it with that axis all but still. */
+START_TEST(past_the_pole)
+{
+    static const double miss[] = {1e-6, 2e-5, 1e-4, 2e-4, 4e-4, 1e-3, 5e-3};
+    for (int tcp = 0; tcp < 2; tcp++) {
+        const struct nc_plan_options options = {
+            .chord = 0.002, .axis_tolerance = RADIANS(0.05), .feed = 800, .unit = 1};
+        struct machine m = machine_default();
+        struct error error;
+        m.tcp = tcp;
+        ck_assert_int_eq(machine_finish(&m, &error), 0);
+        struct nc_ability ability = dialect_ability(CONTROL_fanuc, &m, POST_AXIS_ROTARY, false, 1);
+        struct path path = path_past_pole(miss[_i]);
+        struct nc_plan plan;
+        ck_assert_msg(nc_plan_make(&plan, &path, &m, ability, options, &error) == 0, "%s",
+                      error.text);
+        ck_assert_uint_eq(plan.total.turns, 0);
+        double turn = 0;
+        for (size_t i = 1; i < plan.move.n; i++) {
+            const struct nc_move *move = &plan.move.item[i];
+            if (move->kind != NC_LINE)
+                continue;
+            turn += fabs(move->q[0] - move[-1].q[0]);
+            check_beside(pose_of(&m, move), path.item.item[1].to, path.item.item[2].to, 0.003);
+        }
+        if (miss[_i] < 3e-4) /* half of the tolerance of the axis */
+            ck_assert_double_lt(turn, RADIANS(30));
+        ck_assert_double_lt(turn, RADIANS(200));
+        nc_plan_free(&plan);
+        path_free(&path);
+    }
+}
+END_TEST
+
 int main(void)
 {
     Suite *suite = suite_create("post_lookahead");
@@ -149,6 +222,7 @@ int main(void)
     tcase_set_timeout(tests, 60);
     tcase_add_loop_test(tests, as_by_trying, 0, 2 * KINDS_SHIPPED);
     tcase_add_test(tests, solutions_that_differ);
+    tcase_add_loop_test(tests, past_the_pole, 0, 7);
     suite_add_tcase(suite, tests);
 
     SRunner *runner = srunner_create(suite);
