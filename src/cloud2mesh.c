@@ -27,11 +27,20 @@ struct settings {
 
 static const char *const unit_name[] = {"mm", "cm", "m", "um", "inch", "in"};
 
+/* What a method has no use for. */
+static void check_method(const struct settings *s)
+{
+    if (s->meshing.method != CLOUDMESH_CHUI && s->meshing.paper)
+        die_usage("found --paper with --method, expected one of them");
+    if (s->meshing.method == CLOUDMESH_LIN && s->meshing.error > 0)
+        die_usage("--method lin has a grid of one spacing: expected -t, found -e");
+}
+
 static struct settings read_options(struct cli *cli, int argc, char **argv)
 {
     struct settings s = {.noise = NAN, .meshing.effort = 1};
     bool normals_given = false;
-    int normals = 0, nodes = 0;
+    int normals = 0, nodes = 0, method = 0;
     const struct cli_option option[] = {
         {'t', "spacing", "MM",
          "spacing of the triangular grid (default: three times the mean\nspacing of the points)",
@@ -40,6 +49,10 @@ static struct settings read_options(struct cli *cli, int argc, char **argv)
          "rows, and points on them, as far apart as possible with every point of\n"
          "the cloud within this of the mesh (with -t: no farther than that)",
          CLI_NUMBER, &s.meshing.error, CLI_POSITIVE, 0, 0, NULL},
+        {0, "method", "chui|lin",
+         "nodes on an oblique grid that move to points (Chui, Chiu and Yu), or on\n"
+         "a rectangular one by interpolation (Lin and Liu) (default: chui)",
+         CLI_CHOICE, &method, 0, 0, 0, NULL},
         {'u', "units", "mm|cm|m|um|inch|in", "units of the points (default: mm)", CLI_CHOICE,
          &s.unit, 0, 0, 0, NULL},
         {'a', "direction", "DEG", "direction of the rows, from x towards y (default: 0)",
@@ -93,6 +106,7 @@ static struct settings read_options(struct cli *cli, int argc, char **argv)
     cli_parse(cli, argc, argv);
     s.meshing.normals =
         s.meshing.paper && !normals_given ? normals_of("facet") : normals_find(true, normals);
+    s.meshing.method = (enum cloudmesh_method)method;
     s.meshing.scan_nodes = nodes == 1;
     s.meshing.smooth = s.meshing.smooth || s.meshing.paper || !s.meshing.normals->of_surface;
     if (s.extend > 0 && (s.meshing.paper || s.meshing.subdivide))
@@ -101,6 +115,7 @@ static struct settings read_options(struct cli *cli, int argc, char **argv)
     s.clean = s.clean || s.meshing.normals->of_surface;
     if (s.clean_file && strcmp(s.clean_file, "-") == 0)
         die_usage("option --clean: found -, expected a file: standard output is for the mesh");
+    check_method(&s);
     if (s.meshing.paper && s.meshing.error > 0)
         die_usage("--paper has a grid of one spacing: expected -t or -e");
     return s;
@@ -177,6 +192,13 @@ static void extend_over_border(const char *name, const struct settings *s, struc
     say("extended by %g mm beyond the border, by %zu points", s->extend, points->n - n);
 }
 
+static void say_distance(const struct adaptive_rows *r, bool of_surface)
+{
+    say("%s within %.4f mm of the mesh at worst (at %.3f %.3f %.3f), %.4f mm rms",
+        of_surface ? "the surface below the noise is" : "the points are", r->worst, r->at.x,
+        r->at.y, r->at.z, r->rms);
+}
+
 static void say_rows(const struct adaptive_rows *r, double error, bool of_surface)
 {
     say("%s within %.4f mm of the mesh at worst (at %.3f %.3f %.3f), %.4f mm rms; %zu rows",
@@ -248,7 +270,9 @@ int main(int argc, char **argv)
         die("%s: %s", name, error.text);
     say_left_out(&settings, &result.count);
     say_steep(&settings, &mesh);
-    if (settings.meshing.error > 0)
+    if (settings.meshing.method != CLOUDMESH_CHUI)
+        say_distance(&result.rows, of_surface);
+    else if (settings.meshing.error > 0)
         say_rows(&result.rows, settings.meshing.error, of_surface);
     note("%zu points in, %zu left out; spacing %g mm, %d rows x %d columns; %zu vertices, "
          "%zu facets",

@@ -28,6 +28,7 @@
 #include "meshing/greedy_insert.h"
 #include "meshing/grid.h"
 #include "meshing/grid_mesh.h"
+#include "meshing/lin_grid.h"
 #include "meshing/mesh_join.h"
 #include "meshing/reposition.h"
 #include "meshing/scan_normals.h"

@@ -11,6 +11,8 @@
  *      vertices on them: the mesh closer to the points is the result
  *   5. the parts joined (meshing/mesh_join.h)
  *
+ * The ways that paper 1 reviews take the place of stages 2 to 4: enum cloudmesh_method.
+ *
  * What a large cloud is looked at less for, and by how much, is said (base/effort.h).
  */
 #ifndef CLOUDMILL_CLOUDMESH_H
@@ -23,8 +25,15 @@
 #include "mesh/mesh.h"
 #include "stage/normals.h"
 
+/* The way to the nodes. */
+enum cloudmesh_method {
+    CLOUDMESH_CHUI, /* the stages above: Chui, Chiu, Yu 2007 */
+    CLOUDMESH_LIN,  /* a rectangular grid by interpolation (meshing/lin_grid.h) */
+};
+
 /* What is asked for. */
 struct cloudmesh_options {
+    enum cloudmesh_method method;
     double spacing;   /* of the grid, mm; 0: from the cloud */
     double error;     /* rows by an error, mm; 0: the spacing counts */
     double max_gap;   /* mm, 0: from the cloud */

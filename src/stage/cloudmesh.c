@@ -12,6 +12,7 @@
 #include "base/effort.h"
 #include "base/num.h"
 #include "cloud/cloud.h"
+#include "cloudmesh_steps.h"
 #include "feature/feature.h"
 #include "mesh/mesh_distance.h"
 #include "meshing/node_heights.h"
@@ -108,8 +109,8 @@ static int stand_at_nodes(const struct cloudmesh_options *options, const struct 
 }
 
 /* Normals, and vertices moved where there is noise, from n points, which it sorts. */
-static int estimate_normals(const struct cloudmesh_options *options, struct vec3 *point, size_t n,
-                            double noise, int threads, struct mesh *mesh, struct error *error)
+int cloudmesh_normals(const struct cloudmesh_options *options, struct vec3 *point, size_t n,
+                      double noise, int threads, struct mesh *mesh, struct error *error)
 {
     struct normals_options normals = {.point = point,
                                       .n = n,
@@ -243,7 +244,7 @@ static void drop_mesh(struct mesh *mesh, struct cloudmesh *result)
     array_free(&result->edge);
 }
 
-static double spacing_of_cloud(double mean)
+double cloudmesh_default_spacing(double mean)
 {
     double spacing = three_spacings(mean);
     say("spacing %g mm, three times the mean spacing of the points", spacing);
@@ -263,7 +264,7 @@ static int find_walls(struct cloudmesh_options *options, struct vec3s *points, i
     if (!options->smooth)
         parts->flat = wall_points_part(points->item, points->n, parts->mean, threads);
     if (!(options->spacing > 0))
-        options->spacing = spacing_of_cloud(parts->mean);
+        options->spacing = cloudmesh_default_spacing(parts->mean);
     return 0;
 }
 
@@ -277,7 +278,7 @@ static int mesh_of_nodes(const struct cloudmesh_options *options, const struct c
         return 0;
     if (stand_at_nodes(options, parts, points, noise, threads, mesh, result, error) < 0)
         return -1;
-    if (estimate_normals(options, points->item, parts->flat, noise, threads, mesh, error) < 0)
+    if (cloudmesh_normals(options, points->item, parts->flat, noise, threads, mesh, error) < 0)
         return -1;
     add_features(options, parts, points, noise, threads, mesh, result);
     return 0;
@@ -328,8 +329,8 @@ struct source {
 
 /* Noisy points moved onto the surface that they stand for, all or, of very many, those of a grid
  * twice as wide as they are apart. */
-static int smooth_points(const struct cloudmesh_options *options, struct vec3s *points,
-                         double noise, int threads, double *spent, struct error *error)
+int cloudmesh_smooth_points(const struct cloudmesh_options *options, struct vec3s *points,
+                            double noise, int threads, double *spent, struct error *error)
 {
     const double apart = 2; /* in spacings */
     struct cloudmesh_options fine = *options;
@@ -345,7 +346,7 @@ static int smooth_points(const struct cloudmesh_options *options, struct vec3s *
     for (size_t i = 0; all && i < points->n; i++)
         *array_push(&mesh.vertex) = points->item[i];
     if (status == 0)
-        status = estimate_normals(&fine, points->item, points->n, noise, threads, &mesh, error);
+        status = cloudmesh_normals(&fine, points->item, points->n, noise, threads, &mesh, error);
     if (status == 0) {
         array_free(points);
         *points = mesh.vertex;
@@ -460,7 +461,7 @@ static int make_normals(const struct cloudmesh_options *options, const struct so
     struct vec3s *points = raw ? s->scan : s->surface;
     size_t flat = raw ? s->scan_parts.flat : s->surface_parts.flat;
 
-    return estimate_normals(options, points->item, flat, raw ? s->noise : 0, threads, mesh, error);
+    return cloudmesh_normals(options, points->item, flat, raw ? s->noise : 0, threads, mesh, error);
 }
 
 static int mesh_of_source(const struct cloudmesh_options *options, struct source *s, int threads,
@@ -584,7 +585,8 @@ static int mesh_within(const struct cloudmesh_options *options, struct vec3s *po
         return -1;
     for (size_t i = 0; i < points->n; i++)
         *array_push(&surface) = points->item[i];
-    if (noise > 0 && smooth_points(options, &surface, noise, threads, &spent, error) < 0) {
+    if (noise > 0 &&
+        cloudmesh_smooth_points(options, &surface, noise, threads, &spent, error) < 0) {
         array_free(&surface);
         return -1;
     }
@@ -611,6 +613,8 @@ static int mesh_within(const struct cloudmesh_options *options, struct vec3s *po
 static int one_mesh(const struct cloudmesh_options *options, struct vec3s *points, double noise,
                     int threads, struct mesh *mesh, struct cloudmesh *result, struct error *error)
 {
+    if (options->method != CLOUDMESH_CHUI)
+        return cloudmesh_by_way(options, points, noise, threads, mesh, result, error);
     int status = options->error > 0
                      ? mesh_within(options, points, noise, threads, mesh, result, error)
                      : mesh_on_grid(options, points, noise, threads, mesh, result, error);
@@ -647,7 +651,8 @@ static int mesh_of_parts(const struct cloudmesh_options *asked, const struct vec
     struct segments parts =
         segments_find(points->item, points->n, 1.5 * options.spacing, options.direction, threads);
     int status = 0;
-    options.spacing = options.spacing > 0 ? options.spacing : spacing_of_cloud(parts.spacing);
+    options.spacing =
+        options.spacing > 0 ? options.spacing : cloudmesh_default_spacing(parts.spacing);
     options.direction = 0;
     mesh->origin.spacing = options.spacing;
     for (size_t i = 0; i < parts.n && status == 0; i++) {
