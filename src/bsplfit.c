@@ -13,6 +13,8 @@ struct settings {
     int degree;
     int points;        /* 0: as the path is; else one more than its enum path_track */
     int params, knots; /* by their place among the choices */
+    int ends;          /* enum spline_ends */
+    bool degree_given, params_given, knots_given, ends_given, interpolate;
     struct spline_run_options run;
 };
 
@@ -30,6 +32,8 @@ static int prepare(void *settings, struct path *in, struct error *error)
         return -1;
     s->run = (struct spline_run_options){.centre = in->head.track == TRACK_CENTRE,
                                          .paper = s->common.paper,
+                                         .through = s->interpolate,
+                                         .ends = (enum spline_ends)s->ends,
                                          .fit = {.degree = s->degree,
                                                  .params = s->params - 1,
                                                  .knots = s->knots == 3 ? -1 : s->knots - 1,
@@ -127,9 +131,23 @@ static double report(const void *settings, const struct path *in, const struct f
     return r.spent;
 }
 
+static struct settings s = {.degree = 3};
+
+/* What does not go with a curve through all points. */
+static void check_interpolate(void)
+{
+    if (s.ends_given && !s.interpolate)
+        die_usage("found --ends without --interpolate, expected both");
+    if (s.interpolate && (s.common.paper || s.degree_given || s.params_given || s.knots_given))
+        die_usage("found %s with --interpolate, expected one of them", s.common.paper   ? "--paper"
+                                                                       : s.degree_given ? "--degree"
+                                                                       : s.params_given
+                                                                           ? "--params"
+                                                                           : "--knots");
+}
+
 int main(int argc, char **argv)
 {
-    static struct settings s = {.degree = 3};
     static const struct cli_option option[] = {
         {'e', "tolerance", "MM", "largest distance of tip and ball centre from the path (0.01)",
          CLI_NUMBER, &s.common.tolerance, 1e-5, 10, 0, &s.common.tolerance_given},
@@ -145,16 +163,24 @@ int main(int argc, char **argv)
         {0, "axis-tolerance", "DEG", "largest deviation of the tool axis, degrees (1)", CLI_NUMBER,
          &s.common.angle, 0.001, 45, 0, NULL},
         {0, "degree", "P", "degree of the curves, 2 to 5 (3); a straight line has 1", CLI_COUNT,
-         &s.degree, 2, 5, 0, NULL},
+         &s.degree, 2, 5, 0, &s.degree_given},
         {0, "points", "same|tip|centre|contact",
          "curve to fit: that of the tip, of the ball's centre, or of the contact\n"
          "points, for study (default: the one that the path tracks)",
          CLI_CHOICE, &s.points, 0, 0, 0, NULL},
         {0, "params", "all|uniform|centripetal|chord", "parameters of the points (all)", CLI_CHOICE,
-         &s.params, 0, 0, 0, NULL},
+         &s.params, 0, 0, 0, &s.params_given},
         {0, "knots", "all|uniform|average|free",
          "knots of the curves (all: free, the others where these find nothing)", CLI_CHOICE,
-         &s.knots, 0, 0, 0, NULL},
+         &s.knots, 0, 0, 0, &s.knots_given},
+        {0, "interpolate", NULL,
+         "cubic splines through all points, with continuous second derivatives\n"
+         "(Lai); -e is what they may be off the path between the points",
+         CLI_FLAG, &s.interpolate, 0, 0, 0, NULL},
+        {0, "ends", "natural|clamped|bessel",
+         "ends of the curves of --interpolate: no curvature, the tangent of the\n"
+         "path, or the slope of the parabola through three points (natural)",
+         CLI_CHOICE, &s.ends, 0, 0, 0, &s.ends_given},
         {0, "paper", NULL,
          "as published: the given points, 5 control points and 5 more each time,\n"
          "with the error at the points only",
@@ -180,6 +206,7 @@ int main(int argc, char **argv)
     cli_parse(&cli, argc, argv);
     if (cli.files > 1)
         die_usage("found %d files, expected one path", cli.files);
+    check_interpolate();
     if (s.common.gouge.scan.none && s.common.gouge.scan.files.n > 0)
         die_usage("found -g and --no-guard, expected one of them");
     int status = fitter_run(&fitter, &cli, &error);

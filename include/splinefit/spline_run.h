@@ -11,8 +11,10 @@
 #include "splinefit/splinefit.h"
 
 struct spline_run_options {
-    bool centre; /* the ball's centre is programmed, not the tip */
-    bool paper;  /* as published: the run as one piece, as it is (splinefit_paper) */
+    bool centre;           /* the ball's centre is programmed, not the tip */
+    bool paper;            /* as published: the run as one piece, as it is (splinefit_paper) */
+    bool through;          /* through all points (splinefit_through), with ... */
+    enum spline_ends ends; /* ... these ends of each piece */
     struct splinefit_options fit;
 };
 

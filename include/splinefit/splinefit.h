@@ -18,6 +18,8 @@
  *                      bound of the distance both ways
  *   5. a polyline with a pole at each point, where nothing else serves
  *
+ * Beside it, as Lai (1997) has it, the curve through all points (splinefit_through; interpolate.h).
+ *
  * spline_run.h drives this for a whole run: corners, dense data, the part kept clear of.
  *
  * Who spends what of the tolerance (bsplfit -e; E below):
@@ -59,6 +61,13 @@ enum knots_method {
                       span holds data; with as many poles as points their eq 9.8 */
 };
 
+/* What holds at both ends of a curve through all points. */
+enum spline_ends {
+    ENDS_NATURAL, /* no curvature: the second derivative is zero */
+    ENDS_CLAMPED, /* the tangent of paper 1 for ends (run_tangents), as fast as the first chord */
+    ENDS_BESSEL   /* the derivative of the parabola through the three points next to it */
+};
+
 /* How far a curve is from its data, by the measures of paper 2, at the data's own parameters. */
 struct fit_error {
     double c1;     /* eq 7: largest |Q_k - C(u_k)|, mm */
@@ -81,7 +90,8 @@ enum splinefit_kind {
     SPLINEFIT_FITTED,   /* by least squares, with `params` and `knots` */
     SPLINEFIT_STRAIGHT, /* degree 1 with two poles */
     SPLINEFIT_POLYLINE, /* degree 1 with a pole at each point: nothing else served */
-    SPLINEFIT_FREE      /* with free knots (free_knots_search) */
+    SPLINEFIT_FREE,     /* with free knots (free_knots_search) */
+    SPLINEFIT_THROUGH   /* through all points (splinefit_through) */
 };
 
 struct splinefit {
@@ -123,6 +133,14 @@ void splinefit_search(const struct reference *reference, const struct splinefit_
  */
 void splinefit_again(const struct reference *reference, const struct splinefit_options *options,
                      const struct splinefit *before, struct splinefit *fit);
+
+/*
+ * The cubic spline through all points, with continuous second derivatives.  `proof` and `within`
+ * are its distance from `whole`: the same reference or the denser one that its points are part of.
+ */
+void splinefit_through(const struct reference *reference, const struct reference *whole,
+                       const struct splinefit_options *options, enum spline_ends ends,
+                       struct splinefit *fit);
 
 void splinefit_free(struct splinefit *fit);
 

@@ -85,6 +85,17 @@ static bool is_rough(const struct run *run)
     return (double)turns > ROUGH_POINTS * (double)run->n;
 }
 
+/* The curve through all points of a piece, as far as it is off the smooth path through them. */
+static void fit_through(const struct run *part, const struct spline_run_options *options,
+                        const struct reference *whole, const struct splinefit_options *within,
+                        struct splinefit *fit)
+{
+    struct reference points = reference_distinct(part, options->centre);
+
+    splinefit_through(&points, whole, within, options->ends, fit);
+    reference_free(&points);
+}
+
 /* Fits one piece; `options` with the whole tolerance; `before`: as it was for nearly the same
  * points, or NULL. */
 static void fit_piece(const struct run *run, const struct spline_run_options *options,
@@ -105,7 +116,9 @@ static void fit_piece(const struct run *run, const struct spline_run_options *op
     struct reference reference = reference_distinct(data, options->centre);
     piece->still = reference.n < 2;
     if (!piece->still) {
-        if (options->paper)
+        if (options->through)
+            fit_through(&part, options, &reference, &o, &piece->fit);
+        else if (options->paper)
             splinefit_paper(&reference, &o, &piece->fit);
         else if (before)
             splinefit_again(&reference, &o, before, &piece->fit);

@@ -8,6 +8,7 @@
 
 #include "base/array.h"
 #include "free_knots.h"
+#include "interpolate.h"
 #include "spline_bound.h"
 #include "spline_lsq.h"
 
@@ -308,4 +309,19 @@ void splinefit_again(const struct reference *reference, const struct splinefit_o
     else
         splinefit_search(reference, options, fit);
     search_free(&s);
+}
+
+void splinefit_through(const struct reference *reference, const struct reference *whole,
+                       const struct splinefit_options *options, enum spline_ends ends,
+                       struct splinefit *fit)
+{
+    const struct deviation within = {options->tolerance, options->tolerance, options->angle};
+
+    *fit = (struct splinefit){.curve = spline_through(reference, ends), .kind = SPLINEFIT_THROUGH};
+    bool printed = spline_bound_print(&fit->curve);
+    spline_bound_measure(&fit->curve, whole, options->tolerance * SPLINE_RESOLUTION, INFINITY,
+                         &fit->proof);
+    fit->within = printed && deviation_within(&fit->proof, &within);
+    fit->deviation = fit_error_of(&fit->curve, fit->curve.pole, reference->point,
+                                  fit->curve.knot + 3, reference->n);
 }
