@@ -12,24 +12,25 @@
 #include <stdbool.h>
 
 /*
- * ROW(name, title, tcp_of_machine): the name in options and machine files; what people write; true
+ * ROW(name, title, tcp_of_machine, dc): the name in options and machine files; what people write; true
  * where the control has tool-centre-point control only on machines whose file names this control,
- * because it is done by the machine's kinematics and no word of a program.
+ * because it is done by the machine's kinematics and no word of a program; true where it has
+ * C=DC(270), the shortest way to an angle from 0 to 360.
  */
-#define CONTROL_TABLE(ROW)               \
-    ROW(fanuc, "Fanuc", false)           \
-    ROW(siemens, "Siemens", false)       \
-    ROW(heidenhain, "Heidenhain", false) \
-    ROW(linuxcnc, "LinuxCNC", true)
+#define CONTROL_TABLE(ROW)                      \
+    ROW(fanuc, "Fanuc", false, false)           \
+    ROW(siemens, "Siemens", false, true)        \
+    ROW(heidenhain, "Heidenhain", false, false) \
+    ROW(linuxcnc, "LinuxCNC", true, false)
 
 /* CONTROL_fanuc and so on, in the order of the table. */
-#define CONTROL_ID(name, title, tcp_of_machine) CONTROL_##name,
+#define CONTROL_ID(name, title, tcp_of_machine, dc) CONTROL_##name,
 enum control_id { CONTROL_TABLE(CONTROL_ID) CONTROLS };
 #undef CONTROL_ID
 
 struct control {
     const char *name, *title;
-    bool tcp_of_machine;
+    bool tcp_of_machine, dc;
 };
 
 /* The row of a control. */

@@ -174,6 +174,9 @@ const struct machine_tool *machine_tool(const struct machine *machine, int numbe
 /* Tool lengths are described, so that centres of heads are seen from the spindle's nose. */
 bool machine_has_lengths(const struct machine *machine);
 
+/* A rotary axis turns the tool. */
+bool machine_has_head(const struct machine *machine);
+
 /* True if programs of this control can have tool-centre-point control on the machine. */
 bool machine_has_tcp(const struct machine *machine, enum control_id control);
 

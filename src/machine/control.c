@@ -3,11 +3,11 @@
 
 #include <string.h>
 
-#define ROW(name, title, tcp_of_machine) {#name, title, tcp_of_machine},
+#define ROW(name, title, tcp_of_machine, dc) {#name, title, tcp_of_machine, dc},
 static const struct control table[] = {CONTROL_TABLE(ROW)};
 #undef ROW
 
-#define ROW(name, title, tcp_of_machine) "|" #name
+#define ROW(name, title, tcp_of_machine, dc) "|" #name
 static const char names[] = CONTROL_TABLE(ROW);
 #undef ROW
 

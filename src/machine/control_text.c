@@ -40,11 +40,11 @@ int control_section_add(struct control_text *text, enum control_section section,
     return 0;
 }
 
-#define ROW(name, title, tcp_of_machine) extern const char control_text_##name[];
+#define ROW(name, title, tcp_of_machine, dc) extern const char control_text_##name[];
 CONTROL_TABLE(ROW)
 #undef ROW
 
-#define ROW(name, title, tcp_of_machine) control_text_##name,
+#define ROW(name, title, tcp_of_machine, dc) control_text_##name,
 static const char *const built_in[] = {CONTROL_TABLE(ROW)};
 #undef ROW
 

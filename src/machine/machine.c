@@ -21,6 +21,14 @@ char machine_letter(int axis)
     return letters[axis];
 }
 
+bool machine_has_head(const struct machine *machine)
+{
+    for (int i = 0; i < machine->chain.n; i++)
+        if (!machine->chain.rotary[i].table)
+            return true;
+    return false;
+}
+
 bool machine_has_tcp(const struct machine *machine, enum control_id control)
 {
     bool its_own = control_find(machine->control) == control ||
@@ -253,14 +261,15 @@ static int check_templates(const struct machine *m, char key[KEY_NAME], struct e
                {"smooth.off", b->smooth_off, TEMPLATE_IN_KEY},
                {"plane.on", b->plane_on, TEMPLATE_IN_KEY},
                {"plane.off", b->plane_off, TEMPLATE_IN_KEY}};
+    struct error found;
     for (size_t i = 0; i < sizeof all / sizeof *all; i++) {
         snprintf(key, KEY_NAME, "%s", all[i].key);
         if (all[i].place == WORDS_ALONE && strchr(all[i].text, '{'))
             return error_set(error, "%s: found `%.40s`, expected words without fields", key,
                              all[i].text);
         if (all[i].place != WORDS_ALONE &&
-            template_check(all[i].text, (enum template_place)all[i].place, error) != 0)
-            return -1;
+            template_check(all[i].text, (enum template_place)all[i].place, &found) != 0)
+            return error_set(error, "%s: %s", key, found.text);
     }
     return 0;
 }
@@ -339,6 +348,11 @@ static int assemble(struct machine *m, char key[KEY_NAME], struct error *error)
         return -1;
     if (check_templates(m, key, error) != 0 || check_travel(m, key, error) != 0)
         return -1;
+    snprintf(key, KEY_NAME, "rotary.words");
+    if (m->rotary_words == ROTARY_DC && m->text.dialect != CONTROLS &&
+        !control_row((enum control_id)m->text.dialect)->dc)
+        return error_set(error, "rotary.words: found dc, which %s does not know, expected another",
+                         m->text.title);
     snprintf(key, KEY_NAME, "axes");
     if (n && read_letters(m->axes, letter) != n)
         return error_set(error, "axes: found `%s`, expected %s of A B C", m->axes,

@@ -65,7 +65,7 @@ struct verify_kinematics ncread_kinematics(const struct machine *machine)
     return kinematics;
 }
 
-#define ROW(name, title, tcp_of_machine) &ncread_##name,
+#define ROW(name, title, tcp_of_machine, dc) &ncread_##name,
 static const struct ncread_dialect *const dialects[] = {CONTROL_TABLE(ROW)};
 #undef ROW
 
@@ -124,7 +124,7 @@ static int read_lines(struct ncread *c, struct reader *r, struct error *error)
         c->line = r->line;
         c->text = line;
         c->block = -1;
-        c->feed_here = c->setting = false;
+        c->feed_here = c->setting = c->selecting = false;
         if (strlen(line) != n)
             return ncread_error(c, error, "a byte that no program holds");
         if (c->options->head && c->motion->piece.n == 0)

@@ -23,6 +23,19 @@ static int start_tcp(struct ncread *c, const struct ncread_word *w, struct gcode
     return 0;
 }
 
+/* G05, G05.1: P or Q with numbers of their own; Q2 and Q3 name axes, others leave no room for a
+ * place. */
+static int smoothing(struct ncread *c, struct error *error)
+{
+    const struct ncread_word *q = ncread_word_find(&c->words, "Q");
+    c->setting = true;
+    c->selecting = q && (q->value[0] == 2 || q->value[0] == 3);
+    for (size_t i = 0; i < c->words.n && !c->selecting; i++)
+        if (strchr("XYZABC", c->words.item[i].name[0]))
+            return ncread_error(c, error, "G05.1 with a place");
+    return 0;
+}
+
 /* Modal and other G words, before the addresses are looked at. */
 static int read_g(struct ncread *c, const struct ncread_word *w, struct gcode_block *b,
                   struct error *error)
@@ -42,8 +55,7 @@ static int read_g(struct ncread *c, const struct ncread_word *w, struct gcode_bl
     switch (code) {
     case 50: /* smoothing, look-ahead */
     case 51:
-        c->setting = true;
-        return 0;
+        return smoothing(c, error);
     case 690: /* no tilted plane: ncread_plane */
         return 0;
     case 24:
@@ -84,7 +96,8 @@ static int read_address(struct ncread *c, const struct ncread_word *w, struct gc
     char letter = w->name[0];
     if (letter == 'O')
         return 0;
-    if (strchr("XYZABCIJKRQ", letter) && !w->pointed)
+    bool own = c->setting && strchr("IJKRQ", letter);
+    if (strchr("XYZABCIJKRQ", letter) && !w->pointed && !own)
         return ncread_error(c, error, "a length, angle or feed without a decimal point");
     if (ncread_gcode_address(c, w, b))
         return 0;
@@ -122,7 +135,7 @@ static int read_words(struct ncread *c, struct gcode_block *b, struct error *err
             return ncread_error(c, error, "a word twice in one block");
         seen |= bit;
     }
-    for (size_t i = 0; i < c->words.n && !c->setting; i++)
+    for (size_t i = 0; i < c->words.n && !c->selecting; i++)
         if (!strchr("GMN", c->words.item[i].name[0]) &&
             read_address(c, &c->words.item[i], b, error) < 0)
             return -1;

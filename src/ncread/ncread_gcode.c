@@ -54,6 +54,8 @@ int ncread_gcode_g(struct ncread *c, int tenths, struct error *error)
 bool ncread_gcode_address(struct ncread *c, const struct ncread_word *w, struct gcode_block *b)
 {
     char letter = w->name[0];
+    if (c->setting && !strchr("XYZABCF", letter)) /* a number of its own: P3 E0.01 */
+        return true;
     if (ncread_axis(c, w->name, w->value[0], &b->to)) {
         b->named = true;
     } else if (letter >= 'I' && letter <= 'K') {

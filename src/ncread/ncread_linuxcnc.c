@@ -76,7 +76,7 @@ static int read_words(struct ncread *c, struct gcode_block *b, struct error *err
             return -1;
         seen |= bit;
     }
-    for (size_t i = 0; i < c->words.n && !c->setting; i++)
+    for (size_t i = 0; i < c->words.n; i++)
         if (!strchr("GM", c->words.item[i].name[0]) &&
             read_address(c, &c->words.item[i], b, error) < 0)
             return -1;

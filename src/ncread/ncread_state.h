@@ -30,7 +30,7 @@ struct ncread_dialect {
 };
 
 /* The controls, each by the name that its row in machine/control.h has. */
-#define NCREAD_DIALECT(name, title, tcp_of_machine) \
+#define NCREAD_DIALECT(name, title, tcp_of_machine, dc) \
     extern const struct ncread_dialect ncread_##name;
 CONTROL_TABLE(NCREAD_DIALECT)
 #undef NCREAD_DIALECT
@@ -82,7 +82,8 @@ struct ncread {
     bool closed;        /* and the mark after it */
     bool framed;        /* the program began with %, and so ends with it */
     bool machine_frame; /* X Y Z are those of the machine (#MCS ON) */
-    bool setting;       /* the words of this block belong to a G that moves nothing */
+    bool setting;       /* a G of this block has numbers of its own: P3 E0.01 */
+    bool selecting;     /* and its axis words only name axes */
     struct ncread_unknown_word unknown[NCREAD_UNKNOWN];
     size_t unknown_n;
     struct ncread_place middle; /* of G02.4 */

@@ -1,11 +1,11 @@
 /* dialect - see dialect.h. */
 #include "dialect.h"
 
-#define ROW(name, title, tcp_of_machine) extern const struct dialect dialect_##name;
+#define ROW(name, title, tcp_of_machine, dc) extern const struct dialect dialect_##name;
 CONTROL_TABLE(ROW)
 #undef ROW
 
-#define ROW(name, title, tcp_of_machine) &dialect_##name,
+#define ROW(name, title, tcp_of_machine, dc) &dialect_##name,
 static const struct dialect *const table[] = {CONTROL_TABLE(ROW)};
 #undef ROW
 

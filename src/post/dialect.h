@@ -70,7 +70,6 @@ struct dialect {
     enum nc_arcs arcs_space; /* those of a machine that has the key arcs.space */
     enum nc_splines splines, splines_vectors;
 
-    bool knows_dc;          /* C=DC(270): the shortest way to an angle from 0 to 360 */
     const char *tool_named; /* how a tool is called by its name, for printf; NULL: it is not */
 
     /* -1: a name or number that the control does not take */

@@ -99,7 +99,14 @@ int post_item_retract(struct nc_planner *planner)
         return 0;
     planner->plan->total.retract_made = true;
     planner->state.why = NC_WHY_RETRACT;
-    return post_motion_rapid(planner, post_rewind_retracted(planner));
+    struct pose off = post_rewind_retracted(planner);
+    if (isfinite(off.p.x))
+        return post_motion_rapid(planner, off);
+    planner->plan->unmet = true;
+    return error_at(planner->error, planner->path->name, planner->state.line,
+                    "pass %zu: found no way home from a cut with the tool upside down, expected a "
+                    "rapid from there",
+                    planner->state.pass);
 }
 
 /* Half of the last digit of each word, at the tracked point and at the ball. */
@@ -113,20 +120,12 @@ static struct pose_deviation rounding_deviation(const struct nc_planner *planner
     return (struct pose_deviation){linear + fabs(planner->follow.ball) * axis, axis};
 }
 
-static bool has_head(const struct machine *machine)
-{
-    for (int i = 0; i < machine->chain.n; i++)
-        if (!machine->chain.rotary[i].table)
-            return true;
-    return false;
-}
-
 int post_item_length(struct nc_planner *planner)
 {
     bool known = post_ik_chain(planner->base, planner->state.tool, planner->options.unit,
                                &planner->own->chain);
     planner->safe_radius = post_ik_safe_radius(planner->own);
-    if (known || planner->follow.mode != INTERPOLATE_JOINT || !has_head(planner->base))
+    if (known || planner->follow.mode != INTERPOLATE_JOINT || !machine_has_head(planner->base))
         return 0;
     return error_set(planner->error,
                      "%s: found no length of tool %d in the machine file, expected tool.%d.length "

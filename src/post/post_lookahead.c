@@ -699,6 +699,7 @@ int nc_plan_make(struct nc_plan *plan, const struct path *path, const struct mac
     planner.follow = (struct interpolation){.mode = ability.mode, .chain = &own.chain};
     planner.clearance = clear_height(path);
     plan->top = top_of(path, machine);
+    planner.cut = post_rewind_cuts(path);
     array_reserve(&plan->move, path->item.n + path->item.n / 16); /* most are blocks as they are */
     planner.near = ik_near_table(&own.chain);
     planner.safe_radius = post_ik_safe_radius(machine);

@@ -57,8 +57,12 @@ static int retract_from(struct nc_move *up, const struct nc_program *whole,
     struct pose pose = {at.p, vec_unit(at.a)};
     if (plan.ability.mode == INTERPOLATE_JOINT)
         pose.p = chain_tip(chain, at.p, at.q);
+    planner.state.pose = pose;
+    planner.clearance = NAN;
+    if (pose.a.z < 0)
+        planner.cut = post_rewind_cuts(whole->path);
     if (!high)
-        pose.p = vec_along(pose.p, whole->machine->retract, pose.a);
+        pose = post_rewind_retracted(&planner);
     pose = post_rewind_above(&planner, pose);
     struct machine_pose target = post_ik_pose(&planner, pose, at.q);
     *up = *from; /* the tool axis and the rotary axes as they are */

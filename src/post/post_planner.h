@@ -10,6 +10,7 @@
 
 #include "machine/ik_near.h"
 #include "machine/ik_plan.h"
+#include "math/box.h"
 #include "post_plan.h"
 
 /* Where the program stands. */
@@ -58,6 +59,7 @@ struct nc_planner {
     struct nc_plan_options options;
     struct pose_deviation allowed; /* of a block, with rounding */
     double clearance;              /* z above which the path goes at rapid, NAN: not known */
+    struct box cut;                /* around the ends of all cuts */
     struct nc_state state;
     struct ik_near_table near; /* of the machine */
     double safe_radius;        /* post_ik_safe_radius of the machine */

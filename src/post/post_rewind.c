@@ -27,12 +27,35 @@ static bool turned_angles(const struct nc_planner *planner, struct pose goal, do
     return false;
 }
 
+struct box post_rewind_cuts(const struct path *path)
+{
+    struct box box = box_empty();
+    for (size_t i = 0; i < path->item.n; i++)
+        if (path_moves(&path->item.item[i]) && !path_is_rapid(&path->item.item[i]))
+            box_add(&box, path->item.item[i].to.p);
+    return box;
+}
+
+/* How far along a tool axis that leads down the tool is beside all that is cut, by `gap`. */
+static double beside(const struct box *cut, struct pose from, double gap)
+{
+    const double p[2] = {from.p.x, from.p.y}, a[2] = {from.a.x, from.a.y};
+    const double low[2] = {cut->low.x, cut->low.y}, high[2] = {cut->high.x, cut->high.y};
+    double far = HUGE_VAL;
+    for (int i = 0; i < 2; i++)
+        if (fabs(a[i]) > 1e-3)
+            far = fmin(far, ((a[i] > 0 ? high[i] + gap : low[i] - gap) - p[i]) / a[i]);
+    return far;
+}
+
 struct pose post_rewind_retracted(const struct nc_planner *planner)
 {
     struct pose off = planner->state.pose;
     double far = planner->machine->retract;
     if (off.a.z > 0.2 && planner->clearance > off.p.z)
         far = fmax(far, (planner->clearance - off.p.z) / off.a.z);
+    if (off.a.z < 0 && machine_has_head(planner->machine)) /* home is straight up from there */
+        far = fmax(far, beside(&planner->cut, off, planner->machine->retract));
     off.p = vec_along(off.p, far, off.a);
     return off;
 }

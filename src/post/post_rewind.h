@@ -6,8 +6,12 @@
 
 #include "post_planner.h"
 
+/* The box around the ends of all cuts: of the planner, for post_rewind_retracted. */
+struct box post_rewind_cuts(const struct path *path);
+
 /* The pose to retract to: along the tool axis by the machine's `retract`, and where it leads up
- * above all rapids of the path. */
+ * above all rapids of the path; where it leads down with a head, beside all cuts, infinitely far
+ * where it never is. */
 struct pose post_rewind_retracted(const struct nc_planner *planner);
 
 /* The pose above this one at the plan's top: along the tool axis where that leads up, else along z.

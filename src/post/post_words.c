@@ -67,7 +67,7 @@ static enum machine_rotary_words rotary_words(const struct nc_program *p, int i)
 {
     const struct rotary *r = &p->machine->chain.rotary[i];
     enum machine_rotary_words words = (enum machine_rotary_words)p->machine->rotary_words;
-    bool dc = dialect_of(p->control)->knows_dc, endless = DEGREES(r->max - r->min) > ENDLESS;
+    bool dc = control_row(p->control)->dc, endless = DEGREES(r->max - r->min) > ENDLESS;
     if (!endless || words == ROTARY_PLAIN)
         return ROTARY_PLAIN;
     if (words == ROTARY_OWN)

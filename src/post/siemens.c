@@ -264,7 +264,6 @@ static void hole(struct nc_program *p, const struct nc_move *move)
 const struct dialect dialect_siemens = {
     .digits = {.linear = 5, .angle = 5, .vector = 8, .knot = 5, .feed = 2},
     .vectors = true,
-    .knows_dc = true,
     .tool_named = "=\"%s\"",
     .plane = true,
     .arcs = NC_ARCS_SPACE,

@@ -98,4 +98,12 @@ for words in 0-360 signed; do
 	ok "read back" "$READBACK" -c fanuc -m table-ac --set rotary.words=$words --path round.cl -e 0.0062 --axis 0.052 w.nc
 done
 
+for c in fanuc heidenhain linuxcnc haas; do
+	printf 'include = table-ac\nrotary.words = dc\n' >dc.txt
+	status 1 "$c: no DC()" ncpost -c $c -m ./dc.txt round.cl
+	has "named with its line" '^ncpost: ./dc.txt:2: rotary.words: found dc, which .* does not know' err
+	empty "and nothing written" out
+done
+status 0 "Siemens has it" ncpost -q -c siemens -m ./dc.txt --rotary round.cl
+
 done_testing

@@ -205,4 +205,23 @@ sed 's/^\(GOTO.*,\)\([0-9.]*\)$/\1-\2/' "$TMP/spiral.cl" >"$TMP/under.cl"
 status 1 "a nutating head does not reach below" ncpost -c fanuc -m nutating-head "$TMP/under.cl"
 has "is told with the direction" 'under.cl:10: pass 1: found tool axis .* at the point .*, which no angles' "$TMP/err"
 
+# ---- a path that ends in a cut with the tool below the horizontal: home is straight up, so the tool
+# goes on along its axis until it is beside all that was cut
+printf '%s\n' UNITS/MM MULTAX/ON CUTTER/10,5 LOADTL/1 SPINDL/900 RAPID 'GOTO/100,0,0,0.94,0,-0.3412' \
+	FEDRAT/MMPM,500 'GOTO/50,0,0,0.94,0,-0.3412' 'GOTO/-80,20,0,0.94,0,-0.3412' FINI >"$TMP/below.cl"
+ncpost -q -c fanuc -m head-ca -o "$TMP/below.nc" "$TMP/below.cl"
+awk '/ G1 / { cut = 1 } cut { for (i = 1; i <= NF; i++) if ($i ~ /^X/) x = substr($i, 2) }
+	cut && / G0 / { exit } END { exit !(x + 0 >= 99.999) }' "$TMP/below.nc"
+result $? "a tool below the horizontal leaves beside the part"
+ncpost -q -c fanuc -m head-ca --split 40 -o "$TMP/low.nc" "$TMP/below.cl"
+awk '/ G1 / { cut = 1 } cut { for (i = 1; i <= NF; i++) if ($i ~ /^X/) x = substr($i, 2) }
+	cut && / G0 / { exit } END { exit !(x + 0 >= 99.999) }' "$TMP/low-1.nc"
+result $? "so does each part"
+sed 's/0.94,0,-0.3412/0,0,-1/' "$TMP/below.cl" >"$TMP/down.cl"
+status 3 "upside down there is no way home" ncpost -c fanuc -m head-ca --set a.min=-180 --set a.max=180 "$TMP/down.cl"
+has "told with its line" 'down.cl:10: .*upside down' "$TMP/err"
+empty "and nothing written" "$TMP/out"
+ncpost -q -c fanuc -m table-ac -o "$TMP/table.nc" "$TMP/below.cl"
+result $? "a table brings the part below the tool: no matter there"
+
 done_testing

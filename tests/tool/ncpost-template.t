@@ -187,4 +187,23 @@ printf 'title = A\n[end]\nM30\n' >bad.txt
 status 1 "no base: refused" ncpost -q -c bad five.cl
 has "no base: told" 'bad.txt: found no base' err
 
+# ---- clamps: open before a tilted plane is turned to or left, closed when it stands
+awk 'BEGIN { print "UNITS/MM\nMULTAX/ON\nCUTTER/10,5\nLOADTL/1\nSPINDL/900"
+	for (i = 0; i < 3; i++) { a = i ? 0.6 : 0; c = i ? 0.8 : 1
+		printf "RAPID\nGOTO/%d,0,60,0,%g,%g\nFEDRAT/MMPM,300\nGOTO/%d,0,0,0,%g,%g\nRAPID\nGOTO/%d,0,60,0,%g,%g\n",
+			i, a, c, i, a, c, i, a, c }
+	print "FINI" }' >planes.cl
+for c in fanuc siemens heidenhain; do
+	ncpost -q -c $c --plane --set 'clamp.on=M10|M12' --set 'clamp.off=M11|M13' -o clamp.nc planes.cl
+	grep -o 'M1[0123]$\|G53\.1\|G69\|CYCLE800(.*)\|PLANE [SR].*\| G1 \| L .* F300' clamp.nc | sed '/STAY/d
+		s/CYCLE800(0.*/on/; s/CYCLE800()/off/; s/PLANE S.*/on/; s/PLANE R.*/off/; s/G53.*/on/; s/G69/off/; s/ L .*/cut/; s/ G1 /cut/' |
+		awk 'NR == 1 && /off/ { next } { printf "%s ", $0 } END { print "" }' >order
+	has "$c: each turn between open and closed, cuts are closed" \
+		'^M11 M13 on M10 M12 cut M11 M13 off M11 M13 on M10 M12 (cut )+M11 M13 off $' order
+	hasnt "$c: none with tool-centre-point control" 'M1[0123]' "$(ncpost -q -c $c --set clamp.on=M10 \
+		--set clamp.off=M11 -o tcp.nc planes.cl; echo tcp.nc)"
+done
+status 2 "a clamp's blocks are checked" ncpost -c fanuc --set 'clamp.on={nonsense}' planes.cl
+has "and named" 'clamp.on.*nonsense' err
+
 done_testing

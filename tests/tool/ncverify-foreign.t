@@ -40,6 +40,7 @@ reads "G05.1 Q1 R7" fanuc 's/^\(N[0-9]*\) M8$/\1 G05.1 Q1 R7/'
 reads "M10 and M88 of clamps" fanuc 's/^\(N[0-9]*\) M8$/\1 M10 M88/'
 reads "G54.1 P3" fanuc 's/ G54$/ G54.1 P3/'
 reads "G187 P3 E0.01" haas 's/^\(N[0-9]*\) M8$/\1 G187 P3 E0.01/'
+reads "G05.1 Q2 X0 Y0 Z0, which names axes" fanuc 's/^\(N[0-9]*\) M8$/\1 G05.1 Q2 X0 Y0 Z0/'
 reads "G15" fanuc 's/ G80 / G80 G15 /'
 reads "M126" heidenhain 's/^\([0-9]*\) M8$/\1 M126/'
 reads "BLK FORM" heidenhain 's/^\([0-9]*\) M8$/\1 BLK FORM 0.1 Z X-20 Y-20 Z-5/'
@@ -55,6 +56,18 @@ ok "though it stands twice" test "$(grep -c M253 err)" -eq 1
 printf 'base = fanuc\nwords = M253: idle\n' >own.txt
 status 0 "a control's file says what it means" ncverify -c own -g dome.xyz -r 6 -e 0.1 changed.nc
 empty "then nothing is told" err
+
+# ---- a place beside a G with numbers of its own is gone to
+moves() { # DESC CONTROL "SED": at rapid into the part, which is found
+	ncpost -q -c "$2" -m three-axis -o good.nc three.cl
+	sed "$3" good.nc >changed.nc
+	status 3 "$1" ncverify -c "$2" -m three-axis -g dome.xyz -r 6 -e 0.1 changed.nc
+	has "$1: told" 'rapid' err
+}
+moves "G187 P3 Z15." haas 's/^\(N[0-9]*\) M8$/\1 G187 P3 Z15./'
+moves "G154 P2 Z15." haas 's/^\(N[0-9]*\) M8$/\1 G154 P2 Z15./'
+moves "G54.1 P2 Z15." fanuc 's/^\(N[0-9]*\) M8$/\1 G54.1 P2 Z15./'
+moves "G64 P0.01 Z15." linuxcnc 's/^\(N[0-9]*\) M8$/\1 G64 P0.01 Z15./'
 
 # ---- what moves and is not read: refused at its line
 
@@ -81,6 +94,7 @@ refuses "radius compensation" fanuc 's/^\(N[0-9]*\) M8$/\1 G41 D1/' 'G41, radius
 refuses "a cycle" fanuc 's/^\(N[0-9]*\) M8$/\1 G76 X1. Y1. Z1. R5./' 'G76, a cycle'
 refuses "a pocket" haas 's/^\(N[0-9]*\) M8$/\1 G150 P100/' 'G150, a pocket'
 refuses "a G with a place" fanuc 's/^\(N[0-9]*\) M8$/\1 G333 X1./' 'G333 with a place'
+refuses "G05.1 Q1 with a place" fanuc 's/^\(N[0-9]*\) M8$/\1 G05.1 Q1 X30./' 'G05.1 with a place'
 refuses "an axis that is not there" fanuc 's/^\(N[0-9]*\) M8$/\1 G0 W10./' 'W10'
 refuses "a subprogram by its name" siemens 's/^\(N[0-9]*\) M8$/\1 POCKET_7/' 'POCKET_7'
 refuses "a cycle of Siemens" siemens 's/^\(N[0-9]*\) M8$/\1 POCKET3(10,0,2,-5)/' 'POCKET3'
