@@ -135,6 +135,10 @@ accuracy: all $(readback) $(cloud)
 
 faults: all
 	@BIN="$(abspath $(BUILD))/bin" CC="$(CC)" FAULTS=0 sh tests/house/faults.t
+# The whole table of faults, kind by control; make check has a slice of it.
+nc-faults: all
+	BIN="$(abspath $(BUILD))/bin" FAULT_SEEDS="1 2 3" FAULT_FITTERS="line arc curve" \
+	  sh tests/tool/ncverify-faults.t
 
 freeze: all
 	@BIN="$(abspath $(BUILD))/bin" sh tests/house/freeze.sh
@@ -203,7 +207,7 @@ clean:
 	rm -rf $(BUILD) demo figures cloudmill-$(VERSION).tar.gz
 
 .PHONY: always all units check demo figures bench accuracy freeze deps lint sanitize fuzz faults \
-  install uninstall dist distcheck clean
+  nc-faults install uninstall dist distcheck clean
 .SECONDARY:
 
 -include $(shell find $(BUILD) -name '*.d' 2>/dev/null)

@@ -218,7 +218,9 @@ static struct verify_program read_program(const struct settings *s, const struct
                                    .control = control_row(control)->name,
                                    .machine = machine->name,
                                    .motion = motion,
-                                   .ball = head->ball};
+                                   .ball = head->ball,
+                                   .post = head->post,
+                                   .axis = head->axis};
 }
 
 /* True if all of it are scans. */
@@ -306,7 +308,7 @@ int main(int argc, char **argv)
     struct settings s = {.tolerance = 0.05, .left_share = 0.5, .noise = -1};
     struct cli cli;
     struct nc_motion motion = {0};
-    struct ncread_head head = {0};
+    struct ncread_head head = {.post = -1, .axis = -1};
     struct nc_motion path = {0};
     struct vec3s points = {0};
     struct verify_surface surface = {0};

@@ -43,6 +43,8 @@ struct ncread_head {
     double flute;                  /* 0: none */
     char holder[NCREAD_HEAD_TEXT]; /* cones R0:R1:L or cylinders R:L joined by +; "": none */
     double scallop, tolerance;     /* 0: not said */
+    double post, axis;             /* what ncpost spent, mm and degrees; below zero: not said */
+    bool numbered;                 /* by ncpost: in even steps */
 };
 
 struct ncread_options {

@@ -21,6 +21,7 @@ struct path_compare_options {
 struct path_fault {
     size_t count;   /* places */
     size_t piece;   /* of the program, the worst; of `missed` of the path */
+    size_t near;    /* `missed`: the piece of the program that is nearest */
     double value;   /* there: mm, radians, or times the path's feed */
     struct vec3 at; /* the tip */
 };

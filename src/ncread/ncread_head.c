@@ -73,6 +73,17 @@ static bool has_key(const char **s, const char *key)
     return true;
 }
 
+/* The same in letters of any case. */
+static bool has_word(const char **s, const char *word)
+{
+    const char *p = *s;
+    for (; *word; word++, p++)
+        if (tolower((unsigned char)*p) != tolower((unsigned char)*word))
+            return false;
+    *s = p + strspn(p, " ");
+    return true;
+}
+
 void ncread_head_line(struct ncread_head *head, const char *line)
 {
     const char *s = line + strcspn(line, "(;");
@@ -84,6 +95,14 @@ void ncread_head_line(struct ncread_head *head, const char *line)
         add_tool(head, s);
     } else if (has_key(&s, "TOOL+: ")) {
         add_tool(head, s);
+    } else if (has_word(&s, "cloudmill ncpost")) {
+        head->numbered = true;
+    } else if (has_word(&s, "Tolerance ncpost")) {
+        head->post = number_at(&s);
+    } else if (has_word(&s, "Tolerance sum")) {
+        s += strcspn(s, ",");
+        if (*s && has_word(&(const char *){s + 2}, "axis"))
+            head->axis = number_at(&(const char *){s + strlen(", axis")});
     } else {
         if (has_key(&s, "SCALLOP: "))
             head->scallop = number_at(&s);

@@ -65,12 +65,28 @@ int ncread_m(struct ncread *c, const struct ncread_word *w, struct error *error)
     return 0;
 }
 
+/* ncpost numbers blocks evenly: where a number is missing, so is a block. */
+static void watch_step(struct ncread *c)
+{
+    char text[120];
+    long step = c->block - c->last_block;
+    if (c->last_block < 0 || !c->options->head || !c->options->head->numbered)
+        return;
+    if (c->step > 0 && step > c->step) {
+        snprintf(text, sizeof text, "the block N%ld before it is missing", c->last_block + c->step);
+        ncread_watch_remark(c, c->line, c->block, text);
+    }
+    c->step = c->step > 0 ? c->step : step;
+}
+
 int ncread_block(struct ncread *c, double number, struct error *error)
 {
     c->block = (long)number;
     bool anew = c->last_block >= 9900 && c->block <= 100; /* the digits are used up */
     if (c->block <= c->last_block && !anew)
         return ncread_error(c, error, "its number does not rise");
+    if (!anew)
+        watch_step(c);
     c->last_block = c->block;
     return 0;
 }

@@ -65,6 +65,7 @@ struct ncread {
     const char *text; /* of this line */
     long block;       /* N number of this block, -1: none */
     long last_block;
+    long step; /* from one block's number to the next; 0: not known yet */
     struct ncread_place here;
     /* modal */
     int move;    /* the dialect's own */

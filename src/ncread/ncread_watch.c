@@ -45,6 +45,17 @@ static void watch_m(struct ncread *c, double code)
         set_value(c, COOLANT, 0);
 }
 
+/* True where the block switches on the compensation of a radius. */
+static bool takes_radius(const struct ncread *c)
+{
+    for (size_t i = 0; i < c->words.n; i++) {
+        const struct ncread_word *w = &c->words.item[i];
+        if (strcmp(w->name, "G") == 0 && w->values == 1 && w->value[0] >= 41 && w->value[0] < 43)
+            return true;
+    }
+    return false;
+}
+
 void ncread_watch_words(struct ncread *c)
 {
     for (size_t i = 0; i < c->words.n; i++) {
@@ -62,7 +73,7 @@ void ncread_watch_words(struct ncread *c)
             set_value(c, TOOL, w->value[0]);
             break;
         case 'D':
-            if (c->options->dialect == &ncread_siemens) /* elsewhere radius compensation */
+            if (!takes_radius(c)) /* with G41 it is that of the radius */
                 set_value(c, EDGE, w->value[0]);
             break;
         case 'H':
@@ -88,7 +99,7 @@ void ncread_watch_text(struct ncread *c, int n, const char *const word[])
             watch_m(c, atof(word[i] + 1));
 }
 
-static void add_remark(struct ncread *c, size_t line, long block, const char *text)
+void ncread_watch_remark(struct ncread *c, size_t line, long block, const char *text)
 {
     struct nc_remark *remark = array_push(&c->motion->remark);
     *remark = (struct nc_remark){line, (int)block, ""};
@@ -113,7 +124,7 @@ static void tell_change(struct ncread *c, enum watched what)
     else
         snprintf(text, sizeof text, "%s becomes %g amid the program, and cuts follow", name[what],
                  w->now[what]);
-    add_remark(c, w->line[what], w->block[what], text);
+    ncread_watch_remark(c, w->line[what], w->block[what], text);
 }
 
 void ncread_watch_cut(struct ncread *c)
@@ -129,7 +140,7 @@ void ncread_watch_cut(struct ncread *c)
         w->changed[k] = false;
     }
     if (!w->cuts && !w->known[WORK_OFFSET] && c->options->dialect->offsets)
-        add_remark(c, c->line, c->block, "cuts without a work offset, G54 or another");
+        ncread_watch_remark(c, c->line, c->block, "cuts without a work offset, G54 or another");
     if (!w->cuts)
         c->motion->coolant = w->known[COOLANT] && w->value[COOLANT] != 0;
     w->cuts = true;

@@ -25,6 +25,9 @@ struct ncread_watch {
 void ncread_watch_words(struct ncread *c);
 void ncread_watch_text(struct ncread *c, int n, const char *const word[]);
 
+/* Remarks it of a place in the motion. */
+void ncread_watch_remark(struct ncread *c, size_t line, long block, const char *text);
+
 /* A cut begins or goes on in this block. */
 void ncread_watch_cut(struct ncread *c);
 

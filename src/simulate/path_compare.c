@@ -10,13 +10,14 @@ enum { LINE_STEPS = 4, CURVE_STEPS = 16, DEEPEST = 10 };
 
 #define FLAT 0.0005  /* mm: how straight a piece is followed */
 #define STEADY 0.005 /* radians that the axis turns in a step, at most */
-#define SHORT 0.05   /* mm: feeds are looked at over longer pieces */
+#define SHORT 0.05   /* mm: shorter pieces may be slow, and their inverse time says little */
 
 /* A straight bit of a motion at feed, with the tool axis at its ends. */
 struct stretch {
     struct nc_motion_pose a, b;
     size_t piece;
-    double feed;
+    double feed; /* of the tip, mm/min; 0: not known */
+    bool brief;  /* its piece is too short for its feed to be one that was asked for */
 };
 
 struct stretches {
@@ -47,7 +48,7 @@ static void add_stretches(const struct walk *w, double s0, struct nc_motion_pose
     bool fine = vec_segment_distance(a.p, b.p, m.p) <= FLAT && vec_angle(a.a, b.a) <= STEADY &&
                 vec_angle(a.a, m.a) <= STEADY;
     if (depth >= DEEPEST || fine) {
-        *array_push(w->to) = (struct stretch){a, b, w->piece, w->feed};
+        *array_push(w->to) = (struct stretch){a, b, w->piece, w->feed, false};
         return;
     }
     add_stretches(w, s0, a, (s0 + s1) / 2, m, depth + 1);
@@ -58,7 +59,7 @@ static void add_stretches(const struct walk *w, double s0, struct nc_motion_pose
 static double tip_feed(const struct nc_motion *m, size_t piece, double length)
 {
     const struct nc_piece *p = &m->piece.item[piece];
-    if (length <= SHORT)
+    if (length <= SHORT && p->inverse)
         return 0;
     return p->inverse ? p->feed * length : p->feed;
 }
@@ -79,7 +80,7 @@ static void follow(const struct nc_motion *m, double radius, struct stretches *t
         for (size_t k = first; k < to->n; k++)
             length += vec_distance(to->item[k].a.p, to->item[k].b.p);
         for (size_t k = first; k < to->n; k++)
-            to->item[k].feed = tip_feed(m, i, length);
+            to->item[k].feed = tip_feed(m, i, length), to->item[k].brief = length <= SHORT;
     }
 }
 
@@ -92,6 +93,7 @@ struct beside {
     double turn;             /* least of the axis among the stretches within the tolerance */
     size_t least;            /* that one */
     double slowest, fastest; /* feeds of these */
+    size_t nearest;          /* of all stretches; SIZE_MAX: there is none */
 };
 
 static double stretch_distance2(const void *items, size_t item, struct vec3 p)
@@ -158,9 +160,8 @@ static double look_beside(const struct compare *c, bool path, struct nc_motion_p
 {
     const struct stretches *on = path ? &c->path : &c->program;
     const struct box_tree *tree = path ? c->path_tree : c->program_tree;
-    size_t nearest = SIZE_MAX;
-    *b = (struct beside){on, pose, c->options->tolerance, PI, 0, HUGE_VAL, 0};
-    double off = box_tree_nearest(tree, on->item, stretch_distance2, pose.p, HUGE_VAL, &nearest);
+    *b = (struct beside){on, pose, c->options->tolerance, PI, 0, HUGE_VAL, 0, SIZE_MAX};
+    double off = box_tree_nearest(tree, on->item, stretch_distance2, pose.p, HUGE_VAL, &b->nearest);
     if (off <= c->options->tolerance)
         box_tree_each(tree, pose.p, c->options->tolerance, visit_stretch, b);
     return off;
@@ -173,7 +174,7 @@ static void compare_feed(struct compare *c, const struct stretch *s, const struc
         return;
     if (s->feed > o->fast * path->fastest)
         note_fault(&c->found.fast, s->feed / path->fastest, s->piece, s->b.p);
-    if (s->feed * o->slow < path->slowest)
+    if (!s->brief && s->feed * o->slow < path->slowest)
         note_fault(&c->found.slow, path->slowest / s->feed, s->piece, s->b.p);
 }
 
@@ -219,6 +220,13 @@ static void compare_program(struct compare *c, const struct nc_motion *program)
     }
 }
 
+static void note_missed(struct compare *c, double off, const struct stretch *s, size_t nearest)
+{
+    if (c->found.missed.count == 0 || off > c->found.missed.value)
+        c->found.missed.near = nearest < c->program.n ? c->program.item[nearest].piece : 0;
+    note_fault(&c->found.missed, off, s->piece, s->b.p);
+}
+
 static void compare_path(struct compare *c)
 {
     for (size_t i = 0; i < c->path.n; i++) {
@@ -226,7 +234,7 @@ static void compare_path(struct compare *c)
         const struct stretch *s = &c->path.item[i];
         double off = look_beside(c, false, s->b, &b);
         if (off > c->options->tolerance)
-            note_fault(&c->found.missed, off, s->piece, s->b.p);
+            note_missed(c, off, s, b.nearest);
         else if (b.turn > c->options->axis)
             note_fault(&c->found.turned, b.turn, c->program.item[b.least].piece, s->b.p);
     }

@@ -15,9 +15,11 @@ enum { TURN_STEPS = 4 }; /* of a piece, for its tool axis */
 
 #define FLAT 0.0002 /* mm: how straight the ball's centre goes between two places */
 #define SIGMAS 1.5  /* of the noise, that are allowed besides the tolerance and what may be left */
-#define PATH_TIP 0.008 /* mm that the tip may be off the path: what ncpost spends, and digits */
-#define PATH_AXIS 0.25 /* degrees that the tool axis may be off the path's */
-#define PATH_FAST 1.5  /* times the path's feed; more slowly it may go where the axes turn */
+#define PATH_TIP 0.008 /* mm that the tip may be off the path, where the head does not say it */
+#define PATH_AXIS 0.25 /* degrees that the tool axis may be off the path's, likewise */
+#define PATH_TIP_MORE 0.001 /* mm besides what the head says: both are followed in lines */
+#define PATH_AXIS_MORE 0.03 /* degrees, likewise */
+#define PATH_FAST 1.5       /* times the path's feed; more slowly it may go where the axes turn */
 #define PATH_SLOW 200
 #define ROUNDED 0.001 /* mm: what places and radii printed may be off */
 #define JUMP 5.0      /* degrees: less is no jump of the tool axis */
@@ -387,13 +389,22 @@ static double off_part(const struct verdict *v, const struct kdtree *part, size_
     return sqrt(distance2) - v->options.radius;
 }
 
+static size_t first_cut(const struct nc_motion *motion)
+{
+    size_t i = 0;
+    while (i + 1 < motion->piece.n && motion->piece.item[i].rapid)
+        i++;
+    return i;
+}
+
 /* A program against its path. */
 static void judge_path(struct verdict *v)
 {
     const struct nc_motion *path = v->program.path;
-    const struct path_compare_options options = {v->options.radius,  PATH_TIP,
-                                                 RADIANS(PATH_AXIS), PATH_FAST,
-                                                 PATH_SLOW,          !v->options.limits.combined};
+    double tip = v->program.post >= 0 ? v->program.post + PATH_TIP_MORE : PATH_TIP;
+    double axis = v->program.axis >= 0 ? v->program.axis + PATH_AXIS_MORE : PATH_AXIS;
+    const struct path_compare_options options = {
+        v->options.radius, tip, RADIANS(axis), PATH_FAST, PATH_SLOW, !v->options.limits.combined};
     struct path_compare found = path_compare_run(v->program.motion, path, &options);
     if (found.off.count > 0)
         add_finding(v, true, found.off.piece, "the tip is %.4f mm off the path at %.3f %.3f %.3f",
@@ -404,10 +415,10 @@ static void judge_path(struct verdict *v)
                     DEGREES(found.turned.value), found.turned.at.x, found.turned.at.y,
                     found.turned.at.z);
     if (found.missed.count > 0)
-        add_remark(v, true,
-                   "the program leaves out line %zu of the path, %.3f mm off it at %.3f %.3f %.3f",
-                   path->piece.item[found.missed.piece].line, found.missed.value, found.missed.at.x,
-                   found.missed.at.y, found.missed.at.z);
+        add_finding(v, true, found.missed.near,
+                    "the program leaves out line %zu of the path, %.3f mm off it at %.3f %.3f %.3f",
+                    path->piece.item[found.missed.piece].line, found.missed.value,
+                    found.missed.at.x, found.missed.at.y, found.missed.at.z);
     if (found.fast.count > 0)
         add_finding(v, true, found.fast.piece, "the feed is %.4g times the path's",
                     found.fast.value);
@@ -415,7 +426,8 @@ static void judge_path(struct verdict *v)
         add_finding(v, true, found.slow.piece, "the feed is 1/%.4g of the path's",
                     found.slow.value);
     if (path->coolant && !v->program.motion->coolant)
-        add_remark(v, true, "the path has coolant on, the program cuts without");
+        add_finding(v, true, first_cut(v->program.motion),
+                    "the path has coolant on, the program cuts without");
 }
 
 /*
