@@ -14,7 +14,8 @@
  *   plan           the axis of each point chosen over the run as a whole: axis_plan.h
  *   link           from strip to strip, low or over the clearance plane: link.h
  *   refit          motions fitted to the points checked again, and their points lifted more where
- *                  they go too deep: gouge_refit.h
+ *                  they go too deep: gouge_refit.h; what is next to the way is kept at hand
+ *                  meanwhile: gouge_track.h
  *
  * The part is a set of guard points.  A ball with its centre at c is clear when no guard point is
  * nearer to c than the radius; the depth of a gouge is the radius less the distance of the nearest
@@ -63,6 +64,10 @@ double gouge_depth(const struct gouge_check *guard, struct vec3 c, double radius
  * if it is clear everywhere. */
 double gouge_depth_along(const struct gouge_check *guard, struct vec3 a, struct vec3 b,
                          double radius);
+
+/* Appends all guard points no farther than `within` from that segment. */
+void gouge_points_beside(const struct gouge_check *guard, struct vec3 a, struct vec3 b,
+                         double within, struct vec3s *points);
 
 /* True if the ball goes no deeper than `depth` on that segment.  Quicker than to ask how deep. */
 bool gouge_clear_along(const struct gouge_check *guard, struct vec3 a, struct vec3 b, double radius,

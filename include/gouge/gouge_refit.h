@@ -25,6 +25,7 @@
 #include "curve/motion.h"
 #include "curve/run.h"
 #include "gouge/gouge.h"
+#include "gouge/gouge_track.h"
 
 #define GOUGE_SAFE 0.92
 #define GOUGE_CHORD (1.0 / 20)
@@ -67,10 +68,10 @@ struct gouges {
  * GOUGE_SAFE.  The ball: found on straight pieces within GOUGE_CHORD of its centre's path, or
  * closer where that decides, down to GOUGE_FINEST.  What is above it: the motion is halved until
  * what it is clear by at both ends is more than any place of it can move between them, or that is
- * less than GOUGE_SWEPT.
+ * less than GOUGE_SWEPT.  `track`: of the motions before and of earlier fits, which this one adds to.
  */
 void gouge_refit_motion(const struct gouge_refit_options *options, const struct motion *motion,
-                        struct gouges *gouges);
+                        struct gouge_track *track, struct gouges *gouges);
 
 /*
  * Lifts the points of the run around those places where the ball is too deep along their normals

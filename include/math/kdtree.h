@@ -42,6 +42,14 @@ double kdtree_nearest_segment(const struct kdtree *tree, struct vec3 a, struct v
 double kdtree_nearest_place(const struct kdtree *tree, struct vec3 p, double within,
                             struct vec3 *place);
 
+/* The same distance for n points without a tree, digit by digit. */
+double kdtree_nearest_among(const struct vec3 *point, size_t n, struct vec3 a, struct vec3 b,
+                            double within);
+
+/* Appends all points no farther than `within` from the segment from a to b. */
+void kdtree_beside(const struct kdtree *tree, struct vec3 a, struct vec3 b, double within,
+                   struct vec3s *found);
+
 /* True if a point is nearer than `within` to the segment from a to b.  Ends at the first. */
 bool kdtree_any_beside(const struct kdtree *tree, struct vec3 a, struct vec3 b, double within);
 

@@ -95,6 +95,12 @@ double gouge_depth_along(const struct gouge_check *guard, struct vec3 a, struct 
     return radius - nearest;
 }
 
+void gouge_points_beside(const struct gouge_check *guard, struct vec3 a, struct vec3 b,
+                         double within, struct vec3s *points)
+{
+    kdtree_beside(guard->tree, a, b, within, points);
+}
+
 double gouge_least_lift(const struct gouge_check *guard, struct vec3 c, struct vec3 up,
                         double radius, double limit, struct kdtree_touch *touch)
 {

@@ -5,15 +5,17 @@
 
 enum { HALVINGS = 16, SWEPT_HALVINGS = 24, ROUNDS = 8 };
 
-static const double PIECE = 1;       /* mm: of a motion, looked at as one place */
-static const double FINER = 1.0 / 8; /* of the chord error, where that decides */
-static const double USELESS = 0.95;  /* of the depth before: it did not help */
-static const double ROUGHLY = 0.1;   /* of its depth, a holder may move at a deep place unseen */
-static const double NEAR = 0.5;      /* mm: points this near to a place are lifted all the way */
+static const double PIECE = 1;          /* mm: of a motion, looked at as one place */
+static const double FINER = 1.0 / 8;    /* of the chord error, where that decides */
+static const double USELESS = 0.95;     /* of the depth before: it did not help */
+static const double ROUGHLY = 0.1;      /* of its depth, a holder may move at a deep place unseen */
+static const double LEAST_MOVED = 1e-6; /* mm */
+static const double NEAR = 0.5;         /* mm: points this near to a place are lifted all the way */
 
 struct walk {
     const struct gouge_refit_options *options;
     const struct motion *motion;
+    struct gouge_track *track;
     double chord_error;
     struct gouges *gouges;
 };
@@ -34,7 +36,7 @@ static void check_piece(const struct walk *w, double s0, struct vec3 a, double s
                         int halvings)
 {
     double tolerance = GOUGE_SAFE * w->options->tolerance, may = tolerance - w->chord_error;
-    double deeper = gouge_depth_along(w->options->guard, a, b, w->options->radius - may);
+    double deeper = gouge_track_depth(w->track, w->options->guard, a, b, w->options->radius - may);
 
     if (deeper <= 0)
         return;
@@ -65,9 +67,9 @@ static void check_halves(const struct walk *w, double s0, struct vec3 a, double 
 }
 
 static void check_ball(const struct gouge_refit_options *options, const struct motion *motion,
-                       struct gouges *gouges)
+                       struct gouge_track *track, struct gouges *gouges)
 {
-    struct walk w = {options, motion, options->tolerance * GOUGE_CHORD, gouges};
+    struct walk w = {options, motion, track, options->tolerance * GOUGE_CHORD, gouges};
     double s0 = 0;
 
     while (s0 < 1) {
@@ -161,8 +163,19 @@ static void check_between(const struct gouge_refit_options *options, const struc
     check_between(options, motion, &m, b, halvings - 1, gouges);
 }
 
+/* In its middle the holder is clear by more than any place of it moves to either end. */
+static bool is_far_off(const struct gouge_refit_options *options, const struct motion *motion,
+                       const struct station *a, const struct station *m, const struct station *b,
+                       struct gouge_track *track)
+{
+    double moved = fmax(most_moved(options, motion, a, m), most_moved(options, motion, m, b));
+
+    return gouge_track_clear(track, options->guard, &options->holder, m->ball, m->axis,
+                             fmax(moved, LEAST_MOVED));
+}
+
 static void check_holder(const struct gouge_refit_options *options, const struct motion *motion,
-                         struct gouges *gouges)
+                         struct gouge_track *track, struct gouges *gouges)
 {
     double s0 = 0;
 
@@ -171,13 +184,15 @@ static void check_holder(const struct gouge_refit_options *options, const struct
         struct station a = station_at(options, motion, s0),
                        m = station_at(options, motion, (s0 + s1) / 2),
                        b = station_at(options, motion, s1);
+        s0 = s1;
+        if (is_far_off(options, motion, &a, &m, &b, track))
+            continue;
         double below = most_moved(options, motion, &a, &m) + most_moved(options, motion, &m, &b);
         measure(options, below, &a);
         measure(options, below, &m);
         measure(options, below, &b);
         check_between(options, motion, &a, &m, SWEPT_HALVINGS, gouges);
         check_between(options, motion, &m, &b, SWEPT_HALVINGS, gouges);
-        s0 = s1;
     }
 }
 
@@ -187,13 +202,13 @@ const char *tool_part_name(enum tool_part part)
 }
 
 void gouge_refit_motion(const struct gouge_refit_options *options, const struct motion *motion,
-                        struct gouges *gouges)
+                        struct gouge_track *track, struct gouges *gouges)
 {
     if (!options->guard)
         return;
-    check_ball(options, motion, gouges);
+    check_ball(options, motion, track, gouges);
     if (options->holder.n > 0)
-        check_holder(options, motion, gouges);
+        check_holder(options, motion, track, gouges);
 }
 
 /* So far from a place there are points on both sides of it. */

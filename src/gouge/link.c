@@ -77,6 +77,7 @@ static bool is_link_free(const struct link_options *options, const struct run_po
                                        .tolerance = options->lift->tolerance,
                                        .holder = *options->holder};
     struct run_point before = *from;
+    struct gouge_track track = {0};
     struct gouges gouges = {0};
     bool is_free = true;
 
@@ -85,12 +86,13 @@ static bool is_link_free(const struct link_options *options, const struct run_po
         struct run both = {.n = 2, .item = ends, .radius = options->radius};
         struct motion line =
             motion_line(tip_of(&ends[0], options->radius), tip_of(&ends[1], options->radius));
-        gouge_refit_motion(&tool, &line, &gouges);
+        gouge_refit_motion(&tool, &line, &track, &gouges);
         is_free =
             gouges.n == 0 && !(options->rate > 0 && axis_smooth_fastest(&both) > options->rate);
         before = ends[1];
     }
     array_free(&gouges);
+    gouge_track_free(&track);
     return is_free;
 }
 

@@ -536,6 +536,46 @@ double kdtree_nearest_place(const struct kdtree *tree, struct vec3 p, double wit
     return s.best;
 }
 
+double kdtree_nearest_among(const struct vec3 *point, size_t n, struct vec3 a, struct vec3 b,
+                            double within)
+{
+    struct beside s = beside_of(NULL, a, b, within);
+
+    for (size_t i = 0; i < n; i++) {
+        double d2 = distance2_beside(&s, point[i]);
+        s.best2 = d2 < s.best2 ? d2 : s.best2;
+    }
+    return s.best2 < square(within) ? sqrt(s.best2) : within;
+}
+
+static void collect_beside(const struct beside *s, size_t from, size_t to, size_t number,
+                           struct vec3s *found)
+{
+    if (bound2(s, &s->tree->box[number]) * (1 - 1e-12) > s->best2)
+        return;
+    size_t middle = from + (to - from) / 2;
+    bool leaf = to - from <= KD_LEAF;
+
+    if (!leaf)
+        collect_beside(s, from, middle, 2 * number, found);
+    for (size_t i = leaf ? from : middle; i < (leaf ? to : middle + 1); i++) {
+        struct vec3 p = vec(s->tree->point[i].c[0], s->tree->point[i].c[1], s->tree->point[i].c[2]);
+        if (distance2_beside(s, p) <= s->best2)
+            *array_push(found) = p;
+    }
+    if (!leaf)
+        collect_beside(s, middle + 1, to, 2 * number + 1, found);
+}
+
+void kdtree_beside(const struct kdtree *tree, struct vec3 a, struct vec3 b, double within,
+                   struct vec3s *found)
+{
+    struct beside s = beside_of(tree, a, b, within);
+
+    if (tree->n > 0)
+        collect_beside(&s, 0, tree->n, 1, found);
+}
+
 /* Is a point nearer than s->best? */
 static bool any_beside(const struct beside *s, size_t from, size_t to, size_t number)
 {

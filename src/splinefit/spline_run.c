@@ -217,6 +217,7 @@ struct guarded_fit {
     const struct spline_run_options *options;
     const struct gouge_refit_options *gouge;
     struct spline_run *pieces;
+    struct gouge_track *track;
 };
 
 static void find_gouges(const struct guarded_fit *f, const struct run *run,
@@ -227,7 +228,7 @@ static void find_gouges(const struct guarded_fit *f, const struct run *run,
     struct motion motion = motion_spline(pose, pose, &piece->fit.curve);
 
     if (!piece->still)
-        gouge_refit_motion(f->gouge, &motion, gouges);
+        gouge_refit_motion(f->gouge, &motion, f->track, gouges);
 }
 
 static void fit_and_check(void *context, const struct run *run, struct gouges *gouges)
@@ -290,25 +291,33 @@ static struct gouge_refit_result fit_once(struct guarded_fit *f, const struct ru
     return result;
 }
 
-struct gouge_refit_result spline_run_fit_guarded(struct run *run,
-                                                 const struct spline_run_options *options,
-                                                 const struct gouge_refit_options *gouge,
-                                                 struct spline_run *pieces)
+/* Until it is clear, and with straight lines where nothing else helps. */
+static struct gouge_refit_result fit_clear(struct guarded_fit *f, struct run *run)
 {
-    struct guarded_fit f = {options, gouge, pieces};
+    struct gouge_refit_result result = gouge_refit_fit(f->gouge, run, fit_and_check, f);
 
-    spline_run_free(pieces);
-    if (options->paper)
-        return fit_once(&f, run);
-    struct gouge_refit_result result = gouge_refit_fit(gouge, run, fit_and_check, &f);
     for (int round = 0; round < ROUNDS && result.deepest.depth > 0; round++) {
-        if (!insert_lines(&f, run))
+        if (!insert_lines(f, run))
             break;
-        struct gouge_refit_result more = gouge_refit_fit(gouge, run, fit_and_check, &f);
+        struct gouge_refit_result more = gouge_refit_fit(f->gouge, run, fit_and_check, f);
         array_free(&result.left);
         result.left = more.left;
         result.deepest = more.deepest;
         result.lift += more.lift;
     }
+    return result;
+}
+
+struct gouge_refit_result spline_run_fit_guarded(struct run *run,
+                                                 const struct spline_run_options *options,
+                                                 const struct gouge_refit_options *gouge,
+                                                 struct spline_run *pieces)
+{
+    struct gouge_track track = {0};
+    struct guarded_fit f = {options, gouge, pieces, &track};
+
+    spline_run_free(pieces);
+    struct gouge_refit_result result = options->paper ? fit_once(&f, run) : fit_clear(&f, run);
+    gouge_track_free(&track);
     return result;
 }

@@ -28,15 +28,17 @@ static void sweep_motions(void *context, size_t from, size_t to)
 {
     const struct sweep *s = context;
     struct gouges gouges = {0};
+    struct gouge_track track = {0};
 
     for (size_t i = from; i < to; i++) {
         struct checked_motion *m = &s->motions->item[i];
         const struct gouge_refit_options *tool = &s->check->tool;
         gouges.n = 0;
-        gouge_refit_motion(tool, &m->motion, &gouges);
+        gouge_refit_motion(tool, &m->motion, &track, &gouges);
         m->deepest = gouge_refit_beyond(tool, &gouges);
     }
     array_free(&gouges);
+    gouge_track_free(&track);
 }
 
 static void keep_worst(struct path_check *check, const struct checked_motions *motions)

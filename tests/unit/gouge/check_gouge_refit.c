@@ -41,6 +41,14 @@ static struct pose tip_of(const struct run_point *p)
     return (struct pose){p->tip, p->axis};
 }
 
+static void check_motion(const struct gouge_refit_options *rule, const struct motion *motion,
+                         struct gouges *gouges)
+{
+    struct gouge_track track = {0};
+    gouge_refit_motion(rule, motion, &track, gouges);
+    gouge_track_free(&track);
+}
+
 START_TEST(a_chord_is_as_deep_as_its_sagitta)
 {
     struct gouge_check *guard = make_sphere();
@@ -52,13 +60,13 @@ START_TEST(a_chord_is_as_deep_as_its_sagitta)
         struct motion line = centre ? motion_line(centre_of(&a), centre_of(&b))
                                     : motion_line(tip_of(&a), tip_of(&b));
         struct gouges deeps = {0};
-        gouge_refit_motion(&rule, &line, &deeps);
+        check_motion(&rule, &line, &deeps);
         struct gouge deepest = gouge_refit_deepest(&deeps);
         ck_assert_double_eq_tol(deepest.depth, sagitta, 0.001);
         ck_assert_double_le(fabs(deepest.ball.x), 1);
         array_free(&deeps);
         rule.tolerance = sagitta + 0.02;
-        gouge_refit_motion(&rule, &line, &deeps);
+        check_motion(&rule, &line, &deeps);
         ck_assert_uint_eq(deeps.n, 0);
         ck_assert(gouge_refit_deepest(&deeps).depth == 0);
     }
@@ -107,7 +115,7 @@ START_TEST(a_shaft_that_leans_into_a_wall_is_found)
                                              (struct pose){vec_along(to, -up, axis), axis});
             struct gouges deeps = {0};
             rule.holder.n = 1;
-            gouge_refit_motion(&rule, &line, &deeps);
+            check_motion(&rule, &line, &deeps);
             struct gouge deepest = gouge_refit_deepest(&deeps);
             if (k == 0)
                 ck_assert_uint_eq(deeps.n, 0);
@@ -135,7 +143,7 @@ START_TEST(a_holder_that_swings_through_is_found_between_its_ends)
         struct pose p = motion_at(&turn, i / 4000.0);
         deepest = fmax(deepest, -gouge_holder(guard, &rule.holder, p.p, p.a, 100));
     }
-    gouge_refit_motion(&rule, &turn, &deeps);
+    check_motion(&rule, &turn, &deeps);
     struct gouge found = gouge_refit_deepest(&deeps);
     ck_assert_double_eq_tol(found.depth, deepest, 0.1 * deepest + 0.01);
     ck_assert_int_eq(found.part, TOOL_HOLDER);
@@ -156,7 +164,7 @@ START_TEST(an_arc_is_followed_round)
         struct run_point a = on_arc(-0.3, radius), b = on_arc(0.3, radius);
         struct motion arc = motion_arc(centre_of(&a), centre_of(&b), vec(0, 0, 0), vec(0, 1, 0));
         struct gouges deeps = {0};
-        gouge_refit_motion(&rule, &arc, &deeps);
+        check_motion(&rule, &arc, &deeps);
         ck_assert_double_eq_tol(gouge_refit_deepest(&deeps).depth, k < 0 ? 0.03 : 0, 0.001);
         ck_assert(k < 0 ? deeps.n >= 18 : deeps.n == 0); /* all along its 21 mm */
         array_free(&deeps);
@@ -177,7 +185,7 @@ START_TEST(points_are_lifted_out)
         *array_push(&run) = on_arc(i / 35.0, SPHERE + BALL - (abs(i) < 4 ? 0.04 : 0));
     for (size_t i = 1; i < run.n; i++) {
         struct motion line = motion_line(tip_of(&run.item[i - 1]), tip_of(&run.item[i]));
-        gouge_refit_motion(&rule, &line, &deeps);
+        check_motion(&rule, &line, &deeps);
     }
     struct run_point first = run.item[0], last = run.item[run.n - 1];
     double highest = gouge_refit_lift(&rule, &deeps, &run);
@@ -205,7 +213,7 @@ START_TEST(without_a_guard_nothing_is_deep)
     struct run_point a = on_arc(-0.1, 1), b = on_arc(0.1, 1);
     struct motion line = motion_line(tip_of(&a), tip_of(&b));
     struct gouges deeps = {0};
-    gouge_refit_motion(&rule, &line, &deeps);
+    check_motion(&rule, &line, &deeps);
     ck_assert_uint_eq(deeps.n, 0);
 }
 END_TEST
