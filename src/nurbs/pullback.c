@@ -94,6 +94,12 @@ struct vec3 pullback_point(const struct pullback *p, struct uv at)
     return nurbs_point(s, at);
 }
 
+/* By whole turns to the place nearest to the guess. */
+static double turned_near(const struct nurbs_axis *a, bool closed, double x, double guess)
+{
+    return x + (closed ? width(a) * floor((guess - x) / width(a) + 0.5) : 0);
+}
+
 struct uv pullback_foot(const struct pullback *p, struct vec3 q, struct uv guess)
 {
     const struct nurbs *s = p->surface;
@@ -123,20 +129,24 @@ struct uv pullback_foot(const struct pullback *p, struct vec3 q, struct uv guess
             best = (struct uv){t.u + ku * width(&s->u), t.v + kv * width(&s->v)};
         }
     }
+    best.u = turned_near(&s->u, p->closed_u, best.u, guess.u);
+    best.v = turned_near(&s->v, p->closed_v, best.v, guess.v);
     return best;
 }
 
 static size_t samples_of(const struct nurbs_axis *a)
 {
     size_t n = IN_SPAN * (a->poles - (size_t)a->degree);
-    return 1 + (n < ACROSS ? ACROSS : n < ACROSS_MAX ? n : ACROSS_MAX);
+    return n < ACROSS ? ACROSS : n < ACROSS_MAX ? n : ACROSS_MAX;
 }
 
+/* The middles of equal cells: at a pole there is nothing to start from. */
 static struct uv sample_at(const struct pullback *p, size_t k)
 {
     const struct nurbs *s = p->surface;
-    return (struct uv){s->u.from + width(&s->u) * (double)(k % p->across) / (double)(p->across - 1),
-                       s->v.from + width(&s->v) * (double)(k / p->across) / (double)(p->along - 1)};
+    double u = ((double)(k % p->across) + 0.5) / (double)p->across;
+    double v = ((double)(k / p->across) + 0.5) / (double)p->along;
+    return (struct uv){s->u.from + u * width(&s->u), s->v.from + v * width(&s->v)};
 }
 
 static void make_samples(struct pullback *p)
@@ -180,12 +190,6 @@ struct uv pullback_seek(struct pullback *p, struct vec3 q)
         }
     }
     return best;
-}
-
-/* By whole turns to the place nearest to the guess. */
-static double turned_near(const struct nurbs_axis *a, bool closed, double x, double guess)
-{
-    return x + (closed ? width(a) * floor((guess - x) / width(a) + 0.5) : 0);
 }
 
 struct uv pullback_seek_near(struct pullback *p, struct vec3 q, struct uv guess)

@@ -19,7 +19,7 @@ struct trim_traverse {
 };
 
 /* Steps over the whole grid, and how near to a line a place is taken to lie on it. */
-enum { STEPS = 1 << 28, NEAR = 32 };
+enum { STEPS = 1 << 28, NEAR = 240 };
 
 struct trim_snap trim_snap_new(const struct doubles *x)
 {

@@ -129,7 +129,7 @@ enum { DEPTH_MAX = 10, SPACE_PARTS = 8, SEEKS = 64 };
 /* How far from a pole, by a piece of a curve, its direction is still told; by the size of the
  * surface: how near to a pole a curve runs through it; by the width of the range: what is
  * rounding. */
-static const double POLE_STEP = 1e-4, POLE_NEAR = 1e-6, POLE = 1e-9, ROUNDING = 1e-6;
+static const double POLE_STEP = 1e-3, POLE_NEAR = 1e-6, POLE = 1e-9, ROUNDING = 1e-6;
 
 /* A curve in the parameters or in space that is being followed on the surface. */
 struct follower {
@@ -565,6 +565,41 @@ static void trim_seam(const struct pullback *s, const struct uv_polygon *from,
     }
 }
 
+/* In tolerances: corners so near the border of the range are on it, and so near each other one. */
+static const double BORDER = 0.05, CORNER = 0.01;
+
+static double on_border(const struct nurbs_axis *a, double x, double near)
+{
+    return fabs(x - a->from) <= near ? a->from : fabs(x - a->to) <= near ? a->to : x;
+}
+
+/* Brings corners that lie within rounding of the border of the range onto it, and drops those that
+ * repeat the one before. */
+static void tidy_polygon(const struct nurbs *s, double tolerance, struct uvs *loop)
+{
+    size_t kept = 0;
+    for (size_t i = 0; i < loop->n; i++) {
+        struct uv at = loop->item[i];
+        struct vec3 d[3][3];
+        nurbs_derivatives(s, at, 1, d);
+        double du = vec_length(d[1][0]), dv = vec_length(d[0][1]);
+        double near_u = fmin(1e-4 * width(&s->u), BORDER * tolerance / fmax(du, 1e-300));
+        double near_v = fmin(1e-4 * width(&s->v), BORDER * tolerance / fmax(dv, 1e-300));
+        at.u = on_border(&s->u, at.u, near_u);
+        at.v = on_border(&s->v, at.v, near_v);
+        struct uv last = kept > 0 ? loop->item[kept - 1] : at;
+        double step = fmax(fabs(at.u - last.u) / near_u, fabs(at.v - last.v) / near_v);
+        if (kept == 0 || step * BORDER > CORNER)
+            loop->item[kept++] = at;
+    }
+    for (; kept > 3; kept--) {
+        struct uv a = loop->item[0], b = loop->item[kept - 1];
+        if (fabs(a.u - b.u) > 1e-9 * width(&s->u) || fabs(a.v - b.v) > 1e-9 * width(&s->v))
+            break;
+    }
+    loop->n = kept;
+}
+
 /* Are the directed loops all holes?  Then the largest polygon runs clockwise; the surface itself has
  * no border that could bound the rest. */
 static bool are_holes(const struct patch *patch, const struct pullback *on,
@@ -595,6 +630,8 @@ void trim_loops(const struct patch *patch, double tolerance, struct uv_polygon *
         *array_push(&raw) = loop;
     }
     trim_seam(&f.on, &raw, loops);
+    for (size_t i = 0; i < loops->n; i++)
+        tidy_polygon(&patch->surface, tolerance, &loops->item[i]);
     loops->off = f.off;
     loops->open = are_holes(patch, &f.on, loops);
     uv_polygon_free(&raw);
