@@ -70,15 +70,31 @@ struct snapped_point {
     int64_t u, v;
 };
 
+/* The next corner of the loop from i on, `step` at a time, that is not within rounding of i. */
+static struct uv corner_beside(const struct trim_traverse *c, const struct uvs *loop, size_t i,
+                               size_t step)
+{
+    struct uv here = loop->item[i], other = here;
+    for (size_t k = 0; k + 1 < loop->n; k++) {
+        i = (i + step) % loop->n;
+        other = loop->item[i];
+        if (fabs(other.u - here.u) > NEAR * c->u.width / STEPS ||
+            fabs(other.v - here.v) > NEAR * c->v.width / STEPS)
+            break;
+    }
+    return other;
+}
+
 /* The loop's corners in order, snapped, without repetitions; `at` gets the exact ones. */
 static size_t snap_loop(const struct trim_traverse *c, const struct uvs *loop, bool backwards,
                         struct snapped_point *point, struct uv *at)
 {
     size_t n = loop->n, count = 0;
     for (size_t i = 0; i < n; i++) {
-        struct uv before = loop->item[backwards ? (n - i) % n : (i + n - 1) % n];
-        struct uv here = loop->item[backwards ? n - 1 - i : i];
-        struct uv after = loop->item[backwards ? (2 * n - 2 - i) % n : (i + 1) % n];
+        size_t k = backwards ? n - 1 - i : i;
+        struct uv here = loop->item[k];
+        struct uv before = corner_beside(c, loop, k, backwards ? 1 : n - 1);
+        struct uv after = corner_beside(c, loop, k, backwards ? n - 1 : 1);
         struct snapped_point p = {trim_snap_place(&c->u, here.u, before.v - after.v),
                                   trim_snap_place(&c->v, here.v, after.u - before.u)};
         if (count > 0 && point[count - 1].u == p.u && point[count - 1].v == p.v)

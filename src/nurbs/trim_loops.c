@@ -573,29 +573,36 @@ static double on_border(const struct nurbs_axis *a, double x, double near)
     return fabs(x - a->from) <= near ? a->from : fabs(x - a->to) <= near ? a->to : x;
 }
 
+/* How far the parameters may move about a place for a part of the tolerance in space. */
+static struct uv uv_reach(const struct nurbs *s, struct uv at, double distance)
+{
+    struct vec3 d[3][3];
+    nurbs_derivatives(s, at, 1, d);
+    return (struct uv){fmin(1e-4 * width(&s->u), distance / fmax(vec_length(d[1][0]), 1e-300)),
+                       fmin(1e-4 * width(&s->v), distance / fmax(vec_length(d[0][1]), 1e-300))};
+}
+
 /* Brings corners that lie within rounding of the border of the range onto it, and drops those that
  * repeat the one before. */
 static void tidy_polygon(const struct nurbs *s, double tolerance, struct uvs *loop)
 {
     size_t kept = 0;
-    for (size_t i = 0; i < loop->n; i++) {
-        struct uv at = loop->item[i];
-        struct vec3 d[3][3];
-        nurbs_derivatives(s, at, 1, d);
-        double du = vec_length(d[1][0]), dv = vec_length(d[0][1]);
-        double near_u = fmin(1e-4 * width(&s->u), BORDER * tolerance / fmax(du, 1e-300));
-        double near_v = fmin(1e-4 * width(&s->v), BORDER * tolerance / fmax(dv, 1e-300));
-        at.u = on_border(&s->u, at.u, near_u);
-        at.v = on_border(&s->v, at.v, near_v);
+    struct uv near = {0, 0};
+    for (size_t i = 0; i <= loop->n; i++) {
+        bool end = i == loop->n; /* the first corner once more */
+        struct uv at = loop->item[end ? 0 : i];
+        if (!end) {
+            near = uv_reach(s, at, BORDER * tolerance);
+            at.u = on_border(&s->u, at.u, near.u);
+            at.v = on_border(&s->v, at.v, near.v);
+            near = (struct uv){near.u * CORNER / BORDER, near.v * CORNER / BORDER};
+        }
         struct uv last = kept > 0 ? loop->item[kept - 1] : at;
-        double step = fmax(fabs(at.u - last.u) / near_u, fabs(at.v - last.v) / near_v);
-        if (kept == 0 || step * BORDER > CORNER)
+        bool same = kept > 0 && fabs(at.u - last.u) <= near.u && fabs(at.v - last.v) <= near.v;
+        if (end)
+            kept -= same && kept > 3;
+        else if (!same)
             loop->item[kept++] = at;
-    }
-    for (; kept > 3; kept--) {
-        struct uv a = loop->item[0], b = loop->item[kept - 1];
-        if (fabs(a.u - b.u) > 1e-9 * width(&s->u) || fabs(a.v - b.v) > 1e-9 * width(&s->v))
-            break;
     }
     loop->n = kept;
 }
