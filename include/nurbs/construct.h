@@ -36,6 +36,16 @@ struct nurbs_curve construct_parabola(const struct transform *place, double a, d
 struct nurbs construct_spline_surface(const double *u, size_t m, const double *v, size_t n,
                                       const double *c);
 
+/* The same of a curve over n pieces, breakpoints t[0..n]: coordinate k of piece i is the sum of
+ * c[12 * i + 4 * k + p] s^p with s = t - t[i]. */
+struct nurbs_curve construct_spline_curve(const double *t, size_t n, const double *c);
+
+/* Greville abscissa i of an axis: the mean of the inner knots of its basis function. */
+double construct_greville(const struct nurbs_axis *axis, size_t i);
+
+/* The poles of the spline with these values at the Greville abscissae.  The caller frees them. */
+struct nurbs_pole *construct_interpolation(const struct nurbs_axis *axis, const struct vec3 *value);
+
 /* The curve over its range alone, with clamped knots, of a degree not below its own; `inner`,
  * rising, are further knots that it gets at least (or NULL). */
 struct nurbs_curve construct_refined(const struct nurbs_curve *c, int degree, const double *inner,

@@ -19,11 +19,16 @@ enum primitive_kind {
     PRIMITIVE_TORUS
 };
 
+/* Of a torus whose tube is wider than its middle: all of it, or what turns one of the two arcs of
+ * the tube's circle that end on the axis. */
+enum primitive_part { PRIMITIVE_WHOLE, PRIMITIVE_OUTER, PRIMITIVE_INNER };
+
 struct primitive {
     enum primitive_kind kind;
     struct transform place; /* axes are perpendicular unit vectors */
     double radius;          /* of a cone where z is 0, of a torus from its middle to its tube's */
     double other;           /* the tube's radius; of a cone the half angle, radians */
+    enum primitive_part part;
 };
 
 /* Points of the loops' curves in space, from which their extent is taken. */
@@ -32,5 +37,9 @@ void primitive_points(const struct patch_loops *loops, struct vec3s *points);
 /* The surface as far as the points reach and a little further; -1 when it has no end and there are
  * no points, or when its numbers make no surface. */
 int primitive_surface(const struct primitive *p, const struct vec3s *points, struct nurbs *surface);
+
+/* The point at parameters as ISO 10303-42 counts them: x and y of a plane; an angle about z, and a
+ * length along z or an angle. */
+struct vec3 primitive_point(const struct primitive *p, double u, double v);
 
 #endif

@@ -170,6 +170,19 @@ struct nurbs construct_spline_surface(const double *u, size_t m, const double *v
     return s;
 }
 
+struct nurbs_curve construct_spline_curve(const double *t, size_t n, const double *c)
+{
+    struct nurbs_curve s = new_curve(bezier_axis(3, t, n));
+    for (size_t i = 0; i < n; i++) {
+        double b[3][4];
+        for (size_t k = 0; k < 3; k++)
+            to_bernstein(c + 12 * i + 4 * k, 1, t[i + 1] - t[i], b[k]);
+        for (size_t p = 0; p < 4; p++)
+            s.pole[3 * i + p] = weighted_pole(vec(b[0][p], b[1][p], b[2][p]), 1);
+    }
+    return s;
+}
+
 /* Solves for the poles whose curve has these values at the Greville abscissae: elimination in a
  * band of `width` on both sides of the diagonal, which needs no pivots as the matrix is totally
  * positive (de Boor, A Practical Guide to Splines, chapter XIII). */
@@ -195,26 +208,46 @@ static void solve_band(double *a, struct nurbs_pole *x, size_t n, size_t width)
     }
 }
 
+double construct_greville(const struct nurbs_axis *a, size_t i)
+{
+    double t = 0;
+    for (size_t k = 1; k <= (size_t)a->degree; k++)
+        t += a->knot[i + k];
+    return i == 0 ? a->from : i + 1 == a->poles ? a->to : t / a->degree;
+}
+
+/* From values at the Greville abscissae to poles. */
+static void solve_greville(const struct nurbs_axis *axis, struct nurbs_pole *pole)
+{
+    size_t p = (size_t)axis->degree, n = axis->poles, row = 2 * p + 1;
+    double *a = mem_alloc(n * row, sizeof *a), value[NURBS_DEGREE_MAX + 1];
+    for (size_t i = 0; i < n; i++) {
+        size_t first = nurbs_basis(axis, construct_greville(axis, i), value);
+        for (size_t k = 0; k <= p; k++)
+            if (first + k + p >= i && first + k <= i + p)
+                a[i * row + first + k + p - i] = value[k];
+    }
+    solve_band(a, pole, n, p);
+    free(a);
+}
+
+struct nurbs_pole *construct_interpolation(const struct nurbs_axis *axis, const struct vec3 *value)
+{
+    struct nurbs_pole *pole = mem_alloc(axis->poles, sizeof *pole);
+    for (size_t i = 0; i < axis->poles; i++)
+        pole[i] = weighted_pole(value[i], 1);
+    solve_greville(axis, pole);
+    return pole;
+}
+
 /* Interpolates the curve on the knots of the axis, in whose spline space it lies: exact but for
  * rounding. */
 static struct nurbs_curve interpolate_on(const struct nurbs_curve *c, struct nurbs_axis axis)
 {
     struct nurbs_curve to = new_curve(axis);
-    size_t p = (size_t)axis.degree, n = axis.poles, row = 2 * p + 1;
-    double *a = mem_alloc(n * row, sizeof *a), value[NURBS_DEGREE_MAX + 1];
-    for (size_t i = 0; i < n; i++) {
-        double t = 0;
-        for (size_t k = 1; k <= p; k++)
-            t += axis.knot[i + k];
-        t = i == 0 ? axis.from : i + 1 == n ? axis.to : t / (double)p;
-        size_t first = nurbs_basis(&axis, t, value);
-        for (size_t k = 0; k <= p; k++)
-            if (first + k + p >= i && first + k <= i + p)
-                a[i * row + first + k + p - i] = value[k];
-        to.pole[i] = nurbs_curve_pole(c, t);
-    }
-    solve_band(a, to.pole, n, p);
-    free(a);
+    for (size_t i = 0; i < axis.poles; i++)
+        to.pole[i] = nurbs_curve_pole(c, construct_greville(&axis, i));
+    solve_greville(&axis, to.pole);
     return to;
 }
 

@@ -88,8 +88,13 @@ static int turn_circle(const struct primitive *p, struct nurbs *surface)
         return -1;
     struct transform side = construct_place(
         at_height(&p->place, out, 0), vec_scale(-1, axis_of(&p->place, 1)), axis_of(&p->place, 0));
-    struct nurbs_curve circle =
-        construct_ellipse(&side, r, r, sphere ? -PI / 2 : 0, sphere ? PI / 2 : 2 * PI);
+    double from = sphere ? -PI / 2 : 0, to = sphere ? PI / 2 : 2 * PI;
+    if (p->part != PRIMITIVE_WHOLE && out < r) { /* from the axis to the axis */
+        double angle = acos(-out / r);
+        from = p->part == PRIMITIVE_OUTER ? -angle : angle;
+        to = p->part == PRIMITIVE_OUTER ? angle : 2 * PI - angle;
+    }
+    struct nurbs_curve circle = construct_ellipse(&side, r, r, from, to);
     *surface =
         construct_revolution(&circle, axis_of(&p->place, 3), axis_of(&p->place, 2), 0, 2 * PI);
     nurbs_curve_free(&circle);
@@ -109,4 +114,31 @@ int primitive_surface(const struct primitive *p, const struct vec3s *points, str
         return -1;
     *surface = construct_plane(&p->place, e.low.x, e.high.x, e.low.y, e.high.y);
     return 0;
+}
+
+struct vec3 primitive_point(const struct primitive *p, double u, double v)
+{
+    double r = p->radius, x = u, y = v, z = 0;
+    switch (p->kind) {
+    case PRIMITIVE_PLANE:
+        break;
+    case PRIMITIVE_CYLINDER:
+    case PRIMITIVE_CONE:
+        r += p->kind == PRIMITIVE_CONE ? v * tan(p->other) : 0;
+        z = v;
+        break;
+    case PRIMITIVE_SPHERE:
+        z = r * sin(v);
+        r *= cos(v);
+        break;
+    case PRIMITIVE_TORUS:
+        r += p->other * cos(v);
+        z = p->other * sin(v);
+        break;
+    }
+    if (p->kind != PRIMITIVE_PLANE) {
+        x = r * cos(u);
+        y = r * sin(u);
+    }
+    return transform_point(&p->place, vec(x, y, z));
 }
