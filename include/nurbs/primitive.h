@@ -42,4 +42,7 @@ int primitive_surface(const struct primitive *p, const struct vec3s *points, str
  * length along z or an angle. */
 struct vec3 primitive_point(const struct primitive *p, double u, double v);
 
+/* Moves the surface along its normals; -1 when nothing is left of it. */
+int primitive_offset(struct primitive *p, double distance);
+
 #endif

@@ -142,3 +142,23 @@ struct vec3 primitive_point(const struct primitive *p, double u, double v)
     }
     return transform_point(&p->place, vec(x, y, z));
 }
+
+int primitive_offset(struct primitive *p, double distance)
+{
+    switch (p->kind) {
+    case PRIMITIVE_PLANE: {
+        struct vec3 by = vec_scale(distance, axis_of(&p->place, 2));
+        p->place = transform_product(transform_shift(by), p->place);
+        return 0;
+    }
+    case PRIMITIVE_CONE:
+        p->radius += distance / cos(p->other);
+        return 0;
+    case PRIMITIVE_TORUS:
+        p->other += distance;
+        return p->other > 0 ? 0 : -1;
+    default:
+        p->radius += distance;
+        return p->radius > 0 ? 0 : -1;
+    }
+}

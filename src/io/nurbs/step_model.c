@@ -300,6 +300,75 @@ static int add_face(struct model *m, const struct step_place *place, const struc
     return got < 0 ? -1 : 0;
 }
 
+/* The curves that bound a CURVE_BOUNDED_SURFACE: a loop each. */
+static int bounded_loops(const struct step_place *place, const struct step_values *v,
+                         struct patch *patch, struct vec3s *points, struct error *error)
+{
+    const struct step_value *r = step_record(v, "CURVE_BOUNDED_SURFACE"), *list = step_item(r, 2);
+    int got = 0;
+    patch->open = step_is(step_item(r, 3), "T");
+    for (const struct step_value *i = step_item(list, 0); i && got >= 0; i = step_next(list, i)) {
+        struct patch_loop loop = {.space = true};
+        struct patch_loops one = {1, 1, &loop};
+        got = step_curve(place, v, i, NULL, &loop, error);
+        if (got == 0 && loop.n > 0) {
+            primitive_points(&one, points);
+            *array_push(&patch->loop) = loop;
+            continue;
+        }
+        patch_loop_free(&loop);
+        if (got > 0 && patch->ignored++ == 0)
+            patch->ignored_entity = (int)i->number;
+    }
+    return got < 0 ? -1 : 0;
+}
+
+/* A surface without topology: bounded by curves, by its parameters, or not at all. */
+static int add_free_surface(struct model *m, const struct step_place *place,
+                            const struct step_values *from, const struct step_value *reference,
+                            const struct step_values *v, struct error *error)
+{
+    struct patch patch = {.entity = (int)v->instance->id};
+    struct vec3s points = {0};
+    struct patch_loop sides = {0};
+    char kind[40] = "";
+    int got = 0;
+    if (step_record(v, "CURVE_BOUNDED_SURFACE"))
+        got = bounded_loops(place, v, &patch, &points, error);
+    if (step_record(v, "RECTANGULAR_TRIMMED_SURFACE"))
+        got = step_rectangle(place, v, &sides, error);
+    if (sides.n > 0) {
+        *array_push(&patch.loop) = sides;
+        primitive_points(&patch.loop, &points);
+    }
+    if (got == 0)
+        got = step_surface(place, from, reference, &points, &patch.surface, kind, error);
+    array_free(&points);
+    if (got == 0) {
+        patch.file = mem_string(m->step->name, strlen(m->step->name));
+        *array_push(m->patches) = patch;
+        return 0;
+    }
+    if (got > 0)
+        patches_leave_out(m->patches, m->step->name, kind[0] ? kind : "a surface without ends",
+                          patch.entity);
+    patch_free(&patch);
+    return got < 0 ? -1 : 0;
+}
+
+/* Surfaces that may stand in a set without a face; planes and the like have no end there. */
+static bool is_free_surface(const struct step_values *v)
+{
+    static const char *const kind[] = {"CURVE_BOUNDED_SURFACE", "RECTANGULAR_TRIMMED_SURFACE",
+                                       "B_SPLINE_SURFACE",      "B_SPLINE_SURFACE_WITH_KNOTS",
+                                       "BEZIER_SURFACE",        "QUASI_UNIFORM_SURFACE",
+                                       "UNIFORM_SURFACE"};
+    for (size_t i = 0; i < sizeof kind / sizeof *kind; i++)
+        if (step_record(v, kind[i]))
+            return true;
+    return false;
+}
+
 /* What holds faces: solids, shells, sets; all that they refer to is looked through. */
 static bool holds_faces(const struct step_values *v)
 {
@@ -313,7 +382,8 @@ static bool holds_faces(const struct step_values *v)
                                        "ORIENTED_CLOSED_SHELL",
                                        "ORIENTED_OPEN_SHELL",
                                        "CONNECTED_FACE_SET",
-                                       "ORIENTED_FACE"};
+                                       "ORIENTED_FACE",
+                                       "GEOMETRIC_SET"};
     for (size_t i = 0; i < sizeof kind / sizeof *kind; i++)
         if (step_record(v, kind[i]))
             return true;
@@ -367,6 +437,8 @@ static int add_item(struct model *m, const struct step_place *place, const struc
         status = add_face(m, place, &v, face, error);
     else if (status == 0 && holds_faces(&v))
         status = add_items(m, place, &v, depth, error);
+    else if (status == 0 && is_free_surface(&v))
+        status = add_free_surface(m, place, from, reference, &v, error);
     else if (status == 0 && is_other(first)) {
         char kind[40] = "";
         memcpy(kind, first->text, first->length < 39 ? first->length : 39);
