@@ -34,6 +34,12 @@ static void check_method(const struct settings *s)
         die_usage("found --paper with --method, expected one of them");
     if (s->meshing.method == CLOUDMESH_LIN && s->meshing.error > 0)
         die_usage("--method lin has a grid of one spacing: expected -t, found -e");
+    if (s->meshing.method == CLOUDMESH_DELAUNAY && s->meshing.spacing > 0)
+        die_usage("--method delaunay has points of the scan: expected --keep or -e, found -t");
+    if (s->meshing.method != CLOUDMESH_DELAUNAY && s->meshing.keep > 0)
+        die_usage("found --keep without --method delaunay, expected both");
+    if (s->meshing.keep > 0 && s->meshing.error > 0)
+        die_usage("found --keep with -e, expected one of them");
 }
 
 static struct settings read_options(struct cli *cli, int argc, char **argv)
@@ -49,10 +55,13 @@ static struct settings read_options(struct cli *cli, int argc, char **argv)
          "rows, and points on them, as far apart as possible with every point of\n"
          "the cloud within this of the mesh (with -t: no farther than that)",
          CLI_NUMBER, &s.meshing.error, CLI_POSITIVE, 0, 0, NULL},
-        {0, "method", "chui|lin",
-         "nodes on an oblique grid that move to points (Chui, Chiu and Yu), or on\n"
-         "a rectangular one by interpolation (Lin and Liu) (default: chui)",
+        {0, "method", "chui|delaunay|lin",
+         "nodes on an oblique grid that move to points (Chui, Chiu and Yu), a\n"
+         "triangulation of the points (Choi), or nodes on a rectangular grid by\n"
+         "interpolation (Lin and Liu) (default: chui)",
          CLI_CHOICE, &method, 0, 0, 0, NULL},
+        {0, "keep", "N", "vertices of --method delaunay, those farthest off first (default: all)",
+         CLI_COUNT, &s.meshing.keep, 3, 1e9, 0, NULL},
         {'u', "units", "mm|cm|m|um|inch|in", "units of the points (default: mm)", CLI_CHOICE,
          &s.unit, 0, 0, 0, NULL},
         {'a', "direction", "DEG", "direction of the rows, from x towards y (default: 0)",

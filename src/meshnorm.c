@@ -58,6 +58,11 @@ static void read_mesh(const char *file, struct mesh *mesh, struct rows *rows)
 
     if (mesh_for_rows_read(file, normals_find(false, normals), mesh, &error) != 0)
         die_error(&error);
+    if (scallop > 0 && mesh->row.n == 0) { /* planes need none */
+        double angle = isfinite(mesh->origin.direction) ? RADIANS(mesh->origin.direction) : 0;
+        rows->along = vec(cos(angle), sin(angle), 0);
+        return;
+    }
     if (rows_find(mesh, rows, &error) != 0)
         die("%s: %s", file, error.text);
     if (rows->loose > 0)
@@ -244,7 +249,7 @@ int main(int argc, char **argv)
     if (scallop > 0)
         find_all_planes(&mesh, &rows, &planes);
     double distance = scallop > 0 ? planes.widest : rows.distance;
-    if (path_options_guard(&mesh, rows.distance, cli.threads, &guard, &error) != 0)
+    if (path_options_guard(&mesh, mesh.row.n > 0 ? rows.distance : distance, cli.threads, &guard, &error) != 0)
         die_error(&error);
     stop_at_holes(&planes, guard);
     if (path_options_rules(&mesh, guard, distance, &t, &error) != 0)
@@ -261,7 +266,8 @@ int main(int argc, char **argv)
     path_coverage_rest(&coverage, scallop > 0 ? planes.passes[0].rule.normal : vec(0, 0, 0), &t);
     toolpath_end(&t);
     path_coverage_measure(&coverage, &t);
-    note("%zu nodes in %zu strips", rows.node.n, rows.strip.n);
+    if (mesh.row.n > 0)
+        note("%zu nodes in %zu strips", rows.node.n, rows.strip.n);
     int status = toolpath_conclude(&t);
     if (path_coverage_conclude(&coverage, &path.head.unmet) != EXIT_DONE)
         status = EXIT_UNMET;

@@ -16,7 +16,12 @@
  *         Heckbert 1995)
  *      3. rows keep clear of creases and walls that a grid has found before: feature_zone.h
  *
- * Then, for both: normals and curvatures from the scan, scan_normals.h; with noise, vertices moved
+ *   by other ways that paper 1 reviews
+ *      a rectangular grid by interpolation: lin_grid.h (Lin, Liu 1998)
+ *      a triangulation of the points, all or few: delaunay_mesh.h (Choi 1988); their border,
+ *      scan_border.h; how, delaunay.h, delaunay_thin.h
+ *
+ * Then, for both of the first: normals and curvatures from the scan, scan_normals.h; with noise, vertices moved
  * onto the surface, smooth_nodes.h; creases, walls and ribs, feature/feature.h.  The meshes of the
  * parts of a divided cloud are joined: mesh_join.h.  stage/cloudmesh.h puts all this together.
  */
@@ -24,6 +29,7 @@
 #define CLOUDMILL_MESHING_H
 
 #include "meshing/adaptive_rows.h"
+#include "meshing/delaunay_mesh.h"
 #include "meshing/feature_zone.h"
 #include "meshing/greedy_insert.h"
 #include "meshing/grid.h"

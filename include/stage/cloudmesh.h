@@ -27,8 +27,9 @@
 
 /* The way to the nodes. */
 enum cloudmesh_method {
-    CLOUDMESH_CHUI, /* the stages above: Chui, Chiu, Yu 2007 */
-    CLOUDMESH_LIN,  /* a rectangular grid by interpolation (meshing/lin_grid.h) */
+    CLOUDMESH_CHUI,     /* the stages above: Chui, Chiu, Yu 2007 */
+    CLOUDMESH_DELAUNAY, /* points of the scan, all or few (meshing/delaunay_mesh.h) */
+    CLOUDMESH_LIN,      /* a rectangular grid by interpolation (meshing/lin_grid.h) */
 };
 
 /* What is asked for. */
@@ -38,6 +39,7 @@ struct cloudmesh_options {
     double error;     /* rows by an error, mm; 0: the spacing counts */
     double max_gap;   /* mm, 0: from the cloud */
     double direction; /* of the rows, degrees */
+    int keep;         /* CLOUDMESH_DELAUNAY: as many vertices, 0: as many as needed */
     const struct normal_estimator *normals;
     int neighbours;  /* 0: chosen */
     double effort;   /* effort.h */

@@ -1,6 +1,6 @@
 /*
  * cloudmesh_ways - the ways to a mesh that paper 1 reviews, beside its own: rows and columns by
- * interpolation (Lin and Liu).
+ * interpolation (Lin and Liu), and a triangulation of the points themselves (Choi).
  */
 #include <math.h>
 #include <stdlib.h>
@@ -8,8 +8,11 @@
 #include "base/cli.h"
 #include "cloudmesh_steps.h"
 #include "mesh/mesh_distance.h"
+#include "meshing/delaunay_mesh.h"
 #include "meshing/lin_grid.h"
 #include "meshing/reposition.h"
+
+enum { MOST_POINTS = 1000000000 / 3 };
 
 static double gap_of(const struct cloudmesh_options *options, double mean)
 {
@@ -87,22 +90,61 @@ static int mesh_by_lin(const struct cloudmesh_options *options, struct vec3s *po
     return status;
 }
 
+/* ---- points of the scan */
+
+static int mesh_by_delaunay(const struct cloudmesh_options *options, const struct vec3s *points,
+                            double mean, struct mesh *mesh, struct cloudmesh *result,
+                            struct error *error)
+{
+    const double digits = 0.9995; /* of the error: the rest is for those of the mesh */
+    struct delaunay_mesh_options how = {gap_of(options, mean), digits * options->error,
+                                        (size_t)options->keep};
+
+    if (points->n > MOST_POINTS)
+        return error_set(error, "%zu points, expected %d at most for --method delaunay", points->n,
+                         MOST_POINTS);
+    delaunay_mesh_make(points->item, points->n, &how, mesh);
+    struct plan_extent f = plan_extent_of(points->item, points->n, options->direction);
+    result->grid = (struct grid){f, mean, f.xmin, f.ymin, 0, 0};
+    return 0;
+}
+
+/* ---- both */
+
+static int mesh_by_method(const struct cloudmesh_options *options, struct vec3s *points,
+                          double mean, struct mesh *mesh, struct cloudmesh *result,
+                          struct error *error)
+{
+    return options->method == CLOUDMESH_LIN
+               ? mesh_by_lin(options, points, mean, mesh, result, error)
+               : mesh_by_delaunay(options, points, mean, mesh, result, error);
+}
+
+/* The mesh of the points or, where an error is asked for and there is noise, of the surface that
+ * they stand for; its distance from what it is of. */
 int cloudmesh_by_way(const struct cloudmesh_options *options, struct vec3s *points, double noise,
                      int threads, struct mesh *mesh, struct cloudmesh *result, struct error *error)
 {
+    double spent = NAN;
+
     if (plan_extent_check(points->item, points->n, error) < 0)
         return -1;
     double mean = cloudmesh_spacing(options, points->item, points->n);
-    if (mesh_by_lin(options, points, mean, mesh, result, error) < 0)
+    bool of_surface = options->error > 0 && noise > 0;
+    if (of_surface && cloudmesh_smooth_points(options, points, noise, threads, &spent, error) < 0)
         return -1;
+    if (mesh_by_method(options, points, mean, mesh, result, error) < 0)
+        return -1;
+    if (mesh->face.n == 0 && options->subdivide)
+        return 0;
     if (mesh->face.n == 0)
-        return options->subdivide ? 0
-                                  : error_set(error,
-                                              "no mesh of spacing %g mm: the points are too far "
-                                              "apart, expected another spacing (-t)",
-                                              result->grid.t);
-    if (cloudmesh_normals(options, points->item, points->n, noise, threads, mesh, error) < 0)
+        return error_set(error, "no facet between the points: they are too far apart, expected "
+                                "another spacing (-t) or a wider gap (--max-gap)");
+    if (cloudmesh_normals(options, points->item, points->n, of_surface ? 0 : noise, threads, mesh,
+                          error) < 0)
         return -1;
     mesh_normals_seen(mesh);
+    if (of_surface)
+        mesh->origin.ledger = spent;
     return measure(mesh, points, mean, threads, &result->rows, error);
 }

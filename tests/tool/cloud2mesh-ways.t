@@ -62,4 +62,28 @@ status 2 "and is not as published here" cloud2mesh --method lin --paper "$panel"
 status 1 "far too fine" cloud2mesh --method lin -t 0.01 plane.xyz
 has "is told" 'expected a wider spacing' err
 
+# Delaunay: points of the scan
+status 0 "delaunay: all points" cloud2mesh --method delaunay --noise 0 -o all.ply hole.xyz
+has "are its vertices" "^element vertex $(wc -l <hole.xyz | tr -d ' ')\$" all.ply
+below "the hole stays open" 5.99 "$(nearest 20 20 all.ply)"
+hasnt "it has no rows" '^property int row$' all.ply
+status 0 "delaunay: a wave within 0.02 mm" cloud2mesh --method delaunay --noise 0 -e 0.02 -o wave.ply wave.xyz
+below "its vertices are points" "$(off "$wave" wave.ply)" 0.00002
+below "few of them" "$(sed -n 's/^element vertex //p' wave.ply)" 1500
+has "how far the others are" 'within 0\.0(1[0-9]*|200) mm of the mesh at worst' err
+status 0 "delaunay: 500 of them" cloud2mesh --method delaunay --noise 0 --keep 500 -o keep.ply hole.xyz
+has "are kept" '^element vertex 500$' keep.ply
+below "the hole stays open" 5.5 "$(nearest 20 20 keep.ply)"
+for threads in 1 3; do
+	status 0 "$threads threads" cloud2mesh -j $threads --method delaunay -e 0.01 -o j$threads.ply "$panel"
+done
+same "the same bytes" j1.ply j3.ply
+status 0 "delaunay: the panel's path" meshnorm -q -r 5 -o delaunay.cl j1.ply
+has "it is guarded by the scan that the mesh names" 'SCAN/17036,' delaunay.cl
+status 0 "its program" sh -c 'ncpost -q -c siemens delaunay.cl >delaunay.mpf'
+status 0 "is accepted" ncverify -g "$panel" -r 5 -e 0.03 delaunay.mpf
+status 2 "delaunay has no spacing" cloud2mesh --method delaunay -t 2 "$panel"
+status 2 "a count or an error" cloud2mesh --method delaunay -e 0.1 --keep 50 "$panel"
+status 2 "a count is for it alone" cloud2mesh --keep 50 "$panel"
+
 done_testing
