@@ -30,6 +30,8 @@ enum template_word {
     TEMPLATE_I, /* ... Euler's about Z, the turned X, the turned Z */
     TEMPLATE_J,
     TEMPLATE_K,
+    TEMPLATE_SPA, /* spatial angles: about X, then about Y, both of the frame that is not tilted */
+    TEMPLATE_SPB,
     TEMPLATE_PROGRAM,  /* its number */
     TEMPLATE_NAME,     /* its name, as the control takes it */
     TEMPLATE_WORK,     /* the work offset */

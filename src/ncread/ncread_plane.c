@@ -99,8 +99,10 @@ int ncread_plane_cycle800(struct ncread *c, struct error *error)
 
 int ncread_plane_spatial(struct ncread *c, struct error *error)
 {
-    static const char *const name[] = {" SPA", " SPB", " SPC"};
-    static const int axes[] = {0, 1, 2};
+    /* about the axes of the frame that is not tilted in the order A B C, which is the same as about
+     * the axes as they turn in the order C B A (TNC 620 and 640, PLANE SPATIAL, Application) */
+    static const char *const name[] = {" SPC", " SPB", " SPA"};
+    static const int axes[] = {2, 1, 0};
     const char *spatial = strstr(c->text, "PLANE SPATIAL ");
     double v[3];
     if (strstr(c->text, "PLANE RESET"))

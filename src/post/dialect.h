@@ -65,7 +65,7 @@ struct dialect {
     bool inverse_never;           /* it knows no inverse-time feed */
     bool steps_alike;             /* its drilling cycles know one step, and no dwell with it */
     bool plane;                   /* it can turn to a tilted plane */
-    bool plane_euler;             /* by Euler's angles */
+    enum nc_plane_angles plane_angles;
     enum nc_arcs arcs, arcs_vectors;
     enum nc_arcs arcs_space; /* those of a machine that has the key arcs.space */
     enum nc_splines splines, splines_vectors;

@@ -86,7 +86,7 @@ const struct dialect dialect_fanuc = {
     .digits = {.linear = 3, .angle = 3, .vector = 6, .knot = 3, .feed = 1},
     .vectors_doubtful = true,
     .plane = true,
-    .plane_euler = true,
+    .plane_angles = NC_PLANE_EULER,
     .arcs = NC_ARCS_CENTRE,
     .arcs_vectors = NC_ARCS_RADIUS,
     .arcs_space = NC_ARCS_BOTH,

@@ -251,6 +251,7 @@ const struct dialect dialect_heidenhain = {
     .tool_named = "\"%s\"",
     .inverse_never = true,
     .plane = true,
+    .plane_angles = NC_PLANE_SPATIAL,
     .arcs = NC_ARCS_FLAT,
     .arcs_vectors = NC_ARCS_FLAT,
     .splines = NC_SPLINES_NONE,

@@ -71,7 +71,7 @@ static int set_frame(struct nc_program *p, struct path *path, struct machine *ma
     p->plane = options->plane || ((machine->plane || cycles) && tilts && planes && !upright);
     p->turned = machine->chain.n;
     if (p->plane &&
-        post_frame_tilt(path, machine, &p->planes, dialect->plane_euler, digits, error) != 0)
+        post_frame_tilt(path, machine, &p->planes, dialect->plane_angles, digits, error) != 0)
         return EXIT_UNMET;
     if (!cycles || !(upright || p->plane))
         path_expand_cycles(path);

@@ -173,8 +173,8 @@ static struct vec3 turned_about(struct vec3 v, struct vec3 about, double degrees
     return vec_turn(v, about, RADIANS(degrees));
 }
 
-/* Both triples of angles, and the frame that one of them, as printed, makes. */
-static struct frame plane_frame(struct nc_plane *p, bool euler, int digits)
+/* All kinds of angles, and the frame that one of them, as printed, makes. */
+static struct frame plane_frame(struct nc_plane *p, enum nc_plane_angles angles, int digits)
 {
     const struct vec3 x0 = {1, 0, 0}, y0 = {0, 1, 0}, z0 = {0, 0, 1};
     struct vec3 a = p->axis, x, y, z;
@@ -186,19 +186,25 @@ static struct frame plane_frame(struct nc_plane *p, bool euler, int digits)
     p->i = upright ? 0 : num_round(DEGREES(atan2(a.x, -a.y)), digits);
     p->j = num_round(DEGREES(atan2(hypot(a.x, a.y), a.z)), digits);
     p->k = num_round(DEGREES(upright ? atan2(x.y, x.x) : atan2(x.z, y.z)), digits);
-    if (euler) {
+    p->spa = num_round(DEGREES(atan2(-a.y, hypot(a.x, a.z))), digits);
+    p->spb = num_round(DEGREES(atan2(a.x, a.z)), digits);
+    if (angles == NC_PLANE_EULER) {
         struct vec3 node = turned_about(x0, z0, p->i);
         z = turned_about(z0, node, p->j);
         x = turned_about(node, z, p->k);
+    } else if (angles == NC_PLANE_SPATIAL) {
+        z = turned_about(turned_about(z0, x0, p->spa), y0, p->spb);
+        x = turned_about(x0, y0, p->spb);
     } else {
         z = turned_about(turned_about(z0, y0, p->b), x0, p->a);
     }
     return (struct frame){x, vec_cross(z, x), z, 1, true};
 }
 
-struct vec3 post_frame_work(struct nc_plane plane, bool euler, int digits, struct vec3 p)
+struct vec3 post_frame_work(struct nc_plane plane, enum nc_plane_angles angles, int digits,
+                            struct vec3 p)
 {
-    struct frame f = plane_frame(&plane, euler, digits);
+    struct frame f = plane_frame(&plane, angles, digits);
     return vec_add(vec_add(vec_scale(p.x, f.x), vec_scale(p.y, f.y)), vec_scale(p.z, f.z));
 }
 
@@ -234,13 +240,13 @@ static void add_planes(struct path *path, const struct nc_planes *planes)
 }
 
 int post_frame_tilt(struct path *path, struct machine *machine, struct nc_planes *planes,
-                    bool euler, int digits, struct error *error)
+                    enum nc_plane_angles angles, int digits, struct error *error)
 {
     for (size_t i = 0; i < planes->n; i++) {
         struct nc_plane *plane = &planes->item[i];
         if (expect_reach(path, machine, plane->axis, error) != 0)
             return -1;
-        struct frame frame = plane_frame(plane, euler, digits);
+        struct frame frame = plane_frame(plane, angles, digits);
         path_to(&frame, path, plane->from, i + 1 < planes->n ? plane[1].from : path->item.n);
     }
     add_planes(path, planes);

@@ -104,7 +104,7 @@ static size_t write_angle(const struct nc_program *p, enum template_word word, c
     struct nc_plane plane = {0};
     if (p->at_plane < p->planes.n)
         plane = p->planes.item[p->at_plane];
-    const double angle[] = {plane.a, plane.b, plane.i, plane.j, plane.k};
+    const double angle[] = {plane.a, plane.b, plane.i, plane.j, plane.k, plane.spa, plane.spb};
     int i = (int)word - TEMPLATE_PLANE;
     bool sign = p->w.style.sign && angle[i] >= 0;
     *text = '+';

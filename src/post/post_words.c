@@ -9,7 +9,7 @@
 
 struct vec3 nc_above_plane(const struct nc_program *p, const struct nc_move *first)
 {
-    return post_frame_work(p->planes.item[p->at_plane], dialect_of(p->control)->plane_euler,
+    return post_frame_work(p->planes.item[p->at_plane], dialect_of(p->control)->plane_angles,
                            p->plan->ability.digits.angle, first->p);
 }
 

@@ -32,11 +32,18 @@ tilted='function place(u, v, w,  r, x, y, z, ca, sa, cb, sb) {
 		x = cb * u + sb * w; z = -sb * u + cb * w; y = ca * v - sa * z; z = sa * v + ca * z
 		printf "GOTO/%.9f,%.9f,%.9f,%.9f,%.9f,%.9f\n", x, y, z, sb, -sa * cb, ca * cb
 	}'
+# about X by 20 degrees and then about Y as it was by 30: the same for PLANE SPATIAL
+spatial='function place(u, v, w,  r, x, y, z, ca, sa, cb, sb) {
+		r = atan2(1, 1) / 45; ca = cos(20 * r); sa = sin(20 * r); cb = cos(30 * r); sb = sin(30 * r)
+		y = ca * v - sa * w; z = sa * v + ca * w; x = cb * u + sb * z; z = -sb * u + cb * z
+		printf "GOTO/%.9f,%.9f,%.9f,%.9f,%.9f,%.9f\n", x, y, z, sb * ca, -sa, cb * ca
+	}'
 # the last hole leans: another plane
 leaning='function place(x, y, z) {
 		printf "GOTO/%.6f,%.6f,%.6f,%s\n", x, y, z, x == 60 ? "0,0.6,0.8" : "0,0,1" }'
 holes "$upright" >holes.cl
-holes "$tilted" >tilted.cl
+holes "$tilted" >axes.cl
+holes "$spatial" >spatial.cl
 holes "$leaning" >leaning.cl
 # and here the tool turns while it cuts
 awk '{ print } /^CYCLE.OFF/ && !done { print "FEDRAT/MMPM,300\nGOTO/20,3,30,0,0.2,0.979795897"; done = 1 }' \
@@ -57,6 +64,8 @@ for control in fanuc siemens heidenhain; do
 	ncpost -q -c $control --set cycles=no holes.cl >written.nc
 	hasnt "$control: cycles = no" 'G8[1-9]|CYCLE8[1-9]|CYCL DEF 20' written.nc
 	ok "written out, steps and all" "$READBACK" -c $control --path holes.cl -e 0.0062 written.nc
+	cp axes.cl tilted.cl
+	[ $control = heidenhain ] && cp spatial.cl tilted.cl
 	ncpost -q -c $control --set digits.angle=6 tilted.cl >turned.nc
 	ncpost -q -c $control turning.cl >turning.nc
 	hasnt "$control: where the tool turns they are written out" 'G8[1-9]|CYCLE8[1-9]|CYCL DEF 20' turning.nc

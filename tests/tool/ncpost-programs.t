@@ -395,11 +395,12 @@ plane_back() { # PROGRAM
 	{ line = $0 }
 	/G68\.2/ { e1 = value("I"); e2 = value("J"); e3 = value("K"); euler = 1; on = 1; next }
 	/CYCLE800\(0/ { split(line, p, ","); a = p[8]; b = p[9]; on = 1; next }
-	/PLANE SPATIAL/ { a = value("SPA"); b = value("SPB"); on = 1; next }
+	/PLANE SPATIAL/ { a = value("SPA"); b = value("SPB"); fixed = 1; on = 1; next }
 	on && / [XYZ][-+]?[0-9]/ && !/M91|SUPA|G28/ {
 		old["X"] = value("X"); old["Y"] = value("Y"); old["Z"] = value("Z")
 		v[1] = old["X"]; v[2] = old["Y"]; v[3] = old["Z"]
 		if (euler) { turn(v, 1, 2, e3); turn(v, 2, 3, e2); turn(v, 1, 2, e1) }
+		else if (fixed) { turn(v, 2, 3, a); turn(v, 3, 1, b) }
 		else { turn(v, 3, 1, b); turn(v, 2, 3, a) }
 		d = (v[1] - want[i + 1, 1])^2 + (v[2] - want[i + 1, 2])^2 + (v[3] - want[i + 1, 3])^2
 		if (i < n && d < 4e-6) i++

@@ -102,6 +102,36 @@ refuses "a label called" heidenhain 's/^\([0-9]*\) M8$/\1 CALL LBL 1/' '.'
 refuses "a datum shift" heidenhain 's/^\([0-9]*\) M8$/\1 CYCL DEF 7.0 DATUM SHIFT/' 'frame'
 refuses "a rounded corner" heidenhain 's/^\([0-9]*\) M8$/\1 RND R5/' '.'
 
+# ---- a tilted plane of Heidenhain: SPA, SPB and SPC are about the axes of the frame that is not tilted,
+# one after another (User's Manual, PLANE SPATIAL: sequence A-B-C)
+
+awk 'function turn(i, j, by,  c, s, t) { c = cos(by * r); s = sin(by * r); t = c * v[i] - s * v[j]; v[j] = s * v[i] + c * v[j]; v[i] = t }
+	function out(x, y, z) { v[1] = x; v[2] = y; v[3] = z; turn(2, 3, 30); turn(3, 1, 20); turn(1, 2, 40)
+		return sprintf("%.7f,%.7f,%.7f", v[1], v[2], v[3]) }
+	function go(x, y, z) { return "GOTO/" out(x, y, z) "," out(0, 0, 1) }
+	BEGIN { r = atan2(0, -1) / 180; print "UNITS/MM\nMULTAX/ON\nSPINDL/900\nRAPID\n" go(5, 0, 50) "\nFEDRAT/MMPM,500\n" go(5, 0, 10) \
+		"\n" go(25, 15, 10) "\nRAPID\n" go(25, 15, 50) "\nFINI" }' >spatial.cl
+cat >spatial.h <<'END'
+0 BEGIN PGM P MM
+1 L Z+0 R0 FMAX M91
+2 TOOL CALL 1 Z S900
+3 M3
+4 PLANE SPATIAL SPA+30 SPB+20 SPC+40 TURN FMAX
+5 L X+5 Y+0 R0 FMAX
+6 L Z+50 R0 FMAX
+7 L Z+10 F500
+8 L X+25 Y+15
+9 L Z+50 FMAX
+10 PLANE RESET TURN FMAX
+11 L Z+0 R0 FMAX M91
+12 M5
+13 M30
+14 END PGM P MM
+END
+ok "spatial angles in the order A, B, C" "$READBACK" -c heidenhain -m table-ac --path spatial.cl -e 0.0001 --axis 0.001 spatial.h
+sed 's/SPA+30 SPB+20/SPA+20 SPB+30/' spatial.h >other.h
+status 3 "others are another plane" "$READBACK" -c heidenhain -m table-ac --path spatial.cl -e 0.0001 --axis 0.001 other.h
+
 # ---- radius compensation: wear alone, where the machine says that the path is the tool's centre
 
 { sed -n '1,/^FEDRAT/p' three.cl && printf 'CUTCOM/LEFT\n' && sed '1,/^FEDRAT/d' three.cl; } >side.cl

@@ -39,10 +39,12 @@ static struct vec3 about(int axis, double degrees, struct vec3 p)
 }
 
 /* From the plane to the work: intrinsic turns are the same about fixed axes, the last one first. */
-static struct vec3 to_work(const struct nc_plane *p, bool euler, struct vec3 v)
+static struct vec3 to_work(const struct nc_plane *p, enum nc_plane_angles angles, struct vec3 v)
 {
-    if (euler)
+    if (angles == NC_PLANE_EULER)
         return about(2, p->i, about(0, p->j, about(2, p->k, v)));
+    if (angles == NC_PLANE_SPATIAL)
+        return about(1, p->spb, about(0, p->spa, v));
     return about(0, p->a, about(1, p->b, v));
 }
 
@@ -58,7 +60,7 @@ static struct machine reaching(void)
 
 START_TEST(points_come_back_by_the_printed_angles)
 {
-    bool euler = _i % 2;
+    enum nc_plane_angles angles = (enum nc_plane_angles)(_i % NC_PLANE_ANGLES);
     int digits = 3 + _i % 4;
     for (int trial = 0; trial < TRIALS / 8; trial++) {
         struct path path = {.name = "path"};
@@ -73,15 +75,15 @@ START_TEST(points_come_back_by_the_printed_angles)
         }
         ck_assert(post_frame_planes(&path, &planes));
         ck_assert_uint_eq(planes.n, 2);
-        ck_assert_int_eq(post_frame_tilt(&path, &m, &planes, euler, digits, &e), 0);
+        ck_assert_int_eq(post_frame_tilt(&path, &m, &planes, angles, digits, &e), 0);
         ck_assert_uint_eq(path.item.n, 5);
         ck_assert_int_eq(path.item.item[2].kind, PATH_PLANE);
         double most = RADIANS(1.5 * pow(10, -digits));
         for (int i = 0; i < 4; i++) {
             const struct nc_plane *p = &planes.item[i / 2];
             struct pose at = path.item.item[i + i / 2].to;
-            ck_assert_double_lt(vec_distance(to_work(p, euler, at.p), point[i]), 1e-9);
-            ck_assert_double_lt(vec_angle(to_work(p, euler, at.a), axis[i / 2]), most);
+            ck_assert_double_lt(vec_distance(to_work(p, angles, at.p), point[i]), 1e-9);
+            ck_assert_double_lt(vec_angle(to_work(p, angles, at.a), axis[i / 2]), most);
             ck_assert(num_round(p->a, digits) == p->a && num_round(p->k, digits) == p->k);
         }
         array_free(&planes);
