@@ -9,6 +9,7 @@
 #include <stdbool.h>
 
 #include "gouge/gouge_lift.h"
+#include "machine/rotary_cost.h"
 
 struct link_options {
     const struct gouge_lift_options *lift; /* the guard, and how clear of it the tool must be */
@@ -16,7 +17,10 @@ struct link_options {
     double radius;                         /* of the ball, mm */
     double limit;                          /* highest lift of a low link, mm */
     double longest;                        /* a low link may be as long as this, mm */
-    double rate;      /* fastest turn of the axis on a low link, radians/mm; 0: any */
+    double rate; /* fastest turn of the axis on a low link, radians/mm; 0: any */
+    const struct rotary_frame
+        *frame;       /* the axis of a low link turns as rotary axes do, through their
+                                         pole or wide of it; NULL: straight */
     double clearance; /* least z of the tip on the clearance plane, mm */
     double approach;  /* last bit of the way down, mm */
 };

@@ -38,6 +38,14 @@ struct rotary_angles rotary_angles_near(const struct rotary_frame *frame, struct
                                         struct rotary_angles to);
 struct vec3 rotary_axis(const struct rotary_frame *frame, struct rotary_angles angles);
 
+/* The angles at s, 0 to 1, of a way between two: the lean goes evenly, and so does the turn, unless
+ * the way leads past the pole; then it turns the less the nearer it is to it. */
+struct rotary_angles rotary_angles_between(struct rotary_angles from, struct rotary_angles to,
+                                           double s);
+
+/* Where the way is at the pole, between 0 and 1; -1: nowhere. */
+double rotary_pole_between(struct rotary_angles from, struct rotary_angles to);
+
 /* True if the chain has the direction within its travel. */
 bool rotary_reaches(const struct kinematic_chain *chain, struct vec3 axis);
 

@@ -108,6 +108,7 @@ struct toolpath {
     struct path_check check; /* of the path as it is written */
 
     struct axis_planner *planner; /* NULL: axes stay as their rule says */
+    struct rotary_frame frame;    /* of the machine, where there is a planner */
     int threads;                  /* as of parallel_for */
 
     /* The path, whose head is known, is written as it is made, and not kept: to this file, NULL:

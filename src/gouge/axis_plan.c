@@ -115,6 +115,7 @@ struct node {
     int open;             /* how many are */
     bool rule_open;
     bool strict; /* the grid is not fine enough here: each axis is checked */
+    bool pole;   /* put between two others, where the axis is at the pole; for this round alone */
 
     struct vec3 axis; /* that it gets */
     bool by_rule;     /* which is the rule's */
@@ -559,9 +560,7 @@ static struct vec3 axis_between(const struct work *w, size_t at, const struct ru
     double length = b->along - a->along, s = length > 0 ? (along - a->along) / length : 0;
     if (b->begins)
         return s < 0.5 ? a->axis : b->axis;
-    s = fmin(fmax(s, 0), 1);
-    struct rotary_angles to = {a->angles.lean + s * (b->angles.lean - a->angles.lean),
-                               a->angles.turn + s * (b->angles.turn - a->angles.turn)};
+    struct rotary_angles to = rotary_angles_between(a->angles, b->angles, fmin(fmax(s, 0), 1));
     struct vec3 axis = rotary_axis(&w->planner->frame, to);
     double off = vec_angle(axis, p->axis), most = fmax(a->allow, b->allow);
     /* by a little, for the angles go straight between nodes; by more the rule itself jumps */
@@ -597,6 +596,34 @@ static void put_point(const struct work *w, size_t after, struct run_point end, 
     *array_push(along) = at;
 }
 
+/* A node wherever the axis goes past the pole between two: there the way is through it. */
+static void add_poles(struct work *w)
+{
+    size_t n = w->nodes.n;
+
+    for (size_t i = 1, after = 0; i < n; i++) {
+        const struct node a = w->nodes.item[i - 1], b = w->nodes.item[i];
+        double s = has_axis(&a) && has_axis(&b) && !b.begins && !(a.by_rule && b.by_rule)
+                       ? rotary_pole_between(a.angles, b.angles)
+                       : -1;
+        double along = a.along + s * (b.along - a.along);
+        if (s < 0)
+            continue;
+        while (after + 1 < w->run->n && w->along[after] < along)
+            after++;
+        struct run_point place = point_at(w, after, along);
+        add_node(&w->nodes, &place, along, false);
+        struct node *pole = &w->nodes.item[w->nodes.n - 1];
+        pole->pole = true;
+        pole->open = 1;
+        pole->angles = rotary_angles_between(a.angles, b.angles, s);
+        pole->angles.lean = 0;
+        pole->axis = rotary_axis(&w->planner->frame, pole->angles);
+        pole->allow = fmax(a.allow, b.allow);
+    }
+    qsort(w->nodes.item, w->nodes.n, sizeof *w->nodes.item, by_along);
+}
+
 /* Appends the points of the run with their axes and, if any may be put between, those nodes where
  * the axis is not on the straight line. */
 static void put_points(const struct work *w, struct run *to, struct doubles *along)
@@ -616,9 +643,9 @@ static void put_points(const struct work *w, struct run *to, struct doubles *alo
             const struct run_point *last = &to->item[to->n - 1];
             double from = along->item[along->n - 1];
             if (node->along <= from || node->along >= w->along[i] || !has_axis(node) ||
-                vec_angle(
-                    vec_slerp(last->axis, end.axis, (node->along - from) / (w->along[i] - from)),
-                    node->axis) < BENT)
+                (!node->pole && vec_angle(vec_slerp(last->axis, end.axis,
+                                                    (node->along - from) / (w->along[i] - from)),
+                                          node->axis) < BENT))
                 continue;
             struct run_point p = point_at(w, i, node->along);
             set_axis(&p, to->radius, node->axis);
@@ -687,6 +714,8 @@ static void sort_nodes(struct nodes *nodes)
     qsort(nodes->item, nodes->n, sizeof *nodes->item, by_along);
     for (size_t i = 0; i < nodes->n; i++) {
         struct node *last = &nodes->item[kept > 0 ? kept - 1 : 0], *node = &nodes->item[i];
+        if (node->pole)
+            continue;
         if (kept > 0 && node->along - last->along < 1e-6) {
             last->strict = last->strict || node->strict;
             free(node->state);
@@ -745,7 +774,7 @@ static void append(struct axis_plan *plan, const struct run *from, const int *st
         *array_push(&plan->state) = state[i];
     }
     for (size_t i = 0; i < w->nodes.n; i++)
-        if (has_axis(&w->nodes.item[i]) && !w->nodes.item[i].by_rule)
+        if (has_axis(&w->nodes.item[i]) && !w->nodes.item[i].by_rule && !w->nodes.item[i].pole)
             plan->leaned =
                 fmax(plan->leaned, vec_angle(w->nodes.item[i].axis, w->nodes.item[i].rule));
 }
@@ -773,6 +802,8 @@ void axis_plan_run(const struct axis_planner *planner, const struct run *run,
         for (size_t i = 0; i < w.nodes.n; i++)
             find_open(planner, &w.nodes.item[i]);
         plan_nodes(&w);
+        if (planner->options.between)
+            add_poles(&w);
         points.n = along.n = 0;
         put_points(&w, &points, &along);
         array_reserve(&state, points.n);

@@ -31,6 +31,46 @@ struct arch {
     bool along_axis;
 };
 
+/* How the axis turns from one end of a link to the other. */
+struct axis_way {
+    const struct rotary_frame *frame; /* NULL: on the great circle */
+    struct vec3 from, to;
+    struct rotary_angles from_angles, to_angles;
+};
+
+static struct axis_way axis_way(const struct link_options *options, struct vec3 from,
+                                struct vec3 to)
+{
+    struct axis_way way = {.frame = options->frame, .from = from, .to = to};
+
+    if (way.frame) {
+        way.from_angles =
+            rotary_angles_near(way.frame, from, (struct rotary_angles){.lean = 0, .turn = 0});
+        way.to_angles = rotary_angles_near(way.frame, to, way.from_angles);
+        if (way.from_angles.lean == 0)
+            way.from_angles.turn = way.to_angles.turn;
+    }
+    return way;
+}
+
+static struct vec3 axis_on(const struct axis_way *way, double s)
+{
+    if (!way->frame)
+        return vec_slerp(way->from, way->to, s);
+    return rotary_axis(way->frame, rotary_angles_between(way->from_angles, way->to_angles, s));
+}
+
+/* Number k of the parts' ends in order, with the pole among them; more than 1: there is none. */
+static double end_of_part(const struct axis_way *way, size_t parts, size_t k)
+{
+    double pole = way->frame ? rotary_pole_between(way->from_angles, way->to_angles) : -1;
+    double before = floor(pole * (double)parts);
+
+    if (pole <= 0 || (double)k <= before)
+        return (double)k / (double)parts;
+    return (double)k == before + 1 ? pole : (double)(k - 1) / (double)parts;
+}
+
 /* The arch in `parts` equal parts; false if its ball is not clear. */
 static bool try_arch(const struct link_options *options, const struct run_point *from,
                      const struct run_point *to, const struct arch *arch, size_t parts,
@@ -40,14 +80,17 @@ static bool try_arch(const struct link_options *options, const struct run_point 
     struct vec3 up0 = arch->along_axis ? from->axis : outward_direction(from);
     struct vec3 up1 = arch->along_axis ? to->axis : outward_direction(to);
     double length = vec_distance(from->ball, to->ball), gone = 0;
+    struct axis_way way = axis_way(options, from->axis, to->axis);
     struct run_point before = *from;
+    double s = 0;
 
-    for (size_t i = 1; i <= parts; i++) {
-        double s = (double)i / (double)parts, high = arch->height * s * (1 - s) * length;
+    for (size_t i = 1; s < 1; i++) {
+        s = end_of_part(&way, parts, i);
+        double high = arch->height * s * (1 - s) * length;
         struct vec3 up = vec_slerp(up0, up1, s);
-        struct run_point p = {.axis = vec_slerp(from->axis, to->axis, s)};
+        struct run_point p = {.axis = s < 1 ? axis_on(&way, s) : to->axis};
         p.ball = vec_along(vec_mix(from->ball, to->ball, s), high, up);
-        double rise = i < parts ? gouge_rise(lift->guard, p.ball, up, lift->offset) : 0;
+        double rise = s < 1 ? gouge_rise(lift->guard, p.ball, up, lift->offset) : 0;
         p.ball = vec_along(p.ball, rise, up);
         p.tip = vec_along(p.ball, -link->radius, p.axis);
         gone += vec_distance(before.ball, p.ball);
@@ -56,7 +99,7 @@ static bool try_arch(const struct link_options *options, const struct run_point 
                 FEED * lift->tolerance)
             return false;
         before = p;
-        if (i < parts)
+        if (s < 1)
             *array_push(link) = p;
     }
     return true;

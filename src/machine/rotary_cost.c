@@ -84,6 +84,26 @@ struct vec3 rotary_axis(const struct rotary_frame *f, struct rotary_angles at)
     return vec_along(vec_scale(cos(at.lean), f->pole), sin(at.lean), side);
 }
 
+double rotary_pole_between(struct rotary_angles from, struct rotary_angles to)
+{
+    double a = fabs(from.lean), b = fabs(to.lean);
+
+    return from.lean * to.lean < 0 ? a / (a + b) : -1;
+}
+
+struct rotary_angles rotary_angles_between(struct rotary_angles from, struct rotary_angles to,
+                                           double s)
+{
+    double a = fabs(from.lean), b = fabs(to.lean), pole = rotary_pole_between(from, to);
+    double turned = s, off = s - pole;
+
+    if (pole >= 0) { /* in proportion to the integral of the lean */
+        turned = (a * pole + copysign((a + b) * off * off, off)) / (a * pole + b * (1 - pole));
+    }
+    return (struct rotary_angles){from.lean + s * (to.lean - from.lean),
+                                  from.turn + turned * (to.turn - from.turn)};
+}
+
 static int lean_steps(double least, double most)
 {
     return most > least ? (int)ceil((most - least) / STEP - 1e-9) : 0;

@@ -73,6 +73,8 @@ static struct sample sample_at(const struct nc_planner *planner, const struct bl
         return sample_of_spline(chain, along->spline, s);
     struct pose at = along ? motion_at(along->motion, along->s0 + s * (along->s1 - along->s0))
                            : interpolation_pose(&planner->follow, from, to, s);
+    if (planner->follow.mode == INTERPOLATE_VECTOR && along && !along->motion->curve)
+        at.a = interpolation_pose(&planner->follow, from, to, s).a; /* as it is said */
     struct sample sample = {.tip = at.p};
     for (int i = 0; i < chain->n; i++)
         sample.q[i] = from->q[i] + s * (to->q[i] - from->q[i]);

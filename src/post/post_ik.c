@@ -229,15 +229,63 @@ static bool may_be_crossed(const struct nc_planner *planner, struct vec3 axis)
     return chain->n == 2 && vec_dot(off, off) < near * near && !chain_free(chain, axis);
 }
 
+static const double POLE_SHARE = 0.95; /* of what is allowed: how far off the pole is the pole */
+
+/* How far a vector may be off the singular direction to be said as it, radians; 0: it may not. */
+static double near_pole(const struct nc_planner *planner)
+{
+    struct pose_deviation allowed = planner->allowed;
+    double ball = fabs(planner->follow.ball);
+    if (planner->follow.mode != INTERPOLATE_VECTOR || planner->machine->chain.n != 2)
+        return 0;
+    return POLE_SHARE * fmin(allowed.axis, ball > 0 ? allowed.point / ball : HUGE_VAL);
+}
+
+/* The pose, its axis the singular direction where it is near it.  True: it was changed. */
+static bool snap_to_pole(const struct nc_planner *planner, struct pose *to)
+{
+    double near = near_pole(planner);
+    struct vec3 pole = planner->machine->chain.rotary[0].axis, off = vec_cross(pole, to->a);
+    double off2 = near > 0 ? vec_dot(off, off) : HUGE_VAL;
+    if (!(off2 < near * near) || chain_free(&planner->machine->chain, to->a))
+        return false;
+    to->a = vec_dot(pole, to->a) < 0 ? vec_scale(-1, pole) : pole;
+    return true;
+}
+
+double post_ik_pole_between(const struct nc_planner *planner, const struct motion *motion,
+                            double s0, double s1)
+{
+    const double beside = 1e-6; /* of the motion: as good as its end */
+    double near = near_pole(planner);
+    struct vec3 a = motion->from.a, b = motion->to.a;
+    struct vec3 pole = planner->machine->chain.rotary[0].axis;
+    if (near == 0 || motion->kind == MOTION_SPLINE ||
+        vec_dot(vec_cross(pole, a), vec_cross(pole, b)) >= 0) /* to one side */
+        return s1;
+    double turn = vec_angle(a, b);
+    struct vec3 across = vec_unit(vec_reject(b, a));
+    if (vec_dot(pole, a) < 0)
+        pole = vec_scale(-1, pole);
+    double s = atan2(vec_dot(pole, across), vec_dot(pole, a)) / turn;
+    bool within =
+        fabs(vec_dot(pole, vec_cross(a, across))) < near && s > s0 + beside && s < s1 - beside;
+    return within ? s : s1;
+}
+
 bool post_ik_reach_near(const struct nc_planner *planner, const struct pose *to,
                         struct machine_pose *target, struct pose_deviation *off)
 {
     double q[ROTARY_MAX] = {0};
     struct turned turned;
+    struct pose pose = *to;
+    bool changed = snap_to_pole(planner, &pose);
     if (planner->off_part || planner->aim.n > 0 ||
-        !ik_near(&planner->near, to->a, planner->state.at.q, &planner->state.turned, q, &turned))
+        !ik_near(&planner->near, pose.a, planner->state.at.q, &planner->state.turned, q, &turned))
         return false;
-    words_of_pose(planner, to, q, &turned, target, off);
+    words_of_pose(planner, &pose, q, &turned, target, off);
+    if (changed)
+        off->point = off->axis = NAN;
     return true;
 }
 
@@ -249,6 +297,7 @@ int post_ik_reach(struct nc_planner *planner, struct pose to, double s, struct m
     int over;
     if (post_ik_reach_near(planner, &to, target, &off))
         return post_ik_check_linear(planner, target);
+    snap_to_pole(planner, &to);
     if (planner->aim.n && aim_at(&planner->aim, s, q)) {
         *target = post_ik_pose(planner, to, q);
         return post_ik_check_linear(planner, target);

@@ -26,6 +26,14 @@ int post_ik_reach(struct nc_planner *planner, struct pose to, double s,
 bool post_ik_reach_near(const struct nc_planner *planner, const struct pose *to,
                         struct machine_pose *target, struct pose_deviation *off);
 
+/*
+ * Where between s0 and s1 a straight motion or an arc comes so near to the singular direction that
+ * it may as well go through it, by what is allowed; s1: nowhere.  Vectors alone: there the control
+ * would turn an axis half about in a place, and post_ik_reach says the singular direction instead.
+ */
+double post_ik_pole_between(const struct nc_planner *planner, const struct motion *motion,
+                            double s0, double s1);
+
 /* How far from 0 a tip may be for the linear axes to keep their travel however the rotary axes
  * stand: a turn about c takes p no further from 0 than |p| + 2 |c|. */
 double post_ik_safe_radius(const struct machine *m);

@@ -157,6 +157,11 @@ int post_motion_one_block(struct nc_planner *planner, const struct pose *to)
         return 1;
     if (turns_far(planner, &target))
         return 1;
+    if (planner->follow.mode == INTERPOLATE_VECTOR) {
+        struct motion line = motion_line(planner->state.pose, *to);
+        if (post_ik_pole_between(planner, &line, 0, 1) < 1)
+            return 1;
+    }
     if (!within_spent(planner, &target, to, off)) {
         struct pose_deviation d = deviation_bound(planner, &target, to);
         if (!pose_deviation_within(d, planner->allowed))
@@ -474,6 +479,11 @@ int post_motion_along(struct nc_planner *planner, const struct motion *motion, d
 {
     if (motion->kind == MOTION_SPLINE)
         return spline_along(planner, motion, s0, s1);
+    double pole = post_ik_pole_between(planner, motion, s0, s1);
+    if (pole < s1)
+        return post_motion_along(planner, motion, s0, pole) != 0
+                   ? -1
+                   : post_motion_along(planner, motion, pole, s1);
     if (motion->kind == MOTION_ARC && planner->plan->ability.arcs != NC_ARCS_NONE)
         return whole_arc(planner, motion, s0, s1);
     planner->plan->total.chorded += motion->kind == MOTION_ARC;

@@ -57,6 +57,7 @@ static struct link_options link_options(const struct toolpath *t)
                                  .limit = fmax(t->rule.radius, t->rule.longest),
                                  .longest = fmax(t->rule.longest, LONGEST * t->rule.radius),
                                  .rate = t->rule.rate,
+                                 .frame = vec_length(t->frame.pole) > 0 ? &t->frame : NULL,
                                  .clearance = t->rule.clearance,
                                  .approach = t->rule.approach};
 }
@@ -368,8 +369,11 @@ void toolpath_cut(struct toolpath *t)
 
     if (first == 0 && t->rule.turn > 0)
         toolpath_choose_lean(t);
-    if (!t->planner)
+    if (!t->planner) {
         t->planner = toolpath_new_planner(t);
+        if (t->planner)
+            t->frame = rotary_frame_of(&t->rule.chain);
+    }
     for (size_t from = t->lifted, to; from < t->strip.n; from = to) {
         struct batch b = {t, from};
         to = t->strip.n - from < batch ? t->strip.n : from + batch;

@@ -96,6 +96,41 @@ START_TEST(without_a_guard_it_is_straight)
 }
 END_TEST
 
+/* On a machine that turns about z, from one side of it to the other but for 20 degrees: through the
+ * pole, and not half about it. */
+START_TEST(a_low_link_turns_as_rotary_axes_do)
+{
+    struct gouge_check *guard = floor_with_wall(0);
+    struct gouge_lift_options rule = {.guard = guard, .offset = R, .tolerance = 0.01};
+    const struct kinematic_chain chain = {.tool = {0, 0, 1}};
+    struct rotary_frame frame = rotary_frame_of(&chain);
+    struct run_point from = point_at(-4, R), to = point_at(8, R);
+    struct run link = {.radius = R};
+    const struct holder none = {0};
+    struct link_options options = {
+        .lift = &rule, .holder = &none, .radius = R, .limit = R, .frame = &frame};
+    struct rotary_angles first = {-0.05, 0.3}, last = {0.6, 0.3 + RADIANS(20)}, at = first;
+    double turned = 0;
+    bool pole = false;
+
+    from.axis = rotary_axis(&frame, first);
+    to.axis = rotary_axis(&frame, last);
+    ck_assert(link_low(&options, &from, &to, &link));
+    *array_push(&link) = to;
+    for (size_t i = 0; i < link.n; i++) {
+        struct rotary_angles now = rotary_angles_near(&frame, link.item[i].axis, at);
+        turned += fabs(now.turn - at.turn);
+        pole = pole || link.item[i].axis.z == 1;
+        at = now;
+    }
+    ck_assert(pole);
+    ck_assert_double_eq_tol(turned, RADIANS(20), 1e-9);
+    ck_assert_double_eq_tol(at.lean, 0.6, 1e-9);
+    array_free(&link);
+    gouge_free(guard);
+}
+END_TEST
+
 START_TEST(a_retract_goes_up_the_axis)
 {
     struct gouge_check *guard = floor_with_wall(9);
@@ -258,6 +293,7 @@ int main(void)
     tcase_add_test(tests, over_a_low_wall_it_is_lifted);
     tcase_add_test(tests, no_low_link_over_a_high_wall);
     tcase_add_test(tests, without_a_guard_it_is_straight);
+    tcase_add_test(tests, a_low_link_turns_as_rotary_axes_do);
     tcase_add_test(tests, a_retract_goes_up_the_axis);
     tcase_add_test(tests, a_retract_goes_straight_up_where_the_axis_leads_into_the_part);
     tcase_add_test(tests, the_tool_turns_above_the_guard);

@@ -51,6 +51,31 @@ START_TEST(leans_are_off_the_normal_by_what_was_asked)
 }
 END_TEST
 
+/* Past the pole the turn goes by while the axis leans, and stands at the pole itself. */
+START_TEST(a_way_past_the_pole_turns_beside_it)
+{
+    const struct kinematic_chain none = {.tool = {0, 0, 1}};
+    struct rotary_frame frame = rotary_frame_of(&none);
+    struct rotary_angles from = {-0.06, 0.4}, to = {0.6, 0.9}, beside = {0.3, 2};
+    double pole = rotary_pole_between(from, to), eps = 1e-4;
+
+    ck_assert_double_eq_tol(pole, 1.0 / 11, 1e-12);
+    ck_assert_double_lt(rotary_pole_between(beside, to), 0);
+    for (int i = 0; i <= 10; i++) {
+        struct rotary_angles at = rotary_angles_between(from, to, i / 10.0);
+        ck_assert_double_eq_tol(at.lean, -0.06 + 0.066 * i, 1e-12);
+        at = rotary_angles_between(beside, to, i / 10.0);
+        ck_assert_double_eq_tol(at.turn, 2 - 0.11 * i, 1e-12);
+    }
+    ck_assert_double_eq_tol(rotary_angles_between(from, to, 0).turn, 0.4, 1e-12);
+    ck_assert_double_eq_tol(rotary_angles_between(from, to, 1).turn, 0.9, 1e-12);
+    double before = rotary_angles_between(from, to, pole - eps).turn,
+           after = rotary_angles_between(from, to, pole + eps).turn;
+    ck_assert_double_lt(fabs(after - before), 1e-7);
+    ck_assert_double_eq(rotary_axis(&frame, rotary_angles_between(from, to, pole)).z, 1);
+}
+END_TEST
+
 int main(void)
 {
     Suite *suite = suite_create("rotary_cost");
@@ -58,6 +83,7 @@ int main(void)
     SRunner *runner = srunner_create(suite);
     tcase_add_test(tests, ways_are_those_of_lean_and_direction);
     tcase_add_test(tests, leans_are_off_the_normal_by_what_was_asked);
+    tcase_add_test(tests, a_way_past_the_pole_turns_beside_it);
     suite_add_tcase(suite, tests);
     srunner_run_all(runner, CK_ENV);
     int failed = srunner_ntests_failed(runner);

@@ -214,6 +214,34 @@ START_TEST(past_the_pole)
 }
 END_TEST
 
+/* With vectors the control turns the axes as it likes: what may go through the pole is said so. */
+START_TEST(vectors_through_the_pole)
+{
+    static const double miss[] = {1e-6, 1e-4, 3e-4, 0.002};
+    const struct nc_plan_options options = {
+        .chord = 0.002, .axis_tolerance = RADIANS(0.05), .feed = 800, .unit = 1};
+    struct machine m = machine_default();
+    struct nc_plan plan;
+    struct error error;
+    bool pole = false;
+    m.tcp = true;
+    ck_assert_int_eq(machine_finish(&m, &error), 0);
+    struct nc_ability ability = dialect_ability(CONTROL_siemens, &m, POST_AXIS_VECTORS, false, 1);
+    struct path path = path_past_pole(miss[_i]);
+    ck_assert_int_eq(nc_plan_make(&plan, &path, &m, ability, options, &error), 0);
+    for (size_t i = 0; i < plan.move.n; i++) {
+        const struct nc_move *move = &plan.move.item[i];
+        struct pose at = {move->p, vec_unit(plan.vector.item[move->vector])};
+        pole = pole || at.a.z == 1;
+        if (move->kind == NC_LINE)
+            check_beside(at, path.item.item[1].to, path.item.item[2].to, 0.003);
+    }
+    ck_assert_int_eq(pole, miss[_i] < 4e-4);
+    nc_plan_free(&plan);
+    path_free(&path);
+}
+END_TEST
+
 int main(void)
 {
     Suite *suite = suite_create("post_lookahead");
@@ -223,6 +251,7 @@ int main(void)
     tcase_add_loop_test(tests, as_by_trying, 0, 2 * KINDS_SHIPPED);
     tcase_add_test(tests, solutions_that_differ);
     tcase_add_loop_test(tests, past_the_pole, 0, 7);
+    tcase_add_loop_test(tests, vectors_through_the_pole, 0, 4);
     suite_add_tcase(suite, tests);
 
     SRunner *runner = srunner_create(suite);
