@@ -1,11 +1,12 @@
 # iges.awk - an IGES file from lines `NAME TYPE FORM PARAMETERS`, where {NAME} in the parameters of an
-# entity is the pointer to another; -v unit=1 for inches (default 2, mm), -v global=TEXT for another
+# entity is the pointer to another, and a form FORM@NAME names the transformation (124) of the entity; -v unit=1 for inches (default 2, mm), -v global=TEXT for another
 # global section.
 NF >= 4 && $1 !~ /^#/ {
 	n++
 	number[$1] = 2 * n - 1
 	type[n] = $2
-	form[n] = $3
+	form[n] = $3 + 0
+	matrix[n] = index($3, "@") ? substr($3, index($3, "@") + 1) : ""
 	text[n] = $4
 }
 function record(line, letter, count) { printf "%-72s%s%7d\n", line, letter, count }
@@ -30,7 +31,7 @@ END {
 			out[++lines] = sprintf("%-64s%8d", substr(p, 1, cut), 2 * i - 1)
 			p = substr(p, cut + 1)
 		}
-		record(sprintf("%8d%8d%8d%8d%8d%8d%8d%8d%8s", type[i], first, 0, 0, 0, 0, 0, 0, "00000000"), "D", 2 * i - 1)
+		record(sprintf("%8d%8d%8d%8d%8d%8d%8d%8d%8s", type[i], first, 0, 0, 0, 0, matrix[i] == "" ? 0 : number[matrix[i]], 0, "00000000"), "D", 2 * i - 1)
 		record(sprintf("%8d%8d%8d%8d%8d%16s%8s%8d", type[i], 0, 0, lines - first + 1, form[i], "", "", 0), "D", 2 * i)
 	}
 	for (i = 1; i <= lines; i++) record(out[i], "P", i)

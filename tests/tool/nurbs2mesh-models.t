@@ -3,52 +3,7 @@
 # open edge, what is left out named, and files that are broken refused.
 . "${SRC:-$(dirname "$0")/../..}/tests/lib/lib.sh"
 
-# Area, volume and border edges by place.
-measure() { # FILE
-	awk '
-	BEGIN { n = 0 }
-	/^element vertex/ { nv = $3 }
-	!body { if ($0 == "end_header") body = 1; next }
-	n < nv { x[n] = $1; y[n] = $2; z[n] = $3
-		key = $1 " " $2 " " $3; if (!(key in place)) place[key] = n; at[n] = place[key]; n++; next }
-	{ i = $2; j = $3; k = $4
-		ux = x[j] - x[i]; uy = y[j] - y[i]; uz = z[j] - z[i]
-		vx = x[k] - x[i]; vy = y[k] - y[i]; vz = z[k] - z[i]
-		nx = uy * vz - uz * vy; ny = uz * vx - ux * vz; nz = ux * vy - uy * vx
-		area += sqrt(nx * nx + ny * ny + nz * nz) / 2
-		volume += (x[i] * nx + y[i] * ny + z[i] * nz) / 6
-		edge[at[i] " " at[j]]++; edge[at[j] " " at[k]]++; edge[at[k] " " at[i]]++ }
-	END { for (e in edge) { split(e, q, " "); if (edge[e] != edge[q[2] " " q[1]]) open++ }
-		printf "%.6f %.6f %d\n", area, volume, open }' "$1"
-}
-
-# model DESC AREA VOLUME ARGS...: exact area and volume (- for an open surface) within 1e-4 of them
-model() {
-	what=$1 want_area=$2 want_volume=$3
-	shift 3
-	nurbs2mesh "$@" >"$TMP/model.ply" 2>"$TMP/model.err"
-	ok "$what: is read" test $? -eq 0
-	measure "$TMP/model.ply" >"$TMP/measure"
-	read -r area volume open <"$TMP/measure"
-	part "$what: area" "$area" "$want_area"
-	[ "$want_volume" = - ] && return
-	part "$what: volume" "$volume" "$want_volume"
-	ok "$what: is closed" test "$open" -eq 0
-}
-
-part() { # DESC VALUE WANT: within 1e-4 of it
-	below "$1 ($2, expected $3)" "$(awk -v a="$2" -v b="$3" 'BEGIN { d = (a - b) / b; print d < 0 ? -d : d }')" 0.0001
-}
-
-calc() { # EXPRESSION of p (pi)
-	awk "BEGIN { p = atan2(0, -1); printf \"%.9f\\n\", $1 }"
-}
-
-iges() { # NAME [-v ...]: from standard input
-	name=$1
-	shift
-	awk -f "$SRC/tests/lib/iges.awk" "$@" >"$TMP/$name.igs"
-}
+. "$SRC/tests/lib/model.sh"
 
 # ---- IGES: surfaces as they are
 
@@ -166,13 +121,6 @@ END
 model "186: a cone cut off" "$(calc 'p * (14 * 10 + 100 + 16)')" "$(calc 'p * 8 / 3 * (100 + 40 + 16)')" -e 0.002 "$TMP/cone.igs"
 
 # ---- STEP
-
-step() { # NAME [-v ...]: from standard input, in which SOLID is the solid
-	name=$1
-	shift
-	{ cat; echo "REP ADVANCED_BREP_SHAPE_REPRESENTATION('',({SOLID}),{CONTEXT})"; } |
-		awk -f "$SRC/tests/lib/step.awk" "$@" >"$TMP/$name.step"
-}
 
 # side SURFACE: a solid of revolution between a circle of radius A at z 0 and one of B at z H, with a
 # seam between them
@@ -434,16 +382,16 @@ has "is named" "parts within parts without end" "$TMP/err"
 
 # ---- what is left out
 
-iges offset <<'END'
+iges block <<'END'
 a 110 0 0,0,0,10,0,0
 b 110 0 0,8,0,10,8,0
 face 118 1 {a},{b},0,0
-off 140 0 0,0,1,2.,{face}
+box 150 0 10,10,10,0,0,0,1,0,0,0,0,1
 END
-status 3 "140 is left out" nurbs2mesh "$TMP/offset.igs"
-has "named with its count" "1 surface of type 140 left out, the first is entity 7" "$TMP/err"
+status 3 "a block of a constructive solid is left out" nurbs2mesh "$TMP/block.igs"
+has "named with its count" "1 surface of type 150 left out, the first is entity 7" "$TMP/err"
 empty "writes nothing" "$TMP/out"
-model "--partial goes on" 80 - --partial -e 0.01 "$TMP/offset.igs"
+model "--partial goes on" 80 - --partial -e 0.01 "$TMP/block.igs"
 
 # ---- trims that are not on their surface, or cross themselves
 

@@ -4,6 +4,8 @@
 #include <stdlib.h>
 
 #include "base/array.h"
+#include "nurbs/approximate.h"
+#include "nurbs/construct.h"
 
 enum { DEPTH_MAX = 20, COUNT_MAX = 100000000 };
 
@@ -161,9 +163,183 @@ static int spline_126(const struct source *s, struct patch_loop *loop, struct er
     return error_at(error, s->iges->name, s->values->line, "entity 126: %s", why.text);
 }
 
+/* Ellipse or hyperbola a x^2 + b xy + c y^2 + d x + e y + f = 0 about its middle. */
+static struct nurbs_curve central_conic(const double k[6], const double end[4], double z,
+                                        bool *turned)
+{
+    double det = k[0] * k[2] - k[1] * k[1] / 4;
+    double x = (k[1] * k[4] / 4 - k[2] * k[3] / 2) / det;
+    double y = (k[1] * k[3] / 4 - k[0] * k[4] / 2) / det;
+    double f = k[5] + (k[3] * x + k[4] * y) / 2, angle = atan2(k[1], k[0] - k[2]) / 2;
+    double c = cos(angle), s = sin(angle);
+    double first = k[0] * c * c + k[1] * c * s + k[2] * s * s, second = k[0] + k[2] - first;
+    bool hyperbola = det < 0;
+    if (hyperbola && -f / first < 0) {
+        double other = first;
+        first = second;
+        second = other;
+        angle += PI / 2;
+    }
+    double a = sqrt(fabs(f / first)), b = sqrt(fabs(f / second)), t[2];
+    if (hyperbola && (end[0] - x) * cos(angle) + (end[1] - y) * sin(angle) < 0)
+        angle += PI;
+    struct vec3 along = {cos(angle), sin(angle), 0};
+    struct transform place = construct_place(vec(x, y, z), vec(0, 0, 1), along);
+    for (int i = 0; i < 2; i++) {
+        double p = (end[2 * i] - x) * along.x + (end[2 * i + 1] - y) * along.y;
+        double q = (end[2 * i + 1] - y) * along.x - (end[2 * i] - x) * along.y;
+        t[i] = hyperbola ? asinh(q / b) : atan2(q / b, p / a);
+    }
+    *turned = hyperbola && t[1] < t[0];
+    if (hyperbola)
+        return construct_hyperbola(&place, a, b, fmin(t[0], t[1]), fmax(t[0], t[1]));
+    return construct_ellipse(&place, a, b, t[0], t[1] <= t[0] + 1e-12 ? t[1] + 2 * PI : t[1]);
+}
+
+/* The parabola of these coefficients. */
+static struct nurbs_curve parabola(const double k[6], const double end[4], double z, bool *turned)
+{
+    double angle = atan2(k[1], k[0] - k[2]) / 2 + PI / 2; /* of its axis */
+    double c = cos(angle), s = sin(angle), l = k[0] + k[2];
+    double d = k[3] * c + k[4] * s, e = k[4] * c - k[3] * s;
+    double y = -e / (2 * l), x = (l * y * y - k[5]) / d, a = -d / (4 * l), t[2];
+    struct vec3 along = {c, s, 0}, top = {x * c - y * s, x * s + y * c, z};
+    if (a < 0) {
+        a = -a;
+        along = vec_scale(-1, along);
+    }
+    struct transform place = construct_place(top, vec(0, 0, 1), along);
+    for (int i = 0; i < 2; i++)
+        t[i] = ((end[2 * i + 1] - top.y) * along.x - (end[2 * i] - top.x) * along.y) / (2 * a);
+    *turned = t[1] < t[0];
+    return construct_parabola(&place, a, fmin(t[0], t[1]), fmax(t[0], t[1]));
+}
+
+/* 104: six coefficients, a height, start and end; an ellipse runs counter-clockwise. */
+static int conic_104(const struct source *s, struct patch_loop *loop, struct error *error)
+{
+    double k[6], end[4], size = 0;
+    bool turned = false;
+    if (s->values->n < 12)
+        return too_few_values(s, 12, error);
+    for (size_t i = 0; i < 6; i++)
+        k[i] = value_at(s, 1 + i);
+    for (size_t i = 0; i < 4; i++)
+        end[i] = value_at(s, 8 + i);
+    for (size_t i = 0; i < 3; i++)
+        size = fmax(size, fabs(k[i]));
+    bool bent = fabs(k[0] * k[2] - k[1] * k[1] / 4) > 1e-12 * size * size;
+    struct nurbs_curve c = bent ? central_conic(k, end, value_at(s, 7), &turned)
+                                : parabola(k, end, value_at(s, 7), &turned);
+    for (size_t i = 0; i < c.t.poles; i++)
+        if (!isfinite(c.pole[i].wx + c.pole[i].wy) || !(c.t.from < c.t.to)) {
+            nurbs_curve_free(&c);
+            return error_at(error, s->iges->name, s->values->line,
+                            "entity 104 whose coefficients make no conic, expected one");
+        }
+    if (turned)
+        nurbs_curve_reverse(&c);
+    construct_move(&s->matrix, c.pole, c.t.poles);
+    *array_push(loop) = c;
+    return 0;
+}
+
+/* 112: breakpoints, then four coefficients of each coordinate for each piece. */
+static int spline_112(const struct source *s, struct patch_loop *loop, struct error *error)
+{
+    long count;
+    if (iges_whole(s->iges, s->values, 4, 1, COUNT_MAX, "count of pieces", &count, error) < 0)
+        return -1;
+    size_t n = (size_t)count, first = 6 + n;
+    if (s->values->n < first + 12 * n)
+        return too_few_values(s, first + 12 * n, error);
+    double *t = mem_alloc(n + 1, sizeof *t), *c = mem_alloc(12 * n, sizeof *c);
+    bool rises = true;
+    for (size_t i = 0; i <= n; i++) {
+        t[i] = value_at(s, 5 + i);
+        rises = rises && (i == 0 || t[i] > t[i - 1]);
+    }
+    for (size_t i = 0; i < 12 * n; i++)
+        c[i] = value_at(s, first + i);
+    if (rises) {
+        struct nurbs_curve curve = construct_spline_curve(t, n, c);
+        construct_move(&s->matrix, curve.pole, curve.t.poles);
+        *array_push(loop) = curve;
+    }
+    free(t);
+    free(c);
+    return rises ? 0
+                 : error_at(error, s->iges->name, s->values->line,
+                            "entity 112 with breakpoints that do not rise, expected rising ones");
+}
+
 static int read_curve(const struct iges *iges, const struct iges_entity *entity, struct walk *walk,
                       struct patch_loop *loop, const struct iges_entity **unknown,
                       struct error *error);
+
+/* A curve moved in its plane, by a distance that may change along it. */
+struct offset_130 {
+    const struct nurbs_curve *curve;
+    struct vec3 normal;
+    double distance[2], at[2];
+    bool varies;
+};
+
+static struct vec3 offset_point(const void *context, double t)
+{
+    const struct offset_130 *o = context;
+    double h = 1e-6 * (o->curve->t.to - o->curve->t.from), d = o->distance[0];
+    struct vec3 a = nurbs_curve_point(o->curve, fmax(t - h, o->curve->t.from));
+    struct vec3 b = nurbs_curve_point(o->curve, fmin(t + h, o->curve->t.to));
+    if (o->varies)
+        d += (o->distance[1] - d) * (t - o->at[0]) / (o->at[1] - o->at[0]);
+    return vec_along(nurbs_curve_point(o->curve, t), d,
+                     vec_unit(vec_cross(o->normal, vec_sub(b, a))));
+}
+
+/* 130: a plane curve, a distance (or two that it changes between along the parameter), the normal
+ * of the plane; the offset is to the side of normal x tangent. */
+static int offset_130(const struct source *s, struct walk *walk, struct patch_loop *loop,
+                      const struct iges_entity **unknown, struct error *error)
+{
+    const struct iges_entity *base;
+    struct patch_loop pieces = {0};
+    long flag;
+    if (s->values->n < 13)
+        return too_few_values(s, 13, error);
+    if (iges_whole(s->iges, s->values, 2, 1, 3, "flag of the distance", &flag, error) < 0 ||
+        iges_pointer(s->iges, s->values, 1, &base, error) < 0)
+        return -1;
+    struct transform outer = walk->outer;
+    walk->outer = s->matrix;
+    walk->depth++;
+    int got = flag == 3 ? 1 : read_curve(s->iges, base, walk, &pieces, unknown, error);
+    walk->depth--;
+    walk->outer = outer;
+    struct vec3 zero = {0, 0, 0}, v = {value_at(s, 10), value_at(s, 11), value_at(s, 12)};
+    v = vec_unit(vec_sub(transform_point(&s->matrix, v), transform_point(&s->matrix, zero)));
+    double scale = cbrt(fabs(transform_determinant(&s->matrix)));
+    for (size_t i = 0; i < pieces.n && got == 0; i++) {
+        const struct nurbs_curve *c = &pieces.item[i];
+        struct offset_130 o = {c,
+                               v,
+                               {scale * value_at(s, 6), scale * value_at(s, 8)},
+                               {value_at(s, 7), value_at(s, 9)},
+                               false};
+        o.varies = flag == 2 && o.at[1] > o.at[0];
+        size_t n = nurbs_axis_breaks(&c->t, NULL, 0);
+        double *at = mem_alloc(n + 2, sizeof *at);
+        nurbs_axis_breaks(&c->t, at + 1, n);
+        at[0] = c->t.from;
+        at[n + 1] = c->t.to;
+        *array_push(loop) = approximate_curve(offset_point, &o, at, n + 1, 1e-6, NULL);
+        free(at);
+    }
+    if (flag == 3)
+        *unknown = s->entity;
+    patch_loop_free(&pieces);
+    return got;
+}
 
 static int composite_102(const struct source *s, struct walk *walk, struct patch_loop *loop,
                          const struct iges_entity **unknown, struct error *error)
@@ -200,6 +376,12 @@ static int read_known(const struct source *s, struct walk *walk, struct patch_lo
         return spline_126(s, loop, error);
     if (type == 106 && (form == 11 || form == 12 || form == 63))
         return polyline_106(s, loop, error);
+    if (type == 104)
+        return conic_104(s, loop, error);
+    if (type == 112)
+        return spline_112(s, loop, error);
+    if (type == 130)
+        return offset_130(s, walk, loop, unknown, error);
     if (type == 102)
         return composite_102(s, walk, loop, unknown, error);
     *unknown = s->entity;

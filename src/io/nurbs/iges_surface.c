@@ -8,7 +8,9 @@
 #include "base/array.h"
 #include "iges_construct.h"
 #include "iges_curve.h"
+#include "iges_parts.h"
 #include "iges_trim.h"
+#include "nurbs/approximate.h"
 #include "nurbs/construct.h"
 
 enum { COUNT_MAX = 2147483647, HEAD = 10 }; /* HEAD: numbers of a 128 in front of its knots */
@@ -108,6 +110,8 @@ struct trimmed {
     size_t surface; /* index among the entities */
     const struct iges_entity *trim;
     size_t order; /* of those with the same surface */
+    struct transform to;
+    int body; /* as in struct iges_part */
 };
 
 struct all_trimmed {
@@ -117,18 +121,23 @@ struct all_trimmed {
 
 static bool is_surface(int type)
 {
-    static const int known[] = {108, 114, 118, 120, 122, 128, 190, 192, 194, 196, 198};
+    static const int known[] = {108, 114, 118, 120, 122, 128, 140, 190, 192, 194, 196, 198};
     for (size_t i = 0; i < sizeof known / sizeof *known; i++)
         if (type == known[i])
             return true;
     return false;
 }
 
-/* Surfaces and solids that are not read: offset surfaces, and the primitives of constructive solids
- * with what they are combined by. */
+/* Faces, and surfaces that may stand for themselves. */
+static bool is_part(int type)
+{
+    return type == 144 || type == 143 || type == 510 || is_surface(type);
+}
+
+/* Solids that are not read: the primitives of constructive solids, and what they are combined by. */
 static bool is_other(int type)
 {
-    return type == 140 || (type >= 150 && type <= 184 && type % 2 == 0);
+    return type >= 150 && type <= 182 && type % 2 == 0;
 }
 
 static void leave_out(const struct source *s, const struct iges_entity *e)
@@ -136,6 +145,38 @@ static void leave_out(const struct source *s, const struct iges_entity *e)
     char kind[32];
     snprintf(kind, sizeof kind, "type %d", e->type);
     patches_leave_out(s->patches, s->iges->name, kind, e->number);
+}
+
+static int read_surface(const struct source *s, const struct iges_entity *e,
+                        const struct transform *outer, struct patch *patch, struct error *error);
+
+/* mm: how far the spline may be off that takes the place of an offset surface. */
+static const double OFFSET_ERROR = 1e-6;
+
+/* 140: a side, by a direction at the start of the parameters, a distance, a surface. */
+static int read_offset(const struct source *s, const struct iges_values *v,
+                       const struct transform *matrix, struct patch *patch, struct error *error)
+{
+    const struct iges_entity *basis;
+    if (v->n < 6 || iges_numbers(s->iges, v, 1, 5, NURBS_LARGEST, error) < 0 ||
+        iges_pointer(s->iges, v, 5, &basis, error) < 0)
+        return v->n < 6 ? error_at(error, s->iges->name, v->line,
+                                   "entity 140 with %zu numbers, expected 6", v->n)
+                        : -1;
+    if (!is_surface(basis->type) || basis->type == 140)
+        return 1;
+    int got = read_surface(s, basis, matrix, patch, error);
+    if (got != 0)
+        return got;
+    struct nurbs base = patch->surface;
+    struct vec3 zero = {0, 0, 0}, side = {v->item[1].number, v->item[2].number, v->item[3].number};
+    side = vec_sub(transform_point(matrix, side), transform_point(matrix, zero));
+    struct nurbs_place start = nurbs_place(&base, (struct uv){base.u.from, base.v.from});
+    double scale = s->mm * cbrt(fabs(transform_determinant(matrix)));
+    double distance = v->item[4].number * scale * (vec_dot(side, start.normal) < 0 ? -1 : 1);
+    patch->surface = approximate_offset(&base, distance, OFFSET_ERROR);
+    nurbs_free(&base);
+    return 0;
 }
 
 /* The surface of an entity, to mm: 0, 1 when it is not read, or -1. */
@@ -147,13 +188,14 @@ static int read_surface(const struct source *s, const struct iges_entity *e,
     if (iges_matrix(s->iges, e->matrix, &matrix, error) < 0)
         return -1;
     matrix = transform_product(*outer, matrix);
-    if (e->type != 128) {
+    if (e->type != 128 && e->type != 140) {
         struct transform place = transform_product(transform_scale(s->mm), matrix);
         return iges_construct(s->iges, e, &place, &patch->loop, &patch->surface, error);
     }
     if (iges_values(s->iges, e, &v, error) < 0)
         return -1;
-    int status = spline_128(s, &matrix, &v, &patch->surface, error);
+    int status = e->type == 140 ? read_offset(s, &v, &matrix, patch, error)
+                                : spline_128(s, &matrix, &v, &patch->surface, error);
     array_free(&v);
     return status;
 }
@@ -194,11 +236,12 @@ static int read_loops(const struct source *s, const struct iges_entity *e,
 static int add_patch(const struct source *s, const struct trimmed *t, struct error *error)
 {
     const struct iges_entity *e = &s->iges->entity.item[t->surface];
-    struct iges_trimming trimming = {.iges = s->iges, .mm = s->mm, .space = e->type != 128};
+    struct iges_trimming trimming = {.iges = s->iges, .mm = s->mm, .space = e->type != 128 && e->type != 114};
     struct iges_values v;
-    struct patch patch = {.entity = e->number};
+    struct patch patch = {.entity = e->number, .body = t->body};
     if (iges_matrix(s->iges, t->trim ? t->trim->matrix : 0, &trimming.outer, error) < 0)
         return -1;
+    trimming.outer = transform_product(t->to, trimming.outer);
     int status = t->trim ? iges_values(s->iges, t->trim, &v, error) : 0;
     if (t->trim && status == 0) {
         status = read_loops(s, t->trim, &v, &trimming, &patch, error);
@@ -226,35 +269,49 @@ static int compare_trimmed(const void *p, const void *q)
     return a->order < b->order ? -1 : a->order > b->order;
 }
 
-/* All faces, in the order of their surfaces' directory entries: each surface once for each entity
- * that trims it, or once as it is. */
+/* The surface that a face trims, or that another one is made of; NULL: the entity is a surface. */
+static int basis_of(const struct source *s, const struct iges_entity *e,
+                    const struct iges_entity **basis, struct error *error)
+{
+    struct iges_values v;
+    *basis = NULL;
+    if (e->type != 144 && e->type != 143 && e->type != 510 && e->type != 140)
+        return 0;
+    if (iges_values(s->iges, e, &v, error) < 0)
+        return -1;
+    size_t at = e->type == 143 ? 2 : e->type == 140 ? 5 : 1;
+    int status = iges_pointer(s->iges, &v, at, basis, error);
+    array_free(&v);
+    return status;
+}
+
+/* All faces where the file places them, in the order of their surfaces' directory entries: each
+ * surface once for each entity that trims it, or once as it is. */
 static int find_trimmed(const struct source *s, struct all_trimmed *all, struct error *error)
 {
-    const struct iges_entity *first = s->iges->entity.item;
+    const struct iges_entity *first = s->iges->entity.item, *basis;
     bool *used = mem_alloc(s->iges->entity.n + 1, sizeof *used);
-    int status = 0;
+    struct iges_parts parts = {0};
+    int status = iges_parts(s->iges, is_part, &s->patches->bodies, &parts, error);
     for (size_t i = 0; i < s->iges->entity.n && status == 0; i++) {
-        const struct iges_entity *e = &first[i], *surface = NULL;
-        struct iges_values v;
-        if (is_other(e->type))
-            leave_out(s, e);
-        if (e->type != 144 && e->type != 143 && e->type != 510)
-            continue;
-        status = iges_values(s->iges, e, &v, error);
-        if (status < 0)
-            break;
-        status = iges_pointer(s->iges, &v, e->type == 143 ? 2 : 1, &surface, error);
-        array_free(&v);
-        if (status == 0 && is_surface(surface->type)) {
-            *array_push(all) = (struct trimmed){(size_t)(surface - first), e, all->n};
-            used[surface - first] = true;
-        }
+        if (is_other(first[i].type))
+            leave_out(s, &first[i]);
+        status = basis_of(s, &first[i], &basis, error);
+        if (status == 0 && basis)
+            used[basis - first] = true;
     }
-    for (size_t i = 0; i < s->iges->entity.n; i++)
-        if (is_surface(first[i].type) && !used[i])
-            *array_push(all) = (struct trimmed){i, NULL, all->n};
+    for (size_t i = 0; i < parts.n && status == 0; i++) {
+        const struct iges_part *p = &parts.item[i];
+        bool surface = is_surface(p->entity->type);
+        status = basis_of(s, p->entity, &basis, error);
+        const struct iges_entity *on = surface ? p->entity : basis;
+        if (status == 0 && is_surface(on->type) && !(surface && used[on - first]))
+            *array_push(all) = (struct trimmed){(size_t)(on - first), surface ? NULL : p->entity,
+                                                all->n, p->to, p->body};
+    }
     if (all->n > 0)
         qsort(all->item, all->n, sizeof *all->item, compare_trimmed);
+    array_free(&parts);
     free(used);
     return status;
 }

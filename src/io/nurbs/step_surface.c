@@ -208,16 +208,41 @@ static int known_surface(const struct step_source *from, struct error *error)
     return step_find_spline(s.v, true, &sp) ? step_spline_surface(&s, &sp, error) : 1;
 }
 
-int step_parametric(const struct step_place *place, const struct step_values *from,
-                    const struct step_value *reference, struct step_parametric *to,
-                    struct error *error)
+static int parametric_of(const struct step_place *place, const struct step_values *from,
+                         const struct step_value *reference, int depth, struct step_parametric *to,
+                         struct error *error);
+
+/* The same of an OFFSET_SURFACE: its parameters are those of its basis. */
+static int offset_parametric(const struct step_source *s, struct step_parametric *to,
+                             struct error *error)
+{
+    double distance;
+    if (s->depth > STEP_DEPTH_MAX)
+        return step_refuse(s->place->step, s->v, "surfaces of surfaces without end", error);
+    if (step_number(s->place->step, s->v, step_item(s->record, 2), 1e12, &distance, error) < 0)
+        return -1;
+    int got = parametric_of(s->place, s->v, step_item(s->record, 1), s->depth + 1, to, error);
+    distance *= s->place->mm;
+    if (got == 0 && to->is_primitive)
+        return primitive_offset(&to->primitive, distance) < 0 ? 1 : 0;
+    if (got == 0) {
+        struct nurbs base = to->spline;
+        to->spline = approximate_offset(&base, distance, STEP_NEAR);
+        nurbs_free(&base);
+    }
+    return got;
+}
+
+static int parametric_of(const struct step_place *place, const struct step_values *from,
+                         const struct step_value *reference, int depth, struct step_parametric *to,
+                         struct error *error)
 {
     struct step_values v = {0};
     struct step_spline sp;
     *to = (struct step_parametric){.u = 1, .v = 1};
     if (step_follow(place->step, from, reference, &v, error) < 0)
         return -1;
-    struct step_source s = {.place = place, .v = &v, .surface = &to->spline};
+    struct step_source s = {.place = place, .v = &v, .surface = &to->spline, .depth = depth};
     int got = step_primitive(&s, &to->primitive, error);
     if (got == 0) {
         enum primitive_kind kind = to->primitive.kind;
@@ -226,9 +251,18 @@ int step_parametric(const struct step_place *place, const struct step_values *fr
         to->v = kind == PRIMITIVE_SPHERE || kind == PRIMITIVE_TORUS ? place->angle : place->mm;
     } else if (got > 0 && step_find_spline(&v, true, &sp)) {
         got = step_spline_surface(&s, &sp, error);
+    } else if (got > 0 && (s.record = step_record(&v, "OFFSET_SURFACE"))) {
+        got = offset_parametric(&s, to, error);
     }
     array_free(&v);
     return got;
+}
+
+int step_parametric(const struct step_place *place, const struct step_values *from,
+                    const struct step_value *reference, struct step_parametric *to,
+                    struct error *error)
+{
+    return parametric_of(place, from, reference, 0, to, error);
 }
 
 struct vec3 step_parametric_point(const struct step_parametric *s, double u, double v)
