@@ -236,7 +236,8 @@ static int read_loops(const struct source *s, const struct iges_entity *e,
 static int add_patch(const struct source *s, const struct trimmed *t, struct error *error)
 {
     const struct iges_entity *e = &s->iges->entity.item[t->surface];
-    struct iges_trimming trimming = {.iges = s->iges, .mm = s->mm, .space = e->type != 128 && e->type != 114};
+    struct iges_trimming trimming = {
+        .iges = s->iges, .mm = s->mm, .space = e->type != 128 && e->type != 114};
     struct iges_values v;
     struct patch patch = {.entity = e->number, .body = t->body};
     if (iges_matrix(s->iges, t->trim ? t->trim->matrix : 0, &trimming.outer, error) < 0)
