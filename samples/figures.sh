@@ -70,7 +70,7 @@ figure paper1-34-grid "The triangular grid over the scan" --view plan --cut --co
 figure paper1-35-points "The points kept, one for each node" --view plan "$work/points.xyz"
 figure paper1-36-mesh-plan "The mesh from above" --view plan "$work/panel.ply"
 figure paper1-37-mesh "The mesh" --view iso "$work/panel.ply"
-figure paper1-38-normals "Normals at the vertices" --view iso --normals "$work/panel.ply"
+figure paper1-38-normals "Normals at the vertices" --view iso --show-normals "$work/panel.ply"
 figure paper1-39-arcs "Arcs in space, the tool axis tilted by 15 degrees" --view iso --axes \
 	"$work/arcs.cl"
 figure paper1-40-program "The Siemens program, read back, over the mesh" "$work/panel.ply" \

@@ -19,7 +19,7 @@ make_path() {
 fit() {
 	name=$1 tolerance=$2 points=$3
 	shift 3
-	"$BIN/bsplfit" -q "$@" --report --points "$points" -e "$tolerance" -o "$tmp/out" "$tmp/$name.cl" \
+	"$BIN/bsplfit" -q "$@" --table --track "$points" -e "$tolerance" -o "$tmp/out" "$tmp/$name.cl" \
 		2>"$tmp/report" || exit 1
 	awk '$1 == "all" { print $2, $3, $4, $5, $6, $8, $9 }' "$tmp/report"
 }

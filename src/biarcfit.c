@@ -137,8 +137,8 @@ int main(int argc, char **argv)
          CLI_LIST, &s.common.gouge.scan.files, 0, 0, 0, NULL},
         {0, "no-guard", NULL, "by no scan, not even the one that the path names", CLI_FLAG,
          &s.common.gouge.scan.none, 0, 0, 0, NULL},
-        {0, "noise", "SIGMA", "standard deviation of the scan's noise (default: measured)",
-         CLI_NUMBER, &s.common.gouge.noise, 0, 10, 0, NULL},
+        {0, "noise", "MM", "standard deviation of the scan's noise (default: measured)", CLI_NUMBER,
+         &s.common.gouge.noise, 0, 10, 0, NULL},
         EFFORT_OPTION(&s.common.gouge.effort),
         {0, "axis-tolerance", "DEG", "largest deviation of the tool axis (1)", CLI_NUMBER,
          &s.common.angle, CLI_POSITIVE, 90, 0, NULL},
@@ -152,8 +152,9 @@ int main(int argc, char **argv)
          "straight chords within the tolerance, the arcs as comments,\n"
          "for readers without CIRCLE",
          CLI_FLAG, &s.chords, 0, 0, 0, NULL},
-        {0, "report", NULL, "a table of the runs on standard error", CLI_FLAG, &s.common.report, 0,
+        {0, "table", NULL, "a table of the runs on standard error", CLI_FLAG, &s.common.report, 0,
          0, 0, NULL},
+        {0, "report", NULL, NULL, CLI_ALIAS, "table", 0, 0, 0, NULL},
         {0},
     };
     const struct fitter fitter = {.name = "biarcfit",
@@ -164,6 +165,7 @@ int main(int argc, char **argv)
                                   .report = report,
                                   .result_size = sizeof(struct arcrun_report)};
     struct cli cli = {.tool = "biarcfit",
+                      .usual = "tolerance guard axis-tolerance table quiet verbose",
                       .usage = "[options] [FILE]",
                       .about =
                           "Replaces the points of a path by arcs and lines within a tolerance.",

@@ -157,14 +157,15 @@ int main(int argc, char **argv)
          CLI_LIST, &s.common.gouge.scan.files, 0, 0, 0, NULL},
         {0, "no-guard", NULL, "by no scan, not even the one that the path names", CLI_FLAG,
          &s.common.gouge.scan.none, 0, 0, 0, NULL},
-        {0, "noise", "SIGMA", "standard deviation of the scan's noise (default: measured)",
-         CLI_NUMBER, &s.common.gouge.noise, 0, 10, 0, NULL},
+        {0, "noise", "MM", "standard deviation of the scan's noise (default: measured)", CLI_NUMBER,
+         &s.common.gouge.noise, 0, 10, 0, NULL},
         EFFORT_OPTION(&s.common.gouge.effort),
         {0, "axis-tolerance", "DEG", "largest deviation of the tool axis, degrees (1)", CLI_NUMBER,
          &s.common.angle, 0.001, 45, 0, NULL},
         {0, "degree", "P", "degree of the curves, 2 to 5 (3); a straight line has 1", CLI_COUNT,
          &s.degree, 2, 5, 0, &s.degree_given},
-        {0, "points", "same|tip|centre|contact",
+        {0, "points", "same|tip|centre|contact", NULL, CLI_ALIAS, "track", 0, 0, 0, NULL},
+        {0, "track", "same|tip|centre|contact",
          "curve to fit: that of the tip, of the ball's centre, or of the contact\n"
          "points, for study (default: the one that the path tracks)",
          CLI_CHOICE, &s.points, 0, 0, 0, NULL},
@@ -185,8 +186,9 @@ int main(int argc, char **argv)
          "as published: the given points, 5 control points and 5 more each time,\n"
          "with the error at the points only",
          CLI_FLAG, &s.common.paper, 0, 0, 0, NULL},
-        {0, "report", NULL, "a table of all curves on standard error", CLI_FLAG, &s.common.report,
-         0, 0, 0, NULL},
+        {0, "table", NULL, "a table of all curves on standard error", CLI_FLAG, &s.common.report, 0,
+         0, 0, NULL},
+        {0, "report", NULL, NULL, CLI_ALIAS, "table", 0, 0, 0, NULL},
         {0}};
     const struct fitter fitter = {.name = "bsplfit",
                                   .options = &s.common,
@@ -197,6 +199,7 @@ int main(int argc, char **argv)
                                   .result_size = sizeof(struct result),
                                   .result_free = result_free};
     struct cli cli = {.tool = "bsplfit",
+                      .usual = "tolerance guard axis-tolerance degree table quiet verbose",
                       .usage = "[options] [FILE]",
                       .about = "Replaces the points of a path by B-splines within a tolerance.",
                       .option = option};

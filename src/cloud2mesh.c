@@ -245,6 +245,7 @@ static void write_clean(const struct settings *s, const char *name, const struct
 int main(int argc, char **argv)
 {
     struct cli cli = {.tool = "cloud2mesh",
+                      .usual = "spacing tolerance units direction matrix noise clean subdivide",
                       .usage = "[options] [FILE...]",
                       .about = "Makes a mesh from scanned points (several files are one cloud)."};
     struct settings settings = read_options(&cli, argc, argv);

@@ -28,7 +28,7 @@ static const char *direction; /* as text: auto or degrees */
 static void read_options(struct cli *cli, int argc, char **argv)
 {
     const struct cli_option options[] = {
-        {'r', "radius", "R", "radius of the ball (required)", CLI_NUMBER, &path_options.radius,
+        {'r', "radius", "MM", "radius of the ball (required)", CLI_NUMBER, &path_options.radius,
          CLI_POSITIVE, 0, 0, NULL},
         {0, "normals", normals_words(false),
          "the mesh's own (default), the mean of the facets' (eq 8) or of the\n"
@@ -38,11 +38,11 @@ static void read_options(struct cli *cli, int argc, char **argv)
          "planes so close that the ball leaves no scallop above --scallop (the\n"
          "default), or the rows of the mesh",
          CLI_CHOICE, &row_kind, 0, 0, 0, &rows_given},
-        {0, "scallop", "H",
+        {0, "scallop", "MM",
          "height of the scallops between rows (default: 0.02, or a twentieth of\n"
          "the radius if that is less)",
          CLI_NUMBER, &scallop, CLI_POSITIVE, 0, 0, NULL},
-        {0, "direction", "auto|DEG",
+        {'a', "direction", "auto|DEG",
          "direction of the planes: the one with the shortest cut, or about z\n"
          "from x towards y (default: that of the mesh's rows)",
          CLI_TEXT, &direction, 0, 0, 0, NULL},
@@ -226,6 +226,8 @@ static void check_options(struct tool_axis_options *axis)
 int main(int argc, char **argv)
 {
     struct cli cli = {.tool = "meshnorm",
+                      .usual =
+                          "radius scallop direction guard tolerance avoid tilt holder",
                       .usage = "-r R [options] [FILE]",
                       .about = "Makes a tool path from the rows of a mesh: mesh stream in, path "
                                "stream out.",

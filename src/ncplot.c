@@ -33,11 +33,13 @@ static struct settings read_settings(struct cli *cli, int argc, char **argv)
          "a colour for each stream, one over the other, and how far each\n"
          "is from the first: said, in the title, and a ring where it is most",
          CLI_FLAG, &s.compare, 0, 0, 0, NULL},
-        {0, "points", NULL, "mark where the motions of a path end", CLI_FLAG, &s.points, 0, 0, 0,
+        {0, "points", NULL, NULL, CLI_ALIAS, "ends", 0, 0, 0, NULL},
+        {0, "ends", NULL, "mark where the motions of a path end", CLI_FLAG, &s.points, 0, 0, 0,
          NULL},
         {0, "poles", NULL, "show the control points of B-splines", CLI_FLAG, &s.poles, 0, 0, 0,
          NULL},
-        {0, "normals", NULL, "show the normals of a mesh or of contact points", CLI_FLAG,
+        {0, "normals", NULL, NULL, CLI_ALIAS, "show-normals", 0, 0, 0, NULL},
+        {0, "show-normals", NULL, "show the normals of a mesh or of contact points", CLI_FLAG,
          &s.normals, 0, 0, 0, NULL},
         {0, "axes", NULL, "show the tool axis", CLI_FLAG, &s.axes, 0, 0, 0, NULL},
         {0, "cut", NULL, "do not draw rapid moves", CLI_FLAG, &s.cut, 0, 0, 0, NULL},
@@ -139,6 +141,7 @@ static struct remarks compare_all(struct scene *scene, int threads)
 int main(int argc, char **argv)
 {
     struct cli cli = {.tool = "ncplot",
+                      .usual = "view compare stock cut title width",
                       .usage = "[options] [STREAM...]",
                       .about = "Draws a cloud, a mesh, a path or a program as SVG."};
     struct settings s = read_settings(&cli, argc, argv);

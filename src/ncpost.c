@@ -206,6 +206,7 @@ int main(int argc, char **argv)
 {
     struct settings s = settings_default();
     struct cli cli = {.tool = "ncpost",
+                      .usual = "control machine set tolerance feed units program accept inch",
                       .usage = "-c CONTROL [-m MACHINE] [options] [FILE]",
                       .about = "Writes an NC program from a path, for a control and a machine."};
     read_options(&s, &cli, argc, argv);

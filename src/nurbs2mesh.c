@@ -254,6 +254,7 @@ int main(int argc, char **argv)
 {
     struct cli cli = {
         .tool = "nurbs2mesh",
+        .usual = "tolerance units up partial quiet verbose",
         .usage = "[options] [FILE...]",
         .about = "Makes a mesh of the surfaces of a CAD model (IGES, STEP, or NURBS text)."};
     struct settings settings = read_options(&cli, argc, argv);

@@ -18,27 +18,28 @@ static const double MOST_PLANES = 100000, MOST_CROSSINGS = 2e7;
 /* By the longest edge of the mesh: how far beyond its trimming a surface counts. */
 static const double BESIDE = 0.002;
 
-static double step, scallop, angle, plane[3], gap = 0.1;
+static double step, scallop, plane[3], gap = 0.1;
 static struct cli_list surfaces;
 static double up[3] = {0, 0, 1}, box[6];
 static const char *faces, *steep;
 static bool box_given;
-static bool step_given, scallop_given, angle_given, plane_given;
+static bool step_given, scallop_given, plane_given;
 static const char *direction; /* as text: auto or degrees */
 
 /* clang-format off */
 static const struct cli_option options[] = {
-    {'r', "radius", "R", "radius of the ball (required)",
+    {'r', "radius", "MM", "radius of the ball (required)",
      CLI_NUMBER, &path_options.radius, CLI_POSITIVE, 0, 0, NULL},
     {'s', "step", "MM", "distance of the planes; reduced slightly so that all are equal",
      CLI_NUMBER, &step, CLI_POSITIVE, 0, 0, &step_given},
-    {0, "scallop", "H", "planes so close that no scallop between passes is higher than H\n"
+    {0, "scallop", "MM", "planes so close that no scallop between passes is higher than MM\n"
      "(0.01 without -s)", CLI_NUMBER, &scallop, CLI_POSITIVE, 0, 0, &scallop_given},
-    {'a', "angle", "DEG", "direction of vertical planes, about z from x towards y (0)",
-     CLI_NUMBER, &angle, 0, 0, 0, &angle_given},
-    {0, "direction", "auto|DEG", "the same, or the direction with the shortest cut",
+    {'a', "direction", "auto|DEG", "direction of vertical planes: the one with the shortest cut, or\n"
+     "about z from x towards y (0)",
      CLI_TEXT, &direction, 0, 0, 0, NULL},
-    {0, "plane", "I,J,K", "the planes' normal, instead of -a: 0,0,1 cuts at constant height",
+    {0, "angle", "DEG", NULL, CLI_ALIAS, "direction", 0, 0, 0, NULL},
+    {0, "plane", "I,J,K", NULL, CLI_ALIAS, "normal", 0, 0, 0, NULL},
+    {0, "normal", "I,J,K", "the planes' normal, instead of -a: 0,0,1 cuts at constant height",
      CLI_NUMBERS, plane, 0, 0, 3, &plane_given},
     {0, "up", "I,J,K", "the side that the tool comes from: what faces away is left out (0,0,1)",
      CLI_NUMBERS, up, 0, 0, 3, NULL},
@@ -53,7 +54,7 @@ static const struct cli_option options[] = {
     {0, "surface", "FILE", "project each point onto the surfaces of this file, IGES or NURBS\n"
      "text, that the mesh was made from (may be given several times)",
      CLI_LIST, &surfaces, 0, 0, 0, NULL},
-    {0, "oneway", NULL, "the same as --one-way", CLI_FLAG, &path_options.one_way, 0, 0, 0, NULL},
+    {0, "oneway", NULL, NULL, CLI_ALIAS, "one-way", 0, 0, 0, NULL},
     {0}};
 /* clang-format on */
 
@@ -65,12 +66,10 @@ static void check_options(struct tool_axis_options *axis)
         die_given(&error);
     if (step_given && scallop_given)
         die_usage("found -s and --scallop, expected one of them");
-    if (direction && angle_given)
-        die_usage("found -a and --direction, expected one of them");
-    if ((angle_given || direction) && plane_given)
-        die_usage("found %s and --plane, expected one of them", direction ? "--direction" : "-a");
+    if (direction && plane_given)
+        die_usage("found --direction and --normal, expected one of them");
     if (plane_given && vec_length(vec(plane[0], plane[1], plane[2])) == 0)
-        die_usage("option --plane: found a direction of no length");
+        die_usage("option --normal: found a direction of no length");
     if (vec_length(vec(up[0], up[1], up[2])) == 0)
         die_usage("option --up: found a direction of no length");
     if (scallop >= path_options.radius)
@@ -142,7 +141,7 @@ static void set_pass_options(const struct tool_axis_options *axis, const struct 
                              bool closed, struct plane_passes *p)
 {
     struct pass_options *rule = &p->rule;
-    double turn = RADIANS(angle), h = step_given ? fmin(0.01, path_options.radius / 2) : scallop;
+    double turn = 0, h = step_given ? fmin(0.01, path_options.radius / 2) : scallop;
 
     if (direction && !plane_passes_direction(direction, mesh, path_options.radius, h, &turn))
         die_usage("option --direction: found '%s', expected auto or degrees", direction);
@@ -199,6 +198,8 @@ static const struct mesh *take_region(const struct mesh *mesh, struct mesh *part
 int main(int argc, char **argv)
 {
     struct cli cli = {.tool = "planecut",
+                      .usual =
+                          "radius step direction scallop up avoid tilt holder",
                       .usage = "-r R [-s MM | --scallop H] [-a DEG] [options] [FILE]",
                       .about = "Makes a tool path from parallel planes through a mesh: mesh (PLY, "
                                "STL, OFF) in, path\nstream out.",

@@ -30,7 +30,8 @@ enum cli_kind {
     CLI_TEXT,    /* const char ** */
     CLI_CHOICE,  /* int *: index of the word among `arg`, written "one|two|three" */
     CLI_NUMBERS, /* double[count]: exactly `count` numbers, commas between */
-    CLI_LIST     /* struct cli_list *: may be given several times */
+    CLI_LIST,    /* struct cli_list *: may be given several times */
+    CLI_ALIAS    /* const char[]: an old name of this option, in no help, with a note */
 };
 
 #define CLI_POSITIVE DBL_MIN /* as min: above zero */
@@ -58,13 +59,16 @@ struct cli {
     const char *about;               /* one line: what the tool does */
     const struct cli_option *option; /* ends with a name of NULL */
     const struct cli_option *more;   /* a second such table, of options that tools share; or NULL */
-    const char *output;              /* -o, NULL: standard output */
-    int threads;                     /* -j, 0: as many as there are processors */
-    int files;                       /* number of operands */
-    char **file;                     /* the operands; without any: one, "-" */
+    const char *usual;  /* names of the options that --help shows, blanks between; the others are in
+                          --help all.  NULL: all */
+    const char *output; /* -o, NULL: standard output */
+    int threads;        /* -j, 0: as many as there are processors */
+    int files;          /* number of operands */
+    char **file;        /* the operands; without any: one, "-" */
 };
 
-/* Reads the options.  -h and -V end the process with 0, a mistake with 2. */
+/* Reads the options.  -h (--help; with the operand `all`: every option) and -V end the process with
+ * 0, a mistake with 2. */
 void cli_parse(struct cli *cli, int argc, char **argv);
 
 /* The name of this tool: "cloudmill" before cli_parse. */

@@ -166,7 +166,8 @@ static struct table merge_tables(struct cli *cli)
         {'q', "quiet", NULL, "say nothing but errors", CLI_FLAG, &quiet, 0, 0, 0, NULL},
         {'v', "verbose", NULL, "print a summary of input, output and tolerance kept", CLI_FLAG,
          &verbose, 0, 0, 0, NULL},
-        {'h', "help", NULL, "print this and exit", CLI_FLAG, &help, 0, 0, 0, NULL},
+        {'h', "help", NULL, "print this and exit; --help all: every option", CLI_FLAG, &help, 0, 0,
+         0, NULL},
         {'V', "version", NULL, "print the version and exit", CLI_FLAG, &version, 0, 0, 0, NULL},
     };
     struct table t = {0};
@@ -193,12 +194,36 @@ static void print_help_text(const char *text, int column)
     }
 }
 
-static void print_help(const struct cli *cli, const struct table *t)
+/* Is it among the words of the list? */
+static bool is_listed(const char *list, const char *word)
+{
+    size_t n = strlen(word);
+
+    for (const char *p = list; (p = strstr(p, word)); p += n)
+        if ((p == list || p[-1] == ' ') && (p[n] == ' ' || p[n] == '\0'))
+            return true;
+    return false;
+}
+
+/* The common options come last in the table; -o and -h are usual in every tool. */
+static bool is_usual(const struct cli *cli, const struct cli_option *o)
+{
+    return !cli->usual || is_listed(cli->usual, o->name) || is_listed("output help", o->name);
+}
+
+static void print_help(const struct cli *cli, const struct table *t, bool all)
 {
     enum { COLUMN = 30 };
+    size_t hidden = 0;
     printf("usage: %s %s\n%s\n\n", cli->tool, cli->usage, cli->about);
     for (size_t i = 0; i < t->n; i++) {
         const struct cli_option *o = &t->item[i];
+        if (o->kind == CLI_ALIAS)
+            continue;
+        if (!all && !is_usual(cli, o)) {
+            hidden++;
+            continue;
+        }
         int n =
             o->letter ? printf("  -%c, --%s", o->letter, o->name) : printf("      --%s", o->name);
         if (o->arg)
@@ -208,9 +233,11 @@ static void print_help(const struct cli *cli, const struct table *t)
         printf("%*s", COLUMN - n, "");
         print_help_text(o->help, COLUMN);
     }
+    if (hidden > 0)
+        printf("\n%zu further options: %s --help all", hidden, cli->tool);
     printf("\nNo FILE, or -: standard input.  Lengths in mm, angles in degrees.\n"
-           "Exit status: 0 done, 1 input or output failed, 2 wrong usage, 3 done but a stated\n"
-           "requirement is not met.  Manual: man %s\n",
+           "Exit status: 0 done, 1 input or output failed, 2 wrong usage, 3 written, but\n"
+           "something asked for is not kept.  Manual: man %s\n",
            cli->tool);
 }
 
@@ -314,9 +341,30 @@ static void set_value(const struct cli_option *o, const char *text)
     case CLI_LIST:
         *array_push((struct cli_list *)o->value) = text;
         break;
+    case CLI_ALIAS: /* set_by_name */
+        return;
     }
     if (o->given)
         *o->given = true;
+}
+
+/* Old names as the command line has them: told once the options say how much is to be said. */
+struct old_names {
+    size_t n, cap;
+    const struct cli_option **item;
+};
+
+static void set_by_name(const struct table *t, const struct cli_option *o, const char *text,
+                        struct old_names *old)
+{
+    if (o->kind != CLI_ALIAS) {
+        set_value(o, text);
+        return;
+    }
+    *array_push(old) = o;
+    for (size_t i = 0; i < t->n; i++)
+        if (strcmp(t->item[i].name, (const char *)o->value) == 0)
+            set_value(&t->item[i], text);
 }
 
 /*
@@ -331,7 +379,64 @@ static void hold_standard_files(void)
             exit(EXIT_FAILED);
 }
 
-static void run_getopt(const struct table *t, int argc, char **argv)
+/* How many letters must be put in, taken out or changed to make one word of the other; `n` letters
+ * of the first count (Levenshtein 1966), at most 62 of each. */
+static size_t letters_apart(const char *a, size_t n, const char *b)
+{
+    size_t row[64], m = strlen(b);
+
+    n = n < 62 ? n : 62;
+    m = m < 62 ? m : 62;
+    for (size_t k = 0; k <= m; k++)
+        row[k] = k;
+    for (size_t i = 1; i <= n; i++) {
+        size_t corner = row[0];
+        row[0] = i;
+        for (size_t k = 1; k <= m; k++) {
+            size_t change = corner + (a[i - 1] != b[k - 1]), other = 1 + row[k - 1];
+            corner = row[k];
+            other = other < 1 + corner ? other : 1 + corner;
+            row[k] = change < other ? change : other;
+        }
+    }
+    return row[m];
+}
+
+/* The long option that was perhaps meant; NULL: none is near. */
+static const char *nearest_option(const struct table *t, const char *name)
+{
+    size_t n = strcspn(name, "="), nearest = n / 3 + 1;
+    const char *found = NULL;
+
+    for (size_t i = 0; i < t->n; i++) {
+        const char *option = t->item[i].name;
+        if (t->item[i].kind == CLI_ALIAS)
+            continue;
+        size_t apart = letters_apart(name, n, option);
+        if (n > 2 && strncmp(name, option, n) == 0)
+            apart = 0;
+        if (apart <= nearest && (!found || apart < nearest)) {
+            nearest = apart;
+            found = option;
+        }
+    }
+    return found;
+}
+
+/* The word that getopt stopped at: unknown, the beginning of several, or without its value. */
+static _Noreturn void refuse_option(const struct table *t, const char *word, bool no_value)
+{
+    const char *what = no_value ? "has no value" : "is unknown or ambiguous";
+    const char *near = no_value || strncmp(word, "--", 2) != 0 ? NULL : nearest_option(t, word + 2);
+
+    if (optopt > 0 && optopt < COMMON_HELP)
+        die_usage("option -%c %s", optopt, what);
+    if (near)
+        die_usage("option %.60s %s: did you mean --%s?", word, what, near);
+    die_usage("option %.60s %s", word, what);
+}
+
+static void run_getopt(const struct table *t, int argc, char **argv, struct old_names *old)
 {
     struct option *longs = mem_alloc(t->n + 1, sizeof *longs);
     char *shorts = mem_alloc(2 * t->n + 2, 1), *p = shorts;
@@ -348,15 +453,11 @@ static void run_getopt(const struct table *t, int argc, char **argv)
     }
     opterr = 0;
     for (int c; (c = getopt_long(argc, argv, shorts, longs, NULL)) != -1;) {
-        if (c == '?' || c == ':') {
-            const char *what = c == ':' ? "has no value" : "is unknown or ambiguous";
-            if (optopt > 0 && optopt < COMMON_HELP)
-                die_usage("option -%c %s", optopt, what);
-            die_usage("option %.60s %s", argv[optind - 1], what);
-        }
+        if (c == '?' || c == ':')
+            refuse_option(t, argv[optind - 1], c == ':');
         for (size_t i = 0; i < t->n; i++)
             if (c == COMMON_HELP + (int)i || c == t->item[i].letter)
-                set_value(&t->item[i], optarg ? optarg : "");
+                set_by_name(t, &t->item[i], optarg ? optarg : "", old);
     }
     free(longs);
     free(shorts);
@@ -378,10 +479,14 @@ void cli_parse(struct cli *cli, int argc, char **argv)
     hold_standard_files();
     message_begin(cli->tool);
     struct table t = merge_tables(cli);
-    run_getopt(&t, argc, argv);
+    struct old_names old = {0};
+    run_getopt(&t, argc, argv, &old);
     message_level(quiet, verbose);
+    for (size_t i = 0; i < old.n; i++)
+        say("--%s is now --%s", old.item[i]->name, (const char *)old.item[i]->value);
+    array_free(&old);
     if (help) {
-        print_help(cli, &t);
+        print_help(cli, &t, optind < argc && strcmp(argv[optind], "all") == 0);
         finish_stdout();
     }
     if (version) {

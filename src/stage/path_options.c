@@ -39,19 +39,19 @@ const struct cli_option path_option_table[] = {
      &path_options.guard.files, 0, 0, 0, NULL},
     {0, "no-guard", NULL, "by no scan, not even the one that the mesh was made from",
      CLI_FLAG, &path_options.guard.none, 0, 0, 0, NULL},
-    {0, "noise", "SIGMA", "standard deviation of the noise to remove from the scan of -g\n"
+    {0, "noise", "MM", "standard deviation of the noise to remove from the scan of -g\n"
      "(default: measured; 0: the points as they are)",
      CLI_NUMBER, &path_options.noise, 0, 10, 0, NULL},
     EFFORT_OPTION(&path_options.effort),
-    {'e', "tolerance", "E",
-     "insert points between those of the mesh: straight lines stay within E\n"
+    {'e', "tolerance", "MM",
+     "insert points between those of the mesh: straight lines stay within MM\n"
      "of the smooth curve, no deeper in the part (0.01 with -g or --holder)",
      CLI_NUMBER, &path_options.tolerance, 0.0001, 10, 0, NULL},
     {0, "paper", NULL, "as published: only the mesh points, no lifting, links not checked",
      CLI_FLAG, &path_options.paper, 0, 0, 0, NULL},
     {0, "avoid", NULL, "accept material left where the ball does not fit (otherwise the exit\n"
      "status is 3)", CLI_FLAG, &path_options.avoid, 0, 0, 0, NULL},
-    {0, "limit", "H", "lift no centre by more than H; places that need more are skipped\n"
+    {0, "limit", "MM", "lift no centre by more than MM; places that need more are skipped\n"
      "(default: the radius)", CLI_NUMBER, &path_options.limit, CLI_POSITIVE, 0, 0, NULL},
     {0, "left-share", "PERCENT",
      "share of the scan's points that may stay uncut within reach of the\n"
@@ -74,7 +74,7 @@ const struct cli_option path_option_table[] = {
      "direction in which rotary axes turn least", CLI_NUMBER, &path_options.turn, 0, 80, 0, NULL},
     {0, "axis-play", "DEG", "largest deviation of axes from their rule, to turn less (15)",
      CLI_NUMBER, &path_options.play, 0, 60, 0, &path_options.play_given},
-    {'m', "machine", "NAME",
+    {'m', "machine", "MACHINE",
      "machine whose rotary axes are to turn little: a name or a file as for\n"
      "ncpost (default: table-ac)",
      CLI_TEXT, &path_options.machine, 0, 0, 0, NULL},
@@ -90,13 +90,13 @@ const struct cli_option path_option_table[] = {
      CLI_COUNT, &path_options.layers, 1, 1000, 0, NULL},
     {0, "depth", "MM", "thickness of a layer, along the normal (0.3)",
      CLI_NUMBER, &path_options.depth, CLI_POSITIVE, 0, 0, NULL},
-    {0, "clearance", "Z", "height of the tip on the clearance plane (default: top of the part\n"
+    {0, "clearance", "MM", "height of the tip on the clearance plane (default: top of the part\n"
      "and its layers + radius + 10)", CLI_NUMBER, &path_options.clearance, 0, 0, 0, NULL},
     {0, "approach", "MM", "distance above the part where the plunge feed begins (5)",
      CLI_NUMBER, &path_options.approach, CLI_POSITIVE, 0, 0, NULL},
-    {0, "feed", "F", "cutting feed, mm/min (800)",
+    {0, "feed", "MM/MIN", "cutting feed (800)",
      CLI_NUMBER, &path_options.feed, CLI_POSITIVE, 0, 0, NULL},
-    {0, "plunge", "F", "feed of the descent from there (default: half the cutting feed)",
+    {0, "plunge", "MM/MIN", "feed of the descent from there (default: half the cutting feed)",
      CLI_NUMBER, &path_options.plunge, CLI_POSITIVE, 0, 0, NULL},
     {0, "spindle", "RPM", "speed of the spindle (8000)",
      CLI_NUMBER, &path_options.spindle, CLI_POSITIVE, 0, 0, NULL},

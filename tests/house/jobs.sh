@@ -226,14 +226,14 @@ paths() {
 		s2.cl planecut -q -r 10 -s 10 s2.ply
 		s2-scallop.cl planecut -q -r 10 --scallop 0.1 s2.ply
 		s2-auto.cl planecut -q -r 10 -s 10 --direction auto s2.ply
-		torus.cl planecut -q -r 4 -s 3 --plane 0,0,1 --avoid torus-e.ply
+		torus.cl planecut -q -r 4 -s 3 --normal 0,0,1 --avoid torus-e.ply
 		sphere.cl planecut -q -r 4 -s 3 --fixed 0,0,1 sphere-e.ply
 		cube.cl planecut -q -r 2 -s 2 -a 30 cube-n.ply
-		cube-layers.cl planecut -q -r 2 -s 3 --plane 0,0,1 --layers 2 cube-n.ply
+		cube-layers.cl planecut -q -r 2 -s 3 --normal 0,0,1 --layers 2 cube-n.ply
 		frame.cl planecut -q -r 2 -s 1 --gap 1 frame-n.ply
 		frame-wide.cl planecut -q -r 2 -s 1 --gap 3 --oneway frame-n.ply
 		saddle-trim.cl planecut -q -r 4 -s 2 -e 0.005 --surface saddle.nurbs saddle-n.ply
-		cylinder.cl planecut -q -r 3 -s 4 --plane 0,0,1 --avoid cylinder-e.ply
+		cylinder.cl planecut -q -r 3 -s 4 --normal 0,0,1 --avoid cylinder-e.ply
 		trimmed.cl planecut -q -r 3 -s 3 -e 0.01 --surface trimmed.igs --avoid trimmed-e.ply
 		meet.cl planecut -q -r 3 -s 5 -a 15 --avoid meet-e.ply
 		panel-cut.cl planecut -q -r 8 --scallop 0.02 -a 30 -g panel.xyz panel-4.ply
@@ -244,7 +244,7 @@ paths() {
 		wave-cut-turn.cl planecut -q -r 2 -s 2 --least-turn 20 --axis-rate 10 wave.ply
 		wave-cut-play.cl planecut -q -r 2 -s 2 --axis-play 4 --lead 10 wave.ply
 		wave-cut-holder.cl planecut -q -r 2 -s 1 --holder 1.5:6+4:20 --lean-limit 40 wave.ply
-		wave-cut-z.cl planecut -q -r 2 -s 0.7 --plane 0,0,1 wave.ply
+		wave-cut-z.cl planecut -q -r 2 -s 0.7 --normal 0,0,1 wave.ply
 		dome-cut.cl planecut -q -r 6 -s 3 --to-point 0,0,99 --one-way --feed 500 --clearance 50 --approach 1 --plunge 90 --spindle 5000 --tool 3 --coolant off --partno CUT dome.ply
 		dome-cut-circle.cl planecut -q -r 6 -s 3 --circle 0,0,90,0,0,1,20 --layers 2 --depth 0.4 dome.ply
 		dome-cut-from.cl planecut -q -r 6 -s 3 --from-point 0,0,-90 dome.ply
@@ -255,8 +255,8 @@ paths() {
 
 fits() {
 	for path in wave-5g wave-facet dome-fixed dome-lead dome-to rib bowl-g roof-g wall s1 s2 torus cube frame box; do
-		echo "$path-arcs.cl figures biarcfit -q --report $path.cl"
-		echo "$path-splines.cl figures bsplfit -q --report $path.cl"
+		echo "$path-arcs.cl figures biarcfit -q --table $path.cl"
+		echo "$path-splines.cl figures bsplfit -q --table $path.cl"
 	done
 	cat <<-'END'
 		panel-arcs.cl biarcfit -q panel-8.cl
@@ -266,7 +266,7 @@ fits() {
 		dome-arcs.cl biarcfit -q -e 0.02 dome-fixed.cl
 		dome-splines.cl bsplfit -q -e 0.02 dome-fixed.cl
 		dome-3plus2-splines.cl bsplfit -q -e 0.02 dome-3plus2.cl
-		panel-arcs-paper.cl figures biarcfit -q --paper --report panel-paper.cl
+		panel-arcs-paper.cl figures biarcfit -q --paper --table panel-paper.cl
 		panel-arcs-frenet.cl biarcfit -q --paper --tilt 15 panel-paper.cl
 		panel-arcs-tilt.cl biarcfit -q --tilt 30 panel-8.cl
 		panel-arcs-lines.cl biarcfit -q --linear-arcs panel-8.cl
@@ -276,7 +276,7 @@ fits() {
 		wave-arcs-noise.cl biarcfit -q -e 0.02 -g wave-noise.xyz --noise 0.02 wave-noise-2.cl
 		wave-arcs-5.cl biarcfit -q -e 0.02 -g wave.xyz wave-5.cl
 		dome-arcs-tight.cl biarcfit -q -e 0.0005 dome-fixed.cl
-		panel-splines-paper.cl figures bsplfit -q --paper --report -e 0.05 panel-8.cl
+		panel-splines-paper.cl figures bsplfit -q --paper --table -e 0.05 panel-8.cl
 		panel-splines-g.cl bsplfit -q -e 0.02 -g panel.xyz panel-gs.cl
 		wave-splines-g.cl bsplfit -q -e 0.02 -g wave.xyz wave-2.cl
 		wave-splines-5.cl bsplfit -q -e 0.02 -g wave.xyz wave-5.cl
@@ -293,8 +293,8 @@ fits() {
 		echo "wave-degree-$degree.cl bsplfit -q --degree $degree -e 0.02 wave-2.cl"
 	done
 	for points in same tip centre contact; do
-		echo "wave-of-$points.cl bsplfit -q -e 0.02 --points $points wave-2.cl"
-		echo "s1-of-$points.cl figures bsplfit -q --paper --report -e 0.1 --points $points s1-paper.cl"
+		echo "wave-of-$points.cl bsplfit -q -e 0.02 --track $points wave-2.cl"
+		echo "s1-of-$points.cl figures bsplfit -q --paper --table -e 0.1 --track $points s1-paper.cl"
 	done
 	for params in uniform centripetal chord; do
 		echo "wave-params-$params.cl bsplfit -q -e 0.02 --params $params wave-2.cl"
@@ -496,10 +496,10 @@ pictures() {
 		plot-compare.svg ncplot -q --compare wave.ply wave-coarse.ply
 		plot-compare-3.svg ncplot -q --compare wave-2.cl wave-arcs.cl wave-splines.cl
 		plot-compare-cloud.svg ncplot -q --compare wave.xyz wave-coarse.ply wave-2.cl wave-arcs.mpf
-		plot-points.svg ncplot -q --points --poles --axes --normals wave-splines.cl
-		plot-normals.svg ncplot -q --normals --view iso wave-coarse.ply
+		plot-points.svg ncplot -q --ends --poles --axes --show-normals wave-splines.cl
+		plot-normals.svg ncplot -q --show-normals --view iso wave-coarse.ply
 		plot-axes.svg ncplot -q --axes --cut --title 'A title & more' --width 600 winding.cl
-		plot-poles.svg ncplot -q --poles --points --axes wave-splines.nc
+		plot-poles.svg ncplot -q --poles --ends --axes wave-splines.nc
 		plot-machine.svg ncplot -q -m head-ca wave-splines-head-ca.nc
 		plot-units.svg ncplot -q -u inch dome.inch
 		plot-many.svg ncplot -q --cut face.xyz face.cl

@@ -15,6 +15,14 @@ for tool in "$BIN"/*; do
 done >"$TMP/found"
 empty "every tool has a page" "$TMP/found"
 
+# The table of all options, and a letter that is one name everywhere.
+BIN=$BIN sh "$SRC/tests/house/options.sh" >"$TMP/help"
+sed -n '/^\.\\" options$/,/^\.\\" end of options$/{/^\.\\"/!p}' "$pages/cloudmill.7" >"$TMP/page"
+diff "$TMP/help" "$TMP/page" >"$TMP/found"
+empty "cloudmill.7: all options of all tools (tests/house/options.sh --write)" "$TMP/found"
+awk '$4 == "Fl" { if ($5 in seen) print $5, seen[$5], $3; seen[$5] = $3 }' "$TMP/help" >"$TMP/found"
+empty "a letter is one option" "$TMP/found"
+
 for page in "$pages"/*.1; do
 	name=$(basename "$page" .1)
 	[ -e "$SRC/src/$name.c" ] || echo "$page is of no tool"
@@ -51,7 +59,7 @@ empty "pages carry their names and refer to pages that there are" "$TMP/found"
 
 # Heads of the options as --help has them: `-t --spacing mm`, one a line, arguments in lower case.
 options_of_help() { # TOOL
-	"$1" --help | awk '/^  (-|    --)/ {
+	"$1" --help all | awk '/^  (-|    --)/ {
 		line = substr($0, 3)
 		if (line ~ /^-[A-Za-z], /) line = substr(line, 1, 2) " " substr(line, 5)
 		sub(/^ +/, "", line)
@@ -77,7 +85,7 @@ options_of_page() { # PAGE
 
 # The numbers that --help gives as defaults: option and number, as `--tilt 15`.
 defaults_of_help() { # TOOL
-	"$1" --help | awk '
+	"$1" --help all | awk '
 	/^  (-|    --)/ { match($0, /--[a-z0-9-]+/); name = substr($0, RSTART, RLENGTH) }
 	/^$/ { name = "" }
 	name { line = $0

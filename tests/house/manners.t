@@ -43,6 +43,10 @@ for tool in cloud2mesh meshnorm planecut biarcfit bsplfit ncpost; do
 	cp out help
 	status 0 "$tool --help" $tool --help
 	same "$tool --help is -h" out help
+	ok "$tool --help fits a screen" test "$(wc -l <out)" -le 24
+	status 0 "$tool --help all" $tool --help all
+	ok "is no shorter" test "$(wc -l <out)" -ge "$(wc -l <help)"
+	cat out >>help
 	awk 'length > 100 || /\t/ || / $/' help >long
 	empty "$tool -h fits 100 columns" long
 	status 0 "$tool -V" $tool -V
@@ -50,6 +54,8 @@ for tool in cloud2mesh meshnorm planecut biarcfit bsplfit ncpost; do
 	status 2 "$tool: an unknown option" $tool "$@" --no-such $in
 	has "$tool: wrong usage is told with the tool's name" "^$tool: " err
 	empty "$tool: wrong usage writes nothing" out
+	status 2 "$tool: a mistyped option" $tool "$@" --verbos-e $in
+	has "names the nearest" 'did you mean --verbose\?' err
 	status 2 "$tool -o without a file" $tool "$@" $in -o
 	for bad in nan inf 8x '' 1e999 -1 0x10; do
 		case $tool in
@@ -163,6 +169,13 @@ for tool in cloud2mesh meshnorm planecut biarcfit bsplfit ncpost; do
 	empty "$tool | head -n 1 is quiet" err
 done
 
+# Old names, with a note of the new one.
+status 2 "two directions by their new names" planecut -r 4 -s 3 -a 90 --normal 0,1,0 mesh.ply
+planecut -q -r 4 -s 3 --one-way --direction 90 mesh.ply >want
+status 0 "by their old names" planecut -r 4 -s 3 --oneway --angle 90 mesh.ply
+same "the same bytes" out want
+has "a note of one" '--oneway is now --one-way' err
+has "a note of the other" '--angle is now --direction' err
 status 2 "ncpost -c nosuch" ncpost -c nosuch arcs.cl
 has "... says what there is" "siemens" err
 status 2 "meshnorm without -r" meshnorm mesh.ply

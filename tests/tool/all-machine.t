@@ -21,7 +21,7 @@ echo 'frob = 1' >frob.txt
 
 takers=
 for path in "$BIN"/*; do
-	"$path" --help | grep -q -e '--set KEY=VALUE' && takers="$takers ${path##*/}"
+	"$path" --help all | grep -q -e '--set KEY=VALUE' && takers="$takers ${path##*/}"
 done
 ok "ncpost and ncverify take --set" test "$takers" = " ncpost ncverify"
 
@@ -55,7 +55,7 @@ ncpost -c nosuch 2>said
 names=$(sed -n 's/.*expected \([^ ]*\) or a control file.*/\1/p' said)
 ok "the controls are listed" test "$(echo "$names" | tr '|' '\n' | wc -l)" -ge 4
 for name in $takers; do
-	"$name" --help >help
+	"$name" --help all >help
 	has "$name: -c is there" '^  -c, --control CONTROL' help
 	tool "$name" --set control=nosuch 2>said
 	has "$name: so has the key control" "expected $(echo "$names" | sed 's/|/\\|/g')" said

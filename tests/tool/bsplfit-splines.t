@@ -59,7 +59,7 @@ status 0 "from standard input" sh -c "bsplfit -q -e 0.001 <'$passes' >'$TMP/j.cl
 same "the same bytes" "$TMP/fine.cl" "$TMP/j.cl"
 
 # As published, and the report
-status 0 "as published" bsplfit --paper --report -q -e 0.01 -o "$TMP/paper.cl" "$passes"
+status 0 "as published" bsplfit --paper --table -q -e 0.01 -o "$TMP/paper.cl" "$passes"
 cp "$TMP/err" "$TMP/report"
 ok "a row for each pass, headings and totals" test "$(wc -l <"$TMP/report")" -eq 10
 # shellcheck disable=SC2016
@@ -70,7 +70,7 @@ ok "C1 within the tolerance" awk 'NR > 1 && $5 > 0.01 { bad = 1 } END { exit bad
 ok "C2 is the root mean square over the root of the count" awk '
 	NR > 1 && $1 != "all" { r = $6 * sqrt($2) / $7; if (r < 0.99 || r > 1.01) bad = 1 } END { exit bad }' "$TMP/report"
 below "control points as published" "$(poles "$TMP/paper.cl")" 170
-status 0 "one combination" bsplfit --params chord --knots average --report -q -o "$TMP/one.cl" "$passes"
+status 0 "one combination" bsplfit --params chord --knots average --table -q -o "$TMP/one.cl" "$passes"
 ok "it is that one" test "$(grep -c 'chord/average$' "$TMP/err")" -eq 8
 for column in points control %fewer C1 C2 rms middle tip ball axis parameters/knots; do
 	has "a column: $column" "(^| )$column( |\$)" "$TMP/report"
@@ -83,7 +83,7 @@ done
 
 # What the control points stand for
 for p in tip centre contact; do
-	status 0 "--points $p" bsplfit -q --points $p -e 0.01 -o "$TMP/$p.cl" "$passes"
+	status 0 "--track $p" bsplfit -q --track $p -e 0.01 -o "$TMP/$p.cl" "$passes"
 	head -20 "$TMP/$p.cl" | grep TRACK >"$TMP/track"
 	case $p in
 	tip) empty "the head says nothing" "$TMP/track" ;;
@@ -94,7 +94,7 @@ done
 ok "centres and tips alike with a fixed axis" test "$(poles "$TMP/tip.cl")" -eq "$(poles "$TMP/centre.cl")"
 status 1 "a program of contact points" ncpost -c fanuc "$TMP/contact.cl"
 has "is refused" 'a path of contact points' "$TMP/err"
-status 1 "tips from contact points" bsplfit --points tip "$TMP/contact.cl"
+status 1 "tips from contact points" bsplfit --track tip "$TMP/contact.cl"
 
 # Five axes: head and tip on shared knots
 path "$TMP/swing.cl" 'for (s = 0; s <= 1; s += 1 / 256) {

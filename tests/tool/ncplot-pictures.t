@@ -80,7 +80,7 @@ CIRCLE/0,0,0,0,0,1,10
 GOTO/-10,0,0,0,0,1
 FINI
 END
-status 0 "half a circle" ncplot -v --view plan --points --axes -o "$TMP/half.svg" "$TMP/half.cl"
+status 0 "half a circle" ncplot -v --view plan --ends --axes -o "$TMP/half.svg" "$TMP/half.cl"
 has "its length" '1 arc, 31\.4 mm of cut' "$TMP/err"
 has "ends of motions are named" '>ends of motions<' "$TMP/half.svg"
 has "axes too" '>tool axes<' "$TMP/half.svg"
@@ -131,7 +131,7 @@ status 0 "four views" ncplot --view all "$TMP/mesh.ply"
 for view in plan isometric front side; do
 	has "$view" ">$view" "$TMP/out"
 done
-status 0 "normals" ncplot --normals "$TMP/mesh.ply"
+status 0 "normals" ncplot --show-normals "$TMP/mesh.ply"
 has "are named" '>normals<' "$TMP/out"
 status 0 "compared" ncplot --compare -o "$TMP/compare.svg" "$TMP/lines.cl" "$TMP/arcs.cl"
 has "a name for each" '>lines.cl<' "$TMP/compare.svg"
