@@ -173,9 +173,9 @@ done
 status 2 "two directions by their new names" planecut -r 4 -s 3 -a 90 --normal 0,1,0 mesh.ply
 planecut -q -r 4 -s 3 --one-way --direction 90 mesh.ply >want
 status 0 "by their old names" planecut -r 4 -s 3 --oneway --angle 90 mesh.ply
-same "the same bytes" out want
 has "a note of one" '--oneway is now --one-way' err
 has "a note of the other" '--angle is now --direction' err
+same "the same bytes" out want
 status 2 "ncpost -c nosuch" ncpost -c nosuch arcs.cl
 has "... says what there is" "siemens" err
 status 2 "meshnorm without -r" meshnorm mesh.ply
