@@ -226,8 +226,7 @@ static void check_options(struct tool_axis_options *axis)
 int main(int argc, char **argv)
 {
     struct cli cli = {.tool = "meshnorm",
-                      .usual =
-                          "radius scallop direction guard tolerance avoid tilt holder",
+                      .usual = "radius scallop direction guard tolerance avoid tilt holder",
                       .usage = "-r R [options] [FILE]",
                       .about = "Makes a tool path from the rows of a mesh: mesh stream in, path "
                                "stream out.",

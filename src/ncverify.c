@@ -159,12 +159,11 @@ static void read_options(struct settings *s, struct cli *cli, int argc, char **a
          CLI_TEXT, &s->page, 0, 0, 0, NULL},
         {0},
     };
-    *cli = (struct cli){
-        .tool = "ncverify",
-        .usual = "guard path radius control machine tolerance scallop report",
-        .usage = "-g FILE -r MM [options] [PROGRAM]",
-        .about = "Checks an NC program against the scan or mesh it was made for.",
-        .option = option};
+    *cli = (struct cli){.tool = "ncverify",
+                        .usual = "guard path radius control machine tolerance scallop report",
+                        .usage = "-g FILE -r MM [options] [PROGRAM]",
+                        .about = "Checks an NC program against the scan or mesh it was made for.",
+                        .option = option};
     cli_parse(cli, argc, argv);
     if (!s->radius_given || s->part.n == 0)
         die_usage("expected -r, the radius of the ball, and -g, the scan or mesh");

@@ -198,8 +198,7 @@ static const struct mesh *take_region(const struct mesh *mesh, struct mesh *part
 int main(int argc, char **argv)
 {
     struct cli cli = {.tool = "planecut",
-                      .usual =
-                          "radius step direction scallop up avoid tilt holder",
+                      .usual = "radius step direction scallop up avoid tilt holder",
                       .usage = "-r R [-s MM | --scallop H] [-a DEG] [options] [FILE]",
                       .about = "Makes a tool path from parallel planes through a mesh: mesh (PLY, "
                                "STL, OFF) in, path\nstream out.",
