@@ -140,6 +140,10 @@ nc-faults: all
 	BIN="$(abspath $(BUILD))/bin" FAULT_SEEDS="1 2 3" FAULT_FITTERS="line arc curve" \
 	  sh tests/tool/ncverify-faults.t
 
+# A thousand programs of random jobs, each accepted and safe for the machine.
+safety: all
+	@BIN="$(abspath $(BUILD))/bin" CC="$(CC)" SAFETY_JOBS="1 450" sh tests/house/safety.t
+
 freeze: all
 	@BIN="$(abspath $(BUILD))/bin" sh tests/house/freeze.sh
 
@@ -207,7 +211,7 @@ clean:
 	rm -rf $(BUILD) demo figures cloudmill-$(VERSION).tar.gz
 
 .PHONY: always all units check demo figures bench accuracy freeze deps lint sanitize fuzz faults \
-  nc-faults install uninstall dist distcheck clean
+  nc-faults safety install uninstall dist distcheck clean
 .SECONDARY:
 
 -include $(shell find $(BUILD) -name '*.d' 2>/dev/null)

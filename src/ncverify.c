@@ -192,7 +192,7 @@ static struct machine read_machine(const struct settings *s)
 
 static struct verify_program read_program(const struct settings *s, const struct machine *machine,
                                           const char *file, struct nc_motion *motion,
-                                          struct ncread_head *head)
+                                          struct ncread_head *head, bool *tcp)
 {
     struct ncread_options options = {.kinematics = ncread_kinematics(machine), .head = head};
     struct error error;
@@ -210,7 +210,7 @@ static struct verify_program read_program(const struct settings *s, const struct
     options.tool = machine->tool;
     options.tools = machine->tools;
     options.dialect = ncread_of(control);
-    options.tcp = machine_has_tcp(machine, control);
+    options.tcp = *tcp = machine_has_tcp(machine, control);
     ncread_wraps(machine, &options.kinematics, options.wraps);
     if (ncread_read(file, &options, motion, &error) < 0)
         die_error(&error);
@@ -220,6 +220,7 @@ static struct verify_program read_program(const struct settings *s, const struct
                                    .machine = machine->name,
                                    .motion = motion,
                                    .ball = head->ball,
+                                   .contact_feed = head->contact_feed,
                                    .post = head->post,
                                    .axis = head->axis};
 }
@@ -282,10 +283,9 @@ static void read_path(const char *file, struct nc_motion *motion)
     path_free(&path);
 }
 
-static struct axis_limits limits_of(const struct machine *machine)
+static struct axis_limits limits_of(const struct machine *machine, bool tcp)
 {
-    struct axis_limits limits = {.slack = printed_slack(machine),
-                                 .combined = !machine->tcp && machine->feeds == FEEDS_COMBINED};
+    struct axis_limits limits = {.slack = printed_slack(machine), .combined = !tcp};
     for (int k = 0; k < NC_AXES; k++) {
         limits.min[k] = machine->min[k];
         limits.max[k] = machine->max[k];
@@ -311,11 +311,12 @@ int main(int argc, char **argv)
     struct nc_motion motion = {0};
     struct ncread_head head = {.post = -1, .axis = -1};
     struct nc_motion path = {0};
+    bool tcp;
     struct vec3s points = {0};
     struct verify_surface surface = {0};
     read_options(&s, &cli, argc, argv);
     struct machine machine = read_machine(&s);
-    struct verify_program program = read_program(&s, &machine, cli.file[0], &motion, &head);
+    struct verify_program program = read_program(&s, &machine, cli.file[0], &motion, &head, &tcp);
     find_tool(&s, &head);
     find_limit(&s, &head);
     if (read_part(&s, &points)) {
@@ -336,7 +337,7 @@ int main(int argc, char **argv)
                                            .tool = s.tool,
                                            .stock = s.stock ? &s.block : NULL,
                                            .cell = s.cell,
-                                           .limits = limits_of(&machine),
+                                           .limits = limits_of(&machine, tcp),
                                            .time = time_options_of(&machine),
                                            .threads = cli.threads};
     struct verdict v = verify_run(&program, &options);

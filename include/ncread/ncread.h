@@ -44,6 +44,7 @@ struct ncread_head {
     char holder[NCREAD_HEAD_TEXT]; /* cones R0:R1:L or cylinders R:L joined by +; "": none */
     double scallop, tolerance;     /* 0: not said */
     double post, axis;             /* what ncpost spent, mm and degrees; below zero: not said */
+    bool contact_feed;             /* feeds are those of the contact point */
     bool numbered;                 /* by ncpost: in even steps */
 };
 

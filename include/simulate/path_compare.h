@@ -15,7 +15,7 @@ struct path_compare_options {
     double tolerance;  /* of the tip, mm */
     double axis;       /* of the tool axis, radians */
     double fast, slow; /* times the path's feed that a program may be faster, slower */
-    bool feeds;        /* feeds are those of the tip */
+    bool combined;     /* the program's F counts mm and degrees of all axes alike */
 };
 
 struct path_fault {

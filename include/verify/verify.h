@@ -71,8 +71,9 @@ struct verify_program {
     const struct verify_surface *surface; /* of a scan, what more is known; NULL: not a scan */
     double ball;                          /* the radius that its head says, mm; 0: none */
     const struct nc_motion *path;         /* that it was made from; NULL: not known */
-    double post,
-        axis; /* off the path by what the head says, mm and degrees; below zero: not said */
+    /* by what its head says: */
+    bool contact_feed; /* feeds are those of the contact point */
+    double post, axis; /* off the path by, mm and degrees; below zero: not said */
 };
 
 struct verify_options {

@@ -95,6 +95,8 @@ void ncread_head_line(struct ncread_head *head, const char *line)
         add_tool(head, s);
     } else if (has_key(&s, "TOOL+: ")) {
         add_tool(head, s);
+    } else if (has_key(&s, "FEED: CONTACT")) {
+        head->contact_feed = true;
     } else if (has_word(&s, "cloudmill ncpost")) {
         head->numbered = true;
     } else if (has_word(&s, "Tolerance ncpost")) {

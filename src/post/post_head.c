@@ -187,6 +187,8 @@ static void head_ledger(struct nc_program *p)
 /* SCALLOP: 0.02 TOLERANCE: 0.01, and the scans by which the path was guarded; mm. */
 static void surface_keys(struct nc_program *p)
 {
+    if (p->options.contact_feed)
+        nc_comment(&p->w, "FEED: CONTACT");
     double scallop = p->path->head.scallop;
     const struct scan_sources *scan = &p->path->head.scan;
     char said[NUM_MAX], sum[NUM_MAX];

@@ -5,10 +5,11 @@
 
 #include "base/array.h"
 #include "math/box_tree.h"
+#include "simulate/axis_limits.h"
 
 enum { LINE_STEPS = 4, CURVE_STEPS = 16, DEEPEST = 10 };
 
-#define FLAT 0.0005  /* mm: how straight a piece is followed */
+#define FLAT 0.0002  /* mm: how straight a piece is followed */
 #define STEADY 0.005 /* radians that the axis turns in a step, at most */
 #define SHORT 0.05   /* mm: shorter pieces may be slow, and their inverse time says little */
 
@@ -37,6 +38,7 @@ static struct nc_motion_pose tip_at(const struct nc_motion *m, size_t piece, dou
 struct walk {
     const struct nc_motion *motion;
     size_t piece;
+    bool combined;
     double radius, feed;
     struct stretches *to;
 };
@@ -56,18 +58,26 @@ static void add_stretches(const struct walk *w, double s0, struct nc_motion_pose
 }
 
 /* Feed of the tip, mm/min; 0: not known. */
-static double tip_feed(const struct nc_motion *m, size_t piece, double length)
+static double tip_feed(const struct walk *w, double length)
 {
-    const struct nc_piece *p = &m->piece.item[piece];
-    if (length <= SHORT && p->inverse)
-        return 0;
-    return p->inverse ? p->feed * length : p->feed;
+    const struct nc_piece *p = &w->motion->piece.item[w->piece];
+    if (p->inverse)
+        return length > SHORT ? p->feed * length : 0;
+    if (!w->combined)
+        return p->feed;
+    struct axis_follow follow = {w->motion, {0, 0}};
+    struct axis_place a = axis_limits_place(&follow, w->piece, 0);
+    struct axis_place b = axis_limits_place(&follow, w->piece, 1);
+    double way = 0;
+    for (int k = 0; k < NC_AXES; k++)
+        way = hypot(way, b.axis[k] - a.axis[k]);
+    return way > 0 ? p->feed * length / way : 0;
 }
 
-static void follow(const struct nc_motion *m, double radius, struct stretches *to)
+static void follow(const struct nc_motion *m, double radius, bool combined, struct stretches *to)
 {
     for (size_t i = 0; i < m->piece.n; i++) {
-        struct walk w = {m, i, radius, 0, to};
+        struct walk w = {m, i, combined, radius, 0, to};
         size_t first = to->n;
         double length = 0;
         if (m->piece.item[i].rapid)
@@ -80,7 +90,7 @@ static void follow(const struct nc_motion *m, double radius, struct stretches *t
         for (size_t k = first; k < to->n; k++)
             length += vec_distance(to->item[k].a.p, to->item[k].b.p);
         for (size_t k = first; k < to->n; k++)
-            to->item[k].feed = tip_feed(m, i, length), to->item[k].brief = length <= SHORT;
+            to->item[k].feed = tip_feed(&w, length), to->item[k].brief = length <= SHORT;
     }
 }
 
@@ -170,7 +180,7 @@ static double look_beside(const struct compare *c, bool path, struct nc_motion_p
 static void compare_feed(struct compare *c, const struct stretch *s, const struct beside *path)
 {
     const struct path_compare_options *o = c->options;
-    if (!o->feeds || !(path->slowest > 0) || !(s->feed > 0))
+    if (!(path->slowest > 0) || !(s->feed > 0))
         return;
     if (s->feed > o->fast * path->fastest)
         note_fault(&c->found.fast, s->feed / path->fastest, s->piece, s->b.p);
@@ -244,8 +254,8 @@ struct path_compare path_compare_run(const struct nc_motion *program, const stru
                                      const struct path_compare_options *options)
 {
     struct compare c = {.options = options};
-    follow(program, options->radius, &c.program);
-    follow(path, options->radius, &c.path);
+    follow(program, options->radius, options->combined, &c.program);
+    follow(path, options->radius, false, &c.path);
     c.program_tree = tree_of(&c.program);
     c.path_tree = tree_of(&c.path);
     compare_program(&c, program);

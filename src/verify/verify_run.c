@@ -17,15 +17,16 @@ enum { TURN_STEPS = 4 }; /* of a piece, for its tool axis */
 #define SIGMAS 1.5  /* of the noise, that are allowed besides the tolerance and what may be left */
 #define PATH_TIP 0.008 /* mm that the tip may be off the path, where the head does not say it */
 #define PATH_AXIS 0.25 /* degrees that the tool axis may be off the path's, likewise */
-#define PATH_TIP_MORE 0.001 /* mm besides what the head says: both are followed in lines */
-#define PATH_AXIS_MORE 0.03 /* degrees, likewise */
-#define PATH_FAST 1.5       /* times the path's feed; more slowly it may go where the axes turn */
+#define PATH_TIP_MORE 0.0005 /* mm besides what the head says: both are followed in lines */
+#define PATH_AXIS_MORE 0.01  /* degrees, likewise */
+#define PATH_FAST 1.5        /* times the path's feed; more slowly it may go where the axes turn */
 #define PATH_SLOW 200
-#define ROUNDED 0.001 /* mm: what places and radii printed may be off */
-#define JUMP 5.0      /* degrees: less is no jump of the tool axis */
-#define STILL 0.5     /* degrees of rotary axes, or mm of a second point, that need no look */
-#define ROLLS 1.5     /* times as fast as the ball rolls over an edge */
-#define THICKER 0.01  /* of the ball's radius: so much thicker than it, a tool is a holder */
+#define PATH_CONTACT 10 /* times slower or faster than the contact point the tip may go */
+#define ROUNDED 0.001   /* mm: what places and radii printed may be off */
+#define JUMP 5.0        /* degrees: less is no jump of the tool axis */
+#define STILL 0.5       /* degrees of rotary axes, or mm of a second point, that need no look */
+#define ROLLS 1.5       /* times as fast as the ball rolls over an edge */
+#define THICKER 0.01    /* of the ball's radius: so much thicker than it, a tool is a holder */
 
 /* ---- what the program does */
 
@@ -403,8 +404,10 @@ static void judge_path(struct verdict *v)
     const struct nc_motion *path = v->program.path;
     double tip = v->program.post >= 0 ? v->program.post + PATH_TIP_MORE : PATH_TIP;
     double axis = v->program.axis >= 0 ? v->program.axis + PATH_AXIS_MORE : PATH_AXIS;
-    const struct path_compare_options options = {
-        v->options.radius, tip, RADIANS(axis), PATH_FAST, PATH_SLOW, !v->options.limits.combined};
+    double more = v->program.contact_feed ? PATH_CONTACT : 1;
+    const struct path_compare_options options = {v->options.radius, tip,
+                                                 RADIANS(axis),     PATH_FAST * more,
+                                                 PATH_SLOW * more,  v->options.limits.combined};
     struct path_compare found = path_compare_run(v->program.motion, path, &options);
     if (found.off.count > 0)
         add_finding(v, true, found.off.piece, "the tip is %.4f mm off the path at %.3f %.3f %.3f",

@@ -9,7 +9,8 @@
 # KIND: rapid (G0 for G1), plunge (down to the part at rapid), approach (its blocks are missing),
 # retract (the last one is missing), no-offset, offset, edge (D0), length (H2), tool (T2), coolant
 # (off amid), dry (never on), fast, slow (F ten times, a thousandth), ORIMKS, ORICURVE (its word is
-# lost), poly (coefficients 1 % off), axis (5 degrees off), sign (of a rotary word), digit (1 mm off)
+# lost), poly (all coefficients 1 % off;
+# the block where it matters most), axis (5 degrees off), sign (of a rotary word), digit (1 mm off)
 
 function draw(n) { # 1 to n
 	state = (state * 16807) % 2147483647
@@ -89,7 +90,7 @@ function fits(i,   t) {
 	if (kind == "no-offset") return t ~ / G54( |$)/
 	if (kind == "dry") return t ~ / M8( |$)/
 	if (kind == "ORICURVE") return t ~ /ORICURVE/
-	if (kind == "poly") return bent(t) > 0.0015
+	if (kind == "poly") return bent(t) > 0.0015 && bent(t) == most_bent
 	if (kind == "axis") return amid(i) && turns(i) != "" && (control != "siemens" || t ~ /C3=/)
 	if (kind == "sign") return amid(i) && turns(i) != ""
 	if (kind == "digit") return amid(i) && t ~ / [XYZ][-+0-9.]/
@@ -189,7 +190,10 @@ function change(i,   name, names, n, t, j) {
 			if (line[j] ~ /^N[0-9]+ G54 *$/) gone[j] = 1; else sub(/ G54( |$)/, " ", line[j])
 	} else if (kind == "dry") sub(/ M8( |$)/, " M9 ", line[i])
 	else if (kind == "ORICURVE") sub(/ ORICURVE/, "", line[i])
-	else if (kind == "poly") line[i] = grown(t)
+	else if (kind == "poly") {
+		for (j = 1; j <= n_lines; j++)
+			if (line[j] ~ /PO\[/) line[j] = grown(line[j])
+	}
 	else if (kind == "axis") {
 		name = turns(i)
 		line[i] = control == "siemens" ? cross_turn(t, 5) : set(t, name, word(t, name) + 5, 3)
@@ -224,6 +228,9 @@ END {
 	for (i = 1; i <= NR; i++)
 		if (cuts(i) && word(line[i], "F") + 0 > feed)
 			feed = word(line[i], "F") + 0
+	for (i = 1; i <= NR; i++)
+		if (kind == "poly" && bent(line[i]) > most_bent)
+			most_bent = bent(line[i])
 	for (i = 1; i <= NR; i++)
 		if (fits(i))
 			may[++count] = i

@@ -79,7 +79,7 @@ for shape in dome wave trough; do
 			where="$shape, $control, $fitter"
 			judge good.nc -p $shape-$fitter.cl
 			result "$got" "$where: the good program is accepted"
-			for s in $seeds; do
+			for _ in $seeds; do
 				seed=$((seed + 1))
 				for kind in $kinds; do
 					put $kind $seed || continue # none of its blocks can have it
