@@ -8,6 +8,10 @@ enum { FEWEST = 16, NEAR = 32, FEW = 24, RINGS = 8, SAMPLE = 1500, QUADRIC = 6, 
 
 static const double MUCH = 1.5; /* spread of a neighbourhood by the noise: more is none */
 
+/* Noises that a point may be off its surface; of the way to the nearest point: points so near to a
+ * place are about it. */
+static const double SIGMAS = 4, ABOUT = 2;
+
 /* A neighbourhood, nearest first. */
 struct neighbourhood {
     size_t n;
@@ -48,22 +52,52 @@ bool upsample_needed(const struct upsample *fill)
     return 10 * wide > seen;
 }
 
-/* p is nearer to `from` than to the other points, and one of these lies beyond it, within 60
- * degrees. */
-static bool is_between(const struct neighbourhood *near, struct vec3 from, struct vec3 p)
+/* A surface about a point, and how far the points of the neighbourhood are off it. */
+struct local_surface {
+    const struct quadric *q;
+    double off[NEAR];
+    bool exact; /* points are where the surface is, not beside it by noise */
+};
+
+/* How far a point may be off a surface that is to be used at a place so far from it, mm.  A ball
+ * that touches the part there is so far off its tangent plane, twice, that the point stays
+ * touched. */
+static double allowed(const struct upsample *fill, double distance2)
+{
+    return fmax(fill->sink, distance2 / (4 * fill->radius)) + SIGMAS * fill->noise;
+}
+
+/* True if p is nearer to `from` than to the other points, all points about bear the surface out, and
+ * one of them lies beyond p, within 60 degrees.  *off: of the points about from the surface, the
+ * nearer the more. */
+static bool is_between(const struct upsample *fill, const struct neighbourhood *near,
+                       const struct local_surface *on, struct vec3 from, struct vec3 p, double *off)
 {
     size_t k = near->n < NEAR ? near->n : NEAR;
-    struct vec3 off = vec_sub(p, from);
-    double off2 = vec_dot(off, off);
+    struct vec3 out = vec_sub(p, from);
+    double out2 = vec_dot(out, out), weights = 0;
     bool beyond = false;
 
-    for (size_t i = 1; i < k; i++) {
+    *off = 0;
+    for (size_t i = 0; i < k; i++) {
         struct vec3 to = vec_sub(near->point[i], from);
-        double along = vec_dot(off, to), to2 = vec_dot(to, to);
-        if (2 * along > to2) /* p lies on the far side of the middle */
+        double along = vec_dot(out, to), to2 = vec_dot(to, to);
+        if (i > 0 && 2 * along > to2) /* p lies on the far side of the middle */
             return false;
-        beyond = beyond || (along > 0 && to2 > off2 && 4 * along * along > off2 * to2);
+        double far2 = out2 + to2 - 2 * along;
+        bool ahead = along > 0 && to2 > out2 && 4 * along * along > out2 * to2;
+        bool about = far2 <= ABOUT * ABOUT * out2;
+        bool borne = fabs(on->off[i] - on->off[0]) <= allowed(fill, far2);
+        if (about && !borne)
+            return false;
+        beyond = beyond || (ahead && borne);
+        if (about) {
+            double weight = 1 / sqrt(far2) - 1 / (ABOUT * sqrt(out2));
+            *off += weight * weight * on->off[i];
+            weights += weight * weight;
+        }
     }
+    *off = on->exact && weights > 0 ? *off / weights : 0;
     return beyond;
 }
 
@@ -77,22 +111,25 @@ static bool would_sink(const struct upsample *fill, const struct neighbourhood *
 }
 
 static void add_between(const struct upsample *fill, const struct neighbourhood *near,
-                        struct vec3 p, const struct quadric *q, struct vec3s *to)
+                        struct vec3 p, const struct quadric *q, bool exact, struct vec3s *to)
 {
+    struct local_surface on = {.q = q, .exact = exact};
     size_t last = near->n < FEWEST ? near->n : FEWEST;
     double pitch = 0.75 * gap_of(fill), reach = sqrt(near->distance2[last - 1]);
     struct vec3 off = vec_sub(p, q->origin);
     double u0 = vec_dot(off, q->u), v0 = vec_dot(off, q->v);
     int rings = (int)fmin(reach / pitch, RINGS);
 
+    for (size_t k = 0; k < near->n && k < NEAR; k++)
+        on.off[k] = quadric_off(q, near->point[k]);
     for (int j = -rings; j <= rings; j++) {
         for (int i = -rings; i <= rings; i++) {
-            double u = pitch * (i + j / 2.0), v = pitch * j * 0.8660254037844386;
+            double u = pitch * (i + j / 2.0), v = pitch * j * 0.8660254037844386, aside;
             if ((i == 0 && j == 0) || hypot(u, v) > reach)
                 continue;
             struct vec3 at = quadric_at(q, u0 + u, v0 + v);
-            if (is_between(near, p, at))
-                *array_push(to) = at;
+            if (is_between(fill, near, &on, p, at, &aside))
+                *array_push(to) = vec_along(at, aside, q->w);
         }
     }
 }
@@ -104,7 +141,7 @@ void upsample_on(const struct upsample *fill, size_t i, struct vec3 p, const str
 
     find_neighbourhood(fill->point_grid, i, NEAR, &near);
     if (would_sink(fill, &near, spread))
-        add_between(fill, &near, p, q, to);
+        add_between(fill, &near, p, q, false, to);
 }
 
 /* The quadric through the fewest points that carry one: on laser lines it takes more.  HUGE_VAL:
@@ -134,6 +171,6 @@ double upsample_about(const struct upsample *fill, size_t i, struct vec3s *to)
         }
     }
     if (spread < HUGE_VAL && would_sink(fill, &near, spread))
-        add_between(fill, &near, near.point[0], &q, to);
+        add_between(fill, &near, near.point[0], &q, true, to);
     return to->n > before ? spread : 0;
 }
