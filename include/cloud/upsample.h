@@ -22,16 +22,18 @@ bool upsample_needed(const struct upsample *fill);
 
 /*
  * Appends points about point i of the point_grid, which the surface q has at p, as dense as the
- * ball asks for: those nearer to i than to the other points and with one of them beyond, so that no
- * hole is filled and no border moves.  `spread`: of the points about q, mm; where it is more than
- * noise and the ball's sinking explain, nothing is appended.
+ * ball asks for: those nearer to i than to the other points, inside of these, so that no hole is
+ * filled and no border moves, and where all points about are on q, so that none is put over an
+ * edge or into a corner.  None either where q is so hollow that the ball does not go in.
+ * `spread`: of the points about q, mm; where it is more than noise and the ball's sinking explain,
+ * nothing is appended.
  */
 void upsample_on(const struct upsample *fill, size_t i, struct vec3 p, const struct quadric *q,
                  double spread, struct vec3s *to);
 
 /* The same on a surface through the nearest points as they are: of the second degree through FEWEST
  * to NEAR, or of the third through FEW where that leaves less.  Returns how far these are off it
- * (one standard deviation, mm), 0 where nothing was appended. */
+ * (one standard deviation, mm), 0 where the ball asks for none. */
 double upsample_about(const struct upsample *fill, size_t i, struct vec3s *to);
 
 #endif

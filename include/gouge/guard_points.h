@@ -56,8 +56,10 @@ double guard_points_of_mesh(const struct mesh *mesh, double spacing, double most
  * Appends points no further than `spacing` mm apart on the convex edges of a mesh: those between
  * two facets that have vertices of their own there, at the same places, and fall off from each
  * other to both sides.  A scan seldom has points on its edges, and a ball that rolls over them
- * would sink in between the points beside.
+ * would sink in between the points beside.  With a scan only where its points about are on the two
+ * facets: elsewhere the mesh bridges what the scan knows nothing of.
  */
-void guard_points_of_edges(const struct mesh *mesh, double spacing, struct vec3s *points);
+void guard_points_of_edges(const struct mesh *mesh, double spacing, const struct point_grid *scan,
+                           struct vec3s *points);
 
 #endif

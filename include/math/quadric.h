@@ -59,6 +59,9 @@ int quadric_fit_steep(const struct vec3 *point, size_t n, struct vec3 origin, st
 int quadric_fit_free(const struct vec3 *point, size_t n, struct vec3 origin,
                      struct quadric *quadric);
 
+/* Turns the surface over if it faces down. */
+void quadric_face_up(struct quadric *quadric);
+
 /* Distance of a point from the quadric, to first order: positive on the side of w. */
 double quadric_off(const struct quadric *quadric, struct vec3 point);
 

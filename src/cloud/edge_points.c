@@ -6,6 +6,7 @@
 
 #include "base/array.h"
 #include "base/parallel.h"
+#include "math/cubic.h"
 #include "math/plane_fit.h"
 #include "math/side_fit.h"
 
@@ -71,9 +72,17 @@ static bool is_smooth(const struct edge_work *work, const struct hood *near, dou
                       struct quadric *q)
 {
     double least = fmax(1.4 * work->options->noise, EVEN * spacing);
+    struct quadric cubic;
 
-    return quadric_fit_free(near->point, SMOOTH, near->point[0], q) == 0 &&
-           quadric_spread(q, near->point, SMOOTH, 6) <= least;
+    if (quadric_fit_free(near->point, SMOOTH, near->point[0], q) != 0)
+        return false;
+    if (quadric_spread(q, near->point, SMOOTH, 6) <= least)
+        return true;
+    if (cubic_fit(near->point, NULL, SMOOTH, near->point[0], quadric_normal(q), &cubic) != 0 ||
+        quadric_spread(&cubic, near->point, SMOOTH, 10) > least)
+        return false;
+    *q = cubic;
+    return true;
 }
 
 /* How far a point so far away may be off a plane that its flank touches. */
@@ -149,22 +158,6 @@ static bool fit_side(const struct vec3 *on, size_t n, struct vec3 origin, double
     return true;
 }
 
-/* Turns the surface over if it faces down. */
-static void face_up(struct quadric *q)
-{
-    if (quadric_normal(q).z >= 0)
-        return;
-    q->w = vec_scale(-1, q->w);
-    q->v = vec_scale(-1, q->v);
-    for (int k = 0; k < 10; k++)
-        q->c[k] = -q->c[k];
-    /* v and w both turned: terms with an odd power of v keep their sign. */
-    q->c[2] = -q->c[2];
-    q->c[4] = -q->c[4];
-    q->c[7] = -q->c[7];
-    q->c[9] = -q->c[9];
-}
-
 /* The surface of most neighbours on one plane through the point: `own`, and the point itself. */
 static bool fit_flank(const struct edge_work *work, const struct hood *near, double spacing,
                       bool own, struct side_fit *fit)
@@ -201,7 +194,7 @@ static void find_flank(const struct edge_work *work, const struct hood *near, st
         return;
     flank->q = fit.q;
     flank->rms = fit.rms;
-    face_up(&flank->q);
+    quadric_face_up(&flank->q);
     flank->valid = quadric_normal(&flank->q).z > UPRIGHT;
 }
 
@@ -220,7 +213,7 @@ static void find_flanks(void *context, size_t from, size_t to)
         if (flank->rough)
             find_flank(work, &near, flank);
         else
-            face_up(&flank->q);
+            quadric_face_up(&flank->q);
     }
 }
 

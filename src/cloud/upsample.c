@@ -7,10 +7,11 @@
 enum { FEWEST = 16, NEAR = 32, FEW = 24, RINGS = 8, SAMPLE = 1500, QUADRIC = 6, CUBIC = 10 };
 
 static const double MUCH = 1.5; /* spread of a neighbourhood by the noise: more is none */
+static const double VAGUE = 10; /* of the sinking: a surface less certain than this is none */
 
 /* Noises that a point may be off its surface; of the way to the nearest point: points so near to a
- * place are about it. */
-static const double SIGMAS = 4, ABOUT = 2;
+ * place are about it, or surround it as its nearest do. */
+static const double SIGMAS = 4, ABOUT = 2, SURROUND = 3;
 
 /* A neighbourhood, nearest first. */
 struct neighbourhood {
@@ -61,36 +62,76 @@ struct local_surface {
 
 /* How far a point may be off a surface that is to be used at a place so far from it, mm.  A ball
  * that touches the part there is so far off its tangent plane, twice, that the point stays
- * touched. */
+ * touched; and a surface that is vague is none. */
 static double allowed(const struct upsample *fill, double distance2)
 {
-    return fmax(fill->sink, distance2 / (4 * fill->radius)) + SIGMAS * fill->noise;
+    double touched = distance2 / (4 * fill->radius);
+
+    return fmax(fill->sink, fmin(touched, VAGUE * fill->sink)) + SIGMAS * fill->noise;
 }
 
-/* True if p is nearer to `from` than to the other points, all points about bear the surface out, and
- * one of them lies beyond p, within 60 degrees.  *off: of the points about from the surface, the
- * nearer the more. */
+/* Directions in a plane, as angles in order. */
+struct fan {
+    size_t n;
+    double angle[NEAR];
+};
+
+static void fan_add(struct fan *fan, double angle)
+{
+    size_t k = fan->n++;
+
+    for (; k > 0 && fan->angle[k - 1] > angle; k--)
+        fan->angle[k] = fan->angle[k - 1];
+    fan->angle[k] = angle;
+}
+
+/* No half plane is without any of them. */
+static bool fan_surrounds(const struct fan *fan)
+{
+    for (size_t k = 0; k < fan->n; k++) {
+        bool last = k + 1 == fan->n;
+        if (fan->angle[last ? 0 : k + 1] + (last ? 2 * PI : 0) - fan->angle[k] >= PI)
+            return false;
+    }
+    return fan->n > 2;
+}
+
+/* No point of the neighbourhood is nearer to p, out of `from`, than that is. */
+static bool is_nearest(const struct neighbourhood *near, struct vec3 from, struct vec3 out)
+{
+    for (size_t i = 1; i < near->n && i < NEAR; i++) {
+        struct vec3 to = vec_sub(near->point[i], from);
+        if (2 * vec_dot(out, to) > vec_dot(to, to))
+            return false;
+    }
+    return true;
+}
+
+/* True if p is nearer to `from` than to the other points, all points about bear the surface out,
+ * and p is inside of those that do.  *off: of the points about from the surface, the nearer the
+ * more. */
 static bool is_between(const struct upsample *fill, const struct neighbourhood *near,
                        const struct local_surface *on, struct vec3 from, struct vec3 p, double *off)
 {
     size_t k = near->n < NEAR ? near->n : NEAR;
     struct vec3 out = vec_sub(p, from);
     double out2 = vec_dot(out, out), weights = 0;
-    bool beyond = false;
+    double beside2 = near->distance2[k < FEWEST ? k - 1 : FEWEST - 1];
+    struct fan fan = {.n = 0};
 
+    if (!is_nearest(near, from, out))
+        return false;
     *off = 0;
+    beside2 = fmax(SURROUND * SURROUND * out2, beside2);
     for (size_t i = 0; i < k; i++) {
-        struct vec3 to = vec_sub(near->point[i], from);
-        double along = vec_dot(out, to), to2 = vec_dot(to, to);
-        if (i > 0 && 2 * along > to2) /* p lies on the far side of the middle */
-            return false;
-        double far2 = out2 + to2 - 2 * along;
-        bool ahead = along > 0 && to2 > out2 && 4 * along * along > out2 * to2;
+        struct vec3 beside = vec_sub(near->point[i], p);
+        double far2 = vec_dot(beside, beside);
         bool about = far2 <= ABOUT * ABOUT * out2;
-        bool borne = fabs(on->off[i] - on->off[0]) <= allowed(fill, far2);
+        bool borne = fabs(on->off[i] - on->off[0]) <= allowed(fill, fmin(far2, ABOUT * out2));
         if (about && !borne)
             return false;
-        beyond = beyond || (ahead && borne);
+        if (borne && far2 <= beside2)
+            fan_add(&fan, atan2(vec_dot(beside, on->q->v), vec_dot(beside, on->q->u)));
         if (about) {
             double weight = 1 / sqrt(far2) - 1 / (ABOUT * sqrt(out2));
             *off += weight * weight * on->off[i];
@@ -98,7 +139,7 @@ static bool is_between(const struct upsample *fill, const struct neighbourhood *
         }
     }
     *off = on->exact && weights > 0 ? *off / weights : 0;
-    return beyond;
+    return fan_surrounds(&fan);
 }
 
 /* The ball would sink deeper between the points than they are off the surface. */
@@ -108,6 +149,16 @@ static bool would_sink(const struct upsample *fill, const struct neighbourhood *
     double sink = near->distance2[sixth] / (6 * fill->radius);
 
     return sink > fill->sink / 4 && spread <= fmax(fmax(fill->sink, sink / 2), MUCH * fill->noise);
+}
+
+/* The ball does not fit in, so that it can't sink in either, and what is there only looks like a
+ * surface, as in a corner. */
+static bool is_hollow(const struct upsample *fill, const struct quadric *q)
+{
+    struct quadric up = *q;
+
+    quadric_face_up(&up);
+    return quadric_curvature(&up) >= 1 / fill->radius;
 }
 
 static void add_between(const struct upsample *fill, const struct neighbourhood *near,
@@ -120,6 +171,8 @@ static void add_between(const struct upsample *fill, const struct neighbourhood 
     double u0 = vec_dot(off, q->u), v0 = vec_dot(off, q->v);
     int rings = (int)fmin(reach / pitch, RINGS);
 
+    if (is_hollow(fill, q))
+        return;
     for (size_t k = 0; k < near->n && k < NEAR; k++)
         on.off[k] = quadric_off(q, near->point[k]);
     for (int j = -rings; j <= rings; j++) {
@@ -156,7 +209,6 @@ static double fit_quadric(const struct neighbourhood *near, struct quadric *q)
 
 double upsample_about(const struct upsample *fill, size_t i, struct vec3s *to)
 {
-    size_t before = to->n;
     struct neighbourhood near;
     struct quadric q, cubic;
 
@@ -170,7 +222,8 @@ double upsample_about(const struct upsample *fill, size_t i, struct vec3s *to)
             spread = less;
         }
     }
-    if (spread < HUGE_VAL && would_sink(fill, &near, spread))
-        add_between(fill, &near, near.point[0], &q, true, to);
-    return to->n > before ? spread : 0;
+    if (spread == HUGE_VAL || !would_sink(fill, &near, spread))
+        return 0;
+    add_between(fill, &near, near.point[0], &q, true, to);
+    return spread;
 }

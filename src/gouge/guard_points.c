@@ -551,7 +551,28 @@ static bool is_convex_from(const struct mesh *mesh, const struct side *a, const 
     return vec_dot(up, vec_sub(beyond, p[a->end[0]])) < 0;
 }
 
-void guard_points_of_edges(const struct mesh *mesh, double spacing, struct vec3s *to)
+/* The points of the scan about a place of the edge lie on the planes of its two facets. */
+static bool is_borne_out(const struct mesh *mesh, const struct side *a, const struct side *b,
+                         const struct point_grid *scan, struct vec3 at)
+{
+    enum { NEAR = 8, MOST = 6 }; /* MOST: others may be on a third flank */
+    const double off = 0.05;     /* of their spacing, for flanks are curved */
+    struct vec3 normal[2] = {vec_unit(mesh_face_cross(mesh, a->facet)),
+                             vec_unit(mesh_face_cross(mesh, b->facet))};
+    uint32_t index[NEAR];
+    double distance2[NEAR];
+    size_t n = point_grid_nearest(scan, at, NEAR, index, distance2), on = 0;
+
+    for (size_t k = 0; k < n; k++) {
+        struct vec3 to = vec_sub(scan->point[index[k]], at);
+        double h = fmin(fabs(vec_dot(normal[0], to)), fabs(vec_dot(normal[1], to)));
+        on += h <= off * sqrt(PI * distance2[n - 1] / (double)n);
+    }
+    return on >= MOST;
+}
+
+void guard_points_of_edges(const struct mesh *mesh, double spacing, const struct point_grid *scan,
+                           struct vec3s *to)
 {
     struct sides sides = find_sides(mesh);
 
@@ -564,8 +585,11 @@ void guard_points_of_edges(const struct mesh *mesh, double spacing, struct vec3s
             continue;
         struct vec3 p = mesh->vertex.item[a->end[0]], q = mesh->vertex.item[a->end[1]];
         double parts = ceil(vec_distance(p, q) / spacing);
-        for (double i = 0; i <= parts; i++)
-            *array_push(to) = vec_mix(p, q, i / fmax(parts, 1));
+        for (double i = 0; i <= parts; i++) {
+            struct vec3 at = vec_mix(p, q, i / fmax(parts, 1));
+            if (!scan || is_borne_out(mesh, a, b, scan, at))
+                *array_push(to) = at;
+        }
     }
     array_free(&sides);
 }

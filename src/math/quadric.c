@@ -248,6 +248,21 @@ struct vec3 quadric_normal(const struct quadric *q)
     return vec_unit(vec_along(vec_along(q->w, -q->c[1], q->u), -q->c[2], q->v));
 }
 
+void quadric_face_up(struct quadric *q)
+{
+    if (quadric_normal(q).z >= 0)
+        return;
+    q->w = vec_scale(-1, q->w);
+    q->v = vec_scale(-1, q->v);
+    for (int k = 0; k < 10; k++)
+        q->c[k] = -q->c[k];
+    /* v and w both turned: terms with an odd power of v keep their sign. */
+    q->c[2] = -q->c[2];
+    q->c[4] = -q->c[4];
+    q->c[7] = -q->c[7];
+    q->c[9] = -q->c[9];
+}
+
 double quadric_distance(const struct quadric *q)
 {
     return fabs(q->c[0]) / sqrt(1 + q->c[1] * q->c[1] + q->c[2] * q->c[2]);

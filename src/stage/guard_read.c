@@ -140,11 +140,12 @@ static double spacing_of(const struct vec3s *points)
 }
 
 /* The mesh knows better than the scan where its sharp edges are. */
-static void add_edges(const struct mesh *mesh, double spacing, struct vec3s *points)
+static void add_edges(const struct mesh *mesh, double spacing, const struct point_grid *point_grid,
+                      struct vec3s *points)
 {
     size_t before = points->n;
 
-    guard_points_of_edges(mesh, spacing, points);
+    guard_points_of_edges(mesh, spacing, point_grid, points);
     if (points->n > before)
         note("and by %zu points on sharp edges of the mesh", points->n - before);
 }
@@ -198,7 +199,7 @@ static struct gouge_check *gouge_of(struct vec3s *points, const struct mesh *mes
     if (surface.edges > 0)
         note("and by %zu points on sharp edges that its surfaces meet in", surface.edges);
     if (mesh)
-        add_edges(mesh, sqrt(8 * rule->radius * how.sink), &surface.point);
+        add_edges(mesh, sqrt(8 * rule->radius * how.sink), &point_grid, &surface.point);
     point_grid_free(&point_grid);
     rule->certain = surface.certain;
     rule->doubtful = surface.doubtful;

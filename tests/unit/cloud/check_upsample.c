@@ -61,20 +61,48 @@ START_TEST(on_the_surface)
 }
 END_TEST
 
-/* The surface is handed in: a plane above the points. */
+/* The surface is handed in: a plane that noise of 2 mm may have been off. */
 START_TEST(on_a_surface_that_is_given)
 {
     struct upsample fill = make_fill(6000, 100);
-    struct quadric plane = {.origin = {0, 0, 9}, .u = {1, 0, 0}, .v = {0, 1, 0}, .w = {0, 0, 1}};
     size_t i = point_grid.n / 2;
     struct vec3 p = point_grid.point[i];
-    upsample_on(&fill, i, vec(p.x, p.y, 9), &plane, 0, &put);
+    struct quadric plane = {.origin = p, .u = {1, 0, 0}, .v = {0, 1, 0}, .w = {0, 0, 1}};
+    fill.noise = 2;
+    upsample_on(&fill, i, p, &plane, 0, &put);
+    ck_assert_uint_gt(put.n, 0);
     for (size_t k = 0; k < put.n; k++)
-        ck_assert_double_eq_tol(put.item[k].z, 9, 1e-12);
-    upsample_on(&fill, i, vec(p.x, p.y, 9), &plane, 1, &put); /* spread by 1 mm: none */
+        ck_assert_double_eq_tol(put.item[k].z, p.z, 1e-12);
     size_t before = put.n;
-    upsample_on(&fill, i, vec(p.x, p.y, 9), &plane, 1, &put);
+    upsample_on(&fill, i, p, &plane, 10, &put); /* spread by 10 mm: none */
     ck_assert_uint_eq(put.n, before);
+    fill.noise = 0; /* the points do not bear it out: the wave is steeper */
+    upsample_on(&fill, i, p, &plane, 0, &put);
+    ck_assert_uint_eq(put.n, before);
+}
+END_TEST
+
+/* No point of a floor beyond its border, where a cliff falls off, nor in the corner at its foot. */
+START_TEST(none_beyond_a_border)
+{
+    struct error error;
+    srand(5);
+    for (int i = 0; i < 6000; i++) {
+        double x = 40.0 * rand() / RAND_MAX, y = 30.0 * rand() / RAND_MAX;
+        double slope = x < 20 ? 0 : x < 22 ? 5 * (x - 20) : 10;
+        *array_push(&scan) = vec(x, y, -slope);
+    }
+    ck_assert_int_eq(point_grid_make(scan.item, scan.n, 0.45, 1, &point_grid, &error), 0);
+    struct upsample fill = {.point_grid = &point_grid, .radius = 5, .sink = 0.002};
+    for (size_t i = 0; i < point_grid.n; i++)
+        upsample_about(&fill, i, &put);
+    ck_assert_uint_gt(put.n, 6000);
+    for (size_t i = 0; i < put.n; i++) {
+        struct vec3 p = put.item[i];
+        double slope = p.x < 20 ? 0 : p.x < 22 ? 5 * (p.x - 20) : 10;
+        ck_assert(p.x > -0.05 && p.x < 40.05 && p.y > -0.05 && p.y < 30.05); /* 0.75 beyond once */
+        ck_assert_double_lt((p.z + slope) / (slope > 0 && slope < 10 ? sqrt(26) : 1), 0.15);
+    }
 }
 END_TEST
 
@@ -96,6 +124,7 @@ int main(void)
     tcase_add_checked_fixture(tests, NULL, free_all);
     tcase_add_test(tests, on_the_surface);
     tcase_add_test(tests, on_a_surface_that_is_given);
+    tcase_add_test(tests, none_beyond_a_border);
     tcase_add_test(tests, dense_enough);
     suite_add_tcase(suite, tests);
     srunner_run_all(runner, CK_ENV);

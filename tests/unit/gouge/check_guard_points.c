@@ -190,7 +190,7 @@ END_TEST
 static struct vec3s sampled(const struct mesh *mesh, double spacing)
 {
     struct vec3s points = {0};
-    guard_points_of_edges(mesh, spacing, &points);
+    guard_points_of_edges(mesh, spacing, NULL, &points);
     return points;
 }
 
