@@ -31,8 +31,9 @@ void path_coverage_rest(struct path_coverage *c, struct vec3 planes, struct tool
 /* Measures the path as it is in the end. */
 void path_coverage_measure(struct path_coverage *c, const struct toolpath *t);
 
-/* Tells what is out of reach and what is left.  EXIT_UNMET where more than path_options.left_share
- * of the points is left that rows of a scallop should have cut. */
+/* Tells what is out of reach, what the surface between points keeps the ball off, and what is left.
+ * EXIT_UNMET where the last two are more than path_options.left_share of the points, and rows of a
+ * scallop should have cut them. */
 int path_coverage_conclude(const struct path_coverage *c, struct unmets *unmet);
 
 void path_coverage_free(struct path_coverage *c);

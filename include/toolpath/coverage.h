@@ -5,7 +5,8 @@
  * A point is cut where the ball on the straight lines between the centres of the path comes within
  * the radius and a limit of it.  Of the others those are left that a ball touches (up to half the
  * limit) that is clear of the part, and on some axis the rest of its tool too; the rest is out of
- * reach.
+ * reach.  A scan is points: a ball may be clear of them that is not clear of the surface between.
+ * What that alone keeps the ball off is told apart.
  *
  * A ball that touches p has its centre at p + R d, d a unit vector, and is clear of a guard point q
  * where |p + R d - q| >= R, that is d . v <= v . v / 2R with v = q - p: half-spaces that all hold
@@ -21,19 +22,22 @@
 struct coverage;
 
 struct coverage_options {
-    const struct gouge_check *guard; /* NULL: everything can be reached */
-    const struct holder *holder;     /* what is above the ball; no parts: the ball alone comes */
-    bool upright;                    /* only on this axis: */
-    struct vec3 axis;                /* unit */
-    double radius;                   /* of the ball, mm */
-    double limit;                    /* what may stay on a point that is cut, mm */
-    double tolerance;                /* how deep a ball that touches may be in, mm */
-    const struct kdtree *vertex;     /* of a mesh of the points: ... */
-    const struct vec3 *normal;       /* ... its normals, which tell the upper side */
-    int threads;                     /* as of parallel_for */
+    const struct gouge_check *guard;   /* NULL: everything can be reached */
+    const struct gouge_check *assumed; /* what the path keeps clear of: the same, and the surface
+                                          assumed between; NULL: the same */
+    const struct holder *holder;       /* what is above the ball; no parts: the ball alone comes */
+    bool upright;                      /* only on this axis: */
+    struct vec3 axis;                  /* unit */
+    double radius;                     /* of the ball, mm */
+    double limit;                      /* what may stay on a point that is cut, mm */
+    double tolerance;                  /* how deep a ball that touches may be in, mm */
+    const struct kdtree *vertex;       /* of a mesh of the points: ... */
+    const struct vec3 *normal;         /* ... its normals, which tell the upper side */
+    int threads;                       /* as of parallel_for */
 };
 
-enum coverage_state { COVERAGE_CUT, COVERAGE_LEFT, COVERAGE_OUT };
+/* KEPT: a ball that is clear of the guard touches it, but none that is clear of what is assumed. */
+enum coverage_state { COVERAGE_CUT, COVERAGE_LEFT, COVERAGE_KEPT, COVERAGE_OUT };
 
 struct coverage_point {
     struct vec3 p;
@@ -42,15 +46,18 @@ struct coverage_point {
     struct vec3 normal; /* LEFT: from it to the centre of the ball that comes nearest */
 };
 
+/* What stays on points of one state. */
+struct coverage_share {
+    size_t n;
+    double area;    /* about, by the distance of the points, mm2 */
+    double highest; /* mm */
+    struct vec3 at;
+};
+
 /* What stays, over all points. */
 struct coverage_report {
     size_t points;
-    struct {
-        size_t n;
-        double area;    /* about, by the distance of the points, mm2 */
-        double highest; /* mm */
-        struct vec3 at;
-    } left, out;
+    struct coverage_share left, kept, out;
 };
 
 /* Of n points, all left so far. */

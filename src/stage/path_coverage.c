@@ -56,6 +56,7 @@ struct path_coverage path_coverage_new(const struct mesh *mesh, const struct too
     array_free(&points);
     c.options =
         (struct coverage_options){.guard = c.bare ? c.bare : t->lift.guard,
+                                  .assumed = c.bare ? t->lift.guard : NULL,
                                   .holder = &t->rule.holder,
                                   .upright = o->body.ball_only && t->lift.axis.kind == AXIS_FIXED,
                                   .axis = t->lift.axis.direction,
@@ -146,14 +147,24 @@ int path_coverage_conclude(const struct path_coverage *c, struct unmets *unmet)
         return EXIT_DONE;
     struct coverage_report r = coverage_report(c->coverage);
     struct vec3 at = r.out.at;
-    double share = 100.0 * (double)r.left.n / (double)(r.points > 0 ? r.points : 1);
+    double percent = 100.0 / (double)(r.points > 0 ? r.points : 1);
+    double most = path_options.left_share, left = percent * (double)r.left.n;
+    double kept = percent * (double)r.kept.n;
 
     if (r.out.n > 0)
         say("out of reach of ball and tool: %zu of %zu points, %.1f mm2, where up to %.3f mm "
             "stays, "
             "worst at %.3f %.3f %.3f",
             r.out.n, r.points, r.out.area, r.out.highest, at.x, at.y, at.z);
-    bool unmet_left = share > path_options.left_share && c->scallop > 0;
+    /* Who judges by the points alone takes both for left. */
+    bool unmet_left = left + kept > most && c->scallop > 0;
+    at = r.kept.at;
+    if (r.kept.n > 0)
+        unmet_say(
+            unmet_left ? unmet : NULL,
+            "kept off by the surface between the points of the scan, which alone would let it "
+            "by: %zu of %zu points (%.2f %%), %.1f mm2, up to %.3f mm, worst at %.3f %.3f %.3f",
+            r.kept.n, r.points, kept, r.kept.area, r.kept.highest, at.x, at.y, at.z);
     at = r.left.at;
     if (r.left.n > 0)
         unmet_say(
@@ -161,8 +172,8 @@ int path_coverage_conclude(const struct path_coverage *c, struct unmets *unmet)
             "left though within reach: %zu of %zu points (%.2f %%, at most %g), %.1f mm2, more "
             "than "
             "%.3f mm and up to %.3f mm, worst at %.3f %.3f %.3f",
-            r.left.n, r.points, share, path_options.left_share, r.left.area, c->options.limit,
-            r.left.highest, at.x, at.y, at.z);
+            r.left.n, r.points, left, most, r.left.area, c->options.limit, r.left.highest, at.x,
+            at.y, at.z);
     if (r.left.n == 0)
         note("all of %zu points within reach are cut to %.3f mm; %zu rest passes in %zu rounds",
              r.points, c->options.limit, c->strips, c->rounds);

@@ -21,7 +21,8 @@ struct coverage {
     size_t n;
     struct coverage_point *point;
     bool *known;   /* has been found: ... */
-    double *reach; /* ... how near the ball can come to the point, mm */
+    double *reach; /* ... how near the ball can come to the point, mm, ... */
+    bool *kept;    /* ... and that what is assumed keeps it off */
     size_t done;   /* centres of the path that have been looked at */
     struct kdtree *tree;
 };
@@ -34,6 +35,7 @@ struct coverage *coverage_new(const struct vec3 *point, size_t n, int threads)
     coverage->point = mem_alloc(n + 1, sizeof *coverage->point);
     coverage->known = mem_alloc(n + 1, sizeof *coverage->known);
     coverage->reach = mem_alloc(n + 1, sizeof *coverage->reach);
+    coverage->kept = mem_alloc(n + 1, sizeof *coverage->kept);
     coverage->tree = kdtree_new_by(point, n, threads);
     for (size_t i = 0; i < n; i++)
         coverage->point[i] =
@@ -49,6 +51,7 @@ void coverage_free(struct coverage *coverage)
     free(coverage->point);
     free(coverage->known);
     free(coverage->reach);
+    free(coverage->kept);
     free(coverage);
 }
 
@@ -187,28 +190,54 @@ static bool has_axis(const struct coverage_options *o, struct vec3 c, struct vec
 }
 
 /* How near a ball and its tool come to p, mm, from some directions to begin with; HUGE_VAL: nothing
- * comes as near as what is there is worth. */
-static double find_reach(const struct covering *w, struct coverage_point *point)
+ * comes as near as what is there is worth.  *direction: of the nearest, else as it was. */
+static double find_reach(const struct coverage_options *o, struct vec3 p,
+                         const struct vec3 begin[3], struct vec3 *direction)
 {
-    const struct coverage_options *o = w->options;
-    struct vec3 normal = guess_normal(w, point->p), up = vec(0, 0, 1);
-    struct vec3 begin[3] = {normal, vec_unit(vec_add(normal, up)), up};
     double nearest = HUGE_VAL;
 
-    point->normal = normal;
     for (int k = 0; k < 3 && nearest > 0; k++) {
         struct vec3 d = begin[k];
         if (vec_length(d) < 0.5)
             continue;
-        double lift = o->guard ? find_touch(o, point->p, &d) : 0;
+        double lift = o->guard ? find_touch(o, p, &d) : 0;
         if (lift >= nearest)
             continue;
-        if (!o->guard || has_axis(o, vec_along(point->p, o->radius + lift, d), d)) {
-            point->normal = d;
+        if (!o->guard || has_axis(o, vec_along(p, o->radius + lift, d), d)) {
+            *direction = d;
             nearest = lift;
         }
     }
     return nearest;
+}
+
+/* What is known of a point that is not cut, once. */
+static void look_at_point(const struct covering *w, size_t i)
+{
+    const struct coverage_options *o = w->options;
+    struct coverage_point *point = &w->coverage->point[i];
+    struct vec3 normal = guess_normal(w, point->p), up = vec(0, 0, 1), direction;
+    struct vec3 begin[3] = {normal, vec_unit(vec_add(normal, up)), up};
+
+    point->normal = normal;
+    w->coverage->reach[i] = find_reach(o, point->p, begin, &point->normal);
+    if (!o->assumed || w->coverage->reach[i] > TOUCHED * o->limit)
+        return;
+    struct coverage_options assumed = *o;
+    assumed.guard = o->assumed;
+    struct vec3 again[3] = {point->normal, normal, up};
+    w->coverage->kept[i] = find_reach(&assumed, point->p, again, &direction) > TOUCHED * o->limit;
+    if (!w->coverage->kept[i])
+        point->normal = direction;
+}
+
+static enum coverage_state state_of(const struct covering *w, size_t i)
+{
+    double limit = w->options->limit;
+
+    if (!(w->coverage->point[i].height > limit && w->coverage->reach[i] <= TOUCHED * limit))
+        return COVERAGE_OUT;
+    return w->coverage->kept[i] ? COVERAGE_KEPT : COVERAGE_LEFT;
 }
 
 static void cover_points(void *context, size_t from, size_t to)
@@ -230,10 +259,9 @@ static void cover_points(void *context, size_t from, size_t to)
         far = kdtree_nearest_segment(w->path, point->p, point->p, far, &nearest);
         point->height = far - o->radius;
         if (!w->coverage->known[i] && point->height > o->limit)
-            w->coverage->reach[i] = find_reach(w, point);
+            look_at_point(w, i);
         w->coverage->known[i] = true;
-        bool left = point->height > o->limit && w->coverage->reach[i] <= TOUCHED * o->limit;
-        point->state = left ? COVERAGE_LEFT : COVERAGE_OUT;
+        point->state = state_of(w, i);
     }
 }
 
@@ -267,24 +295,19 @@ static double area_of(const struct coverage *coverage, struct vec3 p)
 struct coverage_report coverage_report(const struct coverage *coverage)
 {
     struct coverage_report report = {.points = coverage->n};
+    struct coverage_share *share[] = {[COVERAGE_LEFT] = &report.left,
+                                      [COVERAGE_KEPT] = &report.kept,
+                                      [COVERAGE_OUT] = &report.out};
 
     for (size_t i = 0; i < coverage->n; i++) {
         const struct coverage_point *p = &coverage->point[i];
-        double area = p->state == COVERAGE_CUT ? 0 : area_of(coverage, p->p);
-        if (p->state == COVERAGE_LEFT) {
-            report.left.n++;
-            report.left.area += area;
-            if (p->height > report.left.highest) {
-                report.left.highest = p->height;
-                report.left.at = p->p;
-            }
-        } else if (p->state == COVERAGE_OUT) {
-            report.out.n++;
-            report.out.area += area;
-            if (p->height > report.out.highest) {
-                report.out.highest = p->height;
-                report.out.at = p->p;
-            }
+        if (p->state == COVERAGE_CUT)
+            continue;
+        share[p->state]->n++;
+        share[p->state]->area += area_of(coverage, p->p);
+        if (p->height > share[p->state]->highest) {
+            share[p->state]->highest = p->height;
+            share[p->state]->at = p->p;
         }
     }
     return report;
