@@ -13,6 +13,9 @@
  *   sewing        boundaries of neighbours made one (nurbs/patch_mesh.h, nurbs/sew.h)
  *   orientation   all surfaces turned to one side, the outside out (nurbs/orient.h)
  *
+ * Surfaces fitted to points come from height_fit.h and height_knots.h (least squares) and
+ * net_patches.h (Ferguson, Bezier).
+ *
  * Beside them: curves and surfaces of other kinds as NURBS (nurbs/construct.h), the smallest
  * concave radius (nurbs/concave_radius.h), and contact points moved from the mesh onto the surfaces
  * (nurbs/project.h).

@@ -5,7 +5,7 @@
 #define CLOUDMILL_DELAUNAY_BORDER_H
 
 #include "delaunay.h"
-#include "scan_border.h"
+#include "meshing/scan_border.h"
 
 /* Is a triangle (NONE: no) part of the scan's surface? */
 bool delaunay_is_surface(const struct delaunay *d, int triangle, double gap);

@@ -7,7 +7,7 @@
 
 #include "delaunay.h"
 #include "meshing/delaunay_mesh.h"
-#include "scan_border.h"
+#include "meshing/scan_border.h"
 
 /* Puts points into an empty triangulation of them; returns which triangles are surface, for the
  * caller to free. */

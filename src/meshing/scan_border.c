@@ -1,5 +1,5 @@
 /* scan_border - see scan_border.h. */
-#include "scan_border.h"
+#include "meshing/scan_border.h"
 
 #include <stdlib.h>
 
