@@ -49,7 +49,7 @@ static int length_off(const struct nc_program *p)
 {
     if (p->plan->ability.tcp && *p->machine->blocks.tcp_off)
         return -1;
-    return p->plane ? LENGTH_OFF_ALONE : p->machine->length_off;
+    return p->machine->length_off;
 }
 
 static bool holds(const struct nc_program *p, enum template_condition condition)
