@@ -13,6 +13,7 @@ spin() { # CONTROL
 }
 checked=0
 for machine in "$SRC"/machines/*.txt; do
+	grep -q '= grbl' "$machine" && continue # too low for it
 	machine=$(basename "$machine" .txt)
 	for control in fanuc siemens heidenhain linuxcnc; do
 		tcp=
