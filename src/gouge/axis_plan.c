@@ -24,6 +24,8 @@ static const double JUMP = 12;         /* cost of an axis that can't be come to 
 static const double WIDEST = 16;       /* mm: first half length of averages, halved each time */
 static const double NARROWEST = 1.5;   /* mm: and the last */
 static const double BENT = RADIANS(0.15); /* an axis further off the straight line gets a point */
+static const double SPARE = RADIANS(0.6); /* of play, for what the turn is off beside the pole */
+static const double BESIDE = RADIANS(12); /* so near it the turn may be off for that */
 static const double SUDDEN = 0.6; /* radians between nodes beyond the rule's: lift instead */
 
 struct neighbours {
@@ -222,6 +224,12 @@ struct step {
     short *from;
 };
 
+/* The play that the choice of axes has: less by what is spared. */
+static double play_of(const struct axis_planner *p)
+{
+    return p->options.play > 4 * SPARE ? p->options.play - SPARE : p->options.play;
+}
+
 /* How far off the rule costs little: play, or what is open nearest to it and a little more. */
 static double free_zone(const struct axis_planner *p, const struct node *node)
 {
@@ -230,12 +238,12 @@ static double free_zone(const struct axis_planner *p, const struct node *node)
     if (vec_length(node->normal) == 0 && p->options.play > 0)
         return AIR;
     if (node->rule_open)
-        return p->options.play;
+        return play_of(p);
     for (int j = 0; j < p->grid.n; j++)
         if (node->state[j] != ACCESS_BLOCKED)
             nearest = fmax(nearest, vec_dot(p->grid.at[j], node->rule));
     double off = acos(fmin(nearest, 1));
-    return off > p->options.play ? off + ALIKE : p->options.play;
+    return off > play_of(p) ? off + ALIKE : play_of(p);
 }
 
 static double off_cost(double zone, const struct node *node, struct vec3 axis, double length)
@@ -397,11 +405,12 @@ static void choose_axes(const struct work *w, size_t from, size_t to)
 /* ---- the axes made smooth */
 
 /* True if the node may have the axis. */
-static bool may_have(const struct axis_planner *p, const struct node *node, struct vec3 axis)
+static bool may_have(const struct axis_planner *p, const struct node *node, struct vec3 axis,
+                     double spare)
 {
     int corner[4];
 
-    if (vec_dot(axis, node->rule) < cos(node->allow))
+    if (vec_dot(axis, node->rule) < cos(node->allow + spare))
         return false;
     if (node->strict)
         return access_is_open(p->access, node->ball, axis);
@@ -420,7 +429,7 @@ static void set_allowances(const struct work *w, size_t from, size_t to)
     struct node *node = w->nodes.item;
 
     for (size_t i = from; i < to; i++) {
-        double off = vec_angle(node[i].axis, node[i].rule), play = w->planner->options.play;
+        double off = vec_angle(node[i].axis, node[i].rule), play = play_of(w->planner);
         if (vec_length(node[i].normal) == 0 && play > 0)
             play = AIR;
         node[i].allow = off > play + 1e-6 ? off + 0.05 : play;
@@ -456,7 +465,7 @@ static void move_towards(const struct axis_planner *p, struct node *node, struct
         struct rotary_angles a = {was.lean + part * (to.lean - was.lean),
                                   was.turn + part * (to.turn - was.turn)};
         struct vec3 axis = rotary_axis(&p->frame, a);
-        if (!may_have(p, node, axis))
+        if (!may_have(p, node, axis, 0))
             continue;
         node->angles = a;
         node->axis = axis;
@@ -499,6 +508,42 @@ static void average_angles(const struct work *w, size_t from, size_t to, double 
     free(sum);
 }
 
+/* The turn of a node between its neighbours', as far as that moves the axis by no more than SPARE:
+ * beside the pole that is far, and no axis is any nearer to its rule for a turn there. */
+static void relax_turn(const struct axis_planner *p, struct node *node, double turn0)
+{
+    double before = node->along - node[-1].along, after = node[1].along - node->along;
+    double sine = fabs(sin(node->angles.lean)), most = sine > 0 ? SPARE / sine : HUGE_VAL;
+    double to = before + after > 0 ? (node[-1].angles.turn * after + node[1].angles.turn * before) /
+                                         (before + after)
+                                   : node->angles.turn;
+    struct rotary_angles angles = {node->angles.lean, fmin(fmax(to, turn0 - most), turn0 + most)};
+    struct vec3 axis = rotary_axis(&p->frame, angles);
+
+    if (fabs(angles.turn - node->angles.turn) < 1e-9 || !may_have(p, node, axis, SPARE))
+        return;
+    node->angles = angles;
+    node->axis = axis;
+    node->by_rule = false;
+}
+
+static void relax_turns(const struct work *w, size_t from, size_t to)
+{
+    enum { SWEEPS = 60 };
+    struct node *node = w->nodes.item;
+    double *turn0 = mem_alloc(to - from, sizeof *turn0);
+
+    for (size_t i = from; i < to; i++)
+        turn0[i - from] = node[i].angles.turn;
+    for (int sweep = 0; sweep < SWEEPS; sweep++)
+        for (size_t k = 1; k + 1 < to - from; k++) {
+            size_t i = sweep % 2 ? to - 1 - k : from + k;
+            if (fabs(node[i].angles.lean) < BESIDE)
+                relax_turn(w->planner, &node[i], turn0[i - from]);
+        }
+    free(turn0);
+}
+
 /* The axes of nodes [from, to), none of which but the first begins anew. */
 static void smooth_axes(const struct work *w, size_t from, size_t to)
 {
@@ -510,6 +555,8 @@ static void smooth_axes(const struct work *w, size_t from, size_t to)
     for (double half = WIDEST; half > NARROWEST; half /= 2)
         for (int sweep = 0; sweep < SWEEPS; sweep++)
             average_angles(w, from, to, half);
+    if (w->planner->options.play > 0)
+        relax_turns(w, from, to);
 }
 
 static bool has_axis(const struct node *node)
