@@ -8,8 +8,9 @@
 #include "stage/fitter.h"
 #include "stage/path_tilt.h"
 
-/* With less than this share of the usual work a run is fitted in a hurry. */
-static const double HURRIED = 0.25;
+/* With less than this share of the usual work a run is fitted in a hurry; the other one where it
+ * may be fitted several times. */
+static const double HURRIED = 0.25, HURRIED_GUARDED = 0.5;
 
 struct settings {
     struct fitter_options common;
@@ -66,16 +67,17 @@ static void fit_run(const void *settings, const struct fit_request *request, str
 {
     const struct settings *s = settings;
     const struct gouge_refit_options *gouge = request->gouge;
-    struct run_fit f = {.gouge = gouge,
-                        .options = {.tolerance = s->common.tolerance,
-                                    .axis = request->axis_share * RADIANS(s->common.angle),
-                                    .centre = request->in->head.track == TRACK_CENTRE,
-                                    .paper = s->common.paper,
-                                    .chords = s->chords,
-                                    .hurried = request->work < HURRIED,
-                                    .guarded = gouge->guard != NULL},
-                        .fitted = &run->fitted,
-                        .report = run->result};
+    struct run_fit f = {
+        .gouge = gouge,
+        .options = {.tolerance = s->common.tolerance,
+                    .axis = request->axis_share * RADIANS(s->common.angle),
+                    .centre = request->in->head.track == TRACK_CENTRE,
+                    .paper = s->common.paper,
+                    .chords = s->chords,
+                    .hurried = request->work < (gouge->guard ? HURRIED_GUARDED : HURRIED),
+                    .guarded = gouge->guard != NULL},
+        .fitted = &run->fitted,
+        .report = run->result};
     run->gouge = gouge_refit_fit(gouge, points, fit_and_check, &f);
     arcrun_memo_free(&f.memo);
     gouge_track_free(&f.track);

@@ -86,6 +86,13 @@ size_t arcfit_step(const struct reference *reference, const struct deviation *wi
  */
 size_t arcfit_each(const struct reference *reference, struct pieces *pieces);
 
+/* What a search may cost. */
+enum arcfit_effort {
+    ARCFIT_THOROUGH, /* as much as finds fewer arcs */
+    ARCFIT_QUICK,    /* as long a search, but with fewer points looked at: a fifth less time */
+    ARCFIT_HURRIED   /* with fewer chains, too: half the time, a fiftieth more arcs */
+};
+
 /*
  * The tangent-relaxed search: appends the fewest single arcs.  Each starts at the point and in the
  * direction where the last one ended, and ends beside a point of the reference, up to ARC_JOINT_OFF
@@ -97,7 +104,7 @@ size_t arcfit_each(const struct reference *reference, struct pieces *pieces);
  * single arcs do not do everywhere, there are never more pieces than arcfit_biarcs makes.
  */
 void arcfit_beam(const struct reference *reference, const struct deviation *within, int digits,
-                 struct pieces *pieces);
+                 enum arcfit_effort effort, struct pieces *pieces);
 
 /*
  * Replaces parts of the chain `pieces`, which keep `within` of the reference, by fewer pieces that

@@ -5,8 +5,6 @@
 
 /* ---- which single arcs can follow the reference, and how far */
 
-static const double FURTHER = 1.0 / 40; /* the next point looked at is so much further away */
-
 /* Direction across t to which the reference bends: that in which it first is clearly off the line.
  */
 static struct vec3 bend_direction(const struct reference *reference, size_t at, struct vec3 p,
@@ -45,7 +43,7 @@ static bool cut_to_disc(struct arc_window *w, struct vec3 k, double radius)
 }
 
 size_t arc_look_ahead(const struct reference *reference, size_t at, struct vec3 p, struct vec3 t,
-                      double tolerance, struct arc_windows *windows)
+                      double tolerance, double further, struct arc_windows *windows)
 {
     struct arc_window w = open_window(bend_direction(reference, at, p, t, tolerance), t);
     double start = reference->length[at], next = 0;
@@ -53,7 +51,7 @@ size_t arc_look_ahead(const struct reference *reference, size_t at, struct vec3 
     for (size_t j = at + 1; j < reference->n; j++) {
         if (reference->length[j] < next && j + 1 < reference->n)
             continue;
-        next = start + (1 + FURTHER) * (reference->length[j] - start);
+        next = start + (1 + further) * (reference->length[j] - start);
         struct vec3 e = vec_sub(reference->point[j], p);
         double ahead = vec_dot(e, t), e2 = vec_dot(e, e);
         if (e2 > tolerance * tolerance) {
@@ -132,14 +130,19 @@ struct vec3 arc_axis_end(const struct reference *reference, const struct arc_pie
 /* ---- the beam */
 
 enum {
-    BEAM = 24,        /* chains kept where the axis stands still, */
-    BEAM_TURNING = 8, /* and where it turns: there each proof takes longer */
-    SHORTER = 6,      /* ends tried, each a sixteenth of the reach shorter than the one before */
-    ACROSS = 5,       /* curvatures tried in the plane of the bend, */
-    ASIDE = 3,        /* and out of it */
-    TURNED = 3,       /* directions tried at the start, to each side */
+    SHORTER = 6, /* ends tried, each a sixteenth of the reach shorter than the one before */
+    ACROSS = 5,  /* curvatures tried in the plane of the bend, */
+    ASIDE = 3,   /* and out of it */
+    TURNED = 3,  /* directions tried at the start, to each side */
     AXIS_DIGITS = 9
 };
+
+/* What a search of each enum arcfit_effort costs. */
+static const struct beam_effort {
+    size_t still, turning; /* chains kept where the axis stands still, and where it turns: there
+                               each proof takes longer */
+    double window, reach;  /* further away, the next point looked at */
+} EFFORT[] = {{24, 8, 1.0 / 40, 1.0 / 40}, {24, 8, 1.0 / 10, 1.0 / 6}, {4, 4, 1.0 / 10, 1.0 / 6}};
 
 static const double TURN_MAX = 2.6;  /* of one arc, radians */
 static const double STRAIGHT = 1e-9; /* mm: an end this near to the line ahead is on it */
@@ -175,6 +178,7 @@ struct beam {
     const struct reference *reference;
     const struct deviation *within;
     int digits;
+    const struct beam_effort *effort;
     size_t width;      /* chains kept */
     struct nodes done; /* all that are part of chains */
     struct proposals next;
@@ -184,7 +188,7 @@ struct beam {
 
 static size_t reach_from(const struct beam *b, size_t at, struct vec3 p, struct vec3 t)
 {
-    return arc_look_ahead(b->reference, at, p, t, b->within->point, NULL);
+    return arc_look_ahead(b->reference, at, p, t, b->within->point, b->effort->reach, NULL);
 }
 
 /* An arc from node `before` to `to` beside point j. */
@@ -240,7 +244,8 @@ static void propose_next(struct beam *b, size_t before)
     const struct reference *t = b->reference;
     struct chain_end l = b->done.item[before].end;
     b->windows.n = 0;
-    size_t reach = arc_look_ahead(t, l.at, l.p, l.tangent, b->within->point, &b->windows);
+    size_t reach =
+        arc_look_ahead(t, l.at, l.p, l.tangent, b->within->point, b->effort->window, &b->windows);
     if (reach + 1 == t->n)
         propose_arc(b, before, reach, t->point[reach]);
     double whole = t->length[reach] - t->length[l.at];
@@ -400,13 +405,15 @@ static void grow_chains(struct beam *b)
 }
 
 void arcfit_beam(const struct reference *reference, const struct deviation *within, int digits,
-                 struct pieces *pieces)
+                 enum arcfit_effort effort, struct pieces *pieces)
 {
     if (reference->n < 2)
         return;
     struct beam b = {.reference = reference, .within = within, .digits = digits};
     struct pieces biarcs = {0}, arcs = {0};
-    b.width = reference_axis_still(reference, 0, reference->n - 1) ? BEAM : BEAM_TURNING;
+    b.effort = &EFFORT[effort];
+    b.width =
+        reference_axis_still(reference, 0, reference->n - 1) ? b.effort->still : b.effort->turning;
     add_starts(&b);
     size_t starts = b.done.n;
     grow_chains(&b);

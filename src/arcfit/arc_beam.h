@@ -31,11 +31,11 @@ struct arc_windows {
 /*
  * Looks ahead from p beside point `at` of the reference in the unit direction t, with `tolerance`
  * mm.  Returns the last point that an arc may reach (`at`: none).  With `windows` not NULL the
- * window of each point looked at is appended: all of them, but for points that are hardly further
- * away than the one before.
+ * window of each point looked at is appended: all of them, but for points that are not even
+ * `further` (a part of the way) away than the one before.
  */
 size_t arc_look_ahead(const struct reference *reference, size_t at, struct vec3 p, struct vec3 t,
-                      double tolerance, struct arc_windows *windows);
+                      double tolerance, double further, struct arc_windows *windows);
 
 /* A curvature in the window, at fractions 0 to 1 of its width along u and along v. */
 struct vec3 arc_window_curvature(const struct arc_window *window, double across, double aside);

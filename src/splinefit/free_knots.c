@@ -470,9 +470,14 @@ static bool is_rough(const struct knots_tries *t, size_t poles, size_t points)
     return poles > FEW && poles * points > t->reference->n;
 }
 
+static double work_share(const struct free_knots_options *options)
+{
+    return options->work > 0 ? options->work : 1;
+}
+
 static double uneven_effort(const struct free_knots_options *options)
 {
-    return EFFORT_UNEVEN * (options->work > 0 ? options->work : 1);
+    return EFFORT_UNEVEN * work_share(options);
 }
 
 /* Upwards until a count serves.  Returns the last one that did not. */
@@ -575,7 +580,7 @@ struct free_knots_result free_knots_search(const struct reference *reference,
                                            const struct free_knots_options *options)
 {
     struct free_knots_result best = {.cut = false};
-    double effort = EFFORT + EFFORT_PER_POINT * (double)reference->n;
+    double effort = (EFFORT + EFFORT_PER_POINT * (double)reference->n) * work_share(options);
 
     for (size_t parts = PARTS; parts <= PARTS_FINEST; parts *= 4) {
         struct knots_tries t = knots_tries_new(reference, options, effort);

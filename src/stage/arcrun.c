@@ -48,11 +48,18 @@ static bool is_smooth(const struct fit *f)
     return given_points(f) >= many * f->pieces.n;
 }
 
+static enum arcfit_effort effort_of(const struct fit *f)
+{
+    return f->options->hurried   ? ARCFIT_HURRIED
+           : f->options->guarded ? ARCFIT_QUICK
+                                 : ARCFIT_THOROUGH;
+}
+
 /* The pieces found from the other end, where they are fewer. */
 static bool fit_from_end(const struct fit *f, const struct deviation *less, struct pieces *back)
 {
     struct reference reference = arcfit_reverse_reference(&f->reference);
-    arcfit_beam(&reference, less, PATH_COORDINATE, back);
+    arcfit_beam(&reference, less, PATH_COORDINATE, effort_of(f), back);
     arcfit_reduce(&reference, less, PATH_COORDINATE, true, back);
     arcfit_reverse_pieces(back, reference.n);
     if (back->n <= f->pieces.n)
@@ -82,7 +89,7 @@ static bool fit_once(struct fit *f, const struct deviation *within, const struct
     bool good = false;
 
     f->pieces.n = 0;
-    arcfit_beam(&f->reference, less, PATH_COORDINATE, &f->pieces);
+    arcfit_beam(&f->reference, less, PATH_COORDINATE, effort_of(f), &f->pieces);
     if (!f->options->hurried)
         arcfit_reduce(&f->reference, less, PATH_COORDINATE, false, &f->pieces);
     bool thorough = is_smooth(f);

@@ -25,7 +25,7 @@ START_TEST(a_circle_can_be_followed_to_its_end)
 {
     struct reference t = around(20, 60, 0.5);
     struct arc_windows w = {0};
-    ck_assert_uint_eq(arc_look_ahead(&t, 0, t.point[0], vec(1, 0, 0), 0.01, &w), 59);
+    ck_assert_uint_eq(arc_look_ahead(&t, 0, t.point[0], vec(1, 0, 0), 0.01, 1.0 / 40, &w), 59);
     ck_assert_uint_eq(w.item[w.n - 1].point, 59);
     struct vec3 k = arc_window_curvature(&w.item[w.n - 1], 0.5, 0.5);
     ck_assert_double_lt(vec_distance(k, vec(0, 1.0 / 20, 0)), 1e-5);
@@ -41,9 +41,9 @@ START_TEST(a_wrong_direction_ends_it)
      * largest lower bound is a^2 / (2 d), and all bounds meet up to s = 2 (1 + sqrt 2) d / a */
     double a = 0.01, l = 2 * (1 + sqrt(2)) * 0.01 / a;
     struct reference t = around(1e6, 400, 0.02);
-    size_t to = arc_look_ahead(&t, 0, t.point[0], vec(cos(a), sin(a), 0), 0.01, NULL);
+    size_t to = arc_look_ahead(&t, 0, t.point[0], vec(cos(a), sin(a), 0), 0.01, 1.0 / 40, NULL);
     ck_assert_double_lt(fabs(t.length[to] - l), 0.15);
-    ck_assert_uint_eq(arc_look_ahead(&t, 0, t.point[0], vec(-1, 0, 0), 0.01, NULL), 0);
+    ck_assert_uint_eq(arc_look_ahead(&t, 0, t.point[0], vec(-1, 0, 0), 0.01, 1.0 / 40, NULL), 0);
     reference_free(&t);
 }
 END_TEST
@@ -52,7 +52,7 @@ START_TEST(a_line_holds_the_straight_one)
 {
     struct reference t = around(1e9, 50, 1);
     struct arc_windows w = {0};
-    arc_look_ahead(&t, 5, vec_add(t.point[5], vec(0, 0.005, 0)), vec(1, 0, 0), 0.01, &w);
+    arc_look_ahead(&t, 5, vec_add(t.point[5], vec(0, 0.005, 0)), vec(1, 0, 0), 0.01, 1.0 / 40, &w);
     ck_assert_uint_eq(w.item[w.n - 1].point, 49);
     ck_assert(arc_window_holds_line(&w.item[w.n - 1]));
     array_free(&w);
@@ -116,7 +116,7 @@ START_TEST(a_wave_takes_a_third_less_than_biarcs)
 {
     struct reference t = trial_wave(401, 0.25, 0, 0);
     struct pieces arcs = {0}, biarcs = {0};
-    arcfit_beam(&t, &WITHIN, 6, &arcs);
+    arcfit_beam(&t, &WITHIN, 6, ARCFIT_THOROUGH, &arcs);
     arcfit_biarcs(&t, &WITHIN, &biarcs);
     trial_assert_chain(&t, &WITHIN, &arcs);
     ck_assert_uint_lt(4 * arcs.n, 3 * biarcs.n);
@@ -130,7 +130,7 @@ START_TEST(the_far_end_of_the_lever_is_kept_too)
 {
     struct reference t = trial_wave(401, 0.25, 0.3, 0);
     struct pieces arcs = {0};
-    arcfit_beam(&t, &WITHIN, 6, &arcs);
+    arcfit_beam(&t, &WITHIN, 6, ARCFIT_THOROUGH, &arcs);
     trial_assert_chain(&t, &WITHIN, &arcs);
     array_free(&arcs);
     reference_free(&t);
@@ -148,7 +148,7 @@ START_TEST(lines_and_single_intervals)
         }
         struct reference t = reference_of(&run, 0, run.n, false, false);
         struct pieces arcs = {0};
-        arcfit_beam(&t, &WITHIN, 6, &arcs);
+        arcfit_beam(&t, &WITHIN, 6, ARCFIT_THOROUGH, &arcs);
         ck_assert_uint_eq(arcs.n, 1);
         ck_assert(arc_straight(&arcs.item[0].arc));
         array_free(&arcs);

@@ -166,7 +166,7 @@ START_TEST(pieces_from_the_end_follow_the_trace)
     struct reference t = wave(), back = arcfit_reverse_reference(&t);
     struct deviation within = {0.01, 0.01, 0.02};
     struct pieces pieces = {0};
-    arcfit_beam(&back, &within, 6, &pieces);
+    arcfit_beam(&back, &within, 6, ARCFIT_THOROUGH, &pieces);
     ck_assert_uint_gt(pieces.n, 3);
     arcfit_reverse_pieces(&pieces, t.n);
     ck_assert_double_eq(pieces.item[0].from, 0);

@@ -12,7 +12,7 @@ static void assert_fewer(size_t n, double lean, size_t fewer)
 {
     struct reference t = trial_wave(n, 0.25, lean, 0);
     struct pieces p = {0};
-    arcfit_beam(&t, &WITHIN, 6, &p);
+    arcfit_beam(&t, &WITHIN, 6, ARCFIT_THOROUGH, &p);
     size_t before = p.n;
     arcfit_reduce(&t, &WITHIN, 6, true, &p);
     trial_assert_chain(&t, &WITHIN, &p);
@@ -46,7 +46,7 @@ START_TEST(from_few_to_many)
     for (size_t n = 121; n < 800; n += 120) {
         struct reference t = trial_wave(n, 0.25, 0, 0);
         struct pieces p = {0};
-        arcfit_beam(&t, &WITHIN, 6, &p);
+        arcfit_beam(&t, &WITHIN, 6, ARCFIT_THOROUGH, &p);
         windows += p.n > 32;
         arcfit_reduce(&t, &WITHIN, 6, true, &p);
         trial_assert_chain(&t, &WITHIN, &p);
@@ -63,7 +63,7 @@ START_TEST(a_kink_stays)
     struct pieces p = {0}, second = {0};
     struct reference half = t;
     half.n = 101;
-    arcfit_beam(&half, &WITHIN, 6, &p);
+    arcfit_beam(&half, &WITHIN, 6, ARCFIT_THOROUGH, &p);
     half = (struct reference){.n = 101,
                               .point = t.point + 100,
                               .other = t.other + 100,
@@ -71,7 +71,7 @@ START_TEST(a_kink_stays)
                               .tangent = t.tangent + 100,
                               .length = t.length + 100,
                               .offset = t.offset};
-    arcfit_beam(&half, &WITHIN, 6, &second);
+    arcfit_beam(&half, &WITHIN, 6, ARCFIT_THOROUGH, &second);
     for (size_t i = 0; i < second.n; i++) {
         struct arc_piece moved = second.item[i];
         moved.from += 100;
