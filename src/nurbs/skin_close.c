@@ -21,7 +21,7 @@ static size_t third_place(const struct patch_mesh *q, const struct skin_side *s)
     return q->vertex.item[q->face.item[s->facet].v[(s->corner + 2) % 3]].place;
 }
 
-/* Marks the pairs of facets that are each other's back. */
+/* Marks the pairs of facets that are each other's back, or the same twice. */
 static size_t mark_folds(const struct patch_mesh *q, const struct skin_side *side, size_t n,
                          bool *out)
 {
@@ -31,8 +31,7 @@ static size_t mark_folds(const struct patch_mesh *q, const struct skin_side *sid
         k = skin_sides_same(side, n, i);
         for (size_t a = i; k > 1 && a < i + k; a++) {
             for (size_t b = a + 1; b < i + k && !out[side[a].facet]; b++) {
-                if (out[side[b].facet] || side[a].forward == side[b].forward ||
-                    third_place(q, &side[a]) != third_place(q, &side[b]))
+                if (out[side[b].facet] || third_place(q, &side[a]) != third_place(q, &side[b]))
                     continue;
                 out[side[a].facet] = out[side[b].facet] = true;
                 folded++;
@@ -123,13 +122,62 @@ static size_t drop_folds(struct patch_mesh *q, double gap)
     return folded;
 }
 
+/* ---- slivers that are turned round */
+
+/* Counts the sides of each facet that its one neighbour has in the same direction, less the others.
+ */
+static void count_turned(const struct skin_side *side, size_t n, signed char *turned)
+{
+    for (size_t i = 0, k; i < n; i += k) {
+        k = skin_sides_same(side, n, i);
+        int by = side[i].forward == side[i + (k > 1)].forward ? 1 : -1;
+        for (size_t a = i; a < i + k && k == 2; a++)
+            turned[side[a].facet] = (signed char)(turned[side[a].facet] + by);
+    }
+}
+
+/* Where vertices became one place, a sliver between them may have been left upside down: it is
+ * turned as most of its neighbours are. */
+static void turn_slivers(struct patch_mesh *q, double gap)
+{
+    enum { ROUNDS = 20 };
+    size_t n, changed = 1;
+
+    for (int i = 0; i < ROUNDS && changed > 0; i++) {
+        struct skin_side *side = skin_sides_find(q, &n);
+        signed char *turned = mem_alloc(q->face.n + 1, sizeof *turned);
+        bool *touched = mem_alloc(q->vertex.n + 1, sizeof *touched);
+        changed = 0;
+        count_turned(side, n, turned);
+        for (size_t f = 0; f < q->face.n; f++) {
+            int *v = q->face.item[f].v;
+            size_t place[3];
+            for (int k = 0; k < 3; k++)
+                place[k] = q->vertex.item[v[k]].place;
+            if (turned[f] <= 0 || touched[place[0]] || touched[place[1]] || touched[place[2]] ||
+                !(width_of(q, f) <= gap))
+                continue;
+            for (int k = 0; k < 3; k++)
+                touched[place[k]] = true; /* one at a time about a place */
+            int other = v[1];
+            v[1] = v[2];
+            v[2] = other;
+            changed++;
+        }
+        free(side);
+        free(turned);
+        free(touched);
+    }
+}
+
 /* ---- slits */
 
-/* An open edge in the direction that a facet on its open side has it. */
+/* An open edge in the direction that a facet on its open side has it: 2 i of rims.item[i]; 2 i + 1 is
+ * the same edge the other way. */
 struct rim {
-    int from, to; /* vertices, of the facet that is there */
+    int end[2]; /* vertices, of the facet that is there */
     int sheet;
-    int next; /* of those that begin at the same place, or NONE */
+    int next[2]; /* of those that have an end at the same place: 2 i or 2 i + 1, or NONE */
     bool used;
 };
 
@@ -137,6 +185,31 @@ struct rims {
     size_t n, cap;
     struct rim *item;
 };
+
+static int rim_from(const struct rims *rims, int way)
+{
+    return rims->item[way / 2].end[way % 2];
+}
+
+static int rim_to(const struct rims *rims, int way)
+{
+    return rims->item[way / 2].end[1 - way % 2];
+}
+
+/* The side among those of one edge whose facet has no other on its other side: of an odd number of
+ * facets, one of those that are one more.  So the open edges of a skin form loops, whatever meets
+ * along them and however it is turned.  NULL: they are in pairs. */
+static const struct skin_side *odd_side(const struct skin_side *side, size_t k)
+{
+    size_t forwards = 0;
+
+    for (size_t a = 0; a < k; a++)
+        forwards += side[a].forward;
+    for (size_t a = 0; a < k && k % 2 == 1; a++)
+        if (side[a].forward == (2 * forwards > k))
+            return &side[a];
+    return NULL;
+}
 
 static void find_rims(const struct patch_mesh *q, struct rims *rims, int *first)
 {
@@ -147,32 +220,44 @@ static void find_rims(const struct patch_mesh *q, struct rims *rims, int *first)
         first[i] = NONE;
     for (size_t i = 0, k; i < n; i += k) {
         k = skin_sides_same(side, n, i);
-        if (k > 1)
+        const struct skin_side *odd = odd_side(&side[i], k);
+        if (!odd)
             continue;
-        const int *v = q->face.item[side[i].facet].v;
-        int a = v[side[i].corner], b = v[(side[i].corner + 1) % 3];
-        int sheet = q->sheet.item[side[i].facet];
-        struct rim r = {.from = b, .to = a, .sheet = sheet};
-        if (q->flipped[sheet])
-            r = (struct rim){.from = a, .to = b, .sheet = sheet};
-        size_t place = q->vertex.item[r.from].place;
-        r.next = first[place];
-        first[place] = (int)rims->n;
+        const int *v = q->face.item[odd->facet].v;
+        int a = v[odd->corner], b = v[(odd->corner + 1) % 3];
+        int sheet = q->sheet.item[odd->facet];
+        bool flip = q->flipped[sheet];
+        struct rim r = {.end = {flip ? a : b, flip ? b : a}, .sheet = sheet};
+        for (int e = 0; e < 2; e++) {
+            size_t place = q->vertex.item[r.end[e]].place;
+            r.next[e] = first[place];
+            first[place] = 2 * (int)rims->n + e;
+        }
         *array_push(rims) = r;
     }
     free(side);
 }
 
+/* In gaps: a loop so short round is a slit whatever its shape: it is hardly wider. */
+static const double SMALL = 4;
+
 /* Is every corner of the loop within the gap of a side that does not end at it? */
 static bool is_narrow(const struct patch_mesh *q, const struct rims *rims, const int *loop,
                       size_t n, double gap)
 {
+    double around = 0;
+
     for (size_t i = 0; i < n; i++) {
-        struct vec3 p = point_of(q, rims->item[loop[i]].from);
+        around +=
+            vec_distance(point_of(q, rim_from(rims, loop[i])), point_of(q, rim_to(rims, loop[i])));
+    }
+    for (size_t i = 0; i < n && around > SMALL * gap; i++) {
+        struct vec3 p = point_of(q, rim_from(rims, loop[i]));
         double least = HUGE_VAL;
         for (size_t k = 1; k + 1 < n && !(least <= gap); k++) {
-            const struct rim *r = &rims->item[loop[(i + k) % n]];
-            least = fmin(least, vec_segment_distance(point_of(q, r->from), point_of(q, r->to), p));
+            int way = loop[(i + k) % n];
+            struct vec3 a = point_of(q, rim_from(rims, way)), b = point_of(q, rim_to(rims, way));
+            least = fmin(least, vec_segment_distance(a, b, p));
         }
         if (!(least <= gap))
             return false;
@@ -183,11 +268,14 @@ static bool is_narrow(const struct patch_mesh *q, const struct rims *rims, const
 /* Fills the loop, ear by ear, the one with the shortest third side first. */
 static size_t fill_loop(struct patch_mesh *q, const struct rims *rims, const int *loop, size_t n)
 {
-    int *v = mem_alloc(n, sizeof *v), sheet = rims->item[loop[0]].sheet;
-    size_t facets = 0;
+    int *v = mem_alloc(n, sizeof *v), sheet = rims->item[loop[0] / 2].sheet;
+    size_t facets = 0, against = 0;
 
-    for (size_t i = 0; i < n; i++)
-        v[i] = rims->item[loop[i]].from;
+    for (size_t i = 0; i < n; i++) {
+        v[i] = rim_from(rims, loop[i]);
+        against += (size_t)(loop[i] % 2);
+    }
+    bool flip = q->flipped[sheet] != (2 * against > n);
     for (; n > 2; n--) {
         size_t best = 0;
         double least = HUGE_VAL;
@@ -199,7 +287,6 @@ static size_t fill_loop(struct patch_mesh *q, const struct rims *rims, const int
             }
         }
         int a = v[(best + n - 1) % n], b = v[best], c = v[(best + 1) % n];
-        bool flip = q->flipped[sheet];
         *array_push(&q->face) = (struct face){{a, flip ? c : b, flip ? b : c}};
         *array_push(&q->sheet) = sheet;
         facets++;
@@ -231,26 +318,26 @@ static void take_loop(struct walk *w, size_t from)
         w->count.filled++;
     }
     for (size_t i = from; i < w->trail.n; i++)
-        w->at[w->q->vertex.item[w->rims.item[loop[i - from]].from].place] = 0;
+        w->at[w->q->vertex.item[rim_from(&w->rims, loop[i - from])].place] = 0;
     w->trail.n = from;
 }
 
 /* Follows open edges from one on; where the trail meets itself a loop is taken off. */
-static void walk_from(struct walk *w, int rim)
+static void walk_from(struct walk *w, int way)
 {
-    while (rim != NONE) {
-        struct rim *r = &w->rims.item[rim];
-        size_t from = w->q->vertex.item[r->from].place, to = w->q->vertex.item[r->to].place;
-        r->used = true;
-        *array_push(&w->trail) = rim;
+    while (way != NONE) {
+        size_t from = w->q->vertex.item[rim_from(&w->rims, way)].place;
+        size_t to = w->q->vertex.item[rim_to(&w->rims, way)].place;
+        w->rims.item[way / 2].used = true;
+        *array_push(&w->trail) = way;
         w->at[from] = (int)w->trail.n;
         if (w->at[to] > 0)
             take_loop(w, (size_t)w->at[to] - 1);
-        for (rim = w->first[to]; rim != NONE && w->rims.item[rim].used;)
-            rim = w->rims.item[rim].next;
+        for (way = w->first[to]; way != NONE && w->rims.item[way / 2].used;)
+            way = w->rims.item[way / 2].next[way % 2];
     }
     for (size_t i = 0; i < w->trail.n; i++) /* it ends nowhere */
-        w->at[w->q->vertex.item[w->rims.item[w->trail.item[i]].from].place] = 0;
+        w->at[w->q->vertex.item[rim_from(&w->rims, w->trail.item[i])].place] = 0;
     w->trail.n = 0;
 }
 
@@ -264,8 +351,9 @@ struct skin_close_count skin_close(struct patch_mesh *q, double gap)
     find_rims(q, &w.rims, w.first);
     for (size_t i = 0; i < w.rims.n; i++)
         if (!w.rims.item[i].used)
-            walk_from(&w, (int)i);
+            walk_from(&w, 2 * (int)i);
     w.count.folded += drop_folds(q, gap);
+    turn_slivers(q, gap);
     array_free(&w.rims);
     array_free(&w.trail);
     free(w.first);
