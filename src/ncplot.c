@@ -14,7 +14,7 @@ enum colour { COLOUR_AUTO, COLOUR_PASS, COLOUR_KIND };
 
 struct settings {
     int view, colour, unit, width;
-    bool compare, poles, points, normals, axes, cut;
+    bool compare, poles, points, normals, axes, cut, speed;
     const char *title, *machine;
 };
 
@@ -33,6 +33,8 @@ static struct settings read_settings(struct cli *cli, int argc, char **argv)
          "a colour for each stream, one over the other, and how far each\n"
          "is from the first: said, in the title, and a ring where it is most",
          CLI_FLAG, &s.compare, 0, 0, 0, NULL},
+        {0, "speed", NULL, "colour a program by the speed that the machine reaches, by its feed",
+         CLI_FLAG, &s.speed, 0, 0, 0, NULL},
         {0, "points", NULL, NULL, CLI_ALIAS, "ends", 0, 0, 0, NULL},
         {0, "ends", NULL, "mark where the motions of a path end", CLI_FLAG, &s.points, 0, 0, 0,
          NULL},
@@ -57,6 +59,9 @@ static struct settings read_settings(struct cli *cli, int argc, char **argv)
     cli_parse(cli, argc, argv);
     if (s.compare && cli->files < 2)
         die_usage("option --compare: found one file, expected two or more");
+    if (s.speed && (s.compare || s.colour != COLOUR_AUTO))
+        die_usage("found --speed and %s, expected one of them",
+                  s.compare ? "--compare" : "--colour");
     return s;
 }
 
@@ -67,6 +72,7 @@ static struct scene read_scene(const struct cli *cli, const struct settings *s)
                                     .normals = s->normals,
                                     .axes = s->axes,
                                     .cut = s->cut,
+                                    .speed = s->speed,
                                     .chord = s->compare ? 5e-4 : 0,
                                     .machine = s->machine};
     struct scene scene = {0};
@@ -77,6 +83,8 @@ static struct scene read_scene(const struct cli *cli, const struct settings *s)
             die_error(&error);
         if (layer.point.n + layer.mesh.vertex.n + layer.node.n == 0)
             die("%s: nothing to draw, expected points, facets or motions", layer.name);
+        if (s->speed && !layer.speeds)
+            die("%s: found no speeds, expected a program (option --speed)", layer.name);
         note("%s: %s", layer.name, layer.figures);
         *array_push(&scene) = layer;
     }
@@ -155,6 +163,7 @@ int main(int argc, char **argv)
                                     .width = s.width,
                                     .by_pass = by_pass(&scene, s.colour),
                                     .by_layer = s.compare,
+                                    .by_speed = s.speed,
                                     .joints = s.points,
                                     .remarks = &remarks};
 

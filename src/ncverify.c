@@ -261,17 +261,6 @@ static void find_surface(const struct settings *s, int threads, struct vec3s *po
             surface->sheets_at.x, surface->sheets_at.y, surface->sheets_at.z);
 }
 
-/* Little more than half of the last digit that a program for the machine is printed with. */
-static double printed_slack(const struct machine *machine)
-{
-    int usual = 3, digits = usual;
-    if (machine->digits.angle >= 0 && machine->digits.angle < digits)
-        digits = machine->digits.angle;
-    if (machine->digits.linear >= 0 && machine->digits.linear < digits)
-        digits = machine->digits.linear;
-    return 0.51 * pow(10, -digits);
-}
-
 static void read_path(const char *file, struct nc_motion *motion)
 {
     struct path path = {0};
@@ -281,27 +270,6 @@ static void read_path(const char *file, struct nc_motion *motion)
     motion->name = file;
     motion->coolant = path.head.coolant > COOLANT_OFF;
     path_free(&path);
-}
-
-static struct axis_limits limits_of(const struct machine *machine, bool tcp)
-{
-    struct axis_limits limits = {.slack = printed_slack(machine), .combined = !tcp};
-    for (int k = 0; k < NC_AXES; k++) {
-        limits.min[k] = machine->min[k];
-        limits.max[k] = machine->max[k];
-        limits.rapid[k] = machine->rapid[k];
-    }
-    return limits;
-}
-
-static struct machine_time_options time_options_of(const struct machine *machine)
-{
-    struct machine_time_options options = {.smoothing = machine->smoothing};
-    for (int k = 0; k < NC_AXES; k++) {
-        options.acceleration[k] = machine->acceleration[k];
-        options.jerk[k] = machine->jerk[k];
-    }
-    return options;
 }
 
 int main(int argc, char **argv)
@@ -337,8 +305,8 @@ int main(int argc, char **argv)
                                            .tool = s.tool,
                                            .stock = s.stock ? &s.block : NULL,
                                            .cell = s.cell,
-                                           .limits = limits_of(&machine, tcp),
-                                           .time = time_options_of(&machine),
+                                           .limits = ncread_limits(&machine, tcp),
+                                           .time = ncread_time_options(&machine),
                                            .threads = cli.threads};
     struct verdict v = verify_run(&program, &options);
     if (s.map)

@@ -29,6 +29,7 @@
 #include "base/error.h"
 #include "machine/control.h"
 #include "machine/machine.h"
+#include "simulate/machine_time.h"
 #include "simulate/nc_motion.h"
 
 /* How one control reads (ncread_state.h). */
@@ -67,6 +68,11 @@ struct ncread_options {
  */
 int ncread_read(const char *file, const struct ncread_options *options, struct nc_motion *motion,
                 struct error *error);
+
+/* What its axes may do; tcp: the control keeps the tool's tip.  The struct of the time has no limits
+ * yet; acceleration 0: the machine file gives none. */
+struct axis_limits ncread_limits(const struct machine *machine, bool tcp);
+struct machine_time_options ncread_time_options(const struct machine *machine);
 
 /* The reader of a control's programs. */
 const struct ncread_dialect *ncread_of(enum control_id control);

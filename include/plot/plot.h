@@ -30,6 +30,7 @@ struct layer_options {
     bool normals;        /* of a mesh, of contact points */
     bool axes;           /* of the tool */
     bool cut;            /* no rapid moves */
+    bool speed;          /* strokes end where the speed changes: programs alone have one */
     double chord;        /* mm: curves in pieces no further off than this; 0: as can be seen */
     const char *machine; /* that a program is for (machine.h), NULL: the default one */
 };
@@ -72,7 +73,7 @@ struct sheet_options {
     const char *title;
     enum sheet_views views; /* BOTH: plan and isometric */
     double width;           /* px, at most */
-    bool by_pass, by_layer, joints;
+    bool by_pass, by_layer, by_speed, joints;
     const struct remarks *remarks; /* further lines of figures, NULL: none */
 };
 

@@ -12,12 +12,15 @@
 
 enum stroke_kind { STROKE_LINE, STROKE_ARC, STROKE_SPLINE, STROKE_RAPID, STROKE_POLES, STROKES };
 
+enum { STROKE_SPEEDS = 11 };
+
 /* A chain of straight pieces through node[from] to node[to - 1] of its layer. */
 struct stroke {
     enum stroke_kind kind;
     size_t from, to;
     size_t pass;   /* number of its pass, 0: none */
     size_t number; /* among those of its kind */
+    int speed;     /* 0 to STROKE_SPEEDS - 1: mean speed by its feed */
 };
 
 /* A short line: a surface's normal, a tool's axis. */
@@ -44,6 +47,7 @@ struct layer {
     struct ticks normal, axis;
     size_t passes, motions[STROKES]; /* of each kind as programmed; of POLES: how many poles */
     double cut, rapid;               /* length, mm */
+    bool speeds;                     /* its strokes have speeds */
 };
 
 struct scene {

@@ -104,6 +104,7 @@ struct nc_motion {
         size_t n, cap;
         struct nc_remark *item;
     } remark;
+    double unit;                       /* of the lengths in the program, mm; 0: 1 */
     bool coolant;                      /* is on at the first cut */
     size_t blocks;                     /* lines with something in them */
     double dwell;                      /* minutes that the tool stands still */
@@ -120,6 +121,9 @@ struct nc_motion_pose nc_motion_at(const struct nc_motion *m, const struct nc_pi
 /* The machine with the tool that makes the piece. */
 struct verify_kinematics nc_motion_kinematics(const struct nc_motion *m,
                                               const struct nc_piece *piece);
+
+/* What a degree counts where F is along all axes, mm: an inch in a program in inches. */
+double nc_motion_degree(const struct nc_motion *m);
 
 /* Adds a piece for each knot span of the spline, which the motion takes over. */
 void nc_motion_add_spline(struct nc_motion *m, struct nc_motion_spline spline,

@@ -1,6 +1,7 @@
 /* ncread - see ncread.h. */
 #include "ncread/ncread.h"
 
+#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -63,6 +64,38 @@ struct verify_kinematics ncread_kinematics(const struct machine *machine)
         break;
     }
     return kinematics;
+}
+
+/* Little more than half of the last digit that a program for the machine is printed with. */
+static double printed_slack(const struct machine *machine)
+{
+    int usual = 3, digits = usual;
+    if (machine->digits.angle >= 0 && machine->digits.angle < digits)
+        digits = machine->digits.angle;
+    if (machine->digits.linear >= 0 && machine->digits.linear < digits)
+        digits = machine->digits.linear;
+    return 0.51 * pow(10, -digits);
+}
+
+struct axis_limits ncread_limits(const struct machine *machine, bool tcp)
+{
+    struct axis_limits limits = {.slack = printed_slack(machine), .combined = !tcp};
+    for (int k = 0; k < NC_AXES; k++) {
+        limits.min[k] = machine->min[k];
+        limits.max[k] = machine->max[k];
+        limits.rapid[k] = machine->rapid[k];
+    }
+    return limits;
+}
+
+struct machine_time_options ncread_time_options(const struct machine *machine)
+{
+    struct machine_time_options options = {.smoothing = machine->smoothing};
+    for (int k = 0; k < NC_AXES; k++) {
+        options.acceleration[k] = machine->acceleration[k];
+        options.jerk[k] = machine->jerk[k];
+    }
+    return options;
 }
 
 #define ROW(name, title, tcp_of_machine, dc) &ncread_##name,

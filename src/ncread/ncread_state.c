@@ -384,7 +384,7 @@ int ncread_unit(struct ncread *c, double mm, struct error *error)
 {
     if (c->unit > 0 && c->unit != mm)
         return ncread_error(c, error, "millimetres and inches in one program");
-    c->unit = mm;
+    c->unit = c->motion->unit = mm;
     return 0;
 }
 

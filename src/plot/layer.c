@@ -60,7 +60,7 @@ static struct stroke *begin_stroke(struct path_walk *w, enum stroke_kind kind)
         last->to == layer->node.n && !(vec_distance(layer->node.item[last->to - 1], w->at.p) > 0))
         return last;
     struct stroke *stroke = array_push(&layer->stroke);
-    *stroke = (struct stroke){kind, layer->node.n, layer->node.n, w->pass, w->drawn[kind]++};
+    *stroke = (struct stroke){kind, layer->node.n, layer->node.n, w->pass, w->drawn[kind]++, 0};
     if (kind != STROKE_POLES && kind != STROKE_SPLINE)
         *array_push(&layer->node) = w->at.p;
     return stroke;
@@ -180,7 +180,8 @@ struct program_walk {
     const struct layer_options *options;
     struct layer *layer;
     double chord;
-    size_t run; /* of pieces at feed, after a rapid move */
+    size_t run;               /* of pieces at feed, after a rapid move */
+    struct machine_time time; /* no share: speeds are not wanted */
     size_t drawn[STROKES];
 };
 
@@ -230,6 +231,15 @@ static void add_nodes(struct program_walk *w, const struct nc_piece *piece, doub
     *(piece->rapid ? &w->layer->rapid : &w->layer->cut) += vec_distance(from, to);
 }
 
+/* The piece's speed, in as many steps as there are colours. */
+static int speed_of(const struct program_walk *w, const struct nc_piece *piece)
+{
+    if (!w->time.share)
+        return 0;
+    double share = (double)w->time.share[piece - w->motion->piece.item];
+    return (int)lround(fmax(0, fmin(1, share)) * (STROKE_SPEEDS - 1));
+}
+
 static void add_piece(struct program_walk *w, const struct nc_piece *was,
                       const struct nc_piece *piece)
 {
@@ -239,9 +249,10 @@ static void add_piece(struct program_walk *w, const struct nc_piece *was,
         w->run++;
     if (piece->rapid && w->options->cut)
         return;
-    if (!joins_stroke(was, piece)) {
+    int speed = speed_of(w, piece);
+    if (!joins_stroke(was, piece) || speed != speed_of(w, was)) {
         *array_push(&layer->stroke) =
-            (struct stroke){kind, layer->node.n, layer->node.n, w->run, w->drawn[kind]++};
+            (struct stroke){kind, layer->node.n, layer->node.n, w->run, w->drawn[kind]++, speed};
         *array_push(&layer->node) = tip_at(w, piece, 0);
         if (kind != STROKE_SPLINE)
             layer->motions[kind]++;
@@ -281,16 +292,27 @@ static void add_program_poles(struct layer *layer, const struct nc_motion *motio
         size_t from = layer->node.n;
         for (size_t k = 0; k < spline->n; k++)
             *array_push(&layer->node) = spline->p[k];
-        *array_push(&layer->stroke) = (struct stroke){STROKE_POLES, from, layer->node.n, 0, i};
+        *array_push(&layer->stroke) = (struct stroke){STROKE_POLES, from, layer->node.n, 0, i, 0};
     }
 }
 
+static struct machine_time program_time(const struct nc_motion *motion,
+                                        const struct machine *machine, bool tcp)
+{
+    struct axis_limits limits = ncread_limits(machine, tcp);
+    struct machine_time_options options = ncread_time_options(machine);
+    options.limits = &limits;
+    return options.acceleration[0] > 0 ? machine_time_of(motion, &options)
+                                       : (struct machine_time){0};
+}
+
 static void add_program(const struct nc_motion *motion, const struct layer_options *options,
-                        struct layer *layer)
+                        struct machine_time time, struct layer *layer)
 {
     struct program_walk w = {.motion = motion,
                              .options = options,
                              .layer = layer,
+                             .time = time,
                              .chord = program_chord(options, motion)};
     for (size_t i = 0; i < motion->piece.n; i++)
         add_piece(&w, i ? &motion->piece.item[i - 1] : NULL, &motion->piece.item[i]);
@@ -322,7 +344,12 @@ static int run_program(const char *file, const struct layer_options *options, st
         nc_motion_free(&motion);
         return -1;
     }
-    add_program(&motion, options, layer);
+    struct machine_time time = {0};
+    if (options->speed)
+        time = program_time(&motion, &machine, run.tcp);
+    add_program(&motion, options, time, layer);
+    layer->speeds = time.share != NULL;
+    machine_time_free(&time);
     nc_motion_free(&motion);
     return 0;
 }

@@ -415,9 +415,10 @@ void pane_ink(const struct pane_options *options, size_t layer, const struct str
     static const int width[STROKES] = {12, 15, 15, 9, 7};
     const char *by_kind = colour[stroke->kind][stroke->number % 2];
     bool moves = stroke->kind != STROKE_RAPID && stroke->kind != STROKE_POLES;
-    const char *used = options->by_layer && moves  ? (layer == 0 ? "#8FC9EE" : palette_cycle(layer))
-                       : options->by_pass && moves ? palette_cycle(stroke->pass)
-                                                   : by_kind;
+    const char *used = options->by_layer && moves ? (layer == 0 ? "#8FC9EE" : palette_cycle(layer))
+                       : options->by_speed && moves ? palette_height((size_t)stroke->speed)
+                       : options->by_pass && moves  ? palette_cycle(stroke->pass)
+                                                    : by_kind;
     int w = options->by_layer && moves ? (layer == 0 ? 44 : 11) : width[stroke->kind];
     snprintf(ink, PANE_INK, "stroke=\"%s\" stroke-width=\"%d\"%s", used, w,
              stroke->kind == STROKE_RAPID ? " stroke-dasharray=\"50 35\"" : "");
@@ -475,8 +476,10 @@ static size_t draw_stroke(const struct pane *pane, const struct layer *layer,
 /* A style: strokes of one look make one path. */
 static size_t look_of_stroke(const struct pane_options *options, const struct stroke *s)
 {
-    size_t variant = options->by_pass ? s->pass % PALETTE_CYCLE : s->number % 2;
-    return (size_t)s->kind * PALETTE_CYCLE + variant;
+    size_t variant = options->by_speed  ? (size_t)s->speed
+                     : options->by_pass ? s->pass % PALETTE_CYCLE
+                                        : s->number % 2;
+    return (size_t)s->kind * STROKE_SPEEDS + variant;
 }
 
 static size_t draw_look(const struct pane *pane, const struct scene *scene, size_t number,
@@ -513,9 +516,9 @@ static size_t draw_strokes(const struct pane *pane, const struct scene *scene,
     size_t marks = 0;
     for (size_t layer = 0; layer < scene->n; layer++)
         for (size_t k = 0; k < sizeof order / sizeof *order; k++)
-            for (size_t i = 0; i < PALETTE_CYCLE; i++)
+            for (size_t i = 0; i < STROKE_SPEEDS; i++)
                 marks +=
-                    draw_look(pane, scene, layer, (size_t)order[k] * PALETTE_CYCLE + i, grain, svg);
+                    draw_look(pane, scene, layer, (size_t)order[k] * STROKE_SPEEDS + i, grain, svg);
     return marks;
 }
 

@@ -12,6 +12,7 @@
 
 struct pane_options {
     bool by_pass;          /* strokes by their pass; else by their kind */
+    bool by_speed;         /* by their speed */
     bool by_layer;         /* all by its stream, to compare */
     bool joints;           /* where motions end */
     double tick;           /* length of normals and axes, mm */

@@ -104,6 +104,11 @@ static void add_motions(struct legend *legend, const struct scene *scene,
         return;
     size_t cuts = count_motions(scene, STROKE_LINE) + count_motions(scene, STROKE_ARC) +
                   count_motions(scene, STROKE_SPLINE);
+    if (style->by_speed && cuts) {
+        struct legend_item *item = add_item(legend, "speed: none to the whole feed");
+        item->ink[0] = '\0';
+        return;
+    }
     if (style->by_pass && cuts) {
         for (size_t i = 0; i < 3; i++) {
             struct stroke stroke = {.kind = STROKE_ARC, .pass = i + 1};
@@ -427,8 +432,10 @@ static void draw_panes(struct layout *l, const struct scene *scene, struct svg *
 
 static struct pane_options style_of(const struct scene *scene, const struct sheet_options *options)
 {
-    struct pane_options style = {
-        .by_pass = options->by_pass, .by_layer = options->by_layer, .joints = options->joints};
+    struct pane_options style = {.by_pass = options->by_pass,
+                                 .by_speed = options->by_speed,
+                                 .by_layer = options->by_layer,
+                                 .joints = options->joints};
     struct box all = box_empty(), clouds = box_empty();
     for (size_t i = 0; i < scene->n; i++) {
         struct box box = layer_box(&scene->item[i], 0);

@@ -78,8 +78,10 @@ static double programmed_time(const struct axis_check *check, const struct nc_pi
         return share / piece->feed;
     if (!check->limits->combined && length > 0)
         return length / piece->feed;
-    for (int k = check->limits->combined ? 0 : 3; k < NC_AXES; k++) /* the tip stays: degrees */
-        sum += (b->axis[k] - a->axis[k]) * (b->axis[k] - a->axis[k]);
+    for (int k = check->limits->combined ? 0 : 3; k < NC_AXES; k++) { /* the tip stays: degrees */
+        double way = (k < 3 ? 1 : nc_motion_degree(check->motion)) * (b->axis[k] - a->axis[k]);
+        sum += way * way;
+    }
     return sqrt(sum) / piece->feed;
 }
 

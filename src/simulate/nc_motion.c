@@ -136,6 +136,11 @@ struct nc_motion_pose nc_motion_at(const struct nc_motion *m, const struct nc_pi
     return turned_pose(m, piece, p, q);
 }
 
+double nc_motion_degree(const struct nc_motion *m)
+{
+    return m->unit > 0 ? m->unit : 1;
+}
+
 void nc_motion_add_spline(struct nc_motion *m, struct nc_motion_spline spline,
                           const struct nc_piece *as)
 {

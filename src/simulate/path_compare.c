@@ -70,7 +70,7 @@ static double tip_feed(const struct walk *w, double length)
     struct axis_place b = axis_limits_place(&follow, w->piece, 1);
     double way = 0;
     for (int k = 0; k < NC_AXES; k++)
-        way = hypot(way, b.axis[k] - a.axis[k]);
+        way = hypot(way, (k < 3 ? 1 : nc_motion_degree(w->motion)) * (b.axis[k] - a.axis[k]));
     return way > 0 ? p->feed * length / way : 0;
 }
 

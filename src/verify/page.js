@@ -3,7 +3,7 @@ const canvas = document.getElementById('view'), pen = canvas.getContext('2d');
 const passes = [...document.querySelectorAll('button[data-pass]')];
 const info = document.getElementById('info'), N = D.points.length / 6, M = D.nodes.length / 5;
 let turn = 0.6, tilt = 0.9, zoom = 1, shift = [0, 0], chosen = -1, spot = -1, pass = -1;
-const show = {points: true, path: true, rapid: true};
+const show = {points: true, path: true, rapid: true, speed: false};
 let size = 1;
 for (let i = 0; i < N; i++)
   size = Math.max(size, Math.hypot(D.points[6 * i], D.points[6 * i + 1], D.points[6 * i + 2]));
@@ -41,6 +41,10 @@ function drawPoints(at) {
   }
   pen.putImageData(image, 0, 0);
 }
+// By the speed, in hundredths of the feed: red stands, yellow is half of it, green all of it.
+function swift(speed) {
+  return 'hsl(' + (speed === undefined ? 0 : Math.min(120, 1.2 * speed)) + ',90%,40%)';
+}
 function drawPath(at) {
   for (let i = 1; i < M; i++) {
     const kind = D.nodes[5 * i + 3], row = D.nodes[5 * i + 4];
@@ -51,6 +55,7 @@ function drawPath(at) {
     pen.beginPath();
     pen.setLineDash(kind === 2 ? [5, 4] : []);
     pen.strokeStyle = here ? '#ffd400' : mine ? '#e07800' : kind === 2 ? '#c060c0' :
+      show.speed ? swift(D.speed[row]) :
       pass < 0 ? 'rgba(20,20,20,0.35)' : 'rgba(20,20,20,0.1)';
     pen.lineWidth = here ? 4 : mine ? 2 : 1;
     pen.moveTo(a[0], a[1]);
@@ -120,6 +125,7 @@ function choose(row, point) {
   }
   info.textContent = name(row) + ', pass ' + D.rows[5 * row + 2] + ': gouge ' +
     mm(D.rows[5 * row + 3]) + ', left ' + mm(D.rows[5 * row + 4]) +
+    (D.speed[row] < 99 ? ', ' + D.speed[row] + ' % of the feed' : '') +
     (spot >= 0 ? '; here ' + mm(D.points[6 * spot + 3]) + ' at ' + [0, 1, 2].map(k =>
       ((D.points[6 * spot + k] + D.centre[k]) / 1000).toFixed(3)).join(' ') : '');
   redraw();
@@ -208,7 +214,7 @@ canvas.addEventListener('keydown', e => {
   act(e);
   redraw();
 });
-for (const what of ['points', 'path', 'rapid'])
+for (const what of ['points', 'path', 'rapid', 'speed'])
   document.getElementById(what).addEventListener('click', () => toggle(what));
 for (const button of document.querySelectorAll('button[data-row]'))
   button.addEventListener('click', () => {

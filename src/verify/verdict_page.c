@@ -3,7 +3,8 @@
  * with each {{name}} replaced by what stands in `fields` below (see verify.h).
  *
  * page.js reads `const D`: centre [x y z], points (x y z deviation inside row), nodes (x y z kind
- * row; kind 0 begins, 1 cuts, 2 is rapid), rows (block line pass gouge left), worst (rows),
+ * row; kind 0 begins, 1 cuts, 2 is rapid), rows (block line pass gouge left), speed (of each row,
+ * in hundredths of the feed; empty: not known), worst (rows),
  * tolerance and full (deviations of full colour).  Places are whole thousandths of a mm, deviations
  * ten-thousandths.
  */
@@ -163,6 +164,9 @@ static void print_data(struct page *page)
         out_printf(o, "%d,%zu,%u,%d,%d,\n", piece->block, piece->line, v->piece[at].pass,
                    fine((double)v->piece[at].gouge), fine((double)v->piece[at].over));
     }
+    out_text(o, "],\nspeed:["); /* of the rows, in hundredths of the feed */
+    for (size_t i = 0; i < rows->piece.n && v->time.share; i++)
+        out_printf(o, "%ld,", lround(100 * (double)v->time.share[rows->piece.item[i]]));
     out_text(o, "]};\n");
 }
 

@@ -262,12 +262,12 @@ static void print_point(struct out *o, const struct verdict *v, size_t i)
     out_printf(o, " %d %d %d ", c.red, c.green, c.blue);
     char deviation[NUM_MAX];
     num_write(deviation, fmin(v->map.deviation[i], FARTHEST), 6);
+    bool timed = segment != UINT_MAX && v->time.share;
+    double speed = timed ? (double)v->time.share[v->cut.item[segment].piece] : 1;
     out_printf(
-        o, "%s %d %s %s %d %.3f\n", deviation,
+        o, "%s %d %s %s %d %.3f %.3f\n", deviation,
         segment == UINT_MAX ? -1 : v->program.motion->piece.item[v->cut.item[segment].piece].block,
-        deviation, deviation, verdict_class_of(v, i),
-        segment == UINT_MAX || !v->time.share ? 1
-                                              : (double)v->time.share[v->cut.item[segment].piece]);
+        deviation, deviation, verdict_class_of(v, i), speed, speed);
 }
 
 void verdict_map(const struct verdict *v, const char *file)
@@ -282,7 +282,9 @@ void verdict_map(const struct verdict *v, const char *file)
     out_text(o, "property float deviation\nproperty int block\n");
     /* the deviation once more, by the names that MeshLab and CloudCompare take for a scalar */
     out_text(o, "property float quality\nproperty float scalar_deviation\n");
-    out_text(o, "property uchar coverage\nproperty float speed\nend_header\n");
+    out_text(
+        o,
+        "property uchar coverage\nproperty float speed\nproperty float scalar_speed\nend_header\n");
     for (size_t i = 0; i < v->map.points; i++)
         print_point(o, v, i);
     out_close(o);

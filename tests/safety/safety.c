@@ -433,11 +433,12 @@ static void move_block(bool rapid, bool curve, bool vectors)
         to.vector = true;
     }
     if (get("XH", &a.x) | get("YH", &a.y) | get("ZH", &a.z)) {
-        to.a = unit(add(a, -1, to.p));
+        to.a = unit(add((struct v){unit_mm * a.x, unit_mm * a.y, unit_mm * a.z}, -1, to.p));
         to.vector = true;
     }
     if (to.vector && !now.vector)
         now.a = axis_of(now.q);
+    rotary = rotary || (to.vector && angle(to.a, now.a) > 1e-4);
     go(rapid, curve, &to, rotary, lateral, down);
 }
 

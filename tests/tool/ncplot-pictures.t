@@ -164,6 +164,23 @@ awk 'BEGIN { print "PARTNO/MANY\nUNITS/MM\nMULTAX/ON"
 status 0 "400 passes of 200 lines" ncplot -o "$TMP/passes.svg" "$TMP/many.cl"
 below "are a small picture" "$(size "$TMP/passes.svg")" 400000
 
+# ---- by the speed that the machine reaches: a corner in a long line, and all of it is drawn
+{
+	echo %; echo O0001; echo "N10 G90 G17 G21 G40 G49 G80 G94 G54"; echo "N20 G91 G28 Z0."; echo "N30 G90"
+	echo "N40 S8000 M3"; echo "N50 G0 A0. C0."; echo "N60 G43.4 H1"; echo "N70 G0 X0. Y0."; echo "N80 Z50."
+	echo "N90 G1 Z0. F6000."; echo "N100 X0.3"; echo "N110 Y0.3"; echo "N120 X0.6"; echo "N130 X200."
+	echo "N140 G0 Z50."; echo "N150 G49"; echo "N160 G91 G28 Z0."; echo "N170 G90 M5"; echo "N180 M30"; echo %
+} >"$TMP/corner.nc"
+status 0 "a program by its speed" ncplot --speed --view plan -o "$TMP/speed.svg" "$TMP/corner.nc"
+whole speed.svg
+has "the legend says it" 'speed: none to the whole feed' "$TMP/speed.svg"
+for colour in $(grep -o '^<path.*stroke="#[0-9A-F]*" stroke-width="12"' "$TMP/speed.svg" | grep -o '#[0-9A-F]*'); do
+	echo "$colour"
+done | sort -u >"$TMP/colours"
+below "the corner is slower than the line" 2 "$(wc -l <"$TMP/colours")"
+status 1 "a path has no speeds" ncplot --speed "$TMP/lines.cl"
+status 2 "speed and passes" ncplot --speed --colour pass "$TMP/corner.nc"
+
 # ---- odd and wrong input
 
 echo "5 5 5" >"$TMP/one.xyz"
