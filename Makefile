@@ -109,15 +109,23 @@ $(BUILD)/tests/accuracy/%.o: FLAGS += -iquote src -iquote tests/lib
 $(cloud): $(BUILD)/tests/accuracy/cloud.o $(BUILD)/tests/lib/panel.o
 	$(CC) $(CFLAGS) $(LDFLAGS) -o $@ $^ $(LIBS)
 
+$(BUILD)/tests/fuzz/%.o: FLAGS += -iquote tests/lib
+$(BUILD)/tests/fuzz/replay: $(BUILD)/tests/fuzz/replay.o
+	$(CC) $(CFLAGS) $(LDFLAGS) -Wl,--wrap=exit -o $@ $^ $(LIBS)
+$(BUILD)/tests/fuzz/fuzz: $(BUILD)/tests/fuzz/fuzz.o
+	$(CC) $(CFLAGS) -fsanitize=fuzzer $(LDFLAGS) -Wl,--wrap=exit -o $@ $^ $(LIBS)
+$(BUILD)/tests/fuzz/fuzz $(BUILD)/tests/fuzz/replay: $(BUILD)/tests/fuzz/fuzz_reader.o \
+  $(BUILD)/tests/lib/scratch.o $(lib)
+
 $(BUILD)/bench/%: $(BUILD)/tests/bench/%.o
 	@mkdir -p $(@D)
 	$(CC) $(CFLAGS) $(LDFLAGS) -o $@ $< $(LIBS)
 
 units: $(units)
 
-check: all $(units) $(readback) $(cloud)
+check: all $(units) $(readback) $(cloud) $(BUILD)/tests/fuzz/replay
 	@CC="$(CC)" BIN="$(abspath $(BUILD))/bin" READBACK="$(abspath $(BUILD))/tests/readback/readback" \
-	  CLOUD="$(abspath $(cloud))" UNITS="$(abspath $(units))" MAKE="$(MAKE)" STARTED=$(started) \
+	  CLOUD="$(abspath $(cloud))" REPLAY="$(abspath $(BUILD))/tests/fuzz/replay" UNITS="$(abspath $(units))" MAKE="$(MAKE)" STARTED=$(started) \
 	  sh tests/run.sh
 
 demo: all
@@ -166,10 +174,12 @@ sanitize:
 	$(MAKE) BUILD=$(BUILD)/sanitize CC=clang \
 	  CFLAGS='-O1 -g -fsanitize=address,undefined -fno-sanitize-recover=all' check
 
-# Needs afl++, which `make deps` leaves to those who fuzz.
+# Each reader in turn under libFuzzer and the sanitizers: FUZZ_SECONDS in all, READERS (default: all).
 fuzz:
-	AFL_USE_ASAN=1 $(MAKE) BUILD=$(BUILD)/fuzz CC=afl-clang-fast CFLAGS='-O1 -g' all
-	BIN="$(abspath $(BUILD))/fuzz/bin" OUT="$(abspath $(BUILD))/fuzz/out" sh tests/fuzz/fuzz.sh
+	$(MAKE) BUILD=$(BUILD)/fuzz CC=clang CFLAGS='-O1 -g -fsanitize=fuzzer-no-link,address,undefined \
+	  -fno-sanitize-recover=all -fno-omit-frame-pointer' $(BUILD)/fuzz/tests/fuzz/fuzz
+	FUZZ="$(abspath $(BUILD))/fuzz/tests/fuzz/fuzz" OUT="$(abspath $(BUILD))/fuzz/out" \
+	  sh tests/fuzz/fuzz.sh $(READERS)
 
 install: all
 	mkdir -p $(DESTDIR)$(PREFIX)/bin $(DESTDIR)$(DATADIR)/machines $(DESTDIR)$(DATADIR)/controls \

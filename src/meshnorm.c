@@ -112,6 +112,7 @@ static size_t make_pass(const struct mesh *mesh, const struct rows *rows, size_t
 
 static void make_path(const struct mesh *mesh, const struct rows *rows, struct toolpath *t)
 {
+    struct error error;
     size_t pass = 1;
 
     for (int layer = path_options.layers - 1; layer >= 0; layer--) {
@@ -121,6 +122,8 @@ static void make_path(const struct mesh *mesh, const struct rows *rows, struct t
             progress("rows", s, rows->strip.n);
         }
     }
+    if (toolpath_bounded(t, &error) != 0)
+        die_error(&error);
     toolpath_cut(t);
 }
 

@@ -149,6 +149,10 @@ struct toolpath {
 void toolpath_strip(struct toolpath *t, size_t pass, const struct contact *contact, size_t n,
                     struct vec3 along);
 
+/* The strips are not longer than a path can be made in reasonable time: half a million radii of the
+ * ball, 2 km for one of 4 mm.  -1: they are, the error says by how much. */
+int toolpath_bounded(const struct toolpath *t, struct error *error);
+
 /* Lifts the strips that wait; more of them may follow.  Where they take the ball's centre is in
  * t->swept. */
 void toolpath_cut(struct toolpath *t);

@@ -192,7 +192,7 @@ static int set_numbered(struct machine *m, const char *key, const char *value, c
     int n;
     if (strcmp(key, "tools") == 0)
         return read_tools(m, value, name, error);
-    if (!s++ || !read_count(&s, &n))
+    if (!s || (s++, !read_count(&s, &n)))
         return 1;
     if (strncmp(key, "offset.", 7) == 0 && !*s)
         return set_offset(m, n, value, name, line, error);

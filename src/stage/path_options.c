@@ -8,6 +8,7 @@
 #include "gouge/guard_points.h"
 #include "guard_read.h"
 #include "machine/machine_options.h"
+#include "math/box.h"
 #include "mesh/mesh_distance.h"
 
 /* How deep the ball may sink between the guard points of a mesh, mm, and how many of them there may
@@ -216,6 +217,22 @@ static struct gouge_check *guard_of_mesh(const struct mesh *mesh, int threads, s
     return gouge_new(points, threads);
 }
 
+/* A part that is no longer than a ball can be guarded on: places along lines in it are counted. */
+static int check_extent(const struct mesh *mesh, double radius, struct error *error)
+{
+    const double most = 1e4;
+    struct box box = box_around(mesh->vertex.item, mesh->vertex.n);
+    double size = box_diagonal(&box);
+
+    if (size <= most * radius)
+        return 0;
+    return error_set(
+        error,
+        "the part is %.4g mm in size, expected at most %.4g mm for a ball of radius %g: "
+        "is the unit right?",
+        size, most * radius, radius);
+}
+
 int path_options_guard(const struct mesh *mesh, double near, int threads,
                        struct gouge_check **guard, struct error *error)
 {
@@ -229,6 +246,8 @@ int path_options_guard(const struct mesh *mesh, double near, int threads,
     *guard = NULL;
     if (c->paper)
         return 0;
+    if (check_extent(mesh, c->radius, error) != 0)
+        return -1;
     *guard = c->guarded ? guard_read(&guard_scan, mesh, near, &rule, error)
                         : guard_of_mesh(mesh, threads, error);
     path_options.noise = rule.noise;

@@ -413,6 +413,8 @@ int plane_passes_make(struct plane_passes *set, size_t n, struct toolpath *t, st
         }
     }
     free_cuts(cuts, n);
+    if (toolpath_bounded(t, error) != 0)
+        return -1;
     toolpath_cut(t);
     t->lift.feed.plane = vec(0, 0, 0);
     if (t->swept.n == 0)

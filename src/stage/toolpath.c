@@ -15,6 +15,9 @@
 /* Radii of the ball: a link with the tool down is no longer; a retract takes less time. */
 static const double LONGEST = 6;
 
+/* Radii of the ball: all strips together. */
+static const double MOST_CUT = 5e5;
+
 void toolpath_strip(struct toolpath *t, size_t pass, const struct contact *contact, size_t n,
                     struct vec3 along)
 {
@@ -25,6 +28,25 @@ void toolpath_strip(struct toolpath *t, size_t pass, const struct contact *conta
     for (size_t i = 0; i < n; i++)
         *array_push(&strip.contact) = contact[i];
     *array_push(&t->strip) = strip;
+}
+
+int toolpath_bounded(const struct toolpath *t, struct error *error)
+{
+    double length = 0, most = MOST_CUT * t->rule.radius;
+
+    for (size_t k = 0; k < t->strip.n; k++) {
+        const struct contact *c = t->strip.item[k].contact.item;
+        for (size_t i = 1; i < t->strip.item[k].contact.n; i++)
+            length += vec_distance(c[i - 1].p, c[i].p);
+    }
+    if (length <= most)
+        return 0;
+    return error_set(
+        error,
+        "would cut %.0f m in %zu strips, expected at most %.0f m with a ball of radius "
+        "%g: is the unit of the part right? A larger ball, rows farther apart or a "
+        "part of the mesh make less",
+        length / 1e3, t->strip.n, most / 1e3, t->rule.radius);
 }
 
 /* A point of the path, and of what is looked at when it is done. */

@@ -1,52 +1,33 @@
 #!/bin/sh
-# fuzz.sh - afl++ against every reader of the tools, FUZZ_SECONDS each (default 60); run by
-# `make fuzz`, which builds the tools for it in $BIN.  Crashes and hangs are what it looks for: the
-# inputs that made them stay in $OUT/<reader>, and the exit status is 1.
+# fuzz.sh [READER...] - each reader of the tools (default: all of them) under libFuzzer, by `make
+# fuzz`: FUZZ_SECONDS in all (default 600), shared alike, from the seeds in tests/fuzz/seeds and what
+# was found before, in tests/fuzz/found.  Prints the runs of each, and how many a second; a crash, an
+# undefined operation, a run over 5 s or over 2 GB stays as a file in $OUT/READER, and the exit
+# status is 1.  Such a file, once mended, goes to tests/fuzz/found/READER; fuzz-found.t replays it.
 SRC=$(cd "$(dirname "$0")/../.." && pwd)
 OUT=${OUT:-$SRC/build/fuzz/out}
-SECONDS_EACH=${FUZZ_SECONDS:-60}
-AFL_SKIP_CPUFREQ=1 AFL_I_DONT_CARE_ABOUT_MISSING_CRASHES=1 AFL_NO_UI=1 AFL_BENCH_UNTIL_CRASH=0
-AFL_NO_AFFINITY=1
-export AFL_SKIP_CPUFREQ AFL_I_DONT_CARE_ABOUT_MISSING_CRASHES AFL_NO_UI AFL_BENCH_UNTIL_CRASH
-export AFL_NO_AFFINITY
+FUZZ=${FUZZ:-$SRC/build/fuzz/tests/fuzz/fuzz}
 bad=0
+# shellcheck disable=SC2046 # names
+[ $# -gt 0 ] || set -- $(ls "$SRC/tests/fuzz/seeds")
+seconds=$((${FUZZ_SECONDS:-600} / $#))
+[ $seconds -gt 0 ] || seconds=1
 
-# fuzz READER "SEED-PATTERN" CMD...: the seeds are the smallest awkward files that match
-fuzz() {
-	name=$1 pattern=$2
-	shift 2
-	[ -x "$BIN/$1" ] || return 0
-	rm -rf "${OUT:?}/$name" "$OUT/$name.seeds"
-	mkdir -p "$OUT/$name.seeds"
-	# shellcheck disable=SC2086 # patterns
-	(cd "$SRC/tests/data/awkward" && ls -Sr $pattern) | head -n 12 | while read -r seed; do
-		[ -f "$SRC/tests/data/awkward/$seed" ] &&
-			head -c 4000 "$SRC/tests/data/awkward/$seed" >"$OUT/$name.seeds/${seed##*/}"
-	done
-	tool=$1
-	shift
-	afl-fuzz -V "$SECONDS_EACH" -m none -t 2000 -i "$OUT/$name.seeds" -o "$OUT/$name" \
-		-- "$BIN/$tool" -q -j 1 "$@" >"$OUT/$name.log" 2>&1
-	found=$(find "$OUT/$name" -path '*/crashes/id*' -o -path '*/hangs/id*' | wc -l)
-	runs=$(sed -n 's/^execs_done *: //p' "$OUT/$name/default/fuzzer_stats" 2>/dev/null)
-	echo "$name: ${runs:-no} runs, $found crashes and hangs"
-	[ "${runs:-0}" -gt 0 ] && [ "$found" -eq 0 ] || bad=1
-}
-
-fuzz cloud '*.xyz *.pts *.ptx *.pcd *.obj' cloud2mesh -t 5 @@
-fuzz cloud-ply 'cloud*.ply' cloud2mesh -t 5 @@
-fuzz mesh 'mesh*.ply' meshnorm -r 8 @@
-fuzz mesh-planes 'mesh*.ply mesh*.stl mesh.off' planecut -r 4 -s 5 -a 90 @@
-fuzz iges '*.igs' nurbs2mesh -n 4 @@
-fuzz step '../box.step' nurbs2mesh --partial -n 4 @@
-fuzz nurbs-text '../../samples/saddle.nurbs' nurbs2mesh -n 4 @@
-fuzz path 'path*.cl' ncpost -c fanuc @@
-fuzz path-arcs 'path*.cl' biarcfit -e 0.1 @@
-fuzz path-splines 'path*.cl' bsplfit -e 0.1 @@
-cloud=$SRC/tests/data/awkward/hex-grid.xyz
-fuzz program-fanuc '../golden/*.nc' ncverify -c fanuc -g "$cloud" -r 4 @@
-fuzz program-siemens '../golden/*.mpf' ncverify -c siemens -g "$cloud" -r 4 @@
-fuzz program-heidenhain '../golden/*.h' ncverify -c heidenhain -g "$cloud" -r 4 @@
-fuzz program-linuxcnc '../golden/*.ngc' ncverify -c linuxcnc -g "$cloud" -r 4 @@
-fuzz machine 'machine*.txt' ncpost -m @@ "$SRC/tests/data/awkward/path.cl"
+for reader; do
+	mkdir -p "$OUT/$reader/corpus" "$SRC/tests/fuzz/found/$reader"
+	FUZZ_READER=$reader ASAN_OPTIONS=detect_leaks=0:allocator_may_return_null=1 \
+		"$FUZZ" -max_total_time=$seconds -timeout=5 -rss_limit_mb=2048 -malloc_limit_mb=100000 \
+		-max_len=8192 -print_final_stats=1 -artifact_prefix="$OUT/$reader/" "$OUT/$reader/corpus" \
+		"$SRC/tests/fuzz/seeds/$reader" "$SRC/tests/fuzz/found/$reader" >"$OUT/$reader.log" 2>&1
+	status=$?
+	awk -v reader="$reader" '/number_of_executed_units/ { runs = $2 } /average_exec_per_sec/ { rate = $2 }
+		END { printf "%-14s %9d runs, %6d a second", reader, runs, rate }' "$OUT/$reader.log"
+	if [ $status -eq 0 ]; then
+		echo
+	else
+		bad=1
+		echo ": $(grep -m 1 -E 'ERROR|runtime error' "$OUT/$reader.log")"
+	fi
+done
+find "$SRC/tests/fuzz/found" -type d -empty -delete 2>/dev/null
 exit $bad

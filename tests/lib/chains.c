@@ -1,11 +1,12 @@
 /* chains - see chains.h. */
 #include "chains.h"
+#include "seed.h"
 
 uint64_t seed;
 
 double chance(void)
 {
-    seed = seed * 6364136223846793005u + 1442695040888963407u;
+    seed = seed * 6364136223846793005u + seed_step();
     return (double)(seed >> 11) / 9007199254740992.0;
 }
 

@@ -8,6 +8,7 @@
 
 #include "base/array.h"
 #include "scratch.h"
+#include "seed.h"
 
 struct clouds clouds;
 
@@ -63,7 +64,7 @@ static uint64_t state = 1;
 
 unsigned clouds_below(unsigned n)
 {
-    state = state * 6364136223846793005u + 1442695040888963407u;
+    state = state * 6364136223846793005u + seed_step();
     return (unsigned)(state >> 33) % n;
 }
 

@@ -2,6 +2,7 @@
 #include "noisy.h"
 
 #include <stdint.h>
+#include "seed.h"
 
 static uint64_t state;
 
@@ -12,7 +13,7 @@ void noisy_seed(unsigned seed)
 
 double noisy_uniform(void)
 {
-    state = state * 6364136223846793005u + 1442695040888963407u;
+    state = state * 6364136223846793005u + seed_step();
     return (double)(state >> 11) / 9007199254740992.0;
 }
 

@@ -6,13 +6,14 @@
 
 #include "base/array.h"
 #include "math/vec.h"
+#include "seed.h"
 
 static uint64_t rough_state = 11;
 
 /* In [0, 1). */
 static inline double uniform(void)
 {
-    rough_state = rough_state * 6364136223846793005u + 1442695040888963407u;
+    rough_state = rough_state * 6364136223846793005u + seed_step();
     return (double)(rough_state >> 11) / 9007199254740992.0;
 }
 

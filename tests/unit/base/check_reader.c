@@ -9,6 +9,7 @@
 
 #include "base/reader.h"
 #include "scratch.h"
+#include "seed.h"
 
 static struct reader r;
 static struct error error;
@@ -95,7 +96,7 @@ static uint64_t state = 1;
 
 static unsigned below(unsigned n)
 {
-    state = state * 6364136223846793005u + 1442695040888963407u;
+    state = state * 6364136223846793005u + seed_step();
     return (unsigned)(state >> 33) % n;
 }
 

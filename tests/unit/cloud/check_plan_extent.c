@@ -6,13 +6,14 @@
 
 #include "base/array.h"
 #include "cloud/plan_extent.h"
+#include "seed.h"
 
 static uint64_t state = 7;
 static struct vec3s cloud;
 
 static double uniform(void)
 {
-    state = state * 6364136223846793005u + 1442695040888963407u;
+    state = state * 6364136223846793005u + seed_step();
     return (double)(state >> 11) / 9007199254740992.0;
 }
 

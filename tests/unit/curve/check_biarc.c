@@ -4,10 +4,11 @@
 
 #include <check.h>
 #include <stdlib.h>
+#include "seed.h"
 
 static double random_unit(unsigned *seed)
 {
-    *seed = *seed * 1664525u + 1013904223u;
+    *seed = *seed * 1664525u + seed_step_32();
     return (double)(*seed >> 8) / (1 << 24) * 2 - 1;
 }
 

@@ -3,6 +3,7 @@
 
 #include <check.h>
 #include <stdlib.h>
+#include "seed.h"
 
 static struct run_point pose(struct vec3 ball, struct vec3 axis, double radius)
 {
@@ -184,7 +185,7 @@ START_TEST(any_input_gives_finite_numbers)
         for (size_t i = 0; i < n; i++) {
             int v[6];
             for (int k = 0; k < 6; k++) {
-                seed = seed * 1664525u + 1013904223u;
+                seed = seed * 1664525u + seed_step_32();
                 v[k] = (int)(seed >> 28) % 4 - 1;
             }
             struct vec3 axis = vec_unit(vec(v[3], v[4], v[5]));

@@ -3,12 +3,13 @@
 #include <stdint.h>
 
 #include "curve/tool_axis.h"
+#include "seed.h"
 
 static uint64_t state = 3;
 
 static double uniform(double low, double high)
 {
-    state = state * 6364136223846793005u + 1442695040888963407u;
+    state = state * 6364136223846793005u + seed_step();
     return low + (high - low) * ((double)(state >> 11) / 9007199254740992.0);
 }
 

@@ -6,6 +6,7 @@
 
 #include "base/array.h"
 #include "gouge/access.h"
+#include "seed.h"
 
 enum { RADIUS = 5 };
 
@@ -155,7 +156,7 @@ START_TEST(as_every_point_says)
         for (int i = 0; i < 60; i++) {
             double c[3];
             for (int d = 0; d < 3; d++) {
-                state = state * 1664525u + 1013904223u;
+                state = state * 1664525u + seed_step_32();
                 c[d] = (state >> 8) / 16777216.0 * 32 - 16;
             }
             *array_push(&points) = vec(c[0], c[1], c[2]);

@@ -10,6 +10,7 @@
 
 #include "gouge/gouge.h"
 #include "cloud/noise.h"
+#include "seed.h"
 
 static const double SPHERE = 40, BALL = 8;
 
@@ -17,7 +18,7 @@ static uint64_t state = 11;
 
 static double uniform(double low, double high)
 {
-    state = state * 6364136223846793005u + 1442695040888963407u;
+    state = state * 6364136223846793005u + seed_step();
     return low + (high - low) * ((double)(state >> 11) / 9007199254740992.0);
 }
 

@@ -6,12 +6,13 @@
 
 #include "gouge/holder.h"
 #include "gouge/holder_text.h"
+#include "seed.h"
 
 static const struct holder stack = {3, {{3, 3, 40}, {10, 25, 20}, {25, 25, 60}}};
 
 static double random_in(unsigned *state, double low, double high)
 {
-    *state = *state * 1664525u + 1013904223u;
+    *state = *state * 1664525u + seed_step_32();
     return low + (high - low) * (*state >> 8) / 16777216.0;
 }
 

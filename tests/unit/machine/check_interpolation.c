@@ -7,6 +7,7 @@
 #include <stdlib.h>
 
 #include "machine/interpolation.h"
+#include "seed.h"
 
 /* C carried by A, both centres at the origin. */
 static struct kinematic_chain table_ac(void)
@@ -110,7 +111,7 @@ static uint64_t seed;
 /* -1 <= x < 1 */
 static double chance(void)
 {
-    seed = seed * 6364136223846793005u + 1442695040888963407u;
+    seed = seed * 6364136223846793005u + seed_step();
     return (double)(seed >> 11) / 4503599627370496.0 - 1;
 }
 

@@ -5,6 +5,7 @@
 #include <stdlib.h>
 
 #include "math/height_pyramid.h"
+#include "seed.h"
 
 enum { POINTS = 2000, WAYS = 300 };
 
@@ -12,7 +13,7 @@ static uint64_t state = 11;
 
 static double uniform(double low, double high)
 {
-    state = state * 6364136223846793005u + 1442695040888963407u;
+    state = state * 6364136223846793005u + seed_step();
     return low + (high - low) * ((double)(state >> 11) / 9007199254740992.0);
 }
 

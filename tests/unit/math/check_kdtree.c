@@ -4,12 +4,13 @@
 #include <stdlib.h>
 
 #include "math/kdtree.h"
+#include "seed.h"
 
 static uint64_t state = 1;
 
 static double uniform(void)
 {
-    state = state * 6364136223846793005u + 1442695040888963407u;
+    state = state * 6364136223846793005u + seed_step();
     return (double)(state >> 11) / 9007199254740992.0;
 }
 
@@ -263,6 +264,23 @@ START_TEST(nothing_to_find)
 }
 END_TEST
 
+/* An order in which the middle of the first, the middle and the last is always the second smallest
+ * (Musser, Introspective sorting and selection algorithms, 1997): not the square of the time. */
+START_TEST(an_order_made_to_be_slow)
+{
+    enum { HALF = 500000 };
+    struct vec3 *point = calloc(2 * HALF, sizeof *point);
+    for (size_t i = 1; i <= HALF; i++) {
+        point[i - 1].x = i % 2 ? (double)i : (double)(HALF + i - 1);
+        point[HALF + i - 1].x = 2 * (double)i;
+    }
+    struct kdtree *tree = kdtree_new(point, 2 * HALF);
+    ck_assert_ptr_nonnull(tree);
+    kdtree_free(tree);
+    free(point);
+}
+END_TEST
+
 int main(void)
 {
     Suite *suite = suite_create("kdtree");
@@ -273,6 +291,7 @@ int main(void)
     tcase_add_test(tests, segments_as_one_by_one);
     tcase_add_test(tests, balls_leave_as_one_by_one);
     tcase_add_test(tests, sorted_input);
+    tcase_add_test(tests, an_order_made_to_be_slow);
     tcase_add_test(tests, threads_build_the_same_tree);
     tcase_add_test(tests, nothing_to_find);
     suite_add_tcase(suite, tests);

@@ -6,6 +6,7 @@
 
 #include "base/array.h"
 #include "math/point_grid.h"
+#include "seed.h"
 
 enum { N = 3000 };
 
@@ -16,7 +17,7 @@ static struct error error;
 
 static double uniform(void)
 {
-    state = state * 6364136223846793005u + 1442695040888963407u;
+    state = state * 6364136223846793005u + seed_step();
     return (double)(state >> 11) / 9007199254740992.0;
 }
 

@@ -4,13 +4,14 @@
 #include <stdlib.h>
 
 #include "math/vec.h"
+#include "seed.h"
 
 static uint64_t state = 42;
 
 /* -1 to 1 */
 static double next_random(void)
 {
-    state = state * 6364136223846793005u + 1442695040888963407u;
+    state = state * 6364136223846793005u + seed_step();
     return (double)(state >> 11) / (double)(UINT64_C(1) << 52) - 1;
 }
 

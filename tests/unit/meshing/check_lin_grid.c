@@ -5,12 +5,13 @@
 
 #include "base/array.h"
 #include "meshing/lin_grid.h"
+#include "seed.h"
 
 enum { SIDE = 60 };
 
 static double noise_of(unsigned *state)
 {
-    *state = *state * 1664525u + 1013904223u;
+    *state = *state * 1664525u + seed_step_32();
     return (*state >> 8) / 16777216.0;
 }
 

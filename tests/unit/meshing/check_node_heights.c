@@ -7,6 +7,7 @@
 
 #include "meshing/grid_mesh.h"
 #include "meshing/reposition.h"
+#include "seed.h"
 
 static double wave(double x, double y)
 {
@@ -31,9 +32,9 @@ static struct vec3s scan_of(double (*z)(double x, double y))
 
     for (double x = -12; x <= 12; x += 0.5)
         for (double y = -12; y <= 12; y += 0.5) {
-            state = state * 1664525u + 1013904223u;
+            state = state * 1664525u + seed_step_32();
             double dx = (state >> 16) / 65536.0 - 0.5;
-            state = state * 1664525u + 1013904223u;
+            state = state * 1664525u + seed_step_32();
             double dy = (state >> 16) / 65536.0 - 0.5;
             double px = x + 0.4 * dx, py = y + 0.4 * dy;
             *array_push(&points) = vec(px, py, z(px, py));

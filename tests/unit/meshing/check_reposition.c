@@ -4,12 +4,13 @@
 #include <stdlib.h>
 
 #include "meshing/reposition.h"
+#include "seed.h"
 
 static uint64_t state = 3;
 
 static double uniform(void)
 {
-    state = state * 6364136223846793005u + 1442695040888963407u;
+    state = state * 6364136223846793005u + seed_step();
     return (double)(state >> 11) / 9007199254740992.0;
 }
 

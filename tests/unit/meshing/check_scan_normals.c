@@ -9,6 +9,7 @@
 #include "panel.h"
 #include "meshing/reposition.h"
 #include "meshing/scan_normals.h"
+#include "seed.h"
 
 static uint64_t state = 9;
 static struct vec3s scan;
@@ -16,7 +17,7 @@ static struct mesh mesh;
 
 static double uniform(void)
 {
-    state = state * 6364136223846793005u + 1442695040888963407u;
+    state = state * 6364136223846793005u + seed_step();
     return (double)(state >> 11) / 9007199254740992.0;
 }
 

@@ -9,13 +9,14 @@
 
 #include "base/array.h"
 #include "nurbs/nurbs.h"
+#include "seed.h"
 
 static uint64_t seed;
 
 /* 0 <= x < 1 */
 static double chance(void)
 {
-    seed = seed * 6364136223846793005u + 1442695040888963407u;
+    seed = seed * 6364136223846793005u + seed_step();
     return (double)(seed >> 11) / 9007199254740992.0;
 }
 

@@ -12,6 +12,7 @@
 #include "known.h"
 #include "nurbs/pullback.h"
 #include "nurbs/trim_loops.h"
+#include "seed.h"
 
 static const double TOLERANCE = 1e-4;
 
@@ -197,7 +198,7 @@ static uint64_t state = 7;
 
 static double uniform(double low, double high)
 {
-    state = state * 6364136223846793005u + 1442695040888963407u;
+    state = state * 6364136223846793005u + seed_step();
     return low + (high - low) * ((double)(state >> 11) / 9007199254740992.0);
 }
 

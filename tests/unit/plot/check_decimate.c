@@ -4,6 +4,7 @@
 
 #include "base/array.h"
 #include "plot/decimate.h"
+#include "seed.h"
 
 /* Distance of p from the chain. */
 static double off(const struct vec3s *chain, struct vec3 p)
@@ -65,9 +66,9 @@ START_TEST(random_walks_keep_the_tolerance)
         struct vec3 p[400];
         struct vec3 at = vec(0, 0, 0);
         for (int i = 0; i < 400; i++) {
-            seed = seed * 6364136223846793005ULL + 1442695040888963407ULL;
+            seed = seed * 6364136223846793005ULL + seed_step();
             double x = (double)(seed >> 40) / (1 << 24) - 0.5;
-            seed = seed * 6364136223846793005ULL + 1442695040888963407ULL;
+            seed = seed * 6364136223846793005ULL + seed_step();
             double y = (double)(seed >> 40) / (1 << 24) - 0.4;
             p[i] = at = vec_add(at, vec(x, y, 0));
         }

@@ -7,6 +7,7 @@
 
 #include "panel.h"
 #include "simulate/deviation_map.h"
+#include "seed.h"
 
 #define RADIUS 6.0
 
@@ -258,7 +259,7 @@ START_TEST(figures_are_those_of_the_truth)
     for (int i = 0; i < SCATTERED; i++) {
         double xy[2];
         for (int k = 0; k < 2; k++) {
-            seed = seed * 1664525 + 1013904223;
+            seed = seed * 1664525 + seed_step_32();
             xy[k] = 6.0 * (seed >> 8) / 8388608 - 6;
         }
         struct vec3 p = vec(xy[0], xy[1], heights[kind](xy[0], xy[1]));

@@ -7,12 +7,13 @@
 
 #include "base/array.h"
 #include "simulate/holder_collision.h"
+#include "seed.h"
 
 static const struct tool_shape stack = {2, {{0, 30, 2, 2}, {30, 50, 8, 15}}};
 
 static double random_in(unsigned *state, double low, double high)
 {
-    *state = *state * 1664525u + 1013904223u;
+    *state = *state * 1664525u + seed_step_32();
     return low + (high - low) * (*state >> 8) / 16777216.0;
 }
 

@@ -3,6 +3,7 @@
 #include <stdlib.h>
 
 #include "simulate/stock.h"
+#include "seed.h"
 
 /* Area of the part of a disc that lies deeper than radius - depth. */
 static double segment_area(double radius, double depth)
@@ -100,7 +101,7 @@ START_TEST(as_many_balls)
     for (int trial = 0; trial < 40; trial++) {
         double r[6];
         for (int k = 0; k < 6; k++) {
-            state = state * 1664525u + 1013904223u;
+            state = state * 1664525u + seed_step_32();
             r[k] = (state >> 8) / 16777216.0 * 8 - 4;
         }
         struct vec3 a = vec(r[0], r[1], r[2]), b = vec(r[3], r[4], r[5]);

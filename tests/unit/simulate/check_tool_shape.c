@@ -7,10 +7,11 @@
 
 #include "gouge/holder.h"
 #include "simulate/tool_shape.h"
+#include "seed.h"
 
 static double random_in(unsigned *state, double low, double high)
 {
-    *state = *state * 1664525u + 1013904223u;
+    *state = *state * 1664525u + seed_step_32();
     return low + (high - low) * (*state >> 8) / 16777216.0;
 }
 

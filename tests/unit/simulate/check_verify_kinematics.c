@@ -8,6 +8,7 @@
 #include "machine/machine.h"
 #include "ncread/ncread.h"
 #include "simulate/verify_kinematics.h"
+#include "seed.h"
 
 static const char *const machines[] = {
     "machines/table-ac.txt",       "machines/table-bc.txt",
@@ -18,7 +19,7 @@ static const char *const machines[] = {
 
 static double random_in(unsigned *state, double low, double high)
 {
-    *state = *state * 1664525u + 1013904223u;
+    *state = *state * 1664525u + seed_step_32();
     return low + (high - low) * (*state >> 8) / 16777216.0;
 }
 

@@ -7,6 +7,7 @@
 #include <stdlib.h>
 
 #include "math/vec.h"
+#include "seed.h"
 
 START_TEST(by_hand)
 {
@@ -55,7 +56,7 @@ static uint64_t seed;
 /* 0 <= x < 1 */
 static double chance(void)
 {
-    seed = seed * 6364136223846793005u + 1442695040888963407u;
+    seed = seed * 6364136223846793005u + seed_step();
     return (double)(seed >> 11) / 9007199254740992.0;
 }
 

@@ -7,12 +7,13 @@
 #include "toolpath/slice.h"
 #include "toolpath/scallop.h"
 #include "shapes.h"
+#include "seed.h"
 
 static uint64_t state = 7;
 
 static double uniform(double low, double high)
 {
-    state = state * 6364136223846793005u + 1442695040888963407u;
+    state = state * 6364136223846793005u + seed_step();
     return low + (high - low) * ((double)(state >> 11) / 9007199254740992.0);
 }
 

@@ -7,6 +7,7 @@
 
 #include "io/mesh/ply.h"
 #include "scratch.h"
+#include "seed.h"
 
 static struct error error;
 static struct mesh mesh;
@@ -98,7 +99,7 @@ START_TEST(damage_is_survived)
     for (int round = 0; round < 3000; round++) {
         binary_mesh(round % 2);
         for (int k = 0; k < 1 + round % 4; k++) {
-            state = state * 6364136223846793005u + 1442695040888963407u;
+            state = state * 6364136223846793005u + seed_step();
             binary[(state >> 33) % binary_n] = (unsigned char)(state >> 20);
         }
         if (ply_read(scratch_bytes(binary, binary_n), &mesh, &error) < 0)

@@ -1,0 +1,70 @@
+%
+O01001 (Plane)
+(Using high feed G1 F5000. instead of G0.)
+(Machine)
+(  vendor: Haas Automation)
+(T3  D=10. CR=5. - ZMIN=0. - ball end mill)
+G90 G94 G17
+G21
+G53 G0 Z0.
+
+(Parallel1)
+T3 M6
+S6000 M3
+G17 G90 G94
+G54
+M8
+G0 X0. Y0.5
+G43 Z15. H3
+G187 P2 E0.05
+T1
+G0 Z5.
+G1 Z0. F300.
+X40. F900.
+Y1.5
+X0.
+Y2.5
+X40.
+Y3.5
+X0.
+Y4.5
+X40.
+Y5.5
+X0.
+Y6.5
+X40.
+Y7.5
+X0.
+Y8.5
+X40.
+Y9.5
+X0.
+Y10.5
+X40.
+Y11.5
+X0.
+Y12.5
+X40.
+Y13.5
+X0.
+Y14.5
+X40.
+Y15.5
+X0.
+Y16.5
+X40.
+Y17.5
+X0.
+Y18.5
+X40.
+Y19.5
+X0.
+G0 Z15.
+M9
+M5
+G28 G91 Z0.
+G90
+G187
+G53 G0 Y0.
+M30
+%
