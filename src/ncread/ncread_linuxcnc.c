@@ -124,6 +124,15 @@ static int run_block(struct ncread *c, struct gcode_block *b, struct error *erro
     return ncread_go(c, &b->to, piece, c->move == MOVE_RAPID, error);
 }
 
+/* o100 sub, O<name> call, with or without a block number. */
+static bool is_flow(const char *line)
+{
+    const char *s = line + strspn(line, " \t");
+    if (*s == 'N' || *s == 'n')
+        s += 1 + strspn(s + 1, "0123456789 \t");
+    return *s == 'O' || *s == 'o';
+}
+
 static int read_block(struct ncread *c, const char *line, struct error *error)
 {
     struct error found;
@@ -147,6 +156,10 @@ static int read_block(struct ncread *c, const char *line, struct error *error)
     }
     if (strlen(line) > BLOCK_MAX)
         return ncread_error(c, error, "a block of more than 255 characters");
+    if (is_flow(line))
+        return ncread_error(c, error,
+                            "found a subprogram or a loop (O), which this reader does "
+                            "not read");
     int lexed = ncread_word_fanuc(line, &c->words, &found);
     const struct ncread_word *n = ncread_word_find(&c->words, "N");
     if (n && ncread_block(c, n->value[0], error) < 0)

@@ -103,8 +103,19 @@ static const struct nc_move *last_motion(const struct nc_plan *plan, size_t befo
     return before ? &plan->move.item[before - 1] : NULL;
 }
 
-/* Tool, plane and statements before the part that last: the last of each kind. */
-static void add_lasting(struct nc_plan *part, const struct nc_program *whole, size_t from)
+/* A tool comes between `from` and the first motion. */
+static bool begins_with_tool(const struct nc_plan *plan, size_t from, size_t first)
+{
+    for (size_t i = from; i < first; i++)
+        if (plan->move.item[i].kind == NC_TOOL)
+            return true;
+    return false;
+}
+
+/* Tool, plane and statements before the part that last: the last of each kind; a speed only of the
+ * tool that the part has. */
+static void add_lasting(struct nc_plan *part, const struct nc_program *whole, size_t from,
+                        size_t first)
 {
     static const char *const word[] = {"SPINDL", "COOLNT"};
     static const enum nc_kind kind[] = {NC_TOOL, NC_PLANE};
@@ -115,8 +126,10 @@ static void add_lasting(struct nc_plan *part, const struct nc_program *whole, si
                 break;
             }
     for (size_t k = 0; k < sizeof word / sizeof *word; k++)
-        for (size_t i = from; i-- > 0;) {
+        for (size_t i = k == 0 && begins_with_tool(whole->plan, from, first) ? 0 : from; i-- > 0;) {
             const struct nc_move *move = &whole->plan->move.item[i];
+            if (k == 0 && move->kind == NC_TOOL)
+                break;
             if (move->kind != NC_TEXT ||
                 strncmp(whole->path->text.item[move->index], word[k], strlen(word[k])) != 0)
                 continue;
@@ -137,7 +150,7 @@ static int make_part(struct nc_plan *part, const struct nc_program *whole, size_
     while (first < to && !nc_moves(&plan->move.item[first]))
         first++;
     const struct nc_move *before = last_motion(plan, from);
-    add_lasting(part, whole, from);
+    add_lasting(part, whole, from, first);
     if (before && first < to && plan->move.item[first].kind == NC_HOLE) {
         struct nc_move over = plan->move.item[first];
         over.kind = NC_RAPID;

@@ -156,4 +156,23 @@ for control in fanuc siemens heidenhain linuxcnc; do
 done >complaints
 empty "every part cuts, and starts and ends in the clear" complaints
 
+# a part that begins with another tool does not turn it at the speed of the one before
+awk 'BEGIN { print "UNITS/MM\nCUTTER/6"; split("3 7 9", tool); split("4200 9000 1500", speed)
+	for (t = 1; t <= 3; t++) {
+		print "LOADTL/" tool[t] "\nSPINDL/RPM," speed[t] ",CLW\nRAPID\nGOTO/0,0,50\nFEDRAT/300"
+		for (i = 0; i < 40; i++) print "GOTO/" i % 2 "," i ",-1"
+		print "RAPID\nGOTO/0,40,50"
+	}
+	print "FINI" }' >tools.cl
+for control in fanuc siemens heidenhain linuxcnc; do
+	rm -f part-*
+	ncpost -q -c $control --split 60 -o part.nc tools.cl
+	cat part-*.nc | awk '{ for (i = 1; i <= NF; i++) {
+			if ($i ~ /^T[0-9]+$/) tool = substr($i, 2)
+			if ($0 ~ /TOOL CALL/ && $i == "CALL") tool = $(i + 1)
+			if ($i ~ /^S[0-9]+$/ && $i != (tool == 3 ? "S4200" : tool == 7 ? "S9000" : "S1500")) print tool, $0
+		} if (/TOOL CALL|M6/) n++ } END { if (n < 4) print n " parts" }'
+done >complaints
+empty "each part has its tool's own speed" complaints
+
 done_testing
