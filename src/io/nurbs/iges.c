@@ -481,6 +481,13 @@ int iges_values(const struct iges *iges, const struct iges_entity *entity,
             return -1;
         }
     }
+    struct iges_value type = values->item[0];
+    if (!(type.number >= entity->type && type.number <= entity->type)) {
+        array_free(values);
+        return error_at(error, iges->name, type.line,
+                        "parameters of entity type %.12g, expected %d as in its directory entry %d",
+                        type.number, entity->type, entity->number);
+    }
     return 0;
 }
 
