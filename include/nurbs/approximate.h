@@ -21,8 +21,11 @@ typedef struct vec3 approximate_curve_fn(const void *context, double t);
 struct nurbs_curve approximate_curve(approximate_curve_fn *f, const void *context, const double *at,
                                      size_t n, double tolerance, double *error);
 
+/* By the size of a surface: how near its offset is approximated, where the knots suffice. */
+#define APPROXIMATE_OFFSET 1e-9
+
 /* The surface that lies `distance` mm off another one along its normals, with the same parameters
  * and range. */
-struct nurbs approximate_offset(const struct nurbs *surface, double distance, double tolerance);
+struct nurbs approximate_offset(const struct nurbs *surface, double distance);
 
 #endif

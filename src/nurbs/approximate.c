@@ -4,6 +4,7 @@
 #include <stdlib.h>
 
 #include "base/array.h"
+#include "math/box.h"
 #include "nurbs/construct.h"
 
 enum { CUBIC = 3 };
@@ -120,8 +121,18 @@ static double offset_error(const struct nurbs *s, double distance, const struct 
     return worst;
 }
 
-struct nurbs approximate_offset(const struct nurbs *s, double distance, double tolerance)
+static double size_of(const struct nurbs *s)
 {
+    struct box box = box_empty();
+    for (size_t i = 0; i < s->u.poles * s->v.poles; i++)
+        box_add(&box,
+                vec_scale(1 / s->pole[i].w, vec(s->pole[i].wx, s->pole[i].wy, s->pole[i].wz)));
+    return box_diagonal(&box);
+}
+
+struct nurbs approximate_offset(const struct nurbs *s, double distance)
+{
+    double tolerance = APPROXIMATE_OFFSET * size_of(s);
     struct nurbs to = {0};
     struct doubles u = {0}, v = {0};
     bool *kink_u, *kink_v;

@@ -290,4 +290,29 @@ meridians F T | step rest
 model "part of a sphere through both poles" "$(calc '100 * p')" - -e 0.001 "$TMP/quarter.step"
 model "and the rest of it" "$(calc '300 * p')" - -e 0.001 "$TMP/rest.step"
 
+# ---- positions to 1e-9 of the size, and the smallest concave radii
+
+# exact DESC FORMULA FILE: an awk expression of x, y, z that is the distance from the exact surface
+exact() {
+	nurbs2mesh --grid 23 "$3" | awk -F, "NR > 1 { x = \$4; y = \$5; z = \$6; d = $2; if (d < 0) d = -d; if (d > m) m = d }
+		END { print NR > 500 ? m : 1 }" >"$TMP/far"
+	below "$1" "$(cat "$TMP/far")" 2e-8
+}
+whole "SPHERICAL_SURFACE('',{a 1,2,3 0,0,1 1,0,0},10.)" | step sphere
+exact "a sphere" "sqrt((x - 1) ^ 2 + (y - 2) ^ 2 + (z - 3) ^ 2) - 10" "$TMP/sphere.step"
+whole "TOROIDAL_SURFACE('',{a 1,2,3 0,0,1 1,0,0},20.,5.)" | step torus
+exact "a torus" "sqrt((sqrt((x - 1) ^ 2 + (y - 2) ^ 2) - 20) ^ 2 + (z - 3) ^ 2) - 5" "$TMP/torus.step"
+exact "a torus that cuts itself" "sqrt((sqrt(x ^ 2 + y ^ 2) - 3) ^ 2 + z ^ 2) - 5" "$TMP/apple.step"
+exact "an offset cylinder of STEP" "sqrt(x ^ 2 + y ^ 2) - 12" "$TMP/offset.step"
+nurbs2mesh --grid 23 "$TMP/offset140.igs" | awk -F, 'NR > 1 && $1 == 7 { d = sqrt($4 ^ 2 + $5 ^ 2) - 12; if (d < 0) d = -d
+	if (d > m) m = d; n++ } END { print n > 500 ? m : 1 }' >"$TMP/far"
+below "an offset cylinder of IGES" "$(cat "$TMP/far")" 2e-8
+
+radius() { # FILE RADIUS DESC
+	nurbs2mesh -k -n 20 "$1" 2>/dev/null >"$TMP/out"
+	below "$3" "$(awk -v r="$2" '/largest ball/ { print ($5 / r - 1) ^ 2 }' "$TMP/out")" 1e-10
+}
+radius "$SRC/tests/data/box.step" 4 "the smallest concave radius of a hole"
+radius "$TMP/torus.step" 15 "that of a torus, at its waist"
+
 done_testing

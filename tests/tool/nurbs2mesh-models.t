@@ -343,6 +343,10 @@ for kind in igs step; do
 		r = sqrt($1 * $1 + $2 * $2); d = r - 10; e = $3 * ($3 - 30)
 		if (!(d * d < 1e-11 || (r < 10 && e * e < 1e-9))) far++ } END { print far + 0 }' >"$TMP/far"
 	ok "$kind: every vertex is on the cylinder" test "$(cat "$TMP/far")" -eq 0
+	nurbs2mesh -e 0.01 "$TMP/cone.$kind" 2>/dev/null | awk '/end_header/ { on = 1; next } on && NF == 7 {
+		r = sqrt($1 * $1 + $2 * $2); d = r - (10 - 0.75 * $3); e = $3 * ($3 - 8)
+		if (!(d * d < 1e-11 || (d < 0 && e * e < 1e-9))) far++ } END { print far + 0 }' >"$TMP/far"
+	ok "$kind: every vertex is on the cone cut off" test "$(cat "$TMP/far")" -eq 0
 done
 
 # ---- broken STEP: one line with the line of the file

@@ -150,9 +150,6 @@ static void leave_out(const struct source *s, const struct iges_entity *e)
 static int read_surface(const struct source *s, const struct iges_entity *e,
                         const struct transform *outer, struct patch *patch, struct error *error);
 
-/* mm: how far the spline may be off that takes the place of an offset surface. */
-static const double OFFSET_ERROR = 1e-6;
-
 /* 140: a side, by a direction at the start of the parameters, a distance, a surface. */
 static int read_offset(const struct source *s, const struct iges_values *v,
                        const struct transform *matrix, struct patch *patch, struct error *error)
@@ -174,7 +171,7 @@ static int read_offset(const struct source *s, const struct iges_values *v,
     struct nurbs_place start = nurbs_place(&base, (struct uv){base.u.from, base.v.from});
     double scale = s->mm * cbrt(fabs(transform_determinant(matrix)));
     double distance = v->item[4].number * scale * (vec_dot(side, start.normal) < 0 ? -1 : 1);
-    patch->surface = approximate_offset(&base, distance, OFFSET_ERROR);
+    patch->surface = approximate_offset(&base, distance);
     nurbs_free(&base);
     return 0;
 }

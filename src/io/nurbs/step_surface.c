@@ -182,7 +182,7 @@ static int read_offset(const struct step_source *s, struct error *error)
         got = read_basis(s, error);
     if (got == 0) {
         struct nurbs base = *s->surface;
-        *s->surface = approximate_offset(&base, distance, STEP_NEAR);
+        *s->surface = approximate_offset(&base, distance);
         nurbs_free(&base);
     }
     return got;
@@ -227,7 +227,7 @@ static int offset_parametric(const struct step_source *s, struct step_parametric
         return primitive_offset(&to->primitive, distance) < 0 ? 1 : 0;
     if (got == 0) {
         struct nurbs base = to->spline;
-        to->spline = approximate_offset(&base, distance, STEP_NEAR);
+        to->spline = approximate_offset(&base, distance);
         nurbs_free(&base);
     }
     return got;
