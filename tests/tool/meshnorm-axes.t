@@ -70,8 +70,7 @@ cuts "$TMP/play.cl" | paste -d' ' - "$TMP/rule" | awk '
 	pu[n] = $5; pv[n] = $6; pw[n] = $7; ru[n] = $18; rv[n] = $19; rw[n] = $20
 	if ($8 != $21 || $9 != $22) apart = 90 }
 	END { worst(); print (apart > most ? apart : most) }' >"$TMP/figures"
-# (0.6 degrees more were found: it is kept where axes are planned, and they are turned between)
-below "and are not much more than 10 degrees off the rule over the ball's radius" "$(cat "$TMP/figures")" 11
+below "and are no more than 10 degrees off the rule over the ball's radius" "$(cat "$TMP/figures")" 10
 below "but make use of them" 5 "$(cat "$TMP/figures")"
 
 # ---- lead and tilt chosen
