@@ -34,6 +34,16 @@ static double smaller(double a, double b)
     return a < b ? a : b;
 }
 
+/* The same of one cylinder, for most tools are no more: a rectangle beside the axis. */
+static double to_cylinder(const struct holder_part *part, struct place at)
+{
+    double aside = at.r - part->low, along = fabs(at.h - part->length / 2) - part->length / 2;
+    double most = aside > along ? aside : along;
+    if (aside > 0 && along > 0)
+        return sqrt(aside * aside + along * along);
+    return most;
+}
+
 double holder_distance(const struct holder *holder, struct vec3 centre, struct vec3 axis,
                        struct vec3 p)
 {
@@ -45,6 +55,8 @@ double holder_distance(const struct holder *holder, struct vec3 centre, struct v
     bool inside = false;
     if (holder->n == 0)
         return HUGE_VAL;
+    if (holder->n == 1 && holder->part[0].low == holder->part[0].high)
+        return to_cylinder(&holder->part[0], at);
     for (int i = 0; i < holder->n; i++) {
         const struct holder_part *part = &holder->part[i];
         const struct place low = {part->low, last.h}, high = {part->high, last.h + part->length};
