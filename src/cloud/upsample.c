@@ -7,7 +7,7 @@
 enum { FEWEST = 16, NEAR = 32, FEW = 24, RINGS = 8, SAMPLE = 1500, QUADRIC = 6, CUBIC = 10 };
 
 static const double MUCH = 1.5; /* spread of a neighbourhood by the noise: more is none */
-static const double VAGUE = 5; /* of the sinking: a surface less certain than this is none */
+static const double VAGUE = 5;  /* of the sinking: a surface less certain than this is none */
 
 /* Noises that a point may be off its surface; of the way to the nearest point: points so near to a
  * place are about it, or surround it as its nearest do. */
