@@ -8,14 +8,14 @@
 #ifndef CLOUDMILL_PATH_COMPARE_H
 #define CLOUDMILL_PATH_COMPARE_H
 
-#include "simulate/nc_motion.h"
+#include "simulate/axis_limits.h"
 
 struct path_compare_options {
     double radius;     /* of the ball: a path may track its centre */
     double tolerance;  /* of the tip, mm */
     double axis;       /* of the tool axis, radians */
     double fast, slow; /* times the path's feed that a program may be faster, slower */
-    bool combined;     /* the program's F counts mm and degrees of all axes alike */
+    const struct axis_limits *limits; /* how fast its axes are, and what F counts; NULL: any */
 };
 
 struct path_fault {

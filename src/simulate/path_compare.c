@@ -11,6 +11,7 @@ enum { LINE_STEPS = 4, CURVE_STEPS = 16, DEEPEST = 10 };
 
 #define FLAT 0.0002  /* mm: how straight a piece is followed */
 #define STEADY 0.005 /* radians that the axis turns in a step, at most */
+#define STILL 0.005  /* mm: a tip that moves no further stands, and the axes turn about it */
 #define SHORT 0.05   /* mm: shorter pieces may be slow, and their inverse time says little */
 
 /* A straight bit of a motion at feed, with the tool axis at its ends. */
@@ -61,6 +62,8 @@ static void add_stretches(const struct walk *w, double s0, struct nc_motion_pose
 static double tip_feed(const struct walk *w, double length)
 {
     const struct nc_piece *p = &w->motion->piece.item[w->piece];
+    if (length <= STILL)
+        return 0; /* F counts degrees */
     if (p->inverse)
         return length > SHORT ? p->feed * length : 0;
     if (!w->combined)
@@ -158,6 +161,7 @@ static void note_fault(struct path_fault *fault, double value, size_t piece, str
 /* ---- both ways */
 
 struct compare {
+    const struct nc_motion *motion; /* the program's */
     const struct path_compare_options *options;
     struct stretches program, path;
     struct box_tree *program_tree, *path_tree;
@@ -177,6 +181,47 @@ static double look_beside(const struct compare *c, bool path, struct nc_motion_p
     return off;
 }
 
+/* The fastest that the tip can go all along a piece of the program, as no axis is faster than it
+ * can be. */
+static double piece_allows(const struct compare *c, size_t piece)
+{
+    enum { PIECES = 64 };
+    const struct axis_limits *limits = c->options->limits;
+    struct axis_follow follow = {c->motion, {0, 0}};
+    struct axis_place a = axis_limits_place(&follow, piece, 0);
+    double feed = HUGE_VAL;
+    for (int i = 1; limits && i <= PIECES; i++) {
+        struct axis_place b = axis_limits_place(&follow, piece, (double)i / PIECES);
+        double minutes = 0, length = vec_distance(a.tip, b.tip);
+        for (int k = 0; k < NC_AXES; k++)
+            minutes = fmax(minutes, fabs(b.axis[k] - a.axis[k]) / limits->rapid[k]);
+        if (minutes > 0)
+            feed = fmin(feed, length / minutes);
+        a = b;
+    }
+    return feed;
+}
+
+static bool same_curve(const struct nc_piece *a, const struct nc_piece *b)
+{
+    return a->shape == SHAPE_SPLINE && b->shape == SHAPE_SPLINE && a->index == b->index;
+}
+
+/* The same over the whole curve that it is a piece of, for which there is one F. */
+static double allowed_feed(const struct compare *c, size_t piece)
+{
+    const struct nc_piece *all = c->motion->piece.item;
+    size_t from = piece, to = piece + 1;
+    double feed = HUGE_VAL;
+    while (from > 0 && same_curve(&all[from - 1], &all[piece]))
+        from--;
+    while (to < c->motion->piece.n && same_curve(&all[to], &all[piece]))
+        to++;
+    for (size_t i = from; i < to; i++)
+        feed = fmin(feed, piece_allows(c, i));
+    return feed;
+}
+
 static void compare_feed(struct compare *c, const struct stretch *s, const struct beside *path)
 {
     const struct path_compare_options *o = c->options;
@@ -184,7 +229,8 @@ static void compare_feed(struct compare *c, const struct stretch *s, const struc
         return;
     if (s->feed > o->fast * path->fastest)
         note_fault(&c->found.fast, s->feed / path->fastest, s->piece, s->b.p);
-    if (!s->brief && s->feed * o->slow < path->slowest)
+    if (!s->brief && s->feed * o->slow < path->slowest &&
+        s->feed * o->slow < allowed_feed(c, s->piece))
         note_fault(&c->found.slow, path->slowest / s->feed, s->piece, s->b.p);
 }
 
@@ -253,8 +299,8 @@ static void compare_path(struct compare *c)
 struct path_compare path_compare_run(const struct nc_motion *program, const struct nc_motion *path,
                                      const struct path_compare_options *options)
 {
-    struct compare c = {.options = options};
-    follow(program, options->radius, options->combined, &c.program);
+    struct compare c = {.motion = program, .options = options};
+    follow(program, options->radius, (options->limits && options->limits->combined), &c.program);
     follow(path, options->radius, false, &c.path);
     c.program_tree = tree_of(&c.program);
     c.path_tree = tree_of(&c.path);

@@ -20,7 +20,7 @@ enum { TURN_STEPS = 4 }; /* of a piece, for its tool axis */
 #define PATH_TIP_MORE 0.0005 /* mm besides what the head says: both are followed in lines */
 #define PATH_AXIS_MORE 0.01  /* degrees, likewise */
 #define PATH_FAST 1.5        /* times the path's feed; more slowly it may go where the axes turn */
-#define PATH_SLOW 200
+#define PATH_SLOW 20
 #define PATH_CONTACT 10 /* times slower or faster than the contact point the tip may go */
 #define ROUNDED 0.001   /* mm: what places and radii printed may be off */
 #define JUMP 5.0        /* degrees: less is no jump of the tool axis */
@@ -407,7 +407,7 @@ static void judge_path(struct verdict *v)
     double more = v->program.contact_feed ? PATH_CONTACT : 1;
     const struct path_compare_options options = {v->options.radius, tip,
                                                  RADIANS(axis),     PATH_FAST * more,
-                                                 PATH_SLOW * more,  v->options.limits.combined};
+                                                 PATH_SLOW * more,  &v->options.limits};
     struct path_compare found = path_compare_run(v->program.motion, path, &options);
     if (found.off.count > 0)
         add_finding(v, true, found.off.piece, "the tip is %.4f mm off the path at %.3f %.3f %.3f",

@@ -8,7 +8,7 @@
 #include "base/array.h"
 #include "simulate/path_compare.h"
 
-static const struct path_compare_options options = {5, 0.01, 0.005, 1.5, 200, false};
+static const struct path_compare_options options = {5, 0.01, 0.005, 1.5, 200, NULL};
 
 /* Ten straight pieces of 2 mm along x, the axis leaning over more and more. */
 static struct nc_motion row(double y, bool links)
