@@ -36,7 +36,7 @@ tool_files := $(wildcard tools/*.txt)
 controls := $(wildcard controls/*.txt)
 built_in := fanuc siemens heidenhain linuxcnc
 
-tools    := $(tool_src:src/%.c=$(BUILD)/bin/%)
+tools    := $(tool_src:src/%.c=$(BUILD)/bin/%) $(BUILD)/bin/cloudmill
 lib      := $(BUILD)/libcloudmill.a
 page_obj := $(page_src:%=$(BUILD)/%.o)
 control_obj := $(built_in:%=$(BUILD)/controls/%.o)
@@ -94,6 +94,10 @@ $(lib): $(lib_obj)
 $(BUILD)/bin/%: $(BUILD)/src/%.o $(lib)
 	@mkdir -p $(@D)
 	$(CC) $(CFLAGS) $(LDFLAGS) -o $@ $< $(lib) $(LIBS)
+
+$(BUILD)/bin/cloudmill: src/cloudmill.sh
+	@mkdir -p $(@D)
+	install -m 755 $< $@
 
 $(BUILD)/tests/readback/readback: $(back_obj) $(help_obj) $(lib)
 	@mkdir -p $(@D)
@@ -167,7 +171,7 @@ lint:
 	cppcheck -j 2 --quiet --std=c11 --enable=warning,performance,portability --inline-suppr \
 	  --suppress=missingIncludeSystem --suppress=objectIndex --error-exitcode=1 -I include -I src -I tests/lib -i tests/data src tests
 	clang-tidy --quiet --warnings-as-errors='*' $(tool_src) $(lib_src) -- $(FLAGS)
-	shellcheck -S warning -x -P tests/lib tests/*.sh tests/*/*.sh tests/*/*.t tests/house/bare/* \
+	shellcheck -S warning -x -P tests/lib src/*.sh tests/*.sh tests/*/*.sh tests/*/*.t tests/house/bare/* \
 	  samples/*.sh .ci/run
 
 sanitize:

@@ -12,6 +12,7 @@
 #include "cloud/cloud.h"
 #include "stage/cloud_prepare.h"
 #include "io/mesh/ply.h"
+#include "math/box.h"
 
 enum outliers { OUTLIERS_DROP, OUTLIERS_KEEP };
 
@@ -20,10 +21,13 @@ struct settings {
     double noise;  /* NAN: from the cloud */
     double extend; /* beyond the border, mm */
     int unit, outliers;
-    bool origin, clean;
+    bool origin, clean, unit_given;
     const char *matrix;     /* file, NULL: none */
     const char *clean_file; /* the scan that is believed, NULL: not asked for */
 };
+
+/* A part that is smaller or larger is told: mm. */
+static const double SMALL = 1, LARGE = 3000;
 
 static const char *const unit_name[] = {"mm", "cm", "m", "um", "inch", "in"};
 
@@ -63,7 +67,7 @@ static struct settings read_options(struct cli *cli, int argc, char **argv)
         {0, "keep", "N", "vertices of --method delaunay, those farthest off first (default: all)",
          CLI_COUNT, &s.meshing.keep, 3, 1e9, 0, NULL},
         {'u', "units", "mm|cm|m|um|inch|in", "units of the points (default: mm)", CLI_CHOICE,
-         &s.unit, 0, 0, 0, NULL},
+         &s.unit, 0, 0, 0, &s.unit_given},
         {'a', "direction", "DEG", "direction of the rows, from x towards y (default: 0)",
          CLI_NUMBER, &s.meshing.direction, 0, 0, 0, NULL},
         {0, "matrix", "FILE", "transform the points by the 4 x 4 matrix in FILE (in mm) first",
@@ -201,6 +205,20 @@ static void extend_over_border(const char *name, const struct settings *s, struc
     say("extended by %g mm beyond the border, by %zu points", s->extend, points->n - n);
 }
 
+/* How large the part is in the unit that was taken, so that a wrong one is seen at once. */
+static void say_size(const char *name, const struct settings *s, const struct vec3s *points)
+{
+    struct box box = box_around(points->item, points->n);
+    struct vec3 size = vec_sub(box.high, box.low);
+    double longest = fmax(size.x, fmax(size.y, size.z));
+
+    say("%s: %zu points, %.4g x %.4g x %.4g mm%s", name, points->n, size.x, size.y, size.z,
+        s->unit_given ? "" : ", their unit taken as mm (-u)");
+    if (longest < SMALL || longest > LARGE)
+        say("%s: the part is %.3g mm long, expected %g to %g: is the unit right? (-u)", name,
+            longest, SMALL, LARGE);
+}
+
 static void say_distance(const struct adaptive_rows *r, bool of_surface)
 {
     say("%s within %.4f mm of the mesh at worst (at %.3f %.3f %.3f), %.4f mm rms",
@@ -268,6 +286,7 @@ int main(int argc, char **argv)
     if (settings.clean_file)
         write_clean(&settings, name, &raw, &points, cli.threads, &scan);
     array_free(&raw);
+    say_size(name, &settings, &points);
     size_t read = points.n;
     double noise = clean_cloud(name, &settings, &points, cli.threads, &mesh.origin);
     left_out += read - points.n;

@@ -1,0 +1,206 @@
+#!/bin/sh
+# cloudmill - the whole pipe in one command, for those who do not want to see every stage: it prints
+# the commands that it runs, and ends with the verdict of ncverify.  cloudmill(1).
+set -u
+PATH=$(dirname "$0"):$PATH
+export PATH
+
+usage() {
+	cat <<'END'
+usage: cloudmill SCAN -r MM -c CONTROL -o PROGRAM [options] [-- options of meshnorm or planecut]
+       cloudmill doctor SCAN [-u UNIT]
+Makes a 5-axis program of a scan or a CAM model (IGES, STEP, NURBS text), checks it and draws it.
+doctor: says what there is in a scan, and which options suit it.
+
+  -r MM          radius of the ball
+  -c CONTROL     control to write for, as of ncpost
+  -m MACHINE     machine, as of ncpost
+  -o PROGRAM     write to PROGRAM; beside it its picture (.svg) and the verdict's page (.html)
+  -t MM          spacing of the mesh (default: as the surface needs)
+  -s MM          height of the scallops between rows (default: 0.02)
+  -e MM          tolerance of each stage (default: 0.01)
+  -f arcs|splines|points
+                 fit arcs (default), B-splines, or leave the points
+  -u UNIT        unit of the scan (default: mm)
+  -k FOLDER      keep the streams between the stages there
+  -n             print the commands and run nothing
+  -h, -V         help, version
+
+Exit status: 0 done and accepted, 1 input or output failed, 2 wrong usage, 3 written, but something
+asked for is not kept, or ncverify refuses it.  Manual: man cloudmill
+END
+}
+
+die() { # STATUS TEXT...
+	status=$1
+	shift
+	echo "cloudmill: $*" >&2
+	exit "$status"
+}
+
+# A word as a shell reads it again.
+quoted() {
+	case $1 in
+	'' | *[!A-Za-z0-9_./,:=+-]*) printf "'%s'" "$(printf %s "$1" | sed "s/'/'\\\\''/g")" ;;
+	*) printf %s "$1" ;;
+	esac
+}
+
+worst=0
+
+# run COMMAND...: shows it, runs it; 3 is remembered, anything else ends.
+run() {
+	line='$'
+	for word; do line="$line $(quoted "$word")"; done
+	echo "$line" >&2
+	[ -z "$dry" ] || return 0
+	"$@"
+	code=$?
+	[ $code -ne 3 ] || worst=3
+	[ $code -eq 0 ] || [ $code -eq 3 ] || exit $code
+	return 0
+}
+
+# The three coordinates' ranges and kmax of a mesh: lines `size X Y Z`, `ball R SHARE`.
+describe() { # MESH
+	awk '
+	$1 == "element" && $2 == "vertex" { n = $3 }
+	$1 == "property" && $NF == "kmax" { column = properties + 1 }
+	$1 == "property" { properties++ }
+	/^end_header/ { body = NR; next }
+	body && NR <= body + n {
+		for (i = 1; i <= 3; i++) {
+			if (NR == body + 1 || $i < low[i]) low[i] = $i
+			if (NR == body + 1 || $i > high[i]) high[i] = $i
+		}
+		k[++m] = $column
+	}
+	END {
+		printf "size %.4g %.4g %.4g\n", high[1] - low[1], high[2] - low[2], high[3] - low[3]
+		for (p = 1; p <= 3; p++) over[p] = 0
+		split("1 2 3 4 5 6 8 10 12 16 20 25", ball, " ")
+		for (i = 1; (i in ball); i++) {
+			fits = 0
+			for (v = 1; v <= m; v++) fits += k[v] * ball[i] <= 1
+			printf "ball %g %.1f\n", ball[i], m ? 100 * fits / m : 0
+		}
+	}' "$1"
+}
+
+doctor() {
+	scan=
+	unit=
+	while [ $# -gt 0 ]; do
+		case $1 in
+		-u) [ $# -ge 2 ] || die 2 "option -u has no value"; unit=$2 && shift ;;
+		-*) die 2 "option $1 is unknown, expected doctor SCAN [-u UNIT]" ;;
+		*) [ -z "$scan" ] || die 2 "found a second scan, $1"; scan=$1 ;;
+		esac
+		shift
+	done
+	[ -n "$scan" ] || die 2 "found no scan, expected doctor SCAN"
+	folder=$(mktemp -d "${TMPDIR:-/tmp}/cloudmill.XXXXXX") || exit 1
+	trap 'rm -rf "$folder"' EXIT
+	cloud2mesh -v ${unit:+-u "$unit"} -o "$folder/mesh.ply" "$scan" 2>"$folder/said"
+	code=$?
+	sed 's/^cloud2mesh: //' "$folder/said"
+	[ $code -eq 0 ] || [ $code -eq 3 ] || exit $code
+	describe "$folder/mesh.ply" >"$folder/found"
+	spacing=$(sed -n 's/^comment spacing //p' "$folder/mesh.ply")
+	awk -v spacing="$spacing" -v scan="$scan" -v unit="${unit:+ -u $unit}" '
+	$1 == "size" { for (i = 2; i <= 4; i++) longest = $i > longest ? $i : longest }
+	$1 == "ball" { share[++n] = $3; ball[n] = $2; if ($3 == 100) whole = $2; if ($3 >= 99) most = $2 }
+	END {
+		if (longest < 1) print "unit      the part is " longest " mm long: metres? Try -u m (or inch)"
+		else if (longest > 3000) print "unit      the part is " longest " mm long: micrometres? Try -u um"
+		for (i = 1; i <= n; i++) list = list sprintf("%s R %g: %g %%", i > 1 ? "," : "", ball[i], share[i])
+		print "balls     share of the surface whose hollows a ball fits:" list
+		r = most ? most : 1
+		if (whole) print "          the largest usual ball that fits everywhere: R " whole
+		else print "          none of these fits everywhere; the others leave material there (--avoid)"
+		print "suggested cloudmill " scan unit " -r " r " -c CONTROL -o part.nc" (whole >= r ? "" : " -- --avoid")
+	}' "$folder/found"
+	exit $code
+}
+
+scan='' radius='' control='' machine='' output='' spacing='' scallop='' tolerance=0.01 fit=arcs
+unit='' keep='' dry=''
+[ "${1:-}" != doctor ] || { shift && doctor "$@"; }
+while [ $# -gt 0 ]; do
+	case $1 in
+	--) shift && break ;;
+	-h | --help) usage && exit 0 ;;
+	-V | --version) cloud2mesh -V | sed 's/^cloud2mesh/cloudmill/' && exit 0 ;;
+	-n) dry=yes && shift && continue ;;
+	-[rcmotsefuk]) [ $# -ge 2 ] && [ -n "$2" ] || die 2 "option $1 has no value" ;;
+	-*) die 2 "option $1 is unknown; options of meshnorm come after --" ;;
+	*)
+		[ -z "$scan" ] || die 2 "found a second input, $1, expected one"
+		scan=$1
+		shift
+		continue
+		;;
+	esac
+	case $1 in
+	-r) radius=$2 ;;
+	-c) control=$2 ;;
+	-m) machine=$2 ;;
+	-o) output=$2 ;;
+	-t) spacing=$2 ;;
+	-s) scallop=$2 ;;
+	-e) tolerance=$2 ;;
+	-f) fit=$2 ;;
+	-u) unit=$2 ;;
+	-k) keep=$2 ;;
+	esac
+	shift 2
+done
+[ -n "$scan" ] || { usage >&2 && exit 2; }
+[ -n "$radius" ] || die 2 "found no radius of the ball, expected -r MM (cloudmill doctor $scan suggests one)"
+[ -n "$control$machine" ] || die 2 "found no control, expected -c CONTROL"
+[ -n "$output" ] || die 2 "found no name of the program, expected -o PROGRAM"
+case $fit in
+arcs | splines | points) ;;
+*) die 2 "option -f: found \`$fit', expected arcs, splines or points" ;;
+esac
+[ -r "$scan" ] || die 1 "$scan: cannot open"
+
+if [ -n "$keep" ]; then
+	mkdir -p "$keep" || exit 1
+	folder=$keep
+elif [ -n "$dry" ]; then
+	folder=streams
+else
+	folder=$(mktemp -d "${TMPDIR:-/tmp}/cloudmill.XXXXXX") || exit 1
+	trap 'rm -rf "$folder"' EXIT
+	trap 'exit 130' INT TERM
+fi
+mesh=$folder/mesh.ply path=$folder/path.cl fitted=$folder/path.cl
+
+case $scan in
+*.[iI][gG][sS] | *.[iI][gG][eE][sS] | *.[sS][tT][pP] | *.[sS][tT][eE][pP] | *.nurbs)
+	run nurbs2mesh -e "$tolerance" ${unit:+-u "$unit"} -o "$mesh" "$scan"
+	run planecut -r "$radius" -e "$tolerance" --scallop "${scallop:-0.02}" ${machine:+-m "$machine"} \
+		"$@" -o "$path" "$mesh"
+	guard=$mesh
+	;;
+*)
+	run cloud2mesh ${spacing:+-t "$spacing"} ${unit:+-u "$unit"} -o "$mesh" "$scan"
+	run meshnorm -r "$radius" -e "$tolerance" ${scallop:+--scallop "$scallop"} \
+		${machine:+-m "$machine"} "$@" -o "$path" "$mesh"
+	guard=$scan
+	;;
+esac
+case $fit in
+arcs) fitted=$folder/fitted.cl && run biarcfit -e "$tolerance" -o "$fitted" "$path" ;;
+splines) fitted=$folder/fitted.cl && run bsplfit -e "$tolerance" -o "$fitted" "$path" ;;
+esac
+run ncpost ${control:+-c "$control"} ${machine:+-m "$machine"} -o "$output" "$fitted"
+base=${output%.*}
+[ -n "${base##*/}" ] || base=$output
+run ncplot ${machine:+-m "$machine"} --cut -o "$base.svg" "$mesh" "$output"
+# What is deepest: the path by its tolerance, and motions fitted to it by another.
+[ "$guard" != "$mesh" ] || unit=
+run ncverify -g "$guard" ${unit:+-u "$unit"} ${control:+-c "$control"} ${machine:+-m "$machine"} \
+	-r "$radius" -e "$(awk -v e="$tolerance" 'BEGIN { print 2 * e }')" --report "$base.html" "$output"
+exit $worst

@@ -1,0 +1,60 @@
+#!/bin/sh
+# cloudmill, the pipe in one command: what it prints is what it runs, its program is that of the
+# stages typed by hand, and its status is the worst of theirs.
+. "${SRC:-$(dirname "$0")/../..}/tests/lib/lib.sh"
+cd "$TMP" || exit 1
+
+# A low dome, 40 x 30 mm, in a folder with a blank.
+mkdir "a b"
+awk 'BEGIN { for (x = -20; x <= 20; x += 0.5) for (y = -15; y <= 15; y += 0.5)
+	printf "%.3f %.3f %.4f\n", x, y, 10 - (x * x + y * y) / 120 }' >"a b/it's.xyz"
+scan="a b/it's.xyz"
+
+status 0 "a program in one command" cloudmill "$scan" -r 4 -c siemens -o part.mpf -s 0.05 -k kept
+has "ncverify accepts it" '^verdict +accepted' out
+ok "picture and page are beside it" test -s part.svg -a -s part.html
+cp err said
+mkdir typed
+sed -n 's/^\$ //p' said | sed -e 's,kept/,typed/,g' -e 's/part\./typed\/part./g' >commands.sh
+ok "the commands can be typed as printed" sh -eu commands.sh
+same "and give the same program" part.mpf typed/part.mpf
+status 0 "nothing is run with -n" cloudmill "$scan" -n -r 4 -c siemens -o dry.mpf -s 0.05
+sed -n 's/^\$ //p' err | sed 's/dry\./part./g; s/streams/kept/g' >dry
+sed -n 's/^\$ //p' said >commands
+same "the same commands" dry commands
+fails "no program" test -e dry.mpf
+
+status 0 "B-splines for a Fanuc" cloudmill "$scan" -f splines -r 4 -c fanuc -o part.nc -s 0.1
+has "are in it" 'G06\.2' part.nc
+status 0 "options of meshnorm after --" cloudmill "$scan" -f points -r 4 -c linuxcnc -o part.ngc -s 0.1 \
+	-- --fixed 0,0,1
+status 0 "NURBS surfaces" cloudmill "$SRC/samples/saddle.nurbs" -f points -r 3 -c heidenhain -o part.h -s 0.3
+
+# A trough that the ball does not fit.
+awk 'BEGIN { for (x = -10; x <= 10; x += 0.5) for (y = 0; y <= 20; y += 0.5) {
+	r = 16 - x * x; printf "%.3f %.3f %.4f\n", x, y, (r > 0 ? -sqrt(r) : 0) } }' >trough.xyz
+status 3 "what is not kept" cloudmill trough.xyz -r 6 -c siemens -o trough.mpf -s 0.1
+ok "is written" test -s trough.mpf
+has "is in its head" 'UNMET: meshnorm: the ball' trough.mpf
+
+status 0 "doctor" cloudmill doctor trough.xyz
+has "the size and the unit that was taken" '20 x 20 x 4 mm, their unit taken as mm' out
+has "which balls fit" 'R 3: 100 %, R 4: .* R 6: ' out
+has "what to begin with" '^suggested cloudmill trough.xyz -r [34] ' out
+awk '{ print $1 / 1000, $2 / 1000, $3 / 1000 }' "$scan" >metres.xyz
+status 0 "a scan in metres" cloudmill doctor metres.xyz
+has "is suspected" 'Try -u m' out
+status 0 "with its unit" cloudmill doctor metres.xyz -u m
+hasnt "is none" 'Try -u' out
+
+status 2 "no radius" cloudmill "$scan" -c siemens -o x.mpf
+has "how to find one" 'expected -r MM' err
+status 2 "no output" cloudmill "$scan" -r 4 -c siemens
+status 2 "an unknown option" cloudmill "$scan" --avoid -r 4 -c siemens -o x.mpf
+status 1 "no such scan" cloudmill nothing.xyz -r 4 -c siemens -o x.mpf
+echo "no points" >bad.xyz
+status 1 "a stage that fails ends it" cloudmill bad.xyz -r 4 -c siemens -o x.mpf
+hasnt "before the next" '^\$ meshnorm' err
+fails "no program" test -e x.mpf
+status 0 "-h" cloudmill -h
+done_testing
