@@ -212,8 +212,9 @@ static void say_size(const char *name, const struct settings *s, const struct ve
     struct vec3 size = vec_sub(box.high, box.low);
     double longest = fmax(size.x, fmax(size.y, size.z));
 
-    say("%s: %zu points, %.4g x %.4g x %.4g mm%s", name, points->n, size.x, size.y, size.z,
-        s->unit_given ? "" : ", their unit taken as mm (-u)");
+    (s->unit_given ? note : say)("%s: %zu points, %.4g x %.4g x %.4g mm%s", name, points->n, size.x,
+                                 size.y, size.z,
+                                 s->unit_given ? "" : ", their unit taken as mm (-u)");
     if (longest < SMALL || longest > LARGE)
         say("%s: the part is %.3g mm long, expected %g to %g: is the unit right? (-u)", name,
             longest, SMALL, LARGE);

@@ -25,7 +25,7 @@ empty "a letter is one option" "$TMP/found"
 
 for page in "$pages"/*.1; do
 	name=$(basename "$page" .1)
-	[ -e "$SRC/src/$name.c" ] || echo "$page is of no tool"
+	[ -e "$SRC/src/$name.c" ] || [ -e "$SRC/src/$name.sh" ] || echo "$page is of no tool"
 done >"$TMP/found"
 empty "every page of section 1 is of a tool" "$TMP/found"
 

@@ -11,9 +11,9 @@ awk 'BEGIN { for (x = -20; x <= 20; x += 0.5) for (y = -15; y <= 15; y += 0.5)
 scan="a b/it's.xyz"
 
 status 0 "a program in one command" cloudmill "$scan" -r 4 -c siemens -o part.mpf -s 0.05 -k kept
+cp err said
 has "ncverify accepts it" '^verdict +accepted' out
 ok "picture and page are beside it" test -s part.svg -a -s part.html
-cp err said
 mkdir typed
 sed -n 's/^\$ //p' said | sed -e 's,kept/,typed/,g' -e 's/part\./typed\/part./g' >commands.sh
 ok "the commands can be typed as printed" sh -eu commands.sh

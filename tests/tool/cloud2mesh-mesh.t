@@ -54,8 +54,10 @@ has "the stream says its spacing" '^comment spacing 4$' "$TMP/plain.ply"
 has "the stream says what it spent" '^comment ledger cloud2mesh 0\.00' "$TMP/plain.ply"
 has "-v sums up" '17036 points in, 0 left out; spacing 4 mm, 17 rows x 28 columns; 325 vertices, 580 facets' "$TMP/plain.err"
 has "-v says how far vertices are off their quadrics" 'off their quadrics by 0\.00[0-9]* mm at worst' "$TMP/plain.err"
-mesh quiet -t 4 "$panel"
-empty "-t and no more: nothing to say" "$TMP/quiet.err"
+mesh quiet -t 4 -u mm "$panel"
+empty "-t and -u: nothing to say" "$TMP/quiet.err"
+mesh guessed -t 4 "$panel"
+has "a unit that was not given is told" '17036 points, 74 x 54 x 15 mm, their unit taken as mm \(-u\)' "$TMP/guessed.err"
 
 # every vertex is a point of the cloud
 body "$TMP/plain.ply" | head -n 325 | awk '{ printf "%.4f %.4f %.4f\n", $1, $2, $3 }' | sort -u >"$TMP/vertices"
