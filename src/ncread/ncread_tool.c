@@ -107,7 +107,7 @@ void ncread_tool_text(struct ncread *c, int n, const char *const word[])
     switch_on(c, c->tool.held);
 }
 
-/* A tool of a head, without whose length its tip is not known. */
+/* A tool of a head without tool-centre-point control, without whose length its tip is not known. */
 static int length_missing(struct ncread *c, struct error *error)
 {
     char text[120];
@@ -129,7 +129,7 @@ int ncread_tool_piece(struct ncread *c, struct nc_piece *piece, struct error *er
     if (!lengths)
         return 0;
     if (!held || isnan(held->length))
-        return piece->rapid ? 0 : length_missing(c, error);
+        return piece->rapid || !piece->table ? 0 : length_missing(c, error);
     piece->length = held->length;
     if (c->tool.on == 0)
         piece->beyond = -held->length;

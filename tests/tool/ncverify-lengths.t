@@ -83,6 +83,9 @@ done
 sed 's/T2 M6/T7 M6/; s/ H2/ H7/' good.fanuc >seven.nc
 status 1 "a head's tool without length" ncverify -m ./solved.txt -g plane.xyz -r 5 seven.nc
 has "is refused with its block" 'seven.nc:[0-9]+: N[0-9]+: cuts with tool 7, whose length is not in' err
+ncpost -q -c fanuc -m ./tcp.txt -o tcp.nc two.cl
+sed 's/T2 M6/T7 M6/; s/ H2/ H7/' tcp.nc >seven.nc
+status 3 "with tool-centre-point control the control knows it" ncverify -m ./tcp.txt -g plane.xyz -r 5 seven.nc
 status 3 "without lengths in the file nothing is known of H" ncverify -m ./bare.txt -g plane.xyz -r 5 good.fanuc
 
 done_testing
