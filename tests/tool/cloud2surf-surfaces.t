@@ -67,6 +67,16 @@ below "control points" "$few" "$(poles err)"
 status 0 "one thread" cloud2surf -q -j 1 -e 0.01 -o j.nurbs "$panel"
 same "the same bytes" panel.nurbs j.nurbs
 
+# by way of each kind of surface to a program, straight lines in planes a scallop of 0.1 mm apart,
+# within 0.01 mm of the surface, that within 0.01 mm of the points
+for kind in bspline ferguson bezier; do
+	ok "$kind of the panel" cloud2surf -q --$kind -e 0.01 -o $kind.nurbs "$panel"
+	ok "as a mesh" nurbs2mesh -q -e 0.005 -o $kind.ply $kind.nurbs
+	status 0 "its path" planecut -q -r 5 --scallop 0.1 -g "$panel" -o $kind.cl $kind.ply
+	status 0 "its program" sh -c "ncpost -q -c siemens $kind.cl >$kind.mpf"
+	status 0 "is accepted at 0.02 mm" ncverify -g "$panel" -r 5 -e 0.02 $kind.mpf
+done
+
 status 2 "two kinds" cloud2surf --bezier --ferguson wave.xyz
 status 2 "a net for a B-spline" cloud2surf -t 2 wave.xyz
 status 2 "knots for a net" cloud2surf --bezier --knots uniform wave.xyz
