@@ -295,7 +295,7 @@ model "and the rest of it" "$(calc '300 * p')" - -e 0.001 "$TMP/rest.step"
 # exact DESC FORMULA FILE: an awk expression of x, y, z that is the distance from the exact surface
 exact() {
 	nurbs2mesh --grid 23 "$3" | awk -F, "NR > 1 { x = \$4; y = \$5; z = \$6; d = $2; if (d < 0) d = -d; if (d > m) m = d }
-		END { print NR > 500 ? m : 1 }" >"$TMP/far"
+		END { print (NR > 500 ? m : 1) }" >"$TMP/far"
 	below "$1" "$(cat "$TMP/far")" 2e-8
 }
 whole "SPHERICAL_SURFACE('',{a 1,2,3 0,0,1 1,0,0},10.)" | step sphere
@@ -305,7 +305,7 @@ exact "a torus" "sqrt((sqrt((x - 1) ^ 2 + (y - 2) ^ 2) - 20) ^ 2 + (z - 3) ^ 2) 
 exact "a torus that cuts itself" "sqrt((sqrt(x ^ 2 + y ^ 2) - 3) ^ 2 + z ^ 2) - 5" "$TMP/apple.step"
 exact "an offset cylinder of STEP" "sqrt(x ^ 2 + y ^ 2) - 12" "$TMP/offset.step"
 nurbs2mesh --grid 23 "$TMP/offset140.igs" | awk -F, 'NR > 1 && $1 == 7 { d = sqrt($4 ^ 2 + $5 ^ 2) - 12; if (d < 0) d = -d
-	if (d > m) m = d; n++ } END { print n > 500 ? m : 1 }' >"$TMP/far"
+	if (d > m) m = d; n++ } END { print (n > 500 ? m : 1) }' >"$TMP/far"
 below "an offset cylinder of IGES" "$(cat "$TMP/far")" 2e-8
 
 radius() { # FILE RADIUS DESC
