@@ -97,6 +97,45 @@ START_TEST(a_path_may_grow)
 }
 END_TEST
 
+/* Something assumed half a millimetre over the middle of a plane keeps the ball off the points about
+ * it, as far as it leans over them: sqrt(R^2 - (R - 0.5)^2).  The points alone would not. */
+START_TEST(what_is_assumed_keeps_the_ball_off)
+{
+    struct vec3s points = points_on(flat, 6), centre = {0};
+    struct sizes end = {0};
+    struct gouge_check *guard = gouge_from_points(points.item, points.n);
+    struct coverage_options options = options_of(guard);
+    struct coverage *c = coverage_new(points.item, points.n, 1);
+    const double reach = sqrt(R * R - (R - 0.5) * (R - 0.5));
+    size_t n = points.n, kept = 0;
+
+    *array_push(&points) = vec(0, 0, 0.5);
+    struct gouge_check *assumed = gouge_from_points(points.item, points.n);
+    options.assumed = assumed;
+    add_row(&centre, &end, vec(-6, 0, R + 3), vec(6, 0, R + 3));
+    coverage_cut(c, &options, &centre, &end);
+    const struct coverage_point *p = coverage_points(c, &n);
+    for (size_t i = 0; i < n; i++) {
+        double far = hypot(p[i].p.x, p[i].p.y);
+        kept += p[i].state == COVERAGE_KEPT;
+        if (far < reach - 0.5) /* a ball that leans into the next point by the tolerance */
+            ck_assert_int_eq(p[i].state, COVERAGE_KEPT);
+        if (far > reach + 0.5)
+            ck_assert_int_eq(p[i].state, COVERAGE_LEFT);
+    }
+    struct coverage_report r = coverage_report(c);
+    ck_assert_uint_eq(r.kept.n, kept);
+    ck_assert_uint_eq(r.left.n, n - kept);
+    ck_assert_uint_eq(r.out.n, 0);
+    coverage_free(c);
+    gouge_free(guard);
+    gouge_free(assumed);
+    array_free(&points);
+    array_free(&centre);
+    array_free(&end);
+}
+END_TEST
+
 /* A V of 90 degrees along x: the ball touches both sides at 45 degrees, R / sqrt(2) beside the
  * bottom and as high; what is nearer stays. */
 static double valley(double x, double y)
@@ -230,6 +269,7 @@ int main(void)
     tcase_set_timeout(tests, 30);
     tcase_add_test(tests, rows_over_a_plane_leave_their_cusps);
     tcase_add_test(tests, a_path_may_grow);
+    tcase_add_test(tests, what_is_assumed_keeps_the_ball_off);
     tcase_add_test(tests, the_bottom_of_a_valley_is_out_of_reach);
     tcase_add_test(tests, a_holder_keeps_the_ball_from_the_bottom_of_a_slot);
     tcase_add_test(tests, rest_passes_cut_what_is_left);
