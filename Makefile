@@ -147,6 +147,20 @@ accuracy: all $(readback) $(cloud)
 
 faults: all
 	@BIN="$(abspath $(BUILD))/bin" CC="$(CC)" FAULTS=0 sh tests/house/faults.t
+
+# Random numbers of another course: SEEDS of them (20).
+check-seeds: $(units)
+	@UNITS="$(abspath $(BUILD))/tests/unit" sh tests/house/seeds.sh
+
+# Lines of src/ changed by chance: N of them (200), in FOLDERS (all).
+mutate: all $(units)
+	@CC="$(CC)" sh tests/house/mutate.sh
+
+# Lines that the tests run, folder by folder.
+coverage:
+	$(MAKE) BUILD=$(BUILD)/coverage CC=gcc CFLAGS='-O1 -g --coverage' check
+	sh tests/house/coverage.sh $(BUILD)/coverage
+
 # The whole table of faults, kind by control; make check has a slice of it.
 nc-faults: all
 	BIN="$(abspath $(BUILD))/bin" FAULT_SEEDS="1 2 3" FAULT_FITTERS="line arc curve" \
@@ -225,7 +239,7 @@ clean:
 	rm -rf $(BUILD) demo figures cloudmill-$(VERSION).tar.gz
 
 .PHONY: always all units check demo figures bench accuracy freeze deps lint sanitize fuzz faults \
-  nc-faults safety install uninstall dist distcheck clean
+  check-seeds mutate coverage   nc-faults safety install uninstall dist distcheck clean
 .SECONDARY:
 
 -include $(shell find $(BUILD) -name '*.d' 2>/dev/null)

@@ -27,21 +27,21 @@ head_of() { # CONTROL PATH: its comments without numbers and signs around
 	sed -n 's/^[0-9 ]*\(;\|(\) *\([A-Z+]*:\)/\2/p' program | sed 's/)$//'
 }
 for control in fanuc siemens heidenhain linuxcnc; do
-	head_of $control tool.cl >head
-	has "$control: the tool with flute and holder" '^TOOL: BALL R5 FLUTE 20 HOLDER 5:60$' head
-	has "$control: scallop and tolerance" '^SCALLOP: 0\.02 TOLERANCE: 0\.00[4-9][0-9]?$' head
+	head_of $control tool.cl >head.txt
+	has "$control: the tool with flute and holder" '^TOOL: BALL R5 FLUTE 20 HOLDER 5:60$' head.txt
+	has "$control: scallop and tolerance" '^SCALLOP: 0\.02 TOLERANCE: 0\.00[4-9][0-9]?$' head.txt
 	printf '26493,0123456789abcdef,%s\n' "$long" | tr a-z A-Z >want
-	sed -n 's/^SCAN+*: //p' head | tr a-z A-Z | tr '\n' ' ' | sed 's/ $//' >got
+	sed -n 's/^SCAN+*: //p' head.txt | tr a-z A-Z | tr '\n' ' ' | sed 's/ $//' >got
 	echo >>got
 	same "$control: the scan, in as many lines as it needs" want got
 	awk '/^[0-9 ]*[;(]/ && length > 84 { exit 1 }' program
 	result $? "$control: no line of the head is longer than a control takes"
-	head_of $control flat.cl >head
-	has "$control: a tool that is no ball" '^TOOL: CUTTER D10 R2$' head
-	hasnt "$control: no scallop is said where there is none" SCALLOP head
-	has "$control: the tolerance alone" '^TOLERANCE: [0-9.]+$' head
-	head_of $control ball.cl >head
-	has "$control: the ball alone" '^TOOL: BALL R5 BALL-ONLY$' head
+	head_of $control flat.cl >head.txt
+	has "$control: a tool that is no ball" '^TOOL: CUTTER D10 R2$' head.txt
+	hasnt "$control: no scallop is said where there is none" SCALLOP head.txt
+	has "$control: the tolerance alone" '^TOLERANCE: [0-9.]+$' head.txt
+	head_of $control ball.cl >head.txt
+	has "$control: the ball alone" '^TOOL: BALL R5 BALL-ONLY$' head.txt
 done
 
 done_testing

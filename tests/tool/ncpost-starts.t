@@ -46,7 +46,7 @@ awk 'BEGIN { print "UNITS/MM\nMULTAX/ON\nCUTTER/10,5\nLOADTL/1\nSPINDL/900\n$$->
 		}
 	print "FINI" }' >tilted.cl
 
-cat >start.awk <<'END'
+cat >start.awk <<'PROGRAM'
 # Blocks as the control runs them, to the first cut: X Y Z of the tip (with tcp or upright), or of
 # the linear axes of a trunnion table whose centres are at zero; angles A C.
 function turn(u, w, i, j,  c, s, y) { # u turned by w degrees in the plane of its i-th and j-th
@@ -171,7 +171,7 @@ END {
 	if (worst > 0.02) printf "%.2f mm deep: %s\n", worst, where
 	if (!first_down || steps < 2) print "no way down"
 }
-END
+PROGRAM
 runs=0
 start() { # CONTROL PROGRAM SIGN CLEAR ALWAYS HEAD: what is wrong with its start, nothing when it is right
 	runs=$((runs + 1))

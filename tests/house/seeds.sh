@@ -1,0 +1,25 @@
+#!/bin/sh
+# seeds.sh - the unit tests with random numbers (tests/lib/seed.h) under SEEDS other seeds each (20);
+# run by `make check-seeds`.  Prints a line for each that fails, with its seed, and the number of runs.
+cd "$(dirname "$0")/../.." || exit 1
+UNITS=${UNITS:-build/tests/unit}
+runs=0
+bad=0
+# those that include seed.h, or a header or helper of tests/lib that does
+with=$(grep -lE 'seed\.h|rough\.h|ribs\.h|noisy\.h|clouds\.h|chains\.h|trial\.h|seeded' \
+	tests/unit/*.c tests/unit/*/*.c tests/unit/*/*/*.c)
+for source in $with; do
+	unit=$UNITS/${source#tests/unit/}
+	unit=${unit%.c}
+	[ -x "$unit" ] || continue
+	seed=0
+	while [ $seed -lt "${SEEDS:-20}" ]; do
+		seed=$((seed + 1))
+		runs=$((runs + 1))
+		SEED=$seed CK_DEFAULT_TIMEOUT=${CK_DEFAULT_TIMEOUT:-60} "$unit" >"$unit.seed" 2>&1 && continue
+		bad=$((bad + 1))
+		echo "${source#tests/unit/}, SEED=$seed: $(grep -m 1 -E ':[FE]:' "$unit.seed")"
+	done
+done
+echo "$runs runs, $bad failed"
+[ $runs -gt 0 ] && [ $bad -eq 0 ]

@@ -1,0 +1,63 @@
+#!/bin/sh
+# all-limits.t - the limits that cloudmill(7) states, at their edges.
+. "${SRC:-$(dirname "$0")/../..}/tests/lib/lib.sh"
+cd "$TMP" || exit 1
+
+cloud() { # X0 Y0 SCALE: a shallow bowl of 21 x 16 points there, with all digits
+	awk -v x0="$1" -v y0="$2" -v s="$3" 'BEGIN { for (i = 0; i <= 20; i++) for (k = 0; k <= 15; k++) {
+		x = 2 * i; y = 2 * k
+		printf "%.9f %.9f %.9f\n", x0 + s * x, y0 + s * y, s * ((x - 20) ^ 2 + (y - 15) ^ 2) / 300 } }'
+}
+# apart FILE FILE X0 Y0: the largest distance of the vertices of the second, moved back, from the first's
+apart() {
+	awk -v x0="$3" -v y0="$4" 'FNR == 1 { body = 0; file++ }
+		/^end_header/ { body = 1; next }
+		/^element vertex/ { most = $3 }
+		body && n[file] < most { i = ++n[file]; x[file, i] = $1; y[file, i] = $2; z[file, i] = $3 }
+		END {
+			if (n[1] != n[2] || n[1] == 0) { print 1e9; exit }
+			for (i = 1; i <= n[1]; i++) {
+				dx = x[2, i] - x0 - x[1, i]; dy = y[2, i] - y0 - y[1, i]; dz = z[2, i] - z[1, i]
+				d = sqrt(dx * dx + dy * dy + dz * dz)
+				if (d > far) far = d
+			}
+			printf "%.9f\n", far
+		}' "$1" "$2"
+}
+
+# coordinates as of UTM: millimetres at 5,400 km have half a nanometre between doubles
+cloud 0 0 1 >near.xyz
+cloud 500000 5400000 1 >far.xyz
+status 0 "a cloud at the origin" cloud2mesh -q -t 4 -o near.ply near.xyz
+status 0 "a cloud at UTM coordinates" cloud2mesh -q -t 4 -o far.ply far.xyz
+below "its mesh is the same one, to the last digit written" "$(apart near.ply far.ply 500000 5400000)" 0.0000021
+cloud 500000000 5400000000 1 >metres.xyz
+status 0 "UTM coordinates in millimetres" cloud2mesh -q -t 4 -o metres.ply metres.xyz
+below "its mesh is the same one to 0.00001 mm" "$(apart near.ply metres.ply 500000000 5400000000)" 0.00001
+
+# the longest line: any; a comment of 5 MB, a number of 200,000 digits
+{
+	awk 'BEGIN { printf "# "; for (i = 0; i < 500000; i++) printf "0123456789"; print "" }'
+	cat near.xyz
+} >comment.xyz
+status 0 "a comment of 5 MB" cloud2mesh -q -t 4 -o comment.ply comment.xyz
+tail -n +20 near.ply >want
+tail -n +20 comment.ply >got
+same "... changes nothing" got want
+{
+	awk 'BEGIN { printf "0."; for (i = 0; i < 20000; i++) printf "0000000000"; print "1 0 1.4" }'
+	sed 1d near.xyz
+} >digits.xyz
+status 0 "a number of 200,000 digits" cloud2mesh -q -t 4 -o digits.ply digits.xyz
+
+# counts beyond what there is are refused, not believed
+for count in 4294967295 18446744073709551615; do
+	sed "s/^element vertex .*/element vertex $count/" near.ply >count.ply
+	status 1 "$count vertices said" planecut -q -r 4 -s 4 count.ply
+	status 1 "$count points said" cloud2mesh -q -t 4 count.ply
+done
+
+# the smallest spacing
+cloud 0 0 0.001 >small.xyz
+status 0 "points 2 micrometres apart" cloud2mesh -q -t 0.004 -o small.ply small.xyz
+done_testing
