@@ -93,6 +93,7 @@ struct machine {
     double rapid[MACHINE_AXES];        /* mm/min and degrees/min; X Y Z have one */
     double acceleration[MACHINE_AXES]; /* mm/s^2 and degrees/s^2, at most */
     double jerk[MACHINE_AXES];         /* mm/s^3 and degrees/s^3, at most */
+    bool slows;                        /* the control slows down where F asks too much of an axis */
     double smoothing;                  /* mm of the path over which the control rounds a corner */
     double retract;                    /* mm along the tool axis, where the path has no approach */
     int tcp_frame;                     /* enum machine_tcp_frame */

@@ -16,6 +16,7 @@ struct axis_limits {
     double min[NC_AXES], max[NC_AXES]; /* travel */
     double slack;                      /* beyond it that counts as within: places are rounded */
     double rapid[NC_AXES];             /* largest speed, a minute */
+    bool strict;   /* the control does not slow down where F asks more of an axis than it can */
     bool combined; /* F counts mm and degrees of all axes alike (no tool centre point control) */
 };
 

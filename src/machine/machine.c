@@ -55,6 +55,7 @@ struct machine machine_default(void)
         .acceleration = {3000, 3000, 3000, 1000, 1000, 1000},
         .jerk = {50000, 50000, 50000, 20000, 20000, 20000},
         .smoothing = 0.2,
+        .slows = true,
         .retract = 50,
         .feed_max = 99999,
         .number_step = 10,
@@ -148,6 +149,7 @@ static struct keys machine_keys(struct machine *m)
     keys_add(&keys, "cutcom", KEY_YES, &m->cutcom);
     add_bounded(&keys, "rapid", KEY_NUMBER, &m->rapid[MACHINE_X], 1, 1e7);
     add_bounded(&keys, "smoothing", KEY_NUMBER, &m->smoothing, 0, 100);
+    keys_add(&keys, "slows", KEY_YES, &m->slows);
     add_bounded(&keys, "retract", KEY_NUMBER, &m->retract, 0.1, 1e5);
     keys_add(&keys, "tcp.frame", KEY_CHOICE, &m->tcp_frame)->words = "zero|stands";
     keys_add(&keys, "length.off", KEY_CHOICE, &m->length_off)->words = "home|alone|z";

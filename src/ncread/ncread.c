@@ -79,7 +79,8 @@ static double printed_slack(const struct machine *machine)
 
 struct axis_limits ncread_limits(const struct machine *machine, bool tcp)
 {
-    struct axis_limits limits = {.slack = printed_slack(machine), .combined = !tcp};
+    struct axis_limits limits = {
+        .slack = printed_slack(machine), .strict = !machine->slows, .combined = !tcp};
     for (int k = 0; k < NC_AXES; k++) {
         limits.min[k] = machine->min[k];
         limits.max[k] = machine->max[k];

@@ -356,12 +356,12 @@ static void judge_axes(struct verdict *v)
         add_finding(v, true, use->unreachable_at,
                     "a tool axis that the machine's axes cannot reach");
     if (use->fast)
-        add_finding(v,
-                    use->speed.value > 0 && v->program.motion->piece.item[use->speed.piece].inverse,
-                    use->speed.piece,
-                    "axis %c would have to move at %.2f of its largest speed "
-                    "(blocks: %zu)",
-                    letter[use->speed.axis], use->speed.value, use->fast);
+        add_finding(
+            v, v->options.limits.strict || v->program.motion->piece.item[use->speed.piece].inverse,
+            use->speed.piece,
+            "axis %c would have to move at %.2f of its largest speed "
+            "(blocks: %zu)",
+            letter[use->speed.axis], use->speed.value, use->fast);
 }
 
 /* What the reader remarked. */

@@ -101,6 +101,15 @@ if grep -q 'PO\[' curve.siemens; then
 	case $got in 1 | 3) result 0 "siemens: coefficients 1 % off: found" ;; *) result 1 "siemens: coefficients 1 % off: found (exit $got)" ;; esac
 fi
 
+# an axis asked for more than it can: the control slows down, or it is a fault
+control=fanuc
+sed 's/ F800\./ F60000./' line.fanuc >bad.fanuc
+status 0 "a control that slows down" ncverify -g dome.xyz -r 6 --partial --ball-only -m table-ac -c fanuc bad.fanuc
+has "is told" '^notice +N[0-9]+ .*axis . would have to move at [0-9.]+ of its largest speed' out
+status 3 "one that does not" ncverify -g dome.xyz -r 6 --partial --ball-only -m table-ac --set slows=no -c fanuc bad.fanuc
+has "is refused" '^fault +N[0-9]+ .*axis . would have to move at [0-9.]+ of its largest speed' out
+status 0 "the good program needs no slowing" ncverify -g dome.xyz -r 6 --partial --ball-only -m table-ac --set slows=no -c fanuc line.fanuc
+
 # a pass left out
 awk '/\(PASS 3\)/ { skip = 1 } /\(PASS 4\)/ { skip = 0 } !skip' line.fanuc >bad.fanuc
 control=fanuc
