@@ -74,6 +74,7 @@ static void fit_run(const void *settings, const struct fit_request *request, str
                     .centre = request->in->head.track == TRACK_CENTRE,
                     .paper = s->common.paper,
                     .chords = s->chords,
+                    .least = s->common.least,
                     .hurried = request->work < (gouge->guard ? HURRIED_GUARDED : HURRIED),
                     .guarded = gouge->guard != NULL},
         .fitted = &run->fitted,
@@ -103,6 +104,13 @@ static void report_totals(const struct arcrun_report *r, const struct path *in, 
             r->points, r->arcs, r->lines, r->length, r->c, r->s, r->corners, r->kinks);
     if (r->loops > 0)
         say("in %zu intervals the paper's biarc is a loop: equal legs taken", r->loops);
+    if (r->shorter > 0)
+        say("%zu pieces are shorter than asked for (--min-length), the shortest %.4f mm: the "
+            "tolerance or a corner leaves them no room",
+            r->shorter, r->shortest);
+    message("largest jumps from piece to piece: curvature %.4f 1/mm, turn of the axis %.3f degrees "
+            "a millimetre; the shortest piece is %.3f mm long",
+            r->bend, DEGREES(r->turn), r->shortest);
     bool centre = in->head.track == TRACK_CENTRE;
     double tip = centre ? r->worst.other : r->worst.point;
     double ball = centre ? r->worst.point : r->worst.other;
@@ -137,11 +145,7 @@ int main(int argc, char **argv)
          "keep the tool clear of this scan, within the tolerance, also along the\n"
          "fitted arcs and lines (default: the one that the path names)",
          CLI_LIST, &s.common.gouge.scan.files, 0, 0, 0, NULL},
-        {0, "no-guard", NULL, "by no scan, not even the one that the path names", CLI_FLAG,
-         &s.common.gouge.scan.none, 0, 0, 0, NULL},
-        {0, "noise", "MM", "standard deviation of the scan's noise (default: measured)", CLI_NUMBER,
-         &s.common.gouge.noise, 0, 10, 0, NULL},
-        EFFORT_OPTION(&s.common.gouge.effort),
+        FITTER_OPTIONS(&s.common),
         {0, "axis-tolerance", "DEG", "largest deviation of the tool axis (1)", CLI_NUMBER,
          &s.common.angle, CLI_POSITIVE, 90, 0, NULL},
         {0, "tilt", "DEG",

@@ -38,6 +38,7 @@ static int prepare(void *settings, struct path *in, struct error *error)
                                                  .params = s->params - 1,
                                                  .knots = s->knots == 3 ? -1 : s->knots - 1,
                                                  .tolerance = s->common.tolerance,
+                                                 .least = s->common.least,
                                                  .angle = RADIANS(s->common.angle)}};
     return 0;
 }
@@ -116,7 +117,7 @@ static double report(const void *settings, const struct path *in, const struct f
         const struct spline_run *pieces = &((const struct result *)runs->item[i].result)->pieces;
         for (size_t k = 0; k < pieces->n; k++)
             if (!pieces->item[k].still)
-                spline_report_add(&r, runs->item[i].pass, &pieces->item[k], table);
+                spline_report_add(&r, runs->item[i].pass, s->common.least, &pieces->item[k], table);
     }
     if (table)
         spline_report_totals(&r, table);
@@ -124,6 +125,14 @@ static double report(const void *settings, const struct path *in, const struct f
          "ball %.6f mm, axis %.4f degrees",
          r.points, runs->n, r.splines, r.poles, spline_report_fewer(r.points, r.poles),
          r.worst.point, r.worst.other, DEGREES(r.worst.axis));
+    if (r.shorter > 0)
+        say("%zu knot spans are shorter than asked for (--min-length), the shortest %.4f mm: the "
+            "tolerance or a corner leaves them no room",
+            r.shorter, r.shortest);
+    note(
+        "the shortest knot span is %.3f mm long; %zu curves are polylines, with jumps of direction "
+        "and axis, in all others both are twice differentiable",
+        r.shortest, r.polylines);
     if (r.cut > 0)
         note("%zu curves reached the bound of work: they might do with fewer control points",
              r.cut);
@@ -155,11 +164,7 @@ int main(int argc, char **argv)
          "keep the tool clear of this scan, within the tolerance, also along the\n"
          "curves (default: the one that the path names)",
          CLI_LIST, &s.common.gouge.scan.files, 0, 0, 0, NULL},
-        {0, "no-guard", NULL, "by no scan, not even the one that the path names", CLI_FLAG,
-         &s.common.gouge.scan.none, 0, 0, 0, NULL},
-        {0, "noise", "MM", "standard deviation of the scan's noise (default: measured)", CLI_NUMBER,
-         &s.common.gouge.noise, 0, 10, 0, NULL},
-        EFFORT_OPTION(&s.common.gouge.effort),
+        FITTER_OPTIONS(&s.common),
         {0, "axis-tolerance", "DEG", "largest deviation of the tool axis, degrees (1)", CLI_NUMBER,
          &s.common.angle, 0.001, 45, 0, NULL},
         {0, "degree", "P", "degree of the curves, 2 to 5 (3); a straight line has 1", CLI_COUNT,

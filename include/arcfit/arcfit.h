@@ -14,7 +14,8 @@
  *                     (arc_beam.c; where it finds no arc, a greedy biarc: arcfit.c)
  *   2. arcfit_reduce  one arc fewer after the other, all joints moved together by least squares
  *                     (arcspline_reduce.c over arcspline.h)
- *   3. arcfit_reverse_*  the same two from the last point back, where that takes fewer arcs
+ *   3. arcfit_lengthen   no piece shorter than a control likes, where the tolerance allows it
+ *   4. arcfit_reverse_*  the first two from the last point back, where that takes fewer arcs
  *
  * Their driver is stage/arcrun.h, which makes the reference, prints the pieces and proves the
  * printed digits.  arcfit_each is paper 1's fit, a biarc for each interval.
@@ -116,6 +117,16 @@ void arcfit_beam(const struct reference *reference, const struct deviation *with
  */
 void arcfit_reduce(const struct reference *reference, const struct deviation *within, int digits,
                    bool thorough, struct pieces *pieces);
+
+/*
+ * Moves the joints beside pieces shorter than `least` mm apart, with a piece fewer where that holds,
+ * proven as by arcfit_reduce.  Those that `within`, a kink or an end leaves no room for stay short.
+ */
+void arcfit_lengthen(const struct reference *reference, const struct deviation *within, int digits,
+                     double least, struct pieces *pieces);
+
+/* The length of the shortest of the pieces [from, to), mm. */
+double arcfit_shortest(const struct pieces *pieces, size_t from, size_t to);
 
 /* The reference from its last point to its first; the caller frees it (reference_free). */
 struct reference arcfit_reverse_reference(const struct reference *reference);

@@ -47,6 +47,12 @@ struct vec3 bspline_at(const struct bspline *b, const struct vec3 *pole, double 
 void bspline_derivatives(const struct bspline *b, const struct vec3 *pole, double u, int order,
                          struct vec3 *result);
 
+/* How far the curve's places at knot i and at the next one are apart, mm. */
+double bspline_span_length(const struct bspline *b, size_t i);
+
+/* Some of its spans are shorter than `least` mm. */
+bool bspline_has_short_span(const struct bspline *b, double least);
+
 /* A knot more at u, strictly inside; the curve stays as it is. */
 void bspline_insert(struct bspline *b, double u);
 

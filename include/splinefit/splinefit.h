@@ -83,6 +83,7 @@ struct splinefit_options {
     int knots;        /* one enum knots_method, or -1: all */
     double tolerance; /* of the tracked point and the other one, mm */
     double angle;     /* of the axis, radians */
+    double least;     /* mm: no knot span shorter, as long as the tolerance allows it; 0: any */
     double work;      /* share of the work that free knots may take on uneven data; 0: all of it */
 };
 

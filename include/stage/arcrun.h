@@ -15,6 +15,7 @@ struct arcrun_options {
     bool paper;       /* a biarc for each interval, however far it is off */
     bool guarded;     /* the run may be fitted several times: less is searched for a last arc */
     bool hurried;     /* arcs as the search finds them: half the time, a seventh more of them */
+    double least;     /* mm: no piece shorter, as long as the tolerance allows it; 0: any length */
     bool chords;      /* arcs as comments, with straight chords for them */
 };
 
@@ -22,11 +23,15 @@ struct arcrun_options {
 struct arcrun_report {
     size_t points; /* of the input */
     size_t arcs, lines;
-    size_t c, s;    /* pairs of arcs with a common tangent that bend the same or the other way */
-    size_t loops;   /* paper: intervals where its biarc is none */
-    size_t corners; /* kept as they are */
-    size_t kinks;   /* other places where the direction jumps */
-    double length;  /* mm */
+    size_t c, s;     /* pairs of arcs with a common tangent that bend the same or the other way */
+    size_t loops;    /* paper: intervals where its biarc is none */
+    size_t corners;  /* kept as they are */
+    size_t kinks;    /* other places where the direction jumps */
+    double length;   /* mm */
+    double shortest; /* of the pieces, mm, */
+    size_t shorter;  /* and how many are shorter than the least length asked for */
+    double bend;     /* largest jump of the curvature where the direction is continuous, 1/mm, */
+    double turn;     /* and of the axis' turn by the length, radians/mm */
     double spent; /* of the tolerance, mm: the largest deviation, and what the dense points take */
     struct deviation worst;
 };

@@ -14,6 +14,7 @@
 #define CLOUDMILL_FITTER_H
 
 #include "base/cli.h"
+#include "base/effort.h"
 #include "io/path/path.h"
 #include "stage/gouge_options.h"
 
@@ -24,8 +25,28 @@ struct fitter_options {
     double angle; /* --axis-tolerance, degrees */
     bool paper;   /* --paper: as published */
     bool report;  /* --report: a table on standard error */
+    double least; /* --min-length: of a piece, mm; 0: any */
     struct gouge_options gouge;
 };
+
+/* The rows of the options table that are the same in all fitters. */
+#define FITTER_OPTIONS(common)                                                          \
+    {0,        "no-guard",                                                              \
+     NULL,     "by no scan, not even the one that the path names",                      \
+     CLI_FLAG, &(common)->gouge.scan.none,                                              \
+     0,        0,                                                                       \
+     0,        NULL},                                                                   \
+        {0,          "noise",                                                           \
+         "SIGMA",    "standard deviation of the scan's noise (default: measured)",      \
+         CLI_NUMBER, &(common)->gouge.noise,                                            \
+         0,          10,                                                                \
+         0,          NULL},                                                             \
+        EFFORT_OPTION(&(common)->gouge.effort),                                         \
+    {                                                                                   \
+        0, "min-length", "MM",                                                          \
+            "no piece and no knot span shorter, unless the tolerance forbids it (any)", \
+            CLI_NUMBER, &(common)->least, CLI_POSITIVE, 100, 0, NULL                    \
+    }
 
 /* As they are when none is given, with this tolerance. */
 struct fitter_options fitter_defaults(double tolerance);

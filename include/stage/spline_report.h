@@ -11,16 +11,19 @@
 
 struct spline_report {
     size_t points, splines, poles;
-    size_t polylines;           /* splines that fell back to degree 1 with a pole at each point */
+    size_t polylines; /* splines that fell back to degree 1 with a pole at each point */
+    size_t spans;
     size_t cut;                 /* curves whose search was cut short */
+    double shortest;            /* knot span, mm, from place to place; */
+    size_t shorter;             /* how many are shorter than the least length asked for */
     struct fit_error deviation; /* the largest of each */
     struct deviation worst;     /* the largest of each */
     double spent;               /* of the tolerance, mm: the worst distance, and what dense
                                    data took */
 };
 
-/* Counts one piece; unless `table` is NULL, writes its row. */
-void spline_report_add(struct spline_report *report, size_t pass,
+/* Counts one piece, and its knot spans shorter than `least` mm; unless `table` is NULL, writes its row. */
+void spline_report_add(struct spline_report *report, size_t pass, double least,
                        const struct spline_run_piece *piece, FILE *table);
 
 /* The headings of the table, and its last row. */

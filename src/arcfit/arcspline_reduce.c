@@ -22,6 +22,7 @@ struct refit {
     size_t n;                    /* and how the reference is shared out among its pieces */
     bool start_held, end_held;   /* the direction there stays */
     bool thorough;               /* many spacings of the joints also where the axis turns */
+    bool even;                   /* the joints begin spaced by length alone */
 };
 
 static const double POWER = 0.5; /* of an arc's residual, when joints are spaced by it */
@@ -71,6 +72,19 @@ static void space_evenly(const struct refit *part, struct arcspline *spline)
         const struct arc_piece *p = &part->old[(size_t)share];
         double a = length_at(t, p->from), b = length_at(t, p->to);
         set_joint(part, spline, i, place_at(t, a + rest * (b - a), (size_t)p->from));
+    }
+}
+
+/* All arcs equally long. */
+static void space_by_length(const struct refit *part, struct arcspline *spline)
+{
+    const struct reference *t = part->reference;
+    size_t first = (size_t)part->old[0].from;
+    double a = length_at(t, part->old[0].from), b = length_at(t, part->old[part->n - 1].to);
+    set_ends(part, spline);
+    for (size_t i = 1; i < spline->n; i++) {
+        double share = (double)i / (double)spline->n;
+        set_joint(part, spline, i, place_at(t, a + share * (b - a), first));
     }
 }
 
@@ -225,7 +239,10 @@ static bool refit_with(const struct refit *part, size_t arcs, struct pieces *out
         .end_held = part->end_held,
         .end = arc_tangent(&last->arc, 1)};
     bool free = !part->start_held && !part->end_held && m.offset == 0;
-    space_evenly(part, &m.spline);
+    if (part->even)
+        space_by_length(part, &m.spline);
+    else
+        space_evenly(part, &m.spline);
     bool good = fit_and_prove(part, &m, out);
     if (!good && arcs + 1 == part->n && (free || part->thorough))
         good = settle_from_other_spacings(part, &m, out);
@@ -312,4 +329,57 @@ void arcfit_reduce(const struct reference *reference, const struct deviation *wi
 
     for (size_t from = 0; from < pieces->n;)
         from = reduce_smooth_part(&like, from, smooth_end(pieces, from), pieces);
+}
+
+/* ---- no arc shorter than a length */
+
+enum { BESIDE = 2 }; /* pieces on each side of a short one that give it some of their length */
+
+double arcfit_shortest(const struct pieces *pieces, size_t from, size_t to)
+{
+    double shortest = HUGE_VAL;
+    for (size_t i = from; i < to; i++)
+        shortest = fmin(shortest, arc_length(&pieces->item[i].arc));
+    return shortest;
+}
+
+/* The short piece `at` of the smooth part [from, end) and those beside it with their joints moved
+ * apart, one fewer where that holds.  True if the shortest of them is longer then. */
+static bool lengthen_piece(const struct refit *like, size_t from, size_t end, size_t at,
+                           struct pieces *pieces)
+{
+    size_t first = at > from + BESIDE ? at - BESIDE : from;
+    size_t last = at + BESIDE < end ? at + BESIDE + 1 : end, n = last - first;
+    double before = arcfit_shortest(pieces, first, last);
+    struct refit part = *like;
+    struct pieces some = {0};
+    bool good = false;
+
+    part.old = &pieces->item[first];
+    part.n = n;
+    part.even = true;
+    part.start_held = first > from;
+    part.end_held = last < end;
+    for (size_t arcs = n - 1; arcs > 0 && arcs <= n && !good; arcs++)
+        good = refit_with(&part, arcs, &some) && arcfit_shortest(&some, 0, some.n) > before;
+    if (good)
+        replace_pieces(pieces, first, n, &some);
+    array_free(&some);
+    return good;
+}
+
+void arcfit_lengthen(const struct reference *reference, const struct deviation *within, int digits,
+                     double least, struct pieces *pieces)
+{
+    struct refit like = {.reference = reference, .within = within, .digits = digits};
+
+    for (size_t from = 0, end; from < pieces->n; from = end) {
+        end = smooth_end(pieces, from);
+        for (size_t i = from; i < end; i++) {
+            size_t n = pieces->n;
+            if (arc_length(&pieces->item[i].arc) < least && end - from > 1 &&
+                lengthen_piece(&like, from, end, i, pieces))
+                end -= n - pieces->n;
+        }
+    }
 }

@@ -205,6 +205,19 @@ static struct vec3 *insert_pole(const struct bspline *b, const struct vec3 *pole
     return more;
 }
 
+double bspline_span_length(const struct bspline *b, size_t i)
+{
+    return vec_distance(bspline_at(b, b->pole, b->knot[i]), bspline_at(b, b->pole, b->knot[i + 1]));
+}
+
+bool bspline_has_short_span(const struct bspline *b, double least)
+{
+    for (size_t i = (size_t)b->degree; least > 0 && i < b->poles; i++)
+        if (bspline_span_length(b, i) < least)
+            return true;
+    return false;
+}
+
 void bspline_insert(struct bspline *b, double u)
 {
     size_t span = bspline_span(b->degree, b->poles, b->knot, u);

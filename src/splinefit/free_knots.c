@@ -228,6 +228,10 @@ static bool prove_printed(struct knots_tries *t, struct candidate *candidate)
          i++) {
         struct bspline curve = bspline_copy(&candidate->curve);
         struct deviation proof = {INFINITY, INFINITY, INFINITY};
+        if (bspline_has_short_span(&curve, o->least)) {
+            bspline_free(&curve);
+            return false;
+        }
         t->effort -= (double)t->reference->n;
         if (spline_bound_print(&curve))
             spline_bound_measure(&curve, t->reference, SPLINE_RESOLUTION_FREE * o->tolerance,

@@ -18,6 +18,7 @@ struct free_knots_options {
     double angle;     /* of the axis, radians */
     size_t known;     /* poles with which the tolerance is known to be kept; 0: none */
     double work;      /* share of the work that uneven data may take; 0: all of it */
+    double least;     /* mm: no knot span shorter; 0: any */
 };
 
 struct free_knots_result {

@@ -121,7 +121,7 @@ static bool try_combination(const struct search *s, size_t poles, int params, in
     knots_fill((enum knots_method)knots, u, t->n, curve.degree, poles, curve.knot);
     if (lsq_fit(&curve, u, t->point, s->head, t->n) && spline_bound_print(&curve)) {
         scale_params(s, u, &curve);
-        if (is_accepted(s, &curve, &proof)) {
+        if (is_accepted(s, &curve, &proof) && !bspline_has_short_span(&curve, s->options->least)) {
             bspline_free(&fit->curve);
             *fit = (struct splinefit){.curve = curve,
                                       .kind = SPLINEFIT_FITTED,
@@ -210,7 +210,8 @@ static bool fit_free_knots(const struct search *s, size_t known, const struct bs
                            struct splinefit *fit)
 {
     const struct splinefit_options *o = s->options;
-    struct free_knots_options options = {o->degree, o->tolerance, o->angle, known, o->work};
+    struct free_knots_options options = {o->degree, o->tolerance, o->angle,
+                                         known,     o->work,      o->least};
 
     *fit = (struct splinefit){.kind = SPLINEFIT_FREE, .within = true};
     if (o->params >= 0 || o->knots >= 0 || (before && before->degree != o->degree))
@@ -274,8 +275,8 @@ void splinefit_paper(const struct reference *reference, const struct splinefit_o
     search_free(&s);
 }
 
-void splinefit_search(const struct reference *reference, const struct splinefit_options *options,
-                      struct splinefit *fit)
+static void search_with(const struct reference *reference, const struct splinefit_options *options,
+                        struct splinefit *fit)
 {
     struct search s = search_new(reference, options, false);
 
@@ -297,6 +298,19 @@ void splinefit_search(const struct reference *reference, const struct splinefit_
     }
     set_paper_error(&s, fit);
     search_free(&s);
+}
+
+void splinefit_search(const struct reference *reference, const struct splinefit_options *options,
+                      struct splinefit *fit)
+{
+    struct splinefit_options any = *options;
+
+    search_with(reference, options, fit);
+    if (!(options->least > 0) || fit->kind != SPLINEFIT_POLYLINE)
+        return;
+    splinefit_free(fit); /* the tolerance forbids it */
+    any.least = 0;
+    search_with(reference, &any, fit);
 }
 
 void splinefit_again(const struct reference *reference, const struct splinefit_options *options,

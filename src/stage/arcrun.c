@@ -97,11 +97,15 @@ static bool fit_once(struct fit *f, const struct deviation *within, const struct
         arcfit_reduce(&f->reference, less, PATH_COORDINATE, true, &f->pieces);
     if (thorough && fit_from_end(f, less, &back)) {
         swap_pieces(&f->pieces, &back);
+        if (f->options->least > 0)
+            arcfit_lengthen(&f->reference, less, PATH_COORDINATE, f->options->least, &f->pieces);
         good = is_proven(f, within);
         if (!good)
             swap_pieces(&f->pieces, &back);
     }
     array_free(&back);
+    if (!good && f->options->least > 0)
+        arcfit_lengthen(&f->reference, less, PATH_COORDINATE, f->options->least, &f->pieces);
     return good || is_proven(f, within);
 }
 
@@ -154,6 +158,40 @@ static void add_chords(const struct fit *f, const struct printed *p, struct path
     }
 }
 
+/* How the motion bends and how its axis turns at one end of a piece, each by its length. */
+struct rates {
+    struct vec3 curvature, axis; /* 1/mm, radians/mm */
+};
+
+static struct rates rates_at(const struct arc_piece *piece, double s)
+{
+    double length = arc_length(&piece->arc);
+    struct rates r = {{0, 0, 0}, {0, 0, 0}};
+    if (!arc_straight(&piece->arc))
+        r.curvature = vec_scale(1 / piece->arc.radius,
+                                vec_unit(vec_sub(arc_centre(&piece->arc), arc_at(&piece->arc, s))));
+    if (length > 0)
+        r.axis = vec_scale(vec_angle(piece->axis, piece->axis_to) / length,
+                           vec_unit(vec_cross(piece->axis, piece->axis_to)));
+    return r;
+}
+
+/* What a control sees of a piece: its length, and how much changes at once where it begins. */
+static void report_piece(const struct arcrun_options *options, const struct printed *before,
+                         const struct printed *p, struct arcrun_report *report)
+{
+    double length = arc_length(&p->piece.arc);
+    report->length += length;
+    report->shortest = report->arcs + report->lines > 1 ? fmin(report->shortest, length) : length;
+    report->shorter += length < options->least;
+    if (!before ||
+        vec_angle(arc_tangent(&before->piece.arc, 1), p->piece.arc.tangent) > 2 * ARCFIT_KINK)
+        return;
+    struct rates a = rates_at(&before->piece, 1), b = rates_at(&p->piece, 0);
+    report->bend = fmax(report->bend, vec_distance(a.curvature, b.curvature));
+    report->turn = fmax(report->turn, vec_distance(a.axis, b.axis));
+}
+
 static void add_pieces(const struct fit *f, struct path *out, struct arcrun_report *report)
 {
     const struct printed *before = NULL;
@@ -168,7 +206,7 @@ static void add_pieces(const struct fit *f, struct path *out, struct arcrun_repo
             add_contact(out, path_add_arc(out, to, p->arc), f, p->piece.to);
         report->arcs += p->arc.radius > 0;
         report->lines += p->arc.radius <= 0;
-        report->length += arc_length(&p->piece.arc);
+        report_piece(f->options, before, p, report);
         if (before) {
             double kink = vec_angle(arc_tangent(&before->piece.arc, 1), p->piece.arc.tangent);
             bool smooth = kink <= 2 * ARCFIT_KINK,
@@ -355,6 +393,12 @@ void arcrun_fit(const struct run *run, const struct arcrun_options *options,
 
 void arcrun_add(struct arcrun_report *sum, const struct arcrun_report *report)
 {
+    bool any = report->arcs + report->lines > 0, had = sum->arcs + sum->lines > 0;
+    if (any)
+        sum->shortest = had ? fmin(sum->shortest, report->shortest) : report->shortest;
+    sum->shorter += report->shorter;
+    sum->bend = fmax(sum->bend, report->bend);
+    sum->turn = fmax(sum->turn, report->turn);
     sum->points += report->points;
     sum->arcs += report->arcs;
     sum->lines += report->lines;

@@ -48,7 +48,16 @@ static void keep_largest(double *largest, double value)
     *largest = fmax(*largest, value);
 }
 
-void spline_report_add(struct spline_report *report, size_t pass,
+static void count_spans(struct spline_report *report, double least, const struct bspline *b)
+{
+    for (size_t i = (size_t)b->degree; i < b->poles; i++) {
+        double length = bspline_span_length(b, i);
+        report->shortest = report->spans++ > 0 ? fmin(report->shortest, length) : length;
+        report->shorter += length < least;
+    }
+}
+
+void spline_report_add(struct spline_report *report, size_t pass, double least,
                        const struct spline_run_piece *piece, FILE *table)
 {
     const struct splinefit *fit = &piece->fit;
@@ -57,6 +66,7 @@ void spline_report_add(struct spline_report *report, size_t pass,
     report->points += points - (piece->from > 0); /* pieces share the corners between them */
     report->splines++;
     report->poles += poles;
+    count_spans(report, least, &fit->curve);
     report->polylines += fit->kind == SPLINEFIT_POLYLINE;
     report->cut += fit->cut;
     keep_largest(&report->deviation.c1, fit->deviation.c1);

@@ -1,0 +1,49 @@
+#!/bin/sh
+# biarcfit-length.t - --min-length of both fitters: pieces and knot spans by a reader of its own,
+# counts, and what is said where the tolerance leaves no room.
+. "${SRC:-$(dirname "$0")/../..}/tests/lib/lib.sh"
+
+passes=$SRC/tests/data/panel_passes.cl
+
+# shortest FILE: the shortest chord between two points at feed
+shortest() {
+	awk '/^RAPID/ { rapid = 1 } /^FEDRAT/ { first = 1 }
+		/^GOTO/ { sub(/.*\//, ""); split($0, p, ",")
+			d = sqrt((p[1] - q[1])^2 + (p[2] - q[2])^2 + (p[3] - q[3])^2)
+			if (!rapid && !first && (!n++ || d < least)) least = d
+			if (!rapid) first = 0
+			rapid = 0
+			for (i = 1; i <= 3; i++) q[i] = p[i] }
+		END { printf "%.4f\n", least }' "$1"
+}
+# span FILE: the shortest knot span, in parameters
+span() {
+	awk '/ \$$/ { held = held substr($0, 1, length($0) - 2); next }
+		{ line = held $0; held = "" }
+		line ~ /^MOVNRB.ON/ { split(line, f, ","); order = f[2]; poles = f[5] }
+		line ~ /^MOVNRB.1,/ { split(line, k, ",")
+			for (i = order + 1; i <= poles + 1; i++)
+				if (!n++ || k[i + 1] - k[i] < least) least = k[i + 1] - k[i] }
+		END { printf "%.4f\n", least }' "$1"
+}
+over() { awk -v a="$1" -v b="$2" 'BEGIN { exit !(a >= b) }'; }
+arcs() { grep -c '^CIRCLE' "$1"; }
+poles() { sed -n 's/^MOVNRB.ON,[0-9]*,[0-9]*,0,\([0-9]*\),.*/\1/p' "$1" | awk '{ n += $1 } END { print n + 0 }'; }
+
+status 0 "as short as comes" biarcfit -e 0.01 -o "$TMP/any.cl" "$passes"
+status 0 "two millimetres" biarcfit -e 0.01 --min-length 2 -o "$TMP/two.cl" "$passes"
+fails "there are shorter ones without it" over "$(shortest "$TMP/any.cl")" 1.98
+ok "none is shorter with it" over "$(shortest "$TMP/two.cl")" 1.98
+ok "no more arcs for it" test "$(arcs "$TMP/two.cl")" -le "$(arcs "$TMP/any.cl")"
+status 0 "no room" biarcfit -e 0.001 --min-length 20 -o "$TMP/no.cl" "$passes"
+has "they are told and counted" '[0-9][0-9]* pieces are shorter than asked for' "$TMP/err"
+
+status 0 "as short as comes" bsplfit -e 0.01 -o "$TMP/any.cl" "$passes"
+status 0 "three millimetres" bsplfit -e 0.01 --min-length 3 -o "$TMP/three.cl" "$passes"
+hasnt "none is too short" 'shorter than asked for' "$TMP/err"
+ok "the shortest span is longer with it" over "$(span "$TMP/three.cl")" \
+	"$(span "$TMP/any.cl" | awk '{ print 1.2 * $1 }')"
+ok "a few control points for it" test "$(poles "$TMP/three.cl")" -le $(($(poles "$TMP/any.cl") + 4))
+status 2 "no length" bsplfit --min-length 0 "$passes"
+
+done_testing
