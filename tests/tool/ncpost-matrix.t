@@ -16,14 +16,14 @@ cd "$TMP" || exit 1
 # What a refusal may say: the machine's travel, or a path that no control can be given.
 reasons='expected (its|one within its) travel|which no angles of .* reach'
 
-: >done
+: >compared
 : >refused
 one() { # FILE CONTROL MACHINE: nothing where all is well
 	ncpost -q -c "$2" -m "$3" -o part.nc "$1" 2>err
 	got=$?
 	what="$(basename "$1") for $2 on $3"
 	if [ $got -eq 0 ]; then
-		echo "$what" >>done
+		echo "$what" >>compared
 		set -- "$1" "$2" "$3" --path "$1" -e 0.0062 --axis 0.052
 		[ "$2" = linuxcnc ] && set -- "$@" --no-tcp
 		grep -Eq ' G(73|83) |CYCLE83|CYCL DEF 20[35]' part.nc && set -- "$@" --no-steps
@@ -56,9 +56,9 @@ for folder in $folders; do
 		empty "$(basename "$file"): every program that is written is read back" wrong
 	done
 done
-echo "# $(wc -l <done) programs compared, $(wc -l <refused) refused"
+echo "# $(wc -l <compared) programs compared, $(wc -l <refused) refused"
 sed 's/^/# /' refused
-below "programs" 20 "$(wc -l <done)"
+below "programs" 20 "$(wc -l <compared)"
 
 # The comparison can fail: another path's program is another path
 ncpost -q -c fanuc -o part.nc "$SRC/tests/data/cl/nx.cls"

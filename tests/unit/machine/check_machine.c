@@ -204,6 +204,9 @@ START_TEST(shipped_machines_there_and_back)
     const char *poses = getenv("POSES"); /* 1000000 for the figure in the note */
     long n = poses ? atol(poses) : 30000;
     int found = 0;
+    char controls[2000];
+    snprintf(controls, sizeof controls, "%s/../controls", machines());
+    ck_assert_int_eq(setenv("CLOUDMILL_CONTROLS", controls, 1), 0); /* which machines name */
     ck_assert_ptr_nonnull(folder_of);
     for (struct dirent *entry; (entry = readdir(folder_of));) {
         char file[2000];
