@@ -154,7 +154,7 @@ check-seeds: $(units)
 
 # Lines of src/ changed by chance: N of them (200), in FOLDERS (all).
 mutate: all $(units)
-	@CC="$(CC)" sh tests/house/mutate.sh
+	@CC="$(CC)" BUILD="$(abspath $(BUILD))" sh tests/house/mutate.sh
 
 # Lines that the tests run, folder by folder.
 coverage:

@@ -1,20 +1,22 @@
 #!/bin/sh
 # mutate.sh - changes a line of src/ at random, N times (200, or N=...), and sees whether a test
-# notices: the unit tests that include the module's header, or lie in its folder, then the tool tests
-# of TOOL_TESTS (none).  FOLDERS: those to take lines from (all).  SEED (1) chooses them.
+# notices: the unit tests of the module, those that include its header, those of its folder; then the
+# tool tests of TOOL_TESTS (none), as `tool/ncpost-forms.t`.  FOLDERS: those to take lines from (all).
+# SEED (1) chooses them.  Run by `make mutate`, which builds all of them.
 #
 # A change is one of: + for -, - for +, < for <=, <= for <, > for >=, >= for >, && for ||, || for &&,
-# a term of a sum dropped, 1 added to a small whole number.  Prints a line for each: caught, survived
-# or no program, then the change as line of a diff; at the end how many of which.  Works in a copy.
+# a term of a sum dropped, 2 for 1.  Prints a line for each: caught, survived or no program, then
+# the line as changed; at the end how many of which.  Nothing is changed in src/: the changed module
+# is compiled beside it and linked before the library.
 SRC=$(cd "$(dirname "$0")/../.." && pwd)
+BUILD=${BUILD:-$SRC/build}
+CC=${CC:-cc}
+FLAGS='-std=c11 -D_XOPEN_SOURCE=700 -iquote include -ffp-contract=off -pthread -O1 -w'
 TMP=$(mktemp -d "${TMPDIR:-/tmp}/cloudmill.XXXXXX") || exit 1
 trap 'rm -rf "$TMP"' EXIT
 trap 'exit 130' INT TERM
-(cd "$SRC" && tar -cf - --exclude=./build --exclude=./.git .) | (cd "$TMP" && tar -xf -)
-mkdir "$TMP/build"
-[ -d "$SRC/build/src" ] && cp -Rp "$SRC/build/." "$TMP/build/"
-cd "$TMP" || exit 1
-make ${CC:+CC="$CC"} -s >/dev/null 2>&1 || { echo "mutate: does not build"; exit 1; }
+cd "$SRC" || exit 1
+libs="$(pkg-config --libs check) -lm -pthread"
 
 # FILE:LINE:CHANGE of all changes that can be made, one to a line, in an order by chance
 # shellcheck disable=SC2046 # names
@@ -50,36 +52,44 @@ tests_of() {
 	find "tests/unit/$folder" -maxdepth 1 -name 'check_*.c' 2>/dev/null
 }
 
-caught() { # FILE: a test fails
+# shellcheck disable=SC2086 # compilers and flags with blanks
+caught() { # FILE, whose changed object is changed.o: a test fails
 	for test in $(tests_of "$1" | awk '!seen[$0]++'); do
-		unit=build/${test%.c}
-		make ${CC:+CC="$CC"} -s "$unit" >make.out 2>&1 || return 0
-		CK_DEFAULT_TIMEOUT=60 timeout 120 "$unit" >unit.out 2>&1 || return 0
+		[ -f "$BUILD/${test%.c}.o" ] || continue
+		$CC -o "$TMP/unit" "$BUILD/${test%.c}.o" "$TMP/changed.o" "$BUILD"/tests/lib/*.o \
+			"$BUILD/libcloudmill.a" $libs 2>"$TMP/link" || return 0
+		CK_DEFAULT_TIMEOUT=60 timeout 120 "$TMP/unit" >"$TMP/out" 2>&1 || return 0
 	done
 	[ -n "$TOOL_TESTS" ] || return 1
-	make ${CC:+CC="$CC"} -s all >make.out 2>&1 || return 0
+	mkdir -p "$TMP/bin"
+	for tool in src/*.c; do
+		tool=$(basename "$tool" .c)
+		$CC -o "$TMP/bin/$tool" "$BUILD/src/$tool.o" "$TMP/changed.o" "$BUILD/libcloudmill.a" $libs \
+			2>"$TMP/link" || return 0
+	done
 	for test in $TOOL_TESTS; do
-		SRC=$TMP BIN=$TMP/build/bin timeout 300 sh "tests/$test" >tool.out 2>&1 || return 0
+		SRC=$SRC BIN=$TMP/bin timeout 300 sh "tests/$test" >"$TMP/out" 2>&1 || return 0
 	done
 	return 1
 }
 
-candidates >candidates
+candidates >"$TMP/candidates"
 while IFS=: read -r file line change <&3; do
-	cp "$file" before.c
-	sed "${line}$change" before.c >"$file"
-	if cmp -s before.c "$file"; then
+	changed=$TMP/$(basename "$file")
+	sed "${line}$change" "$file" >"$changed"
+	# shellcheck disable=SC2086
+	if cmp -s "$file" "$changed"; then
 		verdict='no change'
-	elif ! make ${CC:+CC="$CC"} -s "build/${file%.c}.o" >make.out 2>&1; then
+	elif ! $CC $FLAGS -iquote "$(dirname "$file")" -c -o "$TMP/changed.o" "$changed" 2>"$TMP/link"; then
 		verdict='no program'
 	elif caught "$file"; then
 		verdict=caught
 	else
 		verdict=survived
 	fi
-	echo "$verdict: $file:$line: $(sed -n "${line}s/^ *//p" "$file")"
-	cp before.c "$file"
-done 3<candidates | tee results
+	echo "$verdict: $file:$line: $(sed -n "${line}s/^[ 	]*//p" "$changed")"
+	rm "$changed"
+done 3<"$TMP/candidates" | tee "$TMP/results"
 awk -F: '{ n[$1]++ } END { for (v in n) printf "%d %s\n", n[v], v
 	if (n["caught"] + n["survived"]) printf "%.0f %% caught\n",
-		100 * n["caught"] / (n["caught"] + n["survived"]) }' results
+		100 * n["caught"] / (n["caught"] + n["survived"]) }' "$TMP/results"
