@@ -136,11 +136,11 @@ function grown(t,   out, v) { # coefficients, 1 % more
 	return out t
 }
 
-# How far coefficients 1 % larger bend a polynomial of the tip, mm: its end stays.
+# How far coefficients 1 % larger take a polynomial of the tip off rows along x, mm: its end stays.
 function bent(t,   k, c, n, l, p, d, most, name) {
 	l = match(t, / PL=[0-9.]+/) ? substr(t, RSTART + 4, RLENGTH - 4) : 1
-	for (k = 1; k <= 3; k++) {
-		name = "PO[" substr("XYZ", k, 1) "]=("
+	for (k = 1; k <= 2; k++) {
+		name = "PO[" substr("YZ", k, 1) "]=("
 		if (!index(t, name))
 			continue
 		n = split(substr(t, index(t, name) + length(name)), c, /[,)]/)
