@@ -40,6 +40,9 @@ static void check_method(const struct settings *s)
         die_usage("--method lin has a grid of one spacing: expected -t, found -e");
     if (s->meshing.method == CLOUDMESH_DELAUNAY && s->meshing.spacing > 0)
         die_usage("--method delaunay has points of the scan: expected --keep or -e, found -t");
+    if (s->meshing.method == CLOUDMESH_DELAUNAY && s->meshing.subdivide)
+        die_usage("found --subdivide with --method delaunay, whose parts have no rows to join: "
+                  "expected one of them");
     if (s->meshing.method != CLOUDMESH_DELAUNAY && s->meshing.keep > 0)
         die_usage("found --keep without --method delaunay, expected both");
     if (s->meshing.keep > 0 && s->meshing.error > 0)

@@ -83,6 +83,7 @@ has "it is guarded by the scan that the mesh names" 'SCAN/17036,' delaunay.cl
 status 0 "its program" sh -c 'ncpost -q -c siemens delaunay.cl >delaunay.mpf'
 status 0 "is accepted" ncverify -g "$panel" -r 5 -e 0.03 delaunay.mpf
 status 2 "delaunay has no spacing" cloud2mesh --method delaunay -t 2 "$panel"
+status 2 "parts without rows" cloud2mesh --method delaunay --subdivide "$panel"
 status 2 "a count or an error" cloud2mesh --method delaunay -e 0.1 --keep 50 "$panel"
 status 2 "a count is for it alone" cloud2mesh --keep 50 "$panel"
 
