@@ -246,6 +246,43 @@ static int no_way_on(struct nc_planner *planner, struct pose goal, const struct 
                     goal.p.y, goal.p.z, m->min[axis], m->max[axis]);
 }
 
+/* So far does the axis nearest the work turn in one block at the pole: the linear axes go straight
+ * where the tip, this far from it, would be led on an arc. */
+static double pole_step(const struct nc_planner *planner)
+{
+    const struct rotary *r = &planner->machine->chain.rotary[0];
+    double far = vec_distance(planner->state.pose.p, r->centre);
+    double arc = planner->allowed.point / 2;
+    if (planner->follow.mode != INTERPOLATE_JOINT || far <= arc)
+        return PI;
+    return fmin(sqrt(8 * arc / far), RADIANS(TURN_STEP));
+}
+
+/*
+ * In the singular direction the axis nearest the work turns about the tool itself: to where the
+ * motion that follows needs it, at feed, with the tip at rest.  False: the tool is tilted, or the
+ * axis stands there already.
+ */
+static bool turn_at_pole(struct nc_planner *planner, const struct machine_pose *to)
+{
+    struct nc_state *state = &planner->state;
+    double from[ROTARY_MAX] = {state->at.q[0], state->at.q[1]}, step = pole_step(planner);
+    double turn = to->at.q[0] - from[0];
+    if (planner->machine->chain.n != 2 || planner->follow.mode == INTERPOLATE_VECTOR ||
+        !chain_free(&planner->machine->chain, state->pose.a) || turn == 0)
+        return false;
+    int n = (int)ceil(fabs(turn) / step);
+    for (int k = 1; k <= n; k++) {
+        double part[ROTARY_MAX] = {from[0] + turn * k / n, from[1]};
+        struct machine_pose at = post_ik_pose(planner, state->pose, part);
+        add_move(planner, NC_LINE, &at, 0, 0, NULL);
+    }
+    struct pose_deviation spent = {planner->allowed.point / 2, 0};
+    if (n > 1 || step < PI)
+        planner->plan->total.spent = pose_deviation_worst(planner->plan->total.spent, spent);
+    return true;
+}
+
 /*
  * The rotary axes cannot go on as they stand: the next pose is out of their travel, or it takes a
  * turn that no block in the cut can make.  Off the part they turn where they are.
@@ -290,6 +327,12 @@ static int halve(struct nc_planner *planner, const struct motion *motion, double
         return -1; /* with it: as far as it goes, then turn */
     if (reached)
         d = deviation_of(planner, &to, motion, s0, s1, allowed);
+    bool from_pole = reached && kind == NC_LINE && motion->kind == MOTION_LINE && depth == 0;
+    if (from_pole && !pose_deviation_within(d, allowed) && turn_at_pole(planner, &to)) {
+        if (post_ik_reach(planner, goal, s1, &to) != 0)
+            return -1;
+        d = deviation_of(planner, &to, motion, s0, s1, allowed);
+    }
     if (!pose_deviation_within(d, allowed) && depth < DEPTH_MAX) {
         double mid = (s0 + s1) / 2;
         if (planner->state.why == NC_WHY_PATH)

@@ -218,10 +218,22 @@ awk '/ G1 / { cut = 1 } cut { for (i = 1; i <= NF; i++) if ($i ~ /^X/) x = subst
 	cut && / G0 / { exit } END { exit !(x + 0 >= 99.999) }' "$TMP/low-1.nc"
 result $? "so does each part"
 sed 's/0.94,0,-0.3412/0,0,-1/' "$TMP/below.cl" >"$TMP/down.cl"
-status 3 "upside down there is no way home" ncpost -c fanuc -m head-ca --set a.min=-180 --set a.max=180 "$TMP/down.cl"
+status 1 "upside down there is no way home" ncpost -c fanuc -m head-ca --set a.min=-180 --set a.max=180 "$TMP/down.cl"
 has "told with its line" 'down.cl:10: .*upside down' "$TMP/err"
 empty "and nothing written" "$TMP/out"
 ncpost -q -c fanuc -m table-ac -o "$TMP/table.nc" "$TMP/below.cl"
 result $? "a table brings the part below the tool: no matter there"
+
+# ---- a cut that goes into the pole on one side and out on another: where the control does not lead
+# the tip, C turns there about the tool, at feed, the tip at rest
+printf '%s\n' UNITS/MM MULTAX/ON CUTTER/8,4,0,4,0,0,60 LOADTL/1 SPINDL/900 RAPID \
+	'GOTO/0,0,60,-0.1,-0.1,0.989949494' FEDRAT/MMPM,500 'GOTO/10,20,5,-0.1,-0.1,0.989949494' \
+	'GOTO/12,20,5,0,0,1' 'GOTO/14,20,5,-0.1,0.1,0.989949494' 'GOTO/18,20,5,0,0,1' \
+	'GOTO/20,20,5,0.02,-0.3,0.953729528' RAPID 'GOTO/20,20,60,0.02,-0.3,0.953729528' FINI >"$TMP/kink.cl"
+for c in fanuc siemens heidenhain linuxcnc; do
+	status 0 "$c: out of the pole in another direction" ncpost -c $c -m table-ac-notcp -o "$TMP/kink.nc" "$TMP/kink.cl"
+	status 0 "read back it is the path" "$READBACK" -c $c -m table-ac-notcp -e 0.006 --axis 0.06 \
+		--path "$TMP/kink.cl" "$TMP/kink.nc"
+done
 
 done_testing
