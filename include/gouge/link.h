@@ -44,8 +44,9 @@ struct retract {
     bool clear;                /* it leads there, and the whole tool touches nothing */
     bool rapid;                /* from at[0] on it is so far from everything that it may be rapid */
     size_t n;                  /* of at */
-    struct vec3 at[LINK_LEGS]; /* at[0]: the approach distance off the point; corners; and last with
-                                  the tip on the clearance plane */
+    struct vec3 at[LINK_LEGS]; /* at[0]: the approach distance off the point, or if it is rapid from
+                                  there as far as the ball is off the part, by 0.3 R or most of that
+                                  distance; corners; and last with the tip on the clearance plane */
 };
 
 /*

@@ -14,6 +14,8 @@ static const double FLAT = 0.17364817766693033;
 static const double ARCH = 0.4;      /* times s (1 - s), of the length: a tenth in the middle */
 static const double FEED = 0.95;     /* of the tolerance: what a way at feed may be in the part */
 static const double RAPID = 0.2;     /* mm: what a rapid leaves free */
+static const double OFF = 0.3;       /* of the radius: where one ends, for a scan is sparse ... */
+static const double OFF_MOST = 0.9;  /* ... but of the approach distance, which was asked for */
 static const double SHORTEST = 0.02; /* mm: a holder that is followed moves no less at a time */
 static const double ABOVE = 1;       /* mm: of the whole tool over the guard's top */
 
@@ -243,6 +245,32 @@ struct search {
     bool done;           /* it is clear at rapid, too */
 };
 
+/*
+ * The rapid moves of a way end off the part, and not on the flank that it leads along: at[0] goes on
+ * along the way until it is.  False: there is no such place, or another corner is on the part.
+ */
+static bool ends_off(const struct search *s, struct retract *r)
+{
+    const struct link_options *options = s->options;
+    double gap = fmin(OFF * options->radius, OFF_MOST * options->approach);
+    double off = options->lift->offset + gap, at = 0, near;
+
+    if (r->n < 2)
+        return true;
+    for (size_t i = 1; i + 1 < r->n; i++)
+        if (gouge_distance(options->lift->guard, r->at[i], off) < off)
+            return false;
+    struct vec3 from = r->at[0];
+    double length = vec_distance(from, r->at[1]);
+    while ((near = gouge_distance(options->lift->guard, r->at[0], off)) < off) {
+        at += fmax(off - near, SHORTEST);
+        if (at >= length)
+            return false;
+        r->at[0] = vec_mix(from, r->at[1], at / length);
+    }
+    return true;
+}
+
 /* Tries a way whose corners are known: near, and up from the last of them to the plane. */
 static void try_way(struct search *s, struct retract r)
 {
@@ -252,7 +280,7 @@ static void try_way(struct search *s, struct retract r)
         r.at[r.n++] = vec(last.x, last.y, s->plane);
     if (s->done || (s->best.clear && r.n == 0) || !is_leg_clear(&s->feed, s->p->ball, r.at[0]))
         return;
-    r.rapid = is_way_clear(&s->rapid, &r);
+    r.rapid = is_way_clear(&s->rapid, &r) && ends_off(s, &r);
     r.clear = r.rapid || (!s->best.clear && is_way_clear(&s->feed, &r));
     if (r.rapid || (r.clear && !s->best.clear))
         s->best = r;

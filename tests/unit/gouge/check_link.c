@@ -150,6 +150,32 @@ START_TEST(a_retract_goes_up_the_axis)
 }
 END_TEST
 
+/* Up along a flank 0.25 mm beside the ball the way is clear, and no rapid ends beside the flank. */
+START_TEST(a_rapid_ends_off_the_flank_that_it_leads_along)
+{
+    const double top = 15, approaches[] = {2, 1};
+    struct gouge_check *guard = floor_with_wall(top);
+    struct gouge_lift_options rule = {.guard = guard, .offset = R, .tolerance = 0.01};
+    const struct holder none = {0};
+    for (int i = 0; i < 2; i++) {
+        double off = fmin(0.3 * R, 0.9 * approaches[i]);
+        struct link_options options = {.lift = &rule,
+                                       .holder = &none,
+                                       .radius = R,
+                                       .clearance = 40,
+                                       .approach = approaches[i]};
+        struct run_point p = point_at(2 - R - 0.25, R);
+        struct retract r = link_retract(&options, &p);
+        ck_assert(r.clear && r.rapid);
+        for (size_t k = 0; k < r.n; k++)
+            ck_assert_double_ge(gouge_distance(guard, r.at[k], 100), R + off - 1e-9);
+        /* and not further up than it takes */
+        ck_assert_double_lt(gouge_distance(guard, r.at[0], 100), R + off + 0.05);
+    }
+    gouge_free(guard);
+}
+END_TEST
+
 START_TEST(a_retract_goes_straight_up_where_the_axis_leads_into_the_part)
 {
     struct gouge_check *guard = floor_with_wall(30);
@@ -295,6 +321,7 @@ int main(void)
     tcase_add_test(tests, without_a_guard_it_is_straight);
     tcase_add_test(tests, a_low_link_turns_as_rotary_axes_do);
     tcase_add_test(tests, a_retract_goes_up_the_axis);
+    tcase_add_test(tests, a_rapid_ends_off_the_flank_that_it_leads_along);
     tcase_add_test(tests, a_retract_goes_straight_up_where_the_axis_leads_into_the_part);
     tcase_add_test(tests, the_tool_turns_above_the_guard);
     tcase_add_test(tests, a_way_out_is_bent_where_a_roof_is_over_the_point);
