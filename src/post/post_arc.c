@@ -22,12 +22,20 @@ static struct vec3 principal_direction(struct vec3 axis, struct nc_arc *arc)
     return vec_scale(arc->ccw ? 1 : -1, e);
 }
 
-/* The printed arc as a motion of the tracked point (the tool axis is not used). */
-static struct motion printed_arc(const struct block_pose *from, const struct block_pose *to,
-                                 struct vec3 centre, struct vec3 axis)
+struct motion nc_arc_motion(const struct nc_arc *arc, const struct block_pose *from,
+                            const struct block_pose *to)
 {
-    struct pose start = {from->p, axis}, end = {to->p, axis};
-    return motion_arc(start, end, centre, axis);
+    struct pose start = {from->p, arc->axis}, end = {to->p, arc->axis};
+    return motion_arc(start, end, vec_add(from->p, arc->centre), arc->axis);
+}
+
+double nc_arc_length(const struct nc_arc *arc, const struct block_pose *from,
+                     const struct block_pose *to)
+{
+    struct motion forth = nc_arc_motion(arc, from, to), back = forth;
+    back.from = forth.to;
+    back.to = forth.from;
+    return fmin(motion_length(&forth), motion_length(&back));
 }
 
 /*
@@ -109,7 +117,8 @@ static bool words_of(struct nc_arc *arc, enum nc_arcs kind, int digits, double r
             !radius_words(arc, digits, radius, sweep, axis, from->p, to->p))
             return false;
     }
-    struct motion printed = printed_arc(from, to, vec_add(from->p, arc->centre), axis);
+    arc->axis = axis;
+    struct motion printed = nc_arc_motion(arc, from, to);
     *d = interpolation_curve(f, from, to, &printed, motion, s0, s1, point);
     return true;
 }

@@ -23,6 +23,7 @@ struct nc_arc {
     struct vec3 centre; /* from the start, rounded */
     double radius;      /* rounded; negative: more than half a turn */
     struct vec3 middle; /* SPACE: the point on the way, rounded */
+    struct vec3 axis;   /* turned about, by the right-hand rule */
 };
 
 /*
@@ -36,6 +37,16 @@ bool nc_arc_words(struct nc_arc *arc, enum nc_arcs kind, int digits, double radi
                   const struct interpolation *f, const struct block_pose *from,
                   const struct block_pose *to, const struct motion *motion, double s0, double s1,
                   struct pose_deviation *d, double *point);
+
+/* The tracked point's motion by the words between two ends as printed (the tool axis is not used).
+ */
+struct motion nc_arc_motion(const struct nc_arc *arc, const struct block_pose *from,
+                            const struct block_pose *to);
+
+/* How long it is, mm; by the smaller radius, where printed ones differ: there the tip goes slowest
+ * on the way in proportion to the rotary axes, and by its feed they turn the fastest. */
+double nc_arc_length(const struct nc_arc *arc, const struct block_pose *from,
+                     const struct block_pose *to);
 
 /* The most that one block may turn, radians. */
 double nc_arc_most(enum nc_arcs kind);

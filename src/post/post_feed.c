@@ -167,7 +167,7 @@ struct span_speeds {
 static struct span_speeds span_speeds(const struct nc_planner *planner, const struct motion *motion)
 {
     const struct block_pose *at = &planner->state.at;
-    const struct nc_along along = {motion, 0, 1, NULL};
+    const struct nc_along along = {motion, 0, 1, NULL, 0};
     struct span_speeds spans = {0};
     struct sample a = sample_at(planner, at, &along, 0, at->q);
     for (double s = 0; s < 1;) {
@@ -262,6 +262,8 @@ double post_feed_word(const struct nc_planner *planner, const struct machine_pos
     bool tip = ability->feeds == NC_FEEDS_TIP;
     if (tip && !along)
         length = vec_distance(from->p, to->p);
+    if (tip && along && along->length > 0)
+        length = along->length;
     bool still = length < 1 / num_ten[ability->digits.linear], stays = tip && length == 0;
     double feed = planner->state.feed * planner->state.faster, wished = length / feed;
     if (still) /* else the tip alone says how fast it goes */

@@ -15,6 +15,7 @@ struct nc_along {
     const struct motion *motion;
     double s0, s1;
     const struct nc_spline *spline; /* whose words say it, NULL: none */
+    double length;                  /* of an arc as printed, 0: as the path has it */
 };
 
 /* The longest that an axis needs from one end of a straight block to the other, minutes: each axis

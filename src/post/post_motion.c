@@ -420,7 +420,10 @@ static int arc_piece(struct nc_planner *planner, const struct motion *motion, do
         return straight_blocks(planner, motion, s0, s1, NC_LINE, planner->allowed);
     }
     *array_push(&planner->plan->arc) = words;
-    const struct nc_along along = {motion, s0, s1, NULL};
+    /* a small one is not as long as its path, and the feed counts on it as it is read */
+    const struct motion printed = nc_arc_motion(&words, &planner->state.at, &to.at);
+    const struct nc_along along = {&printed, 0, 1, NULL,
+                                   nc_arc_length(&words, &planner->state.at, &to.at)};
     add_move(planner, NC_ARC, &to, (s1 - s0) * motion_length(motion), planner->plan->arc.n - 1,
              &along);
     planner->plan->total.spent = pose_deviation_worst(planner->plan->total.spent, d);
@@ -456,7 +459,7 @@ static int one_curve(struct nc_planner *planner, const struct motion *motion)
         to.turned = chain_turned(&planner->machine->chain, to.at.q);
         if (post_ik_check_linear(planner, &to) != 0)
             return -1;
-        const struct nc_along along = {motion, 0, 1, &words};
+        const struct nc_along along = {motion, 0, 1, &words, 0};
         add_move(planner, NC_SPLINE, &to, motion_length(motion), planner->plan->spline.n - 1,
                  &along);
         planner->plan->total.spent = pose_deviation_worst(planner->plan->total.spent, d);

@@ -4,9 +4,10 @@
 /* Pieces whose tool axis turns are looked at in so many steps, what stands still in one. */
 enum { STEPS = 6 };
 
-#define REACH 0.01  /* degrees that a tool axis may be off what the machine reaches */
-#define SHORT 0.001 /* mm: a turn rate is measured over longer moves */
-#define OVER 1.01   /* times as fast as it can: speeds and lengths are printed rounded */
+#define ARC_STEP 0.35 /* radians, and no longer on an arc: its chords add up to 0.995 of it */
+#define REACH 0.01    /* degrees that a tool axis may be off what the machine reaches */
+#define SHORT 0.001   /* mm: a turn rate is measured over longer moves */
+#define OVER 1.01     /* times as fast as it can: speeds and lengths are printed rounded */
 
 struct state {
     double axis[NC_AXES];
@@ -117,13 +118,20 @@ static void note_turns(struct axis_check *check, size_t index, const struct stat
     }
 }
 
+static int steps_of(const struct nc_motion *motion, const struct nc_piece *piece)
+{
+    bool still = piece->shape == SHAPE_LINE && piece->interpolation != AXIS_BY_HEAD &&
+                 vec_distance(piece->q[0], piece->q[1]) == 0;
+    if (piece->shape == SHAPE_ARC)
+        return (int)fmax(STEPS, ceil(motion->arc.item[piece->index].angle / ARC_STEP));
+    return still ? 1 : STEPS;
+}
+
 static void check_piece(struct axis_check *check, size_t index)
 {
     const struct nc_piece *piece = &check->motion->piece.item[index];
     struct axis_use *use = check->use;
-    bool still = piece->shape == SHAPE_LINE && piece->interpolation != AXIS_BY_HEAD &&
-                 vec_distance(piece->q[0], piece->q[1]) == 0;
-    int steps = still ? 1 : STEPS;
+    int steps = steps_of(check->motion, piece);
     struct state first = state_at(check, index, 0), a = first;
     bool beyond = note_travel(check, &a, index), fast = false;
     double way = 0;

@@ -138,6 +138,36 @@ empty "tips that stand, and far from the centres: no axis too fast" asked
 grep -Eq ' F0\.0[0-9]*$' kept.nc || ncpost -q -c fanuc --set c.rapid=30 -o slow.nc standing.cl
 has "F has the digits that it takes" ' F0?\.0[0-9]+$' slow.nc
 
+# arcs of a few last digits, whose printed ends, centre and radii are not the path's, while C turns
+awk 'BEGIN { print "UNITS/MM\nMULTAX/ON\nCUTTER/8,4,0,4\nSPINDL/9000,CLW\n$$-> CLOUDMILL/1\nRAPID"
+	seed = 3; x = 1; y = 1; th = 0.05; ph = 0; pi = atan2(0, -1)
+	printf "GOTO/1,1,60,0.049979169,0,0.998750260\nFEDRAT/MMPM,800\nGOTO/1,1,0,0.049979169,0,0.998750260\n"
+	for (i = 0; i < 400; i++) {
+		for (k = 0; k < 4; k++) { seed = (seed * 16807) % 2147483647; r[k] = seed / 2147483647 }
+		rad = 0.01 + 0.03 * r[0]; from = 2 * pi * r[1]; turn = 0.8 + 2 * r[2]; side = i % 2 ? 1 : -1
+		cx = x - rad * cos(from); cy = y - rad * sin(from)
+		x = cx + rad * cos(from + side * turn); y = cy + rad * sin(from + side * turn)
+		ph += 0.3 * r[3]
+		printf "CIRCLE/%.6f,%.6f,0,0,0,%d,%.6f\n", cx, cy, side, rad
+		printf "GOTO/%.6f,%.6f,0,%.9f,%.9f,%.9f\n", x, y, sin(th) * cos(ph), sin(th) * sin(ph), cos(th)
+	}
+	printf "RAPID\nGOTO/%.6f,%.6f,60,%.9f,%.9f,%.9f\nFINI\n", x, y, sin(th) * cos(ph), sin(th) * sin(ph), cos(th)
+}' >tiny.cl
+awk 'BEGIN { for (i = 0; i < 400; i++) print i % 20 / 10, int(i / 20) / 10, 0 }' >tiny.xyz
+for control in fanuc siemens linuxcnc; do
+	word= machine=table-ac
+	[ $control = siemens ] && word=--rotary
+	[ $control = linuxcnc ] && machine=linuxcnc-xyzac
+	for options in "" --inch; do
+		# shellcheck disable=SC2086
+		ncpost -q -c $control $word -m $machine $options -o tiny.nc tiny.cl
+		ncverify -c $control -m $machine -r 4 -g tiny.xyz tiny.nc 2>/dev/null |
+			sed -n "s/^program .* \([0-9]* arcs\).*/$control $options: \1/p; s/^.*largest speed/& $control $options/p"
+	done
+done >quick
+empty "small arcs, as printed: no axis too fast" "$(grep -v ' arcs$' quick >fast; echo fast)"
+has "and they are arcs" '^fanuc : [0-9][0-9][0-9] arcs$' quick
+
 # a tip that stands: 800 mm a minute are as many degrees, in inches too; slower with a large ball
 printf 'UNITS/MM\nMULTAX/ON\nCUTTER/%s\nSPINDL/9000,CLW\nRAPID\nGOTO/0,0,0,0,0.5,0.866025404\nFEDRAT/MMPM,800\nGOTO/0,0,0,0,0.866025404,0.5\nFINI\n' 8,4,0,4 >turn.cl
 sed 's/8,4,0,4/240,120,0,120/' turn.cl >large.cl

@@ -48,6 +48,27 @@ START_TEST(a_turn_takes_its_time)
 }
 END_TEST
 
+/* C turns on a whole circle of the tip, as fast as it can, or 3 % faster. */
+START_TEST(an_arc_is_as_long_as_it_is)
+{
+    const double radius = 0.02, turn = 10;
+    for (int i = 0; i < 2; i++) {
+        double feed = 2 * PI * radius * 600 / turn * (i ? 1.03 : 1);
+        struct nc_motion motion = {.kinematics = verify_kinematics_trunnion('A', 1)};
+        *array_push(&motion.arc) = (struct nc_motion_arc){{0, 0, 0}, {0, 0, 1}, 2 * PI};
+        *array_push(&motion.piece) = (struct nc_piece){.shape = SHAPE_ARC,
+                                                       .interpolation = AXIS_ROTARY_LINEAR,
+                                                       .feed = feed,
+                                                       .p = {{radius, 0, 0}, {radius, 0, 0}},
+                                                       .q = {{0, 0, 0}, {0, turn, 0}}};
+        struct axis_use load = axis_limits_check(&motion, &limits);
+        ck_assert_uint_eq(load.fast, (size_t)i);
+        ck_assert_double_eq_tol(load.cut_time, turn / 600, 1e-4);
+        nc_motion_free(&motion);
+    }
+}
+END_TEST
+
 START_TEST(travel_is_kept)
 {
     ck_assert_uint_eq(one(vec(100, 0, 0), 0, 500, false).beyond, 0);
@@ -68,6 +89,7 @@ int main(void)
     TCase *tcase = tcase_create("axis_limits");
     tcase_add_test(tcase, time_is_way_by_feed);
     tcase_add_test(tcase, a_turn_takes_its_time);
+    tcase_add_test(tcase, an_arc_is_as_long_as_it_is);
     tcase_add_test(tcase, travel_is_kept);
     suite_add_tcase(suite, tcase);
     SRunner *runner = srunner_create(suite);
