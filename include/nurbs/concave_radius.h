@@ -14,9 +14,10 @@ struct concave_radius {
 
 /*
  * The largest principal curvature inside the trimming, seen from the side dS/du x dS/dv or, where
- * `flipped`, from the other.  Samples in every span of the knots are starts of a pattern search
- * that climbs within its span, to 1e-12 of the span.  A curvature of 0 or less means that no place
- * is concave.
+ * `flipped`, from the other.  The samples in every span of the knots that no neighbour exceeds are
+ * starts of a pattern search that climbs within its span, to 1e-12 of the span; along the
+ * trimming's border, which may be where it is most concave, another one climbs.  A curvature of 0
+ * or less means that no place is concave.
  */
 struct concave_radius concave_radius_find(const struct patch *patch, bool flipped, int threads);
 

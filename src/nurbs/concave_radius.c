@@ -7,9 +7,9 @@
 #include "base/parallel.h"
 #include "trim_loops.h"
 
-/* Starts of the pattern search; samples over the whole range, least in a span, and where there are
- * more than MANY spans; steps of one search. */
-enum { BEST = 12, ACROSS = 96, LEAST = 6, FEW = 3, MANY = 64, STEPS_MAX = 20000 };
+/* Starts of the pattern search, and those in one span; samples over the whole range, least in a
+ * span, and where there are more than MANY spans; steps of one search. */
+enum { BEST = 24, EACH = 3, ACROSS = 96, LEAST = 6, FEW = 3, MANY = 64, STEPS_MAX = 20000 };
 
 /* By the size of the patch, and in mm: how exactly its trimming is followed. */
 static const double TRIM_TOLERANCE = 1e-6;
@@ -18,7 +18,7 @@ struct search {
     const struct patch *patch;
     const struct uv_polygon *loops;
     bool flipped;
-    struct concave_radius best[BEST]; /* of different spans, the most concave first */
+    struct concave_radius best[BEST]; /* the most concave first */
     struct nurbs span[BEST];
 };
 
@@ -58,7 +58,7 @@ static void keep_best(struct search *s, struct concave_radius found, const struc
     }
 }
 
-/* The spans of the knots, and the most concave sample of each. */
+/* The spans of the knots, and the EACH most concave samples of each that no neighbour exceeds. */
 struct spans {
     const struct search *search;
     struct doubles u, v;
@@ -77,23 +77,51 @@ static struct nurbs span_of(const struct spans *s, size_t index)
     return part;
 }
 
+/* True when no neighbour in the span is more concave. */
+static bool is_peak(const struct spans *s, const struct concave_radius sample[], int i, int j)
+{
+    double own = sample[j * (s->nu + 1) + i].curvature;
+    for (int b = j > 0 ? j - 1 : 0; b <= j + 1 && b <= s->nv; b++)
+        for (int a = i > 0 ? i - 1 : 0; a <= i + 1 && a <= s->nu; a++)
+            if (sample[b * (s->nu + 1) + a].curvature > own)
+                return false;
+    return own > -HUGE_VAL;
+}
+
+static void keep_peaks(const struct spans *s, const struct concave_radius sample[],
+                       struct concave_radius most[])
+{
+    for (int i = 0; i < EACH; i++)
+        most[i].curvature = -HUGE_VAL;
+    for (int k = 0; k < (s->nu + 1) * (s->nv + 1); k++) {
+        if (!(sample[k].curvature > most[EACH - 1].curvature) ||
+            !is_peak(s, sample, k % (s->nu + 1), k / (s->nu + 1)))
+            continue;
+        int i = EACH - 1;
+        for (; i > 0 && sample[k].curvature > most[i - 1].curvature; i--)
+            most[i] = most[i - 1];
+        most[i] = sample[k];
+    }
+}
+
 static void sample_spans(void *context, size_t from, size_t to)
 {
     struct spans *s = context;
+    size_t n = (size_t)(s->nu + 1) * (size_t)(s->nv + 1);
+    struct concave_radius *sample = mem_alloc(n, sizeof *sample);
     for (size_t k = from; k < to; k++) {
         struct nurbs part = span_of(s, k);
-        struct concave_radius most = {.curvature = -HUGE_VAL};
         for (int j = 0; j <= s->nv; j++)
             for (int i = 0; i <= s->nu; i++) {
                 struct concave_radius h = {
                     .at = {part.u.from + (part.u.to - part.u.from) * i / s->nu,
                            part.v.from + (part.v.to - part.v.from) * j / s->nv}};
                 h.curvature = curvature_at(s->search, &part, h.at, &h.point);
-                if (h.curvature > most.curvature)
-                    most = h;
+                sample[j * (s->nu + 1) + i] = h;
             }
-        s->most[k] = most;
+        keep_peaks(s, sample, s->most + EACH * k);
     }
+    free(sample);
 }
 
 /* How many samples in each of n spans. */
@@ -120,10 +148,69 @@ static struct concave_radius climb(const struct search *s, const struct nurbs *p
             if (t.curvature > next.curvature)
                 next = t;
         }
-        step *= next.curvature > h.curvature ? 1 : 0.5;
+        step *= next.curvature > h.curvature ? 2 : 0.5; /* along a narrow ridge it grows again */
         h = next;
     }
     return h;
+}
+
+/* Place t of a loop: t's whole part counts its corners, the rest is how far on to the next. */
+static struct concave_radius border_place(const struct search *s, const struct uvs *loop, double t)
+{
+    const struct nurbs *f = &s->patch->surface;
+    double n = (double)loop->n, whole = floor(t), part = t - whole;
+    size_t i = (size_t)(whole - n * floor(whole / n)) % loop->n;
+    struct uv a = loop->item[i], b = loop->item[(i + 1) % loop->n];
+    struct concave_radius h = {
+        .at = {fmin(fmax(a.u + part * (b.u - a.u), f->u.from), f->u.to),
+               fmin(fmax(a.v + part * (b.v - a.v), f->v.from), f->v.to)},
+    };
+    struct nurbs_place p = nurbs_place(f, h.at);
+    bool known = vec_dot(p.normal, p.normal) > 0.5;
+    h.point = p.point;
+    h.curvature = known ? (s->flipped ? -p.k2 : p.k1) : -HUGE_VAL;
+    return h;
+}
+
+/* The most concave place of a loop: from each corner that is more so than its neighbours, steps
+ * along the loop, halved when neither way goes up. */
+static struct concave_radius climb_border(const struct search *s, const struct uvs *loop)
+{
+    struct concave_radius best = {.curvature = -HUGE_VAL}, at[3];
+    at[1] = border_place(s, loop, -1);
+    at[2] = border_place(s, loop, 0);
+    for (size_t i = 0; i < loop->n; i++) {
+        at[0] = at[1], at[1] = at[2], at[2] = border_place(s, loop, (double)i + 1);
+        struct concave_radius h = at[1];
+        if (h.curvature < at[0].curvature || h.curvature < at[2].curvature)
+            continue;
+        double t = (double)i, step = 0.5;
+        for (int turn = 0; turn < STEPS_MAX && step > 1e-9; turn++) {
+            struct concave_radius low = border_place(s, loop, t - step);
+            struct concave_radius high = border_place(s, loop, t + step);
+            bool up = fmax(low.curvature, high.curvature) > h.curvature;
+            bool back = low.curvature > high.curvature;
+            t += up ? (back ? -step : step) : 0;
+            h = up ? (back ? low : high) : h;
+            step *= up ? 1 : 0.5;
+        }
+        best = h.curvature > best.curvature ? h : best;
+    }
+    return best;
+}
+
+/* The border of the range, once round. */
+static struct uvs range_border(const struct nurbs *f)
+{
+    const struct uv corner[4] = {
+        {f->u.from, f->v.from}, {f->u.to, f->v.from}, {f->u.to, f->v.to}, {f->u.from, f->v.to}};
+    struct uvs rim = {0};
+    for (int i = 0; i < 4 * ACROSS; i++) {
+        struct uv a = corner[i / ACROSS], b = corner[(i / ACROSS + 1) % 4];
+        double part = i % ACROSS / (double)ACROSS;
+        *array_push(&rim) = (struct uv){a.u + part * (b.u - a.u), a.v + part * (b.v - a.v)};
+    }
+    return rim;
 }
 
 static struct concave_radius find_inside(const struct patch *patch, const struct uv_polygon *loops,
@@ -138,10 +225,10 @@ static struct concave_radius find_inside(const struct patch *patch, const struct
     spans.nu = samples_per_span(spans.u.n);
     spans.nv = samples_per_span(spans.v.n);
     size_t n = (spans.u.n - 1) * (spans.v.n - 1);
-    spans.most = mem_alloc(n, sizeof *spans.most);
+    spans.most = mem_alloc(EACH * n, sizeof *spans.most);
     parallel_for(threads, n, sample_spans, &spans);
-    for (size_t k = 0; k < n; k++) {
-        struct nurbs part = span_of(&spans, k);
+    for (size_t k = 0; k < EACH * n; k++) {
+        struct nurbs part = span_of(&spans, k / EACH);
         keep_best(&s, spans.most[k], &part);
     }
     array_free(&spans.u);
@@ -153,6 +240,14 @@ static struct concave_radius find_inside(const struct patch *patch, const struct
         if (h.curvature > best.curvature)
             best = h;
     }
+    /* a search in eight directions stalls at a slanted border, and where a ridge leads to one */
+    struct uvs rim = loops->n == 0 ? range_border(&patch->surface) : (struct uvs){0};
+    for (size_t i = 0; i < loops->n || i == 0; i++) {
+        struct concave_radius h = climb_border(&s, loops->n ? &loops->item[i] : &rim);
+        if (h.curvature > best.curvature)
+            best = h;
+    }
+    array_free(&rim);
     return best;
 }
 

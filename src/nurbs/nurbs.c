@@ -223,7 +223,7 @@ void nurbs_curve_reverse(struct nurbs_curve *c)
     }
 }
 
-/* Samples per span, and steps of the search between the neighbours of a near one. */
+/* Samples per span, and steps of the search between two of them. */
 enum { FOOT_SAMPLES = 16, FOOT_STEPS = 60 };
 
 /* The root of (C - q) . C' between two parameters, by halving; a difference is the derivative. */
@@ -240,32 +240,51 @@ static double foot_between(const struct nurbs_curve *c, struct vec3 q, double lo
     return (low + high) / 2;
 }
 
-double nurbs_curve_foot(const struct nurbs_curve *c, struct vec3 q)
+/* The nearest place so far. */
+struct nearest {
+    double t, off;
+};
+
+static void look_at(const struct nurbs_curve *c, struct vec3 q, double t, struct nearest *best)
+{
+    double off = vec_distance(nurbs_curve_point(c, t), q);
+    if (off < best->off)
+        *best = (struct nearest){t, off};
+}
+
+/* Every sample; or, `between` them, the root in each part that may lead nearer than all samples:
+ * taken for no longer than twice its chord, it does.  A corner, which only a knot has, is an end. */
+static void look_along(const struct nurbs_curve *c, struct vec3 q, bool between,
+                       struct nearest *best)
 {
     const struct nurbs_axis *a = &c->t;
-    double t[3] = {a->from, a->from, a->from}, d[3] = {HUGE_VAL, HUGE_VAL, HUGE_VAL};
-    double best = a->from, least = vec_distance(nurbs_curve_point(c, best), q);
-    d[2] = least;
-    for (size_t i = (size_t)a->degree; i <= a->poles; i++) {
-        double from = fmax(a->knot[i], a->from);
-        double to = i < a->poles ? fmin(a->knot[i + 1], a->to) : a->to;
-        int samples = i < a->poles ? FOOT_SAMPLES : 1; /* the last one closes the range */
-        for (int k = 1; k <= samples && (to > from || i == a->poles); k++) {
-            t[0] = t[1], t[1] = t[2], d[0] = d[1], d[1] = d[2];
-            t[2] = i < a->poles ? from + (to - from) * k / samples : a->to;
-            d[2] = i < a->poles ? vec_distance(nurbs_curve_point(c, t[2]), q) : HUGE_VAL;
-            if (d[1] > d[0] || d[1] > d[2])
+    double least = best->off;
+    for (size_t i = (size_t)a->degree; i < a->poles; i++) {
+        double from = fmax(a->knot[i], a->from), to = fmin(a->knot[i + 1], a->to), last = from;
+        struct vec3 p = nurbs_curve_point(c, from);
+        for (int k = 1; k <= FOOT_SAMPLES && to > from; k++) {
+            double t = k < FOOT_SAMPLES ? from + (to - from) * k / FOOT_SAMPLES : to;
+            if (!between) {
+                look_at(c, q, t, best);
                 continue;
-            double foot = foot_between(c, q, t[0], t[2]);
-            double at[2] = {t[1], foot};
-            for (int m = 0; m < 2; m++) {
-                double off = vec_distance(nurbs_curve_point(c, at[m]), q);
-                best = off < least ? at[m] : best;
-                least = fmin(off, least);
             }
+            struct vec3 r = nurbs_curve_point(c, t);
+            double near = (vec_distance(p, q) + vec_distance(r, q)) / 2 - vec_distance(p, r);
+            if (near < least)
+                look_at(c, q, foot_between(c, q, last, t), best);
+            last = t;
+            p = r;
         }
     }
-    return best;
+}
+
+double nurbs_curve_foot(const struct nurbs_curve *c, struct vec3 q)
+{
+    struct nearest best = {c->t.from, HUGE_VAL};
+    look_at(c, q, c->t.from, &best);
+    look_along(c, q, false, &best);
+    look_along(c, q, true, &best);
+    return best.t;
 }
 
 void nurbs_free(struct nurbs *s)

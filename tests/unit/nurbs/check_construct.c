@@ -141,6 +141,19 @@ START_TEST(refined_curves_are_the_same)
 }
 END_TEST
 
+/* Beside a corner, of which the other side comes near to the point as well. */
+START_TEST(foot_beside_a_corner)
+{
+    for (int turn = 0; turn < 2000; turn++) {
+        struct nurbs_curve c = random_curve(1, 3 + (size_t)turn % 9);
+        double t = uniform(c.t.from, c.t.to);
+        struct vec3 q = nurbs_curve_point(&c, t);
+        ck_assert_double_lt(vec_distance(nurbs_curve_point(&c, nurbs_curve_foot(&c, q)), q), 1e-7);
+        nurbs_curve_free(&c);
+    }
+}
+END_TEST
+
 START_TEST(ruled)
 {
     for (int turn = 0; turn < 30; turn++) {
@@ -188,6 +201,7 @@ int main(void)
     tcase_add_test(tests, conics);
     tcase_add_test(tests, turned_and_extruded);
     tcase_add_test(tests, refined_curves_are_the_same);
+    tcase_add_test(tests, foot_beside_a_corner);
     tcase_add_test(tests, ruled);
     tcase_add_test(tests, splines);
     suite_add_tcase(suite, tests);
