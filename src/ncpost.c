@@ -151,6 +151,9 @@ static void read_path(const struct settings *s, const char *file, struct path *p
     if (path->inches_taken)
         say("%s: found feeds in inches and no UNITS: took inches (-u inch; else -u mm)",
             path->name);
+    if (path->feeds_mm)
+        say("%s:%u: found a feed in mm under UNITS/INCHES: lengths are in inches, this feed in mm",
+            path->name, path->feeds_mm);
     for (size_t i = 0; i < path->unknown.n; i++) {
         const struct path_unknown *u = &path->unknown.item[i];
         if (s->strict)

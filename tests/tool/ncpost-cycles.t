@@ -185,7 +185,7 @@ bad 'CYCLE/DRILL,CLEAR,2,7' 'found 7 in CYCLE without a word'
 bad 'CYCLE/DRILL,DEPTH,3,CLEAR,-3' 'more than -3'
 bad 'CYCLE/DRILL,DEPTH,3,DWELL,REV,5' 'below 0'
 printf 'UNITS/MM\nSPINDL/600,RPM\nGOTO/0,0,9\nCYCLE/DRILL,3,IPM,10,2\nGOTO/0,0,0\nFINI\n' >bare.cl
-ncpost -q -c fanuc bare.cl >bare.nc
+ncpost -q -u mm -c fanuc bare.cl >bare.nc
 has "numbers without names: depth, feed, clearance" 'Z-3\. R2\. F254\.$' bare.nc
 printf 'UNITS/MM\nSPINDL/600,RPM\nGOTO/0,0,9\nCYCLE/DRILL,DEPTH,3,DWELL,REV,5,MMPM,9\nGOTO/0,0,0\nFINI\n' >turns.cl
 ncpost -q -c fanuc turns.cl >turns.nc

@@ -194,9 +194,9 @@ below "the centre goes (R + r) / R as fast" "$(awk '{ print ($1 > 800 ? $1 - 800
 # feeds in all units, in mm and inches: the same speed of the tip
 for said in MMPM,508 IPM,20 MMPR,0.0635 IPR,0.0025; do
 	printf 'UNITS/MM\nCUTTER/8,4,0,4\nSPINDL/RPM,8000,CLW\nRAPID\nGOTO/0,0,50\nFEDRAT/%s\nGOTO/0,0,0\nGOTO/100,0,0\nFINI\n' "$said" >unit.cl
-	ncpost -q -c fanuc unit.cl | grep -q 'F508\.$' || echo "$said"
-	ncpost -q -c fanuc --inch unit.cl | grep -q 'F20\.$' || echo "$said in inches"
-	ncpost -q -c fanuc -m table-ac-notcp unit.cl >unit.nc
+	ncpost -q -u mm -c fanuc unit.cl | grep -q 'F508\.$' || echo "$said"
+	ncpost -q -u mm -c fanuc --inch unit.cl | grep -q 'F20\.$' || echo "$said in inches"
+	ncpost -q -u mm -c fanuc -m table-ac-notcp unit.cl >unit.nc
 	grep -Eq 'F508\.$|F5\.08$' unit.nc || echo "$said inverse: $(grep F unit.nc | tail -n 1)"
 done >units
 empty "mm and inches, a minute and a turn" units

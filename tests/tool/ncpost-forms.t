@@ -31,8 +31,24 @@ status 0 "-u mm" ncpost -c fanuc -u mm inch.cls
 has "as asked" ' X4\.' out
 status 0 "-u inch" ncpost -c fanuc -u inch mm.cls
 has "as asked" 'X101\.6' out
-status 0 "UNITS/MM with feeds in IPM" ncpost -c fanuc mixed.cls
+status 1 "UNITS/MM with feeds in IPM" ncpost -c fanuc mixed.cls
+has "is refused with both lines" '^ncpost: mixed.cls:8: found UNITS/MM in line 1 and a feed in inches in line 8, expected' err
+ok "by one line" test "$(wc -l <err)" -eq 1
+empty "and nothing is written" out
+status 0 "unless -u mm says that both are meant" ncpost -c fanuc -u mm mixed.cls
 has "the feed alone is in inches" 'F254\.' out
+has "lengths stay" ' X4\.' out
+sed '1d;/^FEDRAT/s/$/\nUNITS\/MM/' mixed.cls >after.cls
+status 1 "UNITS behind the feed" ncpost -c fanuc after.cls
+has "is refused too" ':8: found UNITS/MM in line 8 and a feed in inches in line 7' err
+sed 's/^FEDRAT.*/CYCLE\/DRILL,3,IPR,.01,1/;s/^GOTO\/4,0,0/&\nCYCLE\/OFF/' mixed.cls >hole.cls
+status 1 "a hole's feed in inches" ncpost -c fanuc hole.cls
+has "is refused too" 'found UNITS/MM in line 1 and a feed in inches in line 8' err
+nx UNITS/INCHES MMPM >other.cls
+status 0 "UNITS/INCHES with feeds in MMPM" ncpost -c fanuc other.cls
+has "told" '^ncpost: other.cls:8: found a feed in mm under UNITS/INCHES' err
+has "the feed is in mm" 'F10\.' out
+has "lengths are in inches" 'X101\.6' out
 status 1 "feeds in both and no UNITS" ncpost -c fanuc both.cls
 has "is refused" 'feeds in inches and in mm and no UNITS' err
 status 1 "-u mm against UNITS/INCHES" ncpost -c fanuc -u mm said.cls

@@ -163,6 +163,7 @@ struct path {
         struct path_tool *item;
     } tool;
     bool inches_taken;     /* the stream does not say its unit, but feeds in inches */
+    unsigned feeds_mm;     /* line of the first feed in mm under UNITS/INCHES; 0: there is none */
     size_t tools_numbered; /* tools without a number that got one, in their order */
     struct {
         size_t n, cap;
@@ -187,7 +188,7 @@ int path_read(const char *file, struct path *path, struct error *error);
 
 /* The same for lengths in this unit where the stream does not say it: -1 too where it says another.
  * PATH_UNIT_SAID: millimetres, or inches where feeds are in IPM or IPR (path.inches_taken), -1
- * where feeds are in both. */
+ * where feeds are in both or in inches under UNITS/MM. */
 enum path_unit { PATH_UNIT_SAID, PATH_UNIT_MM, PATH_UNIT_INCH };
 int path_read_as(const char *file, enum path_unit unit, struct path *path, struct error *error);
 

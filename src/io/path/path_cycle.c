@@ -199,6 +199,8 @@ static int read_cycle_words(struct path_parse *p, struct cycle_words *w)
                                 a->number);
             w->value[order[bare++]] = a->number;
         } else if ((word_unit = path_feed_unit(p, a->text)) != 0) {
+            if (w->kind != CYCLE_TAP && path_feed_agrees(p, a->text) < 0)
+                return -1;
             unit = word_unit;
             if (bare < 2)
                 read_named(p, w, CYCLE_FEED, &i);

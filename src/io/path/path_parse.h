@@ -68,6 +68,9 @@ struct path_parse {
 
     double unit;                /* millimetres */
     bool unit_said, unit_asked; /* by UNITS, by the caller */
+    unsigned unit_line;         /* of UNITS */
+    bool feed_inch;             /* the last feed whose word says its unit is in inches ... */
+    unsigned feed_line;         /* ... in this line; 0: none did */
     bool framed;                /* coordinates are in `frame` and are converted to `first` */
     size_t frames;              /* MSYS statements */
     struct frame frame, first;
@@ -241,6 +244,12 @@ int path_read_delay(struct path_parse *p);
  * mm/min; 0: the word is no unit; NAN: per revolution, and the spindle's speed is not known.
  */
 double path_feed_unit(const struct path_parse *p, const char *word);
+
+/* This word, of a feed in this line, and UNITS, which may stand before or after it, say one unit,
+ * or the caller says it; -1: UNITS/MM or CM with a feed in inches.  Others of mm are kept in
+ * path.feeds_mm. */
+int path_feed_agrees(struct path_parse *p, const char *word);
+int path_unit_agrees(struct path_parse *p);
 
 /* -1: the feed in force is per revolution, and no speed was given. */
 int path_expect_speed(struct path_parse *p);

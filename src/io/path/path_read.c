@@ -82,7 +82,8 @@ static int set_unit(struct path_parse *p, double unit)
                         p->apt.argument.item[0].text, p->unit > 1 ? "INCHES" : "MM");
     p->unit = unit;
     p->unit_said = true;
-    return 0;
+    p->unit_line = p->apt.line;
+    return path_unit_agrees(p);
 }
 
 static int read_units(struct path_parse *p)

@@ -373,6 +373,32 @@ double path_feed_unit(const struct path_parse *p, const char *word)
     return !unit->by_turn ? mm : p->spindle > 0 ? mm * p->spindle : (double)NAN;
 }
 
+int path_unit_agrees(struct path_parse *p)
+{
+    bool inches = p->unit > 10;
+    if (p->unit_asked || !p->unit_said || !p->feed_line || inches == p->feed_inch)
+        return 0;
+    if (inches) { /* lengths are as UNITS says, the feed as its word says */
+        if (!p->path->feeds_mm)
+            p->path->feeds_mm = p->feed_line;
+        return 0;
+    }
+    return error_at(AT(p),
+                    "found UNITS/%s in line %u and a feed in inches in line %u, expected one unit "
+                    "(ncpost -u mm if both are meant)",
+                    p->unit > 1 ? "CM" : "MM", p->unit_line, p->feed_line);
+}
+
+int path_feed_agrees(struct path_parse *p, const char *word)
+{
+    const struct feed_unit *unit = feed_unit(word);
+    if (!unit || !(unit->mm > 0))
+        return 0;
+    p->feed_inch = unit->mm > 1;
+    p->feed_line = p->apt.line;
+    return path_unit_agrees(p);
+}
+
 /* mm per unit of a feed per revolution; 0: the word is none. */
 static double unit_by_turn(const struct path_parse *p, const char *word)
 {
@@ -409,6 +435,8 @@ int path_read_feed(struct path_parse *p)
         else if (inverse && (apt_is(&p->apt, i, "AUTO") || apt_is(&p->apt, i, "OFF")))
             word = true;
         else if (of_word != 0) {
+            if (path_feed_agrees(p, a->text) < 0)
+                return -1;
             unit = of_word;
             by_turn = unit_by_turn(p, a->text);
         } else if (!a->is_number && *a->text)

@@ -20,7 +20,8 @@ static int read_cycle(const char *head, const char *words, struct path *path, st
              "%sSPINDL/RPM,1000,CLW\nRAPID\nGOTO/0,0,50\nCYCLE/%s\nGOTO/10,0,0\nGOTO/20,0,-3\n"
              "CYCLE/OFF\nFINI\n",
              head, words);
-    return path_read(scratch_text(text), path, error);
+    bool mm = strncmp(head, "UNITS/MM", 8) == 0; /* feeds in inches are meant */
+    return path_read_as(scratch_text(text), mm ? PATH_UNIT_MM : PATH_UNIT_SAID, path, error);
 }
 
 static const struct {
