@@ -163,7 +163,7 @@ static int read_lines(struct ncread *c, struct reader *r, struct error *error)
             return ncread_error(c, error, "a byte that no program holds");
         if (c->options->head && c->motion->piece.n == 0)
             ncread_head_line(c->options->head, line);
-        if (c->options->dialect->block(c, line, error) < 0)
+        if (c->options->dialect->block(c, line, error) < 0 || ncread_length_watch(c, error) < 0)
             return -1;
     }
     return more;

@@ -97,7 +97,7 @@ static int read_address(struct ncread *c, const struct ncread_word *w, struct gc
     if (letter == 'O')
         return 0;
     bool own = c->setting && strchr("IJKRQ", letter);
-    if (strchr("XYZABCIJKRQ", letter) && !w->pointed && !own)
+    if (strchr("XYZABCIJKRQ", letter) && !w->pointed && !own && w->value[0] != 0)
         return ncread_error(c, error, "a length, angle or feed without a decimal point");
     if (ncread_gcode_address(c, w, b))
         return 0;
@@ -150,6 +150,11 @@ static int machine_move(struct ncread *c, struct gcode_block *b, struct error *e
     if (b->home && c->absolute)
         return ncread_error(c, error,
                             "G28 without G91: the move leads over a point of the workpiece");
+    if (b->home && b->moved) { /* over a point on the way */
+        ncread_turned(c, &b->to);
+        if (ncread_go(c, &b->to, ncread_piece(c, &b->to), true, error) < 0)
+            return -1;
+    }
     ncread_gcode_forget(c);
     c->here.has_axis = c->here.has_axis && c->here.turned[0] && c->here.turned[1];
     return 0;
@@ -160,6 +165,8 @@ static int spline_block(struct ncread *c, struct gcode_block *b, struct error *e
 {
     if ((!c->tcp && !ncread_upright(c)) || c->vectors)
         return ncread_error(c, error, "G06.2 wants G43.4");
+    if (!c->absolute)
+        return ncread_error(c, error, "G06.2 under G91, which this reader does not read");
     if (!b->centre_named[2])
         return ncread_error(c, error, "a block of G06.2 without its knot K");
     struct nc_piece piece = ncread_piece(c, &b->to);
@@ -198,7 +205,7 @@ static int arc_block(struct ncread *c, struct gcode_block *b, struct nc_piece *p
                             "G43.5 R");
     if (b->radius_named)
         return ncread_arc_radius(c, piece, b->radius, c->move == MOVE_CCW, error);
-    return ncread_arc(c, piece, ncread_gcode_centre(b, piece), c->move == MOVE_CCW, error);
+    return ncread_arc(c, piece, ncread_gcode_centre(c, b, piece), c->move == MOVE_CCW, error);
 }
 
 /* The tool axis of the block: I J K under G43.5, all three or none; else the rotary words. */
@@ -249,14 +256,19 @@ static int run_block(struct ncread *c, struct gcode_block *b, struct error *erro
         return ncread_error(c, error, "a spline that is not complete");
     if (block_axis(c, b, error) < 0)
         return -1;
-    if (!b->named)
+    if (!ncread_gcode_goes(c, b))
         return 0;
+    bool turned = c->options->tcp && !c->tilted.on && !ncread_upright(c); /* which wants G43.4 */
+    if ((c->hole.on || c->move > MOVE_RAPID) && !turned && ncread_length(c, error) < 0)
+        return -1;
     if (c->hole.on)
         return ncread_hole_block(c, &b->to, 0.001, error);
     if (c->move == MOVE_NONE)
         return ncread_error(c, error, "a place before G0 or G1");
-    if (!c->absolute)
-        return ncread_error(c, error, "a move under G91");
+    if (!c->said)
+        return ncread_error(c, error, "a place before G90 or G91");
+    if (!c->absolute && c->move == MOVE_SPACE)
+        return ncread_error(c, error, "G02.4 under G91, which this reader does not read");
     if (c->has_middle && c->move != MOVE_SPACE)
         return ncread_error(c, error, "G02.4 without its end");
     if (c->move == MOVE_SPACE && !c->has_middle) {
@@ -264,8 +276,6 @@ static int run_block(struct ncread *c, struct gcode_block *b, struct error *erro
         c->has_middle = true;
         return 0;
     }
-    if (c->move != MOVE_RAPID && !c->length && (c->tilted.on || !c->options->tcp))
-        return ncread_error(c, error, "cuts without the tool's length, G43");
     struct nc_piece piece = ncread_piece(c, &b->to);
     if (shape_arc(c, b, &piece, error) < 0)
         return -1;

@@ -35,6 +35,11 @@ int ncread_gcode_g(struct ncread *c, int tenths, struct error *error)
     case 900:
     case 910:
         c->absolute = tenths == 900;
+        c->said = true;
+        return 1;
+    case 901: /* centres of arcs from the zero, from where the tool is */
+    case 911:
+        c->absolute_centre = tenths == 901;
         return 1;
     case 930:
     case 940:
@@ -56,8 +61,11 @@ bool ncread_gcode_address(struct ncread *c, const struct ncread_word *w, struct 
     char letter = w->name[0];
     if (c->setting && !strchr("XYZABCF", letter)) /* a number of its own: P3 E0.01 */
         return true;
-    if (ncread_axis(c, w->name, w->value[0], &b->to)) {
+    bool by = c->said && !c->absolute && !b->machine;
+    if (by ? ncread_axis_by(c, w->name, w->value[0], &b->to)
+           : ncread_axis(c, w->name, w->value[0], &b->to)) {
         b->named = true;
+        b->moved = b->moved || w->value[0] != 0;
     } else if (letter >= 'I' && letter <= 'K') {
         b->centre[letter - 'I'] = w->value[0];
         b->centre_named[letter - 'I'] = true;
@@ -110,7 +118,18 @@ bool ncread_gcode_centred(const struct gcode_block *b)
     return b->centre_named[0] || b->centre_named[1] || b->centre_named[2];
 }
 
-struct vec3 ncread_gcode_centre(const struct gcode_block *b, const struct nc_piece *piece)
+struct vec3 ncread_gcode_centre(const struct ncread *c, const struct gcode_block *b,
+                                const struct nc_piece *piece)
 {
-    return vec_add(piece->p[0], vec(b->centre[0], b->centre[1], b->centre[2]));
+    if (!c->absolute_centre)
+        return vec_add(piece->p[0], vec(b->centre[0], b->centre[1], b->centre[2]));
+    return vec(b->centre_named[0] ? b->centre[0] : piece->p[0].x,
+               b->centre_named[1] ? b->centre[1] : piece->p[0].y,
+               b->centre_named[2] ? b->centre[2] : piece->p[0].z);
+}
+
+bool ncread_gcode_goes(const struct ncread *c, const struct gcode_block *b)
+{
+    bool arc = c->move == MOVE_CW || c->move == MOVE_CCW;
+    return b->named || (arc && !c->vectors && !c->setting && ncread_gcode_centred(b));
 }

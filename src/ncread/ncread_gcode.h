@@ -22,6 +22,7 @@ enum gcode_move {
 struct gcode_block {
     struct ncread_place to;
     bool named; /* X Y Z or a rotary word */
+    bool moved; /* one that is not 0 */
     bool centre_named[3], radius_named;
     double centre[3], radius; /* centre[2] is K: a knot under G06.2 */
     bool machine, home;       /* G53, G28 */
@@ -49,7 +50,11 @@ void ncread_gcode_forget(struct ncread *c);
 /* The block names I, J or K. */
 bool ncread_gcode_centred(const struct gcode_block *b);
 
-/* The centre of an arc: I J K from where the piece begins. */
-struct vec3 ncread_gcode_centre(const struct gcode_block *b, const struct nc_piece *piece);
+/* The centre of an arc: I J K from where the piece begins, or from the zero under G90.1. */
+struct vec3 ncread_gcode_centre(const struct ncread *c, const struct gcode_block *b,
+                                const struct nc_piece *piece);
+
+/* The block moves the tool: it names a place, or is an arc round to where it begins, G2 I5. */
+bool ncread_gcode_goes(const struct ncread *c, const struct gcode_block *b);
 
 #endif

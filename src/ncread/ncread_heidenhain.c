@@ -70,11 +70,19 @@ static int read_m(struct ncread *c, const char *text, struct klartext *k, struct
     return 0;
 }
 
+/* IX, IA: from where the axis is. */
+static bool is_by(const char *w)
+{
+    return *w == 'I' && w[1] && strchr("XYZABC", w[1]);
+}
+
 /* No word twice in a block: X to Z, A to C, F, T and their vectors; several M are allowed. */
 static int check_once(const struct ncread *c, const char *w, struct klartext *k,
                       struct error *error)
 {
     bool vector = *w == 'T' && w[1] >= 'X' && w[1] <= 'Z';
+    if (is_by(w))
+        w++;
     int place = vector ? 26 + w[1] - 'X' : *w - 'A';
     if (place < 0 || *w > 'Z' || *w == 'M')
         return 0;
@@ -113,9 +121,11 @@ static int read_word(struct ncread *c, const char *w, struct klartext *k, struct
         k->vector_n++;
         return read_number(c, w + 2, true, &k->vector[w[1] - 'X'], error);
     }
-    if (read_number(c, w + 1, true, &value, error) < 0)
+    bool by = is_by(w);
+    letter[0] = w[by];
+    if (read_number(c, w + 1 + by, true, &value, error) < 0)
         return -1;
-    if (!ncread_axis(c, letter, value, &k->to))
+    if (by ? !ncread_axis_by(c, letter, value, &k->to) : !ncread_axis(c, letter, value, &k->to))
         return ncread_error(c, error, "a word that this reader does not know");
     k->named = true;
     return 0;
@@ -124,7 +134,9 @@ static int read_word(struct ncread *c, const char *w, struct klartext *k, struct
 static void machine_move(struct ncread *c, struct klartext *k)
 {
     for (int i = 1; i < k->n; i++)
-        if (k->word[i][0] >= 'X' && k->word[i][0] <= 'Z')
+        if (is_by(k->word[i]))
+            c->here.known[0] = c->here.known[1] = c->here.known[2] = false;
+        else if (k->word[i][0] >= 'X' && k->word[i][0] <= 'Z')
             c->here.known[k->word[i][0] - 'X'] = false;
 }
 
@@ -169,7 +181,8 @@ static int run_circle(struct ncread *c, struct klartext *k, struct error *error)
     for (int i = 1; i < k->n; i++) {
         if (strcmp(k->word[i], "DR+") == 0 || strcmp(k->word[i], "DR-") == 0)
             sense = k->word[i][2] == '+' ? 1 : -1;
-        else if (strchr("XYF", k->word[i][0]) == NULL || read_word(c, k->word[i], k, error) < 0)
+        else if (strchr("XYF", k->word[i][k->word[i][0] == 'I']) == NULL ||
+                 read_word(c, k->word[i], k, error) < 0)
             return ncread_error(c, error, "C wants X, Y, DR and F alone");
     }
     if (!sense || !c->has_centre || k->fast)
@@ -183,13 +196,21 @@ static int run_circle(struct ncread *c, struct klartext *k, struct error *error)
 
 static int set_centre(struct ncread *c, struct klartext *k, struct error *error)
 {
-    if (k->n != 3 || k->word[1][0] != 'X' || k->word[2][0] != 'Y')
-        return ncread_error(c, error, "CC wants X and Y");
+    double at[2];
+    for (int i = 0; i < 2; i++) {
+        const char *w = k->n == 3 ? k->word[i + 1] : "";
+        bool by = *w == 'I';
+        if (w[by] != 'X' + i)
+            return ncread_error(c, error, "CC wants X and Y");
+        if (read_number(c, w + 1 + by, true, &at[i], error) < 0)
+            return -1;
+        if (by && !c->here.known[i])
+            return ncread_error(c, error, "CC from a place that is not known");
+        at[i] += by ? c->here.at[i] : 0;
+    }
     c->has_centre = true;
-    return read_number(c, k->word[1] + 1, true, &c->centre.x, error) < 0 ||
-                   read_number(c, k->word[2] + 1, true, &c->centre.y, error) < 0
-               ? -1
-               : 0;
+    c->centre = vec(at[0], at[1], 0);
+    return 0;
 }
 
 static int run_function(struct ncread *c, const struct klartext *k, struct error *error)
@@ -300,7 +321,7 @@ static int read_block(struct ncread *c, const char *line, struct error *error)
     if (outer && ncread_unit(c, inch ? INCH : 1, error) < 0)
         return -1;
     if (c->block == 0) {
-        c->absolute = true;
+        c->absolute = c->said = true;
         return outer && strcmp(k.word[0], "BEGIN") == 0
                    ? 0
                    : ncread_error(c, error, "expected BEGIN PGM NAME MM or INCH");

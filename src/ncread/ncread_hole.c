@@ -114,12 +114,20 @@ int ncread_hole_block(struct ncread *c, struct ncread_place *to, double unit, st
     const struct ncread_word *r = ncread_word_find(&c->words, "R");
     const struct ncread_word *p = ncread_word_find(&c->words, "P");
     double level = h->level;
-    if (c->plane != 17 || !c->absolute)
-        return ncread_error(c, error, "a drilling cycle outside G17 or G90");
+    bool by = !c->absolute;
+    if (c->plane != 17 || !c->said)
+        return ncread_error(c, error, "a drilling cycle outside G17, or before G90 or G91");
+    if (h->by != by && !(z && r))
+        return ncread_error(c, error, "a drilling cycle without its Z and R after G90 or G91");
+    h->by = by;
     if (z)
-        h->bottom = z->value[0];
+        h->z = z->value[0];
     if (r)
-        h->clear = r->value[0];
+        h->r = r->value[0];
+    /* R counts from where the cycle began, in LinuxCNC from where the tool is; Z from R */
+    double from = c->options->dialect == &ncread_linuxcnc ? c->here.at[2] : level;
+    h->clear = by ? from + h->r : h->r;
+    h->bottom = by ? h->clear + h->z : h->z;
     if (p)
         h->pause = p->value[0] * unit;
     h->dwell = h->waits ? h->pause : 0;

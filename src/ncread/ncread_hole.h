@@ -25,6 +25,8 @@ struct ncread_hole {
     bool slow;                   /* out at feed */
     bool high;                   /* G98: back to where the tool was before the first hole */
     double bottom, clear, level; /* heights */
+    double r, z;                 /* the words as they stand, which count ... */
+    bool by;                     /* ... from the level and from R (G91) */
     double feed, back;           /* down, and out where that is slow; 0: the feed that is on */
     double dwell;                /* at one hole, seconds */
     bool waits;                  /* a P of this G word is its dwell ... */

@@ -40,7 +40,6 @@ static int read_g(struct ncread *c, const struct ncread_word *w, struct gcode_bl
         return 0;
     case 610: /* exact path, exact stop, arcs by their centres, no more constant speed */
     case 611:
-    case 911:
     case 970:
         return 0;
     default:
@@ -99,17 +98,17 @@ static int run_block(struct ncread *c, struct gcode_block *b, struct error *erro
         return b->named ? ncread_error(c, error, "G4 with a place") : 0;
     if (b->machine)
         return machine_move(c, b, error);
-    if (!b->named)
+    if (!ncread_gcode_goes(c, b))
         return 0;
     ncread_turned(c, &b->to);
+    if ((c->hole.on || c->move > MOVE_RAPID) && ncread_length(c, error) < 0)
+        return -1;
     if (c->hole.on)
         return ncread_hole_block(c, &b->to, 1, error);
     if (c->move == MOVE_NONE)
         return ncread_error(c, error, "a place before G0 or G1");
-    if (!c->absolute)
-        return ncread_error(c, error, "a move under G91");
-    if (c->move != MOVE_RAPID && !c->length)
-        return ncread_error(c, error, "cuts without the tool's length, G43");
+    if (!c->said)
+        return ncread_error(c, error, "a place before G90 or G91");
     struct nc_piece piece = ncread_piece(c, &b->to);
     bool centred = ncread_gcode_centred(b);
     bool arc = c->move == MOVE_CW || c->move == MOVE_CCW, ccw = c->move == MOVE_CCW;
@@ -117,7 +116,7 @@ static int run_block(struct ncread *c, struct gcode_block *b, struct error *erro
         return ncread_error(c, error,
                             "an arc wants its centre by I J K or R, not both; a line "
                             "neither");
-    if (centred && ncread_arc(c, &piece, ncread_gcode_centre(b, &piece), ccw, error) < 0)
+    if (centred && ncread_arc(c, &piece, ncread_gcode_centre(c, b, &piece), ccw, error) < 0)
         return -1;
     if (b->radius_named && ncread_arc_radius(c, &piece, b->radius, ccw, error) < 0)
         return -1;
@@ -176,10 +175,11 @@ static int read_block(struct ncread *c, const char *line, struct error *error)
 
 static int read_end(struct ncread *c, struct error *error)
 {
+    bool ours = c->options->head && c->options->head->numbered;
     bool never = ncread_meaning_of(c, "G43") == MEANS_NEVER;
     if (!c->ended || (c->framed && !c->closed))
         return ncread_error(c, error, "the program ends without M2 and %");
-    if ((c->length && !never) || c->spindle)
+    if ((c->length && !never && ours) || c->spindle)
         return ncread_error(c, error, "ends with the spindle turning or with the tool's length on");
     return 0;
 }

@@ -161,6 +161,10 @@ void ncread_meaning_note(struct ncread *c, const char *word)
 
 void ncread_meaning_tell(struct ncread *c)
 {
+    if (c->length_assumed)
+        say("%s:%zu: cuts without the tool's length (G43): took Z for the tip's height as it "
+            "stands, the zero set with this tool",
+            c->name, c->length_assumed);
     for (size_t i = 0; i < c->unknown_n; i++)
         say("%s:%zu: found %s, which is not known here: taken to have no effect (%zu times)",
             c->name, c->unknown[i].line, c->unknown[i].word, c->unknown[i].times);
@@ -199,6 +203,19 @@ static const struct {
     {2540, 2540, "a frame that turns with the table"},
     {2680, 2680, "a tilted plane"},
 };
+
+bool ncread_meaning_shapes(const char *name)
+{
+    static const char *const shaping[] = {"AR",  "AP",   "RP",  "TURN", "RND",
+                                          "CHF", "RNDM", "CHR", "ANG",  "OFFN"};
+    bool axis = strchr("ABCUVWXYZIJKR", *name) != NULL;
+    if (axis && strspn(name + 1, "0123456789") == strlen(name + 1))
+        return true;
+    for (size_t i = 0; i < sizeof shaping / sizeof *shaping; i++)
+        if (strcmp(name, shaping[i]) == 0)
+            return true;
+    return false;
+}
 
 const char *ncread_meaning_moves(char letter, int tenths)
 {

@@ -50,6 +50,10 @@ void ncread_meaning_note(struct ncread *c, const char *word);
  * read: cycles, subprograms, scaling and the like; what it is, NULL: none of these. */
 const char *ncread_meaning_moves(char letter, int tenths);
 
+/* A name of Siemens whose value moves the tool or shapes its path, and that is not read: an axis
+ * beyond X Y Z, a radius or angle of polar places, a corner. */
+bool ncread_meaning_shapes(const char *name);
+
 /* Tells the words that were noted. */
 void ncread_meaning_tell(struct ncread *c);
 

@@ -93,6 +93,7 @@ static int read_g(struct ncread *c, const struct ncread_word *w, struct error *e
     case 90:
     case 91:
         c->absolute = code == 90;
+        c->said = true;
         return 0;
     case 93:
     case 94:
@@ -172,6 +173,31 @@ static int read_polynomial(struct ncread *c, const struct ncread_word *w,
     return 0;
 }
 
+/* X5, X=5, X=AC(5), X=IC(5), and so on for all axes: true when the word is one. */
+static bool read_axis(struct ncread *c, const struct ncread_word *w, struct ncread_siemens_block *b)
+{
+    bool by = w->by || (c->said && !c->absolute && !w->absolute && !b->machine);
+    if (by ? !ncread_axis_by(c, w->name, w->value[0], &b->to)
+           : !ncread_axis(c, w->name, w->value[0], &b->to))
+        return false;
+    b->named = true;
+    b->turns = b->turns || *w->name < 'X';
+    return true;
+}
+
+/* I J K: the centre from where the tool is; I=AC(5) from the zero. */
+static bool read_centre(const struct ncread *c, const struct ncread_word *w,
+                        struct ncread_siemens_block *b)
+{
+    if (w->name[1] || *w->name < 'I' || *w->name > 'K')
+        return false;
+    int k = *w->name - 'I';
+    double *centre = k == 0 ? &b->centre.x : k == 1 ? &b->centre.y : &b->centre.z;
+    *centre = w->value[0] - (w->absolute ? c->here.at[k] : 0);
+    b->centre_named = true;
+    return true;
+}
+
 /* NAME=value */
 static int read_setting(struct ncread *c, const struct ncread_word *w,
                         struct ncread_siemens_block *b, struct error *error)
@@ -211,9 +237,10 @@ static int read_setting(struct ncread *c, const struct ncread_word *w,
         if (strchr("ABC", *name) == NULL || name[1] || !ncread_nearest(c, *name, value, &b->to))
             return ncread_error(c, error, "DC() where no rotary axis is, or one not known yet");
         b->named = b->turns = true;
-    } else if (ncread_axis(c, name, value, &b->to)) {
-        b->named = true;
-        b->turns = b->turns || *name < 'X';
+    } else if (read_axis(c, w, b) || read_centre(c, w, b)) {
+        return 0;
+    } else if (w->by || w->absolute || ncread_meaning_shapes(name)) {
+        return ncread_error(c, error, "a word of a place that this reader does not know");
     } else if (strcmp(name, "S") != 0 && strcmp(name, "D") != 0) {
         return ncread_unknown(c, w, error);
     }
@@ -223,27 +250,16 @@ static int read_setting(struct ncread *c, const struct ncread_word *w,
 static int read_address(struct ncread *c, const struct ncread_word *w,
                         struct ncread_siemens_block *b, struct error *error)
 {
-    double value = w->value[0], *centre;
-    if (ncread_axis(c, w->name, value, &b->to)) {
-        b->named = true;
-        b->turns = b->turns || *w->name < 'X';
+    if (read_axis(c, w, b) || read_centre(c, w, b))
         return 0;
-    }
     switch (w->name[0]) {
     case 'G':
         return read_g(c, w, error);
     case 'M':
         return ncread_m(c, w, error);
     case 'F':
-        c->feed = value;
+        c->feed = w->value[0];
         c->feed_here = true;
-        return 0;
-    case 'I':
-    case 'J':
-    case 'K':
-        centre = w->name[0] == 'I' ? &b->centre.x : w->name[0] == 'J' ? &b->centre.y : &b->centre.z;
-        *centre += value;
-        b->centre_named = true;
         return 0;
     case 'N':
     case 'S':
@@ -260,6 +276,13 @@ static int read_words(struct ncread *c, struct ncread_siemens_block *b, struct e
 {
     if (ncread_hole_dwell(c, 0))
         return 0;
+    for (size_t i = 0; i < c->words.n; i++) { /* they hold for words before them too */
+        const struct ncread_word *w = &c->words.item[i];
+        if (w->kind == WORD_ADDRESS && *w->name == 'G' && !w->name[1] &&
+            (w->value[0] == 90 || w->value[0] == 91) && read_g(c, w, error) < 0)
+            return -1;
+        b->machine = b->machine || (w->kind == WORD_NAME && strcmp(w->name, "SUPA") == 0);
+    }
     for (size_t i = 0; i < c->words.n; i++) {
         const struct ncread_word *w = &c->words.item[i];
         for (size_t k = 0; k < i; k++)
@@ -402,12 +425,15 @@ static int run_block(struct ncread *c, struct ncread_siemens_block *b, struct er
     }
     if (block_axis(c, b, error) < 0)
         return -1;
-    if (!b->named)
+    bool round = b->centre_named && (c->move == MOVE_CW || c->move == MOVE_CCW); /* G2 I5 */
+    if (!b->named && !round)
         return c->move == MOVE_BSPLINE ? 0 : bspline_ends(c, error);
     if (c->move == MOVE_NONE)
         return ncread_error(c, error, "a place before G0 or G1");
-    if (!c->absolute)
-        return ncread_error(c, error, "a move under G91");
+    if (!c->said)
+        return ncread_error(c, error, "a place before G90 or G91");
+    if (!c->absolute && (c->move == MOVE_POLY || c->move == MOVE_BSPLINE))
+        return ncread_error(c, error, "a curve under G91, which this reader does not read");
     if (c->hole.on)
         return ncread_hole_down(c, &b->to, error);
     if (b->weighs && c->move != MOVE_BSPLINE)

@@ -111,6 +111,22 @@ bool ncread_axis(const struct ncread *c, const char *name, double value, struct 
     return false;
 }
 
+bool ncread_axis_by(const struct ncread *c, const char *name, double value, struct ncread_place *to)
+{
+    if (strlen(name) != 1)
+        return false;
+    if (*name >= 'X' && *name <= 'Z') {
+        to->at[*name - 'X'] += value;
+        return true;
+    }
+    for (int i = 0; i < c->options->kinematics.n; i++)
+        if (*name == c->options->kinematics.axis[i].letter) {
+            to->turn[i] += value;
+            return true;
+        }
+    return false;
+}
+
 bool ncread_nearest(const struct ncread *c, char name, double value, struct ncread_place *to)
 {
     for (int i = 0; i < c->options->kinematics.n; i++)
@@ -192,10 +208,45 @@ bool ncread_upright(const struct ncread *c)
     return true;
 }
 
+/* Rotary axes of the head, or those of tool-centre-point control, are not at zero or not known:
+ * without the length X Y Z are not the tip. */
+static bool length_counts(const struct ncread *c)
+{
+    for (int i = 0; i < c->options->kinematics.n; i++)
+        if ((c->options->tcp || !c->options->kinematics.axis[i].table) &&
+            !(c->here.turned[i] && c->here.turn[i] == 0))
+            return true;
+    return false;
+}
+
+int ncread_length(struct ncread *c, struct error *error)
+{
+    bool ours = c->options->head && c->options->head->numbered;
+    if (c->length)
+        return 0;
+    if (ours || c->lengthened || c->tilted.on || length_counts(c))
+        return ncread_error(c, error, "cuts without the tool's length, G43");
+    if (!c->length_assumed)
+        c->length_assumed = c->line;
+    return 0;
+}
+
+int ncread_length_watch(struct ncread *c, struct error *error)
+{
+    char text[120];
+    c->lengthened = c->lengthened || c->length;
+    if (!c->length || !c->length_assumed)
+        return 0;
+    snprintf(text, sizeof text, "the tool's length comes on after the cut without it in line %zu",
+             c->length_assumed);
+    return ncread_error(c, error, text);
+}
+
 int ncread_ready(struct ncread *c, struct error *error)
 {
-    if (!(c->unit > 0) || !c->absolute)
-        return ncread_error(c, error, "cuts before its unit and absolute words are set");
+    if (!(c->unit > 0) || !c->said)
+        return ncread_error(c, error,
+                            "cuts before its unit and absolute or incremental words are set");
     if (!c->spindle)
         return ncread_error(c, error, "cuts while the spindle is off");
     if (c->options->tcp && !c->tcp && !c->tilted.on && !ncread_upright(c))

@@ -72,11 +72,15 @@ struct ncread {
     int plane;   /* 17, 18, 19 */
     double unit; /* of the program's lengths, mm; 0: not set yet */
     bool absolute, inverse_time, spindle;
-    bool tcp;     /* on */
-    bool vectors; /* the tool axis is programmed as a vector */
-    bool curve;   /* the tool axis follows a second point (ORICURVE) */
-    bool length;  /* the tool's length is on (LinuxCNC) */
-    double speed; /* of the spindle, 1/min, where the dialect needs it; 0: not set yet */
+    bool said;             /* absolute or incremental words were asked for */
+    bool absolute_centre;  /* of arcs, G90.1 */
+    bool tcp;              /* on */
+    bool vectors;          /* the tool axis is programmed as a vector */
+    bool curve;            /* the tool axis follows a second point (ORICURVE) */
+    bool length;           /* the tool's length is on */
+    bool lengthened;       /* and was, in some block */
+    size_t length_assumed; /* line of the first cut without it, whose Z was taken for the tip's */
+    double speed;          /* of the spindle, 1/min, where the dialect needs it; 0: not set yet */
     double feed;
     bool feed_here;     /* F stands in this block */
     bool ended;         /* M30 was read */
@@ -119,6 +123,10 @@ int ncread_block(struct ncread *c, double number, struct error *error);
 /* X Y Z, the rotary words of this machine: true when `name` is one and `to` took the value. */
 bool ncread_axis(const struct ncread *c, const char *name, double value, struct ncread_place *to);
 
+/* The same for a word that counts from where the axis is; from an unknown place to another. */
+bool ncread_axis_by(const struct ncread *c, const char *name, double value,
+                    struct ncread_place *to);
+
 /* A rotary word within 0 to 360 that is gone to by the shortest way: true when there is that axis.
  * */
 bool ncread_nearest(const struct ncread *c, char name, double value, struct ncread_place *to);
@@ -132,6 +140,15 @@ struct nc_piece ncread_piece(const struct ncread *c, const struct ncread_place *
 
 /* The rotary axes stand at zero: the linear axes go where the tip goes. */
 bool ncread_upright(const struct ncread *c);
+
+/*
+ * Cuts in this block want the tool's length: where a program of others never switches it on, Z is
+ * taken for the tip's height, and told; else it is an error.
+ */
+int ncread_length(struct ncread *c, struct error *error);
+
+/* After each block: a length that comes on after cuts which were taken to need none is an error. */
+int ncread_length_watch(struct ncread *c, struct error *error);
 
 /* Checks what the control, or good practice, requires before the tool cuts. */
 int ncread_ready(struct ncread *c, struct error *error);

@@ -107,6 +107,9 @@ static int siemens_value(const char **s, struct ncread_word *w, struct error *er
     if (strncmp(*s, "AC(", 3) == 0) {
         w->absolute = true;
         *s += 2;
+    } else if (strncmp(*s, "IC(", 3) == 0) {
+        w->by = true;
+        *s += 2;
     } else if (strncmp(*s, "DC(", 3) == 0) {
         w->shortest = true;
         *s += 2;

@@ -22,6 +22,7 @@ struct ncread_word {
     enum word_kind kind;
     char name[WORD_TEXT]; /* X  A3  PO[X]  TRAORI */
     bool absolute;        /* AC() */
+    bool by;              /* IC(): from where the axis is */
     bool shortest;        /* DC() */
     bool pointed;         /* its number has a decimal point */
     int values;           /* 0: a text or nothing */

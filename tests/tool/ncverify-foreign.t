@@ -159,4 +159,105 @@ for file in "$SRC"/tests/data/foreign/*; do
 	status 3 "$name: deeper it is refused" ncverify -c "$control" -m three-axis -g plane.xyz -r 5 deep.nc
 done
 
+# ---- words that count from where the tool is: the same way, travel and verdict as in absolute ones
+
+awk 'BEGIN { for (y = 1; y <= 19; y++) for (x = 1; x <= 39; x++) print x, y, 0 }' >plane.xyz
+plane() { # CONTROL by|abs: rows over the plane with half circles between them, a full circle at their end
+	awk -v control="$1" -v by="$2" '
+	function signed(v) { v = sprintf("%.3f", v); if (v + 0 == 0) v = "0.000"; return control == "heidenhain" && v !~ /^-/ ? "+" v : v }
+	function word(letter, v,   from) { from = at[letter]; at[letter] = v
+		if (!by) return " " letter signed(v)
+		if (control == "heidenhain") return " I" letter signed(v - from)
+		if (control == "siemens" && letter == "X") return " X=IC(" signed(v - from) ")"
+		if (control == "siemens" && letter == "Y") return " Y=AC(" signed(v) ")"
+		return " " letter signed(v - from) }
+	function block(text) { if (control == "heidenhain") print n++ " " text; else print text }
+	BEGIN { at["X"] = 0; at["Y"] = 0.5; at["Z"] = 5; dot = control == "fanuc" ? "." : ""; plus = control == "heidenhain"
+		if (control == "fanuc") print "%\nO0007 (PLANE)\nG17 G21 G40 G49 G80\nG91 G28 Z0\nG90 G54 G0 X0 Y0.5\nT1 M6\nS6000 M3\nG43 H1 Z5. M8"
+		if (control == "linuxcnc") print "%\nG17 G21 G40 G49 G80 G90 G54\nT1 M6\nS6000 M3\nG0 X0 Y0.5\nG43 H1 Z5"
+		if (control == "siemens") print "G54 G17 G71 G90 G40\nT1 D1\nM6\nS6000 M3\nG0 X0 Y0.5\nZ5"
+		if (plus) { block("BEGIN PGM P MM"); block("TOOL CALL 1 Z S6000"); block("M3"); block("L X+0 Y+0.5 R0 FMAX"); block("L Z+5 FMAX") }
+		else if (by) print "G91"
+		block((plus ? "L" : "G1") word("Z", 0) " F300" dot)
+		for (y = 0.5; y < 20; y++) { x = x ? 0 : 40
+			block((plus ? "L" : "G1") word("X", x) " F900" dot)
+			if (plus) { block("CC" word("X", x) word("Y", y + 0.5)); at["Y"] = y
+				block("C" word("X", x) word("Y", y + 1) (x ? " DR+" : " DR-")) }
+			else block((x ? "G3" : "G2") word("X", x) word("Y", y + 1) " I0" dot " J0.5") }
+		if (plus) { block("CC" (by ? " IX+2 IY+0" : " X+2 Y" signed(y))); block("C" word("X", x) word("Y", y) " DR+") }
+		else block("G3" (by ? "" : word("X", x) word("Y", y)) " I2. J0.")
+		block((plus ? "L" : "G0") word("Z", 25) (plus ? " FMAX" : ""))
+		if (!plus) print "G90\nM9"
+		if (control == "fanuc") print "G91 G28 Z0.\nM5\nM30\n%"
+		if (control == "linuxcnc") print "M5\nM2\n%"
+		if (control == "siemens") print "M5\nM30"
+		if (plus) { block("M5"); block("M30"); block("END PGM P MM") } }'
+}
+for control in fanuc haas linuxcnc siemens heidenhain; do
+	reader=$control
+	[ $control = haas ] && reader=fanuc
+	plane $reader "" >abs.nc
+	plane $reader 1 >by.nc
+	for kind in abs by; do
+		status 0 "$control, $kind: is accepted" ncverify -c $control -m three-axis -g plane.xyz -r 5 --left 0.06 $kind.nc
+		grep -E '^(way|time|travel|coverage|gouge|verdict)' out >$kind.says
+		has "$control, $kind: its half circles and the full one are in it" ' 21 arcs' out
+	done
+	same "$control: the same way, travel, coverage and verdict" abs.says by.says
+	case $control in heidenhain) deep='s/ L IX+40/ L IZ-0.1 IX+40/' ;; siemens) deep='s/^G1 X=IC(40/G1 Z-0.1 X=IC(40/' ;; *) deep='s/^G1 X40/G1 Z-0.1 X40/' ;; esac
+	sed "$deep" by.nc >deep.nc
+	status 3 "$control: a little deeper from row to row is too deep" ncverify -c $control -m three-axis -g plane.xyz -r 5 deep.nc
+done
+
+# holes: R counts from where the tool begins, Z from R
+holes() { printf '%s\n' % 'O0008' 'G17 G21 G40 G80 G90 G54' 'S6000 M3' 'G0 X0. Y0.' 'G43 H1 Z10.' "$@" G80 'G90 G0 Z30.' M5 M30 %; }
+holes 'G98 G81 X1. Y1. Z-3. R2. F200.' 'X5. Y1.' 'X9. Y4.' >abs.nc
+holes 'G91 G98 G81 X1. Y1. Z-5. R-8. F200.' 'X4.' 'X4. Y3.' >by.nc
+for control in fanuc linuxcnc; do
+	for kind in abs by; do
+		sed "$([ $control = linuxcnc ] && echo '/^O/d;s/^G80$/G80 G49/')" $kind.nc >hole.nc
+		ncverify -c $control -m three-axis -g plane.xyz -r 1 hole.nc 2>err | grep -E '^(way|time|travel|gouge)' >$kind.says
+	done
+	ok "$control: holes are read" grep -q '^travel Z *-3.000 to 30.000' abs.says
+	same "$control: holes under G91" abs.says by.says
+done
+
+# rotary words
+printf '%s\n' % O0009 'G17 G21 G90 G54' 'S6000 M3' 'G0 A0. C0.' 'G43.4 H1' 'G0 X0. Y0. Z40.' 'G1 X5. A10. C20. F900.' \
+	'X10. A-5. C50.' 'G0 Z60.' G49 'G91 G28 Z0.' G90 M5 M30 % >abs.nc
+sed 's/^G1 X5/G91 G1 X5/;s/^X10.*/X5. A-15. C30./;s/^G0 Z60\./G90 &/' abs.nc >by.nc
+for kind in abs by; do
+	ncverify -c fanuc -m table-ac -g plane.xyz -r 1 --partial $kind.nc 2>err | grep -E '^(way|time|travel|gouge)' >$kind.says
+done
+ok "rotary words are read" grep -q '^travel A *-5.000 to 10.000' abs.says
+same "rotary words under G91" abs.says by.says
+
+# centres from the zero
+plane linuxcnc "" | awk '/^G[23] /{ x = substr($2, 2); y = substr($3, 2); $4 = "I" (/I2/ ? 2 : x); $5 = "J" (/I2/ ? y : y - 0.5) } { print }' |
+	sed '2s/$/ G90.1/' >centre.nc
+plane linuxcnc "" >abs.nc
+for kind in abs centre; do
+	ncverify -c linuxcnc -m three-axis -g plane.xyz -r 5 --left 0.06 $kind.nc | grep -E '^(way|travel|verdict)' >$kind.says
+done
+same "G90.1" abs.says centre.says
+
+# ---- no G43: Z is taken for the tip's height, and told; not where a length is on elsewhere
+
+for control in fanuc linuxcnc; do
+	plane $control 1 | sed 's/G43 H1 //' >none.nc
+	status 0 "$control: no G43" ncverify -c $control -m three-axis -g plane.xyz -r 5 --left 0.06 none.nc
+	ok "$control: told once" test "$(grep -c "none.nc:[0-9]*: cuts without the tool's length (G43): took Z" err)" -eq 1
+	plane $control 1 | sed '8,$s/^G90/G49 G90/;s/ J0.5$/& /;30s/^/G49 /' >off.nc
+	status 1 "$control: G43 left while it cuts" ncverify -q -c $control -m three-axis -g plane.xyz -r 5 off.nc
+	has "$control: named" "off.nc:3[01]: cuts without the tool's length, G43" err
+	sed '30s/^/G43 H1 /' none.nc >late.nc
+	status 1 "$control: G43 after cuts" ncverify -q -c $control -m three-axis -g plane.xyz -r 5 late.nc
+	has "$control: named" "late.nc:30: the tool's length comes on after" err
+done
+
+refuses "G6.2 under G91" fanuc 's/^\(N[0-9]*\) M8$/\1 G91 G02.4 X1. Y1. Z1./' 'under G91'
+for word in 'U=IC(5)' AP=30 RP=5 'X1=5' TURN=2 RND=3; do
+	refuses "$word of Siemens" siemens "s/^\(N[0-9]*\) M8\$/\1 G1 $word/" 'a place that this reader does not know'
+done
+
 done_testing
