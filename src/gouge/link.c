@@ -247,27 +247,32 @@ struct search {
 
 /*
  * The rapid moves of a way end off the part, and not on the flank that it leads along: at[0] goes on
- * along the way until it is.  False: there is no such place, or another corner is on the part.
+ * along the way until it is.  False, and the way as it was: there is no such place, or it cannot be
+ * reached straight at feed, or another corner is on the part.
  */
 static bool ends_off(const struct search *s, struct retract *r)
 {
     const struct link_options *options = s->options;
+    const struct gouge_check *guard = options->lift->guard;
     double gap = fmin(OFF * options->radius, OFF_MOST * options->approach);
     double off = options->lift->offset + gap, at = 0, near;
+    struct vec3 begin = r->at[0];
 
     if (r->n < 2)
         return true;
     for (size_t i = 1; i + 1 < r->n; i++)
-        if (gouge_distance(options->lift->guard, r->at[i], off) < off)
+        if (gouge_distance(guard, r->at[i], off) < off)
             return false;
-    struct vec3 from = r->at[0];
-    double length = vec_distance(from, r->at[1]);
-    while ((near = gouge_distance(options->lift->guard, r->at[0], off)) < off) {
+    double length = vec_distance(r->at[0], r->at[1]);
+    while ((near = gouge_distance(guard, begin, off)) < off) {
         at += fmax(off - near, SHORTEST);
         if (at >= length)
             return false;
-        r->at[0] = vec_mix(from, r->at[1], at / length);
+        begin = vec_mix(r->at[0], r->at[1], at / length);
     }
+    if (at > 0 && !is_leg_clear(&s->feed, s->p->ball, begin))
+        return false;
+    r->at[0] = begin;
     return true;
 }
 

@@ -176,6 +176,36 @@ START_TEST(a_rapid_ends_off_the_flank_that_it_leads_along)
 }
 END_TEST
 
+/* Places beside the wall and leaned axes: whatever way is found, all its legs are clear as they are
+ * driven, and where it is rapid they end off the part. */
+START_TEST(all_legs_of_a_way_are_clear)
+{
+    struct gouge_check *guard = floor_with_wall(8);
+    struct gouge_lift_options rule = {.guard = guard, .offset = R, .tolerance = 0.01};
+    const struct holder none = {0};
+    struct link_options options = {
+        .lift = &rule, .holder = &none, .radius = R, .clearance = 25, .approach = 2};
+    size_t ways = 0;
+    for (int i = 0; i < 400; i++) {
+        struct run_point p = point_at(2 - R - 0.4 * (i % 5), R + 0.25 * (i / 5 % 4));
+        double lean = RADIANS(4.5 * (i / 20)), side = i % 7;
+        p.axis = vec(sin(lean) * cos(side), sin(lean) * sin(side), cos(lean));
+        p.normal = vec_unit(vec(0, -(i % 3), 1));
+        struct retract r = link_retract(&options, &p);
+        struct vec3 last = p.ball;
+        for (size_t k = 0; r.clear && k < r.n; k++) {
+            ck_assert_double_le(gouge_depth_along(guard, last, r.at[k], R), 0.01);
+            if (r.rapid)
+                ck_assert_double_ge(gouge_distance(guard, r.at[k], 100), R + 1.5 - 1e-9);
+            last = r.at[k];
+        }
+        ways += r.clear;
+    }
+    ck_assert_uint_gt(ways, 300);
+    gouge_free(guard);
+}
+END_TEST
+
 START_TEST(a_retract_goes_straight_up_where_the_axis_leads_into_the_part)
 {
     struct gouge_check *guard = floor_with_wall(30);
@@ -322,6 +352,7 @@ int main(void)
     tcase_add_test(tests, a_low_link_turns_as_rotary_axes_do);
     tcase_add_test(tests, a_retract_goes_up_the_axis);
     tcase_add_test(tests, a_rapid_ends_off_the_flank_that_it_leads_along);
+    tcase_add_test(tests, all_legs_of_a_way_are_clear);
     tcase_add_test(tests, a_retract_goes_straight_up_where_the_axis_leads_into_the_part);
     tcase_add_test(tests, the_tool_turns_above_the_guard);
     tcase_add_test(tests, a_way_out_is_bent_where_a_roof_is_over_the_point);
