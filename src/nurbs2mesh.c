@@ -73,7 +73,8 @@ static struct settings read_options(struct cli *cli, int argc, char **argv)
     return s;
 }
 
-static void read_files(const struct cli *cli, const struct settings *s, struct patches *patches)
+static void read_files(const struct cli *cli, const struct settings *s, struct patches *patches,
+                       struct unmets *unmet)
 {
     struct surfaces_unit unit;
     struct error error;
@@ -87,8 +88,8 @@ static void read_files(const struct cli *cli, const struct settings *s, struct p
     if (size < SMALL || size > LARGE)
         say("the part is %g mm large: is the unit right? (-u)", size);
     if (!surfaces_tell(patches) && !s->partial)
-        die_unmet(
-            "part of the model would be left out, expected only supported entities, or --partial");
+        unmet_say(unmet, "part of the model is left out, of types that are not supported "
+                         "(--partial accepts it)");
 }
 
 /* What the threads share: a surface is a unit of work. */
@@ -105,7 +106,7 @@ static void tessellate_some(void *context, size_t from, size_t to)
         tessellate(&all->patches->item[i], all->how, &all->sheet[i]);
 }
 
-/* How far triangles are off their surfaces at most; ends where that is more than asked for. */
+/* How far triangles are off their surfaces at most; ends where it would take too many. */
 static double check_error(const struct settings *s, const struct patches *patches,
                           const struct sheet *sheet)
 {
@@ -113,8 +114,7 @@ static double check_error(const struct settings *s, const struct patches *patche
     for (size_t i = 0; i < patches->n; i++) {
         const struct patch *p = &patches->item[i];
         if (sheet[i].too_fine)
-            die_unmet(
-                "%s: surface %d: more than 4 million cells for %g mm (-e), expected a tolerance "
+            die("%s: surface %d: more than 4 million cells for %g mm (-e), expected a tolerance "
                 "that fewer keep",
                 p->file, p->entity, s->tolerance);
         if (sheet[i].error > sheet[worst].error)
@@ -123,10 +123,6 @@ static double check_error(const struct settings *s, const struct patches *patche
     struct vec3 at = sheet[worst].error_at;
     note("triangles are off the surfaces by %.6f mm at worst (surface %d, at %.3f %.3f %.3f)",
          sheet[worst].error, patches->item[worst].entity, at.x, at.y, at.z);
-    if (s->tolerance > 0 && sheet[worst].error > s->tolerance)
-        die_unmet("%s: surface %d: %g mm off at %.3f %.3f %.3f, expected %g mm (-e)",
-                  patches->item[worst].file, patches->item[worst].entity, sheet[worst].error, at.x,
-                  at.y, at.z, s->tolerance);
     return sheet[worst].error;
 }
 
@@ -158,8 +154,8 @@ static double tessellate_and_sew(const struct cli *cli, const struct settings *s
             0 &&
         !s->partial)
         die_error(&why);
-    nurbs_report_trimming(patches, sheet, fine);
     double error = check_error(s, patches, sheet);
+    nurbs_report_trimming(patches, sheet, fine);
     patch_mesh_make(sheet, patches->n, fmin(NARROW * size, gap), patch_mesh);
     *sewn = sew(patch_mesh, patches, gap, fine);
     return error + sewn->moved;
@@ -168,7 +164,7 @@ static double tessellate_and_sew(const struct cli *cli, const struct settings *s
 /* Everything between reading and writing; returns how far triangles are off. */
 static double make_patch_mesh(const struct cli *cli, const struct settings *s,
                               const struct patches *patches, struct sheet *sheet,
-                              struct patch_mesh *patch_mesh)
+                              struct patch_mesh *patch_mesh, struct unmets *unmet)
 {
     double size = patches_size(patches);
     double fine = s->tolerance > 0 ? s->tolerance : fmax(1e-5 * size, 1e-3);
@@ -180,8 +176,11 @@ static double make_patch_mesh(const struct cli *cli, const struct settings *s,
         error = tessellate_and_sew(cli, s, patches, size, fine, sheet, patch_mesh, &sewn);
     }
     if (s->tolerance > 0 && error > s->tolerance)
-        die_unmet("neighbours lie %g mm and more apart, expected %g mm (-e): use a smaller --gap",
-                  sewn.moved, s->tolerance);
+        unmet_say(
+            unmet,
+            "triangles are off the surfaces by %g mm, of it %g mm between neighbours that lie "
+            "apart, expected %g mm (-e): use a smaller --gap",
+            error, sewn.moved, s->tolerance);
     struct orient_count out = orient_outward(patch_mesh, vec(s->up[0], s->up[1], s->up[2]));
     note("%zu border vertices joined and %zu inserted, moved by at most %g mm; %zu %s; %zu open "
          "edges",
@@ -230,9 +229,10 @@ static void name_surfaces(const struct patches *patches, const struct concave_ra
 
 static void write_mesh(const struct cli *cli, const struct patches *patches,
                        const struct concave_radius *concave, const struct patch_mesh *patch_mesh,
-                       double error)
+                       double error, const struct unmets *unmet)
 {
     struct mesh mesh = {.origin = {.ledger = error}};
+    unmets_add_all(&mesh.origin.unmet, unmet);
     name_surfaces(patches, concave, &mesh.origin.surface);
     mesh.origin.source = source_of(cli);
     mesh.origin.maker = mem_string("nurbs2mesh", strlen("nurbs2mesh"));
@@ -260,26 +260,26 @@ int main(int argc, char **argv)
     struct settings settings = read_options(&cli, argc, argv);
     struct patches patches = {0};
     struct patch_mesh patch_mesh = {0};
+    struct unmets unmet = {0};
 
-    read_files(&cli, &settings, &patches);
+    read_files(&cli, &settings, &patches, &unmet);
     struct sheet *sheet = mem_alloc(patches.n, sizeof *sheet);
     if (settings.grid > 0) {
         nurbs_report_grid(cli.output, &patches, settings.grid);
     } else {
-        double error = make_patch_mesh(&cli, &settings, &patches, sheet, &patch_mesh);
+        double error = make_patch_mesh(&cli, &settings, &patches, sheet, &patch_mesh, &unmet);
         struct concave_radius *concave =
             concave_radius_find_all(&patches, patch_mesh.flipped, cli.threads);
         if (settings.report)
             nurbs_report_radii(cli.output, &patches, concave);
         else
-            write_mesh(&cli, &patches, concave, &patch_mesh, error);
+            write_mesh(&cli, &patches, concave, &patch_mesh, error, &unmet);
         free(concave);
     }
-    int status = EXIT_DONE;
-    for (size_t i = 0; i < patches.n; i++) {
-        status = sheet[i].refused ? EXIT_UNMET : status;
+    int status = unmets_status(&unmet);
+    for (size_t i = 0; i < patches.n; i++)
         sheet_free(&sheet[i]);
-    }
+    unmets_free(&unmet);
     free(sheet);
     patch_mesh_free(&patch_mesh);
     patches_free(&patches);
