@@ -219,8 +219,10 @@ struct pose_deviation interpolation_line(const struct interpolation *f,
             struct vec3 way = vec_sub(goal.p, start.p);
             double length = vec_length(way);
             double ahead = (fabs(vec_dot(point, way)) / length + jerk + ends.point) / length;
-            most.point += jerk;
-            most.axis += fmin(1, ahead) * (great + 4 * most.axis); /* at one place, not one time */
+            /* at one place, not one time: the axis there is another, and so is where the ball is */
+            double other = fmin(1, ahead) * (great + 4 * most.axis);
+            most.point = fmax(vec_length(point), vec_length(centre) + ball * (rest + other)) + jerk;
+            most.axis += other;
         }
     }
     return (struct pose_deviation){ends.point + most.point, ends.axis + most.axis};

@@ -118,7 +118,9 @@ static bool within_spent(const struct nc_planner *planner, const struct machine_
     if (planner->follow.mode ==
         INTERPOLATE_JOINT) { /* the tip runs ahead of the axis by so much at most */
         double length = vec_distance(state->pose.p, goal->p);
-        d.axis += d.point / length * (1.05 * vec_distance(state->pose.a, goal->a) + bend.axis);
+        double other = d.point / length * (1.05 * vec_distance(state->pose.a, goal->a) + bend.axis);
+        d.axis += other;
+        d.point += fabs(planner->follow.ball) * other;
     }
     return pose_deviation_within(d, spent) && pose_deviation_within(d, planner->allowed);
 }

@@ -73,6 +73,34 @@ static double way_of_plan(const struct kinematic_chain *chain, const struct nc_p
     return way;
 }
 
+/* Trying turns back at the points alone.  Where that finds no way, the plan may have turned between
+ * two of them, at an end of the travel: it did turn, and nothing in it is beyond the travel. */
+static void check_turned_between(const struct machine *m, const struct nc_plan *plan)
+{
+    const double digit = RADIANS(0.0011);
+    ck_assert_uint_ge(plan->total.turns, 1);
+    for (size_t i = 0; i < plan->move.n; i++)
+        for (int k = 0; k < m->chain.n; k++) {
+            ck_assert_double_ge(plan->move.item[i].q[k], m->chain.rotary[k].min - digit);
+            ck_assert_double_le(plan->move.item[i].q[k], m->chain.rotary[k].max + digit);
+        }
+}
+
+/* By trying, with places between the points, on the great circle: a step from point to point may go
+ * over to the other solution, less than a right angle away, which no tool on its way can. */
+static double way_in_small_steps(const struct machine *m, const struct vec3 axis[])
+{
+    enum { EACH = 8 };
+    struct vec3 small[EACH * (POINTS - 1) + 1];
+    const double from[2] = {0};
+    double way = 0;
+    small[EACH * (POINTS - 1)] = axis[POINTS - 1];
+    for (int j = 0; j < EACH * (POINTS - 1); j++)
+        small[j] = vec_slerp(axis[j / EACH], axis[j / EACH + 1], j % EACH / (double)EACH);
+    ck_assert_int_ge(angles_least(&m->chain, small, EACH * (POINTS - 1) + 1, from, &way), 0);
+    return way;
+}
+
 /* One pass planned, and by trying: 1 when it can be, then *turns more of them. */
 static int try_pass(const struct machine *m, const struct vec3 axis[], int *turns)
 {
@@ -86,11 +114,17 @@ static int try_pass(const struct machine *m, const struct vec3 axis[], int *turn
     struct nc_ability ability = dialect_ability(CONTROL_fanuc, m, POST_AXIS_ROTARY, false, 1);
     int least = angles_least(&m->chain, axis, POINTS, from, &way);
     int result = nc_plan_make(&plan, &path, m, ability, options, &error);
-    ck_assert_msg(result == (least < 0 ? -1 : 0), "%d turns, %s", least, error.text);
-    if (result == 0) {
+    if (least < 0 && result == 0)
+        check_turned_between(m, &plan);
+    else
+        ck_assert_msg(result == (least < 0 ? -1 : 0), "%d turns, %s", least, error.text);
+    if (result == 0 && least >= 0) {
         double got = way_of_plan(&m->chain, &plan);
         ck_assert_uint_eq(plan.total.turns, (size_t)least);
-        ck_assert_msg(got < 1.011 * way + RADIANS(1), "way %g of %g", DEGREES(got), DEGREES(way));
+        if (!(got < 1.011 * way + RADIANS(1)))
+            way = way_in_small_steps(m, axis);
+        ck_assert_msg(got < 1.011 * way + RADIANS(1), "way %g of %g, %d turns", DEGREES(got),
+                      DEGREES(way), least);
         /* a turn at the very end of the travel, between two points, may save a planner */
         ck_assert_double_gt(got, way - RADIANS(1 + 60 * least));
         *turns += least;
@@ -104,7 +138,8 @@ START_TEST(as_by_trying)
 {
     int found = 0, back = 0;
     seed = 200 + (uint64_t)_i;
-    for (int i = 0; i < 16; i++) {
+    /* at least so many machines, and on until one had to turn back, which few have to */
+    for (int i = 0; i < 16 || (back == 0 && i < 160); i++) {
         struct machine m = narrow_machine(_i / 2, _i % 2);
         struct vec3 axis[POINTS];
         random_axes(axis);

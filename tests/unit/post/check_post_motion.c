@@ -95,10 +95,11 @@ static void begin(struct bench *b, int kind, enum interpolation_mode mode)
     b->planner.follow.ball = 5;
 }
 
-/* Divided until it keeps the tolerance, and not further. */
+/* Divided until it keeps the tolerance, and not further.  A short way with a wide turn (SEED=1) also
+ * at the ball, which is elsewhere where the tip runs ahead of the axis. */
 START_TEST(divided)
 {
-    int kind = _i / MODES, parts = 0;
+    int kind = _i / MODES, parts = 0, done = 0;
     seed = 400 + (uint64_t)_i;
     for (int i = 0; i < 60; i++) {
         struct bench b;
@@ -127,9 +128,13 @@ START_TEST(divided)
             ck_assert(d.point > 0.9 * allowed.point || d.axis > 0.9 * allowed.axis);
         }
         parts += (int)b.plan.move.n;
+        done++;
         bench_free(&b);
     }
-    ck_assert_int_gt(parts, mode_of[_i % MODES] == INTERPOLATE_VECTOR ? 55 : 75);
+    /* few cannot be; of the twenty that turn far, more than half by 10 degrees and more, some have
+     * to be divided, unless the control turns the axis as it is meant */
+    ck_assert_int_ge(done, 45);
+    ck_assert_int_ge(parts, done + (mode_of[_i % MODES] == INTERPOLATE_VECTOR ? 0 : 5));
 }
 END_TEST
 
