@@ -107,16 +107,18 @@ bool ncread_hole_code(struct ncread *c, int code)
     return true;
 }
 
-int ncread_hole_block(struct ncread *c, struct ncread_place *to, double unit, struct error *error)
+/*
+ * Z and R of a block, NULL: it has none, under G91 counted from where the cycle began and from R.
+ * Heights once set stay when G90 or G91 changes between holes; LinuxCNC counts its words anew, from
+ * where the tool is.
+ */
+static int set_heights(struct ncread *c, const struct ncread_word *z, const struct ncread_word *r,
+                       struct error *error)
 {
     struct ncread_hole *h = &c->hole;
-    const struct ncread_word *z = ncread_word_find(&c->words, "Z");
-    const struct ncread_word *r = ncread_word_find(&c->words, "R");
-    const struct ncread_word *p = ncread_word_find(&c->words, "P");
-    double level = h->level;
-    bool by = !c->absolute;
-    if (c->plane != 17 || !c->said)
-        return ncread_error(c, error, "a drilling cycle outside G17, or before G90 or G91");
+    bool by = !c->absolute, anew = c->options->dialect == &ncread_linuxcnc;
+    if (!z && !r && !anew)
+        return 0;
     if (h->by != by && !(z && r))
         return ncread_error(c, error, "a drilling cycle without its Z and R after G90 or G91");
     h->by = by;
@@ -124,10 +126,22 @@ int ncread_hole_block(struct ncread *c, struct ncread_place *to, double unit, st
         h->z = z->value[0];
     if (r)
         h->r = r->value[0];
-    /* R counts from where the cycle began, in LinuxCNC from where the tool is; Z from R */
-    double from = c->options->dialect == &ncread_linuxcnc ? c->here.at[2] : level;
-    h->clear = by ? from + h->r : h->r;
+    h->clear = by ? (anew ? c->here.at[2] : h->level) + h->r : h->r;
     h->bottom = by ? h->clear + h->z : h->z;
+    return 0;
+}
+
+int ncread_hole_block(struct ncread *c, struct ncread_place *to, double unit, struct error *error)
+{
+    struct ncread_hole *h = &c->hole;
+    const struct ncread_word *z = ncread_word_find(&c->words, "Z");
+    const struct ncread_word *r = ncread_word_find(&c->words, "R");
+    const struct ncread_word *p = ncread_word_find(&c->words, "P");
+    double level = h->level;
+    if (c->plane != 17 || !c->said)
+        return ncread_error(c, error, "a drilling cycle outside G17, or before G90 or G91");
+    if (set_heights(c, z, r, error) < 0)
+        return -1;
     if (p)
         h->pause = p->value[0] * unit;
     h->dwell = h->waits ? h->pause : 0;

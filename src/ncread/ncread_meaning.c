@@ -208,11 +208,15 @@ bool ncread_meaning_shapes(const char *name)
 {
     static const char *const shaping[] = {"AR",  "AP",   "RP",  "TURN", "RND",
                                           "CHF", "RNDM", "CHR", "ANG",  "OFFN"};
+    static const char *const of_axis[] = {"POS[", "POSA[", "POSP[", "AX[", "R["};
     bool axis = strchr("ABCUVWXYZIJKR", *name) != NULL;
     if (axis && strspn(name + 1, "0123456789") == strlen(name + 1))
         return true;
     for (size_t i = 0; i < sizeof shaping / sizeof *shaping; i++)
         if (strcmp(name, shaping[i]) == 0)
+            return true;
+    for (size_t i = 0; i < sizeof of_axis / sizeof *of_axis; i++)
+        if (strncmp(name, of_axis[i], strlen(of_axis[i])) == 0)
             return true;
     return false;
 }

@@ -221,6 +221,12 @@ for control in fanuc linuxcnc; do
 	ok "$control: holes are read" grep -q '^travel Z *-3.000 to 30.000' abs.says
 	same "$control: holes under G91" abs.says by.says
 done
+for kind in abs by; do # heights stay when the mode changes between holes
+	holes 'G98 G81 X1. Y1. Z-3. R2. F200.' "$([ $kind = abs ] && echo 'X5. Y1.' || echo 'G91 X4.')" >hole.nc
+	ncverify -c fanuc -m three-axis -g plane.xyz -r 1 hole.nc 2>err | grep -E '^(way|time|travel|gouge)' >$kind.says
+done
+ok "holes before and after G91 are read" grep -q '^travel X *0.000 to 5.000' abs.says
+same "holes before and after G91" abs.says by.says
 
 # rotary words
 printf '%s\n' % O0009 'G17 G21 G90 G54' 'S6000 M3' 'G0 A0. C0.' 'G43.4 H1' 'G0 X0. Y0. Z40.' 'G1 X5. A10. C20. F900.' \
@@ -256,7 +262,7 @@ for control in fanuc linuxcnc; do
 done
 
 refuses "G6.2 under G91" fanuc 's/^\(N[0-9]*\) M8$/\1 G91 G02.4 X1. Y1. Z1./' 'under G91'
-for word in 'U=IC(5)' AP=30 RP=5 'X1=5' TURN=2 RND=3; do
+for word in 'U=IC(5)' AP=30 RP=5 'X1=5' TURN=2 RND=3 'POS[Z]=5'; do
 	refuses "$word of Siemens" siemens "s/^\(N[0-9]*\) M8\$/\1 G1 $word/" 'a place that this reader does not know'
 done
 
