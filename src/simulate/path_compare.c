@@ -116,6 +116,23 @@ static double stretch_distance2(const void *items, size_t item, struct vec3 p)
     return d * d;
 }
 
+/* The least angle to the axis on the part of a stretch that is within the tolerance of the tip. */
+static double least_turn(const struct stretch *s, const struct beside *b)
+{
+    struct vec3 way = vec_sub(s->b.p, s->a.p), to = vec_sub(b->pose.p, s->a.p);
+    double length2 = vec_dot(way, way), first = 0, last = 1;
+    if (length2 > 0) {
+        double foot = vec_dot(to, way) / length2;
+        struct vec3 off = vec_along(to, -foot, way);
+        double reach = sqrt(fmax(0, b->tolerance * b->tolerance - vec_dot(off, off)) / length2);
+        first = fmin(1, fmax(0, foot - reach));
+        last = fmax(0, fmin(1, foot + reach));
+    }
+    struct vec3 near = vec_segment_nearest(vec_mix(s->a.a, s->b.a, first),
+                                           vec_mix(s->a.a, s->b.a, last), b->pose.a);
+    return vec_angle(vec_unit(near), b->pose.a);
+}
+
 static bool visit_stretch(void *context, size_t item)
 {
     struct beside *b = context;
@@ -123,8 +140,8 @@ static bool visit_stretch(void *context, size_t item)
     double foot = vec_segment_foot(s->a.p, s->b.p, b->pose.p);
     if (vec_distance(vec_mix(s->a.p, s->b.p, foot), b->pose.p) > b->tolerance)
         return false;
+    double turn = least_turn(s, b);
     /* where the tip stands still the axis is anywhere between both */
-    double turn = vec_angle(vec_unit(vec_mix(s->a.a, s->b.a, foot)), b->pose.a);
     if (vec_distance(s->a.p, s->b.p) < b->tolerance)
         turn = fmin(turn, fmin(vec_angle(s->a.a, b->pose.a), vec_angle(s->b.a, b->pose.a)));
     b->slowest = fmin(b->slowest, s->feed);

@@ -68,12 +68,40 @@ START_TEST(what_is_off_is_told)
 }
 END_TEST
 
+/* One piece of 0.5 mm on which the axis leans over by a tenth of a radian, its tip moved along itself. */
+static struct nc_motion lean_over(double moved)
+{
+    struct nc_motion motion = {.kinematics = {.tool = {0, 0, 1}}};
+    *array_push(&motion.piece) = (struct nc_piece){.feed = 800,
+                                                   .interpolation = AXIS_GREAT_CIRCLE,
+                                                   .p = {{moved, 0, 0}, {0.5 + moved, 0, 0}},
+                                                   .q = {{0, 0, 1}, {sin(0.1), 0, cos(0.1)}}};
+    return motion;
+}
+
+START_TEST(an_axis_that_the_path_has_within_the_tolerance_of_the_tip)
+{
+    struct nc_motion path = lean_over(0), near = lean_over(0.0085), off = lean_over(0.025);
+    struct path_compare_options narrow = options;
+    narrow.axis = 0.001;
+    struct path_compare found = path_compare_run(&near, &path, &narrow);
+    ck_assert_uint_eq(found.turned.count, 0);
+    found = path_compare_run(&off, &path, &narrow); /* 0.015 mm too far: 0.003 radians */
+    ck_assert_double_gt(found.turned.value, 0.0025);
+    ck_assert_double_lt(found.turned.value, 0.0035);
+    nc_motion_free(&path);
+    nc_motion_free(&near);
+    nc_motion_free(&off);
+}
+END_TEST
+
 int main(void)
 {
     Suite *suite = suite_create("path_compare");
     TCase *tcase = tcase_create("path_compare");
     tcase_add_test(tcase, the_same_is_the_same);
     tcase_add_test(tcase, what_is_off_is_told);
+    tcase_add_test(tcase, an_axis_that_the_path_has_within_the_tolerance_of_the_tip);
     suite_add_tcase(suite, tcase);
     SRunner *runner = srunner_create(suite);
     srunner_run_all(runner, CK_NORMAL);
