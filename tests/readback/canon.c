@@ -114,7 +114,7 @@ static int read_block(struct ncread *c, const char *line, struct error *error)
         return 0; /* talk of the interpreter */
     if (c->line == 1) {
         c->plane = 17;
-        c->absolute = true;
+        c->absolute = c->said = true;
         c->tcp = c->options->tcp;
     }
     c->motion->blocks++;
