@@ -37,7 +37,7 @@ struct fitter_options {
      0,        0,                                                                       \
      0,        NULL},                                                                   \
         {0,          "noise",                                                           \
-         "SIGMA",    "standard deviation of the scan's noise (default: measured)",      \
+         "MM",       "standard deviation of the scan's noise (default: measured)",      \
          CLI_NUMBER, &(common)->gouge.noise,                                            \
          0,          10,                                                                \
          0,          NULL},                                                             \

@@ -84,6 +84,8 @@ static void add_straight(struct nc_planner *planner, enum nc_kind kind,
 
 enum { TURN_STEP = 2 /* degrees */ };
 
+static const double BESIDE_POLE = 0.002; /* radians */
+
 void post_motion_turn(struct nc_planner *planner, const double q[])
 {
     double from[ROTARY_MAX] = {planner->state.at.q[0], planner->state.at.q[1]};
@@ -285,6 +287,20 @@ static bool turn_at_pole(struct nc_planner *planner, const struct machine_pose *
     return true;
 }
 
+/* The same for a motion that is too far off as one block, to where it leaves the pole: an axis that
+ * stands askew turns further with the tilt. */
+static bool turn_out_of_pole(struct nc_planner *planner, const struct motion *motion, double s0,
+                             double s1)
+{
+    double turn = vec_angle(motion_at(motion, s0).a, motion_at(motion, s1).a);
+    struct machine_pose beside;
+    if (!(turn > BESIDE_POLE))
+        return false;
+    double s = s0 + (s1 - s0) * BESIDE_POLE / turn;
+    return post_ik_reach(planner, motion_at(motion, s), s, &beside) == 0 &&
+           turn_at_pole(planner, &beside);
+}
+
 /*
  * The rotary axes cannot go on as they stand: the next pose is out of their travel, or it takes a
  * turn that no block in the cut can make.  Off the part they turn where they are.
@@ -329,8 +345,8 @@ static int halve(struct nc_planner *planner, const struct motion *motion, double
         return -1; /* with it: as far as it goes, then turn */
     if (reached)
         d = deviation_of(planner, &to, motion, s0, s1, allowed);
-    bool from_pole = reached && kind == NC_LINE && motion->kind == MOTION_LINE && depth == 0;
-    if (from_pole && !pose_deviation_within(d, allowed) && turn_at_pole(planner, &to)) {
+    bool first = reached && kind == NC_LINE && motion->kind == MOTION_LINE && depth == 0;
+    if (first && !pose_deviation_within(d, allowed) && turn_out_of_pole(planner, motion, s0, s1)) {
         if (post_ik_reach(planner, goal, s1, &to) != 0)
             return -1;
         d = deviation_of(planner, &to, motion, s0, s1, allowed);

@@ -39,7 +39,7 @@ for what in saddle:8:0 bowl:12:3; do
 			"$READBACK" --scan "$1.true" --deeper 0.04 fitted.cl
 		grep ^ball: out | sed 's/^/# /'
 	done
-	ok "$1: a program" ncpost -q -c siemens -o program.mpf fitted.cl
+	status "$3" "$1: a program" ncpost -q -c siemens -o program.mpf fitted.cl
 	if [ "$3" = 0 ]; then
 		status 0 "$1: and leaves no more than 0.06 mm" ncverify -q -r "$2" -g "$1.true" -e 0.04 --left 0.06 program.mpf
 	fi

@@ -260,7 +260,7 @@ def make_meshes():
     ok("mesh.ply", mesh_ply(V, F))
     ok("mesh-le.ply", mesh_ply(V, F, "binary_little_endian"))
     ok("mesh-be.ply", mesh_ply(V, F, "binary_big_endian"))
-    put("mesh-no-rows.ply", mesh_ply(V, F), "meshnorm -r 8 @", "refused", must="planecut", note="a mesh without rows: the message says 'use planecut'")
+    put("mesh-no-rows.ply", mesh_ply(V, F), "meshnorm -r 8 --rows mesh @", "refused", must="planecut", note="a mesh without rows: the message says 'use planecut'")
     quads = [(j * 13 + i, j * 13 + i + 1, j * 13 + i + 14, j * 13 + i + 13) for j in range(8) for i in range(12)]
     six = quads[:94] + [(7 * 13 + 10, 7 * 13 + 11, 7 * 13 + 12, 8 * 13 + 12, 8 * 13 + 11, 8 * 13 + 10)]
     ok("mesh-ngons.ply", mesh_ply(V, six), note="quads and a hexagon")
