@@ -65,6 +65,9 @@ struct nurbs_curve patch_curve(int degree, size_t poles);
 double patches_size(const struct patches *patches);
 
 void patch_loop_free(struct patch_loop *loop);
+
+/* The curves from `first` on run the other way, the last of them first. */
+void patch_loop_turn(struct patch_loop *loop, size_t first);
 void patch_free(struct patch *patch);
 void patches_free(struct patches *patches);
 

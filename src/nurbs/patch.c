@@ -32,6 +32,17 @@ void patch_loop_free(struct patch_loop *loop)
     array_free(loop);
 }
 
+void patch_loop_turn(struct patch_loop *loop, size_t first)
+{
+    for (size_t i = first; i < loop->n; i++)
+        nurbs_curve_reverse(&loop->item[i]);
+    for (size_t i = first, k = loop->n; i + 1 < k; i++) {
+        struct nurbs_curve last = loop->item[--k];
+        loop->item[k] = loop->item[i];
+        loop->item[i] = last;
+    }
+}
+
 void patch_free(struct patch *patch)
 {
     for (size_t i = 0; i < patch->loop.n; i++)

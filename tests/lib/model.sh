@@ -53,3 +53,27 @@ step() { # NAME [-v ...]: from standard input, in which SOLID is the solid
 	{ cat; echo "REP ADVANCED_BREP_SHAPE_REPRESENTATION('',({SOLID}),{CONTEXT})"; } |
 		awk -f "$SRC/tests/lib/step.awk" "$@" >"$TMP/$name.step"
 }
+
+# The entities of a closed cylinder, radius 10 and 30 high, up to its shell, for iges.
+cylinder_shell() {
+	cat <<'END'
+origin 116 0 0,0,0,0
+top 116 0 0,0,30,0
+z 123 0 0,0,1
+c0 100 0 0,0,0,10,0,10,0
+c1 100 0 30,0,0,10,0,10,0
+seam 110 0 10,0,0,10,0,30
+vertices 502 1 2,10,0,0,10,0,30
+edges 504 1 3,{c0},{vertices},1,{vertices},1,{c1},{vertices},2,{vertices},2,{seam},{vertices},1,{vertices},2
+side 192 0 {origin},{z},10
+floor 190 0 {origin},{z}
+lid 190 0 {top},{z}
+l1 508 1 4,0,{edges},1,1,0,0,{edges},3,1,0,0,{edges},2,0,0,0,{edges},3,0,0
+l2 508 1 1,0,{edges},1,0,0
+l3 508 1 1,0,{edges},2,1,0
+f1 510 1 {side},1,1,{l1}
+f2 510 1 {floor},1,1,{l2}
+f3 510 1 {lid},1,1,{l3}
+shell 514 1 3,{f1},1,{f2},0,{f3},1
+END
+}

@@ -67,31 +67,16 @@ ok "placed where they say" test "$(awk '/end_header/ { on = 1; next } on && NF =
 	END { printf "%.3f %.3f %.3f", l, m, h }' "$TMP/model.ply")" = "-16.000 40.000 50.000"
 
 # The same cylinder three times: a solid that is turned, and two instances of it.
-cat <<'END' | iges solids
-origin 116 0 0,0,0,0
-top 116 0 0,0,30,0
-z 123 0 0,0,1
-c0 100 0 0,0,0,10,0,10,0
-c1 100 0 30,0,0,10,0,10,0
-seam 110 0 10,0,0,10,0,30
-vertices 502 1 2,10,0,0,10,0,30
-edges 504 1 3,{c0},{vertices},1,{vertices},1,{c1},{vertices},2,{vertices},2,{seam},{vertices},1,{vertices},2
-side 192 0 {origin},{z},10
-floor 190 0 {origin},{z}
-lid 190 0 {top},{z}
-l1 508 1 4,0,{edges},1,1,0,0,{edges},3,1,0,0,{edges},2,0,0,0,{edges},3,0,0
-l2 508 1 1,0,{edges},1,0,0
-l3 508 1 1,0,{edges},2,1,0
-f1 510 1 {side},1,1,{l1}
-f2 510 1 {floor},1,1,{l2}
-f3 510 1 {lid},1,1,{l3}
-shell 514 1 3,{f1},1,{f2},0,{f3},1
+{
+	cylinder_shell
+	cat <<'END'
 solid 186 0@lie {shell},1,0
 lie 124 0 1,0,0,0,0,0,-1,0,0,1,0,50
 i1 430 0 {solid}
 i2 430 0@away {solid}
 away 124 0 1,0,0,100,0,1,0,0,0,0,1,0
 END
+} | iges solids
 model "430: two instances of a solid that has a place" "$(calc '4 * p * 10 * 40')" "$(calc '2 * p * 100 * 30')" -e 0.003 "$TMP/solids.igs"
 ok "placed where they say" test "$(awk '/end_header/ { on = 1; next } on && NF == 7 { if ($1 > l) l = $1; if ($2 < m) m = $2; if ($3 > h) h = $3 }
 	END { printf "%.3f %.3f %.3f", l, m, h }' "$TMP/model.ply")" = "110.000 -30.000 60.000"

@@ -70,27 +70,8 @@ model "108: a square with a round hole" "$(calc '100 - 4 * p')" - -e 0.001 "$TMP
 # ---- IGES: solids
 
 cylinder_solid() {
-	cat <<'END'
-origin 116 0 0,0,0,0
-top 116 0 0,0,30,0
-z 123 0 0,0,1
-c0 100 0 0,0,0,10,0,10,0
-c1 100 0 30,0,0,10,0,10,0
-seam 110 0 10,0,0,10,0,30
-vertices 502 1 2,10,0,0,10,0,30
-edges 504 1 3,{c0},{vertices},1,{vertices},1,{c1},{vertices},2,{vertices},2,{seam},{vertices},1,{vertices},2
-side 192 0 {origin},{z},10
-floor 190 0 {origin},{z}
-lid 190 0 {top},{z}
-l1 508 1 4,0,{edges},1,1,0,0,{edges},3,1,0,0,{edges},2,0,0,0,{edges},3,0,0
-l2 508 1 1,0,{edges},1,0,0
-l3 508 1 1,0,{edges},2,1,0
-f1 510 1 {side},1,1,{l1}
-f2 510 1 {floor},1,1,{l2}
-f3 510 1 {lid},1,1,{l3}
-shell 514 1 3,{f1},1,{f2},0,{f3},1
-solid 186 0 {shell},1,0
-END
+	cylinder_shell
+	echo 'solid 186 0 {shell},1,0'
 }
 cylinder_solid | iges solid
 model "186: a cylinder" "$(calc '2 * p * 10 * 40')" "$(calc 'p * 100 * 30')" -e 0.003 "$TMP/solid.igs"

@@ -157,18 +157,6 @@ static int trim_end(const struct step_source *s, const struct step_source *basis
     return got;
 }
 
-/* The pieces from `first` on run the other way. */
-static void turn_round(struct patch_loop *loop, size_t first)
-{
-    for (size_t i = first; i < loop->n; i++)
-        nurbs_curve_reverse(&loop->item[i]);
-    for (size_t i = first, k = loop->n; i + 1 < k; i++) {
-        struct nurbs_curve last = loop->item[--k];
-        loop->item[k] = loop->item[i];
-        loop->item[i] = last;
-    }
-}
-
 /* TRIMMED_CURVE: basis, two ends, whether it runs as its basis does.  Ends from outside go before
  * its own. */
 static int read_trimmed(const struct step_source *s, struct error *error)
@@ -213,7 +201,7 @@ static int read_trimmed(const struct step_source *s, struct error *error)
     }
     array_free(&v);
     if (got == 0 && !same)
-        turn_round(s->loop, first);
+        patch_loop_turn(s->loop, first);
     return got > 0 ? 1 : got;
 }
 
@@ -237,7 +225,7 @@ static int read_composite(const struct step_source *s, struct error *error)
         got = r ? step_curve_of(s->place, &v, step_item(r, 2), NULL, s->depth + 1, &pieces, error)
                 : 1;
         if (got == 0 && step_is(step_item(r, 1), "F"))
-            turn_round(&pieces, first);
+            patch_loop_turn(&pieces, first);
         array_free(&v);
     }
     bool whole = !s->ends || vec_distance(s->ends[0], s->ends[1]) <= STEP_NEAR;

@@ -145,17 +145,6 @@ static int read_units(const struct model *m, const struct step_values *from,
 
 /* ---- faces */
 
-static void reverse_curves(struct patch_loop *loop, size_t first)
-{
-    for (size_t i = first; i < loop->n; i++)
-        nurbs_curve_reverse(&loop->item[i]);
-    for (size_t i = first, k = loop->n; i + 1 < k; i++) {
-        struct nurbs_curve last = loop->item[--k];
-        loop->item[k] = loop->item[i];
-        loop->item[i] = last;
-    }
-}
-
 /* An ORIENTED_EDGE: the curve of its edge between the edge's vertices.  `edge` gets the number of
  * the EDGE_CURVE.  0, 1 when the curve is not read, or -1. */
 static int add_edge(const struct step_place *place, const struct step_values *from,
@@ -182,7 +171,7 @@ static int add_edge(const struct step_place *place, const struct step_values *fr
     if (got == 0)
         got = step_curve(place, &v, step_item(c, 3), ends, loop, error);
     if (got == 0 && same != forwards)
-        reverse_curves(loop, first);
+        patch_loop_turn(loop, first);
     array_free(&v);
     return got;
 }
@@ -266,7 +255,7 @@ static int add_bound(const struct step_place *place, const struct step_values *f
         patch->ignored_entity = (int)v.instance->id;
     array_free(&v);
     if (forwards != same_sense)
-        reverse_curves(&loop, 0);
+        patch_loop_turn(&loop, 0);
     if (got == 0 && loop.n > 0)
         *array_push(&patch->loop) = loop;
     else
