@@ -156,6 +156,10 @@ surfaces() {
 		s1-e.ply nurbs2mesh -q -e 0.01 s1.igs
 		saddle-n.ply nurbs2mesh -q -n 20 saddle.nurbs
 		saddle-e2.ply nurbs2mesh -q -e 0.005 saddle.nurbs
+		wave-surface.nurbs cloud2surf -q --bspline -e 0.02 wave.xyz
+		wave-bezier.nurbs cloud2surf -q --bezier wave.xyz
+		wave-lin.ply cloud2mesh -q --method lin wave.xyz
+		wave-delaunay.ply cloud2mesh -q --method delaunay --keep 400 wave.xyz
 		s1.k nurbs2mesh -q -k s1.igs
 		s1.grid nurbs2mesh -q --grid 20 s1.igs
 		s2.grid nurbs2mesh -q --grid 9 s2.igs
