@@ -114,7 +114,8 @@ all() {
 
 printf '%-7s %-9s %8s %6s %8s %8s %8s %8s %7s %7s %7s %7s %9s  %s\n' scan way "CPU s" MB held off gouge left \
 	uncut lines arcs curves bytes verdict
-for scan in ${*:-panel face dense}; do
+[ $# -gt 0 ] || set -- panel face dense
+for scan; do
 	case $scan in
 	panel) all panel "$dir/panel_17036.xyz" 0.02 0.01 ;;
 	face) all face "$dir/face_nefertiti_26493.xyz" 0.1 0.1 ;;

@@ -34,7 +34,8 @@ static const struct cli_option options[] = {
      CLI_NUMBER, &step, CLI_POSITIVE, 0, 0, &step_given},
     {0, "scallop", "MM", "planes so close that no scallop between passes is higher than MM\n"
      "(0.01 without -s)", CLI_NUMBER, &scallop, CLI_POSITIVE, 0, 0, &scallop_given},
-    {'a', "direction", "auto|DEG", "direction of vertical planes: the one with the shortest cut, or\n"
+    {'a', "direction", "auto|DEG",
+     "direction of vertical planes: the one with the shortest cut, or\n"
      "about z from x towards y (0)",
      CLI_TEXT, &direction, 0, 0, 0, NULL},
     {0, "angle", "DEG", NULL, CLI_ALIAS, "direction", 0, 0, 0, NULL},

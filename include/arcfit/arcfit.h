@@ -119,8 +119,9 @@ void arcfit_reduce(const struct reference *reference, const struct deviation *wi
                    bool thorough, struct pieces *pieces);
 
 /*
- * Moves the joints beside pieces shorter than `least` mm apart, with a piece fewer where that holds,
- * proven as by arcfit_reduce.  Those that `within`, a kink or an end leaves no room for stay short.
+ * Moves the joints beside pieces shorter than `least` mm apart, with a piece fewer where that
+ * holds, proven as by arcfit_reduce.  Those that `within`, a kink or an end leaves no room for stay
+ * short.
  */
 void arcfit_lengthen(const struct reference *reference, const struct deviation *within, int digits,
                      double least, struct pieces *pieces);

@@ -68,7 +68,8 @@ struct gouges {
  * GOUGE_SAFE.  The ball: found on straight pieces within GOUGE_CHORD of its centre's path, or
  * closer where that decides, down to GOUGE_FINEST.  What is above it: the motion is halved until
  * what it is clear by at both ends is more than any place of it can move between them, or that is
- * less than GOUGE_SWEPT.  `track`: of the motions before and of earlier fits, which this one adds to.
+ * less than GOUGE_SWEPT.  `track`: of the motions before and of earlier fits, which this one adds
+ * to.
  */
 void gouge_refit_motion(const struct gouge_refit_options *options, const struct motion *motion,
                         struct gouge_track *track, struct gouges *gouges);

@@ -12,10 +12,10 @@
 #include <stdbool.h>
 
 /*
- * ROW(name, title, tcp_of_machine, dc): the name in options and machine files; what people write; true
- * where the control has tool-centre-point control only on machines whose file names this control,
- * because it is done by the machine's kinematics and no word of a program; true where it has
- * C=DC(270), the shortest way to an angle from 0 to 360.
+ * ROW(name, title, tcp_of_machine, dc): the name in options and machine files; what people write;
+ * true where the control has tool-centre-point control only on machines whose file names this
+ * control, because it is done by the machine's kinematics and no word of a program; true where it
+ * has C=DC(270), the shortest way to an angle from 0 to 360.
  */
 #define CONTROL_TABLE(ROW)                      \
     ROW(fanuc, "Fanuc", false, false)           \

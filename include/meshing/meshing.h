@@ -21,9 +21,10 @@
  *      a triangulation of the points, all or few: delaunay_mesh.h (Choi 1988); their border,
  *      scan_border.h; how, delaunay.h, delaunay_thin.h
  *
- * Then, for both of the first: normals and curvatures from the scan, scan_normals.h; with noise, vertices moved
- * onto the surface, smooth_nodes.h; creases, walls and ribs, feature/feature.h.  The meshes of the
- * parts of a divided cloud are joined: mesh_join.h.  stage/cloudmesh.h puts all this together.
+ * Then, for both of the first: normals and curvatures from the scan, scan_normals.h; with noise,
+ * vertices moved onto the surface, smooth_nodes.h; creases, walls and ribs, feature/feature.h.  The
+ * meshes of the parts of a divided cloud are joined: mesh_join.h.  stage/cloudmesh.h puts all this
+ * together.
  */
 #ifndef CLOUDMILL_MESHING_H
 #define CLOUDMILL_MESHING_H

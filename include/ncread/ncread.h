@@ -69,8 +69,8 @@ struct ncread_options {
 int ncread_read(const char *file, const struct ncread_options *options, struct nc_motion *motion,
                 struct error *error);
 
-/* What its axes may do; tcp: the control keeps the tool's tip.  The struct of the time has no limits
- * yet; acceleration 0: the machine file gives none. */
+/* What its axes may do; tcp: the control keeps the tool's tip.  The struct of the time has no
+ * limits yet; acceleration 0: the machine file gives none. */
 struct axis_limits ncread_limits(const struct machine *machine, bool tcp);
 struct machine_time_options ncread_time_options(const struct machine *machine);
 

@@ -1,6 +1,6 @@
 /*
- * height_knots - the B-spline surface with few poles that comes within an error of all points: knots
- * where the error is (Park and Kim 1995).
+ * height_knots - the B-spline surface with few poles that comes within an error of all points:
+ * knots where the error is (Park and Kim 1995).
  *
  * Knots of each direction follow a density, which grows where a strip between two knots has larger
  * errors than the others: the errors of all strips become alike, as the error of a cubic by the

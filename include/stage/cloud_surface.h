@@ -1,5 +1,6 @@
 /*
- * cloud_surface - from the points of a cloud to a NURBS surface: the indirect way of paper 1, fig. 1.
+ * cloud_surface - from the points of a cloud to a NURBS surface: the indirect way of paper 1, fig.
+ * 1.
  *
  *   1. the border of the scan and of its holes, which the surface is trimmed by (scan_border.h)
  *   2. a surface over the rectangle about the points: by least squares with knots where the error

@@ -32,8 +32,8 @@ void path_coverage_rest(struct path_coverage *c, struct vec3 planes, struct tool
 void path_coverage_measure(struct path_coverage *c, const struct toolpath *t);
 
 /* Tells what is out of reach, what the surface between points keeps the ball off, and what is left.
- * EXIT_UNMET where the last and half of that are more than path_options.left_share of the points, and rows of a
- * scallop should have cut them. */
+ * EXIT_UNMET where the last and half of that are more than path_options.left_share of the points,
+ * and rows of a scallop should have cut them. */
 int path_coverage_conclude(const struct path_coverage *c, struct unmets *unmet);
 
 void path_coverage_free(struct path_coverage *c);

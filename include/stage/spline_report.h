@@ -22,7 +22,8 @@ struct spline_report {
                                    data took */
 };
 
-/* Counts one piece, and its knot spans shorter than `least` mm; unless `table` is NULL, writes its row. */
+/* Counts one piece, and its knot spans shorter than `least` mm; unless `table` is NULL, writes its
+ * row. */
 void spline_report_add(struct spline_report *report, size_t pass, double least,
                        const struct spline_run_piece *piece, FILE *table);
 

@@ -246,9 +246,9 @@ struct search {
 };
 
 /*
- * The rapid moves of a way end off the part, and not on the flank that it leads along: at[0] goes on
- * along the way until it is.  False, and the way as it was: there is no such place, or it cannot be
- * reached straight at feed, or another corner is on the part.
+ * The rapid moves of a way end off the part, and not on the flank that it leads along: at[0] goes
+ * on along the way until it is.  False, and the way as it was: there is no such place, or it cannot
+ * be reached straight at feed, or another corner is on the part.
  */
 static bool ends_off(const struct search *s, struct retract *r)
 {

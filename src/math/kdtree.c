@@ -91,8 +91,8 @@ static double middle_of(double a, double b, double c)
 /*
  * Brings the point that belongs at `middle` along the axis there, smaller ones before it (Hoare's
  * selection).  The median of three as the pivot takes the square of the points' number for some
- * orders, those of grids on slivers among them: who has looked at MUCH times the points takes pivots
- * by chance, whose mean is 3.4 times them for any order (Knuth, 5.2.2, exercise 32).
+ * orders, those of grids on slivers among them: who has looked at MUCH times the points takes
+ * pivots by chance, whose mean is 3.4 times them for any order (Knuth, 5.2.2, exercise 32).
  */
 static void select_middle(struct kd_point *p, size_t from, size_t to, size_t middle, int axis)
 {

@@ -253,7 +253,8 @@ static void look_at(const struct nurbs_curve *c, struct vec3 q, double t, struct
 }
 
 /* Every sample; or, `between` them, the root in each part that may lead nearer than all samples:
- * taken for no longer than twice its chord, it does.  A corner, which only a knot has, is an end. */
+ * taken for no longer than twice its chord, it does.  A corner, which only a knot has, is an
+ * end. */
 static void look_along(const struct nurbs_curve *c, struct vec3 q, bool between,
                        struct nearest *best)
 {

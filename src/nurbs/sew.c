@@ -209,8 +209,8 @@ static bool joins_end(const struct sewing *s, size_t place, size_t a, size_t b)
     return s->next[place] == a || s->next[place] == b || s->last[place] == a || s->last[place] == b;
 }
 
-/* The border vertices within `far` of a point that a sheet may be joined to: those of its own closed
- * shell; bodies that touch stay apart.  Places in border.vertex. */
+/* The border vertices within `far` of a point that a sheet may be joined to: those of its own
+ * closed shell; bodies that touch stay apart.  Places in border.vertex. */
 static void find_near(const struct sewing *s, struct vec3 p, double far, int sheet,
                       struct sizes *found)
 {

@@ -172,8 +172,8 @@ static void turn_slivers(struct patch_mesh *q, double gap)
 
 /* ---- slits */
 
-/* An open edge in the direction that a facet on its open side has it: 2 i of rims.item[i]; 2 i + 1 is
- * the same edge the other way. */
+/* An open edge in the direction that a facet on its open side has it: 2 i of rims.item[i]; 2 i + 1
+ * is the same edge the other way. */
 struct rim {
     int end[2]; /* vertices, of the facet that is there */
     int sheet;

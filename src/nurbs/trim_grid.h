@@ -52,8 +52,9 @@ size_t trim_snap_below(const struct trim_snap *snap, int64_t x);
 
 /*
  * The whole number of the place x, odd.  A place within rounding of a line (4.5e-7 of the
- * whole width) goes to the number beside the line: outside the grid for the first and the last line, else
- * to the side of the sign of `inwards`, so that a polygon along the line leaves no sliver.
+ * whole width) goes to the number beside the line: outside the grid for the first and the last
+ * line, else to the side of the sign of `inwards`, so that a polygon along the line leaves no
+ * sliver.
  */
 int64_t trim_snap_place(const struct trim_snap *snap, double x, double inwards);
 

@@ -607,8 +607,8 @@ static void tidy_polygon(const struct nurbs *s, double tolerance, struct uvs *lo
     loop->n = kept;
 }
 
-/* Are the directed loops all holes?  Then the largest polygon runs clockwise; the surface itself has
- * no border that could bound the rest. */
+/* Are the directed loops all holes?  Then the largest polygon runs clockwise; the surface itself
+ * has no border that could bound the rest. */
 static bool are_holes(const struct patch *patch, const struct pullback *on,
                       const struct uv_polygon *loops)
 {

@@ -2,9 +2,9 @@
  * trim_loops - the curves that trim a patch as polygons in its parameters.
  *
  * Stages: each curve is followed span by span, halved until its chords are near enough (curves in
- * space by their foot points on the surface: pullback.h; at a pole a loop runs along the side of the
- * range that the pole is); on a surface that closes on itself the loops are moved into the range and
- * split at the seam (Sutherland and Hodgman 1974).
+ * space by their foot points on the surface: pullback.h; at a pole a loop runs along the side of
+ * the range that the pole is); on a surface that closes on itself the loops are moved into the
+ * range and split at the seam (Sutherland and Hodgman 1974).
  */
 #ifndef CLOUDMILL_TRIM_LOOPS_H
 #define CLOUDMILL_TRIM_LOOPS_H

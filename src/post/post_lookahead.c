@@ -222,7 +222,8 @@ static double off_singular(const struct lookahead *ahead, size_t i)
         vec_cross(ahead->planner->machine->chain.rotary[0].axis, ahead->item[i].axis));
 }
 
-/* The end of a block at s of the motion, the tip as a control with tool-centre-point control has it.
+/* The end of a block at s of the motion, the tip as a control with tool-centre-point control has
+ * it.
  */
 static struct block_pose turned_at(const struct kinematic_chain *chain, const struct motion *motion,
                                    double s, const double q[])

@@ -1,4 +1,5 @@
-/* cloud_surface - see cloud_surface.h.  All in axes turned to the direction, and back at the end. */
+/* cloud_surface - see cloud_surface.h.  All in axes turned to the direction, and back at the
+ * end. */
 #include "stage/cloud_surface.h"
 
 #include <math.h>

@@ -156,8 +156,8 @@ int path_coverage_conclude(const struct path_coverage *c, struct unmets *unmet)
             "stays, "
             "worst at %.3f %.3f %.3f",
             r.out.n, r.points, r.out.area, r.out.highest, at.x, at.y, at.z);
-    /* A ball that is clear of the points alone may be in the part between them: most of what is kept
-     * off is out of reach, but who judges by the points takes some of it for left. */
+    /* A ball that is clear of the points alone may be in the part between them: most of what is
+     * kept off is out of reach, but who judges by the points takes some of it for left. */
     bool unmet_left = left + kept / 2 > most && c->scallop > 0;
     at = r.kept.at;
     if (r.kept.n > 0)

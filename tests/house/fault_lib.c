@@ -8,7 +8,7 @@
  *	                                gives one byte only, which is no failure
  *	write, full, some               fails with EIO; with ENOSPC; writes one byte only, no failure
  *	open close fsync rename thread  fails with EIO (thread: pthread_create, with EAGAIN)
- *	kill, term                      SIGKILL or SIGTERM just before the N-th call of open, read, write,
+ *	kill, term                      SIGKILL or SIGTERM before the N-th call of open, read, write,
  *	                                close, fsync and rename together; kill-mem, term-mem: before
  *	                                the N-th of malloc, calloc, realloc
  *

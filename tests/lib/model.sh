@@ -1,4 +1,6 @@
 # model.sh - models as IGES and STEP from short lines, and what is measured on their meshes.
+#
+# shellcheck shell=sh
 
 # Area, volume and border edges by place.
 measure() { # FILE

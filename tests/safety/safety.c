@@ -5,8 +5,8 @@
  *
  *   safety CONTROL MACHINE.txt RADIUS FLUTE TOLERANCE PROGRAM [SCAN.xyz [HOLDER_RADIUS:LENGTH]]
  *
- * CONTROL: fanuc, siemens, heidenhain, linuxcnc.  The holder stands on the flute.  Prints a line for
- * each fault; exit 0: none, 3: some, 1: the program cannot be read.
+ * CONTROL: fanuc, siemens, heidenhain, linuxcnc.  The holder stands on the flute.  Prints a line
+ * for each fault; exit 0: none, 3: some, 1: the program cannot be read.
  *
  *   rotary      a rotary axis moves at rapid, or by a tilted plane, where the tool is not home or
  *               over the clearance plane

@@ -155,7 +155,7 @@ awk 'BEGIN { print "UNITS/MM\nMULTAX/ON\nCUTTER/8,4,0,4\nSPINDL/9000,CLW\n$$-> C
 }' >tiny.cl
 awk 'BEGIN { for (i = 0; i < 400; i++) print i % 20 / 10, int(i / 20) / 10, 0 }' >tiny.xyz
 for control in fanuc siemens linuxcnc; do
-	word= machine=table-ac
+	word='' machine=table-ac
 	[ $control = siemens ] && word=--rotary
 	[ $control = linuxcnc ] && machine=linuxcnc-xyzac
 	for options in "" --inch; do

@@ -29,7 +29,7 @@ one() { # FILE CONTROL MACHINE: nothing where all is well
 		grep -Eq ' G(73|83) |CYCLE83|CYCL DEF 20[35]' part.nc && set -- "$@" --no-steps
 		file=$1 control=$2 machine=$3
 		shift 3
-		"$READBACK" -c "$control" -m "$machine" "$@" part.nc >read 2>&1 && return
+		"$READBACK" -c "$control" -m "$machine" "$@" part.nc >"read" 2>&1 && return
 		echo "$what: $(grep '^readback: ' read | head -n 1)"
 	elif [ -e part.nc ]; then
 		echo "$what: exit $got, and something is written"

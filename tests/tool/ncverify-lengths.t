@@ -19,7 +19,7 @@ printf "include = head-table-bc-notcp\n$bare" >bare.txt
 read_back() { # CONTROL MACHINE PROGRAM: exit status; how far off is in `off`
 	tcp=
 	[ "$1" = linuxcnc ] && tcp=--no-tcp
-	"$READBACK" -c "$1" $tcp -m "./$2.txt" --path two.cl -e 0.0062 --axis 0.052 "$3" >read 2>&1
+	"$READBACK" -c "$1" $tcp -m "./$2.txt" --path two.cl -e 0.0062 --axis 0.052 "$3" >"read" 2>&1
 	got=$?
 	off=$(sed -n 's/^program on path: tip \([0-9.]*\).*/\1/p' read)
 	return $got

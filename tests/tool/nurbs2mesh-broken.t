@@ -1,6 +1,8 @@
 #!/bin/sh
 # nurbs2mesh-broken.t - more than twenty broken files of each kind (IGES, STEP, NURBS text): each is
 # refused with one line that has the line of the file, exit status 1, and nothing is written.
+#
+# shellcheck disable=SC2218 # text() edits another file in each part
 . "${SRC:-$(dirname "$0")/../..}/tests/lib/lib.sh"
 . "$SRC/tests/lib/model.sh"
 

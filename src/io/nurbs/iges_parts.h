@@ -22,8 +22,8 @@ struct iges_parts {
 
 /*
  * All entities for which `counts` is true, as often as the file places them; those that only a
- * definition holds are placed where its instances are.  `bodies` grows by the shells of solids.  The
- * caller frees the list (array_free).
+ * definition holds are placed where its instances are.  `bodies` grows by the shells of solids.
+ * The caller frees the list (array_free).
  */
 int iges_parts(const struct iges *iges, bool (*counts)(int type), int *bodies,
                struct iges_parts *parts, struct error *error);

@@ -134,7 +134,8 @@ static bool is_part(int type)
     return type == 144 || type == 143 || type == 510 || is_surface(type);
 }
 
-/* Solids that are not read: the primitives of constructive solids, and what they are combined by. */
+/* Solids that are not read: the primitives of constructive solids, and what they are combined
+ * by. */
 static bool is_other(int type)
 {
     return type >= 150 && type <= 182 && type % 2 == 0;

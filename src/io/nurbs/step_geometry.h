@@ -45,8 +45,8 @@ int step_surface(const struct step_place *place, const struct step_values *from,
                  const struct step_value *reference, const struct vec3s *points,
                  struct nurbs *surface, char kind[40], struct error *error);
 
-/* The four sides of a RECTANGULAR_TRIMMED_SURFACE as a loop in space: 0, 1 when the parameters of its
- * basis are not understood, or -1. */
+/* The four sides of a RECTANGULAR_TRIMMED_SURFACE as a loop in space: 0, 1 when the parameters of
+ * its basis are not understood, or -1. */
 int step_rectangle(const struct step_place *place, const struct step_values *v,
                    struct patch_loop *loop, struct error *error);
 

@@ -9,8 +9,9 @@
 static const double RADIUS = 4;
 
 /* Points within the reach h of a place are off its tangent plane by h^2 / (2 RADIUS) at most; where
- * they spread by h / 4 at least in each direction, a plane through them tilts by 2 h / RADIUS.  Noise
- * tilts it by sigma over the spread h / 2 and the root of their number, of which 5 are allowed. */
+ * they spread by h / 4 at least in each direction, a plane through them tilts by 2 h / RADIUS.
+ * Noise tilts it by sigma over the spread h / 2 and the root of their number, of which 5 are
+ * allowed. */
 static double allowed(const struct vec3s *p, const size_t *near, size_t i, double noise)
 {
     double reach = 0;

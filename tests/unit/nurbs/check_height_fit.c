@@ -1,6 +1,6 @@
 /*
- * height_fit, height_knots: what a cubic can be comes back as it is; the error falls with the fourth
- * power of the span; holes are gone over smoothly; knots go where they are needed.
+ * height_fit, height_knots: what a cubic can be comes back as it is; the error falls with the
+ * fourth power of the span; holes are gone over smoothly; knots go where they are needed.
  */
 #include <check.h>
 #include <math.h>

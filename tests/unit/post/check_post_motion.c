@@ -95,8 +95,8 @@ static void begin(struct bench *b, int kind, enum interpolation_mode mode)
     b->planner.follow.ball = 5;
 }
 
-/* Divided until it keeps the tolerance, and not further.  A short way with a wide turn (SEED=1) also
- * at the ball, which is elsewhere where the tip runs ahead of the axis. */
+/* Divided until it keeps the tolerance, and not further.  A short way with a wide turn (SEED=1)
+ * also at the ball, which is elsewhere where the tip runs ahead of the axis. */
 START_TEST(divided)
 {
     int kind = _i / MODES, parts = 0, done = 0;

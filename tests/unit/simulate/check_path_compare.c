@@ -68,7 +68,8 @@ START_TEST(what_is_off_is_told)
 }
 END_TEST
 
-/* One piece of 0.5 mm on which the axis leans over by a tenth of a radian, its tip moved along itself. */
+/* One piece of 0.5 mm on which the axis leans over by a tenth of a radian, its tip moved along
+ * itself. */
 static struct nc_motion lean_over(double moved)
 {
     struct nc_motion motion = {.kinematics = {.tool = {0, 0, 1}}};

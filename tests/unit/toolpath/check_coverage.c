@@ -71,8 +71,8 @@ START_TEST(rows_over_a_plane_leave_their_cusps)
 }
 END_TEST
 
-/* A path that comes nowhere leaves all, with the distance as height; one that grows takes it off.
- * */
+/* A path that comes nowhere leaves all, with the distance as height; one that grows takes it
+ * off. */
 START_TEST(a_path_may_grow)
 {
     struct vec3s points = points_on(flat, 4), centre = {0};
@@ -97,8 +97,8 @@ START_TEST(a_path_may_grow)
 }
 END_TEST
 
-/* Something assumed half a millimetre over the middle of a plane keeps the ball off the points about
- * it, as far as it leans over them: sqrt(R^2 - (R - 0.5)^2).  The points alone would not. */
+/* Something assumed half a millimetre over the middle of a plane keeps the ball off the points
+ * about it, as far as it leans over them: sqrt(R^2 - (R - 0.5)^2).  The points alone would not. */
 START_TEST(what_is_assumed_keeps_the_ball_off)
 {
     struct vec3s points = points_on(flat, 6), centre = {0};
