@@ -77,7 +77,6 @@ describe() { # MESH
 	}
 	END {
 		printf "size %.4g %.4g %.4g\n", high[1] - low[1], high[2] - low[2], high[3] - low[3]
-		for (p = 1; p <= 3; p++) over[p] = 0
 		split("1 2 3 4 5 6 8 10 12 16 20 25", ball, " ")
 		for (i = 1; (i in ball); i++) {
 			fits = 0

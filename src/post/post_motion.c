@@ -86,18 +86,25 @@ enum { TURN_STEP = 2 /* degrees */ };
 
 static const double BESIDE_POLE = 0.002; /* radians */
 
-void post_motion_turn(struct nc_planner *planner, const double q[])
+/* The rotary axes turn to q in n blocks alike, the tip at rest. */
+static void turn_standing(struct nc_planner *planner, enum nc_kind kind, const double q[], int n)
 {
     double from[ROTARY_MAX] = {planner->state.at.q[0], planner->state.at.q[1]};
-    double far = DEGREES(ik_most_turn(&planner->machine->chain, q, from));
-    int n = planner->follow.mode == INTERPOLATE_JOINT ? (int)ceil(far / TURN_STEP) : 1;
     for (int k = 1; k <= n; k++) {
         double part[ROTARY_MAX];
         for (int i = 0; i < ROTARY_MAX; i++)
             part[i] = from[i] + (q[i] - from[i]) * k / n;
         struct machine_pose to = post_ik_pose(planner, planner->state.pose, part);
-        add_move(planner, NC_RAPID, &to, 0, 0, NULL);
+        add_move(planner, kind, &to, 0, 0, NULL);
     }
+}
+
+void post_motion_turn(struct nc_planner *planner, const double q[])
+{
+    double from[ROTARY_MAX] = {planner->state.at.q[0], planner->state.at.q[1]};
+    double far = DEGREES(ik_most_turn(&planner->machine->chain, q, from));
+    int n = planner->follow.mode == INTERPOLATE_JOINT ? (int)ceil(far / TURN_STEP) : 1;
+    turn_standing(planner, NC_RAPID, q, n);
 }
 
 /* ---- a straight motion as one block */
@@ -270,17 +277,13 @@ static double pole_step(const struct nc_planner *planner)
 static bool turn_at_pole(struct nc_planner *planner, const struct machine_pose *to)
 {
     struct nc_state *state = &planner->state;
-    double from[ROTARY_MAX] = {state->at.q[0], state->at.q[1]}, step = pole_step(planner);
-    double turn = to->at.q[0] - from[0];
+    const double q[ROTARY_MAX] = {to->at.q[0], state->at.q[1]};
+    double step = pole_step(planner), turn = q[0] - state->at.q[0];
     if (planner->machine->chain.n != 2 || planner->follow.mode == INTERPOLATE_VECTOR ||
         !chain_free(&planner->machine->chain, state->pose.a) || turn == 0)
         return false;
     int n = (int)ceil(fabs(turn) / step);
-    for (int k = 1; k <= n; k++) {
-        double part[ROTARY_MAX] = {from[0] + turn * k / n, from[1]};
-        struct machine_pose at = post_ik_pose(planner, state->pose, part);
-        add_move(planner, NC_LINE, &at, 0, 0, NULL);
-    }
+    turn_standing(planner, NC_LINE, q, n);
     struct pose_deviation spent = {planner->allowed.point / 2, 0};
     if (n > 1 || step < PI)
         planner->plan->total.spent = pose_deviation_worst(planner->plan->total.spent, spent);
