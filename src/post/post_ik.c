@@ -313,3 +313,77 @@ int post_ik_reach(struct nc_planner *planner, struct pose to, double s, struct m
     *target = post_ik_pose(planner, to, q);
     return post_ik_check_linear(planner, target);
 }
+
+/* ---- vectors leave the rotary axes to the control */
+
+/* The angles of the axis nearest to `from`, whatever the travel. */
+static bool nearest_angles(const struct kinematic_chain *chain, struct vec3 axis,
+                           const double from[], double q[])
+{
+    struct chain_solutions found = chain_angles(chain, axis);
+    double least = HUGE_VAL;
+    for (int k = 0; k < found.n; k++) {
+        double at[ROTARY_MAX] = {0}, most;
+        for (int i = 0; i < chain->n; i++)
+            at[i] = found.free && i == 0
+                        ? from[0]
+                        : found.q[k][i] + 2 * PI * round((from[i] - found.q[k][i]) / (2 * PI));
+        most = ik_most_turn(chain, at, from);
+        if (most < least) {
+            least = most;
+            q[0] = at[0];
+            q[1] = at[1];
+        }
+    }
+    return least < HUGE_VAL;
+}
+
+struct follow_way {
+    const struct kinematic_chain *chain;
+    const struct motion *motion;
+};
+
+/* From q at s0 on to s1, in steps in which no axis turns far; false: out of the travel. */
+static bool follow_on(const struct follow_way *way, double s0, double s1, double q[], int depth)
+{
+    enum { DEPTH = 16 };
+    const double far = RADIANS(15);
+    double next[ROTARY_MAX] = {0};
+    if (!nearest_angles(way->chain, motion_at(way->motion, s1).a, q, next))
+        return false;
+    if (depth < DEPTH && (depth < 2 || ik_most_turn(way->chain, next, q) > far)) {
+        double mid = (s0 + s1) / 2;
+        return follow_on(way, s0, mid, q, depth + 1) && follow_on(way, mid, s1, q, depth + 1);
+    }
+    for (int i = 0; i < way->chain->n; i++) {
+        const struct rotary *r = &way->chain->rotary[i];
+        if (next[i] < r->min - 1e-6 || next[i] > r->max + 1e-6)
+            return false;
+        q[i] = next[i];
+    }
+    return true;
+}
+
+bool post_ik_follow(const struct nc_planner *planner, const struct motion *motion, double s0,
+                    double s1, struct machine_pose *to)
+{
+    const struct kinematic_chain *chain = &planner->machine->chain;
+    double q[ROTARY_MAX] = {planner->state.at.q[0], planner->state.at.q[1]};
+    if (planner->follow.mode != INTERPOLATE_VECTOR || chain->n != 2)
+        return true;
+    struct vec3 pole = chain->rotary[0].axis, a = planner->state.pose.a;
+    double off = fmin(vec_length(vec_cross(pole, a)), vec_length(vec_cross(pole, to->at.a)));
+    if (motion->kind != MOTION_SPLINE && 2 * vec_distance(a, to->at.a) < off &&
+        ik_most_turn(chain, to->at.q, q) < PI / 2)
+        return true; /* far from the pole nothing else is near */
+    if (chain_free(chain, to->at.a))
+        return true; /* it leads straight there */
+    const struct follow_way way = {chain, motion};
+    if (!follow_on(&way, s0, s1, q, 0))
+        return false;
+    int digits = planner->plan->ability.digits.angle;
+    for (int i = 0; i < chain->n; i++)
+        to->at.q[i] = RADIANS(num_round(DEGREES(q[i]), digits));
+    to->turned = chain_turned(chain, to->at.q);
+    return true;
+}

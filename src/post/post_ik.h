@@ -34,6 +34,15 @@ bool post_ik_reach_near(const struct nc_planner *planner, const struct pose *to,
 double post_ik_pole_between(const struct nc_planner *planner, const struct motion *motion,
                             double s0, double s1);
 
+/*
+ * A motion at feed from s0, where the program is, to `to` at s1: where vectors leave the rotary
+ * axes to the control, these go on with the tool from where they stand, beside the singular
+ * direction by far more than it turns; `to` gets the angles that they come to.  False: they would
+ * leave their travel on the way.  With rotary words nothing is changed, and true.
+ */
+bool post_ik_follow(const struct nc_planner *planner, const struct motion *motion, double s0,
+                    double s1, struct machine_pose *to);
+
 /* How far from 0 a tip may be for the linear axes to keep their travel however the rotary axes
  * stand: a turn about c takes p no further from 0 than |p| + 2 |c|. */
 double post_ik_safe_radius(const struct machine *m);

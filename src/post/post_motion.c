@@ -170,7 +170,8 @@ int post_motion_one_block(struct nc_planner *planner, const struct pose *to)
         return 1;
     if (planner->follow.mode == INTERPOLATE_VECTOR) {
         struct motion line = motion_line(planner->state.pose, *to);
-        if (post_ik_pole_between(planner, &line, 0, 1) < 1)
+        if (post_ik_pole_between(planner, &line, 0, 1) < 1 ||
+            !post_ik_follow(planner, &line, 0, 1, &target))
             return 1;
     }
     if (!within_spent(planner, &target, to, off)) {
@@ -346,7 +347,7 @@ static int halve(struct nc_planner *planner, const struct motion *motion, double
     bool reached = post_ik_reach(planner, goal, s1, &to) == 0;
     if (!reached && !planner->rewind)
         return -1; /* with it: as far as it goes, then turn */
-    if (reached)
+    if (reached && (kind != NC_LINE || post_ik_follow(planner, motion, s0, s1, &to)))
         d = deviation_of(planner, &to, motion, s0, s1, allowed);
     bool first = reached && kind == NC_LINE && motion->kind == MOTION_LINE && depth == 0;
     if (first && !pose_deviation_within(d, allowed) && turn_out_of_pole(planner, motion, s0, s1)) {
@@ -424,7 +425,8 @@ static int arc_piece(struct nc_planner *planner, const struct motion *motion, do
     struct pose_deviation d;
     double point = 0;
     struct pose goal = motion_at(motion, s1);
-    bool fits = post_ik_reach(planner, goal, s1, &to) == 0;
+    bool fits =
+        post_ik_reach(planner, goal, s1, &to) == 0 && post_ik_follow(planner, motion, s0, s1, &to);
     fits = fits &&
            nc_arc_words(&words, ability->arcs, ability->digits.linear, ability->radius_error,
                         &planner->follow, &planner->state.at, &to.at, motion, s0, s1, &d, &point);
@@ -478,6 +480,8 @@ static int one_curve(struct nc_planner *planner, const struct motion *motion)
             post_ik_reach(planner, motion->to, 1, &checked) == 0)
             to.at.q[0] = checked.at.q[0], to.at.q[1] = checked.at.q[1];
         to.turned = chain_turned(&planner->machine->chain, to.at.q);
+        if (!post_ik_follow(planner, motion, 0, 1, &to))
+            return no_way_on(planner, motion->to, &to);
         if (post_ik_check_linear(planner, &to) != 0)
             return -1;
         const struct nc_along along = {motion, 0, 1, &words, 0};

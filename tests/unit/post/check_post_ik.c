@@ -109,6 +109,44 @@ START_TEST(rounding)
 }
 END_TEST
 
+/* Beside the singular direction by 2 degrees a vector leads the first axis about by what the tool's
+ * bearing turns, counted in steps so small that no other solution is near; where its travel ends
+ * before, no block can be. */
+START_TEST(followed_past_pole)
+{
+    struct bench b;
+    struct machine_pose got;
+    double q[2] = {0.3, RADIANS(20)};
+    bench_begin(&b, KIND_TABLE_AC, INTERPOLATE_VECTOR, vec(1, 2, 3), q);
+    struct vec3 a = b.planner.state.pose.a, aside = vec_unit(vec(-a.y, a.x, 0));
+    struct vec3 past = vec_unit(vec_along(vec(-a.x, -a.y, a.z), RADIANS(4), aside));
+    struct motion line = motion_line(b.planner.state.pose, (struct pose){vec(2, 2, 3), past});
+    double bearing = 0, last = atan2(a.y, a.x);
+    for (int i = 1; i <= 5000; i++) {
+        struct vec3 at = motion_at(&line, i / 5000.0).a;
+        double now = atan2(at.y, at.x);
+        bearing += remainder(now - last, 2 * PI);
+        last = now;
+    }
+    ck_assert_double_gt(fabs(bearing), RADIANS(150));
+    for (int way = 0; way < 2; way++) {
+        ck_assert_int_eq(post_ik_reach(&b.planner, line.to, 1, &got), 0);
+        ck_assert(post_ik_follow(&b.planner, &line, 0, 1, &got));
+        double turn = got.at.q[0] - b.planner.state.at.q[0];
+        ck_assert_double_eq_tol(fabs(turn), fabs(bearing), 1e-5);
+        ck_assert_double_le(vec_distance(bench_axis(&b, got.at.q), past), 1e-6);
+        double *end = turn > 0 ? &b.machine.chain.rotary[0].max : &b.machine.chain.rotary[0].min;
+        *end = b.planner.state.at.q[0] + turn * 0.9;
+        ck_assert_int_eq(post_ik_reach(&b.planner, line.to, 1, &got), 0); /* the other solution */
+        ck_assert(!post_ik_follow(&b.planner, &line, 0, 1, &got));
+        *end = b.planner.state.at.q[0] + turn * 1.1;
+    }
+    b.planner.follow.mode = INTERPOLATE_ROTARY;
+    ck_assert(post_ik_follow(&b.planner, &line, 0, 1, &got));
+    bench_free(&b);
+}
+END_TEST
+
 /* Out of the travel, of a rotary axis or a slide: the axis and where are named. */
 START_TEST(out_of_travel)
 {
@@ -188,6 +226,7 @@ int main(void)
     tcase_set_timeout(tests, 60);
     tcase_add_loop_test(tests, read_back, 0, KINDS * MODES);
     tcase_add_loop_test(tests, rounding, 0, KINDS * MODES);
+    tcase_add_test(tests, followed_past_pole);
     tcase_add_test(tests, out_of_travel);
     tcase_add_loop_test(tests, slides_within, 0, KINDS);
     suite_add_tcase(suite, tests);
